@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Builds the program and draws one picture with it. Installs what is missing (Debian 12, as root or with sudo).
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source apps/setup.sh
+
+install_packages "${build_packages[@]}"
+
+# A build folder that has the tests keeps them.
+if [[ ! -e build/release/build.ninja ]]; then
+	step build/log/configure "Configuring" cmake --preset release -DVPROBE_TESTS=OFF -DVPROBE_BENCH=OFF "${strict[@]}"
+fi
+step build/log/build "Building" cmake --build build/release --target vprobe vprobe-read
+
+picture=build/demo-shell.png
+build/release/bin/vprobe render demo:shell --normal 0.3 0.5 0.81 -o "$picture"
+say "The picture: $PWD/$picture"

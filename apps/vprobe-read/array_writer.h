@@ -1,0 +1,28 @@
+#pragma once
+
+#include "grid/field.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+// Writes arrays one after the other into the shared memory the parent gave, and describes each for the manifest.
+class ArrayWriter
+{
+public:
+	nlohmann::json write(vp::grid::NumberType type, const void* data, std::size_t bytes);
+
+	// The same in pieces, for arrays that are converted on the way.
+	void begin();
+	void append(const void* data, std::size_t bytes);
+	nlohmann::json end(vp::grid::NumberType type);
+
+private:
+	std::size_t start_ = 0;
+	std::size_t position_ = 0;
+};
+
+nlohmann::json writeInt64(ArrayWriter& writer, std::span<const std::int32_t> values);
+nlohmann::json writeInt64(ArrayWriter& writer, std::span<const std::int64_t> values);

@@ -1,0 +1,204 @@
+#include "cell_lists.h"
+
+#include "read/cell_types.h"
+#include "refusal.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataSet.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkIdTypeArray.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <span>
+#include <vector>
+
+using nlohmann::json;
+using vp::grid::NumberType;
+using namespace vp::read;
+
+namespace
+{
+
+constexpr unsigned char kHiddenBits =
+	vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+
+template <class T>
+struct Lists
+{
+	std::span<const T> offsets;
+	std::span<const T> connectivity;
+
+	T size(std::size_t cell) const { return offsets[cell + 1] - offsets[cell]; }
+};
+
+template <class T>
+std::span<const T> spanOf(vtkDataArray* array)
+{
+	return {static_cast<const T*>(array->GetVoidPointer(0)), static_cast<std::size_t>(array->GetNumberOfValues())};
+}
+
+template <class T>
+void refuseBadOffsets(const Lists<T>& lists, std::size_t cells)
+{
+	if (lists.offsets.size() != cells + 1 || lists.offsets[0] != 0 ||
+		lists.offsets[cells] != static_cast<T>(lists.connectivity.size()))
+		throw damaged("the cell offsets do not match the cells");
+	for (std::size_t c = 0; c < cells; ++c)
+		if (lists.offsets[c] > lists.offsets[c + 1])
+			throw damaged("the cell offsets do not rise");
+}
+
+// The types to hand over: those of hidden cells and of cells that cannot be sliced become empty. False if nothing is left.
+template <class T>
+bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUnsignedCharArray* ghosts, CellCounts& counts)
+{
+	std::size_t left = 0;
+	for (std::size_t c = 0; c < types.size(); ++c)
+	{
+		const std::uint8_t type = types[c];
+		const int dimension = cellDimension(type);
+		if (dimension < 0)
+			throw damaged("cell " + std::to_string(c) + " has the unknown type " + std::to_string(type));
+		if (dimension < 3)
+		{
+			++counts.flat;
+			continue;
+		}
+		const T wanted = static_cast<T>(slicedCellSize(type));
+		if (ghosts && (ghosts->GetValue(static_cast<vtkIdType>(c)) & kHiddenBits))
+		{
+			++counts.hidden;
+			types[c] = kEmptyCell;
+		}
+		else if (!canBeSliced(type))
+		{
+			++counts.not_sliced[type];
+			types[c] = kEmptyCell;
+		}
+		else if (lists.size(c) < wanted)
+			throw damaged("cell " + std::to_string(c) + " of type " + std::to_string(type) + " lists " +
+						  std::to_string(lists.size(c)) + " points");
+		else
+		{
+			counts.trimmed += wanted > 0 && lists.size(c) > wanted;
+			++left;
+		}
+	}
+	return left > 0;
+}
+
+// Offsets and connectivity without the points that a cell lists beyond those of its type, as some writers of mid-side nodes
+// leave them.
+template <class T>
+void writeTrimmed(ArrayWriter& writer, std::span<const std::uint8_t> types, const Lists<T>& lists, json& cells)
+{
+	std::vector<std::int64_t> offsets = {0};
+	std::vector<std::int64_t> connectivity;
+	offsets.reserve(lists.offsets.size());
+	connectivity.reserve(lists.connectivity.size());
+	for (std::size_t c = 0; c < types.size(); ++c)
+	{
+		const T wanted = static_cast<T>(slicedCellSize(types[c]));
+		const T size = wanted > 0 ? wanted : types[c] == kEmptyCell ? 0 : lists.size(c);
+		for (T i = 0; i < size; ++i)
+			connectivity.push_back(lists.connectivity[lists.offsets[c] + i]);
+		offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+	}
+	cells["offsets"] = writeInt64(writer, std::span<const std::int64_t>(offsets));
+	cells["connectivity"] = writeInt64(writer, std::span<const std::int64_t>(connectivity));
+}
+
+// Per polyhedron: faces, then per face its size and points. VTK keeps them in one array and a location per cell.
+void writeFaces(ArrayWriter& writer, std::span<const std::uint8_t> types, vtkUnstructuredGrid* grid, json& cells)
+{
+	if (!grid->GetFaces() || !grid->GetFaceLocations())
+		throw damaged("polyhedra without faces");
+	const auto faces = spanOf<vtkIdType>(grid->GetFaces());
+	const auto locations = spanOf<vtkIdType>(grid->GetFaceLocations());
+	if (locations.size() != types.size())
+		throw damaged("the polyhedra's faces do not match the cells");
+
+	std::vector<std::int64_t> offsets = {0};
+	std::vector<std::int64_t> stream;
+	offsets.reserve(types.size() + 1);
+	stream.reserve(faces.size());
+	for (std::size_t c = 0; c < types.size(); ++c)
+	{
+		if (types[c] == kPolyhedron)
+		{
+			if (locations[c] < 0 || locations[c] >= static_cast<vtkIdType>(faces.size()))
+				throw damaged("cell " + std::to_string(c) + " is a polyhedron without faces");
+			std::size_t at = static_cast<std::size_t>(locations[c]);
+			const vtkIdType count = faces[at++];
+			stream.push_back(count);
+			for (vtkIdType f = 0; f < count; ++f)
+			{
+				const vtkIdType size = at < faces.size() ? faces[at] : -1;
+				if (size < 0 || static_cast<std::size_t>(size) >= faces.size() - at)
+					throw damaged("the faces of cell " + std::to_string(c) + " run past their end");
+				stream.insert(stream.end(), faces.begin() + at, faces.begin() + at + size + 1);
+				at += static_cast<std::size_t>(size) + 1;
+			}
+		}
+		offsets.push_back(static_cast<std::int64_t>(stream.size()));
+	}
+	cells["face_offsets"] = writeInt64(writer, std::span<const std::int64_t>(offsets));
+	cells["face_stream"] = writeInt64(writer, std::span<const std::int64_t>(stream));
+}
+
+template <class T>
+json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, vtkDataArray* offsets, vtkDataArray* connectivity,
+				  CellCounts& counts)
+{
+	const auto given = spanOf<std::uint8_t>(grid->GetCellTypesArray());
+	const Lists<T> lists = {spanOf<T>(offsets), spanOf<T>(connectivity)};
+	refuseBadOffsets(lists, given.size());
+
+	std::vector<std::uint8_t> types(given.begin(), given.end());
+	auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+		grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+	if (ghosts && static_cast<std::size_t>(ghosts->GetNumberOfValues()) != types.size())
+		throw damaged("the ghost marks do not match the cells");
+
+	const std::size_t trimmed_before = counts.trimmed;
+	if (!chooseTypes(types, lists, ghosts, counts))
+		return nullptr;
+	json cells = {{"types", writer.write(NumberType::uint8, types.data(), types.size())}};
+	if (counts.trimmed > trimmed_before)
+		writeTrimmed(writer, types, lists, cells);
+	else
+	{
+		cells["offsets"] = writeInt64(writer, lists.offsets);
+		cells["connectivity"] = writeInt64(writer, lists.connectivity);
+	}
+	if (std::find(types.begin(), types.end(), kPolyhedron) != types.end())
+		writeFaces(writer, types, grid, cells);
+	return cells;
+}
+
+} // namespace
+
+json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts)
+{
+	vtkCellArray* cells = grid->GetCells();
+	if (!cells || !grid->GetCellTypesArray() || grid->GetNumberOfCells() == 0)
+		return nullptr;
+	if (!grid->GetPoints())
+		throw damaged("cells without points");
+	if (cells->IsStorage64Bit())
+		return writeCellsAs<std::int64_t>(writer, grid, cells->GetOffsetsArray(), cells->GetConnectivityArray(), counts);
+	return writeCellsAs<std::int32_t>(writer, grid, cells->GetOffsetsArray(), cells->GetConnectivityArray(), counts);
+}
+
+std::size_t countHidden(vtkDataSet* data)
+{
+	auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+		data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+	std::size_t hidden = 0;
+	if (ghosts)
+		for (const unsigned char mark : spanOf<unsigned char>(ghosts))
+			hidden += (mark & kHiddenBits) != 0;
+	return hidden;
+}

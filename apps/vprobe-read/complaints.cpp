@@ -1,0 +1,76 @@
+#include "complaints.h"
+
+#include "refusal.h"
+
+#include <vtkLogger.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+
+#include <string_view>
+
+namespace
+{
+
+std::string first_complaint;
+
+// "ERROR: In file.cxx, line 12\nvtkReader (0x1234): Words\n\n" leaves "Words".
+std::string wordsOf(std::string_view text)
+{
+	if (const auto line_end = text.find('\n'); line_end != text.npos && text.find(", line ") < line_end)
+		text.remove_prefix(line_end + 1);
+	if (const auto address = text.find(" (0x"); address != text.npos)
+		if (const auto colon = text.find("): ", address); colon != text.npos)
+			text.remove_prefix(colon + 3);
+	while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
+		text.remove_suffix(1);
+	return std::string(text);
+}
+
+void keep(const char* text)
+{
+	if (first_complaint.empty())
+		first_complaint = text ? wordsOf(text) : std::string();
+	if (first_complaint.empty())
+		first_complaint = "the reader reported an error";
+}
+
+class ComplaintWindow : public vtkOutputWindow
+{
+public:
+	static ComplaintWindow* New();
+	vtkTypeMacro(ComplaintWindow, vtkOutputWindow);
+
+	void DisplayText(const char*) override {}
+	void DisplayErrorText(const char* text) override { keep(text); }
+	// "Error reading binary data!" of the legacy readers comes as a generic warning.
+	void DisplayGenericWarningText(const char* text) override { keep(text); }
+	void DisplayWarningText(const char* text) override
+	{
+		if (getenv("VPROBE_READ_DEBUG"))
+			fprintf(stderr, "WARNING %s\n", text);
+	}
+	void DisplayDebugText(const char*) override {}
+};
+
+vtkStandardNewMacro(ComplaintWindow);
+
+} // namespace
+
+void installComplaints()
+{
+	vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+	vtkNew<ComplaintWindow> window;
+	vtkOutputWindow::SetInstance(window);
+}
+
+const std::string& firstComplaint()
+{
+	return first_complaint;
+}
+
+void refuseOnComplaint()
+{
+	if (!first_complaint.empty())
+		throw damaged(first_complaint);
+}

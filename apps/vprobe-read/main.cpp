@@ -1,0 +1,91 @@
+// Reads one file with VTK and hands its arrays over in shared memory; see read/protocol.h. A reader that crashes, hangs or
+// swallows memory over a damaged file takes only this process with it.
+#include "complaints.h"
+#include "formats.h"
+#include "manifest_writer.h"
+#include "read/protocol.h"
+#include "refusal.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <string>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace
+{
+
+[[noreturn]] void refuse(std::string reason)
+{
+	for (char& c : reason)
+		if (c == '\n' || c == '\r')
+			c = ' ';
+	std::fprintf(stderr, "\n%s%s\n", vp::read::kReasonMark.data(), reason.c_str());
+	std::fflush(stderr);
+	_exit(vp::read::kRefusedExitCode);
+}
+
+Request parseRequest(char** arguments)
+{
+	Request request;
+	const std::string time = arguments[1];
+	if (time == "first")
+		request.time = Request::Time::first;
+	else if (time != "last")
+	{
+		request.time = Request::Time::nearest;
+		request.time_value = std::strtod(time.c_str(), nullptr);
+	}
+	request.solution = arguments[2];
+	request.file = arguments[3];
+	return request;
+}
+
+void sendManifest(const std::string& text)
+{
+	std::size_t sent = 0;
+	while (sent < text.size())
+	{
+		const ssize_t n = write(vp::read::kManifestFd, text.data() + sent, text.size() - sent);
+		if (n < 0 && errno != EINTR)
+			_exit(1); // the parent is gone
+		if (n > 0)
+			sent += static_cast<std::size_t>(n);
+	}
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+	if (argc != 4 || fcntl(vp::read::kArraysFd, F_GETFD) < 0 || fcntl(vp::read::kManifestFd, F_GETFD) < 0)
+	{
+		std::fprintf(stderr, "vprobe-read is started by vprobe to read files; run vprobe info FILE instead\n");
+		return 1;
+	}
+	std::signal(SIGXFSZ, SIG_IGN); // a full arrays file shows as an error of the write
+	try
+	{
+		installComplaints();
+		ManifestWriter manifest;
+		readAnyFormat(parseRequest(argv), manifest);
+		sendManifest(manifest.finish());
+	}
+	catch (const Refusal& refusal)
+	{
+		refuse(refusal.what());
+	}
+	catch (const std::bad_alloc&)
+	{
+		refuse("needs more memory than reading may take; free some, or the file is damaged");
+	}
+	catch (const std::exception& error)
+	{
+		refuse(std::string("truncated or damaged: ") + error.what());
+	}
+	_exit(0); // VTK's own clearing up takes time and can only crash
+}

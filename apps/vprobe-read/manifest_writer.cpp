@@ -1,0 +1,191 @@
+#include "manifest_writer.h"
+
+#include "read/protocol.h"
+#include "refusal.h"
+#include "structured_blocks.h"
+
+#include <vtkCellData.h>
+#include <vtkCellTypes.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkSmartPointer.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string_view>
+
+using nlohmann::json;
+using vp::grid::NumberType;
+
+namespace
+{
+
+// vtkIdType and the longs have 64 bits in every VTK we are built against; strings, bits and variants have no number type.
+std::optional<NumberType> numberTypeOf(vtkDataArray* array)
+{
+	static_assert(sizeof(vtkIdType) == 8 && sizeof(long) == 8);
+	switch (array->GetDataType())
+	{
+	case VTK_CHAR:
+	case VTK_SIGNED_CHAR:
+		return NumberType::int8;
+	case VTK_UNSIGNED_CHAR:
+		return NumberType::uint8;
+	case VTK_SHORT:
+		return NumberType::int16;
+	case VTK_UNSIGNED_SHORT:
+		return NumberType::uint16;
+	case VTK_INT:
+		return NumberType::int32;
+	case VTK_UNSIGNED_INT:
+		return NumberType::uint32;
+	case VTK_LONG:
+	case VTK_LONG_LONG:
+	case VTK_ID_TYPE:
+		return NumberType::int64;
+	case VTK_UNSIGNED_LONG:
+	case VTK_UNSIGNED_LONG_LONG:
+		return NumberType::uint64;
+	case VTK_FLOAT:
+		return NumberType::float32;
+	case VTK_DOUBLE:
+		return NumberType::float64;
+	default:
+		return std::nullopt;
+	}
+}
+
+std::string typeName(std::uint8_t type)
+{
+	std::string_view name = vtkCellTypes::GetClassNameFromTypeId(type);
+	if (name.starts_with("vtk"))
+		name.remove_prefix(3);
+	return std::string(name);
+}
+
+} // namespace
+
+void ManifestWriter::add(vtkDataObject* object)
+{
+	if (auto* composite = vtkCompositeDataSet::SafeDownCast(object))
+	{
+		const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+		std::size_t number = 0;
+		for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem(), ++number)
+		{
+			vtkInformation* about = leaf->HasCurrentMetaData() ? leaf->GetCurrentMetaData() : nullptr;
+			const char* name = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
+			addDataSet(name ? name : fmt::format("block {}", number), vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()));
+		}
+	}
+	else
+		addDataSet("", vtkDataSet::SafeDownCast(object));
+}
+
+void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* data)
+{
+	if (!data || data->GetNumberOfCells() == 0)
+		return;
+	json block;
+	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+	{
+		json cells = writeCells(writer_, grid, counts_);
+		if (cells.is_null())
+			return;
+		block = {{"kind", "unstructured"}, {"coordinates", writeCoordinates(writer_, grid->GetPoints())}};
+		block["cells"] = std::move(cells);
+	}
+	else if (!describeLattice(data, block))
+	{
+		counts_.flat += static_cast<std::size_t>(data->GetNumberOfCells());
+		return;
+	}
+	block["name"] = name;
+	block["arrays"] = describeArrays(data);
+	blocks_.push_back(std::move(block));
+}
+
+// False for flat lattices and for kinds of data sets that never hold three-dimensional cells.
+bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
+{
+	std::array<int, 3> points = {0, 0, 0};
+	auto* image = vtkImageData::SafeDownCast(data);
+	auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data);
+	auto* curvilinear = vtkStructuredGrid::SafeDownCast(data);
+	if (image)
+		image->GetDimensions(points.data());
+	else if (rectilinear)
+		rectilinear->GetDimensions(points.data());
+	else if (curvilinear)
+		curvilinear->GetDimensions(points.data());
+	if (points[0] < 2 || points[1] < 2 || points[2] < 2)
+		return false;
+
+	block = image         ? describeImage(writer_, image)
+			: rectilinear ? describeRectilinear(writer_, rectilinear)
+						  : describeCurvilinear(writer_, curvilinear);
+	shown_though_hidden_ += countHidden(data);
+	return true;
+}
+
+json ManifestWriter::describeArrays(vtkDataSet* data)
+{
+	json arrays = json::array();
+	const auto describeAll = [&](vtkFieldData* fields, const char* association, vtkIdType tuples)
+	{
+		for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+		{
+			vtkDataArray* array = fields->GetArray(i); // null for strings and variants
+			const auto type = array ? numberTypeOf(array) : std::nullopt;
+			if (!type)
+				continue;
+			const std::string name = array->GetName() ? array->GetName() : fmt::format("array {}", i);
+			if (array->GetNumberOfTuples() != tuples)
+				throw damaged(fmt::format("the {} array {} has {} tuples for {} {}s", association, name,
+										  array->GetNumberOfTuples(), tuples, association));
+			const std::size_t bytes = static_cast<std::size_t>(array->GetNumberOfValues()) * byteSize(*type);
+			json described = writer_.write(*type, array->GetVoidPointer(0), bytes);
+			described["name"] = name;
+			described["association"] = association;
+			described["components"] = array->GetNumberOfComponents();
+			arrays.push_back(std::move(described));
+		}
+	};
+	describeAll(data->GetPointData(), "point", data->GetNumberOfPoints());
+	describeAll(data->GetCellData(), "cell", data->GetNumberOfCells());
+	return arrays;
+}
+
+std::string ManifestWriter::finish()
+{
+	for (const auto& [type, cells] : counts_.not_sliced)
+		warnings_.push_back(fmt::format("{} cells of type {} are not shown", cells, typeName(type)));
+	if (counts_.hidden > 0)
+		warnings_.push_back(fmt::format("{} ghost or hidden cells are left out", counts_.hidden));
+	if (shown_though_hidden_ > 0)
+		warnings_.push_back(fmt::format("{} ghost or hidden cells of structured blocks are shown", shown_though_hidden_));
+	if (counts_.trimmed > 0)
+		warnings_.push_back(
+			fmt::format("{} cells list more points than their type has; the first ones are used", counts_.trimmed));
+	if (blocks_.empty())
+	{
+		if (!counts_.not_sliced.empty())
+			throw Refusal(fmt::format("nothing to slice: cells of type {} cannot be sliced yet; convert them to linear cells",
+									  typeName(counts_.not_sliced.begin()->first)));
+		throw Refusal("nothing to slice: it holds no three-dimensional cells");
+	}
+	const json manifest = {{"version", vp::read::kProtocolVersion},
+						   {"times", times_},
+						   {"left_out", counts_.flat},
+						   {"warnings", warnings_},
+						   {"blocks", blocks_}};
+	// Names in files need not be UTF-8.
+	return manifest.dump(-1, ' ', false, json::error_handler_t::replace);
+}

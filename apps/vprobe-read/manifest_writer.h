@@ -1,0 +1,37 @@
+#pragma once
+
+#include "array_writer.h"
+#include "cell_lists.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkDataSet;
+
+// Turns what a reader gave into blocks of the manifest, arrays and all.
+class ManifestWriter
+{
+public:
+	// Every data set in `object` that holds three-dimensional cells becomes a block.
+	void add(vtkDataObject* object);
+	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
+	void warn(std::string line) { warnings_.push_back(std::move(line)); }
+
+	// The manifest. Throws a Refusal if there is nothing to slice.
+	std::string finish();
+
+private:
+	void addDataSet(const std::string& name, vtkDataSet* data);
+	bool describeLattice(vtkDataSet* data, nlohmann::json& block);
+	nlohmann::json describeArrays(vtkDataSet* data);
+
+	ArrayWriter writer_;
+	nlohmann::json blocks_ = nlohmann::json::array();
+	std::vector<double> times_;
+	std::vector<std::string> warnings_;
+	CellCounts counts_;
+	std::size_t shown_though_hidden_ = 0; // cells of structured blocks
+};

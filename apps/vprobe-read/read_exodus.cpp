@@ -1,0 +1,50 @@
+#include "formats.h"
+#include "manifest_writer.h"
+#include "netcdf_size.h"
+#include "refusal.h"
+#include "time_choice.h"
+
+#include <vtkExodusIIReader.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace
+{
+
+void refuseShortFile(const std::string& file)
+{
+	char magic[3] = {};
+	std::ifstream(file, std::ios::binary).read(magic, 3);
+	if (std::string_view(magic, 3) != "CDF")
+		return; // HDF5 checks its own end
+	const auto wanted = netcdfSize(file);
+	const auto bytes = std::filesystem::file_size(file);
+	if (!wanted)
+		throw damaged("its header cannot be followed");
+	if (bytes < *wanted)
+		throw damaged(fmt::format("{} bytes where its header asks for {}", bytes, *wanted));
+}
+
+} // namespace
+
+void readExodus(const Request& request, ManifestWriter& manifest)
+{
+	refuseShortFile(request.file);
+	vtkNew<vtkExodusIIReader> reader;
+	if (!reader->CanReadFile(request.file.c_str()))
+		throw Refusal("not an Exodus II file, though its first bytes are netCDF's or HDF5's");
+	reader->SetFileName(request.file.c_str());
+	reader->ApplyDisplacementsOff();
+	reader->UpdateInformation();
+	reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+	reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+	for (int block = 0; block < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++block)
+		reader->SetObjectStatus(vtkExodusIIReader::ELEM_BLOCK, block, 1);
+	updateAtTime(*reader, request, manifest);
+	manifest.add(reader->GetOutputDataObject(0));
+}

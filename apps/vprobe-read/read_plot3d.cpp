@@ -1,0 +1,78 @@
+#include "complaints.h"
+#include "formats.h"
+#include "manifest_writer.h"
+#include "plot3d_layout.h"
+#include "refusal.h"
+#include "text_end.h"
+
+#include <vtkMultiBlockDataSet.h>
+#include <vtkMultiBlockPLOT3DReader.h>
+#include <vtkNew.h>
+
+#include <filesystem>
+
+namespace
+{
+
+// VTK's numbers of what it can derive from a solution, beside the Density, Momentum and StagnationEnergy that stand in it.
+constexpr int kPressure = 110;
+constexpr int kTemperature = 120;
+constexpr int kVelocity = 200;
+
+// bluntfinxyz.bin has bluntfinq.bin beside it; wing.xyz, wing.x and wing.g have wing.q. Empty where there is none.
+std::string solutionBeside(const std::string& file)
+{
+	namespace fs = std::filesystem;
+	const fs::path path = file;
+	std::error_code ignored;
+	const fs::path other_ending = fs::path(path).replace_extension(".q");
+	if (other_ending != path && fs::is_regular_file(other_ending, ignored))
+		return other_ending.string();
+	const std::string name = path.filename().string();
+	if (const auto at = name.rfind("xyz"); at != name.npos)
+	{
+		const fs::path other_name = path.parent_path() / (name.substr(0, at) + 'q' + name.substr(at + 3));
+		if (fs::is_regular_file(other_name, ignored))
+			return other_name.string();
+	}
+	return {};
+}
+
+} // namespace
+
+void readPlot3d(const Request& request, ManifestWriter& manifest)
+{
+	const Plot3dLayout layout = findPlot3dLayout(request.file);
+	if (layout.flat)
+		throw Refusal("nothing to slice: a PLOT3D grid of two dimensions");
+
+	vtkNew<vtkMultiBlockPLOT3DReader> reader;
+	reader->SetXYZFileName(request.file.c_str());
+	reader->SetAutoDetectFormat(false);
+	reader->SetBinaryFile(layout.binary);
+	if (layout.little_endian)
+		reader->SetByteOrderToLittleEndian();
+	else
+		reader->SetByteOrderToBigEndian();
+	reader->SetHasByteCount(layout.byte_counts);
+	reader->SetMultiGrid(layout.multi_grid);
+	reader->SetDoublePrecision(layout.doubles);
+	reader->SetIBlanking(layout.blanking);
+	reader->SetTwoDimensionalGeometry(layout.flat);
+
+	const std::string solution = request.solution.empty() ? solutionBeside(request.file) : request.solution;
+	if (solution.empty())
+		manifest.warn("no solution lies beside this PLOT3D grid; --solution names one");
+	else
+	{
+		refuseShortSolution(solution, layout);
+		reader->SetQFileName(solution.c_str());
+		for (const int function : {kPressure, kTemperature, kVelocity})
+			reader->AddFunction(function);
+	}
+	if (!layout.binary && (endsInsideALine(request.file) || (!solution.empty() && endsInsideALine(solution))))
+		manifest.warn(kCutTextWarning);
+	reader->Update();
+	refuseOnComplaint();
+	manifest.add(reader->GetOutput());
+}

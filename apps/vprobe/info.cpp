@@ -1,0 +1,122 @@
+#include "commands.h"
+#include "base/timeline.h"
+#include "grid/demo.h"
+#include "probe_options.h"
+#include "read/read.h"
+#include "slice/field_choice.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace vp::app
+{
+
+namespace
+{
+
+struct InfoOptions
+{
+	ProbeOptions input;
+	bool json = false;
+};
+
+// The arrays of all blocks, each once, with the range over all blocks.
+struct ArrayInfo
+{
+	const grid::Field* field;
+	std::pair<double, double> range;
+};
+
+std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
+{
+	std::vector<ArrayInfo> arrays;
+	for (const grid::Block& block : blocks.blocks)
+		for (const grid::Field& field : block.fields)
+		{
+			const bool known = std::any_of(arrays.begin(), arrays.end(), [&](const ArrayInfo& a)
+										   { return a.field->name == field.name && a.field->association == field.association; });
+			if (known)
+				continue;
+			const int component = field.components == 1 ? 0 : grid::kMagnitude;
+			arrays.push_back({&field, slice::fieldRange(blocks, {field.name, field.association, component})});
+		}
+	return arrays;
+}
+
+nlohmann::json asJson(const grid::BlockSet& blocks)
+{
+	nlohmann::json arrays = nlohmann::json::array();
+	for (const auto& [field, range] : listArrays(blocks))
+		arrays.push_back({{"name", field->name},
+						  {"association", grid::associationName(field->association)},
+						  {"components", field->components},
+						  {"type", grid::numberTypeName(field->type)},
+						  {"range", {range.first, range.second}}});
+	const Box bounds = blocks.bounds();
+	return {{"grid",
+			 {{"kind", blocks.kind()},
+			  {"cells", blocks.cellCount()},
+			  {"points", blocks.pointCount()},
+			  {"blocks", blocks.blocks.size()},
+			  {"cells_left_out", blocks.left_out}}},
+			{"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
+			{"times", blocks.times},
+			{"arrays", arrays}};
+}
+
+void printTable(const grid::BlockSet& blocks)
+{
+	const Box bounds = blocks.bounds();
+	fmt::print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.cellCount(), blocks.pointCount(),
+			   blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
+	if (blocks.left_out)
+		fmt::print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
+	fmt::print("bounds  x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n", bounds.lo.x, bounds.hi.x, bounds.lo.y,
+			   bounds.hi.y, bounds.lo.z, bounds.hi.z);
+	if (!blocks.times.empty())
+		fmt::print("times   {} from {:.6g} to {:.6g}\n", blocks.times.size(), blocks.times.front(), blocks.times.back());
+	const auto arrays = listArrays(blocks);
+	if (arrays.empty())
+		fmt::print("arrays  none\n");
+	for (const auto& [field, range] : arrays)
+		fmt::print("array   {}:{}  {} x {}, {}{:.6g} to {:.6g}\n", grid::associationName(field->association), field->name,
+				   field->components, grid::numberTypeName(field->type), field->components == 1 ? "" : "magnitude ", range.first,
+				   range.second);
+}
+
+Result<ExitCode> runInfo(const InfoOptions& options)
+{
+	const ProbeOptions& input = options.input;
+	if (input.inputs.size() == 1 && input.inputs.front() == "demo:")
+	{
+		for (const grid::Demo& demo : grid::demos())
+			fmt::print("demo:{:<8} {}\n", demo.name, demo.about);
+		return ExitCode::done;
+	}
+	Result<read::TimeChoice> time = read::parseTime(input.time);
+	if (!time)
+		return time.error();
+	Result<grid::BlockSet> blocks = read::readInputs(input.inputs, {*time, input.solution}, nullptr);
+	if (!blocks)
+		return blocks.error();
+	if (options.json)
+		fmt::print("{}\n", asJson(*blocks).dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
+	else
+		printTable(*blocks);
+	return ExitCode::done;
+}
+
+} // namespace
+
+void addInfo(CLI::App& program, Run& run)
+{
+	auto options = std::make_shared<InfoOptions>();
+	CLI::App* command = program.add_subcommand("info", "Tell what an input holds: grid, bounds, times, arrays");
+	addInputs(*command, options->input);
+	command->add_flag("--json", options->json, "Write JSON for scripts");
+	command->callback([&run, options] { run = [options] { return runInfo(*options); }; });
+}
+
+} // namespace vp::app

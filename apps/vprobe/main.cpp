@@ -1,0 +1,77 @@
+#include "arguments.h"
+#include "base/log.h"
+#include "commands.h"
+#include "version.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+namespace
+{
+
+int exitStatus(vp::ExitCode code)
+{
+	return static_cast<int>(code);
+}
+
+// CLI11's reasons, as one line that names the remedy.
+int reportUsage(const CLI::App& program, const CLI::ParseError& error)
+{
+	std::string reason = error.what();
+	std::replace(reason.begin(), reason.end(), '\n', ' ');
+	const auto commands = program.get_subcommands();
+	const std::string help = commands.empty() ? "vprobe --help" : fmt::format("vprobe {} --help", commands.front()->get_name());
+	vp::logError(fmt::format("{}; see {}", reason, help));
+	return exitStatus(vp::ExitCode::usage);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+	CLI::App program{"Slices of volume data on any computational grid, by volume probes (Speray and Kennon, 1990).", "vprobe"};
+	program.set_version_flag("--version", vp::app::kVersion);
+	program.require_subcommand(1);
+	program.footer("vprobe COMMAND --help tells a command's options. INPUT is a file or demo:NAME[:N], N cells each way;\n"
+				   "vprobe info demo: lists the built-in data sets. Try: vprobe render demo:shell --normal 0.3 0.5 0.8 -o shell.png");
+
+	vp::app::Run run;
+	vp::app::addInfo(program, run);
+	vp::app::addSlice(program, run);
+	vp::app::addRender(program, run);
+
+	try
+	{
+		program.parse(vp::app::foldNumbers(argc, argv));
+	}
+	catch (const CLI::CallForHelp&)
+	{
+		fmt::print("{}", program.help());
+		return exitStatus(vp::ExitCode::done);
+	}
+	catch (const CLI::CallForVersion&)
+	{
+		fmt::print("vprobe {}\n", vp::app::kVersion);
+		return exitStatus(vp::ExitCode::done);
+	}
+	catch (const CLI::ParseError& error)
+	{
+		return reportUsage(program, error);
+	}
+
+	try
+	{
+		vp::Result<vp::ExitCode> done = run();
+		if (done)
+			return exitStatus(*done);
+		vp::logError(done.error().message);
+		return exitStatus(done.error().code);
+	}
+	catch (const std::bad_alloc&)
+	{
+		vp::logError("out of memory; use a smaller input or a machine with more memory");
+		return exitStatus(vp::ExitCode::output);
+	}
+}

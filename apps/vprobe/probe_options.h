@@ -1,0 +1,68 @@
+#pragma once
+
+#include "base/result.h"
+#include "base/timeline.h"
+#include "gpu/device.h"
+#include "grid/block.h"
+#include "probe/sheet.h"
+#include "slice/field_choice.h"
+#include "slice/slicer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vp::app
+{
+
+// INPUT... and the PROBE options, as they stand on the command line.
+struct ProbeOptions
+{
+	std::vector<std::string> inputs;
+	std::vector<double> origin; // three numbers, or none: the centre of the bounds
+	std::string normal = "z";   // x, y, z or three numbers
+	std::vector<double> up{0.0, 1.0, 0.0};
+	std::string array;
+	std::string component;
+	std::string time = "last";
+	std::string solution;
+	std::string seeds = "auto";
+	std::string outside = "nearest";
+	std::string classify = "gpu";
+	bool classify_given = false;
+	std::string device;
+	int threads = 0;
+};
+
+// Adds them to a command.
+void addInputs(CLI::App& command, ProbeOptions& options);
+void addProbeOptions(CLI::App& command, ProbeOptions& options);
+
+// What a command cuts and by what, made ready from the options. The slicer refers to the blocks, the device serves slicer and drawing.
+struct Session
+{
+	grid::BlockSet blocks;
+	std::optional<slice::FieldChoice> field;
+	probe::Probe probe;
+	seed::SeedOptions seeds;
+	std::unique_ptr<gpu::Device> device; // null where the CPU does without
+	std::unique_ptr<slice::Slicer> slicer;
+	std::unique_ptr<Timeline> timeline;
+};
+
+enum class DeviceUse
+{
+	classify, // a device is wanted for the GPU classifier only
+	draw      // a device is needed in any case
+};
+
+// Reads the inputs and builds the rest. Nothing is written before this has succeeded.
+Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use);
+
+// Cuts, and tells the user in a word what is empty or was moved.
+Result<slice::Slice> cut(Session& session);
+
+} // namespace vp::app

@@ -1,0 +1,2 @@
+#include "commands.h"
+namespace vp::app { void addRender(CLI::App&, Run&) {} }

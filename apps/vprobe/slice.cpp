@@ -1,0 +1,79 @@
+#include "commands.h"
+#include "probe_options.h"
+#include "stats_json.h"
+#include "write/slice_file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace vp::app
+{
+
+namespace
+{
+
+struct SliceOptions
+{
+	ProbeOptions probe;
+	std::string output;
+	std::string stats;
+};
+
+Result<ExitCode> runSlice(const SliceOptions& options)
+{
+	if (options.output == "-" && options.stats == "-")
+		return Error{ExitCode::usage, "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
+	if (!options.output.empty())
+		if (Result<write::SliceFormat> format = write::sliceFormatOf(options.output); !format)
+			return format.error();
+
+	Result<std::unique_ptr<Session>> opened = openSession(options.probe, DeviceUse::classify);
+	if (!opened)
+		return opened.error();
+	Session& session = **opened;
+	Result<slice::Slice> slice = cut(session);
+	if (!slice)
+		return slice.error();
+	std::vector<SheetStats> sheets = sheetStats(session, *slice);
+
+	if (!options.output.empty())
+	{
+		const TimedSection section(session.timeline.get(), "write");
+		std::vector<slice::SheetMesh> meshes;
+		for (const SheetStats& sheet : sheets)
+			meshes.push_back(sheet.mesh);
+		if (Status written = write::writeSlice(session.blocks, meshes, options.output); !written)
+			return written.error();
+	}
+	if (!options.stats.empty())
+	{
+		if (Status written = writeText(options.stats, statsJson(options.probe, session, *slice, sheets)); !written)
+		{
+			if (!options.output.empty() && options.output != "-")
+				std::filesystem::remove(options.output);
+			return written.error();
+		}
+	}
+	else if (options.output.empty())
+		fmt::print("{}", statsTable(session, *slice, sheets));
+	return ExitCode::done;
+}
+
+} // namespace
+
+void addSlice(CLI::App& program, Run& run)
+{
+	auto options = std::make_shared<SliceOptions>();
+	CLI::App* command = program.add_subcommand("slice", "Cut an input by a plane: polygons with every array, and figures");
+	addInputs(*command, options->probe);
+	addProbeOptions(*command, options->probe);
+	command->add_option("-o,--output", options->output, "Polygons as .vtp, .ply or .csv; - writes VTP to standard output")
+		->type_name("FILE|-");
+	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
+	command->footer("With neither -o nor --stats a short table is printed.");
+	command->callback([&run, options] { run = [options] { return runSlice(*options); }; });
+}
+
+} // namespace vp::app

@@ -1,0 +1,159 @@
+#include "stats_json.h"
+
+#include "write/atomic_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <numeric>
+
+namespace vp::app
+{
+
+namespace
+{
+
+nlohmann::json orNull(const std::optional<double>& value)
+{
+	return value ? nlohmann::json(*value) : nlohmann::json();
+}
+
+nlohmann::json asJson(const Vec3& v)
+{
+	return {v.x, v.y, v.z};
+}
+
+// Traversal figures of a sheet, over its blocks.
+struct TraversalSums
+{
+	std::size_t cut_cells = 0;
+	std::size_t touched = 0;
+	std::size_t walked = 0;
+	std::size_t generations = 0;
+	std::size_t front_max = 0;
+	std::size_t boundary_faces = 0;
+};
+
+TraversalSums sumUp(const slice::SheetSlice& sheet)
+{
+	TraversalSums sums;
+	for (const traverse::LaneCut& cut : sheet.cuts)
+	{
+		sums.cut_cells += cut.cut_cells;
+		sums.touched += cut.cells.size();
+		sums.generations = std::max(sums.generations, cut.generations());
+		sums.front_max = std::max(sums.front_max, cut.frontMax());
+		for (const std::uint32_t word : cut.words)
+			sums.walked += (word & shared::kWordWalk) != 0;
+	}
+	for (const auto& faces : sheet.seeds.faces_in_plane)
+		sums.boundary_faces += faces.size();
+	return sums;
+}
+
+nlohmann::json sheetJson(const slice::SheetSlice& sheet, const SheetStats& stats)
+{
+	const TraversalSums sums = sumUp(sheet);
+	return {{"origin", asJson(sheet.sheet.origin)},
+			{"normal", asJson(sheet.sheet.normal)},
+			{"up", asJson(sheet.sheet.up)},
+			{"cut_cells", sums.cut_cells},
+			{"polygons", stats.mesh.polygons()},
+			{"vertices", stats.mesh.positions.size()},
+			{"components", stats.measure.components},
+			{"area", stats.measure.area},
+			{"mean", orNull(stats.measure.mean)},
+			{"min", orNull(stats.measure.min)},
+			{"max", orNull(stats.measure.max)},
+			{"seeds", sheet.seeds.count},
+			{"hops", sheet.seeds.hops},
+			{"boundary_tests", sheet.seeds.boundary_tests},
+			{"hot_spot_inside", sheet.seeds.hot_spot_inside},
+			{"generations", sums.generations},
+			{"front_max", sums.front_max},
+			{"cells_touched", sums.touched},
+			{"cells_walked", sums.walked},
+			{"cells_twisted", stats.mesh.cells_twisted},
+			{"boundary_faces", sums.boundary_faces},
+			{"nan_area", stats.measure.nan_area}};
+}
+
+} // namespace
+
+std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice)
+{
+	std::vector<SheetStats> sheets(slice.sheets.size());
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+	{
+		{
+			const TimedSection section(session.timeline.get(), "emit");
+			sheets[s].mesh = slice.mesh(session.blocks, s);
+		}
+		const TimedSection section(session.timeline.get(), "measure");
+		sheets[s].measure = slice::measure(session.blocks, sheets[s].mesh, session.field);
+	}
+	return sheets;
+}
+
+const char* classifierName(const Session& session)
+{
+	return !session.slicer->usesGpu() ? "cpu" : session.slicer->blocksOnGpu() < session.blocks.blocks.size() ? "mixed" : "gpu";
+}
+
+std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
+					  const std::vector<SheetStats>& sheets)
+{
+	nlohmann::json sheet_list = nlohmann::json::array();
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+		sheet_list.push_back(sheetJson(slice.sheets[s], sheets[s]));
+
+	const Timeline& timeline = *session.timeline;
+	nlohmann::json ms = {{"gpu", timeline.totalGpu()}, {"total", timeline.now()}};
+	for (const char* section : {"read", "build", "upload", "seed", "traverse", "emit", "measure", "readback", "render", "write"})
+		ms[section] = timeline.total(section);
+
+	const nlohmann::json document = {
+		{"input", fmt::format("{}", fmt::join(options.inputs, " "))},
+		{"grid",
+		 {{"kind", session.blocks.kind()},
+		  {"cells", session.blocks.cellCount()},
+		  {"points", session.blocks.pointCount()},
+		  {"blocks", session.blocks.blocks.size()}}},
+		{"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
+		{"device", session.device ? session.device->name() : "none"},
+		{"classifier", classifierName(session)},
+		{"sheets", sheet_list},
+		{"ms", ms}};
+	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string statsTable(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+{
+	std::string table = fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13} {:>13} {:>13} {:>13}\n", "sheet", "cells", "polygons",
+									"vertices", "pieces", "area", "mean", "min", "max");
+	const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; };
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+	{
+		const slice::SheetMeasure& measure = sheets[s].measure;
+		table += fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13.6g} {:>13} {:>13} {:>13}\n", s, sumUp(slice.sheets[s]).cut_cells,
+							 sheets[s].mesh.polygons(), sheets[s].mesh.positions.size(), measure.components, measure.area,
+							 number(measure.mean), number(measure.min), number(measure.max));
+	}
+	const Timeline& timeline = *session.timeline;
+	const double cut_ms = timeline.total("seed") + timeline.total("traverse") + timeline.total("emit");
+	table += fmt::format("{}classified on the {}, cut in {:.3g} ms of {:.3g} ms\n",
+						 session.field ? fmt::format("array {}, ", session.field->title(session.blocks)) : "", classifierName(session),
+						 cut_ms, timeline.now());
+	return table;
+}
+
+Status writeText(const std::string& path, const std::string& text)
+{
+	Result<write::AtomicFile> file = write::AtomicFile::create(path);
+	if (!file)
+		return file.error();
+	file->write(text);
+	return file->commit();
+}
+
+} // namespace vp::app

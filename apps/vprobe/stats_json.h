@@ -1,0 +1,34 @@
+#pragma once
+
+#include "probe_options.h"
+#include "slice/stats.h"
+
+#include <string>
+#include <vector>
+
+namespace vp::app
+{
+
+// A sheet's figures: what was cut, and what it shows.
+struct SheetStats
+{
+	slice::SheetMesh mesh;
+	slice::SheetMeasure measure;
+};
+
+std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice);
+
+// The --stats document. Scripts rely on its keys: add to them, never rename one.
+std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
+					  const std::vector<SheetStats>& sheets);
+
+// The same for people.
+std::string statsTable(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets);
+
+// "gpu", "cpu", or "mixed" where a block stayed with the CPU for a limit of the device.
+const char* classifierName(const Session& session);
+
+// To a file, whole or not at all, or with "-" to standard output.
+Status writeText(const std::string& path, const std::string& text);
+
+} // namespace vp::app

@@ -1,0 +1,102 @@
+#include "gpu/buffer.h"
+
+#include "gpu/memory.h"
+#include "gpu/vk_check.h"
+
+namespace vp::gpu
+{
+
+Result<Buffer> Buffer::create(Device& device, VkDeviceSize size, VkBufferUsageFlags usage, Memory memory,
+                              std::string_view name)
+{
+	if (size > device.maxBufferSize())
+		return check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "a buffer past the device's limit").error();
+	VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+	info.size = size;
+	info.usage = usage;
+	Buffer buffer;
+	if (Status made = check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer.handle_), "vkCreateBuffer"); !made)
+		return made.error();
+	buffer.device_ = &device;
+	buffer.size_ = size;
+	buffer.usage_ = usage;
+	device.setName(VK_OBJECT_TYPE_BUFFER, buffer.handle_, name);
+
+	VkMemoryRequirements requirements;
+	vkGetBufferMemoryRequirements(device.handle(), buffer.handle_, &requirements);
+	Result<Allocation> allocation = allocate(device, requirements, memory, name);
+	if (!allocation)
+		return allocation.error();
+	buffer.memory_ = allocation->memory;
+	buffer.mapped_ = allocation->mapped;
+	buffer.coherent_ = allocation->coherent;
+	if (Status bound =
+	        check(vkBindBufferMemory(device.handle(), buffer.handle_, buffer.memory_, 0), "vkBindBufferMemory");
+	    !bound)
+		return bound.error();
+	return buffer;
+}
+
+Buffer::~Buffer()
+{
+	if (handle_)
+		device_->retire(
+		    [handle = handle_, memory = memory_](VkDevice device)
+		    {
+			    vkDestroyBuffer(device, handle, nullptr);
+			    vkFreeMemory(device, memory, nullptr);
+		    });
+}
+
+void Buffer::flush() const
+{
+	if (coherent_)
+		return;
+	const VkMappedMemoryRange range{VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE, nullptr, memory_, 0, VK_WHOLE_SIZE};
+	require(vkFlushMappedMemoryRanges(device_->handle(), 1, &range), "vkFlushMappedMemoryRanges");
+}
+
+void Buffer::invalidate() const
+{
+	if (coherent_)
+		return;
+	const VkMappedMemoryRange range{VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE, nullptr, memory_, 0, VK_WHOLE_SIZE};
+	require(vkInvalidateMappedMemoryRanges(device_->handle(), 1, &range), "vkInvalidateMappedMemoryRanges");
+}
+
+void Buffer::swap(Buffer& other) noexcept
+{
+	std::swap(device_, other.device_);
+	std::swap(handle_, other.handle_);
+	std::swap(memory_, other.memory_);
+	std::swap(size_, other.size_);
+	std::swap(usage_, other.usage_);
+	std::swap(mapped_, other.mapped_);
+	std::swap(coherent_, other.coherent_);
+}
+
+Result<TexelView> TexelView::create(const Buffer& buffer, VkFormat format, std::string_view name, VkDeviceSize offset,
+                                    VkDeviceSize size)
+{
+	VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
+	info.buffer = buffer.handle();
+	info.format = format;
+	info.offset = offset;
+	info.range = size ? size : VK_WHOLE_SIZE;
+	TexelView view;
+	if (Status made =
+	        check(vkCreateBufferView(buffer.device().handle(), &info, nullptr, &view.handle_), "vkCreateBufferView");
+	    !made)
+		return made.error();
+	view.device_ = &buffer.device();
+	buffer.device().setName(VK_OBJECT_TYPE_BUFFER_VIEW, view.handle_, name);
+	return view;
+}
+
+TexelView::~TexelView()
+{
+	if (handle_)
+		device_->retire([handle = handle_](VkDevice device) { vkDestroyBufferView(device, handle, nullptr); });
+}
+
+} // namespace vp::gpu

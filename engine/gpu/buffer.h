@@ -1,0 +1,93 @@
+#pragma once
+
+#include "gpu/device.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace vp::gpu
+{
+
+enum class Memory
+{
+	device,  // as fast as it gets for the GPU; mapped only where that costs nothing (software and integrated devices)
+	upload,  // written by the host, read by the GPU: coherent, device-local where there is such a thing
+	readback // written by the GPU, read by the host: cached; invalidate() before reading
+};
+
+// A buffer with memory of its own. Move-only; the destructor waits for nothing (see Device).
+class Buffer
+{
+public:
+	Buffer() = default;
+	static Result<Buffer> create(Device& device, VkDeviceSize size, VkBufferUsageFlags usage, Memory memory,
+	                             std::string_view name);
+	~Buffer();
+	Buffer(Buffer&& other) noexcept { swap(other); }
+	Buffer& operator=(Buffer&& other) noexcept
+	{
+		Buffer taken(std::move(other));
+		swap(taken);
+		return *this;
+	}
+
+	explicit operator bool() const { return handle_ != VK_NULL_HANDLE; }
+	VkBuffer handle() const { return handle_; }
+	VkDeviceSize size() const { return size_; }
+	VkBufferUsageFlags usage() const { return usage_; }
+	Device& device() const { return *device_; }
+
+	// Null where the memory is not mapped; upload and readback memory always is.
+	void* mapped() const { return mapped_; }
+	template <class T>
+	T* mappedAs() const
+	{
+		return static_cast<T*>(mapped_);
+	}
+	void flush() const;      // host writes to the GPU; does nothing for coherent memory
+	void invalidate() const; // GPU writes to the host, after the wait; does nothing for coherent memory
+
+private:
+	void swap(Buffer& other) noexcept;
+
+	Device* device_ = nullptr;
+	VkBuffer handle_ = VK_NULL_HANDLE;
+	VkDeviceMemory memory_ = VK_NULL_HANDLE;
+	VkDeviceSize size_ = 0;
+	VkBufferUsageFlags usage_ = 0;
+	void* mapped_ = nullptr;
+	bool coherent_ = false;
+};
+
+// A buffer seen as an array of texels (the buffer's usage must say so); read with texelFetch in shaders.
+class TexelView
+{
+public:
+	TexelView() = default;
+	// `size` of 0 takes the rest of the buffer. At most limits().maxTexelBufferElements texels.
+	static Result<TexelView> create(const Buffer& buffer, VkFormat format, std::string_view name,
+	                                VkDeviceSize offset = 0, VkDeviceSize size = 0);
+	~TexelView();
+	TexelView(TexelView&& other) noexcept { swap(other); }
+	TexelView& operator=(TexelView&& other) noexcept
+	{
+		TexelView taken(std::move(other));
+		swap(taken);
+		return *this;
+	}
+
+	explicit operator bool() const { return handle_ != VK_NULL_HANDLE; }
+	VkBufferView handle() const { return handle_; }
+
+private:
+	void swap(TexelView& other) noexcept
+	{
+		std::swap(device_, other.device_);
+		std::swap(handle_, other.handle_);
+	}
+
+	Device* device_ = nullptr;
+	VkBufferView handle_ = VK_NULL_HANDLE;
+};
+
+} // namespace vp::gpu

@@ -1,0 +1,360 @@
+#include "gpu/device.h"
+
+#include "gpu/device_choice.h"
+#include "gpu/instance.h"
+#include "gpu/vk_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <deque>
+#include <mutex>
+
+namespace vp::gpu
+{
+
+// Waiting longer than this is left to the kernel.
+constexpr auto kSpin = std::chrono::microseconds(100);
+
+struct Device::Private
+{
+	struct Retired
+	{
+		std::uint64_t after; // submission
+		std::function<void(VkDevice)> destroy;
+	};
+
+	std::unique_ptr<Instance> instance;
+	std::mutex queue_mutex; // the queue and the number of its last submission
+	std::uint64_t submitted = 0;
+	mutable std::mutex retired_mutex;
+	std::deque<Retired> retired;
+	bool has_memory_budget = false;
+
+	PFN_vkSetDebugUtilsObjectNameEXT set_name = nullptr;
+	PFN_vkCmdBeginDebugUtilsLabelEXT begin_label = nullptr;
+	PFN_vkCmdEndDebugUtilsLabelEXT end_label = nullptr;
+	PFN_vkGetCalibratedTimestampsEXT calibrated_timestamps = nullptr;
+};
+
+namespace
+{
+bool validationWanted(const DeviceOptions& options)
+{
+	const char* set = std::getenv("VPROBE_VALIDATION");
+	return options.validation || (set && *set && std::string_view(set) != "0");
+}
+
+// What drawing uses where it is there; the rest stays off.
+VkPhysicalDeviceFeatures optionalFeatures(VkPhysicalDevice device)
+{
+	VkPhysicalDeviceFeatures present;
+	vkGetPhysicalDeviceFeatures(device, &present);
+	VkPhysicalDeviceFeatures wanted{};
+	wanted.fragmentStoresAndAtomics = present.fragmentStoresAndAtomics;
+	wanted.vertexPipelineStoresAndAtomics = present.vertexPipelineStoresAndAtomics;
+	wanted.independentBlend = present.independentBlend;
+	wanted.fillModeNonSolid = present.fillModeNonSolid;
+	wanted.wideLines = present.wideLines;
+	wanted.multiDrawIndirect = present.multiDrawIndirect;
+	wanted.shaderStorageImageExtendedFormats = present.shaderStorageImageExtendedFormats;
+	wanted.shaderStorageImageWriteWithoutFormat = present.shaderStorageImageWriteWithoutFormat;
+	wanted.shaderInt64 = present.shaderInt64;
+	wanted.shaderFloat64 = present.shaderFloat64;
+	return wanted;
+}
+
+// CLOCK_MONOTONIC, which is what the steady clock reads on Linux.
+bool calibratesToSteadyClock(VkInstance instance, VkPhysicalDevice device)
+{
+	const auto domains_of = reinterpret_cast<PFN_vkGetPhysicalDeviceCalibrateableTimeDomainsEXT>(
+	    vkGetInstanceProcAddr(instance, "vkGetPhysicalDeviceCalibrateableTimeDomainsEXT"));
+	if (!domains_of)
+		return false;
+	std::uint32_t count = 0;
+	domains_of(device, &count, nullptr);
+	std::vector<VkTimeDomainEXT> domains(count);
+	domains_of(device, &count, domains.data());
+	const auto has = [&](VkTimeDomainEXT domain)
+	{ return std::find(domains.begin(), domains.end(), domain) != domains.end(); };
+	return has(VK_TIME_DOMAIN_DEVICE_EXT) && has(VK_TIME_DOMAIN_CLOCK_MONOTONIC_EXT);
+}
+
+template <class Function>
+void load(Function& function, VkDevice device, const char* name)
+{
+	function = reinterpret_cast<Function>(vkGetDeviceProcAddr(device, name));
+}
+} // namespace
+
+Device::Device() : private_(std::make_unique<Private>()) {}
+
+Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
+{
+	std::unique_ptr<Device> device(new Device);
+	Private& hidden = *device->private_;
+	Result<std::unique_ptr<Instance>> instance = createInstance(validationWanted(options), options.instance_extensions);
+	if (!instance)
+		return instance.error();
+	hidden.instance = std::move(*instance);
+	device->instance_ = hidden.instance->handle;
+	Result<Candidate> choice = chooseDevice(device->instance_, options.name_or_index, options.swapchain);
+	if (!choice)
+		return choice.error();
+	device->physical_ = choice->handle;
+	device->name_ = choice->name;
+	device->type_ = choice->type;
+	device->queue_family_ = choice->queue_family;
+
+	VkPhysicalDeviceMaintenance4Properties maintenance4{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
+	VkPhysicalDeviceMaintenance3Properties maintenance3{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES,
+	                                                    &maintenance4};
+	VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &maintenance3};
+	vkGetPhysicalDeviceProperties2(device->physical_, &properties);
+	device->limits_ = properties.properties.limits;
+	device->max_buffer_size_ = std::min(maintenance4.maxBufferSize, maintenance3.maxMemoryAllocationSize);
+	vkGetPhysicalDeviceMemoryProperties(device->physical_, &device->memory_);
+	std::uint32_t families = 0;
+	vkGetPhysicalDeviceQueueFamilyProperties(device->physical_, &families, nullptr);
+	std::vector<VkQueueFamilyProperties> family(families);
+	vkGetPhysicalDeviceQueueFamilyProperties(device->physical_, &families, family.data());
+	device->timestamp_bits_ = family[device->queue_family_].timestampValidBits;
+
+	std::vector<const char*> extensions;
+	if (options.swapchain)
+		extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+	hidden.has_memory_budget = choice->has(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+	if (hidden.has_memory_budget)
+		extensions.push_back(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+	const bool calibrates = choice->has(VK_EXT_CALIBRATED_TIMESTAMPS_EXTENSION_NAME) &&
+	                        calibratesToSteadyClock(device->instance_, device->physical_);
+	if (calibrates)
+		extensions.push_back(VK_EXT_CALIBRATED_TIMESTAMPS_EXTENSION_NAME);
+
+	VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+	v13.synchronization2 = v13.dynamicRendering = v13.maintenance4 = VK_TRUE;
+	VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &v13};
+	v12.timelineSemaphore = v12.scalarBlockLayout = v12.hostQueryReset = VK_TRUE;
+	VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v12};
+	features.features = device->features_ = optionalFeatures(device->physical_);
+	const float priority = 1.0f;
+	VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+	queue.queueFamilyIndex = device->queue_family_;
+	queue.queueCount = 1;
+	queue.pQueuePriorities = &priority;
+	VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
+	info.queueCreateInfoCount = 1;
+	info.pQueueCreateInfos = &queue;
+	info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+	info.ppEnabledExtensionNames = extensions.data();
+	if (const VkResult made = vkCreateDevice(device->physical_, &info, nullptr, &device->device_); made != VK_SUCCESS)
+		return Error{ExitCode::no_device, fmt::format("device {} cannot be used ({}); another one may do: --device",
+		                                              device->name_, resultName(made))};
+	vkGetDeviceQueue(device->device_, device->queue_family_, 0, &device->queue_);
+	if (hidden.instance->debug_utils)
+	{
+		load(hidden.set_name, device->device_, "vkSetDebugUtilsObjectNameEXT");
+		load(hidden.begin_label, device->device_, "vkCmdBeginDebugUtilsLabelEXT");
+		load(hidden.end_label, device->device_, "vkCmdEndDebugUtilsLabelEXT");
+	}
+	if (calibrates)
+		load(hidden.calibrated_timestamps, device->device_, "vkGetCalibratedTimestampsEXT");
+
+	VkSemaphoreTypeCreateInfo timeline{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO};
+	timeline.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
+	const VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &timeline, 0};
+	if (Status made =
+	        check(vkCreateSemaphore(device->device_, &semaphore, nullptr, &device->timeline_), "vkCreateSemaphore");
+	    !made)
+		return made.error();
+	const VkPipelineCacheCreateInfo cache{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
+	if (Status made = check(vkCreatePipelineCache(device->device_, &cache, nullptr, &device->pipeline_cache_),
+	                        "vkCreatePipelineCache");
+	    !made)
+		return made.error();
+	device->setName(VK_OBJECT_TYPE_QUEUE, device->queue_, "queue");
+	device->setName(VK_OBJECT_TYPE_SEMAPHORE, device->timeline_, "submissions");
+	device->setName(VK_OBJECT_TYPE_PIPELINE_CACHE, device->pipeline_cache_, "pipelines");
+	return device;
+}
+
+Device::~Device()
+{
+	if (!device_)
+		return;
+	vkDeviceWaitIdle(device_); // a lost device is idle too
+	for (const Private::Retired& retired : private_->retired)
+		retired.destroy(device_);
+	vkDestroyPipelineCache(device_, pipeline_cache_, nullptr);
+	vkDestroySemaphore(device_, timeline_, nullptr);
+	vkDestroyDevice(device_, nullptr);
+}
+
+VkDeviceSize Device::memoryLeft() const
+{
+	VkPhysicalDeviceMemoryBudgetPropertiesEXT budget{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_BUDGET_PROPERTIES_EXT};
+	VkPhysicalDeviceMemoryProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2};
+	if (private_->has_memory_budget)
+		properties.pNext = &budget;
+	vkGetPhysicalDeviceMemoryProperties2(physical_, &properties);
+	VkDeviceSize most = 0;
+	for (std::uint32_t i = 0; i < memory_.memoryHeapCount; ++i)
+	{
+		if (!(memory_.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT))
+			continue;
+		VkDeviceSize left = memory_.memoryHeaps[i].size;
+		if (private_->has_memory_budget)
+			left = budget.heapBudget[i] - std::min(budget.heapBudget[i], budget.heapUsage[i]);
+		most = std::max(most, left);
+	}
+	return most;
+}
+
+Result<std::uint64_t> Device::submit(const Submission& submission)
+{
+	std::vector<VkCommandBufferSubmitInfo> commands;
+	for (const VkCommandBuffer buffer : submission.commands)
+		commands.push_back({VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, nullptr, buffer, 0});
+	const auto info = [](VkSemaphore semaphore, std::uint64_t value)
+	{
+		return VkSemaphoreSubmitInfo{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO, nullptr, semaphore, value,
+		                             VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,    0};
+	};
+	std::vector<VkSemaphoreSubmitInfo> wait;
+	for (const VkSemaphore semaphore : submission.wait)
+		wait.push_back(info(semaphore, 0));
+	std::vector<VkSemaphoreSubmitInfo> signal;
+	for (const VkSemaphore semaphore : submission.signal)
+		signal.push_back(info(semaphore, 0));
+
+	const std::lock_guard lock(private_->queue_mutex);
+	signal.push_back(info(timeline_, private_->submitted + 1));
+	VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+	submit.waitSemaphoreInfoCount = static_cast<std::uint32_t>(wait.size());
+	submit.pWaitSemaphoreInfos = wait.data();
+	submit.commandBufferInfoCount = static_cast<std::uint32_t>(commands.size());
+	submit.pCommandBufferInfos = commands.data();
+	submit.signalSemaphoreInfoCount = static_cast<std::uint32_t>(signal.size());
+	submit.pSignalSemaphoreInfos = signal.data();
+	if (Status submitted = check(vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2"); !submitted)
+		return submitted.error();
+	return ++private_->submitted;
+}
+
+bool Device::isDone(std::uint64_t number) const
+{
+	std::uint64_t value = 0;
+	return vkGetSemaphoreCounterValue(device_, timeline_, &value) == VK_SUCCESS && value >= number;
+}
+
+Status Device::wait(std::uint64_t number)
+{
+	const auto begin = std::chrono::steady_clock::now();
+	do
+	{
+		std::uint64_t value = 0;
+		if (Status asked = check(vkGetSemaphoreCounterValue(device_, timeline_, &value), "vkGetSemaphoreCounterValue");
+		    !asked)
+			return asked;
+		if (value >= number)
+			return Nothing{};
+	} while (std::chrono::steady_clock::now() - begin < kSpin);
+	VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
+	info.semaphoreCount = 1;
+	info.pSemaphores = &timeline_;
+	info.pValues = &number;
+	return check(vkWaitSemaphores(device_, &info, ~std::uint64_t(0)), "vkWaitSemaphores");
+}
+
+std::uint64_t Device::lastSubmission() const
+{
+	const std::lock_guard lock(private_->queue_mutex);
+	return private_->submitted;
+}
+
+Status Device::waitIdle()
+{
+	return wait(lastSubmission());
+}
+
+VkResult Device::present(const VkPresentInfoKHR& info)
+{
+	const auto queue_present =
+	    reinterpret_cast<PFN_vkQueuePresentKHR>(vkGetDeviceProcAddr(device_, "vkQueuePresentKHR"));
+	const std::lock_guard lock(private_->queue_mutex);
+	return queue_present(queue_, &info);
+}
+
+void Device::retire(std::function<void(VkDevice)> destroy)
+{
+	const std::uint64_t last = lastSubmission();
+	std::uint64_t done = 0;
+	if (vkGetSemaphoreCounterValue(device_, timeline_, &done) != VK_SUCCESS)
+		done = 0;
+	std::vector<std::function<void(VkDevice)>> due;
+	{
+		const std::lock_guard lock(private_->retired_mutex);
+		private_->retired.push_back({last, std::move(destroy)});
+		while (!private_->retired.empty() && private_->retired.front().after <= done)
+		{
+			due.push_back(std::move(private_->retired.front().destroy));
+			private_->retired.pop_front();
+		}
+	}
+	for (const auto& function : due)
+		function(device_);
+}
+
+void Device::setName(VkObjectType type, std::uint64_t object, std::string_view name) const
+{
+	if (!private_->set_name)
+		return;
+	const std::string text(name);
+	const VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT, nullptr, type, object,
+	                                         text.c_str()};
+	require(private_->set_name(device_, &info), "vkSetDebugUtilsObjectNameEXT");
+}
+
+void Device::beginLabel(VkCommandBuffer commands, const char* label) const
+{
+	if (!private_->begin_label)
+		return;
+	const VkDebugUtilsLabelEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT, nullptr, label, {}};
+	private_->begin_label(commands, &info);
+}
+
+void Device::endLabel(VkCommandBuffer commands) const
+{
+	if (private_->end_label)
+		private_->end_label(commands);
+}
+
+bool Device::validates() const
+{
+	return private_->instance->validates;
+}
+
+std::size_t Device::validationMessages() const
+{
+	return private_->instance->messages;
+}
+
+bool Device::calibrate(std::uint64_t& gpu_ticks, std::uint64_t& steady_ns) const
+{
+	if (!private_->calibrated_timestamps)
+		return false;
+	const VkCalibratedTimestampInfoEXT infos[]{
+	    {VK_STRUCTURE_TYPE_CALIBRATED_TIMESTAMP_INFO_EXT, nullptr, VK_TIME_DOMAIN_DEVICE_EXT},
+	    {VK_STRUCTURE_TYPE_CALIBRATED_TIMESTAMP_INFO_EXT, nullptr, VK_TIME_DOMAIN_CLOCK_MONOTONIC_EXT}};
+	std::uint64_t times[2];
+	std::uint64_t deviation = 0;
+	if (private_->calibrated_timestamps(device_, 2, infos, times, &deviation) != VK_SUCCESS)
+		return false;
+	gpu_ticks = times[0];
+	steady_ns = times[1];
+	return true;
+}
+
+} // namespace vp::gpu

@@ -1,0 +1,129 @@
+#pragma once
+
+#include "base/result.h"
+#include "gpu/vulkan.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vp::gpu
+{
+
+struct DeviceOptions
+{
+	std::string name_or_index;                    // part of a device's name, or its index; empty takes the best one
+	bool validation = false;                      // also switched on by VPROBE_VALIDATION=1
+	std::vector<const char*> instance_extensions; // those a window needs; none to work headless
+	bool swapchain = false;
+};
+
+// Work for the queue. The semaphores are binary ones, as a swapchain needs them.
+struct Submission
+{
+	std::span<const VkCommandBuffer> commands;
+	std::span<const VkSemaphore> wait;
+	std::span<const VkSemaphore> signal;
+};
+
+// The device to work on with its one queue (graphics and compute). Thread safe. Outlives everything made from it.
+//
+// Every submission gets the next number of one timeline semaphore. What is destroyed while a submission may still use
+// it is kept until the semaphore has passed, so a destructor may run at any time after the submission.
+class Device
+{
+public:
+	// No loader, no device or a device that lacks something: ExitCode::no_device, with a line that says what to
+	// install. A name or index that matches nothing lists what there is.
+	static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
+	~Device(); // waits until the queue is idle
+	Device(const Device&) = delete;
+	Device& operator=(const Device&) = delete;
+
+	const std::string& name() const { return name_; }
+	bool isSoftware() const { return type_ == VK_PHYSICAL_DEVICE_TYPE_CPU; }
+	const VkPhysicalDeviceLimits& limits() const { return limits_; }
+	const VkPhysicalDeviceFeatures& features() const { return features_; } // those enabled; optional ones may be off
+	VkDeviceSize maxBufferSize() const { return max_buffer_size_; }        // of one buffer and its allocation
+	VkDeviceSize memoryLeft() const; // on the largest device-local heap, as far as the driver tells
+
+	VkInstance instance() const { return instance_; }
+	VkPhysicalDevice physical() const { return physical_; }
+	VkDevice handle() const { return device_; }
+	std::uint32_t queueFamily() const { return queue_family_; }
+	const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
+	VkPipelineCache pipelineCache() const { return pipeline_cache_; }
+
+	// Returns the number to wait for. Host writes made before are visible to the submission.
+	Result<std::uint64_t> submit(const Submission& submission);
+	// Spins about 100 us, since most submissions of a traversal end sooner than a thread wakes up; then sleeps.
+	Status wait(std::uint64_t number);
+	bool isDone(std::uint64_t number) const;
+	std::uint64_t lastSubmission() const;
+	Status waitIdle();
+	VkResult present(const VkPresentInfoKHR& info);
+
+	// Runs `destroy` as soon as everything submitted so far is done.
+	void retire(std::function<void(VkDevice)> destroy);
+
+	// Names and labels show in debuggers and validation messages; without the debug extension they do nothing.
+	void setName(VkObjectType type, std::uint64_t object, std::string_view name) const;
+	template <class Handle>
+	void setName(VkObjectType type, Handle object, std::string_view name) const
+	{
+		setName(type, reinterpret_cast<std::uint64_t>(object), name);
+	}
+	void beginLabel(VkCommandBuffer commands, const char* label) const;
+	void endLabel(VkCommandBuffer commands) const;
+
+	bool validates() const;
+	std::size_t validationMessages() const; // warnings and errors of the validation layer so far
+
+	// GPU clock: 0 valid bits where the queue has no timestamps.
+	std::uint32_t timestampBits() const { return timestamp_bits_; }
+	// The GPU's and the steady clock's time at one moment (ticks, ns); false where the driver cannot tell.
+	bool calibrate(std::uint64_t& gpu_ticks, std::uint64_t& steady_ns) const;
+
+private:
+	struct Private;
+	Device();
+
+	std::unique_ptr<Private> private_;
+	std::string name_;
+	VkPhysicalDeviceType type_ = VK_PHYSICAL_DEVICE_TYPE_OTHER;
+	VkPhysicalDeviceLimits limits_{};
+	VkPhysicalDeviceFeatures features_{};
+	VkPhysicalDeviceMemoryProperties memory_{};
+	VkDeviceSize max_buffer_size_ = 0;
+	std::uint32_t queue_family_ = 0;
+	std::uint32_t timestamp_bits_ = 0;
+	VkInstance instance_ = VK_NULL_HANDLE;
+	VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+	VkDevice device_ = VK_NULL_HANDLE;
+	VkQueue queue_ = VK_NULL_HANDLE;
+	VkSemaphore timeline_ = VK_NULL_HANDLE;
+	VkPipelineCache pipeline_cache_ = VK_NULL_HANDLE;
+};
+
+// A label around the commands recorded during its life.
+class Label
+{
+public:
+	Label(const Device& device, VkCommandBuffer commands, const char* text) : device_(device), commands_(commands)
+	{
+		device_.beginLabel(commands_, text);
+	}
+	~Label() { device_.endLabel(commands_); }
+	Label(const Label&) = delete;
+	Label& operator=(const Label&) = delete;
+
+private:
+	const Device& device_;
+	VkCommandBuffer commands_;
+};
+
+} // namespace vp::gpu

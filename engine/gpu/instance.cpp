@@ -1,0 +1,106 @@
+#include "gpu/instance.h"
+
+#include "base/log.h"
+#include "gpu/vk_check.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace vp::gpu
+{
+
+namespace
+{
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                         const VkDebugUtilsMessengerCallbackDataEXT* data, void* instance)
+{
+	static_cast<Instance*>(instance)->messages.fetch_add(1);
+	logError(data->pMessage);
+	return VK_FALSE;
+}
+
+bool hasLayer(std::string_view name)
+{
+	std::uint32_t count = 0;
+	vkEnumerateInstanceLayerProperties(&count, nullptr);
+	std::vector<VkLayerProperties> layers(count);
+	vkEnumerateInstanceLayerProperties(&count, layers.data());
+	return std::any_of(layers.begin(), layers.end(), [&](const auto& layer) { return name == layer.layerName; });
+}
+
+bool hasExtension(std::string_view name)
+{
+	std::uint32_t count = 0;
+	vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr);
+	std::vector<VkExtensionProperties> extensions(count);
+	vkEnumerateInstanceExtensionProperties(nullptr, &count, extensions.data());
+	return std::any_of(extensions.begin(), extensions.end(),
+	                   [&](const auto& extension) { return name == extension.extensionName; });
+}
+} // namespace
+
+Instance::~Instance()
+{
+	if (messenger)
+		if (const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+		        vkGetInstanceProcAddr(handle, "vkDestroyDebugUtilsMessengerEXT")))
+			destroy(handle, messenger, nullptr);
+	vkDestroyInstance(handle, nullptr);
+}
+
+Result<std::unique_ptr<Instance>> createInstance(bool validation, const std::vector<const char*>& extensions)
+{
+	auto instance = std::make_unique<Instance>();
+	if (validation && !hasLayer(kValidationLayer))
+		warn("no Vulkan validation: install vulkan-validationlayers");
+	instance->validates = validation && hasLayer(kValidationLayer);
+	instance->debug_utils = instance->validates || hasExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+
+	std::vector<const char*> enabled = extensions;
+	if (instance->debug_utils)
+		enabled.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+
+	VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+	application.pApplicationName = "vprobe";
+	application.apiVersion = VK_API_VERSION_1_3;
+	const std::array checks{VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+	VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
+	features.enabledValidationFeatureCount = static_cast<std::uint32_t>(checks.size());
+	features.pEnabledValidationFeatures = checks.data();
+	VkDebugUtilsMessengerCreateInfoEXT messenger{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
+	messenger.messageSeverity =
+	    VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+	// Without GENERAL: the loader's remarks about other drivers are not about this program.
+	messenger.messageType =
+	    VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+	messenger.pfnUserCallback = onMessage;
+	messenger.pUserData = instance.get();
+	// Chained, the messenger hears what creating and destroying the instance has to say too.
+	features.pNext = &messenger;
+
+	VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+	info.pApplicationInfo = &application;
+	info.enabledExtensionCount = static_cast<std::uint32_t>(enabled.size());
+	info.ppEnabledExtensionNames = enabled.data();
+	if (instance->validates)
+	{
+		info.pNext = &features;
+		info.enabledLayerCount = 1;
+		info.ppEnabledLayerNames = &kValidationLayer;
+	}
+	if (const VkResult made = vkCreateInstance(&info, nullptr, &instance->handle); made != VK_SUCCESS)
+		return Error{ExitCode::no_device, fmt::format("Vulkan cannot be used ({}); install mesa-vulkan-drivers, or the "
+		                                              "driver of your graphics card",
+		                                              resultName(made))};
+	if (instance->validates)
+		if (const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+		        vkGetInstanceProcAddr(instance->handle, "vkCreateDebugUtilsMessengerEXT")))
+			require(create(instance->handle, &messenger, nullptr, &instance->messenger),
+			        "vkCreateDebugUtilsMessengerEXT");
+	return instance;
+}
+
+} // namespace vp::gpu

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "base/result.h"
+#include "gpu/vulkan.h"
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+namespace vp::gpu
+{
+
+// The Vulkan instance with validation, where asked for.
+struct Instance
+{
+	VkInstance handle = VK_NULL_HANDLE;
+	VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
+	bool debug_utils = false;
+	bool validates = false;
+	std::atomic<std::size_t> messages = 0; // of the validation layer
+
+	Instance() = default;
+	~Instance();
+	Instance(const Instance&) = delete;
+	Instance& operator=(const Instance&) = delete;
+};
+
+Result<std::unique_ptr<Instance>> createInstance(bool validation, const std::vector<const char*>& extensions);
+
+} // namespace vp::gpu

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "gpu/device.h"
+
+#include <string>
+#include <vector>
+
+namespace vp
+{
+class Timeline;
+}
+
+namespace vp::gpu
+{
+
+// Timestamps around passes, read back later in one go as GPU sections of a timeline. Not thread safe: one per recording
+// thread.
+class Timers
+{
+public:
+	explicit Timers(Device& device) : device_(&device) {}
+	~Timers();
+	Timers(Timers&& other) noexcept;
+	Timers& operator=(Timers&&) = delete;
+
+	// Writes the timestamps and the debug label around what is recorded in between. `name` is kept as it is: a literal.
+	std::size_t begin(VkCommandBuffer commands, const char* name);
+	void end(VkCommandBuffer commands, std::size_t section);
+
+	// Puts the sections of finished submissions onto the timeline and forgets them all. Call it when everything
+	// recorded is done.
+	void collect(Timeline& timeline);
+	void forget();
+
+private:
+	// Queries are made in pools of this many sections; a traversal has hundreds of generations.
+	static constexpr std::uint32_t kPoolSections = 256;
+
+	struct Section
+	{
+		const char* name;
+		std::uint64_t recorded_ns; // steady clock: the anchor where the clocks cannot be calibrated
+	};
+
+	Device* device_;
+	std::vector<VkQueryPool> pools_;
+	std::vector<Section> sections_;
+};
+
+// A section over the commands recorded during its life.
+class TimedPass
+{
+public:
+	TimedPass(Timers& timers, VkCommandBuffer commands, const char* name)
+	    : timers_(timers), commands_(commands), section_(timers.begin(commands, name))
+	{
+	}
+	~TimedPass() { timers_.end(commands_, section_); }
+	TimedPass(const TimedPass&) = delete;
+	TimedPass& operator=(const TimedPass&) = delete;
+
+private:
+	Timers& timers_;
+	VkCommandBuffer commands_;
+	std::size_t section_;
+};
+
+} // namespace vp::gpu

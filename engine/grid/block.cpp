@@ -1,0 +1,233 @@
+#include "grid/block.h"
+
+#include "grid/measure.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vp::grid
+{
+
+namespace
+{
+
+constexpr std::size_t kBoundaryVantages = 16;
+
+std::size_t usedPoints(const Lattice& lattice)
+{
+	return lattice.pointCount();
+}
+
+std::size_t usedPoints(const UnstructuredGrid& grid)
+{
+	return grid.usedPointCount();
+}
+
+// Of the points that are numbers.
+template <Grid G>
+Box boundsOf(const G& grid)
+{
+	return tbb::parallel_reduce(
+		tbb::blocked_range<std::size_t>(0, usedPoints(grid), 65536), Box{},
+		[&](const tbb::blocked_range<std::size_t>& range, Box box)
+		{
+			for (std::size_t p = range.begin(); p < range.end(); ++p)
+			{
+				const Vec3 x = grid.point(static_cast<PointId>(p));
+				if (std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z))
+					box.include(x);
+			}
+			return box;
+		},
+		[](Box a, const Box& b)
+		{
+			a.include(b);
+			return a;
+		});
+}
+
+std::vector<CellId> vantagesOf(const Lattice& lattice, const BoundaryIndex&)
+{
+	std::vector<CellId> cells;
+	if (lattice.cellCount() == 0)
+		return cells;
+	for (int f = 0; f < 6; ++f)
+	{
+		std::array<std::uint32_t, 3> at = lattice.cells();
+		for (std::uint32_t& index : at)
+			index /= 2;
+		at[f / 2] = f % 2 ? lattice.cells()[f / 2] - 1 : 0;
+		cells.push_back(lattice.cell(at[0], at[1], at[2]));
+	}
+	return cells;
+}
+
+std::vector<CellId> vantagesOf(const UnstructuredGrid& grid, const BoundaryIndex& boundary)
+{
+	std::vector<CellId> cells;
+	if (grid.cellCount() == 0)
+		return cells;
+	// Faces lie along the Morton curve, so equal steps spread over the boundary.
+	const std::size_t count = std::min(kBoundaryVantages, boundary.faces.size());
+	for (std::size_t i = 0; i < count; ++i)
+		cells.push_back(boundary.faces[(2 * i + 1) * boundary.faces.size() / (2 * count)].cell);
+	cells.push_back(static_cast<CellId>(grid.cellCount() / 2));
+	return cells;
+}
+
+std::vector<CellId> distinct(std::vector<CellId> cells)
+{
+	std::ranges::sort(cells);
+	cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+	return cells;
+}
+
+// Whether each edge is run through once in either direction: only then has a polyhedron's volume a sign. Files
+// often list its faces either way round.
+bool orientedAlike(const CellFaces& faces)
+{
+	std::vector<std::pair<PointId, PointId>> edges;
+	for (int f = 0; f < faces.size(); ++f)
+		for (std::size_t i = 0; i < faces[f].size(); ++i)
+			edges.emplace_back(faces[f][i], faces[f][(i + 1) % faces[f].size()]);
+	std::ranges::sort(edges);
+	if (std::ranges::adjacent_find(edges) != edges.end())
+		return false;
+	return std::ranges::all_of(
+		edges, [&](const auto& edge) { return std::ranges::binary_search(edges, std::pair(edge.second, edge.first)); });
+}
+
+// Calls visit(cell, volume > 0) for the cells whose volume has a sign.
+template <class Visit>
+void forEachOriented(const UnstructuredGrid& grid, std::size_t begin, std::size_t end, Visit&& visit)
+{
+	CellFaces faces;
+	for (std::size_t c = begin; c < end; ++c)
+	{
+		const double volume = signedVolume(grid, static_cast<CellId>(c), faces);
+		if (volume > 0.0 || volume < 0.0)
+			visit(static_cast<CellId>(c), volume > 0.0);
+	}
+}
+
+template <Grid G>
+std::vector<CellId> invertedCells(const G&)
+{
+	return {};
+}
+
+// The cells turned the other way than most.
+template <>
+std::vector<CellId> invertedCells(const UnstructuredGrid& grid)
+{
+	struct Count
+	{
+		std::size_t positive = 0;
+		std::size_t negative = 0;
+	};
+	const Count all = tbb::parallel_reduce(
+		tbb::blocked_range<std::size_t>(0, grid.cellCount(), 4096), Count{},
+		[&](const tbb::blocked_range<std::size_t>& range, Count count)
+		{
+			forEachOriented(grid, range.begin(), range.end(),
+							[&](CellId, bool positive) { ++(positive ? count.positive : count.negative); });
+			return count;
+		},
+		[](const Count& a, const Count& b) { return Count{a.positive + b.positive, a.negative + b.negative}; });
+	if (std::min(all.positive, all.negative) == 0)
+		return {};
+
+	const bool most_positive = all.positive >= all.negative;
+	constexpr std::size_t chunk = 16384;
+	std::vector<std::vector<CellId>> found((grid.cellCount() + chunk - 1) / chunk);
+	tbb::parallel_for(std::size_t(0), found.size(),
+					  [&](std::size_t n)
+					  {
+						  CellFaces faces;
+						  const auto keep = [&](CellId c, bool positive)
+						  {
+							  if (positive == most_positive)
+								  return;
+							  if (grid.shape(c) == CellShape::polyhedron)
+							  {
+								  grid.cellFaces(c, faces);
+								  if (!orientedAlike(faces))
+									  return;
+							  }
+							  found[n].push_back(c);
+						  };
+						  forEachOriented(grid, n * chunk, std::min(grid.cellCount(), (n + 1) * chunk), keep);
+					  });
+	std::vector<CellId> cells;
+	for (const std::vector<CellId>& some : found)
+		cells.insert(cells.end(), some.begin(), some.end());
+	return cells;
+}
+
+std::size_t cellsOf(const Block& block)
+{
+	return std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid);
+}
+
+std::size_t pointsOf(const Block& block)
+{
+	return std::visit([](const auto& grid) { return grid.pointCount(); }, block.grid);
+}
+
+} // namespace
+
+void finishBlock(Block& block)
+{
+	std::visit(
+		[&](const auto& grid)
+		{
+			block.bounds = boundsOf(grid);
+			block.boundary = buildBoundaryIndex(grid);
+			block.vantage = distinct(vantagesOf(grid, block.boundary));
+			block.inverted = invertedCells(grid);
+		},
+		block.grid);
+}
+
+std::size_t BlockSet::cellCount() const
+{
+	std::size_t count = 0;
+	for (const Block& block : blocks)
+		count += cellsOf(block);
+	return count;
+}
+
+std::size_t BlockSet::pointCount() const
+{
+	std::size_t count = 0;
+	for (const Block& block : blocks)
+		count += pointsOf(block);
+	return count;
+}
+
+Box BlockSet::bounds() const
+{
+	Box box;
+	for (const Block& block : blocks)
+		box.include(block.bounds);
+	return box;
+}
+
+const char* BlockSet::kind() const
+{
+	// In the order of AnyGrid.
+	constexpr const char* kinds[] = {"image", "rectilinear", "curvilinear", "unstructured"};
+	constexpr std::size_t unstructured = 3;
+	const auto isUnstructured = [](const Block& block) { return block.grid.index() == unstructured; };
+	if (std::ranges::all_of(blocks, isUnstructured))
+		return kinds[unstructured];
+	if (std::ranges::any_of(blocks, isUnstructured))
+		return "hybrid";
+	return blocks.size() == 1 ? kinds[blocks[0].grid.index()] : "block-structured";
+}
+
+} // namespace vp::grid

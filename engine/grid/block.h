@@ -1,0 +1,54 @@
+#pragma once
+
+#include "base/result.h"
+#include "base/vec.h"
+#include "grid/boundary.h"
+#include "grid/field.h"
+#include "grid/structured.h"
+#include "grid/unstructured.h"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace vp::grid
+{
+
+using AnyGrid = std::variant<UniformGrid, RectilinearGrid, CurvilinearGrid, UnstructuredGrid>;
+
+// A grid with the arrays that live on it.
+struct Block
+{
+	std::string name;
+	AnyGrid grid;
+	std::vector<Field> fields;
+
+	// Built by finishBlock().
+	Box bounds;
+	BoundaryIndex boundary;
+	std::vector<CellId> vantage;  // cells from which fence hopping starts: side centres, or spread boundary cells
+	std::vector<CellId> inverted; // unstructured cells turned inside out: they can close off a piece, so they seed
+};
+
+// Bounds, boundary index, vantage points and inverted cells, on all cores.
+void finishBlock(Block& block);
+
+// What a file or several files hold.
+struct BlockSet
+{
+	std::vector<Block> blocks;
+	std::vector<double> times;   // that the input offers, ascending; empty where it knows no time
+	std::size_t left_out = 0;    // cells of dimension below three
+
+	std::size_t cellCount() const;
+	std::size_t pointCount() const;
+	Box bounds() const;
+	// image, rectilinear, curvilinear, unstructured; block-structured for several structured blocks; hybrid for a mix.
+	const char* kind() const;
+};
+
+// Throws std::logic_error on a broken invariant: neighbours that do not know each other, ids out of range, boxes that do not hold
+// their faces. For tests.
+void validate(const Block& block);
+
+} // namespace vp::grid

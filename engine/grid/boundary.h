@@ -1,0 +1,57 @@
+#pragma once
+
+#include "base/ids.h"
+#include "base/vec.h"
+#include "grid/grid.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vp::grid
+{
+
+// The faces of a block that have no neighbour, in groups of patches of faces that lie together, each with its box: what a
+// surface cuts of the boundary is found in time that follows the cut. A patch holds up to 16 faces (4 x 4 on the side
+// of a lattice), a group up to 64 patches (32 x 32 faces).
+struct BoundaryIndex
+{
+	struct Face
+	{
+		CellId cell;
+		std::uint32_t face;
+	};
+	struct Range
+	{
+		Box box;             // of all points below
+		std::uint32_t begin; // of faces (a patch) or of patches (a group)
+		std::uint32_t end;
+	};
+	std::vector<Face> faces;
+	std::vector<Range> patches;
+	std::vector<Range> groups;
+
+	// Calls visit(Face) for every face of a patch for which meets(box) holds. Returns how many boxes were asked.
+	template <class Meets, class Visit>
+	std::size_t visitWhere(Meets&& meets, Visit&& visit) const
+	{
+		std::size_t tests = groups.size();
+		for (const Range& group : groups)
+		{
+			if (!meets(group.box))
+				continue;
+			tests += group.end - group.begin;
+			for (std::uint32_t p = group.begin; p < group.end; ++p)
+				if (meets(patches[p].box))
+					for (std::uint32_t f = patches[p].begin; f < patches[p].end; ++f)
+						visit(faces[f]);
+		}
+		return tests;
+	}
+};
+
+// Lattice: every cell side on the border, also one without area. Unstructured: every face that no cell is across, except
+// faces of fewer than three distinct points. For the four grids of block.h.
+template <Grid G>
+BoundaryIndex buildBoundaryIndex(const G& grid);
+
+} // namespace vp::grid

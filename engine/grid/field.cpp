@@ -1,0 +1,180 @@
+#include "grid/field.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+
+namespace vp::grid
+{
+
+namespace
+{
+
+// Calls visit(T{}) with T the number type.
+template <class Visit>
+auto withType(NumberType type, Visit&& visit)
+{
+	switch (type)
+	{
+	case NumberType::int8:
+		return visit(std::int8_t{});
+	case NumberType::uint8:
+		return visit(std::uint8_t{});
+	case NumberType::int16:
+		return visit(std::int16_t{});
+	case NumberType::uint16:
+		return visit(std::uint16_t{});
+	case NumberType::int32:
+		return visit(std::int32_t{});
+	case NumberType::uint32:
+		return visit(std::uint32_t{});
+	case NumberType::int64:
+		return visit(std::int64_t{});
+	case NumberType::uint64:
+		return visit(std::uint64_t{});
+	case NumberType::float32:
+		return visit(float{});
+	case NumberType::float64:
+		break;
+	}
+	return visit(double{});
+}
+
+template <class T>
+constexpr NumberType numberTypeOf()
+{
+	if constexpr (std::is_same_v<T, float>)
+		return NumberType::float32;
+	else if constexpr (std::is_same_v<T, double>)
+		return NumberType::float64;
+	else
+	{
+		constexpr int base = sizeof(T) == 1 ? 0 : sizeof(T) == 2 ? 2 : sizeof(T) == 4 ? 4 : 6;
+		return static_cast<NumberType>(base + (std::is_unsigned_v<T> ? 1 : 0));
+	}
+}
+
+// Mapped files give no promise about alignment.
+template <class T>
+double load(const std::byte* bytes, std::size_t index)
+{
+	T number;
+	std::memcpy(&number, bytes + index * sizeof(T), sizeof(T));
+	return static_cast<double>(number);
+}
+
+struct MinMax
+{
+	double lo = std::numeric_limits<double>::infinity();
+	double hi = -std::numeric_limits<double>::infinity();
+	bool any = false;
+
+	void include(double value)
+	{
+		if (std::isnan(value))
+			return;
+		lo = std::min(lo, value);
+		hi = std::max(hi, value);
+		any = true;
+	}
+};
+
+} // namespace
+
+std::size_t byteSize(NumberType type)
+{
+	return withType(type, [](auto number) { return sizeof(number); });
+}
+
+const char* numberTypeName(NumberType type)
+{
+	constexpr const char* names[] = {"int8",   "uint8", "int16",  "uint16",  "int32",
+									 "uint32", "int64", "uint64", "float32", "float64"};
+	return names[static_cast<int>(type)];
+}
+
+const char* associationName(Association association)
+{
+	return association == Association::point ? "point" : "cell";
+}
+
+std::size_t Field::tuples() const
+{
+	return components > 0 ? bytes.size() / (byteSize(type) * components) : 0;
+}
+
+double Field::value(std::size_t tuple, int component) const
+{
+	const std::size_t index = tuple * components + component;
+	return withType(type, [&](auto number) { return load<decltype(number)>(bytes.data(), index); });
+}
+
+template <class T>
+Field makeField(std::string name, Association association, int components, std::vector<T> values)
+{
+	auto owned = std::make_shared<const std::vector<T>>(std::move(values));
+	const auto* bytes = reinterpret_cast<const std::byte*>(owned->data());
+	const std::size_t size = owned->size() * sizeof(T);
+	return {std::move(name), association, components, numberTypeOf<T>(), Array<std::byte>(std::move(owned), bytes, size)};
+}
+
+template Field makeField(std::string, Association, int, std::vector<std::int8_t>);
+template Field makeField(std::string, Association, int, std::vector<std::uint8_t>);
+template Field makeField(std::string, Association, int, std::vector<std::int16_t>);
+template Field makeField(std::string, Association, int, std::vector<std::uint16_t>);
+template Field makeField(std::string, Association, int, std::vector<std::int32_t>);
+template Field makeField(std::string, Association, int, std::vector<std::uint32_t>);
+template Field makeField(std::string, Association, int, std::vector<std::int64_t>);
+template Field makeField(std::string, Association, int, std::vector<std::uint64_t>);
+template Field makeField(std::string, Association, int, std::vector<float>);
+template Field makeField(std::string, Association, int, std::vector<double>);
+
+std::pair<double, double> fieldRange(const Field& field, int component)
+{
+	const auto range = [&](auto number)
+	{
+		using T = decltype(number);
+		const std::byte* bytes = field.bytes.data();
+		const std::size_t width = field.components;
+		const auto scan = [&](const tbb::blocked_range<std::size_t>& tuples, MinMax result)
+		{
+			for (std::size_t t = tuples.begin(); t < tuples.end(); ++t)
+			{
+				if (component != kMagnitude)
+				{
+					result.include(load<T>(bytes, t * width + component));
+					continue;
+				}
+				double square = 0.0;
+				for (std::size_t c = 0; c < width; ++c)
+				{
+					const double value = load<T>(bytes, t * width + c);
+					square += value * value;
+				}
+				result.include(std::sqrt(square));
+			}
+			return result;
+		};
+		const auto join = [](MinMax a, const MinMax& b)
+		{
+			if (b.any)
+			{
+				a.include(b.lo);
+				a.include(b.hi);
+			}
+			return a;
+		};
+		// Split alike for any number of threads, so that even the sign of a zero is.
+		return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, field.tuples(), 65536), MinMax{}, scan,
+												  join);
+	};
+	const MinMax result = withType(field.type, range);
+	return result.any ? std::pair{result.lo, result.hi} : std::pair{0.0, 0.0};
+}
+
+} // namespace vp::grid

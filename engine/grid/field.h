@@ -1,0 +1,63 @@
+#pragma once
+
+#include "base/array.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace vp::grid
+{
+
+enum class NumberType : std::uint8_t
+{
+	int8,
+	uint8,
+	int16,
+	uint16,
+	int32,
+	uint32,
+	int64,
+	uint64,
+	float32,
+	float64
+};
+
+std::size_t byteSize(NumberType type);
+const char* numberTypeName(NumberType type); // "float32" …
+
+enum class Association : std::uint8_t
+{
+	point,
+	cell
+};
+
+const char* associationName(Association association); // "point", "cell"
+
+// An array of values over the points or the cells of a block, in the numbering and number type of its source:
+// index it with sourcePoint(p) or sourceCell(c). `bytes` holds tuples() x components numbers.
+struct Field
+{
+	std::string name;
+	Association association = Association::point;
+	int components = 1;
+	NumberType type = NumberType::float32;
+	Array<std::byte> bytes;
+
+	std::size_t tuples() const;
+	double value(std::size_t tuple, int component) const; // bounds are the caller's
+};
+
+template <class T>
+Field makeField(std::string name, Association association, int components, std::vector<T> values);
+
+// Which number of a tuple is shown: one component, or the length of the tuple.
+constexpr int kMagnitude = -1;
+
+// Smallest and largest shown value, NaN left out; {0, 0} where there is none. component: 0.. or kMagnitude.
+std::pair<double, double> fieldRange(const Field& field, int component);
+
+} // namespace vp::grid

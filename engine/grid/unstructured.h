@@ -1,0 +1,131 @@
+#pragma once
+
+#include "base/array.h"
+#include "grid/grid.h"
+#include "grid/points.h"
+
+#include <array>
+#include <vector>
+
+namespace vp::grid
+{
+
+// Cells as a file lists them: VTK cell types and point ids, in VTK's point order.
+struct CellList
+{
+	Array<std::uint8_t> types;         // VTK cell type numbers
+	Array<std::int64_t> offsets;       // cells + 1 offsets into connectivity
+	Array<std::int64_t> connectivity;  // point ids
+	Array<std::int64_t> face_offsets;  // polyhedra: cells + 1 offsets into face_stream, or empty
+	Array<std::int64_t> face_stream;   // per polyhedron: faces, then per face its size and point ids
+};
+
+// Cells that meet without sharing a face's points, as at a 2:1 interface; each link is entered both ways.
+struct FaceLink
+{
+	std::size_t cell_a; // index into the CellList
+	int face_a;
+	std::size_t cell_b;
+	int face_b;
+};
+
+// 0 to 3, or -1 for a type VTK does not know.
+int vtkDimension(std::uint8_t vtk_type);
+
+// The types that build() takes: tetrahedron, voxel, hexahedron, wedge, pyramid, polyhedron. Other three-dimensional
+// types (quadratic and higher cells, prisms over pentagons and hexagons) it skips, not counting them as left out: the reader rewrites
+// them to these types first, refuses them or warns.
+bool isSliceable(std::uint8_t vtk_type);
+
+// Cells of any shape. On building, faces are matched, and cells and points are renumbered along a Morton curve so that
+// what is near in space is near in memory; sourceCell() and sourcePoint() give the numbers the cells came with.
+//
+// A cell is one record of 4 ids (all tetrahedra) or 8 ids: its points, and in a cell of fewer than 8 points the last id
+// is kShapeMark + shape. A polyhedron's first id is its number in the face lists. The GPU reads the same records.
+class UnstructuredGrid
+{
+public:
+	static constexpr std::uint32_t kShapeMark = 0xFFFFFFF0u;
+
+	// Face slots (4 a cell where all are tetrahedra, else 6, and one per face of a polyhedron) are numbered in 32 bits.
+	static constexpr std::size_t kMaxFaceSlots = 0xFFFFFFFFu;
+
+	UnstructuredGrid() = default;
+
+	// Preconditions (the reader checks them): ids within the points, types known, sizes right. Cells of dimension below
+	// three are left out and counted. Throws std::length_error past kMaxFaceSlots or kMaxBlockIds.
+	static UnstructuredGrid build(const Points& points, const CellList& cells, std::vector<FaceLink> links = {});
+
+	std::size_t cellCount() const { return cell_count_; }
+	std::size_t pointCount() const { return points_.size(); }
+	std::size_t usedPointCount() const { return used_points_; } // points from here on belong to no cell
+	std::size_t leftOut() const { return left_out_; } // cells of dimension below three
+
+	Vec3 point(PointId p) const { return points_[p]; }
+	CellShape shape(CellId c) const
+	{
+		if (width_ == 4)
+			return CellShape::tetrahedron;
+		const std::uint32_t last = records_[std::size_t(c) * 8 + 7];
+		return last >= kShapeMark ? static_cast<CellShape>(last - kShapeMark) : CellShape::hexahedron;
+	}
+	CellPoints cellPoints(CellId c) const
+	{
+		CellPoints points;
+		points.size = topology(shape(c)).points;
+		const std::uint32_t* record = &records_[std::size_t(c) * width_];
+		for (int i = 0; i < points.size; ++i)
+			points.id[i] = record[i];
+		return points;
+	}
+	int faceCount(CellId c) const;
+	void cellFaces(CellId c, CellFaces& faces) const;
+	template <class Visit>
+	void forEachNeighbour(CellId c, int f, Visit&& visit) const
+	{
+		const std::uint32_t n = neighbours_[neighbourSlot(c) + f];
+		if (n < kMaxBlockIds)
+			visit(n);
+		else if (n != kNoCell)
+			for (const CellId other : several_[n - kMaxBlockIds])
+				visit(other);
+	}
+	std::size_t sourcePoint(PointId p) const { return source_points_[p]; }
+	std::size_t sourceCell(CellId c) const { return source_cells_[c]; }
+
+	int recordWidth() const { return width_; }
+	const std::vector<std::uint32_t>& records() const { return records_; }
+	const Points& coordinates() const { return points_; }
+
+private:
+	bool isPolyhedron(CellId c) const { return shape(c) == CellShape::polyhedron; }
+	std::size_t neighbourSlot(CellId c) const
+	{
+		if (isPolyhedron(c))
+			return polyhedron_neighbours_ + polyhedron_faces_[records_[std::size_t(c) * 8]];
+		return std::size_t(c) * face_width_;
+	}
+
+	std::size_t cell_count_ = 0;
+	std::size_t left_out_ = 0;
+	std::size_t used_points_ = 0;
+	int width_ = 8;        // ids per record
+	int face_width_ = 6;   // neighbour slots per cell of a table shape
+	Points points_;
+	std::vector<std::uint32_t> records_;
+	std::vector<std::uint32_t> neighbours_; // a cell, kNoCell, or kMaxBlockIds + index into several_
+	std::vector<std::vector<CellId>> several_;
+	std::vector<std::uint32_t> source_points_;
+	std::vector<std::uint64_t> source_cells_;
+	// Polyhedra, by the number in their record: faces, their points, and where their neighbours start.
+	std::vector<std::uint32_t> polyhedron_faces_; // polyhedra + 1 offsets into face_points_start_
+	std::vector<std::uint32_t> face_points_start_;
+	std::vector<PointId> face_points_;
+	std::size_t polyhedron_neighbours_ = 0; // start of their slots in neighbours_
+
+	friend class UnstructuredBuilder;
+};
+
+static_assert(Grid<UnstructuredGrid>);
+
+} // namespace vp::grid

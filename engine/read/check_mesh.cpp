@@ -1,0 +1,127 @@
+#include "read/check_mesh.h"
+
+#include "read/cell_types.h"
+
+#include <fmt/format.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace vp::read
+{
+
+namespace
+{
+
+constexpr std::size_t kNone = ~std::size_t(0);
+constexpr std::size_t kGrain = 1 << 16;
+
+// The first i below n for which bad(i) holds, on all cores; kNone where there is none.
+template <class Bad>
+std::size_t firstWhere(std::size_t n, Bad&& bad)
+{
+	return tbb::parallel_reduce(
+		tbb::blocked_range<std::size_t>(0, n, kGrain), kNone,
+		[&](const tbb::blocked_range<std::size_t>& range, std::size_t found)
+		{
+			for (std::size_t i = range.begin(); i < range.end() && found == kNone; ++i)
+				if (bad(i))
+					found = i;
+			return found;
+		},
+		[](std::size_t a, std::size_t b) { return std::min(a, b); });
+}
+
+void checkOffsets(const Array<std::int64_t>& offsets, std::size_t end, const char* what)
+{
+	if (offsets[0] != 0 || offsets[offsets.size() - 1] != static_cast<std::int64_t>(end))
+		throw Unusable(fmt::format("the {} offsets do not match what they point into", what));
+	const std::size_t falls = firstWhere(offsets.size() - 1, [&](std::size_t c) { return offsets[c] > offsets[c + 1]; });
+	if (falls != kNone)
+		throw Unusable(fmt::format("the {} offsets fall at cell {}", what, falls));
+}
+
+// Per face its size and point ids, to the end of the cell's stream.
+bool isPolyhedron(std::span<const std::int64_t> stream, std::size_t points)
+{
+	// A closed body has four faces at least, of three points at least.
+	if (stream.empty() || stream[0] < 4 || stream[0] > static_cast<std::int64_t>(stream.size()))
+		return false;
+	std::size_t at = 1;
+	for (std::int64_t face = 0; face < stream[0]; ++face)
+	{
+		if (at >= stream.size() || stream[at] < 3 || stream[at] > static_cast<std::int64_t>(stream.size() - at - 1))
+			return false;
+		const std::size_t end = at + 1 + static_cast<std::size_t>(stream[at]);
+		for (++at; at < end; ++at)
+			if (static_cast<std::uint64_t>(stream[at]) >= points)
+				return false;
+	}
+	return at == stream.size();
+}
+
+} // namespace
+
+void checkCoordinates(const grid::Points& points)
+{
+	const std::size_t bad = firstWhere(points.size(),
+									   [&](std::size_t p)
+									   {
+										   const Vec3 at = points[p];
+										   return !std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z);
+									   });
+	if (bad != kNone)
+		throw Unusable(fmt::format("the coordinates of point {} are not finite numbers", bad));
+}
+
+void checkAxis(const Array<double>& axis)
+{
+	const auto bad = firstWhere(axis.size(), [&](std::size_t i) { return !std::isfinite(axis[i]); });
+	if (bad != kNone)
+		throw Unusable(fmt::format("coordinate {} of an axis is not a finite number", bad));
+	const auto values = axis.span();
+	if (!std::is_sorted(values.begin(), values.end()) && !std::is_sorted(values.rbegin(), values.rend()))
+		throw Unusable("the coordinates of an axis neither rise nor fall throughout");
+}
+
+void checkCells(const grid::CellList& cells, std::size_t points)
+{
+	checkOffsets(cells.offsets, cells.connectivity.size(), "cell");
+	const auto outside = [&](std::size_t i) { return static_cast<std::uint64_t>(cells.connectivity[i]) >= points; };
+	if (const std::size_t bad = firstWhere(cells.connectivity.size(), outside); bad != kNone)
+		throw Unusable(fmt::format("a cell lists point {} of {}", cells.connectivity[bad], points));
+
+	const auto bad_type = [&](std::size_t c)
+	{
+		const std::uint8_t type = cells.types[c];
+		const int wanted = slicedCellSize(type);
+		return wanted > 0 ? cells.offsets[c + 1] - cells.offsets[c] != wanted
+						  : type != kPolyhedron && (cellDimension(type) < 0 || cellDimension(type) > 2);
+	};
+	if (const std::size_t bad = firstWhere(cells.types.size(), bad_type); bad != kNone)
+		throw Unusable(fmt::format("cell {} of type {} lists {} points", bad, cells.types[bad],
+								   cells.offsets[bad + 1] - cells.offsets[bad]));
+
+	const auto is_polyhedron = [&](std::size_t c) { return cells.types[c] == kPolyhedron; };
+	if (cells.face_offsets.empty())
+	{
+		if (firstWhere(cells.types.size(), is_polyhedron) != kNone)
+			throw Unusable("polyhedra without faces");
+		return;
+	}
+	checkOffsets(cells.face_offsets, cells.face_stream.size(), "face");
+	const auto bad_faces = [&](std::size_t c)
+	{
+		const auto begin = static_cast<std::size_t>(cells.face_offsets[c]);
+		const auto end = static_cast<std::size_t>(cells.face_offsets[c + 1]);
+		return is_polyhedron(c) && !isPolyhedron(cells.face_stream.span().subspan(begin, end - begin), points);
+	};
+	if (const std::size_t bad = firstWhere(cells.types.size(), bad_faces); bad != kNone)
+		throw Unusable(fmt::format("the faces of polyhedron {} do not make sense", bad));
+}
+
+} // namespace vp::read

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "grid/points.h"
+#include "grid/unstructured.h"
+
+#include <stdexcept>
+
+namespace vp::read
+{
+
+// Why what was handed over cannot be used; stays within the checks.
+class Unusable : public std::runtime_error
+{
+public:
+	using std::runtime_error::runtime_error;
+};
+
+// Throw Unusable. The arrays' sizes are what they say; their contents are not trusted.
+void checkCoordinates(const grid::Points& points);
+void checkAxis(const Array<double>& axis);
+void checkCells(const grid::CellList& cells, std::size_t points);
+
+} // namespace vp::read

@@ -1,0 +1,99 @@
+#include "read/input_limits.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+namespace vp::read
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+// The libraries of the readers map 0.3 GiB before the first byte is read; ASCII and compressed files grow when read (a
+// 256^3 volume of mostly zeros by 46), and a reader may hold its data twice while it works.
+constexpr std::uint64_t kBaseMemory = std::uint64_t(2) << 30;
+constexpr std::uint64_t kMemoryPerByte = 64;
+// The slowest reader measured, ASCII XML, takes in 20 MB/s; slower disks and busy machines have a fifth of that to use.
+constexpr std::chrono::seconds kBaseTime{15};
+constexpr std::uint64_t kBytesPerSecond = 4u << 20;
+// Of a folder's files that are counted for an input that refers to others.
+constexpr int kMaxFilesBeside = 10000;
+
+std::uint64_t physicalMemory()
+{
+	const long pages = sysconf(_SC_PHYS_PAGES);
+	const long page = sysconf(_SC_PAGESIZE);
+	return pages > 0 && page > 0 ? std::uint64_t(pages) * std::uint64_t(page) : ~std::uint64_t(0);
+}
+
+bool refersToOthers(const fs::path& file)
+{
+	const std::string ending = file.extension().string();
+	return ending.starts_with(".p") || ending == ".mhd";
+}
+
+std::uint64_t bytesBeside(const fs::path& file)
+{
+	const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+	std::uint64_t bytes = 0;
+	std::error_code error;
+	int left = kMaxFilesBeside;
+	const auto options = fs::directory_options::skip_permission_denied;
+	for (auto entry = fs::recursive_directory_iterator(folder, options, error);
+		 !error && entry != fs::recursive_directory_iterator() && left > 0; entry.increment(error), --left)
+	{
+		if (entry.depth() > 0)
+			entry.disable_recursion_pending(); // pieces lie beside the file or one folder below
+		std::error_code ignored;
+		if (entry->is_regular_file(ignored))
+			bytes += entry->file_size(ignored);
+	}
+	return bytes;
+}
+
+Error inputError(const std::string& file, const std::string& reason)
+{
+	return {ExitCode::input, fmt::format("{}: {}", file, reason)};
+}
+
+} // namespace
+
+Result<InputLimits> inputLimits(const std::string& file, const std::string& solution)
+{
+	std::error_code error;
+	const fs::file_status status = fs::status(file, error);
+	if (status.type() == fs::file_type::not_found)
+		return inputError(file, "no such file; check the path");
+	if (error)
+		return inputError(file, fmt::format("cannot be opened: {}", error.message()));
+	if (fs::is_directory(status))
+		return inputError(file, "a folder; name a file in it");
+	if (!fs::is_regular_file(status))
+		return inputError(file, "not a regular file; copy its contents to one");
+	if (access(file.c_str(), R_OK) != 0)
+		return inputError(file, fmt::format("cannot be opened: {}", std::strerror(errno)));
+	std::uint64_t bytes = fs::file_size(file, error);
+	if (bytes == 0)
+		return inputError(file, "the file is empty");
+
+	if (refersToOthers(file))
+		bytes = std::max(bytes, bytesBeside(file));
+	if (const std::uint64_t more = solution.empty() ? 0 : fs::file_size(solution, error); !error)
+		bytes += more;
+
+	InputLimits limits;
+	// Address space is more than memory: what the libraries map counts even where it is never touched.
+	limits.memory = std::min(std::max(physicalMemory(), kBaseMemory), kBaseMemory + kMemoryPerByte * bytes);
+	limits.time = kBaseTime + std::chrono::seconds(bytes / kBytesPerSecond);
+	return limits;
+}
+
+} // namespace vp::read

@@ -1,0 +1,262 @@
+#include "read/manifest.h"
+
+#include "base/ids.h"
+#include "read/check_mesh.h"
+#include "read/protocol.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace vp::read
+{
+
+namespace
+{
+
+using nlohmann::json;
+using grid::NumberType;
+
+// More than any tensor or spectrum in a file; keeps tuples x components x bytes far from overflow.
+constexpr std::uint64_t kMaxComponents = 1 << 16;
+constexpr std::uint64_t kAnyCount = ~std::uint64_t(0);
+constexpr std::size_t kMaxWarnings = 20;
+constexpr std::size_t kMaxWords = 300;
+
+std::uint64_t countOf(const json& value)
+{
+	if (!value.is_number_unsigned())
+		throw Unusable("a count is not a whole number");
+	return value.get<std::uint64_t>();
+}
+
+double finiteOf(const json& value)
+{
+	if (!value.is_number() || !std::isfinite(value.get<double>()))
+		throw Unusable("an origin, a spacing or a time is not a finite number");
+	return value.get<double>();
+}
+
+Vec3 vectorOf(const json& value)
+{
+	if (!value.is_array() || value.size() != 3)
+		throw Unusable("a vector does not have three numbers");
+	return {finiteOf(value[0]), finiteOf(value[1]), finiteOf(value[2])};
+}
+
+std::string wordsOf(const json& value)
+{
+	std::string words = value.get<std::string>().substr(0, kMaxWords);
+	for (char& c : words)
+		if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
+			c = ' ';
+	return words;
+}
+
+NumberType numberTypeOf(const std::string& name)
+{
+	for (int type = 0; type <= static_cast<int>(NumberType::float64); ++type)
+		if (name == grid::numberTypeName(static_cast<NumberType>(type)))
+			return static_cast<NumberType>(type);
+	throw Unusable("an array has an unknown number type");
+}
+
+// Points along each axis of a lattice that has cells.
+std::array<std::uint32_t, 3> latticeOf(const std::array<std::uint64_t, 3>& points)
+{
+	std::uint64_t product = 1;
+	for (const std::uint64_t n : points)
+	{
+		if (n < 2)
+			throw Unusable("a lattice has no cells");
+		if (__builtin_mul_overflow(product, n, &product) || product >= kMaxBlockIds)
+			throw Unusable(fmt::format("a block of {} x {} x {} points is too large; split it", points[0], points[1], points[2]));
+	}
+	return {static_cast<std::uint32_t>(points[0]), static_cast<std::uint32_t>(points[1]),
+			static_cast<std::uint32_t>(points[2])};
+}
+
+class Checker
+{
+public:
+	explicit Checker(const SharedBytes& arrays) : arrays_(arrays) {}
+
+	CheckedInput check(const json& manifest)
+	{
+		if (manifest.at("version") != kProtocolVersion)
+			throw Unusable("vprobe-read is of another version; install both together");
+		CheckedInput input;
+		for (const json& time : manifest.at("times"))
+			input.times.push_back(finiteOf(time));
+		for (const json& warning : manifest.at("warnings"))
+			if (input.warnings.size() < kMaxWarnings)
+				input.warnings.push_back(wordsOf(warning));
+		input.left_out = countOf(manifest.at("left_out"));
+		for (const json& block : manifest.at("blocks"))
+			input.blocks.push_back(checkBlock(block));
+		if (input.blocks.empty())
+			throw Unusable("no blocks");
+		return input;
+	}
+
+private:
+	// The bytes of an array that holds so many numbers of its type.
+	Array<std::byte> bytesOf(const json& array, NumberType type, std::uint64_t numbers)
+	{
+		const std::uint64_t offset = countOf(array.at("offset"));
+		const std::uint64_t bytes = countOf(array.at("bytes"));
+		if (offset % kArrayAlignment != 0 || offset > arrays_.bytes.size() || bytes > arrays_.bytes.size() - offset)
+			throw Unusable("an array lies outside what was handed over");
+		if (bytes % byteSize(type) != 0 || (numbers != kAnyCount && bytes / byteSize(type) != numbers))
+			throw Unusable("an array has another size than it should");
+		return {arrays_.owner, arrays_.bytes.data() + offset, static_cast<std::size_t>(bytes)};
+	}
+
+	template <class T>
+	Array<T> numbersOf(const json& array, NumberType type, std::uint64_t numbers = kAnyCount)
+	{
+		if (numberTypeOf(array.at("type").get<std::string>()) != type)
+			throw Unusable("an array has another number type than it should");
+		const Array<std::byte> bytes = bytesOf(array, type, numbers);
+		return {arrays_.owner, reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
+	}
+
+	grid::Points coordinatesOf(const json& array, std::uint64_t points = kAnyCount)
+	{
+		const std::uint64_t numbers = points == kAnyCount ? kAnyCount : points * 3;
+		const bool is_double = array.at("type") == "float64";
+		grid::Points checked = is_double ? grid::Points(numbersOf<double>(array, NumberType::float64, numbers))
+										 : grid::Points(numbersOf<float>(array, NumberType::float32, numbers));
+		if (countOf(array.at("bytes")) != checked.size() * 3 * (is_double ? 8 : 4))
+			throw Unusable("points without three coordinates");
+		if (checked.size() >= kMaxBlockIds)
+			throw Unusable(fmt::format("a block of {} points is too large; split it", checked.size()));
+		checkCoordinates(checked);
+		return checked;
+	}
+
+	CellMesh cellMeshOf(const json& block)
+	{
+		CellMesh mesh;
+		mesh.points = coordinatesOf(block.at("coordinates"));
+		const json& lists = block.at("cells");
+		mesh.cells.types = numbersOf<std::uint8_t>(lists.at("types"), NumberType::uint8);
+		const std::size_t cells = mesh.cells.types.size();
+		if (cells == 0 || cells >= kMaxBlockIds)
+			throw Unusable(fmt::format("a block of {} cells cannot be held", cells));
+		mesh.cells.offsets = numbersOf<std::int64_t>(lists.at("offsets"), NumberType::int64, cells + 1);
+		mesh.cells.connectivity = numbersOf<std::int64_t>(lists.at("connectivity"), NumberType::int64);
+		if (lists.contains("face_offsets"))
+		{
+			mesh.cells.face_offsets = numbersOf<std::int64_t>(lists.at("face_offsets"), NumberType::int64, cells + 1);
+			mesh.cells.face_stream = numbersOf<std::int64_t>(lists.at("face_stream"), NumberType::int64);
+		}
+		checkCells(mesh.cells, mesh.points.size());
+		return mesh;
+	}
+
+	static std::array<std::uint32_t, 3> latticeOfBlock(const json& block)
+	{
+		const json& points = block.at("points");
+		if (!points.is_array() || points.size() != 3)
+			throw Unusable("a lattice does not have three axes");
+		return latticeOf({countOf(points[0]), countOf(points[1]), countOf(points[2])});
+	}
+
+	// Sets the mesh, and how many tuples its point and cell arrays have.
+	void checkMesh(const json& block, CheckedBlock& checked, std::uint64_t& points, std::uint64_t& cells)
+	{
+		const std::string kind = block.at("kind").get<std::string>();
+		if (kind == "unstructured")
+		{
+			CellMesh mesh = cellMeshOf(block);
+			points = mesh.points.size();
+			cells = mesh.cells.types.size();
+			checked.mesh = std::move(mesh);
+			return;
+		}
+
+		std::array<std::uint32_t, 3> lattice;
+		if (kind == "image")
+		{
+			lattice = latticeOfBlock(block);
+			const Vec3 origin = vectorOf(block.at("origin"));
+			const Vec3 spacing = vectorOf(block.at("spacing"));
+			for (int axis = 0; axis < 3; ++axis)
+				if (spacing[axis] == 0.0 || !std::isfinite(origin[axis] + spacing[axis] * lattice[axis]))
+					throw Unusable("the spacing of an image is zero or too large");
+			checked.mesh = grid::UniformGrid(lattice, origin, spacing);
+		}
+		else if (kind == "rectilinear")
+		{
+			std::array<Array<double>, 3> axes;
+			for (int axis = 0; axis < 3; ++axis)
+			{
+				axes[axis] = numbersOf<double>(block.at("axes").at(static_cast<std::size_t>(axis)), NumberType::float64);
+				checkAxis(axes[axis]);
+			}
+			lattice = latticeOf({axes[0].size(), axes[1].size(), axes[2].size()});
+			checked.mesh = grid::RectilinearGrid(axes[0], axes[1], axes[2]);
+		}
+		else if (kind == "curvilinear")
+		{
+			lattice = latticeOfBlock(block);
+			const std::uint64_t wanted = std::uint64_t(lattice[0]) * lattice[1] * lattice[2];
+			checked.mesh = grid::CurvilinearGrid(lattice, coordinatesOf(block.at("coordinates"), wanted));
+		}
+		else
+			throw Unusable("a block is of an unknown kind");
+		points = std::uint64_t(lattice[0]) * lattice[1] * lattice[2];
+		cells = std::uint64_t(lattice[0] - 1) * (lattice[1] - 1) * (lattice[2] - 1);
+	}
+
+	CheckedBlock checkBlock(const json& block)
+	{
+		CheckedBlock checked;
+		std::uint64_t points = 0;
+		std::uint64_t cells = 0;
+		checked.name = wordsOf(block.at("name"));
+		checkMesh(block, checked, points, cells);
+		for (const json& array : block.at("arrays"))
+		{
+			grid::Field field;
+			field.name = wordsOf(array.at("name"));
+			const std::string association = array.at("association").get<std::string>();
+			if (association != "point" && association != "cell")
+				throw Unusable("an array belongs to neither points nor cells");
+			field.association = association == "point" ? grid::Association::point : grid::Association::cell;
+			const std::uint64_t components = countOf(array.at("components"));
+			if (components < 1 || components > kMaxComponents)
+				throw Unusable(fmt::format("the array {} has {} components", field.name, components));
+			field.components = static_cast<int>(components);
+			field.type = numberTypeOf(array.at("type").get<std::string>());
+			field.bytes = bytesOf(array, field.type, components * (association == "point" ? points : cells));
+			checked.fields.push_back(std::move(field));
+		}
+		return checked;
+	}
+
+	const SharedBytes& arrays_;
+};
+
+} // namespace
+
+Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays)
+{
+	try
+	{
+		return Checker(arrays).check(json::parse(text));
+	}
+	catch (const Unusable& unusable)
+	{
+		return Error{ExitCode::input, unusable.what()};
+	}
+	catch (const json::exception&)
+	{
+		return Error{ExitCode::input, "the manifest of its arrays cannot be read"};
+	}
+}
+
+} // namespace vp::read

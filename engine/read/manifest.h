@@ -1,0 +1,46 @@
+#pragma once
+
+#include "base/result.h"
+#include "grid/field.h"
+#include "grid/points.h"
+#include "grid/structured.h"
+#include "grid/unstructured.h"
+#include "read/mapping.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace vp::read
+{
+
+// Cells that are checked but not yet built into a grid.
+struct CellMesh
+{
+	grid::Points points;
+	grid::CellList cells;
+};
+
+struct CheckedBlock
+{
+	std::string name;
+	std::variant<grid::UniformGrid, grid::RectilinearGrid, grid::CurvilinearGrid, CellMesh> mesh;
+	std::vector<grid::Field> fields;
+};
+
+// What a child handed over, as far as it holds good.
+struct CheckedInput
+{
+	std::vector<CheckedBlock> blocks;
+	std::vector<double> times;
+	std::vector<std::string> warnings;
+	std::size_t left_out = 0;
+};
+
+// Checks a manifest and every array it names against the bytes that were handed over. Nothing in either is trusted: counts may
+// overflow, arrays may lie outside, ids may point anywhere, coordinates may be no numbers. The error's message is the reason alone.
+Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays);
+
+} // namespace vp::read

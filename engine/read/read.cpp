@@ -1,0 +1,123 @@
+#include "read/read.h"
+
+#include "base/log.h"
+#include "base/timeline.h"
+#include "grid/demo.h"
+#include "read/child.h"
+#include "read/input_limits.h"
+#include "read/manifest.h"
+#include "read/protocol.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+namespace vp::read
+{
+
+namespace
+{
+
+constexpr std::string_view kDemoPrefix = "demo:";
+
+grid::Block buildBlock(CheckedBlock&& checked, std::string name)
+{
+	grid::Block block;
+	block.name = std::move(name);
+	block.fields = std::move(checked.fields);
+	std::visit(
+		[&](auto&& mesh)
+		{
+			if constexpr (std::is_same_v<std::decay_t<decltype(mesh)>, CellMesh>)
+				block.grid = grid::UnstructuredGrid::build(mesh.points, mesh.cells);
+			else
+				block.grid = std::move(mesh);
+		},
+		std::move(checked.mesh));
+	finishBlock(block);
+	return block;
+}
+
+Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& options, Timeline* timeline)
+{
+	CheckedInput input;
+	{
+		TimedSection timed(timeline, "read");
+		const Result<InputLimits> limits = inputLimits(file, options.solution);
+		if (!limits)
+			return limits.error();
+		const Result<HandedOver> handed = runReader(file, options, *limits);
+		if (!handed)
+			return handed.error();
+		Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays);
+		if (!checked)
+			return Error{ExitCode::input, fmt::format("{}: truncated or damaged: {}", file, checked.error().message)};
+		input = std::move(*checked);
+	}
+
+	for (const std::string& warning : input.warnings)
+		warn("{}: {}", file, warning);
+
+	TimedSection timed(timeline, "build");
+	const std::string stem = std::filesystem::path(file).stem().string();
+	grid::BlockSet set;
+	set.times = std::move(input.times);
+	set.left_out = input.left_out;
+	for (CheckedBlock& block : input.blocks)
+	{
+		std::string name = block.name.empty() ? stem : fmt::format("{}: {}", stem, block.name);
+		set.blocks.push_back(buildBlock(std::move(block), std::move(name)));
+	}
+	return set;
+}
+
+Result<grid::BlockSet> readInput(const std::string& input, const ReadOptions& options, Timeline* timeline)
+{
+	if (!input.starts_with(kDemoPrefix))
+		return readFile(input, options, timeline);
+	TimedSection timed(timeline, "build");
+	return grid::parseDemo(std::string_view(input).substr(kDemoPrefix.size()));
+}
+
+} // namespace
+
+Result<TimeChoice> parseTime(const std::string& text)
+{
+	if (text == "last")
+		return TimeChoice{TimeChoice::Kind::last, 0.0};
+	if (text == "first")
+		return TimeChoice{TimeChoice::Kind::first, 0.0};
+	double value = 0.0;
+	const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+	if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+		return Error{ExitCode::usage, fmt::format("--time {}: neither last, first nor a number", text)};
+	return TimeChoice{TimeChoice::Kind::value, value};
+}
+
+Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options, Timeline* timeline)
+{
+	grid::BlockSet all;
+	for (const std::string& input : inputs)
+	{
+		Result<grid::BlockSet> set = readInput(input, options, timeline);
+		if (!set)
+			return set.error();
+		std::move(set->blocks.begin(), set->blocks.end(), std::back_inserter(all.blocks));
+		all.times.insert(all.times.end(), set->times.begin(), set->times.end());
+		all.left_out += set->left_out;
+	}
+	std::sort(all.times.begin(), all.times.end());
+	all.times.erase(std::unique(all.times.begin(), all.times.end()), all.times.end());
+	return all;
+}
+
+std::string readableEndings()
+{
+	return fmt::format("{}", fmt::join(kEndings, " "));
+}
+
+} // namespace vp::read

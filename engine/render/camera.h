@@ -1,0 +1,73 @@
+#pragma once
+
+#include "base/result.h"
+#include "base/vec.h"
+#include "probe/sheet.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace vp::render
+{
+
+// The picture in pixels, and the part of it that legend, title and caption leave to the scene: from free_lo (top left) to
+// free_hi, without the lower left corner, left of and below `corner`, where the axes are.
+struct Frame
+{
+	double width = 1.0;
+	double height = 1.0;
+	glm::dvec2 free_lo{0.0};
+	glm::dvec2 free_hi{1.0};
+	std::optional<glm::dvec2> corner;
+};
+
+// A perspective view. Clip space is Vulkan's (y down), depth reversed without a far end: near / w, so that depth is linear in
+// the picture plane and loses nothing far away.
+struct Camera
+{
+	Vec3 position{0.0, 0.0, 1.0};
+	Vec3 focal_point{0.0};
+	Vec3 up{0.0, 1.0, 0.0};
+	double vertical_field = 25.0; // of view, degrees
+	double near = 1e-3;
+
+	Vec3 forward() const;
+	Vec3 right() const;
+	Vec3 trueUp() const; // perpendicular to forward()
+	glm::dmat4 view() const;
+	glm::dmat4 projection(double aspect) const;
+
+	// The pixel of a point in front of the camera; x to the right, y down, pixel centres at halves.
+	glm::dvec2 project(const Vec3& point, const Frame& frame) const;
+
+	// Puts the near plane before the points, as far from the eye as they allow.
+	void fitNear(std::span<const Vec3> points);
+};
+
+// What --camera asked for.
+struct CameraChoice
+{
+	enum class Kind
+	{
+		automatic, // obliquely onto the first sheet
+		sheet,     // straight onto the first sheet, its up axis upright
+		direction, // from `direction` (from the scene to the eye), `up` upright
+		fixed      // `camera` as it is; nothing is fitted
+	};
+	Kind kind = Kind::automatic;
+	Vec3 direction{0.0};
+	Vec3 up{0.0};
+	Camera camera;
+};
+
+// `auto`, `x|-x|y|-y|z|-z` (seen from there), `iso`, `sheet`, `AZ,EL` in degrees (azimuth from x towards y, elevation from the
+// xy plane towards z), or nine numbers: position, focal point, up. Anything else is a usage error.
+Result<CameraChoice> parseCamera(std::string_view text);
+
+// A camera whose picture of the points just fills the frame's free area. `sheet` may be null where there is none.
+Camera makeCamera(const CameraChoice& choice, const probe::Sheet* sheet, std::span<const Vec3> points, const Frame& frame);
+
+} // namespace vp::render

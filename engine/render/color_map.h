@@ -1,0 +1,46 @@
+#pragma once
+
+#include "base/result.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vp::render
+{
+
+// Encoded in sRGB, as in a picture; blending happens in this encoding too, so that an opacity of one half is the mean of
+// two colours as a user reads them off.
+struct Color
+{
+	std::uint8_t r = 0;
+	std::uint8_t g = 0;
+	std::uint8_t b = 0;
+	std::uint8_t a = 255;
+
+	bool operator==(const Color&) const = default;
+};
+
+constexpr int kColorMapSize = 256;
+
+// The colours of values from the range's low end (0) to its high end (1), and of those that have no place in it: NaN is magenta in
+// every map; values below and above, which only a range of the user's can leave out, are tints that the map does not hold.
+struct ColorMap
+{
+	std::string name;
+	std::array<Color, kColorMapSize> colors;
+	Color nan{217, 70, 160};
+	Color below;
+	Color above;
+
+	Color at(double t) const; // 0..1, linear between neighbours
+};
+
+const std::vector<std::string>& colorMapNames(); // viridis first, the default
+
+// An unknown name is a usage error that lists the names.
+Result<ColorMap> makeColorMap(std::string_view name);
+
+} // namespace vp::render

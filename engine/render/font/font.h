@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace vp::render
+{
+
+// The TrueType file of DejaVu Sans.
+std::span<const std::byte> fontFile();
+
+} // namespace vp::render

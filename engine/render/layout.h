@@ -1,0 +1,48 @@
+#pragma once
+
+#include "render/camera.h"
+#include "render/scene.h"
+#include "render/ticks.h"
+
+#include <glm/vec2.hpp>
+
+namespace vp::render
+{
+
+struct Area
+{
+	glm::dvec2 lo{0.0};
+	glm::dvec2 hi{0.0};
+
+	glm::dvec2 size() const { return hi - lo; }
+	bool overlaps(const Area& other) const
+	{
+		return lo.x < other.hi.x && other.lo.x < hi.x && lo.y < other.hi.y && other.lo.y < hi.y;
+	}
+};
+
+// Where everything that is written into a picture goes, in pixels from the top left. What is switched off has no area.
+struct Layout
+{
+	double em;       // size of plain text
+	double title_em; // of the picture's title
+	double small_em; // of the caption
+	double margin;
+
+	Area title;
+	Area caption;
+	Area axes;
+	Area legend; // the whole column; below, its parts from top to bottom
+	Area legend_title;
+	Area factor;
+	Area bar; // without the caps
+	Area nan;
+	double cap; // height of the pointed ends for values beyond the range, 0 without
+	Ticks ticks;
+
+	Frame frame;
+};
+
+Layout makeLayout(const Look& look, const std::optional<ValueScale>& values);
+
+} // namespace vp::render

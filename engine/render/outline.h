@@ -1,0 +1,33 @@
+#pragma once
+
+#include "base/result.h"
+#include "grid/block.h"
+
+#include <string_view>
+#include <vector>
+
+namespace vp::render
+{
+
+struct Segment
+{
+	Vec3 a;
+	Vec3 b;
+};
+
+// The lines that tell where in the grid a sheet lies.
+enum class Outline
+{
+	none,
+	box,  // of a curvilinear block the twelve curved edges of its index box, of any other its bounds
+	edges // where boundary faces meet at more than 30 degrees, or other than in pairs
+};
+
+Result<Outline> parseOutline(std::string_view name); // none, box, edges
+
+std::vector<Segment> outlineOf(const grid::BlockSet& blocks, Outline outline);
+
+// Points whose hull holds the blocks, close around them: what a camera fits into its picture.
+std::vector<Vec3> extentOf(const grid::BlockSet& blocks);
+
+} // namespace vp::render

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vp::render
+{
+
+struct Tick
+{
+	double value;
+	std::string label;
+};
+
+// Marks at round values (1, 2 or 5 times a power of ten) within [lo, hi], and their labels. Where plain digits would be
+// long, the labels share a power of ten that is told once: "×10⁶".
+struct Ticks
+{
+	std::vector<Tick> marks; // ascending; one, at the value, where lo and hi agree
+	std::string factor;      // empty where the labels are the values
+};
+
+// At most `most` marks (>= 2). lo and hi are finite; lo > hi is taken as hi, lo.
+Ticks makeTicks(double lo, double hi, int most);
+
+// A number for a caption: four digits, a true minus sign, no negative zero.
+std::string shortNumber(double value);
+
+} // namespace vp::render

@@ -1,0 +1,131 @@
+#include "seed/seeds.h"
+
+#include "locate/find_cell.h"
+#include "seed/boundary_cut.h"
+
+#include <limits>
+
+namespace vp::seed
+{
+
+namespace
+{
+
+// A hot spot on a face or a vertex may be found in the cell whose vertices all count as positive. The cut cell is near:
+// looked for across faces, ring by ring, among this many cells (two rings of hexahedra and their corners).
+constexpr std::size_t kNearbyCells = 64;
+
+template <grid::Grid G>
+bool isCut(const G& grid, const surface::Plane& plane, CellId cell)
+{
+	grid::CellFaces faces;
+	grid.cellFaces(cell, faces);
+	bool positive = false;
+	bool negative = false;
+	for (const PointId p : faces.points)
+		(plane.signedDistance(grid.point(p)) >= 0.0 ? positive : negative) = true;
+	return positive && negative;
+}
+
+template <grid::Grid G>
+CellId nearestCutCell(const G& grid, const surface::Plane& plane, CellId start)
+{
+	std::vector<CellId> queue{start};
+	for (std::size_t i = 0; i < queue.size(); ++i)
+	{
+		if (isCut(grid, plane, queue[i]))
+			return queue[i];
+		for (int f = 0; f < grid.faceCount(queue[i]); ++f)
+			grid.forEachNeighbour(queue[i], f,
+								  [&](CellId n)
+								  {
+									  if (queue.size() < kNearbyCells && std::find(queue.begin(), queue.end(), n) == queue.end())
+										  queue.push_back(n);
+								  });
+	}
+	return kNoCell;
+}
+
+// The seed at the hot spot, in the first block that holds it.
+void seedHotSpot(const grid::BlockSet& blocks, const probe::Sheet& sheet, const surface::Plane& plane, SheetSeeds& seeds)
+{
+	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+	{
+		const grid::Block& block = blocks.blocks[b];
+		const locate::Located located = locate::findCell(block, kNoCell, sheet.origin);
+		seeds.hops += located.hops;
+		seeds.boundary_tests += located.boundary_tests;
+		if (!located.found())
+			continue;
+		seeds.hot_spot_inside = true;
+		const CellId seed =
+			std::visit([&](const auto& grid) { return nearestCutCell(grid, plane, located.cell); }, block.grid);
+		if (seed == kNoCell)
+			continue; // on the rim of this block; another one may hold it as well
+		seeds.cells[b].push_back(seed);
+		return;
+	}
+}
+
+} // namespace
+
+SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, const SeedOptions& options)
+{
+	SheetSeeds seeds;
+	seeds.cells.resize(blocks.blocks.size());
+	seeds.faces_in_plane.resize(blocks.blocks.size());
+	const surface::Plane plane = sheet.plane();
+	if (options.mode != SeedMode::boundary)
+		seedHotSpot(blocks, sheet, plane, seeds);
+
+	const bool seeds_boundary = options.mode != SeedMode::hotspot;
+	const bool moves_hot_spot = options.mode != SeedMode::boundary && !seeds.hot_spot_inside && options.outside == OutsidePolicy::nearest;
+	double nearest = std::numeric_limits<double>::infinity();
+	std::size_t nearest_block = 0;
+	CellId nearest_cell = kNoCell;
+	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+	{
+		if (!seeds_boundary && !moves_hot_spot)
+			break;
+		const grid::Block& block = blocks.blocks[b];
+		std::visit(
+			[&](const auto& grid)
+			{
+				seeds.boundary_tests += visitBoundaryCut(
+					grid, block.boundary, plane,
+					[&](const CutFace& face)
+					{
+						if (seeds_boundary && (seeds.cells[b].empty() || seeds.cells[b].back() != face.cell))
+							seeds.cells[b].push_back(face.cell);
+						if (!moves_hot_spot)
+							return;
+						const Vec3 point = nearestOnSegment(face.from, face.to, sheet.origin);
+						const double distance = glm::length(point - sheet.origin);
+						if (distance < nearest)
+						{
+							nearest = distance;
+							nearest_block = b;
+							nearest_cell = face.cell;
+							seeds.moved_to = point;
+						}
+					},
+					[&](const grid::BoundaryIndex::Face& face)
+					{
+						if (seeds_boundary && !isCut(grid, plane, face.cell))
+							seeds.faces_in_plane[b].push_back(face);
+					});
+				if (seeds_boundary)
+					for (const CellId cell : block.inverted)
+						if (isCut(grid, plane, cell))
+							seeds.cells[b].push_back(cell);
+			},
+			block.grid);
+	}
+	if (nearest_cell != kNoCell && !seeds_boundary)
+		seeds.cells[nearest_block].push_back(nearest_cell);
+	for (const std::vector<CellId>& cells : seeds.cells)
+		seeds.count += cells.size();
+	return seeds;
+}
+
+} // namespace vp::seed

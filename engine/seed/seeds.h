@@ -1,0 +1,51 @@
+#pragma once
+
+#include "base/ids.h"
+#include "grid/block.h"
+#include "probe/sheet.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vp::seed
+{
+
+enum class SeedMode
+{
+	automatic, // the hot spot, then the boundary: every piece
+	hotspot,   // the paper's single piece
+	boundary
+};
+
+// What becomes of a hot spot outside the grid.
+enum class OutsidePolicy
+{
+	nearest, // the nearest point of the sheet inside the grid takes its place
+	refuse,  // an error
+	report   // no seed from it, and a word
+};
+
+struct SeedOptions
+{
+	SeedMode mode = SeedMode::automatic;
+	OutsidePolicy outside = OutsidePolicy::nearest;
+};
+
+// Generation 0 of a sheet, per block.
+struct SheetSeeds
+{
+	std::vector<std::vector<CellId>> cells; // per block
+	// Per block: boundary faces that lie in the plane and whose cell is not cut, so that nothing else shows them.
+	std::vector<std::vector<grid::BoundaryIndex::Face>> faces_in_plane;
+	std::size_t count = 0;          // of seeds in all blocks
+	std::size_t hops = 0;           // cells that fence hops passed
+	std::size_t boundary_tests = 0; // boxes and faces of the boundary index that were asked
+	bool hot_spot_inside = false;
+	std::optional<Vec3> moved_to;   // the hot spot that took the place of one outside
+};
+
+SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, const SeedOptions& options);
+
+} // namespace vp::seed

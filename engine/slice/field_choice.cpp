@@ -1,0 +1,135 @@
+#include "slice/field_choice.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
+
+namespace vp::slice
+{
+
+namespace
+{
+
+const grid::Field* findField(const grid::Block& block, const std::string& name, std::optional<grid::Association> association)
+{
+	for (const grid::Field& field : block.fields)
+		if (field.name == name && (!association || field.association == *association))
+			return &field;
+	return nullptr;
+}
+
+// Point arrays come first, as everywhere a name is looked for.
+const grid::Field* findField(const grid::BlockSet& blocks, const std::string& name, std::optional<grid::Association> association)
+{
+	for (const grid::Association wanted : {grid::Association::point, grid::Association::cell})
+		if (!association || association == wanted)
+			for (const grid::Block& block : blocks.blocks)
+				if (const grid::Field* field = findField(block, name, wanted))
+					return field;
+	return nullptr;
+}
+
+const grid::Field* firstField(const grid::BlockSet& blocks)
+{
+	for (const grid::Association wanted : {grid::Association::point, grid::Association::cell})
+		for (const grid::Block& block : blocks.blocks)
+			for (const grid::Field& field : block.fields)
+				if (field.association == wanted)
+					return &field;
+	return nullptr;
+}
+
+std::string listFields(const grid::BlockSet& blocks)
+{
+	std::vector<std::string> names;
+	for (const grid::Block& block : blocks.blocks)
+		for (const grid::Field& field : block.fields)
+		{
+			std::string name = fmt::format("{}:{}", grid::associationName(field.association), field.name);
+			if (std::find(names.begin(), names.end(), name) == names.end())
+				names.push_back(std::move(name));
+		}
+	return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+Result<int> parseComponent(const grid::Field& field, const std::string& text)
+{
+	if (text.empty())
+		return field.components == 1 ? 0 : grid::kMagnitude;
+	if (text == "magnitude")
+		return grid::kMagnitude;
+	int component = -1;
+	if (text == "x" || text == "y" || text == "z")
+		component = text[0] - 'x';
+	else if (const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), component);
+			 error != std::errc() || end != text.data() + text.size() || component < 0)
+		return Error{ExitCode::usage, fmt::format("--component {}: not a component; use magnitude, x, y, z or a number from 0", text)};
+	if (component >= field.components)
+		return Error{ExitCode::usage, fmt::format("--component {}: array {} has {} component{}; use {}", text, field.name,
+												  field.components, field.components == 1 ? "" : "s",
+												  field.components == 1 ? "0" : fmt::format("0 to {} or magnitude", field.components - 1))};
+	return component;
+}
+
+} // namespace
+
+const grid::Field* FieldChoice::in(const grid::Block& block) const
+{
+	return findField(block, name, association);
+}
+
+std::string FieldChoice::title(const grid::BlockSet& blocks) const
+{
+	const grid::Field* field = findField(blocks, name, association);
+	if (!field || (field->components == 1 && component == 0))
+		return name;
+	if (component == grid::kMagnitude)
+		return name + " magnitude";
+	return component < 3 && field->components <= 3 ? fmt::format("{} {}", name, "xyz"[component])
+												   : fmt::format("{} {}", name, component);
+}
+
+Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, const std::string& array,
+											   const std::string& component)
+{
+	std::optional<grid::Association> association;
+	std::string name = array;
+	// An array may have a colon in its own name, so the whole text is tried before a prefix is taken off.
+	if (!array.empty() && !findField(blocks, array, {}))
+		for (const grid::Association candidate : {grid::Association::point, grid::Association::cell})
+			if (const std::string prefix = std::string(grid::associationName(candidate)) + ":"; array.starts_with(prefix))
+			{
+				association = candidate;
+				name = array.substr(prefix.size());
+			}
+	const grid::Field* field = array.empty() ? firstField(blocks) : findField(blocks, name, association);
+	if (!field && array.empty())
+	{
+		if (!component.empty())
+			return Error{ExitCode::input, fmt::format("--component {}: the input has no array", component)};
+		return std::optional<FieldChoice>{};
+	}
+	if (!field)
+		return Error{ExitCode::input, fmt::format("--array {}: no such array; there are: {}", array, listFields(blocks))};
+	Result<int> chosen = parseComponent(*field, component);
+	if (!chosen)
+		return chosen.error();
+	return std::optional<FieldChoice>{{field->name, field->association, *chosen}};
+}
+
+std::pair<double, double> fieldRange(const grid::BlockSet& blocks, const FieldChoice& choice)
+{
+	// A block without values (all NaN, or none at all) reports {0, 0} and must not widen the range of the others.
+	std::pair<double, double> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+	for (const grid::Block& block : blocks.blocks)
+		if (const grid::Field* field = choice.in(block); field && field->tuples() > 0)
+		{
+			const auto [lo, hi] = grid::fieldRange(*field, choice.component);
+			range.first = std::min(range.first, lo);
+			range.second = std::max(range.second, hi);
+		}
+	return range.first <= range.second ? range : std::pair{0.0, 0.0};
+}
+
+} // namespace vp::slice

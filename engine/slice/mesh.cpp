@@ -1,0 +1,223 @@
+#include "slice/mesh.h"
+
+#include "slice/cell_polygons.h"
+#include "slice/edge_vertices.h"
+
+#include <cmath>
+#include <unordered_map>
+
+namespace vp::slice
+{
+
+namespace
+{
+
+// Twice the vector area of a polygon.
+Vec3 doubleArea(const SheetMesh& mesh, std::span<const std::uint32_t> polygon)
+{
+	Vec3 sum(0.0);
+	const Vec3& first = mesh.positions[polygon[0]];
+	for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+		sum += glm::cross(mesh.positions[polygon[i]] - first, mesh.positions[polygon[i + 1]] - first);
+	return sum;
+}
+
+template <grid::Grid G>
+void addBlock(const G& grid, const surface::Plane& plane, const BlockCut& block, SheetMesh& mesh)
+{
+	const traverse::LaneCut& cut = *block.cut;
+	EdgeVertices vertices(cut.cut_cells);
+	CellPolygons<G> polygons(grid, plane);
+
+	const auto vertexOf = [&](std::pair<PointId, PointId> edge)
+	{
+		const PointId lower = std::min(edge.first, edge.second);
+		const PointId higher = std::max(edge.first, edge.second);
+		const auto [number, is_new] =
+			vertices.find(lower, higher, static_cast<std::uint32_t>(mesh.positions.size()));
+		if (is_new)
+		{
+			const Vec3 a = grid.point(lower);
+			const Vec3 b = grid.point(higher);
+			const double da = plane.signedDistance(a);
+			const double db = plane.signedDistance(b);
+			// The signs differ, so this is no division by zero; a corner of a face in the plane is its own edge.
+			const double t = lower == higher ? 0.0 : da / (da - db);
+			mesh.edges.push_back({block.block, lower, higher, t});
+			mesh.positions.push_back(t == 1.0 ? b : a + t * (b - a));
+		}
+		return number;
+	};
+	const auto addPolygon = [&](CellId cell, std::span<const std::pair<PointId, PointId>> edges)
+	{
+		for (const auto& edge : edges)
+			mesh.polygon_vertices.push_back(vertexOf(edge));
+		mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.polygon_vertices.size()));
+		mesh.polygon_cells.push_back({block.block, cell});
+	};
+	for (std::size_t i = 0; i < cut.cells.size(); ++i)
+		if (cut.words[i] & shared::kWordCut)
+			mesh.cells_twisted += polygons.visit(cut.cells[i], cut.words[i],
+												 [&](const auto& edges) { addPolygon(cut.cells[i], edges); });
+
+	grid::CellFaces faces;
+	std::vector<std::pair<PointId, PointId>> corners;
+	for (const grid::BoundaryIndex::Face& face : block.faces_in_plane)
+	{
+		grid.cellFaces(face.cell, faces);
+		corners.clear();
+		for (const PointId p : faces[face.face])
+			corners.emplace_back(p, p);
+		addPolygon(face.cell, corners);
+	}
+}
+
+// A grid point that lies on the surface cuts several edges at one place. They become one vertex, so that what closes up in
+// space closes up in the mesh.
+void joinVerticesAtPoints(SheetMesh& mesh)
+{
+	std::unordered_map<std::uint64_t, std::uint32_t> at_point;
+	std::vector<std::uint32_t> joined;
+	for (std::uint32_t v = 0; v < mesh.edges.size(); ++v)
+	{
+		const EdgePoint& edge = mesh.edges[v];
+		if (edge.t != 0.0 && edge.t != 1.0)
+			continue;
+		const PointId point = edge.t == 0.0 ? edge.lower : edge.higher;
+		const auto [first, is_new] = at_point.try_emplace(std::uint64_t(edge.block) << 32 | point, v);
+		if (is_new)
+			continue;
+		if (joined.empty())
+		{
+			joined.resize(mesh.edges.size());
+			for (std::uint32_t i = 0; i < joined.size(); ++i)
+				joined[i] = i;
+		}
+		joined[v] = first->second;
+	}
+	if (!joined.empty())
+		for (std::uint32_t& v : mesh.polygon_vertices)
+			v = joined[v];
+}
+
+// Drops repeated vertices and polygons without area, turns the rest to face along the normal, and drops vertices no polygon uses.
+void tidyPolygons(SheetMesh& mesh, const Vec3& normal)
+{
+	std::vector<std::uint32_t> starts{0};
+	std::vector<std::uint32_t> kept;
+	kept.reserve(mesh.polygon_vertices.size());
+	std::size_t polygons = 0;
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		const std::size_t begin = kept.size();
+		for (const std::uint32_t v : mesh.polygon(p))
+			if (kept.size() == begin || kept.back() != v)
+				kept.push_back(v);
+		while (kept.size() > begin + 1 && kept.back() == kept[begin])
+			kept.pop_back();
+
+		const std::span polygon = std::span(kept).subspan(begin);
+		// Rounding leaves a section that is a line with an area of some 1e-16 of its length squared.
+		constexpr double kNoArea = 1e-15;
+		double longest = 0.0;
+		for (const std::uint32_t v : polygon)
+			longest = std::max(longest, glm::length(mesh.positions[v] - mesh.positions[polygon[0]]));
+		const Vec3 area = polygon.size() < 3 ? Vec3(0.0) : doubleArea(mesh, polygon);
+		if (glm::length(area) <= kNoArea * longest * longest)
+		{
+			kept.resize(begin);
+			continue;
+		}
+		if (glm::dot(area, normal) < 0.0)
+			std::reverse(polygon.begin(), polygon.end());
+		mesh.polygon_cells[polygons++] = mesh.polygon_cells[p];
+		starts.push_back(static_cast<std::uint32_t>(kept.size()));
+	}
+	mesh.polygon_cells.resize(polygons);
+	mesh.polygon_starts = std::move(starts);
+	mesh.polygon_vertices = std::move(kept);
+
+	constexpr std::uint32_t kUnused = 0xFFFFFFFFu;
+	std::vector<std::uint32_t> number(mesh.positions.size(), kUnused);
+	for (const std::uint32_t v : mesh.polygon_vertices)
+		number[v] = 0;
+	std::uint32_t used = 0;
+	for (std::size_t v = 0; v < number.size(); ++v)
+		if (number[v] != kUnused)
+		{
+			mesh.positions[used] = mesh.positions[v];
+			mesh.edges[used] = mesh.edges[v];
+			number[v] = used++;
+		}
+	mesh.positions.resize(used);
+	mesh.edges.resize(used);
+	for (std::uint32_t& v : mesh.polygon_vertices)
+		v = number[v];
+}
+
+} // namespace
+
+SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const BlockCut> cuts)
+{
+	SheetMesh mesh;
+	std::size_t cells = 0;
+	for (const BlockCut& cut : cuts)
+		cells += cut.cut->cut_cells;
+	mesh.positions.reserve(cells + cells / 8);
+	mesh.edges.reserve(cells + cells / 8);
+	mesh.polygon_vertices.reserve(5 * cells);
+	mesh.polygon_starts.reserve(cells + 1);
+	mesh.polygon_cells.reserve(cells);
+	mesh.polygon_starts.push_back(0);
+
+	const surface::Plane plane = sheet.plane();
+	for (const BlockCut& cut : cuts)
+		std::visit([&](const auto& grid) { addBlock(grid, plane, cut, mesh); }, blocks.blocks[cut.block].grid);
+	joinVerticesAtPoints(mesh);
+	tidyPolygons(mesh, sheet.normal);
+	return mesh;
+}
+
+namespace
+{
+
+// The shown number of a tuple whose components `at(c)` gives.
+template <class At>
+double shownValue(int components, int component, At&& at)
+{
+	if (component != grid::kMagnitude)
+		return at(component);
+	if (components == 1)
+		return std::abs(at(0));
+	double sum = 0.0;
+	for (int c = 0; c < components; ++c)
+		sum += at(c) * at(c);
+	return std::sqrt(sum);
+}
+
+} // namespace
+
+double interpolate(const grid::Block& block, const grid::Field& field, int component, const EdgePoint& at)
+{
+	const auto [lower, higher] = std::visit([&](const auto& grid)
+											{ return std::pair{grid.sourcePoint(at.lower), grid.sourcePoint(at.higher)}; },
+											block.grid);
+	return shownValue(field.components, component,
+					  [&](int c)
+					  {
+						  const double a = field.value(lower, c);
+						  // An end that has no part in the vertex does not bring its NaN to it.
+						  if (at.t == 0.0)
+							  return a;
+						  const double b = field.value(higher, c);
+						  return at.t == 1.0 ? b : a + at.t * (b - a);
+					  });
+}
+
+double cellValue(const grid::Block& block, const grid::Field& field, int component, CellId cell)
+{
+	const std::size_t source = std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell)); }, block.grid);
+	return shownValue(field.components, component, [&](int c) { return field.value(source, c); });
+}
+
+} // namespace vp::slice

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "base/result.h"
+#include "grid/block.h"
+#include "probe/sheet.h"
+#include "seed/seeds.h"
+#include "slice/field_choice.h"
+#include "slice/mesh.h"
+#include "traverse/bfs.h"
+
+#include <future>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace vp
+{
+class Timeline;
+}
+namespace vp::gpu
+{
+class Device;
+}
+
+namespace vp::slice
+{
+
+class GpuBlocks;    // the block set on the device (gpu_blocks.h)
+struct SheetRecords; // a sheet's polygons in device memory (gpu_records.h)
+
+struct SliceRequest
+{
+	probe::Probe probe;
+	std::optional<FieldChoice> field;
+	seed::SeedOptions seeds;
+	Timeline* timeline = nullptr; // sections "seed", "traverse", "emit"; must outlive the ticket
+};
+
+// One sheet's share of a slice.
+struct SheetSlice
+{
+	probe::Sheet sheet;
+	seed::SheetSeeds seeds;
+	std::vector<traverse::LaneCut> cuts;         // per block
+	std::shared_ptr<const SheetRecords> records; // GPU classifier only: what was emitted, where it lies
+};
+
+struct Slice
+{
+	std::vector<SheetSlice> sheets;
+	std::vector<std::string> words; // for the user, such as why cells were left to the CPU
+
+	// The indexed mesh of a sheet, built on the CPU from the traversal's cells.
+	SheetMesh mesh(const grid::BlockSet& blocks, std::size_t sheet) const;
+};
+
+class Slicer;
+
+// A slice under way. Destroying the ticket cancels it and waits.
+class SliceTicket
+{
+public:
+	SliceTicket(std::stop_source stop, std::future<Result<Slice>> result);
+	SliceTicket(SliceTicket&&) = default;
+	SliceTicket& operator=(SliceTicket&&) = delete;
+	~SliceTicket();
+
+	void cancel();        // wait() then gives what was found until then
+	Result<Slice> wait(); // once
+
+private:
+	std::stop_source stop_;
+	std::future<Result<Slice>> result_;
+};
+
+// Cuts a block set by probes. Holds what slices share: visited marks and, with a device, the blocks in device memory.
+// Thread safe; several slices may be under way.
+class Slicer
+{
+public:
+	explicit Slicer(const grid::BlockSet& blocks); // CPU classifier
+	// GPU classifier; uploads the blocks (section "upload"). Blocks past a limit of the device stay with the CPU: see words().
+	static Result<std::unique_ptr<Slicer>> onDevice(gpu::Device& device, const grid::BlockSet& blocks,
+													const std::optional<FieldChoice>& field, Timeline* timeline);
+	~Slicer();
+
+	SliceTicket begin(SliceRequest request);
+	Result<Slice> cut(SliceRequest request) { return begin(std::move(request)).wait(); }
+
+	const grid::BlockSet& blocks() const { return blocks_; }
+	bool usesGpu() const { return gpu_ != nullptr; }
+	std::size_t blocksOnGpu() const; // the others passed a limit of the device, and are classified by the CPU
+
+private:
+	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
+
+	const grid::BlockSet& blocks_;
+	std::vector<std::unique_ptr<traverse::VisitedPool>> visited_; // per block
+	std::shared_ptr<GpuBlocks> gpu_;
+};
+
+} // namespace vp::slice

@@ -1,0 +1,130 @@
+#include "slice/stats.h"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace vp::slice
+{
+
+namespace
+{
+
+std::uint32_t findRoot(std::vector<std::uint32_t>& parent, std::uint32_t v)
+{
+	while (parent[v] != v)
+		v = parent[v] = parent[parent[v]];
+	return v;
+}
+
+std::size_t countComponents(const SheetMesh& mesh)
+{
+	std::vector<std::uint32_t> parent(mesh.positions.size());
+	std::iota(parent.begin(), parent.end(), 0u);
+	std::size_t components = parent.size(); // every vertex belongs to a polygon
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		const auto polygon = mesh.polygon(p);
+		for (const std::uint32_t v : polygon.subspan(1))
+		{
+			const std::uint32_t a = findRoot(parent, polygon[0]);
+			const std::uint32_t b = findRoot(parent, v);
+			if (a == b)
+				continue;
+			parent[b] = a;
+			--components;
+		}
+	}
+	return components;
+}
+
+struct Sums
+{
+	double area = 0.0;
+	double nan_area = 0.0;
+	double value_area = 0.0; // integral of the values over the area that is not NaN
+	double min = std::numeric_limits<double>::infinity();
+	double max = -std::numeric_limits<double>::infinity();
+
+	void addTriangle(double area_part, double mean_value)
+	{
+		area += area_part;
+		if (std::isnan(mean_value))
+			nan_area += area_part;
+		else
+			value_area += area_part * mean_value;
+	}
+	void addValue(double value)
+	{
+		if (std::isnan(value))
+			return;
+		min = std::min(min, value);
+		max = std::max(max, value);
+	}
+};
+
+} // namespace
+
+SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field)
+{
+	const bool on_points = field && field->association == grid::Association::point;
+	constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+	Sums sums;
+	std::vector<double> vertex_values;
+	if (on_points)
+	{
+		vertex_values.reserve(mesh.edges.size());
+		for (const EdgePoint& edge : mesh.edges)
+		{
+			const grid::Block& block = blocks.blocks[edge.block];
+			const grid::Field* values = field->in(block);
+			vertex_values.push_back(values ? interpolate(block, *values, field->component, edge) : kNan);
+			sums.addValue(vertex_values.back());
+		}
+	}
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		const auto polygon = mesh.polygon(p);
+		double polygon_value = kNan;
+		if (field && !on_points)
+		{
+			const grid::Block& block = blocks.blocks[mesh.polygon_cells[p].block];
+			if (const grid::Field* values = field->in(block))
+				polygon_value = cellValue(block, *values, field->component, mesh.polygon_cells[p].cell);
+			sums.addValue(polygon_value);
+		}
+		Vec3 centre(0.0);
+		double centre_value = 0.0;
+		for (const std::uint32_t v : polygon)
+		{
+			centre += mesh.positions[v];
+			centre_value += on_points ? vertex_values[v] : 0.0;
+		}
+		centre /= static_cast<double>(polygon.size());
+		centre_value /= static_cast<double>(polygon.size());
+		std::uint32_t previous = polygon.back();
+		for (const std::uint32_t v : polygon)
+		{
+			const double area = 0.5 * glm::length(glm::cross(mesh.positions[previous] - centre, mesh.positions[v] - centre));
+			sums.addTriangle(area, on_points ? (vertex_values[previous] + vertex_values[v] + centre_value) / 3.0 : polygon_value);
+			previous = v;
+		}
+	}
+
+	SheetMeasure result;
+	result.area = sums.area;
+	result.components = countComponents(mesh);
+	if (!field)
+		return result;
+	result.nan_area = sums.nan_area;
+	if (const double valued = sums.area - sums.nan_area; valued > 0.0)
+		result.mean = sums.value_area / valued;
+	if (sums.min <= sums.max)
+	{
+		result.min = sums.min;
+		result.max = sums.max;
+	}
+	return result;
+}
+
+} // namespace vp::slice

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "base/vec.h"
+
+namespace vp::surface
+{
+
+// The plane through `origin` with unit normal. S(x) = 1 where signedDistance(x) >= 0: a vertex on the plane counts as
+// positive. The normal is canonical (its first nonzero component is positive), so that a plane and its flip cut alike.
+//
+// The sign of a vertex is this one expression in double, the same for every cell around it; the build forbids fused
+// multiply-add for that reason.
+class Plane
+{
+public:
+	// `normal` of any length but zero.
+	Plane(const Vec3& origin, const Vec3& normal);
+
+	const Vec3& origin() const { return origin_; }
+	const Vec3& normal() const { return normal_; }
+
+	double signedDistance(const Vec3& p) const { return glm::dot(normal_, p - origin_); }
+
+	// Whether the plane may pass through the box, its rim included.
+	bool meets(const Box& box) const
+	{
+		const Vec3 half = 0.5 * box.size();
+		const double reach = glm::dot(glm::abs(normal_), half);
+		// Rounding of centre and half size, so that no face is lost that touches the box's side.
+		const double slack = 1e-14 * (glm::length(box.lo) + glm::length(box.hi) + glm::length(origin_));
+		return std::abs(signedDistance(box.centre())) <= reach + slack;
+	}
+
+private:
+	Vec3 origin_;
+	Vec3 normal_;
+};
+
+} // namespace vp::surface

@@ -1,0 +1,137 @@
+#pragma once
+
+#include "base/ids.h"
+#include "base/result.h"
+#include "grid/block.h"
+#include "shared/slice_types.h"
+#include "traverse/cell_signs.h"
+#include "traverse/visited.h"
+
+#include <bit>
+#include <concepts>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace vp::traverse
+{
+
+// A sheet within a block: the unit that has a front and visited marks of its own. All lanes go in lock step, one call of
+// the classifier for generation k of every lane.
+template <class Surface>
+struct Lane
+{
+	const grid::Block* block;
+	Surface surface;
+	VisitedMarks* visited;     // beginSlice() has been called
+	std::vector<CellId> seeds; // generation 0; cells that turn out not to be cut do no harm
+};
+
+// What a classifier is asked: a word for every cell of a lane's front (see slice_types.h).
+struct FrontSlice
+{
+	std::size_t lane;
+	std::span<const CellId> cells;
+	std::span<std::uint32_t> words;
+};
+
+template <class C>
+concept Classifier = requires(C& c, std::span<const FrontSlice> fronts) {
+	{ c.classify(fronts) } -> std::same_as<Status>;
+};
+
+// The cut cells of a lane in the order of their discovery.
+struct LaneCut
+{
+	std::vector<CellId> cells;        // every cell that was queued
+	std::vector<std::uint32_t> words; // its word, kWordCut set where it is cut; kWordWalk kept where the CPU walked it
+	std::size_t cut_cells = 0;
+	std::vector<std::uint32_t> generation_starts; // generations + 1 offsets into cells
+
+	std::size_t generations() const { return generation_starts.empty() ? 0 : generation_starts.size() - 1; }
+	std::size_t frontMax() const
+	{
+		std::size_t widest = 0;
+		for (std::size_t g = 0; g + 1 < generation_starts.size(); ++g)
+			widest = std::max<std::size_t>(widest, generation_starts[g + 1] - generation_starts[g]);
+		return widest;
+	}
+};
+
+// Queues the unqueued neighbours of the front [begin, end) of a lane across its cut faces.
+template <class G, class Surface>
+void expandFront(const G& grid, const Lane<Surface>& lane, std::size_t begin, std::size_t end, LaneCut& cut)
+{
+	const auto enqueue = [&](CellId neighbour)
+	{
+		if (lane.visited->mark(neighbour))
+			cut.cells.push_back(neighbour);
+	};
+	grid::CellFaces faces;
+	for (std::size_t i = begin; i < end; ++i)
+	{
+		const CellId cell = cut.cells[i];
+		if (cut.words[i] & shared::kWordWalk)
+		{
+			cut.words[i] = classifyByWalk(grid, lane.surface, cell, faces);
+			if (!(cut.words[i] & shared::kWordCut))
+				continue;
+			++cut.cut_cells;
+			for (int f = 0; f < faces.size(); ++f)
+				if (isFaceCut(grid, lane.surface, faces[f]))
+					grid.forEachNeighbour(cell, f, enqueue);
+			continue;
+		}
+		if (!(cut.words[i] & shared::kWordCut))
+			continue;
+		++cut.cut_cells;
+		for (std::uint32_t bits = (cut.words[i] >> shared::kWordFacesShift) & 0xFFu; bits; bits &= bits - 1)
+			grid.forEachNeighbour(cell, std::countr_zero(bits), enqueue);
+	}
+}
+
+// Breadth first, by generations: G(k+1) are the cells first met across the cut faces of G(k). Returns one LaneCut a lane, or
+// the classifier's error; a stop request ends the traversal between generations with what was found.
+template <class Surface, Classifier C>
+Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& classifier, std::stop_token stop = {})
+{
+	std::vector<LaneCut> cuts(lanes.size());
+	for (std::size_t l = 0; l < lanes.size(); ++l)
+	{
+		cuts[l].generation_starts.push_back(0);
+		for (const CellId seed : lanes[l].seeds)
+			if (lanes[l].visited->mark(seed))
+				cuts[l].cells.push_back(seed);
+	}
+
+	std::vector<FrontSlice> fronts;
+	while (!stop.stop_requested())
+	{
+		fronts.clear();
+		for (std::size_t l = 0; l < lanes.size(); ++l)
+		{
+			LaneCut& cut = cuts[l];
+			const std::size_t begin = cut.generation_starts.back();
+			if (begin == cut.cells.size())
+				continue;
+			cut.generation_starts.push_back(static_cast<std::uint32_t>(cut.cells.size()));
+			cut.words.resize(cut.cells.size());
+			fronts.push_back({l, std::span(cut.cells).subspan(begin), std::span(cut.words).subspan(begin)});
+		}
+		if (fronts.empty())
+			break;
+		if (Status classified = classifier.classify(fronts); !classified)
+			return classified.error();
+		for (const FrontSlice& front : fronts)
+		{
+			LaneCut& cut = cuts[front.lane];
+			const std::size_t end = cut.generation_starts.back();
+			const std::size_t begin = end - front.cells.size();
+			std::visit([&](const auto& grid) { expandFront(grid, lanes[front.lane], begin, end, cut); },
+					   lanes[front.lane].block->grid);
+		}
+	}
+	return cuts;
+}
+
+} // namespace vp::traverse

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "base/ids.h"
+#include "cases/case_table.h"
+#include "grid/grid.h"
+#include "shared/slice_types.h"
+
+#include <span>
+
+namespace vp::traverse
+{
+
+// S at a point: 1 where the signed distance is not negative.
+template <class G, class Surface>
+bool isPositive(const G& grid, const Surface& surface, PointId p)
+{
+	return surface.signedDistance(grid.point(p)) >= 0.0;
+}
+
+// Whether a face has points on both sides.
+template <class G, class Surface>
+bool isFaceCut(const G& grid, const Surface& surface, std::span<const PointId> face)
+{
+	bool positive = false;
+	bool negative = false;
+	for (const PointId p : face)
+		(isPositive(grid, surface, p) ? positive : negative) = true;
+	return positive && negative;
+}
+
+// The word of a cell of a table shape, kWordWalk set where the table has no entry for its case.
+template <class G, class Surface>
+std::uint32_t classifyByTable(const G& grid, const Surface& surface, CellId cell, grid::CellShape shape)
+{
+	const grid::CellPoints points = grid.cellPoints(cell);
+	std::uint32_t index = 0;
+	for (int v = 0; v < points.size; ++v)
+		index |= static_cast<std::uint32_t>(isPositive(grid, surface, points.id[v])) << v;
+	const cases::Case& entry = cases::caseTable(shape)[index];
+	if (entry.needs_walk)
+		return index | shared::kWordCut | shared::kWordWalk;
+	if (entry.edges == 0)
+		return index;
+	return index | static_cast<std::uint32_t>(entry.faces) << shared::kWordFacesShift | shared::kWordCut;
+}
+
+// The word of any cell decided here, in double, and its faces: kWordWalk says that the cut is to be walked from the faces.
+// The faces are filled in every case; only the first eight fit the word's face bits, so use the faces of a walked cell.
+template <class G, class Surface>
+std::uint32_t classifyByWalk(const G& grid, const Surface& surface, CellId cell, grid::CellFaces& faces)
+{
+	grid.cellFaces(cell, faces);
+	if (const grid::CellShape shape = grid.shape(cell); shape != grid::CellShape::polyhedron)
+		return classifyByTable(grid, surface, cell, shape) | shared::kWordWalk;
+	for (int f = 0; f < faces.size(); ++f)
+		if (isFaceCut(grid, surface, faces[f]))
+			return shared::kWordCut | shared::kWordWalk;
+	return shared::kWordWalk;
+}
+
+} // namespace vp::traverse

@@ -1,0 +1,177 @@
+#include "write/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace vp::write
+{
+
+namespace
+{
+
+bool isStandardOutput(const std::string& path)
+{
+	return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
+std::string folderOf(const std::string& path)
+{
+	const std::string folder = std::filesystem::path(path).parent_path().string();
+	return folder.empty() ? "." : folder;
+}
+
+const char* remedy(int error)
+{
+	switch (error)
+	{
+	case ENOENT:
+	case ENOTDIR:
+		return "create its folder or choose another path";
+	case EACCES:
+	case EPERM:
+	case EROFS:
+		return "change its permissions or choose another path";
+	case EISDIR:
+		return "give the name of a file in it";
+	case ENOSPC:
+	case EDQUOT:
+	case EFBIG:
+		return "make room or choose another path";
+	case ENAMETOOLONG:
+		return "choose a shorter name";
+	case EPIPE:
+		return "its reader has gone";
+	default:
+		return "choose another path";
+	}
+}
+
+Error cannotWrite(const std::string& path, int error)
+{
+	return {ExitCode::output, fmt::format("{}: cannot be written: {}; {}", path == "-" ? "standard output" : path,
+	                                      std::strerror(error), remedy(error))};
+}
+
+// Creates a file of a name no one has. Short, so that a long target name leaves room for it.
+int createBeside(const std::string& target, mode_t mode, std::string& name)
+{
+	static std::atomic<unsigned> counter = 0;
+	for (;;)
+	{
+		name = fmt::format("{}/.vprobe-{}-{}", folderOf(target), getpid(), counter++);
+		const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+		if (descriptor >= 0 || errno != EEXIST)
+			return descriptor;
+	}
+}
+
+} // namespace
+
+Result<AtomicFile> AtomicFile::create(const std::string& path)
+{
+	AtomicFile file;
+	file.path_ = path;
+	if (isStandardOutput(path))
+	{
+		std::fflush(stdout);
+		file.descriptor_ = STDOUT_FILENO;
+		file.owns_descriptor_ = false;
+		return file;
+	}
+
+	struct stat old;
+	const bool exists = stat(path.c_str(), &old) == 0;
+	if (!exists && errno != ENOENT)
+		return cannotWrite(path, errno);
+	if (exists && S_ISDIR(old.st_mode))
+		return cannotWrite(path, EISDIR);
+	if (exists && !S_ISREG(old.st_mode))
+	{
+		file.descriptor_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+		return file.descriptor_ < 0 ? Result<AtomicFile>(cannotWrite(path, errno)) : std::move(file);
+	}
+	// Renaming needs no right to write the old file, but a file that was protected must stay as it is.
+	if (exists && access(path.c_str(), W_OK) != 0)
+		return cannotWrite(path, errno);
+
+	std::error_code failed;
+	const std::filesystem::path target = std::filesystem::weakly_canonical(path, failed);
+	file.target_ = failed ? path : target.string();
+	// The name itself is tried now: better than after the work.
+	if (std::filesystem::path(file.target_).filename().string().size() > 255)
+		return cannotWrite(path, ENAMETOOLONG);
+	file.descriptor_ = createBeside(file.target_, exists ? old.st_mode & 0777 : 0666, file.beside_);
+	if (file.descriptor_ < 0)
+	{
+		const int error = errno;
+		file.beside_.clear();
+		return cannotWrite(path, error);
+	}
+	if (exists)
+		(void)fchmod(file.descriptor_,
+		             old.st_mode & 0777); // the umask may have taken rights away that the old file gave
+	return file;
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : path_(std::move(other.path_)), target_(std::move(other.target_)), beside_(std::exchange(other.beside_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)), owns_descriptor_(other.owns_descriptor_), error_(other.error_)
+{
+}
+
+AtomicFile::~AtomicFile()
+{
+	discard();
+}
+
+void AtomicFile::discard()
+{
+	if (descriptor_ >= 0 && owns_descriptor_)
+		close(descriptor_);
+	descriptor_ = -1;
+	if (!beside_.empty())
+		unlink(beside_.c_str());
+	beside_.clear();
+}
+
+void AtomicFile::write(std::string_view bytes)
+{
+	while (!error_ && !bytes.empty())
+	{
+		const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+		if (written >= 0)
+			bytes.remove_prefix(static_cast<std::size_t>(written));
+		else if (errno != EINTR)
+			error_ = errno;
+	}
+}
+
+Status AtomicFile::commit()
+{
+	// Some file systems tell of a full disk only here.
+	if (owns_descriptor_ && close(std::exchange(descriptor_, -1)) != 0 && !error_)
+		error_ = errno;
+	if (!error_ && !beside_.empty())
+	{
+		if (std::rename(beside_.c_str(), target_.c_str()) != 0)
+			error_ = errno;
+		else
+			beside_.clear();
+	}
+	discard();
+	if (error_)
+		return cannotWrite(path_, error_);
+	return Nothing{};
+}
+
+} // namespace vp::write

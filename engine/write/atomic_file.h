@@ -1,0 +1,36 @@
+#pragma once
+
+#include "base/result.h"
+
+#include <string>
+#include <string_view>
+
+namespace vp::write
+{
+
+// A file that appears whole or not at all: bytes go to a new file beside `path`, which takes the name on commit();
+// without commit() nothing is left of it. Standard output ("-"), devices and pipes are written to directly.
+class AtomicFile
+{
+public:
+	static Result<AtomicFile> create(const std::string& path);
+	AtomicFile(AtomicFile&& other) noexcept;
+	AtomicFile& operator=(AtomicFile&&) = delete;
+	~AtomicFile();
+
+	void write(std::string_view bytes); // a failure is kept for commit(); what follows it is ignored
+	Status commit();
+
+private:
+	AtomicFile() = default;
+	void discard();
+
+	std::string path_;   // as the user named it
+	std::string target_; // what takes its place: links followed
+	std::string beside_; // being written; empty for a target written to directly
+	int descriptor_ = -1;
+	bool owns_descriptor_ = true;
+	int error_ = 0; // errno of the first failure
+};
+
+} // namespace vp::write

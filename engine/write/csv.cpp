@@ -1,0 +1,129 @@
+#include "write/slice_formats.h"
+#include "write/unique_names.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <iterator>
+
+namespace vp::write
+{
+
+namespace
+{
+
+using grid::NumberType;
+
+// RFC 4180: a field with a comma, a quote or a line end stands in quotes, its quotes doubled.
+std::string quoted(const std::string& text)
+{
+	if (text.find_first_of(",\"\r\n") == std::string::npos)
+		return text;
+	std::string result = "\"";
+	for (const char c : text)
+	{
+		if (c == '"')
+			result += '"';
+		result += c;
+	}
+	return result + '"';
+}
+
+template <class T>
+void appendNumbers(std::string& row, const std::byte* at, int components)
+{
+	for (int c = 0; c < components; ++c)
+	{
+		T number;
+		std::memcpy(&number, at + c * sizeof(T), sizeof(T));
+		// The fewest digits that give the same number back; int8 is a number here, not a letter.
+		if constexpr (sizeof(T) == 1)
+			fmt::format_to(std::back_inserter(row), ",{}", static_cast<int>(number));
+		else
+			fmt::format_to(std::back_inserter(row), ",{}", number);
+	}
+}
+
+void appendColumn(std::string& row, const Column& column, std::size_t tuple)
+{
+	const std::byte* at = column.bytes.data() + tuple * column.components * grid::byteSize(column.type);
+	switch (column.type)
+	{
+	case NumberType::int8:
+		return appendNumbers<std::int8_t>(row, at, column.components);
+	case NumberType::uint8:
+		return appendNumbers<std::uint8_t>(row, at, column.components);
+	case NumberType::int16:
+		return appendNumbers<std::int16_t>(row, at, column.components);
+	case NumberType::uint16:
+		return appendNumbers<std::uint16_t>(row, at, column.components);
+	case NumberType::int32:
+		return appendNumbers<std::int32_t>(row, at, column.components);
+	case NumberType::uint32:
+		return appendNumbers<std::uint32_t>(row, at, column.components);
+	case NumberType::int64:
+		return appendNumbers<std::int64_t>(row, at, column.components);
+	case NumberType::uint64:
+		return appendNumbers<std::uint64_t>(row, at, column.components);
+	case NumberType::float32:
+		return appendNumbers<float>(row, at, column.components);
+	case NumberType::float64:
+		return appendNumbers<double>(row, at, column.components);
+	}
+}
+
+} // namespace
+
+void writeCsv(const SliceTable& table, AtomicFile& file)
+{
+	UniqueNames names;
+	std::string text;
+	for (const char* name : {"sheet", "block", "cell", "polygon", "x", "y", "z"})
+		fmt::format_to(std::back_inserter(text), "{}{}", text.empty() ? "" : ",", names.add(name));
+	for (const std::vector<Column>* columns : {&table.vertex_columns, &table.polygon_columns})
+		for (const Column& column : *columns)
+			for (int c = 0; c < column.components; ++c)
+				text += ',' + quoted(names.add(column.componentName(c)));
+	text += '\n';
+
+	// A vertex stands in some five rows: its numbers are put into words once.
+	std::string vertex_text;
+	std::vector<std::size_t> vertex_starts{0};
+	vertex_starts.reserve(table.vertices() + 1);
+	for (std::size_t v = 0; v < table.vertices(); ++v)
+	{
+		const Vec3& p = table.positions[v];
+		fmt::format_to(std::back_inserter(vertex_text), ",{},{},{}", p.x, p.y, p.z);
+		for (const Column& column : table.vertex_columns)
+			appendColumn(vertex_text, column, v);
+		vertex_starts.push_back(vertex_text.size());
+	}
+
+	constexpr std::size_t kChunk = std::size_t(1) << 20; // written at a time
+	std::string origin;
+	std::string cell_values;
+	for (std::size_t p = 0; p < table.polygons(); ++p)
+	{
+		origin.clear();
+		fmt::format_to(std::back_inserter(origin), "{},{},{},{}", table.sheet[p], table.block[p], table.cell[p], p);
+		cell_values.clear();
+		for (const Column& column : table.polygon_columns)
+			appendColumn(cell_values, column, p);
+		cell_values += '\n';
+		for (std::int64_t i = table.polygon_starts[p]; i < table.polygon_starts[p + 1]; ++i)
+		{
+			const auto v = static_cast<std::size_t>(table.polygon_vertices[i]);
+			text += origin;
+			text.append(vertex_text, vertex_starts[v], vertex_starts[v + 1] - vertex_starts[v]);
+			text += cell_values;
+		}
+		if (text.size() > kChunk)
+		{
+			file.write(text);
+			text.clear();
+		}
+	}
+	file.write(text);
+}
+
+} // namespace vp::write

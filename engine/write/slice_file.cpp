@@ -1,0 +1,55 @@
+#include "write/slice_file.h"
+
+#include "write/slice_formats.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace vp::write
+{
+
+Result<SliceFormat> sliceFormatOf(const std::string& path)
+{
+	std::string ending = std::filesystem::path(path).extension().string();
+	std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+	if (ending == ".vtp")
+		return SliceFormat::vtp;
+	if (ending == ".ply")
+		return SliceFormat::ply;
+	if (ending == ".csv")
+		return SliceFormat::csv;
+	// A pipe or a device has no ending to choose; it is standard output by another name.
+	std::error_code failed;
+	if (path == "-" || (ending.empty() && std::filesystem::is_other(path, failed)))
+		return SliceFormat::vtp;
+	return Error{ExitCode::usage,
+	             fmt::format("{}: not a file a slice can be written to; use the ending .vtp, .ply or .csv", path)};
+}
+
+Status writeSlice(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path)
+{
+	const Result<SliceFormat> format = sliceFormatOf(path);
+	if (!format)
+		return format.error();
+	Result<AtomicFile> file = AtomicFile::create(path);
+	if (!file)
+		return file.error();
+	SliceTable table = tabulate(blocks, meshes);
+	switch (*format)
+	{
+	case SliceFormat::vtp:
+		writeVtp(table, *file);
+		break;
+	case SliceFormat::ply:
+		writePly(table, *file);
+		break;
+	case SliceFormat::csv:
+		writeCsv(table, *file);
+		break;
+	}
+	return file->commit();
+}
+
+} // namespace vp::write

@@ -1,0 +1,164 @@
+#include "write/slice_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace vp::write
+{
+
+namespace
+{
+
+using grid::Association;
+using grid::NumberType;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+// An array with its field in each block, null where a block lacks it.
+struct Source
+{
+	std::string name;
+	int components = 0;
+	NumberType type;
+	std::vector<const grid::Field*> per_block;
+};
+
+std::vector<Source> sourcesOf(const grid::BlockSet& blocks, Association association)
+{
+	std::vector<Source> sources;
+	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+		for (const grid::Field& field : blocks.blocks[b].fields)
+		{
+			if (field.association != association)
+				continue;
+			auto source =
+			    std::find_if(sources.begin(), sources.end(), [&](const Source& s) { return s.name == field.name; });
+			if (source == sources.end())
+			{
+				source = sources.insert(source, {field.name, 0, field.type, {}});
+				source->per_block.resize(blocks.blocks.size());
+			}
+			if (source->per_block[b])
+				continue; // a second array of the name: the first is the one that --array finds
+			source->per_block[b] = &field;
+			source->components = std::max(source->components, field.components);
+			if (source->type != field.type)
+				source->type = NumberType::float64;
+		}
+	return sources;
+}
+
+bool isFloat(NumberType type)
+{
+	return type == NumberType::float32 || type == NumberType::float64;
+}
+
+NumberType interpolatedType(NumberType source)
+{
+	const bool fits = source == NumberType::float32 || grid::byteSize(source) <= 2;
+	return fits ? NumberType::float32 : NumberType::float64;
+}
+
+std::byte* put(std::byte* at, NumberType type, double value)
+{
+	if (type == NumberType::float64)
+	{
+		std::memcpy(at, &value, sizeof(value));
+		return at + sizeof(value);
+	}
+	const auto number = static_cast<float>(value);
+	std::memcpy(at, &number, sizeof(number));
+	return at + sizeof(number);
+}
+
+Column vertexColumn(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const Source& source,
+                    std::size_t vertices)
+{
+	Column column{source.name, source.components, interpolatedType(source.type), {}};
+	column.bytes.resize(vertices * source.components * grid::byteSize(column.type));
+	std::byte* at = column.bytes.data();
+	for (const slice::SheetMesh& mesh : meshes)
+		for (const slice::EdgePoint& edge : mesh.edges)
+		{
+			const grid::Field* field = source.per_block[edge.block];
+			const int known = field ? field->components : 0;
+			for (int c = 0; c < source.components; ++c)
+				at = put(at, column.type,
+				         c < known ? slice::interpolate(blocks.blocks[edge.block], *field, c, edge) : kNan);
+		}
+	return column;
+}
+
+Column polygonColumn(std::span<const slice::SheetMesh> meshes, const SliceTable& table, const Source& source)
+{
+	Column column{source.name, source.components, source.type, {}};
+	const std::size_t number = grid::byteSize(source.type);
+	const std::size_t tuple = number * source.components;
+	column.bytes.resize(table.polygons() * tuple); // zero: the value of an integer that is not known
+	std::byte* at = column.bytes.data();
+	std::size_t polygon = 0;
+	for (const slice::SheetMesh& mesh : meshes)
+		for (const slice::BlockCell& from : mesh.polygon_cells)
+		{
+			const grid::Field* field = source.per_block[from.block];
+			const int known = field ? field->components : 0;
+			const auto cell = static_cast<std::size_t>(table.cell[polygon++]);
+			if (field && field->type == source.type)
+				std::memcpy(at, field->bytes.data() + cell * known * number, known * number);
+			else
+				for (int c = 0; c < known; ++c) // blocks differ in type, so the column is float64
+					put(at + c * number, source.type, field->value(cell, c));
+			if (isFloat(source.type))
+				for (int c = known; c < source.components; ++c)
+					put(at + c * number, source.type, kNan);
+			at += tuple;
+		}
+	return column;
+}
+
+void addMesh(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, std::int32_t sheet, SliceTable& table)
+{
+	const auto base = static_cast<std::int64_t>(table.positions.size());
+	table.positions.insert(table.positions.end(), mesh.positions.begin(), mesh.positions.end());
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		for (const std::uint32_t v : mesh.polygon(p))
+			table.polygon_vertices.push_back(base + v);
+		table.polygon_starts.push_back(static_cast<std::int64_t>(table.polygon_vertices.size()));
+		const slice::BlockCell& from = mesh.polygon_cells[p];
+		table.cell.push_back(std::visit([&](const auto& grid)
+		                                { return static_cast<std::int64_t>(grid.sourceCell(from.cell)); },
+		                                blocks.blocks[from.block].grid));
+		table.block.push_back(static_cast<std::int32_t>(from.block));
+		table.sheet.push_back(sheet);
+	}
+}
+
+} // namespace
+
+std::string Column::componentName(int component) const
+{
+	if (components == 1)
+		return name;
+	if (components <= 3)
+		return fmt::format("{}_{}", name, "xyz"[component]);
+	return fmt::format("{}_{}", name, component);
+}
+
+SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes)
+{
+	SliceTable table;
+	table.polygon_starts.push_back(0);
+	for (std::size_t m = 0; m < meshes.size(); ++m)
+		addMesh(blocks, meshes[m], static_cast<std::int32_t>(m), table);
+	for (const Source& source : sourcesOf(blocks, Association::point))
+		table.vertex_columns.push_back(vertexColumn(blocks, meshes, source, table.vertices()));
+	for (const Source& source : sourcesOf(blocks, Association::cell))
+		table.polygon_columns.push_back(polygonColumn(meshes, table, source));
+	return table;
+}
+
+} // namespace vp::write

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "base/vec.h"
+#include "grid/block.h"
+#include "grid/field.h"
+#include "slice/mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vp::write
+{
+
+// The values of one array at the vertices or on the polygons of a slice.
+struct Column
+{
+	std::string name;
+	int components = 1;
+	grid::NumberType type = grid::NumberType::float64;
+	std::vector<std::byte> bytes; // tuples x components numbers
+
+	std::string componentName(int component) const; // name, name_x, name_0 …
+};
+
+// The sheets of a slice as one set of polygons, with all arrays: what the file formats have in common.
+struct SliceTable
+{
+	std::vector<Vec3> positions;
+	std::vector<std::int64_t> polygon_starts; // polygons + 1 offsets into polygon_vertices
+	std::vector<std::int64_t> polygon_vertices;
+	// Per polygon: where it comes from.
+	std::vector<std::int64_t> cell; // source id
+	std::vector<std::int32_t> block;
+	std::vector<std::int32_t> sheet;
+	std::vector<Column> vertex_columns;
+	std::vector<Column> polygon_columns;
+
+	std::size_t vertices() const { return positions.size(); }
+	std::size_t polygons() const { return cell.size(); }
+};
+
+// An array is known by its name and association. Where blocks hold it in different types it is float64, and as wide as
+// the widest. Interpolated values are float32 for sources that fit (float32, integers of up to 16 bits), else float64.
+SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes);
+
+} // namespace vp::write

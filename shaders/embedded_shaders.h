@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace vp::shaders
+{
+
+// The SPIR-V of a shader by its file name, as "classify.comp"; empty where there is none of that name.
+std::span<const std::uint32_t> spirv(std::string_view name);
+
+} // namespace vp::shaders

@@ -1,0 +1,6 @@
+#version 460
+
+// Depth only: all lines have one colour.
+void main()
+{
+}

@@ -1,0 +1,165 @@
+#include "program.h"
+#include "sample_files.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace cli
+{
+
+namespace
+{
+
+class Output : public Program
+{
+protected:
+	Outcome slice(const Arguments& options, const Surroundings& surroundings = {}) const
+	{
+		return run(Arguments{"slice", "demo:shell:16", "--normal", "1", "2", "3", "--classify", "cpu"} + options,
+		           surroundings);
+	}
+	nlohmann::json sheet() const { return stats({"demo:shell:16", "--normal", "1", "2", "3"})["sheets"][0]; }
+};
+
+// The number after `key` in a text such as NumberOfPoints="12" or "element vertex 12".
+long numberAfter(const std::string& text, const std::string& key)
+{
+	const std::size_t at = text.find(key);
+	return at == std::string::npos ? -1 : std::strtol(text.c_str() + at + key.size(), nullptr, 10);
+}
+
+void expectWholeVtp(const std::string& vtp, const nlohmann::json& sheet)
+{
+	EXPECT_TRUE(contains(vtp, "<VTKFile")) << vtp.substr(0, 200);
+	EXPECT_TRUE(contains(vtp, "PolyData"));
+	EXPECT_TRUE(contains(vtp, "</VTKFile>"));
+	EXPECT_EQ(numberAfter(vtp, "NumberOfPoints=\""), sheet["vertices"].get<long>());
+	EXPECT_EQ(numberAfter(vtp, "NumberOfPolys=\""), sheet["polygons"].get<long>());
+	for (const char* array : {"\"s\"", "\"v\"", "\"vprobe:cell\"", "\"vprobe:block\"", "\"vprobe:sheet\""})
+		EXPECT_TRUE(contains(vtp, array)) << array;
+}
+
+} // namespace
+
+TEST_F(Output, Vtp)
+{
+	ASSERT_TRUE(isQuiet(slice({"-o", path("out.vtp")})));
+	EXPECT_EQ(files(), Arguments{"out.vtp"});
+	expectWholeVtp(contents(path("out.vtp")), sheet());
+}
+
+TEST_F(Output, VtpOnStandardOutput)
+{
+	const Outcome outcome = slice({"-o", "-"});
+	ASSERT_TRUE(isQuiet(outcome));
+	expectWholeVtp(outcome.out, sheet());
+	EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Output, Ply)
+{
+	ASSERT_TRUE(isQuiet(slice({"-o", path("out.ply")})));
+	const std::string ply = contents(path("out.ply"));
+	EXPECT_EQ(ply.substr(0, 4), "ply\n");
+	EXPECT_EQ(numberAfter(ply, "element vertex "), sheet()["vertices"].get<long>());
+	EXPECT_EQ(numberAfter(ply, "element face "), sheet()["polygons"].get<long>());
+}
+
+TEST_F(Output, Csv)
+{
+	ASSERT_TRUE(isQuiet(slice({"-o", path("out.csv")})));
+	std::istringstream lines(contents(path("out.csv")));
+	std::string header, line;
+	std::getline(lines, header);
+	EXPECT_TRUE(contains(header, "x,y,z")) << header;
+	const auto commas = std::count(header.begin(), header.end(), ',');
+	long rows = 0;
+	for (; std::getline(lines, line); ++rows)
+		ASSERT_EQ(std::count(line.begin(), line.end(), ','), commas) << line;
+	EXPECT_EQ(rows, sheet()["vertices"].get<long>());
+}
+
+TEST_F(Output, StatsInAFileOrOnStandardOutput)
+{
+	ASSERT_TRUE(isQuiet(slice({"--stats", path("out.json")})));
+	EXPECT_EQ(nlohmann::json::parse(contents(path("out.json")))["sheets"][0]["cut_cells"], sheet()["cut_cells"]);
+	EXPECT_EQ(slice({"--stats", "-"}).json()["sheets"][0]["cut_cells"], sheet()["cut_cells"]);
+	// One for the file, one for standard output.
+	const Outcome both = slice({"-o", "-", "--stats", path("other.json")});
+	ASSERT_TRUE(isQuiet(both));
+	EXPECT_TRUE(contains(both.out, "<VTKFile"));
+	EXPECT_TRUE(nlohmann::json::accept(contents(path("other.json"))));
+}
+
+TEST_F(Output, ReplacesWhatWasThere)
+{
+	write("out.vtp", std::string(1 << 20, 'x'));
+	ASSERT_TRUE(isQuiet(slice({"-o", path("out.vtp")})));
+	const std::string vtp = contents(path("out.vtp"));
+	EXPECT_TRUE(vtp.ends_with("</VTKFile>\n") || vtp.ends_with("</VTKFile>"));
+}
+
+TEST_F(Output, FolderIsMissing)
+{
+	for (const std::string output : {"absent/out.vtp", "absent/out.ply", "absent/out.csv"})
+		EXPECT_TRUE(isError(slice({"-o", path(output)}), 4, {path(output)}));
+	EXPECT_TRUE(isError(slice({"--stats", path("absent/out.json")}), 4, {path("absent/out.json")}));
+	EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Output, IsAFolder)
+{
+	std::filesystem::create_directory(path("out.vtp"));
+	EXPECT_TRUE(isError(slice({"-o", path("out.vtp")}), 4, {path("out.vtp")}));
+	EXPECT_EQ(files(), Arguments{"out.vtp"});
+}
+
+// All outputs or none: the slice could be written, its stats could not.
+TEST_F(Output, OneOfTwoCannotBeWritten)
+{
+	EXPECT_TRUE(
+	    isError(slice({"-o", path("out.vtp"), "--stats", path("absent/out.json")}), 4, {path("absent/out.json")}));
+	EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Output, DiskIsFull)
+{
+	for (const std::string output : {"out.vtp", "out.ply", "out.csv"})
+	{
+		EXPECT_TRUE(isError(slice({"-o", path(output)}, {.file_size_limit = 4096}), 4, {path(output)}));
+		EXPECT_TRUE(files().empty()) << output;
+	}
+	EXPECT_TRUE(isError(slice({"--stats", path("out.json")}, {.file_size_limit = 64}), 4, {path("out.json")}));
+	EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Output, StandardOutputIsFull)
+{
+	for (const Arguments& options : {Arguments{"-o", "-"}, Arguments{"--stats", "-"}, Arguments{}})
+		EXPECT_TRUE(isError(slice(options, {.standard_output = "/dev/full"}), 4, {}));
+	EXPECT_TRUE(isError(run({"info", "demo:shell:4"}, {.standard_output = "/dev/full"}), 4, {}));
+	EXPECT_TRUE(isError(run({"info", "demo:shell:4", "--json"}, {.standard_output = "/dev/full"}), 4, {}));
+}
+
+TEST_F(Output, StatsToAFullDevice)
+{
+	EXPECT_TRUE(isError(slice({"--stats", "/dev/full"}), 4, {"/dev/full"}));
+}
+
+// What was there stays when the new one cannot be written whole.
+TEST_F(Output, KeepsTheOldFileWhenTheInputFails)
+{
+	write("out.vtp", "old");
+	EXPECT_EQ(run({"slice", path("absent.vtu"), "--classify", "cpu", "-o", path("out.vtp")}).status, 2);
+	EXPECT_EQ(contents(path("out.vtp")), "old");
+}
+
+TEST_F(Output, NamesOfFilesMayBeOdd)
+{
+	const std::string input = write("a b\xc3\xa9 'c'.vtk", legacyImage());
+	const std::string output = path("o u t\xc3\xa9.vtp");
+	ASSERT_TRUE(isQuiet(run({"slice", input, "--classify", "cpu", "-o", output})));
+	EXPECT_TRUE(contains(contents(output), "</VTKFile>"));
+}
+
+} // namespace cli

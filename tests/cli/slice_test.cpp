@@ -1,0 +1,179 @@
+#include "program.h"
+#include "sample_files.h"
+
+namespace cli
+{
+
+namespace
+{
+
+class Slice : public Program
+{
+protected:
+	std::string image() const { return write("image.vtk", legacyImage()); }
+	double mean(const Arguments& options) const
+	{
+		return stats(Arguments{image()} + options)["sheets"][0]["mean"].get<double>();
+	}
+};
+
+} // namespace
+
+TEST_F(Slice, StatsKeepTheirKeys)
+{
+	const nlohmann::json all = stats({"demo:shell:16"});
+	for (const char* key : {"input", "grid", "device", "classifier", "sheets", "ms"})
+		EXPECT_TRUE(all.contains(key)) << key;
+	for (const char* key : {"kind", "cells", "points", "blocks"})
+		EXPECT_TRUE(all["grid"].contains(key)) << key;
+	ASSERT_EQ(all["sheets"].size(), 1u);
+	for (const char* key :
+	     {"origin", "normal", "cut_cells", "polygons", "vertices", "components", "area", "mean", "min", "max", "seeds",
+	      "hops", "generations", "front_max", "cells_touched", "cells_twisted", "boundary_faces", "nan_area"})
+		EXPECT_TRUE(all["sheets"][0].contains(key)) << key;
+	for (const char* key :
+	     {"read", "build", "upload", "seed", "traverse", "gpu", "emit", "readback", "render", "total"})
+		EXPECT_TRUE(all["ms"].contains(key) && all["ms"][key].is_number()) << key;
+	EXPECT_EQ(all["input"], "demo:shell:16");
+	EXPECT_EQ(all["classifier"], "cpu");
+	EXPECT_EQ(all["grid"]["cells"], 4096);
+}
+
+TEST_F(Slice, CountsOfAPlainBox)
+{
+	const nlohmann::json sheet = stats({image()})["sheets"][0];
+	EXPECT_EQ(sheet["origin"], (nlohmann::json{1.5, 1.5, 1.5}));
+	EXPECT_EQ(sheet["normal"], (nlohmann::json{0.0, 0.0, 1.0}));
+	EXPECT_EQ(sheet["cut_cells"], 9);
+	EXPECT_EQ(sheet["polygons"], 9);
+	EXPECT_EQ(sheet["vertices"], 16);
+	EXPECT_EQ(sheet["components"], 1);
+	EXPECT_NEAR(sheet["area"], 9.0, 1e-6);
+	EXPECT_NEAR(sheet["mean"], 1.5, 1e-6);
+	EXPECT_NEAR(sheet["min"], 1.5, 1e-6);
+	EXPECT_NEAR(sheet["max"], 1.5, 1e-6);
+}
+
+TEST_F(Slice, ArrayByNameAndAssociation)
+{
+	EXPECT_NEAR(mean({}), 1.5, 1e-6); // the first point array, though cell arrays come first in the file
+	EXPECT_NEAR(mean({"--array", "point:both"}), 1.5, 1e-6);
+	EXPECT_NEAR(mean({"--array", "cell:both"}), 113.0, 1e-4);
+	EXPECT_NEAR(mean({"--array", "mass"}), 7.0, 1e-6);
+	EXPECT_NEAR(mean({"--array", "cell:mass"}), 7.0, 1e-6);
+}
+
+TEST_F(Slice, Component)
+{
+	EXPECT_NEAR(mean({"--array", "wind"}), 3.0, 1e-6);
+	EXPECT_NEAR(mean({"--array", "wind", "--component", "magnitude"}), 3.0, 1e-6);
+	EXPECT_NEAR(mean({"--array", "wind", "--component", "x"}), 1.0, 1e-6);
+	EXPECT_NEAR(mean({"--array", "wind", "--component", "y"}), 2.0, 1e-6);
+	EXPECT_NEAR(mean({"--array", "wind", "--component", "0"}), 1.0, 1e-6);
+	EXPECT_NEAR(mean({"--array", "wind", "--component", "2"}), 2.0, 1e-6);
+}
+
+TEST_F(Slice, NormalByLetterOrNumbers)
+{
+	for (const char* letter : {"x", "y", "z"})
+	{
+		const Arguments numbers{letter[0] == 'x' ? "2" : "0", letter[0] == 'y' ? "2" : "0",
+		                        letter[0] == 'z' ? "2" : "0"};
+		const nlohmann::json by_letter = stats({image(), "--normal", letter})["sheets"][0];
+		const nlohmann::json by_numbers = stats(Arguments{image(), "--normal"} + numbers)["sheets"][0];
+		EXPECT_EQ(by_letter["normal"], by_numbers["normal"]) << letter;
+		EXPECT_EQ(by_letter["cut_cells"], 9) << letter;
+	}
+	// Negative numbers are values, not options.
+	EXPECT_EQ(stats({image(), "--normal", "-1", "-0.5", "-.25", "--origin", "1.4", "+1.5", "1.5e0"})["sheets"].size(),
+	          1u);
+}
+
+TEST_F(Slice, InputAfterTheOptions)
+{
+	EXPECT_EQ(stats({"--normal", "0", "0", "1", image()})["sheets"][0]["cut_cells"], 9);
+	EXPECT_EQ(stats({"--normal", "z", image()})["sheets"][0]["cut_cells"], 9);
+	EXPECT_EQ(stats({"--origin", "1.5", "1.5", "1.5", image()})["sheets"][0]["cut_cells"], 9);
+	EXPECT_EQ(stats({"--normal=z", image()})["sheets"][0]["cut_cells"], 9);
+}
+
+TEST_F(Slice, SeedsAndOutside)
+{
+	for (const char* seeds : {"auto", "hotspot", "boundary"})
+		EXPECT_EQ(stats({image(), "--seeds", seeds})["sheets"][0]["cut_cells"], 9) << seeds;
+	for (const char* outside : {"nearest", "refuse", "report"})
+		EXPECT_EQ(stats({image(), "--outside", outside})["sheets"][0]["cut_cells"], 9) << outside;
+}
+
+TEST_F(Slice, Time)
+{
+	for (const char* time : {"last", "first", "0", "1.5", "#0"})
+		EXPECT_EQ(stats({image(), "--time", time})["sheets"][0]["cut_cells"], 9) << time;
+}
+
+TEST_F(Slice, ThreadsChangeNothing)
+{
+	const nlohmann::json one = stats({"demo:mixed:8", "--normal", "1", "2", "3", "--threads", "1"})["sheets"][0];
+	const nlohmann::json two = stats({"demo:mixed:8", "--normal", "1", "2", "3", "--threads", "2"})["sheets"][0];
+	for (const char* key : {"cut_cells", "polygons", "vertices", "components", "area"})
+		EXPECT_EQ(one[key], two[key]) << key;
+}
+
+TEST_F(Slice, WithoutAnArray)
+{
+	std::string bare = legacyImage();
+	bare.resize(bare.find("CELL_DATA"));
+	const Outcome outcome = run({"slice", write("bare.vtk", bare), "--classify", "cpu", "--stats", "-"});
+	ASSERT_EQ(outcome.status, 0) << outcome.err;
+	const nlohmann::json sheet = outcome.json()["sheets"][0];
+	EXPECT_EQ(sheet["cut_cells"], 9);
+	for (const char* key : {"mean", "min", "max"})
+		EXPECT_TRUE(sheet[key].is_null()) << key;
+}
+
+TEST_F(Slice, TableWhenNothingIsToBeWritten)
+{
+	const Outcome outcome = run({"slice", image(), "--classify", "cpu"});
+	ASSERT_TRUE(isQuiet(outcome));
+	EXPECT_FALSE(outcome.out.empty());
+	EXPECT_FALSE(outcome.out.front() == '{');
+	EXPECT_TRUE(contains(outcome.out, "9"));
+}
+
+TEST_F(Slice, PlaneThatMissesTheGrid)
+{
+	for (const std::string output : {"empty.vtp", "empty.ply", "empty.csv"})
+	{
+		const Outcome outcome = run({"slice", image(), "--origin", "100", "0", "0", "--normal", "x", "--classify",
+		                             "cpu", "-o", path(output), "--stats", path("stats.json")});
+		EXPECT_TRUE(isDoneWithAWord(outcome, {"empty"}));
+		EXPECT_FALSE(contents(path(output)).empty()) << output;
+		const nlohmann::json sheet = nlohmann::json::parse(contents(path("stats.json")))["sheets"][0];
+		EXPECT_EQ(sheet["cut_cells"], 0);
+		EXPECT_EQ(sheet["area"], 0.0);
+		EXPECT_TRUE(sheet["mean"].is_null());
+	}
+}
+
+TEST_F(Slice, RealData)
+{
+	const char* data = std::getenv("VPROBE_DATA");
+	if (!data)
+		GTEST_SKIP() << "VPROBE_DATA names no folder";
+	const std::string folder = data;
+	const std::string grid = folder + "/structured/bluntfin/bluntfinxyz.bin";
+	EXPECT_GT(stats({grid, "--array", "Density"})["sheets"][0]["cut_cells"], 0);
+	std::string solution;
+	for (const auto& entry : std::filesystem::directory_iterator(folder + "/structured/bluntfin"))
+		if (entry.path() != grid)
+			solution = entry.path();
+	EXPECT_GT(stats({grid, "--solution", solution, "--array", "Density"})["sheets"][0]["cut_cells"], 0);
+	// The same name for points and cells.
+	const std::string both = folder + "/structured/SampleStructGrid/SampleStructGrid.vtk";
+	EXPECT_NE(stats({both, "--array", "point:scalars"})["sheets"][0]["mean"],
+	          stats({both, "--array", "cell:scalars"})["sheets"][0]["mean"]);
+	EXPECT_EQ(stats({both, "--array", "scalars"})["sheets"][0]["mean"],
+	          stats({both, "--array", "point:scalars"})["sheets"][0]["mean"]);
+}
+
+} // namespace cli

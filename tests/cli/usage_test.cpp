@@ -1,0 +1,172 @@
+#include "program.h"
+
+namespace cli
+{
+
+namespace
+{
+
+class Usage : public Program
+{
+};
+
+// Values that cannot be, for options of the commands that cut.
+struct Bad
+{
+	const char* name;
+	Arguments arguments;
+	std::string word; // the error line holds it
+};
+
+class BadProbe : public Program, public testing::WithParamInterface<Bad>
+{
+};
+class BadLook : public Program, public testing::WithParamInterface<Bad>
+{
+};
+
+std::string name(const testing::TestParamInfo<Bad>& info)
+{
+	return info.param.name;
+}
+
+} // namespace
+
+TEST_F(Usage, HelpOfEveryCommand)
+{
+	EXPECT_TRUE(isQuiet(run({"--help"})));
+	for (const std::string command : {"info", "slice", "render"})
+	{
+		EXPECT_TRUE(contains(run({"--help"}).out, command));
+		const Outcome help = run({command, "--help"});
+		EXPECT_TRUE(isQuiet(help)) << command;
+		EXPECT_TRUE(contains(help.out, "INPUT")) << command << "\n" << help.out;
+	}
+}
+
+TEST_F(Usage, HelpNamesTheOptions)
+{
+	const std::string info = run({"info", "--help"}).out;
+	for (const char* option : {"--json", "--time", "--solution"})
+		EXPECT_TRUE(contains(info, option)) << option;
+	const std::string slice = run({"slice", "--help"}).out;
+	const std::string render = run({"render", "--help"}).out;
+	for (const char* option : {"--origin", "--normal", "--up", "--array", "--component", "--time", "--solution",
+	                           "--seeds", "--outside", "--classify", "--device", "--threads"})
+	{
+		EXPECT_TRUE(contains(slice, option)) << option;
+		EXPECT_TRUE(contains(render, option)) << option;
+	}
+	EXPECT_TRUE(contains(slice, "--stats"));
+	for (const char* option : {"--size", "--colormap", "--range", "--camera", "--background"})
+		EXPECT_TRUE(contains(render, option)) << option;
+}
+
+TEST_F(Usage, Version)
+{
+	const Outcome version = run({"--version"});
+	EXPECT_TRUE(isQuiet(version));
+	EXPECT_TRUE(contains(version.out, "vprobe ")) << version.out;
+}
+
+TEST_F(Usage, NoCommand)
+{
+	EXPECT_TRUE(isError(run({}), 1, {"--help"}));
+}
+
+TEST_F(Usage, UnknownCommand)
+{
+	EXPECT_TRUE(isError(run({"slize", "demo:shell:8"}), 1, {"slize", "--help"}));
+}
+
+TEST_F(Usage, UnknownOption)
+{
+	for (const std::string command : {"info", "slice", "render"})
+		EXPECT_TRUE(isError(run({command, "demo:shell:8", "--nromal", "x"}), 1, {"--nromal", "--help"})) << command;
+}
+
+TEST_F(Usage, NoInput)
+{
+	EXPECT_TRUE(isError(run({"info"}), 1, {"INPUT"}));
+	EXPECT_TRUE(isError(run({"slice", "--normal", "z"}), 1, {"INPUT"}));
+	EXPECT_TRUE(isError(run({"render", "-o", path("out.png")}), 1, {"INPUT"}));
+}
+
+TEST_F(Usage, StandardOutputIsForOneThing)
+{
+	EXPECT_TRUE(
+	    isError(run({"slice", "demo:shell:8", "--classify", "cpu", "-o", "-", "--stats", "-"}), 1, {"--stats", "-o"}));
+}
+
+TEST_F(Usage, OutputOfAnUnknownKind)
+{
+	for (const std::string output : {"out.xyz", "out", "out.png"})
+	{
+		EXPECT_TRUE(isError(run({"slice", "demo:shell:8", "--classify", "cpu", "-o", path(output)}), 1,
+		                    {output, ".vtp", ".ply", ".csv"}))
+		    << output;
+		EXPECT_TRUE(files().empty()) << output;
+	}
+}
+
+TEST_F(Usage, PictureOfAnUnknownKind)
+{
+	EXPECT_TRUE(isError(run({"render", "demo:shell:8", "-o", path("out.vtp")}), 1, {"out.vtp", ".png"}));
+	EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Usage, PictureWithoutAName)
+{
+	EXPECT_TRUE(isError(run({"render", "demo:shell:8"}), 1, {"-o"}));
+}
+
+TEST_P(BadProbe, IsOneLineAndLeavesNothing)
+{
+	for (const Arguments& command :
+	     {Arguments{"slice", "demo:shell:8", "-o", path("out.vtp"), "--stats", path("out.json")},
+	      Arguments{"render", "demo:shell:8", "-o", path("out.png")}})
+	{
+		EXPECT_TRUE(isError(run(command + GetParam().arguments), 1, {GetParam().word})) << command.front();
+		EXPECT_TRUE(files().empty());
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadProbe,
+    testing::Values(
+        Bad{"zeroNormal", {"--normal", "0", "0", "0"}, "--normal"}, Bad{"wordAsNormal", {"--normal", "up"}, "--normal"},
+        Bad{"twoNumbersAsNormal", {"--normal", "1", "0"}, "--normal"},
+        Bad{"normalNotANumber", {"--normal", "nan", "0", "1"}, "--normal"},
+        Bad{"endlessNormal", {"--normal", "inf", "0", "1"}, "--normal"}, Bad{"normalLeftOut", {"--normal"}, "--normal"},
+        Bad{"wordAsOrigin", {"--origin", "a", "b", "c"}, "--origin"},
+        Bad{"twoNumbersAsOrigin", {"--origin", "1", "2"}, "--origin"},
+        Bad{"originNotANumber", {"--origin", "nan", "0", "0"}, "--origin"},
+        Bad{"endlessOrigin", {"--origin", "0", "inf", "0"}, "--origin"}, Bad{"zeroUp", {"--up", "0", "0", "0"}, "--up"},
+        Bad{"classifier", {"--classify", "fpga"}, "--classify"}, Bad{"seeds", {"--seeds", "many"}, "--seeds"},
+        Bad{"outside", {"--outside", "never"}, "--outside"}, Bad{"time", {"--time", "yesterday"}, "--time"},
+        Bad{"emptyTime", {"--time", ""}, "--time"}, Bad{"timeIndex", {"--time", "#x"}, "--time"},
+        Bad{"component", {"--component", "w"}, "--component"},
+        Bad{"negativeComponent", {"--component", "-1"}, "--component"},
+        Bad{"threads", {"--threads", "-1"}, "--threads"}, Bad{"threadsInWords", {"--threads", "two"}, "--threads"}),
+    name);
+
+TEST_P(BadLook, IsOneLineAndLeavesNothing)
+{
+	EXPECT_TRUE(isError(run(Arguments{"render", "demo:shell:8", "-o", path("out.png")} + GetParam().arguments), 1,
+	                    {GetParam().word}));
+	EXPECT_TRUE(files().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadLook,
+                         testing::Values(Bad{"zeroSize", {"--size", "0x10"}, "--size"},
+                                         Bad{"sizeInWords", {"--size", "big"}, "--size"},
+                                         Bad{"hugeSize", {"--size", "1000000x1000000"}, "--size"},
+                                         Bad{"colormap", {"--colormap", "no-such-map"}, "--colormap"},
+                                         Bad{"rangeUpsideDown", {"--range", "2", "1"}, "--range"},
+                                         Bad{"rangeNotANumber", {"--range", "nan", "1"}, "--range"},
+                                         Bad{"camera", {"--camera", "nowhere"}, "--camera"},
+                                         Bad{"cameraOfFourNumbers", {"--camera", "1", "2", "3", "4"}, "--camera"},
+                                         Bad{"background", {"--background", "no-such-colour"}, "--background"}),
+                         name);
+
+} // namespace cli

@@ -1,0 +1,159 @@
+// The rules of the house that a compiler does not check: which folder of engine/ may include which, who may include
+// Vulkan and VTK.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+// A folder may use only folders before it.
+const std::vector<std::string> kFolders{"base",    "grid",   "cases",    "read",  "surface", "probe",
+                                        "locate",  "seed",   "traverse", "gpu",   "slice",   "contour",
+                                        "vectors", "render", "write",    "state", "interact"};
+
+const fs::path kRoot = VPROBE_SOURCE_DIR;
+
+struct Include
+{
+	fs::path file; // from the root
+	std::string header;
+
+	std::string folder() const { return std::next(file.begin())->string(); } // of engine/
+	std::string where() const { return file.string() + " includes " + header; }
+};
+
+std::string textOf(const fs::path& file)
+{
+	std::ostringstream text;
+	text << std::ifstream(file, std::ios::binary).rdbuf();
+	return text.str();
+}
+
+std::vector<fs::path> filesUnder(const std::string& room)
+{
+	std::vector<fs::path> files;
+	for (const auto& entry : fs::recursive_directory_iterator(kRoot / room))
+		if (entry.is_regular_file())
+			files.push_back(fs::relative(entry.path(), kRoot));
+	return files;
+}
+
+std::vector<Include> includesUnder(const std::string& room)
+{
+	static const std::regex kInclude(R"re((?:^|\n)[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">])re");
+	static const std::set<std::string> kEndings{".cpp", ".h", ".inl"};
+	std::vector<Include> includes;
+	for (const fs::path& file : filesUnder(room))
+	{
+		if (!kEndings.contains(file.extension()))
+			continue;
+		const std::string text = textOf(kRoot / file);
+		for (std::sregex_iterator i(text.begin(), text.end(), kInclude), end; i != end; ++i)
+			includes.push_back({file, (*i)[1]});
+	}
+	return includes;
+}
+
+std::ptrdiff_t place(const std::string& folder)
+{
+	return std::find(kFolders.begin(), kFolders.end(), folder) - kFolders.begin();
+}
+
+bool isVulkan(const std::string& header)
+{
+	return header.starts_with("vulkan/") || header == "gpu/vulkan.h";
+}
+
+TEST(IncludeRules, EngineUsesOnlyFoldersAbove)
+{
+	const auto includes = includesUnder("engine");
+	ASSERT_FALSE(includes.empty());
+	for (const Include& include : includes)
+	{
+		ASSERT_LT(place(include.folder()), std::ssize(kFolders))
+		    << include.file << ": a folder the design does not know";
+		const std::string used = include.header.substr(0, include.header.find('/'));
+		if (place(used) < std::ssize(kFolders))
+		{
+			EXPECT_LE(place(used), place(include.folder())) << include.where();
+		}
+		EXPECT_NE(used, "..") << include.where();
+		EXPECT_NE(used, "apps") << include.where();
+	}
+}
+
+TEST(IncludeRules, LibrariesStandInTheSameOrder)
+{
+	const std::string lists = textOf(kRoot / "engine/CMakeLists.txt");
+	const std::regex library(R"((?:^|\n)engine_library\((\w+))");
+	std::ptrdiff_t last = -1;
+	for (std::sregex_iterator i(lists.begin(), lists.end(), library), end; i != end; ++i)
+	{
+		const std::string folder = (*i)[1];
+		ASSERT_LT(place(folder), std::ssize(kFolders)) << folder << ": a folder the design does not know";
+		EXPECT_LT(last, place(folder)) << folder << " stands too low";
+		last = place(folder);
+	}
+	EXPECT_GE(last, 0);
+}
+
+TEST(IncludeRules, VulkanStaysInItsRooms)
+{
+	for (const char* room : {"engine", "apps"})
+		for (const Include& include : includesUnder(room))
+			if (isVulkan(include.header))
+			{
+				const bool at_home =
+				    std::string(room) == "engine" && (include.folder() == "gpu" || include.folder() == "render");
+				EXPECT_TRUE(at_home || include.file.filename().string().starts_with("gpu_")) << include.where();
+			}
+}
+
+// A reader that crashes must not take the program with it.
+TEST(IncludeRules, ReadersStayInTheChildProcess)
+{
+	static const std::regex kReader("vtk\\w*Reader\\.h");
+	for (const char* room : {"engine", "apps"})
+		for (const Include& include : includesUnder(room))
+			if (std::regex_match(include.header, kReader))
+			{
+				EXPECT_TRUE(include.file.string().starts_with("apps/vprobe-read/")) << include.where();
+			}
+}
+
+// A file must make sense to a reader who has nothing but the repository.
+TEST(IncludeRules, FilesSpeakForThemselves)
+{
+	// In pieces, as this file is looked through too.
+	const std::string words[] = {std::string("/wo") + "rk/", std::string("issue ") + "#",
+	                             std::string("session of ") + "a developer"};
+	for (const char* room : {".ci", "apps", "docs", "engine", "shaders", "tests"})
+	{
+		if (!fs::exists(kRoot / room))
+			continue;
+		for (const fs::path& file : filesUnder(room))
+		{
+			const std::string text = textOf(kRoot / file);
+			if (text.find('\0') != std::string::npos)
+				continue;
+			for (const std::string& word : words)
+				EXPECT_EQ(text.find(word), std::string::npos) << file << " mentions " << word;
+		}
+	}
+	for (const char* name : {"README.md", "CHANGELOG.md", "CMakeLists.txt", "CMakePresets.json"})
+		for (const std::string& word : words)
+			EXPECT_EQ(textOf(kRoot / name).find(word), std::string::npos) << name << " mentions " << word;
+}
+
+} // namespace

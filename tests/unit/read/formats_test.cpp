@@ -1,0 +1,54 @@
+#include "read/read.h"
+#include "sample_files.h"
+
+#include <gtest/gtest.h>
+
+using namespace vp;
+
+namespace
+{
+
+class EachFormat : public testing::TestWithParam<std::size_t>
+{
+};
+
+std::string nameOf(const testing::TestParamInfo<std::size_t>& info)
+{
+	std::string name = sampleFiles()[info.param].name;
+	std::replace(name.begin(), name.end(), '.', '_');
+	return name;
+}
+
+// The formats with arrays of fixed names.
+void renameArrays(grid::BlockSet& set)
+{
+	for (grid::Block& block : set.blocks)
+		for (grid::Field& field : block.fields)
+			if (field.name == "MetaImage" || field.name == "Density")
+				field.name = "f";
+}
+
+} // namespace
+
+TEST_P(EachFormat, GivesCountsAndValues)
+{
+	const SampleFile& sample = sampleFiles()[GetParam()];
+	const TemporaryFolder folder;
+	const std::string path = folder / sample.name;
+	sample.write(path);
+
+	auto set = read::readInputs({path}, {}, nullptr);
+	ASSERT_TRUE(set) << set.error().message;
+	EXPECT_EQ(set->kind(), sample.kind);
+	EXPECT_EQ(set->cellCount(), sample.cells);
+	EXPECT_EQ(set->pointCount(), sample.points);
+	EXPECT_EQ(set->left_out, 0u);
+	renameArrays(*set);
+	for (const grid::Block& block : set->blocks)
+	{
+		EXPECT_NO_THROW(grid::validate(block));
+		expectSampleValues(block, sample.cell_array);
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Read, EachFormat, testing::Range(std::size_t(0), sampleFiles().size()), nameOf);

@@ -1,0 +1,120 @@
+#include "render/layout.h"
+
+#include "render/overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vp::render
+{
+
+namespace
+{
+
+struct Size
+{
+	std::uint32_t width;
+	std::uint32_t height;
+};
+
+constexpr Size kSizes[] = {{320, 240}, {640, 480}, {1280, 720}, {720, 1280}, {1920, 1080}, {3840, 2160}, {1000, 200}};
+
+Scene sceneOf(Size size, const char* array, double lo, double hi, bool clipped)
+{
+	Scene scene;
+	scene.look.width = size.width;
+	scene.look.height = size.height;
+	scene.look.title = "a data set";
+	scene.look.caption = "origin (0, 0, 0)   normal (0, 0, 1)";
+	if (clipped)
+		scene.look.range = {lo, hi};
+	scene.values = ValueScale{array, lo, hi, true};
+	return scene;
+}
+
+const char* const kLongName = "turbulence_kinetic_energy_dissipation_rate of the second phase, averaged";
+
+} // namespace
+
+TEST(Layout, NothingOverlapsAtAnySize)
+{
+	for (const Size size : kSizes)
+		for (const char* array : {"s", "v magnitude", kLongName})
+			for (const bool clipped : {false, true})
+			{
+				const Scene scene = sceneOf(size, array, -1234.5, 98765.4e3, clipped);
+				const Layout layout = makeLayout(scene.look, scene.values);
+				const Area free{layout.frame.free_lo, layout.frame.free_hi};
+				const Area areas[] = {layout.title, layout.caption, layout.axes, layout.legend};
+				for (const Area& a : areas)
+				{
+					EXPECT_GE(a.lo.x, 0.0);
+					EXPECT_GE(a.lo.y, 0.0);
+					EXPECT_LE(a.hi.x, size.width);
+					EXPECT_LE(a.hi.y, size.height);
+					for (const Area& b : areas)
+						EXPECT_TRUE(&a == &b || !a.overlaps(b)) << size.width << " " << &a - areas << " " << &b - areas;
+				}
+				for (const Area& a : {layout.title, layout.caption, layout.legend})
+					EXPECT_FALSE(a.overlaps(free)) << size.width << "x" << size.height << " " << array;
+				EXPECT_GE(free.size().x, 0.45 * size.width) << size.width << "x" << size.height << " " << array;
+				EXPECT_GE(free.size().y, 0.6 * size.height);
+				EXPECT_GE(layout.bar.size().y, 0.25 * size.height);
+			}
+}
+
+TEST(Layout, WhatIsOffLeavesItsPlace)
+{
+	Scene scene = sceneOf({640, 480}, "s", 0.0, 1.0, false);
+	const Frame with = pictureFrame(scene.look, scene.values);
+	scene.look.legend = false;
+	scene.look.title.clear();
+	scene.look.caption.clear();
+	scene.look.axes = false;
+	const Frame without = pictureFrame(scene.look, scene.values);
+	EXPECT_LT(with.free_hi.x, without.free_hi.x);
+	EXPECT_GT(with.free_lo.y, without.free_lo.y);
+	EXPECT_LT(with.free_hi.y, without.free_hi.y);
+	EXPECT_TRUE(with.corner);
+	EXPECT_FALSE(without.corner);
+	EXPECT_EQ(makeOverlay(scene).indices.size(), 0u);
+}
+
+TEST(Overlay, StaysInsideThePicture)
+{
+	for (const Size size : kSizes)
+		for (const char* array : {"s", kLongName})
+		{
+			Scene scene = sceneOf(size, array, -1.0, 1e-4, true);
+			scene.look.title = kLongName;
+			scene.look.title += kLongName;
+			const Overlay overlay = makeOverlay(scene);
+			EXPECT_FALSE(overlay.indices.empty());
+			for (const std::uint32_t i : overlay.indices)
+			{
+				const ImVec2 p = overlay.vertices.at(i).pos;
+				EXPECT_TRUE(p.x >= 0.0f && p.y >= 0.0f && p.x <= size.width && p.y <= size.height)
+					<< p.x << " " << p.y << " in " << size.width << "x" << size.height;
+			}
+		}
+}
+
+TEST(Lettering, ElidesAndWraps)
+{
+	const Lettering lettering({16.0}, {kLongName, "ρ"});
+	const double most = 100.0;
+	EXPECT_EQ(lettering.elided("s", 16.0, most), "s");
+	const std::string elided = lettering.elided(kLongName, 16.0, most);
+	EXPECT_LE(lettering.width(elided, 16.0), most);
+	EXPECT_TRUE(elided.ends_with("…"));
+	const auto lines = lettering.wrapped(kLongName, 16.0, most, 3);
+	ASSERT_EQ(lines.size(), 3u);
+	EXPECT_EQ(lines[0], "turbulence_");
+	for (const std::string& line : lines)
+		EXPECT_LE(lettering.width(line, 16.0), most);
+	EXPECT_EQ(lettering.wrapped("density ρ", 16.0, most, 3), std::vector<std::string>{"density ρ"});
+	EXPECT_EQ(lettering.wrapped("density ρ", 16.0, 1.0, 2).size(), 2u); // no room for a letter, and no endless loop
+}
+
+} // namespace vp::render

@@ -1,0 +1,102 @@
+#include "render/ticks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace vp::render
+{
+
+namespace
+{
+
+std::vector<std::string> labels(const Ticks& ticks)
+{
+	std::vector<std::string> result;
+	for (const Tick& tick : ticks.marks)
+		result.push_back(tick.label);
+	return result;
+}
+
+using Words = std::vector<std::string>;
+
+} // namespace
+
+TEST(Ticks, AreRound)
+{
+	EXPECT_EQ(labels(makeTicks(0.0, 1.0, 6)), (Words{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
+	EXPECT_EQ(labels(makeTicks(-1.7, 2.3, 6)), (Words{"\u22121", "0", "1", "2"}));
+	EXPECT_EQ(labels(makeTicks(0.0, 100.0, 5)), (Words{"0", "50", "100"}));
+	EXPECT_EQ(labels(makeTicks(12.5, 17.5, 6)), (Words{"13", "14", "15", "16", "17"}));
+	EXPECT_EQ(labels(makeTicks(1.0, 0.0, 3)), (Words{"0.0", "0.5", "1.0"}));
+}
+
+TEST(Ticks, KeepTheirPromisesOnAnyRange)
+{
+	for (const double lo : {-1e300, -12345.6, -1.0, -0.1, 0.0, 1e-9, 3.0, 101325.0, 1e12})
+		for (const double width : {1e-12, 1e-4, 0.3, 7.0, 999.0, 1e6, 1e290})
+			for (const int most : {2, 3, 5, 9})
+			{
+				const double hi = lo + width;
+				const Ticks ticks = makeTicks(lo, hi, most);
+				ASSERT_FALSE(ticks.marks.empty()) << lo << " " << hi;
+				EXPECT_LE(ticks.marks.size(), static_cast<std::size_t>(most)) << lo << " " << hi;
+				for (std::size_t i = 0; i < ticks.marks.size(); ++i)
+				{
+					EXPECT_GE(ticks.marks[i].value, lo);
+					EXPECT_LE(ticks.marks[i].value, hi);
+					EXPECT_FALSE(ticks.marks[i].label.empty());
+					EXPECT_LE(ticks.marks[i].label.size(), 16u) << lo << " " << hi;
+					if (i > 0)
+					{
+						EXPECT_LT(ticks.marks[i - 1].value, ticks.marks[i].value);
+						EXPECT_NE(ticks.marks[i - 1].label, ticks.marks[i].label) << lo << " " << hi;
+					}
+				}
+			}
+}
+
+TEST(Ticks, AConstantHasOneMark)
+{
+	EXPECT_EQ(labels(makeTicks(0.0, 0.0, 5)), Words{"0"});
+	EXPECT_EQ(labels(makeTicks(-0.0, 0.0, 5)), Words{"0"});
+	EXPECT_EQ(labels(makeTicks(3.25, 3.25, 5)), Words{"3.25"});
+	EXPECT_EQ(labels(makeTicks(-2.0, -2.0, 5)), Words{"\u22122"});
+	EXPECT_EQ(makeTicks(3.25, 3.25, 5).marks[0].value, 3.25);
+}
+
+TEST(Ticks, NoNegativeZero)
+{
+	for (const Tick& tick : makeTicks(-1.0, 1.0, 5).marks)
+	{
+		EXPECT_FALSE(std::signbit(tick.value) && tick.value == 0.0);
+		EXPECT_NE(tick.label, "\u22120.0");
+	}
+	EXPECT_EQ(shortNumber(-0.0), "0");
+}
+
+TEST(Ticks, HugeAndSmallValuesShareAPowerOfTen)
+{
+	const Ticks pressure = makeTicks(0.0, 2.5e6, 6);
+	EXPECT_EQ(pressure.factor, "×10⁶");
+	EXPECT_EQ(labels(pressure), (Words{"0.0", "0.5", "1.0", "1.5", "2.0", "2.5"}));
+	const Ticks small = makeTicks(-4e-7, 4e-7, 5);
+	EXPECT_EQ(small.factor, "×10⁻⁷");
+	EXPECT_EQ(labels(small), (Words{"\u22124", "\u22122", "0", "2", "4"}));
+	EXPECT_EQ(makeTicks(0.0, 1000.0, 5).factor, "");
+	EXPECT_EQ(makeTicks(0.0, 0.004, 5).factor, "");
+	const double most = std::numeric_limits<double>::max();
+	EXPECT_FALSE(makeTicks(-most, most, 5).marks.empty());
+	EXPECT_EQ(makeTicks(0.0, 1e-310, 5).marks.size(), 1u);
+}
+
+TEST(ShortNumber, ReadsWell)
+{
+	EXPECT_EQ(shortNumber(1.0), "1");
+	EXPECT_EQ(shortNumber(-0.81234), "\u22120.8123");
+	EXPECT_EQ(shortNumber(1234567.0), "1.235×10⁶");
+	EXPECT_EQ(shortNumber(-1.5e-9), "\u22121.5×10⁻⁹");
+}
+
+} // namespace vp::render

@@ -1,0 +1,171 @@
+#include "sample_slice.h"
+
+#include "write/atomic_file.h"
+#include "write/slice_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace vp::test
+{
+
+namespace
+{
+
+Status writeTo(const std::string& path, const std::string& text = "new")
+{
+	Result<write::AtomicFile> file = write::AtomicFile::create(path);
+	if (!file)
+		return file.error();
+	file->write(text);
+	return file->commit();
+}
+
+// The error of a write that must fail: one line that names the path.
+Error failureOf(const std::string& path)
+{
+	const Status status = writeTo(path, std::string(100000, 'x'));
+	EXPECT_FALSE(status) << path;
+	if (status)
+		return {};
+	EXPECT_EQ(status.error().code, ExitCode::output);
+	EXPECT_NE(status.error().message.find(path), std::string::npos) << status.error().message;
+	EXPECT_EQ(status.error().message.find('\n'), std::string::npos);
+	return status.error();
+}
+
+} // namespace
+
+TEST(AtomicFile, AppearsOnCommit)
+{
+	const TemporaryFolder folder;
+	{
+		Result<write::AtomicFile> file = write::AtomicFile::create(folder / "out");
+		ASSERT_TRUE(file);
+		file->write("half");
+		EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+		file->write(" and half");
+		ASSERT_TRUE(file->commit());
+	}
+	EXPECT_EQ(readText(folder / "out"), "half and half");
+	EXPECT_EQ(folder.files(), 1u);
+}
+
+TEST(AtomicFile, WithoutCommitNothingIsLeft)
+{
+	const TemporaryFolder folder;
+	writeText(folder / "out", "old");
+	{
+		Result<write::AtomicFile> file = write::AtomicFile::create(folder / "out");
+		ASSERT_TRUE(file);
+		file->write("new");
+	}
+	EXPECT_EQ(readText(folder / "out"), "old");
+	EXPECT_EQ(folder.files(), 1u);
+}
+
+TEST(AtomicFile, ReplacesWhatALinkPointsTo)
+{
+	const TemporaryFolder folder;
+	writeText(folder / "file", "old");
+	std::filesystem::create_symlink("file", folder / "link");
+	ASSERT_TRUE(writeTo(folder / "link"));
+	EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+	EXPECT_EQ(readText(folder / "file"), "new");
+	EXPECT_EQ(folder.files(), 2u);
+}
+
+TEST(AtomicFile, KeepsThePermissionsOfTheOldFile)
+{
+	const TemporaryFolder folder;
+	writeText(folder / "out", "old");
+	ASSERT_EQ(chmod((folder / "out").c_str(), 0666), 0);
+	ASSERT_TRUE(writeTo(folder / "out"));
+	struct stat status;
+	ASSERT_EQ(stat((folder / "out").c_str(), &status), 0);
+	EXPECT_EQ(status.st_mode & 0777, 0666u);
+}
+
+TEST(AtomicFile, TellsWhatStandsInTheWay)
+{
+	const TemporaryFolder folder;
+	writeText(folder / "file", "old");
+	EXPECT_NE(failureOf(folder / "none/out").message.find("create its folder"), std::string::npos);
+	EXPECT_NE(failureOf(folder / "file/out").message.find("create its folder"), std::string::npos);
+	EXPECT_NE(failureOf(folder.path()).message.find("name of a file"), std::string::npos);
+	EXPECT_NE(failureOf(folder / std::string(300, 'n')).message.find("shorter"), std::string::npos);
+	EXPECT_EQ(folder.files(), 1u);
+}
+
+TEST(AtomicFile, ProtectedPlacesStayAsTheyAre)
+{
+	if (geteuid() == 0)
+		GTEST_SKIP() << "root may write anywhere";
+	const TemporaryFolder folder;
+	writeText(folder / "file", "old");
+	ASSERT_EQ(chmod((folder / "file").c_str(), 0444), 0);
+	EXPECT_NE(failureOf(folder / "file").message.find("permissions"), std::string::npos);
+	EXPECT_EQ(readText(folder / "file"), "old");
+	ASSERT_EQ(chmod(folder.path().c_str(), 0555), 0);
+	EXPECT_NE(failureOf(folder / "out").message.find("permissions"), std::string::npos);
+	ASSERT_EQ(chmod(folder.path().c_str(), 0755), 0);
+	EXPECT_EQ(folder.files(), 1u);
+}
+
+TEST(AtomicFile, AFullDiskIsAnError)
+{
+	if (!std::filesystem::exists("/dev/full"))
+		GTEST_SKIP() << "no /dev/full";
+	EXPECT_NE(failureOf("/dev/full").message.find("make room"), std::string::npos);
+	EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+
+	const SampleSlice sample = sampleSlice();
+	const Status status = write::writeSlice(sample.blocks, sample.meshes, "/dev/full");
+	ASSERT_FALSE(status);
+	EXPECT_EQ(status.error().code, ExitCode::output);
+}
+
+TEST(AtomicFile, WritesThroughAPipe)
+{
+	const TemporaryFolder folder;
+	ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+	std::string received;
+	std::thread reader([&] { received = readText(folder / "pipe"); });
+	const std::string text(200000, 'p'); // more than a pipe holds
+	EXPECT_TRUE(writeTo(folder / "pipe", text));
+	reader.join();
+	EXPECT_EQ(received, text);
+}
+
+TEST(SliceFormat, FollowsTheEnding)
+{
+	EXPECT_EQ(write::sliceFormatOf("a.b/cut.vtp").value(), write::SliceFormat::vtp);
+	EXPECT_EQ(write::sliceFormatOf("CUT.Ply").value(), write::SliceFormat::ply);
+	EXPECT_EQ(write::sliceFormatOf("cut.csv").value(), write::SliceFormat::csv);
+	EXPECT_EQ(write::sliceFormatOf("-").value(), write::SliceFormat::vtp);
+	for (const char* path : {"cut", "cut.vtu", "cut.vtp/", ".vtp", ""})
+	{
+		const Result<write::SliceFormat> format = write::sliceFormatOf(path);
+		ASSERT_FALSE(format) << path;
+		EXPECT_EQ(format.error().code, ExitCode::usage);
+		for (const char* ending : {".vtp", ".ply", ".csv"})
+			EXPECT_NE(format.error().message.find(ending), std::string::npos);
+	}
+}
+
+TEST(SliceFile, AFailureLeavesNoOutput)
+{
+	const SampleSlice sample = sampleSlice();
+	const TemporaryFolder folder;
+	for (const char* name : {"none/cut.vtp", "none/cut.ply", "none/cut.csv", "cut.stl"})
+		EXPECT_FALSE(write::writeSlice(sample.blocks, sample.meshes, folder / name));
+	EXPECT_EQ(folder.files(), 0u);
+}
+
+} // namespace vp::test
