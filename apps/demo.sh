@@ -13,5 +13,5 @@ fi
 step build/log/build "Building" cmake --build build/release --target vprobe vprobe-read
 
 picture=build/demo-shell.png
-build/release/bin/vprobe render demo:shell --normal 0.3 0.5 0.81 -o "$picture"
+build/release/bin/vprobe render demo:shell --normal 0.3 0.5 0.81 --camera 60,25 --range -1.6 1.6 -o "$picture"
 say "The picture: $PWD/$picture"

@@ -22,7 +22,7 @@ namespace
 {
 
 constexpr unsigned char kHiddenBits =
-	vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
 
 template <class T>
 struct Lists
@@ -43,16 +43,18 @@ template <class T>
 void refuseBadOffsets(const Lists<T>& lists, std::size_t cells)
 {
 	if (lists.offsets.size() != cells + 1 || lists.offsets[0] != 0 ||
-		lists.offsets[cells] != static_cast<T>(lists.connectivity.size()))
+	    lists.offsets[cells] != static_cast<T>(lists.connectivity.size()))
 		throw damaged("the cell offsets do not match the cells");
 	for (std::size_t c = 0; c < cells; ++c)
 		if (lists.offsets[c] > lists.offsets[c + 1])
 			throw damaged("the cell offsets do not rise");
 }
 
-// The types to hand over: those of hidden cells and of cells that cannot be sliced become empty. False if nothing is left.
+// The types to hand over: those of hidden cells and of cells that cannot be sliced become empty. False if nothing is
+// left.
 template <class T>
-bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUnsignedCharArray* ghosts, CellCounts& counts)
+bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUnsignedCharArray* ghosts,
+                 CellCounts& counts)
 {
 	std::size_t left = 0;
 	for (std::size_t c = 0; c < types.size(); ++c)
@@ -79,7 +81,7 @@ bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUns
 		}
 		else if (lists.size(c) < wanted)
 			throw damaged("cell " + std::to_string(c) + " of type " + std::to_string(type) + " lists " +
-						  std::to_string(lists.size(c)) + " points");
+			              std::to_string(lists.size(c)) + " points");
 		else
 		{
 			counts.trimmed += wanted > 0 && lists.size(c) > wanted;
@@ -89,8 +91,8 @@ bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUns
 	return left > 0;
 }
 
-// Offsets and connectivity without the points that a cell lists beyond those of its type, as some writers of mid-side nodes
-// leave them.
+// Offsets and connectivity without the points that a cell lists beyond those of its type, as some writers of mid-side
+// nodes leave them.
 template <class T>
 void writeTrimmed(ArrayWriter& writer, std::span<const std::uint8_t> types, const Lists<T>& lists, json& cells)
 {
@@ -150,15 +152,15 @@ void writeFaces(ArrayWriter& writer, std::span<const std::uint8_t> types, vtkUns
 
 template <class T>
 json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, vtkDataArray* offsets, vtkDataArray* connectivity,
-				  CellCounts& counts)
+                  CellCounts& counts)
 {
 	const auto given = spanOf<std::uint8_t>(grid->GetCellTypesArray());
 	const Lists<T> lists = {spanOf<T>(offsets), spanOf<T>(connectivity)};
 	refuseBadOffsets(lists, given.size());
 
 	std::vector<std::uint8_t> types(given.begin(), given.end());
-	auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-		grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+	auto* ghosts =
+	    vtkUnsignedCharArray::SafeDownCast(grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
 	if (ghosts && static_cast<std::size_t>(ghosts->GetNumberOfValues()) != types.size())
 		throw damaged("the ghost marks do not match the cells");
 
@@ -188,14 +190,15 @@ json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& coun
 	if (!grid->GetPoints())
 		throw damaged("cells without points");
 	if (cells->IsStorage64Bit())
-		return writeCellsAs<std::int64_t>(writer, grid, cells->GetOffsetsArray(), cells->GetConnectivityArray(), counts);
+		return writeCellsAs<std::int64_t>(writer, grid, cells->GetOffsetsArray(), cells->GetConnectivityArray(),
+		                                  counts);
 	return writeCellsAs<std::int32_t>(writer, grid, cells->GetOffsetsArray(), cells->GetConnectivityArray(), counts);
 }
 
 std::size_t countHidden(vtkDataSet* data)
 {
-	auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-		data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+	auto* ghosts =
+	    vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
 	std::size_t hidden = 0;
 	if (ghosts)
 		for (const unsigned char mark : spanOf<unsigned char>(ghosts))

@@ -45,11 +45,7 @@ public:
 	void DisplayErrorText(const char* text) override { keep(text); }
 	// "Error reading binary data!" of the legacy readers comes as a generic warning.
 	void DisplayGenericWarningText(const char* text) override { keep(text); }
-	void DisplayWarningText(const char* text) override
-	{
-		if (getenv("VPROBE_READ_DEBUG"))
-			fprintf(stderr, "WARNING %s\n", text);
-	}
+	void DisplayWarningText(const char*) override {}
 	void DisplayDebugText(const char*) override {}
 };
 

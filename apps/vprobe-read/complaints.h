@@ -2,8 +2,8 @@
 
 #include <string>
 
-// VTK's readers report trouble through the output window and often go on with whatever they have. From installing on, what
-// they say is kept, so that an input that raised an error is refused instead of shown as garbage.
+// VTK's readers report trouble through the output window and often go on with whatever they have. From installing on,
+// what they say is kept, so that an input that raised an error is refused instead of shown as garbage.
 void installComplaints();
 
 // The first error, without VTK's file names and addresses; empty where there was none.

@@ -1,5 +1,5 @@
-// Reads one file with VTK and hands its arrays over in shared memory; see read/protocol.h. A reader that crashes, hangs or
-// swallows memory over a damaged file takes only this process with it.
+// Reads one file with VTK and hands its arrays over in shared memory; see read/protocol.h. A reader that crashes, hangs
+// or swallows memory over a damaged file takes only this process with it.
 #include "complaints.h"
 #include "formats.h"
 #include "manifest_writer.h"

@@ -27,7 +27,8 @@ using vp::grid::NumberType;
 namespace
 {
 
-// vtkIdType and the longs have 64 bits in every VTK we are built against; strings, bits and variants have no number type.
+// vtkIdType and the longs have 64 bits in every VTK we are built against; strings, bits and variants have no number
+// type.
 std::optional<NumberType> numberTypeOf(vtkDataArray* array)
 {
 	static_assert(sizeof(vtkIdType) == 8 && sizeof(long) == 8);
@@ -82,7 +83,8 @@ void ManifestWriter::add(vtkDataObject* object)
 		{
 			vtkInformation* about = leaf->HasCurrentMetaData() ? leaf->GetCurrentMetaData() : nullptr;
 			const char* name = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
-			addDataSet(name ? name : fmt::format("block {}", number), vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()));
+			addDataSet(name ? name : fmt::format("block {}", number),
+			           vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()));
 		}
 	}
 	else
@@ -129,8 +131,8 @@ bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
 		return false;
 
 	block = image         ? describeImage(writer_, image)
-			: rectilinear ? describeRectilinear(writer_, rectilinear)
-						  : describeCurvilinear(writer_, curvilinear);
+	        : rectilinear ? describeRectilinear(writer_, rectilinear)
+	                      : describeCurvilinear(writer_, curvilinear);
 	shown_though_hidden_ += countHidden(data);
 	return true;
 }
@@ -149,7 +151,7 @@ json ManifestWriter::describeArrays(vtkDataSet* data)
 			const std::string name = array->GetName() ? array->GetName() : fmt::format("array {}", i);
 			if (array->GetNumberOfTuples() != tuples)
 				throw damaged(fmt::format("the {} array {} has {} tuples for {} {}s", association, name,
-										  array->GetNumberOfTuples(), tuples, association));
+				                          array->GetNumberOfTuples(), tuples, association));
 			const std::size_t bytes = static_cast<std::size_t>(array->GetNumberOfValues()) * byteSize(*type);
 			json described = writer_.write(*type, array->GetVoidPointer(0), bytes);
 			described["name"] = name;
@@ -170,22 +172,24 @@ std::string ManifestWriter::finish()
 	if (counts_.hidden > 0)
 		warnings_.push_back(fmt::format("{} ghost or hidden cells are left out", counts_.hidden));
 	if (shown_though_hidden_ > 0)
-		warnings_.push_back(fmt::format("{} ghost or hidden cells of structured blocks are shown", shown_though_hidden_));
+		warnings_.push_back(
+		    fmt::format("{} ghost or hidden cells of structured blocks are shown", shown_though_hidden_));
 	if (counts_.trimmed > 0)
 		warnings_.push_back(
-			fmt::format("{} cells list more points than their type has; the first ones are used", counts_.trimmed));
+		    fmt::format("{} cells list more points than their type has; the first ones are used", counts_.trimmed));
 	if (blocks_.empty())
 	{
 		if (!counts_.not_sliced.empty())
-			throw Refusal(fmt::format("nothing to slice: cells of type {} cannot be sliced yet; convert them to linear cells",
-									  typeName(counts_.not_sliced.begin()->first)));
+			throw Refusal(
+			    fmt::format("nothing to slice: cells of type {} cannot be sliced yet; convert them to linear cells",
+			                typeName(counts_.not_sliced.begin()->first)));
 		throw Refusal("nothing to slice: it holds no three-dimensional cells");
 	}
 	const json manifest = {{"version", vp::read::kProtocolVersion},
-						   {"times", times_},
-						   {"left_out", counts_.flat},
-						   {"warnings", warnings_},
-						   {"blocks", blocks_}};
+	                       {"times", times_},
+	                       {"left_out", counts_.flat},
+	                       {"warnings", warnings_},
+	                       {"blocks", blocks_}};
 	// Names in files need not be UTF-8.
 	return manifest.dump(-1, ' ', false, json::error_handler_t::replace);
 }

@@ -124,7 +124,8 @@ void refuseShortData(const std::string& file, const MetaHeader& header)
 
 	if (header.data_files.empty())
 	{
-		const std::uint64_t there = fs::file_size(file) - std::min<std::uint64_t>(fs::file_size(file), header.header_bytes);
+		const std::uint64_t there =
+		    fs::file_size(file) - std::min<std::uint64_t>(fs::file_size(file), header.header_bytes);
 		if (there < wanted)
 			throw damaged(fmt::format("{} bytes of data where its header asks for {}", there, wanted));
 		return;
@@ -140,6 +141,6 @@ void refuseShortData(const std::string& file, const MetaHeader& header)
 			throw Refusal(fmt::format("its data file {} cannot be opened; keep both together", path.string()));
 		if (there < wanted / header.data_files.size() + header.skipped_bytes)
 			throw damaged(fmt::format("its data file {} has {} bytes where {} are asked for", path.string(), there,
-									  wanted / header.data_files.size() + header.skipped_bytes));
+			                          wanted / header.data_files.size() + header.skipped_bytes));
 	}
 }

@@ -70,7 +70,10 @@ private:
 		return value;
 	}
 	std::uint64_t count() { return number(wide() ? 8 : 4); }
-	void skip(std::uint64_t bytes) { in_.ignore(static_cast<std::streamsize>(std::min<std::uint64_t>(bytes, 1u << 30))); }
+	void skip(std::uint64_t bytes)
+	{
+		in_.ignore(static_cast<std::streamsize>(std::min<std::uint64_t>(bytes, 1u << 30)));
+	}
 	void name() { skip((count() + 3) / 4 * 4); }
 	std::uint64_t list() // a tag, and how many entries follow
 	{

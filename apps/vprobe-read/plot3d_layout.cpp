@@ -218,5 +218,5 @@ void refuseShortSolution(const std::string& solution, const Plot3dLayout& grid)
 	}
 	if (there < wanted)
 		throw damaged(fmt::format("the solution {} has {} {} where its grid asks for {}", solution, there,
-								  grid.binary ? "bytes" : "numbers", wanted));
+		                          grid.binary ? "bytes" : "numbers", wanted));
 }

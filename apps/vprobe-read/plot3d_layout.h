@@ -13,8 +13,8 @@ struct Plot3dLayout
 	bool byte_counts = false; // Fortran's record lengths before and after each record
 	bool multi_grid = false;  // starts with a number of blocks
 	bool doubles = false;
-	bool blanking = false;    // an integer per point after the coordinates
-	bool flat = false;        // two coordinates per point
+	bool blanking = false;                            // an integer per point after the coordinates
+	bool flat = false;                                // two coordinates per point
 	std::vector<std::array<std::uint64_t, 3>> blocks; // points along each axis
 };
 

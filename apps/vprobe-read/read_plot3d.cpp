@@ -14,7 +14,8 @@
 namespace
 {
 
-// VTK's numbers of what it can derive from a solution, beside the Density, Momentum and StagnationEnergy that stand in it.
+// VTK's numbers of what it can derive from a solution, beside the Density, Momentum and StagnationEnergy that stand in
+// it.
 constexpr int kPressure = 110;
 constexpr int kTemperature = 120;
 constexpr int kVelocity = 200;

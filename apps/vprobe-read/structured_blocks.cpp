@@ -86,7 +86,8 @@ json describeImage(ArrayWriter& writer, vtkImageData* image)
 	const int* extent = image->GetExtent();
 	for (int axis = 0; axis < 3; ++axis)
 	{
-		spacing[axis] = std::copysign(1.0, image->GetDirectionMatrix()->GetElement(axis, axis)) * image->GetSpacing()[axis];
+		spacing[axis] =
+		    std::copysign(1.0, image->GetDirectionMatrix()->GetElement(axis, axis)) * image->GetSpacing()[axis];
 		origin[axis] = image->GetOrigin()[axis] + extent[2 * axis] * spacing[axis];
 	}
 	return {{"kind", "image"}, {"points", points}, {"origin", origin}, {"spacing", spacing}};
@@ -94,12 +95,13 @@ json describeImage(ArrayWriter& writer, vtkImageData* image)
 
 json describeRectilinear(ArrayWriter& writer, vtkRectilinearGrid* grid)
 {
-	const std::array<vtkDataArray*, 3> axes = {grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates()};
+	const std::array<vtkDataArray*, 3> axes = {grid->GetXCoordinates(), grid->GetYCoordinates(),
+	                                           grid->GetZCoordinates()};
 	json written = json::array();
 	for (int axis = 0; axis < 3; ++axis)
 	{
 		if (!axes[axis] || axes[axis]->GetNumberOfComponents() != 1 ||
-			axes[axis]->GetNumberOfTuples() != grid->GetDimensions()[axis])
+		    axes[axis]->GetNumberOfTuples() != grid->GetDimensions()[axis])
 			throw damaged("the coordinates of an axis do not match its number of points");
 		written.push_back(writeAsDouble(writer, axes[axis]));
 	}

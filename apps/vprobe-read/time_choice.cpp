@@ -12,6 +12,22 @@
 #include <cmath>
 #include <vector>
 
+namespace
+{
+
+// Of ascending times. Not by the least distance: far from all of them, they are equally far in floating point.
+double nearest(const std::vector<double>& times, double wanted)
+{
+	const auto above = std::lower_bound(times.begin(), times.end(), wanted);
+	if (above == times.begin())
+		return times.front();
+	if (above == times.end())
+		return times.back();
+	return wanted - above[-1] <= *above - wanted ? above[-1] : *above;
+}
+
+} // namespace
+
 void updateAtTime(vtkAlgorithm& reader, const Request& request, ManifestWriter& manifest)
 {
 	reader.UpdateInformation();
@@ -31,13 +47,9 @@ void updateAtTime(vtkAlgorithm& reader, const Request& request, ManifestWriter& 
 	if (times.empty())
 		reader.Update();
 	else
-	{
-		const auto distance = [&](double time) { return std::abs(time - request.time_value); };
-		const auto nearer = [&](double a, double b) { return distance(a) < distance(b); };
 		reader.UpdateTimeStep(request.time == Request::Time::first  ? times.front()
-							  : request.time == Request::Time::last ? times.back()
-																	: *std::min_element(times.begin(), times.end(), nearer));
-	}
+		                      : request.time == Request::Time::last ? times.back()
+		                                                            : nearest(times, request.time_value));
 	refuseOnComplaint();
 	if (reader.GetErrorCode() != 0)
 		throw damaged("the reader gave up");

@@ -81,15 +81,15 @@ std::string_view elementAt(std::string_view text, std::string_view start)
 	return at == text.npos ? std::string_view() : text.substr(at, text.find('>', at) - at);
 }
 
-// The arrays behind <AppendedData encoding="raw">. Each starts with its size in bytes; a compressed one with the number of its
-// blocks, their size, that of the last one, and what each takes compressed.
+// The arrays behind <AppendedData encoding="raw">. Each starts with its size in bytes; a compressed one with the number
+// of its blocks, their size, that of the last one, and what each takes compressed.
 class RawArrays
 {
 public:
 	RawArrays(std::string_view bytes, std::string_view file_element)
-		: bytes_(bytes), word_bytes_(hasAttribute(file_element, "header_type", "UInt64") ? 8 : 4),
-		  big_endian_(hasAttribute(file_element, "byte_order", "BigEndian")),
-		  compressed_(file_element.find(" compressor=") != file_element.npos)
+	    : bytes_(bytes), word_bytes_(hasAttribute(file_element, "header_type", "UInt64") ? 8 : 4),
+	      big_endian_(hasAttribute(file_element, "byte_order", "BigEndian")),
+	      compressed_(file_element.find(" compressor=") != file_element.npos)
 	{
 	}
 
@@ -151,13 +151,13 @@ void refuseShortAppendedData(std::string_view text)
 	const std::size_t end = std::max(text.rfind("</AppendedData"), start + 1);
 	const RawArrays arrays(text.substr(start + 1, end - start - 1), elementAt(head, "<VTKFile"));
 	forEachAttribute(head, "offset",
-					 [&](std::string_view value)
-					 {
-						 std::uint64_t offset = ~std::uint64_t(0);
-						 std::from_chars(value.data(), value.data() + value.size(), offset);
-						 if (!arrays.holds(offset))
-							 throw damaged(fmt::format("the array at offset {} runs past the end", value));
-					 });
+	                 [&](std::string_view value)
+	                 {
+		                 std::uint64_t offset = ~std::uint64_t(0);
+		                 std::from_chars(value.data(), value.data() + value.size(), offset);
+		                 if (!arrays.holds(offset))
+			                 throw damaged(fmt::format("the array at offset {} runs past the end", value));
+	                 });
 }
 
 } // namespace
@@ -173,13 +173,13 @@ void refuseShortXml(const std::string& file)
 
 	if (const std::string_view element = elementAt(text, "<VTKFile"); element.find("\"P") != element.npos)
 		forEachAttribute(text, "Source",
-						 [&](std::string_view piece)
-						 {
-							 const auto folder = std::filesystem::path(file).parent_path();
-							 const std::string path = (folder / piece).string();
-							 // A piece may not be an index itself, so that no circle is followed.
-							 if (path.find(".pv") != path.npos)
-								 throw damaged("one of its pieces is an index of pieces");
-							 refuseShortXml(path);
-						 });
+		                 [&](std::string_view piece)
+		                 {
+			                 const auto folder = std::filesystem::path(file).parent_path();
+			                 const std::string path = (folder / piece).string();
+			                 // A piece may not be an index itself, so that no circle is followed.
+			                 if (std::filesystem::path(path).extension().string().starts_with(".pv"))
+				                 throw damaged("one of its pieces is an index of pieces");
+			                 refuseShortXml(path);
+		                 });
 }

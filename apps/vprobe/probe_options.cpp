@@ -1,6 +1,7 @@
 #include "probe_options.h"
 
 #include "base/log.h"
+#include "base/progress.h"
 #include "read/read.h"
 
 #include <fmt/format.h>
@@ -179,7 +180,11 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	// What can be wrong on the command line is told before a large file is read.
 	if (Result<Vec3> normal = parseNormal(options.normal); !normal)
 		return normal.error();
-	Result<grid::BlockSet> blocks = read::readInputs(options.inputs, {*time, options.solution}, session->timeline.get());
+	Result<grid::BlockSet> blocks = [&]
+	{
+		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
+		return read::readInputs(options.inputs, {*time, options.solution}, session->timeline.get());
+	}();
 	if (!blocks)
 		return blocks.error();
 	session->blocks = std::move(*blocks);
@@ -198,6 +203,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	session->device = std::move(*device);
 	if (classifiesOnGpu(options, session->device.get()))
 	{
+		const Progress progress("uploading");
 		Result<std::unique_ptr<slice::Slicer>> slicer =
 			slice::Slicer::onDevice(*session->device, session->blocks, session->field, session->timeline.get());
 		if (!slicer)

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 
 namespace vp::app
@@ -47,18 +46,9 @@ Result<ExitCode> runSlice(const SliceOptions& options)
 		if (Status written = write::writeSlice(session.blocks, meshes, options.output); !written)
 			return written.error();
 	}
-	if (!options.stats.empty())
-	{
-		if (Status written = writeText(options.stats, statsJson(options.probe, session, *slice, sheets)); !written)
-		{
-			if (!options.output.empty() && options.output != "-")
-				std::filesystem::remove(options.output);
-			return written.error();
-		}
-	}
-	else if (options.output.empty())
+	if (options.output.empty() && options.stats.empty())
 		fmt::print("{}", statsTable(session, *slice, sheets));
-	return ExitCode::done;
+	return writeStats(options.stats, options.output, statsJson(options.probe, session, *slice, sheets));
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <numeric>
+#include <filesystem>
 
 namespace vp::app
 {
@@ -147,13 +147,23 @@ std::string statsTable(const Session& session, const slice::Slice& slice, const 
 	return table;
 }
 
-Status writeText(const std::string& path, const std::string& text)
+Result<ExitCode> writeStats(const std::string& path, const std::string& output, const std::string& document)
 {
-	Result<write::AtomicFile> file = write::AtomicFile::create(path);
-	if (!file)
-		return file.error();
-	file->write(text);
-	return file->commit();
+	if (path.empty())
+		return ExitCode::done;
+	Status written = [&]() -> Status
+	{
+		Result<write::AtomicFile> file = write::AtomicFile::create(path);
+		if (!file)
+			return file.error();
+		file->write(document);
+		return file->commit();
+	}();
+	if (written)
+		return ExitCode::done;
+	if (std::filesystem::is_regular_file(output))
+		std::filesystem::remove(output);
+	return written.error();
 }
 
 } // namespace vp::app

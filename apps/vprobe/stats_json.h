@@ -28,7 +28,8 @@ std::string statsTable(const Session& session, const slice::Slice& slice, const 
 // "gpu", "cpu", or "mixed" where a block stayed with the CPU for a limit of the device.
 const char* classifierName(const Session& session);
 
-// To a file, whole or not at all, or with "-" to standard output.
-Status writeText(const std::string& path, const std::string& text);
+// The end of a command: writes the document to `path` ("-" is standard output, "" does nothing). When that fails the command
+// leaves nothing behind: `output`, if it is a file, is removed.
+Result<ExitCode> writeStats(const std::string& path, const std::string& output, const std::string& document);
 
 } // namespace vp::app

@@ -38,7 +38,8 @@ Case caseOf(const CellCut& cut)
 		return entry;
 	entry.edges = static_cast<std::uint8_t>(cut.edges.size());
 	for (std::size_t i = 0; i < cut.edges.size(); ++i)
-		entry.edge[i] = {static_cast<std::uint8_t>(cut.edges[i].positive), static_cast<std::uint8_t>(cut.edges[i].negative)};
+		entry.edge[i] = {static_cast<std::uint8_t>(cut.edges[i].positive),
+		                 static_cast<std::uint8_t>(cut.edges[i].negative)};
 	return entry;
 }
 
@@ -52,7 +53,8 @@ std::vector<Case> buildTable(const ShapeTopology& shape)
 	{
 		for (int p = 0; p < shape.points; ++p)
 			positive[p] = mask >> p & 1;
-		walkCell(faces, positive, [](int) { return false; }, cut);
+		walkCell(
+		    faces, positive, [](int) { return false; }, cut);
 		table.push_back(caseOf(cut));
 	}
 	return table;

@@ -12,19 +12,28 @@ namespace
 
 constexpr std::uint32_t kNoEnd = 0xFFFFFFFFu;
 
+// Beyond this many ends on one edge the cell is nonsense, and any pairing will do that takes no time.
+constexpr std::size_t kMostCompared = 64;
+
 std::uint32_t keyOf(CutEdge edge)
 {
 	return std::uint32_t(edge.positive) << 16 | edge.negative;
 }
 
-// Pairs the ends on one cut edge. Two of them in a cell that closes; more in one folded on itself, where a beginning is paired
-// with an end of another face before anything else, so that polygons keep their sense and pass on to the next face.
+// Pairs the ends on one cut edge. Two of them in a cell that closes; more in one folded on itself, where a beginning is
+// paired with an end of another face before anything else, so that polygons keep their sense and pass on to the next
+// face.
 void pairEnds(std::span<const SegmentEnd> ends, std::span<const Segment> segments, std::vector<std::uint32_t>& partner)
 {
-	if (ends.size() == 2)
+	const auto join = [&](const SegmentEnd& a, const SegmentEnd& b)
 	{
-		partner[ends[0].id] = ends[1].id;
-		partner[ends[1].id] = ends[0].id;
+		partner[a.id] = b.id;
+		partner[b.id] = a.id;
+	};
+	if (ends.size() == 2 || ends.size() > kMostCompared)
+	{
+		for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+			join(ends[i], ends[i + 1]);
 		return;
 	}
 	const auto pairWhere = [&](auto&& fit)
@@ -32,19 +41,17 @@ void pairEnds(std::span<const SegmentEnd> ends, std::span<const Segment> segment
 		for (std::size_t a = 0; a < ends.size(); ++a)
 			for (std::size_t b = a + 1; b < ends.size() && partner[ends[a].id] == kNoEnd; ++b)
 				if (partner[ends[b].id] == kNoEnd && fit(ends[a].id, ends[b].id))
-				{
-					partner[ends[a].id] = ends[b].id;
-					partner[ends[b].id] = ends[a].id;
-				}
+					join(ends[a], ends[b]);
 	};
-	const auto otherFace = [&](std::uint32_t a, std::uint32_t b) { return segments[a / 2].face != segments[b / 2].face; };
+	const auto otherFace = [&](std::uint32_t a, std::uint32_t b)
+	{ return segments[a / 2].face != segments[b / 2].face; };
 	pairWhere([&](std::uint32_t a, std::uint32_t b) { return a % 2 != b % 2 && otherFace(a, b); });
 	pairWhere(otherFace);
 	pairWhere([](std::uint32_t, std::uint32_t) { return true; });
 }
 
-// Follows a polygon from where it enters a segment until it closes or there is no way on. Edges are taken at the entries;
-// where the way ends, its last exit too, and the polygon is closed straight, as the missing face would.
+// Follows a polygon from where it enters a segment until it closes or there is no way on. Edges are taken at the
+// entries; where the way ends, its last exit too, and the polygon is closed straight, as the missing face would.
 void trace(std::uint32_t entry, std::span<const Segment> segments, WalkScratch& scratch, CellCut& cut)
 {
 	const auto begin = static_cast<std::ptrdiff_t>(cut.edges.size());
@@ -84,7 +91,8 @@ WalkScratch& walkScratch()
 	return scratch;
 }
 
-bool findCrossings(const WalkFaces& faces, int f, std::span<const std::uint8_t> positive, std::vector<Crossing>& crossings)
+bool findCrossings(const WalkFaces& faces, int f, std::span<const std::uint8_t> positive,
+                   std::vector<Crossing>& crossings)
 {
 	crossings.clear();
 	if (faces.starts[f] > faces.starts[f + 1] || faces.starts[f + 1] > faces.points.size())
@@ -106,10 +114,11 @@ bool findCrossings(const WalkFaces& faces, int f, std::span<const std::uint8_t> 
 	return true;
 }
 
-void addSegments(std::span<const Crossing> crossings, std::uint32_t face, bool centre_positive, std::vector<Segment>& segments)
+void addSegments(std::span<const Crossing> crossings, std::uint32_t face, bool centre_positive,
+                 std::vector<Segment>& segments)
 {
-	// Around the face, leaving and coming back take turns. The crossing before a leaving one began the same positive run,
-	// the one after it ends the negative run that it begins.
+	// Around the face, leaving and coming back take turns. The crossing before a leaving one began the same positive
+	// run, the one after it ends the negative run that it begins.
 	const std::size_t count = crossings.size();
 	for (std::size_t i = 0; i < count; ++i)
 	{

@@ -35,20 +35,22 @@ struct SegmentEnd
 
 struct WalkScratch
 {
-	std::vector<Crossing> crossings; // of one face
-	std::vector<Segment> segments;   // of all faces
-	std::vector<SegmentEnd> ends;    // by edge
+	std::vector<Crossing> crossings;    // of one face
+	std::vector<Segment> segments;      // of all faces
+	std::vector<SegmentEnd> ends;       // by edge
 	std::vector<std::uint32_t> partner; // per end: the one where the polygon goes on
-	std::vector<std::uint8_t> done;  // per segment
+	std::vector<std::uint8_t> done;     // per segment
 };
 
 WalkScratch& walkScratch(); // of this thread
 
 // Puts the crossings of one face into `crossings`; false where the face is not one of this cell.
-bool findCrossings(const WalkFaces& faces, int f, std::span<const std::uint8_t> positive, std::vector<Crossing>& crossings);
+bool findCrossings(const WalkFaces& faces, int f, std::span<const std::uint8_t> positive,
+                   std::vector<Crossing>& crossings);
 
 // Joins the crossings around one face: with its positive corners cut off one by one, or its negative ones.
-void addSegments(std::span<const Crossing> crossings, std::uint32_t face, bool centre_positive, std::vector<Segment>& segments);
+void addSegments(std::span<const Crossing> crossings, std::uint32_t face, bool centre_positive,
+                 std::vector<Segment>& segments);
 
 // Joins the segments at their cut edges into polygons.
 void tracePolygons(WalkScratch& scratch, CellCut& cut);
@@ -56,7 +58,8 @@ void tracePolygons(WalkScratch& scratch, CellCut& cut);
 } // namespace detail
 
 template <class CentrePositive>
-void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, CentrePositive&& centre_positive, CellCut& cut)
+void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, CentrePositive&& centre_positive,
+              CellCut& cut)
 {
 	cut.edges.clear();
 	cut.starts.assign(1, 0);
@@ -77,7 +80,7 @@ void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, Ce
 		const bool ambiguous = cuts >= 4;
 		cut.ambiguous = cut.ambiguous || ambiguous;
 		detail::addSegments(scratch.crossings, static_cast<std::uint32_t>(f), ambiguous && centre_positive(f),
-							scratch.segments);
+		                    scratch.segments);
 	}
 	detail::tracePolygons(scratch, cut);
 }

@@ -16,6 +16,14 @@ namespace
 
 constexpr std::uint32_t kEnd = 0xFFFFFFFFu;
 
+// Faces with one lowest point, some 24 in a mesh of tetrahedra, are compared one with the other up to here; at the tip
+// of a fan of thousands they are sorted.
+constexpr std::size_t kMostCompared = 128;
+
+// As many cells on one face know all the others; in larger crowds (cells given thousands of times) each knows the one
+// before and the one after, which still leads to all.
+constexpr std::size_t kMostLinked = 64;
+
 // The distinct points of a face, ascending; kEnd in what is left of the four places. Faces of more than four
 // are compared apart.
 struct FaceKey
@@ -24,7 +32,10 @@ struct FaceKey
 
 	PointId lowest() const { return ids[0]; }
 	bool hasArea() const { return ids[2] != kEnd; }
-	bool operator==(const FaceKey&) const = default;
+	bool operator==(const FaceKey& other) const
+	{
+		return ids[1] == other.ids[1] && ids[2] == other.ids[2] && ids[3] == other.ids[3] && ids[0] == other.ids[0];
+	}
 	// The lowest is left out: only faces that share it are compared.
 	std::uint32_t hash() const { return ids[1] * 0x9E3779B1u ^ ids[2] * 0x85EBCA77u ^ ids[3] * 0xC2B2AE3Du; }
 };
@@ -37,7 +48,7 @@ void order(PointId& a, PointId& b)
 }
 
 // Of the points `corners` of a table shape, three or four.
-FaceKey keyOf(const std::uint32_t* record, const std::array<std::uint8_t, 4>& corners, int size)
+inline FaceKey keyOf(const std::uint32_t* record, const std::array<std::uint8_t, 4>& corners, int size)
 {
 	FaceKey key;
 	auto& ids = key.ids;
@@ -63,6 +74,12 @@ FaceKey keyOf(const std::uint32_t* record, const std::array<std::uint8_t, 4>& co
 	return key;
 }
 
+struct KeyedSlot
+{
+	FaceKey key;
+	std::uint32_t slot;
+};
+
 // Faces with the same points.
 struct Meeting
 {
@@ -74,6 +91,7 @@ struct Meeting
 // Scratch of one thread.
 struct Workspace
 {
+	std::vector<KeyedSlot> faces;      // with one lowest point
 	std::vector<std::uint32_t> hashes; // of the meetings, apart so that a search stays in few cache lines
 	std::vector<Meeting> meetings;
 	std::vector<std::pair<std::uint32_t, std::uint32_t>> crowd; // meeting and slot of every third and further face
@@ -83,7 +101,7 @@ struct Workspace
 		std::vector<PointId> points;
 		std::uint32_t slot;
 	};
-	std::vector<Polygon> polygons;                   // faces of more than four points
+	std::vector<Polygon> polygons;                  // faces of more than four points
 	std::vector<std::vector<std::uint32_t>> crowds; // slots of faces that three or more cells share
 };
 
@@ -99,21 +117,21 @@ public:
 		adjacency_.neighbours.resize(faces_.count());
 		heads_ = std::vector<std::atomic<std::uint32_t>>(faces_.points);
 		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.points, 65536),
-						  [&](const auto& range)
-						  {
-							  for (std::size_t p = range.begin(); p < range.end(); ++p)
-								  heads_[p].store(kEnd, std::memory_order_relaxed);
-						  });
+		                  [&](const auto& range)
+		                  {
+			                  for (std::size_t p = range.begin(); p < range.end(); ++p)
+				                  heads_[p].store(kEnd, std::memory_order_relaxed);
+		                  });
 		listPolyhedronOwners();
 		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.cells, 4096),
-						  [&](const auto& range) { chainFaces(range.begin(), range.end()); });
+		                  [&](const auto& range) { chainFaces(range.begin(), range.end()); });
 		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.points, 2048),
-						  [&](const auto& range)
-						  {
-							  Workspace& work = workspaces_.local();
-							  for (std::size_t p = range.begin(); p < range.end(); ++p)
-								  matchChain(heads_[p].load(std::memory_order_relaxed), work);
-						  });
+		                  [&](const auto& range)
+		                  {
+			                  Workspace& work = workspaces_.local();
+			                  for (std::size_t p = range.begin(); p < range.end(); ++p)
+				                  matchChain(heads_[p].load(std::memory_order_relaxed), work);
+		                  });
 		settleCrowds();
 		return std::move(adjacency_);
 	}
@@ -162,9 +180,9 @@ private:
 
 	void push(std::size_t slot, const FaceKey& key)
 	{
-		adjacency_.neighbours[slot] = key.hasArea() ? heads_[key.lowest()].exchange(static_cast<std::uint32_t>(slot),
-																					 std::memory_order_relaxed)
-													: kNoCell;
+		adjacency_.neighbours[slot] =
+		    key.hasArea() ? heads_[key.lowest()].exchange(static_cast<std::uint32_t>(slot), std::memory_order_relaxed)
+		                  : kNoCell;
 	}
 
 	void chainFaces(std::size_t begin, std::size_t end)
@@ -177,7 +195,8 @@ private:
 			std::size_t slot = c * faces_.face_width;
 			const std::size_t cell_end = slot + faces_.face_width;
 			if (cell_shape == CellShape::polyhedron)
-				for (std::uint32_t f = faces_.polyhedron_faces[record[0]]; f < faces_.polyhedron_faces[record[0] + 1]; ++f)
+				for (std::uint32_t f = faces_.polyhedron_faces[record[0]]; f < faces_.polyhedron_faces[record[0] + 1];
+				     ++f)
 					push(faces_.tableSlots() + f, polygonKey(f, ids));
 			else
 			{
@@ -193,9 +212,7 @@ private:
 	// All faces with one lowest point. Nothing else reads or writes their slots.
 	void matchChain(std::uint32_t head, Workspace& work)
 	{
-		work.hashes.clear();
-		work.meetings.clear();
-		work.crowd.clear();
+		work.faces.clear();
 		work.polygons.clear();
 		for (std::uint32_t slot = head; slot != kEnd; slot = adjacency_.neighbours[slot])
 		{
@@ -204,21 +221,37 @@ private:
 				const CellId c = cellOf(slot);
 				const ShapeTopology& table = topology(shape(c));
 				const auto f = slot - std::size_t(c) * faces_.face_width;
-				meet(keyOf(&faces_.records[std::size_t(c) * faces_.record_width], table.face[f], table.face_size[f]), slot, work);
+				const std::uint32_t* record = &faces_.records[std::size_t(c) * faces_.record_width];
+				work.faces.push_back({keyOf(record, table.face[f], table.face_size[f]), slot});
 				continue;
 			}
 			const FaceKey key = polygonKey(slot - faces_.tableSlots(), work.ids);
 			if (work.ids.size() <= 4)
-				meet(key, slot, work);
+				work.faces.push_back({key, slot});
 			else
 				work.polygons.push_back({work.ids, slot});
 		}
+		if (work.faces.size() > kMostCompared)
+			joinEqual(
+			    work.faces, [](const KeyedSlot& face) -> auto& { return face.key.ids; }, work);
+		else
+			compareFaces(work);
+		if (!work.polygons.empty())
+			joinEqual(
+			    work.polygons, [](const Workspace::Polygon& face) -> auto& { return face.points; }, work);
+	}
+
+	void compareFaces(Workspace& work)
+	{
+		work.hashes.clear();
+		work.meetings.clear();
+		work.crowd.clear();
+		for (const KeyedSlot& face : work.faces)
+			meet(face.key, face.slot, work);
 		for (const Meeting& meeting : work.meetings)
 			join(meeting.first, meeting.second);
 		if (!work.crowd.empty())
 			gatherCrowds(work);
-		if (!work.polygons.empty())
-			matchPolygons(work);
 	}
 
 	static void meet(const FaceKey& key, std::uint32_t slot, Workspace& work)
@@ -265,20 +298,22 @@ private:
 		}
 	}
 
-	void matchPolygons(Workspace& work)
+	// Joins the faces whose points, which `points_of` gives, are the same.
+	template <class Face, class PointsOf>
+	void joinEqual(std::vector<Face>& faces, PointsOf&& points_of, Workspace& work)
 	{
-		std::ranges::sort(work.polygons, {}, &Workspace::Polygon::points);
-		for (std::size_t i = 0; i < work.polygons.size();)
+		std::ranges::sort(faces, {}, points_of);
+		for (std::size_t i = 0; i < faces.size();)
 		{
 			std::size_t end = i + 1;
-			while (end < work.polygons.size() && work.polygons[end].points == work.polygons[i].points)
+			while (end < faces.size() && points_of(faces[end]) == points_of(faces[i]))
 				++end;
-			join(work.polygons[i].slot, end - i > 1 ? work.polygons[i + 1].slot : kEnd);
+			join(faces[i].slot, end - i > 1 ? faces[i + 1].slot : kEnd);
 			if (end - i > 2)
 			{
 				std::vector<std::uint32_t>& slots = work.crowds.emplace_back();
 				for (std::size_t k = i; k < end; ++k)
-					slots.push_back(work.polygons[k].slot);
+					slots.push_back(faces[k].slot);
 			}
 			i = end;
 		}
@@ -294,13 +329,29 @@ private:
 			std::ranges::sort(slots);
 		std::ranges::sort(crowds);
 		for (const std::vector<std::uint32_t>& slots : crowds)
+			linkCrowd(slots);
+	}
+
+	void linkCrowd(const std::vector<std::uint32_t>& slots)
+	{
+		std::vector<CellId> cells;
+		for (const std::uint32_t slot : slots)
 		{
-			for (const std::uint32_t slot : slots)
-				adjacency_.neighbours[slot] = kNoCell;
-			for (const std::uint32_t slot : slots)
-				for (const std::uint32_t other : slots)
-					if (cellOf(other) != cellOf(slot))
-						adjacency_.link(slot, cellOf(other));
+			adjacency_.neighbours[slot] = kNoCell;
+			cells.push_back(cellOf(slot));
+		}
+		std::ranges::sort(cells);
+		cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+		const std::size_t reach = cells.size() > kMostLinked ? 1 : cells.size() - 1;
+		for (const std::uint32_t slot : slots)
+		{
+			const std::size_t own = std::ranges::lower_bound(cells, cellOf(slot)) - cells.begin();
+			for (std::size_t step = 1; step <= reach; ++step)
+			{
+				adjacency_.link(slot, cells[(own + step) % cells.size()]);
+				if (cells.size() > kMostLinked)
+					adjacency_.link(slot, cells[(own + cells.size() - step) % cells.size()]);
+			}
 		}
 	}
 

@@ -21,7 +21,7 @@ struct FaceSlots
 	std::size_t cells = 0;
 	std::size_t points = 0;
 	std::uint32_t shape_mark = 0;
-	std::span<const CellId> polyhedra;              // cell of each polyhedron
+	std::span<const CellId> polyhedra; // cell of each polyhedron
 	std::span<const std::uint32_t> polyhedron_faces;
 	std::span<const std::uint32_t> face_points_start;
 	std::span<const PointId> face_points;
@@ -39,8 +39,8 @@ struct Adjacency
 	void link(std::size_t slot, CellId other);
 };
 
-// Two faces meet where their sets of distinct points are equal, so a collapsed quad meets a triangle. Faces of fewer than
-// three distinct points meet nothing. A cell is not its own neighbour. The same result for any number of threads.
+// Two faces meet where their sets of distinct points are equal, so a collapsed quad meets a triangle. Faces of fewer
+// than three distinct points meet nothing. A cell is not its own neighbour. The same result for any number of threads.
 Adjacency matchFaces(const FaceSlots& faces);
 
 } // namespace vp::grid

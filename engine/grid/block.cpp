@@ -32,22 +32,22 @@ template <Grid G>
 Box boundsOf(const G& grid)
 {
 	return tbb::parallel_reduce(
-		tbb::blocked_range<std::size_t>(0, usedPoints(grid), 65536), Box{},
-		[&](const tbb::blocked_range<std::size_t>& range, Box box)
-		{
-			for (std::size_t p = range.begin(); p < range.end(); ++p)
-			{
-				const Vec3 x = grid.point(static_cast<PointId>(p));
-				if (std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z))
-					box.include(x);
-			}
-			return box;
-		},
-		[](Box a, const Box& b)
-		{
-			a.include(b);
-			return a;
-		});
+	    tbb::blocked_range<std::size_t>(0, usedPoints(grid), 65536), Box{},
+	    [&](const tbb::blocked_range<std::size_t>& range, Box box)
+	    {
+		    for (std::size_t p = range.begin(); p < range.end(); ++p)
+		    {
+			    const Vec3 x = grid.point(static_cast<PointId>(p));
+			    if (std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z))
+				    box.include(x);
+		    }
+		    return box;
+	    },
+	    [](Box a, const Box& b)
+	    {
+		    a.include(b);
+		    return a;
+	    });
 }
 
 std::vector<CellId> vantagesOf(const Lattice& lattice, const BoundaryIndex&)
@@ -97,8 +97,8 @@ bool orientedAlike(const CellFaces& faces)
 	std::ranges::sort(edges);
 	if (std::ranges::adjacent_find(edges) != edges.end())
 		return false;
-	return std::ranges::all_of(
-		edges, [&](const auto& edge) { return std::ranges::binary_search(edges, std::pair(edge.second, edge.first)); });
+	return std::ranges::all_of(edges, [&](const auto& edge)
+	                           { return std::ranges::binary_search(edges, std::pair(edge.second, edge.first)); });
 }
 
 // Calls visit(cell, volume > 0) for the cells whose volume has a sign.
@@ -130,14 +130,16 @@ std::vector<CellId> invertedCells(const UnstructuredGrid& grid)
 		std::size_t negative = 0;
 	};
 	const Count all = tbb::parallel_reduce(
-		tbb::blocked_range<std::size_t>(0, grid.cellCount(), 4096), Count{},
-		[&](const tbb::blocked_range<std::size_t>& range, Count count)
-		{
-			forEachOriented(grid, range.begin(), range.end(),
-							[&](CellId, bool positive) { ++(positive ? count.positive : count.negative); });
-			return count;
-		},
-		[](const Count& a, const Count& b) { return Count{a.positive + b.positive, a.negative + b.negative}; });
+	    tbb::blocked_range<std::size_t>(0, grid.cellCount(), 4096), Count{},
+	    [&](const tbb::blocked_range<std::size_t>& range, Count count)
+	    {
+		    forEachOriented(grid, range.begin(), range.end(),
+		                    [&](CellId, bool positive) { ++(positive ? count.positive : count.negative); });
+		    return count;
+	    },
+	    [](const Count& a, const Count& b) {
+		    return Count{a.positive + b.positive, a.negative + b.negative};
+	    });
 	if (std::min(all.positive, all.negative) == 0)
 		return {};
 
@@ -145,23 +147,23 @@ std::vector<CellId> invertedCells(const UnstructuredGrid& grid)
 	constexpr std::size_t chunk = 16384;
 	std::vector<std::vector<CellId>> found((grid.cellCount() + chunk - 1) / chunk);
 	tbb::parallel_for(std::size_t(0), found.size(),
-					  [&](std::size_t n)
-					  {
-						  CellFaces faces;
-						  const auto keep = [&](CellId c, bool positive)
-						  {
-							  if (positive == most_positive)
-								  return;
-							  if (grid.shape(c) == CellShape::polyhedron)
-							  {
-								  grid.cellFaces(c, faces);
-								  if (!orientedAlike(faces))
-									  return;
-							  }
-							  found[n].push_back(c);
-						  };
-						  forEachOriented(grid, n * chunk, std::min(grid.cellCount(), (n + 1) * chunk), keep);
-					  });
+	                  [&](std::size_t n)
+	                  {
+		                  CellFaces faces;
+		                  const auto keep = [&](CellId c, bool positive)
+		                  {
+			                  if (positive == most_positive)
+				                  return;
+			                  if (grid.shape(c) == CellShape::polyhedron)
+			                  {
+				                  grid.cellFaces(c, faces);
+				                  if (!orientedAlike(faces))
+					                  return;
+			                  }
+			                  found[n].push_back(c);
+		                  };
+		                  forEachOriented(grid, n * chunk, std::min(grid.cellCount(), (n + 1) * chunk), keep);
+	                  });
 	std::vector<CellId> cells;
 	for (const std::vector<CellId>& some : found)
 		cells.insert(cells.end(), some.begin(), some.end());
@@ -183,14 +185,14 @@ std::size_t pointsOf(const Block& block)
 void finishBlock(Block& block)
 {
 	std::visit(
-		[&](const auto& grid)
-		{
-			block.bounds = boundsOf(grid);
-			block.boundary = buildBoundaryIndex(grid);
-			block.vantage = distinct(vantagesOf(grid, block.boundary));
-			block.inverted = invertedCells(grid);
-		},
-		block.grid);
+	    [&](const auto& grid)
+	    {
+		    block.bounds = boundsOf(grid);
+		    block.boundary = buildBoundaryIndex(grid);
+		    block.vantage = distinct(vantagesOf(grid, block.boundary));
+		    block.inverted = invertedCells(grid);
+	    },
+	    block.grid);
 }
 
 std::size_t BlockSet::cellCount() const

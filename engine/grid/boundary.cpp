@@ -66,12 +66,16 @@ void addFaces(const Lattice& lattice, BoundaryIndex& index)
 		addSide(lattice, f, index);
 }
 
+// Three distinct points.
 bool hasArea(std::span<const PointId> face)
 {
-	for (std::size_t i = 1; i < face.size(); ++i)
-		for (std::size_t j = i + 1; j < face.size(); ++j)
-			if (face[i] != face[0] && face[j] != face[0] && face[i] != face[j])
-				return true;
+	const auto differs = [&](std::size_t i) { return face[i] != face[0]; };
+	std::size_t second = 1;
+	while (second < face.size() && !differs(second))
+		++second;
+	for (std::size_t third = second + 1; third < face.size(); ++third)
+		if (differs(third) && face[third] != face[second])
+			return true;
 	return false;
 }
 
@@ -80,28 +84,28 @@ void addFaces(const UnstructuredGrid& grid, BoundaryIndex& index)
 	constexpr std::size_t chunk = 16384;
 	std::vector<std::vector<BoundaryIndex::Face>> found((grid.cellCount() + chunk - 1) / chunk);
 	tbb::parallel_for(std::size_t(0), found.size(),
-					  [&](std::size_t n)
-					  {
-						  CellFaces faces;
-						  const std::size_t end = std::min(grid.cellCount(), (n + 1) * chunk);
-						  for (std::size_t c = n * chunk; c < end; ++c)
-						  {
-							  const CellId cell = static_cast<CellId>(c);
-							  bool listed = false;
-							  for (int f = 0; f < grid.faceCount(cell); ++f)
-							  {
-								  bool alone = true;
-								  grid.forEachNeighbour(cell, f, [&](CellId) { alone = false; });
-								  if (!alone)
-									  continue;
-								  if (!listed)
-									  grid.cellFaces(cell, faces);
-								  listed = true;
-								  if (hasArea(faces[f]))
-									  found[n].push_back({cell, static_cast<std::uint32_t>(f)});
-							  }
-						  }
-					  });
+	                  [&](std::size_t n)
+	                  {
+		                  CellFaces faces;
+		                  const std::size_t end = std::min(grid.cellCount(), (n + 1) * chunk);
+		                  for (std::size_t c = n * chunk; c < end; ++c)
+		                  {
+			                  const CellId cell = static_cast<CellId>(c);
+			                  bool listed = false;
+			                  for (int f = 0; f < grid.faceCount(cell); ++f)
+			                  {
+				                  bool alone = true;
+				                  grid.forEachNeighbour(cell, f, [&](CellId) { alone = false; });
+				                  if (!alone)
+					                  continue;
+				                  if (!listed)
+					                  grid.cellFaces(cell, faces);
+				                  listed = true;
+				                  if (hasArea(faces[f]))
+					                  found[n].push_back({cell, static_cast<std::uint32_t>(f)});
+			                  }
+		                  }
+	                  });
 	std::size_t count = 0;
 	for (const auto& faces : found)
 		count += faces.size();
@@ -113,7 +117,7 @@ void addFaces(const UnstructuredGrid& grid, BoundaryIndex& index)
 	{
 		for (std::size_t begin = 0; begin < size; begin += step)
 			ranges.push_back({Box{}, static_cast<std::uint32_t>(begin),
-							  static_cast<std::uint32_t>(std::min<std::size_t>(begin + step, size))});
+			                  static_cast<std::uint32_t>(std::min<std::size_t>(begin + step, size))});
 	};
 	cut(index.faces.size(), kPatchFaces, index.patches);
 	cut(index.patches.size(), kGroupPatches, index.groups);
@@ -123,20 +127,20 @@ template <Grid G>
 void fillBoxes(const G& grid, BoundaryIndex& index)
 {
 	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, index.patches.size(), 64),
-					  [&](const auto& range)
-					  {
-						  CellFaces faces;
-						  for (std::size_t p = range.begin(); p < range.end(); ++p)
-						  {
-							  BoundaryIndex::Range& patch = index.patches[p];
-							  for (std::uint32_t i = patch.begin; i < patch.end; ++i)
-							  {
-								  grid.cellFaces(index.faces[i].cell, faces);
-								  for (const PointId point : faces[index.faces[i].face])
-									  patch.box.include(grid.point(point));
-							  }
-						  }
-					  });
+	                  [&](const auto& range)
+	                  {
+		                  CellFaces faces;
+		                  for (std::size_t p = range.begin(); p < range.end(); ++p)
+		                  {
+			                  BoundaryIndex::Range& patch = index.patches[p];
+			                  for (std::uint32_t i = patch.begin; i < patch.end; ++i)
+			                  {
+				                  grid.cellFaces(index.faces[i].cell, faces);
+				                  for (const PointId point : faces[index.faces[i].face])
+					                  patch.box.include(grid.point(point));
+			                  }
+		                  }
+	                  });
 	for (BoundaryIndex::Range& group : index.groups)
 		for (std::uint32_t p = group.begin; p < group.end; ++p)
 			group.box.include(index.patches[p].box);

@@ -94,7 +94,7 @@ std::size_t byteSize(NumberType type)
 const char* numberTypeName(NumberType type)
 {
 	constexpr const char* names[] = {"int8",   "uint8", "int16",  "uint16",  "int32",
-									 "uint32", "int64", "uint64", "float32", "float64"};
+	                                 "uint32", "int64", "uint64", "float32", "float64"};
 	return names[static_cast<int>(type)];
 }
 
@@ -120,7 +120,8 @@ Field makeField(std::string name, Association association, int components, std::
 	auto owned = std::make_shared<const std::vector<T>>(std::move(values));
 	const auto* bytes = reinterpret_cast<const std::byte*>(owned->data());
 	const std::size_t size = owned->size() * sizeof(T);
-	return {std::move(name), association, components, numberTypeOf<T>(), Array<std::byte>(std::move(owned), bytes, size)};
+	return {std::move(name), association, components, numberTypeOf<T>(),
+	        Array<std::byte>(std::move(owned), bytes, size)};
 }
 
 template Field makeField(std::string, Association, int, std::vector<std::int8_t>);
@@ -170,8 +171,8 @@ std::pair<double, double> fieldRange(const Field& field, int component)
 			return a;
 		};
 		// Split alike for any number of threads, so that even the sign of a zero is.
-		return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, field.tuples(), 65536), MinMax{}, scan,
-												  join);
+		return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, field.tuples(), 65536), MinMax{},
+		                                          scan, join);
 	};
 	const MinMax result = withType(field.type, range);
 	return result.any ? std::pair{result.lo, result.hi} : std::pair{0.0, 0.0};

@@ -5,7 +5,8 @@
 namespace vp::grid
 {
 
-// Area vector of a polygon given as points, along its normal by the right-hand rule; a warped one as the fan about its mean.
+// Area vector of a polygon given as points, along its normal by the right-hand rule; a warped one as the fan about its
+// mean.
 template <class PointAt>
 Vec3 polygonArea(std::size_t size, PointAt&& point_at)
 {
@@ -61,7 +62,8 @@ double signedVolume(const G& grid, CellId cell, CellFaces& faces)
 		if (table.face_size[f] == 3)
 			sum += 4.0 * glm::dot(p[at[0]], glm::cross(p[at[1]], p[at[2]]));
 		else
-			sum += glm::dot(p[at[0]] + p[at[1]] + p[at[2]] + p[at[3]], glm::cross(p[at[2]] - p[at[0]], p[at[3]] - p[at[1]]));
+			sum += glm::dot(p[at[0]] + p[at[1]] + p[at[2]] + p[at[3]],
+			                glm::cross(p[at[2]] - p[at[0]], p[at[3]] - p[at[1]]));
 	}
 	return sum / 24.0;
 }

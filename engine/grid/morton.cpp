@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace vp::grid
@@ -73,10 +75,11 @@ void sortByKey(std::unique_ptr<KeyedId[]>& items, std::size_t count)
 			bits |= items[i].key ^ items[0].key;
 		return bits;
 	};
-	const std::uint64_t used =
-		tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, count, 65536), std::uint64_t(0), differing, std::bit_or<>{});
+	const std::uint64_t used = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, count, 65536), std::uint64_t(0),
+	                                                differing, std::bit_or<>{});
 
-	// Least significant digit first. Each pass counts the digits of every chunk, turns the counts into places, and moves.
+	// Least significant digit first. Each pass counts the digits of every chunk, turns the counts into places, and
+	// moves.
 	const std::size_t chunk = std::max<std::size_t>(count / 64, 16384);
 	const std::size_t chunks = (count + chunk - 1) / chunk;
 	std::vector<std::array<std::uint32_t, kDigits>> places(chunks);
@@ -87,22 +90,22 @@ void sortByKey(std::unique_ptr<KeyedId[]>& items, std::size_t count)
 			continue;
 		const auto digit = [shift](const KeyedId& item) { return item.key >> shift & (kDigits - 1); };
 		tbb::parallel_for(std::size_t(0), chunks,
-						  [&](std::size_t c)
-						  {
-							  places[c].fill(0);
-							  for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
-								  ++places[c][digit(items[i])];
-						  });
+		                  [&](std::size_t c)
+		                  {
+			                  places[c].fill(0);
+			                  for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
+				                  ++places[c][digit(items[i])];
+		                  });
 		std::uint32_t place = 0;
 		for (std::size_t d = 0; d < kDigits; ++d)
 			for (std::size_t c = 0; c < chunks; ++c)
 				place += std::exchange(places[c][d], place);
 		tbb::parallel_for(std::size_t(0), chunks,
-						  [&](std::size_t c)
-						  {
-							  for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
-								  other[places[c][digit(items[i])]++] = items[i];
-						  });
+		                  [&](std::size_t c)
+		                  {
+			                  for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
+				                  other[places[c][digit(items[i])]++] = items[i];
+		                  });
 		std::swap(items, other);
 	}
 }

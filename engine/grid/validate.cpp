@@ -45,7 +45,8 @@ template <Grid G>
 void checkCell(const G& grid, CellId c, const Box& bounds, CellFaces& faces)
 {
 	grid.cellFaces(c, faces);
-	require(faces.size() == grid.faceCount(c), "cell {}: {} faces listed, {} counted", c, faces.size(), grid.faceCount(c));
+	require(faces.size() == grid.faceCount(c), "cell {}: {} faces listed, {} counted", c, faces.size(),
+	        grid.faceCount(c));
 	if (grid.shape(c) != CellShape::polyhedron)
 		require(grid.cellPoints(c).size == topology(grid.shape(c)).points, "cell {}: number of points", c);
 	for (const PointId p : faces.points)
@@ -57,15 +58,15 @@ void checkCell(const G& grid, CellId c, const Box& bounds, CellFaces& faces)
 	}
 	for (int f = 0; f < faces.size(); ++f)
 		grid.forEachNeighbour(c, f,
-							  [&](CellId n)
-							  {
-								  require(n < grid.cellCount(), "cell {} face {}: neighbour {} out of range", c, f, n);
-								  require(n != c, "cell {} face {}: neighbour of itself", c, f);
-								  bool known = false;
-								  for (int g = 0; g < grid.faceCount(n); ++g)
-									  grid.forEachNeighbour(n, g, [&](CellId back) { known = known || back == c; });
-								  require(known, "cell {} face {}: neighbour {} does not know it", c, f, n);
-							  });
+		                      [&](CellId n)
+		                      {
+			                      require(n < grid.cellCount(), "cell {} face {}: neighbour {} out of range", c, f, n);
+			                      require(n != c, "cell {} face {}: neighbour of itself", c, f);
+			                      bool known = false;
+			                      for (int g = 0; g < grid.faceCount(n); ++g)
+				                      grid.forEachNeighbour(n, g, [&](CellId back) { known = known || back == c; });
+			                      require(known, "cell {} face {}: neighbour {} does not know it", c, f, n);
+		                      });
 }
 
 template <Grid G>
@@ -73,12 +74,12 @@ void checkCells(const G& grid, const Box& bounds)
 {
 	require(grid.cellCount() <= kMaxBlockIds && grid.pointCount() <= kMaxBlockIds, "too many cells or points");
 	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.cellCount(), 1024),
-					  [&](const auto& range)
-					  {
-						  CellFaces faces;
-						  for (std::size_t c = range.begin(); c < range.end(); ++c)
-							  checkCell(grid, static_cast<CellId>(c), bounds, faces);
-					  });
+	                  [&](const auto& range)
+	                  {
+		                  CellFaces faces;
+		                  for (std::size_t c = range.begin(); c < range.end(); ++c)
+			                  checkCell(grid, static_cast<CellId>(c), bounds, faces);
+	                  });
 }
 
 // Source numbers of cells or points: no two alike, and all within the arrays.
@@ -94,11 +95,11 @@ void checkSources(std::size_t count, Source&& source, const Block& block, Associ
 	for (const Field& field : block.fields)
 	{
 		require(field.components > 0, "array {}: no components", field.name);
-		require(field.bytes.size() == field.tuples() * field.components * byteSize(field.type), "array {}: part of a tuple",
-				field.name);
+		require(field.bytes.size() == field.tuples() * field.components * byteSize(field.type),
+		        "array {}: part of a tuple", field.name);
 		if (field.association == association)
 			require(numbers.empty() || numbers.back() < field.tuples(), "array {}: {} tuples are too few", field.name,
-					field.tuples());
+			        field.tuples());
 	}
 }
 
@@ -108,7 +109,8 @@ void checkBoundary(const G& grid, const BoundaryIndex& index)
 	std::uint32_t next = 0;
 	for (const BoundaryIndex::Range& patch : index.patches)
 	{
-		require(patch.begin == next && patch.end > patch.begin && patch.end - patch.begin <= 16, "patches out of order");
+		require(patch.begin == next && patch.end > patch.begin && patch.end - patch.begin <= 16,
+		        "patches out of order");
 		next = patch.end;
 	}
 	require(next == index.faces.size(), "faces in no patch");
@@ -128,7 +130,8 @@ void checkBoundary(const G& grid, const BoundaryIndex& index)
 		for (std::uint32_t i = patch.begin; i < patch.end; ++i)
 		{
 			const auto [cell, f] = index.faces[i];
-			require(cell < grid.cellCount() && static_cast<int>(f) < grid.faceCount(cell), "boundary face {} out of range", i);
+			require(cell < grid.cellCount() && static_cast<int>(f) < grid.faceCount(cell),
+			        "boundary face {} out of range", i);
 			grid.cellFaces(cell, faces);
 			for (const PointId p : faces[f])
 				require(holds(patch.box, grid.point(p)), "boundary face {} outside its patch's box", i);
@@ -159,7 +162,8 @@ void checkBoundaryComplete(const G& grid, const BoundaryIndex& index)
 				expected.emplace_back(cell, static_cast<std::uint32_t>(f));
 		}
 	}
-	require(listed == expected, "boundary index: {} faces listed, {} have no neighbour", listed.size(), expected.size());
+	require(listed == expected, "boundary index: {} faces listed, {} have no neighbour", listed.size(),
+	        expected.size());
 }
 
 } // namespace
@@ -167,26 +171,26 @@ void checkBoundaryComplete(const G& grid, const BoundaryIndex& index)
 void validate(const Block& block)
 {
 	std::visit(
-		[&](const auto& grid)
-		{
-			checkCells(grid, block.bounds);
-			checkSources(
-				grid.pointCount(), [&](std::size_t p) { return grid.sourcePoint(static_cast<PointId>(p)); }, block,
-				Association::point);
-			checkSources(
-				grid.cellCount(), [&](std::size_t c) { return grid.sourceCell(static_cast<CellId>(c)); }, block,
-				Association::cell);
-			checkBoundary(grid, block.boundary);
-			checkBoundaryComplete(grid, block.boundary);
-			require(block.vantage.empty() == (grid.cellCount() == 0), "vantage points");
-			for (const std::vector<CellId>* cells : {&block.vantage, &block.inverted})
-			{
-				require(std::ranges::adjacent_find(*cells, std::greater_equal<>{}) == cells->end(),
-						"vantage or inverted cells not ascending");
-				require(cells->empty() || cells->back() < grid.cellCount(), "vantage or inverted cell out of range");
-			}
-		},
-		block.grid);
+	    [&](const auto& grid)
+	    {
+		    checkCells(grid, block.bounds);
+		    checkSources(
+		        grid.pointCount(), [&](std::size_t p) { return grid.sourcePoint(static_cast<PointId>(p)); }, block,
+		        Association::point);
+		    checkSources(
+		        grid.cellCount(), [&](std::size_t c) { return grid.sourceCell(static_cast<CellId>(c)); }, block,
+		        Association::cell);
+		    checkBoundary(grid, block.boundary);
+		    checkBoundaryComplete(grid, block.boundary);
+		    require(block.vantage.empty() == (grid.cellCount() == 0), "vantage points");
+		    for (const std::vector<CellId>* cells : {&block.vantage, &block.inverted})
+		    {
+			    require(std::ranges::adjacent_find(*cells, std::greater_equal<>{}) == cells->end(),
+			            "vantage or inverted cells not ascending");
+			    require(cells->empty() || cells->back() < grid.cellCount(), "vantage or inverted cell out of range");
+		    }
+	    },
+	    block.grid);
 }
 
 } // namespace vp::grid

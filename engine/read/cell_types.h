@@ -32,11 +32,11 @@ constexpr int cellDimension(std::uint8_t type)
 	case 68: // Lagrange curve
 	case 75: // Bezier curve
 		return 1;
-	case 5: // triangle
-	case 6: // triangle strip
-	case 7: // polygon
-	case 8: // pixel
-	case 9: // quad
+	case 5:  // triangle
+	case 6:  // triangle strip
+	case 7:  // polygon
+	case 8:  // pixel
+	case 9:  // quad
 	case 22: // quadratic triangle
 	case 23: // quadratic quad
 	case 28: // biquadratic quad
@@ -64,7 +64,8 @@ constexpr int cellDimension(std::uint8_t type)
 	return linear || quadratic || free_form || high_order ? 3 : -1;
 }
 
-// Points of a three-dimensional cell that can be sliced; 0 for a polyhedron, which has any number, and for all other types.
+// Points of a three-dimensional cell that can be sliced; 0 for a polyhedron, which has any number, and for all other
+// types.
 constexpr int slicedCellSize(std::uint8_t type)
 {
 	switch (type)

@@ -25,22 +25,23 @@ template <class Bad>
 std::size_t firstWhere(std::size_t n, Bad&& bad)
 {
 	return tbb::parallel_reduce(
-		tbb::blocked_range<std::size_t>(0, n, kGrain), kNone,
-		[&](const tbb::blocked_range<std::size_t>& range, std::size_t found)
-		{
-			for (std::size_t i = range.begin(); i < range.end() && found == kNone; ++i)
-				if (bad(i))
-					found = i;
-			return found;
-		},
-		[](std::size_t a, std::size_t b) { return std::min(a, b); });
+	    tbb::blocked_range<std::size_t>(0, n, kGrain), kNone,
+	    [&](const tbb::blocked_range<std::size_t>& range, std::size_t found)
+	    {
+		    for (std::size_t i = range.begin(); i < range.end() && found == kNone; ++i)
+			    if (bad(i))
+				    found = i;
+		    return found;
+	    },
+	    [](std::size_t a, std::size_t b) { return std::min(a, b); });
 }
 
 void checkOffsets(const Array<std::int64_t>& offsets, std::size_t end, const char* what)
 {
 	if (offsets[0] != 0 || offsets[offsets.size() - 1] != static_cast<std::int64_t>(end))
 		throw Unusable(fmt::format("the {} offsets do not match what they point into", what));
-	const std::size_t falls = firstWhere(offsets.size() - 1, [&](std::size_t c) { return offsets[c] > offsets[c + 1]; });
+	const std::size_t falls =
+	    firstWhere(offsets.size() - 1, [&](std::size_t c) { return offsets[c] > offsets[c + 1]; });
 	if (falls != kNone)
 		throw Unusable(fmt::format("the {} offsets fall at cell {}", what, falls));
 }
@@ -69,11 +70,11 @@ bool isPolyhedron(std::span<const std::int64_t> stream, std::size_t points)
 void checkCoordinates(const grid::Points& points)
 {
 	const std::size_t bad = firstWhere(points.size(),
-									   [&](std::size_t p)
-									   {
-										   const Vec3 at = points[p];
-										   return !std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z);
-									   });
+	                                   [&](std::size_t p)
+	                                   {
+		                                   const Vec3 at = points[p];
+		                                   return !std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z);
+	                                   });
 	if (bad != kNone)
 		throw Unusable(fmt::format("the coordinates of point {} are not finite numbers", bad));
 }
@@ -100,11 +101,11 @@ void checkCells(const grid::CellList& cells, std::size_t points)
 		const std::uint8_t type = cells.types[c];
 		const int wanted = slicedCellSize(type);
 		return wanted > 0 ? cells.offsets[c + 1] - cells.offsets[c] != wanted
-						  : type != kPolyhedron && (cellDimension(type) < 0 || cellDimension(type) > 2);
+		                  : type != kPolyhedron && (cellDimension(type) < 0 || cellDimension(type) > 2);
 	};
 	if (const std::size_t bad = firstWhere(cells.types.size(), bad_type); bad != kNone)
 		throw Unusable(fmt::format("cell {} of type {} lists {} points", bad, cells.types[bad],
-								   cells.offsets[bad + 1] - cells.offsets[bad]));
+		                           cells.offsets[bad + 1] - cells.offsets[bad]));
 
 	const auto is_polyhedron = [&](std::size_t c) { return cells.types[c] == kPolyhedron; };
 	if (cells.face_offsets.empty())

@@ -119,7 +119,7 @@ class Reader
 {
 public:
 	Reader(pid_t pid, Descriptor manifest, Descriptor errors)
-		: pid_(pid), manifest_pipe_(std::move(manifest)), error_pipe_(std::move(errors))
+	    : pid_(pid), manifest_pipe_(std::move(manifest)), error_pipe_(std::move(errors))
 	{
 	}
 	~Reader()
@@ -130,13 +130,14 @@ public:
 	Reader(const Reader&) = delete;
 	Reader& operator=(const Reader&) = delete;
 
-	// Takes in what the child writes until both pipes are closed and it has ended; false, with the child killed, when the time
-	// is over or it writes too much.
+	// Takes in what the child writes until both pipes are closed and it has ended; false, with the child killed, when
+	// the time is over or it writes too much.
 	bool finish(Clock::time_point deadline)
 	{
 		while (manifest_pipe_ || error_pipe_)
 		{
-			std::array<pollfd, 2> ready = {pollfd{manifest_pipe_.get(), POLLIN, 0}, pollfd{error_pipe_.get(), POLLIN, 0}};
+			std::array<pollfd, 2> ready = {pollfd{manifest_pipe_.get(), POLLIN, 0},
+			                               pollfd{error_pipe_.get(), POLLIN, 0}};
 			const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
 			if (left <= 0 || manifest.size() > kMaxManifestBytes)
 			{
@@ -177,7 +178,8 @@ private:
 		return waitid(P_PID, static_cast<id_t>(pid_), &about, WEXITED | WNOHANG | WNOWAIT) != 0 || about.si_pid == pid_;
 	}
 
-	// Ends what still runs of the child and of what it started. Only the wait lets go of its number, so nobody else is hit.
+	// Ends what still runs of the child and of what it started. Only the wait lets go of its number, so nobody else is
+	// hit.
 	void end()
 	{
 		kill(-pid_, SIGKILL);
@@ -211,7 +213,8 @@ std::string lastLine(std::string_view text)
 	if (const auto line_end = text.rfind('\n'); line_end != text.npos)
 		text.remove_prefix(line_end + 1);
 	std::string line(text.substr(0, kMaxReasonLength + kReasonMark.size()));
-	std::replace_if(line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
+	std::replace_if(
+	    line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
 	return line;
 }
 
@@ -223,7 +226,9 @@ Error notStarted(const std::string& why)
 // What the child's end means for the user.
 Error explain(const std::string& file, const Reader& reader, const InputLimits& limits)
 {
-	const auto input = [&](const std::string& reason) { return Error{ExitCode::input, fmt::format("{}: {}", file, reason)}; };
+	const auto input = [&](const std::string& reason) {
+		return Error{ExitCode::input, fmt::format("{}: {}", file, reason)};
+	};
 	const std::string line = lastLine(reader.errors);
 	if (WIFSIGNALED(reader.status))
 	{
@@ -231,14 +236,15 @@ Error explain(const std::string& file, const Reader& reader, const InputLimits& 
 		if (signal == SIGXCPU)
 			return input(fmt::format("the reader ran over its time limit of {} s", limits.time.count()));
 		return input(
-			fmt::format("the reader crashed (signal {}); the file is damaged or not what its ending says", signal));
+		    fmt::format("the reader crashed (signal {}); the file is damaged or not what its ending says", signal));
 	}
 	const int code = WEXITSTATUS(reader.status);
 	if (code == kRefusedExitCode && line.starts_with(kReasonMark) && line.size() > kReasonMark.size())
 		return input(line.substr(kReasonMark.size()));
 	if (code == 127)
 		return notStarted(line);
-	return input(fmt::format("the reader gave up (exit code {}); the file is damaged or not what its ending says", code));
+	return input(
+	    fmt::format("the reader gave up (exit code {}); the file is damaged or not what its ending says", code));
 }
 
 std::string timeArgument(const TimeChoice& time)
@@ -306,15 +312,17 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	if (!reader.finish(deadline))
 	{
 		const char* reason = reader.manifest.size() > kMaxManifestBytes ? "describes more arrays than can be"
-																		: "the reader ran over its time limit of {} s";
-		return Error{ExitCode::input, fmt::format("{}: {}", file, fmt::format(fmt::runtime(reason), limits.time.count()))};
+		                                                                : "the reader ran over its time limit of {} s";
+		return Error{ExitCode::input,
+		             fmt::format("{}: {}", file, fmt::format(fmt::runtime(reason), limits.time.count()))};
 	}
 	if (!WIFEXITED(reader.status) || WEXITSTATUS(reader.status) != 0)
 		return explain(file, reader, limits);
 
 	HandedOver handed{std::move(reader.manifest), mapSealed(arrays)};
 	if (!handed.arrays.owner)
-		return Error{ExitCode::input, fmt::format("{}: the reader's arrays cannot be mapped: {}", file, std::strerror(errno))};
+		return Error{ExitCode::input,
+		             fmt::format("{}: the reader's arrays cannot be mapped: {}", file, std::strerror(errno))};
 	return handed;
 }
 

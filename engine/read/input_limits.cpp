@@ -48,7 +48,7 @@ std::uint64_t bytesBeside(const fs::path& file)
 	int left = kMaxFilesBeside;
 	const auto options = fs::directory_options::skip_permission_denied;
 	for (auto entry = fs::recursive_directory_iterator(folder, options, error);
-		 !error && entry != fs::recursive_directory_iterator() && left > 0; entry.increment(error), --left)
+	     !error && entry != fs::recursive_directory_iterator() && left > 0; entry.increment(error), --left)
 	{
 		if (entry.depth() > 0)
 			entry.disable_recursion_pending(); // pieces lie beside the file or one folder below

@@ -16,8 +16,8 @@ struct InputLimits
 	std::chrono::seconds time{0};
 };
 
-// Refuses a path that no reader need be started for: missing, a folder, unreadable, empty. Otherwise the limits, which follow from
-// the bytes of the input and of what lies beside it for it to refer to.
+// Refuses a path that no reader need be started for: missing, a folder, unreadable, empty. Otherwise the limits, which
+// follow from the bytes of the input and of what lies beside it for it to refer to.
 Result<InputLimits> inputLimits(const std::string& file, const std::string& solution);
 
 } // namespace vp::read

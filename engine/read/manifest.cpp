@@ -16,8 +16,8 @@ namespace vp::read
 namespace
 {
 
-using nlohmann::json;
 using grid::NumberType;
+using nlohmann::json;
 
 // More than any tensor or spectrum in a file; keeps tuples x components x bytes far from overflow.
 constexpr std::uint64_t kMaxComponents = 1 << 16;
@@ -72,10 +72,11 @@ std::array<std::uint32_t, 3> latticeOf(const std::array<std::uint64_t, 3>& point
 		if (n < 2)
 			throw Unusable("a lattice has no cells");
 		if (__builtin_mul_overflow(product, n, &product) || product >= kMaxBlockIds)
-			throw Unusable(fmt::format("a block of {} x {} x {} points is too large; split it", points[0], points[1], points[2]));
+			throw Unusable(
+			    fmt::format("a block of {} x {} x {} points is too large; split it", points[0], points[1], points[2]));
 	}
 	return {static_cast<std::uint32_t>(points[0]), static_cast<std::uint32_t>(points[1]),
-			static_cast<std::uint32_t>(points[2])};
+	        static_cast<std::uint32_t>(points[2])};
 }
 
 class Checker
@@ -128,7 +129,7 @@ private:
 		const std::uint64_t numbers = points == kAnyCount ? kAnyCount : points * 3;
 		const bool is_double = array.at("type") == "float64";
 		grid::Points checked = is_double ? grid::Points(numbersOf<double>(array, NumberType::float64, numbers))
-										 : grid::Points(numbersOf<float>(array, NumberType::float32, numbers));
+		                                 : grid::Points(numbersOf<float>(array, NumberType::float32, numbers));
 		if (countOf(array.at("bytes")) != checked.size() * 3 * (is_double ? 8 : 4))
 			throw Unusable("points without three coordinates");
 		if (checked.size() >= kMaxBlockIds)
@@ -194,7 +195,8 @@ private:
 			std::array<Array<double>, 3> axes;
 			for (int axis = 0; axis < 3; ++axis)
 			{
-				axes[axis] = numbersOf<double>(block.at("axes").at(static_cast<std::size_t>(axis)), NumberType::float64);
+				axes[axis] =
+				    numbersOf<double>(block.at("axes").at(static_cast<std::size_t>(axis)), NumberType::float64);
 				checkAxis(axes[axis]);
 			}
 			lattice = latticeOf({axes[0].size(), axes[1].size(), axes[2].size()});

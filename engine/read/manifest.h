@@ -39,8 +39,9 @@ struct CheckedInput
 	std::size_t left_out = 0;
 };
 
-// Checks a manifest and every array it names against the bytes that were handed over. Nothing in either is trusted: counts may
-// overflow, arrays may lie outside, ids may point anywhere, coordinates may be no numbers. The error's message is the reason alone.
+// Checks a manifest and every array it names against the bytes that were handed over. Nothing in either is trusted:
+// counts may overflow, arrays may lie outside, ids may point anywhere, coordinates may be no numbers. The error's
+// message is the reason alone.
 Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays);
 
 } // namespace vp::read

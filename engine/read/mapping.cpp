@@ -19,12 +19,13 @@ SharedBytes mapSealed(const Descriptor& memory)
 {
 	struct stat about;
 	if (fcntl(memory.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL) != 0 ||
-		fstat(memory.get(), &about) != 0)
+	    fstat(memory.get(), &about) != 0)
 		return {};
 	const std::size_t size = static_cast<std::size_t>(about.st_size);
 	if (size == 0)
 		return {std::make_shared<int>(0), {}};
-	// Private, because Linux before 6.7 refuses shared mappings of what is sealed against writing; nothing is copied either way.
+	// Private, because Linux before 6.7 refuses shared mappings of what is sealed against writing; nothing is copied
+	// either way.
 	void* at = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, memory.get(), 0);
 	if (at == MAP_FAILED)
 		return {};

@@ -42,7 +42,8 @@ private:
 	int fd_ = -1;
 };
 
-// Maps all of a memfd, after sealing it against any change. No owner if that fails; an empty one has an owner and no bytes.
+// Maps all of a memfd, after sealing it against any change. No owner if that fails; an empty one has an owner and no
+// bytes.
 SharedBytes mapSealed(const Descriptor& memory);
 
 } // namespace vp::read

@@ -9,8 +9,8 @@ namespace vp::read
 
 // What vprobe-read and its parent agree on. The child is started as
 //   vprobe-read TIME SOLUTION FILE
-// with TIME last, first or a number, and SOLUTION empty or a PLOT3D q file. It writes arrays into kArraysFd, each at a multiple of
-// kArrayAlignment, and one JSON manifest that describes them into kManifestFd:
+// with TIME last, first or a number, and SOLUTION empty or a PLOT3D q file. It writes arrays into kArraysFd, each at a
+// multiple of kArrayAlignment, and one JSON manifest that describes them into kManifestFd:
 //
 //   {"version", "times": [..], "left_out": cells, "warnings": [..], "blocks": [{"name", "kind", "arrays": [..], ..}]}
 //   image         "points": [nx, ny, nz], "origin": [..], "spacing": [..]
@@ -18,7 +18,8 @@ namespace vp::read
 //   curvilinear   "points": [nx, ny, nz], "coordinates": array
 //   unstructured  "coordinates": array, "cells": {"types", "offsets", "connectivity", "face_offsets", "face_stream"}
 //
-// An array is {"type": "float32" ..., "offset", "bytes"}, and among "arrays" also has "name", "association" and "components".
+// An array is {"type": "float32" ..., "offset", "bytes"}, and among "arrays" also has "name", "association" and
+// "components".
 constexpr int kProtocolVersion = 1;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
@@ -28,8 +29,8 @@ constexpr std::size_t kArrayAlignment = 64;
 constexpr int kRefusedExitCode = 2;
 constexpr std::string_view kReasonMark = "vprobe-read: ";
 
-constexpr std::array<std::string_view, 20> kEndings = {".vti", ".vtr", ".vts",  ".vtu", ".pvti", ".pvtr", ".pvts",
-													   ".pvtu", ".vtk", ".mhd", ".mha", ".xyz",  ".x",    ".g",
-													   ".p3d",  ".bin", ".ex2", ".e",   ".exo",  ".exii"};
+constexpr std::array<std::string_view, 20> kEndings = {".vti",  ".vtr", ".vts", ".vtu", ".pvti", ".pvtr", ".pvts",
+                                                       ".pvtu", ".vtk", ".mhd", ".mha", ".xyz",  ".x",    ".g",
+                                                       ".p3d",  ".bin", ".ex2", ".e",   ".exo",  ".exii"};
 
 } // namespace vp::read

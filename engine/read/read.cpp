@@ -30,14 +30,14 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name)
 	block.name = std::move(name);
 	block.fields = std::move(checked.fields);
 	std::visit(
-		[&](auto&& mesh)
-		{
-			if constexpr (std::is_same_v<std::decay_t<decltype(mesh)>, CellMesh>)
-				block.grid = grid::UnstructuredGrid::build(mesh.points, mesh.cells);
-			else
-				block.grid = std::move(mesh);
-		},
-		std::move(checked.mesh));
+	    [&](auto&& mesh)
+	    {
+		    if constexpr (std::is_same_v<std::decay_t<decltype(mesh)>, CellMesh>)
+			    block.grid = grid::UnstructuredGrid::build(mesh.points, mesh.cells);
+		    else
+			    block.grid = std::move(mesh);
+	    },
+	    std::move(checked.mesh));
 	finishBlock(block);
 	return block;
 }
@@ -98,7 +98,8 @@ Result<TimeChoice> parseTime(const std::string& text)
 	return TimeChoice{TimeChoice::Kind::value, value};
 }
 
-Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options, Timeline* timeline)
+Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,
+                                  Timeline* timeline)
 {
 	grid::BlockSet all;
 	for (const std::string& input : inputs)

@@ -27,11 +27,12 @@ Result<std::string> readerProgram()
 	std::error_code error;
 	const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
 	for (const fs::path& candidate :
-		 {folder / "vprobe-read", folder.parent_path() / "libexec" / "vprobe" / "vprobe-read"})
+	     {folder / "vprobe-read", folder.parent_path() / "libexec" / "vprobe" / "vprobe-read"})
 		if (access(candidate.c_str(), X_OK) == 0)
 			return candidate.string();
-	return Error{ExitCode::output,
-				 fmt::format("vprobe-read is missing from {} and ../libexec/vprobe; install it beside vprobe", folder.string())};
+	return Error{
+	    ExitCode::output,
+	    fmt::format("vprobe-read is missing from {} and ../libexec/vprobe; install it beside vprobe", folder.string())};
 }
 
 } // namespace vp::read

@@ -29,14 +29,14 @@ struct View
 };
 
 // Turned from the sheet's normal by 30 degrees of azimuth and 20 of elevation about an upright z axis: the sheet is seen almost
-// face on, the outline's depth still shows. A level sheet is looked down on at 40 degrees, x to the right.
+// face on, the outline's depth still shows. A level sheet is looked down on at 45 degrees, x to the right.
 View obliqueView(const Vec3& sheet_normal)
 {
 	// The plane has no front: the eye stays above it.
 	const Vec3 n = sheet_normal.z < 0.0 ? -sheet_normal : sheet_normal;
 	const bool level = std::hypot(n.x, n.y) < 0.02;
 	const double azimuth = level ? -60.0 * kDegree : std::atan2(n.y, n.x) + 30.0 * kDegree;
-	const double elevation = std::min(std::asin(std::min(n.z, 1.0)) + 20.0 * kDegree, 50.0 * kDegree);
+	const double elevation = std::min(std::asin(std::min(n.z, 1.0)) + 20.0 * kDegree, 45.0 * kDegree);
 	return {fromAngles(azimuth, elevation), {0.0, 0.0, 1.0}};
 }
 

@@ -33,7 +33,7 @@ void layOutLegend(const Look& look, const ValueScale& values, Layout& layout)
 	const double title_lines = 2.0; // a third grows upwards
 	const double top = std::max(0.16 * height, layout.margin + kLineHeight * em * (title_lines + 2.5));
 	const double bottom = std::min(0.84 * height, height - layout.margin - 3.2 * em);
-	layout.ticks = makeTicks(lo, hi, std::clamp(static_cast<int>((bottom - top) / (3.0 * em)), 2, 8));
+	layout.ticks = makeTicks(lo, hi, std::clamp(static_cast<int>((bottom - top) / (2.5 * em)), 2, 9));
 
 	std::size_t label_letters = 3; // "NaN"
 	for (const Tick& tick : layout.ticks.marks)

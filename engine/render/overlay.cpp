@@ -154,7 +154,7 @@ private:
 
 		const double em = layout_.em;
 		const glm::dvec2 centre = 0.5 * (layout_.axes.lo + layout_.axes.hi);
-		const double length = 1.75 * em;
+		const double length = 1.9 * em;
 		for (const Axis& a : axes)
 		{
 			const double seen = glm::length(a.tip);

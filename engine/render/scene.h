@@ -5,28 +5,24 @@
 #include "render/look.h"
 #include "render/outline.h"
 
-#include <vulkan/vulkan.h>
-
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+namespace vp::slice
+{
+struct SheetRecords;
+}
+
 namespace vp::render
 {
 
-// shared::PolygonRecord's in device memory: a storage buffer that holds still until draw() returns.
-struct RecordBatch
-{
-	VkBuffer buffer = VK_NULL_HANDLE;
-	VkDeviceSize offset = 0; // a multiple of the device's minStorageBufferOffsetAlignment
-	std::uint32_t count = 0;
-};
-
 struct SheetDrawing
 {
-	probe::Sheet sheet; // the frame of the records' uv
-	std::vector<RecordBatch> records;
+	probe::Sheet sheet;                                  // the frame of the records' uv
+	std::shared_ptr<const slice::SheetRecords> records; // polygons in device memory; null: an empty sheet
 	double opacity = 1.0;
 };
 

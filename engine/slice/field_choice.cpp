@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 namespace vp::slice
@@ -51,6 +52,22 @@ std::string listFields(const grid::BlockSet& blocks)
 				names.push_back(std::move(name));
 		}
 	return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+// Whether some shown value is not NaN.
+bool hasNumber(const grid::Field& field, int component)
+{
+	const int first = component == grid::kMagnitude ? 0 : component;
+	const int last = component == grid::kMagnitude ? field.components - 1 : component;
+	for (std::size_t t = 0; t < field.tuples(); ++t)
+	{
+		bool number = true;
+		for (int c = first; c <= last; ++c)
+			number = number && !std::isnan(field.value(t, c));
+		if (number)
+			return true;
+	}
+	return false;
 }
 
 Result<int> parseComponent(const grid::Field& field, const std::string& text)
@@ -123,9 +140,11 @@ std::pair<double, double> fieldRange(const grid::BlockSet& blocks, const FieldCh
 	// A block without values (all NaN, or none at all) reports {0, 0} and must not widen the range of the others.
 	std::pair<double, double> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 	for (const grid::Block& block : blocks.blocks)
-		if (const grid::Field* field = choice.in(block); field && field->tuples() > 0)
+		if (const grid::Field* field = choice.in(block); field)
 		{
 			const auto [lo, hi] = grid::fieldRange(*field, choice.component);
+			if (lo == 0.0 && hi == 0.0 && !hasNumber(*field, choice.component))
+				continue;
 			range.first = std::min(range.first, lo);
 			range.second = std::max(range.second, hi);
 		}

@@ -122,13 +122,14 @@ void tidyPolygons(SheetMesh& mesh, const Vec3& normal)
 		double longest = 0.0;
 		for (const std::uint32_t v : polygon)
 			longest = std::max(longest, glm::length(mesh.positions[v] - mesh.positions[polygon[0]]));
-		const Vec3 area = polygon.size() < 3 ? Vec3(0.0) : doubleArea(mesh, polygon);
-		if (glm::length(area) <= kNoArea * longest * longest)
+		// Along the normal: what a line's rounding adds to it points anywhere.
+		const double area = polygon.size() < 3 ? 0.0 : glm::dot(doubleArea(mesh, polygon), normal);
+		if (std::abs(area) <= kNoArea * longest * longest)
 		{
 			kept.resize(begin);
 			continue;
 		}
-		if (glm::dot(area, normal) < 0.0)
+		if (area < 0.0)
 			std::reverse(polygon.begin(), polygon.end());
 		mesh.polygon_cells[polygons++] = mesh.polygon_cells[p];
 		starts.push_back(static_cast<std::uint32_t>(kept.size()));

@@ -2,16 +2,29 @@
 
 #include "base/timeline.h"
 #include "slice/cpu_classifier.h"
+#include "slice/gpu_blocks.h"
+#include "slice/gpu_classifier.h"
+#include "slice/host_records.h"
 
 namespace vp::slice
 {
 
+namespace
+{
+
+std::vector<BlockCut> blockCuts(std::span<const traverse::LaneCut> cuts, const seed::SheetSeeds& seeds)
+{
+	std::vector<BlockCut> blocks;
+	for (std::size_t b = 0; b < cuts.size(); ++b)
+		blocks.push_back({static_cast<std::uint32_t>(b), &cuts[b], seeds.faces_in_plane[b]});
+	return blocks;
+}
+
+} // namespace
+
 SheetMesh Slice::mesh(const grid::BlockSet& blocks, std::size_t sheet) const
 {
-	std::vector<BlockCut> cuts;
-	for (std::size_t b = 0; b < sheets[sheet].cuts.size(); ++b)
-		cuts.push_back({static_cast<std::uint32_t>(b), &sheets[sheet].cuts[b], sheets[sheet].seeds.faces_in_plane[b]});
-	return buildMesh(blocks, sheets[sheet].sheet, cuts);
+	return buildMesh(blocks, sheets[sheet].sheet, blockCuts(sheets[sheet].cuts, sheets[sheet].seeds));
 }
 
 SliceTicket::SliceTicket(std::stop_source stop, std::future<Result<Slice>> result)
@@ -44,7 +57,26 @@ Slicer::Slicer(const grid::BlockSet& blocks) : blocks_(blocks)
 			std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid)));
 }
 
+Result<std::unique_ptr<Slicer>> Slicer::onDevice(gpu::Device& device, const grid::BlockSet& blocks,
+												 const std::optional<FieldChoice>& field, Timeline* timeline)
+{
+	const TimedSection section(timeline, "upload");
+	Result<std::unique_ptr<GpuBlocks>> uploaded = GpuBlocks::create(device, blocks);
+	if (!uploaded)
+		return uploaded.error();
+	if (Result<std::shared_ptr<const GpuField>> values = (*uploaded)->field(field); !values)
+		return values.error();
+	auto slicer = std::make_unique<Slicer>(blocks);
+	slicer->gpu_ = std::move(*uploaded);
+	return slicer;
+}
+
 Slicer::~Slicer() = default;
+
+std::size_t Slicer::blocksOnGpu() const
+{
+	return gpu_ ? gpu_->heldCount() : 0;
+}
 
 SliceTicket Slicer::begin(SliceRequest request)
 {
@@ -55,9 +87,6 @@ SliceTicket Slicer::begin(SliceRequest request)
 
 Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 {
-	using Lane = traverse::Lane<surface::Plane>;
-	const std::size_t block_count = blocks_.blocks.size();
-
 	Slice slice;
 	{
 		const TimedSection section(request.timeline, "seed");
@@ -65,31 +94,71 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 			slice.sheets.push_back({sheet, seed::findSeeds(blocks_, sheet, request.seeds), {}, nullptr});
 	}
 
-	std::vector<traverse::LaneCut> cuts;
-	{
-		const TimedSection section(request.timeline, "traverse");
-		std::vector<traverse::VisitedPool::Loan> loans;
-		std::vector<Lane> lanes;
-		for (const SheetSlice& sheet : slice.sheets)
-			for (std::size_t b = 0; b < block_count; ++b)
-			{
-				loans.push_back(visited_[b]->borrow());
-				lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), loans.back().get(), sheet.seeds.cells[b]});
-			}
-		CpuClassifier<surface::Plane> classifier(lanes);
-		Result<std::vector<traverse::LaneCut>> found =
-			traverse::breadthFirst<surface::Plane>(std::span<Lane>(lanes), classifier, stop);
-		if (!found)
-			return found.error();
-		cuts = std::move(*found);
-	}
-	for (std::size_t lane = 0; lane < cuts.size(); ++lane)
-		slice.sheets[lane / block_count].cuts.push_back(std::move(cuts[lane]));
+	// Lane s * blocks + b is sheet s in block b.
+	std::vector<Lane> lanes;
+	std::vector<traverse::VisitedPool::Loan> loans;
+	for (const SheetSlice& sheet : slice.sheets)
+		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
+		{
+			loans.push_back(visited_[b]->borrow());
+			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), loans.back().get(), sheet.seeds.cells[b]});
+		}
+
+	Result<std::vector<traverse::LaneCut>> cuts = gpu_ ? traverseOnGpu(request, lanes, slice, stop) : traverseOnCpu(request, lanes, stop);
+	if (!cuts)
+		return cuts.error();
+	for (std::size_t lane = 0; lane < cuts->size(); ++lane)
+		slice.sheets[lane / blocks_.blocks.size()].cuts.push_back(std::move((*cuts)[lane]));
+	if (gpu_)
+		if (Status added = addHostRecords(request, slice); !added)
+			return added.error();
 	return slice;
 }
 
-} // namespace vp::slice
-namespace vp::slice { // TEMPORARY until the GPU classifier is in
-Result<std::unique_ptr<Slicer>> Slicer::onDevice(gpu::Device&, const grid::BlockSet& blocks, const std::optional<FieldChoice>&, Timeline*) { return std::make_unique<Slicer>(blocks); }
-std::size_t Slicer::blocksOnGpu() const { return 0; }
+Result<std::vector<traverse::LaneCut>> Slicer::traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes, std::stop_token stop)
+{
+	const TimedSection section(request.timeline, "traverse");
+	CpuClassifier<surface::Plane> classifier(lanes);
+	return traverse::breadthFirst<surface::Plane>(lanes, classifier, stop);
 }
+
+Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes, Slice& slice,
+															 std::stop_token stop)
+{
+	const TimedSection section(request.timeline, "traverse");
+	std::vector<GpuLane> gpu_lanes;
+	for (std::uint32_t s = 0; s < slice.sheets.size(); ++s)
+		for (std::uint32_t b = 0; b < blocks_.blocks.size(); ++b)
+			gpu_lanes.push_back({s, b});
+	Result<std::unique_ptr<GpuClassifier>> classifier =
+		GpuClassifier::create(*gpu_, request.probe.sheets, std::move(gpu_lanes), request.field, request.timeline);
+	if (!classifier)
+		return classifier.error();
+	auto cuts = traverse::breadthFirst<surface::Plane>(lanes, **classifier, stop);
+	const std::vector<std::shared_ptr<SheetRecords>> records = (*classifier)->finish();
+	for (std::size_t s = 0; s < records.size(); ++s)
+		slice.sheets[s].records = records[s];
+	slice.words = gpu_->words();
+	return cuts;
+}
+
+// What the device did not emit: cells that were walked, blocks that it does not hold, boundary faces in the plane.
+Status Slicer::addHostRecords(const SliceRequest& request, Slice& slice) const
+{
+	const TimedSection section(request.timeline, "emit");
+	for (SheetSlice& sheet : slice.sheets)
+	{
+		std::vector<traverse::LaneCut> left;
+		for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
+			left.push_back(gpu_->holds(b) ? walkedCells(sheet.cuts[b]) : sheet.cuts[b]);
+		const SheetMesh mesh = buildMesh(blocks_, sheet.sheet, blockCuts(left, sheet.seeds));
+		if (mesh.polygons() == 0)
+			continue;
+		const auto records = recordsFromMesh(blocks_, sheet.sheet, mesh, request.field);
+		if (Status added = sheet.records->appendHostRecords(records); !added)
+			return added;
+	}
+	return Nothing{};
+}
+
+} // namespace vp::slice

@@ -44,7 +44,7 @@ struct SheetSlice
 	probe::Sheet sheet;
 	seed::SheetSeeds seeds;
 	std::vector<traverse::LaneCut> cuts;         // per block
-	std::shared_ptr<const SheetRecords> records; // GPU classifier only: what was emitted, where it lies
+	std::shared_ptr<SheetRecords> records; // GPU classifier only: the polygons in device memory, as they are drawn
 };
 
 struct Slice
@@ -94,7 +94,13 @@ public:
 	std::size_t blocksOnGpu() const; // the others passed a limit of the device, and are classified by the CPU
 
 private:
+	using Lane = traverse::Lane<surface::Plane>;
+
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
+	Result<std::vector<traverse::LaneCut>> traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes, std::stop_token stop);
+	Result<std::vector<traverse::LaneCut>> traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes, Slice& slice,
+														 std::stop_token stop);
+	Status addHostRecords(const SliceRequest& request, Slice& slice) const;
 
 	const grid::BlockSet& blocks_;
 	std::vector<std::unique_ptr<traverse::VisitedPool>> visited_; // per block

@@ -101,7 +101,7 @@ Result<AtomicFile> AtomicFile::create(const std::string& path)
 		return file.descriptor_ < 0 ? Result<AtomicFile>(cannotWrite(path, errno)) : std::move(file);
 	}
 	// Renaming needs no right to write the old file, but a file that was protected must stay as it is.
-	if (exists && access(path.c_str(), W_OK) != 0)
+	if (exists && faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
 		return cannotWrite(path, errno);
 
 	std::error_code failed;

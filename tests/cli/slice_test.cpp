@@ -105,6 +105,18 @@ TEST_F(Slice, SeedsAndOutside)
 		EXPECT_EQ(stats({image(), "--outside", outside})["sheets"][0]["cut_cells"], 9) << outside;
 }
 
+TEST_F(Slice, HotSpotOutsideTheGrid)
+{
+	const Arguments probe{"slice", image(), "--origin",      "10",       "1.5", "1.5", "--classify",
+	                      "cpu",   "-o",    path("out.vtp"), "--outside"};
+	EXPECT_TRUE(isError(run(probe + Arguments{"refuse"}), 1, {"--origin", "--outside"}));
+	EXPECT_FALSE(std::filesystem::exists(path("out.vtp")));
+	EXPECT_TRUE(isDoneWithAWord(run(probe + Arguments{"report"}), {"--origin"}));
+	EXPECT_TRUE(isDoneWithAWord(run(probe + Arguments{"nearest", "--seeds", "hotspot"}), {"--origin"}));
+	// The plane is the same one, and whole, wherever the search begins.
+	EXPECT_EQ(stats({image(), "--origin", "10", "1.5", "1.5"})["sheets"][0]["cut_cells"], 9);
+}
+
 TEST_F(Slice, Time)
 {
 	for (const char* time : {"last", "first", "0", "1.5", "#0"})

@@ -18,6 +18,11 @@ struct Bad
 	std::string word; // the error line holds it
 };
 
+void PrintTo(const Bad& bad, std::ostream* stream)
+{
+	*stream << bad.name;
+}
+
 class BadProbe : public Program, public testing::WithParamInterface<Bad>
 {
 };

@@ -22,10 +22,11 @@ std::string nameOf(const testing::TestParamInfo<std::size_t>& info)
 // The formats with arrays of fixed names.
 void renameArrays(grid::BlockSet& set)
 {
+	const std::string given_name = "f";
 	for (grid::Block& block : set.blocks)
 		for (grid::Field& field : block.fields)
 			if (field.name == "MetaImage" || field.name == "Density")
-				field.name = "f";
+				field.name = given_name;
 }
 
 } // namespace

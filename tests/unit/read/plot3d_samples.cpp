@@ -125,7 +125,8 @@ std::vector<SampleFile> plot3dSamples()
 		const auto write = [form, solution](const std::string& path)
 		{ writePlot3d(path, (std::filesystem::path(path).parent_path() / solution).string(), form); };
 		const bool two = form.multi_grid;
-		files.push_back({name, write, two ? "block-structured" : "curvilinear", two ? 134u : 104u, two ? 282u : 210u, false, ""});
+		files.push_back(
+		    {name, write, two ? "block-structured" : "curvilinear", two ? 134u : 104u, two ? 282u : 210u, false, ""});
 	};
 	add("c.xyz", {});
 	add("big.xyz", {.big_endian = true});

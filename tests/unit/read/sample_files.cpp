@@ -57,26 +57,26 @@ void expectSampleValues(const grid::Block& block, bool cell_array)
 	ASSERT_TRUE(f) << block.name;
 	ASSERT_EQ(g != nullptr, cell_array) << block.name;
 	std::visit(
-		[&](const auto& grid)
-		{
-			for (std::size_t p = 0; p < grid.pointCount(); ++p)
-			{
-				const auto point = static_cast<PointId>(p);
-				ASSERT_NEAR(f->value(grid.sourcePoint(point), 0), sampleValue(grid.point(point)), 1e-3);
-			}
-			for (std::size_t c = 0; g && c < grid.cellCount(); ++c)
-			{
-				const auto cell = static_cast<CellId>(c);
-				if (grid.shape(cell) == grid::CellShape::polyhedron)
-					continue;
-				const grid::CellPoints ids = grid.cellPoints(cell);
-				Vec3 sum{0.0};
-				for (const PointId id : ids)
-					sum += grid.point(id);
-				ASSERT_NEAR(g->value(grid.sourceCell(cell), 0), sampleValue(sum / double(ids.size)), 1e-3);
-			}
-		},
-		block.grid);
+	    [&](const auto& grid)
+	    {
+		    for (std::size_t p = 0; p < grid.pointCount(); ++p)
+		    {
+			    const auto point = static_cast<PointId>(p);
+			    ASSERT_NEAR(f->value(grid.sourcePoint(point), 0), sampleValue(grid.point(point)), 1e-3);
+		    }
+		    for (std::size_t c = 0; g && c < grid.cellCount(); ++c)
+		    {
+			    const auto cell = static_cast<CellId>(c);
+			    if (grid.shape(cell) == grid::CellShape::polyhedron)
+				    continue;
+			    const grid::CellPoints ids = grid.cellPoints(cell);
+			    Vec3 sum{0.0};
+			    for (const PointId id : ids)
+				    sum += grid.point(id);
+			    ASSERT_NEAR(g->value(grid.sourceCell(cell), 0), sampleValue(sum / double(ids.size)), 1e-3);
+		    }
+	    },
+	    block.grid);
 }
 
 const std::vector<SampleFile>& sampleFiles()

@@ -23,8 +23,8 @@ private:
 	std::filesystem::path path_;
 };
 
-// A small file of one of the formats, with point array "f" = x + 10 y + 100 z, and cell array "g", the same of the mean of
-// the cell's points, where the format has cell arrays.
+// A small file of one of the formats, with point array "f" = x + 10 y + 100 z, and cell array "g", the same of the mean
+// of the cell's points, where the format has cell arrays.
 struct SampleFile
 {
 	std::string name;

@@ -181,7 +181,7 @@ void writePieces(const std::string& path)
 <PCellData Scalars="g"><PDataArray type="Float64" Name="g"/></PCellData>
 <PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints>
 <Piece Source=")" + name + R"(_0.vtu"/><Piece Source=")" +
-							name + R"(_1.vtu"/>
+	                        name + R"(_1.vtu"/>
 </PUnstructuredGrid>
 </VTKFile>
 )");
@@ -227,37 +227,45 @@ std::vector<SampleFile> vtkSamples()
 	{
 		const Form form = static_cast<Form>(i);
 		const std::string name = forms[i];
-		files.push_back({name + ".vti", [form](const std::string& p) { writeXml<vtkXMLImageDataWriter>(p, makeImage(), form); },
-						 "image", cells, points, true, ""});
+		files.push_back({name + ".vti",
+		                 [form](const std::string& p) { writeXml<vtkXMLImageDataWriter>(p, makeImage(), form); },
+		                 "image", cells, points, true, ""});
 		files.push_back({name + ".vtr",
-						 [form](const std::string& p) { writeXml<vtkXMLRectilinearGridWriter>(p, makeRectilinear(), form); },
-						 "rectilinear", cells, points, true, ""});
+		                 [form](const std::string& p)
+		                 { writeXml<vtkXMLRectilinearGridWriter>(p, makeRectilinear(), form); },
+		                 "rectilinear", cells, points, true, ""});
 		files.push_back({name + ".vts",
-						 [form](const std::string& p) { writeXml<vtkXMLStructuredGridWriter>(p, makeStructured(), form); },
-						 "curvilinear", cells, points, true, ""});
+		                 [form](const std::string& p)
+		                 { writeXml<vtkXMLStructuredGridWriter>(p, makeStructured(), form); },
+		                 "curvilinear", cells, points, true, ""});
 		files.push_back({name + ".vtu",
-						 [form](const std::string& p)
-						 { writeXml<vtkXMLUnstructuredGridWriter>(p, makeUnstructured(true), form); },
-						 "unstructured", mixed_cells, points, true, ""});
+		                 [form](const std::string& p)
+		                 { writeXml<vtkXMLUnstructuredGridWriter>(p, makeUnstructured(true), form); },
+		                 "unstructured", mixed_cells, points, true, ""});
 	}
-	files.push_back({"pieces.pvtu", writePieces, "unstructured", cells + mixed_cells, 2 * points, true, "pieces_0.vtu"});
+	files.push_back(
+	    {"pieces.pvtu", writePieces, "unstructured", cells + mixed_cells, 2 * points, true, "pieces_0.vtu"});
 	for (const bool ascii : {true, false})
 	{
 		const std::string form = ascii ? "ascii_" : "binary_";
-		files.push_back({form + "image.vtk", [ascii](const std::string& p) { writeLegacy(p, makeImage(), ascii); }, "image",
-						 cells, points, true, ""});
-		files.push_back({form + "rectilinear.vtk", [ascii](const std::string& p) { writeLegacy(p, makeRectilinear(), ascii); },
-						 "rectilinear", cells, points, true, ""});
-		files.push_back({form + "structured.vtk", [ascii](const std::string& p) { writeLegacy(p, makeStructured(), ascii); },
-						 "curvilinear", cells, points, true, ""});
+		files.push_back({form + "image.vtk", [ascii](const std::string& p) { writeLegacy(p, makeImage(), ascii); },
+		                 "image", cells, points, true, ""});
+		files.push_back({form + "rectilinear.vtk",
+		                 [ascii](const std::string& p) { writeLegacy(p, makeRectilinear(), ascii); }, "rectilinear",
+		                 cells, points, true, ""});
+		files.push_back({form + "structured.vtk",
+		                 [ascii](const std::string& p) { writeLegacy(p, makeStructured(), ascii); }, "curvilinear",
+		                 cells, points, true, ""});
 		files.push_back({form + "unstructured.vtk",
-						 [ascii](const std::string& p) { writeLegacy(p, makeUnstructured(true), ascii); }, "unstructured",
-						 mixed_cells, points, true, ""});
+		                 [ascii](const std::string& p) { writeLegacy(p, makeUnstructured(true), ascii); },
+		                 "unstructured", mixed_cells, points, true, ""});
 	}
-	files.push_back({"raw.mhd", [](const std::string& p) { writeMeta(p, false); }, "image", cells, points, false, "raw.raw"});
 	files.push_back(
-		{"zipped.mhd", [](const std::string& p) { writeMeta(p, true); }, "image", cells, points, false, "zipped.zraw"});
-	files.push_back({"local.mha", [](const std::string& p) { writeMeta(p, false); }, "image", cells, points, false, ""});
+	    {"raw.mhd", [](const std::string& p) { writeMeta(p, false); }, "image", cells, points, false, "raw.raw"});
+	files.push_back(
+	    {"zipped.mhd", [](const std::string& p) { writeMeta(p, true); }, "image", cells, points, false, "zipped.zraw"});
+	files.push_back(
+	    {"local.mha", [](const std::string& p) { writeMeta(p, false); }, "image", cells, points, false, ""});
 	files.push_back({"elements.ex2", writeExodus, "unstructured", cells, points, true, ""});
 	return files;
 }

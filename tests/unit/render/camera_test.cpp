@@ -116,7 +116,7 @@ TEST(Camera, TheAutomaticViewSeesTheSheetOpenAndUpright)
 	{
 		const probe::Sheet sheet = probe::makeSheet({0.0, 0.0, 0.0}, normal);
 		const Camera camera = makeCamera({}, &sheet, points, frameWithLegend());
-		EXPECT_GE(std::abs(glm::dot(camera.forward(), sheet.normal)), std::cos(0.73));
+		EXPECT_GE(std::abs(glm::dot(camera.forward(), sheet.normal)), std::cos(0.80));
 		EXPECT_LE(camera.forward().z, 0.0);
 		EXPECT_GT(camera.trueUp().z, 0.5);
 	}

@@ -32,18 +32,18 @@ enum VtkType : std::uint8_t
 void addTestFields(Block& block, std::size_t source_cells)
 {
 	std::visit(
-		[&](const auto& grid)
-		{
-			std::vector<double> linear(grid.pointCount());
-			for (std::size_t p = 0; p < grid.pointCount(); ++p)
-				linear[grid.sourcePoint(static_cast<PointId>(p))] = linearAt(grid.point(static_cast<PointId>(p)));
-			std::vector<std::int64_t> id(source_cells);
-			for (std::size_t c = 0; c < source_cells; ++c)
-				id[c] = static_cast<std::int64_t>(c);
-			block.fields.push_back(makeField("linear", Association::point, 1, std::move(linear)));
-			block.fields.push_back(makeField("id", Association::cell, 1, std::move(id)));
-		},
-		block.grid);
+	    [&](const auto& grid)
+	    {
+		    std::vector<double> linear(grid.pointCount());
+		    for (std::size_t p = 0; p < grid.pointCount(); ++p)
+			    linear[grid.sourcePoint(static_cast<PointId>(p))] = linearAt(grid.point(static_cast<PointId>(p)));
+		    std::vector<std::int64_t> id(source_cells);
+		    for (std::size_t c = 0; c < source_cells; ++c)
+			    id[c] = static_cast<std::int64_t>(c);
+		    block.fields.push_back(makeField("linear", Association::point, 1, std::move(linear)));
+		    block.fields.push_back(makeField("id", Association::cell, 1, std::move(id)));
+	    },
+	    block.grid);
 }
 
 Block finished(std::string name, AnyGrid grid)
@@ -82,28 +82,27 @@ Block curvilinear(std::string name, std::array<std::uint32_t, 3> points, PointAt
 Block collapsedAxis()
 {
 	return curvilinear("collapsed_axis", {4, 6, 4},
-					   [](int i, int j, int k)
-					   {
-						   const double angle = kTurn / 3.0 * j / 5.0;
-						   return Vec3(i * std::cos(angle), i * std::sin(angle), 0.8 * k);
-					   });
+	                   [](int i, int j, int k)
+	                   {
+		                   const double angle = kTurn / 3.0 * j / 5.0;
+		                   return Vec3(i * std::cos(angle), i * std::sin(angle), 0.8 * k);
+	                   });
 }
 
 Block leftHanded()
 {
 	return curvilinear("left_handed", {5, 6, 7},
-					   [](int i, int j, int k)
-					   {
-						   return Vec3(-0.5 * i - 0.02 * j * j, 0.4 * j + 0.03 * i * k, 0.3 * k + 0.02 * i * j);
-					   });
+	                   [](int i, int j, int k)
+	                   { return Vec3(-0.5 * i - 0.02 * j * j, 0.4 * j + 0.03 * i * k, 0.3 * k + 0.02 * i * j); });
 }
 
 Block warpedCurvilinear()
 {
 	std::mt19937 random(7);
 	std::uniform_real_distribution<double> jitter(-0.35, 0.35);
-	return curvilinear("warped_curvilinear", {7, 7, 7}, [&](int i, int j, int k)
-					   { return Vec3(i + jitter(random), j + jitter(random), k + jitter(random)); });
+	return curvilinear("warped_curvilinear", {7, 7, 7},
+	                   [&](int i, int j, int k)
+	                   { return Vec3(i + jitter(random), j + jitter(random), k + jitter(random)); });
 }
 
 using LatticeIds = std::vector<std::int64_t>;
@@ -164,8 +163,7 @@ Block collapsedHexahedra()
 	for (int j = 0; j < sectors; ++j)
 	{
 		const int next = (j + 1) % sectors;
-		maker.cell(kHexahedron,
-				   {axis[0], rim[0][j], rim[0][next], axis[0], axis[1], rim[1][j], rim[1][next], axis[1]});
+		maker.cell(kHexahedron, {axis[0], rim[0][j], rim[0][next], axis[0], axis[1], rim[1][j], rim[1][next], axis[1]});
 	}
 	for (int j = 0; j < sectors; ++j)
 	{
@@ -182,13 +180,13 @@ Block inverted()
 	CellListMaker maker;
 	const LatticeIds ids = addLattice(maker, n, [](int i, int j, int k) { return Vec3(i, j, 0.5 * k); });
 	forLattice(n,
-			   [&](int i, int j, int k)
-			   {
-				   std::vector<std::int64_t> c = cornersAt(ids, n, i, j, k);
-				   if ((i + 2 * j + 3 * k) % 7 == 0)
-					   c = {c[4], c[5], c[6], c[7], c[0], c[1], c[2], c[3]};
-				   maker.cell(kHexahedron, c);
-			   });
+	           [&](int i, int j, int k)
+	           {
+		           std::vector<std::int64_t> c = cornersAt(ids, n, i, j, k);
+		           if ((i + 2 * j + 3 * k) % 7 == 0)
+			           c = {c[4], c[5], c[6], c[7], c[0], c[1], c[2], c[3]};
+		           maker.cell(kHexahedron, c);
+	           });
 	return maker.block("inverted");
 }
 
@@ -200,8 +198,8 @@ Block hexagonalPrisms()
 	for (int k = 0; k < 3; ++k)
 		for (int ring = 0; ring < 2; ++ring)
 			for (int j = 0; j < 6; ++j)
-				at[k][ring][j] =
-					maker.point({(1.0 + ring) * std::cos(kTurn * j / 6.0), (1.0 + ring) * std::sin(kTurn * j / 6.0), k});
+				at[k][ring][j] = maker.point(
+				    {(1.0 + ring) * std::cos(kTurn * j / 6.0), (1.0 + ring) * std::sin(kTurn * j / 6.0), k});
 	for (int k = 0; k < 2; ++k)
 	{
 		std::vector<std::vector<std::int64_t>> faces(2);
@@ -212,7 +210,7 @@ Block hexagonalPrisms()
 			faces[1].push_back(at[k + 1][0][j]);
 			faces.push_back({at[k][0][j], at[k][0][next], at[k + 1][0][next], at[k + 1][0][j]});
 			maker.cell(kHexahedron, {at[k][0][j], at[k][1][j], at[k][1][next], at[k][0][next], at[k + 1][0][j],
-									 at[k + 1][1][j], at[k + 1][1][next], at[k + 1][0][next]});
+			                         at[k + 1][1][j], at[k + 1][1][next], at[k + 1][0][next]});
 		}
 		maker.polyhedron(faces);
 	}
@@ -234,16 +232,16 @@ Block mixedPolyhedra()
 	const LatticeIds ids = addLattice(maker, n, place);
 	maker.cell(kTriangle, {ids[0], ids[1], ids[2]});
 	forLattice(n,
-			   [&](int i, int j, int k)
-			   {
-				   const std::vector<std::int64_t> c = cornersAt(ids, n, i, j, k);
-				   if (i + j + k == 0)
-					   maker.cell(kVoxel, {c[0], c[1], c[3], c[2], c[4], c[5], c[7], c[6]});
-				   else if ((i + j + k) % 3 == 0)
-					   maker.polyhedron(facesOfHexahedron(c));
-				   else
-					   maker.cell(kHexahedron, c);
-			   });
+	           [&](int i, int j, int k)
+	           {
+		           const std::vector<std::int64_t> c = cornersAt(ids, n, i, j, k);
+		           if (i + j + k == 0)
+			           maker.cell(kVoxel, {c[0], c[1], c[3], c[2], c[4], c[5], c[7], c[6]});
+		           else if ((i + j + k) % 3 == 0)
+			           maker.polyhedron(facesOfHexahedron(c));
+		           else
+			           maker.cell(kHexahedron, c);
+	           });
 	maker.cell(kTriangle, {ids[0], ids[2], ids[1]});
 	maker.point({50.0, 50.0, 50.0}); // of no cell
 	return maker.block("mixed_polyhedra");
@@ -256,8 +254,8 @@ Block twoToOne()
 	const auto box = [&](const Vec3& lo, double edge)
 	{
 		std::vector<std::int64_t> ids;
-		for (const Vec3& corner : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, 0, 1),
-								   Vec3(1, 1, 1), Vec3(0, 1, 1)})
+		for (const Vec3& corner : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0), Vec3(0, 0, 1),
+		                           Vec3(1, 0, 1), Vec3(1, 1, 1), Vec3(0, 1, 1)})
 			ids.push_back(maker.point(lo + edge * corner));
 		return ids;
 	};
@@ -271,8 +269,9 @@ Block twoToOne()
 	for (int k = 0; k < 2; ++k)
 		for (int j = 0; j < 2; ++j)
 		{
-			maker.cell(kHexahedron, {fine[0][j][k], fine[1][j][k], fine[1][j + 1][k], fine[0][j + 1][k], fine[0][j][k + 1],
-									 fine[1][j][k + 1], fine[1][j + 1][k + 1], fine[0][j + 1][k + 1]});
+			maker.cell(kHexahedron,
+			           {fine[0][j][k], fine[1][j][k], fine[1][j + 1][k], fine[0][j + 1][k], fine[0][j][k + 1],
+			            fine[1][j][k + 1], fine[1][j + 1][k + 1], fine[0][j + 1][k + 1]});
 			links.push_back({0, 1, maker.cells() - 1, 0});
 		}
 	return maker.block("two_to_one", std::move(links));
@@ -291,7 +290,7 @@ Block threeOnAFace()
 	maker.cell(kTetra, {a, b, c, above});
 	maker.cell(kTetra, {a, b, c, further});
 	maker.cell(kTetra, {a, c, b, below});
-	maker.cell(kTetra, {a, b, maker.point({0.5, -1, -0.5}), maker.point({0.5, -1, 0.5})});
+	maker.cell(kTetra, {a, b, maker.point({0.5, -1, 0.5}), maker.point({0.5, -1, -0.5})});
 	return maker.block("three_on_a_face");
 }
 
@@ -301,8 +300,9 @@ Block warpedHexahedra()
 	std::mt19937 random(3);
 	std::uniform_real_distribution<double> jitter(-0.4, 0.4);
 	CellListMaker maker;
-	const LatticeIds ids = addLattice(maker, n, [&](int i, int j, int k)
-									  { return Vec3(i + jitter(random), j + jitter(random), k + jitter(random)); });
+	const LatticeIds ids = addLattice(maker, n,
+	                                  [&](int i, int j, int k)
+	                                  { return Vec3(i + jitter(random), j + jitter(random), k + jitter(random)); });
 	forLattice(n, [&](int i, int j, int k) { maker.cell(kHexahedron, cornersAt(ids, n, i, j, k)); });
 	return maker.block("warped_hexahedra");
 }
@@ -398,11 +398,11 @@ Block explicitHexahedra(int n, bool (*keep)(int i, int j, int k))
 	CellListMaker maker;
 	const LatticeIds ids = addLattice(maker, n, [&](int i, int j, int k) { return Vec3(i, j, k) / double(n); });
 	forLattice(n,
-			   [&](int i, int j, int k)
-			   {
-				   if (keep(i, j, k))
-					   maker.cell(kHexahedron, cornersAt(ids, n, i, j, k));
-			   });
+	           [&](int i, int j, int k)
+	           {
+		           if (keep(i, j, k))
+			           maker.cell(kHexahedron, cornersAt(ids, n, i, j, k));
+	           });
 	return maker.block("hexahedra");
 }
 

@@ -8,8 +8,8 @@
 namespace vp::test
 {
 
-// One finished block of every kind of grid and of every hard place, small enough for brute force. Each has a point field
-// "linear" (float64, linearAt() of the point) and a cell field "id" (int64, the source number of the cell); the
+// One finished block of every kind of grid and of every hard place, small enough for brute force. Each has a point
+// field "linear" (float64, linearAt() of the point) and a cell field "id" (int64, the source number of the cell); the
 // demos have s and v before these. Built once.
 const std::vector<grid::Block>& allGrids();
 

@@ -100,11 +100,13 @@ TemporaryFolder::TemporaryFolder()
 	if (!mkdtemp(pattern.data()))
 		throw std::runtime_error("no temporary folder");
 	path_ = pattern;
+	std::filesystem::permissions(path_, std::filesystem::perms(0755));
 }
 
 TemporaryFolder::~TemporaryFolder()
 {
 	std::error_code ignored;
+	std::filesystem::permissions(path_, std::filesystem::perms(0755), ignored);
 	std::filesystem::remove_all(path_, ignored);
 }
 

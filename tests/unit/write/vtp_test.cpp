@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkVariant.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <cmath>
@@ -115,8 +116,9 @@ TEST_F(VtpTest, KeepsCellArrays)
 {
 	ASSERT_TRUE(write::writeSlice(sample_.blocks, sample_.meshes, folder_ / "cut.vtp"));
 	read(folder_ / "cut.vtp");
-	auto* ids = vtkTypeInt64Array::SafeDownCast(cellArray("id"));
+	vtkDataArray* ids = cellArray("id");
 	ASSERT_TRUE(ids);
+	EXPECT_EQ(ids->GetDataTypeSize(), 8);
 	ASSERT_TRUE(cellArray("flag") && cellArray(kOddName));
 	EXPECT_EQ(cellArray("flag")->GetDataType(), VTK_UNSIGNED_CHAR);
 	EXPECT_EQ(cellArray(kOddName)->GetNumberOfComponents(), 2);
@@ -124,11 +126,22 @@ TEST_F(VtpTest, KeepsCellArrays)
 	{
 		const auto source = static_cast<std::int64_t>(cellArray("vprobe:cell")->GetTuple1(p));
 		const bool first_block = cellArray("vprobe:block")->GetTuple1(p) == 0;
-		EXPECT_EQ(ids->GetValue(p), first_block ? kFirstId + source : 0);
+		EXPECT_EQ(ids->GetVariantValue(p).ToTypeInt64(), first_block ? kFirstId + source : 0);
 		EXPECT_EQ(cellArray("flag")->GetTuple1(p), static_cast<double>(first_block ? 200 + source % 50 : 7));
 		const double odd = cellArray(kOddName)->GetComponent(p, 0);
 		EXPECT_TRUE(first_block ? odd == 0.1 * static_cast<double>(source) : std::isnan(odd));
 	}
+}
+
+TEST_F(VtpTest, AnyNameComesThrough)
+{
+	std::vector<grid::Field>& fields = sample_.blocks.blocks[0].fields;
+	fields[0].name = "<s> & 'co' \"é\""; // in XML, these have a meaning
+	fields[1].name = "line\nend \xFF";   // these may not be there
+	ASSERT_TRUE(write::writeSlice(sample_.blocks, sample_.meshes, folder_ / "cut.vtp"));
+	read(folder_ / "cut.vtp");
+	EXPECT_TRUE(pointArray(fields[0].name.c_str()));
+	EXPECT_TRUE(pointArray("line_end _"));
 }
 
 TEST_F(VtpTest, AnEmptySliceIsAFileToo)

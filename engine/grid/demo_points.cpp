@@ -1,0 +1,56 @@
+#include "grid/demo_points.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace vp::grid::demo
+{
+
+std::vector<Field> fieldsAt(const Filled<float>& xyz)
+{
+	const std::size_t count = xyz.size / 3;
+	const FieldsOfPoints fields(count);
+	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
+	                  [&](const tbb::blocked_range<std::size_t>& range)
+	                  {
+		                  for (std::size_t p = range.begin(); p < range.end(); ++p)
+		                  {
+			                  const Vec3 at(xyz[3 * p], xyz[3 * p + 1], xyz[3 * p + 2]);
+			                  fields.set(p, std::sin(3.0 * at.x), std::cos(2.0 * at.y), at);
+		                  }
+	                  });
+	return fields.fields();
+}
+
+Filled<float> shellPoints(int n)
+{
+	const LatticePoints points(n);
+	std::vector<double> cos_lon(points.side);
+	std::vector<double> sin_lon(points.side);
+	std::vector<double> cos_lat(points.side);
+	std::vector<double> sin_lat(points.side);
+	for (std::size_t i = 0; i < points.side; ++i)
+	{
+		const double t = static_cast<double>(i) / n;
+		cos_lon[i] = std::cos(std::numbers::pi * t);
+		sin_lon[i] = std::sin(std::numbers::pi * t);
+		cos_lat[i] = std::cos(std::numbers::pi * (-0.45 + 0.9 * t));
+		sin_lat[i] = std::sin(std::numbers::pi * (-0.45 + 0.9 * t));
+	}
+	Filled<float> xyz(3 * points.count());
+	forRows(points.side,
+	        [&](std::size_t j, std::size_t k)
+	        {
+		        float* row = &xyz[3 * points(0, j, k)];
+		        for (std::size_t i = 0; i < points.side; ++i, row += 3)
+		        {
+			        const double r = 1.0 + 2.0 * static_cast<double>(i) / n;
+			        row[0] = static_cast<float>(r * cos_lat[k] * cos_lon[j]);
+			        row[1] = static_cast<float>(r * cos_lat[k] * sin_lon[j]);
+			        row[2] = static_cast<float>(r * sin_lat[k]);
+		        }
+	        });
+	return xyz;
+}
+
+} // namespace vp::grid::demo

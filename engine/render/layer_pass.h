@@ -1,0 +1,32 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/shader.h"
+#include "render/scene.h"
+#include "render/targets.h"
+
+namespace vp::render
+{
+
+// Draws each sheet's polygons into a layer of values of its own, with the hardware's rasterizer.
+class LayerPass
+{
+public:
+	static Result<LayerPass> create(gpu::Device& device);
+
+	// Descriptors for the scene's records; before record(), while no submission draws.
+	Status prepare(const Scene& scene);
+	// Leaves the layers ready to be sampled.
+	void record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter) const;
+
+private:
+	Status makeIndices(std::uint32_t records);
+
+	gpu::Device* device_ = nullptr;
+	gpu::Pipeline pipeline_;
+	gpu::DescriptorSets sets_;
+	gpu::Buffer indices_; // of as many records as the largest page has
+	std::vector<VkDescriptorSet> page_sets_; // in the order of sheets and their pages
+};
+
+} // namespace vp::render

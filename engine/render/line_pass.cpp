@@ -1,0 +1,124 @@
+#include "gpu/vulkan.h"
+
+#include "render/line_pass.h"
+
+#include "render/host_buffer.h"
+#include "render/picture_geometry.h"
+
+#include <algorithm>
+
+namespace vp::render
+{
+
+namespace
+{
+
+static_assert(sizeof(shared::LineSegment) == 24 && sizeof(shared::LinePush) == 84);
+
+// Of the nearer half of a line's width, so that edges within a sheet's plane are not eaten by rounding.
+constexpr float kDepthBias = 1.0005f;
+
+// Pixels; about 1.5 at a height of 720, and lines of large pictures keep their share.
+float lineWidth(const Look& look)
+{
+	return static_cast<float>(std::max(1.2, 1.5 * std::min(look.height / 720.0, look.width / 960.0)));
+}
+
+void store(float (&to)[3], const Vec3& from)
+{
+	for (int i = 0; i < 3; ++i)
+		to[i] = static_cast<float>(from[i]);
+}
+
+} // namespace
+
+Result<LinePass> LinePass::create(gpu::Device& device)
+{
+	gpu::GraphicsPipelineInfo info;
+	info.vertex_shader = "render_line.vert";
+	info.fragment_shader = "render_line.frag";
+	info.bindings = {{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
+	info.push_bytes = sizeof(shared::LinePush);
+	info.depth_format = kDepthFormat;
+	info.depth_test = true;
+	info.depth_write = true;
+	info.depth_compare = VK_COMPARE_OP_GREATER;
+	auto pipeline = gpu::Pipeline::create(device, info, "outline");
+	if (!pipeline)
+		return pipeline.error();
+	LinePass pass;
+	pass.device_ = &device;
+	pass.pipeline_ = std::move(*pipeline);
+	pass.sets_ = gpu::DescriptorSets(device, pass.pipeline_, "outline");
+	return pass;
+}
+
+Status LinePass::prepare(const Scene& scene)
+{
+	count_ = static_cast<std::uint32_t>(scene.outline.size());
+	if (count_ == 0)
+		return Nothing{};
+	Box box;
+	for (const Segment& s : scene.outline)
+	{
+		box.include(s.a);
+		box.include(s.b);
+	}
+	centre_ = box.centre();
+	if (Status room = makeRoom(*device_, segments_, sizeof(shared::LineSegment) * count_, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+							   "outline");
+		!room)
+		return room;
+	auto* segments = segments_.mappedAs<shared::LineSegment>();
+	for (const Segment& s : scene.outline)
+	{
+		store(segments->a, s.a - centre_);
+		store(segments->b, s.b - centre_);
+		++segments;
+	}
+	segments_.flush();
+	auto set = sets_.get(0);
+	if (!set)
+		return set.error();
+	gpu::DescriptorWriter().storageBuffer(0, segments_.handle()).write(*device_, *set);
+	set_ = *set;
+	return Nothing{};
+}
+
+void LinePass::record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter) const
+{
+	const gpu::ImageUse sampled{VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+								VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
+	targets.lines.transition(commands, {VK_IMAGE_LAYOUT_UNDEFINED, sampled.stages, sampled.access}, gpu::kDepthTarget);
+	VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+	depth.imageView = targets.lines.view();
+	depth.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
+	depth.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+	depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+	depth.clearValue.depthStencil.depth = 0.0f;
+	VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
+	rendering.renderArea.extent = targets.extent();
+	rendering.layerCount = 1;
+	rendering.pDepthAttachment = &depth;
+	vkCmdBeginRendering(commands, &rendering);
+	if (count_ > 0)
+	{
+		coverAll(commands, targets.extent());
+		pipeline_.bind(commands, set_);
+		const glm::dmat4 clip = clipMatrix(scene.camera, targets.extent(), centre_, jitter);
+		shared::LinePush push{};
+		for (int i = 0; i < 16; ++i)
+			push.clip[i] = static_cast<float>(clip[i / 4][i % 4]);
+		push.half_size[0] = 0.5f * static_cast<float>(targets.extent().width);
+		push.half_size[1] = 0.5f * static_cast<float>(targets.extent().height);
+		push.half_width = 0.5f * lineWidth(scene.look);
+		push.near_w = static_cast<float>(scene.camera.near);
+		push.depth_bias = kDepthBias;
+		pipeline_.push(commands, push);
+		vkCmdDraw(commands, count_ * shared::kSegmentCorners, 1, 0, 0);
+	}
+	vkCmdEndRendering(commands);
+	targets.lines.transition(commands, gpu::kDepthTarget, sampled);
+}
+
+} // namespace vp::render

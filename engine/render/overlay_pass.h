@@ -1,0 +1,33 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/shader.h"
+#include "render/overlay.h"
+#include "render/targets.h"
+
+namespace vp::render
+{
+
+// Draws the overlay's triangles over the picture, at its full resolution.
+class OverlayPass
+{
+public:
+	static Result<OverlayPass> create(gpu::Device& device);
+
+	Status prepare(const Overlay& overlay);
+	// Within a rendering into the picture.
+	void record(VkCommandBuffer commands, const Targets& targets) const;
+
+private:
+	gpu::Device* device_ = nullptr;
+	gpu::Pipeline pipeline_;
+	gpu::DescriptorSets sets_;
+	gpu::Sampler sampler_;
+	gpu::Image letters_;
+	gpu::Buffer vertices_;
+	gpu::Buffer indices_;
+	VkDescriptorSet set_ = VK_NULL_HANDLE;
+	std::uint32_t count_ = 0;
+};
+
+} // namespace vp::render

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "base/result.h"
+#include "render/picture.h"
+#include "render/scene.h"
+
+#include <memory>
+
+namespace vp
+{
+class Timeline;
+}
+namespace vp::gpu
+{
+class Device;
+}
+
+namespace vp::render
+{
+
+// Draws scenes without a window. Holds the pipelines and the images of the last size. One thread at a time.
+class Renderer
+{
+public:
+	static Result<Renderer> create(gpu::Device& device); // which outlives it
+	~Renderer();
+	Renderer(Renderer&&) noexcept;
+	Renderer& operator=(Renderer&&) noexcept;
+
+	// Each sheet into a layer of values, layers and outline into colours, the overlay over them; GPU sections "layers",
+	// "compose", "overlay" and "copy" on the timeline, where there is one. More sheets than shared::kMaxLayers are a usage error.
+	Result<Picture> draw(const Scene& scene, Timeline* timeline = nullptr);
+
+private:
+	struct Private;
+	explicit Renderer(std::unique_ptr<Private> made);
+
+	std::unique_ptr<Private> private_;
+};
+
+} // namespace vp::render

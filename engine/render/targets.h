@@ -1,0 +1,55 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/image.h"
+
+#include <vector>
+
+namespace vp::render
+{
+
+constexpr VkFormat kValueFormat = VK_FORMAT_R32_SFLOAT;
+constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
+constexpr VkFormat kPictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
+
+// Samples are summed by blending: in single precision where the device blends it, else in half, as every device does.
+VkFormat sumFormat(gpu::Device& device);
+
+// The images of one picture size: what is drawn into, summed up and handed out. Kept from picture to picture.
+class Targets
+{
+public:
+	Targets() = default;
+	static Result<Targets> create(gpu::Device& device, VkExtent2D extent, std::uint32_t layers);
+	~Targets();
+	Targets(Targets&& other) noexcept { swap(other); }
+	Targets& operator=(Targets&& other) noexcept
+	{
+		Targets taken(std::move(other));
+		swap(taken);
+		return *this;
+	}
+
+	bool holds(VkExtent2D extent, std::uint32_t layers) const;
+	VkExtent2D extent() const { return values.extent(); }
+	VkImageView layer(std::size_t i) const { return layer_views_[i]; } // to draw into
+	VkImageView layers() const { return layers_view_; }                // all, as an array
+
+	gpu::Image values; // a layer a sheet
+	gpu::Image lines;
+	gpu::Image sum;
+	gpu::Image picture; // colours multiplied by alpha
+	gpu::Buffer pixels; // the picture, for the host
+
+private:
+	void swap(Targets& other) noexcept;
+
+	gpu::Device* device_ = nullptr;
+	std::vector<VkImageView> layer_views_;
+	VkImageView layers_view_ = VK_NULL_HANDLE;
+};
+
+// Viewport and scissor over the whole of an extent.
+void coverAll(VkCommandBuffer commands, VkExtent2D extent);
+
+} // namespace vp::render

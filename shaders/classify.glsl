@@ -1,0 +1,323 @@
+// Decides the cells of a front against a plane and emits their polygons: one thread a cell, signs, case table, polygon.
+//
+// The CPU in double precision is the truth. A cell where the sign of a vertex, or the place of a polygon's vertex, is not certain
+// here gets kWordWalk and an empty record; the CPU then decides it. With doubles the distance is the CPU's own expression
+// on the same numbers, rounded alike, so that this happens next to points whose coordinates do not fit 41 bits only.
+//
+// Included with VP_REAL and VP_REAL3 defined as double or float, and VP_DOUBLES as 1 or 0.
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shared/classify_types.h"
+#include "shared/slice_types.h"
+
+layout(local_size_x = kClassifyGroupSize) in;
+
+layout(constant_id = kConstantCells) const uint kCells = kCellsLattice;
+layout(constant_id = kConstantPoints) const uint kPoints = kPointsFloat;
+
+layout(binding = kBindPoints) uniform usamplerBuffer points;
+layout(binding = kBindCells) uniform usamplerBuffer cells;
+layout(binding = kBindCases) uniform usamplerBuffer cases;
+layout(binding = kBindValues) uniform samplerBuffer values;
+layout(binding = kBindAxes) uniform usamplerBuffer axes;
+layout(binding = kBindFront, scalar) readonly buffer Front { uint front[]; };
+layout(binding = kBindWords, scalar) writeonly buffer Words { uint words[]; };
+layout(binding = kBindRecords, scalar) writeonly buffer Records { PolygonRecord records[]; };
+layout(binding = kBindLane, scalar) uniform Lane { ClassifyLane lane; };
+layout(push_constant, scalar) uniform Push { ClassifyPush push; };
+
+// Of the cell's vertices. Indexed by constants only: what pick() does instead costs software devices a fifth.
+uint vertex_id[8];
+float vertex_distance[8]; // the ends of a cut edge lie on both sides, so their difference is as good as they are
+vec2 vertex_uv[8];
+uint positive_mask = 0u; // bit v: vertex v is on the positive side
+uint exact_mask = 0u;    // its distance is the CPU's
+uint near_mask = 0u;     // it is so near the plane that an inexact distance leaves the sign open
+
+void setVertex(uint v, uint id, VP_REAL distance, bool exact, vec2 uv)
+{
+	vertex_id[v] = id;
+	vertex_distance[v] = float(distance);
+	vertex_uv[v] = uv;
+	positive_mask |= uint(distance >= 0.0) << v;
+	exact_mask |= uint(exact) << v;
+	near_mask |= uint(abs(vertex_distance[v]) <= lane.error) << v;
+}
+
+#define VP_PICK(type) \
+	type pick(type a[8], uint v) \
+	{ \
+		const bool odd = (v & 1u) != 0u; \
+		const bool upper = (v & 2u) != 0u; \
+		const type low = upper ? (odd ? a[3] : a[2]) : (odd ? a[1] : a[0]); \
+		const type high = upper ? (odd ? a[7] : a[6]) : (odd ? a[5] : a[4]); \
+		return (v & 4u) != 0u ? high : low; \
+	}
+VP_PICK(uint)
+VP_PICK(float)
+VP_PICK(vec2)
+
+#if VP_DOUBLES
+double fromHalves(uint low, uint high)
+{
+	return packDouble2x32(uvec2(low, high));
+}
+#define VP_DOUBLE3(field) dvec3(fromHalves(field[0], field[1]), fromHalves(field[2], field[3]), fromHalves(field[4], field[5]))
+#endif
+
+vec3 fromArray(float a[3])
+{
+	return vec3(a[0], a[1], a[2]);
+}
+
+// Sets distance and uv of a vertex from its point.
+void fetchPoint(uint v, uint id)
+{
+	const uvec4 stored = texelFetch(points, int(id));
+	precise VP_REAL3 from_origin;
+	bool exact = lane.exact != 0u;
+#if VP_DOUBLES
+	if (kPoints == kPointsFloat)
+		from_origin = dvec3(uintBitsToFloat(stored.xyz)) - VP_DOUBLE3(lane.origin);
+	else
+	{
+		const uvec3 low = (uvec3(stored.w) >> uvec3(0u, kFixedLowBits, 2u * kFixedLowBits)) & ((1u << kFixedLowBits) - 1u);
+		const dvec3 fixed_point = dvec3(ivec3(stored.xyz)) * double(1u << kFixedLowBits) + dvec3(ivec3(low));
+		precise dvec3 point = VP_DOUBLE3(lane.centre) + fixed_point * dvec3(fromArray(lane.unit));
+		from_origin = point - VP_DOUBLE3(lane.origin);
+		exact = exact && (stored.w & lane.inexact_mask) == 0u;
+	}
+	const dvec3 normal = VP_DOUBLE3(lane.normal);
+#else
+	if (kPoints == kPointsFloat)
+		from_origin = (uintBitsToFloat(stored.xyz) - fromArray(lane.single_origin_hi)) - fromArray(lane.single_origin_lo);
+	else
+		from_origin =
+			vec3(ivec3(stored.xyz)) * (fromArray(lane.unit) * float(1u << kFixedLowBits)) + fromArray(lane.single_centre);
+	const vec3 normal = fromArray(lane.single_normal);
+#endif
+	precise VP_REAL3 share = normal * from_origin;
+	precise VP_REAL distance = (share.x + share.y) + share.z;
+	const vec3 single = vec3(from_origin);
+	setVertex(v, id, distance, exact, vec2(dot(fromArray(lane.x_axis), single), dot(fromArray(lane.y_axis), single)));
+}
+
+// The share of a coordinate of an axis in the distance and in uv.
+struct AxisShare
+{
+	VP_REAL distance;
+	vec2 uv;
+};
+
+AxisShare fetchShare(uint axis, uint index)
+{
+	const uvec4 stored = texelFetch(axes, int(lane.axis_start[axis] + index));
+	AxisShare share;
+#if VP_DOUBLES
+	share.distance = packDouble2x32(stored.xy);
+#else
+	share.distance = uintBitsToFloat(stored.x);
+#endif
+	share.uv = uintBitsToFloat(stored.zw);
+	return share;
+}
+
+void setCorner(uint v, uint id, AxisShare x, AxisShare y, AxisShare z)
+{
+	precise VP_REAL distance = (x.distance + y.distance) + z.distance;
+	setVertex(v, id, distance, lane.exact != 0u, (x.uv + y.uv) + z.uv);
+}
+
+// With inverse = floor((2^32 - 1) / divisor) the product is at most one too small. Divisions are slow on software devices.
+uint divide(uint value, uint divisor, uint inverse)
+{
+	uint high, low;
+	umulExtended(value, inverse, high, low);
+	return value - high * divisor >= divisor ? high + 1u : high;
+}
+
+// Fetches the cell's vertices. Returns where its shape's cases start, and the number of vertices; 0 for a polyhedron.
+uint fetchCell(uint cell, out uint case_start)
+{
+	case_start = lane.table_start[3];
+	if (kCells == kCellsAxes || kCells == kCellsLattice)
+	{
+		const uint row = divide(cell, lane.cells_i, lane.inverse_i);
+		const uint i = cell - row * lane.cells_i;
+		const uint k = divide(row, lane.cells_j, lane.inverse_j);
+		const uint j = row - k * lane.cells_j;
+		const uint p = k * lane.points_layer + j * lane.points_i + i;
+		const uint next_row = lane.points_i;
+		const uint next_layer = lane.points_layer;
+		if (kCells == kCellsAxes)
+		{
+			const AxisShare x0 = fetchShare(0u, i), x1 = fetchShare(0u, i + 1u);
+			const AxisShare y0 = fetchShare(1u, j), y1 = fetchShare(1u, j + 1u);
+			const AxisShare z0 = fetchShare(2u, k), z1 = fetchShare(2u, k + 1u);
+			setCorner(0u, p, x0, y0, z0);
+			setCorner(1u, p + 1u, x1, y0, z0);
+			setCorner(2u, p + 1u + next_row, x1, y1, z0);
+			setCorner(3u, p + next_row, x0, y1, z0);
+			setCorner(4u, p + next_layer, x0, y0, z1);
+			setCorner(5u, p + 1u + next_layer, x1, y0, z1);
+			setCorner(6u, p + 1u + next_row + next_layer, x1, y1, z1);
+			setCorner(7u, p + next_row + next_layer, x0, y1, z1);
+		}
+		else
+		{
+			fetchPoint(0u, p);
+			fetchPoint(1u, p + 1u);
+			fetchPoint(2u, p + 1u + next_row);
+			fetchPoint(3u, p + next_row);
+			fetchPoint(4u, p + next_layer);
+			fetchPoint(5u, p + 1u + next_layer);
+			fetchPoint(6u, p + 1u + next_row + next_layer);
+			fetchPoint(7u, p + next_row + next_layer);
+		}
+		return 8u;
+	}
+	if (kCells == kCellsRecord4)
+	{
+		const uvec4 ids = texelFetch(cells, int(cell));
+		case_start = lane.table_start[0];
+		fetchPoint(0u, ids.x);
+		fetchPoint(1u, ids.y);
+		fetchPoint(2u, ids.z);
+		fetchPoint(3u, ids.w);
+		return 4u;
+	}
+	const uvec4 first = texelFetch(cells, int(2u * cell));
+	const uvec4 second = texelFetch(cells, int(2u * cell + 1u));
+	const uint shape = second.w >= kShapeMark ? second.w - kShapeMark : 3u;
+	if (shape > 3u)
+		return 0u;
+	case_start = lane.table_start[shape];
+	const uint vertices = shape == 3u ? 8u : 4u + shape; // tetrahedron, pyramid, wedge
+	fetchPoint(0u, first.x);
+	fetchPoint(1u, first.y);
+	fetchPoint(2u, first.z);
+	fetchPoint(3u, first.w);
+	if (vertices > 4u)
+		fetchPoint(4u, second.x);
+	if (vertices > 5u)
+		fetchPoint(5u, second.y);
+	if (vertices > 6u)
+	{
+		fetchPoint(6u, second.z);
+		fetchPoint(7u, second.w);
+	}
+	return vertices;
+}
+
+// Data linear along the edge; an end that has no part in the vertex does not bring its NaN to it.
+float alongEdge(float lower, float higher, float t)
+{
+	if (t == 0.0)
+		return lower;
+	if (t == 1.0)
+		return higher;
+	return max(lower, higher) >= kNanValue ? kNanValue : lower + t * (higher - lower);
+}
+
+float valueAlongEdge(uint lower, uint higher, float t)
+{
+	if (lane.components == 1u)
+	{
+		const float value = alongEdge(texelFetch(values, int(lower)).x, texelFetch(values, int(higher)).x, t);
+		return lane.magnitude != 0u ? abs(value) : value;
+	}
+	float sum = 0.0;
+	for (uint c = 0u; c < lane.components; ++c)
+	{
+		const float value = alongEdge(texelFetch(values, int(lower * lane.components + c)).x,
+									  texelFetch(values, int(higher * lane.components + c)).x, t);
+		if (value >= kNanValue)
+			return kNanValue;
+		sum += value * value;
+	}
+	return sqrt(sum);
+}
+
+float cellValue(uint cell)
+{
+	if (lane.components == 1u)
+	{
+		const float value = texelFetch(values, int(cell)).x;
+		return lane.magnitude != 0u ? abs(value) : value;
+	}
+	float sum = 0.0;
+	for (uint c = 0u; c < lane.components; ++c)
+	{
+		const float value = texelFetch(values, int(cell * lane.components + c)).x;
+		if (value >= kNanValue)
+			return kNanValue;
+		sum += value * value;
+	}
+	return sqrt(sum);
+}
+
+void leaveEmpty(uint i, uint cell)
+{
+	records[i].cell = cell;
+	records[i].vertices = 0u;
+}
+
+void main()
+{
+	const uint i = gl_GlobalInvocationID.x;
+	if (i >= push.count)
+	{
+		if (i < push.padded)
+			leaveEmpty(i, 0xFFFFFFFFu);
+		return;
+	}
+	const uint cell = front[i];
+
+	uint case_start;
+	const uint vertices = fetchCell(cell, case_start);
+	const bool certain = vertices != 0u && (near_mask & ~exact_mask) == 0u;
+	if (!certain)
+	{
+		words[i] = kWordWalk;
+		leaveEmpty(i, cell);
+		return;
+	}
+
+	const uvec4 entry = texelFetch(cases, int(case_start + positive_mask));
+	const uint edges = entry.x & 0xFFu;
+	bool walk = (entry.x >> 16) != 0u;
+
+	const float cell_value = lane.values == kValuesCell ? cellValue(cell) : lane.no_value;
+	for (uint e = 0u; e < kMaxRecordVertices; ++e)
+	{
+		if (e >= edges)
+			continue;
+		const uint pair = e < 2u ? entry.y : e < 4u ? entry.z : entry.w;
+		const uint ends = pair >> (16u * (e & 1u));
+		const uint a = ends & 0xFFu;
+		const uint b = (ends >> 8) & 0xFFu;
+		// From the lower point id: both cells of a face, and all cells about an edge, compute the same vertex.
+		const uint id_a = pick(vertex_id, a);
+		const uint id_b = pick(vertex_id, b);
+		const bool swap = id_a > id_b;
+		const uint lower = swap ? b : a;
+		const uint higher = swap ? a : b;
+		const float lower_distance = pick(vertex_distance, lower);
+		precise float difference = lower_distance - pick(vertex_distance, higher);
+		const bool exact = (exact_mask >> a & exact_mask >> b & 1u) != 0u;
+		walk = walk || (!exact && abs(difference) < lane.least_difference);
+		const float t = lower_distance / difference;
+		const vec2 lower_uv = pick(vertex_uv, lower);
+		const vec2 uv = lower_uv + t * (pick(vertex_uv, higher) - lower_uv);
+		const uint slot = lane.flipped != 0u ? edges - 1u - e : e;
+		records[i].uv[2u * slot] = uv.x;
+		records[i].uv[2u * slot + 1u] = uv.y;
+		records[i].value[slot] = lane.values == kValuesPoint
+									 ? valueAlongEdge(swap ? id_b : id_a, swap ? id_a : id_b, t)
+									 : cell_value;
+	}
+	records[i].cell = cell;
+	records[i].vertices = walk ? 0u : edges;
+	words[i] = walk ? kWordWalk
+					: positive_mask | (entry.x & 0xFF00u) << (kWordFacesShift - 8u) | (edges != 0u ? kWordCut : 0u);
+}

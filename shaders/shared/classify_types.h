@@ -1,0 +1,87 @@
+// What the GPU classifier hands to its shader. Four-byte fields, scalar layout; a double travels as its two halves, low first.
+#ifndef CLASSIFY_TYPES_H
+#define CLASSIFY_TYPES_H
+
+#include "portable.h"
+
+VP_SHARED_BEGIN
+
+VP_CONST uint kClassifyGroupSize = 64u; // one thread per cell of the front
+
+// Bindings of the classify shader.
+VP_CONST uint kBindPoints = 0u;  // texels, one a point
+VP_CONST uint kBindCells = 1u;   // texels, one (4 ids) or two (8 ids) a cell of an unstructured grid
+VP_CONST uint kBindCases = 2u;   // texels, one a case
+VP_CONST uint kBindValues = 3u;  // texels, `components` a point or cell
+VP_CONST uint kBindAxes = 4u;    // texels, see kCellsAxes
+VP_CONST uint kBindFront = 5u;   // cell ids in
+VP_CONST uint kBindWords = 6u;   // words out
+VP_CONST uint kBindRecords = 7u; // polygon records out
+VP_CONST uint kBindLane = 8u;    // ClassifyLane
+
+// Specialisation constants.
+VP_CONST uint kConstantCells = 0u;
+VP_CONST uint kConstantPoints = 1u;
+
+// How a cell finds its points.
+VP_CONST uint kCellsAxes = 0u;    // image and rectilinear grids: one texel per coordinate of each axis and lane, that holds
+                                  // the coordinate's share in the distance (double), in u and in v
+VP_CONST uint kCellsLattice = 1u; // curvilinear grids
+VP_CONST uint kCellsRecord4 = 2u; // unstructured grids of tetrahedra
+VP_CONST uint kCellsRecord8 = 3u; // other unstructured grids
+
+VP_CONST uint kShapeMark = 0xFFFFFFF0u; // grid::UnstructuredGrid's: the last id of a cell of fewer than 8 points
+
+// How a point is stored.
+VP_CONST uint kPointsFloat = 0u; // three floats, as the source has them
+VP_CONST uint kPointsFixed = 1u; // three signed numbers of 41 bits, from the block's centre: 32 upper bits each in x, y, z;
+                                 // in w 9 lower bits each, then three flags
+VP_CONST uint kFixedLowBits = 9u;
+VP_CONST uint kFixedInexactShift = 27u; // bit 27 + axis: the source is not exactly this number
+
+// What the values belong to.
+VP_CONST uint kValuesNone = 0u; // `no_value` everywhere
+VP_CONST uint kValuesPoint = 1u;
+VP_CONST uint kValuesCell = 2u;
+
+// One lane (a sheet in a block) for the length of a slice.
+struct ClassifyLane
+{
+	uint normal[6]; // of the plane, unit, canonical
+	uint origin[6]; // of the sheet
+	uint centre[6]; // of the block's fixed-point numbers
+	float unit[3];  // their unit, a power of two
+	float single_normal[3];   // the same in floats, for devices without doubles
+	float single_centre[3];   // centre - origin
+	float single_origin_hi[3];
+	float single_origin_lo[3];
+	float x_axis[3]; // of the sheet
+	float y_axis[3];
+	float error;            // bound of |distance here - distance on the CPU|, see distanceError()
+	float least_difference; // of the distances at the ends of a cut edge
+	uint inexact_mask;      // flags of the axes that the normal has a part in; 0: the distance is exact
+	uint exact;             // 1: points without flags give exactly the CPU's distance; 0: none does
+	uint cells_i;           // lattices
+	uint cells_j;
+	uint inverse_i; // floor((2^32 - 1) / cells_i)
+	uint inverse_j;
+	uint points_i;
+	uint points_layer;
+	uint axis_start[3];
+	uint table_start[4]; // of each shape in the case tables
+	uint values;         // kValuesNone …
+	uint components;     // texels a point or cell
+	uint magnitude;      // 1: the length of the interpolated tuple
+	float no_value;
+	uint flipped; // 1: the plane's normal is not the sheet's, so the polygons turn the other way
+};
+
+struct ClassifyPush
+{
+	uint count;  // cells
+	uint padded; // records written: those past `count` are empty
+};
+
+VP_SHARED_END
+
+#endif

@@ -1,0 +1,173 @@
+#include "read/child.h"
+#include "read/protocol.h"
+#include "read/read.h"
+#include "sample_files.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace vp;
+using namespace vp::read;
+
+namespace
+{
+
+// A reader that does what a script says, in place of vprobe-read.
+class ScriptedReader : public testing::Test
+{
+protected:
+	ScriptedReader()
+	{
+		writeContents(input_, "any");
+		limits_.memory = 256u << 20;
+		limits_.time = std::chrono::seconds(1);
+	}
+	~ScriptedReader() override { setReaderProgram({}); }
+
+	Result<HandedOver> run(const std::string& script, const ReadOptions& options = {})
+	{
+		const std::string program = folder_ / "reader.sh";
+		writeContents(program, "#!/bin/sh\n" + script + "\n");
+		std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+		setReaderProgram(program);
+		return runReader(input_, options, limits_);
+	}
+	void expectError(const std::string& script, ExitCode code, const std::string& message)
+	{
+		const auto start = std::chrono::steady_clock::now();
+		const auto handed = run(script);
+		ASSERT_FALSE(handed) << script;
+		EXPECT_EQ(handed.error().code, code) << script;
+		EXPECT_EQ(handed.error().message, message) << script;
+		EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5)) << script;
+	}
+
+	TemporaryFolder folder_;
+	std::string input_ = folder_ / "input.vtu";
+	InputLimits limits_;
+};
+
+} // namespace
+
+TEST_F(ScriptedReader, ThatCrashesIsAnInputError)
+{
+	expectError("kill -SEGV $$", ExitCode::input,
+	            input_ + ": the reader crashed (signal 11); the file is damaged or not what its ending says");
+	expectError("echo half >&4; kill -ABRT $$", ExitCode::input,
+	            input_ + ": the reader crashed (signal 6); the file is damaged or not what its ending says");
+}
+
+TEST_F(ScriptedReader, ThatHangsIsEnded)
+{
+	const std::string message = input_ + ": the reader ran over its time limit of 1 s";
+	expectError("sleep 60", ExitCode::input, message);
+	expectError("exec 2>&- 3>&- 4>&-; sleep 60", ExitCode::input, message);
+	expectError("sleep 60 & exit 0", ExitCode::input, message);
+	expectError("yes >&2", ExitCode::input, message);
+}
+
+TEST_F(ScriptedReader, ThatGivesUpIsAnInputErrorWithItsReason)
+{
+	expectError("echo chatter >&2; echo 'vprobe-read: no such thing' >&2; exit 2", ExitCode::input,
+	            input_ + ": no such thing");
+	expectError("echo chatter >&2; exit 2", ExitCode::input,
+	            input_ + ": the reader gave up (exit code 2); the file is damaged or not what its ending says");
+	limits_.time = std::chrono::seconds(10);
+	const auto greedy = run("x=$(head -c 400000000 /dev/zero | tr '\\0' x); exit 3");
+	ASSERT_FALSE(greedy);
+	EXPECT_EQ(greedy.error().code, ExitCode::input);
+}
+
+TEST_F(ScriptedReader, ThatWritesTooMuchIsEnded)
+{
+	limits_.time = std::chrono::seconds(20);
+	const auto handed = run("cat /dev/zero >&4");
+	ASSERT_FALSE(handed);
+	EXPECT_EQ(handed.error().code, ExitCode::input);
+	EXPECT_EQ(handed.error().message, input_ + ": describes more arrays than can be");
+
+	// The arrays are held to the memory's limit.
+	EXPECT_FALSE(run("cat /dev/zero >&3"));
+}
+
+TEST_F(ScriptedReader, ThatSaysNothingIsAnInputError)
+{
+	ASSERT_TRUE(run("exit 0"));
+	const auto set = readInputs({input_}, {}, nullptr);
+	ASSERT_FALSE(set);
+	EXPECT_EQ(set.error().code, ExitCode::input);
+}
+
+TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
+{
+	ReadOptions options;
+	options.time = {TimeChoice::Kind::value, 2.5};
+	options.solution = "some.q";
+	constexpr int leaked = 50;
+	ASSERT_EQ(dup2(STDERR_FILENO, leaked), leaked);
+	const auto handed = run("echo \"$1|$2|$3\" >&4; [ -e /proc/$$/fd/50 ] && echo leaked >&4; exit 0", options);
+	close(leaked);
+	ASSERT_TRUE(handed) << handed.error().message;
+	EXPECT_EQ(handed->manifest, "2.5|some.q|" + input_ + "\n");
+}
+
+TEST(ReaderProgram, ThatIsMissingIsNoInputError)
+{
+	const TemporaryFolder folder;
+	writeContents(folder / "a.vti", "x");
+	setReaderProgram(folder / "absent");
+	const auto set = readInputs({folder / "a.vti"}, {}, nullptr);
+	setReaderProgram({});
+	ASSERT_FALSE(set);
+	EXPECT_EQ(set.error().code, ExitCode::output);
+	EXPECT_EQ(set.error().message, "vprobe-read cannot be started: No such file or directory");
+}
+
+TEST(InputPath, ThatIsNoReadableFileIsAnInputError)
+{
+	const TemporaryFolder folder;
+	const auto reason = [&](const std::string& name)
+	{
+		const auto set = readInputs({folder / name}, {}, nullptr);
+		EXPECT_FALSE(set);
+		EXPECT_EQ(set.error().code, ExitCode::input);
+		EXPECT_TRUE(set.error().message.starts_with(folder / name));
+		return set.error().message.substr((folder / name).size());
+	};
+	EXPECT_EQ(reason("missing.vti"), ": no such file; check the path");
+	EXPECT_EQ(reason("."), ": a folder; name a file in it");
+	writeContents(folder / "empty.vtu", "");
+	EXPECT_EQ(reason("empty.vtu"), ": the file is empty");
+	writeContents(folder / "notes.txt", "no grid");
+	EXPECT_EQ(reason("notes.txt"), ": not a format that can be read (" + readableEndings() + ")");
+	writeContents(folder / "notes.vtu", "no grid");
+	EXPECT_EQ(reason("notes.vtu"), ": truncated or damaged: its first bytes are not those of a .vtu file");
+	ASSERT_EQ(mkfifo((folder / "pipe.vti").c_str(), 0600), 0);
+	EXPECT_EQ(reason("pipe.vti"), ": not a regular file; copy its contents to one");
+	if (geteuid() != 0)
+	{
+		writeContents(folder / "secret.vti", "x");
+		std::filesystem::permissions(folder / "secret.vti", std::filesystem::perms::none);
+		EXPECT_EQ(reason("secret.vti"), ": cannot be opened: Permission denied");
+	}
+}
+
+TEST(InputPath, LimitsFollowTheBytes)
+{
+	const TemporaryFolder folder;
+	writeContents(folder / "small.vti", "x");
+	writeContents(folder / "large.raw", "");
+	std::filesystem::resize_file(folder / "large.raw", 40u << 20);
+	writeContents(folder / "large.mhd", "x");
+	const auto small = inputLimits(folder / "small.vti", "");
+	const auto large = inputLimits(folder / "large.mhd", ""); // refers to its data
+	ASSERT_TRUE(small && large);
+	EXPECT_EQ(small->time.count(), 15);
+	EXPECT_EQ(large->time.count(), 25);
+	EXPECT_GE(large->memory, small->memory);
+}

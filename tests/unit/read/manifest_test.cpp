@@ -1,0 +1,321 @@
+#include "read/manifest.h"
+#include "read/protocol.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+using namespace vp;
+using namespace vp::read;
+using nlohmann::json;
+
+namespace
+{
+
+// A manifest and its arrays, as a child hands them over.
+class Made
+{
+public:
+	Made()
+	    : manifest_({{"version", 1}, {"times", {0.5}}, {"left_out", 0}, {"warnings", {"w"}}, {"blocks", json::array()}})
+	{
+	}
+
+	template <class T>
+	json array(const char* type, const std::vector<T>& values)
+	{
+		bytes_.resize((bytes_.size() + 63) / 64 * 64);
+		const std::size_t offset = bytes_.size();
+		bytes_.resize(offset + values.size() * sizeof(T));
+		if (!values.empty())
+			std::memcpy(bytes_.data() + offset, values.data(), values.size() * sizeof(T));
+		return {{"type", type}, {"offset", offset}, {"bytes", values.size() * sizeof(T)}};
+	}
+	json field(const char* name, const char* association, int components, json array)
+	{
+		array["name"] = name;
+		array["association"] = association;
+		array["components"] = components;
+		return array;
+	}
+	json& block(std::size_t b) { return manifest_["blocks"][b]; }
+	json& manifest() { return manifest_; }
+	std::string text() const { return manifest_.dump(); }
+	std::vector<std::byte>& bytes() { return bytes_; }
+
+	// Every value of an array of the manifest.
+	template <class T>
+	T* at(const json& array)
+	{
+		return reinterpret_cast<T*>(bytes_.data() + array["offset"].get<std::size_t>());
+	}
+
+	Result<CheckedInput> check() const { return check(text()); }
+	Result<CheckedInput> check(const std::string& text) const
+	{
+		// Copied, so that reading past the end shows under a sanitizer.
+		const auto copy = std::make_shared<std::vector<std::byte>>(bytes_);
+		return checkManifest(text, {copy, {copy->data(), copy->size()}});
+	}
+
+private:
+	json manifest_;
+	std::vector<std::byte> bytes_;
+};
+
+// An image, a rectilinear and a curvilinear block of 3 x 2 x 2 points, and a mesh of a tetrahedron, a pyramid as a
+// polyhedron and a triangle.
+Made makeManifest()
+{
+	Made made;
+	json& blocks = made.manifest()["blocks"];
+	const std::vector<float> f(12, 1.0f);
+	const std::vector<std::int16_t> g(2, 7);
+	const auto arrays = [&]
+	{
+		return json::array({made.field("f", "point", 1, made.array("float32", f)),
+		                    made.field("g", "cell", 1, made.array("int16", g))});
+	};
+	blocks.push_back({{"name", "image"},
+	                  {"kind", "image"},
+	                  {"points", {3, 2, 2}},
+	                  {"origin", {0.0, 1.0, 2.0}},
+	                  {"spacing", {1.0, 1.0, -1.0}}});
+	blocks.push_back({{"name", "rectilinear"}, {"kind", "rectilinear"}});
+	blocks.back()["axes"] = {made.array<double>("float64", {0.0, 0.5, 0.75}), made.array<double>("float64", {0.0, 1.0}),
+	                         made.array<double>("float64", {3.0, 1.0})};
+	blocks.push_back({{"name", "curvilinear"}, {"kind", "curvilinear"}, {"points", {3, 2, 2}}});
+	std::vector<double> xyz;
+	for (int p = 0; p < 12; ++p)
+		xyz.insert(xyz.end(), {double(p % 3), double(p / 3 % 2), double(p / 6)});
+	blocks.back()["coordinates"] = made.array("float64", xyz);
+	for (json& block : blocks)
+		block["arrays"] = arrays();
+
+	json mesh = {{"name", "mesh"}, {"kind", "unstructured"}};
+	mesh["coordinates"] =
+	    made.array<float>("float32", {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5f, 0.5f, 1, 0.5f, 0.5f, -1});
+	mesh["cells"] = {{"types", made.array<std::uint8_t>("uint8", {10, 42, 5})},
+	                 {"offsets", made.array<std::int64_t>("int64", {0, 4, 9, 12})},
+	                 {"connectivity", made.array<std::int64_t>("int64", {0, 1, 2, 5, 0, 1, 2, 3, 4, 0, 1, 2})},
+	                 {"face_offsets", made.array<std::int64_t>("int64", {0, 0, 22, 22})},
+	                 {"face_stream", made.array<std::int64_t>(
+	                                     "int64", {5, 4, 0, 3, 2, 1, 3, 0, 1, 4, 3, 1, 2, 4, 3, 2, 3, 4, 3, 3, 0, 4})}};
+	mesh["arrays"] = json::array({made.field("v", "point", 3, made.array("float64", std::vector<double>(18, 2.0))),
+	                              made.field("id", "cell", 1, made.array<std::int64_t>("int64", {0, 1, 2}))});
+	blocks.push_back(mesh);
+	return made;
+}
+
+void expectRefused(const Made& made, const char* what)
+{
+	const auto checked = made.check();
+	EXPECT_FALSE(checked) << what;
+	if (!checked)
+	{
+		EXPECT_EQ(checked.error().code, ExitCode::input) << what;
+		EXPECT_FALSE(checked.error().message.empty()) << what;
+	}
+}
+
+constexpr std::size_t kMesh = 3;
+
+} // namespace
+
+TEST(Manifest, ThatHoldsIsTakenWhole)
+{
+	const auto checked = makeManifest().check();
+	ASSERT_TRUE(checked) << checked.error().message;
+	ASSERT_EQ(checked->blocks.size(), 4u);
+	EXPECT_EQ(checked->times, std::vector<double>{0.5});
+	const auto& image = std::get<grid::UniformGrid>(checked->blocks[0].mesh);
+	EXPECT_EQ(image.point(11), Vec3(2.0, 2.0, 1.0));
+	const auto& rectilinear = std::get<grid::RectilinearGrid>(checked->blocks[1].mesh);
+	EXPECT_EQ(rectilinear.point(11), Vec3(0.75, 1.0, 1.0));
+	const auto& curvilinear = std::get<grid::CurvilinearGrid>(checked->blocks[2].mesh);
+	EXPECT_EQ(curvilinear.point(11), Vec3(2.0, 1.0, 1.0));
+	const auto& mesh = std::get<CellMesh>(checked->blocks[kMesh].mesh);
+	EXPECT_EQ(mesh.cells.types.size(), 3u);
+	EXPECT_EQ(checked->blocks[kMesh].fields[1].value(2, 0), 2.0);
+}
+
+TEST(Manifest, WithWrongArrayPlacesIsRefused)
+{
+	const std::uint64_t huge = std::numeric_limits<std::uint64_t>::max();
+	for (const json& value :
+	     {json(huge), json(huge - 63), json(std::uint64_t(1) << 40), json(-64), json(1), json(0.5), json("0"), json()})
+	{
+		Made made = makeManifest();
+		made.block(0)["arrays"][0]["offset"] = value;
+		expectRefused(made, "offset");
+		made = makeManifest();
+		made.block(kMesh)["cells"]["connectivity"]["offset"] = value;
+		expectRefused(made, "offset");
+	}
+	for (const json& value : {json(huge), json(0), json(44), json(52), json(-1), json(1e30), json()})
+	{
+		Made made = makeManifest();
+		made.block(0)["arrays"][0]["bytes"] = value;
+		expectRefused(made, "bytes");
+		made = makeManifest();
+		made.block(2)["coordinates"]["bytes"] = value;
+		expectRefused(made, "bytes");
+		made = makeManifest();
+		made.block(kMesh)["cells"]["types"]["bytes"] = value;
+		expectRefused(made, "bytes");
+	}
+	Made made = makeManifest();
+	made.bytes().resize(made.bytes().size() - 1);
+	expectRefused(made, "shorter memory");
+	made.bytes().clear();
+	expectRefused(made, "no memory");
+}
+
+TEST(Manifest, WithCountsThatOverflowIsRefused)
+{
+	for (const json& points :
+	     {json({1u << 31, 1u << 31, 4}), json({std::uint64_t(1) << 62, 4, 4}),
+	      json({std::uint64_t(1) << 32, std::uint64_t(1) << 32, 2}), json({3, 2, 1}), json({0, 2, 2}), json({-3, 2, 2}),
+	      json({3, 2}), json({2048, 2048, 1024}), json(12), json({6, 2, 2}), json({3.0, 2, 2})})
+		for (const std::size_t b : {0, 2})
+		{
+			Made made = makeManifest();
+			made.block(b)["points"] = points;
+			expectRefused(made, "points");
+		}
+	for (const json& components : {json(0), json(-1), json(2), json(1u << 31), json(std::uint64_t(1) << 62)})
+	{
+		Made made = makeManifest();
+		made.block(1)["arrays"][1]["components"] = components;
+		expectRefused(made, "components");
+	}
+}
+
+TEST(Manifest, WithWrongTypesOrWordsIsRefused)
+{
+	const auto refused = [](const char* what, auto&& change)
+	{
+		Made made = makeManifest();
+		change(made);
+		expectRefused(made, what);
+	};
+	refused("array type", [](Made& m) { m.block(0)["arrays"][0]["type"] = "float64"; });
+	refused("array type", [](Made& m) { m.block(0)["arrays"][0]["type"] = "float31"; });
+	refused("array type", [](Made& m) { m.block(0)["arrays"][0]["type"] = 7; });
+	refused("axis type", [](Made& m) { m.block(1)["axes"][0]["type"] = "float32"; });
+	refused("axes", [](Made& m) { m.block(1)["axes"].erase(2); });
+	refused("coordinate type", [](Made& m) { m.block(2)["coordinates"]["type"] = "int32"; });
+	refused("connectivity type", [](Made& m) { m.block(kMesh)["cells"]["connectivity"]["type"] = "int32"; });
+	refused("association", [](Made& m) { m.block(0)["arrays"][0]["association"] = "edge"; });
+	refused("association", [](Made& m) { m.block(0)["arrays"][0]["association"] = "cell"; });
+	refused("kind", [](Made& m) { m.block(0)["kind"] = "tree"; });
+	refused("no kind", [](Made& m) { m.block(0).erase("kind"); });
+	refused("no cells", [](Made& m) { m.block(kMesh).erase("cells"); });
+	refused("version", [](Made& m) { m.manifest()["version"] = 2; });
+	refused("blocks", [](Made& m) { m.manifest()["blocks"] = json::array(); });
+	refused("blocks", [](Made& m) { m.manifest()["blocks"] = 3; });
+	refused("times", [](Made& m) { m.manifest()["times"] = {"now"}; });
+	refused("spacing", [](Made& m) { m.block(0)["spacing"] = {1.0, 0.0, 1.0}; });
+	refused("spacing",
+	        [](Made& m)
+	        {
+		        m.block(0)["spacing"] = {1.0, 1e308, 1.0};
+		        m.block(0)["origin"] = {0.0, 1e308, 0.0};
+	        });
+	refused("spacing", [](Made& m) { m.block(0)["spacing"] = {1.0, nullptr, 1.0}; });
+	refused("origin", [](Made& m) { m.block(0)["origin"] = {1.0}; });
+	Made made = makeManifest();
+	for (const char* text : {"", "{", "[]", "null", "{}", "3", "\"\""})
+		EXPECT_FALSE(made.check(text)) << text;
+	EXPECT_FALSE(made.check(std::string(1 << 20, '[')));
+}
+
+TEST(Manifest, WithWrongCellsIsRefused)
+{
+	const auto refused = [](const char* what, const char* list, std::size_t i, std::int64_t value)
+	{
+		Made made = makeManifest();
+		made.at<std::int64_t>(made.block(kMesh)["cells"][list])[i] = value;
+		expectRefused(made, what);
+	};
+	const std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
+	for (const std::int64_t id : {std::int64_t(6), std::int64_t(-1), std::int64_t(1) << 32, lowest})
+	{
+		refused("tetrahedron's id", "connectivity", 3, id);
+		refused("polyhedron's id", "connectivity", 5, id);
+		refused("triangle's id", "connectivity", 11, id);
+		refused("face's id", "face_stream", 2, id);
+		refused("last face's id", "face_stream", 21, id);
+	}
+	refused("falling offsets", "offsets", 1, 10);
+	refused("negative offset", "offsets", 1, -4);
+	refused("first offset", "offsets", 0, 1);
+	refused("last offset", "offsets", 3, 13);
+	refused("tetrahedron of three points", "offsets", 1, 3);
+	refused("falling face offsets", "face_offsets", 2, -1);
+	refused("last face offset", "face_offsets", 3, 23);
+	refused("empty face stream", "face_offsets", 2, 0);
+	for (const std::int64_t count :
+	     {std::int64_t(0), std::int64_t(4), std::int64_t(6), std::int64_t(-5), lowest, -(lowest + 1)})
+		refused("faces", "face_stream", 0, count);
+	for (const std::int64_t size :
+	     {std::int64_t(0), std::int64_t(3), std::int64_t(5), std::int64_t(-4), lowest, lowest + 9})
+		refused("face size", "face_stream", 1, size);
+
+	for (const int type : {12, 14, 25, 38, 200, 72})
+	{
+		Made made = makeManifest();
+		made.at<std::uint8_t>(made.block(kMesh)["cells"]["types"])[0] = static_cast<std::uint8_t>(type);
+		expectRefused(made, "type");
+	}
+	Made made = makeManifest();
+	made.block(kMesh)["cells"].erase("face_offsets");
+	expectRefused(made, "polyhedron without faces");
+}
+
+TEST(Manifest, WithCoordinatesThatAreNoNumbersIsRefused)
+{
+	for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+	{
+		Made made = makeManifest();
+		made.at<double>(made.block(2)["coordinates"])[35] = value;
+		expectRefused(made, "curvilinear");
+		made = makeManifest();
+		made.at<float>(made.block(kMesh)["coordinates"])[0] = static_cast<float>(value);
+		expectRefused(made, "mesh");
+		made = makeManifest();
+		made.at<double>(made.block(1)["axes"][0])[1] = value;
+		expectRefused(made, "axis");
+	}
+	Made made = makeManifest();
+	made.at<double>(made.block(1)["axes"][0])[1] = 5.0;
+	expectRefused(made, "axis that turns back");
+}
+
+TEST(Manifest, WithFlippedBytesNeverCrashes)
+{
+	const Made whole = makeManifest();
+	const std::string text = whole.text();
+	std::mt19937 random(7);
+	std::size_t held = 0;
+	for (int round = 0; round < 20000; ++round)
+	{
+		std::string changed = text;
+		Made made = whole;
+		for (int flips = 1 + static_cast<int>(random() % 3); flips > 0; --flips)
+		{
+			if (round % 2 == 0)
+				changed[random() % changed.size()] = static_cast<char>("0123456789-.eE[]{}\",:\xff"[random() % 22]);
+			else
+				made.bytes()[random() % made.bytes().size()] ^= static_cast<std::byte>(1 << random() % 8);
+		}
+		const auto checked = made.check(changed);
+		held += static_cast<bool>(checked);
+		EXPECT_TRUE(checked || !checked.error().message.empty());
+	}
+	EXPECT_GT(held, 100u); // a flipped value is as good as another
+}

@@ -1,0 +1,156 @@
+#include "sliced_sheet.h"
+#include "test_grids.h"
+
+#include "base/timeline.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace vp::test
+{
+
+namespace
+{
+
+slice::SliceRequest requestOf(const std::vector<TestPlane>& planes)
+{
+	slice::SliceRequest request;
+	for (const TestPlane& plane : planes)
+		request.probe.sheets.push_back(probe::makeSheet(plane.origin, plane.normal));
+	return request;
+}
+
+std::vector<CellId> cellsOf(const traverse::LaneCut& cut)
+{
+	return sorted(cut.cells);
+}
+
+} // namespace
+
+TEST(Slicer, SheetsOfOneProbeAreCutAsIfAlone)
+{
+	const grid::BlockSet set = setOf(gridNamed("shell"));
+	slice::Slicer slicer(set);
+	const std::vector<TestPlane> planes = randomPlanes(set.bounds(), 6, 60);
+	const slice::Slice together = std::move(slicer.cut(requestOf(planes)).value());
+	ASSERT_EQ(together.sheets.size(), planes.size());
+	for (std::size_t s = 0; s < planes.size(); ++s)
+	{
+		const slice::Slice alone = std::move(slicer.cut(requestOf({planes[s]})).value());
+		EXPECT_EQ(together.sheets[s].cuts[0].cells, alone.sheets[0].cuts[0].cells);
+		EXPECT_EQ(together.sheets[s].cuts[0].words, alone.sheets[0].cuts[0].words);
+		EXPECT_EQ(together.mesh(set, s).positions, alone.mesh(set, 0).positions);
+	}
+}
+
+TEST(Slicer, SeveralSlicesMayBeUnderWay)
+{
+	const grid::BlockSet set = setOf(gridNamed("tets"));
+	slice::Slicer slicer(set);
+	const std::vector<TestPlane> planes = randomPlanes(set.bounds(), 12, 61);
+	std::vector<slice::SliceTicket> tickets;
+	for (const TestPlane& plane : planes)
+		tickets.push_back(slicer.begin(requestOf({plane, planes[0]})));
+	for (std::size_t i = planes.size(); i-- > 0;)
+	{
+		const slice::Slice slice = std::move(tickets[i].wait().value());
+		EXPECT_EQ(cellsOf(slice.sheets[0].cuts[0]), scanCutCells(set.blocks[0], planes[i]));
+		EXPECT_EQ(cellsOf(slice.sheets[1].cuts[0]), scanCutCells(set.blocks[0], planes[0]));
+	}
+}
+
+TEST(Slicer, ManyThreadsMayAskAtOnce)
+{
+	const grid::BlockSet set = setOf(gridNamed("mixed"));
+	slice::Slicer slicer(set);
+	std::vector<std::thread> threads;
+	for (unsigned t = 0; t < 4; ++t)
+		threads.emplace_back(
+		    [&, t]
+		    {
+			    for (const TestPlane& plane : randomPlanes(set.bounds(), 20, 62 + t))
+				    EXPECT_EQ(cut(slicer, plane).cutCells(), scanCutCells(set.blocks[0], plane));
+		    });
+	for (std::thread& thread : threads)
+		thread.join();
+}
+
+TEST(Slicer, ACancelledTicketEndsCleanly)
+{
+	const grid::BlockSet set = setOf(gridNamed("hexes"));
+	slice::Slicer slicer(set);
+	const std::vector<TestPlane> planes = randomPlanes(set.bounds(), 20, 66);
+	for (int i = 0; i < 20; ++i)
+	{
+		slice::SliceTicket dropped = slicer.begin(requestOf(planes));
+		slice::SliceTicket cancelled = slicer.begin(requestOf(planes));
+		cancelled.cancel();
+		const Result<slice::Slice> slice = cancelled.wait();
+		ASSERT_TRUE(slice);
+		for (std::size_t s = 0; s < planes.size(); ++s) // what was found until then is right
+			for (const CellId cell : cellsOf(slice->sheets[s].cuts[0]))
+				EXPECT_TRUE(isCut(set.blocks[0], cell, Side(planes[s])));
+	}
+}
+
+TEST(Slicer, BlocksAreCutEachForItself)
+{
+	grid::BlockSet set;
+	set.blocks = {gridNamed("blob"), gridNamed("u_shape"), gridNamed("two_pieces")};
+	slice::Slicer slicer(set);
+	for (const TestPlane& plane : randomPlanes(set.blocks[1].bounds, 20, 67))
+	{
+		const SlicedSheet sheet = cut(slicer, plane);
+		ASSERT_EQ(sheet.slice.cuts.size(), 3u);
+		for (std::size_t b = 0; b < 3; ++b)
+			EXPECT_EQ(sheet.cutCells(b), scanCutCells(set.blocks[b], plane));
+	}
+}
+
+TEST(Slicer, PiecesAreCounted)
+{
+	const grid::BlockSet pieces = setOf(gridNamed("two_pieces"));
+	slice::Slicer slicer(pieces);
+	const auto components = [&](const seed::SeedOptions& seeds) {
+		return slice::measure(pieces, cut(slicer, {{0.1, 0.45, 0.45}, {0.0, 0.3, 1.0}}, seeds).mesh, {}).components;
+	};
+	EXPECT_EQ(components({}), 2u);
+	EXPECT_EQ(components({seed::SeedMode::hotspot, seed::OutsidePolicy::nearest}), 1u);
+
+	const grid::BlockSet u = setOf(gridNamed("u_shape"));
+	slice::Slicer u_slicer(u);
+	const auto at = [&](double y) {
+		return slice::measure(u, cut(u_slicer, {{0.5, y, 0.5}, {0.0, 1.0, 0.0}}).mesh, {}).components;
+	};
+	EXPECT_EQ(at(0.1), 1u);
+	EXPECT_EQ(at(0.8), 2u);
+	EXPECT_EQ(at(1.1), 0u);
+}
+
+TEST(Slicer, TellsWhereTheTimeWent)
+{
+	const grid::BlockSet set = setOf(gridNamed("shell"));
+	slice::Slicer slicer(set);
+	Timeline timeline;
+	slice::SliceRequest request = requestOf({{set.bounds().centre(), {0.0, 0.0, 1.0}}});
+	request.timeline = &timeline;
+	ASSERT_TRUE(slicer.cut(request));
+	EXPECT_GT(timeline.total("seed"), 0.0);
+	EXPECT_GT(timeline.total("traverse"), 0.0);
+}
+
+TEST(Slicer, AnEmptyCutIsASliceToo)
+{
+	for (const grid::Block& block : allGrids())
+	{
+		const grid::BlockSet set = setOf(block);
+		slice::Slicer slicer(set);
+		const SlicedSheet sheet = cut(slicer, {block.bounds.hi + block.bounds.size(), {1.0, 1.0, 1.0}});
+		EXPECT_EQ(sheet.touched(), 0u);
+		EXPECT_EQ(sheet.mesh.polygons(), 0u);
+		EXPECT_EQ(sheet.mesh.polygon_starts.size(), 1u);
+	}
+}
+
+} // namespace vp::test
