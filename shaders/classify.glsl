@@ -14,6 +14,7 @@ layout(local_size_x = kClassifyGroupSize) in;
 
 layout(constant_id = kConstantCells) const uint kCells = kCellsLattice;
 layout(constant_id = kConstantPoints) const uint kPoints = kPointsFloat;
+layout(constant_id = kConstantValues) const uint kValues = kValuesNone;
 
 layout(binding = kBindPoints) uniform usamplerBuffer points;
 layout(binding = kBindCells) uniform usamplerBuffer cells;
@@ -30,6 +31,7 @@ layout(push_constant, scalar) uniform Push { ClassifyPush push; };
 uint vertex_id[8];
 float vertex_distance[8]; // the ends of a cut edge lie on both sides, so their difference is as good as they are
 vec2 vertex_uv[8];
+float vertex_value[8];   // kValuesPoint
 uint positive_mask = 0u; // bit v: vertex v is on the positive side
 uint exact_mask = 0u;    // its distance is the CPU's
 uint near_mask = 0u;     // it is so near the plane that an inexact distance leaves the sign open
@@ -39,6 +41,8 @@ void setVertex(uint v, uint id, VP_REAL distance, bool exact, vec2 uv)
 	vertex_id[v] = id;
 	vertex_distance[v] = float(distance);
 	vertex_uv[v] = uv;
+	if (kValues == kValuesPoint)
+		vertex_value[v] = texelFetch(values, int(id)).x;
 	positive_mask |= uint(distance >= 0.0) << v;
 	exact_mask |= uint(exact) << v;
 	near_mask |= uint(abs(vertex_distance[v]) <= lane.error) << v;
@@ -219,13 +223,8 @@ float alongEdge(float lower, float higher, float t)
 	return max(lower, higher) >= kNanValue ? kNanValue : lower + t * (higher - lower);
 }
 
-float valueAlongEdge(uint lower, uint higher, float t)
+float tupleAlongEdge(uint lower, uint higher, float t)
 {
-	if (lane.components == 1u)
-	{
-		const float value = alongEdge(texelFetch(values, int(lower)).x, texelFetch(values, int(higher)).x, t);
-		return lane.magnitude != 0u ? abs(value) : value;
-	}
 	float sum = 0.0;
 	for (uint c = 0u; c < lane.components; ++c)
 	{
@@ -240,20 +239,11 @@ float valueAlongEdge(uint lower, uint higher, float t)
 
 float cellValue(uint cell)
 {
-	if (lane.components == 1u)
-	{
-		const float value = texelFetch(values, int(cell)).x;
-		return lane.magnitude != 0u ? abs(value) : value;
-	}
-	float sum = 0.0;
-	for (uint c = 0u; c < lane.components; ++c)
-	{
-		const float value = texelFetch(values, int(cell * lane.components + c)).x;
-		if (value >= kNanValue)
-			return kNanValue;
-		sum += value * value;
-	}
-	return sqrt(sum);
+	if (kValues == kValuesCell)
+		return texelFetch(values, int(cell)).x;
+	if (kValues == kValuesCellTuple)
+		return tupleAlongEdge(cell, cell, 0.0);
+	return lane.no_value;
 }
 
 void leaveEmpty(uint i, uint cell)
@@ -287,7 +277,7 @@ void main()
 	const uint edges = entry.x & 0xFFu;
 	bool walk = (entry.x >> 16) != 0u;
 
-	const float cell_value = lane.values == kValuesCell ? cellValue(cell) : lane.no_value;
+	const float cell_value = cellValue(cell);
 	for (uint e = 0u; e < kMaxRecordVertices; ++e)
 	{
 		if (e >= edges)
@@ -312,9 +302,12 @@ void main()
 		const uint slot = lane.flipped != 0u ? edges - 1u - e : e;
 		records[i].uv[2u * slot] = uv.x;
 		records[i].uv[2u * slot + 1u] = uv.y;
-		records[i].value[slot] = lane.values == kValuesPoint
-									 ? valueAlongEdge(swap ? id_b : id_a, swap ? id_a : id_b, t)
-									 : cell_value;
+		float value = cell_value;
+		if (kValues == kValuesPoint)
+			value = alongEdge(pick(vertex_value, lower), pick(vertex_value, higher), t);
+		if (kValues == kValuesPointTuple)
+			value = tupleAlongEdge(swap ? id_b : id_a, swap ? id_a : id_b, t);
+		records[i].value[slot] = value;
 	}
 	records[i].cell = cell;
 	records[i].vertices = walk ? 0u : edges;

@@ -37,7 +37,7 @@ void main()
 	const vec4 clip_b = clipped(segment.b);
 	const vec4 a = inFront(clip_a, clip_b);
 	const vec4 b = inFront(clip_b, clip_a);
-	if (a.w < push.near_w || b.w < push.near_w)
+	if (max(clip_a.w, clip_b.w) <= push.near_w)
 	{
 		gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
 		return;

@@ -25,7 +25,7 @@ void ArrayWriter::append(const void* data, std::size_t bytes)
 	const char* from = static_cast<const char*>(data);
 	while (bytes > 0)
 	{
-		const ssize_t written = pwrite(vp::read::kArraysFd, from, bytes, static_cast<off_t>(position_));
+		const ssize_t written = pwrite(memory_, from, bytes, static_cast<off_t>(position_));
 		if (written < 0 && errno == EINTR)
 			continue;
 		if (written < 0 && (errno == EFBIG || errno == ENOSPC || errno == ENOMEM))

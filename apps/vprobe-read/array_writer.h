@@ -8,10 +8,12 @@
 #include <cstdint>
 #include <span>
 
-// Writes arrays one after the other into the shared memory the parent gave, and describes each for the manifest.
+// Writes arrays one after the other into a shared memory the parent gave, and describes each for the manifest.
 class ArrayWriter
 {
 public:
+	explicit ArrayWriter(int memory) : memory_(memory) {}
+
 	nlohmann::json write(vp::grid::NumberType type, const void* data, std::size_t bytes);
 
 	// The same in pieces, for arrays that are converted on the way.
@@ -20,6 +22,7 @@ public:
 	nlohmann::json end(vp::grid::NumberType type);
 
 private:
+	int memory_; // a file descriptor
 	std::size_t start_ = 0;
 	std::size_t position_ = 0;
 };

@@ -7,6 +7,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
+#include <string>
 #include <string_view>
 
 namespace
@@ -58,11 +59,6 @@ void installComplaints()
 	vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 	vtkNew<ComplaintWindow> window;
 	vtkOutputWindow::SetInstance(window);
-}
-
-const std::string& firstComplaint()
-{
-	return first_complaint;
 }
 
 void refuseOnComplaint()

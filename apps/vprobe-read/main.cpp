@@ -62,7 +62,8 @@ void sendManifest(const std::string& text)
 
 int main(int argc, char** argv)
 {
-	if (argc != 4 || fcntl(vp::read::kArraysFd, F_GETFD) < 0 || fcntl(vp::read::kManifestFd, F_GETFD) < 0)
+	const auto is_open = [](int fd) { return fcntl(fd, F_GETFD) >= 0; };
+	if (argc != 4 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
 	{
 		std::fprintf(stderr, "vprobe-read is started by vprobe to read files; run vprobe info FILE instead\n");
 		return 1;

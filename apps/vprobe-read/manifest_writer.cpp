@@ -1,6 +1,5 @@
 #include "manifest_writer.h"
 
-#include "read/protocol.h"
 #include "refusal.h"
 #include "structured_blocks.h"
 
@@ -98,10 +97,10 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* data)
 	json block;
 	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
 	{
-		json cells = writeCells(writer_, grid, counts_);
+		json cells = writeCells(cell_writer_, grid, counts_);
 		if (cells.is_null())
 			return;
-		block = {{"kind", "unstructured"}, {"coordinates", writeCoordinates(writer_, grid->GetPoints())}};
+		block = {{"kind", "unstructured"}, {"coordinates", writeCoordinates(cell_writer_, grid->GetPoints())}};
 		block["cells"] = std::move(cells);
 	}
 	else if (!describeLattice(data, block))

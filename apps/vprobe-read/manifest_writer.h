@@ -2,6 +2,7 @@
 
 #include "array_writer.h"
 #include "cell_lists.h"
+#include "read/protocol.h"
 
 #include <nlohmann/json.hpp>
 
@@ -28,7 +29,8 @@ private:
 	bool describeLattice(vtkDataSet* data, nlohmann::json& block);
 	nlohmann::json describeArrays(vtkDataSet* data);
 
-	ArrayWriter writer_;
+	ArrayWriter writer_{vp::read::kArraysFd};
+	ArrayWriter cell_writer_{vp::read::kCellsFd};
 	nlohmann::json blocks_ = nlohmann::json::array();
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;

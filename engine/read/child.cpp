@@ -77,6 +77,7 @@ struct ChildSetup
 	int errors;
 	int arrays;
 	int manifest;
+	int cells;
 	pid_t parent;
 	rlimit memory;
 	rlimit time;
@@ -94,7 +95,8 @@ struct ChildSetup
 	dup2(setup.errors, STDERR_FILENO);
 	dup2(setup.arrays, kArraysFd);
 	dup2(setup.manifest, kManifestFd);
-	close_range(kManifestFd + 1, UINT_MAX, 0);
+	dup2(setup.cells, kCellsFd);
+	close_range(kCellsFd + 1, UINT_MAX, 0);
 
 	const rlimit none = {0, 0};
 	setrlimit(RLIMIT_CORE, &none);
@@ -102,6 +104,12 @@ struct ChildSetup
 	setrlimit(RLIMIT_FSIZE, &setup.memory);
 	if (kLimitAddressSpace)
 		setrlimit(RLIMIT_AS, &setup.memory);
+	// Where memory runs out after all, this process is the one to go.
+	if (const int score = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); score >= 0)
+	{
+		[[maybe_unused]] const ssize_t written = write(score, "1000", 4);
+		close(score);
+	}
 	// The parent may have blocked or ignored signals, which exec would pass on.
 	sigset_t no_signals;
 	sigemptyset(&no_signals);
@@ -277,10 +285,11 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 		return program.error();
 
 	const Descriptor arrays = lifted(memfd_create("vprobe-arrays", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+	const Descriptor cells = lifted(memfd_create("vprobe-cells", MFD_CLOEXEC | MFD_ALLOW_SEALING));
 	const Descriptor null = lifted(open("/dev/null", O_RDWR | O_CLOEXEC));
 	Pipe manifest = makePipe();
 	Pipe errors = makePipe();
-	if (!arrays || !null || !manifest.write_end || !errors.write_end)
+	if (!arrays || !cells || !null || !manifest.write_end || !errors.write_end)
 		return notStarted(std::strerror(errno));
 
 	std::string name = "vprobe-read";
@@ -294,6 +303,7 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	setup.errors = errors.write_end.get();
 	setup.arrays = arrays.get();
 	setup.manifest = manifest.write_end.get();
+	setup.cells = cells.get();
 	setup.parent = getpid();
 	setup.memory = limitOf(limits.memory, RLIMIT_AS);
 	// A stalled disk shows on the wall clock only; this one ends a child whose parent was stopped.
@@ -319,8 +329,8 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	if (!WIFEXITED(reader.status) || WEXITSTATUS(reader.status) != 0)
 		return explain(file, reader, limits);
 
-	HandedOver handed{std::move(reader.manifest), mapSealed(arrays)};
-	if (!handed.arrays.owner)
+	HandedOver handed{std::move(reader.manifest), mapSealed(arrays), mapSealed(cells)};
+	if (!handed.arrays.owner || !handed.cells.owner)
 		return Error{ExitCode::input,
 		             fmt::format("{}: the reader's arrays cannot be mapped: {}", file, std::strerror(errno))};
 	return handed;

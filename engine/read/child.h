@@ -10,11 +10,12 @@
 namespace vp::read
 {
 
-// What the child handed over. Neither part is checked yet.
+// What the child handed over. No part of it is checked yet.
 struct HandedOver
 {
 	std::string manifest;
 	SharedBytes arrays;
+	SharedBytes cells;
 };
 
 // Runs vprobe-read on one file, within its limits. Whatever goes wrong with the child is an error that names the file.

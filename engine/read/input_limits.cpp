@@ -17,11 +17,11 @@ namespace
 
 namespace fs = std::filesystem;
 
-// The libraries of the readers map 0.3 GiB before the first byte is read; ASCII and compressed files grow when read (a
-// 256^3 volume of mostly zeros by 46), and a reader may hold its data twice while it works.
+// The libraries of the readers map 0.3 GiB before the first byte is read. Deflate packs up to 1032 bytes into one, so
+// only small files are held to less than the machine has.
 constexpr std::uint64_t kBaseMemory = std::uint64_t(2) << 30;
-constexpr std::uint64_t kMemoryPerByte = 64;
-// The slowest reader measured, ASCII XML, takes in 20 MB/s; slower disks and busy machines have a fifth of that to use.
+constexpr std::uint64_t kMemoryPerByte = 1032;
+// The slowest reader measured, of ASCII XML, takes in 50 MB/s. A slow disk or a busy machine has 12 times as long.
 constexpr std::chrono::seconds kBaseTime{15};
 constexpr std::uint64_t kBytesPerSecond = 4u << 20;
 // Of a folder's files that are counted for an input that refers to others.

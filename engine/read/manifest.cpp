@@ -82,7 +82,7 @@ std::array<std::uint32_t, 3> latticeOf(const std::array<std::uint64_t, 3>& point
 class Checker
 {
 public:
-	explicit Checker(const SharedBytes& arrays) : arrays_(arrays) {}
+	Checker(const SharedBytes& arrays, const SharedBytes& cells) : arrays_(arrays), cells_(cells) {}
 
 	CheckedInput check(const json& manifest)
 	{
@@ -104,32 +104,34 @@ public:
 
 private:
 	// The bytes of an array that holds so many numbers of its type.
-	Array<std::byte> bytesOf(const json& array, NumberType type, std::uint64_t numbers)
+	static Array<std::byte> bytesOf(const SharedBytes& memory, const json& array, NumberType type,
+	                                std::uint64_t numbers)
 	{
 		const std::uint64_t offset = countOf(array.at("offset"));
 		const std::uint64_t bytes = countOf(array.at("bytes"));
-		if (offset % kArrayAlignment != 0 || offset > arrays_.bytes.size() || bytes > arrays_.bytes.size() - offset)
+		if (offset % kArrayAlignment != 0 || offset > memory.bytes.size() || bytes > memory.bytes.size() - offset)
 			throw Unusable("an array lies outside what was handed over");
 		if (bytes % byteSize(type) != 0 || (numbers != kAnyCount && bytes / byteSize(type) != numbers))
 			throw Unusable("an array has another size than it should");
-		return {arrays_.owner, arrays_.bytes.data() + offset, static_cast<std::size_t>(bytes)};
+		return {memory.owner, memory.bytes.data() + offset, static_cast<std::size_t>(bytes)};
 	}
 
 	template <class T>
-	Array<T> numbersOf(const json& array, NumberType type, std::uint64_t numbers = kAnyCount)
+	static Array<T> numbersOf(const SharedBytes& memory, const json& array, NumberType type,
+	                          std::uint64_t numbers = kAnyCount)
 	{
 		if (numberTypeOf(array.at("type").get<std::string>()) != type)
 			throw Unusable("an array has another number type than it should");
-		const Array<std::byte> bytes = bytesOf(array, type, numbers);
-		return {arrays_.owner, reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
+		const Array<std::byte> bytes = bytesOf(memory, array, type, numbers);
+		return {memory.owner, reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
 	}
 
-	grid::Points coordinatesOf(const json& array, std::uint64_t points = kAnyCount)
+	static grid::Points coordinatesOf(const SharedBytes& memory, const json& array, std::uint64_t points = kAnyCount)
 	{
 		const std::uint64_t numbers = points == kAnyCount ? kAnyCount : points * 3;
 		const bool is_double = array.at("type") == "float64";
-		grid::Points checked = is_double ? grid::Points(numbersOf<double>(array, NumberType::float64, numbers))
-		                                 : grid::Points(numbersOf<float>(array, NumberType::float32, numbers));
+		grid::Points checked = is_double ? grid::Points(numbersOf<double>(memory, array, NumberType::float64, numbers))
+		                                 : grid::Points(numbersOf<float>(memory, array, NumberType::float32, numbers));
 		if (countOf(array.at("bytes")) != checked.size() * 3 * (is_double ? 8 : 4))
 			throw Unusable("points without three coordinates");
 		if (checked.size() >= kMaxBlockIds)
@@ -141,18 +143,19 @@ private:
 	CellMesh cellMeshOf(const json& block)
 	{
 		CellMesh mesh;
-		mesh.points = coordinatesOf(block.at("coordinates"));
+		mesh.points = coordinatesOf(cells_, block.at("coordinates"));
 		const json& lists = block.at("cells");
-		mesh.cells.types = numbersOf<std::uint8_t>(lists.at("types"), NumberType::uint8);
+		mesh.cells.types = numbersOf<std::uint8_t>(cells_, lists.at("types"), NumberType::uint8);
 		const std::size_t cells = mesh.cells.types.size();
 		if (cells == 0 || cells >= kMaxBlockIds)
 			throw Unusable(fmt::format("a block of {} cells cannot be held", cells));
-		mesh.cells.offsets = numbersOf<std::int64_t>(lists.at("offsets"), NumberType::int64, cells + 1);
-		mesh.cells.connectivity = numbersOf<std::int64_t>(lists.at("connectivity"), NumberType::int64);
+		mesh.cells.offsets = numbersOf<std::int64_t>(cells_, lists.at("offsets"), NumberType::int64, cells + 1);
+		mesh.cells.connectivity = numbersOf<std::int64_t>(cells_, lists.at("connectivity"), NumberType::int64);
 		if (lists.contains("face_offsets"))
 		{
-			mesh.cells.face_offsets = numbersOf<std::int64_t>(lists.at("face_offsets"), NumberType::int64, cells + 1);
-			mesh.cells.face_stream = numbersOf<std::int64_t>(lists.at("face_stream"), NumberType::int64);
+			mesh.cells.face_offsets =
+			    numbersOf<std::int64_t>(cells_, lists.at("face_offsets"), NumberType::int64, cells + 1);
+			mesh.cells.face_stream = numbersOf<std::int64_t>(cells_, lists.at("face_stream"), NumberType::int64);
 		}
 		checkCells(mesh.cells, mesh.points.size());
 		return mesh;
@@ -195,8 +198,8 @@ private:
 			std::array<Array<double>, 3> axes;
 			for (int axis = 0; axis < 3; ++axis)
 			{
-				axes[axis] =
-				    numbersOf<double>(block.at("axes").at(static_cast<std::size_t>(axis)), NumberType::float64);
+				axes[axis] = numbersOf<double>(arrays_, block.at("axes").at(static_cast<std::size_t>(axis)),
+				                               NumberType::float64);
 				checkAxis(axes[axis]);
 			}
 			lattice = latticeOf({axes[0].size(), axes[1].size(), axes[2].size()});
@@ -206,7 +209,7 @@ private:
 		{
 			lattice = latticeOfBlock(block);
 			const std::uint64_t wanted = std::uint64_t(lattice[0]) * lattice[1] * lattice[2];
-			checked.mesh = grid::CurvilinearGrid(lattice, coordinatesOf(block.at("coordinates"), wanted));
+			checked.mesh = grid::CurvilinearGrid(lattice, coordinatesOf(arrays_, block.at("coordinates"), wanted));
 		}
 		else
 			throw Unusable("a block is of an unknown kind");
@@ -234,22 +237,23 @@ private:
 				throw Unusable(fmt::format("the array {} has {} components", field.name, components));
 			field.components = static_cast<int>(components);
 			field.type = numberTypeOf(array.at("type").get<std::string>());
-			field.bytes = bytesOf(array, field.type, components * (association == "point" ? points : cells));
+			field.bytes = bytesOf(arrays_, array, field.type, components * (association == "point" ? points : cells));
 			checked.fields.push_back(std::move(field));
 		}
 		return checked;
 	}
 
 	const SharedBytes& arrays_;
+	const SharedBytes& cells_;
 };
 
 } // namespace
 
-Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays)
+Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells)
 {
 	try
 	{
-		return Checker(arrays).check(json::parse(text));
+		return Checker(arrays, cells).check(json::parse(text));
 	}
 	catch (const Unusable& unusable)
 	{

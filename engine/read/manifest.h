@@ -42,6 +42,6 @@ struct CheckedInput
 // Checks a manifest and every array it names against the bytes that were handed over. Nothing in either is trusted:
 // counts may overflow, arrays may lie outside, ids may point anywhere, coordinates may be no numbers. The error's
 // message is the reason alone.
-Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays);
+Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells);
 
 } // namespace vp::read

@@ -9,8 +9,9 @@ namespace vp::read
 
 // What vprobe-read and its parent agree on. The child is started as
 //   vprobe-read TIME SOLUTION FILE
-// with TIME last, first or a number, and SOLUTION empty or a PLOT3D q file. It writes arrays into kArraysFd, each at a
-// multiple of kArrayAlignment, and one JSON manifest that describes them into kManifestFd:
+// with TIME last, first or a number, and SOLUTION empty or a PLOT3D q file. It writes arrays into two shared memories,
+// each array at a multiple of kArrayAlignment: kCellsFd takes the points and cells of unstructured blocks, which are
+// needed no more once a grid is built, kArraysFd all else. One JSON manifest that describes them goes into kManifestFd:
 //
 //   {"version", "times": [..], "left_out": cells, "warnings": [..], "blocks": [{"name", "kind", "arrays": [..], ..}]}
 //   image         "points": [nx, ny, nz], "origin": [..], "spacing": [..]
@@ -23,6 +24,7 @@ namespace vp::read
 constexpr int kProtocolVersion = 1;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
+constexpr int kCellsFd = 5;
 constexpr std::size_t kArrayAlignment = 64;
 
 // A child that refuses its input ends with this exit code and a last line on standard error that starts with this mark.

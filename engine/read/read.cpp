@@ -53,7 +53,7 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 		const Result<HandedOver> handed = runReader(file, options, *limits);
 		if (!handed)
 			return handed.error();
-		Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays);
+		Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays, handed->cells);
 		if (!checked)
 			return Error{ExitCode::input, fmt::format("{}: truncated or damaged: {}", file, checked.error().message)};
 		input = std::move(*checked);

@@ -23,6 +23,8 @@ std::size_t letters(const std::string& utf8)
 		std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
 }
 
+constexpr double kLongestBar = 32.0; // em
+
 void layOutLegend(const Look& look, const ValueScale& values, Layout& layout)
 {
 	const double em = layout.em;
@@ -31,8 +33,9 @@ void layOutLegend(const Look& look, const ValueScale& values, Layout& layout)
 
 	layout.cap = look.range ? 0.9 * em : 0.0;
 	const double title_lines = 2.0; // a third grows upwards
-	const double top = std::max(0.16 * height, layout.margin + kLineHeight * em * (title_lines + 2.5));
-	const double bottom = std::min(0.84 * height, height - layout.margin - 3.2 * em);
+	const double half = std::min(0.34 * height, 0.5 * kLongestBar * em);
+	const double top = std::max(0.5 * height - half, layout.margin + kLineHeight * em * (title_lines + 2.5));
+	const double bottom = std::min(0.5 * height + half, height - layout.margin - 3.2 * em);
 	layout.ticks = makeTicks(lo, hi, std::clamp(static_cast<int>((bottom - top) / (2.5 * em)), 2, 9));
 
 	std::size_t label_letters = 3; // "NaN"

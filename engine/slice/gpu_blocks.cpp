@@ -133,6 +133,7 @@ GpuBlocks::GpuBlocks(gpu::Device& device, const grid::BlockSet& set, const GpuBl
 GpuBlocks::~GpuBlocks() = default;
 
 Result<std::unique_ptr<GpuBlocks>> GpuBlocks::create(gpu::Device& device, const grid::BlockSet& blocks,
+                                                     const std::optional<FieldChoice>& field,
                                                      const GpuBlocksOptions& options)
 {
 	std::unique_ptr<GpuBlocks> made(new GpuBlocks(device, blocks, options));
@@ -149,8 +150,8 @@ Result<std::unique_ptr<GpuBlocks>> GpuBlocks::create(gpu::Device& device, const 
 		return done.error();
 	if (Status done = made->uploadBlocks(); !done)
 		return done.error();
-	if (Status done = made->makePipelines(); !done)
-		return done.error();
+	if (Result<std::shared_ptr<const GpuField>> values = made->field(field); !values)
+		return values.error();
 	return made;
 }
 
@@ -275,14 +276,19 @@ Result<std::shared_ptr<const GpuField>> GpuBlocks::field(const std::optional<Fie
 	auto made = std::make_shared<GpuField>();
 	made->choice = choice;
 	made->blocks.resize(blocks_.size());
-	for (std::size_t b = 0; choice && b < blocks_.size(); ++b)
+	for (std::size_t b = 0; b < blocks_.size(); ++b)
 	{
 		if (!blocks_[b])
 			continue;
-		Result<GpuValues> values = uploadValues(set_.blocks[b], *choice);
-		if (!values)
-			return values.error();
-		made->blocks[b] = std::move(*values);
+		if (choice)
+		{
+			Result<GpuValues> values = uploadValues(set_.blocks[b], *choice);
+			if (!values)
+				return values.error();
+			made->blocks[b] = std::move(*values);
+		}
+		if (Status piped = makePipeline(*blocks_[b], made->blocks[b]); !piped)
+			return piped.error();
 	}
 	field_ = made;
 	return field_;
@@ -295,10 +301,13 @@ Result<GpuValues> GpuBlocks::uploadValues(const grid::Block& block, const FieldC
 	if (!field)
 		return made;
 	const bool on_points = choice.association == grid::Association::point;
-	made.association = on_points ? shared::kValuesPoint : shared::kValuesCell;
-	made.magnitude = choice.component == grid::kMagnitude;
-	made.components = made.magnitude ? static_cast<std::uint32_t>(field->components) : 1;
-	const int first = made.magnitude ? 0 : choice.component;
+	const bool tuple = choice.component == grid::kMagnitude;
+	if (on_points)
+		made.kind = tuple ? shared::kValuesPointTuple : shared::kValuesPoint;
+	else
+		made.kind = tuple ? shared::kValuesCellTuple : shared::kValuesCell;
+	made.components = tuple ? static_cast<std::uint32_t>(field->components) : 1;
+	const int first = tuple ? 0 : choice.component;
 	const auto upload = [&](const auto& grid) -> Status
 	{
 		const std::size_t tuples = on_points ? grid.pointCount() : grid.cellCount();
@@ -311,10 +320,10 @@ Result<GpuValues> GpuBlocks::uploadValues(const grid::Block& block, const FieldC
 		    device_, tuples * made.components, VK_FORMAT_R32_SFLOAT, block.name + " values", made.buffer, made.texels,
 		    [&](std::size_t i, float& texel)
 		    {
-			    const std::size_t tuple = i / made.components;
-			    const std::size_t source = on_points ? grid.sourcePoint(static_cast<PointId>(tuple))
-			                                         : grid.sourceCell(static_cast<CellId>(tuple));
-			    texel = shownValue(field->value(source, first + static_cast<int>(i - tuple * made.components)));
+			    const std::size_t number = i / made.components;
+			    const std::size_t source = on_points ? grid.sourcePoint(static_cast<PointId>(number))
+			                                         : grid.sourceCell(static_cast<CellId>(number));
+			    texel = shownValue(field->value(source, first + static_cast<int>(i - number * made.components)));
 		    });
 	};
 	if (Status done = std::visit(upload, block.grid); !done)
@@ -322,34 +331,34 @@ Result<GpuValues> GpuBlocks::uploadValues(const grid::Block& block, const FieldC
 	return made;
 }
 
-const gpu::Pipeline& GpuBlocks::pipeline(const GpuBlock& block) const
+const gpu::Pipeline& GpuBlocks::pipeline(const GpuBlock& block, const GpuValues& values)
 {
-	return pipelines_.at({block.cells_kind, block.points_kind});
+	const std::lock_guard lock(mutex_);
+	return pipelines_.at({block.cells_kind, block.points_kind, values.kind});
 }
 
-Status GpuBlocks::makePipelines()
+Status GpuBlocks::makePipeline(const GpuBlock& block, const GpuValues& values)
 {
-	for (const auto& block : blocks_)
-	{
-		if (!block || pipelines_.count({block->cells_kind, block->points_kind}))
-			continue;
-		gpu::ComputePipelineInfo info;
-		info.shader = doubles_ ? "classify_double.comp" : "classify_single.comp";
-		for (const std::uint32_t binding :
-		     {shared::kBindPoints, shared::kBindCells, shared::kBindCases, shared::kBindValues, shared::kBindAxes})
-			info.bindings.push_back({binding, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER});
-		for (const std::uint32_t binding : {shared::kBindFront, shared::kBindWords, shared::kBindRecords})
-			info.bindings.push_back({binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
-		info.bindings.push_back({shared::kBindLane, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER});
-		info.push_bytes = sizeof(shared::ClassifyPush);
-		info.constants = {{shared::kConstantCells, block->cells_kind}, {shared::kConstantPoints, block->points_kind}};
-		Result<gpu::Pipeline> made = gpu::Pipeline::create(device_, info, "classify");
-		if (!made)
-			return made.error();
-		const auto& pipeline = pipelines_.emplace(std::array{block->cells_kind, block->points_kind}, std::move(*made));
-		if (Status warm = warmUp(pipeline.first->second); !warm)
-			return warm;
-	}
+	const std::array kinds{block.cells_kind, block.points_kind, values.kind};
+	if (pipelines_.count(kinds))
+		return Nothing{};
+	gpu::ComputePipelineInfo info;
+	info.shader = doubles_ ? "classify_double.comp" : "classify_single.comp";
+	for (const std::uint32_t binding :
+	     {shared::kBindPoints, shared::kBindCells, shared::kBindCases, shared::kBindValues, shared::kBindAxes})
+		info.bindings.push_back({binding, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER});
+	for (const std::uint32_t binding : {shared::kBindFront, shared::kBindWords, shared::kBindRecords})
+		info.bindings.push_back({binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
+	info.bindings.push_back({shared::kBindLane, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER});
+	info.push_bytes = sizeof(shared::ClassifyPush);
+	info.constants = {
+	    {shared::kConstantCells, kinds[0]}, {shared::kConstantPoints, kinds[1]}, {shared::kConstantValues, kinds[2]}};
+	Result<gpu::Pipeline> made = gpu::Pipeline::create(device_, info, "classify");
+	if (!made)
+		return made.error();
+	if (Status warm = warmUp(*made); !warm)
+		return warm;
+	pipelines_.emplace(kinds, std::move(*made));
 	return Nothing{};
 }
 

@@ -47,9 +47,8 @@ struct GpuBlock
 // The shown array of a block in the block's own numbering, R32F, `components` texels a point or cell.
 struct GpuValues
 {
-	std::uint32_t association = 0; // kValuesNone …
+	std::uint32_t kind = 0; // kValuesNone …
 	std::uint32_t components = 0;
-	bool magnitude = false;
 	gpu::Buffer buffer;
 	gpu::TexelView texels;
 };
@@ -65,8 +64,9 @@ struct GpuField
 class GpuBlocks
 {
 public:
-	// Uploads what fits, makes the pipelines and runs each once: a driver compiles a shader on its first use.
+	// Uploads what fits of the blocks and the values of `field`.
 	static Result<std::unique_ptr<GpuBlocks>> create(gpu::Device& device, const grid::BlockSet& blocks,
+	                                                 const std::optional<FieldChoice>& field,
 	                                                 const GpuBlocksOptions& options = {});
 	~GpuBlocks();
 	GpuBlocks(const GpuBlocks&) = delete;
@@ -80,15 +80,15 @@ public:
 	const std::vector<std::string>& words() const { return words_; } // for the user: what was left to the CPU, and why
 	std::size_t bytes() const;                                       // of device memory that blocks and values take
 
-	// The values of an array; the last array asked for is kept.
+	// The values of an array, and the pipelines for them, each run once since a driver may compile a shader on its
+	// first use. The last array asked for is kept.
 	Result<std::shared_ptr<const GpuField>> field(const std::optional<FieldChoice>& choice);
-	const std::shared_ptr<RecordPool>& records() const { return records_; }
+	const std::shared_ptr<RecordPool>& recordPool() const { return records_; }
 
 	// For the classifier.
 	const GpuBlock& block(std::size_t block) const { return *blocks_[block]; }
 	bool usesDoubles() const { return doubles_; }
-	const gpu::Pipeline& pipeline(const GpuBlock& block) const;
-	const gpu::Pipeline& anyPipeline() const { return pipelines_.begin()->second; } // their descriptor sets are alike
+	const gpu::Pipeline& pipeline(const GpuBlock& block, const GpuValues& values);
 	VkBufferView caseTexels() const { return case_texels_.handle(); }
 	VkBufferView noValueTexels() const { return no_value_texels_.handle(); } // stands in where there are no values
 	std::unique_ptr<ClassifyWorkspace> borrowWorkspace();
@@ -98,7 +98,7 @@ private:
 	GpuBlocks(gpu::Device& device, const grid::BlockSet& set, const GpuBlocksOptions& options);
 
 	Status uploadBlocks();
-	Status makePipelines();
+	Status makePipeline(const GpuBlock& block, const GpuValues& values);
 	Status warmUp(const gpu::Pipeline& pipeline);
 	// Whether an array of texels fits the device's limits; if not, why.
 	bool fits(std::uint64_t texels, std::uint64_t bytes, std::string& why) const;
@@ -115,10 +115,10 @@ private:
 	gpu::TexelView case_texels_;
 	gpu::Buffer no_values_;
 	gpu::TexelView no_value_texels_;
-	std::map<std::array<std::uint32_t, 2>, gpu::Pipeline> pipelines_; // by cells_kind and points_kind
 	std::shared_ptr<RecordPool> records_;
 
-	mutable std::mutex mutex_; // of what follows
+	mutable std::mutex mutex_;                                        // of what follows
+	std::map<std::array<std::uint32_t, 3>, gpu::Pipeline> pipelines_; // by the kinds of cells, points and values
 	std::shared_ptr<const GpuField> field_;
 	std::vector<std::unique_ptr<ClassifyWorkspace>> workspaces_;
 };

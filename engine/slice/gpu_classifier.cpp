@@ -62,13 +62,17 @@ Status GpuClassifier::prepare(std::span<const probe::Sheet> sheets)
 			axis_texels += axisTexels(block.grid);
 	}
 	for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet)
-		records_.push_back(std::make_shared<SheetRecords>(blocks_.records()));
+		records_.push_back(std::make_shared<SheetRecords>(blocks_.recordPool()));
 	if (blocks_.heldCount() == 0)
 		return Nothing{};
 
 	workspace_ = blocks_.borrowWorkspace();
 	gpu::Device& device = blocks_.device();
-	if (Status done = workspace_->prepare(device, blocks_.anyPipeline()); !done)
+	std::size_t held = 0;
+	while (!blocks_.holds(held))
+		++held;
+	// The descriptor sets of all the pipelines are alike.
+	if (Status done = workspace_->prepare(device, blocks_.pipeline(blocks_.block(held), field_->blocks[held])); !done)
 		return done;
 	if (Status done = workspace_->reserveLanes(device, lanes_.size() * lane_stride_); !done)
 		return done;
@@ -217,7 +221,7 @@ void GpuClassifier::recordRun(VkCommandBuffer commands, const Run& run, VkDescri
 	                   sizeof(shared::ClassifyLane))
 	    .write(blocks_.device(), set);
 
-	const gpu::Pipeline& pipeline = blocks_.pipeline(block);
+	const gpu::Pipeline& pipeline = blocks_.pipeline(block, values);
 	pipeline.bind(commands, set);
 	pipeline.push(commands, shared::ClassifyPush{static_cast<std::uint32_t>(run.count), run.padded});
 	vkCmdDispatch(commands, (run.padded + shared::kClassifyGroupSize - 1) / shared::kClassifyGroupSize, 1, 1);

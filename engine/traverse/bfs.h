@@ -131,6 +131,9 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 					   lanes[front.lane].block->grid);
 		}
 	}
+	// A stop leaves a generation queued that nothing is known about.
+	for (LaneCut& cut : cuts)
+		cut.cells.resize(cut.words.size());
 	return cuts;
 }
 

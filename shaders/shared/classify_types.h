@@ -22,6 +22,7 @@ VP_CONST uint kBindLane = 8u;    // ClassifyLane
 // Specialisation constants.
 VP_CONST uint kConstantCells = 0u;
 VP_CONST uint kConstantPoints = 1u;
+VP_CONST uint kConstantValues = 2u;
 
 // How a cell finds its points.
 VP_CONST uint kCellsAxes = 0u;    // image and rectilinear grids: one texel per coordinate of each axis and lane, that holds
@@ -39,10 +40,12 @@ VP_CONST uint kPointsFixed = 1u; // three signed numbers of 41 bits, from the bl
 VP_CONST uint kFixedLowBits = 9u;
 VP_CONST uint kFixedInexactShift = 27u; // bit 27 + axis: the source is not exactly this number
 
-// What the values belong to.
+// What the values belong to. A tuple shows as its length, of what is interpolated; one number as it is.
 VP_CONST uint kValuesNone = 0u; // `no_value` everywhere
 VP_CONST uint kValuesPoint = 1u;
 VP_CONST uint kValuesCell = 2u;
+VP_CONST uint kValuesPointTuple = 3u;
+VP_CONST uint kValuesCellTuple = 4u;
 
 // One lane (a sheet in a block) for the length of a slice.
 struct ClassifyLane
@@ -69,9 +72,7 @@ struct ClassifyLane
 	uint points_layer;
 	uint axis_start[3];
 	uint table_start[4]; // of each shape in the case tables
-	uint values;         // kValuesNone …
 	uint components;     // texels a point or cell
-	uint magnitude;      // 1: the length of the interpolated tuple
 	float no_value;
 	uint flipped; // 1: the plane's normal is not the sheet's, so the polygons turn the other way
 };

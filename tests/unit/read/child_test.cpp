@@ -66,7 +66,7 @@ TEST_F(ScriptedReader, ThatHangsIsEnded)
 {
 	const std::string message = input_ + ": the reader ran over its time limit of 1 s";
 	expectError("sleep 60", ExitCode::input, message);
-	expectError("exec 2>&- 3>&- 4>&-; sleep 60", ExitCode::input, message);
+	expectError("exec 2>&- 3>&- 4>&- 5>&-; sleep 60", ExitCode::input, message);
 	expectError("sleep 60 & exit 0", ExitCode::input, message);
 	expectError("yes >&2", ExitCode::input, message);
 }
@@ -93,6 +93,7 @@ TEST_F(ScriptedReader, ThatWritesTooMuchIsEnded)
 
 	// The arrays are held to the memory's limit.
 	EXPECT_FALSE(run("cat /dev/zero >&3"));
+	EXPECT_FALSE(run("cat /dev/zero >&5"));
 }
 
 TEST_F(ScriptedReader, ThatSaysNothingIsAnInputError)

@@ -59,7 +59,8 @@ public:
 	{
 		// Copied, so that reading past the end shows under a sanitizer.
 		const auto copy = std::make_shared<std::vector<std::byte>>(bytes_);
-		return checkManifest(text, {copy, {copy->data(), copy->size()}});
+		const SharedBytes shared = {copy, {copy->data(), copy->size()}};
+		return checkManifest(text, shared, shared);
 	}
 
 private:

@@ -88,9 +88,13 @@ TEST(Slicer, ACancelledTicketEndsCleanly)
 		cancelled.cancel();
 		const Result<slice::Slice> slice = cancelled.wait();
 		ASSERT_TRUE(slice);
-		for (std::size_t s = 0; s < planes.size(); ++s) // what was found until then is right
+		for (std::size_t s = 0; s < planes.size();
+		     ++s) // what was found until then is right, and a mesh can be made of it
+		{
 			for (const CellId cell : cellsOf(slice->sheets[s].cuts[0]))
 				EXPECT_TRUE(isCut(set.blocks[0], cell, Side(planes[s])));
+			EXPECT_LE(slice->mesh(set, s).polygons(), slice->sheets[s].cuts[0].cells.size());
+		}
 	}
 }
 

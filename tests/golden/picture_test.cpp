@@ -1,0 +1,120 @@
+#include "baseline.h"
+#include "synthetic_scene.h"
+
+#include "base/timeline.h"
+#include "shared/slice_types.h"
+
+#include <cmath>
+#include <limits>
+
+namespace vp::render::test
+{
+
+namespace
+{
+
+std::vector<Segment> boxOutline(double half)
+{
+	std::vector<Segment> lines;
+	for (int i = 0; i < 8; ++i)
+		for (const int bit : {1, 2, 4})
+			if (!(i & bit))
+			{
+				const auto corner = [half](int c) { return half * Vec3(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1); };
+				lines.push_back({corner(i), corner(i | bit)});
+			}
+	return lines;
+}
+
+std::vector<Vec3> ends(const std::vector<Segment>& lines)
+{
+	std::vector<Vec3> points;
+	for (const Segment& s : lines)
+	{
+		points.push_back(s.a);
+		points.push_back(s.b);
+	}
+	return points;
+}
+
+double waves(double u, double v)
+{
+	return std::sin(3.0 * u) * std::cos(2.0 * v);
+}
+
+} // namespace
+
+class Pictures : public DrawingTest
+{
+protected:
+	// A box, and what a user sees around it by default.
+	Scene dressed(const std::vector<Segment>& outline)
+	{
+		Scene scene;
+		scene.look.width = 320;
+		scene.look.height = 240;
+		scene.look.title = "waves";
+		scene.look.caption = "origin (0, 0, 0)   normal (0, 0, 1)";
+		scene.values = ValueScale{"s", -1.0, 1.0, false};
+		scene.outline = outline;
+		return scene;
+	}
+	void aim(Scene& scene, const char* camera)
+	{
+		scene.camera = makeCamera(parseCamera(camera).value(), &scene.sheets[0].sheet, ends({scene.outline.begin(), scene.outline.end()}),
+								  pictureFrame(scene.look, scene.values));
+	}
+};
+
+TEST_F(Pictures, OneSheet)
+{
+	const auto outline = boxOutline(1.0);
+	Scene scene = dressed(outline);
+	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}), 1.0, 1.0, waves, 24));
+	aim(scene, "auto");
+	Timeline timeline;
+	auto drawn = renderer().draw(scene, &timeline);
+	ASSERT_TRUE(drawn);
+	EXPECT_TRUE(looksLike(*drawn, "one_sheet"));
+	for (const char* pass : {"layers", "compose", "overlay", "copy"})
+		EXPECT_GT(timeline.total(pass, Timeline::Track::gpu), 0.0) << pass;
+}
+
+TEST_F(Pictures, ThreeTranslucentSheetsOnBlack)
+{
+	const auto outline = boxOutline(1.0);
+	Scene scene = dressed(outline);
+	scene.look.background = parseBackground("black").value();
+	scene.look.colors = makeColorMap("turbo").value();
+	for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
+		scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, normal), 1.0, 0.75, waves, 24));
+	aim(scene, "30,25");
+	EXPECT_TRUE(looksLike(draw(scene), "three_sheets"));
+}
+
+TEST_F(Pictures, RangeNanAndALongNameOnNothing)
+{
+	const auto outline = boxOutline(1.0);
+	Scene scene = dressed(outline);
+	scene.look.background = parseBackground("transparent").value();
+	scene.look.colors = makeColorMap("cool-warm").value();
+	scene.look.range = {-0.6e-6, 0.6e-6};
+	scene.values = ValueScale{"turbulence_dissipation_rate x", -1e-6, 1e-6, true};
+	const auto f = [](double u, double v)
+	{ return u * u + v * v < 0.1 ? std::numeric_limits<double>::quiet_NaN() : 1e-6 * waves(u, v); };
+	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}), 1.0, 1.0, f, 24));
+	aim(scene, "auto");
+	EXPECT_TRUE(looksLike(draw(scene), "range_nan"));
+}
+
+TEST_F(Pictures, TheSameSceneGivesTheSamePicture)
+{
+	const auto outline = boxOutline(1.0);
+	Scene scene = dressed(outline);
+	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 0.3, 1.0}), 1.0, 0.8, waves, 24));
+	aim(scene, "iso");
+	const Picture first = draw(scene);
+	EXPECT_EQ(first.rgba, draw(scene).rgba);
+}
+
+} // namespace vp::render::test

@@ -1,0 +1,55 @@
+#include "base/result.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace vp::test
+{
+
+TEST(Result, HoldsAValue)
+{
+	Result<std::string> result = std::string("value");
+	ASSERT_TRUE(result);
+	EXPECT_EQ(*result, "value");
+	EXPECT_EQ(result->size(), 5u);
+	result->push_back('s');
+	EXPECT_EQ(result.value(), "values");
+	const Result<std::string>& view = result;
+	EXPECT_EQ(*view, "values");
+	EXPECT_EQ(view->size(), 6u);
+}
+
+TEST(Result, HoldsAReason)
+{
+	const Result<int> result = Error{ExitCode::input, "file: damaged"};
+	ASSERT_FALSE(result);
+	EXPECT_EQ(result.error().code, ExitCode::input);
+	EXPECT_EQ(result.error().message, "file: damaged");
+}
+
+TEST(Result, GivesAwayWhatCannotBeCopied)
+{
+	Result<std::unique_ptr<int>> result = std::make_unique<int>(3);
+	const std::unique_ptr<int> taken = std::move(*result);
+	EXPECT_EQ(*taken, 3);
+}
+
+TEST(Status, IsNothingOrAReason)
+{
+	EXPECT_TRUE(Status(Nothing{}));
+	EXPECT_FALSE(Status(Error{ExitCode::output, "full"}));
+}
+
+TEST(ExitCode, ScriptsRelyOnTheNumbers)
+{
+	EXPECT_EQ(static_cast<int>(ExitCode::done), 0);
+	EXPECT_EQ(static_cast<int>(ExitCode::usage), 1);
+	EXPECT_EQ(static_cast<int>(ExitCode::input), 2);
+	EXPECT_EQ(static_cast<int>(ExitCode::no_device), 3);
+	EXPECT_EQ(static_cast<int>(ExitCode::output), 4);
+	EXPECT_EQ(static_cast<int>(ExitCode::findings), 5);
+	EXPECT_EQ(static_cast<int>(ExitCode::interrupted), 130);
+}
+
+} // namespace vp::test
