@@ -1,10 +1,11 @@
 // Decides the cells of a front against a plane and emits their polygons: one thread a cell, signs, case table, polygon.
 //
-// The CPU in double precision is the truth. A cell where the sign of a vertex, or the place of a polygon's vertex, is not certain
-// here gets kWordWalk and an empty record; the CPU then decides it. With doubles the distance is the CPU's own expression
-// on the same numbers, rounded alike, so that this happens next to points whose coordinates do not fit 41 bits only.
+// The CPU in double precision is the truth. A cell where the sign of a vertex, or the place of a polygon's vertex, is
+// not certain here gets kWordWalk and an empty record; the CPU then decides it. With doubles the distance is the CPU's
+// own expression on the same numbers, rounded alike, so this happens only next to points that do not fit 41 bits.
 //
-// All that a vertex is made of is `precise`: cells that share it compute it to the same bits, whichever of their vertices it is.
+// All that a vertex is made of is `precise`: cells that share it compute it to the same bits, whichever of their
+// vertices it is.
 //
 // Included with VP_REAL and VP_REAL3 defined as double or float, and VP_DOUBLES as 1 or 0.
 #extension GL_EXT_scalar_block_layout : require
@@ -70,7 +71,8 @@ double fromHalves(uint low, uint high)
 {
 	return packDouble2x32(uvec2(low, high));
 }
-#define VP_DOUBLE3(field) dvec3(fromHalves(field[0], field[1]), fromHalves(field[2], field[3]), fromHalves(field[4], field[5]))
+#define VP_DOUBLE3(field) \
+	dvec3(fromHalves(field[0], field[1]), fromHalves(field[2], field[3]), fromHalves(field[4], field[5]))
 #endif
 
 vec3 fromArray(float a[3])
@@ -89,7 +91,8 @@ void fetchPoint(uint v, uint id)
 		from_origin = dvec3(uintBitsToFloat(stored.xyz)) - VP_DOUBLE3(lane.origin);
 	else
 	{
-		const uvec3 low = (uvec3(stored.w) >> uvec3(0u, kFixedLowBits, 2u * kFixedLowBits)) & ((1u << kFixedLowBits) - 1u);
+		const uint low_mask = (1u << kFixedLowBits) - 1u;
+		const uvec3 low = (uvec3(stored.w) >> uvec3(0u, kFixedLowBits, 2u * kFixedLowBits)) & low_mask;
 		const dvec3 fixed_point = dvec3(ivec3(stored.xyz)) * double(1u << kFixedLowBits) + dvec3(ivec3(low));
 		precise dvec3 point = VP_DOUBLE3(lane.centre) + fixed_point * dvec3(fromArray(lane.unit));
 		from_origin = point - VP_DOUBLE3(lane.origin);
@@ -98,10 +101,13 @@ void fetchPoint(uint v, uint id)
 	const dvec3 normal = VP_DOUBLE3(lane.normal);
 #else
 	if (kPoints == kPointsFloat)
-		from_origin = (uintBitsToFloat(stored.xyz) - fromArray(lane.single_origin_hi)) - fromArray(lane.single_origin_lo);
-	else
 		from_origin =
-			vec3(ivec3(stored.xyz)) * (fromArray(lane.unit) * float(1u << kFixedLowBits)) + fromArray(lane.single_centre);
+			(uintBitsToFloat(stored.xyz) - fromArray(lane.single_origin_hi)) - fromArray(lane.single_origin_lo);
+	else
+	{
+		const vec3 coarse_unit = fromArray(lane.unit) * float(1u << kFixedLowBits);
+		from_origin = vec3(ivec3(stored.xyz)) * coarse_unit + fromArray(lane.single_centre);
+	}
 	const vec3 normal = fromArray(lane.single_normal);
 #endif
 	precise VP_REAL3 share = normal * from_origin;
@@ -139,7 +145,7 @@ void setCorner(uint v, uint id, AxisShare x, AxisShare y, AxisShare z)
 	setVertex(v, id, distance, VP_DOUBLES != 0, uv);
 }
 
-// With inverse = floor((2^32 - 1) / divisor) the product is at most one too small. Divisions are slow on software devices.
+// With inverse = floor((2^32 - 1) / divisor) the product is at most one too small. Software devices divide slowly.
 uint divide(uint value, uint divisor, uint inverse)
 {
 	uint high, low;
@@ -292,14 +298,15 @@ void main()
 		const uint turned = lane.flipped != 0u ? edges - 1u - e : e;
 		const uint pair = turned < 2u ? entry.y : turned < 4u ? entry.z : entry.w;
 		const uint ends = pair >> (16u * (turned & 1u));
-		// From the positive end: all cells about an edge, in all blocks, agree which that is and compute the same vertex.
+		// From the positive end: all cells about an edge, in all blocks, agree which that is and compute one vertex.
 		const uint positive = ends & 0xFFu;
 		const uint negative = (ends >> 8) & 0xFFu;
 		const float distance = pick(vertex_distance, positive);
 		precise float difference = distance - pick(vertex_distance, negative);
 		const bool exact = (exact_mask >> positive & exact_mask >> negative & 1u) != 0u;
 		walk = walk || (!exact && difference < lane.least_difference);
-		precise float t = distance / difference;
+		// Not a number only where floats take both ends for zero, some 1e-38 from the plane.
+		precise float t = difference > 0.0 ? distance / difference : 0.0;
 		const vec2 positive_uv = pick(vertex_uv, positive);
 		precise vec2 uv = positive_uv + t * (pick(vertex_uv, negative) - positive_uv);
 		records[i].uv[2u * e] = uv.x;

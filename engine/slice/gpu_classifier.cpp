@@ -179,9 +179,12 @@ Status GpuClassifier::record()
 	if (!begun)
 		return begun.error();
 	const VkCommandBuffer commands = *begun;
-	std::optional<gpu::TimedPass> timed;
+	std::optional<gpu::TimedPass> timed; // labels the pass as well
+	std::optional<gpu::Label> label;
 	if (timeline_)
 		timed.emplace(workspace_->timers, commands, "classify");
+	else
+		label.emplace(blocks_.device(), commands, "classify");
 	// The pages may still be drawn from by work submitted before.
 	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_NONE,
 	                   VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_NONE);
