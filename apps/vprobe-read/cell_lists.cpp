@@ -2,10 +2,10 @@
 
 #include "read/cell_types.h"
 #include "refusal.h"
+#include "visible_cells.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkDataSet.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkIdTypeArray.h>
 #include <vtkUnsignedCharArray.h>
@@ -20,9 +20,6 @@ using namespace vp::read;
 
 namespace
 {
-
-constexpr unsigned char kHiddenBits =
-    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
 
 template <class T>
 struct Lists
@@ -69,7 +66,7 @@ bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUns
 			continue;
 		}
 		const T wanted = static_cast<T>(slicedCellSize(type));
-		if (ghosts && (ghosts->GetValue(static_cast<vtkIdType>(c)) & kHiddenBits))
+		if (ghosts && (ghosts->GetValue(static_cast<vtkIdType>(c)) & kHiddenCellBits))
 		{
 			++counts.hidden;
 			types[c] = kEmptyCell;
@@ -193,15 +190,4 @@ json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& coun
 		return writeCellsAs<std::int64_t>(writer, grid, cells->GetOffsetsArray(), cells->GetConnectivityArray(),
 		                                  counts);
 	return writeCellsAs<std::int32_t>(writer, grid, cells->GetOffsetsArray(), cells->GetConnectivityArray(), counts);
-}
-
-std::size_t countHidden(vtkDataSet* data)
-{
-	auto* ghosts =
-	    vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-	std::size_t hidden = 0;
-	if (ghosts)
-		for (const unsigned char mark : spanOf<unsigned char>(ghosts))
-			hidden += (mark & kHiddenBits) != 0;
-	return hidden;
 }

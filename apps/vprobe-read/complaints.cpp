@@ -14,6 +14,7 @@ namespace
 {
 
 std::string first_complaint;
+bool warnings_too = false;
 
 // "ERROR: In file.cxx, line 12\nvtkReader (0x1234): Words\n\n" leaves "Words".
 std::string wordsOf(std::string_view text)
@@ -46,7 +47,11 @@ public:
 	void DisplayErrorText(const char* text) override { keep(text); }
 	// "Error reading binary data!" of the legacy readers comes as a generic warning.
 	void DisplayGenericWarningText(const char* text) override { keep(text); }
-	void DisplayWarningText(const char*) override {}
+	void DisplayWarningText(const char* text) override
+	{
+		if (warnings_too)
+			keep(text);
+	}
 	void DisplayDebugText(const char*) override {}
 };
 
@@ -59,6 +64,11 @@ void installComplaints()
 	vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 	vtkNew<ComplaintWindow> window;
 	vtkOutputWindow::SetInstance(window);
+}
+
+void takeWarningsToo()
+{
+	warnings_too = true;
 }
 
 void refuseOnComplaint()

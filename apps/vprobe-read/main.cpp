@@ -35,6 +35,11 @@ Request parseRequest(char** arguments)
 	const std::string time = arguments[1];
 	if (time == "first")
 		request.time = Request::Time::first;
+	else if (time.starts_with('#'))
+	{
+		request.time = Request::Time::index;
+		request.time_index = std::strtoull(time.c_str() + 1, nullptr, 10);
+	}
 	else if (time != "last")
 	{
 		request.time = Request::Time::nearest;
@@ -42,6 +47,7 @@ Request parseRequest(char** arguments)
 	}
 	request.solution = arguments[2];
 	request.file = arguments[3];
+	request.displace = std::strtod(arguments[4], nullptr);
 	return request;
 }
 
@@ -63,7 +69,7 @@ void sendManifest(const std::string& text)
 int main(int argc, char** argv)
 {
 	const auto is_open = [](int fd) { return fcntl(fd, F_GETFD) >= 0; };
-	if (argc != 4 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
+	if (argc != 5 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
 	{
 		std::fprintf(stderr, "vprobe-read is started by vprobe to read files; run vprobe info FILE instead\n");
 		return 1;

@@ -2,6 +2,7 @@
 
 #include "refusal.h"
 #include "structured_blocks.h"
+#include "visible_cells.h"
 
 #include <vtkCellData.h>
 #include <vtkCellTypes.h>
@@ -17,6 +18,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -104,16 +106,14 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* data)
 		block["cells"] = std::move(cells);
 	}
 	else if (!describeLattice(data, block))
-	{
-		counts_.flat += static_cast<std::size_t>(data->GetNumberOfCells());
 		return;
-	}
-	block["name"] = name;
+	block["name"] = prefix_.empty() ? name : name.empty() ? prefix_ : prefix_ + "/" + name;
 	block["arrays"] = describeArrays(data);
 	blocks_.push_back(std::move(block));
 }
 
-// False for flat lattices and for kinds of data sets that never hold three-dimensional cells.
+// False where there is nothing to show: for flat lattices, for kinds of data sets that never hold three-dimensional
+// cells, and where all cells are hidden.
 bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
 {
 	std::array<int, 3> points = {0, 0, 0};
@@ -127,12 +127,22 @@ bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
 	else if (curvilinear)
 		curvilinear->GetDimensions(points.data());
 	if (points[0] < 2 || points[1] < 2 || points[2] < 2)
+	{
+		counts_.flat += static_cast<std::size_t>(data->GetNumberOfCells());
 		return false;
+	}
 
+	if (const std::vector<unsigned char> marks = hiddenCellsOf(data, points); !marks.empty())
+	{
+		const auto visible = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 0));
+		counts_.hidden += marks.size() - visible;
+		if (visible > 0)
+			block = describeVisible(cell_writer_, data, points, marks);
+		return visible > 0;
+	}
 	block = image         ? describeImage(writer_, image)
 	        : rectilinear ? describeRectilinear(writer_, rectilinear)
 	                      : describeCurvilinear(writer_, curvilinear);
-	shown_though_hidden_ += countHidden(data);
 	return true;
 }
 
@@ -170,9 +180,6 @@ std::string ManifestWriter::finish()
 		warnings_.push_back(fmt::format("{} cells of type {} are not shown", cells, typeName(type)));
 	if (counts_.hidden > 0)
 		warnings_.push_back(fmt::format("{} ghost or hidden cells are left out", counts_.hidden));
-	if (shown_though_hidden_ > 0)
-		warnings_.push_back(
-		    fmt::format("{} ghost or hidden cells of structured blocks are shown", shown_though_hidden_));
 	if (counts_.trimmed > 0)
 		warnings_.push_back(
 		    fmt::format("{} cells list more points than their type has; the first ones are used", counts_.trimmed));

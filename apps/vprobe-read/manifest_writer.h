@@ -18,6 +18,8 @@ class ManifestWriter
 public:
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);
+	// Goes before the names of the blocks added from now on.
+	void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
 	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
 	void warn(std::string line) { warnings_.push_back(std::move(line)); }
 
@@ -35,5 +37,5 @@ private:
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;
 	CellCounts counts_;
-	std::size_t shown_though_hidden_ = 0; // cells of structured blocks
+	std::string prefix_;
 };

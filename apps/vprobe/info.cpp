@@ -98,7 +98,7 @@ Result<ExitCode> runInfo(const InfoOptions& options)
 	Result<read::TimeChoice> time = read::parseTime(input.time);
 	if (!time)
 		return time.error();
-	Result<grid::BlockSet> blocks = read::readInputs(input.inputs, {*time, input.solution}, nullptr);
+	Result<grid::BlockSet> blocks = read::readInputs(input.inputs, {*time, input.solution, input.displace}, nullptr);
 	if (!blocks)
 		return blocks.error();
 	if (options.json)

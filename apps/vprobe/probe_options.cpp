@@ -109,8 +109,12 @@ void addInputs(CLI::App& command, ProbeOptions& options)
 {
 	command.add_option("INPUT", options.inputs, "File, or demo:NAME[:N]; several make one block set. Reads " + read::readableEndings())
 		->required();
-	command.add_option("--time", options.time, "last, first or a time; the nearest there is is taken")->capture_default_str();
+	command.add_option("--time", options.time, "last, first, a time (the nearest there is is taken), or #INDEX, from 0")
+		->capture_default_str();
 	command.add_option("--solution", options.solution, "PLOT3D solution (q) file, where its name does not follow from the grid's");
+	command.add_option("--displace", options.displace, "Moves the points of Exodus files by their displacements, times this")
+		->check(CLI::Number)
+		->type_name("SCALE");
 }
 
 void addProbeOptions(CLI::App& command, ProbeOptions& options)
@@ -183,7 +187,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	Result<grid::BlockSet> blocks = [&]
 	{
 		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
-		return read::readInputs(options.inputs, {*time, options.solution}, session->timeline.get());
+		return read::readInputs(options.inputs, {*time, options.solution, options.displace}, session->timeline.get());
 	}();
 	if (!blocks)
 		return blocks.error();

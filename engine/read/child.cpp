@@ -72,7 +72,7 @@ Pipe makePipe()
 struct ChildSetup
 {
 	const char* program;
-	std::array<char*, 5> arguments;
+	std::array<char*, 6> arguments;
 	int null;
 	int errors;
 	int arrays;
@@ -263,6 +263,8 @@ std::string timeArgument(const TimeChoice& time)
 		return "first";
 	case TimeChoice::Kind::value:
 		return fmt::format("{:.17g}", time.value);
+	case TimeChoice::Kind::index:
+		return fmt::format("#{}", time.index);
 	default:
 		return "last";
 	}
@@ -296,9 +298,10 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	std::string time = timeArgument(options.time);
 	std::string solution = options.solution;
 	std::string path = file;
+	std::string displace = fmt::format("{:.17g}", options.displace);
 	ChildSetup setup = {};
 	setup.program = program->c_str();
-	setup.arguments = {name.data(), time.data(), solution.data(), path.data(), nullptr};
+	setup.arguments = {name.data(), time.data(), solution.data(), path.data(), displace.data(), nullptr};
 	setup.null = null.get();
 	setup.errors = errors.write_end.get();
 	setup.arrays = arrays.get();

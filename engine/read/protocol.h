@@ -8,8 +8,9 @@ namespace vp::read
 {
 
 // What vprobe-read and its parent agree on. The child is started as
-//   vprobe-read TIME SOLUTION FILE
-// with TIME last, first or a number, and SOLUTION empty or a PLOT3D q file. It writes arrays into two shared memories,
+//   vprobe-read TIME SOLUTION FILE DISPLACE
+// with TIME last, first, a number or # and an index, SOLUTION empty or a PLOT3D q file, and DISPLACE what Exodus
+// displacements are multiplied with, 0 for none. It writes arrays into two shared memories,
 // each array at a multiple of kArrayAlignment: kCellsFd takes the points and cells of unstructured blocks, which are
 // needed no more once a grid is built, kArraysFd all else. One JSON manifest that describes them goes into kManifestFd:
 //
@@ -21,7 +22,7 @@ namespace vp::read
 //
 // An array is {"type": "float32" ..., "offset", "bytes"}, and among "arrays" also has "name", "association" and
 // "components".
-constexpr int kProtocolVersion = 1;
+constexpr int kProtocolVersion = 2;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;
@@ -31,8 +32,6 @@ constexpr std::size_t kArrayAlignment = 64;
 constexpr int kRefusedExitCode = 2;
 constexpr std::string_view kReasonMark = "vprobe-read: ";
 
-constexpr std::array<std::string_view, 20> kEndings = {".vti",  ".vtr", ".vts", ".vtu", ".pvti", ".pvtr", ".pvts",
-                                                       ".pvtu", ".vtk", ".mhd", ".mha", ".xyz",  ".x",    ".g",
-                                                       ".p3d",  ".bin", ".ex2", ".e",   ".exo",  ".exii"};
+constexpr std::array<std::string_view, 34> kEndings = {".vti", ".vtr", ".vts", ".vtu", ".pvti", ".pvtr", ".pvts", ".pvtu", ".vtm", ".vthb", ".vtk", ".pvd", ".series", ".hdf", ".vtkhdf", ".mhd", ".mha", ".nrrd", ".nhdr", ".nii", ".nii.gz", ".xyz", ".x", ".g", ".p3d", ".bin", ".cgns", ".case", ".encas", ".foam", ".ex2", ".e", ".exo", ".exii"};
 
 } // namespace vp::read

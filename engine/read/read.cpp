@@ -93,11 +93,16 @@ Result<TimeChoice> parseTime(const std::string& text)
 		return TimeChoice{TimeChoice::Kind::last, 0.0};
 	if (text == "first")
 		return TimeChoice{TimeChoice::Kind::first, 0.0};
-	double value = 0.0;
-	const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-	if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-		return Error{ExitCode::usage, fmt::format("--time {}: neither last, first nor a number", text)};
-	return TimeChoice{TimeChoice::Kind::value, value};
+	TimeChoice choice{TimeChoice::Kind::value, 0.0};
+	const char* stop = text.data() + text.size();
+	const bool is_index = text.starts_with('#');
+	if (is_index)
+		choice.kind = TimeChoice::Kind::index;
+	const auto [end, error] = is_index ? std::from_chars(text.data() + 1, stop, choice.index)
+	                                   : std::from_chars(text.data(), stop, choice.value);
+	if (error != std::errc() || end != stop || !std::isfinite(choice.value))
+		return Error{ExitCode::usage, fmt::format("--time {}: neither last, first, a number nor #INDEX", text)};
+	return choice;
 }
 
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,

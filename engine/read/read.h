@@ -15,26 +15,29 @@ class Timeline;
 namespace vp::read
 {
 
-// Which of the input's times: last, first, or the one nearest to a value.
+// Which of the input's times: last, first, the one nearest to a value, or the one of an index that counts from 0.
 struct TimeChoice
 {
 	enum class Kind
 	{
 		last,
 		first,
-		value
+		value,
+		index
 	};
 	Kind kind = Kind::last;
 	double value = 0.0;
+	std::size_t index = 0;
 };
 
-// "last", "first" or a number; a usage error otherwise.
+// "last", "first", a number, or # and an index; a usage error otherwise.
 Result<TimeChoice> parseTime(const std::string& text);
 
 struct ReadOptions
 {
 	TimeChoice time;
-	std::string solution; // PLOT3D q file, where its name does not follow from the grid's
+	std::string solution;  // PLOT3D q file, where its name does not follow from the grid's
+	double displace = 0.0; // moves the points of Exodus files by their displacements, times this
 };
 
 // Reads every input (a file, or demo:NAME[:N]) into one block set, finished (see finishBlock). A file is read by VTK in
