@@ -7,6 +7,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -26,7 +27,11 @@ std::string wordsOf(std::string_view text)
 			text.remove_prefix(colon + 3);
 	while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
 		text.remove_suffix(1);
-	return std::string(text);
+	std::string words(text);
+	// What a damaged file has in place of a name need not be text.
+	std::replace_if(
+	    words.begin(), words.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
+	return words;
 }
 
 void keep(const char* text)

@@ -155,8 +155,8 @@ json ManifestWriter::describeArrays(vtkDataSet* data)
 		{
 			vtkDataArray* array = fields->GetArray(i); // null for strings and variants
 			const auto type = array ? numberTypeOf(array) : std::nullopt;
-			if (!type)
-				continue;
+			if (!type || array == data->GetCellGhostArray() || array == data->GetPointGhostArray())
+				continue; // ghost marks have done their work
 			const std::string name = array->GetName() ? array->GetName() : fmt::format("array {}", i);
 			if (array->GetNumberOfTuples() != tuples)
 				throw damaged(fmt::format("the {} array {} has {} tuples for {} {}s", association, name,

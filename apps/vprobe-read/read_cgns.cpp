@@ -18,9 +18,9 @@
 namespace
 {
 
-// An ADF file's header says at byte 150 where the file ends: a block of 4096 bytes in 8 hexadecimal digits and an offset
-// in 4 (ADF_internals.c of the CGNS library). Reads past the end come back as zeros or old buffers.
-constexpr std::size_t kAdfEndAt = 150;
+// An ADF file's header says at byte 146 where its last byte is: a block of 4096 bytes in 8 hexadecimal digits and an
+// offset in 4 (ADF_internals.c of the CGNS library). Reads past the end come back as zeros or old buffers.
+constexpr std::size_t kAdfEndAt = 146;
 constexpr std::uint64_t kAdfBlock = 4096;
 
 std::optional<std::uint64_t> hexadecimal(std::string_view digits)
@@ -44,7 +44,7 @@ void refuseShortAdf(const std::string& file)
 	const auto offset = hexadecimal(text.substr(kAdfEndAt + 8, 4));
 	if (!in || !block || !offset)
 		throw damaged("its header cannot be followed");
-	const std::uint64_t wanted = *block * kAdfBlock + *offset;
+	const std::uint64_t wanted = *block * kAdfBlock + *offset + 1;
 	const auto bytes = std::filesystem::file_size(file);
 	if (bytes < wanted)
 		throw damaged(fmt::format("{} bytes where its header asks for {}", bytes, wanted));
