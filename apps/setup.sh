@@ -5,7 +5,7 @@
 build_packages=(
 	cmake ninja-build g++ glslang-tools
 	libvulkan-dev libvtk9-dev libtbb-dev libglm-dev libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev
-	libteem-dev libpng-dev libimgui-dev libstb-dev fonts-dejavu-core
+	libteem-dev zlib1g-dev libpng-dev libimgui-dev libstb-dev fonts-dejavu-core
 	mesa-vulkan-drivers # lavapipe draws where there is no GPU
 )
 test_packages=(
@@ -36,7 +36,7 @@ step()
 		"$@" </dev/null >"$log" 2>&1 || status=$?
 	fi
 	if ((status)); then
-		tail -n 100 "$log" >&2
+		grep -vE '^\[[0-9]+/[0-9]+\] [A-Z]' "$log" | tail -n 200 >&2 || true # ninja's good lines left out
 		say "$title: failed; all of it is in $log"
 	else
 		say "$title: done in $((SECONDS - start)) s"

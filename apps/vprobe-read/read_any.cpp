@@ -58,7 +58,8 @@ constexpr std::size_t kNiftiMagicAt = 344;
 
 bool looksLikeNifti(std::string_view head, const std::string& file)
 {
-	return file.ends_with(".nii.gz") || (head.size() >= 348 && isOneOf(head.substr(kNiftiMagicAt, 3), {"n+1", "ni1"})) ||
+	return file.ends_with(".nii.gz") ||
+	       (head.size() >= 348 && isOneOf(head.substr(kNiftiMagicAt, 3), {"n+1", "ni1"})) ||
 	       (head.size() >= 12 && head.substr(4, 3) == "n+2");
 }
 

@@ -8,7 +8,40 @@
 #include <vtkNew.h>
 #include <vtkOpenFOAMReader.h>
 
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
 #include <string>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+// The reader leaves out a field whose compressed file ends early.
+void refuseShortGzips(const fs::path& folder)
+{
+	std::error_code none;
+	for (const auto& entry : fs::directory_iterator(folder, none))
+	{
+		if (entry.path().extension() != ".gz")
+			continue;
+		gzFile file = gzopen(entry.path().c_str(), "rb");
+		std::array<char, 1 << 16> buffer;
+		int got = 0;
+		while (file && (got = gzread(file, buffer.data(), buffer.size())) > 0)
+		{
+		}
+		const bool whole = file && got == 0 && gzclose_r(file) == Z_OK && entry.file_size() > 0;
+		if (!whole)
+			throw damaged(fmt::format("{} ends early", entry.path().string()));
+	}
+}
+
+} // namespace
 
 void readFoam(const Request& request, ManifestWriter& manifest)
 {
@@ -34,6 +67,11 @@ void readFoam(const Request& request, ManifestWriter& manifest)
 	reader->EnableAllCellArrays();
 	reader->EnableAllPointArrays();
 	reader->DisableAllLagrangianArrays();
-	updateAtTime(*reader, request, manifest);
+	const std::optional<double> time = updateAtTime(*reader, request, manifest);
+	const fs::path folder = fs::path(request.file).parent_path();
+	refuseShortGzips(folder / "constant" / "polyMesh");
+	for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder))
+		if (time && entry.is_directory() && std::strtod(entry.path().filename().c_str(), nullptr) == *time)
+			refuseShortGzips(entry.path());
 	manifest.add(reader->GetOutputDataObject(0));
 }

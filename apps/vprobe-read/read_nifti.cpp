@@ -23,10 +23,10 @@ namespace
 // The components of one time, where each time is a component or several; as stored, or rescaled to real values.
 vtkSmartPointer<vtkDataArray> valuesAt(vtkDataArray* all, int first, int components, double slope, double intercept)
 {
-	const bool rescaled = slope != 0.0 && std::isfinite(slope) && std::isfinite(intercept) &&
-	                      (slope != 1.0 || intercept != 0.0);
-	const auto values = vtkSmartPointer<vtkDataArray>::Take(
-	    vtkDataArray::CreateDataArray(rescaled ? VTK_DOUBLE : all->GetDataType()));
+	const bool rescaled =
+	    slope != 0.0 && std::isfinite(slope) && std::isfinite(intercept) && (slope != 1.0 || intercept != 0.0);
+	const auto values =
+	    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(rescaled ? VTK_DOUBLE : all->GetDataType()));
 	values->SetName("NIFTI");
 	values->SetNumberOfComponents(components);
 	values->SetNumberOfTuples(all->GetNumberOfTuples());
@@ -73,8 +73,8 @@ void readNifti(const Request& request, ManifestWriter& manifest)
 	}
 	else if (request.time == Request::Time::index && request.time_index > 0)
 		throw Refusal(fmt::format("--time #{}: it has no times", request.time_index));
-	const auto values = valuesAt(all, chosen * components, components, reader->GetRescaleSlope(),
-	                             reader->GetRescaleIntercept());
+	const auto values =
+	    valuesAt(all, chosen * components, components, reader->GetRescaleSlope(), reader->GetRescaleIntercept());
 	image->GetPointData()->Initialize();
 	image->GetPointData()->SetScalars(values);
 

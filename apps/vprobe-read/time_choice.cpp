@@ -57,7 +57,7 @@ double chooseTime(const std::vector<double>& times, const Request& request)
 	}
 }
 
-void updateAtTime(vtkAlgorithm& reader, const Request& request, ManifestWriter& manifest)
+std::optional<double> updateAtTime(vtkAlgorithm& reader, const Request& request, ManifestWriter& manifest)
 {
 	reader.UpdateInformation();
 	refuseOnComplaint();
@@ -71,8 +71,9 @@ void updateAtTime(vtkAlgorithm& reader, const Request& request, ManifestWriter& 
 	if (times.size() == 1 && times[0] == 0.0 && reader.IsA("vtkSimpleReader"))
 		times.clear(); // the legacy readers make up a time 0
 
+	std::optional<double> chosen;
 	if (!times.empty())
-		reader.UpdateTimeStep(chooseTime(times, request));
+		reader.UpdateTimeStep(chosen.emplace(chooseTime(times, request)));
 	else if (request.time == Request::Time::index && request.time_index > 0)
 		throw Refusal(fmt::format("--time #{}: it has no times", request.time_index));
 	else
@@ -81,4 +82,5 @@ void updateAtTime(vtkAlgorithm& reader, const Request& request, ManifestWriter& 
 	if (reader.GetErrorCode() != 0)
 		throw damaged("the reader gave up");
 	manifest.offerTimes(std::move(times));
+	return chosen;
 }

@@ -16,7 +16,7 @@ extern const unsigned char kHiddenCellBits;
 // points is blanked. Empty if nothing is hidden.
 std::vector<unsigned char> hiddenCellsOf(vtkDataSet* lattice, const std::array<int, 3>& points);
 
-// A lattice with hidden cells as an unstructured block: its points, a hexahedron per visible cell, and an empty cell per
-// hidden one, so that point and cell arrays keep their numbering.
+// A lattice with hidden cells as an unstructured block: its points, a hexahedron per visible cell, and an empty cell
+// per hidden one, so that point and cell arrays keep their numbering.
 nlohmann::json describeVisible(ArrayWriter& writer, vtkDataSet* lattice, const std::array<int, 3>& points,
                                const std::vector<unsigned char>& hidden);

@@ -39,8 +39,8 @@ std::uint64_t physicalMemory()
 bool refersToOthers(const fs::path& file)
 {
 	const std::string ending = file.extension().string();
-	constexpr std::array<std::string_view, 10> others = {".mhd",    ".vtm",  ".vthb",  ".series", ".nhdr",
-	                                                    ".hdr", ".case", ".encas", ".foam",   ".openfoam"};
+	constexpr std::array<std::string_view, 10> others = {".mhd", ".vtm",  ".vthb",  ".series", ".nhdr",
+	                                                     ".hdr", ".case", ".encas", ".foam",   ".openfoam"};
 	return ending.starts_with(".p") || std::find(others.begin(), others.end(), ending) != others.end();
 }
 

@@ -300,13 +300,15 @@ TEST(Inputs, SeveralMakeOneBlockSet)
 	EXPECT_FALSE(read::readInputs({"demo:nothing"}, {}, nullptr));
 }
 
-TEST(Time, IsLastFirstOrANumber)
+TEST(Time, IsLastFirstANumberOrAnIndex)
 {
 	using Kind = read::TimeChoice::Kind;
 	EXPECT_EQ(read::parseTime("last")->kind, Kind::last);
 	EXPECT_EQ(read::parseTime("first")->kind, Kind::first);
 	EXPECT_EQ(read::parseTime("-2.5e-3")->value, -2.5e-3);
-	for (const char* text : {"", "now", "1.5x", "nan", "inf", " 1"})
+	EXPECT_EQ(read::parseTime("#3")->kind, Kind::index);
+	EXPECT_EQ(read::parseTime("#3")->index, 3u);
+	for (const char* text : {"", "now", "#", "#-1", "# 1", "#1.5", "1.5x", "nan", "inf", " 1"})
 	{
 		const auto time = read::parseTime(text);
 		ASSERT_FALSE(time) << text;
