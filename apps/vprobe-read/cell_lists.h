@@ -3,10 +3,14 @@
 #include "array_writer.h"
 
 #include <nlohmann/json.hpp>
+#include <vtkDataSetAttributes.h>
+#include <vtkType.h>
 
 #include <map>
+#include <span>
 
 class vtkDataSet;
+class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 
 // Cells that are not handed over as they stand.
@@ -24,3 +28,16 @@ nlohmann::json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCo
 
 // Cells that vtkGhostType marks as duplicate, refined or hidden.
 std::size_t countHidden(vtkDataSet* data);
+
+// What vtkGhostType says of cells that are not to be shown.
+constexpr unsigned char kHiddenBits =
+    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+
+// The marks of a grid's cells, null where it has none. Throws a Refusal where there are more or fewer than cells.
+vtkUnsignedCharArray* ghostMarks(vtkUnstructuredGrid* grid);
+
+// Throws a Refusal where the offsets do not rise or run past the connectivity.
+void refuseBadLists(vtkUnstructuredGrid* grid);
+
+// Of a polyhedron: faces, then per face its size and points. Throws a Refusal where they run past their end.
+std::span<const vtkIdType> polyhedronFaces(vtkUnstructuredGrid* grid, vtkIdType cell);

@@ -15,4 +15,5 @@ struct Request
 		nearest
 	} time = Time::last;
 	double time_value = 0.0;
+	int refine = 0; // how many times the linear parts of curved cells are halved
 };

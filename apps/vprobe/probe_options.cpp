@@ -111,6 +111,12 @@ void addInputs(CLI::App& command, ProbeOptions& options)
 		->required();
 	command.add_option("--time", options.time, "last, first or a time; the nearest there is is taken")->capture_default_str();
 	command.add_option("--solution", options.solution, "PLOT3D solution (q) file, where its name does not follow from the grid's");
+	command
+		.add_option("--refine", options.refine,
+					"Curved (quadratic, Lagrange, Bezier) cells: halve their linear parts so many times more, along the cell's shape")
+		->check(CLI::Range(0, read::kMaxRefine))
+		->type_name("LEVEL")
+		->capture_default_str();
 }
 
 void addProbeOptions(CLI::App& command, ProbeOptions& options)
@@ -183,7 +189,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	Result<grid::BlockSet> blocks = [&]
 	{
 		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
-		return read::readInputs(options.inputs, {*time, options.solution}, session->timeline.get());
+		return read::readInputs(options.inputs, {*time, options.solution, options.refine}, session->timeline.get());
 	}();
 	if (!blocks)
 		return blocks.error();

@@ -8,8 +8,9 @@ namespace vp::read
 {
 
 // What vprobe-read and its parent agree on. The child is started as
-//   vprobe-read TIME SOLUTION FILE
-// with TIME last, first or a number, and SOLUTION empty or a PLOT3D q file. It writes arrays into two shared memories,
+//   vprobe-read TIME SOLUTION REFINE FILE
+// with TIME last, first or a number, SOLUTION empty or a PLOT3D q file, and REFINE how many times the
+// linear parts of curved cells are halved. It writes arrays into two shared memories,
 // each array at a multiple of kArrayAlignment: kCellsFd takes the points and cells of unstructured blocks, which are
 // needed no more once a grid is built, kArraysFd all else. One JSON manifest that describes them goes into kManifestFd:
 //
@@ -17,7 +18,8 @@ namespace vp::read
 //   image         "points": [nx, ny, nz], "origin": [..], "spacing": [..]
 //   rectilinear   "axes": [array, array, array] of float64
 //   curvilinear   "points": [nx, ny, nz], "coordinates": array
-//   unstructured  "coordinates": array, "cells": {"types", "offsets", "connectivity", "face_offsets", "face_stream"}
+//   unstructured  "coordinates": array, "cells": {"types", "offsets", "connectivity", "face_offsets", "face_stream",
+//                 "source_cells", "source_cell_count", "source_point_count"}; the latter five where there is need
 //
 // An array is {"type": "float32" ..., "offset", "bytes"}, and among "arrays" also has "name", "association" and
 // "components".

@@ -35,7 +35,11 @@ struct ReadOptions
 {
 	TimeChoice time;
 	std::string solution; // PLOT3D q file, where its name does not follow from the grid's
+	// Curved cells are cut into linear ones over their own points; each level halves the edges of those once more.
+	int refine = 0;
 };
+
+constexpr int kMaxRefine = 6;
 
 // Reads every input (a file, or demo:NAME[:N]) into one block set, finished (see finishBlock). A file is read by VTK in
 // a child process (vprobe-read, beside the program or in its libexec folder) which hands its arrays over in shared
