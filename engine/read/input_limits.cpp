@@ -24,7 +24,7 @@ constexpr std::uint64_t kMemoryPerByte = 1032;
 // The slowest reader measured, of ASCII XML, takes in 50 MB/s. A slow disk or a busy machine has 12 times as long.
 constexpr std::chrono::seconds kBaseTime{15};
 constexpr std::uint64_t kBytesPerSecond = 4u << 20;
-// The most cells that a reader refines to take about two minutes.
+// The most cells that a reader refines to take about four minutes.
 constexpr std::chrono::seconds kMaxRefineTime{600};
 // Of a folder's files that are counted for an input that refers to others.
 constexpr int kMaxFilesBeside = 10000;

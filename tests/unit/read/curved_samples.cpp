@@ -71,8 +71,8 @@ void insertCell(vtkUnstructuredGrid* grid, const CurvedKind& kind)
 	grid->InsertNextCell(kind.type, kind.points, ids.data());
 }
 
-// Where the points of a cell lie in a cube, half a cube, a pyramid on the unit square with its top at (1/2, 1/2, 1), or a
-// corner of the cube.
+// Where the points of a cell lie in a cube, half a cube, a pyramid on the unit square with its top at (1/2, 1/2, 1), or
+// a corner of the cube.
 std::vector<Vec3> referencePoints(const CurvedKind& kind)
 {
 	vtkNew<vtkUnstructuredGrid> grid;
@@ -116,12 +116,8 @@ std::vector<Frame> framesOf(Form form)
 	{
 		std::vector<Frame> frames;
 		// The third edge runs so that (1/2, 1/2, 1) comes to the cube's middle.
-		for (const auto& [origin, a, b, up] : std::initializer_list<Frame>{{zero, x, y, z},
-		                                                                  {z, y, x, -z},
-		                                                                  {zero, y, z, x},
-		                                                                  {x, z, y, -x},
-		                                                                  {zero, z, x, y},
-		                                                                  {y, x, z, -y}})
+		for (const auto& [origin, a, b, up] : std::initializer_list<Frame>{
+		         {zero, x, y, z}, {z, y, x, -z}, {zero, y, z, x}, {x, z, y, -x}, {zero, z, x, y}, {y, x, z, -y}})
 			frames.push_back({origin, a, b, 0.5 * up});
 		return frames;
 	}
@@ -201,13 +197,10 @@ vtkSmartPointer<vtkUnstructuredGrid> curvedMesh(const CurvedKind& kind, const st
 		for (const Frame& frame : framesOf(formOf(kind.type)))
 		{
 			const Vec3 corner(block % 2, block / 2 % 2, block / 4);
-			Vec3 edge = frame[3];
-			if (formOf(kind.type) == Form::pyramid)
-				edge = frame[3]; // the sides' halves are in the reference points
 			std::vector<vtkIdType> ids;
 			for (const Vec3& r : reference)
 			{
-				const Vec3 at = corner + frame[0] + r.x * frame[1] + r.y * frame[2] + r.z * edge;
+				const Vec3 at = corner + frame[0] + r.x * frame[1] + r.y * frame[2] + r.z * frame[3];
 				// Degrees up to 4, and middles of triangles and tetrahedra, all lie on this lattice.
 				const std::array<long, 3> place = {std::lround(at.x * 5040), std::lround(at.y * 5040),
 				                                   std::lround(at.z * 5040)};

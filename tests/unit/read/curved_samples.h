@@ -25,8 +25,8 @@ std::ostream& operator<<(std::ostream& out, const CurvedKind& kind);
 
 const std::vector<CurvedKind>& curvedKinds();
 
-// A box of 2 x 2 x 2 blocks, each one cell or several (2 wedges, 6 tetrahedra or pyramids), conforming. Point array "f" is
-// sampleValue(), "n" its nearest integer, cell array "id" the cell's number. `shape` moves the points.
+// A box of 2 x 2 x 2 blocks, each one cell or several (2 wedges, 6 tetrahedra or pyramids), conforming. Point array "f"
+// is sampleValue(), "n" its nearest integer, cell array "id" the cell's number. `shape` moves the points.
 constexpr vp::Vec3 kCurvedBox{2.0, 3.0, 5.0};
 vtkSmartPointer<vtkUnstructuredGrid> curvedMesh(const CurvedKind& kind,
                                                 const std::function<vp::Vec3(vp::Vec3)>& shape = {});
