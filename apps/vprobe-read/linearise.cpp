@@ -1,6 +1,7 @@
 #include "linearise.h"
 
 #include "cell_lists.h"
+#include "grown_cells.h"
 #include "new_nodes.h"
 #include "read/cell_types.h"
 #include "refusal.h"
@@ -11,7 +12,6 @@
 #include <vtkCellType.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkIdList.h>
-#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkOrderedTriangulator.h>
 #include <vtkPointData.h>
@@ -75,7 +75,6 @@ public:
 	Lineariser(vtkUnstructuredGrid* grid, int level)
 	    : grid_(grid), level_(level), nodes_(grid), source_(grid), ghosts_(ghostMarks(grid))
 	{
-		offsets_->InsertNextValue(0);
 	}
 
 	LinearCells run()
@@ -85,6 +84,7 @@ public:
 		{
 			const std::uint8_t type = loadCell(c);
 			cell_ = c;
+			cells_.startSource(c);
 			if (isShown(c) && isCurved(type))
 				addCurved(type);
 			else if (isShown(c) && isPrism(type))
@@ -146,8 +146,8 @@ private:
 		for (const LinearCell& part : parts_)
 		{
 			for (int i = 0; i < pointsOf(part.type); ++i)
-				connectivity_->InsertNextValue(part.corners[static_cast<std::size_t>(i)].point);
-			endCell(part.type);
+				cells_.addPoint(part.corners[static_cast<std::size_t>(i)].point);
+			cells_.endCell(part.type);
 		}
 	}
 
@@ -236,24 +236,7 @@ private:
 		if (ids_->GetNumberOfIds() < 2 * sides)
 			throw damaged(
 			    fmt::format("cell {}, a prism of {} sides, lists {} points", cell_, sides, ids_->GetNumberOfIds()));
-		face_location_ = faces_->GetNumberOfValues();
-		for (const vtkIdType size : {sides + 2, sides})
-			faces_->InsertNextValue(size);
-		for (int i = sides; i-- > 0;)
-			faces_->InsertNextValue(ids_->GetId(i));
-		faces_->InsertNextValue(sides);
-		for (int i = 0; i < sides; ++i)
-			faces_->InsertNextValue(ids_->GetId(sides + i));
-		for (int i = 0; i < sides; ++i)
-		{
-			const int next = (i + 1) % sides;
-			faces_->InsertNextValue(4);
-			for (const int corner : {i, next, sides + next, sides + i})
-				faces_->InsertNextValue(ids_->GetId(corner));
-		}
-		for (int i = 0; i < 2 * sides; ++i)
-			connectivity_->InsertNextValue(ids_->GetId(i));
-		endCell(kPolyhedron);
+		cells_.addPrism({ids_->GetPointer(0), static_cast<std::size_t>(2 * sides)});
 	}
 
 	// Points are sorted by their ids, so that a flat face of more than three points is cut alike from either side.
@@ -278,53 +261,31 @@ private:
 			triangulator_->AddTetras(0, tetrahedra, ignored);
 		}
 		if (tetrahedra->GetNumberOfIds() == 0)
-			return endCell(kEmptyCell);
+			return cells_.endCell(kEmptyCell);
 		for (vtkIdType i = 0; i < tetrahedra->GetNumberOfIds(); ++i)
 		{
-			connectivity_->InsertNextValue(ids_->GetId(tetrahedra->GetId(i)));
+			cells_.addPoint(ids_->GetId(tetrahedra->GetId(i)));
 			if (i % 4 == 3)
-				endCell(kTetra);
+				cells_.endCell(kTetra);
 		}
 	}
 
 	void addUnchanged(std::uint8_t type)
 	{
 		for (vtkIdType i = 0; i < ids_->GetNumberOfIds(); ++i)
-			connectivity_->InsertNextValue(ids_->GetId(i));
+			cells_.addPoint(ids_->GetId(i));
 		if (type == kPolyhedron)
-			copyFaces();
-		endCell(type);
-	}
-
-	void copyFaces()
-	{
-		const auto faces = polyhedronFaces(grid_, cell_);
-		face_location_ = faces_->GetNumberOfValues();
-		for (const vtkIdType value : faces)
-			faces_->InsertNextValue(value);
-	}
-
-	void endCell(std::uint8_t type)
-	{
-		types_->InsertNextValue(type);
-		offsets_->InsertNextValue(connectivity_->GetNumberOfValues());
-		face_locations_->InsertNextValue(face_location_);
-		source_cells_.push_back(cell_);
-		face_location_ = -1;
+			cells_.addFaces(polyhedronFaces(grid_, cell_));
+		cells_.endCell(type);
 	}
 
 	LinearCells finish()
 	{
-		LinearCells made{vtkSmartPointer<vtkUnstructuredGrid>::New(), std::move(source_cells_)};
+		LinearCells made{vtkSmartPointer<vtkUnstructuredGrid>::New(), cells_.takeSources()};
 		made.grid->SetPoints(nodes_.points());
 		for (int a = 0; a < nodes_.data()->GetNumberOfArrays(); ++a)
 			made.grid->GetPointData()->AddArray(nodes_.data()->GetArray(a));
-		vtkNew<vtkCellArray> cells;
-		cells->SetData(offsets_, connectivity_);
-		if (faces_->GetNumberOfValues() > 0)
-			made.grid->SetCells(types_, cells, face_locations_, faces_);
-		else
-			made.grid->SetCells(types_, cells);
+		cells_.fill(made.grid);
 		if (ghosts_)
 		{
 			vtkNew<vtkUnsignedCharArray> marks;
@@ -339,6 +300,7 @@ private:
 	vtkUnstructuredGrid* grid_;
 	int level_;
 	NewNodes nodes_;
+	GrownCells cells_;
 	SourceCells source_;
 	vtkUnsignedCharArray* ghosts_;
 	vtkNew<vtkOrderedTriangulator> triangulator_;
@@ -350,14 +312,6 @@ private:
 	std::vector<LinearCell> parts_;
 	std::vector<LinearCell> finer_;
 	std::vector<bool> placed_;
-
-	vtkNew<vtkUnsignedCharArray> types_;
-	vtkNew<vtkIdTypeArray> offsets_;
-	vtkNew<vtkIdTypeArray> connectivity_;
-	vtkNew<vtkIdTypeArray> faces_;
-	vtkNew<vtkIdTypeArray> face_locations_;
-	vtkIdType face_location_ = -1;
-	std::vector<std::int64_t> source_cells_;
 };
 
 } // namespace

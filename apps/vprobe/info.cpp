@@ -1,5 +1,5 @@
-#include "commands.h"
 #include "base/timeline.h"
+#include "commands.h"
 #include "grid/demo.h"
 #include "probe_options.h"
 #include "read/read.h"
@@ -35,8 +35,10 @@ std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
 	for (const grid::Block& block : blocks.blocks)
 		for (const grid::Field& field : block.fields)
 		{
-			const bool known = std::any_of(arrays.begin(), arrays.end(), [&](const ArrayInfo& a)
-										   { return a.field->name == field.name && a.field->association == field.association; });
+			const bool known =
+			    std::any_of(arrays.begin(), arrays.end(),
+			                [&](const ArrayInfo& a)
+			                { return a.field->name == field.name && a.field->association == field.association; });
 			if (known)
 				continue;
 			const int component = field.components == 1 ? 0 : grid::kMagnitude;
@@ -50,44 +52,45 @@ nlohmann::json asJson(const grid::BlockSet& blocks)
 	nlohmann::json arrays = nlohmann::json::array();
 	for (const auto& [field, range] : listArrays(blocks))
 		arrays.push_back({{"name", field->name},
-						  {"association", grid::associationName(field->association)},
-						  {"components", field->components},
-						  {"type", grid::numberTypeName(field->type)},
-						  {"range", {range.first, range.second}}});
+		                  {"association", grid::associationName(field->association)},
+		                  {"components", field->components},
+		                  {"type", grid::numberTypeName(field->type)},
+		                  {"range", {range.first, range.second}}});
 	const Box bounds = blocks.bounds();
 	return {{"grid",
-			 {{"kind", blocks.kind()},
-			  {"cells", blocks.sourceCellCount()},
-			  {"points", blocks.sourcePointCount()},
-			  {"linear_cells", blocks.cellCount()},
-			  {"linear_points", blocks.pointCount()},
-			  {"blocks", blocks.blocks.size()},
-			  {"cells_left_out", blocks.left_out}}},
-			{"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
-			{"times", blocks.times},
-			{"arrays", arrays}};
+	         {{"kind", blocks.kind()},
+	          {"cells", blocks.sourceCellCount()},
+	          {"points", blocks.sourcePointCount()},
+	          {"linear_cells", blocks.cellCount()},
+	          {"linear_points", blocks.pointCount()},
+	          {"blocks", blocks.blocks.size()},
+	          {"cells_left_out", blocks.left_out}}},
+	        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
+	        {"times", blocks.times},
+	        {"arrays", arrays}};
 }
 
 void printTable(const grid::BlockSet& blocks)
 {
 	const Box bounds = blocks.bounds();
-	fmt::print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.sourceCellCount(), blocks.sourcePointCount(),
-			   blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
+	fmt::print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.sourceCellCount(),
+	           blocks.sourcePointCount(), blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
 	if (blocks.cellCount() != blocks.sourceCellCount())
 		fmt::print("        cut into {} linear cells with {} points\n", blocks.cellCount(), blocks.pointCount());
 	if (blocks.left_out)
 		fmt::print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
-	fmt::print("bounds  x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n", bounds.lo.x, bounds.hi.x, bounds.lo.y,
-			   bounds.hi.y, bounds.lo.z, bounds.hi.z);
+	fmt::print("bounds  x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n", bounds.lo.x, bounds.hi.x,
+	           bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z);
 	if (!blocks.times.empty())
-		fmt::print("times   {} from {:.6g} to {:.6g}\n", blocks.times.size(), blocks.times.front(), blocks.times.back());
+		fmt::print("times   {} from {:.6g} to {:.6g}\n", blocks.times.size(), blocks.times.front(),
+		           blocks.times.back());
 	const auto arrays = listArrays(blocks);
 	if (arrays.empty())
 		fmt::print("arrays  none\n");
 	for (const auto& [field, range] : arrays)
-		fmt::print("array   {}:{}  {} x {}, {}{:.6g} to {:.6g}\n", grid::associationName(field->association), field->name,
-				   field->components, grid::numberTypeName(field->type), field->components == 1 ? "" : "magnitude ", range.first,
-				   range.second);
+		fmt::print("array   {}:{}  {} x {}, {}{:.6g} to {:.6g}\n", grid::associationName(field->association),
+		           field->name, field->components, grid::numberTypeName(field->type),
+		           field->components == 1 ? "" : "magnitude ", range.first, range.second);
 }
 
 Result<ExitCode> runInfo(const InfoOptions& options)

@@ -42,7 +42,8 @@ struct ProbeOptions
 void addInputs(CLI::App& command, ProbeOptions& options);
 void addProbeOptions(CLI::App& command, ProbeOptions& options);
 
-// What a command cuts and by what, made ready from the options. The slicer refers to the blocks, the device serves slicer and drawing.
+// What a command cuts and by what, made ready from the options. The slicer refers to the blocks, the device serves
+// slicer and drawing.
 struct Session
 {
 	grid::BlockSet blocks;

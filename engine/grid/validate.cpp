@@ -177,8 +177,8 @@ void validate(const Block& block)
 	    {
 		    checkCells(grid, block.bounds);
 		    checkSources(
-		        grid.pointCount(), grid.pointCount(), [&](std::size_t p) { return grid.sourcePoint(static_cast<PointId>(p)); }, block,
-		        Association::point);
+		        grid.pointCount(), grid.pointCount(),
+		        [&](std::size_t p) { return grid.sourcePoint(static_cast<PointId>(p)); }, block, Association::point);
 		    std::size_t cells = grid.cellCount();
 		    if constexpr (requires { grid.sourceCellCount(); })
 			    cells = grid.sourceCellCount();

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace vp::locate
@@ -13,18 +15,14 @@ namespace vp::locate
 namespace
 {
 
-struct Crossing
-{
-	CellId cell = kNoCell;
-	double t = 2.0; // along the segment; beyond its end until a face is crossed
-};
-
-// The boundary face that the segment from `from` to `to` crosses first.
+// The cells behind the boundary faces that the segment crosses first: one, or several where faces lie on each other.
 template <grid::Grid G>
-Crossing firstBoundaryCrossing(const G& grid, const grid::BoundaryIndex& boundary, const Segment& segment,
-							   std::size_t& tests)
+std::vector<CellId> cellsInSight(const G& grid, const grid::BoundaryIndex& boundary, const Segment& segment,
+                                 std::size_t& tests)
 {
-	Crossing first;
+	constexpr double kSame = 1e-9; // along the segment
+	double first = kNoCrossing;
+	std::vector<CellId> cells;
 	grid::CellFaces faces;
 	const auto visit = [&](const grid::BoundaryIndex::Face& face)
 	{
@@ -33,17 +31,41 @@ Crossing firstBoundaryCrossing(const G& grid, const grid::BoundaryIndex& boundar
 		const std::span<const PointId> points = faces[face.face];
 		// About the mean of its points, so that a warped face has no gap to its neighbours.
 		const Vec3 centre = facePlane(grid, points).centre;
+		double nearest = kNoCrossing;
 		Vec3 previous = grid.point(points.back());
 		for (const PointId p : points)
 		{
 			const Vec3 corner = grid.point(p);
-			if (const double t = crossTriangle(segment, centre, previous, corner); t < first.t)
-				first = {face.cell, t};
+			nearest = std::min(nearest, crossTriangle(segment, centre, previous, corner));
 			previous = corner;
 		}
+		if (nearest == kNoCrossing || nearest > first + kSame)
+			return;
+		if (nearest < first - kSame)
+			cells.clear();
+		cells.push_back(face.cell);
+		first = std::min(first, nearest);
 	};
 	tests += boundary.visitWhere([&](const Box& box) { return crossesBox(segment, box); }, visit);
-	return first;
+	return cells;
+}
+
+// From the target out of the bounds by the shortest way, a little askew: along an axis it would run in the faces of a
+// lattice.
+Segment wayOut(const Vec3& target, const Box& bounds)
+{
+	const double beyond = 0.01 * bounds.diagonal();
+	Segment way{target, target};
+	double shortest = std::numeric_limits<double>::infinity();
+	for (int axis = 0; axis < 3; ++axis)
+		for (const double side : {bounds.lo[axis] - beyond, bounds.hi[axis] + beyond})
+			if (const double length = std::abs(side - target[axis]); length < shortest)
+			{
+				shortest = length;
+				way.to = target + shortest * Vec3(0.031, 0.017, 0.023);
+				way.to[axis] = side;
+			}
+	return way;
 }
 
 template <grid::Grid G>
@@ -51,35 +73,36 @@ Located find(const G& grid, const grid::Block& block, CellId start, const Vec3& 
 {
 	Located located;
 	const double side = std::cbrt(static_cast<double>(grid.cellCount()));
-	const auto budget = static_cast<std::size_t>(6.0 * side) + 8;
-	const auto hopFrom = [&](CellId from)
+	// Of the 6 N^(1/3) hops that a search may cost, what is left when the boundary is asked is for the way it points
+	// out.
+	const auto budget = static_cast<std::size_t>(4.0 * side);
+	const auto hopFrom = [&](CellId from, std::size_t most)
 	{
-		const Hop hop = fenceHop(grid, from, target, budget);
+		const Hop hop = fenceHop(grid, from, target, most);
 		located.hops += hop.hops;
 		if (hop.end == Hop::End::found)
 			located.cell = hop.cell;
 		return located.found();
 	};
-	if (hopFrom(start))
-		return located;
 
-	std::vector<std::pair<double, CellId>> vantage;
+	std::vector<std::pair<double, CellId>> starts;
 	for (const CellId cell : block.vantage)
 		if (cell != start)
-			vantage.emplace_back(glm::length(cellCentre(grid, cell) - target), cell);
-	std::sort(vantage.begin(), vantage.end());
-	for (const auto& [distance, cell] : vantage)
+			starts.emplace_back(glm::length(cellCentre(grid, cell) - target), cell);
+	if (start != kNoCell)
+		starts.emplace_back(-1.0, start);
+	std::sort(starts.begin(), starts.end());
+	for (const auto& [distance, cell] : starts)
 	{
-		if (located.hops > budget)
+		if (located.hops >= budget)
 			break;
-		if (hopFrom(cell))
+		if (hopFrom(cell, budget - located.hops))
 			return located;
 	}
 
-	const Segment segment{target, cellCentre(grid, start)};
-	const Crossing crossing = firstBoundaryCrossing(grid, block.boundary, segment, located.boundary_tests);
-	if (crossing.cell != kNoCell)
-		hopFrom(crossing.cell);
+	for (const CellId cell : cellsInSight(grid, block.boundary, wayOut(target, block.bounds), located.boundary_tests))
+		if (hopFrom(cell, budget))
+			break;
 	return located;
 }
 
@@ -89,11 +112,10 @@ Located findCell(const grid::Block& block, CellId start, const Vec3& target)
 {
 	const double slack = 1e-12 * block.bounds.diagonal();
 	const bool in_bounds = glm::all(glm::greaterThanEqual(target, block.bounds.lo - slack)) &&
-						   glm::all(glm::lessThanEqual(target, block.bounds.hi + slack));
+	                       glm::all(glm::lessThanEqual(target, block.bounds.hi + slack));
 	if (!in_bounds || (start == kNoCell && block.vantage.empty()))
 		return {};
-	return std::visit([&](const auto& grid) { return find(grid, block, start == kNoCell ? block.vantage.front() : start, target); },
-					  block.grid);
+	return std::visit([&](const auto& grid) { return find(grid, block, start, target); }, block.grid);
 }
 
 } // namespace vp::locate

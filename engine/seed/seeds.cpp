@@ -37,17 +37,19 @@ CellId nearestCutCell(const G& grid, const surface::Plane& plane, CellId start)
 			return queue[i];
 		for (int f = 0; f < grid.faceCount(queue[i]); ++f)
 			grid.forEachNeighbour(queue[i], f,
-								  [&](CellId n)
-								  {
-									  if (queue.size() < kNearbyCells && std::find(queue.begin(), queue.end(), n) == queue.end())
-										  queue.push_back(n);
-								  });
+			                      [&](CellId n)
+			                      {
+				                      if (queue.size() < kNearbyCells &&
+				                          std::find(queue.begin(), queue.end(), n) == queue.end())
+					                      queue.push_back(n);
+			                      });
 	}
 	return kNoCell;
 }
 
 // The seed at the hot spot, in the first block that holds it.
-void seedHotSpot(const grid::BlockSet& blocks, const probe::Sheet& sheet, const surface::Plane& plane, SheetSeeds& seeds)
+void seedHotSpot(const grid::BlockSet& blocks, const probe::Sheet& sheet, const surface::Plane& plane,
+                 SheetSeeds& seeds)
 {
 	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
 	{
@@ -59,7 +61,7 @@ void seedHotSpot(const grid::BlockSet& blocks, const probe::Sheet& sheet, const 
 			continue;
 		seeds.hot_spot_inside = true;
 		const CellId seed =
-			std::visit([&](const auto& grid) { return nearestCutCell(grid, plane, located.cell); }, block.grid);
+		    std::visit([&](const auto& grid) { return nearestCutCell(grid, plane, located.cell); }, block.grid);
 		if (seed == kNoCell)
 			continue; // on the rim of this block; another one may hold it as well
 		seeds.cells[b].push_back(seed);
@@ -79,7 +81,8 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 		seedHotSpot(blocks, sheet, plane, seeds);
 
 	const bool seeds_boundary = options.mode != SeedMode::hotspot;
-	const bool moves_hot_spot = options.mode != SeedMode::boundary && !seeds.hot_spot_inside && options.outside == OutsidePolicy::nearest;
+	const bool moves_hot_spot =
+	    options.mode != SeedMode::boundary && !seeds.hot_spot_inside && options.outside == OutsidePolicy::nearest;
 	double nearest = std::numeric_limits<double>::infinity();
 	std::size_t nearest_block = 0;
 	CellId nearest_cell = kNoCell;
@@ -89,37 +92,37 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 			break;
 		const grid::Block& block = blocks.blocks[b];
 		std::visit(
-			[&](const auto& grid)
-			{
-				seeds.boundary_tests += visitBoundaryCut(
-					grid, block.boundary, plane,
-					[&](const CutFace& face)
-					{
-						if (seeds_boundary && (seeds.cells[b].empty() || seeds.cells[b].back() != face.cell))
-							seeds.cells[b].push_back(face.cell);
-						if (!moves_hot_spot)
-							return;
-						const Vec3 point = nearestOnSegment(face.from, face.to, sheet.origin);
-						const double distance = glm::length(point - sheet.origin);
-						if (distance < nearest)
-						{
-							nearest = distance;
-							nearest_block = b;
-							nearest_cell = face.cell;
-							seeds.moved_to = point;
-						}
-					},
-					[&](const grid::BoundaryIndex::Face& face)
-					{
-						if (seeds_boundary && !isCut(grid, plane, face.cell))
-							seeds.faces_in_plane[b].push_back(face);
-					});
-				if (seeds_boundary)
-					for (const CellId cell : block.inverted)
-						if (isCut(grid, plane, cell))
-							seeds.cells[b].push_back(cell);
-			},
-			block.grid);
+		    [&](const auto& grid)
+		    {
+			    seeds.boundary_tests += visitBoundaryCut(
+			        grid, block.boundary, plane,
+			        [&](const CutFace& face)
+			        {
+				        if (seeds_boundary && (seeds.cells[b].empty() || seeds.cells[b].back() != face.cell))
+					        seeds.cells[b].push_back(face.cell);
+				        if (!moves_hot_spot)
+					        return;
+				        const Vec3 point = nearestOnSegment(face.from, face.to, sheet.origin);
+				        const double distance = glm::length(point - sheet.origin);
+				        if (distance < nearest)
+				        {
+					        nearest = distance;
+					        nearest_block = b;
+					        nearest_cell = face.cell;
+					        seeds.moved_to = point;
+				        }
+			        },
+			        [&](const grid::BoundaryIndex::Face& face)
+			        {
+				        if (seeds_boundary && !isCut(grid, plane, face.cell))
+					        seeds.faces_in_plane[b].push_back(face);
+			        });
+			    if (seeds_boundary)
+				    for (const CellId cell : block.inverted)
+					    if (isCut(grid, plane, cell))
+						    seeds.cells[b].push_back(cell);
+		    },
+		    block.grid);
 	}
 	if (nearest_cell != kNoCell && !seeds_boundary)
 		seeds.cells[nearest_block].push_back(nearest_cell);

@@ -16,8 +16,8 @@
 namespace vp::traverse
 {
 
-// A sheet within a block: the unit that has a front and visited marks of its own. All lanes go in lock step, one call of
-// the classifier for generation k of every lane.
+// A sheet within a block: the unit that has a front and visited marks of its own. All lanes go in lock step, one call
+// of the classifier for generation k of every lane.
 template <class Surface>
 struct Lane
 {
@@ -36,8 +36,11 @@ struct FrontSlice
 };
 
 template <class C>
-concept Classifier = requires(C& c, std::span<const FrontSlice> fronts) {
-	{ c.classify(fronts) } -> std::same_as<Status>;
+concept Classifier = requires(C& c, std::span<const FrontSlice> fronts)
+{
+	{
+		c.classify(fronts)
+		} -> std::same_as<Status>;
 };
 
 // The cut cells of a lane in the order of their discovery.
@@ -90,8 +93,8 @@ void expandFront(const G& grid, const Lane<Surface>& lane, std::size_t begin, st
 	}
 }
 
-// Breadth first, by generations: G(k+1) are the cells first met across the cut faces of G(k). Returns one LaneCut a lane, or
-// the classifier's error; a stop request ends the traversal between generations with what was found.
+// Breadth first, by generations: G(k+1) are the cells first met across the cut faces of G(k). Returns one LaneCut a
+// lane, or the classifier's error; a stop request ends the traversal between generations with what was found.
 template <class Surface, Classifier C>
 Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& classifier, std::stop_token stop = {})
 {
@@ -128,7 +131,7 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 			const std::size_t end = cut.generation_starts.back();
 			const std::size_t begin = end - front.cells.size();
 			std::visit([&](const auto& grid) { expandFront(grid, lanes[front.lane], begin, end, cut); },
-					   lanes[front.lane].block->grid);
+			           lanes[front.lane].block->grid);
 		}
 	}
 	// A stop leaves a generation queued that nothing is known about.
