@@ -37,6 +37,12 @@ std::span<const T> spanOf(vtkDataArray* array)
 }
 
 template <class T>
+Lists<T> listsOf(vtkCellArray* cells)
+{
+	return {spanOf<T>(cells->GetOffsetsArray()), spanOf<T>(cells->GetConnectivityArray())};
+}
+
+template <class T>
 void refuseBadOffsets(const Lists<T>& lists, std::size_t cells)
 {
 	if (lists.offsets.size() != cells + 1 || lists.offsets[0] != 0 ||
@@ -112,34 +118,16 @@ void writeTrimmed(ArrayWriter& writer, std::span<const std::uint8_t> types, cons
 // Per polyhedron: faces, then per face its size and points. VTK keeps them in one array and a location per cell.
 void writeFaces(ArrayWriter& writer, std::span<const std::uint8_t> types, vtkUnstructuredGrid* grid, json& cells)
 {
-	if (!grid->GetFaces() || !grid->GetFaceLocations())
-		throw damaged("polyhedra without faces");
-	const auto faces = spanOf<vtkIdType>(grid->GetFaces());
-	const auto locations = spanOf<vtkIdType>(grid->GetFaceLocations());
-	if (locations.size() != types.size())
-		throw damaged("the polyhedra's faces do not match the cells");
-
 	std::vector<std::int64_t> offsets = {0};
 	std::vector<std::int64_t> stream;
 	offsets.reserve(types.size() + 1);
-	stream.reserve(faces.size());
+	stream.reserve(grid->GetFaces() ? static_cast<std::size_t>(grid->GetFaces()->GetNumberOfValues()) : 0);
 	for (std::size_t c = 0; c < types.size(); ++c)
 	{
 		if (types[c] == kPolyhedron)
 		{
-			if (locations[c] < 0 || locations[c] >= static_cast<vtkIdType>(faces.size()))
-				throw damaged("cell " + std::to_string(c) + " is a polyhedron without faces");
-			std::size_t at = static_cast<std::size_t>(locations[c]);
-			const vtkIdType count = faces[at++];
-			stream.push_back(count);
-			for (vtkIdType f = 0; f < count; ++f)
-			{
-				const vtkIdType size = at < faces.size() ? faces[at] : -1;
-				if (size < 0 || static_cast<std::size_t>(size) >= faces.size() - at)
-					throw damaged("the faces of cell " + std::to_string(c) + " run past their end");
-				stream.insert(stream.end(), faces.begin() + at, faces.begin() + at + size + 1);
-				at += static_cast<std::size_t>(size) + 1;
-			}
+			const auto faces = polyhedronFaces(grid, static_cast<vtkIdType>(c));
+			stream.insert(stream.end(), faces.begin(), faces.end());
 		}
 		offsets.push_back(static_cast<std::int64_t>(stream.size()));
 	}
@@ -148,18 +136,14 @@ void writeFaces(ArrayWriter& writer, std::span<const std::uint8_t> types, vtkUns
 }
 
 template <class T>
-json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, vtkDataArray* offsets, vtkDataArray* connectivity,
-                  CellCounts& counts)
+json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts)
 {
 	const auto given = spanOf<std::uint8_t>(grid->GetCellTypesArray());
-	const Lists<T> lists = {spanOf<T>(offsets), spanOf<T>(connectivity)};
+	const auto lists = listsOf<T>(grid->GetCells());
 	refuseBadOffsets(lists, given.size());
 
 	std::vector<std::uint8_t> types(given.begin(), given.end());
-	auto* ghosts =
-	    vtkUnsignedCharArray::SafeDownCast(grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-	if (ghosts && static_cast<std::size_t>(ghosts->GetNumberOfValues()) != types.size())
-		throw damaged("the ghost marks do not match the cells");
+	vtkUnsignedCharArray* ghosts = ghostMarks(grid);
 
 	const std::size_t trimmed_before = counts.trimmed;
 	if (!chooseTypes(types, lists, ghosts, counts))
@@ -187,7 +171,48 @@ json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& coun
 	if (!grid->GetPoints())
 		throw damaged("cells without points");
 	if (cells->IsStorage64Bit())
-		return writeCellsAs<std::int64_t>(writer, grid, cells->GetOffsetsArray(), cells->GetConnectivityArray(),
-		                                  counts);
-	return writeCellsAs<std::int32_t>(writer, grid, cells->GetOffsetsArray(), cells->GetConnectivityArray(), counts);
+		return writeCellsAs<std::int64_t>(writer, grid, counts);
+	return writeCellsAs<std::int32_t>(writer, grid, counts);
+}
+
+vtkUnsignedCharArray* ghostMarks(vtkUnstructuredGrid* grid)
+{
+	auto* ghosts =
+	    vtkUnsignedCharArray::SafeDownCast(grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+	if (ghosts && ghosts->GetNumberOfValues() != grid->GetNumberOfCells())
+		throw damaged("the ghost marks do not match the cells");
+	return ghosts;
+}
+
+void refuseBadLists(vtkUnstructuredGrid* grid)
+{
+	vtkCellArray* cells = grid->GetCells();
+	const auto count = static_cast<std::size_t>(grid->GetCellTypesArray()->GetNumberOfValues());
+	if (cells->IsStorage64Bit())
+		refuseBadOffsets(listsOf<std::int64_t>(cells), count);
+	else
+		refuseBadOffsets(listsOf<std::int32_t>(cells), count);
+}
+
+std::span<const vtkIdType> polyhedronFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+	if (!grid->GetFaces() || !grid->GetFaceLocations())
+		throw damaged("polyhedra without faces");
+	const auto faces = spanOf<vtkIdType>(grid->GetFaces());
+	const auto locations = spanOf<vtkIdType>(grid->GetFaceLocations());
+	if (locations.size() != static_cast<std::size_t>(grid->GetNumberOfCells()))
+		throw damaged("the polyhedra's faces do not match the cells");
+	const vtkIdType start = locations[static_cast<std::size_t>(cell)];
+	if (start < 0 || start >= static_cast<vtkIdType>(faces.size()))
+		throw damaged("cell " + std::to_string(cell) + " is a polyhedron without faces");
+	const auto begin = static_cast<std::size_t>(start);
+	std::size_t at = begin + 1;
+	for (vtkIdType f = 0; f < faces[begin]; ++f)
+	{
+		const vtkIdType size = at < faces.size() ? faces[at] : -1;
+		if (size < 0 || static_cast<std::size_t>(size) >= faces.size() - at)
+			throw damaged("the faces of cell " + std::to_string(cell) + " run past their end");
+		at += static_cast<std::size_t>(size) + 1;
+	}
+	return faces.subspan(begin, at - begin);
 }

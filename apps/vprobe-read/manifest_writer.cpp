@@ -1,5 +1,6 @@
 #include "manifest_writer.h"
 
+#include "linearise.h"
 #include "refusal.h"
 #include "structured_blocks.h"
 #include "visible_cells.h"
@@ -97,18 +98,30 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* data)
 	if (!data || data->GetNumberOfCells() == 0)
 		return;
 	json block;
+	vtkDataSet* point_data = data;
+	std::optional<LinearCells> linear;
 	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
 	{
+		const vtkIdType file_points = grid->GetNumberOfPoints();
+		linear = linearise(grid, refine_);
+		if (linear)
+			point_data = grid = linear->grid;
 		json cells = writeCells(cell_writer_, grid, counts_);
 		if (cells.is_null())
 			return;
+		if (linear)
+		{
+			cells["source_cells"] = writeInt64(cell_writer_, std::span<const std::int64_t>(linear->source_cells));
+			cells["source_cell_count"] = data->GetNumberOfCells();
+			cells["source_point_count"] = file_points;
+		}
 		block = {{"kind", "unstructured"}, {"coordinates", writeCoordinates(cell_writer_, grid->GetPoints())}};
 		block["cells"] = std::move(cells);
 	}
 	else if (!describeLattice(data, block))
 		return;
 	block["name"] = prefix_.empty() ? name : name.empty() ? prefix_ : prefix_ + "/" + name;
-	block["arrays"] = describeArrays(data);
+	block["arrays"] = describeArrays(point_data, data);
 	blocks_.push_back(std::move(block));
 }
 
@@ -146,7 +159,7 @@ bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
 	return true;
 }
 
-json ManifestWriter::describeArrays(vtkDataSet* data)
+json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 {
 	json arrays = json::array();
 	const auto describeAll = [&](vtkFieldData* fields, const char* association, vtkIdType tuples)
@@ -169,8 +182,8 @@ json ManifestWriter::describeArrays(vtkDataSet* data)
 			arrays.push_back(std::move(described));
 		}
 	};
-	describeAll(data->GetPointData(), "point", data->GetNumberOfPoints());
-	describeAll(data->GetCellData(), "cell", data->GetNumberOfCells());
+	describeAll(points->GetPointData(), "point", points->GetNumberOfPoints());
+	describeAll(cells->GetCellData(), "cell", cells->GetNumberOfCells());
 	return arrays;
 }
 

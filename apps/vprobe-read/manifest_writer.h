@@ -16,6 +16,9 @@ class vtkDataSet;
 class ManifestWriter
 {
 public:
+	// `refine`: how many times the linear parts of curved cells are halved.
+	explicit ManifestWriter(int refine) : refine_(refine) {}
+
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);
 	// Goes before the names of the blocks added from now on.
@@ -29,8 +32,9 @@ public:
 private:
 	void addDataSet(const std::string& name, vtkDataSet* data);
 	bool describeLattice(vtkDataSet* data, nlohmann::json& block);
-	nlohmann::json describeArrays(vtkDataSet* data);
+	nlohmann::json describeArrays(vtkDataSet* points, vtkDataSet* cells);
 
+	int refine_;
 	ArrayWriter writer_{vp::read::kArraysFd};
 	ArrayWriter cell_writer_{vp::read::kCellsFd};
 	nlohmann::json blocks_ = nlohmann::json::array();

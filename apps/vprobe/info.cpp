@@ -59,8 +59,10 @@ nlohmann::json asJson(const grid::BlockSet& blocks)
 	const Box bounds = blocks.bounds();
 	return {{"grid",
 	         {{"kind", blocks.kind()},
-	          {"cells", blocks.cellCount()},
-	          {"points", blocks.pointCount()},
+	          {"cells", blocks.sourceCellCount()},
+	          {"points", blocks.sourcePointCount()},
+	          {"linear_cells", blocks.cellCount()},
+	          {"linear_points", blocks.pointCount()},
 	          {"blocks", blocks.blocks.size()},
 	          {"cells_left_out", blocks.left_out}}},
 	        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
@@ -71,8 +73,10 @@ nlohmann::json asJson(const grid::BlockSet& blocks)
 void printTable(const grid::BlockSet& blocks)
 {
 	const Box bounds = blocks.bounds();
-	fmt::print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.cellCount(), blocks.pointCount(),
-	           blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
+	fmt::print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.sourceCellCount(),
+	           blocks.sourcePointCount(), blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
+	if (blocks.cellCount() != blocks.sourceCellCount())
+		fmt::print("        cut into {} linear cells with {} points\n", blocks.cellCount(), blocks.pointCount());
 	if (blocks.left_out)
 		fmt::print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
 	fmt::print("bounds  x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n", bounds.lo.x, bounds.hi.x,
@@ -101,7 +105,8 @@ Result<ExitCode> runInfo(const InfoOptions& options)
 	Result<read::TimeChoice> time = read::parseTime(input.time);
 	if (!time)
 		return time.error();
-	Result<grid::BlockSet> blocks = read::readInputs(input.inputs, {*time, input.solution, input.displace}, nullptr);
+	Result<grid::BlockSet> blocks =
+	    read::readInputs(input.inputs, {*time, input.solution, input.refine, input.displace}, nullptr);
 	if (!blocks)
 		return blocks.error();
 	if (options.json)

@@ -119,6 +119,13 @@ void addInputs(CLI::App& command, ProbeOptions& options)
 	command.add_option("--solution", options.solution,
 	                   "PLOT3D solution (q) file, where its name does not follow from the grid's");
 	command
+	    .add_option("--refine", options.refine,
+	                "Curved (quadratic, Lagrange, Bezier) cells: halve their linear parts so many times more, along "
+	                "the cell's shape")
+	    ->check(CLI::Range(0, read::kMaxRefine))
+	    ->type_name("LEVEL")
+	    ->capture_default_str();
+	command
 	    .add_option("--displace", options.displace,
 	                "Moves the points of Exodus files by their displacements, times this")
 	    ->check(CLI::Number)
@@ -205,7 +212,8 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	Result<grid::BlockSet> blocks = [&]
 	{
 		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
-		return read::readInputs(options.inputs, {*time, options.solution, options.displace}, session->timeline.get());
+		return read::readInputs(options.inputs, {*time, options.solution, options.refine, options.displace},
+		                        session->timeline.get());
 	}();
 	if (!blocks)
 		return blocks.error();

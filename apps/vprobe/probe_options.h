@@ -29,6 +29,7 @@ struct ProbeOptions
 	std::string component;
 	std::string time = "last";
 	std::string solution;
+	int refine = 0;
 	double displace = 0.0;
 	std::string seeds = "auto";
 	std::string outside = "nearest";

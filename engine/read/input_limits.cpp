@@ -26,6 +26,8 @@ constexpr std::uint64_t kMemoryPerByte = 1032;
 // The slowest reader measured, of ASCII XML, takes in 50 MB/s. A slow disk or a busy machine has 12 times as long.
 constexpr std::chrono::seconds kBaseTime{15};
 constexpr std::uint64_t kBytesPerSecond = 4u << 20;
+// The most cells that a reader refines to take about four minutes.
+constexpr std::chrono::seconds kMaxRefineTime{600};
 // Of a folder's files that are counted for an input that refers to others.
 constexpr int kMaxFilesBeside = 10000;
 
@@ -104,6 +106,15 @@ Result<InputLimits> inputLimits(const std::string& file, const std::string& solu
 	// Address space is more than memory: what the libraries map counts even where it is never touched.
 	limits.memory = std::min(std::max(physicalMemory(), kBaseMemory), kBaseMemory + kMemoryPerByte * bytes);
 	limits.time = kBaseTime + std::chrono::seconds(bytes / kBytesPerSecond);
+	return limits;
+}
+
+InputLimits refinedLimits(InputLimits limits, int refine)
+{
+	const std::uint64_t growth = std::uint64_t(1) << (3 * std::clamp(refine, 0, 10));
+	const std::uint64_t most = std::max(physicalMemory(), kBaseMemory);
+	limits.memory = limits.memory > most / growth ? most : limits.memory * growth;
+	limits.time = std::min(limits.time * static_cast<std::int64_t>(growth), std::max(limits.time, kMaxRefineTime));
 	return limits;
 }
 

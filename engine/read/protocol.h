@@ -8,17 +8,19 @@ namespace vp::read
 {
 
 // What vprobe-read and its parent agree on. The child is started as
-//   vprobe-read TIME SOLUTION FILE DISPLACE
-// with TIME last, first, a number or # and an index, SOLUTION empty or a PLOT3D q file, and DISPLACE what Exodus
-// displacements are multiplied with, 0 for none. It writes arrays into two shared memories,
-// each array at a multiple of kArrayAlignment: kCellsFd takes the points and cells of unstructured blocks, which are
-// needed no more once a grid is built, kArraysFd all else. One JSON manifest that describes them goes into kManifestFd:
+//   vprobe-read TIME SOLUTION REFINE DISPLACE FILE
+// with TIME last, first, a number or # and an index, SOLUTION empty or a PLOT3D q file, REFINE how many times the
+// linear parts of curved cells are halved, and DISPLACE what Exodus displacements are multiplied with, 0 for none. It
+// writes arrays into two shared memories, each array at a multiple of kArrayAlignment: kCellsFd takes the points and
+// cells of unstructured blocks, which are needed no more once a grid is built, kArraysFd all else. One JSON manifest
+// that describes them goes into kManifestFd:
 //
 //   {"version", "times": [..], "left_out": cells, "warnings": [..], "blocks": [{"name", "kind", "arrays": [..], ..}]}
 //   image         "points": [nx, ny, nz], "origin": [..], "spacing": [..]
 //   rectilinear   "axes": [array, array, array] of float64
 //   curvilinear   "points": [nx, ny, nz], "coordinates": array
-//   unstructured  "coordinates": array, "cells": {"types", "offsets", "connectivity", "face_offsets", "face_stream"}
+//   unstructured  "coordinates": array, "cells": {"types", "offsets", "connectivity", "face_offsets", "face_stream",
+//                 "source_cells", "source_cell_count", "source_point_count"}; the latter five where there is need
 //
 // An array is {"type": "float32" ..., "offset", "bytes"}, and among "arrays" also has "name", "association" and
 // "components".

@@ -47,9 +47,10 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	CheckedInput input;
 	{
 		TimedSection timed(timeline, "read");
-		const Result<InputLimits> limits = inputLimits(file, options.solution);
+		Result<InputLimits> limits = inputLimits(file, options.solution);
 		if (!limits)
 			return limits.error();
+		*limits = refinedLimits(*limits, options.refine);
 		const Result<HandedOver> handed = runReader(file, options, *limits);
 		if (!handed)
 			return handed.error();

@@ -36,9 +36,13 @@ Result<TimeChoice> parseTime(const std::string& text);
 struct ReadOptions
 {
 	TimeChoice time;
-	std::string solution;  // PLOT3D q file, where its name does not follow from the grid's
+	std::string solution; // PLOT3D q file, where its name does not follow from the grid's
+	// Curved cells are cut into linear ones over their own points; each level halves the edges of those once more.
+	int refine = 0;
 	double displace = 0.0; // moves the points of Exodus files by their displacements, times this
 };
+
+constexpr int kMaxRefine = 6;
 
 // Reads every input (a file, or demo:NAME[:N]) into one block set, finished (see finishBlock). A file is read by VTK in
 // a child process (vprobe-read, beside the program or in its libexec folder) which hands its arrays over in shared

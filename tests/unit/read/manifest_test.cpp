@@ -280,6 +280,53 @@ TEST(Manifest, WithWrongCellsIsRefused)
 	expectRefused(made, "polyhedron without faces");
 }
 
+TEST(Manifest, WithWrongSourcesIsRefused)
+{
+	const auto with = [](const std::vector<std::int64_t>& sources, std::size_t cells, std::size_t points)
+	{
+		Made made = makeManifest();
+		json& lists = made.block(kMesh)["cells"];
+		lists["source_cells"] = made.array<std::int64_t>("int64", sources);
+		lists["source_cell_count"] = cells;
+		lists["source_point_count"] = points;
+		// Cell arrays are as long as the file's cells.
+		json& id = made.block(kMesh)["arrays"][1];
+		id = made.field("id", "cell", 1, made.array<std::int64_t>("int64", std::vector<std::int64_t>(cells, 5)));
+		return made;
+	};
+	const auto checked = with({1, 1, 0}, 2, 5).check();
+	ASSERT_TRUE(checked) << checked.error().message;
+	const auto& mesh = std::get<CellMesh>(checked->blocks[kMesh].mesh);
+	EXPECT_EQ(mesh.cells.source_points, 5u);
+	const auto grid = grid::UnstructuredGrid::build(mesh.points, mesh.cells);
+	EXPECT_EQ(grid.cellCount(), 2u);
+	EXPECT_EQ(grid.sourceCellCount(), 1u);
+	EXPECT_EQ(grid.sourcePointCount(), 5u);
+	EXPECT_TRUE(grid.splitsCells());
+	EXPECT_EQ(grid.sourceCell(0), 1u);
+	EXPECT_EQ(grid.sourceCell(1), 1u);
+
+	expectRefused(with({1, 1, 2}, 2, 5), "source past the end");
+	expectRefused(with({1, -1, 0}, 2, 5), "negative source");
+	expectRefused(with({1, std::numeric_limits<std::int64_t>::min(), 0}, 2, 5), "lowest source");
+	expectRefused(with({1, 1}, 2, 5), "too few sources");
+	expectRefused(with({1, 1, 0, 0}, 2, 5), "too many sources");
+	expectRefused(with({}, 2, 5), "no sources");
+	expectRefused(with({1, 1, 0}, 4, 5), "more cells in the file");
+	expectRefused(with({1, 1, 0}, 2, 7), "more points in the file");
+	for (const char* key : {"source_cell_count", "source_point_count"})
+	{
+		Made made = with({1, 1, 0}, 2, 5);
+		made.block(kMesh)["cells"].erase(key);
+		expectRefused(made, key);
+		made.block(kMesh)["cells"][key] = -1;
+		expectRefused(made, key);
+	}
+	Made made = with({1, 1, 0}, 2, 5);
+	made.block(kMesh)["arrays"][1] = makeManifest().block(kMesh)["arrays"][1];
+	expectRefused(made, "cell array as long as the parts");
+}
+
 TEST(Manifest, WithCoordinatesThatAreNoNumbersIsRefused)
 {
 	for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL})
