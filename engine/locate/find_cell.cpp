@@ -15,16 +15,31 @@ namespace
 
 struct Crossing
 {
-	CellId cell = kNoCell;
-	double t = 2.0; // along the segment; beyond its end until a face is crossed
+	CellId cell;
+	double t; // along the segment
 };
 
-// The boundary face that the segment from `from` to `to` crosses first.
+// Faces that coincide at a seam are crossed at the same t, but for rounding; the target is behind one of them.
+constexpr double kSameCrossing = 1e-9;
+constexpr std::size_t kMostAtOneCrossing = 4;
+
+constexpr int kMostRounds = 2; // of asking the boundary
+
+// The boundary faces that the segment crosses first: one, or those that coincide there.
 template <grid::Grid G>
-Crossing firstBoundaryCrossing(const G& grid, const grid::BoundaryIndex& boundary, const Segment& segment,
-							   std::size_t& tests)
+std::vector<Crossing> firstBoundaryCrossings(const G& grid, const grid::BoundaryIndex& boundary, const Segment& segment,
+											 std::size_t& tests)
 {
-	Crossing first;
+	std::vector<Crossing> first;
+	const auto keep = [&](const Crossing& crossing)
+	{
+		if (!first.empty() && crossing.t > first.front().t + kSameCrossing)
+			return;
+		const auto at = std::ranges::upper_bound(first, crossing.t, {}, &Crossing::t);
+		first.insert(at, crossing);
+		while (first.size() > kMostAtOneCrossing || first.back().t > first.front().t + kSameCrossing)
+			first.pop_back();
+	};
 	grid::CellFaces faces;
 	const auto visit = [&](const grid::BoundaryIndex::Face& face)
 	{
@@ -37,8 +52,8 @@ Crossing firstBoundaryCrossing(const G& grid, const grid::BoundaryIndex& boundar
 		for (const PointId p : points)
 		{
 			const Vec3 corner = grid.point(p);
-			if (const double t = crossTriangle(segment, centre, previous, corner); t < first.t)
-				first = {face.cell, t};
+			if (const double t = crossTriangle(segment, centre, previous, corner); t != kNoCrossing)
+				keep({face.cell, t});
 			previous = corner;
 		}
 	};
@@ -52,10 +67,12 @@ Located find(const G& grid, const grid::Block& block, CellId start, const Vec3& 
 	Located located;
 	const double side = std::cbrt(static_cast<double>(grid.cellCount()));
 	const auto budget = static_cast<std::size_t>(6.0 * side) + 8;
+	CellId reached = start;
 	const auto hopFrom = [&](CellId from)
 	{
 		const Hop hop = fenceHop(grid, from, target, budget);
 		located.hops += hop.hops;
+		reached = hop.cell;
 		if (hop.end == Hop::End::found)
 			located.cell = hop.cell;
 		return located.found();
@@ -76,10 +93,18 @@ Located find(const G& grid, const grid::Block& block, CellId start, const Vec3& 
 			return located;
 	}
 
-	const Segment segment{target, cellCentre(grid, start)};
-	const Crossing crossing = firstBoundaryCrossing(grid, block.boundary, segment, located.boundary_tests);
-	if (crossing.cell != kNoCell)
-		hopFrom(crossing.cell);
+	// The point of crossing is in sight of the target, the centre of its cell nearly always: if not, the hop came nearer.
+	CellId from = start;
+	for (int round = 0; round < kMostRounds; ++round)
+	{
+		const Segment segment{target, cellCentre(grid, from)};
+		for (const Crossing& crossing : firstBoundaryCrossings(grid, block.boundary, segment, located.boundary_tests))
+			if (hopFrom(crossing.cell))
+				return located;
+		if (reached == from)
+			break;
+		from = reached;
+	}
 	return located;
 }
 
