@@ -79,7 +79,7 @@ void fetchPoint(uint v, uint id)
 {
 	const uvec4 stored = texelFetch(points, int(id));
 	precise VP_REAL3 from_origin;
-	bool exact = lane.exact != 0u;
+	bool exact = VP_DOUBLES != 0;
 #if VP_DOUBLES
 	if (kPoints == kPointsFloat)
 		from_origin = dvec3(uintBitsToFloat(stored.xyz)) - VP_DOUBLE3(lane.origin);
@@ -89,7 +89,7 @@ void fetchPoint(uint v, uint id)
 		const dvec3 fixed_point = dvec3(ivec3(stored.xyz)) * double(1u << kFixedLowBits) + dvec3(ivec3(low));
 		precise dvec3 point = VP_DOUBLE3(lane.centre) + fixed_point * dvec3(fromArray(lane.unit));
 		from_origin = point - VP_DOUBLE3(lane.origin);
-		exact = exact && (stored.w & lane.inexact_mask) == 0u;
+		exact = (stored.w & lane.inexact_mask) == 0u;
 	}
 	const dvec3 normal = VP_DOUBLE3(lane.normal);
 #else
@@ -129,7 +129,7 @@ AxisShare fetchShare(uint axis, uint index)
 void setCorner(uint v, uint id, AxisShare x, AxisShare y, AxisShare z)
 {
 	precise VP_REAL distance = (x.distance + y.distance) + z.distance;
-	setVertex(v, id, distance, lane.exact != 0u, (x.uv + y.uv) + z.uv);
+	setVertex(v, id, distance, VP_DOUBLES != 0, (x.uv + y.uv) + z.uv);
 }
 
 // With inverse = floor((2^32 - 1) / divisor) the product is at most one too small. Divisions are slow on software devices.
@@ -216,11 +216,8 @@ uint fetchCell(uint cell, out uint case_start)
 // Data linear along the edge; an end that has no part in the vertex does not bring its NaN to it.
 float alongEdge(float lower, float higher, float t)
 {
-	if (t == 0.0)
-		return lower;
-	if (t == 1.0)
-		return higher;
-	return max(lower, higher) >= kNanValue ? kNanValue : lower + t * (higher - lower);
+	const float between = max(lower, higher) >= kNanValue ? kNanValue : lower + t * (higher - lower);
+	return t == 0.0 ? lower : t == 1.0 ? higher : between;
 }
 
 float tupleAlongEdge(uint lower, uint higher, float t)
@@ -282,8 +279,9 @@ void main()
 	{
 		if (e >= edges)
 			continue;
-		const uint pair = e < 2u ? entry.y : e < 4u ? entry.z : entry.w;
-		const uint ends = pair >> (16u * (e & 1u));
+		const uint turned = lane.flipped != 0u ? edges - 1u - e : e;
+		const uint pair = turned < 2u ? entry.y : turned < 4u ? entry.z : entry.w;
+		const uint ends = pair >> (16u * (turned & 1u));
 		const uint a = ends & 0xFFu;
 		const uint b = (ends >> 8) & 0xFFu;
 		// From the lower point id: both cells of a face, and all cells about an edge, compute the same vertex.
@@ -299,15 +297,14 @@ void main()
 		const float t = lower_distance / difference;
 		const vec2 lower_uv = pick(vertex_uv, lower);
 		const vec2 uv = lower_uv + t * (pick(vertex_uv, higher) - lower_uv);
-		const uint slot = lane.flipped != 0u ? edges - 1u - e : e;
-		records[i].uv[2u * slot] = uv.x;
-		records[i].uv[2u * slot + 1u] = uv.y;
+		records[i].uv[2u * e] = uv.x;
+		records[i].uv[2u * e + 1u] = uv.y;
 		float value = cell_value;
 		if (kValues == kValuesPoint)
 			value = alongEdge(pick(vertex_value, lower), pick(vertex_value, higher), t);
 		if (kValues == kValuesPointTuple)
 			value = tupleAlongEdge(swap ? id_b : id_a, swap ? id_a : id_b, t);
-		records[i].value[slot] = value;
+		records[i].value[e] = value;
 	}
 	records[i].cell = cell;
 	records[i].vertices = walk ? 0u : edges;

@@ -2,6 +2,7 @@
 
 #include "gpu/memory.h"
 #include "gpu/vk_check.h"
+#include "gpu/workarounds.h"
 
 namespace vp::gpu
 {
@@ -12,7 +13,7 @@ Result<Buffer> Buffer::create(Device& device, VkDeviceSize size, VkBufferUsageFl
 	if (size > device.maxBufferSize())
 		return check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "a buffer past the device's limit").error();
 	VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
-	info.size = size;
+	info.size = allocatedSize(size, usage);
 	info.usage = usage;
 	Buffer buffer;
 	if (Status made = check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer.handle_), "vkCreateBuffer"); !made)
@@ -82,7 +83,7 @@ Result<TexelView> TexelView::create(const Buffer& buffer, VkFormat format, std::
 	info.buffer = buffer.handle();
 	info.format = format;
 	info.offset = offset;
-	info.range = size ? size : VK_WHOLE_SIZE;
+	info.range = size ? size : buffer.size() - offset;
 	TexelView view;
 	if (Status made =
 	        check(vkCreateBufferView(buffer.device().handle(), &info, nullptr, &view.handle_), "vkCreateBufferView");

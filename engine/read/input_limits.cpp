@@ -17,8 +17,8 @@ namespace
 
 namespace fs = std::filesystem;
 
-// The libraries of the readers map 0.3 GiB before the first byte is read. Deflate packs up to 1032 bytes into one, so
-// only small files are held to less than the machine has.
+// The libraries of the readers map a quarter of a GiB before the first byte is read. Deflate packs up to 1032 bytes
+// into one, so only small files are held to less than the machine has.
 constexpr std::uint64_t kBaseMemory = std::uint64_t(2) << 30;
 constexpr std::uint64_t kMemoryPerByte = 1032;
 // The slowest reader measured, of ASCII XML, takes in 50 MB/s. A slow disk or a busy machine has 12 times as long.

@@ -86,8 +86,6 @@ public:
 
 	CheckedInput check(const json& manifest)
 	{
-		if (manifest.at("version") != kProtocolVersion)
-			throw Unusable("vprobe-read is of another version; install both together");
 		CheckedInput input;
 		for (const json& time : manifest.at("times"))
 			input.times.push_back(finiteOf(time));
@@ -253,7 +251,10 @@ Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arr
 {
 	try
 	{
-		return Checker(arrays, cells).check(json::parse(text));
+		const json manifest = json::parse(text);
+		if (manifest.at("version") != kProtocolVersion)
+			return Error{ExitCode::output, "vprobe-read is of another version; install both together"};
+		return Checker(arrays, cells).check(manifest);
 	}
 	catch (const Unusable& unusable)
 	{

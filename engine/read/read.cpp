@@ -54,6 +54,8 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 		if (!handed)
 			return handed.error();
 		Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays, handed->cells);
+		if (!checked && checked.error().code != ExitCode::input)
+			return checked.error();
 		if (!checked)
 			return Error{ExitCode::input, fmt::format("{}: truncated or damaged: {}", file, checked.error().message)};
 		input = std::move(*checked);

@@ -13,8 +13,8 @@
 namespace vp::render
 {
 
-// The picture in pixels, and the part of it that legend, title and caption leave to the scene: from free_lo (top left) to
-// free_hi, without the lower left corner, left of and below `corner`, where the axes are.
+// The picture in pixels, and the part of it that legend, title and caption leave to the scene: from free_lo (top left)
+// to free_hi, without the lower left corner, left of and below `corner`, where the axes are.
 struct Frame
 {
 	double width = 1.0;
@@ -24,8 +24,8 @@ struct Frame
 	std::optional<glm::dvec2> corner;
 };
 
-// A perspective view. Clip space is Vulkan's (y down), depth reversed without a far end: near / w, so that depth is linear in
-// the picture plane and loses nothing far away.
+// A perspective view. Clip space is Vulkan's (y down), depth reversed without a far end: near / w, so that depth is
+// linear in the picture plane and loses nothing far away.
 struct Camera
 {
 	Vec3 position{0.0, 0.0, 1.0};
@@ -63,11 +63,12 @@ struct CameraChoice
 	Camera camera;
 };
 
-// `auto`, `x|-x|y|-y|z|-z` (seen from there), `iso`, `sheet`, `AZ,EL` in degrees (azimuth from x towards y, elevation from the
-// xy plane towards z), or nine numbers: position, focal point, up. Anything else is a usage error.
+// `auto`, `x|-x|y|-y|z|-z` (seen from there), `iso`, `sheet`, `AZ,EL` in degrees (azimuth from x towards y, elevation
+// from the xy plane towards z), or nine numbers: position, focal point, up. Anything else is a usage error.
 Result<CameraChoice> parseCamera(std::string_view text);
 
 // A camera whose picture of the points just fills the frame's free area. `sheet` may be null where there is none.
-Camera makeCamera(const CameraChoice& choice, const probe::Sheet* sheet, std::span<const Vec3> points, const Frame& frame);
+Camera makeCamera(const CameraChoice& choice, const probe::Sheet* sheet, std::span<const Vec3> points,
+                  const Frame& frame);
 
 } // namespace vp::render

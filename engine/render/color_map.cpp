@@ -51,7 +51,8 @@ Table grey()
 	return table;
 }
 
-// K. Moreland, "Diverging Color Maps for Scientific Visualization" (2009): magnitude, saturation and hue about CIELAB's grey axis.
+// K. Moreland, "Diverging Color Maps for Scientific Visualization" (2009): magnitude, saturation and hue about CIELAB's
+// grey axis.
 struct Msh
 {
 	double m;
@@ -99,7 +100,7 @@ Color fromMsh(const Msh& msh)
 		return static_cast<std::uint8_t>(std::lround(255.0 * c));
 	};
 	return {encoded(3.2406 * x - 1.5372 * y - 0.4986 * z), encoded(-0.9689 * x + 1.8758 * y + 0.0415 * z),
-			encoded(0.0557 * x - 0.2040 * y + 1.0570 * z)};
+	        encoded(0.0557 * x - 0.2040 * y + 1.0570 * z)};
 }
 
 // The hue that a colour starts from so that it fades to a grey of magnitude m with even steps.
@@ -122,7 +123,7 @@ Table coolWarm()
 		const Msh& end = t < 0.5 ? ends[0] : ends[1];
 		const double grey = t < 0.5 ? 2.0 * t : 2.0 - 2.0 * t;
 		table[i] = fromMsh({(1.0 - grey) * end.m + grey * middle, (1.0 - grey) * end.s,
-							(1.0 - grey) * end.h + grey * spunHue(end, middle)});
+		                    (1.0 - grey) * end.h + grey * spunHue(end, middle)});
 	}
 	return table;
 }
@@ -174,8 +175,8 @@ Result<ColorMap> makeColorMap(std::string_view name)
 		map.above = kMaroon;
 	}
 	else
-		return Error{ExitCode::usage,
-					 fmt::format("--colormap: there is no '{}'; take one of {}", name, fmt::join(colorMapNames(), ", "))};
+		return Error{ExitCode::usage, fmt::format("--colormap: there is no '{}'; take one of {}", name,
+		                                          fmt::join(colorMapNames(), ", "))};
 	return map;
 }
 

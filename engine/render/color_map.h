@@ -11,8 +11,8 @@
 namespace vp::render
 {
 
-// Encoded in sRGB, as in a picture; blending happens in this encoding too, so that an opacity of one half is the mean of
-// two colours as a user reads them off.
+// Encoded in sRGB, as in a picture; blending happens in this encoding too, so that an opacity of one half is the mean
+// of two colours as a user reads them off.
 struct Color
 {
 	std::uint8_t r = 0;
@@ -25,8 +25,9 @@ struct Color
 
 constexpr int kColorMapSize = 256;
 
-// The colours of values from the range's low end (0) to its high end (1), and of those that have no place in it: NaN is magenta in
-// every map; values below and above, which only a range of the user's can leave out, are tints that the map does not hold.
+// The colours of values from the range's low end (0) to its high end (1), and of those that have no place in it: NaN is
+// magenta in every map; values below and above, which only a range of the user's can leave out, are tints that the map
+// does not hold.
 struct ColorMap
 {
 	std::string name;

@@ -77,7 +77,8 @@ void fill(shared::ComposeParams& params, const Scene& scene, VkExtent2D extent)
 	for (std::size_t i = 0; i < scene.sheets.size(); ++i)
 	{
 		const auto depth = planeDepth(scene.sheets[i].sheet, scene.camera, extent);
-		std::transform(depth.begin(), depth.end(), params.plane + 4 * i, [](double d) { return static_cast<float>(d); });
+		std::transform(depth.begin(), depth.end(), params.plane + 4 * i,
+		               [](double d) { return static_cast<float>(d); });
 		params.plane[4 * i + 3] = static_cast<float>(std::clamp(scene.sheets[i].opacity, 0.0, 1.0));
 	}
 	std::transform(look.colors.colors.begin(), look.colors.colors.end(), params.colors, packed);
@@ -91,8 +92,8 @@ Result<ComposePass> ComposePass::create(gpu::Device& device)
 	info.vertex_shader = "render_full.vert";
 	info.fragment_shader = "render_compose.frag";
 	info.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
-					 {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
-					 {2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
+	                 {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+	                 {2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
 	info.push_bytes = sizeof(shared::ComposePush);
 	info.colour_formats = {sumFormat(device)};
 	info.blends = {summing()};
@@ -136,8 +137,8 @@ const gpu::Pipeline& ComposePass::pipelineFor(std::size_t layers) const
 Status ComposePass::prepare(const Scene& scene, const Targets& targets)
 {
 	if (Status room = makeRoom(*device_, params_, sizeof(shared::ComposeParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-							   "compose parameters");
-		!room)
+	                           "compose parameters");
+	    !room)
 		return room;
 	fill(*params_.mappedAs<shared::ComposeParams>(), scene, targets.extent());
 	params_.flush();
@@ -147,18 +148,18 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets)
 		return set.error();
 	set_ = *set;
 	gpu::DescriptorWriter()
-		.uniformBuffer(0, params_.handle())
-		.sampledImage(1, targets.layers(), sampler_.handle())
-		.sampledImage(2, targets.lines.view(), sampler_.handle())
-		.write(*device_, set_);
+	    .uniformBuffer(0, params_.handle())
+	    .sampledImage(1, targets.layers(), sampler_.handle())
+	    .sampledImage(2, targets.lines.view(), sampler_.handle())
+	    .write(*device_, set_);
 	auto resolve_set = resolve_sets_.get(0);
 	if (!resolve_set)
 		return resolve_set.error();
 	resolve_set_ = *resolve_set;
 	gpu::DescriptorWriter()
-		.uniformBuffer(0, params_.handle())
-		.sampledImage(1, targets.sum.view(), sampler_.handle())
-		.write(*device_, resolve_set_);
+	    .uniformBuffer(0, params_.handle())
+	    .sampledImage(1, targets.sum.view(), sampler_.handle())
+	    .write(*device_, resolve_set_);
 	return Nothing{};
 }
 

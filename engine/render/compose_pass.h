@@ -11,8 +11,8 @@
 namespace vp::render
 {
 
-// Orders the layers at each pixel, colours and blends them, and sums up the samples (render_compose.frag); at last puts their
-// mean over the background (render_resolve.frag).
+// Orders the layers at each pixel, colours and blends them, and sums up the samples (render_compose.frag); at last puts
+// their mean over the background (render_resolve.frag).
 class ComposePass
 {
 public:
@@ -25,8 +25,8 @@ public:
 
 private:
 	gpu::Device* device_ = nullptr;
-	// The shader holds a pixel's layers in registers and sorts them all: as few of them as do (software takes 12 ns more a pixel
-	// for four than for one).
+	// The shader holds a pixel's layers in registers and sorts them all: as few of them as do (software takes 12 ns
+	// more a pixel for four than for one).
 	static constexpr std::array<std::uint32_t, 6> kSlots{1, 2, 3, 4, 8, shared::kMaxLayers};
 
 	const gpu::Pipeline& pipelineFor(std::size_t layers) const;

@@ -57,25 +57,25 @@ void addFeatureEdges(const grid::Block& block, std::vector<Segment>& segments)
 {
 	const float cosine = std::cos(static_cast<float>(kFeatureAngle * std::numbers::pi / 180.0));
 	std::visit(
-		[&](const auto& grid)
-		{
-			std::vector<FaceEdge> edges = boundaryEdges(grid, block.boundary);
-			std::sort(edges.begin(), edges.end(),
-					  [](const FaceEdge& a, const FaceEdge& b) { return a.points < b.points; });
-			for (std::size_t first = 0, next; first < edges.size(); first = next)
-			{
-				next = first + 1;
-				while (next < edges.size() && edges[next].points == edges[first].points)
-					++next;
-				if (next - first == 2 && glm::dot(edges[first].normal, edges[first + 1].normal) >= cosine)
-					continue;
-				const Vec3 a = grid.point(static_cast<PointId>(edges[first].points >> 32));
-				const Vec3 b = grid.point(static_cast<PointId>(edges[first].points));
-				if (a != b)
-					segments.push_back({a, b});
-			}
-		},
-		block.grid);
+	    [&](const auto& grid)
+	    {
+		    std::vector<FaceEdge> edges = boundaryEdges(grid, block.boundary);
+		    std::sort(edges.begin(), edges.end(),
+		              [](const FaceEdge& a, const FaceEdge& b) { return a.points < b.points; });
+		    for (std::size_t first = 0, next; first < edges.size(); first = next)
+		    {
+			    next = first + 1;
+			    while (next < edges.size() && edges[next].points == edges[first].points)
+				    ++next;
+			    if (next - first == 2 && glm::dot(edges[first].normal, edges[first + 1].normal) >= cosine)
+				    continue;
+			    const Vec3 a = grid.point(static_cast<PointId>(edges[first].points >> 32));
+			    const Vec3 b = grid.point(static_cast<PointId>(edges[first].points));
+			    if (a != b)
+				    segments.push_back({a, b});
+		    }
+	    },
+	    block.grid);
 }
 
 } // namespace vp::render

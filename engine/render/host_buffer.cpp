@@ -5,12 +5,14 @@
 namespace vp::render
 {
 
-Status makeRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, VkBufferUsageFlags usage, std::string_view name)
+Status makeRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, VkBufferUsageFlags usage,
+                std::string_view name)
 {
 	if (buffer && buffer.size() >= bytes)
 		return Nothing{};
 	// Half as much again: a scene that grows a little does not allocate each time.
-	auto made = gpu::Buffer::create(device, std::max<VkDeviceSize>(bytes + bytes / 2, 1024), usage, gpu::Memory::upload, name);
+	auto made =
+	    gpu::Buffer::create(device, std::max<VkDeviceSize>(bytes + bytes / 2, 1024), usage, gpu::Memory::upload, name);
 	if (!made)
 		return made.error();
 	buffer = std::move(*made);

@@ -8,6 +8,7 @@ namespace vp::render
 {
 
 // Makes `buffer` one that the host writes and that holds at least `bytes`; keeps it where it does already.
-Status makeRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, VkBufferUsageFlags usage, std::string_view name);
+Status makeRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, VkBufferUsageFlags usage,
+                std::string_view name);
 
 } // namespace vp::render

@@ -14,7 +14,7 @@ namespace vp::render
 {
 
 static_assert(sizeof(shared::LayerPush) == 48 && offsetof(shared::PolygonRecord, uv) == 8 &&
-			  offsetof(shared::PolygonRecord, value) == 56 && sizeof(shared::PolygonRecord) == 80);
+              offsetof(shared::PolygonRecord, value) == 56 && sizeof(shared::PolygonRecord) == 80);
 
 Result<LayerPass> LayerPass::create(gpu::Device& device)
 {
@@ -73,11 +73,13 @@ Status LayerPass::makeIndices(std::uint32_t records)
 	return Nothing{};
 }
 
-void LayerPass::record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter) const
+void LayerPass::record(VkCommandBuffer commands, const Scene& scene, const Targets& targets,
+                       const glm::dvec2& jitter) const
 {
 	const gpu::ImageUse sampled{VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-								VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
-	targets.values.transition(commands, {VK_IMAGE_LAYOUT_UNDEFINED, sampled.stages, sampled.access}, gpu::kColourTarget);
+	                            VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
+	targets.values.transition(commands, {VK_IMAGE_LAYOUT_UNDEFINED, sampled.stages, sampled.access},
+	                          gpu::kColourTarget);
 	std::size_t set = 0;
 	// Without sheets there is one layer, and it is empty.
 	for (std::size_t i = 0; i < std::max<std::size_t>(1, scene.sheets.size()); ++i)

@@ -25,7 +25,7 @@ private:
 	gpu::Device* device_ = nullptr;
 	gpu::Pipeline pipeline_;
 	gpu::DescriptorSets sets_;
-	gpu::Buffer indices_; // of as many records as the largest page has
+	gpu::Buffer indices_;                    // of as many records as the largest page has
 	std::vector<VkDescriptorSet> page_sets_; // in the order of sheets and their pages
 };
 

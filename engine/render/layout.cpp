@@ -14,13 +14,13 @@ constexpr double kDigitWidth = 0.64;
 constexpr double kLetterWidth = 0.60;
 constexpr double kLineHeight = 1.25;
 
-constexpr double kSmallestText = 9.0; // pixels; DejaVu is legible from there
+constexpr double kSmallestText = 9.0;     // pixels; DejaVu is legible from there
 constexpr double kLongestTitleLine = 9.0; // of the legend, em
 
 std::size_t letters(const std::string& utf8)
 {
-	return static_cast<std::size_t>(
-		std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+	return static_cast<std::size_t>(std::count_if(
+	    utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
 }
 
 constexpr double kLongestBar = 32.0; // em
@@ -44,7 +44,8 @@ void layOutLegend(const Look& look, const ValueScale& values, Layout& layout)
 	label_letters = std::max(label_letters, letters(layout.ticks.factor));
 	const double bar_width = 1.1 * em;
 	const double labels = bar_width + 0.6 * em + kDigitWidth * em * static_cast<double>(label_letters);
-	const double title = std::min(kLetterWidth * em * static_cast<double>(letters(values.title)), kLongestTitleLine * em);
+	const double title =
+	    std::min(kLetterWidth * em * static_cast<double>(letters(values.title)), kLongestTitleLine * em);
 	const double column = std::min(std::max(labels, title), 0.4 * look.width);
 
 	const double right = look.width - layout.margin;
@@ -54,14 +55,14 @@ void layOutLegend(const Look& look, const ValueScale& values, Layout& layout)
 	const double factor_bottom = top - layout.cap - 0.45 * em;
 	layout.factor = {{left, factor_bottom - factor_height}, {right, factor_bottom}};
 	layout.legend_title = {{left, std::max(layout.margin, layout.factor.lo.y - 3.0 * kLineHeight * em)},
-						   {right, layout.factor.lo.y}};
+	                       {right, layout.factor.lo.y}};
 	if (values.has_nan)
 	{
 		const double y = bottom + layout.cap + 0.8 * em;
 		layout.nan = {{left, y}, {left + bar_width, y + em}};
 	}
 	layout.legend = {{left, layout.legend_title.lo.y},
-					 {right, values.has_nan ? layout.nan.hi.y + 0.2 * em : bottom + layout.cap + 0.5 * em}};
+	                 {right, values.has_nan ? layout.nan.hi.y + 0.2 * em : bottom + layout.cap + 0.5 * em}};
 }
 
 } // namespace
@@ -98,7 +99,7 @@ Layout makeLayout(const Look& look, const std::optional<ValueScale>& values)
 	{
 		const double side = 5.4 * layout.em;
 		layout.axes = {{0.6 * layout.margin, height - 0.6 * layout.margin - side},
-					   {0.6 * layout.margin + side, height - 0.6 * layout.margin}};
+		               {0.6 * layout.margin + side, height - 0.6 * layout.margin}};
 	}
 	double bottom = height - layout.margin;
 	if (!look.caption.empty())

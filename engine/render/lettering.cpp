@@ -63,7 +63,7 @@ Lettering::Lettering(const std::vector<double>& sizes, const std::vector<std::st
 		config.PixelSnapH = false;
 		// ImGui's interface is not const; the data is only read.
 		fonts_[pixels] = atlas_.AddFontFromMemoryTTF(const_cast<std::byte*>(file.data()), static_cast<int>(file.size()),
-													 static_cast<float>(pixels), &config, ranges.Data);
+		                                             static_cast<float>(pixels), &config, ranges.Data);
 	}
 	atlas_.GetTexDataAsAlpha8(&texels_, &texel_size_.x, &texel_size_.y);
 
@@ -75,7 +75,7 @@ Lettering::Lettering(const std::vector<double>& sizes, const std::vector<std::st
 	shared_->CurveTessellationTol = 0.5f;
 	shared_->SetCircleTessellationMaxError(0.2f);
 	shared_->InitialFlags = ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedLinesUseTex |
-							ImDrawListFlags_AntiAliasedFill | ImDrawListFlags_AllowVtxOffset;
+	                        ImDrawListFlags_AntiAliasedFill | ImDrawListFlags_AllowVtxOffset;
 	shared_->ClipRectFullscreen = ImVec4(-1e6f, -1e6f, 1e6f, 1e6f);
 }
 

@@ -15,8 +15,8 @@ struct ImDrawListSharedData;
 namespace vp::render
 {
 
-// The font at a few sizes, with the letters of given texts only, and ImGui's draw lists without an ImGui context: pictures
-// are made on any thread, beside a window or without one.
+// The font at a few sizes, with the letters of given texts only, and ImGui's draw lists without an ImGui context:
+// pictures are made on any thread, beside a window or without one.
 class Lettering
 {
 public:
@@ -29,7 +29,8 @@ public:
 	double width(std::string_view text, double size) const;
 	// The text, or its beginning and an ellipsis where it is too wide.
 	std::string elided(std::string_view text, double size, double most) const;
-	// Lines no wider than `most`, broken after blanks and punctuation where there are any; the last of `lines` is elided.
+	// Lines no wider than `most`, broken after blanks and punctuation where there are any; the last of `lines` is
+	// elided.
 	std::vector<std::string> wrapped(std::string_view text, double size, double most, std::size_t lines) const;
 
 	ImDrawListSharedData* shared() const { return shared_.get(); }

@@ -65,9 +65,9 @@ Status LinePass::prepare(const Scene& scene)
 		box.include(s.b);
 	}
 	centre_ = box.centre();
-	if (Status room = makeRoom(*device_, segments_, sizeof(shared::LineSegment) * count_, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-							   "outline");
-		!room)
+	if (Status room = makeRoom(*device_, segments_, sizeof(shared::LineSegment) * count_,
+	                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "outline");
+	    !room)
 		return room;
 	auto* segments = segments_.mappedAs<shared::LineSegment>();
 	for (const Segment& s : scene.outline)
@@ -85,10 +85,11 @@ Status LinePass::prepare(const Scene& scene)
 	return Nothing{};
 }
 
-void LinePass::record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter) const
+void LinePass::record(VkCommandBuffer commands, const Scene& scene, const Targets& targets,
+                      const glm::dvec2& jitter) const
 {
 	const gpu::ImageUse sampled{VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-								VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
+	                            VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
 	targets.lines.transition(commands, {VK_IMAGE_LAYOUT_UNDEFINED, sampled.stages, sampled.access}, gpu::kDepthTarget);
 	VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
 	depth.imageView = targets.lines.view();

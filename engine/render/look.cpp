@@ -55,8 +55,10 @@ Result<Background> parseBackground(std::string_view text)
 	if (text.starts_with('#'))
 		if (const auto color = fromHex(text.substr(1)))
 			return plain(*color);
-	return Error{ExitCode::usage,
-				 fmt::format("--background: '{}' is no colour; take gradient, white, grey, black, transparent, or #RRGGBB", text)};
+	return Error{
+	    ExitCode::usage,
+	    fmt::format("--background: '{}' is no colour; take gradient, white, grey, black, transparent, or #RRGGBB",
+	                text)};
 }
 
 Result<std::pair<std::uint32_t, std::uint32_t>> parseSize(std::string_view text)
@@ -69,11 +71,12 @@ Result<std::pair<std::uint32_t, std::uint32_t>> parseSize(std::string_view text)
 	{
 		const auto [last, second_error] = std::from_chars(x + 1, end, height);
 		if (second_error == std::errc{} && last == end && width > 0 && height > 0 && width <= kMaxPictureSize &&
-			height <= kMaxPictureSize)
+		    height <= kMaxPictureSize)
 			return std::pair{width, height};
 	}
-	return Error{ExitCode::usage, fmt::format("--size: '{}' is no size; write WIDTHxHEIGHT in pixels, as 1280x720, up to {}", text,
-											  kMaxPictureSize)};
+	return Error{ExitCode::usage,
+	             fmt::format("--size: '{}' is no size; write WIDTHxHEIGHT in pixels, as 1280x720, up to {}", text,
+	                         kMaxPictureSize)};
 }
 
 } // namespace vp::render

@@ -39,7 +39,8 @@ struct Look
 	std::uint32_t height = 720;
 	int samples = 8; // per pixel
 	ColorMap colors = makeColorMap("viridis").value();
-	std::optional<std::pair<double, double>> range; // of the colours; values beyond it get colours of their own. Else the data's.
+	std::optional<std::pair<double, double>>
+	    range; // of the colours; values beyond it get colours of their own. Else the data's.
 	Background background;
 	std::string title;
 	std::string caption;

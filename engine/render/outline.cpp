@@ -122,7 +122,7 @@ std::vector<Vec3> extentOf(const grid::BlockSet& blocks)
 	{
 		// A box is its corners; anything else is inside its boundary.
 		const bool is_box = std::holds_alternative<grid::UniformGrid>(block.grid) ||
-							std::holds_alternative<grid::RectilinearGrid>(block.grid) || block.boundary.patches.empty();
+		                    std::holds_alternative<grid::RectilinearGrid>(block.grid) || block.boundary.patches.empty();
 		if (is_box)
 			addCorners(block.bounds);
 		else if (block.boundary.faces.size() <= kFacesAsPoints)

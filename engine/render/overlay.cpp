@@ -37,8 +37,8 @@ class Writer
 {
 public:
 	Writer(const Scene& scene, const Layout& layout, const Lettering& lettering)
-		: scene_(scene), look_(scene.look), layout_(layout), lettering_(lettering),
-		  inks_(scene.look.background.dark() ? kOnDark : kOnLight), list_(lettering.shared())
+	    : scene_(scene), look_(scene.look), layout_(layout), lettering_(lettering),
+	      inks_(scene.look.background.dark() ? kOnDark : kOnLight), list_(lettering.shared())
 	{
 		list_._ResetForNewFrame();
 		list_.PushClipRectFullScreen();
@@ -49,10 +49,10 @@ public:
 	{
 		if (!look_.title.empty())
 			text(layout_.title.lo, layout_.title_em, inks_.text,
-				 lettering_.elided(look_.title, layout_.title_em, layout_.title.size().x));
+			     lettering_.elided(look_.title, layout_.title_em, layout_.title.size().x));
 		if (!look_.caption.empty())
 			text(layout_.caption.lo, layout_.small_em, inks_.faint,
-				 lettering_.elided(look_.caption, layout_.small_em, layout_.caption.size().x));
+			     lettering_.elided(look_.caption, layout_.small_em, layout_.caption.size().x));
 		if (look_.axes)
 			axes();
 		if (look_.legend && scene_.values)
@@ -66,7 +66,7 @@ private:
 	{
 		const glm::dvec2 pixel = glm::round(top_left);
 		list_.AddText(lettering_.font(size), static_cast<float>(size), at(pixel), packed(color), words.data(),
-					  words.data() + words.size());
+		              words.data() + words.size());
 	}
 
 	// Text beside a mark: vertically centred on it.
@@ -80,8 +80,7 @@ private:
 		const double em = layout_.em;
 		const Area& bar = layout_.bar;
 		const double label_x = bar.hi.x + 0.6 * em;
-		const auto title =
-			lettering_.wrapped(scene_.values->title, em, layout_.legend_title.size().x, 3);
+		const auto title = lettering_.wrapped(scene_.values->title, em, layout_.legend_title.size().x, 3);
 		double y = layout_.legend_title.hi.y - 1.25 * em * static_cast<double>(title.size());
 		for (const std::string& line : title)
 		{
@@ -115,8 +114,8 @@ private:
 		for (int i = 0; i + 1 < kColorMapSize; ++i)
 		{
 			const auto y = [&](int step) { return bar.hi.y - step * bar.size().y / (kColorMapSize - 1); };
-			list_.AddRectFilledMultiColor(at({bar.lo.x, y(i + 1)}), at({bar.hi.x, y(i)}), color(i + 1), color(i + 1), color(i),
-										  color(i));
+			list_.AddRectFilledMultiColor(at({bar.lo.x, y(i + 1)}), at({bar.hi.x, y(i)}), color(i + 1), color(i + 1),
+			                              color(i), color(i));
 		}
 		// One line around the bar and its ends.
 		const glm::dvec2 top{0.5 * (bar.lo.x + bar.hi.x), bar.lo.y - layout_.cap};
@@ -128,7 +127,8 @@ private:
 			list_.AddTriangleFilled(at({bar.lo.x, bar.hi.y}), at(bar.hi), at(bottom), packed(look_.colors.below));
 			rim = {at(bar.lo), at(top), at({bar.hi.x, bar.lo.y}), at(bar.hi), at(bottom), at({bar.lo.x, bar.hi.y})};
 		}
-		list_.AddPolyline(rim.data(), static_cast<int>(rim.size()), packed(inks_.text, 0.6), ImDrawFlags_Closed, hairline());
+		list_.AddPolyline(rim.data(), static_cast<int>(rim.size()), packed(inks_.text, 0.6), ImDrawFlags_Closed,
+		                  hairline());
 	}
 
 	void axes()
@@ -144,12 +144,12 @@ private:
 		const auto axis = [&](const Vec3& direction, Color color, const char* name)
 		{
 			return Axis{{glm::dot(direction, camera.right()), -glm::dot(direction, camera.trueUp())},
-						glm::dot(direction, camera.forward()),
-						color,
-						name};
+			            glm::dot(direction, camera.forward()),
+			            color,
+			            name};
 		};
 		std::array<Axis, 3> axes{axis({1.0, 0.0, 0.0}, inks_.x, "x"), axis({0.0, 1.0, 0.0}, inks_.y, "y"),
-								 axis({0.0, 0.0, 1.0}, inks_.z, "z")};
+		                         axis({0.0, 0.0, 1.0}, inks_.z, "z")};
 		std::sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.depth > b.depth; });
 
 		const double em = layout_.em;
@@ -164,20 +164,25 @@ private:
 				const glm::dvec2 along = a.tip / seen;
 				const glm::dvec2 across{-along.y, along.x};
 				const double head = std::min(0.55 * em, 0.7 * length * seen);
-				list_.AddLine(at(centre), at(tip - head * along), packed(a.color), static_cast<float>(std::max(1.5, 0.14 * em)));
+				list_.AddLine(at(centre), at(tip - head * along), packed(a.color),
+				              static_cast<float>(std::max(1.5, 0.14 * em)));
 				const std::array<ImVec2, 3> triangle{at(tip), at(tip - head * along + 0.42 * head * across),
-													 at(tip - head * along - 0.42 * head * across)};
+				                                     at(tip - head * along - 0.42 * head * across)};
 				list_.AddConvexPolyFilled(triangle.data(), 3, packed(a.color));
 			}
 			else
 				list_.AddCircleFilled(at(centre), static_cast<float>(0.2 * em), packed(a.color));
 			// Beside an axis that points at the eye or away from it, its name goes where the others rarely are.
-			const glm::dvec2 place = seen > 0.15 ? tip + 0.55 * em * a.tip / seen : centre + glm::dvec2(-0.6 * em, 0.65 * em);
+			const glm::dvec2 place =
+			    seen > 0.15 ? tip + 0.55 * em * a.tip / seen : centre + glm::dvec2(-0.6 * em, 0.65 * em);
 			text(place - glm::dvec2(0.5 * lettering_.width(a.name, em), 0.55 * em), em, a.color, a.name);
 		}
 	}
 
-	void line(const glm::dvec2& a, const glm::dvec2& b) { list_.AddLine(at(a), at(b), packed(inks_.text, 0.6), hairline()); }
+	void line(const glm::dvec2& a, const glm::dvec2& b)
+	{
+		list_.AddLine(at(a), at(b), packed(inks_.text, 0.6), hairline());
+	}
 	float hairline() const { return static_cast<float>(std::max(1.0, layout_.em / 16.0)); }
 
 	const Scene& scene_;
@@ -201,7 +206,7 @@ Overlay makeOverlay(const Scene& scene)
 
 	Overlay overlay;
 	overlay.lettering =
-		std::make_unique<Lettering>(std::vector<double>{layout.small_em, layout.em, layout.title_em}, texts);
+	    std::make_unique<Lettering>(std::vector<double>{layout.small_em, layout.em, layout.title_em}, texts);
 	Writer writer(scene, layout, *overlay.lettering);
 	writer.write();
 	const ImDrawList& list = writer.list();

@@ -20,8 +20,8 @@ Result<OverlayPass> OverlayPass::create(gpu::Device& device)
 	info.push_bytes = sizeof(shared::OverlayPush);
 	info.vertex_bindings = {{0, sizeof(ImDrawVert), VK_VERTEX_INPUT_RATE_VERTEX}};
 	info.vertex_attributes = {{0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, pos)},
-							  {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, uv)},
-							  {2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(ImDrawVert, col)}};
+	                          {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, uv)},
+	                          {2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(ImDrawVert, col)}};
 	info.colour_formats = {kPictureFormat};
 	info.blends = {gpu::premultipliedOver()};
 	auto pipeline = gpu::Pipeline::create(device, info, "overlay");
@@ -43,7 +43,8 @@ Status OverlayPass::prepare(const Overlay& overlay)
 	count_ = static_cast<std::uint32_t>(overlay.indices.size());
 	if (count_ == 0)
 		return Nothing{};
-	const auto put = [this](gpu::Buffer& buffer, const auto& values, VkBufferUsageFlags usage, const char* name) -> Status
+	const auto put = [this](gpu::Buffer& buffer, const auto& values, VkBufferUsageFlags usage,
+	                        const char* name) -> Status
 	{
 		const std::size_t bytes = values.size() * sizeof(values[0]);
 		if (Status room = makeRoom(*device_, buffer, bytes, usage, name); !room)
@@ -52,7 +53,8 @@ Status OverlayPass::prepare(const Overlay& overlay)
 		buffer.flush();
 		return Nothing{};
 	};
-	if (Status put_in = put(vertices_, overlay.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "overlay vertices"); !put_in)
+	if (Status put_in = put(vertices_, overlay.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "overlay vertices");
+	    !put_in)
 		return put_in;
 	if (Status put_in = put(indices_, overlay.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "overlay indices"); !put_in)
 		return put_in;
@@ -85,7 +87,8 @@ void OverlayPass::record(VkCommandBuffer commands, const Targets& targets) const
 	const VkExtent2D extent = targets.extent();
 	coverAll(commands, extent);
 	pipeline_.bind(commands, set_);
-	pipeline_.push(commands, shared::OverlayPush{{2.0f / static_cast<float>(extent.width), 2.0f / static_cast<float>(extent.height)}});
+	pipeline_.push(commands, shared::OverlayPush{
+	                             {2.0f / static_cast<float>(extent.width), 2.0f / static_cast<float>(extent.height)}});
 	const VkBuffer vertices = vertices_.handle();
 	const VkDeviceSize offset = 0;
 	vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);

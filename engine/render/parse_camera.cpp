@@ -52,7 +52,7 @@ CameraChoice fromAngles(double azimuth, double elevation)
 	const double e = elevation * kDegree;
 	// The direction's derivative by elevation is upright at the poles too.
 	return fromDirection({std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)},
-						 {-std::sin(e) * std::cos(a), -std::sin(e) * std::sin(a), std::cos(e)});
+	                     {-std::sin(e) * std::cos(a), -std::sin(e) * std::sin(a), std::cos(e)});
 }
 
 std::optional<CameraChoice> fromName(std::string_view name)
@@ -102,9 +102,10 @@ Result<CameraChoice> parseCamera(std::string_view text)
 			return Error{ExitCode::usage, "--camera: the up vector is zero; give one of any other length"};
 		return choice;
 	}
-	return Error{ExitCode::usage, fmt::format("--camera: '{}' is no view; take auto, x, -x, y, -y, z, -z, iso, sheet, AZ,EL in "
-											  "degrees, or nine numbers: position, focal point, up",
-											  text)};
+	return Error{ExitCode::usage,
+	             fmt::format("--camera: '{}' is no view; take auto, x, -x, y, -y, z, -z, iso, sheet, AZ,EL in "
+	                         "degrees, or nine numbers: position, focal point, up",
+	                         text)};
 }
 
 } // namespace vp::render

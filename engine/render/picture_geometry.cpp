@@ -22,7 +22,7 @@ std::vector<glm::dvec2> samplePattern(int samples)
 	std::vector<glm::dvec2> pattern;
 	for (int i = 0; i < samples; ++i)
 		pattern.push_back(
-			{(i + 0.5) / samples - 0.5, (static_cast<long>(i) * generator % samples + 0.5) / samples - 0.5});
+		    {(i + 0.5) / samples - 0.5, (static_cast<long>(i) * generator % samples + 0.5) / samples - 0.5});
 	return pattern;
 }
 
@@ -35,7 +35,8 @@ glm::dmat4 clipMatrix(const Camera& camera, VkExtent2D extent, const Vec3& centr
 	return shift * camera.projection(size.x / size.y) * glm::translate(camera.view(), centre);
 }
 
-shared::LayerPush layerPush(const probe::Sheet& sheet, const Camera& camera, VkExtent2D extent, const glm::dvec2& jitter)
+shared::LayerPush layerPush(const probe::Sheet& sheet, const Camera& camera, VkExtent2D extent,
+                            const glm::dvec2& jitter)
 {
 	const glm::dmat4 clip = clipMatrix(camera, extent, sheet.origin, jitter);
 	const glm::dvec4 u = clip * glm::dvec4(sheet.xAxis(), 0.0);

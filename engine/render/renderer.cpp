@@ -34,7 +34,8 @@ void copyPixels(const gpu::Buffer& pixels, Picture& picture)
 		if (alpha == 0 || alpha == 255)
 			continue;
 		for (int c = 0; c < 3; ++c)
-			picture.rgba[i + c] = static_cast<std::uint8_t>(std::min(255, (picture.rgba[i + c] * 255 + alpha / 2) / alpha));
+			picture.rgba[i + c] =
+			    static_cast<std::uint8_t>(std::min(255, (picture.rgba[i + c] * 255 + alpha / 2) / alpha));
 	}
 }
 
@@ -74,16 +75,18 @@ Result<Renderer> Renderer::create(gpu::Device& device)
 	auto commands = gpu::Commands::create(device, "render");
 	if (!commands)
 		return commands.error();
-	return Renderer(std::unique_ptr<Private>(new Private{device, std::move(*layers), std::move(*lines), std::move(*compose),
-														 std::move(*overlay), std::move(*commands), gpu::Timers(device), Targets()}));
+	return Renderer(std::unique_ptr<Private>(new Private{device, std::move(*layers), std::move(*lines),
+	                                                     std::move(*compose), std::move(*overlay), std::move(*commands),
+	                                                     gpu::Timers(device), Targets()}));
 }
 
 Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 {
+	const TimedSection section(timeline, "render");
 	Private& r = *private_;
 	if (scene.sheets.size() > shared::kMaxLayers)
-		return Error{ExitCode::usage, fmt::format("{} sheets are more than a picture takes; show up to {}", scene.sheets.size(),
-												  shared::kMaxLayers)};
+		return Error{ExitCode::usage, fmt::format("{} sheets are more than a picture takes; show up to {}",
+		                                          scene.sheets.size(), shared::kMaxLayers)};
 	const VkExtent2D extent{scene.look.width, scene.look.height};
 	const auto layers = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.sheets.size()));
 	if (!r.targets.holds(extent, layers))
@@ -95,10 +98,9 @@ Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 		r.targets = std::move(*targets);
 	}
 	{
-		TimedSection section(timeline, "render");
 		const Overlay overlay = makeOverlay(scene);
 		for (Status ready : {r.layers.prepare(scene), r.lines.prepare(scene), r.compose.prepare(scene, r.targets),
-							 r.overlay.prepare(overlay)})
+		                     r.overlay.prepare(overlay)})
 			if (!ready)
 				return ready.error();
 	}
@@ -147,9 +149,9 @@ Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 		copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
 		copy.imageExtent = {extent.width, extent.height, 1};
 		vkCmdCopyImageToBuffer(commands, r.targets.picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-							   r.targets.pixels.handle(), 1, &copy);
-		gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT,
-						   VK_ACCESS_2_HOST_READ_BIT);
+		                       r.targets.pixels.handle(), 1, &copy);
+		gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+		                   VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
 	}
 	const Status drawn = r.commands.submitAndWait();
 	if (!drawn)

@@ -21,7 +21,7 @@ namespace vp::render
 
 struct SheetDrawing
 {
-	probe::Sheet sheet;                                  // the frame of the records' uv
+	probe::Sheet sheet;                                 // the frame of the records' uv
 	std::shared_ptr<const slice::SheetRecords> records; // polygons in device memory; null: an empty sheet
 	double opacity = 1.0;
 };

@@ -16,7 +16,7 @@ namespace
 {
 
 Result<VkImageView> makeView(gpu::Device& device, const gpu::Image& image, VkImageViewType type, std::uint32_t first,
-							 std::uint32_t count)
+                             std::uint32_t count)
 {
 	VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
 	info.image = image.handle();
@@ -37,20 +37,20 @@ VkFormat sumFormat(gpu::Device& device)
 	VkFormatProperties properties{};
 	vkGetPhysicalDeviceFormatProperties(device.physical(), VK_FORMAT_R32G32B32A32_SFLOAT, &properties);
 	constexpr VkFormatFeatureFlags needed =
-		VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
+	    VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
 	return (properties.optimalTilingFeatures & needed) == needed ? VK_FORMAT_R32G32B32A32_SFLOAT
-																 : VK_FORMAT_R16G16B16A16_SFLOAT;
+	                                                             : VK_FORMAT_R16G16B16A16_SFLOAT;
 }
 
 Result<Targets> Targets::create(gpu::Device& device, VkExtent2D extent, std::uint32_t layers)
 {
 	if (std::max(extent.width, extent.height) > device.limits().maxImageDimension2D)
 		return Error{ExitCode::usage, fmt::format("--size: {}x{} is more than this device draws; take up to {} a side",
-												  extent.width, extent.height, device.limits().maxImageDimension2D)};
+		                                          extent.width, extent.height, device.limits().maxImageDimension2D)};
 	Targets targets;
 	targets.device_ = &device;
 	const auto make = [&](gpu::Image& image, VkFormat format, VkImageUsageFlags usage, std::uint32_t count,
-						  const char* name) -> Status
+	                      const char* name) -> Status
 	{
 		gpu::ImageInfo info;
 		info.extent = extent;
@@ -63,24 +63,25 @@ Result<Targets> Targets::create(gpu::Device& device, VkExtent2D extent, std::uin
 		image = std::move(*made);
 		return Nothing{};
 	};
-	if (Status made = make(targets.values, kValueFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
-						   layers, "value layers");
-		!made)
+	if (Status made = make(targets.values, kValueFormat,
+	                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, layers, "value layers");
+	    !made)
 		return made.error();
-	if (Status made = make(targets.lines, kDepthFormat,
-						   VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, 1, "outline's depth");
-		!made)
+	if (Status made =
+	        make(targets.lines, kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+	             1, "outline's depth");
+	    !made)
 		return made.error();
 	if (Status made = make(targets.sum, sumFormat(device),
-						   VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, 1, "sum of samples"); !made)
+	                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, 1, "sum of samples");
+	    !made)
 		return made.error();
 	if (Status made = make(targets.picture, kPictureFormat,
-						   VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, 1,
-						   "picture");
-		!made)
+	                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, 1, "picture");
+	    !made)
 		return made.error();
-	auto pixels = gpu::Buffer::create(device, VkDeviceSize(4) * extent.width * extent.height, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-									  gpu::Memory::readback, "picture's pixels");
+	auto pixels = gpu::Buffer::create(device, VkDeviceSize(4) * extent.width * extent.height,
+	                                  VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::Memory::readback, "picture's pixels");
 	if (!pixels)
 		return pixels.error();
 	targets.pixels = std::move(*pixels);
@@ -104,18 +105,18 @@ Targets::~Targets()
 	if (!device_)
 		return;
 	device_->retire(
-		[views = layer_views_, all = layers_view_](VkDevice device)
-		{
-			for (const VkImageView view : views)
-				vkDestroyImageView(device, view, nullptr);
-			vkDestroyImageView(device, all, nullptr);
-		});
+	    [views = layer_views_, all = layers_view_](VkDevice device)
+	    {
+		    for (const VkImageView view : views)
+			    vkDestroyImageView(device, view, nullptr);
+		    vkDestroyImageView(device, all, nullptr);
+	    });
 }
 
 bool Targets::holds(VkExtent2D extent, std::uint32_t layers) const
 {
 	return values && values.extent().width == extent.width && values.extent().height == extent.height &&
-		   layers <= values.layers();
+	       layers <= values.layers();
 }
 
 void Targets::swap(Targets& other) noexcept
@@ -132,7 +133,8 @@ void Targets::swap(Targets& other) noexcept
 
 void coverAll(VkCommandBuffer commands, VkExtent2D extent)
 {
-	const VkViewport viewport{0.0f, 0.0f, static_cast<float>(extent.width), static_cast<float>(extent.height), 0.0f, 1.0f};
+	const VkViewport viewport{0.0f, 0.0f, static_cast<float>(extent.width), static_cast<float>(extent.height),
+	                          0.0f, 1.0f};
 	const VkRect2D scissor{{0, 0}, extent};
 	vkCmdSetViewport(commands, 0, 1, &viewport);
 	vkCmdSetScissor(commands, 0, 1, &scissor);

@@ -103,7 +103,8 @@ Ticks makeTicks(double lo, double hi, int most)
 	{
 		const double multiple = i == 0.0 ? 0.0 : i * leading; // no negative zero
 		const double value = std::clamp(scaled(multiple, exponent), lo, hi);
-		ticks.marks.push_back({value, withMinus(fmt::format("{:.{}f}", scaled(multiple, exponent - factor), decimals))});
+		ticks.marks.push_back(
+		    {value, withMinus(fmt::format("{:.{}f}", scaled(multiple, exponent - factor), decimals))});
 	}
 	return ticks;
 }

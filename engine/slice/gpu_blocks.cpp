@@ -133,7 +133,6 @@ GpuBlocks::GpuBlocks(gpu::Device& device, const grid::BlockSet& set, const GpuBl
 GpuBlocks::~GpuBlocks() = default;
 
 Result<std::unique_ptr<GpuBlocks>> GpuBlocks::create(gpu::Device& device, const grid::BlockSet& blocks,
-                                                     const std::optional<FieldChoice>& field,
                                                      const GpuBlocksOptions& options)
 {
 	std::unique_ptr<GpuBlocks> made(new GpuBlocks(device, blocks, options));
@@ -150,8 +149,6 @@ Result<std::unique_ptr<GpuBlocks>> GpuBlocks::create(gpu::Device& device, const 
 		return done.error();
 	if (Status done = made->uploadBlocks(); !done)
 		return done.error();
-	if (Result<std::shared_ptr<const GpuField>> values = made->field(field); !values)
-		return values.error();
 	return made;
 }
 

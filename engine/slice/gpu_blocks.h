@@ -64,9 +64,8 @@ struct GpuField
 class GpuBlocks
 {
 public:
-	// Uploads what fits of the blocks and the values of `field`.
+	// Uploads what fits. Ask for the first field at once: that makes the pipelines.
 	static Result<std::unique_ptr<GpuBlocks>> create(gpu::Device& device, const grid::BlockSet& blocks,
-	                                                 const std::optional<FieldChoice>& field,
 	                                                 const GpuBlocksOptions& options = {});
 	~GpuBlocks();
 	GpuBlocks(const GpuBlocks&) = delete;

@@ -151,7 +151,6 @@ shared::ClassifyLane describeLane(const grid::Block& block, const GpuBlock& on_d
 
 	lane.error = bounded(error);
 	lane.least_difference = bounded(error * (doubles ? kLeastDifferenceDoubles : kLeastDifferenceSingles));
-	lane.exact = doubles;
 	for (int axis = 0; axis < 3; ++axis)
 		if (normal[axis] != 0.0)
 			lane.inexact_mask |= 1u << (shared::kFixedInexactShift + axis);

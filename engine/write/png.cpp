@@ -32,8 +32,10 @@ void keepMessage(png_structp png, png_const_charp message)
 
 void dropMessage(png_structp, png_const_charp) {}
 
-// What went wrong, empty where nothing did. Objects with destructors stay outside: libpng's errors jump over this frame.
-bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_t>& row, std::FILE* file, std::string& error)
+// What went wrong, empty where nothing did. Objects with destructors stay outside: libpng's errors jump over this
+// frame.
+bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_t>& row, std::FILE* file,
+            std::string& error)
 {
 	png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &error, keepMessage, dropMessage);
 	png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -44,7 +46,7 @@ bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_
 	}
 	png_init_io(png, file);
 	png_set_IHDR(png, info, picture.width, picture.height, 8, opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
-				 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+	             PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
 	png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
 	png_set_compression_level(png, 6);
 	png_write_info(png, info);

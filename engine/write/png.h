@@ -8,8 +8,8 @@
 namespace vp::write
 {
 
-// `path` may be "-" for standard output. A file appears whole or not at all: it is written beside its place and then renamed. Opaque
-// pictures are stored without alpha.
+// `path` may be "-" for standard output. A file appears whole or not at all: it is written beside its place and then
+// renamed. Opaque pictures are stored without alpha.
 Status writePng(const render::Picture& picture, const std::string& path);
 
 } // namespace vp::write

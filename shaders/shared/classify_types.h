@@ -62,8 +62,7 @@ struct ClassifyLane
 	float y_axis[3];
 	float error;            // bound of |distance here - distance on the CPU|, see distanceError()
 	float least_difference; // of the distances at the ends of a cut edge
-	uint inexact_mask;      // flags of the axes that the normal has a part in; 0: the distance is exact
-	uint exact;             // 1: points without flags give exactly the CPU's distance; 0: none does
+	uint inexact_mask;      // flags of the axes that the normal has a part in; a point without them is exact
 	uint cells_i;           // lattices
 	uint cells_j;
 	uint inverse_i; // floor((2^32 - 1) / cells_i)

@@ -31,11 +31,11 @@ VP_CONST uint kSegmentCorners = 6u;
 
 struct LinePush
 {
-	float clip[16];       // columns
-	float half_size[2];   // of the picture, pixels
-	float half_width;     // of a line, pixels
-	float near_w;         // w of the near plane
-	float depth_bias;     // factor on near / w: lines in a sheet's rim win
+	float clip[16];     // columns
+	float half_size[2]; // of the picture, pixels
+	float half_width;   // of a line, pixels
+	float near_w;       // w of the near plane
+	float depth_bias;   // factor on near / w: lines in a sheet's rim win
 };
 
 struct ComposePush
@@ -47,20 +47,20 @@ struct ComposePush
 struct ComposeParams
 {
 	float height;
-	float sample_weight;    // 1 / samples
+	float sample_weight; // 1 / samples
 	uint last_layer;
-	uint has_values;        // 0: all sheets have plain_color
-	float below_from;       // values below and above these have colours of their own
+	uint has_values;  // 0: all sheets have plain_color
+	float below_from; // values below and above these have colours of their own
 	float above_from;
 	float range_lo;
-	float range_scale;      // t = (value - lo) * scale + offset
+	float range_scale; // t = (value - lo) * scale + offset
 	float range_offset;
 	uint nan_color;
 	uint below_color;
 	uint above_color;
 	uint plain_color;
 	float line_color[4];
-	float top_color[4];     // of the background
+	float top_color[4]; // of the background
 	float bottom_color[4];
 	float plane[4u * kMaxLayers]; // near / w = a x + b y + c in pixels; opacity
 	uint colors[256];

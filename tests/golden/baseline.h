@@ -11,8 +11,9 @@ namespace vp::render::test
 
 Picture readPng(const std::string& path); // empty where it cannot be read
 
-// Whether the picture looks like baselines/NAME.png: letters and edges may differ a little between devices, in few pixels. Where
-// VPROBE_UPDATE_GOLDEN is 1, the baseline is written instead. A picture that differs is kept beside the test as NAME.png.
+// Whether the picture looks like baselines/NAME.png: letters and edges may differ a little between devices, in few
+// pixels. Where VPROBE_UPDATE_GOLDEN is 1, the baseline is written instead. A picture that differs is kept beside the
+// test as NAME.png.
 testing::AssertionResult looksLike(const Picture& picture, const std::string& name);
 
 } // namespace vp::render::test

@@ -28,8 +28,8 @@ std::vector<std::pair<double, std::size_t>> order(const Scene& scene, double x, 
 
 using Value = std::function<double(double, double)>;
 
-// Compares each pixel with the blend of the sheets in the order of their distances. Pixels with an edge or a crossing of
-// two sheets within `reach` pixels are left out.
+// Compares each pixel with the blend of the sheets in the order of their distances. Pixels with an edge or a crossing
+// of two sheets within `reach` pixels are left out.
 struct Comparison
 {
 	std::size_t compared = 0;
@@ -166,7 +166,8 @@ TEST_F(Blending, AConstantHasTheMiddleOfTheMap)
 {
 	Scene scene = bareScene(64, 64, 1);
 	scene.values = ValueScale{"f", 3.0, 3.0, false};
-	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}), kHalf, 1.0, [](double, double) { return 3.0; }));
+	scene.sheets.push_back(
+	    square(probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}), kHalf, 1.0, [](double, double) { return 3.0; }));
 	EXPECT_LE(difference(rgb(scene.look.colors.at(0.5)), draw(scene).pixel(32, 32)), 1.0);
 }
 
@@ -199,7 +200,8 @@ TEST_F(Blending, ColorsOutsideTheRange)
 	const Picture within = draw(scene);
 	for (std::size_t i = 0; i < within.rgba.size(); i += 4)
 		for (const Color outside : {map.below, map.above})
-			EXPECT_FALSE(within.rgba[i] == outside.r && within.rgba[i + 1] == outside.g && within.rgba[i + 2] == outside.b);
+			EXPECT_FALSE(within.rgba[i] == outside.r && within.rgba[i + 1] == outside.g &&
+			             within.rgba[i + 2] == outside.b);
 }
 
 TEST_F(Blending, SheetsWithoutAnArrayArePlain)

@@ -95,7 +95,8 @@ TEST_F(Coverage, LinesHideBehindSheetsAndShowThroughThem)
 		std::array<std::uint8_t, 4> found{255, 255, 255, 255};
 		for (int dy = -2; dy <= 2; ++dy)
 		{
-			const auto pixel = picture.pixel(static_cast<std::uint32_t>(place.x), static_cast<std::uint32_t>(place.y + dy));
+			const auto pixel =
+			    picture.pixel(static_cast<std::uint32_t>(place.x), static_cast<std::uint32_t>(place.y + dy));
 			if (pixel[0] + pixel[1] + pixel[2] < found[0] + found[1] + found[2])
 				found = pixel;
 		}

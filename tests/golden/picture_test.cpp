@@ -20,7 +20,8 @@ std::vector<Segment> boxOutline(double half)
 		for (const int bit : {1, 2, 4})
 			if (!(i & bit))
 			{
-				const auto corner = [half](int c) { return half * Vec3(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1); };
+				const auto corner = [half](int c)
+				{ return half * Vec3(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1); };
 				lines.push_back({corner(i), corner(i | bit)});
 			}
 	return lines;
@@ -61,8 +62,9 @@ protected:
 	}
 	void aim(Scene& scene, const char* camera)
 	{
-		scene.camera = makeCamera(parseCamera(camera).value(), &scene.sheets[0].sheet, ends({scene.outline.begin(), scene.outline.end()}),
-								  pictureFrame(scene.look, scene.values));
+		scene.camera =
+		    makeCamera(parseCamera(camera).value(), &scene.sheets[0].sheet,
+		               ends({scene.outline.begin(), scene.outline.end()}), pictureFrame(scene.look, scene.values));
 	}
 };
 

@@ -21,7 +21,8 @@ protected:
 	Png()
 	{
 		const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-		folder_ = std::filesystem::temp_directory_path() / ("vprobe_png_" + std::string(test->name()) + std::to_string(getpid()));
+		folder_ = std::filesystem::temp_directory_path() /
+		          ("vprobe_png_" + std::string(test->name()) + std::to_string(getpid()));
 		std::filesystem::create_directories(folder_);
 	}
 	~Png() override { std::filesystem::remove_all(folder_); }
@@ -41,7 +42,8 @@ Picture gradient(std::uint8_t alpha)
 	Picture picture{17, 9, {}};
 	for (std::uint32_t y = 0; y < picture.height; ++y)
 		for (std::uint32_t x = 0; x < picture.width; ++x)
-			picture.rgba.insert(picture.rgba.end(), {static_cast<std::uint8_t>(15 * x), static_cast<std::uint8_t>(28 * y), 77, alpha});
+			picture.rgba.insert(picture.rgba.end(),
+			                    {static_cast<std::uint8_t>(15 * x), static_cast<std::uint8_t>(28 * y), 77, alpha});
 	return picture;
 }
 

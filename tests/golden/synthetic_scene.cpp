@@ -74,7 +74,7 @@ Picture DrawingTest::draw(const Scene& scene)
 }
 
 SheetDrawing DrawingTest::square(const probe::Sheet& sheet, double half, double opacity,
-								 const std::function<double(double, double)>& f, int n)
+                                 const std::function<double(double, double)>& f, int n)
 {
 	std::vector<vp::shared::PolygonRecord> records;
 	for (int j = 0; j < n; ++j)
@@ -121,7 +121,7 @@ std::optional<Hit> hit(const Scene& scene, const probe::Sheet& sheet, double hal
 	const double tangent = std::tan(0.5 * camera.vertical_field * std::numbers::pi / 180.0);
 	const double aspect = static_cast<double>(scene.look.width) / scene.look.height;
 	const Vec3 ray = camera.forward() + tangent * aspect * (2.0 * x / scene.look.width - 1.0) * camera.right() +
-					 tangent * (1.0 - 2.0 * y / scene.look.height) * camera.trueUp();
+	                 tangent * (1.0 - 2.0 * y / scene.look.height) * camera.trueUp();
 	const double distance = glm::dot(sheet.normal, sheet.origin - camera.position) / glm::dot(sheet.normal, ray);
 	const Vec3 at = camera.position + distance * ray - sheet.origin;
 	const Hit found{distance, glm::dot(at, sheet.xAxis()), glm::dot(at, sheet.up)};

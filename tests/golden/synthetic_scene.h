@@ -30,8 +30,8 @@ protected:
 	Picture draw(const Scene& scene);
 
 	// A square of half a side `half` about the sheet's origin in n by n polygons, with values f(u, v).
-	SheetDrawing square(const probe::Sheet& sheet, double half, double opacity, const std::function<double(double, double)>& f,
-						int n = 8);
+	SheetDrawing square(const probe::Sheet& sheet, double half, double opacity,
+	                    const std::function<double(double, double)>& f, int n = 8);
 
 private:
 	std::optional<Renderer> renderer_;

@@ -54,8 +54,9 @@ CameraChoice choice(std::string_view text)
 TEST(Camera, FillsTheFreeArea)
 {
 	const Frame frame = frameWithLegend();
-	const auto boxes = {boxCorners({-1.0, -2.0, -3.0}, {1.0, 2.0, 3.0}), boxCorners({1e7, 0.0, 5.0}, {1e7 + 1e-3, 2e-3, 5.001}),
-						boxCorners({0.0, 0.0, 0.0}, {100.0, 1.0, 0.1})};
+	const auto boxes = {boxCorners({-1.0, -2.0, -3.0}, {1.0, 2.0, 3.0}),
+	                    boxCorners({1e7, 0.0, 5.0}, {1e7 + 1e-3, 2e-3, 5.001}),
+	                    boxCorners({0.0, 0.0, 0.0}, {100.0, 1.0, 0.1})};
 	for (const char* text : {"auto", "x", "-x", "y", "-y", "z", "-z", "iso", "sheet", "30,20", "-100,89"})
 		for (const auto& points : boxes)
 		{
@@ -112,7 +113,8 @@ TEST(Camera, NamedViewsLookWhereTheySay)
 TEST(Camera, TheAutomaticViewSeesTheSheetOpenAndUpright)
 {
 	const auto points = boxCorners({-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0});
-	for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(0.3, 0.5, 0.81), Vec3(-1, 2, -3)})
+	for (const Vec3& normal :
+	     {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(0.3, 0.5, 0.81), Vec3(-1, 2, -3)})
 	{
 		const probe::Sheet sheet = probe::makeSheet({0.0, 0.0, 0.0}, normal);
 		const Camera camera = makeCamera({}, &sheet, points, frameWithLegend());
@@ -147,7 +149,8 @@ TEST(Camera, ClipSpaceIsVulkansWithReversedDepth)
 
 TEST(Camera, WhatIsNoViewIsAUsageError)
 {
-	for (const char* text : {"", "up", "1", "1,2,3", "x,y", "1 1 1 1 1 1 0 0 1", "0 0 1 0 0 0 0 0 0", "30,nan", "30;20"})
+	for (const char* text :
+	     {"", "up", "1", "1,2,3", "x,y", "1 1 1 1 1 1 0 0 1", "0 0 1 0 0 0 0 0 0", "30,nan", "30;20"})
 	{
 		const auto parsed = parseCamera(text);
 		ASSERT_FALSE(parsed) << text;

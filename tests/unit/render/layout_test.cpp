@@ -95,7 +95,7 @@ TEST(Overlay, StaysInsideThePicture)
 			{
 				const ImVec2 p = overlay.vertices.at(i).pos;
 				EXPECT_TRUE(p.x >= 0.0f && p.y >= 0.0f && p.x <= size.width && p.y <= size.height)
-					<< p.x << " " << p.y << " in " << size.width << "x" << size.height;
+				    << p.x << " " << p.y << " in " << size.width << "x" << size.height;
 			}
 		}
 }

@@ -77,21 +77,22 @@ TEST(Outline, TheExtentHoldsEveryPointClosely)
 		const grid::BlockSet blocks = demo(name);
 		const auto extent = extentOf(blocks);
 		std::visit(
-			[&](const auto& grid)
-			{
-				for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(0.6, 0.8, 0), Vec3(-0.6, 0, 0.8), Vec3(0.48, -0.6, 0.64)})
-				{
-					double of_points = -1e300;
-					for (PointId p = 0; p < grid.pointCount(); ++p)
-						of_points = std::max(of_points, glm::dot(direction, grid.point(p)));
-					double of_extent = -1e300;
-					for (const Vec3& p : extent)
-						of_extent = std::max(of_extent, glm::dot(direction, p));
-					EXPECT_GE(of_extent, of_points - 1e-9) << name;
-					EXPECT_LE(of_extent, of_points + 1e-9) << name;
-				}
-			},
-			blocks.blocks[0].grid);
+		    [&](const auto& grid)
+		    {
+			    for (const Vec3& direction :
+			         {Vec3(1, 0, 0), Vec3(0.6, 0.8, 0), Vec3(-0.6, 0, 0.8), Vec3(0.48, -0.6, 0.64)})
+			    {
+				    double of_points = -1e300;
+				    for (PointId p = 0; p < grid.pointCount(); ++p)
+					    of_points = std::max(of_points, glm::dot(direction, grid.point(p)));
+				    double of_extent = -1e300;
+				    for (const Vec3& p : extent)
+					    of_extent = std::max(of_extent, glm::dot(direction, p));
+				    EXPECT_GE(of_extent, of_points - 1e-9) << name;
+				    EXPECT_LE(of_extent, of_points + 1e-9) << name;
+			    }
+		    },
+		    blocks.blocks[0].grid);
 	}
 }
 

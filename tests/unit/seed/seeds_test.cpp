@@ -85,8 +85,9 @@ std::vector<TestPlane> outsidePlanes(const grid::Block& block, unsigned seed)
 {
 	std::vector<TestPlane> planes;
 	const Box around{block.bounds.lo - block.bounds.size(), block.bounds.hi + block.bounds.size()};
+	const BruteForceLocator locator(block);
 	for (const TestPlane& plane : randomPlanes(around, 200, seed))
-		if (cellsHolding(block, plane.origin).empty() && !scanCutCells(block, plane).empty())
+		if (locator.cellsHolding(plane.origin).empty() && !scanCutCells(block, plane).empty())
 			planes.push_back(plane);
 	return planes;
 }

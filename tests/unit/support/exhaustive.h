@@ -174,22 +174,50 @@ inline bool holds(const Tetrahedron& t, const Vec3& p, double slack)
 	return true;
 }
 
-inline bool cellHolds(const grid::Block& block, CellId cell, const Vec3& p, double slack = 1e-9)
+inline bool anyHolds(const std::vector<Tetrahedron>& parts, const Vec3& p, double slack = 1e-9)
 {
-	for (const Tetrahedron& part : cellTetrahedra(block, cell))
-		if (holds(part, p, slack))
-			return true;
-	return false;
+	return std::ranges::any_of(parts, [&](const Tetrahedron& part) { return holds(part, p, slack); });
 }
 
-inline std::vector<CellId> cellsHolding(const grid::Block& block, const Vec3& p)
+// Asks every cell.
+class BruteForceLocator
 {
-	std::vector<CellId> found;
-	for (CellId c = 0; c < cellCount(block); ++c)
-		if (cellHolds(block, c, p))
-			found.push_back(c);
-	return found;
-}
+public:
+	explicit BruteForceLocator(const grid::Block& block)
+	{
+		for (CellId c = 0; c < cellCount(block); ++c)
+		{
+			cells_.push_back({{}, cellTetrahedra(block, c)});
+			for (const Tetrahedron& part : cells_.back().parts)
+				for (const Vec3& corner : part)
+					cells_.back().box.include(corner);
+		}
+	}
+	bool cellHolds(CellId cell, const Vec3& p) const
+	{
+		const Box& box = cells_[cell].box;
+		const Vec3 slack(1e-9 * box.diagonal());
+		return glm::all(glm::greaterThanEqual(p, box.lo - slack)) && glm::all(glm::lessThanEqual(p, box.hi + slack)) &&
+		       anyHolds(cells_[cell].parts, p);
+	}
+	std::vector<CellId> cellsHolding(const Vec3& p) const
+	{
+		std::vector<CellId> found;
+		for (CellId c = 0; c < cells_.size(); ++c)
+			if (cellHolds(c, p))
+				found.push_back(c);
+		return found;
+	}
+	const std::vector<Tetrahedron>& parts(CellId cell) const { return cells_[cell].parts; }
+
+private:
+	struct Cell
+	{
+		Box box;
+		std::vector<Tetrahedron> parts;
+	};
+	std::vector<Cell> cells_;
+};
 
 inline Vec3 randomDirection(std::mt19937& random)
 {

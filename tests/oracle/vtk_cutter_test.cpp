@@ -1,0 +1,158 @@
+#include "sliced_sheet.h"
+
+#include "grid/demo.h"
+
+#include <gtest/gtest.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
+#include <vtkCutter.h>
+#include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <set>
+
+namespace vp::test
+{
+
+namespace
+{
+
+vtkSmartPointer<vtkUnstructuredGrid> vtkGridOf(const grid::Block& block)
+{
+	auto made = vtkSmartPointer<vtkUnstructuredGrid>::New();
+	visitGrid(
+	    block,
+	    [&](const auto& grid)
+	    {
+		    vtkNew<vtkPoints> points;
+		    points->SetDataTypeToDouble();
+		    vtkNew<vtkFloatArray> s;
+		    s->SetName("s");
+		    for (PointId p = 0; p < grid.pointCount(); ++p)
+		    {
+			    const Vec3 x = grid.point(p);
+			    points->InsertNextPoint(x.x, x.y, x.z);
+			    s->InsertNextValue(static_cast<float>(block.fields[0].value(grid.sourcePoint(p), 0)));
+		    }
+		    made->SetPoints(points);
+		    made->GetPointData()->AddArray(s);
+
+		    constexpr int types[] = {VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON}; // in the order of CellShape
+		    vtkNew<vtkIdTypeArray> ids;
+		    ids->SetName("cell");
+		    for (CellId c = 0; c < grid.cellCount(); ++c)
+		    {
+			    const grid::CellPoints corners = grid.cellPoints(c);
+			    const std::vector<vtkIdType> list(corners.begin(), corners.end());
+			    made->InsertNextCell(types[static_cast<int>(grid.shape(c))], static_cast<vtkIdType>(list.size()),
+			                         list.data());
+			    ids->InsertNextValue(c);
+		    }
+		    made->GetCellData()->AddArray(ids);
+	    });
+	return made;
+}
+
+// What vtkCutter makes of it, measured by the same rule: fans about the means of the polygons' vertices.
+struct VtkCut
+{
+	std::set<CellId> cells;
+	std::size_t polygons = 0;
+	std::size_t vertices = 0;
+	double area = 0.0;
+	double mean = 0.0;
+};
+
+VtkCut cutByVtk(vtkUnstructuredGrid* grid, const TestPlane& plane)
+{
+	const Vec3 normal = Side(plane).normal();
+	vtkNew<vtkPlane> surface;
+	surface->SetOrigin(plane.origin.x, plane.origin.y, plane.origin.z);
+	surface->SetNormal(normal.x, normal.y, normal.z);
+	vtkNew<vtkCutter> cutter;
+	cutter->SetInputData(grid);
+	cutter->SetCutFunction(surface);
+	cutter->GenerateTrianglesOff();
+	cutter->Update();
+	vtkPolyData* output = cutter->GetOutput();
+
+	VtkCut result;
+	result.polygons = static_cast<std::size_t>(output->GetNumberOfPolys());
+	result.vertices = static_cast<std::size_t>(output->GetNumberOfPoints());
+	vtkDataArray* ids = output->GetCellData()->GetArray("cell");
+	vtkDataArray* s = output->GetPointData()->GetArray("s");
+	vtkNew<vtkIdList> corners;
+	for (vtkIdType p = 0; p < output->GetNumberOfPolys(); ++p)
+	{
+		result.cells.insert(static_cast<CellId>(ids->GetTuple1(p)));
+		output->GetPolys()->GetCellAtId(p, corners);
+		const auto count = static_cast<std::size_t>(corners->GetNumberOfIds());
+		std::vector<Vec3> at(count);
+		std::vector<double> value(count);
+		Vec3 centre(0.0);
+		double middle = 0.0;
+		for (std::size_t i = 0; i < count; ++i)
+		{
+			output->GetPoint(corners->GetId(static_cast<vtkIdType>(i)), &at[i].x);
+			value[i] = s->GetTuple1(corners->GetId(static_cast<vtkIdType>(i)));
+			centre += at[i] / static_cast<double>(count);
+			middle += value[i] / static_cast<double>(count);
+		}
+		for (std::size_t i = 0; i < count; ++i)
+		{
+			const std::size_t next = (i + 1) % count;
+			const double part = 0.5 * glm::length(glm::cross(at[i] - centre, at[next] - centre));
+			result.area += part;
+			result.mean += part * (value[i] + value[next] + middle) / 3.0;
+		}
+	}
+	result.mean /= result.area;
+	return result;
+}
+
+class VtkCutterTest : public testing::TestWithParam<std::pair<const char*, int>>
+{
+};
+
+} // namespace
+
+TEST_P(VtkCutterTest, FindsTheSame)
+{
+	const auto [name, n] = GetParam();
+	const grid::BlockSet set = std::move(grid::makeDemo(name, n).value());
+	const vtkSmartPointer<vtkUnstructuredGrid> peer = vtkGridOf(set.blocks[0]);
+	slice::Slicer slicer(set);
+	for (const TestPlane& plane : randomPlanes(set.bounds(), 25, 100))
+	{
+		const SlicedSheet sheet = cut(slicer, plane);
+		if (sheet.mesh.polygons() == 0)
+			continue;
+		const VtkCut expected = cutByVtk(peer, plane);
+		std::set<CellId> cells;
+		for (const slice::BlockCell& from : sheet.mesh.polygon_cells)
+			cells.insert(from.cell);
+		EXPECT_EQ(cells, expected.cells);
+		EXPECT_EQ(sheet.mesh.positions.size(), expected.vertices);
+		if (sheet.mesh.cells_twisted == 0)
+		{
+			EXPECT_EQ(sheet.mesh.polygons(), expected.polygons);
+		}
+		const slice::SheetMeasure measure =
+		    slice::measure(set, sheet.mesh, slice::FieldChoice{"s", grid::Association::point, 0});
+		EXPECT_NEAR(measure.area, expected.area, 1e-9 * expected.area);
+		EXPECT_NEAR(measure.mean.value(), expected.mean, 1e-6);
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Demos, VtkCutterTest,
+                         testing::Values(std::pair("shell", 18), std::pair("hexes", 15), std::pair("tets", 12),
+                                         std::pair("blob", 16), std::pair("graded", 17), std::pair("mixed", 12)),
+                         [](const auto& info) { return info.param.first; });
+
+} // namespace vp::test
