@@ -36,7 +36,7 @@ step()
 		"$@" </dev/null >"$log" 2>&1 || status=$?
 	fi
 	if ((status)); then
-		tail -n 100 "$log" >&2
+		grep -vE '^\[[0-9]+/[0-9]+\] [A-Z]' "$log" | tail -n 200 >&2 || true # ninja's good lines left out
 		say "$title: failed; all of it is in $log"
 	else
 		say "$title: done in $((SECONDS - start)) s"

@@ -4,6 +4,8 @@
 // here gets kWordWalk and an empty record; the CPU then decides it. With doubles the distance is the CPU's own expression
 // on the same numbers, rounded alike, so that this happens next to points whose coordinates do not fit 41 bits only.
 //
+// All that a vertex is made of is `precise`: cells that share it compute it to the same bits, whichever of their vertices it is.
+//
 // Included with VP_REAL and VP_REAL3 defined as double or float, and VP_DOUBLES as 1 or 0.
 #extension GL_EXT_scalar_block_layout : require
 
@@ -15,6 +17,8 @@ layout(local_size_x = kClassifyGroupSize) in;
 layout(constant_id = kConstantCells) const uint kCells = kCellsLattice;
 layout(constant_id = kConstantPoints) const uint kPoints = kPointsFloat;
 layout(constant_id = kConstantValues) const uint kValues = kValuesNone;
+
+const uint kMaxEdges = kCells == kCellsRecord4 ? 4u : kMaxRecordVertices; // of a polygon
 
 layout(binding = kBindPoints) uniform usamplerBuffer points;
 layout(binding = kBindCells) uniform usamplerBuffer cells;
@@ -102,8 +106,10 @@ void fetchPoint(uint v, uint id)
 #endif
 	precise VP_REAL3 share = normal * from_origin;
 	precise VP_REAL distance = (share.x + share.y) + share.z;
-	const vec3 single = vec3(from_origin);
-	setVertex(v, id, distance, exact, vec2(dot(fromArray(lane.x_axis), single), dot(fromArray(lane.y_axis), single)));
+	precise vec3 x_share = fromArray(lane.x_axis) * vec3(from_origin);
+	precise vec3 y_share = fromArray(lane.y_axis) * vec3(from_origin);
+	precise vec2 uv = vec2((x_share.x + x_share.y) + x_share.z, (y_share.x + y_share.y) + y_share.z);
+	setVertex(v, id, distance, exact, uv);
 }
 
 // The share of a coordinate of an axis in the distance and in uv.
@@ -129,7 +135,8 @@ AxisShare fetchShare(uint axis, uint index)
 void setCorner(uint v, uint id, AxisShare x, AxisShare y, AxisShare z)
 {
 	precise VP_REAL distance = (x.distance + y.distance) + z.distance;
-	setVertex(v, id, distance, VP_DOUBLES != 0, (x.uv + y.uv) + z.uv);
+	precise vec2 uv = (x.uv + y.uv) + z.uv;
+	setVertex(v, id, distance, VP_DOUBLES != 0, uv);
 }
 
 // With inverse = floor((2^32 - 1) / divisor) the product is at most one too small. Divisions are slow on software devices.
@@ -214,19 +221,19 @@ uint fetchCell(uint cell, out uint case_start)
 }
 
 // Data linear along the edge; an end that has no part in the vertex does not bring its NaN to it.
-float alongEdge(float lower, float higher, float t)
+float alongEdge(float from, float to, float t)
 {
-	const float between = max(lower, higher) >= kNanValue ? kNanValue : lower + t * (higher - lower);
-	return t == 0.0 ? lower : t == 1.0 ? higher : between;
+	precise float between = max(from, to) >= kNanValue ? kNanValue : from + t * (to - from);
+	return t == 0.0 ? from : t == 1.0 ? to : between;
 }
 
-float tupleAlongEdge(uint lower, uint higher, float t)
+float tupleAlongEdge(uint from, uint to, float t)
 {
 	float sum = 0.0;
 	for (uint c = 0u; c < lane.components; ++c)
 	{
-		const float value = alongEdge(texelFetch(values, int(lower * lane.components + c)).x,
-									  texelFetch(values, int(higher * lane.components + c)).x, t);
+		const float value = alongEdge(texelFetch(values, int(from * lane.components + c)).x,
+									  texelFetch(values, int(to * lane.components + c)).x, t);
 		if (value >= kNanValue)
 			return kNanValue;
 		sum += value * value;
@@ -275,35 +282,30 @@ void main()
 	bool walk = (entry.x >> 16) != 0u;
 
 	const float cell_value = cellValue(cell);
-	for (uint e = 0u; e < kMaxRecordVertices; ++e)
+	for (uint e = 0u; e < kMaxEdges; ++e)
 	{
 		if (e >= edges)
 			continue;
 		const uint turned = lane.flipped != 0u ? edges - 1u - e : e;
 		const uint pair = turned < 2u ? entry.y : turned < 4u ? entry.z : entry.w;
 		const uint ends = pair >> (16u * (turned & 1u));
-		const uint a = ends & 0xFFu;
-		const uint b = (ends >> 8) & 0xFFu;
-		// From the lower point id: both cells of a face, and all cells about an edge, compute the same vertex.
-		const uint id_a = pick(vertex_id, a);
-		const uint id_b = pick(vertex_id, b);
-		const bool swap = id_a > id_b;
-		const uint lower = swap ? b : a;
-		const uint higher = swap ? a : b;
-		const float lower_distance = pick(vertex_distance, lower);
-		precise float difference = lower_distance - pick(vertex_distance, higher);
-		const bool exact = (exact_mask >> a & exact_mask >> b & 1u) != 0u;
-		walk = walk || (!exact && abs(difference) < lane.least_difference);
-		const float t = lower_distance / difference;
-		const vec2 lower_uv = pick(vertex_uv, lower);
-		const vec2 uv = lower_uv + t * (pick(vertex_uv, higher) - lower_uv);
+		// From the positive end: all cells about an edge, in all blocks, agree which that is and compute the same vertex.
+		const uint positive = ends & 0xFFu;
+		const uint negative = (ends >> 8) & 0xFFu;
+		const float distance = pick(vertex_distance, positive);
+		precise float difference = distance - pick(vertex_distance, negative);
+		const bool exact = (exact_mask >> positive & exact_mask >> negative & 1u) != 0u;
+		walk = walk || (!exact && difference < lane.least_difference);
+		precise float t = distance / difference;
+		const vec2 positive_uv = pick(vertex_uv, positive);
+		precise vec2 uv = positive_uv + t * (pick(vertex_uv, negative) - positive_uv);
 		records[i].uv[2u * e] = uv.x;
 		records[i].uv[2u * e + 1u] = uv.y;
 		float value = cell_value;
 		if (kValues == kValuesPoint)
-			value = alongEdge(pick(vertex_value, lower), pick(vertex_value, higher), t);
+			value = alongEdge(pick(vertex_value, positive), pick(vertex_value, negative), t);
 		if (kValues == kValuesPointTuple)
-			value = tupleAlongEdge(swap ? id_b : id_a, swap ? id_a : id_b, t);
+			value = tupleAlongEdge(pick(vertex_id, positive), pick(vertex_id, negative), t);
 		records[i].value[e] = value;
 	}
 	records[i].cell = cell;

@@ -33,7 +33,8 @@ std::vector<std::string> foldNumbers(int argc, const char* const* argv)
 	for (int i = 1; i < argc; ++i)
 	{
 		const std::string argument = argv[i];
-		const auto folded = std::find_if(kFolded.begin(), kFolded.end(), [&](const Folded& f) { return f.option == argument; });
+		const auto folded =
+		    std::find_if(kFolded.begin(), kFolded.end(), [&](const Folded& f) { return f.option == argument; });
 		if (folded == kFolded.end() || i + 1 == argc || std::string_view(argv[i + 1]).starts_with("--"))
 		{
 			arguments.push_back(argument);

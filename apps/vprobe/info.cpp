@@ -1,5 +1,5 @@
-#include "commands.h"
 #include "base/timeline.h"
+#include "commands.h"
 #include "grid/demo.h"
 #include "probe_options.h"
 #include "read/read.h"
@@ -35,8 +35,10 @@ std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
 	for (const grid::Block& block : blocks.blocks)
 		for (const grid::Field& field : block.fields)
 		{
-			const bool known = std::any_of(arrays.begin(), arrays.end(), [&](const ArrayInfo& a)
-										   { return a.field->name == field.name && a.field->association == field.association; });
+			const bool known =
+			    std::any_of(arrays.begin(), arrays.end(),
+			                [&](const ArrayInfo& a)
+			                { return a.field->name == field.name && a.field->association == field.association; });
 			if (known)
 				continue;
 			const int component = field.components == 1 ? 0 : grid::kMagnitude;
@@ -50,15 +52,16 @@ nlohmann::json asJson(const grid::BlockSet& blocks)
 	nlohmann::json arrays = nlohmann::json::array();
 	for (const auto& [field, range] : listArrays(blocks))
 		arrays.push_back({{"name", field->name},
-						  {"association", grid::associationName(field->association)},
-						  {"components", field->components},
-						  {"type", grid::numberTypeName(field->type)},
-						  {"range", {range.first, range.second}}});
+		                  {"association", grid::associationName(field->association)},
+		                  {"components", field->components},
+		                  {"type", grid::numberTypeName(field->type)},
+		                  {"range", {range.first, range.second}}});
 	nlohmann::json block_list = nlohmann::json::array();
 	for (const grid::Block& block : blocks.blocks)
 	{
-		const auto [cells, points] =
-			std::visit([](const auto& grid) { return std::pair<std::size_t, std::size_t>(grid.cellCount(), grid.pointCount()); }, block.grid);
+		const auto [cells, points] = std::visit(
+		    [](const auto& grid) { return std::pair<std::size_t, std::size_t>(grid.cellCount(), grid.pointCount()); },
+		    block.grid);
 		block_list.push_back({{"name", block.name}, {"cells", cells}, {"points", points}});
 	}
 	nlohmann::json interfaces = nlohmann::json::array();
@@ -66,41 +69,43 @@ nlohmann::json asJson(const grid::BlockSet& blocks)
 		interfaces.push_back({{"blocks", {interface.a, interface.b}}, {"faces", interface.faces}});
 	const Box bounds = blocks.bounds();
 	return {{"grid",
-			 {{"kind", blocks.kind()},
-			  {"cells", blocks.cellCount()},
-			  {"points", blocks.pointCount()},
-			  {"blocks", blocks.blocks.size()},
-			  {"cells_left_out", blocks.left_out}}},
-			{"blocks", block_list},
-			{"interfaces", interfaces},
-			{"seam_faces", blocks.interfaces.seam_faces},
-			{"boundary_faces", blocks.interfaces.boundary_faces},
-			{"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
-			{"times", blocks.times},
-			{"arrays", arrays}};
+	         {{"kind", blocks.kind()},
+	          {"cells", blocks.cellCount()},
+	          {"points", blocks.pointCount()},
+	          {"blocks", blocks.blocks.size()},
+	          {"cells_left_out", blocks.left_out}}},
+	        {"blocks", block_list},
+	        {"interfaces", interfaces},
+	        {"seam_faces", blocks.interfaces.seam_faces},
+	        {"boundary_faces", blocks.interfaces.boundary_faces},
+	        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
+	        {"times", blocks.times},
+	        {"arrays", arrays}};
 }
 
 void printTable(const grid::BlockSet& blocks)
 {
 	const Box bounds = blocks.bounds();
 	fmt::print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.cellCount(), blocks.pointCount(),
-			   blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
+	           blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
 	if (blocks.left_out)
 		fmt::print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
 	if (const grid::Interfaces& seams = blocks.interfaces; seams.seam_faces)
-		fmt::print("seams   {} boundary faces lie on another, in {} interface{}; {} bound the domain\n", seams.seam_faces,
-				   seams.interfaces.size(), seams.interfaces.size() == 1 ? "" : "s", seams.boundary_faces);
-	fmt::print("bounds  x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n", bounds.lo.x, bounds.hi.x, bounds.lo.y,
-			   bounds.hi.y, bounds.lo.z, bounds.hi.z);
+		fmt::print("seams   {} boundary faces lie on another, in {} interface{}; {} bound the domain\n",
+		           seams.seam_faces, seams.interfaces.size(), seams.interfaces.size() == 1 ? "" : "s",
+		           seams.boundary_faces);
+	fmt::print("bounds  x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n", bounds.lo.x, bounds.hi.x,
+	           bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z);
 	if (!blocks.times.empty())
-		fmt::print("times   {} from {:.6g} to {:.6g}\n", blocks.times.size(), blocks.times.front(), blocks.times.back());
+		fmt::print("times   {} from {:.6g} to {:.6g}\n", blocks.times.size(), blocks.times.front(),
+		           blocks.times.back());
 	const auto arrays = listArrays(blocks);
 	if (arrays.empty())
 		fmt::print("arrays  none\n");
 	for (const auto& [field, range] : arrays)
-		fmt::print("array   {}:{}  {} x {}, {}{:.6g} to {:.6g}\n", grid::associationName(field->association), field->name,
-				   field->components, grid::numberTypeName(field->type), field->components == 1 ? "" : "magnitude ", range.first,
-				   range.second);
+		fmt::print("array   {}:{}  {} x {}, {}{:.6g} to {:.6g}\n", grid::associationName(field->association),
+		           field->name, field->components, grid::numberTypeName(field->type),
+		           field->components == 1 ? "" : "magnitude ", range.first, range.second);
 }
 
 Result<ExitCode> runInfo(const InfoOptions& options)

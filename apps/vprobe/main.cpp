@@ -2,11 +2,15 @@
 #include "base/log.h"
 #include "commands.h"
 #include "version.h"
+#include "write/atomic_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <new>
+
+#include <unistd.h>
 
 namespace
 {
@@ -16,13 +20,21 @@ int exitStatus(vp::ExitCode code)
 	return static_cast<int>(code);
 }
 
+// Ctrl-C leaves no half-written file.
+void endInterrupted(int)
+{
+	vp::write::removeUnfinishedFiles();
+	_exit(exitStatus(vp::ExitCode::interrupted));
+}
+
 // CLI11's reasons, as one line that names the remedy.
 int reportUsage(const CLI::App& program, const CLI::ParseError& error)
 {
 	std::string reason = error.what();
 	std::replace(reason.begin(), reason.end(), '\n', ' ');
 	const auto commands = program.get_subcommands();
-	const std::string help = commands.empty() ? "vprobe --help" : fmt::format("vprobe {} --help", commands.front()->get_name());
+	const std::string help =
+	    commands.empty() ? "vprobe --help" : fmt::format("vprobe {} --help", commands.front()->get_name());
 	vp::logError(fmt::format("{}; see {}", reason, help));
 	return exitStatus(vp::ExitCode::usage);
 }
@@ -31,12 +43,17 @@ int reportUsage(const CLI::App& program, const CLI::ParseError& error)
 
 int main(int argc, char** argv)
 {
-	CLI::App program{"Slices of volume data on any computational grid, by volume probes (Speray and Kennon, 1990).", "vprobe"};
+	CLI::App program{"Slices of volume data on any computational grid, by volume probes (Speray and Kennon, 1990).",
+	                 "vprobe"};
 	program.set_version_flag("--version", vp::app::kVersion);
 	program.require_subcommand(1);
-	program.footer("vprobe COMMAND --help tells a command's options. INPUT is a file or demo:NAME[:N], N cells each way;\n"
-				   "vprobe info demo: lists the built-in data sets. Try: vprobe render demo:shell --normal 0.3 0.5 0.8 -o shell.png");
+	program.footer(
+	    "vprobe COMMAND --help tells a command's options. INPUT is a file or demo:NAME[:N], N cells each way;\n"
+	    "vprobe info demo: lists the built-in data sets. Try: vprobe render demo:shell --normal 0.3 0.5 0.8 -o "
+	    "shell.png");
 
+	std::signal(SIGINT, endInterrupted);
+	std::signal(SIGTERM, endInterrupted);
 	vp::app::Run run;
 	vp::app::addInfo(program, run);
 	vp::app::addSlice(program, run);

@@ -47,7 +47,8 @@ Result<Vec3> parseNormal(const std::string& text)
 	if (!(words >> normal.x >> normal.y >> normal.z) || words >> rest)
 		return Error{ExitCode::usage, fmt::format("--normal {}: takes x, y, z or three numbers", text)};
 	if (normal == Vec3(0.0))
-		return Error{ExitCode::usage, "--normal: a zero vector is no direction; give x, y, z or three numbers that are not all zero"};
+		return Error{ExitCode::usage,
+		             "--normal: a zero vector is no direction; give x, y, z or three numbers that are not all zero"};
 	return normal;
 }
 
@@ -63,7 +64,7 @@ Result<probe::Probe> makeProbe(const ProbeOptions& options, const grid::BlockSet
 	if (up == Vec3(0.0))
 		return Error{ExitCode::usage, "--up: a zero vector is no direction; give three numbers that are not all zero"};
 	const Vec3 origin = options.origin.empty() ? blocks.bounds().centre()
-											   : Vec3{options.origin[0], options.origin[1], options.origin[2]};
+	                                           : Vec3{options.origin[0], options.origin[1], options.origin[2]};
 	return probe::Probe{{probe::makeSheet(origin, *normal, up)}};
 }
 
@@ -71,11 +72,11 @@ seed::SeedOptions seedOptions(const ProbeOptions& options)
 {
 	seed::SeedOptions seeds;
 	seeds.mode = options.seeds == "hotspot"    ? seed::SeedMode::hotspot
-				 : options.seeds == "boundary" ? seed::SeedMode::boundary
-											   : seed::SeedMode::automatic;
+	             : options.seeds == "boundary" ? seed::SeedMode::boundary
+	                                           : seed::SeedMode::automatic;
 	seeds.outside = options.outside == "refuse"   ? seed::OutsidePolicy::refuse
-					: options.outside == "report" ? seed::OutsidePolicy::report
-												  : seed::OutsidePolicy::nearest;
+	                : options.outside == "report" ? seed::OutsidePolicy::report
+	                                              : seed::OutsidePolicy::nearest;
 	return seeds;
 }
 
@@ -86,7 +87,8 @@ Result<std::unique_ptr<gpu::Device>> openDevice(const ProbeOptions& options, Dev
 	if (use == DeviceUse::classify && options.classify == "cpu")
 		return std::unique_ptr<gpu::Device>();
 	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({.name_or_index = options.device});
-	const bool needed = use == DeviceUse::draw || (options.classify == "gpu" && options.classify_given) || !options.device.empty();
+	const bool needed =
+	    use == DeviceUse::draw || (options.classify == "gpu" && options.classify_given) || !options.device.empty();
 	if (device || needed)
 		return device;
 	if (options.classify == "gpu")
@@ -94,8 +96,8 @@ Result<std::unique_ptr<gpu::Device>> openDevice(const ProbeOptions& options, Dev
 	return std::unique_ptr<gpu::Device>();
 }
 
-// auto takes what was measured to be faster (docs/PERFORMANCE.md): a software device classifies a front on the same cores as the CPU does, and
-// pays for the round trip on top.
+// auto takes what was measured to be faster (docs/PERFORMANCE.md): a software device classifies a front on the same
+// cores as the CPU does, and pays for the round trip on top.
 bool classifiesOnGpu(const ProbeOptions& options, const gpu::Device* device)
 {
 	if (!device || options.classify == "cpu")
@@ -107,46 +109,59 @@ bool classifiesOnGpu(const ProbeOptions& options, const gpu::Device* device)
 
 void addInputs(CLI::App& command, ProbeOptions& options)
 {
-	command.add_option("INPUT", options.inputs, "File, or demo:NAME[:N]; several make one block set. Reads " + read::readableEndings())
-		->required();
-	command.add_option("--time", options.time, "last, first or a time; the nearest there is is taken")->capture_default_str();
-	command.add_option("--solution", options.solution, "PLOT3D solution (q) file, where its name does not follow from the grid's");
+	command
+	    .add_option("INPUT", options.inputs,
+	                "File, or demo:NAME[:N]; several make one block set. Reads " + read::readableEndings())
+	    ->required();
+	command.add_option("--time", options.time, "last, first or a time; the nearest there is is taken")
+	    ->capture_default_str();
+	command.add_option("--solution", options.solution,
+	                   "PLOT3D solution (q) file, where its name does not follow from the grid's");
 }
 
 void addProbeOptions(CLI::App& command, ProbeOptions& options)
 {
 	const char* group = "Probe";
-	command.add_option("--origin", options.origin, "A point of the plane, its hot spot (default: centre of the bounds)")
-		->expected(3)
-		->type_name("X Y Z")
-		->group(group);
+	command
+	    .add_option("--origin", options.origin, "A point of the plane, its hot spot (default: centre of the bounds)")
+	    ->expected(3)
+	    ->type_name("X Y Z")
+	    ->group(group);
 	command.add_option("--normal", options.normal, "Normal of the plane: x, y, z or three numbers")
-		->type_name("X Y Z|x|y|z")
-		->capture_default_str()
-		->group(group);
-	command.add_option("--up", options.up, "Direction of the sheet's y axis, made perpendicular to the normal (default: 0 1 0)")
-		->expected(3)
-		->type_name("X Y Z")
-		->group(group);
-	command.add_option("--array", options.array, "Array to show (default: the first point array, else the first cell array)")
-		->type_name("[point:|cell:]NAME")
-		->group(group);
-	command.add_option("--component", options.component, "Of a vector: a number from 0, x, y, z or magnitude (the default)")
-		->type_name("N|x|y|z|magnitude")
-		->group(group);
+	    ->type_name("X Y Z|x|y|z")
+	    ->capture_default_str()
+	    ->group(group);
 	command
-		.add_option("--seeds", options.seeds,
-					"Where the traversal starts. auto: hot spot and boundary, every piece; hotspot: the piece that holds the hot spot")
-		->check(CLI::IsMember({"auto", "hotspot", "boundary"}))
-		->capture_default_str()
-		->group(group);
+	    .add_option("--up", options.up,
+	                "Direction of the sheet's y axis, made perpendicular to the normal (default: 0 1 0)")
+	    ->expected(3)
+	    ->type_name("X Y Z")
+	    ->group(group);
 	command
-		.add_option("--outside", options.outside,
-					"A hot spot outside the grid: nearest moves it to the nearest point of the sheet inside, refuse is an error, report "
-					"only says so")
-		->check(CLI::IsMember({"nearest", "refuse", "report"}))
-		->capture_default_str()
-		->group(group);
+	    .add_option("--array", options.array,
+	                "Array to show (default: the first point array, else the first cell array)")
+	    ->type_name("[point:|cell:]NAME")
+	    ->group(group);
+	command
+	    .add_option("--component", options.component,
+	                "Of a vector: a number from 0, x, y, z or magnitude (the default)")
+	    ->type_name("N|x|y|z|magnitude")
+	    ->group(group);
+	command
+	    .add_option("--seeds", options.seeds,
+	                "Where the traversal starts. auto: hot spot and boundary, every piece; hotspot: the piece that "
+	                "holds the hot spot")
+	    ->check(CLI::IsMember({"auto", "hotspot", "boundary"}))
+	    ->capture_default_str()
+	    ->group(group);
+	command
+	    .add_option("--outside", options.outside,
+	                "A hot spot outside the grid: nearest moves it to the nearest point of the sheet inside, refuse is "
+	                "an error, report "
+	                "only says so")
+	    ->check(CLI::IsMember({"nearest", "refuse", "report"}))
+	    ->capture_default_str()
+	    ->group(group);
 	addDeviceOptions(command, options);
 }
 
@@ -154,23 +169,24 @@ void addDeviceOptions(CLI::App& command, ProbeOptions& options)
 {
 	const char* group = "Probe";
 	command
-		.add_option_function<std::string>(
-			"--classify",
-			[&options](const std::string& value)
-			{
-				options.classify = value;
-				options.classify_given = true;
-			},
-			"Where cells are classified. gpu (default): on the Vulkan device, or, when not asked for by name and there is none, on the CPU; "
-			"auto: where it is faster")
-		->check(CLI::IsMember({"auto", "gpu", "cpu"}))
-		->group(group);
+	    .add_option_function<std::string>(
+	        "--classify",
+	        [&options](const std::string& value)
+	        {
+		        options.classify = value;
+		        options.classify_given = true;
+	        },
+	        "Where cells are classified. gpu (default): on the Vulkan device, or, when not asked for by name and there "
+	        "is none, on the CPU; "
+	        "auto: where it is faster")
+	    ->check(CLI::IsMember({"auto", "gpu", "cpu"}))
+	    ->group(group);
 	command.add_option("--device", options.device, "Vulkan device, by part of its name or by number")
-		->type_name("NAME|INDEX")
-		->group(group);
+	    ->type_name("NAME|INDEX")
+	    ->group(group);
 	command.add_option("--threads", options.threads, "Most threads to use (default: all cores)")
-		->check(CLI::Range(1, 4096))
-		->group(group);
+	    ->check(CLI::Range(1, 4096))
+	    ->group(group);
 }
 
 Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use)
@@ -194,7 +210,8 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	if (!blocks)
 		return blocks.error();
 	session->blocks = std::move(*blocks);
-	Result<std::optional<slice::FieldChoice>> field = slice::chooseField(session->blocks, options.array, options.component);
+	Result<std::optional<slice::FieldChoice>> field =
+	    slice::chooseField(session->blocks, options.array, options.component);
 	if (!field)
 		return field.error();
 	session->field = *field;
@@ -211,7 +228,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	{
 		const Progress progress("uploading");
 		Result<std::unique_ptr<slice::Slicer>> slicer =
-			slice::Slicer::onDevice(*session->device, session->blocks, session->field, session->timeline.get());
+		    slice::Slicer::onDevice(*session->device, session->blocks, session->field, session->timeline.get());
 		if (!slicer)
 			return slicer.error();
 		session->slicer = std::move(*slicer);
@@ -223,7 +240,8 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 
 Result<slice::Slice> cut(Session& session)
 {
-	Result<slice::Slice> slice = session.slicer->cut({session.probe, session.field, session.seeds, session.timeline.get()});
+	Result<slice::Slice> slice =
+	    session.slicer->cut({session.probe, session.field, session.seeds, session.timeline.get()});
 	if (!slice)
 		return slice;
 	for (const std::string& words : slice->words)
@@ -236,18 +254,20 @@ Result<slice::Slice> cut(Session& session)
 			cut_cells += cut.cut_cells;
 		const bool outside = session.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
 		if (outside && session.seeds.outside == seed::OutsidePolicy::refuse)
-			return Error{ExitCode::usage, fmt::format("--origin {} {} {}: the hot spot lies outside the grid; choose one inside, or "
-													  "--outside nearest",
-													  at.x, at.y, at.z)};
+			return Error{ExitCode::usage,
+			             fmt::format("--origin {} {} {}: the hot spot lies outside the grid; choose one inside, or "
+			                         "--outside nearest",
+			                         at.x, at.y, at.z)};
 		if (outside && session.seeds.outside == seed::OutsidePolicy::report)
 			warn("--origin {} {} {}: the hot spot lies outside the grid", at.x, at.y, at.z);
 		else if (outside && session.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.moved_to)
 			warn("--origin {} {} {}: the hot spot lies outside the grid; {} {} {} takes its place", at.x, at.y, at.z,
-				 sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
+			     sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
 		if (cut_cells == 0)
-			warn("the slice is empty: the plane misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} {:.6g}",
-				 session.blocks.bounds().lo.x, session.blocks.bounds().lo.y, session.blocks.bounds().lo.z,
-				 session.blocks.bounds().hi.x, session.blocks.bounds().hi.y, session.blocks.bounds().hi.z);
+			warn("the slice is empty: the plane misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
+			     "{:.6g}",
+			     session.blocks.bounds().lo.x, session.blocks.bounds().lo.y, session.blocks.bounds().lo.z,
+			     session.blocks.bounds().hi.x, session.blocks.bounds().hi.y, session.blocks.bounds().hi.z);
 	}
 	return slice;
 }

@@ -49,8 +49,8 @@ Result<render::Look> makeLook(const RenderOptions& options)
 	if (!options.range.empty())
 	{
 		if (!(options.range[0] < options.range[1]) || !std::isfinite(options.range[1] - options.range[0]))
-			return Error{ExitCode::usage, fmt::format("--range {} {}: the first number must be below the second", options.range[0],
-													  options.range[1])};
+			return Error{ExitCode::usage, fmt::format("--range {} {}: the first number must be below the second",
+			                                          options.range[0], options.range[1])};
 		look.range = {options.range[0], options.range[1]};
 	}
 	Result<render::Background> background = render::parseBackground(options.background);
@@ -74,17 +74,19 @@ std::string defaultTitle(const std::vector<std::string>& inputs)
 std::string caption(const probe::Sheet& sheet)
 {
 	return fmt::format("origin {:.4g}, {:.4g}, {:.4g}   normal {:.3f}, {:.3f}, {:.3f}", sheet.origin.x, sheet.origin.y,
-					   sheet.origin.z, sheet.normal.x, sheet.normal.y, sheet.normal.z);
+	                   sheet.origin.z, sheet.normal.x, sheet.normal.y, sheet.normal.z);
 }
 
 bool holdsNan(const std::vector<SheetStats>& sheets)
 {
-	return std::any_of(sheets.begin(), sheets.end(), [](const SheetStats& sheet) { return sheet.measure.nan_area > 0.0; });
+	return std::any_of(sheets.begin(), sheets.end(),
+	                   [](const SheetStats& sheet) { return sheet.measure.nan_area > 0.0; });
 }
 
-// What the sheets look like where they lie: records that the GPU classifier left in device memory, or the CPU's mesh put there.
-Result<std::vector<std::shared_ptr<const slice::SheetRecords>>> sheetRecords(const Session& session, const slice::Slice& slice,
-																			 const std::vector<SheetStats>& sheets)
+// What the sheets look like where they lie: records that the GPU classifier left in device memory, or the CPU's mesh
+// put there.
+Result<std::vector<std::shared_ptr<const slice::SheetRecords>>>
+sheetRecords(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
 {
 	std::vector<std::shared_ptr<const slice::SheetRecords>> records;
 	const std::shared_ptr<slice::RecordPool> pool = slice::RecordPool::create(*session.device);
@@ -105,7 +107,8 @@ Result<std::vector<std::shared_ptr<const slice::SheetRecords>>> sheetRecords(con
 }
 
 Result<render::Picture> drawSheets(Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets,
-								   const RenderOptions& options, const render::CameraChoice& camera, const render::Look& look)
+                                   const RenderOptions& options, const render::CameraChoice& camera,
+                                   const render::Look& look)
 {
 	auto records = sheetRecords(session, slice, sheets);
 	if (!records)
@@ -125,7 +128,7 @@ Result<render::Picture> drawSheets(Session& session, const slice::Slice& slice, 
 	const std::vector<render::Segment> outline = render::outlineOf(session.blocks, look.outline);
 	scene.outline = outline;
 	scene.camera = render::makeCamera(camera, &session.probe.sheets.front(), render::extentOf(session.blocks),
-									  render::pictureFrame(scene.look, scene.values));
+	                                  render::pictureFrame(scene.look, scene.values));
 
 	Result<render::Renderer> renderer = render::Renderer::create(*session.device);
 	if (!renderer)
@@ -136,9 +139,11 @@ Result<render::Picture> drawSheets(Session& session, const slice::Slice& slice, 
 Result<ExitCode> runRender(const RenderOptions& options)
 {
 	if (options.output == "-" && options.stats == "-")
-		return Error{ExitCode::usage, "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
+		return Error{ExitCode::usage,
+		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
 	if (options.output != "-" && std::filesystem::path(options.output).extension() != ".png")
-		return Error{ExitCode::usage, fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -", options.output)};
+		return Error{ExitCode::usage, fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -",
+		                                          options.output)};
 	Result<render::Look> look = makeLook(options);
 	if (!look)
 		return look.error();
@@ -171,47 +176,59 @@ Result<ExitCode> runRender(const RenderOptions& options)
 void addRender(CLI::App& program, Run& run)
 {
 	auto options = std::make_shared<RenderOptions>();
-	CLI::App* command = program.add_subcommand("render", "Draw the cut of an input by a plane, with legend and axes, as a PNG");
+	CLI::App* command =
+	    program.add_subcommand("render", "Draw the cut of an input by a plane, with legend and axes, as a PNG");
 	addInputs(*command, options->probe);
 	addProbeOptions(*command, options->probe);
-	command->add_option("-o,--output", options->output, "Picture; - writes it to standard output")->type_name("FILE.png|-")->required();
+	command->add_option("-o,--output", options->output, "Picture; - writes it to standard output")
+	    ->type_name("FILE.png|-")
+	    ->required();
 	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
 
 	const char* group = "Look";
-	command->add_option("--size", options->size, "Of the picture in pixels")->type_name("WxH")->capture_default_str()->group(group);
+	command->add_option("--size", options->size, "Of the picture in pixels")
+	    ->type_name("WxH")
+	    ->capture_default_str()
+	    ->group(group);
 	command->add_option("--samples", options->samples, "Samples per pixel, for smooth edges")
-		->check(CLI::Range(1, render::kMaxSamples))
-		->capture_default_str()
-		->group(group);
+	    ->check(CLI::Range(1, render::kMaxSamples))
+	    ->capture_default_str()
+	    ->group(group);
 	command->add_option("--colormap", options->colormap, fmt::format("{}", fmt::join(render::colorMapNames(), ", ")))
-		->type_name("NAME")
-		->capture_default_str()
-		->group(group);
-	command->add_option("--range", options->range, "Values at the ends of the colour map (default: those of the whole array)")
-		->expected(2)
-		->type_name("LO HI")
-		->group(group);
-	command->add_option("--opacity", options->opacity, "Of the sheet, 0 to 1")
-		->check(CLI::Range(0.0, 1.0))
-		->capture_default_str()
-		->group(group);
-	command->add_option("--background", options->background, "gradient, white, black, grey, transparent, #RGB or #RRGGBB")
-		->type_name("COLOUR")
-		->capture_default_str()
-		->group(group);
+	    ->type_name("NAME")
+	    ->capture_default_str()
+	    ->group(group);
 	command
-		->add_option("--camera", options->camera,
-					 "auto (obliquely onto the sheet), x, -x, y, -y, z, -z, iso, sheet, azimuth and elevation in degrees, or position, focal "
-					 "point and up as nine numbers")
-		->type_name("VIEW|AZ,EL|9 NUMBERS")
-		->capture_default_str()
-		->group(group);
-	command->add_option("--outline", options->outline, "What orients the sheet: box, edges (the boundary's feature edges) or none")
-		->capture_default_str()
-		->group(group);
+	    ->add_option("--range", options->range,
+	                 "Values at the ends of the colour map (default: those of the whole array)")
+	    ->expected(2)
+	    ->type_name("LO HI")
+	    ->group(group);
+	command->add_option("--opacity", options->opacity, "Of the sheet, 0 to 1")
+	    ->check(CLI::Range(0.0, 1.0))
+	    ->capture_default_str()
+	    ->group(group);
+	command
+	    ->add_option("--background", options->background, "gradient, white, black, grey, transparent, #RGB or #RRGGBB")
+	    ->type_name("COLOUR")
+	    ->capture_default_str()
+	    ->group(group);
+	command
+	    ->add_option("--camera", options->camera,
+	                 "auto (obliquely onto the sheet), x, -x, y, -y, z, -z, iso, sheet, azimuth and elevation in "
+	                 "degrees, or position, focal "
+	                 "point and up as nine numbers")
+	    ->type_name("VIEW|AZ,EL|9 NUMBERS")
+	    ->capture_default_str()
+	    ->group(group);
+	command
+	    ->add_option("--outline", options->outline,
+	                 "What orients the sheet: box, edges (the boundary's feature edges) or none")
+	    ->capture_default_str()
+	    ->group(group);
 	command->add_option("--title", options->title, "Above the picture (default: the input's name; \"\" for none)")
-		->type_name("TEXT")
-		->group(group);
+	    ->type_name("TEXT")
+	    ->group(group);
 	command->callback([&run, options] { run = [options] { return runRender(*options); }; });
 }
 

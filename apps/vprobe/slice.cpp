@@ -23,7 +23,8 @@ struct SliceOptions
 Result<ExitCode> runSlice(const SliceOptions& options)
 {
 	if (options.output == "-" && options.stats == "-")
-		return Error{ExitCode::usage, "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
+		return Error{ExitCode::usage,
+		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
 	if (!options.output.empty())
 		if (Result<write::SliceFormat> format = write::sliceFormatOf(options.output); !format)
 			return format.error();
@@ -56,11 +57,13 @@ Result<ExitCode> runSlice(const SliceOptions& options)
 void addSlice(CLI::App& program, Run& run)
 {
 	auto options = std::make_shared<SliceOptions>();
-	CLI::App* command = program.add_subcommand("slice", "Cut an input by a plane: polygons with every array, and figures");
+	CLI::App* command =
+	    program.add_subcommand("slice", "Cut an input by a plane: polygons with every array, and figures");
 	addInputs(*command, options->probe);
 	addProbeOptions(*command, options->probe);
-	command->add_option("-o,--output", options->output, "Polygons as .vtp, .ply or .csv; - writes VTP to standard output")
-		->type_name("FILE|-");
+	command
+	    ->add_option("-o,--output", options->output, "Polygons as .vtp, .ply or .csv; - writes VTP to standard output")
+	    ->type_name("FILE|-");
 	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
 	command->footer("With neither -o nor --stats a short table is printed.");
 	command->callback([&run, options] { run = [options] { return runSlice(*options); }; });

@@ -55,27 +55,27 @@ nlohmann::json sheetJson(const slice::SheetSlice& sheet, const SheetStats& stats
 {
 	const TraversalSums sums = sumUp(sheet);
 	return {{"origin", asJson(sheet.sheet.origin)},
-			{"normal", asJson(sheet.sheet.normal)},
-			{"up", asJson(sheet.sheet.up)},
-			{"cut_cells", sums.cut_cells},
-			{"polygons", stats.mesh.polygons()},
-			{"vertices", stats.mesh.positions.size()},
-			{"components", stats.measure.components},
-			{"area", stats.measure.area},
-			{"mean", orNull(stats.measure.mean)},
-			{"min", orNull(stats.measure.min)},
-			{"max", orNull(stats.measure.max)},
-			{"seeds", sheet.seeds.count},
-			{"hops", sheet.seeds.hops},
-			{"boundary_tests", sheet.seeds.boundary_tests},
-			{"hot_spot_inside", sheet.seeds.hot_spot_inside},
-			{"generations", sums.generations},
-			{"front_max", sums.front_max},
-			{"cells_touched", sums.touched},
-			{"cells_walked", sums.walked},
-			{"cells_twisted", stats.mesh.cells_twisted},
-			{"boundary_faces", sums.boundary_faces},
-			{"nan_area", stats.measure.nan_area}};
+	        {"normal", asJson(sheet.sheet.normal)},
+	        {"up", asJson(sheet.sheet.up)},
+	        {"cut_cells", sums.cut_cells},
+	        {"polygons", stats.mesh.polygons()},
+	        {"vertices", stats.mesh.positions.size()},
+	        {"components", stats.measure.components},
+	        {"area", stats.measure.area},
+	        {"mean", orNull(stats.measure.mean)},
+	        {"min", orNull(stats.measure.min)},
+	        {"max", orNull(stats.measure.max)},
+	        {"seeds", sheet.seeds.count},
+	        {"hops", sheet.seeds.hops},
+	        {"boundary_tests", sheet.seeds.boundary_tests},
+	        {"hot_spot_inside", sheet.seeds.hot_spot_inside},
+	        {"generations", sums.generations},
+	        {"front_max", sums.front_max},
+	        {"cells_touched", sums.touched},
+	        {"cells_walked", sums.walked},
+	        {"cells_twisted", stats.mesh.cells_twisted},
+	        {"boundary_faces", sums.boundary_faces},
+	        {"nan_area", stats.measure.nan_area}};
 }
 
 } // namespace
@@ -97,11 +97,13 @@ std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& s
 
 const char* classifierName(const Session& session)
 {
-	return !session.slicer->usesGpu() ? "cpu" : session.slicer->blocksOnGpu() < session.blocks.blocks.size() ? "mixed" : "gpu";
+	return !session.slicer->usesGpu()                                     ? "cpu"
+	       : session.slicer->blocksOnGpu() < session.blocks.blocks.size() ? "mixed"
+	                                                                      : "gpu";
 }
 
 std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
-					  const std::vector<SheetStats>& sheets)
+                      const std::vector<SheetStats>& sheets)
 {
 	nlohmann::json sheet_list = nlohmann::json::array();
 	for (std::size_t s = 0; s < sheets.size(); ++s)
@@ -109,41 +111,43 @@ std::string statsJson(const ProbeOptions& options, const Session& session, const
 
 	const Timeline& timeline = *session.timeline;
 	nlohmann::json ms = {{"gpu", timeline.totalGpu()}, {"total", timeline.now()}};
-	for (const char* section : {"read", "build", "upload", "seed", "traverse", "emit", "measure", "readback", "render", "write"})
+	for (const char* section :
+	     {"read", "build", "upload", "seed", "traverse", "emit", "measure", "readback", "render", "write"})
 		ms[section] = timeline.total(section);
 
 	const nlohmann::json document = {
-		{"input", fmt::format("{}", fmt::join(options.inputs, " "))},
-		{"grid",
-		 {{"kind", session.blocks.kind()},
-		  {"cells", session.blocks.cellCount()},
-		  {"points", session.blocks.pointCount()},
-		  {"blocks", session.blocks.blocks.size()}}},
-		{"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
-		{"device", session.device ? session.device->name() : "none"},
-		{"classifier", classifierName(session)},
-		{"sheets", sheet_list},
-		{"ms", ms}};
+	    {"input", fmt::format("{}", fmt::join(options.inputs, " "))},
+	    {"grid",
+	     {{"kind", session.blocks.kind()},
+	      {"cells", session.blocks.cellCount()},
+	      {"points", session.blocks.pointCount()},
+	      {"blocks", session.blocks.blocks.size()}}},
+	    {"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
+	    {"device", session.device ? session.device->name() : "none"},
+	    {"classifier", classifierName(session)},
+	    {"sheets", sheet_list},
+	    {"ms", ms}};
 	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string statsTable(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
 {
-	std::string table = fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13} {:>13} {:>13} {:>13}\n", "sheet", "cells", "polygons",
-									"vertices", "pieces", "area", "mean", "min", "max");
+	std::string table = fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13} {:>13} {:>13} {:>13}\n", "sheet", "cells",
+	                                "polygons", "vertices", "pieces", "area", "mean", "min", "max");
 	const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; };
 	for (std::size_t s = 0; s < sheets.size(); ++s)
 	{
 		const slice::SheetMeasure& measure = sheets[s].measure;
-		table += fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13.6g} {:>13} {:>13} {:>13}\n", s, sumUp(slice.sheets[s]).cut_cells,
-							 sheets[s].mesh.polygons(), sheets[s].mesh.positions.size(), measure.components, measure.area,
-							 number(measure.mean), number(measure.min), number(measure.max));
+		table += fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13.6g} {:>13} {:>13} {:>13}\n", s,
+		                     sumUp(slice.sheets[s]).cut_cells, sheets[s].mesh.polygons(),
+		                     sheets[s].mesh.positions.size(), measure.components, measure.area, number(measure.mean),
+		                     number(measure.min), number(measure.max));
 	}
 	const Timeline& timeline = *session.timeline;
 	const double cut_ms = timeline.total("seed") + timeline.total("traverse") + timeline.total("emit");
 	table += fmt::format("{}classified on the {}, cut in {:.3g} ms of {:.3g} ms\n",
-						 session.field ? fmt::format("array {}, ", session.field->title(session.blocks)) : "", classifierName(session),
-						 cut_ms, timeline.now());
+	                     session.field ? fmt::format("array {}, ", session.field->title(session.blocks)) : "",
+	                     classifierName(session), cut_ms, timeline.now());
 	return table;
 }
 

@@ -20,7 +20,7 @@ std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& s
 
 // The --stats document. Scripts rely on its keys: add to them, never rename one.
 std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
-					  const std::vector<SheetStats>& sheets);
+                      const std::vector<SheetStats>& sheets);
 
 // The same for people.
 std::string statsTable(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets);
@@ -28,8 +28,8 @@ std::string statsTable(const Session& session, const slice::Slice& slice, const 
 // "gpu", "cpu", or "mixed" where a block stayed with the CPU for a limit of the device.
 const char* classifierName(const Session& session);
 
-// The end of a command: writes the document to `path` ("-" is standard output, "" does nothing). When that fails the command
-// leaves nothing behind: `output`, if it is a file, is removed.
+// The end of a command: writes the document to `path` ("-" is standard output, "" does nothing). When that fails the
+// command leaves nothing behind: `output`, if it is a file, is removed.
 Result<ExitCode> writeStats(const std::string& path, const std::string& output, const std::string& document);
 
 } // namespace vp::app

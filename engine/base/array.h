@@ -8,7 +8,8 @@
 namespace vp
 {
 
-// A read-only array whose memory may be a vector or a mapping that the file reader left in shared memory; copies share it.
+// A read-only array whose memory may be a vector or a mapping that the file reader left in shared memory; copies share
+// it.
 template <class T>
 class Array
 {
@@ -23,7 +24,7 @@ public:
 	}
 	// `data` stays valid as long as `owner` does.
 	Array(std::shared_ptr<const void> owner, const T* data, std::size_t size)
-		: owner_(std::move(owner)), data_(data), size_(size)
+	    : owner_(std::move(owner)), data_(data), size_(size)
 	{
 	}
 

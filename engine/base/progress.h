@@ -8,8 +8,8 @@
 namespace vp
 {
 
-// Tells a terminal what takes its time: after half a second a line "reading FILE … 3 s" on standard error, renewed in place and wiped at
-// the end. Silent where standard error is no terminal.
+// Tells a terminal what takes its time: after half a second a line "reading FILE … 3 s" on standard error, renewed in
+// place and wiped at the end. Silent where standard error is no terminal.
 class Progress
 {
 public:

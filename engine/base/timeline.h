@@ -29,7 +29,7 @@ public:
 	double now() const;
 	void add(std::string_view name, Track track, double start_ms, double duration_ms);
 	double total(std::string_view name, Track track = Track::cpu) const; // sum of the sections of that name
-	double totalGpu() const;                                            // sum of all GPU sections
+	double totalGpu() const;                                             // sum of all GPU sections
 	std::vector<Section> sections() const;
 
 private:
@@ -44,7 +44,7 @@ class TimedSection
 {
 public:
 	TimedSection(Timeline* timeline, std::string_view name)
-		: timeline_(timeline), name_(name), start_(timeline ? timeline->now() : 0.0)
+	    : timeline_(timeline), name_(name), start_(timeline ? timeline->now() : 0.0)
 	{
 	}
 	~TimedSection()

@@ -15,10 +15,11 @@ constexpr int kMaxPolygon = 6; // edges of the polygon of a table shape: a hexah
 // The cut of a table shape whose S bits are `mask` (bit v: point v is on the positive side).
 struct Case
 {
-	std::uint8_t edges = 0; // 0: no polygon (nothing cut, or the walk is needed)
-	std::uint8_t faces = 0; // bit f: face f is cut
+	std::uint8_t edges = 0;  // 0: no polygon (nothing cut, or the walk is needed)
+	std::uint8_t faces = 0;  // bit f: face f is cut
 	bool needs_walk = false; // a face is cut twice, or the cut has several polygons: no entry, walk the cell
-	// End points of the cut edges in polygon order: {positive, negative}. Counter-clockwise seen from the positive side.
+	// End points of the cut edges in polygon order: {positive, negative}. Counter-clockwise seen from the positive
+	// side.
 	std::array<std::array<std::uint8_t, 2>, kMaxPolygon> edge{};
 };
 

@@ -19,7 +19,7 @@ Result<Buffer> Buffer::create(Device& device, VkDeviceSize size, VkBufferUsageFl
 	if (Status made = check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer.handle_), "vkCreateBuffer"); !made)
 		return made.error();
 	buffer.device_ = &device;
-	buffer.size_ = size;
+	buffer.size_ = info.size;
 	buffer.usage_ = usage;
 	device.setName(VK_OBJECT_TYPE_BUFFER, buffer.handle_, name);
 

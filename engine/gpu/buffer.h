@@ -33,7 +33,7 @@ public:
 
 	explicit operator bool() const { return handle_ != VK_NULL_HANDLE; }
 	VkBuffer handle() const { return handle_; }
-	VkDeviceSize size() const { return size_; }
+	VkDeviceSize size() const { return size_; } // what was asked for, or a little more
 	VkBufferUsageFlags usage() const { return usage_; }
 	Device& device() const { return *device_; }
 

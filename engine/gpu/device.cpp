@@ -103,6 +103,7 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 	Result<Candidate> choice = chooseDevice(device->instance_, options.name_or_index, options.swapchain);
 	if (!choice)
 		return choice.error();
+	device->map_device_memory_ = options.map_device_memory;
 	device->physical_ = choice->handle;
 	device->name_ = choice->name;
 	device->type_ = choice->type;

@@ -20,6 +20,7 @@ struct DeviceOptions
 	bool validation = false;                      // also switched on by VPROBE_VALIDATION=1
 	std::vector<const char*> instance_extensions; // those a window needs; none to work headless
 	bool swapchain = false;
+	bool map_device_memory = true; // false: device memory is filled by copies even where it could be written directly
 };
 
 // Work for the queue. The semaphores are binary ones, as a swapchain needs them.
@@ -56,6 +57,7 @@ public:
 	VkDevice handle() const { return device_; }
 	std::uint32_t queueFamily() const { return queue_family_; }
 	const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
+	bool mapsDeviceMemory() const { return map_device_memory_; }
 	VkPipelineCache pipelineCache() const { return pipeline_cache_; }
 
 	// Returns the number to wait for. Host writes made before are visible to the submission.
@@ -99,6 +101,7 @@ private:
 	VkPhysicalDeviceFeatures features_{};
 	VkPhysicalDeviceMemoryProperties memory_{};
 	VkDeviceSize max_buffer_size_ = 0;
+	bool map_device_memory_ = true;
 	std::uint32_t queue_family_ = 0;
 	std::uint32_t timestamp_bits_ = 0;
 	VkInstance instance_ = VK_NULL_HANDLE;

@@ -92,7 +92,8 @@ Result<Allocation> allocate(Device& device, const VkMemoryRequirements& requirem
 	const VkMemoryPropertyFlags flags = memory.memoryTypes[info.memoryTypeIndex].propertyFlags;
 	made.coherent = flags & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
 	// Device memory is mapped only where writing it directly needs no flush.
-	const bool map = kind == Memory::device ? (flags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) && made.coherent : true;
+	const bool map = kind != Memory::device ||
+	                 (device.mapsDeviceMemory() && (flags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) && made.coherent);
 	if (map)
 		if (Status mapped =
 		        check(vkMapMemory(device.handle(), made.memory, 0, VK_WHOLE_SIZE, 0, &made.mapped), "vkMapMemory");

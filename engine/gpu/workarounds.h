@@ -7,14 +7,18 @@
 namespace vp::gpu
 {
 
-// llvmpipe compiles a shader anew (some 300 ms) when a texel buffer's size turns from a power of two to another number, or back.
-// No texel buffer gets such a size, so that what was compiled for one serves all.
+// llvmpipe compiles a shader again, for some 100 ms, when of a texel buffer it reads changes whether the size is a
+// power of two, or whether bits 8 to 15 of the size are all zero (it takes them for a mip level). All texel buffers get
+// a size that is neither, so that what was compiled for one serves the others.
 constexpr VkDeviceSize allocatedSize(VkDeviceSize size, VkBufferUsageFlags usage)
 {
 	constexpr VkBufferUsageFlags kTexels =
 	    VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
-	constexpr VkDeviceSize kTexelBytes = 16; // of the largest format
-	return (usage & kTexels) && std::has_single_bit(size) ? size + kTexelBytes : size;
+	if (!(usage & kTexels))
+		return size;
+	if ((size >> 8 & 0xFFu) == 0)
+		size += 0x100;
+	return std::has_single_bit(size) ? size + 0x100 : size;
 }
 
 } // namespace vp::gpu

@@ -38,9 +38,9 @@ void finishBlock(Block& block);
 struct BlockSet
 {
 	std::vector<Block> blocks;
-	std::vector<double> times;   // that the input offers, ascending; empty where it knows no time
-	std::size_t left_out = 0;    // cells of dimension below three
-	Interfaces interfaces;       // built by matchInterfaces(), once all blocks are finished
+	std::vector<double> times; // that the input offers, ascending; empty where it knows no time
+	std::size_t left_out = 0;  // cells of dimension below three
+	Interfaces interfaces;     // built by matchInterfaces(), once all blocks are finished
 
 	std::size_t cellCount() const;
 	std::size_t pointCount() const;
@@ -49,8 +49,8 @@ struct BlockSet
 	const char* kind() const;
 };
 
-// Throws std::logic_error on a broken invariant: neighbours that do not know each other, ids out of range, boxes that do not hold
-// their faces. For tests.
+// Throws std::logic_error on a broken invariant: neighbours that do not know each other, ids out of range, boxes that
+// do not hold their faces. For tests.
 void validate(const Block& block);
 
 } // namespace vp::grid

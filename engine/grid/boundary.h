@@ -10,8 +10,8 @@
 namespace vp::grid
 {
 
-// The faces of a block that have no neighbour, in groups of patches of faces that lie together, each with its box: what a
-// surface cuts of the boundary is found in time that follows the cut. A patch holds up to 16 faces (4 x 4 on the side
+// The faces of a block that have no neighbour, in groups of patches of faces that lie together, each with its box: what
+// a surface cuts of the boundary is found in time that follows the cut. A patch holds up to 16 faces (4 x 4 on the side
 // of a lattice), a group up to 64 patches (32 x 32 faces).
 struct BoundaryIndex
 {
@@ -49,8 +49,8 @@ struct BoundaryIndex
 	}
 };
 
-// Lattice: every cell side on the border, also one without area. Unstructured: every face that no cell is across, except
-// faces of fewer than three distinct points. For the four grids of block.h.
+// Lattice: every cell side on the border, also one without area. Unstructured: every face that no cell is across,
+// except faces of fewer than three distinct points. For the four grids of block.h.
 template <Grid G>
 BoundaryIndex buildBoundaryIndex(const G& grid);
 

@@ -19,7 +19,8 @@ struct Demo
 
 const std::vector<Demo>& demos();
 
-// n cells each way, 1 <= n <= kMaxDemoCells. An unknown name, or an n out of range, is an input error that lists what there is.
+// n cells each way, 1 <= n <= kMaxDemoCells. An unknown name, or an n out of range, is an input error that lists what
+// there is.
 constexpr int kMaxDemoCells = 1024;
 Result<BlockSet> makeDemo(std::string_view name, int n);
 

@@ -35,10 +35,7 @@ struct CellFaces
 	std::vector<std::uint32_t> starts; // faces + 1 offsets into `points`
 
 	int size() const { return starts.empty() ? 0 : static_cast<int>(starts.size()) - 1; }
-	std::span<const PointId> operator[](int f) const
-	{
-		return {points.data() + starts[f], starts[f + 1] - starts[f]};
-	}
+	std::span<const PointId> operator[](int f) const { return {points.data() + starts[f], starts[f + 1] - starts[f]}; }
 	void clear()
 	{
 		points.clear();
@@ -52,17 +49,34 @@ struct CellFaces
 };
 
 template <class G>
-concept Grid = requires(const G& g, CellId c, PointId p, int f, CellFaces& faces, void (*visit)(CellId)) {
-	{ g.cellCount() } -> std::convertible_to<std::size_t>;
-	{ g.pointCount() } -> std::convertible_to<std::size_t>;
-	{ g.point(p) } -> std::same_as<Vec3>;
-	{ g.shape(c) } -> std::same_as<CellShape>;
-	{ g.cellPoints(c) } -> std::same_as<CellPoints>; // table shapes only
-	{ g.faceCount(c) } -> std::same_as<int>;
-	g.cellFaces(c, faces);         // any shape; clears `faces` first
+concept Grid = requires(const G& g, CellId c, PointId p, int f, CellFaces& faces, void (*visit)(CellId))
+{
+	{
+		g.cellCount()
+		} -> std::convertible_to<std::size_t>;
+	{
+		g.pointCount()
+		} -> std::convertible_to<std::size_t>;
+	{
+		g.point(p)
+		} -> std::same_as<Vec3>;
+	{
+		g.shape(c)
+		} -> std::same_as<CellShape>;
+	{
+		g.cellPoints(c)
+		} -> std::same_as<CellPoints>; // table shapes only
+	{
+		g.faceCount(c)
+		} -> std::same_as<int>;
+	g.cellFaces(c, faces);           // any shape; clears `faces` first
 	g.forEachNeighbour(c, f, visit); // every cell across face f
-	{ g.sourcePoint(p) } -> std::convertible_to<std::size_t>; // index into point fields
-	{ g.sourceCell(c) } -> std::convertible_to<std::size_t>;  // index into cell fields
+	{
+		g.sourcePoint(p)
+		} -> std::convertible_to<std::size_t>; // index into point fields
+	{
+		g.sourceCell(c)
+		} -> std::convertible_to<std::size_t>; // index into cell fields
 };
 
 // Faces of a table shape as point ids; the common part of every grid's cellFaces().

@@ -11,7 +11,8 @@ namespace vp::grid
 {
 
 // The connectivity of an image, a rectilinear or a curvilinear grid: cell (i, j, k) of a lattice, i running fastest.
-// Face f of a cell is VTK's: -i, +i, -j, +j, -k, +k. Fewer than two points along an axis leave no (three-dimensional) cell.
+// Face f of a cell is VTK's: -i, +i, -j, +j, -k, +k. Fewer than two points along an axis leave no (three-dimensional)
+// cell.
 class Lattice
 {
 public:
@@ -85,7 +86,7 @@ class UniformGrid : public Lattice
 public:
 	UniformGrid() = default;
 	UniformGrid(std::array<std::uint32_t, 3> points, Vec3 origin, Vec3 spacing)
-		: Lattice(points), origin_(origin), spacing_(spacing)
+	    : Lattice(points), origin_(origin), spacing_(spacing)
 	{
 	}
 	Vec3 point(PointId p) const
@@ -106,9 +107,9 @@ class RectilinearGrid : public Lattice
 public:
 	RectilinearGrid() = default;
 	RectilinearGrid(Array<double> x, Array<double> y, Array<double> z)
-		: Lattice({static_cast<std::uint32_t>(x.size()), static_cast<std::uint32_t>(y.size()),
-				   static_cast<std::uint32_t>(z.size())}),
-		  axis_{std::move(x), std::move(y), std::move(z)}
+	    : Lattice({static_cast<std::uint32_t>(x.size()), static_cast<std::uint32_t>(y.size()),
+	               static_cast<std::uint32_t>(z.size())}),
+	      axis_{std::move(x), std::move(y), std::move(z)}
 	{
 	}
 	Vec3 point(PointId p) const
@@ -128,7 +129,7 @@ class CurvilinearGrid : public Lattice
 public:
 	CurvilinearGrid() = default;
 	CurvilinearGrid(std::array<std::uint32_t, 3> points, Points coordinates)
-		: Lattice(points), points_(std::move(coordinates))
+	    : Lattice(points), points_(std::move(coordinates))
 	{
 		assert(points_.size() == pointCount());
 	}

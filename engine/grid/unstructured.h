@@ -13,11 +13,11 @@ namespace vp::grid
 // Cells as a file lists them: VTK cell types and point ids, in VTK's point order.
 struct CellList
 {
-	Array<std::uint8_t> types;         // VTK cell type numbers
-	Array<std::int64_t> offsets;       // cells + 1 offsets into connectivity
-	Array<std::int64_t> connectivity;  // point ids
-	Array<std::int64_t> face_offsets;  // polyhedra: cells + 1 offsets into face_stream, or empty
-	Array<std::int64_t> face_stream;   // per polyhedron: faces, then per face its size and point ids
+	Array<std::uint8_t> types;        // VTK cell type numbers
+	Array<std::int64_t> offsets;      // cells + 1 offsets into connectivity
+	Array<std::int64_t> connectivity; // point ids
+	Array<std::int64_t> face_offsets; // polyhedra: cells + 1 offsets into face_stream, or empty
+	Array<std::int64_t> face_stream;  // per polyhedron: faces, then per face its size and point ids
 };
 
 // Cells that meet without sharing a face's points, as at a 2:1 interface; each link is entered both ways.
@@ -33,8 +33,8 @@ struct FaceLink
 int vtkDimension(std::uint8_t vtk_type);
 
 // The types that build() takes: tetrahedron, voxel, hexahedron, wedge, pyramid, polyhedron. Other three-dimensional
-// types (quadratic and higher cells, prisms over pentagons and hexagons) it skips, not counting them as left out: the reader rewrites
-// them to these types first, refuses them or warns.
+// types (quadratic and higher cells, prisms over pentagons and hexagons) it skips, not counting them as left out: the
+// reader rewrites them to these types first, refuses them or warns.
 bool isSliceable(std::uint8_t vtk_type);
 
 // Cells of any shape. On building, faces are matched, and cells and points are renumbered along a Morton curve so that
@@ -59,7 +59,7 @@ public:
 	std::size_t cellCount() const { return cell_count_; }
 	std::size_t pointCount() const { return points_.size(); }
 	std::size_t usedPointCount() const { return used_points_; } // points from here on belong to no cell
-	std::size_t leftOut() const { return left_out_; } // cells of dimension below three
+	std::size_t leftOut() const { return left_out_; }           // cells of dimension below three
 
 	Vec3 point(PointId p) const { return points_[p]; }
 	CellShape shape(CellId c) const
@@ -109,8 +109,8 @@ private:
 	std::size_t cell_count_ = 0;
 	std::size_t left_out_ = 0;
 	std::size_t used_points_ = 0;
-	int width_ = 8;        // ids per record
-	int face_width_ = 6;   // neighbour slots per cell of a table shape
+	int width_ = 8;      // ids per record
+	int face_width_ = 6; // neighbour slots per cell of a table shape
 	Points points_;
 	std::vector<std::uint32_t> records_;
 	std::vector<std::uint32_t> neighbours_; // a cell, kNoCell, or kMaxBlockIds + index into several_

@@ -16,20 +16,20 @@ struct Hop
 {
 	enum class End
 	{
-		found,    // every t > 1: the target lies in `cell`
+		found,     // every t > 1: the target lies in `cell`
 		left_grid, // the line went out through a boundary face of `cell`
-		looped    // went in a circle: the cells are too warped for faces of infinite extent
+		looped     // went in a circle: the cells are too warped for faces of infinite extent
 	};
 	End end;
 	CellId cell;
-	int face = -1;         // left_grid: the face it left by
-	std::size_t hops = 0;  // cells entered after the first
+	int face = -1;        // left_grid: the face it left by
+	std::size_t hops = 0; // cells entered after the first
 };
 
-// Speray and Kennon's fence hopping: from a point in `start` along the line to `target`, with t = 0 at the start point and
-// t = 1 at the target. Each face counts as the infinite plane that fits it; the line leaves by the face of the least
-// positive t, and where every t > 1 the target is in the cell. In each further cell the start point is moved from the point of entry
-// towards the middle of the entry face, and a little into the cell, away from edges and vertices.
+// Speray and Kennon's fence hopping: from a point in `start` along the line to `target`, with t = 0 at the start point
+// and t = 1 at the target. Each face counts as the infinite plane that fits it; the line leaves by the face of the
+// least positive t, and where every t > 1 the target is in the cell. In each further cell the start point is moved from
+// the point of entry towards the middle of the entry face, and a little into the cell, away from edges and vertices.
 //
 // Stops as looped after max_hops, or earlier when a cell comes round again (Brent's cycle detection).
 template <grid::Grid G>
@@ -81,17 +81,18 @@ Hop fenceHop(const G& grid, CellId start, const Vec3& target, std::size_t max_ho
 		CellId next = kNoCell;
 		const Vec3 crossing = from + least * along;
 		double nearest = std::numeric_limits<double>::infinity();
-		// Several cells may lie behind a face: the one that is entered is the one whose centre is nearest to the crossing.
+		// Several cells may lie behind a face: the one that is entered is the one whose centre is nearest to the
+		// crossing.
 		grid.forEachNeighbour(hop.cell, exit,
-							  [&](CellId candidate)
-							  {
-								  const double distance = glm::length(cellCentre(grid, candidate) - crossing);
-								  if (distance < nearest)
-								  {
-									  nearest = distance;
-									  next = candidate;
-								  }
-							  });
+		                      [&](CellId candidate)
+		                      {
+			                      const double distance = glm::length(cellCentre(grid, candidate) - crossing);
+			                      if (distance < nearest)
+			                      {
+				                      nearest = distance;
+				                      next = candidate;
+			                      }
+		                      });
 		if (next == kNoCell)
 		{
 			hop.end = Hop::End::left_grid;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace vp::locate
@@ -13,33 +15,14 @@ namespace vp::locate
 namespace
 {
 
-struct Crossing
-{
-	CellId cell;
-	double t; // along the segment
-};
-
-// Faces that coincide at a seam are crossed at the same t, but for rounding; the target is behind one of them.
-constexpr double kSameCrossing = 1e-9;
-constexpr std::size_t kMostAtOneCrossing = 4;
-
-constexpr int kMostRounds = 2; // of asking the boundary
-
-// The boundary faces that the segment crosses first: one, or those that coincide there.
+// The cells behind the boundary faces that the segment crosses first: one, or several where faces lie on each other.
 template <grid::Grid G>
-std::vector<Crossing> firstBoundaryCrossings(const G& grid, const grid::BoundaryIndex& boundary, const Segment& segment,
-											 std::size_t& tests)
+std::vector<CellId> cellsInSight(const G& grid, const grid::BoundaryIndex& boundary, const Segment& segment,
+                                 std::size_t& tests)
 {
-	std::vector<Crossing> first;
-	const auto keep = [&](const Crossing& crossing)
-	{
-		if (!first.empty() && crossing.t > first.front().t + kSameCrossing)
-			return;
-		const auto at = std::ranges::upper_bound(first, crossing.t, {}, &Crossing::t);
-		first.insert(at, crossing);
-		while (first.size() > kMostAtOneCrossing || first.back().t > first.front().t + kSameCrossing)
-			first.pop_back();
-	};
+	constexpr double kSame = 1e-9; // along the segment
+	double first = kNoCrossing;
+	std::vector<CellId> cells;
 	grid::CellFaces faces;
 	const auto visit = [&](const grid::BoundaryIndex::Face& face)
 	{
@@ -48,17 +31,41 @@ std::vector<Crossing> firstBoundaryCrossings(const G& grid, const grid::Boundary
 		const std::span<const PointId> points = faces[face.face];
 		// About the mean of its points, so that a warped face has no gap to its neighbours.
 		const Vec3 centre = facePlane(grid, points).centre;
+		double nearest = kNoCrossing;
 		Vec3 previous = grid.point(points.back());
 		for (const PointId p : points)
 		{
 			const Vec3 corner = grid.point(p);
-			if (const double t = crossTriangle(segment, centre, previous, corner); t != kNoCrossing)
-				keep({face.cell, t});
+			nearest = std::min(nearest, crossTriangle(segment, centre, previous, corner));
 			previous = corner;
 		}
+		if (nearest == kNoCrossing || nearest > first + kSame)
+			return;
+		if (nearest < first - kSame)
+			cells.clear();
+		cells.push_back(face.cell);
+		first = std::min(first, nearest);
 	};
 	tests += boundary.visitWhere([&](const Box& box) { return crossesBox(segment, box); }, visit);
-	return first;
+	return cells;
+}
+
+// From the target out of the bounds by the shortest way, a little askew: along an axis it would run in the faces of a
+// lattice.
+Segment wayOut(const Vec3& target, const Box& bounds)
+{
+	const double beyond = 0.01 * bounds.diagonal();
+	Segment way{target, target};
+	double shortest = std::numeric_limits<double>::infinity();
+	for (int axis = 0; axis < 3; ++axis)
+		for (const double side : {bounds.lo[axis] - beyond, bounds.hi[axis] + beyond})
+			if (const double length = std::abs(side - target[axis]); length < shortest)
+			{
+				shortest = length;
+				way.to = target + shortest * Vec3(0.031, 0.017, 0.023);
+				way.to[axis] = side;
+			}
+	return way;
 }
 
 template <grid::Grid G>
@@ -66,45 +73,36 @@ Located find(const G& grid, const grid::Block& block, CellId start, const Vec3& 
 {
 	Located located;
 	const double side = std::cbrt(static_cast<double>(grid.cellCount()));
-	const auto budget = static_cast<std::size_t>(6.0 * side) + 8;
-	CellId reached = start;
-	const auto hopFrom = [&](CellId from)
+	// Of the 6 N^(1/3) hops that a search may cost, what is left when the boundary is asked is for the way it points
+	// out.
+	const auto budget = static_cast<std::size_t>(4.0 * side);
+	const auto hopFrom = [&](CellId from, std::size_t most)
 	{
-		const Hop hop = fenceHop(grid, from, target, budget);
+		const Hop hop = fenceHop(grid, from, target, most);
 		located.hops += hop.hops;
-		reached = hop.cell;
 		if (hop.end == Hop::End::found)
 			located.cell = hop.cell;
 		return located.found();
 	};
-	if (hopFrom(start))
-		return located;
 
-	std::vector<std::pair<double, CellId>> vantage;
+	std::vector<std::pair<double, CellId>> starts;
 	for (const CellId cell : block.vantage)
 		if (cell != start)
-			vantage.emplace_back(glm::length(cellCentre(grid, cell) - target), cell);
-	std::sort(vantage.begin(), vantage.end());
-	for (const auto& [distance, cell] : vantage)
+			starts.emplace_back(glm::length(cellCentre(grid, cell) - target), cell);
+	if (start != kNoCell)
+		starts.emplace_back(-1.0, start);
+	std::sort(starts.begin(), starts.end());
+	for (const auto& [distance, cell] : starts)
 	{
-		if (located.hops > budget)
+		if (located.hops >= budget)
 			break;
-		if (hopFrom(cell))
+		if (hopFrom(cell, budget - located.hops))
 			return located;
 	}
 
-	// The point of crossing is in sight of the target, the centre of its cell nearly always: if not, the hop came nearer.
-	CellId from = start;
-	for (int round = 0; round < kMostRounds; ++round)
-	{
-		const Segment segment{target, cellCentre(grid, from)};
-		for (const Crossing& crossing : firstBoundaryCrossings(grid, block.boundary, segment, located.boundary_tests))
-			if (hopFrom(crossing.cell))
-				return located;
-		if (reached == from)
+	for (const CellId cell : cellsInSight(grid, block.boundary, wayOut(target, block.bounds), located.boundary_tests))
+		if (hopFrom(cell, budget))
 			break;
-		from = reached;
-	}
 	return located;
 }
 
@@ -114,11 +112,10 @@ Located findCell(const grid::Block& block, CellId start, const Vec3& target)
 {
 	const double slack = 1e-12 * block.bounds.diagonal();
 	const bool in_bounds = glm::all(glm::greaterThanEqual(target, block.bounds.lo - slack)) &&
-						   glm::all(glm::lessThanEqual(target, block.bounds.hi + slack));
+	                       glm::all(glm::lessThanEqual(target, block.bounds.hi + slack));
 	if (!in_bounds || (start == kNoCell && block.vantage.empty()))
 		return {};
-	return std::visit([&](const auto& grid) { return find(grid, block, start == kNoCell ? block.vantage.front() : start, target); },
-					  block.grid);
+	return std::visit([&](const auto& grid) { return find(grid, block, start, target); }, block.grid);
 }
 
 } // namespace vp::locate

@@ -19,10 +19,11 @@ struct Located
 	bool found() const { return cell != kNoCell; }
 };
 
-// Fence hopping from `start` (kNoCell: from the block's first vantage point). When the line of sight leaves the grid, or
-// hops go in a circle, it starts over from the vantage points, those nearest to the target first, for at most 6 N^(1/3) hops in all.
-// The boundary decides what is left: of the boundary faces that the line from the target to the start crosses, the one nearest to
-// the target is in sight of it; if the target is inside, the cell behind that face leads to it.
+// Fence hopping from `start` (kNoCell: from the vantage point nearest to the target). When the line of sight leaves the
+// grid, or hops go in a circle, it starts over from the vantage points, those nearest to the target first, for at most
+// 4 N^(1/3) hops in all. The boundary decides what is left: of the boundary faces on the shortest way out of the
+// bounds, the one nearest to the target is in sight of it; if the target is inside, the cell behind that face leads to
+// it.
 Located findCell(const grid::Block& block, CellId start, const Vec3& target);
 
 } // namespace vp::locate

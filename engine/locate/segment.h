@@ -40,8 +40,9 @@ inline bool crossesBox(const Segment& segment, const Box& box)
 	return enter <= leave;
 }
 
-// t in 0..1 where the segment meets the triangle, kNoCrossing otherwise. Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle
-// Intersection" (1997); the rim counts, with a slack of 1e-9, so that a line through a shared edge meets one of the two.
+// t in 0..1 where the segment meets the triangle, kNoCrossing otherwise. Moeller and Trumbore, "Fast, Minimum Storage
+// Ray/Triangle Intersection" (1997); the rim counts, with a slack of 1e-9, so that a line through a shared edge meets
+// one of the two.
 inline double crossTriangle(const Segment& segment, const Vec3& a, const Vec3& b, const Vec3& c)
 {
 	const Vec3 along = segment.to - segment.from;

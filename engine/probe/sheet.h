@@ -8,8 +8,8 @@
 namespace vp::probe
 {
 
-// A cutting plane with a frame of its own: its x axis is up x normal, its y axis up, its z axis the normal; the origin is
-// the hot spot.
+// A cutting plane with a frame of its own: its x axis is up x normal, its y axis up, its z axis the normal; the origin
+// is the hot spot.
 struct Sheet
 {
 	Vec3 origin{0.0};

@@ -25,11 +25,11 @@ inline Vec3 nearestOnSegment(const Vec3& from, const Vec3& to, const Vec3& p)
 	return from + t * along;
 }
 
-// Calls visit_cut(CutFace) for every boundary face with vertices on both sides: its cell is cut. Calls visit_flat(Face) for
-// every one that lies in the plane whole. Returns the boxes and faces asked.
+// Calls visit_cut(CutFace) for every boundary face with vertices on both sides: its cell is cut. Calls visit_flat(Face)
+// for every one that lies in the plane whole. Returns the boxes and faces asked.
 template <grid::Grid G, class VisitCut, class VisitFlat>
 std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary, const surface::Plane& plane,
-							 VisitCut&& visit_cut, VisitFlat&& visit_flat)
+                             VisitCut&& visit_cut, VisitFlat&& visit_flat)
 {
 	std::size_t face_tests = 0;
 	grid::CellFaces faces;

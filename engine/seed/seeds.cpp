@@ -38,11 +38,12 @@ CellId nearestCutCell(const G& grid, const surface::Plane& plane, CellId start)
 			return queue[i];
 		for (int f = 0; f < grid.faceCount(queue[i]); ++f)
 			grid.forEachNeighbour(queue[i], f,
-								  [&](CellId n)
-								  {
-									  if (queue.size() < kNearbyCells && std::find(queue.begin(), queue.end(), n) == queue.end())
-										  queue.push_back(n);
-								  });
+			                      [&](CellId n)
+			                      {
+				                      if (queue.size() < kNearbyCells &&
+				                          std::find(queue.begin(), queue.end(), n) == queue.end())
+					                      queue.push_back(n);
+			                      });
 	}
 	return kNoCell;
 }
@@ -50,18 +51,19 @@ CellId nearestCutCell(const G& grid, const surface::Plane& plane, CellId start)
 bool isFlat(const grid::Block& block, const surface::Plane& plane, CellId cell, std::uint32_t face)
 {
 	return std::visit(
-		[&](const auto& grid)
-		{
-			grid::CellFaces faces;
-			grid.cellFaces(cell, faces);
-			const auto on_plane = [&](PointId p) { return plane.signedDistance(grid.point(p)) == 0.0; };
-			return std::ranges::all_of(faces[static_cast<int>(face)], on_plane);
-		},
-		block.grid);
+	    [&](const auto& grid)
+	    {
+		    grid::CellFaces faces;
+		    grid.cellFaces(cell, faces);
+		    const auto on_plane = [&](PointId p) { return plane.signedDistance(grid.point(p)) == 0.0; };
+		    return std::ranges::all_of(faces[static_cast<int>(face)], on_plane);
+	    },
+	    block.grid);
 }
 
 // Whether a face in the plane is shown by what lies on it at a seam: by a cut cell, or by a face that comes before it.
-bool isShownAcrossSeam(const grid::BlockSet& blocks, const surface::Plane& plane, std::size_t b, const grid::BoundaryIndex::Face& face)
+bool isShownAcrossSeam(const grid::BlockSet& blocks, const surface::Plane& plane, std::size_t b,
+                       const grid::BoundaryIndex::Face& face)
 {
 	const grid::BlockSeams* seams = blocks.interfaces.of(b);
 	if (!seams)
@@ -72,7 +74,7 @@ bool isShownAcrossSeam(const grid::BlockSet& blocks, const surface::Plane& plane
 		if (std::visit([&](const auto& grid) { return isCut(grid, plane, link.other); }, across.grid))
 			return true;
 		const bool before = std::tuple<std::size_t, CellId, std::uint32_t>(link.block, link.other, link.other_face) <
-							std::tuple<std::size_t, CellId, std::uint32_t>(b, face.cell, face.face);
+		                    std::tuple<std::size_t, CellId, std::uint32_t>(b, face.cell, face.face);
 		if (before && isFlat(across, plane, link.other, link.other_face))
 			return true;
 	}
@@ -80,7 +82,8 @@ bool isShownAcrossSeam(const grid::BlockSet& blocks, const surface::Plane& plane
 }
 
 // The seed at the hot spot, in the first block that holds it.
-void seedHotSpot(const grid::BlockSet& blocks, const probe::Sheet& sheet, const surface::Plane& plane, SheetSeeds& seeds)
+void seedHotSpot(const grid::BlockSet& blocks, const probe::Sheet& sheet, const surface::Plane& plane,
+                 SheetSeeds& seeds)
 {
 	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
 	{
@@ -92,7 +95,7 @@ void seedHotSpot(const grid::BlockSet& blocks, const probe::Sheet& sheet, const 
 			continue;
 		seeds.hot_spot_inside = true;
 		const CellId seed =
-			std::visit([&](const auto& grid) { return nearestCutCell(grid, plane, located.cell); }, block.grid);
+		    std::visit([&](const auto& grid) { return nearestCutCell(grid, plane, located.cell); }, block.grid);
 		if (seed == kNoCell)
 			continue; // on the rim of this block; another one may hold it as well
 		seeds.cells[b].push_back(seed);
@@ -112,7 +115,8 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 		seedHotSpot(blocks, sheet, plane, seeds);
 
 	const bool seeds_boundary = options.mode != SeedMode::hotspot;
-	const bool moves_hot_spot = options.mode != SeedMode::boundary && !seeds.hot_spot_inside && options.outside == OutsidePolicy::nearest;
+	const bool moves_hot_spot =
+	    options.mode != SeedMode::boundary && !seeds.hot_spot_inside && options.outside == OutsidePolicy::nearest;
 	double nearest = std::numeric_limits<double>::infinity();
 	std::size_t nearest_block = 0;
 	CellId nearest_cell = kNoCell;
@@ -122,37 +126,38 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 			break;
 		const grid::Block& block = blocks.blocks[b];
 		std::visit(
-			[&](const auto& grid)
-			{
-				seeds.boundary_tests += visitBoundaryCut(
-					grid, block.boundary, plane,
-					[&](const CutFace& face)
-					{
-						if (seeds_boundary && (seeds.cells[b].empty() || seeds.cells[b].back() != face.cell))
-							seeds.cells[b].push_back(face.cell);
-						if (!moves_hot_spot)
-							return;
-						const Vec3 point = nearestOnSegment(face.from, face.to, sheet.origin);
-						const double distance = glm::length(point - sheet.origin);
-						if (distance < nearest)
-						{
-							nearest = distance;
-							nearest_block = b;
-							nearest_cell = face.cell;
-							seeds.moved_to = point;
-						}
-					},
-					[&](const grid::BoundaryIndex::Face& face)
-					{
-						if (seeds_boundary && !isCut(grid, plane, face.cell) && !isShownAcrossSeam(blocks, plane, b, face))
-							seeds.faces_in_plane[b].push_back(face);
-					});
-				if (seeds_boundary)
-					for (const CellId cell : block.inverted)
-						if (isCut(grid, plane, cell))
-							seeds.cells[b].push_back(cell);
-			},
-			block.grid);
+		    [&](const auto& grid)
+		    {
+			    seeds.boundary_tests += visitBoundaryCut(
+			        grid, block.boundary, plane,
+			        [&](const CutFace& face)
+			        {
+				        if (seeds_boundary && (seeds.cells[b].empty() || seeds.cells[b].back() != face.cell))
+					        seeds.cells[b].push_back(face.cell);
+				        if (!moves_hot_spot)
+					        return;
+				        const Vec3 point = nearestOnSegment(face.from, face.to, sheet.origin);
+				        const double distance = glm::length(point - sheet.origin);
+				        if (distance < nearest)
+				        {
+					        nearest = distance;
+					        nearest_block = b;
+					        nearest_cell = face.cell;
+					        seeds.moved_to = point;
+				        }
+			        },
+			        [&](const grid::BoundaryIndex::Face& face)
+			        {
+				        if (seeds_boundary && !isCut(grid, plane, face.cell) &&
+				            !isShownAcrossSeam(blocks, plane, b, face))
+					        seeds.faces_in_plane[b].push_back(face);
+			        });
+			    if (seeds_boundary)
+				    for (const CellId cell : block.inverted)
+					    if (isCut(grid, plane, cell))
+						    seeds.cells[b].push_back(cell);
+		    },
+		    block.grid);
 	}
 	if (nearest_cell != kNoCell && !seeds_boundary)
 		seeds.cells[nearest_block].push_back(nearest_cell);

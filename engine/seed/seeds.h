@@ -44,7 +44,7 @@ struct SheetSeeds
 	std::size_t hops = 0;           // cells that fence hops passed
 	std::size_t boundary_tests = 0; // boxes and faces of the boundary index that were asked
 	bool hot_spot_inside = false;
-	std::optional<Vec3> moved_to;   // the hot spot that took the place of one outside
+	std::optional<Vec3> moved_to; // the hot spot that took the place of one outside
 };
 
 SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, const SeedOptions& options);

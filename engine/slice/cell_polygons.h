@@ -16,7 +16,8 @@ namespace vp::slice
 {
 
 // Gives the polygons of a cut cell as pairs of point ids {positive, negative} per cut edge, in polygon order: from the
-// case table where it has an entry, by walking the cell's faces otherwise. Reused from cell to cell to save allocations.
+// case table where it has an entry, by walking the cell's faces otherwise. Reused from cell to cell to save
+// allocations.
 template <grid::Grid G>
 class CellPolygons
 {
@@ -25,7 +26,8 @@ public:
 
 	CellPolygons(const G& grid, const surface::Plane& plane) : grid_(grid), plane_(plane) {}
 
-	// Calls visit(std::span<const Edge>) per polygon. Returns whether the cell is twisted: a face cut more than once, or several polygons.
+	// Calls visit(std::span<const Edge>) per polygon. Returns whether the cell is twisted: a face cut more than once,
+	// or several polygons.
 	template <class Visit>
 	bool visit(CellId cell, std::uint32_t word, Visit&& visit)
 	{
@@ -73,8 +75,9 @@ private:
 		walk_faces_.starts = faces_.starts;
 		for (const PointId p : faces_.points)
 			walk_faces_.points.push_back(static_cast<std::uint16_t>(
-				std::lower_bound(local_points_.begin(), local_points_.end(), p) - local_points_.begin()));
-		// The mean distance of a face's points, summed in ascending order of their ids: the same number for both its cells.
+			    std::lower_bound(local_points_.begin(), local_points_.end(), p) - local_points_.begin()));
+		// The mean distance of a face's points, summed in ascending order of their ids: the same number for both its
+		// cells.
 		const auto centre_positive = [&](int f)
 		{
 			face_.assign(walk_faces_[f].begin(), walk_faces_[f].end());

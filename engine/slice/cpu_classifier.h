@@ -19,7 +19,7 @@ public:
 	{
 		for (const traverse::FrontSlice& front : fronts)
 			std::visit([&](const auto& grid) { classifyFront(grid, lanes_[front.lane].surface, front); },
-					   lanes_[front.lane].block->grid);
+			           lanes_[front.lane].block->grid);
 		return Nothing{};
 	}
 
@@ -32,8 +32,8 @@ private:
 			const CellId cell = front.cells[i];
 			const grid::CellShape shape = grid.shape(cell);
 			front.words[i] = shape == grid::CellShape::polyhedron
-								 ? shared::kWordWalk
-								 : traverse::classifyByTable(grid, surface, cell, shape);
+			                     ? shared::kWordWalk
+			                     : traverse::classifyByTable(grid, surface, cell, shape);
 		}
 	}
 

@@ -10,8 +10,8 @@
 namespace vp::slice
 {
 
-// Numbers the cut edges of a block in the order in which they are first met: open addressing with linear probing, at most half
-// full, keyed by (lower point, higher point).
+// Numbers the cut edges of a block in the order in which they are first met: open addressing with linear probing, at
+// most half full, keyed by (lower point, higher point).
 class EdgeVertices
 {
 public:

@@ -12,7 +12,8 @@ namespace vp::slice
 namespace
 {
 
-const grid::Field* findField(const grid::Block& block, const std::string& name, std::optional<grid::Association> association)
+const grid::Field* findField(const grid::Block& block, const std::string& name,
+                             std::optional<grid::Association> association)
 {
 	for (const grid::Field& field : block.fields)
 		if (field.name == name && (!association || field.association == *association))
@@ -21,7 +22,8 @@ const grid::Field* findField(const grid::Block& block, const std::string& name, 
 }
 
 // Point arrays come first, as everywhere a name is looked for.
-const grid::Field* findField(const grid::BlockSet& blocks, const std::string& name, std::optional<grid::Association> association)
+const grid::Field* findField(const grid::BlockSet& blocks, const std::string& name,
+                             std::optional<grid::Association> association)
 {
 	for (const grid::Association wanted : {grid::Association::point, grid::Association::cell})
 		if (!association || association == wanted)
@@ -80,12 +82,15 @@ Result<int> parseComponent(const grid::Field& field, const std::string& text)
 	if (text == "x" || text == "y" || text == "z")
 		component = text[0] - 'x';
 	else if (const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), component);
-			 error != std::errc() || end != text.data() + text.size() || component < 0)
-		return Error{ExitCode::usage, fmt::format("--component {}: not a component; use magnitude, x, y, z or a number from 0", text)};
+	         error != std::errc() || end != text.data() + text.size() || component < 0)
+		return Error{ExitCode::usage,
+		             fmt::format("--component {}: not a component; use magnitude, x, y, z or a number from 0", text)};
 	if (component >= field.components)
-		return Error{ExitCode::usage, fmt::format("--component {}: array {} has {} component{}; use {}", text, field.name,
-												  field.components, field.components == 1 ? "" : "s",
-												  field.components == 1 ? "0" : fmt::format("0 to {} or magnitude", field.components - 1))};
+		return Error{
+		    ExitCode::usage,
+		    fmt::format("--component {}: array {} has {} component{}; use {}", text, field.name, field.components,
+		                field.components == 1 ? "" : "s",
+		                field.components == 1 ? "0" : fmt::format("0 to {} or magnitude", field.components - 1))};
 	return component;
 }
 
@@ -104,18 +109,19 @@ std::string FieldChoice::title(const grid::BlockSet& blocks) const
 	if (component == grid::kMagnitude)
 		return name + " magnitude";
 	return component < 3 && field->components <= 3 ? fmt::format("{} {}", name, "xyz"[component])
-												   : fmt::format("{} {}", name, component);
+	                                               : fmt::format("{} {}", name, component);
 }
 
 Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, const std::string& array,
-											   const std::string& component)
+                                               const std::string& component)
 {
 	std::optional<grid::Association> association;
 	std::string name = array;
 	// An array may have a colon in its own name, so the whole text is tried before a prefix is taken off.
 	if (!array.empty() && !findField(blocks, array, {}))
 		for (const grid::Association candidate : {grid::Association::point, grid::Association::cell})
-			if (const std::string prefix = std::string(grid::associationName(candidate)) + ":"; array.starts_with(prefix))
+			if (const std::string prefix = std::string(grid::associationName(candidate)) + ":";
+			    array.starts_with(prefix))
 			{
 				association = candidate;
 				name = array.substr(prefix.size());
@@ -128,7 +134,8 @@ Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, con
 		return std::optional<FieldChoice>{};
 	}
 	if (!field)
-		return Error{ExitCode::input, fmt::format("--array {}: no such array; there are: {}", array, listFields(blocks))};
+		return Error{ExitCode::input,
+		             fmt::format("--array {}: no such array; there are: {}", array, listFields(blocks))};
 	Result<int> chosen = parseComponent(*field, component);
 	if (!chosen)
 		return chosen.error();

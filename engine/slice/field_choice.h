@@ -20,10 +20,11 @@ struct FieldChoice
 	std::string title(const grid::BlockSet& blocks) const; // "v magnitude", "v y", "s"
 };
 
-// `array` is "[point:|cell:]NAME"; empty takes the first point array, else the first cell array, else none. `component` is "",
-// "magnitude", "x", "y", "z" or a number from 0. An array that no block has is an input error that lists those there are.
+// `array` is "[point:|cell:]NAME"; empty takes the first point array, else the first cell array, else none. `component`
+// is "", "magnitude", "x", "y", "z" or a number from 0. An array that no block has is an input error that lists those
+// there are.
 Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, const std::string& array,
-											   const std::string& component);
+                                               const std::string& component);
 
 // Range of the chosen values over all blocks, NaN left out.
 std::pair<double, double> fieldRange(const grid::BlockSet& blocks, const FieldChoice& choice);

@@ -20,110 +20,14 @@
 namespace vp::slice
 {
 
-namespace
-{
-
-constexpr VkBufferUsageFlags kTexels = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
-
-// Points per task: some 100 us of work.
-constexpr std::size_t kGrain = 16384;
-
-template <class Body>
-void inParallel(std::size_t count, Body&& body)
-{
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
-	                  [&](const tbb::blocked_range<std::size_t>& range)
-	                  {
-		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-			                  body(i);
-	                  });
-}
-
-// A texel buffer of `count` elements, element i written by write(i, destination).
-template <class Element, class Write>
-Status makeTexels(gpu::Device& device, std::size_t count, VkFormat format, std::string_view name, gpu::Buffer& buffer,
-                  gpu::TexelView& view, Write&& write)
-{
-	const std::size_t bytes = std::max<std::size_t>(count, 1) * sizeof(Element);
-	Result<gpu::Buffer> made =
-	    gpu::Buffer::create(device, bytes, kTexels | VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::Memory::device, name);
-	if (!made)
-		return made.error();
-	Status filled = gpu::fillBuffer(*made, count, sizeof(Element),
-	                                [&](std::byte* destination, std::size_t first, std::size_t run)
-	                                {
-		                                auto* elements = reinterpret_cast<Element*>(destination);
-		                                inParallel(run, [&](std::size_t i) { write(first + i, elements[i]); });
-	                                });
-	if (!filled)
-		return filled;
-	Result<gpu::TexelView> texels = gpu::TexelView::create(*made, format, name);
-	if (!texels)
-		return texels.error();
-	buffer = std::move(*made);
-	view = std::move(*texels);
-	return Nothing{};
-}
-
-Box boundsOf(const grid::Points& points)
-{
-	return tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, points.size(), kGrain), Box{},
-	    [&](const tbb::blocked_range<std::size_t>& range, Box box)
-	    {
-		    for (std::size_t i = range.begin(); i < range.end(); ++i)
-			    box.include(points[i]);
-		    return box;
-	    },
-	    [](Box a, const Box& b)
-	    {
-		    a.include(b);
-		    return a;
-	    });
-}
-
-std::uint32_t cellsKind(const grid::UniformGrid&)
-{
-	return shared::kCellsAxes;
-}
-std::uint32_t cellsKind(const grid::RectilinearGrid&)
-{
-	return shared::kCellsAxes;
-}
-std::uint32_t cellsKind(const grid::CurvilinearGrid&)
-{
-	return shared::kCellsLattice;
-}
-std::uint32_t cellsKind(const grid::UnstructuredGrid& grid)
-{
-	return grid.recordWidth() == 4 ? shared::kCellsRecord4 : shared::kCellsRecord8;
-}
-
-const grid::Points* coordinatesOf(const grid::AnyGrid& grid)
-{
-	if (const auto* curvilinear = std::get_if<grid::CurvilinearGrid>(&grid))
-		return &curvilinear->coordinates();
-	if (const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&grid))
-		return &unstructured->coordinates();
-	return nullptr;
-}
-
-// Infinite data would overrun the marks for NaN and for an empty pixel.
-constexpr double kLargestValue = 2.0e38;
-
-float shownValue(double value)
-{
-	return std::isnan(value) ? shared::kNanValue : static_cast<float>(std::clamp(value, -kLargestValue, kLargestValue));
-}
-
-} // namespace
-
 GpuBlocks::GpuBlocks(gpu::Device& device, const grid::BlockSet& set, const GpuBlocksOptions& options)
     : device_(device), set_(set), options_(options), doubles_(options.doubles && device.features().shaderFloat64),
       records_(RecordPool::create(device, options.page_records))
 {
+	// A texel buffer may come a little larger than asked for.
+	constexpr std::uint64_t kSlack = 256;
 	if (!options_.max_texels)
-		options_.max_texels = device.limits().maxTexelBufferElements;
+		options_.max_texels = device.limits().maxTexelBufferElements - kSlack;
 	// Shaders index texels with an int.
 	options_.max_texels = std::min<std::uint64_t>(options_.max_texels, 0x7FFFFFFFu);
 	if (!options_.max_bytes)

@@ -11,7 +11,8 @@ static_assert(sizeof(shared::PolygonRecord) == 80, "five texels of sixteen bytes
 
 std::shared_ptr<RecordPool> RecordPool::create(gpu::Device& device, std::uint32_t page_records)
 {
-	const std::uint32_t texels = device.limits().maxTexelBufferElements / kRecordTexels;
+	const std::uint32_t texels =
+	    device.limits().maxTexelBufferElements / kRecordTexels - 4; // a buffer may come a little larger
 	const std::uint32_t stored = device.limits().maxStorageBufferRange / sizeof(shared::PolygonRecord);
 	return std::shared_ptr<RecordPool>(new RecordPool(device, std::min({page_records, texels, stored})));
 }

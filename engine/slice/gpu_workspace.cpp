@@ -56,7 +56,8 @@ Status ClassifyWorkspace::reserveLanes(gpu::Device& device, std::size_t bytes)
 Status ClassifyWorkspace::reserveAxes(gpu::Device& device, std::size_t texels)
 {
 	constexpr std::size_t kTexelBytes = 16;
-	if (texels > device.limits().maxTexelBufferElements)
+	// Growing at most doubles it.
+	if (texels > device.limits().maxTexelBufferElements / 4)
 		return Error{ExitCode::output, "more blocks and sheets than the device can address; use --classify cpu"};
 	if (axes && axes.size() >= texels * kTexelBytes)
 		return Nothing{};
@@ -65,9 +66,7 @@ Status ClassifyWorkspace::reserveAxes(gpu::Device& device, std::size_t texels)
 	                        gpu::Memory::upload, "axes");
 	    !grown)
 		return grown;
-	Result<gpu::TexelView> view = gpu::TexelView::create(
-	    axes, VK_FORMAT_R32G32B32A32_UINT, "axes", 0,
-	    std::min<VkDeviceSize>(axes.size(), kTexelBytes * device.limits().maxTexelBufferElements));
+	Result<gpu::TexelView> view = gpu::TexelView::create(axes, VK_FORMAT_R32G32B32A32_UINT, "axes");
 	if (!view)
 		return view.error();
 	axis_texels = std::move(*view);

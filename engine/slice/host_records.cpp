@@ -19,7 +19,7 @@ float drawnValue(double value)
 } // namespace
 
 std::vector<shared::PolygonRecord> recordsFromMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet,
-												   const SheetMesh& mesh, const std::optional<FieldChoice>& field)
+                                                   const SheetMesh& mesh, const std::optional<FieldChoice>& field)
 {
 	const bool on_points = field && field->association == grid::Association::point;
 	const float no_array = field ? shared::kNanValue : 0.0f;

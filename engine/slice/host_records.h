@@ -12,10 +12,10 @@
 namespace vp::slice
 {
 
-// The polygons of a mesh as they are drawn. A polygon of more than six vertices becomes several records, cut along diagonals
-// from its first vertex.
+// The polygons of a mesh as they are drawn. A polygon of more than six vertices becomes several records, cut along
+// diagonals from its first vertex.
 std::vector<shared::PolygonRecord> recordsFromMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet,
-												   const SheetMesh& mesh, const std::optional<FieldChoice>& field);
+                                                   const SheetMesh& mesh, const std::optional<FieldChoice>& field);
 
 // The cells of a cut that the CPU walked: those whose records the GPU left empty.
 traverse::LaneCut walkedCells(const traverse::LaneCut& cut);

@@ -33,8 +33,7 @@ void addBlock(const G& grid, const surface::Plane& plane, const BlockCut& block,
 	{
 		const PointId lower = std::min(edge.first, edge.second);
 		const PointId higher = std::max(edge.first, edge.second);
-		const auto [number, is_new] =
-			vertices.find(lower, higher, static_cast<std::uint32_t>(mesh.positions.size()));
+		const auto [number, is_new] = vertices.find(lower, higher, static_cast<std::uint32_t>(mesh.positions.size()));
 		if (is_new)
 		{
 			const Vec3 a = grid.point(lower);
@@ -57,8 +56,8 @@ void addBlock(const G& grid, const surface::Plane& plane, const BlockCut& block,
 	};
 	for (std::size_t i = 0; i < cut.cells.size(); ++i)
 		if (cut.words[i] & shared::kWordCut)
-			mesh.cells_twisted += polygons.visit(cut.cells[i], cut.words[i],
-												 [&](const auto& edges) { addPolygon(cut.cells[i], edges); });
+			mesh.cells_twisted +=
+			    polygons.visit(cut.cells[i], cut.words[i], [&](const auto& edges) { addPolygon(cut.cells[i], edges); });
 
 	grid::CellFaces faces;
 	std::vector<std::pair<PointId, PointId>> corners;
@@ -72,8 +71,8 @@ void addBlock(const G& grid, const surface::Plane& plane, const BlockCut& block,
 	}
 }
 
-// A grid point that lies on the surface cuts several edges at one place. They become one vertex, so that what closes up in
-// space closes up in the mesh.
+// A grid point that lies on the surface cuts several edges at one place. They become one vertex, so that what closes up
+// in space closes up in the mesh.
 void joinVerticesAtPoints(SheetMesh& mesh)
 {
 	std::unordered_map<std::uint64_t, std::uint32_t> at_point;
@@ -100,7 +99,8 @@ void joinVerticesAtPoints(SheetMesh& mesh)
 			v = joined[v];
 }
 
-// Drops repeated vertices and polygons without area, turns the rest to face along the normal, and drops vertices no polygon uses.
+// Drops repeated vertices and polygons without area, turns the rest to face along the normal, and drops vertices no
+// polygon uses.
 void tidyPolygons(SheetMesh& mesh, const Vec3& normal)
 {
 	std::vector<std::uint32_t> starts{0};
@@ -200,24 +200,27 @@ double shownValue(int components, int component, At&& at)
 
 double interpolate(const grid::Block& block, const grid::Field& field, int component, const EdgePoint& at)
 {
-	const auto [lower, higher] = std::visit([&](const auto& grid)
-											{ return std::pair{grid.sourcePoint(at.lower), grid.sourcePoint(at.higher)}; },
-											block.grid);
+	const auto [lower, higher] = std::visit(
+	    [&](const auto& grid) {
+		    return std::pair{grid.sourcePoint(at.lower), grid.sourcePoint(at.higher)};
+	    },
+	    block.grid);
 	return shownValue(field.components, component,
-					  [&](int c)
-					  {
-						  const double a = field.value(lower, c);
-						  // An end that has no part in the vertex does not bring its NaN to it.
-						  if (at.t == 0.0)
-							  return a;
-						  const double b = field.value(higher, c);
-						  return at.t == 1.0 ? b : a + at.t * (b - a);
-					  });
+	                  [&](int c)
+	                  {
+		                  const double a = field.value(lower, c);
+		                  // An end that has no part in the vertex does not bring its NaN to it.
+		                  if (at.t == 0.0)
+			                  return a;
+		                  const double b = field.value(higher, c);
+		                  return at.t == 1.0 ? b : a + at.t * (b - a);
+	                  });
 }
 
 double cellValue(const grid::Block& block, const grid::Field& field, int component, CellId cell)
 {
-	const std::size_t source = std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell)); }, block.grid);
+	const std::size_t source =
+	    std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell)); }, block.grid);
 	return shownValue(field.components, component, [&](int c) { return field.value(source, c); });
 }
 

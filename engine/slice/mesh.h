@@ -30,7 +30,8 @@ struct BlockCell
 };
 
 // The cut of one sheet through a block set: polygons with shared vertices, in double precision. Polygons wind
-// counter-clockwise seen from the side the sheet's normal points to. Polygons with fewer than three distinct vertices are left out.
+// counter-clockwise seen from the side the sheet's normal points to. Polygons with fewer than three distinct vertices
+// are left out.
 struct SheetMesh
 {
 	std::vector<Vec3> positions;

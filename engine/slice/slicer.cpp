@@ -28,7 +28,7 @@ SheetMesh Slice::mesh(const grid::BlockSet& blocks, std::size_t sheet) const
 }
 
 SliceTicket::SliceTicket(std::stop_source stop, std::future<Result<Slice>> result)
-	: stop_(std::move(stop)), result_(std::move(result))
+    : stop_(std::move(stop)), result_(std::move(result))
 {
 }
 
@@ -54,11 +54,11 @@ Slicer::Slicer(const grid::BlockSet& blocks) : blocks_(blocks)
 {
 	for (const grid::Block& block : blocks.blocks)
 		visited_.push_back(std::make_unique<traverse::VisitedPool>(
-			std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid)));
+		    std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid)));
 }
 
 Result<std::unique_ptr<Slicer>> Slicer::onDevice(gpu::Device& device, const grid::BlockSet& blocks,
-												 const std::optional<FieldChoice>& field, Timeline* timeline)
+                                                 const std::optional<FieldChoice>& field, Timeline* timeline)
 {
 	const TimedSection section(timeline, "upload");
 	Result<std::unique_ptr<GpuBlocks>> uploaded = GpuBlocks::create(device, blocks);
@@ -82,7 +82,7 @@ SliceTicket Slicer::begin(SliceRequest request)
 {
 	std::stop_source stop;
 	return {stop, std::async(std::launch::async, [this, request = std::move(request), token = stop.get_token()]
-							 { return run(request, token); })};
+	                         { return run(request, token); })};
 }
 
 Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
@@ -108,7 +108,8 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 		}
 	}
 
-	Result<std::vector<traverse::LaneCut>> cuts = gpu_ ? traverseOnGpu(request, lanes, slice, stop) : traverseOnCpu(request, lanes, stop);
+	Result<std::vector<traverse::LaneCut>> cuts =
+	    gpu_ ? traverseOnGpu(request, lanes, slice, stop) : traverseOnCpu(request, lanes, stop);
 	if (!cuts)
 		return cuts.error();
 	for (std::size_t lane = 0; lane < cuts->size(); ++lane)
@@ -119,15 +120,16 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	return slice;
 }
 
-Result<std::vector<traverse::LaneCut>> Slicer::traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes, std::stop_token stop)
+Result<std::vector<traverse::LaneCut>> Slicer::traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes,
+                                                             std::stop_token stop)
 {
 	const TimedSection section(request.timeline, "traverse");
 	CpuClassifier<surface::Plane> classifier(lanes);
 	return traverse::breadthFirst<surface::Plane>(lanes, classifier, stop);
 }
 
-Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes, Slice& slice,
-															 std::stop_token stop)
+Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,
+                                                             Slice& slice, std::stop_token stop)
 {
 	const TimedSection section(request.timeline, "traverse");
 	std::vector<GpuLane> gpu_lanes;
@@ -135,7 +137,7 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest&
 		for (std::uint32_t b = 0; b < blocks_.blocks.size(); ++b)
 			gpu_lanes.push_back({s, b});
 	Result<std::unique_ptr<GpuClassifier>> classifier =
-		GpuClassifier::create(*gpu_, request.probe.sheets, std::move(gpu_lanes), request.field, request.timeline);
+	    GpuClassifier::create(*gpu_, request.probe.sheets, std::move(gpu_lanes), request.field, request.timeline);
 	if (!classifier)
 		return classifier.error();
 	auto cuts = traverse::breadthFirst<surface::Plane>(lanes, **classifier, stop);

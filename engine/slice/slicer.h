@@ -27,7 +27,7 @@ class Device;
 namespace vp::slice
 {
 
-class GpuBlocks;    // the block set on the device (gpu_blocks.h)
+class GpuBlocks;     // the block set on the device (gpu_blocks.h)
 struct SheetRecords; // a sheet's polygons in device memory (gpu_records.h)
 
 struct SliceRequest
@@ -43,7 +43,7 @@ struct SheetSlice
 {
 	probe::Sheet sheet;
 	seed::SheetSeeds seeds;
-	std::vector<traverse::LaneCut> cuts;         // per block
+	std::vector<traverse::LaneCut> cuts;   // per block
 	std::shared_ptr<SheetRecords> records; // GPU classifier only: the polygons in device memory, as they are drawn
 };
 
@@ -81,9 +81,10 @@ class Slicer
 {
 public:
 	explicit Slicer(const grid::BlockSet& blocks); // CPU classifier
-	// GPU classifier; uploads the blocks (section "upload"). Blocks past a limit of the device stay with the CPU: see words().
+	// GPU classifier; uploads the blocks (section "upload"). Blocks past a limit of the device stay with the CPU: see
+	// words().
 	static Result<std::unique_ptr<Slicer>> onDevice(gpu::Device& device, const grid::BlockSet& blocks,
-													const std::optional<FieldChoice>& field, Timeline* timeline);
+	                                                const std::optional<FieldChoice>& field, Timeline* timeline);
 	~Slicer();
 
 	SliceTicket begin(SliceRequest request);
@@ -97,9 +98,10 @@ private:
 	using Lane = traverse::Lane<surface::Plane>;
 
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
-	Result<std::vector<traverse::LaneCut>> traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes, std::stop_token stop);
-	Result<std::vector<traverse::LaneCut>> traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes, Slice& slice,
-														 std::stop_token stop);
+	Result<std::vector<traverse::LaneCut>> traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes,
+	                                                     std::stop_token stop);
+	Result<std::vector<traverse::LaneCut>> traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,
+	                                                     Slice& slice, std::stop_token stop);
 	Status addHostRecords(const SliceRequest& request, Slice& slice) const;
 
 	const grid::BlockSet& blocks_;

@@ -78,8 +78,10 @@ SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const 
 		std::uint32_t previous = polygon.back();
 		for (const std::uint32_t v : polygon)
 		{
-			const double area = 0.5 * glm::length(glm::cross(mesh.positions[previous] - centre, mesh.positions[v] - centre));
-			sums.addTriangle(area, on_points ? (vertex_values[previous] + vertex_values[v] + centre_value) / 3.0 : polygon_value);
+			const double area =
+			    0.5 * glm::length(glm::cross(mesh.positions[previous] - centre, mesh.positions[v] - centre));
+			sums.addTriangle(area, on_points ? (vertex_values[previous] + vertex_values[v] + centre_value) / 3.0
+			                                 : polygon_value);
 			previous = v;
 		}
 	}

@@ -9,16 +9,16 @@
 namespace vp::slice
 {
 
-// What a sheet shows, in numbers. A polygon counts as the fan of triangles about the mean of its vertices, whose value is the mean of
-// theirs.
+// What a sheet shows, in numbers. A polygon counts as the fan of triangles about the mean of its vertices, whose value
+// is the mean of theirs.
 struct SheetMeasure
 {
 	double area = 0.0;
-	double nan_area = 0.0;        // part of the area whose value is NaN
-	std::optional<double> mean;   // area-weighted; none without an array or without area
-	std::optional<double> min;    // of the values at the vertices (point data) or of the polygons (cell data)
+	double nan_area = 0.0;      // part of the area whose value is NaN
+	std::optional<double> mean; // area-weighted; none without an array or without area
+	std::optional<double> min;  // of the values at the vertices (point data) or of the polygons (cell data)
 	std::optional<double> max;
-	std::size_t components = 0;   // see components.h
+	std::size_t components = 0; // see components.h
 };
 
 SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field);

@@ -16,8 +16,8 @@
 namespace vp::traverse
 {
 
-// A sheet within a block: the unit that has a front and visited marks of its own. All lanes go in lock step, one call of
-// the classifier for generation k of every lane.
+// A sheet within a block: the unit that has a front and visited marks of its own. All lanes go in lock step, one call
+// of the classifier for generation k of every lane.
 template <class Surface>
 struct Lane
 {
@@ -25,8 +25,8 @@ struct Lane
 	Surface surface;
 	VisitedMarks* visited;     // beginSlice() has been called
 	std::vector<CellId> seeds; // generation 0; cells that turn out not to be cut do no harm
-	// Where the block meets others or itself; null: nowhere. The lanes of a sheet stand in the order of the blocks, from
-	// `sheet_lane` on: what lies across a seam in block b is queued in lane sheet_lane + b.
+	// Where the block meets others or itself; null: nowhere. The lanes of a sheet stand in the order of the blocks,
+	// from `sheet_lane` on: what lies across a seam in block b is queued in lane sheet_lane + b.
 	const grid::BlockSeams* seams = nullptr;
 	std::size_t sheet_lane = 0;
 };
@@ -40,8 +40,11 @@ struct FrontSlice
 };
 
 template <class C>
-concept Classifier = requires(C& c, std::span<const FrontSlice> fronts) {
-	{ c.classify(fronts) } -> std::same_as<Status>;
+concept Classifier = requires(C& c, std::span<const FrontSlice> fronts)
+{
+	{
+		c.classify(fronts)
+		} -> std::same_as<Status>;
 };
 
 // The cut cells of a lane in the order of their discovery.
@@ -51,7 +54,8 @@ struct LaneCut
 	std::vector<std::uint32_t> words; // its word, kWordCut set where it is cut; kWordWalk kept where the CPU walked it
 	std::size_t cut_cells = 0;
 	std::vector<std::uint32_t> generation_starts; // generations + 1 offsets into cells
-	std::size_t steps = 0; // generations of all lanes up to this lane's last: more than its own where it was entered late
+	std::size_t steps =
+	    0; // generations of all lanes up to this lane's last: more than its own where it was entered late
 
 	std::size_t generations() const { return generation_starts.empty() ? 0 : generation_starts.size() - 1; }
 	std::size_t frontMax() const
@@ -63,11 +67,11 @@ struct LaneCut
 	}
 };
 
-// Queues the unqueued neighbours of the front [begin, end) of lane l across its cut faces. A boundary face of a block with
-// seams is looked up among them; a block without pays nothing for those of others.
+// Queues the unqueued neighbours of the front [begin, end) of lane l across its cut faces. A boundary face of a block
+// with seams is looked up among them; a block without pays nothing for those of others.
 template <bool kHasSeams, class G, class Surface>
 void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_t l, std::size_t begin, std::size_t end,
-				 std::span<LaneCut> cuts)
+                 std::span<LaneCut> cuts)
 {
 	const Lane<Surface>& lane = lanes[l];
 	LaneCut& cut = cuts[l];
@@ -84,11 +88,11 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 		{
 			bool on_boundary = true;
 			grid.forEachNeighbour(cell, face,
-								  [&](CellId neighbour)
-								  {
-									  on_boundary = false;
-									  enqueue(neighbour);
-								  });
+			                      [&](CellId neighbour)
+			                      {
+				                      on_boundary = false;
+				                      enqueue(neighbour);
+			                      });
 			if (!on_boundary)
 				return;
 			for (const grid::SeamLink& link : lane.seams->of(cell, static_cast<std::uint32_t>(face)))
@@ -119,8 +123,8 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 	}
 }
 
-// Breadth first, by generations: G(k+1) are the cells first met across the cut faces of G(k). Returns one LaneCut a lane, or
-// the classifier's error; a stop request ends the traversal between generations with what was found.
+// Breadth first, by generations: G(k+1) are the cells first met across the cut faces of G(k). Returns one LaneCut a
+// lane, or the classifier's error; a stop request ends the traversal between generations with what was found.
 template <class Surface, Classifier C>
 Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& classifier, std::stop_token stop = {})
 {
@@ -158,11 +162,14 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 			const Lane<Surface>& lane = lanes[front.lane];
 			const std::size_t end = cuts[front.lane].generation_starts.back();
 			const std::size_t begin = end - front.cells.size();
-			const auto expand = [&]<bool kHasSeams>(const auto& grid)
-			{ expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface>(grid, lanes, front.lane, begin, end, cuts); };
-			std::visit([&](const auto& grid)
-					   { lane.seams ? expand.template operator()<true>(grid) : expand.template operator()<false>(grid); },
-					   lane.block->grid);
+			const auto expand = [&]<bool kHasSeams>(const auto& grid) {
+				expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface>(grid, lanes, front.lane, begin, end,
+				                                                              cuts);
+			};
+			std::visit(
+			    [&](const auto& grid)
+			    { lane.seams ? expand.template operator()<true>(grid) : expand.template operator()<false>(grid); },
+			    lane.block->grid);
 		}
 	}
 	// A stop leaves a generation queued that nothing is known about.

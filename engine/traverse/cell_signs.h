@@ -44,8 +44,9 @@ std::uint32_t classifyByTable(const G& grid, const Surface& surface, CellId cell
 	return index | static_cast<std::uint32_t>(entry.faces) << shared::kWordFacesShift | shared::kWordCut;
 }
 
-// The word of any cell decided here, in double, and its faces: kWordWalk says that the cut is to be walked from the faces.
-// The faces are filled in every case; only the first eight fit the word's face bits, so use the faces of a walked cell.
+// The word of any cell decided here, in double, and its faces: kWordWalk says that the cut is to be walked from the
+// faces. The faces are filled in every case; only the first eight fit the word's face bits, so use the faces of a
+// walked cell.
 template <class G, class Surface>
 std::uint32_t classifyByWalk(const G& grid, const Surface& surface, CellId cell, grid::CellFaces& faces)
 {

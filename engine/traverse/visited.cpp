@@ -20,10 +20,10 @@ VisitedPool::Loan VisitedPool::borrow()
 		marks = std::make_unique<VisitedMarks>(cells_);
 	marks->beginSlice();
 	return {marks.release(), [this](VisitedMarks* returned)
-			{
-				const std::lock_guard lock(mutex_);
-				idle_.emplace_back(returned);
-			}};
+	        {
+		        const std::lock_guard lock(mutex_);
+		        idle_.emplace_back(returned);
+	        }};
 }
 
 std::size_t VisitedPool::bytes() const

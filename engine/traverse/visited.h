@@ -15,14 +15,14 @@
 namespace vp::traverse
 {
 
-// The paper's auxiliary list: one byte a cell that holds the number of the slice that queued it last. It is cleared only when
-// the number wraps. A sheet in flight has one of its own, since sheets cross in the same cells.
+// The paper's auxiliary list: one byte a cell that holds the number of the slice that queued it last. It is cleared
+// only when the number wraps. A sheet in flight has one of its own, since sheets cross in the same cells.
 class VisitedMarks
 {
 public:
 	// Zeroed memory from calloc: pages that no slice touches are never mapped.
 	explicit VisitedMarks(std::size_t cells)
-		: stamps_(static_cast<std::uint8_t*>(std::calloc(cells ? cells : 1, 1)), &std::free), cells_(cells)
+	    : stamps_(static_cast<std::uint8_t*>(std::calloc(cells ? cells : 1, 1)), &std::free), cells_(cells)
 	{
 		if (!stamps_)
 			throw std::bad_alloc();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -62,6 +63,38 @@ Error cannotWrite(const std::string& path, int error)
 	                                      std::strerror(error), remedy(error))};
 }
 
+// Names of the files being written, where a signal handler can read them. A file past the last place is only left
+// behind when the program is interrupted.
+struct Unfinished
+{
+	std::atomic<bool> taken = false;
+	std::atomic<bool> named = false;
+	std::array<char, 4096> name;
+};
+std::array<Unfinished, 8> unfinished;
+
+void remember(const std::string& name)
+{
+	for (Unfinished& place : unfinished)
+		if (name.size() < place.name.size() && !place.taken.exchange(true))
+		{
+			std::memcpy(place.name.data(), name.c_str(), name.size() + 1);
+			place.named = true;
+			return;
+		}
+}
+
+void forget(const std::string& name)
+{
+	for (Unfinished& place : unfinished)
+		if (place.named && name == place.name.data())
+		{
+			place.named = false;
+			place.taken = false;
+			return;
+		}
+}
+
 // Creates a file of a name no one has. Short, so that a long target name leaves room for it.
 int createBeside(const std::string& target, mode_t mode, std::string& name)
 {
@@ -117,6 +150,7 @@ Result<AtomicFile> AtomicFile::create(const std::string& path)
 		file.beside_.clear();
 		return cannotWrite(path, error);
 	}
+	remember(file.beside_);
 	if (exists)
 		(void)fchmod(file.descriptor_,
 		             old.st_mode & 0777); // the umask may have taken rights away that the old file gave
@@ -140,7 +174,10 @@ void AtomicFile::discard()
 		close(descriptor_);
 	descriptor_ = -1;
 	if (!beside_.empty())
+	{
 		unlink(beside_.c_str());
+		forget(beside_);
+	}
 	beside_.clear();
 }
 
@@ -166,12 +203,19 @@ Status AtomicFile::commit()
 		if (std::rename(beside_.c_str(), target_.c_str()) != 0)
 			error_ = errno;
 		else
-			beside_.clear();
+			forget(std::exchange(beside_, {}));
 	}
 	discard();
 	if (error_)
 		return cannotWrite(path_, error_);
 	return Nothing{};
+}
+
+void removeUnfinishedFiles() noexcept
+{
+	for (const Unfinished& place : unfinished)
+		if (place.named)
+			unlink(place.name.data());
 }
 
 } // namespace vp::write

@@ -33,4 +33,7 @@ private:
 	int error_ = 0; // errno of the first failure
 };
 
+// For a signal handler that ends the program: removes what is being written beside its place. Async-signal-safe.
+void removeUnfinishedFiles() noexcept;
+
 } // namespace vp::write

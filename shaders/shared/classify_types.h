@@ -1,4 +1,5 @@
-// What the GPU classifier hands to its shader. Four-byte fields, scalar layout; a double travels as its two halves, low first.
+// What the GPU classifier hands to its shader. Four-byte fields, scalar layout; a double travels as its two halves, low
+// first.
 #ifndef CLASSIFY_TYPES_H
 #define CLASSIFY_TYPES_H
 
@@ -25,8 +26,8 @@ VP_CONST uint kConstantPoints = 1u;
 VP_CONST uint kConstantValues = 2u;
 
 // How a cell finds its points.
-VP_CONST uint kCellsAxes = 0u;    // image and rectilinear grids: one texel per coordinate of each axis and lane, that holds
-                                  // the coordinate's share in the distance (double), in u and in v
+VP_CONST uint kCellsAxes = 0u; // image and rectilinear grids: one texel per coordinate of each axis and lane, that
+                               // holds the coordinate's share in the distance (double), in u and in v
 VP_CONST uint kCellsLattice = 1u; // curvilinear grids
 VP_CONST uint kCellsRecord4 = 2u; // unstructured grids of tetrahedra
 VP_CONST uint kCellsRecord8 = 3u; // other unstructured grids
@@ -35,8 +36,8 @@ VP_CONST uint kShapeMark = 0xFFFFFFF0u; // grid::UnstructuredGrid's: the last id
 
 // How a point is stored.
 VP_CONST uint kPointsFloat = 0u; // three floats, as the source has them
-VP_CONST uint kPointsFixed = 1u; // three signed numbers of 41 bits, from the block's centre: 32 upper bits each in x, y, z;
-                                 // in w 9 lower bits each, then three flags
+VP_CONST uint kPointsFixed = 1u; // three signed numbers of 41 bits, from the block's centre: 32 upper bits each in x,
+                                 // y, z; in w 9 lower bits each, then three flags
 VP_CONST uint kFixedLowBits = 9u;
 VP_CONST uint kFixedInexactShift = 27u; // bit 27 + axis: the source is not exactly this number
 
@@ -50,12 +51,12 @@ VP_CONST uint kValuesCellTuple = 4u;
 // One lane (a sheet in a block) for the length of a slice.
 struct ClassifyLane
 {
-	uint normal[6]; // of the plane, unit, canonical
-	uint origin[6]; // of the sheet
-	uint centre[6]; // of the block's fixed-point numbers
-	float unit[3];  // their unit, a power of two
-	float single_normal[3];   // the same in floats, for devices without doubles
-	float single_centre[3];   // centre - origin
+	uint normal[6];         // of the plane, unit, canonical
+	uint origin[6];         // of the sheet
+	uint centre[6];         // of the block's fixed-point numbers
+	float unit[3];          // their unit, a power of two
+	float single_normal[3]; // the same in floats, for devices without doubles
+	float single_centre[3]; // centre - origin
 	float single_origin_hi[3];
 	float single_origin_lo[3];
 	float x_axis[3]; // of the sheet

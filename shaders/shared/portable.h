@@ -2,8 +2,8 @@
 #ifdef __cplusplus
 #pragma once
 #include <cstdint>
-#define VP_SHARED_BEGIN \
-	namespace vp::shared \
+#define VP_SHARED_BEGIN                                                                                                \
+	namespace vp::shared                                                                                               \
 	{
 #define VP_SHARED_END }
 #define VP_CONST constexpr

@@ -6,21 +6,22 @@
 
 VP_SHARED_BEGIN
 
-// The word a classifier returns per cell: bits 0..7 the case index (bit v: vertex v is positive), bits 8..15 the cut faces.
+// The word a classifier returns per cell: bits 0..7 the case index (bit v: vertex v is positive), bits 8..15 the cut
+// faces.
 VP_CONST uint kWordFacesShift = 8u;
 VP_CONST uint kWordCut = 0x10000u;  // the cell is cut
 VP_CONST uint kWordWalk = 0x20000u; // undecided here: the CPU classifies and walks the cell in double
 
 VP_CONST uint kMaxRecordVertices = 6u;
 
-// One polygon as it is drawn. Record i of a lane belongs to the i-th cell of its traversal, so nothing is allocated on the GPU;
-// a cell that emits nothing has no vertices.
+// One polygon as it is drawn. Record i of a lane belongs to the i-th cell of its traversal, so nothing is allocated on
+// the GPU; a cell that emits nothing has no vertices.
 struct PolygonRecord
 {
-	uint cell;                           // in its block
-	uint vertices;                       // 0, or 3..6
-	float uv[2 * kMaxRecordVertices];    // in the sheet's frame, from its origin, grid units
-	float value[kMaxRecordVertices];     // of the shown array; NaN data are kNanValue
+	uint cell;                        // in its block
+	uint vertices;                    // 0, or 3..6
+	float uv[2 * kMaxRecordVertices]; // in the sheet's frame, from its origin, grid units
+	float value[kMaxRecordVertices];  // of the shown array; NaN data are kNanValue
 };
 
 // Values cannot be told apart by NaN safely in shaders: fast-math drivers may drop the test.

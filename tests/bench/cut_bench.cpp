@@ -1,5 +1,5 @@
-// Times a moved plane: this program's cut (seeds, traversal, mesh) beside vtkCutter on the same grid in the same run, since only
-// the ratio means something on a noisy machine. Planes are those of the sweep in `vprobe profile`.
+// Times a moved plane: this program's cut (seeds, traversal, mesh) beside vtkCutter on the same grid in the same run,
+// since only the ratio means something on a noisy machine. Planes are those of the sweep in `vprobe profile`.
 //
 //   build/release/bin/bench_cut --benchmark_filter=shell
 
@@ -29,13 +29,15 @@ namespace
 
 constexpr int kPlanes = 60;
 
-// Plane k of the sweep: the normal turns by 60 degrees about z while the origin moves over the middle 60 % of the bounds.
+// Plane k of the sweep: the normal turns by 60 degrees about z while the origin moves over the middle 60 % of the
+// bounds.
 probe::Sheet sweepSheet(const Box& bounds, int k)
 {
 	const double t = static_cast<double>(k) / (kPlanes - 1);
 	const double angle = (t - 0.5) * std::numbers::pi / 3.0;
 	const Vec3 n0 = glm::normalize(Vec3(0.3, 0.5, 0.81));
-	const Vec3 normal(n0.x * std::cos(angle) - n0.y * std::sin(angle), n0.x * std::sin(angle) + n0.y * std::cos(angle), n0.z);
+	const Vec3 normal(n0.x * std::cos(angle) - n0.y * std::sin(angle), n0.x * std::sin(angle) + n0.y * std::cos(angle),
+	                  n0.z);
 	const double reach = glm::dot(glm::abs(normal), 0.5 * bounds.size());
 	return probe::makeSheet(bounds.centre() + normal * (-0.6 + 1.2 * t) * reach, normal);
 }
@@ -61,8 +63,8 @@ void sweep(benchmark::State& state, slice::Slicer& slicer, const Box& bounds)
 		cells += mesh.polygons();
 		k = (k + 1) % kPlanes;
 	}
-	state.counters["ns_per_cell"] =
-		benchmark::Counter(1e-9 * static_cast<double>(cells), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+	state.counters["ns_per_cell"] = benchmark::Counter(1e-9 * static_cast<double>(cells),
+	                                                   benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 void cpuCut(benchmark::State& state)
@@ -126,8 +128,29 @@ void vtkCut(benchmark::State& state)
 
 } // namespace
 
-BENCHMARK(cpuCut)->Name("shell/cpu")->Arg(64)->Arg(128)->Arg(256)->Unit(benchmark::kMillisecond)->MinTime(1.0)->UseRealTime();
-BENCHMARK(gpuCut)->Name("shell/gpu")->Arg(64)->Arg(128)->Arg(256)->Unit(benchmark::kMillisecond)->MinTime(1.0)->UseRealTime();
-BENCHMARK(vtkCut)->Name("shell/vtkCutter")->Arg(64)->Arg(128)->Arg(256)->Unit(benchmark::kMillisecond)->MinTime(1.0)->UseRealTime();
+BENCHMARK(cpuCut)
+    ->Name("shell/cpu")
+    ->Arg(64)
+    ->Arg(128)
+    ->Arg(256)
+    ->Unit(benchmark::kMillisecond)
+    ->MinTime(1.0)
+    ->UseRealTime();
+BENCHMARK(gpuCut)
+    ->Name("shell/gpu")
+    ->Arg(64)
+    ->Arg(128)
+    ->Arg(256)
+    ->Unit(benchmark::kMillisecond)
+    ->MinTime(1.0)
+    ->UseRealTime();
+BENCHMARK(vtkCut)
+    ->Name("shell/vtkCutter")
+    ->Arg(64)
+    ->Arg(128)
+    ->Arg(256)
+    ->Unit(benchmark::kMillisecond)
+    ->MinTime(1.0)
+    ->UseRealTime();
 
 BENCHMARK_MAIN();

@@ -1,0 +1,241 @@
+#include "cut_both_ways.h"
+
+#include "cases/case_table.h"
+#include "gpu/upload.h"
+#include "slice/cpu_classifier.h"
+#include "slice/mesh.h"
+
+#include <map>
+
+namespace vp::test
+{
+
+namespace
+{
+
+using Lane = traverse::Lane<surface::Plane>;
+
+// Seeds in every piece, some of them not cut.
+std::vector<CellId> seedsOf(const grid::Block& block, const probe::Sheet& sheet)
+{
+	const std::vector<CellId> cut = scanCutCells(block, {sheet.origin, sheet.normal});
+	std::vector<CellId> seeds{0, static_cast<CellId>(cellCount(block) - 1)};
+	for (std::size_t i = 0; i < cut.size(); i += 11)
+		seeds.push_back(cut[i]);
+	return seeds;
+}
+
+std::vector<shared::PolygonRecord> download(const slice::SheetRecords::Page& page)
+{
+	std::vector<shared::PolygonRecord> records(page.count);
+	EXPECT_TRUE(gpu::download(page.page->buffer, 0, std::as_writable_bytes(std::span(records))));
+	return records;
+}
+
+// What a record should hold, in double.
+struct ExpectedVertex
+{
+	PointId lower;
+	PointId higher;
+	double u;
+	double v;
+	double value;
+};
+
+class RecordChecker
+{
+public:
+	RecordChecker(const grid::BlockSet& blocks, const std::optional<slice::FieldChoice>& field, bool singles)
+	    : blocks_(blocks), field_(field), singles_(singles)
+	{
+	}
+
+	void check(const probe::Sheet& sheet, std::uint32_t b, CellId cell, std::uint32_t word,
+	           const shared::PolygonRecord& record)
+	{
+		const grid::Block& block = blocks_.blocks[b];
+		ASSERT_EQ(record.cell, cell);
+		if ((word & shared::kWordWalk) || !(word & shared::kWordCut))
+		{
+			ASSERT_EQ(record.vertices, 0u);
+			return;
+		}
+		std::vector<ExpectedVertex> expected = expectedPolygon(sheet, b, cell, word);
+		ASSERT_EQ(record.vertices, expected.size());
+		// A float's rounding of positions and data of this size; in floats, what kLeastDifferenceSingles leaves.
+		const double size = block.bounds.diagonal() + glm::length(block.bounds.centre() - sheet.origin);
+		const double slack = singles_ ? 1e-3 * block.bounds.diagonal() + 1e-6 * size : 1e-6 * size;
+		for (std::uint32_t i = 0; i < record.vertices; ++i)
+		{
+			expectOneVertexPerEdge({b, expected[i].lower, expected[i].higher},
+			                       {record.uv[2 * i], record.uv[2 * i + 1]});
+			EXPECT_NEAR(record.uv[2 * i], expected[i].u, slack);
+			EXPECT_NEAR(record.uv[2 * i + 1], expected[i].v, slack);
+			if (std::isnan(expected[i].value))
+			{
+				EXPECT_EQ(record.value[i], shared::kNanValue);
+				continue;
+			}
+			// Slopes of the test data stay below 10.
+			const double rounding = (singles_ ? 2e-2 : 3e-6) * (1.0 + std::abs(expected[i].value));
+			EXPECT_NEAR(record.value[i], expected[i].value, rounding + (field_ ? 10.0 * slack : 0.0));
+		}
+	}
+
+private:
+	std::vector<ExpectedVertex> expectedPolygon(const probe::Sheet& sheet, std::uint32_t b, CellId cell,
+	                                            std::uint32_t word) const
+	{
+		const grid::Block& block = blocks_.blocks[b];
+		const grid::Field* values = field_ ? field_->in(block) : nullptr;
+		const surface::Plane plane = sheet.plane();
+		std::vector<ExpectedVertex> polygon;
+		const auto trace = [&](const auto& grid)
+		{
+			const grid::CellPoints points = grid.cellPoints(cell);
+			const cases::Case& entry = cases::caseTable(grid.shape(cell))[word & 0xFFu];
+			for (int e = 0; e < entry.edges; ++e)
+			{
+				const PointId a = points.id[entry.edge[e][0]];
+				const PointId c = points.id[entry.edge[e][1]];
+				slice::EdgePoint at{b, std::min(a, c), std::max(a, c), 0.0};
+				const Vec3 low = grid.point(at.lower);
+				const Vec3 high = grid.point(at.higher);
+				at.t = plane.signedDistance(low) / (plane.signedDistance(low) - plane.signedDistance(high));
+				const Vec3 from_origin = low + at.t * (high - low) - sheet.origin;
+				double value = field_ ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+				if (values && values->association == grid::Association::point)
+					value = slice::interpolate(block, *values, field_->component, at);
+				else if (values)
+					value = slice::cellValue(block, *values, field_->component, cell);
+				polygon.push_back({at.lower, at.higher, glm::dot(from_origin, sheet.xAxis()),
+				                   glm::dot(from_origin, sheet.up), value});
+			}
+		};
+		std::visit(trace, block.grid);
+		if (glm::dot(plane.normal(), sheet.normal) < 0.0)
+			std::reverse(polygon.begin(), polygon.end());
+		return polygon;
+	}
+
+	// To the last bit, or there would be cracks between polygons.
+	void expectOneVertexPerEdge(const std::array<std::uint32_t, 3>& edge, const std::array<float, 2>& uv)
+	{
+		const auto& [at, is_new] = vertices_.try_emplace(edge, uv);
+		EXPECT_EQ(at->second, uv);
+	}
+
+	const grid::BlockSet& blocks_;
+	const std::optional<slice::FieldChoice>& field_;
+	bool singles_;
+	std::map<std::array<std::uint32_t, 3>, std::array<float, 2>> vertices_; // of the sheet, by block and edge
+};
+
+} // namespace
+
+CutBothWays cutBothWays(slice::GpuBlocks& blocks, std::span<const probe::Sheet> sheets,
+                        const std::optional<slice::FieldChoice>& field, Timeline* timeline)
+{
+	const grid::BlockSet& set = blocks.blocks();
+	std::vector<slice::GpuLane> gpu_lanes;
+	std::vector<Lane> lanes;
+	std::vector<std::unique_ptr<traverse::VisitedMarks>> marks;
+	for (std::uint32_t s = 0; s < sheets.size(); ++s)
+		for (std::uint32_t b = 0; b < set.blocks.size(); ++b)
+		{
+			gpu_lanes.push_back({s, b});
+			marks.push_back(std::make_unique<traverse::VisitedMarks>(cellCount(set.blocks[b])));
+			lanes.push_back({&set.blocks[b], sheets[s].plane(), marks.back().get(), seedsOf(set.blocks[b], sheets[s])});
+		}
+	const auto traverse = [&](auto& classifier)
+	{
+		for (const auto& mark : marks)
+			mark->beginSlice();
+		Result<std::vector<traverse::LaneCut>> cuts =
+		    traverse::breadthFirst<surface::Plane>(std::span<Lane>(lanes), classifier);
+		EXPECT_TRUE(cuts) << cuts.error().message;
+		return std::move(*cuts);
+	};
+
+	CutBothWays cut;
+	slice::CpuClassifier<surface::Plane> cpu(lanes);
+	cut.cpu = traverse(cpu);
+	auto gpu = slice::GpuClassifier::create(blocks, sheets, gpu_lanes, field, timeline);
+	EXPECT_TRUE(gpu) << gpu.error().message;
+	cut.gpu = traverse(**gpu);
+	cut.records = (*gpu)->finish();
+	for (std::size_t lane = 0; lane < lanes.size(); ++lane)
+		for (std::size_t i = 0; i < cut.gpu[lane].cells.size(); ++i)
+		{
+			const bool gpu_walks = cut.gpu[lane].words[i] & shared::kWordWalk;
+			cut.walked += gpu_walks && !(cut.cpu[lane].words[i] & shared::kWordWalk);
+			++cut.cells;
+		}
+	return cut;
+}
+
+void expectSameCells(const CutBothWays& cut)
+{
+	ASSERT_EQ(cut.gpu.size(), cut.cpu.size());
+	for (std::size_t lane = 0; lane < cut.gpu.size(); ++lane)
+	{
+		const traverse::LaneCut& gpu = cut.gpu[lane];
+		const traverse::LaneCut& cpu = cut.cpu[lane];
+		ASSERT_EQ(gpu.cells, cpu.cells);
+		EXPECT_EQ(gpu.cut_cells, cpu.cut_cells);
+		EXPECT_EQ(gpu.generation_starts, cpu.generation_starts);
+		for (std::size_t i = 0; i < gpu.cells.size(); ++i)
+		{
+			ASSERT_EQ(gpu.words[i] & ~shared::kWordWalk, cpu.words[i] & ~shared::kWordWalk) << "cell " << gpu.cells[i];
+			// What the table cannot say, the GPU does not say either.
+			ASSERT_TRUE(!(cpu.words[i] & shared::kWordWalk) || (gpu.words[i] & shared::kWordWalk))
+			    << "cell " << gpu.cells[i];
+		}
+	}
+}
+
+void expectRecords(const grid::BlockSet& blocks, std::span<const probe::Sheet> sheets,
+                   const std::optional<slice::FieldChoice>& field, const CutBothWays& cut, bool singles)
+{
+	ASSERT_EQ(cut.records.size(), sheets.size());
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+	{
+		const slice::SheetRecords& records = *cut.records[s];
+		std::vector<std::vector<shared::PolygonRecord>> pages;
+		std::vector<std::vector<bool>> covered;
+		for (const slice::SheetRecords::Page& page : records.pages)
+		{
+			pages.push_back(download(page));
+			covered.emplace_back(page.count, false);
+		}
+		RecordChecker checker(blocks, field, singles);
+		std::map<std::uint32_t, std::size_t> next_cell; // per block
+		for (const slice::SheetRecords::Run& run : records.runs)
+		{
+			const traverse::LaneCut& lane = cut.gpu[s * blocks.blocks.size() + run.block];
+			ASSERT_EQ(run.first_cell, next_cell[run.block]);
+			next_cell[run.block] += run.count;
+			for (std::uint32_t i = 0; i < run.count; ++i)
+			{
+				const std::size_t at = run.first_cell + i;
+				ASSERT_LT(at, lane.cells.size());
+				covered[run.page].at(run.first + i) = true;
+				checker.check(sheets[s], run.block, lane.cells[at], lane.words[at], pages[run.page].at(run.first + i));
+				if (testing::Test::HasFatalFailure() || testing::Test::HasNonfatalFailure())
+				{
+					ADD_FAILURE() << "sheet " << s << ", block " << blocks.blocks[run.block].name << ", cell "
+					              << lane.cells[at];
+					return;
+				}
+			}
+		}
+		for (const auto& [block, count] : next_cell)
+			EXPECT_EQ(count, cut.gpu[s * blocks.blocks.size() + block].cells.size());
+		// What lies between runs is drawn too, and must be empty.
+		for (std::size_t p = 0; p < pages.size(); ++p)
+			for (std::size_t i = 0; i < pages[p].size(); ++i)
+				EXPECT_TRUE(covered[p][i] || pages[p][i].vertices == 0) << "record " << i << " of page " << p;
+	}
+}
+
+} // namespace vp::test

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "gpu/device.h"
+
+#include <gtest/gtest.h>
+
+namespace vp::test
+{
+
+// A device for the test, with validation where it is installed; without a device the test is skipped. Whatever the test
+// does, the validation layer has nothing to say about it.
+class GpuTest : public testing::Test
+{
+protected:
+	void SetUp() override
+	{
+		Result<std::unique_ptr<gpu::Device>> made = gpu::Device::create(options());
+		if (!made)
+			GTEST_SKIP() << made.error().message;
+		device_ = std::move(*made);
+	}
+	void TearDown() override
+	{
+		if (!device_)
+			return;
+		EXPECT_TRUE(device_->waitIdle());
+		EXPECT_EQ(device_->validationMessages(), 0u);
+	}
+
+	virtual gpu::DeviceOptions options() const
+	{
+		gpu::DeviceOptions options;
+		options.validation = true;
+		return options;
+	}
+	gpu::Device& device() { return *device_; }
+
+private:
+	std::unique_ptr<gpu::Device> device_;
+};
+
+// The same as on a discrete device: device memory is reached by copies only.
+class StagedGpuTest : public GpuTest
+{
+protected:
+	gpu::DeviceOptions options() const override
+	{
+		gpu::DeviceOptions options = GpuTest::options();
+		options.map_device_memory = false;
+		return options;
+	}
+};
+
+} // namespace vp::test
