@@ -56,6 +56,17 @@ nlohmann::json asJson(const grid::BlockSet& blocks)
 		                  {"components", field->components},
 		                  {"type", grid::numberTypeName(field->type)},
 		                  {"range", {range.first, range.second}}});
+	nlohmann::json block_list = nlohmann::json::array();
+	for (const grid::Block& block : blocks.blocks)
+	{
+		const auto [cells, points] = std::visit(
+		    [](const auto& grid) { return std::pair<std::size_t, std::size_t>(grid.cellCount(), grid.pointCount()); },
+		    block.grid);
+		block_list.push_back({{"name", block.name}, {"cells", cells}, {"points", points}});
+	}
+	nlohmann::json interfaces = nlohmann::json::array();
+	for (const grid::Interface& interface : blocks.interfaces.interfaces)
+		interfaces.push_back({{"blocks", {interface.a, interface.b}}, {"faces", interface.faces}});
 	const Box bounds = blocks.bounds();
 	return {{"grid",
 	         {{"kind", blocks.kind()},
@@ -65,6 +76,10 @@ nlohmann::json asJson(const grid::BlockSet& blocks)
 	          {"linear_points", blocks.pointCount()},
 	          {"blocks", blocks.blocks.size()},
 	          {"cells_left_out", blocks.left_out}}},
+	        {"blocks", block_list},
+	        {"interfaces", interfaces},
+	        {"seam_faces", blocks.interfaces.seam_faces},
+	        {"boundary_faces", blocks.interfaces.boundary_faces},
 	        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
 	        {"times", blocks.times},
 	        {"arrays", arrays}};
@@ -79,6 +94,10 @@ void printTable(const grid::BlockSet& blocks)
 		fmt::print("        cut into {} linear cells with {} points\n", blocks.cellCount(), blocks.pointCount());
 	if (blocks.left_out)
 		fmt::print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
+	if (const grid::Interfaces& seams = blocks.interfaces; seams.seam_faces)
+		fmt::print("seams   {} boundary faces lie on another, in {} interface{}; {} bound the domain\n",
+		           seams.seam_faces, seams.interfaces.size(), seams.interfaces.size() == 1 ? "" : "s",
+		           seams.boundary_faces);
 	fmt::print("bounds  x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n", bounds.lo.x, bounds.hi.x,
 	           bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z);
 	if (!blocks.times.empty())

@@ -175,6 +175,12 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	    ->check(CLI::IsMember({"nearest", "refuse", "report"}))
 	    ->capture_default_str()
 	    ->group(group);
+	addDeviceOptions(command, options);
+}
+
+void addDeviceOptions(CLI::App& command, ProbeOptions& options)
+{
+	const char* group = "Probe";
 	command
 	    .add_option_function<std::string>(
 	        "--classify",

@@ -41,7 +41,8 @@ struct ProbeOptions
 
 // Adds them to a command.
 void addInputs(CLI::App& command, ProbeOptions& options);
-void addProbeOptions(CLI::App& command, ProbeOptions& options);
+void addProbeOptions(CLI::App& command, ProbeOptions& options); // with the device's
+void addDeviceOptions(CLI::App& command, ProbeOptions& options);
 
 // What a command cuts and by what, made ready from the options. The slicer refers to the blocks, the device serves
 // slicer and drawing.

@@ -58,7 +58,7 @@ TraversalSums sumUp(const grid::BlockSet& blocks, const slice::SheetSlice& sheet
 		sums.cut_cells += sourceCutCells(blocks.blocks[b], cut);
 		sums.linear_cut_cells += cut.cut_cells;
 		sums.touched += cut.cells.size();
-		sums.generations = std::max(sums.generations, cut.generations());
+		sums.generations = std::max(sums.generations, cut.steps);
 		sums.front_max = std::max(sums.front_max, cut.frontMax());
 		for (const std::uint32_t word : cut.words)
 			sums.walked += (word & shared::kWordWalk) != 0;

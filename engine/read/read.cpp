@@ -121,6 +121,10 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 	}
 	std::sort(all.times.begin(), all.times.end());
 	all.times.erase(std::unique(all.times.begin(), all.times.end()), all.times.end());
+	{
+		TimedSection timed(timeline, "build");
+		grid::matchInterfaces(all);
+	}
 	return all;
 }
 

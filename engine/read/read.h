@@ -44,11 +44,11 @@ struct ReadOptions
 
 constexpr int kMaxRefine = 6;
 
-// Reads every input (a file, or demo:NAME[:N]) into one block set, finished (see finishBlock). A file is read by VTK in
-// a child process (vprobe-read, beside the program or in its libexec folder) which hands its arrays over in shared
-// memory; sizes, types, offsets and ids are checked here before anything uses them. A file that is missing, empty,
-// truncated, foreign or damaged, or a child that crashes, runs out of memory or out of time, is an input error that
-// names the file. Sections "read" and "build" go to the timeline.
+// Reads every input (a file, or demo:NAME[:N]) into one block set, finished (see finishBlock, matchInterfaces). A file
+// is read by VTK in a child process (vprobe-read, beside the program or in its libexec folder) which hands its arrays
+// over in shared memory; sizes, types, offsets and ids are checked here before anything uses them. A file that is
+// missing, empty, truncated, foreign or damaged, or a child that crashes, runs out of memory or out of time, is an
+// input error that names the file. Sections "read" and "build" go to the timeline.
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,
                                   Timeline* timeline);
 
