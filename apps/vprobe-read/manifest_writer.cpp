@@ -168,7 +168,7 @@ json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 		{
 			vtkDataArray* array = fields->GetArray(i); // null for strings and variants
 			const auto type = array ? numberTypeOf(array) : std::nullopt;
-			if (!type || array == data->GetCellGhostArray() || array == data->GetPointGhostArray())
+			if (!type || array == cells->GetCellGhostArray() || array == points->GetPointGhostArray())
 				continue; // ghost marks have done their work
 			const std::string name = array->GetName() ? array->GetName() : fmt::format("array {}", i);
 			if (array->GetNumberOfTuples() != tuples)
