@@ -6,6 +6,7 @@
 #include "slice/field_choice.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <memory>
@@ -85,6 +86,15 @@ nlohmann::json asJson(const grid::BlockSet& blocks)
 	        {"arrays", arrays}};
 }
 
+// All of them, or, of many, those that tell how they go on.
+std::string timesAsWords(const std::vector<double>& times)
+{
+	constexpr std::size_t most = 30;
+	if (times.size() <= most)
+		return fmt::format("{:.6g}", fmt::join(times, " "));
+	return fmt::format("{:.6g} {:.6g} {:.6g} ... {:.6g}", times[0], times[1], times[2], times.back());
+}
+
 void printTable(const grid::BlockSet& blocks)
 {
 	const Box bounds = blocks.bounds();
@@ -101,8 +111,7 @@ void printTable(const grid::BlockSet& blocks)
 	fmt::print("bounds  x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n", bounds.lo.x, bounds.hi.x,
 	           bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z);
 	if (!blocks.times.empty())
-		fmt::print("times   {} from {:.6g} to {:.6g}\n", blocks.times.size(), blocks.times.front(),
-		           blocks.times.back());
+		fmt::print("times   {}: {}\n", blocks.times.size(), timesAsWords(blocks.times));
 	const auto arrays = listArrays(blocks);
 	if (arrays.empty())
 		fmt::print("arrays  none\n");

@@ -21,7 +21,11 @@ class Made
 {
 public:
 	Made()
-	    : manifest_({{"version", 1}, {"times", {0.5}}, {"left_out", 0}, {"warnings", {"w"}}, {"blocks", json::array()}})
+	    : manifest_({{"version", kProtocolVersion},
+	                 {"times", {0.5}},
+	                 {"left_out", 0},
+	                 {"warnings", {"w"}},
+	                 {"blocks", json::array()}})
 	{
 	}
 
@@ -229,7 +233,7 @@ TEST(Manifest, WithWrongTypesOrWordsIsRefused)
 	refused("spacing", [](Made& m) { m.block(0)["spacing"] = {1.0, nullptr, 1.0}; });
 	refused("origin", [](Made& m) { m.block(0)["origin"] = {1.0}; });
 	Made made = makeManifest();
-	made.manifest()["version"] = 2;
+	made.manifest()["version"] = kProtocolVersion + 1;
 	ASSERT_FALSE(made.check());
 	EXPECT_EQ(made.check().error().code, ExitCode::output); // not the file's fault
 	for (const char* text : {"", "{", "[]", "null", "{}", "3", "\"\""})

@@ -115,6 +115,36 @@ void writeNifti(const std::string& path)
 	writer->Write();
 }
 
+// EnSight Gold in text: hexahedra, f at nodes, g at elements.
+void writeGold(const std::string& path)
+{
+	writeContents(path, "FORMAT\ntype: ensight gold\n\nGEOMETRY\nmodel: gold.geo\n\nVARIABLE\n"
+	                    "scalar per node: f gold.f\nscalar per element: g gold.g\n");
+	std::string geometry = "one\ntwo\nnode id off\nelement id off\npart\n1\nbox\ncoordinates\n120\n";
+	std::string f = "f\npart\n1\ncoordinates\n";
+	for (int axis = 0; axis < 3; ++axis)
+		for (int k = 0; k < kPoints[2]; ++k)
+			for (int j = 0; j < kPoints[1]; ++j)
+				for (int i = 0; i < kPoints[0]; ++i)
+					geometry += std::to_string(placeOf(i, j, k)[axis]) + "\n";
+	for (const double value : latticeValues(placeOf))
+		f += std::to_string(value) + "\n";
+	geometry += "hexa8\n60\n";
+	std::string g = "g\npart\n1\nhexa8\n";
+	for (int k = 0; k + 1 < kPoints[2]; ++k)
+		for (int j = 0; j + 1 < kPoints[1]; ++j)
+			for (int i = 0; i + 1 < kPoints[0]; ++i)
+			{
+				for (const int corner : {0, 1, 6, 5, 20, 21, 26, 25})
+					geometry += std::to_string(1 + i + 5 * j + 20 * k + corner) + " ";
+				geometry += "\n";
+				g += std::to_string(sampleValue(placeOf(i, j, k) + 0.5 * kSpacing)) + "\n";
+			}
+	writeContents(besideIt(path, "gold.geo"), geometry);
+	writeContents(besideIt(path, "gold.f"), f);
+	writeContents(besideIt(path, "gold.g"), g);
+}
+
 } // namespace
 
 std::vector<SampleFile> moreSamples(const std::vector<SampleFile>& pieces)
@@ -169,5 +199,7 @@ std::vector<SampleFile> moreSamples(const std::vector<SampleFile>& pieces)
 	files.push_back({"turned.nhdr", writeTurnedNrrd, "curvilinear", cells, points, false, "turned.raw"});
 	files.push_back({"turned.nii", writeNifti, "curvilinear", cells, points, false, ""});
 	files.push_back({"zipped.nii.gz", writeNifti, "curvilinear", cells, points, false, ""});
+	for (const char* cut : {"gold.geo", "gold.f", "gold.g"})
+		files.push_back({std::string("ascii_") + cut + ".case", writeGold, "unstructured", cells, points, true, cut});
 	return files;
 }
