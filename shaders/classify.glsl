@@ -227,18 +227,21 @@ float alongEdge(float from, float to, float t)
 	return t == 0.0 ? from : t == 1.0 ? to : between;
 }
 
+// The length of the interpolated tuple.
 float tupleAlongEdge(uint from, uint to, float t)
 {
-	float sum = 0.0;
-	for (uint c = 0u; c < lane.components; ++c)
+	precise float sum = 0.0;
+	float largest = 0.0;
+	for (uint c = 0u; c < lane.tuple_texels; ++c)
 	{
-		const float value = alongEdge(texelFetch(values, int(from * lane.components + c)).x,
-									  texelFetch(values, int(to * lane.components + c)).x, t);
-		if (value >= kNanValue)
-			return kNanValue;
-		sum += value * value;
+		const vec4 a = texelFetch(values, int(from * lane.tuple_texels + c));
+		const vec4 b = texelFetch(values, int(to * lane.tuple_texels + c));
+		const vec4 value =
+			vec4(alongEdge(a.x, b.x, t), alongEdge(a.y, b.y, t), alongEdge(a.z, b.z, t), alongEdge(a.w, b.w, t));
+		largest = max(largest, max(max(value.x, value.y), max(value.z, value.w)));
+		sum += dot(value, value);
 	}
-	return sqrt(sum);
+	return largest >= kNanValue ? kNanValue : sqrt(sum);
 }
 
 float cellValue(uint cell)

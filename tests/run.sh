@@ -43,7 +43,7 @@ build()
 	shift 2
 	step "build/log/$preset-configure" "Configuring $preset" \
 		cmake --preset "$preset" -DVPROBE_TESTS=ON -DVPROBE_BENCH=ON "${strict[@]}" "$@" &&
-		step "build/log/$preset-build" "Building $preset" cmake --build "build/$preset" --target "$target"
+		step "build/log/$preset-build" "Building $preset" cmake --build "build/$preset" --target "$target" -- -k 0
 }
 
 # run_tests PRESET [CTEST OPTION...]: counts passed and failed, keeps the names of the skipped.

@@ -127,7 +127,11 @@ Result<render::Picture> drawSheets(Session& session, const slice::Slice& slice, 
 		scene.sheets.push_back({slice.sheets[s].sheet, (*records)[s], options.opacity});
 	const std::vector<render::Segment> outline = render::outlineOf(session.blocks, look.outline);
 	scene.outline = outline;
-	scene.camera = render::makeCamera(camera, &session.probe.sheets.front(), render::extentOf(session.blocks),
+	// The picture holds the blocks and the lines around them.
+	std::vector<Vec3> extent = render::extentOf(session.blocks);
+	for (const render::Segment& line : outline)
+		extent.insert(extent.end(), {line.a, line.b});
+	scene.camera = render::makeCamera(camera, &session.probe.sheets.front(), extent,
 	                                  render::pictureFrame(scene.look, scene.values));
 
 	Result<render::Renderer> renderer = render::Renderer::create(*session.device);

@@ -1,43 +1,16 @@
 #include "gpu/device.h"
 
 #include "gpu/device_choice.h"
-#include "gpu/instance.h"
+#include "gpu/device_private.h"
 #include "gpu/vk_check.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
-#include <deque>
-#include <mutex>
 
 namespace vp::gpu
 {
-
-// Waiting longer than this is left to the kernel.
-constexpr auto kSpin = std::chrono::microseconds(100);
-
-struct Device::Private
-{
-	struct Retired
-	{
-		std::uint64_t after; // submission
-		std::function<void(VkDevice)> destroy;
-	};
-
-	std::unique_ptr<Instance> instance;
-	std::mutex queue_mutex; // the queue and the number of its last submission
-	std::uint64_t submitted = 0;
-	mutable std::mutex retired_mutex;
-	std::deque<Retired> retired;
-	bool has_memory_budget = false;
-
-	PFN_vkSetDebugUtilsObjectNameEXT set_name = nullptr;
-	PFN_vkCmdBeginDebugUtilsLabelEXT begin_label = nullptr;
-	PFN_vkCmdEndDebugUtilsLabelEXT end_label = nullptr;
-	PFN_vkGetCalibratedTimestampsEXT calibrated_timestamps = nullptr;
-};
 
 namespace
 {
@@ -211,101 +184,6 @@ VkDeviceSize Device::memoryLeft() const
 		most = std::max(most, left);
 	}
 	return most;
-}
-
-Result<std::uint64_t> Device::submit(const Submission& submission)
-{
-	std::vector<VkCommandBufferSubmitInfo> commands;
-	for (const VkCommandBuffer buffer : submission.commands)
-		commands.push_back({VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, nullptr, buffer, 0});
-	const auto info = [](VkSemaphore semaphore, std::uint64_t value)
-	{
-		return VkSemaphoreSubmitInfo{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO, nullptr, semaphore, value,
-		                             VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,    0};
-	};
-	std::vector<VkSemaphoreSubmitInfo> wait;
-	for (const VkSemaphore semaphore : submission.wait)
-		wait.push_back(info(semaphore, 0));
-	std::vector<VkSemaphoreSubmitInfo> signal;
-	for (const VkSemaphore semaphore : submission.signal)
-		signal.push_back(info(semaphore, 0));
-
-	const std::lock_guard lock(private_->queue_mutex);
-	signal.push_back(info(timeline_, private_->submitted + 1));
-	VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
-	submit.waitSemaphoreInfoCount = static_cast<std::uint32_t>(wait.size());
-	submit.pWaitSemaphoreInfos = wait.data();
-	submit.commandBufferInfoCount = static_cast<std::uint32_t>(commands.size());
-	submit.pCommandBufferInfos = commands.data();
-	submit.signalSemaphoreInfoCount = static_cast<std::uint32_t>(signal.size());
-	submit.pSignalSemaphoreInfos = signal.data();
-	if (Status submitted = check(vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2"); !submitted)
-		return submitted.error();
-	return ++private_->submitted;
-}
-
-bool Device::isDone(std::uint64_t number) const
-{
-	std::uint64_t value = 0;
-	return vkGetSemaphoreCounterValue(device_, timeline_, &value) == VK_SUCCESS && value >= number;
-}
-
-Status Device::wait(std::uint64_t number)
-{
-	const auto begin = std::chrono::steady_clock::now();
-	do
-	{
-		std::uint64_t value = 0;
-		if (Status asked = check(vkGetSemaphoreCounterValue(device_, timeline_, &value), "vkGetSemaphoreCounterValue");
-		    !asked)
-			return asked;
-		if (value >= number)
-			return Nothing{};
-	} while (std::chrono::steady_clock::now() - begin < kSpin);
-	VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
-	info.semaphoreCount = 1;
-	info.pSemaphores = &timeline_;
-	info.pValues = &number;
-	return check(vkWaitSemaphores(device_, &info, ~std::uint64_t(0)), "vkWaitSemaphores");
-}
-
-std::uint64_t Device::lastSubmission() const
-{
-	const std::lock_guard lock(private_->queue_mutex);
-	return private_->submitted;
-}
-
-Status Device::waitIdle()
-{
-	return wait(lastSubmission());
-}
-
-VkResult Device::present(const VkPresentInfoKHR& info)
-{
-	const auto queue_present =
-	    reinterpret_cast<PFN_vkQueuePresentKHR>(vkGetDeviceProcAddr(device_, "vkQueuePresentKHR"));
-	const std::lock_guard lock(private_->queue_mutex);
-	return queue_present(queue_, &info);
-}
-
-void Device::retire(std::function<void(VkDevice)> destroy)
-{
-	const std::uint64_t last = lastSubmission();
-	std::uint64_t done = 0;
-	if (vkGetSemaphoreCounterValue(device_, timeline_, &done) != VK_SUCCESS)
-		done = 0;
-	std::vector<std::function<void(VkDevice)>> due;
-	{
-		const std::lock_guard lock(private_->retired_mutex);
-		private_->retired.push_back({last, std::move(destroy)});
-		while (!private_->retired.empty() && private_->retired.front().after <= done)
-		{
-			due.push_back(std::move(private_->retired.front().destroy));
-			private_->retired.pop_front();
-		}
-	}
-	for (const auto& function : due)
-		function(device_);
 }
 
 void Device::setName(VkObjectType type, std::uint64_t object, std::string_view name) const

@@ -93,6 +93,7 @@ public:
 private:
 	struct Private;
 	Device();
+	void destroyRetired();
 
 	std::unique_ptr<Private> private_;
 	std::string name_;

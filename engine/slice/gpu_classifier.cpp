@@ -204,14 +204,14 @@ void GpuClassifier::recordRun(VkCommandBuffer commands, const Run& run, VkDescri
 	const GpuLane& lane = lanes_[run.front->lane];
 	const GpuBlock& block = blocks_.block(lane.block);
 	const GpuValues& values = field_->blocks[lane.block];
-	const auto orCases = [&](const gpu::TexelView& texels) { return texels ? texels.handle() : blocks_.caseTexels(); };
+	const auto orCases = [&](const GpuTexels& texels) { return texels ? texels.view.handle() : blocks_.caseTexels(); };
 
 	// Descriptors cover what the run touches and no more, so runs of a generation need no barrier between them.
 	gpu::DescriptorWriter writer;
-	writer.texels(shared::kBindPoints, orCases(block.point_texels))
-	    .texels(shared::kBindCells, orCases(block.cell_texels))
+	writer.texels(shared::kBindPoints, orCases(block.points))
+	    .texels(shared::kBindCells, orCases(block.cells))
 	    .texels(shared::kBindCases, blocks_.caseTexels())
-	    .texels(shared::kBindValues, values.texels ? values.texels.handle() : blocks_.noValueTexels())
+	    .texels(shared::kBindValues, values.texels ? values.texels.view.handle() : blocks_.noValueTexels())
 	    .texels(shared::kBindAxes, workspace_->axis_texels.handle())
 	    .storageBuffer(shared::kBindFront, workspace_->front.handle(), 4 * run.offset, 4 * run.count)
 	    .storageBuffer(shared::kBindWords, workspace_->words.handle(), 4 * run.offset, 4 * run.count)

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <type_traits>
 
@@ -12,6 +13,9 @@ namespace vp::slice
 
 namespace
 {
+
+// Scalar layout: as the shader has it.
+static_assert(offsetof(shared::ClassifyLane, unit) == 72 && offsetof(shared::ClassifyLane, error) == 156);
 
 void setHalves(shared::uint* halves, const Vec3& v)
 {
@@ -156,7 +160,7 @@ shared::ClassifyLane describeLane(const grid::Block& block, const GpuBlock& on_d
 			lane.inexact_mask |= 1u << (shared::kFixedInexactShift + axis);
 	for (int shape = 0; shape < grid::kTableShapes; ++shape)
 		lane.table_start[shape] = cases::caseTableStart(static_cast<grid::CellShape>(shape));
-	lane.components = values.components;
+	lane.tuple_texels = values.tuple_texels;
 	// Without an array there is nothing to miss; a block that lacks the shown array has no value there.
 	lane.no_value = field_chosen ? shared::kNanValue : 0.0f;
 	lane.flipped = glm::dot(normal, sheet.normal) < 0.0;

@@ -2,6 +2,8 @@
 
 #include "cases/case_table.h"
 #include "gpu/upload.h"
+#include "shared/classify_types.h"
+#include "shared/slice_types.h"
 #include "slice/gpu_points.h"
 
 #include <fmt/format.h>
@@ -20,80 +22,68 @@ namespace vp::slice
 namespace
 {
 
-constexpr VkBufferUsageFlags kTexels = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+// The shader reads the grid's own records.
+static_assert(shared::kShapeMark == grid::UnstructuredGrid::kShapeMark);
+static_assert(static_cast<int>(grid::CellShape::hexahedron) == 3 && static_cast<int>(grid::CellShape::wedge) == 2 &&
+              static_cast<int>(grid::CellShape::pyramid) == 1);
+
+using Texel = std::array<std::uint32_t, 4>;
+using Tuple = std::array<float, 4>;
 
 // Points per task: some 100 us of work.
 constexpr std::size_t kGrain = 16384;
 
-template <class Body>
-void inParallel(std::size_t count, Body&& body)
-{
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
-	                  [&](const tbb::blocked_range<std::size_t>& range)
-	                  {
-		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-			                  body(i);
-	                  });
-}
-
-// A texel buffer of `count` elements, element i written by write(i, destination).
+// `count` texels, texel i written by write(i, destination).
 template <class Element, class Write>
-Status makeTexels(gpu::Device& device, std::size_t count, VkFormat format, std::string_view name, gpu::Buffer& buffer,
-                  gpu::TexelView& view, Write&& write)
+Result<GpuTexels> makeTexels(gpu::Device& device, std::size_t count, VkFormat format, std::string_view name,
+                             Write&& write)
 {
+	constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 	const std::size_t bytes = std::max<std::size_t>(count, 1) * sizeof(Element);
-	Result<gpu::Buffer> made =
-	    gpu::Buffer::create(device, bytes, kTexels | VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::Memory::device, name);
-	if (!made)
-		return made.error();
-	Status filled = gpu::fillBuffer(*made, count, sizeof(Element),
-	                                [&](std::byte* destination, std::size_t first, std::size_t run)
-	                                {
-		                                auto* elements = reinterpret_cast<Element*>(destination);
-		                                inParallel(run, [&](std::size_t i) { write(first + i, elements[i]); });
-	                                });
-	if (!filled)
-		return filled;
-	Result<gpu::TexelView> texels = gpu::TexelView::create(*made, format, name);
-	if (!texels)
-		return texels.error();
-	buffer = std::move(*made);
-	view = std::move(*texels);
-	return Nothing{};
+	Result<gpu::Buffer> buffer = gpu::Buffer::create(device, bytes, kUsage, gpu::Memory::device, name);
+	if (!buffer)
+		return buffer.error();
+	const auto fill = [&](std::byte* destination, std::size_t first, std::size_t run)
+	{
+		auto* elements = reinterpret_cast<Element*>(destination);
+		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, run, kGrain),
+		                  [&](const tbb::blocked_range<std::size_t>& range)
+		                  {
+			                  for (std::size_t i = range.begin(); i < range.end(); ++i)
+				                  write(first + i, elements[i]);
+		                  });
+	};
+	if (Status filled = gpu::fillBuffer(*buffer, count, sizeof(Element), fill); !filled)
+		return filled.error();
+	Result<gpu::TexelView> view = gpu::TexelView::create(*buffer, format, name);
+	if (!view)
+		return view.error();
+	return GpuTexels{std::move(*buffer), std::move(*view)};
 }
 
 Box boundsOf(const grid::Points& points)
 {
-	return tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, points.size(), kGrain), Box{},
-	    [&](const tbb::blocked_range<std::size_t>& range, Box box)
-	    {
-		    for (std::size_t i = range.begin(); i < range.end(); ++i)
-			    box.include(points[i]);
-		    return box;
-	    },
-	    [](Box a, const Box& b)
-	    {
-		    a.include(b);
-		    return a;
-	    });
+	const auto include = [&](const tbb::blocked_range<std::size_t>& range, Box box)
+	{
+		for (std::size_t i = range.begin(); i < range.end(); ++i)
+			box.include(points[i]);
+		return box;
+	};
+	const auto join = [](Box a, const Box& b)
+	{
+		a.include(b);
+		return a;
+	};
+	return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, points.size(), kGrain), Box{}, include, join);
 }
 
-std::uint32_t cellsKind(const grid::UniformGrid&)
+std::uint32_t cellsKind(const grid::AnyGrid& grid)
 {
+	if (std::holds_alternative<grid::CurvilinearGrid>(grid))
+		return shared::kCellsLattice;
+	if (const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&grid))
+		return unstructured->recordWidth() == 4 ? shared::kCellsRecord4 : shared::kCellsRecord8;
 	return shared::kCellsAxes;
-}
-std::uint32_t cellsKind(const grid::RectilinearGrid&)
-{
-	return shared::kCellsAxes;
-}
-std::uint32_t cellsKind(const grid::CurvilinearGrid&)
-{
-	return shared::kCellsLattice;
-}
-std::uint32_t cellsKind(const grid::UnstructuredGrid& grid)
-{
-	return grid.recordWidth() == 4 ? shared::kCellsRecord4 : shared::kCellsRecord8;
 }
 
 const grid::Points* coordinatesOf(const grid::AnyGrid& grid)
@@ -105,6 +95,24 @@ const grid::Points* coordinatesOf(const grid::AnyGrid& grid)
 	return nullptr;
 }
 
+Result<GpuTexels> uploadPoints(gpu::Device& device, const grid::Points& points, const FixedPoints& fixed,
+                               const std::string& name)
+{
+	return makeTexels<Texel>(device, points.size(), VK_FORMAT_R32G32B32A32_UINT, name,
+	                         [&](std::size_t i, Texel& texel)
+	                         {
+		                         const Vec3 point = points[i];
+		                         if (points.isDouble())
+		                         {
+			                         texel = fixed.pack(point);
+			                         return;
+		                         }
+		                         for (int axis = 0; axis < 3; ++axis)
+			                         texel[axis] = std::bit_cast<std::uint32_t>(static_cast<float>(point[axis]));
+		                         texel[3] = 0;
+	                         });
+}
+
 // Infinite data would overrun the marks for NaN and for an empty pixel.
 constexpr double kLargestValue = 2.0e38;
 
@@ -113,72 +121,74 @@ float shownValue(double value)
 	return std::isnan(value) ? shared::kNanValue : static_cast<float>(std::clamp(value, -kLargestValue, kLargestValue));
 }
 
-} // namespace
-
-std::string GpuLimits::refuse(const gpu::Device& device, std::uint64_t texels_wanted, std::uint64_t bytes_wanted) const
+std::uint32_t tupleTexels(int components)
 {
-	if (texels_wanted > texels)
-		return fmt::format("{} texels where the device takes {}", texels_wanted, texels);
-	if (bytes_wanted > bytes)
-		return fmt::format("{} bytes where a buffer of the device holds {}", bytes_wanted, bytes);
-	if (bytes_wanted > device.memoryLeft())
-		return fmt::format("{} bytes where the device has {} left", bytes_wanted, device.memoryLeft());
-	return {};
+	return (static_cast<std::uint32_t>(components) + 3) / 4;
 }
 
-std::string GpuLimits::refuse(const gpu::Device& device, const grid::Block& block) const
+} // namespace
+
+std::string whyNotOnDevice(const gpu::Device& device, const GpuLimits& limits, const grid::Block& block)
 {
-	constexpr std::uint64_t kTexelBytes = 16;
-	std::uint64_t most = 0;
+	std::uint64_t most = 0; // texels of one array
+	std::uint64_t sum = 0;
+	const auto count = [&](std::uint64_t texels)
+	{
+		most = std::max(most, texels);
+		sum += texels;
+	};
 	if (const grid::Points* points = coordinatesOf(block.grid))
-		most = points->size();
+		count(points->size());
 	if (const auto* grid = std::get_if<grid::UnstructuredGrid>(&block.grid))
-		most = std::max<std::uint64_t>(most, grid->records().size() / 4);
-	return refuse(device, most, kTexelBytes * most);
+		count(grid->records().size() / 4);
+	// Any array may be asked for later.
+	std::uint64_t values = 0;
+	for (const grid::Field& field : block.fields)
+		values = std::max<std::uint64_t>(values, field.tuples() * tupleTexels(field.components));
+	count(values);
+
+	constexpr std::uint64_t kTexelBytes = sizeof(Texel);
+	if (most > limits.texels)
+		return fmt::format("{} texels where the device takes {}", most, limits.texels);
+	if (kTexelBytes * most > limits.bytes)
+		return fmt::format("{} bytes where a buffer of the device holds {}", kTexelBytes * most, limits.bytes);
+	if (kTexelBytes * sum > device.memoryLeft())
+		return fmt::format("{} bytes where the device has {} left", kTexelBytes * sum, device.memoryLeft());
+	return {};
 }
 
 Result<std::unique_ptr<GpuBlock>> uploadBlock(gpu::Device& device, const grid::Block& block)
 {
-	using Texel = std::array<std::uint32_t, 4>;
 	auto made = std::make_unique<GpuBlock>();
-	made->cells_kind = std::visit([](const auto& grid) { return cellsKind(grid); }, block.grid);
+	made->cells_kind = cellsKind(block.grid);
 	made->bounds = block.bounds;
 	if (const grid::Points* points = coordinatesOf(block.grid))
 	{
-		// Not the block's bounds, which may leave out points of no cell.
+		// Not the block's bounds, which leave out points of no cell.
 		made->bounds = boundsOf(*points);
 		made->points_kind = points->isDouble() ? shared::kPointsFixed : shared::kPointsFloat;
 		const FixedPoints fixed(made->bounds.empty() ? Box{Vec3(0.0), Vec3(0.0)} : made->bounds);
 		made->centre = fixed.centre();
 		made->unit = fixed.unit();
-		const auto write = [&](std::size_t i, Texel& texel)
-		{
-			const Vec3 point = (*points)[i];
-			if (points->isDouble())
-				texel = fixed.pack(point);
-			else
-				for (int axis = 0; axis < 3; ++axis)
-					texel[axis] = std::bit_cast<std::uint32_t>(static_cast<float>(point[axis]));
-		};
-		if (Status done = makeTexels<Texel>(device, points->size(), VK_FORMAT_R32G32B32A32_UINT,
-		                                    block.name + " points", made->points, made->point_texels, write);
-		    !done)
-			return done.error();
+		Result<GpuTexels> texels = uploadPoints(device, *points, fixed, block.name + " points");
+		if (!texels)
+			return texels.error();
+		made->points = std::move(*texels);
 	}
 	if (const auto* grid = std::get_if<grid::UnstructuredGrid>(&block.grid))
 	{
 		const std::vector<std::uint32_t>& ids = grid->records();
-		if (Status done = makeTexels<Texel>(device, ids.size() / 4, VK_FORMAT_R32G32B32A32_UINT, block.name + " cells",
-		                                    made->cells, made->cell_texels,
-		                                    [&](std::size_t i, Texel& texel)
-		                                    { std::memcpy(texel.data(), &ids[4 * i], sizeof(Texel)); });
-		    !done)
-			return done.error();
+		Result<GpuTexels> texels = makeTexels<Texel>(
+		    device, ids.size() / 4, VK_FORMAT_R32G32B32A32_UINT, block.name + " cells",
+		    [&](std::size_t i, Texel& texel) { std::memcpy(texel.data(), &ids[4 * i], sizeof(Texel)); });
+		if (!texels)
+			return texels.error();
+		made->cells = std::move(*texels);
 	}
 	return made;
 }
 
-Result<GpuValues> uploadValues(gpu::Device& device, const GpuLimits& limits, const grid::Block& block, const FieldChoice& choice)
+Result<GpuValues> uploadValues(gpu::Device& device, const grid::Block& block, const FieldChoice& choice)
 {
 	GpuValues made;
 	const grid::Field* field = choice.in(block);
@@ -190,29 +200,49 @@ Result<GpuValues> uploadValues(gpu::Device& device, const GpuLimits& limits, con
 		made.kind = tuple ? shared::kValuesPointTuple : shared::kValuesPoint;
 	else
 		made.kind = tuple ? shared::kValuesCellTuple : shared::kValuesCell;
-	made.components = tuple ? static_cast<std::uint32_t>(field->components) : 1;
-	const int first = tuple ? 0 : choice.component;
-	const auto upload = [&](const auto& grid) -> Status
+	made.tuple_texels = tupleTexels(field->components);
+
+	const auto upload = [&](const auto& grid)
 	{
-		const std::size_t tuples = on_points ? grid.pointCount() : grid.cellCount();
-		std::string why;
-		if (!fits(tuples * made.components, tuples * made.components * 4, why))
-			return Error{ExitCode::output,
-			             fmt::format("array {} of block {} does not fit the device: {}; use --classify cpu",
-			                         field->name, block.name, why)};
-		return makeTexels<float>(
-		    device, tuples * made.components, VK_FORMAT_R32_SFLOAT, block.name + " values", made.buffer, made.texels,
-		    [&](std::size_t i, float& texel)
-		    {
-			    const std::size_t number = i / made.components;
-			    const std::size_t source = on_points ? grid.sourcePoint(static_cast<PointId>(number))
-			                                         : grid.sourceCell(static_cast<CellId>(number));
-			    texel = shownValue(field->value(source, first + static_cast<int>(i - number * made.components)));
-		    });
+		const std::size_t count = on_points ? grid.pointCount() : grid.cellCount();
+		const auto source = [&](std::size_t i) -> std::size_t
+		{ return on_points ? grid.sourcePoint(static_cast<PointId>(i)) : grid.sourceCell(static_cast<CellId>(i)); };
+		const std::string name = block.name + " values";
+		if (!tuple)
+			return makeTexels<float>(device, count, VK_FORMAT_R32_SFLOAT, name,
+			                         [&](std::size_t i, float& texel)
+			                         { texel = shownValue(field->value(source(i), choice.component)); });
+		const std::size_t width = made.tuple_texels;
+		return makeTexels<Tuple>(device, count * width, VK_FORMAT_R32G32B32A32_SFLOAT, name,
+		                         [&](std::size_t i, Tuple& texel)
+		                         {
+			                         const std::size_t at = source(i / width);
+			                         const int first = static_cast<int>(i % width) * 4;
+			                         for (int c = 0; c < 4; ++c)
+				                         texel[c] = first + c < field->components
+				                                        ? shownValue(field->value(at, first + c))
+				                                        : 0.0f;
+		                         });
 	};
-	if (Status done = std::visit(upload, block.grid); !done)
-		return done.error();
+	Result<GpuTexels> texels = std::visit(upload, block.grid);
+	if (!texels)
+		return texels.error();
+	made.texels = std::move(*texels);
 	return made;
+}
+
+Result<GpuTexels> uploadCaseTables(gpu::Device& device)
+{
+	const std::vector<std::uint32_t> cases = cases::packedCaseTables();
+	return makeTexels<Texel>(device, cases.size() / 4, VK_FORMAT_R32G32B32A32_UINT, "case tables",
+	                         [&](std::size_t i, Texel& texel)
+	                         { std::memcpy(texel.data(), &cases[4 * i], sizeof(Texel)); });
+}
+
+Result<GpuTexels> uploadNoValues(gpu::Device& device)
+{
+	return makeTexels<float>(device, 1, VK_FORMAT_R32_SFLOAT, "no values",
+	                         [](std::size_t, float& texel) { texel = 0.0f; });
 }
 
 } // namespace vp::slice

@@ -200,7 +200,7 @@ double shownValue(int components, int component, At&& at)
 
 double interpolate(const grid::Block& block, const grid::Field& field, int component, const EdgePoint& at)
 {
-	const auto [lower, higher] = std::visit(
+	const auto sources = std::visit(
 	    [&](const auto& grid) {
 		    return std::pair{grid.sourcePoint(at.lower), grid.sourcePoint(at.higher)};
 	    },
@@ -208,11 +208,11 @@ double interpolate(const grid::Block& block, const grid::Field& field, int compo
 	return shownValue(field.components, component,
 	                  [&](int c)
 	                  {
-		                  const double a = field.value(lower, c);
+		                  const double a = field.value(sources.first, c);
 		                  // An end that has no part in the vertex does not bring its NaN to it.
 		                  if (at.t == 0.0)
 			                  return a;
-		                  const double b = field.value(higher, c);
+		                  const double b = field.value(sources.second, c);
 		                  return at.t == 1.0 ? b : a + at.t * (b - a);
 	                  });
 }

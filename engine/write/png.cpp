@@ -1,13 +1,13 @@
 #include "write/png.h"
 
+#include "write/atomic_file.h"
+
 #include <fmt/format.h>
 #include <png.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <csetjmp>
-#include <cstdio>
 #include <cstring>
+#include <string>
 #include <vector>
 
 namespace vp::write
@@ -32,9 +32,15 @@ void keepMessage(png_structp png, png_const_charp message)
 
 void dropMessage(png_structp, png_const_charp) {}
 
-// What went wrong, empty where nothing did. Objects with destructors stay outside: libpng's errors jump over this
-// frame.
-bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_t>& row, std::FILE* file,
+void writeBytes(png_structp png, png_bytep bytes, png_size_t size)
+{
+	static_cast<AtomicFile*>(png_get_io_ptr(png))->write({reinterpret_cast<const char*>(bytes), size});
+}
+
+void flushNothing(png_structp) {}
+
+// False and the reason where libpng refuses. Objects with destructors stay outside: its errors jump over this frame.
+bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_t>& row, AtomicFile& file,
             std::string& error)
 {
 	png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &error, keepMessage, dropMessage);
@@ -44,7 +50,7 @@ bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_
 		png_destroy_write_struct(&png, &info);
 		return false;
 	}
-	png_init_io(png, file);
+	png_set_write_fn(png, &file, writeBytes, flushNothing);
 	png_set_IHDR(png, info, picture.width, picture.height, 8, opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
 	             PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
 	png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -65,49 +71,18 @@ bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_
 	return true;
 }
 
-Error cannotWrite(const std::string& path, const std::string& reason)
-{
-	return {ExitCode::output, fmt::format("{}: cannot be written ({}); give another place with -o", path, reason)};
-}
-
 } // namespace
 
 Status writePng(const render::Picture& picture, const std::string& path)
 {
-	const bool to_stdout = path == "-";
-	const std::string name = to_stdout ? "standard output" : path;
-	const std::string temporary = fmt::format("{}.{}.part", path, static_cast<long>(getpid()));
-	std::FILE* file = to_stdout ? stdout : std::fopen(temporary.c_str(), "wb");
+	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)
-		return cannotWrite(name, std::strerror(errno));
-
+		return file.error();
 	std::vector<std::uint8_t> row(std::size_t(4) * picture.width);
 	std::string reason;
-	errno = 0;
-	bool written = encode(picture, isOpaque(picture), row, file, reason);
-	if (std::fflush(file) != 0)
-		written = false;
-	if (errno != 0 && !written)
-		reason = std::strerror(errno);
-	if (to_stdout)
-		return written ? Status(Nothing{}) : cannotWrite(name, reason);
-
-	if (std::fclose(file) != 0)
-	{
-		written = false;
-		reason = std::strerror(errno);
-	}
-	if (written && std::rename(temporary.c_str(), path.c_str()) != 0)
-	{
-		written = false;
-		reason = std::strerror(errno);
-	}
-	if (!written)
-	{
-		std::remove(temporary.c_str());
-		return cannotWrite(name, reason);
-	}
-	return Nothing{};
+	if (!encode(picture, isOpaque(picture), row, *file, reason))
+		return Error{ExitCode::output, fmt::format("{}: cannot be encoded as PNG: {}", path, reason)};
+	return file->commit();
 }
 
 } // namespace vp::write

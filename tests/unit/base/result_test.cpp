@@ -37,8 +37,11 @@ TEST(Result, GivesAwayWhatCannotBeCopied)
 
 TEST(Status, IsNothingOrAReason)
 {
-	EXPECT_TRUE(Status(Nothing{}));
-	EXPECT_FALSE(Status(Error{ExitCode::output, "full"}));
+	const Status done = Nothing{};
+	EXPECT_TRUE(done);
+	const Status failed = Error{ExitCode::output, "full"};
+	ASSERT_FALSE(failed);
+	EXPECT_EQ(failed.error().message, "full");
 }
 
 TEST(ExitCode, ScriptsRelyOnTheNumbers)

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "gpu/device.h"
+#include "gpu/instance.h"
+
+#include <deque>
+#include <mutex>
+
+namespace vp::gpu
+{
+
+struct Device::Private
+{
+	struct Retired
+	{
+		std::uint64_t after; // submission
+		std::function<void(VkDevice)> destroy;
+	};
+
+	std::unique_ptr<Instance> instance;
+	std::mutex queue_mutex; // the queue and the number of its last submission
+	std::uint64_t submitted = 0;
+	std::mutex retired_mutex;
+	std::deque<Retired> retired;
+	bool has_memory_budget = false;
+
+	bool hasRetired();
+	// Takes out what nothing submitted uses any more, once `done` is done.
+	std::vector<std::function<void(VkDevice)>> takeDue(std::uint64_t done);
+
+	PFN_vkSetDebugUtilsObjectNameEXT set_name = nullptr;
+	PFN_vkCmdBeginDebugUtilsLabelEXT begin_label = nullptr;
+	PFN_vkCmdEndDebugUtilsLabelEXT end_label = nullptr;
+	PFN_vkGetCalibratedTimestampsEXT calibrated_timestamps = nullptr;
+};
+
+} // namespace vp::gpu
