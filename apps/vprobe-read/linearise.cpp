@@ -23,6 +23,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 using vp::Vec3;
 using namespace vp::read;
@@ -248,7 +250,12 @@ private:
 		vtkNew<vtkPoints> ignored;
 		vp::Box box;
 		for (vtkIdType i = 0; i < count; ++i)
-			box.include(nodes_.at(ids_->GetId(i)));
+		{
+			const Vec3 at = nodes_.at(ids_->GetId(i));
+			if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
+				throw damaged(fmt::format("the coordinates of point {} are not finite numbers", ids_->GetId(i)));
+			box.include(at);
+		}
 		if (count >= 4)
 		{
 			triangulator_->InitTriangulation(box.lo.x, box.hi.x, box.lo.y, box.hi.y, box.lo.z, box.hi.z,

@@ -174,6 +174,20 @@ INSTANTIATE_TEST_SUITE_P(Read, RealFile, testing::ValuesIn(kFiles),
 	                         return name;
                          });
 
+TEST(RealCurvedCells, AreCountedAsTheFileHasThem)
+{
+	const std::string path = dataFile("higher-order/notch_disp/notch_disp.vtu");
+	if (path.empty() || !std::filesystem::exists(path))
+		GTEST_SKIP() << "VPROBE_DATA names no folder with higher-order/notch_disp/notch_disp.vtu";
+	const auto set = read::readInputs({path}, {}, nullptr);
+	ASSERT_TRUE(set) << set.error().message;
+	EXPECT_EQ(set->sourceCellCount(), 2192u);
+	EXPECT_EQ(set->sourcePointCount(), 12717u);
+	EXPECT_EQ(set->cellCount(), 2192u * 8); // hexahedra and wedges make eight each
+	EXPECT_NO_THROW(grid::validate(set->blocks[0]));
+	EXPECT_TRUE(set->blocks[0].inverted.empty());
+}
+
 TEST(RealTimes, AreOfferedAndChosen)
 {
 	const std::string path = dataFile("time/mug/mug.e");
