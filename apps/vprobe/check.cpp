@@ -31,7 +31,7 @@ struct Finding
 	const char* about;
 	std::size_t count;
 	bool fault;                       // otherwise it is only told
-	std::vector<grid::SetCell> cells; // concerned; none for what is no cell's
+	std::vector<grid::SetCell> cells; // concerned, each once, as the file numbers them; none for what is no cell's
 };
 
 // Seams between blocks, and where a structured block closes, are how such grids are made. In an unstructured block they
@@ -58,10 +58,18 @@ std::size_t unmergedFaces(const grid::BlockSet& blocks, std::vector<grid::SetCel
 	return count;
 }
 
-std::vector<grid::SetCell> distinct(std::vector<grid::SetCell> cells)
+std::size_t sourceCell(const grid::BlockSet& blocks, const grid::SetCell& cell)
+{
+	return std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell.cell)); },
+	                  blocks.blocks[cell.block].grid);
+}
+
+std::vector<grid::SetCell> inFileOrder(const grid::BlockSet& blocks, std::vector<grid::SetCell> cells)
 {
 	std::ranges::sort(cells);
 	cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+	std::ranges::sort(cells, {},
+	                  [&](const grid::SetCell& cell) { return std::pair(cell.block, sourceCell(blocks, cell)); });
 	return cells;
 }
 
@@ -71,7 +79,7 @@ std::vector<Finding> listFindings(const grid::BlockSet& blocks, const grid::Qual
 	std::vector<Finding> findings;
 	const auto add = [&](const char* key, const char* about, std::size_t count, std::vector<grid::SetCell> cells,
 	                     bool fault = true) {
-		findings.push_back({key, about, count, fault && count > 0, std::move(cells)});
+		findings.push_back({key, about, count, fault && count > 0, inFileOrder(blocks, std::move(cells))});
 	};
 	const auto addCells = [&](const char* key, const char* about, const std::vector<grid::SetCell>& cells)
 	{ add(key, about, cells.size(), cells); };
@@ -79,7 +87,7 @@ std::vector<Finding> listFindings(const grid::BlockSet& blocks, const grid::Qual
 	addCells("collapsed_cells", "cells with two corners at one place", quality.collapsed);
 	addCells("inverted_cells", "cells turned inside out", quality.inverted);
 	addCells("twisted_cells", "cells with a corner turned inside out", quality.twisted);
-	addCells("impossible_cases", "cells that a plane cuts as it can cut no sound cell", sweep.impossible);
+	addCells("impossible_cases", "cells so warped that a plane cuts a face of theirs twice", sweep.impossible);
 	add("coincident_points", "points that lie on another of their block", quality.coincident.size(), {},
 	    quality.coincident_at_fault);
 	std::vector<grid::SetCell> unmerged;
@@ -90,8 +98,7 @@ std::vector<Finding> listFindings(const grid::BlockSet& blocks, const grid::Qual
 	std::vector<grid::SetCell> around;
 	for (const auto& cells : quality.nonmanifold_faces)
 		around.insert(around.end(), cells.begin(), cells.end());
-	add("nonmanifold_faces", "faces of more than two cells", quality.nonmanifold_faces.size(),
-	    distinct(std::move(around)));
+	add("nonmanifold_faces", "faces of more than two cells", quality.nonmanifold_faces.size(), std::move(around));
 	addCells("nonmanifold_edges", "edges with more than two boundary faces", quality.nonmanifold_edges);
 	addCells("nonmanifold_points", "points where the boundary touches itself", quality.nonmanifold_points);
 	// Cells of fewer dimensions may own them, and are left out.
@@ -99,20 +106,13 @@ std::vector<Finding> listFindings(const grid::BlockSet& blocks, const grid::Qual
 	std::vector<grid::SetCell> overlapping;
 	for (const auto& [a, b] : quality.overlaps)
 		overlapping.insert(overlapping.end(), {a, b});
-	add("overlaps", "pairs of cells that hold a point in common", quality.overlaps.size(),
-	    distinct(std::move(overlapping)));
+	add("overlaps", "pairs of cells that hold a point in common", quality.overlaps.size(), std::move(overlapping));
 	return findings;
 }
 
 bool isClean(const std::vector<Finding>& findings)
 {
 	return std::ranges::none_of(findings, &Finding::fault);
-}
-
-std::size_t sourceCell(const grid::BlockSet& blocks, const grid::SetCell& cell)
-{
-	return std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell.cell)); },
-	                  blocks.blocks[cell.block].grid);
 }
 
 nlohmann::json asJson(const grid::BlockSet& blocks, const std::vector<Finding>& findings,

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <type_traits>
 
@@ -222,6 +223,13 @@ std::vector<PointId> coincidentPoints(const G& grid)
 {
 	std::vector<PointId> order(usedPoints(grid));
 	std::iota(order.begin(), order.end(), 0u);
+	// A coordinate that is no number has no place among the others.
+	std::erase_if(order,
+	              [&](PointId p)
+	              {
+		              const Vec3 x = grid.point(p);
+		              return std::isnan(x.x) || std::isnan(x.y) || std::isnan(x.z);
+	              });
 	tbb::parallel_sort(order,
 	                   [&](PointId a, PointId b)
 	                   {

@@ -53,7 +53,7 @@ Result<SweepFindings> sweepForImpossibleCases(Slicer& slicer)
 {
 	SweepFindings findings;
 	const grid::BlockSet& blocks = slicer.blocks();
-	if (!hasCellsOfAnyForm(blocks))
+	if (!hasCellsOfAnyForm(blocks) || blocks.bounds().empty())
 		return findings;
 	const int planes = std::clamp(static_cast<int>(std::lround(std::cbrt(static_cast<double>(blocks.cellCount())))),
 	                              kLeastPlanes, kMostPlanes);
