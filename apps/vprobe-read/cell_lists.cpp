@@ -2,10 +2,10 @@
 
 #include "read/cell_types.h"
 #include "refusal.h"
+#include "visible_cells.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkDataSet.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkIdTypeArray.h>
 #include <vtkUnsignedCharArray.h>
@@ -21,9 +21,6 @@ using namespace vp::read;
 namespace
 {
 
-constexpr unsigned char kHiddenBits =
-    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
-
 template <class T>
 struct Lists
 {
@@ -37,6 +34,12 @@ template <class T>
 std::span<const T> spanOf(vtkDataArray* array)
 {
 	return {static_cast<const T*>(array->GetVoidPointer(0)), static_cast<std::size_t>(array->GetNumberOfValues())};
+}
+
+template <class T>
+Lists<T> listsOf(vtkCellArray* cells)
+{
+	return {spanOf<T>(cells->GetOffsetsArray()), spanOf<T>(cells->GetConnectivityArray())};
 }
 
 template <class T>
@@ -69,7 +72,7 @@ bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUns
 			continue;
 		}
 		const T wanted = static_cast<T>(slicedCellSize(type));
-		if (ghosts && (ghosts->GetValue(static_cast<vtkIdType>(c)) & kHiddenBits))
+		if (ghosts && (ghosts->GetValue(static_cast<vtkIdType>(c)) & kHiddenCellBits))
 		{
 			++counts.hidden;
 			types[c] = kEmptyCell;
@@ -115,34 +118,16 @@ void writeTrimmed(ArrayWriter& writer, std::span<const std::uint8_t> types, cons
 // Per polyhedron: faces, then per face its size and points. VTK keeps them in one array and a location per cell.
 void writeFaces(ArrayWriter& writer, std::span<const std::uint8_t> types, vtkUnstructuredGrid* grid, json& cells)
 {
-	if (!grid->GetFaces() || !grid->GetFaceLocations())
-		throw damaged("polyhedra without faces");
-	const auto faces = spanOf<vtkIdType>(grid->GetFaces());
-	const auto locations = spanOf<vtkIdType>(grid->GetFaceLocations());
-	if (locations.size() != types.size())
-		throw damaged("the polyhedra's faces do not match the cells");
-
 	std::vector<std::int64_t> offsets = {0};
 	std::vector<std::int64_t> stream;
 	offsets.reserve(types.size() + 1);
-	stream.reserve(faces.size());
+	stream.reserve(grid->GetFaces() ? static_cast<std::size_t>(grid->GetFaces()->GetNumberOfValues()) : 0);
 	for (std::size_t c = 0; c < types.size(); ++c)
 	{
 		if (types[c] == kPolyhedron)
 		{
-			if (locations[c] < 0 || locations[c] >= static_cast<vtkIdType>(faces.size()))
-				throw damaged("cell " + std::to_string(c) + " is a polyhedron without faces");
-			std::size_t at = static_cast<std::size_t>(locations[c]);
-			const vtkIdType count = faces[at++];
-			stream.push_back(count);
-			for (vtkIdType f = 0; f < count; ++f)
-			{
-				const vtkIdType size = at < faces.size() ? faces[at] : -1;
-				if (size < 0 || static_cast<std::size_t>(size) >= faces.size() - at)
-					throw damaged("the faces of cell " + std::to_string(c) + " run past their end");
-				stream.insert(stream.end(), faces.begin() + at, faces.begin() + at + size + 1);
-				at += static_cast<std::size_t>(size) + 1;
-			}
+			const auto faces = polyhedronFaces(grid, static_cast<vtkIdType>(c));
+			stream.insert(stream.end(), faces.begin(), faces.end());
 		}
 		offsets.push_back(static_cast<std::int64_t>(stream.size()));
 	}
@@ -151,18 +136,14 @@ void writeFaces(ArrayWriter& writer, std::span<const std::uint8_t> types, vtkUns
 }
 
 template <class T>
-json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, vtkDataArray* offsets, vtkDataArray* connectivity,
-                  CellCounts& counts)
+json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts)
 {
 	const auto given = spanOf<std::uint8_t>(grid->GetCellTypesArray());
-	const Lists<T> lists = {spanOf<T>(offsets), spanOf<T>(connectivity)};
+	const auto lists = listsOf<T>(grid->GetCells());
 	refuseBadOffsets(lists, given.size());
 
 	std::vector<std::uint8_t> types(given.begin(), given.end());
-	auto* ghosts =
-	    vtkUnsignedCharArray::SafeDownCast(grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-	if (ghosts && static_cast<std::size_t>(ghosts->GetNumberOfValues()) != types.size())
-		throw damaged("the ghost marks do not match the cells");
+	vtkUnsignedCharArray* ghosts = ghostMarks(grid);
 
 	const std::size_t trimmed_before = counts.trimmed;
 	if (!chooseTypes(types, lists, ghosts, counts))
@@ -190,18 +171,48 @@ json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& coun
 	if (!grid->GetPoints())
 		throw damaged("cells without points");
 	if (cells->IsStorage64Bit())
-		return writeCellsAs<std::int64_t>(writer, grid, cells->GetOffsetsArray(), cells->GetConnectivityArray(),
-		                                  counts);
-	return writeCellsAs<std::int32_t>(writer, grid, cells->GetOffsetsArray(), cells->GetConnectivityArray(), counts);
+		return writeCellsAs<std::int64_t>(writer, grid, counts);
+	return writeCellsAs<std::int32_t>(writer, grid, counts);
 }
 
-std::size_t countHidden(vtkDataSet* data)
+vtkUnsignedCharArray* ghostMarks(vtkUnstructuredGrid* grid)
 {
 	auto* ghosts =
-	    vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-	std::size_t hidden = 0;
-	if (ghosts)
-		for (const unsigned char mark : spanOf<unsigned char>(ghosts))
-			hidden += (mark & kHiddenBits) != 0;
-	return hidden;
+	    vtkUnsignedCharArray::SafeDownCast(grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+	if (ghosts && ghosts->GetNumberOfValues() != grid->GetNumberOfCells())
+		throw damaged("the ghost marks do not match the cells");
+	return ghosts;
+}
+
+void refuseBadLists(vtkUnstructuredGrid* grid)
+{
+	vtkCellArray* cells = grid->GetCells();
+	const auto count = static_cast<std::size_t>(grid->GetCellTypesArray()->GetNumberOfValues());
+	if (cells->IsStorage64Bit())
+		refuseBadOffsets(listsOf<std::int64_t>(cells), count);
+	else
+		refuseBadOffsets(listsOf<std::int32_t>(cells), count);
+}
+
+std::span<const vtkIdType> polyhedronFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+	if (!grid->GetFaces() || !grid->GetFaceLocations())
+		throw damaged("polyhedra without faces");
+	const auto faces = spanOf<vtkIdType>(grid->GetFaces());
+	const auto locations = spanOf<vtkIdType>(grid->GetFaceLocations());
+	if (locations.size() != static_cast<std::size_t>(grid->GetNumberOfCells()))
+		throw damaged("the polyhedra's faces do not match the cells");
+	const vtkIdType start = locations[static_cast<std::size_t>(cell)];
+	if (start < 0 || start >= static_cast<vtkIdType>(faces.size()))
+		throw damaged("cell " + std::to_string(cell) + " is a polyhedron without faces");
+	const auto begin = static_cast<std::size_t>(start);
+	std::size_t at = begin + 1;
+	for (vtkIdType f = 0; f < faces[begin]; ++f)
+	{
+		const vtkIdType size = at < faces.size() ? faces[at] : -1;
+		if (size < 0 || static_cast<std::size_t>(size) >= faces.size() - at)
+			throw damaged("the faces of cell " + std::to_string(cell) + " run past their end");
+		at += static_cast<std::size_t>(size) + 1;
+	}
+	return faces.subspan(begin, at - begin);
 }

@@ -7,6 +7,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,7 @@ namespace
 {
 
 std::string first_complaint;
+bool warnings_too = false;
 
 // "ERROR: In file.cxx, line 12\nvtkReader (0x1234): Words\n\n" leaves "Words".
 std::string wordsOf(std::string_view text)
@@ -25,7 +27,11 @@ std::string wordsOf(std::string_view text)
 			text.remove_prefix(colon + 3);
 	while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
 		text.remove_suffix(1);
-	return std::string(text);
+	std::string words(text);
+	// What a damaged file has in place of a name need not be text.
+	std::replace_if(
+	    words.begin(), words.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
+	return words;
 }
 
 void keep(const char* text)
@@ -46,7 +52,11 @@ public:
 	void DisplayErrorText(const char* text) override { keep(text); }
 	// "Error reading binary data!" of the legacy readers comes as a generic warning.
 	void DisplayGenericWarningText(const char* text) override { keep(text); }
-	void DisplayWarningText(const char*) override {}
+	void DisplayWarningText(const char* text) override
+	{
+		if (warnings_too)
+			keep(text);
+	}
 	void DisplayDebugText(const char*) override {}
 };
 
@@ -59,6 +69,11 @@ void installComplaints()
 	vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 	vtkNew<ComplaintWindow> window;
 	vtkOutputWindow::SetInstance(window);
+}
+
+void takeWarningsToo()
+{
+	warnings_too = true;
 }
 
 void refuseOnComplaint()

@@ -4,5 +4,8 @@
 // what they say is kept, so that an input that raised an error is refused instead of shown as garbage.
 void installComplaints();
 
+// Takes warnings for errors as well.
+void takeWarningsToo();
+
 // Throws a Refusal if there was an error.
 void refuseOnComplaint();

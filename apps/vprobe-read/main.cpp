@@ -35,13 +35,20 @@ Request parseRequest(char** arguments)
 	const std::string time = arguments[1];
 	if (time == "first")
 		request.time = Request::Time::first;
+	else if (time.starts_with('#'))
+	{
+		request.time = Request::Time::index;
+		request.time_index = std::strtoull(time.c_str() + 1, nullptr, 10);
+	}
 	else if (time != "last")
 	{
 		request.time = Request::Time::nearest;
 		request.time_value = std::strtod(time.c_str(), nullptr);
 	}
 	request.solution = arguments[2];
-	request.file = arguments[3];
+	request.refine = static_cast<int>(std::strtol(arguments[3], nullptr, 10));
+	request.displace = std::strtod(arguments[4], nullptr);
+	request.file = arguments[5];
 	return request;
 }
 
@@ -63,7 +70,7 @@ void sendManifest(const std::string& text)
 int main(int argc, char** argv)
 {
 	const auto is_open = [](int fd) { return fcntl(fd, F_GETFD) >= 0; };
-	if (argc != 4 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
+	if (argc != 6 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
 	{
 		std::fprintf(stderr, "vprobe-read is started by vprobe to read files; run vprobe info FILE instead\n");
 		return 1;
@@ -72,8 +79,9 @@ int main(int argc, char** argv)
 	try
 	{
 		installComplaints();
-		ManifestWriter manifest;
-		readAnyFormat(parseRequest(argv), manifest);
+		const Request request = parseRequest(argv);
+		ManifestWriter manifest(request.refine);
+		readAnyFormat(request, manifest);
 		sendManifest(manifest.finish());
 	}
 	catch (const Refusal& refusal)

@@ -1,7 +1,9 @@
 #include "manifest_writer.h"
 
+#include "linearise.h"
 #include "refusal.h"
 #include "structured_blocks.h"
+#include "visible_cells.h"
 
 #include <vtkCellData.h>
 #include <vtkCellTypes.h>
@@ -17,6 +19,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -95,25 +98,35 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* data)
 	if (!data || data->GetNumberOfCells() == 0)
 		return;
 	json block;
+	vtkDataSet* point_data = data;
+	std::optional<LinearCells> linear;
 	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
 	{
+		const vtkIdType file_points = grid->GetNumberOfPoints();
+		linear = linearise(grid, refine_);
+		if (linear)
+			point_data = grid = linear->grid;
 		json cells = writeCells(cell_writer_, grid, counts_);
 		if (cells.is_null())
 			return;
+		if (linear)
+		{
+			cells["source_cells"] = writeInt64(cell_writer_, std::span<const std::int64_t>(linear->source_cells));
+			cells["source_cell_count"] = data->GetNumberOfCells();
+			cells["source_point_count"] = file_points;
+		}
 		block = {{"kind", "unstructured"}, {"coordinates", writeCoordinates(cell_writer_, grid->GetPoints())}};
 		block["cells"] = std::move(cells);
 	}
 	else if (!describeLattice(data, block))
-	{
-		counts_.flat += static_cast<std::size_t>(data->GetNumberOfCells());
 		return;
-	}
-	block["name"] = name;
-	block["arrays"] = describeArrays(data);
+	block["name"] = prefix_.empty() ? name : name.empty() ? prefix_ : prefix_ + "/" + name;
+	block["arrays"] = describeArrays(point_data, data);
 	blocks_.push_back(std::move(block));
 }
 
-// False for flat lattices and for kinds of data sets that never hold three-dimensional cells.
+// False where there is nothing to show: for flat lattices, for kinds of data sets that never hold three-dimensional
+// cells, and where all cells are hidden.
 bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
 {
 	std::array<int, 3> points = {0, 0, 0};
@@ -127,16 +140,26 @@ bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
 	else if (curvilinear)
 		curvilinear->GetDimensions(points.data());
 	if (points[0] < 2 || points[1] < 2 || points[2] < 2)
+	{
+		counts_.flat += static_cast<std::size_t>(data->GetNumberOfCells());
 		return false;
+	}
 
+	if (const std::vector<unsigned char> marks = hiddenCellsOf(data, points); !marks.empty())
+	{
+		const auto visible = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 0));
+		counts_.hidden += marks.size() - visible;
+		if (visible > 0)
+			block = describeVisible(cell_writer_, data, points, marks);
+		return visible > 0;
+	}
 	block = image         ? describeImage(writer_, image)
 	        : rectilinear ? describeRectilinear(writer_, rectilinear)
 	                      : describeCurvilinear(writer_, curvilinear);
-	shown_though_hidden_ += countHidden(data);
 	return true;
 }
 
-json ManifestWriter::describeArrays(vtkDataSet* data)
+json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 {
 	json arrays = json::array();
 	const auto describeAll = [&](vtkFieldData* fields, const char* association, vtkIdType tuples)
@@ -145,8 +168,8 @@ json ManifestWriter::describeArrays(vtkDataSet* data)
 		{
 			vtkDataArray* array = fields->GetArray(i); // null for strings and variants
 			const auto type = array ? numberTypeOf(array) : std::nullopt;
-			if (!type)
-				continue;
+			if (!type || array == cells->GetCellGhostArray() || array == points->GetPointGhostArray())
+				continue; // ghost marks have done their work
 			const std::string name = array->GetName() ? array->GetName() : fmt::format("array {}", i);
 			if (array->GetNumberOfTuples() != tuples)
 				throw damaged(fmt::format("the {} array {} has {} tuples for {} {}s", association, name,
@@ -159,8 +182,8 @@ json ManifestWriter::describeArrays(vtkDataSet* data)
 			arrays.push_back(std::move(described));
 		}
 	};
-	describeAll(data->GetPointData(), "point", data->GetNumberOfPoints());
-	describeAll(data->GetCellData(), "cell", data->GetNumberOfCells());
+	describeAll(points->GetPointData(), "point", points->GetNumberOfPoints());
+	describeAll(cells->GetCellData(), "cell", cells->GetNumberOfCells());
 	return arrays;
 }
 
@@ -170,9 +193,6 @@ std::string ManifestWriter::finish()
 		warnings_.push_back(fmt::format("{} cells of type {} are not shown", cells, typeName(type)));
 	if (counts_.hidden > 0)
 		warnings_.push_back(fmt::format("{} ghost or hidden cells are left out", counts_.hidden));
-	if (shown_though_hidden_ > 0)
-		warnings_.push_back(
-		    fmt::format("{} ghost or hidden cells of structured blocks are shown", shown_though_hidden_));
 	if (counts_.trimmed > 0)
 		warnings_.push_back(
 		    fmt::format("{} cells list more points than their type has; the first ones are used", counts_.trimmed));

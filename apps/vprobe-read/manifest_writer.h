@@ -16,8 +16,13 @@ class vtkDataSet;
 class ManifestWriter
 {
 public:
+	// `refine`: how many times the linear parts of curved cells are halved.
+	explicit ManifestWriter(int refine) : refine_(refine) {}
+
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);
+	// Goes before the names of the blocks added from now on.
+	void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
 	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
 	void warn(std::string line) { warnings_.push_back(std::move(line)); }
 
@@ -27,13 +32,14 @@ public:
 private:
 	void addDataSet(const std::string& name, vtkDataSet* data);
 	bool describeLattice(vtkDataSet* data, nlohmann::json& block);
-	nlohmann::json describeArrays(vtkDataSet* data);
+	nlohmann::json describeArrays(vtkDataSet* points, vtkDataSet* cells);
 
+	int refine_;
 	ArrayWriter writer_{vp::read::kArraysFd};
 	ArrayWriter cell_writer_{vp::read::kCellsFd};
 	nlohmann::json blocks_ = nlohmann::json::array();
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;
 	CellCounts counts_;
-	std::size_t shown_though_hidden_ = 0; // cells of structured blocks
+	std::string prefix_;
 };

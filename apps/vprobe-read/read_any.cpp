@@ -53,7 +53,22 @@ bool isOneOf(std::string_view word, std::initializer_list<std::string_view> word
 	return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+// Where a NIfTI header has its magic, and what stands there.
+constexpr std::size_t kNiftiMagicAt = 344;
+
+bool looksLikeNifti(std::string_view head, const std::string& file)
+{
+	return file.ends_with(".nii.gz") ||
+	       (head.size() >= 348 && isOneOf(head.substr(kNiftiMagicAt, 3), {"n+1", "ni1"})) ||
+	       (head.size() >= 12 && head.substr(4, 3) == "n+2");
+}
+
 } // namespace
+
+std::string xmlTypeOfFile(const std::string& file)
+{
+	return xmlTypeOf(headOf(file));
+}
 
 void readAnyFormat(const Request& request, ManifestWriter& manifest)
 {
@@ -65,6 +80,20 @@ void readAnyFormat(const Request& request, ManifestWriter& manifest)
 		return readLegacy(request, manifest);
 	if (const std::string type = xmlTypeOf(text); !type.empty())
 		return readXml(request, type, manifest);
+	if (ending == ".foam" || ending == ".openfoam")
+		return readFoam(request, manifest);
+	if (text.starts_with("NRRD"))
+		return readNrrd(request, manifest);
+	if (isOneOf(ending, {".nii", ".gz", ".hdr"}) && looksLikeNifti(text, request.file))
+		return readNifti(request, manifest);
+	if (ending == ".series" && text.find('{') != text.npos)
+		return readSeries(request, manifest);
+	if (isOneOf(ending, {".case", ".encas"}) && text.find("GEOMETRY") != text.npos)
+		return readEnSight(request, manifest);
+	if (ending == ".cgns" && (text.starts_with("\x89HDF\r\n") || text.find("ADF Database") < 32))
+		return readCgns(request, manifest);
+	if (text.starts_with("\x89HDF\r\n") && isOneOf(ending, {".hdf", ".vtkhdf", ".h5"}))
+		return readHdf(request, manifest);
 	if (text.starts_with("CDF\1") || text.starts_with("CDF\2") || text.starts_with("CDF\5"))
 		return readExodus(request, manifest);
 	if (text.starts_with("\x89HDF\r\n") && isOneOf(ending, {".e", ".g", ".ex2", ".exo", ".exii"}))

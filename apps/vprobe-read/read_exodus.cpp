@@ -39,7 +39,8 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	if (!reader->CanReadFile(request.file.c_str()))
 		throw Refusal("not an Exodus II file, though its first bytes are netCDF's or HDF5's");
 	reader->SetFileName(request.file.c_str());
-	reader->ApplyDisplacementsOff();
+	reader->SetApplyDisplacements(request.displace != 0.0);
+	reader->SetDisplacementMagnitude(static_cast<float>(request.displace));
 	reader->UpdateInformation();
 	reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
 	reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);

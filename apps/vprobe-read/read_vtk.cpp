@@ -8,51 +8,79 @@
 #include <vtkDataObject.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLPImageDataReader.h>
 #include <vtkXMLPRectilinearGridReader.h>
 #include <vtkXMLPStructuredGridReader.h>
 #include <vtkXMLPUnstructuredGridReader.h>
+#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLRectilinearGridReader.h>
 #include <vtkXMLStructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
 
 namespace
 {
 
 template <class Reader>
-void readWith(const Request& request, ManifestWriter& manifest)
+vtkSmartPointer<vtkDataObject> loadWith(const Request& request, ManifestWriter& manifest)
 {
 	vtkNew<Reader> reader;
 	reader->SetFileName(request.file.c_str());
 	updateAtTime(*reader, request, manifest);
-	manifest.add(reader->GetOutputDataObject(0));
+	return reader->GetOutputDataObject(0);
+}
+
+bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words)
+{
+	return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 } // namespace
+
+vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string& type, ManifestWriter& manifest)
+{
+	if (type.empty())
+		throw damaged(fmt::format("{} is no VTK XML file", request.file));
+	refuseShortXml(request.file);
+	if (type == "ImageData")
+		return loadWith<vtkXMLImageDataReader>(request, manifest);
+	if (type == "RectilinearGrid")
+		return loadWith<vtkXMLRectilinearGridReader>(request, manifest);
+	if (type == "StructuredGrid")
+		return loadWith<vtkXMLStructuredGridReader>(request, manifest);
+	if (type == "UnstructuredGrid")
+		return loadWith<vtkXMLUnstructuredGridReader>(request, manifest);
+	if (type == "PImageData")
+		return loadWith<vtkXMLPImageDataReader>(request, manifest);
+	if (type == "PRectilinearGrid")
+		return loadWith<vtkXMLPRectilinearGridReader>(request, manifest);
+	if (type == "PStructuredGrid")
+		return loadWith<vtkXMLPStructuredGridReader>(request, manifest);
+	if (type == "PUnstructuredGrid")
+		return loadWith<vtkXMLPUnstructuredGridReader>(request, manifest);
+	if (type == "PolyData")
+		return loadWith<vtkXMLPolyDataReader>(request, manifest);
+	throw Refusal("a VTK file of type " + type + ", which cannot be read yet; give its pieces one by one");
+}
 
 void readXml(const Request& request, const std::string& type, ManifestWriter& manifest)
 {
 	if (type == "PolyData" || type == "PPolyData")
 		throw Refusal("nothing to slice: polygonal data hold no three-dimensional cells");
-	refuseShortXml(request.file);
-	if (type == "ImageData")
-		return readWith<vtkXMLImageDataReader>(request, manifest);
-	if (type == "RectilinearGrid")
-		return readWith<vtkXMLRectilinearGridReader>(request, manifest);
-	if (type == "StructuredGrid")
-		return readWith<vtkXMLStructuredGridReader>(request, manifest);
-	if (type == "UnstructuredGrid")
-		return readWith<vtkXMLUnstructuredGridReader>(request, manifest);
-	if (type == "PImageData")
-		return readWith<vtkXMLPImageDataReader>(request, manifest);
-	if (type == "PRectilinearGrid")
-		return readWith<vtkXMLPRectilinearGridReader>(request, manifest);
-	if (type == "PStructuredGrid")
-		return readWith<vtkXMLPStructuredGridReader>(request, manifest);
-	if (type == "PUnstructuredGrid")
-		return readWith<vtkXMLPUnstructuredGridReader>(request, manifest);
-	throw Refusal("a VTK file of type " + type + ", which cannot be read yet; give its pieces one by one");
+	if (type == "Collection")
+		return readCollection(request, manifest);
+	if (isOneOf(type, {"vtkMultiBlockDataSet", "vtkMultiPieceDataSet", "vtkPartitionedDataSet",
+	                   "vtkPartitionedDataSetCollection"}))
+		return readMultiBlock(request, type, manifest);
+	if (isOneOf(type, {"vtkHierarchicalBoxDataSet", "vtkOverlappingAMR", "vtkNonOverlappingAMR"}))
+		return readAmr(request, type, manifest);
+	manifest.add(loadXml(request, type, manifest));
 }
 
 void readLegacy(const Request& request, ManifestWriter& manifest)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <string>
 
 // What the parent asks for.
@@ -12,7 +12,11 @@ struct Request
 	{
 		last,
 		first,
-		nearest
+		nearest,
+		index
 	} time = Time::last;
 	double time_value = 0.0;
+	std::size_t time_index = 0;
+	double displace = 0.0; // what Exodus displacements are multiplied with; 0 leaves the points where they are
+	int refine = 0;        // how many times the linear parts of curved cells are halved
 };

@@ -8,6 +8,8 @@
 #include <vtkInformation.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -28,7 +30,34 @@ double nearest(const std::vector<double>& times, double wanted)
 
 } // namespace
 
-void updateAtTime(vtkAlgorithm& reader, const Request& request, ManifestWriter& manifest)
+std::vector<double> inOrder(std::vector<double> times)
+{
+	std::erase_if(times, [](double time) { return !std::isfinite(time); });
+	std::sort(times.begin(), times.end());
+	times.erase(std::unique(times.begin(), times.end()), times.end());
+	return times;
+}
+
+double chooseTime(const std::vector<double>& times, const Request& request)
+{
+	switch (request.time)
+	{
+	case Request::Time::first:
+		return times.front();
+	case Request::Time::nearest:
+		return nearest(times, request.time_value);
+	case Request::Time::index:
+		if (request.time_index >= times.size())
+			throw Refusal(fmt::format("--time #{}: there {} {} time{}, from #0 to #{}", request.time_index,
+			                          times.size() == 1 ? "is" : "are", times.size(), times.size() == 1 ? "" : "s",
+			                          times.size() - 1));
+		return times[request.time_index];
+	default:
+		return times.back();
+	}
+}
+
+std::optional<double> updateAtTime(vtkAlgorithm& reader, const Request& request, ManifestWriter& manifest)
 {
 	reader.UpdateInformation();
 	refuseOnComplaint();
@@ -38,20 +67,20 @@ void updateAtTime(vtkAlgorithm& reader, const Request& request, ManifestWriter& 
 	const auto key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
 	if (about && about->Has(key))
 		times.assign(about->Get(key), about->Get(key) + about->Length(key));
-	std::erase_if(times, [](double time) { return !std::isfinite(time); });
+	times = inOrder(std::move(times));
 	if (times.size() == 1 && times[0] == 0.0 && reader.IsA("vtkSimpleReader"))
 		times.clear(); // the legacy readers make up a time 0
-	std::sort(times.begin(), times.end());
-	times.erase(std::unique(times.begin(), times.end()), times.end());
 
-	if (times.empty())
-		reader.Update();
+	std::optional<double> chosen;
+	if (!times.empty())
+		reader.UpdateTimeStep(chosen.emplace(chooseTime(times, request)));
+	else if (request.time == Request::Time::index && request.time_index > 0)
+		throw Refusal(fmt::format("--time #{}: it has no times", request.time_index));
 	else
-		reader.UpdateTimeStep(request.time == Request::Time::first  ? times.front()
-		                      : request.time == Request::Time::last ? times.back()
-		                                                            : nearest(times, request.time_value));
+		reader.Update();
 	refuseOnComplaint();
 	if (reader.GetErrorCode() != 0)
 		throw damaged("the reader gave up");
 	manifest.offerTimes(std::move(times));
+	return chosen;
 }

@@ -6,6 +6,7 @@
 #include "slice/field_choice.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <memory>
@@ -56,30 +57,61 @@ nlohmann::json asJson(const grid::BlockSet& blocks)
 		                  {"components", field->components},
 		                  {"type", grid::numberTypeName(field->type)},
 		                  {"range", {range.first, range.second}}});
+	nlohmann::json block_list = nlohmann::json::array();
+	for (const grid::Block& block : blocks.blocks)
+	{
+		const auto [cells, points] = std::visit(
+		    [](const auto& grid) { return std::pair<std::size_t, std::size_t>(grid.cellCount(), grid.pointCount()); },
+		    block.grid);
+		block_list.push_back({{"name", block.name}, {"cells", cells}, {"points", points}});
+	}
+	nlohmann::json interfaces = nlohmann::json::array();
+	for (const grid::Interface& interface : blocks.interfaces.interfaces)
+		interfaces.push_back({{"blocks", {interface.a, interface.b}}, {"faces", interface.faces}});
 	const Box bounds = blocks.bounds();
 	return {{"grid",
 	         {{"kind", blocks.kind()},
-	          {"cells", blocks.cellCount()},
-	          {"points", blocks.pointCount()},
+	          {"cells", blocks.sourceCellCount()},
+	          {"points", blocks.sourcePointCount()},
+	          {"linear_cells", blocks.cellCount()},
+	          {"linear_points", blocks.pointCount()},
 	          {"blocks", blocks.blocks.size()},
 	          {"cells_left_out", blocks.left_out}}},
+	        {"blocks", block_list},
+	        {"interfaces", interfaces},
+	        {"seam_faces", blocks.interfaces.seam_faces},
+	        {"boundary_faces", blocks.interfaces.boundary_faces},
 	        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
 	        {"times", blocks.times},
 	        {"arrays", arrays}};
 }
 
+// All of them, or, of many, those that tell how they go on.
+std::string timesAsWords(const std::vector<double>& times)
+{
+	constexpr std::size_t most = 30;
+	if (times.size() <= most)
+		return fmt::format("{:.6g}", fmt::join(times, " "));
+	return fmt::format("{:.6g} {:.6g} {:.6g} ... {:.6g}", times[0], times[1], times[2], times.back());
+}
+
 void printTable(const grid::BlockSet& blocks)
 {
 	const Box bounds = blocks.bounds();
-	fmt::print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.cellCount(), blocks.pointCount(),
-	           blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
+	fmt::print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.sourceCellCount(),
+	           blocks.sourcePointCount(), blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
+	if (blocks.cellCount() != blocks.sourceCellCount())
+		fmt::print("        cut into {} linear cells with {} points\n", blocks.cellCount(), blocks.pointCount());
 	if (blocks.left_out)
 		fmt::print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
+	if (const grid::Interfaces& seams = blocks.interfaces; seams.seam_faces)
+		fmt::print("seams   {} boundary faces lie on another, in {} interface{}; {} bound the domain\n",
+		           seams.seam_faces, seams.interfaces.size(), seams.interfaces.size() == 1 ? "" : "s",
+		           seams.boundary_faces);
 	fmt::print("bounds  x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n", bounds.lo.x, bounds.hi.x,
 	           bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z);
 	if (!blocks.times.empty())
-		fmt::print("times   {} from {:.6g} to {:.6g}\n", blocks.times.size(), blocks.times.front(),
-		           blocks.times.back());
+		fmt::print("times   {}: {}\n", blocks.times.size(), timesAsWords(blocks.times));
 	const auto arrays = listArrays(blocks);
 	if (arrays.empty())
 		fmt::print("arrays  none\n");
@@ -101,7 +133,8 @@ Result<ExitCode> runInfo(const InfoOptions& options)
 	Result<read::TimeChoice> time = read::parseTime(input.time);
 	if (!time)
 		return time.error();
-	Result<grid::BlockSet> blocks = read::readInputs(input.inputs, {*time, input.solution}, nullptr);
+	Result<grid::BlockSet> blocks =
+	    read::readInputs(input.inputs, {*time, input.solution, input.refine, input.displace}, nullptr);
 	if (!blocks)
 		return blocks.error();
 	if (options.json)

@@ -58,6 +58,7 @@ int main(int argc, char** argv)
 	vp::app::addInfo(program, run);
 	vp::app::addSlice(program, run);
 	vp::app::addRender(program, run);
+	vp::app::addCheck(program, run);
 
 	try
 	{

@@ -113,10 +113,23 @@ void addInputs(CLI::App& command, ProbeOptions& options)
 	    .add_option("INPUT", options.inputs,
 	                "File, or demo:NAME[:N]; several make one block set. Reads " + read::readableEndings())
 	    ->required();
-	command.add_option("--time", options.time, "last, first or a time; the nearest there is is taken")
+	command
+	    .add_option("--time", options.time, "last, first, a time (the nearest there is is taken), or #INDEX, from 0")
 	    ->capture_default_str();
 	command.add_option("--solution", options.solution,
 	                   "PLOT3D solution (q) file, where its name does not follow from the grid's");
+	command
+	    .add_option("--refine", options.refine,
+	                "Curved (quadratic, Lagrange, Bezier) cells: halve their linear parts so many times more, along "
+	                "the cell's shape")
+	    ->check(CLI::Range(0, read::kMaxRefine))
+	    ->type_name("LEVEL")
+	    ->capture_default_str();
+	command
+	    .add_option("--displace", options.displace,
+	                "Moves the points of Exodus files by their displacements, times this")
+	    ->check(CLI::Number)
+	    ->type_name("SCALE");
 }
 
 void addProbeOptions(CLI::App& command, ProbeOptions& options)
@@ -162,6 +175,12 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	    ->check(CLI::IsMember({"nearest", "refuse", "report"}))
 	    ->capture_default_str()
 	    ->group(group);
+	addDeviceOptions(command, options);
+}
+
+void addDeviceOptions(CLI::App& command, ProbeOptions& options)
+{
+	const char* group = "Probe";
 	command
 	    .add_option_function<std::string>(
 	        "--classify",
@@ -199,7 +218,8 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	Result<grid::BlockSet> blocks = [&]
 	{
 		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
-		return read::readInputs(options.inputs, {*time, options.solution}, session->timeline.get());
+		return read::readInputs(options.inputs, {*time, options.solution, options.refine, options.displace},
+		                        session->timeline.get());
 	}();
 	if (!blocks)
 		return blocks.error();

@@ -29,6 +29,8 @@ struct ProbeOptions
 	std::string component;
 	std::string time = "last";
 	std::string solution;
+	int refine = 0;
+	double displace = 0.0;
 	std::string seeds = "auto";
 	std::string outside = "nearest";
 	std::string classify = "gpu";
@@ -39,7 +41,8 @@ struct ProbeOptions
 
 // Adds them to a command.
 void addInputs(CLI::App& command, ProbeOptions& options);
-void addProbeOptions(CLI::App& command, ProbeOptions& options);
+void addProbeOptions(CLI::App& command, ProbeOptions& options); // with the device's
+void addDeviceOptions(CLI::App& command, ProbeOptions& options);
 
 // What a command cuts and by what, made ready from the options. The slicer refers to the blocks, the device serves
 // slicer and drawing.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <unordered_set>
 
 namespace vp::app
 {
@@ -26,7 +27,8 @@ nlohmann::json asJson(const Vec3& v)
 // Traversal figures of a sheet, over its blocks.
 struct TraversalSums
 {
-	std::size_t cut_cells = 0;
+	std::size_t cut_cells = 0;        // of the file
+	std::size_t linear_cut_cells = 0; // of the grids: the same but where curved cells were cut into linear ones
 	std::size_t touched = 0;
 	std::size_t walked = 0;
 	std::size_t generations = 0;
@@ -34,14 +36,29 @@ struct TraversalSums
 	std::size_t boundary_faces = 0;
 };
 
-TraversalSums sumUp(const slice::SheetSlice& sheet)
+// The file's cells among those a lane cuts.
+std::size_t sourceCutCells(const grid::Block& block, const traverse::LaneCut& cut)
+{
+	const auto* grid = std::get_if<grid::UnstructuredGrid>(&block.grid);
+	if (!grid || !grid->splitsCells())
+		return cut.cut_cells;
+	std::unordered_set<std::size_t> sources;
+	for (std::size_t i = 0; i < cut.cells.size(); ++i)
+		if (cut.words[i] & shared::kWordCut)
+			sources.insert(grid->sourceCell(cut.cells[i]));
+	return sources.size();
+}
+
+TraversalSums sumUp(const grid::BlockSet& blocks, const slice::SheetSlice& sheet)
 {
 	TraversalSums sums;
-	for (const traverse::LaneCut& cut : sheet.cuts)
+	for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
 	{
-		sums.cut_cells += cut.cut_cells;
+		const traverse::LaneCut& cut = sheet.cuts[b];
+		sums.cut_cells += sourceCutCells(blocks.blocks[b], cut);
+		sums.linear_cut_cells += cut.cut_cells;
 		sums.touched += cut.cells.size();
-		sums.generations = std::max(sums.generations, cut.generations());
+		sums.generations = std::max(sums.generations, cut.steps);
 		sums.front_max = std::max(sums.front_max, cut.frontMax());
 		for (const std::uint32_t word : cut.words)
 			sums.walked += (word & shared::kWordWalk) != 0;
@@ -51,13 +68,14 @@ TraversalSums sumUp(const slice::SheetSlice& sheet)
 	return sums;
 }
 
-nlohmann::json sheetJson(const slice::SheetSlice& sheet, const SheetStats& stats)
+nlohmann::json sheetJson(const grid::BlockSet& blocks, const slice::SheetSlice& sheet, const SheetStats& stats)
 {
-	const TraversalSums sums = sumUp(sheet);
+	const TraversalSums sums = sumUp(blocks, sheet);
 	return {{"origin", asJson(sheet.sheet.origin)},
 	        {"normal", asJson(sheet.sheet.normal)},
 	        {"up", asJson(sheet.sheet.up)},
 	        {"cut_cells", sums.cut_cells},
+	        {"linear_cut_cells", sums.linear_cut_cells},
 	        {"polygons", stats.mesh.polygons()},
 	        {"vertices", stats.mesh.positions.size()},
 	        {"components", stats.measure.components},
@@ -107,7 +125,7 @@ std::string statsJson(const ProbeOptions& options, const Session& session, const
 {
 	nlohmann::json sheet_list = nlohmann::json::array();
 	for (std::size_t s = 0; s < sheets.size(); ++s)
-		sheet_list.push_back(sheetJson(slice.sheets[s], sheets[s]));
+		sheet_list.push_back(sheetJson(session.blocks, slice.sheets[s], sheets[s]));
 
 	const Timeline& timeline = *session.timeline;
 	nlohmann::json ms = {{"gpu", timeline.totalGpu()}, {"total", timeline.now()}};
@@ -119,8 +137,10 @@ std::string statsJson(const ProbeOptions& options, const Session& session, const
 	    {"input", fmt::format("{}", fmt::join(options.inputs, " "))},
 	    {"grid",
 	     {{"kind", session.blocks.kind()},
-	      {"cells", session.blocks.cellCount()},
-	      {"points", session.blocks.pointCount()},
+	      {"cells", session.blocks.sourceCellCount()},
+	      {"points", session.blocks.sourcePointCount()},
+	      {"linear_cells", session.blocks.cellCount()},
+	      {"linear_points", session.blocks.pointCount()},
 	      {"blocks", session.blocks.blocks.size()}}},
 	    {"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
 	    {"device", session.device ? session.device->name() : "none"},
@@ -139,7 +159,7 @@ std::string statsTable(const Session& session, const slice::Slice& slice, const 
 	{
 		const slice::SheetMeasure& measure = sheets[s].measure;
 		table += fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13.6g} {:>13} {:>13} {:>13}\n", s,
-		                     sumUp(slice.sheets[s]).cut_cells, sheets[s].mesh.polygons(),
+		                     sumUp(session.blocks, slice.sheets[s]).cut_cells, sheets[s].mesh.polygons(),
 		                     sheets[s].mesh.positions.size(), measure.components, measure.area, number(measure.mean),
 		                     number(measure.min), number(measure.max));
 	}

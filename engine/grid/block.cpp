@@ -211,6 +211,28 @@ std::size_t BlockSet::pointCount() const
 	return count;
 }
 
+std::size_t BlockSet::sourceCellCount() const
+{
+	std::size_t count = 0;
+	for (const Block& block : blocks)
+	{
+		const auto* grid = std::get_if<UnstructuredGrid>(&block.grid);
+		count += grid ? grid->sourceCellCount() : cellsOf(block);
+	}
+	return count;
+}
+
+std::size_t BlockSet::sourcePointCount() const
+{
+	std::size_t count = 0;
+	for (const Block& block : blocks)
+	{
+		const auto* grid = std::get_if<UnstructuredGrid>(&block.grid);
+		count += grid ? grid->sourcePointCount() : pointsOf(block);
+	}
+	return count;
+}
+
 Box BlockSet::bounds() const
 {
 	Box box;

@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "grid/boundary.h"
 #include "grid/field.h"
+#include "grid/interfaces.h"
 #include "grid/structured.h"
 #include "grid/unstructured.h"
 
@@ -39,9 +40,14 @@ struct BlockSet
 	std::vector<Block> blocks;
 	std::vector<double> times; // that the input offers, ascending; empty where it knows no time
 	std::size_t left_out = 0;  // cells of dimension below three
+	Interfaces interfaces;     // built by matchInterfaces(), once all blocks are finished
 
+	// Of the grids, which are what is walked and cut.
 	std::size_t cellCount() const;
 	std::size_t pointCount() const;
+	// Of the files: fewer where a reader cut curved cells into linear ones.
+	std::size_t sourceCellCount() const;
+	std::size_t sourcePointCount() const;
 	Box bounds() const;
 	// image, rectilinear, curvilinear, unstructured; block-structured for several structured blocks; hybrid for a mix.
 	const char* kind() const;

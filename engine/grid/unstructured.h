@@ -18,6 +18,9 @@ struct CellList
 	Array<std::int64_t> connectivity; // point ids
 	Array<std::int64_t> face_offsets; // polyhedra: cells + 1 offsets into face_stream, or empty
 	Array<std::int64_t> face_stream;  // per polyhedron: faces, then per face its size and point ids
+	Array<std::int64_t>
+	    source_cells;              // per cell: the file's cell it is part of, for fields and ids; empty: each its own
+	std::size_t source_points = 0; // points the file has, where the reader added some behind them; 0: all are its own
 };
 
 // Cells that meet without sharing a face's points, as at a 2:1 interface; each link is entered both ways.
@@ -60,6 +63,10 @@ public:
 	std::size_t pointCount() const { return points_.size(); }
 	std::size_t usedPointCount() const { return used_points_; } // points from here on belong to no cell
 	std::size_t leftOut() const { return left_out_; }           // cells of dimension below three
+	// The file's own: curved cells come as several linear ones with added points (see CellList::source_cells).
+	std::size_t sourceCellCount() const { return source_cell_count_; }
+	std::size_t sourcePointCount() const { return source_point_count_; }
+	bool splitsCells() const { return source_cell_count_ < cell_count_; } // several cells have one sourceCell()
 
 	Vec3 point(PointId p) const { return points_[p]; }
 	CellShape shape(CellId c) const
@@ -108,6 +115,8 @@ private:
 
 	std::size_t cell_count_ = 0;
 	std::size_t left_out_ = 0;
+	std::size_t source_cell_count_ = 0;
+	std::size_t source_point_count_ = 0;
 	std::size_t used_points_ = 0;
 	int width_ = 8;      // ids per record
 	int face_width_ = 6; // neighbour slots per cell of a table shape

@@ -108,6 +108,7 @@ public:
 		writePolyhedra();
 		writeRecords();
 		matchCells(links);
+		nameSources();
 		return std::move(grid_);
 	}
 
@@ -346,6 +347,28 @@ private:
 				continue;
 			adjacency.link(grid_.neighbourSlot(a) + link.face_a, b);
 			adjacency.link(grid_.neighbourSlot(b) + link.face_b, a);
+		}
+	}
+
+	// Up to here source_cells_ gives places in the list; from here on the file's cells.
+	void nameSources()
+	{
+		grid_.source_point_count_ = cells_.source_points > 0 ? cells_.source_points : points_.size();
+		grid_.source_cell_count_ = grid_.cell_count_;
+		if (cells_.source_cells.empty())
+			return;
+		forRanges(grid_.cell_count_,
+		          [&](std::size_t c) {
+			          grid_.source_cells_[c] = static_cast<std::uint64_t>(cells_.source_cells[grid_.source_cells_[c]]);
+		          });
+		std::vector<bool> seen;
+		grid_.source_cell_count_ = 0;
+		for (const std::uint64_t source : grid_.source_cells_)
+		{
+			if (source >= seen.size())
+				seen.resize(source + 1);
+			grid_.source_cell_count_ += !seen[source];
+			seen[source] = true;
 		}
 	}
 

@@ -84,14 +84,16 @@ void checkCells(const G& grid, const Box& bounds)
 
 // Source numbers of cells or points: no two alike, and all within the arrays.
 template <class Source>
-void checkSources(std::size_t count, Source&& source, const Block& block, Association association)
+void checkSources(std::size_t count, std::size_t distinct, Source&& source, const Block& block, Association association)
 {
 	std::vector<std::size_t> numbers(count);
 	for (std::size_t i = 0; i < count; ++i)
 		numbers[i] = source(i);
 	std::ranges::sort(numbers);
 	const char* name = associationName(association);
-	require(std::ranges::adjacent_find(numbers) == numbers.end(), "two {}s with one source", name);
+	const std::size_t found = static_cast<std::size_t>(std::unique(numbers.begin(), numbers.end()) - numbers.begin());
+	require(found == distinct, "{} {}s have {} sources instead of {}", count, name, found, distinct);
+	numbers.resize(found);
 	for (const Field& field : block.fields)
 	{
 		require(field.components > 0, "array {}: no components", field.name);
@@ -175,10 +177,13 @@ void validate(const Block& block)
 	    {
 		    checkCells(grid, block.bounds);
 		    checkSources(
-		        grid.pointCount(), [&](std::size_t p) { return grid.sourcePoint(static_cast<PointId>(p)); }, block,
-		        Association::point);
+		        grid.pointCount(), grid.pointCount(),
+		        [&](std::size_t p) { return grid.sourcePoint(static_cast<PointId>(p)); }, block, Association::point);
+		    std::size_t cells = grid.cellCount();
+		    if constexpr (requires { grid.sourceCellCount(); })
+			    cells = grid.sourceCellCount();
 		    checkSources(
-		        grid.cellCount(), [&](std::size_t c) { return grid.sourceCell(static_cast<CellId>(c)); }, block,
+		        grid.cellCount(), cells, [&](std::size_t c) { return grid.sourceCell(static_cast<CellId>(c)); }, block,
 		        Association::cell);
 		    checkBoundary(grid, block.boundary);
 		    checkBoundaryComplete(grid, block.boundary);

@@ -125,4 +125,11 @@ void checkCells(const grid::CellList& cells, std::size_t points)
 		throw Unusable(fmt::format("the faces of polyhedron {} do not make sense", bad));
 }
 
+void checkSourceCells(const Array<std::int64_t>& source_cells, std::size_t count)
+{
+	const auto outside = [&](std::size_t c) { return static_cast<std::uint64_t>(source_cells[c]) >= count; };
+	if (const std::size_t bad = firstWhere(source_cells.size(), outside); bad != kNone)
+		throw Unusable(fmt::format("cell {} is part of cell {} of {}", bad, source_cells[bad], count));
+}
+
 } // namespace vp::read

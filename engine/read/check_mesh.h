@@ -19,5 +19,6 @@ public:
 void checkCoordinates(const grid::Points& points);
 void checkAxis(const Array<double>& axis);
 void checkCells(const grid::CellList& cells, std::size_t points);
+void checkSourceCells(const Array<std::int64_t>& source_cells, std::size_t count);
 
 } // namespace vp::read

@@ -72,7 +72,7 @@ Pipe makePipe()
 struct ChildSetup
 {
 	const char* program;
-	std::array<char*, 5> arguments;
+	std::array<char*, 7> arguments;
 	int null;
 	int errors;
 	int arrays;
@@ -263,6 +263,8 @@ std::string timeArgument(const TimeChoice& time)
 		return "first";
 	case TimeChoice::Kind::value:
 		return fmt::format("{:.17g}", time.value);
+	case TimeChoice::Kind::index:
+		return fmt::format("#{}", time.index);
 	default:
 		return "last";
 	}
@@ -295,10 +297,12 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	std::string name = "vprobe-read";
 	std::string time = timeArgument(options.time);
 	std::string solution = options.solution;
+	std::string refine = std::to_string(options.refine);
 	std::string path = file;
+	std::string displace = fmt::format("{:.17g}", options.displace);
 	ChildSetup setup = {};
 	setup.program = program->c_str();
-	setup.arguments = {name.data(), time.data(), solution.data(), path.data(), nullptr};
+	setup.arguments = {name.data(), time.data(), solution.data(), refine.data(), displace.data(), path.data(), nullptr};
 	setup.null = null.get();
 	setup.errors = errors.write_end.get();
 	setup.arrays = arrays.get();

@@ -1,9 +1,11 @@
 #include "read/input_limits.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -24,6 +26,8 @@ constexpr std::uint64_t kMemoryPerByte = 1032;
 // The slowest reader measured, of ASCII XML, takes in 50 MB/s. A slow disk or a busy machine has 12 times as long.
 constexpr std::chrono::seconds kBaseTime{15};
 constexpr std::uint64_t kBytesPerSecond = 4u << 20;
+// The most cells that a reader refines to take about four minutes.
+constexpr std::chrono::seconds kMaxRefineTime{600};
 // Of a folder's files that are counted for an input that refers to others.
 constexpr int kMaxFilesBeside = 10000;
 
@@ -37,7 +41,15 @@ std::uint64_t physicalMemory()
 bool refersToOthers(const fs::path& file)
 {
 	const std::string ending = file.extension().string();
-	return ending.starts_with(".p") || ending == ".mhd";
+	constexpr std::array<std::string_view, 10> others = {".mhd", ".vtm",  ".vthb",  ".series", ".nhdr",
+	                                                     ".hdr", ".case", ".encas", ".foam",   ".openfoam"};
+	return ending.starts_with(".p") || std::find(others.begin(), others.end(), ending) != others.end();
+}
+
+// A case of OpenFOAM is its folder; the file that names it is often left empty.
+bool standsForItsFolder(const fs::path& file)
+{
+	return file.extension() == ".foam" || file.extension() == ".openfoam";
 }
 
 std::uint64_t bytesBeside(const fs::path& file)
@@ -50,8 +62,9 @@ std::uint64_t bytesBeside(const fs::path& file)
 	for (auto entry = fs::recursive_directory_iterator(folder, options, error);
 	     !error && entry != fs::recursive_directory_iterator() && left > 0; entry.increment(error), --left)
 	{
-		if (entry.depth() > 0)
-			entry.disable_recursion_pending(); // pieces lie beside the file or one folder below
+		// Pieces lie beside the file or one folder below; those of a case up to REGION/polyMesh in constant.
+		if (entry.depth() > (standsForItsFolder(file) ? 2 : 0))
+			entry.disable_recursion_pending();
 		std::error_code ignored;
 		if (entry->is_regular_file(ignored))
 			bytes += entry->file_size(ignored);
@@ -81,7 +94,7 @@ Result<InputLimits> inputLimits(const std::string& file, const std::string& solu
 	if (access(file.c_str(), R_OK) != 0)
 		return inputError(file, fmt::format("cannot be opened: {}", std::strerror(errno)));
 	std::uint64_t bytes = fs::file_size(file, error);
-	if (bytes == 0)
+	if (bytes == 0 && !standsForItsFolder(file))
 		return inputError(file, "the file is empty");
 
 	if (refersToOthers(file))
@@ -93,6 +106,15 @@ Result<InputLimits> inputLimits(const std::string& file, const std::string& solu
 	// Address space is more than memory: what the libraries map counts even where it is never touched.
 	limits.memory = std::min(std::max(physicalMemory(), kBaseMemory), kBaseMemory + kMemoryPerByte * bytes);
 	limits.time = kBaseTime + std::chrono::seconds(bytes / kBytesPerSecond);
+	return limits;
+}
+
+InputLimits refinedLimits(InputLimits limits, int refine)
+{
+	const std::uint64_t growth = std::uint64_t(1) << (3 * std::clamp(refine, 0, 10));
+	const std::uint64_t most = std::max(physicalMemory(), kBaseMemory);
+	limits.memory = limits.memory > most / growth ? most : limits.memory * growth;
+	limits.time = std::min(limits.time * static_cast<std::int64_t>(growth), std::max(limits.time, kMaxRefineTime));
 	return limits;
 }
 

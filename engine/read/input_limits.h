@@ -20,4 +20,7 @@ struct InputLimits
 // follow from the bytes of the input and of what lies beside it for it to refer to.
 Result<InputLimits> inputLimits(const std::string& file, const std::string& solution);
 
+// The same where the reader refines so many levels: each makes eight cells of one.
+InputLimits refinedLimits(InputLimits limits, int refine);
+
 } // namespace vp::read

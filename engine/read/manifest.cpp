@@ -138,6 +138,18 @@ private:
 		return checked;
 	}
 
+	// Which of the file's cells each cell is part of.
+	void checkSources(const json& lists, CellMesh& mesh)
+	{
+		const std::size_t cells = mesh.cells.types.size();
+		mesh.source_cell_count = countOf(lists.at("source_cell_count"));
+		mesh.cells.source_points = countOf(lists.at("source_point_count"));
+		if (mesh.source_cell_count > cells || mesh.cells.source_points > mesh.points.size())
+			throw Unusable("a file has more cells or points than were made of it");
+		mesh.cells.source_cells = numbersOf<std::int64_t>(cells_, lists.at("source_cells"), NumberType::int64, cells);
+		checkSourceCells(mesh.cells.source_cells, mesh.source_cell_count);
+	}
+
 	CellMesh cellMeshOf(const json& block)
 	{
 		CellMesh mesh;
@@ -156,6 +168,8 @@ private:
 			mesh.cells.face_stream = numbersOf<std::int64_t>(cells_, lists.at("face_stream"), NumberType::int64);
 		}
 		checkCells(mesh.cells, mesh.points.size());
+		if (lists.contains("source_cells"))
+			checkSources(lists, mesh);
 		return mesh;
 	}
 
@@ -175,7 +189,7 @@ private:
 		{
 			CellMesh mesh = cellMeshOf(block);
 			points = mesh.points.size();
-			cells = mesh.cells.types.size();
+			cells = mesh.cells.source_cells.empty() ? mesh.cells.types.size() : mesh.source_cell_count;
 			checked.mesh = std::move(mesh);
 			return;
 		}

@@ -21,6 +21,7 @@ struct CellMesh
 {
 	grid::Points points;
 	grid::CellList cells;
+	std::size_t source_cell_count = 0; // where cells.source_cells says which they are part of
 };
 
 struct CheckedBlock

@@ -8,20 +8,23 @@ namespace vp::read
 {
 
 // What vprobe-read and its parent agree on. The child is started as
-//   vprobe-read TIME SOLUTION FILE
-// with TIME last, first or a number, and SOLUTION empty or a PLOT3D q file. It writes arrays into two shared memories,
-// each array at a multiple of kArrayAlignment: kCellsFd takes the points and cells of unstructured blocks, which are
-// needed no more once a grid is built, kArraysFd all else. One JSON manifest that describes them goes into kManifestFd:
+//   vprobe-read TIME SOLUTION REFINE DISPLACE FILE
+// with TIME last, first, a number or # and an index, SOLUTION empty or a PLOT3D q file, REFINE how many times the
+// linear parts of curved cells are halved, and DISPLACE what Exodus displacements are multiplied with, 0 for none. It
+// writes arrays into two shared memories, each array at a multiple of kArrayAlignment: kCellsFd takes the points and
+// cells of unstructured blocks, which are needed no more once a grid is built, kArraysFd all else. One JSON manifest
+// that describes them goes into kManifestFd:
 //
 //   {"version", "times": [..], "left_out": cells, "warnings": [..], "blocks": [{"name", "kind", "arrays": [..], ..}]}
 //   image         "points": [nx, ny, nz], "origin": [..], "spacing": [..]
 //   rectilinear   "axes": [array, array, array] of float64
 //   curvilinear   "points": [nx, ny, nz], "coordinates": array
-//   unstructured  "coordinates": array, "cells": {"types", "offsets", "connectivity", "face_offsets", "face_stream"}
+//   unstructured  "coordinates": array, "cells": {"types", "offsets", "connectivity", "face_offsets", "face_stream",
+//                 "source_cells", "source_cell_count", "source_point_count"}; the latter five where there is need
 //
 // An array is {"type": "float32" ..., "offset", "bytes"}, and among "arrays" also has "name", "association" and
 // "components".
-constexpr int kProtocolVersion = 1;
+constexpr int kProtocolVersion = 2;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;
@@ -31,8 +34,9 @@ constexpr std::size_t kArrayAlignment = 64;
 constexpr int kRefusedExitCode = 2;
 constexpr std::string_view kReasonMark = "vprobe-read: ";
 
-constexpr std::array<std::string_view, 20> kEndings = {".vti",  ".vtr", ".vts", ".vtu", ".pvti", ".pvtr", ".pvts",
-                                                       ".pvtu", ".vtk", ".mhd", ".mha", ".xyz",  ".x",    ".g",
-                                                       ".p3d",  ".bin", ".ex2", ".e",   ".exo",  ".exii"};
+constexpr std::array<std::string_view, 34> kEndings = {
+    ".vti",    ".vtr", ".vts",    ".vtu",  ".pvti",  ".pvtr", ".pvts", ".pvtu", ".vtm",    ".vthb", ".vtk", ".pvd",
+    ".series", ".hdf", ".vtkhdf", ".mhd",  ".mha",   ".nrrd", ".nhdr", ".nii",  ".nii.gz", ".xyz",  ".x",   ".g",
+    ".p3d",    ".bin", ".cgns",   ".case", ".encas", ".foam", ".ex2",  ".e",    ".exo",    ".exii"};
 
 } // namespace vp::read

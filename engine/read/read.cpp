@@ -47,9 +47,10 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	CheckedInput input;
 	{
 		TimedSection timed(timeline, "read");
-		const Result<InputLimits> limits = inputLimits(file, options.solution);
+		Result<InputLimits> limits = inputLimits(file, options.solution);
 		if (!limits)
 			return limits.error();
+		*limits = refinedLimits(*limits, options.refine);
 		const Result<HandedOver> handed = runReader(file, options, *limits);
 		if (!handed)
 			return handed.error();
@@ -93,11 +94,16 @@ Result<TimeChoice> parseTime(const std::string& text)
 		return TimeChoice{TimeChoice::Kind::last, 0.0};
 	if (text == "first")
 		return TimeChoice{TimeChoice::Kind::first, 0.0};
-	double value = 0.0;
-	const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-	if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-		return Error{ExitCode::usage, fmt::format("--time {}: neither last, first nor a number", text)};
-	return TimeChoice{TimeChoice::Kind::value, value};
+	TimeChoice choice{TimeChoice::Kind::value, 0.0};
+	const char* stop = text.data() + text.size();
+	const bool is_index = text.starts_with('#');
+	if (is_index)
+		choice.kind = TimeChoice::Kind::index;
+	const auto [end, error] = is_index ? std::from_chars(text.data() + 1, stop, choice.index)
+	                                   : std::from_chars(text.data(), stop, choice.value);
+	if (error != std::errc() || end != stop || !std::isfinite(choice.value))
+		return Error{ExitCode::usage, fmt::format("--time {}: neither last, first, a number nor #INDEX", text)};
+	return choice;
 }
 
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,
@@ -115,6 +121,10 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 	}
 	std::sort(all.times.begin(), all.times.end());
 	all.times.erase(std::unique(all.times.begin(), all.times.end()), all.times.end());
+	{
+		TimedSection timed(timeline, "build");
+		grid::matchInterfaces(all);
+	}
 	return all;
 }
 

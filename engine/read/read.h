@@ -15,33 +15,40 @@ class Timeline;
 namespace vp::read
 {
 
-// Which of the input's times: last, first, or the one nearest to a value.
+// Which of the input's times: last, first, the one nearest to a value, or the one of an index that counts from 0.
 struct TimeChoice
 {
 	enum class Kind
 	{
 		last,
 		first,
-		value
+		value,
+		index
 	};
 	Kind kind = Kind::last;
 	double value = 0.0;
+	std::size_t index = 0;
 };
 
-// "last", "first" or a number; a usage error otherwise.
+// "last", "first", a number, or # and an index; a usage error otherwise.
 Result<TimeChoice> parseTime(const std::string& text);
 
 struct ReadOptions
 {
 	TimeChoice time;
 	std::string solution; // PLOT3D q file, where its name does not follow from the grid's
+	// Curved cells are cut into linear ones over their own points; each level halves the edges of those once more.
+	int refine = 0;
+	double displace = 0.0; // moves the points of Exodus files by their displacements, times this
 };
 
-// Reads every input (a file, or demo:NAME[:N]) into one block set, finished (see finishBlock). A file is read by VTK in
-// a child process (vprobe-read, beside the program or in its libexec folder) which hands its arrays over in shared
-// memory; sizes, types, offsets and ids are checked here before anything uses them. A file that is missing, empty,
-// truncated, foreign or damaged, or a child that crashes, runs out of memory or out of time, is an input error that
-// names the file. Sections "read" and "build" go to the timeline.
+constexpr int kMaxRefine = 6;
+
+// Reads every input (a file, or demo:NAME[:N]) into one block set, finished (see finishBlock, matchInterfaces). A file
+// is read by VTK in a child process (vprobe-read, beside the program or in its libexec folder) which hands its arrays
+// over in shared memory; sizes, types, offsets and ids are checked here before anything uses them. A file that is
+// missing, empty, truncated, foreign or damaged, or a child that crashes, runs out of memory or out of time, is an
+// input error that names the file. Sections "read" and "build" go to the timeline.
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,
                                   Timeline* timeline);
 

@@ -4,6 +4,7 @@
 #include "seed/boundary_cut.h"
 
 #include <limits>
+#include <tuple>
 
 namespace vp::seed
 {
@@ -45,6 +46,39 @@ CellId nearestCutCell(const G& grid, const surface::Plane& plane, CellId start)
 			                      });
 	}
 	return kNoCell;
+}
+
+bool isFlat(const grid::Block& block, const surface::Plane& plane, CellId cell, std::uint32_t face)
+{
+	return std::visit(
+	    [&](const auto& grid)
+	    {
+		    grid::CellFaces faces;
+		    grid.cellFaces(cell, faces);
+		    const auto on_plane = [&](PointId p) { return plane.signedDistance(grid.point(p)) == 0.0; };
+		    return std::ranges::all_of(faces[static_cast<int>(face)], on_plane);
+	    },
+	    block.grid);
+}
+
+// Whether a face in the plane is shown by what lies on it at a seam: by a cut cell, or by a face that comes before it.
+bool isShownAcrossSeam(const grid::BlockSet& blocks, const surface::Plane& plane, std::size_t b,
+                       const grid::BoundaryIndex::Face& face)
+{
+	const grid::BlockSeams* seams = blocks.interfaces.of(b);
+	if (!seams)
+		return false;
+	for (const grid::SeamLink& link : seams->of(face.cell, face.face))
+	{
+		const grid::Block& across = blocks.blocks[link.block];
+		if (std::visit([&](const auto& grid) { return isCut(grid, plane, link.other); }, across.grid))
+			return true;
+		const bool before = std::tuple<std::size_t, CellId, std::uint32_t>(link.block, link.other, link.other_face) <
+		                    std::tuple<std::size_t, CellId, std::uint32_t>(b, face.cell, face.face);
+		if (before && isFlat(across, plane, link.other, link.other_face))
+			return true;
+	}
+	return false;
 }
 
 // The seed at the hot spot, in the first block that holds it.
@@ -114,7 +148,8 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 			        },
 			        [&](const grid::BoundaryIndex::Face& face)
 			        {
-				        if (seeds_boundary && !isCut(grid, plane, face.cell))
+				        if (seeds_boundary && !isCut(grid, plane, face.cell) &&
+				            !isShownAcrossSeam(blocks, plane, b, face))
 					        seeds.faces_in_plane[b].push_back(face);
 			        });
 			    if (seeds_boundary)

@@ -98,11 +98,15 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	std::vector<Lane> lanes;
 	std::vector<traverse::VisitedPool::Loan> loans;
 	for (const SheetSlice& sheet : slice.sheets)
+	{
+		const std::size_t sheet_lane = lanes.size();
 		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 		{
 			loans.push_back(visited_[b]->borrow());
-			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), loans.back().get(), sheet.seeds.cells[b]});
+			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), loans.back().get(), sheet.seeds.cells[b],
+							 blocks_.interfaces.of(b), sheet_lane});
 		}
+	}
 
 	Result<std::vector<traverse::LaneCut>> cuts =
 	    gpu_ ? traverseOnGpu(request, lanes, slice, stop) : traverseOnCpu(request, lanes, stop);

@@ -1,42 +1,15 @@
 #include "slice/stats.h"
 
+#include "slice/components.h"
+
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace vp::slice
 {
 
 namespace
 {
-
-std::uint32_t findRoot(std::vector<std::uint32_t>& parent, std::uint32_t v)
-{
-	while (parent[v] != v)
-		v = parent[v] = parent[parent[v]];
-	return v;
-}
-
-std::size_t countComponents(const SheetMesh& mesh)
-{
-	std::vector<std::uint32_t> parent(mesh.positions.size());
-	std::iota(parent.begin(), parent.end(), 0u);
-	std::size_t components = parent.size(); // every vertex belongs to a polygon
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-	{
-		const auto polygon = mesh.polygon(p);
-		for (const std::uint32_t v : polygon.subspan(1))
-		{
-			const std::uint32_t a = findRoot(parent, polygon[0]);
-			const std::uint32_t b = findRoot(parent, v);
-			if (a == b)
-				continue;
-			parent[b] = a;
-			--components;
-		}
-	}
-	return components;
-}
 
 struct Sums
 {
@@ -115,7 +88,7 @@ SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const 
 
 	SheetMeasure result;
 	result.area = sums.area;
-	result.components = countComponents(mesh);
+	result.components = countComponents(blocks, mesh);
 	if (!field)
 		return result;
 	result.nan_area = sums.nan_area;

@@ -18,7 +18,7 @@ struct SheetMeasure
 	std::optional<double> mean; // area-weighted; none without an array or without area
 	std::optional<double> min;  // of the values at the vertices (point data) or of the polygons (cell data)
 	std::optional<double> max;
-	std::size_t components = 0; // pieces joined across shared vertices
+	std::size_t components = 0; // see components.h
 };
 
 SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field);

@@ -25,6 +25,10 @@ struct Lane
 	Surface surface;
 	VisitedMarks* visited;     // beginSlice() has been called
 	std::vector<CellId> seeds; // generation 0; cells that turn out not to be cut do no harm
+	// Where the block meets others or itself; null: nowhere. The lanes of a sheet stand in the order of the blocks,
+	// from `sheet_lane` on: what lies across a seam in block b is queued in lane sheet_lane + b.
+	const grid::BlockSeams* seams = nullptr;
+	std::size_t sheet_lane = 0;
 };
 
 // What a classifier is asked: a word for every cell of a lane's front (see slice_types.h).
@@ -50,6 +54,8 @@ struct LaneCut
 	std::vector<std::uint32_t> words; // its word, kWordCut set where it is cut; kWordWalk kept where the CPU walked it
 	std::size_t cut_cells = 0;
 	std::vector<std::uint32_t> generation_starts; // generations + 1 offsets into cells
+	std::size_t steps =
+	    0; // generations of all lanes up to this lane's last: more than its own where it was entered late
 
 	std::size_t generations() const { return generation_starts.empty() ? 0 : generation_starts.size() - 1; }
 	std::size_t frontMax() const
@@ -61,14 +67,38 @@ struct LaneCut
 	}
 };
 
-// Queues the unqueued neighbours of the front [begin, end) of a lane across its cut faces.
-template <class G, class Surface>
-void expandFront(const G& grid, const Lane<Surface>& lane, std::size_t begin, std::size_t end, LaneCut& cut)
+// Queues the unqueued neighbours of the front [begin, end) of lane l across its cut faces. A boundary face of a block
+// with seams is looked up among them; a block without pays nothing for those of others.
+template <bool kHasSeams, class G, class Surface>
+void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_t l, std::size_t begin, std::size_t end,
+                 std::span<LaneCut> cuts)
 {
+	const Lane<Surface>& lane = lanes[l];
+	LaneCut& cut = cuts[l];
 	const auto enqueue = [&](CellId neighbour)
 	{
 		if (lane.visited->mark(neighbour))
 			cut.cells.push_back(neighbour);
+	};
+	const auto cross = [&](CellId cell, int face)
+	{
+		if constexpr (!kHasSeams)
+			grid.forEachNeighbour(cell, face, enqueue);
+		else
+		{
+			bool on_boundary = true;
+			grid.forEachNeighbour(cell, face,
+			                      [&](CellId neighbour)
+			                      {
+				                      on_boundary = false;
+				                      enqueue(neighbour);
+			                      });
+			if (!on_boundary)
+				return;
+			for (const grid::SeamLink& link : lane.seams->of(cell, static_cast<std::uint32_t>(face)))
+				if (lanes[lane.sheet_lane + link.block].visited->mark(link.other))
+					cuts[lane.sheet_lane + link.block].cells.push_back(link.other);
+		}
 	};
 	grid::CellFaces faces;
 	for (std::size_t i = begin; i < end; ++i)
@@ -82,14 +112,14 @@ void expandFront(const G& grid, const Lane<Surface>& lane, std::size_t begin, st
 			++cut.cut_cells;
 			for (int f = 0; f < faces.size(); ++f)
 				if (isFaceCut(grid, lane.surface, faces[f]))
-					grid.forEachNeighbour(cell, f, enqueue);
+					cross(cell, f);
 			continue;
 		}
 		if (!(cut.words[i] & shared::kWordCut))
 			continue;
 		++cut.cut_cells;
 		for (std::uint32_t bits = (cut.words[i] >> shared::kWordFacesShift) & 0xFFu; bits; bits &= bits - 1)
-			grid.forEachNeighbour(cell, std::countr_zero(bits), enqueue);
+			cross(cell, std::countr_zero(bits));
 	}
 }
 
@@ -108,7 +138,7 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 	}
 
 	std::vector<FrontSlice> fronts;
-	while (!stop.stop_requested())
+	for (std::size_t step = 1; !stop.stop_requested(); ++step)
 	{
 		fronts.clear();
 		for (std::size_t l = 0; l < lanes.size(); ++l)
@@ -119,19 +149,27 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 				continue;
 			cut.generation_starts.push_back(static_cast<std::uint32_t>(cut.cells.size()));
 			cut.words.resize(cut.cells.size());
+			cut.steps = step;
 			fronts.push_back({l, std::span(cut.cells).subspan(begin), std::span(cut.words).subspan(begin)});
 		}
 		if (fronts.empty())
 			break;
 		if (Status classified = classifier.classify(fronts); !classified)
 			return classified.error();
+		// Across seams a front grows the lanes after it and before it: its own ends are those of this generation.
 		for (const FrontSlice& front : fronts)
 		{
-			LaneCut& cut = cuts[front.lane];
-			const std::size_t end = cut.generation_starts.back();
+			const Lane<Surface>& lane = lanes[front.lane];
+			const std::size_t end = cuts[front.lane].generation_starts.back();
 			const std::size_t begin = end - front.cells.size();
-			std::visit([&](const auto& grid) { expandFront(grid, lanes[front.lane], begin, end, cut); },
-			           lanes[front.lane].block->grid);
+			const auto expand = [&]<bool kHasSeams>(const auto& grid) {
+				expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface>(grid, lanes, front.lane, begin, end,
+				                                                              cuts);
+			};
+			std::visit(
+			    [&](const auto& grid)
+			    { lane.seams ? expand.template operator()<true>(grid) : expand.template operator()<false>(grid); },
+			    lane.block->grid);
 		}
 	}
 	// A stop leaves a generation queued that nothing is known about.

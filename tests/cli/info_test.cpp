@@ -89,6 +89,21 @@ TEST_F(Info, SeveralInputsAreOneBlockSet)
 	const nlohmann::json info = run({"info", "demo:shell:4", "demo:blob:4", "--json"}).json();
 	EXPECT_EQ(info["grid"]["blocks"], 2);
 	EXPECT_EQ(info["grid"]["cells"], 128);
+	ASSERT_EQ(info["blocks"].size(), 2u);
+	EXPECT_EQ(info["blocks"][1]["cells"], 64);
+	EXPECT_EQ(info["seam_faces"], 0);
+	EXPECT_EQ(info["boundary_faces"], 2 * 6 * 16);
+}
+
+TEST_F(Info, BlocksThatMeet)
+{
+	// The same image twice: every boundary face lies on another.
+	const std::string file = write("image.vtk", legacyImage());
+	const nlohmann::json info = run({"info", file, file, "--json"}).json();
+	EXPECT_EQ(info["interfaces"], nlohmann::json::parse(R"([{"blocks": [0, 1], "faces": 54}])"));
+	EXPECT_EQ(info["seam_faces"], 108);
+	EXPECT_EQ(info["boundary_faces"], 0);
+	EXPECT_TRUE(contains(run({"info", file, file}).out, "108 boundary faces lie on another"));
 }
 
 } // namespace cli

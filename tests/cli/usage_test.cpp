@@ -52,7 +52,7 @@ TEST_F(Usage, HelpOfEveryCommand)
 TEST_F(Usage, HelpNamesTheOptions)
 {
 	const std::string info = run({"info", "--help"}).out;
-	for (const char* option : {"--json", "--time", "--solution"})
+	for (const char* option : {"--json", "--time", "--solution", "--refine"})
 		EXPECT_TRUE(contains(info, option)) << option;
 	const std::string slice = run({"slice", "--help"}).out;
 	const std::string render = run({"render", "--help"}).out;

@@ -108,13 +108,15 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 {
 	ReadOptions options;
 	options.time = {TimeChoice::Kind::value, 2.5};
+	options.displace = 0.5;
 	options.solution = "some.q";
+	options.refine = 3;
 	constexpr int leaked = 50;
 	ASSERT_EQ(dup2(STDERR_FILENO, leaked), leaked);
-	const auto handed = run("echo \"$1|$2|$3\" >&4; [ -e /proc/$$/fd/50 ] && echo leaked >&4; exit 0", options);
+	const auto handed = run("echo \"$1|$2|$3|$4|$5\" >&4; [ -e /proc/$$/fd/50 ] && echo leaked >&4; exit 0", options);
 	close(leaked);
 	ASSERT_TRUE(handed) << handed.error().message;
-	EXPECT_EQ(handed->manifest, "2.5|some.q|" + input_ + "\n");
+	EXPECT_EQ(handed->manifest, "2.5|some.q|3|0.5|" + input_ + "\n");
 }
 
 TEST(ReaderProgram, ThatIsMissingIsNoInputError)

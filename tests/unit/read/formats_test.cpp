@@ -25,7 +25,7 @@ void renameArrays(grid::BlockSet& set)
 	const std::string given_name = "f";
 	for (grid::Block& block : set.blocks)
 		for (grid::Field& field : block.fields)
-			if (field.name == "MetaImage" || field.name == "Density")
+			if (field.name == "MetaImage" || field.name == "NIFTI" || field.name == "Density")
 				field.name = given_name;
 }
 

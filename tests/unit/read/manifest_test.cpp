@@ -21,7 +21,11 @@ class Made
 {
 public:
 	Made()
-	    : manifest_({{"version", 1}, {"times", {0.5}}, {"left_out", 0}, {"warnings", {"w"}}, {"blocks", json::array()}})
+	    : manifest_({{"version", kProtocolVersion},
+	                 {"times", {0.5}},
+	                 {"left_out", 0},
+	                 {"warnings", {"w"}},
+	                 {"blocks", json::array()}})
 	{
 	}
 
@@ -229,7 +233,7 @@ TEST(Manifest, WithWrongTypesOrWordsIsRefused)
 	refused("spacing", [](Made& m) { m.block(0)["spacing"] = {1.0, nullptr, 1.0}; });
 	refused("origin", [](Made& m) { m.block(0)["origin"] = {1.0}; });
 	Made made = makeManifest();
-	made.manifest()["version"] = 2;
+	made.manifest()["version"] = kProtocolVersion + 1;
 	ASSERT_FALSE(made.check());
 	EXPECT_EQ(made.check().error().code, ExitCode::output); // not the file's fault
 	for (const char* text : {"", "{", "[]", "null", "{}", "3", "\"\""})
@@ -278,6 +282,53 @@ TEST(Manifest, WithWrongCellsIsRefused)
 	Made made = makeManifest();
 	made.block(kMesh)["cells"].erase("face_offsets");
 	expectRefused(made, "polyhedron without faces");
+}
+
+TEST(Manifest, WithWrongSourcesIsRefused)
+{
+	const auto with = [](const std::vector<std::int64_t>& sources, std::size_t cells, std::size_t points)
+	{
+		Made made = makeManifest();
+		json& lists = made.block(kMesh)["cells"];
+		lists["source_cells"] = made.array<std::int64_t>("int64", sources);
+		lists["source_cell_count"] = cells;
+		lists["source_point_count"] = points;
+		// Cell arrays are as long as the file's cells.
+		json& id = made.block(kMesh)["arrays"][1];
+		id = made.field("id", "cell", 1, made.array<std::int64_t>("int64", std::vector<std::int64_t>(cells, 5)));
+		return made;
+	};
+	const auto checked = with({1, 1, 0}, 2, 5).check();
+	ASSERT_TRUE(checked) << checked.error().message;
+	const auto& mesh = std::get<CellMesh>(checked->blocks[kMesh].mesh);
+	EXPECT_EQ(mesh.cells.source_points, 5u);
+	const auto grid = grid::UnstructuredGrid::build(mesh.points, mesh.cells);
+	EXPECT_EQ(grid.cellCount(), 2u);
+	EXPECT_EQ(grid.sourceCellCount(), 1u);
+	EXPECT_EQ(grid.sourcePointCount(), 5u);
+	EXPECT_TRUE(grid.splitsCells());
+	EXPECT_EQ(grid.sourceCell(0), 1u);
+	EXPECT_EQ(grid.sourceCell(1), 1u);
+
+	expectRefused(with({1, 1, 2}, 2, 5), "source past the end");
+	expectRefused(with({1, -1, 0}, 2, 5), "negative source");
+	expectRefused(with({1, std::numeric_limits<std::int64_t>::min(), 0}, 2, 5), "lowest source");
+	expectRefused(with({1, 1}, 2, 5), "too few sources");
+	expectRefused(with({1, 1, 0, 0}, 2, 5), "too many sources");
+	expectRefused(with({}, 2, 5), "no sources");
+	expectRefused(with({1, 1, 0}, 4, 5), "more cells in the file");
+	expectRefused(with({1, 1, 0}, 2, 7), "more points in the file");
+	for (const char* key : {"source_cell_count", "source_point_count"})
+	{
+		Made made = with({1, 1, 0}, 2, 5);
+		made.block(kMesh)["cells"].erase(key);
+		expectRefused(made, key);
+		made.block(kMesh)["cells"][key] = -1;
+		expectRefused(made, key);
+	}
+	Made made = with({1, 1, 0}, 2, 5);
+	made.block(kMesh)["arrays"][1] = makeManifest().block(kMesh)["arrays"][1];
+	expectRefused(made, "cell array as long as the parts");
 }
 
 TEST(Manifest, WithCoordinatesThatAreNoNumbersIsRefused)

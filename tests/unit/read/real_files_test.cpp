@@ -101,6 +101,26 @@ const std::vector<ExpectedFile> kFiles = {
      0,
      {{"DENSITY", cell, 1, 2600, 2700}, {"PERM", cell, 3, 1.732e-16, 5.196e-16}}},
     {"time/mug/mug.e", "unstructured", 2476, 3954, 0, {{"convected", point, 1, 0, 1}}},
+    {"voxel/headsq/headsq/quarter.nhdr", "image", 365148, 380928, 0, {{"NRRD", point, 1, 0, 3926}}},
+    {"multiblock/5blocks_struc/5blocks-struc.cgns", "block-structured", 1809, 2620, 0, {}},
+    {"multiblock/sqnz/sqnz_s.adf.cgns", "block-structured", 11264, 15228, 0, {}},
+    {"polyhedral/ensight_nfaced/TEST_bin.case",
+     "unstructured",
+     140,
+     350,
+     151,
+     {{"Velocity", cell, 3, 0.007215, 0.03655}}},
+    {"polyhedral/flange/flange.foam",
+     "unstructured",
+     15336,
+     21024,
+     0,
+     {{"T", point, 1, 273, 573}, {"grad(T)", cell, 3, 1.945, 1.123e5}}},
+    {"amr/HierarchicalBox/HierarchicalBoxDataset.v1.1.vthb", "block-structured", 2241, 5120, 0, {}},
+    {"amr/chombo3d/chombo3d.vtm", "hybrid", 8968, 12679, 0, {}},
+    {"time/can_hdf/can_1.hdf", "unstructured", 4800, 6724, 0, {{"EQPS", cell, 1, 0, 1.884}}},
+    {"formats/cavity_foam/case.foam", "unstructured", 400, 882, 0, {{"p", point, 1, -4.367, 4.849}}},
+    {"formats/office_ensight/office_bin.case", "curvilinear", 216, 343, 0, {{"scalars", point, 1, -3.866, 0.613}}},
 };
 
 std::string dataFile(const char* path)
@@ -153,6 +173,20 @@ INSTANTIATE_TEST_SUITE_P(Read, RealFile, testing::ValuesIn(kFiles),
 	                             name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
 	                         return name;
                          });
+
+TEST(RealCurvedCells, AreCountedAsTheFileHasThem)
+{
+	const std::string path = dataFile("higher-order/notch_disp/notch_disp.vtu");
+	if (path.empty() || !std::filesystem::exists(path))
+		GTEST_SKIP() << "VPROBE_DATA names no folder with higher-order/notch_disp/notch_disp.vtu";
+	const auto set = read::readInputs({path}, {}, nullptr);
+	ASSERT_TRUE(set) << set.error().message;
+	EXPECT_EQ(set->sourceCellCount(), 2192u);
+	EXPECT_EQ(set->sourcePointCount(), 12717u);
+	EXPECT_EQ(set->cellCount(), 2192u * 8); // hexahedra and wedges make eight each
+	EXPECT_NO_THROW(grid::validate(set->blocks[0]));
+	EXPECT_TRUE(set->blocks[0].inverted.empty());
+}
 
 TEST(RealTimes, AreOfferedAndChosen)
 {

@@ -1,5 +1,6 @@
 #include "sample_files.h"
 
+#include "more_samples.h"
 #include "plot3d_samples.h"
 #include "vtk_samples.h"
 
@@ -86,6 +87,8 @@ const std::vector<SampleFile>& sampleFiles()
 		std::vector<SampleFile> all = vtkSamples();
 		const std::vector<SampleFile> more = plot3dSamples();
 		all.insert(all.end(), more.begin(), more.end());
+		const std::vector<SampleFile> further = moreSamples(all);
+		all.insert(all.end(), further.begin(), further.end());
 		return all;
 	}();
 	return files;

@@ -1,0 +1,64 @@
+#include "grown_cells.h"
+
+#include "read/cell_types.h"
+
+#include <vtkCellArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+GrownCells::GrownCells()
+{
+	offsets_->InsertNextValue(0);
+}
+
+GrownCells::~GrownCells() = default;
+
+void GrownCells::addPoint(vtkIdType point)
+{
+	connectivity_->InsertNextValue(point);
+}
+
+void GrownCells::addFaces(std::span<const vtkIdType> stream)
+{
+	face_location_ = faces_->GetNumberOfValues();
+	for (const vtkIdType value : stream)
+		faces_->InsertNextValue(value);
+}
+
+void GrownCells::endCell(std::uint8_t type)
+{
+	types_->InsertNextValue(type);
+	offsets_->InsertNextValue(connectivity_->GetNumberOfValues());
+	face_locations_->InsertNextValue(face_location_);
+	sources_.push_back(source_);
+	face_location_ = -1;
+}
+
+void GrownCells::addPrism(std::span<const vtkIdType> points)
+{
+	const std::size_t sides = points.size() / 2;
+	std::vector<vtkIdType> stream = {static_cast<vtkIdType>(sides + 2), static_cast<vtkIdType>(sides)};
+	stream.insert(stream.end(), points.rbegin() + static_cast<std::ptrdiff_t>(sides), points.rend());
+	stream.push_back(static_cast<vtkIdType>(sides));
+	stream.insert(stream.end(), points.begin() + static_cast<std::ptrdiff_t>(sides), points.end());
+	for (std::size_t i = 0; i < sides; ++i)
+	{
+		const std::size_t next = (i + 1) % sides;
+		stream.insert(stream.end(), {4, points[i], points[next], points[sides + next], points[sides + i]});
+	}
+	for (const vtkIdType point : points)
+		addPoint(point);
+	addFaces(stream);
+	endCell(vp::read::kPolyhedron);
+}
+
+void GrownCells::fill(vtkUnstructuredGrid* grid) const
+{
+	vtkNew<vtkCellArray> cells;
+	cells->SetData(offsets_, connectivity_);
+	if (faces_->GetNumberOfValues() > 0)
+		grid->SetCells(types_, cells, face_locations_, faces_);
+	else
+		grid->SetCells(types_, cells);
+}

@@ -1,0 +1,339 @@
+#include "linearise.h"
+
+#include "cell_lists.h"
+#include "grown_cells.h"
+#include "new_nodes.h"
+#include "read/cell_types.h"
+#include "refusal.h"
+#include "source_cell.h"
+#include "visible_cells.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkOrderedTriangulator.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using vp::Vec3;
+using namespace vp::read;
+
+namespace
+{
+
+// At about 200 bytes a cell, half of them the grid built from it.
+constexpr double kMaxRefinedCells = 1e8;
+
+struct Corner
+{
+	vtkIdType point;
+	Vec3 at; // in the source cell's own coordinates
+};
+
+struct LinearCell
+{
+	std::uint8_t type;
+	std::array<Corner, 8> corners;
+};
+
+bool isPrism(std::uint8_t type)
+{
+	return type == VTK_PENTAGONAL_PRISM || type == VTK_HEXAGONAL_PRISM;
+}
+
+bool isRewritten(std::uint8_t type)
+{
+	return isCurved(type) || isPrism(type) || type == VTK_CONVEX_POINT_SET;
+}
+
+// Linear cells that a cell's parts become after so many halvings.
+double countParts(const CellSplit& split, int level)
+{
+	double pyramids = 0.0;
+	double others = 0.0;
+	for (const CellSplit::Part& part : split.parts)
+		(part.type == kPyramid ? pyramids : others) += part.type == kOctahedron ? 4.0 : 1.0;
+	for (; level > 0; --level)
+	{
+		others = 8.0 * others + 4.0 * pyramids;
+		pyramids *= 6.0;
+	}
+	return pyramids + others;
+}
+
+class Lineariser
+{
+public:
+	Lineariser(vtkUnstructuredGrid* grid, int level)
+	    : grid_(grid), level_(level), nodes_(grid), source_(grid), ghosts_(ghostMarks(grid))
+	{
+	}
+
+	LinearCells run()
+	{
+		refuseTooMany();
+		for (vtkIdType c = 0; c < grid_->GetNumberOfCells(); ++c)
+		{
+			const std::uint8_t type = loadCell(c);
+			cell_ = c;
+			cells_.startSource(c);
+			if (isShown(c) && isCurved(type))
+				addCurved(type);
+			else if (isShown(c) && isPrism(type))
+				addPrism(type == VTK_PENTAGONAL_PRISM ? 5 : 6);
+			else if (isShown(c) && type == VTK_CONVEX_POINT_SET)
+				addPointSet();
+			else
+				addUnchanged(type);
+		}
+		return finish();
+	}
+
+private:
+	std::uint8_t loadCell(vtkIdType cell)
+	{
+		const auto type = static_cast<std::uint8_t>(grid_->GetCellType(cell));
+		grid_->GetCells()->GetCellAtId(cell, ids_);
+		if (isRewritten(type))
+			for (vtkIdType i = 0; i < ids_->GetNumberOfIds(); ++i)
+				if (ids_->GetId(i) < 0 || ids_->GetId(i) >= grid_->GetNumberOfPoints())
+					throw damaged(
+					    fmt::format("cell {} lists point {} of {}", cell, ids_->GetId(i), grid_->GetNumberOfPoints()));
+		return type;
+	}
+
+	bool isShown(vtkIdType cell) const { return !ghosts_ || (ghosts_->GetValue(cell) & kHiddenCellBits) == 0; }
+
+	void refuseTooMany()
+	{
+		double cells = 0.0;
+		for (vtkIdType c = 0; c < grid_->GetNumberOfCells(); ++c)
+			if (const std::uint8_t type = loadCell(c); isShown(c) && isCurved(type))
+				cells += countParts(source_.enter(c, type, ids_).split, level_);
+		if (level_ > 0 && cells > kMaxRefinedCells)
+			throw Refusal(
+			    fmt::format("--refine {} makes {:.0f} linear cells of it, more than {:.0f}; give a lower level", level_,
+			                cells, kMaxRefinedCells));
+	}
+
+	void addCurved(std::uint8_t type)
+	{
+		const CellKind& kind = source_.enter(cell_, type, ids_);
+		nodes_.enterCell(ids_);
+		corners_.clear();
+		for (vtkIdType p = 0; p < ids_->GetNumberOfIds(); ++p)
+			corners_.push_back({ids_->GetId(p), kind.at[static_cast<std::size_t>(p)]});
+		if (kind.handles)
+			placeHandles();
+		parts_.clear();
+		cut(kind.split, corners_, parts_);
+		for (int level = 0; level < level_; ++level)
+		{
+			finer_.clear();
+			for (const LinearCell& part : parts_)
+				cut(halvedSplit(part.type), {part.corners.data(), static_cast<std::size_t>(pointsOf(part.type))},
+				    finer_);
+			parts_.swap(finer_);
+		}
+		for (const LinearCell& part : parts_)
+		{
+			for (int i = 0; i < pointsOf(part.type); ++i)
+				cells_.addPoint(part.corners[static_cast<std::size_t>(i)].point);
+			cells_.endCell(part.type);
+		}
+	}
+
+	void placeHandles()
+	{
+		placed_.resize(nodes_.count());
+		for (const Corner& corner : corners_)
+			if (!placed_[static_cast<std::size_t>(corner.point)])
+			{
+				nodes_.place(corner.point, source_.weights(corner.at));
+				placed_[static_cast<std::size_t>(corner.point)] = true;
+			}
+	}
+
+	void cut(const CellSplit& split, std::span<const Corner> points, std::vector<LinearCell>& parts)
+	{
+		cut_nodes_.clear();
+		for (const CellSplit::Node& node : split.nodes)
+			cut_nodes_.push_back(node.point >= 0 ? points[static_cast<std::size_t>(node.point)]
+			                                     : middleOf(node, points));
+		for (const CellSplit::Part& part : split.parts)
+		{
+			LinearCell cell = {part.type, {}};
+			for (int i = 0; i < pointsOf(part.type); ++i)
+				cell.corners[static_cast<std::size_t>(i)] = cut_nodes_[part.nodes[static_cast<std::size_t>(i)]];
+			if (part.type == kOctahedron)
+				cutOctahedron(cell, parts);
+			else
+				parts.push_back(cell);
+		}
+	}
+
+	Corner middleOf(const CellSplit::Node& node, std::span<const Corner> points)
+	{
+		// A face that has collapsed to an edge has the edge's middle, as the cells about that edge know it: each id
+		// counts once.
+		std::array<vtkIdType, 8> ids;
+		std::size_t count = 0;
+		Vec3 at(0.0);
+		for (int i = 0; i < node.corner_count; ++i)
+		{
+			const Corner& corner = points[node.corners[static_cast<std::size_t>(i)]];
+			std::size_t place = count;
+			while (place > 0 && ids[place - 1] > corner.point)
+				--place;
+			if (place == 0 || ids[place - 1] != corner.point)
+			{
+				std::copy_backward(ids.begin() + place, ids.begin() + count, ids.begin() + count + 1);
+				ids[place] = corner.point;
+				++count;
+			}
+			at += corner.at / static_cast<double>(node.corner_count);
+		}
+		if (count == 1)
+			return {ids[0], at};
+		return {nodes_.between(std::span(ids).first(count), [&] { return source_.weights(at); }), at};
+	}
+
+	// Along the shortest diagonal; where they are of a length, along the first.
+	void cutOctahedron(const LinearCell& octahedron, std::vector<LinearCell>& parts)
+	{
+		int best = 0;
+		double shortest = std::numeric_limits<double>::infinity();
+		for (int d = 0; d < 3; ++d)
+		{
+			const auto [a, b] = kOctahedronDiagonals[static_cast<std::size_t>(d)];
+			const double length =
+			    glm::distance(nodes_.at(octahedron.corners[a].point), nodes_.at(octahedron.corners[b].point));
+			if (length < shortest * (1.0 - 1e-6))
+			{
+				shortest = length;
+				best = d;
+			}
+		}
+		for (const auto& four : octahedronCut(best))
+		{
+			LinearCell tetrahedron = {kTetra, {}};
+			for (std::size_t i = 0; i < 4; ++i)
+				tetrahedron.corners[i] = octahedron.corners[four[i]];
+			parts.push_back(tetrahedron);
+		}
+	}
+
+	void addPrism(int sides)
+	{
+		if (ids_->GetNumberOfIds() < 2 * sides)
+			throw damaged(
+			    fmt::format("cell {}, a prism of {} sides, lists {} points", cell_, sides, ids_->GetNumberOfIds()));
+		cells_.addPrism({ids_->GetPointer(0), static_cast<std::size_t>(2 * sides)});
+	}
+
+	// Points are sorted by their ids, so that a flat face of more than three points is cut alike from either side.
+	void addPointSet()
+	{
+		const vtkIdType count = ids_->GetNumberOfIds();
+		vtkNew<vtkIdList> tetrahedra;
+		vtkNew<vtkPoints> ignored;
+		vp::Box box;
+		for (vtkIdType i = 0; i < count; ++i)
+		{
+			const Vec3 at = nodes_.at(ids_->GetId(i));
+			if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
+				throw damaged(fmt::format("the coordinates of point {} are not finite numbers", ids_->GetId(i)));
+			box.include(at);
+		}
+		if (count >= 4)
+		{
+			triangulator_->InitTriangulation(box.lo.x, box.hi.x, box.lo.y, box.hi.y, box.lo.z, box.hi.z,
+			                                 static_cast<int>(count));
+			for (vtkIdType i = 0; i < count; ++i)
+			{
+				Vec3 at = nodes_.at(ids_->GetId(i));
+				triangulator_->InsertPoint(i, ids_->GetId(i), &at.x, &at.x, 0);
+			}
+			triangulator_->Triangulate();
+			triangulator_->AddTetras(0, tetrahedra, ignored);
+		}
+		if (tetrahedra->GetNumberOfIds() == 0)
+			return cells_.endCell(kEmptyCell);
+		for (vtkIdType i = 0; i < tetrahedra->GetNumberOfIds(); ++i)
+		{
+			cells_.addPoint(ids_->GetId(tetrahedra->GetId(i)));
+			if (i % 4 == 3)
+				cells_.endCell(kTetra);
+		}
+	}
+
+	void addUnchanged(std::uint8_t type)
+	{
+		for (vtkIdType i = 0; i < ids_->GetNumberOfIds(); ++i)
+			cells_.addPoint(ids_->GetId(i));
+		if (type == kPolyhedron)
+			cells_.addFaces(polyhedronFaces(grid_, cell_));
+		cells_.endCell(type);
+	}
+
+	LinearCells finish()
+	{
+		LinearCells made{vtkSmartPointer<vtkUnstructuredGrid>::New(), cells_.takeSources()};
+		made.grid->SetPoints(nodes_.points());
+		for (int a = 0; a < nodes_.data()->GetNumberOfArrays(); ++a)
+			made.grid->GetPointData()->AddArray(nodes_.data()->GetArray(a));
+		cells_.fill(made.grid);
+		if (ghosts_)
+		{
+			vtkNew<vtkUnsignedCharArray> marks;
+			marks->SetName(vtkDataSetAttributes::GhostArrayName());
+			for (const std::int64_t cell : made.source_cells)
+				marks->InsertNextValue(ghosts_->GetValue(cell));
+			made.grid->GetCellData()->AddArray(marks);
+		}
+		return made;
+	}
+
+	vtkUnstructuredGrid* grid_;
+	int level_;
+	NewNodes nodes_;
+	GrownCells cells_;
+	SourceCells source_;
+	vtkUnsignedCharArray* ghosts_;
+	vtkNew<vtkOrderedTriangulator> triangulator_;
+
+	vtkIdType cell_ = 0; // being rewritten
+	vtkNew<vtkIdList> ids_;
+	std::vector<Corner> corners_;
+	std::vector<Corner> cut_nodes_;
+	std::vector<LinearCell> parts_;
+	std::vector<LinearCell> finer_;
+	std::vector<bool> placed_;
+};
+
+} // namespace
+
+std::optional<LinearCells> linearise(vtkUnstructuredGrid* grid, int level)
+{
+	if (!grid->GetPoints() || !grid->GetCells() || !grid->GetCellTypesArray())
+		return std::nullopt;
+	refuseBadLists(grid);
+	const vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+	bool any = false;
+	for (vtkIdType c = 0; c < grid->GetNumberOfCells() && !any; ++c)
+		any = isRewritten(types->GetValue(c));
+	if (!any)
+		return std::nullopt;
+	return Lineariser(grid, level).run();
+}

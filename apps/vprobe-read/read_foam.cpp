@@ -1,0 +1,77 @@
+#include "complaints.h"
+#include "formats.h"
+#include "manifest_writer.h"
+#include "refusal.h"
+#include "time_choice.h"
+
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkOpenFOAMReader.h>
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+// The reader leaves out a field whose compressed file ends early.
+void refuseShortGzips(const fs::path& folder)
+{
+	std::error_code none;
+	for (const auto& entry : fs::directory_iterator(folder, none))
+	{
+		if (entry.path().extension() != ".gz")
+			continue;
+		gzFile file = gzopen(entry.path().c_str(), "rb");
+		std::array<char, 1 << 16> buffer;
+		int got = 0;
+		while (file && (got = gzread(file, buffer.data(), buffer.size())) > 0)
+		{
+		}
+		const bool whole = file && got == 0 && gzclose_r(file) == Z_OK && entry.file_size() > 0;
+		if (!whole)
+			throw damaged(fmt::format("{} ends early", entry.path().string()));
+	}
+}
+
+} // namespace
+
+void readFoam(const Request& request, ManifestWriter& manifest)
+{
+	takeWarningsToo(); // which is how this reader tells of files that end early
+	vtkNew<vtkOpenFOAMReader> reader;
+	reader->SetFileName(request.file.c_str());
+	reader->SetDecomposePolyhedra(false);
+	reader->SetCreateCellToPoint(true);
+	reader->SetCacheMesh(false);
+	reader->UpdateInformation();
+	refuseOnComplaint();
+	// The cells of each region; its patches, sets and particles are flat.
+	bool has_cells = false;
+	for (int i = 0; i < reader->GetNumberOfPatchArrays(); ++i)
+	{
+		const std::string name = reader->GetPatchArrayName(i);
+		const bool cells = name.ends_with("internalMesh");
+		reader->SetPatchArrayStatus(name.c_str(), cells);
+		has_cells |= cells;
+	}
+	if (!has_cells)
+		throw damaged("no constant/polyMesh with cells beside it");
+	reader->EnableAllCellArrays();
+	reader->EnableAllPointArrays();
+	reader->DisableAllLagrangianArrays();
+	const std::optional<double> time = updateAtTime(*reader, request, manifest);
+	const fs::path folder = fs::path(request.file).parent_path();
+	refuseShortGzips(folder / "constant" / "polyMesh");
+	for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder))
+		if (time && entry.is_directory() && std::strtod(entry.path().filename().c_str(), nullptr) == *time)
+			refuseShortGzips(entry.path());
+	manifest.add(reader->GetOutputDataObject(0));
+}

@@ -1,0 +1,200 @@
+// Files that only name others: multiblock and AMR indices, collections over time, series.
+#include "amr_cover.h"
+#include "complaints.h"
+#include "formats.h"
+#include "manifest_writer.h"
+#include "refusal.h"
+#include "time_choice.h"
+#include "xml_check.h"
+
+#include <vtkCellData.h>
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLUtilities.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+// Deeper nesting than any writer makes.
+constexpr int kMaxDepth = 64;
+
+std::string attributeOf(vtkXMLDataElement* element, const char* name)
+{
+	const char* value = element->GetAttribute(name);
+	return value ? value : "";
+}
+
+vtkSmartPointer<vtkXMLDataElement> rootOf(const std::string& file)
+{
+	refuseShortXml(file);
+	const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
+	if (!root)
+		throw damaged("its XML cannot be parsed");
+	refuseOnComplaint();
+	return root;
+}
+
+std::string beside(const std::string& index, const std::string& file)
+{
+	return (fs::path(index).parent_path() / file).string();
+}
+
+// A file that an index names, as a data set. It may not be an index itself, so that no circle is followed.
+vtkSmartPointer<vtkDataObject> loadPiece(const Request& request, const std::string& file, ManifestWriter& manifest)
+{
+	Request piece = request;
+	piece.file = beside(request.file, file);
+	if (!fs::is_regular_file(piece.file))
+		throw Refusal(fmt::format("its piece {} cannot be opened; keep them together", piece.file));
+	return loadXml(piece, xmlTypeOfFile(piece.file), manifest);
+}
+
+void readElements(const Request& request, vtkXMLDataElement* parent, const std::string& path, int depth,
+                  ManifestWriter& manifest)
+{
+	if (depth > kMaxDepth)
+		throw damaged("its blocks are nested too deeply");
+	for (int i = 0; i < parent->GetNumberOfNestedElements(); ++i)
+	{
+		vtkXMLDataElement* element = parent->GetNestedElement(i);
+		const std::string kind = element->GetName() ? element->GetName() : "";
+		std::string name = attributeOf(element, "name");
+		if (name.empty())
+			name = fmt::format("{} {}", kind == "DataSet" ? "block" : "group",
+			                   element->GetAttribute("index") ? attributeOf(element, "index") : std::to_string(i));
+		const std::string full = path.empty() ? name : path + "/" + name;
+		if (kind == "DataSet")
+		{
+			const std::string file = attributeOf(element, "file");
+			if (file.empty())
+				continue; // an empty leaf
+			const auto data = loadPiece(request, file, manifest);
+			manifest.setPrefix(full);
+			manifest.add(data);
+		}
+		else if (kind == "Block" || kind == "Piece" || kind == "Partitions")
+			readElements(request, element, full, depth + 1, manifest);
+	}
+}
+
+// A file that an index over time names: of any format but such an index.
+void readStep(const Request& request, const std::string& file, ManifestWriter& manifest)
+{
+	Request step = request;
+	step.file = beside(request.file, file);
+	step.time = Request::Time::last;
+	const std::string ending = fs::path(step.file).extension().string();
+	if (ending == ".pvd" || ending == ".series")
+		throw damaged("it names a file that is a list of files itself");
+	if (!fs::is_regular_file(step.file))
+		throw Refusal(fmt::format("its file {} cannot be opened; keep them together", step.file));
+	readAnyFormat(step, manifest);
+}
+
+struct Step
+{
+	double time;
+	std::string file;
+	std::string name;
+};
+
+void readSteps(const Request& request, const std::vector<Step>& steps, ManifestWriter& manifest)
+{
+	std::vector<double> times;
+	for (const Step& step : steps)
+		times.push_back(step.time);
+	times = inOrder(std::move(times));
+	if (times.empty())
+		throw Refusal("nothing to slice: it names no files");
+	const double chosen = chooseTime(times, request);
+	const auto parts = std::count_if(steps.begin(), steps.end(), [&](const Step& step) { return step.time == chosen; });
+	for (const Step& step : steps)
+		if (step.time == chosen)
+		{
+			manifest.setPrefix(parts > 1 ? step.name : "");
+			readStep(request, step.file, manifest);
+		}
+	manifest.offerTimes(std::move(times));
+}
+
+} // namespace
+
+void readMultiBlock(const Request& request, const std::string& type, ManifestWriter& manifest)
+{
+	const auto root = rootOf(request.file);
+	vtkXMLDataElement* blocks = root->FindNestedElementWithName(type.c_str());
+	if (!blocks)
+		throw damaged(fmt::format("it has no {} element", type));
+	readElements(request, blocks, "", 0, manifest);
+}
+
+void readAmr(const Request& request, const std::string& type, ManifestWriter& manifest)
+{
+	const auto root = rootOf(request.file);
+	vtkXMLDataElement* index = root->FindNestedElementWithName(type.c_str());
+	if (!index)
+		throw damaged(fmt::format("it has no {} element", type));
+	AmrLevels levels = readAmrLevels(index);
+	if (type == "vtkNonOverlappingAMR")
+		levels.ratios.clear();
+	for (std::size_t level = 0; level < levels.boxes.size(); ++level)
+		for (const AmrBox& box : levels.boxes[level])
+		{
+			const auto data = loadPiece(request, box.file, manifest);
+			auto* image = vtkImageData::SafeDownCast(data);
+			if (!image || !hasCellsOf(box, image))
+				throw damaged(fmt::format("{} is no image of the size that its box has", box.file));
+			markCovered(levels, level, box, image);
+			manifest.setPrefix(fmt::format("level {}, box {}", level, box.number));
+			manifest.add(image);
+		}
+}
+
+void readCollection(const Request& request, ManifestWriter& manifest)
+{
+	const auto root = rootOf(request.file);
+	vtkXMLDataElement* collection = root->FindNestedElementWithName("Collection");
+	if (!collection)
+		throw damaged("it has no Collection element");
+	std::vector<Step> steps;
+	for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i)
+	{
+		vtkXMLDataElement* element = collection->GetNestedElement(i);
+		Step step = {0.0, attributeOf(element, "file"), attributeOf(element, "name")};
+		if (element->GetAttribute("timestep") && !element->GetScalarAttribute("timestep", step.time))
+			throw damaged(fmt::format("{} is no time", attributeOf(element, "timestep")));
+		if (step.name.empty())
+			step.name = "part " + (element->GetAttribute("part") ? attributeOf(element, "part") : std::to_string(i));
+		if (!step.file.empty())
+			steps.push_back(std::move(step));
+	}
+	readSteps(request, steps, manifest);
+}
+
+void readSeries(const Request& request, ManifestWriter& manifest)
+{
+	std::vector<Step> steps;
+	try
+	{
+		const auto series = nlohmann::json::parse(std::ifstream(request.file, std::ios::binary));
+		for (const auto& file : series.at("files"))
+			steps.push_back({file.at("time").get<double>(), file.at("name").get<std::string>(),
+			                 fmt::format("part {}", steps.size())});
+	}
+	catch (const nlohmann::json::exception&)
+	{
+		throw damaged("not JSON with a list \"files\" of \"name\" and \"time\"");
+	}
+	readSteps(request, steps, manifest);
+}

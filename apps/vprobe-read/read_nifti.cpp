@@ -1,0 +1,92 @@
+#include "complaints.h"
+#include "formats.h"
+#include "manifest_writer.h"
+#include "refusal.h"
+#include "time_choice.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNIFTIImageReader.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+
+// The components of one time, where each time is a component or several; as stored, or rescaled to real values.
+vtkSmartPointer<vtkDataArray> valuesAt(vtkDataArray* all, int first, int components, double slope, double intercept)
+{
+	const bool rescaled =
+	    slope != 0.0 && std::isfinite(slope) && std::isfinite(intercept) && (slope != 1.0 || intercept != 0.0);
+	const auto values =
+	    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(rescaled ? VTK_DOUBLE : all->GetDataType()));
+	values->SetName("NIFTI");
+	values->SetNumberOfComponents(components);
+	values->SetNumberOfTuples(all->GetNumberOfTuples());
+	for (int component = 0; component < components; ++component)
+		values->CopyComponent(component, all, first + component);
+	if (rescaled)
+		for (vtkIdType tuple = 0; tuple < values->GetNumberOfTuples(); ++tuple)
+			for (int component = 0; component < components; ++component)
+				values->SetComponent(tuple, component, values->GetComponent(tuple, component) * slope + intercept);
+	return values;
+}
+
+} // namespace
+
+void readNifti(const Request& request, ManifestWriter& manifest)
+{
+	vtkNew<vtkNIFTIImageReader> reader;
+	if (!reader->CanReadFile(request.file.c_str()))
+		throw damaged("not a NIfTI file that can be opened");
+	reader->SetFileName(request.file.c_str());
+	reader->TimeAsVectorOn();
+	reader->Update();
+	refuseOnComplaint();
+	if (reader->GetErrorCode() != 0)
+		throw damaged("the reader gave up");
+
+	vtkImageData* image = reader->GetOutput();
+	vtkDataArray* all = image->GetPointData()->GetScalars();
+	if (!all || image->GetNumberOfPoints() == 0)
+		throw damaged("it holds no values");
+	const int steps = std::max(reader->GetTimeDimension(), 1);
+	const int components = all->GetNumberOfComponents() / steps;
+	if (components * steps != all->GetNumberOfComponents())
+		throw damaged("its times do not match its values");
+	std::vector<double> times;
+	const double step = reader->GetTimeSpacing();
+	for (int i = 0; steps > 1 && i < steps; ++i)
+		times.push_back(i * (std::isfinite(step) && step > 0.0 ? step : 1.0));
+	int chosen = 0;
+	if (!times.empty())
+	{
+		const double time = chooseTime(times, request);
+		chosen = static_cast<int>(std::find(times.begin(), times.end(), time) - times.begin());
+	}
+	else if (request.time == Request::Time::index && request.time_index > 0)
+		throw Refusal(fmt::format("--time #{}: it has no times", request.time_index));
+	const auto values =
+	    valuesAt(all, chosen * components, components, reader->GetRescaleSlope(), reader->GetRescaleIntercept());
+	image->GetPointData()->Initialize();
+	image->GetPointData()->SetScalars(values);
+
+	if (vtkMatrix4x4* place = reader->GetSFormMatrix() ? reader->GetSFormMatrix() : reader->GetQFormMatrix())
+	{
+		std::array<double, 9> direction;
+		for (int row = 0; row < 3; ++row)
+			for (int column = 0; column < 3; ++column)
+				direction[3 * row + column] = place->GetElement(row, column);
+		image->SetDirectionMatrix(direction.data());
+		image->SetOrigin(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
+	}
+	manifest.add(image);
+	manifest.offerTimes(std::move(times));
+}

@@ -1,0 +1,205 @@
+#include "source_cell.h"
+
+#include "refusal.h"
+
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataArray.h>
+#include <vtkGenericCell.h>
+#include <vtkIdList.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+using vp::Vec3;
+
+namespace
+{
+
+// VTK's shape functions keep their terms in arrays of this length (vtkHigherOrderInterpolation).
+constexpr int kMaxDegree = 10;
+
+bool hasDegrees(std::uint8_t type)
+{
+	return (type >= VTK_LAGRANGE_TETRAHEDRON && type <= VTK_LAGRANGE_WEDGE) ||
+	       (type >= VTK_BEZIER_TETRAHEDRON && type <= VTK_BEZIER_WEDGE);
+}
+
+bool isTetrahedron(std::uint8_t type)
+{
+	return type == VTK_LAGRANGE_TETRAHEDRON || type == VTK_BEZIER_TETRAHEDRON;
+}
+
+bool isHexahedron(std::uint8_t type)
+{
+	return type == VTK_LAGRANGE_HEXAHEDRON || type == VTK_BEZIER_HEXAHEDRON;
+}
+
+vtkIdType pointsOfDegrees(std::uint8_t type, const std::array<int, 3>& degrees)
+{
+	const vtkIdType a = degrees[0] + 1;
+	const vtkIdType b = degrees[1] + 1;
+	const vtkIdType c = degrees[2] + 1;
+	if (isTetrahedron(type))
+		return a * (a + 1) * (a + 2) / 6;
+	return isHexahedron(type) ? a * b * c : a * (a + 1) / 2 * c;
+}
+
+// Of the quadratic types, whose number is fixed; 0 for others.
+vtkIdType fixedPoints(std::uint8_t type)
+{
+	switch (type)
+	{
+	case VTK_QUADRATIC_TETRA:
+		return 10;
+	case VTK_QUADRATIC_HEXAHEDRON:
+		return 20;
+	case VTK_QUADRATIC_WEDGE:
+		return 15;
+	case VTK_QUADRATIC_PYRAMID:
+		return 13;
+	case VTK_TRIQUADRATIC_HEXAHEDRON:
+		return 27;
+	case VTK_QUADRATIC_LINEAR_WEDGE:
+		return 12;
+	case VTK_BIQUADRATIC_QUADRATIC_WEDGE:
+		return 18;
+	case VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON:
+		return 24;
+	case VTK_TRIQUADRATIC_PYRAMID:
+		return 19;
+	default:
+		return 0;
+	}
+}
+
+CellSplit splitOf(std::uint8_t type, const std::array<int, 3>& degrees, std::span<const Vec3> at)
+{
+	switch (type)
+	{
+	case VTK_QUADRATIC_TETRA:
+		return splitTetrahedron(2, at);
+	case VTK_QUADRATIC_HEXAHEDRON:
+	case VTK_TRIQUADRATIC_HEXAHEDRON:
+	case VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON:
+		return splitHexahedron({2, 2, 2}, at);
+	case VTK_QUADRATIC_WEDGE:
+	case VTK_BIQUADRATIC_QUADRATIC_WEDGE:
+		return splitWedge(2, 2, at);
+	case VTK_QUADRATIC_LINEAR_WEDGE:
+		return splitWedge(2, 1, at);
+	case VTK_QUADRATIC_PYRAMID:
+		return splitPyramid(13);
+	case VTK_TRIQUADRATIC_PYRAMID:
+		return splitPyramid19();
+	default:
+		break;
+	}
+	if (isHexahedron(type))
+		return splitHexahedron(degrees, at);
+	if (isTetrahedron(type))
+		return at.size() == 15 ? splitTetrahedron15() : splitTetrahedron(degrees[0], at);
+	return at.size() == 21 ? splitWedge21() : splitWedge(degrees[0], degrees[2], at);
+}
+
+} // namespace
+
+bool isCurved(std::uint8_t type)
+{
+	return fixedPoints(type) > 0 || hasDegrees(type);
+}
+
+SourceCells::SourceCells(vtkUnstructuredGrid* grid) : grid_(grid) {}
+
+SourceCells::~SourceCells() = default;
+
+std::array<int, 3> SourceCells::degreesOf(vtkIdType cell, std::uint8_t type, vtkIdType points) const
+{
+	std::array<int, 3> degrees = {0, 0, 0};
+	vtkDataArray* given = grid_->GetCellData()->GetHigherOrderDegrees();
+	// Points in the middle of faces take part in neither degree.
+	const bool with_middles = isTetrahedron(type) ? points == 15 : !isHexahedron(type) && points == 21;
+	if (with_middles)
+		return {2, 2, 2};
+	if (given && !isTetrahedron(type))
+	{
+		if (given->GetNumberOfComponents() != 3 || given->GetNumberOfTuples() != grid_->GetNumberOfCells())
+			throw damaged("the degrees of the cells do not match them");
+		for (int axis = 0; axis < 3; ++axis)
+		{
+			const double degree = given->GetComponent(cell, axis);
+			if (!(degree >= 1.0 && degree <= 1000.0))
+				throw damaged(fmt::format("cell {} is of degree {}", cell, degree));
+			degrees[static_cast<std::size_t>(axis)] = static_cast<int>(degree);
+		}
+	}
+	else
+		do
+			++degrees[0], ++degrees[1], ++degrees[2];
+		while (pointsOfDegrees(type, degrees) < points);
+
+	const bool skewed = !isHexahedron(type) && degrees[0] != degrees[1];
+	if (pointsOfDegrees(type, degrees) != points || skewed)
+		throw damaged(fmt::format("cell {} of type {} and degrees {} {} {} lists {} points", cell, type, degrees[0],
+		                          degrees[1], degrees[2], points));
+	if (*std::max_element(degrees.begin(), degrees.end()) > kMaxDegree)
+		throw Refusal(fmt::format("cell {} is of degree {}; degrees up to {} can be read", cell,
+		                          *std::max_element(degrees.begin(), degrees.end()), kMaxDegree));
+	return degrees;
+}
+
+vtkCell* SourceCells::prototype(std::uint8_t type)
+{
+	auto& made = prototypes_[type];
+	if (!made)
+		made = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+	return made;
+}
+
+const CellKind& SourceCells::enter(vtkIdType cell, std::uint8_t type, vtkIdList* points)
+{
+	entered_ = cell;
+	type_ = type;
+	shape_ = nullptr;
+	const vtkIdType fixed = fixedPoints(type);
+	if (fixed > 0 && points->GetNumberOfIds() < fixed)
+		throw damaged(fmt::format("cell {} of type {} lists {} points", cell, type, points->GetNumberOfIds()));
+	if (fixed > 0)
+		points->SetNumberOfIds(fixed);
+	KindKey key{type, {0, 0, 0}, points->GetNumberOfIds()};
+	if (fixed == 0)
+		key.degrees = degreesOf(cell, type, key.points);
+	weights_.resize(static_cast<std::size_t>(key.points));
+
+	const auto [known, is_new] = kinds_.try_emplace(key);
+	CellKind& kind = known->second;
+	if (!is_new)
+		return kind;
+	vtkCell* shape = fixed > 0 ? prototype(type) : grid_->GetCell(cell);
+	const double* coordinates = shape->GetParametricCoords();
+	for (vtkIdType p = 0; p < key.points; ++p, coordinates += 3)
+	{
+		const double up = coordinates[2];
+		if (type == VTK_QUADRATIC_PYRAMID)
+			kind.at.emplace_back(coordinates[0] * (1 - up) + 0.5 * up, coordinates[1] * (1 - up) + 0.5 * up, up);
+		else
+			kind.at.emplace_back(coordinates[0], coordinates[1], up);
+	}
+	kind.split = splitOf(type, key.degrees, kind.at);
+	kind.handles = type >= VTK_BEZIER_TETRAHEDRON && type <= VTK_BEZIER_WEDGE;
+	return kind;
+}
+
+std::span<const double> SourceCells::weights(const Vec3& at)
+{
+	if (!shape_)
+		shape_ = hasDegrees(type_) ? grid_->GetCell(entered_) : prototype(type_);
+	Vec3 place = at;
+	if (type_ == VTK_QUADRATIC_PYRAMID && at.z < 1.0)
+		place = Vec3((at.x - 0.5 * at.z) / (1.0 - at.z), (at.y - 0.5 * at.z) / (1.0 - at.z), at.z);
+	shape_->InterpolateFunctions(&place.x, weights_.data());
+	return weights_;
+}

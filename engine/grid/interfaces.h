@@ -1,0 +1,74 @@
+#pragma once
+
+#include "base/ids.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vp::grid
+{
+
+struct BlockSet;
+
+// A boundary face and a face that lies on it without sharing its points: of another block, or of the same one where
+// points are not merged, as at the wrap of an O- or C-grid. Faces that lie on several are linked to each.
+struct SeamLink
+{
+	CellId cell;
+	std::uint32_t face;
+	std::uint32_t block; // of the cell across
+	CellId other;
+	std::uint32_t other_face;
+
+	auto operator<=>(const SeamLink&) const = default;
+};
+
+// The seams of one block, from its side.
+class BlockSeams
+{
+public:
+	BlockSeams() = default;
+	explicit BlockSeams(std::vector<SeamLink> links); // in any order
+
+	bool empty() const { return links_.empty(); }
+	std::span<const SeamLink> all() const { return links_; } // ascending
+	std::span<const SeamLink> ofCell(CellId cell) const;
+	std::span<const SeamLink> of(CellId cell, std::uint32_t face) const;
+
+private:
+	std::vector<SeamLink> links_;
+};
+
+// Two blocks that meet, or one that meets itself (a == b).
+struct Interface
+{
+	std::uint32_t a;
+	std::uint32_t b;   // a <= b
+	std::size_t faces; // pairs of faces
+};
+
+// Where the blocks of a set meet. Empty until matchInterfaces().
+struct Interfaces
+{
+	std::vector<BlockSeams> blocks;    // one per block
+	std::vector<Interface> interfaces; // in ascending order
+	std::size_t seam_faces = 0;        // boundary faces that lie on another
+	std::size_t boundary_faces = 0;    // the others: the boundary of the domain
+
+	// Null where the block meets nothing.
+	const BlockSeams* of(std::size_t block) const
+	{
+		return block < blocks.size() && !blocks[block].empty() ? &blocks[block] : nullptr;
+	}
+};
+
+// Matches the boundary faces of all blocks by their corners and fills blocks.interfaces. Two faces match when each
+// corner of one lies on a corner of the other, within 1e-6 of the shortest edge or 4 ulps of the coordinates as they
+// are stored, but never more than a quarter of the shortest edge. Repeated corners count once; faces with fewer than
+// three match nothing. Near-linear in the number of boundary faces, on all cores, the same result for any number of
+// threads.
+void matchInterfaces(BlockSet& blocks);
+
+} // namespace vp::grid

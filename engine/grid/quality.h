@@ -1,0 +1,74 @@
+#pragma once
+
+#include "grid/block.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace vp::grid
+{
+
+// A cell of a block set, in its block's numbering.
+struct SetCell
+{
+	std::uint32_t block;
+	CellId cell;
+
+	auto operator<=>(const SetCell&) const = default;
+};
+
+struct SetPoint
+{
+	std::uint32_t block;
+	PointId point;
+
+	auto operator<=>(const SetPoint&) const = default;
+};
+
+// What is wrong with the cells and points of a block set. Cells and points are in ascending order.
+struct Quality
+{
+	// With a point that is listed twice, or two points at one place.
+	std::vector<SetCell> collapsed;
+	// Turned inside out: cells of an unstructured block whose faces, as VTK numbers them, run clockwise seen from
+	// outside. Of structured blocks and of polyhedra, whose order says nothing by itself: those turned the other way
+	// than most.
+	std::vector<SetCell> inverted;
+	// Whose edges at some corner span a volume of the other sign than the cell's. Of hexahedra, wedges, and the base of
+	// pyramids.
+	std::vector<SetCell> twisted;
+	// Points where one with a lower number lies already: exactly, within a block.
+	std::vector<SetPoint> coincident;
+	// Where points of a structured block coincide all along a seam, the grid only closes there: coincident points in
+	// cells that are neither collapsed nor of an unstructured block are no fault.
+	bool coincident_at_fault = false;
+	std::vector<SetPoint> orphans; // of no cell
+	// Faces of more than two cells, by the cells around them, lowest first. Cells that share the points of a face, or
+	// whose boundary faces lie on one another; a 2:1 interface is none.
+	std::vector<std::vector<SetCell>> nonmanifold_faces;
+	// Of unstructured blocks: edges with more than two faces of the domain's boundary, and points where the boundary
+	// touches itself without an edge. A cell of each.
+	std::vector<SetCell> nonmanifold_edges;
+	std::vector<SetCell> nonmanifold_points;
+	// Pairs of cells that hold a point in common, deeper than contact; see findOverlaps().
+	std::vector<std::pair<SetCell, SetCell>> overlaps;
+	std::size_t overlap_samples = 0; // cells that were looked at for that
+};
+
+// On all cores. matchInterfaces() has been called.
+Quality checkQuality(const BlockSet& blocks);
+
+// Parts of checkQuality().
+void findCellFaults(const BlockSet& blocks, Quality& quality);     // collapsed, inverted, twisted
+void findPointFaults(const BlockSet& blocks, Quality& quality);    // coincident, orphans
+void findTopologyFaults(const BlockSet& blocks, Quality& quality); // nonmanifold
+// Looks whether the centre of a cell, or a point halfway from there to a corner, lies inside another cell, by more than
+// a hundredth of the way from the other's face to its centre. Of each block 20 000 cells at most are looked at, evenly
+// spread, against all cells of all blocks. Images and rectilinear grids do not overlap themselves and are not asked.
+void findOverlaps(const BlockSet& blocks, Quality& quality);
+
+} // namespace vp::grid

@@ -1,0 +1,149 @@
+#include "seamed_sets.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace vp::test
+{
+
+namespace
+{
+
+// Every link is entered from both sides, and names faces that coincide.
+void expectConsistent(const grid::BlockSet& set)
+{
+	ASSERT_EQ(set.interfaces.blocks.size(), set.blocks.size());
+	std::size_t seams = 0;
+	std::size_t boundary = 0;
+	for (std::uint32_t b = 0; b < set.blocks.size(); ++b)
+	{
+		std::set<std::pair<CellId, std::uint32_t>> faces;
+		const grid::BlockSeams& here = set.interfaces.blocks[b];
+		for (const grid::SeamLink& link : here.all())
+		{
+			faces.emplace(link.cell, link.face);
+			const auto back = set.interfaces.blocks[link.block].of(link.other, link.other_face);
+			EXPECT_TRUE(
+			    std::ranges::count(back, grid::SeamLink{link.other, link.other_face, b, link.cell, link.face}) == 1);
+			EXPECT_EQ(here.of(link.cell, link.face).front().cell, link.cell);
+		}
+		seams += faces.size();
+		boundary += set.blocks[b].boundary.faces.size();
+	}
+	EXPECT_EQ(set.interfaces.seam_faces, seams);
+	EXPECT_EQ(set.interfaces.boundary_faces, boundary - seams);
+}
+
+constexpr std::size_t kSide = kSteps * kSteps;
+
+} // namespace
+
+TEST(Interfaces, BlocksWhoseIndicesRunOtherwise)
+{
+	for (const Place place : {straight, warped})
+	{
+		const grid::BlockSet set = setOfBlocks({latticeBlock(place, 0.0, false), latticeBlock(place, 1.0, true)});
+		expectConsistent(set);
+		ASSERT_EQ(set.interfaces.interfaces.size(), 1u);
+		EXPECT_EQ(set.interfaces.interfaces[0].a, 0u);
+		EXPECT_EQ(set.interfaces.interfaces[0].b, 1u);
+		EXPECT_EQ(set.interfaces.interfaces[0].faces, kSide);
+		EXPECT_EQ(set.interfaces.seam_faces, 2 * kSide);
+		EXPECT_EQ(set.interfaces.boundary_faces, 10 * kSide);
+	}
+}
+
+TEST(Interfaces, AStructuredBlockMeetsCells)
+{
+	const grid::BlockSet set = setOfBlocks({latticeBlock(warped, 0.0, true), hexahedraBlock(warped, 1.0, 2.0, true)});
+	expectConsistent(set);
+	EXPECT_EQ(set.interfaces.seam_faces, 2 * kSide);
+}
+
+TEST(Interfaces, ImagesSideBySide)
+{
+	grid::Block left;
+	left.grid = grid::UniformGrid({4, 4, 4}, Vec3(0.0), Vec3(0.1));
+	grid::finishBlock(left);
+	grid::Block right;
+	right.grid = grid::UniformGrid({3, 4, 4}, Vec3(0.3, 0.0, 0.0), Vec3(0.2, 0.1, 0.1));
+	grid::finishBlock(right);
+	const grid::BlockSet set = setOfBlocks({left, right});
+	expectConsistent(set);
+	EXPECT_EQ(set.interfaces.seam_faces, 18u);
+}
+
+TEST(Interfaces, TheWrapOfAnOGrid)
+{
+	const grid::BlockSet set = setOfBlocks({oGrid()});
+	expectConsistent(set);
+	ASSERT_EQ(set.interfaces.interfaces.size(), 1u);
+	EXPECT_EQ(set.interfaces.interfaces[0].a, set.interfaces.interfaces[0].b);
+	EXPECT_EQ(set.interfaces.interfaces[0].faces, kSide);
+	EXPECT_EQ(set.interfaces.boundary_faces, 4 * 2 * kSide);
+}
+
+TEST(Interfaces, PointsThatAreNotMerged)
+{
+	const grid::BlockSet set = setOfBlocks({hexahedraBlock(warped, 0.0, 1.0, false)});
+	expectConsistent(set);
+	EXPECT_EQ(set.interfaces.boundary_faces, 6 * kSide);
+	EXPECT_EQ(set.interfaces.seam_faces, 6 * kSteps * kSide - 6 * kSide);
+}
+
+TEST(Interfaces, AFaceOnSeveralIsLinkedToEach)
+{
+	CellListMaker maker;
+	for (const Vec3& tip : {Vec3(0.2, 0.2, 1), Vec3(0.4, 0.2, 1.5), Vec3(0.3, 0.3, -1)})
+		maker.cell(10, {maker.point({0, 0, 0}), maker.point({1, 0, 0}), maker.point({0, 1, 0}), maker.point(tip)});
+	const grid::BlockSet set = setOfBlocks({maker.block("three")});
+	expectConsistent(set);
+	EXPECT_EQ(set.interfaces.seam_faces, 3u);
+	EXPECT_EQ(set.interfaces.blocks[0].all().size(), 6u);
+	EXPECT_EQ(set.interfaces.interfaces[0].faces, 3u);
+}
+
+TEST(Interfaces, NoneWherePointsAreMerged)
+{
+	for (const grid::Block& block : allGrids())
+	{
+		const grid::BlockSet set = setOfBlocks({block});
+		expectConsistent(set);
+		if (block.name != "two_to_one")
+		{
+			EXPECT_EQ(set.interfaces.seam_faces, 0u) << block.name;
+			EXPECT_EQ(set.interfaces.of(0), nullptr);
+		}
+	}
+}
+
+// Cells a millionth as high as wide, far from the origin: neighbours are not taken for one another.
+TEST(Interfaces, ThinCellsFarAway)
+{
+	for (const double height : {1e-3, 1e-6})
+	{
+		const auto place = [&](double u0)
+		{
+			return curvilinearBlock("thin", {3, 3, 5},
+			                        [&](int i, int j, int k) { return Vec3(1000.0 + u0 + i, j, height * k); });
+		};
+		const grid::BlockSet set = setOfBlocks({place(0.0), place(2.0)});
+		expectConsistent(set);
+		EXPECT_EQ(set.interfaces.seam_faces, 2u * 2 * 4) << height;
+	}
+}
+
+TEST(Interfaces, WithinTheToleranceAndBeyond)
+{
+	for (const auto& [gap, meets] : {std::pair(1e-8, true), std::pair(1e-5, false)})
+	{
+		const auto shifted =
+		    curvilinearBlock("shifted", {kSteps + 1, kSteps + 1, kSteps + 1},
+		                     [&](int i, int j, int k) { return Vec3(1.0 + gap + i * 0.25, j * 0.25, k * 0.25); });
+		const grid::BlockSet set = setOfBlocks({latticeBlock(straight, 0.0, false), shifted});
+		EXPECT_EQ(set.interfaces.seam_faces, meets ? 2 * kSide : 0u) << gap;
+	}
+}
+
+} // namespace vp::test
