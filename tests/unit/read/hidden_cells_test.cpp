@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 using namespace vp;
@@ -118,6 +119,22 @@ TEST(HiddenCells, AreThoseAtBlankedPoints)
 	EXPECT_EQ(visible(folder / "inner.vti"), 27u - 8u);
 	writeImage(folder / "corner.vti", 3, 1.0, {{0, 32}, {1, 32}}, {{0, 2}, {63, 2}});
 	EXPECT_EQ(visible(folder / "corner.vti"), 27u - 3u);
+}
+
+TEST(HiddenCells, AreThoseAtPointsThatPlot3dBlanks)
+{
+	const TemporaryFolder folder;
+	std::string bytes;
+	const auto put = [&](auto number) { bytes.append(reinterpret_cast<const char*>(&number), sizeof number); };
+	for (const std::int32_t count : {1, 4, 4, 4})
+		put(count);
+	for (int axis = 0; axis < 3; ++axis)
+		for (int p = 0; p < 64; ++p)
+			put(static_cast<float>(axis == 0 ? p % 4 : axis == 1 ? p / 4 % 4 : p / 16));
+	for (int p = 0; p < 64; ++p)
+		put(std::int32_t(p == 21 ? 0 : p == 63 ? -2 : 1)); // an inner point; -2 names a neighbour, and is shown
+	writeContents(folder / "blanked.xyz", bytes);
+	EXPECT_EQ(visible(folder / "blanked.xyz"), 27u - 8u);
 }
 
 TEST(HiddenCells, OfNoEffectLeaveTheLattice)
