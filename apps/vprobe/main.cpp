@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <new>
 
 #include <unistd.h>
@@ -60,6 +61,14 @@ int main(int argc, char** argv)
 	vp::app::addRender(program, run);
 	vp::app::addCheck(program, run);
 
+	// CLI11 would say that a command is missing, not that this one is none.
+	const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
+	if (argc > 1 && argv[1][0] != '-' &&
+	    std::none_of(commands.begin(), commands.end(), [&](const CLI::App* c) { return c->get_name() == argv[1]; }))
+	{
+		vp::logError(fmt::format("{}: no such command; see vprobe --help", argv[1]));
+		return exitStatus(vp::ExitCode::usage);
+	}
 	try
 	{
 		program.parse(vp::app::foldNumbers(argc, argv));
@@ -82,6 +91,9 @@ int main(int argc, char** argv)
 	try
 	{
 		vp::Result<vp::ExitCode> done = run();
+		if (done && (std::fflush(stdout) != 0 || std::ferror(stdout)))
+			done = vp::Error{vp::ExitCode::output,
+			                 "standard output: cannot be written; make room or choose another place"};
 		if (done)
 			return exitStatus(*done);
 		vp::logError(done.error().message);

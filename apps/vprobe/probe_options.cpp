@@ -138,6 +138,7 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	command
 	    .add_option("--origin", options.origin, "A point of the plane, its hot spot (default: centre of the bounds)")
 	    ->expected(3)
+	    ->allow_extra_args(false)
 	    ->type_name("X Y Z")
 	    ->group(group);
 	command.add_option("--normal", options.normal, "Normal of the plane: x, y, z or three numbers")
@@ -148,6 +149,7 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	    .add_option("--up", options.up,
 	                "Direction of the sheet's y axis, made perpendicular to the normal (default: 0 1 0)")
 	    ->expected(3)
+	    ->allow_extra_args(false)
 	    ->type_name("X Y Z")
 	    ->group(group);
 	command

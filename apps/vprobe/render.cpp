@@ -142,6 +142,8 @@ Result<render::Picture> drawSheets(Session& session, const slice::Slice& slice, 
 
 Result<ExitCode> runRender(const RenderOptions& options)
 {
+	if (options.output.empty())
+		return Error{ExitCode::usage, "-o: a picture needs a place; give the name of a .png file, or -"};
 	if (options.output == "-" && options.stats == "-")
 		return Error{ExitCode::usage,
 		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
@@ -185,8 +187,7 @@ void addRender(CLI::App& program, Run& run)
 	addInputs(*command, options->probe);
 	addProbeOptions(*command, options->probe);
 	command->add_option("-o,--output", options->output, "Picture; - writes it to standard output")
-	    ->type_name("FILE.png|-")
-	    ->required();
+	    ->type_name("FILE.png|-");
 	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
 
 	const char* group = "Look";
@@ -206,6 +207,7 @@ void addRender(CLI::App& program, Run& run)
 	    ->add_option("--range", options->range,
 	                 "Values at the ends of the colour map (default: those of the whole array)")
 	    ->expected(2)
+	    ->allow_extra_args(false)
 	    ->type_name("LO HI")
 	    ->group(group);
 	command->add_option("--opacity", options->opacity, "Of the sheet, 0 to 1")

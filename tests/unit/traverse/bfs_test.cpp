@@ -185,6 +185,20 @@ TEST(BreadthFirst, MarksWrapAroundUnnoticed)
 	}
 }
 
+// A sheet that comes back after one lap of the slice number meets its own stamps where no other sheet has been since.
+TEST(BreadthFirst, StampsOfTheLastLapAreForgotten)
+{
+	const grid::Block& block = gridNamed("shell");
+	const std::vector<TestPlane> planes = randomPlanes(block.bounds, 2, 74);
+	traverse::VisitedMarks marks(cellCount(block));
+	for (int slice = 0; slice < 600; ++slice)
+	{
+		const TestPlane& plane = planes[slice % 255 == 0 ? 0 : 1];
+		const traverse::LaneCut cut = traverseAlone(block, plane, marks, seedsOf(block, plane));
+		ASSERT_EQ(sorted(cut.cells), scanCutCells(block, plane)) << "slice " << slice;
+	}
+}
+
 TEST(BreadthFirst, SheetsInLockStepDoNotDisturbEachOther)
 {
 	for (const grid::Block& block : allGrids())
