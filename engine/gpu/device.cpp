@@ -17,7 +17,7 @@ namespace
 bool validationWanted(const DeviceOptions& options)
 {
 	const char* set = std::getenv("VPROBE_VALIDATION");
-	return options.validation || (set && *set && std::string_view(set) != "0");
+	return options.validation.value_or(set && *set && std::string_view(set) != "0");
 }
 
 // What drawing uses where it is there; the rest stays off.

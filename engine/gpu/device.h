@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,7 +18,7 @@ namespace vp::gpu
 struct DeviceOptions
 {
 	std::string name_or_index;                    // part of a device's name, or its index; empty takes the best one
-	bool validation = false;                      // also switched on by VPROBE_VALIDATION=1
+	std::optional<bool> validation;               // unset: where VPROBE_VALIDATION=1 asks for it
 	std::vector<const char*> instance_extensions; // those a window needs; none to work headless
 	bool swapchain = false;
 	bool map_device_memory = true; // false: device memory is filled by copies even where it could be written directly

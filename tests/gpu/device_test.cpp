@@ -112,7 +112,7 @@ TEST_F(GpuTest, BufferPastTheLimitIsAnError)
 	EXPECT_EQ(made.error().code, ExitCode::output);
 }
 
-TEST_F(GpuTest, ThreadsShareTheQueue)
+TEST_F(UnvalidatedGpuTest, ThreadsShareTheQueue)
 {
 	std::vector<std::thread> threads;
 	std::atomic<int> done = 0;
