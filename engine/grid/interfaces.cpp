@@ -296,15 +296,15 @@ BlockSeams::BlockSeams(std::vector<SeamLink> links) : links_(std::move(links))
 
 std::span<const SeamLink> BlockSeams::ofCell(CellId cell) const
 {
-	const auto range = std::ranges::equal_range(links_, cell, {}, &SeamLink::cell);
-	return {range.begin(), range.end()};
+	return {std::ranges::lower_bound(links_, cell, {}, &SeamLink::cell),
+	        std::ranges::upper_bound(links_, cell, {}, &SeamLink::cell)};
 }
 
 std::span<const SeamLink> BlockSeams::of(CellId cell, std::uint32_t face) const
 {
 	const auto key = [](const SeamLink& link) { return std::pair(link.cell, link.face); };
-	const auto range = std::ranges::equal_range(links_, std::pair(cell, face), {}, key);
-	return {range.begin(), range.end()};
+	const std::pair wanted(cell, face);
+	return {std::ranges::lower_bound(links_, wanted, {}, key), std::ranges::upper_bound(links_, wanted, {}, key)};
 }
 
 void matchInterfaces(BlockSet& set)

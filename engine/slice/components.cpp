@@ -90,8 +90,10 @@ private:
 
 	void joinAcross(const CellPolygon& polygon, const grid::SeamLink& link)
 	{
-		const auto others =
-		    std::ranges::equal_range(at_seams_, BlockCell{link.block, link.other}, before, &CellPolygon::cell);
+		const BlockCell other_cell{link.block, link.other};
+		const std::span<const CellPolygon> others(
+		    std::ranges::lower_bound(at_seams_, other_cell, before, &CellPolygon::cell),
+		    std::ranges::upper_bound(at_seams_, other_cell, before, &CellPolygon::cell));
 		if (others.empty())
 			return;
 		const std::vector<Corner> face = corners(polygon.cell.block, link.cell, link.face);
