@@ -37,8 +37,8 @@ struct SeedOptions
 struct SheetSeeds
 {
 	std::vector<std::vector<CellId>> cells; // per block
-	// Per block: boundary faces that lie in the plane and whose cell is not cut, so that nothing else shows them. Of faces
-	// that coincide at a seam one at most, and none where a cell on either side is cut.
+	// Per block: boundary faces that lie in the plane and whose cell is not cut, so that nothing else shows them. Of
+	// faces that coincide at a seam one at most, and none where a cell on either side is cut.
 	std::vector<std::vector<grid::BoundaryIndex::Face>> faces_in_plane;
 	std::size_t count = 0;          // of seeds in all blocks
 	std::size_t hops = 0;           // cells that fence hops passed

@@ -104,7 +104,7 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 		{
 			loans.push_back(visited_[b]->borrow());
 			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), loans.back().get(), sheet.seeds.cells[b],
-							 blocks_.interfaces.of(b), sheet_lane});
+			                 blocks_.interfaces.of(b), sheet_lane});
 		}
 	}
 
