@@ -16,15 +16,28 @@ using vp::Vec3;
 namespace
 {
 
-// A value that an integer array can hold.
-double wholeOf(double value, vtkDataArray* array)
+// The finite values of each component, {0, 0} where there is none.
+std::vector<std::pair<double, double>> rangesOf(vtkDataArray* array)
 {
-	if (std::isnan(value))
-		return 0.0;
-	return std::clamp(std::round(value), array->GetDataTypeMin(), array->GetDataTypeMax());
+	std::vector<std::pair<double, double>> ranges;
+	for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+	{
+		double range[2];
+		array->GetFiniteRange(range, c);
+		ranges.push_back(range[0] <= range[1] ? std::pair{range[0], range[1]} : std::pair{0.0, 0.0});
+	}
+	return ranges;
 }
 
 } // namespace
+
+double NewNodes::Values::kept(double value, int component) const
+{
+	if (!std::isfinite(value))
+		return whole ? 0.0 : value;
+	const auto [lo, hi] = range[static_cast<std::size_t>(component)];
+	return std::clamp(whole ? std::round(value) : value, lo, hi);
+}
 
 NewNodes::NewNodes(vtkUnstructuredGrid* grid)
     : points_(vtkSmartPointer<vtkPoints>::New()), data_(vtkSmartPointer<vtkPointData>::New()),
@@ -44,7 +57,7 @@ NewNodes::NewNodes(vtkUnstructuredGrid* grid)
 		grown->DeepCopy(array);
 		data_->AddArray(grown);
 		const bool whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
-		arrays_.push_back({array, grown, whole});
+		arrays_.push_back({array, grown, whole, rangesOf(array)});
 		width_ += static_cast<std::size_t>(array->GetNumberOfComponents());
 	}
 	sum_.resize(width_);
@@ -103,8 +116,7 @@ const std::vector<double>& NewNodes::sum(std::span<const double> weights)
 	std::size_t v = 3;
 	for (const Values& array : arrays_)
 		for (int c = 0; c < array.given->GetNumberOfComponents(); ++c, ++v)
-			if (array.whole)
-				sum_[v] = wholeOf(sum_[v], array.given);
+			sum_[v] = array.kept(sum_[v], c);
 	return sum_;
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 class vtkDataArray;
@@ -17,8 +18,9 @@ class vtkPoints;
 class vtkUnstructuredGrid;
 
 // The points of a grid and those added to it, with their arrays. A point in the middle of an edge or a face is known by
-// the points about it, so that cells on both sides share it. New values are weighted sums in double; floating-point
-// arrays keep their type, and integers are rounded to the nearest.
+// the points about it, so that cells on both sides share it. New values are weighted sums in double, kept within the
+// range of their array's component, which a polynomial through the nodes may leave; floating-point arrays keep their
+// type, and integers are rounded to the nearest.
 class NewNodes
 {
 public:
@@ -59,7 +61,10 @@ private:
 	{
 		vtkDataArray* given;
 		vtkDataArray* grown;
-		bool whole; // integers
+		bool whole;                                   // integers
+		std::vector<std::pair<double, double>> range; // per component
+
+		double kept(double value, int component) const;
 	};
 
 	static Key keyOf(std::span<const vtkIdType> corners);

@@ -93,6 +93,7 @@ nlohmann::json sheetJson(const grid::BlockSet& blocks, const slice::SheetSlice& 
 	        {"cells_walked", sums.walked},
 	        {"cells_twisted", stats.mesh.cells_twisted},
 	        {"boundary_faces", sums.boundary_faces},
+	        {"boundary_area", stats.measure.boundary_area},
 	        {"nan_area", stats.measure.nan_area}};
 }
 

@@ -1,10 +1,10 @@
 #include "slice/mesh.h"
 
 #include "slice/cell_polygons.h"
-#include "slice/edge_vertices.h"
+#include "slice/join_vertices.h"
+#include "slice/key_numbers.h"
 
 #include <cmath>
-#include <unordered_map>
 
 namespace vp::slice
 {
@@ -22,82 +22,77 @@ Vec3 doubleArea(const SheetMesh& mesh, std::span<const std::uint32_t> polygon)
 	return sum;
 }
 
+// Adds the vertices and polygons of one block.
 template <grid::Grid G>
-void addBlock(const G& grid, const surface::Plane& plane, const BlockCut& block, SheetMesh& mesh)
+class BlockMesh
 {
-	const traverse::LaneCut& cut = *block.cut;
-	EdgeVertices vertices(cut.cut_cells);
-	CellPolygons<G> polygons(grid, plane);
+public:
+	BlockMesh(const G& grid, const surface::Plane& plane, const BlockCut& block, std::size_t expected_edges,
+	          SheetMesh& mesh)
+	    : grid_(grid), plane_(plane), block_(block), mesh_(mesh), vertices_(expected_edges)
+	{
+	}
 
-	const auto vertexOf = [&](std::pair<PointId, PointId> edge)
+	void addCells()
+	{
+		const traverse::LaneCut& cut = *block_.cut;
+		CellPolygons<G> polygons(grid_, plane_);
+		for (std::size_t i = 0; i < cut.cells.size(); ++i)
+			if (cut.words[i] & shared::kWordCut)
+				mesh_.cells_twisted += polygons.visit(cut.cells[i], cut.words[i],
+				                                      [&](const auto& edges) { addPolygon(cut.cells[i], edges); });
+	}
+
+	// A corner of a face in the plane is an edge of its own.
+	void addFacesInPlane()
+	{
+		grid::CellFaces faces;
+		std::vector<std::pair<PointId, PointId>> corners;
+		for (const grid::BoundaryIndex::Face& face : block_.faces_in_plane)
+		{
+			grid_.cellFaces(face.cell, faces);
+			corners.clear();
+			for (const PointId p : faces[face.face])
+				corners.emplace_back(p, p);
+			addPolygon(face.cell, corners);
+			++mesh_.boundary_polygons;
+		}
+	}
+
+private:
+	std::uint32_t vertexOf(std::pair<PointId, PointId> edge)
 	{
 		const PointId lower = std::min(edge.first, edge.second);
 		const PointId higher = std::max(edge.first, edge.second);
-		const auto [number, is_new] = vertices.find(lower, higher, static_cast<std::uint32_t>(mesh.positions.size()));
+		const auto [number, is_new] =
+		    vertices_.find(std::uint64_t(lower) << 32 | higher, static_cast<std::uint32_t>(mesh_.positions.size()));
 		if (is_new)
 		{
-			const Vec3 a = grid.point(lower);
-			const Vec3 b = grid.point(higher);
-			const double da = plane.signedDistance(a);
-			const double db = plane.signedDistance(b);
-			// The signs differ, so this is no division by zero; a corner of a face in the plane is its own edge.
+			const Vec3 a = grid_.point(lower);
+			const Vec3 b = grid_.point(higher);
+			const double da = plane_.signedDistance(a);
+			const double db = plane_.signedDistance(b);
+			// The signs differ but at the corners of faces in the plane, so this is no division by zero.
 			const double t = lower == higher ? 0.0 : da / (da - db);
-			mesh.edges.push_back({block.block, lower, higher, t});
-			mesh.positions.push_back(t == 1.0 ? b : a + t * (b - a));
+			mesh_.edges.push_back({block_.block, lower, higher, t});
+			mesh_.positions.push_back(t == 1.0 ? b : a + t * (b - a));
 		}
 		return number;
-	};
-	const auto addPolygon = [&](CellId cell, std::span<const std::pair<PointId, PointId>> edges)
+	}
+	void addPolygon(CellId cell, std::span<const std::pair<PointId, PointId>> edges)
 	{
 		for (const auto& edge : edges)
-			mesh.polygon_vertices.push_back(vertexOf(edge));
-		mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.polygon_vertices.size()));
-		mesh.polygon_cells.push_back({block.block, cell});
-	};
-	for (std::size_t i = 0; i < cut.cells.size(); ++i)
-		if (cut.words[i] & shared::kWordCut)
-			mesh.cells_twisted +=
-			    polygons.visit(cut.cells[i], cut.words[i], [&](const auto& edges) { addPolygon(cut.cells[i], edges); });
-
-	grid::CellFaces faces;
-	std::vector<std::pair<PointId, PointId>> corners;
-	for (const grid::BoundaryIndex::Face& face : block.faces_in_plane)
-	{
-		grid.cellFaces(face.cell, faces);
-		corners.clear();
-		for (const PointId p : faces[face.face])
-			corners.emplace_back(p, p);
-		addPolygon(face.cell, corners);
+			mesh_.polygon_vertices.push_back(vertexOf(edge));
+		mesh_.polygon_starts.push_back(static_cast<std::uint32_t>(mesh_.polygon_vertices.size()));
+		mesh_.polygon_cells.push_back({block_.block, cell});
 	}
-}
 
-// A grid point that lies on the surface cuts several edges at one place. They become one vertex, so that what closes up
-// in space closes up in the mesh.
-void joinVerticesAtPoints(SheetMesh& mesh)
-{
-	std::unordered_map<std::uint64_t, std::uint32_t> at_point;
-	std::vector<std::uint32_t> joined;
-	for (std::uint32_t v = 0; v < mesh.edges.size(); ++v)
-	{
-		const EdgePoint& edge = mesh.edges[v];
-		if (edge.t != 0.0 && edge.t != 1.0)
-			continue;
-		const PointId point = edge.t == 0.0 ? edge.lower : edge.higher;
-		const auto [first, is_new] = at_point.try_emplace(std::uint64_t(edge.block) << 32 | point, v);
-		if (is_new)
-			continue;
-		if (joined.empty())
-		{
-			joined.resize(mesh.edges.size());
-			for (std::uint32_t i = 0; i < joined.size(); ++i)
-				joined[i] = i;
-		}
-		joined[v] = first->second;
-	}
-	if (!joined.empty())
-		for (std::uint32_t& v : mesh.polygon_vertices)
-			v = joined[v];
-}
+	const G& grid_;
+	const surface::Plane& plane_;
+	const BlockCut& block_;
+	SheetMesh& mesh_;
+	KeyNumbers vertices_;
+};
 
 // Drops repeated vertices and polygons without area, turns the rest to face along the normal, and drops vertices no
 // polygon uses.
@@ -107,6 +102,7 @@ void tidyPolygons(SheetMesh& mesh, const Vec3& normal)
 	std::vector<std::uint32_t> kept;
 	kept.reserve(mesh.polygon_vertices.size());
 	std::size_t polygons = 0;
+	const std::size_t of_cells = mesh.polygons() - mesh.boundary_polygons;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
 	{
 		const std::size_t begin = kept.size();
@@ -127,6 +123,7 @@ void tidyPolygons(SheetMesh& mesh, const Vec3& normal)
 		if (std::abs(area) <= kNoArea * longest * longest)
 		{
 			kept.resize(begin);
+			mesh.boundary_polygons -= p >= of_cells;
 			continue;
 		}
 		if (area < 0.0)
@@ -154,6 +151,13 @@ void tidyPolygons(SheetMesh& mesh, const Vec3& normal)
 	mesh.edges.resize(used);
 	for (std::uint32_t& v : mesh.polygon_vertices)
 		v = number[v];
+	std::erase_if(mesh.seam_pairs,
+	              [&](const auto& pair) { return number[pair.first] == kUnused || number[pair.second] == kUnused; });
+	for (auto& [v, w] : mesh.seam_pairs)
+	{
+		v = number[v];
+		w = number[w];
+	}
 }
 
 } // namespace
@@ -172,9 +176,16 @@ SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std
 	mesh.polygon_starts.push_back(0);
 
 	const surface::Plane plane = sheet.plane();
-	for (const BlockCut& cut : cuts)
-		std::visit([&](const auto& grid) { addBlock(grid, plane, cut, mesh); }, blocks.blocks[cut.block].grid);
-	joinVerticesAtPoints(mesh);
+	const auto visitBlocks = [&](auto&& visit)
+	{
+		for (const BlockCut& cut : cuts)
+			std::visit([&](const auto& grid) { visit(grid, cut); }, blocks.blocks[cut.block].grid);
+	};
+	visitBlocks([&](const auto& grid, const BlockCut& cut)
+	            { BlockMesh(grid, plane, cut, cut.cut->cut_cells, mesh).addCells(); });
+	visitBlocks([&](const auto& grid, const BlockCut& cut)
+	            { BlockMesh(grid, plane, cut, cut.faces_in_plane.size(), mesh).addFacesInPlane(); });
+	joinVertices(blocks, mesh);
 	tidyPolygons(mesh, sheet.normal);
 	return mesh;
 }

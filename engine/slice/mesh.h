@@ -8,13 +8,15 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vp::slice
 {
 
 // Where a vertex lies: on the edge from the lower to the higher point id, at lower + t (higher - lower), 0 <= t <= 1.
-// This is the vertex's identity too: a cut edge is one vertex, whatever number of cells share it.
+// This is the vertex's identity too: a cut edge is one vertex, whatever number of cells share it. Where blocks meet, or
+// points are not merged, an edge has several names, of which the vertex bears one (join_vertices.h).
 struct EdgePoint
 {
 	std::uint32_t block;
@@ -39,7 +41,10 @@ struct SheetMesh
 	std::vector<std::uint32_t> polygon_starts; // polygons + 1 offsets into polygon_vertices
 	std::vector<std::uint32_t> polygon_vertices;
 	std::vector<BlockCell> polygon_cells; // per polygon
-	std::size_t cells_twisted = 0;        // cut cells with a face that is cut more than once, or with several polygons
+	std::size_t boundary_polygons = 0;    // the last so many are boundary faces in the plane, of cells that are not cut
+	// Vertices that lie on each other at a seam and yet stay two, since the arrays differ from one side to the other.
+	std::vector<std::pair<std::uint32_t, std::uint32_t>> seam_pairs;
+	std::size_t cells_twisted = 0; // cut cells with a face that is cut more than once, or with several polygons
 
 	std::size_t polygons() const { return polygon_cells.size(); }
 	std::span<const std::uint32_t> polygon(std::size_t i) const

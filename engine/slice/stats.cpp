@@ -14,6 +14,7 @@ namespace
 struct Sums
 {
 	double area = 0.0;
+	double boundary_area = 0.0;
 	double nan_area = 0.0;
 	double value_area = 0.0; // integral of the values over the area that is not NaN
 	double min = std::numeric_limits<double>::infinity();
@@ -55,6 +56,7 @@ SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const 
 			sums.addValue(vertex_values.back());
 		}
 	}
+	const std::size_t of_cells = mesh.polygons() - mesh.boundary_polygons;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
 	{
 		const auto polygon = mesh.polygon(p);
@@ -80,15 +82,19 @@ SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const 
 		{
 			const double area =
 			    0.5 * glm::length(glm::cross(mesh.positions[previous] - centre, mesh.positions[v] - centre));
-			sums.addTriangle(area, on_points ? (vertex_values[previous] + vertex_values[v] + centre_value) / 3.0
-			                                 : polygon_value);
+			if (p >= of_cells)
+				sums.boundary_area += area;
+			else
+				sums.addTriangle(area, on_points ? (vertex_values[previous] + vertex_values[v] + centre_value) / 3.0
+				                                 : polygon_value);
 			previous = v;
 		}
 	}
 
 	SheetMeasure result;
 	result.area = sums.area;
-	result.components = countComponents(blocks, mesh);
+	result.boundary_area = sums.boundary_area;
+	result.components = countComponents(mesh);
 	if (!field)
 		return result;
 	result.nan_area = sums.nan_area;

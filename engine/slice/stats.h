@@ -10,10 +10,12 @@ namespace vp::slice
 {
 
 // What a sheet shows, in numbers. A polygon counts as the fan of triangles about the mean of its vertices, whose value
-// is the mean of theirs.
+// is the mean of theirs. Boundary faces in the plane have an area of their own and stay out of the rest but for the
+// range: what is cut is the same then on either side of a plane where cells meet.
 struct SheetMeasure
 {
 	double area = 0.0;
+	double boundary_area = 0.0; // of the boundary faces in the plane
 	double nan_area = 0.0;      // part of the area whose value is NaN
 	std::optional<double> mean; // area-weighted; none without an array or without area
 	std::optional<double> min;  // of the values at the vertices (point data) or of the polygons (cell data)

@@ -46,12 +46,14 @@ std::vector<grid::Block> boxes()
 	return {gridNamed("blob"), gridNamed("graded"), gridNamed("mixed"), gridNamed("inverted"), cube(5)};
 }
 
+// Of all that is shown: what is cut, and boundary faces in the plane.
 double areaOf(slice::Slicer& slicer, const TestPlane& plane)
 {
 	const SlicedSheet sheet = cut(slicer, plane);
 	for (const Vec3& p : sheet.mesh.positions)
 		EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
-	return slice::measure(slicer.blocks(), sheet.mesh, {}).area;
+	const slice::SheetMeasure measure = slice::measure(slicer.blocks(), sheet.mesh, {});
+	return measure.area + measure.boundary_area;
 }
 
 Vec3 axis(int a)
@@ -117,6 +119,21 @@ TEST(Area, OnTheSidesOfTheDomainIsShownOnce)
 				EXPECT_EQ(areaOf(slicer, {beside, axis(a)}), 0.0) << block.name;
 			}
 	}
+}
+
+// Cells left and right of a plane that meet in an edge only: the tie rule cuts those on the negative side, and the
+// faces of the others have an area of their own.
+TEST(Area, OfBoundaryFacesIsToldApart)
+{
+	const grid::BlockSet set = setOf(explicitHexahedra(2, [](int i, int j, int) { return i == j; }));
+	slice::Slicer slicer(set);
+	const SlicedSheet sheet = cut(slicer, {{0.5, 0.5, 0.5}, {1.0, 0.0, 0.0}});
+	const slice::SheetMeasure measure = slice::measure(set, sheet.mesh, {});
+	EXPECT_EQ(sheet.mesh.boundary_polygons, 2u);
+	EXPECT_EQ(sheet.mesh.polygons(), 4u);
+	EXPECT_EQ(sheet.cutCellCount(), 2u);
+	EXPECT_DOUBLE_EQ(measure.area, 0.5);
+	EXPECT_DOUBLE_EQ(measure.boundary_area, 0.5);
 }
 
 TEST(Area, OfPlanesAlongDiagonals)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace vp::test
 {
 
@@ -18,6 +20,12 @@ struct SeamedSet
 	grid::BlockSet whole; // the same domain in one piece
 };
 
+grid::Block withoutArrays(grid::Block block)
+{
+	block.fields.clear();
+	return block;
+}
+
 std::vector<SeamedSet> seamedSets()
 {
 	const auto whole = [](Place place, bool closed = false)
@@ -25,8 +33,8 @@ std::vector<SeamedSet> seamedSets()
 	std::vector<SeamedSet> sets;
 	sets.push_back(
 	    {"turned", setOfBlocks({latticeBlock(warped, 0.0, false), latticeBlock(warped, 1.0, true)}), whole(warped)});
-	sets.push_back({"hybrid", setOfBlocks({hexahedraBlock(warped, 1.0, 2.0, true), latticeBlock(warped, 0.0, true)}),
-	                whole(warped)});
+	const grid::Block half = withoutArrays(hexahedraBlock(warped, 1.0, 2.0, true));
+	sets.push_back({"hybrid", setOfBlocks({half, latticeBlock(warped, 0.0, true)}), whole(warped)});
 	sets.push_back({"unmerged", setOfBlocks({hexahedraBlock(warped, 0.0, 2.0, false)}), whole(warped)});
 	sets.push_back({"o_grid", setOfBlocks({oGrid()}), whole(ring, true)});
 	sets.push_back({"unmerged_ring", setOfBlocks({hexahedraBlock(ring, 0.0, 2.0, false)}), whole(ring, true)});
@@ -82,6 +90,7 @@ TEST(Seams, AllOfASheetIsTheScanAndItsPiecesAreThoseOfOneGrid)
 			const slice::SheetMeasure here = slice::measure(seamed.set, cut.mesh, {});
 			const slice::SheetMeasure there = slice::measure(seamed.whole, expected.mesh, {});
 			EXPECT_EQ(here.components, there.components) << seamed.name;
+			EXPECT_EQ(cut.mesh.positions.size(), expected.mesh.positions.size()) << seamed.name;
 			EXPECT_NEAR(here.area, there.area, 1e-9 * (1.0 + there.area)) << seamed.name;
 		}
 	}
@@ -105,9 +114,42 @@ TEST(Seams, PlanesThroughPointsShowNothingTwice)
 				EXPECT_EQ(cut.cutCellCount(), scanCount(seamed.set, plane));
 				const slice::SheetMeasure here = slice::measure(seamed.set, cut.mesh, {});
 				const slice::SheetMeasure there = slice::measure(seamed.whole, expected.mesh, {});
-				EXPECT_NEAR(here.area, there.area, 1e-9) << seamed.name << " axis " << axis << " step " << step;
+				EXPECT_NEAR(here.area + here.boundary_area, there.area + there.boundary_area, 1e-9)
+				    << seamed.name << " axis " << axis << " step " << step;
 				EXPECT_EQ(here.components, there.components) << seamed.name << " axis " << axis << " step " << step;
 			}
+	}
+}
+
+// Two blocks with an array each that jumps at the seam, or does not.
+TEST(Seams, VerticesAreOneUnlessTheArraysJump)
+{
+	const auto halves = [](double jump)
+	{
+		std::vector<grid::Block> blocks{latticeBlock(straight, 0.0, false), latticeBlock(straight, 1.0, false)};
+		for (grid::Block& block : blocks)
+		{
+			const std::size_t points = (kSteps + 1) * (kSteps + 1) * (kSteps + 1);
+			const double value = &block == &blocks[0] ? 1.0 : 1.0 + jump;
+			block.fields.push_back(
+			    grid::makeField("p", grid::Association::point, 1, std::vector<double>(points, value)));
+			const auto id = &block == &blocks[0] ? 0 : 1000;
+			block.fields.push_back(
+			    grid::makeField("id", grid::Association::point, 1, std::vector<std::int32_t>(points, id)));
+		}
+		return setOfBlocks(std::move(blocks));
+	};
+	const TestPlane plane{{1.0, 0.6, 0.6}, {0.0, 0.1, 1.0}};
+	const std::size_t one_side = 2 * (kSteps + 1) * (kSteps + 1);
+	for (const auto& [jump, vertices] : {std::pair{0.0, one_side - (kSteps + 1)}, std::pair{0.5, one_side}})
+	{
+		const grid::BlockSet set = halves(jump);
+		slice::Slicer slicer(set);
+		const SlicedSheet cut = test::cut(slicer, plane);
+		EXPECT_EQ(cut.mesh.positions.size(), vertices);
+		const std::set pairs(cut.mesh.seam_pairs.begin(), cut.mesh.seam_pairs.end());
+		EXPECT_EQ(pairs.size(), jump == 0.0 ? 0u : kSteps + 1u);
+		EXPECT_EQ(slice::measure(set, cut.mesh, {}).components, 1u);
 	}
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "base/ids.h"
-
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -10,22 +8,21 @@
 namespace vp::slice
 {
 
-// Numbers the cut edges of a block in the order in which they are first met: open addressing with linear probing, at
-// most half full, keyed by (lower point, higher point).
-class EdgeVertices
+// Numbers keys, such as cut edges, in the order in which they are first met: open addressing with linear probing, at
+// most half full.
+class KeyNumbers
 {
 public:
-	explicit EdgeVertices(std::size_t expected) { resize(std::bit_ceil(4 * expected + 16)); }
+	explicit KeyNumbers(std::size_t expected) { resize(std::bit_ceil(4 * expected + 16)); }
 
 	struct Found
 	{
 		std::uint32_t number;
 		bool is_new;
 	};
-	// `next` is the number that a new edge gets.
-	Found find(PointId lower, PointId higher, std::uint32_t next)
+	// `next` is the number that a new key gets; any but 2^32 - 1.
+	Found find(std::uint64_t key, std::uint32_t next)
 	{
-		const std::uint64_t key = std::uint64_t(lower) << 32 | higher;
 		std::size_t slot = place(key);
 		while (numbers_[slot] != kEmpty)
 		{

@@ -1,0 +1,162 @@
+#include "slice/join_vertices.h"
+
+#include "slice/key_numbers.h"
+#include "slice/seam_vertices.h"
+#include "slice/union_find.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace vp::slice
+{
+
+namespace
+{
+
+// Wide integers are taken for ids: the copies of a point have ids of their own and are one point for all that.
+bool isId(const grid::Field& field)
+{
+	using enum grid::NumberType;
+	return field.type == int32 || field.type == uint32 || field.type == int64 || field.type == uint64;
+}
+
+bool isPointField(const grid::Field& field)
+{
+	return field.association == grid::Association::point;
+}
+
+class VertexJoiner
+{
+public:
+	VertexJoiner(const grid::BlockSet& blocks, SheetMesh& mesh)
+	    : blocks_(blocks), mesh_(mesh), joined_(mesh.positions.size())
+	{
+	}
+
+	void join()
+	{
+		joinAtGridPoints();
+		joinAtSeams();
+		if (ofSeveralBlocks())
+			joinAtSamePlace();
+		if (joined_.count() < mesh_.positions.size())
+			for (std::uint32_t& v : mesh_.polygon_vertices)
+				v = joined_.root(v);
+	}
+
+private:
+	void joinAtGridPoints()
+	{
+		KeyNumbers at_point(0);
+		std::vector<std::uint32_t> first;
+		for (std::uint32_t v = 0; v < mesh_.edges.size(); ++v)
+		{
+			const EdgePoint& edge = mesh_.edges[v];
+			if (edge.t != 0.0 && edge.t != 1.0)
+				continue;
+			const PointId point = edge.t == 0.0 ? edge.lower : edge.higher;
+			const auto [number, is_new] =
+			    at_point.find(std::uint64_t(edge.block) << 32 | point, static_cast<std::uint32_t>(first.size()));
+			if (is_new)
+				first.push_back(v);
+			else
+				joined_.join(first[number], v);
+		}
+	}
+
+	void joinAtSeams()
+	{
+		for (const VertexPair& pair : seamVertices(blocks_, mesh_))
+			if (haveSameData(pair.first, pair.second))
+				joined_.join(pair.first, pair.second);
+			else
+				mesh_.seam_pairs.push_back(pair);
+	}
+
+	bool ofSeveralBlocks() const
+	{
+		return std::ranges::any_of(mesh_.edges, [&](const EdgePoint& e) { return e.block != mesh_.edges[0].block; });
+	}
+
+	void joinAtSamePlace()
+	{
+		KeyNumbers at_place(mesh_.positions.size());
+		std::vector<std::uint32_t> first;
+		for (std::uint32_t v = 0; v < mesh_.positions.size(); ++v)
+		{
+			const auto [number, is_new] =
+			    at_place.find(placeKey(mesh_.positions[v]), static_cast<std::uint32_t>(first.size()));
+			if (is_new)
+				first.push_back(v);
+			else if (mesh_.positions[first[number]] == mesh_.positions[v] && haveSameData(first[number], v))
+				joined_.join(first[number], v);
+		}
+	}
+
+	// Places with the same key are hardly ever two; whoever uses it compares them.
+	static std::uint64_t placeKey(const Vec3& place)
+	{
+		std::uint64_t key = 0;
+		for (int axis = 0; axis < 3; ++axis)
+			key = std::rotl(key, 21) * 0x9E3779B97F4A7C15ull + std::bit_cast<std::uint64_t>(place[axis] + 0.0); // no -0
+		return key;
+	}
+
+	bool haveSameData(std::uint32_t v, std::uint32_t w) const
+	{
+		const std::vector<grid::Field>& fields = blocks_.blocks[mesh_.edges[v].block].fields;
+		const std::vector<grid::Field>& others = blocks_.blocks[mesh_.edges[w].block].fields;
+		if (std::ranges::count_if(fields, isPointField) != std::ranges::count_if(others, isPointField))
+			return false;
+		for (const grid::Field& field : fields)
+		{
+			if (!isPointField(field))
+				continue;
+			const auto other = std::ranges::find_if(others, [&](const grid::Field& o)
+			                                        { return isPointField(o) && o.name == field.name; });
+			if (other == others.end() || other->components != field.components)
+				return false;
+			for (int c = 0; c < field.components && !(isId(field) && isId(*other)); ++c)
+				if (!isSame(valueAt(field, c, v), valueAt(*other, c, w), scaleAt(field, c, v)))
+					return false;
+		}
+		return true;
+	}
+
+	double valueAt(const grid::Field& field, int component, std::uint32_t v) const
+	{
+		return interpolate(blocks_.blocks[mesh_.edges[v].block], field, component, mesh_.edges[v]);
+	}
+
+	// How large the numbers are that a value was interpolated from.
+	double scaleAt(const grid::Field& field, int component, std::uint32_t v) const
+	{
+		EdgePoint end = mesh_.edges[v];
+		double scale = 0.0;
+		for (const double t : {0.0, 1.0})
+		{
+			end.t = t;
+			scale = std::max(scale, std::abs(interpolate(blocks_.blocks[end.block], field, component, end)));
+		}
+		return scale;
+	}
+	// Copies of one number, written in single precision perhaps, and interpolated at places a rounding apart.
+	static bool isSame(double a, double b, double scale)
+	{
+		return std::abs(a - b) <= 1e-5 * scale || (std::isnan(a) && std::isnan(b));
+	}
+
+	const grid::BlockSet& blocks_;
+	SheetMesh& mesh_;
+	UnionFind joined_;
+};
+
+} // namespace
+
+void joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh)
+{
+	VertexJoiner(blocks, mesh).join();
+}
+
+} // namespace vp::slice
