@@ -68,6 +68,18 @@ Result<probe::Probe> makeProbe(const ProbeOptions& options, const grid::BlockSet
 	return probe::Probe{{probe::makeSheet(origin, *normal, up)}};
 }
 
+Result<std::optional<slice::Threshold>> parseThreshold(const std::vector<double>& numbers)
+{
+	if (numbers.empty())
+		return std::optional<slice::Threshold>();
+	if (const std::string reason = allFinite(numbers, "--threshold"); !reason.empty())
+		return Error{ExitCode::usage, reason};
+	if (numbers[0] > numbers[1])
+		return Error{ExitCode::usage, fmt::format("--threshold {} {}: LO is above HI; give the lower value first",
+		                                          numbers[0], numbers[1])};
+	return std::optional(slice::Threshold{numbers[0], numbers[1]});
+}
+
 seed::SeedOptions seedOptions(const ProbeOptions& options)
 {
 	seed::SeedOptions seeds;
@@ -163,6 +175,13 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	    ->type_name("N|x|y|z|magnitude")
 	    ->group(group);
 	command
+	    .add_option("--threshold", options.threshold,
+	                "Ends the traversal at cells whose values all lie below LO, or all above HI")
+	    ->expected(2)
+	    ->allow_extra_args(false)
+	    ->type_name("LO HI")
+	    ->group(group);
+	command
 	    .add_option("--seeds", options.seeds,
 	                "Where the traversal starts. auto: hot spot and boundary, every piece; hotspot: the piece that "
 	                "holds the hot spot")
@@ -217,6 +236,10 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	// What can be wrong on the command line is told before a large file is read.
 	if (Result<Vec3> normal = parseNormal(options.normal); !normal)
 		return normal.error();
+	Result<std::optional<slice::Threshold>> threshold = parseThreshold(options.threshold);
+	if (!threshold)
+		return threshold.error();
+	session->threshold = *threshold;
 	Result<grid::BlockSet> blocks = [&]
 	{
 		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
@@ -231,6 +254,9 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	if (!field)
 		return field.error();
 	session->field = *field;
+	if (session->threshold && !session->field)
+		return Error{ExitCode::input, fmt::format("{}: has no array for --threshold to look at; leave the option out",
+		                                          options.inputs.front())};
 	Result<probe::Probe> probe = makeProbe(options, session->blocks);
 	if (!probe)
 		return probe.error();
@@ -257,7 +283,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 Result<slice::Slice> cut(Session& session)
 {
 	Result<slice::Slice> slice =
-	    session.slicer->cut({session.probe, session.field, session.seeds, session.timeline.get()});
+	    session.slicer->cut({session.probe, session.field, session.seeds, session.threshold, session.timeline.get()});
 	if (!slice)
 		return slice;
 	for (const std::string& words : slice->words)
@@ -279,7 +305,15 @@ Result<slice::Slice> cut(Session& session)
 		else if (outside && session.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.moved_to)
 			warn("--origin {} {} {}: the hot spot lies outside the grid; {} {} {} takes its place", at.x, at.y, at.z,
 			     sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
-		if (cut_cells == 0)
+		std::size_t boundary_faces = 0;
+		for (const auto& faces : sheet.seeds.faces_in_plane)
+			boundary_faces += faces.size();
+		if (cut_cells + boundary_faces > 0)
+			continue;
+		if (session.threshold)
+			warn("the slice is empty: no cell that is reached has values between {} and {}; widen --threshold",
+			     session.threshold->lo, session.threshold->hi);
+		else
 			warn("the slice is empty: the plane misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
 			     "{:.6g}",
 			     session.blocks.bounds().lo.x, session.blocks.bounds().lo.y, session.blocks.bounds().lo.z,

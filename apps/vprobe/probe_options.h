@@ -27,6 +27,7 @@ struct ProbeOptions
 	std::vector<double> up{0.0, 1.0, 0.0};
 	std::string array;
 	std::string component;
+	std::vector<double> threshold; // none, or LO and HI
 	std::string time = "last";
 	std::string solution;
 	int refine = 0;
@@ -52,6 +53,7 @@ struct Session
 	std::optional<slice::FieldChoice> field;
 	probe::Probe probe;
 	seed::SeedOptions seeds;
+	std::optional<slice::Threshold> threshold;
 	std::unique_ptr<gpu::Device> device; // null where the CPU does without
 	std::unique_ptr<slice::Slicer> slicer;
 	std::unique_ptr<Timeline> timeline;

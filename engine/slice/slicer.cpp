@@ -6,6 +6,8 @@
 #include "slice/gpu_classifier.h"
 #include "slice/host_records.h"
 
+#include <cassert>
+
 namespace vp::slice
 {
 
@@ -87,11 +89,23 @@ SliceTicket Slicer::begin(SliceRequest request)
 
 Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 {
+	assert(request.field || !request.threshold);
+	std::vector<std::function<bool(CellId)>> admits(blocks_.blocks.size());
+	if (request.threshold)
+		for (std::size_t b = 0; b < admits.size(); ++b)
+			admits[b] = cellsWithin(blocks_.blocks[b], *request.field, *request.threshold);
+
 	Slice slice;
 	{
 		const TimedSection section(request.timeline, "seed");
 		for (const probe::Sheet& sheet : request.probe.sheets)
+		{
 			slice.sheets.push_back({sheet, seed::findSeeds(blocks_, sheet, request.seeds), {}, nullptr});
+			for (std::size_t b = 0; b < admits.size(); ++b)
+				if (admits[b])
+					std::erase_if(slice.sheets.back().seeds.faces_in_plane[b],
+					              [&](const auto& face) { return !admits[b](face.cell); });
+		}
 	}
 
 	// Lane s * blocks + b is sheet s in block b.
@@ -104,7 +118,7 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 		{
 			loans.push_back(visited_[b]->borrow());
 			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), loans.back().get(), sheet.seeds.cells[b],
-			                 blocks_.interfaces.of(b), sheet_lane});
+			                 blocks_.interfaces.of(b), sheet_lane, admits[b]});
 		}
 	}
 

@@ -6,6 +6,7 @@
 #include "seed/seeds.h"
 #include "slice/field_choice.h"
 #include "slice/mesh.h"
+#include "slice/threshold.h"
 #include "traverse/bfs.h"
 
 #include <future>
@@ -35,7 +36,8 @@ struct SliceRequest
 	probe::Probe probe;
 	std::optional<FieldChoice> field;
 	seed::SeedOptions seeds;
-	Timeline* timeline = nullptr; // sections "seed", "traverse", "emit"; must outlive the ticket
+	std::optional<Threshold> threshold; // of the field's values: cells outside end the traversal
+	Timeline* timeline = nullptr;       // sections "seed", "traverse", "emit"; must outlive the ticket
 };
 
 // One sheet's share of a slice.

@@ -9,6 +9,7 @@
 
 #include <bit>
 #include <concepts>
+#include <functional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -29,6 +30,11 @@ struct Lane
 	// from `sheet_lane` on: what lies across a seam in block b is queued in lane sheet_lane + b.
 	const grid::BlockSeams* seams = nullptr;
 	std::size_t sheet_lane = 0;
+	// Cells that it turns down end the traversal: they are not queued. Empty: every cell may come.
+	std::function<bool(CellId)> admits = {};
+
+	// Whether the cell is to be queued: it may come, and has not been queued yet.
+	bool enters(CellId cell) const { return visited->mark(cell) && (!admits || admits(cell)); }
 };
 
 // What a classifier is asked: a word for every cell of a lane's front (see slice_types.h).
@@ -77,7 +83,7 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 	LaneCut& cut = cuts[l];
 	const auto enqueue = [&](CellId neighbour)
 	{
-		if (lane.visited->mark(neighbour))
+		if (lane.enters(neighbour))
 			cut.cells.push_back(neighbour);
 	};
 	const auto cross = [&](CellId cell, int face)
@@ -96,7 +102,7 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 			if (!on_boundary)
 				return;
 			for (const grid::SeamLink& link : lane.seams->of(cell, static_cast<std::uint32_t>(face)))
-				if (lanes[lane.sheet_lane + link.block].visited->mark(link.other))
+				if (lanes[lane.sheet_lane + link.block].enters(link.other))
 					cuts[lane.sheet_lane + link.block].cells.push_back(link.other);
 		}
 	};
@@ -133,7 +139,7 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 	{
 		cuts[l].generation_starts.push_back(0);
 		for (const CellId seed : lanes[l].seeds)
-			if (lanes[l].visited->mark(seed))
+			if (lanes[l].enters(seed))
 				cuts[l].cells.push_back(seed);
 	}
 

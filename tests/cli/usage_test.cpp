@@ -57,7 +57,7 @@ TEST_F(Usage, HelpNamesTheOptions)
 	const std::string slice = run({"slice", "--help"}).out;
 	const std::string render = run({"render", "--help"}).out;
 	for (const char* option : {"--origin", "--normal", "--up", "--array", "--component", "--time", "--solution",
-	                           "--seeds", "--outside", "--classify", "--device", "--threads"})
+	                           "--seeds", "--outside", "--classify", "--device", "--threads", "--threshold"})
 	{
 		EXPECT_TRUE(contains(slice, option)) << option;
 		EXPECT_TRUE(contains(render, option)) << option;
@@ -151,6 +151,9 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"outside", {"--outside", "never"}, "--outside"}, Bad{"time", {"--time", "yesterday"}, "--time"},
         Bad{"emptyTime", {"--time", ""}, "--time"}, Bad{"timeIndex", {"--time", "#x"}, "--time"},
         Bad{"component", {"--component", "w"}, "--component"},
+        Bad{"thresholdUpsideDown", {"--threshold", "2", "1"}, "--threshold"},
+        Bad{"thresholdNotANumber", {"--threshold", "0", "nan"}, "--threshold"},
+        Bad{"thresholdOfOne", {"--threshold", "0"}, "--threshold"},
         Bad{"negativeComponent", {"--component", "-1"}, "--component"},
         Bad{"threads", {"--threads", "-1"}, "--threads"}, Bad{"threadsInWords", {"--threads", "two"}, "--threads"}),
     name);

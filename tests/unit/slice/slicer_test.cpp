@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <set>
 #include <thread>
 
 namespace vp::test
@@ -155,6 +157,64 @@ TEST(Slicer, AnEmptyCutIsASliceToo)
 		EXPECT_EQ(sheet.mesh.polygons(), 0u);
 		EXPECT_EQ(sheet.mesh.polygon_starts.size(), 1u);
 	}
+}
+
+// The witness floods from the seeds through cut cells that have a part in the range.
+TEST(Slicer, AThresholdEndsTheTraversal)
+{
+	for (const char* name : {"shell", "mixed"})
+	{
+		const grid::BlockSet set = setOf(gridNamed(name));
+		const grid::Block& block = set.blocks[0];
+		slice::Slicer slicer(set);
+		const auto [lo, hi] = slice::fieldRange(set, {"linear"});
+		const slice::Threshold threshold{lo + 0.4 * (hi - lo), lo + 0.5 * (hi - lo)};
+		const auto within = [&](CellId cell)
+		{
+			double least = std::numeric_limits<double>::infinity();
+			double most = -least;
+			for (const Vec3& corner : cellCorners(block, cell))
+			{
+				least = std::min(least, linearAt(corner));
+				most = std::max(most, linearAt(corner));
+			}
+			return least <= threshold.hi && most >= threshold.lo;
+		};
+		std::size_t ended = 0;
+		for (const TestPlane& plane : randomPlanes(set.bounds(), 20, 62))
+		{
+			slice::SliceRequest request = requestOf({plane});
+			request.field = slice::FieldChoice{"linear"};
+			request.threshold = threshold;
+			const slice::Slice slice = std::move(slicer.cut(std::move(request)).value());
+
+			std::set<CellId> reached;
+			std::vector<CellId> queue;
+			const auto enter = [&](CellId cell)
+			{
+				if (isCut(block, cell, Side(plane)) && within(cell) && reached.insert(cell).second)
+					queue.push_back(cell);
+			};
+			for (const CellId seed : slice.sheets[0].seeds.cells[0])
+				enter(seed);
+			for (std::size_t i = 0; i < queue.size(); ++i)
+				for (const CellId neighbour : cutNeighbours(block, queue[i], Side(plane)))
+					enter(neighbour);
+			EXPECT_EQ(cellsOf(slice.sheets[0].cuts[0]), std::vector(reached.begin(), reached.end())) << name;
+			ended += !reached.empty() && reached.size() < scanCutCells(block, plane).size();
+		}
+		EXPECT_GT(ended, 5u) << name;
+	}
+}
+
+TEST(Slicer, AThresholdOverWhatABlockLacksShowsNothing)
+{
+	const grid::BlockSet set = setOf(gridNamed("shell"));
+	slice::Slicer slicer(set);
+	slice::SliceRequest request = requestOf({{set.bounds().centre(), {0.1, 0.2, 1.0}}});
+	request.field = slice::FieldChoice{"missing"};
+	request.threshold = slice::Threshold{-1e30, 1e30};
+	EXPECT_TRUE(slicer.cut(std::move(request)).value().sheets[0].cuts[0].cells.empty());
 }
 
 } // namespace vp::test
