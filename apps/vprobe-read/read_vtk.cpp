@@ -7,8 +7,11 @@
 
 #include <vtkDataObject.h>
 #include <vtkGenericDataObjectReader.h>
+#include <vtkHyperTreeGrid.h>
+#include <vtkHyperTreeGridToUnstructuredGrid.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
+#include <vtkXMLHyperTreeGridReader.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLPImageDataReader.h>
 #include <vtkXMLPRectilinearGridReader.h>
@@ -36,6 +39,21 @@ vtkSmartPointer<vtkDataObject> loadWith(const Request& request, ManifestWriter& 
 	return reader->GetOutputDataObject(0);
 }
 
+// The leaves of the trees, as voxels with points of their own.
+vtkSmartPointer<vtkDataObject> loadTrees(const Request& request, ManifestWriter& manifest)
+{
+	const vtkSmartPointer<vtkDataObject> read = loadWith<vtkXMLHyperTreeGridReader>(request, manifest);
+	const auto trees = vtkHyperTreeGrid::SafeDownCast(read);
+	if (!trees)
+		throw damaged("no hyper tree grid was found");
+	if (trees->GetDimension() != 3)
+		throw Refusal(fmt::format("nothing to slice: a hyper tree grid of {} dimensions", trees->GetDimension()));
+	vtkNew<vtkHyperTreeGridToUnstructuredGrid> leaves;
+	leaves->SetInputData(trees);
+	leaves->Update();
+	return leaves->GetOutputDataObject(0);
+}
+
 bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words)
 {
 	return std::find(words.begin(), words.end(), word) != words.end();
@@ -56,6 +74,8 @@ vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string
 		return loadWith<vtkXMLStructuredGridReader>(request, manifest);
 	if (type == "UnstructuredGrid")
 		return loadWith<vtkXMLUnstructuredGridReader>(request, manifest);
+	if (type == "HyperTreeGrid")
+		return loadTrees(request, manifest);
 	if (type == "PImageData")
 		return loadWith<vtkXMLPImageDataReader>(request, manifest);
 	if (type == "PRectilinearGrid")

@@ -34,9 +34,9 @@ constexpr std::size_t kArrayAlignment = 64;
 constexpr int kRefusedExitCode = 2;
 constexpr std::string_view kReasonMark = "vprobe-read: ";
 
-constexpr std::array<std::string_view, 34> kEndings = {
-    ".vti",    ".vtr", ".vts",    ".vtu",  ".pvti",  ".pvtr", ".pvts", ".pvtu", ".vtm",    ".vthb", ".vtk", ".pvd",
-    ".series", ".hdf", ".vtkhdf", ".mhd",  ".mha",   ".nrrd", ".nhdr", ".nii",  ".nii.gz", ".xyz",  ".x",   ".g",
-    ".p3d",    ".bin", ".cgns",   ".case", ".encas", ".foam", ".ex2",  ".e",    ".exo",    ".exii"};
+constexpr std::array<std::string_view, 35> kEndings = {
+    ".vti", ".vtr",    ".vts", ".vtu",    ".pvti", ".pvtr",  ".pvts", ".pvtu", ".htg", ".vtm",    ".vthb", ".vtk",
+    ".pvd", ".series", ".hdf", ".vtkhdf", ".mhd",  ".mha",   ".nrrd", ".nhdr", ".nii", ".nii.gz", ".xyz",  ".x",
+    ".g",   ".p3d",    ".bin", ".cgns",   ".case", ".encas", ".foam", ".ex2",  ".e",   ".exo",    ".exii"};
 
 } // namespace vp::read
