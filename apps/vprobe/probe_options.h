@@ -4,7 +4,7 @@
 #include "base/timeline.h"
 #include "gpu/device.h"
 #include "grid/block.h"
-#include "probe/sheet.h"
+#include "probe/probe.h"
 #include "slice/field_choice.h"
 #include "slice/slicer.h"
 

@@ -2,7 +2,7 @@
 
 #include "base/result.h"
 #include "grid/block.h"
-#include "probe/sheet.h"
+#include "probe/probe.h"
 #include "seed/seeds.h"
 #include "slice/field_choice.h"
 #include "slice/mesh.h"
