@@ -82,13 +82,12 @@ bool isShownAcrossSeam(const grid::BlockSet& blocks, const surface::Plane& plane
 }
 
 // The seed at the hot spot, in the first block that holds it.
-void seedHotSpot(const grid::BlockSet& blocks, const probe::Sheet& sheet, const surface::Plane& plane,
-                 SheetSeeds& seeds)
+void seedHotSpot(const grid::BlockSet& blocks, const Vec3& hot_spot, const surface::Plane& plane, SheetSeeds& seeds)
 {
 	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
 	{
 		const grid::Block& block = blocks.blocks[b];
-		const locate::Located located = locate::findCell(block, kNoCell, sheet.origin);
+		const locate::Located located = locate::findCell(block, kNoCell, hot_spot);
 		seeds.hops += located.hops;
 		seeds.boundary_tests += located.boundary_tests;
 		if (!located.found())
@@ -111,8 +110,10 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 	seeds.cells.resize(blocks.blocks.size());
 	seeds.faces_in_plane.resize(blocks.blocks.size());
 	const surface::Plane plane = sheet.plane();
+	const std::optional<SheetWindow> window = sheet.window ? std::optional<SheetWindow>(sheet) : std::nullopt;
+	const Vec3 hot_spot = window ? window->hotSpot() : sheet.origin;
 	if (options.mode != SeedMode::boundary)
-		seedHotSpot(blocks, sheet, plane, seeds);
+		seedHotSpot(blocks, hot_spot, plane, seeds);
 
 	const bool seeds_boundary = options.mode != SeedMode::hotspot;
 	const bool moves_hot_spot =
@@ -129,15 +130,15 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 		    [&](const auto& grid)
 		    {
 			    seeds.boundary_tests += visitBoundaryCut(
-			        grid, block.boundary, plane,
+			        grid, block.boundary, plane, window ? &*window : nullptr,
 			        [&](const CutFace& face)
 			        {
 				        if (seeds_boundary && (seeds.cells[b].empty() || seeds.cells[b].back() != face.cell))
 					        seeds.cells[b].push_back(face.cell);
 				        if (!moves_hot_spot)
 					        return;
-				        const Vec3 point = nearestOnSegment(face.from, face.to, sheet.origin);
-				        const double distance = glm::length(point - sheet.origin);
+				        const Vec3 point = nearestOnSegment(face.from, face.to, hot_spot);
+				        const double distance = glm::length(point - hot_spot);
 				        if (distance < nearest)
 				        {
 					        nearest = distance;

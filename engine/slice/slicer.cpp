@@ -26,7 +26,11 @@ std::vector<BlockCut> blockCuts(std::span<const traverse::LaneCut> cuts, const s
 
 SheetMesh Slice::mesh(const grid::BlockSet& blocks, std::size_t sheet) const
 {
-	return buildMesh(blocks, sheets[sheet].sheet, blockCuts(sheets[sheet].cuts, sheets[sheet].seeds));
+	const SheetSlice& cut = sheets[sheet];
+	SheetMesh mesh = buildMesh(blocks, cut.sheet, blockCuts(cut.cuts, cut.seeds));
+	if (cut.sheet.window)
+		clipToWindow(cut.sheet, cut.corners, mesh);
+	return mesh;
 }
 
 SliceTicket::SliceTicket(std::stop_source stop, std::future<Result<Slice>> result)
@@ -98,9 +102,11 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	Slice slice;
 	{
 		const TimedSection section(request.timeline, "seed");
-		for (const probe::Sheet& sheet : request.probe.sheets)
+		for (const probe::Sheet& shown : probe::placed(request.probe).sheets)
 		{
-			slice.sheets.push_back({sheet, seed::findSeeds(blocks_, sheet, request.seeds), {}, nullptr});
+			const probe::Sheet sheet = probe::content(shown);
+			slice.sheets.push_back(
+			    {shown, sheet, request.corners, seed::findSeeds(blocks_, sheet, request.seeds), {}, nullptr});
 			for (std::size_t b = 0; b < admits.size(); ++b)
 				if (admits[b])
 					std::erase_if(slice.sheets.back().seeds.faces_in_plane[b],
@@ -118,7 +124,8 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 		{
 			loans.push_back(visited_[b]->borrow());
 			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), loans.back().get(), sheet.seeds.cells[b],
-			                 blocks_.interfaces.of(b), sheet_lane, admits[b]});
+			                 blocks_.interfaces.of(b), sheet_lane, admits[b],
+			                 sheet.sheet.window ? std::optional<seed::SheetWindow>(sheet.sheet) : std::nullopt});
 		}
 	}
 
@@ -146,12 +153,15 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest&
                                                              Slice& slice, std::stop_token stop)
 {
 	const TimedSection section(request.timeline, "traverse");
+	std::vector<probe::Sheet> sheets;
+	for (const SheetSlice& sheet : slice.sheets)
+		sheets.push_back(sheet.sheet);
 	std::vector<GpuLane> gpu_lanes;
 	for (std::uint32_t s = 0; s < slice.sheets.size(); ++s)
 		for (std::uint32_t b = 0; b < blocks_.blocks.size(); ++b)
 			gpu_lanes.push_back({s, b});
 	Result<std::unique_ptr<GpuClassifier>> classifier =
-	    GpuClassifier::create(*gpu_, request.probe.sheets, std::move(gpu_lanes), request.field, request.timeline);
+	    GpuClassifier::create(*gpu_, sheets, std::move(gpu_lanes), request.field, request.timeline);
 	if (!classifier)
 		return classifier.error();
 	auto cuts = traverse::breadthFirst<surface::Plane>(lanes, **classifier, stop);

@@ -4,6 +4,7 @@
 #include "grid/block.h"
 #include "probe/probe.h"
 #include "seed/seeds.h"
+#include "slice/clip.h"
 #include "slice/field_choice.h"
 #include "slice/mesh.h"
 #include "slice/threshold.h"
@@ -34,6 +35,7 @@ struct SheetRecords; // a sheet's polygons in device memory (gpu_records.h)
 struct SliceRequest
 {
 	probe::Probe probe;
+	Corners corners = Corners::keep; // of windows
 	std::optional<FieldChoice> field;
 	seed::SeedOptions seeds;
 	std::optional<Threshold> threshold; // of the field's values: cells outside end the traversal
@@ -43,7 +45,9 @@ struct SliceRequest
 // One sheet's share of a slice.
 struct SheetSlice
 {
-	probe::Sheet sheet;
+	probe::Sheet shown; // as the probe places it in the world
+	probe::Sheet sheet; // what it shows: where fx does nothing the same, see probe::content()
+	Corners corners = Corners::keep;
 	seed::SheetSeeds seeds;
 	std::vector<traverse::LaneCut> cuts;   // per block
 	std::shared_ptr<SheetRecords> records; // GPU classifier only: the polygons in device memory, as they are drawn
@@ -54,7 +58,7 @@ struct Slice
 	std::vector<SheetSlice> sheets;
 	std::vector<std::string> words; // for the user, such as why cells were left to the CPU
 
-	// The indexed mesh of a sheet, built on the CPU from the traversal's cells.
+	// The indexed mesh of a sheet within its window, built on the CPU from the traversal's cells.
 	SheetMesh mesh(const grid::BlockSet& blocks, std::size_t sheet) const;
 };
 
