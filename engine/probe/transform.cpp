@@ -25,10 +25,10 @@ struct Turn
 
 Turn turnOf(double degrees)
 {
-	const double quarters = std::round(degrees / 90.0);
-	const double rest = std::remainder(degrees, 90.0) * (std::numbers::pi / 180.0);
-	const double c = std::cos(rest);
-	const double s = std::sin(rest);
+	const double rest = std::remainder(degrees, 90.0); // exact
+	const double quarters = std::round((degrees - rest) / 90.0);
+	const double c = std::cos(rest * std::numbers::pi / 180.0);
+	const double s = std::sin(rest * std::numbers::pi / 180.0);
 	switch (static_cast<int>(quarters - 4.0 * std::floor(quarters / 4.0)))
 	{
 	case 0:

@@ -107,6 +107,11 @@ TEST(Frame, TurnsCounterClockwise)
 	EXPECT_EQ(turned(still, Vec3(0.0), y, -90.0).normal, Vec3(-1.0, 0.0, 0.0));
 	EXPECT_EQ(turned(still, Vec3(0.0), y, 360.0 * 7), still);
 	EXPECT_EQ(turned(still, {5.0, 0.0, 0.0}, 1e200 * y, 90.0).origin, Vec3(5.0, 0.0, 5.0));
+	for (int degrees = -720; degrees <= 720; ++degrees)
+	{
+		const double angle = degrees * std::numbers::pi / 180.0;
+		expectNear(turned(still, Vec3(0.0), y, degrees).normal, {std::sin(angle), 0.0, std::cos(angle)}, 3e-15);
+	}
 	expectNear(turned(still, Vec3(0.0), {0.0, 0.0, -2.0}, 30.0).up, {0.5, std::sqrt(0.75), 0.0}, 1e-15);
 }
 
