@@ -24,6 +24,14 @@ nlohmann::json asJson(const Vec3& v)
 	return {v.x, v.y, v.z};
 }
 
+// In the sheet's x and y, from its origin.
+nlohmann::json asJson(const std::optional<probe::Window>& window)
+{
+	if (!window)
+		return {};
+	return {window->x0, window->x1, window->y0, window->y1};
+}
+
 // Traversal figures of a sheet, over its blocks.
 struct TraversalSums
 {
@@ -74,6 +82,8 @@ nlohmann::json sheetJson(const grid::BlockSet& blocks, const slice::SheetSlice& 
 	return {{"origin", asJson(sheet.sheet.origin)},
 	        {"normal", asJson(sheet.sheet.normal)},
 	        {"up", asJson(sheet.sheet.up)},
+	        {"window", asJson(sheet.sheet.window)},
+	        {"array", sheet.field ? nlohmann::json(sheet.field->title(blocks)) : nlohmann::json()},
 	        {"cut_cells", sums.cut_cells},
 	        {"linear_cut_cells", sums.linear_cut_cells},
 	        {"polygons", stats.mesh.polygons()},
@@ -109,7 +119,7 @@ std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& s
 			sheets[s].mesh = slice.mesh(session.blocks, s);
 		}
 		const TimedSection section(session.timeline.get(), "measure");
-		sheets[s].measure = slice::measure(session.blocks, sheets[s].mesh, session.field);
+		sheets[s].measure = slice::measure(session.blocks, sheets[s].mesh, slice.sheets[s].field);
 	}
 	return sheets;
 }

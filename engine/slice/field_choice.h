@@ -19,6 +19,7 @@ struct FieldChoice
 
 	const grid::Field* in(const grid::Block& block) const; // null where the block lacks it
 	std::vector<const grid::Field*> inEach(const grid::BlockSet& blocks) const;
+	bool operator==(const FieldChoice&) const = default;
 	std::string title(const grid::BlockSet& blocks) const; // "v magnitude", "v y", "s"
 };
 

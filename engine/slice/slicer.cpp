@@ -70,7 +70,7 @@ Result<std::unique_ptr<Slicer>> Slicer::onDevice(gpu::Device& device, const grid
 	Result<std::unique_ptr<GpuBlocks>> uploaded = GpuBlocks::create(device, blocks);
 	if (!uploaded)
 		return uploaded.error();
-	if (Result<std::shared_ptr<const GpuField>> values = (*uploaded)->field(field); !values)
+	if (Result<GpuBlocks::Fields> values = (*uploaded)->fields({&field, 1}); !values)
 		return values.error();
 	auto slicer = std::make_unique<Slicer>(blocks);
 	slicer->gpu_ = std::move(*uploaded);
@@ -105,8 +105,10 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 		for (const probe::Sheet& shown : probe::placed(request.probe).sheets)
 		{
 			const probe::Sheet sheet = probe::content(shown);
+			const std::optional<FieldChoice>& field =
+			    request.sheet_fields.empty() ? request.field : request.sheet_fields[slice.sheets.size()];
 			slice.sheets.push_back(
-			    {shown, sheet, request.corners, seed::findSeeds(blocks_, sheet, request.seeds), {}, nullptr});
+			    {shown, sheet, request.corners, field, seed::findSeeds(blocks_, sheet, request.seeds), {}, nullptr});
 			for (std::size_t b = 0; b < admits.size(); ++b)
 				if (admits[b])
 					std::erase_if(slice.sheets.back().seeds.faces_in_plane[b],
@@ -136,7 +138,7 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	for (std::size_t lane = 0; lane < cuts->size(); ++lane)
 		slice.sheets[lane / blocks_.blocks.size()].cuts.push_back(std::move((*cuts)[lane]));
 	if (gpu_)
-		if (Status added = addHostRecords(request, slice); !added)
+		if (Status added = addHostRecords(request.timeline, slice); !added)
 			return added.error();
 	return slice;
 }
@@ -154,14 +156,18 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest&
 {
 	const TimedSection section(request.timeline, "traverse");
 	std::vector<probe::Sheet> sheets;
+	std::vector<std::optional<FieldChoice>> fields;
 	for (const SheetSlice& sheet : slice.sheets)
+	{
 		sheets.push_back(sheet.sheet);
+		fields.push_back(sheet.field);
+	}
 	std::vector<GpuLane> gpu_lanes;
 	for (std::uint32_t s = 0; s < slice.sheets.size(); ++s)
 		for (std::uint32_t b = 0; b < blocks_.blocks.size(); ++b)
 			gpu_lanes.push_back({s, b});
 	Result<std::unique_ptr<GpuClassifier>> classifier =
-	    GpuClassifier::create(*gpu_, sheets, std::move(gpu_lanes), request.field, request.timeline);
+	    GpuClassifier::create(*gpu_, sheets, fields, std::move(gpu_lanes), request.timeline);
 	if (!classifier)
 		return classifier.error();
 	auto cuts = traverse::breadthFirst<surface::Plane>(lanes, **classifier, stop);
@@ -173,9 +179,9 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest&
 }
 
 // What the device did not emit: cells that were walked, blocks that it does not hold, boundary faces in the plane.
-Status Slicer::addHostRecords(const SliceRequest& request, Slice& slice) const
+Status Slicer::addHostRecords(Timeline* timeline, Slice& slice) const
 {
-	const TimedSection section(request.timeline, "emit");
+	const TimedSection section(timeline, "emit");
 	for (SheetSlice& sheet : slice.sheets)
 	{
 		std::vector<traverse::LaneCut> left;
@@ -184,7 +190,7 @@ Status Slicer::addHostRecords(const SliceRequest& request, Slice& slice) const
 		const SheetMesh mesh = buildMesh(blocks_, sheet.sheet, blockCuts(left, sheet.seeds));
 		if (mesh.polygons() == 0)
 			continue;
-		const auto records = recordsFromMesh(blocks_, sheet.sheet, mesh, request.field);
+		const auto records = recordsFromMesh(blocks_, sheet.sheet, mesh, sheet.field);
 		if (Status added = sheet.records->appendHostRecords(records); !added)
 			return added;
 	}

@@ -37,6 +37,8 @@ struct SliceRequest
 	probe::Probe probe;
 	Corners corners = Corners::keep; // of windows
 	std::optional<FieldChoice> field;
+	// Per sheet, in place of `field`; or empty.
+	std::vector<std::optional<FieldChoice>> sheet_fields;
 	seed::SeedOptions seeds;
 	std::optional<Threshold> threshold; // of the field's values: cells outside end the traversal
 	Timeline* timeline = nullptr;       // sections "seed", "traverse", "emit"; must outlive the ticket
@@ -48,6 +50,7 @@ struct SheetSlice
 	probe::Sheet shown; // as the probe places it in the world
 	probe::Sheet sheet; // what it shows: where fx does nothing the same, see probe::content()
 	Corners corners = Corners::keep;
+	std::optional<FieldChoice> field;
 	seed::SheetSeeds seeds;
 	std::vector<traverse::LaneCut> cuts;   // per block
 	std::shared_ptr<SheetRecords> records; // GPU classifier only: the polygons in device memory, as they are drawn
@@ -108,7 +111,7 @@ private:
 	                                                     std::stop_token stop);
 	Result<std::vector<traverse::LaneCut>> traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,
 	                                                     Slice& slice, std::stop_token stop);
-	Status addHostRecords(const SliceRequest& request, Slice& slice) const;
+	Status addHostRecords(Timeline* timeline, Slice& slice) const;
 
 	const grid::BlockSet& blocks_;
 	std::vector<std::unique_ptr<traverse::VisitedPool>> visited_; // per block
