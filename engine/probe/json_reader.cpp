@@ -14,6 +14,7 @@ namespace
 
 // What a matrix may be off a rigid motion: files have it in few digits.
 constexpr double kRigid = 1e-5;
+constexpr double kFarthest = 1e100;
 
 std::string_view kindOf(const nlohmann::json& value)
 {
@@ -79,6 +80,14 @@ double JsonReader::number() const
 	return number;
 }
 
+double JsonReader::length() const
+{
+	const double length = number();
+	if (std::abs(length) > kFarthest)
+		refuse(fmt::format("{} is not between -{} and {}; give a number that is", length, kFarthest, kFarthest));
+	return length;
+}
+
 int JsonReader::whole(int least, int most) const
 {
 	const double n = number();
@@ -114,12 +123,13 @@ void JsonReader::expectArray(std::size_t least, std::size_t most, std::string_vi
 Vec3 JsonReader::vector() const
 {
 	expectArray(3, 3, "numbers");
-	return {at(0).number(), at(1).number(), at(2).number()};
+	return {at(0).length(), at(1).length(), at(2).length()};
 }
 
 Vec3 JsonReader::direction() const
 {
-	const Vec3 v = vector();
+	expectArray(3, 3, "numbers");
+	const Vec3 v{at(0).number(), at(1).number(), at(2).number()};
 	if (v == Vec3(0.0))
 		refuse("a zero vector is no direction; give three numbers that are not all zero");
 	return v;
@@ -159,7 +169,7 @@ Frame JsonReader::frameOfMatrix() const
 	{
 		const JsonReader row = at(r);
 		row.expectArray(4, 4, "numbers");
-		to.row[r] = {row.at(0).number(), row.at(1).number(), row.at(2).number()};
+		to.row[r] = {row.at(0).length(), row.at(1).length(), row.at(2).length()};
 		if (row.at(3).number() != (r == 3 ? 1.0 : 0.0))
 			row.at(3).refuse("the last column is 0, 0, 0, 1: points are rows, and the bottom row is the translation; "
 			                 "transpose the matrix");

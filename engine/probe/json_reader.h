@@ -42,12 +42,13 @@ public:
 	std::optional<JsonReader> find(const char* key) const;
 
 	double number() const; // finite
+	double length() const; // a number whose square is one too
 	int whole(int least, int most) const;
 	bool flag() const;
 	std::string text() const; // not empty
 	void expectArray(std::size_t least, std::size_t most, std::string_view of) const;
-	Vec3 vector() const;
-	Vec3 direction() const; // a vector that is not zero
+	Vec3 vector() const;    // of lengths
+	Vec3 direction() const; // of any numbers, not all zero
 	std::pair<double, double> ascending() const;
 	Frame frame() const; // see docs/PROBES.md: origin, normal and up, or a rigid matrix in the paper's rows
 

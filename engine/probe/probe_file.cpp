@@ -31,23 +31,39 @@ Fx fxOf(const JsonReader& reader)
 	return fx;
 }
 
+// One divided by it is a number too.
+constexpr double kSmallestWindow = 1e-100;
+
+double sizeOf(const JsonReader& reader)
+{
+	const double size = reader.length();
+	if (size < kSmallestWindow)
+		reader.refuse(fmt::format("{} is no size; give a number above 0", size));
+	return size;
+}
+
+std::pair<double, double> sidesOf(const JsonReader& reader)
+{
+	const std::pair<double, double> sides = reader.ascending();
+	if (reader.at(1).length() - reader.at(0).length() < kSmallestWindow)
+		reader.refuse("too narrow for a window; give numbers that are farther apart");
+	return sides;
+}
+
 // [W, H], centred, or the rectangle's sides.
 Window windowOf(const JsonReader& reader)
 {
 	if (reader.isObject())
 	{
 		reader.expectKeys({"x", "y"});
-		const auto [x0, x1] = reader["x"].ascending();
-		const auto [y0, y1] = reader["y"].ascending();
+		const auto [x0, x1] = sidesOf(reader["x"]);
+		const auto [y0, y1] = sidesOf(reader["y"]);
 		return {x0, x1, y0, y1};
 	}
 	if (!reader.isArray())
 		reader.refuse("a window is [W, H] or {\"x\": [x0, x1], \"y\": [y0, y1]}; give one of them");
 	reader.expectArray(2, 2, "numbers");
-	for (std::size_t i = 0; i < 2; ++i)
-		if (!(reader.at(i).number() > 0.0))
-			reader.at(i).refuse(fmt::format("{} is no size; give a number above 0", reader.at(i).number()));
-	return centredWindow(reader.at(0).number(), reader.at(1).number());
+	return centredWindow(sizeOf(reader.at(0)), sizeOf(reader.at(1)));
 }
 
 std::string componentOf(const JsonReader& reader)

@@ -168,6 +168,10 @@ TEST(ProbeFile, SaysWhereAndWhatIsWrong)
 	    {inSheet(R"("window": 3)"),
 	     "/sheets/1/window: a window is [W, H] or {\"x\": [x0, x1], \"y\": [y0, y1]}; give one of them"},
 	    {inSheet(R"("window": [3, 0])"), "/sheets/1/window/1: 0 is no size; give a number above 0"},
+	    {inSheet(R"("window": [1e101, 1])"),
+	     "/sheets/1/window/0: 1e+101 is not between -1e+100 and 1e+100; give a number that is"},
+	    {inSheet(R"("window": {"x": [0, 1e-101], "y": [0, 1]})"),
+	     "/sheets/1/window/x: too narrow for a window; give numbers that are farther apart"},
 	    {inSheet(R"("window": {"x": [0, 1]})"), "/sheets/1/window: \"y\" is missing; add it"},
 	    {inSheet(R"("window": {"x": [1, 0], "y": [0, 1]})"),
 	     "/sheets/1/window/x: 1 is not below 0; give the lower number first"},
@@ -202,6 +206,42 @@ TEST(ProbeFile, SaysWhereAndWhatIsWrong)
 	EXPECT_TRUE(probe::parseProbe(manySheets(64), "probe.json"));
 	EXPECT_EQ(probe::parseProbe(std::string(1 << 20, '['), "probe.json").error().message,
 	          "probe.json: nested more than 32 deep; no probe or path is");
+}
+
+// Whatever becomes of a file, it is read as a probe that can be used or refused in one line.
+TEST(ProbeFile, DamagedFilesAreReadOrRefused)
+{
+	std::mt19937 random(64);
+	const std::string tokens[] = {"0", "-1", "1e308", "1e-320", "null",  "[",    "]",  "{",
+	                              "}", ",",  ":",     "\"",     "\"x\"", "\xFF", "\n", "e"};
+	int refused = 0;
+	for (int i = 0; i < 3000; ++i)
+	{
+		std::string text = probeText(randomProbe(random));
+		for (int damage = 0; damage <= i % 3; ++damage)
+		{
+			const auto at = std::uniform_int_distribution<std::size_t>(0, text.size() - 1)(random);
+			const auto cut = std::uniform_int_distribution<std::size_t>(0, 20)(random);
+			text.replace(at, cut, tokens[random() % std::size(tokens)]);
+		}
+		const auto read = probe::parseProbe(text, "probe.json");
+		if (!read)
+		{
+			++refused;
+			EXPECT_TRUE(read.error().message.starts_with("probe.json: "));
+			EXPECT_EQ(read.error().message.find('\n'), std::string::npos) << read.error().message;
+			continue;
+		}
+		for (const probe::Sheet& sheet : placed(read->probe).sheets)
+		{
+			EXPECT_NEAR(glm::length(sheet.normal), 1.0, 1e-14);
+			EXPECT_NEAR(glm::dot(sheet.normal, sheet.up), 0.0, 1e-14);
+			for (const Vec3& row : worldToSheet(sheet).row)
+				EXPECT_TRUE(std::isfinite(row.x + row.y + row.z)) << text;
+		}
+	}
+	EXPECT_GT(refused, 1000);
+	EXPECT_LT(refused, 2999);
 }
 
 TEST(ProbeFile, WithinALargerDocumentErrorsSayWhere)
