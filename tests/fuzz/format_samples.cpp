@@ -2,11 +2,13 @@
 
 #include "curved_samples.h"
 
+#include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
 #include <vtkEnSightWriter.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -111,15 +113,19 @@ vtkSmartPointer<vtkUnstructuredGrid> twoCubes(int type)
 
 void writeBinaryGold(const std::string& path)
 {
+	const auto cubes = twoCubes(VTK_HEXAHEDRON);
+	vtkNew<vtkIntArray> part;
+	part->SetName("BlockId");
+	part->InsertNextValue(1);
+	part->InsertNextValue(1);
+	cubes->GetCellData()->AddArray(part);
 	vtkNew<vtkEnSightWriter> writer;
-	const std::string stem = std::filesystem::path(path).replace_extension().string();
-	writer->SetFileName(stem.c_str());
-	writer->SetInputData(twoCubes(VTK_HEXAHEDRON));
+	writer->SetFileName(path.c_str());
+	writer->SetInputData(cubes);
 	writer->Write();
-	writer->WriteCaseFile(1);
-	const std::string made = stem + ".0.case";
-	if (std::filesystem::exists(made))
-		std::filesystem::rename(made, path);
+	// Its own case file is not closed until the program ends.
+	writeContents(path, "FORMAT\ntype: ensight gold\n\nGEOMETRY\nmodel: gold.0.00000.geo\n\nVARIABLE\n"
+	                    "scalar per node: f gold.0.00000_n.f\n");
 }
 
 std::string foamHead(const std::string& type, const std::string& object)

@@ -41,6 +41,7 @@ struct Options
 	std::size_t cases = 200;
 	std::optional<std::size_t> only_case;
 	std::string only_set; // part of its name
+	std::string program = VPROBE_PROGRAM;
 	bool is_long = false;
 	bool keep = false;
 	unsigned jobs = 2;
@@ -96,16 +97,17 @@ std::string makeDamagedCopy(const DataSet& set, const fs::path& folder, const fs
 	return victim.string() + ": " + what;
 }
 
-std::vector<std::string> commandLine(Command command, const std::string& file, const fs::path& out)
+std::vector<std::string> commandLine(const std::string& program, Command command, const std::string& file,
+                                     const fs::path& out)
 {
 	switch (command)
 	{
 	case Command::info:
-		return {VPROBE_PROGRAM, "info", file, "--json"};
+		return {program, "info", file, "--json"};
 	case Command::check:
-		return {VPROBE_PROGRAM, "check", file, "--classify", "cpu", "--json"};
+		return {program, "check", file, "--classify", "cpu", "--json"};
 	default:
-		return {VPROBE_PROGRAM,
+		return {program,
 		        "slice",
 		        file,
 		        "--classify",
@@ -155,7 +157,7 @@ void runCase(const Options& options, const std::vector<DataSet>& sets, std::size
 	const std::string damaged = makeDamagedCopy(set, place / "in", input, random);
 	const Command command = random.oneIn(4) ? (random.oneIn(2) ? Command::info : Command::check) : Command::slice;
 	const std::string file = (place / "in" / input).string();
-	const auto line = commandLine(command, file, place / "out");
+	const auto line = commandLine(options.program, command, file, place / "out");
 	const ProgramRun run = runProgram(line, (place / "said").string(), kTimeLimit);
 	const std::string wrong = judge(command, run, file, place / "out", kBaseMemory + kMemoryPerByte * set.bytes);
 
@@ -175,13 +177,13 @@ void runCase(const Options& options, const std::vector<DataSet>& sets, std::size
 }
 
 // Undamaged, every set must be read; otherwise the damage would show nothing.
-std::size_t countUnreadable(const std::vector<DataSet>& sets, const fs::path& place)
+std::size_t countUnreadable(const Options& options, const std::vector<DataSet>& sets, const fs::path& place)
 {
 	std::size_t unreadable = 0;
 	for (const DataSet& set : sets)
 		for (const fs::path& input : set.inputs)
 		{
-			const auto line = commandLine(Command::info, (set.folder / input).string(), place);
+			const auto line = commandLine(options.program, Command::info, (set.folder / input).string(), place);
 			const ProgramRun run = runProgram(line, place.string(), kTimeLimit);
 			unreadable += run.exit_code != 0;
 			if (run.exit_code != 0)
@@ -197,7 +199,7 @@ int runAll(const Options& options)
 	if (options.only_case && options.keep)
 		fmt::print("{} sets\n", sets.size());
 	Tally tally;
-	tally.failed = countUnreadable(sets, place.path());
+	tally.failed = countUnreadable(options, sets, place.path());
 	if (const char* data = std::getenv("VPROBE_DATA"))
 		for (DataSet& set : findRealSets(data, options.is_long ? kMostBytesLong : kMostBytes))
 			sets.push_back(std::move(set));
@@ -229,8 +231,8 @@ bool parse(int argc, char** argv, Options& options)
 		const std::string word = argv[i];
 		if (word == "--long" || word == "--keep")
 			(word == "--long" ? options.is_long : options.keep) = true;
-		else if (word == "--only" && i + 1 < argc)
-			options.only_set = argv[++i];
+		else if ((word == "--only" || word == "--program") && i + 1 < argc)
+			(word == "--only" ? options.only_set : options.program) = argv[++i];
 		else if (const auto number = numbers.find(word); number != numbers.end() && i + 1 < argc)
 		{
 			const std::string_view text = argv[++i];
@@ -257,7 +259,7 @@ int main(int argc, char** argv)
 	{
 		fmt::print(stderr,
 		           "usage: fuzz_files [--seed S] [--cases N | --case NUMBER] [--long] [--only PART-OF-A-SET'S-NAME] "
-		           "[--jobs N] [--keep]\n");
+		           "[--jobs N] [--keep] [--program VPROBE]\n");
 		return 1;
 	}
 	const rlimit none = {0, 0};
