@@ -54,7 +54,9 @@ struct Tally
 	std::size_t done = 0; // read all the same
 	std::size_t failed = 0;
 	double slowest = 0.0;
+	std::size_t slowest_case = 0;
 	std::uint64_t peak_bytes = 0;
+	std::size_t largest_case = 0;
 };
 
 class TemporaryPlace
@@ -165,8 +167,10 @@ void runCase(const Options& options, const std::vector<DataSet>& sets, std::size
 	++tally.cases;
 	tally.done += run.exit_code != 2;
 	tally.failed += !wrong.empty();
-	tally.slowest = std::max(tally.slowest, run.seconds);
-	tally.peak_bytes = std::max(tally.peak_bytes, run.peak_bytes);
+	if (run.seconds > tally.slowest)
+		tally.slowest = run.seconds, tally.slowest_case = number;
+	if (run.peak_bytes > tally.peak_bytes)
+		tally.peak_bytes = run.peak_bytes, tally.largest_case = number;
 	if (!wrong.empty())
 		report(options, number, wrong, damaged, line, run);
 	else if (options.keep)
@@ -216,8 +220,11 @@ int runAll(const Options& options)
 				    runCase(options, sets, number, tally);
 		    });
 	workers.clear();
-	fmt::print("{} cases of {} data sets: {} read all the same, {} failed; slowest {:.1f} s, most memory {} MiB\n",
-	           tally.cases, sets.size(), tally.done, tally.failed, tally.slowest, tally.peak_bytes >> 20);
+	fmt::print(
+	    "{} cases of {} data sets: {} read all the same, {} failed; slowest {:.1f} s (case {}), most memory {} MiB "
+	    "(case {})\n",
+	    tally.cases, sets.size(), tally.done, tally.failed, tally.slowest, tally.slowest_case, tally.peak_bytes >> 20,
+	    tally.largest_case);
 	return tally.failed > 0;
 }
 
