@@ -40,8 +40,16 @@ private:
 	std::mt19937 random_;
 };
 
-// Points of a lattice at whole numbers, jittered.
-RawBlock lattice(Draw& draw, double jitter, int least = 2, int most = 6)
+// How far from a lattice the points lie: all of them, and a few that fold the cells about them.
+struct Disorder
+{
+	double jitter = 0.0;
+	int bumps = 0;
+	double bump = 0.0;
+};
+
+// Points of a lattice at whole numbers, moved.
+RawBlock lattice(Draw& draw, const Disorder& disorder, int least = 2, int most = 6)
 {
 	RawBlock block;
 	block.kind = RawKind::curvilinear;
@@ -51,7 +59,9 @@ RawBlock lattice(Draw& draw, double jitter, int least = 2, int most = 6)
 	for (std::uint32_t k = 0; k < nk; ++k)
 		for (std::uint32_t j = 0; j < nj; ++j)
 			for (std::uint32_t i = 0; i < ni; ++i)
-				block.points.push_back(Vec3(i, j, k) + draw.around(jitter));
+				block.points.push_back(Vec3(i, j, k) + draw.around(disorder.jitter));
+	for (int n = 0; n < disorder.bumps; ++n)
+		block.points[draw.whole(0, static_cast<int>(block.points.size()) - 1)] += disorder.bump * draw.direction();
 	return block;
 }
 
@@ -141,9 +151,9 @@ void addPolyhedron(RawBlock& block, const Ids& c, Draw& draw)
 }
 
 // Columns of wedges among hexahedra, pyramids and polyhedra: they share quads.
-RawSet mixedCells(Draw& draw, double jitter)
+RawSet mixedCells(Draw& draw, const Disorder& disorder)
 {
-	RawBlock block = lattice(draw, jitter);
+	RawBlock block = lattice(draw, disorder);
 	std::vector<bool> wedges;
 	for (std::uint32_t column = 0; column < block.points_along[0] * block.points_along[1]; ++column)
 		wedges.push_back(draw.chance(0.3));
@@ -166,9 +176,9 @@ RawSet mixedCells(Draw& draw, double jitter)
 }
 
 // Pairs of lattice cells along i in one polyhedron of ten faces.
-RawSet doublePolyhedra(Draw& draw, double jitter)
+RawSet doublePolyhedra(Draw& draw, const Disorder& disorder)
 {
-	RawBlock block = lattice(draw, jitter);
+	RawBlock block = lattice(draw, disorder);
 	const int along = static_cast<int>(block.points_along[0]) - 1;
 	toCells(block,
 	        [&](int i, int j, int k, const Ids& c)
@@ -188,9 +198,9 @@ RawSet doublePolyhedra(Draw& draw, double jitter)
 }
 
 // A wall of bricks: each has six neighbours in its layer, its top and bottom are hexagons.
-RawSet hexagonalPolyhedra(Draw& draw, double jitter)
+RawSet hexagonalPolyhedra(Draw& draw, const Disorder& disorder)
 {
-	RawBlock block = lattice(draw, jitter, 3, 6);
+	RawBlock block = lattice(draw, disorder, 3, 6);
 	const auto [ni, nj, nk] = block.points_along;
 	for (int k = 0; k + 1 < int(nk); ++k)
 		for (int j = 0; j + 1 < int(nj); ++j)
@@ -215,9 +225,9 @@ RawSet hexagonalPolyhedra(Draw& draw, double jitter)
 	return {"hexagonal polyhedra", {block}};
 }
 
-RawSet oneShape(Draw& draw, double jitter)
+RawSet oneShape(Draw& draw, const Disorder& disorder)
 {
-	RawBlock block = lattice(draw, jitter);
+	RawBlock block = lattice(draw, disorder);
 	const int shape = draw.whole(0, 4);
 	toCells(block,
 	        [&](int, int, int, const Ids& c)
@@ -240,9 +250,9 @@ RawSet oneShape(Draw& draw, double jitter)
 }
 
 // Cells missing anywhere: holes, cells that hang by an edge or a point.
-RawSet blankedCells(Draw& draw, double jitter)
+RawSet blankedCells(Draw& draw, const Disorder& disorder)
 {
-	RawBlock block = lattice(draw, jitter, 3, 6);
+	RawBlock block = lattice(draw, disorder, 3, 6);
 	const double kept = draw.real(0.3, 0.95);
 	toCells(block,
 	        [&](int, int, int, const Ids& c)
@@ -258,7 +268,7 @@ RawSet blankedCells(Draw& draw, double jitter)
 // Corners drawn together: by number, by place, or onto a line.
 RawSet degenerateCells(Draw& draw)
 {
-	RawBlock block = lattice(draw, 0.2);
+	RawBlock block = lattice(draw, {0.2});
 	std::vector<Vec3>& points = block.points;
 	const int moves = draw.whole(1, 6);
 	for (int n = 0; n < moves; ++n)
@@ -282,7 +292,7 @@ RawSet degenerateCells(Draw& draw)
 // A ring that meets itself at i = 0, perhaps with its inner side drawn to an axis.
 RawSet closedRing(Draw& draw)
 {
-	RawBlock block = lattice(draw, 0.0, 3, 6);
+	RawBlock block = lattice(draw, {}, 3, 6);
 	const double inner = draw.chance(0.5) ? 0.0 : draw.real(0.2, 2.0);
 	const double around = 2.0 * std::numbers::pi / (block.points_along[0] - 1);
 	for (Vec3& p : block.points)
@@ -295,7 +305,7 @@ RawSet closedRing(Draw& draw)
 
 RawSet plainLattice(Draw& draw)
 {
-	RawBlock block = lattice(draw, 0.0);
+	RawBlock block = lattice(draw, {});
 	const bool image = draw.chance(0.5);
 	block.kind = image ? RawKind::image : RawKind::rectilinear;
 	const double power = image ? 1.0 : draw.real(0.5, 3.0);
@@ -308,7 +318,7 @@ RawSet plainLattice(Draw& draw)
 // Two lattices that abut along i with equal, shifted or overlapping layers.
 RawSet severalBlocks(Draw& draw)
 {
-	RawBlock first = lattice(draw, 0.2);
+	RawBlock first = lattice(draw, {0.2});
 	RawBlock second = first;
 	const double width = first.points_along[0] - 1.0;
 	const auto ni = first.points_along[0];
@@ -328,9 +338,17 @@ RawSet severalBlocks(Draw& draw)
 RawSet shapedSet(Draw& draw)
 {
 	const int kind = draw.whole(0, 11);
-	const double jitter = draw.chance(0.25)   ? draw.real(0.3, 1.3) // folded
-	                      : draw.chance(0.25) ? 0.0
-	                                          : draw.real(0.0, 0.12);
+	Disorder disorder;
+	const double fault = draw.real(0.0, 1.0);
+	if (fault < 0.2) // folded everywhere
+		disorder.jitter = draw.real(0.3, 1.3);
+	else if (fault < 0.5 || fault > 0.7)
+		disorder.jitter = draw.real(0.0, 0.12);
+	if (fault > 0.6) // or here and there
+	{
+		disorder.bumps = draw.whole(1, 4);
+		disorder.bump = draw.real(0.5, 3.0);
+	}
 	const auto made = [&]() -> RawSet
 	{
 		switch (kind)
@@ -345,21 +363,21 @@ RawSet shapedSet(Draw& draw)
 			return severalBlocks(draw);
 		case 4:
 		case 5:
-			return {"curvilinear", {lattice(draw, jitter)}};
+			return {"curvilinear", {lattice(draw, disorder)}};
 		case 6:
-			return blankedCells(draw, jitter);
+			return blankedCells(draw, disorder);
 		case 7:
-			return mixedCells(draw, jitter);
+			return mixedCells(draw, disorder);
 		case 8:
-			return doublePolyhedra(draw, jitter);
+			return doublePolyhedra(draw, disorder);
 		case 9:
-			return hexagonalPolyhedra(draw, jitter);
+			return hexagonalPolyhedra(draw, disorder);
 		default:
-			return oneShape(draw, jitter);
+			return oneShape(draw, disorder);
 		}
 	};
 	RawSet set = made();
-	set.flat_faces = set.flat_faces || (kind > 3 && kind != 8 && jitter == 0.0);
+	set.flat_faces = set.flat_faces || (kind > 3 && kind != 8 && disorder.jitter == 0.0 && disorder.bumps == 0);
 	return set;
 }
 
