@@ -83,12 +83,15 @@ Turn turnOfWedge(std::span<const Vec3> p)
 	return signs.turn();
 }
 
-// Three vectors by which others are measured: in terms of them v has the components dot(v, normal[i]) / det.
+// Three vectors by which others are measured, in a frame of their directions.
 struct Frame
 {
-	Frame(const Vec3& u, const Vec3& v, const Vec3& w)
-	    : normal{glm::cross(v, w), glm::cross(w, u), glm::cross(u, v)}, volume(glm::dot(u, normal[0]))
+	Frame(const Vec3& u, const Vec3& v, const Vec3& w) : length{glm::length(u), glm::length(v), glm::length(w)}
 	{
+		const Vec3 unit[3] = {u / length[0], v / length[1], w / length[2]};
+		for (int axis = 0; axis < 3; ++axis)
+			normal[axis] = glm::cross(unit[(axis + 1) % 3], unit[(axis + 2) % 3]);
+		volume = glm::dot(unit[0], normal[0]);
 	}
 	// Sum of the components' magnitudes, times |volume|.
 	double size(const Vec3& v) const
@@ -100,11 +103,12 @@ struct Frame
 	{
 		return glm::dot(reach, glm::abs(normal[0]) + glm::abs(normal[1]) + glm::abs(normal[2]));
 	}
-	// A matrix whose columns differ from the frame's by vectors of less than this size is diagonally dominant, so its
-	// determinant has the frame's sign.
-	double room() const { return (1.0 - 1e-9) * std::abs(volume); }
+	// Three vectors that differ from the frame's by less than this size make, over their lengths, a diagonally dominant
+	// matrix, so their determinant has the frame's sign; however thin a cell is.
+	bool holds(int axis, double size) const { return size < (1.0 - 1e-9) * std::abs(volume) * length[axis]; }
 	Turn turn() const { return volume > 0.0 ? Turn::positive : Turn::negative; }
 
+	double length[3];
 	Vec3 normal[3];
 	double volume;
 };
@@ -120,8 +124,8 @@ Turn turnOfPlainHexahedron(std::span<const Vec3> p)
 	const double uw = frame.size((d[2] - d[0]) + (d[3] - d[1]));
 	const double vw = frame.size((a[0] - a[1]) + (a[3] - a[2]));
 	const double uvw = frame.size((d[0] - d[1]) + (d[3] - d[2]));
-	const double most = std::max({uv + uw, uv + vw, uw + vw}) + uvw;
-	return most < frame.room() ? frame.turn() : Turn::mixed;
+	const bool plain = frame.holds(0, uv + uw + uvw) && frame.holds(1, uv + vw + uvw) && frame.holds(2, uw + vw + uvw);
+	return plain ? frame.turn() : Turn::mixed;
 }
 
 // The 27 Bernstein coefficients: each edge along u depends on v and w to degree 1, and so on, so their determinant is
@@ -195,11 +199,13 @@ Turn turnOf(CellShape shape, std::span<const Vec3> points)
 Turn turnOfEdges(const Box& u, const Box& v, const Box& w)
 {
 	const Frame frame(u.centre(), v.centre(), w.centre());
-	// Edges taken as differences of floats are off by 6e-8 of their own length along each axis.
-	const auto reach = [](const Box& box)
-	{ return 0.5 * box.size() + 1e-7 * glm::max(glm::abs(box.lo), glm::abs(box.hi)); };
-	const double most = std::max({frame.mostSize(reach(u)), frame.mostSize(reach(v)), frame.mostSize(reach(w))});
-	return most < frame.room() ? frame.turn() : Turn::mixed;
+	const auto holds = [&](int axis, const Box& box)
+	{
+		// Edges taken as differences of floats are off by 6e-8 of their own length along each axis.
+		const Vec3 rounding = 1e-7 * glm::max(glm::abs(box.lo), glm::abs(box.hi));
+		return frame.holds(axis, frame.mostSize(0.5 * box.size() + rounding));
+	};
+	return holds(0, u) && holds(1, v) && holds(2, w) ? frame.turn() : Turn::mixed;
 }
 
 bool orientedAlike(const CellFaces& faces)
