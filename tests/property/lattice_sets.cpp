@@ -299,11 +299,17 @@ RawSet severalBlocks(Draw& draw, const LatticeSize& size)
 			second.points[p] = first.points[p + ni - 1];
 	}
 	if (draw.chance(0.5))
-		toCells(second, [&](int, int, int, const Ids& c) { addHexahedron(second, c); });
+		second = asHexahedra(second);
 	return {"several blocks", {first, second}, meeting == 0};
 }
 
 } // namespace
+
+RawBlock asHexahedra(RawBlock lattice)
+{
+	toCells(lattice, [&](int, int, int, const Ids& c) { addHexahedron(lattice, c); });
+	return lattice;
+}
 
 RawSet latticeSet(LatticeKind kind, Draw& draw, const Disorder& disorder, const LatticeSize& size)
 {

@@ -62,6 +62,9 @@ struct LatticeSize
 	int most = 6;
 };
 
+// A lattice as explicit hexahedra.
+RawBlock asHexahedra(RawBlock lattice);
+
 RawSet latticeSet(LatticeKind kind, Draw& draw, const Disorder& disorder, const LatticeSize& size = {});
 
 } // namespace vp::test
