@@ -17,11 +17,13 @@ namespace vp::grid
 // cells turned one way, the map would keep its sense everywhere, and be open (around a cut edge it may wind several
 // times): the image of the closed surface would be open and compact, and the plane holds no such set but the empty one.
 //
+// Cells are taken to meet in whole faces, two at most on each.
+//
 // A polyhedron is filled from its centre (the mean of its points) by tetrahedra to its triangles, pyramids to its
 // quads, and fans about the mean of larger faces. Since files list its faces either way round, it asks no majority: it
 // is listed where it is not filled one way, or lies on the same side of a face as the cell across.
 //
-// Positive volume throughout is needed: corners alone do not tell (see turnOf()). One pass on all cores and a byte a
+// One pass on all cores and a byte a
 // cell while it runs; a curvilinear grid is settled in boxes of cells that are alike. For the four grids of block.h.
 template <Grid G>
 std::vector<CellId> foldedCells(const G& grid);

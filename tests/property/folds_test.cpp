@@ -44,6 +44,18 @@ TEST(Folds, PiecesInsideAreFound)
 	EXPECT_EQ(cut(slicer, {{2.5, 2.5, 3.2}, {0, 0, 1}}).cutCellCount(), 33u);
 }
 
+TEST(Folds, AxesThatTurnBack)
+{
+	const std::vector<double> there_and_back{0.0, 1.0, 2.0, 1.3, 0.6, 1.5, 3.0};
+	grid::Block block;
+	block.grid = grid::RectilinearGrid(there_and_back, there_and_back, there_and_back);
+	grid::finishBlock(block);
+	const grid::BlockSet set = setOf(block);
+	slice::Slicer slicer(set);
+	for (const TestPlane& plane : randomPlanes(block.bounds, 100, 26))
+		EXPECT_EQ(cut(slicer, plane).cutCells(), scanCutCells(block, plane));
+}
+
 // What is listed is where the grid is folded and not all of it.
 TEST(Folds, OnlyCellsAboutThePeakAreListed)
 {

@@ -1,123 +1,12 @@
 #include "lattice_sets.h"
 
+#include "lattice_cells.h"
+
 namespace vp::test
 {
 
 namespace
 {
-
-using Ids = std::vector<std::int64_t>;
-
-enum VtkType : std::uint8_t
-{
-	kTetra = 10,
-	kHexahedron = 12,
-	kWedge = 13,
-	kPyramid = 14,
-	kPolyhedron = 42
-};
-
-// Points of a lattice at whole numbers, moved.
-RawBlock lattice(Draw& draw, const Disorder& disorder, const LatticeSize& size)
-{
-	RawBlock block;
-	block.kind = RawKind::curvilinear;
-	for (std::uint32_t& n : block.points_along)
-		n = static_cast<std::uint32_t>(draw.whole(size.least, size.most)) + 1;
-	const auto [ni, nj, nk] = block.points_along;
-	for (std::uint32_t k = 0; k < nk; ++k)
-		for (std::uint32_t j = 0; j < nj; ++j)
-			for (std::uint32_t i = 0; i < ni; ++i)
-				block.points.push_back(Vec3(i, j, k) + draw.around(disorder.jitter));
-	for (int n = 0; n < disorder.bumps; ++n)
-		block.points[draw.whole(0, static_cast<int>(block.points.size()) - 1)] += disorder.bump * draw.direction();
-	return block;
-}
-
-std::int64_t pointAt(const RawBlock& block, int i, int j, int k)
-{
-	return (std::int64_t(k) * block.points_along[1] + j) * block.points_along[0] + i;
-}
-
-Ids cornersAt(const RawBlock& block, int i, int j, int k)
-{
-	const auto at = [&](int di, int dj, int dk) { return pointAt(block, i + di, j + dj, k + dk); };
-	return {at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)};
-}
-
-template <class Visit>
-void forCells(const RawBlock& block, Visit&& visit)
-{
-	for (int k = 0; k + 1 < int(block.points_along[2]); ++k)
-		for (int j = 0; j + 1 < int(block.points_along[1]); ++j)
-			for (int i = 0; i + 1 < int(block.points_along[0]); ++i)
-				visit(i, j, k);
-}
-
-std::vector<Ids> facesOf(const Ids& ids)
-{
-	const grid::ShapeTopology& shape = grid::topology(grid::CellShape::hexahedron);
-	std::vector<Ids> faces;
-	for (int f = 0; f < shape.faces; ++f)
-	{
-		faces.emplace_back();
-		for (const std::uint8_t corner : shape.facePoints(f))
-			faces.back().push_back(ids[corner]);
-	}
-	return faces;
-}
-
-// The lattice as explicit cells: `add(i, j, k, corners)` appends those of one lattice cell.
-template <class Add>
-void toCells(RawBlock& block, Add&& add)
-{
-	forCells(block, [&](int i, int j, int k) { add(i, j, k, cornersAt(block, i, j, k)); });
-	block.kind = RawKind::cells;
-}
-
-void addHexahedron(RawBlock& block, const Ids& c)
-{
-	block.cells.push_back({kHexahedron, c, {}});
-}
-
-// Two wedges by the diagonal of the faces normal to k.
-void addWedges(RawBlock& block, const Ids& c)
-{
-	block.cells.push_back({kWedge, {c[0], c[2], c[1], c[4], c[6], c[5]}, {}});
-	block.cells.push_back({kWedge, {c[0], c[3], c[2], c[4], c[7], c[6]}, {}});
-}
-
-// Six about the diagonal 0-6, alike in every cell, so that they fit.
-void addTetrahedra(RawBlock& block, const Ids& c)
-{
-	for (const auto& [a, b] : {std::pair(1, 2), {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}})
-		block.cells.push_back({kTetra, {c[0], c[a], c[b], c[6]}, {}});
-}
-
-std::int64_t addCentre(RawBlock& block, const Ids& c)
-{
-	Vec3 sum(0.0);
-	for (const std::int64_t id : c)
-		sum += block.points[id] / 8.0;
-	block.points.push_back(sum);
-	return static_cast<std::int64_t>(block.points.size() - 1);
-}
-
-void addPyramids(RawBlock& block, const Ids& c)
-{
-	const std::int64_t tip = addCentre(block, c);
-	for (const Ids& face : facesOf(c))
-		block.cells.push_back({kPyramid, {face[3], face[2], face[1], face[0], tip}, {}});
-}
-
-void addPolyhedron(RawBlock& block, const Ids& c, Draw& draw)
-{
-	std::vector<Ids> faces = facesOf(c);
-	for (Ids& face : faces)
-		if (draw.chance(0.3))
-			std::ranges::reverse(face); // files list faces either way round
-	block.cells.push_back({kPolyhedron, {}, faces});
-}
 
 // Columns of wedges among hexahedra, pyramids and polyhedra: they share quads.
 RawSet mixedCells(Draw& draw, const Disorder& disorder, const LatticeSize& size)
@@ -161,7 +50,7 @@ RawSet doublePolyhedra(Draw& draw, const Disorder& disorder, const LatticeSize& 
 		        faces.erase(faces.begin() + 1);
 		        more.erase(more.begin());
 		        faces.insert(faces.end(), more.begin(), more.end());
-		        block.cells.push_back({kPolyhedron, {}, faces});
+		        addPolyhedron(block, std::move(faces));
 	        });
 	return {"double polyhedra", {block}};
 }
@@ -188,7 +77,7 @@ RawSet hexagonalPolyhedra(Draw& draw, const Disorder& disorder, const LatticeSiz
 					faces[1].push_back(a + layer);
 					faces.push_back({a, b, b + layer, a + layer});
 				}
-				block.cells.push_back({kPolyhedron, {}, faces});
+				addPolyhedron(block, std::move(faces));
 			}
 	block.kind = RawKind::cells;
 	return {"hexagonal polyhedra", {block}};
