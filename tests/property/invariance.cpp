@@ -55,6 +55,34 @@ double meanOf(const grid::BlockSet& set, const SlicedSheet& sheet)
 	    .mean.value_or(0.0);
 }
 
+// Whether the plane holds a whole boundary face but for rounding, which then decides whether it is shown.
+bool liesOnBoundary(const Pair& pair)
+{
+	const grid::BlockSet& set = pair.set;
+	const Side side(pair.plane);
+	const bool floats = std::ranges::any_of(pair.raw.blocks, &RawBlock::floats);
+	const double rounding = (floats ? 0x1p29 : 1.0) * roundingOf(set, pair.plane);
+	const auto isFlat = [&](const auto& grid, const grid::BoundaryIndex::Face& face)
+	{
+		grid::CellFaces faces;
+		grid.cellFaces(face.cell, faces);
+		return std::ranges::all_of(faces[static_cast<int>(face.face)],
+		                           [&](PointId p) { return std::abs(side.distance(grid.point(p))) <= rounding; });
+	};
+	for (const grid::Block& block : set.blocks)
+		if (std::ranges::any_of(block.boundary.faces, [&](const auto& face)
+		                        { return visitGrid(block, [&](const auto& grid) { return isFlat(grid, face); }); }))
+			return true;
+	return false;
+}
+
+// Whether the area is the same when rounding moves the plane: a vertex that changes sides moves what is cut of a warped
+// face, or the overlap of a folded cell, at once.
+bool keepsArea(const Pair& pair)
+{
+	return pair.generic || (pair.raw.flat_faces && pair.raw.conforming && !liesOnBoundary(pair));
+}
+
 class Comparison
 {
 public:
@@ -133,7 +161,7 @@ void checkMoved(const Pair& pair, const Comparison& comparison, std::mt19937& ra
 	slice::Slicer slicer(set);
 	const TestPlane plane{motion(pair.plane.origin), motion.turned(pair.plane.normal)};
 	const SlicedSheet sheet = cut(slicer, plane);
-	if (pair.generic)
+	if (keepsArea(pair))
 		comparison.expectSame("moved", set, sheet, sourceCells(set, sheet),
 		                      roundingOf(set, plane) + roundingOf(pair.set, pair.plane));
 }
@@ -155,7 +183,7 @@ void checkInvariance(const Pair& pair, unsigned seed)
 	EXPECT_EQ(sourceCells(pair.set, flipped), sourceCells(pair.set, pair.sheet));
 	EXPECT_EQ(flipped.mesh.polygons(), pair.sheet.mesh.polygons());
 	comparison.expectSame("flipped", pair.set, flipped, sourceCells(pair.set, flipped), rounding);
-	if (pair.generic)
+	if (keepsArea(pair))
 	{
 		TestPlane shifted = pair.asked;
 		shifted.origin.x = std::nextafter(shifted.origin.x, 1e300);
