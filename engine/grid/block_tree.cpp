@@ -5,7 +5,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <cmath>
 #include <type_traits>
 
 namespace vp::grid
@@ -14,19 +13,10 @@ namespace vp::grid
 namespace
 {
 
-bool isFinite(const Vec3& p)
-{
-	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 template <Grid G>
 void includeCell(const G& grid, CellId cell, CellFaces& faces, Box& box)
 {
-	const auto include = [&](PointId p)
-	{
-		if (const Vec3 at = grid.point(p); isFinite(at))
-			box.include(at);
-	};
+	const auto include = [&](PointId p) { box.include(grid.point(p)); };
 	if (grid.shape(cell) == CellShape::polyhedron)
 	{
 		grid.cellFaces(cell, faces);
@@ -35,6 +25,21 @@ void includeCell(const G& grid, CellId cell, CellFaces& faces, Box& box)
 	}
 	for (const PointId p : grid.cellPoints(cell))
 		include(p);
+}
+
+// The points of the cells from lo to hi, each once.
+template <class G>
+Box boxOfCube(const G& grid, const std::array<std::uint32_t, 3>& lo, const std::array<std::uint32_t, 3>& hi)
+{
+	Box box;
+	for (std::uint32_t k = lo[2]; k <= hi[2]; ++k)
+		for (std::uint32_t j = lo[1]; j <= hi[1]; ++j)
+		{
+			const PointId row = grid.pointId(0, j, k);
+			for (std::uint32_t i = lo[0]; i <= hi[0]; ++i)
+				box.include(grid.point(row + i));
+		}
+	return box;
 }
 
 } // namespace
@@ -104,13 +109,23 @@ void BlockTree::addRuns(std::size_t cells)
 template <Grid G>
 void BlockTree::fillBoxes(const G& grid)
 {
+	const auto fill = [&](Node& leaf, CellFaces& faces)
+	{
+		if constexpr (std::is_base_of_v<Lattice, G>)
+			if (in_cubes_)
+			{
+				const auto [lo, hi] = cube(leaf);
+				leaf.box = boxOfCube(grid, lo, hi);
+				return;
+			}
+		forEachCell(leaf, [&](CellId cell) { includeCell(grid, cell, faces, leaf.box); });
+	};
 	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, leaves_.size(), 8),
 	                  [&](const auto& range)
 	                  {
 		                  CellFaces faces;
 		                  for (std::size_t leaf = range.begin(); leaf < range.end(); ++leaf)
-			                  forEachCell(leaves_[leaf],
-			                              [&](CellId cell) { includeCell(grid, cell, faces, leaves_[leaf].box); });
+			                  fill(leaves_[leaf], faces);
 	                  });
 	for (Node& group : groups_)
 		for (std::uint32_t leaf = group.begin; leaf < group.end; ++leaf)

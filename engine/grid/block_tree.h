@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vp::grid
@@ -23,7 +24,7 @@ class BlockTree
 public:
 	struct Node
 	{
-		Box box; // of the points that are numbers
+		Box box; // of all points below
 		std::uint32_t
 		    begin;         // of a leaf: its first cell (place in the list) or lowest lattice cell; else its first leaf
 		std::uint32_t end; // of a run or group: one past the last
@@ -79,13 +80,19 @@ public:
 	}
 
 private:
-	template <class Visit>
-	void forEachInCube(const Node& leaf, Visit&& visit) const
+	// Lowest and highest cell index of a leaf, the latter one past the last.
+	std::pair<std::array<std::uint32_t, 3>, std::array<std::uint32_t, 3>> cube(const Node& leaf) const
 	{
 		const std::array<std::uint32_t, 3> lo = lattice_.cellIndex(leaf.begin);
 		std::array<std::uint32_t, 3> hi;
 		for (int axis = 0; axis < 3; ++axis)
 			hi[axis] = std::min(lo[axis] + kLeafEdge, lattice_.cells()[axis]);
+		return {lo, hi};
+	}
+	template <class Visit>
+	void forEachInCube(const Node& leaf, Visit&& visit) const
+	{
+		const auto [lo, hi] = cube(leaf);
 		for (std::uint32_t k = lo[2]; k < hi[2]; ++k)
 			for (std::uint32_t j = lo[1]; j < hi[1]; ++j)
 				for (std::uint32_t i = lo[0]; i < hi[0]; ++i)

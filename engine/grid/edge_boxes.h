@@ -16,7 +16,7 @@ namespace vp::grid
 // one after the other, i running fastest), `row` and `layer` how many numbers further the next along j and k is,
 // `cells` its cells along each axis: four at least along i, so that the rows fill the lanes below.
 //
-// Of 17 million cells in half the time of plain loops: twelve lanes, since both a vector of four floats and a point of
+// A third of the time of plain loops: twelve lanes, since both a vector of four floats and a point of
 // three coordinates fit in; the last step of a row goes over some of it again.
 template <class Number>
 std::array<Box, 3> edgeBoxes(const Number* points, std::size_t row, std::size_t layer,
