@@ -2,6 +2,7 @@
 
 #include "locate/find_cell.h"
 #include "seed/boundary_cut.h"
+#include "seed/cut_cells.h"
 
 #include <limits>
 #include <tuple>
@@ -15,18 +16,6 @@ namespace
 // A hot spot on a face or a vertex may be found in the cell whose vertices all count as positive. The cut cell is near:
 // looked for across faces, ring by ring, among this many cells (two rings of hexahedra and their corners).
 constexpr std::size_t kNearbyCells = 64;
-
-template <grid::Grid G>
-bool isCut(const G& grid, const surface::Plane& plane, CellId cell)
-{
-	grid::CellFaces faces;
-	grid.cellFaces(cell, faces);
-	bool positive = false;
-	bool negative = false;
-	for (const PointId p : faces.points)
-		(plane.signedDistance(grid.point(p)) >= 0.0 ? positive : negative) = true;
-	return positive && negative;
-}
 
 template <grid::Grid G>
 CellId nearestCutCell(const G& grid, const surface::Plane& plane, CellId start)
@@ -154,9 +143,8 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 					        seeds.faces_in_plane[b].push_back(face);
 			        });
 			    if (seeds_boundary)
-				    for (const CellId cell : block.inverted)
-					    if (isCut(grid, plane, cell))
-						    seeds.cells[b].push_back(cell);
+				    visitCutCells(grid, block.inverted_tree, plane,
+				                  [&](CellId cell) { seeds.cells[b].push_back(cell); });
 		    },
 		    block.grid);
 	}
