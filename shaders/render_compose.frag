@@ -13,6 +13,7 @@ layout(binding = 0, scalar) uniform Params
 };
 layout(binding = 1) uniform sampler2DArray layers;
 layout(binding = 2) uniform sampler2D lines;
+layout(binding = 3) uniform usamplerBuffer tables; // of colours, and of the values where they change
 layout(push_constant, scalar) uniform Push
 {
 	ComposePush push;
@@ -21,27 +22,9 @@ layout(location = 0) out vec4 front; // multiplied by alpha
 
 // Room for the layers at a pixel: the smallest of ComposePass::kSlots that takes them all.
 layout(constant_id = 0) const uint kSlots = 1u;
+layout(constant_id = 1) const uint kFeatures = 0u;
 
-const float kNanFrom = 0.5 * kNanValue;
-const float kEmptyUpTo = 0.5 * kEmptyValue;
-
-vec3 unpacked(uint color)
-{
-	return unpackUnorm4x8(color).rgb;
-}
-
-// Selections instead of branches throughout: neighbouring pixels go different ways at every edge.
-vec3 colorOf(float value)
-{
-	const float t = clamp((value - params.range_lo) * params.range_scale + params.range_offset, 0.0, 1.0);
-	const float place = 255.0 * t;
-	const int low = min(int(place), 254);
-	vec3 color = mix(unpacked(params.colors[low]), unpacked(params.colors[low + 1]), place - float(low));
-	color = value < params.below_from ? unpacked(params.below_color) : color;
-	color = value > params.above_from ? unpacked(params.above_color) : color;
-	color = value >= kNanFrom ? unpacked(params.nan_color) : color;
-	return params.has_values == 0u ? unpacked(params.plain_color) : color;
-}
+#include "render_colors.glsl"
 
 vec4 rgba(float c[4])
 {
@@ -60,33 +43,31 @@ void main()
 
 	// What is here; an empty slot is transparent. Loops and indices are constant once kSlots is, so the arrays are registers.
 	float depths[kSlots];
-	float values[kSlots];
-	float opacities[kSlots];
+	uvec2 colors[kSlots];
 	for (uint i = 0u; i < kSlots; ++i)
 	{
 		const uint layer = min(i, params.last_layer);
-		const float value = texelFetch(layers, ivec3(pixel, int(layer)), 0).x;
-		const bool here = i <= params.last_layer && value > kEmptyUpTo;
-		const float depth =
-			params.plane[4u * layer] * place.x + params.plane[4u * layer + 1u] * place.y + params.plane[4u * layer + 2u];
+		const vec2 texel = texelFetch(layers, ivec3(pixel, int(layer)), 0).xy;
+		const bool here = i <= params.last_layer && texel.x > kEmptyUpTo;
+		const float depth = params.sheets[layer].plane[0] * place.x + params.sheets[layer].plane[1] * place.y +
+							params.sheets[layer].plane[2];
+		const vec4 color = here ? colorOf(texel, layer, pixel) : vec4(0.0);
 		depths[i] = here ? max(depth, 0.0) : -1.0;
-		values[i] = value;
-		opacities[i] = here ? params.plane[4u * layer + 3u] : 0.0;
+		colors[i] = uvec2(packUnorm2x16(color.rg), packUnorm2x16(color.ba));
 	}
+	// Equal depths keep their order: of sheets in one plane the first is in front.
 	for (uint last = kSlots - 1u; last > 0u; --last)
 		for (uint i = 0u; i < last; ++i)
 		{
 			const bool swap = depths[i] < depths[i + 1u];
-			const vec3 a = vec3(depths[i], values[i], opacities[i]);
-			const vec3 b = vec3(depths[i + 1u], values[i + 1u], opacities[i + 1u]);
-			const vec3 near = swap ? b : a;
-			const vec3 far = swap ? a : b;
-			depths[i] = near.x;
-			values[i] = near.y;
-			opacities[i] = near.z;
-			depths[i + 1u] = far.x;
-			values[i + 1u] = far.y;
-			opacities[i + 1u] = far.z;
+			const float near = swap ? depths[i + 1u] : depths[i];
+			const float far = swap ? depths[i] : depths[i + 1u];
+			const uvec2 near_color = swap ? colors[i + 1u] : colors[i];
+			const uvec2 far_color = swap ? colors[i] : colors[i + 1u];
+			depths[i] = near;
+			colors[i] = near_color;
+			depths[i + 1u] = far;
+			colors[i + 1u] = far_color;
 		}
 
 	front = vec4(0.0);
@@ -98,7 +79,8 @@ void main()
 		const float line_here = line_depth >= depths[i] ? line_left : 0.0;
 		under(line_color.rgb, line_here);
 		line_left -= line_here;
-		under(colorOf(values[i]), opacities[i]);
+		const vec2 blue_alpha = unpackUnorm2x16(colors[i].y);
+		under(vec3(unpackUnorm2x16(colors[i].x), blue_alpha.x), blue_alpha.y);
 	}
 	under(line_color.rgb, line_left);
 }

@@ -3,19 +3,20 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/slice_types.h"
 #include "shared/render_types.h"
+#include "render_record.glsl"
 
-// A vertex of a record's polygon; the indices make a fan of it. Records are read as texels, five of four words each: software
-// reads those faster than a storage buffer.
-layout(binding = 0) uniform usamplerBuffer records;
+// A vertex of a record's polygon; the indices make a fan of it.
 layout(push_constant, scalar) uniform Push
 {
 	LayerPush push;
 };
+layout(constant_id = 0) const uint kFeatures = 0u;
 
 layout(location = 0) out float value;
 layout(location = 1) flat out uint is_nan;
+layout(location = 2) out vec2 place;      // (u, v), with a window or mesh lines
+layout(location = 3) flat out ivec2 edges; // the record and its hidden edges, with mesh lines
 
-const int kTexels = 5;
 const float kNanFrom = 0.5 * kNanValue;
 
 vec4 column(float c[4])
@@ -23,21 +24,45 @@ vec4 column(float c[4])
 	return vec4(c[0], c[1], c[2], c[3]);
 }
 
+// A polygon of many corners comes as several records, cut along diagonals from its first corner, which are no edges of it. Bit 0:
+// the record's first edge is such a diagonal, bit 1: its last one.
+int diagonals(int record, uint vertices)
+{
+	const uvec2 head = recordHead(record);
+	const vec2 first = recordPlace(record, 0u);
+	int found = 0;
+	if (record > 0)
+	{
+		const uvec2 before = recordHead(record - 1);
+		if (before.x == head.x && before.y > 2u && recordPlace(record - 1, 0u) == first &&
+			recordPlace(record - 1, before.y - 1u) == recordPlace(record, 1u))
+			found |= 1;
+	}
+	const uvec2 after = recordHead(record + 1);
+	if (after.x == head.x && after.y > 2u && recordPlace(record + 1, 0u) == first &&
+		recordPlace(record + 1, 1u) == recordPlace(record, vertices - 1u))
+		found |= 2;
+	return found;
+}
+
 void main()
 {
 	const int record = gl_VertexIndex / int(kMaxRecordVertices);
-	const uint vertices = texelFetch(records, record * kTexels).y;
+	const uint vertices = recordHead(record).y;
 	// What is not there falls together with the first vertex.
 	const uint slot = uint(gl_VertexIndex) % kMaxRecordVertices;
 	const uint vertex = slot < vertices ? slot : 0u;
 
-	const uvec4 uv_texel = texelFetch(records, record * kTexels + int((vertex + 1u) >> 1));
-	const vec2 uv = uintBitsToFloat((vertex & 1u) == 0u ? uv_texel.zw : uv_texel.xy);
+	const vec2 uv = recordPlace(record, vertex);
 	gl_Position = uv.x * column(push.u_axis) + uv.y * column(push.v_axis) + column(push.origin);
+	place = kFeatures != 0u ? uv : vec2(0.0);
+	edges = ivec2(record, 0);
+	if ((kFeatures & kLayerMesh) != 0u && vertices > 2u)
+		edges.y = diagonals(record, vertices);
 
 	// A polygon with a NaN (or an infinity) has no value anywhere: nothing could be interpolated towards that vertex.
-	const vec4 low = uintBitsToFloat(texelFetch(records, record * kTexels + 3));
-	const vec4 high = uintBitsToFloat(texelFetch(records, record * kTexels + 4));
+	const vec4 low = uintBitsToFloat(texelFetch(records, record * kRecordTexels + 3));
+	const vec4 high = uintBitsToFloat(texelFetch(records, record * kRecordTexels + 4));
 	is_nan = 0u;
 	float values[kMaxRecordVertices] = float[](low.z, low.w, high.x, high.y, high.z, high.w);
 	for (uint i = 0u; i < kMaxRecordVertices; ++i)

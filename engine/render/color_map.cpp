@@ -144,7 +144,7 @@ Color ColorMap::at(double t) const
 	{ return static_cast<std::uint8_t>(std::lround(a + part * (b - a))); };
 	const Color& a = colors[low];
 	const Color& b = colors[low + 1];
-	return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 255};
+	return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)};
 }
 
 const std::vector<std::string>& colorMapNames()

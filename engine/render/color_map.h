@@ -25,9 +25,19 @@ struct Color
 
 constexpr int kColorMapSize = 256;
 
+// A value that stands for something.
+struct Category
+{
+	double value = 0.0;
+	std::string name;
+	Color color;
+
+	bool operator==(const Category&) const = default;
+};
+
 // The colours of values from the range's low end (0) to its high end (1), and of those that have no place in it: NaN is
-// magenta in every map; values below and above, which only a range of the user's can leave out, are tints that the map
-// does not hold.
+// magenta in every map of ours; values below and above, which a range of the user's can leave out, are tints that the
+// map does not hold. Alpha is an opacity by value, a factor on the sheet's.
 struct ColorMap
 {
 	std::string name;
@@ -35,6 +45,7 @@ struct ColorMap
 	Color nan{217, 70, 160};
 	Color below;
 	Color above;
+	std::vector<Category> categories{}; // ascending values; where there are any, `colors` is not used
 
 	Color at(double t) const; // 0..1, linear between neighbours
 };

@@ -2,38 +2,17 @@
 
 #include "render/compose_pass.h"
 
+#include "render/compose_params.h"
 #include "render/host_buffer.h"
-#include "render/picture_geometry.h"
 
 #include <algorithm>
-#include <limits>
+#include <cstring>
 
 namespace vp::render
 {
 
 namespace
 {
-
-static_assert(sizeof(shared::ComposeParams) == 4 * (13 + 12 + 4 * shared::kMaxLayers + kColorMapSize));
-
-// Interpolation rounds; it must not take the ends of the range out of it.
-constexpr double kRangeSlack = 1e-5;
-
-constexpr Color kPlainSheet{142, 168, 195}; // where there is no array to show
-constexpr Color kLineOnLight{66, 72, 82, 225};
-constexpr Color kLineOnDark{206, 211, 218, 225};
-
-std::uint32_t packed(Color c)
-{
-	return c.r | std::uint32_t(c.g) << 8 | std::uint32_t(c.b) << 16 | std::uint32_t(c.a) << 24;
-}
-
-void store(float (&to)[4], Color c)
-{
-	const std::uint8_t from[] = {c.r, c.g, c.b, c.a};
-	for (int i = 0; i < 4; ++i)
-		to[i] = static_cast<float>(from[i]) / 255.0f;
-}
 
 VkPipelineColorBlendAttachmentState summing()
 {
@@ -42,71 +21,17 @@ VkPipelineColorBlendAttachmentState summing()
 	return state;
 }
 
-void fill(shared::ComposeParams& params, const Scene& scene, VkExtent2D extent)
-{
-	params = {};
-	params.height = static_cast<float>(extent.height);
-	params.sample_weight = 1.0f / static_cast<float>(samplePattern(scene.look.samples).size());
-	params.last_layer = static_cast<std::uint32_t>(scene.sheets.empty() ? 0 : scene.sheets.size() - 1);
-	const Look& look = scene.look;
-	params.below_from = -std::numeric_limits<float>::infinity();
-	params.above_from = std::numeric_limits<float>::infinity();
-	if (scene.values)
-	{
-		const auto [lo, hi] = colorRange(*scene.values, look);
-		params.has_values = 1;
-		params.range_lo = static_cast<float>(lo);
-		if (look.range)
-		{
-			const double slack = kRangeSlack * (hi - lo);
-			params.below_from = static_cast<float>(lo - slack);
-			params.above_from = static_cast<float>(hi + slack);
-		}
-		// A constant has the map's middle.
-		const bool constant = !(hi > lo);
-		params.range_scale = constant ? 0.0f : static_cast<float>(1.0 / (hi - lo));
-		params.range_offset = constant ? 0.5f : 0.0f;
-	}
-	params.nan_color = packed(look.colors.nan);
-	params.below_color = packed(look.colors.below);
-	params.above_color = packed(look.colors.above);
-	params.plain_color = packed(kPlainSheet);
-	store(params.line_color, look.background.dark() ? kLineOnDark : kLineOnLight);
-	store(params.top_color, look.background.top);
-	store(params.bottom_color, look.background.bottom);
-	for (std::size_t i = 0; i < scene.sheets.size(); ++i)
-	{
-		const auto depth = planeDepth(scene.sheets[i].sheet, scene.camera, extent);
-		std::transform(depth.begin(), depth.end(), params.plane + 4 * i,
-		               [](double d) { return static_cast<float>(d); });
-		params.plane[4 * i + 3] = static_cast<float>(std::clamp(scene.sheets[i].opacity, 0.0, 1.0));
-	}
-	std::transform(look.colors.colors.begin(), look.colors.colors.end(), params.colors, packed);
-}
-
 } // namespace
 
 Result<ComposePass> ComposePass::create(gpu::Device& device)
 {
-	gpu::GraphicsPipelineInfo info;
-	info.vertex_shader = "render_full.vert";
-	info.fragment_shader = "render_compose.frag";
-	info.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
-	                 {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
-	                 {2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
-	info.push_bytes = sizeof(shared::ComposePush);
-	info.colour_formats = {sumFormat(device)};
-	info.blends = {summing()};
 	ComposePass pass;
 	pass.device_ = &device;
-	for (std::size_t i = 0; i < kSlots.size(); ++i)
-	{
-		info.constants = {{0, kSlots[i]}};
-		auto pipeline = gpu::Pipeline::create(device, info, "compose");
-		if (!pipeline)
-			return pipeline.error();
-		pass.pipelines_[i] = std::move(*pipeline);
-	}
+	// The pipelines' layouts are alike, so a set of the first fits them all.
+	auto first = pass.pipelineFor(1, 0);
+	if (!first)
+		return first.error();
+	pass.sets_ = gpu::DescriptorSets(device, **first, "compose");
 	gpu::GraphicsPipelineInfo resolve;
 	resolve.vertex_shader = "render_full.vert";
 	resolve.fragment_shader = "render_resolve.frag";
@@ -121,28 +46,66 @@ Result<ComposePass> ComposePass::create(gpu::Device& device)
 	if (!sampler)
 		return sampler.error();
 	pass.sampler_ = std::move(*sampler);
-	// The pipelines' layouts are alike, so a set fits them all.
-	pass.sets_ = gpu::DescriptorSets(device, pass.pipelines_[0], "compose");
 	return pass;
 }
 
-const gpu::Pipeline& ComposePass::pipelineFor(std::size_t layers) const
+Result<const gpu::Pipeline*> ComposePass::pipelineFor(std::size_t layers, std::uint32_t features)
 {
-	std::size_t i = 0;
-	while (kSlots[i] < layers)
-		++i;
-	return pipelines_[i];
+	const std::uint32_t slots = *std::find_if(kSlots.begin(), kSlots.end(), [&](auto s) { return s >= layers; });
+	gpu::Pipeline& pipeline = pipelines_[{slots, features}];
+	if (pipeline)
+		return &pipeline;
+	gpu::GraphicsPipelineInfo info;
+	info.vertex_shader = "render_full.vert";
+	info.fragment_shader = "render_compose.frag";
+	info.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
+	                 {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+	                 {2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+	                 {3, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}};
+	info.push_bytes = sizeof(shared::ComposePush);
+	info.colour_formats = {sumFormat(*device_)};
+	info.blends = {summing()};
+	info.constants = {{0, slots}, {1, features}};
+	auto made = gpu::Pipeline::create(*device_, info, "compose");
+	if (!made)
+		return made.error();
+	pipeline = std::move(*made);
+	return &pipeline;
+}
+
+Status ComposePass::putTables(const std::vector<std::uint32_t>& tables)
+{
+	const std::size_t bytes = tables.size() * sizeof(tables[0]);
+	if (!tables_ || tables_.size() < bytes)
+	{
+		if (Status room = makeRoom(*device_, tables_, bytes, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, "colour tables");
+		    !room)
+			return room;
+		auto view = gpu::TexelView::create(tables_, VK_FORMAT_R32_UINT, "colour tables");
+		if (!view)
+			return view.error();
+		table_texels_ = std::move(*view);
+	}
+	std::memcpy(tables_.mapped(), tables.data(), bytes);
+	tables_.flush();
+	return Nothing{};
 }
 
 Status ComposePass::prepare(const Scene& scene, const Targets& targets)
 {
+	const ComposeParams made = composeParams(scene, targets.extent());
 	if (Status room = makeRoom(*device_, params_, sizeof(shared::ComposeParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
 	                           "compose parameters");
 	    !room)
 		return room;
-	fill(*params_.mappedAs<shared::ComposeParams>(), scene, targets.extent());
+	*params_.mappedAs<shared::ComposeParams>() = made.params;
 	params_.flush();
-	layers_ = scene.sheets.size();
+	if (Status put = putTables(made.tables); !put)
+		return put;
+	auto pipeline = pipelineFor(std::max<std::size_t>(1, scene.sheets.size()), made.features);
+	if (!pipeline)
+		return pipeline.error();
+	pipeline_ = *pipeline;
 	auto set = sets_.get(0);
 	if (!set)
 		return set.error();
@@ -151,6 +114,7 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets)
 	    .uniformBuffer(0, params_.handle())
 	    .sampledImage(1, targets.layers(), sampler_.handle())
 	    .sampledImage(2, targets.lines.view(), sampler_.handle())
+	    .texels(3, table_texels_.handle())
 	    .write(*device_, set_);
 	auto resolve_set = resolve_sets_.get(0);
 	if (!resolve_set)
@@ -178,9 +142,8 @@ void ComposePass::record(VkCommandBuffer commands, const Targets& targets, const
 	rendering.pColorAttachments = &sum;
 	vkCmdBeginRendering(commands, &rendering);
 	coverAll(commands, targets.extent());
-	const gpu::Pipeline& pipeline = pipelineFor(layers_);
-	pipeline.bind(commands, set_);
-	pipeline.push(commands, shared::ComposePush{{static_cast<float>(jitter.x), static_cast<float>(jitter.y)}});
+	pipeline_->bind(commands, set_);
+	pipeline_->push(commands, shared::ComposePush{{static_cast<float>(jitter.x), static_cast<float>(jitter.y)}});
 	vkCmdDraw(commands, 3, 1, 0, 0);
 	vkCmdEndRendering(commands);
 }

@@ -7,6 +7,9 @@
 #include "shared/render_types.h"
 
 #include <array>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace vp::render
 {
@@ -29,15 +32,19 @@ private:
 	// more a pixel for four than for one).
 	static constexpr std::array<std::uint32_t, 6> kSlots{1, 2, 3, 4, 8, shared::kMaxLayers};
 
-	const gpu::Pipeline& pipelineFor(std::size_t layers) const;
+	// Made on first use; the pointer stays valid.
+	Result<const gpu::Pipeline*> pipelineFor(std::size_t layers, std::uint32_t features);
+	Status putTables(const std::vector<std::uint32_t>& tables);
 
-	std::array<gpu::Pipeline, kSlots.size()> pipelines_;
+	std::map<std::pair<std::uint32_t, std::uint32_t>, gpu::Pipeline> pipelines_; // by slots and features
+	const gpu::Pipeline* pipeline_ = nullptr;                                    // of the scene prepared last
 	gpu::Pipeline resolve_;
 	gpu::DescriptorSets sets_;
 	gpu::DescriptorSets resolve_sets_;
 	gpu::Sampler sampler_;
 	gpu::Buffer params_;
-	std::size_t layers_ = 0;
+	gpu::Buffer tables_;
+	gpu::TexelView table_texels_;
 	VkDescriptorSet set_ = VK_NULL_HANDLE;
 	VkDescriptorSet resolve_set_ = VK_NULL_HANDLE;
 };

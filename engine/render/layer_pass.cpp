@@ -13,33 +13,60 @@
 namespace vp::render
 {
 
-static_assert(sizeof(shared::LayerPush) == 48 && offsetof(shared::PolygonRecord, uv) == 8 &&
+static_assert(sizeof(shared::LayerPush) == 68 && offsetof(shared::PolygonRecord, uv) == 8 &&
               offsetof(shared::PolygonRecord, value) == 56 && sizeof(shared::PolygonRecord) == 80);
+
+namespace
+{
+
+std::uint32_t featuresOf(const Scene& scene, const SheetDrawing& sheet)
+{
+	return (sheet.window ? shared::kLayerWindow : 0u) | (scene.look.mesh ? shared::kLayerMesh : 0u);
+}
+
+} // namespace
 
 Result<LayerPass> LayerPass::create(gpu::Device& device)
 {
+	LayerPass pass;
+	pass.device_ = &device;
+	auto first = pass.pipelineFor(0);
+	if (!first)
+		return first.error();
+	pass.sets_ = gpu::DescriptorSets(device, **first, "layer");
+	return pass;
+}
+
+Result<const gpu::Pipeline*> LayerPass::pipelineFor(std::uint32_t features)
+{
+	gpu::Pipeline& pipeline = pipelines_[features];
+	if (pipeline)
+		return &pipeline;
 	gpu::GraphicsPipelineInfo info;
 	info.vertex_shader = "render_layer.vert";
 	info.fragment_shader = "render_layer.frag";
 	info.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}};
 	info.push_bytes = sizeof(shared::LayerPush);
-	info.colour_formats = {kValueFormat};
-	auto pipeline = gpu::Pipeline::create(device, info, "layer");
-	if (!pipeline)
-		return pipeline.error();
-	LayerPass pass;
-	pass.device_ = &device;
-	pass.pipeline_ = std::move(*pipeline);
-	pass.sets_ = gpu::DescriptorSets(device, pass.pipeline_, "layer");
-	return pass;
+	info.colour_formats = {layerFormat((features & shared::kLayerMesh) != 0)};
+	info.constants = {{0, features}};
+	auto made = gpu::Pipeline::create(*device_, info, "layer");
+	if (!made)
+		return made.error();
+	pipeline = std::move(*made);
+	return &pipeline;
 }
 
 Status LayerPass::prepare(const Scene& scene)
 {
 	page_sets_.clear();
+	sheet_pipelines_.clear();
 	std::uint32_t largest = 0;
 	for (const SheetDrawing& sheet : scene.sheets)
 	{
+		auto pipeline = pipelineFor(featuresOf(scene, sheet));
+		if (!pipeline)
+			return pipeline.error();
+		sheet_pipelines_.push_back(*pipeline);
 		if (!sheet.records)
 			continue;
 		for (const auto& page : sheet.records->pages)
@@ -102,11 +129,13 @@ void LayerPass::record(VkCommandBuffer commands, const Scene& scene, const Targe
 			coverAll(commands, targets.extent());
 			if (indices_)
 				vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
-			const shared::LayerPush push = layerPush(scene.sheets[i].sheet, scene.camera, targets.extent(), jitter);
+			shared::LayerPush push = layerPush(scene.sheets[i], scene.camera, targets.extent(), jitter);
+			push.mesh_half_width = 0.5f * lineWidth(scene.look);
+			const gpu::Pipeline& pipeline = *sheet_pipelines_[i];
 			for (const auto& page : records->pages)
 			{
-				pipeline_.bind(commands, page_sets_[set++]);
-				pipeline_.push(commands, push);
+				pipeline.bind(commands, page_sets_[set++]);
+				pipeline.push(commands, push);
 				vkCmdDrawIndexed(commands, page.count * shared::kRecordCorners, 1, 0, 0, 0);
 			}
 		}

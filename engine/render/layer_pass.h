@@ -5,6 +5,9 @@
 #include "render/scene.h"
 #include "render/targets.h"
 
+#include <map>
+#include <vector>
+
 namespace vp::render
 {
 
@@ -21,9 +24,12 @@ public:
 
 private:
 	Status makeIndices(std::uint32_t records);
+	// Made on first use, by their features: windows and mesh lines cost those who ask for them only.
+	Result<const gpu::Pipeline*> pipelineFor(std::uint32_t features);
 
 	gpu::Device* device_ = nullptr;
-	gpu::Pipeline pipeline_;
+	std::map<std::uint32_t, gpu::Pipeline> pipelines_;
+	std::vector<const gpu::Pipeline*> sheet_pipelines_; // of the scene prepared last
 	gpu::DescriptorSets sets_;
 	gpu::Buffer indices_;                    // of as many records as the largest page has
 	std::vector<VkDescriptorSet> page_sets_; // in the order of sheets and their pages

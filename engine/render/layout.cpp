@@ -67,11 +67,6 @@ void layOutLegend(const Look& look, const ValueScale& values, Layout& layout)
 
 } // namespace
 
-std::pair<double, double> colorRange(const ValueScale& values, const Look& look)
-{
-	return look.range.value_or(std::pair{values.lo, values.hi});
-}
-
 Layout makeLayout(const Look& look, const std::optional<ValueScale>& values)
 {
 	const double width = look.width;

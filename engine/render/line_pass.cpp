@@ -18,12 +18,6 @@ static_assert(sizeof(shared::LineSegment) == 24 && sizeof(shared::LinePush) == 8
 // Of the nearer half of a line's width, so that edges within a sheet's plane are not eaten by rounding.
 constexpr float kDepthBias = 1.0005f;
 
-// Pixels; about 1.5 at a height of 720, and lines of large pictures keep their share.
-float lineWidth(const Look& look)
-{
-	return static_cast<float>(std::max(1.2, 1.5 * std::min(look.height / 720.0, look.width / 960.0)));
-}
-
 void store(float (&to)[3], const Vec3& from)
 {
 	for (int i = 0; i < 3; ++i)
@@ -55,11 +49,18 @@ Result<LinePass> LinePass::create(gpu::Device& device)
 
 Status LinePass::prepare(const Scene& scene)
 {
-	count_ = static_cast<std::uint32_t>(scene.outline.size());
+	std::vector<Segment> lines(scene.outline.begin(), scene.outline.end());
+	for (const SheetDrawing& sheet : scene.sheets)
+		if (sheet.rim)
+		{
+			const std::vector<Segment> rim = windowRim(sheet);
+			lines.insert(lines.end(), rim.begin(), rim.end());
+		}
+	count_ = static_cast<std::uint32_t>(lines.size());
 	if (count_ == 0)
 		return Nothing{};
 	Box box;
-	for (const Segment& s : scene.outline)
+	for (const Segment& s : lines)
 	{
 		box.include(s.a);
 		box.include(s.b);
@@ -70,7 +71,7 @@ Status LinePass::prepare(const Scene& scene)
 	    !room)
 		return room;
 	auto* segments = segments_.mappedAs<shared::LineSegment>();
-	for (const Segment& s : scene.outline)
+	for (const Segment& s : lines)
 	{
 		store(segments->a, s.a - centre_);
 		store(segments->b, s.b - centre_);

@@ -8,7 +8,8 @@
 namespace vp::render
 {
 
-// Draws the outline into a depth image: near / w of the nearest line at each pixel, 0 where there is none.
+// Draws the outline and the windows' rims into a depth image: near / w of the nearest line at each pixel, 0 where there
+// is none.
 class LinePass
 {
 public:

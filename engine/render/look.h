@@ -40,7 +40,12 @@ struct Look
 	int samples = 8; // per pixel
 	ColorMap colors = makeColorMap("viridis").value();
 	std::optional<std::pair<double, double>>
-	    range; // of the colours; values beyond it get colours of their own. Else the data's.
+	    range;                // of the colours; values beyond it get colours of their own. Else the data's.
+	bool logarithmic = false; // colours follow the values' logarithm
+	int lines = 0;            // about so many contour lines, at round values
+	int bands = 0;            // bands of one colour, about so many bounds between them, at round values
+	bool mesh = false;        // the polygons' edges
+	bool lit = false;         // sheets are darker the more they are seen from the side
 	Background background;
 	std::string title;
 	std::string caption;

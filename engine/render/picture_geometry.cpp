@@ -1,7 +1,5 @@
 #include "render/picture_geometry.h"
 
-#include "render/look.h"
-
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -35,12 +33,18 @@ glm::dmat4 clipMatrix(const Camera& camera, VkExtent2D extent, const Vec3& centr
 	return shift * camera.projection(size.x / size.y) * glm::translate(camera.view(), centre);
 }
 
-shared::LayerPush layerPush(const probe::Sheet& sheet, const Camera& camera, VkExtent2D extent,
+float lineWidth(const Look& look)
+{
+	return static_cast<float>(std::max(1.2, 1.5 * std::min(look.height / 720.0, look.width / 960.0)));
+}
+
+shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
                             const glm::dvec2& jitter)
 {
+	const probe::Sheet& sheet = drawing.sheet;
 	const glm::dmat4 clip = clipMatrix(camera, extent, sheet.origin, jitter);
-	const glm::dvec4 u = clip * glm::dvec4(sheet.xAxis(), 0.0);
-	const glm::dvec4 v = clip * glm::dvec4(sheet.up, 0.0);
+	const glm::dvec4 u = clip * glm::dvec4(drawing.magnification * sheet.xAxis(), 0.0);
+	const glm::dvec4 v = clip * glm::dvec4(drawing.magnification * sheet.up, 0.0);
 	const glm::dvec4 origin = clip[3];
 	shared::LayerPush push{};
 	for (int i = 0; i < 4; ++i)
@@ -49,7 +53,26 @@ shared::LayerPush layerPush(const probe::Sheet& sheet, const Camera& camera, VkE
 		push.v_axis[i] = static_cast<float>(v[i]);
 		push.origin[i] = static_cast<float>(origin[i]);
 	}
+	if (const auto& window = drawing.window)
+	{
+		const double sides[] = {window->x0, window->x1, window->y0, window->y1};
+		std::transform(std::begin(sides), std::end(sides), push.window, [](double d) { return static_cast<float>(d); });
+	}
 	return push;
+}
+
+std::vector<Segment> windowRim(const SheetDrawing& drawing)
+{
+	if (!drawing.window)
+		return {};
+	const WindowRect& w = *drawing.window;
+	const auto at = [&drawing](double u, double v)
+	{ return drawing.sheet.origin + drawing.magnification * (u * drawing.sheet.xAxis() + v * drawing.sheet.up); };
+	const Vec3 corners[] = {at(w.x0, w.y0), at(w.x1, w.y0), at(w.x1, w.y1), at(w.x0, w.y1)};
+	std::vector<Segment> rim;
+	for (int i = 0; i < 4; ++i)
+		rim.push_back({corners[i], corners[(i + 1) % 4]});
+	return rim;
 }
 
 std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera, VkExtent2D extent)

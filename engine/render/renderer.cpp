@@ -89,10 +89,10 @@ Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 		                                          scene.sheets.size(), shared::kMaxLayers)};
 	const VkExtent2D extent{scene.look.width, scene.look.height};
 	const auto layers = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.sheets.size()));
-	if (!r.targets.holds(extent, layers))
+	if (!r.targets.holds(extent, layers, scene.look.mesh))
 	{
 		r.targets = {}; // before its successor, that both need not fit into memory
-		auto targets = Targets::create(r.device, extent, layers);
+		auto targets = Targets::create(r.device, extent, layers, scene.look.mesh);
 		if (!targets)
 			return targets.error();
 		r.targets = std::move(*targets);

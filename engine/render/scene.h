@@ -19,20 +19,38 @@ struct SheetRecords;
 namespace vp::render
 {
 
-struct SheetDrawing
-{
-	probe::Sheet sheet;                                 // the frame of the records' uv
-	std::shared_ptr<const slice::SheetRecords> records; // polygons in device memory; null: an empty sheet
-	double opacity = 1.0;
-};
-
 // The array that the sheets show.
 struct ValueScale
 {
 	std::string title; // above the legend: name and component
 	double lo = 0.0;   // of the data
 	double hi = 1.0;
-	bool has_nan = false; // puts a swatch into the legend
+	bool has_nan = false;        // puts a swatch into the legend
+	double least_positive = 0.0; // of the data, for a logarithmic scale; 0: no value is above 0
+};
+
+// x0 < x1 along a sheet's u, y0 < y1 along its v.
+struct WindowRect
+{
+	double x0 = -0.5;
+	double x1 = 0.5;
+	double y0 = -0.5;
+	double y1 = 0.5;
+};
+
+// A sheet, and where it is to look other than the scene says.
+struct SheetDrawing
+{
+	probe::Sheet sheet;                                 // where it is drawn: the frame of the records' uv
+	std::shared_ptr<const slice::SheetRecords> records; // polygons in device memory; null: an empty sheet
+	double opacity = 1.0;                               // 0 to 1
+	std::optional<WindowRect> window{};                 // in the records' uv; nothing outside of it is drawn
+	double magnification = 1.0;                         // > 0: uv are drawn so many times larger (fx of the paper)
+	bool rim = true;                                    // a line around the window
+	std::optional<ValueScale> values{};                 // of an array of its own
+	std::optional<ColorMap> colors{};
+	std::optional<std::pair<double, double>> range{};
+	std::optional<int> lines{}; // about so many contour lines
 };
 
 struct Scene

@@ -42,7 +42,7 @@ VkFormat sumFormat(gpu::Device& device)
 	                                                             : VK_FORMAT_R16G16B16A16_SFLOAT;
 }
 
-Result<Targets> Targets::create(gpu::Device& device, VkExtent2D extent, std::uint32_t layers)
+Result<Targets> Targets::create(gpu::Device& device, VkExtent2D extent, std::uint32_t layers, bool mesh)
 {
 	if (std::max(extent.width, extent.height) > device.limits().maxImageDimension2D)
 		return Error{ExitCode::usage, fmt::format("--size: {}x{} is more than this device draws; take up to {} a side",
@@ -63,7 +63,7 @@ Result<Targets> Targets::create(gpu::Device& device, VkExtent2D extent, std::uin
 		image = std::move(*made);
 		return Nothing{};
 	};
-	if (Status made = make(targets.values, kValueFormat,
+	if (Status made = make(targets.values, layerFormat(mesh),
 	                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, layers, "value layers");
 	    !made)
 		return made.error();
@@ -113,10 +113,10 @@ Targets::~Targets()
 	    });
 }
 
-bool Targets::holds(VkExtent2D extent, std::uint32_t layers) const
+bool Targets::holds(VkExtent2D extent, std::uint32_t layers, bool mesh) const
 {
 	return values && values.extent().width == extent.width && values.extent().height == extent.height &&
-	       layers <= values.layers();
+	       layers <= values.layers() && values.format() == layerFormat(mesh);
 }
 
 void Targets::swap(Targets& other) noexcept

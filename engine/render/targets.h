@@ -8,7 +8,11 @@
 namespace vp::render
 {
 
-constexpr VkFormat kValueFormat = VK_FORMAT_R32_SFLOAT;
+// Values, and with mesh lines how much of one is at a pixel.
+constexpr VkFormat layerFormat(bool mesh)
+{
+	return mesh ? VK_FORMAT_R32G32_SFLOAT : VK_FORMAT_R32_SFLOAT;
+}
 constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 constexpr VkFormat kPictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
 
@@ -20,7 +24,7 @@ class Targets
 {
 public:
 	Targets() = default;
-	static Result<Targets> create(gpu::Device& device, VkExtent2D extent, std::uint32_t layers);
+	static Result<Targets> create(gpu::Device& device, VkExtent2D extent, std::uint32_t layers, bool mesh);
 	~Targets();
 	Targets(Targets&& other) noexcept { swap(other); }
 	Targets& operator=(Targets&& other) noexcept
@@ -30,7 +34,7 @@ public:
 		return *this;
 	}
 
-	bool holds(VkExtent2D extent, std::uint32_t layers) const;
+	bool holds(VkExtent2D extent, std::uint32_t layers, bool mesh) const;
 	VkExtent2D extent() const { return values.extent(); }
 	VkImageView layer(std::size_t i) const { return layer_views_[i]; } // to draw into
 	VkImageView layers() const { return layers_view_; }                // all, as an array

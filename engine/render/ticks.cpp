@@ -1,5 +1,7 @@
 #include "render/ticks.h"
 
+#include "render/round_numbers.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,20 +19,6 @@ namespace
 // Plain digits from 0.001 up to 99999; beyond, a power of ten.
 constexpr int kLowestPlainExponent = -3;
 constexpr int kHighestPlainExponent = 4;
-
-// Ranges narrower than this part of their values are constant: the layers hold single precision.
-constexpr double kNarrowest = 1e-7;
-
-int exponentOf(double value)
-{
-	return static_cast<int>(std::floor(std::log10(value) + 1e-9));
-}
-
-// m times 10^e, rounded once: dividing by an exact power is better than multiplying with an inexact one.
-double scaled(double m, int e)
-{
-	return e >= 0 ? m * std::pow(10.0, e) : m / std::pow(10.0, -e);
-}
 
 std::string superscript(int number)
 {
@@ -50,7 +38,7 @@ bool isPlain(double largest)
 {
 	if (largest == 0.0)
 		return true;
-	const int exponent = exponentOf(largest);
+	const int exponent = decimalExponent(largest);
 	return exponent >= kLowestPlainExponent && exponent <= kHighestPlainExponent;
 }
 
@@ -70,10 +58,10 @@ Ticks makeTicks(double lo, double hi, int most)
 	const double largest = std::max(std::abs(lo), std::abs(hi));
 	// Halves, for the difference of huge values may overflow.
 	const double half = 0.5 * hi - 0.5 * lo;
-	if (!(half > 0.5 * kNarrowest * largest) || largest < 1e12 * std::numeric_limits<double>::min())
+	if (!(half > 0.5 * kNarrowestRange * largest) || largest < 1e12 * std::numeric_limits<double>::min())
 		return constantTick(lo + half);
 
-	int exponent = exponentOf(2.0 * (half / most)) - 1;
+	int exponent = decimalExponent(2.0 * (half / most)) - 1;
 	double first = 0.0;
 	double last = 0.0;
 	int leading = 1;
@@ -81,7 +69,7 @@ Ticks makeTicks(double lo, double hi, int most)
 	{
 		for (const int m : {1, 2, 5})
 		{
-			const double step = scaled(m, exponent);
+			const double step = timesPowerOfTen(m, exponent);
 			first = std::ceil(lo / step - 1e-6);
 			last = std::floor(hi / step + 1e-6);
 			leading = m;
@@ -94,7 +82,7 @@ Ticks makeTicks(double lo, double hi, int most)
 
 	// Digits after the point are those of the step; a common factor moves the point.
 	const bool plain = isPlain(largest) && -exponent <= 6;
-	const int factor = plain ? 0 : exponentOf(largest);
+	const int factor = plain ? 0 : decimalExponent(largest);
 	const int decimals = std::max(0, factor - exponent);
 	Ticks ticks;
 	if (factor != 0)
@@ -102,9 +90,9 @@ Ticks makeTicks(double lo, double hi, int most)
 	for (double i = first; i <= last; i += 1.0)
 	{
 		const double multiple = i == 0.0 ? 0.0 : i * leading; // no negative zero
-		const double value = std::clamp(scaled(multiple, exponent), lo, hi);
+		const double value = std::clamp(timesPowerOfTen(multiple, exponent), lo, hi);
 		ticks.marks.push_back(
-		    {value, withMinus(fmt::format("{:.{}f}", scaled(multiple, exponent - factor), decimals))});
+		    {value, withMinus(fmt::format("{:.{}f}", timesPowerOfTen(multiple, exponent - factor), decimals))});
 	}
 	return ticks;
 }

@@ -12,13 +12,19 @@ VP_CONST uint kMaxLayers = 16u; // sheets in a picture
 VP_CONST uint kRecordTriangles = 4u;
 VP_CONST uint kRecordCorners = 3u * kRecordTriangles;
 
-// From a sheet's (u, v) to clip space: u * u_axis + v * v_axis + origin.
+// From a sheet's (u, v) to clip space: u * u_axis + v * v_axis + origin. What of it is drawn beyond the values is known
+// when the pipeline is made (kLayer bits).
 struct LayerPush
 {
 	float u_axis[4];
 	float v_axis[4];
 	float origin[4];
+	float window[4];       // u from, to, v from, to; with kLayerWindow
+	float mesh_half_width; // pixels; with kLayerMesh
 };
+
+VP_CONST uint kLayerWindow = 1u; // what lies outside of the window is left out
+VP_CONST uint kLayerMesh = 2u;   // how much of a line along the polygons' edges is at a pixel goes beside the values
 
 struct LineSegment
 {
@@ -43,27 +49,50 @@ struct ComposePush
 	float jitter[2]; // pixels by which this sample's picture is moved
 };
 
-// Colours are encoded (sRGB), not multiplied by alpha; packed ones hold red in the lowest byte.
+// Features of the composing pass, known when its pipeline is made: what a picture does not use costs nothing.
+VP_CONST uint kComposeLines = 1u;
+VP_CONST uint kComposeSteps = 2u; // bands or categories
+VP_CONST uint kComposeLog = 4u;
+VP_CONST uint kComposeMesh = 8u;
+
+// A layer's plane, and how its values become colours. Values are scaled first: y is the value, or its log10. Places are
+// those in the buffer of tables, four-byte words; colours are encoded (sRGB), not multiplied by alpha, red in the
+// lowest byte.
+struct SheetParams
+{
+	float plane[3]; // near / w = a x + b y + c in pixels
+	float opacity;
+	float below_from; // y below and above these have colours of their own
+	float above_from;
+	float range_lo;
+	float range_scale; // t = (y - lo) * scale + offset
+	float range_offset;
+	float shade; // of the light on it, a factor on colours
+	uint is_log;
+	uint colors;      // place of kTableColors colours over t from 0 to 1
+	uint step_bounds; // place of the bounds between steps, ascending y
+	uint step_colors; // place of one colour more than there are bounds
+	uint step_count;  // bounds; 0: colours are continuous
+	uint levels;      // place of the contour lines' y, ascending
+	uint level_count;
+	uint nan_color;
+	uint below_color;
+	uint above_color;
+};
+
+VP_CONST uint kTableColors = 256u;
+
+// Colours here are encoded, not multiplied by alpha.
 struct ComposeParams
 {
 	float height;
 	float sample_weight; // 1 / samples
 	uint last_layer;
-	uint has_values;  // 0: all sheets have plain_color
-	float below_from; // values below and above these have colours of their own
-	float above_from;
-	float range_lo;
-	float range_scale; // t = (value - lo) * scale + offset
-	float range_offset;
-	uint nan_color;
-	uint below_color;
-	uint above_color;
-	uint plain_color;
+	float contour_half_width; // pixels
 	float line_color[4];
 	float top_color[4]; // of the background
 	float bottom_color[4];
-	float plane[4u * kMaxLayers]; // near / w = a x + b y + c in pixels; opacity
-	uint colors[256];
+	SheetParams sheets[kMaxLayers];
 };
 
 struct OverlayPush

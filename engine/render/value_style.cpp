@@ -1,0 +1,85 @@
+#include "render/value_style.h"
+
+#include "render/levels.h"
+
+#include <algorithm>
+
+namespace vp::render
+{
+
+namespace
+{
+
+ValueStyle styleOf(const ColorMap& colors, const ValueScale& values, const Look& look,
+                   const std::optional<std::pair<double, double>>& range, int lines)
+{
+	ValueStyle style;
+	style.colors = &colors;
+	style.logarithmic = look.logarithmic && colors.categories.empty();
+	style.lo = range ? range->first : style.logarithmic ? values.least_positive : values.lo;
+	style.hi = range ? range->second : values.hi;
+	if (style.logarithmic && !(style.lo > 0.0))
+		style.lo = style.hi = 1.0; // nothing can be shown
+	style.above = range.has_value();
+	style.below = range.has_value() || (style.logarithmic && values.lo <= 0.0);
+	if (!colors.categories.empty())
+		return style;
+	style.lines = roundLevels(style.lo, style.hi, lines, style.logarithmic);
+	style.bands = roundLevels(style.lo, style.hi, look.bands, style.logarithmic);
+	return style;
+}
+
+} // namespace
+
+Color ValueStyle::bandColor(std::size_t band) const
+{
+	const double from = band > 0 ? part(bands[band - 1]) : 0.0;
+	const double to = band < bands.size() ? part(bands[band]) : 1.0;
+	return colors->at(0.5 * (from + to));
+}
+
+ValueStyle valueStyle(const Look& look, const ValueScale& values)
+{
+	return styleOf(look.colors, values, look, look.range, look.lines);
+}
+
+ValueStyle valueStyle(const Scene& scene, const SheetDrawing& sheet)
+{
+	const Look& look = scene.look;
+	// A range is that of an array: another array does not take it over.
+	const auto& range = sheet.range || sheet.values ? sheet.range : look.range;
+	return styleOf(sheet.colors ? *sheet.colors : look.colors, sheet.values ? *sheet.values : *scene.values, look,
+	               range, sheet.lines.value_or(look.lines));
+}
+
+CategorySteps categorySteps(const ColorMap& map)
+{
+	CategorySteps steps;
+	steps.colors.push_back(map.nan);
+	for (std::size_t i = 0; i < map.categories.size(); ++i)
+	{
+		const Category& category = map.categories[i];
+		const double before = i > 0 ? category.value - map.categories[i - 1].value : 1.0;
+		const double after = i + 1 < map.categories.size() ? map.categories[i + 1].value - category.value : 1.0;
+		const double from = category.value - 0.5 * std::min(before, 1.0);
+		const double to = category.value + 0.5 * std::min(after, 1.0);
+		if (!steps.bounds.empty() && from <= steps.bounds.back())
+			steps.colors.back() = category.color; // no gap to the one before
+		else
+		{
+			steps.bounds.push_back(from);
+			steps.colors.push_back(category.color);
+		}
+		steps.bounds.push_back(to);
+		steps.colors.push_back(map.nan);
+	}
+	return steps;
+}
+
+std::pair<double, double> colorRange(const ValueScale& values, const Look& look)
+{
+	const ValueStyle style = valueStyle(look, values);
+	return {style.lo, style.hi};
+}
+
+} // namespace vp::render

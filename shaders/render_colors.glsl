@@ -1,0 +1,132 @@
+// A layer's values as colours. Selections instead of branches where no fetch is spared: neighbouring pixels go different ways at
+// every edge.
+
+const float kNanFrom = 0.5 * kNanValue;
+const float kEmptyUpTo = 0.5 * kEmptyValue;
+const float kNoScaled = -3.0e38; // log of what has none
+
+vec4 unpacked(uint color)
+{
+	return unpackUnorm4x8(color);
+}
+
+vec4 tableColor(uint place)
+{
+	return unpacked(texelFetch(tables, int(place)).x);
+}
+
+float tableNumber(uint place)
+{
+	return uintBitsToFloat(texelFetch(tables, int(place)).x);
+}
+
+float scaled(float value, uint layer)
+{
+	if ((kFeatures & kComposeLog) == 0u || params.sheets[layer].is_log == 0u)
+		return value;
+	return value > 0.0 ? log2(value) * 0.30102999566398 : kNoScaled;
+}
+
+// How many of the ascending numbers are <= y.
+uint countUpTo(float y, uint place, uint count)
+{
+	uint low = 0u;
+	while (count > 0u)
+	{
+		const uint step = count >> 1;
+		const bool beyond = tableNumber(place + low + step) <= y;
+		low = beyond ? low + step + 1u : low;
+		count = beyond ? count - step - 1u : step;
+	}
+	return low;
+}
+
+// y of the neighbour, or `here` and 0 where it has none.
+vec2 neighbour(ivec2 pixel, ivec2 offset, uint layer, float here)
+{
+	const ivec2 at = pixel + offset;
+	if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, textureSize(layers, 0).xy)))
+		return vec2(here, 0.0);
+	const float value = texelFetch(layers, ivec3(at, int(layer)), 0).x;
+	if (value <= kEmptyUpTo || value >= kNanFrom)
+		return vec2(here, 0.0);
+	const float y = scaled(value, layer);
+	return y > kNoScaled ? vec2(y, 1.0) : vec2(here, 0.0);
+}
+
+// Change of y a pixel along one direction.
+float slope(ivec2 pixel, ivec2 offset, uint layer, float y)
+{
+	const vec2 after = neighbour(pixel, offset, layer, y);
+	const vec2 before = neighbour(pixel, -offset, layer, y);
+	return (after.x - before.x) / max(after.y + before.y, 1.0);
+}
+
+// Lines this many pixels apart and farther have full strength; closer ones would cover everything.
+const float kFullStrengthFrom = 5.0;
+
+// How much of a contour line covers this pixel: the distance to the nearest level in values, over the values' slope, is that
+// in pixels, so lines are equally wide everywhere.
+float contourLine(float y, uint layer, ivec2 pixel)
+{
+	const uint place = params.sheets[layer].levels;
+	const uint count = params.sheets[layer].level_count;
+	if (count == 0u || y <= kNoScaled)
+		return 0.0;
+	const uint above = countUpTo(y, place, count);
+	const float lower = tableNumber(place + max(above, 1u) - 1u);
+	const float upper = tableNumber(place + min(above, count - 1u));
+	const float off = min(abs(y - lower), abs(upper - y));
+	const float steepness =
+		length(vec2(slope(pixel, ivec2(1, 0), layer, y), slope(pixel, ivec2(0, 1), layer, y)));
+	if (!(steepness > 0.0) || off > 4.0 * params.contour_half_width * steepness)
+		return 0.0;
+	const float apart = upper > lower ? (upper - lower) / steepness : kFullStrengthFrom;
+	return clamp(params.contour_half_width + 0.5 - off / steepness, 0.0, 1.0) * clamp(apart / kFullStrengthFrom, 0.1, 1.0);
+}
+
+// Lines over a colour, dark on light and light on dark: not multiplied by alpha, as what they lie over.
+vec4 inked(vec4 color, float ink, float opacity)
+{
+	const float light = dot(color.rgb, vec3(0.2126, 0.7152, 0.0722)) < 0.33 ? 0.92 : 0.07;
+	// On a faint sheet lines are not as faint.
+	const float over = ink * sqrt(opacity);
+	const float alpha = over + (1.0 - over) * color.a;
+	const vec3 mixed = over * vec3(light) + (1.0 - over) * color.a * color.rgb;
+	return alpha > 0.0 ? vec4(mixed / alpha, alpha) : vec4(0.0);
+}
+
+const float kContourInk = 0.75;
+const float kMeshInk = 0.5;
+
+// Not multiplied by alpha, the sheet's opacity taken in. texel: value, and how much of a mesh line is here.
+vec4 colorOf(vec2 texel, uint layer, ivec2 pixel)
+{
+	const float y = scaled(texel.x, layer);
+	vec4 color;
+	if ((kFeatures & kComposeSteps) != 0u && params.sheets[layer].step_count > 0u)
+		color = tableColor(params.sheets[layer].step_colors +
+						   countUpTo(y, params.sheets[layer].step_bounds, params.sheets[layer].step_count));
+	else
+	{
+		const float t = clamp((y - params.sheets[layer].range_lo) * params.sheets[layer].range_scale +
+								  params.sheets[layer].range_offset,
+							  0.0, 1.0);
+		const float place = float(kTableColors - 1u) * t;
+		const uint low = min(uint(place), kTableColors - 2u);
+		const uint colors = params.sheets[layer].colors + low;
+		color = mix(tableColor(colors), tableColor(colors + 1u), place - float(low));
+	}
+	color = y < params.sheets[layer].below_from ? unpacked(params.sheets[layer].below_color) : color;
+	color = y > params.sheets[layer].above_from ? unpacked(params.sheets[layer].above_color) : color;
+	const bool is_nan = texel.x >= kNanFrom;
+	color = is_nan ? unpacked(params.sheets[layer].nan_color) : color;
+
+	const float opacity = params.sheets[layer].opacity;
+	color *= vec4(vec3(params.sheets[layer].shade), opacity);
+	if ((kFeatures & kComposeMesh) != 0u)
+		color = inked(color, kMeshInk * texel.y, opacity);
+	if ((kFeatures & kComposeLines) != 0u && !is_nan)
+		color = inked(color, kContourInk * contourLine(y, layer, pixel), opacity);
+	return color;
+}

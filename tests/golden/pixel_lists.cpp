@@ -1,0 +1,331 @@
+#include "pixel_lists.h"
+
+#include "shared/render_types.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace vp::render::test
+{
+
+namespace
+{
+
+using vp::shared::PolygonRecord;
+
+// Hardware snaps corners to 1/256 pixel and takes float depths: nearer than this nobody can tell the sides of an edge.
+constexpr double kEdgeReach = 0.02;     // pixels
+constexpr double kCrossingReach = 1e-5; // of near / w
+
+double uniform(std::mt19937& random, double from, double to)
+{
+	return std::uniform_real_distribution<double>(from, to)(random);
+}
+
+Vec3 direction(std::mt19937& random)
+{
+	for (;;)
+	{
+		const Vec3 v{uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0)};
+		if (glm::length(v) > 0.1 && glm::length(v) < 1.0)
+			return glm::normalize(v);
+	}
+}
+
+// Values over a sheet, within 0..1 and not linear.
+struct Waves
+{
+	double a, b, c;
+
+	double operator()(const glm::dvec2& p) const { return 0.5 + 0.2 * std::sin(a * p.x + c) + 0.2 * std::cos(b * p.y); }
+};
+
+PolygonRecord polygon(const std::vector<glm::dvec2>& corners, const Waves& waves)
+{
+	PolygonRecord record{};
+	record.vertices = static_cast<std::uint32_t>(corners.size());
+	for (std::size_t k = 0; k < corners.size(); ++k)
+	{
+		record.uv[2 * k] = static_cast<float>(corners[k].x);
+		record.uv[2 * k + 1] = static_cast<float>(corners[k].y);
+		record.value[k] = static_cast<float>(waves(corners[k]));
+	}
+	return record;
+}
+
+// Over the square of half a side 1.2: quadrangles with corners out of place, some halved into triangles.
+std::vector<PolygonRecord> quadrangles(std::mt19937& random, const Waves& waves)
+{
+	constexpr int kSide = 9;
+	std::array<std::array<glm::dvec2, kSide + 1>, kSide + 1> points;
+	for (int j = 0; j <= kSide; ++j)
+		for (int i = 0; i <= kSide; ++i)
+			points[j][i] =
+			    2.4 / kSide *
+			    (glm::dvec2(i, j) - 0.5 * kSide + glm::dvec2(uniform(random, -0.2, 0.2), uniform(random, -0.2, 0.2)));
+	std::vector<PolygonRecord> records;
+	for (int j = 0; j < kSide; ++j)
+		for (int i = 0; i < kSide; ++i)
+		{
+			const glm::dvec2 p[] = {points[j][i], points[j][i + 1], points[j + 1][i + 1], points[j + 1][i]};
+			if (random() % 4 == 0)
+			{
+				records.push_back(polygon({p[0], p[1], p[2]}, waves));
+				records.push_back(polygon({p[0], p[2], p[3]}, waves));
+			}
+			else
+				records.push_back(polygon({p[0], p[1], p[2], p[3]}, waves));
+			records.push_back({}); // a cell that emitted nothing
+		}
+	return records;
+}
+
+std::vector<PolygonRecord> hexagons(const Waves& waves)
+{
+	constexpr double kRadius = 0.16;
+	const double wide = std::sqrt(3.0) * kRadius;
+	std::vector<PolygonRecord> records;
+	for (int j = -5; j <= 5; ++j)
+		for (int i = -5; i <= 5; ++i)
+		{
+			// Corners shared by neighbours are formed from whole numbers, so that they are the same floats.
+			std::vector<glm::dvec2> corners;
+			constexpr std::array<std::array<int, 2>, 6> kCorners{{{1, -1}, {1, 1}, {0, 2}, {-1, 1}, {-1, -1}, {0, -2}}};
+			for (const auto& [x, y] : kCorners)
+				corners.push_back({0.5 * wide * (2 * i + std::abs(j % 2) + x), 0.5 * kRadius * (3 * j + y)});
+			records.push_back(polygon(corners, waves));
+		}
+	return records;
+}
+
+glm::dvec2 place(const PolygonRecord& record, std::uint32_t k)
+{
+	return {record.uv[2 * k], record.uv[2 * k + 1]};
+}
+
+double cross(const glm::dvec2& a, const glm::dvec2& b)
+{
+	return a.x * b.y - a.y * b.x;
+}
+
+double distanceToSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b)
+{
+	const glm::dvec2 along = b - a;
+	const double square = glm::dot(along, along);
+	const double part = square > 0.0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0.0;
+	return glm::length(p - a - part * along);
+}
+
+// The value at `at` if it lies in the record's fan of triangles.
+std::optional<double> valueAt(const PolygonRecord& record, const glm::dvec2& at)
+{
+	const glm::dvec2 a = place(record, 0);
+	for (std::uint32_t k = 1; k + 1 < record.vertices; ++k)
+	{
+		const glm::dvec2 b = place(record, k);
+		const glm::dvec2 c = place(record, k + 1);
+		const double area = cross(b - a, c - a);
+		const double in_b = cross(at - a, c - a) / area;
+		const double in_c = cross(b - a, at - a) / area;
+		if (in_b >= 0.0 && in_c >= 0.0 && in_b + in_c <= 1.0)
+			return (1.0 - in_b - in_c) * record.value[0] + in_b * record.value[k] + in_c * record.value[k + 1];
+	}
+	return std::nullopt;
+}
+
+struct Fragment
+{
+	double depth; // near / w
+	std::size_t sheet;
+	double value;
+};
+
+class Rasteriser
+{
+public:
+	explicit Rasteriser(const Scene& scene)
+	    : scene_(scene), frame_{double(scene.look.width), double(scene.look.height), {}, {}, {}},
+	      fragments_(std::size_t(scene.look.width) * scene.look.height), on_edge_(fragments_.size())
+	{
+	}
+
+	void add(std::size_t number, const KnownSheet& known)
+	{
+		const WindowRect& w = known.drawing.window.value();
+		const glm::dvec2 corners[] = {{w.x0, w.y0}, {w.x1, w.y0}, {w.x1, w.y1}, {w.x0, w.y1}};
+		for (int i = 0; i < 4; ++i)
+			markEdge(pixel(known, corners[i]), pixel(known, corners[(i + 1) % 4]));
+		for (const PolygonRecord& record : known.records)
+			if (record.vertices > 0)
+				addPolygon(number, known, record);
+	}
+
+	std::vector<PixelList> blended() const
+	{
+		std::vector<PixelList> lists;
+		for (std::size_t i = 0; i < fragments_.size(); ++i)
+			lists.push_back(blend(fragments_[i], on_edge_[i]));
+		return lists;
+	}
+
+private:
+	glm::dvec2 pixel(const KnownSheet& known, const glm::dvec2& uv) const
+	{
+		const probe::Sheet& s = known.drawing.sheet;
+		const glm::dvec2 drawn = known.drawing.magnification * uv;
+		return scene_.camera.project(s.origin + drawn.x * s.xAxis() + drawn.y * s.up, frame_);
+	}
+
+	template <class F>
+	void forPixels(const glm::dvec2& lo, const glm::dvec2& hi, F&& f)
+	{
+		const int x1 = std::min(static_cast<int>(hi.x + 1.0), static_cast<int>(scene_.look.width) - 1);
+		const int y1 = std::min(static_cast<int>(hi.y + 1.0), static_cast<int>(scene_.look.height) - 1);
+		for (int y = std::max(0, static_cast<int>(lo.y - 1.0)); y <= y1; ++y)
+			for (int x = std::max(0, static_cast<int>(lo.x - 1.0)); x <= x1; ++x)
+				f(std::size_t(y) * scene_.look.width + x, glm::dvec2(x + 0.5, y + 0.5));
+	}
+
+	void markEdge(const glm::dvec2& a, const glm::dvec2& b)
+	{
+		forPixels(glm::min(a, b), glm::max(a, b),
+		          [&](std::size_t i, const glm::dvec2& centre)
+		          {
+			          if (distanceToSegment(centre, a, b) < kEdgeReach)
+				          on_edge_[i] = true;
+		          });
+	}
+
+	void addPolygon(std::size_t number, const KnownSheet& known, const PolygonRecord& record)
+	{
+		glm::dvec2 lo(1e9);
+		glm::dvec2 hi(-1e9);
+		std::vector<glm::dvec2> corners;
+		for (std::uint32_t k = 0; k < record.vertices; ++k)
+		{
+			corners.push_back(pixel(known, place(record, k)));
+			lo = glm::min(lo, corners.back());
+			hi = glm::max(hi, corners.back());
+		}
+		for (std::size_t k = 0; k < corners.size(); ++k)
+			markEdge(corners[k], corners[(k + 1) % corners.size()]);
+		forPixels(lo, hi,
+		          [&](std::size_t i, const glm::dvec2& centre)
+		          {
+			          const auto found = hit(scene_, known.drawing.sheet, 1e9, centre.x, centre.y);
+			          if (!found)
+				          return;
+			          const glm::dvec2 at = glm::dvec2(found->u, found->v) / known.drawing.magnification;
+			          const WindowRect& w = *known.drawing.window;
+			          if (at.x < w.x0 || at.x > w.x1 || at.y < w.y0 || at.y > w.y1)
+				          return;
+			          if (const auto value = valueAt(record, at))
+				          fragments_[i].push_back({scene_.camera.near / found->distance, number, *value});
+		          });
+	}
+
+	bool inOnePlane(std::size_t a, std::size_t b) const
+	{
+		const probe::Sheet& s = scene_.sheets[a].sheet;
+		const probe::Sheet& t = scene_.sheets[b].sheet;
+		return glm::length(glm::cross(s.normal, t.normal)) < 1e-12 &&
+		       std::abs(glm::dot(s.origin - t.origin, s.normal)) < 1e-12;
+	}
+
+	PixelList blend(std::vector<Fragment> list, bool on_edge) const
+	{
+		std::sort(list.begin(), list.end(),
+		          [&](const Fragment& a, const Fragment& b)
+		          { return inOnePlane(a.sheet, b.sheet) ? a.sheet < b.sheet : a.depth > b.depth; });
+		PixelList pixel{{255.0, 255.0, 255.0}, list.size(), on_edge};
+		for (std::size_t i = list.size(); i-- > 0;)
+		{
+			const Fragment& f = list[i];
+			if (i > 0 && std::abs(list[i - 1].depth - f.depth) < kCrossingReach &&
+			    !inOnePlane(list[i - 1].sheet, f.sheet))
+				pixel.on_edge = true;
+			pixel.color = over(rgb(scene_.look.colors.at(f.value)), scene_.sheets[f.sheet].opacity, pixel.color);
+		}
+		return pixel;
+	}
+
+	const Scene& scene_;
+	Frame frame_;
+	std::vector<std::vector<Fragment>> fragments_;
+	std::vector<bool> on_edge_;
+};
+
+} // namespace
+
+std::vector<KnownSheet> randomProbe(std::mt19937& random)
+{
+	const std::size_t count = 2 + random() % (vp::shared::kMaxLayers - 1);
+	std::vector<KnownSheet> sheets;
+	while (sheets.size() < count)
+	{
+		const Vec3 origin = 0.5 * uniform(random, 0.0, 1.0) * direction(random);
+		KnownSheet made;
+		made.drawing.sheet = probe::makeSheet(origin, direction(random), direction(random));
+		if (!sheets.empty() && random() % 4 == 0)
+		{
+			// The same plane, another place and other axes in it, half of the time seen from its back.
+			const probe::Sheet& before = sheets.back().drawing.sheet;
+			const Vec3 moved =
+			    before.origin + uniform(random, -0.4, 0.4) * before.xAxis() + uniform(random, -0.4, 0.4) * before.up;
+			const double side = random() % 2 == 0 ? 1.0 : -1.0;
+			made.drawing.sheet = probe::makeSheet(moved, side * before.normal, direction(random));
+		}
+		made.drawing.opacity = uniform(random, 0.1, 1.0);
+		made.drawing.magnification = uniform(random, 0.6, 1.5);
+		made.drawing.window = WindowRect{uniform(random, -1.3, -0.2), uniform(random, 0.2, 1.3),
+		                                 uniform(random, -1.3, -0.2), uniform(random, 0.2, 1.3)};
+		made.drawing.rim = false;
+		const Waves waves{uniform(random, 1.0, 3.0), uniform(random, 1.0, 3.0), uniform(random, 0.0, 6.0)};
+		made.records = random() % 2 == 0 ? quadrangles(random, waves) : hexagons(waves);
+		sheets.push_back(std::move(made));
+	}
+	return sheets;
+}
+
+Camera randomCamera(std::mt19937& random)
+{
+	Camera camera;
+	camera.position = uniform(random, 5.0, 7.0) * direction(random);
+	camera.focal_point = 0.2 * direction(random);
+	camera.up = direction(random);
+	camera.vertical_field = uniform(random, 20.0, 30.0);
+	camera.near = 1.0;
+	return camera;
+}
+
+std::vector<PixelList> blendedLists(const Scene& scene, const std::vector<KnownSheet>& sheets)
+{
+	Rasteriser rasteriser(scene);
+	for (std::size_t i = 0; i < sheets.size(); ++i)
+		rasteriser.add(i, sheets[i]);
+	return rasteriser.blended();
+}
+
+ListComparison compareLists(const std::vector<PixelList>& lists, const Picture& picture)
+{
+	ListComparison result;
+	result.pixels = lists.size();
+	for (std::size_t i = 0; i < lists.size(); ++i)
+	{
+		const std::uint8_t* p = &picture.rgba[4 * i];
+		const double off = difference(lists[i].color, {p[0], p[1], p[2], p[3]});
+		result.several += lists[i].sheets > 1;
+		if (lists[i].on_edge)
+		{
+			++result.edges;
+			result.edge_off += off > kBlendTolerance;
+		}
+		else
+			result.worst = std::max(result.worst, off);
+	}
+	return result;
+}
+
+} // namespace vp::render::test
