@@ -89,7 +89,7 @@ Turn turnOfCell(const G& grid, CellId cell)
 	return turnOf(grid.shape(cell), {points.data(), static_cast<std::size_t>(ids.size)});
 }
 
-// Cells along i, j and k that are settled at once where their edges are much alike: 3 ns a cell, where one by one it
+// Cells along i, j and k that are settled at once where their edges are much alike: 2 ns a cell, where one by one it
 // is some 50.
 constexpr std::array<std::uint32_t, 3> kBrick{16, 8, 8};
 
