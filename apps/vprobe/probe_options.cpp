@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+
 namespace vp::app
 {
 
@@ -268,7 +270,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	Result<probe::Probe> probe = makeProbe(options, *probe_file, session->blocks.bounds());
 	if (!probe)
 		return probe.error();
-	session->probe = probe::placed(*probe);
+	session->probe = *probe;
 	std::erase_if(session->probe.sheets, [](const probe::Sheet& sheet) { return sheet.wishes.hidden; });
 	if (Status chosen = chooseSheetFields(options, *session); !chosen)
 		return chosen.error();
@@ -293,19 +295,23 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 
 Result<slice::Slice> cut(Session& session)
 {
-	Result<slice::Slice> slice =
-	    session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, session.seeds,
-	                         session.threshold, session.timeline.get()});
-	if (!slice)
-		return slice;
-	for (const std::string& words : slice->words)
+	return session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, session.seeds,
+	                            session.threshold, session.timeline.get()});
+}
+
+bool isEmpty(const slice::SheetSlice& sheet)
+{
+	return std::ranges::all_of(sheet.cuts, [](const traverse::LaneCut& cut) { return cut.cut_cells == 0; }) &&
+	       std::ranges::all_of(sheet.seeds.faces_in_plane, [](const auto& faces) { return faces.empty(); });
+}
+
+Status tellAbout(const Session& session, const slice::Slice& slice)
+{
+	for (const std::string& words : slice.words)
 		warn("{}", words);
-	for (const slice::SheetSlice& sheet : slice->sheets)
+	for (const slice::SheetSlice& sheet : slice.sheets)
 	{
 		const Vec3 at = sheet.sheet.origin;
-		std::size_t cut_cells = 0;
-		for (const traverse::LaneCut& cut : sheet.cuts)
-			cut_cells += cut.cut_cells;
 		const bool outside = session.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
 		if (outside && session.seeds.outside == seed::OutsidePolicy::refuse)
 			return Error{ExitCode::usage,
@@ -317,21 +323,19 @@ Result<slice::Slice> cut(Session& session)
 		else if (outside && session.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.moved_to)
 			warn("--origin {} {} {}: the hot spot lies outside the grid; {} {} {} takes its place", at.x, at.y, at.z,
 			     sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
-		std::size_t boundary_faces = 0;
-		for (const auto& faces : sheet.seeds.faces_in_plane)
-			boundary_faces += faces.size();
-		if (cut_cells + boundary_faces > 0)
+		if (!isEmpty(sheet))
 			continue;
+		const Box bounds = session.blocks.bounds();
 		if (session.threshold)
 			warn("the slice is empty: no cell that is reached has values between {} and {}; widen --threshold",
 			     session.threshold->lo, session.threshold->hi);
 		else
-			warn("the slice is empty: the plane misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
+			warn("the slice is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
 			     "{:.6g}",
-			     session.blocks.bounds().lo.x, session.blocks.bounds().lo.y, session.blocks.bounds().lo.z,
-			     session.blocks.bounds().hi.x, session.blocks.bounds().hi.y, session.blocks.bounds().hi.z);
+			     sheet.sheet.window ? "window" : "plane", bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x,
+			     bounds.hi.y, bounds.hi.z);
 	}
-	return slice;
+	return Nothing{};
 }
 
 } // namespace vp::app

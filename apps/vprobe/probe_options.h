@@ -58,7 +58,7 @@ struct Session
 {
 	grid::BlockSet blocks;
 	std::optional<slice::FieldChoice> field;
-	probe::Probe probe; // placed in the world, without its hidden sheets
+	probe::Probe probe; // without its hidden sheets
 	std::vector<std::optional<slice::FieldChoice>> sheet_fields;
 	slice::Corners corners = slice::Corners::keep;
 	seed::SeedOptions seeds;
@@ -77,7 +77,11 @@ enum class DeviceUse
 // Reads the inputs and builds the rest. Nothing is written before this has succeeded.
 Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use);
 
-// Cuts, and tells the user in a word what is empty or was moved.
 Result<slice::Slice> cut(Session& session);
+
+bool isEmpty(const slice::SheetSlice& sheet);
+
+// Tells the user in a word what is empty or was moved; an error where a hot spot outside is to be one.
+Status tellAbout(const Session& session, const slice::Slice& slice);
 
 } // namespace vp::app

@@ -3,7 +3,6 @@
 #include "write/atomic_file.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <unordered_set>
@@ -131,13 +130,16 @@ const char* classifierName(const Session& session)
 	                                                                      : "gpu";
 }
 
-std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
-                      const std::vector<SheetStats>& sheets)
+nlohmann::json sheetsJson(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
 {
-	nlohmann::json sheet_list = nlohmann::json::array();
+	nlohmann::json list = nlohmann::json::array();
 	for (std::size_t s = 0; s < sheets.size(); ++s)
-		sheet_list.push_back(sheetJson(session.blocks, slice.sheets[s], sheets[s]));
+		list.push_back(sheetJson(session.blocks, slice.sheets[s], sheets[s]));
+	return list;
+}
 
+std::string statsDocument(const ProbeOptions& options, const Session& session, const char* key, nlohmann::json what)
+{
 	const Timeline& timeline = *session.timeline;
 	nlohmann::json ms = {{"gpu", timeline.totalGpu()}, {"total", timeline.now()}};
 	for (const char* section :
@@ -156,9 +158,15 @@ std::string statsJson(const ProbeOptions& options, const Session& session, const
 	    {"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
 	    {"device", session.device ? session.device->name() : "none"},
 	    {"classifier", classifierName(session)},
-	    {"sheets", sheet_list},
+	    {key, std::move(what)},
 	    {"ms", ms}};
 	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
+                      const std::vector<SheetStats>& sheets)
+{
+	return statsDocument(options, session, "sheets", sheetsJson(session, slice, sheets));
 }
 
 std::string statsTable(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
