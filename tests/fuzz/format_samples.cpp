@@ -2,13 +2,10 @@
 
 #include "curved_samples.h"
 
-#include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
-#include <vtkEnSightWriter.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -111,21 +108,38 @@ vtkSmartPointer<vtkUnstructuredGrid> twoCubes(int type)
 	return grid;
 }
 
+std::string record(std::string line)
+{
+	line.resize(80);
+	return line;
+}
+
+template <class Number>
+std::string bytesOf(const std::vector<Number>& numbers)
+{
+	return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)};
+}
+
+// By hand: VTK's writer leaks, and leaves its case file open.
 void writeBinaryGold(const std::string& path)
 {
-	const auto cubes = twoCubes(VTK_HEXAHEDRON);
-	vtkNew<vtkIntArray> part;
-	part->SetName("BlockId");
-	part->InsertNextValue(1);
-	part->InsertNextValue(1);
-	cubes->GetCellData()->AddArray(part);
-	vtkNew<vtkEnSightWriter> writer;
-	writer->SetFileName(path.c_str());
-	writer->SetInputData(cubes);
-	writer->Write();
-	// Its own case file is not closed until the program ends.
-	writeContents(path, "FORMAT\ntype: ensight gold\n\nGEOMETRY\nmodel: gold.0.00000.geo\n\nVARIABLE\n"
-	                    "scalar per node: f gold.0.00000_n.f\n");
+	std::vector<float> xyz;
+	for (const int divisor : {1, 3, 6})
+		for (int p = 0; p < 12; ++p)
+			xyz.push_back(static_cast<float>(p / divisor % (divisor == 1 ? 3 : 2)));
+	std::vector<int> ids;
+	for (const auto& cube : kCubes)
+		for (const int corner : cube)
+			ids.push_back(corner + 1);
+	const std::string part = record("part") + bytesOf<int>({1});
+	writeContents(besideIt(path, "gold.geo"), record("C Binary") + record("one") + record("two") +
+	                                              record("node id off") + record("element id off") + part +
+	                                              record("cubes") + record("coordinates") + bytesOf<int>({12}) +
+	                                              bytesOf(xyz) + record("hexa8") + bytesOf<int>({2}) + bytesOf(ids));
+	writeContents(besideIt(path, "gold.f"), record("f") + part + record("coordinates") +
+	                                            bytesOf(std::vector<float>(xyz.begin(), xyz.begin() + 12)));
+	writeContents(path, "FORMAT\ntype: ensight gold\n\nGEOMETRY\nmodel: gold.geo\n\nVARIABLE\n"
+	                    "scalar per node: f gold.f\n");
 }
 
 std::string foamHead(const std::string& type, const std::string& object)

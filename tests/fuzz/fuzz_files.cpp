@@ -225,6 +225,7 @@ int runAll(const Options& options)
 	    "(case {})\n",
 	    tally.cases, sets.size(), tally.done, tally.failed, tally.slowest, tally.slowest_case, tally.peak_bytes >> 20,
 	    tally.largest_case);
+	std::fflush(stdout);
 	return tally.failed > 0;
 }
 
@@ -271,5 +272,7 @@ int main(int argc, char** argv)
 	}
 	const rlimit none = {0, 0};
 	setrlimit(RLIMIT_CORE, &none);
+	// A sanitizer's build cannot limit the reader's address space.
+	setenv("ASAN_OPTIONS", "max_allocation_size_mb=3072:allocator_may_return_null=1", 0);
 	return runAll(options);
 }
