@@ -62,7 +62,7 @@ Result<PictureStyle> pictureStyle(const LookOptions& options)
 	Result<render::CameraChoice> camera = render::parseCamera(options.camera);
 	if (!camera)
 		return camera.error();
-	return PictureStyle{std::move(*look), *camera, options.title, options.opacity};
+	return PictureStyle{std::move(*look), *camera, options.title, options.opacity, true, true};
 }
 
 Painter::Painter(Session& session, PictureStyle style, render::Renderer renderer)
@@ -75,6 +75,8 @@ Painter::Painter(Session& session, PictureStyle style, render::Renderer renderer
 
 Result<Painter> Painter::create(Session& session, const ProbeOptions& options, PictureStyle style)
 {
+	// The paddlewheel's own window reaches around everything.
+	style.window_rims = !options.window.empty() || options.probe != "paddlewheel";
 	style.look.title = style.title.value_or(defaultTitle(options.inputs));
 	Result<render::Renderer> renderer = render::Renderer::create(*session.device);
 	if (!renderer)
@@ -92,6 +94,7 @@ Result<render::SheetDrawing> Painter::drawing(const slice::SheetSlice& sheet, co
 	drawing.magnification = sheet.shown.fx.magnification;
 	if (const std::optional<probe::Window>& window = sheet.sheet.window)
 		drawing.window = render::WindowRect{window->x0, window->x1, window->y0, window->y1};
+	drawing.rim = style_.window_rims;
 	if (sheet.field && sheet.field != session_.field)
 		drawing.values = scaleOf(session_.blocks, *sheet.field, hasNan(stats));
 	if (wishes.colormap)
@@ -122,10 +125,15 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 		scene.sheets.push_back(std::move(*made));
 	}
 	const probe::Sheet* first = slice.sheets.empty() ? nullptr : &slice.sheets.front().shown;
-	if (first)
+	if (first && style_.captions)
 		scene.look.caption = caption(*first);
 	if (!camera_ || style_.camera.followsSheet())
-		camera_ = render::makeCamera(style_.camera, first, extent_, render::pictureFrame(scene.look, scene.values));
+	{
+		// Of several sheets none is the one to look at.
+		const bool any = slice.sheets.size() == 1 || style_.camera.followsSheet();
+		camera_ = render::makeCamera(style_.camera, any ? first : nullptr, extent_,
+		                             render::pictureFrame(scene.look, scene.values));
+	}
 	scene.camera = *camera_;
 	return renderer_.draw(scene, session_.timeline.get());
 }

@@ -19,6 +19,8 @@ struct PictureStyle
 	render::CameraChoice camera;
 	std::optional<std::string> title; // none: the input's name
 	double opacity;
+	bool captions = true; // where the first sheet is
+	bool window_rims = true;
 };
 
 // What the LOOK options ask for, or the error of one of them.

@@ -165,6 +165,7 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	Result<PictureStyle> style = pictureStyle(options.look);
 	if (!style)
 		return style.error();
+	style->captions = options.exposure.empty(); // they would write over each other
 	Result<probe::Path> path = pathOf(options);
 	if (!path)
 		return path.error();
