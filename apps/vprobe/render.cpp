@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "look_options.h"
 #include "probe_options.h"
 #include "render/renderer.h"
 #include "slice/gpu_records.h"
@@ -8,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -23,53 +24,8 @@ struct RenderOptions
 	ProbeOptions probe;
 	std::string output;
 	std::string stats;
-	std::string size = "1280x720";
-	int samples = 8;
-	std::string colormap = "viridis";
-	std::vector<double> range;
-	double opacity = 1.0;
-	std::string background = "gradient";
-	std::string camera = "auto";
-	std::string outline = "box";
-	std::optional<std::string> title;
+	LookOptions look;
 };
-
-Result<render::Look> makeLook(const RenderOptions& options)
-{
-	render::Look look;
-	Result<std::pair<std::uint32_t, std::uint32_t>> size = render::parseSize(options.size);
-	if (!size)
-		return size.error();
-	std::tie(look.width, look.height) = *size;
-	look.samples = options.samples;
-	Result<render::ColorMap> colors = render::makeColorMap(options.colormap);
-	if (!colors)
-		return colors.error();
-	look.colors = *colors;
-	if (!options.range.empty())
-	{
-		if (!(options.range[0] < options.range[1]) || !std::isfinite(options.range[1] - options.range[0]))
-			return Error{ExitCode::usage, fmt::format("--range {} {}: the first number must be below the second",
-			                                          options.range[0], options.range[1])};
-		look.range = {options.range[0], options.range[1]};
-	}
-	Result<render::Background> background = render::parseBackground(options.background);
-	if (!background)
-		return background.error();
-	look.background = *background;
-	Result<render::Outline> outline = render::parseOutline(options.outline);
-	if (!outline)
-		return outline.error();
-	look.outline = *outline;
-	return look;
-}
-
-std::string defaultTitle(const std::vector<std::string>& inputs)
-{
-	const std::string& first = inputs.front();
-	const std::string name = first.starts_with("demo:") ? first : std::filesystem::path(first).filename().string();
-	return inputs.size() == 1 ? name : fmt::format("{} and {} more", name, inputs.size() - 1);
-}
 
 std::string caption(const probe::Sheet& sheet)
 {
@@ -107,31 +63,32 @@ sheetRecords(const Session& session, const slice::Slice& slice, const std::vecto
 }
 
 Result<render::Picture> drawSheets(Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets,
-                                   const RenderOptions& options, const render::CameraChoice& camera,
-                                   const render::Look& look)
+                                   const std::vector<std::string>& inputs, const LookChoice& choice)
 {
 	auto records = sheetRecords(session, slice, sheets);
 	if (!records)
 		return records.error();
+	auto values = valueScale(session, inputs, choice.look, holdsNan(sheets));
+	if (!values)
+		return values.error();
 
 	render::Scene scene;
-	scene.look = look;
-	scene.look.title = options.title.value_or(defaultTitle(options.probe.inputs));
+	scene.look = choice.look;
 	scene.look.caption = caption(session.probe.sheets.front());
-	if (session.field)
-	{
-		const auto [lo, hi] = slice::fieldRange(session.blocks, *session.field);
-		scene.values = {session.field->title(session.blocks), lo, hi, holdsNan(sheets)};
-	}
+	scene.values = *values;
+	scene.bounds = session.blocks.bounds();
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
-		scene.sheets.push_back({slice.sheets[s].sheet, (*records)[s], options.opacity});
-	const std::vector<render::Segment> outline = render::outlineOf(session.blocks, look.outline);
+		scene.sheets.push_back({slice.sheets[s].sheet, (*records)[s], choice.opacity});
+	const std::vector<render::Segment> outline = render::outlineOf(session.blocks, scene.look.outline);
 	scene.outline = outline;
 	// The picture holds the blocks and the lines around them.
 	std::vector<Vec3> extent = render::extentOf(session.blocks);
+	if (scene.look.box_axes)
+		for (int i = 0; i < 8; ++i)
+			extent.push_back(render::corner(*scene.bounds, i));
 	for (const render::Segment& line : outline)
 		extent.insert(extent.end(), {line.a, line.b});
-	scene.camera = render::makeCamera(camera, &session.probe.sheets.front(), extent,
+	scene.camera = render::makeCamera(choice.camera, &session.probe.sheets.front(), extent,
 	                                  render::pictureFrame(scene.look, scene.values));
 
 	Result<render::Renderer> renderer = render::Renderer::create(*session.device);
@@ -150,12 +107,9 @@ Result<ExitCode> runRender(const RenderOptions& options)
 	if (options.output != "-" && std::filesystem::path(options.output).extension() != ".png")
 		return Error{ExitCode::usage, fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -",
 		                                          options.output)};
-	Result<render::Look> look = makeLook(options);
+	Result<LookChoice> look = parseLook(options.look, options.probe.inputs);
 	if (!look)
 		return look.error();
-	Result<render::CameraChoice> camera = render::parseCamera(options.camera);
-	if (!camera)
-		return camera.error();
 
 	Result<std::unique_ptr<Session>> opened = openSession(options.probe, DeviceUse::draw);
 	if (!opened)
@@ -168,7 +122,7 @@ Result<ExitCode> runRender(const RenderOptions& options)
 	Result<render::Picture> picture = [&]
 	{
 		const TimedSection section(session.timeline.get(), "render");
-		return drawSheets(session, *slice, sheets, options, *camera, *look);
+		return drawSheets(session, *slice, sheets, options.probe.inputs, *look);
 	}();
 	if (!picture)
 		return picture.error();
@@ -190,51 +144,7 @@ void addRender(CLI::App& program, Run& run)
 	    ->type_name("FILE.png|-");
 	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
 
-	const char* group = "Look";
-	command->add_option("--size", options->size, "Of the picture in pixels")
-	    ->type_name("WxH")
-	    ->capture_default_str()
-	    ->group(group);
-	command->add_option("--samples", options->samples, "Samples per pixel, for smooth edges")
-	    ->check(CLI::Range(1, render::kMaxSamples))
-	    ->capture_default_str()
-	    ->group(group);
-	command->add_option("--colormap", options->colormap, fmt::format("{}", fmt::join(render::colorMapNames(), ", ")))
-	    ->type_name("NAME")
-	    ->capture_default_str()
-	    ->group(group);
-	command
-	    ->add_option("--range", options->range,
-	                 "Values at the ends of the colour map (default: those of the whole array)")
-	    ->expected(2)
-	    ->allow_extra_args(false)
-	    ->type_name("LO HI")
-	    ->group(group);
-	command->add_option("--opacity", options->opacity, "Of the sheet, 0 to 1")
-	    ->check(CLI::Range(0.0, 1.0))
-	    ->capture_default_str()
-	    ->group(group);
-	command
-	    ->add_option("--background", options->background, "gradient, white, black, grey, transparent, #RGB or #RRGGBB")
-	    ->type_name("COLOUR")
-	    ->capture_default_str()
-	    ->group(group);
-	command
-	    ->add_option("--camera", options->camera,
-	                 "auto (obliquely onto the sheet), x, -x, y, -y, z, -z, iso, sheet, azimuth and elevation in "
-	                 "degrees, or position, focal "
-	                 "point and up as nine numbers")
-	    ->type_name("VIEW|AZ,EL|9 NUMBERS")
-	    ->capture_default_str()
-	    ->group(group);
-	command
-	    ->add_option("--outline", options->outline,
-	                 "What orients the sheet: box, edges (the boundary's feature edges) or none")
-	    ->capture_default_str()
-	    ->group(group);
-	command->add_option("--title", options->title, "Above the picture (default: the input's name; \"\" for none)")
-	    ->type_name("TEXT")
-	    ->group(group);
+	addLookOptions(*command, options->look);
 	command->callback([&run, options] { run = [options] { return runRender(*options); }; });
 }
 

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "base/result.h"
+#include "probe_options.h"
+#include "render/scene.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vp::app
+{
+
+// The LOOK options, as they stand on the command line.
+struct LookOptions
+{
+	std::string size = "1280x720";
+	int samples = 8;
+	std::string colormap = "viridis";
+	std::vector<double> range; // none, or LO and HI
+	bool logarithmic = false;
+	double opacity = 1.0;
+	int lines = 0;
+	int bands = 0;
+	bool mesh = false;
+	bool lit = false;
+	std::string background = "gradient";
+	std::string camera = "auto";
+	std::string outline = "box";
+	std::string axes = "corner";
+	std::optional<std::string> title; // else the input's name
+};
+
+void addLookOptions(CLI::App& command, LookOptions& options);
+
+struct LookChoice
+{
+	render::Look look;
+	render::CameraChoice camera;
+	double opacity = 1.0; // of every sheet
+};
+
+// What can be wrong on the command line is told before a large file is read.
+Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::string>& inputs);
+
+// The scale of the session's array, none without one. Options that need values are an input error where there are none
+// that serve; values that a logarithm leaves out are told in a word.
+Result<std::optional<render::ValueScale>> valueScale(const Session& session, const std::vector<std::string>& inputs,
+                                                     const render::Look& look, bool has_nan);
+
+} // namespace vp::app
