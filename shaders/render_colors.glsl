@@ -88,7 +88,7 @@ float contourLine(float y, uint layer, ivec2 pixel)
 // Lines over a colour, dark on light and light on dark: not multiplied by alpha, as what they lie over.
 vec4 inked(vec4 color, float ink, float opacity)
 {
-	const float light = dot(color.rgb, vec3(0.2126, 0.7152, 0.0722)) < 0.33 ? 0.92 : 0.07;
+	const float light = dot(color.rgb, vec3(0.2126, 0.7152, 0.0722)) < 0.2 ? 0.92 : 0.07;
 	// On a faint sheet lines are not as faint.
 	const float over = ink * sqrt(opacity);
 	const float alpha = over + (1.0 - over) * color.a;

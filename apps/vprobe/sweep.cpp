@@ -162,17 +162,17 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 {
 	if (Status fits = checkOptions(options); !fits)
 		return fits.error();
-	Result<PictureStyle> style = pictureStyle(options.look);
-	if (!style)
-		return style.error();
-	style->captions = options.exposure.empty(); // they would write over each other
+	Result<LookChoice> look = parseLook(options.look, options.probe.inputs);
+	if (!look)
+		return look.error();
+	look->captions = options.exposure.empty(); // they would write over each other
 	Result<probe::Path> path = pathOf(options);
 	if (!path)
 		return path.error();
 	Result<int> frames = frameCount(options, *path);
 	if (!frames)
 		return frames.error();
-	Result<Frames> out = Frames::create(options, style->look);
+	Result<Frames> out = Frames::create(options, look->look);
 	if (!out)
 		return out.error();
 
@@ -180,7 +180,7 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
-	Result<Painter> painter = Painter::create(session, options.probe, std::move(*style));
+	Result<Painter> painter = Painter::create(session, options.probe, std::move(*look));
 	if (!painter)
 		return painter.error();
 

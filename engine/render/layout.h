@@ -28,6 +28,7 @@ struct Layout
 	double title_em; // of the picture's title
 	double small_em; // of the caption
 	double margin;
+	double entry; // height of a category's line
 
 	Area title;
 	Area caption;
@@ -35,10 +36,11 @@ struct Layout
 	Area legend; // the whole column; below, its parts from top to bottom
 	Area legend_title;
 	Area factor;
-	Area bar; // without the caps
+	Area bar; // without the caps; of categories, the column of their colours
 	Area nan;
 	double cap; // height of the pointed ends for values beyond the range, 0 without
 	Ticks ticks;
+	std::size_t categories; // that fit; below them it is told how many are left out
 
 	Frame frame;
 };

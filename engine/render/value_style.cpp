@@ -16,7 +16,7 @@ ValueStyle styleOf(const ColorMap& colors, const ValueScale& values, const Look&
 	ValueStyle style;
 	style.colors = &colors;
 	style.logarithmic = look.logarithmic && colors.categories.empty();
-	style.lo = range ? range->first : style.logarithmic ? values.least_positive : values.lo;
+	style.lo = range ? range->first : style.logarithmic ? values.log_lo : values.lo;
 	style.hi = range ? range->second : values.hi;
 	if (style.logarithmic && !(style.lo > 0.0))
 		style.lo = style.hi = 1.0; // nothing can be shown

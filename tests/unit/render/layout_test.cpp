@@ -64,6 +64,27 @@ TEST(Layout, NothingOverlapsAtAnySize)
 			}
 }
 
+TEST(Layout, CategoriesFitOrAreToldInANumber)
+{
+	for (const Size size : kSizes)
+		for (const int count : {1, 3, 20, 400})
+		{
+			Scene scene = sceneOf(size, "s", 0.0, 1.0, false);
+			for (int i = 0; i < count; ++i)
+				scene.look.colors.categories.push_back({double(i), i == 1 ? kLongName : "name", {10, 20, 30}});
+			const Layout layout = makeLayout(scene.look, scene.values);
+			EXPECT_GE(layout.categories, 1u);
+			EXPECT_LE(layout.categories, static_cast<std::size_t>(count));
+			const double lines = static_cast<double>(layout.categories) + (layout.categories < size_t(count) ? 1 : 0);
+			EXPECT_LE(layout.bar.lo.y + lines * layout.entry, layout.bar.hi.y + 1.0);
+			EXPECT_LE(layout.legend.hi.y, size.height);
+			EXPECT_LE(layout.legend.size().x, 0.3 * size.width + 1.0);
+			const Overlay overlay = makeOverlay(scene);
+			for (const std::uint32_t i : overlay.indices)
+				EXPECT_LE(overlay.vertices.at(i).pos.x, size.width);
+		}
+}
+
 TEST(Layout, WhatIsOffLeavesItsPlace)
 {
 	Scene scene = sceneOf({640, 480}, "s", 0.0, 1.0, false);
@@ -87,6 +108,9 @@ TEST(Overlay, StaysInsideThePicture)
 		for (const char* array : {"s", kLongName})
 		{
 			Scene scene = sceneOf(size, array, -1.0, 1e-4, true);
+			scene.look.box_axes = true;
+			scene.bounds = Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};
+			scene.camera.position = {12.0, 8.0, 16.0};
 			scene.look.title = kLongName;
 			scene.look.title += kLongName;
 			const Overlay overlay = makeOverlay(scene);
