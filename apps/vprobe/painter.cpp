@@ -42,12 +42,18 @@ Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const Session& sess
 } // namespace
 
 Painter::Painter(Session& session, std::vector<std::string> inputs, LookChoice choice, render::Renderer renderer)
-    : session_(session), inputs_(std::move(inputs)), choice_(std::move(choice)), renderer_(std::move(renderer)),
-      outline_(render::outlineOf(session.blocks, choice_.look.outline)), extent_(render::extentOf(session.blocks))
+    : session_(session), inputs_(std::move(inputs)), choice_(std::move(choice)), renderer_(std::move(renderer))
 {
+	takeBlocks();
+}
+
+void Painter::takeBlocks()
+{
+	outline_ = render::outlineOf(session_.blocks, choice_.look.outline);
+	extent_ = render::extentOf(session_.blocks);
 	if (choice_.look.box_axes)
 		for (int i = 0; i < 8; ++i)
-			extent_.push_back(render::corner(session.blocks.bounds(), i));
+			extent_.push_back(render::corner(session_.blocks.bounds(), i));
 	for (const render::Segment& line : outline_)
 		extent_.insert(extent_.end(), {line.a, line.b});
 }

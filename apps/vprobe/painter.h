@@ -22,6 +22,8 @@ public:
 
 	// The arrays hold other values now.
 	void forgetScales() { scales_.clear(); }
+	// The session's blocks are others now.
+	void takeBlocks();
 
 	// Section "render" on the session's timeline. sheets: sheetStats() of the slice.
 	Result<render::Picture> draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets);

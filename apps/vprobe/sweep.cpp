@@ -4,6 +4,7 @@
 #include "exposure.h"
 #include "painter.h"
 #include "probe/path_file.h"
+#include "time_steps.h"
 #include "write/film.h"
 #include "write/frame_names.h"
 #include "write/png.h"
@@ -36,8 +37,13 @@ struct SweepOptions
 	bool resume = false;
 };
 
+// The probe stands still, and the input's times go by.
+constexpr std::string_view kOverTimes = "times";
+
 Result<probe::Path> pathOf(const SweepOptions& options)
 {
+	if (options.path == kOverTimes)
+		return probe::Path{};
 	probe::Path path;
 	if (const std::optional<probe::PathKind> kind = probe::pathKind(options.path))
 		path.kind = *kind;
@@ -49,15 +55,18 @@ Result<probe::Path> pathOf(const SweepOptions& options)
 		path = std::move(*read);
 	}
 	else
-		return Error{ExitCode::usage, fmt::format("--path {}: takes translate, rotate, spin, revolve, profile or a "
-		                                          ".json file",
-		                                          options.path)};
+		return Error{ExitCode::usage,
+		             fmt::format("--path {}: takes translate, rotate, spin, revolve, profile, times or a "
+		                         ".json file",
+		                         options.path)};
 	path.there_and_back = path.there_and_back || options.there_and_back;
 	return path;
 }
 
 Result<int> frameCount(const SweepOptions& options, const probe::Path& path)
 {
+	if (options.path == kOverTimes)
+		return 0; // the input says
 	if (const std::optional<int> frames = options.frames ? options.frames : probe::framesOf(path, options.per_second))
 		return *frames;
 	return Error{ExitCode::usage,
@@ -184,11 +193,25 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	if (!painter)
 		return painter.error();
 
+	std::optional<TimeSteps> steps;
+	if (options.path == kOverTimes)
+	{
+		steps.emplace(session, options.probe, *painter);
+		if (steps->count() == 0)
+			return Error{ExitCode::input, fmt::format("{}: has no times to sweep over; choose another --path",
+			                                          options.probe.inputs.front())};
+		frames = steps->count();
+		if (options.look.range.empty())
+			warn("--path times: the colours follow the range of each time; --range LO HI holds them still");
+	}
+
 	nlohmann::json told = nlohmann::json::array();
 	int empty = 0;
 	const auto start = std::chrono::steady_clock::now();
 	Progress progress(fmt::format("frame 1 of {}", *frames));
-	const std::vector<probe::Frame> poses = probe::poses(*path, session.probe, session.blocks.bounds(), *frames);
+	const std::vector<probe::Frame> poses = steps
+	                                            ? std::vector(static_cast<std::size_t>(*frames), session.probe.frame)
+	                                            : probe::poses(*path, session.probe, session.blocks.bounds(), *frames);
 	for (int frame = 0; frame < *frames; ++frame)
 	{
 		if (frame > 0)
@@ -196,7 +219,7 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 		if (out->has(frame))
 			continue;
 		session.probe.frame = poses[static_cast<std::size_t>(frame)];
-		Result<slice::Slice> slice = cut(session);
+		Result<slice::Slice> slice = steps ? steps->cutAt(frame) : cut(session);
 		if (!slice)
 			return slice.error();
 		const std::vector<SheetStats> sheets = sheetStats(session, *slice);
@@ -238,7 +261,7 @@ void addSweep(CLI::App& program, Run& run)
 	    ->add_option(
 	        "--path", options->path,
 	        "translate along the normal, rotate about the up axis, spin about the normal, revolve from vane to "
-	        "vane, profile (the benchmark's), or a file (docs/PROBES.md)")
+	        "vane, profile (the benchmark's), times (a frame for each time of the input), or a file (docs/PROBES.md)")
 	    ->type_name("NAME|FILE.json")
 	    ->capture_default_str()
 	    ->group(group);
