@@ -192,6 +192,7 @@ Result<std::optional<render::ValueScale>> valueScale(const Session& session, con
 	}
 	const auto [lo, hi] = slice::fieldRange(session.blocks, *session.field);
 	render::ValueScale scale{session.field->title(session.blocks), lo, hi, has_nan};
+	scale.per_cell = session.field->association == grid::Association::cell;
 	if (!look.logarithmic)
 		return std::optional(scale);
 	scale.log_lo = render::leastPositive(session.blocks, *session.field);
