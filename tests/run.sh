@@ -6,10 +6,10 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source apps/setup.sh
 
-select=(-LE '^long$')
+select=(-LE '^long$') long=
 case ${1-} in
 '') ;;
---long) select=() ;;
+--long) select=() long=yes ;;
 *) say "usage: tests/run.sh [--long]"; exit 1 ;;
 esac
 
@@ -109,6 +109,13 @@ if build tsan unit_tests; then
 	TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp" run_tests tsan -R '^unit_'
 else
 	failed=$((failed + 1))
+fi
+if [[ -n $long ]] && command -v clang++-14 >/dev/null; then
+	if build fuzz fuzz_parsers_guided; then
+		run_tests fuzz -R '^fuzz\.parser'
+	else
+		failed=$((failed + 1))
+	fi
 fi
 if command -v clang-format-14 >/dev/null; then
 	check "Format" check_format

@@ -2,6 +2,7 @@
 
 #include "cell_lists.h"
 #include "grown_cells.h"
+#include "linear_parts.h"
 #include "new_nodes.h"
 #include "read/cell_types.h"
 #include "refusal.h"
@@ -24,7 +25,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 using vp::Vec3;
 using namespace vp::read;
@@ -35,18 +35,6 @@ namespace
 // At about 200 bytes a cell, half of them the grid built from it.
 constexpr double kMaxRefinedCells = 1e8;
 
-struct Corner
-{
-	vtkIdType point;
-	Vec3 at; // in the source cell's own coordinates
-};
-
-struct LinearCell
-{
-	std::uint8_t type;
-	std::array<Corner, 8> corners;
-};
-
 bool isPrism(std::uint8_t type)
 {
 	return type == VTK_PENTAGONAL_PRISM || type == VTK_HEXAGONAL_PRISM;
@@ -55,21 +43,6 @@ bool isPrism(std::uint8_t type)
 bool isRewritten(std::uint8_t type)
 {
 	return isCurved(type) || isPrism(type) || type == VTK_CONVEX_POINT_SET;
-}
-
-// Linear cells that a cell's parts become after so many halvings.
-double countParts(const CellSplit& split, int level)
-{
-	double pyramids = 0.0;
-	double others = 0.0;
-	for (const CellSplit::Part& part : split.parts)
-		(part.type == kPyramid ? pyramids : others) += part.type == kOctahedron ? 4.0 : 1.0;
-	for (; level > 0; --level)
-	{
-		others = 8.0 * others + 4.0 * pyramids;
-		pyramids *= 6.0;
-	}
-	return pyramids + others;
 }
 
 class Lineariser
@@ -136,17 +109,7 @@ private:
 			corners_.push_back({ids_->GetId(p), kind.at[static_cast<std::size_t>(p)]});
 		if (kind.handles)
 			placeHandles();
-		parts_.clear();
-		cut(kind.split, corners_, parts_);
-		for (int level = 0; level < level_; ++level)
-		{
-			finer_.clear();
-			for (const LinearCell& part : parts_)
-				cut(halvedSplit(part.type), {part.corners.data(), static_cast<std::size_t>(pointsOf(part.type))},
-				    finer_);
-			parts_.swap(finer_);
-		}
-		for (const LinearCell& part : parts_)
+		for (const LinearCell& part : cutter_.parts(kind.split, corners_, level_))
 		{
 			for (int i = 0; i < pointsOf(part.type); ++i)
 				cells_.addPoint(part.corners[static_cast<std::size_t>(i)].point);
@@ -163,75 +126,6 @@ private:
 				nodes_.place(corner.point, source_.weights(corner.at));
 				placed_[static_cast<std::size_t>(corner.point)] = true;
 			}
-	}
-
-	void cut(const CellSplit& split, std::span<const Corner> points, std::vector<LinearCell>& parts)
-	{
-		cut_nodes_.clear();
-		for (const CellSplit::Node& node : split.nodes)
-			cut_nodes_.push_back(node.point >= 0 ? points[static_cast<std::size_t>(node.point)]
-			                                     : middleOf(node, points));
-		for (const CellSplit::Part& part : split.parts)
-		{
-			LinearCell cell = {part.type, {}};
-			for (int i = 0; i < pointsOf(part.type); ++i)
-				cell.corners[static_cast<std::size_t>(i)] = cut_nodes_[part.nodes[static_cast<std::size_t>(i)]];
-			if (part.type == kOctahedron)
-				cutOctahedron(cell, parts);
-			else
-				parts.push_back(cell);
-		}
-	}
-
-	Corner middleOf(const CellSplit::Node& node, std::span<const Corner> points)
-	{
-		// A face that has collapsed to an edge has the edge's middle, as the cells about that edge know it: each id
-		// counts once.
-		std::array<vtkIdType, 8> ids;
-		std::size_t count = 0;
-		Vec3 at(0.0);
-		for (int i = 0; i < node.corner_count; ++i)
-		{
-			const Corner& corner = points[node.corners[static_cast<std::size_t>(i)]];
-			std::size_t place = count;
-			while (place > 0 && ids[place - 1] > corner.point)
-				--place;
-			if (place == 0 || ids[place - 1] != corner.point)
-			{
-				std::copy_backward(ids.begin() + place, ids.begin() + count, ids.begin() + count + 1);
-				ids[place] = corner.point;
-				++count;
-			}
-			at += corner.at / static_cast<double>(node.corner_count);
-		}
-		if (count == 1)
-			return {ids[0], at};
-		return {nodes_.between(std::span(ids).first(count), [&] { return source_.weights(at); }), at};
-	}
-
-	// Along the shortest diagonal; where they are of a length, along the first.
-	void cutOctahedron(const LinearCell& octahedron, std::vector<LinearCell>& parts)
-	{
-		int best = 0;
-		double shortest = std::numeric_limits<double>::infinity();
-		for (int d = 0; d < 3; ++d)
-		{
-			const auto [a, b] = kOctahedronDiagonals[static_cast<std::size_t>(d)];
-			const double length =
-			    glm::distance(nodes_.at(octahedron.corners[a].point), nodes_.at(octahedron.corners[b].point));
-			if (length < shortest * (1.0 - 1e-6))
-			{
-				shortest = length;
-				best = d;
-			}
-		}
-		for (const auto& four : octahedronCut(best))
-		{
-			LinearCell tetrahedron = {kTetra, {}};
-			for (std::size_t i = 0; i < 4; ++i)
-				tetrahedron.corners[i] = octahedron.corners[four[i]];
-			parts.push_back(tetrahedron);
-		}
 	}
 
 	void addPrism(int sides)
@@ -310,15 +204,13 @@ private:
 	NewNodes nodes_;
 	GrownCells cells_;
 	SourceCells source_;
+	PartCutter cutter_{nodes_, source_};
 	vtkUnsignedCharArray* ghosts_;
 	vtkNew<vtkOrderedTriangulator> triangulator_;
 
 	vtkIdType cell_ = 0; // being rewritten
 	vtkNew<vtkIdList> ids_;
 	std::vector<Corner> corners_;
-	std::vector<Corner> cut_nodes_;
-	std::vector<LinearCell> parts_;
-	std::vector<LinearCell> finer_;
 	std::vector<bool> placed_;
 };
 

@@ -160,26 +160,35 @@ void refuseShortAppendedData(std::string_view text)
 	                 });
 }
 
+void refuseShort(std::string_view text, const std::string& file)
+{
+	const std::string_view tail = text.substr(text.size() - std::min(text.size(), kTailBytes));
+	if (tail.find("</VTKFile") == tail.npos)
+		throw damaged(fmt::format("{} ends without </VTKFile>", std::filesystem::path(file).filename().string()));
+	refuseShortAppendedData(text);
+}
+
+bool isIndexOfPieces(std::string_view text)
+{
+	return elementAt(text, "<VTKFile").find("\"P") != std::string_view::npos;
+}
+
 } // namespace
 
 void refuseShortXml(const std::string& file)
 {
 	const MappedText mapped(file);
-	const std::string_view text = mapped.text();
-	const std::string_view tail = text.substr(text.size() - std::min(text.size(), kTailBytes));
-	if (tail.find("</VTKFile") == tail.npos)
-		throw damaged(fmt::format("{} ends without </VTKFile>", std::filesystem::path(file).filename().string()));
-	refuseShortAppendedData(text);
-
-	if (const std::string_view element = elementAt(text, "<VTKFile"); element.find("\"P") != element.npos)
-		forEachAttribute(text, "Source",
-		                 [&](std::string_view piece)
-		                 {
-			                 const auto folder = std::filesystem::path(file).parent_path();
-			                 const std::string path = (folder / piece).string();
-			                 // A piece may not be an index itself, so that no circle is followed.
-			                 if (std::filesystem::path(path).extension().string().starts_with(".pv"))
-				                 throw damaged("one of its pieces is an index of pieces");
-			                 refuseShortXml(path);
-		                 });
+	refuseShort(mapped.text(), file);
+	if (!isIndexOfPieces(mapped.text()))
+		return;
+	forEachAttribute(mapped.text(), "Source",
+	                 [&](std::string_view piece)
+	                 {
+		                 const std::string path = (std::filesystem::path(file).parent_path() / piece).string();
+		                 const MappedText text(path);
+		                 // A piece may not be an index itself, so that no circle is followed.
+		                 if (isIndexOfPieces(text.text()))
+			                 throw damaged("one of its pieces is an index of pieces");
+		                 refuseShort(text.text(), path);
+	                 });
 }

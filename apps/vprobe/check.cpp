@@ -194,7 +194,8 @@ Result<ExitCode> runCheck(const CheckOptions& options)
 			return written.error();
 	}
 	if (options.json)
-		fmt::print("{}\n", asJson(session.blocks, findings, *sweep, quality.overlap_samples).dump(1, '\t'));
+		fmt::print("{}\n", asJson(session.blocks, findings, *sweep, quality.overlap_samples)
+		                       .dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
 	else if (options.output != "-")
 		printTable(session.blocks, findings, *sweep, quality.overlap_samples);
 	return isClean(findings) ? ExitCode::done : ExitCode::findings;

@@ -16,6 +16,7 @@ using Run = std::function<Result<ExitCode>()>;
 void addInfo(CLI::App& program, Run& run);
 void addSlice(CLI::App& program, Run& run);
 void addRender(CLI::App& program, Run& run);
+void addSweep(CLI::App& program, Run& run);
 void addCheck(CLI::App& program, Run& run);
 
 } // namespace vp::app

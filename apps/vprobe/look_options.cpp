@@ -179,27 +179,28 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 	return choice;
 }
 
-Result<std::optional<render::ValueScale>> valueScale(const Session& session, const std::vector<std::string>& inputs,
-                                                     const render::Look& look, bool has_nan)
+Result<std::optional<render::ValueScale>> valueScale(const grid::BlockSet& blocks,
+                                                     const std::optional<slice::FieldChoice>& field,
+                                                     const std::vector<std::string>& inputs, const render::Look& look)
 {
 	const char* needed = look.logarithmic ? "--log" : look.lines > 0 ? "--lines" : look.bands > 0 ? "--bands" : nullptr;
-	if (!session.field)
+	if (!field)
 	{
 		if (needed)
 			return Error{ExitCode::input,
 			             fmt::format("{}: has no array for {} to show; leave the option out", inputs.front(), needed)};
 		return std::optional<render::ValueScale>();
 	}
-	const auto [lo, hi] = slice::fieldRange(session.blocks, *session.field);
-	render::ValueScale scale{session.field->title(session.blocks), lo, hi, has_nan};
-	scale.per_cell = session.field->association == grid::Association::cell;
+	const auto [lo, hi] = slice::fieldRange(blocks, *field);
+	render::ValueScale scale{field->title(blocks), lo, hi};
+	scale.per_cell = field->association == grid::Association::cell;
 	if (!look.logarithmic)
 		return std::optional(scale);
-	scale.log_lo = render::leastPositive(session.blocks, *session.field);
+	scale.log_lo = render::leastPositive(blocks, *field);
 	if (!(scale.log_lo > 0.0))
 		return Error{ExitCode::input, fmt::format("--log: '{}' has no value above 0 and so no logarithm; leave the "
 		                                          "option out or show another --array",
-		                                          session.field->name)};
+		                                          field->name)};
 	if (lo > 0.0)
 		return std::optional(scale);
 	// Rounding around 0 would stretch the scale over decades that hold nothing.
@@ -207,7 +208,7 @@ Result<std::optional<render::ValueScale>> valueScale(const Session& session, con
 	warn(
 	    "--log: '{}' has values of 0 or below, which have no logarithm; they and all below {:.4g} get the colour below "
 	    "the range",
-	    session.field->name, look.range ? look.range->first : scale.log_lo);
+	    field->name, look.range ? look.range->first : scale.log_lo);
 	return std::optional(scale);
 }
 

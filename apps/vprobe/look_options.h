@@ -1,8 +1,9 @@
 #pragma once
 
 #include "base/result.h"
-#include "probe_options.h"
+#include "grid/block.h"
 #include "render/scene.h"
+#include "slice/field_choice.h"
 
 #include <CLI/CLI.hpp>
 
@@ -39,15 +40,18 @@ struct LookChoice
 {
 	render::Look look;
 	render::CameraChoice camera;
-	double opacity = 1.0; // of every sheet
+	double opacity = 1.0;    // of every sheet
+	bool captions = true;    // where the first sheet is
+	bool window_rims = true; // lines around windows
 };
 
 // What can be wrong on the command line is told before a large file is read.
 Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::string>& inputs);
 
-// The scale of the session's array, none without one. Options that need values are an input error where there are none
-// that serve; values that a logarithm leaves out are told in a word.
-Result<std::optional<render::ValueScale>> valueScale(const Session& session, const std::vector<std::string>& inputs,
-                                                     const render::Look& look, bool has_nan);
+// The scale of an array, none without one. Options that need values are an input error where there are none that serve;
+// values that a logarithm leaves out are told in a word.
+Result<std::optional<render::ValueScale>> valueScale(const grid::BlockSet& blocks,
+                                                     const std::optional<slice::FieldChoice>& field,
+                                                     const std::vector<std::string>& inputs, const render::Look& look);
 
 } // namespace vp::app

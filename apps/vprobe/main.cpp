@@ -59,6 +59,7 @@ int main(int argc, char** argv)
 	vp::app::addInfo(program, run);
 	vp::app::addSlice(program, run);
 	vp::app::addRender(program, run);
+	vp::app::addSweep(program, run);
 	vp::app::addCheck(program, run);
 
 	// CLI11 would say that a command is missing, not that this one is none.

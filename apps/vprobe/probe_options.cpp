@@ -2,13 +2,13 @@
 
 #include "base/log.h"
 #include "base/progress.h"
+#include "make_probe.h"
 #include "read/read.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
-#include <cmath>
-#include <sstream>
+#include <algorithm>
 
 namespace vp::app
 {
@@ -24,56 +24,12 @@ void limitThreads(int threads)
 		limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
 }
 
-std::string allFinite(const std::vector<double>& numbers, const char* option)
-{
-	for (const double number : numbers)
-		if (!std::isfinite(number))
-			return fmt::format("{}: {} is not a finite number", option, number);
-	return {};
-}
-
-Result<Vec3> parseNormal(const std::string& text)
-{
-	for (int axis = 0; axis < 3; ++axis)
-		if (text == std::string(1, static_cast<char>('x' + axis)))
-		{
-			Vec3 normal(0.0);
-			normal[axis] = 1.0;
-			return normal;
-		}
-	std::istringstream words(text);
-	Vec3 normal;
-	std::string rest;
-	if (!(words >> normal.x >> normal.y >> normal.z) || words >> rest)
-		return Error{ExitCode::usage, fmt::format("--normal {}: takes x, y, z or three numbers", text)};
-	if (normal == Vec3(0.0))
-		return Error{ExitCode::usage,
-		             "--normal: a zero vector is no direction; give x, y, z or three numbers that are not all zero"};
-	return normal;
-}
-
-Result<probe::Probe> makeProbe(const ProbeOptions& options, const grid::BlockSet& blocks)
-{
-	for (const auto& [numbers, name] : {std::pair{&options.origin, "--origin"}, std::pair{&options.up, "--up"}})
-		if (const std::string reason = allFinite(*numbers, name); !reason.empty())
-			return Error{ExitCode::usage, reason};
-	Result<Vec3> normal = parseNormal(options.normal);
-	if (!normal)
-		return normal.error();
-	const Vec3 up{options.up[0], options.up[1], options.up[2]};
-	if (up == Vec3(0.0))
-		return Error{ExitCode::usage, "--up: a zero vector is no direction; give three numbers that are not all zero"};
-	const Vec3 origin = options.origin.empty() ? blocks.bounds().centre()
-	                                           : Vec3{options.origin[0], options.origin[1], options.origin[2]};
-	return probe::Probe{{probe::makeSheet(origin, *normal, up)}};
-}
-
 Result<std::optional<slice::Threshold>> parseThreshold(const std::vector<double>& numbers)
 {
 	if (numbers.empty())
 		return std::optional<slice::Threshold>();
-	if (const std::string reason = allFinite(numbers, "--threshold"); !reason.empty())
-		return Error{ExitCode::usage, reason};
+	if (Status finite = requireFinite(numbers, "--threshold"); !finite)
+		return finite.error();
 	if (numbers[0] > numbers[1])
 		return Error{ExitCode::usage, fmt::format("--threshold {} {}: LO is above HI; give the lower value first",
 		                                          numbers[0], numbers[1])};
@@ -90,6 +46,26 @@ seed::SeedOptions seedOptions(const ProbeOptions& options)
 	                : options.outside == "report" ? seed::OutsidePolicy::report
 	                                              : seed::OutsidePolicy::nearest;
 	return seeds;
+}
+
+// Of sheets that wish for an array of their own.
+Status chooseSheetFields(const ProbeOptions& options, Session& session)
+{
+	for (const probe::Sheet& sheet : session.probe.sheets)
+	{
+		const probe::SheetWishes& wishes = sheet.wishes;
+		if (!wishes.array && !wishes.component)
+		{
+			session.sheet_fields.push_back(session.field);
+			continue;
+		}
+		Result<std::optional<slice::FieldChoice>> field = slice::chooseField(
+		    session.blocks, wishes.array.value_or(options.array), wishes.component.value_or(options.component));
+		if (!field)
+			return field.error();
+		session.sheet_fields.push_back(*field);
+	}
+	return Nothing{};
 }
 
 // The device, where one is wanted. None is an error for drawing, and for a GPU classifier that was asked for by name;
@@ -148,21 +124,53 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 {
 	const char* group = "Probe";
 	command
-	    .add_option("--origin", options.origin, "A point of the plane, its hot spot (default: centre of the bounds)")
-	    ->expected(3)
-	    ->allow_extra_args(false)
-	    ->type_name("X Y Z")
-	    ->group(group);
-	command.add_option("--normal", options.normal, "Normal of the plane: x, y, z or three numbers")
-	    ->type_name("X Y Z|x|y|z")
+	    .add_option("--probe", options.probe,
+	                "Sheets that move as one: single, trihedral, paddlewheel, stack, or a file (docs/PROBES.md)")
+	    ->type_name("NAME|FILE.json")
 	    ->capture_default_str()
 	    ->group(group);
 	command
-	    .add_option("--up", options.up,
-	                "Direction of the sheet's y axis, made perpendicular to the normal (default: 0 1 0)")
+	    .add_option("--origin", options.origin, "Where the probe stands, its hot spot (default: centre of the bounds)")
 	    ->expected(3)
 	    ->allow_extra_args(false)
 	    ->type_name("X Y Z")
+	    ->group(group);
+	command.add_option("--normal", options.normal, "The probe's normal: x, y, z or three numbers (default: z)")
+	    ->type_name("X Y Z|x|y|z")
+	    ->group(group);
+	command.add_option("--up", options.up, "The probe's y axis, made perpendicular to the normal (default: 0 1 0)")
+	    ->expected(3)
+	    ->allow_extra_args(false)
+	    ->type_name("X Y Z")
+	    ->group(group);
+	command
+	    .add_option("--window", options.window,
+	                "Size of the windows, along the sheets' x and y axes (default: sheets cover the whole slice)")
+	    ->expected(2)
+	    ->allow_extra_args(false)
+	    ->type_name("W H")
+	    ->group(group);
+	command.add_option("--vanes", options.vanes, "Of a paddlewheel (default: 3)")
+	    ->check(CLI::Range(1, static_cast<int>(probe::kMaxSheets)))
+	    ->type_name("N")
+	    ->group(group);
+	command.add_option("--offsets", options.offsets, "Of a stack: where its sheets lie along the normal")
+	    ->type_name("D...")
+	    ->group(group);
+	command.add_option("--sheets", options.sheets, "Of a stack: so many, spread evenly over the bounds (default: 5)")
+	    ->check(CLI::Range(1, static_cast<int>(probe::kMaxSheets)))
+	    ->type_name("N")
+	    ->group(group);
+	command
+	    .add_option_function<std::string>(
+	        "--corners",
+	        [&options](const std::string& value)
+	        {
+		        options.corners = value;
+		        options.corners_given = true;
+	        },
+	        "Polygons that hold a corner of a window: keep (the default) or skip them")
+	    ->check(CLI::IsMember({"keep", "skip"}))
 	    ->group(group);
 	command
 	    .add_option("--array", options.array,
@@ -229,13 +237,15 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	auto session = std::make_unique<Session>();
 	session->timeline = std::make_unique<Timeline>();
 	session->seeds = seedOptions(options);
+	session->corners = options.corners == "skip" ? slice::Corners::skip : slice::Corners::keep;
 
 	Result<read::TimeChoice> time = read::parseTime(options.time);
 	if (!time)
 		return time.error();
 	// What can be wrong on the command line is told before a large file is read.
-	if (Result<Vec3> normal = parseNormal(options.normal); !normal)
-		return normal.error();
+	Result<std::optional<probe::ProbeFile>> probe_file = checkProbeOptions(options);
+	if (!probe_file)
+		return probe_file.error();
 	Result<std::optional<slice::Threshold>> threshold = parseThreshold(options.threshold);
 	if (!threshold)
 		return threshold.error();
@@ -257,10 +267,13 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	if (session->threshold && !session->field)
 		return Error{ExitCode::input, fmt::format("{}: has no array for --threshold to look at; leave the option out",
 		                                          options.inputs.front())};
-	Result<probe::Probe> probe = makeProbe(options, session->blocks);
+	Result<probe::Probe> probe = makeProbe(options, *probe_file, session->blocks.bounds());
 	if (!probe)
 		return probe.error();
 	session->probe = *probe;
+	std::erase_if(session->probe.sheets, [](const probe::Sheet& sheet) { return sheet.wishes.hidden; });
+	if (Status chosen = chooseSheetFields(options, *session); !chosen)
+		return chosen.error();
 
 	Result<std::unique_ptr<gpu::Device>> device = openDevice(options, use);
 	if (!device)
@@ -282,18 +295,23 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 
 Result<slice::Slice> cut(Session& session)
 {
-	Result<slice::Slice> slice =
-	    session.slicer->cut({session.probe, session.field, session.seeds, session.threshold, session.timeline.get()});
-	if (!slice)
-		return slice;
-	for (const std::string& words : slice->words)
+	return session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, session.seeds,
+	                            session.threshold, session.timeline.get()});
+}
+
+bool isEmpty(const slice::SheetSlice& sheet)
+{
+	return std::ranges::all_of(sheet.cuts, [](const traverse::LaneCut& cut) { return cut.cut_cells == 0; }) &&
+	       std::ranges::all_of(sheet.seeds.faces_in_plane, [](const auto& faces) { return faces.empty(); });
+}
+
+Status tellAbout(const Session& session, const slice::Slice& slice)
+{
+	for (const std::string& words : slice.words)
 		warn("{}", words);
-	for (const slice::SheetSlice& sheet : slice->sheets)
+	for (const slice::SheetSlice& sheet : slice.sheets)
 	{
 		const Vec3 at = sheet.sheet.origin;
-		std::size_t cut_cells = 0;
-		for (const traverse::LaneCut& cut : sheet.cuts)
-			cut_cells += cut.cut_cells;
 		const bool outside = session.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
 		if (outside && session.seeds.outside == seed::OutsidePolicy::refuse)
 			return Error{ExitCode::usage,
@@ -305,21 +323,19 @@ Result<slice::Slice> cut(Session& session)
 		else if (outside && session.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.moved_to)
 			warn("--origin {} {} {}: the hot spot lies outside the grid; {} {} {} takes its place", at.x, at.y, at.z,
 			     sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
-		std::size_t boundary_faces = 0;
-		for (const auto& faces : sheet.seeds.faces_in_plane)
-			boundary_faces += faces.size();
-		if (cut_cells + boundary_faces > 0)
+		if (!isEmpty(sheet))
 			continue;
+		const Box bounds = session.blocks.bounds();
 		if (session.threshold)
 			warn("the slice is empty: no cell that is reached has values between {} and {}; widen --threshold",
 			     session.threshold->lo, session.threshold->hi);
 		else
-			warn("the slice is empty: the plane misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
+			warn("the slice is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
 			     "{:.6g}",
-			     session.blocks.bounds().lo.x, session.blocks.bounds().lo.y, session.blocks.bounds().lo.z,
-			     session.blocks.bounds().hi.x, session.blocks.bounds().hi.y, session.blocks.bounds().hi.z);
+			     sheet.sheet.window ? "window" : "plane", bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x,
+			     bounds.hi.y, bounds.hi.z);
 	}
-	return slice;
+	return Nothing{};
 }
 
 } // namespace vp::app

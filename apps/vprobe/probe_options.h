@@ -4,7 +4,7 @@
 #include "base/timeline.h"
 #include "gpu/device.h"
 #include "grid/block.h"
-#include "probe/sheet.h"
+#include "probe/probe.h"
 #include "slice/field_choice.h"
 #include "slice/slicer.h"
 
@@ -22,9 +22,16 @@ namespace vp::app
 struct ProbeOptions
 {
 	std::vector<std::string> inputs;
-	std::vector<double> origin; // three numbers, or none: the centre of the bounds
-	std::string normal = "z";   // x, y, z or three numbers
-	std::vector<double> up{0.0, 1.0, 0.0};
+	std::string probe = "single";      // or another built-in one, or a .json file
+	std::vector<double> origin;        // three numbers, or none: the centre of the bounds
+	std::optional<std::string> normal; // x, y, z or three numbers
+	std::vector<double> up;            // three numbers, or none
+	std::vector<double> window;        // none, or width and height
+	std::optional<int> vanes;
+	std::vector<double> offsets;
+	std::optional<int> sheets;
+	std::string corners = "keep";
+	bool corners_given = false;
 	std::string array;
 	std::string component;
 	std::vector<double> threshold; // none, or LO and HI
@@ -51,7 +58,9 @@ struct Session
 {
 	grid::BlockSet blocks;
 	std::optional<slice::FieldChoice> field;
-	probe::Probe probe;
+	probe::Probe probe; // without its hidden sheets
+	std::vector<std::optional<slice::FieldChoice>> sheet_fields;
+	slice::Corners corners = slice::Corners::keep;
 	seed::SeedOptions seeds;
 	std::optional<slice::Threshold> threshold;
 	std::unique_ptr<gpu::Device> device; // null where the CPU does without
@@ -68,7 +77,11 @@ enum class DeviceUse
 // Reads the inputs and builds the rest. Nothing is written before this has succeeded.
 Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use);
 
-// Cuts, and tells the user in a word what is empty or was moved.
 Result<slice::Slice> cut(Session& session);
+
+bool isEmpty(const slice::SheetSlice& sheet);
+
+// Tells the user in a word what is empty or was moved; an error where a hot spot outside is to be one.
+Status tellAbout(const Session& session, const slice::Slice& slice);
 
 } // namespace vp::app

@@ -36,6 +36,8 @@ Result<ExitCode> runSlice(const SliceOptions& options)
 	Result<slice::Slice> slice = cut(session);
 	if (!slice)
 		return slice.error();
+	if (Status told = tellAbout(session, *slice); !told)
+		return told.error();
 	std::vector<SheetStats> sheets = sheetStats(session, *slice);
 
 	if (!options.output.empty())

@@ -3,7 +3,6 @@
 #include "write/atomic_file.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <unordered_set>
@@ -22,6 +21,14 @@ nlohmann::json orNull(const std::optional<double>& value)
 nlohmann::json asJson(const Vec3& v)
 {
 	return {v.x, v.y, v.z};
+}
+
+// In the sheet's x and y, from its origin.
+nlohmann::json asJson(const std::optional<probe::Window>& window)
+{
+	if (!window)
+		return {};
+	return {window->x0, window->x1, window->y0, window->y1};
 }
 
 // Traversal figures of a sheet, over its blocks.
@@ -74,6 +81,8 @@ nlohmann::json sheetJson(const grid::BlockSet& blocks, const slice::SheetSlice& 
 	return {{"origin", asJson(sheet.sheet.origin)},
 	        {"normal", asJson(sheet.sheet.normal)},
 	        {"up", asJson(sheet.sheet.up)},
+	        {"window", asJson(sheet.sheet.window)},
+	        {"array", sheet.field ? nlohmann::json(sheet.field->title(blocks)) : nlohmann::json()},
 	        {"cut_cells", sums.cut_cells},
 	        {"linear_cut_cells", sums.linear_cut_cells},
 	        {"polygons", stats.mesh.polygons()},
@@ -109,7 +118,7 @@ std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& s
 			sheets[s].mesh = slice.mesh(session.blocks, s);
 		}
 		const TimedSection section(session.timeline.get(), "measure");
-		sheets[s].measure = slice::measure(session.blocks, sheets[s].mesh, session.field);
+		sheets[s].measure = slice::measure(session.blocks, sheets[s].mesh, slice.sheets[s].field);
 	}
 	return sheets;
 }
@@ -121,13 +130,16 @@ const char* classifierName(const Session& session)
 	                                                                      : "gpu";
 }
 
-std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
-                      const std::vector<SheetStats>& sheets)
+nlohmann::json sheetsJson(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
 {
-	nlohmann::json sheet_list = nlohmann::json::array();
+	nlohmann::json list = nlohmann::json::array();
 	for (std::size_t s = 0; s < sheets.size(); ++s)
-		sheet_list.push_back(sheetJson(session.blocks, slice.sheets[s], sheets[s]));
+		list.push_back(sheetJson(session.blocks, slice.sheets[s], sheets[s]));
+	return list;
+}
 
+std::string statsDocument(const ProbeOptions& options, const Session& session, const char* key, nlohmann::json what)
+{
 	const Timeline& timeline = *session.timeline;
 	nlohmann::json ms = {{"gpu", timeline.totalGpu()}, {"total", timeline.now()}};
 	for (const char* section :
@@ -146,9 +158,15 @@ std::string statsJson(const ProbeOptions& options, const Session& session, const
 	    {"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
 	    {"device", session.device ? session.device->name() : "none"},
 	    {"classifier", classifierName(session)},
-	    {"sheets", sheet_list},
+	    {key, std::move(what)},
 	    {"ms", ms}};
 	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
+                      const std::vector<SheetStats>& sheets)
+{
+	return statsDocument(options, session, "sheets", sheetsJson(session, slice, sheets));
 }
 
 std::string statsTable(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets)

@@ -3,6 +3,8 @@
 #include "probe_options.h"
 #include "slice/stats.h"
 
+#include <nlohmann/json.hpp>
+
 #include <string>
 #include <vector>
 
@@ -18,7 +20,13 @@ struct SheetStats
 
 std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice);
 
-// The --stats document. Scripts rely on its keys: add to them, never rename one.
+// What the --stats document says of sheets.
+nlohmann::json sheetsJson(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets);
+
+// A --stats document that says `what` under `key`: input, grid, device and times are told in any.
+std::string statsDocument(const ProbeOptions& options, const Session& session, const char* key, nlohmann::json what);
+
+// The --stats document of a slice. Scripts rely on its keys: add to them, never rename one.
 std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
                       const std::vector<SheetStats>& sheets);
 

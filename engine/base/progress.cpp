@@ -27,6 +27,12 @@ Progress::~Progress()
 	thread_.join();
 }
 
+void Progress::say(std::string what)
+{
+	const std::lock_guard lock(mutex_);
+	what_ = std::move(what);
+}
+
 void Progress::show()
 {
 	using namespace std::chrono_literals;

@@ -18,6 +18,8 @@ public:
 	Progress(const Progress&) = delete;
 	Progress& operator=(const Progress&) = delete;
 
+	void say(std::string what); // from now on
+
 private:
 	void show();
 

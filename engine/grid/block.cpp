@@ -1,9 +1,8 @@
 #include "grid/block.h"
 
-#include "grid/measure.h"
+#include "grid/folds.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -86,90 +85,6 @@ std::vector<CellId> distinct(std::vector<CellId> cells)
 	return cells;
 }
 
-// Whether each edge is run through once in either direction: only then has a polyhedron's volume a sign. Files
-// often list its faces either way round.
-bool orientedAlike(const CellFaces& faces)
-{
-	std::vector<std::pair<PointId, PointId>> edges;
-	for (int f = 0; f < faces.size(); ++f)
-		for (std::size_t i = 0; i < faces[f].size(); ++i)
-			edges.emplace_back(faces[f][i], faces[f][(i + 1) % faces[f].size()]);
-	std::ranges::sort(edges);
-	if (std::ranges::adjacent_find(edges) != edges.end())
-		return false;
-	return std::ranges::all_of(edges, [&](const auto& edge)
-	                           { return std::ranges::binary_search(edges, std::pair(edge.second, edge.first)); });
-}
-
-// Calls visit(cell, volume > 0) for the cells whose volume has a sign.
-template <class Visit>
-void forEachOriented(const UnstructuredGrid& grid, std::size_t begin, std::size_t end, Visit&& visit)
-{
-	CellFaces faces;
-	for (std::size_t c = begin; c < end; ++c)
-	{
-		const double volume = signedVolume(grid, static_cast<CellId>(c), faces);
-		if (volume > 0.0 || volume < 0.0)
-			visit(static_cast<CellId>(c), volume > 0.0);
-	}
-}
-
-template <Grid G>
-std::vector<CellId> invertedCells(const G&)
-{
-	return {};
-}
-
-// The cells turned the other way than most.
-template <>
-std::vector<CellId> invertedCells(const UnstructuredGrid& grid)
-{
-	struct Count
-	{
-		std::size_t positive = 0;
-		std::size_t negative = 0;
-	};
-	const Count all = tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, grid.cellCount(), 4096), Count{},
-	    [&](const tbb::blocked_range<std::size_t>& range, Count count)
-	    {
-		    forEachOriented(grid, range.begin(), range.end(),
-		                    [&](CellId, bool positive) { ++(positive ? count.positive : count.negative); });
-		    return count;
-	    },
-	    [](const Count& a, const Count& b) {
-		    return Count{a.positive + b.positive, a.negative + b.negative};
-	    });
-	if (std::min(all.positive, all.negative) == 0)
-		return {};
-
-	const bool most_positive = all.positive >= all.negative;
-	constexpr std::size_t chunk = 16384;
-	std::vector<std::vector<CellId>> found((grid.cellCount() + chunk - 1) / chunk);
-	tbb::parallel_for(std::size_t(0), found.size(),
-	                  [&](std::size_t n)
-	                  {
-		                  CellFaces faces;
-		                  const auto keep = [&](CellId c, bool positive)
-		                  {
-			                  if (positive == most_positive)
-				                  return;
-			                  if (grid.shape(c) == CellShape::polyhedron)
-			                  {
-				                  grid.cellFaces(c, faces);
-				                  if (!orientedAlike(faces))
-					                  return;
-			                  }
-			                  found[n].push_back(c);
-		                  };
-		                  forEachOriented(grid, n * chunk, std::min(grid.cellCount(), (n + 1) * chunk), keep);
-	                  });
-	std::vector<CellId> cells;
-	for (const std::vector<CellId>& some : found)
-		cells.insert(cells.end(), some.begin(), some.end());
-	return cells;
-}
-
 std::size_t cellsOf(const Block& block)
 {
 	return std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid);
@@ -190,9 +105,16 @@ void finishBlock(Block& block)
 		    block.bounds = boundsOf(grid);
 		    block.boundary = buildBoundaryIndex(grid);
 		    block.vantage = distinct(vantagesOf(grid, block.boundary));
-		    block.inverted = invertedCells(grid);
+		    block.inverted = foldedCells(grid);
+		    block.inverted_tree = BlockTree(grid, block.inverted);
+		    block.tree = std::make_shared<LazyBlockTree>();
 	    },
 	    block.grid);
+}
+
+const BlockTree& treeOf(const Block& block)
+{
+	return std::visit([&](const auto& grid) -> const BlockTree& { return block.tree->over(grid); }, block.grid);
 }
 
 std::size_t BlockSet::cellCount() const

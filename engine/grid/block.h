@@ -2,12 +2,14 @@
 
 #include "base/result.h"
 #include "base/vec.h"
+#include "grid/block_tree.h"
 #include "grid/boundary.h"
 #include "grid/field.h"
 #include "grid/interfaces.h"
 #include "grid/structured.h"
 #include "grid/unstructured.h"
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -28,11 +30,17 @@ struct Block
 	Box bounds;
 	BoundaryIndex boundary;
 	std::vector<CellId> vantage;  // cells from which fence hopping starts: side centres, or spread boundary cells
-	std::vector<CellId> inverted; // unstructured cells turned inside out: they can close off a piece, so they seed
+	std::vector<CellId> inverted; // where the grid may be folded: they can close off a piece, so they seed (folds.h)
+	BlockTree inverted_tree;      // over those
+	std::shared_ptr<LazyBlockTree> tree; // over all cells, for treeOf()
 };
 
 // Bounds, boundary index, vantage points and inverted cells, on all cores.
 void finishBlock(Block& block);
+
+// The block tree over all cells, built when it is asked for first (see BlockTree for time and memory). Thread safe;
+// copies of a block share it. finishBlock() has been called.
+const BlockTree& treeOf(const Block& block);
 
 // What a file or several files hold.
 struct BlockSet

@@ -18,6 +18,9 @@ public:
 
 	std::size_t size() const { return count_; }
 	bool isDouble() const { return is_double_; }
+	// The numbers as they are kept, x y z of the first point first; null of the other type.
+	const float* floats() const { return is_double_ ? nullptr : float_.data(); }
+	const double* doubles() const { return is_double_ ? double_.data() : nullptr; }
 	Vec3 operator[](std::size_t i) const
 	{
 		// The branch goes the same way for a whole cut and costs next to nothing beside the cache miss.

@@ -1,5 +1,6 @@
 #include "grid/quality.h"
 
+#include "grid/cell_turn.h"
 #include "grid/measure.h"
 
 #include <tbb/blocked_range.h>
@@ -43,35 +44,6 @@ bool anyAlike(std::span<const PointId> ids, std::span<const Vec3> at)
 	return false;
 }
 
-// The corners whose three edges make a volume: corner, then its neighbours counter-clockwise seen from inside the cell,
-// by the numbering of a cell that is not inverted.
-struct CornerFrame
-{
-	std::array<std::uint8_t, 4> corner;
-};
-
-constexpr CornerFrame kHexahedronCorners[] = {{{0, 1, 3, 4}}, {{1, 2, 0, 5}}, {{2, 3, 1, 6}}, {{3, 0, 2, 7}},
-                                              {{4, 7, 5, 0}}, {{5, 4, 6, 1}}, {{6, 5, 7, 2}}, {{7, 6, 4, 3}}};
-// VTK's first triangle faces outward.
-constexpr CornerFrame kWedgeCorners[] = {{{0, 2, 1, 3}}, {{1, 0, 2, 4}}, {{2, 1, 0, 5}},
-                                         {{3, 4, 5, 0}}, {{4, 5, 3, 1}}, {{5, 3, 4, 2}}};
-constexpr CornerFrame kPyramidCorners[] = {{{0, 1, 3, 4}}, {{1, 2, 0, 4}}, {{2, 3, 1, 4}}, {{3, 0, 2, 4}}};
-
-std::span<const CornerFrame> cornerFrames(CellShape shape)
-{
-	switch (shape)
-	{
-	case CellShape::hexahedron:
-		return kHexahedronCorners;
-	case CellShape::wedge:
-		return kWedgeCorners;
-	case CellShape::pyramid:
-		return kPyramidCorners;
-	default:
-		return {};
-	}
-}
-
 bool isTwisted(CellShape shape, std::span<const Vec3> at, bool positive)
 {
 	// Rounding of a determinant is some 1e-16 of the product of its edges.
@@ -86,19 +58,6 @@ bool isTwisted(CellShape shape, std::span<const Vec3> at, bool positive)
 			return true;
 	}
 	return false;
-}
-
-// Whether each edge is run through once in either direction: only then has a polyhedron's volume a sign.
-bool orientedAlike(const CellFaces& faces)
-{
-	std::vector<std::pair<PointId, PointId>> edges;
-	for (int f = 0; f < faces.size(); ++f)
-		for (std::size_t i = 0; i < faces[f].size(); ++i)
-			edges.emplace_back(faces[f][i], faces[f][(i + 1) % faces[f].size()]);
-	std::ranges::sort(edges);
-	return std::ranges::adjacent_find(edges) == edges.end() &&
-	       std::ranges::all_of(edges, [&](const auto& edge)
-	                           { return std::ranges::binary_search(edges, std::pair(edge.second, edge.first)); });
 }
 
 template <Grid G>

@@ -69,21 +69,26 @@ bool isPolyhedron(std::span<const std::int64_t> stream, std::size_t points)
 
 void checkCoordinates(const grid::Points& points)
 {
-	const std::size_t bad = firstWhere(points.size(),
-	                                   [&](std::size_t p)
-	                                   {
-		                                   const Vec3 at = points[p];
-		                                   return !std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z);
-	                                   });
-	if (bad != kNone)
-		throw Unusable(fmt::format("the coordinates of point {} are not finite numbers", bad));
+	const auto lies_nowhere = [&](std::size_t p)
+	{
+		const Vec3 at = points[p];
+		return !isPlace(at.x) || !isPlace(at.y) || !isPlace(at.z);
+	};
+	if (const std::size_t bad = firstWhere(points.size(), lies_nowhere); bad != kNone)
+	{
+		const Vec3 at = points[bad];
+		const bool finite = std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z);
+		throw Unusable(
+		    fmt::format("the coordinates of point {} are {}", bad, finite ? "larger than 1e50" : "not finite numbers"));
+	}
 }
 
 void checkAxis(const Array<double>& axis)
 {
-	const auto bad = firstWhere(axis.size(), [&](std::size_t i) { return !std::isfinite(axis[i]); });
+	const auto bad = firstWhere(axis.size(), [&](std::size_t i) { return !isPlace(axis[i]); });
 	if (bad != kNone)
-		throw Unusable(fmt::format("coordinate {} of an axis is not a finite number", bad));
+		throw Unusable(fmt::format("coordinate {} of an axis is {}", bad,
+		                           std::isfinite(axis[bad]) ? "larger than 1e50" : "not a finite number"));
 	const auto values = axis.span();
 	if (!std::is_sorted(values.begin(), values.end()) && !std::is_sorted(values.rbegin(), values.rend()))
 		throw Unusable("the coordinates of an axis neither rise nor fall throughout");

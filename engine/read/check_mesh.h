@@ -3,6 +3,7 @@
 #include "grid/points.h"
 #include "grid/unstructured.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace vp::read
@@ -14,6 +15,14 @@ class Unusable : public std::runtime_error
 public:
 	using std::runtime_error::runtime_error;
 };
+
+// Cutting multiplies up to six lengths: areas, volumes, their ratios. Beyond this they might overflow. Written so that
+// NaN is no place either.
+constexpr double kMaxCoordinate = 1e50;
+inline bool isPlace(double coordinate)
+{
+	return std::abs(coordinate) <= kMaxCoordinate;
+}
 
 // Throw Unusable. The arrays' sizes are what they say; their contents are not trusted.
 void checkCoordinates(const grid::Points& points);

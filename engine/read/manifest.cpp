@@ -201,8 +201,9 @@ private:
 			const Vec3 origin = vectorOf(block.at("origin"));
 			const Vec3 spacing = vectorOf(block.at("spacing"));
 			for (int axis = 0; axis < 3; ++axis)
-				if (spacing[axis] == 0.0 || !std::isfinite(origin[axis] + spacing[axis] * lattice[axis]))
-					throw Unusable("the spacing of an image is zero or too large");
+				if (spacing[axis] == 0.0 || !isPlace(origin[axis]) ||
+				    !isPlace(origin[axis] + spacing[axis] * lattice[axis]))
+					throw Unusable("the spacing of an image is zero or too large, or its origin is");
 			checked.mesh = grid::UniformGrid(lattice, origin, spacing);
 		}
 		else if (kind == "rectilinear")

@@ -3,9 +3,9 @@
 #include "base/log.h"
 #include "base/timeline.h"
 #include "grid/demo.h"
+#include "read/build_block.h"
 #include "read/child.h"
 #include "read/input_limits.h"
-#include "read/manifest.h"
 #include "read/protocol.h"
 
 #include <fmt/format.h>
@@ -23,24 +23,6 @@ namespace
 {
 
 constexpr std::string_view kDemoPrefix = "demo:";
-
-grid::Block buildBlock(CheckedBlock&& checked, std::string name)
-{
-	grid::Block block;
-	block.name = std::move(name);
-	block.fields = std::move(checked.fields);
-	std::visit(
-	    [&](auto&& mesh)
-	    {
-		    if constexpr (std::is_same_v<std::decay_t<decltype(mesh)>, CellMesh>)
-			    block.grid = grid::UnstructuredGrid::build(mesh.points, mesh.cells);
-		    else
-			    block.grid = std::move(mesh);
-	    },
-	    std::move(checked.mesh));
-	finishBlock(block);
-	return block;
-}
 
 Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& options, Timeline* timeline)
 {

@@ -61,6 +61,8 @@ struct CameraChoice
 	Vec3 direction{0.0};
 	Vec3 up{0.0};
 	Camera camera;
+
+	bool followsSheet() const { return kind == Kind::sheet; }
 };
 
 // `auto`, `x|-x|y|-y|z|-z` (seen from there), `iso`, `sheet`, `AZ,EL` in degrees (azimuth from x towards y, elevation

@@ -2,6 +2,7 @@
 
 #include "grid/boundary.h"
 #include "grid/grid.h"
+#include "seed/sheet_window.h"
 #include "surface/plane.h"
 
 #include <cstddef>
@@ -25,11 +26,21 @@ inline Vec3 nearestOnSegment(const Vec3& from, const Vec3& to, const Vec3& p)
 	return from + t * along;
 }
 
+template <grid::Grid G>
+Box boxOf(const G& grid, std::span<const PointId> points)
+{
+	Box box;
+	for (const PointId p : points)
+		box.include(grid.point(p));
+	return box;
+}
+
 // Calls visit_cut(CutFace) for every boundary face with vertices on both sides: its cell is cut. Calls visit_flat(Face)
-// for every one that lies in the plane whole. Returns the boxes and faces asked.
+// for every one that lies in the plane whole. With a window (or null) only those that may reach into it. Returns the
+// boxes and faces asked.
 template <grid::Grid G, class VisitCut, class VisitFlat>
 std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary, const surface::Plane& plane,
-                             VisitCut&& visit_cut, VisitFlat&& visit_flat)
+                             const SheetWindow* window, VisitCut&& visit_cut, VisitFlat&& visit_flat)
 {
 	std::size_t face_tests = 0;
 	grid::CellFaces faces;
@@ -53,12 +64,13 @@ std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary,
 			previous = corner;
 			previous_distance = distance;
 		}
-		if (found == 2)
+		if (found == 2 && (!window || window->meetsFace(grid, plane, points)))
 			visit_cut(CutFace{face.cell, ends[0], ends[1]});
-		else if (flat)
+		else if (flat && (!window || window->meets(boxOf(grid, points))))
 			visit_flat(face);
 	};
-	const std::size_t box_tests = boundary.visitWhere([&](const Box& box) { return plane.meets(box); }, test);
+	const std::size_t box_tests =
+	    boundary.visitWhere([&](const Box& box) { return plane.meets(box) && (!window || window->meets(box)); }, test);
 	return box_tests + face_tests;
 }
 

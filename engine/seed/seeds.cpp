@@ -2,6 +2,7 @@
 
 #include "locate/find_cell.h"
 #include "seed/boundary_cut.h"
+#include "seed/cut_cells.h"
 
 #include <limits>
 #include <tuple>
@@ -15,18 +16,6 @@ namespace
 // A hot spot on a face or a vertex may be found in the cell whose vertices all count as positive. The cut cell is near:
 // looked for across faces, ring by ring, among this many cells (two rings of hexahedra and their corners).
 constexpr std::size_t kNearbyCells = 64;
-
-template <grid::Grid G>
-bool isCut(const G& grid, const surface::Plane& plane, CellId cell)
-{
-	grid::CellFaces faces;
-	grid.cellFaces(cell, faces);
-	bool positive = false;
-	bool negative = false;
-	for (const PointId p : faces.points)
-		(plane.signedDistance(grid.point(p)) >= 0.0 ? positive : negative) = true;
-	return positive && negative;
-}
 
 template <grid::Grid G>
 CellId nearestCutCell(const G& grid, const surface::Plane& plane, CellId start)
@@ -82,13 +71,12 @@ bool isShownAcrossSeam(const grid::BlockSet& blocks, const surface::Plane& plane
 }
 
 // The seed at the hot spot, in the first block that holds it.
-void seedHotSpot(const grid::BlockSet& blocks, const probe::Sheet& sheet, const surface::Plane& plane,
-                 SheetSeeds& seeds)
+void seedHotSpot(const grid::BlockSet& blocks, const Vec3& hot_spot, const surface::Plane& plane, SheetSeeds& seeds)
 {
 	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
 	{
 		const grid::Block& block = blocks.blocks[b];
-		const locate::Located located = locate::findCell(block, kNoCell, sheet.origin);
+		const locate::Located located = locate::findCell(block, kNoCell, hot_spot);
 		seeds.hops += located.hops;
 		seeds.boundary_tests += located.boundary_tests;
 		if (!located.found())
@@ -111,8 +99,10 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 	seeds.cells.resize(blocks.blocks.size());
 	seeds.faces_in_plane.resize(blocks.blocks.size());
 	const surface::Plane plane = sheet.plane();
+	const std::optional<SheetWindow> window = sheet.window ? std::optional<SheetWindow>(sheet) : std::nullopt;
+	const Vec3 hot_spot = window ? window->hotSpot() : sheet.origin;
 	if (options.mode != SeedMode::boundary)
-		seedHotSpot(blocks, sheet, plane, seeds);
+		seedHotSpot(blocks, hot_spot, plane, seeds);
 
 	const bool seeds_boundary = options.mode != SeedMode::hotspot;
 	const bool moves_hot_spot =
@@ -129,15 +119,15 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 		    [&](const auto& grid)
 		    {
 			    seeds.boundary_tests += visitBoundaryCut(
-			        grid, block.boundary, plane,
+			        grid, block.boundary, plane, window ? &*window : nullptr,
 			        [&](const CutFace& face)
 			        {
 				        if (seeds_boundary && (seeds.cells[b].empty() || seeds.cells[b].back() != face.cell))
 					        seeds.cells[b].push_back(face.cell);
 				        if (!moves_hot_spot)
 					        return;
-				        const Vec3 point = nearestOnSegment(face.from, face.to, sheet.origin);
-				        const double distance = glm::length(point - sheet.origin);
+				        const Vec3 point = nearestOnSegment(face.from, face.to, hot_spot);
+				        const double distance = glm::length(point - hot_spot);
 				        if (distance < nearest)
 				        {
 					        nearest = distance;
@@ -153,9 +143,8 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 					        seeds.faces_in_plane[b].push_back(face);
 			        });
 			    if (seeds_boundary)
-				    for (const CellId cell : block.inverted)
-					    if (isCut(grid, plane, cell))
-						    seeds.cells[b].push_back(cell);
+				    visitCutCells(grid, block.inverted_tree, plane,
+				                  [&](CellId cell) { seeds.cells[b].push_back(cell); });
 		    },
 		    block.grid);
 	}

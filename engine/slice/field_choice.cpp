@@ -101,6 +101,14 @@ const grid::Field* FieldChoice::in(const grid::Block& block) const
 	return findField(block, name, association);
 }
 
+std::vector<const grid::Field*> FieldChoice::inEach(const grid::BlockSet& blocks) const
+{
+	std::vector<const grid::Field*> fields;
+	for (const grid::Block& block : blocks.blocks)
+		fields.push_back(in(block));
+	return fields;
+}
+
 std::string FieldChoice::title(const grid::BlockSet& blocks) const
 {
 	const grid::Field* field = findField(blocks, name, association);

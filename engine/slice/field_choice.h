@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vp::slice
 {
@@ -17,6 +18,8 @@ struct FieldChoice
 	int component = 0; // or grid::kMagnitude
 
 	const grid::Field* in(const grid::Block& block) const; // null where the block lacks it
+	std::vector<const grid::Field*> inEach(const grid::BlockSet& blocks) const;
+	bool operator==(const FieldChoice&) const = default;
 	std::string title(const grid::BlockSet& blocks) const; // "v magnitude", "v y", "s"
 };
 

@@ -81,24 +81,36 @@ std::size_t GpuBlocks::bytes() const
 		if (block)
 			sum += block->points.buffer.size() + block->cells.buffer.size();
 	const std::lock_guard lock(mutex_);
-	if (field_)
-		for (const GpuValues& values : field_->blocks)
+	for (const auto& field : fields_)
+		for (const GpuValues& values : field->blocks)
 			sum += values.texels.buffer.size();
 	return sum;
 }
 
-Result<std::shared_ptr<const GpuField>> GpuBlocks::field(const std::optional<FieldChoice>& choice)
+Result<GpuBlocks::Fields> GpuBlocks::fields(std::span<const std::optional<FieldChoice>> choices)
 {
 	const std::lock_guard lock(mutex_);
-	const auto same = [](const std::optional<FieldChoice>& a, const std::optional<FieldChoice>& b)
+	// What is not asked for goes first, unless a slice still uses it: both may not fit.
+	std::erase_if(fields_,
+	              [&](const auto& field) { return std::ranges::find(choices, field->choice) == choices.end(); });
+	Fields asked;
+	for (const std::optional<FieldChoice>& choice : choices)
 	{
-		return a.has_value() == b.has_value() &&
-		       (!a || (a->name == b->name && a->association == b->association && a->component == b->component));
-	};
-	if (field_ && same(field_->choice, choice))
-		return field_;
-	// The old one goes first, unless a slice still uses it: both may not fit.
-	field_.reset();
+		auto known = std::ranges::find(fields_, choice, [](const auto& field) { return field->choice; });
+		if (known == fields_.end())
+		{
+			Result<std::shared_ptr<const GpuField>> uploaded = uploadField(choice);
+			if (!uploaded)
+				return uploaded.error();
+			known = fields_.insert(fields_.end(), std::move(*uploaded));
+		}
+		asked.push_back(*known);
+	}
+	return asked;
+}
+
+Result<std::shared_ptr<const GpuField>> GpuBlocks::uploadField(const std::optional<FieldChoice>& choice)
+{
 	auto made = std::make_shared<GpuField>();
 	made->choice = choice;
 	made->blocks.resize(blocks_.size());
@@ -116,8 +128,7 @@ Result<std::shared_ptr<const GpuField>> GpuBlocks::field(const std::optional<Fie
 		if (Status done = makePipeline({blocks_[b]->cells_kind, blocks_[b]->points_kind, made->blocks[b].kind}); !done)
 			return done.error();
 	}
-	field_ = made;
-	return field_;
+	return std::shared_ptr<const GpuField>(std::move(made));
 }
 
 const gpu::Pipeline& GpuBlocks::pipeline(const GpuBlock& block, const GpuValues& values) const

@@ -56,8 +56,9 @@ public:
 	std::size_t bytes() const;                                       // of device memory, record pages included
 
 	// The values of an array, and the pipelines for them, each run once since a driver may compile a shader on its
-	// first use. The last array asked for is kept.
-	Result<std::shared_ptr<const GpuField>> field(const std::optional<FieldChoice>& choice);
+	// first use. The arrays asked for last are kept.
+	using Fields = std::vector<std::shared_ptr<const GpuField>>;
+	Result<Fields> fields(std::span<const std::optional<FieldChoice>> choices);
 	const std::shared_ptr<RecordPool>& recordPool() const { return records_; }
 
 	// For the classifier.
@@ -76,6 +77,7 @@ private:
 	GpuBlocks(gpu::Device& device, const grid::BlockSet& set, const GpuBlocksOptions& options);
 
 	Status uploadBlocks();
+	Result<std::shared_ptr<const GpuField>> uploadField(const std::optional<FieldChoice>& choice);
 	Status makePipeline(const Kinds& kinds);
 	Status warmUp(const gpu::Pipeline& pipeline, const Kinds& kinds);
 
@@ -91,7 +93,7 @@ private:
 
 	mutable std::mutex mutex_; // of what follows
 	std::map<Kinds, gpu::Pipeline> pipelines_;
-	std::shared_ptr<const GpuField> field_;
+	Fields fields_;
 	std::vector<std::unique_ptr<ClassifyWorkspace>> workspaces_;
 };
 

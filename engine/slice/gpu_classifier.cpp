@@ -32,15 +32,14 @@ GpuClassifier::GpuClassifier(GpuBlocks& blocks, std::vector<GpuLane> lanes, Time
 }
 
 Result<std::unique_ptr<GpuClassifier>> GpuClassifier::create(GpuBlocks& blocks, std::span<const probe::Sheet> sheets,
-                                                             std::vector<GpuLane> lanes,
-                                                             const std::optional<FieldChoice>& field,
-                                                             Timeline* timeline)
+                                                             std::span<const std::optional<FieldChoice>> fields,
+                                                             std::vector<GpuLane> lanes, Timeline* timeline)
 {
 	std::unique_ptr<GpuClassifier> made(new GpuClassifier(blocks, std::move(lanes), timeline));
-	Result<std::shared_ptr<const GpuField>> values = blocks.field(field);
+	Result<GpuBlocks::Fields> values = blocks.fields(fields);
 	if (!values)
 		return values.error();
-	made->field_ = std::move(*values);
+	made->fields_ = std::move(*values);
 	if (Status prepared = made->prepare(sheets); !prepared)
 		return prepared.error();
 	return made;
@@ -63,7 +62,7 @@ Status GpuClassifier::prepare(std::span<const probe::Sheet> sheets)
 	}
 	for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet)
 		records_.push_back(std::make_shared<SheetRecords>(blocks_.recordPool()));
-	if (blocks_.heldCount() == 0)
+	if (blocks_.heldCount() == 0 || sheets.empty())
 		return Nothing{};
 
 	workspace_ = blocks_.borrowWorkspace();
@@ -72,7 +71,8 @@ Status GpuClassifier::prepare(std::span<const probe::Sheet> sheets)
 	while (!blocks_.holds(held))
 		++held;
 	// The descriptor sets of all the pipelines are alike.
-	if (Status done = workspace_->prepare(device, blocks_.pipeline(blocks_.block(held), field_->blocks[held])); !done)
+	if (Status done = workspace_->prepare(device, blocks_.pipeline(blocks_.block(held), fields_.front()->blocks[held]));
+	    !done)
 		return done;
 	if (Status done = workspace_->reserveLanes(device, lanes_.size() * lane_stride_); !done)
 		return done;
@@ -88,8 +88,9 @@ Status GpuClassifier::prepare(std::span<const probe::Sheet> sheets)
 			continue;
 		const grid::Block& block = blocks_.blocks().blocks[lane.block];
 		const std::size_t texels = axisTexels(block.grid);
+		const GpuField& field = *fields_[lane.sheet];
 		const shared::ClassifyLane described =
-		    describeLane(block, blocks_.block(lane.block), field_->blocks[lane.block], field_->choice.has_value(),
+		    describeLane(block, blocks_.block(lane.block), field.blocks[lane.block], field.choice.has_value(),
 		                 blocks_.usesDoubles(), sheets[lane.sheet], axis_start, axes.subspan(axis_start, texels));
 		std::memcpy(workspace_->lanes.mappedAs<std::byte>() + l * lane_stride_, &described, sizeof(described));
 		axis_start += texels;
@@ -206,7 +207,7 @@ void GpuClassifier::recordRun(VkCommandBuffer commands, const Run& run, VkDescri
 {
 	const GpuLane& lane = lanes_[run.front->lane];
 	const GpuBlock& block = blocks_.block(lane.block);
-	const GpuValues& values = field_->blocks[lane.block];
+	const GpuValues& values = fields_[lane.sheet]->blocks[lane.block];
 	const auto orCases = [&](const GpuTexels& texels) { return texels ? texels.view.handle() : blocks_.caseTexels(); };
 
 	// Descriptors cover what the run touches and no more, so runs of a generation need no barrier between them.

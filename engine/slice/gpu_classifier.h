@@ -37,10 +37,11 @@ struct GpuLane
 class GpuClassifier
 {
 public:
-	// `lanes` in the order in which they are traversed. Sections "classify" go to the timeline, which may be null.
+	// `fields` one a sheet, `lanes` in the order in which they are traversed. Sections "classify" go to the timeline,
+	// which may be null.
 	static Result<std::unique_ptr<GpuClassifier>> create(GpuBlocks& blocks, std::span<const probe::Sheet> sheets,
-	                                                     std::vector<GpuLane> lanes,
-	                                                     const std::optional<FieldChoice>& field, Timeline* timeline);
+	                                                     std::span<const std::optional<FieldChoice>> fields,
+	                                                     std::vector<GpuLane> lanes, Timeline* timeline);
 	~GpuClassifier();
 	GpuClassifier(const GpuClassifier&) = delete;
 	GpuClassifier& operator=(const GpuClassifier&) = delete;
@@ -75,7 +76,7 @@ private:
 	std::vector<GpuLane> lanes_;
 	std::vector<traverse::Lane<surface::Plane>> cpu_lanes_; // the same lanes, for blocks the device does not hold
 	Timeline* timeline_;
-	std::shared_ptr<const GpuField> field_;
+	GpuBlocks::Fields fields_; // per sheet
 	std::unique_ptr<ClassifyWorkspace> workspace_;
 	std::vector<std::shared_ptr<SheetRecords>> records_; // per sheet
 	std::vector<std::uint32_t> lane_cells_;              // per lane: cells classified so far

@@ -23,14 +23,14 @@ std::vector<shared::PolygonRecord> recordsFromMesh(const grid::BlockSet& blocks,
 {
 	const bool on_points = field && field->association == grid::Association::point;
 	const float no_array = field ? shared::kNanValue : 0.0f;
-	std::vector<float> vertex_values(mesh.edges.size(), no_array);
+	std::vector<float> vertex_values;
 	if (on_points)
-		for (std::size_t v = 0; v < mesh.edges.size(); ++v)
-		{
-			const grid::Block& block = blocks.blocks[mesh.edges[v].block];
-			if (const grid::Field* values = field->in(block))
-				vertex_values[v] = drawnValue(interpolate(block, *values, field->component, mesh.edges[v]));
-		}
+	{
+		vertex_values.reserve(mesh.positions.size());
+		const std::vector<const grid::Field*> fields = field->inEach(blocks);
+		for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+			vertex_values.push_back(drawnValue(vertexValue(blocks, mesh, v, fields, field->component)));
+	}
 
 	const Vec3 x_axis = sheet.xAxis();
 	std::vector<shared::PolygonRecord> records;

@@ -5,6 +5,7 @@
 #include "slice/key_numbers.h"
 
 #include <cmath>
+#include <limits>
 
 namespace vp::slice
 {
@@ -94,8 +95,7 @@ private:
 	KeyNumbers vertices_;
 };
 
-// Drops repeated vertices and polygons without area, turns the rest to face along the normal, and drops vertices no
-// polygon uses.
+// Drops repeated vertices and polygons without area, and turns the rest to face along the normal.
 void tidyPolygons(SheetMesh& mesh, const Vec3& normal)
 {
 	std::vector<std::uint32_t> starts{0};
@@ -134,21 +134,39 @@ void tidyPolygons(SheetMesh& mesh, const Vec3& normal)
 	mesh.polygon_cells.resize(polygons);
 	mesh.polygon_starts = std::move(starts);
 	mesh.polygon_vertices = std::move(kept);
+}
 
+} // namespace
+
+void dropUnusedVertices(SheetMesh& mesh)
+{
 	constexpr std::uint32_t kUnused = 0xFFFFFFFFu;
 	std::vector<std::uint32_t> number(mesh.positions.size(), kUnused);
 	for (const std::uint32_t v : mesh.polygon_vertices)
 		number[v] = 0;
 	std::uint32_t used = 0;
+	std::uint32_t used_edges = 0;
+	std::vector<std::uint32_t> rim_starts{0};
+	std::vector<PointShare> rim_shares;
 	for (std::size_t v = 0; v < number.size(); ++v)
-		if (number[v] != kUnused)
+	{
+		if (number[v] == kUnused)
+			continue;
+		mesh.positions[used] = mesh.positions[v];
+		if (v < mesh.edges.size())
+			mesh.edges[used_edges++] = mesh.edges[v];
+		else
 		{
-			mesh.positions[used] = mesh.positions[v];
-			mesh.edges[used] = mesh.edges[v];
-			number[v] = used++;
+			const auto shares = mesh.rimShares(v);
+			rim_shares.insert(rim_shares.end(), shares.begin(), shares.end());
+			rim_starts.push_back(static_cast<std::uint32_t>(rim_shares.size()));
 		}
+		number[v] = used++;
+	}
 	mesh.positions.resize(used);
-	mesh.edges.resize(used);
+	mesh.edges.resize(used_edges);
+	mesh.rim_starts = std::move(rim_starts);
+	mesh.rim_shares = std::move(rim_shares);
 	for (std::uint32_t& v : mesh.polygon_vertices)
 		v = number[v];
 	std::erase_if(mesh.seam_pairs,
@@ -159,8 +177,6 @@ void tidyPolygons(SheetMesh& mesh, const Vec3& normal)
 		w = number[w];
 	}
 }
-
-} // namespace
 
 SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const BlockCut> cuts)
 {
@@ -187,6 +203,7 @@ SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std
 	            { BlockMesh(grid, plane, cut, cut.faces_in_plane.size(), mesh).addFacesInPlane(); });
 	joinVertices(blocks, mesh);
 	tidyPolygons(mesh, sheet.normal);
+	dropUnusedVertices(mesh);
 	return mesh;
 }
 
@@ -226,6 +243,37 @@ double interpolate(const grid::Block& block, const grid::Field& field, int compo
 		                  const double b = field.value(sources.second, c);
 		                  return at.t == 1.0 ? b : a + at.t * (b - a);
 	                  });
+}
+
+double vertexValue(const grid::BlockSet& blocks, const SheetMesh& mesh, std::size_t vertex,
+                   std::span<const grid::Field* const> fields, int component)
+{
+	constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+	if (vertex < mesh.edges.size())
+	{
+		const EdgePoint& edge = mesh.edges[vertex];
+		const grid::Field* field = fields[edge.block];
+		const bool known = field && component < field->components;
+		return known ? interpolate(blocks.blocks[edge.block], *field, component, edge) : kNan;
+	}
+	int components = 1;
+	const auto componentAt = [&](int c)
+	{
+		double sum = 0.0;
+		for (const PointShare& share : mesh.rimShares(vertex))
+		{
+			const grid::Field* field = fields[share.block];
+			if (!field || c >= field->components)
+				return kNan;
+			components = field->components;
+			const auto source = std::visit([&](const auto& grid) { return std::size_t(grid.sourcePoint(share.point)); },
+			                               blocks.blocks[share.block].grid);
+			sum += share.weight * field->value(source, c);
+		}
+		return sum;
+	};
+	const double first = componentAt(std::max(component, 0));
+	return component != grid::kMagnitude || std::isnan(first) ? first : shownValue(components, component, componentAt);
 }
 
 double cellValue(const grid::Block& block, const grid::Field& field, int component, CellId cell)

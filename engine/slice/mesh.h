@@ -25,6 +25,14 @@ struct EdgePoint
 	double t;
 };
 
+// A grid point's part in a vertex on the rim of a window.
+struct PointShare
+{
+	std::uint32_t block;
+	PointId point;
+	double weight; // the weights of a vertex sum up to 1
+};
+
 struct BlockCell
 {
 	std::uint32_t block;
@@ -37,7 +45,10 @@ struct BlockCell
 struct SheetMesh
 {
 	std::vector<Vec3> positions;
-	std::vector<EdgePoint> edges;              // per vertex
+	std::vector<EdgePoint> edges; // per vertex that lies on a cell edge; they come first
+	std::vector<std::uint32_t> rim_starts{
+	    0};                             // per vertex after them, on a window's rim, and 1: offsets into rim_shares
+	std::vector<PointShare> rim_shares; // what the vertex is the weighted mean of
 	std::vector<std::uint32_t> polygon_starts; // polygons + 1 offsets into polygon_vertices
 	std::vector<std::uint32_t> polygon_vertices;
 	std::vector<BlockCell> polygon_cells; // per polygon
@@ -46,6 +57,11 @@ struct SheetMesh
 	std::vector<std::pair<std::uint32_t, std::uint32_t>> seam_pairs;
 	std::size_t cells_twisted = 0; // cut cells with a face that is cut more than once, or with several polygons
 
+	std::span<const PointShare> rimShares(std::size_t vertex) const
+	{
+		const std::size_t rim = vertex - edges.size();
+		return std::span(rim_shares).subspan(rim_starts[rim], rim_starts[rim + 1] - rim_starts[rim]);
+	}
 	std::size_t polygons() const { return polygon_cells.size(); }
 	std::span<const std::uint32_t> polygon(std::size_t i) const
 	{
@@ -61,11 +77,20 @@ struct BlockCut
 	std::span<const grid::BoundaryIndex::Face> faces_in_plane;
 };
 
+// Of the whole plane: clipToWindow (clip.h) leaves the part in a window.
 SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const BlockCut> cuts);
+
+// Drops the vertices that no polygon uses.
+void dropUnusedVertices(SheetMesh& mesh);
 
 // The value of a point field at a vertex: linear along the edge, from the lower point. component may be
 // grid::kMagnitude: the length of the interpolated tuple.
 double interpolate(const grid::Block& block, const grid::Field& field, int component, const EdgePoint& at);
+
+// The same for any vertex of a mesh. fields: per block, null where a block lacks it; NaN then.
+double vertexValue(const grid::BlockSet& blocks, const SheetMesh& mesh, std::size_t vertex,
+                   std::span<const grid::Field* const> fields, int component);
+
 double cellValue(const grid::Block& block, const grid::Field& field, int component, CellId cell);
 
 } // namespace vp::slice

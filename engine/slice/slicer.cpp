@@ -26,7 +26,11 @@ std::vector<BlockCut> blockCuts(std::span<const traverse::LaneCut> cuts, const s
 
 SheetMesh Slice::mesh(const grid::BlockSet& blocks, std::size_t sheet) const
 {
-	return buildMesh(blocks, sheets[sheet].sheet, blockCuts(sheets[sheet].cuts, sheets[sheet].seeds));
+	const SheetSlice& cut = sheets[sheet];
+	SheetMesh mesh = buildMesh(blocks, cut.sheet, blockCuts(cut.cuts, cut.seeds));
+	if (cut.sheet.window)
+		clipToWindow(cut.sheet, cut.corners, mesh);
+	return mesh;
 }
 
 SliceTicket::SliceTicket(std::stop_source stop, std::future<Result<Slice>> result)
@@ -66,7 +70,7 @@ Result<std::unique_ptr<Slicer>> Slicer::onDevice(gpu::Device& device, const grid
 	Result<std::unique_ptr<GpuBlocks>> uploaded = GpuBlocks::create(device, blocks);
 	if (!uploaded)
 		return uploaded.error();
-	if (Result<std::shared_ptr<const GpuField>> values = (*uploaded)->field(field); !values)
+	if (Result<GpuBlocks::Fields> values = (*uploaded)->fields({&field, 1}); !values)
 		return values.error();
 	auto slicer = std::make_unique<Slicer>(blocks);
 	slicer->gpu_ = std::move(*uploaded);
@@ -98,9 +102,13 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	Slice slice;
 	{
 		const TimedSection section(request.timeline, "seed");
-		for (const probe::Sheet& sheet : request.probe.sheets)
+		for (const probe::Sheet& shown : probe::placed(request.probe).sheets)
 		{
-			slice.sheets.push_back({sheet, seed::findSeeds(blocks_, sheet, request.seeds), {}, nullptr});
+			const probe::Sheet sheet = probe::content(shown);
+			const std::optional<FieldChoice>& field =
+			    request.sheet_fields.empty() ? request.field : request.sheet_fields[slice.sheets.size()];
+			slice.sheets.push_back(
+			    {shown, sheet, request.corners, field, seed::findSeeds(blocks_, sheet, request.seeds), {}, nullptr});
 			for (std::size_t b = 0; b < admits.size(); ++b)
 				if (admits[b])
 					std::erase_if(slice.sheets.back().seeds.faces_in_plane[b],
@@ -118,7 +126,8 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 		{
 			loans.push_back(visited_[b]->borrow());
 			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), loans.back().get(), sheet.seeds.cells[b],
-			                 blocks_.interfaces.of(b), sheet_lane, admits[b]});
+			                 blocks_.interfaces.of(b), sheet_lane, admits[b],
+			                 sheet.sheet.window ? std::optional<seed::SheetWindow>(sheet.sheet) : std::nullopt});
 		}
 	}
 
@@ -129,7 +138,7 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	for (std::size_t lane = 0; lane < cuts->size(); ++lane)
 		slice.sheets[lane / blocks_.blocks.size()].cuts.push_back(std::move((*cuts)[lane]));
 	if (gpu_)
-		if (Status added = addHostRecords(request, slice); !added)
+		if (Status added = addHostRecords(request.timeline, slice); !added)
 			return added.error();
 	return slice;
 }
@@ -146,12 +155,19 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest&
                                                              Slice& slice, std::stop_token stop)
 {
 	const TimedSection section(request.timeline, "traverse");
+	std::vector<probe::Sheet> sheets;
+	std::vector<std::optional<FieldChoice>> fields;
+	for (const SheetSlice& sheet : slice.sheets)
+	{
+		sheets.push_back(sheet.sheet);
+		fields.push_back(sheet.field);
+	}
 	std::vector<GpuLane> gpu_lanes;
 	for (std::uint32_t s = 0; s < slice.sheets.size(); ++s)
 		for (std::uint32_t b = 0; b < blocks_.blocks.size(); ++b)
 			gpu_lanes.push_back({s, b});
 	Result<std::unique_ptr<GpuClassifier>> classifier =
-	    GpuClassifier::create(*gpu_, request.probe.sheets, std::move(gpu_lanes), request.field, request.timeline);
+	    GpuClassifier::create(*gpu_, sheets, fields, std::move(gpu_lanes), request.timeline);
 	if (!classifier)
 		return classifier.error();
 	auto cuts = traverse::breadthFirst<surface::Plane>(lanes, **classifier, stop);
@@ -163,9 +179,9 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest&
 }
 
 // What the device did not emit: cells that were walked, blocks that it does not hold, boundary faces in the plane.
-Status Slicer::addHostRecords(const SliceRequest& request, Slice& slice) const
+Status Slicer::addHostRecords(Timeline* timeline, Slice& slice) const
 {
-	const TimedSection section(request.timeline, "emit");
+	const TimedSection section(timeline, "emit");
 	for (SheetSlice& sheet : slice.sheets)
 	{
 		std::vector<traverse::LaneCut> left;
@@ -174,7 +190,7 @@ Status Slicer::addHostRecords(const SliceRequest& request, Slice& slice) const
 		const SheetMesh mesh = buildMesh(blocks_, sheet.sheet, blockCuts(left, sheet.seeds));
 		if (mesh.polygons() == 0)
 			continue;
-		const auto records = recordsFromMesh(blocks_, sheet.sheet, mesh, request.field);
+		const auto records = recordsFromMesh(blocks_, sheet.sheet, mesh, sheet.field);
 		if (Status added = sheet.records->appendHostRecords(records); !added)
 			return added;
 	}

@@ -47,12 +47,11 @@ SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const 
 	std::vector<double> vertex_values;
 	if (on_points)
 	{
-		vertex_values.reserve(mesh.edges.size());
-		for (const EdgePoint& edge : mesh.edges)
+		vertex_values.reserve(mesh.positions.size());
+		const std::vector<const grid::Field*> fields = field->inEach(blocks);
+		for (std::size_t v = 0; v < mesh.positions.size(); ++v)
 		{
-			const grid::Block& block = blocks.blocks[edge.block];
-			const grid::Field* values = field->in(block);
-			vertex_values.push_back(values ? interpolate(block, *values, field->component, edge) : kNan);
+			vertex_values.push_back(vertexValue(blocks, mesh, v, fields, field->component));
 			sums.addValue(vertex_values.back());
 		}
 	}

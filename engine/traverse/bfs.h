@@ -3,6 +3,7 @@
 #include "base/ids.h"
 #include "base/result.h"
 #include "grid/block.h"
+#include "seed/sheet_window.h"
 #include "shared/slice_types.h"
 #include "traverse/cell_signs.h"
 #include "traverse/visited.h"
@@ -10,6 +11,7 @@
 #include <bit>
 #include <concepts>
 #include <functional>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -32,6 +34,8 @@ struct Lane
 	std::size_t sheet_lane = 0;
 	// Cells that it turns down end the traversal: they are not queued. Empty: every cell may come.
 	std::function<bool(CellId)> admits = {};
+	// Where the sheet has one: cells whose section lies outside do not count as cut, edges outside lead nowhere.
+	std::optional<seed::SheetWindow> window = {};
 
 	// Whether the cell is to be queued: it may come, and has not been queued yet.
 	bool enters(CellId cell) const { return visited->mark(cell) && (!admits || admits(cell)); }
@@ -106,26 +110,38 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 					cuts[lane.sheet_lane + link.block].cells.push_back(link.other);
 		}
 	};
+	const auto crossFace = [&](CellId cell, int f, const grid::CellFaces& faces)
+	{
+		if (!lane.window || lane.window->meetsFace(grid, lane.surface, faces[f]))
+			cross(cell, f);
+	};
 	grid::CellFaces faces;
 	for (std::size_t i = begin; i < end; ++i)
 	{
 		const CellId cell = cut.cells[i];
-		if (cut.words[i] & shared::kWordWalk)
-		{
+		const bool walked = cut.words[i] & shared::kWordWalk;
+		if (walked)
 			cut.words[i] = classifyByWalk(grid, lane.surface, cell, faces);
-			if (!(cut.words[i] & shared::kWordCut))
-				continue;
-			++cut.cut_cells;
-			for (int f = 0; f < faces.size(); ++f)
-				if (isFaceCut(grid, lane.surface, faces[f]))
-					cross(cell, f);
-			continue;
-		}
 		if (!(cut.words[i] & shared::kWordCut))
 			continue;
+		if (lane.window && !walked)
+			grid.cellFaces(cell, faces);
+		// Later generations are entered across an edge in the window.
+		if (lane.window && begin == 0 && !lane.window->meetsCell(grid, lane.surface, faces))
+		{
+			cut.words[i] &= 0xFFu | shared::kWordWalk;
+			continue;
+		}
 		++cut.cut_cells;
+		if (walked)
+		{
+			for (int f = 0; f < faces.size(); ++f)
+				if (isFaceCut(grid, lane.surface, faces[f]))
+					crossFace(cell, f, faces);
+			continue;
+		}
 		for (std::uint32_t bits = (cut.words[i] >> shared::kWordFacesShift) & 0xFFu; bits; bits &= bits - 1)
-			cross(cell, std::countr_zero(bits));
+			crossFace(cell, std::countr_zero(bits), faces);
 	}
 }
 

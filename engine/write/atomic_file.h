@@ -21,6 +21,10 @@ public:
 	void write(std::string_view bytes); // a failure is kept for commit(); what follows it is ignored
 	Status commit();
 
+	// Where the bytes go until then, for a program that writes them in our place; empty for a target written to
+	// directly.
+	const std::string& beside() const { return beside_; }
+
 private:
 	AtomicFile() = default;
 	void discard();

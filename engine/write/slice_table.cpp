@@ -81,14 +81,9 @@ Column vertexColumn(const grid::BlockSet& blocks, std::span<const slice::SheetMe
 	column.bytes.resize(vertices * source.components * grid::byteSize(column.type));
 	std::byte* at = column.bytes.data();
 	for (const slice::SheetMesh& mesh : meshes)
-		for (const slice::EdgePoint& edge : mesh.edges)
-		{
-			const grid::Field* field = source.per_block[edge.block];
-			const int known = field ? field->components : 0;
+		for (std::size_t v = 0; v < mesh.positions.size(); ++v)
 			for (int c = 0; c < source.components; ++c)
-				at = put(at, column.type,
-				         c < known ? slice::interpolate(blocks.blocks[edge.block], *field, c, edge) : kNan);
-		}
+				at = put(at, column.type, slice::vertexValue(blocks, mesh, v, source.per_block, c));
 	return column;
 }
 

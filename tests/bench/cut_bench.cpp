@@ -5,6 +5,8 @@
 
 #include "gpu/device.h"
 #include "grid/demo.h"
+#include "probe/path.h"
+#include "probe/presets.h"
 #include "slice/slicer.h"
 
 #include <benchmark/benchmark.h>
@@ -18,28 +20,19 @@
 #include <vtkPolyData.h>
 #include <vtkStructuredGrid.h>
 
-#include <cmath>
 #include <map>
-#include <numbers>
 
 using namespace vp;
 
 namespace
 {
 
-constexpr int kPlanes = 60;
-
-// Plane k of the sweep: the normal turns by 60 degrees about z while the origin moves over the middle 60 % of the
-// bounds.
-probe::Sheet sweepSheet(const Box& bounds, int k)
+// The planes that `vprobe profile` sweeps through.
+std::vector<probe::Frame> sweepOf(const Box& bounds)
 {
-	const double t = static_cast<double>(k) / (kPlanes - 1);
-	const double angle = (t - 0.5) * std::numbers::pi / 3.0;
-	const Vec3 n0 = glm::normalize(Vec3(0.3, 0.5, 0.81));
-	const Vec3 normal(n0.x * std::cos(angle) - n0.y * std::sin(angle), n0.x * std::sin(angle) + n0.y * std::cos(angle),
-	                  n0.z);
-	const double reach = glm::dot(glm::abs(normal), 0.5 * bounds.size());
-	return probe::makeSheet(bounds.centre() + normal * (-0.6 + 1.2 * t) * reach, normal);
+	probe::Path path;
+	path.kind = probe::PathKind::profile;
+	return probe::poses(path, {}, bounds, probe::kProfilePlanes);
 }
 
 const grid::BlockSet& shell(int n)
@@ -53,15 +46,19 @@ const grid::BlockSet& shell(int n)
 
 void sweep(benchmark::State& state, slice::Slicer& slicer, const Box& bounds)
 {
-	int k = 0;
+	const std::vector<probe::Frame> planes = sweepOf(bounds);
+	slice::SliceRequest request;
+	request.probe = probe::single({});
+	std::size_t k = 0;
 	std::size_t cells = 0;
 	for (auto _ : state)
 	{
-		Result<slice::Slice> slice = slicer.cut({{{sweepSheet(bounds, k)}}, {}, {}, nullptr});
+		request.probe.frame = planes[k];
+		Result<slice::Slice> slice = slicer.cut(request);
 		const slice::SheetMesh mesh = slice->mesh(slicer.blocks(), 0);
 		benchmark::DoNotOptimize(mesh.positions.data());
 		cells += mesh.polygons();
-		k = (k + 1) % kPlanes;
+		k = (k + 1) % planes.size();
 	}
 	state.counters["per_cell"] =
 	    benchmark::Counter(static_cast<double>(cells), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
@@ -114,15 +111,15 @@ void vtkCut(benchmark::State& state)
 	cutter->SetInputData(input);
 	cutter->SetCutFunction(plane);
 	cutter->GenerateTrianglesOff();
-	int k = 0;
+	const std::vector<probe::Frame> planes = sweepOf(blocks.bounds());
+	std::size_t k = 0;
 	for (auto _ : state)
 	{
-		const probe::Sheet sheet = sweepSheet(blocks.bounds(), k);
-		plane->SetOrigin(sheet.origin.x, sheet.origin.y, sheet.origin.z);
-		plane->SetNormal(sheet.normal.x, sheet.normal.y, sheet.normal.z);
+		plane->SetOrigin(planes[k].origin.x, planes[k].origin.y, planes[k].origin.z);
+		plane->SetNormal(planes[k].normal.x, planes[k].normal.y, planes[k].normal.z);
 		cutter->Update();
 		benchmark::DoNotOptimize(cutter->GetOutput()->GetNumberOfPoints());
-		k = (k + 1) % kPlanes;
+		k = (k + 1) % planes.size();
 	}
 }
 

@@ -160,7 +160,8 @@ CutBothWays cutBothWays(slice::GpuBlocks& blocks, std::span<const probe::Sheet> 
 	CutBothWays cut;
 	slice::CpuClassifier<surface::Plane> cpu(lanes);
 	cut.cpu = traverse(cpu);
-	auto gpu = slice::GpuClassifier::create(blocks, sheets, gpu_lanes, field, timeline);
+	const std::vector<std::optional<slice::FieldChoice>> fields(sheets.size(), field);
+	auto gpu = slice::GpuClassifier::create(blocks, sheets, fields, gpu_lanes, timeline);
 	EXPECT_TRUE(gpu) << gpu.error().message;
 	cut.gpu = traverse(**gpu);
 	cut.records = (*gpu)->finish();

@@ -1,5 +1,7 @@
 #include "cut_both_ways.h"
 #include "gpu_fixture.h"
+#include "precision_sets.h"
+#include "sliced_sheet.h"
 
 #include "slice/gpu_points.h"
 
@@ -11,42 +13,9 @@ namespace vp::test
 namespace
 {
 
-// Layers that start at 1e-6 on a wavy wall and grow to fill 30 units.
-grid::BlockSet nearWall(const Vec3& offset)
-{
-	constexpr std::uint32_t kSide = 9;
-	constexpr std::uint32_t kLayers = 60;
-	std::vector<double> xyz;
-	double height = 0.0;
-	double step = 1e-6;
-	for (std::uint32_t k = 0; k < kLayers; ++k)
-	{
-		for (std::uint32_t j = 0; j < kSide; ++j)
-			for (std::uint32_t i = 0; i < kSide; ++i)
-			{
-				const double x = 30.0 * i / (kSide - 1);
-				const double y = 30.0 * j / (kSide - 1);
-				xyz.insert(xyz.end(), {offset.x + x, offset.y + y, offset.z + 0.1 * std::sin(x + 2 * y) + height});
-			}
-		height += step;
-		step *= 1.3;
-	}
-	grid::Block block;
-	block.name = "near wall";
-	block.grid = grid::CurvilinearGrid({kSide, kSide, kLayers}, grid::Points(Array<double>(std::move(xyz))));
-	std::vector<double> values(std::size_t(kSide) * kSide * kLayers);
-	for (std::size_t i = 0; i < values.size(); ++i)
-		values[i] = static_cast<double>(i);
-	block.fields.push_back(grid::makeField("number", grid::Association::point, 1, std::move(values)));
-	grid::finishBlock(block);
-	grid::BlockSet set;
-	set.blocks.push_back(std::move(block));
-	return set;
-}
-
 void cutNearWall(gpu::Device& device, const Vec3& offset, bool doubles)
 {
-	const grid::BlockSet set = nearWall(offset);
+	const grid::BlockSet set = build(nearWall(offset));
 	slice::GpuBlocksOptions options;
 	options.doubles = doubles;
 	auto blocks = slice::GpuBlocks::create(device, set, options);
@@ -94,6 +63,36 @@ TEST_F(GpuPrecision, AndWithoutDoubles)
 {
 	cutNearWall(device(), Vec3(0.0), false);
 	cutNearWall(device(), Vec3(1e7, -1e7, 2e7), false);
+}
+
+// What is exported is the CPU's mesh to the last bit, and next to no cell is left to the CPU.
+TEST_F(GpuPrecision, FineCellsFarAwayGiveTheSameMesh)
+{
+	for (const bool as_hexahedra : {false, true})
+	{
+		const grid::BlockSet set = build(farAway(as_hexahedra));
+		auto blocks = slice::GpuBlocks::create(device(), set, {});
+		auto on_gpu = slice::Slicer::onDevice(device(), set, {}, nullptr);
+		ASSERT_TRUE(blocks && on_gpu);
+		slice::Slicer on_cpu(set);
+		std::size_t walked = 0;
+		std::size_t cells = 0;
+		for (const TestPlane& plane : randomPlanes(set.bounds(), 20, 25))
+		{
+			const slice::SheetMesh cpu = cut(on_cpu, plane).mesh;
+			const slice::SheetMesh gpu = cut(**on_gpu, plane).mesh;
+			EXPECT_EQ(cpu.positions, gpu.positions);
+			EXPECT_EQ(cpu.polygon_vertices, gpu.polygon_vertices);
+			EXPECT_EQ(cpu.polygon_starts, gpu.polygon_starts);
+			const probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
+			const CutBothWays both = cutBothWays(**blocks, std::span(&sheet, 1), {});
+			expectSameCells(both);
+			expectRecords(set, std::span(&sheet, 1), {}, both, !(*blocks)->usesDoubles());
+			walked += both.walked;
+			cells += both.cells;
+		}
+		EXPECT_TRUE(!(*blocks)->usesDoubles() || 50 * walked <= cells) << walked << " of " << cells;
+	}
 }
 
 TEST(FixedPoints, FlagWhatTheyDoNotHoldExactly)

@@ -68,21 +68,21 @@ TEST(Blocks, Bounds)
 	EXPECT_LT(test::gridNamed("mixed_polyhedra").bounds.hi.x, 5.0);
 }
 
+TEST(Blocks, SoundGridsHaveNoInvertedCells)
+{
+	for (const char* name : {"blob", "graded", "shell", "hexes", "tets", "mixed", "left_handed", "collapsed_axis",
+	                         "collapsed_hexahedra", "hexagonal_prisms", "mixed_polyhedra", "two_to_one", "u_shape"})
+		EXPECT_TRUE(test::gridNamed(name).inverted.empty()) << name;
+}
+
 TEST(Blocks, InvertedCellsAreTheFew)
 {
-	for (const Block& block : test::allGrids())
-	{
-		if (block.name != "inverted")
-		{
-			EXPECT_TRUE(block.inverted.empty()) << block.name;
-			continue;
-		}
-		const auto& grid = std::get<UnstructuredGrid>(block.grid);
-		EXPECT_GT(block.inverted.size(), 5u);
-		CellFaces faces;
-		for (const CellId c : block.inverted)
-			EXPECT_LT(signedVolume(grid, c, faces), 0.0);
-	}
+	const Block& block = test::gridNamed("inverted");
+	const auto& grid = std::get<UnstructuredGrid>(block.grid);
+	EXPECT_GT(block.inverted.size(), 5u);
+	CellFaces faces;
+	for (CellId c = 0; c < grid.cellCount(); ++c)
+		EXPECT_EQ(std::ranges::binary_search(block.inverted, c), signedVolume(grid, c, faces) < 0.0) << c;
 }
 
 TEST(Blocks, VantagePointsSpread)

@@ -29,29 +29,12 @@ enum VtkType : std::uint8_t
 	kPolyhedron = 42
 };
 
-void addTestFields(Block& block, std::size_t source_cells)
-{
-	std::visit(
-	    [&](const auto& grid)
-	    {
-		    std::vector<double> linear(grid.pointCount());
-		    for (std::size_t p = 0; p < grid.pointCount(); ++p)
-			    linear[grid.sourcePoint(static_cast<PointId>(p))] = linearAt(grid.point(static_cast<PointId>(p)));
-		    std::vector<std::int64_t> id(source_cells);
-		    for (std::size_t c = 0; c < source_cells; ++c)
-			    id[c] = static_cast<std::int64_t>(c);
-		    block.fields.push_back(makeField("linear", Association::point, 1, std::move(linear)));
-		    block.fields.push_back(makeField("id", Association::cell, 1, std::move(id)));
-	    },
-	    block.grid);
-}
-
 Block finished(std::string name, AnyGrid grid)
 {
 	Block block;
 	block.name = std::move(name);
 	block.grid = std::move(grid);
-	addTestFields(block, std::visit([](const auto& g) { return g.cellCount(); }, block.grid));
+	addTestFields(block);
 	finishBlock(block);
 	return block;
 }
@@ -60,7 +43,7 @@ Block demoGrid(const char* name, int n)
 {
 	Result<BlockSet> set = makeDemo(name, n);
 	Block block = std::move(set->blocks[0]);
-	addTestFields(block, std::visit([](const auto& g) { return g.cellCount(); }, block.grid));
+	addTestFields(block);
 	return block;
 }
 
@@ -338,6 +321,23 @@ std::vector<Block> makeAll()
 }
 
 } // namespace
+
+void addTestFields(Block& block, std::size_t source_cells)
+{
+	std::visit(
+	    [&](const auto& grid)
+	    {
+		    std::vector<double> linear(grid.pointCount());
+		    for (std::size_t p = 0; p < grid.pointCount(); ++p)
+			    linear[grid.sourcePoint(static_cast<PointId>(p))] = linearAt(grid.point(static_cast<PointId>(p)));
+		    std::vector<std::int64_t> id(source_cells ? source_cells : grid.cellCount());
+		    for (std::size_t c = 0; c < id.size(); ++c)
+			    id[c] = static_cast<std::int64_t>(c);
+		    block.fields.push_back(makeField("linear", Association::point, 1, std::move(linear)));
+		    block.fields.push_back(makeField("id", Association::cell, 1, std::move(id)));
+	    },
+	    block.grid);
+}
 
 double linearAt(const Vec3& p)
 {

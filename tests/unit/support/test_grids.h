@@ -19,6 +19,9 @@ const grid::Block& gridNamed(std::string_view name);
 // 2x - 3y + z/2 + 1
 double linearAt(const Vec3& p);
 
+// The fields "linear" and "id". source_cells: of the file, where it has other cells too; 0: the grid's own.
+void addTestFields(grid::Block& block, std::size_t source_cells = 0);
+
 // A hexahedral lattice of n x n x n cells over the unit cube as explicit cells, where `keep(i, j, k)` holds.
 grid::Block explicitHexahedra(int n, bool (*keep)(int i, int j, int k));
 

@@ -1,0 +1,144 @@
+#include "painter.h"
+
+#include "render/color_map_file.h"
+#include "slice/gpu_records.h"
+#include "slice/host_records.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vp::app
+{
+
+namespace
+{
+
+std::string caption(const probe::Sheet& sheet)
+{
+	return fmt::format("origin {:.4g}, {:.4g}, {:.4g}   normal {:.3f}, {:.3f}, {:.3f}", sheet.origin.x, sheet.origin.y,
+	                   sheet.origin.z, sheet.normal.x, sheet.normal.y, sheet.normal.z);
+}
+
+bool hasNan(const SheetStats& sheet)
+{
+	return sheet.measure.nan_area > 0.0;
+}
+
+// A sheet's polygons where they lie: records that the GPU classifier left in device memory, or the CPU's mesh put
+// there.
+Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const Session& session, const slice::SheetSlice& sheet,
+                                                             const SheetStats& stats)
+{
+	if (sheet.records)
+		return std::shared_ptr<const slice::SheetRecords>(sheet.records);
+	const auto host = slice::recordsFromMesh(session.blocks, sheet.sheet, stats.mesh, sheet.field);
+	auto made = slice::recordsFromHost(slice::RecordPool::create(*session.device), host);
+	if (!made)
+		return made.error();
+	return std::shared_ptr<const slice::SheetRecords>(std::move(*made));
+}
+
+} // namespace
+
+Painter::Painter(Session& session, std::vector<std::string> inputs, LookChoice choice, render::Renderer renderer)
+    : session_(session), inputs_(std::move(inputs)), choice_(std::move(choice)), renderer_(std::move(renderer)),
+      outline_(render::outlineOf(session.blocks, choice_.look.outline)), extent_(render::extentOf(session.blocks))
+{
+	if (choice_.look.box_axes)
+		for (int i = 0; i < 8; ++i)
+			extent_.push_back(render::corner(session.blocks.bounds(), i));
+	for (const render::Segment& line : outline_)
+		extent_.insert(extent_.end(), {line.a, line.b});
+}
+
+Result<Painter> Painter::create(Session& session, const ProbeOptions& options, LookChoice choice)
+{
+	// The paddlewheel's own window reaches around everything.
+	choice.window_rims = !options.window.empty() || options.probe != "paddlewheel";
+	Result<render::Renderer> renderer = render::Renderer::create(*session.device);
+	if (!renderer)
+		return renderer.error();
+	return Painter(session, options.inputs, std::move(choice), std::move(*renderer));
+}
+
+// Worked out once: an array may be large, and what it lacks is told once.
+Result<std::optional<render::ValueScale>> Painter::scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan)
+{
+	auto known = std::ranges::find(scales_, field, [](const auto& scale) { return scale.first; });
+	if (known == scales_.end())
+	{
+		auto scale = valueScale(session_.blocks, field, inputs_, choice_.look);
+		if (!scale)
+			return scale;
+		known = scales_.insert(scales_.end(), {field, *scale});
+	}
+	std::optional<render::ValueScale> scale = known->second;
+	if (scale)
+		scale->has_nan = has_nan;
+	return scale;
+}
+
+Result<render::SheetDrawing> Painter::drawing(const slice::SheetSlice& sheet, const SheetStats& stats)
+{
+	Result<std::shared_ptr<const slice::SheetRecords>> records = recordsOf(session_, sheet, stats);
+	if (!records)
+		return records.error();
+	const probe::SheetWishes& wishes = sheet.shown.wishes;
+	render::SheetDrawing drawing{sheet.shown, std::move(*records), wishes.opacity.value_or(choice_.opacity)};
+	drawing.magnification = sheet.shown.fx.magnification;
+	if (const std::optional<probe::Window>& window = sheet.sheet.window)
+		drawing.window = render::WindowRect{window->x0, window->x1, window->y0, window->y1};
+	drawing.rim = choice_.window_rims;
+	if (sheet.field != session_.field)
+	{
+		auto scale = scaleOf(sheet.field, hasNan(stats));
+		if (!scale)
+			return scale.error();
+		drawing.values = *scale;
+	}
+	if (wishes.colormap)
+	{
+		Result<render::ColorMap> colors = render::chooseColorMap(*wishes.colormap);
+		if (!colors)
+			return colors.error();
+		drawing.colors = std::move(*colors);
+	}
+	drawing.range = wishes.range;
+	drawing.lines = wishes.lines;
+	return drawing;
+}
+
+Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+{
+	const TimedSection section(session_.timeline.get(), "render");
+	render::Scene scene;
+	scene.look = choice_.look;
+	scene.outline = outline_;
+	scene.bounds = session_.blocks.bounds();
+	auto scale = scaleOf(session_.field, std::ranges::any_of(sheets, hasNan));
+	if (!scale)
+		return scale.error();
+	scene.values = *scale;
+	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
+	{
+		Result<render::SheetDrawing> made = drawing(slice.sheets[s], sheets[s]);
+		if (!made)
+			return made.error();
+		scene.sheets.push_back(std::move(*made));
+	}
+	const probe::Sheet* first = slice.sheets.empty() ? nullptr : &slice.sheets.front().shown;
+	if (first && choice_.captions)
+		scene.look.caption = caption(*first);
+	if (!camera_ || choice_.camera.followsSheet())
+	{
+		// Of several sheets none is the one to look at.
+		const bool any = slice.sheets.size() == 1 || choice_.camera.followsSheet();
+		camera_ = render::makeCamera(choice_.camera, any ? first : nullptr, extent_,
+		                             render::pictureFrame(scene.look, scene.values));
+	}
+	scene.camera = *camera_;
+	return renderer_.draw(scene, session_.timeline.get());
+}
+
+} // namespace vp::app

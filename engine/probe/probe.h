@@ -1,0 +1,33 @@
+#pragma once
+
+#include "probe/sheet.h"
+
+#include <string>
+#include <vector>
+
+namespace vp::probe
+{
+
+// More than a picture shows at once (16 layers); each sheet of a slice keeps a byte a cell of visited marks.
+constexpr std::size_t kMaxSheets = 64;
+
+// Sheets moved as one: they are given in the probe's coordinates, and nothing but the frame, which is to_probe, drives
+// them.
+struct Probe
+{
+	std::vector<Sheet> sheets;
+	Frame frame{}; // of the probe in the world
+	std::string name{};
+
+	bool operator==(const Probe&) const = default;
+};
+
+inline Transform toProbe(const Probe& probe)
+{
+	return toFrame(probe.frame);
+}
+
+// The same probe with its sheets in world coordinates and its frame the world's: what slices take. Hidden sheets stay.
+Probe placed(const Probe& probe);
+
+} // namespace vp::probe

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "base/result.h"
+#include "probe/probe.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace vp::probe
+{
+
+// A probe of the user's making, as JSON. docs/PROBES.md explains the file, docs/probe.schema.json describes it to
+// programs. Whatever does not fit is an input error: one line that names the file, where in it (a JSON pointer) and the
+// remedy.
+
+constexpr double kLeastMagnification = 1e-6;
+constexpr double kMostMagnification = 1e6;
+constexpr int kMostLines = 1000; // contour lines of a sheet
+
+struct ProbeFile
+{
+	Probe probe;         // at the world's origin where the file does not say where it stands
+	bool placed = false; // the file says
+};
+
+Result<ProbeFile> readProbe(const std::string& file);
+Result<ProbeFile> parseProbe(std::string_view text, const std::string& source);
+
+// A probe within a larger document; `path` is the pointer to it, for errors.
+Result<ProbeFile> probeFromJson(const nlohmann::json& value, const std::string& source, const std::string& path);
+
+// Read again it is the same probe to the last bit.
+nlohmann::json toJson(const Probe& probe);
+std::string probeText(const Probe& probe);
+
+} // namespace vp::probe

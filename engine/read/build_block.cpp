@@ -1,0 +1,24 @@
+#include "read/build_block.h"
+
+namespace vp::read
+{
+
+grid::Block buildBlock(CheckedBlock&& checked, std::string name)
+{
+	grid::Block block;
+	block.name = std::move(name);
+	block.fields = std::move(checked.fields);
+	std::visit(
+	    [&](auto&& mesh)
+	    {
+		    if constexpr (std::is_same_v<std::decay_t<decltype(mesh)>, CellMesh>)
+			    block.grid = grid::UnstructuredGrid::build(mesh.points, mesh.cells);
+		    else
+			    block.grid = std::move(mesh);
+	    },
+	    std::move(checked.mesh));
+	finishBlock(block);
+	return block;
+}
+
+} // namespace vp::read

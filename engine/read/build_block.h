@@ -1,0 +1,14 @@
+#pragma once
+
+#include "grid/block.h"
+#include "read/manifest.h"
+
+#include <string>
+
+namespace vp::read
+{
+
+// A checked block with its grid built, finished (see finishBlock) but for its seams with others.
+grid::Block buildBlock(CheckedBlock&& checked, std::string name);
+
+} // namespace vp::read

@@ -1,0 +1,165 @@
+#include "read/reader_process.h"
+
+#include "read/protocol.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace vp::read
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+// A manifest is about 200 bytes an array; 64 MiB describe more arrays than any program could show.
+constexpr std::size_t kMaxManifestBytes = 64u << 20;
+// Of standard error, only the last line is used.
+constexpr std::size_t kKeptErrorBytes = 4096;
+
+// Sanitizers reserve terabytes of address space.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kLimitAddressSpace = false;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+constexpr bool kLimitAddressSpace = false;
+#else
+constexpr bool kLimitAddressSpace = true;
+#endif
+#else
+constexpr bool kLimitAddressSpace = true;
+#endif
+
+void take(Descriptor& pipe, std::string& text)
+{
+	std::array<char, 65536> buffer;
+	const ssize_t n = ::read(pipe.get(), buffer.data(), buffer.size());
+	if (n > 0)
+		text.append(buffer.data(), static_cast<std::size_t>(n));
+	else if (n == 0 || errno != EINTR)
+		pipe.reset();
+}
+
+} // namespace
+
+Descriptor lifted(int fd)
+{
+	Descriptor low(fd);
+	return Descriptor(fd < 0 ? -1 : fcntl(fd, F_DUPFD_CLOEXEC, 10));
+}
+
+Pipe makePipe()
+{
+	std::array<int, 2> ends = {-1, -1};
+	if (pipe2(ends.data(), O_CLOEXEC) != 0)
+		return {};
+	return {lifted(ends[0]), lifted(ends[1])};
+}
+
+void becomeReader(const ChildSetup& setup)
+{
+	setpgid(0, 0); // so that whatever it starts can be ended with it
+	prctl(PR_SET_PDEATHSIG, SIGKILL);
+	if (getppid() != setup.parent)
+		_exit(127);
+	dup2(setup.null, STDIN_FILENO);
+	dup2(setup.null, STDOUT_FILENO);
+	dup2(setup.errors, STDERR_FILENO);
+	dup2(setup.arrays, kArraysFd);
+	dup2(setup.manifest, kManifestFd);
+	dup2(setup.cells, kCellsFd);
+	close_range(kCellsFd + 1, UINT_MAX, 0);
+
+	const rlimit none = {0, 0};
+	setrlimit(RLIMIT_CORE, &none);
+	setrlimit(RLIMIT_CPU, &setup.time);
+	setrlimit(RLIMIT_FSIZE, &setup.memory);
+	if (kLimitAddressSpace)
+		setrlimit(RLIMIT_AS, &setup.memory);
+	// Where memory runs out after all, this process is the one to go.
+	if (const int score = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); score >= 0)
+	{
+		[[maybe_unused]] const ssize_t written = write(score, "1000", 4);
+		close(score);
+	}
+	// The parent may have blocked or ignored signals, which exec would pass on.
+	sigset_t no_signals;
+	sigemptyset(&no_signals);
+	sigprocmask(SIG_SETMASK, &no_signals, nullptr);
+	std::signal(SIGPIPE, SIG_DFL);
+	execv(setup.program, setup.arguments.data());
+	const char* why = std::strerror(errno);
+	if (write(STDERR_FILENO, why, std::strlen(why)) < 0)
+		_exit(127);
+	_exit(127);
+}
+
+bool Reader::finish(Clock::time_point deadline)
+{
+	while (manifest_pipe_ || error_pipe_)
+	{
+		std::array<pollfd, 2> ready = {pollfd{manifest_pipe_.get(), POLLIN, 0}, pollfd{error_pipe_.get(), POLLIN, 0}};
+		const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+		if (left <= 0 || wroteTooMuch())
+		{
+			end();
+			return false;
+		}
+		poll(ready.data(), ready.size(), static_cast<int>(std::min<long long>(left, 1000)));
+		if (ready[0].revents)
+			take(manifest_pipe_, manifest);
+		if (ready[1].revents)
+		{
+			take(error_pipe_, errors);
+			if (errors.size() > 2 * kKeptErrorBytes)
+				errors.erase(0, errors.size() - kKeptErrorBytes);
+		}
+	}
+	while (!hasEnded())
+	{
+		if (Clock::now() > deadline)
+		{
+			end();
+			return false;
+		}
+		std::this_thread::sleep_for(std::chrono::microseconds(200));
+	}
+	end();
+	return true;
+}
+
+bool Reader::wroteTooMuch() const
+{
+	return manifest.size() > kMaxManifestBytes;
+}
+
+bool Reader::hasEnded() const
+{
+	siginfo_t about = {};
+	return waitid(P_PID, static_cast<id_t>(pid_), &about, WEXITED | WNOHANG | WNOWAIT) != 0 || about.si_pid == pid_;
+}
+
+// Ends what still runs of the child and of what it started. Only the wait lets go of its number, so nobody else is
+// hit.
+void Reader::end()
+{
+	kill(-pid_, SIGKILL);
+	kill(pid_, SIGKILL); // where it has no group of its own yet
+	while (waitpid(pid_, &status, 0) < 0 && errno == EINTR)
+	{
+	}
+	ended_ = true;
+}
+
+} // namespace vp::read

@@ -1,0 +1,79 @@
+#include "seed/sheet_window.h"
+
+#include <cassert>
+
+namespace vp::seed
+{
+
+SheetWindow::SheetWindow(const probe::Sheet& content)
+    : origin_(content.origin), x_axis_(content.xAxis()), y_axis_(content.up), hot_spot_(content.origin)
+{
+	assert(content.window);
+	const probe::Window& window = *content.window;
+	const Uv centre = 0.5 * Uv(window.x0 + window.x1, window.y0 + window.y1);
+	if (window.x0 > 0.0 || window.x1 < 0.0 || window.y0 > 0.0 || window.y1 < 0.0)
+		hot_spot_ = origin_ + centre.x * x_axis_ + centre.y * y_axis_;
+	// The rounding of a point far from the origin.
+	const double reach = glm::length(origin_) + glm::length(centre) + window.width() + window.height();
+	const Uv slack(1e-14 * reach);
+	lo_ = Uv(window.x0, window.y0) - slack;
+	hi_ = Uv(window.x1, window.y1) + slack;
+}
+
+bool SheetWindow::meets(const Box& box) const
+{
+	const Uv centre = uvOf(box.centre());
+	const Vec3 half = 0.5 * box.size();
+	const Uv reach(glm::dot(glm::abs(x_axis_), half), glm::dot(glm::abs(y_axis_), half));
+	return centre.x + reach.x >= lo_.x && centre.x - reach.x <= hi_.x && centre.y + reach.y >= lo_.y &&
+	       centre.y - reach.y <= hi_.y;
+}
+
+bool SheetWindow::meets(const Vec3& from, const Vec3& to) const
+{
+	return meets(uvOf(from), uvOf(to));
+}
+
+// Liang and Barsky's: the part of the segment between each pair of sides must leave something.
+bool SheetWindow::meets(const Uv& from, const Uv& to) const
+{
+	double first = 0.0;
+	double last = 1.0;
+	for (int axis = 0; axis < 2; ++axis)
+	{
+		const double along = to[axis] - from[axis];
+		const double to_lo = lo_[axis] - from[axis];
+		const double to_hi = hi_[axis] - from[axis];
+		if (along == 0.0)
+		{
+			if (to_lo > 0.0 || to_hi < 0.0)
+				return false;
+			continue;
+		}
+		const double a = to_lo / along;
+		const double b = to_hi / along;
+		first = std::max(first, std::min(a, b));
+		last = std::min(last, std::max(a, b));
+	}
+	return first <= last;
+}
+
+bool SheetWindow::anyMeets(const Cuts& cuts) const
+{
+	for (int i = 0; i + 1 < cuts.count; ++i)
+		for (int j = i + 1; j < cuts.count; ++j)
+			if (meets(cuts.at[i], cuts.at[j]))
+				return true;
+	return false;
+}
+
+bool SheetWindow::passesRightOfCentre(const Uv& from, const Uv& to) const
+{
+	const Uv centre = 0.5 * (lo_ + hi_);
+	if ((from.y > centre.y) == (to.y > centre.y))
+		return false;
+	const double t = (centre.y - from.y) / (to.y - from.y);
+	return from.x + t * (to.x - from.x) > centre.x;
+}
+
+} // namespace vp::seed

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "grid/grid.h"
+#include "probe/sheet.h"
+#include "surface/plane.h"
+
+#include <array>
+#include <span>
+#include <utility>
+
+namespace vp::seed
+{
+
+// The window of a sheet as seeding and traversal see it: an edge of a polygon that lies wholly outside leads nowhere.
+// What touches the window's rim counts as inside.
+class SheetWindow
+{
+public:
+	explicit SheetWindow(const probe::Sheet& content); // has a window and no fx, see probe::content()
+
+	// Whether the window may reach into a box.
+	bool meets(const Box& box) const;
+	// Whether a segment in the plane reaches into the window.
+	bool meets(const Vec3& from, const Vec3& to) const;
+
+	// Whether a face is cut within the window. Of a twisted face, cut more than twice, any two cuts count as joined, so
+	// that nothing is lost.
+	template <class G, class Surface>
+	bool meetsFace(const G& grid, const Surface& surface, std::span<const PointId> face) const
+	{
+		Cuts cuts;
+		return findCuts(grid, surface, face, cuts) && anyMeets(cuts);
+	}
+
+	// Whether the section of a cut cell reaches into the window, which may lie within it.
+	template <class G, class Surface>
+	bool meetsCell(const G& grid, const Surface& surface, const grid::CellFaces& faces) const
+	{
+		bool inside = false; // the window's centre is: an odd number of the section's sides lie to one side of it
+		bool unsure = false;
+		Cuts cuts;
+		for (int f = 0; f < faces.size(); ++f)
+		{
+			if (!findCuts(grid, surface, faces[f], cuts))
+				continue;
+			if (anyMeets(cuts))
+				return true;
+			unsure = unsure || cuts.count > 2;
+			inside ^= passesRightOfCentre(cuts.at[0], cuts.at[1]);
+		}
+		return inside || unsure;
+	}
+
+	// A point of the window to start from: the sheet's origin where it is inside, else the window's centre.
+	const Vec3& hotSpot() const { return hot_spot_; }
+
+private:
+	using Uv = glm::dvec2;
+	static constexpr int kMostCuts = 16; // of a face; of one cut more often the rest does not matter: it is unsure
+	struct Cuts
+	{
+		std::array<Uv, kMostCuts> at;
+		int count = 0;
+	};
+
+	Uv uvOf(const Vec3& p) const { return {glm::dot(p - origin_, x_axis_), glm::dot(p - origin_, y_axis_)}; }
+
+	// Where the edges of a face are cut. False where none is.
+	template <class G, class Surface>
+	bool findCuts(const G& grid, const Surface& surface, std::span<const PointId> face, Cuts& cuts) const
+	{
+		cuts.count = 0;
+		Vec3 previous = grid.point(face.back());
+		double previous_distance = surface.signedDistance(previous);
+		for (const PointId p : face)
+		{
+			const Vec3 corner = grid.point(p);
+			const double distance = surface.signedDistance(corner);
+			if ((distance >= 0.0) != (previous_distance >= 0.0) && cuts.count < kMostCuts)
+				cuts.at[cuts.count++] =
+				    uvOf(previous + (previous_distance / (previous_distance - distance)) * (corner - previous));
+			previous = corner;
+			previous_distance = distance;
+		}
+		return cuts.count > 0;
+	}
+	bool anyMeets(const Cuts& cuts) const;
+	bool meets(const Uv& from, const Uv& to) const;
+	bool passesRightOfCentre(const Uv& from, const Uv& to) const;
+
+	Vec3 origin_;
+	Vec3 x_axis_;
+	Vec3 y_axis_;
+	Uv lo_;
+	Uv hi_;
+	Vec3 hot_spot_;
+};
+
+} // namespace vp::seed

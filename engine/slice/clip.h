@@ -1,0 +1,21 @@
+#pragma once
+
+#include "probe/sheet.h"
+#include "slice/mesh.h"
+
+namespace vp::slice
+{
+
+// What becomes of the polygons that hold a corner of the window.
+enum class Corners
+{
+	keep, // the corner is a vertex; its value is linear between the rim's vertices beside it
+	skip  // they are left out
+};
+
+// The part of a mesh within the window of the sheet it is the cut of (placed, without fx, see probe::content()).
+// Vertices on the rim lie on the edges of polygons, with values linear along them, and are shared like any other.
+// Sutherland and Hodgman's: of a polygon that is not convex parts may hang together along the rim.
+void clipToWindow(const probe::Sheet& content, Corners corners, SheetMesh& mesh);
+
+} // namespace vp::slice

@@ -1,0 +1,49 @@
+#include "write/frame_names.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+
+namespace vp::write
+{
+
+namespace
+{
+
+constexpr int kMostDigits = 20;
+
+} // namespace
+
+Result<FrameNames> FrameNames::create(const std::string& pattern)
+{
+	const Error wrong{ExitCode::usage,
+	                  fmt::format("-o {}: frames need names of their own; put {{frame:04}} into it", pattern)};
+	FrameNames names;
+	const std::size_t open = pattern.find("{frame");
+	const std::size_t close = pattern.find('}', open);
+	if (open == pattern.npos || close == pattern.npos)
+		return wrong;
+	const std::string_view format = std::string_view(pattern).substr(open + 6, close - open - 6);
+	if (!format.empty())
+	{
+		const char* end = format.data() + format.size();
+		const auto [at, failed] = std::from_chars(format.data() + 1, end, names.digits_);
+		if (format[0] != ':' || failed != std::errc() || at != end || names.digits_ < 1 || names.digits_ > kMostDigits)
+			return wrong;
+	}
+	names.before_ = pattern.substr(0, open);
+	names.after_ = pattern.substr(close + 1);
+	const std::filesystem::path folder = std::filesystem::path(names.of(0)).parent_path();
+	if (!folder.empty() && !std::filesystem::is_directory(folder))
+		return Error{ExitCode::output,
+		             fmt::format("-o {}: there is no folder {}; make it first", pattern, folder.string())};
+	return names;
+}
+
+std::string FrameNames::of(int frame) const
+{
+	return fmt::format("{}{:0{}}{}", before_, frame, digits_, after_);
+}
+
+} // namespace vp::write

@@ -1,0 +1,136 @@
+// Feeds the program's own parsers with seeds and with damaged seeds. A crash names the seed and the case to repeat it.
+#include "damage.h"
+#include "parsers.h"
+#include "program_run.h"
+#include "read/child.h"
+#include "sample_files.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include <unistd.h>
+
+namespace
+{
+
+std::string seed(char which, std::string contents)
+{
+	contents.insert(contents.begin(), which);
+	return contents;
+}
+
+// What the reader hands over of a file, as an input.
+std::string manifestSeed(const std::string& file)
+{
+	const auto handed = vp::read::runReader(file, {}, *vp::read::inputLimits(file, ""));
+	if (!handed)
+		throw std::runtime_error(handed.error().message);
+	const auto text = [](std::span<const std::byte> bytes)
+	{ return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()); };
+	const auto size = static_cast<std::uint32_t>(handed->arrays.bytes.size());
+	std::string head(4, '\0');
+	std::memcpy(head.data(), &size, 4);
+	return seed('M', handed->manifest + '\0' + head + text(handed->arrays.bytes) + text(handed->cells.bytes));
+}
+
+std::vector<std::string> makeSeeds()
+{
+	std::vector<std::string> seeds = {"Tlast", "T#3", "T-2.5e-3", "Ciso", "C30,45", "C1 2 3, 4 5 6, 0 0 1"};
+	const TemporaryFolder folder;
+	for (const SampleFile& sample : sampleFiles())
+	{
+		const std::string file = folder / sample.name;
+		sample.write(file);
+		if (sample.name.starts_with("binary") || sample.name == "blocks.vtm")
+			seeds.push_back(manifestSeed(file));
+		const std::string ending = std::filesystem::path(file).extension().string();
+		if (ending.starts_with(".vt") && ending != ".vtk")
+			seeds.push_back(seed('X', fuzz::contentsOf(file)));
+		else if (ending == ".mhd" || ending == ".mha")
+			seeds.push_back(seed('H', fuzz::contentsOf(file)));
+		else if (ending == ".ex2")
+			seeds.push_back(seed('N', fuzz::contentsOf(file)));
+		else if (ending == ".xyz" || ending == ".x" || ending == ".bin" || ending == ".g" || ending == ".p3d")
+			seeds.push_back(seed('P', fuzz::contentsOf(file)));
+		else if (ending == ".case")
+			seeds.push_back(
+			    seed('E', fuzz::contentsOf(file) +
+			                  "time set: 1\nnumber of steps: 1\nfilename start number: 0\ntime values: 0.5\n"));
+	}
+	seeds.push_back(seed('G', fuzz::contentsOf(folder / "gold.geo")));
+	seeds.push_back(seed('V', fuzz::contentsOf(folder / "gold.f")));
+	return seeds;
+}
+
+// Written by the signal's handler, so prepared before each input.
+std::string at_hand;
+
+void nameTheInput(int signal)
+{
+	[[maybe_unused]] const ssize_t written = write(STDERR_FILENO, at_hand.data(), at_hand.size());
+	std::signal(signal, SIG_DFL);
+	raise(signal);
+}
+
+void feed(const std::string& input, const std::string& name)
+{
+	at_hand = name;
+	// Copied, so that reading past the end shows under a sanitizer.
+	const std::vector<std::uint8_t> bytes(input.begin(), input.end());
+	feedParser(bytes.data(), bytes.size());
+}
+
+void writeSeeds(const std::vector<std::string>& seeds, const std::string& folder)
+{
+	std::filesystem::create_directories(folder);
+	for (std::size_t s = 0; s < seeds.size(); ++s)
+		writeContents(fmt::format("{}/{}", folder, s), seeds[s]);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+	const std::string option = argc == 3 ? argv[1] : "";
+	const std::string_view value = argc == 3 ? argv[2] : "";
+	std::size_t first = 0;
+	std::size_t end = 5000;
+	if (option == "--case")
+	{
+		std::from_chars(value.data(), value.data() + value.size(), first);
+		end = first + 1;
+	}
+	else if (option == "--cases")
+		std::from_chars(value.data(), value.data() + value.size(), end);
+	else if (argc != 1 && option != "--write-seeds")
+	{
+		fmt::print(stderr, "usage: fuzz_parsers [--cases N | --case NUMBER | --write-seeds FOLDER]\n");
+		return 1;
+	}
+	for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL})
+		std::signal(signal, nameTheInput);
+
+	const std::vector<std::string> seeds = makeSeeds();
+	if (option == "--write-seeds")
+		return writeSeeds(seeds, argv[2]), 0;
+	for (std::size_t s = 0; s < seeds.size(); ++s)
+		feed(seeds[s], fmt::format("FAILED: seed {}, undamaged\n", s));
+	for (std::size_t number = first; number < end; ++number)
+	{
+		fuzz::Random random(1, number);
+		std::string input = seeds[number % seeds.size()];
+		const char which = input[0];
+		const std::string done = fuzz::damage(input, random);
+		if (input.empty())
+			continue;
+		input[0] = which;
+		feed(input, fmt::format("FAILED: seed {} damaged ({}); again: fuzz_parsers --case {}\n", number % seeds.size(),
+		                        done, number));
+	}
+	fmt::print("{} seeds and {} damaged ones\n", seeds.size(), end - first);
+}

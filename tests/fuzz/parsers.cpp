@@ -1,0 +1,139 @@
+#include "parsers.h"
+
+#include "ensight_check.h"
+#include "meta_header.h"
+#include "netcdf_size.h"
+#include "plot3d_layout.h"
+#include "read/build_block.h"
+#include "read/manifest.h"
+#include "read/read.h"
+#include "refusal.h"
+#include "render/camera.h"
+#include "sample_files.h"
+#include "xml_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace
+{
+
+using namespace vp;
+
+void require(bool holds)
+{
+	if (!holds)
+		std::abort();
+}
+
+// On the heap and no larger than it is, so that reading past its end shows.
+read::SharedBytes shared(std::string_view bytes)
+{
+	const auto copy = std::make_shared<std::vector<std::byte>>(bytes.size());
+	std::copy_n(reinterpret_cast<const std::byte*>(bytes.data()), bytes.size(), copy->begin());
+	return {copy, {copy->data(), copy->size()}};
+}
+
+void feedManifest(std::string_view input)
+{
+	const std::size_t end = std::min(input.find('\0'), input.size());
+	const std::string_view text = input.substr(0, end);
+	std::string_view rest = input.substr(std::min(end + 1, input.size()));
+	std::uint32_t array_bytes = 0;
+	if (rest.size() >= 4)
+	{
+		std::memcpy(&array_bytes, rest.data(), 4);
+		rest.remove_prefix(4);
+	}
+	const std::string_view arrays = rest.substr(0, array_bytes);
+	const auto checked = read::checkManifest(text, shared(arrays), shared(rest.substr(arrays.size())));
+	if (!checked)
+		return require(!checked.error().message.empty() && checked.error().message.find('\n') == std::string::npos);
+	grid::BlockSet set;
+	for (read::CheckedBlock block : checked->blocks)
+		set.blocks.push_back(read::buildBlock(std::move(block), "block"));
+	grid::matchInterfaces(set);
+	for (const grid::Block& block : set.blocks)
+		require(std::isfinite(block.bounds.diagonal()));
+}
+
+void feedTime(std::string_view input)
+{
+	const auto time = read::parseTime(std::string(input));
+	require(!time || std::isfinite(time->value));
+}
+
+void feedCamera(std::string_view input)
+{
+	const auto camera = render::parseCamera(input);
+	require(!camera || std::isfinite(camera->direction.x));
+}
+
+// EnSight keeps a case in several files: one of them is the input, the others are sound.
+void feedEnSight(const TemporaryFolder& folder, char which, const std::string& input)
+{
+	const bool is_case = which == 'E';
+	writeContents(folder / "a.case", is_case ? input
+	                                         : "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: a.geo\nVARIABLE\n"
+	                                           "scalar per node: f a.f\nvector per element: g a.f\n");
+	writeContents(folder / "a.geo", which == 'G'
+	                                    ? input
+	                                    : "one\ntwo\nnode id off\nelement id off\npart\n1\nbox\ncoordinates\n1\n"
+	                                      "0\n0\n0\npoint\n1\n1\n");
+	writeContents(folder / "a.f", which == 'V' ? input : "f\npart\n1\ncoordinates\n1.5\n");
+	refuseShortEnSight(folder / "a.case", 0.5);
+}
+
+void feedFile(char which, const std::string& input)
+{
+	static const TemporaryFolder folder;
+	const std::string file = folder / "input";
+	writeContents(file, input);
+	try
+	{
+		switch (which)
+		{
+		case 'N':
+			netcdfSize(file);
+			break;
+		case 'P':
+			refuseShortSolution(file, findPlot3dLayout(file));
+			break;
+		case 'H':
+			refuseShortData(file, readMetaHeader(file));
+			break;
+		case 'X':
+			refuseShortXml(file);
+			break;
+		default:
+			feedEnSight(folder, which, input);
+			break;
+		}
+	}
+	catch (const Refusal&)
+	{
+	}
+}
+
+} // namespace
+
+void feedParser(const std::uint8_t* data, std::size_t size)
+{
+	if (size < 2)
+		return;
+	const std::string_view input(reinterpret_cast<const char*>(data) + 1, size - 1);
+	const char which = static_cast<char>(data[0]);
+	if (which == 'M')
+		feedManifest(input);
+	else if (which == 'T')
+		feedTime(input);
+	else if (which == 'C')
+		feedCamera(input);
+	else if (std::string_view("NPHXEGV").find(which) != std::string_view::npos)
+		feedFile(which, std::string(input));
+}

@@ -1,0 +1,287 @@
+#include "pair_checks.h"
+
+#include "seed/cut_cells.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace vp::test
+{
+
+namespace
+{
+
+constexpr double kUlp = 2.3e-16;
+
+std::pair<Vec3, Vec3> endsOf(const grid::BlockSet& set, const slice::EdgePoint& edge)
+{
+	return visitGrid(set.blocks[edge.block],
+	                 [&](const auto& grid) { return std::pair(grid.point(edge.lower), grid.point(edge.higher)); });
+}
+
+double largest(const Vec3& p)
+{
+	return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+std::vector<CellId> cellsOfTree(const grid::Block& block, const TestPlane& test_plane)
+{
+	const surface::Plane plane(test_plane.origin, test_plane.normal);
+	std::vector<CellId> cells;
+	visitGrid(block, [&](const auto& grid)
+	          { seed::visitCutCells(grid, grid::treeOf(block), plane, [&](CellId cell) { cells.push_back(cell); }); });
+	return sorted(std::move(cells));
+}
+
+double areaOf(const slice::SheetMesh& mesh, std::size_t polygon, const Vec3& normal)
+{
+	const auto corners = mesh.polygon(polygon);
+	Vec3 sum(0.0);
+	for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+		sum += glm::cross(mesh.positions[corners[i]] - mesh.positions[corners[0]],
+		                  mesh.positions[corners[i + 1]] - mesh.positions[corners[0]]);
+	return 0.5 * glm::dot(sum, normal);
+}
+
+} // namespace
+
+double roundingOf(const grid::BlockSet& set, const TestPlane& plane)
+{
+	const Box box = set.bounds();
+	return 16.0 * kUlp * (largest(box.lo) + largest(box.hi) + largest(plane.origin));
+}
+
+bool isGeneric(const grid::BlockSet& set, const TestPlane& plane)
+{
+	const Side side(plane);
+	const double rounding = roundingOf(set, plane);
+	for (const grid::Block& block : set.blocks)
+	{
+		const bool clear = visitGrid(block,
+		                             [&](const auto& grid)
+		                             {
+			                             for (PointId p = 0; p < grid.pointCount(); ++p)
+				                             if (std::abs(side.distance(grid.point(p))) <= rounding)
+					                             return false;
+			                             return true;
+		                             });
+		if (!clear)
+			return false;
+	}
+	return true;
+}
+
+double areaOf(const SlicedSheet& sheet)
+{
+	double area = 0.0;
+	for (std::size_t p = 0; p < sheet.mesh.polygons(); ++p)
+		area += areaOf(sheet.mesh, p, sheet.slice.sheet.normal);
+	return area;
+}
+
+void checkCells(const Pair& pair)
+{
+	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
+	{
+		const std::vector<CellId> scanned = scanCutCells(pair.set.blocks[b], pair.plane);
+		EXPECT_EQ(pair.sheet.cutCells(b), scanned) << "block " << b;
+		EXPECT_EQ(cellsOfTree(pair.set.blocks[b], pair.plane), scanned) << "tree of block " << b;
+	}
+}
+
+void checkVertices(const Pair& pair)
+{
+	const slice::SheetMesh& mesh = pair.sheet.mesh;
+	const Side side(pair.plane);
+	const double rounding = roundingOf(pair.set, pair.plane);
+	const slice::FieldChoice linear{"linear", grid::Association::point, 0};
+	for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+	{
+		const Vec3& p = mesh.positions[v];
+		const auto [a, b] = endsOf(pair.set, mesh.edges[v]);
+		const double t = mesh.edges[v].t;
+		ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+		EXPECT_TRUE(t >= 0.0 && t <= 1.0);
+		EXPECT_LE(largest(p - (a + t * (b - a))), rounding);
+		EXPECT_LE(std::abs(side.distance(p)), rounding);
+		const grid::Block& block = pair.set.blocks[mesh.edges[v].block];
+		const double value = slice::interpolate(block, *linear.in(block), 0, mesh.edges[v]);
+		EXPECT_NEAR(value, linearAt(p), 8.0 * rounding + 16.0 * kUlp);
+	}
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		ASSERT_GE(mesh.polygon(p).size(), 3u);
+		EXPECT_GT(areaOf(mesh, p, pair.sheet.slice.sheet.normal), 0.0);
+		const std::set<std::uint32_t> distinct(mesh.polygon(p).begin(), mesh.polygon(p).end());
+		EXPECT_TRUE(!pair.generic || distinct.size() == mesh.polygon(p).size()) << "a polygon meets itself at a vertex";
+	}
+}
+
+namespace
+{
+
+using Real = long double;
+using Vec = glm::vec<3, Real>;
+
+// Cuts single cells anew: signs as ever, all else in long double, loops put together by their edges' names.
+class SectionCutter
+{
+public:
+	SectionCutter(const grid::Block& block, const TestPlane& plane) : block_(block), side_(plane), origin_(plane.origin)
+	{
+	}
+
+	struct Section
+	{
+		Real area = 0.0L; // sum of the loops' magnitudes
+		Real slack = 0.0L;
+		bool closed = true;
+	};
+
+	Section cut(CellId cell)
+	{
+		arcs_.clear();
+		slack_ = 0.0L;
+		visitGrid(block_,
+		          [&](const auto& grid)
+		          {
+			          grid::CellFaces faces;
+			          grid.cellFaces(cell, faces);
+			          for (int f = 0; f < faces.size(); ++f)
+				          cutFace(grid, faces[f]);
+		          });
+		return addLoops();
+	}
+
+private:
+	using Edge = std::pair<PointId, PointId>;
+	struct Crossing
+	{
+		Edge edge;
+		Vec at;
+		bool leaves;
+	};
+
+	template <class G>
+	Crossing crossing(const G& grid, PointId from, PointId to, bool leaves)
+	{
+		const Vec n(side_.normal());
+		const Vec a = Vec(grid.point(from)) - Vec(origin_);
+		const Vec b = Vec(grid.point(to)) - Vec(origin_);
+		const Real da = glm::dot(n, a);
+		const Real db = glm::dot(n, b);
+		// Within rounding of the plane any place of the edge may be meant.
+		const Real t = da == db ? 0.5L : std::clamp(da / (da - db), 0.0L, 1.0L);
+		const Real length = glm::length(b - a);
+		const Real size = glm::length(a) + glm::length(b);
+		const Real shallow =
+		    std::abs(da - db) > 0.0L ? std::min<Real>(length, 8.0L * kUlp * size * length / std::abs(da - db)) : length;
+		slack_ = std::max(slack_, shallow + 8.0L * kUlp * (size + glm::length(Vec(origin_))));
+		return {std::minmax(from, to), a + t * (b - a), leaves};
+	}
+
+	template <class G>
+	void cutFace(const G& grid, std::span<const PointId> face)
+	{
+		std::vector<Crossing> crossings;
+		for (std::size_t i = 0; i < face.size(); ++i)
+		{
+			const PointId a = face[i];
+			const PointId b = face[(i + 1) % face.size()];
+			const bool positive = side_.positive(grid.point(a));
+			if (positive != side_.positive(grid.point(b)))
+				crossings.push_back(crossing(grid, a, b, positive));
+		}
+		if (crossings.empty())
+			return;
+		std::vector<PointId> ids(face.begin(), face.end());
+		std::ranges::sort(ids);
+		double sum = 0.0; // the rule for faces cut more than once
+		for (const PointId p : ids)
+			sum += side_.distance(grid.point(p));
+		const bool joined = crossings.size() > 2 && sum >= 0.0;
+		for (std::size_t i = 0; i < crossings.size(); ++i)
+			if (crossings[i].leaves)
+			{
+				const std::size_t other = (i + (joined ? 1 : crossings.size() - 1)) % crossings.size();
+				if (crossings[i].edge != crossings[other].edge)
+					arcs_.push_back({crossings[i], crossings[other]});
+			}
+	}
+
+	// Cells whose edges have two arcs each: all but those folded on themselves by repeated points.
+	Section addLoops()
+	{
+		Section section;
+		std::map<Edge, std::vector<std::size_t>> at;
+		for (std::size_t i = 0; i < arcs_.size(); ++i)
+			for (const Crossing& end : arcs_[i])
+				at[end.edge].push_back(i);
+		section.closed = std::ranges::all_of(at, [](const auto& edge) { return edge.second.size() == 2; });
+		std::vector<bool> done(arcs_.size(), false);
+		Real perimeter = 0.0L;
+		for (std::size_t start = 0; start < arcs_.size() && section.closed; ++start)
+		{
+			Vec sum(0.0L);
+			const Vec about = arcs_[start][0].at;
+			std::size_t arc = start;
+			Edge edge = arcs_[start][0].edge;
+			while (!done[arc])
+			{
+				done[arc] = true;
+				const bool forward = arcs_[arc][0].edge == edge;
+				const Crossing& from = arcs_[arc][forward ? 0 : 1];
+				const Crossing& to = arcs_[arc][forward ? 1 : 0];
+				sum += glm::cross(from.at - about, to.at - about);
+				perimeter += glm::length(to.at - from.at);
+				edge = to.edge;
+				arc = at[edge][0] == arc ? at[edge][1] : at[edge][0];
+			}
+			section.area += 0.5L * std::abs(glm::dot(sum, Vec(side_.normal())));
+		}
+		// Every vertex moved by the slack.
+		section.slack = slack_ * (perimeter + slack_ * static_cast<Real>(arcs_.size()));
+		return section;
+	}
+
+	const grid::Block& block_;
+	Side side_;
+	Vec3 origin_;
+	std::vector<std::array<Crossing, 2>> arcs_;
+	Real slack_ = 0.0L; // how far rounding moves a vertex
+};
+
+} // namespace
+
+void checkAreas(const Pair& pair)
+{
+	const slice::SheetMesh& mesh = pair.sheet.mesh;
+	std::map<std::pair<std::uint32_t, CellId>, double> areas;
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+		areas[{mesh.polygon_cells[p].block, mesh.polygon_cells[p].cell}] +=
+		    areaOf(mesh, p, pair.sheet.slice.sheet.normal);
+	for (std::uint32_t b = 0; b < pair.set.blocks.size(); ++b)
+	{
+		for (const grid::BoundaryIndex::Face& face : pair.sheet.slice.seeds.faces_in_plane[b])
+			areas.erase({b, face.cell});
+		SectionCutter cutter(pair.set.blocks[b], pair.plane);
+		for (const CellId cell : scanCutCells(pair.set.blocks[b], pair.plane))
+		{
+			const SectionCutter::Section section = cutter.cut(cell);
+			const auto found = areas.find({b, cell});
+			const double area = found == areas.end() ? 0.0 : found->second;
+			if (section.closed)
+			{
+				EXPECT_NEAR(area, double(section.area), double(section.slack) + 1e-12 * area)
+				    << "cell " << cell << " of block " << b;
+			}
+			if (found != areas.end())
+				areas.erase(found);
+		}
+	}
+	EXPECT_TRUE(areas.empty()) << "polygons of cells that are not cut";
+}
+
+} // namespace vp::test

@@ -1,0 +1,232 @@
+#include "seamed_sets.h"
+#include "sliced_sheet.h"
+#include "test_grids.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <set>
+
+namespace vp::test
+{
+
+namespace
+{
+
+using Uv = glm::dvec2;
+
+slice::Slice cutWindow(slice::Slicer& slicer, const probe::Sheet& sheet, slice::Corners corners = slice::Corners::keep)
+{
+	slice::SliceRequest request;
+	request.probe.sheets = {sheet};
+	request.corners = corners;
+	request.field = slice::FieldChoice{"linear"};
+	return std::move(slicer.cut(std::move(request)).value());
+}
+
+// The witness: the whole plane's polygons, each clipped for itself in the plane.
+std::vector<Uv> clippedAt(std::vector<Uv> polygon, int axis, double sign, double limit)
+{
+	std::vector<Uv> kept;
+	const auto beyond = [&](const Uv& p) { return sign * (p[axis] - limit); };
+	for (std::size_t i = 0; i < polygon.size(); ++i)
+	{
+		const Uv a = polygon[i];
+		const Uv b = polygon[(i + 1) % polygon.size()];
+		if (beyond(a) >= 0.0)
+			kept.push_back(a);
+		if ((beyond(a) < 0.0) != (beyond(b) < 0.0))
+			kept.push_back(a + beyond(a) / (beyond(a) - beyond(b)) * (b - a));
+	}
+	return kept;
+}
+
+double areaOf(const std::vector<Uv>& polygon)
+{
+	double doubled = 0.0;
+	for (std::size_t i = 0; i < polygon.size(); ++i)
+	{
+		const Uv a = polygon[i];
+		const Uv b = polygon[(i + 1) % polygon.size()];
+		doubled += a.x * b.y - a.y * b.x;
+	}
+	return 0.5 * std::abs(doubled);
+}
+
+double clippedArea(const slice::SheetMesh& whole, std::size_t p, const probe::Sheet& sheet)
+{
+	const probe::Window& w = *sheet.window;
+	std::vector<Uv> polygon;
+	for (const std::uint32_t v : whole.polygon(p))
+	{
+		const Vec3 arm = whole.positions[v] - sheet.origin;
+		polygon.push_back({glm::dot(arm, sheet.xAxis()), glm::dot(arm, sheet.up)});
+	}
+	polygon = clippedAt(clippedAt(polygon, 0, 1.0, w.x0), 0, -1.0, w.x1);
+	return areaOf(clippedAt(clippedAt(polygon, 1, 1.0, w.y0), 1, -1.0, w.y1));
+}
+
+probe::Window randomWindow(const Box& bounds, std::mt19937& random)
+{
+	const double size = bounds.diagonal();
+	std::uniform_real_distribution<double> place(-0.4, 0.4);
+	std::uniform_real_distribution<double> exponent(-3.0, 0.0); // from far below a cell to the whole slice
+	const double x = place(random) * size;
+	const double y = place(random) * size;
+	return {x, x + size * std::pow(10.0, exponent(random)), y, y + size * std::pow(10.0, exponent(random))};
+}
+
+std::vector<grid::BlockSet> sets()
+{
+	std::vector<grid::BlockSet> found;
+	for (const char* name : {"shell", "tets", "blob", "graded", "mixed"})
+		found.push_back(setOf(gridNamed(name)));
+	found.push_back(setOfBlocks({latticeBlock(warped, 0.0, false), latticeBlock(warped, 1.0, true)}));
+	found.push_back(setOfBlocks({oGrid()}));
+	return found;
+}
+
+} // namespace
+
+TEST(Window, ShowsWhatTheWholeSliceShowsThere)
+{
+	std::mt19937 random(70);
+	std::size_t shown = 0;
+	for (const grid::BlockSet& set : sets())
+	{
+		slice::Slicer slicer(set);
+		for (const TestPlane& plane : randomPlanes(set.bounds(), 60, 71))
+		{
+			probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
+			const SlicedSheet whole = cut(slicer, plane);
+			sheet.window = randomWindow(set.bounds(), random);
+			const slice::Slice slice = cutWindow(slicer, sheet);
+			const slice::SheetMesh mesh = slice.mesh(set, 0);
+
+			double area = 0.0;
+			std::set<std::pair<std::uint32_t, CellId>> cells;
+			for (std::size_t p = 0; p < whole.mesh.polygons(); ++p)
+			{
+				const double part = clippedArea(whole.mesh, p, sheet);
+				area += part;
+				if (part > 1e-12 * sheet.window->width() * sheet.window->height())
+					cells.insert({whole.mesh.polygon_cells[p].block, whole.mesh.polygon_cells[p].cell});
+			}
+			std::set<std::pair<std::uint32_t, CellId>> cut_cells;
+			for (std::uint32_t b = 0; b < slice.sheets[0].cuts.size(); ++b)
+			{
+				const traverse::LaneCut& lane = slice.sheets[0].cuts[b];
+				for (std::size_t i = 0; i < lane.cells.size(); ++i)
+					if (lane.words[i] & shared::kWordCut)
+						cut_cells.insert({b, lane.cells[i]});
+			}
+			EXPECT_TRUE(std::ranges::includes(cut_cells, cells));
+			const slice::SheetMeasure measure = slice::measure(set, mesh, slice.sheets[0].field);
+			EXPECT_NEAR(measure.area, area, 1e-9 * (area + 1e-6));
+			EXPECT_LE(measure.area, sheet.window->width() * sheet.window->height() * (1.0 + 1e-9));
+			shown += !cells.empty();
+		}
+	}
+	EXPECT_GT(shown, 100u);
+}
+
+TEST(Window, VerticesLieInItAndLinearDataAreExact)
+{
+	std::mt19937 random(72);
+	for (const char* name : {"shell", "tets", "mixed"})
+	{
+		const grid::BlockSet set = setOf(gridNamed(name));
+		slice::Slicer slicer(set);
+		const std::vector<const grid::Field*> fields = slice::FieldChoice{"linear"}.inEach(set);
+		for (const TestPlane& plane : randomPlanes(set.bounds(), 30, 73))
+		{
+			probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
+			sheet.window = randomWindow(set.bounds(), random);
+			const slice::SheetMesh mesh = cutWindow(slicer, sheet).mesh(set, 0);
+			for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+			{
+				const Uv uv = probe::worldToWindow(sheet, mesh.positions[v]);
+				EXPECT_GE(std::min(uv.x, uv.y), -1e-9);
+				EXPECT_LE(std::max(uv.x, uv.y), 1.0 + 1e-9);
+				EXPECT_NEAR(slice::vertexValue(set, mesh, v, fields, 0), linearAt(mesh.positions[v]), 1e-11);
+			}
+			// Cut edges are shared within the window: no edge has more than two polygons, and those with one lie on the
+			// rim or on the boundary, which a closed domain's window does not meet.
+			std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+			for (std::size_t p = 0; p < mesh.polygons(); ++p)
+				for (std::size_t i = 0; i < mesh.polygon(p).size(); ++i)
+					++uses[std::minmax(mesh.polygon(p)[i], mesh.polygon(p)[(i + 1) % mesh.polygon(p).size()])];
+			for (const auto& [edge, count] : uses)
+				EXPECT_LE(count, 2);
+		}
+	}
+}
+
+TEST(Window, InsideOneCellIsOneRectangle)
+{
+	const grid::BlockSet set = setOf(gridNamed("blob"));
+	slice::Slicer slicer(set);
+	probe::Sheet sheet = probe::makeSheet({0.11, 0.13, 0.17}, {0.0, 0.0, 1.0});
+	sheet.window = probe::centredWindow(1e-4, 2e-4);
+	const slice::Slice slice = cutWindow(slicer, sheet);
+	const slice::SheetMesh mesh = slice.mesh(set, 0);
+	EXPECT_EQ(slice.sheets[0].cuts[0].cut_cells, 1u);
+	EXPECT_EQ(slice.sheets[0].cuts[0].cells.size(), 1u);
+	EXPECT_EQ(mesh.polygons(), 1u);
+	EXPECT_EQ(mesh.positions.size(), 4u);
+	EXPECT_NEAR(slice::measure(set, mesh, {}).area, 2e-8, 1e-18);
+	EXPECT_EQ(cutWindow(slicer, sheet, slice::Corners::skip).mesh(set, 0).polygons(), 0u);
+}
+
+// Cells touched follow the window.
+TEST(Window, EndsTheTraversal)
+{
+	const grid::BlockSet set = setOf(gridNamed("shell"));
+	slice::Slicer slicer(set);
+	std::mt19937 random(74);
+	for (const TestPlane& plane : randomPlanes(set.bounds(), 60, 75))
+	{
+		probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
+		sheet.window = randomWindow(set.bounds(), random);
+		const slice::Slice slice = cutWindow(slicer, sheet);
+		// Beside those that show something: cells that the rim touches, and the seed.
+		EXPECT_LE(slice.sheets[0].cuts[0].cells.size(), slice.sheets[0].cuts[0].cut_cells + 1);
+	}
+}
+
+// What fx magnifies is the smaller window's content.
+TEST(Window, FxShowsTheContentOfASmallerOne)
+{
+	const grid::BlockSet set = setOf(gridNamed("shell"));
+	slice::Slicer slicer(set);
+	probe::Sheet lens = probe::makeSheet({0.0, 1.8, 0.2}, {0.3, 0.5, 0.81});
+	lens.window = probe::centredWindow(1.0, 0.6);
+	lens.fx = {4.0, {0.1, -0.05, 0.2}};
+	probe::Sheet plain = lens;
+	plain.fx = {};
+	plain.origin = lens.origin + 0.1 * lens.xAxis() - 0.05 * lens.up + 0.2 * lens.normal;
+	plain.window = probe::centredWindow(0.25, 0.15);
+	const slice::Slice through = cutWindow(slicer, lens);
+	const slice::Slice at = cutWindow(slicer, plain);
+	EXPECT_EQ(through.sheets[0].shown, lens);
+	EXPECT_GT(at.sheets[0].cuts[0].cut_cells, 0u);
+	EXPECT_EQ(sorted(through.sheets[0].cuts[0].cells), sorted(at.sheets[0].cuts[0].cells));
+	const slice::SheetMeasure magnified = slice::measure(set, through.mesh(set, 0), {});
+	EXPECT_NEAR(magnified.area, 0.25 * 0.15, 1e-12); // true sizes
+}
+
+TEST(Window, CornersMayBeLeftOut)
+{
+	const grid::BlockSet set = setOf(gridNamed("blob"));
+	slice::Slicer slicer(set);
+	probe::Sheet sheet = probe::makeSheet({0.1, 0.2, 0.3}, {0.3, 0.5, 0.81});
+	sheet.window = probe::centredWindow(1.5, 1.1);
+	const slice::SheetMesh kept = cutWindow(slicer, sheet).mesh(set, 0);
+	const slice::SheetMesh skipped = cutWindow(slicer, sheet, slice::Corners::skip).mesh(set, 0);
+	EXPECT_EQ(skipped.polygons() + 4, kept.polygons());
+	EXPECT_NEAR(slice::measure(set, kept, {}).area, 1.65, 1e-12);
+	EXPECT_LT(slice::measure(set, skipped, {}).area, 1.65);
+}
+
+} // namespace vp::test
