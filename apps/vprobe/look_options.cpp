@@ -193,6 +193,7 @@ Result<std::optional<render::ValueScale>> valueScale(const grid::BlockSet& block
 	}
 	const auto [lo, hi] = slice::fieldRange(blocks, *field);
 	render::ValueScale scale{field->title(blocks), lo, hi};
+	scale.per_cell = field->association == grid::Association::cell;
 	if (!look.logarithmic)
 		return std::optional(scale);
 	scale.log_lo = render::leastPositive(blocks, *field);

@@ -43,7 +43,7 @@ public:
 			return;
 		pen_.line(from, to);
 		const Ticks ticks =
-		    makeTicks(box.lo[axis], box.hi[axis], std::clamp(static_cast<int>(seen / (kBetweenTicks * em_)), 2, 7));
+		    makeTicks(box.lo[axis], box.hi[axis], std::clamp(static_cast<int>(seen / (kBetweenTicks * em_)), 3, 7));
 		const double extent = box.hi[axis] - box.lo[axis];
 		double reach = 0.0;
 		for (const Tick& tick : ticks.marks)

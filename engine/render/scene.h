@@ -25,8 +25,9 @@ struct ValueScale
 	std::string title; // above the legend: name and component
 	double lo = 0.0;   // of the data
 	double hi = 1.0;
-	bool has_nan = false; // puts a swatch into the legend
-	double log_lo = 0.0;  // low end of a logarithmic scale, > 0; 0: no value is above 0
+	bool has_nan = false;  // puts a swatch into the legend
+	bool per_cell = false; // constant in each polygon: contour lines go between polygons
+	double log_lo = 0.0;   // low end of a logarithmic scale, > 0; 0: no value is above 0
 };
 
 // x0 < x1 along a sheet's u, y0 < y1 along its v.

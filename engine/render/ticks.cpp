@@ -109,6 +109,29 @@ Ticks logTicks(const std::vector<double>& values)
 	return ticks;
 }
 
+// Which of the first `stride` values to begin with, so that every stride-th is as round as can be: 0 and multiples of
+// their distance are among them, or powers of ten.
+std::size_t roundestStart(const std::vector<double>& values, std::size_t stride, bool logarithmic)
+{
+	std::size_t best = 0;
+	double least = std::numeric_limits<double>::infinity();
+	for (std::size_t start = 0; stride > 1 && start < stride && start < values.size(); ++start)
+	{
+		double off = 0.0;
+		if (logarithmic)
+			for (std::size_t i = start; i < values.size(); i += stride)
+				off -= std::abs(timesPowerOfTen(values[i], -decimalExponent(values[i])) - 1.0) < 1e-6;
+		else
+			off = std::abs(std::remainder(values[start], static_cast<double>(stride) * (values[1] - values[0])));
+		if (off < least)
+		{
+			least = off;
+			best = start;
+		}
+	}
+	return best;
+}
+
 } // namespace
 
 Ticks ticksAt(const std::vector<double>& values, int most, bool logarithmic)
@@ -117,7 +140,7 @@ Ticks ticksAt(const std::vector<double>& values, int most, bool logarithmic)
 		return {};
 	const std::size_t stride = (values.size() + static_cast<std::size_t>(most) - 1) / static_cast<std::size_t>(most);
 	std::vector<double> kept;
-	for (std::size_t i = 0; i < values.size(); i += stride)
+	for (std::size_t i = roundestStart(values, stride, logarithmic); i < values.size(); i += stride)
 		kept.push_back(values[i]);
 	return logarithmic ? logTicks(kept) : linearTicks(kept);
 }

@@ -16,6 +16,7 @@ ValueStyle styleOf(const ColorMap& colors, const ValueScale& values, const Look&
 	ValueStyle style;
 	style.colors = &colors;
 	style.logarithmic = look.logarithmic && colors.categories.empty();
+	style.per_cell = values.per_cell;
 	style.lo = range ? range->first : style.logarithmic ? values.log_lo : values.lo;
 	style.hi = range ? range->second : values.hi;
 	if (style.logarithmic && !(style.lo > 0.0))

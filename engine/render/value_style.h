@@ -16,6 +16,7 @@ struct ValueStyle
 	double lo = 0.0;                  // values at the ends of the colour map
 	double hi = 1.0;
 	bool logarithmic = false;
+	bool per_cell = false;     // values are constant in each polygon
 	bool below = false;        // values below lo get a colour of their own
 	bool above = false;        // and those above hi
 	std::vector<double> lines; // values of the contour lines, ascending

@@ -109,6 +109,40 @@ TEST_F(Pictures, RangeNanAndALongNameOnNothing)
 	EXPECT_TRUE(looksLike(draw(scene), "range_nan"));
 }
 
+TEST_F(Pictures, LinesBandsAndALogarithmBesideNumberedAxes)
+{
+	const auto outline = boxOutline(1.0);
+	Scene scene = dressed(outline);
+	scene.look.axes = false;
+	scene.look.box_axes = true;
+	scene.look.logarithmic = true;
+	scene.look.lines = 6;
+	scene.look.bands = 6;
+	scene.bounds = Box{Vec3(-1.0), Vec3(1.0)};
+	scene.values = ValueScale{"decades", 1e-3, 1.0, false, false, 1e-3};
+	const auto decades = [](double u, double v) { return std::pow(10.0, 1.5 * waves(u, v) - 1.5); };
+	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, {0.1, 0.0, 1.0}), 0.99, 1.0, decades, 48));
+	aim(scene, "auto");
+	EXPECT_TRUE(looksLike(draw(scene), "lines_log"));
+}
+
+TEST_F(Pictures, CategoriesAMeshAndAWindow)
+{
+	const auto outline = boxOutline(1.0);
+	Scene scene = dressed(outline);
+	scene.look.mesh = true;
+	scene.look.lit = true;
+	scene.look.colors.categories = {{-1.0, "water", {60, 120, 200}},
+	                                {0.0, "sand", {225, 200, 130}},
+	                                {1.0, "a word that is far too long", {90, 150, 70}}};
+	for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(0, 0, 1)})
+		scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, normal), 1.0, 1.0, waves, 16));
+	scene.sheets[0].window = WindowRect{-0.6, 0.7, -0.5, 0.8};
+	scene.sheets[1].opacity = 0.7;
+	aim(scene, "30,25");
+	EXPECT_TRUE(looksLike(draw(scene), "categories_mesh"));
+}
+
 TEST_F(Pictures, TheSameSceneGivesTheSamePicture)
 {
 	const auto outline = boxOutline(1.0);

@@ -2,6 +2,7 @@
 
 #include "render/value_style.h"
 #include "shared/slice_types.h"
+#include "slice/gpu_records.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,6 +126,42 @@ TEST_F(ValueLook, LinesStayOffNanAndPlateaus)
 	EXPECT_LE(brightness(at(lines, 0.5, -0.9)), brightness(at(plain, 0.5, -0.9)) - 60);
 }
 
+TEST_F(ValueLook, LinesOfCellValuesGoBetweenCells)
+{
+	// Two halves, constant each, with a level between them; above v = 0.5 there is none between.
+	scene_.values->per_cell = true;
+	scene_.look.lines = 1;
+	std::vector<vp::shared::PolygonRecord> records;
+	const auto add = [&](float u0, float u1, float v0, float v1, float value)
+	{
+		vp::shared::PolygonRecord record{};
+		record.vertices = 4;
+		const float uv[] = {u0, v0, u1, v0, u1, v1, u0, v1};
+		std::copy(std::begin(uv), std::end(uv), record.uv);
+		std::fill(record.value, record.value + 4, value);
+		records.push_back(record);
+	};
+	add(-1.0f, 0.0f, -1.0f, 0.5f, 0.3f);
+	add(0.0f, 1.0f, -1.0f, 0.5f, 0.7f);
+	add(-1.0f, 0.0f, 0.5f, 1.0f, 0.52f);
+	add(0.0f, 1.0f, 0.5f, 1.0f, 0.7f);
+	auto on_device = slice::recordsFromHost(slice::RecordPool::create(device()), records);
+	ASSERT_TRUE(on_device);
+	scene_.sheets = {{kFacing, *on_device, 1.0}};
+	const Picture lines = draw(scene_);
+	const Picture plain = without(&Look::lines);
+	const auto ink = [&](double u, double v) { return brightness(at(plain, u, v)) - brightness(at(lines, u, v)); };
+	for (double v = -0.9; v < 0.4; v += 0.1)
+	{
+		EXPECT_GE(std::max(ink(0.02, v), ink(-0.02, v)), 60) << v;
+		EXPECT_EQ(ink(0.2, v), 0) << v;
+		EXPECT_EQ(ink(-0.2, v), 0) << v;
+	}
+	EXPECT_GE(std::max(ink(-0.5, 0.48), ink(-0.5, 0.52)), 60);
+	EXPECT_EQ(ink(0.5, 0.5), 0);
+	EXPECT_EQ(std::max(ink(0.02, 0.8), ink(-0.02, 0.8)), 0);
+}
+
 TEST_F(ValueLook, BandsHaveOneColorEach)
 {
 	show([](double u, double) { return 0.5 + 0.32 * u; }, 1);
@@ -149,7 +186,7 @@ TEST_F(ValueLook, BandsHaveOneColorEach)
 TEST_F(ValueLook, ALogarithmicScale)
 {
 	show([](double u, double) { return u; }, 1); // -1.5 .. 1.5
-	scene_.values = ValueScale{"f", -1.5, 1.5, false, 0.01};
+	scene_.values = ValueScale{"f", -1.5, 1.5, false, false, 0.01};
 	scene_.look.logarithmic = true;
 	scene_.look.samples = 1;
 	const Picture picture = draw(scene_);
