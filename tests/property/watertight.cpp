@@ -1,5 +1,7 @@
 #include "pair_checks.h"
 
+#include "slice/union_find.h"
+
 #include <gtest/gtest.h>
 
 #include <map>
@@ -12,52 +14,95 @@ namespace vp::test
 namespace
 {
 
-// Whether two vertices lie on one face without a neighbour.
+// Whether two vertices lie on one face without a neighbour. Where faces lie on each other, as at the wrap of a ring, a
+// vertex bears the name of either side: their corners count as one.
 class BoundaryFaces
 {
 public:
-	explicit BoundaryFaces(const grid::BlockSet& set)
+	explicit BoundaryFaces(const grid::BlockSet& set) : set_(set), same_(countPoints())
 	{
-		faces_of_.resize(set.blocks.size());
-		for (std::size_t b = 0; b < set.blocks.size(); ++b)
-			visitGrid(set.blocks[b],
-			          [&](const auto& grid)
-			          {
-				          grid::CellFaces faces;
-				          for (const grid::BoundaryIndex::Face& face : set.blocks[b].boundary.faces)
-				          {
-					          grid.cellFaces(face.cell, faces);
-					          const auto points = faces[static_cast<int>(face.face)];
-					          for (const PointId p : points)
-						          faces_of_[b][p].insert(count_);
-					          ++count_;
-				          }
-			          });
+		for (std::uint32_t b = 0; b < set.blocks.size(); ++b)
+			if (const grid::BlockSeams* seams = set.interfaces.of(b))
+				for (const grid::SeamLink& link : seams->all())
+					joinCorners({b, link.cell, link.face}, {link.block, link.other, link.other_face});
+		std::size_t count = 0;
+		for (std::uint32_t b = 0; b < set.blocks.size(); ++b)
+			for (const grid::BoundaryIndex::Face& face : set.blocks[b].boundary.faces)
+			{
+				for (const PointId p : pointsOf({b, face.cell, face.face}))
+					faces_of_[number(b, p)].insert(count);
+				++count;
+			}
 	}
 	bool holdBoth(const slice::EdgePoint& v, const slice::EdgePoint& w) const
 	{
-		if (v.block != w.block)
-			return true; // a seam
-		const auto facesOf = [&](PointId p) -> const std::set<std::size_t>&
-		{
-			static const std::set<std::size_t> none;
-			const auto at = faces_of_[v.block].find(p);
-			return at == faces_of_[v.block].end() ? none : at->second;
-		};
-		return std::ranges::any_of(
-		    facesOf(v.lower), [&](std::size_t f)
-		    { return facesOf(v.higher).contains(f) && facesOf(w.lower).contains(f) && facesOf(w.higher).contains(f); });
+		const auto& faces = facesOf(v.block, v.lower);
+		return std::ranges::any_of(faces,
+		                           [&](std::size_t f)
+		                           {
+			                           return facesOf(v.block, v.higher).contains(f) &&
+			                                  facesOf(w.block, w.lower).contains(f) &&
+			                                  facesOf(w.block, w.higher).contains(f);
+		                           });
 	}
 
 private:
-	std::vector<std::map<PointId, std::set<std::size_t>>> faces_of_; // per block
-	std::size_t count_ = 0;
+	struct Face
+	{
+		std::uint32_t block;
+		CellId cell;
+		std::uint32_t face;
+	};
+
+	// Fills starts_, the number of each block's first point.
+	std::size_t countPoints()
+	{
+		std::size_t points = 0;
+		for (const grid::Block& block : set_.blocks)
+		{
+			starts_.push_back(static_cast<std::uint32_t>(points));
+			points += visitGrid(block, [](const auto& grid) { return grid.pointCount(); });
+		}
+		return points;
+	}
+	std::uint32_t number(std::uint32_t block, PointId point) const { return same_.root(starts_[block] + point); }
+	std::vector<PointId> pointsOf(const Face& face) const
+	{
+		return visitGrid(set_.blocks[face.block],
+		                 [&](const auto& grid)
+		                 {
+			                 grid::CellFaces faces;
+			                 grid.cellFaces(face.cell, faces);
+			                 const auto points = faces[static_cast<int>(face.face)];
+			                 return std::vector<PointId>(points.begin(), points.end());
+		                 });
+	}
+	Vec3 place(std::uint32_t block, PointId point) const
+	{
+		return visitGrid(set_.blocks[block], [&](const auto& grid) { return grid.point(point); });
+	}
+	void joinCorners(const Face& face, const Face& other)
+	{
+		const std::vector<PointId> corners = pointsOf(other);
+		for (const PointId p : pointsOf(face))
+			same_.join(starts_[face.block] + p,
+			           starts_[other.block] +
+			               *std::ranges::min_element(
+			                   corners, {},
+			                   [&](PointId q) { return glm::length(place(face.block, p) - place(other.block, q)); }));
+	}
+	const std::set<std::size_t>& facesOf(std::uint32_t block, PointId point) const
+	{
+		static const std::set<std::size_t> none;
+		const auto at = faces_of_.find(number(block, point));
+		return at == faces_of_.end() ? none : at->second;
+	}
+
+	const grid::BlockSet& set_;
+	std::vector<std::uint32_t> starts_;
+	mutable slice::UnionFind same_; // root() shortens paths
+	std::map<std::uint32_t, std::set<std::size_t>> faces_of_;
 };
-
-} // namespace
-
-namespace
-{
 
 // The polygons on an edge, and which way each runs along it.
 struct EdgeUse
