@@ -67,6 +67,20 @@ void corners(const G& grid, const BoundaryIndex::Face& face, CellFaces& faces, s
 		found.pop_back();
 }
 
+// Of a cell, those without length left out: across a thin layer of cells, faces are no seam however large they are.
+template <Grid G>
+double shortestEdge(const G& grid, const CellFaces& faces, double shortest)
+{
+	for (int f = 0; f < faces.size(); ++f)
+		for (std::size_t i = 0; i < faces[f].size(); ++i)
+		{
+			const double length =
+			    glm::length(grid.point(faces[f][i]) - grid.point(faces[f][i ? i - 1 : faces[f].size() - 1]));
+			shortest = length > 0.0 ? std::min(shortest, length) : shortest;
+		}
+	return shortest;
+}
+
 template <Grid G>
 bool describe(const G& grid, std::uint32_t block, const BoundaryIndex::Face& face, CellFaces& faces,
               std::vector<Vec3>& points, Candidate& candidate)
@@ -84,7 +98,8 @@ bool describe(const G& grid, std::uint32_t block, const BoundaryIndex::Face& fac
 		edge = std::min(edge, glm::length(points[i] - points[i ? i - 1 : points.size() - 1]));
 	}
 	const double floor = kUlps * storedUlp(grid) * std::max({greatest.x, greatest.y, greatest.z});
-	const double tolerance = std::max(kEdgeTolerance * edge, std::min(floor, kMostOfAnEdge * edge));
+	const double tolerance =
+	    std::min(std::max(kEdgeTolerance * edge, floor), kMostOfAnEdge * shortestEdge(grid, faces, edge));
 	candidate = {sum / static_cast<double>(points.size()), edge, tolerance, block, face};
 	return std::isfinite(candidate.centre.x) && std::isfinite(candidate.centre.y) &&
 	       std::isfinite(candidate.centre.z) && edge > 0.0;

@@ -134,6 +134,22 @@ TEST(Interfaces, ThinCellsFarAway)
 	}
 }
 
+// Two layers of cells, in all no thicker than what rounding floats may do at their other coordinates.
+TEST(Interfaces, AThinSheetOfCellsDoesNotMeetItself)
+{
+	std::vector<float> xyz;
+	for (int k = 0; k < 6; ++k)
+		for (int j = 0; j < 3; ++j)
+			for (int i = 0; i < 3; ++i)
+				xyz.insert(xyz.end(), {float(i), 1e-6f * float(j), float(k)});
+	grid::Block block;
+	block.grid = grid::CurvilinearGrid({3, 3, 6}, grid::Points(Array<float>(std::move(xyz))));
+	grid::finishBlock(block);
+	const grid::BlockSet set = setOfBlocks({block});
+	EXPECT_EQ(set.interfaces.seam_faces, 0u);
+	EXPECT_EQ(set.interfaces.boundary_faces, 2u * (4 + 10 + 10));
+}
+
 TEST(Interfaces, WithinTheToleranceAndBeyond)
 {
 	for (const double gap : {1e-8, 1e-5})
