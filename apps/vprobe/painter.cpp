@@ -134,8 +134,7 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 	{
 		// Of several sheets none is the one to look at.
 		const bool any = slice.sheets.size() == 1 || choice_.camera.followsSheet();
-		camera_ = render::makeCamera(choice_.camera, any ? first : nullptr, extent_,
-		                             render::pictureFrame(scene.look, scene.values));
+		camera_ = render::makeCamera(choice_.camera, any ? first : nullptr, extent_, render::pictureFrame(scene));
 	}
 	scene.camera = *camera_;
 	return renderer_.draw(scene, session_.timeline.get());

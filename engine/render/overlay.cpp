@@ -77,12 +77,15 @@ void writeTitles(const Look& look, const Layout& layout, Pen& pen)
 
 Overlay makeOverlay(const Scene& scene)
 {
-	const Layout layout = makeLayout(scene.look, scene.values);
+	const std::vector<LegendContent> legends = legendContents(scene);
+	const Layout layout = makeLayout(scene.look, legends);
 	std::vector<std::string> texts{scene.look.title, scene.look.caption, kSigns};
-	if (scene.values)
-		texts.push_back(scene.values->title);
-	for (const Category& category : scene.look.colors.categories)
-		texts.push_back(category.name);
+	for (const LegendContent& legend : legends)
+	{
+		texts.push_back(legend.title);
+		for (const Category& category : legend.style.colors->categories)
+			texts.push_back(category.name);
+	}
 
 	Overlay overlay;
 	overlay.lettering =
@@ -93,8 +96,8 @@ Overlay makeOverlay(const Scene& scene)
 		writeDirections(scene.camera, layout, pen);
 	if (scene.look.box_axes && scene.bounds)
 		writeBoxAxes(*scene.bounds, scene.camera, layout, pen);
-	if (scene.look.legend && scene.values)
-		writeLegend(scene, layout, pen);
+	for (std::size_t i = 0; i < layout.legends.size(); ++i)
+		writeLegend(legends[i], layout.legends[i], pen);
 	const ImDrawList& list = pen.list();
 	overlay.vertices.assign(list.VtxBuffer.begin(), list.VtxBuffer.end());
 	// ImGui starts a new base vertex with a new command once 16 bits are used up.

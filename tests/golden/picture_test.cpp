@@ -62,9 +62,8 @@ protected:
 	}
 	void aim(Scene& scene, const char* camera)
 	{
-		scene.camera =
-		    makeCamera(parseCamera(camera).value(), &scene.sheets[0].sheet,
-		               ends({scene.outline.begin(), scene.outline.end()}), pictureFrame(scene.look, scene.values));
+		scene.camera = makeCamera(parseCamera(camera).value(), &scene.sheets[0].sheet,
+		                          ends({scene.outline.begin(), scene.outline.end()}), pictureFrame(scene));
 	}
 };
 
