@@ -116,6 +116,7 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 	scene.look = choice_.look;
 	scene.outline = outline_;
 	scene.bounds = session_.blocks.bounds();
+	scene.fitted = choice_.camera.kind != render::CameraChoice::Kind::fixed;
 	auto scale = scaleOf(session_.field, std::ranges::any_of(sheets, hasNan));
 	if (!scale)
 		return scale.error();

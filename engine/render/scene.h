@@ -61,6 +61,7 @@ struct Scene
 	std::span<const Segment> outline;
 	std::optional<Box> bounds{}; // of the blocks, for numbered axes
 	Camera camera;               // made for pictureFrame() of the same scene
+	bool fitted = true;          // the camera keeps the scene off what is written; else words over it get a ground
 	Look look;
 };
 

@@ -21,7 +21,10 @@ ValueStyle styleOf(const ColorMap& colors, const ValueScale& values, const Look&
 	style.per_cell = values.per_cell;
 	style.lo = range ? range->first : style.logarithmic ? values.log_lo : values.lo;
 	style.hi = range ? range->second : values.hi;
-	if (style.logarithmic && !(style.lo > 0.0))
+	// A sheet's own range may reach where there is no logarithm.
+	if (style.logarithmic && style.lo <= 0.0)
+		style.lo = values.log_lo;
+	if (style.logarithmic && !(style.lo > 0.0 && style.hi >= style.lo))
 		style.lo = style.hi = 1.0; // nothing can be shown
 	style.above = range.has_value();
 	style.below = range.has_value() || (style.logarithmic && values.lo <= 0.0);

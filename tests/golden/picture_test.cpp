@@ -142,6 +142,32 @@ TEST_F(Pictures, CategoriesAMeshAndAWindow)
 	EXPECT_TRUE(looksLike(draw(scene), "categories_mesh"));
 }
 
+TEST_F(Pictures, WordsOverTheSceneHaveAGround)
+{
+	Scene scene = dressed({});
+	scene.bounds = Box{Vec3(-1.0), Vec3(1.0)};
+	scene.look.background = parseBackground("white").value();
+	scene.look.colors = makeColorMap("grey").value();
+	const auto black = [](double, double) { return -1.0; };
+	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}), 1.0, 1.0, black));
+	scene.camera.position = {0.0, 0.0, 1.2};
+	// Beside the title's first letter, and within the legend's column.
+	const auto ground = [&](bool fitted)
+	{
+		scene.fitted = fitted;
+		const Picture picture = draw(scene);
+		return std::pair{picture.pixel(8, 8)[0], picture.pixel(312, 120)[0]};
+	};
+	EXPECT_EQ(ground(true), (std::pair<std::uint8_t, std::uint8_t>{0, 0}));
+	const auto [title, legend] = ground(false);
+	EXPECT_NEAR(title, 204, 3);
+	EXPECT_NEAR(legend, 204, 3);
+	// Where the scene is elsewhere, there is none.
+	scene.sheets.clear();
+	scene.camera.position = {0.0, 0.0, 50.0};
+	EXPECT_EQ(ground(false), ground(true));
+}
+
 TEST_F(Pictures, TheSameSceneGivesTheSamePicture)
 {
 	const auto outline = boxOutline(1.0);
