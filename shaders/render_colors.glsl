@@ -107,10 +107,13 @@ float contourLine(float y, uint layer, ivec2 pixel)
 		   clamp(apart / kFullStrengthFrom, 0.1, 1.0);
 }
 
-// Dark on light, light on dark.
-float inkOn(vec3 color)
+// Dark on light, light on dark: on colours darker than this.
+const float kDarkForContours = 0.33;
+const float kDarkForMesh = 0.2; // a mesh runs through many colours, and is to change seldom
+
+float inkOn(vec3 color, float dark)
 {
-	return dot(color, vec3(0.2126, 0.7152, 0.0722)) < 0.2 ? 0.92 : 0.07;
+	return dot(color, vec3(0.2126, 0.7152, 0.0722)) < dark ? 0.92 : 0.07;
 }
 
 // Lines over a colour: not multiplied by alpha, as what they lie over.
@@ -151,10 +154,10 @@ vec4 colorOf(vec2 texel, uint layer, ivec2 pixel)
 
 	const float opacity = params.sheets[layer].opacity;
 	color *= vec4(vec3(params.sheets[layer].shade), opacity);
-	const float ink = inkOn(color.rgb);
+	const vec3 ground = color.rgb;
 	if ((kFeatures & kComposeMesh) != 0u)
-		color = inked(color, ink, kMeshInk * texel.y, opacity);
+		color = inked(color, inkOn(ground, kDarkForMesh), kMeshInk * texel.y, opacity);
 	if ((kFeatures & kComposeLines) != 0u && !is_nan)
-		color = inked(color, ink, kContourInk * contourLine(y, layer, pixel), opacity);
+		color = inked(color, inkOn(ground, kDarkForContours), kContourInk * contourLine(y, layer, pixel), opacity);
 	return color;
 }

@@ -82,7 +82,7 @@ private:
 		for (const double value : style_.lines)
 		{
 			const Color under = style_.colors->at(style_.part(value));
-			const bool dark = 0.2126 * under.r + 0.7152 * under.g + 0.0722 * under.b < 0.2 * 255.0;
+			const bool dark = 0.2126 * under.r + 0.7152 * under.g + 0.0722 * under.b < 0.33 * 255.0;
 			const std::uint8_t ink = dark ? 235 : 18;
 			const double y = height(style_.part(value));
 			pen_.line({bar_.lo.x, y}, {bar_.hi.x, y}, {ink, ink, ink, 190}, std::max(1.2, em_ / 11.0));
