@@ -107,14 +107,22 @@ float contourLine(float y, uint layer, ivec2 pixel)
 		   clamp(apart / kFullStrengthFrom, 0.1, 1.0);
 }
 
-// Lines over a colour, dark on light and light on dark: not multiplied by alpha, as what they lie over.
-vec4 inked(vec4 color, float ink, float opacity)
+// Dark on light, light on dark: on colours darker than this.
+const float kDarkForContours = 0.33;
+const float kDarkForMesh = 0.2; // a mesh runs through many colours, and is to change seldom
+
+float inkOn(vec3 color, float dark)
 {
-	const float light = dot(color.rgb, vec3(0.2126, 0.7152, 0.0722)) < 0.2 ? 0.92 : 0.07;
+	return dot(color, vec3(0.2126, 0.7152, 0.0722)) < dark ? 0.92 : 0.07;
+}
+
+// Lines over a colour: not multiplied by alpha, as what they lie over.
+vec4 inked(vec4 color, float ink, float coverage, float opacity)
+{
 	// On a faint sheet lines are not as faint.
-	const float over = ink * sqrt(opacity);
+	const float over = coverage * sqrt(opacity);
 	const float alpha = over + (1.0 - over) * color.a;
-	const vec3 mixed = over * vec3(light) + (1.0 - over) * color.a * color.rgb;
+	const vec3 mixed = over * vec3(ink) + (1.0 - over) * color.a * color.rgb;
 	return alpha > 0.0 ? vec4(mixed / alpha, alpha) : vec4(0.0);
 }
 
@@ -146,9 +154,10 @@ vec4 colorOf(vec2 texel, uint layer, ivec2 pixel)
 
 	const float opacity = params.sheets[layer].opacity;
 	color *= vec4(vec3(params.sheets[layer].shade), opacity);
+	const vec3 ground = color.rgb;
 	if ((kFeatures & kComposeMesh) != 0u)
-		color = inked(color, kMeshInk * texel.y, opacity);
+		color = inked(color, inkOn(ground, kDarkForMesh), kMeshInk * texel.y, opacity);
 	if ((kFeatures & kComposeLines) != 0u && !is_nan)
-		color = inked(color, kContourInk * contourLine(y, layer, pixel), opacity);
+		color = inked(color, inkOn(ground, kDarkForContours), kContourInk * contourLine(y, layer, pixel), opacity);
 	return color;
 }

@@ -122,6 +122,7 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 	scene.look = choice_.look;
 	scene.outline = outline_;
 	scene.bounds = session_.blocks.bounds();
+	scene.fitted = choice_.camera.kind != render::CameraChoice::Kind::fixed;
 	auto scale = scaleOf(session_.field, std::ranges::any_of(sheets, hasNan));
 	if (!scale)
 		return scale.error();
@@ -140,8 +141,7 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 	{
 		// Of several sheets none is the one to look at.
 		const bool any = slice.sheets.size() == 1 || choice_.camera.followsSheet();
-		camera_ = render::makeCamera(choice_.camera, any ? first : nullptr, extent_,
-		                             render::pictureFrame(scene.look, scene.values));
+		camera_ = render::makeCamera(choice_.camera, any ? first : nullptr, extent_, render::pictureFrame(scene));
 	}
 	scene.camera = *camera_;
 	return renderer_.draw(scene, session_.timeline.get());

@@ -29,9 +29,10 @@ public:
 	Numbers(const Layout& layout, Pen& pen)
 	    : pen_(pen),
 	      em_(layout.em), picture_{{0.0, 0.0}, {layout.frame.width, layout.frame.height}}, taken_{layout.title,
-	                                                                                              layout.caption,
-	                                                                                              layout.legend}
+	                                                                                              layout.caption}
 	{
+		for (const LegendLayout& legend : layout.legends)
+			taken_.push_back(legend.column);
 	}
 
 	void write(int axis, const Box& box, const AxisEdge& edge, const Camera& camera, const Frame& frame)

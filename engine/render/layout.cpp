@@ -1,6 +1,6 @@
 #include "render/layout.h"
 
-#include "render/value_style.h"
+#include "render/legend_layout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,99 +11,12 @@ namespace vp::render
 namespace
 {
 
-// DejaVu Sans: a digit is 0.636 em wide, wider than points, signs of numbers and most letters.
-constexpr double kDigitWidth = 0.64;
-constexpr double kLetterWidth = 0.60;
 constexpr double kLineHeight = 1.25;
-
-constexpr double kSmallestText = 9.0;     // pixels; DejaVu is legible from there
-constexpr double kLongestTitleLine = 9.0; // of the legend, em
-
-std::size_t letters(const std::string& utf8)
-{
-	return static_cast<std::size_t>(std::count_if(
-	    utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
-}
-
-constexpr double kLongestBar = 32.0;       // em
-constexpr double kWidestCategories = 15.0; // em
-
-Ticks legendTicks(const ValueStyle& style, int most)
-{
-	const std::vector<double>& levels = style.bands.empty() ? style.lines : style.bands;
-	if (!levels.empty())
-		return ticksAt(levels, most, style.logarithmic);
-	return style.logarithmic ? makeLogTicks(style.lo, style.hi, most) : makeTicks(style.lo, style.hi, most);
-}
-
-// Fewer categories than there is room for make a short column.
-void layOutCategories(const ColorMap& map, double top, double& bottom, Layout& layout)
-{
-	layout.entry = 1.45 * layout.em;
-	const auto room = static_cast<std::size_t>(std::max(1.0, (bottom - top) / layout.entry));
-	layout.categories = map.categories.size() <= room ? map.categories.size() : room - 1;
-	bottom = top + layout.entry * static_cast<double>(std::min(room, map.categories.size()));
-}
-
-std::size_t longestLabel(const ColorMap& map, const Layout& layout)
-{
-	std::size_t longest = std::max<std::size_t>(3, letters(layout.ticks.factor)); // "NaN"
-	for (const Tick& tick : layout.ticks.marks)
-		longest = std::max(longest, letters(tick.label));
-	for (std::size_t i = 0; i < layout.categories; ++i)
-		longest = std::max(longest, letters(map.categories[i].name));
-	return layout.categories < map.categories.size() ? std::max<std::size_t>(longest, 9) : longest; // "… 99 more"
-}
-
-void layOutLegend(const Look& look, const ValueScale& values, Layout& layout)
-{
-	const double em = layout.em;
-	const double height = look.height;
-	const ValueStyle style = valueStyle(look, values);
-	const bool categories = !look.colors.categories.empty();
-
-	layout.cap = style.below || style.above ? 0.9 * em : 0.0;
-	const double title_lines = 2.0; // a third grows upwards
-	const double half = std::min(0.34 * height, 0.5 * kLongestBar * em);
-	const double top = std::max(0.5 * height - half, layout.margin + kLineHeight * em * (title_lines + 2.5));
-	double bottom = std::min(0.5 * height + half, height - layout.margin - 3.2 * em);
-	if (categories)
-	{
-		layout.cap = 0.0;
-		layOutCategories(look.colors, top, bottom, layout);
-	}
-	else
-		layout.ticks = legendTicks(style, std::clamp(static_cast<int>((bottom - top) / (2.5 * em)), 2,
-		                                             style.lines.empty() && style.bands.empty() ? 9 : 16));
-
-	const double bar_width = 1.1 * em;
-	const double labels =
-	    bar_width + 0.6 * em + kDigitWidth * em * static_cast<double>(longestLabel(look.colors, layout));
-	const double title =
-	    std::min(kLetterWidth * em * static_cast<double>(letters(values.title)), kLongestTitleLine * em);
-	const double widest = categories ? std::min(kWidestCategories * em, 0.3 * look.width) : 0.4 * look.width;
-	const double column = std::min(std::max(labels, title), widest);
-
-	const double right = look.width - layout.margin;
-	const double left = right - column;
-	layout.bar = {{left, top}, {left + bar_width, bottom}};
-	const double factor_height = layout.ticks.factor.empty() ? 0.0 : kLineHeight * em;
-	const double factor_bottom = top - layout.cap - 0.45 * em;
-	layout.factor = {{left, factor_bottom - factor_height}, {right, factor_bottom}};
-	layout.legend_title = {{left, std::max(layout.margin, layout.factor.lo.y - 3.0 * kLineHeight * em)},
-	                       {right, layout.factor.lo.y}};
-	if (values.has_nan)
-	{
-		const double y = bottom + layout.cap + 0.8 * em;
-		layout.nan = {{left, y}, {left + bar_width, y + em}};
-	}
-	layout.legend = {{left, layout.legend_title.lo.y},
-	                 {right, values.has_nan ? layout.nan.hi.y + 0.2 * em : bottom + layout.cap + 0.5 * em}};
-}
+constexpr double kSmallestText = 9.0; // pixels; DejaVu is legible from there
 
 } // namespace
 
-Layout makeLayout(const Look& look, const std::optional<ValueScale>& values)
+Layout makeLayout(const Look& look, const std::vector<LegendContent>& legends)
 {
 	const double width = look.width;
 	const double height = look.height;
@@ -115,10 +28,10 @@ Layout makeLayout(const Look& look, const std::optional<ValueScale>& values)
 	layout.margin = std::round(1.1 * layout.em);
 
 	double right = width - layout.margin;
-	if (look.legend && values)
+	if (look.legend && !legends.empty())
 	{
-		layOutLegend(look, *values, layout);
-		right = layout.legend.lo.x - 1.5 * layout.margin;
+		layOutLegends(look, legends, layout);
+		right = layout.legends.front().column.lo.x - 1.5 * layout.margin;
 	}
 	double top = layout.margin;
 	if (!look.title.empty())
@@ -158,9 +71,14 @@ Layout makeLayout(const Look& look, const std::optional<ValueScale>& values)
 	return layout;
 }
 
-Frame pictureFrame(const Look& look, const std::optional<ValueScale>& values)
+Layout makeLayout(const Scene& scene)
 {
-	return makeLayout(look, values).frame;
+	return makeLayout(scene.look, legendContents(scene));
+}
+
+Frame pictureFrame(const Scene& scene)
+{
+	return makeLayout(scene).frame;
 }
 
 } // namespace vp::render

@@ -1,8 +1,8 @@
 #include "render/legend.h"
 
-#include "render/value_style.h"
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace vp::render
 {
@@ -15,9 +15,9 @@ constexpr double kLabelGap = 0.6; // em, between a colour and its label
 class Legend
 {
 public:
-	Legend(const Scene& scene, const Layout& layout, Pen& pen)
-	    : scene_(scene), layout_(layout), pen_(pen), style_(valueStyle(scene.look, *scene.values)), em_(layout.em),
-	      bar_(layout.bar), label_x_(layout.bar.hi.x + kLabelGap * layout.em)
+	Legend(const LegendContent& content, const LegendLayout& layout, Pen& pen)
+	    : content_(content), layout_(layout), pen_(pen), style_(content.style), em_(pen.em()), bar_(layout.bar),
+	      label_x_(layout.bar.hi.x + kLabelGap * em_)
 	{
 	}
 
@@ -36,18 +36,19 @@ public:
 			frame();
 			marks();
 		}
-		if (scene_.values->has_nan)
+		if (content_.has_nan)
 			swatch(layout_.nan, style_.colors->nan, "NaN");
 	}
 
 private:
 	void title()
 	{
-		const auto lines = pen_.lettering().wrapped(scene_.values->title, em_, layout_.legend_title.size().x, 3);
-		double y = layout_.legend_title.hi.y - 1.25 * em_ * static_cast<double>(lines.size());
+		const auto room = static_cast<std::size_t>(std::max(1.0, layout_.title.size().y / (1.25 * em_) + 0.01));
+		const auto lines = pen_.lettering().wrapped(content_.title, em_, layout_.title.size().x, room);
+		double y = layout_.title.hi.y - 1.25 * em_ * static_cast<double>(lines.size());
 		for (const std::string& line : lines)
 		{
-			pen_.text({layout_.legend_title.lo.x, y}, em_, pen_.inks().text, line);
+			pen_.text({layout_.title.lo.x, y}, em_, pen_.inks().text, line);
 			y += 1.25 * em_;
 		}
 	}
@@ -81,7 +82,7 @@ private:
 		for (const double value : style_.lines)
 		{
 			const Color under = style_.colors->at(style_.part(value));
-			const bool dark = 0.2126 * under.r + 0.7152 * under.g + 0.0722 * under.b < 0.2 * 255.0;
+			const bool dark = 0.2126 * under.r + 0.7152 * under.g + 0.0722 * under.b < 0.33 * 255.0;
 			const std::uint8_t ink = dark ? 235 : 18;
 			const double y = height(style_.part(value));
 			pen_.line({bar_.lo.x, y}, {bar_.hi.x, y}, {ink, ink, ink, 190}, std::max(1.2, em_ / 11.0));
@@ -126,7 +127,7 @@ private:
 		pen_.filled(area, color, color);
 		pen_.framed(area);
 		pen_.label(label_x_, 0.5 * (area.lo.y + area.hi.y),
-		           pen_.lettering().elided(name, em_, layout_.legend.hi.x - label_x_));
+		           pen_.lettering().elided(name, em_, layout_.column.hi.x - label_x_));
 	}
 
 	void categories()
@@ -139,10 +140,10 @@ private:
 			pen_.label(bar_.lo.x, y + 0.5 * em_, fmt::format("… {} more", all.size() - layout_.categories));
 	}
 
-	const Scene& scene_;
-	const Layout& layout_;
+	const LegendContent& content_;
+	const LegendLayout& layout_;
 	Pen& pen_;
-	ValueStyle style_;
+	const ValueStyle& style_;
 	double em_;
 	Area bar_;
 	double label_x_;
@@ -150,9 +151,9 @@ private:
 
 } // namespace
 
-void writeLegend(const Scene& scene, const Layout& layout, Pen& pen)
+void writeLegend(const LegendContent& content, const LegendLayout& layout, Pen& pen)
 {
-	Legend(scene, layout, pen).write();
+	Legend(content, layout, pen).write();
 }
 
 } // namespace vp::render

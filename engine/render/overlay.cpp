@@ -2,6 +2,7 @@
 
 #include "render/box_axes.h"
 #include "render/legend.h"
+#include "render/outline.h"
 #include "render/pen.h"
 
 #include <algorithm>
@@ -63,6 +64,49 @@ void writeDirections(const Camera& camera, const Layout& layout, Pen& pen)
 	}
 }
 
+// Where the scene may be seen: all over the picture once a part of it is beside or behind the eye.
+Area seenArea(const Box& box, const Camera& camera, const Frame& frame)
+{
+	Area seen{{frame.width, frame.height}, {0.0, 0.0}};
+	for (int i = 0; i < 8; ++i)
+	{
+		const Vec3 at = corner(box, i);
+		if (glm::dot(at - camera.position, camera.forward()) < camera.near)
+			return {{0.0, 0.0}, {frame.width, frame.height}};
+		const glm::dvec2 pixel = camera.project(at, frame);
+		seen = {glm::min(seen.lo, pixel), glm::max(seen.hi, pixel)};
+	}
+	return seen;
+}
+
+// Words over the scene would be lost in its colours: they get a ground.
+void writePlates(const Scene& scene, const Layout& layout, Pen& pen)
+{
+	const Background& background = scene.look.background;
+	Color ground{255, 255, 255, 205};
+	if (!background.transparent())
+		ground = colorOf(Vec3(background.top.r + background.bottom.r, background.top.g + background.bottom.g,
+		                      background.top.b + background.bottom.b) /
+		                     510.0,
+		                 0.8);
+	const auto asWide = [&](Area area, const std::string& words, double size)
+	{
+		area.hi.x = std::min(area.hi.x, area.lo.x + pen.lettering().width(words, size));
+		return area;
+	};
+	std::vector<Area> areas;
+	if (!scene.look.title.empty())
+		areas.push_back(asWide(layout.title, scene.look.title, layout.title_em));
+	if (!scene.look.caption.empty())
+		areas.push_back(asWide(layout.caption, scene.look.caption, layout.small_em));
+	for (const LegendLayout& legend : layout.legends)
+		areas.push_back(legend.column);
+	const Area seen = seenArea(*scene.bounds, scene.camera, layout.frame);
+	for (const Area& area : areas)
+		if (area.overlaps(seen))
+			pen.filled({area.lo - 0.5 * layout.em, area.hi + 0.5 * layout.em}, ground, ground);
+}
+
 void writeTitles(const Look& look, const Layout& layout, Pen& pen)
 {
 	if (!look.title.empty())
@@ -77,24 +121,29 @@ void writeTitles(const Look& look, const Layout& layout, Pen& pen)
 
 Overlay makeOverlay(const Scene& scene)
 {
-	const Layout layout = makeLayout(scene.look, scene.values);
+	const std::vector<LegendContent> legends = legendContents(scene);
+	const Layout layout = makeLayout(scene.look, legends);
 	std::vector<std::string> texts{scene.look.title, scene.look.caption, kSigns};
-	if (scene.values)
-		texts.push_back(scene.values->title);
-	for (const Category& category : scene.look.colors.categories)
-		texts.push_back(category.name);
+	for (const LegendContent& legend : legends)
+	{
+		texts.push_back(legend.title);
+		for (const Category& category : legend.style.colors->categories)
+			texts.push_back(category.name);
+	}
 
 	Overlay overlay;
 	overlay.lettering =
 	    std::make_unique<Lettering>(std::vector<double>{layout.small_em, layout.em, layout.title_em}, texts);
 	Pen pen(*overlay.lettering, inksOn(scene.look.background), layout.em);
+	if (!scene.fitted && scene.bounds)
+		writePlates(scene, layout, pen);
 	writeTitles(scene.look, layout, pen);
 	if (scene.look.axes)
 		writeDirections(scene.camera, layout, pen);
 	if (scene.look.box_axes && scene.bounds)
 		writeBoxAxes(*scene.bounds, scene.camera, layout, pen);
-	if (scene.look.legend && scene.values)
-		writeLegend(scene, layout, pen);
+	for (std::size_t i = 0; i < layout.legends.size(); ++i)
+		writeLegend(legends[i], layout.legends[i], pen);
 	const ImDrawList& list = pen.list();
 	overlay.vertices.assign(list.VtxBuffer.begin(), list.VtxBuffer.end());
 	// ImGui starts a new base vertex with a new command once 16 bits are used up.

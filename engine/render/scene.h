@@ -61,13 +61,12 @@ struct Scene
 	std::span<const Segment> outline;
 	std::optional<Box> bounds{}; // of the blocks, for numbered axes
 	Camera camera;               // made for pictureFrame() of the same scene
+	bool fitted = true;          // the camera keeps the scene off what is written; else words over it get a ground
 	Look look;
 };
 
-// The ends of the colour map.
-std::pair<double, double> colorRange(const ValueScale& values, const Look& look);
-
-// The picture and the part of it that legend, title, caption and axes leave: for makeCamera().
-Frame pictureFrame(const Look& look, const std::optional<ValueScale>& values);
+// The picture and the part of it that legends, title, caption and axes leave: for makeCamera(). The scene's camera
+// takes no part.
+Frame pictureFrame(const Scene& scene);
 
 } // namespace vp::render

@@ -62,9 +62,8 @@ protected:
 	}
 	void aim(Scene& scene, const char* camera)
 	{
-		scene.camera =
-		    makeCamera(parseCamera(camera).value(), &scene.sheets[0].sheet,
-		               ends({scene.outline.begin(), scene.outline.end()}), pictureFrame(scene.look, scene.values));
+		scene.camera = makeCamera(parseCamera(camera).value(), &scene.sheets[0].sheet,
+		                          ends({scene.outline.begin(), scene.outline.end()}), pictureFrame(scene));
 	}
 };
 
@@ -141,6 +140,32 @@ TEST_F(Pictures, CategoriesAMeshAndAWindow)
 	scene.sheets[1].opacity = 0.7;
 	aim(scene, "30,25");
 	EXPECT_TRUE(looksLike(draw(scene), "categories_mesh"));
+}
+
+TEST_F(Pictures, WordsOverTheSceneHaveAGround)
+{
+	Scene scene = dressed({});
+	scene.bounds = Box{Vec3(-1.0), Vec3(1.0)};
+	scene.look.background = parseBackground("white").value();
+	scene.look.colors = makeColorMap("grey").value();
+	const auto black = [](double, double) { return -1.0; };
+	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}), 1.0, 1.0, black));
+	scene.camera.position = {0.0, 0.0, 1.2};
+	// Beside the title's first letter, and within the legend's column.
+	const auto ground = [&](bool fitted)
+	{
+		scene.fitted = fitted;
+		const Picture picture = draw(scene);
+		return std::pair{picture.pixel(8, 8)[0], picture.pixel(312, 120)[0]};
+	};
+	EXPECT_EQ(ground(true), (std::pair<std::uint8_t, std::uint8_t>{0, 0}));
+	const auto [title, legend] = ground(false);
+	EXPECT_NEAR(title, 204, 3);
+	EXPECT_NEAR(legend, 204, 3);
+	// Where the scene is elsewhere, there is none.
+	scene.sheets.clear();
+	scene.camera.position = {0.0, 0.0, 50.0};
+	EXPECT_EQ(ground(false), ground(true));
 }
 
 TEST_F(Pictures, TheSameSceneGivesTheSamePicture)
