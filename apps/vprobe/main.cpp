@@ -1,6 +1,7 @@
 #include "arguments.h"
 #include "base/log.h"
 #include "commands.h"
+#include "interrupt.h"
 #include "version.h"
 #include "write/atomic_file.h"
 
@@ -24,6 +25,8 @@ int exitStatus(vp::ExitCode code)
 // Ctrl-C leaves no half-written file.
 void endInterrupted(int)
 {
+	if (vp::app::deferInterrupt())
+		return;
 	vp::write::removeUnfinishedFiles();
 	_exit(exitStatus(vp::ExitCode::interrupted));
 }

@@ -62,10 +62,10 @@ Status checkSizes(const ProbeOptions& options)
 		if (!(side > 0.0) || !std::isfinite(side))
 			return Error{ExitCode::usage, fmt::format("--window {} {}: a window needs two sides above 0",
 			                                          options.window[0], options.window[1])};
-	if (!options.window.empty() && !isPreset(options.probe))
-		return Error{ExitCode::usage,
-		             fmt::format("--window: {} gives the windows; leave the option out", options.probe)};
-	if (options.corners_given && options.window.empty() && isPreset(options.probe) && options.probe != "paddlewheel")
+	if (!options.window.empty() && options.own_probe)
+		return Error{ExitCode::usage, fmt::format("--window: {} gives the windows; leave the option out",
+		                                          options.probe.empty() ? "the state's own probe" : options.probe)};
+	if (options.corners && options.window.empty() && !options.own_probe && options.probe != "paddlewheel")
 		return Error{ExitCode::usage, "--corners: without a window there are none; add --window W H"};
 	if (options.offsets.size() > probe::kMaxSheets)
 		return Error{ExitCode::usage, fmt::format("--offsets: a probe has at most {} sheets", probe::kMaxSheets)};
@@ -84,7 +84,24 @@ Status requireFinite(std::span<const double> numbers, const char* option)
 	return Nothing{};
 }
 
-Result<std::optional<probe::ProbeFile>> checkProbeOptions(const ProbeOptions& options)
+Status readProbeFile(ProbeOptions& options)
+{
+	if (options.probe.empty())
+		return Nothing{};
+	options.own_probe.reset();
+	if (isPreset(options.probe))
+		return Nothing{};
+	if (!options.probe.ends_with(".json"))
+		return Error{ExitCode::usage,
+		             fmt::format("--probe {}: takes {} or a .json file", options.probe, fmt::join(kPresets, ", "))};
+	Result<probe::ProbeFile> file = probe::readProbe(options.probe);
+	if (!file)
+		return file.error();
+	options.own_probe = std::move(*file);
+	return Nothing{};
+}
+
+Status checkProbeOptions(const ProbeOptions& options)
 {
 	for (const auto& [numbers, name] : {std::pair{&options.origin, "--origin"}, std::pair{&options.up, "--up"},
 	                                    std::pair{&options.offsets, "--offsets"}})
@@ -101,20 +118,12 @@ Result<std::optional<probe::ProbeFile>> checkProbeOptions(const ProbeOptions& op
 	      requireProbe(options.sheets.has_value(), "--sheets", options, "stack"), checkSizes(options)})
 		if (!fits)
 			return fits.error();
-	if (isPreset(options.probe))
-		return std::optional<probe::ProbeFile>();
-	if (!options.probe.ends_with(".json"))
-		return Error{ExitCode::usage,
-		             fmt::format("--probe {}: takes {} or a .json file", options.probe, fmt::join(kPresets, ", "))};
-	Result<probe::ProbeFile> file = probe::readProbe(options.probe);
-	if (!file)
-		return file.error();
-	return std::optional(std::move(*file));
+	return Nothing{};
 }
 
-Result<probe::Probe> makeProbe(const ProbeOptions& options, const std::optional<probe::ProbeFile>& file,
-                               const Box& bounds)
+Result<probe::Probe> makeProbe(const ProbeOptions& options, const Box& bounds)
 {
+	const std::optional<probe::ProbeFile>& file = options.own_probe;
 	// What a file says about its place gives way to what the command line says.
 	probe::Frame frame = file && file->placed ? file->probe.frame : probe::Frame{bounds.centre()};
 	if (!options.origin.empty())

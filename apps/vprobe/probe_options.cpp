@@ -95,12 +95,13 @@ bool classifiesOnGpu(const ProbeOptions& options, const gpu::Device* device)
 
 } // namespace
 
-void addInputs(CLI::App& command, ProbeOptions& options)
+CLI::Option* addInputs(CLI::App& command, ProbeOptions& options)
 {
-	command
-	    .add_option("INPUT", options.inputs,
-	                "File, or demo:NAME[:N]; several make one block set. Reads " + read::readableEndings())
-	    ->required();
+	CLI::Option* inputs =
+	    command
+	        .add_option("INPUT", options.inputs,
+	                    "File, or demo:NAME[:N]; several make one block set. Reads " + read::readableEndings())
+	        ->required();
 	command
 	    .add_option("--time", options.time, "last, first, a time (the nearest there is is taken), or #INDEX, from 0")
 	    ->capture_default_str();
@@ -118,6 +119,7 @@ void addInputs(CLI::App& command, ProbeOptions& options)
 	                "Moves the points of Exodus files by their displacements, times this")
 	    ->check(CLI::Number)
 	    ->type_name("SCALE");
+	return inputs;
 }
 
 void addProbeOptions(CLI::App& command, ProbeOptions& options)
@@ -162,14 +164,8 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	    ->type_name("N")
 	    ->group(group);
 	command
-	    .add_option_function<std::string>(
-	        "--corners",
-	        [&options](const std::string& value)
-	        {
-		        options.corners = value;
-		        options.corners_given = true;
-	        },
-	        "Polygons that hold a corner of a window: keep (the default) or skip them")
+	    .add_option("--corners", options.corners,
+	                "Polygons that hold a corner of a window: keep (the default) or skip them")
 	    ->check(CLI::IsMember({"keep", "skip"}))
 	    ->group(group);
 	command
@@ -264,9 +260,8 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	if (!time)
 		return time.error();
 	// What can be wrong on the command line is told before a large file is read.
-	Result<std::optional<probe::ProbeFile>> probe_file = checkProbeOptions(options);
-	if (!probe_file)
-		return probe_file.error();
+	if (Status fits = checkProbeOptions(options); !fits)
+		return fits.error();
 	Result<std::optional<slice::Threshold>> threshold = parseThreshold(options.threshold);
 	if (!threshold)
 		return threshold.error();
@@ -287,7 +282,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	if (session->threshold && !session->field)
 		return Error{ExitCode::input, fmt::format("{}: has no array for --threshold to look at; leave the option out",
 		                                          options.inputs.front())};
-	Result<probe::Probe> probe = makeProbe(options, *probe_file, session->blocks.bounds());
+	Result<probe::Probe> probe = makeProbe(options, session->blocks.bounds());
 	if (!probe)
 		return probe.error();
 	session->probe = *probe;

@@ -4,7 +4,7 @@
 #include "base/timeline.h"
 #include "gpu/device.h"
 #include "grid/block.h"
-#include "probe/probe.h"
+#include "probe/probe_file.h"
 #include "read/read.h"
 #include "slice/field_choice.h"
 #include "slice/slicer.h"
@@ -23,7 +23,8 @@ namespace vp::app
 struct ProbeOptions
 {
 	std::vector<std::string> inputs;
-	std::string probe = "single";      // or another built-in one, or a .json file
+	std::string probe = "single"; // or another built-in one, or a .json file; empty: own_probe
+	std::optional<probe::ProbeFile> own_probe{};
 	std::vector<double> origin;        // three numbers, or none: the centre of the bounds
 	std::optional<std::string> normal; // x, y, z or three numbers
 	std::vector<double> up;            // three numbers, or none
@@ -31,8 +32,7 @@ struct ProbeOptions
 	std::optional<int> vanes;
 	std::vector<double> offsets;
 	std::optional<int> sheets;
-	std::string corners = "keep";
-	bool corners_given = false;
+	std::optional<std::string> corners; // keep where none is given
 	std::string array;
 	std::string component;
 	std::vector<double> threshold; // none, or LO and HI
@@ -49,7 +49,7 @@ struct ProbeOptions
 };
 
 // Adds them to a command.
-void addInputs(CLI::App& command, ProbeOptions& options);
+CLI::Option* addInputs(CLI::App& command, ProbeOptions& options);
 void addProbeOptions(CLI::App& command, ProbeOptions& options); // with the device's
 void addDeviceOptions(CLI::App& command, ProbeOptions& options);
 

@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "painter.h"
+#include "saved_options.h"
 #include "write/png.h"
 
 #include <fmt/format.h>
@@ -15,14 +16,15 @@ namespace
 
 struct RenderOptions
 {
-	ProbeOptions probe;
-	LookOptions look;
+	SavedOptions saved;
 	std::string output;
 	std::string stats;
 };
 
-Result<ExitCode> runRender(const RenderOptions& options)
+Result<ExitCode> runRender(RenderOptions& options)
 {
+	if (Status ready = prepare(options.saved); !ready)
+		return ready.error();
 	if (options.output.empty())
 		return Error{ExitCode::usage, "-o: a picture needs a place; give the name of a .png file, or -"};
 	if (options.output == "-" && options.stats == "-")
@@ -31,11 +33,11 @@ Result<ExitCode> runRender(const RenderOptions& options)
 	if (options.output != "-" && std::filesystem::path(options.output).extension() != ".png")
 		return Error{ExitCode::usage, fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -",
 		                                          options.output)};
-	Result<LookChoice> look = parseLook(options.look, options.probe.inputs);
+	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
 	if (!look)
 		return look.error();
 
-	Result<std::unique_ptr<Session>> opened = openSession(options.probe, DeviceUse::draw);
+	Result<std::unique_ptr<Session>> opened = openSession(options.saved.probe, DeviceUse::draw);
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
@@ -45,7 +47,7 @@ Result<ExitCode> runRender(const RenderOptions& options)
 	if (Status told = tellAbout(session, *slice); !told)
 		return told.error();
 	const std::vector<SheetStats> sheets = sheetStats(session, *slice);
-	Result<Painter> painter = Painter::create(session, options.probe, std::move(*look));
+	Result<Painter> painter = Painter::create(session, options.saved.probe, std::move(*look));
 	if (!painter)
 		return painter.error();
 	Result<render::Picture> picture = painter->draw(*slice, sheets);
@@ -53,7 +55,9 @@ Result<ExitCode> runRender(const RenderOptions& options)
 		return picture.error();
 	if (Status written = write::writePng(*picture, options.output); !written)
 		return written.error();
-	return writeStats(options.stats, options.output, statsJson(options.probe, session, *slice, sheets));
+	if (Status saved = saveState(options.saved); !saved)
+		return saved.error();
+	return writeStats(options.stats, options.output, statsJson(options.saved.probe, session, *slice, sheets));
 }
 
 } // namespace
@@ -63,13 +67,14 @@ void addRender(CLI::App& program, Run& run)
 	auto options = std::make_shared<RenderOptions>();
 	CLI::App* command =
 	    program.add_subcommand("render", "Draw the cut of an input by a probe, with legend and axes, as a PNG");
-	addInputs(*command, options->probe);
-	addProbeOptions(*command, options->probe);
+	addInputs(*command, options->saved.probe)->required(false); // --state may name them
+	addProbeOptions(*command, options->saved.probe);
 	command->add_option("-o,--output", options->output, "Picture; - writes it to standard output")
 	    ->type_name("FILE.png|-");
 	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
 
-	addLookOptions(*command, options->look);
+	addLookOptions(*command, options->saved.look);
+	addStateOptions(*command, options->saved);
 	command->callback([&run, options] { run = [options] { return runRender(*options); }; });
 }
 

@@ -1,5 +1,6 @@
 #include "commands.h"
-#include "probe_options.h"
+#include "interrupt.h"
+#include "saved_options.h"
 #include "stats_json.h"
 #include "write/slice_file.h"
 
@@ -15,13 +16,15 @@ namespace
 
 struct SliceOptions
 {
-	ProbeOptions probe;
+	SavedOptions saved;
 	std::string output;
 	std::string stats;
 };
 
-Result<ExitCode> runSlice(const SliceOptions& options)
+Result<ExitCode> runSlice(SliceOptions& options)
 {
+	if (Status ready = prepare(options.saved); !ready)
+		return ready.error();
 	if (options.output == "-" && options.stats == "-")
 		return Error{ExitCode::usage,
 		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
@@ -29,7 +32,7 @@ Result<ExitCode> runSlice(const SliceOptions& options)
 		if (Result<write::SliceFormat> format = write::sliceFormatOf(options.output); !format)
 			return format.error();
 
-	Result<std::unique_ptr<Session>> opened = openSession(options.probe, DeviceUse::classify);
+	Result<std::unique_ptr<Session>> opened = openSession(options.saved.probe, DeviceUse::classify);
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
@@ -43,6 +46,7 @@ Result<ExitCode> runSlice(const SliceOptions& options)
 	if (!options.output.empty())
 	{
 		const TimedSection section(session.timeline.get(), "write");
+		const DeferredInterrupt writing; // the files of a .vtm appear together
 		std::vector<slice::SheetMesh> meshes;
 		for (const SheetStats& sheet : sheets)
 			meshes.push_back(sheet.mesh);
@@ -51,7 +55,9 @@ Result<ExitCode> runSlice(const SliceOptions& options)
 	}
 	if (options.output.empty() && options.stats.empty())
 		fmt::print("{}", statsTable(session, *slice, sheets));
-	return writeStats(options.stats, options.output, statsJson(options.probe, session, *slice, sheets));
+	if (Status saved = saveState(options.saved); !saved)
+		return saved.error();
+	return writeStats(options.stats, options.output, statsJson(options.saved.probe, session, *slice, sheets));
 }
 
 } // namespace
@@ -61,13 +67,15 @@ void addSlice(CLI::App& program, Run& run)
 	auto options = std::make_shared<SliceOptions>();
 	CLI::App* command =
 	    program.add_subcommand("slice", "Cut an input by a plane: polygons with every array, and figures");
-	addInputs(*command, options->probe);
-	addProbeOptions(*command, options->probe);
+	addInputs(*command, options->saved.probe)->required(false); // --state may name them
+	addProbeOptions(*command, options->saved.probe);
 	command
-	    ->add_option("-o,--output", options->output, "Polygons as .vtp, .ply or .csv; - writes VTP to standard output")
+	    ->add_option("-o,--output", options->output,
+	                 "Polygons as .vtp, .vtm (a .vtp a sheet), .ply or .csv; - writes VTP to standard output")
 	    ->type_name("FILE|-");
 	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
 	command->footer("With neither -o nor --stats a short table is printed.");
+	addStateOptions(*command, options->saved);
 	command->callback([&run, options] { run = [options] { return runSlice(*options); }; });
 }
 

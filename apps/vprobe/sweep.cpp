@@ -1,19 +1,20 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "commands.h"
-#include "exposure.h"
+#include "frames.h"
+#include "interrupt.h"
 #include "painter.h"
-#include "probe/path_file.h"
+#include "remaining_time.h"
+#include "saved_options.h"
 #include "time_steps.h"
-#include "write/film.h"
-#include "write/frame_names.h"
-#include "write/png.h"
+#include "write/slice_sets.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -25,225 +26,234 @@ namespace
 
 struct SweepOptions
 {
-	ProbeOptions probe;
-	LookOptions look;
-	std::string path = "translate"; // or another name, or a .json file
-	std::optional<int> frames;
-	double per_second = 25.0;
-	bool there_and_back = false;
+	SavedOptions saved;
 	std::string output;
 	std::string exposure;
 	std::string stats;
 	bool resume = false;
-};
 
-// The probe stands still, and the input's times go by.
-constexpr std::string_view kOverTimes = "times";
-
-Result<probe::Path> pathOf(const SweepOptions& options)
-{
-	if (options.path == kOverTimes)
-		return probe::Path{};
-	probe::Path path;
-	if (const std::optional<probe::PathKind> kind = probe::pathKind(options.path))
-		path.kind = *kind;
-	else if (options.path.ends_with(".json"))
-	{
-		Result<probe::Path> read = probe::readPath(options.path);
-		if (!read)
-			return read;
-		path = std::move(*read);
-	}
-	else
-		return Error{ExitCode::usage,
-		             fmt::format("--path {}: takes translate, rotate, spin, revolve, profile, times or a "
-		                         ".json file",
-		                         options.path)};
-	path.there_and_back = path.there_and_back || options.there_and_back;
-	return path;
-}
-
-Result<int> frameCount(const SweepOptions& options, const probe::Path& path)
-{
-	if (options.path == kOverTimes)
-		return 0; // the input says
-	if (const std::optional<int> frames = options.frames ? options.frames : probe::framesOf(path, options.per_second))
-		return *frames;
-	return Error{ExitCode::usage,
-	             fmt::format("--frames: the path {} does not say how many frames there are; give their "
-	                         "number",
-	                         options.path)};
-}
-
-// Where the frames of a sweep go: pictures, a film, an exposure, or several of them.
-class Frames
-{
-public:
-	static Result<Frames> create(const SweepOptions& options, const render::Look& look)
-	{
-		Frames frames(options);
-		if (write::isFilm(options.output))
-		{
-			Result<write::Film> film = write::Film::create(options.output, look.width, look.height, options.per_second);
-			if (!film)
-				return film.error();
-			frames.film_ = std::make_unique<write::Film>(std::move(*film));
-		}
-		else if (!options.output.empty())
-		{
-			Result<write::FrameNames> names = write::FrameNames::create(options.output);
-			if (!names)
-				return names.error();
-			frames.names_ = std::move(*names);
-		}
-		return frames;
-	}
-
-	// --resume: pictures that are there stay. An exposure needs them all.
-	bool has(int frame) const
-	{
-		return options_.resume && options_.exposure.empty() && names_ && std::filesystem::exists(names_->of(frame));
-	}
-	Status add(int frame, const render::Picture& picture)
-	{
-		if (exposure_)
-			exposure_->add(picture);
-		if (names_)
-			return write::writePng(picture, names_->of(frame));
-		return film_ ? film_->add(picture) : Nothing{};
-	}
-	bool wantsExposure() const { return !options_.exposure.empty(); }
-	void beginExposure(render::Picture empty) { exposure_.emplace(std::move(empty)); }
-	Status commit()
-	{
-		if (exposure_)
-			if (Status written = write::writePng(exposure_->picture(), options_.exposure); !written)
-				return written;
-		return film_ ? film_->commit() : Nothing{};
-	}
-
-private:
-	explicit Frames(const SweepOptions& options) : options_(options) {}
-
-	const SweepOptions& options_;
-	std::optional<write::FrameNames> names_;
-	std::unique_ptr<write::Film> film_;
-	std::optional<Exposure> exposure_;
+	bool exports() const { return output.ends_with(".pvd"); }
+	bool draws() const { return !exports() || !exposure.empty(); }
 };
 
 Status checkOptions(const SweepOptions& options)
 {
 	if (options.output.empty() && options.exposure.empty())
 		return Error{ExitCode::usage,
-		             "-o: a sweep needs a place; give frames/{frame:04}.png, a film's name, or --exposure"};
-	if (!(options.per_second > 0.0) || !std::isfinite(options.per_second))
-		return Error{ExitCode::usage, "--fps: takes a number above 0"};
-	if (!options.output.empty() && !write::isFilm(options.output) &&
-	    std::filesystem::path(options.output).extension() != ".png")
-		return Error{
-		    ExitCode::usage,
-		    fmt::format("-o {}: frames are written as .png, films as .mp4, .mkv, .webm or .gif", options.output)};
-	if (options.resume && write::isFilm(options.output))
+		             "-o: a sweep needs a place; give frames/{frame:04}.png, a film's name, out.pvd, or --exposure"};
+	const bool pictures = std::filesystem::path(options.output).extension() == ".png";
+	if (!options.output.empty() && !pictures && !write::isFilm(options.output) && !options.exports())
+		return Error{ExitCode::usage, fmt::format("-o {}: frames are written as .png, films as .mp4, .mkv, .webm or "
+		                                          ".gif, polygons as .pvd",
+		                                          options.output)};
+	if (options.resume && !pictures)
 		return Error{ExitCode::usage,
-		             "--resume: a film cannot be gone on with; write pictures: -o frames/{frame:04}.png"};
+		             "--resume: only pictures can be gone on with; write them: -o frames/{frame:04}.png"};
 	if (!options.exposure.empty() && std::filesystem::path(options.exposure).extension() != ".png")
 		return Error{ExitCode::usage,
 		             fmt::format("--exposure {}: is a picture; give the name of a .png file", options.exposure)};
+	for (const std::string* place : {&options.stats, &options.saved.save})
+		if (!place->empty())
+			if (Status free = write::tryPlace(*place); !free)
+				return free;
 	return Nothing{};
 }
 
-std::string progressLine(int done, int frames, std::chrono::steady_clock::time_point start)
+FramePlaces placesOf(const SweepOptions& options)
 {
-	const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-	return fmt::format("frame {} of {}, {:.0f} s left", done + 1, frames, elapsed.count() / done * (frames - done));
+	FramePlaces places{.exposure = options.exposure, .resume = options.resume};
+	if (write::isFilm(options.output))
+		places.film = options.output;
+	else if (!options.exports())
+		places.pictures = options.output;
+	return places;
 }
 
-// The empty scene, for an exposure.
-Result<render::Picture> drawEmpty(Painter& painter, const slice::Slice& first)
+// What a sweep makes of its slices, frame by frame.
+class Products
 {
-	slice::Slice nothing;
-	for (const slice::SheetSlice& sheet : first.sheets)
-		nothing.sheets.push_back({sheet.shown, sheet.sheet, sheet.corners, sheet.field, {}, {}, nullptr});
-	return painter.draw(nothing, std::vector<SheetStats>(nothing.sheets.size()));
-}
-
-Result<ExitCode> runSweep(const SweepOptions& options)
-{
-	if (Status fits = checkOptions(options); !fits)
-		return fits.error();
-	Result<LookChoice> look = parseLook(options.look, options.probe.inputs);
-	if (!look)
-		return look.error();
-	look->captions = options.exposure.empty(); // they would write over each other
-	Result<probe::Path> path = pathOf(options);
-	if (!path)
-		return path.error();
-	Result<int> frames = frameCount(options, *path);
-	if (!frames)
-		return frames.error();
-	Result<Frames> out = Frames::create(options, look->look);
-	if (!out)
-		return out.error();
-
-	Result<std::unique_ptr<Session>> opened = openSession(options.probe, DeviceUse::draw);
-	if (!opened)
-		return opened.error();
-	Session& session = **opened;
-	Result<Painter> painter = Painter::create(session, options.probe, std::move(*look));
-	if (!painter)
-		return painter.error();
-
-	std::optional<TimeSteps> steps;
-	if (options.path == kOverTimes)
+public:
+	static Result<Products> create(const SweepOptions& options, Session& session, LookChoice look, Frames frames)
 	{
-		steps.emplace(session, options.probe, *painter);
-		if (steps->count() == 0)
-			return Error{ExitCode::input, fmt::format("{}: has no times to sweep over; choose another --path",
-			                                          options.probe.inputs.front())};
-		frames = steps->count();
-		if (options.look.range.empty())
-			warn("--path times: the colours follow the range of each time; --range LO HI holds them still");
+		Products products(session, std::move(frames));
+		if (options.draws())
+		{
+			Result<Painter> painter = Painter::create(session, options.saved.probe, std::move(look));
+			if (!painter)
+				return painter.error();
+			products.painter_.emplace(std::move(*painter));
+		}
+		if (options.exports())
+		{
+			products.interrupt_ = std::make_unique<DeferredInterrupt>();
+			Result<write::SliceSeries> series = write::SliceSeries::create(options.output);
+			if (!series)
+				return series.error();
+			products.series_.emplace(std::move(*series));
+		}
+		return products;
 	}
 
-	nlohmann::json told = nlohmann::json::array();
-	int empty = 0;
-	const auto start = std::chrono::steady_clock::now();
-	Progress progress(fmt::format("frame 1 of {}", *frames));
-	const std::vector<probe::Frame> poses = steps
-	                                            ? std::vector(static_cast<std::size_t>(*frames), session.probe.frame)
-	                                            : probe::poses(*path, session.probe, session.blocks.bounds(), *frames);
-	for (int frame = 0; frame < *frames; ++frame)
+	bool has(int frame) const { return frames_.has(frame); }
+	Painter* painter() { return painter_ ? &*painter_ : nullptr; }
+
+	Status add(int frame, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
 	{
-		if (frame > 0)
-			progress.say(progressLine(frame, *frames, start));
-		if (out->has(frame))
+		if (interrupt_ && interrupt_->came())
+			return Error{ExitCode::interrupted, "interrupted; nothing is written"};
+		if (series_)
+		{
+			std::vector<slice::SheetMesh> meshes;
+			for (const SheetStats& sheet : sheets)
+				meshes.push_back(sheet.mesh);
+			if (Status written = series_->add(frame, session_.blocks, meshes); !written)
+				return written;
+		}
+		return painter_ ? draw(frame, slice, sheets) : Nothing{};
+	}
+
+	Status commit()
+	{
+		if (Status written = frames_.commit(); !written)
+			return written;
+		return series_ ? series_->commit() : Nothing{};
+	}
+
+private:
+	Products(Session& session, Frames frames) : session_(session), frames_(std::move(frames)) {}
+
+	Status draw(int frame, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+	{
+		if (frame == 0 && frames_.wantsExposure())
+		{
+			Result<render::Picture> empty = drawEmpty(slice);
+			if (!empty)
+				return empty.error();
+			frames_.beginExposure(std::move(*empty));
+		}
+		Result<render::Picture> picture = painter_->draw(slice, sheets);
+		if (!picture)
+			return picture.error();
+		return frames_.add(frame, *picture);
+	}
+
+	// The scene without its sheets' polygons, for an exposure.
+	Result<render::Picture> drawEmpty(const slice::Slice& first)
+	{
+		slice::Slice nothing;
+		for (const slice::SheetSlice& sheet : first.sheets)
+			nothing.sheets.push_back({sheet.shown, sheet.sheet, sheet.corners, sheet.field, {}, {}, nullptr});
+		return painter_->draw(nothing, std::vector<SheetStats>(nothing.sheets.size()));
+	}
+
+	Session& session_;
+	Frames frames_;
+	std::optional<Painter> painter_;
+	std::unique_ptr<DeferredInterrupt> interrupt_;
+	std::optional<write::SliceSeries> series_;
+};
+
+// The next frame's slice.
+using CutFrame = std::function<Result<slice::Slice>(int frame)>;
+
+// Cuts frame by frame. The figures of every frame, where they are wanted.
+Result<nlohmann::json> sweepThrough(int frames, const CutFrame& cut_frame, const Session& session, Products& products,
+                                    bool wants_figures)
+{
+	nlohmann::json figures = nlohmann::json::array();
+	int empty = 0;
+	RemainingTime remaining(static_cast<std::size_t>(frames));
+	Progress progress(remaining.line());
+	for (int frame = 0; frame < frames; ++frame)
+	{
+		if (products.has(frame))
+		{
+			remaining.skip();
 			continue;
-		session.probe.frame = poses[static_cast<std::size_t>(frame)];
-		Result<slice::Slice> slice = steps ? steps->cutAt(frame) : cut(session);
+		}
+		progress.say(remaining.line());
+		Result<slice::Slice> slice = cut_frame(frame);
 		if (!slice)
 			return slice.error();
 		const std::vector<SheetStats> sheets = sheetStats(session, *slice);
-		if (frame == 0 && out->wantsExposure())
-		{
-			Result<render::Picture> background = drawEmpty(*painter, *slice);
-			if (!background)
-				return background.error();
-			out->beginExposure(std::move(*background));
-		}
-		Result<render::Picture> picture = painter->draw(*slice, sheets);
-		if (!picture)
-			return picture.error();
-		if (Status written = out->add(frame, *picture); !written)
-			return written.error();
+		if (Status added = products.add(frame, *slice, sheets); !added)
+			return added.error();
+		remaining.done();
 		empty += std::ranges::all_of(slice->sheets, isEmpty);
-		if (!options.stats.empty())
-			told.push_back({{"frame", frame}, {"sheets", sheetsJson(session, *slice, sheets)}});
+		if (wants_figures)
+			figures.push_back({{"frame", frame}, {"sheets", sheetsJson(session, *slice, sheets)}});
 	}
-	if (Status written = out->commit(); !written)
+	if (Status written = products.commit(); !written)
 		return written.error();
 	if (empty > 0)
-		warn("{} of {} frames are empty: the probe misses the grid there", empty, *frames);
-	return writeStats(options.stats, "", statsDocument(options.probe, session, "frames", std::move(told)));
+		warn("{} of {} frames are empty: the probe misses the grid there", empty, frames);
+	return figures;
+}
+
+Result<nlohmann::json> sweepAlong(const probe::Path& path, int frames, Session& session, Products& products,
+                                  bool wants_figures)
+{
+	const std::vector<probe::Frame> poses = probe::poses(path, session.probe, session.blocks.bounds(), frames);
+	const CutFrame cut_frame = [&](int frame)
+	{
+		session.probe.frame = poses[static_cast<std::size_t>(frame)];
+		return cut(session);
+	};
+	return sweepThrough(frames, cut_frame, session, products, wants_figures);
+}
+
+Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, Session& session, Products& products,
+                                      bool wants_figures)
+{
+	TimeSteps steps(session, options.saved.probe, products.painter());
+	if (steps.count() == 0)
+		return Error{ExitCode::input, fmt::format("{}: has no times to sweep over; choose another --path",
+		                                          options.saved.probe.inputs.front())};
+	if (options.saved.look.range.empty() && options.draws())
+		warn("--path times: the colours follow the range of each time; --range LO HI holds them still");
+	const CutFrame cut_frame = [&](int frame) { return steps.cutAt(frame); };
+	return sweepThrough(steps.count(), cut_frame, session, products, wants_figures);
+}
+
+Result<ExitCode> runSweep(SweepOptions& options)
+{
+	if (Status ready = prepare(options.saved); !ready)
+		return ready.error();
+	if (Status fits = checkOptions(options); !fits)
+		return fits.error();
+	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
+	if (!look)
+		return look.error();
+	look->captions = options.exposure.empty(); // they would write over each other
+	const probe::Path path = pathOf(options.saved.path);
+	Result<int> count = frameCount(options.saved.path, path);
+	if (!count)
+		return count.error();
+	if (options.exports())
+		if (Result<write::SliceSeries> tried = write::SliceSeries::create(options.output); !tried)
+			return tried.error();
+	Result<Frames> frames =
+	    Frames::create(placesOf(options), look->look.width, look->look.height, options.saved.path.per_second);
+	if (!frames)
+		return frames.error();
+
+	Result<std::unique_ptr<Session>> opened =
+	    openSession(options.saved.probe, options.draws() ? DeviceUse::draw : DeviceUse::classify);
+	if (!opened)
+		return opened.error();
+	Session& session = **opened;
+	Result<Products> products = Products::create(options, session, std::move(*look), std::move(*frames));
+	if (!products)
+		return products.error();
+	const bool wants_figures = !options.stats.empty();
+	Result<nlohmann::json> figures = options.saved.path.overTimes()
+	                                     ? sweepOverTimes(options, session, *products, wants_figures)
+	                                     : sweepAlong(path, *count, session, *products, wants_figures);
+	if (!figures)
+		return figures.error();
+	if (Status saved = saveState(options.saved); !saved)
+		return saved.error();
+	return writeStats(options.stats, "", statsDocument(options.saved.probe, session, "frames", std::move(*figures)));
 }
 
 } // namespace
@@ -253,30 +263,16 @@ void addSweep(CLI::App& program, Run& run)
 	auto options = std::make_shared<SweepOptions>();
 	CLI::App* command =
 	    program.add_subcommand("sweep", "Sweep a probe through an input: numbered pictures, a film, or an exposure");
-	addInputs(*command, options->probe);
-	addProbeOptions(*command, options->probe);
-	addLookOptions(*command, options->look);
+	addInputs(*command, options->saved.probe)->required(false); // --state may name them
+	addProbeOptions(*command, options->saved.probe);
+	addLookOptions(*command, options->saved.look);
+	addPathOptions(*command, options->saved.path);
+	addStateOptions(*command, options->saved);
 	const char* group = "Sweep";
 	command
-	    ->add_option(
-	        "--path", options->path,
-	        "translate along the normal, rotate about the up axis, spin about the normal, revolve from vane to "
-	        "vane, profile (the benchmark's), times (a frame for each time of the input), or a file (docs/PROBES.md)")
-	    ->type_name("NAME|FILE.json")
-	    ->capture_default_str()
-	    ->group(group);
-	command->add_option("--frames", options->frames, "Number of frames")
-	    ->check(CLI::Range(1, probe::kMaxFrames))
-	    ->type_name("N")
-	    ->group(group);
-	command->add_option("--fps", options->per_second, "Frames a second, of films and of paths in seconds")
-	    ->capture_default_str()
-	    ->group(group);
-	command->add_flag("--there-and-back", options->there_and_back, "And back again")->group(group);
-	command
 	    ->add_option("-o,--output", options->output,
-	                 "frames/{frame:04}.png, or a film: .mp4, .mkv, .webm or .gif (through ffmpeg)")
-	    ->type_name("PATTERN|FILM")
+	                 "frames/{frame:04}.png, a film: .mp4, .mkv, .webm or .gif (through ffmpeg), or polygons: .pvd")
+	    ->type_name("PATTERN|FILM|FILE.pvd")
 	    ->group(group);
 	command->add_option("--exposure", options->exposure, "All frames in one picture, as the eye keeps them")
 	    ->type_name("FILE.png")

@@ -3,7 +3,7 @@
 namespace vp::app
 {
 
-TimeSteps::TimeSteps(Session& session, const ProbeOptions& options, Painter& painter)
+TimeSteps::TimeSteps(Session& session, const ProbeOptions& options, Painter* painter)
     : session_(session), options_(options), painter_(painter), times_(session.blocks.times)
 {
 }
@@ -15,7 +15,8 @@ Result<slice::Slice> TimeSteps::cutAt(int step)
 	Result<bool> same_grid = read::readValues(options_.inputs, at, session_.blocks, session_.timeline.get());
 	if (!same_grid)
 		return same_grid.error();
-	painter_.forgetScales();
+	if (painter_)
+		painter_->forgetScales();
 	if (*same_grid)
 		session_.slicer->forgetValues();
 	else if (Status built = buildAnew(at); !built)
@@ -36,7 +37,8 @@ Status TimeSteps::buildAnew(const read::ReadOptions& at)
 	kept_.reset();
 	session_.slicer.reset();
 	session_.blocks = std::move(*blocks);
-	painter_.takeBlocks();
+	if (painter_)
+		painter_->takeBlocks();
 	return makeSlicer(session_, options_);
 }
 

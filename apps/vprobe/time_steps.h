@@ -14,7 +14,8 @@ namespace vp::app
 class TimeSteps
 {
 public:
-	TimeSteps(Session& session, const ProbeOptions& options, Painter& painter);
+	// painter: told of what changes; null where nothing is drawn.
+	TimeSteps(Session& session, const ProbeOptions& options, Painter* painter);
 
 	int count() const { return static_cast<int>(times_.size()); }
 	Result<slice::Slice> cutAt(int step);
@@ -24,7 +25,7 @@ private:
 
 	Session& session_;
 	const ProbeOptions& options_;
-	Painter& painter_;
+	Painter* painter_;
 	std::vector<double> times_;
 	std::optional<slice::Slice> kept_;
 };

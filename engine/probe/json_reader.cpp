@@ -120,6 +120,11 @@ void JsonReader::expectArray(std::size_t least, std::size_t most, std::string_vi
 		refuse(fmt::format("an array of {} where {} belong", size(), wanted));
 }
 
+std::string JsonReader::words() const
+{
+	return value_.is_string() && value_.get_ref<const std::string&>().empty() ? "" : text();
+}
+
 Vec3 JsonReader::vector() const
 {
 	expectArray(3, 3, "numbers");

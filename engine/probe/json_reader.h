@@ -14,8 +14,8 @@
 namespace vp::probe
 {
 
-// Why a document cannot be used: where in it (a JSON pointer), what is wrong and what would be right. Thrown within
-// this folder only.
+// Why a document cannot be used: where in it (a JSON pointer), what is wrong and what would be right. Thrown to
+// readDocument() only.
 struct Unfit
 {
 	std::string message;
@@ -29,6 +29,8 @@ public:
 
 	[[noreturn]] void refuse(const std::string& reason) const;
 
+	const nlohmann::json& value() const { return value_; }
+	const std::string& path() const { return path_; }
 	bool isArray() const { return value_.is_array(); }
 	bool isObject() const { return value_.is_object(); }
 	bool isString() const { return value_.is_string(); }
@@ -45,7 +47,8 @@ public:
 	double length() const; // a number whose square is one too
 	int whole(int least, int most) const;
 	bool flag() const;
-	std::string text() const; // not empty
+	std::string text() const;  // not empty
+	std::string words() const; // may be empty
 	void expectArray(std::size_t least, std::size_t most, std::string_view of) const;
 	Vec3 vector() const;    // of lengths
 	Vec3 direction() const; // of any numbers, not all zero

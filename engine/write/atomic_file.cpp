@@ -211,6 +211,15 @@ Status AtomicFile::commit()
 	return Nothing{};
 }
 
+Status tryPlace(const std::string& path)
+{
+	std::error_code failed;
+	if (std::filesystem::is_other(path, failed)) // opening a pipe to try it would end its reader
+		return Nothing{};
+	const Result<AtomicFile> file = AtomicFile::create(path);
+	return file ? Status(Nothing{}) : file.error();
+}
+
 void removeUnfinishedFiles() noexcept
 {
 	for (const Unfinished& place : unfinished)

@@ -37,6 +37,9 @@ private:
 	int error_ = 0; // errno of the first failure
 };
 
+// Whether a file can be written there, which is told before long work.
+Status tryPlace(const std::string& path);
+
 // For a signal handler that ends the program: removes what is being written beside its place. Async-signal-safe.
 void removeUnfinishedFiles() noexcept;
 

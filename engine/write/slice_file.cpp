@@ -1,6 +1,7 @@
 #include "write/slice_file.h"
 
 #include "write/slice_formats.h"
+#include "write/slice_sets.h"
 
 #include <fmt/format.h>
 
@@ -20,12 +21,15 @@ Result<SliceFormat> sliceFormatOf(const std::string& path)
 		return SliceFormat::ply;
 	if (ending == ".csv")
 		return SliceFormat::csv;
+	if (ending == ".vtm")
+		return SliceFormat::vtm;
 	// A pipe or a device has no ending to choose; it is standard output by another name.
 	std::error_code failed;
 	if (path == "-" || (ending.empty() && std::filesystem::is_other(path, failed)))
 		return SliceFormat::vtp;
-	return Error{ExitCode::usage,
-	             fmt::format("{}: not a file a slice can be written to; use the ending .vtp, .ply or .csv", path)};
+	return Error{
+	    ExitCode::usage,
+	    fmt::format("{}: not a file a slice can be written to; use the ending .vtp, .vtm, .ply or .csv", path)};
 }
 
 Status writeSlice(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path)
@@ -33,6 +37,8 @@ Status writeSlice(const grid::BlockSet& blocks, std::span<const slice::SheetMesh
 	const Result<SliceFormat> format = sliceFormatOf(path);
 	if (!format)
 		return format.error();
+	if (*format == SliceFormat::vtm)
+		return writeVtm(blocks, meshes, path);
 	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)
 		return file.error();
@@ -47,6 +53,8 @@ Status writeSlice(const grid::BlockSet& blocks, std::span<const slice::SheetMesh
 		break;
 	case SliceFormat::csv:
 		writeCsv(table, *file);
+		break;
+	case SliceFormat::vtm:
 		break;
 	}
 	return file->commit();

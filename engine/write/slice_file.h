@@ -14,17 +14,18 @@ enum class SliceFormat
 {
 	vtp, // VTK XML polygons, all arrays
 	ply, // binary, all arrays as properties
-	csv  // a row per polygon corner, all arrays as columns
+	csv, // a row per polygon corner, all arrays as columns
+	vtm  // VTK XML multiblock: a .vtp a sheet, in a folder of the file's stem beside it
 };
 
-// By the path's ending (.vtp .ply .csv, any case); "-" is VTP. A usage error names the endings there are.
+// By the path's ending (.vtp .ply .csv .vtm, any case); "-" is VTP. A usage error names the endings there are.
 Result<SliceFormat> sliceFormatOf(const std::string& path);
 
 // Writes the sheets' polygons (meshes[i] is sheet i) with every point array interpolated to the vertices, every cell
 // array, and the cell arrays vprobe:cell (source cell id), vprobe:block and vprobe:sheet. An array that a block lacks
 // is NaN (0 for integers) there.
-// "-" writes to standard output. A file appears whole or not at all (written beside its place and renamed); a failure
-// is an output error.
+// "-" writes to standard output. A file appears whole or not at all (written beside its place and renamed), a .vtm
+// with all that belongs to it; a failure is an output error.
 Status writeSlice(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path);
 
 } // namespace vp::write

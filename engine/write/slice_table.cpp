@@ -143,12 +143,12 @@ std::string Column::componentName(int component) const
 	return fmt::format("{}_{}", name, component);
 }
 
-SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes)
+SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, std::size_t first_sheet)
 {
 	SliceTable table;
 	table.polygon_starts.push_back(0);
 	for (std::size_t m = 0; m < meshes.size(); ++m)
-		addMesh(blocks, meshes[m], static_cast<std::int32_t>(m), table);
+		addMesh(blocks, meshes[m], static_cast<std::int32_t>(first_sheet + m), table);
 	for (const Source& source : sourcesOf(blocks, Association::point))
 		table.vertex_columns.push_back(vertexColumn(blocks, meshes, source, table.vertices()));
 	for (const Source& source : sourcesOf(blocks, Association::cell))

@@ -44,6 +44,8 @@ struct SliceTable
 
 // An array is known by its name and association. Where blocks hold it in different types it is float64, and as wide as
 // the widest. Interpolated values are float32 for sources that fit (float32, integers of up to 16 bits), else float64.
-SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes);
+// meshes[i] is sheet first_sheet + i.
+SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes,
+                    std::size_t first_sheet = 0);
 
 } // namespace vp::write

@@ -1,5 +1,6 @@
 #include "write/slice_formats.h"
 #include "write/unique_names.h"
+#include "write/xml_text.h"
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
@@ -13,7 +14,6 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <string>
-#include <string_view>
 
 namespace vp::write
 {
@@ -26,47 +26,6 @@ int vtkTypeOf(grid::NumberType type)
 	constexpr int types[] = {VTK_TYPE_INT8,   VTK_TYPE_UINT8, VTK_TYPE_INT16,  VTK_TYPE_UINT16,  VTK_TYPE_INT32,
 	                         VTK_TYPE_UINT32, VTK_TYPE_INT64, VTK_TYPE_UINT64, VTK_TYPE_FLOAT32, VTK_TYPE_FLOAT64};
 	return types[static_cast<int>(type)];
-}
-
-bool isUtf8(std::string_view text)
-{
-	int following = 0;
-	for (const unsigned char c : text)
-	{
-		if ((c & 0xC0) == 0x80)
-		{
-			if (following-- == 0)
-				return false;
-			continue;
-		}
-		if (following > 0)
-			return false;
-		following = c < 0x80 ? 0 : (c & 0xE0) == 0xC0 ? 1 : (c & 0xF0) == 0xE0 ? 2 : (c & 0xF8) == 0xF0 ? 3 : -1;
-		if (following < 0)
-			return false;
-	}
-	return following == 0;
-}
-
-// VTK 9.1 writes names into the XML as they are: what XML gives a meaning to is escaped here, what it does not allow is
-// replaced.
-std::string xmlName(const std::string& name)
-{
-	const bool utf8 = isUtf8(name);
-	std::string escaped;
-	for (const char c : name)
-	{
-		if (c == '&')
-			escaped += "&amp;";
-		else if (c == '<')
-			escaped += "&lt;";
-		else if (c == '"')
-			escaped += "&quot;";
-		else
-			escaped +=
-			    static_cast<unsigned char>(c) < ' ' || (static_cast<unsigned char>(c) >= 0x80 && !utf8) ? '_' : c;
-	}
-	return escaped;
 }
 
 // A VTK array over memory that stays ours.
@@ -93,7 +52,7 @@ void addColumns(std::vector<Column>& columns, vtkDataSetAttributes* attributes)
 	UniqueNames names;
 	for (Column& column : columns)
 		attributes->AddArray(
-		    view(names.add(xmlName(column.name)).c_str(), column.type, column.components, column.bytes));
+		    view(names.add(xmlText(column.name)).c_str(), column.type, column.components, column.bytes));
 }
 
 } // namespace

@@ -1,0 +1,160 @@
+#include "saved_options.h"
+
+#include "make_probe.h"
+#include "state/state_file.h"
+#include "write/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vp::app
+{
+
+namespace
+{
+
+// The one list of what a state holds: a new option is one line here. A key is the option's name with _ for -.
+// What belongs to the machine (--classify, --device, --threads) is none of it.
+state::Sections sectionsOf(SavedOptions& options)
+{
+	ProbeOptions& probe = options.probe;
+	LookOptions& look = options.look;
+	PathOptions& path = options.path;
+	return {{"input",
+	         {{"files", state::Files{&probe.inputs}},
+	          {"time", &probe.time},
+	          {"solution", state::File{&probe.solution}},
+	          {"refine", &probe.refine},
+	          {"displace", &probe.displace}}},
+	        {"probe",
+	         {{"probe", state::ProbeChoice{&probe.probe, &probe.own_probe}},
+	          {"origin", &probe.origin},
+	          {"normal", &probe.normal},
+	          {"up", &probe.up},
+	          {"window", &probe.window},
+	          {"vanes", &probe.vanes},
+	          {"offsets", &probe.offsets},
+	          {"sheets", &probe.sheets},
+	          {"corners", &probe.corners},
+	          {"array", &probe.array},
+	          {"component", &probe.component},
+	          {"threshold", &probe.threshold},
+	          {"seeds", &probe.seeds},
+	          {"outside", &probe.outside}}},
+	        {"look",
+	         {{"size", &look.size},
+	          {"samples", &look.samples},
+	          {"colormap", &look.colormap},
+	          {"range", &look.range},
+	          {"log", &look.logarithmic},
+	          {"opacity", &look.opacity},
+	          {"lines", &look.lines},
+	          {"bands", &look.bands},
+	          {"mesh", &look.mesh},
+	          {"lit", &look.lit},
+	          {"background", &look.background},
+	          {"camera", &look.camera},
+	          {"outline", &look.outline},
+	          {"axes", &look.axes},
+	          {"title", &look.title}}},
+	        {"sweep",
+	         {{"path", state::PathChoice{&path.path, &path.own_path}},
+	          {"frames", &path.frames},
+	          {"fps", &path.per_second},
+	          {"there_and_back", &path.there_and_back}}}};
+}
+
+// The reason why an option refuses a value, empty where it takes it.
+std::string refusal(CLI::Option& option, std::string value)
+{
+	try
+	{
+		for (int i = 0;; ++i)
+			if (const std::string reason = (*option.get_validator(i))(value); !reason.empty())
+				return reason;
+	}
+	catch (const CLI::OptionNotFound&) // the last validator has been asked
+	{
+		return {};
+	}
+}
+
+// A state's values are held against the options of `command`, which has them all.
+Status checkAgainst(const CLI::App& command, const state::Sections& sections, const std::string& file)
+{
+	for (const state::Section& section : sections)
+		for (const state::Setting& setting : section.settings)
+		{
+			std::string name = fmt::format("--{}", setting.key);
+			std::ranges::replace(name, '_', '-');
+			const CLI::Option* option = command.get_option_no_throw(name);
+			if (!option)
+				continue;
+			const std::vector<std::string> values = state::valuesOf(setting);
+			const auto unfit = [&](const std::string& reason) {
+				return Error{ExitCode::input, fmt::format("{}: /{}/{}: {}", file, section.key, setting.key, reason)};
+			};
+			const int most = option->get_items_expected_max();
+			if (!values.empty() && (static_cast<int>(values.size()) < option->get_items_expected_min() ||
+			                        static_cast<int>(values.size()) > std::max(most, 1)))
+				return unfit(fmt::format("an array of {} where {} numbers belong", values.size(), most));
+			for (const std::string& value : values)
+				if (const std::string reason = refusal(const_cast<CLI::Option&>(*option), value); !reason.empty())
+					return unfit(reason);
+		}
+	return Nothing{};
+}
+
+Status loadState(const CLI::App& command, SavedOptions& options, const std::string& file)
+{
+	const state::Sections sections = sectionsOf(options);
+	if (Status loaded = state::load(sections, file); !loaded)
+		return loaded;
+	return checkAgainst(*command.get_parent()->get_subcommand("sweep"), sections, file);
+}
+
+} // namespace
+
+void addStateOptions(CLI::App& command, SavedOptions& options)
+{
+	const char* group = "State";
+	command
+	    .add_option("--save", options.save,
+	                "Keeps input, probe, look and path, as the command line says them, in a file")
+	    ->type_name("FILE.json")
+	    ->group(group);
+	// Before any other option is looked at, so that those go before what the file says.
+	command
+	    .add_option_function<std::string>(
+	        "--state",
+	        [&command, &options](const std::string& file)
+	        {
+		        if (Status loaded = loadState(command, options, file); !loaded)
+			        options.state_error = loaded.error();
+	        },
+	        "Brings them back; other options go before what it says, and INPUT may be left out")
+	    ->trigger_on_parse()
+	    ->type_name("FILE.json")
+	    ->group(group);
+}
+
+Status prepare(SavedOptions& options)
+{
+	if (options.state_error)
+		return *options.state_error;
+	if (options.probe.inputs.empty())
+		return Error{ExitCode::usage, "INPUT is required: name a file, demo:NAME or --state FILE; see vprobe --help"};
+	if (options.save == "-")
+		return Error{ExitCode::usage, "--save -: a state names files relative to its own place; give it a file's name"};
+	if (Status probe = readProbeFile(options.probe); !probe)
+		return probe;
+	return readPathFile(options.path);
+}
+
+Status saveState(SavedOptions& options)
+{
+	return options.save.empty() ? Nothing{} : state::save(sectionsOf(options), options.save);
+}
+
+} // namespace vp::app

@@ -1,0 +1,97 @@
+#include "write/file_set.h"
+
+#include "write/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include <stdlib.h>
+
+namespace vp::write
+{
+
+namespace fs = std::filesystem;
+
+Result<FileSet> FileSet::create(const std::string& path)
+{
+	if (Status free = tryPlace(path); !free)
+		return free.error();
+	const fs::path file(path);
+	std::error_code failed;
+	FileSet set;
+	set.path_ = path;
+	set.folder_ = (file.parent_path() / file.stem()).string();
+	if (fs::exists(set.folder_, failed) && !fs::is_directory(set.folder_, failed))
+		return Error{ExitCode::output, fmt::format("{}: its parts go to the folder {}, and that is a file; remove it "
+		                                           "or choose another name",
+		                                           path, set.folder_)};
+	std::string staging = (file.parent_path() / ".vprobe-XXXXXX").string();
+	if (!mkdtemp(staging.data()))
+		return Error{ExitCode::output, fmt::format("{}: no folder can be made beside it; choose another place", path)};
+	set.staging_ = staging;
+	return set;
+}
+
+FileSet::FileSet(FileSet&& other) noexcept
+    : path_(std::move(other.path_)), folder_(std::move(other.folder_)), staging_(std::exchange(other.staging_, {})),
+      members_(std::move(other.members_)), moved_(std::move(other.moved_)), made_folder_(other.made_folder_),
+      done_(other.done_)
+{
+}
+
+FileSet::~FileSet()
+{
+	if (staging_.empty())
+		return;
+	std::error_code ignored;
+	fs::remove_all(staging_, ignored);
+	if (done_)
+		return;
+	for (const std::string& file : moved_)
+		fs::remove(file, ignored);
+	if (made_folder_)
+		fs::remove(folder_, ignored);
+}
+
+FileSet::Member FileSet::add(const std::string& name)
+{
+	members_.push_back(name);
+	return {staging_ + "/" + name, fs::path(folder_).filename().string() + "/" + name};
+}
+
+Status FileSet::moveMembers()
+{
+	std::error_code failed;
+	made_folder_ = fs::create_directory(folder_, failed);
+	for (const std::string& name : members_)
+	{
+		const std::string target = folder_ + "/" + name;
+		std::error_code unknown;
+		const bool fresh = !fs::exists(target, unknown);
+		if (!failed)
+			fs::rename(staging_ + "/" + name, target, failed);
+		if (failed)
+			return Error{ExitCode::output,
+			             fmt::format("{}: cannot be written: {}; choose another name", target, failed.message())};
+		if (fresh)
+			moved_.push_back(target);
+	}
+	return Nothing{};
+}
+
+Status FileSet::commit(const std::string& text)
+{
+	Result<AtomicFile> file = AtomicFile::create(path_);
+	if (!file)
+		return file.error();
+	file->write(text);
+	if (Status moved = moveMembers(); !moved)
+		return moved;
+	Status written = file->commit();
+	done_ = static_cast<bool>(written);
+	return written;
+}
+
+} // namespace vp::write

@@ -1,0 +1,76 @@
+#include "write/slice_sets.h"
+
+#include "write/slice_formats.h"
+#include "write/xml_text.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace vp::write
+{
+
+namespace
+{
+
+// Of `set`, which errors name: where a part lies until all are written is no place a user knows.
+Status writePart(SliceTable table, const FileSet::Member& part, const std::string& set)
+{
+	Result<AtomicFile> file = AtomicFile::create(part.write_to);
+	if (file)
+	{
+		writeVtp(table, *file);
+		if (file->commit())
+			return Nothing{};
+	}
+	return Error{ExitCode::output,
+	             fmt::format("{}: its part {} cannot be written; make room or choose another place", set, part.name)};
+}
+
+} // namespace
+
+Status writeVtm(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path)
+{
+	Result<FileSet> files = FileSet::create(path);
+	if (!files)
+		return files.error();
+	std::string entries;
+	for (std::size_t sheet = 0; sheet < meshes.size(); ++sheet)
+	{
+		const FileSet::Member part = files->add(fmt::format("sheet_{}.vtp", sheet));
+		if (Status written = writePart(tabulate(blocks, meshes.subspan(sheet, 1), sheet), part, path); !written)
+			return written;
+		fmt::format_to(std::back_inserter(entries), "\t\t<DataSet index=\"{0}\" name=\"sheet {0}\" file=\"{1}\"/>\n",
+		               sheet, xmlText(part.name));
+	}
+	return files->commit(fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\" "
+	                                 "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\t<vtkMultiBlockDataSet>\n{}"
+	                                 "\t</vtkMultiBlockDataSet>\n</VTKFile>\n",
+	                                 entries));
+}
+
+Result<SliceSeries> SliceSeries::create(const std::string& path)
+{
+	Result<FileSet> files = FileSet::create(path);
+	if (!files)
+		return files.error();
+	return SliceSeries(path, std::move(*files));
+}
+
+Status SliceSeries::add(int frame, const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes)
+{
+	const FileSet::Member part = files_.add(fmt::format("frame_{:04}.vtp", frame));
+	fmt::format_to(std::back_inserter(entries_), "\t\t<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
+	               frame, xmlText(part.name));
+	return writePart(tabulate(blocks, meshes), part, path_);
+}
+
+Status SliceSeries::commit()
+{
+	return files_.commit(
+	    fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">"
+	                "\n\t<Collection>\n{}\t</Collection>\n</VTKFile>\n",
+	                entries_));
+}
+
+} // namespace vp::write

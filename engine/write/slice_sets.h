@@ -1,0 +1,36 @@
+#pragma once
+
+#include "base/result.h"
+#include "grid/block.h"
+#include "slice/mesh.h"
+#include "write/file_set.h"
+
+#include <span>
+#include <string>
+
+namespace vp::write
+{
+
+// A slice as VTK's XML multiblock file (.vtm): a .vtp a sheet, named "sheet 0", "sheet 1" …, in a folder of its stem
+// beside it. meshes[i] is sheet i; the .vtp are as writeSlice() writes them.
+Status writeVtm(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path);
+
+// Slices over time as ParaView's collection (.pvd): a .vtp a frame with all its sheets, in a folder of its stem beside
+// it; the frame's number is its time. All of it appears on commit(), or nothing.
+class SliceSeries
+{
+public:
+	static Result<SliceSeries> create(const std::string& path);
+
+	Status add(int frame, const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes);
+	Status commit();
+
+private:
+	SliceSeries(std::string path, FileSet files) : path_(std::move(path)), files_(std::move(files)) {}
+
+	std::string path_;
+	FileSet files_;
+	std::string entries_;
+};
+
+} // namespace vp::write
