@@ -54,6 +54,15 @@ TEST_F(Render, Picture)
 	EXPECT_EQ(sizeOf(contents(path("out.png"))), (PictureSize{200, 120}));
 }
 
+TEST_F(Render, TimesAddUp)
+{
+	const Outcome outcome = render({"-o", path("out.png"), "--size", "200x120", "--stats", "-"});
+	ASSERT_TRUE(isQuiet(outcome));
+	const nlohmann::json ms = outcome.json()["ms"];
+	EXPECT_GT(ms["render"].get<double>(), 0.0);
+	EXPECT_LT(ms["render"].get<double>() + ms["build"].get<double>(), ms["total"].get<double>());
+}
+
 TEST_F(Render, IsTheSameTwice)
 {
 	ASSERT_TRUE(isQuiet(render({"-o", path("a.png"), "--size", "200x120"})));
