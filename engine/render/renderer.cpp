@@ -82,7 +82,7 @@ Result<Renderer> Renderer::create(gpu::Device& device)
 
 Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 {
-	const TimedSection section(timeline, "render");
+	const TimedSection section(timeline, "draw");
 	Private& r = *private_;
 	if (scene.sheets.size() > shared::kMaxLayers)
 		return Error{ExitCode::usage, fmt::format("{} sheets are more than a picture takes; show up to {}",

@@ -27,7 +27,7 @@ public:
 	Renderer(Renderer&&) noexcept;
 	Renderer& operator=(Renderer&&) noexcept;
 
-	// Each sheet into a layer of values, layers and outline into colours, the overlay over them. Section "render" and
+	// Each sheet into a layer of values, layers and outline into colours, the overlay over them. Section "draw" and
 	// GPU sections "layers", "compose", "overlay" and "copy" on the timeline, where there is one. More sheets than
 	// shared::kMaxLayers are a usage error.
 	Result<Picture> draw(const Scene& scene, Timeline* timeline = nullptr);

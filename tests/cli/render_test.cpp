@@ -54,6 +54,15 @@ TEST_F(Render, Picture)
 	EXPECT_EQ(sizeOf(contents(path("out.png"))), (PictureSize{200, 120}));
 }
 
+TEST_F(Render, TimesAddUp)
+{
+	const Outcome outcome = render({"-o", path("out.png"), "--size", "200x120", "--stats", "-"});
+	ASSERT_TRUE(isQuiet(outcome));
+	const nlohmann::json ms = outcome.json()["ms"];
+	EXPECT_GT(ms["render"].get<double>(), 0.0);
+	EXPECT_LT(ms["render"].get<double>() + ms["build"].get<double>(), ms["total"].get<double>());
+}
+
 TEST_F(Render, IsTheSameTwice)
 {
 	ASSERT_TRUE(isQuiet(render({"-o", path("a.png"), "--size", "200x120"})));
@@ -116,6 +125,37 @@ TEST_F(Render, ColorMapsFromFiles)
 	     {Arguments{"--log"}, Arguments{"--lines", "3"}, Arguments{"--bands", "3"}, Arguments{"--range", "0", "1"}})
 		EXPECT_TRUE(isError(render(out + Arguments{file + ":b"} + option), 1, {option[0], "categories"}));
 	EXPECT_FALSE(std::filesystem::exists(path("out.png")));
+}
+
+TEST_F(Render, SheetsWithLooksOfTheirOwn)
+{
+	const Arguments out{"-o", path("out.png"), "--size", "200x120", "--background", "white", "--probe"};
+	const auto picture = [&](const std::string& wishes)
+	{
+		const std::string probe =
+		    write("probe.json", R"({"sheets":[{"to_sheet":{"normal":[1,0,0]}},{)" + wishes + "}]}");
+		EXPECT_TRUE(isQuiet(run(Arguments{"render", "demo:shell:16"} + out + Arguments{probe}))) << wishes;
+		return contents(path("out.png"));
+	};
+	const std::string plain = picture("");
+	for (const char* wish :
+	     {R"("opacity":0.4)", R"("colormap":"turbo")", R"("colormap":"grey_r")", R"("range":[-0.2,0.2])",
+	      R"("lines":6)", R"("array":"v")", R"("window":[2,2])", R"("window":[2,2],"fx":{"magnification":2})"})
+		EXPECT_NE(picture(wish), plain) << wish;
+	EXPECT_NE(picture(R"("window":[2,2])"), picture(R"("window":[2,2],"fx":{"magnification":2})"));
+}
+
+TEST_F(Render, NoMoreSheetsThanAPictureTakes)
+{
+	const auto stack = [&](const char* sheets)
+	{
+		return run({"render", "demo:shell:8", "--probe", "stack", "--sheets", sheets, "-o", path("out.png"), "--size",
+		            "64x64"});
+	};
+	EXPECT_TRUE(isQuiet(stack("16")));
+	std::filesystem::remove(path("out.png"));
+	EXPECT_TRUE(isError(stack("17"), 1, {"17", "16"}));
+	EXPECT_TRUE(files().empty());
 }
 
 TEST_F(Render, LogarithmicColors)
