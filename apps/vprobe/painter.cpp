@@ -25,6 +25,17 @@ bool hasNan(const SheetStats& sheet)
 	return sheet.measure.nan_area > 0.0;
 }
 
+// The corners of its window, where it is drawn.
+void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
+{
+	if (!sheet.window)
+		return;
+	const probe::Window& window = *sheet.window;
+	for (const double x : {window.x0, window.x1})
+		for (const double y : {window.y0, window.y1})
+			extent.push_back(sheet.origin + x * sheet.xAxis() + y * sheet.up);
+}
+
 // A sheet's polygons where they lie: records that the GPU classifier left in device memory, or the CPU's mesh put
 // there.
 Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const Session& session, const slice::SheetSlice& sheet,
@@ -105,10 +116,15 @@ Result<render::SheetDrawing> Painter::drawing(const slice::SheetSlice& sheet, co
 	}
 	if (wishes.colormap)
 	{
-		Result<render::ColorMap> colors = render::chooseColorMap(*wishes.colormap);
-		if (!colors)
-			return colors.error();
-		drawing.colors = std::move(*colors);
+		auto known = colors_.find(*wishes.colormap);
+		if (known == colors_.end())
+		{
+			Result<render::ColorMap> colors = render::chooseColorMap(*wishes.colormap);
+			if (!colors)
+				return Error{ExitCode::input, fmt::format("a sheet of the probe: {}", colors.error().message)};
+			known = colors_.emplace(*wishes.colormap, std::move(*colors)).first;
+		}
+		drawing.colors = known->second;
 	}
 	drawing.range = wishes.range;
 	drawing.lines = wishes.lines;
@@ -141,7 +157,11 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 	{
 		// Of several sheets none is the one to look at.
 		const bool any = slice.sheets.size() == 1 || choice_.camera.followsSheet();
-		camera_ = render::makeCamera(choice_.camera, any ? first : nullptr, extent_, render::pictureFrame(scene));
+		std::vector<Vec3> extent = extent_;
+		if (choice_.window_rims)
+			for (const slice::SheetSlice& sheet : slice.sheets)
+				addRim(sheet.shown, extent);
+		camera_ = render::makeCamera(choice_.camera, any ? first : nullptr, extent, render::pictureFrame(scene));
 	}
 	scene.camera = *camera_;
 	return renderer_.draw(scene, session_.timeline.get());

@@ -5,6 +5,7 @@
 #include "render/renderer.h"
 #include "stats_json.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -41,6 +42,7 @@ private:
 	std::vector<render::Segment> outline_;
 	std::vector<Vec3> extent_; // what the picture holds: the blocks and the lines around them
 	std::vector<std::pair<std::optional<slice::FieldChoice>, std::optional<render::ValueScale>>> scales_;
+	std::map<std::string, render::ColorMap> colors_; // of sheets that wish for one
 	std::optional<render::Camera> camera_;
 };
 
