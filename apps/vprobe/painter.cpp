@@ -156,12 +156,12 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 	if (!camera_ || choice_.camera.followsSheet())
 	{
 		// Of several sheets none is the one to look at.
-		const bool any = slice.sheets.size() == 1 || choice_.camera.followsSheet();
+		const bool by_sheet = slice.sheets.size() == 1 || choice_.camera.followsSheet();
 		std::vector<Vec3> extent = extent_;
 		if (choice_.window_rims)
 			for (const slice::SheetSlice& sheet : slice.sheets)
 				addRim(sheet.shown, extent);
-		camera_ = render::makeCamera(choice_.camera, any ? first : nullptr, extent, render::pictureFrame(scene));
+		camera_ = render::makeCamera(choice_.camera, by_sheet ? first : nullptr, extent, render::pictureFrame(scene));
 	}
 	scene.camera = *camera_;
 	return renderer_.draw(scene, session_.timeline.get());
