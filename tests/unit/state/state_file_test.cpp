@@ -130,7 +130,7 @@ TEST_F(StateFile, ProbesAndPathsOfTheUsersMaking)
 	values.probe = "p.json";
 	values.own_probe = probe::ProbeFile{{{probe::makeSheet({0.1, 0.2, 0.3}, {0.3, 0.5, 0.81})}}, false};
 	values.path = "k.json";
-	values.own_path.emplace();
+	values.own_path.emplace().kind = probe::PathKind::spin;
 	values.own_path->degrees = 0.1 + 0.2;
 	ASSERT_TRUE(state::save(values.sections(), path("a.json")));
 	Values read;
