@@ -41,29 +41,48 @@ uint countUpTo(float y, uint place, uint count)
 	return low;
 }
 
-// y of the neighbour, or `here` and 0 where it has none.
-vec2 neighbour(ivec2 pixel, ivec2 offset, uint layer, float here)
+// y of a neighbour, or `here` where it has none.
+float neighbour(ivec2 pixel, ivec2 offset, uint layer, float here)
 {
 	const ivec2 at = pixel + offset;
 	if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, textureSize(layers, 0).xy)))
-		return vec2(here, 0.0);
+		return here;
 	const float value = texelFetch(layers, ivec3(at, int(layer)), 0).x;
 	if (value <= kEmptyUpTo || value >= kNanFrom)
-		return vec2(here, 0.0);
+		return here;
 	const float y = scaled(value, layer);
-	return y > kNoScaled ? vec2(y, 1.0) : vec2(here, 0.0);
-}
-
-// Change of y a pixel along one direction.
-float slope(ivec2 pixel, ivec2 offset, uint layer, float y)
-{
-	const vec2 after = neighbour(pixel, offset, layer, y);
-	const vec2 before = neighbour(pixel, -offset, layer, y);
-	return (after.x - before.x) / max(after.y + before.y, 1.0);
+	return y > kNoScaled ? y : here;
 }
 
 // Lines this many pixels apart and farther have full strength; closer ones would cover everything.
 const float kFullStrengthFrom = 5.0;
+
+// Of values that are constant in each polygon lines go between polygons: wherever a neighbour lies beyond a level.
+float lineBetween(float y, uint above, uint layer, ivec2 pixel)
+{
+	const int reach = max(1, int(params.contour_half_width + 0.5));
+	for (int i = 0; i < 4; ++i)
+	{
+		const ivec2 offset = reach * (1 - (i & 2)) * ((i & 1) == 0 ? ivec2(1, 0) : ivec2(0, 1));
+		const float there = neighbour(pixel, offset, layer, y);
+		if (countUpTo(there, params.sheets[layer].levels, params.sheets[layer].level_count) != above)
+			return 1.0;
+	}
+	return 0.0;
+}
+
+// By how much y comes nearer to a level from one pixel to the next, along x and y; `side` is 1 for a level above, else -1. Of
+// two neighbours the one that leads there counts: the other may lie behind a kink or a jump.
+vec2 approach(float y, float side, uint layer, ivec2 pixel)
+{
+	vec2 rise = vec2(0.0);
+	for (int i = 0; i < 4; ++i)
+	{
+		const ivec2 offset = (1 - (i & 2)) * ((i & 1) == 0 ? ivec2(1, 0) : ivec2(0, 1));
+		rise[i & 1] = max(rise[i & 1], side * (neighbour(pixel, offset, layer, y) - y));
+	}
+	return rise;
+}
 
 // How much of a contour line covers this pixel: the distance to the nearest level in values, over the values' slope, is that
 // in pixels, so lines are equally wide everywhere.
@@ -74,25 +93,36 @@ float contourLine(float y, uint layer, ivec2 pixel)
 	if (count == 0u || y <= kNoScaled)
 		return 0.0;
 	const uint above = countUpTo(y, place, count);
+	if (params.sheets[layer].is_stepped != 0u)
+		return lineBetween(y, above, layer, pixel);
 	const float lower = tableNumber(place + max(above, 1u) - 1u);
 	const float upper = tableNumber(place + min(above, count - 1u));
-	const float off = min(abs(y - lower), abs(upper - y));
-	const float steepness =
-		length(vec2(slope(pixel, ivec2(1, 0), layer, y), slope(pixel, ivec2(0, 1), layer, y)));
-	if (!(steepness > 0.0) || off > 4.0 * params.contour_half_width * steepness)
+	const bool to_upper = abs(upper - y) < abs(y - lower);
+	const float level = to_upper ? upper : lower;
+	const float steepness = length(approach(y, level >= y ? 1.0 : -1.0, layer, pixel));
+	if (!(steepness > 0.0))
 		return 0.0;
 	const float apart = upper > lower ? (upper - lower) / steepness : kFullStrengthFrom;
-	return clamp(params.contour_half_width + 0.5 - off / steepness, 0.0, 1.0) * clamp(apart / kFullStrengthFrom, 0.1, 1.0);
+	return clamp(params.contour_half_width + 0.5 - abs(level - y) / steepness, 0.0, 1.0) *
+		   clamp(apart / kFullStrengthFrom, 0.1, 1.0);
 }
 
-// Lines over a colour, dark on light and light on dark: not multiplied by alpha, as what they lie over.
-vec4 inked(vec4 color, float ink, float opacity)
+// Dark on light, light on dark: on colours darker than this.
+const float kDarkForContours = 0.33;
+const float kDarkForMesh = 0.2; // a mesh runs through many colours, and is to change seldom
+
+float inkOn(vec3 color, float dark)
 {
-	const float light = dot(color.rgb, vec3(0.2126, 0.7152, 0.0722)) < 0.33 ? 0.92 : 0.07;
+	return dot(color, vec3(0.2126, 0.7152, 0.0722)) < dark ? 0.92 : 0.07;
+}
+
+// Lines over a colour: not multiplied by alpha, as what they lie over.
+vec4 inked(vec4 color, float ink, float coverage, float opacity)
+{
 	// On a faint sheet lines are not as faint.
-	const float over = ink * sqrt(opacity);
+	const float over = coverage * sqrt(opacity);
 	const float alpha = over + (1.0 - over) * color.a;
-	const vec3 mixed = over * vec3(light) + (1.0 - over) * color.a * color.rgb;
+	const vec3 mixed = over * vec3(ink) + (1.0 - over) * color.a * color.rgb;
 	return alpha > 0.0 ? vec4(mixed / alpha, alpha) : vec4(0.0);
 }
 
@@ -124,9 +154,10 @@ vec4 colorOf(vec2 texel, uint layer, ivec2 pixel)
 
 	const float opacity = params.sheets[layer].opacity;
 	color *= vec4(vec3(params.sheets[layer].shade), opacity);
+	const vec3 ground = color.rgb;
 	if ((kFeatures & kComposeMesh) != 0u)
-		color = inked(color, kMeshInk * texel.y, opacity);
+		color = inked(color, inkOn(ground, kDarkForMesh), kMeshInk * texel.y, opacity);
 	if ((kFeatures & kComposeLines) != 0u && !is_nan)
-		color = inked(color, kContourInk * contourLine(y, layer, pixel), opacity);
+		color = inked(color, inkOn(ground, kDarkForContours), kContourInk * contourLine(y, layer, pixel), opacity);
 	return color;
 }

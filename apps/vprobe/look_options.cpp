@@ -1,42 +1,100 @@
 #include "look_options.h"
 
+#include "base/log.h"
+#include "render/color_map_file.h"
+#include "render/least_positive.h"
+#include "render/levels.h"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
-#include <tuple>
+#include <filesystem>
 
 namespace vp::app
 {
 
-Result<render::Look> makeLook(const LookOptions& options)
+namespace
 {
-	render::Look look;
-	Result<std::pair<std::uint32_t, std::uint32_t>> size = render::parseSize(options.size);
-	if (!size)
-		return size.error();
-	std::tie(look.width, look.height) = *size;
-	look.samples = options.samples;
-	Result<render::ColorMap> colors = render::makeColorMap(options.colormap);
-	if (!colors)
-		return colors.error();
-	look.colors = *colors;
-	if (!options.range.empty())
-	{
-		if (!(options.range[0] < options.range[1]) || !std::isfinite(options.range[1] - options.range[0]))
-			return Error{ExitCode::usage, fmt::format("--range {} {}: the first number must be below the second",
-			                                          options.range[0], options.range[1])};
-		look.range = {options.range[0], options.range[1]};
-	}
-	Result<render::Background> background = render::parseBackground(options.background);
-	if (!background)
-		return background.error();
-	look.background = *background;
-	Result<render::Outline> outline = render::parseOutline(options.outline);
-	if (!outline)
-		return outline.error();
-	look.outline = *outline;
-	return look;
+
+// Of the highest value: where a logarithmic scale begins in data that reach 0.
+constexpr double kLogReach = 1e-6;
+
+Status setRange(const LookOptions& options, render::Look& look)
+{
+	if (options.range.empty())
+		return Nothing{};
+	const double lo = options.range[0];
+	const double hi = options.range[1];
+	if (!(lo < hi) || !std::isfinite(hi - lo))
+		return Error{ExitCode::usage, fmt::format("--range {} {}: the first number must be below the second", lo, hi)};
+	if (options.logarithmic && lo <= 0.0)
+		return Error{ExitCode::usage,
+		             fmt::format("--range {} {}: --log needs a range above 0; raise the first number", lo, hi)};
+	look.range = {lo, hi};
+	return Nothing{};
 }
+
+// A map of categories has no values in between.
+Status checkCategories(const LookOptions& options, const render::Look& look)
+{
+	if (look.colors.categories.empty())
+		return Nothing{};
+	const char* option = options.logarithmic      ? "--log"
+	                     : options.lines > 0      ? "--lines"
+	                     : options.bands > 0      ? "--bands"
+	                     : !options.range.empty() ? "--range"
+	                                              : nullptr;
+	if (!option)
+		return Nothing{};
+	return Error{ExitCode::usage, fmt::format("{}: means nothing to the categories of --colormap {}; leave it out",
+	                                          option, options.colormap)};
+}
+
+std::string defaultTitle(const std::vector<std::string>& inputs)
+{
+	const std::string& first = inputs.front();
+	const std::string name = first.starts_with("demo:") ? first : std::filesystem::path(first).filename().string();
+	return inputs.size() == 1 ? name : fmt::format("{} and {} more", name, inputs.size() - 1);
+}
+
+void addColorOptions(CLI::App& command, LookOptions& options, const char* group)
+{
+	command
+	    .add_option("--colormap", options.colormap,
+	                fmt::format("{}, or a file of ParaView's presets, with :PRESET where it holds several; NAME_r and "
+	                            "FILE.json_r are the reverse",
+	                            fmt::join(render::colorMapNames(), ", ")))
+	    ->type_name("NAME|FILE.json[:PRESET]")
+	    ->capture_default_str()
+	    ->group(group);
+	command
+	    .add_option("--range", options.range,
+	                "Values at the ends of the colour map (default: those of the whole array)")
+	    ->expected(2)
+	    ->allow_extra_args(false)
+	    ->type_name("LO HI")
+	    ->group(group);
+	command.add_flag("--log", options.logarithmic, "Colours follow the values' logarithm")->group(group);
+	command
+	    .add_option("--opacity", options.opacity,
+	                "Of every sheet, 0 to 1; a colour map with opacities is a factor on it")
+	    ->check(CLI::Range(0.0, 1.0))
+	    ->capture_default_str()
+	    ->group(group);
+	command.add_option("--lines", options.lines, "About N contour lines, at round values")
+	    ->check(CLI::Range(0, render::kMostLevels))
+	    ->type_name("N")
+	    ->group(group);
+	command.add_option("--bands", options.bands, "Bands of one colour, parted at about N round values")
+	    ->check(CLI::Range(0, render::kMostLevels))
+	    ->type_name("N")
+	    ->group(group);
+	command.add_flag("--mesh", options.mesh, "Draws the edges of the cut's polygons")->group(group);
+	command.add_flag("--lit", options.lit, "Sheets are darker the more they are turned from the light")->group(group);
+}
+
+} // namespace
 
 void addLookOptions(CLI::App& command, LookOptions& options)
 {
@@ -49,21 +107,7 @@ void addLookOptions(CLI::App& command, LookOptions& options)
 	    ->check(CLI::Range(1, render::kMaxSamples))
 	    ->capture_default_str()
 	    ->group(group);
-	command.add_option("--colormap", options.colormap, fmt::format("{}", fmt::join(render::colorMapNames(), ", ")))
-	    ->type_name("NAME")
-	    ->capture_default_str()
-	    ->group(group);
-	command
-	    .add_option("--range", options.range,
-	                "Values at the ends of the colour map (default: those of the whole array)")
-	    ->expected(2)
-	    ->allow_extra_args(false)
-	    ->type_name("LO HI")
-	    ->group(group);
-	command.add_option("--opacity", options.opacity, "Of the sheet, 0 to 1")
-	    ->check(CLI::Range(0.0, 1.0))
-	    ->capture_default_str()
-	    ->group(group);
+	addColorOptions(command, options, group);
 	command
 	    .add_option("--background", options.background, "gradient, white, black, grey, transparent, #RGB or #RRGGBB")
 	    ->type_name("COLOUR")
@@ -72,8 +116,7 @@ void addLookOptions(CLI::App& command, LookOptions& options)
 	command
 	    .add_option("--camera", options.camera,
 	                "auto (obliquely onto the sheet), x, -x, y, -y, z, -z, iso, sheet, azimuth and elevation in "
-	                "degrees, or position, focal "
-	                "point and up as nine numbers")
+	                "degrees, or position, focal point and up as nine numbers")
 	    ->type_name("VIEW|AZ,EL|9 NUMBERS")
 	    ->capture_default_str()
 	    ->group(group);
@@ -82,9 +125,91 @@ void addLookOptions(CLI::App& command, LookOptions& options)
 	                "What orients the sheet: box, edges (the boundary's feature edges) or none")
 	    ->capture_default_str()
 	    ->group(group);
+	command
+	    .add_option("--axes", options.axes,
+	                "corner (where x, y and z point), box (numbers along edges of the bounds) or none")
+	    ->check(CLI::IsMember({"corner", "box", "none"}))
+	    ->capture_default_str()
+	    ->group(group);
 	command.add_option("--title", options.title, "Above the picture (default: the input's name; \"\" for none)")
 	    ->type_name("TEXT")
 	    ->group(group);
+}
+
+Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::string>& inputs)
+{
+	LookChoice choice;
+	render::Look& look = choice.look;
+	auto size = render::parseSize(options.size);
+	if (!size)
+		return size.error();
+	std::tie(look.width, look.height) = *size;
+	look.samples = options.samples;
+	auto colors = render::chooseColorMap(options.colormap);
+	if (!colors)
+		return colors.error();
+	look.colors = *colors;
+	for (Status set : {setRange(options, look), checkCategories(options, look)})
+		if (!set)
+			return set.error();
+	// Not a number passes every comparison with the ends of a range.
+	if (!std::isfinite(options.opacity))
+		return Error{ExitCode::usage, "--opacity: nan is no opacity; give a number from 0 to 1"};
+	choice.opacity = options.opacity;
+	look.logarithmic = options.logarithmic;
+	look.lines = options.lines;
+	look.bands = options.bands;
+	look.mesh = options.mesh;
+	look.lit = options.lit;
+	auto background = render::parseBackground(options.background);
+	if (!background)
+		return background.error();
+	look.background = *background;
+	auto outline = render::parseOutline(options.outline);
+	if (!outline)
+		return outline.error();
+	look.outline = *outline;
+	look.axes = options.axes == "corner";
+	look.box_axes = options.axes == "box";
+	look.title = options.title.value_or(defaultTitle(inputs));
+	auto camera = render::parseCamera(options.camera);
+	if (!camera)
+		return camera.error();
+	choice.camera = *camera;
+	return choice;
+}
+
+Result<std::optional<render::ValueScale>> valueScale(const grid::BlockSet& blocks,
+                                                     const std::optional<slice::FieldChoice>& field,
+                                                     const std::vector<std::string>& inputs, const render::Look& look)
+{
+	const char* needed = look.logarithmic ? "--log" : look.lines > 0 ? "--lines" : look.bands > 0 ? "--bands" : nullptr;
+	if (!field)
+	{
+		if (needed)
+			return Error{ExitCode::input,
+			             fmt::format("{}: has no array for {} to show; leave the option out", inputs.front(), needed)};
+		return std::optional<render::ValueScale>();
+	}
+	const auto [lo, hi] = slice::fieldRange(blocks, *field);
+	render::ValueScale scale{field->title(blocks), lo, hi};
+	scale.per_cell = field->association == grid::Association::cell;
+	if (!look.logarithmic)
+		return std::optional(scale);
+	scale.log_lo = render::leastPositive(blocks, *field);
+	if (!(scale.log_lo > 0.0))
+		return Error{ExitCode::input, fmt::format("--log: '{}' has no value above 0 and so no logarithm; leave the "
+		                                          "option out or show another --array",
+		                                          field->name)};
+	if (lo > 0.0)
+		return std::optional(scale);
+	// Rounding around 0 would stretch the scale over decades that hold nothing.
+	scale.log_lo = std::max(scale.log_lo, kLogReach * hi);
+	warn(
+	    "--log: '{}' has values of 0 or below, which have no logarithm; they and all below {:.4g} get the colour below "
+	    "the range",
+	    field->name, look.range ? look.range->first : scale.log_lo);
+	return std::optional(scale);
 }
 
 } // namespace vp::app

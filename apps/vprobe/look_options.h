@@ -1,8 +1,9 @@
 #pragma once
 
 #include "base/result.h"
-#include "render/camera.h"
-#include "render/look.h"
+#include "grid/block.h"
+#include "render/scene.h"
+#include "slice/field_choice.h"
 
 #include <CLI/CLI.hpp>
 
@@ -20,15 +21,37 @@ struct LookOptions
 	int samples = 8;
 	std::string colormap = "viridis";
 	std::vector<double> range; // none, or LO and HI
+	bool logarithmic = false;
 	double opacity = 1.0;
+	int lines = 0;
+	int bands = 0;
+	bool mesh = false;
+	bool lit = false;
 	std::string background = "gradient";
 	std::string camera = "auto";
 	std::string outline = "box";
-	std::optional<std::string> title;
+	std::string axes = "corner";
+	std::optional<std::string> title; // else the input's name
 };
 
 void addLookOptions(CLI::App& command, LookOptions& options);
 
-Result<render::Look> makeLook(const LookOptions& options);
+struct LookChoice
+{
+	render::Look look;
+	render::CameraChoice camera;
+	double opacity = 1.0;    // of every sheet
+	bool captions = true;    // where the first sheet is
+	bool window_rims = true; // lines around windows
+};
+
+// What can be wrong on the command line is told before a large file is read.
+Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::string>& inputs);
+
+// The scale of an array, none without one. Options that need values are an input error where there are none that serve;
+// values that a logarithm leaves out are told in a word.
+Result<std::optional<render::ValueScale>> valueScale(const grid::BlockSet& blocks,
+                                                     const std::optional<slice::FieldChoice>& field,
+                                                     const std::vector<std::string>& inputs, const render::Look& look);
 
 } // namespace vp::app

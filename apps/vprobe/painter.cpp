@@ -1,25 +1,18 @@
 #include "painter.h"
 
+#include "render/color_map_file.h"
 #include "slice/gpu_records.h"
 #include "slice/host_records.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace vp::app
 {
 
 namespace
 {
-
-std::string defaultTitle(const std::vector<std::string>& inputs)
-{
-	const std::string& first = inputs.front();
-	const std::string name = first.starts_with("demo:") ? first : std::filesystem::path(first).filename().string();
-	return inputs.size() == 1 ? name : fmt::format("{} and {} more", name, inputs.size() - 1);
-}
 
 std::string caption(const probe::Sheet& sheet)
 {
@@ -30,12 +23,6 @@ std::string caption(const probe::Sheet& sheet)
 bool hasNan(const SheetStats& sheet)
 {
 	return sheet.measure.nan_area > 0.0;
-}
-
-render::ValueScale scaleOf(const grid::BlockSet& blocks, const slice::FieldChoice& field, bool has_nan)
-{
-	const auto [lo, hi] = slice::fieldRange(blocks, field);
-	return {field.title(blocks), lo, hi, has_nan};
 }
 
 // A sheet's polygons where they lie: records that the GPU classifier left in device memory, or the CPU's mesh put
@@ -54,52 +41,71 @@ Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const Session& sess
 
 } // namespace
 
-Result<PictureStyle> pictureStyle(const LookOptions& options)
+Painter::Painter(Session& session, std::vector<std::string> inputs, LookChoice choice, render::Renderer renderer)
+    : session_(session), inputs_(std::move(inputs)), choice_(std::move(choice)), renderer_(std::move(renderer))
 {
-	Result<render::Look> look = makeLook(options);
-	if (!look)
-		return look.error();
-	Result<render::CameraChoice> camera = render::parseCamera(options.camera);
-	if (!camera)
-		return camera.error();
-	return PictureStyle{std::move(*look), *camera, options.title, options.opacity, true, true};
+	takeBlocks();
 }
 
-Painter::Painter(Session& session, PictureStyle style, render::Renderer renderer)
-    : session_(session), style_(std::move(style)), renderer_(std::move(renderer)),
-      outline_(render::outlineOf(session.blocks, style_.look.outline)), extent_(render::extentOf(session.blocks))
+void Painter::takeBlocks()
 {
+	outline_ = render::outlineOf(session_.blocks, choice_.look.outline);
+	extent_ = render::extentOf(session_.blocks);
+	if (choice_.look.box_axes)
+		for (int i = 0; i < 8; ++i)
+			extent_.push_back(render::corner(session_.blocks.bounds(), i));
 	for (const render::Segment& line : outline_)
 		extent_.insert(extent_.end(), {line.a, line.b});
 }
 
-Result<Painter> Painter::create(Session& session, const ProbeOptions& options, PictureStyle style)
+Result<Painter> Painter::create(Session& session, const ProbeOptions& options, LookChoice choice)
 {
 	// The paddlewheel's own window reaches around everything.
-	style.window_rims = !options.window.empty() || options.probe != "paddlewheel";
-	style.look.title = style.title.value_or(defaultTitle(options.inputs));
+	choice.window_rims = !options.window.empty() || options.probe != "paddlewheel";
 	Result<render::Renderer> renderer = render::Renderer::create(*session.device);
 	if (!renderer)
 		return renderer.error();
-	return Painter(session, std::move(style), std::move(*renderer));
+	return Painter(session, options.inputs, std::move(choice), std::move(*renderer));
 }
 
-Result<render::SheetDrawing> Painter::drawing(const slice::SheetSlice& sheet, const SheetStats& stats) const
+// Worked out once: an array may be large, and what it lacks is told once.
+Result<std::optional<render::ValueScale>> Painter::scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan)
+{
+	auto known = std::ranges::find(scales_, field, [](const auto& scale) { return scale.first; });
+	if (known == scales_.end())
+	{
+		auto scale = valueScale(session_.blocks, field, inputs_, choice_.look);
+		if (!scale)
+			return scale;
+		known = scales_.insert(scales_.end(), {field, *scale});
+	}
+	std::optional<render::ValueScale> scale = known->second;
+	if (scale)
+		scale->has_nan = has_nan;
+	return scale;
+}
+
+Result<render::SheetDrawing> Painter::drawing(const slice::SheetSlice& sheet, const SheetStats& stats)
 {
 	Result<std::shared_ptr<const slice::SheetRecords>> records = recordsOf(session_, sheet, stats);
 	if (!records)
 		return records.error();
 	const probe::SheetWishes& wishes = sheet.shown.wishes;
-	render::SheetDrawing drawing{sheet.shown, std::move(*records), wishes.opacity.value_or(style_.opacity)};
+	render::SheetDrawing drawing{sheet.shown, std::move(*records), wishes.opacity.value_or(choice_.opacity)};
 	drawing.magnification = sheet.shown.fx.magnification;
 	if (const std::optional<probe::Window>& window = sheet.sheet.window)
 		drawing.window = render::WindowRect{window->x0, window->x1, window->y0, window->y1};
-	drawing.rim = style_.window_rims;
-	if (sheet.field && sheet.field != session_.field)
-		drawing.values = scaleOf(session_.blocks, *sheet.field, hasNan(stats));
+	drawing.rim = choice_.window_rims;
+	if (sheet.field != session_.field)
+	{
+		auto scale = scaleOf(sheet.field, hasNan(stats));
+		if (!scale)
+			return scale.error();
+		drawing.values = *scale;
+	}
 	if (wishes.colormap)
 	{
-		Result<render::ColorMap> colors = render::makeColorMap(*wishes.colormap);
+		Result<render::ColorMap> colors = render::chooseColorMap(*wishes.colormap);
 		if (!colors)
 			return colors.error();
 		drawing.colors = std::move(*colors);
@@ -113,10 +119,14 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 {
 	const TimedSection section(session_.timeline.get(), "render");
 	render::Scene scene;
-	scene.look = style_.look;
+	scene.look = choice_.look;
 	scene.outline = outline_;
-	if (session_.field)
-		scene.values = scaleOf(session_.blocks, *session_.field, std::ranges::any_of(sheets, hasNan));
+	scene.bounds = session_.blocks.bounds();
+	scene.fitted = choice_.camera.kind != render::CameraChoice::Kind::fixed;
+	auto scale = scaleOf(session_.field, std::ranges::any_of(sheets, hasNan));
+	if (!scale)
+		return scale.error();
+	scene.values = *scale;
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
 		Result<render::SheetDrawing> made = drawing(slice.sheets[s], sheets[s]);
@@ -125,14 +135,13 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 		scene.sheets.push_back(std::move(*made));
 	}
 	const probe::Sheet* first = slice.sheets.empty() ? nullptr : &slice.sheets.front().shown;
-	if (first && style_.captions)
+	if (first && choice_.captions)
 		scene.look.caption = caption(*first);
-	if (!camera_ || style_.camera.followsSheet())
+	if (!camera_ || choice_.camera.followsSheet())
 	{
 		// Of several sheets none is the one to look at.
-		const bool any = slice.sheets.size() == 1 || style_.camera.followsSheet();
-		camera_ = render::makeCamera(style_.camera, any ? first : nullptr, extent_,
-		                             render::pictureFrame(scene.look, scene.values));
+		const bool any = slice.sheets.size() == 1 || choice_.camera.followsSheet();
+		camera_ = render::makeCamera(choice_.camera, any ? first : nullptr, extent_, render::pictureFrame(scene));
 	}
 	scene.camera = *camera_;
 	return renderer_.draw(scene, session_.timeline.get());

@@ -1,51 +1,46 @@
 #pragma once
 
 #include "look_options.h"
-#include "render/camera.h"
 #include "render/outline.h"
 #include "render/renderer.h"
 #include "stats_json.h"
 
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace vp::app
 {
-
-// How a session's pictures look.
-struct PictureStyle
-{
-	render::Look look;
-	render::CameraChoice camera;
-	std::optional<std::string> title; // none: the input's name
-	double opacity;
-	bool captions = true; // where the first sheet is
-	bool window_rims = true;
-};
-
-// What the LOOK options ask for, or the error of one of them.
-Result<PictureStyle> pictureStyle(const LookOptions& options);
 
 // Draws slices of a session, which outlives it. What does not change from picture to picture is worked out once; the
 // camera stands still, unless it is bound to the sheet.
 class Painter
 {
 public:
-	static Result<Painter> create(Session& session, const ProbeOptions& options, PictureStyle style);
+	static Result<Painter> create(Session& session, const ProbeOptions& options, LookChoice choice);
+
+	// The arrays hold other values now.
+	void forgetScales() { scales_.clear(); }
+	// The session's blocks are others now.
+	void takeBlocks();
 
 	// Section "render" on the session's timeline. sheets: sheetStats() of the slice.
 	Result<render::Picture> draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
 
 private:
-	Painter(Session& session, PictureStyle style, render::Renderer renderer);
+	Painter(Session& session, std::vector<std::string> inputs, LookChoice choice, render::Renderer renderer);
 
-	Result<render::SheetDrawing> drawing(const slice::SheetSlice& sheet, const SheetStats& stats) const;
+	Result<render::SheetDrawing> drawing(const slice::SheetSlice& sheet, const SheetStats& stats);
+	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan);
 
 	Session& session_;
-	PictureStyle style_;
+	std::vector<std::string> inputs_;
+	LookChoice choice_;
 	render::Renderer renderer_;
 	std::vector<render::Segment> outline_;
 	std::vector<Vec3> extent_; // what the picture holds: the blocks and the lines around them
+	std::vector<std::pair<std::optional<slice::FieldChoice>, std::optional<render::ValueScale>>> scales_;
 	std::optional<render::Camera> camera_;
 };
 

@@ -15,7 +15,8 @@ void addPathOptions(CLI::App& command, PathOptions& options)
 	command
 	    .add_option("--path", options.path,
 	                "translate along the normal, rotate about the up axis, spin about the normal, revolve from vane to "
-	                "vane, profile (the benchmark's), or a file (docs/PROBES.md)")
+	                "vane, profile (the benchmark's), times (a frame for each time of the input), or a file "
+	                "(docs/PROBES.md)")
 	    ->type_name("NAME|FILE.json")
 	    ->capture_default_str()
 	    ->group(group);
@@ -34,6 +35,8 @@ Status readPathFile(PathOptions& options)
 	if (options.path.empty())
 		return Nothing{};
 	options.own_path.reset();
+	if (options.overTimes())
+		return Nothing{};
 	const std::optional<probe::PathKind> kind = probe::pathKind(options.path);
 	if (kind && kind != probe::PathKind::keyframes)
 		return Nothing{};
@@ -41,9 +44,9 @@ Status readPathFile(PathOptions& options)
 		return Error{ExitCode::usage,
 		             "--path keyframes: keys come from a file; give its name, FILE.json (docs/PROBES.md)"};
 	if (!options.path.ends_with(".json"))
-		return Error{
-		    ExitCode::usage,
-		    fmt::format("--path {}: takes translate, rotate, spin, revolve, profile or a .json file", options.path)};
+		return Error{ExitCode::usage,
+		             fmt::format("--path {}: takes translate, rotate, spin, revolve, profile, times or a .json file",
+		                         options.path)};
 	Result<probe::Path> read = probe::readPath(options.path);
 	if (!read)
 		return read.error();
@@ -56,7 +59,7 @@ probe::Path pathOf(const PathOptions& options)
 	probe::Path path;
 	if (options.own_path)
 		path = *options.own_path;
-	else
+	else if (!options.overTimes())
 		path.kind = *probe::pathKind(options.path);
 	path.there_and_back = path.there_and_back || options.there_and_back;
 	return path;
@@ -66,6 +69,8 @@ Result<int> frameCount(const PathOptions& options, const probe::Path& path)
 {
 	if (!(options.per_second > 0.0) || !std::isfinite(options.per_second))
 		return Error{ExitCode::usage, "--fps: takes a number above 0"};
+	if (options.overTimes())
+		return 0;
 	if (const std::optional<int> frames = options.frames ? options.frames : probe::framesOf(path, options.per_second))
 		return *frames;
 	return Error{ExitCode::usage,

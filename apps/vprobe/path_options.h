@@ -19,6 +19,9 @@ struct PathOptions
 	std::optional<int> frames{};
 	double per_second = 25.0;
 	bool there_and_back = false;
+
+	// The probe stands still, and the input's times go by.
+	bool overTimes() const { return path == "times" && !own_path; }
 };
 
 void addPathOptions(CLI::App& command, PathOptions& options);
@@ -29,7 +32,7 @@ Status readPathFile(PathOptions& options);
 // The path, its file read.
 probe::Path pathOf(const PathOptions& options);
 
-// How many frames the options or the path say; a usage error where neither does.
+// How many frames the options or the path say; a usage error where neither does. 0 over the input's times.
 Result<int> frameCount(const PathOptions& options, const probe::Path& path);
 
 } // namespace vp::app

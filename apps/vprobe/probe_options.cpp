@@ -227,6 +227,27 @@ void addDeviceOptions(CLI::App& command, ProbeOptions& options)
 	    ->group(group);
 }
 
+read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time)
+{
+	return {time, options.solution, options.refine, options.displace};
+}
+
+Status makeSlicer(Session& session, const ProbeOptions& options)
+{
+	if (!classifiesOnGpu(options, session.device.get()))
+	{
+		session.slicer = std::make_unique<slice::Slicer>(session.blocks);
+		return Nothing{};
+	}
+	const Progress progress("uploading");
+	Result<std::unique_ptr<slice::Slicer>> slicer =
+	    slice::Slicer::onDevice(*session.device, session.blocks, session.field, session.timeline.get());
+	if (!slicer)
+		return slicer.error();
+	session.slicer = std::move(*slicer);
+	return Nothing{};
+}
+
 Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use)
 {
 	limitThreads(options.threads);
@@ -248,8 +269,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	Result<grid::BlockSet> blocks = [&]
 	{
 		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
-		return read::readInputs(options.inputs, {*time, options.solution, options.refine, options.displace},
-		                        session->timeline.get());
+		return read::readInputs(options.inputs, readOptions(options, *time), session->timeline.get());
 	}();
 	if (!blocks)
 		return blocks.error();
@@ -274,17 +294,8 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	if (!device)
 		return device.error();
 	session->device = std::move(*device);
-	if (classifiesOnGpu(options, session->device.get()))
-	{
-		const Progress progress("uploading");
-		Result<std::unique_ptr<slice::Slicer>> slicer =
-		    slice::Slicer::onDevice(*session->device, session->blocks, session->field, session->timeline.get());
-		if (!slicer)
-			return slicer.error();
-		session->slicer = std::move(*slicer);
-	}
-	else
-		session->slicer = std::make_unique<slice::Slicer>(session->blocks);
+	if (Status made = makeSlicer(*session, options); !made)
+		return made.error();
 	return session;
 }
 

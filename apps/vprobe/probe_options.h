@@ -5,6 +5,7 @@
 #include "gpu/device.h"
 #include "grid/block.h"
 #include "probe/probe_file.h"
+#include "read/read.h"
 #include "slice/field_choice.h"
 #include "slice/slicer.h"
 
@@ -76,6 +77,12 @@ enum class DeviceUse
 
 // Reads the inputs and builds the rest. Nothing is written before this has succeeded.
 Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use);
+
+// How the inputs are read at one of their times.
+read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time);
+
+// A slicer for the blocks that the session has now.
+Status makeSlicer(Session& session, const ProbeOptions& options);
 
 Result<slice::Slice> cut(Session& session);
 

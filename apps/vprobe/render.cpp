@@ -33,9 +33,9 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (options.output != "-" && std::filesystem::path(options.output).extension() != ".png")
 		return Error{ExitCode::usage, fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -",
 		                                          options.output)};
-	Result<PictureStyle> style = pictureStyle(options.saved.look);
-	if (!style)
-		return style.error();
+	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
+	if (!look)
+		return look.error();
 
 	Result<std::unique_ptr<Session>> opened = openSession(options.saved.probe, DeviceUse::draw);
 	if (!opened)
@@ -47,7 +47,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (Status told = tellAbout(session, *slice); !told)
 		return told.error();
 	const std::vector<SheetStats> sheets = sheetStats(session, *slice);
-	Result<Painter> painter = Painter::create(session, options.saved.probe, std::move(*style));
+	Result<Painter> painter = Painter::create(session, options.saved.probe, std::move(*look));
 	if (!painter)
 		return painter.error();
 	Result<render::Picture> picture = painter->draw(*slice, sheets);

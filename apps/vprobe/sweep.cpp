@@ -6,6 +6,7 @@
 #include "painter.h"
 #include "remaining_time.h"
 #include "saved_options.h"
+#include "time_steps.h"
 #include "write/slice_sets.h"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -71,12 +73,12 @@ FramePlaces placesOf(const SweepOptions& options)
 class Products
 {
 public:
-	static Result<Products> create(const SweepOptions& options, Session& session, PictureStyle style, Frames frames)
+	static Result<Products> create(const SweepOptions& options, Session& session, LookChoice look, Frames frames)
 	{
 		Products products(session, std::move(frames));
 		if (options.draws())
 		{
-			Result<Painter> painter = Painter::create(session, options.saved.probe, std::move(style));
+			Result<Painter> painter = Painter::create(session, options.saved.probe, std::move(look));
 			if (!painter)
 				return painter.error();
 			products.painter_.emplace(std::move(*painter));
@@ -93,6 +95,7 @@ public:
 	}
 
 	bool has(int frame) const { return frames_.has(frame); }
+	Painter* painter() { return painter_ ? &*painter_ : nullptr; }
 
 	Status add(int frame, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
 	{
@@ -150,29 +153,30 @@ private:
 	std::optional<write::SliceSeries> series_;
 };
 
-// Cuts the probe in each pose. The figures of every frame, where they are wanted.
-Result<nlohmann::json> sweepThrough(const std::vector<probe::Frame>& poses, Session& session, Products& products,
+// The next frame's slice.
+using CutFrame = std::function<Result<slice::Slice>(int frame)>;
+
+// Cuts frame by frame. The figures of every frame, where they are wanted.
+Result<nlohmann::json> sweepThrough(int frames, const CutFrame& cut_frame, const Session& session, Products& products,
                                     bool wants_figures)
 {
 	nlohmann::json figures = nlohmann::json::array();
 	int empty = 0;
-	RemainingTime remaining(poses.size());
+	RemainingTime remaining(static_cast<std::size_t>(frames));
 	Progress progress(remaining.line());
-	for (std::size_t frame = 0; frame < poses.size(); ++frame)
+	for (int frame = 0; frame < frames; ++frame)
 	{
-		const int number = static_cast<int>(frame);
-		if (products.has(number))
+		if (products.has(frame))
 		{
 			remaining.skip();
 			continue;
 		}
 		progress.say(remaining.line());
-		session.probe.frame = poses[frame];
-		Result<slice::Slice> slice = cut(session);
+		Result<slice::Slice> slice = cut_frame(frame);
 		if (!slice)
 			return slice.error();
 		const std::vector<SheetStats> sheets = sheetStats(session, *slice);
-		if (Status added = products.add(number, *slice, sheets); !added)
+		if (Status added = products.add(frame, *slice, sheets); !added)
 			return added.error();
 		remaining.done();
 		empty += std::ranges::all_of(slice->sheets, isEmpty);
@@ -182,8 +186,33 @@ Result<nlohmann::json> sweepThrough(const std::vector<probe::Frame>& poses, Sess
 	if (Status written = products.commit(); !written)
 		return written.error();
 	if (empty > 0)
-		warn("{} of {} frames are empty: the probe misses the grid there", empty, poses.size());
+		warn("{} of {} frames are empty: the probe misses the grid there", empty, frames);
 	return figures;
+}
+
+Result<nlohmann::json> sweepAlong(const probe::Path& path, int frames, Session& session, Products& products,
+                                  bool wants_figures)
+{
+	const std::vector<probe::Frame> poses = probe::poses(path, session.probe, session.blocks.bounds(), frames);
+	const CutFrame cut_frame = [&](int frame)
+	{
+		session.probe.frame = poses[static_cast<std::size_t>(frame)];
+		return cut(session);
+	};
+	return sweepThrough(frames, cut_frame, session, products, wants_figures);
+}
+
+Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, Session& session, Products& products,
+                                      bool wants_figures)
+{
+	TimeSteps steps(session, options.saved.probe, products.painter());
+	if (steps.count() == 0)
+		return Error{ExitCode::input, fmt::format("{}: has no times to sweep over; choose another --path",
+		                                          options.saved.probe.inputs.front())};
+	if (options.saved.look.range.empty() && options.draws())
+		warn("--path times: the colours follow the range of each time; --range LO HI holds them still");
+	const CutFrame cut_frame = [&](int frame) { return steps.cutAt(frame); };
+	return sweepThrough(steps.count(), cut_frame, session, products, wants_figures);
 }
 
 Result<ExitCode> runSweep(SweepOptions& options)
@@ -192,10 +221,10 @@ Result<ExitCode> runSweep(SweepOptions& options)
 		return ready.error();
 	if (Status fits = checkOptions(options); !fits)
 		return fits.error();
-	Result<PictureStyle> style = pictureStyle(options.saved.look);
-	if (!style)
-		return style.error();
-	style->captions = options.exposure.empty(); // they would write over each other
+	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
+	if (!look)
+		return look.error();
+	look->captions = options.exposure.empty(); // they would write over each other
 	const probe::Path path = pathOf(options.saved.path);
 	Result<int> count = frameCount(options.saved.path, path);
 	if (!count)
@@ -204,7 +233,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 		if (Result<write::SliceSeries> tried = write::SliceSeries::create(options.output); !tried)
 			return tried.error();
 	Result<Frames> frames =
-	    Frames::create(placesOf(options), style->look.width, style->look.height, options.saved.path.per_second);
+	    Frames::create(placesOf(options), look->look.width, look->look.height, options.saved.path.per_second);
 	if (!frames)
 		return frames.error();
 
@@ -213,11 +242,13 @@ Result<ExitCode> runSweep(SweepOptions& options)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
-	Result<Products> products = Products::create(options, session, std::move(*style), std::move(*frames));
+	Result<Products> products = Products::create(options, session, std::move(*look), std::move(*frames));
 	if (!products)
 		return products.error();
-	const std::vector<probe::Frame> poses = probe::poses(path, session.probe, session.blocks.bounds(), *count);
-	Result<nlohmann::json> figures = sweepThrough(poses, session, *products, !options.stats.empty());
+	const bool wants_figures = !options.stats.empty();
+	Result<nlohmann::json> figures = options.saved.path.overTimes()
+	                                     ? sweepOverTimes(options, session, *products, wants_figures)
+	                                     : sweepAlong(path, *count, session, *products, wants_figures);
 	if (!figures)
 		return figures.error();
 	if (Status saved = saveState(options.saved); !saved)

@@ -10,6 +10,7 @@
 #include "grid/unstructured.h"
 
 #include <memory>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,6 +26,9 @@ struct Block
 	std::string name;
 	AnyGrid grid;
 	std::vector<Field> fields;
+	// Of the file's coordinates and cells, where a file gave them: blocks of one input at two times have the same grid
+	// where this number is the same. 0: not known.
+	std::uint64_t geometry = 0;
 
 	// Built by finishBlock().
 	Box bounds;

@@ -27,6 +27,7 @@ struct Candidate
 	Vec3 centre;
 	double edge;      // the shortest
 	double tolerance; // of a corner
+	double most; // what no tolerance may pass: a cell may be flatter, and must not meet what lies on its other side
 	std::uint32_t block;
 	BoundaryIndex::Face face;
 };
@@ -67,6 +68,25 @@ void corners(const G& grid, const BoundaryIndex::Face& face, CellFaces& faces, s
 		found.pop_back();
 }
 
+// The shortest edge of the cell whose faces these are; edges without length left out. Infinite where it has none.
+template <Grid G>
+double shortestEdge(const G& grid, const CellFaces& faces)
+{
+	double shortest = std::numeric_limits<double>::infinity();
+	for (int f = 0; f < faces.size(); ++f)
+	{
+		Vec3 previous = grid.point(faces[f].back());
+		for (const PointId p : faces[f])
+		{
+			const Vec3 corner = grid.point(p);
+			if (const double length = glm::length(corner - previous); length > 0.0)
+				shortest = std::min(shortest, length);
+			previous = corner;
+		}
+	}
+	return shortest;
+}
+
 template <Grid G>
 bool describe(const G& grid, std::uint32_t block, const BoundaryIndex::Face& face, CellFaces& faces,
               std::vector<Vec3>& points, Candidate& candidate)
@@ -85,7 +105,8 @@ bool describe(const G& grid, std::uint32_t block, const BoundaryIndex::Face& fac
 	}
 	const double floor = kUlps * storedUlp(grid) * std::max({greatest.x, greatest.y, greatest.z});
 	const double tolerance = std::max(kEdgeTolerance * edge, std::min(floor, kMostOfAnEdge * edge));
-	candidate = {sum / static_cast<double>(points.size()), edge, tolerance, block, face};
+	const double most = kMostOfAnEdge * shortestEdge(grid, faces);
+	candidate = {sum / static_cast<double>(points.size()), edge, tolerance, most, block, face};
 	return std::isfinite(candidate.centre.x) && std::isfinite(candidate.centre.y) &&
 	       std::isfinite(candidate.centre.z) && edge > 0.0;
 }
@@ -244,7 +265,7 @@ private:
 				if (scratch.mine.empty())
 					cornersOf(a, scratch.faces, scratch.mine);
 				cornersOf(b, scratch.faces, scratch.other);
-				if (!coincide(scratch.mine, scratch.other, std::max(a.tolerance, b.tolerance)))
+				if (!coincide(scratch.mine, scratch.other, toleranceOf(a, b)))
 					continue;
 				found.push_back({a.block, {a.face.cell, a.face.face, b.block, b.face.cell, b.face.face}});
 				found.push_back({b.block, {b.face.cell, b.face.face, a.block, a.face.cell, a.face.face}});
@@ -256,7 +277,11 @@ private:
 	{
 		if (a.block == b.block && (a.face.cell == b.face.cell || !meetsItself(set_.blocks[a.block].grid)))
 			return false;
-		return glm::length(a.centre - b.centre) <= 2.0 * std::max(a.tolerance, b.tolerance);
+		return glm::length(a.centre - b.centre) <= 2.0 * toleranceOf(a, b);
+	}
+	static double toleranceOf(const Candidate& a, const Candidate& b)
+	{
+		return std::min({std::max(a.tolerance, b.tolerance), a.most, b.most});
 	}
 
 	void cornersOf(const Candidate& c, CellFaces& faces, std::vector<Vec3>& points) const

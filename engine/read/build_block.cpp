@@ -1,5 +1,7 @@
 #include "read/build_block.h"
 
+#include "read/geometry.h"
+
 namespace vp::read
 {
 
@@ -8,6 +10,7 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name)
 	grid::Block block;
 	block.name = std::move(name);
 	block.fields = std::move(checked.fields);
+	block.geometry = geometryOf(checked);
 	std::visit(
 	    [&](auto&& mesh)
 	    {

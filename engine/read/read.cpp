@@ -5,6 +5,7 @@
 #include "grid/demo.h"
 #include "read/build_block.h"
 #include "read/child.h"
+#include "read/geometry.h"
 #include "read/input_limits.h"
 #include "read/protocol.h"
 
@@ -24,35 +25,36 @@ namespace
 
 constexpr std::string_view kDemoPrefix = "demo:";
 
+Result<CheckedInput> readChecked(const std::string& file, const ReadOptions& options, Timeline* timeline)
+{
+	TimedSection timed(timeline, "read");
+	Result<InputLimits> limits = inputLimits(file, options.solution);
+	if (!limits)
+		return limits.error();
+	*limits = refinedLimits(*limits, options.refine);
+	const Result<HandedOver> handed = runReader(file, options, *limits);
+	if (!handed)
+		return handed.error();
+	Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays, handed->cells);
+	if (!checked && checked.error().code == ExitCode::input)
+		return Error{ExitCode::input, fmt::format("{}: truncated or damaged: {}", file, checked.error().message)};
+	return checked;
+}
+
 Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& options, Timeline* timeline)
 {
-	CheckedInput input;
-	{
-		TimedSection timed(timeline, "read");
-		Result<InputLimits> limits = inputLimits(file, options.solution);
-		if (!limits)
-			return limits.error();
-		*limits = refinedLimits(*limits, options.refine);
-		const Result<HandedOver> handed = runReader(file, options, *limits);
-		if (!handed)
-			return handed.error();
-		Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays, handed->cells);
-		if (!checked && checked.error().code != ExitCode::input)
-			return checked.error();
-		if (!checked)
-			return Error{ExitCode::input, fmt::format("{}: truncated or damaged: {}", file, checked.error().message)};
-		input = std::move(*checked);
-	}
-
-	for (const std::string& warning : input.warnings)
+	Result<CheckedInput> input = readChecked(file, options, timeline);
+	if (!input)
+		return input.error();
+	for (const std::string& warning : input->warnings)
 		warn("{}: {}", file, warning);
 
 	TimedSection timed(timeline, "build");
 	const std::string stem = std::filesystem::path(file).stem().string();
 	grid::BlockSet set;
-	set.times = std::move(input.times);
-	set.left_out = input.left_out;
-	for (CheckedBlock& block : input.blocks)
+	set.times = std::move(input->times);
+	set.left_out = input->left_out;
+	for (CheckedBlock& block : input->blocks)
 	{
 		std::string name = block.name.empty() ? stem : fmt::format("{}: {}", stem, block.name);
 		set.blocks.push_back(buildBlock(std::move(block), std::move(name)));
@@ -108,6 +110,31 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 		grid::matchInterfaces(all);
 	}
 	return all;
+}
+
+Result<bool> readValues(const std::vector<std::string>& inputs, const ReadOptions& options, grid::BlockSet& set,
+                        Timeline* timeline)
+{
+	std::vector<std::vector<grid::Field>> fields;
+	for (const std::string& input : inputs)
+	{
+		if (input.starts_with(kDemoPrefix))
+			return false;
+		Result<CheckedInput> read = readChecked(input, options, timeline);
+		if (!read)
+			return read.error();
+		for (CheckedBlock& block : read->blocks)
+		{
+			if (fields.size() == set.blocks.size() || geometryOf(block) != set.blocks[fields.size()].geometry)
+				return false;
+			fields.push_back(std::move(block.fields));
+		}
+	}
+	if (fields.size() != set.blocks.size())
+		return false;
+	for (std::size_t b = 0; b < fields.size(); ++b)
+		set.blocks[b].fields = std::move(fields[b]);
+	return true;
 }
 
 std::string readableEndings()

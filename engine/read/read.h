@@ -52,6 +52,11 @@ constexpr int kMaxRefine = 6;
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,
                                   Timeline* timeline);
 
+// Reads the inputs once more, at another time say, into a set that readInputs made of them, and takes their values over
+// where the grids are the same. False, and the set as it was, where they are not: readInputs builds them anew.
+Result<bool> readValues(const std::vector<std::string>& inputs, const ReadOptions& options, grid::BlockSet& set,
+                        Timeline* timeline);
+
 // File name endings that can be read, for --help and error messages.
 std::string readableEndings();
 

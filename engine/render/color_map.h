@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "base/vec.h"
 
 #include <array>
 #include <cstdint>
@@ -23,6 +24,9 @@ struct Color
 	bool operator==(const Color&) const = default;
 };
 
+// Parts from 0 to 1; what is beyond is taken for these.
+Color colorOf(const Vec3& rgb, double alpha = 1.0);
+
 constexpr int kColorMapSize = 256;
 
 // A value that stands for something.
@@ -43,12 +47,15 @@ struct ColorMap
 	std::string name;
 	std::array<Color, kColorMapSize> colors;
 	Color nan{217, 70, 160};
-	Color below;
-	Color above;
+	Color below{186, 217, 245};
+	Color above{255, 200, 182};
 	std::vector<Category> categories{}; // ascending values; where there are any, `colors` is not used
 
 	Color at(double t) const; // 0..1, linear between neighbours
 };
+
+// High and low ends change places; categories keep their names and values, and take each other's colours.
+ColorMap reversed(ColorMap map);
 
 const std::vector<std::string>& colorMapNames(); // viridis first, the default
 

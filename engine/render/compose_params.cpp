@@ -14,7 +14,7 @@ namespace vp::render
 namespace
 {
 
-static_assert(sizeof(shared::ComposeParams) == 4 * (16 + 20 * shared::kMaxLayers));
+static_assert(sizeof(shared::ComposeParams) == 4 * (16 + 21 * shared::kMaxLayers));
 static_assert(shared::kTableColors == kColorMapSize);
 
 // Interpolation rounds; it must not take the ends of the range out of it.
@@ -91,6 +91,7 @@ void setRange(shared::SheetParams& sheet, const ValueStyle& style)
 	sheet.range_scale = constant ? 0.0f : static_cast<float>(1.0 / (hi - lo));
 	sheet.range_offset = constant ? 0.5f : 0.0f;
 	sheet.is_log = style.logarithmic ? 1 : 0;
+	sheet.is_stepped = style.per_cell ? 1 : 0;
 }
 
 std::vector<double> scaled(const std::vector<double>& values, const ValueStyle& style)

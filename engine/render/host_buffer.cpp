@@ -10,9 +10,9 @@ Status makeRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, Vk
 {
 	if (buffer && buffer.size() >= bytes)
 		return Nothing{};
-	// Half as much again: a scene that grows a little does not allocate each time.
-	auto made =
-	    gpu::Buffer::create(device, std::max<VkDeviceSize>(bytes + bytes / 2, 1024), usage, gpu::Memory::upload, name);
+	// Half as much again: a scene that grows a little does not allocate each time. In whole texels of any format.
+	const VkDeviceSize room = std::max<VkDeviceSize>((bytes + bytes / 2 + 15) / 16 * 16, 1024);
+	auto made = gpu::Buffer::create(device, room, usage, gpu::Memory::upload, name);
 	if (!made)
 		return made.error();
 	buffer = std::move(*made);

@@ -1,5 +1,7 @@
 #include "render/layout.h"
 
+#include "render/legend_layout.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,65 +11,12 @@ namespace vp::render
 namespace
 {
 
-// DejaVu Sans: a digit is 0.636 em wide, wider than points, signs of numbers and most letters.
-constexpr double kDigitWidth = 0.64;
-constexpr double kLetterWidth = 0.60;
 constexpr double kLineHeight = 1.25;
-
-constexpr double kSmallestText = 9.0;     // pixels; DejaVu is legible from there
-constexpr double kLongestTitleLine = 9.0; // of the legend, em
-
-std::size_t letters(const std::string& utf8)
-{
-	return static_cast<std::size_t>(std::count_if(
-	    utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
-}
-
-constexpr double kLongestBar = 32.0; // em
-
-void layOutLegend(const Look& look, const ValueScale& values, Layout& layout)
-{
-	const double em = layout.em;
-	const double height = look.height;
-	const auto [lo, hi] = colorRange(values, look);
-
-	layout.cap = look.range ? 0.9 * em : 0.0;
-	const double title_lines = 2.0; // a third grows upwards
-	const double half = std::min(0.34 * height, 0.5 * kLongestBar * em);
-	const double top = std::max(0.5 * height - half, layout.margin + kLineHeight * em * (title_lines + 2.5));
-	const double bottom = std::min(0.5 * height + half, height - layout.margin - 3.2 * em);
-	layout.ticks = makeTicks(lo, hi, std::clamp(static_cast<int>((bottom - top) / (2.5 * em)), 2, 9));
-
-	std::size_t label_letters = 3; // "NaN"
-	for (const Tick& tick : layout.ticks.marks)
-		label_letters = std::max(label_letters, letters(tick.label));
-	label_letters = std::max(label_letters, letters(layout.ticks.factor));
-	const double bar_width = 1.1 * em;
-	const double labels = bar_width + 0.6 * em + kDigitWidth * em * static_cast<double>(label_letters);
-	const double title =
-	    std::min(kLetterWidth * em * static_cast<double>(letters(values.title)), kLongestTitleLine * em);
-	const double column = std::min(std::max(labels, title), 0.4 * look.width);
-
-	const double right = look.width - layout.margin;
-	const double left = right - column;
-	layout.bar = {{left, top}, {left + bar_width, bottom}};
-	const double factor_height = layout.ticks.factor.empty() ? 0.0 : kLineHeight * em;
-	const double factor_bottom = top - layout.cap - 0.45 * em;
-	layout.factor = {{left, factor_bottom - factor_height}, {right, factor_bottom}};
-	layout.legend_title = {{left, std::max(layout.margin, layout.factor.lo.y - 3.0 * kLineHeight * em)},
-	                       {right, layout.factor.lo.y}};
-	if (values.has_nan)
-	{
-		const double y = bottom + layout.cap + 0.8 * em;
-		layout.nan = {{left, y}, {left + bar_width, y + em}};
-	}
-	layout.legend = {{left, layout.legend_title.lo.y},
-	                 {right, values.has_nan ? layout.nan.hi.y + 0.2 * em : bottom + layout.cap + 0.5 * em}};
-}
+constexpr double kSmallestText = 9.0; // pixels; DejaVu is legible from there
 
 } // namespace
 
-Layout makeLayout(const Look& look, const std::optional<ValueScale>& values)
+Layout makeLayout(const Look& look, const std::vector<LegendContent>& legends)
 {
 	const double width = look.width;
 	const double height = look.height;
@@ -79,10 +28,10 @@ Layout makeLayout(const Look& look, const std::optional<ValueScale>& values)
 	layout.margin = std::round(1.1 * layout.em);
 
 	double right = width - layout.margin;
-	if (look.legend && values)
+	if (look.legend && !legends.empty())
 	{
-		layOutLegend(look, *values, layout);
-		right = layout.legend.lo.x - 1.5 * layout.margin;
+		layOutLegends(look, legends, layout);
+		right = layout.legends.front().column.lo.x - 1.5 * layout.margin;
 	}
 	double top = layout.margin;
 	if (!look.title.empty())
@@ -109,14 +58,27 @@ Layout makeLayout(const Look& look, const std::optional<ValueScale>& values)
 	layout.frame.height = height;
 	layout.frame.free_lo = {layout.margin, top};
 	layout.frame.free_hi = {std::max(right, layout.margin + 0.25 * width), std::max(bottom, top + 0.25 * height)};
+	if (look.box_axes)
+	{
+		// Numbers of usual length, and the axes' names, find room around the box.
+		const glm::dvec2 room =
+		    glm::min(glm::dvec2(4.6, 3.0) * layout.em, 0.2 * (layout.frame.free_hi - layout.frame.free_lo));
+		layout.frame.free_lo += room;
+		layout.frame.free_hi -= room;
+	}
 	if (look.axes)
 		layout.frame.corner = {layout.axes.hi.x, layout.axes.lo.y};
 	return layout;
 }
 
-Frame pictureFrame(const Look& look, const std::optional<ValueScale>& values)
+Layout makeLayout(const Scene& scene)
 {
-	return makeLayout(look, values).frame;
+	return makeLayout(scene.look, legendContents(scene));
+}
+
+Frame pictureFrame(const Scene& scene)
+{
+	return makeLayout(scene).frame;
 }
 
 } // namespace vp::render

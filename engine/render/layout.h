@@ -3,8 +3,11 @@
 #include "render/camera.h"
 #include "render/scene.h"
 #include "render/ticks.h"
+#include "render/value_style.h"
 
 #include <glm/vec2.hpp>
+
+#include <vector>
 
 namespace vp::render
 {
@@ -21,6 +24,20 @@ struct Area
 	}
 };
 
+// A legend's column, and its parts from top to bottom.
+struct LegendLayout
+{
+	Area column;
+	Area title;
+	Area factor;
+	Area bar; // without the caps; of categories, the column of their colours
+	Area nan;
+	double cap; // height of the pointed ends for values beyond the range, 0 without
+	Ticks ticks;
+	std::size_t categories; // that fit; below them it is told how many are left out
+	double entry;           // height of a category's line
+};
+
 // Where everything that is written into a picture goes, in pixels from the top left. What is switched off has no area.
 struct Layout
 {
@@ -32,17 +49,12 @@ struct Layout
 	Area title;
 	Area caption;
 	Area axes;
-	Area legend; // the whole column; below, its parts from top to bottom
-	Area legend_title;
-	Area factor;
-	Area bar; // without the caps
-	Area nan;
-	double cap; // height of the pointed ends for values beyond the range, 0 without
-	Ticks ticks;
+	std::vector<LegendLayout> legends; // of the first contents, as many as there is room for, from top to bottom
 
 	Frame frame;
 };
 
-Layout makeLayout(const Look& look, const std::optional<ValueScale>& values);
+Layout makeLayout(const Look& look, const std::vector<LegendContent>& legends);
+Layout makeLayout(const Scene& scene);
 
 } // namespace vp::render

@@ -51,7 +51,8 @@ struct Look
 	std::string caption;
 	Outline outline = Outline::box;
 	bool legend = true;
-	bool axes = true;
+	bool axes = true;      // where x, y and z point, in the lower left corner
+	bool box_axes = false; // numbers along edges of the scene's bounds
 };
 
 } // namespace vp::render

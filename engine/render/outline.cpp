@@ -18,11 +18,6 @@ void addSegment(const Vec3& a, const Vec3& b, std::vector<Segment>& segments)
 		segments.push_back({a, b});
 }
 
-Vec3 corner(const Box& box, int i)
-{
-	return {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z};
-}
-
 void addBox(const Box& box, std::vector<Segment>& segments)
 {
 	if (box.empty())
@@ -79,6 +74,11 @@ void addBoundaryPoints(const G& grid, const grid::BoundaryIndex& boundary, std::
 }
 
 } // namespace
+
+Vec3 corner(const Box& box, int i)
+{
+	return {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z};
+}
 
 Result<Outline> parseOutline(std::string_view name)
 {

@@ -15,6 +15,9 @@ struct Segment
 	Vec3 b;
 };
 
+// One of eight: bit 0 of i takes the high end of x, bit 1 of y, bit 2 of z.
+Vec3 corner(const Box& box, int i);
+
 // The lines that tell where in the grid a sheet lies.
 enum class Outline
 {

@@ -25,8 +25,9 @@ struct ValueScale
 	std::string title; // above the legend: name and component
 	double lo = 0.0;   // of the data
 	double hi = 1.0;
-	bool has_nan = false;        // puts a swatch into the legend
-	double least_positive = 0.0; // of the data, for a logarithmic scale; 0: no value is above 0
+	bool has_nan = false;  // puts a swatch into the legend
+	bool per_cell = false; // constant in each polygon: contour lines go between polygons
+	double log_lo = 0.0;   // low end of a logarithmic scale, > 0; 0: no value is above 0
 };
 
 // x0 < x1 along a sheet's u, y0 < y1 along its v.
@@ -58,14 +59,14 @@ struct Scene
 	std::vector<SheetDrawing> sheets; // up to shared::kMaxLayers
 	std::optional<ValueScale> values; // none: the sheets have one plain colour
 	std::span<const Segment> outline;
-	Camera camera; // made for pictureFrame() of the same scene
+	std::optional<Box> bounds{}; // of the blocks, for numbered axes
+	Camera camera;               // made for pictureFrame() of the same scene
+	bool fitted = true;          // the camera keeps the scene off what is written; else words over it get a ground
 	Look look;
 };
 
-// The ends of the colour map.
-std::pair<double, double> colorRange(const ValueScale& values, const Look& look);
-
-// The picture and the part of it that legend, title, caption and axes leave: for makeCamera().
-Frame pictureFrame(const Look& look, const std::optional<ValueScale>& values);
+// The picture and the part of it that legends, title, caption and axes leave: for makeCamera(). The scene's camera
+// takes no part.
+Frame pictureFrame(const Scene& scene);
 
 } // namespace vp::render

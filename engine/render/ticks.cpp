@@ -1,5 +1,6 @@
 #include "render/ticks.h"
 
+#include "render/levels.h"
 #include "render/round_numbers.h"
 
 #include <fmt/format.h>
@@ -49,7 +50,113 @@ Ticks constantTick(double value)
 	return ticks;
 }
 
+// Digits after the point that tell the multiples of 10^-factor apart from rounded ones, by a thousandth of `step`.
+int decimalsOf(const std::vector<double>& values, int factor, double step)
+{
+	const auto fits = [&](int decimals)
+	{
+		return std::all_of(values.begin(), values.end(),
+		                   [&](double v)
+		                   {
+			                   const double digits = timesPowerOfTen(v, decimals - factor);
+			                   return std::abs(std::round(digits) - digits) <=
+			                          1e-3 * timesPowerOfTen(step, decimals - factor);
+		                   });
+	};
+	int decimals = 0;
+	while (decimals < 12 && !fits(decimals))
+		++decimals;
+	return decimals;
+}
+
+Ticks linearTicks(const std::vector<double>& values)
+{
+	Ticks ticks;
+	if (values.size() == 1)
+		return constantTick(values.front());
+	double largest = 0.0;
+	double step = std::numeric_limits<double>::infinity();
+	for (std::size_t i = 0; i < values.size(); ++i)
+	{
+		largest = std::max(largest, std::abs(values[i]));
+		if (i > 0)
+			step = std::min(step, values[i] - values[i - 1]);
+	}
+	const int factor = isPlain(largest) && step >= 1e-6 ? 0 : decimalExponent(largest);
+	if (factor != 0)
+		ticks.factor = "×10" + superscript(factor);
+	const int decimals = decimalsOf(values, factor, step);
+	for (const double value : values)
+		ticks.marks.push_back({value, withMinus(fmt::format("{:.{}f}", timesPowerOfTen(value, -factor), decimals))});
+	return ticks;
+}
+
+// Powers of ten as such where plain digits would be long.
+Ticks logTicks(const std::vector<double>& values)
+{
+	Ticks ticks;
+	const bool plain = isPlain(values.front()) && isPlain(values.back());
+	for (const double value : values)
+	{
+		const int exponent = decimalExponent(value);
+		const double digits = timesPowerOfTen(value, -exponent);
+		std::string label = shortNumber(value);
+		if (!plain)
+			label =
+			    (std::abs(digits - 1.0) < 1e-6 ? "" : fmt::format("{:.3g}×", digits)) + "10" + superscript(exponent);
+		ticks.marks.push_back({value, label});
+	}
+	return ticks;
+}
+
+// Which of the first `stride` values to begin with, so that every stride-th is as round as can be: 0 and multiples of
+// their distance are among them, or powers of ten.
+std::size_t roundestStart(const std::vector<double>& values, std::size_t stride, bool logarithmic)
+{
+	std::size_t best = 0;
+	double least = std::numeric_limits<double>::infinity();
+	for (std::size_t start = 0; stride > 1 && start < stride && start < values.size(); ++start)
+	{
+		double off = 0.0;
+		if (logarithmic)
+			for (std::size_t i = start; i < values.size(); i += stride)
+				off -= std::abs(timesPowerOfTen(values[i], -decimalExponent(values[i])) - 1.0) < 1e-6;
+		else
+			off = std::abs(std::remainder(values[start], static_cast<double>(stride) * (values[1] - values[0])));
+		if (off < least)
+		{
+			least = off;
+			best = start;
+		}
+	}
+	return best;
+}
+
 } // namespace
+
+Ticks ticksAt(const std::vector<double>& values, int most, bool logarithmic)
+{
+	if (values.empty())
+		return {};
+	const std::size_t stride = (values.size() + static_cast<std::size_t>(most) - 1) / static_cast<std::size_t>(most);
+	std::vector<double> kept;
+	for (std::size_t i = roundestStart(values, stride, logarithmic); i < values.size(); i += stride)
+		kept.push_back(values[i]);
+	return logarithmic ? logTicks(kept) : linearTicks(kept);
+}
+
+Ticks makeLogTicks(double lo, double hi, int most)
+{
+	if (!(hi > lo))
+		return constantTick(lo);
+	// The ends count too.
+	std::vector<double> values;
+	for (int about = most; about > 0 && (values.empty() || static_cast<int>(values.size()) > most); --about)
+		values = roundLevels(lo * (1.0 - 1e-5), hi * (1.0 + 1e-5), about, true);
+	for (double& value : values)
+		value = std::clamp(value, lo, hi);
+	return values.empty() ? ticksAt({lo, hi}, most, true) : ticksAt(values, most, true);
+}
 
 Ticks makeTicks(double lo, double hi, int most)
 {

@@ -23,6 +23,12 @@ struct Ticks
 // At most `most` marks (>= 2). lo and hi are finite; lo > hi is taken as hi, lo.
 Ticks makeTicks(double lo, double hi, int most);
 
+// Marks of a logarithmic scale, 0 < lo <= hi: powers of ten, and of narrow ranges parts of them too.
+Ticks makeLogTicks(double lo, double hi, int most);
+
+// Marks at given values, ascending: every second, third … of them where there are more than `most`.
+Ticks ticksAt(const std::vector<double>& values, int most, bool logarithmic);
+
 // A number for a caption: four digits, a true minus sign, no negative zero.
 std::string shortNumber(double value);
 

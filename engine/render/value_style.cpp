@@ -2,6 +2,8 @@
 
 #include "render/levels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace vp::render
@@ -16,9 +18,13 @@ ValueStyle styleOf(const ColorMap& colors, const ValueScale& values, const Look&
 	ValueStyle style;
 	style.colors = &colors;
 	style.logarithmic = look.logarithmic && colors.categories.empty();
-	style.lo = range ? range->first : style.logarithmic ? values.least_positive : values.lo;
+	style.per_cell = values.per_cell;
+	style.lo = range ? range->first : style.logarithmic ? values.log_lo : values.lo;
 	style.hi = range ? range->second : values.hi;
-	if (style.logarithmic && !(style.lo > 0.0))
+	// A sheet's own range may reach where there is no logarithm.
+	if (style.logarithmic && style.lo <= 0.0)
+		style.lo = values.log_lo;
+	if (style.logarithmic && !(style.lo > 0.0 && style.hi >= style.lo))
 		style.lo = style.hi = 1.0; // nothing can be shown
 	style.above = range.has_value();
 	style.below = range.has_value() || (style.logarithmic && values.lo <= 0.0);
@@ -27,6 +33,14 @@ ValueStyle styleOf(const ColorMap& colors, const ValueScale& values, const Look&
 	style.lines = roundLevels(style.lo, style.hi, lines, style.logarithmic);
 	style.bands = roundLevels(style.lo, style.hi, look.bands, style.logarithmic);
 	return style;
+}
+
+// Where lines lie is told by the first legend.
+bool looksAlike(const ValueStyle& a, const ValueStyle& b)
+{
+	return a.lo == b.lo && a.hi == b.hi && a.below == b.below && a.above == b.above && a.bands == b.bands &&
+	       (a.colors == b.colors ||
+	        (a.colors->colors == b.colors->colors && a.colors->categories == b.colors->categories));
 }
 
 } // namespace
@@ -76,10 +90,28 @@ CategorySteps categorySteps(const ColorMap& map)
 	return steps;
 }
 
-std::pair<double, double> colorRange(const ValueScale& values, const Look& look)
+std::vector<LegendContent> legendContents(const Scene& scene)
 {
-	const ValueStyle style = valueStyle(look, values);
-	return {style.lo, style.hi};
+	std::vector<LegendContent> contents;
+	const auto own = [](const SheetDrawing& sheet) { return sheet.values || sheet.colors || sheet.range; };
+	if (scene.values && (scene.sheets.empty() || !std::all_of(scene.sheets.begin(), scene.sheets.end(), own)))
+		contents.push_back({scene.values->title, scene.values->has_nan, valueStyle(scene.look, *scene.values)});
+	for (std::size_t i = 0; i < scene.sheets.size(); ++i)
+	{
+		const SheetDrawing& sheet = scene.sheets[i];
+		if (!own(sheet) || !(sheet.values || scene.values))
+			continue;
+		const ValueScale& values = sheet.values ? *sheet.values : *scene.values;
+		LegendContent content{values.title, values.has_nan, valueStyle(scene, sheet)};
+		const auto same = [&](const LegendContent& other) { return other.title == content.title; };
+		if (std::any_of(contents.begin(), contents.end(),
+		                [&](const LegendContent& c) { return same(c) && looksAlike(c.style, content.style); }))
+			continue;
+		if (std::any_of(contents.begin(), contents.end(), same))
+			content.title += fmt::format(" (sheet {})", i + 1);
+		contents.push_back(std::move(content));
+	}
+	return contents;
 }
 
 } // namespace vp::render

@@ -3,6 +3,7 @@
 #include "render/scene.h"
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace vp::render
@@ -16,6 +17,7 @@ struct ValueStyle
 	double lo = 0.0;                  // values at the ends of the colour map
 	double hi = 1.0;
 	bool logarithmic = false;
+	bool per_cell = false;     // values are constant in each polygon
 	bool below = false;        // values below lo get a colour of their own
 	bool above = false;        // and those above hi
 	std::vector<double> lines; // values of the contour lines, ascending
@@ -29,6 +31,18 @@ struct ValueStyle
 
 ValueStyle valueStyle(const Look& look, const ValueScale& values);
 ValueStyle valueStyle(const Scene& scene, const SheetDrawing& sheet); // of a scene, or a sheet, with values
+
+// What a legend tells.
+struct LegendContent
+{
+	std::string title;
+	bool has_nan = false;
+	ValueStyle style;
+};
+
+// The scene's, if any sheet goes by it (or there are none), then those of sheets with values, colours or a range of
+// their own, each once. Legends of the same array are told apart by their sheets' numbers.
+std::vector<LegendContent> legendContents(const Scene& scene);
 
 // Bounds between the colours of categories, and those colours, one more: a value has the category that is nearest, no
 // farther than half the way to the next one and 1/2; others have the NaN's colour.

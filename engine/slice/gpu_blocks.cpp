@@ -109,6 +109,12 @@ Result<GpuBlocks::Fields> GpuBlocks::fields(std::span<const std::optional<FieldC
 	return asked;
 }
 
+void GpuBlocks::forgetFields()
+{
+	const std::lock_guard lock(mutex_);
+	fields_.clear();
+}
+
 Result<std::shared_ptr<const GpuField>> GpuBlocks::uploadField(const std::optional<FieldChoice>& choice)
 {
 	auto made = std::make_shared<GpuField>();

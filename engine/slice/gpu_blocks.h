@@ -59,6 +59,7 @@ public:
 	// first use. The arrays asked for last are kept.
 	using Fields = std::vector<std::shared_ptr<const GpuField>>;
 	Result<Fields> fields(std::span<const std::optional<FieldChoice>> choices);
+	void forgetFields(); // the blocks' values have changed
 	const std::shared_ptr<RecordPool>& recordPool() const { return records_; }
 
 	// For the classifier.

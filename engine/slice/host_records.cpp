@@ -1,6 +1,9 @@
 #include "slice/host_records.h"
 
+#include "slice/polygon_fans.h"
+
 #include <cmath>
+#include <numeric>
 
 namespace vp::slice
 {
@@ -15,6 +18,52 @@ float drawnValue(double value)
 {
 	return std::isnan(value) ? shared::kNanValue : static_cast<float>(std::clamp(value, -kLargestValue, kLargestValue));
 }
+
+// The records of one polygon after the other.
+class RecordMaker
+{
+public:
+	// `values` of the corners.
+	void add(CellId cell, std::span<const glm::dvec2> places, std::span<const float> values)
+	{
+		if (!isFan(places))
+		{
+			for (const std::vector<std::uint32_t>& fan : cutIntoFans(places))
+				addFan(cell, fan, places, values);
+			return;
+		}
+		whole_.resize(places.size());
+		std::iota(whole_.begin(), whole_.end(), 0u);
+		addFan(cell, whole_, places, values);
+	}
+
+	std::vector<shared::PolygonRecord> records;
+
+private:
+	void addFan(CellId cell, std::span<const std::uint32_t> fan, std::span<const glm::dvec2> places,
+	            std::span<const float> values)
+	{
+		const auto corner = [&](shared::PolygonRecord& record, std::uint32_t v)
+		{
+			record.uv[2 * record.vertices] = static_cast<float>(places[v].x);
+			record.uv[2 * record.vertices + 1] = static_cast<float>(places[v].y);
+			record.value[record.vertices] = values[v];
+			++record.vertices;
+		};
+		for (std::size_t next = 1; next + 1 < fan.size();)
+		{
+			shared::PolygonRecord record{};
+			record.cell = cell;
+			corner(record, fan[0]);
+			corner(record, fan[next]);
+			while (record.vertices < shared::kMaxRecordVertices && next + 1 < fan.size())
+				corner(record, fan[++next]);
+			records.push_back(record);
+		}
+	}
+
+	std::vector<std::uint32_t> whole_;
+};
 
 } // namespace
 
@@ -33,37 +82,29 @@ std::vector<shared::PolygonRecord> recordsFromMesh(const grid::BlockSet& blocks,
 	}
 
 	const Vec3 x_axis = sheet.xAxis();
-	std::vector<shared::PolygonRecord> records;
-	records.reserve(mesh.polygons());
+	RecordMaker maker;
+	maker.records.reserve(mesh.polygons());
+	std::vector<glm::dvec2> places;
+	std::vector<float> values;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
 	{
 		const auto [b, cell] = mesh.polygon_cells[p];
 		float polygon_value = no_array;
 		if (field && !on_points)
-			if (const grid::Field* values = field->in(blocks.blocks[b]))
-				polygon_value = drawnValue(cellValue(blocks.blocks[b], *values, field->component, cell));
+			if (const grid::Field* of_block = field->in(blocks.blocks[b]))
+				polygon_value = drawnValue(cellValue(blocks.blocks[b], *of_block, field->component, cell));
 
-		const auto polygon = mesh.polygon(p);
-		const auto corner = [&](shared::PolygonRecord& record, std::uint32_t v)
+		places.clear();
+		values.clear();
+		for (const std::uint32_t v : mesh.polygon(p))
 		{
 			const Vec3 from_origin = mesh.positions[v] - sheet.origin;
-			record.uv[2 * record.vertices] = static_cast<float>(glm::dot(from_origin, x_axis));
-			record.uv[2 * record.vertices + 1] = static_cast<float>(glm::dot(from_origin, sheet.up));
-			record.value[record.vertices] = on_points ? vertex_values[v] : polygon_value;
-			++record.vertices;
-		};
-		for (std::size_t next = 1; next + 1 < polygon.size();)
-		{
-			shared::PolygonRecord record{};
-			record.cell = cell;
-			corner(record, polygon[0]);
-			corner(record, polygon[next]);
-			while (record.vertices < shared::kMaxRecordVertices && next + 1 < polygon.size())
-				corner(record, polygon[++next]);
-			records.push_back(record);
+			places.emplace_back(glm::dot(from_origin, x_axis), glm::dot(from_origin, sheet.up));
+			values.push_back(on_points ? vertex_values[v] : polygon_value);
 		}
+		maker.add(cell, places, values);
 	}
-	return records;
+	return std::move(maker.records);
 }
 
 traverse::LaneCut walkedCells(const traverse::LaneCut& cut)

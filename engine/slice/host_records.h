@@ -12,8 +12,9 @@
 namespace vp::slice
 {
 
-// The polygons of a mesh as they are drawn. A polygon of more than six vertices becomes several records, cut along
-// diagonals from its first vertex.
+// The polygons of a mesh as they are drawn: a record is a fan of triangles about its first vertex. A polygon of more
+// than six vertices becomes several records, cut along diagonals from its first vertex; a concave one is parted
+// into fans that cover it and nothing else (polygon_fans.h).
 std::vector<shared::PolygonRecord> recordsFromMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet,
                                                    const SheetMesh& mesh, const std::optional<FieldChoice>& field);
 

@@ -13,16 +13,6 @@ namespace vp::slice
 namespace
 {
 
-// Twice the vector area of a polygon.
-Vec3 doubleArea(const SheetMesh& mesh, std::span<const std::uint32_t> polygon)
-{
-	Vec3 sum(0.0);
-	const Vec3& first = mesh.positions[polygon[0]];
-	for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-		sum += glm::cross(mesh.positions[polygon[i]] - first, mesh.positions[polygon[i + 1]] - first);
-	return sum;
-}
-
 // Adds the vertices and polygons of one block.
 template <grid::Grid G>
 class BlockMesh
@@ -137,6 +127,15 @@ void tidyPolygons(SheetMesh& mesh, const Vec3& normal)
 }
 
 } // namespace
+
+Vec3 doubleArea(const SheetMesh& mesh, std::span<const std::uint32_t> polygon)
+{
+	Vec3 sum(0.0);
+	const Vec3& first = mesh.positions[polygon[0]];
+	for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+		sum += glm::cross(mesh.positions[polygon[i]] - first, mesh.positions[polygon[i + 1]] - first);
+	return sum;
+}
 
 void dropUnusedVertices(SheetMesh& mesh)
 {

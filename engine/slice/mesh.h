@@ -80,6 +80,10 @@ struct BlockCut
 // Of the whole plane: clipToWindow (clip.h) leaves the part in a window.
 SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const BlockCut> cuts);
 
+// Twice the vector area of a polygon (at least one vertex): for a flat polygon, of whatever form, twice its area along
+// the normal about which it runs counter-clockwise.
+Vec3 doubleArea(const SheetMesh& mesh, std::span<const std::uint32_t> polygon);
+
 // Drops the vertices that no polygon uses.
 void dropUnusedVertices(SheetMesh& mesh);
 

@@ -151,10 +151,9 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnCpu(const SliceRequest&
 	return traverse::breadthFirst<surface::Plane>(lanes, classifier, stop);
 }
 
-Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,
-                                                             Slice& slice, std::stop_token stop)
+// For all sheets of a slice in all blocks; lane s * blocks + b is sheet s in block b.
+Result<std::unique_ptr<GpuClassifier>> Slicer::gpuClassifier(const Slice& slice, Timeline* timeline)
 {
-	const TimedSection section(request.timeline, "traverse");
 	std::vector<probe::Sheet> sheets;
 	std::vector<std::optional<FieldChoice>> fields;
 	for (const SheetSlice& sheet : slice.sheets)
@@ -162,20 +161,65 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest&
 		sheets.push_back(sheet.sheet);
 		fields.push_back(sheet.field);
 	}
-	std::vector<GpuLane> gpu_lanes;
+	std::vector<GpuLane> lanes;
 	for (std::uint32_t s = 0; s < slice.sheets.size(); ++s)
 		for (std::uint32_t b = 0; b < blocks_.blocks.size(); ++b)
-			gpu_lanes.push_back({s, b});
-	Result<std::unique_ptr<GpuClassifier>> classifier =
-	    GpuClassifier::create(*gpu_, sheets, fields, std::move(gpu_lanes), request.timeline);
-	if (!classifier)
-		return classifier.error();
-	auto cuts = traverse::breadthFirst<surface::Plane>(lanes, **classifier, stop);
-	const std::vector<std::shared_ptr<SheetRecords>> records = (*classifier)->finish();
+			lanes.push_back({s, b});
+	return GpuClassifier::create(*gpu_, sheets, fields, std::move(lanes), timeline);
+}
+
+void Slicer::takeRecords(GpuClassifier& classifier, Slice& slice)
+{
+	const std::vector<std::shared_ptr<SheetRecords>> records = classifier.finish();
 	for (std::size_t s = 0; s < records.size(); ++s)
 		slice.sheets[s].records = records[s];
 	slice.words = gpu_->words();
+}
+
+Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,
+                                                             Slice& slice, std::stop_token stop)
+{
+	const TimedSection section(request.timeline, "traverse");
+	Result<std::unique_ptr<GpuClassifier>> classifier = gpuClassifier(slice, request.timeline);
+	if (!classifier)
+		return classifier.error();
+	auto cuts = traverse::breadthFirst<surface::Plane>(lanes, **classifier, stop);
+	takeRecords(**classifier, slice);
 	return cuts;
+}
+
+void Slicer::forgetValues()
+{
+	if (gpu_)
+		gpu_->forgetFields();
+}
+
+Result<Slice> Slicer::regather(const Slice& kept, Timeline* timeline)
+{
+	Slice slice = kept;
+	if (!gpu_)
+		return slice; // meshes gather their values when they are made
+	const TimedSection section(timeline, "emit");
+	Result<std::unique_ptr<GpuClassifier>> classifier = gpuClassifier(slice, timeline);
+	if (!classifier)
+		return classifier.error();
+	// All cells of a lane are one front; their words are known.
+	std::vector<std::vector<std::uint32_t>> words;
+	std::vector<traverse::FrontSlice> fronts;
+	for (const SheetSlice& sheet : slice.sheets)
+		for (const traverse::LaneCut& cut : sheet.cuts)
+		{
+			std::vector<std::uint32_t>& lane_words = words.emplace_back(cut.cells.size());
+			if (!cut.cells.empty())
+				fronts.push_back({words.size() - 1, cut.cells, lane_words});
+		}
+	if (!fronts.empty())
+		if (Status done = (*classifier)->classify(fronts); !done)
+			return done.error();
+	takeRecords(**classifier, slice);
+	if (Status added = addHostRecords(timeline, slice); !added)
+		return added.error();
+	return slice;
 }
 
 // What the device did not emit: cells that were walked, blocks that it does not hold, boundary faces in the plane.

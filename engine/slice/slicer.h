@@ -30,6 +30,7 @@ namespace vp::slice
 {
 
 class GpuBlocks;     // the block set on the device (gpu_blocks.h)
+class GpuClassifier; // gpu_classifier.h
 struct SheetRecords; // a sheet's polygons in device memory (gpu_records.h)
 
 struct SliceRequest
@@ -99,6 +100,11 @@ public:
 	SliceTicket begin(SliceRequest request);
 	Result<Slice> cut(SliceRequest request) { return begin(std::move(request)).wait(); }
 
+	// After the blocks' values changed, and nothing else: their copies on the device are dropped.
+	void forgetValues();
+	// The same slice over the values there are now: what was cut is kept, nothing is traversed.
+	Result<Slice> regather(const Slice& kept, Timeline* timeline);
+
 	const grid::BlockSet& blocks() const { return blocks_; }
 	bool usesGpu() const { return gpu_ != nullptr; }
 	std::size_t blocksOnGpu() const; // the others passed a limit of the device, and are classified by the CPU
@@ -111,6 +117,8 @@ private:
 	                                                     std::stop_token stop);
 	Result<std::vector<traverse::LaneCut>> traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,
 	                                                     Slice& slice, std::stop_token stop);
+	Result<std::unique_ptr<GpuClassifier>> gpuClassifier(const Slice& slice, Timeline* timeline);
+	void takeRecords(GpuClassifier& classifier, Slice& slice);
 	Status addHostRecords(Timeline* timeline, Slice& slice) const;
 
 	const grid::BlockSet& blocks_;

@@ -20,7 +20,33 @@ struct Sums
 	double min = std::numeric_limits<double>::infinity();
 	double max = -std::numeric_limits<double>::infinity();
 
-	void addTriangle(double area_part, double mean_value)
+	// A polygon with a value of its own, or, where vertex_values are given, as the fan about the mean of its vertices.
+	void addPolygon(const SheetMesh& mesh, std::span<const std::uint32_t> polygon,
+	                std::span<const double> vertex_values, double polygon_value)
+	{
+		const Vec3 double_area = doubleArea(mesh, polygon);
+		const double length = glm::length(double_area);
+		if (vertex_values.empty() || length == 0.0)
+			return addPart(0.5 * length, polygon_value);
+		const Vec3 along = double_area / length;
+		Vec3 centre(0.0);
+		double centre_value = 0.0;
+		for (const std::uint32_t v : polygon)
+		{
+			centre += mesh.positions[v];
+			centre_value += vertex_values[v];
+		}
+		centre /= static_cast<double>(polygon.size());
+		centre_value /= static_cast<double>(polygon.size());
+		std::uint32_t previous = polygon.back();
+		for (const std::uint32_t v : polygon)
+		{
+			const Vec3 cross = glm::cross(mesh.positions[previous] - centre, mesh.positions[v] - centre);
+			addPart(0.5 * glm::dot(cross, along), (vertex_values[previous] + vertex_values[v] + centre_value) / 3.0);
+			previous = v;
+		}
+	}
+	void addPart(double area_part, double mean_value)
 	{
 		area += area_part;
 		if (std::isnan(mean_value))
@@ -67,27 +93,12 @@ SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const 
 				polygon_value = cellValue(block, *values, field->component, mesh.polygon_cells[p].cell);
 			sums.addValue(polygon_value);
 		}
-		Vec3 centre(0.0);
-		double centre_value = 0.0;
-		for (const std::uint32_t v : polygon)
-		{
-			centre += mesh.positions[v];
-			centre_value += on_points ? vertex_values[v] : 0.0;
-		}
-		centre /= static_cast<double>(polygon.size());
-		centre_value /= static_cast<double>(polygon.size());
-		std::uint32_t previous = polygon.back();
-		for (const std::uint32_t v : polygon)
-		{
-			const double area =
-			    0.5 * glm::length(glm::cross(mesh.positions[previous] - centre, mesh.positions[v] - centre));
-			if (p >= of_cells)
-				sums.boundary_area += area;
-			else
-				sums.addTriangle(area, on_points ? (vertex_values[previous] + vertex_values[v] + centre_value) / 3.0
-				                                 : polygon_value);
-			previous = v;
-		}
+		if (p < of_cells)
+			sums.addPolygon(mesh, polygon,
+			                on_points ? std::span<const double>(vertex_values) : std::span<const double>(),
+			                polygon_value);
+		else
+			sums.boundary_area += 0.5 * glm::length(doubleArea(mesh, polygon));
 	}
 
 	SheetMeasure result;

@@ -10,8 +10,10 @@ namespace vp::slice
 {
 
 // What a sheet shows, in numbers. A polygon counts as the fan of triangles about the mean of its vertices, whose value
-// is the mean of theirs. Boundary faces in the plane have an area of their own and stay out of the rest but for the
-// range: what is cut is the same then on either side of a plane where cells meet.
+// is the mean of theirs. A triangle that runs against its polygon, as some do where that is concave, counts as
+// negative: so the sum is the polygon, and the integral of a linear field is exact. Boundary faces in the plane have an
+// area of their own and stay out of the rest but for the range: what is cut is the same then on either side of a plane
+// where cells meet.
 struct SheetMeasure
 {
 	double area = 0.0;

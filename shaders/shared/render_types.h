@@ -69,6 +69,7 @@ struct SheetParams
 	float range_offset;
 	float shade; // of the light on it, a factor on colours
 	uint is_log;
+	uint is_stepped;  // values are constant in each polygon
 	uint colors;      // place of kTableColors colours over t from 0 to 1
 	uint step_bounds; // place of the bounds between steps, ascending y
 	uint step_colors; // place of one colour more than there are bounds

@@ -55,8 +55,57 @@ TEST_F(Render, OptionsChangeThePicture)
 	for (const Arguments& options :
 	     {Arguments{"--background", "black"}, Arguments{"--background", "white", "--range", "-0.1", "0.1"},
 	      Arguments{"--background", "white", "--camera", "x"}, Arguments{"--background", "white", "--array", "v"},
-	      Arguments{"--background", "white", "--origin", "0", "1", "0"}})
+	      Arguments{"--background", "white", "--origin", "0", "1", "0"},
+	      Arguments{"--background", "white", "--colormap", "viridis_r"}, Arguments{"--background", "white", "--mesh"},
+	      Arguments{"--background", "white", "--lines", "8"}, Arguments{"--background", "white", "--bands", "8"},
+	      Arguments{"--background", "white", "--opacity", "0.4"}, Arguments{"--background", "white", "--axes", "box"},
+	      Arguments{"--background", "white", "--axes", "none"}, Arguments{"--background", "white", "--lit"},
+	      Arguments{"--background", "white", "--outline", "none"}, Arguments{"--background", "white", "--title", ""}})
 		EXPECT_NE(picture(options), plain) << options[options.size() - 2];
+}
+
+TEST_F(Render, ColorMapsFromFiles)
+{
+	const std::string file = write("map.json", R"([{"Name":"a","RGBPoints":[0,1,0,0, 1,0,0,1]},
+	                                               {"Name":"b","IndexedColors":[1,0,0, 0,1,0]}])");
+	const Arguments out{"-o", path("out.png"), "--size", "64x64", "--colormap"};
+	EXPECT_TRUE(isQuiet(render(out + Arguments{file + ":a"})));
+	const std::string forward = contents(path("out.png"));
+	EXPECT_TRUE(isQuiet(render(out + Arguments{file + ":a_r"})));
+	EXPECT_NE(contents(path("out.png")), forward);
+	EXPECT_TRUE(isQuiet(render(out + Arguments{file + ":b"})));
+	std::filesystem::remove(path("out.png"));
+
+	EXPECT_TRUE(isError(render(out + Arguments{file}), 2, {file, "a, b"}));
+	EXPECT_TRUE(isError(render(out + Arguments{file + ":c"}), 2, {file, "'c'"}));
+	EXPECT_TRUE(isError(render(out + Arguments{path("absent.json")}), 2, {"--colormap", "absent.json"}));
+	EXPECT_TRUE(isError(render(out + Arguments{write("bad.json", "{]")}), 2, {"bad.json", "JSON"}));
+	std::filesystem::create_directory(path("folder.json"));
+	EXPECT_TRUE(isError(render(out + Arguments{path("folder.json")}), 2, {"folder.json"}));
+	for (const Arguments& option :
+	     {Arguments{"--log"}, Arguments{"--lines", "3"}, Arguments{"--bands", "3"}, Arguments{"--range", "0", "1"}})
+		EXPECT_TRUE(isError(render(out + Arguments{file + ":b"} + option), 1, {option[0], "categories"}));
+	EXPECT_FALSE(std::filesystem::exists(path("out.png")));
+}
+
+TEST_F(Render, LogarithmicColors)
+{
+	const Arguments out{"-o", path("out.png"), "--size", "64x64", "--log"};
+	// s has values of both signs, v magnitude is above 0 everywhere.
+	EXPECT_TRUE(isDoneWithAWord(render(out), {"--log", "'s'", "0 or below"}));
+	EXPECT_TRUE(isQuiet(render(out + Arguments{"--array", "v"})));
+	EXPECT_TRUE(isQuiet(render(out + Arguments{"--array", "v", "--range", "0.1", "10", "--lines", "5"})));
+	std::filesystem::remove(path("out.png"));
+	const std::string negative =
+	    write("negative.vtk", "# vtk DataFile Version 3.0\n\nASCII\nDATASET STRUCTURED_POINTS\n"
+	                          "DIMENSIONS 2 2 2\nORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 8\n"
+	                          "SCALARS depth float 1\nLOOKUP_TABLE default\n"
+	                          "-1 -2 -3 -4 -5 -6 -7 0\n");
+	EXPECT_TRUE(isError(run(Arguments{"render", negative} + out), 2, {"--log", "'depth'", "--array"}));
+	const std::string bare = write("bare.vtk", "# vtk DataFile Version 3.0\n\nASCII\nDATASET STRUCTURED_POINTS\n"
+	                                           "DIMENSIONS 2 2 2\nORIGIN 0 0 0\nSPACING 1 1 1\n");
+	EXPECT_TRUE(isError(run(Arguments{"render", bare} + out), 2, {"bare.vtk", "--log"}));
+	EXPECT_FALSE(std::filesystem::exists(path("out.png")));
 }
 
 TEST_F(Render, PlaneThatMissesTheGrid)

@@ -63,7 +63,9 @@ TEST_F(Usage, HelpNamesTheOptions)
 		EXPECT_TRUE(contains(render, option)) << option;
 	}
 	EXPECT_TRUE(contains(slice, "--stats"));
-	for (const char* option : {"--size", "--colormap", "--range", "--camera", "--background"})
+	for (const char* option :
+	     {"--size", "--samples", "--colormap", "--range", "--log", "--opacity", "--lines", "--bands", "--mesh", "--lit",
+	      "--camera", "--background", "--outline", "--axes", "--title", "NAME_r"})
 		EXPECT_TRUE(contains(render, option)) << option;
 }
 
@@ -165,16 +167,25 @@ TEST_P(BadLook, IsOneLineAndLeavesNothing)
 	EXPECT_TRUE(files().empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BadLook,
-                         testing::Values(Bad{"zeroSize", {"--size", "0x10"}, "--size"},
-                                         Bad{"sizeInWords", {"--size", "big"}, "--size"},
-                                         Bad{"hugeSize", {"--size", "1000000x1000000"}, "--size"},
-                                         Bad{"colormap", {"--colormap", "no-such-map"}, "--colormap"},
-                                         Bad{"rangeUpsideDown", {"--range", "2", "1"}, "--range"},
-                                         Bad{"rangeNotANumber", {"--range", "nan", "1"}, "--range"},
-                                         Bad{"camera", {"--camera", "nowhere"}, "--camera"},
-                                         Bad{"cameraOfFourNumbers", {"--camera", "1", "2", "3", "4"}, "--camera"},
-                                         Bad{"background", {"--background", "no-such-colour"}, "--background"}),
-                         name);
+INSTANTIATE_TEST_SUITE_P(
+    All, BadLook,
+    testing::Values(
+        Bad{"zeroSize", {"--size", "0x10"}, "--size"}, Bad{"sizeInWords", {"--size", "big"}, "--size"},
+        Bad{"hugeSize", {"--size", "1000000x1000000"}, "--size"},
+        Bad{"colormap", {"--colormap", "no-such-map"}, "--colormap"},
+        Bad{"rangeUpsideDown", {"--range", "2", "1"}, "--range"},
+        Bad{"rangeNotANumber", {"--range", "nan", "1"}, "--range"}, Bad{"camera", {"--camera", "nowhere"}, "--camera"},
+        Bad{"cameraOfFourNumbers", {"--camera", "1", "2", "3", "4"}, "--camera"},
+        Bad{"logOfNothing", {"--log", "--range", "0", "1"}, "--range"},
+        Bad{"opacityAboveOne", {"--opacity", "1.5"}, "--opacity"},
+        Bad{"negativeOpacity", {"--opacity", "-0.1"}, "--opacity"},
+        Bad{"opacityNotANumber", {"--opacity", "nan"}, "--opacity"},
+        Bad{"opacityInWords", {"--opacity", "half"}, "--opacity"}, Bad{"negativeLines", {"--lines", "-1"}, "--lines"},
+        Bad{"tooManyLines", {"--lines", "100000"}, "--lines"}, Bad{"linesInWords", {"--lines", "few"}, "--lines"},
+        Bad{"bandsNotWhole", {"--bands", "2.5"}, "--bands"}, Bad{"axes", {"--axes", "round"}, "--axes"},
+        Bad{"samples", {"--samples", "0"}, "--samples"}, Bad{"outline", {"--outline", "sphere"}, "--outline"},
+        Bad{"reversedNothing", {"--colormap", "jet_r"}, "jet_r"},
+        Bad{"background", {"--background", "no-such-colour"}, "--background"}),
+    name);
 
 } // namespace cli

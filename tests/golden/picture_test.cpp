@@ -62,9 +62,8 @@ protected:
 	}
 	void aim(Scene& scene, const char* camera)
 	{
-		scene.camera =
-		    makeCamera(parseCamera(camera).value(), &scene.sheets[0].sheet,
-		               ends({scene.outline.begin(), scene.outline.end()}), pictureFrame(scene.look, scene.values));
+		scene.camera = makeCamera(parseCamera(camera).value(), &scene.sheets[0].sheet,
+		                          ends({scene.outline.begin(), scene.outline.end()}), pictureFrame(scene));
 	}
 };
 
@@ -107,6 +106,66 @@ TEST_F(Pictures, RangeNanAndALongNameOnNothing)
 	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}), 1.0, 1.0, f, 24));
 	aim(scene, "auto");
 	EXPECT_TRUE(looksLike(draw(scene), "range_nan"));
+}
+
+TEST_F(Pictures, LinesBandsAndALogarithmBesideNumberedAxes)
+{
+	const auto outline = boxOutline(1.0);
+	Scene scene = dressed(outline);
+	scene.look.axes = false;
+	scene.look.box_axes = true;
+	scene.look.logarithmic = true;
+	scene.look.lines = 6;
+	scene.look.bands = 6;
+	scene.bounds = Box{Vec3(-1.0), Vec3(1.0)};
+	scene.values = ValueScale{"decades", 1e-3, 1.0, false, false, 1e-3};
+	const auto decades = [](double u, double v) { return std::pow(10.0, 1.5 * waves(u, v) - 1.5); };
+	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, {0.1, 0.0, 1.0}), 0.99, 1.0, decades, 48));
+	aim(scene, "auto");
+	EXPECT_TRUE(looksLike(draw(scene), "lines_log"));
+}
+
+TEST_F(Pictures, CategoriesAMeshAndAWindow)
+{
+	const auto outline = boxOutline(1.0);
+	Scene scene = dressed(outline);
+	scene.look.mesh = true;
+	scene.look.lit = true;
+	scene.look.colors.categories = {{-1.0, "water", {60, 120, 200}},
+	                                {0.0, "sand", {225, 200, 130}},
+	                                {1.0, "a word that is far too long", {90, 150, 70}}};
+	for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(0, 0, 1)})
+		scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, normal), 1.0, 1.0, waves, 16));
+	scene.sheets[0].window = WindowRect{-0.6, 0.7, -0.5, 0.8};
+	scene.sheets[1].opacity = 0.7;
+	aim(scene, "30,25");
+	EXPECT_TRUE(looksLike(draw(scene), "categories_mesh"));
+}
+
+TEST_F(Pictures, WordsOverTheSceneHaveAGround)
+{
+	Scene scene = dressed({});
+	scene.bounds = Box{Vec3(-1.0), Vec3(1.0)};
+	scene.look.background = parseBackground("white").value();
+	scene.look.colors = makeColorMap("grey").value();
+	const auto black = [](double, double) { return -1.0; };
+	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}), 1.0, 1.0, black));
+	scene.camera.position = {0.0, 0.0, 1.2};
+	// Beside the title's first letter, and within the legend's column.
+	const auto ground = [&](bool fitted)
+	{
+		scene.fitted = fitted;
+		const Picture picture = draw(scene);
+		return std::pair{picture.pixel(8, 8)[0], picture.pixel(312, 120)[0]};
+	};
+	EXPECT_EQ(ground(true), (std::pair<std::uint8_t, std::uint8_t>{0, 0}));
+	const auto [title, legend] = ground(false);
+	EXPECT_NEAR(title, 204, 3);
+	EXPECT_NEAR(legend, 204, 3);
+	// Where the scene is elsewhere, there is none.
+	scene.sheets.clear();
+	scene.camera.position = {0.0, 0.0, 50.0};
+	EXPECT_EQ(ground(false), ground(true));
 }
 
 TEST_F(Pictures, TheSameSceneGivesTheSamePicture)

@@ -12,52 +12,105 @@ namespace vp::test
 namespace
 {
 
-// Whether two vertices lie on one face without a neighbour.
-class BoundaryFaces
+using PointName = std::pair<std::size_t, PointId>; // of a block
+
+// The points that are one place across seams, by one of their names.
+class JoinedPoints
 {
 public:
-	explicit BoundaryFaces(const grid::BlockSet& set)
+	explicit JoinedPoints(const grid::BlockSet& set)
 	{
-		faces_of_.resize(set.blocks.size());
 		for (std::size_t b = 0; b < set.blocks.size(); ++b)
-			visitGrid(set.blocks[b],
-			          [&](const auto& grid)
-			          {
-				          grid::CellFaces faces;
-				          for (const grid::BoundaryIndex::Face& face : set.blocks[b].boundary.faces)
-				          {
-					          grid.cellFaces(face.cell, faces);
-					          const auto points = faces[static_cast<int>(face.face)];
-					          for (const PointId p : points)
-						          faces_of_[b][p].insert(count_);
-					          ++count_;
-				          }
-			          });
+			if (const grid::BlockSeams* seams = set.interfaces.of(b))
+				for (const grid::SeamLink& link : seams->all())
+					join(cornersOf(set, b, link.cell, link.face),
+					     cornersOf(set, link.block, link.other, link.other_face));
 	}
-	bool holdBoth(const slice::EdgePoint& v, const slice::EdgePoint& w) const
+	PointName nameOf(PointName point) const
 	{
-		if (v.block != w.block)
-			return true; // a seam
-		const auto facesOf = [&](PointId p) -> const std::set<std::size_t>&
-		{
-			static const std::set<std::size_t> none;
-			const auto at = faces_of_[v.block].find(p);
-			return at == faces_of_[v.block].end() ? none : at->second;
-		};
-		return std::ranges::any_of(
-		    facesOf(v.lower), [&](std::size_t f)
-		    { return facesOf(v.higher).contains(f) && facesOf(w.lower).contains(f) && facesOf(w.higher).contains(f); });
+		for (auto at = other_.find(point); at != other_.end(); at = other_.find(point))
+			point = at->second;
+		return point;
 	}
 
 private:
-	std::vector<std::map<PointId, std::set<std::size_t>>> faces_of_; // per block
-	std::size_t count_ = 0;
+	using Corners = std::vector<std::pair<PointName, Vec3>>;
+
+	static Corners cornersOf(const grid::BlockSet& set, std::size_t block, CellId cell, std::uint32_t face)
+	{
+		return visitGrid(set.blocks[block],
+		                 [&](const auto& grid)
+		                 {
+			                 grid::CellFaces faces;
+			                 grid.cellFaces(cell, faces);
+			                 Corners corners;
+			                 for (const PointId p : faces[static_cast<int>(face)])
+				                 corners.push_back({{block, p}, grid.point(p)});
+			                 return corners;
+		                 });
+	}
+	void join(const Corners& here, const Corners& there)
+	{
+		for (const auto& [name, place] : here)
+		{
+			const auto distance = [&, at = place](const auto& other) { return glm::length(other.second - at); };
+			const PointName a = nameOf(name);
+			const PointName b = nameOf(std::ranges::min_element(there, {}, distance)->first);
+			if (a != b)
+				other_[std::max(a, b)] = std::min(a, b);
+		}
+	}
+
+	std::map<PointName, PointName> other_; // to a lesser name
 };
 
-} // namespace
-
-namespace
+// Whether two vertices lie on one face of the domain's boundary: without a neighbour, and on no seam.
+class BoundaryFaces
 {
+public:
+	explicit BoundaryFaces(const grid::BlockSet& set) : points_(set)
+	{
+		for (std::size_t b = 0; b < set.blocks.size(); ++b)
+			visitGrid(set.blocks[b], [&](const auto& grid) { addFaces(set, b, grid); });
+	}
+	bool holdBoth(const slice::EdgePoint& v, const slice::EdgePoint& w) const
+	{
+		const auto facesOf = [&](std::uint32_t block, PointId p) -> const std::set<std::size_t>&
+		{
+			static const std::set<std::size_t> none;
+			const auto at = faces_of_.find(points_.nameOf({block, p}));
+			return at == faces_of_.end() ? none : at->second;
+		};
+		return std::ranges::any_of(facesOf(v.block, v.lower),
+		                           [&](std::size_t f)
+		                           {
+			                           return facesOf(v.block, v.higher).contains(f) &&
+			                                  facesOf(w.block, w.lower).contains(f) &&
+			                                  facesOf(w.block, w.higher).contains(f);
+		                           });
+	}
+
+private:
+	template <class G>
+	void addFaces(const grid::BlockSet& set, std::size_t block, const G& grid)
+	{
+		const grid::BlockSeams* seams = set.interfaces.of(block);
+		grid::CellFaces faces;
+		for (const grid::BoundaryIndex::Face& face : set.blocks[block].boundary.faces)
+		{
+			if (seams && !seams->of(face.cell, face.face).empty())
+				continue;
+			grid.cellFaces(face.cell, faces);
+			for (const PointId p : faces[static_cast<int>(face.face)])
+				faces_of_[points_.nameOf({block, p})].insert(count_);
+			++count_;
+		}
+	}
+
+	JoinedPoints points_;
+	std::map<PointName, std::set<std::size_t>> faces_of_;
+	std::size_t count_ = 0;
+};
 
 // The polygons on an edge, and which way each runs along it.
 struct EdgeUse

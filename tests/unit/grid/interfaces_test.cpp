@@ -134,6 +134,27 @@ TEST(Interfaces, ThinCellsFarAway)
 	}
 }
 
+// A sheet of metal: the tolerance of its broad faces is more than its thickness.
+TEST(Interfaces, TheSidesOfAFlatCellDoNotMeet)
+{
+	CellListMaker maker;
+	std::vector<std::int64_t> ids;
+	for (const Vec3& p : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, 0, 1),
+	                      Vec3(1, 1, 1), Vec3(0, 1, 1)})
+		ids.push_back(maker.point(Vec3(p.x, p.y, 1e-7 * p.z)));
+	maker.cell(12, ids);
+	ids.clear();
+	for (const Vec3& p : {Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(1, 1, 1), Vec3(0, 1, 1), Vec3(0, 0, 2), Vec3(1, 0, 2),
+	                      Vec3(1, 1, 2), Vec3(0, 1, 2)})
+		ids.push_back(maker.point(Vec3(p.x, p.y, 1e-7 * p.z)));
+	maker.cell(12, ids);
+	grid::BlockSet set;
+	set.blocks.push_back(maker.block("metal"));
+	grid::matchInterfaces(set);
+	EXPECT_EQ(set.interfaces.seam_faces, 2u);
+	EXPECT_EQ(set.interfaces.boundary_faces, 10u);
+}
+
 TEST(Interfaces, WithinTheToleranceAndBeyond)
 {
 	for (const double gap : {1e-8, 1e-5})

@@ -44,9 +44,11 @@ TEST(Layout, NothingOverlapsAtAnySize)
 			for (const bool clipped : {false, true})
 			{
 				const Scene scene = sceneOf(size, array, -1234.5, 98765.4e3, clipped);
-				const Layout layout = makeLayout(scene.look, scene.values);
+				const Layout layout = makeLayout(scene);
 				const Area free{layout.frame.free_lo, layout.frame.free_hi};
-				const Area areas[] = {layout.title, layout.caption, layout.axes, layout.legend};
+				ASSERT_EQ(layout.legends.size(), 1u);
+				const LegendLayout& legend = layout.legends[0];
+				const Area areas[] = {layout.title, layout.caption, layout.axes, legend.column};
 				for (const Area& a : areas)
 				{
 					EXPECT_GE(a.lo.x, 0.0);
@@ -56,23 +58,86 @@ TEST(Layout, NothingOverlapsAtAnySize)
 					for (const Area& b : areas)
 						EXPECT_TRUE(&a == &b || !a.overlaps(b)) << size.width << " " << &a - areas << " " << &b - areas;
 				}
-				for (const Area& a : {layout.title, layout.caption, layout.legend})
+				for (const Area& a : {layout.title, layout.caption, legend.column})
 					EXPECT_FALSE(a.overlaps(free)) << size.width << "x" << size.height << " " << array;
 				EXPECT_GE(free.size().x, 0.45 * size.width) << size.width << "x" << size.height << " " << array;
 				EXPECT_GE(free.size().y, 0.6 * size.height);
-				EXPECT_GE(layout.bar.size().y, 0.25 * size.height);
+				EXPECT_GE(legend.bar.size().y, 0.25 * size.height);
 			}
+}
+
+TEST(Layout, CategoriesFitOrAreToldInANumber)
+{
+	for (const Size size : kSizes)
+		for (const int count : {1, 3, 20, 400})
+		{
+			Scene scene = sceneOf(size, "s", 0.0, 1.0, false);
+			for (int i = 0; i < count; ++i)
+				scene.look.colors.categories.push_back({double(i), i == 1 ? kLongName : "name", {10, 20, 30}});
+			const Layout layout = makeLayout(scene);
+			ASSERT_EQ(layout.legends.size(), 1u);
+			const LegendLayout& legend = layout.legends[0];
+			EXPECT_GE(legend.categories, 1u);
+			EXPECT_LE(legend.categories, static_cast<std::size_t>(count));
+			const double lines = static_cast<double>(legend.categories) + (legend.categories < size_t(count) ? 1 : 0);
+			EXPECT_LE(legend.bar.lo.y + lines * legend.entry, legend.bar.hi.y + 1.0);
+			EXPECT_LE(legend.column.hi.y, size.height);
+			EXPECT_LE(legend.column.size().x, 0.3 * size.width + 1.0);
+			const Overlay overlay = makeOverlay(scene);
+			for (const std::uint32_t i : overlay.indices)
+				EXPECT_LE(overlay.vertices.at(i).pos.x, size.width);
+		}
+}
+
+TEST(Layout, SheetsOfOtherLooksHaveLegendsOfTheirOwn)
+{
+	for (const Size size : kSizes)
+	{
+		Scene scene = sceneOf(size, "s", 0.0, 1.0, false);
+		scene.sheets.resize(6);
+		EXPECT_EQ(legendContents(scene).size(), 1u);
+		scene.sheets[1].values = ValueScale{"v magnitude", -3.0, 1e7, true};
+		scene.sheets[2].values = scene.sheets[1].values;
+		scene.sheets[3].colors = makeColorMap("turbo").value();
+		scene.sheets[4].lines = 7;
+		scene.sheets[5].range = {0.2, 0.4};
+		const auto contents = legendContents(scene);
+		ASSERT_EQ(contents.size(), 4u);
+		EXPECT_EQ(contents[0].title, "s");
+		EXPECT_EQ(contents[1].title, "v magnitude");
+		EXPECT_EQ(contents[2].title, "s (sheet 4)");
+		EXPECT_EQ(contents[3].title, "s (sheet 6)");
+		EXPECT_TRUE(contents[3].style.below && contents[3].style.above);
+
+		const Layout layout = makeLayout(scene);
+		ASSERT_GE(layout.legends.size(), 1u);
+		EXPECT_TRUE(layout.legends.size() >= 3 || size.height < 40 * layout.em);
+		for (const LegendLayout& a : layout.legends)
+		{
+			EXPECT_GE(a.bar.size().y, 3.0 * layout.em) << size.width << "x" << size.height;
+			EXPECT_GE(a.column.lo.y, 0.0);
+			EXPECT_LE(a.column.hi.y, size.height);
+			EXPECT_LE(a.column.hi.x, size.width);
+			for (const LegendLayout& b : layout.legends)
+				EXPECT_TRUE(&a == &b || !a.column.overlaps(b.column)) << size.width << "x" << size.height;
+		}
+		// Where every sheet has its own, the scene's is not shown.
+		scene.sheets.resize(2);
+		scene.sheets[0].colors = makeColorMap("grey").value();
+		EXPECT_EQ(legendContents(scene).size(), 2u);
+		EXPECT_EQ(legendContents(scene)[0].style.colors->name, "grey");
+	}
 }
 
 TEST(Layout, WhatIsOffLeavesItsPlace)
 {
 	Scene scene = sceneOf({640, 480}, "s", 0.0, 1.0, false);
-	const Frame with = pictureFrame(scene.look, scene.values);
+	const Frame with = pictureFrame(scene);
 	scene.look.legend = false;
 	scene.look.title.clear();
 	scene.look.caption.clear();
 	scene.look.axes = false;
-	const Frame without = pictureFrame(scene.look, scene.values);
+	const Frame without = pictureFrame(scene);
 	EXPECT_LT(with.free_hi.x, without.free_hi.x);
 	EXPECT_GT(with.free_lo.y, without.free_lo.y);
 	EXPECT_LT(with.free_hi.y, without.free_hi.y);
@@ -87,6 +152,9 @@ TEST(Overlay, StaysInsideThePicture)
 		for (const char* array : {"s", kLongName})
 		{
 			Scene scene = sceneOf(size, array, -1.0, 1e-4, true);
+			scene.look.box_axes = true;
+			scene.bounds = Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};
+			scene.camera.position = {12.0, 8.0, 16.0};
 			scene.look.title = kLongName;
 			scene.look.title += kLongName;
 			const Overlay overlay = makeOverlay(scene);

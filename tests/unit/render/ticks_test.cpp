@@ -32,6 +32,41 @@ TEST(Ticks, AreRound)
 	EXPECT_EQ(labels(makeTicks(1.0, 0.0, 3)), (Words{"0.0", "0.5", "1.0"}));
 }
 
+TEST(Ticks, AtGivenValues)
+{
+	EXPECT_EQ(labels(ticksAt({0.25, 0.5, 0.75}, 9, false)), (Words{"0.25", "0.50", "0.75"}));
+	EXPECT_EQ(labels(ticksAt({1015, 1020, 1025}, 9, false)), (Words{"1015", "1020", "1025"}));
+	EXPECT_EQ(labels(ticksAt({-1, 0, 1, 2, 3}, 3, false)), (Words{"0", "2"}));
+	EXPECT_EQ(labels(ticksAt({1, 2, 5, 10, 20, 50, 100}, 3, true)), (Words{"1", "10", "100"}));
+	const Ticks tiny = ticksAt({2.5e-9, 5e-9, 7.5e-9}, 9, false);
+	EXPECT_EQ(labels(tiny), (Words{"2.5", "5.0", "7.5"}));
+	EXPECT_EQ(tiny.factor, "×10⁻⁹");
+	EXPECT_EQ(labels(ticksAt({3.25}, 9, false)), (Words{"3.25"}));
+	EXPECT_TRUE(ticksAt({}, 9, false).marks.empty());
+}
+
+TEST(Ticks, OfALogarithmicScale)
+{
+	EXPECT_EQ(labels(makeLogTicks(0.01, 1000.0, 9)), (Words{"0.01", "0.1", "1", "10", "100", "1000"}));
+	EXPECT_EQ(labels(makeLogTicks(3e-9, 2e3, 6)), (Words{"10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "10⁰", "10²"}));
+	EXPECT_EQ(labels(makeLogTicks(1.5, 40.0, 9)), (Words{"2", "5", "10", "20"}));
+	EXPECT_EQ(labels(ticksAt({2e-7, 5e-7, 1e-6}, 9, true)), (Words{"2×10⁻⁷", "5×10⁻⁷", "10⁻⁶"}));
+	EXPECT_EQ(makeLogTicks(3.0, 3.0, 9).marks.size(), 1u);
+	for (const double lo : {1e-300, 2e-5, 0.3, 7.0, 1e20})
+		for (const double factor : {1.001, 1.5, 7.0, 90.0, 1e9, 1e60})
+			for (const int most : {2, 3, 9})
+			{
+				const Ticks ticks = makeLogTicks(lo, lo * factor, most);
+				ASSERT_FALSE(ticks.marks.empty());
+				EXPECT_LE(ticks.marks.size(), static_cast<std::size_t>(most)) << lo << " " << factor;
+				for (const Tick& tick : ticks.marks)
+				{
+					EXPECT_GE(tick.value, lo);
+					EXPECT_LE(tick.value, lo * factor);
+				}
+			}
+}
+
 TEST(Ticks, KeepTheirPromisesOnAnyRange)
 {
 	for (const double lo : {-1e300, -12345.6, -1.0, -0.1, 0.0, 1e-9, 3.0, 101325.0, 1e12})

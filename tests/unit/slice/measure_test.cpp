@@ -65,6 +65,17 @@ TEST(Measure, APolygonIsAFanAboutItsMean)
 	EXPECT_EQ(measure.components, 1u);
 }
 
+// A dart: two triangles of its fan about the mean run the other way.
+TEST(Measure, AConcavePolygonIsNoMoreThanItIs)
+{
+	const grid::BlockSet set = carrier({5.0, 0.0, 1.0, 0.0}); // 5 - x at the corners
+	const slice::SheetMesh mesh = polygonsOf({{0, 0, 0}, {5, -1, 0}, {4, 0, 0}, {5, 1, 0}}, {{0, 1, 2, 3}});
+	const slice::SheetMeasure measure = slice::measure(set, mesh, kOnPoints);
+	EXPECT_DOUBLE_EQ(measure.area, 4.0);
+	EXPECT_DOUBLE_EQ(measure.mean.value(), 2.0); // at the centroid, x = 3
+	EXPECT_DOUBLE_EQ(slice::measure(set, mesh, {}).area, 4.0);
+}
+
 TEST(Measure, NanStaysOutOfMeanAndRange)
 {
 	const grid::BlockSet set = carrier({1.0, 1.0, 3.0, kNan, 3.0, 3.0});

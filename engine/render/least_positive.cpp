@@ -1,0 +1,51 @@
+#include "render/least_positive.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <cmath>
+#include <limits>
+
+namespace vp::render
+{
+
+namespace
+{
+
+double shown(const grid::Field& field, std::size_t tuple, int component)
+{
+	if (component != grid::kMagnitude)
+		return field.value(tuple, component);
+	double square = 0.0;
+	for (int c = 0; c < field.components; ++c)
+		square += field.value(tuple, c) * field.value(tuple, c);
+	return std::sqrt(square);
+}
+
+} // namespace
+
+double leastPositive(const grid::BlockSet& blocks, const slice::FieldChoice& choice)
+{
+	double least = std::numeric_limits<double>::infinity();
+	for (const grid::Block& block : blocks.blocks)
+	{
+		const grid::Field* field = choice.in(block);
+		if (!field)
+			continue;
+		const auto scan = [&](const tbb::blocked_range<std::size_t>& tuples, double result)
+		{
+			for (std::size_t t = tuples.begin(); t < tuples.end(); ++t)
+			{
+				const double value = shown(*field, t, choice.component);
+				if (value > 0.0)
+					result = std::min(result, value);
+			}
+			return result;
+		};
+		least = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, field->tuples(), 65536), least, scan,
+		                             [](double a, double b) { return std::min(a, b); });
+	}
+	return std::isfinite(least) ? least : 0.0;
+}
+
+} // namespace vp::render

@@ -1,0 +1,57 @@
+#include "cut_both_ways.h"
+#include "gpu_fixture.h"
+#include "test_grids.h"
+
+#include "slice/slicer.h"
+
+namespace vp::test
+{
+
+using Regather = GpuTest;
+
+// The values of a time after another: what was cut is drawn with the new ones, and nothing is cut again.
+TEST_F(Regather, GivesTheRecordsOfANewCut)
+{
+	for (const char* name : {"shell", "tets", "mixed"})
+	{
+		grid::BlockSet set;
+		set.blocks.push_back(gridNamed(name));
+		const slice::FieldChoice field{"linear", grid::Association::point, 0};
+		auto slicer = slice::Slicer::onDevice(device(), set, field, nullptr);
+		ASSERT_TRUE(slicer) << slicer.error().message;
+		slice::SliceRequest request;
+		request.field = field;
+		for (const TestPlane& plane : randomPlanes(set.bounds(), 3, 80))
+			request.probe.sheets.push_back(probe::makeSheet(plane.origin, plane.normal));
+		const slice::Slice before = std::move((*slicer)->cut(request).value());
+
+		for (grid::Field& values : set.blocks[0].fields)
+		{
+			if (values.name != "linear")
+				continue;
+			std::vector<double> changed(values.tuples());
+			for (std::size_t i = 0; i < changed.size(); ++i)
+				changed[i] = 3.0 - 2.0 * values.value(i, 0);
+			values = grid::makeField("linear", grid::Association::point, 1, std::move(changed));
+		}
+		(*slicer)->forgetValues();
+		auto after = (*slicer)->regather(before, nullptr);
+		ASSERT_TRUE(after) << after.error().message;
+
+		CutBothWays cut;
+		for (const slice::SheetSlice& sheet : after->sheets)
+		{
+			cut.gpu.insert(cut.gpu.end(), sheet.cuts.begin(), sheet.cuts.end());
+			cut.records.push_back(sheet.records);
+		}
+		cut.cpu = cut.gpu;
+		expectRecords(set, request.probe.sheets, field, cut);
+		for (std::size_t s = 0; s < before.sheets.size(); ++s)
+		{
+			EXPECT_EQ(after->sheets[s].cuts[0].cells, before.sheets[s].cuts[0].cells);
+			EXPECT_NE(after->sheets[s].records, before.sheets[s].records);
+		}
+	}
+}
+
+} // namespace vp::test
