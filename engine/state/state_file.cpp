@@ -39,7 +39,7 @@ struct Writer
 	}
 	json operator()(Files files) const
 	{
-		json names = json::array();
+		json names;
 		for (const std::string& name : *files.names)
 			names.push_back(relativeTo(file, name));
 		return names;

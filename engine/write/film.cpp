@@ -23,6 +23,8 @@ namespace vp::write
 namespace
 {
 
+constexpr int kFilmDescriptor = 3; // in ffmpeg: the first after the standard ones
+
 struct Kind
 {
 	std::string_view ending;
@@ -72,7 +74,10 @@ Result<Film> Film::create(const std::string& path, std::uint32_t width, std::uin
 		return file.error();
 	Film film(std::move(*file));
 	film.path_ = path;
-	const std::string target = film.file_.beside().empty() ? path : film.file_.beside();
+	// ffmpeg gets the file opened: by its name it would make it anew after Ctrl-C has removed it.
+	const std::string& beside = film.file_.beside();
+	const int opened = beside.empty() ? -1 : open(beside.c_str(), O_RDWR | O_CLOEXEC);
+	const std::string target = opened < 0 ? path : fmt::format("/proc/self/fd/{}", kFilmDescriptor);
 	const std::string size = fmt::format("{}x{}", width, height);
 	const std::string rate = fmt::format("{}", per_second);
 	const Kind& kind = *kindOf(path);
@@ -93,10 +98,14 @@ Result<Film> Film::create(const std::string& path, std::uint32_t width, std::uin
 	posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
 	posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
 	posix_spawn_file_actions_adddup2(&actions, film.said_, STDERR_FILENO);
+	if (opened >= 0)
+		posix_spawn_file_actions_adddup2(&actions, opened, kFilmDescriptor);
 	const int failed =
 	    posix_spawnp(&film.process_, "ffmpeg", &actions, nullptr, const_cast<char* const*>(words.data()), environ);
 	posix_spawn_file_actions_destroy(&actions);
 	close(ends[0]);
+	if (opened >= 0)
+		close(opened);
 	if (failed != 0)
 	{
 		film.process_ = -1;

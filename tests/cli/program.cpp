@@ -100,7 +100,7 @@ Program::~Program()
 	std::filesystem::remove_all(caught_, ignored);
 }
 
-Outcome Program::run(const Arguments& arguments, const Surroundings& surroundings) const
+int Program::start(const Arguments& arguments, const Surroundings& surroundings) const
 {
 	const std::string out =
 	    surroundings.standard_output.empty() ? (caught_ / "out").string() : surroundings.standard_output;
@@ -110,14 +110,35 @@ Outcome Program::run(const Arguments& arguments, const Surroundings& surrounding
 		throw std::runtime_error("no fork");
 	if (child == 0)
 		becomeProgram(arguments, surroundings, out, err);
+	return child;
+}
+
+Outcome Program::outcomeOf(int process, const Surroundings& surroundings) const
+{
 	int status = 0;
-	waitpid(child, &status, 0);
+	waitpid(process, &status, 0);
 	Outcome outcome;
 	outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 	if (surroundings.standard_output.empty())
-		outcome.out = contents(out);
-	outcome.err = contents(err);
+		outcome.out = contents(caught_ / "out");
+	outcome.err = contents(caught_ / "err");
 	return outcome;
+}
+
+Outcome Program::run(const Arguments& arguments, const Surroundings& surroundings) const
+{
+	return outcomeOf(start(arguments, surroundings), surroundings);
+}
+
+Outcome Program::interrupted(const Arguments& arguments, const std::function<bool()>& ripe) const
+{
+	const int process = start(arguments, {});
+	siginfo_t ended{};
+	while (!ripe() && waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+	       ended.si_pid == 0)
+		usleep(1000);
+	kill(process, SIGINT);
+	return outcomeOf(process, {});
 }
 
 nlohmann::json Program::stats(const Arguments& inputs_and_probe) const
@@ -142,6 +163,28 @@ std::vector<std::string> Program::files() const
 		names.push_back(entry.path().filename());
 	std::sort(names.begin(), names.end());
 	return names;
+}
+
+void Drawing::SetUp()
+{
+	const Outcome outcome = run({"slice", "demo:shell:4", "--classify", "gpu", "--stats", "-"});
+	if (outcome.status == 3)
+		GTEST_SKIP() << outcome.err;
+}
+
+PictureSize sizeOf(const std::string& png)
+{
+	const std::string end("IEND\xAE\x42\x60\x82", 8);
+	if (png.size() < 24 || png.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0 || !png.ends_with(end))
+		return {};
+	const auto number = [&](std::size_t at)
+	{
+		std::uint32_t value = 0;
+		for (std::size_t i = at; i < at + 4; ++i)
+			value = value << 8 | static_cast<unsigned char>(png[i]);
+		return value;
+	};
+	return {number(16), number(20)};
 }
 
 std::string contents(const std::string& path)

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -38,6 +40,8 @@ protected:
 	~Program() override;
 
 	Outcome run(const Arguments& arguments, const Surroundings& surroundings = {}) const;
+	// Runs it until `ripe`, and then presses Ctrl-C.
+	Outcome interrupted(const Arguments& arguments, const std::function<bool()>& ripe) const;
 	// The stats of a slice that must succeed, with the CPU classifier.
 	nlohmann::json stats(const Arguments& inputs_and_probe) const;
 
@@ -46,9 +50,28 @@ protected:
 	std::vector<std::string> files() const;                                        // names in the folder
 
 private:
+	int start(const Arguments& arguments, const Surroundings& surroundings) const; // the process
+	Outcome outcomeOf(int process, const Surroundings& surroundings) const;
+
 	std::filesystem::path folder_;
 	std::filesystem::path caught_; // standard output and error; outside the folder
 };
+
+// Skipped where there is no device to draw with.
+class Drawing : public Program
+{
+protected:
+	void SetUp() override;
+};
+
+struct PictureSize
+{
+	std::uint32_t width = 0, height = 0;
+	bool operator==(const PictureSize&) const = default;
+};
+
+// From a PNG's header, which comes first; 0 x 0 of anything else, and where the file's end is missing.
+PictureSize sizeOf(const std::string& png);
 
 std::string contents(const std::string& path);
 bool contains(const std::string& text, const std::string& part);

@@ -1,49 +1,19 @@
 #include "program.h"
 
-#include <cstdint>
-
 namespace cli
 {
 
 namespace
 {
 
-// Skipped where there is no device.
-class Render : public Program
+class Render : public Drawing
 {
 protected:
-	void SetUp() override
-	{
-		const Outcome outcome = run({"slice", "demo:shell:4", "--classify", "gpu", "--stats", "-"});
-		if (outcome.status == 3)
-			GTEST_SKIP() << outcome.err;
-	}
 	Outcome render(const Arguments& options, const Surroundings& surroundings = {}) const
 	{
 		return run(Arguments{"render", "demo:shell:16", "--normal", "0.3", "0.5", "0.81"} + options, surroundings);
 	}
 };
-
-struct PictureSize
-{
-	std::uint32_t width = 0, height = 0;
-	bool operator==(const PictureSize&) const = default;
-};
-
-// From a PNG's header, which comes first.
-PictureSize sizeOf(const std::string& png)
-{
-	if (png.size() < 24 || png.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0)
-		return {};
-	const auto number = [&](std::size_t at)
-	{
-		std::uint32_t value = 0;
-		for (std::size_t i = at; i < at + 4; ++i)
-			value = value << 8 | static_cast<unsigned char>(png[i]);
-		return value;
-	};
-	return {number(16), number(20)};
-}
 
 } // namespace
 
