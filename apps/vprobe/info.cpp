@@ -1,6 +1,7 @@
 #include "base/timeline.h"
 #include "commands.h"
 #include "grid/demo.h"
+#include "grid/quality.h"
 #include "probe_options.h"
 #include "read/read.h"
 #include "slice/field_choice.h"
@@ -68,6 +69,10 @@ nlohmann::json asJson(const grid::BlockSet& blocks)
 	nlohmann::json interfaces = nlohmann::json::array();
 	for (const grid::Interface& interface : blocks.interfaces.interfaces)
 		interfaces.push_back({{"blocks", {interface.a, interface.b}}, {"faces", interface.faces}});
+	nlohmann::json overlaps = nlohmann::json::array();
+	for (const grid::BlockOverlap& overlap : grid::findBlockOverlaps(blocks))
+		overlaps.push_back(
+		    {{"blocks", {overlap.a, overlap.b}}, {"cells", overlap.cells}, {"samples", overlap.samples}});
 	const Box bounds = blocks.bounds();
 	return {{"grid",
 	         {{"kind", blocks.kind()},
@@ -79,6 +84,7 @@ nlohmann::json asJson(const grid::BlockSet& blocks)
 	          {"cells_left_out", blocks.left_out}}},
 	        {"blocks", block_list},
 	        {"interfaces", interfaces},
+	        {"overlaps", overlaps},
 	        {"seam_faces", blocks.interfaces.seam_faces},
 	        {"boundary_faces", blocks.interfaces.boundary_faces},
 	        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
@@ -95,6 +101,46 @@ std::string timesAsWords(const std::vector<double>& times)
 	return fmt::format("{:.6g} {:.6g} {:.6g} ... {:.6g}", times[0], times[1], times[2], times.back());
 }
 
+// Of many blocks, or pairs of them, the first tell enough.
+constexpr std::size_t kMostLines = 12;
+
+void printMore(std::size_t all)
+{
+	if (all > kMostLines)
+		fmt::print("        and {} more; --json lists all\n", all - kMostLines);
+}
+
+void printBlocks(const grid::BlockSet& blocks)
+{
+	if (blocks.blocks.size() == 1)
+		return;
+	for (std::size_t b = 0; b < std::min(kMostLines, blocks.blocks.size()); ++b)
+		fmt::print("block   {}: {}, {} cells\n", b, blocks.blocks[b].name,
+		           std::visit([](const auto& grid) { return grid.cellCount(); }, blocks.blocks[b].grid));
+	printMore(blocks.blocks.size());
+}
+
+void printMeetings(const grid::BlockSet& blocks)
+{
+	const grid::Interfaces& seams = blocks.interfaces;
+	if (seams.seam_faces)
+		fmt::print("seams   {} boundary faces lie on another, in {} interface{}; {} bound the domain\n",
+		           seams.seam_faces, seams.interfaces.size(), seams.interfaces.size() == 1 ? "" : "s",
+		           seams.boundary_faces);
+	for (std::size_t i = 0; i < std::min(kMostLines, seams.interfaces.size()); ++i)
+	{
+		const grid::Interface& interface = seams.interfaces[i];
+		const std::string meets = interface.a == interface.b ? "itself" : fmt::format("block {}", interface.b);
+		fmt::print("        block {} meets {} in {} faces\n", interface.a, meets, interface.faces);
+	}
+	printMore(seams.interfaces.size());
+	const std::vector<grid::BlockOverlap> overlaps = grid::findBlockOverlaps(blocks);
+	for (std::size_t i = 0; i < std::min(kMostLines, overlaps.size()); ++i)
+		fmt::print("overlap blocks {} and {} have room in common: {} of {} cells looked at\n", overlaps[i].a,
+		           overlaps[i].b, overlaps[i].cells, overlaps[i].samples);
+	printMore(overlaps.size());
+}
+
 void printTable(const grid::BlockSet& blocks)
 {
 	const Box bounds = blocks.bounds();
@@ -104,10 +150,8 @@ void printTable(const grid::BlockSet& blocks)
 		fmt::print("        cut into {} linear cells with {} points\n", blocks.cellCount(), blocks.pointCount());
 	if (blocks.left_out)
 		fmt::print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
-	if (const grid::Interfaces& seams = blocks.interfaces; seams.seam_faces)
-		fmt::print("seams   {} boundary faces lie on another, in {} interface{}; {} bound the domain\n",
-		           seams.seam_faces, seams.interfaces.size(), seams.interfaces.size() == 1 ? "" : "s",
-		           seams.boundary_faces);
+	printBlocks(blocks);
+	printMeetings(blocks);
 	fmt::print("bounds  x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n", bounds.lo.x, bounds.hi.x,
 	           bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z);
 	if (!blocks.times.empty())

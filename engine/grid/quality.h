@@ -71,4 +71,18 @@ void findTopologyFaults(const BlockSet& blocks, Quality& quality); // nonmanifol
 // spread, against all cells of all blocks. Images and rectilinear grids do not overlap themselves and are not asked.
 void findOverlaps(const BlockSet& blocks, Quality& quality);
 
+// Two blocks that have room in common.
+struct BlockOverlap
+{
+	std::uint32_t a;
+	std::uint32_t b;     // a < b
+	std::size_t cells;   // of those looked at, how many hold a point in common with the other block
+	std::size_t samples; // cells looked at, of both blocks
+};
+
+// The pairs of blocks that overlap, ascending. For each pair whose bounds have room in common up to 500 cells of
+// either, evenly spread over those within the other's bounds, are looked at as findOverlaps() does; no others cost
+// anything.
+std::vector<BlockOverlap> findBlockOverlaps(const BlockSet& blocks);
+
 } // namespace vp::grid

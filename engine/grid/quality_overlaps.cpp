@@ -1,3 +1,4 @@
+#include "grid/cell_places.h"
 #include "grid/quality.h"
 
 #include <tbb/blocked_range.h>
@@ -14,14 +15,12 @@ namespace vp::grid
 namespace
 {
 
-constexpr std::size_t kSamples = 20000; // cells a block
+constexpr std::size_t kSamples = 20000;   // cells a block
+constexpr std::size_t kPairSamples = 500; // cells of either block of a pair
 
 // Boxes over cells that follow each other, which lie together: unstructured cells run along a Morton curve.
 constexpr std::size_t kPatchCells = 16;
 constexpr std::size_t kGroupPatches = 64;
-
-// Deeper than contact, as a share of the way from a face to the cell's centre.
-constexpr double kDepth = 1e-2;
 
 bool meet(const Box& a, const Box& b)
 {
@@ -49,60 +48,14 @@ bool holds(const Box& box, const Vec3& p)
 	return glm::all(glm::lessThanEqual(box.lo, p)) && glm::all(glm::lessThanEqual(p, box.hi));
 }
 
-// The faces of a cell with the places of their points.
-struct CellPlaces
-{
-	CellFaces faces;
-	std::vector<Vec3> places;
-	Vec3 centre{0.0};
-
-	template <Grid G>
-	void fetch(const G& grid, CellId cell)
-	{
-		grid.cellFaces(cell, faces);
-		places.clear();
-		for (const PointId p : faces.points)
-			places.push_back(grid.point(p));
-		centre = cellCentre(grid, cell);
-	}
-};
-
-// Whether the point lies in one of the tetrahedra from the centre to the fans of the faces, away from the face. Cells
-// that share a face share its fan.
-bool liesInside(const CellPlaces& cell, const Vec3& point)
-{
-	constexpr double kRim = 1e-9; // between the tetrahedra
-	for (int f = 0; f < cell.faces.size(); ++f)
-	{
-		const std::span<const Vec3> face(cell.places.data() + cell.faces.starts[f], cell.faces[f].size());
-		Vec3 middle(0.0);
-		for (const Vec3& p : face)
-			middle += p / static_cast<double>(face.size());
-		for (std::size_t i = 0; i < face.size(); ++i)
-		{
-			const Vec3 a = middle - cell.centre;
-			const Vec3 b = face[i] - cell.centre;
-			const Vec3 c = face[(i + 1) % face.size()] - cell.centre;
-			const double volume = glm::dot(a, glm::cross(b, c));
-			if (volume == 0.0)
-				continue;
-			const Vec3 p = point - cell.centre;
-			const double wa = glm::dot(p, glm::cross(b, c)) / volume;
-			const double wb = glm::dot(a, glm::cross(p, c)) / volume;
-			const double wc = glm::dot(a, glm::cross(b, p)) / volume;
-			if (wa >= -kRim && wb >= -kRim && wc >= -kRim && wa + wb + wc <= 1.0 - kDepth)
-				return true;
-		}
-	}
-	return false;
-}
-
 class CellBoxes
 {
 public:
-	explicit CellBoxes(const Block& block) : block_(block)
+	// Empty where they are not wanted.
+	explicit CellBoxes(const Block& block, bool wanted = true) : block_(block)
 	{
-		std::visit([&](const auto& grid) { build(grid); }, block.grid);
+		if (wanted)
+			std::visit([&](const auto& grid) { build(grid); }, block.grid);
 	}
 
 	// Adds the cells whose boxes have room in common with `box`.
@@ -217,7 +170,54 @@ void lookAt(const BlockSet& set, const G& grid, const SetCell& cell, std::span<c
 	}
 }
 
+// Looks at cells of block a that lie within the bounds of b, and counts those that hold a point in common with one of
+// b.
+void lookBetween(const BlockSet& set, std::uint32_t a, std::uint32_t b, std::span<const CellBoxes> boxes,
+                 BlockOverlap& overlap)
+{
+	Scratch scratch;
+	std::vector<SetCell> within;
+	boxes[a].addMeeting(set.blocks[b].bounds, a, scratch.other, within);
+	const std::vector<std::uint32_t> against{b};
+	std::vector<Pair> found;
+	const std::size_t samples = std::min(kPairSamples, within.size());
+	for (std::size_t s = 0; s < samples; ++s)
+	{
+		found.clear();
+		std::visit([&](const auto& grid)
+		           { lookAt(set, grid, within[s * within.size() / samples], boxes, against, scratch, found); },
+		           set.blocks[a].grid);
+		overlap.cells += !found.empty();
+	}
+	overlap.samples += samples;
+}
+
 } // namespace
+
+std::vector<BlockOverlap> findBlockOverlaps(const BlockSet& set)
+{
+	std::vector<BlockOverlap> pairs;
+	std::vector<bool> wanted(set.blocks.size(), false);
+	for (std::uint32_t a = 0; a < set.blocks.size(); ++a)
+		for (std::uint32_t b = a + 1; b < set.blocks.size(); ++b)
+			if (meet(set.blocks[a].bounds, set.blocks[b].bounds))
+			{
+				pairs.push_back({a, b, 0, 0});
+				wanted[a] = wanted[b] = true;
+			}
+	std::vector<CellBoxes> boxes;
+	boxes.reserve(set.blocks.size());
+	for (std::size_t b = 0; b < set.blocks.size(); ++b)
+		boxes.emplace_back(set.blocks[b], wanted[b]);
+	tbb::parallel_for(std::size_t(0), pairs.size(),
+	                  [&](std::size_t p)
+	                  {
+		                  lookBetween(set, pairs[p].a, pairs[p].b, boxes, pairs[p]);
+		                  lookBetween(set, pairs[p].b, pairs[p].a, boxes, pairs[p]);
+	                  });
+	std::erase_if(pairs, [](const BlockOverlap& pair) { return pair.cells == 0; });
+	return pairs;
+}
 
 void findOverlaps(const BlockSet& set, Quality& quality)
 {

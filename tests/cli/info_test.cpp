@@ -1,6 +1,8 @@
 #include "program.h"
 #include "sample_files.h"
 
+#include <cstdlib>
+
 namespace cli
 {
 
@@ -104,6 +106,73 @@ TEST_F(Info, BlocksThatMeet)
 	EXPECT_EQ(info["seam_faces"], 108);
 	EXPECT_EQ(info["boundary_faces"], 0);
 	EXPECT_TRUE(contains(run({"info", file, file}).out, "108 boundary faces lie on another"));
+}
+
+// Three cells wide, the second image begins at x.
+TEST_F(Info, BlocksThatAbutOverlapOrAreApart)
+{
+	const std::string first = write("first.vtk", legacyImage());
+	const auto second = [&](const std::string& x)
+	{
+		std::string text = legacyImage();
+		const std::size_t at = text.find("ORIGIN 0 ");
+		EXPECT_NE(at, std::string::npos);
+		return write("second.vtk", text.replace(at, 9, "ORIGIN " + x + " "));
+	};
+	struct Case
+	{
+		const char* x;
+		int faces; // of one that lie on faces of the other
+		std::size_t overlaps;
+	};
+	for (const Case& c : {Case{"3", 9, 0}, Case{"2.5", 0, 1}, Case{"2", 12, 1}, Case{"4", 0, 0}})
+	{
+		SCOPED_TRACE(c.x);
+		const std::string other = second(c.x);
+		const nlohmann::json info = run({"info", first, other, "--json"}).json();
+		EXPECT_EQ(info["blocks"].size(), 2u);
+		ASSERT_EQ(info["interfaces"].size(), c.faces ? 1u : 0u);
+		ASSERT_EQ(info["overlaps"].size(), c.overlaps);
+		const std::string words = run({"info", first, other}).out;
+		EXPECT_TRUE(contains(words, "block   1:"));
+		EXPECT_EQ(contains(words, "block 0 meets block 1 in " + std::to_string(c.faces) + " faces"), c.faces > 0);
+		EXPECT_EQ(contains(words, "blocks 0 and 1 have room in common"), c.overlaps == 1);
+		if (c.overlaps)
+		{
+			EXPECT_EQ(info["overlaps"][0]["blocks"], nlohmann::json({0, 1}));
+			EXPECT_EQ(info["overlaps"][0]["cells"], 18); // a layer of either block
+		}
+	}
+}
+
+TEST_F(Info, OneBlockHasNothingToMeet)
+{
+	const nlohmann::json info = run({"info", "demo:mixed:4", "--json"}).json();
+	EXPECT_EQ(info["interfaces"], nlohmann::json::array());
+	EXPECT_EQ(info["overlaps"], nlohmann::json::array());
+	const std::string words = run({"info", "demo:mixed:4"}).out;
+	EXPECT_FALSE(contains(words, "block   0"));
+	EXPECT_FALSE(contains(words, "overlap"));
+}
+
+TEST_F(Info, RealSetsOfBlocks)
+{
+	const char* data = std::getenv("VPROBE_DATA");
+	if (!data)
+		GTEST_SKIP() << "VPROBE_DATA names no folder";
+	const std::string folder = std::string(data) + "/multiblock/";
+	const nlohmann::json abut = run({"info", folder + "multi_bin/multi-bin-C.xyz", "--json"}).json();
+	EXPECT_EQ(abut["blocks"].size(), 2u);
+	EXPECT_EQ(abut["interfaces"].size(), 1u);
+	EXPECT_EQ(abut["overlaps"], nlohmann::json::array());
+	const std::string comb = folder + "multicomb/multicomb_";
+	const nlohmann::json three = run({"info", comb + "0.vts", comb + "1.vts", comb + "2.vts", "--json"}).json();
+	EXPECT_EQ(three["blocks"].size(), 3u);
+	EXPECT_EQ(three["interfaces"].size(), 2u);
+	const nlohmann::json twice = run({"info", comb + "0.vts", comb + "1.vts", comb + "1.vts", "--json"}).json();
+	ASSERT_EQ(twice["overlaps"].size(), 1u);
+	EXPECT_EQ(twice["overlaps"][0]["blocks"], nlohmann::json({1, 2}));
+	EXPECT_EQ(twice["overlaps"][0]["cells"], twice["overlaps"][0]["samples"]);
 }
 
 } // namespace cli
