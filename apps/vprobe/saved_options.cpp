@@ -45,7 +45,7 @@ state::Sections sectionsOf(SavedOptions& options)
 	        {"look",
 	         {{"size", &look.size},
 	          {"samples", &look.samples},
-	          {"colormap", &look.colormap},
+	          {"colormap", state::NameOrFile{&look.colormap}},
 	          {"range", &look.range},
 	          {"log", &look.logarithmic},
 	          {"opacity", &look.opacity},

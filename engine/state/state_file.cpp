@@ -20,6 +20,11 @@ using probe::JsonReader;
 constexpr std::size_t kMostNumbers = 64; // offsets of a stack
 constexpr std::size_t kMostFiles = 100'000;
 
+bool isJson(const std::string& name)
+{
+	return name.ends_with(".json");
+}
+
 // A setting as it stands in the file; null where it is left out.
 struct Writer
 {
@@ -45,6 +50,7 @@ struct Writer
 		return names;
 	}
 	json operator()(File one) const { return one.name->empty() ? json() : json(relativeTo(file, *one.name)); }
+	json operator()(NameOrFile one) const { return isJson(*one.name) ? (*this)(File{one.name}) : (*this)(one.name); }
 	json operator()(ProbeChoice choice) const
 	{
 		if (!*choice.own)
@@ -86,6 +92,10 @@ struct Reader
 			files.names->push_back(fromState(file, from.at(i).text()));
 	}
 	void operator()(File one) const { *one.name = fromState(file, from.text()); }
+	void operator()(NameOrFile one) const
+	{
+		*one.name = isJson(from.text()) ? fromState(file, from.text()) : from.text();
+	}
 	void operator()(ProbeChoice choice) const
 	{
 		choose(choice, [&] { return probe::probeFromJson(from.value(), "", from.path()); });
@@ -160,6 +170,7 @@ struct Words
 	Texts operator()(const bool*) const { return {}; }
 	Texts operator()(Files) const { return {}; }
 	Texts operator()(File) const { return {}; }
+	Texts operator()(NameOrFile) const { return {}; }
 	Texts operator()(ProbeChoice) const { return {}; }
 	Texts operator()(PathChoice) const { return {}; }
 };

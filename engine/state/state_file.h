@@ -30,6 +30,12 @@ struct File
 	std::string* name;
 };
 
+// A built-in one's name, or a .json file's, which is kept in the same way.
+struct NameOrFile
+{
+	std::string* name;
+};
+
 // A built-in one by its name, or one of the user's making, which stands in the state whole. Read from there it is
 // `own`, and the name is empty.
 struct ProbeChoice
@@ -46,7 +52,7 @@ struct PathChoice
 // Where a setting's value lies. An empty string or vector and an absent optional are not written; a key that is left
 // out leaves the value as it is.
 using Place = std::variant<std::string*, std::optional<std::string>*, int*, std::optional<int>*, double*, bool*,
-                           std::vector<double>*, Files, File, ProbeChoice, PathChoice>;
+                           std::vector<double>*, Files, File, NameOrFile, ProbeChoice, PathChoice>;
 
 struct Setting
 {

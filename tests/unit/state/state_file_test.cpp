@@ -31,6 +31,7 @@ struct Values
 	std::vector<double> numbers;
 	std::vector<std::string> inputs;
 	std::string solution;
+	std::string colors = "turbo";
 	std::string probe = "single";
 	std::optional<probe::ProbeFile> own_probe;
 	std::string path = "translate";
@@ -49,6 +50,7 @@ struct Values
 		        {"two",
 		         {{"inputs", state::Files{&inputs}},
 		          {"solution", state::File{&solution}},
+		          {"colors", state::NameOrFile{&colors}},
 		          {"probe", state::ProbeChoice{&probe, &own_probe}},
 		          {"path", state::PathChoice{&path, &own_path}}}}};
 	}
@@ -92,6 +94,18 @@ TEST_F(StateFile, StandardValuesRoundTrip)
 	EXPECT_FALSE(read.title);
 	EXPECT_FALSE(read.count);
 	EXPECT_TRUE(read.numbers.empty());
+	EXPECT_EQ(read.colors, "turbo");
+}
+
+TEST_F(StateFile, AColourMapsFileIsRelativeToo)
+{
+	Values values;
+	values.colors = path("maps.json");
+	ASSERT_TRUE(state::save(values.sections(), path("a.json")));
+	EXPECT_NE(textOf(path("a.json")).find("\"maps.json\""), std::string::npos);
+	Values read;
+	ASSERT_TRUE(state::load(read.sections(), path("a.json")));
+	EXPECT_EQ(read.colors, path("maps.json"));
 }
 
 TEST_F(StateFile, AnyNumbersKeepEveryBit)
