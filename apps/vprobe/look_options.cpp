@@ -69,6 +69,12 @@ void addColorOptions(CLI::App& command, LookOptions& options, const char* group)
 	    ->capture_default_str()
 	    ->group(group);
 	command
+	    .add_option("--color-by", options.color_by,
+	                "array, or generation: when the traversal met a polygon's cell (--seeds hotspot shows the front)")
+	    ->check(CLI::IsMember({"array", "generation"}))
+	    ->capture_default_str()
+	    ->group(group);
+	command
 	    .add_option("--range", options.range,
 	                "Values at the ends of the colour map (default: those of the whole array)")
 	    ->expected(2)
@@ -156,6 +162,7 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 	if (!std::isfinite(options.opacity))
 		return Error{ExitCode::usage, "--opacity: nan is no opacity; give a number from 0 to 1"};
 	choice.opacity = options.opacity;
+	choice.by_generation = options.color_by == "generation";
 	look.logarithmic = options.logarithmic;
 	look.lines = options.lines;
 	look.bands = options.bands;

@@ -20,6 +20,7 @@ struct LookOptions
 	std::string size = "1280x720";
 	int samples = 8;
 	std::string colormap = "viridis";
+	std::string color_by = "array";
 	std::vector<double> range; // none, or LO and HI
 	bool logarithmic = false;
 	double opacity = 1.0;
@@ -40,9 +41,10 @@ struct LookChoice
 {
 	render::Look look;
 	render::CameraChoice camera;
-	double opacity = 1.0;    // of every sheet
-	bool captions = true;    // where the first sheet is
-	bool window_rims = true; // lines around windows
+	double opacity = 1.0;       // of every sheet
+	bool by_generation = false; // colours tell when the traversal met a cell, instead of the array
+	bool captions = true;       // where the first sheet is
+	bool window_rims = true;    // lines around windows
 };
 
 // What can be wrong on the command line is told before a large file is read.

@@ -1,6 +1,7 @@
 #include "painter.h"
 
 #include "render/color_map_file.h"
+#include "slice/generations.h"
 #include "slice/gpu_records.h"
 #include "slice/host_records.h"
 
@@ -39,15 +40,26 @@ void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
 // A sheet's polygons where they lie: records that the GPU classifier left in device memory, or the CPU's mesh put
 // there.
 Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const Session& session, const slice::SheetSlice& sheet,
-                                                             const SheetStats& stats)
+                                                             const SheetStats& stats, bool by_generation)
 {
-	if (sheet.records)
+	if (sheet.records && !by_generation)
 		return std::shared_ptr<const slice::SheetRecords>(sheet.records);
-	const auto host = slice::recordsFromMesh(session.blocks, sheet.sheet, stats.mesh, sheet.field);
+	const auto host =
+	    by_generation ? slice::recordsFromMesh(sheet.sheet, stats.mesh, slice::polygonGenerations(sheet, stats.mesh))
+	                  : slice::recordsFromMesh(session.blocks, sheet.sheet, stats.mesh, sheet.field);
 	auto made = slice::recordsFromHost(slice::RecordPool::create(*session.device), host);
 	if (!made)
 		return made.error();
 	return std::shared_ptr<const slice::SheetRecords>(std::move(*made));
+}
+
+render::ValueScale generationScale(const slice::Slice& slice)
+{
+	std::size_t generations = 2; // a scale has two ends
+	for (const slice::SheetSlice& sheet : slice.sheets)
+		for (const traverse::LaneCut& cut : sheet.cuts)
+			generations = std::max(generations, cut.generations());
+	return {.title = "generation", .hi = static_cast<double>(generations - 1), .per_cell = true, .log_lo = 1.0};
 }
 
 } // namespace
@@ -98,7 +110,8 @@ Result<std::optional<render::ValueScale>> Painter::scaleOf(const std::optional<s
 
 Result<render::SheetDrawing> Painter::drawing(const slice::SheetSlice& sheet, const SheetStats& stats)
 {
-	Result<std::shared_ptr<const slice::SheetRecords>> records = recordsOf(session_, sheet, stats);
+	Result<std::shared_ptr<const slice::SheetRecords>> records =
+	    recordsOf(session_, sheet, stats, choice_.by_generation);
 	if (!records)
 		return records.error();
 	const probe::SheetWishes& wishes = sheet.shown.wishes;
@@ -107,7 +120,7 @@ Result<render::SheetDrawing> Painter::drawing(const slice::SheetSlice& sheet, co
 	if (const std::optional<probe::Window>& window = sheet.sheet.window)
 		drawing.window = render::WindowRect{window->x0, window->x1, window->y0, window->y1};
 	drawing.rim = choice_.window_rims;
-	if (sheet.field != session_.field)
+	if (sheet.field != session_.field && !choice_.by_generation)
 	{
 		auto scale = scaleOf(sheet.field, hasNan(stats));
 		if (!scale)
@@ -139,10 +152,15 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 	scene.outline = outline_;
 	scene.bounds = session_.blocks.bounds();
 	scene.fitted = choice_.camera.kind != render::CameraChoice::Kind::fixed;
-	auto scale = scaleOf(session_.field, std::ranges::any_of(sheets, hasNan));
-	if (!scale)
-		return scale.error();
-	scene.values = *scale;
+	if (choice_.by_generation)
+		scene.values = generationScale(slice);
+	else
+	{
+		auto scale = scaleOf(session_.field, std::ranges::any_of(sheets, hasNan));
+		if (!scale)
+			return scale.error();
+		scene.values = *scale;
+	}
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
 		Result<render::SheetDrawing> made = drawing(slice.sheets[s], sheets[s]);

@@ -46,6 +46,7 @@ state::Sections sectionsOf(SavedOptions& options)
 	         {{"size", &look.size},
 	          {"samples", &look.samples},
 	          {"colormap", state::NameOrFile{&look.colormap}},
+	          {"color_by", &look.color_by},
 	          {"range", &look.range},
 	          {"log", &look.logarithmic},
 	          {"opacity", &look.opacity},

@@ -65,6 +65,30 @@ private:
 	std::vector<std::uint32_t> whole_;
 };
 
+// valueOf(polygon, vertex), at its corners.
+template <class Values>
+std::vector<shared::PolygonRecord> makeRecords(const probe::Sheet& sheet, const SheetMesh& mesh, const Values& valueOf)
+{
+	const Vec3 x_axis = sheet.xAxis();
+	RecordMaker maker;
+	maker.records.reserve(mesh.polygons());
+	std::vector<glm::dvec2> places;
+	std::vector<float> values;
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		places.clear();
+		values.clear();
+		for (const std::uint32_t v : mesh.polygon(p))
+		{
+			const Vec3 from_origin = mesh.positions[v] - sheet.origin;
+			places.emplace_back(glm::dot(from_origin, x_axis), glm::dot(from_origin, sheet.up));
+			values.push_back(valueOf(p, v));
+		}
+		maker.add(mesh.polygon_cells[p].cell, places, values);
+	}
+	return std::move(maker.records);
+}
+
 } // namespace
 
 std::vector<shared::PolygonRecord> recordsFromMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet,
@@ -81,30 +105,22 @@ std::vector<shared::PolygonRecord> recordsFromMesh(const grid::BlockSet& blocks,
 			vertex_values.push_back(drawnValue(vertexValue(blocks, mesh, v, fields, field->component)));
 	}
 
-	const Vec3 x_axis = sheet.xAxis();
-	RecordMaker maker;
-	maker.records.reserve(mesh.polygons());
-	std::vector<glm::dvec2> places;
-	std::vector<float> values;
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-	{
-		const auto [b, cell] = mesh.polygon_cells[p];
-		float polygon_value = no_array;
-		if (field && !on_points)
-			if (const grid::Field* of_block = field->in(blocks.blocks[b]))
-				polygon_value = drawnValue(cellValue(blocks.blocks[b], *of_block, field->component, cell));
+	return makeRecords(sheet, mesh,
+	                   [&](std::size_t p, std::uint32_t v)
+	                   {
+		                   if (on_points)
+			                   return vertex_values[v];
+		                   const auto [b, cell] = mesh.polygon_cells[p];
+		                   const grid::Field* of_block = field ? field->in(blocks.blocks[b]) : nullptr;
+		                   return of_block ? drawnValue(cellValue(blocks.blocks[b], *of_block, field->component, cell))
+		                                   : no_array;
+	                   });
+}
 
-		places.clear();
-		values.clear();
-		for (const std::uint32_t v : mesh.polygon(p))
-		{
-			const Vec3 from_origin = mesh.positions[v] - sheet.origin;
-			places.emplace_back(glm::dot(from_origin, x_axis), glm::dot(from_origin, sheet.up));
-			values.push_back(on_points ? vertex_values[v] : polygon_value);
-		}
-		maker.add(cell, places, values);
-	}
-	return std::move(maker.records);
+std::vector<shared::PolygonRecord> recordsFromMesh(const probe::Sheet& sheet, const SheetMesh& mesh,
+                                                   std::span<const double> polygon_values)
+{
+	return makeRecords(sheet, mesh, [&](std::size_t p, std::uint32_t) { return drawnValue(polygon_values[p]); });
 }
 
 traverse::LaneCut walkedCells(const traverse::LaneCut& cut)

@@ -7,6 +7,7 @@
 #include "slice/mesh.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace vp::slice
@@ -17,6 +18,10 @@ namespace vp::slice
 // into fans that cover it and nothing else (polygon_fans.h).
 std::vector<shared::PolygonRecord> recordsFromMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet,
                                                    const SheetMesh& mesh, const std::optional<FieldChoice>& field);
+
+// The same with a value for each polygon of the mesh, NaN where there is none.
+std::vector<shared::PolygonRecord> recordsFromMesh(const probe::Sheet& sheet, const SheetMesh& mesh,
+                                                   std::span<const double> polygon_values);
 
 // The cells of a cut that the CPU walked: those whose records the GPU left empty.
 traverse::LaneCut walkedCells(const traverse::LaneCut& cut);

@@ -148,6 +148,22 @@ TEST_F(Render, LogarithmicColors)
 	EXPECT_FALSE(std::filesystem::exists(path("out.png")));
 }
 
+// It is the traversal's own: the same whoever classifies.
+TEST_F(Render, ColoursOfGenerations)
+{
+	const auto picture = [&](const Arguments& options)
+	{
+		const std::string name = path("out.png");
+		EXPECT_TRUE(isQuiet(render(Arguments{"-o", name, "--size", "200x120"} + options))) << options.front();
+		return contents(name);
+	};
+	const Arguments by{"--color-by", "generation", "--seeds", "hotspot", "--origin", "0", "2", "0"};
+	const std::string gpu = picture(by + Arguments{"--classify", "gpu"});
+	EXPECT_TRUE(gpu == picture(by + Arguments{"--classify", "cpu"}));
+	EXPECT_TRUE(gpu != picture({"--seeds", "hotspot", "--origin", "0", "2", "0"}));
+	EXPECT_TRUE(gpu != picture({"--color-by", "generation", "--origin", "0", "2", "0"}));
+}
+
 TEST_F(Render, PlaneThatMissesTheGrid)
 {
 	const Outcome outcome = run({"render", "demo:shell:8", "--origin", "100", "0", "0", "--normal", "x", "-o",
