@@ -229,6 +229,8 @@ uint fetchCell(uint cell, out uint case_start)
 // Data linear along the edge; an end that has no part in the vertex does not bring its NaN to it.
 float alongEdge(float from, float to, float t)
 {
+	if (lane.nearest != 0u)
+		return t < 0.5 ? from : t > 0.5 ? to : min(from, to);
 	precise float between = max(from, to) >= kNanValue ? kNanValue : from + t * (to - from);
 	return t == 0.0 ? from : t == 1.0 ? to : between;
 }

@@ -99,6 +99,8 @@ std::size_t pointsOf(const Block& block)
 
 void finishBlock(Block& block)
 {
+	for (Field& field : block.fields)
+		field.categorical = namesCategories(field);
 	std::visit(
 	    [&](const auto& grid)
 	    {

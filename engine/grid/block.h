@@ -39,7 +39,7 @@ struct Block
 	std::shared_ptr<LazyBlockTree> tree; // over all cells, for treeOf()
 };
 
-// Bounds, boundary index, vantage points and inverted cells, on all cores.
+// Categorical fields, bounds, boundary index, vantage points and inverted cells, on all cores.
 void finishBlock(Block& block);
 
 // The block tree over all cells, built when it is asked for first (see BlockTree for time and memory). Thread safe;

@@ -4,6 +4,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -84,6 +85,32 @@ struct MinMax
 	}
 };
 
+bool isLower(char c)
+{
+	return c >= 'a' && c <= 'z';
+}
+
+bool isUpper(char c)
+{
+	return c >= 'A' && c <= 'Z';
+}
+
+// In lower case: GlobalNodeId, GLOBAL_NODE_ID and "global node id" are three words each.
+std::vector<std::string> wordsOf(const std::string& name)
+{
+	std::vector<std::string> words(1);
+	for (std::size_t i = 0; i < name.size(); ++i)
+	{
+		const char c = name[i];
+		const bool starts = isUpper(c) && i > 0 && isLower(name[i - 1]);
+		if (starts || (!isLower(c) && !isUpper(c)))
+			words.emplace_back();
+		if (isLower(c) || isUpper(c))
+			words.back() += static_cast<char>(isUpper(c) ? c - 'A' + 'a' : c);
+	}
+	return words;
+}
+
 } // namespace
 
 std::size_t byteSize(NumberType type)
@@ -114,14 +141,41 @@ double Field::value(std::size_t tuple, int component) const
 	return withType(type, [&](auto number) { return load<decltype(number)>(bytes.data(), index); });
 }
 
+bool namesCategories(const Field& field)
+{
+	constexpr std::array<std::string_view, 18> kWords{
+	    "id",    "ids",      "material",   "materials", "label",        "labels",    "region", "regions", "zone",
+	    "zones", "category", "categories", "segment",   "segmentation", "partition", "flag",   "flags",   "type"};
+	if (field.type == NumberType::float32 || field.type == NumberType::float64)
+		return false;
+	const std::vector<std::string> words = wordsOf(field.name);
+	return std::ranges::any_of(words, [&](const std::string& word) { return std::ranges::count(kWords, word) > 0; });
+}
+
+void storeNumber(NumberType type, double value, std::byte* at)
+{
+	withType(type,
+	         [&](auto number)
+	         {
+		         using T = decltype(number);
+		         number = std::is_integral_v<T> && std::isnan(value) ? T{} : static_cast<T>(value);
+		         std::memcpy(at, &number, sizeof(T));
+		         return 0;
+	         });
+}
+
 template <class T>
 Field makeField(std::string name, Association association, int components, std::vector<T> values)
 {
 	auto owned = std::make_shared<const std::vector<T>>(std::move(values));
 	const auto* bytes = reinterpret_cast<const std::byte*>(owned->data());
 	const std::size_t size = owned->size() * sizeof(T);
-	return {std::move(name), association, components, numberTypeOf<T>(),
-	        Array<std::byte>(std::move(owned), bytes, size)};
+	return {std::move(name),
+	        association,
+	        components,
+	        numberTypeOf<T>(),
+	        Array<std::byte>(std::move(owned), bytes, size),
+	        false};
 }
 
 template Field makeField(std::string, Association, int, std::vector<std::int8_t>);

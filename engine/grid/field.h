@@ -46,10 +46,19 @@ struct Field
 	int components = 1;
 	NumberType type = NumberType::float32;
 	Array<std::byte> bytes;
+	bool categorical = false; // see namesCategories(); set by finishBlock()
 
 	std::size_t tuples() const;
 	double value(std::size_t tuple, int component) const; // bounds are the caller's
 };
+
+// Whether the numbers of an array are names, with nothing in between: of integer type, and called so. One of the words
+// of its name (parted by signs, digits and capitals) is id, ids, material, materials, label, labels,
+// region, regions, zone, zones, category, categories, segment, segmentation, partition, flag, flags or type.
+bool namesCategories(const Field& field);
+
+// Writes a number of the type; integers are rounded towards zero, and NaN as an integer is 0.
+void storeNumber(NumberType type, double value, std::byte* at);
 
 template <class T>
 Field makeField(std::string name, Association association, int components, std::vector<T> values);

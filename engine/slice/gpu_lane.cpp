@@ -160,6 +160,7 @@ shared::ClassifyLane describeLane(const grid::Block& block, const GpuBlock& on_d
 			lane.inexact_mask |= 1u << (shared::kFixedInexactShift + axis);
 	for (int shape = 0; shape < grid::kTableShapes; ++shape)
 		lane.table_start[shape] = cases::caseTableStart(static_cast<grid::CellShape>(shape));
+	lane.nearest = values.nearest;
 	lane.tuple_texels = values.tuple_texels;
 	// Without an array there is nothing to miss; a block that lacks the shown array has no value there.
 	lane.no_value = field_chosen ? shared::kNanValue : 0.0f;

@@ -200,6 +200,7 @@ Result<GpuValues> uploadValues(gpu::Device& device, const grid::Block& block, co
 		made.kind = tuple ? shared::kValuesPointTuple : shared::kValuesPoint;
 	else
 		made.kind = tuple ? shared::kValuesCellTuple : shared::kValuesCell;
+	made.nearest = field->categorical;
 	made.tuple_texels = tupleTexels(field->components);
 
 	const auto upload = [&](const auto& grid)

@@ -38,6 +38,7 @@ struct GpuValues
 {
 	std::uint32_t kind = 0;         // kValuesNone …
 	std::uint32_t tuple_texels = 0; // a tuple takes so many texels of four numbers
+	bool nearest = false;           // categorical
 	GpuTexels texels;
 };
 

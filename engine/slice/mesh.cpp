@@ -240,6 +240,8 @@ double interpolate(const grid::Block& block, const grid::Field& field, int compo
 		                  if (at.t == 0.0)
 			                  return a;
 		                  const double b = field.value(sources.second, c);
+		                  if (field.categorical)
+			                  return at.t < 0.5 ? a : at.t > 0.5 ? b : std::min(a, b);
 		                  return at.t == 1.0 ? b : a + at.t * (b - a);
 	                  });
 }
@@ -259,6 +261,7 @@ double vertexValue(const grid::BlockSet& blocks, const SheetMesh& mesh, std::siz
 	const auto componentAt = [&](int c)
 	{
 		double sum = 0.0;
+		double most = 0.0;
 		for (const PointShare& share : mesh.rimShares(vertex))
 		{
 			const grid::Field* field = fields[share.block];
@@ -267,7 +270,14 @@ double vertexValue(const grid::BlockSet& blocks, const SheetMesh& mesh, std::siz
 			components = field->components;
 			const auto source = std::visit([&](const auto& grid) { return std::size_t(grid.sourcePoint(share.point)); },
 			                               blocks.blocks[share.block].grid);
-			sum += share.weight * field->value(source, c);
+			const double value = field->value(source, c);
+			if (!field->categorical)
+				sum += share.weight * value;
+			else if (share.weight > most)
+			{
+				most = share.weight;
+				sum = value;
+			}
 		}
 		return sum;
 	};

@@ -87,8 +87,9 @@ Vec3 doubleArea(const SheetMesh& mesh, std::span<const std::uint32_t> polygon);
 // Drops the vertices that no polygon uses.
 void dropUnusedVertices(SheetMesh& mesh);
 
-// The value of a point field at a vertex: linear along the edge, from the lower point. component may be
-// grid::kMagnitude: the length of the interpolated tuple.
+// The value of a point field at a vertex: linear along the edge, from the lower point; of a categorical one the value
+// at the nearer end, in the middle the lesser of the two. component may be grid::kMagnitude: the length of the
+// interpolated tuple.
 double interpolate(const grid::Block& block, const grid::Field& field, int component, const EdgePoint& at);
 
 // The same for any vertex of a mesh. fields: per block, null where a block lacks it; NaN then.

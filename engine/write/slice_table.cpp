@@ -23,6 +23,7 @@ struct Source
 	std::string name;
 	int components = 0;
 	NumberType type;
+	bool categorical; // in every block, of one type
 	std::vector<const grid::Field*> per_block;
 };
 
@@ -38,13 +39,14 @@ std::vector<Source> sourcesOf(const grid::BlockSet& blocks, Association associat
 			    std::find_if(sources.begin(), sources.end(), [&](const Source& s) { return s.name == field.name; });
 			if (source == sources.end())
 			{
-				source = sources.insert(source, {field.name, 0, field.type, {}});
+				source = sources.insert(source, {field.name, 0, field.type, field.categorical, {}});
 				source->per_block.resize(blocks.blocks.size());
 			}
 			if (source->per_block[b])
 				continue; // a second array of the name: the first is the one that --array finds
 			source->per_block[b] = &field;
 			source->components = std::max(source->components, field.components);
+			source->categorical = source->categorical && field.categorical && source->type == field.type;
 			if (source->type != field.type)
 				source->type = NumberType::float64;
 		}
@@ -56,28 +58,25 @@ bool isFloat(NumberType type)
 	return type == NumberType::float32 || type == NumberType::float64;
 }
 
-NumberType interpolatedType(NumberType source)
+NumberType interpolatedType(const Source& array)
 {
+	const NumberType source = array.type;
+	if (array.categorical)
+		return source;
 	const bool fits = source == NumberType::float32 || grid::byteSize(source) <= 2;
 	return fits ? NumberType::float32 : NumberType::float64;
 }
 
 std::byte* put(std::byte* at, NumberType type, double value)
 {
-	if (type == NumberType::float64)
-	{
-		std::memcpy(at, &value, sizeof(value));
-		return at + sizeof(value);
-	}
-	const auto number = static_cast<float>(value);
-	std::memcpy(at, &number, sizeof(number));
-	return at + sizeof(number);
+	grid::storeNumber(type, value, at);
+	return at + grid::byteSize(type);
 }
 
 Column vertexColumn(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const Source& source,
                     std::size_t vertices)
 {
-	Column column{source.name, source.components, interpolatedType(source.type), {}};
+	Column column{source.name, source.components, interpolatedType(source), {}};
 	column.bytes.resize(vertices * source.components * grid::byteSize(column.type));
 	std::byte* at = column.bytes.data();
 	for (const slice::SheetMesh& mesh : meshes)

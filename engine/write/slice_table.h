@@ -43,8 +43,8 @@ struct SliceTable
 };
 
 // An array is known by its name and association. Where blocks hold it in different types it is float64, and as wide as
-// the widest. Interpolated values are float32 for sources that fit (float32, integers of up to 16 bits), else float64.
-// meshes[i] is sheet first_sheet + i.
+// the widest. Interpolated values are float32 for sources that fit (float32, integers of up to 16 bits), else float64;
+// of a categorical array, which is not interpolated, they keep its type. meshes[i] is sheet first_sheet + i.
 SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes,
                     std::size_t first_sheet = 0);
 

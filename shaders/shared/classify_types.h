@@ -76,6 +76,7 @@ struct ClassifyLane
 	uint tuple_texels;   // a point or cell, of four numbers each
 	float no_value;
 	uint flipped; // 1: the plane's normal is not the sheet's, so the polygons turn the other way
+	uint nearest; // 1: a vertex takes the value of the nearer end of its edge
 };
 
 struct ClassifyPush

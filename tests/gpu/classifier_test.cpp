@@ -164,6 +164,27 @@ TEST_F(GpuClassifier, ShowsAnyArray)
 	}
 }
 
+TEST_F(GpuClassifier, CategoriesAreNotInterpolated)
+{
+	grid::Block block = gridNamed("shell");
+	const std::size_t points = visitGrid(block, [](const auto& grid) { return grid.pointCount(); });
+	std::vector<std::int32_t> materials(points);
+	for (std::size_t i = 0; i < points; ++i)
+		materials[i] = static_cast<std::int32_t>(i * 7 % 10);
+	block.fields.push_back(grid::makeField("material", grid::Association::point, 1, std::move(materials)));
+	grid::finishBlock(block);
+	grid::BlockSet set;
+	set.blocks.push_back(std::move(block));
+	const auto blocks = upload(device(), set);
+	const probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {1, 0.3, 0.4});
+	for (const int component : {0, grid::kMagnitude})
+	{
+		const CutBothWays cut = cutBothWays(*blocks, std::span(&sheet, 1), pointField("material", component));
+		expectSameCells(cut);
+		expectRecords(set, std::span(&sheet, 1), pointField("material", component), cut);
+	}
+}
+
 TEST_F(GpuClassifier, NanAndInfiniteDataKeepTheirMarks)
 {
 	grid::Block block = gridNamed("blob");

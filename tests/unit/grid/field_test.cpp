@@ -35,6 +35,33 @@ TYPED_TEST(FieldOf, KeepsItsNumbers)
 	EXPECT_NE(name.find(std::to_string(8 * sizeof(TypeParam))), std::string::npos) << name;
 }
 
+TEST(Field, NamesTellCategories)
+{
+	const auto integers = [](const char* name)
+	{ return namesCategories(makeField<std::int32_t>(name, Association::point, 1, {1})); };
+	for (const char* name : {"GlobalNodeId", "vtkOriginalPointIds", "GLOBAL_IDS_POINTS", "material", "MaterialID",
+	                         "zone 3", "region-2", "vtkGhostType", "id", "Id"})
+		EXPECT_TRUE(integers(name)) << name;
+	for (const char* name : {"", "solid", "fluid", "ImageScalars", "density", "width", "valid", "regional", "PID"})
+		EXPECT_FALSE(integers(name)) << name;
+	EXPECT_FALSE(namesCategories(makeField<float>("material", Association::point, 1, {1.0f})));
+	EXPECT_TRUE(namesCategories(makeField<std::uint8_t>("labels", Association::cell, 1, {1})));
+}
+
+TYPED_TEST(FieldOf, StoresItsNumbers)
+{
+	const Field field = makeField<TypeParam>("f", Association::point, 1, {0});
+	TypeParam number{1};
+	storeNumber(field.type, 42.0, reinterpret_cast<std::byte*>(&number));
+	EXPECT_EQ(number, TypeParam{42});
+	storeNumber(field.type, kNan, reinterpret_cast<std::byte*>(&number));
+	EXPECT_EQ(std::isnan(static_cast<double>(number)), std::is_floating_point_v<TypeParam>);
+	if (std::is_integral_v<TypeParam>)
+	{
+		EXPECT_EQ(number, TypeParam{0});
+	}
+}
+
 TEST(Field, RangeLeavesNanOut)
 {
 	const Field field = makeField<double>("f", Association::point, 1, {kNan, 3.0, -2.0, kNan});

@@ -167,6 +167,36 @@ TEST(Measure, AnEndWithoutPartDoesNotBringItsNan)
 	EXPECT_TRUE(std::isnan(slice::interpolate(block, field, 0, {0, 0, 1, 1.0})));
 }
 
+TEST(Measure, CategoriesAreNotInterpolated)
+{
+	grid::Block block;
+	block.grid = grid::UniformGrid({2, 2, 2}, Vec3(0.0), Vec3(1.0));
+	block.fields.push_back(
+	    grid::makeField<std::int32_t>("material", grid::Association::point, 1, {7, 3, 7, 3, 7, 3, 7, 3}));
+	grid::finishBlock(block);
+	const grid::Field& material = block.fields[0];
+	EXPECT_EQ(slice::interpolate(block, material, 0, {0, 0, 1, 0.0}), 7.0);
+	EXPECT_EQ(slice::interpolate(block, material, 0, {0, 0, 1, 0.49}), 7.0);
+	EXPECT_EQ(slice::interpolate(block, material, 0, {0, 0, 1, 0.51}), 3.0);
+	EXPECT_EQ(slice::interpolate(block, material, 0, {0, 0, 1, 0.5}), 3.0); // the lesser, from either side
+	EXPECT_EQ(slice::interpolate(block, material, 0, {0, 1, 2, 0.5}), 3.0);
+
+	// In the middle of a window's rim too.
+	const grid::BlockSet set = setOf(block);
+	slice::Slicer slicer(set);
+	slice::SliceRequest request;
+	request.probe.sheets = {probe::makeSheet({0.4, 0.4, 0.4}, {0.3, 0.5, 0.81})};
+	request.probe.sheets[0].window = probe::Window{-0.25, 0.2, -0.15, 0.2};
+	const slice::SheetMesh mesh = slicer.cut(request).value().mesh(set, 0);
+	ASSERT_GT(mesh.positions.size(), mesh.edges.size());
+	const slice::FieldChoice choice{"material", grid::Association::point, 0};
+	for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+	{
+		const double value = slice::vertexValue(set, mesh, v, choice.inEach(set), 0);
+		EXPECT_TRUE(value == 3.0 || value == 7.0) << value;
+	}
+}
+
 // Over a flat sheet the mean of a linear field is its value at the centroid.
 TEST(Measure, TheMeanOfALinearFieldIsItsValueAtTheCentroid)
 {

@@ -112,6 +112,27 @@ TEST_F(VtpTest, InterpolatesPointArrays)
 		}
 }
 
+TEST_F(VtpTest, KeepsTheTypeOfCategories)
+{
+	for (grid::Block& block : sample_.blocks.blocks)
+	{
+		const std::size_t points = std::visit([](const auto& grid) { return grid.pointCount(); }, block.grid);
+		std::vector<std::int64_t> ids(points);
+		for (std::size_t p = 0; p < points; ++p)
+			ids[p] = static_cast<std::int64_t>(1000 * p);
+		block.fields.push_back(grid::makeField("GlobalNodeId", grid::Association::point, 1, std::move(ids)));
+		grid::finishBlock(block);
+	}
+	ASSERT_TRUE(write::writeSlice(sample_.blocks, sample_.meshes, folder_ / "cut.vtp"));
+	read(folder_ / "cut.vtp");
+	vtkDataArray* ids = pointArray("GlobalNodeId");
+	ASSERT_TRUE(ids);
+	EXPECT_EQ(ids->GetDataTypeSize(), 8);
+	EXPECT_NE(ids->GetDataType(), VTK_DOUBLE);
+	for (vtkIdType v = 0; v < ids->GetNumberOfTuples(); ++v)
+		EXPECT_EQ(std::fmod(ids->GetTuple1(v), 1000.0), 0.0);
+}
+
 TEST_F(VtpTest, KeepsCellArrays)
 {
 	ASSERT_TRUE(write::writeSlice(sample_.blocks, sample_.meshes, folder_ / "cut.vtp"));
