@@ -1,6 +1,6 @@
 #include "commands.h"
 #include "grid/quality.h"
-#include "probe_options.h"
+#include "session.h"
 #include "slice/integrity.h"
 #include "write/marked_cells.h"
 

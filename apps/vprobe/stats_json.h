@@ -1,6 +1,6 @@
 #pragma once
 
-#include "probe_options.h"
+#include "session.h"
 #include "slice/stats.h"
 
 #include <nlohmann/json.hpp>

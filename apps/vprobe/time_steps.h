@@ -1,7 +1,7 @@
 #pragma once
 
 #include "painter.h"
-#include "probe_options.h"
+#include "session.h"
 
 #include <optional>
 #include <vector>

@@ -97,10 +97,16 @@ std::size_t pointsOf(const Block& block)
 
 } // namespace
 
-void finishBlock(Block& block)
+void replaceFields(Block& block, std::vector<Field> fields)
 {
+	block.fields = std::move(fields);
 	for (Field& field : block.fields)
 		field.categorical = namesCategories(field);
+}
+
+void finishBlock(Block& block)
+{
+	replaceFields(block, std::move(block.fields));
 	std::visit(
 	    [&](const auto& grid)
 	    {

@@ -9,8 +9,8 @@
 #include "grid/structured.h"
 #include "grid/unstructured.h"
 
-#include <memory>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -41,6 +41,9 @@ struct Block
 
 // Categorical fields, bounds, boundary index, vantage points and inverted cells, on all cores.
 void finishBlock(Block& block);
+
+// Other values over the same grid, as at another time.
+void replaceFields(Block& block, std::vector<Field> fields);
 
 // The block tree over all cells, built when it is asked for first (see BlockTree for time and memory). Thread safe;
 // copies of a block share it. finishBlock() has been called.

@@ -46,7 +46,7 @@ struct Field
 	int components = 1;
 	NumberType type = NumberType::float32;
 	Array<std::byte> bytes;
-	bool categorical = false; // see namesCategories(); set by finishBlock()
+	bool categorical = false; // see namesCategories(); set where a block takes its fields
 
 	std::size_t tuples() const;
 	double value(std::size_t tuple, int component) const; // bounds are the caller's

@@ -133,7 +133,7 @@ Result<bool> readValues(const std::vector<std::string>& inputs, const ReadOption
 	if (fields.size() != set.blocks.size())
 		return false;
 	for (std::size_t b = 0; b < fields.size(); ++b)
-		set.blocks[b].fields = std::move(fields[b]);
+		grid::replaceFields(set.blocks[b], std::move(fields[b]));
 	return true;
 }
 

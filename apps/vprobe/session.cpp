@@ -1,0 +1,214 @@
+#include "session.h"
+
+#include "base/log.h"
+#include "base/progress.h"
+#include "make_probe.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+
+namespace vp::app
+{
+
+namespace
+{
+
+// tbb's limit holds as long as its object lives, and the program needs it to the end.
+void limitThreads(int threads)
+{
+	static std::unique_ptr<tbb::global_control> limit;
+	if (threads > 0)
+		limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
+}
+
+Result<std::optional<slice::Threshold>> parseThreshold(const std::vector<double>& numbers)
+{
+	if (numbers.empty())
+		return std::optional<slice::Threshold>();
+	if (Status finite = requireFinite(numbers, "--threshold"); !finite)
+		return finite.error();
+	if (numbers[0] > numbers[1])
+		return Error{ExitCode::usage, fmt::format("--threshold {} {}: LO is above HI; give the lower value first",
+		                                          numbers[0], numbers[1])};
+	return std::optional(slice::Threshold{numbers[0], numbers[1]});
+}
+
+seed::SeedOptions seedOptions(const ProbeOptions& options)
+{
+	seed::SeedOptions seeds;
+	seeds.mode = options.seeds == "hotspot"    ? seed::SeedMode::hotspot
+	             : options.seeds == "boundary" ? seed::SeedMode::boundary
+	                                           : seed::SeedMode::automatic;
+	seeds.outside = options.outside == "refuse"   ? seed::OutsidePolicy::refuse
+	                : options.outside == "report" ? seed::OutsidePolicy::report
+	                                              : seed::OutsidePolicy::nearest;
+	return seeds;
+}
+
+// Of sheets that wish for an array of their own.
+Status chooseSheetFields(const ProbeOptions& options, Session& session)
+{
+	for (const probe::Sheet& sheet : session.probe.sheets)
+	{
+		const probe::SheetWishes& wishes = sheet.wishes;
+		if (!wishes.array && !wishes.component)
+		{
+			session.sheet_fields.push_back(session.field);
+			continue;
+		}
+		Result<std::optional<slice::FieldChoice>> field = slice::chooseField(
+		    session.blocks, wishes.array.value_or(options.array), wishes.component.value_or(options.component));
+		if (!field)
+			return field.error();
+		session.sheet_fields.push_back(*field);
+	}
+	return Nothing{};
+}
+
+// The device, where one is wanted. None is an error for drawing, and for a GPU classifier that was asked for by name;
+// otherwise the CPU goes on, with a word.
+Result<std::unique_ptr<gpu::Device>> openDevice(const ProbeOptions& options, DeviceUse use)
+{
+	if (use == DeviceUse::classify && options.classify == "cpu")
+		return std::unique_ptr<gpu::Device>();
+	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({.name_or_index = options.device});
+	const bool needed =
+	    use == DeviceUse::draw || (options.classify == "gpu" && options.classify_given) || !options.device.empty();
+	if (device || needed)
+		return device;
+	if (options.classify == "gpu")
+		warn("{}; the CPU classifies instead", device.error().message);
+	return std::unique_ptr<gpu::Device>();
+}
+
+// auto takes what was measured to be faster (docs/PERFORMANCE.md): a software device classifies a front on the same
+// cores as the CPU does, and pays for the round trip on top.
+bool classifiesOnGpu(const ProbeOptions& options, const gpu::Device* device)
+{
+	if (!device || options.classify == "cpu")
+		return false;
+	return options.classify == "gpu" || !device->isSoftware();
+}
+
+} // namespace
+
+read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time)
+{
+	return {time, options.solution, options.refine, options.displace};
+}
+
+Status makeSlicer(Session& session, const ProbeOptions& options)
+{
+	if (!classifiesOnGpu(options, session.device.get()))
+	{
+		session.slicer = std::make_unique<slice::Slicer>(session.blocks);
+		return Nothing{};
+	}
+	const Progress progress("uploading");
+	Result<std::unique_ptr<slice::Slicer>> slicer =
+	    slice::Slicer::onDevice(*session.device, session.blocks, session.field, session.timeline.get());
+	if (!slicer)
+		return slicer.error();
+	session.slicer = std::move(*slicer);
+	return Nothing{};
+}
+
+Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use)
+{
+	limitThreads(options.threads);
+	auto session = std::make_unique<Session>();
+	session->timeline = std::make_unique<Timeline>();
+	session->seeds = seedOptions(options);
+	session->corners = options.corners == "skip" ? slice::Corners::skip : slice::Corners::keep;
+
+	Result<read::TimeChoice> time = read::parseTime(options.time);
+	if (!time)
+		return time.error();
+	// What can be wrong on the command line is told before a large file is read.
+	if (Status fits = checkProbeOptions(options); !fits)
+		return fits.error();
+	Result<std::optional<slice::Threshold>> threshold = parseThreshold(options.threshold);
+	if (!threshold)
+		return threshold.error();
+	session->threshold = *threshold;
+	Result<grid::BlockSet> blocks = [&]
+	{
+		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
+		return read::readInputs(options.inputs, readOptions(options, *time), session->timeline.get());
+	}();
+	if (!blocks)
+		return blocks.error();
+	session->blocks = std::move(*blocks);
+	Result<std::optional<slice::FieldChoice>> field =
+	    slice::chooseField(session->blocks, options.array, options.component);
+	if (!field)
+		return field.error();
+	session->field = *field;
+	if (session->threshold && !session->field)
+		return Error{ExitCode::input, fmt::format("{}: has no array for --threshold to look at; leave the option out",
+		                                          options.inputs.front())};
+	Result<probe::Probe> probe = makeProbe(options, session->blocks.bounds());
+	if (!probe)
+		return probe.error();
+	session->probe = *probe;
+	std::erase_if(session->probe.sheets, [](const probe::Sheet& sheet) { return sheet.wishes.hidden; });
+	if (Status chosen = chooseSheetFields(options, *session); !chosen)
+		return chosen.error();
+
+	Result<std::unique_ptr<gpu::Device>> device = openDevice(options, use);
+	if (!device)
+		return device.error();
+	session->device = std::move(*device);
+	if (Status made = makeSlicer(*session, options); !made)
+		return made.error();
+	return session;
+}
+
+Result<slice::Slice> cut(Session& session)
+{
+	return session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, session.seeds,
+	                            session.threshold, session.timeline.get()});
+}
+
+bool isEmpty(const slice::SheetSlice& sheet)
+{
+	return std::ranges::all_of(sheet.cuts, [](const traverse::LaneCut& cut) { return cut.cut_cells == 0; }) &&
+	       std::ranges::all_of(sheet.seeds.faces_in_plane, [](const auto& faces) { return faces.empty(); });
+}
+
+Status tellAbout(const Session& session, const slice::Slice& slice)
+{
+	for (const std::string& words : slice.words)
+		warn("{}", words);
+	for (const slice::SheetSlice& sheet : slice.sheets)
+	{
+		const Vec3 at = sheet.sheet.origin;
+		const bool outside = session.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
+		if (outside && session.seeds.outside == seed::OutsidePolicy::refuse)
+			return Error{ExitCode::usage,
+			             fmt::format("--origin {} {} {}: the hot spot lies outside the grid; choose one inside, or "
+			                         "--outside nearest",
+			                         at.x, at.y, at.z)};
+		if (outside && session.seeds.outside == seed::OutsidePolicy::report)
+			warn("--origin {} {} {}: the hot spot lies outside the grid", at.x, at.y, at.z);
+		else if (outside && session.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.moved_to)
+			warn("--origin {} {} {}: the hot spot lies outside the grid; {} {} {} takes its place", at.x, at.y, at.z,
+			     sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
+		if (!isEmpty(sheet))
+			continue;
+		const Box bounds = session.blocks.bounds();
+		if (session.threshold)
+			warn("the slice is empty: no cell that is reached has values between {} and {}; widen --threshold",
+			     session.threshold->lo, session.threshold->hi);
+		else
+			warn("the slice is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
+			     "{:.6g}",
+			     sheet.sheet.window ? "window" : "plane", bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x,
+			     bounds.hi.y, bounds.hi.z);
+	}
+	return Nothing{};
+}
+
+} // namespace vp::app

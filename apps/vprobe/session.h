@@ -1,0 +1,58 @@
+#pragma once
+
+#include "base/result.h"
+#include "base/timeline.h"
+#include "gpu/device.h"
+#include "grid/block.h"
+#include "probe/probe.h"
+#include "probe_options.h"
+#include "read/read.h"
+#include "slice/field_choice.h"
+#include "slice/slicer.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace vp::app
+{
+
+// What a command cuts and by what, made ready from the options. The slicer refers to the blocks, the device serves
+// slicer and drawing.
+struct Session
+{
+	grid::BlockSet blocks;
+	std::optional<slice::FieldChoice> field;
+	probe::Probe probe; // without its hidden sheets
+	std::vector<std::optional<slice::FieldChoice>> sheet_fields;
+	slice::Corners corners = slice::Corners::keep;
+	seed::SeedOptions seeds;
+	std::optional<slice::Threshold> threshold;
+	std::unique_ptr<gpu::Device> device; // null where the CPU does without
+	std::unique_ptr<slice::Slicer> slicer;
+	std::unique_ptr<Timeline> timeline;
+};
+
+enum class DeviceUse
+{
+	classify, // a device is wanted for the GPU classifier only
+	draw      // a device is needed in any case
+};
+
+// Reads the inputs and builds the rest. Nothing is written before this has succeeded.
+Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use);
+
+// How the inputs are read at one of their times.
+read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time);
+
+// A slicer for the blocks that the session has now.
+Status makeSlicer(Session& session, const ProbeOptions& options);
+
+Result<slice::Slice> cut(Session& session);
+
+bool isEmpty(const slice::SheetSlice& sheet);
+
+// Tells the user in a word what is empty or was moved; an error where a hot spot outside is to be one.
+Status tellAbout(const Session& session, const slice::Slice& slice);
+
+} // namespace vp::app
