@@ -71,7 +71,7 @@ private:
 				fans_.push_back(std::move(fan));
 				return true;
 			}
-			std::ranges::rotate(left_, left_.begin() + 1);
+			std::rotate(left_.begin(), left_.begin() + 1, left_.end());
 		}
 		return false;
 	}
@@ -144,8 +144,8 @@ std::vector<std::vector<std::uint32_t>> cutIntoFans(std::span<const dvec2> polyg
 	{
 		if (isFan(turned))
 			return {corners};
-		std::ranges::rotate(turned, turned.begin() + 1);
-		std::ranges::rotate(corners, corners.begin() + 1);
+		std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+		std::rotate(corners.begin(), corners.begin() + 1, corners.end());
 	}
 	return EarClipper(polygon).fans();
 }

@@ -46,7 +46,7 @@ void expectCover(const Polygon& polygon)
 
 Polygon turned(Polygon polygon, std::size_t by)
 {
-	std::ranges::rotate(polygon, polygon.begin() + static_cast<std::ptrdiff_t>(by));
+	std::rotate(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(by), polygon.end());
 	return polygon;
 }
 
