@@ -28,6 +28,7 @@ struct Session
 	slice::Corners corners = slice::Corners::keep;
 	seed::SeedOptions seeds;
 	std::optional<slice::Threshold> threshold;
+	slice::Finder finder = slice::Finder::automatic; // traversal where its generations are shown
 	std::unique_ptr<gpu::Device> device; // null where the CPU does without
 	std::unique_ptr<slice::Slicer> slicer;
 	std::unique_ptr<Timeline> timeline;
