@@ -1,0 +1,67 @@
+// A pixel's list of surface fragments, blended nearest first. They are taken from the list in batches, each the nearest of those
+// behind the batch before: so a list of any length comes in its order. Elements of equal depth go by their surface's number, and
+// then by colour: the order in which the device made them plays no part.
+
+const uint kBatch = 8u;
+const float kOpaque = 1.0 - 1.0 / 4096.0; // nothing behind can be seen
+
+// Of a fragment: its place, and its depth's bits, which are in order as positive floats are; colour; order. Where there is none
+// its depth is 0.
+uvec4 batch[kBatch];
+uint batch_next;
+uint list_head;
+
+bool isBefore(uvec4 a, uvec4 b)
+{
+	if (a.y != b.y)
+		return a.y > b.y;
+	if (a.w != b.w)
+		return a.w < b.w;
+	return a.z != b.z ? a.z < b.z : a.x < b.x;
+}
+
+// The nearest fragments behind `last`. Each found one moves the farther ones back; indices are constant, so the batch is
+// registers.
+void fetchBatch(uvec4 last)
+{
+	for (uint i = 0u; i < kBatch; ++i)
+		batch[i] = uvec4(0u);
+	batch_next = 0u;
+	for (uint place = list_head; place != 0u;)
+	{
+		const SurfaceFragment f = fragments[place - 1u];
+		uvec4 found = uvec4(place, floatBitsToUint(f.depth), f.color, f.order);
+		place = f.next;
+		if (!isBefore(last, found))
+			continue;
+		for (uint i = 0u; i < kBatch; ++i)
+		{
+			const bool swap = isBefore(found, batch[i]);
+			const uvec4 farther = swap ? batch[i] : found;
+			batch[i] = swap ? found : batch[i];
+			found = farther;
+		}
+	}
+}
+
+void beginList(ivec2 pixel)
+{
+	list_head = imageLoad(heads, pixel).x;
+	fetchBatch(uvec4(0u, 0xFFFFFFFFu, 0u, 0u)); // nearer than all
+}
+
+// Blends what is nearer than `depth`, the line where it comes.
+void surfacesDownTo(float depth)
+{
+	while (front.a < kOpaque)
+	{
+		const uvec4 f = batch[batch_next];
+		const float here = uintBitsToFloat(f.y);
+		if (here <= depth || f.y == 0u)
+			return;
+		lineDownTo(here);
+		under(vec3(f.z & 1023u, f.z >> 10 & 1023u, f.z >> 20 & 1023u) / 1023.0, float(f.w & 0xFFFFu) / 65535.0);
+		if (++batch_next == kBatch)
+			fetchBatch(f);
+	}
+}
