@@ -60,7 +60,7 @@ float shadeOf(uint layer)
 }
 
 // Of a thick one: the way through it is longer the more it is seen from the side, up to kLongestWay.
-const float kLongestWay = 8.0;
+const float kLongestWay = 3.0;
 
 float opacityOf(uint layer)
 {
