@@ -14,10 +14,7 @@ layout(binding = 2) uniform sampler2D lines;
 layout(binding = 3) uniform usamplerBuffer tables; // of colours, and of the values where they change
 #ifdef SURFACES
 layout(binding = 4, r32ui) uniform readonly uimage2D heads; // of the lists of surface fragments
-layout(binding = 5, scalar) readonly buffer Fragments
-{
-	SurfaceFragment fragments[];
-};
+layout(binding = 5) uniform usamplerBuffer fragments; // SurfaceFragment each, which software reads faster as texels
 #endif
 layout(push_constant, scalar) uniform Push
 {

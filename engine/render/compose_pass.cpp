@@ -63,7 +63,7 @@ Result<const gpu::Pipeline*> ComposePass::pipelineFor(std::size_t layers, std::u
 	if (surfaces)
 	{
 		info.bindings.push_back({4, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE});
-		info.bindings.push_back({5, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
+		info.bindings.push_back({5, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER});
 	}
 	info.push_bytes = sizeof(shared::ComposePush);
 	info.colour_formats = {sumFormat(*device_)};
@@ -89,7 +89,7 @@ Result<VkDescriptorSet> ComposePass::compositionSet(const Targets& targets, cons
 	    .sampledImage(2, targets.lines.view(), sampler_.handle())
 	    .texels(3, tables_.texels.handle());
 	if (lists)
-		writer.storageImage(4, lists->heads().view()).storageBuffer(5, lists->fragments().handle());
+		writer.storageImage(4, lists->heads().view()).texels(5, lists->fragmentTexels());
 	writer.write(*device_, *set);
 	return set;
 }

@@ -17,13 +17,17 @@ namespace
 
 static_assert(sizeof(shared::SurfaceFragment) == 16);
 
-// What most pictures do with: twice a closed surface's over a quarter of the picture.
-constexpr std::uint64_t kFirstPerPixel = 1;
+// A closed surface all over the picture.
+constexpr std::uint64_t kFirstPerPixel = 2;
+
+// A buffer of texels may become a little longer than it was asked for (gpu/workarounds.h).
+constexpr std::uint64_t kLonger = 64;
 
 void fragmentBarrier(VkCommandBuffer commands, VkPipelineStageFlags2 before, VkAccessFlags2 access)
 {
 	gpu::memoryBarrier(commands, before, access, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-	                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+	                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT |
+	                       VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
 }
 
 } // namespace
@@ -32,18 +36,25 @@ std::uint64_t FragmentLists::mostFragments() const
 {
 	const std::uint64_t bytes =
 	    std::min<std::uint64_t>({most_bytes_, device_->limits().maxStorageBufferRange, device_->maxBufferSize()});
-	return std::max<std::uint64_t>(1, bytes / sizeof(shared::SurfaceFragment));
+	return std::clamp<std::uint64_t>(bytes / sizeof(shared::SurfaceFragment), 1,
+	                                 device_->limits().maxTexelBufferElements - kLonger);
 }
 
 Status FragmentLists::grow(std::uint64_t fragments)
 {
+	fragment_texels_ = {};
 	fragments_ = {}; // before its successor, that both need not fit into memory
 	capacity_ = 0;
 	auto made = gpu::Buffer::create(*device_, fragments * sizeof(shared::SurfaceFragment),
-	                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Memory::device, "surface fragments");
+	                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
+	                                gpu::Memory::device, "surface fragments");
 	if (!made)
 		return made.error();
+	auto texels = gpu::TexelView::create(*made, VK_FORMAT_R32G32B32A32_UINT, "surface fragments");
+	if (!texels)
+		return texels.error();
 	fragments_ = std::move(*made);
+	fragment_texels_ = std::move(*texels);
 	capacity_ = static_cast<std::uint32_t>(fragments);
 	return Nothing{};
 }

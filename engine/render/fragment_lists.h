@@ -43,6 +43,7 @@ public:
 
 	const gpu::Image& heads() const { return heads_; }
 	const gpu::Buffer& fragments() const { return fragments_; }
+	VkBufferView fragmentTexels() const { return fragment_texels_.handle(); } // one each
 	const gpu::Buffer& counters() const { return counters_; }
 
 private:
@@ -56,6 +57,7 @@ private:
 	std::size_t counted_ = 0; // counters in use
 	gpu::Image heads_;
 	gpu::Buffer fragments_;
+	gpu::TexelView fragment_texels_;
 	gpu::Buffer counters_; // fragments of each sample and strip
 	gpu::Buffer counts_;   // the same for the host
 };
