@@ -34,6 +34,7 @@ layout(location = 3) in vec3 normal;
 layout(location = 4) in vec2 place;
 layout(location = 5) flat in uint hidden;
 layout(location = 6) flat in float width;
+layout(location = 7) flat in vec3 across;
 
 #include "render_colors.glsl"
 
@@ -44,10 +45,21 @@ float steepness(float y, float side, uint layer, ivec2 pixel)
 	return length(slope);
 }
 
-// A polygon does not know its neighbours' values.
+mat2 to_pixels; // from `place`
+
+vec2 corner(uint i)
+{
+	return to_pixels * (vec2(i == 1u, i == 2u) - place);
+}
+
+// Lines of values that are constant in each polygon lie on edges beyond which there is another level.
 float lineBetween(float y, uint above, uint layer, ivec2 pixel)
 {
-	return 0.0;
+	float nearest = 1e9;
+	for (uint i = 0u; i < 3u; ++i)
+		if (countUpTo(scaled(across[i], layer), params.sheets[layer].levels, params.sheets[layer].level_count) != above)
+			nearest = min(nearest, distanceToEdge(corner(i), corner((i + 1u) % 3u)));
+	return to_pixels == mat2(0.0) ? 0.0 : clamp(params.contour_half_width + 0.5 - nearest, 0.0, 1.0);
 }
 
 // A surface has two sides, both bright where they face the light.
@@ -73,18 +85,17 @@ float opacityOf(uint layer)
 
 float meshLine()
 {
-	const mat2 to_pixels = toPixels(mat2(dFdx(place), dFdy(place)));
 	if (to_pixels == mat2(0.0))
 		return 0.0;
-	const vec2 corners[3] = vec2[](to_pixels * -place, to_pixels * (vec2(1.0, 0.0) - place), to_pixels * (vec2(0.0, 1.0) - place));
 	float nearest = 1e9;
 	float around = 0.0;
 	for (uint i = 0u; i < 3u; ++i)
 	{
-		const vec2 next = corners[(i + 1u) % 3u];
+		const vec2 from = corner(i);
+		const vec2 to = corner((i + 1u) % 3u);
 		if ((hidden >> i & 1u) == 0u)
-			nearest = min(nearest, distanceToEdge(corners[i], next));
-		around += length(next - corners[i]);
+			nearest = min(nearest, distanceToEdge(from, to));
+		around += length(to - from);
 	}
 	return lineCoverage(nearest, width * 2.0 * abs(determinant(to_pixels)) / around, push.mesh_half_width);
 }
@@ -98,6 +109,7 @@ void main()
 {
 	const float y = scaled(value, push.surface);
 	slope = vec2(dFdx(y), dFdy(y));
+	to_pixels = (kFeatures & (kComposeMesh | kComposeLines)) != 0u ? toPixels(mat2(dFdx(place), dFdy(place))) : mat2(0.0);
 	const float mesh = (kFeatures & kComposeMesh) != 0u ? meshLine() : 0.0;
 	const vec4 color = colorOf(vec2(is_nan != 0u ? kNanValue : value, mesh), push.surface, ivec2(0));
 	const uint alpha = uint(clamp(color.a, 0.0, 1.0) * 65535.0 + 0.5);

@@ -7,11 +7,14 @@
 // A corner of a surface's triangle, found by its number: no index buffer.
 layout(binding = 0) uniform usamplerBuffer triangles;
 layout(binding = 1) uniform samplerBuffer vertices;
+layout(binding = 7) uniform samplerBuffer across_edges; // of each triangle; with kSurfacePolygonValues
 layout(push_constant, scalar) uniform Push
 {
 	SurfacePush push;
 };
 layout(constant_id = 0) const uint kFeatures = 0u;
+
+const uint kLinesBetween = kSurfacePolygonValues | kComposeLines;
 
 layout(location = 0) out float value;
 layout(location = 1) flat out uint is_nan;
@@ -20,6 +23,7 @@ layout(location = 3) out vec3 normal;
 layout(location = 4) out vec2 place;       // (0, 0), (1, 0), (0, 1) at the corners
 layout(location = 5) flat out uint hidden; // bit k: the edge from corner k on is none of the polygon's
 layout(location = 6) flat out float width;
+layout(location = 7) flat out vec3 across; // values beyond the edges, with contour lines between polygons
 
 vec4 column(uint i)
 {
@@ -54,4 +58,5 @@ void main()
 	place = vec2(corner == 1, corner == 2);
 	hidden = (head.x >> 31) | (head.y >> 31) << 1 | (head.z >> 31) << 2;
 	width = uintBitsToFloat(tail.w);
+	across = (kFeatures & kLinesBetween) == kLinesBetween ? texelFetch(across_edges, triangle).xyz : vec3(0.0);
 }

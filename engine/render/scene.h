@@ -71,7 +71,7 @@ struct Surface
 	std::optional<ValueScale> values{};              // of the array that `polygons` has values of
 	std::optional<ColorMap> colors{};
 	std::optional<std::pair<double, double>> range{};
-	std::optional<int> lines{}; // about so many contour lines, of values at vertices
+	std::optional<int> lines{}; // about so many contour lines
 };
 
 struct Scene

@@ -72,7 +72,7 @@ Result<const gpu::Pipeline*> SurfacePass::pipelineFor(std::uint32_t features)
 	info.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}, {1, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER},
 	                 {2, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE},        {3, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
 	                 {4, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},       {5, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
-	                 {6, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}};
+	                 {6, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}, {7, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}};
 	info.push_bytes = sizeof(shared::SurfacePush);
 	info.constants = {{0, features}};
 	auto made = gpu::Pipeline::create(*device_, info, "surface");
@@ -102,6 +102,7 @@ Status SurfacePass::writeSets(const Scene& scene, const FragmentLists& lists)
 			    .storageBuffer(4, lists.counters().handle())
 			    .uniformBuffer(5, params_.handle())
 			    .texels(6, tables_.texels.handle())
+			    .texels(7, part.across_texels ? part.across_texels.handle() : part.vertex_texels.handle())
 			    .write(*device_, *set);
 			part_sets_.push_back(*set);
 		}

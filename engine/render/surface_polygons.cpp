@@ -54,6 +54,12 @@ Result<std::shared_ptr<const SurfacePolygons>> surfacePolygons(gpu::Device& devi
 		                         on_device.vertices, on_device.vertex_texels, "surface vertices");
 		    !filled)
 			return filled.error();
+		if (!made->polygon_values)
+			continue;
+		if (Status filled = fill(device, std::as_bytes(std::span(part.across)), VK_FORMAT_R32G32B32A32_SFLOAT,
+		                         on_device.across, on_device.across_texels, "surface values across");
+		    !filled)
+			return filled.error();
 	}
 	return std::shared_ptr<const SurfacePolygons>(std::move(made));
 }

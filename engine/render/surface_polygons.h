@@ -8,16 +8,19 @@
 namespace vp::render
 {
 
-// A surface's polygons in device memory: 32 bytes a triangle, 16 a vertex. They may be drawn in any number of pictures.
+// A surface's polygons in device memory: 32 bytes a triangle (48 with values of polygons), 16 a vertex. They may be
+// drawn in any number of pictures.
 struct SurfacePolygons
 {
 	struct Part
 	{
 		gpu::Buffer triangles;
 		gpu::Buffer vertices;
+		gpu::Buffer across;
 		gpu::TexelView triangle_texels;
 		gpu::TexelView vertex_texels;
-		std::uint32_t count = 0; // of triangles
+		gpu::TexelView across_texels; // with values of polygons
+		std::uint32_t count = 0;      // of triangles
 	};
 
 	Vec3 origin{0.0}; // what vertices are kept from, in single precision

@@ -1,6 +1,7 @@
 #include "render/surface_triangles.h"
 
 #include "render/corner_normals.h"
+#include "render/values_across.h"
 #include "slice/host_records.h"
 #include "slice/polygon_fans.h"
 
@@ -49,6 +50,7 @@ public:
 	TriangleMaker(const slice::SheetMesh& mesh, const SurfaceValues& values, const Vec3& origin,
 	              std::size_t most_texels)
 	    : mesh_(mesh), values_(values), origin_(origin), most_texels_(most_texels), normals_(cornerNormals(mesh)),
+	      across_(values.of_polygons.empty() ? std::vector<double>() : valuesAcross(mesh, values.of_polygons)),
 	      here_(mesh.positions.size(), kNotHere)
 	{
 	}
@@ -108,7 +110,9 @@ private:
 	{
 		const auto polygon = mesh_.polygon(p);
 		const auto corners = static_cast<std::uint32_t>(polygon.size());
+		const std::uint32_t start = mesh_.polygon_starts[p];
 		shared::SurfaceTriangle triangle{};
+		glm::vec4 across(polygonValue(p), polygonValue(p), polygonValue(p), 0.0f);
 		std::array<Vec3, 3> places;
 		for (int k = 0; k < 3; ++k)
 		{
@@ -116,13 +120,17 @@ private:
 			const std::uint32_t next = of_polygon[(k + 1) % 3];
 			const bool is_edge = next == (corner + 1) % corners || corner == (next + 1) % corners;
 			triangle.corners[k] = vertexHere(polygon[corner]) | (is_edge ? 0u : shared::kHiddenEdge);
-			triangle.normals[k] = octahedral(normals_[mesh_.polygon_starts[p] + corner]);
+			triangle.normals[k] = octahedral(normals_[start + corner]);
+			if (is_edge && !across_.empty())
+				across[k] = slice::drawnValue(across_[start + (next == (corner + 1) % corners ? corner : next)]);
 			places[k] = corners_[corner];
 		}
 		triangle.value = polygonValue(p);
 		const double own = width(glm::length(glm::cross(places[1] - places[0], places[2] - places[0])), places);
 		triangle.width = own > 0.0 ? static_cast<float>(polygon_width / own) : 1.0f;
 		parts_.back().triangles.push_back(triangle);
+		if (!across_.empty())
+			parts_.back().across.push_back(across);
 	}
 
 	float polygonValue(std::size_t p) const
@@ -169,6 +177,7 @@ private:
 	Vec3 origin_;
 	std::size_t most_texels_;
 	std::vector<Vec3f> normals_;
+	std::vector<double> across_;      // at each entry of polygon_vertices
 	std::vector<std::uint32_t> here_; // of a vertex of the mesh its number in the last part
 	std::vector<std::uint32_t> named_;
 	std::vector<SurfacePart> parts_;

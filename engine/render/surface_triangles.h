@@ -25,6 +25,7 @@ struct SurfacePart
 {
 	std::vector<shared::SurfaceTriangle> triangles;
 	std::vector<glm::vec4> vertices;
+	std::vector<glm::vec4> across{}; // of each triangle, where values are of polygons: those across its edges, 0
 };
 
 // A mesh's polygons as triangles, in parts of up to `most_texels` texels each of triangles and vertices (at least those

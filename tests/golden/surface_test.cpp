@@ -186,6 +186,26 @@ TEST_F(SurfaceLook, ValuesOfPolygonsAndNan)
 	EXPECT_LE(difference(rgb(scene.look.colors.nan), unknown.pixel(90, 70)), 1.0);
 }
 
+TEST_F(SurfaceLook, LinesBetweenPolygons)
+{
+	Scene scene = bareScene(160, 120, 1);
+	scene.surfaces.push_back(square(8, 1.0, true));
+	const Picture plain = draw(scene);
+	scene.surfaces[0].lines = 3; // at 0.25, 0.5 and 0.75, between every second pair of columns
+	const Picture lined = draw(scene);
+	const auto column = [&](double x)
+	{ return 80.0 + x * (0.5 * 120 / std::tan(20.0 * std::numbers::pi / 180.0) / 5.0); };
+	for (int k = 1; k < 8; ++k)
+	{
+		const auto x = static_cast<std::uint32_t>(column(2.8 * k / 8 - 1.4));
+		const auto there = lined.pixel(x, 50);
+		const auto before = plain.pixel(x, 50);
+		const double off = difference({double(before[0]), double(before[1]), double(before[2])}, there);
+		EXPECT_EQ(off > 30.0, k % 2 == 0) << k;
+		EXPECT_EQ(lined.pixel(x + 6, 50), plain.pixel(x + 6, 50)) << k;
+	}
+}
+
 TEST_F(SurfaceLook, ATurnedFaceIsDarkerAndAThickOneDenser)
 {
 	Scene scene = bareScene(200, 160, 1);

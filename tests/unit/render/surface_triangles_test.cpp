@@ -6,6 +6,7 @@
 #include <glm/packing.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -154,6 +155,31 @@ TEST(SurfaceTriangles, OnePolygonWithNanHasNoValueAnywhere)
 		EXPECT_EQ(by_vertex[0].triangles.at(t).value, t < 2 ? shared::kNanValue : 0.0f);
 		EXPECT_EQ(by_polygon[0].triangles.at(t).value, t / 2 == 0 ? 2.0f : t / 2 == 1 ? shared::kNanValue : 4.0f);
 	}
+}
+
+TEST(SurfaceTriangles, ValuesAcrossEdges)
+{
+	const double nan = std::numeric_limits<double>::quiet_NaN();
+	const auto parts = surfaceTriangles(bentStrip(4, 5.0), {{}, std::vector{1.0, 2.0, nan, 4.0}}, {}, 999);
+	std::vector<std::vector<float>> seen(4);
+	for (std::size_t t = 0; t < 8; ++t)
+		for (int k = 0; k < 3; ++k)
+		{
+			const auto& triangle = parts[0].triangles.at(t);
+			const float own = t / 2 == 2 ? shared::kNanValue : static_cast<float>(t / 2 + 1);
+			if (parts[0].across.at(t)[k] == own)
+				continue;
+			seen[t / 2].push_back(parts[0].across[t][k]);
+			// Only edges along y lead to a neighbour.
+			EXPECT_FALSE(triangle.corners[k] & shared::kHiddenEdge);
+			EXPECT_NEAR(std::abs(place(parts[0], triangle, (k + 1) % 3).y - place(parts[0], triangle, k).y), 1.0, 1e-6);
+		}
+	using Values = std::vector<float>;
+	EXPECT_EQ(seen[0], Values{2.0f});
+	EXPECT_EQ(seen[1], Values{1.0f});
+	std::ranges::sort(seen[2]);
+	EXPECT_EQ(seen[2], (Values{2.0f, 4.0f}));
+	EXPECT_TRUE(seen[3].empty()); // across is NaN
 }
 
 TEST(CornerNormals, AreSmoothUpToACrease)
