@@ -132,6 +132,12 @@ void addLookOptions(CLI::App& command, LookOptions& options)
 	    ->capture_default_str()
 	    ->group(group);
 	command
+	    .add_option("--context", options.context,
+	                "A translucent surface around the sheets; may be given several times. boundary: that of the domain")
+	    ->allow_extra_args(false)
+	    ->type_name(contextForms())
+	    ->group(group);
+	command
 	    .add_option("--axes", options.axes,
 	                "corner (where x, y and z point), box (numbers along edges of the bounds) or none")
 	    ->check(CLI::IsMember({"corner", "box", "none"}))
@@ -176,6 +182,10 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 	if (!outline)
 		return outline.error();
 	look.outline = *outline;
+	auto context = parseContexts(options.context);
+	if (!context)
+		return context.error();
+	choice.context = std::move(*context);
 	look.axes = options.axes == "corner";
 	look.box_axes = options.axes == "box";
 	look.title = options.title.value_or(defaultTitle(inputs));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "context_options.h"
 #include "grid/block.h"
 #include "render/scene.h"
 #include "slice/field_choice.h"
@@ -31,6 +32,7 @@ struct LookOptions
 	std::string background = "gradient";
 	std::string camera = "auto";
 	std::string outline = "box";
+	std::vector<std::string> context;
 	std::string axes = "corner";
 	std::optional<std::string> title; // else the input's name
 };
@@ -41,6 +43,7 @@ struct LookChoice
 {
 	render::Look look;
 	render::CameraChoice camera;
+	std::vector<ContextChoice> context;
 	double opacity = 1.0;       // of every sheet
 	bool by_generation = false; // colours tell when the traversal met a cell, instead of the array
 	bool captions = true;       // where the first sheet is

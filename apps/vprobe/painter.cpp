@@ -1,6 +1,7 @@
 #include "painter.h"
 
 #include "render/color_map_file.h"
+#include "render/surface_polygons.h"
 #include "slice/generations.h"
 #include "slice/gpu_records.h"
 #include "slice/host_records.h"
@@ -14,6 +15,9 @@ namespace vp::app
 
 namespace
 {
+
+// Neutral: it takes no part in the colours of the values.
+constexpr render::Color kContextColor{194, 199, 206};
 
 std::string caption(const probe::Sheet& sheet)
 {
@@ -67,10 +71,9 @@ render::ValueScale generationScale(const slice::Slice& slice)
 Painter::Painter(Session& session, std::vector<std::string> inputs, LookChoice choice, render::Renderer renderer)
     : session_(session), inputs_(std::move(inputs)), choice_(std::move(choice)), renderer_(std::move(renderer))
 {
-	takeBlocks();
 }
 
-void Painter::takeBlocks()
+Status Painter::takeBlocks()
 {
 	outline_ = render::outlineOf(session_.blocks, choice_.look.outline);
 	extent_ = render::extentOf(session_.blocks);
@@ -79,6 +82,27 @@ void Painter::takeBlocks()
 			extent_.push_back(render::corner(session_.blocks.bounds(), i));
 	for (const render::Segment& line : outline_)
 		extent_.insert(extent_.end(), {line.a, line.b});
+	return makeContext();
+}
+
+Status Painter::makeContext()
+{
+	context_.clear();
+	for (const ContextChoice& choice : choice_.context)
+	{
+		Result<slice::SheetMesh> mesh = choice.kind->mesh(session_.blocks, choice);
+		if (!mesh)
+			return mesh.error();
+		auto polygons = render::surfacePolygons(*session_.device, *mesh);
+		if (!polygons)
+			return polygons.error();
+		render::Surface& surface = context_.emplace_back();
+		surface.polygons = std::move(*polygons);
+		surface.opacity = choice.opacity;
+		surface.color = kContextColor;
+		surface.thick = true;
+	}
+	return Nothing{};
 }
 
 Result<Painter> Painter::create(Session& session, const ProbeOptions& options, LookChoice choice)
@@ -88,7 +112,10 @@ Result<Painter> Painter::create(Session& session, const ProbeOptions& options, L
 	Result<render::Renderer> renderer = render::Renderer::create(*session.device);
 	if (!renderer)
 		return renderer.error();
-	return Painter(session, options.inputs, std::move(choice), std::move(*renderer));
+	Painter painter(session, options.inputs, std::move(choice), std::move(*renderer));
+	if (Status taken = painter.takeBlocks(); !taken)
+		return taken.error();
+	return painter;
 }
 
 // Worked out once: an array may be large, and what it lacks is told once.
@@ -150,6 +177,7 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 	render::Scene scene;
 	scene.look = choice_.look;
 	scene.outline = outline_;
+	scene.surfaces = context_;
 	scene.bounds = session_.blocks.bounds();
 	scene.fitted = choice_.camera.kind != render::CameraChoice::Kind::fixed;
 	if (choice_.by_generation)

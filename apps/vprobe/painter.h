@@ -24,13 +24,14 @@ public:
 	// The arrays hold other values now.
 	void forgetScales() { scales_.clear(); }
 	// The session's blocks are others now.
-	void takeBlocks();
+	Status takeBlocks();
 
 	// Section "render" on the session's timeline. sheets: sheetStats() of the slice.
 	Result<render::Picture> draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
 
 private:
 	Painter(Session& session, std::vector<std::string> inputs, LookChoice choice, render::Renderer renderer);
+	Status makeContext();
 
 	Result<render::SheetDrawing> drawing(const slice::SheetSlice& sheet, const SheetStats& stats);
 	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan);
@@ -40,6 +41,7 @@ private:
 	LookChoice choice_;
 	render::Renderer renderer_;
 	std::vector<render::Segment> outline_;
+	std::vector<render::Surface> context_;
 	std::vector<Vec3> extent_; // what the picture holds: the blocks and the lines around them
 	std::vector<std::pair<std::optional<slice::FieldChoice>, std::optional<render::ValueScale>>> scales_;
 	std::map<std::string, render::ColorMap> colors_; // of sheets that wish for one

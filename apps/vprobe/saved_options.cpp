@@ -57,6 +57,7 @@ state::Sections sectionsOf(SavedOptions& options)
 	          {"background", &look.background},
 	          {"camera", &look.camera},
 	          {"outline", &look.outline},
+	          {"context", &look.context},
 	          {"axes", &look.axes},
 	          {"title", &look.title}}},
 	        {"sweep",
