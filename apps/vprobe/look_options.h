@@ -35,7 +35,13 @@ struct LookOptions
 	std::optional<std::string> title; // else the input's name
 };
 
-void addLookOptions(CLI::App& command, LookOptions& options);
+enum class LookScope
+{
+	space, // pictures in space: all options
+	plane  // flat pictures of sheets: those that mean something there
+};
+
+void addLookOptions(CLI::App& command, LookOptions& options, LookScope scope = LookScope::space);
 
 struct LookChoice
 {

@@ -15,17 +15,6 @@ namespace vp::app
 namespace
 {
 
-std::string caption(const probe::Sheet& sheet)
-{
-	return fmt::format("origin {:.4g}, {:.4g}, {:.4g}   normal {:.3f}, {:.3f}, {:.3f}", sheet.origin.x, sheet.origin.y,
-	                   sheet.origin.z, sheet.normal.x, sheet.normal.y, sheet.normal.z);
-}
-
-bool hasNan(const SheetStats& sheet)
-{
-	return sheet.measure.nan_area > 0.0;
-}
-
 // The corners of its window, where it is drawn.
 void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
 {
@@ -64,17 +53,28 @@ render::ValueScale generationScale(const slice::Slice& slice)
 
 } // namespace
 
-Painter::Painter(Session& session, std::vector<std::string> inputs, LookChoice choice, render::Renderer renderer)
-    : session_(session), inputs_(std::move(inputs)), choice_(std::move(choice)), renderer_(std::move(renderer))
+std::string caption(const probe::Sheet& sheet)
+{
+	return fmt::format("origin {:.4g}, {:.4g}, {:.4g}   normal {:.3f}, {:.3f}, {:.3f}", sheet.origin.x, sheet.origin.y,
+	                   sheet.origin.z, sheet.normal.x, sheet.normal.y, sheet.normal.z);
+}
+
+bool hasNan(const SheetStats& sheet)
+{
+	return sheet.measure.nan_area > 0.0;
+}
+
+Painter::Painter(Session& session, SheetLooks looks, render::Renderer renderer)
+    : session_(session), looks_(std::move(looks)), renderer_(std::move(renderer))
 {
 	takeBlocks();
 }
 
 void Painter::takeBlocks()
 {
-	outline_ = render::outlineOf(session_.blocks, choice_.look.outline);
+	outline_ = render::outlineOf(session_.blocks, choice().look.outline);
 	extent_ = render::extentOf(session_.blocks);
-	if (choice_.look.box_axes)
+	if (choice().look.box_axes)
 		for (int i = 0; i < 8; ++i)
 			extent_.push_back(render::corner(session_.blocks.bounds(), i));
 	for (const render::Segment& line : outline_)
@@ -88,11 +88,12 @@ Result<Painter> Painter::create(Session& session, const ProbeOptions& options, L
 	Result<render::Renderer> renderer = render::Renderer::create(*session.device);
 	if (!renderer)
 		return renderer.error();
-	return Painter(session, options.inputs, std::move(choice), std::move(*renderer));
+	return Painter(session, {session, options.inputs, std::move(choice)}, std::move(*renderer));
 }
 
 // Worked out once: an array may be large, and what it lacks is told once.
-Result<std::optional<render::ValueScale>> Painter::scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan)
+Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const std::optional<slice::FieldChoice>& field,
+                                                              bool has_nan)
 {
 	auto known = std::ranges::find(scales_, field, [](const auto& scale) { return scale.first; });
 	if (known == scales_.end())
@@ -108,14 +109,17 @@ Result<std::optional<render::ValueScale>> Painter::scaleOf(const std::optional<s
 	return scale;
 }
 
-Result<render::SheetDrawing> Painter::drawing(const slice::SheetSlice& sheet, const SheetStats& stats)
+Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const slice::Slice& slice, bool has_nan)
 {
-	Result<std::shared_ptr<const slice::SheetRecords>> records =
-	    recordsOf(session_, sheet, stats, choice_.by_generation);
-	if (!records)
-		return records.error();
+	if (choice_.by_generation)
+		return std::optional(generationScale(slice));
+	return scaleOf(session_.field, has_nan);
+}
+
+Result<render::SheetDrawing> SheetLooks::drawing(const slice::SheetSlice& sheet, const SheetStats& stats)
+{
 	const probe::SheetWishes& wishes = sheet.shown.wishes;
-	render::SheetDrawing drawing{sheet.shown, std::move(*records), wishes.opacity.value_or(choice_.opacity)};
+	render::SheetDrawing drawing{sheet.shown, nullptr, wishes.opacity.value_or(choice_.opacity)};
 	drawing.magnification = sheet.shown.fx.magnification;
 	if (const std::optional<probe::Window>& window = sheet.sheet.window)
 		drawing.window = render::WindowRect{window->x0, window->x1, window->y0, window->y1};
@@ -148,38 +152,37 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 {
 	const TimedSection section(session_.timeline.get(), "render");
 	render::Scene scene;
-	scene.look = choice_.look;
+	scene.look = choice().look;
 	scene.outline = outline_;
 	scene.bounds = session_.blocks.bounds();
-	scene.fitted = choice_.camera.kind != render::CameraChoice::Kind::fixed;
-	if (choice_.by_generation)
-		scene.values = generationScale(slice);
-	else
-	{
-		auto scale = scaleOf(session_.field, std::ranges::any_of(sheets, hasNan));
-		if (!scale)
-			return scale.error();
-		scene.values = *scale;
-	}
+	scene.fitted = choice().camera.kind != render::CameraChoice::Kind::fixed;
+	auto scale = looks_.scaleOf(slice, std::ranges::any_of(sheets, hasNan));
+	if (!scale)
+		return scale.error();
+	scene.values = *scale;
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
-		Result<render::SheetDrawing> made = drawing(slice.sheets[s], sheets[s]);
+		Result<render::SheetDrawing> made = looks_.drawing(slice.sheets[s], sheets[s]);
 		if (!made)
 			return made.error();
+		auto records = recordsOf(session_, slice.sheets[s], sheets[s], choice().by_generation);
+		if (!records)
+			return records.error();
+		made->records = std::move(*records);
 		scene.sheets.push_back(std::move(*made));
 	}
 	const probe::Sheet* first = slice.sheets.empty() ? nullptr : &slice.sheets.front().shown;
-	if (first && choice_.captions)
+	if (first && choice().captions)
 		scene.look.caption = caption(*first);
-	if (!camera_ || choice_.camera.followsSheet())
+	if (!camera_ || choice().camera.followsSheet())
 	{
 		// Of several sheets none is the one to look at.
-		const bool by_sheet = slice.sheets.size() == 1 || choice_.camera.followsSheet();
+		const bool by_sheet = slice.sheets.size() == 1 || choice().camera.followsSheet();
 		std::vector<Vec3> extent = extent_;
-		if (choice_.window_rims)
+		if (choice().window_rims)
 			for (const slice::SheetSlice& sheet : slice.sheets)
 				addRim(sheet.shown, extent);
-		camera_ = render::makeCamera(choice_.camera, by_sheet ? first : nullptr, extent, render::pictureFrame(scene));
+		camera_ = render::makeCamera(choice().camera, by_sheet ? first : nullptr, extent, render::pictureFrame(scene));
 	}
 	scene.camera = *camera_;
 	return renderer_.draw(scene, session_.timeline.get());

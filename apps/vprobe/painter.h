@@ -14,6 +14,39 @@
 namespace vp::app
 {
 
+// How the sheets of a session are to look. What does not change from picture to picture is worked out once.
+class SheetLooks
+{
+public:
+	SheetLooks(const Session& session, std::vector<std::string> inputs, LookChoice choice)
+	    : session_(session), inputs_(std::move(inputs)), choice_(std::move(choice))
+	{
+	}
+
+	const LookChoice& choice() const { return choice_; }
+	// The arrays hold other values now.
+	void forgetScales() { scales_.clear(); }
+
+	// Of the array that the sheets show, or of generations.
+	Result<std::optional<render::ValueScale>> scaleOf(const slice::Slice& slice, bool has_nan);
+	// Without records.
+	Result<render::SheetDrawing> drawing(const slice::SheetSlice& sheet, const SheetStats& stats);
+
+private:
+	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan);
+
+	const Session& session_;
+	std::vector<std::string> inputs_;
+	LookChoice choice_;
+	std::vector<std::pair<std::optional<slice::FieldChoice>, std::optional<render::ValueScale>>> scales_;
+	std::map<std::string, render::ColorMap> colors_; // of sheets that wish for one
+};
+
+// Where a sheet is, in words.
+std::string caption(const probe::Sheet& sheet);
+
+bool hasNan(const SheetStats& sheet);
+
 // Draws slices of a session, which outlives it. What does not change from picture to picture is worked out once; the
 // camera stands still, unless it is bound to the sheet.
 class Painter
@@ -22,7 +55,7 @@ public:
 	static Result<Painter> create(Session& session, const ProbeOptions& options, LookChoice choice);
 
 	// The arrays hold other values now.
-	void forgetScales() { scales_.clear(); }
+	void forgetScales() { looks_.forgetScales(); }
 	// The session's blocks are others now.
 	void takeBlocks();
 
@@ -30,19 +63,15 @@ public:
 	Result<render::Picture> draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
 
 private:
-	Painter(Session& session, std::vector<std::string> inputs, LookChoice choice, render::Renderer renderer);
+	Painter(Session& session, SheetLooks looks, render::Renderer renderer);
 
-	Result<render::SheetDrawing> drawing(const slice::SheetSlice& sheet, const SheetStats& stats);
-	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan);
+	const LookChoice& choice() const { return looks_.choice(); }
 
 	Session& session_;
-	std::vector<std::string> inputs_;
-	LookChoice choice_;
+	SheetLooks looks_;
 	render::Renderer renderer_;
 	std::vector<render::Segment> outline_;
 	std::vector<Vec3> extent_; // what the picture holds: the blocks and the lines around them
-	std::vector<std::pair<std::optional<slice::FieldChoice>, std::optional<render::ValueScale>>> scales_;
-	std::map<std::string, render::ColorMap> colors_; // of sheets that wish for one
 	std::optional<render::Camera> camera_;
 };
 

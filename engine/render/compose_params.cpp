@@ -20,7 +20,6 @@ static_assert(shared::kTableColors == kColorMapSize);
 // Interpolation rounds; it must not take the ends of the range out of it.
 constexpr double kRangeSlack = 1e-5;
 
-constexpr Color kPlainSheet{142, 168, 195}; // where there is no array to show
 constexpr Color kLineOnLight{66, 72, 82, 225};
 constexpr Color kLineOnDark{206, 211, 218, 225};
 
