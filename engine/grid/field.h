@@ -60,6 +60,8 @@ bool namesCategories(const Field& field);
 // Writes a number of the type; integers are rounded towards zero, and NaN as an integer is 0.
 void storeNumber(NumberType type, double value, std::byte* at);
 
+double loadNumber(NumberType type, const std::byte* at);
+
 template <class T>
 Field makeField(std::string name, Association association, int components, std::vector<T> values);
 
