@@ -86,6 +86,7 @@ void addColorOptions(CLI::App& command, LookOptions& options, const char* group)
 	    ->check(CLI::Range(0, render::kMostLevels))
 	    ->type_name("N")
 	    ->group(group);
+	command.add_flag("--no-labels", options.no_labels, "Contour lines without their values")->group(group);
 	command.add_option("--bands", options.bands, "Bands of one colour, parted at about N round values")
 	    ->check(CLI::Range(0, render::kMostLevels))
 	    ->type_name("N")
@@ -142,6 +143,14 @@ void addLookOptions(CLI::App& command, LookOptions& options, LookScope scope)
 	                "What orients the sheet: box, edges (the boundary's feature edges) or none")
 	    ->capture_default_str()
 	    ->group(group);
+	command
+	    .add_option("--units", options.units,
+	                "Of the array, told behind its name (default: none; a name such as \"T [K]\" has its own)")
+	    ->type_name("TEXT")
+	    ->group(group);
+	command.add_option("--length-units", options.length_units, "Of the grid's coordinates, told on axes")
+	    ->type_name("TEXT")
+	    ->group(group);
 	command.add_option("--title", options.title, "Above the picture (default: the input's name; \"\" for none)")
 	    ->type_name("TEXT")
 	    ->group(group);
@@ -175,6 +184,9 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 	look.bands = options.bands;
 	look.mesh = options.mesh;
 	look.lit = options.lit;
+	look.labels = !options.no_labels;
+	look.length_units = options.length_units;
+	choice.units = options.units;
 	auto background = render::parseBackground(options.background);
 	if (!background)
 		return background.error();

@@ -32,6 +32,9 @@ struct LookOptions
 	std::string camera = "auto";
 	std::string outline = "box";
 	std::string axes = "corner";
+	bool no_labels = false;
+	std::string units;
+	std::string length_units;
 	std::optional<std::string> title; // else the input's name
 };
 
@@ -49,6 +52,7 @@ struct LookChoice
 	render::CameraChoice camera;
 	double opacity = 1.0;       // of every sheet
 	bool by_generation = false; // colours tell when the traversal met a cell, instead of the array
+	std::string units;          // of the array, told behind its name
 	bool captions = true;       // where the first sheet is
 	bool window_rims = true;    // lines around windows
 };

@@ -1,9 +1,13 @@
 #include "painter.h"
 
 #include "render/color_map_file.h"
+#include "render/value_style.h"
+#include "sheet_values.h"
+#include "slice/cell_steps.h"
 #include "slice/generations.h"
 #include "slice/gpu_records.h"
 #include "slice/host_records.h"
+#include "slice/plane_triangles.h"
 
 #include <fmt/format.h>
 
@@ -101,6 +105,8 @@ Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const std::optiona
 		auto scale = valueScale(session_.blocks, field, inputs_, choice_.look);
 		if (!scale)
 			return scale;
+		if (*scale && field == session_.field && !choice_.units.empty())
+			(*scale)->title += fmt::format(" [{}]", choice_.units);
 		known = scales_.insert(scales_.end(), {field, *scale});
 	}
 	std::optional<render::ValueScale> scale = known->second;
@@ -148,6 +154,28 @@ Result<render::SheetDrawing> SheetLooks::drawing(const slice::SheetSlice& sheet,
 	return drawing;
 }
 
+// Lines are drawn from the layers of values; labels want to know where they run.
+void Painter::addContours(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene) const
+{
+	if (!choice().look.labels || !scene.values)
+		return;
+	for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+	{
+		render::SheetDrawing& drawing = scene.sheets[s];
+		const probe::Sheet& content = slice.sheets[s].sheet;
+		const std::vector<double> levels = render::valueStyle(scene, drawing).lines;
+		if (levels.empty())
+			continue;
+		const auto values = sheetValues(session_, slice.sheets[s], sheets[s].mesh, choice().by_generation);
+		drawing.contours = render::levelLines(sheets[s].mesh, content, values, levels);
+	}
+	// Any sheet may hide labels of another.
+	if (std::ranges::any_of(scene.sheets, [](const auto& sheet) { return !sheet.contours.empty(); }))
+		for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+			scene.sheets[s].rim_lines =
+			    slice::meshOutlines(sheets[s].mesh, slice::planePoints(sheets[s].mesh, slice.sheets[s].sheet));
+}
+
 Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
 {
 	const TimedSection section(session_.timeline.get(), "render");
@@ -171,6 +199,7 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 		made->records = std::move(*records);
 		scene.sheets.push_back(std::move(*made));
 	}
+	addContours(slice, sheets, scene);
 	const probe::Sheet* first = slice.sheets.empty() ? nullptr : &slice.sheets.front().shown;
 	if (first && choice().captions)
 		scene.look.caption = caption(*first);

@@ -65,6 +65,8 @@ public:
 private:
 	Painter(Session& session, SheetLooks looks, render::Renderer renderer);
 
+	void addContours(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene) const;
+
 	const LookChoice& choice() const { return looks_.choice(); }
 
 	Session& session_;

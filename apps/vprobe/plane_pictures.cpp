@@ -1,7 +1,7 @@
 #include "plane_pictures.h"
 
 #include "painter.h"
-#include "slice/generations.h"
+#include "sheet_values.h"
 #include "write/frame_names.h"
 #include "write/plane_picture.h"
 
@@ -9,46 +9,6 @@
 
 namespace vp::app
 {
-
-namespace
-{
-
-std::vector<double> vertexValues(const grid::BlockSet& blocks, const slice::SheetMesh& mesh,
-                                 const slice::FieldChoice& field)
-{
-	const std::vector<const grid::Field*> fields = field.inEach(blocks);
-	std::vector<double> values;
-	values.reserve(mesh.positions.size());
-	for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-		values.push_back(slice::vertexValue(blocks, mesh, v, fields, field.component));
-	return values;
-}
-
-std::vector<double> polygonValues(const grid::BlockSet& blocks, const slice::SheetMesh& mesh,
-                                  const slice::FieldChoice& field)
-{
-	std::vector<double> values;
-	values.reserve(mesh.polygons());
-	for (const auto& [b, cell] : mesh.polygon_cells)
-	{
-		const grid::Field* of_block = field.in(blocks.blocks[b]);
-		values.push_back(of_block ? slice::cellValue(blocks.blocks[b], *of_block, field.component, cell)
-		                          : std::numeric_limits<double>::quiet_NaN());
-	}
-	return values;
-}
-
-void setValues(const Session& session, const slice::SheetSlice& sheet, bool by_generation, render::FlatScene& flat)
-{
-	if (by_generation)
-		flat.polygon_values = slice::polygonGenerations(sheet, *flat.mesh);
-	else if (sheet.field && sheet.field->association == grid::Association::cell)
-		flat.polygon_values = polygonValues(session.blocks, *flat.mesh, *sheet.field);
-	else if (sheet.field)
-		flat.vertex_values = vertexValues(session.blocks, *flat.mesh, *sheet.field);
-}
-
-} // namespace
 
 bool namesPictures(const std::string& output)
 {
@@ -109,7 +69,7 @@ Result<std::vector<std::string>> writePictures(const Session& session, const std
 		flat.content = slice.sheets[s].sheet;
 		flat.mesh = &sheets[s].mesh;
 		flat.color_steps = write::colorSteps(*write::pictureFormatOf(output));
-		setValues(session, slice.sheets[s], look.by_generation, flat);
+		flat.values = sheetValues(session, slice.sheets[s], sheets[s].mesh, look.by_generation);
 	}
 	if (Status written = write::writePlanePictures(flats, *paths); !written)
 		return written.error();

@@ -17,16 +17,13 @@ struct FlatScene
 	CameraChoice camera; // of the small view
 	probe::Sheet content;
 	const slice::SheetMesh* mesh = nullptr; // of the content
-	// Of the mesh's vertices, or of its polygons where the scene's scale is per_cell; neither without an array.
-	std::vector<double> vertex_values;
-	std::vector<double> polygon_values;
+	SheetValues values;
 	// Steps of colour from the range's low end to its high one, where bands are not asked for. The colour map holds
 	// no more than 256; a file of polygons grows with them.
 	int color_steps = kColorMapSize;
 
 	const SheetDrawing& sheet() const { return scene.sheets.front(); }
 	bool hasValues() const { return scene.values || sheet().values; }
-	bool perCell() const { return !polygon_values.empty(); }
 };
 
 // Draws it in the units of the look's size, y down. Nothing in it needs a device.

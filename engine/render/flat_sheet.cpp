@@ -74,7 +74,7 @@ public:
 	{
 		if (!flat_.hasValues())
 			fillPlain();
-		else if (flat_.perCell())
+		else if (!flat_.values.of_polygons.empty())
 			fillCells();
 		else
 			fillValues();
@@ -117,7 +117,7 @@ private:
 		const ColorSteps steps = colorSteps(style_, flat_.color_steps);
 		const auto nan = static_cast<std::uint32_t>(steps.colors.size());
 		std::vector<std::uint32_t> groups;
-		for (const double value : flat_.polygon_values)
+		for (const double value : flat_.values.of_polygons)
 			groups.push_back(std::isnan(value) ? nan : static_cast<std::uint32_t>(steps.at(value)));
 		const auto outlines = slice::groupOutlines(*flat_.mesh, points_, groups, nan + 1);
 		for (std::uint32_t i = 0; i <= nan; ++i)
@@ -127,7 +127,8 @@ private:
 	// Each area reaches over the next one, which is drawn over it: so no seam is left between them.
 	void fillValues()
 	{
-		const slice::PlaneTriangles triangles = slice::planeTriangles(*flat_.mesh, flat_.content, flat_.vertex_values);
+		const slice::PlaneTriangles triangles =
+		    slice::planeTriangles(*flat_.mesh, flat_.content, flat_.values.of_vertices);
 		fill(slice::outlinesOf(triangles.points, triangles.nan_triangles), style_.colors->nan, kSeam);
 		const ColorSteps steps = colorSteps(style_, flat_.color_steps);
 		const Contours contours(triangles, steps.bounds);
@@ -158,42 +159,15 @@ private:
 		pen_.stroke(ink, pen_.em() / 22.0);
 	}
 
-	struct Drawn
-	{
-		LabelledLine line;
-		double level;
-	};
-
-	std::vector<Drawn> contourLines() const
-	{
-		std::vector<Drawn> drawn;
-		const auto take = [&](const std::vector<PlaneLine>& lines, double level)
-		{
-			const double width = pen_.lettering().width(shortNumber(level), labelSize());
-			for (const PlaneLine& line : lines)
-				drawn.push_back({{inPixels(line.points), line.closed, width}, level});
-		};
-		if (flat_.perCell())
-		{
-			for (const double level : style_.lines)
-				take(slice::stepLines(*flat_.mesh, points_, flat_.polygon_values, level), level);
-			return drawn;
-		}
-		const slice::PlaneTriangles triangles = slice::planeTriangles(*flat_.mesh, flat_.content, flat_.vertex_values);
-		const Contours contours(triangles, style_.lines);
-		for (std::size_t i = 0; i < style_.lines.size(); ++i)
-			take(contours.lines(i), style_.lines[i]);
-		return drawn;
-	}
-
 	double labelSize() const { return layout_.text.small_em; }
 
 	void drawLines()
 	{
-		const std::vector<Drawn> drawn = contourLines();
+		const std::vector<LevelLine> drawn = levelLines(*flat_.mesh, flat_.content, flat_.values, style_.lines);
 		std::vector<LabelledLine> lines;
-		for (const Drawn& line : drawn)
-			lines.push_back(line.line);
+		for (const LevelLine& line : drawn)
+			lines.push_back({inPixels(line.line.points), line.line.closed,
+			                 pen_.lettering().width(shortNumber(line.level), labelSize())});
 		for (const PlaneLine& rim : slice::meshOutlines(*flat_.mesh, points_))
 			lines.push_back({inPixels(rim.points), true, 0.0});
 		std::vector<LabelPlace> places;

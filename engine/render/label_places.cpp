@@ -193,7 +193,8 @@ std::vector<Candidate> candidatesOf(const Route& route, std::size_t line, double
 } // namespace
 
 std::vector<LabelPlace> placeLabels(std::span<const LabelledLine> lines, double height, double spacing,
-                                    const Area& within)
+                                    const Area& within, std::span<const Area> taken_areas,
+                                    const std::function<bool(std::size_t, const glm::dvec2&)>& seen)
 {
 	std::vector<Route> routes;
 	for (const LabelledLine& line : lines)
@@ -205,6 +206,8 @@ std::vector<LabelPlace> placeLabels(std::span<const LabelledLine> lines, double 
 
 	std::vector<LabelPlace> places;
 	std::vector<Box2> taken;
+	for (const Area& area : taken_areas)
+		taken.push_back({0.5 * (area.lo + area.hi), {1.0, 0.0}, 0.5 * area.size()});
 	for (const std::size_t line : order)
 	{
 		if (lines[line].points.size() < 2)
@@ -222,7 +225,8 @@ std::vector<LabelPlace> placeLabels(std::span<const LabelledLine> lines, double 
 			Box2 wide = c.box;
 			wide.half += kMargin * height;
 			if (c.marks > kWorst || std::any_of(places.begin() + std::ptrdiff_t(first), places.end(), near) ||
-			    std::ranges::any_of(taken, [&](const Box2& box) { return box.overlaps(wide); }))
+			    std::ranges::any_of(taken, [&](const Box2& box) { return box.overlaps(wide); }) ||
+			    (seen && !seen(line, c.place.centre)))
 				continue;
 			places.push_back(c.place);
 			taken.push_back(c.box);

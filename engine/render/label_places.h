@@ -3,6 +3,7 @@
 #include "render/layout.h"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,10 +29,12 @@ struct LabelPlace
 };
 
 // Places for labels of a height, the straightest and most upright parts of each line, one every `spacing` along it at
-// most: within the area, not over each other, and over other lines only where there is no better place. Lines hardly
-// longer than their labels have none. Longer lines choose first.
+// most: within the area, off what is taken, where `seen` (a line and a place) says so, not over each other, and over
+// other lines only where there is no better place. Lines hardly longer than their labels have none. Longer lines choose
+// first.
 std::vector<LabelPlace> placeLabels(std::span<const LabelledLine> lines, double height, double spacing,
-                                    const Area& within);
+                                    const Area& within, std::span<const Area> taken = {},
+                                    const std::function<bool(std::size_t, const glm::dvec2&)>& seen = {});
 
 // The parts of a line that its labels leave, as lines.
 std::vector<std::vector<glm::dvec2>> withGaps(const LabelledLine& line, std::span<const LabelPlace> places);

@@ -1,6 +1,7 @@
 #include "render/overlay.h"
 
 #include "render/box_axes.h"
+#include "render/contour_labels.h"
 #include "render/draw_list_pen.h"
 #include "render/legend.h"
 #include "render/outline.h"
@@ -118,6 +119,7 @@ Overlay makeOverlay(const Scene& scene)
 	DrawListPen pen(*overlay.lettering, inksOn(scene.look.background), layout.em);
 	if (!scene.fitted && scene.bounds)
 		writePlates(scene, layout, pen);
+	writeContourLabels(scene, layout, pen);
 	writeTitles(scene.look, layout, pen);
 	if (scene.look.axes)
 		writeDirections(scene.camera, layout, pen);
