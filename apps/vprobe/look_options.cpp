@@ -145,10 +145,12 @@ void addLookOptions(CLI::App& command, LookOptions& options, LookScope scope)
 	    ->group(group);
 	command
 	    .add_option("--units", options.units,
-	                "Of the array, told behind its name (default: none; a name such as \"T [K]\" has its own)")
+	                "Of the array, told behind its name (default: the file's, where it names them)")
 	    ->type_name("TEXT")
 	    ->group(group);
-	command.add_option("--length-units", options.length_units, "Of the grid's coordinates, told on axes")
+	command
+	    .add_option("--length-units", options.length_units,
+	                "Of the grid's coordinates, told on axes (default: the file's, where it names them)")
 	    ->type_name("TEXT")
 	    ->group(group);
 	command.add_option("--title", options.title, "Above the picture (default: the input's name; \"\" for none)")

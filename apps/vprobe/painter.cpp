@@ -95,6 +95,29 @@ Result<Painter> Painter::create(Session& session, const ProbeOptions& options, L
 	return Painter(session, {session, options.inputs, std::move(choice)}, std::move(*renderer));
 }
 
+SheetLooks::SheetLooks(const Session& session, std::vector<std::string> inputs, LookChoice choice)
+    : session_(session), inputs_(std::move(inputs)), choice_(std::move(choice))
+{
+	// The file's, where all of it agrees.
+	std::string& units = choice_.look.length_units;
+	const auto& blocks = session_.blocks.blocks;
+	if (units.empty() && !blocks.empty() &&
+	    std::ranges::all_of(blocks, [&](const auto& b) { return b.length_units == blocks[0].length_units; }))
+		units = blocks[0].length_units;
+}
+
+// Those of the command line go before the file's.
+std::string SheetLooks::unitsOf(const std::optional<slice::FieldChoice>& field) const
+{
+	if (field == session_.field && !choice_.units.empty())
+		return choice_.units;
+	if (field && !field->name.ends_with(']'))
+		for (const grid::Field* of_block : field->inEach(session_.blocks))
+			if (of_block && !of_block->units.empty())
+				return of_block->units;
+	return {};
+}
+
 // Worked out once: an array may be large, and what it lacks is told once.
 Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const std::optional<slice::FieldChoice>& field,
                                                               bool has_nan)
@@ -105,8 +128,8 @@ Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const std::optiona
 		auto scale = valueScale(session_.blocks, field, inputs_, choice_.look);
 		if (!scale)
 			return scale;
-		if (*scale && field == session_.field && !choice_.units.empty())
-			(*scale)->title += fmt::format(" [{}]", choice_.units);
+		if (const std::string units = unitsOf(field); *scale && !units.empty())
+			(*scale)->title += fmt::format(" [{}]", units);
 		known = scales_.insert(scales_.end(), {field, *scale});
 	}
 	std::optional<render::ValueScale> scale = known->second;

@@ -18,10 +18,7 @@ namespace vp::app
 class SheetLooks
 {
 public:
-	SheetLooks(const Session& session, std::vector<std::string> inputs, LookChoice choice)
-	    : session_(session), inputs_(std::move(inputs)), choice_(std::move(choice))
-	{
-	}
+	SheetLooks(const Session& session, std::vector<std::string> inputs, LookChoice choice);
 
 	const LookChoice& choice() const { return choice_; }
 	// The arrays hold other values now.
@@ -34,6 +31,7 @@ public:
 
 private:
 	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan);
+	std::string unitsOf(const std::optional<slice::FieldChoice>& field) const;
 
 	const Session& session_;
 	std::vector<std::string> inputs_;

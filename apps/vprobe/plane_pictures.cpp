@@ -63,7 +63,7 @@ Result<std::vector<std::string>> writePictures(const Session& session, const std
 		flat.scene.sheets.push_back(std::move(*drawing));
 		flat.scene.outline = outline;
 		flat.scene.bounds = session.blocks.bounds();
-		flat.scene.look = look.look;
+		flat.scene.look = looks.choice().look;
 		flat.scene.look.caption = caption(slice.sheets[s].sheet);
 		flat.camera = look.camera;
 		flat.content = slice.sheets[s].sheet;

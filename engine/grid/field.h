@@ -47,6 +47,7 @@ struct Field
 	NumberType type = NumberType::float32;
 	Array<std::byte> bytes;
 	bool categorical = false; // see namesCategories(); set where a block takes its fields
+	std::string units{};      // as the file names them, mostly empty
 
 	std::size_t tuples() const;
 	double value(std::size_t tuple, int component) const; // bounds are the caller's

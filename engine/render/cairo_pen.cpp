@@ -1,6 +1,7 @@
 #include "render/cairo_pen.h"
 
 #include "render/font/font.h"
+#include "render/valid_utf8.h"
 
 #include <cairo-ft.h>
 #include <cairo.h>
@@ -87,28 +88,29 @@ void CairoPen::text(const glm::dvec2& top_left, double size, Color color, const 
 	setColor(color);
 	cairo_set_font_size(context_, kEm * size);
 	cairo_move_to(context_, top_left.x, top_left.y + kBaseline * size);
-	cairo_show_text(context_, words.c_str());
+	cairo_show_text(context_, validUtf8(words).c_str());
 }
 
 void CairoPen::turnedText(const glm::dvec2& centre, double angle, double size, Color color, Color halo,
                           const std::string& words)
 {
+	const std::string letters = validUtf8(words);
 	cairo_save(context_);
 	cairo_translate(context_, centre.x, centre.y);
 	cairo_rotate(context_, angle);
 	cairo_set_font_size(context_, kEm * size);
 	cairo_text_extents_t extents;
-	cairo_text_extents(context_, words.c_str(), &extents);
+	cairo_text_extents(context_, letters.c_str(), &extents);
 	const glm::dvec2 start(-0.5 * extents.x_advance, (kBaseline - 0.5) * size);
 	if (halo.a > 0)
 	{
 		cairo_move_to(context_, start.x, start.y);
-		cairo_text_path(context_, words.c_str());
+		cairo_text_path(context_, letters.c_str());
 		stroke(halo, 2.0 * kHalo * size);
 	}
 	setColor(color);
 	cairo_move_to(context_, start.x, start.y);
-	cairo_show_text(context_, words.c_str());
+	cairo_show_text(context_, letters.c_str());
 	cairo_restore(context_);
 }
 

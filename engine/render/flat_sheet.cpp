@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 namespace vp::render
 {
@@ -25,6 +25,8 @@ constexpr std::size_t kMostLeftOut = 24;
 
 // Between neighbours that each have a colour, and their edges smoothed, the ground would shine through.
 constexpr double kSeam = 0.6; // pixels
+
+constexpr double kDarkForMesh = 0.2; // as in pictures in space
 
 constexpr std::size_t kEdgesAtOnce = 2000; // cairo's work grows faster than a path
 constexpr double kLabelsApart = 26.0;      // em, along a line
@@ -139,24 +141,45 @@ private:
 			     steps.colors[i], 0.0);
 	}
 
-	void drawMesh()
+	// Each edge once, with a value that it runs through.
+	std::map<std::pair<std::uint32_t, std::uint32_t>, double> meshEdges() const
 	{
-		std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+		const SheetValues& values = flat_.values;
+		std::map<std::pair<std::uint32_t, std::uint32_t>, double> edges;
 		for (std::size_t p = 0; p < flat_.mesh->polygons(); ++p)
 		{
 			const auto polygon = flat_.mesh->polygon(p);
 			for (std::size_t i = 0; i < polygon.size(); ++i)
-				edges.insert(std::minmax(polygon[i], polygon[(i + 1) % polygon.size()]));
+			{
+				const std::pair<std::uint32_t, std::uint32_t> edge =
+				    std::minmax(polygon[i], polygon[(i + 1) % polygon.size()]);
+				edges[edge] = !values.of_polygons.empty() ? values.of_polygons[p]
+				              : !values.of_vertices.empty()
+				                  ? 0.5 * (values.of_vertices[edge.first] + values.of_vertices[edge.second])
+				                  : std::nan("");
+			}
 		}
-		const Color ink{18, 18, 18, 110};
-		std::size_t count = 0;
-		for (const auto& [a, b] : edges)
+		return edges;
+	}
+
+	// Light on dark colours, dark on others.
+	void drawMesh()
+	{
+		const auto edges = meshEdges();
+		for (const bool light : {false, true})
 		{
-			pen_.path({layout_.pixel(points_[a]), layout_.pixel(points_[b])}, false);
-			if (++count % kEdgesAtOnce == 0)
-				pen_.stroke(ink, pen_.em() / 22.0);
+			const Color ink = light ? Color{235, 235, 235, 90} : Color{18, 18, 18, 110};
+			std::size_t count = 0;
+			for (const auto& [ends, value] : edges)
+			{
+				if (light != (!std::isnan(value) && luminance(colorAt(value)) < kDarkForMesh))
+					continue;
+				pen_.path({layout_.pixel(points_[ends.first]), layout_.pixel(points_[ends.second])}, false);
+				if (++count % kEdgesAtOnce == 0)
+					pen_.stroke(ink, pen_.em() / 22.0);
+			}
+			pen_.stroke(ink, pen_.em() / 22.0);
 		}
-		pen_.stroke(ink, pen_.em() / 22.0);
 	}
 
 	double labelSize() const { return layout_.text.small_em; }

@@ -25,10 +25,14 @@ Inks inksOn(const Background& background)
 	return background.dark() ? kOnDark : kOnLight;
 }
 
+double luminance(const Color& color)
+{
+	return (0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b) / 255.0;
+}
+
 Color inkOver(const Color& under)
 {
-	const bool dark = 0.2126 * under.r + 0.7152 * under.g + 0.0722 * under.b < 0.33 * 255.0;
-	const std::uint8_t ink = dark ? 235 : 18;
+	const std::uint8_t ink = luminance(under) < 0.33 ? 235 : 18;
 	return {ink, ink, ink, 190};
 }
 

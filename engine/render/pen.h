@@ -21,6 +21,8 @@ struct Inks
 };
 Inks inksOn(const Background& background);
 
+double luminance(const Color& color); // 0 to 1
+
 // Of lines on a colour: dark on light, light on dark.
 Color inkOver(const Color& under);
 

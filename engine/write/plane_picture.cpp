@@ -1,5 +1,6 @@
 #include "write/plane_picture.h"
 
+#include "render/valid_utf8.h"
 #include "write/atomic_file.h"
 #include "write/png.h"
 
@@ -53,7 +54,7 @@ Surface surfaceFor(const render::Look& look, PictureFormat format, AtomicFile& f
 	{
 		Surface surface(
 		    cairo_pdf_surface_create_for_stream(writeBytes, &file, kPointsPerPixel * width, kPointsPerPixel * height));
-		cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, look.title.c_str());
+		cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, render::validUtf8(look.title).c_str());
 		return surface;
 	}
 	}

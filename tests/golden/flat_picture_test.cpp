@@ -232,6 +232,17 @@ TEST_F(Flat, TheSmallestAndOddSizesDoNoHarm)
 	}
 }
 
+TEST_F(Flat, NamesInAnyEncodingCanBeWritten)
+{
+	FlatScene flat = sceneOf([](const Vec3& p) { return p.x; }, windowed(4.0, 2.0));
+	flat.scene.look.title = "caf\xe9 \xed\xa0\x80 \xc3";
+	flat.scene.look.length_units = "\xb5m";
+	flat.scene.values->title = "temp\xff\xfe";
+	EXPECT_EQ(drawn(flat).width, 800u);
+	EXPECT_NE(text(written(flat, "flat.svg")).find("</svg>"), std::string::npos);
+	EXPECT_NE(text(written(flat, "flat.pdf")).find("%%EOF"), std::string::npos);
+}
+
 TEST_F(Flat, AllPicturesOrNone)
 {
 	const FlatScene flat = sceneOf([](const Vec3& p) { return p.x; }, windowed(4.0, 2.0));
