@@ -166,13 +166,15 @@ private:
 	void drawMesh()
 	{
 		const auto edges = meshEdges();
+		const ColorSteps shown =
+		    flat_.hasValues() ? colorSteps(style_, flat_.color_steps) : ColorSteps{{}, {kPlainSheet}};
 		for (const bool light : {false, true})
 		{
 			const Color ink = light ? Color{235, 235, 235, 90} : Color{18, 18, 18, 110};
 			std::size_t count = 0;
 			for (const auto& [ends, value] : edges)
 			{
-				if (light != (!std::isnan(value) && luminance(colorAt(value)) < kDarkForMesh))
+				if (light != (!std::isnan(value) && luminance(shown.colors[shown.at(value)]) < kDarkForMesh))
 					continue;
 				pen_.path({layout_.pixel(points_[ends.first]), layout_.pixel(points_[ends.second])}, false);
 				if (++count % kEdgesAtOnce == 0)

@@ -42,9 +42,10 @@ private:
 			line.push_back(steps_[step].to);
 			if (steps_[step].to == start)
 				return;
-			const auto [first, last] = std::ranges::equal_range(steps_, steps_[step].to, {}, &PlaneStep::from);
-			const auto next = std::find_if(first, last, [&](const PlaneStep& s) { return !used_[&s - steps_.data()]; });
-			if (next == last)
+			auto next = std::ranges::lower_bound(steps_, steps_[step].to, {}, &PlaneStep::from);
+			while (next != steps_.end() && next->from == steps_[step].to && used_[&*next - steps_.data()])
+				++next;
+			if (next == steps_.end() || next->from != steps_[step].to)
 				return;
 			step = static_cast<std::size_t>(next - steps_.begin());
 		}
