@@ -15,8 +15,10 @@ namespace vp::render
 namespace
 {
 
-constexpr Color kSheet{58, 110, 190, 90};
+constexpr Color kSheetOnLight{168, 193, 230};
+constexpr Color kSheetOnDark{44, 72, 122};
 constexpr Color kSheetRim{38, 84, 168};
+constexpr double kSheetOpacity = 0.75;
 constexpr double kDash = 0.3;             // em, of hidden edges
 constexpr std::size_t kMostLines = 20000; // of the outline: more would be a blot
 
@@ -97,8 +99,10 @@ private:
 		pen_.stroke(faded(pen_.inks().faint, 110), em_ / 18.0);
 	}
 
+	// Its rim first and the rest over it: where polygons do not fit together lines within are no part of the rim.
 	void sheet()
 	{
+		cairo_push_group(pen_.context());
 		const std::vector<glm::dvec2> points = slice::planePoints(*flat_.mesh, flat_.content);
 		for (const slice::PlaneLine& line : slice::meshOutlines(*flat_.mesh, points))
 		{
@@ -108,10 +112,14 @@ private:
 					rim.push_back(p);
 			pen_.path(rim, true);
 		}
-		pen_.setColor(kSheet);
-		cairo_set_fill_rule(pen_.context(), CAIRO_FILL_RULE_EVEN_ODD);
-		cairo_fill_preserve(pen_.context());
-		pen_.stroke(kSheetRim, em_ / 12.0);
+		pen_.setColor(kSheetRim);
+		cairo_set_line_width(pen_.context(), em_ / 6.0);
+		cairo_stroke_preserve(pen_.context());
+		pen_.setColor(flat_.scene.look.background.dark() ? kSheetOnDark : kSheetOnLight);
+		cairo_set_fill_rule(pen_.context(), CAIRO_FILL_RULE_WINDING);
+		cairo_fill(pen_.context());
+		cairo_pop_group_to_source(pen_.context());
+		cairo_paint_with_alpha(pen_.context(), kSheetOpacity);
 		if (const std::vector<Vec3> corners = window(); !corners.empty())
 			pen_.closedLine({pixel(corners[0]), pixel(corners[1]), pixel(corners[2]), pixel(corners[3])}, kSheetRim,
 			                em_ / 16.0);

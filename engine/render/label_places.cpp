@@ -26,6 +26,7 @@ constexpr double kShortestLoop = 2.8;
 
 // A place's marks, in which less is better.
 constexpr double kSteepness = 0.25; // of an upright label
+constexpr double kOffMiddle = 0.3;  // of a label at an end of its line
 constexpr double kOverLine = 1.5;   // of a probe of another line
 constexpr double kWorst = 3.0;      // no label is better than such a place
 
@@ -185,8 +186,11 @@ std::vector<Candidate> candidatesOf(const Route& route, std::size_t line, double
 		return result;
 	const double step = std::max(0.25 * taken, (route.length() - taken) / 400.0);
 	for (double from = 0.0; from + taken <= route.length(); from += step)
-		if (const auto candidate = candidateAt(route, line, from, taken, width, height))
+		if (auto candidate = candidateAt(route, line, from, taken, width, height))
+		{
+			candidate->marks += kOffMiddle * std::abs(2.0 * (from + 0.5 * taken) / route.length() - 1.0);
 			result.push_back(*candidate);
+		}
 	return result;
 }
 
