@@ -59,7 +59,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 		return written.error();
 	if (Status saved = saveState(options.saved); !saved)
 		return saved.error();
-	return writeStats(options.stats, options.output, statsJson(options.saved.probe, session, *slice, sheets));
+	return writeStats(options.stats, {options.output}, statsJson(options.saved.probe, session, *slice, sheets));
 }
 
 } // namespace

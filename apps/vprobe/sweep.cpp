@@ -256,7 +256,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 		return figures.error();
 	if (Status saved = saveState(options.saved); !saved)
 		return saved.error();
-	return writeStats(options.stats, "", statsDocument(options.saved.probe, session, "frames", std::move(*figures)));
+	return writeStats(options.stats, {}, statsDocument(options.saved.probe, session, "frames", std::move(*figures)));
 }
 
 } // namespace

@@ -29,6 +29,7 @@ struct CheckedBlock
 	std::string name;
 	std::variant<grid::UniformGrid, grid::RectilinearGrid, grid::CurvilinearGrid, CellMesh> mesh;
 	std::vector<grid::Field> fields;
+	std::string length_units{};
 };
 
 // What a child handed over, as far as it holds good.

@@ -22,8 +22,8 @@ namespace vp::read
 //   unstructured  "coordinates": array, "cells": {"types", "offsets", "connectivity", "face_offsets", "face_stream",
 //                 "source_cells", "source_cell_count", "source_point_count"}; the latter five where there is need
 //
-// An array is {"type": "float32" ..., "offset", "bytes"}, and among "arrays" also has "name", "association" and
-// "components".
+// An array is {"type": "float32" ..., "offset", "bytes"}, and among "arrays" also has "name", "association",
+// "components" and, where the file names them, "units". So the manifest has "length_units".
 constexpr int kProtocolVersion = 2;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;

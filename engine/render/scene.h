@@ -4,6 +4,7 @@
 #include "render/camera.h"
 #include "render/look.h"
 #include "render/outline.h"
+#include "render/sheet_contours.h"
 
 #include <memory>
 #include <optional>
@@ -54,6 +55,19 @@ struct SheetDrawing
 	std::optional<ColorMap> colors{};
 	std::optional<std::pair<double, double>> range{};
 	std::optional<int> lines{}; // about so many contour lines
+	// Lines that are to bear their values, and what bounds the polygons; where they are seen, in the records' uv.
+	std::vector<LevelLine> contours{};
+	std::vector<slice::PlaneLine> rim_lines{};
+
+	Vec3 inWorld(const glm::dvec2& uv) const
+	{
+		return sheet.origin + magnification * (uv.x * sheet.xAxis() + uv.y * sheet.up);
+	}
+	glm::dvec2 inRecords(const Vec3& place) const // its uv
+	{
+		const Vec3 from = (place - sheet.origin) / magnification;
+		return {glm::dot(from, sheet.xAxis()), glm::dot(from, sheet.up)};
+	}
 };
 
 constexpr Color kPlainColor{142, 168, 195}; // where there is no array to show

@@ -9,6 +9,8 @@
 namespace vp::render
 {
 
+constexpr Color kPlainSheet{142, 168, 195}; // where there is no array to show
+
 // How values are shown, once data, look and a sheet's own wishes are known: what the legend tells and the composing
 // pass does.
 struct ValueStyle

@@ -107,7 +107,7 @@ TEST_F(Usage, StandardOutputIsForOneThing)
 
 TEST_F(Usage, OutputOfAnUnknownKind)
 {
-	for (const std::string output : {"out.xyz", "out", "out.png"})
+	for (const std::string output : {"out.xyz", "out", "out.jpg"})
 	{
 		EXPECT_TRUE(isError(run({"slice", "demo:shell:8", "--classify", "cpu", "-o", path(output)}), 1,
 		                    {output, ".vtp", ".ply", ".csv"}))
