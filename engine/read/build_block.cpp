@@ -11,6 +11,7 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name)
 	block.name = std::move(name);
 	block.fields = std::move(checked.fields);
 	block.geometry = geometryOf(checked);
+	block.hidden_lattice = checked.hidden_lattice;
 	std::visit(
 	    [&](auto&& mesh)
 	    {

@@ -130,6 +130,15 @@ void checkCells(const grid::CellList& cells, std::size_t points)
 		throw Unusable(fmt::format("the faces of polyhedron {} do not make sense", bad));
 }
 
+void checkLattice(const grid::Lattice& lattice, std::size_t points, const grid::CellList& cells)
+{
+	if (lattice.pointCount() != points || lattice.cellCount() != cells.types.size() || !cells.source_cells.empty())
+		throw Unusable("a lattice has another number of points or cells than it should");
+	const auto foreign = [&](std::size_t c) { return cells.types[c] != kEmptyCell && cells.types[c] != kHexahedron; };
+	if (const std::size_t bad = firstWhere(cells.types.size(), foreign); bad != kNone)
+		throw Unusable(fmt::format("cell {} of a lattice is no hexahedron", bad));
+}
+
 void checkSourceCells(const Array<std::int64_t>& source_cells, std::size_t count)
 {
 	const auto outside = [&](std::size_t c) { return static_cast<std::uint64_t>(source_cells[c]) >= count; };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grid/points.h"
+#include "grid/structured.h"
 #include "grid/unstructured.h"
 
 #include <cmath>
@@ -28,6 +29,8 @@ inline bool isPlace(double coordinate)
 void checkCoordinates(const grid::Points& points);
 void checkAxis(const Array<double>& axis);
 void checkCells(const grid::CellList& cells, std::size_t points);
+// That the cells can be those of a lattice, hidden ones empty.
+void checkLattice(const grid::Lattice& lattice, std::size_t points, const grid::CellList& cells);
 void checkSourceCells(const Array<std::int64_t>& source_cells, std::size_t count);
 
 } // namespace vp::read

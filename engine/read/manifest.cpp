@@ -190,6 +190,11 @@ private:
 			CellMesh mesh = cellMeshOf(block);
 			points = mesh.points.size();
 			cells = mesh.cells.source_cells.empty() ? mesh.cells.types.size() : mesh.source_cell_count;
+			if (block.contains("points"))
+			{
+				checked.hidden_lattice = grid::Lattice(latticeOfBlock(block));
+				checkLattice(*checked.hidden_lattice, mesh.points.size(), mesh.cells);
+			}
 			checked.mesh = std::move(mesh);
 			return;
 		}

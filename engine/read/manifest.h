@@ -8,6 +8,7 @@
 #include "read/mapping.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -29,6 +30,7 @@ struct CheckedBlock
 	std::string name;
 	std::variant<grid::UniformGrid, grid::RectilinearGrid, grid::CurvilinearGrid, CellMesh> mesh;
 	std::vector<grid::Field> fields;
+	std::optional<grid::Lattice> hidden_lattice; // see grid::Block
 };
 
 // What a child handed over, as far as it holds good.
