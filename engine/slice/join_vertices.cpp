@@ -34,10 +34,10 @@ public:
 	{
 	}
 
-	void join()
+	void join(bool by_place)
 	{
 		joinAtGridPoints();
-		joinAtSeams();
+		joinAtSeams(by_place);
 		if (ofSeveralBlocks())
 			joinAtSamePlace();
 		if (joined_.count() < mesh_.positions.size())
@@ -65,10 +65,12 @@ private:
 		}
 	}
 
-	void joinAtSeams()
+	void joinAtSeams(bool by_place)
 	{
 		for (const VertexPair& pair : seamVertices(blocks_, mesh_))
-			if (haveSameData(pair.first, pair.second))
+			if (by_place && !areOnePlace(pair.first, pair.second))
+				continue;
+			else if (haveSameData(pair.first, pair.second))
 				joined_.join(pair.first, pair.second);
 			else
 				mesh_.seam_pairs.push_back(pair);
@@ -92,6 +94,18 @@ private:
 			else if (mesh_.positions[first[number]] == mesh_.positions[v] && haveSameData(first[number], v))
 				joined_.join(first[number], v);
 		}
+	}
+
+	// As seen from the length of the edge; its ends are the same points within a far smaller tolerance.
+	bool areOnePlace(std::uint32_t v, std::uint32_t w) const
+	{
+		constexpr double kApart = 1e-4;
+		const EdgePoint& edge = mesh_.edges[v];
+		const double length =
+		    std::visit([&](const auto& grid) { return glm::length(grid.point(edge.higher) - grid.point(edge.lower)); },
+		               blocks_.blocks[edge.block].grid);
+		return edge.t == 0.0 || edge.t == 1.0 ||
+		       glm::length(mesh_.positions[v] - mesh_.positions[w]) <= kApart * length;
 	}
 
 	// Places with the same key are hardly ever two; whoever uses it compares them.
@@ -154,9 +168,9 @@ private:
 
 } // namespace
 
-void joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh)
+void joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place)
 {
-	VertexJoiner(blocks, mesh).join();
+	VertexJoiner(blocks, mesh).join(by_place);
 }
 
 } // namespace vp::slice

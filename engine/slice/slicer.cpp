@@ -2,10 +2,13 @@
 
 #include "base/timeline.h"
 #include "slice/cpu_classifier.h"
+#include "slice/crinkle.h"
 #include "slice/gpu_blocks.h"
 #include "slice/gpu_classifier.h"
+#include "slice/grid_surface.h"
 #include "slice/host_records.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace vp::slice
@@ -27,10 +30,17 @@ std::vector<BlockCut> blockCuts(std::span<const traverse::LaneCut> cuts, const s
 SheetMesh Slice::mesh(const grid::BlockSet& blocks, std::size_t sheet) const
 {
 	const SheetSlice& cut = sheets[sheet];
+	if (cut.grid_surface)
+		return gridSurfaceMesh(blocks, *cut.grid_surface, cut.cuts);
 	SheetMesh mesh = buildMesh(blocks, cut.sheet, blockCuts(cut.cuts, cut.seeds));
 	if (cut.sheet.window)
 		clipToWindow(cut.sheet, cut.corners, mesh);
 	return mesh;
+}
+
+SheetMesh Slice::crinkle(const grid::BlockSet& blocks, std::size_t sheet) const
+{
+	return crinkleMesh(blocks, blockCuts(sheets[sheet].cuts, sheets[sheet].seeds));
 }
 
 SliceTicket::SliceTicket(std::stop_source stop, std::future<Result<Slice>> result)
@@ -94,10 +104,12 @@ SliceTicket Slicer::begin(SliceRequest request)
 Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 {
 	assert(request.field || !request.threshold);
-	std::vector<std::function<bool(CellId)>> admits(blocks_.blocks.size());
+	Admits admits(blocks_.blocks.size());
 	if (request.threshold)
 		for (std::size_t b = 0; b < admits.size(); ++b)
 			admits[b] = cellsWithin(blocks_.blocks[b], *request.field, *request.threshold);
+	if (request.grid_surface)
+		return showGridSurface(request, admits);
 
 	Slice slice;
 	{
@@ -140,6 +152,18 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	if (gpu_)
 		if (Status added = addHostRecords(request.timeline, slice); !added)
 			return added.error();
+	return slice;
+}
+
+Slice Slicer::showGridSurface(const SliceRequest& request, const Admits& admits) const
+{
+	const TimedSection section(request.timeline, "traverse");
+	Slice slice;
+	SheetSlice& sheet = slice.sheets.emplace_back();
+	sheet.field = request.sheet_fields.empty() ? request.field : request.sheet_fields.front();
+	sheet.grid_surface = request.grid_surface;
+	sheet.cuts = gridSurfaceCells(blocks_, *request.grid_surface, admits);
+	sheet.seeds.faces_in_plane.resize(sheet.cuts.size());
 	return slice;
 }
 
@@ -197,7 +221,7 @@ void Slicer::forgetValues()
 Result<Slice> Slicer::regather(const Slice& kept, Timeline* timeline)
 {
 	Slice slice = kept;
-	if (!gpu_)
+	if (!gpu_ || std::ranges::any_of(slice.sheets, [](const SheetSlice& s) { return s.grid_surface.has_value(); }))
 		return slice; // meshes gather their values when they are made
 	const TimedSection section(timeline, "emit");
 	Result<std::unique_ptr<GpuClassifier>> classifier = gpuClassifier(slice, timeline);

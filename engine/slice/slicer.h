@@ -8,6 +8,7 @@
 #include "slice/field_choice.h"
 #include "slice/mesh.h"
 #include "slice/threshold.h"
+#include "surface/grid_index.h"
 #include "traverse/bfs.h"
 
 #include <future>
@@ -42,7 +43,10 @@ struct SliceRequest
 	std::vector<std::optional<FieldChoice>> sheet_fields;
 	seed::SeedOptions seeds;
 	std::optional<Threshold> threshold; // of the field's values: cells outside end the traversal
-	Timeline* timeline = nullptr;       // sections "seed", "traverse", "emit"; must outlive the ticket
+	// A grid surface takes the place of the probe's sheets. It needs no search, and the window and the seeds mean
+	// nothing to it. checkGridIndex() has passed it.
+	std::optional<surface::GridIndex> grid_surface;
+	Timeline* timeline = nullptr; // sections "seed", "traverse", "emit"; must outlive the ticket
 };
 
 // One sheet's share of a slice.
@@ -55,6 +59,7 @@ struct SheetSlice
 	seed::SheetSeeds seeds;
 	std::vector<traverse::LaneCut> cuts;   // per block
 	std::shared_ptr<SheetRecords> records; // GPU classifier only: the polygons in device memory, as they are drawn
+	std::optional<surface::GridIndex> grid_surface = {}; // shown in place of the sheet, whose frame means nothing then
 };
 
 struct Slice
@@ -64,6 +69,8 @@ struct Slice
 
 	// The indexed mesh of a sheet within its window, built on the CPU from the traversal's cells.
 	SheetMesh mesh(const grid::BlockSet& blocks, std::size_t sheet) const;
+	// The whole cells that a sheet shows in its window, see crinkle.h.
+	SheetMesh crinkle(const grid::BlockSet& blocks, std::size_t sheet) const;
 };
 
 class Slicer;
@@ -112,7 +119,10 @@ public:
 private:
 	using Lane = traverse::Lane<surface::Plane>;
 
+	using Admits = std::vector<std::function<bool(CellId)>>; // per block
+
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
+	Slice showGridSurface(const SliceRequest& request, const Admits& admits) const;
 	Result<std::vector<traverse::LaneCut>> traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes,
 	                                                     std::stop_token stop);
 	Result<std::vector<traverse::LaneCut>> traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,
