@@ -102,9 +102,18 @@ void addColorOptions(CLI::App& command, LookOptions& options, const char* group)
 
 } // namespace
 
+void addCrinkleOption(CLI::App& command, LookOptions& options)
+{
+	command
+	    .add_flag("--crinkle", options.crinkle,
+	              "The cells that are cut, whole: their faces, but for those between two of them, in place of the cut")
+	    ->group("Look");
+}
+
 void addLookOptions(CLI::App& command, LookOptions& options)
 {
 	const char* group = "Look";
+	addCrinkleOption(command, options);
 	command.add_option("--size", options.size, "Of the picture in pixels")
 	    ->type_name("WxH")
 	    ->capture_default_str()

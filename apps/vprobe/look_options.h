@@ -28,6 +28,7 @@ struct LookOptions
 	int bands = 0;
 	bool mesh = false;
 	bool lit = false;
+	bool crinkle = false;
 	std::string background = "gradient";
 	std::string camera = "auto";
 	std::string outline = "box";
@@ -35,6 +36,8 @@ struct LookOptions
 	std::optional<std::string> title; // else the input's name
 };
 
+// The one of them that exports know too.
+void addCrinkleOption(CLI::App& command, LookOptions& options);
 void addLookOptions(CLI::App& command, LookOptions& options);
 
 struct LookChoice

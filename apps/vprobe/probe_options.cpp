@@ -74,6 +74,13 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	    ->type_name("N")
 	    ->group(group);
 	command
+	    .add_option(
+	        "--surface", options.surface,
+	        "In place of a plane: a grid surface of structured blocks, by the index of its points from 0; between "
+	        "two with a fraction. A sweep goes from FIRST to LAST")
+	    ->type_name("i|j|k=INDEX|i|j|k=FIRST..LAST")
+	    ->group(group);
+	command
 	    .add_option("--corners", options.corners,
 	                "Polygons that hold a corner of a window: keep (the default) or skip them")
 	    ->check(CLI::IsMember({"keep", "skip"}))

@@ -33,6 +33,8 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (options.output != "-" && std::filesystem::path(options.output).extension() != ".png")
 		return Error{ExitCode::usage, fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -",
 		                                          options.output)};
+	if (Status flat = requirePlanes(options.saved); !flat)
+		return flat.error();
 	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
 	if (!look)
 		return look.error();

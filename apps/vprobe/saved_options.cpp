@@ -33,6 +33,7 @@ state::Sections sectionsOf(SavedOptions& options)
 	          {"normal", &probe.normal},
 	          {"up", &probe.up},
 	          {"window", &probe.window},
+	          {"surface", &probe.surface},
 	          {"vanes", &probe.vanes},
 	          {"offsets", &probe.offsets},
 	          {"sheets", &probe.sheets},
@@ -54,6 +55,7 @@ state::Sections sectionsOf(SavedOptions& options)
 	          {"bands", &look.bands},
 	          {"mesh", &look.mesh},
 	          {"lit", &look.lit},
+	          {"crinkle", &look.crinkle},
 	          {"background", &look.background},
 	          {"camera", &look.camera},
 	          {"outline", &look.outline},
@@ -138,6 +140,17 @@ void addStateOptions(CLI::App& command, SavedOptions& options)
 	    ->trigger_on_parse()
 	    ->type_name("FILE.json")
 	    ->group(group);
+}
+
+Status requirePlanes(const SavedOptions& options)
+{
+	for (const auto& [given, name] :
+	     {std::pair{options.probe.surface.has_value(), "--surface"}, std::pair{options.look.crinkle, "--crinkle"}})
+		if (given)
+			return Error{ExitCode::usage, fmt::format("{}: is not drawn yet; export it: vprobe slice -o FILE.vtp, or "
+			                                          "vprobe sweep -o FILE.pvd",
+			                                          name)};
+	return Nothing{};
 }
 
 Status prepare(SavedOptions& options)

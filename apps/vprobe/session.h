@@ -27,6 +27,9 @@ struct Session
 	std::vector<std::optional<slice::FieldChoice>> sheet_fields;
 	slice::Corners corners = slice::Corners::keep;
 	seed::SeedOptions seeds;
+	std::optional<surface::GridIndexRange> surface; // in place of the probe's sheets
+	double swept = 0.0;                             // how far along that range the next cut lies, 0 to 1
+	bool crinkle = false;                           // the whole cells are wanted too
 	std::optional<slice::Threshold> threshold;
 	std::unique_ptr<gpu::Device> device; // null where the CPU does without
 	std::unique_ptr<slice::Slicer> slicer;

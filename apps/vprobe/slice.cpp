@@ -2,6 +2,7 @@
 #include "interrupt.h"
 #include "saved_options.h"
 #include "stats_json.h"
+#include "surface_options.h"
 #include "write/slice_file.h"
 
 #include <fmt/format.h>
@@ -25,6 +26,8 @@ Result<ExitCode> runSlice(SliceOptions& options)
 {
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
+	if (Status one = requireOneSurface(options.saved.probe); !one)
+		return one.error();
 	if (options.output == "-" && options.stats == "-")
 		return Error{ExitCode::usage,
 		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
@@ -36,6 +39,7 @@ Result<ExitCode> runSlice(SliceOptions& options)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
+	session.crinkle = options.saved.look.crinkle;
 	Result<slice::Slice> slice = cut(session);
 	if (!slice)
 		return slice.error();
@@ -47,10 +51,7 @@ Result<ExitCode> runSlice(SliceOptions& options)
 	{
 		const TimedSection section(session.timeline.get(), "write");
 		const DeferredInterrupt writing; // the files of a .vtm appear together
-		std::vector<slice::SheetMesh> meshes;
-		for (const SheetStats& sheet : sheets)
-			meshes.push_back(sheet.mesh);
-		if (Status written = write::writeSlice(session.blocks, meshes, options.output); !written)
+		if (Status written = write::writeSlice(session.blocks, exportedMeshes(sheets), options.output); !written)
 			return written.error();
 	}
 	if (options.output.empty() && options.stats.empty())
@@ -74,6 +75,7 @@ void addSlice(CLI::App& program, Run& run)
 	                 "Polygons as .vtp, .vtm (a .vtp a sheet), .ply or .csv; - writes VTP to standard output")
 	    ->type_name("FILE|-");
 	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
+	addCrinkleOption(*command, options->saved.look);
 	command->footer("With neither -o nor --stats a short table is printed.");
 	addStateOptions(*command, options->saved);
 	command->callback([&run, options] { run = [options] { return runSlice(*options); }; });

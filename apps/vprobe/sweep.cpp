@@ -6,6 +6,7 @@
 #include "painter.h"
 #include "remaining_time.h"
 #include "saved_options.h"
+#include "surface_options.h"
 #include "time_steps.h"
 #include "write/slice_sets.h"
 
@@ -103,10 +104,7 @@ public:
 			return Error{ExitCode::interrupted, "interrupted; nothing is written"};
 		if (series_)
 		{
-			std::vector<slice::SheetMesh> meshes;
-			for (const SheetStats& sheet : sheets)
-				meshes.push_back(sheet.mesh);
-			if (Status written = series_->add(frame, session_.blocks, meshes); !written)
+			if (Status written = series_->add(frame, session_.blocks, exportedMeshes(sheets)); !written)
 				return written;
 		}
 		return painter_ ? draw(frame, slice, sheets) : Nothing{};
@@ -197,6 +195,7 @@ Result<nlohmann::json> sweepAlong(const probe::Path& path, int frames, Session& 
 	const CutFrame cut_frame = [&](int frame)
 	{
 		session.probe.frame = poses[static_cast<std::size_t>(frame)];
+		session.swept = probe::progress(path, frame, frames);
 		return cut(session);
 	};
 	return sweepThrough(frames, cut_frame, session, products, wants_figures);
@@ -221,6 +220,11 @@ Result<ExitCode> runSweep(SweepOptions& options)
 		return ready.error();
 	if (Status fits = checkOptions(options); !fits)
 		return fits.error();
+	if (Status fits = requirePathOfSurface(options.saved.probe, options.saved.path); !fits)
+		return fits.error();
+	if (options.draws())
+		if (Status flat = requirePlanes(options.saved); !flat)
+			return flat.error();
 	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
 	if (!look)
 		return look.error();
@@ -242,6 +246,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
+	session.crinkle = options.saved.look.crinkle;
 	Result<Products> products = Products::create(options, session, std::move(*look), std::move(*frames));
 	if (!products)
 		return products.error();
