@@ -74,11 +74,11 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	    ->type_name("N")
 	    ->group(group);
 	command
-	    .add_option(
-	        "--surface", options.surface,
-	        "In place of a plane: a grid surface of structured blocks, by the index of its points from 0; between "
-	        "two with a fraction. A sweep goes from FIRST to LAST")
-	    ->type_name("i|j|k=INDEX|i|j|k=FIRST..LAST")
+	    .add_option("--surface", options.surface,
+	                "In place of a plane: a grid surface of structured blocks, i, j or k=INDEX of its points from 0, "
+	                "between two "
+	                "with a fraction; a sweep goes from FIRST to LAST. Or a part of the boundary that the file names")
+	    ->type_name("i=INDEX|i=FIRST..LAST|patch=NAME")
 	    ->group(group);
 	command
 	    .add_option("--corners", options.corners,

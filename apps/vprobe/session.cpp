@@ -3,8 +3,6 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "make_probe.h"
-#include "slice/grid_surface.h"
-#include "surface_options.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -100,7 +98,7 @@ bool classifiesOnGpu(const ProbeOptions& options, const gpu::Device* device)
 
 read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time)
 {
-	return {time, options.solution, options.refine, options.displace};
+	return {time, options.solution, options.refine, options.displace, namesPatch(options)};
 }
 
 Status makeSlicer(Session& session, const ProbeOptions& options)
@@ -133,7 +131,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	// What can be wrong on the command line is told before a large file is read.
 	if (Status fits = checkProbeOptions(options); !fits)
 		return fits.error();
-	Result<std::optional<surface::GridIndexRange>> surface = surfaceOf(options);
+	Result<std::optional<SurfaceChoice>> surface = surfaceOf(options);
 	if (!surface)
 		return surface.error();
 	session->surface = *surface;
@@ -155,7 +153,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 		return field.error();
 	session->field = *field;
 	if (session->surface)
-		if (Status fits = slice::checkGridIndex(session->blocks, *session->surface); !fits)
+		if (Status fits = checkSurface(session->blocks, *session->surface); !fits)
 			return fits.error();
 	if (session->threshold && !session->field)
 		return Error{ExitCode::input, fmt::format("{}: has no array for --threshold to look at; leave the option out",
@@ -179,11 +177,11 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 
 Result<slice::Slice> cut(Session& session)
 {
-	std::optional<surface::GridIndex> grid_surface;
+	std::optional<slice::OtherSurface> surface;
 	if (session.surface)
-		grid_surface = session.surface->at(session.swept);
+		surface = surfaceAt(*session.surface, session.swept);
 	return session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, session.seeds,
-	                            session.threshold, grid_surface, session.timeline.get()});
+	                            session.threshold, surface, session.timeline.get()});
 }
 
 bool isEmpty(const slice::SheetSlice& sheet)
@@ -217,8 +215,8 @@ Status tellAbout(const Session& session, const slice::Slice& slice)
 		if (session.threshold)
 			warn("the slice is empty: no cell that is reached has values between {} and {}; widen --threshold",
 			     session.threshold->lo, session.threshold->hi);
-		else if (sheet.grid_surface)
-			warn("the slice is empty: all cells of the surface {} are hidden", surface::nameOf(*sheet.grid_surface));
+		else if (sheet.surface)
+			warn("the slice is empty: {} shows no cells, or hidden ones only", slice::nameOf(*sheet.surface));
 		else
 			warn("the slice is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
 			     "{:.6g}",

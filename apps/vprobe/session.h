@@ -9,6 +9,7 @@
 #include "read/read.h"
 #include "slice/field_choice.h"
 #include "slice/slicer.h"
+#include "surface_options.h"
 
 #include <memory>
 #include <optional>
@@ -27,9 +28,9 @@ struct Session
 	std::vector<std::optional<slice::FieldChoice>> sheet_fields;
 	slice::Corners corners = slice::Corners::keep;
 	seed::SeedOptions seeds;
-	std::optional<surface::GridIndexRange> surface; // in place of the probe's sheets
-	double swept = 0.0;                             // how far along that range the next cut lies, 0 to 1
-	bool crinkle = false;                           // the whole cells are wanted too
+	std::optional<SurfaceChoice> surface; // in place of the probe's sheets
+	double swept = 0.0;                   // how far along its range the next cut lies, 0 to 1
+	bool crinkle = false;                 // the whole cells are wanted too
 	std::optional<slice::Threshold> threshold;
 	std::unique_ptr<gpu::Device> device; // null where the CPU does without
 	std::unique_ptr<slice::Slicer> slicer;

@@ -75,11 +75,11 @@ TraversalSums sumUp(const grid::BlockSet& blocks, const slice::SheetSlice& sheet
 	return sums;
 }
 
-// A grid surface has no frame: null.
+// A surface of another kind has no frame: null.
 nlohmann::json frameJson(const slice::SheetSlice& sheet)
 {
-	if (sheet.grid_surface)
-		return {{"surface", surface::nameOf(*sheet.grid_surface)},
+	if (sheet.surface)
+		return {{"surface", slice::nameOf(*sheet.surface)},
 		        {"origin", nullptr},
 		        {"normal", nullptr},
 		        {"up", nullptr},

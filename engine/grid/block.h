@@ -7,6 +7,7 @@
 #include "grid/field.h"
 #include "grid/interfaces.h"
 #include "grid/lattice_cells.h"
+#include "grid/patches.h"
 #include "grid/structured.h"
 #include "grid/unstructured.h"
 
@@ -62,6 +63,7 @@ struct BlockSet
 	std::vector<double> times; // that the input offers, ascending; empty where it knows no time
 	std::size_t left_out = 0;  // cells of dimension below three
 	Interfaces interfaces;     // built by matchInterfaces(), once all blocks are finished
+	std::vector<Patch> patches; // that the files name, where they were asked for
 
 	// Of the grids, which are what is walked and cut.
 	std::size_t cellCount() const;

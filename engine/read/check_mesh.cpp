@@ -139,6 +139,17 @@ void checkLattice(const grid::Lattice& lattice, std::size_t points, const grid::
 		throw Unusable(fmt::format("cell {} of a lattice is no hexahedron", bad));
 }
 
+void checkPolygons(const grid::PatchPolygons& polygons)
+{
+	if (polygons.starts.size() < 1)
+		throw Unusable("a patch without offsets");
+	checkOffsets(polygons.starts, polygons.corners.size(), "patch");
+	const auto outside = [&](std::size_t i)
+	{ return static_cast<std::uint64_t>(polygons.corners[i]) >= polygons.points.size(); };
+	if (firstWhere(polygons.corners.size(), outside) != kNone)
+		throw Unusable(fmt::format("the patch {} names points that it does not have", polygons.name));
+}
+
 void checkSourceCells(const Array<std::int64_t>& source_cells, std::size_t count)
 {
 	const auto outside = [&](std::size_t c) { return static_cast<std::uint64_t>(source_cells[c]) >= count; };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grid/patches.h"
 #include "grid/points.h"
 #include "grid/structured.h"
 #include "grid/unstructured.h"
@@ -31,6 +32,7 @@ void checkAxis(const Array<double>& axis);
 void checkCells(const grid::CellList& cells, std::size_t points);
 // That the cells can be those of a lattice, hidden ones empty.
 void checkLattice(const grid::Lattice& lattice, std::size_t points, const grid::CellList& cells);
+void checkPolygons(const grid::PatchPolygons& polygons);
 void checkSourceCells(const Array<std::int64_t>& source_cells, std::size_t count);
 
 } // namespace vp::read

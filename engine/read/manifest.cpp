@@ -97,6 +97,9 @@ public:
 			input.blocks.push_back(checkBlock(block));
 		if (input.blocks.empty())
 			throw Unusable("no blocks");
+		if (manifest.contains("patches"))
+			for (const json& patch : manifest.at("patches"))
+				input.patches.push_back(checkPatch(patch));
 		return input;
 	}
 
@@ -171,6 +174,15 @@ private:
 		if (lists.contains("source_cells"))
 			checkSources(lists, mesh);
 		return mesh;
+	}
+
+	grid::PatchPolygons checkPatch(const json& patch) const
+	{
+		grid::PatchPolygons polygons{wordsOf(patch.at("name")), coordinatesOf(cells_, patch.at("coordinates")),
+		                             numbersOf<std::int64_t>(cells_, patch.at("starts"), NumberType::int64),
+		                             numbersOf<std::int64_t>(cells_, patch.at("corners"), NumberType::int64)};
+		checkPolygons(polygons);
+		return polygons;
 	}
 
 	static std::array<std::uint32_t, 3> latticeOfBlock(const json& block)

@@ -2,6 +2,7 @@
 
 #include "base/result.h"
 #include "grid/field.h"
+#include "grid/patches.h"
 #include "grid/points.h"
 #include "grid/structured.h"
 #include "grid/unstructured.h"
@@ -37,6 +38,7 @@ struct CheckedBlock
 struct CheckedInput
 {
 	std::vector<CheckedBlock> blocks;
+	std::vector<grid::PatchPolygons> patches;
 	std::vector<double> times;
 	std::vector<std::string> warnings;
 	std::size_t left_out = 0;

@@ -1,7 +1,7 @@
 #include "slice/crinkle.h"
 
+#include "slice/face_mesh.h"
 #include "slice/join_vertices.h"
-#include "slice/key_numbers.h"
 #include "slice/tidy_polygons.h"
 
 #include <algorithm>
@@ -48,8 +48,9 @@ template <grid::Grid G>
 class BlockCrinkle
 {
 public:
-	BlockCrinkle(const G& grid, const grid::BlockSeams* seams, const ShownCells& shown, SheetMesh& mesh)
-	    : grid_(grid), seams_(seams), shown_(shown), mesh_(mesh), vertices_(0)
+	BlockCrinkle(const G& grid, std::uint32_t block, const grid::BlockSeams* seams, const ShownCells& shown,
+	             SheetMesh& mesh)
+	    : grid_(grid), seams_(seams), shown_(shown), mesh_faces_(grid, block, mesh)
 	{
 	}
 
@@ -63,7 +64,7 @@ public:
 			if (!has_faces)
 				grid_.cellFaces(at.cell, faces_);
 			has_faces = true;
-			addFace(at, faces_[f]);
+			mesh_faces_.add(at.cell, faces_[f]);
 		}
 	}
 
@@ -84,39 +85,10 @@ private:
 		return has_neighbour && all_shown;
 	}
 
-	void addFace(const BlockCell& at, std::span<const PointId> face)
-	{
-		const std::size_t first = mesh_.polygon_vertices.size();
-		for (const PointId p : face)
-			mesh_.polygon_vertices.push_back(vertexOf(at.block, p));
-		mesh_.polygon_starts.push_back(static_cast<std::uint32_t>(mesh_.polygon_vertices.size()));
-		mesh_.polygon_cells.push_back(at);
-		// Left-handed lattices and polyhedra list faces either way round.
-		const std::span vertices = std::span(mesh_.polygon_vertices).subspan(first);
-		Vec3 middle(0.0);
-		for (const std::uint32_t v : vertices)
-			middle += mesh_.positions[v] / static_cast<double>(vertices.size());
-		const Vec3 outward = middle - grid::cellCentre(grid_, at.cell);
-		if (glm::dot(doubleArea(mesh_, vertices), outward) < 0.0)
-			std::reverse(vertices.begin(), vertices.end());
-	}
-
-	std::uint32_t vertexOf(std::uint32_t block, PointId p)
-	{
-		const auto [number, is_new] = vertices_.find(p, static_cast<std::uint32_t>(mesh_.positions.size()));
-		if (is_new)
-		{
-			mesh_.edges.push_back({block, p, p, 0.0});
-			mesh_.positions.push_back(grid_.point(p));
-		}
-		return number;
-	}
-
 	const G& grid_;
 	const grid::BlockSeams* seams_;
 	const ShownCells& shown_;
-	SheetMesh& mesh_;
-	KeyNumbers vertices_;
+	BlockFaces<G> mesh_faces_;
 	grid::CellFaces faces_;
 };
 
@@ -125,9 +97,7 @@ private:
 SheetMesh crinkleMesh(const grid::BlockSet& blocks, std::span<const BlockCut> cuts)
 {
 	const ShownCells shown(cuts);
-	SheetMesh mesh;
-	mesh.flat = false;
-	mesh.polygon_starts.push_back(0);
+	SheetMesh mesh = makeFaceMesh();
 	std::span<const BlockCell> left = shown.all();
 	while (!left.empty())
 	{
@@ -136,7 +106,7 @@ SheetMesh crinkleMesh(const grid::BlockSet& blocks, std::span<const BlockCut> cu
 		std::visit(
 		    [&](const auto& grid)
 		    {
-			    BlockCrinkle crinkle(grid, blocks.interfaces.of(block), shown, mesh);
+			    BlockCrinkle crinkle(grid, block, blocks.interfaces.of(block), shown, mesh);
 			    for (auto at = left.begin(); at != end; ++at)
 				    crinkle.add(*at);
 		    },

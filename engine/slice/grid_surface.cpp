@@ -1,7 +1,7 @@
 #include "slice/grid_surface.h"
 
+#include "slice/face_mesh.h"
 #include "slice/join_vertices.h"
-#include "slice/key_numbers.h"
 #include "slice/tidy_polygons.h"
 
 #include <fmt/format.h>
@@ -50,24 +50,19 @@ public:
 
 	traverse::LaneCut ofBlock(std::uint32_t block) const
 	{
-		traverse::LaneCut cut;
-		cut.generation_starts.push_back(0);
 		if (!lattices_[block])
-			return cut;
+			return traverse::oneGeneration({});
 		const std::array<std::uint32_t, 3> cells = lattices_[block]->lattice().cells();
 		const surface::GridLayers layers = surface::layersOf(at_.index, cells[at_.axis]);
 		// The axis whose cells lie nearest in memory runs fastest.
 		const int fast = at_.axis == 0 ? 1 : 0;
 		const int slow = at_.axis == 2 ? 1 : 2;
+		std::vector<CellId> shown;
 		std::array<std::uint32_t, 3> index{};
 		for (index[slow] = 0; index[slow] < cells[slow]; ++index[slow])
 			for (index[fast] = 0; index[fast] < cells[fast]; ++index[fast])
-				add(block, cellAt(block, index, layers), cut.cells);
-		cut.cut_cells = cut.cells.size();
-		cut.words.assign(cut.cells.size(), shared::kWordCut);
-		if (!cut.cells.empty())
-			cut.generation_starts.push_back(static_cast<std::uint32_t>(cut.cells.size()));
-		return cut;
+				add(block, cellAt(block, index, layers), shown);
+		return traverse::oneGeneration(std::move(shown));
 	}
 
 private:
@@ -227,9 +222,7 @@ std::vector<traverse::LaneCut> gridSurfaceCells(const grid::BlockSet& blocks, co
 
 SheetMesh gridSurfaceMesh(const grid::BlockSet& blocks, const GridIndex& at, std::span<const traverse::LaneCut> cells)
 {
-	SheetMesh mesh;
-	mesh.flat = false;
-	mesh.polygon_starts.push_back(0);
+	SheetMesh mesh = makeFaceMesh();
 	for (std::uint32_t b = 0; b < cells.size(); ++b)
 		if (!cells[b].cells.empty())
 			std::visit(

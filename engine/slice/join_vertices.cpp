@@ -1,11 +1,11 @@
 #include "slice/join_vertices.h"
 
+#include "base/place_key.h"
 #include "slice/key_numbers.h"
 #include "slice/seam_vertices.h"
 #include "slice/union_find.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace vp::slice
@@ -106,15 +106,6 @@ private:
 		               blocks_.blocks[edge.block].grid);
 		return edge.t == 0.0 || edge.t == 1.0 ||
 		       glm::length(mesh_.positions[v] - mesh_.positions[w]) <= kApart * length;
-	}
-
-	// Places with the same key are hardly ever two; whoever uses it compares them.
-	static std::uint64_t placeKey(const Vec3& place)
-	{
-		std::uint64_t key = 0;
-		for (int axis = 0; axis < 3; ++axis)
-			key = std::rotl(key, 21) * 0x9E3779B97F4A7C15ull + std::bit_cast<std::uint64_t>(place[axis] + 0.0); // no -0
-		return key;
 	}
 
 	bool haveSameData(std::uint32_t v, std::uint32_t w) const

@@ -5,7 +5,6 @@
 #include "slice/crinkle.h"
 #include "slice/gpu_blocks.h"
 #include "slice/gpu_classifier.h"
-#include "slice/grid_surface.h"
 #include "slice/host_records.h"
 
 #include <algorithm>
@@ -30,8 +29,8 @@ std::vector<BlockCut> blockCuts(std::span<const traverse::LaneCut> cuts, const s
 SheetMesh Slice::mesh(const grid::BlockSet& blocks, std::size_t sheet) const
 {
 	const SheetSlice& cut = sheets[sheet];
-	if (cut.grid_surface)
-		return gridSurfaceMesh(blocks, *cut.grid_surface, cut.cuts);
+	if (cut.surface)
+		return surfaceMesh(blocks, *cut.surface, cut.cuts);
 	SheetMesh mesh = buildMesh(blocks, cut.sheet, blockCuts(cut.cuts, cut.seeds));
 	if (cut.sheet.window)
 		clipToWindow(cut.sheet, cut.corners, mesh);
@@ -108,8 +107,8 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	if (request.threshold)
 		for (std::size_t b = 0; b < admits.size(); ++b)
 			admits[b] = cellsWithin(blocks_.blocks[b], *request.field, *request.threshold);
-	if (request.grid_surface)
-		return showGridSurface(request, admits);
+	if (request.surface)
+		return showSurface(request, admits);
 
 	Slice slice;
 	{
@@ -155,14 +154,14 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	return slice;
 }
 
-Slice Slicer::showGridSurface(const SliceRequest& request, const Admits& admits) const
+Slice Slicer::showSurface(const SliceRequest& request, const Admits& admits) const
 {
 	const TimedSection section(request.timeline, "traverse");
 	Slice slice;
 	SheetSlice& sheet = slice.sheets.emplace_back();
 	sheet.field = request.sheet_fields.empty() ? request.field : request.sheet_fields.front();
-	sheet.grid_surface = request.grid_surface;
-	sheet.cuts = gridSurfaceCells(blocks_, *request.grid_surface, admits);
+	sheet.surface = request.surface;
+	sheet.cuts = surfaceCells(blocks_, *request.surface, admits);
 	sheet.seeds.faces_in_plane.resize(sheet.cuts.size());
 	return slice;
 }
@@ -221,7 +220,7 @@ void Slicer::forgetValues()
 Result<Slice> Slicer::regather(const Slice& kept, Timeline* timeline)
 {
 	Slice slice = kept;
-	if (!gpu_ || std::ranges::any_of(slice.sheets, [](const SheetSlice& s) { return s.grid_surface.has_value(); }))
+	if (!gpu_ || std::ranges::any_of(slice.sheets, [](const SheetSlice& s) { return s.surface.has_value(); }))
 		return slice; // meshes gather their values when they are made
 	const TimedSection section(timeline, "emit");
 	Result<std::unique_ptr<GpuClassifier>> classifier = gpuClassifier(slice, timeline);

@@ -7,8 +7,8 @@
 #include "slice/clip.h"
 #include "slice/field_choice.h"
 #include "slice/mesh.h"
+#include "slice/other_surface.h"
 #include "slice/threshold.h"
-#include "surface/grid_index.h"
 #include "traverse/bfs.h"
 
 #include <future>
@@ -43,9 +43,8 @@ struct SliceRequest
 	std::vector<std::optional<FieldChoice>> sheet_fields;
 	seed::SeedOptions seeds;
 	std::optional<Threshold> threshold; // of the field's values: cells outside end the traversal
-	// A grid surface takes the place of the probe's sheets. It needs no search, and the window and the seeds mean
-	// nothing to it. checkGridIndex() has passed it.
-	std::optional<surface::GridIndex> grid_surface;
+	// Takes the place of the probe's sheets. It needs no search, and windows and seeds mean nothing to it.
+	std::optional<OtherSurface> surface;
 	Timeline* timeline = nullptr; // sections "seed", "traverse", "emit"; must outlive the ticket
 };
 
@@ -57,9 +56,9 @@ struct SheetSlice
 	Corners corners = Corners::keep;
 	std::optional<FieldChoice> field;
 	seed::SheetSeeds seeds;
-	std::vector<traverse::LaneCut> cuts;   // per block
-	std::shared_ptr<SheetRecords> records; // GPU classifier only: the polygons in device memory, as they are drawn
-	std::optional<surface::GridIndex> grid_surface = {}; // shown in place of the sheet, whose frame means nothing then
+	std::vector<traverse::LaneCut> cuts;      // per block
+	std::shared_ptr<SheetRecords> records;    // GPU classifier only: the polygons in device memory, as they are drawn
+	std::optional<OtherSurface> surface = {}; // shown in place of the sheet, whose frame means nothing then
 };
 
 struct Slice
@@ -122,7 +121,7 @@ private:
 	using Admits = std::vector<std::function<bool(CellId)>>; // per block
 
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
-	Slice showGridSurface(const SliceRequest& request, const Admits& admits) const;
+	Slice showSurface(const SliceRequest& request, const Admits& admits) const;
 	Result<std::vector<traverse::LaneCut>> traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes,
 	                                                     std::stop_token stop);
 	Result<std::vector<traverse::LaneCut>> traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,

@@ -242,7 +242,7 @@ TEST(Crinkle, OfAGridSurfaceIsItsLayer)
 	const grid::BlockSet set = setOf(shell);
 	slice::Slicer slicer(set);
 	slice::SliceRequest request;
-	request.grid_surface = surface::GridIndex{1, 4.5};
+	request.surface = surface::GridIndex{1, 4.5};
 	const slice::Slice slice = std::move(slicer.cut(std::move(request)).value());
 	const std::size_t n = grid::latticeCellsOf(shell)->lattice().cells()[0];
 	EXPECT_EQ(slice.mesh(set, 0).polygons(), n * n);
