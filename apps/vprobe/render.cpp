@@ -43,6 +43,8 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
+	if (look->by_generation)
+		session.finder = slice::Finder::traversal;
 	Result<slice::Slice> slice = cut(session);
 	if (!slice)
 		return slice.error();

@@ -181,13 +181,15 @@ Result<slice::Slice> cut(Session& session)
 	if (session.surface)
 		surface = surfaceAt(*session.surface, session.swept);
 	return session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, session.seeds,
-	                            session.threshold, surface, session.timeline.get()});
+	                            session.threshold, session.finder, surface, session.timeline.get()});
 }
 
 bool isEmpty(const slice::SheetSlice& sheet)
 {
-	return std::ranges::all_of(sheet.cuts, [](const traverse::LaneCut& cut) { return cut.cut_cells == 0; }) &&
-	       std::ranges::all_of(sheet.seeds.faces_in_plane, [](const auto& faces) { return faces.empty(); });
+	for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
+		if (sheet.cutCells(b) > 0)
+			return false;
+	return std::ranges::all_of(sheet.seeds.faces_in_plane, [](const auto& faces) { return faces.empty(); });
 }
 
 Status tellAbout(const Session& session, const slice::Slice& slice)

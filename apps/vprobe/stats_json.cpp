@@ -38,7 +38,7 @@ struct TraversalSums
 	std::size_t linear_cut_cells = 0; // of the grids: the same but where curved cells were cut into linear ones
 	std::size_t touched = 0;
 	std::size_t walked = 0;
-	std::size_t generations = 0;
+	std::size_t generations = 0; // 0 where spans were found, which go in none
 	std::size_t front_max = 0;
 	std::size_t boundary_faces = 0;
 };
@@ -61,6 +61,14 @@ TraversalSums sumUp(const grid::BlockSet& blocks, const slice::SheetSlice& sheet
 	TraversalSums sums;
 	for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
 	{
+		if (sheet.hasSpans(b))
+		{
+			sums.cut_cells += sheet.cutCells(b);
+			sums.linear_cut_cells += sheet.cutCells(b);
+			sums.touched += sheet.cutCells(b);
+			sums.walked += sheet.spans[b]->walked_cells;
+			continue;
+		}
 		const traverse::LaneCut& cut = sheet.cuts[b];
 		sums.cut_cells += sourceCutCells(blocks.blocks[b], cut);
 		sums.linear_cut_cells += cut.cut_cells;

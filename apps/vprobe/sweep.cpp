@@ -140,7 +140,8 @@ private:
 	{
 		slice::Slice nothing;
 		for (const slice::SheetSlice& sheet : first.sheets)
-			nothing.sheets.push_back({sheet.shown, sheet.sheet, sheet.corners, sheet.field, {}, {}, nullptr});
+			nothing.sheets.push_back(
+			    {.shown = sheet.shown, .sheet = sheet.sheet, .corners = sheet.corners, .field = sheet.field});
 		return painter_->draw(nothing, std::vector<SheetStats>(nothing.sheets.size()));
 	}
 
@@ -247,6 +248,8 @@ Result<ExitCode> runSweep(SweepOptions& options)
 		return opened.error();
 	Session& session = **opened;
 	session.crinkle = options.saved.look.crinkle;
+	if (look->by_generation)
+		session.finder = slice::Finder::traversal;
 	Result<Products> products = Products::create(options, session, std::move(*look), std::move(*frames));
 	if (!products)
 		return products.error();

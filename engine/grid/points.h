@@ -28,6 +28,17 @@ public:
 			return {double_[3 * i], double_[3 * i + 1], double_[3 * i + 2]};
 		return {float_[3 * i], float_[3 * i + 1], float_[3 * i + 2]};
 	}
+	// Asks for the points from .. to ahead of their use.
+	void prefetch(std::size_t from, std::size_t to) const
+	{
+		const std::size_t size = 3 * (is_double_ ? sizeof(double) : sizeof(float));
+		const char* base =
+		    is_double_ ? reinterpret_cast<const char*>(double_.data()) : reinterpret_cast<const char*>(float_.data());
+		constexpr std::size_t kLine = 64;
+		for (const char* at = base + from * size; at < base + (to + 1) * size; at += kLine)
+			__builtin_prefetch(at);
+		__builtin_prefetch(base + (to + 1) * size - 1);
+	}
 
 private:
 	Array<float> float_;

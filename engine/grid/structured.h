@@ -92,6 +92,10 @@ public:
 	Vec3 point(PointId p) const
 	{
 		const auto [i, j, k] = pointIndex(p);
+		return pointAt(i, j, k);
+	}
+	Vec3 pointAt(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
+	{
 		return {coordinate(0, i), coordinate(1, j), coordinate(2, k)};
 	}
 	double coordinate(int axis, std::uint32_t index) const { return origin_[axis] + index * spacing_[axis]; }
@@ -115,6 +119,10 @@ public:
 	Vec3 point(PointId p) const
 	{
 		const auto [i, j, k] = pointIndex(p);
+		return pointAt(i, j, k);
+	}
+	Vec3 pointAt(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
+	{
 		return {axis_[0][i], axis_[1][j], axis_[2][k]};
 	}
 	double coordinate(int axis, std::uint32_t index) const { return axis_[axis][index]; }
@@ -134,7 +142,9 @@ public:
 		assert(points_.size() == pointCount());
 	}
 	Vec3 point(PointId p) const { return points_[p]; }
+	Vec3 pointAt(std::uint32_t i, std::uint32_t j, std::uint32_t k) const { return points_[pointId(i, j, k)]; }
 	const Points& coordinates() const { return points_; }
+	void prefetch(PointId from, PointId to) const { points_.prefetch(from, to); }
 
 private:
 	Points points_;

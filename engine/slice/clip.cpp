@@ -41,8 +41,8 @@ private:
 			return;
 		const std::size_t first_new = mesh_.positions.size();
 		KeyNumbers cuts(16);
-		std::vector<std::uint32_t> starts{0};
-		std::vector<std::uint32_t> vertices;
+		RawVector<std::uint32_t> starts{0};
+		RawVector<std::uint32_t> vertices;
 		std::size_t kept = 0;
 		const std::size_t of_cells = mesh_.polygons() - mesh_.boundary_polygons;
 		for (std::size_t p = 0; p < mesh_.polygons(); ++p)
@@ -65,7 +65,7 @@ private:
 	}
 
 	// Returns whether a corner of the window became a vertex: an edge of the rim was cut.
-	bool clipPolygon(std::span<const std::uint32_t> polygon, KeyNumbers& cuts, std::vector<std::uint32_t>& clipped)
+	bool clipPolygon(std::span<const std::uint32_t> polygon, KeyNumbers& cuts, RawVector<std::uint32_t>& clipped)
 	{
 		bool has_corner = false;
 		const std::size_t begin = clipped.size();

@@ -3,6 +3,7 @@
 #include "slice/face_mesh.h"
 #include "slice/join_vertices.h"
 #include "slice/tidy_polygons.h"
+#include "traverse/spans.h"
 
 #include <algorithm>
 
@@ -16,11 +17,14 @@ namespace
 class ShownCells
 {
 public:
-	explicit ShownCells(std::span<const BlockCut> cuts) : keys_(0)
+	ShownCells(const grid::BlockSet& blocks, std::span<const BlockCut> cuts) : keys_(0)
 	{
 		for (const BlockCut& block : cuts)
 		{
-			for (std::size_t i = 0; i < block.cut->cells.size(); ++i)
+			if (block.spans)
+				traverse::forEachCell(grid::latticeCellsOf(blocks.blocks[block.block])->lattice(), *block.spans,
+				                      [&](CellId cell) { add(block.block, cell); });
+			for (std::size_t i = 0; block.cut && i < block.cut->cells.size(); ++i)
 				if (block.cut->words[i] & shared::kWordCut)
 					add(block.block, block.cut->cells[i]);
 			for (const grid::BoundaryIndex::Face& face : block.faces_in_plane)
@@ -96,7 +100,7 @@ private:
 
 SheetMesh crinkleMesh(const grid::BlockSet& blocks, std::span<const BlockCut> cuts)
 {
-	const ShownCells shown(cuts);
+	const ShownCells shown(blocks, cuts);
 	SheetMesh mesh = makeFaceMesh();
 	std::span<const BlockCell> left = shown.all();
 	while (!left.empty())

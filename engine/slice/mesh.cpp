@@ -3,6 +3,7 @@
 #include "slice/cell_polygons.h"
 #include "slice/join_vertices.h"
 #include "slice/key_numbers.h"
+#include "slice/span_mesh.h"
 #include "slice/tidy_polygons.h"
 
 #include <cmath>
@@ -140,29 +141,46 @@ void dropUnusedVertices(SheetMesh& mesh)
 SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const BlockCut> cuts)
 {
 	SheetMesh mesh;
+	mesh.polygon_starts.push_back(0);
+	const surface::Plane plane = sheet.plane();
+	MeshDoubts doubts;
+	for (const BlockCut& cut : cuts)
+		if (cut.spans)
+			doubts = doubts | addSpans(blocks.blocks[cut.block], cut.block, plane, sheet.normal, *cut.spans, mesh);
+
 	std::size_t cells = 0;
 	for (const BlockCut& cut : cuts)
-		cells += cut.cut->cut_cells;
-	mesh.positions.reserve(cells + cells / 8);
-	mesh.edges.reserve(cells + cells / 8);
-	mesh.polygon_vertices.reserve(5 * cells);
-	mesh.polygon_starts.reserve(cells + 1);
-	mesh.polygon_cells.reserve(cells);
-	mesh.polygon_starts.push_back(0);
-
-	const surface::Plane plane = sheet.plane();
+		if (cut.cut)
+			cells += cut.cut->cut_cells;
+	mesh.positions.reserve(mesh.positions.size() + cells + cells / 8);
+	mesh.edges.reserve(mesh.edges.size() + cells + cells / 8);
+	mesh.polygon_vertices.reserve(mesh.polygon_vertices.size() + 5 * cells);
+	mesh.polygon_starts.reserve(mesh.polygons() + cells + 1);
+	mesh.polygon_cells.reserve(mesh.polygons() + cells);
+	const std::size_t of_spans = mesh.polygons();
 	const auto visitBlocks = [&](auto&& visit)
 	{
 		for (const BlockCut& cut : cuts)
 			std::visit([&](const auto& grid) { visit(grid, cut); }, blocks.blocks[cut.block].grid);
 	};
-	visitBlocks([&](const auto& grid, const BlockCut& cut)
-	            { BlockMesh(grid, plane, cut, cut.cut->cut_cells, mesh).addCells(); });
+	visitBlocks(
+	    [&](const auto& grid, const BlockCut& cut)
+	    {
+		    if (cut.cut)
+			    BlockMesh(grid, plane, cut, cut.cut->cut_cells, mesh).addCells();
+	    });
 	visitBlocks([&](const auto& grid, const BlockCut& cut)
 	            { BlockMesh(grid, plane, cut, cut.faces_in_plane.size(), mesh).addFacesInPlane(); });
-	joinVertices(blocks, mesh);
-	tidyPolygons(mesh, sheet.normal);
-	dropUnusedVertices(mesh);
+
+	// A span's mesh is whole and tidy but for what it tells.
+	const bool of_spans_alone = mesh.polygons() == of_spans;
+	if (!of_spans_alone || doubts.at_points || blocks.blocks.size() > 1 || blocks.interfaces.of(0))
+		joinVertices(blocks, mesh);
+	if (!of_spans_alone || doubts.at_points || doubts.slivers || blocks.blocks.size() > 1)
+	{
+		tidyPolygons(mesh, sheet.normal);
+		dropUnusedVertices(mesh);
+	}
 	return mesh;
 }
 

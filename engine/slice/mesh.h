@@ -1,10 +1,12 @@
 #pragma once
 
 #include "base/ids.h"
+#include "base/raw_vector.h"
 #include "base/vec.h"
 #include "grid/block.h"
 #include "probe/sheet.h"
 #include "traverse/bfs.h"
+#include "traverse/spans.h"
 
 #include <cmath>
 #include <cstdint>
@@ -45,15 +47,15 @@ struct BlockCell
 // cut cells (crinkle.h). Polygons with fewer than three distinct vertices are left out.
 struct SheetMesh
 {
-	std::vector<Vec3> positions;
-	std::vector<EdgePoint> edges; // per vertex that lies on a cell edge; they come first
+	RawVector<Vec3> positions;
+	RawVector<EdgePoint> edges; // per vertex that lies on a cell edge; they come first
 	std::vector<std::uint32_t> rim_starts{
-	    0};                             // per vertex after them, on a window's rim, and 1: offsets into rim_shares
-	std::vector<PointShare> rim_shares; // what the vertex is the weighted mean of
-	std::vector<std::uint32_t> polygon_starts; // polygons + 1 offsets into polygon_vertices
-	std::vector<std::uint32_t> polygon_vertices;
-	std::vector<BlockCell> polygon_cells; // per polygon
-	std::size_t boundary_polygons = 0;    // the last so many are boundary faces in the plane, of cells that are not cut
+	    0};                                  // per vertex after them, on a window's rim, and 1: offsets into rim_shares
+	std::vector<PointShare> rim_shares;      // what the vertex is the weighted mean of
+	RawVector<std::uint32_t> polygon_starts; // polygons + 1 offsets into polygon_vertices
+	RawVector<std::uint32_t> polygon_vertices;
+	RawVector<BlockCell> polygon_cells; // per polygon
+	std::size_t boundary_polygons = 0;  // the last so many are boundary faces in the plane, of cells that are not cut
 	// Vertices that lie on each other at a seam and yet stay two, since the arrays differ from one side to the other.
 	std::vector<std::pair<std::uint32_t, std::uint32_t>> seam_pairs;
 	std::size_t cells_twisted = 0; // cut cells with a face that is cut more than once, or with several polygons
@@ -71,11 +73,13 @@ struct SheetMesh
 	}
 };
 
-// One traversed block of a sheet, and its boundary faces that lie in the plane without their cell being cut.
+// What was found of a sheet in one block, as cells or as spans of cells (the other is null), and the block's boundary
+// faces that lie in the plane without their cell being cut.
 struct BlockCut
 {
 	std::uint32_t block;
 	const traverse::LaneCut* cut;
+	const traverse::SpanCut* spans;
 	std::span<const grid::BoundaryIndex::Face> faces_in_plane;
 };
 

@@ -2,45 +2,18 @@
 
 #include "base/timeline.h"
 #include "slice/cpu_classifier.h"
-#include "slice/crinkle.h"
 #include "slice/gpu_blocks.h"
 #include "slice/gpu_classifier.h"
 #include "slice/host_records.h"
+#include "slice/slice_meshes.h"
+#include "traverse/span_flood.h"
+#include "traverse/span_rows.h"
 
 #include <algorithm>
 #include <cassert>
 
 namespace vp::slice
 {
-
-namespace
-{
-
-std::vector<BlockCut> blockCuts(std::span<const traverse::LaneCut> cuts, const seed::SheetSeeds& seeds)
-{
-	std::vector<BlockCut> blocks;
-	for (std::size_t b = 0; b < cuts.size(); ++b)
-		blocks.push_back({static_cast<std::uint32_t>(b), &cuts[b], seeds.faces_in_plane[b]});
-	return blocks;
-}
-
-} // namespace
-
-SheetMesh Slice::mesh(const grid::BlockSet& blocks, std::size_t sheet) const
-{
-	const SheetSlice& cut = sheets[sheet];
-	if (cut.surface)
-		return surfaceMesh(blocks, *cut.surface, cut.cuts);
-	SheetMesh mesh = buildMesh(blocks, cut.sheet, blockCuts(cut.cuts, cut.seeds));
-	if (cut.sheet.window)
-		clipToWindow(cut.sheet, cut.corners, mesh);
-	return mesh;
-}
-
-SheetMesh Slice::crinkle(const grid::BlockSet& blocks, std::size_t sheet) const
-{
-	return crinkleMesh(blocks, blockCuts(sheets[sheet].cuts, sheets[sheet].seeds));
-}
 
 SliceTicket::SliceTicket(std::stop_source stop, std::future<Result<Slice>> result)
     : stop_(std::move(stop)), result_(std::move(result))
@@ -68,8 +41,13 @@ Result<Slice> SliceTicket::wait()
 Slicer::Slicer(const grid::BlockSet& blocks) : blocks_(blocks)
 {
 	for (const grid::Block& block : blocks.blocks)
+	{
 		visited_.push_back(std::make_unique<traverse::VisitedPool>(
 		    std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid)));
+		const auto* curvilinear = std::get_if<grid::CurvilinearGrid>(&block.grid);
+		stores_.push_back(std::make_unique<traverse::SpanStorePool>(
+		    curvilinear ? std::size_t(curvilinear->points()[1]) * curvilinear->points()[2] : 0));
+	}
 }
 
 Result<std::unique_ptr<Slicer>> Slicer::onDevice(gpu::Device& device, const grid::BlockSet& blocks,
@@ -118,14 +96,20 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 			const probe::Sheet sheet = probe::content(shown);
 			const std::optional<FieldChoice>& field =
 			    request.sheet_fields.empty() ? request.field : request.sheet_fields[slice.sheets.size()];
-			slice.sheets.push_back(
-			    {shown, sheet, request.corners, field, seed::findSeeds(blocks_, sheet, request.seeds), {}, nullptr});
+			slice.sheets.push_back({.shown = shown,
+			                        .sheet = sheet,
+			                        .corners = request.corners,
+			                        .field = field,
+			                        .seeds = seed::findSeeds(blocks_, sheet, request.seeds)});
 			for (std::size_t b = 0; b < admits.size(); ++b)
 				if (admits[b])
 					std::erase_if(slice.sheets.back().seeds.faces_in_plane[b],
 					              [&](const auto& face) { return !admits[b](face.cell); });
 		}
 	}
+
+	if (!gpu_ && request.finder == Finder::automatic)
+		findSpans(request, slice);
 
 	// Lane s * blocks + b is sheet s in block b.
 	std::vector<Lane> lanes;
@@ -136,8 +120,9 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 		{
 			loans.push_back(visited_[b]->borrow());
-			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), loans.back().get(), sheet.seeds.cells[b],
-			                 blocks_.interfaces.of(b), sheet_lane, admits[b],
+			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), loans.back().get(),
+			                 sheet.hasSpans(b) ? std::vector<CellId>() : sheet.seeds.cells[b], blocks_.interfaces.of(b),
+			                 sheet_lane, admits[b],
 			                 sheet.sheet.window ? std::optional<seed::SheetWindow>(sheet.sheet) : std::nullopt});
 		}
 	}
@@ -164,6 +149,41 @@ Slice Slicer::showSurface(const SliceRequest& request, const Admits& admits) con
 	sheet.cuts = surfaceCells(blocks_, *request.surface, admits);
 	sheet.seeds.faces_in_plane.resize(sheet.cuts.size());
 	return slice;
+}
+
+// None where the block's kind, or what it holds, is not for spans.
+std::optional<traverse::SpanCut> Slicer::spansOf(const SheetSlice& sheet, std::size_t b)
+{
+	const grid::Block& block = blocks_.blocks[b];
+	const surface::Plane plane = sheet.sheet.plane();
+	if (const auto* uniform = std::get_if<grid::UniformGrid>(&block.grid))
+		return traverse::rowSpans(*uniform, plane);
+	if (const auto* rectilinear = std::get_if<grid::RectilinearGrid>(&block.grid))
+		return traverse::hasStraightRows(*rectilinear) ? std::optional(traverse::rowSpans(*rectilinear, plane))
+		                                               : std::nullopt;
+	const auto* curvilinear = std::get_if<grid::CurvilinearGrid>(&block.grid);
+	if (!curvilinear || !traverse::floodTakes(*curvilinear))
+		return std::nullopt;
+	const traverse::SpanStorePool::Loan store = stores_[b]->borrow();
+	return traverse::floodSpans(*curvilinear, block.bounds, plane, sheet.seeds.cells[b], *store);
+}
+
+// Every block from seeds of its own, so that nothing has to be followed across seams.
+void Slicer::findSpans(const SliceRequest& request, Slice& slice)
+{
+	if (request.threshold)
+		return;
+	const TimedSection section(request.timeline, "traverse");
+	for (SheetSlice& sheet : slice.sheets)
+	{
+		if (sheet.sheet.window)
+			continue;
+		sheet.spans.resize(blocks_.blocks.size());
+		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
+			if (request.seeds.mode != seed::SeedMode::hotspot ||
+			    (!blocks_.interfaces.of(b) && !sheet.seeds.cells[b].empty()))
+				sheet.spans[b] = spansOf(sheet, b);
+	}
 }
 
 Result<std::vector<traverse::LaneCut>> Slicer::traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes,
@@ -254,7 +274,7 @@ Status Slicer::addHostRecords(Timeline* timeline, Slice& slice) const
 		std::vector<traverse::LaneCut> left;
 		for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
 			left.push_back(gpu_->holds(b) ? walkedCells(sheet.cuts[b]) : sheet.cuts[b]);
-		const SheetMesh mesh = buildMesh(blocks_, sheet.sheet, blockCuts(left, sheet.seeds));
+		const SheetMesh mesh = buildMesh(blocks_, sheet.sheet, blockCuts(left, sheet));
 		if (mesh.polygons() == 0)
 			continue;
 		const auto records = recordsFromMesh(blocks_, sheet.sheet, mesh, sheet.field);

@@ -10,6 +10,7 @@
 #include "slice/other_surface.h"
 #include "slice/threshold.h"
 #include "traverse/bfs.h"
+#include "traverse/span_store.h"
 
 #include <future>
 #include <memory>
@@ -34,6 +35,14 @@ class GpuBlocks;     // the block set on the device (gpu_blocks.h)
 class GpuClassifier; // gpu_classifier.h
 struct SheetRecords; // a sheet's polygons in device memory (gpu_records.h)
 
+// How the CPU finds the cut cells. Both find the same, and make the same mesh but for the numbering.
+enum class Finder
+{
+	traversal, // cell by cell, breadth first in generations, with a classifier
+	automatic  // the fastest there is: for a whole sheet in a structured block spans of cells (traverse/span_flood.h,
+	           // span_rows.h)
+};
+
 struct SliceRequest
 {
 	probe::Probe probe;
@@ -43,6 +52,7 @@ struct SliceRequest
 	std::vector<std::optional<FieldChoice>> sheet_fields;
 	seed::SeedOptions seeds;
 	std::optional<Threshold> threshold; // of the field's values: cells outside end the traversal
+	Finder finder = Finder::traversal;  // of a Slicer without a device
 	// Takes the place of the probe's sheets. It needs no search, and windows and seeds mean nothing to it.
 	std::optional<OtherSurface> surface;
 	Timeline* timeline = nullptr; // sections "seed", "traverse", "emit"; must outlive the ticket
@@ -56,9 +66,17 @@ struct SheetSlice
 	Corners corners = Corners::keep;
 	std::optional<FieldChoice> field;
 	seed::SheetSeeds seeds;
-	std::vector<traverse::LaneCut> cuts;      // per block
-	std::shared_ptr<SheetRecords> records;    // GPU classifier only: the polygons in device memory, as they are drawn
-	std::optional<OtherSurface> surface = {}; // shown in place of the sheet, whose frame means nothing then
+	std::vector<traverse::LaneCut> cuts; // per block; empty where spans were found instead
+	// Per block, or empty.
+	std::vector<std::optional<traverse::SpanCut>> spans;
+	std::shared_ptr<SheetRecords> records; // GPU classifier only: the polygons in device memory, as they are drawn
+	std::optional<OtherSurface> surface;   // shown in place of the sheet, whose frame means nothing then
+
+	bool hasSpans(std::size_t block) const { return !spans.empty() && spans[block]; }
+	std::size_t cutCells(std::size_t block) const
+	{
+		return hasSpans(block) ? spans[block]->cut_cells : cuts[block].cut_cells;
+	}
 };
 
 struct Slice
@@ -104,7 +122,7 @@ public:
 	~Slicer();
 
 	SliceTicket begin(SliceRequest request);
-	Result<Slice> cut(SliceRequest request) { return begin(std::move(request)).wait(); }
+	Result<Slice> cut(const SliceRequest& request) { return run(request, {}); }
 
 	// After the blocks' values changed, and nothing else: their copies on the device are dropped.
 	void forgetValues();
@@ -122,6 +140,8 @@ private:
 
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
 	Slice showSurface(const SliceRequest& request, const Admits& admits) const;
+	std::optional<traverse::SpanCut> spansOf(const SheetSlice& sheet, std::size_t block);
+	void findSpans(const SliceRequest& request, Slice& slice);
 	Result<std::vector<traverse::LaneCut>> traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes,
 	                                                     std::stop_token stop);
 	Result<std::vector<traverse::LaneCut>> traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,
@@ -131,7 +151,8 @@ private:
 	Status addHostRecords(Timeline* timeline, Slice& slice) const;
 
 	const grid::BlockSet& blocks_;
-	std::vector<std::unique_ptr<traverse::VisitedPool>> visited_; // per block
+	std::vector<std::unique_ptr<traverse::VisitedPool>> visited_;  // per block
+	std::vector<std::unique_ptr<traverse::SpanStorePool>> stores_; // per block
 	std::shared_ptr<GpuBlocks> gpu_;
 };
 

@@ -24,8 +24,8 @@ double doubleAreaOf(const SheetMesh& mesh, std::span<const std::uint32_t> polygo
 
 void tidyPolygons(SheetMesh& mesh, const Vec3& normal)
 {
-	std::vector<std::uint32_t> starts{0};
-	std::vector<std::uint32_t> kept;
+	RawVector<std::uint32_t> starts{0};
+	RawVector<std::uint32_t> kept;
 	kept.reserve(mesh.polygon_vertices.size());
 	std::size_t polygons = 0;
 	const std::size_t of_cells = mesh.polygons() - mesh.boundary_polygons;

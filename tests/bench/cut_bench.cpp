@@ -49,6 +49,7 @@ void sweep(benchmark::State& state, slice::Slicer& slicer, const Box& bounds)
 	const std::vector<probe::Frame> planes = sweepOf(bounds);
 	slice::SliceRequest request;
 	request.probe = probe::single({});
+	request.finder = slice::Finder::automatic;
 	std::size_t k = 0;
 	std::size_t cells = 0;
 	for (auto _ : state)

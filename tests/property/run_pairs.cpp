@@ -1,6 +1,7 @@
 #include "run_pairs.h"
 
 #include "pair_checks.h"
+#include "same_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -65,6 +66,7 @@ void runPairs(unsigned first, unsigned count)
 		checkAreas(pair);
 		checkWatertight(pair);
 		checkInvariance(pair, number);
+		expectSameMesh(cut(*slicer, asked, {}, slice::Finder::automatic).mesh, pair.sheet.mesh);
 		if (testing::Test::HasFailure())
 		{
 			ADD_FAILURE() << describe(number, raw, set, asked);

@@ -27,7 +27,7 @@ Crinkled crinkled(slice::Slicer& slicer, const TestPlane& plane)
 	std::vector<slice::BlockCut> cuts;
 	for (std::uint32_t b = 0; b < made.sheet.slice.cuts.size(); ++b)
 	{
-		cuts.push_back({b, &made.sheet.slice.cuts[b], made.sheet.slice.seeds.faces_in_plane[b]});
+		cuts.push_back({b, &made.sheet.slice.cuts[b], nullptr, made.sheet.slice.seeds.faces_in_plane[b]});
 		const std::vector<CellId> cut_cells = made.sheet.cutCells(b);
 		made.cells.emplace_back(cut_cells.begin(), cut_cells.end());
 		for (const grid::BoundaryIndex::Face& face : cuts.back().faces_in_plane)
@@ -234,6 +234,27 @@ TEST(Crinkle, IsOfWholeCellsInAWindow)
 		cells.insert(from.cell);
 	ASSERT_FALSE(cells.empty());
 	EXPECT_NEAR(volumeWithin(mesh), volumeOfCells(set.blocks[0], cells), 1e-9);
+}
+
+TEST(Crinkle, IsTheSameOfSpans)
+{
+	for (const char* name : {"shell", "blob", "graded", "left_handed"})
+	{
+		const grid::Block& block = gridNamed(name);
+		const grid::BlockSet set = setOf(block);
+		slice::Slicer slicer(set);
+		for (const TestPlane& plane : planesThrough(block, 35))
+		{
+			slice::SliceRequest request;
+			request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
+			request.finder = slice::Finder::automatic;
+			const slice::SheetMesh mesh = slicer.cut(request)->crinkle(set, 0);
+			const slice::SheetMesh expected = crinkled(slicer, plane).mesh;
+			EXPECT_EQ(mesh.polygons(), expected.polygons()) << name;
+			EXPECT_EQ(mesh.positions.size(), expected.positions.size()) << name;
+			EXPECT_NEAR(volumeWithin(mesh), volumeWithin(expected), 1e-9) << name;
+		}
+	}
 }
 
 TEST(Crinkle, OfAGridSurfaceIsItsLayer)

@@ -33,7 +33,7 @@ slice::SheetMesh polygonsOf(std::vector<Vec3> positions, std::vector<std::vector
 	slice::SheetMesh mesh;
 	for (std::uint32_t v = 0; v < positions.size(); ++v)
 		mesh.edges.push_back({0, 2 * v, 2 * v + 1, 0.0});
-	mesh.positions = std::move(positions);
+	mesh.positions.assign(positions.begin(), positions.end());
 	mesh.polygon_starts.push_back(0);
 	for (const std::vector<std::uint32_t>& polygon : polygons)
 	{

@@ -1,4 +1,5 @@
 #include "sliced_sheet.h"
+#include "test_grids.h"
 
 #include "grid/demo.h"
 #include "slice/grid_surface.h"

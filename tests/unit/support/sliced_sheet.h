@@ -38,11 +38,13 @@ struct SlicedSheet
 	}
 };
 
-inline SlicedSheet cut(slice::Slicer& slicer, const TestPlane& plane, const seed::SeedOptions& seeds = {})
+inline SlicedSheet cut(slice::Slicer& slicer, const TestPlane& plane, const seed::SeedOptions& seeds = {},
+                       slice::Finder finder = slice::Finder::traversal)
 {
 	slice::SliceRequest request;
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 	request.seeds = seeds;
+	request.finder = finder;
 	slice::Slice slice = std::move(slicer.cut(std::move(request)).value());
 	SlicedSheet sheet{{}, slice.mesh(slicer.blocks(), 0)};
 	sheet.slice = std::move(slice.sheets[0]);

@@ -1,0 +1,61 @@
+#include "cases/lattice_cases.h"
+
+#include "cases/case_table.h"
+
+#include <bit>
+
+namespace vp::cases
+{
+
+namespace
+{
+
+// Bits of a lattice corner: 0 is j + 1, 1 is k + 1, 2 is i + 1. VTK's points of a hexahedron run around the face at k,
+// then around the one at k + 1.
+constexpr std::array<std::uint8_t, 8> kCornerOf = {0, 4, 5, 1, 2, 6, 7, 3};
+
+constexpr int kAxisOfBit[3] = {1, 2, 0}; // of the bits of a lattice corner
+
+LatticeEdge latticeEdge(std::uint8_t a, std::uint8_t b)
+{
+	const auto lower = static_cast<std::uint8_t>(a & b); // the corner with fewer bits: they differ in one
+	return {static_cast<std::uint8_t>(lower & 3), static_cast<std::uint8_t>(lower >> 2),
+	        static_cast<std::uint8_t>(kAxisOfBit[std::countr_zero(static_cast<unsigned>(a ^ b))])};
+}
+
+LatticeCase latticeCase(unsigned corners)
+{
+	unsigned mask = 0;
+	for (int v = 0; v < 8; ++v)
+		mask |= (corners >> kCornerOf[v] & 1) << v;
+	const Case& entry = caseTable(grid::CellShape::hexahedron)[mask];
+	LatticeCase found;
+	found.edges = entry.edges;
+	found.needs_walk = entry.needs_walk;
+	found.row_faces = entry.faces >> 2; // VTK's faces 2 to 5 of a hexahedron are -j, +j, -k, +k
+	for (int e = 0; e < entry.edges; ++e)
+		found.edge[e] = latticeEdge(kCornerOf[entry.edge[e][0]], kCornerOf[entry.edge[e][1]]);
+	for (int bit = 0; bit < 3; ++bit)
+		if ((corners & 1) != (corners >> (1 << bit) & 1))
+		{
+			found.owned |= static_cast<std::uint8_t>(1 << kAxisOfBit[bit]);
+			++found.owned_count;
+		}
+	return found;
+}
+
+} // namespace
+
+const std::array<LatticeCase, 256>& latticeCases()
+{
+	static const std::array<LatticeCase, 256> table = []
+	{
+		std::array<LatticeCase, 256> cases;
+		for (unsigned corners = 0; corners < cases.size(); ++corners)
+			cases[corners] = latticeCase(corners);
+		return cases;
+	}();
+	return table;
+}
+
+} // namespace vp::cases

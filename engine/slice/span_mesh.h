@@ -1,0 +1,29 @@
+#pragma once
+
+#include "grid/block.h"
+#include "slice/mesh.h"
+#include "surface/plane.h"
+#include "traverse/spans.h"
+
+namespace vp::slice
+{
+
+// What an emission leaves to the steps that look at a mesh as a whole.
+struct MeshDoubts
+{
+	bool at_points = false; // vertices lie at grid points, so several may lie at one
+	bool slivers = false;   // polygons may have no area
+
+	MeshDoubts operator|(const MeshDoubts& other) const
+	{
+		return {at_points || other.at_points, slivers || other.slivers};
+	}
+};
+
+// Adds the vertices and polygons of a structured block, turned to face along `normal`. Of a lattice edge its lower
+// point is the owner, and numbers it: so a vertex is known without a search. Two passes over the spans in order, one
+// for the vertices and one for the polygons, each on all cores: the mesh is the same for any number of threads.
+MeshDoubts addSpans(const grid::Block& block, std::uint32_t number, const surface::Plane& plane, const Vec3& normal,
+                    const traverse::SpanCut& cut, SheetMesh& mesh);
+
+} // namespace vp::slice

@@ -1,0 +1,104 @@
+#include "same_mesh.h"
+#include "seamed_sets.h"
+#include "sliced_sheet.h"
+#include "test_grids.h"
+
+#include "grid/demo.h"
+
+#include <tbb/global_control.h>
+
+#include <gtest/gtest.h>
+
+namespace vp::test
+{
+
+namespace
+{
+
+// What the fastest way finds, held against the traversal.
+std::size_t compareFinders(const grid::BlockSet& set, const TestPlane& plane, const seed::SeedOptions& seeds = {})
+{
+	slice::Slicer slicer(set);
+	const SlicedSheet expected = cut(slicer, plane, seeds);
+	const SlicedSheet found = cut(slicer, plane, seeds, slice::Finder::automatic);
+	std::size_t in_spans = 0;
+	for (std::size_t b = 0; b < set.blocks.size(); ++b)
+	{
+		EXPECT_EQ(found.slice.cutCells(b), expected.slice.cutCells(b));
+		if (!found.slice.hasSpans(b))
+			continue;
+		++in_spans;
+		std::vector<CellId> cells;
+		std::visit(
+		    [&](const auto& grid)
+		    {
+			    if constexpr (std::is_base_of_v<grid::Lattice, std::decay_t<decltype(grid)>>)
+				    traverse::forEachCell(grid, *found.slice.spans[b], [&](CellId c) { cells.push_back(c); });
+		    },
+		    set.blocks[b].grid);
+		EXPECT_EQ(sorted(std::move(cells)), expected.cutCells(b));
+	}
+	expectSameMesh(found.mesh, expected.mesh);
+	return in_spans;
+}
+
+TEST(Finder, TheFastestFindsWhatTheTraversalFinds)
+{
+	std::size_t in_spans = 0;
+	for (const grid::Block& block : allGrids())
+	{
+		SCOPED_TRACE(block.name);
+		const grid::BlockSet set = setOf(block);
+		for (const TestPlane& plane : randomPlanes(block.bounds, 40, 7))
+			in_spans += compareFinders(set, plane);
+		for (const TestPlane& plane : degeneratePlanes(block, 8))
+			in_spans += compareFinders(set, plane);
+		if (HasFailure())
+			return;
+	}
+	EXPECT_GT(in_spans, 200u);
+}
+
+TEST(Finder, OnePieceFromTheHotSpotAlone)
+{
+	const grid::BlockSet set = setOf(gridNamed("shell"));
+	std::size_t in_spans = 0; // a plane that misses the grid has none
+	for (const TestPlane& plane : randomPlanes(set.bounds(), 40, 9))
+		in_spans += compareFinders(set, plane, {.mode = seed::SeedMode::hotspot});
+	EXPECT_GT(in_spans, 20u);
+}
+
+// Long rows, so that runs pass the end of what is looked at in one step.
+TEST(Finder, LongRuns)
+{
+	const grid::BlockSet set = std::move(*grid::makeDemo("shell", 37));
+	for (const TestPlane& plane : randomPlanes(set.bounds(), 30, 10))
+		EXPECT_EQ(compareFinders(set, plane), 1u);
+	for (const TestPlane& plane : degeneratePlanes(set.blocks[0], 11))
+		EXPECT_EQ(compareFinders(set, plane), 1u);
+}
+
+TEST(Finder, TheSameMeshForAnyNumberOfThreads)
+{
+	const grid::BlockSet set = std::move(*grid::makeDemo("shell", 96));
+	slice::Slicer slicer(set);
+	for (const TestPlane& plane : randomPlanes(set.bounds(), 6, 12))
+	{
+		std::vector<slice::SheetMesh> meshes;
+		for (const int threads : {1, 2, 4})
+		{
+			const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+			meshes.push_back(cut(slicer, plane, {}, slice::Finder::automatic).mesh);
+		}
+		for (const slice::SheetMesh& mesh : meshes)
+		{
+			EXPECT_TRUE(mesh.positions == meshes[0].positions);
+			EXPECT_TRUE(mesh.polygon_vertices == meshes[0].polygon_vertices);
+			EXPECT_TRUE(mesh.polygon_starts == meshes[0].polygon_starts);
+		}
+	}
+}
+
+} // namespace
+
+} // namespace vp::test
