@@ -2,6 +2,7 @@
 
 #include "grid/boundary.h"
 #include "grid/grid.h"
+#include "grid/structured.h"
 #include "seed/sheet_window.h"
 #include "surface/plane.h"
 
@@ -35,6 +36,22 @@ Box boxOf(const G& grid, std::span<const PointId> points)
 	return box;
 }
 
+// The points of one face; of a lattice without listing the cell's others. `faces` is what they may be kept in.
+template <grid::Grid G, class Use>
+void useFacePoints(const G& grid, CellId cell, std::uint32_t face, grid::CellFaces& faces, Use&& use)
+{
+	if constexpr (std::is_base_of_v<grid::Lattice, G>)
+	{
+		const std::array<PointId, 4> points = grid.facePoints(cell, static_cast<int>(face));
+		use(std::span<const PointId>(points));
+	}
+	else
+	{
+		grid.cellFaces(cell, faces);
+		use(faces[static_cast<int>(face)]);
+	}
+}
+
 // Calls visit_cut(CutFace) for every boundary face with vertices on both sides: its cell is cut. Calls visit_flat(Face)
 // for every one that lies in the plane whole. With a window (or null) only those that may reach into it. Returns the
 // boxes and faces asked.
@@ -44,11 +61,8 @@ std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary,
 {
 	std::size_t face_tests = 0;
 	grid::CellFaces faces;
-	const auto test = [&](const grid::BoundaryIndex::Face& face)
+	const auto testPoints = [&](const grid::BoundaryIndex::Face& face, std::span<const PointId> points)
 	{
-		++face_tests;
-		grid.cellFaces(face.cell, faces);
-		const std::span<const PointId> points = faces[face.face];
 		Vec3 previous = grid.point(points.back());
 		double previous_distance = plane.signedDistance(previous);
 		Vec3 ends[2];
@@ -68,6 +82,12 @@ std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary,
 			visit_cut(CutFace{face.cell, ends[0], ends[1]});
 		else if (flat && (!window || window->meets(boxOf(grid, points))))
 			visit_flat(face);
+	};
+	const auto test = [&](const grid::BoundaryIndex::Face& face)
+	{
+		++face_tests;
+		useFacePoints(grid, face.cell, face.face, faces,
+		              [&](std::span<const PointId> points) { testPoints(face, points); });
 	};
 	const std::size_t box_tests =
 	    boundary.visitWhere([&](const Box& box) { return plane.meets(box) && (!window || window->meets(box)); }, test);

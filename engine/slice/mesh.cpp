@@ -1,6 +1,6 @@
 #include "slice/mesh.h"
 
-#include "slice/cell_polygons.h"
+#include "slice/cell_mesh.h"
 #include "slice/join_vertices.h"
 #include "slice/key_numbers.h"
 #include "slice/span_mesh.h"
@@ -15,77 +15,30 @@ namespace vp::slice
 namespace
 {
 
-// Adds the vertices and polygons of one block.
+// The boundary faces in the plane of one block: a corner of theirs is an edge of its own.
 template <grid::Grid G>
-class BlockMesh
+void addFacesInPlane(const G& grid, const BlockCut& block, SheetMesh& mesh)
 {
-public:
-	BlockMesh(const G& grid, const surface::Plane& plane, const BlockCut& block, std::size_t expected_edges,
-	          SheetMesh& mesh)
-	    : grid_(grid), plane_(plane), block_(block), mesh_(mesh), vertices_(expected_edges)
+	KeyNumbers at_point(block.faces_in_plane.size());
+	grid::CellFaces faces;
+	for (const grid::BoundaryIndex::Face& face : block.faces_in_plane)
 	{
-	}
-
-	void addCells()
-	{
-		const traverse::LaneCut& cut = *block_.cut;
-		CellPolygons<G> polygons(grid_, plane_);
-		for (std::size_t i = 0; i < cut.cells.size(); ++i)
-			if (cut.words[i] & shared::kWordCut)
-				mesh_.cells_twisted += polygons.visit(cut.cells[i], cut.words[i],
-				                                      [&](const auto& edges) { addPolygon(cut.cells[i], edges); });
-	}
-
-	// A corner of a face in the plane is an edge of its own.
-	void addFacesInPlane()
-	{
-		grid::CellFaces faces;
-		std::vector<std::pair<PointId, PointId>> corners;
-		for (const grid::BoundaryIndex::Face& face : block_.faces_in_plane)
+		grid.cellFaces(face.cell, faces);
+		for (const PointId p : faces[face.face])
 		{
-			grid_.cellFaces(face.cell, faces);
-			corners.clear();
-			for (const PointId p : faces[face.face])
-				corners.emplace_back(p, p);
-			addPolygon(face.cell, corners);
-			++mesh_.boundary_polygons;
+			const auto [number, is_new] = at_point.find(p, static_cast<std::uint32_t>(mesh.positions.size()));
+			if (is_new)
+			{
+				mesh.edges.push_back({block.block, p, p, 0.0});
+				mesh.positions.push_back(grid.point(p));
+			}
+			mesh.polygon_vertices.push_back(number);
 		}
+		mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.polygon_vertices.size()));
+		mesh.polygon_cells.push_back({block.block, face.cell});
+		++mesh.boundary_polygons;
 	}
-
-private:
-	std::uint32_t vertexOf(std::pair<PointId, PointId> edge)
-	{
-		const PointId lower = std::min(edge.first, edge.second);
-		const PointId higher = std::max(edge.first, edge.second);
-		const auto [number, is_new] =
-		    vertices_.find(std::uint64_t(lower) << 32 | higher, static_cast<std::uint32_t>(mesh_.positions.size()));
-		if (is_new)
-		{
-			const Vec3 a = grid_.point(lower);
-			const Vec3 b = grid_.point(higher);
-			const double da = plane_.signedDistance(a);
-			const double db = plane_.signedDistance(b);
-			// The signs differ but at the corners of faces in the plane, so this is no division by zero.
-			const double t = lower == higher ? 0.0 : da / (da - db);
-			mesh_.edges.push_back({block_.block, lower, higher, t});
-			mesh_.positions.push_back(t == 1.0 ? b : a + t * (b - a));
-		}
-		return number;
-	}
-	void addPolygon(CellId cell, std::span<const std::pair<PointId, PointId>> edges)
-	{
-		for (const auto& edge : edges)
-			mesh_.polygon_vertices.push_back(vertexOf(edge));
-		mesh_.polygon_starts.push_back(static_cast<std::uint32_t>(mesh_.polygon_vertices.size()));
-		mesh_.polygon_cells.push_back({block_.block, cell});
-	}
-
-	const G& grid_;
-	const surface::Plane& plane_;
-	const BlockCut& block_;
-	SheetMesh& mesh_;
-	KeyNumbers vertices_;
-};
+}
 
 } // namespace
 
@@ -148,29 +101,12 @@ SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std
 		if (cut.spans)
 			doubts = doubts | addSpans(blocks.blocks[cut.block], cut.block, plane, sheet.normal, *cut.spans, mesh);
 
-	std::size_t cells = 0;
+	const std::size_t of_spans = mesh.polygons();
 	for (const BlockCut& cut : cuts)
 		if (cut.cut)
-			cells += cut.cut->cut_cells;
-	mesh.positions.reserve(mesh.positions.size() + cells + cells / 8);
-	mesh.edges.reserve(mesh.edges.size() + cells + cells / 8);
-	mesh.polygon_vertices.reserve(mesh.polygon_vertices.size() + 5 * cells);
-	mesh.polygon_starts.reserve(mesh.polygons() + cells + 1);
-	mesh.polygon_cells.reserve(mesh.polygons() + cells);
-	const std::size_t of_spans = mesh.polygons();
-	const auto visitBlocks = [&](auto&& visit)
-	{
-		for (const BlockCut& cut : cuts)
-			std::visit([&](const auto& grid) { visit(grid, cut); }, blocks.blocks[cut.block].grid);
-	};
-	visitBlocks(
-	    [&](const auto& grid, const BlockCut& cut)
-	    {
-		    if (cut.cut)
-			    BlockMesh(grid, plane, cut, cut.cut->cut_cells, mesh).addCells();
-	    });
-	visitBlocks([&](const auto& grid, const BlockCut& cut)
-	            { BlockMesh(grid, plane, cut, cut.faces_in_plane.size(), mesh).addFacesInPlane(); });
+			addCells(blocks.blocks[cut.block], cut.block, plane, *cut.cut, mesh);
+	for (const BlockCut& cut : cuts)
+		std::visit([&](const auto& grid) { addFacesInPlane(grid, cut, mesh); }, blocks.blocks[cut.block].grid);
 
 	// A span's mesh is whole and tidy but for what it tells.
 	const bool of_spans_alone = mesh.polygons() == of_spans;
