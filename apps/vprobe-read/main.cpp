@@ -48,7 +48,8 @@ Request parseRequest(char** arguments)
 	request.solution = arguments[2];
 	request.refine = static_cast<int>(std::strtol(arguments[3], nullptr, 10));
 	request.displace = std::strtod(arguments[4], nullptr);
-	request.file = arguments[5];
+	request.patches = std::string(arguments[5]) == "1";
+	request.file = arguments[6];
 	return request;
 }
 
@@ -70,7 +71,7 @@ void sendManifest(const std::string& text)
 int main(int argc, char** argv)
 {
 	const auto is_open = [](int fd) { return fcntl(fd, F_GETFD) >= 0; };
-	if (argc != 6 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
+	if (argc != 7 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
 	{
 		std::fprintf(stderr, "vprobe-read is started by vprobe to read files; run vprobe info FILE instead\n");
 		return 1;

@@ -1,6 +1,7 @@
 #include "manifest_writer.h"
 
 #include "linearise.h"
+#include "patch_polygons.h"
 #include "refusal.h"
 #include "structured_blocks.h"
 #include "visible_cells.h"
@@ -12,6 +13,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkSmartPointer.h>
 #include <vtkStructuredGrid.h>
@@ -79,6 +81,13 @@ const char* unitsOf(vtkDataArray* array)
 	return array->HasInformation() ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
 }
 
+// The Exodus reader has words for a set that has a number alone.
+std::string nameOf(std::string_view patch)
+{
+	constexpr std::string_view unnamed = "Unnamed set ID: ";
+	return std::string(patch.starts_with(unnamed) ? patch.substr(unnamed.size()) : patch);
+}
+
 } // namespace
 
 void ManifestWriter::add(vtkDataObject* object)
@@ -97,6 +106,26 @@ void ManifestWriter::add(vtkDataObject* object)
 	}
 	else
 		addDataSet("", vtkDataSet::SafeDownCast(object));
+}
+
+void ManifestWriter::addPatches(vtkDataObject* object)
+{
+	auto* composite = vtkCompositeDataSet::SafeDownCast(object);
+	if (!composite)
+		return;
+	const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+	std::size_t number = 0;
+	for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem(), ++number)
+	{
+		auto* data = vtkPointSet::SafeDownCast(leaf->GetCurrentDataObject());
+		json patch = data ? describePolygons(cell_writer_, data) : json();
+		if (patch.is_null())
+			continue;
+		const char* name =
+		    leaf->HasCurrentMetaData() ? leaf->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) : nullptr;
+		patch["name"] = name ? nameOf(name) : fmt::format("patch {}", number);
+		patches_.push_back(std::move(patch));
+	}
 }
 
 void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* data)
@@ -216,7 +245,8 @@ std::string ManifestWriter::finish()
 	                 {"times", times_},
 	                 {"left_out", counts_.flat},
 	                 {"warnings", warnings_},
-	                 {"blocks", blocks_}};
+	                 {"blocks", blocks_},
+	                 {"patches", patches_}};
 	if (!length_units_.empty())
 		manifest["length_units"] = length_units_;
 	// Names in files need not be UTF-8.

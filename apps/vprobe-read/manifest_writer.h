@@ -21,6 +21,8 @@ public:
 
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);
+	// The data sets of polygons in `object` become patches of the boundary, by their names. Any object, and none.
+	void addPatches(vtkDataObject* object);
 	// Goes before the names of the blocks added from now on.
 	void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
 	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
@@ -39,6 +41,7 @@ private:
 	ArrayWriter writer_{vp::read::kArraysFd};
 	ArrayWriter cell_writer_{vp::read::kCellsFd};
 	nlohmann::json blocks_ = nlohmann::json::array();
+	nlohmann::json patches_ = nlohmann::json::array();
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;
 	std::string length_units_;

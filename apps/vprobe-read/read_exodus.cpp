@@ -5,6 +5,7 @@
 #include "time_choice.h"
 
 #include <vtkExodusIIReader.h>
+#include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 
@@ -46,6 +47,18 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
 	for (int block = 0; block < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++block)
 		reader->SetObjectStatus(vtkExodusIIReader::ELEM_BLOCK, block, 1);
+	for (int set = 0; request.patches && set < reader->GetNumberOfObjects(vtkExodusIIReader::SIDE_SET); ++set)
+		reader->SetObjectStatus(vtkExodusIIReader::SIDE_SET, set, 1);
 	updateAtTime(*reader, request, manifest);
-	manifest.add(reader->GetOutputDataObject(0));
+	// Cells and what else they have, by kind of object.
+	auto* objects = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+	for (unsigned int kind = 0; objects && kind < objects->GetNumberOfBlocks(); ++kind)
+	{
+		const char* name =
+		    objects->HasMetaData(kind) ? objects->GetMetaData(kind)->Get(vtkCompositeDataSet::NAME()) : "";
+		if (name && std::string_view(name) == "Side Sets")
+			manifest.addPatches(objects->GetBlock(kind));
+		else
+			manifest.add(objects->GetBlock(kind));
+	}
 }

@@ -43,6 +43,26 @@ void refuseShortGzips(const fs::path& folder)
 
 } // namespace
 
+// In a pass of its own, without fields: those of patches can be of kinds that the reader complains about.
+void addFoamPatches(const Request& request, ManifestWriter& manifest)
+{
+	vtkNew<vtkOpenFOAMReader> reader;
+	reader->SetFileName(request.file.c_str());
+	reader->SetCacheMesh(false);
+	reader->UpdateInformation();
+	for (int i = 0; i < reader->GetNumberOfPatchArrays(); ++i)
+	{
+		const std::string name = reader->GetPatchArrayName(i);
+		reader->SetPatchArrayStatus(name.c_str(), name.find("patch/") != std::string::npos);
+	}
+	reader->DisableAllCellArrays();
+	reader->DisableAllPointArrays();
+	reader->DisableAllLagrangianArrays();
+	const Request at = request;
+	updateAtTime(*reader, at, manifest);
+	manifest.addPatches(reader->GetOutputDataObject(0));
+}
+
 void readFoam(const Request& request, ManifestWriter& manifest)
 {
 	takeWarningsToo(); // which is how this reader tells of files that end early
@@ -74,4 +94,6 @@ void readFoam(const Request& request, ManifestWriter& manifest)
 		if (time && entry.is_directory() && std::strtod(entry.path().filename().c_str(), nullptr) == *time)
 			refuseShortGzips(entry.path());
 	manifest.add(reader->GetOutputDataObject(0));
+	if (request.patches)
+		addFoamPatches(request, manifest);
 }

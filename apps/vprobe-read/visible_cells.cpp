@@ -126,5 +126,8 @@ json describeVisible(ArrayWriter& writer, vtkDataSet* data, const std::array<int
 	json cells = {{"types", writer.write(NumberType::uint8, types.data(), types.size())},
 	              {"offsets", writeInt64(writer, std::span<const std::int64_t>(offsets))},
 	              {"connectivity", writeInt64(writer, std::span<const std::int64_t>(connectivity))}};
-	return {{"kind", "unstructured"}, {"coordinates", writePoints(writer, data)}, {"cells", std::move(cells)}};
+	return {{"kind", "unstructured"},
+	        {"points", points},
+	        {"coordinates", writePoints(writer, data)},
+	        {"cells", std::move(cells)}};
 }

@@ -17,10 +17,12 @@ struct ProbeOptions
 	std::vector<std::string> inputs;
 	std::string probe = "single"; // or another built-in one, or a .json file; empty: own_probe
 	std::optional<probe::ProbeFile> own_probe{};
-	std::vector<double> origin;        // three numbers, or none: the centre of the bounds
-	std::optional<std::string> normal; // x, y, z or three numbers
-	std::vector<double> up;            // three numbers, or none
-	std::vector<double> window;        // none, or width and height
+	std::vector<double> origin;         // three numbers, or none: the centre of the bounds
+	std::optional<std::string> normal;  // x, y, z or three numbers
+	std::vector<double> up;             // three numbers, or none
+	std::vector<double> window;         // none, or width and height
+	std::optional<std::string> surface; // in place of planes: i=, j= or k=, see surface_options.h
+	bool crinkle = false;               // the cells that are cut, whole
 	std::optional<int> vanes;
 	std::vector<double> offsets;
 	std::optional<int> sheets;

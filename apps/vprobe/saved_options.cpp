@@ -33,6 +33,8 @@ state::Sections sectionsOf(SavedOptions& options)
 	          {"normal", &probe.normal},
 	          {"up", &probe.up},
 	          {"window", &probe.window},
+	          {"surface", &probe.surface},
+	          {"crinkle", &probe.crinkle},
 	          {"vanes", &probe.vanes},
 	          {"offsets", &probe.offsets},
 	          {"sheets", &probe.sheets},
@@ -55,7 +57,7 @@ state::Sections sectionsOf(SavedOptions& options)
 	          {"bands", &look.bands},
 	          {"mesh", &look.mesh},
 	          {"lit", &look.lit},
-	          {"background", &look.background},
+		          {"background", &look.background},
 	          {"camera", &look.camera},
 	          {"outline", &look.outline},
 	          {"context", &look.context},
@@ -142,6 +144,17 @@ void addStateOptions(CLI::App& command, SavedOptions& options)
 	    ->trigger_on_parse()
 	    ->type_name("FILE.json")
 	    ->group(group);
+}
+
+Status requirePlanes(const SavedOptions& options)
+{
+	for (const auto& [given, name] :
+	     {std::pair{options.probe.surface.has_value(), "--surface"}, std::pair{options.probe.crinkle, "--crinkle"}})
+		if (given)
+			return Error{ExitCode::usage, fmt::format("{}: is no plane to draw flat or to lay a line through; draw it with "
+			                                          "vprobe render, or export it as a .vtp",
+			                                          name)};
+	return Nothing{};
 }
 
 Status prepare(SavedOptions& options)

@@ -71,7 +71,9 @@ Status chooseSheetFields(const ProbeOptions& options, Session& session)
 // otherwise the CPU goes on, with a word.
 Result<std::unique_ptr<gpu::Device>> openDevice(const ProbeOptions& options, DeviceUse use)
 {
-	if (use == DeviceUse::classify && options.classify == "cpu")
+	// A grid surface is found by its subscripts, without classifying.
+	const bool classifies = options.classify != "cpu" && (!options.surface || options.classify_given);
+	if (use == DeviceUse::classify && !classifies)
 		return std::unique_ptr<gpu::Device>();
 	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({.name_or_index = options.device});
 	const bool needed =
@@ -87,7 +89,7 @@ Result<std::unique_ptr<gpu::Device>> openDevice(const ProbeOptions& options, Dev
 // cores as the CPU does, and pays for the round trip on top.
 bool classifiesOnGpu(const ProbeOptions& options, const gpu::Device* device)
 {
-	if (!device || options.classify == "cpu")
+	if (!device || options.classify == "cpu" || options.surface)
 		return false;
 	return options.classify == "gpu" || !device->isSoftware();
 }
@@ -96,7 +98,7 @@ bool classifiesOnGpu(const ProbeOptions& options, const gpu::Device* device)
 
 read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time)
 {
-	return {time, options.solution, options.refine, options.displace};
+	return {time, options.solution, options.refine, options.displace, namesPatch(options)};
 }
 
 Status makeSlicer(Session& session, const ProbeOptions& options)
@@ -129,6 +131,10 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	// What can be wrong on the command line is told before a large file is read.
 	if (Status fits = checkProbeOptions(options); !fits)
 		return fits.error();
+	Result<std::optional<SurfaceChoice>> surface = surfaceOf(options);
+	if (!surface)
+		return surface.error();
+	session->surface = *surface;
 	Result<std::optional<slice::Threshold>> threshold = parseThreshold(options.threshold);
 	if (!threshold)
 		return threshold.error();
@@ -146,6 +152,9 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	if (!field)
 		return field.error();
 	session->field = *field;
+	if (session->surface)
+		if (Status fits = checkSurface(session->blocks, *session->surface); !fits)
+			return fits.error();
 	if (session->threshold && !session->field)
 		return Error{ExitCode::input, fmt::format("{}: has no array for --threshold to look at; leave the option out",
 		                                          options.inputs.front())};
@@ -168,8 +177,11 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 
 Result<slice::Slice> cut(Session& session)
 {
+	std::optional<slice::OtherSurface> surface;
+	if (session.surface)
+		surface = surfaceAt(*session.surface, session.swept);
 	return session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, session.seeds,
-	                            session.threshold, session.finder, session.timeline.get()});
+	                            session.threshold, session.finder, surface, session.timeline.get()});
 }
 
 bool isEmpty(const slice::SheetSlice& sheet)
@@ -187,7 +199,8 @@ Status tellAbout(const Session& session, const slice::Slice& slice)
 	for (const slice::SheetSlice& sheet : slice.sheets)
 	{
 		const Vec3 at = sheet.sheet.origin;
-		const bool outside = session.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
+		const bool outside =
+		    !session.surface && session.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
 		if (outside && session.seeds.outside == seed::OutsidePolicy::refuse)
 			return Error{ExitCode::usage,
 			             fmt::format("--origin {} {} {}: the hot spot lies outside the grid; choose one inside, or "
@@ -204,6 +217,8 @@ Status tellAbout(const Session& session, const slice::Slice& slice)
 		if (session.threshold)
 			warn("the slice is empty: no cell that is reached has values between {} and {}; widen --threshold",
 			     session.threshold->lo, session.threshold->hi);
+		else if (sheet.surface)
+			warn("the slice is empty: {} shows no cells, or hidden ones only", slice::nameOf(*sheet.surface));
 		else
 			warn("the slice is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
 			     "{:.6g}",

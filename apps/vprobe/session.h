@@ -9,6 +9,7 @@
 #include "read/read.h"
 #include "slice/field_choice.h"
 #include "slice/slicer.h"
+#include "surface_options.h"
 
 #include <memory>
 #include <optional>
@@ -27,9 +28,12 @@ struct Session
 	std::vector<std::optional<slice::FieldChoice>> sheet_fields;
 	slice::Corners corners = slice::Corners::keep;
 	seed::SeedOptions seeds;
+	std::optional<SurfaceChoice> surface; // in place of the probe's sheets
+	double swept = 0.0;                   // how far along its range the next cut lies, 0 to 1
+	bool crinkle = false;                 // the whole cells are wanted too
 	std::optional<slice::Threshold> threshold;
 	slice::Finder finder = slice::Finder::automatic; // traversal where its generations are shown
-	std::unique_ptr<gpu::Device> device; // null where the CPU does without
+	std::unique_ptr<gpu::Device> device;             // null where the CPU does without
 	std::unique_ptr<slice::Slicer> slicer;
 	std::unique_ptr<Timeline> timeline;
 };

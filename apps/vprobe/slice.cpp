@@ -4,6 +4,7 @@
 #include "plane_pictures.h"
 #include "saved_options.h"
 #include "stats_json.h"
+#include "surface_options.h"
 #include "write/line_file.h"
 #include "write/slice_file.h"
 
@@ -76,10 +77,7 @@ Result<std::vector<std::string>> writeSlices(const Session& session, const Slice
 			return written.error();
 		return std::vector{options.output};
 	}
-	std::vector<slice::SheetMesh> meshes;
-	for (const SheetStats& sheet : sheets)
-		meshes.push_back(sheet.mesh);
-	if (Status written = write::writeSlice(session.blocks, meshes, options.output); !written)
+	if (Status written = write::writeSlice(session.blocks, exportedMeshes(sheets), options.output); !written)
 		return written.error();
 	return std::vector{options.output};
 }
@@ -88,12 +86,16 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 {
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
+	if (Status one = requireOneSurface(options.saved.probe); !one)
+		return one.error();
 	if (options.output == "-" && options.stats == "-")
 		return Error{ExitCode::usage,
 		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
 	if (Status fits = checkLine(options, command); !fits)
 		return fits.error();
 	const bool pictures = namesPictures(options.output);
+	if (Status planes = pictures || !options.line.empty() ? requirePlanes(options.saved) : Nothing{}; !planes)
+		return planes.error();
 	if (Status fits = pictures ? Nothing{} : refuseLook(command, options.output); !fits)
 		return fits.error();
 	Result<LookChoice> look = pictures ? planeLook(options, command) : LookChoice{};
@@ -107,6 +109,7 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
+	session.crinkle = options.saved.probe.crinkle;
 	if (static_cast<std::size_t>(options.line_sheet) >= session.probe.sheets.size())
 		return Error{ExitCode::usage, fmt::format("--sheet {}: there are {}, counted from 0", options.line_sheet,
 		                                          session.probe.sheets.size())};

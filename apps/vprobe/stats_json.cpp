@@ -83,35 +83,59 @@ TraversalSums sumUp(const grid::BlockSet& blocks, const slice::SheetSlice& sheet
 	return sums;
 }
 
+// A surface of another kind has no frame: null.
+nlohmann::json frameJson(const slice::SheetSlice& sheet)
+{
+	if (sheet.surface)
+		return {{"surface", slice::nameOf(*sheet.surface)},
+		        {"origin", nullptr},
+		        {"normal", nullptr},
+		        {"up", nullptr},
+		        {"window", nullptr}};
+	return {{"surface", nullptr},
+	        {"origin", asJson(sheet.sheet.origin)},
+	        {"normal", asJson(sheet.sheet.normal)},
+	        {"up", asJson(sheet.sheet.up)},
+	        {"window", asJson(sheet.sheet.window)}};
+}
+
+nlohmann::json crinkleJson(const grid::BlockSet& blocks, const std::optional<slice::SheetMesh>& crinkle)
+{
+	if (!crinkle)
+		return {};
+	return {{"faces", crinkle->polygons()},
+	        {"vertices", crinkle->positions.size()},
+	        {"area", slice::measure(blocks, *crinkle, {}).area}};
+}
+
 nlohmann::json sheetJson(const grid::BlockSet& blocks, const slice::SheetSlice& sheet, const SheetStats& stats)
 {
 	const TraversalSums sums = sumUp(blocks, sheet);
-	return {{"origin", asJson(sheet.sheet.origin)},
-	        {"normal", asJson(sheet.sheet.normal)},
-	        {"up", asJson(sheet.sheet.up)},
-	        {"window", asJson(sheet.sheet.window)},
-	        {"array", sheet.field ? nlohmann::json(sheet.field->title(blocks)) : nlohmann::json()},
-	        {"cut_cells", sums.cut_cells},
-	        {"linear_cut_cells", sums.linear_cut_cells},
-	        {"polygons", stats.mesh.polygons()},
-	        {"vertices", stats.mesh.positions.size()},
-	        {"components", stats.measure.components},
-	        {"area", stats.measure.area},
-	        {"mean", orNull(stats.measure.mean)},
-	        {"min", orNull(stats.measure.min)},
-	        {"max", orNull(stats.measure.max)},
-	        {"seeds", sheet.seeds.count},
-	        {"hops", sheet.seeds.hops},
-	        {"boundary_tests", sheet.seeds.boundary_tests},
-	        {"hot_spot_inside", sheet.seeds.hot_spot_inside},
-	        {"generations", sums.generations},
-	        {"front_max", sums.front_max},
-	        {"cells_touched", sums.touched},
-	        {"cells_walked", sums.walked},
-	        {"cells_twisted", stats.mesh.cells_twisted},
-	        {"boundary_faces", sums.boundary_faces},
-	        {"boundary_area", stats.measure.boundary_area},
-	        {"nan_area", stats.measure.nan_area}};
+	nlohmann::json json = frameJson(sheet);
+	json.update({{"array", sheet.field ? nlohmann::json(sheet.field->title(blocks)) : nlohmann::json()},
+	             {"cut_cells", sums.cut_cells},
+	             {"linear_cut_cells", sums.linear_cut_cells},
+	             {"polygons", stats.mesh.polygons()},
+	             {"vertices", stats.mesh.positions.size()},
+	             {"components", stats.measure.components},
+	             {"area", stats.measure.area},
+	             {"mean", orNull(stats.measure.mean)},
+	             {"min", orNull(stats.measure.min)},
+	             {"max", orNull(stats.measure.max)},
+	             {"seeds", sheet.seeds.count},
+	             {"hops", sheet.seeds.hops},
+	             {"boundary_tests", sheet.seeds.boundary_tests},
+	             {"hot_spot_inside", sheet.seeds.hot_spot_inside},
+	             {"generations", sums.generations},
+	             {"front_max", sums.front_max},
+	             {"cells_touched", sums.touched},
+	             {"cells_walked", sums.walked},
+	             {"cells_twisted", stats.mesh.cells_twisted},
+	             {"boundary_faces", sums.boundary_faces},
+	             {"boundary_area", stats.measure.boundary_area},
+	             {"nan_area", stats.measure.nan_area},
+	             {"crinkle", crinkleJson(blocks, stats.crinkle)}});
+	return json;
 }
 
 } // namespace
@@ -124,11 +148,21 @@ std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& s
 		{
 			const TimedSection section(session.timeline.get(), "emit");
 			sheets[s].mesh = slice.mesh(session.blocks, s);
+			if (session.crinkle)
+				sheets[s].crinkle = slice.crinkle(session.blocks, s);
 		}
 		const TimedSection section(session.timeline.get(), "measure");
 		sheets[s].measure = slice::measure(session.blocks, sheets[s].mesh, slice.sheets[s].field);
 	}
 	return sheets;
+}
+
+std::vector<slice::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets)
+{
+	std::vector<slice::SheetMesh> meshes;
+	for (const SheetStats& sheet : sheets)
+		meshes.push_back(sheet.crinkle ? *sheet.crinkle : sheet.mesh);
+	return meshes;
 }
 
 const char* classifierName(const Session& session)

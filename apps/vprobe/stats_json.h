@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,13 @@ struct SheetStats
 {
 	slice::SheetMesh mesh;
 	slice::SheetMeasure measure;
+	std::optional<slice::SheetMesh> crinkle{}; // where whole cells are wanted
 };
 
 std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice);
+
+// What a slice's export holds: its polygons, or the faces of its whole cells.
+std::vector<slice::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets);
 
 // What the --stats document says of sheets.
 nlohmann::json sheetsJson(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets);

@@ -6,6 +6,7 @@
 #include "painter.h"
 #include "remaining_time.h"
 #include "saved_options.h"
+#include "surface_options.h"
 #include "time_steps.h"
 #include "write/slice_sets.h"
 
@@ -103,10 +104,7 @@ public:
 			return Error{ExitCode::interrupted, "interrupted; nothing is written"};
 		if (series_)
 		{
-			std::vector<slice::SheetMesh> meshes;
-			for (const SheetStats& sheet : sheets)
-				meshes.push_back(sheet.mesh);
-			if (Status written = series_->add(frame, session_.blocks, meshes); !written)
+			if (Status written = series_->add(frame, session_.blocks, exportedMeshes(sheets)); !written)
 				return written;
 		}
 		return painter_ ? draw(frame, slice, sheets) : Nothing{};
@@ -143,7 +141,7 @@ private:
 		slice::Slice nothing;
 		for (const slice::SheetSlice& sheet : first.sheets)
 			nothing.sheets.push_back(
-			    {.shown = sheet.shown, .sheet = sheet.sheet, .corners = sheet.corners, .field = sheet.field});
+			    {.shown = sheet.shown, .sheet = sheet.sheet, .surface = sheet.surface, .corners = sheet.corners, .field = sheet.field});
 		return painter_->draw(nothing, std::vector<SheetStats>(nothing.sheets.size()));
 	}
 
@@ -198,6 +196,7 @@ Result<nlohmann::json> sweepAlong(const probe::Path& path, int frames, Session& 
 	const CutFrame cut_frame = [&](int frame)
 	{
 		session.probe.frame = poses[static_cast<std::size_t>(frame)];
+		session.swept = probe::progress(path, frame, frames);
 		return cut(session);
 	};
 	return sweepThrough(frames, cut_frame, session, products, wants_figures);
@@ -222,6 +221,8 @@ Result<ExitCode> runSweep(SweepOptions& options)
 		return ready.error();
 	if (Status fits = checkOptions(options); !fits)
 		return fits.error();
+	if (Status fits = requirePathOfSurface(options.saved.probe, options.saved.path); !fits)
+		return fits.error();
 	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
 	if (!look)
 		return look.error();
@@ -243,6 +244,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
+	session.crinkle = options.saved.probe.crinkle;
 	if (look->by_generation)
 		session.finder = slice::Finder::traversal;
 	Result<Products> products = Products::create(options, session, std::move(*look), std::move(*frames));

@@ -116,6 +116,7 @@ void finishBlock(Block& block)
 		    block.inverted = foldedCells(grid);
 		    block.inverted_tree = BlockTree(grid, block.inverted);
 		    block.tree = std::make_shared<LazyBlockTree>();
+		    block.cell_places = std::make_shared<LazyCellPlaces>();
 	    },
 	    block.grid);
 }

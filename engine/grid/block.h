@@ -6,11 +6,14 @@
 #include "grid/boundary.h"
 #include "grid/field.h"
 #include "grid/interfaces.h"
+#include "grid/lattice_cells.h"
+#include "grid/patches.h"
 #include "grid/structured.h"
 #include "grid/unstructured.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,6 +33,9 @@ struct Block
 	// Of the file's coordinates and cells, where a file gave them: blocks of one input at two times have the same grid
 	// where this number is the same. 0: not known.
 	std::uint64_t geometry = 0;
+	// Where the grid is a lattice without its hidden cells, and so unstructured: that lattice, whose numbers
+	// sourceCell() and sourcePoint() give.
+	std::optional<Lattice> hidden_lattice;
 
 	// Built by finishBlock().
 	Box bounds;
@@ -37,7 +43,8 @@ struct Block
 	std::vector<CellId> vantage;  // cells from which fence hopping starts: side centres, or spread boundary cells
 	std::vector<CellId> inverted; // where the grid may be folded: they can close off a piece, so they seed (folds.h)
 	BlockTree inverted_tree;      // over those
-	std::shared_ptr<LazyBlockTree> tree; // over all cells, for treeOf()
+	std::shared_ptr<LazyBlockTree> tree;         // over all cells, for treeOf()
+	std::shared_ptr<LazyCellPlaces> cell_places; // of a hidden lattice, for latticeCellsOf()
 };
 
 // Categorical fields, bounds, boundary index, vantage points and inverted cells, on all cores.
@@ -57,6 +64,7 @@ struct BlockSet
 	std::vector<double> times; // that the input offers, ascending; empty where it knows no time
 	std::size_t left_out = 0;  // cells of dimension below three
 	Interfaces interfaces;     // built by matchInterfaces(), once all blocks are finished
+	std::vector<Patch> patches; // that the files name, where they were asked for
 
 	// Of the grids, which are what is walked and cut.
 	std::size_t cellCount() const;

@@ -31,16 +31,6 @@ bool endsWhereItBegan(const Path& path)
 	return false;
 }
 
-// How much of the way is done in frame k: 0 to 1.
-double progress(const Path& path, int k, int frames)
-{
-	if (path.there_and_back)
-		return 1.0 - std::abs(1.0 - 2.0 * k / frames);
-	if (endsWhereItBegan(path))
-		return static_cast<double>(k) / frames;
-	return frames == 1 ? 0.0 : static_cast<double>(k) / (frames - 1);
-}
-
 Frame moved(const Path& path, const Frame& start, const Box& bounds, double done, int frames)
 {
 	const Vec3 axis = path.axis ? unitVector(*path.axis) : start.normal;
@@ -96,6 +86,15 @@ Frame poseAt(const Path& path, const Probe& probe, const Box& bounds, double don
 }
 
 } // namespace
+
+double progress(const Path& path, int k, int frames)
+{
+	if (path.there_and_back)
+		return 1.0 - std::abs(1.0 - 2.0 * k / frames);
+	if (endsWhereItBegan(path))
+		return static_cast<double>(k) / frames;
+	return frames == 1 ? 0.0 : static_cast<double>(k) / (frames - 1);
+}
 
 std::optional<int> framesOf(const Path& path, double per_second)
 {

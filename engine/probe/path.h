@@ -59,6 +59,9 @@ struct Path
 // it does not say. From 1 to kMaxFrames.
 std::optional<int> framesOf(const Path& path, double per_second);
 
+// How much of the way is done in frame `k` of `frames`: 0 to 1.
+double progress(const Path& path, int k, int frames);
+
 // The probe's frame in each of `frames` (1 or more) pictures. A path that ends where it began leaves its end out, so
 // that the film loops: whole turns, revolve, loops, there and back. Other turns and keyframes have both their ends.
 // Translation visits the middles of as many equal slabs of the bounds, so that no frame only touches them.

@@ -130,6 +130,26 @@ void checkCells(const grid::CellList& cells, std::size_t points)
 		throw Unusable(fmt::format("the faces of polyhedron {} do not make sense", bad));
 }
 
+void checkLattice(const grid::Lattice& lattice, std::size_t points, const grid::CellList& cells)
+{
+	if (lattice.pointCount() != points || lattice.cellCount() != cells.types.size() || !cells.source_cells.empty())
+		throw Unusable("a lattice has another number of points or cells than it should");
+	const auto foreign = [&](std::size_t c) { return cells.types[c] != kEmptyCell && cells.types[c] != kHexahedron; };
+	if (const std::size_t bad = firstWhere(cells.types.size(), foreign); bad != kNone)
+		throw Unusable(fmt::format("cell {} of a lattice is no hexahedron", bad));
+}
+
+void checkPolygons(const grid::PatchPolygons& polygons)
+{
+	if (polygons.starts.size() < 1)
+		throw Unusable("a patch without offsets");
+	checkOffsets(polygons.starts, polygons.corners.size(), "patch");
+	const auto outside = [&](std::size_t i)
+	{ return static_cast<std::uint64_t>(polygons.corners[i]) >= polygons.points.size(); };
+	if (firstWhere(polygons.corners.size(), outside) != kNone)
+		throw Unusable(fmt::format("the patch {} names points that it does not have", polygons.name));
+}
+
 void checkSourceCells(const Array<std::int64_t>& source_cells, std::size_t count)
 {
 	const auto outside = [&](std::size_t c) { return static_cast<std::uint64_t>(source_cells[c]) >= count; };

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "grid/patches.h"
 #include "grid/points.h"
+#include "grid/structured.h"
 #include "grid/unstructured.h"
 
 #include <cmath>
@@ -28,6 +30,9 @@ inline bool isPlace(double coordinate)
 void checkCoordinates(const grid::Points& points);
 void checkAxis(const Array<double>& axis);
 void checkCells(const grid::CellList& cells, std::size_t points);
+// That the cells can be those of a lattice, hidden ones empty.
+void checkLattice(const grid::Lattice& lattice, std::size_t points, const grid::CellList& cells);
+void checkPolygons(const grid::PatchPolygons& polygons);
 void checkSourceCells(const Array<std::int64_t>& source_cells, std::size_t count);
 
 } // namespace vp::read

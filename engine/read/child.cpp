@@ -112,7 +112,9 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	std::string displace = fmt::format("{:.17g}", options.displace);
 	ChildSetup setup = {};
 	setup.program = program->c_str();
-	setup.arguments = {name.data(), time.data(), solution.data(), refine.data(), displace.data(), path.data(), nullptr};
+	std::string patches = options.patches ? "1" : "0";
+	setup.arguments = {name.data(),     time.data(),    solution.data(), refine.data(),
+	                   displace.data(), patches.data(), path.data(),     nullptr};
 	setup.null = null.get();
 	setup.errors = errors.write_end.get();
 	setup.arrays = arrays.get();

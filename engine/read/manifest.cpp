@@ -99,6 +99,9 @@ public:
 			block.length_units = wordsOf(manifest.value("length_units", json("")));
 		if (input.blocks.empty())
 			throw Unusable("no blocks");
+		if (manifest.contains("patches"))
+			for (const json& patch : manifest.at("patches"))
+				input.patches.push_back(checkPatch(patch));
 		return input;
 	}
 
@@ -175,6 +178,15 @@ private:
 		return mesh;
 	}
 
+	grid::PatchPolygons checkPatch(const json& patch) const
+	{
+		grid::PatchPolygons polygons{wordsOf(patch.at("name")), coordinatesOf(cells_, patch.at("coordinates")),
+		                             numbersOf<std::int64_t>(cells_, patch.at("starts"), NumberType::int64),
+		                             numbersOf<std::int64_t>(cells_, patch.at("corners"), NumberType::int64)};
+		checkPolygons(polygons);
+		return polygons;
+	}
+
 	static std::array<std::uint32_t, 3> latticeOfBlock(const json& block)
 	{
 		const json& points = block.at("points");
@@ -192,6 +204,11 @@ private:
 			CellMesh mesh = cellMeshOf(block);
 			points = mesh.points.size();
 			cells = mesh.cells.source_cells.empty() ? mesh.cells.types.size() : mesh.source_cell_count;
+			if (block.contains("points"))
+			{
+				checked.hidden_lattice = grid::Lattice(latticeOfBlock(block));
+				checkLattice(*checked.hidden_lattice, mesh.points.size(), mesh.cells);
+			}
 			checked.mesh = std::move(mesh);
 			return;
 		}

@@ -2,12 +2,14 @@
 
 #include "base/result.h"
 #include "grid/field.h"
+#include "grid/patches.h"
 #include "grid/points.h"
 #include "grid/structured.h"
 #include "grid/unstructured.h"
 #include "read/mapping.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -30,12 +32,14 @@ struct CheckedBlock
 	std::variant<grid::UniformGrid, grid::RectilinearGrid, grid::CurvilinearGrid, CellMesh> mesh;
 	std::vector<grid::Field> fields;
 	std::string length_units{};
+	std::optional<grid::Lattice> hidden_lattice; // see grid::Block
 };
 
 // What a child handed over, as far as it holds good.
 struct CheckedInput
 {
 	std::vector<CheckedBlock> blocks;
+	std::vector<grid::PatchPolygons> patches;
 	std::vector<double> times;
 	std::vector<std::string> warnings;
 	std::size_t left_out = 0;

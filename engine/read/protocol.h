@@ -8,23 +8,26 @@ namespace vp::read
 {
 
 // What vprobe-read and its parent agree on. The child is started as
-//   vprobe-read TIME SOLUTION REFINE DISPLACE FILE
+//   vprobe-read TIME SOLUTION REFINE DISPLACE PATCHES FILE
 // with TIME last, first, a number or # and an index, SOLUTION empty or a PLOT3D q file, REFINE how many times the
-// linear parts of curved cells are halved, and DISPLACE what Exodus displacements are multiplied with, 0 for none. It
+// linear parts of curved cells are halved, DISPLACE what Exodus displacements are multiplied with, 0 for none, and
+// PATCHES 1 where the parts of the boundary that the file names are wanted, else 0. It
 // writes arrays into two shared memories, each array at a multiple of kArrayAlignment: kCellsFd takes the points and
 // cells of unstructured blocks, which are needed no more once a grid is built, kArraysFd all else. One JSON manifest
 // that describes them goes into kManifestFd:
 //
-//   {"version", "times": [..], "left_out": cells, "warnings": [..], "blocks": [{"name", "kind", "arrays": [..], ..}]}
+//   {"version", "times": [..], "left_out": cells, "warnings": [..], "blocks": [{"name", "kind", "arrays": [..], ..}],
+//    "patches": [{"name", "coordinates": array, "starts": array, "corners": array}]}, the latter where asked for
 //   image         "points": [nx, ny, nz], "origin": [..], "spacing": [..]
 //   rectilinear   "axes": [array, array, array] of float64
 //   curvilinear   "points": [nx, ny, nz], "coordinates": array
 //   unstructured  "coordinates": array, "cells": {"types", "offsets", "connectivity", "face_offsets", "face_stream",
-//                 "source_cells", "source_cell_count", "source_point_count"}; the latter five where there is need
+//                 "source_cells", "source_cell_count", "source_point_count"}; the latter five where there is need;
+//                 "points": [nx, ny, nz] where points and cells, hidden ones too, are those of a lattice
 //
 // An array is {"type": "float32" ..., "offset", "bytes"}, and among "arrays" also has "name", "association",
 // "components" and, where the file names them, "units". So the manifest has "length_units".
-constexpr int kProtocolVersion = 2;
+constexpr int kProtocolVersion = 3;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;

@@ -59,6 +59,11 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 		std::string name = block.name.empty() ? stem : fmt::format("{}: {}", stem, block.name);
 		set.blocks.push_back(buildBlock(std::move(block), std::move(name)));
 	}
+	set.patches = grid::findPatches(set, input->patches);
+	for (const grid::Patch& patch : set.patches)
+		if (patch.lost > 0)
+			warn("{}: {} of {} faces of the patch {} are no boundary faces of linear cells and left out", file,
+			     patch.lost, patch.lost + patch.faces.size(), patch.name);
 	return set;
 }
 
@@ -99,6 +104,10 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 		Result<grid::BlockSet> set = readInput(input, options, timeline);
 		if (!set)
 			return set.error();
+		for (grid::Patch& patch : set->patches)
+			for (grid::Patch::Face& face : patch.faces)
+				face.block += static_cast<std::uint32_t>(all.blocks.size());
+		std::move(set->patches.begin(), set->patches.end(), std::back_inserter(all.patches));
 		std::move(set->blocks.begin(), set->blocks.end(), std::back_inserter(all.blocks));
 		all.times.insert(all.times.end(), set->times.begin(), set->times.end());
 		all.left_out += set->left_out;

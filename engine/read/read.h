@@ -40,6 +40,7 @@ struct ReadOptions
 	// Curved cells are cut into linear ones over their own points; each level halves the edges of those once more.
 	int refine = 0;
 	double displace = 0.0; // moves the points of Exodus files by their displacements, times this
+	bool patches = false;  // reads what the files name of the boundary: OpenFOAM patches, Exodus side sets
 };
 
 constexpr int kMaxRefine = 6;

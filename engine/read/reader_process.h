@@ -27,7 +27,7 @@ Pipe makePipe();
 struct ChildSetup
 {
 	const char* program;
-	std::array<char*, 7> arguments; // ends with null
+	std::array<char*, 8> arguments; // ends with null
 	int null;
 	int errors;
 	int arrays;

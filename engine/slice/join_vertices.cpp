@@ -1,11 +1,11 @@
 #include "slice/join_vertices.h"
 
+#include "base/place_key.h"
 #include "slice/key_numbers.h"
 #include "slice/seam_vertices.h"
 #include "slice/union_find.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace vp::slice
@@ -34,10 +34,10 @@ public:
 	{
 	}
 
-	void join()
+	void join(bool by_place)
 	{
 		joinAtGridPoints();
-		joinAtSeams();
+		joinAtSeams(by_place);
 		if (ofSeveralBlocks())
 			joinAtSamePlace();
 		if (joined_.count() < mesh_.positions.size())
@@ -65,10 +65,12 @@ private:
 		}
 	}
 
-	void joinAtSeams()
+	void joinAtSeams(bool by_place)
 	{
 		for (const VertexPair& pair : seamVertices(blocks_, mesh_))
-			if (haveSameData(pair.first, pair.second))
+			if (by_place && !areOnePlace(pair.first, pair.second))
+				continue;
+			else if (haveSameData(pair.first, pair.second))
 				joined_.join(pair.first, pair.second);
 			else
 				mesh_.seam_pairs.push_back(pair);
@@ -94,13 +96,16 @@ private:
 		}
 	}
 
-	// Places with the same key are hardly ever two; whoever uses it compares them.
-	static std::uint64_t placeKey(const Vec3& place)
+	// As seen from the length of the edge; its ends are the same points within a far smaller tolerance.
+	bool areOnePlace(std::uint32_t v, std::uint32_t w) const
 	{
-		std::uint64_t key = 0;
-		for (int axis = 0; axis < 3; ++axis)
-			key = std::rotl(key, 21) * 0x9E3779B97F4A7C15ull + std::bit_cast<std::uint64_t>(place[axis] + 0.0); // no -0
-		return key;
+		constexpr double kApart = 1e-4;
+		const EdgePoint& edge = mesh_.edges[v];
+		const double length =
+		    std::visit([&](const auto& grid) { return glm::length(grid.point(edge.higher) - grid.point(edge.lower)); },
+		               blocks_.blocks[edge.block].grid);
+		return edge.t == 0.0 || edge.t == 1.0 ||
+		       glm::length(mesh_.positions[v] - mesh_.positions[w]) <= kApart * length;
 	}
 
 	bool haveSameData(std::uint32_t v, std::uint32_t w) const
@@ -154,9 +159,9 @@ private:
 
 } // namespace
 
-void joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh)
+void joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place)
 {
-	VertexJoiner(blocks, mesh).join();
+	VertexJoiner(blocks, mesh).join(by_place);
 }
 
 } // namespace vp::slice

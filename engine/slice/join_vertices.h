@@ -10,6 +10,9 @@ namespace vp::slice
 // mesh: edges cut at the same grid point; edges that lie on each other at a seam; and, between several blocks, vertices
 // at exactly the same place. Vertices whose point arrays differ stay apart, so that a jump of the data survives; those
 // of a seam are then listed in mesh.seam_pairs. Vertices out of use stay in the mesh.
-void joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh);
+//
+// A plane cuts an edge of a seam once, whatever rounding and tolerance make of the place. What is given `by_place`
+// lies, as grid surfaces of two blocks do, at places of its own along such an edge, and is joined at equal ones only.
+void joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place = false);
 
 } // namespace vp::slice

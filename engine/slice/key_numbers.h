@@ -36,6 +36,13 @@ public:
 			grow();
 		return {next, true};
 	}
+	bool has(std::uint64_t key) const
+	{
+		std::size_t slot = place(key);
+		while (numbers_[slot] != kEmpty && keys_[slot] != key)
+			slot = (slot + 1) & (keys_.size() - 1);
+		return numbers_[slot] != kEmpty;
+	}
 
 private:
 	static constexpr std::uint32_t kEmpty = 0xFFFFFFFFu;

@@ -8,6 +8,7 @@
 #include "traverse/bfs.h"
 #include "traverse/spans.h"
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -41,9 +42,9 @@ struct BlockCell
 	CellId cell;
 };
 
-// The cut of one sheet through a block set: polygons with shared vertices, in double precision. Polygons wind
-// counter-clockwise seen from the side the sheet's normal points to. Polygons with fewer than three distinct vertices
-// are left out.
+// Polygons with shared vertices, in double precision: the cut of one sheet through a block set, which winds
+// counter-clockwise seen from the side the sheet's normal points to; a grid surface (grid_surface.h); or the faces of
+// cut cells (crinkle.h). Polygons with fewer than three distinct vertices are left out.
 struct SheetMesh
 {
 	RawVector<Vec3> positions;
@@ -58,6 +59,7 @@ struct SheetMesh
 	// Vertices that lie on each other at a seam and yet stay two, since the arrays differ from one side to the other.
 	std::vector<std::pair<std::uint32_t, std::uint32_t>> seam_pairs;
 	std::size_t cells_twisted = 0; // cut cells with a face that is cut more than once, or with several polygons
+	bool flat = true;              // every polygon lies in a plane; others are the fans about their vertices' means
 
 	std::span<const PointShare> rimShares(std::size_t vertex) const
 	{
@@ -87,6 +89,29 @@ SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std
 // Twice the vector area of a polygon (at least one vertex): for a flat polygon, of whatever form, twice its area along
 // the normal about which it runs counter-clockwise.
 Vec3 doubleArea(const SheetMesh& mesh, std::span<const std::uint32_t> polygon);
+
+// A polygon as the fan of triangles about the mean of its vertices (at least three). visit(previous, vertex, area) per
+// triangle; a triangle that runs against its polygon, as some do where that is concave, has a negative area.
+template <class Visit>
+void forFan(const SheetMesh& mesh, std::span<const std::uint32_t> polygon, Visit&& visit)
+{
+	const Vec3 double_area = doubleArea(mesh, polygon);
+	const double length = glm::length(double_area);
+	const Vec3 along = length > 0.0 ? double_area / length : Vec3(0.0);
+	Vec3 centre(0.0);
+	for (const std::uint32_t v : polygon)
+		centre += mesh.positions[v];
+	centre /= static_cast<double>(polygon.size());
+	std::uint32_t previous = polygon.back();
+	for (const std::uint32_t v : polygon)
+	{
+		const Vec3 cross = glm::cross(mesh.positions[previous] - centre, mesh.positions[v] - centre);
+		const double part = glm::dot(cross, along);
+		// Off the plane of the whole a triangle has more area than is seen along it.
+		visit(previous, v, 0.5 * (mesh.flat ? part : std::copysign(glm::length(cross), part)));
+		previous = v;
+	}
+}
 
 // Drops the vertices that no polygon uses.
 void dropUnusedVertices(SheetMesh& mesh);

@@ -6,38 +6,15 @@
 #include "slice/gpu_classifier.h"
 #include "slice/host_records.h"
 #include "traverse/cell_flood.h"
+#include "slice/slice_meshes.h"
 #include "traverse/span_flood.h"
 #include "traverse/span_rows.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace vp::slice
 {
-
-namespace
-{
-
-std::vector<BlockCut> blockCuts(std::span<const traverse::LaneCut> cuts, const SheetSlice& sheet)
-{
-	std::vector<BlockCut> blocks;
-	for (std::size_t b = 0; b < cuts.size(); ++b)
-	{
-		blocks.push_back({static_cast<std::uint32_t>(b), sheet.hasSpans(b) ? nullptr : &cuts[b],
-		                  sheet.hasSpans(b) ? &*sheet.spans[b] : nullptr, sheet.seeds.faces_in_plane[b]});
-	}
-	return blocks;
-}
-
-} // namespace
-
-SheetMesh Slice::mesh(const grid::BlockSet& blocks, std::size_t sheet) const
-{
-	const SheetSlice& cut = sheets[sheet];
-	SheetMesh mesh = buildMesh(blocks, cut.sheet, blockCuts(cut.cuts, cut));
-	if (cut.sheet.window)
-		clipToWindow(cut.sheet, cut.corners, mesh);
-	return mesh;
-}
 
 SliceTicket::SliceTicket(std::stop_source stop, std::future<Result<Slice>> result)
     : stop_(std::move(stop)), result_(std::move(result))
@@ -133,10 +110,12 @@ Slice Slicer::seedSheets(const SliceRequest& request, std::span<const std::funct
 Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 {
 	assert(request.field || !request.threshold);
-	std::vector<std::function<bool(CellId)>> admits(blocks_.blocks.size());
+	Admits admits(blocks_.blocks.size());
 	if (request.threshold)
 		for (std::size_t b = 0; b < admits.size(); ++b)
 			admits[b] = cellsWithin(blocks_.blocks[b], *request.field, *request.threshold);
+	if (request.surface)
+		return showSurface(request, admits);
 
 	Slice slice = seedSheets(request, admits);
 	std::vector<std::optional<traverse::LaneCut>> flooded(slice.sheets.size() * blocks_.blocks.size());
@@ -171,6 +150,18 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	if (gpu_)
 		if (Status added = addHostRecords(request.timeline, slice); !added)
 			return added.error();
+	return slice;
+}
+
+Slice Slicer::showSurface(const SliceRequest& request, const Admits& admits) const
+{
+	const TimedSection section(request.timeline, "traverse");
+	Slice slice;
+	SheetSlice& sheet = slice.sheets.emplace_back();
+	sheet.field = request.sheet_fields.empty() ? request.field : request.sheet_fields.front();
+	sheet.surface = request.surface;
+	sheet.cuts = surfaceCells(blocks_, *request.surface, admits);
+	sheet.seeds.faces_in_plane.resize(sheet.cuts.size());
 	return slice;
 }
 
@@ -272,7 +263,7 @@ void Slicer::forgetValues()
 Result<Slice> Slicer::regather(const Slice& kept, Timeline* timeline)
 {
 	Slice slice = kept;
-	if (!gpu_)
+	if (!gpu_ || std::ranges::any_of(slice.sheets, [](const SheetSlice& s) { return s.surface.has_value(); }))
 		return slice; // meshes gather their values when they are made
 	const TimedSection section(timeline, "emit");
 	Result<std::unique_ptr<GpuClassifier>> classifier = gpuClassifier(slice, timeline);

@@ -8,6 +8,7 @@
 #include "slice/clip.h"
 #include "slice/field_choice.h"
 #include "slice/mesh.h"
+#include "slice/other_surface.h"
 #include "slice/threshold.h"
 #include "traverse/bfs.h"
 #include "traverse/cell_marks.h"
@@ -56,7 +57,9 @@ struct SliceRequest
 	seed::SeedOptions seeds;
 	std::optional<Threshold> threshold; // of the field's values: cells outside end the traversal
 	Finder finder = Finder::traversal;  // of a Slicer without a device
-	Timeline* timeline = nullptr;       // sections "seed", "traverse", "emit"; must outlive the ticket
+	// Takes the place of the probe's sheets. It needs no search, and windows and seeds mean nothing to it.
+	std::optional<OtherSurface> surface;
+	Timeline* timeline = nullptr; // sections "seed", "traverse", "emit"; must outlive the ticket
 };
 
 // One sheet's share of a slice.
@@ -71,6 +74,7 @@ struct SheetSlice
 	// Per block, or empty.
 	std::vector<std::optional<traverse::SpanCut>> spans;
 	std::shared_ptr<SheetRecords> records; // GPU classifier only: the polygons in device memory, as they are drawn
+	std::optional<OtherSurface> surface;   // shown in place of the sheet, whose frame means nothing then
 
 	bool hasSpans(std::size_t block) const { return !spans.empty() && spans[block]; }
 	std::size_t cutCells(std::size_t block) const
@@ -86,6 +90,8 @@ struct Slice
 
 	// The indexed mesh of a sheet within its window, built on the CPU from the traversal's cells.
 	SheetMesh mesh(const grid::BlockSet& blocks, std::size_t sheet) const;
+	// The whole cells that a sheet shows in its window, see crinkle.h.
+	SheetMesh crinkle(const grid::BlockSet& blocks, std::size_t sheet) const;
 };
 
 class Slicer;
@@ -134,8 +140,11 @@ public:
 private:
 	using Lane = traverse::Lane<surface::Plane>;
 
-	Slice seedSheets(const SliceRequest& request, std::span<const std::function<bool(CellId)>> admits) const;
+	using Admits = std::vector<std::function<bool(CellId)>>; // per block
+
+	Slice seedSheets(const SliceRequest& request, const Admits& admits) const;
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
+	Slice showSurface(const SliceRequest& request, const Admits& admits) const;
 	std::optional<traverse::SpanCut> spansOf(const SheetSlice& sheet, std::size_t block);
 	void flood(const SliceRequest& request, Slice& slice, std::span<std::optional<traverse::LaneCut>> flooded);
 	Result<std::vector<traverse::LaneCut>> traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes,

@@ -24,27 +24,21 @@ struct Sums
 	void addPolygon(const SheetMesh& mesh, std::span<const std::uint32_t> polygon,
 	                std::span<const double> vertex_values, double polygon_value)
 	{
-		const Vec3 double_area = doubleArea(mesh, polygon);
-		const double length = glm::length(double_area);
-		if (vertex_values.empty() || length == 0.0)
-			return addPart(0.5 * length, polygon_value);
-		const Vec3 along = double_area / length;
-		Vec3 centre(0.0);
+		if (vertex_values.empty() && mesh.flat)
+			return addPart(0.5 * glm::length(doubleArea(mesh, polygon)), polygon_value);
 		double centre_value = 0.0;
-		for (const std::uint32_t v : polygon)
-		{
-			centre += mesh.positions[v];
-			centre_value += vertex_values[v];
-		}
-		centre /= static_cast<double>(polygon.size());
+		if (!vertex_values.empty())
+			for (const std::uint32_t v : polygon)
+				centre_value += vertex_values[v];
 		centre_value /= static_cast<double>(polygon.size());
-		std::uint32_t previous = polygon.back();
-		for (const std::uint32_t v : polygon)
-		{
-			const Vec3 cross = glm::cross(mesh.positions[previous] - centre, mesh.positions[v] - centre);
-			addPart(0.5 * glm::dot(cross, along), (vertex_values[previous] + vertex_values[v] + centre_value) / 3.0);
-			previous = v;
-		}
+		forFan(mesh, polygon,
+		       [&](std::uint32_t v, std::uint32_t w, double part)
+		       {
+			       const double value = vertex_values.empty()
+			                                ? polygon_value
+			                                : (vertex_values[v] + vertex_values[w] + centre_value) / 3.0;
+			       addPart(part, value);
+		       });
 	}
 	void addPart(double area_part, double mean_value)
 	{

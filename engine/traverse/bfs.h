@@ -77,6 +77,19 @@ struct LaneCut
 	}
 };
 
+// Cells that are found without a traversal, as if they were all cut and had been its seeds.
+inline LaneCut oneGeneration(std::vector<CellId> cells)
+{
+	LaneCut cut;
+	cut.cells = std::move(cells);
+	cut.cut_cells = cut.cells.size();
+	cut.words.assign(cut.cells.size(), shared::kWordCut);
+	cut.generation_starts.push_back(0);
+	if (!cut.cells.empty())
+		cut.generation_starts.push_back(static_cast<std::uint32_t>(cut.cells.size()));
+	return cut;
+}
+
 // Queues the unqueued neighbours of the front [begin, end) of lane l across its cut faces. A boundary face of a block
 // with seams is looked up among them; a block without pays nothing for those of others.
 template <bool kHasSeams, class G, class Surface>

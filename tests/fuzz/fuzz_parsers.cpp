@@ -40,7 +40,8 @@ std::string manifestSeed(const std::string& file)
 
 std::vector<std::string> makeSeeds()
 {
-	std::vector<std::string> seeds = {"Tlast", "T#3", "T-2.5e-3", "Ciso", "C30,45", "C1 2 3, 4 5 6, 0 0 1"};
+	std::vector<std::string> seeds = {"Tlast",  "T#3",     "T-2.5e-3",  "Ciso",
+	                                  "C30,45", "Ii=12.5", "Ik=2..1e2", "C1 2 3, 4 5 6, 0 0 1"};
 	const TemporaryFolder folder;
 	for (const SampleFile& sample : sampleFiles())
 	{

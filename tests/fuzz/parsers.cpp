@@ -10,6 +10,7 @@
 #include "refusal.h"
 #include "render/camera.h"
 #include "sample_files.h"
+#include "surface/grid_index.h"
 #include "xml_check.h"
 
 #include <algorithm>
@@ -74,6 +75,13 @@ void feedCamera(std::string_view input)
 	require(!camera || std::isfinite(camera->direction.x));
 }
 
+void feedGridIndex(std::string_view input)
+{
+	const auto range = surface::parseGridIndex(std::string(input));
+	require(!range ||
+	        (range->axis >= 0 && range->axis < 3 && std::isfinite(range->first) && std::isfinite(range->last)));
+}
+
 // EnSight keeps a case in several files: one of them is the input, the others are sound.
 void feedEnSight(const TemporaryFolder& folder, char which, const std::string& input)
 {
@@ -134,6 +142,8 @@ void feedParser(const std::uint8_t* data, std::size_t size)
 		feedTime(input);
 	else if (which == 'C')
 		feedCamera(input);
+	else if (which == 'I')
+		feedGridIndex(input);
 	else if (std::string_view("NPHXEGV").find(which) != std::string_view::npos)
 		feedFile(which, std::string(input));
 }

@@ -1,0 +1,115 @@
+#include "surface_options.h"
+
+#include "probe/path_file.h"
+#include "slice/grid_surface.h"
+#include "slice/patch_surface.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+namespace vp::app
+{
+
+namespace
+{
+
+// An option that is given although it places or bounds a plane; null where there is none.
+const char* planeOption(const ProbeOptions& options)
+{
+	for (const auto& [given, name] :
+	     {std::pair{options.probe != "single", "--probe"}, std::pair{!options.window.empty(), "--window"},
+	      std::pair{!options.origin.empty(), "--origin"}, std::pair{options.normal.has_value(), "--normal"},
+	      std::pair{!options.up.empty(), "--up"}, std::pair{options.seeds != "auto", "--seeds"}})
+		if (given)
+			return name;
+	return nullptr;
+}
+
+bool isStill(const SurfaceChoice& choice)
+{
+	const auto* range = std::get_if<surface::GridIndexRange>(&choice);
+	return !range || range->isOne();
+}
+
+// A surface that moves needs a range; a sweep that does not would draw one picture many times.
+Error doesNotMove(const std::string& text, const SurfaceChoice& choice)
+{
+	const auto* range = std::get_if<surface::GridIndexRange>(&choice);
+	if (!range)
+		return {ExitCode::usage, fmt::format("--surface {}: does not move; take --path times", text)};
+	return {
+	    ExitCode::usage,
+	    fmt::format("--surface {0}: does not move; give a range to sweep through, such as {1}=0..{2}, or --path times",
+	                text, surface::axisName(range->axis), range->first > 0.0 ? range->first : 1.0)};
+}
+
+constexpr std::string_view kPatch = "patch=";
+
+} // namespace
+
+bool namesPatch(const ProbeOptions& options)
+{
+	return options.surface && options.surface->starts_with(kPatch);
+}
+
+Result<std::optional<SurfaceChoice>> surfaceOf(const ProbeOptions& options)
+{
+	if (!options.surface)
+		return std::optional<SurfaceChoice>();
+	if (const char* option = planeOption(options))
+		return Error{ExitCode::usage,
+		             fmt::format("{}: belongs to planes, and --surface {} is none; leave one of the two out", option,
+		                         *options.surface)};
+	if (namesPatch(options))
+		return std::optional<SurfaceChoice>(slice::PatchName{options.surface->substr(kPatch.size())});
+	Result<surface::GridIndexRange> range = surface::parseGridIndex(*options.surface);
+	if (!range)
+		return Error{range.error().code, fmt::format("--surface {}: {}", *options.surface, range.error().message)};
+	return std::optional<SurfaceChoice>(*range);
+}
+
+Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice)
+{
+	if (const auto* patch = std::get_if<slice::PatchName>(&choice))
+		return slice::checkPatch(blocks, patch->name);
+	return slice::checkGridIndex(blocks, std::get<surface::GridIndexRange>(choice));
+}
+
+slice::OtherSurface surfaceAt(const SurfaceChoice& choice, double done)
+{
+	if (const auto* patch = std::get_if<slice::PatchName>(&choice))
+		return *patch;
+	return std::get<surface::GridIndexRange>(choice).at(done);
+}
+
+Status requireOneSurface(const ProbeOptions& options)
+{
+	Result<std::optional<SurfaceChoice>> choice = surfaceOf(options);
+	if (!choice)
+		return choice.error();
+	if (*choice && !isStill(**choice))
+		return Error{ExitCode::usage,
+		             fmt::format("--surface {}: a range is for sweep; give one index", *options.surface)};
+	return Nothing{};
+}
+
+Status requirePathOfSurface(const ProbeOptions& options, const PathOptions& path)
+{
+	Result<std::optional<SurfaceChoice>> choice = surfaceOf(options);
+	if (!choice)
+		return choice.error();
+	if (!*choice)
+		return Nothing{};
+	if (path.overTimes())
+		return requireOneSurface(options);
+	if (pathOf(path).kind != probe::PathKind::translate)
+		return Error{ExitCode::usage, fmt::format("--path {}: moves planes; with --surface take translate or times",
+		                                          path.path.empty() ? probe::nameOf(pathOf(path).kind) : path.path)};
+	if (isStill(**choice))
+		return doesNotMove(*options.surface, **choice);
+	return Nothing{};
+}
+
+} // namespace vp::app

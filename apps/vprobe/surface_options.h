@@ -1,0 +1,36 @@
+#pragma once
+
+#include "base/result.h"
+#include "path_options.h"
+#include "probe_options.h"
+#include "slice/other_surface.h"
+#include "surface/grid_index.h"
+
+#include <optional>
+#include <variant>
+
+namespace vp::app
+{
+
+// What --surface says: grid surfaces from one index to another, or patches of the boundary.
+using SurfaceChoice = std::variant<surface::GridIndexRange, slice::PatchName>;
+
+// None where the option is not given. A usage error where it cannot be, or beside an option that places a plane.
+Result<std::optional<SurfaceChoice>> surfaceOf(const ProbeOptions& options);
+
+// Whether it names a patch, for which the input's are to be read.
+bool namesPatch(const ProbeOptions& options);
+
+// Tells whether the blocks have it.
+Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice);
+
+// done: how far along its range, 0 to 1.
+slice::OtherSurface surfaceAt(const SurfaceChoice& choice, double done);
+
+// Of commands that show one surface: a usage error where a range is given.
+Status requireOneSurface(const ProbeOptions& options);
+
+// Of a sweep: a usage error where the path is none for a surface.
+Status requirePathOfSurface(const ProbeOptions& options, const PathOptions& path);
+
+} // namespace vp::app
