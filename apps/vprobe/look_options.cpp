@@ -115,8 +115,10 @@ void addSpaceOptions(CLI::App& command, LookOptions& options, const char* group)
 	    ->capture_default_str()
 	    ->group(group);
 	command
-	    .add_option("--context", options.context,
-	                "A translucent surface around the sheets; may be given several times. boundary: that of the domain")
+	    .add_option(
+	        "--context", options.context,
+	        "A translucent surface around the sheets; may be given several times. boundary: that of the domain; i, "
+	        "j, k: a grid surface; patch: a part of the boundary that the file names")
 	    ->allow_extra_args(false)
 	    ->type_name(contextForms())
 	    ->group(group);

@@ -180,7 +180,8 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 	if (!camera_ || choice().camera.followsSheet())
 	{
 		if (choice().camera.followsSheet() && !has_plane)
-			return Error{ExitCode::usage, "--camera sheet: a surface that is no plane has no front; choose another view"};
+			return Error{ExitCode::usage,
+			             "--camera sheet: a surface that is no plane has no front; choose another view"};
 		// Of several sheets none is the one to look at.
 		const bool by_sheet = slice.sheets.size() == 1 || choice().camera.followsSheet();
 		std::vector<Vec3> extent = extent_;

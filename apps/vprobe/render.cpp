@@ -39,6 +39,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
 	if (!look)
 		return look.error();
+	options.saved.probe.reads_patches = namesPatch(look->context);
 
 	Result<std::unique_ptr<Session>> opened = openSession(options.saved.probe, DeviceUse::draw);
 	if (!opened)

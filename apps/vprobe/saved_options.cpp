@@ -57,7 +57,7 @@ state::Sections sectionsOf(SavedOptions& options)
 	          {"bands", &look.bands},
 	          {"mesh", &look.mesh},
 	          {"lit", &look.lit},
-		          {"background", &look.background},
+	          {"background", &look.background},
 	          {"camera", &look.camera},
 	          {"outline", &look.outline},
 	          {"context", &look.context},
@@ -151,9 +151,10 @@ Status requirePlanes(const SavedOptions& options)
 	for (const auto& [given, name] :
 	     {std::pair{options.probe.surface.has_value(), "--surface"}, std::pair{options.probe.crinkle, "--crinkle"}})
 		if (given)
-			return Error{ExitCode::usage, fmt::format("{}: is no plane to draw flat or to lay a line through; draw it with "
-			                                          "vprobe render, or export it as a .vtp",
-			                                          name)};
+			return Error{ExitCode::usage,
+			             fmt::format("{}: is no plane to draw flat or to lay a line through; draw it with "
+			                         "vprobe render, or export it as a .vtp",
+			                         name)};
 	return Nothing{};
 }
 

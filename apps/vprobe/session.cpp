@@ -98,7 +98,7 @@ bool classifiesOnGpu(const ProbeOptions& options, const gpu::Device* device)
 
 read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time)
 {
-	return {time, options.solution, options.refine, options.displace, namesPatch(options)};
+	return {time, options.solution, options.refine, options.displace, options.reads_patches || namesPatch(options)};
 }
 
 Status makeSlicer(Session& session, const ProbeOptions& options)

@@ -85,7 +85,7 @@ SliceTicket Slicer::begin(SliceRequest request)
 }
 
 // The sheets, placed, with generation 0 of each; without faces that the threshold does not admit.
-Slice Slicer::seedSheets(const SliceRequest& request, std::span<const std::function<bool(CellId)>> admits) const
+Slice Slicer::seedSheets(const SliceRequest& request, const Admits& admits) const
 {
 	const TimedSection section(request.timeline, "seed");
 	Slice slice;
