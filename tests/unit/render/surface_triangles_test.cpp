@@ -20,7 +20,7 @@ namespace
 slice::SheetMesh meshOf(std::vector<Vec3> positions, const std::vector<std::vector<std::uint32_t>>& polygons)
 {
 	slice::SheetMesh mesh;
-	mesh.positions = std::move(positions);
+	mesh.positions.assign(positions.begin(), positions.end());
 	mesh.polygon_starts.push_back(0);
 	for (const auto& polygon : polygons)
 	{
