@@ -5,7 +5,7 @@
 build_packages=(
 	cmake ninja-build g++ glslang-tools
 	libvulkan-dev libvtk9-dev libtbb-dev libglm-dev libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev
-	libteem-dev zlib1g-dev libpng-dev libimgui-dev libstb-dev fonts-dejavu-core
+	libteem-dev zlib1g-dev libpng-dev libcairo2-dev pkg-config libimgui-dev libstb-dev fonts-dejavu-core
 	mesa-vulkan-drivers # lavapipe draws where there is no GPU
 )
 test_packages=(

@@ -1,4 +1,4 @@
-// A layer's values as colours. Selections instead of branches where no fetch is spared: neighbouring pixels go different ways at
+// Values as colours, of sheets' layers and of surfaces. Selections instead of branches where no fetch is spared: neighbouring pixels go different ways at
 // every edge.
 
 const float kNanFrom = 0.5 * kNanValue;
@@ -41,48 +41,15 @@ uint countUpTo(float y, uint place, uint count)
 	return low;
 }
 
-// y of a neighbour, or `here` where it has none.
-float neighbour(ivec2 pixel, ivec2 offset, uint layer, float here)
-{
-	const ivec2 at = pixel + offset;
-	if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, textureSize(layers, 0).xy)))
-		return here;
-	const float value = texelFetch(layers, ivec3(at, int(layer)), 0).x;
-	if (value <= kEmptyUpTo || value >= kNanFrom)
-		return here;
-	const float y = scaled(value, layer);
-	return y > kNoScaled ? y : here;
-}
+// What differs between a layer and a surface is defined by who includes this: by how much y comes nearer from one pixel to the
+// next to a level above (`side` 1) or below it (-1), whether a line runs between polygons here, and light and opacity.
+float steepness(float y, float side, uint layer, ivec2 pixel);
+float lineBetween(float y, uint above, uint layer, ivec2 pixel);
+float shadeOf(uint layer);
+float opacityOf(uint layer);
 
 // Lines this many pixels apart and farther have full strength; closer ones would cover everything.
 const float kFullStrengthFrom = 5.0;
-
-// Of values that are constant in each polygon lines go between polygons: wherever a neighbour lies beyond a level.
-float lineBetween(float y, uint above, uint layer, ivec2 pixel)
-{
-	const int reach = max(1, int(params.contour_half_width + 0.5));
-	for (int i = 0; i < 4; ++i)
-	{
-		const ivec2 offset = reach * (1 - (i & 2)) * ((i & 1) == 0 ? ivec2(1, 0) : ivec2(0, 1));
-		const float there = neighbour(pixel, offset, layer, y);
-		if (countUpTo(there, params.sheets[layer].levels, params.sheets[layer].level_count) != above)
-			return 1.0;
-	}
-	return 0.0;
-}
-
-// By how much y comes nearer to a level from one pixel to the next, along x and y; `side` is 1 for a level above, else -1. Of
-// two neighbours the one that leads there counts: the other may lie behind a kink or a jump.
-vec2 approach(float y, float side, uint layer, ivec2 pixel)
-{
-	vec2 rise = vec2(0.0);
-	for (int i = 0; i < 4; ++i)
-	{
-		const ivec2 offset = (1 - (i & 2)) * ((i & 1) == 0 ? ivec2(1, 0) : ivec2(0, 1));
-		rise[i & 1] = max(rise[i & 1], side * (neighbour(pixel, offset, layer, y) - y));
-	}
-	return rise;
-}
 
 // How much of a contour line covers this pixel: the distance to the nearest level in values, over the values' slope, is that
 // in pixels, so lines are equally wide everywhere.
@@ -99,11 +66,11 @@ float contourLine(float y, uint layer, ivec2 pixel)
 	const float upper = tableNumber(place + min(above, count - 1u));
 	const bool to_upper = abs(upper - y) < abs(y - lower);
 	const float level = to_upper ? upper : lower;
-	const float steepness = length(approach(y, level >= y ? 1.0 : -1.0, layer, pixel));
-	if (!(steepness > 0.0))
+	const float steep = steepness(y, level >= y ? 1.0 : -1.0, layer, pixel);
+	if (!(steep > 0.0))
 		return 0.0;
-	const float apart = upper > lower ? (upper - lower) / steepness : kFullStrengthFrom;
-	return clamp(params.contour_half_width + 0.5 - abs(level - y) / steepness, 0.0, 1.0) *
+	const float apart = upper > lower ? (upper - lower) / steep : kFullStrengthFrom;
+	return clamp(params.contour_half_width + 0.5 - abs(level - y) / steep, 0.0, 1.0) *
 		   clamp(apart / kFullStrengthFrom, 0.1, 1.0);
 }
 
@@ -129,7 +96,7 @@ vec4 inked(vec4 color, float ink, float coverage, float opacity)
 const float kContourInk = 0.75;
 const float kMeshInk = 0.5;
 
-// Not multiplied by alpha, the sheet's opacity taken in. texel: value, and how much of a mesh line is here.
+// Not multiplied by alpha, the opacity taken in. texel: value, and how much of a mesh line is here.
 vec4 colorOf(vec2 texel, uint layer, ivec2 pixel)
 {
 	const float y = scaled(texel.x, layer);
@@ -152,8 +119,8 @@ vec4 colorOf(vec2 texel, uint layer, ivec2 pixel)
 	const bool is_nan = texel.x >= kNanFrom;
 	color = is_nan ? unpacked(params.sheets[layer].nan_color) : color;
 
-	const float opacity = params.sheets[layer].opacity;
-	color *= vec4(vec3(params.sheets[layer].shade), opacity);
+	const float opacity = opacityOf(layer);
+	color *= vec4(vec3(shadeOf(layer)), opacity);
 	const vec3 ground = color.rgb;
 	if ((kFeatures & kComposeMesh) != 0u)
 		color = inked(color, inkOn(ground, kDarkForMesh), kMeshInk * texel.y, opacity);

@@ -4,6 +4,7 @@
 #include "shared/slice_types.h"
 #include "shared/render_types.h"
 #include "render_record.glsl"
+#include "render_mesh_lines.glsl"
 
 // The window is tested here and not by clip distances: what is inside keeps its pixels to the last bit, and neighbouring polygons
 // cut by the rim leave no crack.
@@ -19,22 +20,15 @@ layout(location = 2) in vec2 place;
 layout(location = 3) flat in ivec2 edges;
 layout(location = 0) out vec2 pixel; // value, and how much of a mesh line is here; layers without mesh lines hold the first only
 
-// Where polygons are this many pixels wide and more, lines between them have full strength. Narrower ones would be all line: there
-// it falls, down to kLeastStrength where they are no wider than a pixel.
-const float kFullStrengthFrom = 6.0;
-const float kLeastStrength = 0.1;
-
 // How much of a line along the polygon's edges covers this pixel. (u, v) is linear enough over a few pixels to go by its
 // derivatives; each polygon draws the half of a line that is on its side.
 float meshLine()
 {
 	const int record = edges.x;
 	const uint vertices = recordHead(record).y;
-	const mat2 to_uv = mat2(dFdx(place), dFdy(place));
-	const float area = determinant(to_uv);
-	if (abs(area) <= 1e-6 * dot(to_uv[0], to_uv[0]) + 1e-6 * dot(to_uv[1], to_uv[1]))
-		return 0.0; // seen edge on
-	const mat2 to_pixels = inverse(to_uv);
+	const mat2 to_pixels = toPixels(mat2(dFdx(place), dFdy(place)));
+	if (to_pixels == mat2(0.0))
+		return 0.0;
 	vec2 a = to_pixels * (recordPlace(record, vertices - 1u) - place);
 	float nearest = 1e9;
 	float twice_area = 0.0;
@@ -42,19 +36,15 @@ float meshLine()
 	for (uint i = 0u; i < vertices; ++i)
 	{
 		const vec2 b = to_pixels * (recordPlace(record, i) - place);
-		const vec2 along = b - a;
-		const float square = dot(along, along);
-		const float part = square > 0.0 ? clamp(-dot(a, along) / square, 0.0, 1.0) : 0.0;
 		const bool diagonal = (i == 1u && (edges.y & 1) != 0) || (i == 0u && (edges.y & 2) != 0);
 		if (!diagonal)
-			nearest = min(nearest, length(a + part * along));
+			nearest = min(nearest, distanceToEdge(a, b));
 		twice_area += a.x * b.y - a.y * b.x;
-		around += sqrt(square);
+		around += length(b - a);
 		a = b;
 	}
 	const float width = around > 0.0 ? 2.0 * abs(twice_area) / around : 0.0; // of a square or a long strip about right
-	const float strength = clamp((width - 1.0) / (kFullStrengthFrom - 1.0), kLeastStrength, 1.0);
-	return strength * clamp(push.mesh_half_width + 0.5 - nearest, 0.0, 1.0);
+	return lineCoverage(nearest, width, push.mesh_half_width);
 }
 
 void main()

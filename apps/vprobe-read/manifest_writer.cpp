@@ -82,6 +82,12 @@ std::string nameOf(std::string_view patch)
 	return std::string(patch.starts_with(unnamed) ? patch.substr(unnamed.size()) : patch);
 }
 
+// As VTK's files carry them, or null.
+const char* unitsOf(vtkDataArray* array)
+{
+	return array->HasInformation() ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
+}
+
 } // namespace
 
 void ManifestWriter::add(vtkDataObject* object)
@@ -208,6 +214,8 @@ json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 			described["name"] = name;
 			described["association"] = association;
 			described["components"] = array->GetNumberOfComponents();
+			if (const char* units = unitsOf(array))
+				described["units"] = units;
 			arrays.push_back(std::move(described));
 		}
 	};
@@ -233,12 +241,14 @@ std::string ManifestWriter::finish()
 			                typeName(counts_.not_sliced.begin()->first)));
 		throw Refusal("nothing to slice: it holds no three-dimensional cells");
 	}
-	const json manifest = {{"version", vp::read::kProtocolVersion},
-	                       {"times", times_},
-	                       {"left_out", counts_.flat},
-	                       {"warnings", warnings_},
-	                       {"blocks", blocks_},
-	                       {"patches", patches_}};
+	json manifest = {{"version", vp::read::kProtocolVersion},
+	                 {"times", times_},
+	                 {"left_out", counts_.flat},
+	                 {"warnings", warnings_},
+	                 {"blocks", blocks_},
+	                 {"patches", patches_}};
+	if (!length_units_.empty())
+		manifest["length_units"] = length_units_;
 	// Names in files need not be UTF-8.
 	return manifest.dump(-1, ' ', false, json::error_handler_t::replace);
 }

@@ -26,6 +26,7 @@ public:
 	// Goes before the names of the blocks added from now on.
 	void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
 	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
+	void setLengthUnits(std::string units) { length_units_ = std::move(units); }
 	void warn(std::string line) { warnings_.push_back(std::move(line)); }
 
 	// The manifest. Throws a Refusal if there is nothing to slice.
@@ -43,6 +44,7 @@ private:
 	nlohmann::json patches_ = nlohmann::json::array();
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;
+	std::string length_units_;
 	CellCounts counts_;
 	std::string prefix_;
 };

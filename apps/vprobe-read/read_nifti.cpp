@@ -7,6 +7,7 @@
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
+#include <vtkNIFTIImageHeader.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -37,6 +38,14 @@ vtkSmartPointer<vtkDataArray> valuesAt(vtkDataArray* all, int first, int compone
 			for (int component = 0; component < components; ++component)
 				values->SetComponent(tuple, component, values->GetComponent(tuple, component) * slope + intercept);
 	return values;
+}
+
+// The header's code; its other bits are of time.
+std::string lengthUnits(int code)
+{
+	constexpr int kOfSpace = 7;
+	constexpr const char* names[] = {"", "m", "mm", "µm"};
+	return (code & kOfSpace) < 4 ? names[code & kOfSpace] : "";
 }
 
 } // namespace
@@ -87,6 +96,7 @@ void readNifti(const Request& request, ManifestWriter& manifest)
 		image->SetDirectionMatrix(direction.data());
 		image->SetOrigin(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
 	}
+	manifest.setLengthUnits(lengthUnits(reader->GetNIFTIHeader()->GetXYZTUnits()));
 	manifest.add(image);
 	manifest.offerTimes(std::move(times));
 }

@@ -130,6 +130,19 @@ void place(const Nrrd& nrrd, const std::array<unsigned, 3>& axes, vtkImageData* 
 	image->SetDirectionMatrix(direction.data());
 }
 
+// Of space, or of the axes; empty where they differ.
+std::string lengthUnits(const Nrrd& nrrd, const std::array<unsigned, 3>& axes)
+{
+	std::array<std::string, 3> units;
+	for (unsigned a = 0; a < 3; ++a)
+	{
+		const bool in_space = nrrd.spaceDim == 3 && std::isfinite(nrrd.axis[axes[a]].spaceDirection[0]);
+		const char* of_axis = in_space ? nrrd.spaceUnits[a] : nrrd.axis[axes[a]].units;
+		units[a] = of_axis ? of_axis : "";
+	}
+	return units[0] == units[1] && units[1] == units[2] ? units[0] : "";
+}
+
 } // namespace
 
 void readNrrd(const Request& request, ManifestWriter& manifest)
@@ -156,5 +169,6 @@ void readNrrd(const Request& request, ManifestWriter& manifest)
 	values->SetVoidArray(nrrd->data, static_cast<vtkIdType>(samples), 1);
 	values->SetName(nrrd->content && *nrrd->content ? nrrd->content : "NRRD");
 	image->GetPointData()->SetScalars(values);
+	manifest.setLengthUnits(lengthUnits(*nrrd, axes));
 	manifest.add(image);
 }

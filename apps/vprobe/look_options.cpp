@@ -82,44 +82,69 @@ void addColorOptions(CLI::App& command, LookOptions& options, const char* group)
 	    ->type_name("LO HI")
 	    ->group(group);
 	command.add_flag("--log", options.logarithmic, "Colours follow the values' logarithm")->group(group);
+	command.add_option("--lines", options.lines, "About N contour lines, at round values")
+	    ->check(CLI::Range(0, render::kMostLevels))
+	    ->type_name("N")
+	    ->group(group);
+	command.add_flag("--no-labels", options.no_labels, "Contour lines without their values")->group(group);
+	command.add_option("--bands", options.bands, "Bands of one colour, parted at about N round values")
+	    ->check(CLI::Range(0, render::kMostLevels))
+	    ->type_name("N")
+	    ->group(group);
+	command.add_flag("--mesh", options.mesh, "Draws the edges of the cut's polygons")->group(group);
+}
+
+// Of what has a depth.
+void addSpaceOptions(CLI::App& command, LookOptions& options, const char* group)
+{
+	command.add_option("--samples", options.samples, "Samples per pixel, for smooth edges")
+	    ->check(CLI::Range(1, render::kMaxSamples))
+	    ->capture_default_str()
+	    ->group(group);
 	command
 	    .add_option("--opacity", options.opacity,
 	                "Of every sheet, 0 to 1; a colour map with opacities is a factor on it")
 	    ->check(CLI::Range(0.0, 1.0))
 	    ->capture_default_str()
 	    ->group(group);
-	command.add_option("--lines", options.lines, "About N contour lines, at round values")
-	    ->check(CLI::Range(0, render::kMostLevels))
-	    ->type_name("N")
-	    ->group(group);
-	command.add_option("--bands", options.bands, "Bands of one colour, parted at about N round values")
-	    ->check(CLI::Range(0, render::kMostLevels))
-	    ->type_name("N")
-	    ->group(group);
-	command.add_flag("--mesh", options.mesh, "Draws the edges of the cut's polygons")->group(group);
 	command.add_flag("--lit", options.lit, "Sheets are darker the more they are turned from the light")->group(group);
+	command
+	    .add_option("--axes", options.axes,
+	                "corner (where x, y and z point), box (numbers along edges of the bounds) or none")
+	    ->check(CLI::IsMember({"corner", "box", "none"}))
+	    ->capture_default_str()
+	    ->group(group);
+	command
+	    .add_option("--context", options.context,
+	                "A translucent surface around the sheets; may be given several times. boundary: that of the "
+	                "domain; i, j or k: a grid surface")
+	    ->allow_extra_args(false)
+	    ->type_name(contextForms())
+	    ->group(group);
 }
 
 } // namespace
 
+namespace
+{
+
+// No look alone: exports follow it too.
 void addCrinkleOption(CLI::App& command, LookOptions& options)
 {
 	command
 	    .add_flag("--crinkle", options.crinkle,
 	              "The cells that are cut, whole: their faces, but for those between two of them, in place of the cut")
-	    ->group("Look");
+	    ->group("Probe");
 }
 
-void addLookOptions(CLI::App& command, LookOptions& options)
+} // namespace
+
+void addLookOptions(CLI::App& command, LookOptions& options, LookScope scope)
 {
 	const char* group = "Look";
 	addCrinkleOption(command, options);
 	command.add_option("--size", options.size, "Of the picture in pixels")
 	    ->type_name("WxH")
-	    ->capture_default_str()
-	    ->group(group);
-	command.add_option("--samples", options.samples, "Samples per pixel, for smooth edges")
-	    ->check(CLI::Range(1, render::kMaxSamples))
 	    ->capture_default_str()
 	    ->group(group);
 	addColorOptions(command, options, group);
@@ -141,14 +166,20 @@ void addLookOptions(CLI::App& command, LookOptions& options)
 	    ->capture_default_str()
 	    ->group(group);
 	command
-	    .add_option("--axes", options.axes,
-	                "corner (where x, y and z point), box (numbers along edges of the bounds) or none")
-	    ->check(CLI::IsMember({"corner", "box", "none"}))
-	    ->capture_default_str()
+	    .add_option("--units", options.units,
+	                "Of the array, told behind its name (default: the file's, where it names them)")
+	    ->type_name("TEXT")
+	    ->group(group);
+	command
+	    .add_option("--length-units", options.length_units,
+	                "Of the grid's coordinates, told on axes (default: the file's, where it names them)")
+	    ->type_name("TEXT")
 	    ->group(group);
 	command.add_option("--title", options.title, "Above the picture (default: the input's name; \"\" for none)")
 	    ->type_name("TEXT")
 	    ->group(group);
+	if (scope == LookScope::space)
+		addSpaceOptions(command, options, group);
 }
 
 Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::string>& inputs)
@@ -177,6 +208,9 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 	look.bands = options.bands;
 	look.mesh = options.mesh;
 	look.lit = options.lit;
+	look.labels = !options.no_labels;
+	look.length_units = options.length_units;
+	choice.units = options.units;
 	auto background = render::parseBackground(options.background);
 	if (!background)
 		return background.error();
@@ -185,6 +219,10 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 	if (!outline)
 		return outline.error();
 	look.outline = *outline;
+	auto context = parseContexts(options.context);
+	if (!context)
+		return context.error();
+	choice.context = std::move(*context);
 	look.axes = options.axes == "corner";
 	look.box_axes = options.axes == "box";
 	look.title = options.title.value_or(defaultTitle(inputs));

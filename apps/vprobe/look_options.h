@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "context_options.h"
 #include "grid/block.h"
 #include "render/scene.h"
 #include "slice/field_choice.h"
@@ -32,20 +33,30 @@ struct LookOptions
 	std::string background = "gradient";
 	std::string camera = "auto";
 	std::string outline = "box";
+	std::vector<std::string> context;
 	std::string axes = "corner";
+	bool no_labels = false;
+	std::string units;
+	std::string length_units;
 	std::optional<std::string> title; // else the input's name
 };
 
-// The one of them that exports know too.
-void addCrinkleOption(CLI::App& command, LookOptions& options);
-void addLookOptions(CLI::App& command, LookOptions& options);
+enum class LookScope
+{
+	space, // pictures in space: all options
+	plane  // flat pictures of sheets: those that mean something there
+};
+
+void addLookOptions(CLI::App& command, LookOptions& options, LookScope scope = LookScope::space);
 
 struct LookChoice
 {
 	render::Look look;
 	render::CameraChoice camera;
+	std::vector<ContextChoice> context;
 	double opacity = 1.0;       // of every sheet
 	bool by_generation = false; // colours tell when the traversal met a cell, instead of the array
+	std::string units;          // of the array, told behind its name
 	bool captions = true;       // where the first sheet is
 	bool window_rims = true;    // lines around windows
 };

@@ -1,11 +1,13 @@
 #include "painter.h"
 
-#include "render/color_map_file.h"
+#include "render/surface_polygons.h"
+#include "render/value_style.h"
+#include "sheet_values.h"
+#include "slice/cell_steps.h"
 #include "slice/generations.h"
 #include "slice/gpu_records.h"
 #include "slice/host_records.h"
-
-#include <fmt/format.h>
+#include "slice/plane_triangles.h"
 
 #include <algorithm>
 
@@ -15,16 +17,8 @@ namespace vp::app
 namespace
 {
 
-std::string caption(const probe::Sheet& sheet)
-{
-	return fmt::format("origin {:.4g}, {:.4g}, {:.4g}   normal {:.3f}, {:.3f}, {:.3f}", sheet.origin.x, sheet.origin.y,
-	                   sheet.origin.z, sheet.normal.x, sheet.normal.y, sheet.normal.z);
-}
-
-bool hasNan(const SheetStats& sheet)
-{
-	return sheet.measure.nan_area > 0.0;
-}
+// Neutral: it takes no part in the colours of the values.
+constexpr render::Color kContextColor{194, 199, 206};
 
 // The corners of its window, where it is drawn.
 void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
@@ -53,32 +47,43 @@ Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const Session& sess
 	return std::shared_ptr<const slice::SheetRecords>(std::move(*made));
 }
 
-render::ValueScale generationScale(const slice::Slice& slice)
-{
-	std::size_t generations = 2; // a scale has two ends
-	for (const slice::SheetSlice& sheet : slice.sheets)
-		for (const traverse::LaneCut& cut : sheet.cuts)
-			generations = std::max(generations, cut.generations());
-	return {.title = "generation", .hi = static_cast<double>(generations - 1), .per_cell = true, .log_lo = 1.0};
-}
-
 } // namespace
 
-Painter::Painter(Session& session, std::vector<std::string> inputs, LookChoice choice, render::Renderer renderer)
-    : session_(session), inputs_(std::move(inputs)), choice_(std::move(choice)), renderer_(std::move(renderer))
+Painter::Painter(Session& session, SheetLooks looks, render::Renderer renderer)
+    : session_(session), looks_(std::move(looks)), renderer_(std::move(renderer))
 {
-	takeBlocks();
 }
 
-void Painter::takeBlocks()
+Status Painter::takeBlocks()
 {
-	outline_ = render::outlineOf(session_.blocks, choice_.look.outline);
+	outline_ = render::outlineOf(session_.blocks, choice().look.outline);
 	extent_ = render::extentOf(session_.blocks);
-	if (choice_.look.box_axes)
+	if (choice().look.box_axes)
 		for (int i = 0; i < 8; ++i)
 			extent_.push_back(render::corner(session_.blocks.bounds(), i));
 	for (const render::Segment& line : outline_)
 		extent_.insert(extent_.end(), {line.a, line.b});
+	return makeContext();
+}
+
+Status Painter::makeContext()
+{
+	context_.clear();
+	for (const ContextChoice& context : choice().context)
+	{
+		Result<slice::SheetMesh> mesh = context.kind->mesh(session_.blocks, context);
+		if (!mesh)
+			return mesh.error();
+		auto polygons = render::surfacePolygons(*session_.device, *mesh);
+		if (!polygons)
+			return polygons.error();
+		render::Surface& surface = context_.emplace_back();
+		surface.polygons = std::move(*polygons);
+		surface.opacity = context.opacity;
+		surface.color = kContextColor;
+		surface.thick = true;
+	}
+	return Nothing{};
 }
 
 Result<Painter> Painter::create(Session& session, const ProbeOptions& options, LookChoice choice)
@@ -88,98 +93,109 @@ Result<Painter> Painter::create(Session& session, const ProbeOptions& options, L
 	Result<render::Renderer> renderer = render::Renderer::create(*session.device);
 	if (!renderer)
 		return renderer.error();
-	return Painter(session, options.inputs, std::move(choice), std::move(*renderer));
+	Painter painter(session, {session, options.inputs, std::move(choice)}, std::move(*renderer));
+	if (Status taken = painter.takeBlocks(); !taken)
+		return taken.error();
+	return painter;
 }
 
-// Worked out once: an array may be large, and what it lacks is told once.
-Result<std::optional<render::ValueScale>> Painter::scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan)
+// Lines are drawn from the layers of values; labels want to know where they run.
+void Painter::addContours(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene) const
 {
-	auto known = std::ranges::find(scales_, field, [](const auto& scale) { return scale.first; });
-	if (known == scales_.end())
+	if (!choice().look.labels || !scene.values)
+		return;
+	for (std::size_t s = 0; s < scene.sheets.size(); ++s)
 	{
-		auto scale = valueScale(session_.blocks, field, inputs_, choice_.look);
-		if (!scale)
-			return scale;
-		known = scales_.insert(scales_.end(), {field, *scale});
+		render::SheetDrawing& drawing = scene.sheets[s];
+		const probe::Sheet& content = slice.sheets[s].sheet;
+		const std::vector<double> levels = render::valueStyle(scene, drawing).lines;
+		if (levels.empty())
+			continue;
+		const auto values = sheetValues(session_, slice.sheets[s], sheets[s].mesh, choice().by_generation);
+		drawing.contours = render::levelLines(sheets[s].mesh, content, values, levels);
 	}
-	std::optional<render::ValueScale> scale = known->second;
-	if (scale)
-		scale->has_nan = has_nan;
-	return scale;
+	// Any sheet may hide labels of another.
+	if (std::ranges::any_of(scene.sheets, [](const auto& sheet) { return !sheet.contours.empty(); }))
+		for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+			scene.sheets[s].rim_lines =
+			    slice::meshOutlines(sheets[s].mesh, slice::planePoints(sheets[s].mesh, slice.sheets[s].sheet));
 }
 
-Result<render::SheetDrawing> Painter::drawing(const slice::SheetSlice& sheet, const SheetStats& stats)
+// A mesh that is not flat, in the sheet's colours.
+Result<render::Surface> Painter::surfaceOf(const slice::SheetSlice& sheet, const slice::SheetMesh& mesh,
+                                           const render::Scene& scene) const
 {
-	Result<std::shared_ptr<const slice::SheetRecords>> records =
-	    recordsOf(session_, sheet, stats, choice_.by_generation);
+	const render::SheetValues values = sheetValues(session_, sheet, mesh, choice().by_generation);
+	auto polygons = render::surfacePolygons(*session_.device, mesh, {values.of_vertices, values.of_polygons});
+	if (!polygons)
+		return polygons.error();
+	render::Surface surface;
+	surface.polygons = std::move(*polygons);
+	surface.mesh = choice().look.mesh;
+	surface.values = scene.values;
+	return surface;
+}
+
+// As a sheet, or where what it shows is not flat as a surface.
+Status Painter::addSheet(const slice::SheetSlice& sheet, const SheetStats& stats, render::Scene& scene)
+{
+	Result<render::SheetDrawing> made = looks_.drawing(sheet, stats);
+	if (!made)
+		return made.error();
+	if (sheet.surface || stats.crinkle)
+	{
+		Result<render::Surface> surface = surfaceOf(sheet, stats.crinkle ? *stats.crinkle : stats.mesh, scene);
+		if (!surface)
+			return surface.error();
+		surface->opacity = made->opacity;
+		if (made->values)
+			surface->values = made->values;
+		surface->colors = made->colors;
+		surface->range = made->range;
+		surface->lines = made->lines;
+		scene.surfaces.push_back(std::move(*surface));
+		return Nothing{};
+	}
+	auto records = recordsOf(session_, sheet, stats, choice().by_generation);
 	if (!records)
 		return records.error();
-	const probe::SheetWishes& wishes = sheet.shown.wishes;
-	render::SheetDrawing drawing{sheet.shown, std::move(*records), wishes.opacity.value_or(choice_.opacity)};
-	drawing.magnification = sheet.shown.fx.magnification;
-	if (const std::optional<probe::Window>& window = sheet.sheet.window)
-		drawing.window = render::WindowRect{window->x0, window->x1, window->y0, window->y1};
-	drawing.rim = choice_.window_rims;
-	if (sheet.field != session_.field && !choice_.by_generation)
-	{
-		auto scale = scaleOf(sheet.field, hasNan(stats));
-		if (!scale)
-			return scale.error();
-		drawing.values = *scale;
-	}
-	if (wishes.colormap)
-	{
-		auto known = colors_.find(*wishes.colormap);
-		if (known == colors_.end())
-		{
-			Result<render::ColorMap> colors = render::chooseColorMap(*wishes.colormap);
-			if (!colors)
-				return Error{ExitCode::input, fmt::format("a sheet of the probe: {}", colors.error().message)};
-			known = colors_.emplace(*wishes.colormap, std::move(*colors)).first;
-		}
-		drawing.colors = known->second;
-	}
-	drawing.range = wishes.range;
-	drawing.lines = wishes.lines;
-	return drawing;
+	made->records = std::move(*records);
+	scene.sheets.push_back(std::move(*made));
+	return Nothing{};
 }
 
 Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
 {
 	const TimedSection section(session_.timeline.get(), "render");
 	render::Scene scene;
-	scene.look = choice_.look;
+	scene.look = choice().look;
 	scene.outline = outline_;
+	scene.surfaces = context_;
 	scene.bounds = session_.blocks.bounds();
-	scene.fitted = choice_.camera.kind != render::CameraChoice::Kind::fixed;
-	if (choice_.by_generation)
-		scene.values = generationScale(slice);
-	else
-	{
-		auto scale = scaleOf(session_.field, std::ranges::any_of(sheets, hasNan));
-		if (!scale)
-			return scale.error();
-		scene.values = *scale;
-	}
+	scene.fitted = choice().camera.kind != render::CameraChoice::Kind::fixed;
+	auto scale = looks_.scaleOf(slice, std::ranges::any_of(sheets, hasNan));
+	if (!scale)
+		return scale.error();
+	scene.values = *scale;
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
-		Result<render::SheetDrawing> made = drawing(slice.sheets[s], sheets[s]);
-		if (!made)
-			return made.error();
-		scene.sheets.push_back(std::move(*made));
+		if (Status added = addSheet(slice.sheets[s], sheets[s], scene); !added)
+			return added.error();
 	}
-	const probe::Sheet* first = slice.sheets.empty() ? nullptr : &slice.sheets.front().shown;
-	if (first && choice_.captions)
-		scene.look.caption = caption(*first);
-	if (!camera_ || choice_.camera.followsSheet())
+	addContours(slice, sheets, scene);
+	const bool has_frame = !slice.sheets.empty() && !slice.sheets.front().surface;
+	const probe::Sheet* first = has_frame ? &slice.sheets.front().shown : nullptr;
+	if (choice().captions && !slice.sheets.empty())
+		scene.look.caption = first ? caption(*first) : slice::nameOf(*slice.sheets.front().surface);
+	if (!camera_ || choice().camera.followsSheet())
 	{
 		// Of several sheets none is the one to look at.
-		const bool by_sheet = slice.sheets.size() == 1 || choice_.camera.followsSheet();
+		const bool by_sheet = slice.sheets.size() == 1 || choice().camera.followsSheet();
 		std::vector<Vec3> extent = extent_;
-		if (choice_.window_rims)
+		if (choice().window_rims)
 			for (const slice::SheetSlice& sheet : slice.sheets)
 				addRim(sheet.shown, extent);
-		camera_ = render::makeCamera(choice_.camera, by_sheet ? first : nullptr, extent, render::pictureFrame(scene));
+		camera_ = render::makeCamera(choice().camera, by_sheet ? first : nullptr, extent, render::pictureFrame(scene));
 	}
 	scene.camera = *camera_;
 	return renderer_.draw(scene, session_.timeline.get());

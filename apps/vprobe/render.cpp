@@ -1,6 +1,7 @@
 #include "commands.h"
 #include "painter.h"
 #include "saved_options.h"
+#include "surface_options.h"
 #include "write/png.h"
 
 #include <fmt/format.h>
@@ -33,8 +34,8 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (options.output != "-" && std::filesystem::path(options.output).extension() != ".png")
 		return Error{ExitCode::usage, fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -",
 		                                          options.output)};
-	if (Status flat = requirePlanes(options.saved); !flat)
-		return flat.error();
+	if (Status one = requireOneSurface(options.saved.probe); !one)
+		return one.error();
 	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
 	if (!look)
 		return look.error();
@@ -43,6 +44,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
+	session.crinkle = options.saved.look.crinkle;
 	if (look->by_generation)
 		session.finder = slice::Finder::traversal;
 	Result<slice::Slice> slice = cut(session);
@@ -61,7 +63,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 		return written.error();
 	if (Status saved = saveState(options.saved); !saved)
 		return saved.error();
-	return writeStats(options.stats, options.output, statsJson(options.saved.probe, session, *slice, sheets));
+	return writeStats(options.stats, {options.output}, statsJson(options.saved.probe, session, *slice, sheets));
 }
 
 } // namespace

@@ -52,6 +52,7 @@ state::Sections sectionsOf(SavedOptions& options)
 	          {"log", &look.logarithmic},
 	          {"opacity", &look.opacity},
 	          {"lines", &look.lines},
+	          {"no_labels", &look.no_labels},
 	          {"bands", &look.bands},
 	          {"mesh", &look.mesh},
 	          {"lit", &look.lit},
@@ -59,7 +60,10 @@ state::Sections sectionsOf(SavedOptions& options)
 	          {"background", &look.background},
 	          {"camera", &look.camera},
 	          {"outline", &look.outline},
+	          {"context", &look.context},
 	          {"axes", &look.axes},
+	          {"units", &look.units},
+	          {"length_units", &look.length_units},
 	          {"title", &look.title}}},
 	        {"sweep",
 	         {{"path", state::PathChoice{&path.path, &path.own_path}},
@@ -147,9 +151,10 @@ Status requirePlanes(const SavedOptions& options)
 	for (const auto& [given, name] :
 	     {std::pair{options.probe.surface.has_value(), "--surface"}, std::pair{options.look.crinkle, "--crinkle"}})
 		if (given)
-			return Error{ExitCode::usage, fmt::format("{}: is not drawn yet; export it: vprobe slice -o FILE.vtp, or "
-			                                          "vprobe sweep -o FILE.pvd",
-			                                          name)};
+			return Error{ExitCode::usage,
+			             fmt::format("{}: shows what is not flat; vprobe render draws it in space, and -o "
+			                         "FILE.vtp exports it",
+			                         name)};
 	return Nothing{};
 }
 

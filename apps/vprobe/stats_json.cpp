@@ -232,7 +232,8 @@ std::string statsTable(const Session& session, const slice::Slice& slice, const 
 	return table;
 }
 
-Result<ExitCode> writeStats(const std::string& path, const std::string& output, const std::string& document)
+Result<ExitCode> writeStats(const std::string& path, const std::vector<std::string>& outputs,
+                            const std::string& document)
 {
 	if (path.empty())
 		return ExitCode::done;
@@ -246,8 +247,9 @@ Result<ExitCode> writeStats(const std::string& path, const std::string& output, 
 	}();
 	if (written)
 		return ExitCode::done;
-	if (std::filesystem::is_regular_file(output))
-		std::filesystem::remove(output);
+	for (const std::string& output : outputs)
+		if (std::filesystem::is_regular_file(output))
+			std::filesystem::remove(output);
 	return written.error();
 }
 

@@ -42,7 +42,8 @@ std::string statsTable(const Session& session, const slice::Slice& slice, const 
 const char* classifierName(const Session& session);
 
 // The end of a command: writes the document to `path` ("-" is standard output, "" does nothing). When that fails the
-// command leaves nothing behind: `output`, if it is a file, is removed.
-Result<ExitCode> writeStats(const std::string& path, const std::string& output, const std::string& document);
+// command leaves nothing behind: those of `outputs` that are files are removed.
+Result<ExitCode> writeStats(const std::string& path, const std::vector<std::string>& outputs,
+                            const std::string& document);
 
 } // namespace vp::app

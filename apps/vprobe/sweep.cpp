@@ -223,9 +223,6 @@ Result<ExitCode> runSweep(SweepOptions& options)
 		return fits.error();
 	if (Status fits = requirePathOfSurface(options.saved.probe, options.saved.path); !fits)
 		return fits.error();
-	if (options.draws())
-		if (Status flat = requirePlanes(options.saved); !flat)
-			return flat.error();
 	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
 	if (!look)
 		return look.error();
@@ -261,7 +258,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 		return figures.error();
 	if (Status saved = saveState(options.saved); !saved)
 		return saved.error();
-	return writeStats(options.stats, "", statsDocument(options.saved.probe, session, "frames", std::move(*figures)));
+	return writeStats(options.stats, {}, statsDocument(options.saved.probe, session, "frames", std::move(*figures)));
 }
 
 } // namespace

@@ -38,7 +38,8 @@ Status TimeSteps::buildAnew(const read::ReadOptions& at)
 	session_.slicer.reset();
 	session_.blocks = std::move(*blocks);
 	if (painter_)
-		painter_->takeBlocks();
+		if (Status taken = painter_->takeBlocks(); !taken)
+			return taken;
 	return makeSlicer(session_, options_);
 }
 

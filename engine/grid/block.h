@@ -29,6 +29,7 @@ struct Block
 	std::string name;
 	AnyGrid grid;
 	std::vector<Field> fields;
+	std::string length_units{}; // of the coordinates, as the file names them; mostly empty
 	// Of the file's coordinates and cells, where a file gave them: blocks of one input at two times have the same grid
 	// where this number is the same. 0: not known.
 	std::uint64_t geometry = 0;

@@ -152,6 +152,11 @@ bool namesCategories(const Field& field)
 	return std::ranges::any_of(words, [&](const std::string& word) { return std::ranges::count(kWords, word) > 0; });
 }
 
+double loadNumber(NumberType type, const std::byte* at)
+{
+	return withType(type, [&](auto number) { return load<decltype(number)>(at, 0); });
+}
+
 void storeNumber(NumberType type, double value, std::byte* at)
 {
 	withType(type,

@@ -47,6 +47,7 @@ struct Field
 	NumberType type = NumberType::float32;
 	Array<std::byte> bytes;
 	bool categorical = false; // see namesCategories(); set where a block takes its fields
+	std::string units{};      // as the file names them, mostly empty
 
 	std::size_t tuples() const;
 	double value(std::size_t tuple, int component) const; // bounds are the caller's
@@ -59,6 +60,8 @@ bool namesCategories(const Field& field);
 
 // Writes a number of the type; integers are rounded towards zero, and NaN as an integer is 0.
 void storeNumber(NumberType type, double value, std::byte* at);
+
+double loadNumber(NumberType type, const std::byte* at);
 
 template <class T>
 Field makeField(std::string name, Association association, int components, std::vector<T> values);

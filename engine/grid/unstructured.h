@@ -100,6 +100,21 @@ public:
 	std::size_t sourcePoint(PointId p) const { return source_points_[p]; }
 	std::size_t sourceCell(CellId c) const { return source_cells_[c]; }
 
+	// Ask for what classifying a cell, and going on from it, will need: first its record, some time later the points
+	// that the record names.
+	void prefetchCell(CellId c) const
+	{
+		__builtin_prefetch(&records_[std::size_t(c) * width_]);
+		__builtin_prefetch(&neighbours_[std::size_t(c) * face_width_]); // of a polyhedron any: no harm
+	}
+	void prefetchPoints(CellId c) const
+	{
+		const std::uint32_t* record = &records_[std::size_t(c) * width_];
+		for (int v = 0; v < width_; ++v)
+			if (record[v] < kShapeMark)
+				points_.prefetch(record[v], record[v]);
+	}
+
 	int recordWidth() const { return width_; }
 	const std::vector<std::uint32_t>& records() const { return records_; }
 	const Points& coordinates() const { return points_; }

@@ -10,6 +10,7 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name)
 	grid::Block block;
 	block.name = std::move(name);
 	block.fields = std::move(checked.fields);
+	block.length_units = std::move(checked.length_units);
 	block.geometry = geometryOf(checked);
 	block.hidden_lattice = checked.hidden_lattice;
 	std::visit(

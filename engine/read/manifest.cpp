@@ -95,6 +95,8 @@ public:
 		input.left_out = countOf(manifest.at("left_out"));
 		for (const json& block : manifest.at("blocks"))
 			input.blocks.push_back(checkBlock(block));
+		for (CheckedBlock& block : input.blocks)
+			block.length_units = wordsOf(manifest.value("length_units", json("")));
 		if (input.blocks.empty())
 			throw Unusable("no blocks");
 		if (manifest.contains("patches"))
@@ -258,6 +260,7 @@ private:
 		{
 			grid::Field field;
 			field.name = wordsOf(array.at("name"));
+			field.units = wordsOf(array.value("units", json("")));
 			const std::string association = array.at("association").get<std::string>();
 			if (association != "point" && association != "cell")
 				throw Unusable("an array belongs to neither points nor cells");

@@ -32,6 +32,7 @@ struct CheckedBlock
 	std::variant<grid::UniformGrid, grid::RectilinearGrid, grid::CurvilinearGrid, CellMesh> mesh;
 	std::vector<grid::Field> fields;
 	std::optional<grid::Lattice> hidden_lattice; // see grid::Block
+	std::string length_units{};
 };
 
 // What a child handed over, as far as it holds good.

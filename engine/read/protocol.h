@@ -25,8 +25,8 @@ namespace vp::read
 //                 "source_cells", "source_cell_count", "source_point_count"}; the latter five where there is need;
 //                 "points": [nx, ny, nz] where points and cells, hidden ones too, are those of a lattice
 //
-// An array is {"type": "float32" ..., "offset", "bytes"}, and among "arrays" also has "name", "association" and
-// "components".
+// An array is {"type": "float32" ..., "offset", "bytes"}, and among "arrays" also has "name", "association",
+// "components" and, where the file names them, "units". So the manifest has "length_units".
 constexpr int kProtocolVersion = 3;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;

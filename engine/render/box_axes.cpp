@@ -17,17 +17,11 @@ constexpr double kLabelGap = 0.3;     // em
 constexpr double kShortest = 3.0;     // an axis seen shorter than this, em, has no numbers
 constexpr double kBetweenTicks = 3.5; // em, at least
 
-// Whether the eye sees the outside of the face of the box at the low or high end of an axis.
-bool facesEye(const Box& box, const Vec3& eye, int axis, bool high)
-{
-	return high ? eye[axis] > box.hi[axis] : eye[axis] < box.lo[axis];
-}
-
 class Numbers
 {
 public:
-	Numbers(const Layout& layout, Pen& pen)
-	    : pen_(pen),
+	Numbers(const Layout& layout, const std::string& units, Pen& pen)
+	    : pen_(pen), units_(units),
 	      em_(layout.em), picture_{{0.0, 0.0}, {layout.frame.width, layout.frame.height}}, taken_{layout.title,
 	                                                                                              layout.caption}
 	{
@@ -56,6 +50,8 @@ public:
 		}
 		const Color colors[] = {pen_.inks().x, pen_.inks().y, pen_.inks().z};
 		std::string name(1, static_cast<char>('x' + axis));
+		if (!units_.empty())
+			name += " [" + units_ + "]";
 		if (!ticks.factor.empty())
 			name += " " + ticks.factor;
 		beside(0.5 * (from + to), edge.outward, std::max(reach, kTick * em_) + kLabelGap * em_, name, colors[axis]);
@@ -79,12 +75,18 @@ private:
 	}
 
 	Pen& pen_;
+	const std::string& units_;
 	double em_;
 	Area picture_;
 	std::vector<Area> taken_;
 };
 
 } // namespace
+
+bool facesEye(const Box& box, const Vec3& eye, int axis, bool high)
+{
+	return high ? eye[axis] > box.hi[axis] : eye[axis] < box.lo[axis];
+}
 
 std::array<std::optional<AxisEdge>, 3> axisEdges(const Box& box, const Camera& camera, const Frame& frame)
 {
@@ -126,10 +128,10 @@ std::array<std::optional<AxisEdge>, 3> axisEdges(const Box& box, const Camera& c
 	return edges;
 }
 
-void writeBoxAxes(const Box& box, const Camera& camera, const Layout& layout, Pen& pen)
+void writeBoxAxes(const Box& box, const Camera& camera, const Layout& layout, const std::string& units, Pen& pen)
 {
 	const auto edges = axisEdges(box, camera, layout.frame);
-	Numbers numbers(layout, pen);
+	Numbers numbers(layout, units, pen);
 	for (int axis = 0; axis < 3; ++axis)
 		if (edges[axis])
 			numbers.write(axis, box, *edges[axis], camera, layout.frame);

@@ -20,8 +20,11 @@ struct AxisEdge
 // axis is seen end on, or the box is not all in front of the eye.
 std::array<std::optional<AxisEdge>, 3> axisEdges(const Box& box, const Camera& camera, const Frame& frame);
 
-// Round numbers along these edges, the axes' names and, where numbers are long, their power of ten. Numbers that would
-// lie on each other or on what else is written are left out.
-void writeBoxAxes(const Box& box, const Camera& camera, const Layout& layout, Pen& pen);
+// Whether the eye sees the outside of the face of the box at the low or high end of an axis.
+bool facesEye(const Box& box, const Vec3& eye, int axis, bool high);
+
+// Round numbers along these edges, the axes' names with their units and, where numbers are long, their power of ten.
+// Numbers that would lie on each other or on what else is written are left out.
+void writeBoxAxes(const Box& box, const Camera& camera, const Layout& layout, const std::string& units, Pen& pen);
 
 } // namespace vp::render

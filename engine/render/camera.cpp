@@ -57,6 +57,13 @@ glm::dvec2 Camera::project(const Vec3& point, const Frame& frame) const
 	return {(0.5 + 0.5 * clip.x / clip.w) * frame.width, (0.5 + 0.5 * clip.y / clip.w) * frame.height};
 }
 
+Vec3 Camera::ray(const glm::dvec2& pixel, const Frame& frame) const
+{
+	const double height = std::tan(0.5 * vertical_field * kDegree);
+	const glm::dvec2 off = (pixel - 0.5 * glm::dvec2(frame.width, frame.height)) * 2.0 / frame.height;
+	return forward() + height * (off.x * right() - off.y * trueUp());
+}
+
 void Camera::fitNear(std::span<const Vec3> points)
 {
 	double nearest = std::numeric_limits<double>::infinity();

@@ -43,6 +43,9 @@ struct Camera
 	// The pixel of a point in front of the camera; x to the right, y down, pixel centres at halves.
 	glm::dvec2 project(const Vec3& point, const Frame& frame) const;
 
+	// Where the eye looks through a pixel: the direction, 1 long along forward().
+	Vec3 ray(const glm::dvec2& pixel, const Frame& frame) const;
+
 	// Puts the near plane before the points, as far from the eye as they allow.
 	void fitNear(std::span<const Vec3> points);
 };

@@ -3,10 +3,8 @@
 #include "render/compose_pass.h"
 
 #include "render/compose_params.h"
-#include "render/host_buffer.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace vp::render
 {
@@ -27,8 +25,8 @@ Result<ComposePass> ComposePass::create(gpu::Device& device)
 {
 	ComposePass pass;
 	pass.device_ = &device;
-	// The pipelines' layouts are alike, so a set of the first fits them all.
-	auto first = pass.pipelineFor(1, 0);
+	// The layouts of pipelines without surfaces are alike, so a set of the first fits them all.
+	auto first = pass.pipelineFor(1, 0, false);
 	if (!first)
 		return first.error();
 	pass.sets_ = gpu::DescriptorSets(device, **first, "compose");
@@ -49,19 +47,24 @@ Result<ComposePass> ComposePass::create(gpu::Device& device)
 	return pass;
 }
 
-Result<const gpu::Pipeline*> ComposePass::pipelineFor(std::size_t layers, std::uint32_t features)
+Result<const gpu::Pipeline*> ComposePass::pipelineFor(std::size_t layers, std::uint32_t features, bool surfaces)
 {
 	const std::uint32_t slots = *std::find_if(kSlots.begin(), kSlots.end(), [&](auto s) { return s >= layers; });
-	gpu::Pipeline& pipeline = pipelines_[{slots, features}];
+	gpu::Pipeline& pipeline = pipelines_[{slots, features, surfaces}];
 	if (pipeline)
 		return &pipeline;
 	gpu::GraphicsPipelineInfo info;
 	info.vertex_shader = "render_full.vert";
-	info.fragment_shader = "render_compose.frag";
+	info.fragment_shader = surfaces ? "render_compose_surfaces.frag" : "render_compose.frag";
 	info.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
 	                 {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
 	                 {2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
 	                 {3, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}};
+	if (surfaces)
+	{
+		info.bindings.push_back({4, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE});
+		info.bindings.push_back({5, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER});
+	}
 	info.push_bytes = sizeof(shared::ComposePush);
 	info.colour_formats = {sumFormat(*device_)};
 	info.blends = {summing()};
@@ -73,25 +76,25 @@ Result<const gpu::Pipeline*> ComposePass::pipelineFor(std::size_t layers, std::u
 	return &pipeline;
 }
 
-Status ComposePass::putTables(const std::vector<std::uint32_t>& tables)
+Result<VkDescriptorSet> ComposePass::compositionSet(const Targets& targets, const FragmentLists* lists)
 {
-	const std::size_t bytes = tables.size() * sizeof(tables[0]);
-	if (!tables_ || tables_.size() < bytes)
-	{
-		if (Status room = makeRoom(*device_, tables_, bytes, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, "colour tables");
-		    !room)
-			return room;
-		auto view = gpu::TexelView::create(tables_, VK_FORMAT_R32_UINT, "colour tables");
-		if (!view)
-			return view.error();
-		table_texels_ = std::move(*view);
-	}
-	std::memcpy(tables_.mapped(), tables.data(), bytes);
-	tables_.flush();
-	return Nothing{};
+	if (lists && !surface_sets_)
+		surface_sets_.emplace(*device_, *pipeline_, "compose surfaces");
+	auto set = lists ? surface_sets_->get(0) : sets_.get(0);
+	if (!set)
+		return set;
+	gpu::DescriptorWriter writer;
+	writer.uniformBuffer(0, params_.handle())
+	    .sampledImage(1, targets.layers(), sampler_.handle())
+	    .sampledImage(2, targets.lines.view(), sampler_.handle())
+	    .texels(3, tables_.texels.handle());
+	if (lists)
+		writer.storageImage(4, lists->heads().view()).texels(5, lists->fragmentTexels());
+	writer.write(*device_, *set);
+	return set;
 }
 
-Status ComposePass::prepare(const Scene& scene, const Targets& targets)
+Status ComposePass::prepare(const Scene& scene, const Targets& targets, const FragmentLists* lists)
 {
 	const ComposeParams made = composeParams(scene, targets.extent());
 	if (Status room = makeRoom(*device_, params_, sizeof(shared::ComposeParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
@@ -100,22 +103,16 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets)
 		return room;
 	*params_.mappedAs<shared::ComposeParams>() = made.params;
 	params_.flush();
-	if (Status put = putTables(made.tables); !put)
+	if (Status put = tables_.put(*device_, made.tables, "colour tables"); !put)
 		return put;
-	auto pipeline = pipelineFor(std::max<std::size_t>(1, scene.sheets.size()), made.features);
+	auto pipeline = pipelineFor(std::max<std::size_t>(1, scene.sheets.size()), made.features, lists != nullptr);
 	if (!pipeline)
 		return pipeline.error();
 	pipeline_ = *pipeline;
-	auto set = sets_.get(0);
+	auto set = compositionSet(targets, lists);
 	if (!set)
 		return set.error();
 	set_ = *set;
-	gpu::DescriptorWriter()
-	    .uniformBuffer(0, params_.handle())
-	    .sampledImage(1, targets.layers(), sampler_.handle())
-	    .sampledImage(2, targets.lines.view(), sampler_.handle())
-	    .texels(3, table_texels_.handle())
-	    .write(*device_, set_);
 	auto resolve_set = resolve_sets_.get(0);
 	if (!resolve_set)
 		return resolve_set.error();
@@ -127,21 +124,23 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets)
 	return Nothing{};
 }
 
-void ComposePass::record(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter, bool first) const
+void ComposePass::record(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter,
+                         const VkRect2D& part, bool first_sample, bool first_part) const
 {
-	targets.sum.transition(commands, first ? gpu::kDiscard : gpu::kColourTarget, gpu::kColourTarget);
+	targets.sum.transition(commands, first_sample && first_part ? gpu::kDiscard : gpu::kColourTarget,
+	                       gpu::kColourTarget);
 	VkRenderingAttachmentInfo sum{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
 	sum.imageView = targets.sum.view();
 	sum.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-	sum.loadOp = first ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+	sum.loadOp = first_sample ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
 	sum.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
 	VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
-	rendering.renderArea.extent = targets.extent();
+	rendering.renderArea = part;
 	rendering.layerCount = 1;
 	rendering.colorAttachmentCount = 1;
 	rendering.pColorAttachments = &sum;
 	vkCmdBeginRendering(commands, &rendering);
-	coverAll(commands, targets.extent());
+	coverPart(commands, targets.extent(), part);
 	pipeline_->bind(commands, set_);
 	pipeline_->push(commands, shared::ComposePush{{static_cast<float>(jitter.x), static_cast<float>(jitter.y)}});
 	vkCmdDraw(commands, 3, 1, 0, 0);

@@ -1,28 +1,32 @@
 #pragma once
 
-#include "gpu/buffer.h"
 #include "gpu/shader.h"
+#include "render/fragment_lists.h"
+#include "render/host_buffer.h"
 #include "render/scene.h"
 #include "render/targets.h"
 #include "shared/render_types.h"
 
 #include <array>
 #include <map>
-#include <utility>
-#include <vector>
+#include <optional>
+#include <tuple>
 
 namespace vp::render
 {
 
-// Orders the layers at each pixel, colours and blends them, and sums up the samples (render_compose.frag); at last puts
-// their mean over the background (render_resolve.frag).
+// Orders the layers at each pixel, and the surfaces' fragments where there are surfaces, colours and blends them, and
+// sums up the samples (render_compose.glsl); at last puts their mean over the background (render_resolve.frag).
 class ComposePass
 {
 public:
 	static Result<ComposePass> create(gpu::Device& device);
 
-	Status prepare(const Scene& scene, const Targets& targets);
-	void record(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter, bool first) const;
+	// lists: prepared for the scene's surfaces; null where it has none.
+	Status prepare(const Scene& scene, const Targets& targets, const FragmentLists* lists);
+	// A part of the picture, all of it or a strip, of which the first sample and the first part of it begin anew.
+	void record(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter, const VkRect2D& part,
+	            bool first_sample, bool first_part) const;
 	// Within a rendering into the picture, after the last sample.
 	void recordResolve(VkCommandBuffer commands, const Targets& targets) const;
 
@@ -33,18 +37,18 @@ private:
 	static constexpr std::array<std::uint32_t, 6> kSlots{1, 2, 3, 4, 8, shared::kMaxLayers};
 
 	// Made on first use; the pointer stays valid.
-	Result<const gpu::Pipeline*> pipelineFor(std::size_t layers, std::uint32_t features);
-	Status putTables(const std::vector<std::uint32_t>& tables);
+	Result<const gpu::Pipeline*> pipelineFor(std::size_t layers, std::uint32_t features, bool surfaces);
+	Result<VkDescriptorSet> compositionSet(const Targets& targets, const FragmentLists* lists);
 
-	std::map<std::pair<std::uint32_t, std::uint32_t>, gpu::Pipeline> pipelines_; // by slots and features
-	const gpu::Pipeline* pipeline_ = nullptr;                                    // of the scene prepared last
+	std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, gpu::Pipeline> pipelines_; // by slots, features, surfaces
+	const gpu::Pipeline* pipeline_ = nullptr;                                           // of the scene prepared last
 	gpu::Pipeline resolve_;
 	gpu::DescriptorSets sets_;
+	std::optional<gpu::DescriptorSets> surface_sets_; // made on first use
 	gpu::DescriptorSets resolve_sets_;
 	gpu::Sampler sampler_;
 	gpu::Buffer params_;
-	gpu::Buffer tables_;
-	gpu::TexelView table_texels_;
+	HostTexels tables_;
 	VkDescriptorSet set_ = VK_NULL_HANDLE;
 	VkDescriptorSet resolve_set_ = VK_NULL_HANDLE;
 };

@@ -1,6 +1,7 @@
 #include "render/host_buffer.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace vp::render
 {
@@ -16,6 +17,23 @@ Status makeRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, Vk
 	if (!made)
 		return made.error();
 	buffer = std::move(*made);
+	return Nothing{};
+}
+
+Status HostTexels::put(gpu::Device& device, const std::vector<std::uint32_t>& words, std::string_view name)
+{
+	const std::size_t bytes = words.size() * sizeof(words[0]);
+	if (!buffer || buffer.size() < bytes)
+	{
+		if (Status room = makeRoom(device, buffer, bytes, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, name); !room)
+			return room;
+		auto view = gpu::TexelView::create(buffer, VK_FORMAT_R32_UINT, name);
+		if (!view)
+			return view.error();
+		texels = std::move(*view);
+	}
+	std::memcpy(buffer.mapped(), words.data(), bytes);
+	buffer.flush();
 	return Nothing{};
 }
 

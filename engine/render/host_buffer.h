@@ -2,7 +2,9 @@
 
 #include "gpu/buffer.h"
 
+#include <cstdint>
 #include <string_view>
+#include <vector>
 
 namespace vp::render
 {
@@ -10,5 +12,14 @@ namespace vp::render
 // Makes `buffer` one that the host writes and that holds at least `bytes`; keeps it where it does already.
 Status makeRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, VkBufferUsageFlags usage,
                 std::string_view name);
+
+// Words that the host writes and shaders read as texels.
+struct HostTexels
+{
+	gpu::Buffer buffer;
+	gpu::TexelView texels;
+
+	Status put(gpu::Device& device, const std::vector<std::uint32_t>& words, std::string_view name);
+};
 
 } // namespace vp::render

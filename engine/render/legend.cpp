@@ -29,7 +29,7 @@ public:
 		else
 		{
 			if (style_.bands.empty())
-				continuous();
+				pen_.colorBar(bar_, *style_.colors);
 			else
 				bands();
 			contourLines();
@@ -55,37 +55,24 @@ private:
 
 	double height(double part) const { return bar_.hi.y - part * bar_.size().y; }
 
-	void continuous()
-	{
-		for (int i = 0; i + 1 < kColorMapSize; ++i)
-		{
-			const auto y = [&](int step) { return height(static_cast<double>(step) / (kColorMapSize - 1)); };
-			pen_.filled({{bar_.lo.x, y(i + 1)}, {bar_.hi.x, y(i)}}, style_.colors->colors[i + 1],
-			            style_.colors->colors[i]);
-		}
-	}
-
 	void bands()
 	{
 		for (std::size_t i = 0; i <= style_.bands.size(); ++i)
 		{
 			const double from = i > 0 ? style_.part(style_.bands[i - 1]) : 0.0;
 			const double to = i < style_.bands.size() ? style_.part(style_.bands[i]) : 1.0;
-			const Color color = style_.bandColor(i);
-			pen_.filled({{bar_.lo.x, height(to)}, {bar_.hi.x, height(from)}}, color, color);
+			pen_.filled(Area{{bar_.lo.x, height(to)}, {bar_.hi.x, height(from)}}, style_.bandColor(i));
 		}
 	}
 
-	// As they look on a sheet: dark on light, light on dark.
+	// As they look on a sheet.
 	void contourLines()
 	{
 		for (const double value : style_.lines)
 		{
-			const Color under = style_.colors->at(style_.part(value));
-			const bool dark = 0.2126 * under.r + 0.7152 * under.g + 0.0722 * under.b < 0.33 * 255.0;
-			const std::uint8_t ink = dark ? 235 : 18;
 			const double y = height(style_.part(value));
-			pen_.line({bar_.lo.x, y}, {bar_.hi.x, y}, {ink, ink, ink, 190}, std::max(1.2, em_ / 11.0));
+			pen_.line({bar_.lo.x, y}, {bar_.hi.x, y}, inkOver(style_.colors->at(style_.part(value))),
+			          std::max(1.2, em_ / 11.0));
 		}
 	}
 
@@ -124,7 +111,7 @@ private:
 
 	void swatch(const Area& area, Color color, const std::string& name)
 	{
-		pen_.filled(area, color, color);
+		pen_.filled(area, color);
 		pen_.framed(area);
 		pen_.label(label_x_, 0.5 * (area.lo.y + area.hi.y),
 		           pen_.lettering().elided(name, em_, layout_.column.hi.x - label_x_));

@@ -47,6 +47,8 @@ struct Look
 	bool mesh = false;        // the polygons' edges
 	bool lit = false;         // sheets are darker the more they are seen from the side
 	Background background;
+	bool labels = true;       // values on contour lines
+	std::string length_units; // on axes, behind their names; empty: not told
 	std::string title;
 	std::string caption;
 	Outline outline = Outline::box;

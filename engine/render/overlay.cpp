@@ -1,9 +1,11 @@
 #include "render/overlay.h"
 
 #include "render/box_axes.h"
+#include "render/contour_labels.h"
+#include "render/draw_list_pen.h"
 #include "render/legend.h"
 #include "render/outline.h"
-#include "render/pen.h"
+#include "render/titles.h"
 
 #include <algorithm>
 #include <array>
@@ -14,9 +16,6 @@ namespace vp::render
 
 namespace
 {
-
-// Of numbers, beside what the font has in any case.
-constexpr const char* kSigns = "\u2212×⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
 
 // Where x, y and z point, in the corner; what is nearer to the eye is drawn over what is farther.
 void writeDirections(const Camera& camera, const Layout& layout, Pen& pen)
@@ -104,17 +103,7 @@ void writePlates(const Scene& scene, const Layout& layout, Pen& pen)
 	const Area seen = seenArea(*scene.bounds, scene.camera, layout.frame);
 	for (const Area& area : areas)
 		if (area.overlaps(seen))
-			pen.filled({area.lo - 0.5 * layout.em, area.hi + 0.5 * layout.em}, ground, ground);
-}
-
-void writeTitles(const Look& look, const Layout& layout, Pen& pen)
-{
-	if (!look.title.empty())
-		pen.text(layout.title.lo, layout.title_em, pen.inks().text,
-		         pen.lettering().elided(look.title, layout.title_em, layout.title.size().x));
-	if (!look.caption.empty())
-		pen.text(layout.caption.lo, layout.small_em, pen.inks().faint,
-		         pen.lettering().elided(look.caption, layout.small_em, layout.caption.size().x));
+			pen.filled(Area{area.lo - 0.5 * layout.em, area.hi + 0.5 * layout.em}, ground);
 }
 
 } // namespace
@@ -123,25 +112,19 @@ Overlay makeOverlay(const Scene& scene)
 {
 	const std::vector<LegendContent> legends = legendContents(scene);
 	const Layout layout = makeLayout(scene.look, legends);
-	std::vector<std::string> texts{scene.look.title, scene.look.caption, kSigns};
-	for (const LegendContent& legend : legends)
-	{
-		texts.push_back(legend.title);
-		for (const Category& category : legend.style.colors->categories)
-			texts.push_back(category.name);
-	}
 
 	Overlay overlay;
-	overlay.lettering =
-	    std::make_unique<Lettering>(std::vector<double>{layout.small_em, layout.em, layout.title_em}, texts);
-	Pen pen(*overlay.lettering, inksOn(scene.look.background), layout.em);
+	overlay.lettering = std::make_unique<Lettering>(std::vector<double>{layout.small_em, layout.em, layout.title_em},
+	                                                writtenTexts(scene.look, legends));
+	DrawListPen pen(*overlay.lettering, inksOn(scene.look.background), layout.em);
 	if (!scene.fitted && scene.bounds)
 		writePlates(scene, layout, pen);
+	writeContourLabels(scene, layout, pen);
 	writeTitles(scene.look, layout, pen);
 	if (scene.look.axes)
 		writeDirections(scene.camera, layout, pen);
 	if (scene.look.box_axes && scene.bounds)
-		writeBoxAxes(*scene.bounds, scene.camera, layout, pen);
+		writeBoxAxes(*scene.bounds, scene.camera, layout, scene.look.length_units, pen);
 	for (std::size_t i = 0; i < layout.legends.size(); ++i)
 		writeLegend(legends[i], layout.legends[i], pen);
 	const ImDrawList& list = pen.list();

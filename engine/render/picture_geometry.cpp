@@ -33,6 +33,11 @@ glm::dmat4 clipMatrix(const Camera& camera, VkExtent2D extent, const Vec3& centr
 	return shift * camera.projection(size.x / size.y) * glm::translate(camera.view(), centre);
 }
 
+Vec3 lightDirection(const Camera& camera)
+{
+	return glm::normalize(-camera.forward() + 0.45 * camera.trueUp() - 0.3 * camera.right());
+}
+
 float lineWidth(const Look& look)
 {
 	return static_cast<float>(std::max(1.2, 1.5 * std::min(look.height / 720.0, look.width / 960.0)));

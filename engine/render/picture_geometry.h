@@ -31,6 +31,9 @@ std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera
 // The window's four sides where they are drawn; none without a window.
 std::vector<Segment> windowRim(const SheetDrawing& drawing);
 
+// Towards the light, unit: it comes from above the viewer's left shoulder, so that faces at right angles differ.
+Vec3 lightDirection(const Camera& camera);
+
 // From offsets about `centre` to clip space.
 glm::dmat4 clipMatrix(const Camera& camera, VkExtent2D extent, const Vec3& centre, const glm::dvec2& jitter);
 

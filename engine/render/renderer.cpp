@@ -10,6 +10,7 @@
 #include "render/line_pass.h"
 #include "render/overlay_pass.h"
 #include "render/picture_geometry.h"
+#include "render/surface_pass.h"
 
 #include <fmt/format.h>
 
@@ -46,11 +47,20 @@ struct Renderer::Private
 	gpu::Device& device;
 	LayerPass layers;
 	LinePass lines;
+	SurfacePass surfaces;
+	FragmentLists lists;
 	ComposePass compose;
 	OverlayPass overlay;
 	gpu::Commands commands;
 	gpu::Timers timers;
 	Targets targets;
+
+	Status makeTargets(const Scene& scene);
+	Status prepare(const Scene& scene);
+	Result<bool> drawOnce(const Scene& scene, Timeline* timeline);
+	void recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
+	void recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
+	void recordPicture(VkCommandBuffer to);
 };
 
 Renderer::Renderer(std::unique_ptr<Private> made) : private_(std::move(made)) {}
@@ -58,7 +68,7 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Result<Renderer> Renderer::create(gpu::Device& device)
+Result<Renderer> Renderer::create(gpu::Device& device, std::uint64_t most_fragment_bytes)
 {
 	auto layers = LayerPass::create(device);
 	if (!layers)
@@ -75,60 +85,89 @@ Result<Renderer> Renderer::create(gpu::Device& device)
 	auto commands = gpu::Commands::create(device, "render");
 	if (!commands)
 		return commands.error();
-	return Renderer(std::unique_ptr<Private>(new Private{device, std::move(*layers), std::move(*lines),
-	                                                     std::move(*compose), std::move(*overlay), std::move(*commands),
-	                                                     gpu::Timers(device), Targets()}));
+	return Renderer(std::unique_ptr<Private>(new Private{
+	    device, std::move(*layers), std::move(*lines), SurfacePass(device), FragmentLists(device, most_fragment_bytes),
+	    std::move(*compose), std::move(*overlay), std::move(*commands), gpu::Timers(device), Targets()}));
 }
 
-Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
+Status Renderer::Private::makeTargets(const Scene& scene)
 {
-	const TimedSection section(timeline, "draw");
-	Private& r = *private_;
-	if (scene.sheets.size() > shared::kMaxLayers)
-		return Error{ExitCode::usage, fmt::format("{} sheets are more than a picture takes; show up to {}",
-		                                          scene.sheets.size(), shared::kMaxLayers)};
 	const VkExtent2D extent{scene.look.width, scene.look.height};
-	const auto layers = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.sheets.size()));
-	if (!r.targets.holds(extent, layers, scene.look.mesh))
-	{
-		r.targets = {}; // before its successor, that both need not fit into memory
-		auto targets = Targets::create(r.device, extent, layers, scene.look.mesh);
-		if (!targets)
-			return targets.error();
-		r.targets = std::move(*targets);
-	}
-	{
-		const Overlay overlay = makeOverlay(scene);
-		for (Status ready : {r.layers.prepare(scene), r.lines.prepare(scene), r.compose.prepare(scene, r.targets),
-		                     r.overlay.prepare(overlay)})
-			if (!ready)
-				return ready.error();
-	}
+	const auto count = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.sheets.size()));
+	if (targets.holds(extent, count, scene.look.mesh))
+		return Nothing{};
+	targets = {}; // before its successor, that both need not fit into memory
+	auto made = Targets::create(device, extent, count, scene.look.mesh);
+	if (!made)
+		return made.error();
+	targets = std::move(*made);
+	return Nothing{};
+}
 
-	auto begun = r.commands.begin();
-	if (!begun)
-		return begun.error();
-	const VkCommandBuffer commands = *begun;
-	const auto pattern = samplePattern(scene.look.samples);
-	for (std::size_t sample = 0; sample < pattern.size(); ++sample)
+Status Renderer::Private::prepare(const Scene& scene)
+{
+	const bool has_surfaces = !scene.surfaces.empty();
+	if (has_surfaces)
+	{
+		if (Status ready = lists.prepare(targets.extent(), samplePattern(scene.look.samples).size()); !ready)
+			return ready;
+		if (Status ready = surfaces.prepare(scene, lists); !ready)
+			return ready;
+	}
+	const Overlay over = makeOverlay(scene);
+	for (Status ready : {layers.prepare(scene), lines.prepare(scene),
+	                     compose.prepare(scene, targets, has_surfaces ? &lists : nullptr), overlay.prepare(over)})
+		if (!ready)
+			return ready;
+	return Nothing{};
+}
+
+void Renderer::Private::recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter,
+                                     std::size_t sample)
+{
+	{
+		// Every sheet into its own layer of values, the outline into its depths.
+		gpu::TimedPass timed(timers, to, "layers");
+		layers.record(to, scene, targets, jitter);
+		lines.record(to, scene, targets, jitter);
+	}
+	if (!scene.surfaces.empty())
+		return recordSurfaces(to, scene, jitter, sample);
+	// The layers in their order at each pixel, coloured, blended and added to the samples before.
+	gpu::TimedPass timed(timers, to, "compose");
+	compose.record(to, targets, jitter, {{0, 0}, targets.extent()}, sample == 0, true);
+}
+
+void Renderer::Private::recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter,
+                                       std::size_t sample)
+{
+	lists.recordSample(to);
+	for (std::uint32_t strip = 0; strip < lists.strips(); ++strip)
 	{
 		{
-			// Every sheet into its own layer of values, the outline into its depths.
-			gpu::TimedPass timed(r.timers, commands, "layers");
-			r.layers.record(commands, scene, r.targets, pattern[sample]);
-			r.lines.record(commands, scene, r.targets, pattern[sample]);
+			// Every surface into the lists of its pixels.
+			gpu::TimedPass timed(timers, to, "surfaces");
+			lists.recordBarrier(to);
+			surfaces.record(to, scene, lists, jitter, sample, strip);
+			lists.recordBarrier(to);
 		}
-		// The layers in their order at each pixel, coloured, blended and added to the samples before.
-		gpu::TimedPass timed(r.timers, commands, "compose");
-		r.compose.record(commands, r.targets, pattern[sample], sample == 0);
+		// Layers and lists in their order at each pixel, blended and added to the samples before.
+		gpu::TimedPass timed(timers, to, "compose");
+		compose.record(to, targets, jitter, lists.strip(strip), sample == 0, strip == 0);
 	}
+}
+
+// From the sum of samples to pixels for the host.
+void Renderer::Private::recordPicture(VkCommandBuffer to)
+{
+	const VkExtent2D extent = targets.extent();
 	{
 		// The samples' mean over the background, then legend, axes and words over the finished picture.
-		gpu::TimedPass timed(r.timers, commands, "overlay");
-		r.targets.sum.transition(commands, gpu::kColourTarget, gpu::kSampled);
-		r.targets.picture.transition(commands, gpu::kDiscard, gpu::kColourTarget);
+		gpu::TimedPass timed(timers, to, "overlay");
+		targets.sum.transition(to, gpu::kColourTarget, gpu::kSampled);
+		targets.picture.transition(to, gpu::kDiscard, gpu::kColourTarget);
 		VkRenderingAttachmentInfo picture{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-		picture.imageView = r.targets.picture.view();
+		picture.imageView = targets.picture.view();
 		picture.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
 		picture.loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
 		picture.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
@@ -137,35 +176,67 @@ Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 		rendering.layerCount = 1;
 		rendering.colorAttachmentCount = 1;
 		rendering.pColorAttachments = &picture;
-		vkCmdBeginRendering(commands, &rendering);
-		r.compose.recordResolve(commands, r.targets);
-		r.overlay.record(commands, r.targets);
-		vkCmdEndRendering(commands);
-		r.targets.picture.transition(commands, gpu::kColourTarget, gpu::kCopyFrom);
+		vkCmdBeginRendering(to, &rendering);
+		compose.recordResolve(to, targets);
+		overlay.record(to, targets);
+		vkCmdEndRendering(to);
+		targets.picture.transition(to, gpu::kColourTarget, gpu::kCopyFrom);
 	}
-	{
-		gpu::TimedPass timed(r.timers, commands, "copy");
-		VkBufferImageCopy copy{};
-		copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-		copy.imageExtent = {extent.width, extent.height, 1};
-		vkCmdCopyImageToBuffer(commands, r.targets.picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-		                       r.targets.pixels.handle(), 1, &copy);
-		gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-		                   VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
-	}
-	const Status drawn = r.commands.submitAndWait();
-	if (!drawn)
-	{
-		r.timers.forget();
-		return drawn.error();
-	}
-	if (timeline)
-		r.timers.collect(*timeline);
-	else
-		r.timers.forget();
+	gpu::TimedPass timed(timers, to, "copy");
+	VkBufferImageCopy copy{};
+	copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+	copy.imageExtent = {extent.width, extent.height, 1};
+	vkCmdCopyImageToBuffer(to, targets.picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, targets.pixels.handle(),
+	                       1, &copy);
+	gpu::memoryBarrier(to, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT,
+	                   VK_ACCESS_2_HOST_READ_BIT);
+}
 
-	Picture picture{extent.width, extent.height, {}};
-	copyPixels(r.targets.pixels, picture);
+// Whether everything had room; if not, it is to be drawn again.
+Result<bool> Renderer::Private::drawOnce(const Scene& scene, Timeline* timeline)
+{
+	const bool has_surfaces = !scene.surfaces.empty();
+	if (Status ready = prepare(scene); !ready)
+		return ready.error();
+	auto begun = commands.begin();
+	if (!begun)
+		return begun.error();
+	if (has_surfaces)
+		lists.recordStart(*begun);
+	const auto pattern = samplePattern(scene.look.samples);
+	for (std::size_t sample = 0; sample < pattern.size(); ++sample)
+		recordSample(*begun, scene, pattern[sample], sample);
+	if (has_surfaces)
+		lists.recordEnd(*begun);
+	recordPicture(*begun);
+	const Status drawn = commands.submitAndWait();
+	if (drawn && timeline)
+		timers.collect(*timeline);
+	else
+		timers.forget();
+	if (!drawn)
+		return drawn.error();
+	return has_surfaces ? lists.complete() : Result<bool>(true);
+}
+
+Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
+{
+	const TimedSection section(timeline, "draw");
+	if (scene.sheets.size() > shared::kMaxLayers)
+		return Error{ExitCode::usage, fmt::format("{} sheets are more than a picture takes; show up to {}",
+		                                          scene.sheets.size(), shared::kMaxLayers)};
+	if (Status made = private_->makeTargets(scene); !made)
+		return made.error();
+	for (;;)
+	{
+		Result<bool> whole = private_->drawOnce(scene, timeline);
+		if (!whole)
+			return whole.error();
+		if (*whole)
+			break;
+	}
+	Picture picture{scene.look.width, scene.look.height, {}};
+	copyPixels(private_->targets.pixels, picture);
 	return picture;
 }
 

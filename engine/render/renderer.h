@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "render/fragment_lists.h"
 #include "render/picture.h"
 #include "render/scene.h"
 
@@ -22,14 +23,17 @@ namespace vp::render
 class Renderer
 {
 public:
-	static Result<Renderer> create(gpu::Device& device); // which outlives it
+	// The device outlives it. most_fragment_bytes: what the lists of surface fragments may take; a picture that needs
+	// more is drawn in strips.
+	static Result<Renderer> create(gpu::Device& device, std::uint64_t most_fragment_bytes = kMostFragmentBytes);
 	~Renderer();
 	Renderer(Renderer&&) noexcept;
 	Renderer& operator=(Renderer&&) noexcept;
 
-	// Each sheet into a layer of values, layers and outline into colours, the overlay over them. Section "draw" and
-	// GPU sections "layers", "compose", "overlay" and "copy" on the timeline, where there is one. More sheets than
-	// shared::kMaxLayers are a usage error.
+	// Each sheet into a layer of values, surfaces into lists of fragments, layers, lists and outline into colours, the
+	// overlay over them. Section "draw" and GPU sections "layers", "surfaces" (where there are any), "compose",
+	// "overlay" and "copy" on the timeline, where there is one. More sheets than shared::kMaxLayers or surfaces than
+	// shared::kMaxSurfaces are a usage error.
 	Result<Picture> draw(const Scene& scene, Timeline* timeline = nullptr);
 
 private:

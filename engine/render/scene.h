@@ -4,6 +4,7 @@
 #include "render/camera.h"
 #include "render/look.h"
 #include "render/outline.h"
+#include "render/sheet_contours.h"
 
 #include <memory>
 #include <optional>
@@ -18,6 +19,8 @@ struct SheetRecords;
 
 namespace vp::render
 {
+
+struct SurfacePolygons;
 
 // The array that the sheets show.
 struct ValueScale
@@ -52,11 +55,43 @@ struct SheetDrawing
 	std::optional<ColorMap> colors{};
 	std::optional<std::pair<double, double>> range{};
 	std::optional<int> lines{}; // about so many contour lines
+	// Lines that are to bear their values, and what bounds the polygons; where they are seen, in the records' uv.
+	std::vector<LevelLine> contours{};
+	std::vector<slice::PlaneLine> rim_lines{};
+
+	Vec3 inWorld(const glm::dvec2& uv) const
+	{
+		return sheet.origin + magnification * (uv.x * sheet.xAxis() + uv.y * sheet.up);
+	}
+	glm::dvec2 inRecords(const Vec3& place) const // its uv
+	{
+		const Vec3 from = (place - sheet.origin) / magnification;
+		return {glm::dot(from, sheet.xAxis()), glm::dot(from, sheet.up)};
+	}
+};
+
+constexpr Color kPlainColor{142, 168, 195}; // where there is no array to show
+
+// A surface of any form. It may be closed, bent and cut itself; sheets and surfaces are drawn in their order at every
+// pixel, and where a sheet lies in a surface the sheet is in front.
+struct Surface
+{
+	std::shared_ptr<const SurfacePolygons> polygons; // surface_polygons.h; null: nothing
+	double opacity = 1.0;                            // 0 to 1; 1 hides what is behind
+	Color color = kPlainColor;                       // where there are no values
+	bool lit = true;                                 // shaded smoothly; both sides alike
+	bool thick = false;                              // like glass: the more opaque the more it is seen from the side
+	bool mesh = false;                               // the polygons' edges
+	std::optional<ValueScale> values{};              // of the array that `polygons` has values of
+	std::optional<ColorMap> colors{};
+	std::optional<std::pair<double, double>> range{};
+	std::optional<int> lines{}; // about so many contour lines
 };
 
 struct Scene
 {
 	std::vector<SheetDrawing> sheets; // up to shared::kMaxLayers
+	std::vector<Surface> surfaces{};  // up to shared::kMaxSurfaces
 	std::optional<ValueScale> values; // none: the sheets have one plain colour
 	std::span<const Segment> outline;
 	std::optional<Box> bounds{}; // of the blocks, for numbered axes

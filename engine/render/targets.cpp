@@ -133,11 +133,15 @@ void Targets::swap(Targets& other) noexcept
 
 void coverAll(VkCommandBuffer commands, VkExtent2D extent)
 {
+	coverPart(commands, extent, {{0, 0}, extent});
+}
+
+void coverPart(VkCommandBuffer commands, VkExtent2D extent, const VkRect2D& part)
+{
 	const VkViewport viewport{0.0f, 0.0f, static_cast<float>(extent.width), static_cast<float>(extent.height),
 	                          0.0f, 1.0f};
-	const VkRect2D scissor{{0, 0}, extent};
 	vkCmdSetViewport(commands, 0, 1, &viewport);
-	vkCmdSetScissor(commands, 0, 1, &scissor);
+	vkCmdSetScissor(commands, 0, 1, &part);
 }
 
 } // namespace vp::render

@@ -55,5 +55,7 @@ private:
 
 // Viewport and scissor over the whole of an extent.
 void coverAll(VkCommandBuffer commands, VkExtent2D extent);
+// The same viewport, of which only a part is drawn.
+void coverPart(VkCommandBuffer commands, VkExtent2D extent, const VkRect2D& part);
 
 } // namespace vp::render

@@ -66,6 +66,13 @@ ValueStyle valueStyle(const Scene& scene, const SheetDrawing& sheet)
 	               range, sheet.lines.value_or(look.lines));
 }
 
+ValueStyle valueStyle(const Scene& scene, const Surface& surface)
+{
+	const Look& look = scene.look;
+	return styleOf(surface.colors ? *surface.colors : look.colors, *surface.values, look, surface.range,
+	               surface.lines.value_or(look.lines));
+}
+
 CategorySteps categorySteps(const ColorMap& map)
 {
 	CategorySteps steps;
@@ -90,6 +97,23 @@ CategorySteps categorySteps(const ColorMap& map)
 	return steps;
 }
 
+namespace
+{
+
+// Adds a legend that says something new; one of an array that has one already gets its owner's name.
+void addLegend(LegendContent content, const std::string& owner, std::vector<LegendContent>& contents)
+{
+	const auto same = [&](const LegendContent& other) { return other.title == content.title; };
+	if (std::any_of(contents.begin(), contents.end(),
+	                [&](const LegendContent& c) { return same(c) && looksAlike(c.style, content.style); }))
+		return;
+	if (std::any_of(contents.begin(), contents.end(), same))
+		content.title += fmt::format(" ({})", owner);
+	contents.push_back(std::move(content));
+}
+
+} // namespace
+
 std::vector<LegendContent> legendContents(const Scene& scene)
 {
 	std::vector<LegendContent> contents;
@@ -102,14 +126,14 @@ std::vector<LegendContent> legendContents(const Scene& scene)
 		if (!own(sheet) || !(sheet.values || scene.values))
 			continue;
 		const ValueScale& values = sheet.values ? *sheet.values : *scene.values;
-		LegendContent content{values.title, values.has_nan, valueStyle(scene, sheet)};
-		const auto same = [&](const LegendContent& other) { return other.title == content.title; };
-		if (std::any_of(contents.begin(), contents.end(),
-		                [&](const LegendContent& c) { return same(c) && looksAlike(c.style, content.style); }))
-			continue;
-		if (std::any_of(contents.begin(), contents.end(), same))
-			content.title += fmt::format(" (sheet {})", i + 1);
-		contents.push_back(std::move(content));
+		addLegend({values.title, values.has_nan, valueStyle(scene, sheet)}, fmt::format("sheet {}", i + 1), contents);
+	}
+	for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
+	{
+		const Surface& surface = scene.surfaces[i];
+		if (surface.values)
+			addLegend({surface.values->title, surface.values->has_nan, valueStyle(scene, surface)},
+			          fmt::format("surface {}", i + 1), contents);
 	}
 	return contents;
 }

@@ -9,6 +9,8 @@
 namespace vp::render
 {
 
+constexpr Color kPlainSheet{142, 168, 195}; // where there is no array to show
+
 // How values are shown, once data, look and a sheet's own wishes are known: what the legend tells and the composing
 // pass does.
 struct ValueStyle
@@ -32,6 +34,8 @@ struct ValueStyle
 ValueStyle valueStyle(const Look& look, const ValueScale& values);
 ValueStyle valueStyle(const Scene& scene, const SheetDrawing& sheet); // of a scene, or a sheet, with values
 
+ValueStyle valueStyle(const Scene& scene, const Surface& surface); // of a surface with values
+
 // What a legend tells.
 struct LegendContent
 {
@@ -41,7 +45,8 @@ struct LegendContent
 };
 
 // The scene's, if any sheet goes by it (or there are none), then those of sheets with values, colours or a range of
-// their own, each once. Legends of the same array are told apart by their sheets' numbers.
+// their own and of surfaces with values, each once. Legends of the same array are told apart by the sheets' or
+// surfaces' numbers.
 std::vector<LegendContent> legendContents(const Scene& scene);
 
 // Bounds between the colours of categories, and those colours, one more: a value has the category that is nearest, no

@@ -14,11 +14,6 @@ namespace
 // Infinite data would overrun the marks for NaN and for an empty pixel.
 constexpr double kLargestValue = 2.0e38;
 
-float drawnValue(double value)
-{
-	return std::isnan(value) ? shared::kNanValue : static_cast<float>(std::clamp(value, -kLargestValue, kLargestValue));
-}
-
 // The records of one polygon after the other.
 class RecordMaker
 {
@@ -90,6 +85,11 @@ std::vector<shared::PolygonRecord> makeRecords(const probe::Sheet& sheet, const 
 }
 
 } // namespace
+
+float drawnValue(double value)
+{
+	return std::isnan(value) ? shared::kNanValue : static_cast<float>(std::clamp(value, -kLargestValue, kLargestValue));
+}
 
 std::vector<shared::PolygonRecord> recordsFromMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet,
                                                    const SheetMesh& mesh, const std::optional<FieldChoice>& field)

@@ -23,6 +23,9 @@ std::vector<shared::PolygonRecord> recordsFromMesh(const grid::BlockSet& blocks,
 std::vector<shared::PolygonRecord> recordsFromMesh(const probe::Sheet& sheet, const SheetMesh& mesh,
                                                    std::span<const double> polygon_values);
 
+// A value as shaders take it: NaN has a mark of its own, infinities come to less than the marks.
+float drawnValue(double value);
+
 // The cells of a cut that the CPU walked: those whose records the GPU left empty.
 traverse::LaneCut walkedCells(const traverse::LaneCut& cut);
 

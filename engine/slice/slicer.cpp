@@ -6,6 +6,7 @@
 #include "slice/gpu_classifier.h"
 #include "slice/host_records.h"
 #include "slice/slice_meshes.h"
+#include "traverse/cell_flood.h"
 #include "traverse/span_flood.h"
 #include "traverse/span_rows.h"
 
@@ -45,8 +46,13 @@ Slicer::Slicer(const grid::BlockSet& blocks) : blocks_(blocks)
 		visited_.push_back(std::make_unique<traverse::VisitedPool>(
 		    std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid)));
 		const auto* curvilinear = std::get_if<grid::CurvilinearGrid>(&block.grid);
-		stores_.push_back(std::make_unique<traverse::SpanStorePool>(
-		    curvilinear ? std::size_t(curvilinear->points()[1]) * curvilinear->points()[2] : 0));
+		const std::size_t rows = curvilinear ? std::size_t(curvilinear->points()[1]) * curvilinear->points()[2] : 0;
+		stores_.push_back(std::make_unique<Pool<traverse::SpanStore>>(
+		    [rows] { return std::make_unique<traverse::SpanStore>(rows); }));
+		const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&block.grid);
+		const std::size_t cells = unstructured ? unstructured->cellCount() : 0;
+		marks_.push_back(std::make_unique<Pool<traverse::CellMarks>>(
+		    [cells] { return std::make_unique<traverse::CellMarks>(cells); }));
 	}
 }
 
@@ -78,6 +84,29 @@ SliceTicket Slicer::begin(SliceRequest request)
 	                         { return run(request, token); })};
 }
 
+// The sheets, placed, with generation 0 of each; without faces that the threshold does not admit.
+Slice Slicer::seedSheets(const SliceRequest& request, std::span<const std::function<bool(CellId)>> admits) const
+{
+	const TimedSection section(request.timeline, "seed");
+	Slice slice;
+	for (const probe::Sheet& shown : probe::placed(request.probe).sheets)
+	{
+		const probe::Sheet sheet = probe::content(shown);
+		const std::optional<FieldChoice>& field =
+		    request.sheet_fields.empty() ? request.field : request.sheet_fields[slice.sheets.size()];
+		slice.sheets.push_back({.shown = shown,
+		                        .sheet = sheet,
+		                        .corners = request.corners,
+		                        .field = field,
+		                        .seeds = seed::findSeeds(blocks_, sheet, request.seeds)});
+		for (std::size_t b = 0; b < admits.size(); ++b)
+			if (admits[b])
+				std::erase_if(slice.sheets.back().seeds.faces_in_plane[b],
+				              [&](const auto& face) { return !admits[b](face.cell); });
+	}
+	return slice;
+}
+
 Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 {
 	assert(request.field || !request.threshold);
@@ -88,28 +117,10 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	if (request.surface)
 		return showSurface(request, admits);
 
-	Slice slice;
-	{
-		const TimedSection section(request.timeline, "seed");
-		for (const probe::Sheet& shown : probe::placed(request.probe).sheets)
-		{
-			const probe::Sheet sheet = probe::content(shown);
-			const std::optional<FieldChoice>& field =
-			    request.sheet_fields.empty() ? request.field : request.sheet_fields[slice.sheets.size()];
-			slice.sheets.push_back({.shown = shown,
-			                        .sheet = sheet,
-			                        .corners = request.corners,
-			                        .field = field,
-			                        .seeds = seed::findSeeds(blocks_, sheet, request.seeds)});
-			for (std::size_t b = 0; b < admits.size(); ++b)
-				if (admits[b])
-					std::erase_if(slice.sheets.back().seeds.faces_in_plane[b],
-					              [&](const auto& face) { return !admits[b](face.cell); });
-		}
-	}
-
+	Slice slice = seedSheets(request, admits);
+	std::vector<std::optional<traverse::LaneCut>> flooded(slice.sheets.size() * blocks_.blocks.size());
 	if (!gpu_ && request.finder == Finder::automatic)
-		findSpans(request, slice);
+		flood(request, slice, flooded);
 
 	// Lane s * blocks + b is sheet s in block b.
 	std::vector<Lane> lanes;
@@ -119,10 +130,12 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 		const std::size_t sheet_lane = lanes.size();
 		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 		{
-			loans.push_back(visited_[b]->borrow());
-			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), loans.back().get(),
-			                 sheet.hasSpans(b) ? std::vector<CellId>() : sheet.seeds.cells[b], blocks_.interfaces.of(b),
-			                 sheet_lane, admits[b],
+			const bool found = sheet.hasSpans(b) || flooded[lanes.size()];
+			if (!found)
+				loans.push_back(visited_[b]->borrow());
+			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), found ? nullptr : loans.back().get(),
+			                 found ? std::vector<CellId>() : sheet.seeds.cells[b], blocks_.interfaces.of(b), sheet_lane,
+			                 admits[b],
 			                 sheet.sheet.window ? std::optional<seed::SheetWindow>(sheet.sheet) : std::nullopt});
 		}
 	}
@@ -132,22 +145,11 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	if (!cuts)
 		return cuts.error();
 	for (std::size_t lane = 0; lane < cuts->size(); ++lane)
-		slice.sheets[lane / blocks_.blocks.size()].cuts.push_back(std::move((*cuts)[lane]));
+		slice.sheets[lane / blocks_.blocks.size()].cuts.push_back(
+		    std::move(flooded[lane] ? *flooded[lane] : (*cuts)[lane]));
 	if (gpu_)
 		if (Status added = addHostRecords(request.timeline, slice); !added)
 			return added.error();
-	return slice;
-}
-
-Slice Slicer::showSurface(const SliceRequest& request, const Admits& admits) const
-{
-	const TimedSection section(request.timeline, "traverse");
-	Slice slice;
-	SheetSlice& sheet = slice.sheets.emplace_back();
-	sheet.field = request.sheet_fields.empty() ? request.field : request.sheet_fields.front();
-	sheet.surface = request.surface;
-	sheet.cuts = surfaceCells(blocks_, *request.surface, admits);
-	sheet.seeds.faces_in_plane.resize(sheet.cuts.size());
 	return slice;
 }
 
@@ -164,25 +166,34 @@ std::optional<traverse::SpanCut> Slicer::spansOf(const SheetSlice& sheet, std::s
 	const auto* curvilinear = std::get_if<grid::CurvilinearGrid>(&block.grid);
 	if (!curvilinear || !traverse::floodTakes(*curvilinear))
 		return std::nullopt;
-	const traverse::SpanStorePool::Loan store = stores_[b]->borrow();
+	const Pool<traverse::SpanStore>::Loan store = stores_[b]->borrow();
 	return traverse::floodSpans(*curvilinear, block.bounds, plane, sheet.seeds.cells[b], *store);
 }
 
-// Every block from seeds of its own, so that nothing has to be followed across seams.
-void Slicer::findSpans(const SliceRequest& request, Slice& slice)
+// Every block from seeds of its own, so that nothing has to be followed across seams. flooded: per lane; those of
+// structured blocks stay empty.
+void Slicer::flood(const SliceRequest& request, Slice& slice, std::span<std::optional<traverse::LaneCut>> flooded)
 {
 	if (request.threshold)
 		return;
 	const TimedSection section(request.timeline, "traverse");
-	for (SheetSlice& sheet : slice.sheets)
+	const bool one_piece = request.seeds.mode == seed::SeedMode::hotspot;
+	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
+		SheetSlice& sheet = slice.sheets[s];
 		if (sheet.sheet.window)
 			continue;
 		sheet.spans.resize(blocks_.blocks.size());
 		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
-			if (request.seeds.mode != seed::SeedMode::hotspot ||
-			    (!blocks_.interfaces.of(b) && !sheet.seeds.cells[b].empty()))
+		{
+			if (one_piece && (blocks_.interfaces.of(b) || sheet.seeds.cells[b].empty()))
+				continue;
+			if (const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&blocks_.blocks[b].grid))
+				flooded[s * blocks_.blocks.size() + b] = traverse::floodCells(
+				    *unstructured, sheet.sheet.plane(), sheet.seeds.cells[b], *marks_[b]->borrow());
+			else
 				sheet.spans[b] = spansOf(sheet, b);
+		}
 	}
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/pool.h"
 #include "base/result.h"
 #include "grid/block.h"
 #include "probe/probe.h"
@@ -10,11 +11,14 @@
 #include "slice/other_surface.h"
 #include "slice/threshold.h"
 #include "traverse/bfs.h"
+#include "traverse/cell_marks.h"
 #include "traverse/span_store.h"
 
+#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -39,8 +43,8 @@ struct SheetRecords; // a sheet's polygons in device memory (gpu_records.h)
 enum class Finder
 {
 	traversal, // cell by cell, breadth first in generations, with a classifier
-	automatic  // the fastest there is: for a whole sheet in a structured block spans of cells (traverse/span_flood.h,
-	           // span_rows.h)
+	automatic  // the fastest there is: for a whole sheet spans of cells in a structured block (traverse/span_flood.h,
+	           // span_rows.h), cells in no order in another (traverse/cell_flood.h)
 };
 
 struct SliceRequest
@@ -138,10 +142,11 @@ private:
 
 	using Admits = std::vector<std::function<bool(CellId)>>; // per block
 
+	Slice seedSheets(const SliceRequest& request, std::span<const std::function<bool(CellId)>> admits) const;
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
 	Slice showSurface(const SliceRequest& request, const Admits& admits) const;
 	std::optional<traverse::SpanCut> spansOf(const SheetSlice& sheet, std::size_t block);
-	void findSpans(const SliceRequest& request, Slice& slice);
+	void flood(const SliceRequest& request, Slice& slice, std::span<std::optional<traverse::LaneCut>> flooded);
 	Result<std::vector<traverse::LaneCut>> traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes,
 	                                                     std::stop_token stop);
 	Result<std::vector<traverse::LaneCut>> traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,
@@ -151,8 +156,9 @@ private:
 	Status addHostRecords(Timeline* timeline, Slice& slice) const;
 
 	const grid::BlockSet& blocks_;
-	std::vector<std::unique_ptr<traverse::VisitedPool>> visited_;  // per block
-	std::vector<std::unique_ptr<traverse::SpanStorePool>> stores_; // per block
+	std::vector<std::unique_ptr<traverse::VisitedPool>> visited_;    // per block
+	std::vector<std::unique_ptr<Pool<traverse::SpanStore>>> stores_; // per block
+	std::vector<std::unique_ptr<Pool<traverse::CellMarks>>> marks_;  // per block
 	std::shared_ptr<GpuBlocks> gpu_;
 };
 

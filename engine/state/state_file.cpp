@@ -18,6 +18,7 @@ using nlohmann::json;
 using probe::JsonReader;
 
 constexpr std::size_t kMostNumbers = 64; // offsets of a stack
+constexpr std::size_t kMostWords = 64;   // surfaces in a picture
 constexpr std::size_t kMostFiles = 100'000;
 
 bool isJson(const std::string& name)
@@ -31,7 +32,11 @@ struct Writer
 	const std::string& file;
 
 	json operator()(const std::string* text) const { return text->empty() ? json() : json(*text); }
-	json operator()(const std::vector<double>* numbers) const { return numbers->empty() ? json() : json(*numbers); }
+	template <class T>
+	json operator()(const std::vector<T>* list) const
+	{
+		return list->empty() ? json() : json(*list);
+	}
 	template <class T>
 	json operator()(const std::optional<T>* value) const
 	{
@@ -83,6 +88,13 @@ struct Reader
 		numbers->clear();
 		for (std::size_t i = 0; i < from.size(); ++i)
 			numbers->push_back(from.at(i).number());
+	}
+	void operator()(std::vector<std::string>* words) const
+	{
+		from.expectArray(1, kMostWords, "words");
+		words->clear();
+		for (std::size_t i = 0; i < from.size(); ++i)
+			words->push_back(from.at(i).text());
 	}
 	void operator()(Files files) const
 	{
@@ -167,6 +179,7 @@ struct Words
 			texts.push_back(fmt::to_string(number));
 		return texts;
 	}
+	Texts operator()(const std::vector<std::string>* words) const { return *words; }
 	Texts operator()(const bool*) const { return {}; }
 	Texts operator()(Files) const { return {}; }
 	Texts operator()(File) const { return {}; }

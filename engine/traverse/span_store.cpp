@@ -109,24 +109,4 @@ SpanCut SpanStore::collect()
 	return cut;
 }
 
-SpanStorePool::Loan SpanStorePool::borrow()
-{
-	std::unique_ptr<SpanStore> store;
-	{
-		const std::lock_guard lock(mutex_);
-		if (!idle_.empty())
-		{
-			store = std::move(idle_.back());
-			idle_.pop_back();
-		}
-	}
-	if (!store)
-		store = std::make_unique<SpanStore>(rows_);
-	return {store.release(), [this](SpanStore* returned)
-	        {
-		        const std::lock_guard lock(mutex_);
-		        idle_.emplace_back(returned);
-	        }};
-}
-
 } // namespace vp::traverse

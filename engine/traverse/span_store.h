@@ -6,9 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -86,22 +84,6 @@ private:
 	std::size_t rows_;
 	std::unique_ptr<std::atomic<std::uint64_t>[]> heads_;
 	std::array<std::unique_ptr<Found>, kMaxThreads> found_;
-};
-
-// Stores for one block, lent to sheets in flight and taken back.
-class SpanStorePool
-{
-public:
-	explicit SpanStorePool(std::size_t rows) : rows_(rows) {}
-
-	using Loan = std::unique_ptr<SpanStore, std::function<void(SpanStore*)>>;
-
-	Loan borrow();
-
-private:
-	std::size_t rows_;
-	std::mutex mutex_;
-	std::vector<std::unique_ptr<SpanStore>> idle_;
 };
 
 } // namespace vp::traverse

@@ -1,16 +1,14 @@
 #pragma once
 
 #include "base/ids.h"
+#include "base/pool.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <functional>
 #include <memory>
-#include <mutex>
 #include <new>
-#include <vector>
 
 namespace vp::traverse
 {
@@ -51,22 +49,28 @@ private:
 	std::uint8_t slice_ = 0;
 };
 
-// Marks for one block, lent to sheets in flight and taken back: as many exist as were in flight at once.
+// Marks for one block, lent to sheets in flight and taken back; each loan is a slice of its own.
 class VisitedPool
 {
 public:
-	explicit VisitedPool(std::size_t cells) : cells_(cells) {}
+	explicit VisitedPool(std::size_t cells)
+	    : cells_(cells), pool_([cells] { return std::make_unique<VisitedMarks>(cells); })
+	{
+	}
 
-	using Loan = std::unique_ptr<VisitedMarks, std::function<void(VisitedMarks*)>>;
+	using Loan = Pool<VisitedMarks>::Loan;
 
-	Loan borrow();
-	std::size_t bytes() const; // held by all marks of the pool
+	Loan borrow()
+	{
+		Loan marks = pool_.borrow();
+		marks->beginSlice();
+		return marks;
+	}
+	std::size_t bytes() const { return pool_.made() * cells_; } // held by all marks of the pool
 
 private:
 	std::size_t cells_;
-	mutable std::mutex mutex_;
-	std::vector<std::unique_ptr<VisitedMarks>> idle_;
-	std::size_t made_ = 0;
+	Pool<VisitedMarks> pool_;
 };
 
 } // namespace vp::traverse

@@ -1,3 +1,4 @@
+#include "write/csv_text.h"
 #include "write/slice_formats.h"
 #include "write/unique_names.h"
 
@@ -13,21 +14,6 @@ namespace
 {
 
 using grid::NumberType;
-
-// RFC 4180: a field with a comma, a quote or a line end stands in quotes, its quotes doubled.
-std::string quoted(const std::string& text)
-{
-	if (text.find_first_of(",\"\r\n") == std::string::npos)
-		return text;
-	std::string result = "\"";
-	for (const char c : text)
-	{
-		if (c == '"')
-			result += '"';
-		result += c;
-	}
-	return result + '"';
-}
 
 template <class T>
 void appendNumbers(std::string& row, const std::byte* at, int components)

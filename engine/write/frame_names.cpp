@@ -15,16 +15,17 @@ constexpr int kMostDigits = 20;
 
 } // namespace
 
-Result<FrameNames> FrameNames::create(const std::string& pattern)
+Result<FrameNames> FrameNames::create(const std::string& pattern, const std::string& example)
 {
-	const Error wrong{ExitCode::usage,
-	                  fmt::format("-o {}: frames need names of their own; put {{frame:04}} into it", pattern)};
+	const std::string word = example.substr(0, example.find_first_of(":}"));
+	const Error wrong{ExitCode::usage, fmt::format("-o {}: {}s need names of their own; put {} into it", pattern,
+	                                               word.substr(1), example)};
 	FrameNames names;
-	const std::size_t open = pattern.find("{frame");
+	const std::size_t open = pattern.find(word);
 	const std::size_t close = pattern.find('}', open);
 	if (open == pattern.npos || close == pattern.npos)
 		return wrong;
-	const std::string_view format = std::string_view(pattern).substr(open + 6, close - open - 6);
+	const std::string_view format = std::string_view(pattern).substr(open + word.size(), close - open - word.size());
 	if (!format.empty())
 	{
 		const char* end = format.data() + format.size();

@@ -1,7 +1,5 @@
 #include "write/png.h"
 
-#include "write/atomic_file.h"
-
 #include <fmt/format.h>
 #include <png.h>
 
@@ -73,15 +71,22 @@ bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_
 
 } // namespace
 
+Status encodePng(const render::Picture& picture, const std::string& path, AtomicFile& file)
+{
+	std::vector<std::uint8_t> row(std::size_t(4) * picture.width);
+	std::string reason;
+	if (!encode(picture, isOpaque(picture), row, file, reason))
+		return Error{ExitCode::output, fmt::format("{}: cannot be encoded as PNG: {}", path, reason)};
+	return Nothing{};
+}
+
 Status writePng(const render::Picture& picture, const std::string& path)
 {
 	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)
 		return file.error();
-	std::vector<std::uint8_t> row(std::size_t(4) * picture.width);
-	std::string reason;
-	if (!encode(picture, isOpaque(picture), row, *file, reason))
-		return Error{ExitCode::output, fmt::format("{}: cannot be encoded as PNG: {}", path, reason)};
+	if (Status encoded = encodePng(picture, path, *file); !encoded)
+		return encoded;
 	return file->commit();
 }
 

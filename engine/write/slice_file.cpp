@@ -29,7 +29,9 @@ Result<SliceFormat> sliceFormatOf(const std::string& path)
 		return SliceFormat::vtp;
 	return Error{
 	    ExitCode::usage,
-	    fmt::format("{}: not a file a slice can be written to; use the ending .vtp, .vtm, .ply or .csv", path)};
+	    fmt::format("{}: not a file a slice can be written to; use the ending .vtp, .vtm, .ply or .csv, or, for a "
+	                "picture, .png, .svg or .pdf",
+	                path)};
 }
 
 Status writeSlice(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path)

@@ -142,6 +142,11 @@ std::string Column::componentName(int component) const
 	return fmt::format("{}_{}", name, component);
 }
 
+double Column::value(std::size_t tuple, int component) const
+{
+	return grid::loadNumber(type, bytes.data() + (tuple * components + component) * grid::byteSize(type));
+}
+
 SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, std::size_t first_sheet)
 {
 	SliceTable table;

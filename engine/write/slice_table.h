@@ -23,6 +23,7 @@ struct Column
 	std::vector<std::byte> bytes; // tuples x components numbers
 
 	std::string componentName(int component) const; // name, name_x, name_0 …
+	double value(std::size_t tuple, int component) const;
 };
 
 // The sheets of a slice as one set of polygons, with all arrays: what the file formats have in common.

@@ -6,7 +6,8 @@
 
 VP_SHARED_BEGIN
 
-VP_CONST uint kMaxLayers = 16u; // sheets in a picture
+VP_CONST uint kMaxLayers = 16u;   // sheets in a picture
+VP_CONST uint kMaxSurfaces = 64u; // and surfaces
 
 // A record's fan of triangles, unused ones without area.
 VP_CONST uint kRecordTriangles = 4u;
@@ -94,6 +95,53 @@ struct ComposeParams
 	float top_color[4]; // of the background
 	float bottom_color[4];
 	SheetParams sheets[kMaxLayers];
+};
+
+// A triangle of a surface's polygon. Vertices are texels of their own: x, y, z from the surface's origin, and a value.
+struct SurfaceTriangle
+{
+	uint corners[3]; // vertices; with kHiddenEdge the edge to the next corner is no edge of the polygon
+	float value;     // of the polygon, where values are its; kNanValue where it has none, whatever its vertices have
+	uint normals[3]; // at the corners, unit, octahedral, two 16-bit snorms
+	float width;     // factor from the triangle's width to the polygon's: 4 area / perimeter each
+};
+
+VP_CONST uint kHiddenEdge = 0x80000000u;
+VP_CONST uint kSurfaceTexels = 2u; // a triangle, four words each
+
+struct SurfacePush
+{
+	float clip[16]; // from places about the surface's origin, columns
+	float eye[3];   // such a place
+	uint surface;   // its number in the scene
+	float near_w;   // w of the near plane, the least bit less: a sheet in the surface's plane is in front
+	float mesh_half_width;
+	uint counter;  // of this sample and strip
+	uint capacity; // of the fragments
+};
+
+// Features of a surface beside those of the composing pass.
+VP_CONST uint kSurfaceLit = 16u;
+VP_CONST uint kSurfacePolygonValues = 32u; // and not of vertices
+VP_CONST uint kSurfaceThick = 64u;         // more opaque the more it is seen from the side
+
+// What a surface's pass reads. The light's share that has no direction is kAmbient.
+struct SurfaceColors
+{
+	float contour_half_width; // pixels
+	float light[3];           // unit, to it
+	SheetParams sheets[kMaxSurfaces];
+};
+
+VP_CONST float kAmbient = 0.45f;
+
+// An element of a pixel's list of surface fragments.
+struct SurfaceFragment
+{
+	uint next;   // 1 + its place, 0 at the end: what llvmpipe reads for lanes without a pixel must end a loop
+	float depth; // near / w
+	uint color;  // red, green, blue in 10 bits each, not multiplied by alpha
+	uint order;  // the surface's number, and below it 16 bits of alpha
 };
 
 struct OverlayPush

@@ -69,8 +69,24 @@ TEST_F(Render, OptionsChangeThePicture)
 	      Arguments{"--background", "white", "--lines", "8"}, Arguments{"--background", "white", "--bands", "8"},
 	      Arguments{"--background", "white", "--opacity", "0.4"}, Arguments{"--background", "white", "--axes", "box"},
 	      Arguments{"--background", "white", "--axes", "none"}, Arguments{"--background", "white", "--lit"},
+	      Arguments{"--background", "white", "--context", "boundary"},
 	      Arguments{"--background", "white", "--outline", "none"}, Arguments{"--background", "white", "--title", ""}})
 		EXPECT_NE(picture(options), plain) << options[options.size() - 2];
+}
+
+TEST_F(Render, ContextIsTranslucentAsAsked)
+{
+	const auto picture = [&](const Arguments& options)
+	{
+		EXPECT_TRUE(isQuiet(render(Arguments{"-o", path("out.png"), "--size", "200x120"} + options)));
+		return contents(path("out.png"));
+	};
+	const std::string faint = picture({"--context", "boundary"});
+	EXPECT_EQ(picture({"--context", "boundary"}), faint);
+	EXPECT_EQ(picture({"--context", "boundary:0.15"}), faint);
+	EXPECT_NE(picture({"--context", "boundary:0.5"}), faint);
+	EXPECT_NE(picture({"--context", "boundary", "--context", "boundary"}), faint);
+	EXPECT_EQ(picture({"--context", "boundary:0"}), picture({}));
 }
 
 TEST_F(Render, ColorMapsFromFiles)

@@ -58,6 +58,16 @@ class BadSweep : public Program, public testing::WithParamInterface<std::pair<Ar
 
 } // namespace
 
+TEST_F(Sweep, ContextStaysWhereItIs)
+{
+	const Arguments path{"--path", "translate", "--frames", "2", "-o", pattern};
+	ASSERT_TRUE(isQuiet(sweep(path)));
+	const std::string plain = frame(0);
+	ASSERT_TRUE(isQuiet(sweep(path + Arguments{"--context", "boundary"})));
+	EXPECT_NE(frame(0), plain);
+	EXPECT_NE(frame(0), frame(1));
+}
+
 TEST_F(Sweep, FramesAreNumberedAndWhole)
 {
 	ASSERT_TRUE(isQuiet(sweep({"--frames", "3", "-o", pattern})));

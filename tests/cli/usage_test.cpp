@@ -107,7 +107,7 @@ TEST_F(Usage, StandardOutputIsForOneThing)
 
 TEST_F(Usage, OutputOfAnUnknownKind)
 {
-	for (const std::string output : {"out.xyz", "out", "out.png"})
+	for (const std::string output : {"out.xyz", "out", "out.jpg"})
 	{
 		EXPECT_TRUE(isError(run({"slice", "demo:shell:8", "--classify", "cpu", "-o", path(output)}), 1,
 		                    {output, ".vtp", ".ply", ".csv"}))
@@ -182,9 +182,14 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"opacityNotANumber", {"--opacity", "nan"}, "--opacity"},
         Bad{"opacityInWords", {"--opacity", "half"}, "--opacity"}, Bad{"negativeLines", {"--lines", "-1"}, "--lines"},
         Bad{"tooManyLines", {"--lines", "100000"}, "--lines"}, Bad{"linesInWords", {"--lines", "few"}, "--lines"},
-        Bad{"bandsNotWhole", {"--bands", "2.5"}, "--bands"}, Bad{"axes", {"--axes", "round"}, "--axes"},
-        Bad{"samples", {"--samples", "0"}, "--samples"}, Bad{"outline", {"--outline", "sphere"}, "--outline"},
-        Bad{"reversedNothing", {"--colormap", "jet_r"}, "jet_r"},
+        Bad{"unknownContext", {"--context", "walls"}, "boundary[:OPACITY]"},
+        Bad{"contextOpacityAboveOne", {"--context", "boundary:1.5"}, "--context boundary:1.5"},
+        Bad{"contextOpacityNotANumber", {"--context", "boundary:nan"}, "--context boundary:nan"},
+        Bad{"contextOpacityInWords", {"--context", "boundary:half"}, "--context boundary:half"},
+        Bad{"contextArgument", {"--context", "boundary=3"}, "--context boundary=3"},
+        Bad{"noContext", {"--context", ""}, "--context"}, Bad{"bandsNotWhole", {"--bands", "2.5"}, "--bands"},
+        Bad{"axes", {"--axes", "round"}, "--axes"}, Bad{"samples", {"--samples", "0"}, "--samples"},
+        Bad{"outline", {"--outline", "sphere"}, "--outline"}, Bad{"reversedNothing", {"--colormap", "jet_r"}, "jet_r"},
         Bad{"background", {"--background", "no-such-colour"}, "--background"}),
     name);
 

@@ -52,8 +52,8 @@ std::optional<double> valueAt(const PolygonRecord& record, const glm::dvec2& at)
 
 struct Fragment
 {
-	double depth; // near / w
-	std::size_t sheet;
+	double depth;       // near / w
+	std::size_t number; // of the sheet, or behind all sheets of the surface
 	double value;
 };
 
@@ -75,6 +75,28 @@ public:
 		for (const PolygonRecord& record : known.records)
 			if (record.vertices > 0)
 				addPolygon(number, known, record);
+	}
+
+	// Each polygon is a sheet of its own.
+	void add(std::size_t number, const KnownSurface& known)
+	{
+		for (std::size_t p = 0; p < known.mesh.polygons(); ++p)
+		{
+			const auto polygon = known.mesh.polygon(p);
+			const Vec3 area = slice::doubleArea(known.mesh, polygon);
+			KnownSheet plane;
+			plane.drawing.sheet = probe::makeSheet(known.mesh.positions[polygon[0]], area);
+			PolygonRecord record{};
+			for (const std::uint32_t v : polygon)
+			{
+				const Vec3 from_origin = known.mesh.positions[v] - plane.drawing.sheet.origin;
+				record.uv[2 * record.vertices] = static_cast<float>(glm::dot(from_origin, plane.drawing.sheet.xAxis()));
+				record.uv[2 * record.vertices + 1] = static_cast<float>(glm::dot(from_origin, plane.drawing.sheet.up));
+				record.value[record.vertices++] =
+				    static_cast<float>(known.vertex_values.empty() ? known.polygon_values[p] : known.vertex_values[v]);
+			}
+			addPolygon(number, plane, record);
+		}
 	}
 
 	std::vector<PixelList> blended() const
@@ -133,7 +155,7 @@ private:
 			          if (!found)
 				          return;
 			          const glm::dvec2 at = glm::dvec2(found->u, found->v) / known.drawing.magnification;
-			          const WindowRect& w = *known.drawing.window;
+			          const WindowRect w = known.drawing.window.value_or(WindowRect{-1e9, 1e9, -1e9, 1e9});
 			          if (at.x < w.x0 || at.x > w.x1 || at.y < w.y0 || at.y > w.y1)
 				          return;
 			          if (const auto value = valueAt(record, at))
@@ -143,25 +165,33 @@ private:
 
 	bool inOnePlane(std::size_t a, std::size_t b) const
 	{
+		if (std::max(a, b) >= scene_.sheets.size())
+			return false;
 		const probe::Sheet& s = scene_.sheets[a].sheet;
 		const probe::Sheet& t = scene_.sheets[b].sheet;
 		return glm::length(glm::cross(s.normal, t.normal)) < 1e-12 &&
 		       std::abs(glm::dot(s.origin - t.origin, s.normal)) < 1e-12;
 	}
 
+	double opacity(std::size_t number) const
+	{
+		const std::size_t sheets = scene_.sheets.size();
+		return number < sheets ? scene_.sheets[number].opacity : scene_.surfaces[number - sheets].opacity;
+	}
+
 	PixelList blend(std::vector<Fragment> list, bool on_edge) const
 	{
 		std::sort(list.begin(), list.end(),
 		          [&](const Fragment& a, const Fragment& b)
-		          { return inOnePlane(a.sheet, b.sheet) ? a.sheet < b.sheet : a.depth > b.depth; });
+		          { return inOnePlane(a.number, b.number) ? a.number < b.number : a.depth > b.depth; });
 		PixelList pixel{{255.0, 255.0, 255.0}, list.size(), on_edge};
 		for (std::size_t i = list.size(); i-- > 0;)
 		{
 			const Fragment& f = list[i];
 			if (i > 0 && std::abs(list[i - 1].depth - f.depth) < kCrossingReach &&
-			    !inOnePlane(list[i - 1].sheet, f.sheet))
+			    !inOnePlane(list[i - 1].number, f.number))
 				pixel.on_edge = true;
-			pixel.color = over(rgb(scene_.look.colors.at(f.value)), scene_.sheets[f.sheet].opacity, pixel.color);
+			pixel.color = over(rgb(scene_.look.colors.at(f.value)), opacity(f.number), pixel.color);
 		}
 		return pixel;
 	}
@@ -174,11 +204,14 @@ private:
 
 } // namespace
 
-std::vector<PixelList> blendedLists(const Scene& scene, const std::vector<KnownSheet>& sheets)
+std::vector<PixelList> blendedLists(const Scene& scene, const std::vector<KnownSheet>& sheets,
+                                    const std::vector<KnownSurface>& surfaces)
 {
 	Rasteriser rasteriser(scene);
 	for (std::size_t i = 0; i < sheets.size(); ++i)
 		rasteriser.add(i, sheets[i]);
+	for (std::size_t i = 0; i < surfaces.size(); ++i)
+		rasteriser.add(sheets.size() + i, surfaces[i]);
 	return rasteriser.blended();
 }
 
@@ -190,7 +223,7 @@ ListComparison compareLists(const std::vector<PixelList>& lists, const Picture& 
 	{
 		const std::uint8_t* p = &picture.rgba[4 * i];
 		const double off = difference(lists[i].color, {p[0], p[1], p[2], p[3]});
-		result.several += lists[i].sheets > 1;
+		result.several += lists[i].fragments > 1;
 		if (lists[i].on_edge)
 		{
 			++result.edges;

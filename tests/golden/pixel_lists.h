@@ -1,6 +1,6 @@
 #pragma once
 
-#include "random_probe.h"
+#include "known_surface.h"
 
 #include <vector>
 
@@ -8,19 +8,21 @@ namespace vp::render::test
 {
 
 // What a picture should be, found without a GPU: every polygon is rasterised in double into a list at each pixel, lists
-// are sorted by depth (sheets in one plane by their number) and blended over white.
+// are sorted by depth (sheets in one plane by their number, a surface in a sheet's plane behind it) and blended over
+// white.
 struct PixelList
 {
 	Rgb color{};
-	std::size_t sheets = 0; // that are at the pixel's centre
-	bool on_edge = false;   // an edge of a polygon or a window, or a crossing of two sheets, is too near to tell sides
+	std::size_t fragments = 0; // of sheets and surfaces, at the pixel's centre
+	bool on_edge = false; // an edge of a polygon or a window, or a crossing of two of them, is too near to tell sides
 };
-std::vector<PixelList> blendedLists(const Scene& scene, const std::vector<KnownSheet>& sheets);
+std::vector<PixelList> blendedLists(const Scene& scene, const std::vector<KnownSheet>& sheets,
+                                    const std::vector<KnownSurface>& surfaces = {});
 
 struct ListComparison
 {
 	std::size_t pixels = 0;
-	std::size_t several = 0;  // with more than one sheet
+	std::size_t several = 0;  // with more than one fragment
 	std::size_t edges = 0;    // that are on an edge
 	std::size_t edge_off = 0; // of those, by more than the tolerance
 	double worst = 0.0;       // of the others, of a channel

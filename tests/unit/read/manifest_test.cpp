@@ -148,6 +148,23 @@ TEST(Manifest, ThatHoldsIsTakenWhole)
 	EXPECT_EQ(checked->blocks[kMesh].fields[1].value(2, 0), 2.0);
 }
 
+TEST(Manifest, NamesUnitsOrNot)
+{
+	Made made = makeManifest();
+	made.block(0)["arrays"][0]["units"] = "K";
+	made.manifest()["length_units"] = "mm\n";
+	const auto checked = made.check();
+	ASSERT_TRUE(checked);
+	EXPECT_EQ(checked->blocks[0].fields[0].units, "K");
+	EXPECT_EQ(checked->blocks[0].fields[1].units, "");
+	EXPECT_EQ(checked->blocks[1].length_units, "mm "); // one line
+	made.block(0)["arrays"][0]["units"] = 7;
+	expectRefused(made, "units");
+	made = makeManifest();
+	made.manifest()["length_units"] = json::array();
+	expectRefused(made, "length_units");
+}
+
 TEST(Manifest, WithWrongArrayPlacesIsRefused)
 {
 	const std::uint64_t huge = std::numeric_limits<std::uint64_t>::max();

@@ -29,6 +29,7 @@ struct Values
 	double length = 0.5;
 	bool flag = false;
 	std::vector<double> numbers;
+	std::vector<std::string> words;
 	std::vector<std::string> inputs;
 	std::string solution;
 	std::string colors = "turbo";
@@ -46,7 +47,8 @@ struct Values
 		          {"count", &count},
 		          {"length", &length},
 		          {"flag", &flag},
-		          {"numbers", &numbers}}},
+		          {"numbers", &numbers},
+		          {"words", &words}}},
 		        {"two",
 		         {{"inputs", state::Files{&inputs}},
 		          {"solution", state::File{&solution}},
@@ -94,6 +96,7 @@ TEST_F(StateFile, StandardValuesRoundTrip)
 	EXPECT_FALSE(read.title);
 	EXPECT_FALSE(read.count);
 	EXPECT_TRUE(read.numbers.empty());
+	EXPECT_TRUE(read.words.empty());
 	EXPECT_EQ(read.colors, "turbo");
 }
 
@@ -123,6 +126,7 @@ TEST_F(StateFile, AnyNumbersKeepEveryBit)
 		values.title = round % 2 ? "" : "\"é\n\\";
 		values.count = round;
 		values.flag = round % 3 == 0;
+		values.words.assign(static_cast<std::size_t>(round % 5), "é:\"" + std::to_string(round));
 		ASSERT_TRUE(state::save(values.sections(), path("a.json")));
 		Values read;
 		ASSERT_TRUE(state::load(read.sections(), path("a.json")));
@@ -133,6 +137,7 @@ TEST_F(StateFile, AnyNumbersKeepEveryBit)
 		EXPECT_EQ(read.number, values.number);
 		EXPECT_EQ(read.count, values.count);
 		EXPECT_EQ(read.flag, values.flag);
+		EXPECT_EQ(read.words, values.words);
 		ASSERT_TRUE(state::save(read.sections(), path("b.json")));
 		ASSERT_EQ(textOf(path("a.json")), textOf(path("b.json")));
 	}
@@ -189,6 +194,8 @@ TEST_F(StateFile, WhatDoesNotFitIsOneLineThatSaysWhere)
 	refused(R"({"version": 1, "one": {"number": 1, "number": 1}})", "/one/number: a key given twice");
 	refused(R"({"version": 1, "one": {"flag": 0}})", "/one/flag");
 	refused(R"({"version": 1, "one": {"numbers": [1, "a"]}})", "/one/numbers/1");
+	refused(R"({"version": 1, "one": {"words": ["a", 1]}})", "/one/words/1");
+	refused(R"({"version": 1, "one": {"words": "a"}})", "/one/words");
 	refused(R"({"version": 1, "one": {"length": null}})", "/one/length");
 	refused(R"({"version": 1, "two": {"inputs": "a.vtu"}})", "/two/inputs");
 	refused(R"({"version": 1, "two": {"probe": {"sheets": [{"opacity": 2}]}}})", "/two/probe/sheets/0/opacity");

@@ -28,6 +28,16 @@ TEST(FrameNames, PatternsThatNameNoFrames)
 	}
 }
 
+TEST(FrameNames, OfOtherThings)
+{
+	EXPECT_EQ(write::FrameNames::create("a{sheet}.png", "{sheet}")->of(3), "a3.png");
+	EXPECT_EQ(write::FrameNames::create("a{sheet:02}.png", "{sheet}")->of(3), "a03.png");
+	const Result<write::FrameNames> names = write::FrameNames::create("a{frame}.png", "{sheet}");
+	ASSERT_FALSE(names);
+	EXPECT_NE(names.error().message.find("sheets need names of their own; put {sheet} into it"), std::string::npos)
+	    << names.error().message;
+}
+
 TEST(FrameNames, TheFolderMustBeThere)
 {
 	const TemporaryFolder folder;

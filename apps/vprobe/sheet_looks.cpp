@@ -1,0 +1,119 @@
+#include "sheet_looks.h"
+
+#include "render/color_map_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vp::app
+{
+
+namespace
+{
+
+render::ValueScale generationScale(const slice::Slice& slice)
+{
+	std::size_t generations = 2; // a scale has two ends
+	for (const slice::SheetSlice& sheet : slice.sheets)
+		for (const traverse::LaneCut& cut : sheet.cuts)
+			generations = std::max(generations, cut.generations());
+	return {.title = "generation", .hi = static_cast<double>(generations - 1), .per_cell = true, .log_lo = 1.0};
+}
+
+} // namespace
+
+std::string caption(const probe::Sheet& sheet)
+{
+	return fmt::format("origin {:.4g}, {:.4g}, {:.4g}   normal {:.3f}, {:.3f}, {:.3f}", sheet.origin.x, sheet.origin.y,
+	                   sheet.origin.z, sheet.normal.x, sheet.normal.y, sheet.normal.z);
+}
+
+bool hasNan(const SheetStats& sheet)
+{
+	return sheet.measure.nan_area > 0.0;
+}
+
+SheetLooks::SheetLooks(const Session& session, std::vector<std::string> inputs, LookChoice choice)
+    : session_(session), inputs_(std::move(inputs)), choice_(std::move(choice))
+{
+	// The file's, where all of it agrees.
+	std::string& units = choice_.look.length_units;
+	const auto& blocks = session_.blocks.blocks;
+	if (units.empty() && !blocks.empty() &&
+	    std::ranges::all_of(blocks, [&](const auto& b) { return b.length_units == blocks[0].length_units; }))
+		units = blocks[0].length_units;
+}
+
+// Those of the command line go before the file's.
+std::string SheetLooks::unitsOf(const std::optional<slice::FieldChoice>& field) const
+{
+	if (field == session_.field && !choice_.units.empty())
+		return choice_.units;
+	if (field && !field->name.ends_with(']'))
+		for (const grid::Field* of_block : field->inEach(session_.blocks))
+			if (of_block && !of_block->units.empty())
+				return of_block->units;
+	return {};
+}
+
+// Worked out once: an array may be large, and what it lacks is told once.
+Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const std::optional<slice::FieldChoice>& field,
+                                                              bool has_nan)
+{
+	auto known = std::ranges::find(scales_, field, [](const auto& scale) { return scale.first; });
+	if (known == scales_.end())
+	{
+		auto scale = valueScale(session_.blocks, field, inputs_, choice_.look);
+		if (!scale)
+			return scale;
+		if (const std::string units = unitsOf(field); *scale && !units.empty())
+			(*scale)->title += fmt::format(" [{}]", units);
+		known = scales_.insert(scales_.end(), {field, *scale});
+	}
+	std::optional<render::ValueScale> scale = known->second;
+	if (scale)
+		scale->has_nan = has_nan;
+	return scale;
+}
+
+Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const slice::Slice& slice, bool has_nan)
+{
+	if (choice_.by_generation)
+		return std::optional(generationScale(slice));
+	return scaleOf(session_.field, has_nan);
+}
+
+Result<render::SheetDrawing> SheetLooks::drawing(const slice::SheetSlice& sheet, const SheetStats& stats)
+{
+	const probe::SheetWishes& wishes = sheet.shown.wishes;
+	render::SheetDrawing drawing{sheet.shown, nullptr, wishes.opacity.value_or(choice_.opacity)};
+	drawing.magnification = sheet.shown.fx.magnification;
+	if (const std::optional<probe::Window>& window = sheet.sheet.window)
+		drawing.window = render::WindowRect{window->x0, window->x1, window->y0, window->y1};
+	drawing.rim = choice_.window_rims;
+	if (sheet.field != session_.field && !choice_.by_generation)
+	{
+		auto scale = scaleOf(sheet.field, hasNan(stats));
+		if (!scale)
+			return scale.error();
+		drawing.values = *scale;
+	}
+	if (wishes.colormap)
+	{
+		auto known = colors_.find(*wishes.colormap);
+		if (known == colors_.end())
+		{
+			Result<render::ColorMap> colors = render::chooseColorMap(*wishes.colormap);
+			if (!colors)
+				return Error{ExitCode::input, fmt::format("a sheet of the probe: {}", colors.error().message)};
+			known = colors_.emplace(*wishes.colormap, std::move(*colors)).first;
+		}
+		drawing.colors = known->second;
+	}
+	drawing.range = wishes.range;
+	drawing.lines = wishes.lines;
+	return drawing;
+}
+
+} // namespace vp::app

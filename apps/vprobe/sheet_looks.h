@@ -1,0 +1,47 @@
+#pragma once
+
+#include "look_options.h"
+#include "render/scene.h"
+#include "stats_json.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vp::app
+{
+
+// How the sheets of a session are to look. What does not change from picture to picture is worked out once.
+class SheetLooks
+{
+public:
+	SheetLooks(const Session& session, std::vector<std::string> inputs, LookChoice choice);
+
+	const LookChoice& choice() const { return choice_; }
+	// The arrays hold other values now.
+	void forgetScales() { scales_.clear(); }
+
+	// Of the array that the sheets show, or of generations.
+	Result<std::optional<render::ValueScale>> scaleOf(const slice::Slice& slice, bool has_nan);
+	// Without records.
+	Result<render::SheetDrawing> drawing(const slice::SheetSlice& sheet, const SheetStats& stats);
+
+private:
+	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan);
+	std::string unitsOf(const std::optional<slice::FieldChoice>& field) const;
+
+	const Session& session_;
+	std::vector<std::string> inputs_;
+	LookChoice choice_;
+	std::vector<std::pair<std::optional<slice::FieldChoice>, std::optional<render::ValueScale>>> scales_;
+	std::map<std::string, render::ColorMap> colors_; // of sheets that wish for one
+};
+
+// Where a sheet is, in words.
+std::string caption(const probe::Sheet& sheet);
+
+bool hasNan(const SheetStats& sheet);
+
+} // namespace vp::app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "render/sheet_contours.h"
+#include "session.h"
+
+namespace vp::app
+{
+
+// What a sheet shows at its mesh's vertices or on its polygons: its array, or generations.
+render::SheetValues sheetValues(const Session& session, const slice::SheetSlice& sheet, const slice::SheetMesh& mesh,
+                                bool by_generation);
+
+} // namespace vp::app

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace vp
+{
+
+// What slices in flight borrow and give back: as many exist as were lent at once. Thread safe; outlives its loans.
+template <class T>
+class Pool
+{
+public:
+	explicit Pool(std::function<std::unique_ptr<T>()> make) : make_(std::move(make)) {}
+
+	using Loan = std::unique_ptr<T, std::function<void(T*)>>;
+
+	Loan borrow()
+	{
+		std::unique_ptr<T> lent;
+		{
+			const std::lock_guard lock(mutex_);
+			if (idle_.empty())
+				++made_;
+			else
+			{
+				lent = std::move(idle_.back());
+				idle_.pop_back();
+			}
+		}
+		if (!lent)
+			lent = make_();
+		return {lent.release(), [this](T* returned)
+		        {
+			        const std::lock_guard lock(mutex_);
+			        idle_.emplace_back(returned);
+		        }};
+	}
+
+	std::size_t made() const
+	{
+		const std::lock_guard lock(mutex_);
+		return made_;
+	}
+
+private:
+	std::function<std::unique_ptr<T>()> make_;
+	mutable std::mutex mutex_;
+	std::vector<std::unique_ptr<T>> idle_;
+	std::size_t made_ = 0;
+};
+
+} // namespace vp

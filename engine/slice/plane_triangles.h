@@ -1,0 +1,34 @@
+#pragma once
+
+#include "probe/transform.h"
+#include "slice/mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vp::slice
+{
+
+using PlaneTriangle = std::array<std::uint32_t, 3>; // counter-clockwise, seen against the sheet's normal
+
+// A sheet's polygons as triangles in its plane, with values that are linear in each. A polygon of more than three
+// corners is the fan about the mean of its corners, whose value is the mean of theirs, as in measure() (stats.h); where
+// that fan folds over, as in some polygons that are not convex, it is cut into fans about its own corners.
+struct PlaneTriangles
+{
+	std::vector<glm::dvec2> points; // the mesh's vertices, then the means; see planePoints()
+	std::vector<double> values;     // of the points
+	std::vector<PlaneTriangle> triangles;
+	std::vector<PlaneTriangle> nan_triangles; // of polygons with a corner whose value is NaN
+	std::size_t vertices = 0;                 // of the mesh
+};
+
+// Places of the mesh's vertices along the frame's x and y axes, from its origin, in the grid's units.
+std::vector<glm::dvec2> planePoints(const SheetMesh& mesh, const probe::Frame& frame);
+
+// values: one per vertex of the mesh.
+PlaneTriangles planeTriangles(const SheetMesh& mesh, const probe::Frame& frame, std::span<const double> values);
+
+} // namespace vp::slice

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "grid/unstructured.h"
+#include "surface/plane.h"
+#include "traverse/bfs.h"
+#include "traverse/cell_marks.h"
+
+#include <span>
+
+namespace vp::traverse
+{
+
+// The traversal of cells of any shape in no generations: a cell is classified, and its neighbours queued, whenever a
+// core is free, with what comes next fetched from memory in advance. Cells and words are those of breadthFirst(), in
+// ascending order of the cells: the same for any number of threads.
+//
+// seeds: any cells; those that are not cut do no harm. marks: for the cells of this grid, and empty.
+LaneCut floodCells(const grid::UnstructuredGrid& grid, const surface::Plane& plane, std::span<const CellId> seeds,
+                   CellMarks& marks);
+
+} // namespace vp::traverse

@@ -1,0 +1,145 @@
+#include "write/line_file.h"
+
+#include "slice/plane_triangles.h"
+#include "slice/sheet_line.h"
+#include "write/atomic_file.h"
+#include "write/csv_text.h"
+#include "write/slice_table.h"
+#include "write/unique_names.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vp::write
+{
+
+namespace
+{
+
+using slice::LinePiece;
+
+class LineRows
+{
+public:
+	LineRows(const SliceTable& table, const probe::Sheet& content, const SheetLine& line)
+	    : table_(table), content_(content), line_(line)
+	{
+	}
+
+	std::string text(std::span<const LinePiece> pieces)
+	{
+		header();
+		double end = 0.0;
+		const LinePiece* last = nullptr;
+		for (const LinePiece& piece : pieces)
+		{
+			const bool gap = piece.from - end > slice::kLineGap;
+			if (last && (gap || pointValues(*last, last->to) != pointValues(piece, piece.from)))
+				row(last->to, last);
+			if (gap)
+				row(last ? 0.5 * (end + piece.from) : 0.0, nullptr);
+			row(piece.from, &piece);
+			last = &piece;
+			end = piece.to;
+		}
+		if (last)
+			row(end, last);
+		if (1.0 - end > slice::kLineGap)
+		{
+			if (!last)
+				row(0.0, nullptr);
+			row(1.0, nullptr);
+		}
+		return std::move(text_);
+	}
+
+private:
+	void header()
+	{
+		UniqueNames names;
+		for (const char* name : {"distance", "u", "v", "x", "y", "z", "block", "cell"})
+			fmt::format_to(std::back_inserter(text_), "{}{}", text_.empty() ? "" : ",", names.add(name));
+		for (const std::vector<Column>* columns : {&table_.vertex_columns, &table_.polygon_columns})
+			for (const Column& column : *columns)
+				for (int c = 0; c < column.components; ++c)
+					text_ += ',' + quoted(names.add(column.componentName(c)));
+		text_ += '\n';
+	}
+
+	// Of integer type are only arrays whose numbers are names (slice_table.h): the nearer one holds.
+	static double between(const Column& column, double a, double b, double part)
+	{
+		if (column.type != grid::NumberType::float32 && column.type != grid::NumberType::float64)
+			return part <= 0.5 ? a : b;
+		return a + part * (b - a);
+	}
+
+	static double at(const Column& column, const slice::SideCrossing& side, int component)
+	{
+		return between(column, column.value(side.a, component), column.value(side.b, component), side.part);
+	}
+
+	std::vector<double> pointValues(const LinePiece& piece, double t) const
+	{
+		std::vector<double> values;
+		for (const Column& column : table_.vertex_columns)
+			for (int c = 0; c < column.components; ++c)
+				values.push_back(t == piece.enter.t   ? at(column, piece.enter, c)
+				                 : t == piece.leave.t ? at(column, piece.leave, c)
+				                                      : between(column, at(column, piece.enter, c),
+				                                                at(column, piece.leave, c), piece.along(t)));
+		return values;
+	}
+
+	// In the slice with a piece, else outside.
+	void row(double t, const LinePiece* piece)
+	{
+		const glm::dvec2 uv = line_.from + t * (line_.to - line_.from);
+		const Vec3 p = content_.origin + uv.x * content_.xAxis() + uv.y * content_.up;
+		fmt::format_to(std::back_inserter(text_), "{},{},{},{},{},{}", t * glm::length(line_.to - line_.from), uv.x,
+		               uv.y, p.x, p.y, p.z);
+		if (piece)
+			fmt::format_to(std::back_inserter(text_), ",{},{}", table_.block[piece->polygon],
+			               table_.cell[piece->polygon]);
+		else
+			text_ += ",nan,nan";
+		const auto put = [&](double value) { fmt::format_to(std::back_inserter(text_), ",{}", value); };
+		if (piece)
+			for (const double value : pointValues(*piece, t))
+				put(value);
+		else
+			for (const Column& column : table_.vertex_columns)
+				for (int c = 0; c < column.components; ++c)
+					put(std::numeric_limits<double>::quiet_NaN());
+		for (const Column& column : table_.polygon_columns)
+			for (int c = 0; c < column.components; ++c)
+				put(piece ? column.value(piece->polygon, c) : std::numeric_limits<double>::quiet_NaN());
+		text_ += '\n';
+	}
+
+	const SliceTable& table_;
+	const probe::Sheet& content_;
+	const SheetLine& line_;
+	std::string text_;
+};
+
+} // namespace
+
+Status writeLine(const grid::BlockSet& blocks, const probe::Sheet& content, const slice::SheetMesh& mesh,
+                 const SheetLine& line, const std::string& path)
+{
+	Result<AtomicFile> file = AtomicFile::create(path);
+	if (!file)
+		return file.error();
+	const std::vector<LinePiece> pieces = slice::alongLine(mesh, slice::planePoints(mesh, content), line.from, line.to);
+	const SliceTable table = tabulate(blocks, std::span(&mesh, 1));
+	file->write(LineRows(table, content, line).text(pieces));
+	return file->commit();
+}
+
+} // namespace vp::write

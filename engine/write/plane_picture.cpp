@@ -1,0 +1,153 @@
+#include "write/plane_picture.h"
+
+#include "render/valid_utf8.h"
+#include "write/atomic_file.h"
+#include "write/png.h"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace vp::write
+{
+
+namespace
+{
+
+constexpr double kPointsPerPixel = 0.75;
+
+struct SurfaceDeleter
+{
+	void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
+
+cairo_status_t writeBytes(void* file, const unsigned char* bytes, unsigned size)
+{
+	static_cast<AtomicFile*>(file)->write({reinterpret_cast<const char*>(bytes), size}); // failures: see commit()
+	return CAIRO_STATUS_SUCCESS;
+}
+
+Surface surfaceFor(const render::Look& look, PictureFormat format, AtomicFile& file)
+{
+	const int width = static_cast<int>(look.width);
+	const int height = static_cast<int>(look.height);
+	switch (format)
+	{
+	case PictureFormat::png:
+		return Surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+	case PictureFormat::svg:
+	{
+		Surface surface(cairo_svg_surface_create_for_stream(writeBytes, &file, width, height));
+		cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
+		return surface;
+	}
+	case PictureFormat::pdf:
+	{
+		Surface surface(
+		    cairo_pdf_surface_create_for_stream(writeBytes, &file, kPointsPerPixel * width, kPointsPerPixel * height));
+		cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, render::validUtf8(look.title).c_str());
+		return surface;
+	}
+	}
+	return nullptr;
+}
+
+// From cairo's words of alpha and colours multiplied by it.
+render::Picture pictureOf(cairo_surface_t* surface)
+{
+	cairo_surface_flush(surface);
+	render::Picture picture;
+	picture.width = static_cast<std::uint32_t>(cairo_image_surface_get_width(surface));
+	picture.height = static_cast<std::uint32_t>(cairo_image_surface_get_height(surface));
+	picture.rgba.resize(std::size_t(4) * picture.width * picture.height);
+	for (std::uint32_t y = 0; y < picture.height; ++y)
+		for (std::uint32_t x = 0; x < picture.width; ++x)
+		{
+			std::uint32_t word;
+			std::memcpy(&word,
+			            cairo_image_surface_get_data(surface) +
+			                std::size_t(cairo_image_surface_get_stride(surface)) * y + std::size_t(4) * x,
+			            4);
+			const std::uint32_t alpha = word >> 24;
+			std::uint8_t* to = &picture.rgba[4 * (std::size_t(y) * picture.width + x)];
+			for (int c = 0; c < 3; ++c)
+			{
+				const std::uint32_t part = word >> (16 - 8 * c) & 0xFFu;
+				to[c] = static_cast<std::uint8_t>(alpha ? std::min(255u, (255u * part + alpha / 2) / alpha) : 0u);
+			}
+			to[3] = static_cast<std::uint8_t>(alpha);
+		}
+	return picture;
+}
+
+Status draw(const render::FlatScene& flat, const std::string& path, AtomicFile& file)
+{
+	const PictureFormat format = *pictureFormatOf(path);
+	const Surface surface = surfaceFor(flat.scene.look, format, file);
+	cairo_t* context = cairo_create(surface.get());
+	if (format == PictureFormat::pdf)
+		cairo_scale(context, kPointsPerPixel, kPointsPerPixel);
+	render::drawFlat(flat, context);
+	cairo_status_t status = cairo_status(context);
+	cairo_destroy(context);
+	if (status == CAIRO_STATUS_SUCCESS && format == PictureFormat::png)
+		return encodePng(pictureOf(surface.get()), path, file);
+	cairo_surface_finish(surface.get());
+	if (status == CAIRO_STATUS_SUCCESS)
+		status = cairo_surface_status(surface.get());
+	if (status != CAIRO_STATUS_SUCCESS)
+		return Error{ExitCode::output, fmt::format("{}: cannot be drawn: {}; choose a smaller --size", path,
+		                                           cairo_status_to_string(status))};
+	return Nothing{};
+}
+
+} // namespace
+
+std::optional<PictureFormat> pictureFormatOf(const std::string& path)
+{
+	std::string ending = std::filesystem::path(path).extension().string();
+	std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+	if (ending == ".png")
+		return PictureFormat::png;
+	if (ending == ".svg")
+		return PictureFormat::svg;
+	if (ending == ".pdf")
+		return PictureFormat::pdf;
+	return std::nullopt;
+}
+
+int colorSteps(PictureFormat format)
+{
+	constexpr int kOfPolygons = 64; // hardly to be told from more; a quarter of the file
+	return format == PictureFormat::png ? render::kColorMapSize : kOfPolygons;
+}
+
+Status writePlanePictures(std::span<const render::FlatScene> flats, std::span<const std::string> paths)
+{
+	std::vector<AtomicFile> files;
+	files.reserve(flats.size()); // cairo keeps their places
+	for (std::size_t i = 0; i < flats.size(); ++i)
+	{
+		Result<AtomicFile> file = AtomicFile::create(paths[i]);
+		if (!file)
+			return file.error();
+		files.push_back(std::move(*file));
+		if (Status drawn = draw(flats[i], paths[i], files.back()); !drawn)
+			return drawn;
+	}
+	for (AtomicFile& file : files)
+		if (Status written = file.commit(); !written)
+			return written;
+	return Nothing{};
+}
+
+} // namespace vp::write

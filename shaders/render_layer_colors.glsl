@@ -1,0 +1,50 @@
+// What colouring a layer asks of the pixels around, which have values of the same layer.
+
+// y of a neighbour, or `here` where it has none.
+float neighbour(ivec2 pixel, ivec2 offset, uint layer, float here)
+{
+	const ivec2 at = pixel + offset;
+	if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, textureSize(layers, 0).xy)))
+		return here;
+	const float value = texelFetch(layers, ivec3(at, int(layer)), 0).x;
+	if (value <= kEmptyUpTo || value >= kNanFrom)
+		return here;
+	const float y = scaled(value, layer);
+	return y > kNoScaled ? y : here;
+}
+
+// Of values that are constant in each polygon lines go between polygons: wherever a neighbour lies beyond a level.
+float lineBetween(float y, uint above, uint layer, ivec2 pixel)
+{
+	const int reach = max(1, int(params.contour_half_width + 0.5));
+	for (int i = 0; i < 4; ++i)
+	{
+		const ivec2 offset = reach * (1 - (i & 2)) * ((i & 1) == 0 ? ivec2(1, 0) : ivec2(0, 1));
+		const float there = neighbour(pixel, offset, layer, y);
+		if (countUpTo(there, params.sheets[layer].levels, params.sheets[layer].level_count) != above)
+			return 1.0;
+	}
+	return 0.0;
+}
+
+// Of two neighbours the one that leads to the level counts: the other may lie behind a kink or a jump.
+float steepness(float y, float side, uint layer, ivec2 pixel)
+{
+	vec2 rise = vec2(0.0);
+	for (int i = 0; i < 4; ++i)
+	{
+		const ivec2 offset = (1 - (i & 2)) * ((i & 1) == 0 ? ivec2(1, 0) : ivec2(0, 1));
+		rise[i & 1] = max(rise[i & 1], side * (neighbour(pixel, offset, layer, y) - y));
+	}
+	return length(rise);
+}
+
+float shadeOf(uint layer)
+{
+	return params.sheets[layer].shade;
+}
+
+float opacityOf(uint layer)
+{
+	return params.sheets[layer].opacity;
+}

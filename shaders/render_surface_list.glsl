@@ -1,0 +1,69 @@
+// A pixel's list of surface fragments, blended nearest first. They are taken from the list in batches, each the nearest of those
+// behind the batch before: so a list of any length comes in its order. Elements of equal depth go by their surface's number, and
+// then by colour: the order in which the device made them plays no part.
+
+const uint kBatch = 4u;
+const float kOpaque = 1.0 - 1.0 / 4096.0; // nothing behind can be seen
+
+// Of a fragment: its place, and its depth's bits, which are in order as positive floats are; colour; order. Where there is none
+// its depth is 0.
+uvec4 batch[kBatch];
+uint batch_left;
+uint list_head;
+
+// Without branches: software takes both ways of every one.
+bool isBefore(uvec4 a, uvec4 b)
+{
+	const uint by_color = uint(a.z < b.z) | (uint(a.z == b.z) & uint(a.x < b.x));
+	const uint by_order = uint(a.w < b.w) | (uint(a.w == b.w) & by_color);
+	return (uint(a.y > b.y) | (uint(a.y == b.y) & by_order)) != 0u;
+}
+
+// The nearest fragments behind `last`. Each found one moves the farther ones back; indices are constant, so the batch is
+// registers.
+void fetchBatch(uvec4 last)
+{
+	for (uint i = 0u; i < kBatch; ++i)
+		batch[i] = uvec4(0u);
+	batch_left = kBatch;
+	for (uint place = list_head; place != 0u;)
+	{
+		const uvec4 f = texelFetch(fragments, int(place - 1u));
+		uvec4 found = uvec4(place, f.yzw);
+		place = f.x;
+		// What is blended already takes no part.
+		found = isBefore(last, found) ? found : uvec4(0u);
+		for (uint i = 0u; i < kBatch; ++i)
+		{
+			const bool swap = isBefore(found, batch[i]);
+			const uvec4 farther = swap ? batch[i] : found;
+			batch[i] = swap ? found : batch[i];
+			found = farther;
+		}
+	}
+}
+
+void beginList(ivec2 pixel)
+{
+	list_head = imageLoad(heads, pixel).x;
+	fetchBatch(uvec4(0u, 0xFFFFFFFFu, 0u, 0u)); // nearer than all
+}
+
+// Blends what is nearer than `depth`, the line where it comes.
+void surfacesDownTo(float depth)
+{
+	while (front.a < kOpaque)
+	{
+		const uvec4 f = batch[0];
+		const float here = uintBitsToFloat(f.y);
+		if (here <= depth || f.y == 0u)
+			return;
+		lineDownTo(here);
+		under(vec3(f.z & 1023u, f.z >> 10 & 1023u, f.z >> 20 & 1023u) / 1023.0, float(f.w & 0xFFFFu) / 65535.0);
+		for (uint i = 0u; i + 1u < kBatch; ++i)
+			batch[i] = batch[i + 1u];
+		batch[kBatch - 1u] = uvec4(0u);
+		if (--batch_left == 0u)
+			fetchBatch(f);
+	}
+}
