@@ -75,17 +75,17 @@ std::string typeName(std::uint8_t type)
 	return std::string(name);
 }
 
+// As VTK's files carry them, or null.
+const char* unitsOf(vtkDataArray* array)
+{
+	return array->HasInformation() ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
+}
+
 // The Exodus reader has words for a set that has a number alone.
 std::string nameOf(std::string_view patch)
 {
 	constexpr std::string_view unnamed = "Unnamed set ID: ";
 	return std::string(patch.starts_with(unnamed) ? patch.substr(unnamed.size()) : patch);
-}
-
-// As VTK's files carry them, or null.
-const char* unitsOf(vtkDataArray* array)
-{
-	return array->HasInformation() ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
 }
 
 } // namespace

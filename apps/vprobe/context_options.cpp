@@ -2,6 +2,7 @@
 
 #include "slice/boundary_surface.h"
 #include "slice/grid_surface.h"
+#include "slice/patch_surface.h"
 
 #include <fmt/format.h>
 
@@ -20,33 +21,43 @@ namespace
 // Faint: what is within is to be seen, and a boundary is looked through at least twice.
 constexpr double kBoundaryOpacity = 0.15;
 
-// The paper's inner grid surfaces.
-constexpr double kGridSurfaceOpacity = 0.3;
+// A part of what is seen through, so it may be seen better.
+constexpr double kPartOpacity = 0.3;
+
+Error wrong(const std::string& word, const std::string& what)
+{
+	return {ExitCode::usage, fmt::format("--context {}: {}", word, what)};
+}
 
 Result<slice::SheetMesh> gridSurface(const grid::BlockSet& blocks, const ContextChoice& choice)
 {
-	const auto wrong = [&](const Error& error) {
-		return Error{error.code, fmt::format("--context {}: {}", choice.word, error.message)};
-	};
-	const Result<surface::GridIndexRange> range =
-	    surface::parseGridIndex(fmt::format("{}={}", choice.kind->name, choice.argument));
+	const std::string text = fmt::format("{}={}", choice.kind->name, choice.argument);
+	const Result<surface::GridIndexRange> range = surface::parseGridIndex(text);
 	if (!range)
-		return wrong(range.error());
+		return wrong(choice.word, range.error().message);
 	if (!range->isOne())
-		return wrong({ExitCode::usage, "a context stands still; give one index"});
+		return wrong(choice.word, "stands still; give one index");
 	if (Status fits = slice::checkGridIndex(blocks, *range); !fits)
-		return wrong(fits.error());
+		return Error{fits.error().code, fmt::format("--context {}: {}", choice.word, fits.error().message)};
 	const surface::GridIndex at = range->at(0.0);
 	return slice::gridSurfaceMesh(blocks, at, slice::gridSurfaceCells(blocks, at));
+}
+
+Result<slice::SheetMesh> patch(const grid::BlockSet& blocks, const ContextChoice& choice)
+{
+	if (Status known = slice::checkPatch(blocks, choice.argument); !known)
+		return known.error();
+	return slice::patchMesh(blocks, choice.argument, slice::patchCells(blocks, choice.argument));
 }
 
 constexpr std::array kKinds{
     ContextKind{"boundary", nullptr, kBoundaryOpacity,
                 [](const grid::BlockSet& blocks, const ContextChoice&) -> Result<slice::SheetMesh>
                 { return slice::boundarySurface(blocks); }},
-    ContextKind{"i", "INDEX", kGridSurfaceOpacity, gridSurface},
-    ContextKind{"j", "INDEX", kGridSurfaceOpacity, gridSurface},
-    ContextKind{"k", "INDEX", kGridSurfaceOpacity, gridSurface},
+    ContextKind{"i", "N", kPartOpacity, gridSurface},
+    ContextKind{"j", "N", kPartOpacity, gridSurface},
+    ContextKind{"k", "N", kPartOpacity, gridSurface},
+    ContextKind{"patch", "NAME", kPartOpacity, patch},
 };
 
 std::optional<double> number(std::string_view text)
@@ -56,11 +67,6 @@ std::optional<double> number(std::string_view text)
 	if (error != std::errc() || end != text.data() + text.size())
 		return std::nullopt;
 	return value;
-}
-
-Error wrong(const std::string& word, const std::string& what)
-{
-	return {ExitCode::usage, fmt::format("--context {}: {}", word, what)};
 }
 
 // `what` is KIND[=ARGUMENT].
@@ -115,6 +121,11 @@ Result<std::vector<ContextChoice>> parseContexts(const std::vector<std::string>&
 		choices.push_back(std::move(*choice));
 	}
 	return choices;
+}
+
+bool namesPatch(const std::vector<ContextChoice>& choices)
+{
+	return std::ranges::any_of(choices, [](const ContextChoice& c) { return c.kind->mesh == patch; });
 }
 
 } // namespace vp::app

@@ -37,4 +37,7 @@ std::string contextForms();
 // In the order they were given. What is wrong with a word is a usage error.
 Result<std::vector<ContextChoice>> parseContexts(const std::vector<std::string>& words);
 
+// Whether one is a patch, for which the input's are to be read.
+bool namesPatch(const std::vector<ContextChoice>& choices);
+
 } // namespace vp::app

@@ -115,9 +115,10 @@ void addSpaceOptions(CLI::App& command, LookOptions& options, const char* group)
 	    ->capture_default_str()
 	    ->group(group);
 	command
-	    .add_option("--context", options.context,
-	                "A translucent surface around the sheets; may be given several times. boundary: that of the "
-	                "domain; i, j or k: a grid surface")
+	    .add_option(
+	        "--context", options.context,
+	        "A translucent surface around the sheets; may be given several times. boundary: that of the domain; i, "
+	        "j, k: a grid surface; patch: a part of the boundary that the file names")
 	    ->allow_extra_args(false)
 	    ->type_name(contextForms())
 	    ->group(group);
@@ -125,24 +126,9 @@ void addSpaceOptions(CLI::App& command, LookOptions& options, const char* group)
 
 } // namespace
 
-namespace
-{
-
-// No look alone: exports follow it too.
-void addCrinkleOption(CLI::App& command, LookOptions& options)
-{
-	command
-	    .add_flag("--crinkle", options.crinkle,
-	              "The cells that are cut, whole: their faces, but for those between two of them, in place of the cut")
-	    ->group("Probe");
-}
-
-} // namespace
-
 void addLookOptions(CLI::App& command, LookOptions& options, LookScope scope)
 {
 	const char* group = "Look";
-	addCrinkleOption(command, options);
 	command.add_option("--size", options.size, "Of the picture in pixels")
 	    ->type_name("WxH")
 	    ->capture_default_str()

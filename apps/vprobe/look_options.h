@@ -29,7 +29,6 @@ struct LookOptions
 	int bands = 0;
 	bool mesh = false;
 	bool lit = false;
-	bool crinkle = false;
 	std::string background = "gradient";
 	std::string camera = "auto";
 	std::string outline = "box";

@@ -99,6 +99,25 @@ Result<Painter> Painter::create(Session& session, const ProbeOptions& options, L
 	return painter;
 }
 
+// What is no plane: a grid surface, a patch of the boundary, whole cells.
+Result<render::Surface> Painter::surfaceOf(const slice::SheetSlice& sheet, const SheetStats& stats,
+                                           const render::SheetDrawing& drawing,
+                                           const std::optional<render::ValueScale>& scale) const
+{
+	const slice::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
+	const render::SheetValues values = sheetValues(session_, sheet, mesh, choice().by_generation);
+	auto polygons = render::surfacePolygons(*session_.device, mesh, {values.of_vertices, values.of_polygons});
+	if (!polygons)
+		return polygons.error();
+	return render::Surface{.polygons = std::move(*polygons),
+	                       .opacity = drawing.opacity,
+	                       .mesh = choice().look.mesh,
+	                       .values = drawing.values ? drawing.values : scale,
+	                       .colors = drawing.colors,
+	                       .range = drawing.range || drawing.values ? drawing.range : choice().look.range,
+	                       .lines = drawing.lines};
+}
+
 // Lines are drawn from the layers of values; labels want to know where they run.
 void Painter::addContours(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene) const
 {
@@ -121,49 +140,6 @@ void Painter::addContours(const slice::Slice& slice, const std::vector<SheetStat
 			    slice::meshOutlines(sheets[s].mesh, slice::planePoints(sheets[s].mesh, slice.sheets[s].sheet));
 }
 
-// A mesh that is not flat, in the sheet's colours.
-Result<render::Surface> Painter::surfaceOf(const slice::SheetSlice& sheet, const slice::SheetMesh& mesh,
-                                           const render::Scene& scene) const
-{
-	const render::SheetValues values = sheetValues(session_, sheet, mesh, choice().by_generation);
-	auto polygons = render::surfacePolygons(*session_.device, mesh, {values.of_vertices, values.of_polygons});
-	if (!polygons)
-		return polygons.error();
-	render::Surface surface;
-	surface.polygons = std::move(*polygons);
-	surface.mesh = choice().look.mesh;
-	surface.values = scene.values;
-	return surface;
-}
-
-// As a sheet, or where what it shows is not flat as a surface.
-Status Painter::addSheet(const slice::SheetSlice& sheet, const SheetStats& stats, render::Scene& scene)
-{
-	Result<render::SheetDrawing> made = looks_.drawing(sheet, stats);
-	if (!made)
-		return made.error();
-	if (sheet.surface || stats.crinkle)
-	{
-		Result<render::Surface> surface = surfaceOf(sheet, stats.crinkle ? *stats.crinkle : stats.mesh, scene);
-		if (!surface)
-			return surface.error();
-		surface->opacity = made->opacity;
-		if (made->values)
-			surface->values = made->values;
-		surface->colors = made->colors;
-		surface->range = made->range;
-		surface->lines = made->lines;
-		scene.surfaces.push_back(std::move(*surface));
-		return Nothing{};
-	}
-	auto records = recordsOf(session_, sheet, stats, choice().by_generation);
-	if (!records)
-		return records.error();
-	made->records = std::move(*records);
-	scene.sheets.push_back(std::move(*made));
-	return Nothing{};
-}
-
 Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
 {
 	const TimedSection section(session_.timeline.get(), "render");
@@ -179,16 +155,33 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 	scene.values = *scale;
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
-		if (Status added = addSheet(slice.sheets[s], sheets[s], scene); !added)
-			return added.error();
+		Result<render::SheetDrawing> made = looks_.drawing(slice.sheets[s], sheets[s]);
+		if (!made)
+			return made.error();
+		if (slice.sheets[s].surface || sheets[s].crinkle)
+		{
+			Result<render::Surface> surface = surfaceOf(slice.sheets[s], sheets[s], *made, scene.values);
+			if (!surface)
+				return surface.error();
+			scene.surfaces.push_back(std::move(*surface));
+			continue;
+		}
+		auto records = recordsOf(session_, slice.sheets[s], sheets[s], choice().by_generation);
+		if (!records)
+			return records.error();
+		made->records = std::move(*records);
+		scene.sheets.push_back(std::move(*made));
 	}
 	addContours(slice, sheets, scene);
-	const bool has_frame = !slice.sheets.empty() && !slice.sheets.front().surface;
-	const probe::Sheet* first = has_frame ? &slice.sheets.front().shown : nullptr;
-	if (choice().captions && !slice.sheets.empty())
-		scene.look.caption = first ? caption(*first) : slice::nameOf(*slice.sheets.front().surface);
+	const bool has_plane = !slice.sheets.empty() && !slice.sheets.front().surface;
+	const probe::Sheet* first = has_plane ? &slice.sheets.front().shown : nullptr;
+	if (!slice.sheets.empty() && choice().captions)
+		scene.look.caption = has_plane ? caption(*first) : slice::nameOf(*slice.sheets.front().surface);
 	if (!camera_ || choice().camera.followsSheet())
 	{
+		if (choice().camera.followsSheet() && !has_plane)
+			return Error{ExitCode::usage,
+			             "--camera sheet: a surface that is no plane has no front; choose another view"};
 		// Of several sheets none is the one to look at.
 		const bool by_sheet = slice.sheets.size() == 1 || choice().camera.followsSheet();
 		std::vector<Vec3> extent = extent_;

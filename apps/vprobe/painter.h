@@ -28,9 +28,9 @@ public:
 private:
 	Painter(Session& session, SheetLooks looks, render::Renderer renderer);
 	Status makeContext();
-	Status addSheet(const slice::SheetSlice& sheet, const SheetStats& stats, render::Scene& scene);
-	Result<render::Surface> surfaceOf(const slice::SheetSlice& sheet, const slice::SheetMesh& mesh,
-	                                  const render::Scene& scene) const;
+	Result<render::Surface> surfaceOf(const slice::SheetSlice& sheet, const SheetStats& stats,
+	                                  const render::SheetDrawing& drawing,
+	                                  const std::optional<render::ValueScale>& scale) const;
 
 	void addContours(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene) const;
 

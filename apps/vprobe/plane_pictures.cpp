@@ -29,8 +29,8 @@ Status refuseLook(const CLI::App& command, const std::string& output)
 
 Result<std::vector<std::string>> pictureNames(const std::string& output, std::size_t sheets)
 {
-	if (sheets == 1 && output.find("{sheet") == std::string::npos)
-		return std::vector{output};
+	if (sheets <= 1 && output.find("{sheet") == std::string::npos)
+		return std::vector(sheets, output); // a probe may hide all its sheets
 	Result<write::FrameNames> names = write::FrameNames::create(output, "{sheet}");
 	if (!names)
 		return names.error();

@@ -76,9 +76,13 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	command
 	    .add_option("--surface", options.surface,
 	                "In place of a plane: a grid surface of structured blocks, i, j or k=INDEX of its points from 0, "
-	                "between two "
-	                "with a fraction; a sweep goes from FIRST to LAST. Or a part of the boundary that the file names")
+	                "between two with a fraction; a sweep goes from FIRST to LAST. Or a part of the boundary that the "
+	                "file names")
 	    ->type_name("i=INDEX|i=FIRST..LAST|patch=NAME")
+	    ->group(group);
+	command
+	    .add_flag("--crinkle", options.crinkle,
+	              "The cells that are cut, whole: their faces, but for those between two of them, in place of the cut")
 	    ->group(group);
 	command
 	    .add_option("--corners", options.corners,

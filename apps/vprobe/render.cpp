@@ -39,12 +39,13 @@ Result<ExitCode> runRender(RenderOptions& options)
 	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
 	if (!look)
 		return look.error();
+	options.saved.probe.reads_patches = namesPatch(look->context);
 
 	Result<std::unique_ptr<Session>> opened = openSession(options.saved.probe, DeviceUse::draw);
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
-	session.crinkle = options.saved.look.crinkle;
+	session.crinkle = options.saved.probe.crinkle;
 	if (look->by_generation)
 		session.finder = slice::Finder::traversal;
 	Result<slice::Slice> slice = cut(session);

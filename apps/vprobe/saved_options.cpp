@@ -34,6 +34,7 @@ state::Sections sectionsOf(SavedOptions& options)
 	          {"up", &probe.up},
 	          {"window", &probe.window},
 	          {"surface", &probe.surface},
+	          {"crinkle", &probe.crinkle},
 	          {"vanes", &probe.vanes},
 	          {"offsets", &probe.offsets},
 	          {"sheets", &probe.sheets},
@@ -56,7 +57,6 @@ state::Sections sectionsOf(SavedOptions& options)
 	          {"bands", &look.bands},
 	          {"mesh", &look.mesh},
 	          {"lit", &look.lit},
-	          {"crinkle", &look.crinkle},
 	          {"background", &look.background},
 	          {"camera", &look.camera},
 	          {"outline", &look.outline},
@@ -149,11 +149,11 @@ void addStateOptions(CLI::App& command, SavedOptions& options)
 Status requirePlanes(const SavedOptions& options)
 {
 	for (const auto& [given, name] :
-	     {std::pair{options.probe.surface.has_value(), "--surface"}, std::pair{options.look.crinkle, "--crinkle"}})
+	     {std::pair{options.probe.surface.has_value(), "--surface"}, std::pair{options.probe.crinkle, "--crinkle"}})
 		if (given)
 			return Error{ExitCode::usage,
-			             fmt::format("{}: shows what is not flat; vprobe render draws it in space, and -o "
-			                         "FILE.vtp exports it",
+			             fmt::format("{}: is no plane to draw flat or to lay a line through; draw it with "
+			                         "vprobe render, or export it as a .vtp",
 			                         name)};
 	return Nothing{};
 }

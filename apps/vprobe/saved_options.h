@@ -26,8 +26,7 @@ struct SavedOptions
 // order.
 void addStateOptions(CLI::App& command, SavedOptions& options);
 
-// Of what is laid out in a sheet's plane: a usage error, before any input is read, where the options ask for another
-// mesh.
+// Pictures show planes only; a usage error, before any input is read, where the options ask for another mesh.
 Status requirePlanes(const SavedOptions& options);
 
 // First of all: tells what is wrong with --state and what is missing, and reads the files of probe and path.

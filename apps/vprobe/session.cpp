@@ -98,7 +98,7 @@ bool classifiesOnGpu(const ProbeOptions& options, const gpu::Device* device)
 
 read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time)
 {
-	return {time, options.solution, options.refine, options.displace, namesPatch(options)};
+	return {time, options.solution, options.refine, options.displace, options.reads_patches || namesPatch(options)};
 }
 
 Status makeSlicer(Session& session, const ProbeOptions& options)
@@ -153,7 +153,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 		return field.error();
 	session->field = *field;
 	if (session->surface)
-		if (Status fits = checkSurface(session->blocks, *session->surface, *options.surface); !fits)
+		if (Status fits = checkSurface(session->blocks, *session->surface); !fits)
 			return fits.error();
 	if (session->threshold && !session->field)
 		return Error{ExitCode::input, fmt::format("{}: has no array for --threshold to look at; leave the option out",

@@ -94,11 +94,10 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 	if (Status fits = checkLine(options, command); !fits)
 		return fits.error();
 	const bool pictures = namesPictures(options.output);
+	if (Status planes = pictures || !options.line.empty() ? requirePlanes(options.saved) : Nothing{}; !planes)
+		return planes.error();
 	if (Status fits = pictures ? Nothing{} : refuseLook(command, options.output); !fits)
 		return fits.error();
-	if (pictures || !options.line.empty())
-		if (Status planes = requirePlanes(options.saved); !planes)
-			return planes.error();
 	Result<LookChoice> look = pictures ? planeLook(options, command) : LookChoice{};
 	if (!look)
 		return look.error();
@@ -110,8 +109,8 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
-	session.crinkle = options.saved.look.crinkle;
-	if (static_cast<std::size_t>(options.line_sheet) >= session.probe.sheets.size())
+	session.crinkle = options.saved.probe.crinkle;
+	if (!options.line.empty() && static_cast<std::size_t>(options.line_sheet) >= session.probe.sheets.size())
 		return Error{ExitCode::usage, fmt::format("--sheet {}: there are {}, counted from 0", options.line_sheet,
 		                                          session.probe.sheets.size())};
 	if (pictures)

@@ -70,12 +70,11 @@ Result<std::optional<SurfaceChoice>> surfaceOf(const ProbeOptions& options)
 	return std::optional<SurfaceChoice>(*range);
 }
 
-Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice, const std::string& text)
+Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice)
 {
 	if (const auto* patch = std::get_if<slice::PatchName>(&choice))
 		return slice::checkPatch(blocks, patch->name);
-	const Status fits = slice::checkGridIndex(blocks, std::get<surface::GridIndexRange>(choice));
-	return fits ? fits : Error{fits.error().code, fmt::format("--surface {}: {}", text, fits.error().message)};
+	return slice::checkGridIndex(blocks, std::get<surface::GridIndexRange>(choice));
 }
 
 slice::OtherSurface surfaceAt(const SurfaceChoice& choice, double done)

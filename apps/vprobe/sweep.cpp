@@ -140,8 +140,11 @@ private:
 	{
 		slice::Slice nothing;
 		for (const slice::SheetSlice& sheet : first.sheets)
-			nothing.sheets.push_back(
-			    {.shown = sheet.shown, .sheet = sheet.sheet, .corners = sheet.corners, .field = sheet.field});
+			nothing.sheets.push_back({.shown = sheet.shown,
+			                          .sheet = sheet.sheet,
+			                          .corners = sheet.corners,
+			                          .field = sheet.field,
+			                          .surface = sheet.surface});
 		return painter_->draw(nothing, std::vector<SheetStats>(nothing.sheets.size()));
 	}
 
@@ -226,6 +229,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
 	if (!look)
 		return look.error();
+	options.saved.probe.reads_patches = namesPatch(look->context);
 	look->captions = options.exposure.empty(); // they would write over each other
 	const probe::Path path = pathOf(options.saved.path);
 	Result<int> count = frameCount(options.saved.path, path);
@@ -244,7 +248,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
-	session.crinkle = options.saved.look.crinkle;
+	session.crinkle = options.saved.probe.crinkle;
 	if (look->by_generation)
 		session.finder = slice::Finder::traversal;
 	Result<Products> products = Products::create(options, session, std::move(*look), std::move(*frames));

@@ -31,8 +31,8 @@ struct CheckedBlock
 	std::string name;
 	std::variant<grid::UniformGrid, grid::RectilinearGrid, grid::CurvilinearGrid, CellMesh> mesh;
 	std::vector<grid::Field> fields;
-	std::optional<grid::Lattice> hidden_lattice; // see grid::Block
 	std::string length_units{};
+	std::optional<grid::Lattice> hidden_lattice; // see grid::Block
 };
 
 // What a child handed over, as far as it holds good.

@@ -15,10 +15,9 @@ namespace vp::render
 namespace
 {
 
-constexpr Color kSheetOnLight{168, 193, 230};
+constexpr Color kSheetOnLight{190, 209, 237};
 constexpr Color kSheetOnDark{44, 72, 122};
-constexpr Color kSheetRim{38, 84, 168};
-constexpr double kSheetOpacity = 0.75;
+constexpr Color kSheetRim{92, 127, 190};
 constexpr double kDash = 0.3;             // em, of hidden edges
 constexpr std::size_t kMostLines = 20000; // of the outline: more would be a blot
 
@@ -43,9 +42,9 @@ public:
 
 	void draw()
 	{
+		sheet(); // below all lines, so that it looks translucent
 		edges(false);
 		lines();
-		sheet();
 		edges(true);
 		names();
 	}
@@ -102,7 +101,6 @@ private:
 	// Its rim first and the rest over it: where polygons do not fit together lines within are no part of the rim.
 	void sheet()
 	{
-		cairo_push_group(pen_.context());
 		const std::vector<glm::dvec2> points = slice::planePoints(*flat_.mesh, flat_.content);
 		for (const slice::PlaneLine& line : slice::meshOutlines(*flat_.mesh, points))
 		{
@@ -118,8 +116,6 @@ private:
 		pen_.setColor(flat_.scene.look.background.dark() ? kSheetOnDark : kSheetOnLight);
 		cairo_set_fill_rule(pen_.context(), CAIRO_FILL_RULE_WINDING);
 		cairo_fill(pen_.context());
-		cairo_pop_group_to_source(pen_.context());
-		cairo_paint_with_alpha(pen_.context(), kSheetOpacity);
 		if (const std::vector<Vec3> corners = window(); !corners.empty())
 			pen_.closedLine({pixel(corners[0]), pixel(corners[1]), pixel(corners[2]), pixel(corners[3])}, kSheetRim,
 			                em_ / 16.0);

@@ -159,10 +159,13 @@ Result<bool> FragmentLists::complete()
 		return false;
 	const std::uint32_t rows = heads_.extent().height;
 	if (strips_ >= rows)
+	{
+		strips_ = 1; // for another picture
 		return Error{ExitCode::output,
 		             fmt::format("a row of the picture has {} surface fragments, more than the {} the device "
 		                         "has room for; make --size smaller, or leave --context out",
 		                         needed, capacity_)};
+	}
 	// Surfaces crowd in some strips: a fifth more than the mean asks for.
 	strips_ =
 	    static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, strips_ * (needed + needed / 5) / capacity_ + 1));

@@ -1,6 +1,5 @@
 #include "slice/slice_meshes.h"
 
-#include "base/timeline.h"
 #include "slice/crinkle.h"
 
 namespace vp::slice
@@ -31,18 +30,6 @@ SheetMesh Slice::mesh(const grid::BlockSet& blocks, std::size_t sheet) const
 SheetMesh Slice::crinkle(const grid::BlockSet& blocks, std::size_t sheet) const
 {
 	return crinkleMesh(blocks, blockCuts(sheets[sheet].cuts, sheets[sheet]));
-}
-
-Slice Slicer::showSurface(const SliceRequest& request, const Admits& admits) const
-{
-	const TimedSection section(request.timeline, "traverse");
-	Slice slice;
-	SheetSlice& sheet = slice.sheets.emplace_back();
-	sheet.field = request.sheet_fields.empty() ? request.field : request.sheet_fields.front();
-	sheet.surface = request.surface;
-	sheet.cuts = surfaceCells(blocks_, *request.surface, admits);
-	sheet.seeds.faces_in_plane.resize(sheet.cuts.size());
-	return slice;
 }
 
 } // namespace vp::slice

@@ -5,8 +5,8 @@
 #include "slice/gpu_blocks.h"
 #include "slice/gpu_classifier.h"
 #include "slice/host_records.h"
-#include "slice/slice_meshes.h"
 #include "traverse/cell_flood.h"
+#include "slice/slice_meshes.h"
 #include "traverse/span_flood.h"
 #include "traverse/span_rows.h"
 
@@ -85,7 +85,7 @@ SliceTicket Slicer::begin(SliceRequest request)
 }
 
 // The sheets, placed, with generation 0 of each; without faces that the threshold does not admit.
-Slice Slicer::seedSheets(const SliceRequest& request, std::span<const std::function<bool(CellId)>> admits) const
+Slice Slicer::seedSheets(const SliceRequest& request, const Admits& admits) const
 {
 	const TimedSection section(request.timeline, "seed");
 	Slice slice;
@@ -150,6 +150,18 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	if (gpu_)
 		if (Status added = addHostRecords(request.timeline, slice); !added)
 			return added.error();
+	return slice;
+}
+
+Slice Slicer::showSurface(const SliceRequest& request, const Admits& admits) const
+{
+	const TimedSection section(request.timeline, "traverse");
+	Slice slice;
+	SheetSlice& sheet = slice.sheets.emplace_back();
+	sheet.field = request.sheet_fields.empty() ? request.field : request.sheet_fields.front();
+	sheet.surface = request.surface;
+	sheet.cuts = surfaceCells(blocks_, *request.surface, admits);
+	sheet.seeds.faces_in_plane.resize(sheet.cuts.size());
 	return slice;
 }
 

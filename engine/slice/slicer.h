@@ -142,7 +142,7 @@ private:
 
 	using Admits = std::vector<std::function<bool(CellId)>>; // per block
 
-	Slice seedSheets(const SliceRequest& request, std::span<const std::function<bool(CellId)>> admits) const;
+	Slice seedSheets(const SliceRequest& request, const Admits& admits) const;
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
 	Slice showSurface(const SliceRequest& request, const Admits& admits) const;
 	std::optional<traverse::SpanCut> spansOf(const SheetSlice& sheet, std::size_t block);

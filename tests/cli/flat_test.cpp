@@ -60,6 +60,16 @@ TEST_F(Flat, SeveralSheetsHaveAFileEach)
 	EXPECT_EQ(files().size(), 3u);
 }
 
+TEST_F(Flat, HiddenSheetsHaveNone)
+{
+	const std::string probe = write("p.json", R"({"sheets": [{"hidden": true}]})");
+	EXPECT_EQ(slice({"--probe", probe, "-o", path("x.png")}).status, 0);
+	EXPECT_EQ(slice({"--probe", probe, "--stats", "-"}).status, 0);
+	EXPECT_TRUE(
+	    isError(slice({"--probe", probe, "--line", "0", "0", "1", "1", "-o", path("l.csv")}), 1, {"--sheet 0"}));
+	EXPECT_EQ(files(), (Arguments{"p.json"}));
+}
+
 TEST_F(Flat, LooksAreRefusedWhereNothingIsDrawn)
 {
 	EXPECT_TRUE(isError(slice({"-o", path("x.vtp"), "--lines", "5"}), 1, {"--lines", "x.vtp", ".png"}));
