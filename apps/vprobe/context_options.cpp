@@ -46,7 +46,7 @@ Result<slice::SheetMesh> gridSurface(const grid::BlockSet& blocks, const Context
 Result<slice::SheetMesh> patch(const grid::BlockSet& blocks, const ContextChoice& choice)
 {
 	if (Status known = slice::checkPatch(blocks, choice.argument); !known)
-		return known.error();
+		return Error{known.error().code, fmt::format("--context {}: {}", choice.word, known.error().message)};
 	return slice::patchMesh(blocks, choice.argument, slice::patchCells(blocks, choice.argument));
 }
 

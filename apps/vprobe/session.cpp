@@ -153,7 +153,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 		return field.error();
 	session->field = *field;
 	if (session->surface)
-		if (Status fits = checkSurface(session->blocks, *session->surface); !fits)
+		if (Status fits = checkSurface(session->blocks, *session->surface, *options.surface); !fits)
 			return fits.error();
 	if (session->threshold && !session->field)
 		return Error{ExitCode::input, fmt::format("{}: has no array for --threshold to look at; leave the option out",

@@ -70,11 +70,12 @@ Result<std::optional<SurfaceChoice>> surfaceOf(const ProbeOptions& options)
 	return std::optional<SurfaceChoice>(*range);
 }
 
-Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice)
+Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice, const std::string& text)
 {
-	if (const auto* patch = std::get_if<slice::PatchName>(&choice))
-		return slice::checkPatch(blocks, patch->name);
-	return slice::checkGridIndex(blocks, std::get<surface::GridIndexRange>(choice));
+	const auto* patch = std::get_if<slice::PatchName>(&choice);
+	const Status fits = patch ? slice::checkPatch(blocks, patch->name)
+	                          : slice::checkGridIndex(blocks, std::get<surface::GridIndexRange>(choice));
+	return fits ? fits : Error{fits.error().code, fmt::format("--surface {}: {}", text, fits.error().message)};
 }
 
 slice::OtherSurface surfaceAt(const SurfaceChoice& choice, double done)

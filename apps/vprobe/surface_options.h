@@ -21,8 +21,8 @@ Result<std::optional<SurfaceChoice>> surfaceOf(const ProbeOptions& options);
 // Whether it names a patch, for which the input's are to be read.
 bool namesPatch(const ProbeOptions& options);
 
-// Tells whether the blocks have it.
-Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice);
+// Tells whether the blocks have it. text: as the option was given.
+Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice, const std::string& text);
 
 // done: how far along its range, 0 to 1.
 slice::OtherSurface surfaceAt(const SurfaceChoice& choice, double done);

@@ -198,15 +198,13 @@ Status checkGridIndex(const grid::BlockSet& blocks, const surface::GridIndexRang
 	for (const grid::Block& block : blocks.blocks)
 		if (const auto lattice = grid::latticeCellsOf(block))
 			most = std::max(most, lattice->lattice().cells()[range.axis]);
-	const char axis = surface::axisName(range.axis);
 	if (most == 0)
-		return Error{ExitCode::input, fmt::format("--surface {}=: the grid has no subscripts, being unstructured; cut "
-		                                          "it by a plane, with --normal",
-		                                          axis)};
+		return Error{ExitCode::input,
+		             "the grid has no subscripts, being unstructured; cut it by a plane, with --normal"};
 	for (const double index : {range.first, range.last})
 		if (!(index >= 0.0 && index <= most))
-			return Error{ExitCode::usage, fmt::format("--surface {}: {} runs from 0 to {} here; give an index within",
-			                                          surface::nameOf({range.axis, index}), axis, most)};
+			return Error{ExitCode::usage, fmt::format("{} runs from 0 to {} here; give an index within",
+			                                          surface::axisName(range.axis), most)};
 	return Nothing{};
 }
 

@@ -14,7 +14,7 @@ namespace vp::slice
 {
 
 // Whether a range of grid surfaces can be shown: some block has subscripts (an input error else), and the largest along
-// that axis reaches as far (a usage error that names the range).
+// that axis reaches as far (a usage error that names the range). The caller names the option.
 Status checkGridIndex(const grid::BlockSet& blocks, const surface::GridIndexRange& range);
 
 // The cells that a grid surface shows, a list a block, as if each had been found in one step of a traversal: those of

@@ -37,11 +37,9 @@ Status checkPatch(const grid::BlockSet& blocks, const std::string& name)
 	if (std::ranges::find(names, name) != names.end())
 		return Nothing{};
 	if (names.empty())
-		return Error{ExitCode::input, fmt::format("--surface patch={}: the input names no parts of its boundary; "
-		                                          "OpenFOAM patches and Exodus side sets are read",
-		                                          name)};
-	return Error{ExitCode::input, fmt::format("--surface patch={}: there is none of that name; there are {}", name,
-	                                          fmt::join(names, ", "))};
+		return Error{ExitCode::input, "the input names no parts of its boundary; OpenFOAM patches and Exodus side sets "
+		                              "are read"};
+	return Error{ExitCode::input, fmt::format("there is no patch of that name; there are {}", fmt::join(names, ", "))};
 }
 
 std::vector<traverse::LaneCut> patchCells(const grid::BlockSet& blocks, const std::string& name,

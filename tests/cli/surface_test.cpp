@@ -139,6 +139,18 @@ TEST_F(Surface, WhatCannotBeIsOneLine)
 	}
 }
 
+TEST_F(Surface, FlatPicturesAndLinesAreOfPlanes)
+{
+	for (const Arguments& what : {Arguments{"--surface", "i=2"}, Arguments{"--crinkle"}})
+	{
+		EXPECT_TRUE(isError(run(Arguments{"slice", "demo:shell:8", "-o", path("a.png")} + what), 1, {what[0]}));
+		EXPECT_TRUE(
+		    isError(run(Arguments{"slice", "demo:shell:8", "--line", "0", "0", "1", "1", "-o", path("a.csv")} + what),
+		            1, {what[0]}));
+	}
+	EXPECT_TRUE(files().empty());
+}
+
 TEST_F(Surface, IsSweptThroughItsRange)
 {
 	const Outcome swept =
@@ -169,7 +181,7 @@ TEST_F(Surface, ASweepThatCannotBeIsOneLine)
 	                    {"--path spin", "--surface"}));
 	EXPECT_TRUE(
 	    isError(run(sweep + Arguments{"--surface", "i=2..3", "--path", "times"}, noDevice()), 1, {"--surface i=2..3"}));
-	EXPECT_TRUE(isError(run(sweep + Arguments{"--surface", "i=2..9"}, noDevice()), 1, {"--surface i=9", "0 to 8"}));
+	EXPECT_TRUE(isError(run(sweep + Arguments{"--surface", "i=2..9"}, noDevice()), 1, {"--surface i=2..9", "0 to 8"}));
 	EXPECT_TRUE(files().empty());
 }
 
