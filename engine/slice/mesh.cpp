@@ -110,9 +110,11 @@ SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std
 
 	// A span's mesh is whole and tidy but for what it tells.
 	const bool of_spans_alone = mesh.polygons() == of_spans;
-	if (!of_spans_alone || doubts.at_points || blocks.blocks.size() > 1 || blocks.interfaces.of(0))
+	const bool joins =
+	    !of_spans_alone || doubts.at_points || blocks.blocks.size() > 1 || blocks.interfaces.of(0) != nullptr;
+	if (joins)
 		joinVertices(blocks, mesh);
-	if (!of_spans_alone || doubts.at_points || doubts.slivers || blocks.blocks.size() > 1)
+	if (joins || doubts.slivers)
 	{
 		tidyPolygons(mesh, sheet.normal);
 		dropUnusedVertices(mesh);

@@ -189,7 +189,8 @@ private:
 			slivers_ = true;
 	}
 
-	// Makes the polygon face along the normal. False where it may have no area, or repeats a vertex.
+	// Makes the polygon face along the normal. Where it may have no area, or repeats a vertex, it is left as it is, and
+	// the result is false.
 	bool turn(std::span<std::uint32_t> polygon) const
 	{
 		const Vec3& first = mesh_.positions[polygon[0]];
@@ -204,10 +205,12 @@ private:
 			to_previous = to_next;
 		}
 		const double area = glm::dot(sum, normal_);
+		constexpr double kThin = 1e-12; // well above what tidyPolygons() takes for no area
+		if (std::abs(area) <= kThin * extent * extent)
+			return false;
 		if (area < 0.0)
 			std::reverse(polygon.begin(), polygon.end());
-		constexpr double kThin = 1e-12; // well above what tidyPolygons() takes for no area
-		return std::abs(area) > kThin * extent * extent;
+		return true;
 	}
 
 	// The cells that the table has no entry for, behind all others.

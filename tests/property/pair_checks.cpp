@@ -1,5 +1,6 @@
 #include "pair_checks.h"
 
+#include "same_mesh.h"
 #include "seed/cut_cells.h"
 
 #include <gtest/gtest.h>
@@ -282,6 +283,18 @@ void checkAreas(const Pair& pair)
 		}
 	}
 	EXPECT_TRUE(areas.empty()) << "polygons of cells that are not cut";
+}
+
+void checkFinders(const Pair& pair, slice::Slicer& slicer)
+{
+	const SlicedSheet found = cut(slicer, pair.asked, {}, slice::Finder::automatic);
+	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
+		EXPECT_EQ(found.slice.cutCells(b), pair.sheet.slice.cutCells(b)) << "block " << b;
+	if (pair.set.interfaces.seam_faces == 0)
+		return expectSameMesh(found.mesh, pair.sheet.mesh);
+	// Of vertices at one place, a rounding apart, the one stays that comes first.
+	const double size = pair.set.bounds().diagonal();
+	EXPECT_NEAR(areaOf(found), areaOf(pair.sheet), roundingOf(pair.set, pair.plane) * size * 16.0);
 }
 
 } // namespace vp::test

@@ -1,7 +1,6 @@
 #include "run_pairs.h"
 
 #include "pair_checks.h"
-#include "same_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -66,7 +65,7 @@ void runPairs(unsigned first, unsigned count)
 		checkAreas(pair);
 		checkWatertight(pair);
 		checkInvariance(pair, number);
-		expectSameMesh(cut(*slicer, asked, {}, slice::Finder::automatic).mesh, pair.sheet.mesh);
+		checkFinders(pair, *slicer);
 		if (testing::Test::HasFailure())
 		{
 			ADD_FAILURE() << describe(number, raw, set, asked);
