@@ -1,7 +1,12 @@
-// Times a moved plane: this program's cut (seeds, traversal, mesh) beside vtkCutter on the same grid in the same run,
-// since only the ratio means something on a noisy machine. Planes are those of the sweep in `vprobe profile`.
+// Times a moved plane: this program's cut (seeds, cells, mesh with shared vertices) beside VTK's cutters on the same
+// grid in the same run, since only the ratio means something on a noisy machine. Planes are those of the sweep in
+// `vprobe profile`.
 //
-//   build/release/bin/bench_cut --benchmark_filter=shell
+//   build/release/bin/bench_cut --benchmark_filter=shell:256
+//
+// The first cut of vtkPlaneCutter, which builds its tree, is made before the clock runs.
+
+#include "vtk_cuts.h"
 
 #include "gpu/device.h"
 #include "grid/demo.h"
@@ -10,17 +15,11 @@
 #include "slice/slicer.h"
 
 #include <benchmark/benchmark.h>
-
-#include <vtkCutter.h>
-#include <vtkFloatArray.h>
-#include <vtkNew.h>
-#include <vtkPlane.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStructuredGrid.h>
+#include <vtkDataSet.h>
 
 #include <map>
+#include <memory>
+#include <string>
 
 using namespace vp;
 
@@ -35,21 +34,45 @@ std::vector<probe::Frame> sweepOf(const Box& bounds)
 	return probe::poses(path, {}, bounds, probe::kProfilePlanes);
 }
 
-const grid::BlockSet& shell(int n)
+// The grid that was asked for last: several large ones do not fit into memory.
+struct Grid
 {
-	static std::map<int, grid::BlockSet> made;
-	const auto [at, is_new] = made.try_emplace(n);
-	if (is_new)
-		at->second = std::move(*grid::makeDemo("shell", n));
-	return at->second;
+	std::string name;
+	grid::BlockSet blocks;
+	vtkSmartPointer<vtkDataSet> vtk;
+};
+
+Grid& gridNamed(const std::string& name)
+{
+	static Grid grid;
+	if (grid.name != name)
+	{
+		grid = {}; // before the next one is made
+		grid = {name, std::move(*grid::parseDemo(name)), nullptr};
+	}
+	return grid;
 }
 
-void sweep(benchmark::State& state, slice::Slicer& slicer, const Box& bounds)
+vtkDataSet* vtkNamed(const std::string& name)
 {
-	const std::vector<probe::Frame> planes = sweepOf(bounds);
+	Grid& grid = gridNamed(name);
+	if (!grid.vtk)
+		grid.vtk = bench::asVtk(grid.blocks.blocks[0]);
+	return grid.vtk;
+}
+
+void countCells(benchmark::State& state, std::size_t cells)
+{
+	state.counters["per_cell"] =
+	    benchmark::Counter(static_cast<double>(cells), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void sweep(benchmark::State& state, slice::Slicer& slicer, slice::Finder finder)
+{
+	const std::vector<probe::Frame> planes = sweepOf(slicer.blocks().bounds());
 	slice::SliceRequest request;
 	request.probe = probe::single({});
-	request.finder = slice::Finder::automatic;
+	request.finder = finder;
 	std::size_t k = 0;
 	std::size_t cells = 0;
 	for (auto _ : state)
@@ -61,94 +84,71 @@ void sweep(benchmark::State& state, slice::Slicer& slicer, const Box& bounds)
 		cells += mesh.polygons();
 		k = (k + 1) % planes.size();
 	}
-	state.counters["per_cell"] =
-	    benchmark::Counter(static_cast<double>(cells), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+	countCells(state, cells);
 }
 
-void cpuCut(benchmark::State& state)
+void cpuCut(benchmark::State& state, const std::string& name, slice::Finder finder)
 {
-	const grid::BlockSet& blocks = shell(static_cast<int>(state.range(0)));
-	slice::Slicer slicer(blocks);
-	sweep(state, slicer, blocks.bounds());
+	slice::Slicer slicer(gridNamed(name).blocks);
+	sweep(state, slicer, finder);
 }
 
-void gpuCut(benchmark::State& state)
+void gpuCut(benchmark::State& state, const std::string& name)
 {
 	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({});
 	if (!device)
 		return state.SkipWithError(device.error().message.c_str());
-	const grid::BlockSet& blocks = shell(static_cast<int>(state.range(0)));
-	Result<std::unique_ptr<slice::Slicer>> slicer = slice::Slicer::onDevice(**device, blocks, {}, nullptr);
+	Result<std::unique_ptr<slice::Slicer>> slicer =
+	    slice::Slicer::onDevice(**device, gridNamed(name).blocks, {}, nullptr);
 	if (!slicer)
 		return state.SkipWithError(slicer.error().message.c_str());
 	state.SetLabel((*device)->name());
-	sweep(state, **slicer, blocks.bounds());
+	sweep(state, **slicer, slice::Finder::traversal);
 }
 
-void vtkCut(benchmark::State& state)
+void vtkCut(benchmark::State& state, const std::string& name, bench::VtkCut kind)
 {
-	const int n = static_cast<int>(state.range(0));
-	const grid::BlockSet& blocks = shell(n);
-	const auto& grid = std::get<grid::CurvilinearGrid>(blocks.blocks[0].grid);
-	vtkNew<vtkPoints> points;
-	points->SetDataTypeToFloat();
-	points->SetNumberOfPoints(static_cast<vtkIdType>(grid.pointCount()));
-	vtkNew<vtkFloatArray> scalars;
-	scalars->SetName("s");
-	scalars->SetNumberOfTuples(points->GetNumberOfPoints());
-	for (vtkIdType p = 0; p < points->GetNumberOfPoints(); ++p)
-	{
-		const Vec3 at = grid.point(static_cast<PointId>(p));
-		points->SetPoint(p, at.x, at.y, at.z);
-		scalars->SetValue(p, static_cast<float>(blocks.blocks[0].fields[0].value(p, 0)));
-	}
-	vtkNew<vtkStructuredGrid> input;
-	input->SetDimensions(n + 1, n + 1, n + 1);
-	input->SetPoints(points);
-	input->GetPointData()->SetScalars(scalars);
-
-	vtkNew<vtkPlane> plane;
-	vtkNew<vtkCutter> cutter;
-	cutter->SetInputData(input);
-	cutter->SetCutFunction(plane);
-	cutter->GenerateTrianglesOff();
-	const std::vector<probe::Frame> planes = sweepOf(blocks.bounds());
+	const std::vector<probe::Frame> planes = sweepOf(gridNamed(name).blocks.bounds());
+	bench::VtkCutter cutter(kind, vtkNamed(name));
+	cutter.cut(planes.back());
 	std::size_t k = 0;
 	for (auto _ : state)
 	{
-		plane->SetOrigin(planes[k].origin.x, planes[k].origin.y, planes[k].origin.z);
-		plane->SetNormal(planes[k].normal.x, planes[k].normal.y, planes[k].normal.z);
-		cutter->Update();
-		benchmark::DoNotOptimize(cutter->GetOutput()->GetNumberOfPoints());
+		cutter.cut(planes[k]);
 		k = (k + 1) % planes.size();
 	}
 }
 
+template <class Function, class... Args>
+void add(const std::string& name, const char* way, Function function, Args... args)
+{
+	benchmark::RegisterBenchmark((name + "/" + way).c_str(),
+	                             [=](benchmark::State& state) { function(state, name, args...); })
+	    ->Unit(benchmark::kMillisecond)
+	    ->MinTime(1.0)
+	    ->UseRealTime();
+}
+
 } // namespace
 
-BENCHMARK(cpuCut)
-    ->Name("shell/cpu")
-    ->Arg(64)
-    ->Arg(128)
-    ->Arg(256)
-    ->Unit(benchmark::kMillisecond)
-    ->MinTime(1.0)
-    ->UseRealTime();
-BENCHMARK(gpuCut)
-    ->Name("shell/gpu")
-    ->Arg(64)
-    ->Arg(128)
-    ->Arg(256)
-    ->Unit(benchmark::kMillisecond)
-    ->MinTime(1.0)
-    ->UseRealTime();
-BENCHMARK(vtkCut)
-    ->Name("shell/vtkCutter")
-    ->Arg(64)
-    ->Arg(128)
-    ->Arg(256)
-    ->Unit(benchmark::kMillisecond)
-    ->MinTime(1.0)
-    ->UseRealTime();
-
-BENCHMARK_MAIN();
+int main(int argc, char** argv)
+{
+	for (const char* name : {"shell:64", "shell:128", "shell:256", "shell:384", "hexes:128", "hexes:192", "tets:96",
+	                         "tets:128", "blob:256", "blob:512"})
+	{
+		const bool is_image = std::string(name).starts_with("blob");
+		add(name, "cpu", cpuCut, slice::Finder::automatic);
+		add(name, "cpu, traversal", cpuCut, slice::Finder::traversal);
+		add(name, "gpu", gpuCut);
+		if (is_image)
+			add(name, "vtkFlyingEdgesPlaneCutter", vtkCut, bench::VtkCut::flying_edges_cutter);
+		else
+			add(name, "vtkPlaneCutter", vtkCut, bench::VtkCut::plane_cutter);
+		add(name, "vtkCutter", vtkCut, bench::VtkCut::cutter);
+	}
+	benchmark::Initialize(&argc, argv);
+	if (benchmark::ReportUnrecognizedArguments(argc, argv))
+		return 1;
+	benchmark::RunSpecifiedBenchmarks();
+	return 0;
+}

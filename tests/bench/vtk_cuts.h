@@ -1,0 +1,39 @@
+#pragma once
+
+#include "grid/block.h"
+#include "probe/transform.h"
+
+#include <vtkSmartPointer.h>
+
+class vtkAlgorithm;
+class vtkDataSet;
+class vtkPlane;
+
+namespace vp::bench
+{
+
+// The grid of a block as VTK has it, with its first point array as scalars.
+vtkSmartPointer<vtkDataSet> asVtk(const grid::Block& block);
+
+// VTK's ways to cut by a plane.
+enum class VtkCut
+{
+	cutter,             // vtkCutter
+	plane_cutter,       // vtkPlaneCutter with its sphere tree, built at the first cut
+	flying_edges_cutter // vtkFlyingEdgesPlaneCutter: images only
+};
+
+// A cutter of VTK's and the plane that it cuts by; moved and cut again for each measurement.
+class VtkCutter
+{
+public:
+	VtkCutter(VtkCut kind, vtkDataSet* input);
+
+	void cut(const probe::Frame& plane);
+
+private:
+	vtkSmartPointer<vtkPlane> plane_;
+	vtkSmartPointer<vtkAlgorithm> cutter_;
+};
+
+} // namespace vp::bench
