@@ -55,16 +55,6 @@ public:
 		faces.clear();
 		shapeFaces(CellShape::hexahedron, cellPoints(c), faces);
 	}
-	// As shapeFaces() has the face.
-	std::array<PointId, 4> facePoints(CellId c, int f) const
-	{
-		const CellPoints points = cellPoints(c);
-		const ShapeTopology& hexahedron = topology(CellShape::hexahedron);
-		std::array<PointId, 4> face;
-		for (int v = 0; v < 4; ++v)
-			face[v] = points.id[hexahedron.face[f][v]];
-		return face;
-	}
 	// The one cell across face f, kNoCell on the boundary.
 	CellId neighbour(CellId c, int f) const
 	{

@@ -2,10 +2,10 @@
 
 #include "grid/boundary.h"
 #include "grid/grid.h"
-#include "grid/structured.h"
 #include "seed/sheet_window.h"
 #include "surface/plane.h"
 
+#include <array>
 #include <cstddef>
 
 namespace vp::seed
@@ -36,20 +36,23 @@ Box boxOf(const G& grid, std::span<const PointId> points)
 	return box;
 }
 
-// The points of one face; of a lattice without listing the cell's others. `faces` is what they may be kept in.
+// The points of one face, in the order that the cell's faces have them. `faces` is what those of a polyhedron are kept
+// in.
 template <grid::Grid G, class Use>
 void useFacePoints(const G& grid, CellId cell, std::uint32_t face, grid::CellFaces& faces, Use&& use)
 {
-	if constexpr (std::is_base_of_v<grid::Lattice, G>)
-	{
-		const std::array<PointId, 4> points = grid.facePoints(cell, static_cast<int>(face));
-		use(std::span<const PointId>(points));
-	}
-	else
+	const grid::CellShape shape = grid.shape(cell);
+	if (shape == grid::CellShape::polyhedron)
 	{
 		grid.cellFaces(cell, faces);
-		use(faces[static_cast<int>(face)]);
+		return use(faces[static_cast<int>(face)]);
 	}
+	const grid::CellPoints points = grid.cellPoints(cell);
+	const std::span<const std::uint8_t> corners = grid::topology(shape).facePoints(static_cast<int>(face));
+	std::array<PointId, 4> ids;
+	for (std::size_t v = 0; v < corners.size(); ++v)
+		ids[v] = points.id[corners[v]];
+	use(std::span<const PointId>(ids.data(), corners.size()));
 }
 
 // Calls visit_cut(CutFace) for every boundary face with vertices on both sides: its cell is cut. Calls visit_flat(Face)

@@ -35,14 +35,14 @@ template <grid::Grid G>
 class CellMesh
 {
 public:
-	CellMesh(const G& grid, std::uint32_t block, const surface::Plane& plane, const traverse::LaneCut& cut,
-	         SheetMesh& mesh)
-	    : grid_(grid), block_(block), plane_(plane), cut_(cut), mesh_(mesh),
+	CellMesh(const G& grid, std::uint32_t block, const surface::Plane& plane, const Vec3& normal,
+	         const traverse::LaneCut& cut, SheetMesh& mesh)
+	    : grid_(grid), block_(block), plane_(plane), normal_(normal), cut_(cut), mesh_(mesh),
 	      parts_((cut.cells.size() + kPartCells - 1) / kPartCells)
 	{
 	}
 
-	void add()
+	MeshDoubts add()
 	{
 		forParts([&](std::size_t p) { collect(p); });
 		// A grid of tables has fewer edges than cells or somewhat more; one of polyhedra may have many.
@@ -52,6 +52,7 @@ public:
 		placeParts();
 		forParts([&](std::size_t p) { addVertices(p); });
 		forParts([&](std::size_t p) { addPolygons(p); });
+		return {at_points_, slivers_};
 	}
 
 private:
@@ -146,6 +147,7 @@ private:
 	{
 		const Part& part = parts_[p];
 		std::uint32_t next = part.first_vertex;
+		bool at_points = false;
 		for (std::size_t c = 0; c < part.keys.size(); ++c)
 		{
 			if (!table_->isOwner(part.places[c], rankOf(p, c)))
@@ -159,8 +161,11 @@ private:
 			const double t = da / (da - plane_.signedDistance(b)); // the signs differ
 			mesh_.edges[next] = {block_, lower, higher, t};
 			mesh_.positions[next] = t == 1.0 ? b : a + t * (b - a);
+			at_points = at_points || t == 0.0 || t == 1.0;
 			++next;
 		}
+		if (at_points)
+			at_points_ = true;
 	}
 
 	void addPolygons(std::size_t p)
@@ -168,29 +173,41 @@ private:
 		const Part& part = parts_[p];
 		for (std::size_t c = 0; c < part.places.size(); ++c)
 			mesh_.polygon_vertices[part.first_corner + c] = table_->number(part.places[c]);
+		bool slivers = false;
+		std::uint32_t begin = part.first_corner;
 		for (std::size_t i = 0; i < part.cells.size(); ++i)
 		{
-			mesh_.polygon_starts[part.first_polygon + i + 1] = part.first_corner + part.ends[i];
+			const std::uint32_t end = part.first_corner + part.ends[i];
+			slivers = !turnPolygon(mesh_, normal_, {&mesh_.polygon_vertices[begin], end - begin}) || slivers;
+			mesh_.polygon_starts[part.first_polygon + i + 1] = end;
 			mesh_.polygon_cells[part.first_polygon + i] = {block_, part.cells[i]};
+			begin = end;
 		}
+		if (slivers)
+			slivers_ = true;
 	}
 
 	const G& grid_;
 	std::uint32_t block_;
 	const surface::Plane& plane_;
+	const Vec3 normal_;
 	const traverse::LaneCut& cut_;
 	SheetMesh& mesh_;
 	std::optional<EdgeTable> table_;
 	std::vector<Part> parts_;
+	std::atomic<bool> at_points_{false};
+	std::atomic<bool> slivers_{false};
 };
 
 } // namespace
 
-void addCells(const grid::Block& block, std::uint32_t number, const surface::Plane& plane, const traverse::LaneCut& cut,
-              SheetMesh& mesh)
+MeshDoubts addCells(const grid::Block& block, std::uint32_t number, const surface::Plane& plane, const Vec3& normal,
+                    const traverse::LaneCut& cut, SheetMesh& mesh)
 {
-	if (cut.cut_cells)
-		std::visit([&](const auto& grid) { CellMesh(grid, number, plane, cut, mesh).add(); }, block.grid);
+	if (cut.cut_cells == 0)
+		return {};
+	return std::visit([&](const auto& grid) { return CellMesh(grid, number, plane, normal, cut, mesh).add(); },
+	                  block.grid);
 }
 
 } // namespace vp::slice

@@ -101,17 +101,14 @@ SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std
 		if (cut.spans)
 			doubts = doubts | addSpans(blocks.blocks[cut.block], cut.block, plane, sheet.normal, *cut.spans, mesh);
 
-	const std::size_t of_spans = mesh.polygons();
 	for (const BlockCut& cut : cuts)
 		if (cut.cut)
-			addCells(blocks.blocks[cut.block], cut.block, plane, *cut.cut, mesh);
+			doubts = doubts | addCells(blocks.blocks[cut.block], cut.block, plane, sheet.normal, *cut.cut, mesh);
 	for (const BlockCut& cut : cuts)
 		std::visit([&](const auto& grid) { addFacesInPlane(grid, cut, mesh); }, blocks.blocks[cut.block].grid);
 
-	// A span's mesh is whole and tidy but for what it tells.
-	const bool of_spans_alone = mesh.polygons() == of_spans;
-	const bool joins =
-	    !of_spans_alone || doubts.at_points || blocks.blocks.size() > 1 || blocks.interfaces.of(0) != nullptr;
+	const bool joins = doubts.at_points || mesh.boundary_polygons > 0 || blocks.blocks.size() > 1 ||
+	                   blocks.interfaces.of(0) != nullptr;
 	if (joins)
 		joinVertices(blocks, mesh);
 	if (joins || doubts.slivers)

@@ -5,8 +5,8 @@
 #include "slice/gpu_blocks.h"
 #include "slice/gpu_classifier.h"
 #include "slice/host_records.h"
-#include "traverse/cell_flood.h"
 #include "slice/slice_meshes.h"
+#include "traverse/cell_flood.h"
 #include "traverse/span_flood.h"
 #include "traverse/span_rows.h"
 

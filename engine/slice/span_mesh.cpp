@@ -179,7 +179,7 @@ private:
 					const LatticeEdge& edge = entry.edge[e];
 					corners[e] = rows[edge.row][edge.at].along(edge.axis);
 				}
-				slivers = !turn({corners, entry.edges}) || slivers;
+				slivers = !turnPolygon(mesh_, normal_, {corners, entry.edges}) || slivers;
 				mesh_.polygon_cells[polygon] = {block_, cell};
 				corner += entry.edges;
 				mesh_.polygon_starts[++polygon] = corner;
@@ -187,30 +187,6 @@ private:
 		}
 		if (slivers)
 			slivers_ = true;
-	}
-
-	// Makes the polygon face along the normal. Where it may have no area, or repeats a vertex, it is left as it is, and
-	// the result is false.
-	bool turn(std::span<std::uint32_t> polygon) const
-	{
-		const Vec3& first = mesh_.positions[polygon[0]];
-		Vec3 to_previous = mesh_.positions[polygon[1]] - first;
-		double extent = std::max({std::abs(to_previous.x), std::abs(to_previous.y), std::abs(to_previous.z)});
-		Vec3 sum(0.0);
-		for (std::size_t v = 2; v < polygon.size(); ++v)
-		{
-			const Vec3 to_next = mesh_.positions[polygon[v]] - first;
-			sum += glm::cross(to_previous, to_next);
-			extent = std::max({extent, std::abs(to_next.x), std::abs(to_next.y), std::abs(to_next.z)});
-			to_previous = to_next;
-		}
-		const double area = glm::dot(sum, normal_);
-		constexpr double kThin = 1e-12; // well above what tidyPolygons() takes for no area
-		if (std::abs(area) <= kThin * extent * extent)
-			return false;
-		if (area < 0.0)
-			std::reverse(polygon.begin(), polygon.end());
-		return true;
 	}
 
 	// The cells that the table has no entry for, behind all others.

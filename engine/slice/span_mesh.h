@@ -2,23 +2,12 @@
 
 #include "grid/block.h"
 #include "slice/mesh.h"
+#include "slice/tidy_polygons.h"
 #include "surface/plane.h"
 #include "traverse/spans.h"
 
 namespace vp::slice
 {
-
-// What an emission leaves to the steps that look at a mesh as a whole.
-struct MeshDoubts
-{
-	bool at_points = false; // vertices lie at grid points, so several may lie at one
-	bool slivers = false;   // polygons may have no area
-
-	MeshDoubts operator|(const MeshDoubts& other) const
-	{
-		return {at_points || other.at_points, slivers || other.slivers};
-	}
-};
 
 // Adds the vertices and polygons of a structured block, turned to face along `normal`. Of a lattice edge its lower
 // point is the owner, and numbers it: so a vertex is known without a search. Two passes over the spans in order, one
