@@ -28,7 +28,15 @@ public:
 			return {double_[3 * i], double_[3 * i + 1], double_[3 * i + 2]};
 		return {float_[3 * i], float_[3 * i + 1], float_[3 * i + 2]};
 	}
-	// Asks for the points from .. to ahead of their use.
+	// Asks for a point ahead of its use.
+	void prefetch(std::size_t i) const
+	{
+		if (is_double_)
+			__builtin_prefetch(&double_[3 * i]);
+		else
+			__builtin_prefetch(&float_[3 * i]);
+	}
+	// The same for the points from .. to.
 	void prefetch(std::size_t from, std::size_t to) const
 	{
 		const std::size_t size = 3 * (is_double_ ? sizeof(double) : sizeof(float));

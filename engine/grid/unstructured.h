@@ -112,7 +112,7 @@ public:
 		const std::uint32_t* record = &records_[std::size_t(c) * width_];
 		for (int v = 0; v < width_; ++v)
 			if (record[v] < kShapeMark)
-				points_.prefetch(record[v], record[v]);
+				points_.prefetch(record[v]);
 	}
 
 	int recordWidth() const { return width_; }
