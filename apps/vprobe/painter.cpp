@@ -140,19 +140,8 @@ void Painter::addContours(const slice::Slice& slice, const std::vector<SheetStat
 			    slice::meshOutlines(sheets[s].mesh, slice::planePoints(sheets[s].mesh, slice.sheets[s].sheet));
 }
 
-Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene)
 {
-	const TimedSection section(session_.timeline.get(), "render");
-	render::Scene scene;
-	scene.look = choice().look;
-	scene.outline = outline_;
-	scene.surfaces = context_;
-	scene.bounds = session_.blocks.bounds();
-	scene.fitted = choice().camera.kind != render::CameraChoice::Kind::fixed;
-	auto scale = looks_.scaleOf(slice, std::ranges::any_of(sheets, hasNan));
-	if (!scale)
-		return scale.error();
-	scene.values = *scale;
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
 		Result<render::SheetDrawing> made = looks_.drawing(slice.sheets[s], sheets[s]);
@@ -172,6 +161,23 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 		made->records = std::move(*records);
 		scene.sheets.push_back(std::move(*made));
 	}
+	return Nothing{};
+}
+
+Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+{
+	render::Scene scene;
+	scene.look = choice().look;
+	scene.outline = outline_;
+	scene.surfaces = context_;
+	scene.bounds = session_.blocks.bounds();
+	scene.fitted = choice().camera.kind != render::CameraChoice::Kind::fixed;
+	auto scale = looks_.scaleOf(slice, std::ranges::any_of(sheets, hasNan));
+	if (!scale)
+		return scale.error();
+	scene.values = *scale;
+	if (Status added = addSheets(slice, sheets, scene); !added)
+		return added.error();
 	addContours(slice, sheets, scene);
 	const bool has_plane = !slice.sheets.empty() && !slice.sheets.front().surface;
 	const probe::Sheet* first = has_plane ? &slice.sheets.front().shown : nullptr;
@@ -191,7 +197,31 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 		camera_ = render::makeCamera(choice().camera, by_sheet ? first : nullptr, extent, render::pictureFrame(scene));
 	}
 	scene.camera = *camera_;
-	return renderer_.draw(scene, session_.timeline.get());
+	return scene;
+}
+
+Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+{
+	const TimedSection section(session_.timeline.get(), "render");
+	Result<render::Scene> scene = sceneOf(slice, sheets);
+	return scene ? renderer_.draw(*scene, session_.timeline.get()) : scene.error();
+}
+
+Result<render::Picture> Painter::drawEmpty(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+{
+	const TimedSection section(session_.timeline.get(), "render");
+	Result<render::Scene> scene = sceneOf(slice, sheets);
+	if (!scene)
+		return scene.error();
+	for (render::SheetDrawing& sheet : scene->sheets)
+	{
+		sheet.records = nullptr;
+		sheet.rim = false;
+		sheet.contours.clear();
+		sheet.rim_lines.clear();
+	}
+	scene->surfaces = context_;
+	return renderer_.draw(*scene, session_.timeline.get());
 }
 
 } // namespace vp::app

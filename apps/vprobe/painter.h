@@ -24,10 +24,14 @@ public:
 
 	// Section "render" on the session's timeline. sheets: sheetStats() of the slice.
 	Result<render::Picture> draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
+	// The scene without the sheets and the lines around them.
+	Result<render::Picture> drawEmpty(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
 
 private:
 	Painter(Session& session, SheetLooks looks, render::Renderer renderer);
 	Status makeContext();
+	Status addSheets(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene);
+	Result<render::Scene> sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
 	Result<render::Surface> surfaceOf(const slice::SheetSlice& sheet, const SheetStats& stats,
 	                                  const render::SheetDrawing& drawing,
 	                                  const std::optional<render::ValueScale>& scale) const;

@@ -26,6 +26,8 @@ Result<ExitCode> runRender(RenderOptions& options)
 {
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
+	if (Status place = tryPlace(options.stats); !place)
+		return place.error();
 	if (options.output.empty())
 		return Error{ExitCode::usage, "-o: a picture needs a place; give the name of a .png file, or -"};
 	if (options.output == "-" && options.stats == "-")
@@ -39,6 +41,8 @@ Result<ExitCode> runRender(RenderOptions& options)
 	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
 	if (!look)
 		return look.error();
+	if (Status known = refuseGenerations(options.saved.probe, look->by_generation); !known)
+		return known.error();
 	options.saved.probe.reads_patches = namesPatch(look->context);
 
 	Result<std::unique_ptr<Session>> opened = openSession(options.saved.probe, DeviceUse::draw);

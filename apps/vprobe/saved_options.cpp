@@ -2,6 +2,7 @@
 
 #include "make_probe.h"
 #include "state/state_file.h"
+#include "stats_json.h"
 #include "write/atomic_file.h"
 
 #include <fmt/format.h>
@@ -166,6 +167,8 @@ Status prepare(SavedOptions& options)
 		return Error{ExitCode::usage, "INPUT is required: name a file, demo:NAME or --state FILE; see vprobe --help"};
 	if (options.save == "-")
 		return Error{ExitCode::usage, "--save -: a state names files relative to its own place; give it a file's name"};
+	if (Status place = tryPlace(options.save); !place)
+		return place;
 	if (Status probe = readProbeFile(options.probe); !probe)
 		return probe;
 	return readPathFile(options.path);

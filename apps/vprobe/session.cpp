@@ -214,15 +214,17 @@ Status tellAbout(const Session& session, const slice::Slice& slice)
 		if (!isEmpty(sheet))
 			continue;
 		const Box bounds = session.blocks.bounds();
+		const std::string what =
+		    slice.sheets.size() == 1 ? std::string("the slice") : fmt::format("sheet {}", &sheet - slice.sheets.data());
 		if (session.threshold)
-			warn("the slice is empty: no cell that is reached has values between {} and {}; widen --threshold",
+			warn("{} is empty: no cell that is reached has values between {} and {}; widen --threshold", what,
 			     session.threshold->lo, session.threshold->hi);
 		else if (sheet.surface)
-			warn("the slice is empty: {} shows no cells, or hidden ones only", slice::nameOf(*sheet.surface));
+			warn("{} is empty: {} shows no cells, or hidden ones only", what, slice::nameOf(*sheet.surface));
 		else
-			warn("the slice is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
+			warn("{} is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
 			     "{:.6g}",
-			     sheet.sheet.window ? "window" : "plane", bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x,
+			     what, sheet.sheet.window ? "window" : "plane", bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x,
 			     bounds.hi.y, bounds.hi.z);
 	}
 	return Nothing{};

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -37,6 +39,9 @@ Status checkLine(const SliceOptions& options, const CLI::App& command)
 		           : Error{ExitCode::usage, "--sheet: says on which sheet a --line lies; give one, or leave it out"};
 	if (Status finite = requireFinite(options.line, "--line"); !finite)
 		return finite;
+	constexpr double kFarthest = 1e100; // as in files of probes
+	if (std::ranges::any_of(options.line, [](double x) { return std::abs(x) > kFarthest; }))
+		return Error{ExitCode::usage, "--line: places lie within 1e100; give smaller numbers"};
 	if (options.line[0] == options.line[2] && options.line[1] == options.line[3])
 		return Error{ExitCode::usage, "--line: begins where it ends; give it a length"};
 	const bool fits = options.output == "-" || std::filesystem::path(options.output).extension() == ".csv";
@@ -86,6 +91,8 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 {
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
+	if (Status place = tryPlace(options.stats); !place)
+		return place.error();
 	if (Status one = requireOneSurface(options.saved.probe); !one)
 		return one.error();
 	if (options.output == "-" && options.stats == "-")

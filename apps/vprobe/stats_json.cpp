@@ -232,6 +232,14 @@ std::string statsTable(const Session& session, const slice::Slice& slice, const 
 	return table;
 }
 
+Status tryPlace(const std::string& path)
+{
+	if (path.empty() || path == "-")
+		return Nothing{};
+	const Result<write::AtomicFile> tried = write::AtomicFile::create(path);
+	return tried ? Status(Nothing{}) : tried.error();
+}
+
 Result<ExitCode> writeStats(const std::string& path, const std::vector<std::string>& outputs,
                             const std::string& document)
 {

@@ -85,6 +85,15 @@ slice::OtherSurface surfaceAt(const SurfaceChoice& choice, double done)
 	return std::get<surface::GridIndexRange>(choice).at(done);
 }
 
+Status refuseGenerations(const ProbeOptions& options, bool by_generation)
+{
+	if (!options.surface || !by_generation)
+		return Nothing{};
+	return Error{ExitCode::usage, fmt::format("--color-by generation: --surface {} is found without a traversal, which "
+	                                          "has the generations; leave one of the two out",
+	                                          *options.surface)};
+}
+
 Status requireOneSurface(const ProbeOptions& options)
 {
 	Result<std::optional<SurfaceChoice>> choice = surfaceOf(options);

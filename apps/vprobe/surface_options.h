@@ -27,6 +27,9 @@ Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice, c
 // done: how far along its range, 0 to 1.
 slice::OtherSurface surfaceAt(const SurfaceChoice& choice, double done);
 
+// Colours by generation are of traversals, and a surface is found without: a usage error.
+Status refuseGenerations(const ProbeOptions& options, bool by_generation);
+
 // Of commands that show one surface: a usage error where a range is given.
 Status requireOneSurface(const ProbeOptions& options);
 

@@ -124,7 +124,7 @@ private:
 	{
 		if (frame == 0 && frames_.wantsExposure())
 		{
-			Result<render::Picture> empty = drawEmpty(slice);
+			Result<render::Picture> empty = painter_->drawEmpty(slice, sheets);
 			if (!empty)
 				return empty.error();
 			frames_.beginExposure(std::move(*empty));
@@ -133,19 +133,6 @@ private:
 		if (!picture)
 			return picture.error();
 		return frames_.add(frame, *picture);
-	}
-
-	// The scene without its sheets' polygons, for an exposure.
-	Result<render::Picture> drawEmpty(const slice::Slice& first)
-	{
-		slice::Slice nothing;
-		for (const slice::SheetSlice& sheet : first.sheets)
-			nothing.sheets.push_back({.shown = sheet.shown,
-			                          .sheet = sheet.sheet,
-			                          .corners = sheet.corners,
-			                          .field = sheet.field,
-			                          .surface = sheet.surface});
-		return painter_->draw(nothing, std::vector<SheetStats>(nothing.sheets.size()));
 	}
 
 	Session& session_;
@@ -222,6 +209,8 @@ Result<ExitCode> runSweep(SweepOptions& options)
 {
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
+	if (Status place = tryPlace(options.stats); !place)
+		return place.error();
 	if (Status fits = checkOptions(options); !fits)
 		return fits.error();
 	if (Status fits = requirePathOfSurface(options.saved.probe, options.saved.path); !fits)
@@ -229,6 +218,8 @@ Result<ExitCode> runSweep(SweepOptions& options)
 	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
 	if (!look)
 		return look.error();
+	if (Status known = refuseGenerations(options.saved.probe, look->by_generation); !known)
+		return known.error();
 	options.saved.probe.reads_patches = namesPatch(look->context);
 	look->captions = options.exposure.empty(); // they would write over each other
 	const probe::Path path = pathOf(options.saved.path);

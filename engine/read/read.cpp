@@ -60,10 +60,6 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 		set.blocks.push_back(buildBlock(std::move(block), std::move(name)));
 	}
 	set.patches = grid::findPatches(set, input->patches);
-	for (const grid::Patch& patch : set.patches)
-		if (patch.lost > 0)
-			warn("{}: {} of {} faces of the patch {} are no boundary faces of linear cells and left out", file,
-			     patch.lost, patch.lost + patch.faces.size(), patch.name);
 	return set;
 }
 

@@ -1,5 +1,6 @@
 #include "slice/patch_surface.h"
 
+#include "base/log.h"
 #include "slice/face_mesh.h"
 #include "slice/join_vertices.h"
 #include "slice/tidy_polygons.h"
@@ -31,9 +32,24 @@ std::vector<grid::Patch::Face> facesIn(const grid::BlockSet& blocks, const std::
 Status checkPatch(const grid::BlockSet& blocks, const std::string& name)
 {
 	std::vector<std::string> names;
+	std::size_t faces = 0;
+	std::size_t lost = 0;
 	for (const grid::Patch& patch : blocks.patches)
+	{
 		if (std::ranges::find(names, patch.name) == names.end())
 			names.push_back(patch.name);
+		if (patch.name != name)
+			continue;
+		faces += patch.faces.size();
+		lost += patch.lost;
+	}
+	if (lost > 0 && faces == 0)
+		return Error{ExitCode::input, fmt::format("none of the {} faces of the patch {} is a boundary face of a linear "
+		                                          "cell; choose another patch",
+		                                          lost, name)};
+	if (lost > 0)
+		warn("{} of {} faces of the patch {} are no boundary faces of linear cells and left out", lost, lost + faces,
+		     name);
 	if (std::ranges::find(names, name) != names.end())
 		return Nothing{};
 	if (names.empty())

@@ -13,7 +13,8 @@
 namespace vp::slice
 {
 
-// An input error that lists the names there are, where no patch of the set has this one. The caller names the option.
+// An input error that lists the names there are, where no patch of the set has this one, or none of its faces could be
+// found. Faces that could not are told in a word. The caller names the option.
 Status checkPatch(const grid::BlockSet& blocks, const std::string& name);
 
 // The cells behind the faces of the patches of a name, a list a block, as if each had been found in one step of a

@@ -50,7 +50,7 @@ Result<GridIndexRange> parseGridIndex(const std::string& text)
 	if (text.size() < 2 || text[0] < 'i' || text[0] > 'k' || text[1] != '=')
 		return Error{ExitCode::usage,
 		             "takes i=, j= or k= and a point index from 0, such as i=12.5, or patch=NAME; other "
-		             "surfaces are not there yet"};
+		             "surfaces are not known"};
 	const std::string_view numbers = std::string_view(text).substr(2);
 	const std::size_t dots = numbers.find("..");
 	const std::optional<double> first = numberOf(numbers.substr(0, dots));

@@ -60,6 +60,17 @@ TEST_F(DrawnSurface, AroundAPlane)
 	EXPECT_FALSE(std::filesystem::exists(path("none.png")));
 }
 
+TEST_F(DrawnSurface, HasNoGenerationsAndNoFront)
+{
+	EXPECT_TRUE(
+	    isError(run({"render", "demo:shell:8", "--surface", "i=2", "--color-by", "generation", "-o", path("none.png")}),
+	            1, {"--color-by generation", "--surface i=2"}));
+	EXPECT_TRUE(
+	    isError(run({"render", "demo:shell:8", "--surface", "i=2", "--camera", "sheet", "-o", path("none.png")}), 1,
+	            {"--camera sheet"}));
+	EXPECT_TRUE(files().empty());
+}
+
 TEST_F(DrawnSurface, SweepsIntoPictures)
 {
 	const Outcome swept = run({"sweep", "demo:shell:8", "--surface", "i=0..8", "--frames", "3", "--size", "160x120",

@@ -118,6 +118,7 @@ TEST_F(Flat, WrongLines)
 	EXPECT_TRUE(isError(slice({"--line", "0", "0", "1", "1"}), 1, {"--line", ".csv"}));
 	EXPECT_TRUE(isError(slice({"--line", "1", "2", "1", "2", "-o", path("l.csv")}), 1, {"--line"}));
 	EXPECT_TRUE(isError(slice({"--line", "1", "nan", "1", "2", "-o", path("l.csv")}), 1, {"--line"}));
+	EXPECT_TRUE(isError(slice({"--line", "-1e308", "0", "1e308", "0", "-o", path("l.csv")}), 1, {"--line", "1e100"}));
 	EXPECT_TRUE(isError(slice({"--line", "1", "2", "-o", path("l.csv")}), 1, {"--line"}));
 	EXPECT_TRUE(isError(slice({"--line", "0", "0", "1", "1", "--sheet", "1", "-o", path("l.csv")}), 1, {"--sheet 1"}));
 	EXPECT_TRUE(isError(slice({"--sheet", "1", "-o", path("l.csv")}), 1, {"--sheet", "--line"}));

@@ -72,6 +72,8 @@ TEST_F(Probe, PaddlewheelVanesTouchAlongTheUpAxis)
 
 TEST_F(Probe, StackOffsets)
 {
+	const Outcome missed = run({"slice", "demo:shell:6", "--probe", "stack", "--offsets", "0", "100"});
+	EXPECT_NE(missed.err.find("sheet 1 is empty"), std::string::npos) << missed.err;
 	const json given = sheets({"--probe", "stack", "--offsets", "-2", "0.5", "1"});
 	ASSERT_EQ(given.size(), 3u);
 	EXPECT_DOUBLE_EQ(given[0].at("origin")[2].get<double>(), -2.0);

@@ -3,6 +3,7 @@
 #include "program.h"
 #include "sample_files.h"
 
+#include <filesystem>
 #include <set>
 
 namespace cli
@@ -129,6 +130,13 @@ TEST_F(State, NothingIsSavedOfWhatFails)
 {
 	EXPECT_EQ(slice({"demo:shell:4", "--array", "depth", "--save", path("a.json")}).status, 2);
 	EXPECT_TRUE(isError(slice({"demo:shell:4", "--save", "-"}), 1, {"--save -"}));
+	// Places are tried before anything is written.
+	for (const char* option : {"--save", "--stats"})
+	{
+		EXPECT_TRUE(isError(run({"slice", "demo:shell:4", option, path("none/s.json"), "-o", path("left.vtp")}), 4,
+		                    {"none/s.json"}));
+		EXPECT_FALSE(std::filesystem::exists(path("left.vtp")));
+	}
 	EXPECT_EQ(slice({"demo:shell:4", "--save", path("none/a.json")}).status, 4);
 	EXPECT_TRUE(files().empty());
 }

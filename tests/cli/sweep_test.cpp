@@ -182,6 +182,22 @@ TEST_F(Sweep, ExposureHoldsEveryFrame)
 		EXPECT_TRUE(frame(k) != exposure) << k;
 }
 
+// No frame is taken for the background, nor the rim of its window.
+TEST_F(Sweep, ExposureIsTheSameInAnyOrder)
+{
+	std::vector<std::string> exposures;
+	for (const char* keys :
+	     {R"("at": 0, "to_probe": {"origin": [1, 0, 0]}}, {"at": 1, "to_probe": {"origin": [2, 1, 0]}})",
+	      R"("at": 0, "to_probe": {"origin": [2, 1, 0]}}, {"at": 1, "to_probe": {"origin": [1, 0, 0]}})"})
+	{
+		const std::string file = write("keys.json", std::string(R"({"path": "keyframes", "keys": [{)") + keys + "]}");
+		ASSERT_TRUE(isQuiet(sweep({"--path", file, "--frames", "2", "--window", "1", "0.5", "--camera", "0", "-9", "4",
+		                           "0", "1", "0", "0", "0", "1", "--exposure", path("e.png")})));
+		exposures.push_back(contents(path("e.png")));
+	}
+	EXPECT_TRUE(exposures[0] == exposures[1]);
+}
+
 TEST_F(Sweep, InterruptedItLeavesWholeFramesAndGoesOn)
 {
 	const Arguments options = Arguments{"sweep", "demo:shell:12", "--frames", "400", "-o", pattern} + small;
