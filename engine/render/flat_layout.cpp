@@ -14,11 +14,12 @@ namespace vp::render
 namespace
 {
 
-constexpr double kSmallView = 14.0;   // em, at most
-constexpr double kAroundData = 0.02;  // of its size, free around a slice without a window
-constexpr double kNumberWidth = 4.5;  // em, between numbers of the level axis
-constexpr double kNumberHeight = 2.4; // em, and of the upright one
-constexpr double kLeastRest = 12.0;   // em, of a plot and its numbers beside a legend
+constexpr double kSmallView = 14.0;     // em, at most
+constexpr double kLeastSmallView = 4.0; // em; the axes' names take 3.2 of it
+constexpr double kAroundData = 0.02;    // of its size, free around a slice without a window
+constexpr double kNumberWidth = 4.5;    // em, between numbers of the level axis
+constexpr double kNumberHeight = 2.4;   // em, and of the upright one
+constexpr double kLeastRest = 12.0;     // em, of a plot and its numbers beside a legend
 constexpr int kMostNumbers = 12;
 
 // What is shown: the window, else what the slice covers, else where the bounds lie.
@@ -85,8 +86,11 @@ double layOutColumn(const FlatScene& flat, const std::vector<LegendContent>& leg
 	if (look.axes && flat.scene.bounds)
 	{
 		const double side = std::min({kSmallView * text.em, 0.3 * look.width, 0.36 * look.height});
-		layout.small = {{right - side, look.height - text.margin - side}, {right, look.height - text.margin}};
-		left = layout.small.lo.x;
+		if (side > kLeastSmallView * text.em)
+		{
+			layout.small = {{right - side, look.height - text.margin - side}, {right, look.height - text.margin}};
+			left = layout.small.lo.x;
+		}
 	}
 	if (look.legend && !legends.empty())
 	{

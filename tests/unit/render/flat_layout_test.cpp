@@ -30,6 +30,7 @@ TEST(FlatLayout, SmallPicturesHaveALegendThatFitsOrNone)
 				bare.axes = false;
 				const FlatLayout layout = makeFlatLayout(flat, contents, makeLayout(bare, {}), lettering);
 				(layout.text.legends.empty() ? none : some) += 1;
+				EXPECT_TRUE(layout.small.size() == glm::dvec2(0.0) || layout.small.size().x > 4.0 * layout.text.em);
 				for (const LegendLayout& legend : layout.text.legends)
 				{
 					EXPECT_GE(legend.bar.size().y, 3.0 * layout.text.em);
