@@ -189,10 +189,11 @@ private:
 	void drawLines()
 	{
 		const std::vector<LevelLine> drawn = levelLines(*flat_.mesh, flat_.content, flat_.values, style_.lines);
+		const int digits = digitsApart(style_.lines);
 		std::vector<LabelledLine> lines;
 		for (const LevelLine& line : drawn)
 			lines.push_back({inPixels(line.line.points), line.line.closed,
-			                 pen_.lettering().width(shortNumber(line.level), labelSize())});
+			                 pen_.lettering().width(shortNumber(line.level, digits), labelSize())});
 		for (const PlaneLine& rim : slice::meshOutlines(*flat_.mesh, points_))
 			lines.push_back({inPixels(rim.points), true, 0.0});
 		std::vector<LabelPlace> places;
@@ -217,7 +218,7 @@ private:
 			ink.a = 255;
 			Color halo = colorAt(level);
 			halo.a = 170;
-			pen_.turnedText(place.centre, place.angle, labelSize(), ink, halo, shortNumber(level));
+			pen_.turnedText(place.centre, place.angle, labelSize(), ink, halo, shortNumber(level, digits));
 		}
 	}
 
