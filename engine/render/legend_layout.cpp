@@ -32,6 +32,8 @@ constexpr double kAboveBar = 0.45;         // em, to the factor or the title
 
 Ticks legendTicks(const ValueStyle& style, int most)
 {
+	if (style.empty)
+		return {};
 	const std::vector<double>& levels = style.bands.empty() ? style.lines : style.bands;
 	if (!levels.empty())
 		return ticksAt(levels, most, style.logarithmic);

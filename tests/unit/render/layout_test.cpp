@@ -97,6 +97,18 @@ TEST(Layout, SmallPicturesHaveALegendThatFitsOrNone)
 	EXPECT_GT(none, 20u);
 }
 
+TEST(Layout, WithoutValuesThereAreNoNumbers)
+{
+	Scene scene = sceneOf({640, 480}, "s", 0.0, 0.0, false);
+	ASSERT_EQ(makeLayout(scene).legends.size(), 1u);
+	EXPECT_EQ(makeLayout(scene).legends[0].ticks.marks.size(), 1u); // a constant
+	scene.values->empty = true;
+	ASSERT_EQ(makeLayout(scene).legends.size(), 1u);
+	EXPECT_TRUE(makeLayout(scene).legends[0].ticks.marks.empty());
+	scene.look.range = {1.0, 2.0};
+	EXPECT_FALSE(makeLayout(scene).legends[0].ticks.marks.empty());
+}
+
 TEST(Layout, CategoriesFitOrAreToldInANumber)
 {
 	for (const Size size : kSizes)
