@@ -1,8 +1,6 @@
 // Values as colours, of sheets' layers and of surfaces. Selections instead of branches where no fetch is spared: neighbouring pixels go different ways at
 // every edge.
 
-const float kNanFrom = 0.5 * kNanValue;
-const float kEmptyUpTo = 0.5 * kEmptyValue;
 const float kNoScaled = -3.0e38; // log of what has none
 
 vec4 unpacked(uint color)
@@ -124,7 +122,7 @@ vec4 colorOf(vec2 texel, uint layer, ivec2 pixel)
 	const vec3 ground = color.rgb;
 	if ((kFeatures & kComposeMesh) != 0u)
 		color = inked(color, inkOn(ground, kDarkForMesh), kMeshInk * texel.y, opacity);
-	if ((kFeatures & kComposeLines) != 0u && !is_nan)
+	if ((kFeatures & kComposeLines) != 0u && abs(texel.x) < kInfiniteFrom)
 		color = inked(color, inkOn(ground, kDarkForContours), kContourInk * contourLine(y, layer, pixel), opacity);
 	return color;
 }

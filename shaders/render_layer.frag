@@ -15,7 +15,7 @@ layout(push_constant, scalar) uniform Push
 layout(constant_id = 0) const uint kFeatures = 0u;
 
 layout(location = 0) in float value;
-layout(location = 1) flat in uint is_nan;
+layout(location = 1) flat in float whole;
 layout(location = 2) in vec2 place;
 layout(location = 3) flat in ivec2 edges;
 layout(location = 0) out vec2 pixel; // value, and how much of a mesh line is here; layers without mesh lines hold the first only
@@ -49,7 +49,7 @@ float meshLine()
 
 void main()
 {
-	pixel = vec2(is_nan != 0u ? kNanValue : value, 0.0);
+	pixel = vec2(whole != 0.0 ? whole : value, 0.0);
 	if ((kFeatures & kLayerMesh) != 0u)
 		pixel.y = meshLine();
 	if ((kFeatures & kLayerWindow) != 0u &&

@@ -4,6 +4,7 @@
 #include "shared/slice_types.h"
 #include "shared/render_types.h"
 #include "render_record.glsl"
+#include "render_whole.glsl"
 
 // A vertex of a record's polygon; the indices make a fan of it.
 layout(push_constant, scalar) uniform Push
@@ -13,11 +14,9 @@ layout(push_constant, scalar) uniform Push
 layout(constant_id = 0) const uint kFeatures = 0u;
 
 layout(location = 0) out float value;
-layout(location = 1) flat out uint is_nan;
+layout(location = 1) flat out float whole; // see render_whole.glsl
 layout(location = 2) out vec2 place;      // (u, v), with a window or mesh lines
 layout(location = 3) flat out ivec2 edges; // the record and its hidden edges, with mesh lines
-
-const float kNanFrom = 0.5 * kNanValue;
 
 vec4 column(float c[4])
 {
@@ -60,13 +59,16 @@ void main()
 	if ((kFeatures & kLayerMesh) != 0u && vertices > 2u)
 		edges.y = diagonals(record, vertices);
 
-	// A polygon with a NaN (or an infinity) has no value anywhere: nothing could be interpolated towards that vertex.
 	const vec4 low = uintBitsToFloat(texelFetch(records, record * kRecordTexels + 3));
 	const vec4 high = uintBitsToFloat(texelFetch(records, record * kRecordTexels + 4));
-	is_nan = 0u;
 	float values[kMaxRecordVertices] = float[](low.z, low.w, high.x, high.y, high.z, high.w);
-	for (uint i = 0u; i < kMaxRecordVertices; ++i)
-		if (i < vertices && !(abs(values[i]) < kNanFrom))
-			is_nan = 1u;
-	value = is_nan == 0u ? values[vertex] : 0.0;
+	float least = kNanValue;
+	float largest = -kNanValue;
+	for (uint i = 0u; i < min(vertices, kMaxRecordVertices); ++i)
+	{
+		least = min(least, values[i]);
+		largest = max(largest, values[i]);
+	}
+	whole = wholeValue(least, largest);
+	value = whole == 0.0 ? values[vertex] : 0.0;
 }

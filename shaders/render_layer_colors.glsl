@@ -7,7 +7,7 @@ float neighbour(ivec2 pixel, ivec2 offset, uint layer, float here)
 	if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, textureSize(layers, 0).xy)))
 		return here;
 	const float value = texelFetch(layers, ivec3(at, int(layer)), 0).x;
-	if (value <= kEmptyUpTo || value >= kNanFrom)
+	if (abs(value) >= kInfiniteFrom) // empty, NaN or infinite
 		return here;
 	const float y = scaled(value, layer);
 	return y > kNoScaled ? y : here;

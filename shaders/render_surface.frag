@@ -28,7 +28,7 @@ layout(push_constant, scalar) uniform Push
 layout(constant_id = 0) const uint kFeatures = 0u;
 
 layout(location = 0) in float value;
-layout(location = 1) flat in uint is_nan;
+layout(location = 1) flat in float whole;
 layout(location = 2) in vec3 to_eye;
 layout(location = 3) in vec3 normal;
 layout(location = 4) in vec2 place;
@@ -111,7 +111,7 @@ void main()
 	slope = vec2(dFdx(y), dFdy(y));
 	to_pixels = (kFeatures & (kComposeMesh | kComposeLines)) != 0u ? toPixels(mat2(dFdx(place), dFdy(place))) : mat2(0.0);
 	const float mesh = (kFeatures & kComposeMesh) != 0u ? meshLine() : 0.0;
-	const vec4 color = colorOf(vec2(is_nan != 0u ? kNanValue : value, mesh), push.surface, ivec2(0));
+	const vec4 color = colorOf(vec2(whole != 0.0 ? whole : value, mesh), push.surface, ivec2(0));
 	const uint alpha = uint(clamp(color.a, 0.0, 1.0) * 65535.0 + 0.5);
 	// The count must not come round to zero.
 	if (alpha == 0u || counters[push.counter] >= 0x80000000u)

@@ -3,6 +3,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/slice_types.h"
 #include "shared/render_types.h"
+#include "render_whole.glsl"
 
 // A corner of a surface's triangle, found by its number: no index buffer.
 layout(binding = 0) uniform usamplerBuffer triangles;
@@ -17,7 +18,7 @@ layout(constant_id = 0) const uint kFeatures = 0u;
 const uint kLinesBetween = kSurfacePolygonValues | kComposeLines;
 
 layout(location = 0) out float value;
-layout(location = 1) flat out uint is_nan;
+layout(location = 1) flat out float whole; // see render_whole.glsl
 layout(location = 2) out vec3 to_eye;
 layout(location = 3) out vec3 normal;
 layout(location = 4) out vec2 place;       // (0, 0), (1, 0), (0, 1) at the corners
@@ -51,8 +52,8 @@ void main()
 	gl_Position = vertex.x * column(0u) + vertex.y * column(1u) + vertex.z * column(2u) + column(3u);
 	gl_Position.z = push.near_w;
 	const float of_polygon = uintBitsToFloat(head.w);
-	is_nan = of_polygon >= 0.5 * kNanValue ? 1u : 0u;
-	value = is_nan != 0u ? 0.0 : (kFeatures & kSurfacePolygonValues) != 0u ? of_polygon : vertex.w;
+	whole = wholeValue(of_polygon, of_polygon);
+	value = whole != 0.0 ? 0.0 : (kFeatures & kSurfacePolygonValues) != 0u ? of_polygon : vertex.w;
 	to_eye = vec3(push.eye[0], push.eye[1], push.eye[2]) - vertex.xyz;
 	normal = octahedral(tail[corner]);
 	place = vec2(corner == 1, corner == 2);

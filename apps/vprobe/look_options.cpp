@@ -231,9 +231,16 @@ Result<std::optional<render::ValueScale>> valueScale(const grid::BlockSet& block
 			             fmt::format("{}: has no array for {} to show; leave the option out", inputs.front(), needed)};
 		return std::optional<render::ValueScale>();
 	}
-	const auto [lo, hi] = slice::fieldRange(blocks, *field);
+	grid::ValueSpan span;
+	for (const grid::Field* of_block : field->inEach(blocks))
+		if (of_block)
+			span.include(grid::valueSpan(*of_block, field->component));
+	const auto [lo, hi] = span.range();
 	render::ValueScale scale{field->title(blocks), lo, hi};
 	scale.per_cell = field->association == grid::Association::cell;
+	scale.below = span.minus_infinity;
+	scale.above = span.plus_infinity;
+	scale.empty = span.empty();
 	if (!look.logarithmic)
 		return std::optional(scale);
 	scale.log_lo = render::leastPositive(blocks, *field);

@@ -73,7 +73,7 @@ Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const std::optiona
 	}
 	std::optional<render::ValueScale> scale = known->second;
 	if (scale)
-		scale->has_nan = has_nan;
+		scale->has_nan = has_nan || (!scale->per_cell && (scale->below || scale->above)); // between finite and infinite
 	return scale;
 }
 

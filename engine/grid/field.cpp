@@ -69,22 +69,6 @@ double load(const std::byte* bytes, std::size_t index)
 	return static_cast<double>(number);
 }
 
-struct MinMax
-{
-	double lo = std::numeric_limits<double>::infinity();
-	double hi = -std::numeric_limits<double>::infinity();
-	bool any = false;
-
-	void include(double value)
-	{
-		if (std::isnan(value))
-			return;
-		lo = std::min(lo, value);
-		hi = std::max(hi, value);
-		any = true;
-	}
-};
-
 bool isLower(char c)
 {
 	return c >= 'a' && c <= 'z';
@@ -194,14 +178,33 @@ template Field makeField(std::string, Association, int, std::vector<std::uint64_
 template Field makeField(std::string, Association, int, std::vector<float>);
 template Field makeField(std::string, Association, int, std::vector<double>);
 
-std::pair<double, double> fieldRange(const Field& field, int component)
+void ValueSpan::include(double value)
+{
+	if (std::isfinite(value))
+	{
+		lo = std::min(lo, value);
+		hi = std::max(hi, value);
+	}
+	else if (!std::isnan(value))
+		(value > 0.0 ? plus_infinity : minus_infinity) = true;
+}
+
+void ValueSpan::include(const ValueSpan& other)
+{
+	lo = std::min(lo, other.lo);
+	hi = std::max(hi, other.hi);
+	minus_infinity = minus_infinity || other.minus_infinity;
+	plus_infinity = plus_infinity || other.plus_infinity;
+}
+
+ValueSpan valueSpan(const Field& field, int component)
 {
 	const auto range = [&](auto number)
 	{
 		using T = decltype(number);
 		const std::byte* bytes = field.bytes.data();
 		const std::size_t width = field.components;
-		const auto scan = [&](const tbb::blocked_range<std::size_t>& tuples, MinMax result)
+		const auto scan = [&](const tbb::blocked_range<std::size_t>& tuples, ValueSpan result)
 		{
 			for (std::size_t t = tuples.begin(); t < tuples.end(); ++t)
 			{
@@ -220,21 +223,21 @@ std::pair<double, double> fieldRange(const Field& field, int component)
 			}
 			return result;
 		};
-		const auto join = [](MinMax a, const MinMax& b)
+		const auto join = [](ValueSpan a, const ValueSpan& b)
 		{
-			if (b.any)
-			{
-				a.include(b.lo);
-				a.include(b.hi);
-			}
+			a.include(b);
 			return a;
 		};
 		// Split alike for any number of threads, so that even the sign of a zero is.
-		return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, field.tuples(), 65536), MinMax{},
-		                                          scan, join);
+		return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, field.tuples(), 65536),
+		                                          ValueSpan{}, scan, join);
 	};
-	const MinMax result = withType(field.type, range);
-	return result.any ? std::pair{result.lo, result.hi} : std::pair{0.0, 0.0};
+	return withType(field.type, range);
+}
+
+std::pair<double, double> fieldRange(const Field& field, int component)
+{
+	return valueSpan(field, component).range();
 }
 
 } // namespace vp::grid

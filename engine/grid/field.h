@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -69,7 +70,24 @@ Field makeField(std::string name, Association association, int components, std::
 // Which number of a tuple is shown: one component, or the length of the tuple.
 constexpr int kMagnitude = -1;
 
-// Smallest and largest shown value, NaN left out; {0, 0} where there is none. component: 0.. or kMagnitude.
+// Smallest and largest of finite values, and whether infinite ones are beside them; NaN counts as none.
+struct ValueSpan
+{
+	double lo = std::numeric_limits<double>::infinity();
+	double hi = -std::numeric_limits<double>::infinity();
+	bool minus_infinity = false;
+	bool plus_infinity = false;
+
+	bool empty() const { return lo > hi; }
+	std::pair<double, double> range() const { return empty() ? std::pair{0.0, 0.0} : std::pair{lo, hi}; }
+	void include(double value);
+	void include(const ValueSpan& other);
+};
+
+// Of the shown values. component: 0.. or kMagnitude.
+ValueSpan valueSpan(const Field& field, int component);
+
+// Its range(): {0, 0} where no value is finite.
 std::pair<double, double> fieldRange(const Field& field, int component);
 
 } // namespace vp::grid

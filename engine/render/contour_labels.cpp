@@ -57,16 +57,18 @@ private:
 	void take(std::size_t s)
 	{
 		const SheetDrawing& sheet = scene_.sheets[s];
+		if (sheet.contours.empty())
+			return;
+		const int digits = digitsApart(valueStyle(scene_, sheet).lines);
 		for (const LevelLine& line : sheet.contours)
-			add(s, line.line, line.level, pen_.lettering().width(shortNumber(line.level), layout_.small_em));
-		if (!sheet.contours.empty())
-			for (const slice::PlaneLine& line : sheet.rim_lines)
-				add(s, line, 0.0, 0.0);
+			add(s, line.line, line.level, shortNumber(line.level, digits));
+		for (const slice::PlaneLine& line : sheet.rim_lines)
+			add(s, line, 0.0, "");
 	}
 
-	void add(std::size_t s, const slice::PlaneLine& line, double level, double width)
+	void add(std::size_t s, const slice::PlaneLine& line, double level, std::string words)
 	{
-		LabelledLine labelled{{}, line.closed, width};
+		LabelledLine labelled{{}, line.closed, pen_.lettering().width(words, layout_.small_em)};
 		for (const glm::dvec2& uv : line.points)
 		{
 			const Vec3 at = scene_.sheets[s].inWorld(uv);
@@ -76,6 +78,7 @@ private:
 		}
 		lines_.push_back(std::move(labelled));
 		levels_.push_back(level);
+		words_.push_back(std::move(words));
 		sheets_.push_back(s);
 	}
 
@@ -117,7 +120,7 @@ private:
 		pen_.filled({place.centre - along - across, place.centre + along - across, place.centre + along + across,
 		             place.centre - along + across},
 		            halo);
-		pen_.turnedText(place.centre, place.angle, size, ink, halo, shortNumber(level));
+		pen_.turnedText(place.centre, place.angle, size, ink, halo, words_[place.line]);
 	}
 
 	const Scene& scene_;
@@ -125,6 +128,7 @@ private:
 	Pen& pen_;
 	std::vector<LabelledLine> lines_;
 	std::vector<double> levels_; // per line
+	std::vector<std::string> words_;
 	std::vector<std::size_t> sheets_;
 };
 

@@ -14,10 +14,12 @@ namespace vp::render
 namespace
 {
 
-constexpr double kSmallView = 14.0;   // em, at most
-constexpr double kAroundData = 0.02;  // of its size, free around a slice without a window
-constexpr double kNumberWidth = 4.5;  // em, between numbers of the level axis
-constexpr double kNumberHeight = 2.4; // em, and of the upright one
+constexpr double kSmallView = 14.0;     // em, at most
+constexpr double kLeastSmallView = 4.0; // em; the axes' names take 3.2 of it
+constexpr double kAroundData = 0.02;    // of its size, free around a slice without a window
+constexpr double kNumberWidth = 4.5;    // em, between numbers of the level axis
+constexpr double kNumberHeight = 2.4;   // em, and of the upright one
+constexpr double kLeastRest = 12.0;     // em, of a plot and its numbers beside a legend
 constexpr int kMostNumbers = 12;
 
 // What is shown: the window, else what the slice covers, else where the bounds lie.
@@ -57,6 +59,23 @@ double widest(const Ticks& ticks, const Lettering& lettering, double em)
 	return width;
 }
 
+// In the part of the picture above `bottom`, moved left so that it begins where the small view does at the latest.
+void layOutLegendsAbove(double bottom, double left, const Look& look, const std::vector<LegendContent>& legends,
+                        Layout& text)
+{
+	Look upper = look;
+	upper.height = static_cast<std::uint32_t>(std::max(1.0, bottom));
+	layOutLegends(upper, legends, text);
+	if (text.legends.empty())
+		return;
+	if (std::min(left, text.legends.front().column.lo.x) < kLeastRest * text.em)
+		return text.legends.clear();
+	const double shift = std::max(0.0, text.legends.front().column.lo.x - left);
+	for (LegendLayout& legend : text.legends)
+		for (Area* area : {&legend.bar, &legend.nan, &legend.factor, &legend.title, &legend.column})
+			area->lo.x -= shift, area->hi.x -= shift;
+}
+
 // The legend above, the small view below, at the right; gives where the rest ends.
 double layOutColumn(const FlatScene& flat, const std::vector<LegendContent>& legends, FlatLayout& layout)
 {
@@ -67,21 +86,25 @@ double layOutColumn(const FlatScene& flat, const std::vector<LegendContent>& leg
 	if (look.axes && flat.scene.bounds)
 	{
 		const double side = std::min({kSmallView * text.em, 0.3 * look.width, 0.36 * look.height});
-		layout.small = {{right - side, look.height - text.margin - side}, {right, look.height - text.margin}};
-		left = layout.small.lo.x;
+		if (side > kLeastSmallView * text.em)
+		{
+			layout.small = {{right - side, look.height - text.margin - side}, {right, look.height - text.margin}};
+			left = layout.small.lo.x;
+		}
 	}
 	if (look.legend && !legends.empty())
 	{
-		Look upper = look;
-		if (layout.small.size().y > 0.0)
-			upper.height = static_cast<std::uint32_t>(std::max(1.0, layout.small.lo.y));
-		layOutLegends(upper, legends, text);
-		// A wide small view has the legend over its left side.
-		const double shift = std::max(0.0, text.legends.front().column.lo.x - left);
-		for (LegendLayout& legend : text.legends)
-			for (Area* area : {&legend.bar, &legend.nan, &legend.factor, &legend.title, &legend.column})
-				area->lo.x -= shift, area->hi.x -= shift;
-		left = std::min(left, text.legends.front().column.lo.x);
+		const bool above = layout.small.size().y > 0.0;
+		layOutLegendsAbove(above ? layout.small.lo.y : look.height, left, look, legends, text);
+		if (text.legends.empty() && above)
+		{
+			// Where there is no room for both, colours that can be read are worth more.
+			layOutLegendsAbove(look.height, right, look, legends, text);
+			if (!text.legends.empty())
+				layout.small = {}, left = right;
+		}
+		if (!text.legends.empty())
+			left = std::min(left, text.legends.front().column.lo.x);
 	}
 	return left < right ? left - 1.2 * text.margin : right;
 }

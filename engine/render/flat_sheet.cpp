@@ -126,12 +126,31 @@ private:
 			fill(outlines[i], i == nan ? style_.colors->nan : steps.colors[i], kSeam);
 	}
 
+	// What is infinite throughout, over the colour of NaN. Categories have none so large.
+	void fillInfinite()
+	{
+		if (!(style_.below || style_.above) || !style_.colors->categories.empty())
+			return;
+		std::vector<std::uint32_t> groups;
+		for (std::size_t p = 0; p < flat_.mesh->polygons(); ++p)
+		{
+			const Interpolated found = interpolated(flat_.mesh->polygon(p), flat_.values.of_vertices);
+			groups.push_back(found == Interpolated::minus_infinity  ? 1u
+			                 : found == Interpolated::plus_infinity ? 2u
+			                                                        : 0u);
+		}
+		const auto outlines = slice::groupOutlines(*flat_.mesh, points_, groups, 3);
+		fill(outlines[1], style_.colors->below, kSeam);
+		fill(outlines[2], style_.colors->above, kSeam);
+	}
+
 	// Each area reaches over the next one, which is drawn over it: so no seam is left between them.
 	void fillValues()
 	{
 		const slice::PlaneTriangles triangles =
-		    slice::planeTriangles(*flat_.mesh, flat_.content, flat_.values.of_vertices);
+		    slice::planeTriangles(*flat_.mesh, flat_.content, finiteOnly(flat_.values.of_vertices));
 		fill(slice::outlinesOf(triangles.points, triangles.nan_triangles), style_.colors->nan, kSeam);
+		fillInfinite();
 		const ColorSteps steps = colorSteps(style_, flat_.color_steps);
 		const Contours contours(triangles, steps.bounds);
 		const std::size_t reach = steps.opaque() ? 2 : 1;
@@ -189,10 +208,11 @@ private:
 	void drawLines()
 	{
 		const std::vector<LevelLine> drawn = levelLines(*flat_.mesh, flat_.content, flat_.values, style_.lines);
+		const int digits = digitsApart(style_.lines);
 		std::vector<LabelledLine> lines;
 		for (const LevelLine& line : drawn)
 			lines.push_back({inPixels(line.line.points), line.line.closed,
-			                 pen_.lettering().width(shortNumber(line.level), labelSize())});
+			                 pen_.lettering().width(shortNumber(line.level, digits), labelSize())});
 		for (const PlaneLine& rim : slice::meshOutlines(*flat_.mesh, points_))
 			lines.push_back({inPixels(rim.points), true, 0.0});
 		std::vector<LabelPlace> places;
@@ -217,7 +237,7 @@ private:
 			ink.a = 255;
 			Color halo = colorAt(level);
 			halo.a = 170;
-			pen_.turnedText(place.centre, place.angle, labelSize(), ink, halo, shortNumber(level));
+			pen_.turnedText(place.centre, place.angle, labelSize(), ink, halo, shortNumber(level, digits));
 		}
 	}
 

@@ -31,7 +31,8 @@ Layout makeLayout(const Look& look, const std::vector<LegendContent>& legends)
 	if (look.legend && !legends.empty())
 	{
 		layOutLegends(look, legends, layout);
-		right = layout.legends.front().column.lo.x - 1.5 * layout.margin;
+		if (!layout.legends.empty())
+			right = layout.legends.front().column.lo.x - 1.5 * layout.margin;
 	}
 	double top = layout.margin;
 	if (!look.title.empty())

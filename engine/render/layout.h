@@ -49,7 +49,8 @@ struct Layout
 	Area title;
 	Area caption;
 	Area axes;
-	std::vector<LegendLayout> legends; // of the first contents, as many as there is room for, from top to bottom
+	std::vector<LegendLayout>
+	    legends; // of the first contents, as many as there is room for, maybe none; from top to bottom
 
 	Frame frame;
 };

@@ -37,7 +37,7 @@ double leastPositive(const grid::BlockSet& blocks, const slice::FieldChoice& cho
 			for (std::size_t t = tuples.begin(); t < tuples.end(); ++t)
 			{
 				const double value = shown(*field, t, choice.component);
-				if (value > 0.0)
+				if (value > 0.0 && std::isfinite(value))
 					result = std::min(result, value);
 			}
 			return result;

@@ -6,7 +6,7 @@
 namespace vp::render
 {
 
-// The smallest shown value above 0 over all blocks. 0 where there is none.
+// The smallest finite shown value above 0 over all blocks. 0 where there is none.
 double leastPositive(const grid::BlockSet& blocks, const slice::FieldChoice& choice);
 
 } // namespace vp::render

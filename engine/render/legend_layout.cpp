@@ -25,9 +25,15 @@ std::size_t letters(const std::string& utf8)
 constexpr double kLongestBar = 32.0;       // em
 constexpr double kWidestCategories = 15.0; // em
 constexpr double kLeastLegend = 12.0;      // em of height, of several
+constexpr double kLeastBar = 3.0;          // em: two marks, or two categories
+constexpr double kRoomyBar = 5.0;          // em; before it is shorter, what is around it moves closer
+constexpr double kCap = 0.9;               // em
+constexpr double kAboveBar = 0.45;         // em, to the factor or the title
 
 Ticks legendTicks(const ValueStyle& style, int most)
 {
+	if (style.empty)
+		return {};
 	const std::vector<double>& levels = style.bands.empty() ? style.lines : style.bands;
 	if (!levels.empty())
 		return ticksAt(levels, most, style.logarithmic);
@@ -59,7 +65,18 @@ struct Slot
 	double lo;     // highest line of the title
 	double bar_lo; // without cap
 	double bar_hi;
+	bool tight = false; // bar_lo is without a factor above it
 };
+
+// In a low picture the title has one line, and the bar all that is left.
+Slot tightSlot(const LegendContent& content, const Look& look, const Layout& layout)
+{
+	const double em = layout.em;
+	const bool caps = content.style.colors->categories.empty() && (content.style.below || content.style.above);
+	const double ends = caps ? kCap * em : 0.0;
+	return {layout.margin, layout.margin + (kLineHeight + kAboveBar) * em + ends,
+	        look.height - layout.margin - ends - (content.has_nan ? 2.0 : 0.5) * em, true};
+}
 
 // A single legend stands in the middle of the picture's right side, several one below the other.
 Slot slotOf(const LegendContent& content, std::size_t number, std::size_t count, const Look& look, const Layout& layout)
@@ -70,8 +87,10 @@ Slot slotOf(const LegendContent& content, std::size_t number, std::size_t count,
 	if (count == 1)
 	{
 		const double half = std::min(0.34 * height, 0.5 * kLongestBar * em);
-		return {layout.margin, std::max(0.5 * height - half, layout.margin + kLineHeight * em * (title_lines + 2.5)),
-		        std::min(0.5 * height + half, height - layout.margin - 3.2 * em)};
+		const Slot slot{layout.margin,
+		                std::max(0.5 * height - half, layout.margin + kLineHeight * em * (title_lines + 2.5)),
+		                std::min(0.5 * height + half, height - layout.margin - 3.2 * em)};
+		return slot.bar_hi - slot.bar_lo < kRoomyBar * em ? tightSlot(content, look, layout) : slot;
 	}
 	const double share = (height - 2.0 * layout.margin) / static_cast<double>(count);
 	const double lo = layout.margin + share * static_cast<double>(number);
@@ -79,14 +98,14 @@ Slot slotOf(const LegendContent& content, std::size_t number, std::size_t count,
 	        lo + share - em * (content.has_nan ? 3.4 : 2.0)};
 }
 
-// Without its place from left to right; gives the width of its column.
+// Without its place from left to right; gives the width of its column, 0 where there is no room for it.
 double layOut(const LegendContent& content, const Slot& slot, const Look& look, double em, LegendLayout& layout)
 {
 	const ValueStyle& style = content.style;
 	const ColorMap& map = *style.colors;
 	const bool categories = !map.categories.empty();
 	double bottom = slot.bar_hi;
-	layout.cap = !categories && (style.below || style.above) ? 0.9 * em : 0.0;
+	layout.cap = !categories && (style.below || style.above) ? kCap * em : 0.0;
 	if (categories)
 		layOutCategories(map, em, slot.bar_lo, bottom, layout);
 	else
@@ -94,9 +113,12 @@ double layOut(const LegendContent& content, const Slot& slot, const Look& look, 
 		                                             style.lines.empty() && style.bands.empty() ? 9 : 16));
 
 	const double bar_width = 1.1 * em;
-	layout.bar = {{0.0, slot.bar_lo}, {bar_width, bottom}};
 	const double factor_height = layout.ticks.factor.empty() ? 0.0 : kLineHeight * em;
-	const double factor_bottom = slot.bar_lo - layout.cap - 0.45 * em;
+	const double top = slot.tight ? slot.bar_lo + factor_height : slot.bar_lo;
+	if (slot.bar_hi - top < kLeastBar * em)
+		return 0.0;
+	layout.bar = {{0.0, top}, {bar_width, bottom}};
+	const double factor_bottom = top - layout.cap - kAboveBar * em;
 	layout.factor = {{0.0, factor_bottom - factor_height}, {0.0, factor_bottom}};
 	layout.title = {{0.0, std::max(slot.lo, layout.factor.lo.y - 3.0 * kLineHeight * em)}, {0.0, layout.factor.lo.y}};
 	if (content.has_nan)
@@ -111,6 +133,8 @@ double layOut(const LegendContent& content, const Slot& slot, const Look& look, 
 	const double title =
 	    std::min(kLetterWidth * em * static_cast<double>(letters(content.title)), kLongestTitleLine * em);
 	const double widest = categories ? std::min(kWidestCategories * em, 0.3 * look.width) : 0.4 * look.width;
+	if (!categories && labels > widest)
+		return 0.0;
 	return std::min(std::max(labels, title), widest);
 }
 
@@ -125,7 +149,14 @@ void layOutLegends(const Look& look, const std::vector<LegendContent>& contents,
 	for (std::size_t i = 0; i < count; ++i)
 	{
 		const Slot slot = slotOf(contents[i], i, count, look, layout);
-		column = std::max(column, layOut(contents[i], slot, look, layout.em, layout.legends.emplace_back()));
+		const double width = layOut(contents[i], slot, look, layout.em, layout.legends.emplace_back());
+		column = std::max(column, width);
+		if (!(width > 0.0))
+		{
+			// They stand for the first contents.
+			layout.legends.pop_back();
+			break;
+		}
 	}
 	const double right = look.width - layout.margin;
 	for (LegendLayout& legend : layout.legends)

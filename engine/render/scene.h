@@ -31,6 +31,9 @@ struct ValueScale
 	bool has_nan = false;  // puts a swatch into the legend
 	bool per_cell = false; // constant in each polygon: contour lines go between polygons
 	double log_lo = 0.0;   // low end of a logarithmic scale, > 0; 0: no value is above 0
+	bool below = false;    // there is minus infinity
+	bool above = false;    // and infinity; lo and hi are finite
+	bool empty = false;    // no value is finite: lo and hi say nothing
 };
 
 // x0 < x1 along a sheet's u, y0 < y1 along its v.

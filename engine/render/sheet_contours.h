@@ -4,6 +4,7 @@
 #include "slice/mesh.h"
 #include "slice/plane_lines.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,19 @@ struct SheetValues
 	std::vector<double> of_vertices;
 	std::vector<double> of_polygons;
 };
+
+// What lies between the corners of a polygon: towards an infinite one nothing can be interpolated, unless all are.
+enum class Interpolated
+{
+	values,
+	nothing, // some corner is NaN, or not all are infinite alike
+	minus_infinity,
+	plus_infinity
+};
+Interpolated interpolated(std::span<const std::uint32_t> polygon, std::span<const double> of_vertices);
+
+// With NaN for what is infinite, which slice::planeTriangles() leaves out.
+std::vector<double> finiteOnly(std::span<const double> values);
 
 struct LevelLine
 {

@@ -1,6 +1,7 @@
 #include "render/surface_triangles.h"
 
 #include "render/corner_normals.h"
+#include "render/sheet_contours.h"
 #include "render/values_across.h"
 #include "slice/host_records.h"
 #include "slice/polygon_fans.h"
@@ -137,10 +138,19 @@ private:
 	{
 		if (!values_.of_polygons.empty())
 			return slice::drawnValue(values_.of_polygons[p]);
-		const bool known =
-		    values_.at_vertices.empty() || std::ranges::none_of(mesh_.polygon(p), [this](std::uint32_t v)
-		                                                        { return std::isnan(values_.at_vertices[v]); });
-		return known ? 0.0f : shared::kNanValue;
+		if (values_.at_vertices.empty())
+			return 0.0f;
+		switch (interpolated(mesh_.polygon(p), values_.at_vertices))
+		{
+		case Interpolated::minus_infinity:
+			return -shared::kInfiniteValue;
+		case Interpolated::plus_infinity:
+			return shared::kInfiniteValue;
+		case Interpolated::nothing:
+			return shared::kNanValue;
+		default:
+			return 0.0f;
+		}
 	}
 
 	std::uint32_t vertexHere(std::uint32_t v)

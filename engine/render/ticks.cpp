@@ -43,11 +43,20 @@ bool isPlain(double largest)
 	return exponent >= kLowestPlainExponent && exponent <= kHighestPlainExponent;
 }
 
-Ticks constantTick(double value)
+Ticks constantTick(double value, int digits = 4)
 {
 	Ticks ticks;
-	ticks.marks.push_back({value, shortNumber(value)});
+	ticks.marks.push_back({value, shortNumber(value, digits)});
 	return ticks;
+}
+
+// Of ascending values; a single one is told to a thousandth of its sixth digit.
+double leastDistance(const std::vector<double>& values)
+{
+	double least = std::numeric_limits<double>::infinity();
+	for (std::size_t i = 1; i < values.size(); ++i)
+		least = std::min(least, values[i] - values[i - 1]);
+	return values.size() == 1 ? 1e-6 * std::abs(values.front()) : least;
 }
 
 // Digits after the point that tell the multiples of 10^-factor apart from rounded ones, by a thousandth of `step`.
@@ -73,15 +82,9 @@ Ticks linearTicks(const std::vector<double>& values)
 {
 	Ticks ticks;
 	if (values.size() == 1)
-		return constantTick(values.front());
-	double largest = 0.0;
-	double step = std::numeric_limits<double>::infinity();
-	for (std::size_t i = 0; i < values.size(); ++i)
-	{
-		largest = std::max(largest, std::abs(values[i]));
-		if (i > 0)
-			step = std::min(step, values[i] - values[i - 1]);
-	}
+		return constantTick(values.front(), digitsApart(values));
+	const double largest = std::max(std::abs(values.front()), std::abs(values.back()));
+	const double step = leastDistance(values);
 	const int factor = isPlain(largest) && step >= 1e-6 ? 0 : decimalExponent(largest);
 	if (factor != 0)
 		ticks.factor = "×10" + superscript(factor);
@@ -204,13 +207,25 @@ Ticks makeTicks(double lo, double hi, int most)
 	return ticks;
 }
 
-std::string shortNumber(double value)
+int digitsApart(const std::vector<double>& values)
+{
+	const double slack = 1e-3 * leastDistance(values);
+	const auto fits = [&](double value, int digits)
+	{ return std::abs(std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr) - value) <= slack; };
+	int digits = 4;
+	while (digits < std::numeric_limits<double>::digits10 &&
+	       !std::ranges::all_of(values, [&](double value) { return fits(value, digits); }))
+		++digits;
+	return digits;
+}
+
+std::string shortNumber(double value, int significant)
 {
 	if (value == 0.0)
 		return "0";
 	if (!std::isfinite(value))
 		return withMinus(fmt::format("{}", value));
-	const std::string digits = fmt::format("{:.4g}", value);
+	const std::string digits = fmt::format("{:.{}g}", value, significant);
 	const auto e = digits.find('e');
 	if (e == std::string::npos)
 		return withMinus(digits);

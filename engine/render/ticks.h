@@ -29,7 +29,11 @@ Ticks makeLogTicks(double lo, double hi, int most);
 // Marks at given values, ascending: every second, third … of them where there are more than `most`.
 Ticks ticksAt(const std::vector<double>& values, int most, bool logarithmic);
 
-// A number for a caption: four digits, a true minus sign, no negative zero.
-std::string shortNumber(double value);
+// A number for a caption: so many significant digits, a true minus sign, no negative zero.
+std::string shortNumber(double value, int significant = 4);
+
+// Significant digits, four at the least, that leave each of some round values, ascending, within a thousandth of their
+// least distance from where it was.
+int digitsApart(const std::vector<double>& values);
 
 } // namespace vp::render

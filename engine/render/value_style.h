@@ -22,6 +22,7 @@ struct ValueStyle
 	bool per_cell = false;     // values are constant in each polygon
 	bool below = false;        // values below lo get a colour of their own
 	bool above = false;        // and those above hi
+	bool empty = false;        // lo and hi say nothing: there is no value
 	std::vector<double> lines; // values of the contour lines, ascending
 	std::vector<double> bands; // values between bands of colour, ascending; empty: colours are continuous
 

@@ -101,10 +101,18 @@ struct ComposeParams
 struct SurfaceTriangle
 {
 	uint corners[3]; // vertices; with kHiddenEdge the edge to the next corner is no edge of the polygon
-	float value;     // of the polygon, where values are its; kNanValue where it has none, whatever its vertices have
+	float value;     // of the polygon, where values are its; else wholeValue() of its corners (render_whole.glsl)
 	uint normals[3]; // at the corners, unit, octahedral, two 16-bit snorms
 	float width;     // factor from the triangle's width to the polygon's: 4 area / perimeter each
 };
+
+// What values mean in pictures, beside kNanValue and kEmptyValue: data are no larger than kInfiniteValue, which is what
+// infinite ones come as, and from kInfiniteFrom on they count as infinite (an edge that leads from a finite value to
+// an infinite one may be cut near the finite one; common marks for missing data, up to 1e37, are finite).
+VP_CONST float kInfiniteValue = 2.0e38f;
+VP_CONST float kInfiniteFrom = 1.0e37f;
+VP_CONST float kNanFrom = 2.5e38f;
+VP_CONST float kEmptyUpTo = -2.5e38f;
 
 VP_CONST uint kHiddenEdge = 0x80000000u;
 VP_CONST uint kSurfaceTexels = 2u; // a triangle, four words each

@@ -45,7 +45,7 @@ protected:
 		for (const Vec3& p : mesh_.positions)
 		{
 			flat.values.of_vertices.push_back(value(p));
-			if (!std::isnan(value(p)))
+			if (std::isfinite(value(p)))
 				lo = std::min(lo, value(p)), hi = std::max(hi, value(p));
 		}
 		flat.scene.values = ValueScale{"f", lo, hi};
@@ -140,6 +140,37 @@ TEST_F(Flat, ColoursOfAKnownFieldTrueToScale)
 			const auto y = static_cast<std::uint32_t>(box.y0 + up * height);
 			EXPECT_LE(distance(picture, x, y, map.at((x + 0.5 - box.x0) / width)), 3) << x << " " << y;
 		}
+}
+
+TEST_F(Flat, InfinityIsBeyondTheRange)
+{
+	constexpr double kInfinity = std::numeric_limits<double>::infinity();
+	// Points lie at multiples of 0.25.
+	FlatScene flat = sceneOf([](const Vec3& p) { return p.x < -0.9  ? -kInfinity
+		                                                : p.x > 0.9 ? kInfinity
+		                                                            : p.x; },
+	                         windowed(4.0, 2.0));
+	flat.scene.values->below = flat.scene.values->above = true;
+	flat.scene.look.lines = 3;
+	flat.scene.look.labels = false;
+	const Picture picture = drawn(flat);
+	const Box4 box = filledBox(picture, 350, 240);
+	const ColorMap map = makeColorMap("viridis").value();
+	const auto shows = [&](double at, const Color& color)
+	{
+		const auto x = static_cast<std::uint32_t>(box.x0 + (at + 2.0) / 4.0 * (box.x1 - box.x0 + 1.0));
+		for (const double up : {0.03, 0.3, 0.97})
+			EXPECT_LE(distance(picture, x, static_cast<std::uint32_t>(box.y0 + up * (box.y1 - box.y0)), color), 5)
+			    << at;
+	};
+	for (const double at : {1.05, 1.5, 1.95})
+	{
+		shows(at, map.above);
+		shows(-at, map.below);
+	}
+	shows(0.87, map.nan);
+	shows(-0.87, map.nan);
+	shows(0.25, map.at(1.0 / 1.5 * (0.25 + 0.75)));
 }
 
 TEST_F(Flat, ContourLinesRunThroughTheirPlaces)

@@ -2,6 +2,7 @@
 
 #include "shared/slice_types.h"
 #include "slice/gpu_records.h"
+#include "slice/host_records.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,7 @@ SheetDrawing DrawingTest::square(const probe::Sheet& sheet, double half, double 
 				const double value = f(u, v);
 				record.uv[2 * k] = static_cast<float>(u);
 				record.uv[2 * k + 1] = static_cast<float>(v);
-				record.value[k] = std::isnan(value) ? vp::shared::kNanValue : static_cast<float>(value);
+				record.value[k] = slice::drawnValue(value);
 			}
 			records.push_back(record);
 			records.push_back({}); // a cell that emitted nothing

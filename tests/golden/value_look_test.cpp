@@ -127,6 +127,27 @@ TEST_F(ValueLook, LinesStayOffNanAndPlateaus)
 	EXPECT_LE(brightness(at(lines, 0.5, -0.9)), brightness(at(plain, 0.5, -0.9)) - 60);
 }
 
+TEST_F(ValueLook, InfinityIsBeyondTheRange)
+{
+	constexpr double kInfinity = std::numeric_limits<double>::infinity();
+	scene_.values = ValueScale{"f", 0.0, 1.0};
+	scene_.values->below = scene_.values->above = true;
+	scene_.look.colors = makeColorMap("viridis").value();
+	scene_.look.lines = 5;
+	scene_.look.labels = false;
+	// Corners lie at multiples of 0.375.
+	show([](double u, double) { return u < -0.5 ? -kInfinity : u > 0.5 ? kInfinity : 0.5 + u; }, 8);
+	const Picture picture = draw(scene_);
+	for (const double v : {-1.2, 0.1, 0.9})
+	{
+		EXPECT_LE(difference(rgb(scene_.look.colors.below), at(picture, -1.0, v)), 1.0);
+		EXPECT_LE(difference(rgb(scene_.look.colors.above), at(picture, 1.0, v)), 1.0);
+		EXPECT_LE(difference(rgb(scene_.look.colors.nan), at(picture, -0.55, v)), 1.0);
+		EXPECT_LE(difference(rgb(scene_.look.colors.nan), at(picture, 0.55, v)), 1.0);
+		EXPECT_LE(difference(rgb(scene_.look.colors.at(0.5)), at(picture, 0.0, v)), 6.0);
+	}
+}
+
 TEST_F(ValueLook, LinesOfCellValuesGoBetweenCells)
 {
 	// Two halves, constant each, with a level between them; above v = 0.5 there is none between.

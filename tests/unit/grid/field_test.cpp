@@ -71,6 +71,24 @@ TEST(Field, RangeLeavesNanOut)
 	EXPECT_EQ(fieldRange(makeField<float>("f", Association::point, 1, {}), 0), (std::pair{0.0, 0.0}));
 }
 
+TEST(Field, InfiniteValuesAreToldApart)
+{
+	constexpr double kInfinity = std::numeric_limits<double>::infinity();
+	const Field field = makeField<float>("f", Association::point, 1, {INFINITY, 3.0f, NAN, -2.0f});
+	EXPECT_EQ(fieldRange(field, 0), (std::pair{-2.0, 3.0}));
+	EXPECT_TRUE(valueSpan(field, 0).plus_infinity);
+	EXPECT_FALSE(valueSpan(field, 0).minus_infinity);
+	const Field none = makeField<double>("f", Association::point, 1, {kNan, -kInfinity});
+	EXPECT_TRUE(valueSpan(none, 0).empty());
+	EXPECT_TRUE(valueSpan(none, 0).minus_infinity);
+	EXPECT_EQ(fieldRange(none, 0), (std::pair{0.0, 0.0}));
+	EXPECT_EQ(valueSpan(makeField<double>("v", Association::point, 2, {3.0, 4.0, 1.0, -kInfinity}), kMagnitude).hi,
+	          5.0);
+	std::vector<double> many(1000003, 1.0);
+	many[999999] = kInfinity;
+	EXPECT_TRUE(valueSpan(makeField("f", Association::point, 1, std::move(many)), 0).plus_infinity);
+}
+
 TEST(Field, RangeOfMagnitude)
 {
 	const Field field = makeField<float>("v", Association::point, 3, {3, 4, 0, 0, 0, 1, 2, NAN, 0});

@@ -66,6 +66,49 @@ TEST(Layout, NothingOverlapsAtAnySize)
 			}
 }
 
+// From pictures with no room for a legend up to those that have it.
+TEST(Layout, SmallPicturesHaveALegendThatFitsOrNone)
+{
+	std::size_t some = 0;
+	std::size_t none = 0;
+	for (std::uint32_t width = 40; width <= 320; width += 35)
+		for (std::uint32_t height = 16; height <= 240; height += 8)
+			for (const double hi : {1.0, 98765.4e3})
+				for (const bool clipped : {false, true})
+				{
+					Scene scene = sceneOf({width, height}, "s", 0.0, hi, clipped);
+					scene.values->has_nan = clipped;
+					const Layout layout = makeLayout(scene);
+					(layout.legends.empty() ? none : some) += 1;
+					for (const LegendLayout& legend : layout.legends)
+					{
+						SCOPED_TRACE(testing::Message() << width << "x" << height << " up to " << hi);
+						EXPECT_GE(legend.bar.size().y, 3.0 * layout.em);
+						EXPECT_GE(legend.title.size().y, 1.2 * layout.em);
+						EXPECT_GE(legend.title.lo.y, 0.5 * layout.margin);
+						EXPECT_LE(legend.title.hi.y, legend.factor.lo.y + 1e-9);
+						EXPECT_LE(legend.factor.hi.y, legend.bar.lo.y - legend.cap);
+						EXPECT_LE(legend.column.hi.y, height);
+						EXPECT_GE(legend.column.lo.x, 0.0);
+						EXPECT_LE(legend.column.hi.x, width);
+					}
+				}
+	EXPECT_GT(some, 100u);
+	EXPECT_GT(none, 20u);
+}
+
+TEST(Layout, WithoutValuesThereAreNoNumbers)
+{
+	Scene scene = sceneOf({640, 480}, "s", 0.0, 0.0, false);
+	ASSERT_EQ(makeLayout(scene).legends.size(), 1u);
+	EXPECT_EQ(makeLayout(scene).legends[0].ticks.marks.size(), 1u); // a constant
+	scene.values->empty = true;
+	ASSERT_EQ(makeLayout(scene).legends.size(), 1u);
+	EXPECT_TRUE(makeLayout(scene).legends[0].ticks.marks.empty());
+	scene.look.range = {1.0, 2.0};
+	EXPECT_FALSE(makeLayout(scene).legends[0].ticks.marks.empty());
+}
+
 TEST(Layout, CategoriesFitOrAreToldInANumber)
 {
 	for (const Size size : kSizes)

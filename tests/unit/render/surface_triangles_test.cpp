@@ -157,6 +157,18 @@ TEST(SurfaceTriangles, OnePolygonWithNanHasNoValueAnywhere)
 	}
 }
 
+TEST(SurfaceTriangles, InfiniteThroughoutOrNoValue)
+{
+	const double infinity = std::numeric_limits<double>::infinity();
+	const slice::SheetMesh mesh = bentStrip(3, 0.0);
+	const std::vector<double> values{infinity, infinity, infinity, infinity, 1.0, 1.0, 1.0, 1.0};
+	const auto parts = surfaceTriangles(mesh, {values, {}}, {}, 999);
+	for (std::size_t t = 0; t < 6; ++t)
+		EXPECT_EQ(parts[0].triangles.at(t).value, t / 2 == 0   ? shared::kInfiniteValue
+		                                          : t / 2 == 1 ? shared::kNanValue
+		                                                       : 0.0f);
+}
+
 TEST(SurfaceTriangles, ValuesAcrossEdges)
 {
 	const double nan = std::numeric_limits<double>::quiet_NaN();

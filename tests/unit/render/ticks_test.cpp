@@ -1,9 +1,11 @@
+#include "render/levels.h"
 #include "render/ticks.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace vp::render
 {
@@ -43,6 +45,33 @@ TEST(Ticks, AtGivenValues)
 	EXPECT_EQ(tiny.factor, "×10⁻⁹");
 	EXPECT_EQ(labels(ticksAt({3.25}, 9, false)), (Words{"3.25"}));
 	EXPECT_TRUE(ticksAt({}, 9, false).marks.empty());
+}
+
+// Values that lie close together need more digits than four.
+TEST(Ticks, NumbersAreToldApart)
+{
+	const auto told = [](const std::vector<double>& values)
+	{
+		Words words;
+		for (const double value : values)
+			words.push_back(shortNumber(value, digitsApart(values)));
+		return words;
+	};
+	EXPECT_EQ(told({101325.0, 101325.5, 101326.0}), (Words{"101325", "101325.5", "101326"}));
+	EXPECT_EQ(told({100000.02, 100000.04}), (Words{"100000.02", "100000.04"}));
+	EXPECT_EQ(told({-2.0002e-7, -2.0001e-7}), (Words{"\u22122.0002×10⁻⁷", "\u22122.0001×10⁻⁷"}));
+	EXPECT_EQ(told({101328.0}), (Words{"101328"}));
+	EXPECT_EQ(told({-1.0, 0.0, 1.0}), (Words{"\u22121", "0", "1"}));
+	EXPECT_EQ(digitsApart({0.1, 0.2, 0.3}), 4);
+	EXPECT_EQ(digitsApart({1e-3, 1.0, 1e9}), 4);
+	EXPECT_EQ(digitsApart({}), 4);
+	EXPECT_EQ(labels(ticksAt({101328.0}, 9, false)), (Words{"101328"}));
+	for (const double lo : {-101325.0, 0.0, 3e9})
+		for (const double range : {0.0078125, 6.0, 1e5})
+		{
+			const Words words = told(roundLevels(lo, lo + range, 20, false));
+			EXPECT_EQ(std::set<std::string>(words.begin(), words.end()).size(), words.size()) << lo << " " << range;
+		}
 }
 
 TEST(Ticks, OfALogarithmicScale)
