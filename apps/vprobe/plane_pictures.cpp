@@ -64,7 +64,7 @@ Result<std::vector<std::string>> writePictures(const Session& session, const std
 		flat.scene.outline = outline;
 		flat.scene.bounds = session.blocks.bounds();
 		flat.scene.look = looks.choice().look;
-		flat.scene.look.caption = caption(slice.sheets[s].sheet);
+		flat.scene.look.caption = caption(slice.sheets[s].sheet, *flat.scene.bounds);
 		flat.camera = look.camera;
 		flat.content = slice.sheets[s].sheet;
 		flat.mesh = &sheets[s].mesh;

@@ -5,12 +5,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vp::app
 {
 
 namespace
 {
+
+constexpr double kRounding = 1e-6; // of single precision, a few operations on
+
+double largest(const Vec3& v)
+{
+	return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+Vec3 withoutSmall(Vec3 v, double least)
+{
+	for (int axis = 0; axis < 3; ++axis)
+		if (!(std::abs(v[axis]) >= least))
+			v[axis] = 0.0;
+	return v;
+}
 
 render::ValueScale generationScale(const slice::Slice& slice)
 {
@@ -23,10 +39,13 @@ render::ValueScale generationScale(const slice::Slice& slice)
 
 } // namespace
 
-std::string caption(const probe::Sheet& sheet)
+std::string caption(const probe::Sheet& sheet, const Box& bounds)
 {
-	return fmt::format("origin {:.4g}, {:.4g}, {:.4g}   normal {:.3f}, {:.3f}, {:.3f}", sheet.origin.x, sheet.origin.y,
-	                   sheet.origin.z, sheet.normal.x, sheet.normal.y, sheet.normal.z);
+	const double of_bounds = bounds.empty() ? 0.0 : std::max(largest(bounds.lo), largest(bounds.hi));
+	const Vec3 origin = withoutSmall(sheet.origin, kRounding * std::max(of_bounds, largest(sheet.origin)));
+	const Vec3 normal = withoutSmall(sheet.normal, 0.5e-3); // no negative zero
+	return fmt::format("origin {:.4g}, {:.4g}, {:.4g}   normal {:.3f}, {:.3f}, {:.3f}", origin.x, origin.y, origin.z,
+	                   normal.x, normal.y, normal.z);
 }
 
 bool hasNan(const SheetStats& sheet)

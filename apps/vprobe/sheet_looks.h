@@ -39,8 +39,9 @@ private:
 	std::map<std::string, render::ColorMap> colors_; // of sheets that wish for one
 };
 
-// Where a sheet is, in words.
-std::string caption(const probe::Sheet& sheet);
+// Where a sheet is, in words. Coordinates that are rounding beside the largest of the grid's bounds, or of the
+// others, are 0.
+std::string caption(const probe::Sheet& sheet, const Box& bounds = {});
 
 bool hasNan(const SheetStats& sheet);
 

@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr double kLabelsApart = 30.0; // em, along a line
+constexpr double kSoftHalo = 0.5;     // of the plate's opacity, on translucent sheets
 constexpr double kHides = 0.6;        // a sheet of this opacity
 
 // Even-odd.
@@ -28,6 +29,19 @@ bool isInside(const glm::dvec2& p, const std::vector<slice::PlaneLine>& rim)
 		}
 	return inside;
 }
+
+} // namespace
+
+Color labelGround(const Color& of_sheet, double opacity, const Background& background)
+{
+	const Color behind = groundOf(background);
+	const auto mixed = [&](std::uint8_t a, std::uint8_t b) { return (opacity * a + (1.0 - opacity) * b) / 255.0; };
+	return colorOf(Vec3(mixed(of_sheet.r, behind.r), mixed(of_sheet.g, behind.g), mixed(of_sheet.b, behind.b)),
+	               0.92 * std::clamp(opacity, 0.3, 1.0));
+}
+
+namespace
+{
 
 class ContourLabels
 {
@@ -109,17 +123,19 @@ private:
 		const SheetDrawing& sheet = scene_.sheets[sheets_[place.line]];
 		const double level = levels_[place.line];
 		const ValueStyle style = valueStyle(scene_, sheet);
-		Color halo = style.colors->at(style.part(level));
+		Color halo = labelGround(style.colors->at(style.part(level)), sheet.opacity, scene_.look.background);
 		Color ink = inkOver(halo);
 		ink.a = 255;
-		halo.a = static_cast<std::uint8_t>(std::lround(235.0 * std::clamp(sheet.opacity, 0.3, 1.0)));
+		const Color plate = halo;
+		// Letters have several halos, each over the other.
+		halo.a = static_cast<std::uint8_t>(halo.a * (sheet.opacity < 1.0 ? kSoftHalo : 1.0));
 		// The line ends before the words: else it would pass for a minus sign.
 		const glm::dvec2 along =
 		    (0.5 * lines_[place.line].width + 0.3 * size) * glm::dvec2(std::cos(place.angle), std::sin(place.angle));
 		const glm::dvec2 across = 0.18 * size * glm::normalize(glm::dvec2(-along.y, along.x));
 		pen_.filled({place.centre - along - across, place.centre + along - across, place.centre + along + across,
 		             place.centre - along + across},
-		            halo);
+		            plate);
 		pen_.turnedText(place.centre, place.angle, size, ink, halo, words_[place.line]);
 	}
 

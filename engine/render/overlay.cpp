@@ -81,13 +81,8 @@ Area seenArea(const Box& box, const Camera& camera, const Frame& frame)
 // Words over the scene would be lost in its colours: they get a ground.
 void writePlates(const Scene& scene, const Layout& layout, Pen& pen)
 {
-	const Background& background = scene.look.background;
-	Color ground{255, 255, 255, 205};
-	if (!background.transparent())
-		ground = colorOf(Vec3(background.top.r + background.bottom.r, background.top.g + background.bottom.g,
-		                      background.top.b + background.bottom.b) /
-		                     510.0,
-		                 0.8);
+	Color ground = groundOf(scene.look.background);
+	ground.a = 205;
 	const auto asWide = [&](Area area, const std::string& words, double size)
 	{
 		area.hi.x = std::min(area.hi.x, area.lo.x + pen.lettering().width(words, size));

@@ -30,6 +30,15 @@ double luminance(const Color& color)
 	return (0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b) / 255.0;
 }
 
+Color groundOf(const Background& background)
+{
+	if (background.transparent())
+		return {255, 255, 255};
+	const Color& top = background.top;
+	const Color& bottom = background.bottom;
+	return colorOf(Vec3(top.r + bottom.r, top.g + bottom.g, top.b + bottom.b) / 510.0);
+}
+
 Color inkOver(const Color& under)
 {
 	const std::uint8_t ink = luminance(under) < 0.33 ? 235 : 18;

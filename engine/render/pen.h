@@ -23,6 +23,8 @@ Inks inksOn(const Background& background);
 
 double luminance(const Color& color); // 0 to 1
 
+Color groundOf(const Background& background); // its middle; white where it is transparent
+
 // Of lines on a colour: dark on light, light on dark.
 Color inkOver(const Color& under);
 

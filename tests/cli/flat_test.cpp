@@ -52,6 +52,19 @@ TEST_F(Flat, OptionsChangeThePicture)
 		EXPECT_NE(plain, picture(options)) << options[0];
 }
 
+TEST_F(Flat, RoundingIsNotWrittenDown)
+{
+	const auto picture = [&](const char* x)
+	{
+		EXPECT_TRUE(isQuiet(slice({"-o", path("p.png"), "--size", "500x300", "--origin", x, "1.5", "0.1"})));
+		return contents(path("p.png"));
+	};
+	const std::string plain = picture("0");
+	EXPECT_EQ(plain, picture("2e-8"));
+	EXPECT_EQ(plain, picture("-2e-8"));
+	EXPECT_NE(plain, picture("0.001"));
+}
+
 TEST_F(Flat, SeveralSheetsHaveAFileEach)
 {
 	ASSERT_TRUE(isQuiet(slice({"--probe", "trihedral", "-o", path("s{sheet}.png"), "--size", "300x200"})));

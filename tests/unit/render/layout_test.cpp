@@ -1,5 +1,6 @@
 #include "render/layout.h"
 
+#include "render/contour_labels.h"
 #include "render/overlay.h"
 
 #include <gtest/gtest.h>
@@ -187,6 +188,25 @@ TEST(Layout, WhatIsOffLeavesItsPlace)
 	EXPECT_TRUE(with.corner);
 	EXPECT_FALSE(without.corner);
 	EXPECT_EQ(makeOverlay(scene).indices.size(), 0u);
+}
+
+TEST(ContourLabels, HaveTheGroundThatIsSeen)
+{
+	const Background white{{255, 255, 255}, {255, 255, 255}};
+	const Color dark{40, 20, 60};
+	const Color opaque = labelGround(dark, 1.0, white);
+	EXPECT_EQ(opaque, (Color{40, 20, 60, opaque.a}));
+	EXPECT_GT(opaque.a, 220);
+	// Half of a dark sheet is light before white, and words on it are dark.
+	const Color half = labelGround(dark, 0.5, white);
+	EXPECT_NEAR(half.r, 148, 1);
+	EXPECT_NEAR(half.g, 138, 1);
+	EXPECT_NEAR(half.b, 158, 1);
+	EXPECT_LT(half.a, 128);
+	EXPECT_LT(luminance(inkOver(half)), luminance(half));
+	EXPECT_GT(luminance(inkOver(opaque)), luminance(opaque));
+	EXPECT_GT(labelGround(dark, 0.0, white).a, 60);
+	EXPECT_EQ(labelGround(dark, 0.5, parseBackground("transparent").value()), half);
 }
 
 TEST(Overlay, StaysInsideThePicture)
