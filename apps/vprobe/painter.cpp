@@ -182,7 +182,8 @@ Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vec
 	const bool has_plane = !slice.sheets.empty() && !slice.sheets.front().surface;
 	const probe::Sheet* first = has_plane ? &slice.sheets.front().shown : nullptr;
 	if (!slice.sheets.empty() && choice().captions)
-		scene.look.caption = has_plane ? caption(*first) : slice::nameOf(*slice.sheets.front().surface);
+		scene.look.caption =
+		    has_plane ? caption(*first, session_.blocks.bounds()) : slice::nameOf(*slice.sheets.front().surface);
 	if (!camera_ || choice().camera.followsSheet())
 	{
 		if (choice().camera.followsSheet() && !has_plane)

@@ -155,7 +155,8 @@ double interpolate(const grid::Block& block, const grid::Field& field, int compo
 		                  const double b = field.value(sources.second, c);
 		                  if (field.categorical)
 			                  return at.t < 0.5 ? a : at.t > 0.5 ? b : std::min(a, b);
-		                  return at.t == 1.0 ? b : a + at.t * (b - a);
+		                  // Between two equal infinities there is no difference to take a part of.
+		                  return at.t == 1.0 || a == b ? b : a + at.t * (b - a);
 	                  });
 }
 

@@ -43,14 +43,14 @@ struct Sums
 	void addPart(double area_part, double mean_value)
 	{
 		area += area_part;
-		if (std::isnan(mean_value))
+		if (!std::isfinite(mean_value))
 			nan_area += area_part;
 		else
 			value_area += area_part * mean_value;
 	}
 	void addValue(double value)
 	{
-		if (std::isnan(value))
+		if (!std::isfinite(value))
 			return;
 		min = std::min(min, value);
 		max = std::max(max, value);

@@ -18,7 +18,7 @@ struct SheetMeasure
 {
 	double area = 0.0;
 	double boundary_area = 0.0; // of the boundary faces in the plane
-	double nan_area = 0.0;      // part of the area whose value is NaN
+	double nan_area = 0.0;      // part of the area whose value is NaN or infinite; it stays out of the rest
 	std::optional<double> mean; // area-weighted; none without an array or without area
 	std::optional<double> min;  // of the values at the vertices (point data) or of the polygons (cell data)
 	std::optional<double> max;
