@@ -61,9 +61,9 @@ const BlockTree& treeOf(const Block& block);
 struct BlockSet
 {
 	std::vector<Block> blocks;
-	std::vector<double> times; // that the input offers, ascending; empty where it knows no time
-	std::size_t left_out = 0;  // cells of dimension below three
-	Interfaces interfaces;     // built by matchInterfaces(), once all blocks are finished
+	std::vector<double> times;  // that the input offers, ascending; empty where it knows no time
+	std::size_t left_out = 0;   // cells of dimension below three
+	Interfaces interfaces;      // built by matchInterfaces(), once all blocks are finished
 	std::vector<Patch> patches; // that the files name, where they were asked for
 
 	// Of the grids, which are what is walked and cut.

@@ -114,7 +114,8 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	options.patches = true;
 	constexpr int leaked = 50;
 	ASSERT_EQ(dup2(STDERR_FILENO, leaked), leaked);
-	const auto handed = run("echo \"$1|$2|$3|$4|$5|$6\" >&4; [ -e /proc/$$/fd/50 ] && echo leaked >&4; exit 0", options);
+	const auto handed =
+	    run("echo \"$1|$2|$3|$4|$5|$6\" >&4; [ -e /proc/$$/fd/50 ] && echo leaked >&4; exit 0", options);
 	close(leaked);
 	ASSERT_TRUE(handed) << handed.error().message;
 	EXPECT_EQ(handed->manifest, "2.5|some.q|3|0.5|1|" + input_ + "\n");
