@@ -44,7 +44,6 @@ public:
 				if (used_.load(std::memory_order_relaxed) > slots_ / 4 * 3)
 					return kFull;
 				// What stands for the slot's owner until it has one must be there before its key is seen.
-				held = 0;
 				if (at.compare_exchange_strong(held, kBusy, std::memory_order_acquire))
 				{
 					owners_[slot] = rank;
@@ -69,7 +68,6 @@ public:
 	bool isOwner(std::uint32_t slot, std::uint64_t rank) const { return owners_[slot] == rank; }
 	void setNumber(std::uint32_t slot, std::uint32_t number) { numbers_[slot] = number; }
 	std::uint32_t number(std::uint32_t slot) const { return numbers_[slot]; }
-	std::size_t slots() const { return slots_; }
 
 private:
 	static constexpr std::uint64_t kBusy = ~0ull; // no edge: its points differ

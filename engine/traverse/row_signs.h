@@ -57,9 +57,9 @@ RowSigns<Number>::RowSigns(const grid::Points& points, const surface::Plane& pla
 		normal_[axis] = static_cast<float>(plane.normal()[axis]);
 	const Vec3 reach = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
 	constexpr double kRounding = 0x1p-24;
-	doubt_ = static_cast<float>(
-	    8.0 * kRounding *
-	    (glm::dot(glm::abs(plane.normal()), reach) + glm::dot(glm::abs(plane.normal()), glm::abs(plane.origin()))));
+	constexpr double kUnderflow = 0x1p-100; // float has fewer digits there
+	doubt_ = static_cast<float>(kUnderflow +
+	                            8.0 * kRounding * glm::dot(glm::abs(plane.normal()), reach + glm::abs(plane.origin())));
 }
 
 #ifdef __SSE2__
