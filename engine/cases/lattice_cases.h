@@ -7,12 +7,20 @@ namespace vp::cases
 {
 
 // A column of a lattice at i: the S bits of the points (j, k), (j+1, k), (j, k+1), (j+1, k+1) in bits 0 to 3. The cell
-// (i, j, k) lies between the columns at i and i + 1, which make its case index: column(i) | column(i+1) << 4.
+// (i, j, k) lies between the columns at i and i + 1, which make its case index.
 using Column = std::uint8_t;
+
+// Bit 4 of a column: the cell that begins there is cut, but does not count as such, since a window leaves it out.
+constexpr Column kLeftOut = 1 << 4;
 
 constexpr bool isUniform(Column column)
 {
 	return column == 0 || column == 15;
+}
+
+constexpr unsigned caseIndex(Column at, Column next)
+{
+	return (at & 15u) | (next & 15u) << 4;
 }
 
 // A lattice edge starts at its lower point and runs along i, j or k; that point owns it.
@@ -37,7 +45,7 @@ struct LatticeCase
 	std::array<LatticeEdge, kMaxLatticeEdges> edge{}; // counter-clockwise seen from the positive side, as in Case
 };
 
-// By case index; column(i) | column(i) << 4 for the last column of a row, whose point owns no edge along i.
+// By case index; caseIndex(last, last) for the last column of a row, whose point owns no edge along i.
 const std::array<LatticeCase, 256>& latticeCases();
 
 } // namespace vp::cases

@@ -14,17 +14,25 @@ namespace
 {
 
 // A hot spot on a face or a vertex may be found in the cell whose vertices all count as positive. The cut cell is near:
-// looked for across faces, ring by ring, among this many cells (two rings of hexahedra and their corners).
+// looked for across faces, ring by ring, among this many cells (two rings of hexahedra and their corners). So is the
+// one whose section holds a window that is smaller than a cell: where faces are warped it may be beside the one found.
 constexpr std::size_t kNearbyCells = 64;
 
 template <grid::Grid G>
-CellId nearestCutCell(const G& grid, const surface::Plane& plane, CellId start)
+CellId nearestCutCell(const G& grid, const surface::Plane& plane, const SheetWindow* window, CellId start)
 {
 	std::vector<CellId> queue{start};
+	grid::CellFaces faces;
 	for (std::size_t i = 0; i < queue.size(); ++i)
 	{
 		if (isCut(grid, plane, queue[i]))
-			return queue[i];
+		{
+			if (!window)
+				return queue[i];
+			grid.cellFaces(queue[i], faces);
+			if (window->meetsCell(grid, plane, faces))
+				return queue[i];
+		}
 		for (int f = 0; f < grid.faceCount(queue[i]); ++f)
 			grid.forEachNeighbour(queue[i], f,
 			                      [&](CellId n)
@@ -70,8 +78,9 @@ bool isShownAcrossSeam(const grid::BlockSet& blocks, const surface::Plane& plane
 	return false;
 }
 
-// The seed at the hot spot, in the first block that holds it.
-void seedHotSpot(const grid::BlockSet& blocks, const Vec3& hot_spot, const surface::Plane& plane, SheetSeeds& seeds)
+// The seed at the hot spot, in the first block that holds it; in every one where `everywhere` asks for it.
+void seedHotSpot(const grid::BlockSet& blocks, const Vec3& hot_spot, const surface::Plane& plane,
+                 const SheetWindow* window, bool everywhere, SheetSeeds& seeds)
 {
 	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
 	{
@@ -83,11 +92,12 @@ void seedHotSpot(const grid::BlockSet& blocks, const Vec3& hot_spot, const surfa
 			continue;
 		seeds.hot_spot_inside = true;
 		const CellId seed =
-		    std::visit([&](const auto& grid) { return nearestCutCell(grid, plane, located.cell); }, block.grid);
+		    std::visit([&](const auto& grid) { return nearestCutCell(grid, plane, window, located.cell); }, block.grid);
 		if (seed == kNoCell)
 			continue; // on the rim of this block; another one may hold it as well
 		seeds.cells[b].push_back(seed);
-		return;
+		if (!everywhere)
+			return;
 	}
 }
 
@@ -101,10 +111,11 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 	const surface::Plane plane = sheet.plane();
 	const std::optional<SheetWindow> window = sheet.window ? std::optional<SheetWindow>(sheet) : std::nullopt;
 	const Vec3 hot_spot = window ? window->hotSpot() : sheet.origin;
-	if (options.mode != SeedMode::boundary)
-		seedHotSpot(blocks, hot_spot, plane, seeds);
-
 	const bool seeds_boundary = options.mode != SeedMode::hotspot;
+	// A window may lie wholly inside of blocks that overlap: none of their boundaries leads into it.
+	if (options.mode != SeedMode::boundary)
+		seedHotSpot(blocks, hot_spot, plane, window ? &*window : nullptr, seeds_boundary && window, seeds);
+
 	const bool moves_hot_spot =
 	    options.mode != SeedMode::boundary && !seeds.hot_spot_inside && options.outside == OutsidePolicy::nearest;
 	double nearest = std::numeric_limits<double>::infinity();

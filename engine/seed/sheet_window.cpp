@@ -76,4 +76,12 @@ bool SheetWindow::passesRightOfCentre(const Uv& from, const Uv& to) const
 	return from.x + t * (to.x - from.x) > centre.x;
 }
 
+bool SheetWindow::isAboutCentre(const Cuts& cuts) const
+{
+	bool inside = false;
+	for (int cut = 0; cut < cuts.count; ++cut)
+		inside ^= passesRightOfCentre(cuts.at[cut], cuts.at[(cut + 1) % cuts.count]);
+	return inside;
+}
+
 } // namespace vp::seed

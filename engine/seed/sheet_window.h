@@ -45,11 +45,19 @@ public:
 				continue;
 			if (anyMeets(cuts))
 				return true;
-			unsure = unsure || cuts.count > 2;
-			inside ^= passesRightOfCentre(cuts.at[0], cuts.at[1]);
+			// Which cuts are joined matters only where the centre lies between them.
+			unsure = unsure || (cuts.count > 2 && (cuts.count > 4 || isAboutCentre(cuts)));
+			for (int cut = 0; cut + 1 < cuts.count; cut += 2)
+				inside ^= passesRightOfCentre(cuts.at[cut], cuts.at[cut + 1]);
 		}
 		return inside || unsure;
 	}
+
+	// The window's sides: `lo` to `hi` along the axes from the origin.
+	const Vec3& origin() const { return origin_; }
+	const Vec3& axis(int of) const { return of == 0 ? x_axis_ : y_axis_; }
+	const glm::dvec2& lo() const { return lo_; }
+	const glm::dvec2& hi() const { return hi_; }
 
 	// A point of the window to start from: the sheet's origin where it is inside, else the window's centre.
 	const Vec3& hotSpot() const { return hot_spot_; }
@@ -87,6 +95,7 @@ private:
 	bool anyMeets(const Cuts& cuts) const;
 	bool meets(const Uv& from, const Uv& to) const;
 	bool passesRightOfCentre(const Uv& from, const Uv& to) const;
+	bool isAboutCentre(const Cuts& cuts) const; // the loop through all of them
 
 	Vec3 origin_;
 	Vec3 x_axis_;

@@ -2,7 +2,13 @@
 
 #include "slice/key_numbers.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <tuple>
 #include <unordered_map>
 
 namespace vp::slice
@@ -11,102 +17,184 @@ namespace vp::slice
 namespace
 {
 
-// Clips a mesh at one side of a window after the other.
+// A side of a window: what lies at least `least` along the axis is kept.
+struct Side
+{
+	Vec3 axis;
+	double least;
+};
+constexpr unsigned kSides = 4;
+
+// Clips the polygons that cross the rim at one side after the other; the others are kept or left out as they are.
 class Clipper
 {
 public:
 	Clipper(const probe::Sheet& content, Corners corners, SheetMesh& mesh)
-	    : content_(content), corners_(corners), mesh_(mesh)
+	    : content_(content), corners_(corners),
+	      mesh_(mesh), sides_{Side{content.xAxis(), content.window->x0}, Side{-content.xAxis(), -content.window->x1},
+	                          Side{content.up, content.window->y0}, Side{-content.up, -content.window->y1}}
 	{
 	}
 
 	void clip()
 	{
-		const probe::Window& window = *content_.window;
-		clipAt(content_.xAxis(), window.x0);
-		clipAt(-content_.xAxis(), -window.x1);
-		clipAt(content_.up, window.y0);
-		clipAt(-content_.up, -window.y1);
+		if (findOutside())
+		{
+			takePolygons();
+			for (unsigned side = 0; side < kSides; ++side)
+				pairAcrossSeams(side);
+		}
 		dropUnusedVertices(mesh_);
 	}
 
 private:
-	// Keeps what lies at least `least` along the axis.
-	void clipAt(const Vec3& axis, double least)
+	// A vertex made on the rim, where a side cuts the edge between two others.
+	struct Cut
 	{
-		beyond_.clear();
-		for (const Vec3& p : mesh_.positions)
-			beyond_.push_back(glm::dot(p - content_.origin, axis) - least);
-		if (std::ranges::all_of(beyond_, [](double d) { return d >= 0.0; }))
-			return;
-		const std::size_t first_new = mesh_.positions.size();
-		KeyNumbers cuts(16);
+		std::uint32_t from;
+		std::uint32_t to;
+		unsigned side;
+	};
+
+	// How far a vertex lies within a side.
+	double within(std::uint32_t v, unsigned side) const
+	{
+		return glm::dot(mesh_.positions[v] - content_.origin, sides_[side].axis) - sides_[side].least;
+	}
+	// Per vertex a bit for each side that it lies outside of. Returns whether there are any.
+	bool findOutside()
+	{
+		outside_.resize(mesh_.positions.size());
+		std::atomic<bool> any{false};
+		constexpr std::size_t kGrain = 4096;
+		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, outside_.size(), kGrain),
+		                  [&](const auto& range)
+		                  {
+			                  unsigned found = 0;
+			                  for (std::size_t v = range.begin(); v < range.end(); ++v)
+			                  {
+				                  outside_[v] = 0;
+				                  for (unsigned side = 0; side < kSides; ++side)
+					                  if (within(static_cast<std::uint32_t>(v), side) < 0.0)
+						                  outside_[v] |= static_cast<std::uint8_t>(1 << side);
+				                  found |= outside_[v];
+			                  }
+			                  if (found)
+				                  any = true;
+		                  });
+		return any;
+	}
+
+	void takePolygons()
+	{
 		RawVector<std::uint32_t> starts{0};
 		RawVector<std::uint32_t> vertices;
+		starts.reserve(mesh_.polygon_starts.size());
+		vertices.reserve(mesh_.polygon_vertices.size());
 		std::size_t kept = 0;
 		const std::size_t of_cells = mesh_.polygons() - mesh_.boundary_polygons;
 		for (std::size_t p = 0; p < mesh_.polygons(); ++p)
 		{
-			const std::size_t begin = vertices.size();
-			const bool has_corner = clipPolygon(mesh_.polygon(p), cuts, vertices);
-			if (vertices.size() - begin < 3 || (has_corner && corners_ == Corners::skip))
+			const std::span<const std::uint32_t> part = partOf(mesh_.polygon(p));
+			if (part.empty())
 			{
-				vertices.resize(begin);
 				mesh_.boundary_polygons -= p >= of_cells;
 				continue;
 			}
-			mesh_.polygon_cells[kept++] = mesh_.polygon_cells[p];
+			vertices.insert(vertices.end(), part.begin(), part.end());
 			starts.push_back(static_cast<std::uint32_t>(vertices.size()));
+			mesh_.polygon_cells[kept++] = mesh_.polygon_cells[p];
 		}
 		mesh_.polygon_cells.resize(kept);
 		mesh_.polygon_starts = std::move(starts);
 		mesh_.polygon_vertices = std::move(vertices);
-		pairAcrossSeams(cuts, first_new);
+	}
+
+	// What is left of a polygon; nothing where that is no polygon.
+	std::span<const std::uint32_t> partOf(std::span<const std::uint32_t> polygon)
+	{
+		unsigned any = 0;
+		unsigned all = ~0u;
+		for (const std::uint32_t v : polygon)
+		{
+			any |= outside_[v];
+			all &= outside_[v];
+		}
+		if (any == 0)
+			return polygon;
+		if (all != 0)
+			return {};
+		part_.assign(polygon.begin(), polygon.end());
+		bool has_corner = false;
+		for (unsigned side = 0; side < kSides && !part_.empty(); ++side)
+			if (std::ranges::any_of(part_, [&](std::uint32_t v) { return within(v, side) < 0.0; }))
+				has_corner = clipAt(side) || has_corner;
+		if (part_.size() < 3 || (has_corner && corners_ == Corners::skip))
+			return {};
+		return part_;
 	}
 
 	// Returns whether a corner of the window became a vertex: an edge of the rim was cut.
-	bool clipPolygon(std::span<const std::uint32_t> polygon, KeyNumbers& cuts, RawVector<std::uint32_t>& clipped)
+	bool clipAt(unsigned side)
 	{
 		bool has_corner = false;
-		const std::size_t begin = clipped.size();
+		std::swap(part_, whole_);
+		part_.clear();
 		const auto add = [&](std::uint32_t v)
 		{
-			if (clipped.size() == begin || clipped.back() != v)
-				clipped.push_back(v);
+			if (part_.empty() || part_.back() != v)
+				part_.push_back(v);
 		};
-		std::uint32_t previous = polygon.back();
-		for (const std::uint32_t v : polygon)
+		std::uint32_t previous = whole_.back();
+		double previous_within = within(previous, side);
+		for (const std::uint32_t v : whole_)
 		{
+			const double v_within = within(v, side);
 			// A vertex on the side itself is its own cut.
-			if ((beyond_[previous] < 0.0 && beyond_[v] > 0.0) || (beyond_[previous] > 0.0 && beyond_[v] < 0.0))
+			if ((previous_within < 0.0 && v_within > 0.0) || (previous_within > 0.0 && v_within < 0.0))
 			{
-				add(cutOf(std::min(previous, v), std::max(previous, v), cuts));
+				add(cutOf(previous, v, side));
 				has_corner = has_corner || (isOnRim(previous) && isOnRim(v));
 			}
-			if (beyond_[v] >= 0.0)
+			if (v_within >= 0.0)
 				add(v);
 			previous = v;
+			previous_within = v_within;
 		}
-		while (clipped.size() > begin + 1 && clipped.back() == clipped[begin])
-			clipped.pop_back();
+		while (part_.size() > 1 && part_.back() == part_.front())
+			part_.pop_back();
 		return has_corner;
 	}
 
 	bool isOnRim(std::uint32_t v) const { return v >= mesh_.edges.size(); }
 
-	// The vertex where the edge between two crosses the side, always interpolated from the lower.
-	std::uint32_t cutOf(std::uint32_t lower, std::uint32_t higher, KeyNumbers& cuts)
+	static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b)
+	{
+		return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+	}
+
+	// The vertex where the edge between two crosses the side. Interpolated from the one that comes first by its
+	// coordinates, so that it does not depend on how vertices are numbered.
+	std::uint32_t cutOf(std::uint32_t a, std::uint32_t b, unsigned side)
 	{
 		const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
-		const auto [number, is_new] = cuts.find(std::uint64_t(lower) << 32 | higher, next);
+		const auto [number, is_new] = numbers_[side].find(keyOf(a, b), next);
 		if (is_new)
 		{
-			const double t = beyond_[lower] / (beyond_[lower] - beyond_[higher]);
-			mesh_.positions.push_back(mesh_.positions[lower] + t * (mesh_.positions[higher] - mesh_.positions[lower]));
-			addShares(lower, 1.0 - t);
-			addShares(higher, t);
+			const auto placeOf = [&](std::uint32_t v)
+			{
+				const Vec3& p = mesh_.positions[v];
+				return std::tuple(p.x, p.y, p.z);
+			};
+			if (placeOf(b) < placeOf(a))
+				std::swap(a, b);
+			const double t = within(a, side) / (within(a, side) - within(b, side));
+			const Vec3 place = mesh_.positions[a] + t * (mesh_.positions[b] - mesh_.positions[a]);
+			mesh_.positions.push_back(place);
+			addShares(a, 1.0 - t);
+			addShares(b, t);
 			mesh_.rim_starts.push_back(static_cast<std::uint32_t>(mesh_.rim_shares.size()));
-			ends_.emplace_back(lower, higher);
+			made_.push_back({a, b, side});
 		}
 		return number;
 	}
@@ -131,8 +219,8 @@ private:
 		}
 	}
 
-	// Where an edge lies on another across a seam, and both are cut, the cuts are a pair as their ends are.
-	void pairAcrossSeams(KeyNumbers& cuts, std::size_t first_new)
+	// Where an edge lies on another across a seam, and both are cut at the side, the cuts are a pair as their ends are.
+	void pairAcrossSeams(unsigned side)
 	{
 		if (mesh_.seam_pairs.empty())
 			return;
@@ -142,18 +230,20 @@ private:
 			partners.emplace(v, w);
 			partners.emplace(w, v);
 		}
-		const auto made = static_cast<std::uint32_t>(mesh_.positions.size());
-		for (auto v = static_cast<std::uint32_t>(first_new); v < made; ++v)
+		const auto none = static_cast<std::uint32_t>(mesh_.positions.size());
+		for (std::size_t m = 0; m < made_.size(); ++m)
 		{
-			const auto& [a, b] = ends_[v - mesh_.edges.size()];
-			const auto [a_begin, a_end] = partners.equal_range(a);
-			const auto [b_begin, b_end] = partners.equal_range(b);
+			const Cut& cut = made_[m];
+			if (cut.side != side)
+				continue;
+			const auto v = static_cast<std::uint32_t>(mesh_.edges.size() + m);
+			const auto [a_begin, a_end] = partners.equal_range(cut.from);
+			const auto [b_begin, b_end] = partners.equal_range(cut.to);
 			for (auto other_a = a_begin; other_a != a_end; ++other_a)
 				for (auto other_b = b_begin; other_b != b_end; ++other_b)
 				{
-					const auto [lower, higher] = std::minmax(other_a->second, other_b->second);
-					const auto found = cuts.find(std::uint64_t(lower) << 32 | higher, made);
-					if (!found.is_new && found.number > v && found.number < made)
+					const auto found = numbers_[side].find(keyOf(other_a->second, other_b->second), none);
+					if (!found.is_new && found.number > v && found.number < none)
 						mesh_.seam_pairs.emplace_back(v, found.number);
 				}
 		}
@@ -162,8 +252,12 @@ private:
 	const probe::Sheet& content_;
 	Corners corners_;
 	SheetMesh& mesh_;
-	std::vector<double> beyond_;                                // per vertex: how far it lies within the side
-	std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_; // per rim vertex: the edge it cuts
+	std::array<Side, kSides> sides_;
+	RawVector<std::uint8_t> outside_;
+	std::array<KeyNumbers, kSides> numbers_{KeyNumbers(16), KeyNumbers(16), KeyNumbers(16), KeyNumbers(16)};
+	std::vector<Cut> made_; // per rim vertex
+	std::vector<std::uint32_t> part_;
+	std::vector<std::uint32_t> whole_; // what part_ is clipped from
 };
 
 } // namespace

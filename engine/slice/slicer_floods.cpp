@@ -12,16 +12,20 @@ std::optional<traverse::SpanCut> Slicer::spansOf(const SheetSlice& sheet, std::s
 {
 	const grid::Block& block = blocks_.blocks[b];
 	const surface::Plane plane = sheet.sheet.plane();
+	std::optional<seed::SheetWindow> its_window;
+	if (sheet.sheet.window)
+		its_window.emplace(sheet.sheet);
+	const seed::SheetWindow* window = its_window ? &*its_window : nullptr;
 	if (const auto* uniform = std::get_if<grid::UniformGrid>(&block.grid))
-		return traverse::rowSpans(*uniform, plane);
+		return traverse::rowSpans(*uniform, plane, window);
 	if (const auto* rectilinear = std::get_if<grid::RectilinearGrid>(&block.grid))
-		return traverse::hasStraightRows(*rectilinear) ? std::optional(traverse::rowSpans(*rectilinear, plane))
+		return traverse::hasStraightRows(*rectilinear) ? std::optional(traverse::rowSpans(*rectilinear, plane, window))
 		                                               : std::nullopt;
 	const auto* curvilinear = std::get_if<grid::CurvilinearGrid>(&block.grid);
 	if (!curvilinear || !traverse::floodTakes(*curvilinear))
 		return std::nullopt;
 	const Pool<traverse::SpanStore>::Loan store = stores_[b]->borrow();
-	return traverse::floodSpans(*curvilinear, block.bounds, plane, sheet.seeds.cells[b], *store);
+	return traverse::floodSpans(*curvilinear, block.bounds, plane, window, sheet.seeds.cells[b], *store);
 }
 
 // Every block from seeds of its own, so that nothing has to be followed across seams. flooded: per lane; those of
@@ -35,14 +39,15 @@ void Slicer::flood(const SliceRequest& request, Slice& slice, std::span<std::opt
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
 		SheetSlice& sheet = slice.sheets[s];
-		if (sheet.sheet.window)
-			continue;
 		sheet.spans.resize(blocks_.blocks.size());
 		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 		{
-			if (one_piece && (blocks_.interfaces.of(b) || sheet.seeds.cells[b].empty()))
+			if (one_piece && (blocks_.interfaces.of(b) || sheet.seeds.cells[b].empty() || sheet.sheet.window))
 				continue;
-			if (const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&blocks_.blocks[b].grid))
+			const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&blocks_.blocks[b].grid);
+			if (unstructured && sheet.sheet.window)
+				continue;
+			if (unstructured)
 				flooded[s * blocks_.blocks.size() + b] = traverse::floodCells(
 				    *unstructured, sheet.sheet.plane(), sheet.seeds.cells[b], *marks_[b]->borrow());
 			else

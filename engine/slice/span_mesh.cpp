@@ -73,7 +73,7 @@ public:
 private:
 	unsigned ownedAt(const Column* columns, std::uint32_t x, std::uint32_t last) const
 	{
-		return table_[columns[x] | columns[std::min(x + 1, last)] << 4].owned;
+		return table_[cases::caseIndex(columns[x], columns[std::min(x + 1, last)])].owned;
 	}
 
 	void addVertices(std::size_t begin, std::size_t end)
@@ -168,8 +168,8 @@ private:
 			const Column* columns = &cut_.columns[span.columns];
 			for (std::uint32_t i = span.begin; i < span.end; ++i, ++cell, ++columns, ++rows[0])
 			{
-				const LatticeCase& entry = table_[columns[0] | columns[1] << 4];
-				if (!entry.edges)
+				const LatticeCase& entry = table_[cases::caseIndex(columns[0], columns[1])];
+				if (!entry.edges || (columns[0] & cases::kLeftOut))
 					continue;
 				for (int r = 0; r < 3; ++r)
 					rows[r + 1] = beside[r].from(*this, span.row + steps[r], i);
@@ -201,7 +201,7 @@ private:
 				continue;
 			const Column* columns = &cut_.columns[span.columns];
 			for (std::uint32_t x = 0; x < span.end - span.begin; ++x)
-				if (table_[columns[x] | columns[x + 1] << 4].needs_walk)
+				if (table_[cases::caseIndex(columns[x], columns[x + 1])].needs_walk && !(columns[x] & cases::kLeftOut))
 					addWalkedCell(polygons, grid_.cell(span.begin + x, j, k));
 		}
 	}

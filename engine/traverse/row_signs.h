@@ -1,25 +1,23 @@
 #pragma once
 
-#include "base/ids.h"
-#include "grid/points.h"
 #include "surface/plane.h"
-
-#include <cmath>
-
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
+#include "traverse/row_heights.h"
 
 namespace vp::traverse
 {
 
-// S at runs of points, four at a time, the same bits as isPositive(). Number is what the coordinates are kept as.
+// S at runs of points, four at a time, the same bits as isPositive(): what float leaves in doubt is asked in double.
+// Number is what the coordinates are kept as.
 template <class Number>
 class RowSigns
 {
 public:
 	// bounds: of the points.
-	RowSigns(const grid::Points& points, const surface::Plane& plane, const Box& bounds);
+	RowSigns(const grid::Points& points, const surface::Plane& plane, const Box& bounds)
+	    : points_(points), plane_(plane), xyz_(numbersOf<Number>(points)),
+	      heights_(plane.normal(), plane.origin(), bounds)
+	{
+	}
 
 	// Bit v: S at point p + v, for v < count <= 4. Bits from count on are 0.
 	unsigned few(PointId p, unsigned count) const
@@ -30,7 +28,13 @@ public:
 		return bits;
 	}
 	// Of the points p to p + 3, which all exist.
-	unsigned four(PointId p) const { return few(p, 4); }
+	unsigned four(PointId p) const
+	{
+		const FourFloats height = heights_.at(loadFour(xyz_ + 3 * std::size_t(p)));
+		if (bitsAtLeast(magnitude(height), FourFloats(heights_.doubt())) != 15)
+			return few(p, 4);
+		return bitsAtLeast(height, FourFloats(0.0f));
+	}
 
 	void prefetch(PointId from, PointId to) const { points_.prefetch(from, to); }
 
@@ -38,53 +42,7 @@ private:
 	const grid::Points& points_;
 	const surface::Plane& plane_;
 	const Number* xyz_;
-	float normal_[3];
-	float offset_;
-	float doubt_; // a distance in float is wrong by less than this
+	RowHeights heights_;
 };
-
-// The distance in float, as x n_x + y n_y + z n_z - o n, is off by at most six roundings of the sum of its terms'
-// magnitudes: two a product (the normal's and its own), three of the sums, one of o n.
-template <class Number>
-RowSigns<Number>::RowSigns(const grid::Points& points, const surface::Plane& plane, const Box& bounds)
-    : points_(points), plane_(plane), offset_(static_cast<float>(glm::dot(plane.normal(), plane.origin())))
-{
-	if constexpr (std::is_same_v<Number, float>)
-		xyz_ = points.floats();
-	else
-		xyz_ = points.doubles();
-	for (int axis = 0; axis < 3; ++axis)
-		normal_[axis] = static_cast<float>(plane.normal()[axis]);
-	const Vec3 reach = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
-	constexpr double kRounding = 0x1p-24;
-	constexpr double kUnderflow = 0x1p-100; // float has fewer digits there
-	doubt_ = static_cast<float>(kUnderflow +
-	                            8.0 * kRounding * glm::dot(glm::abs(plane.normal()), reach + glm::abs(plane.origin())));
-}
-
-#ifdef __SSE2__
-template <>
-inline unsigned RowSigns<float>::four(PointId p) const
-{
-	const float* at = xyz_ + 3 * std::size_t(p);
-	const __m128 a = _mm_loadu_ps(at);     // x0 y0 z0 x1
-	const __m128 b = _mm_loadu_ps(at + 4); // y1 z1 x2 y2
-	const __m128 c = _mm_loadu_ps(at + 8); // z2 x3 y3 z3
-	const __m128 x2y2x3y3 = _mm_shuffle_ps(b, c, _MM_SHUFFLE(2, 1, 3, 2));
-	const __m128 y0z0y1z1 = _mm_shuffle_ps(a, b, _MM_SHUFFLE(1, 0, 2, 1));
-	const __m128 x = _mm_shuffle_ps(a, x2y2x3y3, _MM_SHUFFLE(2, 0, 3, 0));
-	const __m128 y = _mm_shuffle_ps(y0z0y1z1, x2y2x3y3, _MM_SHUFFLE(3, 1, 2, 0));
-	const __m128 z = _mm_shuffle_ps(y0z0y1z1, c, _MM_SHUFFLE(3, 0, 3, 1));
-	const __m128 sum =
-	    _mm_add_ps(_mm_add_ps(_mm_mul_ps(x, _mm_set1_ps(normal_[0])), _mm_mul_ps(y, _mm_set1_ps(normal_[1]))),
-	               _mm_mul_ps(z, _mm_set1_ps(normal_[2])));
-	const __m128 distance = _mm_sub_ps(sum, _mm_set1_ps(offset_));
-	const __m128 magnitude = _mm_andnot_ps(_mm_set1_ps(-0.0f), distance);
-	// Where the distance is not a number, it is in doubt too.
-	if (_mm_movemask_ps(_mm_cmpngt_ps(magnitude, _mm_set1_ps(doubt_))) != 0)
-		return few(p, 4);
-	return static_cast<unsigned>(_mm_movemask_ps(_mm_cmpge_ps(distance, _mm_setzero_ps())));
-}
-#endif
 
 } // namespace vp::traverse

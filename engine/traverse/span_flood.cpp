@@ -1,7 +1,9 @@
 #include "traverse/span_flood.h"
 
 #include "traverse/flood_sharing.h"
+#include "traverse/row_nibbles.h"
 #include "traverse/row_signs.h"
+#include "traverse/row_window.h"
 
 #include <algorithm>
 #include <bit>
@@ -34,23 +36,15 @@ struct Run
 	std::uint32_t begin;
 	std::uint32_t end;
 };
-// The columns' bits, one byte each, of four points of a row whose bits are the index.
-constexpr std::array<std::uint32_t, 16> kSpread = []
-{
-	std::array<std::uint32_t, 16> spread{};
-	for (unsigned bits = 0; bits < spread.size(); ++bits)
-		for (unsigned v = 0; v < 4; ++v)
-			spread[bits] |= (bits >> v & 1u) << (std::endian::native == std::endian::little ? 8 * v : 24 - 8 * v);
-	return spread;
-}();
 
-template <class Signs>
+template <class Signs, class Extent>
 class Flooder
 {
 public:
-	Flooder(const grid::Lattice& lattice, const Signs& signs, SpanStore& store)
-	    : signs_(signs), store_(store), thread_(static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())),
-	      points_(lattice.points()), cells_(lattice.cells()), columns_(points_[0] + 8)
+	Flooder(const grid::Lattice& lattice, const Signs& signs, const Extent& extent, SpanStore& store)
+	    : signs_(signs), extent_(extent), store_(store),
+	      thread_(static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())), points_(lattice.points()),
+	      cells_(lattice.cells()), columns_(points_[0] + 8)
 	{
 	}
 
@@ -59,8 +53,11 @@ public:
 	{
 		if (const std::optional<Run> run = findRun(entry))
 		{
+			extent_.leaveOut(run->row, run->begin, run->end, columns_);
 			add(*run);
 			enterNeighbours(*run, queue);
+			if constexpr (Extent::kLimits)
+				enterOwners(*run, queue);
 		}
 	}
 
@@ -81,7 +78,7 @@ private:
 			const unsigned bits = count == 4 ? signs_.four(rows[r]) : signs_.few(rows[r], count);
 			any |= bits;
 			all &= bits;
-			columns |= kSpread[bits] << r;
+			columns |= kNibbleBytes[bits] << r;
 		}
 		std::memcpy(&columns_[at], &columns, 4);
 		return ~(any & ~all) & ((1u << count) - 1);
@@ -124,17 +121,21 @@ private:
 	void add(const Run& run)
 	{
 		Span span{run.row, run.begin, run.end, 0, {}};
+		std::size_t cut = 0;
 		std::size_t walked = 0;
 		for (std::uint32_t i = run.begin; i < run.end; ++i)
 		{
-			const LatticeCase& entry = table_[columns_[i] | columns_[i + 1] << 4];
+			const LatticeCase& entry = caseAt(i);
 			span.counts.vertices += entry.owned_count;
+			if (isLeftOut(i))
+				continue;
+			++cut;
 			span.counts.polygons += entry.edges != 0;
 			span.counts.corners += entry.edges;
 			walked += entry.needs_walk;
 		}
-		span.counts.vertices += table_[columns_[run.end] | columns_[run.end] << 4].owned_count;
-		store_.insert(thread_, span, {&columns_[run.begin], run.end - run.begin + 1}, run.end - run.begin, walked);
+		span.counts.vertices += table_[cases::caseIndex(columns_[run.end], columns_[run.end])].owned_count;
+		store_.insert(thread_, span, {&columns_[run.begin], run.end - run.begin + 1}, cut, walked);
 		const unsigned last_j = run.j + 1 == cells_[1] ? 1 : 0;
 		const unsigned last_k = run.k + 1 == cells_[2] ? 2 : 0;
 		for (const unsigned beyond : {last_j, last_k, last_j && last_k ? 3u : 0u})
@@ -157,7 +158,8 @@ private:
 			beyond_.push_back(column);
 		}
 		for (std::size_t x = 0; x < beyond_.size(); ++x)
-			span.counts.vertices += table_[beyond_[x] | beyond_[std::min(x + 1, beyond_.size() - 1)] << 4].owned_count;
+			span.counts.vertices +=
+			    table_[cases::caseIndex(beyond_[x], beyond_[std::min(x + 1, beyond_.size() - 1)])].owned_count;
 		store_.insert(thread_, span, beyond_, 0, 0);
 	}
 
@@ -187,7 +189,7 @@ private:
 			std::uint32_t from = run.end; // of the faces at hand; the run's end where there are none
 			for (std::uint32_t i = run.begin; i < run.end; ++i)
 			{
-				const bool is_cut = table_[columns_[i] | columns_[i + 1] << 4].row_faces >> side & 1;
+				const bool is_cut = !isLeftOut(i) && (caseAt(i).row_faces >> side & 1);
 				if (from != run.end && (!is_cut || !isMixed(i)))
 				{
 					enter(sides[side].row, from, i - 1, side, queue);
@@ -200,6 +202,21 @@ private:
 				enter(sides[side].row, from, run.end - 1, side, queue);
 		}
 	}
+
+	// The rows diagonally across, where a cell's points own an edge that no neighbour across a face would bring: with a
+	// window not every cell around an edge is there.
+	void enterOwners(const Run& run, std::vector<Entry>& queue)
+	{
+		if (run.j + 1 == cells_[1] || run.k + 1 == cells_[2])
+			return;
+		constexpr Column kFarthestRow = 0b1000;
+		for (std::uint32_t i = run.begin; i < run.end; ++i)
+			if (!isLeftOut(i) && ((columns_[i] ^ columns_[i + 1]) & kFarthestRow))
+				enter(run.row + points_[1] + 1, i, i, 3, queue);
+	}
+
+	const LatticeCase& caseAt(std::uint32_t i) const { return table_[cases::caseIndex(columns_[i], columns_[i + 1])]; }
+	bool isLeftOut(std::uint32_t i) const { return Extent::kLimits && (columns_[i] & cases::kLeftOut); }
 
 	void enter(std::uint32_t row, std::uint32_t from, std::uint32_t to, unsigned side, std::vector<Entry>& queue)
 	{
@@ -217,6 +234,7 @@ private:
 	}
 
 	const Signs& signs_;
+	Extent extent_;
 	SpanStore& store_;
 	std::size_t thread_;
 	std::array<std::uint32_t, 3> points_;
@@ -226,8 +244,9 @@ private:
 	std::vector<Column> beyond_;
 };
 
-template <class Signs>
-void flood(const grid::Lattice& lattice, const Signs& signs, std::span<const CellId> seeds, SpanStore& store)
+template <class Signs, class Extent>
+void flood(const grid::Lattice& lattice, const Signs& signs, const Extent& extent, std::span<const CellId> seeds,
+           SpanStore& store)
 {
 	std::vector<Entry> entries;
 	for (const CellId seed : seeds)
@@ -238,9 +257,20 @@ void flood(const grid::Lattice& lattice, const Signs& signs, std::span<const Cel
 	shareFlood(std::span<const Entry>(entries),
 	           [&](FloodQueue<Entry>& queue)
 	           {
-		           Flooder<Signs> flooder(lattice, signs, store);
+		           Flooder<Signs, Extent> flooder(lattice, signs, extent, store);
 		           queue.run([&](std::vector<Entry>& all, std::size_t at) { flooder.follow(all, all[at]); });
 	           });
+}
+
+template <class Number>
+void floodAs(const grid::CurvilinearGrid& grid, const Box& bounds, const surface::Plane& plane,
+             const seed::SheetWindow* window, std::span<const CellId> seeds, SpanStore& store)
+{
+	const RowSigns<Number> signs(grid.coordinates(), plane, bounds);
+	if (window)
+		flood(grid, signs, RowWindow<Number>(grid, plane, *window, bounds), seeds, store);
+	else
+		flood(grid, signs, WholeSheet{}, seeds, store);
 }
 
 } // namespace
@@ -252,12 +282,12 @@ bool floodTakes(const grid::Lattice& lattice)
 }
 
 SpanCut floodSpans(const grid::CurvilinearGrid& grid, const Box& bounds, const surface::Plane& plane,
-                   std::span<const CellId> seeds, SpanStore& store)
+                   const seed::SheetWindow* window, std::span<const CellId> seeds, SpanStore& store)
 {
 	if (grid.coordinates().isDouble())
-		flood(grid, RowSigns<double>(grid.coordinates(), plane, bounds), seeds, store);
+		floodAs<double>(grid, bounds, plane, window, seeds, store);
 	else
-		flood(grid, RowSigns<float>(grid.coordinates(), plane, bounds), seeds, store);
+		floodAs<float>(grid, bounds, plane, window, seeds, store);
 	return store.collect();
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/ids.h"
 #include "grid/structured.h"
+#include "seed/sheet_window.h"
 #include "surface/plane.h"
 #include "traverse/span_store.h"
 #include "traverse/spans.h"
@@ -19,9 +20,12 @@ bool floodTakes(const grid::Lattice& lattice);
 // is followed to both ends from any of its cells; each run of cut faces towards a neighbouring row leads to a run
 // there. The cells are those of breadthFirst(), in no generations.
 //
+// With a window (or null), a run is left only across faces of cells whose section reaches into it. Spans hold cells
+// beside the window then, marked as left out: they stay for the edges that their points own.
+//
 // seeds: any cells; those that are not cut do no harm. On all cores, the same result for any number of threads. store:
 // for the rows of points of this grid, and empty.
 SpanCut floodSpans(const grid::CurvilinearGrid& grid, const Box& bounds, const surface::Plane& plane,
-                   std::span<const CellId> seeds, SpanStore& store);
+                   const seed::SheetWindow* window, std::span<const CellId> seeds, SpanStore& store);
 
 } // namespace vp::traverse

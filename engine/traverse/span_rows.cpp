@@ -1,12 +1,14 @@
 #include "traverse/span_rows.h"
 
 #include "base/raw_vector.h"
+#include "traverse/straight_window.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace vp::traverse
 {
@@ -18,12 +20,15 @@ using cases::Column;
 using cases::LatticeCase;
 
 // Finds the spans layer by layer, on all cores.
+template <class G>
 class RowFinder
 {
 public:
-	template <class G>
-	RowFinder(const G& grid, const surface::Plane& plane) : points_(grid.points()), cells_(grid.cells())
+	RowFinder(const G& grid, const surface::Plane& plane, const seed::SheetWindow* sheet_window)
+	    : points_(grid.points()), cells_(grid.cells())
 	{
+		if (sheet_window)
+			window_.emplace(grid, plane, *sheet_window);
 		for (int axis = 0; axis < 3; ++axis)
 			for (std::uint32_t i = 0; i < points_[axis]; ++i)
 				terms_[axis].push_back(plane.normal()[axis] * (grid.coordinate(axis, i) - plane.origin()[axis]));
@@ -34,25 +39,34 @@ public:
 
 	SpanCut find()
 	{
+		if (window_)
+			for (int axis = 0; axis < 2; ++axis)
+				rows_[axis] = window_->cellsAlong(axis + 1);
+		else
+			rows_ = {CellRange{0, cells_[1]}, CellRange{0, cells_[2]}};
+		const auto [j_range, k_range] = rows_;
+		if (j_range.begin >= j_range.end || k_range.begin >= k_range.end)
+			return {};
 		changes_.resize(std::size_t(points_[1]) * points_[2]);
+		// A row of cells lies between rows of points up to two beyond the last: points there own edges of its cells.
+		forLayers(k_range.begin, std::min(k_range.end + 2, points_[2]), [&](std::uint32_t k) { findChanges(k); });
 		std::vector<SpanCut> layers(points_[2]);
-		const tbb::blocked_range<std::uint32_t> all(0, points_[2], 4);
-		tbb::parallel_for(all,
-		                  [&](const auto& range)
-		                  {
-			                  for (std::uint32_t k = range.begin(); k < range.end(); ++k)
-				                  findChanges(k);
-		                  });
-		tbb::parallel_for(all,
-		                  [&](const auto& range)
-		                  {
-			                  for (std::uint32_t k = range.begin(); k < range.end(); ++k)
-				                  addLayer(k, layers[k]);
-		                  });
+		forLayers(k_range.begin, k_range.end + 1, [&](std::uint32_t k) { addLayer(k, layers[k]); });
 		return join(layers);
 	}
 
 private:
+	template <class Work>
+	static void forLayers(std::uint32_t begin, std::uint32_t end, Work&& work)
+	{
+		tbb::parallel_for(tbb::blocked_range<std::uint32_t>(begin, end, 4),
+		                  [&](const auto& range)
+		                  {
+			                  for (std::uint32_t k = range.begin(); k < range.end(); ++k)
+				                  work(k);
+		                  });
+	}
+
 	// Plane::signedDistance() of a point, of the same terms added in the same order.
 	double distance(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
 	{
@@ -62,7 +76,8 @@ private:
 	void findChanges(std::uint32_t k)
 	{
 		std::uint32_t* changes = &changes_[std::size_t(k) * points_[1]];
-		for (std::uint32_t j = 0; j < points_[1]; ++j)
+		const std::uint32_t end = std::min(rows_[0].end + 2, points_[1]);
+		for (std::uint32_t j = rows_[0].begin; j < end; ++j)
 			changes[j] = changeOf(j, k);
 	}
 	std::uint32_t changeOf(std::uint32_t j, std::uint32_t k) const
@@ -91,7 +106,7 @@ private:
 	void addLayer(std::uint32_t k, SpanCut& cut) const
 	{
 		const std::uint32_t cell_k = std::min(k, cells_[2] - 1);
-		for (std::uint32_t j = 0; j < points_[1]; ++j)
+		for (std::uint32_t j = rows_[0].begin; j <= rows_[0].end; ++j)
 		{
 			const std::uint32_t cell_j = std::min(j, cells_[1] - 1);
 			const std::uint32_t* near = &changes_[std::size_t(cell_k) * points_[1] + cell_j];
@@ -127,9 +142,11 @@ private:
 		{
 			cut.columns.push_back(column);
 			const Column next = i < span.end ? columnAt(i + 1) : column;
-			const LatticeCase& entry = table_[column | next << 4];
+			const LatticeCase& entry = table_[cases::caseIndex(column, next)];
 			cut.counts.vertices += entry.owned_count;
-			if (has_cells && i < span.end)
+			if (has_cells && i < span.end && window_ && !window_->meets(i, span.row))
+				cut.columns.back() |= cases::kLeftOut;
+			else if (has_cells && i < span.end)
 			{
 				cut.counts.polygons += entry.edges != 0;
 				cut.counts.corners += entry.edges;
@@ -178,6 +195,8 @@ private:
 
 	std::array<std::uint32_t, 3> points_;
 	std::array<std::uint32_t, 3> cells_;
+	std::optional<StraightWindow<G>> window_;
+	std::array<CellRange, 2> rows_; // of cells along j and k, that may be cut where it counts
 	const std::array<LatticeCase, 256>& table_ = cases::latticeCases();
 	std::array<std::vector<double>, 3> terms_; // of the distance, per axis
 	bool rises_ = true;                        // the distance along i
@@ -186,21 +205,21 @@ private:
 };
 
 template <class G>
-SpanCut find(const G& grid, const surface::Plane& plane)
+SpanCut find(const G& grid, const surface::Plane& plane, const seed::SheetWindow* window)
 {
-	return grid.cellCount() == 0 ? SpanCut{} : RowFinder(grid, plane).find();
+	return grid.cellCount() == 0 ? SpanCut{} : RowFinder<G>(grid, plane, window).find();
 }
 
 } // namespace
 
-SpanCut rowSpans(const grid::UniformGrid& grid, const surface::Plane& plane)
+SpanCut rowSpans(const grid::UniformGrid& grid, const surface::Plane& plane, const seed::SheetWindow* window)
 {
-	return find(grid, plane);
+	return find(grid, plane, window);
 }
 
-SpanCut rowSpans(const grid::RectilinearGrid& grid, const surface::Plane& plane)
+SpanCut rowSpans(const grid::RectilinearGrid& grid, const surface::Plane& plane, const seed::SheetWindow* window)
 {
-	return find(grid, plane);
+	return find(grid, plane, window);
 }
 
 bool hasStraightRows(const grid::RectilinearGrid& grid)

@@ -28,7 +28,7 @@ struct SpanCounts
 };
 
 // A run of cut cells [begin, end) along i, bounded by uniform columns or the grid's sides. Its row is that of its
-// lowest points, k * points_j + j; its end - begin + 1 columns tell its cells' cases.
+// lowest points, k * points_j + j; its end - begin + 1 columns tell its cells' cases, and which of them are left out.
 //
 // Rows of the last j or k hold no cells. Spans there stand beside those of the cells before them, with columns of their
 // own: for the edges that the points of the row own.
@@ -46,8 +46,8 @@ struct SpanCut
 {
 	std::vector<Span> spans; // ascending by row, then begin
 	std::vector<cases::Column> columns;
-	SpanCounts counts; // of all
-	std::size_t cut_cells = 0;
+	SpanCounts counts;            // of all
+	std::size_t cut_cells = 0;    // without those left out
 	std::size_t walked_cells = 0; // of these: their case has no entry in the table
 };
 
@@ -63,8 +63,10 @@ void forEachCell(const grid::Lattice& lattice, const SpanCut& cut, Visit&& visit
 		const std::uint32_t j = span.row - k * points_j;
 		if (j + 1 == points_j || k + 1 == points_k)
 			continue;
+		const cases::Column* columns = &cut.columns[span.columns];
 		for (std::uint32_t i = span.begin; i < span.end; ++i)
-			visit(lattice.cell(i, j, k));
+			if (!(columns[i - span.begin] & cases::kLeftOut))
+				visit(lattice.cell(i, j, k));
 	}
 }
 

@@ -285,16 +285,17 @@ void checkAreas(const Pair& pair)
 	EXPECT_TRUE(areas.empty()) << "polygons of cells that are not cut";
 }
 
-void checkFinders(const Pair& pair, slice::Slicer& slicer)
+void checkFinders(const Pair& pair, slice::Slicer& slicer, const std::optional<probe::Window>& window)
 {
-	const SlicedSheet found = cut(slicer, pair.asked, {}, slice::Finder::automatic);
+	const SlicedSheet expected = window ? cut(slicer, pair.asked, {}, slice::Finder::traversal, window) : pair.sheet;
+	const SlicedSheet found = cut(slicer, pair.asked, {}, slice::Finder::automatic, window);
 	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
-		EXPECT_EQ(found.slice.cutCells(b), pair.sheet.slice.cutCells(b)) << "block " << b;
+		EXPECT_EQ(found.slice.cutCells(b), expected.slice.cutCells(b)) << "block " << b;
 	if (pair.set.interfaces.seam_faces == 0)
-		return expectSameMesh(found.mesh, pair.sheet.mesh);
+		return expectSameMesh(found.mesh, expected.mesh);
 	// Of vertices at one place, a rounding apart, the one stays that comes first.
 	const double size = pair.set.bounds().diagonal();
-	EXPECT_NEAR(areaOf(found), areaOf(pair.sheet), roundingOf(pair.set, pair.plane) * size * 16.0);
+	EXPECT_NEAR(areaOf(found), areaOf(expected), roundingOf(pair.set, pair.plane) * size * 16.0);
 }
 
 } // namespace vp::test

@@ -1,11 +1,14 @@
 #include "run_pairs.h"
 
 #include "pair_checks.h"
+#include "random_window.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <memory>
+#include <optional>
+#include <random>
 
 namespace vp::test
 {
@@ -65,7 +68,9 @@ void runPairs(unsigned first, unsigned count)
 		checkAreas(pair);
 		checkWatertight(pair);
 		checkInvariance(pair, number);
-		checkFinders(pair, *slicer);
+		checkFinders(pair, *slicer, std::nullopt);
+		std::mt19937 random(number);
+		checkFinders(pair, *slicer, randomWindow(set.bounds(), random));
 		if (testing::Test::HasFailure())
 		{
 			ADD_FAILURE() << describe(number, raw, set, asked);

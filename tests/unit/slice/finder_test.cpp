@@ -1,3 +1,4 @@
+#include "random_window.h"
 #include "same_mesh.h"
 #include "seamed_sets.h"
 #include "sliced_sheet.h"
@@ -16,11 +17,12 @@ namespace
 {
 
 // What the fastest way finds, held against the traversal.
-std::size_t compareFinders(const grid::BlockSet& set, const TestPlane& plane, const seed::SeedOptions& seeds = {})
+std::size_t compareFinders(const grid::BlockSet& set, const TestPlane& plane, const seed::SeedOptions& seeds = {},
+                           const std::optional<probe::Window>& window = std::nullopt)
 {
 	slice::Slicer slicer(set);
-	const SlicedSheet expected = cut(slicer, plane, seeds);
-	const SlicedSheet found = cut(slicer, plane, seeds, slice::Finder::automatic);
+	const SlicedSheet expected = cut(slicer, plane, seeds, slice::Finder::traversal, window);
+	const SlicedSheet found = cut(slicer, plane, seeds, slice::Finder::automatic, window);
 	std::size_t in_spans = 0;
 	for (std::size_t b = 0; b < set.blocks.size(); ++b)
 	{
@@ -57,6 +59,32 @@ TEST(Finder, TheFastestFindsWhatTheTraversalFinds)
 			return;
 	}
 	EXPECT_GT(in_spans, 200u);
+}
+
+TEST(Finder, Windows)
+{
+	std::mt19937 random(13);
+	std::size_t in_spans = 0;
+	const auto compare = [&](const grid::BlockSet& set, const TestPlane& plane)
+	{
+		const probe::Window window = randomWindow(set.bounds(), random);
+		in_spans += compareFinders(set, plane, {}, window);
+	};
+	for (const grid::Block& block : allGrids())
+	{
+		SCOPED_TRACE(block.name);
+		const grid::BlockSet set = setOf(block);
+		for (const TestPlane& plane : randomPlanes(block.bounds, 80, 14))
+			compare(set, plane);
+		for (const TestPlane& plane : degeneratePlanes(block, 15))
+			compare(set, plane);
+		if (HasFailure())
+			return;
+	}
+	const grid::BlockSet fine = std::move(*grid::makeDemo("shell", 37)); // with cells far within windows
+	for (const TestPlane& plane : randomPlanes(fine.bounds(), 100, 16))
+		compare(fine, plane);
+	EXPECT_GT(in_spans, 400u);
 }
 
 TEST(Finder, OnePieceFromTheHotSpotAlone)

@@ -1,3 +1,4 @@
+#include "random_window.h"
 #include "seamed_sets.h"
 #include "sliced_sheet.h"
 #include "test_grids.h"
@@ -65,16 +66,6 @@ double clippedArea(const slice::SheetMesh& whole, std::size_t p, const probe::Sh
 	}
 	polygon = clippedAt(clippedAt(polygon, 0, 1.0, w.x0), 0, -1.0, w.x1);
 	return areaOf(clippedAt(clippedAt(polygon, 1, 1.0, w.y0), 1, -1.0, w.y1));
-}
-
-probe::Window randomWindow(const Box& bounds, std::mt19937& random)
-{
-	const double size = bounds.diagonal();
-	std::uniform_real_distribution<double> place(-0.4, 0.4);
-	std::uniform_real_distribution<double> exponent(-3.0, 0.0); // from far below a cell to the whole slice
-	const double x = place(random) * size;
-	const double y = place(random) * size;
-	return {x, x + size * std::pow(10.0, exponent(random)), y, y + size * std::pow(10.0, exponent(random))};
 }
 
 std::vector<grid::BlockSet> sets()

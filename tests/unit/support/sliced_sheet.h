@@ -39,10 +39,12 @@ struct SlicedSheet
 };
 
 inline SlicedSheet cut(slice::Slicer& slicer, const TestPlane& plane, const seed::SeedOptions& seeds = {},
-                       slice::Finder finder = slice::Finder::traversal)
+                       slice::Finder finder = slice::Finder::traversal,
+                       const std::optional<probe::Window>& window = std::nullopt)
 {
 	slice::SliceRequest request;
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
+	request.probe.sheets[0].window = window;
 	request.seeds = seeds;
 	request.finder = finder;
 	slice::Slice slice = std::move(slicer.cut(std::move(request)).value());
