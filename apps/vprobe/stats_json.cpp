@@ -65,8 +65,8 @@ TraversalSums sumUp(const grid::BlockSet& blocks, const slice::SheetSlice& sheet
 		{
 			sums.cut_cells += sheet.cutCells(b);
 			sums.linear_cut_cells += sheet.cutCells(b);
-			sums.touched += sheet.cutCells(b);
-			sums.walked += sheet.spans[b]->walked_cells;
+			sums.touched += sheet.spans[b]->cells.looked_at;
+			sums.walked += sheet.spans[b]->cells.walked;
 			continue;
 		}
 		const traverse::LaneCut& cut = sheet.cuts[b];

@@ -79,7 +79,7 @@ struct SheetSlice
 	bool hasSpans(std::size_t block) const { return !spans.empty() && spans[block]; }
 	std::size_t cutCells(std::size_t block) const
 	{
-		return hasSpans(block) ? spans[block]->cut_cells : cuts[block].cut_cells;
+		return hasSpans(block) ? spans[block]->cells.cut : cuts[block].cut_cells;
 	}
 };
 

@@ -65,9 +65,9 @@ public:
 		const tbb::blocked_range<std::size_t> spans(0, cut_.spans.size(), kGrain);
 		tbb::parallel_for(spans, [&](const auto& range) { addVertices(range.begin(), range.end()); });
 		tbb::parallel_for(spans, [&](const auto& range) { addPolygons(range.begin(), range.end()); });
-		if (cut_.walked_cells)
+		if (cut_.cells.walked)
 			addWalked();
-		return {at_points_, slivers_ || cut_.walked_cells != 0};
+		return {at_points_, slivers_ || cut_.cells.walked != 0};
 	}
 
 private:

@@ -121,21 +121,20 @@ private:
 	void add(const Run& run)
 	{
 		Span span{run.row, run.begin, run.end, 0, {}};
-		std::size_t cut = 0;
-		std::size_t walked = 0;
+		SpanCells cells{run.end - run.begin, 0, 0};
 		for (std::uint32_t i = run.begin; i < run.end; ++i)
 		{
 			const LatticeCase& entry = caseAt(i);
 			span.counts.vertices += entry.owned_count;
 			if (isLeftOut(i))
 				continue;
-			++cut;
+			++cells.cut;
 			span.counts.polygons += entry.edges != 0;
 			span.counts.corners += entry.edges;
-			walked += entry.needs_walk;
+			cells.walked += entry.needs_walk;
 		}
 		span.counts.vertices += table_[cases::caseIndex(columns_[run.end], columns_[run.end])].owned_count;
-		store_.insert(thread_, span, {&columns_[run.begin], run.end - run.begin + 1}, cut, walked);
+		store_.insert(thread_, span, {&columns_[run.begin], run.end - run.begin + 1}, cells);
 		const unsigned last_j = run.j + 1 == cells_[1] ? 1 : 0;
 		const unsigned last_k = run.k + 1 == cells_[2] ? 2 : 0;
 		for (const unsigned beyond : {last_j, last_k, last_j && last_k ? 3u : 0u})
@@ -160,7 +159,7 @@ private:
 		for (std::size_t x = 0; x < beyond_.size(); ++x)
 			span.counts.vertices +=
 			    table_[cases::caseIndex(beyond_[x], beyond_[std::min(x + 1, beyond_.size() - 1)])].owned_count;
-		store_.insert(thread_, span, beyond_, 0, 0);
+		store_.insert(thread_, span, beyond_, {});
 	}
 
 	// One entry for every run of cut faces that belongs to one run of cells across: it ends where the two points shared

@@ -39,14 +39,13 @@ public:
 
 	SpanCut find()
 	{
-		if (window_)
-			for (int axis = 0; axis < 2; ++axis)
-				rows_[axis] = window_->cellsAlong(axis + 1);
-		else
-			rows_ = {CellRange{0, cells_[1]}, CellRange{0, cells_[2]}};
-		const auto [j_range, k_range] = rows_;
-		if (j_range.begin >= j_range.end || k_range.begin >= k_range.end)
-			return {};
+		for (int axis = 0; axis < 3; ++axis)
+		{
+			range_[axis] = window_ ? window_->cellsAlong(axis) : CellRange{0, cells_[axis]};
+			if (range_[axis].begin >= range_[axis].end)
+				return {};
+		}
+		const CellRange k_range = range_[2];
 		changes_.resize(std::size_t(points_[1]) * points_[2]);
 		// A row of cells lies between rows of points up to two beyond the last: points there own edges of its cells.
 		forLayers(k_range.begin, std::min(k_range.end + 2, points_[2]), [&](std::uint32_t k) { findChanges(k); });
@@ -76,8 +75,8 @@ private:
 	void findChanges(std::uint32_t k)
 	{
 		std::uint32_t* changes = &changes_[std::size_t(k) * points_[1]];
-		const std::uint32_t end = std::min(rows_[0].end + 2, points_[1]);
-		for (std::uint32_t j = rows_[0].begin; j < end; ++j)
+		const std::uint32_t end = std::min(range_[1].end + 2, points_[1]);
+		for (std::uint32_t j = range_[1].begin; j < end; ++j)
 			changes[j] = changeOf(j, k);
 	}
 	std::uint32_t changeOf(std::uint32_t j, std::uint32_t k) const
@@ -106,7 +105,7 @@ private:
 	void addLayer(std::uint32_t k, SpanCut& cut) const
 	{
 		const std::uint32_t cell_k = std::min(k, cells_[2] - 1);
-		for (std::uint32_t j = rows_[0].begin; j <= rows_[0].end; ++j)
+		for (std::uint32_t j = range_[1].begin; j <= range_[1].end; ++j)
 		{
 			const std::uint32_t cell_j = std::min(j, cells_[1] - 1);
 			const std::uint32_t* near = &changes_[std::size_t(cell_k) * points_[1] + cell_j];
@@ -114,8 +113,10 @@ private:
 			const auto [least, most] = std::minmax({near[0], near[1], far[0], far[1]});
 			if (most == 0 || least == points_[0])
 				continue;
-			const std::uint32_t begin = least > 0 ? least - 1 : 0;
-			const std::uint32_t end = std::min(most, cells_[0]);
+			const std::uint32_t begin = std::max(least > 0 ? least - 1 : 0, range_[0].begin);
+			const std::uint32_t end = std::min(most, range_[0].end);
+			if (begin >= end)
+				continue;
 			const std::uint32_t next_j = std::min(j + 1, cells_[1]);
 			const std::uint32_t next_k = std::min(k + 1, cells_[2]);
 			const auto change = [&](std::uint32_t row_j, std::uint32_t row_k)
@@ -144,15 +145,18 @@ private:
 			const Column next = i < span.end ? columnAt(i + 1) : column;
 			const LatticeCase& entry = table_[cases::caseIndex(column, next)];
 			cut.counts.vertices += entry.owned_count;
-			if (has_cells && i < span.end && window_ && !window_->meets(i, span.row))
+			column = next;
+			if (!has_cells || i == span.end)
+				continue;
+			++cut.cells.looked_at;
+			if (window_ && !window_->meets(i, span.row))
 				cut.columns.back() |= cases::kLeftOut;
-			else if (has_cells && i < span.end)
+			else
 			{
 				cut.counts.polygons += entry.edges != 0;
 				cut.counts.corners += entry.edges;
-				++cut.cut_cells;
+				++cut.cells.cut;
 			}
-			column = next;
 		}
 		cut.spans.push_back(span);
 	}
@@ -172,7 +176,7 @@ private:
 			spans[k] = span;
 			columns[k] = column;
 			cut.counts += layers[k].counts;
-			cut.cut_cells += layers[k].cut_cells;
+			cut.cells += layers[k].cells;
 			span += static_cast<std::uint32_t>(layers[k].spans.size());
 			column += static_cast<std::uint32_t>(layers[k].columns.size());
 		}
@@ -196,7 +200,7 @@ private:
 	std::array<std::uint32_t, 3> points_;
 	std::array<std::uint32_t, 3> cells_;
 	std::optional<StraightWindow<G>> window_;
-	std::array<CellRange, 2> rows_; // of cells along j and k, that may be cut where it counts
+	std::array<CellRange, 3> range_; // of the cells that may be cut where it counts
 	const std::array<LatticeCase, 256>& table_ = cases::latticeCases();
 	std::array<std::vector<double>, 3> terms_; // of the distance, per axis
 	bool rises_ = true;                        // the distance along i

@@ -19,7 +19,7 @@ SpanStore::Found& SpanStore::found(std::size_t thread)
 }
 
 bool SpanStore::insert(std::size_t thread, const Span& span, std::span<const cases::Column> columns,
-                       std::size_t cut_cells, std::size_t walked_cells)
+                       const SpanCells& cells)
 {
 	Found& mine = found(thread);
 	const std::size_t number = mine.records;
@@ -46,8 +46,7 @@ bool SpanStore::insert(std::size_t thread, const Span& span, std::span<const cas
 		mine.touched[span.row / 64] |= 1ull << span.row % 64;
 	++mine.records;
 	mine.columns.insert(mine.columns.end(), columns.begin(), columns.end());
-	mine.cut_cells += cut_cells;
-	mine.walked_cells += walked_cells;
+	mine.cells += cells;
 	return true;
 }
 
@@ -84,8 +83,7 @@ SpanCut SpanStore::collect()
 		{
 			spans += of_thread->records;
 			columns += of_thread->columns.size();
-			cut.cut_cells += of_thread->cut_cells;
-			cut.walked_cells += of_thread->walked_cells;
+			cut.cells += of_thread->cells;
 		}
 	cut.spans.reserve(spans);
 	cut.columns.reserve(columns);
@@ -103,8 +101,7 @@ SpanCut SpanStore::collect()
 		{
 			of_thread->records = 0;
 			of_thread->columns.clear();
-			of_thread->cut_cells = 0;
-			of_thread->walked_cells = 0;
+			of_thread->cells = {};
 		}
 	return cut;
 }

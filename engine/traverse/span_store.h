@@ -35,8 +35,7 @@ public:
 
 	// Adds a span of a thread, 0 <= thread < kMaxThreads, `span.columns` aside. False when another thread has found it
 	// in the meantime.
-	bool insert(std::size_t thread, const Span& span, std::span<const cases::Column> columns, std::size_t cut_cells,
-	            std::size_t walked_cells);
+	bool insert(std::size_t thread, const Span& span, std::span<const cases::Column> columns, const SpanCells& cells);
 
 	// All that was inserted; leaves the store empty.
 	SpanCut collect();
@@ -59,8 +58,7 @@ private:
 		std::size_t records = 0;
 		std::vector<cases::Column> columns;
 		std::vector<std::uint64_t> touched; // rows, a bit each, of which this thread found the first span
-		std::size_t cut_cells = 0;
-		std::size_t walked_cells = 0;
+		SpanCells cells;
 
 		Record& operator[](std::size_t i) { return chunks[i / kChunk][i % kChunk]; }
 		const Record& operator[](std::size_t i) const { return chunks[i / kChunk][i % kChunk]; }

@@ -27,6 +27,21 @@ struct SpanCounts
 	}
 };
 
+struct SpanCells
+{
+	std::size_t looked_at = 0;
+	std::size_t cut = 0;    // of these: the others are left out
+	std::size_t walked = 0; // of the cut ones: their case has no entry in the table
+
+	SpanCells& operator+=(const SpanCells& more)
+	{
+		looked_at += more.looked_at;
+		cut += more.cut;
+		walked += more.walked;
+		return *this;
+	}
+};
+
 // A run of cut cells [begin, end) along i, bounded by uniform columns or the grid's sides. Its row is that of its
 // lowest points, k * points_j + j; its end - begin + 1 columns tell its cells' cases, and which of them are left out.
 //
@@ -46,9 +61,8 @@ struct SpanCut
 {
 	std::vector<Span> spans; // ascending by row, then begin
 	std::vector<cases::Column> columns;
-	SpanCounts counts;            // of all
-	std::size_t cut_cells = 0;    // without those left out
-	std::size_t walked_cells = 0; // of these: their case has no entry in the table
+	SpanCounts counts; // of all
+	SpanCells cells;
 };
 
 // Calls visit(CellId) for every cut cell, in the order of the spans.
