@@ -172,6 +172,9 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	session->device = std::move(*device);
 	if (Status made = makeSlicer(*session, options); !made)
 		return made.error();
+	// The device goes by generations, as the paper does, unless it is left to choose what is fastest.
+	if (options.classify == "gpu" && session->slicer->usesGpu())
+		session->finder = slice::Finder::direct;
 	return session;
 }
 

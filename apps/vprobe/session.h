@@ -32,8 +32,8 @@ struct Session
 	double swept = 0.0;                   // how far along its range the next cut lies, 0 to 1
 	bool crinkle = false;                 // the whole cells are wanted too
 	std::optional<slice::Threshold> threshold;
-	slice::Finder finder = slice::Finder::automatic; // traversal where its generations are shown
-	std::unique_ptr<gpu::Device> device;             // null where the CPU does without
+	slice::Finder finder = slice::Finder::automatic;
+	std::unique_ptr<gpu::Device> device; // null where the CPU does without
 	std::unique_ptr<slice::Slicer> slicer;
 	std::unique_ptr<Timeline> timeline;
 };

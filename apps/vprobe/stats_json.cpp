@@ -38,7 +38,7 @@ struct TraversalSums
 	std::size_t linear_cut_cells = 0; // of the grids: the same but where curved cells were cut into linear ones
 	std::size_t touched = 0;
 	std::size_t walked = 0;
-	std::size_t generations = 0; // 0 where spans were found, which go in none
+	std::size_t generations = 0; // 0 where all were found at once, without a device
 	std::size_t front_max = 0;
 	std::size_t boundary_faces = 0;
 };
@@ -56,6 +56,15 @@ std::size_t sourceCutCells(const grid::Block& block, const traverse::LaneCut& cu
 	return sources.size();
 }
 
+void addCells(const grid::Block& block, const traverse::LaneCut& cut, TraversalSums& sums)
+{
+	sums.cut_cells += sourceCutCells(block, cut);
+	sums.linear_cut_cells += cut.cut_cells;
+	sums.touched += cut.cells.size();
+	for (const std::uint32_t word : cut.words)
+		sums.walked += (word & shared::kWordWalk) != 0;
+}
+
 TraversalSums sumUp(const grid::BlockSet& blocks, const slice::SheetSlice& sheet)
 {
 	TraversalSums sums;
@@ -67,16 +76,12 @@ TraversalSums sumUp(const grid::BlockSet& blocks, const slice::SheetSlice& sheet
 			sums.linear_cut_cells += sheet.cutCells(b);
 			sums.touched += sheet.spans[b]->cells.looked_at;
 			sums.walked += sheet.spans[b]->cells.walked;
-			continue;
 		}
+		else
+			addCells(blocks.blocks[b], sheet.cuts[b], sums);
 		const traverse::LaneCut& cut = sheet.cuts[b];
-		sums.cut_cells += sourceCutCells(blocks.blocks[b], cut);
-		sums.linear_cut_cells += cut.cut_cells;
-		sums.touched += cut.cells.size();
 		sums.generations = std::max(sums.generations, cut.steps);
 		sums.front_max = std::max(sums.front_max, cut.frontMax());
-		for (const std::uint32_t word : cut.words)
-			sums.walked += (word & shared::kWordWalk) != 0;
 	}
 	for (const auto& faces : sheet.seeds.faces_in_plane)
 		sums.boundary_faces += faces.size();

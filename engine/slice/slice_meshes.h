@@ -8,7 +8,10 @@
 namespace vp::slice
 {
 
-// What was found of a sheet, for meshes; both must outlive it. cuts: the sheet's own, or a part of them.
-std::vector<BlockCut> blockCuts(std::span<const traverse::LaneCut> cuts, const SheetSlice& sheet);
+// What was found of a sheet, for meshes: as spans where there are, else as cells. The sheet must outlive it.
+std::vector<BlockCut> blockCuts(const SheetSlice& sheet);
+
+// The same of some cells of each block; both must outlive it.
+std::vector<BlockCut> cellCuts(std::span<const traverse::LaneCut> cuts, const SheetSlice& sheet);
 
 } // namespace vp::slice

@@ -115,9 +115,7 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 		return showSurface(request, admits);
 
 	Slice slice = seedSheets(request, admits);
-	std::vector<std::optional<traverse::LaneCut>> flooded(slice.sheets.size() * blocks_.blocks.size());
-	if (!gpu_ && request.finder == Finder::automatic)
-		flood(request, slice, flooded);
+	Found found = find(request, slice);
 
 	// Lane s * blocks + b is sheet s in block b.
 	std::vector<Lane> lanes;
@@ -127,23 +125,23 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 		const std::size_t sheet_lane = lanes.size();
 		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 		{
-			const bool found = sheet.hasSpans(b) || flooded[lanes.size()];
-			if (!found)
+			const bool is_found = found[lanes.size()].has_value();
+			if (!is_found)
 				loans.push_back(visited_[b]->borrow());
-			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), found ? nullptr : loans.back().get(),
-			                 found ? std::vector<CellId>() : sheet.seeds.cells[b], blocks_.interfaces.of(b), sheet_lane,
-			                 admits[b],
+			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), is_found ? nullptr : loans.back().get(),
+			                 is_found ? std::vector<CellId>() : sheet.seeds.cells[b], blocks_.interfaces.of(b),
+			                 sheet_lane, admits[b],
 			                 sheet.sheet.window ? std::optional<seed::SheetWindow>(sheet.sheet) : std::nullopt});
 		}
 	}
 
 	Result<std::vector<traverse::LaneCut>> cuts =
-	    gpu_ ? traverseOnGpu(request, lanes, slice, stop) : traverseOnCpu(request, lanes, stop);
+	    gpu_ ? traverseOnGpu(request, lanes, found, slice, stop) : traverseOnCpu(request, lanes, stop);
 	if (!cuts)
 		return cuts.error();
 	for (std::size_t lane = 0; lane < cuts->size(); ++lane)
 		slice.sheets[lane / blocks_.blocks.size()].cuts.push_back(
-		    std::move(flooded[lane] ? *flooded[lane] : (*cuts)[lane]));
+		    std::move(found[lane] ? *found[lane] : (*cuts)[lane]));
 	if (gpu_)
 		if (Status added = addHostRecords(request.timeline, slice); !added)
 			return added.error();
@@ -187,6 +185,34 @@ Result<std::unique_ptr<GpuClassifier>> Slicer::gpuClassifier(const Slice& slice,
 	return GpuClassifier::create(*gpu_, sheets, fields, std::move(lanes), timeline);
 }
 
+// The cells that are known make one front of each lane.
+Status Slicer::classifyFound(GpuClassifier& classifier, Found& found)
+{
+	std::vector<traverse::FrontSlice> fronts;
+	for (std::size_t lane = 0; lane < found.size(); ++lane)
+		if (found[lane] && !found[lane]->cells.empty())
+			fronts.push_back({lane, found[lane]->cells, found[lane]->words});
+	return fronts.empty() ? Status(Nothing{}) : classifier.classify(fronts);
+}
+
+// As the traversal does with cells that a classifier leaves to it.
+void Slicer::walkFound(std::span<const Lane> lanes, Found& found)
+{
+	grid::CellFaces faces;
+	for (std::size_t l = 0; l < found.size(); ++l)
+	{
+		if (!found[l])
+			continue;
+		traverse::LaneCut& cut = *found[l];
+		for (std::size_t i = 0; i < cut.cells.size(); ++i)
+			if (cut.words[i] & shared::kWordWalk)
+				cut.words[i] =
+				    std::visit([&](const auto& grid)
+				               { return traverse::classifyByWalk(grid, lanes[l].surface, cut.cells[i], faces); },
+				               lanes[l].block->grid);
+	}
+}
+
 void Slicer::takeRecords(GpuClassifier& classifier, Slice& slice)
 {
 	const std::vector<std::shared_ptr<SheetRecords>> records = classifier.finish();
@@ -196,12 +222,15 @@ void Slicer::takeRecords(GpuClassifier& classifier, Slice& slice)
 }
 
 Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,
-                                                             Slice& slice, std::stop_token stop)
+                                                             Found& found, Slice& slice, std::stop_token stop)
 {
 	const TimedSection section(request.timeline, "traverse");
 	Result<std::unique_ptr<GpuClassifier>> classifier = gpuClassifier(slice, request.timeline);
 	if (!classifier)
 		return classifier.error();
+	if (Status done = classifyFound(**classifier, found); !done)
+		return done.error();
+	walkFound(lanes, found);
 	auto cuts = traverse::breadthFirst<surface::Plane>(lanes, **classifier, stop);
 	takeRecords(**classifier, slice);
 	return cuts;
@@ -222,19 +251,12 @@ Result<Slice> Slicer::regather(const Slice& kept, Timeline* timeline)
 	Result<std::unique_ptr<GpuClassifier>> classifier = gpuClassifier(slice, timeline);
 	if (!classifier)
 		return classifier.error();
-	// All cells of a lane are one front; their words are known.
-	std::vector<std::vector<std::uint32_t>> words;
-	std::vector<traverse::FrontSlice> fronts;
+	Found known;
 	for (const SheetSlice& sheet : slice.sheets)
 		for (const traverse::LaneCut& cut : sheet.cuts)
-		{
-			std::vector<std::uint32_t>& lane_words = words.emplace_back(cut.cells.size());
-			if (!cut.cells.empty())
-				fronts.push_back({words.size() - 1, cut.cells, lane_words});
-		}
-	if (!fronts.empty())
-		if (Status done = (*classifier)->classify(fronts); !done)
-			return done.error();
+			known.push_back(cut);
+	if (Status done = classifyFound(**classifier, known); !done)
+		return done.error();
 	takeRecords(**classifier, slice);
 	if (Status added = addHostRecords(timeline, slice); !added)
 		return added.error();
@@ -250,7 +272,7 @@ Status Slicer::addHostRecords(Timeline* timeline, Slice& slice) const
 		std::vector<traverse::LaneCut> left;
 		for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
 			left.push_back(gpu_->holds(b) ? walkedCells(sheet.cuts[b]) : sheet.cuts[b]);
-		const SheetMesh mesh = buildMesh(blocks_, sheet.sheet, blockCuts(left, sheet));
+		const SheetMesh mesh = buildMesh(blocks_, sheet.sheet, cellCuts(left, sheet));
 		if (mesh.polygons() == 0)
 			continue;
 		const auto records = recordsFromMesh(blocks_, sheet.sheet, mesh, sheet.field);

@@ -39,12 +39,14 @@ class GpuBlocks;     // the block set on the device (gpu_blocks.h)
 class GpuClassifier; // gpu_classifier.h
 struct SheetRecords; // a sheet's polygons in device memory (gpu_records.h)
 
-// How the CPU finds the cut cells. Both find the same, and make the same mesh but for the numbering.
+// How the cut cells are found. All find the same, and make the same mesh but for the numbering. What is not found by
+// the traversal goes to a device's classifier as one wide front.
 enum class Finder
 {
 	traversal, // cell by cell, breadth first in generations, with a classifier
-	automatic  // the fastest there is: for a whole sheet spans of cells in a structured block (traverse/span_flood.h,
-	           // span_rows.h), cells in no order in another (traverse/cell_flood.h)
+	direct,    // in blocks with straight axes by the paper's formula (traverse/span_rows.h), else by the traversal
+	automatic  // the fastest there is: in curvilinear blocks spans of cells too (traverse/span_flood.h), for whole
+	           // sheets in unstructured ones cells in no order (traverse/cell_flood.h)
 };
 
 struct SliceRequest
@@ -56,7 +58,7 @@ struct SliceRequest
 	std::vector<std::optional<FieldChoice>> sheet_fields;
 	seed::SeedOptions seeds;
 	std::optional<Threshold> threshold; // of the field's values: cells outside end the traversal
-	Finder finder = Finder::traversal;  // of a Slicer without a device
+	Finder finder = Finder::traversal;
 	// Takes the place of the probe's sheets. It needs no search, and windows and seeds mean nothing to it.
 	std::optional<OtherSurface> surface;
 	Timeline* timeline = nullptr; // sections "seed", "traverse", "emit"; must outlive the ticket
@@ -70,7 +72,7 @@ struct SheetSlice
 	Corners corners = Corners::keep;
 	std::optional<FieldChoice> field;
 	seed::SheetSeeds seeds;
-	std::vector<traverse::LaneCut> cuts; // per block; empty where spans were found instead
+	std::vector<traverse::LaneCut> cuts; // per block; without a device empty where spans were found instead
 	// Per block, or empty.
 	std::vector<std::optional<traverse::SpanCut>> spans;
 	std::shared_ptr<SheetRecords> records; // GPU classifier only: the polygons in device memory, as they are drawn
@@ -145,13 +147,18 @@ private:
 	Slice seedSheets(const SliceRequest& request, const Admits& admits) const;
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
 	Slice showSurface(const SliceRequest& request, const Admits& admits) const;
-	std::optional<traverse::SpanCut> spansOf(const SheetSlice& sheet, std::size_t block);
-	void flood(const SliceRequest& request, Slice& slice, std::span<std::optional<traverse::LaneCut>> flooded);
+	// Per lane; none where the traversal is to find the cells.
+	using Found = std::vector<std::optional<traverse::LaneCut>>;
+
+	std::optional<traverse::SpanCut> spansOf(const SheetSlice& sheet, std::size_t block, Finder finder);
+	Found find(const SliceRequest& request, Slice& slice);
 	Result<std::vector<traverse::LaneCut>> traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes,
 	                                                     std::stop_token stop);
 	Result<std::vector<traverse::LaneCut>> traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,
-	                                                     Slice& slice, std::stop_token stop);
+	                                                     Found& found, Slice& slice, std::stop_token stop);
 	Result<std::unique_ptr<GpuClassifier>> gpuClassifier(const Slice& slice, Timeline* timeline);
+	static Status classifyFound(GpuClassifier& classifier, Found& found);
+	static void walkFound(std::span<const Lane> lanes, Found& found);
 	void takeRecords(GpuClassifier& classifier, Slice& slice);
 	Status addHostRecords(Timeline* timeline, Slice& slice) const;
 

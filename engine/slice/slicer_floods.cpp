@@ -8,7 +8,7 @@ namespace vp::slice
 {
 
 // None where the block's kind, or what it holds, is not for spans.
-std::optional<traverse::SpanCut> Slicer::spansOf(const SheetSlice& sheet, std::size_t b)
+std::optional<traverse::SpanCut> Slicer::spansOf(const SheetSlice& sheet, std::size_t b, Finder finder)
 {
 	const grid::Block& block = blocks_.blocks[b];
 	const surface::Plane plane = sheet.sheet.plane();
@@ -22,38 +22,71 @@ std::optional<traverse::SpanCut> Slicer::spansOf(const SheetSlice& sheet, std::s
 		return traverse::hasStraightRows(*rectilinear) ? std::optional(traverse::rowSpans(*rectilinear, plane, window))
 		                                               : std::nullopt;
 	const auto* curvilinear = std::get_if<grid::CurvilinearGrid>(&block.grid);
-	if (!curvilinear || !traverse::floodTakes(*curvilinear))
+	if (finder != Finder::automatic || !curvilinear || !traverse::floodTakes(*curvilinear))
 		return std::nullopt;
 	const Pool<traverse::SpanStore>::Loan store = stores_[b]->borrow();
 	return traverse::floodSpans(*curvilinear, block.bounds, plane, window, sheet.seeds.cells[b], *store);
 }
 
-// Every block from seeds of its own, so that nothing has to be followed across seams. flooded: per lane; those of
-// structured blocks stay empty.
-void Slicer::flood(const SliceRequest& request, Slice& slice, std::span<std::optional<traverse::LaneCut>> flooded)
+namespace
 {
-	if (request.threshold)
-		return;
+
+void countAsGeneration(traverse::LaneCut& cut)
+{
+	cut.generation_starts = {0, static_cast<std::uint32_t>(cut.cells.size())};
+	cut.steps = 1;
+}
+
+traverse::LaneCut cellsOf(const grid::Block& block, const traverse::SpanCut& spans)
+{
+	std::vector<CellId> cells;
+	cells.reserve(spans.cells.cut);
+	std::visit(
+	    [&](const auto& grid)
+	    {
+		    if constexpr (std::is_base_of_v<grid::Lattice, std::decay_t<decltype(grid)>>)
+			    traverse::forEachCell(grid, spans, [&](CellId cell) { cells.push_back(cell); });
+	    },
+	    block.grid);
+	return traverse::oneGeneration(std::move(cells));
+}
+
+} // namespace
+
+// Every block from seeds of its own, so that nothing has to be followed across seams.
+Slicer::Found Slicer::find(const SliceRequest& request, Slice& slice)
+{
+	Found found(slice.sheets.size() * blocks_.blocks.size());
+	if (request.threshold || request.finder == Finder::traversal)
+		return found;
 	const TimedSection section(request.timeline, "traverse");
 	const bool one_piece = request.seeds.mode == seed::SeedMode::hotspot;
-	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
+	for (std::size_t lane = 0; lane < found.size(); ++lane)
 	{
-		SheetSlice& sheet = slice.sheets[s];
+		SheetSlice& sheet = slice.sheets[lane / blocks_.blocks.size()];
+		const std::size_t b = lane % blocks_.blocks.size();
 		sheet.spans.resize(blocks_.blocks.size());
-		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
+		if (one_piece && (blocks_.interfaces.of(b) || sheet.seeds.cells[b].empty() || sheet.sheet.window))
+			continue;
+		if (const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&blocks_.blocks[b].grid))
 		{
-			if (one_piece && (blocks_.interfaces.of(b) || sheet.seeds.cells[b].empty() || sheet.sheet.window))
+			if (request.finder != Finder::automatic || sheet.sheet.window)
 				continue;
-			const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&blocks_.blocks[b].grid);
-			if (unstructured && sheet.sheet.window)
+			found[lane] =
+			    traverse::floodCells(*unstructured, sheet.sheet.plane(), sheet.seeds.cells[b], *marks_[b]->borrow());
+			if (gpu_)
+				countAsGeneration(*found[lane]);
+		}
+		else if ((sheet.spans[b] = spansOf(sheet, b, request.finder)))
+		{
+			found[lane].emplace();
+			if (!gpu_)
 				continue;
-			if (unstructured)
-				flooded[s * blocks_.blocks.size() + b] = traverse::floodCells(
-				    *unstructured, sheet.sheet.plane(), sheet.seeds.cells[b], *marks_[b]->borrow());
-			else
-				sheet.spans[b] = spansOf(sheet, b);
+			found[lane] = cellsOf(blocks_.blocks[b], *sheet.spans[b]);
+			countAsGeneration(*found[lane]);
 		}
 	}
+	return found;
 }
 
 } // namespace vp::slice
