@@ -1,6 +1,7 @@
 #include "grid/block.h"
 
 #include "grid/folds.h"
+#include "grid/lattice_axes.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -107,6 +108,8 @@ void replaceFields(Block& block, std::vector<Field> fields)
 void finishBlock(Block& block)
 {
 	replaceFields(block, std::move(block.fields));
+	if (auto* curvilinear = std::get_if<CurvilinearGrid>(&block.grid))
+		*curvilinear = withShortestEdgesFirst(std::move(*curvilinear));
 	std::visit(
 	    [&](const auto& grid)
 	    {

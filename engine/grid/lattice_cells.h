@@ -3,6 +3,7 @@
 #include "base/ids.h"
 #include "grid/structured.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <mutex>
@@ -23,11 +24,19 @@ public:
 	    : lattice_(lattice), stored_(stored)
 	{
 	}
+	explicit LatticeCells(const CurvilinearGrid& grid)
+	    : lattice_(grid.sourceLattice()), turned_(grid), axes_(grid.axes())
+	{
+	}
 
 	const Lattice& lattice() const { return lattice_; } // its cells and points have the numbers of the file
+	// The axis of a cell's points along which the file's axis runs.
+	int axisInCells(int axis) const { return static_cast<int>(std::ranges::find(axes_, axis) - axes_.begin()); }
 	// kNoCell where the cell is hidden.
 	CellId at(const std::array<std::uint32_t, 3>& index) const
 	{
+		if (turned_)
+			return turned_->cell(index[axes_[0]], index[axes_[1]], index[axes_[2]]);
 		const CellId cell = lattice_.cell(index[0], index[1], index[2]);
 		return stored_.empty() ? cell : stored_[cell];
 	}
@@ -35,6 +44,8 @@ public:
 private:
 	Lattice lattice_;
 	std::span<const CellId> stored_; // per cell of the lattice; empty: each is its own
+	std::optional<Lattice> turned_;  // as the grid stores it, where its axes are in another order
+	std::array<std::uint8_t, 3> axes_{0, 1, 2};
 };
 
 // Where the cells of a lattice are in a grid that leaves the hidden ones out; filled when it is first wanted, in one

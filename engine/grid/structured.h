@@ -131,15 +131,25 @@ private:
 	std::array<Array<double>, 3> axis_;
 };
 
-// Points anywhere, in lattice order.
+// Points anywhere, in lattice order. The source's axes may stand in another order here (lattice_axes.h): then
+// sourcePoint() and sourceCell() give its numbers.
 class CurvilinearGrid : public Lattice
 {
 public:
 	CurvilinearGrid() = default;
-	CurvilinearGrid(std::array<std::uint32_t, 3> points, Points coordinates)
-	    : Lattice(points), points_(std::move(coordinates))
+	// axes[a]: the source's axis that runs along a here; a cyclic order, so that cells keep their sense.
+	CurvilinearGrid(std::array<std::uint32_t, 3> points, Points coordinates,
+	                std::array<std::uint8_t, 3> axes = {0, 1, 2});
+
+	std::array<std::uint8_t, 3> axes() const { return axes_; }
+	Lattice sourceLattice() const;
+	std::size_t sourcePoint(PointId p) const
 	{
-		assert(points_.size() == pointCount());
+		return axes_[0] == 0 ? p : sourceNumber(pointIndex(p), source_point_strides_);
+	}
+	std::size_t sourceCell(CellId c) const
+	{
+		return axes_[0] == 0 ? c : sourceNumber(cellIndex(c), source_cell_strides_);
 	}
 	Vec3 point(PointId p) const { return points_[p]; }
 	Vec3 pointAt(std::uint32_t i, std::uint32_t j, std::uint32_t k) const { return points_[pointId(i, j, k)]; }
@@ -147,7 +157,16 @@ public:
 	void prefetch(PointId from, PointId to) const { points_.prefetch(from, to); }
 
 private:
+	static std::size_t sourceNumber(const std::array<std::uint32_t, 3>& index,
+	                                const std::array<std::uint32_t, 3>& strides)
+	{
+		return index[0] * strides[0] + index[1] * strides[1] + index[2] * strides[2];
+	}
+
 	Points points_;
+	std::array<std::uint8_t, 3> axes_{0, 1, 2};
+	std::array<std::uint32_t, 3> source_point_strides_{0, 0, 0}; // of the source's numbers, per axis here
+	std::array<std::uint32_t, 3> source_cell_strides_{0, 0, 0};
 };
 
 static_assert(Grid<UniformGrid> && Grid<RectilinearGrid> && Grid<CurvilinearGrid>);

@@ -22,7 +22,7 @@ public:
 		for (const BlockCut& block : cuts)
 		{
 			if (block.spans)
-				traverse::forEachCell(grid::latticeCellsOf(blocks.blocks[block.block])->lattice(), *block.spans,
+				traverse::forEachCell(blocks.blocks[block.block], *block.spans,
 				                      [&](CellId cell) { add(block.block, cell); });
 			for (std::size_t i = 0; block.cut && i < block.cut->cells.size(); ++i)
 				if (block.cut->words[i] & shared::kWordCut)

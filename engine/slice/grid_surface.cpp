@@ -97,7 +97,7 @@ private:
 		    subscriptsOf(blocks_.blocks[block], lattices_[block]->lattice(), cell)[at_.axis], at_.index);
 		if (place != 0.0 && place != 1.0)
 			return false;
-		const auto face = static_cast<std::uint32_t>(2 * at_.axis + (place == 1.0));
+		const auto face = static_cast<std::uint32_t>(2 * lattices_[block]->axisInCells(at_.axis) + (place == 1.0));
 		return std::ranges::any_of(seams->of(cell, face),
 		                           [&](const grid::SeamLink& link) {
 			                           return std::tie(link.block, link.other) < std::tie(block, cell) && isShown(link);
@@ -106,11 +106,11 @@ private:
 
 	bool isShown(const grid::SeamLink& link) const
 	{
-		if (!lattices_[link.block] || static_cast<int>(link.other_face / 2) != at_.axis ||
+		const std::optional<grid::LatticeCells>& lattice = lattices_[link.block];
+		if (!lattice || static_cast<int>(link.other_face / 2) != lattice->axisInCells(at_.axis) ||
 		    !admitted(link.block, link.other))
 			return false;
-		const std::uint32_t layer =
-		    subscriptsOf(blocks_.blocks[link.block], lattices_[link.block]->lattice(), link.other)[at_.axis];
+		const std::uint32_t layer = subscriptsOf(blocks_.blocks[link.block], lattice->lattice(), link.other)[at_.axis];
 		return layer + link.other_face % 2 == at_.index;
 	}
 
@@ -125,8 +125,8 @@ template <grid::Grid G>
 class BlockSurface
 {
 public:
-	BlockSurface(const G& grid, std::uint32_t block, const grid::Lattice& lattice, const GridIndex& at, SheetMesh& mesh,
-	             std::size_t cells)
+	BlockSurface(const G& grid, std::uint32_t block, const grid::LatticeCells& lattice, const GridIndex& at,
+	             SheetMesh& mesh, std::size_t cells)
 	    : grid_(grid), block_(block), lattice_(lattice), at_(at), mesh_(mesh), vertices_(cells + cells / 8)
 	{
 	}
@@ -149,10 +149,10 @@ private:
 	double addCell(CellId cell)
 	{
 		const grid::CellPoints points = grid_.cellPoints(cell);
-		const double place =
-		    surface::placeIn(lattice_.cellIndex(static_cast<CellId>(grid_.sourceCell(cell)))[at_.axis], at_.index);
+		const double place = surface::placeIn(
+		    lattice_.lattice().cellIndex(static_cast<CellId>(grid_.sourceCell(cell)))[at_.axis], at_.index);
 		Vec3 along(0.0);
-		for (const auto& [low, high] : kEdges[at_.axis])
+		for (const auto& [low, high] : kEdges[lattice_.axisInCells(at_.axis)])
 		{
 			mesh_.polygon_vertices.push_back(vertexOf(points.id[low], points.id[high], place));
 			along += grid_.point(points.id[high]) - grid_.point(points.id[low]);
@@ -184,7 +184,7 @@ private:
 
 	const G& grid_;
 	std::uint32_t block_;
-	const grid::Lattice& lattice_;
+	const grid::LatticeCells& lattice_;
 	const GridIndex& at_;
 	SheetMesh& mesh_;
 	KeyNumbers vertices_;
@@ -227,7 +227,7 @@ SheetMesh gridSurfaceMesh(const grid::BlockSet& blocks, const GridIndex& at, std
 			    [&](const auto& grid)
 			    {
 				    const auto lattice = grid::latticeCellsOf(blocks.blocks[b]);
-				    BlockSurface(grid, b, lattice->lattice(), at, mesh, cells[b].cells.size()).add(cells[b].cells);
+				    BlockSurface(grid, b, *lattice, at, mesh, cells[b].cells.size()).add(cells[b].cells);
 			    },
 			    blocks.blocks[b].grid);
 	joinVertices(blocks, mesh, true);

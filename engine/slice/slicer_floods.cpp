@@ -41,13 +41,7 @@ traverse::LaneCut cellsOf(const grid::Block& block, const traverse::SpanCut& spa
 {
 	std::vector<CellId> cells;
 	cells.reserve(spans.cells.cut);
-	std::visit(
-	    [&](const auto& grid)
-	    {
-		    if constexpr (std::is_base_of_v<grid::Lattice, std::decay_t<decltype(grid)>>)
-			    traverse::forEachCell(grid, spans, [&](CellId cell) { cells.push_back(cell); });
-	    },
-	    block.grid);
+	traverse::forEachCell(block, spans, [&](CellId cell) { cells.push_back(cell); });
 	return traverse::oneGeneration(std::move(cells));
 }
 

@@ -2,10 +2,13 @@
 
 #include "base/ids.h"
 #include "cases/lattice_cases.h"
+#include "grid/block.h"
 #include "grid/structured.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace vp::traverse
@@ -82,6 +85,19 @@ void forEachCell(const grid::Lattice& lattice, const SpanCut& cut, Visit&& visit
 			if (!(columns[i - span.begin] & cases::kLeftOut))
 				visit(lattice.cell(i, j, k));
 	}
+}
+
+// The same in a block, whose grid is a lattice.
+template <class Visit>
+void forEachCell(const grid::Block& block, const SpanCut& cut, Visit&& visit)
+{
+	std::visit(
+	    [&](const auto& grid)
+	    {
+		    if constexpr (std::is_base_of_v<grid::Lattice, std::decay_t<decltype(grid)>>)
+			    forEachCell(static_cast<const grid::Lattice&>(grid), cut, visit);
+	    },
+	    block.grid);
 }
 
 } // namespace vp::traverse

@@ -1,24 +1,19 @@
-// Times a moved plane: this program's cut (seeds, cells, mesh with shared vertices) beside VTK's cutters on the same
-// grid in the same run, since only the ratio means something on a noisy machine. Planes are those of the sweep in
-// `vprobe profile`.
+// Times this program's cuts beside VTK's cutters on the same grid in the same run, since only the ratio means something
+// on a noisy machine, and holds the ratios against what the program aims at. Planes are those of the sweep in
+// `vprobe profile`; a cut is seeds, cells, and the mesh with shared vertices.
 //
-//   build/release/bin/bench_cut --benchmark_filter=shell:256
+//   build/release/bin/bench_cut --benchmark_filter='shell:256|targets'
 //
-// The first cut of vtkPlaneCutter, which builds its tree, is made before the clock runs.
+// Of a moved plane the first cut of vtkPlaneCutter, which builds its tree, is made before the clock runs.
 
+#include "grids.h"
+#include "our_cuts.h"
+#include "targets.h"
 #include "vtk_cuts.h"
 
-#include "gpu/device.h"
-#include "grid/demo.h"
-#include "probe/path.h"
-#include "probe/presets.h"
-#include "slice/slicer.h"
-
 #include <benchmark/benchmark.h>
-#include <vtkDataSet.h>
 
-#include <map>
-#include <memory>
+#include <filesystem>
 #include <string>
 
 using namespace vp;
@@ -26,129 +21,97 @@ using namespace vp;
 namespace
 {
 
-// The planes that `vprobe profile` sweeps through.
-std::vector<probe::Frame> sweepOf(const Box& bounds)
+void vtkCut(benchmark::State& state, const std::string& name, bench::VtkCut kind, int sheets)
 {
-	probe::Path path;
-	path.kind = probe::PathKind::profile;
-	return probe::poses(path, {}, bounds, probe::kProfilePlanes);
-}
-
-// The grid that was asked for last: several large ones do not fit into memory.
-struct Grid
-{
-	std::string name;
-	grid::BlockSet blocks;
-	vtkSmartPointer<vtkDataSet> vtk;
-};
-
-Grid& gridNamed(const std::string& name)
-{
-	static Grid grid;
-	if (grid.name != name)
-	{
-		grid = {}; // before the next one is made
-		grid = {name, std::move(*grid::parseDemo(name)), nullptr};
-	}
-	return grid;
-}
-
-vtkDataSet* vtkNamed(const std::string& name)
-{
-	Grid& grid = gridNamed(name);
-	if (!grid.vtk)
-		grid.vtk = bench::asVtk(grid.blocks.blocks[0]);
-	return grid.vtk;
-}
-
-void countCells(benchmark::State& state, std::size_t cells)
-{
-	state.counters["per_cell"] =
-	    benchmark::Counter(static_cast<double>(cells), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-}
-
-void sweep(benchmark::State& state, slice::Slicer& slicer, slice::Finder finder)
-{
-	const std::vector<probe::Frame> planes = sweepOf(slicer.blocks().bounds());
-	slice::SliceRequest request;
-	request.probe = probe::single({});
-	request.finder = finder;
-	std::size_t k = 0;
-	std::size_t cells = 0;
-	for (auto _ : state)
-	{
-		request.probe.frame = planes[k];
-		Result<slice::Slice> slice = slicer.cut(request);
-		const slice::SheetMesh mesh = slice->mesh(slicer.blocks(), 0);
-		benchmark::DoNotOptimize(mesh.positions.data());
-		cells += mesh.polygons();
-		k = (k + 1) % planes.size();
-	}
-	countCells(state, cells);
-}
-
-void cpuCut(benchmark::State& state, const std::string& name, slice::Finder finder)
-{
-	slice::Slicer slicer(gridNamed(name).blocks);
-	sweep(state, slicer, finder);
-}
-
-void gpuCut(benchmark::State& state, const std::string& name)
-{
-	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({});
-	if (!device)
-		return state.SkipWithError(device.error().message.c_str());
-	Result<std::unique_ptr<slice::Slicer>> slicer =
-	    slice::Slicer::onDevice(**device, gridNamed(name).blocks, {}, nullptr);
-	if (!slicer)
-		return state.SkipWithError(slicer.error().message.c_str());
-	state.SetLabel((*device)->name());
-	sweep(state, **slicer, slice::Finder::traversal);
-}
-
-void vtkCut(benchmark::State& state, const std::string& name, bench::VtkCut kind)
-{
-	const std::vector<probe::Frame> planes = sweepOf(gridNamed(name).blocks.bounds());
-	bench::VtkCutter cutter(kind, vtkNamed(name));
+	const std::vector<probe::Frame> planes = bench::sweepOf(bench::gridNamed(name).bounds());
+	bench::VtkCutter cutter(kind, bench::vtkNamed(name));
 	cutter.cut(planes.back());
 	std::size_t k = 0;
 	for (auto _ : state)
 	{
-		cutter.cut(planes[k]);
+		for (const probe::Frame& plane : bench::fanOf(planes[k], sheets))
+			cutter.cut(plane);
 		k = (k + 1) % planes.size();
 	}
 }
 
-template <class Function, class... Args>
-void add(const std::string& name, const char* way, Function function, Args... args)
+void firstVtkCut(benchmark::State& state, const std::string& name)
 {
-	benchmark::RegisterBenchmark((name + "/" + way).c_str(),
-	                             [=](benchmark::State& state) { function(state, name, args...); })
+	const std::vector<probe::Frame> planes = bench::sweepOf(bench::gridNamed(name).bounds());
+	vtkDataSet* grid = bench::vtkNamed(name);
+	for (auto _ : state)
+		bench::VtkCutter(bench::VtkCut::plane_cutter, grid).cut(planes[planes.size() / 2]);
+}
+
+benchmark::internal::Benchmark* add(const std::string& name, const std::string& way,
+                                    std::function<void(benchmark::State&)> function)
+{
+	return benchmark::RegisterBenchmark((name + "/" + way).c_str(), std::move(function))
 	    ->Unit(benchmark::kMillisecond)
-	    ->MinTime(1.0)
 	    ->UseRealTime();
+}
+
+void addCuts(const std::string& name)
+{
+	using bench::VtkCut;
+	constexpr double kSeconds = 1.0;
+	const auto moved = [&](const char* way, auto function) { add(name, way, function)->MinTime(kSeconds); };
+	moved("cpu", [=](auto& state) { bench::cpuCut(state, name, slice::Finder::automatic); });
+	moved("cpu, traversal", [=](auto& state) { bench::cpuCut(state, name, slice::Finder::traversal); });
+	moved("gpu", [=](auto& state) { bench::gpuCut(state, name, slice::Finder::traversal, 1); });
+	moved("gpu, one front", [=](auto& state) { bench::gpuCut(state, name, slice::Finder::automatic, 1); });
+	moved("window", [=](auto& state) { bench::windowCut(state, name); });
+	if (name.starts_with("blob"))
+		moved("vtkFlyingEdgesPlaneCutter", [=](auto& state) { vtkCut(state, name, VtkCut::flying_edges_cutter, 1); });
+	else
+		moved("vtkPlaneCutter", [=](auto& state) { vtkCut(state, name, VtkCut::plane_cutter, 1); });
+	moved("vtkCutter", [=](auto& state) { vtkCut(state, name, VtkCut::cutter, 1); });
+}
+
+void addBuilding(const std::string& name)
+{
+	add(name, "first cut", [=](auto& state) { bench::firstCut(state, name); })->Iterations(2);
+	add(name, "first vtkPlaneCutter", [=](auto& state) { firstVtkCut(state, name); })->Iterations(1);
+	if (name.starts_with("shell"))
+		return;
+	add(name, "build", [=](auto& state) { bench::buildGrid(state, name, false); })->Iterations(2);
+	add(name, "build shuffled", [=](auto& state) { bench::buildGrid(state, name, true); })->Iterations(1);
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-	for (const char* name : {"shell:64", "shell:128", "shell:256", "shell:384", "hexes:128", "hexes:192", "tets:96",
-	                         "tets:128", "blob:256", "blob:512"})
+	const std::string program = std::filesystem::path(argv[0]).parent_path() / "vprobe";
+	// Grid by grid, since one is kept at a time.
+	for (const char* name : {"shell:64", "shell:128", "shell:256", "shell:384", "hexes:128", "hexes:192", "hexes:256",
+	                         "tets:96", "tets:128", "tets:184", "blob:256", "blob:512"})
 	{
-		const bool is_image = std::string(name).starts_with("blob");
-		add(name, "cpu", cpuCut, slice::Finder::automatic);
-		add(name, "cpu, traversal", cpuCut, slice::Finder::traversal);
-		add(name, "gpu", gpuCut);
-		if (is_image)
-			add(name, "vtkFlyingEdgesPlaneCutter", vtkCut, bench::VtkCut::flying_edges_cutter);
-		else
-			add(name, "vtkPlaneCutter", vtkCut, bench::VtkCut::plane_cutter);
-		add(name, "vtkCutter", vtkCut, bench::VtkCut::cutter);
+		addCuts(name);
+		const std::string grid = name;
+		if (grid == "shell:256")
+		{
+			add(grid, "gpu, 8 vanes",
+			    [](auto& state) { bench::gpuCut(state, "shell:256", slice::Finder::automatic, 8); })
+			    ->MinTime(1.0);
+			add(grid, "8 vanes vtkPlaneCutter",
+			    [](auto& state) { vtkCut(state, "shell:256", bench::VtkCut::plane_cutter, 8); })
+			    ->MinTime(1.0);
+		}
+		if (grid == "shell:256" || grid == "hexes:256" || grid == "tets:184")
+			addBuilding(grid);
 	}
+	for (const char* name : {"shell:256 jki", "shell:256 kij"})
+		add(name, "cpu", [=](auto& state) { bench::cpuCut(state, name, slice::Finder::automatic); })->MinTime(1.0);
+	for (const char* name : {"shell:256", "tets:128", "hexes:192"})
+		add(name, "memory", [=](auto& state) { bench::memory(state, program, name); })->Iterations(1);
+	add("shell:256", "frames", [=](auto& state) { bench::frames(state, program, "shell:256"); })->Iterations(1);
+
 	benchmark::Initialize(&argc, argv);
 	if (benchmark::ReportUnrecognizedArguments(argc, argv))
 		return 1;
-	benchmark::RunSpecifiedBenchmarks();
+	bench::Figures figures;
+	benchmark::RunSpecifiedBenchmarks(&figures);
+	bench::printTargets(figures);
 	return 0;
 }

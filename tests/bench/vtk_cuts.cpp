@@ -87,8 +87,7 @@ vtkSmartPointer<vtkDataSet> asVtk(const grid::UnstructuredGrid& grid)
 	vtkNew<vtkCellArray> cells;
 	for (CellId c = 0; c < grid.cellCount(); ++c)
 	{
-		constexpr unsigned char kTypes[] = {VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON};
-		types->InsertNextValue(kTypes[static_cast<std::size_t>(grid.shape(c))]);
+		types->InsertNextValue(vtkType(grid.shape(c)));
 		cells->InsertNextCell(grid.cellPoints(c).size);
 		for (const PointId p : grid.cellPoints(c))
 			cells->InsertCellPoint(p);
@@ -99,9 +98,17 @@ vtkSmartPointer<vtkDataSet> asVtk(const grid::UnstructuredGrid& grid)
 
 } // namespace
 
+std::uint8_t vtkType(grid::CellShape shape)
+{
+	constexpr std::uint8_t kTypes[] = {VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON};
+	return kTypes[static_cast<std::size_t>(shape)];
+}
+
 vtkSmartPointer<vtkDataSet> asVtk(const grid::Block& block)
 {
 	const auto made = std::visit([](const auto& grid) { return asVtk(grid); }, block.grid);
+	if (block.fields.empty())
+		return made;
 	vtkNew<vtkFloatArray> scalars;
 	scalars->SetName(block.fields[0].name.c_str());
 	scalars->SetNumberOfTuples(made->GetNumberOfPoints());

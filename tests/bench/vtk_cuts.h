@@ -12,7 +12,9 @@ class vtkPlane;
 namespace vp::bench
 {
 
-// The grid of a block as VTK has it, with its first point array as scalars.
+std::uint8_t vtkType(grid::CellShape shape);
+
+// The grid of a block as VTK has it, with its first point array, where it has one, as scalars.
 vtkSmartPointer<vtkDataSet> asVtk(const grid::Block& block);
 
 // VTK's ways to cut by a plane.

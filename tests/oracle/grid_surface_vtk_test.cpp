@@ -41,8 +41,9 @@ vtkSmartPointer<vtkStructuredGrid> vtkGridOf(const grid::Block& block)
 	for (PointId p = 0; p < lattice.pointCount(); ++p)
 	{
 		const Vec3 at = visitGrid(block, [&](const auto& grid) { return grid.point(p); });
-		places->InsertNextPoint(at.x, at.y, at.z);
-		linear->InsertNextValue(linearAt(at));
+		const std::size_t source = visitGrid(block, [&](const auto& grid) { return grid.sourcePoint(p); });
+		places->InsertPoint(static_cast<vtkIdType>(source), at.x, at.y, at.z);
+		linear->InsertValue(static_cast<vtkIdType>(source), linearAt(at));
 		for (int axis = 0; axis < 3; ++axis)
 			subscripts[axis]->InsertNextValue(lattice.pointIndex(p)[axis]);
 	}

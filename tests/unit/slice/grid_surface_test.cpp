@@ -36,6 +36,16 @@ std::vector<const grid::Block*> structuredGrids()
 	return found;
 }
 
+// The numbers of the source, as the subscripts go by them.
+CellId sourceCell(const grid::Block& block, CellId cell)
+{
+	return static_cast<CellId>(visitGrid(block, [&](const auto& grid) { return grid.sourceCell(cell); }));
+}
+PointId sourcePoint(const grid::Block& block, PointId point)
+{
+	return static_cast<PointId>(visitGrid(block, [&](const auto& grid) { return grid.sourcePoint(point); }));
+}
+
 // Places along an axis: at points, between them, at both ends.
 std::vector<double> someIndices(std::uint32_t cells)
 {
@@ -131,7 +141,7 @@ TEST(GridSurface, ShowsEachCellOfItsLayerOnce)
 			            EXPECT_EQ(cuts[0].cut_cells, all);
 			            const double low_side = at.index == 0.0 ? 0.0 : std::ceil(at.index) - 1.0;
 			            for (const CellId cell : cuts[0].cells)
-				            EXPECT_EQ(lattice.cellIndex(cell)[at.axis], low_side);
+				            EXPECT_EQ(lattice.cellIndex(sourceCell(*block, cell))[at.axis], low_side);
 		            });
 	}
 }
@@ -154,8 +164,8 @@ TEST(GridSurface, LiesBetweenThePointsOnEitherSideAndTheirValues)
 				                visitGrid(*block, [&](const auto& grid) { return grid.point(mesh.edges[v].lower); });
 				            const Vec3 higher =
 				                visitGrid(*block, [&](const auto& grid) { return grid.point(mesh.edges[v].higher); });
-				            const auto from = lattice.pointIndex(mesh.edges[v].lower);
-				            const auto to = lattice.pointIndex(mesh.edges[v].higher);
+				            const auto from = lattice.pointIndex(sourcePoint(*block, mesh.edges[v].lower));
+				            const auto to = lattice.pointIndex(sourcePoint(*block, mesh.edges[v].higher));
 				            for (int axis = 0; axis < 3; ++axis)
 					            EXPECT_EQ(to[axis] - from[axis], axis == at.axis ? 1u : 0u);
 				            EXPECT_NEAR(from[at.axis] + mesh.edges[v].t, at.index, 1e-12);
@@ -184,15 +194,16 @@ TEST(GridSurface, SharesItsVerticesAndFacesWhereTheIndexGrows)
 			            {
 				            // Towards the face of the cell where the subscript is higher.
 				            const CellId cell = mesh.polygon_cells[p].cell;
+				            const int axis = grid::latticeCellsOf(set.blocks[0])->axisInCells(at.axis);
 				            visitGrid(set.blocks[0],
 				                      [&](const auto& grid)
 				                      {
 					                      grid::CellFaces faces;
 					                      grid.cellFaces(cell, faces);
 					                      Vec3 along(0.0);
-					                      for (const PointId q : faces[2 * at.axis + 1])
+					                      for (const PointId q : faces[2 * axis + 1])
 						                      along += grid.point(q);
-					                      for (const PointId q : faces[2 * at.axis])
+					                      for (const PointId q : faces[2 * axis])
 						                      along -= grid.point(q);
 					                      EXPECT_GT(glm::dot(slice::doubleArea(mesh, mesh.polygon(p)), along), 0.0);
 				                      });

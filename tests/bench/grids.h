@@ -1,0 +1,34 @@
+#pragma once
+
+#include "grid/block.h"
+#include "probe/transform.h"
+
+#include <vtkDataSet.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+namespace vp::bench
+{
+
+// A built-in data set, NAME:N. "shell:256 jki" and "shell:256 kij" are the shell with its axes in another order as
+// read.
+const grid::BlockSet& gridNamed(const std::string& name);
+
+// The same as VTK has it. Of both the last that was asked for is kept: several large ones do not fit into memory.
+vtkDataSet* vtkNamed(const std::string& name);
+
+// The grid as it comes from a file, nothing built: cells in the program's own order, or shuffled.
+grid::Block unbuilt(const grid::Block& block);
+struct ReadCells
+{
+	grid::Points points;
+	grid::CellList cells;
+};
+ReadCells readCells(const grid::UnstructuredGrid& grid, bool shuffled);
+
+// The planes that `vprobe profile` sweeps through.
+std::vector<probe::Frame> sweepOf(const Box& bounds);
+
+} // namespace vp::bench

@@ -1,0 +1,207 @@
+#include "our_cuts.h"
+
+#include "gpu/device.h"
+#include "grids.h"
+#include "probe/path.h"
+#include "probe/presets.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <numbers>
+#include <optional>
+
+namespace vp::bench
+{
+
+namespace
+{
+
+std::vector<probe::Sheet> sheetsAt(const probe::Frame& frame, int count)
+{
+	std::vector<probe::Sheet> sheets;
+	for (const probe::Frame& plane : fanOf(frame, count))
+	{
+		probe::Sheet& sheet = sheets.emplace_back();
+		sheet.origin = plane.origin;
+		sheet.normal = plane.normal;
+		sheet.up = plane.up;
+	}
+	return sheets;
+}
+
+// A moved plane after the other; `window` one a plane, or empty.
+void sweep(benchmark::State& state, slice::Slicer& slicer, slice::Finder finder, int sheets,
+           const std::vector<std::optional<probe::Window>>& windows = {})
+{
+	const std::vector<probe::Frame> planes = sweepOf(slicer.blocks().bounds());
+	std::size_t k = 0;
+	std::size_t cells = 0;
+	std::size_t generations = 0;
+	for (auto _ : state)
+	{
+		slice::SliceRequest request;
+		request.finder = finder;
+		request.probe.sheets = sheetsAt(planes[k], sheets);
+		if (!windows.empty())
+			request.probe.sheets[0].window = windows[k];
+		const Result<slice::Slice> slice = slicer.cut(request);
+		for (std::size_t s = 0; s < slice->sheets.size(); ++s)
+		{
+			cells += slice->sheets[s].cutCells(0);
+			generations += slice->sheets[s].cuts[0].generations();
+			if (slicer.usesGpu())
+				continue;
+			const slice::SheetMesh mesh = slice->mesh(slicer.blocks(), s);
+			benchmark::DoNotOptimize(mesh.positions.data());
+		}
+		k = (k + 1) % planes.size();
+	}
+	state.counters["per_cell"] =
+	    benchmark::Counter(static_cast<double>(cells), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+	if (generations > 0)
+		state.counters["generations"] =
+		    benchmark::Counter(static_cast<double>(generations) / sheets, benchmark::Counter::kAvgIterations);
+}
+
+std::optional<probe::Window> middleOf(const probe::Sheet& sheet, const slice::SheetMesh& mesh)
+{
+	if (mesh.positions.empty())
+		return std::nullopt;
+	glm::dvec2 lo(INFINITY);
+	glm::dvec2 hi(-INFINITY);
+	for (const Vec3& p : mesh.positions)
+	{
+		const glm::dvec2 uv(glm::dot(p - sheet.origin, sheet.xAxis()), glm::dot(p - sheet.origin, sheet.up));
+		lo = glm::min(lo, uv);
+		hi = glm::max(hi, uv);
+	}
+	constexpr double kPart = 1.0 / 5.0;
+	const glm::dvec2 centre = 0.5 * (lo + hi);
+	const glm::dvec2 half = 0.5 * kPart * (hi - lo);
+	return probe::Window{centre.x - half.x, centre.x + half.x, centre.y - half.y, centre.y + half.y};
+}
+
+void cutOnce(const grid::BlockSet& blocks)
+{
+	const std::vector<probe::Frame> planes = sweepOf(blocks.bounds());
+	slice::Slicer slicer(blocks);
+	slice::SliceRequest request;
+	request.finder = slice::Finder::automatic;
+	request.probe.sheets = sheetsAt(planes[planes.size() / 2], 1);
+	const slice::SheetMesh mesh = slicer.cut(request)->mesh(blocks, 0);
+	benchmark::DoNotOptimize(mesh.positions.data());
+}
+
+std::optional<nlohmann::json> profile(const std::string& command)
+{
+	std::FILE* pipe = ::popen(command.c_str(), "r");
+	if (!pipe)
+		return std::nullopt;
+	std::string text;
+	char part[4096];
+	while (const std::size_t read = std::fread(part, 1, sizeof(part), pipe))
+		text.append(part, read);
+	if (::pclose(pipe) != 0)
+		return std::nullopt;
+	return nlohmann::json::parse(text);
+}
+
+} // namespace
+
+std::vector<probe::Frame> fanOf(const probe::Frame& frame, int planes)
+{
+	std::vector<probe::Frame> fan;
+	const Vec3 x_axis = glm::cross(frame.up, frame.normal);
+	for (int i = 0; i < planes; ++i)
+	{
+		const double angle = std::numbers::pi * i / planes;
+		probe::Frame& turned = fan.emplace_back(frame);
+		turned.normal = glm::normalize(std::cos(angle) * frame.normal + std::sin(angle) * x_axis);
+	}
+	return fan;
+}
+
+void cpuCut(benchmark::State& state, const std::string& name, slice::Finder finder)
+{
+	slice::Slicer slicer(gridNamed(name));
+	sweep(state, slicer, finder, 1);
+}
+
+void gpuCut(benchmark::State& state, const std::string& name, slice::Finder finder, int sheets)
+{
+	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({});
+	if (!device)
+		return state.SkipWithError(device.error().message.c_str());
+	Result<std::unique_ptr<slice::Slicer>> slicer = slice::Slicer::onDevice(**device, gridNamed(name), {}, nullptr);
+	if (!slicer)
+		return state.SkipWithError(slicer.error().message.c_str());
+	state.SetLabel((*device)->name());
+	sweep(state, **slicer, finder, sheets);
+}
+
+void windowCut(benchmark::State& state, const std::string& name)
+{
+	slice::Slicer slicer(gridNamed(name));
+	std::vector<std::optional<probe::Window>> windows;
+	for (const probe::Frame& plane : sweepOf(slicer.blocks().bounds()))
+	{
+		slice::SliceRequest request;
+		request.finder = slice::Finder::automatic;
+		request.probe.sheets = sheetsAt(plane, 1);
+		const Result<slice::Slice> slice = slicer.cut(request);
+		windows.push_back(middleOf(request.probe.sheets[0], slice->mesh(slicer.blocks(), 0)));
+	}
+	sweep(state, slicer, slice::Finder::automatic, 1, windows);
+}
+
+void firstCut(benchmark::State& state, const std::string& name)
+{
+	const grid::Block& block = gridNamed(name).blocks[0];
+	const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&block.grid);
+	const ReadCells read = unstructured ? readCells(*unstructured, false) : ReadCells{};
+	for (auto _ : state)
+	{
+		grid::BlockSet blocks;
+		blocks.blocks.push_back(unbuilt(block));
+		if (unstructured)
+			blocks.blocks[0].grid = grid::UnstructuredGrid::build(read.points, read.cells);
+		grid::finishBlock(blocks.blocks[0]);
+		cutOnce(blocks);
+	}
+}
+
+void buildGrid(benchmark::State& state, const std::string& name, bool shuffled)
+{
+	const ReadCells read = readCells(std::get<grid::UnstructuredGrid>(gridNamed(name).blocks[0].grid), shuffled);
+	for (auto _ : state)
+	{
+		const auto grid = grid::UnstructuredGrid::build(read.points, read.cells);
+		benchmark::DoNotOptimize(grid.cellCount());
+	}
+}
+
+void memory(benchmark::State& state, const std::string& program, const std::string& name)
+{
+	std::optional<nlohmann::json> figures;
+	for (auto _ : state)
+		figures = profile(program + " profile demo:" + name + " --classify cpu --planes 4 --json -");
+	if (!figures)
+		return state.SkipWithError("vprobe profile failed");
+	const nlohmann::json& parts = figures->at("memory_bytes");
+	state.counters["extra_per_cell"] = parts.at("extra").get<double>() / figures->at("grid").at("cells").get<double>();
+}
+
+void frames(benchmark::State& state, const std::string& program, const std::string& name)
+{
+	std::optional<nlohmann::json> figures;
+	for (auto _ : state)
+		figures = profile(program + " profile demo:" + name +
+		                  " --probe paddlewheel --vanes 3 --opacity 0.6 --samples 1 --size 1280x720 --classify auto "
+		                  "--draw --json -");
+	if (!figures)
+		return state.SkipWithError("vprobe profile failed");
+	state.counters["frame_ms"] = figures->at("frame_ms").at("median").get<double>();
+}
+
+} // namespace vp::bench

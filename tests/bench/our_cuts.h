@@ -1,0 +1,34 @@
+#pragma once
+
+#include "probe/transform.h"
+#include "slice/slicer.h"
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+namespace vp::bench
+{
+
+// As many planes, turned about the frame's up axis by equal angles within half a turn, the frame's own the first.
+std::vector<probe::Frame> fanOf(const probe::Frame& frame, int planes);
+
+// Moved planes.
+void cpuCut(benchmark::State& state, const std::string& name, slice::Finder finder);
+// Counter "generations", on the mean. The polygons stay in device memory.
+void gpuCut(benchmark::State& state, const std::string& name, slice::Finder finder, int sheets);
+// Within a window of 1/5 x 1/5 of the slice's extent about its centre.
+void windowCut(benchmark::State& state, const std::string& name);
+
+// From the arrays as a file has them to the first mesh.
+void firstCut(benchmark::State& state, const std::string& name);
+// An unstructured grid from its cells: adjacency and order.
+void buildGrid(benchmark::State& state, const std::string& name, bool shuffled);
+
+// By `vprobe profile`, which is at `program`. Counter "extra_per_cell": bytes besides the grid as it was read.
+void memory(benchmark::State& state, const std::string& program, const std::string& name);
+// Counter "frame_ms": the median of a whole frame of three translucent vanes, 1280x720.
+void frames(benchmark::State& state, const std::string& program, const std::string& name);
+
+} // namespace vp::bench

@@ -1,0 +1,161 @@
+#include "targets.h"
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <vector>
+
+namespace vp::bench
+{
+
+namespace
+{
+
+using Number = std::optional<double>;
+
+struct Target
+{
+	std::string aim;
+	std::string unit;
+	double value;
+	bool at_least; // else at most
+	std::function<Number(const Figures&)> measure;
+};
+
+Number quotient(const Number& a, const Number& b)
+{
+	return a && b ? Number(*a / *b) : std::nullopt;
+}
+
+// How much faster one is than the other.
+Target faster(std::string aim, double value, const std::string& ours, const std::string& theirs)
+{
+	return {std::move(aim), "times", value, true, [=](const Figures& f) { return quotient(f.ms(theirs), f.ms(ours)); }};
+}
+
+Target counted(std::string aim, std::string unit, double value, const std::string& benchmark,
+               const std::string& counter)
+{
+	return {std::move(aim), std::move(unit), value, false,
+	        [=](const Figures& f) { return f.counter(benchmark, counter); }};
+}
+
+// p of time ~ N^p, by least squares over the cells of three grids.
+Number exponent(const Figures& figures)
+{
+	double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+	for (const int side : {128, 256, 384})
+	{
+		const Number ms = figures.ms("shell:" + std::to_string(side) + "/cpu");
+		if (!ms)
+			return std::nullopt;
+		const double cells = 3.0 * std::log(side);
+		n += 1.0;
+		x += cells;
+		y += std::log(*ms);
+		xx += cells * cells;
+		xy += cells * std::log(*ms);
+	}
+	return (n * xy - x * y) / (n * xx - x * x);
+}
+
+Number worstOrientation(const Figures& figures)
+{
+	double best = INFINITY;
+	double worst = 0.0;
+	for (const char* axes : {"", " jki", " kij"})
+	{
+		const Number ms = figures.ms(std::string("shell:256") + axes + "/cpu");
+		if (!ms)
+			return std::nullopt;
+		best = std::min(best, *ms);
+		worst = std::max(worst, *ms);
+	}
+	return worst / best;
+}
+
+std::vector<Target> targets()
+{
+	return {
+	    faster("shell:256 against vtkPlaneCutter with its tree", 30, "shell:256/cpu", "shell:256/vtkPlaneCutter"),
+	    faster("shell:384 against vtkPlaneCutter", 40, "shell:384/cpu", "shell:384/vtkPlaneCutter"),
+	    faster("shell:256 against vtkCutter", 250, "shell:256/cpu", "shell:256/vtkCutter"),
+	    faster("hexes:256 against vtkPlaneCutter", 25, "hexes:256/cpu", "hexes:256/vtkPlaneCutter"),
+	    faster("tets:128 (10.5 M) against vtkPlaneCutter", 13, "tets:128/cpu", "tets:128/vtkPlaneCutter"),
+	    faster("tets:184 (31 M) against vtkPlaneCutter", 16, "tets:184/cpu", "tets:184/vtkPlaneCutter"),
+	    faster("blob:256 against vtkFlyingEdgesPlaneCutter", 2.5, "blob:256/cpu", "blob:256/vtkFlyingEdgesPlaneCutter"),
+	    faster("blob:512 against vtkFlyingEdgesPlaneCutter", 7, "blob:512/cpu", "blob:512/vtkFlyingEdgesPlaneCutter"),
+	    {"p of time ~ N^p, shell:128 to shell:384", "", 0.68, false, exponent},
+	    {"worst order of the shell's axes against the best", "times", 1.15, false, worstOrientation},
+	    faster("first cut of shell:256, building included, against vtkPlaneCutter's", 5, "shell:256/first cut",
+	           "shell:256/first vtkPlaneCutter"),
+	    faster("first cut of hexes:256", 5, "hexes:256/first cut", "hexes:256/first vtkPlaneCutter"),
+	    faster("first cut of tets:184", 5, "tets:184/first cut", "tets:184/first vtkPlaneCutter"),
+	    {"tets:184 built", "ms", 1200, false, [](const Figures& f) { return f.ms("tets:184/build"); }},
+	    {"tets:184 built, cells shuffled", "ms", 5000, false,
+	     [](const Figures& f) { return f.ms("tets:184/build shuffled"); }},
+	    faster("window of 1/5 x 1/5 of the slice against all of it, shell:256", 12, "shell:256/window",
+	           "shell:256/cpu"),
+	    counted("generations of a device's cut, shell:256", "", 24, "shell:256/gpu", "generations"),
+	    faster("device's classifier, shell:256, one sheet, against vtkPlaneCutter", 4, "shell:256/gpu, one front",
+	           "shell:256/vtkPlaneCutter"),
+	    faster("device's classifier, shell:256, 8 vanes, against 8 of vtkPlaneCutter", 6, "shell:256/gpu, 8 vanes",
+	           "shell:256/8 vanes vtkPlaneCutter"),
+	    {"frames a second: 3 translucent vanes, shell:256, 1280x720", "", 30, true,
+	     [](const Figures& f) { return quotient(Number(1000.0), f.counter("shell:256/frames", "frame_ms")); }},
+	    counted("bytes built besides a cell, shell:256", "", 4, "shell:256/memory", "extra_per_cell"),
+	    counted("bytes built besides a cell, tets:128", "", 24, "tets:128/memory", "extra_per_cell"),
+	    counted("bytes built besides a cell, hexes:192", "", 36, "hexes:192/memory", "extra_per_cell")};
+}
+
+} // namespace
+
+void Figures::ReportRuns(const std::vector<Run>& runs)
+{
+	ConsoleReporter::ReportRuns(runs);
+	for (const Run& run : runs)
+	{
+		if (run.error_occurred || run.run_type != Run::RT_Iteration)
+			continue;
+		Figure figure{run.GetAdjustedRealTime(), {}};
+		for (const auto& [name, counter] : run.counters)
+			figure.counters[name] = counter.value;
+		const std::string name = run.run_name.function_name;
+		const auto known = figures_.find(name);
+		if (known == figures_.end() || figure.ms < known->second.ms)
+			figures_[name] = std::move(figure);
+	}
+}
+
+Number Figures::ms(const std::string& name) const
+{
+	const auto figure = figures_.find(name);
+	return figure == figures_.end() ? std::nullopt : Number(figure->second.ms);
+}
+
+Number Figures::counter(const std::string& name, const std::string& of) const
+{
+	const auto figure = figures_.find(name);
+	if (figure == figures_.end() || !figure->second.counters.contains(of))
+		return std::nullopt;
+	return figure->second.counters.at(of);
+}
+
+void printTargets(const Figures& figures)
+{
+	bool has_title = false;
+	for (const Target& target : targets())
+	{
+		const Number measured = target.measure(figures);
+		if (!measured)
+			continue;
+		if (!has_title)
+			std::printf("\n%-74s %10s %16s\n", "aim", "measured", "wanted");
+		has_title = true;
+		const bool met = target.at_least ? *measured >= target.value : *measured <= target.value;
+		std::printf("%-74s %10.3g %8s %7.3g %-5s %s\n", target.aim.c_str(), *measured,
+		            target.at_least ? "at least" : "at most", target.value, target.unit.c_str(), met ? "" : "missed");
+	}
+}
+
+} // namespace vp::bench
