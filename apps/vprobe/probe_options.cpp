@@ -121,6 +121,14 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	    ->check(CLI::IsMember({"nearest", "refuse", "report"}))
 	    ->capture_default_str()
 	    ->group(group);
+	command
+	    .add_option(
+	        "--visited", options.visited,
+	        "Traverses by generations, and knows queued cells by stamps, a byte a cell, or by a search of the queue's "
+	        "octants, without memory over the grid. Without the option the CPU finds cells in whatever way is "
+	        "fastest")
+	    ->check(CLI::IsMember({"stamps", "octants"}))
+	    ->group(group);
 	addDeviceOptions(command, options);
 }
 

@@ -37,6 +37,7 @@ struct ProbeOptions
 	double displace = 0.0;
 	std::string seeds = "auto";
 	std::string outside = "nearest";
+	std::string visited; // none: cells are found the fastest way, which may need neither
 	std::string classify = "gpu";
 	bool classify_given = false;
 	std::string device;

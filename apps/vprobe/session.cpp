@@ -175,6 +175,10 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	// The device goes by generations, as the paper does, unless it is left to choose what is fastest.
 	if (options.classify == "gpu" && session->slicer->usesGpu())
 		session->finder = slice::Finder::direct;
+	if (!options.visited.empty())
+		session->finder = slice::Finder::traversal;
+	if (options.visited == "octants")
+		session->visited = slice::Visited::octants;
 	return session;
 }
 
@@ -184,7 +188,7 @@ Result<slice::Slice> cut(Session& session)
 	if (session.surface)
 		surface = surfaceAt(*session.surface, session.swept);
 	return session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, session.seeds,
-	                            session.threshold, session.finder, surface, session.timeline.get()});
+	                            session.threshold, session.finder, session.visited, surface, session.timeline.get()});
 }
 
 bool isEmpty(const slice::SheetSlice& sheet)

@@ -33,6 +33,7 @@ struct Session
 	bool crinkle = false;                 // the whole cells are wanted too
 	std::optional<slice::Threshold> threshold;
 	slice::Finder finder = slice::Finder::automatic;
+	slice::Visited visited = slice::Visited::stamps;
 	std::unique_ptr<gpu::Device> device; // null where the CPU does without
 	std::unique_ptr<slice::Slicer> slicer;
 	std::unique_ptr<Timeline> timeline;

@@ -73,22 +73,34 @@ private:
 
 	Uv uvOf(const Vec3& p) const { return {glm::dot(p - origin_, x_axis_), glm::dot(p - origin_, y_axis_)}; }
 
-	// Where the edges of a face are cut. False where none is.
+	// Where the edges of a face are cut, to the last bit the same seen from either of its cells. False where none is.
 	template <class G, class Surface>
 	bool findCuts(const G& grid, const Surface& surface, std::span<const PointId> face, Cuts& cuts) const
 	{
+		struct Corner
+		{
+			PointId id;
+			Vec3 place;
+			double distance;
+		};
+		const auto cornerAt = [&](PointId p)
+		{
+			const Vec3 place = grid.point(p);
+			return Corner{p, place, surface.signedDistance(place)};
+		};
 		cuts.count = 0;
-		Vec3 previous = grid.point(face.back());
-		double previous_distance = surface.signedDistance(previous);
+		Corner previous = cornerAt(face.back());
 		for (const PointId p : face)
 		{
-			const Vec3 corner = grid.point(p);
-			const double distance = surface.signedDistance(corner);
-			if ((distance >= 0.0) != (previous_distance >= 0.0) && cuts.count < kMostCuts)
+			const Corner corner = cornerAt(p);
+			if ((corner.distance >= 0.0) != (previous.distance >= 0.0) && cuts.count < kMostCuts)
+			{
+				const Corner& low = previous.id < p ? previous : corner;
+				const Corner& high = previous.id < p ? corner : previous;
 				cuts.at[cuts.count++] =
-				    uvOf(previous + (previous_distance / (previous_distance - distance)) * (corner - previous));
+				    uvOf(low.place + (low.distance / (low.distance - high.distance)) * (high.place - low.place));
+			}
 			previous = corner;
-			previous_distance = distance;
 		}
 		return cuts.count > 0;
 	}

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <deque>
 
 namespace vp::slice
 {
@@ -104,6 +105,45 @@ Slice Slicer::seedSheets(const SliceRequest& request, const Admits& admits) cons
 	return slice;
 }
 
+// Lanes, and the marks or queues that they refer to.
+struct Slicer::Lanes
+{
+	std::vector<Lane> all; // lane s * blocks + b is sheet s in block b
+	std::vector<traverse::VisitedPool::Loan> marks;
+	std::deque<traverse::OctantQueue> queues;
+};
+
+// What is found already is not traversed again.
+Slicer::Lanes Slicer::makeLanes(const SliceRequest& request, const Slice& slice, const Found& found,
+                                const Admits& admits)
+{
+	Lanes lanes;
+	for (const SheetSlice& sheet : slice.sheets)
+	{
+		const std::size_t sheet_lane = lanes.all.size();
+		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
+		{
+			Lane& lane = lanes.all.emplace_back(Lane{.block = &blocks_.blocks[b],
+			                                         .surface = sheet.sheet.plane(),
+			                                         .visited = nullptr,
+			                                         .seeds = {},
+			                                         .seams = blocks_.interfaces.of(b),
+			                                         .sheet_lane = sheet_lane,
+			                                         .admits = admits[b]});
+			if (sheet.sheet.window)
+				lane.window.emplace(sheet.sheet);
+			if (found[lanes.all.size() - 1])
+				continue;
+			lane.seeds = sheet.seeds.cells[b];
+			if (request.visited == Visited::octants)
+				lane.queue = &lanes.queues.emplace_back(*lane.block, lane.seeds.empty() ? 0 : lane.seeds.front());
+			else
+				lane.visited = lanes.marks.emplace_back(visited_[b]->borrow()).get();
+		}
+	}
+	return lanes;
+}
+
 Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 {
 	assert(request.field || !request.threshold);
@@ -117,26 +157,9 @@ Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 	Slice slice = seedSheets(request, admits);
 	Found found = find(request, slice);
 
-	// Lane s * blocks + b is sheet s in block b.
-	std::vector<Lane> lanes;
-	std::vector<traverse::VisitedPool::Loan> loans;
-	for (const SheetSlice& sheet : slice.sheets)
-	{
-		const std::size_t sheet_lane = lanes.size();
-		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
-		{
-			const bool is_found = found[lanes.size()].has_value();
-			if (!is_found)
-				loans.push_back(visited_[b]->borrow());
-			lanes.push_back({&blocks_.blocks[b], sheet.sheet.plane(), is_found ? nullptr : loans.back().get(),
-			                 is_found ? std::vector<CellId>() : sheet.seeds.cells[b], blocks_.interfaces.of(b),
-			                 sheet_lane, admits[b],
-			                 sheet.sheet.window ? std::optional<seed::SheetWindow>(sheet.sheet) : std::nullopt});
-		}
-	}
-
+	Lanes lanes = makeLanes(request, slice, found, admits);
 	Result<std::vector<traverse::LaneCut>> cuts =
-	    gpu_ ? traverseOnGpu(request, lanes, found, slice, stop) : traverseOnCpu(request, lanes, stop);
+	    gpu_ ? traverseOnGpu(request, lanes.all, found, slice, stop) : traverseOnCpu(request, lanes.all, stop);
 	if (!cuts)
 		return cuts.error();
 	for (std::size_t lane = 0; lane < cuts->size(); ++lane)

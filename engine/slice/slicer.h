@@ -49,6 +49,13 @@ enum class Finder
 	           // sheets in unstructured ones cells in no order (traverse/cell_flood.h)
 };
 
+// How the traversal knows the cells that it has queued.
+enum class Visited
+{
+	stamps, // a byte a cell (traverse/visited.h)
+	octants // the queue is searched, nothing is kept over the grid (traverse/octant_queue.h)
+};
+
 struct SliceRequest
 {
 	probe::Probe probe;
@@ -59,6 +66,7 @@ struct SliceRequest
 	seed::SeedOptions seeds;
 	std::optional<Threshold> threshold; // of the field's values: cells outside end the traversal
 	Finder finder = Finder::traversal;
+	Visited visited = Visited::stamps;
 	// Takes the place of the probe's sheets. It needs no search, and windows and seeds mean nothing to it.
 	std::optional<OtherSurface> surface;
 	Timeline* timeline = nullptr; // sections "seed", "traverse", "emit"; must outlive the ticket
@@ -143,6 +151,7 @@ private:
 	using Lane = traverse::Lane<surface::Plane>;
 
 	using Admits = std::vector<std::function<bool(CellId)>>; // per block
+	struct Lanes;
 
 	Slice seedSheets(const SliceRequest& request, const Admits& admits) const;
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
@@ -152,6 +161,7 @@ private:
 
 	std::optional<traverse::SpanCut> spansOf(const SheetSlice& sheet, std::size_t block, Finder finder);
 	Found find(const SliceRequest& request, Slice& slice);
+	Lanes makeLanes(const SliceRequest& request, const Slice& slice, const Found& found, const Admits& admits);
 	Result<std::vector<traverse::LaneCut>> traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes,
 	                                                     std::stop_token stop);
 	Result<std::vector<traverse::LaneCut>> traverseOnGpu(const SliceRequest& request, std::span<Lane> lanes,

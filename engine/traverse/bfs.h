@@ -6,6 +6,7 @@
 #include "seed/sheet_window.h"
 #include "shared/slice_types.h"
 #include "traverse/cell_signs.h"
+#include "traverse/octant_queue.h"
 #include "traverse/visited.h"
 
 #include <bit>
@@ -26,7 +27,7 @@ struct Lane
 {
 	const grid::Block* block;
 	Surface surface;
-	VisitedMarks* visited;     // beginSlice() has been called
+	VisitedMarks* visited;     // beginSlice() has been called; null where there is a queue
 	std::vector<CellId> seeds; // generation 0; cells that turn out not to be cut do no harm
 	// Where the block meets others or itself; null: nowhere. The lanes of a sheet stand in the order of the blocks,
 	// from `sheet_lane` on: what lies across a seam in block b is queued in lane sheet_lane + b.
@@ -36,9 +37,13 @@ struct Lane
 	std::function<bool(CellId)> admits = {};
 	// Where the sheet has one: cells whose section lies outside do not count as cut, edges outside lead nowhere.
 	std::optional<seed::SheetWindow> window = {};
+	OctantQueue* queue = nullptr; // in place of the marks, and empty
 
 	// Whether the cell is to be queued: it may come, and has not been queued yet.
-	bool enters(CellId cell) const { return visited->mark(cell) && (!admits || admits(cell)); }
+	bool enters(CellId cell) const
+	{
+		return (queue ? queue->mark(cell) : visited->mark(cell)) && (!admits || admits(cell));
+	}
 };
 
 // What a classifier is asked: a word for every cell of a lane's front (see slice_types.h).
@@ -178,6 +183,8 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 		fronts.clear();
 		for (std::size_t l = 0; l < lanes.size(); ++l)
 		{
+			if (lanes[l].queue)
+				lanes[l].queue->beginGeneration();
 			LaneCut& cut = cuts[l];
 			const std::size_t begin = cut.generation_starts.back();
 			if (begin == cut.cells.size())

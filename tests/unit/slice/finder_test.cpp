@@ -81,6 +81,45 @@ TEST(Finder, Windows)
 	EXPECT_GT(in_spans, 400u);
 }
 
+// The queue searched in place of marks: the same cells in the same generations.
+TEST(Finder, OctantsOfTheQueueKnowWhatStampsKnow)
+{
+	std::mt19937 random(17);
+	std::size_t generations = 0;
+	const auto compare =
+	    [&](const grid::BlockSet& set, const TestPlane& plane, const std::optional<probe::Window>& window)
+	{
+		slice::Slicer slicer(set);
+		slice::SliceRequest request;
+		request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
+		request.probe.sheets[0].window = window;
+		const slice::Slice stamps = std::move(slicer.cut(request).value());
+		request.visited = slice::Visited::octants;
+		const slice::Slice octants = std::move(slicer.cut(request).value());
+		for (std::size_t b = 0; b < set.blocks.size(); ++b)
+		{
+			const traverse::LaneCut& expected = stamps.sheets[0].cuts[b];
+			const traverse::LaneCut& found = octants.sheets[0].cuts[b];
+			ASSERT_EQ(found.cells, expected.cells);
+			ASSERT_EQ(found.generation_starts, expected.generation_starts);
+			generations = std::max(generations, found.generations());
+		}
+	};
+	for (const grid::Block& block : allGrids())
+	{
+		SCOPED_TRACE(block.name);
+		const grid::BlockSet set = setOf(block);
+		for (const TestPlane& plane : randomPlanes(block.bounds, 20, 18))
+			compare(set, plane, std::nullopt);
+		for (const TestPlane& plane : randomPlanes(block.bounds, 20, 19))
+			compare(set, plane, randomWindow(set.bounds(), random));
+	}
+	const grid::BlockSet seamed = setOfBlocks({latticeBlock(warped, 0.0, false), latticeBlock(warped, 1.0, true)});
+	for (const TestPlane& plane : randomPlanes(seamed.bounds(), 20, 20))
+		compare(seamed, plane, std::nullopt);
+	EXPECT_GT(generations, 4u);
+}
+
 TEST(Finder, OnePieceFromTheHotSpotAlone)
 {
 	const grid::BlockSet set = setOf(gridNamed("shell"));
