@@ -74,6 +74,16 @@ std::size_t Slicer::blocksOnGpu() const
 	return gpu_ ? gpu_->heldCount() : 0;
 }
 
+Slicer::Memory Slicer::memory() const
+{
+	Memory memory;
+	const auto bytes = [](const auto& each) { return each.bytes(); };
+	for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
+		memory.marks += visited_[b]->bytes() + stores_[b]->sumOfIdle(bytes) + marks_[b]->sumOfIdle(bytes);
+	memory.device = gpu_ ? gpu_->bytes() : 0;
+	return memory;
+}
+
 SliceTicket Slicer::begin(SliceRequest request)
 {
 	std::stop_source stop;
@@ -167,7 +177,7 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnCpu(const SliceRequest&
 {
 	const TimedSection section(request.timeline, "traverse");
 	CpuClassifier<surface::Plane> classifier(lanes);
-	return traverse::breadthFirst<surface::Plane>(lanes, classifier, stop);
+	return traverse::breadthFirst<surface::Plane>(lanes, classifier, stop, request.timeline);
 }
 
 // For all sheets of a slice in all blocks; lane s * blocks + b is sheet s in block b.
@@ -202,7 +212,7 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest&
 	Result<std::unique_ptr<GpuClassifier>> classifier = gpuClassifier(slice, request.timeline);
 	if (!classifier)
 		return classifier.error();
-	auto cuts = traverse::breadthFirst<surface::Plane>(lanes, **classifier, stop);
+	auto cuts = traverse::breadthFirst<surface::Plane>(lanes, **classifier, stop, request.timeline);
 	takeRecords(**classifier, slice);
 	return cuts;
 }

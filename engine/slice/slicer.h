@@ -59,7 +59,8 @@ struct SliceRequest
 	Finder finder = Finder::traversal;  // of a Slicer without a device
 	// Takes the place of the probe's sheets. It needs no search, and windows and seeds mean nothing to it.
 	std::optional<OtherSurface> surface;
-	Timeline* timeline = nullptr; // sections "seed", "traverse", "emit"; must outlive the ticket
+	// Sections "seed", "traverse" with "classify" and "expand" of each generation, "emit". Must outlive the ticket.
+	Timeline* timeline = nullptr;
 };
 
 // One sheet's share of a slice.
@@ -136,6 +137,14 @@ public:
 	const grid::BlockSet& blocks() const { return blocks_; }
 	bool usesGpu() const { return gpu_ != nullptr; }
 	std::size_t blocksOnGpu() const; // the others passed a limit of the device, and are classified by the CPU
+
+	// Bytes kept from slice to slice; while none is under way.
+	struct Memory
+	{
+		std::size_t marks = 0;  // of the host: visited marks, rows of spans
+		std::size_t device = 0; // blocks, values and records, see GpuBlocks
+	};
+	Memory memory() const;
 
 private:
 	using Lane = traverse::Lane<surface::Plane>;
