@@ -166,6 +166,7 @@ Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStat
 
 Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
 {
+	const TimedSection section(session_.timeline.get(), "scene");
 	render::Scene scene;
 	scene.look = choice().look;
 	scene.outline = outline_;

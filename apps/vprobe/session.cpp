@@ -117,11 +117,11 @@ Status makeSlicer(Session& session, const ProbeOptions& options)
 	return Nothing{};
 }
 
-Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use)
+Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use, Timeline::Keep keep)
 {
 	limitThreads(options.threads);
 	auto session = std::make_unique<Session>();
-	session->timeline = std::make_unique<Timeline>();
+	session->timeline = std::make_unique<Timeline>(keep);
 	session->seeds = seedOptions(options);
 	session->corners = options.corners == "skip" ? slice::Corners::skip : slice::Corners::keep;
 

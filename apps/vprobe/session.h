@@ -45,7 +45,8 @@ enum class DeviceUse
 };
 
 // Reads the inputs and builds the rest. Nothing is written before this has succeeded.
-Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use);
+Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use,
+                                             Timeline::Keep keep = Timeline::Keep::totals);
 
 // How the inputs are read at one of their times.
 read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time);

@@ -140,20 +140,30 @@ nlohmann::json sheetJson(const grid::BlockSet& blocks, const slice::SheetSlice& 
 
 } // namespace
 
-std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice)
+std::vector<SheetStats> sheetMeshes(const Session& session, const slice::Slice& slice)
 {
+	const TimedSection section(session.timeline.get(), "emit");
 	std::vector<SheetStats> sheets(slice.sheets.size());
 	for (std::size_t s = 0; s < sheets.size(); ++s)
 	{
-		{
-			const TimedSection section(session.timeline.get(), "emit");
-			sheets[s].mesh = slice.mesh(session.blocks, s);
-			if (session.crinkle)
-				sheets[s].crinkle = slice.crinkle(session.blocks, s);
-		}
-		const TimedSection section(session.timeline.get(), "measure");
-		sheets[s].measure = slice::measure(session.blocks, sheets[s].mesh, slice.sheets[s].field);
+		sheets[s].mesh = slice.mesh(session.blocks, s);
+		if (session.crinkle)
+			sheets[s].crinkle = slice.crinkle(session.blocks, s);
 	}
+	return sheets;
+}
+
+void measureSheets(const Session& session, const slice::Slice& slice, std::vector<SheetStats>& sheets)
+{
+	const TimedSection section(session.timeline.get(), "measure");
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+		sheets[s].measure = slice::measure(session.blocks, sheets[s].mesh, slice.sheets[s].field);
+}
+
+std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice)
+{
+	std::vector<SheetStats> sheets = sheetMeshes(session, slice);
+	measureSheets(session, slice, sheets);
 	return sheets;
 }
 
@@ -180,6 +190,21 @@ nlohmann::json sheetsJson(const Session& session, const slice::Slice& slice, con
 	return list;
 }
 
+nlohmann::json inputJson(const ProbeOptions& options, const Session& session)
+{
+	return {{"input", fmt::format("{}", fmt::join(options.inputs, " "))},
+	        {"grid",
+	         {{"kind", session.blocks.kind()},
+	          {"cells", session.blocks.sourceCellCount()},
+	          {"points", session.blocks.sourcePointCount()},
+	          {"linear_cells", session.blocks.cellCount()},
+	          {"linear_points", session.blocks.pointCount()},
+	          {"blocks", session.blocks.blocks.size()}}},
+	        {"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
+	        {"device", session.device ? session.device->name() : "none"},
+	        {"classifier", classifierName(session)}};
+}
+
 std::string statsDocument(const ProbeOptions& options, const Session& session, const char* key, nlohmann::json what)
 {
 	const Timeline& timeline = *session.timeline;
@@ -188,20 +213,9 @@ std::string statsDocument(const ProbeOptions& options, const Session& session, c
 	     {"read", "build", "upload", "seed", "traverse", "emit", "measure", "readback", "render", "write"})
 		ms[section] = timeline.total(section);
 
-	const nlohmann::json document = {
-	    {"input", fmt::format("{}", fmt::join(options.inputs, " "))},
-	    {"grid",
-	     {{"kind", session.blocks.kind()},
-	      {"cells", session.blocks.sourceCellCount()},
-	      {"points", session.blocks.sourcePointCount()},
-	      {"linear_cells", session.blocks.cellCount()},
-	      {"linear_points", session.blocks.pointCount()},
-	      {"blocks", session.blocks.blocks.size()}}},
-	    {"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
-	    {"device", session.device ? session.device->name() : "none"},
-	    {"classifier", classifierName(session)},
-	    {key, std::move(what)},
-	    {"ms", ms}};
+	nlohmann::json document = inputJson(options, session);
+	document[key] = std::move(what);
+	document["ms"] = std::move(ms);
 	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
