@@ -6,6 +6,7 @@
 #include "slice/gpu_classifier.h"
 #include "slice/host_records.h"
 #include "slice/slice_meshes.h"
+#include "slice/unmoved_sheets.h"
 
 #include <algorithm>
 #include <cassert>
@@ -115,6 +116,21 @@ Slice Slicer::seedSheets(const SliceRequest& request, const Admits& admits) cons
 }
 
 Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
+{
+	if (!request.last)
+	{
+		Result<Slice> cut = cutAll(request, stop);
+		if (cut)
+			numberSheets(*cut);
+		return cut;
+	}
+	const std::vector<bool> unmoved = unmovedSheets(request);
+	const bool some_moved = std::ranges::find(unmoved, false) != unmoved.end();
+	Result<Slice> moved = some_moved ? run(withoutSheets(request, unmoved), stop) : Slice();
+	return moved ? joinSheets(request, unmoved, std::move(*moved)) : moved;
+}
+
+Result<Slice> Slicer::cutAll(const SliceRequest& request, std::stop_token stop)
 {
 	assert(request.field || !request.threshold);
 	Admits admits(blocks_.blocks.size());
@@ -226,6 +242,7 @@ void Slicer::forgetValues()
 Result<Slice> Slicer::regather(const Slice& kept, Timeline* timeline)
 {
 	Slice slice = kept;
+	numberSheets(slice);
 	if (!gpu_ || std::ranges::any_of(slice.sheets, [](const SheetSlice& s) { return s.surface.has_value(); }))
 		return slice; // meshes gather their values when they are made
 	const TimedSection section(timeline, "emit");

@@ -39,6 +39,8 @@ class GpuBlocks;     // the block set on the device (gpu_blocks.h)
 class GpuClassifier; // gpu_classifier.h
 struct SheetRecords; // a sheet's polygons in device memory (gpu_records.h)
 
+struct Slice;
+
 // How the CPU finds the cut cells. Both find the same, and make the same mesh but for the numbering.
 enum class Finder
 {
@@ -59,6 +61,9 @@ struct SliceRequest
 	Finder finder = Finder::traversal;  // of a Slicer without a device
 	// Takes the place of the probe's sheets. It needs no search, and windows and seeds mean nothing to it.
 	std::optional<OtherSurface> surface;
+	// A slice by a request that differed from this one in the probe alone, over the same blocks and values; or null.
+	// Its sheets that stand where they stood, to the last bit, are taken from it and not cut again.
+	std::shared_ptr<const Slice> last;
 	// Sections "seed", "traverse" with "classify" and "expand" of each generation, "emit". Must outlive the ticket.
 	Timeline* timeline = nullptr;
 };
@@ -76,6 +81,8 @@ struct SheetSlice
 	std::vector<std::optional<traverse::SpanCut>> spans;
 	std::shared_ptr<SheetRecords> records; // GPU classifier only: the polygons in device memory, as they are drawn
 	std::optional<OtherSurface> surface;   // shown in place of the sheet, whose frame means nothing then
+	// Of the cut: sheets of two slices with one number are the same, and over the same values so are their meshes.
+	std::uint64_t number = 0;
 
 	bool hasSpans(std::size_t block) const { return !spans.empty() && spans[block]; }
 	std::size_t cutCells(std::size_t block) const
@@ -153,6 +160,7 @@ private:
 
 	Slice seedSheets(const SliceRequest& request, const Admits& admits) const;
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
+	Result<Slice> cutAll(const SliceRequest& request, std::stop_token stop);
 	Slice showSurface(const SliceRequest& request, const Admits& admits) const;
 	std::optional<traverse::SpanCut> spansOf(const SheetSlice& sheet, std::size_t block);
 	void flood(const SliceRequest& request, Slice& slice, std::span<std::optional<traverse::LaneCut>> flooded);
