@@ -8,7 +8,7 @@
 #include "remaining_time.h"
 #include "saved_options.h"
 #include "surface_options.h"
-#include "write/trace_file.h"
+#include "trace_option.h"
 
 #include <fmt/format.h>
 
@@ -119,11 +119,14 @@ private:
 			if (!slice)
 				return slice.error();
 			slice_ = std::move(*slice);
-			sheets_ = sheetMeshes(session_, slice_);
+			sheets_.clear();
+			for (std::size_t s = 0; s < slice_.sheets.size(); ++s)
+				sheets_.push_back(sheetMesh(session_, slice_, s));
 		}
 		if (!painter_)
 			return Nothing{};
-		measureSheets(session_, slice_, sheets_); // pictures tell whether values are missing
+		for (std::size_t s = 0; s < sheets_.size(); ++s)
+			measureSheet(session_, slice_, s, sheets_[s]); // pictures tell whether values are missing
 		const Result<render::Picture> picture = painter_->draw(slice_, sheets_);
 		return picture ? Status(Nothing{}) : picture.error();
 	}
@@ -147,16 +150,6 @@ Status writeJson(const std::string& path, const nlohmann::json& document)
 	const std::string text = document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
 	const Result<ExitCode> written = writeStats(path, {}, text);
 	return written ? Status(Nothing{}) : written.error();
-}
-
-Result<std::optional<write::TraceFile>> openTrace(const std::string& path)
-{
-	if (path.empty())
-		return std::optional<write::TraceFile>();
-	Result<write::TraceFile> file = write::TraceFile::create(path);
-	if (!file)
-		return file.error();
-	return std::optional(std::move(*file));
 }
 
 Status report(ProfileOptions& options, const Profile& profile, std::optional<write::TraceFile>& trace)
@@ -252,11 +245,7 @@ void addProfile(CLI::App& program, Run& run)
 	command->add_option("--json", options->json, "The figures as JSON; - writes them instead of the table")
 	    ->type_name("FILE|-")
 	    ->group(group);
-	command
-	    ->add_option("--trace", options->trace,
-	                 "Every section of work on one time axis, for chrome://tracing or ui.perfetto.dev")
-	    ->type_name("FILE.json|-")
-	    ->group(group);
+	addTraceOption(*command, options->trace, group);
 	command->add_option("--compare", options->compare, "Measures nothing: what changed between two files of --json")
 	    ->expected(2)
 	    ->allow_extra_args(false)

@@ -175,13 +175,13 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	return session;
 }
 
-Result<slice::Slice> cut(Session& session)
+Result<slice::Slice> cut(const Session& session, std::shared_ptr<const slice::Slice> last)
 {
 	std::optional<slice::OtherSurface> surface;
 	if (session.surface)
 		surface = surfaceAt(*session.surface, session.swept);
 	return session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, session.seeds,
-	                            session.threshold, session.finder, surface, session.timeline.get()});
+	                            session.threshold, session.finder, surface, std::move(last), session.timeline.get()});
 }
 
 bool isEmpty(const slice::SheetSlice& sheet)

@@ -54,7 +54,8 @@ read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoic
 // A slicer for the blocks that the session has now.
 Status makeSlicer(Session& session, const ProbeOptions& options);
 
-Result<slice::Slice> cut(Session& session);
+// last: a cut of this session that differs in the probe's place alone; see SliceRequest.
+Result<slice::Slice> cut(const Session& session, std::shared_ptr<const slice::Slice> last = nullptr);
 
 bool isEmpty(const slice::SheetSlice& sheet);
 

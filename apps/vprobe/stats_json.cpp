@@ -140,30 +140,30 @@ nlohmann::json sheetJson(const grid::BlockSet& blocks, const slice::SheetSlice& 
 
 } // namespace
 
-std::vector<SheetStats> sheetMeshes(const Session& session, const slice::Slice& slice)
+SheetStats sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet)
 {
 	const TimedSection section(session.timeline.get(), "emit");
-	std::vector<SheetStats> sheets(slice.sheets.size());
-	for (std::size_t s = 0; s < sheets.size(); ++s)
-	{
-		sheets[s].mesh = slice.mesh(session.blocks, s);
-		if (session.crinkle)
-			sheets[s].crinkle = slice.crinkle(session.blocks, s);
-	}
-	return sheets;
+	SheetStats stats;
+	stats.mesh = slice.mesh(session.blocks, sheet);
+	if (session.crinkle)
+		stats.crinkle = slice.crinkle(session.blocks, sheet);
+	return stats;
 }
 
-void measureSheets(const Session& session, const slice::Slice& slice, std::vector<SheetStats>& sheets)
+void measureSheet(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats)
 {
 	const TimedSection section(session.timeline.get(), "measure");
-	for (std::size_t s = 0; s < sheets.size(); ++s)
-		sheets[s].measure = slice::measure(session.blocks, sheets[s].mesh, slice.sheets[s].field);
+	stats.measure = slice::measure(session.blocks, stats.mesh, slice.sheets[sheet].field);
 }
 
 std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice)
 {
-	std::vector<SheetStats> sheets = sheetMeshes(session, slice);
-	measureSheets(session, slice, sheets);
+	std::vector<SheetStats> sheets;
+	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
+	{
+		sheets.push_back(sheetMesh(session, slice, s));
+		measureSheet(session, slice, s, sheets.back());
+	}
 	return sheets;
 }
 

@@ -21,9 +21,9 @@ struct SheetStats
 };
 
 std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice);
-// Its two halves: section "emit", section "measure".
-std::vector<SheetStats> sheetMeshes(const Session& session, const slice::Slice& slice);
-void measureSheets(const Session& session, const slice::Slice& slice, std::vector<SheetStats>& sheets);
+// Of one sheet, in two halves: its polygons, section "emit"; what they show, section "measure".
+SheetStats sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet);
+void measureSheet(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);
 
 // What a slice's export holds: its polygons, or the faces of its whole cells.
 std::vector<slice::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets);
