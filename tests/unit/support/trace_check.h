@@ -105,10 +105,11 @@ inline Rows check(const std::string& text)
 	int processes = 0;
 	for (const nlohmann::json& event : document["traceEvents"])
 	{
-		EXPECT_TRUE(event.is_object() && event.contains("name") && event["name"].is_string() && event.contains("pid") &&
-		            event["pid"].is_number_integer() && event.contains("tid") && event["tid"].is_number_integer())
-		    << event;
-		if (testing::Test::HasFailure())
+		const bool is_event = event.is_object() && event.contains("name") && event["name"].is_string() &&
+		                      event.contains("pid") && event["pid"].is_number_integer() && event.contains("tid") &&
+		                      event["tid"].is_number_integer();
+		EXPECT_TRUE(is_event) << event;
+		if (!is_event)
 			return rows;
 		if (event.value("ph", "") == "M")
 			takeMetadata(event, rows, processes);
