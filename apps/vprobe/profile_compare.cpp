@@ -176,7 +176,9 @@ Result<json> readProfile(const std::string& file)
 	std::ifstream stream(file, std::ios::binary);
 	if (!stream || std::filesystem::is_directory(file, failed))
 		return unusable("cannot be read");
-	json document = json::parse(stream, nullptr, false);
+	// Deeper than any profile nests; what walks through it calls itself.
+	const auto is_shallow = [](int depth, json::parse_event_t, json&) { return depth <= 16; };
+	json document = json::parse(stream, is_shallow, false);
 	if (!document.is_object())
 		return unusable("is no JSON object");
 	if (const auto cut = document.find("cut_ms"); cut == document.end() || !isSpread(*cut))

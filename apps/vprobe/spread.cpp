@@ -9,15 +9,18 @@ namespace vp::app
 namespace
 {
 
-// The smallest value that so large a part of all are not above.
-double quantile(std::vector<double> values, double part)
+// The value that stands at a place, from 0, when all are in order.
+double ranked(std::vector<double> values, std::size_t place)
 {
-	if (values.empty())
-		return 0.0;
-	const double rank = std::ceil(part * static_cast<double>(values.size()));
-	const auto at = values.begin() + std::max<std::ptrdiff_t>(0, static_cast<std::ptrdiff_t>(rank) - 1);
+	const auto at = values.begin() + static_cast<std::ptrdiff_t>(place);
 	std::ranges::nth_element(values, at);
 	return *at;
+}
+
+// The smallest value that 95 of 100 are not above.
+double percentile95(const std::vector<double>& values)
+{
+	return values.empty() ? 0.0 : ranked(values, (95 * values.size() + 99) / 100 - 1);
 }
 
 double noiseOf(const std::vector<double>& values)
@@ -27,20 +30,21 @@ double noiseOf(const std::vector<double>& values)
 		distances.push_back(std::abs(values[k] - 0.5 * (values[k - 1] + values[k + 1])));
 	// Of a normal distribution the median distance is 1 / 1.4826 of the deviation; that of a value from the mean of
 	// two others has sqrt(1 + 1/2) of its own.
-	return 1.4826 / std::sqrt(1.5) * medianOf(std::move(distances));
+	return 1.4826 / std::sqrt(1.5) * medianOf(distances);
 }
 
 } // namespace
 
-double medianOf(std::vector<double> values)
+double medianOf(const std::vector<double>& values)
 {
-	const double upper = quantile(values, 0.5 + 0.5 / std::max<double>(1.0, static_cast<double>(values.size())));
-	return 0.5 * (quantile(std::move(values), 0.5) + upper);
+	if (values.empty())
+		return 0.0;
+	return 0.5 * (ranked(values, (values.size() - 1) / 2) + ranked(values, values.size() / 2));
 }
 
 Spread spreadOf(const std::vector<double>& values)
 {
-	return {medianOf(values), quantile(values, 0.95), noiseOf(values)};
+	return {medianOf(values), percentile95(values), noiseOf(values)};
 }
 
 nlohmann::json asJson(const Spread& spread)

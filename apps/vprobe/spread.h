@@ -21,7 +21,7 @@ struct Spread
 // In the order in which they were measured; zeros of none.
 Spread spreadOf(const std::vector<double>& values);
 
-double medianOf(std::vector<double> values); // 0 of none
+double medianOf(const std::vector<double>& values); // 0 of none
 
 nlohmann::json asJson(const Spread& spread);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace vp::write
 {
@@ -53,34 +52,56 @@ void TraceFile::add(std::vector<Timeline::Section> sections)
 	}
 }
 
-// The sections in the order of their beginnings, outer ones first, and what lies between those within the outermost.
+// The time in which an event holds no other, where it holds any. events: in the order of their beginnings, outer ones
+// first.
+std::vector<TraceFile::Event> TraceFile::restsOf(const std::vector<Event>& events)
+{
+	struct Open
+	{
+		const Event* event;
+		std::int64_t told; // until then its time is told
+	};
+	std::vector<Open> open;
+	std::vector<Event> rests;
+	const auto tellRest = [&](const Open& of, std::int64_t until)
+	{
+		if (until - of.told >= kLeastRest)
+			rests.push_back({nullptr, of.told, until, of.event->depth + 1});
+	};
+	const auto close = [&](std::uint32_t depth) // and what is deeper
+	{
+		for (; !open.empty() && open.back().event->depth >= depth; open.pop_back())
+			if (open.back().told > open.back().event->begin)
+				tellRest(open.back(), open.back().event->end);
+	};
+	for (const Event& event : events)
+	{
+		close(event.depth);
+		if (!open.empty())
+		{
+			tellRest(open.back(), event.begin);
+			open.back().told = event.end;
+		}
+		open.push_back({&event, event.begin});
+	}
+	close(0);
+	return rests;
+}
+
+// The sections of a group, and the rests between them.
 std::vector<TraceFile::Event> TraceFile::eventsOf(const std::vector<Timeline::Section>& group)
 {
 	std::vector<Event> events;
 	for (const Timeline::Section& section : group)
 		events.push_back({&section, nanoseconds(section.start_ms), nanoseconds(section.start_ms + section.duration_ms),
 		                  section.depth});
-	std::ranges::stable_sort(events, [](const Event& a, const Event& b)
-	                         { return a.begin != b.begin ? a.begin < b.begin : a.depth < b.depth; });
-	std::vector<Event> rests;
-	const Event& whole = events.front();
-	std::int64_t told = whole.begin; // so far there is no rest
-	const auto tellRest = [&](std::int64_t until)
-	{
-		if (until - told >= kLeastRest)
-			rests.push_back({nullptr, told, until, 1});
-	};
-	for (const Event& event : events)
-		if (event.depth == 1)
-		{
-			tellRest(event.begin);
-			told = event.end;
-		}
-	if (told > whole.begin)
-		tellRest(whole.end);
-	std::vector<Event> all;
-	std::ranges::merge(events, rests, std::back_inserter(all), {}, &Event::begin, &Event::begin);
-	return all;
+	const auto order = [](const Event& a, const Event& b)
+	{ return a.begin != b.begin ? a.begin < b.begin : a.depth < b.depth; };
+	std::ranges::stable_sort(events, order);
+	const std::vector<Event> rests = restsOf(events);
+	events.insert(events.end(), rests.begin(), rests.end());
+	std::ranges::stable_sort(events, order);
+	return events;
 }
 
 void TraceFile::writeGroup(std::uint32_t number, Row& row)

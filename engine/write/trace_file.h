@@ -14,8 +14,8 @@ namespace vp::write
 
 // A timeline's sections in the Trace Event Format of Chrome, which chrome://tracing, ui.perfetto.dev and Speedscope
 // show: an object whose "traceEvents" are complete events ("X", times in microseconds) and metadata ("M": the names of
-// process and rows). On one row events are nested or apart. Of a section that holds others, at the top of its row, the
-// time between those is an event of its own, "other": so its parts add up to it.
+// process and rows). On one row events are nested or apart. Of a section that holds others the time between those is an
+// event of its own, "other": so its parts add up to it.
 //
 // Sections are written as they come; what is kept is a row's last group of nested ones.
 class TraceFile
@@ -44,6 +44,7 @@ private:
 
 	explicit TraceFile(AtomicFile file) : file_(std::move(file)) {}
 
+	static std::vector<Event> restsOf(const std::vector<Event>& events);
 	static std::vector<Event> eventsOf(const std::vector<Timeline::Section>& group);
 	void writeGroup(std::uint32_t number, Row& row);
 	void writeEvent(std::uint32_t number, const Event& event);

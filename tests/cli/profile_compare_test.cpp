@@ -115,6 +115,10 @@ TEST_F(Compare, ProfilesThatCannotBeCompared)
 	refused(path(""), {"cannot be read"});
 	refused(write("b.json", "{\"cut_ms\""), {"b.json", "is no JSON object"});
 	refused(write("c.json", "[1, 2]"), {"c.json", "is no JSON object"});
+	std::string deep;
+	for (int i = 0; i < 100'000; ++i)
+		deep += "{\"a\":";
+	refused(write("f.json", deep + "1" + std::string(100'000, '}')), {"f.json", "cut_ms"});
 	refused(write("d.json", R"({"sheets": []})"), {"d.json", "cut_ms"});
 	refused(write("e.json", R"({"cut_ms": 3})"), {"e.json", "cut_ms"});
 }

@@ -1,6 +1,9 @@
 #include "program.h"
 #include "trace_check.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace cli
 {
 
@@ -164,6 +167,43 @@ TEST_F(Profile, TraceFollowsItsFormatAndAddsUp)
 		EXPECT_EQ(count["classify"], count["expand"]);
 	}
 	EXPECT_EQ(files(), Arguments{"t.json"});
+}
+
+// What the figures are made of is in the trace, to the nanosecond.
+TEST_F(Profile, FiguresAreThoseOfTheTrace)
+{
+	const Outcome outcome = run({"profile", "demo:shell:16", "--classify", "cpu", "--planes", "21", "--window", "3",
+	                             "3", "--json", path("p.json"), "--trace", path("t.json")});
+	ASSERT_TRUE(isQuiet(outcome));
+	const auto told = nlohmann::json::parse(contents(path("p.json")));
+	std::vector<double> cuts;
+	std::vector<double> fronts; // of generation 0
+	bool is_first = false;
+	for (const trace::Event& event : trace::check(contents(path("t.json"))).named("main"))
+	{
+		const double ms = 1e-6 * static_cast<double>(event.end - event.begin);
+		if (event.name == "cut")
+			cuts.push_back(ms);
+		if (event.name == "classify" && is_first)
+			fronts.push_back(ms);
+		is_first = event.name == "traverse" || (is_first && event.name != "classify");
+	}
+	ASSERT_EQ(cuts.size(), 21u);
+	EXPECT_NEAR(told.at("cut_ms").at("first"), cuts[0], 2e-6);
+	std::vector<double> off;
+	for (std::size_t k = 1; k < 20; ++k)
+		off.push_back(std::abs(cuts[k] - 0.5 * (cuts[k - 1] + cuts[k + 1])));
+	std::ranges::sort(off);
+	EXPECT_NEAR(told.at("cut_ms").at("noise"), off[9] * 1.4826 / std::sqrt(1.5), 1e-5);
+	std::ranges::sort(cuts);
+	EXPECT_NEAR(told.at("cut_ms").at("median"), cuts[10], 2e-6);
+	EXPECT_NEAR(told.at("cut_ms").at("p95"), cuts[19], 2e-6); // 20 of 21 are 95 in 100
+	EXPECT_NEAR(stageOf(told, "cut").at("median"), cuts[10], 2e-6);
+	std::ranges::sort(fronts);
+	const auto& generation = told.at("generations").at(0);
+	ASSERT_EQ(generation.at("planes"), fronts.size());
+	EXPECT_NEAR(generation.at("classify_ms"), 0.5 * (fronts[fronts.size() / 2] + fronts[(fronts.size() - 1) / 2]),
+	            2e-6);
 }
 
 TEST_F(Profile, TraceOnStandardOutput)
