@@ -17,6 +17,7 @@ void addInfo(CLI::App& program, Run& run);
 void addSlice(CLI::App& program, Run& run);
 void addRender(CLI::App& program, Run& run);
 void addSweep(CLI::App& program, Run& run);
+void addProfile(CLI::App& program, Run& run);
 void addCheck(CLI::App& program, Run& run);
 
 } // namespace vp::app

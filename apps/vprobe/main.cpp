@@ -1,5 +1,6 @@
 #include "arguments.h"
 #include "base/log.h"
+#include "base/timeline.h"
 #include "commands.h"
 #include "interrupt.h"
 #include "version.h"
@@ -56,6 +57,7 @@ int main(int argc, char** argv)
 	    "vprobe info demo: lists the built-in data sets. Try: vprobe render demo:shell --normal 0.3 0.5 0.8 -o "
 	    "shell.png");
 
+	vp::nameThreadRow("main");
 	std::signal(SIGINT, endInterrupted);
 	std::signal(SIGTERM, endInterrupted);
 	vp::app::Run run;
@@ -63,6 +65,7 @@ int main(int argc, char** argv)
 	vp::app::addSlice(program, run);
 	vp::app::addRender(program, run);
 	vp::app::addSweep(program, run);
+	vp::app::addProfile(program, run);
 	vp::app::addCheck(program, run);
 
 	// CLI11 would say that a command is missing, not that this one is none.

@@ -31,22 +31,6 @@ void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
 			extent.push_back(sheet.origin + x * sheet.xAxis() + y * sheet.up);
 }
 
-// A sheet's polygons where they lie: records that the GPU classifier left in device memory, or the CPU's mesh put
-// there.
-Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const Session& session, const slice::SheetSlice& sheet,
-                                                             const SheetStats& stats, bool by_generation)
-{
-	if (sheet.records && !by_generation)
-		return std::shared_ptr<const slice::SheetRecords>(sheet.records);
-	const auto host =
-	    by_generation ? slice::recordsFromMesh(sheet.sheet, stats.mesh, slice::polygonGenerations(sheet, stats.mesh))
-	                  : slice::recordsFromMesh(session.blocks, sheet.sheet, stats.mesh, sheet.field);
-	auto made = slice::recordsFromHost(slice::RecordPool::create(*session.device), host);
-	if (!made)
-		return made.error();
-	return std::shared_ptr<const slice::SheetRecords>(std::move(*made));
-}
-
 } // namespace
 
 Painter::Painter(Session& session, SheetLooks looks, render::Renderer renderer)
@@ -140,8 +124,30 @@ void Painter::addContours(const slice::Slice& slice, const std::vector<SheetStat
 			    slice::meshOutlines(sheets[s].mesh, slice::planePoints(sheets[s].mesh, slice.sheets[s].sheet));
 }
 
+// A sheet's polygons where they lie: records that the GPU classifier left in device memory, those of the last picture
+// where the sheet has not moved, or the CPU's mesh put there.
+Result<std::shared_ptr<const slice::SheetRecords>> Painter::recordsOf(const slice::SheetSlice& sheet,
+                                                                      const SheetStats& stats)
+{
+	const bool by_generation = choice().by_generation;
+	if (sheet.records && !by_generation)
+		return std::shared_ptr<const slice::SheetRecords>(sheet.records);
+	if (const auto known = records_.find(sheet.number); known != records_.end())
+		return known->second;
+	const auto host =
+	    by_generation ? slice::recordsFromMesh(sheet.sheet, stats.mesh, slice::polygonGenerations(sheet, stats.mesh))
+	                  : slice::recordsFromMesh(session_.blocks, sheet.sheet, stats.mesh, sheet.field);
+	auto made = slice::recordsFromHost(slice::RecordPool::create(*session_.device), host);
+	if (!made)
+		return made.error();
+	return records_[sheet.number] = std::move(*made);
+}
+
 Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene)
 {
+	std::erase_if(
+	    records_, [&](const auto& kept)
+	    { return std::ranges::find(slice.sheets, kept.first, &slice::SheetSlice::number) == slice.sheets.end(); });
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
 		Result<render::SheetDrawing> made = looks_.drawing(slice.sheets[s], sheets[s]);
@@ -155,7 +161,7 @@ Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStat
 			scene.surfaces.push_back(std::move(*surface));
 			continue;
 		}
-		auto records = recordsOf(session_, slice.sheets[s], sheets[s], choice().by_generation);
+		auto records = recordsOf(slice.sheets[s], sheets[s]);
 		if (!records)
 			return records.error();
 		made->records = std::move(*records);
@@ -166,6 +172,7 @@ Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStat
 
 Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
 {
+	const TimedSection section(session_.timeline.get(), "scene");
 	render::Scene scene;
 	scene.look = choice().look;
 	scene.outline = outline_;

@@ -4,6 +4,9 @@
 #include "render/renderer.h"
 #include "sheet_looks.h"
 
+#include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,7 +21,11 @@ public:
 	static Result<Painter> create(Session& session, const ProbeOptions& options, LookChoice choice);
 
 	// The arrays hold other values now.
-	void forgetScales() { looks_.forgetScales(); }
+	void forgetScales()
+	{
+		looks_.forgetScales();
+		records_.clear();
+	}
 	// The session's blocks are others now.
 	Status takeBlocks();
 
@@ -30,6 +37,8 @@ public:
 private:
 	Painter(Session& session, SheetLooks looks, render::Renderer renderer);
 	Status makeContext();
+	Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const slice::SheetSlice& sheet,
+	                                                             const SheetStats& stats);
 	Status addSheets(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene);
 	Result<render::Scene> sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
 	Result<render::Surface> surfaceOf(const slice::SheetSlice& sheet, const SheetStats& stats,
@@ -47,6 +56,8 @@ private:
 	std::vector<render::Surface> context_;
 	std::vector<Vec3> extent_; // what the picture holds: the blocks and the lines around them
 	std::optional<render::Camera> camera_;
+	// Polygons of the last picture that were put onto the device for it, by the number of their sheet.
+	std::map<std::uint64_t, std::shared_ptr<const slice::SheetRecords>> records_;
 };
 
 } // namespace vp::app

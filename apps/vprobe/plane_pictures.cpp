@@ -15,15 +15,12 @@ bool namesPictures(const std::string& output)
 	return write::pictureFormatOf(output).has_value();
 }
 
-Status refuseLook(const CLI::App& command, const std::string& output)
+Status refuseLook(const CLI::App& command, const std::string& why, const char* remedy)
 {
 	for (const CLI::Option* option : command.get_options())
 		if (option->get_group() == "Look" && option->count() > 0)
-			return Error{
-			    ExitCode::usage,
-			    fmt::format("{}: says how a picture looks, and {}; write a .png, .svg or .pdf, or leave it out",
-			                option->get_name(),
-			                output.empty() ? "no -o asks for one" : fmt::format("-o {} is none", output))};
+			return Error{ExitCode::usage, fmt::format("{}: says how a picture looks, and {}; {}, or leave it out",
+			                                          option->get_name(), why, remedy)};
 	return Nothing{};
 }
 

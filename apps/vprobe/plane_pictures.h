@@ -14,8 +14,9 @@ namespace vp::app
 // Whether -o names a flat picture of each sheet: .png, .svg or .pdf.
 bool namesPictures(const std::string& output);
 
-// Of options that have no say where no picture is drawn: an error names the first that the command line has.
-Status refuseLook(const CLI::App& command, const std::string& output);
+// Of options that have no say where no picture is drawn: an error names the first that the command line has, why there
+// is none ("-o a.vtp is none") and what would draw one.
+Status refuseLook(const CLI::App& command, const std::string& why, const char* remedy);
 
 // Draws each sheet of a slice flat. `output` has {sheet} in it where there are several. Gives the files.
 Result<std::vector<std::string>> writePictures(const Session& session, const std::vector<std::string>& inputs,

@@ -117,11 +117,11 @@ Status makeSlicer(Session& session, const ProbeOptions& options)
 	return Nothing{};
 }
 
-Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use)
+Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use, Timeline::Keep keep)
 {
 	limitThreads(options.threads);
 	auto session = std::make_unique<Session>();
-	session->timeline = std::make_unique<Timeline>();
+	session->timeline = std::make_unique<Timeline>(keep);
 	session->seeds = seedOptions(options);
 	session->corners = options.corners == "skip" ? slice::Corners::skip : slice::Corners::keep;
 
@@ -182,13 +182,14 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	return session;
 }
 
-Result<slice::Slice> cut(Session& session)
+Result<slice::Slice> cut(const Session& session, std::shared_ptr<const slice::Slice> last)
 {
 	std::optional<slice::OtherSurface> surface;
 	if (session.surface)
 		surface = surfaceAt(*session.surface, session.swept);
 	return session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, session.seeds,
-	                            session.threshold, session.finder, session.visited, surface, session.timeline.get()});
+	                            session.threshold, session.finder, session.visited, surface, std::move(last),
+	                            session.timeline.get()});
 }
 
 bool isEmpty(const slice::SheetSlice& sheet)

@@ -46,7 +46,8 @@ enum class DeviceUse
 };
 
 // Reads the inputs and builds the rest. Nothing is written before this has succeeded.
-Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use);
+Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use,
+                                             Timeline::Keep keep = Timeline::Keep::totals);
 
 // How the inputs are read at one of their times.
 read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time);
@@ -54,7 +55,8 @@ read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoic
 // A slicer for the blocks that the session has now.
 Status makeSlicer(Session& session, const ProbeOptions& options);
 
-Result<slice::Slice> cut(Session& session);
+// last: a cut of this session that differs in the probe's place alone; see SliceRequest.
+Result<slice::Slice> cut(const Session& session, std::shared_ptr<const slice::Slice> last = nullptr);
 
 bool isEmpty(const slice::SheetSlice& sheet);
 

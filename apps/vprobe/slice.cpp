@@ -103,7 +103,9 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 	const bool pictures = namesPictures(options.output);
 	if (Status planes = pictures || !options.line.empty() ? requirePlanes(options.saved) : Nothing{}; !planes)
 		return planes.error();
-	if (Status fits = pictures ? Nothing{} : refuseLook(command, options.output); !fits)
+	const std::string why =
+	    options.output.empty() ? "no -o asks for one" : fmt::format("-o {} is none", options.output);
+	if (Status fits = pictures ? Nothing{} : refuseLook(command, why, "write a .png, .svg or .pdf"); !fits)
 		return fits.error();
 	Result<LookChoice> look = pictures ? planeLook(options, command) : LookChoice{};
 	if (!look)

@@ -145,19 +145,29 @@ nlohmann::json sheetJson(const grid::BlockSet& blocks, const slice::SheetSlice& 
 
 } // namespace
 
+SheetStats sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet)
+{
+	const TimedSection section(session.timeline.get(), "emit");
+	SheetStats stats;
+	stats.mesh = slice.mesh(session.blocks, sheet);
+	if (session.crinkle)
+		stats.crinkle = slice.crinkle(session.blocks, sheet);
+	return stats;
+}
+
+void measureSheet(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats)
+{
+	const TimedSection section(session.timeline.get(), "measure");
+	stats.measure = slice::measure(session.blocks, stats.mesh, slice.sheets[sheet].field);
+}
+
 std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice)
 {
-	std::vector<SheetStats> sheets(slice.sheets.size());
-	for (std::size_t s = 0; s < sheets.size(); ++s)
+	std::vector<SheetStats> sheets;
+	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
-		{
-			const TimedSection section(session.timeline.get(), "emit");
-			sheets[s].mesh = slice.mesh(session.blocks, s);
-			if (session.crinkle)
-				sheets[s].crinkle = slice.crinkle(session.blocks, s);
-		}
-		const TimedSection section(session.timeline.get(), "measure");
-		sheets[s].measure = slice::measure(session.blocks, sheets[s].mesh, slice.sheets[s].field);
+		sheets.push_back(sheetMesh(session, slice, s));
+		measureSheet(session, slice, s, sheets.back());
 	}
 	return sheets;
 }
@@ -185,6 +195,21 @@ nlohmann::json sheetsJson(const Session& session, const slice::Slice& slice, con
 	return list;
 }
 
+nlohmann::json inputJson(const ProbeOptions& options, const Session& session)
+{
+	return {{"input", fmt::format("{}", fmt::join(options.inputs, " "))},
+	        {"grid",
+	         {{"kind", session.blocks.kind()},
+	          {"cells", session.blocks.sourceCellCount()},
+	          {"points", session.blocks.sourcePointCount()},
+	          {"linear_cells", session.blocks.cellCount()},
+	          {"linear_points", session.blocks.pointCount()},
+	          {"blocks", session.blocks.blocks.size()}}},
+	        {"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
+	        {"device", session.device ? session.device->name() : "none"},
+	        {"classifier", classifierName(session)}};
+}
+
 std::string statsDocument(const ProbeOptions& options, const Session& session, const char* key, nlohmann::json what)
 {
 	const Timeline& timeline = *session.timeline;
@@ -193,20 +218,9 @@ std::string statsDocument(const ProbeOptions& options, const Session& session, c
 	     {"read", "build", "upload", "seed", "traverse", "emit", "measure", "readback", "render", "write"})
 		ms[section] = timeline.total(section);
 
-	const nlohmann::json document = {
-	    {"input", fmt::format("{}", fmt::join(options.inputs, " "))},
-	    {"grid",
-	     {{"kind", session.blocks.kind()},
-	      {"cells", session.blocks.sourceCellCount()},
-	      {"points", session.blocks.sourcePointCount()},
-	      {"linear_cells", session.blocks.cellCount()},
-	      {"linear_points", session.blocks.pointCount()},
-	      {"blocks", session.blocks.blocks.size()}}},
-	    {"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
-	    {"device", session.device ? session.device->name() : "none"},
-	    {"classifier", classifierName(session)},
-	    {key, std::move(what)},
-	    {"ms", ms}};
+	nlohmann::json document = inputJson(options, session);
+	document[key] = std::move(what);
+	document["ms"] = std::move(ms);
 	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

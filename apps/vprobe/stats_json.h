@@ -21,12 +21,18 @@ struct SheetStats
 };
 
 std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice);
+// Of one sheet, in two halves: its polygons, section "emit"; what they show, section "measure".
+SheetStats sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet);
+void measureSheet(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);
 
 // What a slice's export holds: its polygons, or the faces of its whole cells.
 std::vector<slice::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets);
 
 // What the --stats document says of sheets.
 nlohmann::json sheetsJson(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets);
+
+// What a document says first: input, grid, array, device and classifier.
+nlohmann::json inputJson(const ProbeOptions& options, const Session& session);
 
 // A --stats document that says `what` under `key`: input, grid, device and times are told in any.
 std::string statsDocument(const ProbeOptions& options, const Session& session, const char* key, nlohmann::json what);

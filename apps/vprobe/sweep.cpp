@@ -1,21 +1,14 @@
 #include "base/log.h"
-#include "base/progress.h"
 #include "commands.h"
-#include "frames.h"
-#include "interrupt.h"
-#include "painter.h"
-#include "remaining_time.h"
 #include "saved_options.h"
 #include "surface_options.h"
+#include "sweep_line.h"
 #include "time_steps.h"
-#include "write/slice_sets.h"
+#include "trace_option.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -31,6 +24,7 @@ struct SweepOptions
 	std::string output;
 	std::string exposure;
 	std::string stats;
+	std::string trace;
 	bool resume = false;
 
 	bool exports() const { return output.ends_with(".pvd"); }
@@ -53,6 +47,9 @@ Status checkOptions(const SweepOptions& options)
 	if (!options.exposure.empty() && std::filesystem::path(options.exposure).extension() != ".png")
 		return Error{ExitCode::usage,
 		             fmt::format("--exposure {}: is a picture; give the name of a .png file", options.exposure)};
+	if (options.stats == "-" && options.trace == "-")
+		return Error{ExitCode::usage,
+		             "--stats - and --trace -: standard output takes one thing at a time; name a file for the other"};
 	for (const std::string* place : {&options.stats, &options.saved.save})
 		if (!place->empty())
 			if (Status free = write::tryPlace(*place); !free)
@@ -70,139 +67,48 @@ FramePlaces placesOf(const SweepOptions& options)
 	return places;
 }
 
-// What a sweep makes of its slices, frame by frame.
-class Products
+Result<std::unique_ptr<SweepProducts>> productsOf(const SweepOptions& options, Session& session, LookChoice look,
+                                                  Frames frames)
 {
-public:
-	static Result<Products> create(const SweepOptions& options, Session& session, LookChoice look, Frames frames)
+	std::optional<Painter> painter;
+	if (options.draws())
 	{
-		Products products(session, std::move(frames));
-		if (options.draws())
-		{
-			Result<Painter> painter = Painter::create(session, options.saved.probe, std::move(look));
-			if (!painter)
-				return painter.error();
-			products.painter_.emplace(std::move(*painter));
-		}
-		if (options.exports())
-		{
-			products.interrupt_ = std::make_unique<DeferredInterrupt>();
-			Result<write::SliceSeries> series = write::SliceSeries::create(options.output);
-			if (!series)
-				return series.error();
-			products.series_.emplace(std::move(*series));
-		}
-		return products;
+		Result<Painter> made = Painter::create(session, options.saved.probe, std::move(look));
+		if (!made)
+			return made.error();
+		painter.emplace(std::move(*made));
 	}
-
-	bool has(int frame) const { return frames_.has(frame); }
-	Painter* painter() { return painter_ ? &*painter_ : nullptr; }
-
-	Status add(int frame, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
-	{
-		if (interrupt_ && interrupt_->came())
-			return Error{ExitCode::interrupted, "interrupted; nothing is written"};
-		if (series_)
-		{
-			if (Status written = series_->add(frame, session_.blocks, exportedMeshes(sheets)); !written)
-				return written;
-		}
-		return painter_ ? draw(frame, slice, sheets) : Nothing{};
-	}
-
-	Status commit()
-	{
-		if (Status written = frames_.commit(); !written)
-			return written;
-		return series_ ? series_->commit() : Nothing{};
-	}
-
-private:
-	Products(Session& session, Frames frames) : session_(session), frames_(std::move(frames)) {}
-
-	Status draw(int frame, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
-	{
-		if (frame == 0 && frames_.wantsExposure())
-		{
-			Result<render::Picture> empty = painter_->drawEmpty(slice, sheets);
-			if (!empty)
-				return empty.error();
-			frames_.beginExposure(std::move(*empty));
-		}
-		Result<render::Picture> picture = painter_->draw(slice, sheets);
-		if (!picture)
-			return picture.error();
-		return frames_.add(frame, *picture);
-	}
-
-	Session& session_;
-	Frames frames_;
-	std::optional<Painter> painter_;
-	std::unique_ptr<DeferredInterrupt> interrupt_;
-	std::optional<write::SliceSeries> series_;
-};
-
-// The next frame's slice.
-using CutFrame = std::function<Result<slice::Slice>(int frame)>;
-
-// Cuts frame by frame. The figures of every frame, where they are wanted.
-Result<nlohmann::json> sweepThrough(int frames, const CutFrame& cut_frame, const Session& session, Products& products,
-                                    bool wants_figures)
-{
-	nlohmann::json figures = nlohmann::json::array();
-	int empty = 0;
-	RemainingTime remaining(static_cast<std::size_t>(frames));
-	Progress progress(remaining.line());
-	for (int frame = 0; frame < frames; ++frame)
-	{
-		if (products.has(frame))
-		{
-			remaining.skip();
-			continue;
-		}
-		progress.say(remaining.line());
-		Result<slice::Slice> slice = cut_frame(frame);
-		if (!slice)
-			return slice.error();
-		const std::vector<SheetStats> sheets = sheetStats(session, *slice);
-		if (Status added = products.add(frame, *slice, sheets); !added)
-			return added.error();
-		remaining.done();
-		empty += std::ranges::all_of(slice->sheets, isEmpty);
-		if (wants_figures)
-			figures.push_back({{"frame", frame}, {"sheets", sheetsJson(session, *slice, sheets)}});
-	}
-	if (Status written = products.commit(); !written)
-		return written.error();
-	if (empty > 0)
-		warn("{} of {} frames are empty: the probe misses the grid there", empty, frames);
-	return figures;
+	return SweepProducts::create(session, std::move(painter), std::move(frames),
+	                             options.exports() ? options.output : "");
 }
 
-Result<nlohmann::json> sweepAlong(const probe::Path& path, int frames, Session& session, Products& products,
-                                  bool wants_figures)
+Result<nlohmann::json> sweepAlong(const probe::Path& path, const SweepPlan& plan, Session& session,
+                                  SweepProducts& products)
 {
-	const std::vector<probe::Frame> poses = probe::poses(path, session.probe, session.blocks.bounds(), frames);
-	const CutFrame cut_frame = [&](int frame)
+	const std::vector<probe::Frame> poses = probe::poses(path, session.probe, session.blocks.bounds(), plan.frames);
+	const CutSlice cut_slice = [&](int frame, std::shared_ptr<const slice::Slice> last)
 	{
 		session.probe.frame = poses[static_cast<std::size_t>(frame)];
-		session.swept = probe::progress(path, frame, frames);
-		return cut(session);
+		session.swept = probe::progress(path, frame, plan.frames);
+		return cut(session, std::move(last));
 	};
-	return sweepThrough(frames, cut_frame, session, products, wants_figures);
+	return sweepThrough(plan, cut_slice, session, products);
 }
 
-Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, Session& session, Products& products,
-                                      bool wants_figures)
+Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, SweepPlan plan, Session& session,
+                                      SweepProducts& products)
 {
 	TimeSteps steps(session, options.saved.probe, products.painter());
+	plan.frames = steps.count();
+	plan.cuts_ahead = false; // it changes what is drawn
 	if (steps.count() == 0)
 		return Error{ExitCode::input, fmt::format("{}: has no times to sweep over; choose another --path",
 		                                          options.saved.probe.inputs.front())};
 	if (options.saved.look.range.empty() && options.draws())
 		warn("--path times: the colours follow the range of each time; --range LO HI holds them still");
-	const CutFrame cut_frame = [&](int frame) { return steps.cutAt(frame); };
-	return sweepThrough(steps.count(), cut_frame, session, products, wants_figures);
+	const CutSlice cut_slice = [&](int frame, const std::shared_ptr<const slice::Slice>&)
+	{ return steps.cutAt(frame); };
+	return sweepThrough(plan, cut_slice, session, products);
 }
 
 Result<ExitCode> runSweep(SweepOptions& options)
@@ -234,23 +140,31 @@ Result<ExitCode> runSweep(SweepOptions& options)
 	if (!frames)
 		return frames.error();
 
+	Result<std::optional<write::TraceFile>> trace = openTrace(options.trace);
+	if (!trace)
+		return trace.error();
 	Result<std::unique_ptr<Session>> opened =
-	    openSession(options.saved.probe, options.draws() ? DeviceUse::draw : DeviceUse::classify);
+	    openSession(options.saved.probe, options.draws() ? DeviceUse::draw : DeviceUse::classify,
+	                *trace ? Timeline::Keep::sections : Timeline::Keep::totals);
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
 	session.crinkle = options.saved.probe.crinkle;
 	if (look->by_generation)
 		session.finder = slice::Finder::traversal;
-	Result<Products> products = Products::create(options, session, std::move(*look), std::move(*frames));
+	Result<std::unique_ptr<SweepProducts>> products =
+	    productsOf(options, session, std::move(*look), std::move(*frames));
 	if (!products)
 		return products.error();
-	const bool wants_figures = !options.stats.empty();
-	Result<nlohmann::json> figures = options.saved.path.overTimes()
-	                                     ? sweepOverTimes(options, session, *products, wants_figures)
-	                                     : sweepAlong(path, *count, session, *products, wants_figures);
+	const bool threads = options.saved.probe.threads != 1; // one thread is one
+	const SweepPlan plan{*count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr};
+	Result<nlohmann::json> figures = options.saved.path.overTimes() ? sweepOverTimes(options, plan, session, **products)
+	                                                                : sweepAlong(path, plan, session, **products);
 	if (!figures)
 		return figures.error();
+	if (*trace)
+		if (Status written = (*trace)->commit(); !written)
+			return written.error();
 	if (Status saved = saveState(options.saved); !saved)
 		return saved.error();
 	return writeStats(options.stats, {}, statsDocument(options.saved.probe, session, "frames", std::move(*figures)));
@@ -281,6 +195,7 @@ void addSweep(CLI::App& program, Run& run)
 	command->add_option("--stats", options->stats, "Figures of every frame, and times, as JSON")
 	    ->type_name("FILE|-")
 	    ->group(group);
+	addTraceOption(*command, options->trace, group);
 	command->callback([&run, options] { run = [options] { return runSweep(*options); }; });
 }
 

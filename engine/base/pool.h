@@ -40,6 +40,17 @@ public:
 		        }};
 	}
 
+	// of: a function of what lies here; what is lent is not asked.
+	template <class Of>
+	std::size_t sumOfIdle(Of&& of) const
+	{
+		const std::lock_guard lock(mutex_);
+		std::size_t sum = 0;
+		for (const std::unique_ptr<T>& each : idle_)
+			sum += of(*each);
+		return sum;
+	}
+
 	std::size_t made() const
 	{
 		const std::lock_guard lock(mutex_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@ namespace vp
 {
 
 // Sections of work on one clock, CPU and GPU alike; thread safe. Times are milliseconds since the timeline was made.
+// Sums are kept always, the sections themselves where they are asked for: then somebody is to take them now and again.
 class Timeline
 {
 public:
@@ -18,46 +20,77 @@ public:
 		cpu,
 		gpu
 	};
+	enum class Keep
+	{
+		totals,
+		sections
+	};
 	struct Section
 	{
 		std::string name;
 		Track track;
 		double start_ms;
 		double duration_ms;
+		std::uint32_t row = 0;   // who worked, see threadRow(); of one row sections are nested or apart
+		std::uint32_t depth = 0; // sections of the same row that it lies in
+		std::uint64_t cells = 0; // worked on, where that is told
 	};
 
+	explicit Timeline(Keep keep = Keep::totals) : keep_(keep) {}
+
 	double now() const;
+	void add(Section section);
 	void add(std::string_view name, Track track, double start_ms, double duration_ms);
 	double total(std::string_view name, Track track = Track::cpu) const; // sum of the sections of that name
 	double totalGpu() const;                                             // sum of all GPU sections
-	std::vector<Section> sections() const;
+	// Those that ended since the last call, in the order of their ends; none where only totals are kept.
+	std::vector<Section> takeSections();
 
 private:
+	struct Total
+	{
+		std::string name;
+		Track track;
+		double ms;
+	};
+
 	using Clock = std::chrono::steady_clock;
 	Clock::time_point start_ = Clock::now();
+	Keep keep_;
 	mutable std::mutex mutex_;
+	std::vector<Total> totals_;
 	std::vector<Section> sections_;
 };
+
+// Rows that sections stand in: one for each thread, from the first that asks, and others for work elsewhere.
+std::uint32_t threadRow();
+void nameThreadRow(std::string name); // of the calling thread
+std::uint32_t addRow(std::string name);
+std::string rowName(std::uint32_t row); // "thread 3" where it was given none
 
 // Adds the time from its making to its end. A null timeline measures nothing.
 class TimedSection
 {
 public:
-	TimedSection(Timeline* timeline, std::string_view name)
-	    : timeline_(timeline), name_(name), start_(timeline ? timeline->now() : 0.0)
+	TimedSection(Timeline* timeline, std::string_view name, std::uint64_t cells = 0)
+	    : timeline_(timeline), name_(name), cells_(cells), start_(timeline ? begin() : 0.0)
 	{
 	}
 	~TimedSection()
 	{
 		if (timeline_)
-			timeline_->add(name_, Timeline::Track::cpu, start_, timeline_->now() - start_);
+			end();
 	}
 	TimedSection(const TimedSection&) = delete;
 	TimedSection& operator=(const TimedSection&) = delete;
 
 private:
+	double begin() const;
+	void end() const;
+
 	Timeline* timeline_;
-	std::string name_;
+	std::string_view name_; // a literal
+	std::uint64_t cells_;
 	double start_;
 };
 

@@ -21,8 +21,11 @@ std::uint64_t steadyNow()
 }
 } // namespace
 
+Timers::Timers(Device& device, const char* row) : device_(&device), row_(addRow(row)) {}
+
 Timers::Timers(Timers&& other) noexcept
-    : device_(other.device_), pools_(std::exchange(other.pools_, {})), sections_(std::exchange(other.sections_, {}))
+    : device_(other.device_), row_(other.row_), pools_(std::exchange(other.pools_, {})),
+      sections_(std::exchange(other.sections_, {}))
 {
 }
 
@@ -108,9 +111,11 @@ void Timers::collect(Timeline& timeline)
 				anchored = true;
 			}
 			const auto ticks = static_cast<double>(static_cast<std::int64_t>(begin - anchor_ticks));
-			timeline.add(section.name, Timeline::Track::gpu,
-			             toTimeline(static_cast<double>(anchor_ns) + ticks * tick_ns),
-			             static_cast<double>((end - begin) & mask) * tick_ns * 1e-6);
+			timeline.add({.name = section.name,
+			              .track = Timeline::Track::gpu,
+			              .start_ms = toTimeline(static_cast<double>(anchor_ns) + ticks * tick_ns),
+			              .duration_ms = static_cast<double>((end - begin) & mask) * tick_ns * 1e-6,
+			              .row = row_});
 		}
 	}
 	forget();

@@ -18,7 +18,8 @@ namespace vp::gpu
 class Timers
 {
 public:
-	explicit Timers(Device& device) : device_(&device) {}
+	// Its sections stand in a row of their own.
+	explicit Timers(Device& device, const char* row = "GPU");
 	~Timers();
 	Timers(Timers&& other) noexcept;
 	Timers& operator=(Timers&&) = delete;
@@ -43,6 +44,7 @@ private:
 	};
 
 	Device* device_;
+	std::uint32_t row_;
 	std::vector<VkQueryPool> pools_;
 	std::vector<Section> sections_;
 };

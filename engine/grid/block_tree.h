@@ -120,6 +120,7 @@ public:
 		std::call_once(built_, [&] { tree_ = BlockTree(grid); });
 		return tree_;
 	}
+	std::size_t bytes() const { return tree_.bytes(); } // while nobody builds it
 
 private:
 	std::once_flag built_;

@@ -54,6 +54,7 @@ class LazyCellPlaces
 {
 public:
 	std::span<const CellId> of(const Block& block);
+	std::size_t bytes() const { return stored_.capacity() * sizeof(CellId); } // while nobody fills it
 
 private:
 	std::once_flag filled_;

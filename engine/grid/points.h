@@ -18,6 +18,7 @@ public:
 
 	std::size_t size() const { return count_; }
 	bool isDouble() const { return is_double_; }
+	std::size_t bytes() const { return float_.size() * sizeof(float) + double_.size() * sizeof(double); }
 	// The numbers as they are kept, x y z of the first point first; null of the other type.
 	const float* floats() const { return is_double_ ? nullptr : float_.data(); }
 	const double* doubles() const { return is_double_ ? double_.data() : nullptr; }

@@ -43,4 +43,18 @@ void UnstructuredGrid::cellFaces(CellId c, CellFaces& faces) const
 		faces.add({face_points_.data() + face_points_start_[f], face_points_start_[f + 1] - face_points_start_[f]});
 }
 
+std::size_t UnstructuredGrid::geometryBytes() const
+{
+	return points_.bytes() + 4 * (records_.capacity() + polyhedron_faces_.capacity() + face_points_start_.capacity() +
+	                              face_points_.capacity());
+}
+
+std::size_t UnstructuredGrid::adjacencyBytes() const
+{
+	std::size_t sum = 4 * (neighbours_.capacity() + source_points_.capacity()) + 8 * source_cells_.capacity();
+	for (const std::vector<CellId>& cells : several_)
+		sum += sizeof(cells) + 4 * cells.capacity();
+	return sum;
+}
+
 } // namespace vp::grid

@@ -118,6 +118,8 @@ public:
 	int recordWidth() const { return width_; }
 	const std::vector<std::uint32_t>& records() const { return records_; }
 	const Points& coordinates() const { return points_; }
+	std::size_t geometryBytes() const;  // coordinates, records, faces of polyhedra
+	std::size_t adjacencyBytes() const; // neighbours and source numbers
 
 private:
 	bool isPolyhedron(CellId c) const { return shape(c) == CellShape::polyhedron; }

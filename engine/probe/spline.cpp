@@ -44,6 +44,8 @@ struct Motion
 	Vec3 shift;    // per unit of time
 	Vec3 turn;     // likewise, in the coordinates of either end: a constant turn leaves its axis alone
 	double length; // in time
+
+	bool isRest() const { return shift == Vec3(0.0) && turn == Vec3(0.0); }
 };
 
 class Spline
@@ -57,6 +59,8 @@ public:
 		const Motion motion = motionAfter(i);
 		const Motion start = velocityAt(i);
 		const Motion end = velocityAt(i + 1);
+		if (motion.isRest() && start.isRest() && end.isRest())
+			return key(i).frame; // to the last bit: what rests is not cut again
 		const double h = motion.length;
 		const double rest = 1.0 - t;
 		// The cumulative Bernstein polynomials of degree 3.

@@ -87,7 +87,7 @@ Result<Renderer> Renderer::create(gpu::Device& device, std::uint64_t most_fragme
 		return commands.error();
 	return Renderer(std::unique_ptr<Private>(new Private{
 	    device, std::move(*layers), std::move(*lines), SurfacePass(device), FragmentLists(device, most_fragment_bytes),
-	    std::move(*compose), std::move(*overlay), std::move(*commands), gpu::Timers(device), Targets()}));
+	    std::move(*compose), std::move(*overlay), std::move(*commands), gpu::Timers(device, "GPU draw"), Targets()}));
 }
 
 Status Renderer::Private::makeTargets(const Scene& scene)
@@ -196,8 +196,11 @@ void Renderer::Private::recordPicture(VkCommandBuffer to)
 Result<bool> Renderer::Private::drawOnce(const Scene& scene, Timeline* timeline)
 {
 	const bool has_surfaces = !scene.surfaces.empty();
-	if (Status ready = prepare(scene); !ready)
-		return ready.error();
+	{
+		const TimedSection section(timeline, "prepare");
+		if (Status ready = prepare(scene); !ready)
+			return ready.error();
+	}
 	auto begun = commands.begin();
 	if (!begun)
 		return begun.error();
@@ -209,7 +212,11 @@ Result<bool> Renderer::Private::drawOnce(const Scene& scene, Timeline* timeline)
 	if (has_surfaces)
 		lists.recordEnd(*begun);
 	recordPicture(*begun);
-	const Status drawn = commands.submitAndWait();
+	const Status drawn = [&]
+	{
+		const TimedSection section(timeline, "wait");
+		return commands.submitAndWait();
+	}();
 	if (drawn && timeline)
 		timers.collect(*timeline);
 	else
@@ -235,6 +242,7 @@ Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 		if (*whole)
 			break;
 	}
+	const TimedSection reading(timeline, "pixels");
 	Picture picture{scene.look.width, scene.look.height, {}};
 	copyPixels(private_->targets.pixels, picture);
 	return picture;

@@ -31,9 +31,9 @@ public:
 	Renderer& operator=(Renderer&&) noexcept;
 
 	// Each sheet into a layer of values, surfaces into lists of fragments, layers, lists and outline into colours, the
-	// overlay over them. Section "draw" and GPU sections "layers", "surfaces" (where there are any), "compose",
-	// "overlay" and "copy" on the timeline, where there is one. More sheets than shared::kMaxLayers or surfaces than
-	// shared::kMaxSurfaces are a usage error.
+	// overlay over them. Section "draw" with "prepare", "wait" and "pixels" in it, and GPU sections "layers",
+	// "surfaces" (where there are any), "compose", "overlay" and "copy" on the timeline, where there is one. More
+	// sheets than shared::kMaxLayers or surfaces than shared::kMaxSurfaces are a usage error.
 	Result<Picture> draw(const Scene& scene, Timeline* timeline = nullptr);
 
 private:

@@ -14,7 +14,7 @@ namespace vp::slice
 // front outgrows all before it.
 struct ClassifyWorkspace
 {
-	explicit ClassifyWorkspace(gpu::Device& device) : timers(device) {}
+	explicit ClassifyWorkspace(gpu::Device& device) : timers(device, "GPU cut") {}
 
 	// Made by the first slice.
 	Status prepare(gpu::Device& device, const gpu::Pipeline& pipeline);

@@ -6,6 +6,7 @@
 #include "slice/gpu_classifier.h"
 #include "slice/host_records.h"
 #include "slice/slice_meshes.h"
+#include "slice/unmoved_sheets.h"
 
 #include <algorithm>
 #include <cassert>
@@ -73,6 +74,16 @@ Slicer::~Slicer() = default;
 std::size_t Slicer::blocksOnGpu() const
 {
 	return gpu_ ? gpu_->heldCount() : 0;
+}
+
+Slicer::Memory Slicer::memory() const
+{
+	Memory memory;
+	const auto bytes = [](const auto& each) { return each.bytes(); };
+	for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
+		memory.marks += visited_[b]->bytes() + stores_[b]->sumOfIdle(bytes) + marks_[b]->sumOfIdle(bytes);
+	memory.device = gpu_ ? gpu_->bytes() : 0;
+	return memory;
 }
 
 SliceTicket Slicer::begin(SliceRequest request)
@@ -146,6 +157,21 @@ Slicer::Lanes Slicer::makeLanes(const SliceRequest& request, const Slice& slice,
 
 Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 {
+	if (!request.last)
+	{
+		Result<Slice> cut = cutAll(request, stop);
+		if (cut)
+			numberSheets(*cut);
+		return cut;
+	}
+	const std::vector<bool> unmoved = unmovedSheets(request);
+	const bool some_moved = std::ranges::find(unmoved, false) != unmoved.end();
+	Result<Slice> moved = some_moved ? run(withoutSheets(request, unmoved), stop) : Slice();
+	return moved ? joinSheets(request, unmoved, std::move(*moved)) : moved;
+}
+
+Result<Slice> Slicer::cutAll(const SliceRequest& request, std::stop_token stop)
+{
 	assert(request.field || !request.threshold);
 	Admits admits(blocks_.blocks.size());
 	if (request.threshold)
@@ -188,7 +214,7 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnCpu(const SliceRequest&
 {
 	const TimedSection section(request.timeline, "traverse");
 	CpuClassifier<surface::Plane> classifier(lanes);
-	return traverse::breadthFirst<surface::Plane>(lanes, classifier, stop);
+	return traverse::breadthFirst<surface::Plane>(lanes, classifier, stop, request.timeline);
 }
 
 // For all sheets of a slice in all blocks; lane s * blocks + b is sheet s in block b.
@@ -254,7 +280,7 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest&
 	if (Status done = classifyFound(**classifier, found); !done)
 		return done.error();
 	walkFound(lanes, found);
-	auto cuts = traverse::breadthFirst<surface::Plane>(lanes, **classifier, stop);
+	auto cuts = traverse::breadthFirst<surface::Plane>(lanes, **classifier, stop, request.timeline);
 	takeRecords(**classifier, slice);
 	return cuts;
 }
@@ -268,6 +294,7 @@ void Slicer::forgetValues()
 Result<Slice> Slicer::regather(const Slice& kept, Timeline* timeline)
 {
 	Slice slice = kept;
+	numberSheets(slice);
 	if (!gpu_ || std::ranges::any_of(slice.sheets, [](const SheetSlice& s) { return s.surface.has_value(); }))
 		return slice; // meshes gather their values when they are made
 	const TimedSection section(timeline, "emit");

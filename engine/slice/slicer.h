@@ -39,6 +39,8 @@ class GpuBlocks;     // the block set on the device (gpu_blocks.h)
 class GpuClassifier; // gpu_classifier.h
 struct SheetRecords; // a sheet's polygons in device memory (gpu_records.h)
 
+struct Slice;
+
 // How the cut cells are found. All find the same, and make the same mesh but for the numbering. What is not found by
 // the traversal goes to a device's classifier as one wide front.
 enum class Finder
@@ -69,7 +71,11 @@ struct SliceRequest
 	Visited visited = Visited::stamps;
 	// Takes the place of the probe's sheets. It needs no search, and windows and seeds mean nothing to it.
 	std::optional<OtherSurface> surface;
-	Timeline* timeline = nullptr; // sections "seed", "traverse", "emit"; must outlive the ticket
+	// A slice by a request that differed from this one in the probe alone, over the same blocks and values; or null.
+	// Its sheets that stand where they stood, to the last bit, are taken from it and not cut again.
+	std::shared_ptr<const Slice> last;
+	// Sections "seed", "traverse" with "classify" and "expand" of each generation, "emit". Must outlive the ticket.
+	Timeline* timeline = nullptr;
 };
 
 // One sheet's share of a slice.
@@ -85,6 +91,8 @@ struct SheetSlice
 	std::vector<std::optional<traverse::SpanCut>> spans;
 	std::shared_ptr<SheetRecords> records; // GPU classifier only: the polygons in device memory, as they are drawn
 	std::optional<OtherSurface> surface;   // shown in place of the sheet, whose frame means nothing then
+	// Of the cut: sheets of two slices with one number are the same, and over the same values so are their meshes.
+	std::uint64_t number = 0;
 
 	bool hasSpans(std::size_t block) const { return !spans.empty() && spans[block]; }
 	std::size_t cutCells(std::size_t block) const
@@ -147,6 +155,14 @@ public:
 	bool usesGpu() const { return gpu_ != nullptr; }
 	std::size_t blocksOnGpu() const; // the others passed a limit of the device, and are classified by the CPU
 
+	// Bytes kept from slice to slice; while none is under way.
+	struct Memory
+	{
+		std::size_t marks = 0;  // of the host: visited marks, rows of spans
+		std::size_t device = 0; // blocks, values and records, see GpuBlocks
+	};
+	Memory memory() const;
+
 private:
 	using Lane = traverse::Lane<surface::Plane>;
 
@@ -155,6 +171,7 @@ private:
 
 	Slice seedSheets(const SliceRequest& request, const Admits& admits) const;
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
+	Result<Slice> cutAll(const SliceRequest& request, std::stop_token stop);
 	Slice showSurface(const SliceRequest& request, const Admits& admits) const;
 	// Per lane; none where the traversal is to find the cells.
 	using Found = std::vector<std::optional<traverse::LaneCut>>;

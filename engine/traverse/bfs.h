@@ -2,6 +2,7 @@
 
 #include "base/ids.h"
 #include "base/result.h"
+#include "base/timeline.h"
 #include "grid/block.h"
 #include "seed/sheet_window.h"
 #include "shared/slice_types.h"
@@ -165,8 +166,10 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 
 // Breadth first, by generations: G(k+1) are the cells first met across the cut faces of G(k). Returns one LaneCut a
 // lane, or the classifier's error; a stop request ends the traversal between generations with what was found.
+// timeline: sections "classify", which knows how wide the front is, and "expand" of each generation; or null.
 template <class Surface, Classifier C>
-Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& classifier, std::stop_token stop = {})
+Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& classifier, std::stop_token stop = {},
+                                          Timeline* timeline = nullptr)
 {
 	std::vector<LaneCut> cuts(lanes.size());
 	for (std::size_t l = 0; l < lanes.size(); ++l)
@@ -181,6 +184,7 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 	for (std::size_t step = 1; !stop.stop_requested(); ++step)
 	{
 		fronts.clear();
+		std::size_t front_cells = 0;
 		for (std::size_t l = 0; l < lanes.size(); ++l)
 		{
 			if (lanes[l].queue)
@@ -192,12 +196,17 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 			cut.generation_starts.push_back(static_cast<std::uint32_t>(cut.cells.size()));
 			cut.words.resize(cut.cells.size());
 			cut.steps = step;
+			front_cells += cut.cells.size() - begin;
 			fronts.push_back({l, std::span(cut.cells).subspan(begin), std::span(cut.words).subspan(begin)});
 		}
 		if (fronts.empty())
 			break;
-		if (Status classified = classifier.classify(fronts); !classified)
-			return classified.error();
+		{
+			const TimedSection section(timeline, "classify", front_cells);
+			if (Status classified = classifier.classify(fronts); !classified)
+				return classified.error();
+		}
+		const TimedSection section(timeline, "expand");
 		// Across seams a front grows the lanes after it and before it: its own ends are those of this generation.
 		for (const FrontSlice& front : fronts)
 		{

@@ -48,6 +48,8 @@ public:
 	}
 	void clear(); // of what list() gave
 
+	std::size_t bytes() const { return ranks_.size() * (8 + 4) + group_count_ * 8; }
+
 private:
 	template <class Visit>
 	void forWords(Visit&& visit)

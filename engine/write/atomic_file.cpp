@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <utility>
 
@@ -73,6 +74,29 @@ struct Unfinished
 };
 std::array<Unfinished, 8> unfinished;
 
+// The program is about to end, by a signal that may have come to any thread.
+std::atomic<bool> ending = false;
+std::atomic<int> touching = 0; // threads between a look at `ending` and what they do to files
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free); // for the handler
+
+// While one lives a handler waits with removing. Where one has begun to, this waits for the end.
+class Touching
+{
+public:
+	Touching()
+	{
+		++touching;
+		if (!ending)
+			return;
+		--touching;
+		for (;;)
+			pause();
+	}
+	~Touching() { --touching; }
+	Touching(const Touching&) = delete;
+	Touching& operator=(const Touching&) = delete;
+};
+
 void remember(const std::string& name)
 {
 	for (Unfinished& place : unfinished)
@@ -99,12 +123,21 @@ void forget(const std::string& name)
 int createBeside(const std::string& target, mode_t mode, std::string& name)
 {
 	static std::atomic<unsigned> counter = 0;
+	const Touching files;
 	for (;;)
 	{
 		name = fmt::format("{}/.vprobe-{}-{}", folderOf(target), getpid(), counter++);
+		remember(name); // first: a signal may come as soon as the file is there
 		const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-		if (descriptor >= 0 || errno != EEXIST)
+		if (descriptor >= 0)
 			return descriptor;
+		const int error = errno;
+		forget(name);
+		if (error != EEXIST)
+		{
+			errno = error;
+			return -1;
+		}
 	}
 }
 
@@ -150,7 +183,6 @@ Result<AtomicFile> AtomicFile::create(const std::string& path)
 		file.beside_.clear();
 		return cannotWrite(path, error);
 	}
-	remember(file.beside_);
 	if (exists)
 		(void)fchmod(file.descriptor_,
 		             old.st_mode & 0777); // the umask may have taken rights away that the old file gave
@@ -200,6 +232,7 @@ Status AtomicFile::commit()
 		error_ = errno;
 	if (!error_ && !beside_.empty())
 	{
+		const Touching files;
 		if (std::rename(beside_.c_str(), target_.c_str()) != 0)
 			error_ = errno;
 		else
@@ -222,6 +255,11 @@ Status tryPlace(const std::string& path)
 
 void removeUnfinishedFiles() noexcept
 {
+	ending = true;
+	// Other threads come to rest first; where this one was interrupted in the middle of it, waiting is in vain.
+	constexpr timespec kMillisecond{0, 1'000'000};
+	for (int ms = 0; ms < 50 && touching > 0; ++ms)
+		nanosleep(&kMillisecond, nullptr);
 	for (const Unfinished& place : unfinished)
 		if (place.named)
 			unlink(place.name.data());

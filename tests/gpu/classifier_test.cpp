@@ -295,9 +295,9 @@ TEST_F(GpuClassifier, GenerationsAreOnTheTimeline)
 	const grid::BlockSet set = setOf({"shell"});
 	const auto blocks = upload(device(), set);
 	const probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {1, 0.1, 0.4});
-	Timeline timeline;
+	Timeline timeline(Timeline::Keep::sections);
 	const CutBothWays cut = cutBothWays(*blocks, std::span(&sheet, 1), pointField("s"), &timeline);
-	EXPECT_EQ(timeline.sections().size(), cut.gpu[0].generations());
+	EXPECT_EQ(timeline.takeSections().size(), cut.gpu[0].generations());
 	EXPECT_GT(timeline.totalGpu(), 0.0);
 }
 

@@ -151,7 +151,7 @@ TEST_F(GpuTest, TimesPassesOnTheTimelinesClock)
 {
 	if (device().timestampBits() == 0)
 		GTEST_SKIP() << device().name() << " has no timestamps";
-	Timeline timeline;
+	Timeline timeline(Timeline::Keep::sections);
 	gpu::Timers timers(device());
 	auto buffer =
 	    gpu::Buffer::create(device(), 1 << 20, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::Memory::device, "filled");
@@ -170,7 +170,7 @@ TEST_F(GpuTest, TimesPassesOnTheTimelinesClock)
 		                         }));
 	const double end = timeline.now();
 	timers.collect(timeline);
-	const auto sections = timeline.sections();
+	const auto sections = timeline.takeSections();
 	ASSERT_EQ(sections.size(), std::size_t(kPasses));
 	for (const Timeline::Section& section : sections)
 	{

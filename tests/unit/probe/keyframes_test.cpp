@@ -112,6 +112,23 @@ TEST(Keyframes, TwoKeysMoveStraightAndTurnEvenly)
 	}
 }
 
+// What rests is told from what moves by comparing frames.
+TEST(Keyframes, ARestIsExact)
+{
+	std::mt19937 random(52);
+	for (int i = 0; i < 50; ++i)
+	{
+		const Frame rest = randomFrame(random);
+		const Frame other = randomFrame(random);
+		for (const Frame& frame : film({{0.0, rest}, {5.0, rest}}, 9))
+			EXPECT_EQ(frame, rest);
+		// Of a longer path the stretch whose both ends have no velocity.
+		const std::vector<Key> keys{{0.0, rest}, {1.0, rest}, {2.0, rest}, {3.0, other}};
+		EXPECT_EQ(splinePose(keys, 0.0, 0.3), rest);
+		EXPECT_NE(splinePose(keys, 0.0, 1.7), rest);
+	}
+}
+
 // Keys on an even motion, at uneven times, give back that motion; positions even a parabola's.
 TEST(Keyframes, ReproduceAnEvenTurnAndAParabola)
 {

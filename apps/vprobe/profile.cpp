@@ -1,0 +1,258 @@
+#include "base/log.h"
+#include "base/progress.h"
+#include "commands.h"
+#include "painter.h"
+#include "plane_pictures.h"
+#include "profile_compare.h"
+#include "profile_report.h"
+#include "remaining_time.h"
+#include "saved_options.h"
+#include "surface_options.h"
+#include "trace_option.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace vp::app
+{
+
+namespace
+{
+
+constexpr int kMostPlanes = 10'000; // a profile keeps some dozens of numbers for each generation of each
+
+struct ProfileOptions
+{
+	SavedOptions saved;
+	PathOptions path{.path = "profile", .frames = probe::kProfilePlanes}; // not the sweep's that a state brings
+	bool draw = false;
+	std::string json;
+	std::string trace;
+	std::vector<std::string> compare; // none, or two files
+};
+
+// Of --compare, which measures nothing.
+Status requireAlone(const CLI::App& command)
+{
+	for (const CLI::Option* option : command.get_options())
+		if (option->count() > 0 && option->get_name() != "--compare")
+			return Error{ExitCode::usage,
+			             fmt::format("{}: means nothing to --compare, which reads two profiles; leave one of the two "
+			                         "out",
+			                         option->get_name())};
+	return Nothing{};
+}
+
+Result<ExitCode> runCompare(const ProfileOptions& options, const CLI::App& command)
+{
+	if (Status alone = requireAlone(command); !alone)
+		return alone.error();
+	Result<nlohmann::json> a = readProfile(options.compare[0]);
+	if (!a)
+		return a.error();
+	Result<nlohmann::json> b = readProfile(options.compare[1]);
+	if (!b)
+		return b.error();
+	fmt::print("{}", compareProfiles(*a, *b, options.compare[0], options.compare[1]));
+	return ExitCode::done;
+}
+
+// Told before a large file is read.
+Status checkOptions(const ProfileOptions& options, const CLI::App& command)
+{
+	if (options.json == "-" && options.trace == "-")
+		return Error{ExitCode::usage,
+		             "--json - and --trace -: standard output takes one thing at a time; name a file for the other"};
+	if (Status place = tryPlace(options.json); !place)
+		return place;
+	if (options.path.overTimes())
+		return Error{ExitCode::usage, "--path times: a profile moves a probe; choose another path"};
+	if (!options.draw)
+		if (Status fits = refuseLook(command, "nothing is drawn", "add --draw"); !fits)
+			return fits;
+	return requirePathOfSurface(options.saved.probe, options.path);
+}
+
+// Measures plane after plane; nothing is cut before the first, so that it shows what a first cut takes.
+class Measurement
+{
+public:
+	Measurement(Session& session, std::optional<Painter> painter, std::optional<write::TraceFile>& trace)
+	    : session_(session), painter_(std::move(painter)), trace_(trace)
+	{
+	}
+
+	Status run(const std::vector<probe::Frame>& poses, const probe::Path& path)
+	{
+		const probe::Frame start = session_.probe.frame;
+		const int planes = static_cast<int>(poses.size());
+		RemainingTime remaining(poses.size());
+		Progress progress(remaining.line());
+		hand(session_.timeline->takeSections()); // of what was read and built
+		for (int k = 0; k < planes; ++k)
+		{
+			progress.say(remaining.line());
+			session_.probe.frame = poses[static_cast<std::size_t>(k)];
+			session_.swept = probe::progress(path, k, planes);
+			if (Status measured = plane(); !measured)
+				return measured;
+			std::vector<Timeline::Section> sections = session_.timeline->takeSections();
+			log_.add(slice_, sheets_, sections);
+			hand(std::move(sections));
+			remaining.done();
+		}
+		session_.probe.frame = start;
+		return Nothing{};
+	}
+
+	const ProfileLog& log() const { return log_; }
+
+private:
+	Status plane()
+	{
+		Timeline* timeline = session_.timeline.get();
+		const TimedSection frame(timeline, "frame");
+		{
+			const TimedSection section(timeline, "cut");
+			Result<slice::Slice> slice = cut(session_);
+			if (!slice)
+				return slice.error();
+			slice_ = std::move(*slice);
+			sheets_.clear();
+			for (std::size_t s = 0; s < slice_.sheets.size(); ++s)
+				sheets_.push_back(sheetMesh(session_, slice_, s));
+		}
+		if (!painter_)
+			return Nothing{};
+		for (std::size_t s = 0; s < sheets_.size(); ++s)
+			measureSheet(session_, slice_, s, sheets_[s]); // pictures tell whether values are missing
+		const Result<render::Picture> picture = painter_->draw(slice_, sheets_);
+		return picture ? Status(Nothing{}) : picture.error();
+	}
+
+	void hand(std::vector<Timeline::Section> sections)
+	{
+		if (trace_)
+			trace_->add(std::move(sections));
+	}
+
+	Session& session_;
+	std::optional<Painter> painter_;
+	std::optional<write::TraceFile>& trace_;
+	ProfileLog log_;
+	slice::Slice slice_;
+	std::vector<SheetStats> sheets_;
+};
+
+Status writeJson(const std::string& path, const nlohmann::json& document)
+{
+	const std::string text = document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
+	const Result<ExitCode> written = writeStats(path, {}, text);
+	return written ? Status(Nothing{}) : written.error();
+}
+
+Status report(ProfileOptions& options, const Profile& profile, std::optional<write::TraceFile>& trace)
+{
+	const nlohmann::json document = profileJson(profile);
+	if (document["empty_planes"] > 0)
+		warn("{} of {} planes are empty: the probe misses the grid there", document["empty_planes"].get<int>(),
+		     document["planes"].get<int>());
+	if (options.json != "-" && options.trace != "-")
+		fmt::print("{}", profileTable(document));
+	if (Status written = writeJson(options.json, document); !written)
+		return written;
+	if (trace)
+		if (Status written = trace->commit(); !written)
+			return written;
+	return saveState(options.saved);
+}
+
+Result<ExitCode> runProfile(ProfileOptions& options, const CLI::App& command)
+{
+	if (!options.compare.empty())
+		return runCompare(options, command);
+	if (Status ready = prepare(options.saved); !ready)
+		return ready.error();
+	if (Status read = readPathFile(options.path); !read)
+		return read.error();
+	if (Status fits = checkOptions(options, command); !fits)
+		return fits.error();
+	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
+	if (!look)
+		return look.error();
+	if (Status known = refuseGenerations(options.saved.probe, look->by_generation); !known)
+		return known.error();
+	options.saved.probe.reads_patches = options.draw && namesPatch(look->context);
+	Result<std::optional<write::TraceFile>> trace = openTrace(options.trace);
+	if (!trace)
+		return trace.error();
+
+	Result<std::unique_ptr<Session>> opened = openSession(
+	    options.saved.probe, options.draw ? DeviceUse::draw : DeviceUse::classify, Timeline::Keep::sections);
+	if (!opened)
+		return opened.error();
+	Session& session = **opened;
+	session.crinkle = options.saved.probe.crinkle;
+	if (options.draw && look->by_generation)
+		session.finder = slice::Finder::traversal;
+	const std::string picture =
+	    fmt::format("{}x{}, {} samples", look->look.width, look->look.height, look->look.samples);
+	std::optional<Painter> painter;
+	if (options.draw)
+	{
+		Result<Painter> made = Painter::create(session, options.saved.probe, std::move(*look));
+		if (!made)
+			return made.error();
+		painter.emplace(std::move(*made));
+	}
+	const probe::Path path = pathOf(options.path);
+	Measurement measurement(session, std::move(painter), *trace);
+	const auto poses = probe::poses(path, session.probe, session.blocks.bounds(), *options.path.frames);
+	if (Status measured = measurement.run(poses, path); !measured)
+		return measured.error();
+	const Profile profile{options.saved.probe, session, measurement.log(), options.path.path,
+	                      options.draw ? std::optional(picture) : std::nullopt};
+	if (Status reported = report(options, profile, *trace); !reported)
+		return reported.error();
+	return ExitCode::done;
+}
+
+} // namespace
+
+void addProfile(CLI::App& program, Run& run)
+{
+	auto options = std::make_shared<ProfileOptions>();
+	CLI::App* command = program.add_subcommand(
+	    "profile", "Measure a sweep of a probe through an input: times of every stage, work, memory; compare two");
+	addInputs(*command, options->saved.probe)->required(false); // --state may name them
+	addProbeOptions(*command, options->saved.probe);
+	addLookOptions(*command, options->saved.look);
+	addStateOptions(*command, options->saved);
+	const char* group = "Profile";
+	command->add_flag("--draw", options->draw, "Measures whole frames: every plane is drawn as well")->group(group);
+	command->add_option("--planes", options->path.frames, "Number of planes")
+	    ->check(CLI::Range(1, kMostPlanes))
+	    ->capture_default_str()
+	    ->type_name("N")
+	    ->group(group);
+	command
+	    ->add_option("--path", options->path.path,
+	                 "profile: planes that tilt through the middle of the bounds; or a path that sweep takes")
+	    ->capture_default_str()
+	    ->type_name("NAME|FILE.json")
+	    ->group(group);
+	command->add_option("--json", options->json, "The figures as JSON; - writes them instead of the table")
+	    ->type_name("FILE|-")
+	    ->group(group);
+	addTraceOption(*command, options->trace, group);
+	command->add_option("--compare", options->compare, "Measures nothing: what changed between two files of --json")
+	    ->expected(2)
+	    ->allow_extra_args(false)
+	    ->type_name("A.json B.json")
+	    ->group(group);
+	command->callback([&run, options, command]
+	                  { run = [options, command] { return runProfile(*options, *command); }; });
+}
+
+} // namespace vp::app

@@ -1,0 +1,146 @@
+#include "sweep_line.h"
+
+#include "base/log.h"
+#include "base/progress.h"
+#include "remaining_time.h"
+
+#include <algorithm>
+#include <future>
+#include <optional>
+#include <utility>
+
+namespace vp::app
+{
+
+namespace
+{
+
+using CutFrameResult = Result<std::shared_ptr<const CutFrame>>;
+
+// Cuts one frame after the other, where it is asked for or on a thread of its own.
+class Cutter
+{
+public:
+	Cutter(const SweepPlan& plan, const CutSlice& cut_slice, const Session& session)
+	    : plan_(plan), cut_slice_(cut_slice), session_(session)
+	{
+		if (plan.cuts_ahead)
+			worker_.emplace("cutter");
+	}
+
+	void start(int frame)
+	{
+		task_ = std::make_shared<Task>([this, frame] { return cut(frame); });
+		result_ = task_->get_future();
+		if (worker_)
+			worker_->give([task = std::move(task_)] { (*task)(); });
+	}
+	// Of the frame that was started last.
+	CutFrameResult take()
+	{
+		const TimedSection section(worker_ ? session_.timeline.get() : nullptr, "await cut");
+		if (!worker_)
+			(*task_)();
+		return result_.get();
+	}
+
+private:
+	using Task = std::packaged_task<CutFrameResult()>;
+
+	CutFrameResult cut(int frame)
+	{
+		auto made = std::make_shared<CutFrame>();
+		{
+			const TimedSection section(session_.timeline.get(), "cut");
+			Result<slice::Slice> slice =
+			    cut_slice_(frame, last_ ? std::shared_ptr<const slice::Slice>(last_, &last_->slice) : nullptr);
+			if (!slice)
+				return slice.error();
+			made->slice = std::move(*slice);
+			for (std::size_t s = 0; s < made->slice.sheets.size(); ++s)
+				made->sheets.push_back(statsOf(made->slice, s));
+		}
+		if (plan_.wants_figures)
+			made->figures = sheetsJson(session_, made->slice, made->sheets);
+		last_ = made;
+		return std::shared_ptr<const CutFrame>(std::move(made));
+	}
+
+	// A sheet that has not moved shows what it showed.
+	SheetStats statsOf(const slice::Slice& slice, std::size_t s) const
+	{
+		if (last_ && s < last_->sheets.size() && last_->slice.sheets[s].number == slice.sheets[s].number)
+			return last_->sheets[s];
+		SheetStats stats = sheetMesh(session_, slice, s);
+		measureSheet(session_, slice, s, stats);
+		return stats;
+	}
+
+	const SweepPlan& plan_;
+	const CutSlice& cut_slice_;
+	const Session& session_;
+	std::shared_ptr<Task> task_; // that nobody has begun
+	std::future<CutFrameResult> result_;
+	std::shared_ptr<const CutFrame> last_; // of the thread that cuts
+	std::optional<Worker> worker_;         // the last to be made: it uses the others
+};
+
+// The first frame from `frame` on that is not there yet, or the number of frames.
+int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, RemainingTime& remaining)
+{
+	for (; frame < plan.frames && products.has(frame); ++frame)
+		remaining.skip();
+	return frame;
+}
+
+// What went wrong with an earlier frame comes first.
+Error firstError(SweepProducts& products, const Error& error)
+{
+	const Status before = products.finish();
+	return before ? error : before.error();
+}
+
+} // namespace
+
+Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_slice, const Session& session,
+                                    SweepProducts& products)
+{
+	nlohmann::json figures = nlohmann::json::array();
+	int empty = 0;
+	RemainingTime remaining(static_cast<std::size_t>(plan.frames));
+	Progress progress(remaining.line());
+	if (plan.writes_beside)
+		products.writeBeside();
+	Cutter cutter(plan, cut_slice, session);
+	int next = nextFrame(0, plan, products, remaining);
+	if (next < plan.frames)
+		cutter.start(next);
+	while (next < plan.frames)
+	{
+		const int frame = next;
+		progress.say(remaining.line());
+		const CutFrameResult cut = cutter.take();
+		if (!cut)
+			return firstError(products, cut.error());
+		next = nextFrame(frame + 1, plan, products, remaining);
+		if (next < plan.frames)
+			cutter.start(next);
+		if (Status added = products.add(frame, **cut); !added)
+			return firstError(products, added.error());
+		remaining.done();
+		empty += std::ranges::all_of((*cut)->slice.sheets, isEmpty);
+		if (plan.wants_figures)
+			figures.push_back({{"frame", frame}, {"sheets", (*cut)->figures}});
+		if (plan.trace)
+			plan.trace->add(session.timeline->takeSections());
+	}
+	if (Status written = products.commit(); !written)
+		return written.error();
+	if (plan.trace)
+		plan.trace->add(session.timeline->takeSections());
+	if (empty > 0)
+		warn("{} of {} frames are empty: the probe misses the grid there", empty, plan.frames);
+	return figures;
+}
+
+} // namespace vp::app

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "frames.h"
+#include "interrupt.h"
+#include "painter.h"
+#include "worker.h"
+#include "write/slice_sets.h"
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vp::app
+{
+
+// A frame of a sweep that has been cut.
+struct CutFrame
+{
+	slice::Slice slice;
+	std::vector<SheetStats> sheets;
+	nlohmann::json figures{}; // of --stats, where they are wanted
+};
+
+// What a sweep makes of its frames, one after the other. A picture is written on a thread of its own while the next
+// one is drawn; what goes wrong there is told before what goes wrong with any later frame.
+class SweepProducts
+{
+public:
+	// series: the .pvd that polygons go to; empty: none.
+	static Result<std::unique_ptr<SweepProducts>> create(Session& session, std::optional<Painter> painter,
+	                                                     Frames frames, const std::string& series);
+
+	bool has(int frame) const { return frames_.has(frame); }
+	Painter* painter() { return painter_ ? &*painter_ : nullptr; }
+
+	// Pictures go to a thread of their own from now on.
+	void writeBeside() { writer_.emplace("writer"); }
+
+	Status add(int frame, const CutFrame& cut);
+	Status finish(); // waits until all is written that was added
+	Status commit(); // once it is: the film, the exposure or the series appears
+
+private:
+	SweepProducts(Session& session, std::optional<Painter> painter, Frames frames)
+	    : session_(session), frames_(std::move(frames)), painter_(std::move(painter))
+	{
+	}
+
+	Status draw(int frame, const CutFrame& cut);
+	void write(int frame, const render::Picture& picture);
+
+	Session& session_;
+	Frames frames_;
+	std::optional<Painter> painter_;
+	std::unique_ptr<DeferredInterrupt> interrupt_;
+	std::optional<write::SliceSeries> series_;
+	Status written_ = Nothing{};             // the writer's
+	std::atomic<bool> write_failed_ = false; // so that no more is drawn
+	std::optional<Worker> writer_;           // the last to be made: it uses the others
+};
+
+} // namespace vp::app
