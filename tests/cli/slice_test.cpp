@@ -131,6 +131,19 @@ TEST_F(Slice, ThreadsChangeNothing)
 		EXPECT_EQ(one[key], two[key]) << key;
 }
 
+TEST_F(Slice, VisitedAsksForGenerations)
+{
+	const Arguments plane = {"demo:shell:16", "--normal", "0.3", "0.5", "0.81"};
+	const nlohmann::json found = stats(plane)["sheets"][0];
+	const nlohmann::json stamps = stats(plane + Arguments{"--visited", "stamps"})["sheets"][0];
+	const nlohmann::json octants = stats(plane + Arguments{"--visited", "octants"})["sheets"][0];
+	EXPECT_EQ(found["generations"], 0);
+	EXPECT_GT(stamps["generations"], 1);
+	EXPECT_EQ(octants, stamps);
+	for (const char* key : {"cut_cells", "polygons", "vertices", "area"})
+		EXPECT_EQ(stamps[key], found[key]) << key;
+}
+
 TEST_F(Slice, WithoutAnArray)
 {
 	std::string bare = legacyImage();
