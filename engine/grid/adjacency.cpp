@@ -110,11 +110,10 @@ class FaceMatcher
 public:
 	explicit FaceMatcher(const FaceSlots& faces) : faces_(faces) {}
 
-	Adjacency match()
+	std::vector<std::vector<CellId>> match()
 	{
 		// A face is pushed on the chain of its lowest point; the chain runs through the slots that will hold the
 		// neighbours, so that matching takes four bytes a point and no copy of the faces.
-		adjacency_.neighbours.resize(faces_.count());
 		heads_ = std::vector<std::atomic<std::uint32_t>>(faces_.points);
 		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.points, 65536),
 		                  [&](const auto& range)
@@ -133,7 +132,7 @@ public:
 				                  matchChain(heads_[p].load(std::memory_order_relaxed), work);
 		                  });
 		settleCrowds();
-		return std::move(adjacency_);
+		return std::move(several_);
 	}
 
 private:
@@ -141,7 +140,7 @@ private:
 	{
 		if (faces_.record_width == 4)
 			return CellShape::tetrahedron;
-		const std::uint32_t last = faces_.records[std::size_t(c) * 8 + 7];
+		const std::uint32_t last = faces_.record(c)[7];
 		return last >= faces_.shape_mark ? static_cast<CellShape>(last - faces_.shape_mark) : CellShape::hexahedron;
 	}
 
@@ -180,7 +179,7 @@ private:
 
 	void push(std::size_t slot, const FaceKey& key)
 	{
-		adjacency_.neighbours[slot] =
+		faces_.across(slot) =
 		    key.hasArea() ? heads_[key.lowest()].exchange(static_cast<std::uint32_t>(slot), std::memory_order_relaxed)
 		                  : kNoCell;
 	}
@@ -191,7 +190,7 @@ private:
 		for (std::size_t c = begin; c < end; ++c)
 		{
 			const CellShape cell_shape = shape(static_cast<CellId>(c));
-			const std::uint32_t* record = &faces_.records[c * faces_.record_width];
+			const std::uint32_t* record = faces_.record(c);
 			std::size_t slot = c * faces_.face_width;
 			const std::size_t cell_end = slot + faces_.face_width;
 			if (cell_shape == CellShape::polyhedron)
@@ -205,7 +204,7 @@ private:
 					push(slot, keyOf(record, table.face[f], table.face_size[f]));
 			}
 			for (; slot < cell_end; ++slot)
-				adjacency_.neighbours[slot] = kNoCell;
+				faces_.across(slot) = kNoCell;
 		}
 	}
 
@@ -214,14 +213,14 @@ private:
 	{
 		work.faces.clear();
 		work.polygons.clear();
-		for (std::uint32_t slot = head; slot != kEnd; slot = adjacency_.neighbours[slot])
+		for (std::uint32_t slot = head; slot != kEnd; slot = faces_.across(slot))
 		{
 			if (slot < faces_.tableSlots())
 			{
 				const CellId c = cellOf(slot);
 				const ShapeTopology& table = topology(shape(c));
 				const auto f = slot - std::size_t(c) * faces_.face_width;
-				const std::uint32_t* record = &faces_.records[std::size_t(c) * faces_.record_width];
+				const std::uint32_t* record = faces_.record(c);
 				work.faces.push_back({keyOf(record, table.face[f], table.face_size[f]), slot});
 				continue;
 			}
@@ -273,16 +272,16 @@ private:
 
 	void join(std::uint32_t first, std::uint32_t second)
 	{
-		adjacency_.neighbours[first] = kNoCell;
+		faces_.across(first) = kNoCell;
 		if (second == kEnd)
 			return;
-		adjacency_.neighbours[second] = kNoCell;
+		faces_.across(second) = kNoCell;
 		const CellId a = cellOf(first);
 		const CellId b = cellOf(second);
 		if (a == b)
 			return;
-		adjacency_.neighbours[first] = b;
-		adjacency_.neighbours[second] = a;
+		faces_.across(first) = b;
+		faces_.across(second) = a;
 	}
 
 	static void gatherCrowds(Workspace& work)
@@ -337,7 +336,7 @@ private:
 		std::vector<CellId> cells;
 		for (const std::uint32_t slot : slots)
 		{
-			adjacency_.neighbours[slot] = kNoCell;
+			faces_.across(slot) = kNoCell;
 			cells.push_back(cellOf(slot));
 		}
 		std::ranges::sort(cells);
@@ -348,15 +347,15 @@ private:
 			const std::size_t own = std::ranges::lower_bound(cells, cellOf(slot)) - cells.begin();
 			for (std::size_t step = 1; step <= reach; ++step)
 			{
-				adjacency_.link(slot, cells[(own + step) % cells.size()]);
+				addNeighbour(faces_.across(slot), cells[(own + step) % cells.size()], several_);
 				if (cells.size() > kMostLinked)
-					adjacency_.link(slot, cells[(own + cells.size() - step) % cells.size()]);
+					addNeighbour(faces_.across(slot), cells[(own + cells.size() - step) % cells.size()], several_);
 			}
 		}
 	}
 
 	const FaceSlots& faces_;
-	Adjacency adjacency_;
+	std::vector<std::vector<CellId>> several_;
 	std::vector<std::atomic<std::uint32_t>> heads_; // per point: the first slot of its chain
 	std::vector<CellId> polyhedron_owner_;          // per face of a polyhedron: its cell
 	tbb::enumerable_thread_specific<Workspace> workspaces_;
@@ -364,9 +363,8 @@ private:
 
 } // namespace
 
-void Adjacency::link(std::size_t slot, CellId other)
+void addNeighbour(std::uint32_t& across, CellId other, std::vector<std::vector<CellId>>& several)
 {
-	std::uint32_t& across = neighbours[slot];
 	if (across == kNoCell)
 		across = other;
 	else if (across >= kMaxBlockIds)
@@ -383,7 +381,7 @@ void Adjacency::link(std::size_t slot, CellId other)
 	}
 }
 
-Adjacency matchFaces(const FaceSlots& faces)
+std::vector<std::vector<CellId>> matchFaces(const FaceSlots& faces)
 {
 	return FaceMatcher(faces).match();
 }

@@ -78,7 +78,7 @@ Box finiteBounds(const Points& points)
 }
 
 template <class Number>
-Points gathered(const Points& points, const std::vector<std::uint32_t>& order)
+Points gathered(const Points& points, const RawVector<std::uint32_t>& order)
 {
 	const std::shared_ptr<Number[]> xyz(new Number[3 * order.size()]);
 	forRanges(order.size(),
@@ -162,6 +162,8 @@ private:
 		}
 		if (kept > kMaxBlockIds || points_.size() > kMaxBlockIds)
 			throw std::length_error("a block holds at most 3221225472 cells or points");
+		if (count > 0xFFFFFFFFu)
+			throw std::length_error("a block lists at most 4294967295 cells");
 		if (kept < count)
 		{
 			kept_.reserve(kept);
@@ -193,7 +195,7 @@ private:
 		          });
 		sortByKey(items, count);
 		grid_.source_cells_.resize(count);
-		forRanges(count, [&](std::size_t c) { grid_.source_cells_[c] = keptCell(items[c].id); });
+		forRanges(count, [&](std::size_t c) { grid_.source_cells_[c] = static_cast<std::uint32_t>(keptCell(items[c].id)); });
 	}
 
 	// Along the same curve as the cells; points of no cell at the end.
@@ -285,13 +287,14 @@ private:
 	void writeRecords()
 	{
 		const std::size_t width = grid_.width_;
-		grid_.records_.resize(grid_.cell_count_ * width);
+		const std::size_t stride = grid_.recordStride();
+		grid_.records_.resize(grid_.cell_count_ * stride);
 		forRanges(grid_.cell_count_,
 		          [&](std::size_t c)
 		          {
 			          const std::size_t source = grid_.source_cells_[c];
 			          const CellShape shape = shapeOf(cells_.types[source]);
-			          std::uint32_t* record = &grid_.records_[c * width];
+			          std::uint32_t* record = &grid_.records_[c * stride];
 			          if (shape == CellShape::polyhedron)
 				          return;
 			          const std::int64_t* ids = cells_.connectivity.data() + cells_.offsets[source];
@@ -307,7 +310,7 @@ private:
 		          });
 		for (std::size_t n = 0; n < polyhedra_.size(); ++n)
 		{
-			std::uint32_t* record = &grid_.records_[std::size_t(polyhedra_[n]) * 8];
+			std::uint32_t* record = &grid_.records_[std::size_t(polyhedra_[n]) * stride];
 			record[0] = static_cast<std::uint32_t>(n);
 			record[7] = UnstructuredGrid::kShapeMark + static_cast<std::uint32_t>(CellShape::polyhedron);
 		}
@@ -327,15 +330,15 @@ private:
 		faces.polyhedron_faces = grid_.polyhedron_faces_;
 		faces.face_points_start = grid_.face_points_start_;
 		faces.face_points = grid_.face_points_;
-		grid_.polyhedron_neighbours_ = faces.tableSlots();
-		Adjacency adjacency = matchFaces(faces);
-		if (!links.empty())
-			linkFaces(links, adjacency);
-		grid_.neighbours_ = std::move(adjacency.neighbours);
-		grid_.several_ = std::move(adjacency.several);
+		grid_.polyhedron_neighbours_.resize(faces.count() - faces.tableSlots());
+		faces.polyhedron_neighbours = grid_.polyhedron_neighbours_;
+		grid_.several_ = matchFaces(faces);
+		grid_.has_links_ = !links.empty();
+		if (grid_.has_links_)
+			linkFaces(links, faces);
 	}
 
-	void linkFaces(const std::vector<FaceLink>& links, Adjacency& adjacency) const
+	void linkFaces(const std::vector<FaceLink>& links, const FaceSlots& faces)
 	{
 		std::vector<CellId> stored(cells_.types.size(), kNoCell);
 		forRanges(grid_.cell_count_, [&](std::size_t c) { stored[grid_.source_cells_[c]] = static_cast<CellId>(c); });
@@ -345,9 +348,16 @@ private:
 			const CellId b = stored[link.cell_b];
 			if (a == kNoCell || b == kNoCell || a == b)
 				continue;
-			adjacency.link(grid_.neighbourSlot(a) + link.face_a, b);
-			adjacency.link(grid_.neighbourSlot(b) + link.face_b, a);
+			addNeighbour(faces.across(slotOf(a, link.face_a, faces)), b, grid_.several_);
+			addNeighbour(faces.across(slotOf(b, link.face_b, faces)), a, grid_.several_);
 		}
+	}
+
+	std::size_t slotOf(CellId cell, int face, const FaceSlots& faces) const
+	{
+		if (grid_.isPolyhedron(cell))
+			return faces.tableSlots() + grid_.polyhedron_faces_[grid_.record(cell)[0]] + face;
+		return std::size_t(cell) * faces.face_width + face;
 	}
 
 	// Up to here source_cells_ gives places in the list; from here on the file's cells.
@@ -359,11 +369,11 @@ private:
 			return;
 		forRanges(grid_.cell_count_,
 		          [&](std::size_t c) {
-			          grid_.source_cells_[c] = static_cast<std::uint64_t>(cells_.source_cells[grid_.source_cells_[c]]);
+			          grid_.source_cells_[c] = static_cast<std::uint32_t>(cells_.source_cells[grid_.source_cells_[c]]);
 		          });
 		std::vector<bool> seen;
 		grid_.source_cell_count_ = 0;
-		for (const std::uint64_t source : grid_.source_cells_)
+		for (const std::uint32_t source : grid_.source_cells_)
 		{
 			if (source >= seen.size())
 				seen.resize(source + 1);
@@ -376,7 +386,7 @@ private:
 	const CellList& cells_;
 	UnstructuredGrid grid_;
 	std::vector<std::uint64_t> kept_; // source numbers of the cells, empty where all are
-	std::vector<std::uint32_t> rank_; // of a source point in the grid
+	RawVector<std::uint32_t> rank_; // of a source point in the grid
 	std::vector<CellId> polyhedra_;
 };
 

@@ -44,7 +44,8 @@ void Slicer::flood(const SliceRequest& request, Slice& slice, std::span<std::opt
 				continue;
 			if (const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&blocks_.blocks[b].grid))
 				flooded[s * blocks_.blocks.size() + b] = traverse::floodCells(
-				    *unstructured, sheet.sheet.plane(), sheet.seeds.cells[b], *marks_[b]->borrow());
+				    *unstructured, sheet.sheet.plane(), blocks_.blocks[b].bounds, sheet.seeds.cells[b],
+				    *marks_[b]->borrow());
 			else
 				sheet.spans[b] = spansOf(sheet, b);
 		}

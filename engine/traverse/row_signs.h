@@ -3,12 +3,7 @@
 #include "base/ids.h"
 #include "grid/points.h"
 #include "surface/plane.h"
-
-#include <cmath>
-
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
+#include "traverse/sign_filter.h"
 
 namespace vp::traverse
 {
@@ -38,28 +33,17 @@ private:
 	const grid::Points& points_;
 	const surface::Plane& plane_;
 	const Number* xyz_;
-	float normal_[3];
-	float offset_;
-	float doubt_; // a distance in float is wrong by less than this
+	SignFilter filter_;
 };
 
-// The distance in float, as x n_x + y n_y + z n_z - o n, is off by at most six roundings of the sum of its terms'
-// magnitudes: two a product (the normal's and its own), three of the sums, one of o n.
 template <class Number>
 RowSigns<Number>::RowSigns(const grid::Points& points, const surface::Plane& plane, const Box& bounds)
-    : points_(points), plane_(plane), offset_(static_cast<float>(glm::dot(plane.normal(), plane.origin())))
+    : points_(points), plane_(plane), filter_(plane, bounds)
 {
 	if constexpr (std::is_same_v<Number, float>)
 		xyz_ = points.floats();
 	else
 		xyz_ = points.doubles();
-	for (int axis = 0; axis < 3; ++axis)
-		normal_[axis] = static_cast<float>(plane.normal()[axis]);
-	const Vec3 reach = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
-	constexpr double kRounding = 0x1p-24;
-	constexpr double kUnderflow = 0x1p-100; // float has fewer digits there
-	doubt_ = static_cast<float>(kUnderflow +
-	                            8.0 * kRounding * glm::dot(glm::abs(plane.normal()), reach + glm::abs(plane.origin())));
 }
 
 #ifdef __SSE2__
@@ -75,15 +59,8 @@ inline unsigned RowSigns<float>::four(PointId p) const
 	const __m128 x = _mm_shuffle_ps(a, x2y2x3y3, _MM_SHUFFLE(2, 0, 3, 0));
 	const __m128 y = _mm_shuffle_ps(y0z0y1z1, x2y2x3y3, _MM_SHUFFLE(3, 1, 2, 0));
 	const __m128 z = _mm_shuffle_ps(y0z0y1z1, c, _MM_SHUFFLE(3, 0, 3, 1));
-	const __m128 sum =
-	    _mm_add_ps(_mm_add_ps(_mm_mul_ps(x, _mm_set1_ps(normal_[0])), _mm_mul_ps(y, _mm_set1_ps(normal_[1]))),
-	               _mm_mul_ps(z, _mm_set1_ps(normal_[2])));
-	const __m128 distance = _mm_sub_ps(sum, _mm_set1_ps(offset_));
-	const __m128 magnitude = _mm_andnot_ps(_mm_set1_ps(-0.0f), distance);
-	// Where the distance is not a number, it is in doubt too.
-	if (_mm_movemask_ps(_mm_cmpngt_ps(magnitude, _mm_set1_ps(doubt_))) != 0)
-		return few(p, 4);
-	return static_cast<unsigned>(_mm_movemask_ps(_mm_cmpge_ps(distance, _mm_setzero_ps())));
+	const unsigned bits = filter_.four(x, y, z);
+	return bits == SignFilter::kInDoubt ? few(p, 4) : bits;
 }
 #endif
 

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "slice/mesh_part.h"
+#include "slice/tidy_polygons.h"
+
+namespace vp::slice
+{
+
+// Writes a part to its place in a mesh.
+template <class Reader>
+class PartWriter
+{
+public:
+	PartWriter(const Reader& reader, std::uint32_t block, const surface::Plane& plane, const Vec3& normal,
+	           const MeshPart& part, SheetMesh& mesh)
+	    : reader_(reader), block_(block), plane_(plane), normal_(normal), part_(part), mesh_(mesh),
+	      positions_(part.edges.size()), numbers_(part.edges.size())
+	{
+	}
+
+	MeshDoubts write()
+	{
+		auto foreign = part_.foreign.begin();
+		std::uint32_t next = part_.first_vertex;
+		for (std::uint32_t v = 0; v < positions_.size(); ++v)
+		{
+			fetchAhead(v);
+			const EdgePoint at = place(v);
+			if (foreign != part_.foreign.end() && foreign->first == v)
+			{
+				numbers_[v] = foreign++->second;
+				continue;
+			}
+			mesh_.edges[next] = at;
+			mesh_.positions[next] = positions_[v];
+			numbers_[v] = next++;
+		}
+		writePolygons();
+		return doubts_;
+	}
+
+private:
+	static PointId lower(std::uint64_t edge) { return static_cast<PointId>(edge >> 32); }
+	static PointId higher(std::uint64_t edge) { return static_cast<PointId>(edge); }
+
+	void fetchAhead(std::size_t v) const
+	{
+		constexpr std::size_t kAhead = 12; // vertices
+		if constexpr (requires { reader_.xyz(0); })
+			if (v + kAhead < part_.edges.size())
+			{
+				__builtin_prefetch(reader_.xyz(lower(part_.edges[v + kAhead])));
+				__builtin_prefetch(reader_.xyz(higher(part_.edges[v + kAhead])));
+			}
+	}
+
+	// Also of a vertex that another part writes: its polygons here are to be looked at.
+	EdgePoint place(std::uint32_t v)
+	{
+		const std::uint64_t edge = part_.edges[v];
+		const Vec3 a = reader_.point(lower(edge));
+		const Vec3 b = reader_.point(higher(edge));
+		const double da = plane_.signedDistance(a);
+		const double t = da / (da - plane_.signedDistance(b)); // the signs differ
+		positions_[v] = t == 1.0 ? b : a + t * (b - a);
+		doubts_.at_points = doubts_.at_points || t == 0.0 || t == 1.0;
+		return {block_, lower(edge), higher(edge), t};
+	}
+
+	void writePolygons()
+	{
+		RawVector<std::uint32_t> turned;
+		std::uint32_t begin = 0;
+		std::uint32_t* corner = mesh_.polygon_vertices.data() + part_.first_corner;
+		for (std::size_t i = 0; i < part_.cells.size(); ++i)
+		{
+			const std::uint32_t end = part_.ends[i];
+			turned.assign(part_.corners.begin() + begin, part_.corners.begin() + end);
+			if (!turnPolygon(positions_.data(), normal_, turned))
+				doubts_.slivers = true;
+			for (const std::uint32_t v : turned)
+				*corner++ = numbers_[v];
+			mesh_.polygon_starts[part_.first_polygon + i + 1] = part_.first_corner + end;
+			mesh_.polygon_cells[part_.first_polygon + i] = {block_, part_.cells[i]};
+			begin = end;
+		}
+	}
+
+	const Reader& reader_;
+	std::uint32_t block_;
+	const surface::Plane& plane_;
+	const Vec3& normal_;
+	const MeshPart& part_;
+	SheetMesh& mesh_;
+	RawVector<Vec3> positions_;        // per vertex of the part
+	RawVector<std::uint32_t> numbers_; // the same, in the mesh
+	MeshDoubts doubts_;
+};
+
+} // namespace vp::slice
