@@ -55,6 +55,7 @@ Case caseOf(const ShapeTopology& shape, const CellCut& cut)
 		                 static_cast<std::uint8_t>(cut.edges[i].negative)};
 		entry.face_after[i] = faceThrough(shape, cut.edges[i], cut.edges[(i + 1) % cut.edges.size()]);
 	}
+	std::fill(entry.face_after.begin() + entry.edges, entry.face_after.end(), entry.face_after[0]);
 	return entry;
 }
 

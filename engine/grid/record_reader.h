@@ -13,6 +13,8 @@ template <int kWidth, class Number>
 class RecordReader
 {
 public:
+	static constexpr bool kTetrahedra = kWidth == 4; // alone
+
 	explicit RecordReader(const UnstructuredGrid& grid) : records_(grid.records().data()), xyz_(numbersOf(grid)) {}
 
 	// The ids of a cell's points and, behind kWidth of them, what is across its faces.

@@ -14,7 +14,7 @@ namespace
 {
 
 // Some 3000 vertices, whose table and places stay in a second-level cache. One edge in six is shared with another part.
-constexpr std::size_t kPartCells = 3072;
+constexpr std::size_t kPartCells = 2048;
 
 // A vertex that several parts know is numbered by the first of them. Returns how many vertices there are then.
 std::uint32_t settleShared(std::vector<MeshPart>& parts, std::uint32_t next)

@@ -3,99 +3,69 @@
 #include "base/ids.h"
 #include "base/raw_vector.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vp::slice
 {
 
-// Numbers the edges of a small part of a mesh in the order in which they are first met. Open addressing over four-byte
-// numbers, at most half full, with the edges beside in their order: so little memory that it stays in a core's cache.
-class EdgeNumbers
+// An edge by its points, whichever comes first. Which is the lower one cannot be foreseen, so there is no branch.
+inline std::uint64_t edgeKey(PointId a, PointId b)
 {
-public:
-	explicit EdgeNumbers(std::size_t expected) { resize(std::bit_ceil(2 * expected + 64)); }
+	const PointId exchange = (a ^ b) & (0u - static_cast<PointId>(b < a));
+	return std::uint64_t(a ^ exchange) << 32 | (b ^ exchange);
+}
+inline PointId lowerOf(std::uint64_t edge)
+{
+	return static_cast<PointId>(edge >> 32);
+}
+inline PointId higherOf(std::uint64_t edge)
+{
+	return static_cast<PointId>(edge);
+}
 
-	static std::uint64_t keyOf(PointId lower, PointId higher) { return std::uint64_t(lower) << 32 | higher; }
-
-	// Room for so many new edges.
-	void makeRoom(std::size_t more)
-	{
-		while (count_ + more > edges_.size())
-			grow();
-	}
-
-	// Looks edges up, as long as there is room for new ones, and keeps what it needs in registers; the count goes back
-	// when it ends.
-	class Search
-	{
-	public:
-		explicit Search(EdgeNumbers& of)
-		    : of_(of), slots_(of.slots_.data()), edges_(of.edges_.data()), mask_(of.slots_.size() - 1),
-		      shift_(of.shift_), count_(of.count_)
-		{
-		}
-		Search(const Search&) = delete;
-		~Search() { of_.count_ = count_; }
-
-		std::uint32_t find(std::uint64_t edge)
-		{
-			std::size_t slot = (edge * kGolden) >> shift_;
-			for (std::uint32_t number = slots_[slot]; number != kEmpty; number = slots_[slot])
-			{
-				if (edges_[number] == edge)
-					return number;
-				slot = (slot + 1) & mask_;
-			}
-			slots_[slot] = count_;
-			edges_[count_] = edge;
-			return count_++;
-		}
-
-	private:
-		EdgeNumbers& of_;
-		std::uint32_t* slots_;
-		std::uint64_t* edges_;
-		std::size_t mask_;
-		int shift_;
-		std::uint32_t count_;
-	};
-
-	std::size_t size() const { return count_; }
-	RawVector<std::uint64_t> takeEdges()
-	{
-		edges_.resize(count_);
-		return std::move(edges_);
-	}
-
-private:
-	static constexpr std::uint32_t kEmpty = 0xFFFFFFFFu;
-	static constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15ull; // of 2^64: Fibonacci hashing, upper bits taken
-
-	void resize(std::size_t slots)
-	{
-		slots_.assign(slots, kEmpty);
-		edges_.resize(slots / 2);
-		shift_ = 64 - std::countr_zero(slots);
-	}
-	void grow()
-	{
-		resize(2 * slots_.size());
-		for (std::uint32_t number = 0; number < count_; ++number)
-		{
-			std::size_t slot = (edges_[number] * kGolden) >> shift_;
-			while (slots_[slot] != kEmpty)
-				slot = (slot + 1) & (slots_.size() - 1);
-			slots_[slot] = number;
-		}
-	}
-
-	std::vector<std::uint32_t> slots_;
-	RawVector<std::uint64_t> edges_;
-	std::uint32_t count_ = 0;
-	int shift_ = 0;
+struct NumberedEdges
+{
+	RawVector<std::uint64_t> edges;     // each once, in the order in which they are first met
+	RawVector<std::uint32_t> numbers;   // of those that were asked for: places in `edges`
 };
+
+// Numbers edges of a small part of a mesh. Open addressing over four-byte numbers, with the edges beside in their order:
+// so little memory that it stays in a core's cache, with so much room that there is hardly a second place to look at,
+// and no branch that depends on whether an edge is new.
+inline NumberedEdges numberEdges(std::span<const std::uint64_t> asked)
+{
+	constexpr std::uint32_t kEmpty = 0xFFFFFFFFu;
+	constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15ull; // of 2^64: Fibonacci hashing, upper bits taken
+	std::vector<std::uint32_t> slots(std::bit_ceil(2 * asked.size() + 64), kEmpty);
+	const int shift = 64 - std::countr_zero(slots.size());
+	NumberedEdges found;
+	found.edges.resize(asked.size() + 1);
+	found.numbers.resize(asked.size());
+	std::uint32_t* slot = slots.data();
+	std::uint64_t* edges = found.edges.data();
+	std::uint32_t count = 0;
+	for (std::size_t i = 0; i < asked.size(); ++i)
+	{
+		const std::uint64_t edge = asked[i];
+		std::size_t at = (edge * kGolden) >> shift;
+		edges[count] = edge; // to stay, should it be new
+		std::uint32_t number = std::min(slot[at], count);
+		while (edges[number] != edge)
+		{
+			at = (at + 1) & (slots.size() - 1);
+			number = std::min(slot[at], count);
+		}
+		slot[at] = number;
+		found.numbers[i] = number;
+		count += number == count;
+	}
+	found.edges.resize(count);
+	return found;
+}
 
 } // namespace vp::slice

@@ -19,7 +19,7 @@ struct MeshPart
 	RawVector<std::uint32_t> corners;  // of all polygons: vertices of the part
 	RawVector<std::uint32_t> ends;     // per polygon: one past its last corner
 	RawVector<CellId> cells;           // per polygon
-	std::vector<std::uint32_t> shared; // the vertices that other parts may have too, ascending
+	RawVector<std::uint32_t> shared;   // the vertices that other parts may have too, ascending
 	std::size_t twisted = 0;
 
 	// Once the parts know of each other: where they go in the mesh.
@@ -36,6 +36,8 @@ template <grid::Grid G>
 class CellReader
 {
 public:
+	static constexpr bool kTetrahedra = false; // alone
+
 	explicit CellReader(const G& grid) : grid_(grid) {}
 
 	std::array<PointId, grid::kMaxShapePoints> record(CellId c) const { return grid_.cellPoints(c).id; }
@@ -57,15 +59,12 @@ public:
 	MeshPartMaker(const G& grid, const Reader& reader, const surface::Plane& plane, const traverse::LaneCut& cut,
 	              std::size_t begin, std::size_t end)
 	    : reader_(reader), cut_(cut), begin_(begin), end_(end), first_cell_(cut.cells[begin]),
-	      cell_span_(cut.closed ? cut.cells[end - 1] - first_cell_ + 1 : 0), polygons_(grid, plane),
-	      numbers_(end - begin)
+	      cell_span_(cut.closed ? cut.cells[end - 1] - first_cell_ + 1 : 0), polygons_(grid, plane)
 	{
 	}
 
 	MeshPart make()
 	{
-		part_.ends.reserve(end_ - begin_);
-		part_.cells.reserve(end_ - begin_);
 		for (std::size_t i = begin_; i < end_; ++i)
 		{
 			if constexpr (kReadsRecords)
@@ -78,11 +77,12 @@ public:
 			else
 				addByWalk(cut_.cells[i], cut_.words[i]);
 		}
-		part_.corners.resize(corners_);
-		part_.edges = numbers_.takeEdges();
-		for (std::uint32_t v = 0; v < part_.edges.size(); ++v)
-			if (is_shared_[v])
-				part_.shared.push_back(v);
+		part_.ends.resize(polygon_count_);
+		part_.cells.resize(polygon_count_);
+		NumberedEdges numbered = numberEdges({edges_.data(), corner_count_});
+		part_.edges = std::move(numbered.edges);
+		part_.corners = std::move(numbered.numbers);
+		listShared();
 		return std::move(part_);
 	}
 
@@ -90,34 +90,42 @@ private:
 	static constexpr bool kReadsRecords = !std::is_same_v<Reader, CellReader<G>>;
 	static constexpr std::size_t kAhead = 16; // cells
 
-	// For the corners of one polygon, whose edges may all be new.
+	// Room for a polygon.
 	void makeRoom(std::size_t corners)
 	{
-		numbers_.makeRoom(corners);
-		if (const std::size_t room = numbers_.size() + corners; room > is_shared_.size())
-			is_shared_.resize(room + room / 2 + (end_ - begin_));
-		if (const std::size_t room = corners_ + corners; room > part_.corners.size())
-			part_.corners.resize(room + room / 2 + 4 * (end_ - begin_));
+		const std::size_t cells = end_ - begin_;
+		if (const std::size_t room = corner_count_ + corners; room > edges_.size())
+			edges_.resize(room + room / 2 + 4 * cells);
+		if (polygon_count_ == part_.ends.size())
+		{
+			part_.ends.resize(2 * polygon_count_ + cells);
+			part_.cells.resize(part_.ends.size());
+		}
 	}
 
+	// All the places of the longest polygon are written, whatever its length: that cannot be foreseen either.
 	void addByTable(CellId cell, const cases::Case& entry)
 	{
-		makeRoom(cases::kMaxPolygon);
+		makeRoom(kMostCorners);
 		const auto record = reader_.record(cell);
-		std::uint32_t* corners = &part_.corners[corners_];
-		{
-			EdgeNumbers::Search search(numbers_);
+		std::uint64_t* edges = &edges_[corner_count_];
+		for (int e = 0; e < kMostCorners; ++e)
+			edges[e] = edgeKey(record[entry.edge[e][0]], record[entry.edge[e][1]]);
+		if (leadsOut(record, entry))
 			for (int e = 0; e < entry.edges; ++e)
-				corners[e] = find(search, record[entry.edge[e][0]], record[entry.edge[e][1]]);
-		}
-		if constexpr (kReadsRecords)
-			for (int e = 0; e < entry.edges; ++e)
-				if (reader_.across(record)[entry.face_after[e]] - first_cell_ >= cell_span_)
-				{
-					is_shared_[corners[e]] = true;
-					is_shared_[corners[e + 1 < entry.edges ? e + 1 : 0]] = true;
-				}
+				shared_corners_.push_back(static_cast<std::uint32_t>(corner_count_) + e);
 		endPolygon(cell, entry.edges);
+	}
+
+	// Whether a polygon goes on to a cell that is not of this part.
+	template <class Record>
+	bool leadsOut(const Record& record, const cases::Case& entry) const
+	{
+		bool out = !kReadsRecords;
+		if constexpr (kReadsRecords)
+			for (int e = 0; e < kMostCorners; ++e)
+				out |= reader_.across(record)[entry.face_after[e]] - first_cell_ >= cell_span_;
+		return out;
 	}
 
 	void addByWalk(CellId cell, std::uint32_t word)
@@ -125,29 +133,41 @@ private:
 		const auto add = [&](std::span<const typename CellPolygons<G>::Edge> edges)
 		{
 			makeRoom(edges.size());
-			EdgeNumbers::Search search(numbers_);
-			std::uint32_t* corner = &part_.corners[corners_];
-			for (const auto& [positive, negative] : edges)
+			for (std::size_t e = 0; e < edges.size(); ++e)
 			{
-				*corner = find(search, positive, negative);
-				is_shared_[*corner++] = true;
+				edges_[corner_count_ + e] = edgeKey(edges[e].first, edges[e].second);
+				shared_corners_.push_back(static_cast<std::uint32_t>(corner_count_ + e));
 			}
 			endPolygon(cell, edges.size());
 		};
 		part_.twisted += polygons_.visit(cell, word, add);
 	}
 
-	static std::uint32_t find(EdgeNumbers::Search& search, PointId a, PointId b)
-	{
-		return search.find(EdgeNumbers::keyOf(std::min(a, b), std::max(a, b)));
-	}
-
 	void endPolygon(CellId cell, std::size_t corners)
 	{
-		corners_ += static_cast<std::uint32_t>(corners);
-		part_.ends.push_back(corners_);
-		part_.cells.push_back(cell);
+		corner_count_ += corners;
+		part_.ends[polygon_count_] = static_cast<std::uint32_t>(corner_count_);
+		part_.cells[polygon_count_++] = cell;
 	}
+
+	// All vertices of a polygon that leads out: one or two more than there need be.
+	void listShared()
+	{
+		std::vector<std::uint8_t> is_shared(part_.edges.size());
+		for (const std::uint32_t corner : shared_corners_)
+			is_shared[part_.corners[corner]] = 1;
+		part_.shared.resize(shared_corners_.size());
+		std::size_t count = 0;
+		for (std::uint32_t v = 0; v < is_shared.size() && count < part_.shared.size(); ++v)
+		{
+			part_.shared[count] = v; // to stay, where it is
+			count += is_shared[v];
+		}
+		part_.shared.resize(count);
+	}
+
+	// Of a shape's polygon.
+	static constexpr int kMostCorners = Reader::kTetrahedra ? 4 : cases::kMaxPolygon;
 
 	const Reader& reader_;
 	const traverse::LaneCut& cut_;
@@ -156,9 +176,10 @@ private:
 	CellId first_cell_;
 	CellId cell_span_; // cells from first_cell_ on that are of this part, where they are cut
 	CellPolygons<G> polygons_;
-	EdgeNumbers numbers_;
-	std::vector<std::uint8_t> is_shared_; // per vertex
-	std::uint32_t corners_ = 0;
+	RawVector<std::uint64_t> edges_; // per corner
+	std::vector<std::uint32_t> shared_corners_;
+	std::size_t corner_count_ = 0;
+	std::size_t polygon_count_ = 0;
 	MeshPart part_;
 };
 

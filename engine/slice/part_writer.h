@@ -13,7 +13,7 @@ class PartWriter
 public:
 	PartWriter(const Reader& reader, std::uint32_t block, const surface::Plane& plane, const Vec3& normal,
 	           const MeshPart& part, SheetMesh& mesh)
-	    : reader_(reader), block_(block), plane_(plane), normal_(normal), part_(part), mesh_(mesh),
+	    : reader_(reader), block_(block), plane_(plane), facing_(normal), part_(part), mesh_(mesh),
 	      positions_(part.edges.size()), numbers_(part.edges.size())
 	{
 	}
@@ -40,17 +40,14 @@ public:
 	}
 
 private:
-	static PointId lower(std::uint64_t edge) { return static_cast<PointId>(edge >> 32); }
-	static PointId higher(std::uint64_t edge) { return static_cast<PointId>(edge); }
-
 	void fetchAhead(std::size_t v) const
 	{
 		constexpr std::size_t kAhead = 12; // vertices
 		if constexpr (requires { reader_.xyz(0); })
 			if (v + kAhead < part_.edges.size())
 			{
-				__builtin_prefetch(reader_.xyz(lower(part_.edges[v + kAhead])));
-				__builtin_prefetch(reader_.xyz(higher(part_.edges[v + kAhead])));
+				__builtin_prefetch(reader_.xyz(lowerOf(part_.edges[v + kAhead])));
+				__builtin_prefetch(reader_.xyz(higherOf(part_.edges[v + kAhead])));
 			}
 	}
 
@@ -58,38 +55,41 @@ private:
 	EdgePoint place(std::uint32_t v)
 	{
 		const std::uint64_t edge = part_.edges[v];
-		const Vec3 a = reader_.point(lower(edge));
-		const Vec3 b = reader_.point(higher(edge));
+		const Vec3 a = reader_.point(lowerOf(edge));
+		const Vec3 b = reader_.point(higherOf(edge));
 		const double da = plane_.signedDistance(a);
 		const double t = da / (da - plane_.signedDistance(b)); // the signs differ
 		positions_[v] = t == 1.0 ? b : a + t * (b - a);
 		doubts_.at_points = doubts_.at_points || t == 0.0 || t == 1.0;
-		return {block_, lower(edge), higher(edge), t};
+		return {block_, lowerOf(edge), higherOf(edge), t};
 	}
 
 	void writePolygons()
 	{
-		RawVector<std::uint32_t> turned;
+		const Facing facing = facing_;
+		const Vec3* positions = positions_.data();
+		bool slivers = false;
 		std::uint32_t begin = 0;
-		std::uint32_t* corner = mesh_.polygon_vertices.data() + part_.first_corner;
+		std::uint32_t* corners = mesh_.polygon_vertices.data() + part_.first_corner;
 		for (std::size_t i = 0; i < part_.cells.size(); ++i)
 		{
 			const std::uint32_t end = part_.ends[i];
-			turned.assign(part_.corners.begin() + begin, part_.corners.begin() + end);
-			if (!turnPolygon(positions_.data(), normal_, turned))
-				doubts_.slivers = true;
-			for (const std::uint32_t v : turned)
-				*corner++ = numbers_[v];
+			for (std::uint32_t c = begin; c < end; ++c)
+				corners[c] = part_.corners[c];
+			slivers = !facing.turn(positions, {corners + begin, end - begin}) || slivers;
 			mesh_.polygon_starts[part_.first_polygon + i + 1] = part_.first_corner + end;
 			mesh_.polygon_cells[part_.first_polygon + i] = {block_, part_.cells[i]};
 			begin = end;
 		}
+		for (std::uint32_t c = 0; c < begin; ++c)
+			corners[c] = numbers_[corners[c]];
+		doubts_.slivers = slivers;
 	}
 
 	const Reader& reader_;
 	std::uint32_t block_;
 	const surface::Plane& plane_;
-	const Vec3& normal_;
+	const Facing facing_;
 	const MeshPart& part_;
 	SheetMesh& mesh_;
 	RawVector<Vec3> positions_;        // per vertex of the part

@@ -32,7 +32,7 @@ public:
 
 	CellFlooder(const grid::UnstructuredGrid& grid, const Reader& reader, const surface::Plane& plane,
 	            const RecordSigns<kWidth, Number>& signs, CellMarks& marks)
-	    : grid_(grid), reader_(reader), plane_(plane), signs_(signs), marks_(marks)
+	    : grid_(grid), reader_(reader), plane_(plane), signs_(signs), pen_(marks)
 	{
 		for (int s = 0; s < grid::kTableShapes; ++s)
 			words_of_[s] = caseWords(static_cast<grid::CellShape>(s));
@@ -52,13 +52,15 @@ public:
 		const std::uint32_t word = words_of_[static_cast<std::size_t>(shape)][signs_.of(record, shape)];
 		if (kWidth == 8 && word & shared::kWordWalk)
 			return walk(queue, cell);
+		const CellMarks::Pen pen = pen_;
 		for (std::uint32_t bits = word >> shared::kWordFacesShift & 0xFFu; bits; bits &= bits - 1)
 		{
 			const int face = std::countr_zero(bits);
-			if (const std::uint32_t across = reader_.across(record)[face]; across < kMaxBlockIds)
-				enter(queue, across);
-			else
+			const std::uint32_t across = reader_.across(record)[face];
+			if (across >= kMaxBlockIds)
 				cross(queue, cell, face);
+			else if (pen.mark(across))
+				queue.push_back(across);
 		}
 		found_.push_back({cell, word});
 	}
@@ -68,14 +70,14 @@ public:
 private:
 	static constexpr std::size_t kAhead = 32; // cells, whose record is fetched; their points at half the way
 
-	void enter(std::vector<CellId>& queue, CellId cell)
-	{
-		if (marks_.mark(cell))
-			queue.push_back(cell);
-	}
 	void cross(std::vector<CellId>& queue, CellId cell, int face)
 	{
-		grid_.forEachNeighbour(cell, face, [&](CellId across) { enter(queue, across); });
+		grid_.forEachNeighbour(cell, face,
+		                       [&](CellId across)
+		                       {
+			                       if (pen_.mark(across))
+				                       queue.push_back(across);
+		                       });
 	}
 	// A cell that no table knows.
 	void walk(std::vector<CellId>& queue, CellId cell)
@@ -92,7 +94,7 @@ private:
 	const Reader& reader_;
 	const surface::Plane& plane_;
 	const RecordSigns<kWidth, Number>& signs_;
-	CellMarks& marks_;
+	CellMarks::Pen pen_;
 	std::array<const std::uint32_t*, grid::kTableShapes> words_of_;
 	grid::CellFaces faces_;
 	RawVector<WordOf> found_;
@@ -147,9 +149,10 @@ LaneCut inOrder(const Found& found, CellMarks& marks)
 LaneCut floodCells(const grid::UnstructuredGrid& grid, const surface::Plane& plane, const Box& bounds,
                    std::span<const CellId> seeds, CellMarks& marks)
 {
+	const CellMarks::Pen pen(marks);
 	std::vector<CellId> first;
 	for (const CellId seed : seeds)
-		if (marks.mark(seed))
+		if (pen.mark(seed))
 			first.push_back(seed);
 	const Found found = grid::readRecords(
 	    grid, [&](const auto& reader) { return flood(grid, reader, plane, bounds, first, marks); });

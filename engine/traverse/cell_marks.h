@@ -19,26 +19,37 @@ class CellMarks
 public:
 	explicit CellMarks(std::size_t cells);
 
-	// True where the cell had no mark yet. Thread safe, but not exact among threads: no bus is locked (a locked exchange
-	// takes longer than all else that is done to a cell), so it may be true for several callers, and one may undo the
-	// other's mark of another cell. Cells met are to be kept besides, and given to settle() when all have come to rest.
-	bool mark(CellId cell)
+	// What a thread marks with; to be kept by value.
+	class Pen
 	{
-		const std::uint64_t bit = 1ull << cell % 64;
-		std::atomic<std::uint64_t>& word = words_[cell / 64];
-		const std::uint64_t before = word.load(std::memory_order_relaxed);
-		if (before & bit)
-			return false;
-		word.store(before | bit, std::memory_order_relaxed);
-		if (before == 0)
-		{
-			std::atomic<std::uint64_t>& group = groups_[cell / 4096];
-			group.store(group.load(std::memory_order_relaxed) | 1ull << cell / 64 % 64, std::memory_order_relaxed);
-		}
-		return true;
-	}
+	public:
+		explicit Pen(CellMarks& marks) : words_(marks.words_.get()), groups_(marks.groups_.get()) {}
 
-	// Makes certain that a cell is marked. Thread safe beside itself, not beside mark().
+		// True where the cell had no mark yet. Not exact among threads, since no bus is locked (a locked exchange takes
+		// longer than all else that is done to a cell): it may be true for several callers, and one may undo the other's
+		// mark of another cell. So cells met are to be kept besides, and given to settle() when all have come to rest.
+		bool mark(CellId cell) const
+		{
+			const std::uint64_t bit = 1ull << cell % 64;
+			std::atomic<std::uint64_t>& word = words_[cell / 64];
+			const std::uint64_t before = word.load(std::memory_order_relaxed);
+			if (before & bit)
+				return false;
+			word.store(before | bit, std::memory_order_relaxed);
+			if (before == 0)
+			{
+				std::atomic<std::uint64_t>& group = groups_[cell / 4096];
+				group.store(group.load(std::memory_order_relaxed) | 1ull << cell / 64 % 64, std::memory_order_relaxed);
+			}
+			return true;
+		}
+
+	private:
+		std::atomic<std::uint64_t>* words_;
+		std::atomic<std::uint64_t>* groups_;
+	};
+
+	// Makes certain that a cell is marked. Thread safe beside itself, not beside pens.
 	void settle(CellId cell)
 	{
 		setBit(words_[cell / 64], 1ull << cell % 64);
