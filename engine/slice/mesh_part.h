@@ -112,20 +112,37 @@ private:
 		for (int e = 0; e < kMostCorners; ++e)
 			edges[e] = edgeKey(record[entry.edge[e][0]], record[entry.edge[e][1]]);
 		if (leadsOut(record, entry))
-			for (int e = 0; e < entry.edges; ++e)
-				shared_corners_.push_back(static_cast<std::uint32_t>(corner_count_) + e);
+			listCornersOut(record, entry);
 		endPolygon(cell, entry.edges);
 	}
 
-	// Whether a polygon goes on to a cell that is not of this part.
+	// Whether what is across a face is not of this part.
+	template <class Record>
+	bool leadsOut(const Record& record, std::uint8_t face) const
+	{
+		if constexpr (kReadsRecords)
+			return reader_.across(record)[face] - first_cell_ >= cell_span_;
+		return true;
+	}
 	template <class Record>
 	bool leadsOut(const Record& record, const cases::Case& entry) const
 	{
-		bool out = !kReadsRecords;
-		if constexpr (kReadsRecords)
-			for (int e = 0; e < kMostCorners; ++e)
-				out |= reader_.across(record)[entry.face_after[e]] - first_cell_ >= cell_span_;
+		bool out = false;
+		for (int e = 0; e < kMostCorners; ++e)
+			out |= leadsOut(record, entry.face_after[e]);
 		return out;
+	}
+
+	template <class Record>
+	void listCornersOut(const Record& record, const cases::Case& entry)
+	{
+		const auto first = static_cast<std::uint32_t>(corner_count_);
+		for (std::uint32_t e = 0; e < entry.edges; ++e)
+			if (leadsOut(record, entry.face_after[e]))
+			{
+				shared_corners_.push_back(first + e);
+				shared_corners_.push_back(first + (e + 1 < entry.edges ? e + 1 : 0));
+			}
 	}
 
 	void addByWalk(CellId cell, std::uint32_t word)
@@ -150,7 +167,6 @@ private:
 		part_.cells[polygon_count_++] = cell;
 	}
 
-	// All vertices of a polygon that leads out: one or two more than there need be.
 	void listShared()
 	{
 		std::vector<std::uint8_t> is_shared(part_.edges.size());
