@@ -40,7 +40,10 @@ struct HugeAllocator
 #endif
 		return static_cast<T*>(memory);
 	}
-	void deallocate(T* memory, std::size_t count) noexcept { ::operator delete(memory, alignment(count * sizeof(T))); }
+	void deallocate(T* memory, std::size_t count) noexcept
+	{
+		::operator delete(memory, alignment(count * sizeof(T)));
+	}
 
 	template <class U>
 	void construct(U* at) noexcept

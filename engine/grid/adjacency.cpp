@@ -1,5 +1,7 @@
 #include "grid/adjacency.h"
 
+#include "grid/face_key.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -24,56 +26,6 @@ constexpr std::size_t kMostCompared = 128;
 // before and the one after, which still leads to all.
 constexpr std::size_t kMostLinked = 64;
 
-// The distinct points of a face, ascending; kEnd in what is left of the four places. Faces of more than four
-// are compared apart.
-struct FaceKey
-{
-	std::array<PointId, 4> ids{kEnd, kEnd, kEnd, kEnd};
-
-	PointId lowest() const { return ids[0]; }
-	bool hasArea() const { return ids[2] != kEnd; }
-	bool operator==(const FaceKey& other) const
-	{
-		return ids[1] == other.ids[1] && ids[2] == other.ids[2] && ids[3] == other.ids[3] && ids[0] == other.ids[0];
-	}
-	// The lowest is left out: only faces that share it are compared.
-	std::uint32_t hash() const { return ids[1] * 0x9E3779B1u ^ ids[2] * 0x85EBCA77u ^ ids[3] * 0xC2B2AE3Du; }
-};
-
-void order(PointId& a, PointId& b)
-{
-	const PointId lower = std::min(a, b);
-	b = std::max(a, b);
-	a = lower;
-}
-
-// Of the points `corners` of a table shape, three or four.
-inline FaceKey keyOf(const std::uint32_t* record, const std::array<std::uint8_t, 4>& corners, int size)
-{
-	FaceKey key;
-	auto& ids = key.ids;
-	for (int i = 0; i < 3; ++i)
-		ids[i] = record[corners[i]];
-	if (size == 4)
-	{
-		ids[3] = record[corners[3]];
-		order(ids[0], ids[1]);
-		order(ids[2], ids[3]);
-		order(ids[0], ids[2]);
-		order(ids[1], ids[3]);
-		order(ids[1], ids[2]);
-	}
-	else
-	{
-		order(ids[0], ids[1]);
-		order(ids[1], ids[2]);
-		order(ids[0], ids[1]);
-	}
-	if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[3])
-		std::fill(std::unique(ids.begin(), ids.begin() + size), ids.end(), kEnd);
-	return key;
-}
-
 struct KeyedSlot
 {
 	FaceKey key;
@@ -88,12 +40,56 @@ struct Meeting
 	std::uint32_t second = kEnd;
 };
 
+// The faces about one point, by their other points; at most kMostCompared of them.
+class Meetings
+{
+public:
+	Meetings() { places_.fill(kFree); }
+
+	// Calls crowd(meeting, slot) for every third and further face of a meeting.
+	template <class Crowd>
+	void meet(const FaceKey& key, std::uint32_t slot, Crowd&& crowd)
+	{
+		std::size_t place = key.hash() >> (32 - kPlaceBits);
+		for (; places_[place] != kFree; place = (place + 1) % places_.size())
+		{
+			Meeting& known = meetings_[places_[place]];
+			if (!(known.key == key))
+				continue;
+			if (known.second == kEnd)
+				known.second = slot;
+			else
+				crowd(static_cast<std::uint32_t>(places_[place]), slot);
+			return;
+		}
+		places_[place] = static_cast<std::uint8_t>(count_);
+		taken_[count_] = static_cast<std::uint8_t>(place);
+		meetings_[count_++] = {key, slot};
+	}
+	const Meeting& operator[](std::size_t m) const { return meetings_[m]; }
+	std::span<const Meeting> all() const { return {meetings_.data(), count_}; }
+	void clear()
+	{
+		for (std::size_t m = 0; m < count_; ++m)
+			places_[taken_[m]] = kFree;
+		count_ = 0;
+	}
+
+private:
+	static constexpr int kPlaceBits = 8;
+	static constexpr std::uint8_t kFree = 0xFF;
+
+	std::array<std::uint8_t, 1 << kPlaceBits> places_; // hashed: numbers of meetings
+	std::array<std::uint8_t, kMostCompared> taken_;    // of the meetings: their places
+	std::array<Meeting, kMostCompared> meetings_;
+	std::size_t count_ = 0;
+};
+
 // Scratch of one thread.
 struct Workspace
 {
-	std::vector<KeyedSlot> faces;      // with one lowest point
-	std::vector<std::uint32_t> hashes; // of the meetings, apart so that a search stays in few cache lines
-	std::vector<Meeting> meetings;
+	std::vector<KeyedSlot> faces; // with one lowest point
+	Meetings meetings;
 	std::vector<std::pair<std::uint32_t, std::uint32_t>> crowd; // meeting and slot of every third and further face
 	std::vector<PointId> ids;
 	struct Polygon
@@ -105,10 +101,15 @@ struct Workspace
 	std::vector<std::vector<std::uint32_t>> crowds; // slots of faces that three or more cells share
 };
 
+// kTetrahedra: there is nothing else, which the compiler is to know.
+template <bool kTetrahedra>
 class FaceMatcher
 {
 public:
-	explicit FaceMatcher(const FaceSlots& faces) : faces_(faces) {}
+	explicit FaceMatcher(const FaceSlots& faces)
+	    : faces_(faces), records_(faces.records.data()), table_slots_(faces.tableSlots())
+	{
+	}
 
 	std::vector<std::vector<CellId>> match()
 	{
@@ -129,26 +130,41 @@ public:
 		                  {
 			                  Workspace& work = workspaces_.local();
 			                  for (std::size_t p = range.begin(); p < range.end(); ++p)
+			                  {
+				                  fetchAhead(p);
 				                  matchChain(heads_[p].load(std::memory_order_relaxed), work);
+			                  }
 		                  });
 		settleCrowds();
 		return std::move(several_);
 	}
 
 private:
+	static constexpr std::size_t kWidth = kTetrahedra ? 4 : 8;
+	static constexpr std::size_t kFaceWidth = kTetrahedra ? 4 : 6;
+
+	// FaceSlots' own, for widths that are known.
+	const std::uint32_t* recordOf(std::size_t cell) const { return records_ + cell * (kWidth + kFaceWidth); }
+	std::uint32_t& across(std::size_t slot) const
+	{
+		if (!kTetrahedra && slot >= table_slots_)
+			return faces_.polyhedron_neighbours[slot - table_slots_];
+		return records_[slot + (slot / kFaceWidth + 1) * kWidth];
+	}
+
 	CellShape shape(CellId c) const
 	{
-		if (faces_.record_width == 4)
+		if constexpr (kTetrahedra)
 			return CellShape::tetrahedron;
-		const std::uint32_t last = faces_.record(c)[7];
+		const std::uint32_t last = recordOf(c)[kWidth - 1];
 		return last >= faces_.shape_mark ? static_cast<CellShape>(last - faces_.shape_mark) : CellShape::hexahedron;
 	}
 
 	CellId cellOf(std::uint32_t slot) const
 	{
-		if (slot >= faces_.tableSlots())
+		if (!kTetrahedra && slot >= table_slots_)
 			return polyhedron_owner_[slot - faces_.tableSlots()];
-		return faces_.face_width == 4 ? slot / 4 : slot / 6;
+		return slot / kFaceWidth;
 	}
 
 	std::span<const PointId> polygon(std::size_t face) const
@@ -179,9 +195,9 @@ private:
 
 	void push(std::size_t slot, const FaceKey& key)
 	{
-		faces_.across(slot) =
-		    key.hasArea() ? heads_[key.lowest()].exchange(static_cast<std::uint32_t>(slot), std::memory_order_relaxed)
-		                  : kNoCell;
+		across(slot) = key.hasArea()
+		                   ? heads_[key.lowest()].exchange(static_cast<std::uint32_t>(slot), std::memory_order_relaxed)
+		                   : kNoCell;
 	}
 
 	void chainFaces(std::size_t begin, std::size_t end)
@@ -190,9 +206,9 @@ private:
 		for (std::size_t c = begin; c < end; ++c)
 		{
 			const CellShape cell_shape = shape(static_cast<CellId>(c));
-			const std::uint32_t* record = faces_.record(c);
-			std::size_t slot = c * faces_.face_width;
-			const std::size_t cell_end = slot + faces_.face_width;
+			const std::uint32_t* record = recordOf(c);
+			std::size_t slot = c * kFaceWidth;
+			const std::size_t cell_end = slot + kFaceWidth;
 			if (cell_shape == CellShape::polyhedron)
 				for (std::uint32_t f = faces_.polyhedron_faces[record[0]]; f < faces_.polyhedron_faces[record[0] + 1];
 				     ++f)
@@ -204,8 +220,17 @@ private:
 					push(slot, keyOf(record, table.face[f], table.face_size[f]));
 			}
 			for (; slot < cell_end; ++slot)
-				faces_.across(slot) = kNoCell;
+				across(slot) = kNoCell;
 		}
+	}
+
+	// The first of a chain a few points on: what follows in it is near.
+	void fetchAhead(std::size_t p) const
+	{
+		constexpr std::size_t kAhead = 4;
+		if (p + kAhead < heads_.size())
+			if (const std::uint32_t slot = heads_[p + kAhead].load(std::memory_order_relaxed); slot != kEnd)
+				__builtin_prefetch(&across(slot));
 	}
 
 	// All faces with one lowest point. Nothing else reads or writes their slots.
@@ -213,14 +238,14 @@ private:
 	{
 		work.faces.clear();
 		work.polygons.clear();
-		for (std::uint32_t slot = head; slot != kEnd; slot = faces_.across(slot))
+		for (std::uint32_t slot = head; slot != kEnd; slot = across(slot))
 		{
-			if (slot < faces_.tableSlots())
+			if (kTetrahedra || slot < table_slots_)
 			{
 				const CellId c = cellOf(slot);
 				const ShapeTopology& table = topology(shape(c));
-				const auto f = slot - std::size_t(c) * faces_.face_width;
-				const std::uint32_t* record = faces_.record(c);
+				const auto f = slot - std::size_t(c) * kFaceWidth;
+				const std::uint32_t* record = recordOf(c);
 				work.faces.push_back({keyOf(record, table.face[f], table.face_size[f]), slot});
 				continue;
 			}
@@ -242,46 +267,29 @@ private:
 
 	void compareFaces(Workspace& work)
 	{
-		work.hashes.clear();
-		work.meetings.clear();
 		work.crowd.clear();
 		for (const KeyedSlot& face : work.faces)
-			meet(face.key, face.slot, work);
-		for (const Meeting& meeting : work.meetings)
+			work.meetings.meet(face.key, face.slot,
+			                   [&](std::uint32_t m, std::uint32_t slot) { work.crowd.emplace_back(m, slot); });
+		for (const Meeting& meeting : work.meetings.all())
 			join(meeting.first, meeting.second);
 		if (!work.crowd.empty())
 			gatherCrowds(work);
-	}
-
-	static void meet(const FaceKey& key, std::uint32_t slot, Workspace& work)
-	{
-		const std::uint32_t hash = key.hash();
-		for (std::size_t m = 0; m < work.hashes.size(); ++m)
-		{
-			if (work.hashes[m] != hash || !(work.meetings[m].key == key))
-				continue;
-			if (work.meetings[m].second == kEnd)
-				work.meetings[m].second = slot;
-			else
-				work.crowd.emplace_back(static_cast<std::uint32_t>(m), slot);
-			return;
-		}
-		work.hashes.push_back(hash);
-		work.meetings.push_back({key, slot});
+		work.meetings.clear();
 	}
 
 	void join(std::uint32_t first, std::uint32_t second)
 	{
-		faces_.across(first) = kNoCell;
+		across(first) = kNoCell;
 		if (second == kEnd)
 			return;
-		faces_.across(second) = kNoCell;
+		across(second) = kNoCell;
 		const CellId a = cellOf(first);
 		const CellId b = cellOf(second);
 		if (a == b)
 			return;
-		faces_.across(first) = b;
-		faces_.across(second) = a;
+		across(first) = b;
+		across(second) = a;
 	}
 
 	static void gatherCrowds(Workspace& work)
@@ -336,7 +344,7 @@ private:
 		std::vector<CellId> cells;
 		for (const std::uint32_t slot : slots)
 		{
-			faces_.across(slot) = kNoCell;
+			across(slot) = kNoCell;
 			cells.push_back(cellOf(slot));
 		}
 		std::ranges::sort(cells);
@@ -347,14 +355,16 @@ private:
 			const std::size_t own = std::ranges::lower_bound(cells, cellOf(slot)) - cells.begin();
 			for (std::size_t step = 1; step <= reach; ++step)
 			{
-				addNeighbour(faces_.across(slot), cells[(own + step) % cells.size()], several_);
+				addNeighbour(across(slot), cells[(own + step) % cells.size()], several_);
 				if (cells.size() > kMostLinked)
-					addNeighbour(faces_.across(slot), cells[(own + cells.size() - step) % cells.size()], several_);
+					addNeighbour(across(slot), cells[(own + cells.size() - step) % cells.size()], several_);
 			}
 		}
 	}
 
 	const FaceSlots& faces_;
+	std::uint32_t* records_;
+	std::size_t table_slots_;
 	std::vector<std::vector<CellId>> several_;
 	std::vector<std::atomic<std::uint32_t>> heads_; // per point: the first slot of its chain
 	std::vector<CellId> polyhedron_owner_;          // per face of a polyhedron: its cell
@@ -383,7 +393,7 @@ void addNeighbour(std::uint32_t& across, CellId other, std::vector<std::vector<C
 
 std::vector<std::vector<CellId>> matchFaces(const FaceSlots& faces)
 {
-	return FaceMatcher(faces).match();
+	return faces.record_width == 4 ? FaceMatcher<true>(faces).match() : FaceMatcher<false>(faces).match();
 }
 
 } // namespace vp::grid

@@ -31,8 +31,8 @@ struct BoundaryIndex
 	std::vector<Range> patches;
 	std::vector<Range> groups;
 
-	// Calls visit(faces of a patch) for every patch of the groups [begin, end) for which meets(box) holds. Returns how many
-	// boxes were asked.
+	// Calls visit(faces of a patch) for every patch of the groups [begin, end) for which meets(box) holds. Returns how
+	// many boxes were asked.
 	template <class Meets, class Visit>
 	std::size_t visitWhere(std::size_t begin, std::size_t end, Meets&& meets, Visit&& visit) const
 	{

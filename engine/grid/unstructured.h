@@ -102,6 +102,12 @@ public:
 	}
 	// The cell across a face of a table shape; kMaxBlockIds or more where there is none or several.
 	std::uint32_t soleNeighbour(CellId c, int f) const { return record(c)[width_ + f]; }
+	// Whether every face of a cell of any shape has another cell across.
+	bool hasAllNeighbours(CellId c) const
+	{
+		const std::uint32_t* numbers = across(c);
+		return std::find(numbers, numbers + faceCount(c), kNoCell) == numbers + faceCount(c);
+	}
 	// Whether cells were linked that do not share a face's points.
 	bool hasLinks() const { return has_links_; }
 	std::size_t sourcePoint(PointId p) const { return source_points_[p]; }

@@ -172,6 +172,7 @@ private:
 					kept_.push_back(c);
 		}
 		grid_.cell_count_ = kept;
+		has_polyhedra_ = of_type[kPolyhedron] > 0;
 		if (kept > 0 && kept == of_type[kTetra])
 			grid_.width_ = grid_.face_width_ = 4;
 	}
@@ -180,6 +181,7 @@ private:
 	{
 		const std::size_t count = grid_.cell_count_;
 		std::unique_ptr<KeyedId[]> items(new KeyedId[count]);
+		used_.resize(points_.size());
 		forRanges(count,
 		          [&](std::size_t n)
 		          {
@@ -190,37 +192,30 @@ private:
 			                       {
 				                       sum += points_[p];
 				                       ++points;
+				                       const std::atomic_ref<std::uint8_t> used(used_[p]);
+				                       if (!used.load(std::memory_order_relaxed))
+					                       used.store(1, std::memory_order_relaxed);
 			                       });
 			          items[n] = {curve(sum / static_cast<double>(points)), static_cast<std::uint32_t>(n)};
 		          });
 		sortByKey(items, count);
 		grid_.source_cells_.resize(count);
-		forRanges(count, [&](std::size_t c) { grid_.source_cells_[c] = static_cast<std::uint32_t>(keptCell(items[c].id)); });
+		forRanges(count,
+		          [&](std::size_t c) { grid_.source_cells_[c] = static_cast<std::uint32_t>(keptCell(items[c].id)); });
 	}
 
 	// Along the same curve as the cells; points of no cell at the end.
 	void orderPoints(const MortonCurve& curve)
 	{
 		const std::size_t count = points_.size();
-		std::vector<std::uint8_t> used(count);
-		forRanges(grid_.cell_count_,
-		          [&](std::size_t c)
-		          {
-			          forEachPoint(grid_.source_cells_[c],
-			                       [&](std::int64_t p)
-			                       {
-				                       const std::atomic_ref<std::uint8_t> flag(used[p]);
-				                       if (!flag.load(std::memory_order_relaxed))
-					                       flag.store(1, std::memory_order_relaxed);
-			                       });
-		          });
 		std::unique_ptr<KeyedId[]> items(new KeyedId[count]);
 		forRanges(count,
 		          [&](std::size_t p)
 		          {
-			          const std::uint64_t unused_last = used[p] ? 0 : MortonCurve::kLast + 1;
+			          const std::uint64_t unused_last = used_[p] ? 0 : MortonCurve::kLast + 1;
 			          items[p] = {curve(points_[p]) | unused_last, static_cast<std::uint32_t>(p)};
 		          });
+		used_ = {};
 		sortByKey(items, count);
 		grid_.source_points_.resize(count);
 		rank_.resize(count);
@@ -243,7 +238,7 @@ private:
 		std::size_t faces = 0;
 		std::size_t face_points = 0;
 		std::vector<std::size_t> first_point;
-		for (std::size_t c = 0; c < grid_.cell_count_; ++c)
+		for (std::size_t c = 0; has_polyhedra_ && c < grid_.cell_count_; ++c)
 		{
 			const std::size_t source = grid_.source_cells_[c];
 			if (!isPolyhedron(source))
@@ -286,6 +281,7 @@ private:
 
 	void writeRecords()
 	{
+		constexpr std::size_t kAhead = 32; // cells, which may lie anywhere in the list
 		const std::size_t width = grid_.width_;
 		const std::size_t stride = grid_.recordStride();
 		grid_.records_.resize(grid_.cell_count_ * stride);
@@ -293,6 +289,11 @@ private:
 		          [&](std::size_t c)
 		          {
 			          const std::size_t source = grid_.source_cells_[c];
+			          if (c + kAhead < grid_.cell_count_)
+				          __builtin_prefetch(&cells_.offsets[grid_.source_cells_[c + kAhead]]);
+			          if (c + kAhead / 2 < grid_.cell_count_)
+				          __builtin_prefetch(cells_.connectivity.data() +
+				                             cells_.offsets[grid_.source_cells_[c + kAhead / 2]]);
 			          const CellShape shape = shapeOf(cells_.types[source]);
 			          std::uint32_t* record = &grid_.records_[c * stride];
 			          if (shape == CellShape::polyhedron)
@@ -386,8 +387,10 @@ private:
 	const CellList& cells_;
 	UnstructuredGrid grid_;
 	std::vector<std::uint64_t> kept_; // source numbers of the cells, empty where all are
-	RawVector<std::uint32_t> rank_; // of a source point in the grid
+	std::vector<std::uint8_t> used_;  // per source point: whether a cell has it
+	RawVector<std::uint32_t> rank_;   // of a source point in the grid
 	std::vector<CellId> polyhedra_;
+	bool has_polyhedra_ = false;
 };
 
 UnstructuredGrid UnstructuredGrid::build(const Points& points, const CellList& cells, std::vector<FaceLink> links)

@@ -126,8 +126,8 @@ private:
 };
 
 // Calls visit_cut(CutFace) for every boundary face with vertices on both sides: its cell is cut. Calls visit_flat(Face)
-// for every one that lies in the plane whole. With a window (or null) only those that may reach into it. In the order of
-// the index, one after the other, though they are looked for on all cores. Returns the boxes and faces asked.
+// for every one that lies in the plane whole. With a window (or null) only those that may reach into it. In the order
+// of the index, one after the other, though they are looked for on all cores. Returns the boxes and faces asked.
 template <grid::Grid G, class VisitCut, class VisitFlat>
 std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary, const surface::Plane& plane,
                              const SheetWindow* window, VisitCut&& visit_cut, VisitFlat&& visit_flat)

@@ -87,8 +87,7 @@ MeshDoubts addCells(const grid::Block& block, std::uint32_t number, const surfac
 			    parts[p] = MeshPartMaker(grid, reader, plane, cut, p * kPartCells, end).make();
 		    });
 		placeParts(parts, mesh);
-		forParts([&](std::size_t p)
-		         { doubts[p] = PartWriter(reader, number, plane, normal, parts[p], mesh).write(); });
+		forParts([&](std::size_t p) { doubts[p] = PartWriter(reader, number, plane, normal, parts[p], mesh).write(); });
 	};
 	std::visit([&](const auto& grid) { withReader(grid, [&](const auto& reader) { add(grid, reader); }); }, block.grid);
 	MeshDoubts any;

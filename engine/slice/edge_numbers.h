@@ -30,13 +30,13 @@ inline PointId higherOf(std::uint64_t edge)
 
 struct NumberedEdges
 {
-	RawVector<std::uint64_t> edges;     // each once, in the order in which they are first met
-	RawVector<std::uint32_t> numbers;   // of those that were asked for: places in `edges`
+	RawVector<std::uint64_t> edges;   // each once, in the order in which they are first met
+	RawVector<std::uint32_t> numbers; // of those that were asked for: places in `edges`
 };
 
-// Numbers edges of a small part of a mesh. Open addressing over four-byte numbers, with the edges beside in their order:
-// so little memory that it stays in a core's cache, with so much room that there is hardly a second place to look at,
-// and no branch that depends on whether an edge is new.
+// Numbers edges of a small part of a mesh. Open addressing over four-byte numbers, with the edges beside in their
+// order: so little memory that it stays in a core's cache, with so much room that there is hardly a second place to
+// look at, and no branch that depends on whether an edge is new.
 inline NumberedEdges numberEdges(std::span<const std::uint64_t> asked)
 {
 	constexpr std::uint32_t kEmpty = 0xFFFFFFFFu;

@@ -179,9 +179,9 @@ Result<std::unique_ptr<GpuBlock>> uploadBlock(gpu::Device& device, const grid::B
 	{
 		const std::size_t parts = grid->recordWidth() / 4;
 		const auto part = [&](std::size_t i) { return grid->record(static_cast<CellId>(i / parts)) + 4 * (i % parts); };
-		Result<GpuTexels> texels = makeTexels<Texel>(
-		    device, grid->cellCount() * parts, VK_FORMAT_R32G32B32A32_UINT, block.name + " cells",
-		    [&](std::size_t i, Texel& texel) { std::memcpy(texel.data(), part(i), sizeof(Texel)); });
+		Result<GpuTexels> texels =
+		    makeTexels<Texel>(device, grid->cellCount() * parts, VK_FORMAT_R32G32B32A32_UINT, block.name + " cells",
+		                      [&](std::size_t i, Texel& texel) { std::memcpy(texel.data(), part(i), sizeof(Texel)); });
 		if (!texels)
 			return texels.error();
 		made->cells = std::move(*texels);

@@ -15,11 +15,11 @@ namespace vp::slice
 // they are made.
 struct MeshPart
 {
-	RawVector<std::uint64_t> edges;    // per vertex, in the order in which the cells first meet them
-	RawVector<std::uint32_t> corners;  // of all polygons: vertices of the part
-	RawVector<std::uint32_t> ends;     // per polygon: one past its last corner
-	RawVector<CellId> cells;           // per polygon
-	RawVector<std::uint32_t> shared;   // the vertices that other parts may have too, ascending
+	RawVector<std::uint64_t> edges;   // per vertex, in the order in which the cells first meet them
+	RawVector<std::uint32_t> corners; // of all polygons: vertices of the part
+	RawVector<std::uint32_t> ends;    // per polygon: one past its last corner
+	RawVector<CellId> cells;          // per polygon
+	RawVector<std::uint32_t> shared;  // the vertices that other parts may have too, ascending
 	std::size_t twisted = 0;
 
 	// Once the parts know of each other: where they go in the mesh.

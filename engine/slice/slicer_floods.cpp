@@ -43,9 +43,9 @@ void Slicer::flood(const SliceRequest& request, Slice& slice, std::span<std::opt
 			if (one_piece && (blocks_.interfaces.of(b) || sheet.seeds.cells[b].empty()))
 				continue;
 			if (const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&blocks_.blocks[b].grid))
-				flooded[s * blocks_.blocks.size() + b] = traverse::floodCells(
-				    *unstructured, sheet.sheet.plane(), blocks_.blocks[b].bounds, sheet.seeds.cells[b],
-				    *marks_[b]->borrow());
+				flooded[s * blocks_.blocks.size() + b] =
+				    traverse::floodCells(*unstructured, sheet.sheet.plane(), blocks_.blocks[b].bounds,
+				                         sheet.seeds.cells[b], *marks_[b]->borrow());
 			else
 				sheet.spans[b] = spansOf(sheet, b);
 		}

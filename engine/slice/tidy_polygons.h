@@ -71,7 +71,8 @@ inline bool Facing::turn(const Vec3* positions, std::span<std::uint32_t> polygon
 		square = std::max(square, glm::dot(to_next, to_next));
 		to_previous = to_next;
 	}
-	// Well above what tidyPolygons() takes for no area; seen along the axis areas and distances are within a factor of 2.
+	// Well above what tidyPolygons() takes for no area; seen along the axis areas and distances are within a factor
+	// of 2.
 	constexpr double kThin = 1e-12;
 	if (repeats || std::abs(area) <= kThin * square)
 		return false;

@@ -154,8 +154,8 @@ LaneCut floodCells(const grid::UnstructuredGrid& grid, const surface::Plane& pla
 	for (const CellId seed : seeds)
 		if (pen.mark(seed))
 			first.push_back(seed);
-	const Found found = grid::readRecords(
-	    grid, [&](const auto& reader) { return flood(grid, reader, plane, bounds, first, marks); });
+	const Found found =
+	    grid::readRecords(grid, [&](const auto& reader) { return flood(grid, reader, plane, bounds, first, marks); });
 	LaneCut cut = inOrder(found, marks);
 	cut.closed = !grid.hasLinks();
 	return cut;

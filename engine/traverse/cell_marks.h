@@ -26,8 +26,9 @@ public:
 		explicit Pen(CellMarks& marks) : words_(marks.words_.get()), groups_(marks.groups_.get()) {}
 
 		// True where the cell had no mark yet. Not exact among threads, since no bus is locked (a locked exchange takes
-		// longer than all else that is done to a cell): it may be true for several callers, and one may undo the other's
-		// mark of another cell. So cells met are to be kept besides, and given to settle() when all have come to rest.
+		// longer than all else that is done to a cell): it may be true for several callers, and one may undo the
+		// other's mark of another cell. So cells met are to be kept besides, and given to settle() when all have come
+		// to rest.
 		bool mark(CellId cell) const
 		{
 			const std::uint64_t bit = 1ull << cell % 64;
