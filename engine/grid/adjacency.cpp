@@ -1,6 +1,7 @@
 #include "grid/adjacency.h"
 
-#include "grid/face_key.h"
+#include "grid/face_crowds.h"
+#include "grid/face_meetings.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -15,75 +16,6 @@ namespace vp::grid
 
 namespace
 {
-
-constexpr std::uint32_t kEnd = 0xFFFFFFFFu;
-
-// Faces with one lowest point, some 24 in a mesh of tetrahedra, are compared one with the other up to here; at the tip
-// of a fan of thousands they are sorted.
-constexpr std::size_t kMostCompared = 128;
-
-// As many cells on one face know all the others; in larger crowds (cells given thousands of times) each knows the one
-// before and the one after, which still leads to all.
-constexpr std::size_t kMostLinked = 64;
-
-struct KeyedSlot
-{
-	FaceKey key;
-	std::uint32_t slot;
-};
-
-// Faces with the same points.
-struct Meeting
-{
-	FaceKey key;
-	std::uint32_t first;
-	std::uint32_t second = kEnd;
-};
-
-// The faces about one point, by their other points; at most kMostCompared of them.
-class Meetings
-{
-public:
-	Meetings() { places_.fill(kFree); }
-
-	// Calls crowd(meeting, slot) for every third and further face of a meeting.
-	template <class Crowd>
-	void meet(const FaceKey& key, std::uint32_t slot, Crowd&& crowd)
-	{
-		std::size_t place = key.hash() >> (32 - kPlaceBits);
-		for (; places_[place] != kFree; place = (place + 1) % places_.size())
-		{
-			Meeting& known = meetings_[places_[place]];
-			if (!(known.key == key))
-				continue;
-			if (known.second == kEnd)
-				known.second = slot;
-			else
-				crowd(static_cast<std::uint32_t>(places_[place]), slot);
-			return;
-		}
-		places_[place] = static_cast<std::uint8_t>(count_);
-		taken_[count_] = static_cast<std::uint8_t>(place);
-		meetings_[count_++] = {key, slot};
-	}
-	const Meeting& operator[](std::size_t m) const { return meetings_[m]; }
-	std::span<const Meeting> all() const { return {meetings_.data(), count_}; }
-	void clear()
-	{
-		for (std::size_t m = 0; m < count_; ++m)
-			places_[taken_[m]] = kFree;
-		count_ = 0;
-	}
-
-private:
-	static constexpr int kPlaceBits = 8;
-	static constexpr std::uint8_t kFree = 0xFF;
-
-	std::array<std::uint8_t, 1 << kPlaceBits> places_; // hashed: numbers of meetings
-	std::array<std::uint8_t, kMostCompared> taken_;    // of the meetings: their places
-	std::array<Meeting, kMostCompared> meetings_;
-	std::size_t count_ = 0;
-};
 
 // Scratch of one thread.
 struct Workspace
@@ -120,7 +52,7 @@ public:
 		                  [&](const auto& range)
 		                  {
 			                  for (std::size_t p = range.begin(); p < range.end(); ++p)
-				                  heads_[p].store(kEnd, std::memory_order_relaxed);
+				                  heads_[p].store(kNoSlot, std::memory_order_relaxed);
 		                  });
 		listPolyhedronOwners();
 		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.cells, 4096),
@@ -135,7 +67,12 @@ public:
 				                  matchChain(heads_[p].load(std::memory_order_relaxed), work);
 			                  }
 		                  });
-		settleCrowds();
+		std::vector<std::vector<std::uint32_t>> crowds;
+		for (Workspace& work : workspaces_)
+			std::ranges::move(work.crowds, std::back_inserter(crowds));
+		linkCrowds(
+		    std::move(crowds), [&](std::uint32_t slot) { return cellOf(slot); },
+		    [&](std::uint32_t slot) -> std::uint32_t& { return across(slot); }, several_);
 		return std::move(several_);
 	}
 
@@ -229,7 +166,7 @@ private:
 	{
 		constexpr std::size_t kAhead = 4;
 		if (p + kAhead < heads_.size())
-			if (const std::uint32_t slot = heads_[p + kAhead].load(std::memory_order_relaxed); slot != kEnd)
+			if (const std::uint32_t slot = heads_[p + kAhead].load(std::memory_order_relaxed); slot != kNoSlot)
 				__builtin_prefetch(&across(slot));
 	}
 
@@ -238,7 +175,7 @@ private:
 	{
 		work.faces.clear();
 		work.polygons.clear();
-		for (std::uint32_t slot = head; slot != kEnd; slot = across(slot))
+		for (std::uint32_t slot = head; slot != kNoSlot; slot = across(slot))
 		{
 			if (kTetrahedra || slot < table_slots_)
 			{
@@ -281,7 +218,7 @@ private:
 	void join(std::uint32_t first, std::uint32_t second)
 	{
 		across(first) = kNoCell;
-		if (second == kEnd)
+		if (second == kNoSlot)
 			return;
 		across(second) = kNoCell;
 		const CellId a = cellOf(first);
@@ -315,7 +252,7 @@ private:
 			std::size_t end = i + 1;
 			while (end < faces.size() && points_of(faces[end]) == points_of(faces[i]))
 				++end;
-			join(faces[i].slot, end - i > 1 ? faces[i + 1].slot : kEnd);
+			join(faces[i].slot, end - i > 1 ? faces[i + 1].slot : kNoSlot);
 			if (end - i > 2)
 			{
 				std::vector<std::uint32_t>& slots = work.crowds.emplace_back();
@@ -323,42 +260,6 @@ private:
 					slots.push_back(faces[k].slot);
 			}
 			i = end;
-		}
-	}
-
-	// In the order of their lowest slots, so that `several` does not depend on which thread found what.
-	void settleCrowds()
-	{
-		std::vector<std::vector<std::uint32_t>> crowds;
-		for (Workspace& work : workspaces_)
-			std::ranges::move(work.crowds, std::back_inserter(crowds));
-		for (std::vector<std::uint32_t>& slots : crowds)
-			std::ranges::sort(slots);
-		std::ranges::sort(crowds);
-		for (const std::vector<std::uint32_t>& slots : crowds)
-			linkCrowd(slots);
-	}
-
-	void linkCrowd(const std::vector<std::uint32_t>& slots)
-	{
-		std::vector<CellId> cells;
-		for (const std::uint32_t slot : slots)
-		{
-			across(slot) = kNoCell;
-			cells.push_back(cellOf(slot));
-		}
-		std::ranges::sort(cells);
-		cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-		const std::size_t reach = cells.size() > kMostLinked ? 1 : cells.size() - 1;
-		for (const std::uint32_t slot : slots)
-		{
-			const std::size_t own = std::ranges::lower_bound(cells, cellOf(slot)) - cells.begin();
-			for (std::size_t step = 1; step <= reach; ++step)
-			{
-				addNeighbour(across(slot), cells[(own + step) % cells.size()], several_);
-				if (cells.size() > kMostLinked)
-					addNeighbour(across(slot), cells[(own + cells.size() - step) % cells.size()], several_);
-			}
 		}
 	}
 
@@ -372,24 +273,6 @@ private:
 };
 
 } // namespace
-
-void addNeighbour(std::uint32_t& across, CellId other, std::vector<std::vector<CellId>>& several)
-{
-	if (across == kNoCell)
-		across = other;
-	else if (across >= kMaxBlockIds)
-	{
-		std::vector<CellId>& cells = several[across - kMaxBlockIds];
-		const auto place = std::ranges::lower_bound(cells, other);
-		if (place == cells.end() || *place != other)
-			cells.insert(place, other);
-	}
-	else if (across != other)
-	{
-		several.push_back({std::min<CellId>(across, other), std::max<CellId>(across, other)});
-		across = kMaxBlockIds + static_cast<std::uint32_t>(several.size() - 1);
-	}
-}
 
 std::vector<std::vector<CellId>> matchFaces(const FaceSlots& faces)
 {

@@ -27,37 +27,29 @@ struct FaceKey
 	std::uint32_t hash() const { return ids[1] * 0x9E3779B1u ^ ids[2] * 0x85EBCA77u ^ ids[3] * 0xC2B2AE3Du; }
 };
 
+// Which comes first cannot be foreseen, so there is no branch.
 inline void order(PointId& a, PointId& b)
 {
-	const PointId lower = std::min(a, b);
-	b = std::max(a, b);
-	a = lower;
+	const PointId exchange = (a ^ b) & (0u - static_cast<PointId>(b < a));
+	a ^= exchange;
+	b ^= exchange;
 }
 
 // Of the points `corners` of a table shape, three or four.
 inline FaceKey keyOf(const std::uint32_t* record, const std::array<std::uint8_t, 4>& corners, int size)
 {
-	FaceKey key;
-	auto& ids = key.ids;
-	for (int i = 0; i < 3; ++i)
-		ids[i] = record[corners[i]];
-	if (size == 4)
-	{
-		ids[3] = record[corners[3]];
-		order(ids[0], ids[1]);
-		order(ids[2], ids[3]);
-		order(ids[0], ids[2]);
-		order(ids[1], ids[3]);
-		order(ids[1], ids[2]);
-	}
-	else
-	{
-		order(ids[0], ids[1]);
-		order(ids[1], ids[2]);
-		order(ids[0], ids[1]);
-	}
-	if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[3])
-		std::fill(std::unique(ids.begin(), ids.begin() + size), ids.end(), kNoPoint);
+	PointId a = record[corners[0]];
+	PointId b = record[corners[1]];
+	PointId c = record[corners[2]];
+	PointId d = size == 4 ? record[corners[3]] : kNoPoint;
+	order(a, b);
+	order(c, d);
+	order(a, c);
+	order(b, d);
+	order(b, c);
+	FaceKey key{{a, b, c, d}};
+	if (a == b || b == c || c == d)
+		std::fill(std::unique(key.ids.begin(), key.ids.begin() + size), key.ids.end(), kNoPoint);
 	return key;
 }
 
