@@ -130,11 +130,17 @@ private:
 				polyhedron_owner_[f] = faces_.polyhedra[n];
 	}
 
-	void push(std::size_t slot, const FaceKey& key)
+	// lowest: of its points, kNoPoint where the face has no area.
+	void push(std::size_t slot, PointId lowest)
 	{
-		across(slot) = key.hasArea()
-		                   ? heads_[key.lowest()].exchange(static_cast<std::uint32_t>(slot), std::memory_order_relaxed)
+		across(slot) = lowest != kNoPoint
+		                   ? heads_[lowest].exchange(static_cast<std::uint32_t>(slot), std::memory_order_relaxed)
 		                   : kNoCell;
+	}
+	PointId lowestOfPolygon(std::size_t face, std::vector<PointId>& ids) const
+	{
+		const FaceKey key = polygonKey(face, ids);
+		return key.hasArea() ? key.lowest() : kNoPoint;
 	}
 
 	void chainFaces(std::size_t begin, std::size_t end)
@@ -149,25 +155,32 @@ private:
 			if (cell_shape == CellShape::polyhedron)
 				for (std::uint32_t f = faces_.polyhedron_faces[record[0]]; f < faces_.polyhedron_faces[record[0] + 1];
 				     ++f)
-					push(faces_.tableSlots() + f, polygonKey(f, ids));
+					push(faces_.tableSlots() + f, lowestOfPolygon(f, ids));
 			else
 			{
 				const ShapeTopology& table = topology(cell_shape);
 				for (int f = 0; f < table.faces; ++f, ++slot)
-					push(slot, keyOf(record, table.face[f], table.face_size[f]));
+					push(slot, lowestOf(record, table.face[f], table.face_size[f]));
 			}
 			for (; slot < cell_end; ++slot)
 				across(slot) = kNoCell;
 		}
 	}
 
-	// The first of a chain a few points on: what follows in it is near.
+	// The first cell of a chain some points on and those about it: most of the chain is among them.
 	void fetchAhead(std::size_t p) const
 	{
-		constexpr std::size_t kAhead = 4;
-		if (p + kAhead < heads_.size())
-			if (const std::uint32_t slot = heads_[p + kAhead].load(std::memory_order_relaxed); slot != kNoSlot)
-				__builtin_prefetch(&across(slot));
+		constexpr std::size_t kAhead = 16;
+		constexpr std::intptr_t kLine = 64; // bytes in a cache line
+		if (p + kAhead >= heads_.size())
+			return;
+		const std::uint32_t slot = heads_[p + kAhead].load(std::memory_order_relaxed);
+		if (slot == kNoSlot)
+			return;
+		const auto at = reinterpret_cast<std::intptr_t>(&across(slot));
+		for (int line = -2; line <= 3; ++line)
+			__builtin_prefetch(
+			    reinterpret_cast<const void*>(at + line * kLine)); // outside the records there is no harm
 	}
 
 	// All faces with one lowest point. Nothing else reads or writes their slots.

@@ -53,4 +53,19 @@ inline FaceKey keyOf(const std::uint32_t* record, const std::array<std::uint8_t,
 	return key;
 }
 
+// The lowest point of such a face, kNoPoint where it has fewer than three distinct ones.
+inline PointId lowestOf(const std::uint32_t* record, const std::array<std::uint8_t, 4>& corners, int size)
+{
+	const PointId a = record[corners[0]];
+	const PointId b = record[corners[1]];
+	const PointId c = record[corners[2]];
+	const PointId d = size == 4 ? record[corners[3]] : kNoPoint;
+	if (a == b || b == c || c == d || d == a || a == c || b == d)
+	{
+		const FaceKey key = keyOf(record, corners, size);
+		return key.hasArea() ? key.lowest() : kNoPoint;
+	}
+	return std::min(std::min(a, b), std::min(c, d));
+}
+
 } // namespace vp::grid
