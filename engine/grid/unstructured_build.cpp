@@ -16,15 +16,16 @@ namespace
 template <class Number>
 Points gathered(const Points& points, const RawVector<std::uint32_t>& order)
 {
-	const std::shared_ptr<Number[]> xyz(new Number[3 * order.size()]);
+	const auto xyz = std::make_shared<HugeVector<Number>>(3 * order.size());
+	Number* numbers = xyz->data();
 	forRanges(order.size(),
 	          [&](std::size_t p)
 	          {
 		          const Vec3 x = points[order[p]];
 		          for (int axis = 0; axis < 3; ++axis)
-			          xyz[3 * p + axis] = static_cast<Number>(x[axis]);
+			          numbers[3 * p + axis] = static_cast<Number>(x[axis]);
 	          });
-	return Points(Array<Number>(xyz, xyz.get(), 3 * order.size()));
+	return Points(Array<Number>(xyz, numbers, 3 * order.size()));
 }
 
 } // namespace

@@ -20,48 +20,43 @@ public:
 
 	MeshDoubts write()
 	{
-		auto foreign = part_.foreign.begin();
-		std::uint32_t next = part_.first_vertex;
-		for (std::uint32_t v = 0; v < positions_.size(); ++v)
-		{
-			fetchAhead(v);
-			const EdgePoint at = place(v);
-			if (foreign != part_.foreign.end() && foreign->first == v)
-			{
-				numbers_[v] = foreign++->second;
-				continue;
-			}
-			mesh_.edges[next] = at;
-			mesh_.positions[next] = positions_[v];
-			numbers_[v] = next++;
-		}
+		writeVertices();
 		writePolygons();
 		return doubts_;
 	}
 
 private:
-	void fetchAhead(std::size_t v) const
+	// Also places the vertices that another part writes: their polygons here are to be looked at.
+	void writeVertices()
 	{
-		constexpr std::size_t kAhead = 12; // vertices
-		if constexpr (requires { reader_.xyz(0); })
-			if (v + kAhead < part_.edges.size())
+		// Copies, that what is written cannot be thought to change what is read.
+		const Reader reader = reader_;
+		const surface::Plane plane = plane_;
+		Vec3* positions = positions_.data();
+		std::uint32_t* numbers = numbers_.data();
+		auto foreign = part_.foreign.begin();
+		std::uint32_t next = part_.first_vertex;
+		bool at_points = false;
+		for (std::uint32_t v = 0; v < part_.edges.size(); ++v)
+		{
+			const PointId lower = lowerOf(part_.edges[v]);
+			const PointId higher = higherOf(part_.edges[v]);
+			const Vec3 a = reader.point(lower);
+			const Vec3 b = reader.point(higher);
+			const double da = plane.signedDistance(a);
+			const double t = da / (da - plane.signedDistance(b)); // the signs differ
+			at_points |= t == 0.0 || t == 1.0;
+			positions[v] = t == 1.0 ? b : a + t * (b - a);
+			if (foreign != part_.foreign.end() && foreign->first == v)
 			{
-				__builtin_prefetch(reader_.xyz(lowerOf(part_.edges[v + kAhead])));
-				__builtin_prefetch(reader_.xyz(higherOf(part_.edges[v + kAhead])));
+				numbers[v] = foreign++->second;
+				continue;
 			}
-	}
-
-	// Also of a vertex that another part writes: its polygons here are to be looked at.
-	EdgePoint place(std::uint32_t v)
-	{
-		const std::uint64_t edge = part_.edges[v];
-		const Vec3 a = reader_.point(lowerOf(edge));
-		const Vec3 b = reader_.point(higherOf(edge));
-		const double da = plane_.signedDistance(a);
-		const double t = da / (da - plane_.signedDistance(b)); // the signs differ
-		positions_[v] = t == 1.0 ? b : a + t * (b - a);
-		doubts_.at_points = doubts_.at_points || t == 0.0 || t == 1.0;
-		return {block_, lowerOf(edge), higherOf(edge), t};
+			mesh_.edges[next] = {block_, lower, higher, t};
+			mesh_.positions[next] = positions[v];
+			numbers[v] = next++;
+		}
+		doubts_.at_points = at_points;
 	}
 
 	void writePolygons()
