@@ -7,7 +7,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -36,6 +35,26 @@ Box finiteBounds(const Points& points)
 	    });
 }
 
+using Counts = std::array<std::size_t, 256>; // of cells of each VTK type
+
+Counts countTypes(std::span<const std::uint8_t> types)
+{
+	return tbb::parallel_reduce(
+	    tbb::blocked_range<std::size_t>(0, types.size(), 65536), Counts{},
+	    [&](const tbb::blocked_range<std::size_t>& range, Counts counts)
+	    {
+		    for (std::size_t c = range.begin(); c < range.end(); ++c)
+			    ++counts[types[c]];
+		    return counts;
+	    },
+	    [](Counts a, const Counts& b)
+	    {
+		    for (std::size_t type = 0; type < a.size(); ++type)
+			    a[type] += b[type];
+		    return a;
+	    });
+}
+
 class Orderer
 {
 public:
@@ -56,9 +75,7 @@ private:
 	void choose()
 	{
 		const std::size_t count = cells_.list().types.size();
-		std::array<std::size_t, 256> of_type{};
-		for (const std::uint8_t type : cells_.list().types.span())
-			++of_type[type];
+		const Counts of_type = countTypes(cells_.list().types.span());
 		std::size_t kept = 0;
 		for (int type = 0; type < 256; ++type)
 		{
@@ -87,7 +104,7 @@ private:
 	void orderCells(const MortonCurve& curve)
 	{
 		const std::size_t count = order_.cells.size();
-		std::unique_ptr<KeyedId[]> items(new KeyedId[count]);
+		KeyedIds items(count);
 		used_.resize(points_.size());
 		forRanges(count,
 		          [&](std::size_t n)
@@ -105,7 +122,7 @@ private:
 			                              });
 			          items[n] = {curve(sum / static_cast<double>(points)), static_cast<std::uint32_t>(n)};
 		          });
-		sortByKey(items, count);
+		sortByKey(items);
 		forRanges(count, [&](std::size_t c) { order_.cells[c] = static_cast<std::uint32_t>(keptCell(items[c].id)); });
 	}
 
@@ -113,7 +130,7 @@ private:
 	void orderPoints(const MortonCurve& curve)
 	{
 		const std::size_t count = points_.size();
-		std::unique_ptr<KeyedId[]> items(new KeyedId[count]);
+		KeyedIds items(count);
 		forRanges(count,
 		          [&](std::size_t p)
 		          {
@@ -121,7 +138,7 @@ private:
 			          items[p] = {curve(points_[p]) | unused_last, static_cast<std::uint32_t>(p)};
 		          });
 		used_ = {};
-		sortByKey(items, count);
+		sortByKey(items);
 		order_.points.resize(count);
 		order_.rank.resize(count);
 		forRanges(count,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/raw_vector.h"
+#include "base/huge_vector.h"
 #include "grid/listed_cells.h"
 
 #include <cstddef>
@@ -12,9 +12,9 @@ namespace vp::grid
 // Which cells of a list a grid takes, and the order of its cells and points: along one Morton curve.
 struct CellOrder
 {
-	RawVector<std::uint32_t> cells;  // places in the list
-	RawVector<std::uint32_t> points; // source points; those of no cell come last
-	RawVector<std::uint32_t> rank;   // per source point: its place in `points`
+	HugeVector<std::uint32_t> cells;  // places in the list
+	HugeVector<std::uint32_t> points; // source points; those of no cell come last
+	HugeVector<std::uint32_t> rank;   // per source point: its place in `points`
 	std::size_t used_points = 0;
 	std::size_t left_out = 0; // cells of dimension below three
 	bool all_tetrahedra = false;

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,12 +38,13 @@ std::uint64_t spread(std::uint64_t x)
 
 // By the digits from bit `first` on, least significant digit first. Each pass counts the digits of every chunk, turns
 // the counts into places, and moves. used: the bits in which keys differ.
-void sortDigits(std::unique_ptr<KeyedId[]>& items, std::size_t count, std::uint64_t used, int first)
+void sortDigits(KeyedIds& items, std::uint64_t used, int first)
 {
+	const std::size_t count = items.size();
 	const std::size_t chunk = std::max<std::size_t>(count / 64, 16384);
 	const std::size_t chunks = (count + chunk - 1) / chunk;
 	std::vector<std::array<std::uint32_t, kDigits>> places(chunks);
-	std::unique_ptr<KeyedId[]> other(new KeyedId[count]);
+	KeyedIds other(count);
 	for (int shift = first; shift < 64; shift += kDigitBits)
 	{
 		if ((used >> shift & (kDigits - 1)) == 0)
@@ -74,8 +76,9 @@ void sortDigits(std::unique_ptr<KeyedId[]>& items, std::size_t count, std::uint6
 constexpr std::size_t kLongRun = 65536;
 
 // Sorts the runs of keys that are equal from bit `first` on by the rest. False, with nothing lost, where one is long.
-bool sortEqualRuns(KeyedId* items, std::size_t count, int first)
+bool sortEqualRuns(std::span<KeyedId> items, int first)
 {
+	const std::size_t count = items.size();
 	const auto endOfRun = [&](std::size_t begin, std::size_t last)
 	{
 		std::size_t end = begin + 1;
@@ -97,7 +100,7 @@ bool sortEqualRuns(KeyedId* items, std::size_t count, int first)
 			                  if (end - begin > kLongRun)
 				                  all_short = false;
 			                  else if (end - begin > 1)
-				                  std::stable_sort(items + begin, items + end,
+				                  std::stable_sort(items.begin() + begin, items.begin() + end,
 				                                   [](const KeyedId& a, const KeyedId& b) { return a.key < b.key; });
 			                  begin = end;
 		                  }
@@ -136,8 +139,9 @@ std::uint64_t MortonCurve::operator()(const Vec3& position) const
 	return code;
 }
 
-void sortByKey(std::unique_ptr<KeyedId[]>& items, std::size_t count)
+void sortByKey(KeyedIds& items)
 {
+	const std::size_t count = items.size();
 	if (count < 2)
 		return;
 	const auto differing = [&](const tbb::blocked_range<std::size_t>& range, std::uint64_t bits)
@@ -151,9 +155,9 @@ void sortByKey(std::unique_ptr<KeyedId[]>& items, std::size_t count)
 
 	// The upper three digits part the keys but for those that lie close together: half the passes.
 	constexpr int kUpper = 63 - 3 * kDigitBits;
-	sortDigits(items, count, used, kUpper);
-	if ((used & ((std::uint64_t(1) << kUpper) - 1)) != 0 && !sortEqualRuns(items.get(), count, kUpper))
-		sortDigits(items, count, used, 0);
+	sortDigits(items, used, kUpper);
+	if ((used & ((std::uint64_t(1) << kUpper) - 1)) != 0 && !sortEqualRuns(items, kUpper))
+		sortDigits(items, used, 0);
 }
 
 } // namespace vp::grid

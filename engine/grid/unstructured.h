@@ -2,7 +2,6 @@
 
 #include "base/array.h"
 #include "base/huge_vector.h"
-#include "base/raw_vector.h"
 #include "grid/grid.h"
 #include "grid/points.h"
 
@@ -140,8 +139,8 @@ private:
 	Points points_;
 	HugeVector<std::uint32_t> records_;
 	std::vector<std::vector<CellId>> several_;
-	RawVector<std::uint32_t> source_points_;
-	RawVector<std::uint32_t> source_cells_;
+	HugeVector<std::uint32_t> source_points_;
+	HugeVector<std::uint32_t> source_cells_;
 	// Polyhedra, by the number in their record: faces, their points, and where their neighbours start.
 	std::vector<std::uint32_t> polyhedron_faces_; // polyhedra + 1 offsets into face_points_start_
 	std::vector<std::uint32_t> face_points_start_;

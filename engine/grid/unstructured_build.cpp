@@ -14,7 +14,7 @@ namespace
 {
 
 template <class Number>
-Points gathered(const Points& points, const RawVector<std::uint32_t>& order)
+Points gathered(const Points& points, const HugeVector<std::uint32_t>& order)
 {
 	const auto xyz = std::make_shared<HugeVector<Number>>(3 * order.size());
 	Number* numbers = xyz->data();
