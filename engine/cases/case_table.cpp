@@ -27,7 +27,19 @@ WalkFaces facesOf(const ShapeTopology& shape)
 	return faces;
 }
 
-Case caseOf(const CellCut& cut)
+// The face on which two edges lie that follow each other in a polygon.
+std::uint8_t faceThrough(const ShapeTopology& shape, const CutEdge& edge, const CutEdge& next)
+{
+	for (int f = 0; f < shape.faces; ++f)
+	{
+		const auto holds = [&](std::uint16_t point) { return std::ranges::count(shape.facePoints(f), point) > 0; };
+		if (holds(edge.positive) && holds(edge.negative) && holds(next.positive) && holds(next.negative))
+			return static_cast<std::uint8_t>(f);
+	}
+	return 0; // only for edges that do not follow each other
+}
+
+Case caseOf(const ShapeTopology& shape, const CellCut& cut)
 {
 	Case entry;
 	for (std::size_t f = 0; f < cut.face_cuts.size(); ++f)
@@ -38,8 +50,12 @@ Case caseOf(const CellCut& cut)
 		return entry;
 	entry.edges = static_cast<std::uint8_t>(cut.edges.size());
 	for (std::size_t i = 0; i < cut.edges.size(); ++i)
+	{
 		entry.edge[i] = {static_cast<std::uint8_t>(cut.edges[i].positive),
 		                 static_cast<std::uint8_t>(cut.edges[i].negative)};
+		entry.face_after[i] = faceThrough(shape, cut.edges[i], cut.edges[(i + 1) % cut.edges.size()]);
+	}
+	std::fill(entry.face_after.begin() + entry.edges, entry.face_after.end(), entry.face_after[0]);
 	return entry;
 }
 
@@ -55,7 +71,7 @@ std::vector<Case> buildTable(const ShapeTopology& shape)
 			positive[p] = mask >> p & 1;
 		walkCell(
 		    faces, positive, [](int) { return false; }, cut);
-		table.push_back(caseOf(cut));
+		table.push_back(caseOf(shape, cut));
 	}
 	return table;
 }

@@ -21,6 +21,8 @@ struct Case
 	// End points of the cut edges in polygon order: {positive, negative}. Counter-clockwise seen from the positive
 	// side.
 	std::array<std::array<std::uint8_t, 2>, kMaxPolygon> edge{};
+	// The face through which the polygon goes on from this edge to the next one; the first one again behind the last.
+	std::array<std::uint8_t, kMaxPolygon> face_after{};
 };
 
 // 2^points cases. Computed once, from cell_shape, by walking the faces.

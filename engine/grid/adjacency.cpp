@@ -1,5 +1,8 @@
 #include "grid/adjacency.h"
 
+#include "grid/face_crowds.h"
+#include "grid/face_meetings.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -14,86 +17,11 @@ namespace vp::grid
 namespace
 {
 
-constexpr std::uint32_t kEnd = 0xFFFFFFFFu;
-
-// Faces with one lowest point, some 24 in a mesh of tetrahedra, are compared one with the other up to here; at the tip
-// of a fan of thousands they are sorted.
-constexpr std::size_t kMostCompared = 128;
-
-// As many cells on one face know all the others; in larger crowds (cells given thousands of times) each knows the one
-// before and the one after, which still leads to all.
-constexpr std::size_t kMostLinked = 64;
-
-// The distinct points of a face, ascending; kEnd in what is left of the four places. Faces of more than four
-// are compared apart.
-struct FaceKey
-{
-	std::array<PointId, 4> ids{kEnd, kEnd, kEnd, kEnd};
-
-	PointId lowest() const { return ids[0]; }
-	bool hasArea() const { return ids[2] != kEnd; }
-	bool operator==(const FaceKey& other) const
-	{
-		return ids[1] == other.ids[1] && ids[2] == other.ids[2] && ids[3] == other.ids[3] && ids[0] == other.ids[0];
-	}
-	// The lowest is left out: only faces that share it are compared.
-	std::uint32_t hash() const { return ids[1] * 0x9E3779B1u ^ ids[2] * 0x85EBCA77u ^ ids[3] * 0xC2B2AE3Du; }
-};
-
-void order(PointId& a, PointId& b)
-{
-	const PointId lower = std::min(a, b);
-	b = std::max(a, b);
-	a = lower;
-}
-
-// Of the points `corners` of a table shape, three or four.
-inline FaceKey keyOf(const std::uint32_t* record, const std::array<std::uint8_t, 4>& corners, int size)
-{
-	FaceKey key;
-	auto& ids = key.ids;
-	for (int i = 0; i < 3; ++i)
-		ids[i] = record[corners[i]];
-	if (size == 4)
-	{
-		ids[3] = record[corners[3]];
-		order(ids[0], ids[1]);
-		order(ids[2], ids[3]);
-		order(ids[0], ids[2]);
-		order(ids[1], ids[3]);
-		order(ids[1], ids[2]);
-	}
-	else
-	{
-		order(ids[0], ids[1]);
-		order(ids[1], ids[2]);
-		order(ids[0], ids[1]);
-	}
-	if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[3])
-		std::fill(std::unique(ids.begin(), ids.begin() + size), ids.end(), kEnd);
-	return key;
-}
-
-struct KeyedSlot
-{
-	FaceKey key;
-	std::uint32_t slot;
-};
-
-// Faces with the same points.
-struct Meeting
-{
-	FaceKey key;
-	std::uint32_t first;
-	std::uint32_t second = kEnd;
-};
-
 // Scratch of one thread.
 struct Workspace
 {
-	std::vector<KeyedSlot> faces;      // with one lowest point
-	std::vector<std::uint32_t> hashes; // of the meetings, apart so that a search stays in few cache lines
-	std::vector<Meeting> meetings;
+	std::vector<KeyedSlot> faces; // with one lowest point
+	Meetings meetings;
 	std::vector<std::pair<std::uint32_t, std::uint32_t>> crowd; // meeting and slot of every third and further face
 	std::vector<PointId> ids;
 	struct Polygon
@@ -105,22 +33,26 @@ struct Workspace
 	std::vector<std::vector<std::uint32_t>> crowds; // slots of faces that three or more cells share
 };
 
+// kTetrahedra: there is nothing else, which the compiler is to know.
+template <bool kTetrahedra>
 class FaceMatcher
 {
 public:
-	explicit FaceMatcher(const FaceSlots& faces) : faces_(faces) {}
+	explicit FaceMatcher(const FaceSlots& faces)
+	    : faces_(faces), records_(faces.records.data()), table_slots_(faces.tableSlots())
+	{
+	}
 
-	Adjacency match()
+	std::vector<std::vector<CellId>> match()
 	{
 		// A face is pushed on the chain of its lowest point; the chain runs through the slots that will hold the
 		// neighbours, so that matching takes four bytes a point and no copy of the faces.
-		adjacency_.neighbours.resize(faces_.count());
 		heads_ = std::vector<std::atomic<std::uint32_t>>(faces_.points);
 		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.points, 65536),
 		                  [&](const auto& range)
 		                  {
 			                  for (std::size_t p = range.begin(); p < range.end(); ++p)
-				                  heads_[p].store(kEnd, std::memory_order_relaxed);
+				                  heads_[p].store(kNoSlot, std::memory_order_relaxed);
 		                  });
 		listPolyhedronOwners();
 		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.cells, 4096),
@@ -130,26 +62,46 @@ public:
 		                  {
 			                  Workspace& work = workspaces_.local();
 			                  for (std::size_t p = range.begin(); p < range.end(); ++p)
+			                  {
+				                  fetchAhead(p);
 				                  matchChain(heads_[p].load(std::memory_order_relaxed), work);
+			                  }
 		                  });
-		settleCrowds();
-		return std::move(adjacency_);
+		std::vector<std::vector<std::uint32_t>> crowds;
+		for (Workspace& work : workspaces_)
+			std::ranges::move(work.crowds, std::back_inserter(crowds));
+		linkCrowds(
+		    std::move(crowds), [&](std::uint32_t slot) { return cellOf(slot); },
+		    [&](std::uint32_t slot) -> std::uint32_t& { return across(slot); }, several_);
+		return std::move(several_);
 	}
 
 private:
+	static constexpr std::size_t kWidth = kTetrahedra ? 4 : 8;
+	static constexpr std::size_t kFaceWidth = kTetrahedra ? 4 : 6;
+
+	// FaceSlots' own, for widths that are known.
+	const std::uint32_t* recordOf(std::size_t cell) const { return records_ + cell * (kWidth + kFaceWidth); }
+	std::uint32_t& across(std::size_t slot) const
+	{
+		if (!kTetrahedra && slot >= table_slots_)
+			return faces_.polyhedron_neighbours[slot - table_slots_];
+		return records_[slot + (slot / kFaceWidth + 1) * kWidth];
+	}
+
 	CellShape shape(CellId c) const
 	{
-		if (faces_.record_width == 4)
+		if constexpr (kTetrahedra)
 			return CellShape::tetrahedron;
-		const std::uint32_t last = faces_.records[std::size_t(c) * 8 + 7];
+		const std::uint32_t last = recordOf(c)[kWidth - 1];
 		return last >= faces_.shape_mark ? static_cast<CellShape>(last - faces_.shape_mark) : CellShape::hexahedron;
 	}
 
 	CellId cellOf(std::uint32_t slot) const
 	{
-		if (slot >= faces_.tableSlots())
+		if (!kTetrahedra && slot >= table_slots_)
 			return polyhedron_owner_[slot - faces_.tableSlots()];
-		return faces_.face_width == 4 ? slot / 4 : slot / 6;
+		return slot / kFaceWidth;
 	}
 
 	std::span<const PointId> polygon(std::size_t face) const
@@ -178,11 +130,17 @@ private:
 				polyhedron_owner_[f] = faces_.polyhedra[n];
 	}
 
-	void push(std::size_t slot, const FaceKey& key)
+	// lowest: of its points, kNoPoint where the face has no area.
+	void push(std::size_t slot, PointId lowest)
 	{
-		adjacency_.neighbours[slot] =
-		    key.hasArea() ? heads_[key.lowest()].exchange(static_cast<std::uint32_t>(slot), std::memory_order_relaxed)
-		                  : kNoCell;
+		across(slot) = lowest != kNoPoint
+		                   ? heads_[lowest].exchange(static_cast<std::uint32_t>(slot), std::memory_order_relaxed)
+		                   : kNoCell;
+	}
+	PointId lowestOfPolygon(std::size_t face, std::vector<PointId>& ids) const
+	{
+		const FaceKey key = polygonKey(face, ids);
+		return key.hasArea() ? key.lowest() : kNoPoint;
 	}
 
 	void chainFaces(std::size_t begin, std::size_t end)
@@ -191,22 +149,38 @@ private:
 		for (std::size_t c = begin; c < end; ++c)
 		{
 			const CellShape cell_shape = shape(static_cast<CellId>(c));
-			const std::uint32_t* record = &faces_.records[c * faces_.record_width];
-			std::size_t slot = c * faces_.face_width;
-			const std::size_t cell_end = slot + faces_.face_width;
+			const std::uint32_t* record = recordOf(c);
+			std::size_t slot = c * kFaceWidth;
+			const std::size_t cell_end = slot + kFaceWidth;
 			if (cell_shape == CellShape::polyhedron)
 				for (std::uint32_t f = faces_.polyhedron_faces[record[0]]; f < faces_.polyhedron_faces[record[0] + 1];
 				     ++f)
-					push(faces_.tableSlots() + f, polygonKey(f, ids));
+					push(faces_.tableSlots() + f, lowestOfPolygon(f, ids));
 			else
 			{
 				const ShapeTopology& table = topology(cell_shape);
 				for (int f = 0; f < table.faces; ++f, ++slot)
-					push(slot, keyOf(record, table.face[f], table.face_size[f]));
+					push(slot, lowestOf(record, table.face[f], table.face_size[f]));
 			}
 			for (; slot < cell_end; ++slot)
-				adjacency_.neighbours[slot] = kNoCell;
+				across(slot) = kNoCell;
 		}
+	}
+
+	// The first cell of a chain some points on and those about it: most of the chain is among them.
+	void fetchAhead(std::size_t p) const
+	{
+		constexpr std::size_t kAhead = 16;
+		constexpr std::intptr_t kLine = 64; // bytes in a cache line
+		if (p + kAhead >= heads_.size())
+			return;
+		const std::uint32_t slot = heads_[p + kAhead].load(std::memory_order_relaxed);
+		if (slot == kNoSlot)
+			return;
+		const auto at = reinterpret_cast<std::intptr_t>(&across(slot));
+		for (int line = -2; line <= 3; ++line)
+			__builtin_prefetch(
+			    reinterpret_cast<const void*>(at + line * kLine)); // outside the records there is no harm
 	}
 
 	// All faces with one lowest point. Nothing else reads or writes their slots.
@@ -214,14 +188,14 @@ private:
 	{
 		work.faces.clear();
 		work.polygons.clear();
-		for (std::uint32_t slot = head; slot != kEnd; slot = adjacency_.neighbours[slot])
+		for (std::uint32_t slot = head; slot != kNoSlot; slot = across(slot))
 		{
-			if (slot < faces_.tableSlots())
+			if (kTetrahedra || slot < table_slots_)
 			{
 				const CellId c = cellOf(slot);
 				const ShapeTopology& table = topology(shape(c));
-				const auto f = slot - std::size_t(c) * faces_.face_width;
-				const std::uint32_t* record = &faces_.records[std::size_t(c) * faces_.record_width];
+				const auto f = slot - std::size_t(c) * kFaceWidth;
+				const std::uint32_t* record = recordOf(c);
 				work.faces.push_back({keyOf(record, table.face[f], table.face_size[f]), slot});
 				continue;
 			}
@@ -243,46 +217,29 @@ private:
 
 	void compareFaces(Workspace& work)
 	{
-		work.hashes.clear();
-		work.meetings.clear();
 		work.crowd.clear();
 		for (const KeyedSlot& face : work.faces)
-			meet(face.key, face.slot, work);
-		for (const Meeting& meeting : work.meetings)
+			work.meetings.meet(face.key, face.slot,
+			                   [&](std::uint32_t m, std::uint32_t slot) { work.crowd.emplace_back(m, slot); });
+		for (const Meeting& meeting : work.meetings.all())
 			join(meeting.first, meeting.second);
 		if (!work.crowd.empty())
 			gatherCrowds(work);
-	}
-
-	static void meet(const FaceKey& key, std::uint32_t slot, Workspace& work)
-	{
-		const std::uint32_t hash = key.hash();
-		for (std::size_t m = 0; m < work.hashes.size(); ++m)
-		{
-			if (work.hashes[m] != hash || !(work.meetings[m].key == key))
-				continue;
-			if (work.meetings[m].second == kEnd)
-				work.meetings[m].second = slot;
-			else
-				work.crowd.emplace_back(static_cast<std::uint32_t>(m), slot);
-			return;
-		}
-		work.hashes.push_back(hash);
-		work.meetings.push_back({key, slot});
+		work.meetings.clear();
 	}
 
 	void join(std::uint32_t first, std::uint32_t second)
 	{
-		adjacency_.neighbours[first] = kNoCell;
-		if (second == kEnd)
+		across(first) = kNoCell;
+		if (second == kNoSlot)
 			return;
-		adjacency_.neighbours[second] = kNoCell;
+		across(second) = kNoCell;
 		const CellId a = cellOf(first);
 		const CellId b = cellOf(second);
 		if (a == b)
 			return;
-		adjacency_.neighbours[first] = b;
-		adjacency_.neighbours[second] = a;
+		across(first) = b;
+		across(second) = a;
 	}
 
 	static void gatherCrowds(Workspace& work)
@@ -308,7 +265,7 @@ private:
 			std::size_t end = i + 1;
 			while (end < faces.size() && points_of(faces[end]) == points_of(faces[i]))
 				++end;
-			join(faces[i].slot, end - i > 1 ? faces[i + 1].slot : kEnd);
+			join(faces[i].slot, end - i > 1 ? faces[i + 1].slot : kNoSlot);
 			if (end - i > 2)
 			{
 				std::vector<std::uint32_t>& slots = work.crowds.emplace_back();
@@ -319,44 +276,10 @@ private:
 		}
 	}
 
-	// In the order of their lowest slots, so that `several` does not depend on which thread found what.
-	void settleCrowds()
-	{
-		std::vector<std::vector<std::uint32_t>> crowds;
-		for (Workspace& work : workspaces_)
-			std::ranges::move(work.crowds, std::back_inserter(crowds));
-		for (std::vector<std::uint32_t>& slots : crowds)
-			std::ranges::sort(slots);
-		std::ranges::sort(crowds);
-		for (const std::vector<std::uint32_t>& slots : crowds)
-			linkCrowd(slots);
-	}
-
-	void linkCrowd(const std::vector<std::uint32_t>& slots)
-	{
-		std::vector<CellId> cells;
-		for (const std::uint32_t slot : slots)
-		{
-			adjacency_.neighbours[slot] = kNoCell;
-			cells.push_back(cellOf(slot));
-		}
-		std::ranges::sort(cells);
-		cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-		const std::size_t reach = cells.size() > kMostLinked ? 1 : cells.size() - 1;
-		for (const std::uint32_t slot : slots)
-		{
-			const std::size_t own = std::ranges::lower_bound(cells, cellOf(slot)) - cells.begin();
-			for (std::size_t step = 1; step <= reach; ++step)
-			{
-				adjacency_.link(slot, cells[(own + step) % cells.size()]);
-				if (cells.size() > kMostLinked)
-					adjacency_.link(slot, cells[(own + cells.size() - step) % cells.size()]);
-			}
-		}
-	}
-
 	const FaceSlots& faces_;
-	Adjacency adjacency_;
+	std::uint32_t* records_;
+	std::size_t table_slots_;
+	std::vector<std::vector<CellId>> several_;
 	std::vector<std::atomic<std::uint32_t>> heads_; // per point: the first slot of its chain
 	std::vector<CellId> polyhedron_owner_;          // per face of a polyhedron: its cell
 	tbb::enumerable_thread_specific<Workspace> workspaces_;
@@ -364,28 +287,9 @@ private:
 
 } // namespace
 
-void Adjacency::link(std::size_t slot, CellId other)
+std::vector<std::vector<CellId>> matchFaces(const FaceSlots& faces)
 {
-	std::uint32_t& across = neighbours[slot];
-	if (across == kNoCell)
-		across = other;
-	else if (across >= kMaxBlockIds)
-	{
-		std::vector<CellId>& cells = several[across - kMaxBlockIds];
-		const auto place = std::ranges::lower_bound(cells, other);
-		if (place == cells.end() || *place != other)
-			cells.insert(place, other);
-	}
-	else if (across != other)
-	{
-		several.push_back({std::min<CellId>(across, other), std::max<CellId>(across, other)});
-		across = kMaxBlockIds + static_cast<std::uint32_t>(several.size() - 1);
-	}
-}
-
-Adjacency matchFaces(const FaceSlots& faces)
-{
-	return FaceMatcher(faces).match();
+	return faces.record_width == 4 ? FaceMatcher<true>(faces).match() : FaceMatcher<false>(faces).match();
 }
 
 } // namespace vp::grid

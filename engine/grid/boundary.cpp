@@ -91,6 +91,8 @@ void addFaces(const UnstructuredGrid& grid, BoundaryIndex& index)
 		                  for (std::size_t c = n * chunk; c < end; ++c)
 		                  {
 			                  const CellId cell = static_cast<CellId>(c);
+			                  if (grid.hasAllNeighbours(cell))
+				                  continue;
 			                  bool listed = false;
 			                  for (int f = 0; f < grid.faceCount(cell); ++f)
 			                  {

@@ -5,6 +5,7 @@
 #include "grid/grid.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vp::grid
@@ -30,22 +31,34 @@ struct BoundaryIndex
 	std::vector<Range> patches;
 	std::vector<Range> groups;
 
-	// Calls visit(Face) for every face of a patch for which meets(box) holds. Returns how many boxes were asked.
+	// Calls visit(faces of a patch) for every patch of the groups [begin, end) for which meets(box) holds. Returns how
+	// many boxes were asked.
 	template <class Meets, class Visit>
-	std::size_t visitWhere(Meets&& meets, Visit&& visit) const
+	std::size_t visitWhere(std::size_t begin, std::size_t end, Meets&& meets, Visit&& visit) const
 	{
-		std::size_t tests = groups.size();
-		for (const Range& group : groups)
+		std::size_t tests = end - begin;
+		for (std::size_t g = begin; g < end; ++g)
 		{
+			const Range& group = groups[g];
 			if (!meets(group.box))
 				continue;
 			tests += group.end - group.begin;
 			for (std::uint32_t p = group.begin; p < group.end; ++p)
 				if (meets(patches[p].box))
-					for (std::uint32_t f = patches[p].begin; f < patches[p].end; ++f)
-						visit(faces[f]);
+					visit(std::span(faces).subspan(patches[p].begin, patches[p].end - patches[p].begin));
 		}
 		return tests;
+	}
+	// The same for every face of a patch of any group.
+	template <class Meets, class Visit>
+	std::size_t visitWhere(Meets&& meets, Visit&& visit) const
+	{
+		return visitWhere(0, groups.size(), meets,
+		                  [&](std::span<const Face> patch)
+		                  {
+			                  for (const Face& face : patch)
+				                  visit(face);
+		                  });
 	}
 };
 

@@ -2,6 +2,7 @@
 
 #include "grid/cell_turn.h"
 #include "grid/edge_boxes.h"
+#include "grid/record_reader.h"
 #include "grid/structured.h"
 #include "grid/unstructured.h"
 
@@ -87,6 +88,20 @@ Turn turnOfCell(const G& grid, CellId cell)
 	for (int i = 0; i < ids.size; ++i)
 		points[i] = grid.point(ids.id[i]);
 	return turnOf(grid.shape(cell), {points.data(), static_cast<std::size_t>(ids.size)});
+}
+
+template <int kWidth, class Number>
+Turn turnOfRecord(const RecordReader<kWidth, Number>& reader, CellId cell)
+{
+	const std::uint32_t* record = reader.record(cell);
+	const CellShape shape = reader.shape(record);
+	if (shape == CellShape::polyhedron)
+		return Turn::mixed;
+	std::array<Vec3, kWidth> points;
+	const int count = topology(shape).points;
+	for (int i = 0; i < count; ++i)
+		points[i] = reader.point(record[i]);
+	return turnOf(shape, {points.data(), static_cast<std::size_t>(count)});
 }
 
 // Cells along i, j and k that are settled at once where their edges are much alike: 2 ns a cell, where one by one it
@@ -261,16 +276,16 @@ template <>
 std::vector<CellId> foldedCells(const UnstructuredGrid& grid)
 {
 	Turns turns(grid.cellCount());
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.cellCount(), 4096),
-	                  [&](const auto& range)
-	                  {
-		                  for (std::size_t c = range.begin(); c < range.end(); ++c)
-		                  {
-			                  const CellId cell = static_cast<CellId>(c);
-			                  const bool table = grid.shape(cell) != CellShape::polyhedron;
-			                  turns[c] = table ? turnOfCell(grid, cell) : Turn::mixed;
-		                  }
-	                  });
+	readRecords(grid,
+	            [&](const auto& reader)
+	            {
+		            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.cellCount(), 4096),
+		                              [&](const auto& range)
+		                              {
+			                              for (std::size_t c = range.begin(); c < range.end(); ++c)
+				                              turns[c] = turnOfRecord(reader, static_cast<CellId>(c));
+		                              });
+	            });
 	std::vector<CellId> cells = turns.minority();
 	const auto isPolyhedron = [&](CellId c) { return grid.shape(c) == CellShape::polyhedron; };
 	if (std::ranges::none_of(cells, isPolyhedron))

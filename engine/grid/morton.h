@@ -1,10 +1,10 @@
 #pragma once
 
+#include "base/huge_vector.h"
 #include "base/vec.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 namespace vp::grid
 {
@@ -31,7 +31,9 @@ struct KeyedId
 	std::uint32_t id;
 };
 
+using KeyedIds = HugeVector<KeyedId>;
+
 // Sorts by key, equal keys in the order they came; on all cores, and the same for any number of them.
-void sortByKey(std::unique_ptr<KeyedId[]>& items, std::size_t count);
+void sortByKey(KeyedIds& items);
 
 } // namespace vp::grid

@@ -4,6 +4,7 @@
 #include "base/vec.h"
 
 #include <cstddef>
+#include <type_traits>
 
 namespace vp::grid
 {
@@ -22,6 +23,14 @@ public:
 	// The numbers as they are kept, x y z of the first point first; null of the other type.
 	const float* floats() const { return is_double_ ? nullptr : float_.data(); }
 	const double* doubles() const { return is_double_ ? double_.data() : nullptr; }
+	template <class Number>
+	const Number* numbers() const
+	{
+		if constexpr (std::is_same_v<Number, float>)
+			return floats();
+		else
+			return doubles();
+	}
 	Vec3 operator[](std::size_t i) const
 	{
 		// The branch goes the same way for a whole cut and costs next to nothing beside the cache miss.

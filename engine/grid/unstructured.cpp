@@ -29,7 +29,7 @@ int UnstructuredGrid::faceCount(CellId c) const
 {
 	if (!isPolyhedron(c))
 		return topology(shape(c)).faces;
-	const std::uint32_t number = records_[std::size_t(c) * 8];
+	const std::uint32_t number = record(c)[0];
 	return static_cast<int>(polyhedron_faces_[number + 1] - polyhedron_faces_[number]);
 }
 
@@ -38,7 +38,7 @@ void UnstructuredGrid::cellFaces(CellId c, CellFaces& faces) const
 	faces.clear();
 	if (!isPolyhedron(c))
 		return shapeFaces(shape(c), cellPoints(c), faces);
-	const std::uint32_t number = records_[std::size_t(c) * 8];
+	const std::uint32_t number = record(c)[0];
 	for (std::uint32_t f = polyhedron_faces_[number]; f < polyhedron_faces_[number + 1]; ++f)
 		faces.add({face_points_.data() + face_points_start_[f], face_points_start_[f + 1] - face_points_start_[f]});
 }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "base/array.h"
+#include "base/huge_vector.h"
 #include "grid/grid.h"
 #include "grid/points.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -43,8 +45,10 @@ bool isSliceable(std::uint8_t vtk_type);
 // Cells of any shape. On building, faces are matched, and cells and points are renumbered along a Morton curve so that
 // what is near in space is near in memory; sourceCell() and sourcePoint() give the numbers the cells came with.
 //
-// A cell is one record of 4 ids (all tetrahedra) or 8 ids: its points, and in a cell of fewer than 8 points the last id
-// is kShapeMark + shape. A polyhedron's first id is its number in the face lists. The GPU reads the same records.
+// A cell is one record, so that a traversal finds all it asks of it in one or two cache lines. First 4 ids (all
+// tetrahedra) or 8 ids: its points, and in a cell of fewer than 8 points the last id is kShapeMark + shape. A
+// polyhedron's first id is its number in the face lists. The GPU reads the same ids. Behind them 4 or 6 numbers of what
+// is across each face: a cell, kNoCell, or kMaxBlockIds + a place in a list of several; a polyhedron's are kept apart.
 class UnstructuredGrid
 {
 public:
@@ -73,16 +77,14 @@ public:
 	{
 		if (width_ == 4)
 			return CellShape::tetrahedron;
-		const std::uint32_t last = records_[std::size_t(c) * 8 + 7];
+		const std::uint32_t last = record(c)[7];
 		return last >= kShapeMark ? static_cast<CellShape>(last - kShapeMark) : CellShape::hexahedron;
 	}
 	CellPoints cellPoints(CellId c) const
 	{
 		CellPoints points;
 		points.size = topology(shape(c)).points;
-		const std::uint32_t* record = &records_[std::size_t(c) * width_];
-		for (int i = 0; i < points.size; ++i)
-			points.id[i] = record[i];
+		std::copy_n(record(c), points.size, points.id.begin());
 		return points;
 	}
 	int faceCount(CellId c) const;
@@ -90,44 +92,42 @@ public:
 	template <class Visit>
 	void forEachNeighbour(CellId c, int f, Visit&& visit) const
 	{
-		const std::uint32_t n = neighbours_[neighbourSlot(c) + f];
+		const std::uint32_t n = across(c)[f];
 		if (n < kMaxBlockIds)
 			visit(n);
 		else if (n != kNoCell)
 			for (const CellId other : several_[n - kMaxBlockIds])
 				visit(other);
 	}
+	// The cell across a face of a table shape; kMaxBlockIds or more where there is none or several.
+	std::uint32_t soleNeighbour(CellId c, int f) const { return record(c)[width_ + f]; }
+	// Whether every face of a cell of any shape has another cell across.
+	bool hasAllNeighbours(CellId c) const
+	{
+		const std::uint32_t* numbers = across(c);
+		return std::find(numbers, numbers + faceCount(c), kNoCell) == numbers + faceCount(c);
+	}
+	// Whether cells were linked that do not share a face's points.
+	bool hasLinks() const { return has_links_; }
 	std::size_t sourcePoint(PointId p) const { return source_points_[p]; }
 	std::size_t sourceCell(CellId c) const { return source_cells_[c]; }
 
-	// Ask for what classifying a cell, and going on from it, will need: first its record, some time later the points
-	// that the record names.
-	void prefetchCell(CellId c) const
-	{
-		__builtin_prefetch(&records_[std::size_t(c) * width_]);
-		__builtin_prefetch(&neighbours_[std::size_t(c) * face_width_]); // of a polyhedron any: no harm
-	}
-	void prefetchPoints(CellId c) const
-	{
-		const std::uint32_t* record = &records_[std::size_t(c) * width_];
-		for (int v = 0; v < width_; ++v)
-			if (record[v] < kShapeMark)
-				points_.prefetch(record[v]);
-	}
-
 	int recordWidth() const { return width_; }
-	const std::vector<std::uint32_t>& records() const { return records_; }
+	int recordStride() const { return width_ + face_width_; }
+	const HugeVector<std::uint32_t>& records() const { return records_; }
+	const std::uint32_t* record(CellId c) const { return records_.data() + std::size_t(c) * recordStride(); }
 	const Points& coordinates() const { return points_; }
 	std::size_t geometryBytes() const;  // coordinates, records, faces of polyhedra
 	std::size_t adjacencyBytes() const; // neighbours and source numbers
 
 private:
 	bool isPolyhedron(CellId c) const { return shape(c) == CellShape::polyhedron; }
-	std::size_t neighbourSlot(CellId c) const
+	// Per face of a cell of any shape.
+	const std::uint32_t* across(CellId c) const
 	{
 		if (isPolyhedron(c))
-			return polyhedron_neighbours_ + polyhedron_faces_[records_[std::size_t(c) * 8]];
-		return std::size_t(c) * face_width_;
+			return polyhedron_neighbours_.data() + polyhedron_faces_[record(c)[0]];
+		return record(c) + width_;
 	}
 
 	std::size_t cell_count_ = 0;
@@ -135,19 +135,19 @@ private:
 	std::size_t source_cell_count_ = 0;
 	std::size_t source_point_count_ = 0;
 	std::size_t used_points_ = 0;
+	bool has_links_ = false;
 	int width_ = 8;      // ids per record
 	int face_width_ = 6; // neighbour slots per cell of a table shape
 	Points points_;
-	std::vector<std::uint32_t> records_;
-	std::vector<std::uint32_t> neighbours_; // a cell, kNoCell, or kMaxBlockIds + index into several_
+	HugeVector<std::uint32_t> records_;
 	std::vector<std::vector<CellId>> several_;
-	std::vector<std::uint32_t> source_points_;
-	std::vector<std::uint64_t> source_cells_;
+	HugeVector<std::uint32_t> source_points_;
+	HugeVector<std::uint32_t> source_cells_;
 	// Polyhedra, by the number in their record: faces, their points, and where their neighbours start.
 	std::vector<std::uint32_t> polyhedron_faces_; // polyhedra + 1 offsets into face_points_start_
 	std::vector<std::uint32_t> face_points_start_;
 	std::vector<PointId> face_points_;
-	std::size_t polyhedron_neighbours_ = 0; // start of their slots in neighbours_
+	std::vector<std::uint32_t> polyhedron_neighbours_; // per face of a polyhedron
 
 	friend class UnstructuredBuilder;
 };

@@ -1,14 +1,9 @@
+#include "grid/adjacency.h"
+#include "grid/cell_order.h"
+#include "grid/for_ranges.h"
+#include "grid/listed_cells.h"
 #include "grid/unstructured.h"
 
-#include "grid/adjacency.h"
-#include "grid/morton.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-
-#include <atomic>
-#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -18,77 +13,19 @@ namespace vp::grid
 namespace
 {
 
-// VTK's cell type numbers.
-constexpr std::uint8_t kTetra = 10;
-constexpr std::uint8_t kVoxel = 11;
-constexpr std::uint8_t kHexahedron = 12;
-constexpr std::uint8_t kWedge = 13;
-constexpr std::uint8_t kPyramid = 14;
-constexpr std::uint8_t kPolyhedron = 42;
-
-CellShape shapeOf(std::uint8_t vtk_type)
-{
-	switch (vtk_type)
-	{
-	case kTetra:
-		return CellShape::tetrahedron;
-	case kPyramid:
-		return CellShape::pyramid;
-	case kWedge:
-		return CellShape::wedge;
-	case kPolyhedron:
-		return CellShape::polyhedron;
-	case kVoxel:
-	case kHexahedron:
-		break;
-	}
-	return CellShape::hexahedron;
-}
-
-// A voxel's points lie in lattice order.
-constexpr std::array<std::uint8_t, 8> kVoxelOrder{0, 1, 3, 2, 4, 5, 7, 6};
-
-template <class Body>
-void forRanges(std::size_t count, Body&& body)
-{
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
-	                  [&](const tbb::blocked_range<std::size_t>& range)
-	                  {
-		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-			                  body(i);
-	                  });
-}
-
-Box finiteBounds(const Points& points)
-{
-	return tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, points.size(), 65536), Box{},
-	    [&](const tbb::blocked_range<std::size_t>& range, Box box)
-	    {
-		    for (std::size_t p = range.begin(); p < range.end(); ++p)
-			    if (const Vec3 x = points[p]; std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z))
-				    box.include(x);
-		    return box;
-	    },
-	    [](Box a, const Box& b)
-	    {
-		    a.include(b);
-		    return a;
-	    });
-}
-
 template <class Number>
-Points gathered(const Points& points, const std::vector<std::uint32_t>& order)
+Points gathered(const Points& points, const HugeVector<std::uint32_t>& order)
 {
-	const std::shared_ptr<Number[]> xyz(new Number[3 * order.size()]);
+	const auto xyz = std::make_shared<HugeVector<Number>>(3 * order.size());
+	Number* numbers = xyz->data();
 	forRanges(order.size(),
 	          [&](std::size_t p)
 	          {
 		          const Vec3 x = points[order[p]];
 		          for (int axis = 0; axis < 3; ++axis)
-			          xyz[3 * p + axis] = static_cast<Number>(x[axis]);
+			          numbers[3 * p + axis] = static_cast<Number>(x[axis]);
 	          });
-	return Points(Array<Number>(xyz, xyz.get(), 3 * order.size()));
+	return Points(Array<Number>(xyz, numbers, 3 * order.size()));
 }
 
 } // namespace
@@ -101,10 +38,7 @@ public:
 
 	UnstructuredGrid build(const std::vector<FaceLink>& links)
 	{
-		chooseCells();
-		const MortonCurve curve(finiteBounds(points_));
-		orderCells(curve);
-		orderPoints(curve);
+		takeOrder();
 		writePolyhedra();
 		writeRecords();
 		matchCells(links);
@@ -113,125 +47,16 @@ public:
 	}
 
 private:
-	std::size_t keptCell(std::size_t n) const { return kept_.empty() ? n : kept_[n]; }
-	bool isPolyhedron(std::size_t source) const { return cells_.types[source] == kPolyhedron; }
-
-	// Calls visit(point id) for the points of a cell, of a polyhedron once per face.
-	template <class Visit>
-	void forEachPoint(std::size_t source, Visit&& visit) const
+	void takeOrder()
 	{
-		if (isPolyhedron(source))
-			return forEachFace(source,
-			                   [&](std::span<const std::int64_t> face)
-			                   {
-				                   for (const std::int64_t p : face)
-					                   visit(p);
-			                   });
-		const std::int64_t* ids = cells_.connectivity.data() + cells_.offsets[source];
-		const int count = topology(shapeOf(cells_.types[source])).points;
-		for (int i = 0; i < count; ++i)
-			visit(ids[i]);
-	}
-
-	template <class Visit>
-	void forEachFace(std::size_t source, Visit&& visit) const
-	{
-		const std::int64_t* stream = cells_.face_stream.data() + cells_.face_offsets[source];
-		std::int64_t faces = *stream++;
-		for (; faces > 0; --faces)
-		{
-			visit(std::span(stream + 1, static_cast<std::size_t>(*stream)));
-			stream += 1 + *stream;
-		}
-	}
-
-	void chooseCells()
-	{
-		const std::size_t count = cells_.types.size();
-		std::array<std::size_t, 256> of_type{};
-		for (const std::uint8_t type : cells_.types.span())
-			++of_type[type];
-		std::size_t kept = 0;
-		for (int type = 0; type < 256; ++type)
-		{
-			const auto vtk_type = static_cast<std::uint8_t>(type);
-			if (isSliceable(vtk_type))
-				kept += of_type[type];
-			else if (const int dimension = vtkDimension(vtk_type); dimension >= 0 && dimension < 3)
-				grid_.left_out_ += of_type[type];
-		}
-		if (kept > kMaxBlockIds || points_.size() > kMaxBlockIds)
-			throw std::length_error("a block holds at most 3221225472 cells or points");
-		if (kept < count)
-		{
-			kept_.reserve(kept);
-			for (std::size_t c = 0; c < count; ++c)
-				if (isSliceable(cells_.types[c]))
-					kept_.push_back(c);
-		}
-		grid_.cell_count_ = kept;
-		if (kept > 0 && kept == of_type[kTetra])
+		order_ = orderCells(points_, cells_);
+		grid_.cell_count_ = order_.cells.size();
+		grid_.left_out_ = order_.left_out;
+		grid_.used_points_ = order_.used_points;
+		if (order_.all_tetrahedra)
 			grid_.width_ = grid_.face_width_ = 4;
-	}
-
-	void orderCells(const MortonCurve& curve)
-	{
-		const std::size_t count = grid_.cell_count_;
-		std::unique_ptr<KeyedId[]> items(new KeyedId[count]);
-		forRanges(count,
-		          [&](std::size_t n)
-		          {
-			          Vec3 sum(0.0);
-			          int points = 0;
-			          forEachPoint(keptCell(n),
-			                       [&](std::int64_t p)
-			                       {
-				                       sum += points_[p];
-				                       ++points;
-			                       });
-			          items[n] = {curve(sum / static_cast<double>(points)), static_cast<std::uint32_t>(n)};
-		          });
-		sortByKey(items, count);
-		grid_.source_cells_.resize(count);
-		forRanges(count, [&](std::size_t c) { grid_.source_cells_[c] = keptCell(items[c].id); });
-	}
-
-	// Along the same curve as the cells; points of no cell at the end.
-	void orderPoints(const MortonCurve& curve)
-	{
-		const std::size_t count = points_.size();
-		std::vector<std::uint8_t> used(count);
-		forRanges(grid_.cell_count_,
-		          [&](std::size_t c)
-		          {
-			          forEachPoint(grid_.source_cells_[c],
-			                       [&](std::int64_t p)
-			                       {
-				                       const std::atomic_ref<std::uint8_t> flag(used[p]);
-				                       if (!flag.load(std::memory_order_relaxed))
-					                       flag.store(1, std::memory_order_relaxed);
-			                       });
-		          });
-		std::unique_ptr<KeyedId[]> items(new KeyedId[count]);
-		forRanges(count,
-		          [&](std::size_t p)
-		          {
-			          const std::uint64_t unused_last = used[p] ? 0 : MortonCurve::kLast + 1;
-			          items[p] = {curve(points_[p]) | unused_last, static_cast<std::uint32_t>(p)};
-		          });
-		sortByKey(items, count);
-		grid_.source_points_.resize(count);
-		rank_.resize(count);
-		forRanges(count,
-		          [&](std::size_t p)
-		          {
-			          grid_.source_points_[p] = items[p].id;
-			          rank_[items[p].id] = static_cast<std::uint32_t>(p);
-		          });
-		grid_.used_points_ = count;
-		while (grid_.used_points_ > 0 && items[grid_.used_points_ - 1].key > MortonCurve::kLast)
-			--grid_.used_points_;
-		items.reset();
+		grid_.source_cells_ = std::move(order_.cells);
+		grid_.source_points_ = std::move(order_.points);
 		grid_.points_ = points_.isDouble() ? gathered<double>(points_, grid_.source_points_)
 		                                   : gathered<float>(points_, grid_.source_points_);
 	}
@@ -241,16 +66,16 @@ private:
 		std::size_t faces = 0;
 		std::size_t face_points = 0;
 		std::vector<std::size_t> first_point;
-		for (std::size_t c = 0; c < grid_.cell_count_; ++c)
+		for (std::size_t c = 0; order_.has_polyhedra && c < grid_.cell_count_; ++c)
 		{
 			const std::size_t source = grid_.source_cells_[c];
-			if (!isPolyhedron(source))
+			if (!cells_.isPolyhedron(source))
 				continue;
 			polyhedra_.push_back(static_cast<CellId>(c));
 			grid_.polyhedron_faces_.push_back(static_cast<std::uint32_t>(faces));
 			first_point.push_back(face_points);
-			const std::size_t cell_faces = cells_.face_stream[cells_.face_offsets[source]];
-			forEachFace(source, [&](std::span<const std::int64_t> face) { face_points += face.size(); });
+			const std::size_t cell_faces = cells_.faceCount(source);
+			cells_.forEachFace(source, [&](std::span<const std::int64_t> face) { face_points += face.size(); });
 			faces += cell_faces;
 		}
 		checkSlots(grid_.cell_count_ * grid_.face_width_ + faces);
@@ -266,13 +91,13 @@ private:
 		          {
 			          std::uint32_t face = grid_.polyhedron_faces_[n];
 			          std::size_t point = first_point[n];
-			          forEachFace(grid_.source_cells_[polyhedra_[n]],
-			                      [&](std::span<const std::int64_t> ids)
-			                      {
-				                      grid_.face_points_start_[face++] = static_cast<std::uint32_t>(point);
-				                      for (const std::int64_t p : ids)
-					                      grid_.face_points_[point++] = rank_[p];
-			                      });
+			          cells_.forEachFace(grid_.source_cells_[polyhedra_[n]],
+			                             [&](std::span<const std::int64_t> ids)
+			                             {
+				                             grid_.face_points_start_[face++] = static_cast<std::uint32_t>(point);
+				                             for (const std::int64_t p : ids)
+					                             grid_.face_points_[point++] = order_.rank[p];
+			                             });
 		          });
 	}
 
@@ -284,21 +109,27 @@ private:
 
 	void writeRecords()
 	{
+		constexpr std::size_t kAhead = 32; // cells, which may lie anywhere in the list
 		const std::size_t width = grid_.width_;
-		grid_.records_.resize(grid_.cell_count_ * width);
+		const std::size_t stride = grid_.recordStride();
+		grid_.records_.resize(grid_.cell_count_ * stride);
 		forRanges(grid_.cell_count_,
 		          [&](std::size_t c)
 		          {
 			          const std::size_t source = grid_.source_cells_[c];
-			          const CellShape shape = shapeOf(cells_.types[source]);
-			          std::uint32_t* record = &grid_.records_[c * width];
+			          if (c + kAhead < grid_.cell_count_)
+				          cells_.prefetchOffset(grid_.source_cells_[c + kAhead]);
+			          if (c + kAhead / 2 < grid_.cell_count_)
+				          cells_.prefetchPoints(grid_.source_cells_[c + kAhead / 2]);
+			          const CellShape shape = shapeOf(cells_.type(source));
+			          std::uint32_t* record = &grid_.records_[c * stride];
 			          if (shape == CellShape::polyhedron)
 				          return;
-			          const std::int64_t* ids = cells_.connectivity.data() + cells_.offsets[source];
-			          const bool voxel = cells_.types[source] == kVoxel;
+			          const std::int64_t* ids = cells_.points(source);
+			          const bool voxel = cells_.type(source) == kVoxel;
 			          const int count = topology(shape).points;
 			          for (int i = 0; i < count; ++i)
-				          record[i] = rank_[ids[voxel ? kVoxelOrder[i] : i]];
+				          record[i] = order_.rank[ids[voxel ? kVoxelOrder[i] : i]];
 			          // Ids that can be fetched, should a loop run over all eight.
 			          for (std::size_t i = count; i < width; ++i)
 				          record[i] = record[0];
@@ -307,11 +138,11 @@ private:
 		          });
 		for (std::size_t n = 0; n < polyhedra_.size(); ++n)
 		{
-			std::uint32_t* record = &grid_.records_[std::size_t(polyhedra_[n]) * 8];
+			std::uint32_t* record = &grid_.records_[std::size_t(polyhedra_[n]) * stride];
 			record[0] = static_cast<std::uint32_t>(n);
 			record[7] = UnstructuredGrid::kShapeMark + static_cast<std::uint32_t>(CellShape::polyhedron);
 		}
-		rank_ = {};
+		order_.rank = {};
 	}
 
 	void matchCells(const std::vector<FaceLink>& links)
@@ -327,17 +158,17 @@ private:
 		faces.polyhedron_faces = grid_.polyhedron_faces_;
 		faces.face_points_start = grid_.face_points_start_;
 		faces.face_points = grid_.face_points_;
-		grid_.polyhedron_neighbours_ = faces.tableSlots();
-		Adjacency adjacency = matchFaces(faces);
-		if (!links.empty())
-			linkFaces(links, adjacency);
-		grid_.neighbours_ = std::move(adjacency.neighbours);
-		grid_.several_ = std::move(adjacency.several);
+		grid_.polyhedron_neighbours_.resize(faces.count() - faces.tableSlots());
+		faces.polyhedron_neighbours = grid_.polyhedron_neighbours_;
+		grid_.several_ = matchFaces(faces);
+		grid_.has_links_ = !links.empty();
+		if (grid_.has_links_)
+			linkFaces(links, faces);
 	}
 
-	void linkFaces(const std::vector<FaceLink>& links, Adjacency& adjacency) const
+	void linkFaces(const std::vector<FaceLink>& links, const FaceSlots& faces)
 	{
-		std::vector<CellId> stored(cells_.types.size(), kNoCell);
+		std::vector<CellId> stored(cells_.list().types.size(), kNoCell);
 		forRanges(grid_.cell_count_, [&](std::size_t c) { stored[grid_.source_cells_[c]] = static_cast<CellId>(c); });
 		for (const FaceLink& link : links)
 		{
@@ -345,25 +176,33 @@ private:
 			const CellId b = stored[link.cell_b];
 			if (a == kNoCell || b == kNoCell || a == b)
 				continue;
-			adjacency.link(grid_.neighbourSlot(a) + link.face_a, b);
-			adjacency.link(grid_.neighbourSlot(b) + link.face_b, a);
+			addNeighbour(faces.across(slotOf(a, link.face_a, faces)), b, grid_.several_);
+			addNeighbour(faces.across(slotOf(b, link.face_b, faces)), a, grid_.several_);
 		}
+	}
+
+	std::size_t slotOf(CellId cell, int face, const FaceSlots& faces) const
+	{
+		if (grid_.isPolyhedron(cell))
+			return faces.tableSlots() + grid_.polyhedron_faces_[grid_.record(cell)[0]] + face;
+		return std::size_t(cell) * faces.face_width + face;
 	}
 
 	// Up to here source_cells_ gives places in the list; from here on the file's cells.
 	void nameSources()
 	{
-		grid_.source_point_count_ = cells_.source_points > 0 ? cells_.source_points : points_.size();
+		grid_.source_point_count_ = cells_.list().source_points > 0 ? cells_.list().source_points : points_.size();
 		grid_.source_cell_count_ = grid_.cell_count_;
-		if (cells_.source_cells.empty())
+		if (cells_.list().source_cells.empty())
 			return;
 		forRanges(grid_.cell_count_,
 		          [&](std::size_t c) {
-			          grid_.source_cells_[c] = static_cast<std::uint64_t>(cells_.source_cells[grid_.source_cells_[c]]);
+			          grid_.source_cells_[c] =
+			              static_cast<std::uint32_t>(cells_.list().source_cells[grid_.source_cells_[c]]);
 		          });
 		std::vector<bool> seen;
 		grid_.source_cell_count_ = 0;
-		for (const std::uint64_t source : grid_.source_cells_)
+		for (const std::uint32_t source : grid_.source_cells_)
 		{
 			if (source >= seen.size())
 				seen.resize(source + 1);
@@ -373,10 +212,9 @@ private:
 	}
 
 	const Points& points_;
-	const CellList& cells_;
+	ListedCells cells_;
+	CellOrder order_;
 	UnstructuredGrid grid_;
-	std::vector<std::uint64_t> kept_; // source numbers of the cells, empty where all are
-	std::vector<std::uint32_t> rank_; // of a source point in the grid
 	std::vector<CellId> polyhedra_;
 };
 

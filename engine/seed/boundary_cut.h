@@ -5,8 +5,13 @@
 #include "seed/sheet_window.h"
 #include "surface/plane.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 namespace vp::seed
 {
@@ -55,46 +60,96 @@ void useFacePoints(const G& grid, CellId cell, std::uint32_t face, grid::CellFac
 	use(std::span<const PointId>(ids.data(), corners.size()));
 }
 
-// Calls visit_cut(CutFace) for every boundary face with vertices on both sides: its cell is cut. Calls visit_flat(Face)
-// for every one that lies in the plane whole. With a window (or null) only those that may reach into it. Returns the
-// boxes and faces asked.
-template <grid::Grid G, class VisitCut, class VisitFlat>
-std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary, const surface::Plane& plane,
-                             const SheetWindow* window, VisitCut&& visit_cut, VisitFlat&& visit_flat)
+// What the plane has in common with a part of a boundary.
+struct BoundaryCut
 {
-	std::size_t face_tests = 0;
-	grid::CellFaces faces;
-	const auto testPoints = [&](const grid::BoundaryIndex::Face& face, std::span<const PointId> points)
+	std::vector<CutFace> cut;
+	std::vector<grid::BoundaryIndex::Face> flat;
+	std::size_t tests = 0; // boxes and faces asked
+};
+
+// The part of groups [begin, end) of the index. With a window (or null) only faces that may reach into it.
+template <grid::Grid G>
+class BoundarySearch
+{
+public:
+	BoundarySearch(const G& grid, const surface::Plane& plane, const SheetWindow* window)
+	    : grid_(grid), plane_(plane), window_(window)
 	{
-		Vec3 previous = grid.point(points.back());
-		double previous_distance = plane.signedDistance(previous);
+	}
+
+	BoundaryCut search(const grid::BoundaryIndex& boundary, std::size_t begin, std::size_t end)
+	{
+		const auto meets = [&](const Box& box) { return plane_.meets(box) && (!window_ || window_->meets(box)); };
+		const std::size_t boxes = boundary.visitWhere(begin, end, meets, [&](const auto& faces) { askPatch(faces); });
+		found_.tests += boxes;
+		return std::move(found_);
+	}
+
+private:
+	void askPatch(std::span<const grid::BoundaryIndex::Face> faces)
+	{
+		found_.tests += faces.size();
+		for (const grid::BoundaryIndex::Face& face : faces)
+			useFacePoints(grid_, face.cell, face.face, faces_,
+			              [&](std::span<const PointId> points) { askFace(face, points); });
+	}
+
+	void askFace(const grid::BoundaryIndex::Face& face, std::span<const PointId> points)
+	{
+		Vec3 previous = grid_.point(points.back());
+		double previous_distance = plane_.signedDistance(previous);
 		Vec3 ends[2];
 		int found = 0;
 		bool flat = true;
 		for (const PointId p : points)
 		{
-			const Vec3 corner = grid.point(p);
-			const double distance = plane.signedDistance(corner);
+			const Vec3 corner = grid_.point(p);
+			const double distance = plane_.signedDistance(corner);
 			if ((distance >= 0.0) != (previous_distance >= 0.0) && found < 2)
 				ends[found++] = previous + (previous_distance / (previous_distance - distance)) * (corner - previous);
 			flat = flat && distance == 0.0;
 			previous = corner;
 			previous_distance = distance;
 		}
-		if (found == 2 && (!window || window->meetsFace(grid, plane, points)))
-			visit_cut(CutFace{face.cell, ends[0], ends[1]});
-		else if (flat && (!window || window->meets(boxOf(grid, points))))
-			visit_flat(face);
-	};
-	const auto test = [&](const grid::BoundaryIndex::Face& face)
+		if (found == 2 && (!window_ || window_->meetsFace(grid_, plane_, points)))
+			found_.cut.push_back({face.cell, ends[0], ends[1]});
+		else if (flat && (!window_ || window_->meets(boxOf(grid_, points))))
+			found_.flat.push_back(face);
+	}
+
+	const G& grid_;
+	const surface::Plane& plane_;
+	const SheetWindow* window_;
+	grid::CellFaces faces_;
+	BoundaryCut found_;
+};
+
+// Calls visit_cut(CutFace) for every boundary face with vertices on both sides: its cell is cut. Calls visit_flat(Face)
+// for every one that lies in the plane whole. With a window (or null) only those that may reach into it. In the order
+// of the index, one after the other, though they are looked for on all cores. Returns the boxes and faces asked.
+template <grid::Grid G, class VisitCut, class VisitFlat>
+std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary, const surface::Plane& plane,
+                             const SheetWindow* window, VisitCut&& visit_cut, VisitFlat&& visit_flat)
+{
+	constexpr std::size_t kGroups = 16; // at a time: some 10 us of work
+	std::vector<BoundaryCut> parts((boundary.groups.size() + kGroups - 1) / kGroups);
+	tbb::parallel_for(std::size_t(0), parts.size(),
+	                  [&](std::size_t n)
+	                  {
+		                  const std::size_t end = std::min((n + 1) * kGroups, boundary.groups.size());
+		                  parts[n] = BoundarySearch(grid, plane, window).search(boundary, n * kGroups, end);
+	                  });
+	std::size_t tests = 0;
+	for (const BoundaryCut& part : parts)
 	{
-		++face_tests;
-		useFacePoints(grid, face.cell, face.face, faces,
-		              [&](std::span<const PointId> points) { testPoints(face, points); });
-	};
-	const std::size_t box_tests =
-	    boundary.visitWhere([&](const Box& box) { return plane.meets(box) && (!window || window->meets(box)); }, test);
-	return box_tests + face_tests;
+		for (const CutFace& face : part.cut)
+			visit_cut(face);
+		for (const grid::BoundaryIndex::Face& face : part.flat)
+			visit_flat(face);
+		tests += part.tests;
+	}
+	return tests;
 }
 
 } // namespace vp::seed

@@ -24,27 +24,36 @@ class CellPolygons
 public:
 	using Edge = std::pair<PointId, PointId>; // positive, negative
 
-	CellPolygons(const G& grid, const surface::Plane& plane) : grid_(grid), plane_(plane) {}
+	CellPolygons(const G& grid, const surface::Plane& plane) : grid_(grid), plane_(plane)
+	{
+		for (int s = 0; s < grid::kTableShapes; ++s)
+			tables_[s] = cases::caseTable(static_cast<grid::CellShape>(s)).data();
+	}
+
+	// What the table knows of a cut cell; null where its faces are to be walked.
+	const cases::Case* entryOf(CellId cell, std::uint32_t word) const
+	{
+		const grid::CellShape shape = grid_.shape(cell);
+		if (shape == grid::CellShape::polyhedron)
+			return nullptr;
+		const cases::Case& entry = tables_[static_cast<std::size_t>(shape)][word & 0xFFu];
+		return entry.needs_walk ? nullptr : &entry;
+	}
 
 	// Calls visit(std::span<const Edge>) per polygon. Returns whether the cell is twisted: a face cut more than once,
 	// or several polygons.
 	template <class Visit>
 	bool visit(CellId cell, std::uint32_t word, Visit&& visit)
 	{
-		const grid::CellShape shape = grid_.shape(cell);
-		if (shape != grid::CellShape::polyhedron)
+		if (const cases::Case* entry = entryOf(cell, word))
 		{
-			const cases::Case& entry = cases::caseTable(shape)[word & 0xFFu];
-			if (!entry.needs_walk)
-			{
-				const grid::CellPoints points = grid_.cellPoints(cell);
-				std::array<Edge, cases::kMaxPolygon> edges;
-				for (int e = 0; e < entry.edges; ++e)
-					edges[e] = {points.id[entry.edge[e][0]], points.id[entry.edge[e][1]]};
-				if (entry.edges)
-					visit(std::span<const Edge>(edges.data(), entry.edges));
-				return false;
-			}
+			const grid::CellPoints points = grid_.cellPoints(cell);
+			std::array<Edge, cases::kMaxPolygon> edges;
+			for (int e = 0; e < entry->edges; ++e)
+				edges[e] = {points.id[entry->edge[e][0]], points.id[entry->edge[e][1]]};
+			if (entry->edges)
+				visit(std::span<const Edge>(edges.data(), entry->edges));
+			return false;
 		}
 		walk(cell);
 		for (int p = 0; p < cut_.polygons(); ++p)
@@ -92,6 +101,7 @@ private:
 
 	const G& grid_;
 	const surface::Plane& plane_;
+	std::array<const cases::Case*, grid::kTableShapes> tables_;
 	grid::CellFaces faces_;
 	std::vector<PointId> local_points_; // of the walked cell, ascending
 	std::vector<double> distances_;

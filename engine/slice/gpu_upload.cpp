@@ -22,7 +22,7 @@ namespace vp::slice
 namespace
 {
 
-// The shader reads the grid's own records.
+// The shader reads the ids of the grid's own records.
 static_assert(shared::kShapeMark == grid::UnstructuredGrid::kShapeMark);
 static_assert(static_cast<int>(grid::CellShape::hexahedron) == 3 && static_cast<int>(grid::CellShape::wedge) == 2 &&
               static_cast<int>(grid::CellShape::pyramid) == 1);
@@ -140,7 +140,7 @@ std::string whyNotOnDevice(const gpu::Device& device, const GpuLimits& limits, c
 	if (const grid::Points* points = coordinatesOf(block.grid))
 		count(points->size());
 	if (const auto* grid = std::get_if<grid::UnstructuredGrid>(&block.grid))
-		count(grid->records().size() / 4);
+		count(grid->cellCount() * grid->recordWidth() / 4);
 	// Any array may be asked for later.
 	std::uint64_t values = 0;
 	for (const grid::Field& field : block.fields)
@@ -177,10 +177,11 @@ Result<std::unique_ptr<GpuBlock>> uploadBlock(gpu::Device& device, const grid::B
 	}
 	if (const auto* grid = std::get_if<grid::UnstructuredGrid>(&block.grid))
 	{
-		const std::vector<std::uint32_t>& ids = grid->records();
-		Result<GpuTexels> texels = makeTexels<Texel>(
-		    device, ids.size() / 4, VK_FORMAT_R32G32B32A32_UINT, block.name + " cells",
-		    [&](std::size_t i, Texel& texel) { std::memcpy(texel.data(), &ids[4 * i], sizeof(Texel)); });
+		const std::size_t parts = grid->recordWidth() / 4;
+		const auto part = [&](std::size_t i) { return grid->record(static_cast<CellId>(i / parts)) + 4 * (i % parts); };
+		Result<GpuTexels> texels =
+		    makeTexels<Texel>(device, grid->cellCount() * parts, VK_FORMAT_R32G32B32A32_UINT, block.name + " cells",
+		                      [&](std::size_t i, Texel& texel) { std::memcpy(texel.data(), part(i), sizeof(Texel)); });
 		if (!texels)
 			return texels.error();
 		made->cells = std::move(*texels);

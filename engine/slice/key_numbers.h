@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/raw_vector.h"
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -54,13 +56,13 @@ private:
 	}
 	void resize(std::size_t slots)
 	{
-		keys_.assign(slots, 0);
+		keys_.resize(slots);
 		numbers_.assign(slots, kEmpty);
 		shift_ = 64 - std::countr_zero(slots);
 	}
 	void grow()
 	{
-		const std::vector<std::uint64_t> keys = std::move(keys_);
+		const RawVector<std::uint64_t> keys = std::move(keys_);
 		const std::vector<std::uint32_t> numbers = std::move(numbers_);
 		resize(2 * keys.size());
 		for (std::size_t i = 0; i < keys.size(); ++i)
@@ -75,7 +77,7 @@ private:
 		}
 	}
 
-	std::vector<std::uint64_t> keys_;
+	RawVector<std::uint64_t> keys_; // where there is a number
 	std::vector<std::uint32_t> numbers_;
 	std::size_t used_ = 0;
 	int shift_ = 0;

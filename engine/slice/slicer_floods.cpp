@@ -66,8 +66,8 @@ Slicer::Found Slicer::find(const SliceRequest& request, Slice& slice)
 		{
 			if (request.finder != Finder::automatic || sheet.sheet.window)
 				continue;
-			found[lane] =
-			    traverse::floodCells(*unstructured, sheet.sheet.plane(), sheet.seeds.cells[b], *marks_[b]->borrow());
+			found[lane] = traverse::floodCells(*unstructured, sheet.sheet.plane(), blocks_.blocks[b].bounds,
+			                                   sheet.seeds.cells[b], *marks_[b]->borrow());
 			if (gpu_)
 				countAsGeneration(*found[lane]);
 		}

@@ -61,31 +61,4 @@ void tidyPolygons(SheetMesh& mesh, const Vec3& normal)
 	mesh.polygon_vertices = std::move(kept);
 }
 
-bool turnPolygon(const SheetMesh& mesh, const Vec3& normal, std::span<std::uint32_t> polygon)
-{
-	if (polygon.size() < 3)
-		return false;
-	const auto reach = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-	const Vec3& first = mesh.positions[polygon[0]];
-	Vec3 to_previous = mesh.positions[polygon[1]] - first;
-	bool repeats = polygon[0] == polygon[1] || polygon[0] == polygon.back();
-	double extent = reach(to_previous);
-	Vec3 sum(0.0);
-	for (std::size_t v = 2; v < polygon.size(); ++v)
-	{
-		repeats = repeats || polygon[v] == polygon[v - 1];
-		const Vec3 to_next = mesh.positions[polygon[v]] - first;
-		sum += glm::cross(to_previous, to_next);
-		extent = std::max(extent, reach(to_next));
-		to_previous = to_next;
-	}
-	const double area = glm::dot(sum, normal);
-	constexpr double kThin = 1e-12; // well above what tidyPolygons() takes for no area
-	if (repeats || std::abs(area) <= kThin * extent * extent)
-		return false;
-	if (area < 0.0)
-		std::reverse(polygon.begin(), polygon.end());
-	return true;
-}
-
 } // namespace vp::slice

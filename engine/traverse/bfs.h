@@ -69,6 +69,7 @@ struct LaneCut
 	std::vector<CellId> cells;        // every cell that was queued
 	std::vector<std::uint32_t> words; // its word, kWordCut set where it is cut; kWordWalk kept where the CPU walked it
 	std::size_t cut_cells = 0;
+	bool closed = false; // cells ascend, and what lies across a cut face of theirs in the block is listed too
 	std::vector<std::uint32_t> generation_starts; // generations + 1 offsets into cells
 	std::size_t steps =
 	    0; // generations of all lanes up to this lane's last: more than its own where it was entered late

@@ -1,9 +1,14 @@
 #include "traverse/cell_flood.h"
 
+#include "base/raw_vector.h"
 #include "traverse/flood_sharing.h"
+#include "traverse/record_signs.h"
+
+#include <tbb/parallel_for.h>
 
 #include <bit>
 #include <mutex>
+#include <numeric>
 #include <vector>
 
 namespace vp::traverse
@@ -18,86 +23,141 @@ struct WordOf
 	std::uint32_t word;
 };
 
+// The part of a flood that one thread does.
+template <int kWidth, class Number>
 class CellFlooder
 {
 public:
-	CellFlooder(const grid::UnstructuredGrid& grid, const surface::Plane& plane, CellMarks& marks)
-	    : grid_(grid), plane_(plane), marks_(marks)
+	using Reader = grid::RecordReader<kWidth, Number>;
+
+	CellFlooder(const grid::UnstructuredGrid& grid, const Reader& reader, const surface::Plane& plane,
+	            const RecordSigns<kWidth, Number>& signs, CellMarks& marks)
+	    : grid_(grid), reader_(reader), plane_(plane), signs_(signs), pen_(marks)
 	{
+		for (int s = 0; s < grid::kTableShapes; ++s)
+			words_of_[s] = caseWords(static_cast<grid::CellShape>(s));
 	}
 
 	void follow(std::vector<CellId>& queue, std::size_t at)
 	{
 		if (at + kAhead < queue.size())
-			grid_.prefetchCell(queue[at + kAhead]);
+			reader_.prefetchCell(queue[at + kAhead]);
 		if (at + kAhead / 2 < queue.size())
-			grid_.prefetchPoints(queue[at + kAhead / 2]);
+			reader_.prefetchPoints(queue[at + kAhead / 2]);
 		const CellId cell = queue[at];
-		const grid::CellShape shape = grid_.shape(cell);
-		std::uint32_t word =
-		    shape == grid::CellShape::polyhedron ? shared::kWordWalk : classifyByTable(grid_, plane_, cell, shape);
-		const auto enter = [&](CellId neighbour)
+		const std::uint32_t* record = reader_.record(cell);
+		const grid::CellShape shape = reader_.shape(record);
+		if (kWidth == 8 && shape == grid::CellShape::polyhedron)
+			return walk(queue, cell);
+		const std::uint32_t word = words_of_[static_cast<std::size_t>(shape)][signs_.of(record, shape)];
+		if (kWidth == 8 && word & shared::kWordWalk)
+			return walk(queue, cell);
+		const CellMarks::Pen pen = pen_;
+		for (std::uint32_t bits = word >> shared::kWordFacesShift & 0xFFu; bits; bits &= bits - 1)
 		{
-			if (marks_.mark(neighbour))
-				queue.push_back(neighbour);
-		};
-		if (word & shared::kWordWalk)
-		{
-			word = classifyByWalk(grid_, plane_, cell, faces_);
-			if (word & shared::kWordCut)
-				for (int f = 0; f < faces_.size(); ++f)
-					if (isFaceCut(grid_, plane_, faces_[f]))
-						grid_.forEachNeighbour(cell, f, enter);
+			const int face = std::countr_zero(bits);
+			const std::uint32_t across = reader_.across(record)[face];
+			if (across >= kMaxBlockIds)
+				cross(queue, cell, face);
+			else if (pen.mark(across))
+				queue.push_back(across);
 		}
-		else if (word & shared::kWordCut)
-			for (std::uint32_t bits = (word >> shared::kWordFacesShift) & 0xFFu; bits; bits &= bits - 1)
-				grid_.forEachNeighbour(cell, std::countr_zero(bits), enter);
-		words_.push_back({cell, word});
+		found_.push_back({cell, word});
 	}
 
-	std::vector<WordOf> takeWords() { return std::move(words_); }
+	RawVector<WordOf> takeFound() { return std::move(found_); }
 
 private:
-	static constexpr std::size_t kAhead = 24; // cells, whose record is fetched; their points at half the way
+	static constexpr std::size_t kAhead = 32; // cells, whose record is fetched; their points at half the way
+
+	void cross(std::vector<CellId>& queue, CellId cell, int face)
+	{
+		grid_.forEachNeighbour(cell, face,
+		                       [&](CellId across)
+		                       {
+			                       if (pen_.mark(across))
+				                       queue.push_back(across);
+		                       });
+	}
+	// A cell that no table knows.
+	void walk(std::vector<CellId>& queue, CellId cell)
+	{
+		const std::uint32_t word = classifyByWalk(grid_, plane_, cell, faces_);
+		if (word & shared::kWordCut)
+			for (int f = 0; f < faces_.size(); ++f)
+				if (isFaceCut(grid_, plane_, faces_[f]))
+					cross(queue, cell, f);
+		found_.push_back({cell, word});
+	}
 
 	const grid::UnstructuredGrid& grid_;
+	const Reader& reader_;
 	const surface::Plane& plane_;
-	CellMarks& marks_;
+	const RecordSigns<kWidth, Number>& signs_;
+	CellMarks::Pen pen_;
+	std::array<const std::uint32_t*, grid::kTableShapes> words_of_;
 	grid::CellFaces faces_;
-	std::vector<WordOf> words_;
+	RawVector<WordOf> found_;
 };
 
-} // namespace
+using Found = std::vector<RawVector<WordOf>>; // by each part of the work
 
-LaneCut floodCells(const grid::UnstructuredGrid& grid, const surface::Plane& plane, std::span<const CellId> seeds,
-                   CellMarks& marks)
+template <int kWidth, class Number>
+Found flood(const grid::UnstructuredGrid& grid, const grid::RecordReader<kWidth, Number>& reader,
+            const surface::Plane& plane, const Box& bounds, std::span<const CellId> first, CellMarks& marks)
 {
-	std::vector<CellId> first;
-	for (const CellId seed : seeds)
-		if (marks.mark(seed))
-			first.push_back(seed);
-
+	const RecordSigns<kWidth, Number> signs(reader, plane, bounds);
 	std::mutex mutex;
-	std::vector<std::vector<WordOf>> words;
-	shareFlood(std::span<const CellId>(first),
+	Found found;
+	shareFlood(first,
 	           [&](FloodQueue<CellId>& queue)
 	           {
-		           CellFlooder flooder(grid, plane, marks);
+		           CellFlooder flooder(grid, reader, plane, signs, marks);
 		           queue.run([&](std::vector<CellId>& cells, std::size_t at) { flooder.follow(cells, at); });
 		           const std::lock_guard lock(mutex);
-		           words.push_back(flooder.takeWords());
+		           found.push_back(flooder.takeFound());
 	           });
+	return found;
+}
 
+// Some cells may have been found twice.
+LaneCut inOrder(const Found& found, CellMarks& marks)
+{
+	const auto forFound = [&](auto&& visit)
+	{
+		tbb::parallel_for(std::size_t(0), found.size(),
+		                  [&](std::size_t part)
+		                  {
+			                  for (const WordOf& known : found[part])
+				                  visit(known);
+		                  });
+	};
+	forFound([&](const WordOf& known) { marks.settle(known.cell); });
 	LaneCut cut;
 	cut.cells = marks.list();
 	cut.words.resize(cut.cells.size());
-	for (const std::vector<WordOf>& of_thread : words)
-		for (const WordOf& known : of_thread)
-		{
-			cut.words[marks.rank(known.cell)] = known.word;
-			cut.cut_cells += (known.word & shared::kWordCut) != 0;
-		}
+	forFound([&](const WordOf& known)
+	         { std::atomic_ref(cut.words[marks.rank(known.cell)]).store(known.word, std::memory_order_relaxed); });
 	marks.clear();
+	for (const std::uint32_t word : cut.words)
+		cut.cut_cells += (word & shared::kWordCut) != 0;
+	return cut;
+}
+
+} // namespace
+
+LaneCut floodCells(const grid::UnstructuredGrid& grid, const surface::Plane& plane, const Box& bounds,
+                   std::span<const CellId> seeds, CellMarks& marks)
+{
+	const CellMarks::Pen pen(marks);
+	std::vector<CellId> first;
+	for (const CellId seed : seeds)
+		if (pen.mark(seed))
+			first.push_back(seed);
+	const Found found =
+	    grid::readRecords(grid, [&](const auto& reader) { return flood(grid, reader, plane, bounds, first, marks); });
+	LaneCut cut = inOrder(found, marks);
+	cut.closed = !grid.hasLinks();
 	return cut;
 }
 

@@ -28,6 +28,9 @@ bool isFaceCut(const G& grid, const Surface& surface, std::span<const PointId> f
 	return positive && negative;
 }
 
+// The word of each case of a table shape, kWordWalk set where the table has no entry for it.
+const std::uint32_t* caseWords(grid::CellShape shape);
+
 // The word of a cell of a table shape, kWordWalk set where the table has no entry for its case.
 template <class G, class Surface>
 std::uint32_t classifyByTable(const G& grid, const Surface& surface, CellId cell, grid::CellShape shape)
@@ -36,12 +39,7 @@ std::uint32_t classifyByTable(const G& grid, const Surface& surface, CellId cell
 	std::uint32_t index = 0;
 	for (int v = 0; v < points.size; ++v)
 		index |= static_cast<std::uint32_t>(isPositive(grid, surface, points.id[v])) << v;
-	const cases::Case& entry = cases::caseTable(shape)[index];
-	if (entry.needs_walk)
-		return index | shared::kWordCut | shared::kWordWalk;
-	if (entry.edges == 0)
-		return index;
-	return index | static_cast<std::uint32_t>(entry.faces) << shared::kWordFacesShift | shared::kWordCut;
+	return caseWords(shape)[index];
 }
 
 // The word of any cell decided here, in double, and its faces: kWordWalk says that the cut is to be walked from the

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "grid/points.h"
 #include "surface/plane.h"
-#include "traverse/row_heights.h"
+#include "traverse/sign_filter.h"
 
 namespace vp::traverse
 {
@@ -14,8 +15,7 @@ class RowSigns
 public:
 	// bounds: of the points.
 	RowSigns(const grid::Points& points, const surface::Plane& plane, const Box& bounds)
-	    : points_(points), plane_(plane), xyz_(numbersOf<Number>(points)),
-	      heights_(plane.normal(), plane.origin(), bounds)
+	    : points_(points), plane_(plane), xyz_(points.numbers<Number>()), filter_(plane, bounds)
 	{
 	}
 
@@ -30,10 +30,8 @@ public:
 	// Of the points p to p + 3, which all exist.
 	unsigned four(PointId p) const
 	{
-		const FourFloats height = heights_.at(loadFour(xyz_ + 3 * std::size_t(p)));
-		if (bitsAtLeast(magnitude(height), FourFloats(heights_.doubt())) != 15)
-			return few(p, 4);
-		return bitsAtLeast(height, FourFloats(0.0f));
+		const unsigned bits = filter_.four(loadFour(xyz_ + 3 * std::size_t(p)));
+		return bits == SignFilter::kInDoubt ? few(p, 4) : bits;
 	}
 
 	void prefetch(PointId from, PointId to) const { points_.prefetch(from, to); }
@@ -42,7 +40,7 @@ private:
 	const grid::Points& points_;
 	const surface::Plane& plane_;
 	const Number* xyz_;
-	RowHeights heights_;
+	SignFilter filter_;
 };
 
 } // namespace vp::traverse

@@ -4,7 +4,7 @@
 #include "grid/structured.h"
 #include "seed/sheet_window.h"
 #include "surface/plane.h"
-#include "traverse/row_heights.h"
+#include "traverse/point_heights.h"
 #include "traverse/row_nibbles.h"
 
 #include <algorithm>
@@ -37,8 +37,8 @@ public:
 	RowWindow(const grid::CurvilinearGrid& grid, const surface::Plane& plane, const seed::SheetWindow& window,
 	          const Box& bounds)
 	    : grid_(grid), plane_(plane), window_(window),
-	      xyz_(numbersOf<Number>(grid.coordinates())), heights_{RowHeights(window.axis(0), window.origin(), bounds),
-	                                                            RowHeights(window.axis(1), window.origin(), bounds)},
+	      xyz_(grid.coordinates().numbers<Number>()), heights_{PointHeights(window.axis(0), window.origin(), bounds),
+	                                                           PointHeights(window.axis(1), window.origin(), bounds)},
 	      codes_(grid.points()[0] + 8)
 	{
 		for (int axis = 0; axis < 2; ++axis)
@@ -132,7 +132,7 @@ private:
 	const surface::Plane& plane_;
 	const seed::SheetWindow& window_;
 	const Number* xyz_;
-	std::array<RowHeights, 2> heights_;
+	std::array<PointHeights, 2> heights_;
 	std::vector<FourFloats> far_;  // per side: further out nothing is within
 	std::vector<FourFloats> near_; // per side: further in everything is
 	std::vector<std::uint8_t> codes_;

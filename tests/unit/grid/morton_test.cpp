@@ -50,10 +50,9 @@ TEST(Morton, SortIsStableAndKeepsEveryId)
 			std::vector<KeyedId> expected(count);
 			for (std::size_t i = 0; i < count; ++i)
 				expected[i] = {bits == 0 ? 7 : random() >> (64 - bits), static_cast<std::uint32_t>(i)};
-			std::unique_ptr<KeyedId[]> items(new KeyedId[count]);
-			std::ranges::copy(expected, items.get());
+			KeyedIds items(expected.begin(), expected.end());
 			std::ranges::stable_sort(expected, {}, &KeyedId::key);
-			sortByKey(items, count);
+			sortByKey(items);
 			for (std::size_t i = 0; i < count; ++i)
 			{
 				ASSERT_EQ(items[i].key, expected[i].key);

@@ -2,16 +2,15 @@
 
 #include "base/four_floats.h"
 #include "base/ids.h"
-#include "grid/points.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
-#include <type_traits>
 
 namespace vp::traverse
 {
 
-// The coordinates of four points that follow each other.
+// The coordinates of four points.
 struct FourPoints
 {
 	FourFloats x;
@@ -19,6 +18,7 @@ struct FourPoints
 	FourFloats z;
 };
 
+// Of points that follow each other.
 inline FourPoints loadFour(const float* xyz)
 {
 #ifdef __SSE2__
@@ -43,14 +43,42 @@ inline FourPoints loadFour(const double* xyz)
 	return loadFour(rounded);
 }
 
+// Of points anywhere.
+inline FourPoints gatherFour(const std::array<const float*, 4>& p)
+{
+#ifdef __SSE2__
+	const auto twice = [](const float* first, const float* second)
+	{
+		const __m128 low = _mm_loadl_pi(_mm_setzero_ps(), reinterpret_cast<const __m64*>(first));
+		return _mm_loadh_pi(low, reinterpret_cast<const __m64*>(second));
+	};
+	const __m128 xy01 = twice(p[0], p[1]);
+	const __m128 xy23 = twice(p[2], p[3]);
+	return {_mm_shuffle_ps(xy01, xy23, _MM_SHUFFLE(2, 0, 2, 0)), _mm_shuffle_ps(xy01, xy23, _MM_SHUFFLE(3, 1, 3, 1)),
+	        _mm_set_ps(p[3][2], p[2][2], p[1][2], p[0][2])};
+#else
+	const auto along = [&](int axis) { return std::array{p[0][axis], p[1][axis], p[2][axis], p[3][axis]}; };
+	return {along(0), along(1), along(2)};
+#endif
+}
+
+inline FourPoints gatherFour(const std::array<const double*, 4>& p)
+{
+	float rounded[12];
+	for (int v = 0; v < 4; ++v)
+		for (int axis = 0; axis < 3; ++axis)
+			rounded[3 * v + axis] = static_cast<float>(p[v][axis]);
+	return loadFour(rounded);
+}
+
 // How far points reach along an axis from an origin, in float: off by less than doubt().
-class RowHeights
+class PointHeights
 {
 public:
 	// bounds: of the points. The height in float, as x a_x + y a_y + z a_z - o a, is off by at most seven roundings of
 	// the sum of its terms' magnitudes: three a product (of the axis, of the coordinate, its own), three of the sums,
 	// one of o a.
-	RowHeights(const Vec3& axis, const Vec3& origin, const Box& bounds)
+	PointHeights(const Vec3& axis, const Vec3& origin, const Box& bounds)
 	    : axis_{FourFloats(static_cast<float>(axis.x)), FourFloats(static_cast<float>(axis.y)),
 	            FourFloats(static_cast<float>(axis.z))},
 	      offset_(static_cast<float>(glm::dot(axis, origin)))
@@ -75,15 +103,5 @@ private:
 	FourFloats offset_;
 	float doubt_;
 };
-
-// The numbers of a grid's points, as they are kept.
-template <class Number>
-const Number* numbersOf(const grid::Points& points)
-{
-	if constexpr (std::is_same_v<Number, float>)
-		return points.floats();
-	else
-		return points.doubles();
-}
 
 } // namespace vp::traverse

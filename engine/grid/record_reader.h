@@ -1,0 +1,71 @@
+#pragma once
+
+#include "grid/unstructured.h"
+
+#include <type_traits>
+
+namespace vp::grid
+{
+
+// Reads an unstructured grid in a loop over cells, with what is the same for all of them known to the compiler: ids per
+// record, and what coordinates are kept as. See readRecords().
+template <int kWidth, class Number>
+class RecordReader
+{
+public:
+	static constexpr bool kTetrahedra = kWidth == 4; // alone
+
+	explicit RecordReader(const UnstructuredGrid& grid)
+	    : records_(grid.records().data()), xyz_(grid.coordinates().numbers<Number>())
+	{
+	}
+
+	// The ids of a cell's points and, behind kWidth of them, what is across its faces.
+	const std::uint32_t* record(CellId c) const { return records_ + std::size_t(c) * kStride; }
+	static const std::uint32_t* across(const std::uint32_t* record) { return record + kWidth; }
+	static CellShape shape(const std::uint32_t* record)
+	{
+		if constexpr (kWidth == 4)
+			return CellShape::tetrahedron;
+		else
+		{
+			const std::uint32_t last = record[kWidth - 1];
+			return last >= UnstructuredGrid::kShapeMark ? static_cast<CellShape>(last - UnstructuredGrid::kShapeMark)
+			                                            : CellShape::hexahedron;
+		}
+	}
+	const Number* xyz(PointId p) const { return xyz_ + 3 * std::size_t(p); }
+	Vec3 point(PointId p) const { return {xyz(p)[0], xyz(p)[1], xyz(p)[2]}; }
+
+	// Asks for what reading a cell will need: first for its record, some time later for the points that it names.
+	void prefetchCell(CellId c) const
+	{
+		__builtin_prefetch(record(c));
+		if constexpr (kWidth == 8) // most records reach into a second cache line
+			__builtin_prefetch(record(c) + kStride - 1);
+	}
+	void prefetchPoints(CellId c) const
+	{
+		const std::uint32_t* ids = record(c);
+		for (int v = 0; v < kWidth; ++v)
+			__builtin_prefetch(xyz(ids[v])); // a mark in place of an id: any address does no harm
+	}
+
+private:
+	static constexpr std::size_t kStride = kWidth == 4 ? 8 : 14;
+
+	const std::uint32_t* records_;
+	const Number* xyz_;
+};
+
+// Calls use(reader) with the reader for this grid.
+template <class Use>
+decltype(auto) readRecords(const UnstructuredGrid& grid, Use&& use)
+{
+	const bool is_double = grid.coordinates().isDouble();
+	if (grid.recordWidth() == 4)
+		return is_double ? use(RecordReader<4, double>(grid)) : use(RecordReader<4, float>(grid));
+	return is_double ? use(RecordReader<8, double>(grid)) : use(RecordReader<8, float>(grid));
+}
+
+} // namespace vp::grid

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "slice/mesh_part.h"
+#include "slice/tidy_polygons.h"
+
+namespace vp::slice
+{
+
+// Writes a part to its place in a mesh.
+template <class Reader>
+class PartWriter
+{
+public:
+	PartWriter(const Reader& reader, std::uint32_t block, const surface::Plane& plane, const Vec3& normal,
+	           const MeshPart& part, SheetMesh& mesh)
+	    : reader_(reader), block_(block), plane_(plane), facing_(normal), part_(part), mesh_(mesh),
+	      positions_(part.edges.size()), numbers_(part.edges.size())
+	{
+	}
+
+	MeshDoubts write()
+	{
+		writeVertices();
+		writePolygons();
+		return doubts_;
+	}
+
+private:
+	// Also places the vertices that another part writes: their polygons here are to be looked at.
+	void writeVertices()
+	{
+		// Copies, that what is written cannot be thought to change what is read.
+		const Reader reader = reader_;
+		const surface::Plane plane = plane_;
+		Vec3* positions = positions_.data();
+		std::uint32_t* numbers = numbers_.data();
+		auto foreign = part_.foreign.begin();
+		std::uint32_t next = part_.first_vertex;
+		bool at_points = false;
+		for (std::uint32_t v = 0; v < part_.edges.size(); ++v)
+		{
+			const PointId lower = lowerOf(part_.edges[v]);
+			const PointId higher = higherOf(part_.edges[v]);
+			const Vec3 a = reader.point(lower);
+			const Vec3 b = reader.point(higher);
+			const double da = plane.signedDistance(a);
+			const double t = da / (da - plane.signedDistance(b)); // the signs differ
+			at_points |= t == 0.0 || t == 1.0;
+			positions[v] = t == 1.0 ? b : a + t * (b - a);
+			if (foreign != part_.foreign.end() && foreign->first == v)
+			{
+				numbers[v] = foreign++->second;
+				continue;
+			}
+			mesh_.edges[next] = {block_, lower, higher, t};
+			mesh_.positions[next] = positions[v];
+			numbers[v] = next++;
+		}
+		doubts_.at_points = at_points;
+	}
+
+	void writePolygons()
+	{
+		const Facing facing = facing_;
+		const Vec3* positions = positions_.data();
+		bool slivers = false;
+		std::uint32_t begin = 0;
+		std::uint32_t* corners = mesh_.polygon_vertices.data() + part_.first_corner;
+		for (std::size_t i = 0; i < part_.cells.size(); ++i)
+		{
+			const std::uint32_t end = part_.ends[i];
+			for (std::uint32_t c = begin; c < end; ++c)
+				corners[c] = part_.corners[c];
+			slivers = !facing.turn(positions, {corners + begin, end - begin}) || slivers;
+			mesh_.polygon_starts[part_.first_polygon + i + 1] = part_.first_corner + end;
+			mesh_.polygon_cells[part_.first_polygon + i] = {block_, part_.cells[i]};
+			begin = end;
+		}
+		for (std::uint32_t c = 0; c < begin; ++c)
+			corners[c] = numbers_[corners[c]];
+		doubts_.slivers = slivers;
+	}
+
+	const Reader& reader_;
+	std::uint32_t block_;
+	const surface::Plane& plane_;
+	const Facing facing_;
+	const MeshPart& part_;
+	SheetMesh& mesh_;
+	RawVector<Vec3> positions_;        // per vertex of the part
+	RawVector<std::uint32_t> numbers_; // the same, in the mesh
+	MeshDoubts doubts_;
+};
+
+} // namespace vp::slice
