@@ -13,6 +13,11 @@ layout(push_constant, scalar) uniform Push
 };
 layout(constant_id = 0) const uint kFeatures = 0u;
 
+layout(binding = 1, scalar) readonly buffer Listed
+{
+	uint listed[];
+};
+
 layout(location = 0) out float value;
 layout(location = 1) flat out float whole; // see render_whole.glsl
 layout(location = 2) out vec2 place;      // (u, v), with a window or mesh lines
@@ -46,7 +51,9 @@ int diagonals(int record, uint vertices)
 
 void main()
 {
-	const int record = gl_VertexIndex / int(kMaxRecordVertices);
+	int record = gl_VertexIndex / int(kMaxRecordVertices);
+	if ((kFeatures & kLayerListed) != 0u)
+		record = int(listed[push.listed_from + uint(record)]);
 	const uint vertices = recordHead(record).y;
 	// What is not there falls together with the first vertex.
 	const uint slot = uint(gl_VertexIndex) % kMaxRecordVertices;
@@ -54,7 +61,7 @@ void main()
 
 	const vec2 uv = recordPlace(record, vertex);
 	gl_Position = uv.x * column(push.u_axis) + uv.y * column(push.v_axis) + column(push.origin);
-	place = kFeatures != 0u ? uv : vec2(0.0);
+	place = (kFeatures & (kLayerWindow | kLayerMesh)) != 0u ? uv : vec2(0.0);
 	edges = ivec2(record, 0);
 	if ((kFeatures & kLayerMesh) != 0u && vertices > 2u)
 		edges.y = diagonals(record, vertices);

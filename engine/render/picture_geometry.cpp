@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 namespace vp::render
 {
@@ -43,26 +44,75 @@ float lineWidth(const Look& look)
 	return static_cast<float>(std::max(1.2, 1.5 * std::min(look.height / 720.0, look.width / 960.0)));
 }
 
+namespace
+{
+
+// A sheet's frame in clip space.
+struct ClipFrame
+{
+	glm::dvec4 u;
+	glm::dvec4 v;
+	glm::dvec4 origin;
+
+	ClipFrame(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent, const glm::dvec2& jitter)
+	{
+		const probe::Sheet& sheet = drawing.sheet;
+		const glm::dmat4 clip = clipMatrix(camera, extent, sheet.origin, jitter);
+		u = clip * glm::dvec4(drawing.magnification * sheet.xAxis(), 0.0);
+		v = clip * glm::dvec4(drawing.magnification * sheet.up, 0.0);
+		origin = clip[3];
+	}
+};
+
+void store(std::span<float> to, const double* from)
+{
+	std::transform(from, from + to.size(), to.begin(), [](double d) { return static_cast<float>(d); });
+}
+
+void storeWindow(float (&to)[4], const std::optional<WindowRect>& window)
+{
+	if (!window)
+		return;
+	const double sides[] = {window->x0, window->x1, window->y0, window->y1};
+	store(to, sides);
+}
+
+} // namespace
+
 shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
                             const glm::dvec2& jitter)
 {
-	const probe::Sheet& sheet = drawing.sheet;
-	const glm::dmat4 clip = clipMatrix(camera, extent, sheet.origin, jitter);
-	const glm::dvec4 u = clip * glm::dvec4(drawing.magnification * sheet.xAxis(), 0.0);
-	const glm::dvec4 v = clip * glm::dvec4(drawing.magnification * sheet.up, 0.0);
-	const glm::dvec4 origin = clip[3];
+	const ClipFrame frame(drawing, camera, extent, jitter);
 	shared::LayerPush push{};
-	for (int i = 0; i < 4; ++i)
-	{
-		push.u_axis[i] = static_cast<float>(u[i]);
-		push.v_axis[i] = static_cast<float>(v[i]);
-		push.origin[i] = static_cast<float>(origin[i]);
-	}
-	if (const auto& window = drawing.window)
-	{
-		const double sides[] = {window->x0, window->x1, window->y0, window->y1};
-		std::transform(std::begin(sides), std::end(sides), push.window, [](double d) { return static_cast<float>(d); });
-	}
+	store(push.u_axis, &frame.u[0]);
+	store(push.v_axis, &frame.v[0]);
+	store(push.origin, &frame.origin[0]);
+	storeWindow(push.window, drawing.window);
+	return push;
+}
+
+shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+                              const glm::dvec2& jitter)
+{
+	const ClipFrame frame(drawing, camera, extent, jitter);
+	const glm::dvec2 half = 0.5 * glm::dvec2(extent.width, extent.height);
+	const auto inPixels = [&](const glm::dvec4& clip) {
+		return glm::dvec3(half.x * clip.x + (half.x - 0.5) * clip.w, half.y * clip.y + (half.y - 0.5) * clip.w, clip.w);
+	};
+	const glm::dmat3 to_pixels(inPixels(frame.u), inPixels(frame.v), inPixels(frame.origin));
+	const glm::dvec3 subpixels(shared::kSubpixels, shared::kSubpixels, 1.0);
+	shared::RasterPush push{};
+	store(push.u_axis, &(subpixels * to_pixels[0])[0]);
+	store(push.v_axis, &(subpixels * to_pixels[1])[0]);
+	store(push.origin, &(subpixels * to_pixels[2])[0]);
+	const glm::dmat3 back = glm::transpose(glm::inverse(to_pixels)); // its columns are the rows that are wanted
+	store(push.u_of_pixel, &back[0][0]);
+	store(push.v_of_pixel, &back[1][0]);
+	store(push.w_of_pixel, &back[2][0]);
+	storeWindow(push.window, drawing.window);
+	push.near_w = static_cast<float>(camera.near);
+	push.last_pixel[0] = static_cast<float>(extent.width - 1);
+	push.last_pixel[1] = static_cast<float>(extent.height - 1);
 	return push;
 }
 

@@ -24,6 +24,11 @@ float lineWidth(const Look& look);
 shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
                             const glm::dvec2& jitter);
 
+// The same for the compute rasterizer: frame, window, near plane and picture. Of a sheet seen edge on the way back from
+// pixels is not finite.
+shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+                              const glm::dvec2& jitter);
+
 // a, b, c: near / w = a x + b y + c at pixel (x, y) of the sheet's plane, for 1 / w is linear in the picture. All zero
 // for a sheet seen edge on.
 std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera, VkExtent2D extent);

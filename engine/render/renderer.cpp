@@ -54,6 +54,7 @@ struct Renderer::Private
 	gpu::Commands commands;
 	gpu::Timers timers;
 	Targets targets;
+	std::size_t layers_drawn = 0;
 
 	Status makeTargets(const Scene& scene);
 	Status prepare(const Scene& scene);
@@ -68,9 +69,10 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Result<Renderer> Renderer::create(gpu::Device& device, std::uint64_t most_fragment_bytes)
+Result<Renderer> Renderer::create(gpu::Device& device, std::uint64_t most_fragment_bytes,
+                                  std::optional<std::uint32_t> raster_side)
 {
-	auto layers = LayerPass::create(device);
+	auto layers = LayerPass::create(device, raster_side);
 	if (!layers)
 		return layers.error();
 	auto lines = LinePass::create(device);
@@ -96,6 +98,7 @@ Status Renderer::Private::makeTargets(const Scene& scene)
 	const auto count = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.sheets.size()));
 	if (targets.holds(extent, count, scene.look.mesh))
 		return Nothing{};
+	layers.forget();
 	targets = {}; // before its successor, that both need not fit into memory
 	auto made = Targets::create(device, extent, count, scene.look.mesh);
 	if (!made)
@@ -115,7 +118,7 @@ Status Renderer::Private::prepare(const Scene& scene)
 			return ready;
 	}
 	const Overlay over = makeOverlay(scene);
-	for (Status ready : {layers.prepare(scene), lines.prepare(scene),
+	for (Status ready : {layers.prepare(scene, targets), lines.prepare(scene),
 	                     compose.prepare(scene, targets, has_surfaces ? &lists : nullptr), overlay.prepare(over)})
 		if (!ready)
 			return ready;
@@ -128,7 +131,7 @@ void Renderer::Private::recordSample(VkCommandBuffer to, const Scene& scene, con
 	{
 		// Every sheet into its own layer of values, the outline into its depths.
 		gpu::TimedPass timed(timers, to, "layers");
-		layers.record(to, scene, targets, jitter);
+		layers_drawn += layers.record(to, scene, targets, jitter);
 		lines.record(to, scene, targets, jitter);
 	}
 	if (!scene.surfaces.empty())
@@ -210,6 +213,8 @@ Result<bool> Renderer::Private::drawOnce(const Scene& scene, Timeline* timeline)
 		lists.recordEnd(*begun);
 	recordPicture(*begun);
 	const Status drawn = commands.submitAndWait();
+	if (!drawn)
+		layers.forget();
 	if (drawn && timeline)
 		timers.collect(*timeline);
 	else
@@ -217,6 +222,11 @@ Result<bool> Renderer::Private::drawOnce(const Scene& scene, Timeline* timeline)
 	if (!drawn)
 		return drawn.error();
 	return has_surfaces ? lists.complete() : Result<bool>(true);
+}
+
+std::size_t Renderer::layersDrawn() const
+{
+	return private_->layers_drawn;
 }
 
 Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
@@ -227,6 +237,7 @@ Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 		                                          scene.sheets.size(), shared::kMaxLayers)};
 	if (Status made = private_->makeTargets(scene); !made)
 		return made.error();
+	private_->layers_drawn = 0;
 	for (;;)
 	{
 		Result<bool> whole = private_->drawOnce(scene, timeline);

@@ -22,10 +22,44 @@ struct LayerPush
 	float origin[4];
 	float window[4];       // u from, to, v from, to; with kLayerWindow
 	float mesh_half_width; // pixels; with kLayerMesh
+	uint listed_from;      // place of the first drawn record's number in the list; with kLayerListed
 };
 
 VP_CONST uint kLayerWindow = 1u; // what lies outside of the window is left out
 VP_CONST uint kLayerMesh = 2u;   // how much of a line along the polygons' edges is at a pixel goes beside the values
+VP_CONST uint kLayerListed = 4u; // of the records those are drawn that the compute rasterizer listed
+
+// The compute rasterizer of small polygons. Pixels are numbered from 0, and their centres lie at whole numbers.
+VP_CONST uint kRasterGroupSize = 64u; // one thread a record
+VP_CONST uint kSubpixels = 256u;      // a pixel's side has so many places for corners: as many as hardware has
+VP_CONST uint kMostRasterSide = 64u;  // pixels; of larger polygons the edges would not fit into 32 bits
+
+struct RasterPush
+{
+	float u_axis[3]; // from (u, v) to a place in subpixels times w, and w: u * u_axis + v * v_axis + origin
+	float v_axis[3];
+	float origin[3];
+	float u_of_pixel[3]; // from a pixel (x, y, 1) to (u, v, 1) times a factor; with kLayerWindow
+	float v_of_pixel[3];
+	float w_of_pixel[3];
+	float window[4]; // u from, to, v from, to
+	float near_w;    // w of the near plane
+	float largest;   // side of a polygon that is drawn here, subpixels
+	float last_pixel[2];
+	uint count; // of the page's records
+	uint draw;  // number of the page's draw
+	uint listed_from; // place of the page's first number in the list
+};
+
+// VkDrawIndexedIndirectCommand: the records that a page leaves to the hardware.
+struct RasterDraw
+{
+	uint corners;
+	uint instances;
+	uint first_index;
+	int vertex_offset;
+	uint first_instance;
+};
 
 struct LineSegment
 {
