@@ -61,7 +61,7 @@ struct Renderer::Private
 	Result<bool> drawOnce(const Scene& scene, Timeline* timeline);
 	void recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	void recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
-	void recordPicture(VkCommandBuffer to);
+	void recordPicture(VkCommandBuffer to, bool from_layers);
 };
 
 Renderer::Renderer(std::unique_ptr<Private> made) : private_(std::move(made)) {}
@@ -134,6 +134,8 @@ void Renderer::Private::recordSample(VkCommandBuffer to, const Scene& scene, con
 		layers_drawn += layers.record(to, scene, targets, jitter);
 		lines.record(to, scene, targets, jitter);
 	}
+	if (composesWhole(scene))
+		return;
 	if (!scene.surfaces.empty())
 		return recordSurfaces(to, scene, jitter, sample);
 	// The layers in their order at each pixel, coloured, blended and added to the samples before.
@@ -160,19 +162,27 @@ void Renderer::Private::recordSurfaces(VkCommandBuffer to, const Scene& scene, c
 	}
 }
 
-// From the sum of samples to pixels for the host.
-void Renderer::Private::recordPicture(VkCommandBuffer to)
+// From the sum of samples, or the layers of the only one, to pixels for the host.
+void Renderer::Private::recordPicture(VkCommandBuffer to, bool from_layers)
 {
 	const VkExtent2D extent = targets.extent();
+	targets.picture.transition(to, gpu::kDiscard, gpu::kColourTarget);
+	if (from_layers)
+	{
+		// The layers in their order at each pixel, coloured and blended over the background.
+		gpu::TimedPass timed(timers, to, "compose");
+		compose.recordWhole(to, targets);
+		targets.picture.transition(to, gpu::kColourTarget, gpu::kColourTarget);
+	}
 	{
 		// The samples' mean over the background, then legend, axes and words over the finished picture.
 		gpu::TimedPass timed(timers, to, "overlay");
-		targets.sum.transition(to, gpu::kColourTarget, gpu::kSampled);
-		targets.picture.transition(to, gpu::kDiscard, gpu::kColourTarget);
+		if (!from_layers)
+			targets.sum.transition(to, gpu::kColourTarget, gpu::kSampled);
 		VkRenderingAttachmentInfo picture{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
 		picture.imageView = targets.picture.view();
 		picture.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-		picture.loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+		picture.loadOp = from_layers ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
 		picture.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
 		VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
 		rendering.renderArea.extent = extent;
@@ -180,7 +190,8 @@ void Renderer::Private::recordPicture(VkCommandBuffer to)
 		rendering.colorAttachmentCount = 1;
 		rendering.pColorAttachments = &picture;
 		vkCmdBeginRendering(to, &rendering);
-		compose.recordResolve(to, targets);
+		if (!from_layers)
+			compose.recordResolve(to, targets);
 		overlay.record(to, targets);
 		vkCmdEndRendering(to);
 		targets.picture.transition(to, gpu::kColourTarget, gpu::kCopyFrom);
@@ -211,7 +222,7 @@ Result<bool> Renderer::Private::drawOnce(const Scene& scene, Timeline* timeline)
 		recordSample(*begun, scene, pattern[sample], sample);
 	if (has_surfaces)
 		lists.recordEnd(*begun);
-	recordPicture(*begun);
+	recordPicture(*begun, composesWhole(scene));
 	const Status drawn = commands.submitAndWait();
 	if (!drawn)
 		layers.forget();

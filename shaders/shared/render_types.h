@@ -89,6 +89,7 @@ VP_CONST uint kComposeLines = 1u;
 VP_CONST uint kComposeSteps = 2u; // bands or categories
 VP_CONST uint kComposeLog = 4u;
 VP_CONST uint kComposeMesh = 8u;
+VP_CONST uint kComposeWhole = 128u; // the one sample of a picture, over its background
 
 // A layer's plane, and how its values become colours. Values are scaled first: y is the value, or its log10. Places are
 // those in the buffer of tables, four-byte words; colours are encoded (sRGB), not multiplied by alpha, red in the
@@ -118,6 +119,14 @@ struct SheetParams
 
 VP_CONST uint kTableColors = 256u;
 
+// The colours of a layer, with its light and opacity taken in: places in its table. Steps, or so many colours over the
+// range, are in the last; nearest ones are taken, which with a thousand is as good as to interpolate between 256.
+VP_CONST uint kLayerBelow = 0u;
+VP_CONST uint kLayerAbove = 1u;
+VP_CONST uint kLayerNan = 2u;
+VP_CONST uint kLayerRange = 3u;
+VP_CONST uint kLayerRangeColors = 1024u;
+
 // Colours here are encoded, not multiplied by alpha.
 struct ComposeParams
 {
@@ -128,6 +137,7 @@ struct ComposeParams
 	float line_color[4];
 	float top_color[4]; // of the background
 	float bottom_color[4];
+	uint layer_colors[kMaxLayers]; // where a layer's colours begin
 	SheetParams sheets[kMaxLayers];
 };
 
