@@ -5,6 +5,7 @@
 #include "shared/render_types.h"
 #include "render_record.glsl"
 #include "render_whole.glsl"
+#include "render_place.glsl"
 
 // Small polygons into a layer of values, one thread a polygon. Corners are snapped to 1/kSubpixels of a pixel and edges taken in whole
 // numbers, so what lies on an edge belongs to one side of it, as the hardware's rule has it (left and upper edges). A pixel is inside where
@@ -80,14 +81,12 @@ void main()
 	float least_w = 1e30;
 	for (uint i = 0u; i < kMaxRecordVertices; ++i)
 	{
-		precise const vec3 h = uv[i].x * vec3(push.u_axis[0], push.u_axis[1], push.u_axis[2]) +
-							   (uv[i].y * vec3(push.v_axis[0], push.v_axis[1], push.v_axis[2]) +
-								vec3(push.origin[0], push.origin[1], push.origin[2]));
-		inverse_w[i] = 1.0 / h.z;
-		places[i] = roundEven(h.xy * inverse_w[i]);
+		const vec3 at = placeTimesW(uv[i], row(push.u_axis), row(push.v_axis), row(push.origin));
+		inverse_w[i] = 1.0 / at.z;
+		places[i] = snapped(at);
 		lo = min(lo, places[i]);
 		hi = max(hi, places[i]);
-		least_w = min(least_w, h.z);
+		least_w = min(least_w, at.z);
 	}
 	const vec2 size = hi - lo;
 	const bool small = max(size.x, size.y) <= push.largest && least_w > push.near_w;

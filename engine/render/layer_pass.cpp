@@ -15,7 +15,7 @@
 namespace vp::render
 {
 
-static_assert(sizeof(shared::LayerPush) == 72 && offsetof(shared::PolygonRecord, uv) == 8 &&
+static_assert(sizeof(shared::LayerPush) == 80 && offsetof(shared::PolygonRecord, uv) == 8 &&
               offsetof(shared::PolygonRecord, value) == 56 && sizeof(shared::PolygonRecord) == 80);
 
 namespace
@@ -27,6 +27,10 @@ constexpr gpu::ImageUse kClearedLayers{VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAG
                                        VK_ACCESS_2_TRANSFER_WRITE_BIT};
 constexpr gpu::ImageUse kComputedLayers{VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                                         VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+
+// Measured with llvmpipe: squares of 12 pixels a side take 4.6 ms with the compute shader and 6.6 with its rasterizer,
+// of 16 pixels 5.5 and 5.3.
+constexpr std::uint32_t kSoftwareRasterSide = 16;
 
 std::uint32_t featuresOf(const Scene& scene, const SheetDrawing& sheet)
 {
@@ -50,7 +54,7 @@ Result<LayerPass> LayerPass::create(gpu::Device& device, std::optional<std::uint
 	if (!raster)
 		return raster.error();
 	pass.raster_ = std::move(*raster);
-	pass.raster_side_ = raster_side.value_or(shared::kMostRasterSide);
+	pass.raster_side_ = raster_side.value_or(kSoftwareRasterSide);
 	auto first = pass.pipelineFor(0);
 	if (!first)
 		return first.error();
@@ -79,7 +83,7 @@ Result<const gpu::Pipeline*> LayerPass::pipelineFor(std::uint32_t features)
 
 bool LayerPass::computes(const Scene& scene, const SheetDrawing& sheet) const
 {
-	return raster_side_ > 0 && !scene.look.mesh && sheet.records;
+	return raster_side_ > 0 && !scene.look.mesh && sheet.records && !sheet.records->overlapping;
 }
 
 Status LayerPass::prepare(const Scene& scene, const Targets& targets)
@@ -161,7 +165,7 @@ std::size_t LayerPass::record(VkCommandBuffer commands, const Scene& scene, cons
 		if (i >= drawn_.size() || !(layers[i] == drawn_[i]))
 		{
 			changed.push_back(i);
-			if (i < computed_.size() && computed_[i])
+			if (isComputed(i))
 				computed.push_back(i);
 		}
 	if (changed.empty())
@@ -174,7 +178,9 @@ std::size_t LayerPass::record(VkCommandBuffer commands, const Scene& scene, cons
 	else
 		recordComputed(commands, scene, targets, jitter, before, computed);
 	for (const std::size_t i : changed)
-		recordLayer(commands, scene, targets, i, layers[i].push);
+		recordLayer(commands, scene, targets, i,
+		            isComputed(i) ? listedPush(scene.sheets[i], scene.camera, targets.extent(), jitter)
+		                          : layers[i].push);
 	targets.values.transition(commands, gpu::kColourTarget, kSampledLayers);
 	// Layers behind those of this scene keep what they hold.
 	drawn_.resize(std::max(drawn_.size(), layers.size()));
@@ -215,7 +221,7 @@ void LayerPass::recordComputed(VkCommandBuffer commands, const Scene& scene, con
 void LayerPass::recordLayer(VkCommandBuffer commands, const Scene& scene, const Targets& targets, std::size_t i,
                             shared::LayerPush push) const
 {
-	const bool computed = i < computed_.size() && computed_[i];
+	const bool computed = isComputed(i);
 	VkRenderingAttachmentInfo layer{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
 	layer.imageView = targets.layer(i);
 	layer.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;

@@ -42,6 +42,7 @@ private:
 
 		bool operator==(const Drawn& other) const;
 	};
+	bool isComputed(std::size_t layer) const { return layer < computed_.size() && computed_[layer]; }
 	bool computes(const Scene& scene, const SheetDrawing& sheet) const;
 	Status makeIndices(std::uint32_t records);
 	// Made on first use, by their features: windows and mesh lines cost those who ask for them only.

@@ -116,6 +116,25 @@ shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera,
 	return push;
 }
 
+shared::LayerPush listedPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+                             const glm::dvec2& jitter)
+{
+	const shared::RasterPush from = rasterPush(drawing, camera, extent, jitter);
+	shared::LayerPush push{};
+	for (int i = 0; i < 3; ++i)
+	{
+		const int to = i < 2 ? i : 3; // x, y, w
+		push.u_axis[to] = from.u_axis[i];
+		push.v_axis[to] = from.v_axis[i];
+		push.origin[to] = from.origin[i];
+	}
+	push.origin[2] = from.near_w;
+	std::copy(std::begin(from.window), std::end(from.window), push.window);
+	push.size[0] = static_cast<float>(extent.width);
+	push.size[1] = static_cast<float>(extent.height);
+	return push;
+}
+
 std::vector<Segment> windowRim(const SheetDrawing& drawing)
 {
 	if (!drawing.window)

@@ -29,6 +29,10 @@ shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, V
 shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
                               const glm::dvec2& jitter);
 
+// For polygons that the compute rasterizer left (shared::kLayerListed), whose corners are put where it would put them.
+shared::LayerPush listedPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+                             const glm::dvec2& jitter);
+
 // a, b, c: near / w = a x + b y + c at pixel (x, y) of the sheet's plane, for 1 / w is linear in the picture. All zero
 // for a sheet seen edge on.
 std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera, VkExtent2D extent);

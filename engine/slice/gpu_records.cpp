@@ -89,6 +89,12 @@ Status SheetRecords::appendHostRecords(std::span<const shared::PolygonRecord> re
 	return Nothing{};
 }
 
+bool mayOverlap(const grid::BlockSet& blocks)
+{
+	return blocks.blocks.size() > 1 ||
+	       std::ranges::any_of(blocks.blocks, [](const grid::Block& block) { return !block.inverted.empty(); });
+}
+
 Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool> pool,
                                                       std::span<const shared::PolygonRecord> records)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/buffer.h"
+#include "grid/block.h"
 #include "shared/slice_types.h"
 
 #include <cstdint>
@@ -83,12 +84,16 @@ struct SheetRecords
 	std::shared_ptr<RecordPool> pool;
 	std::vector<Page> pages;
 	std::vector<Run> runs;
+	bool overlapping = false; // polygons may cover each other (mayOverlap()): then the last one counts
 
 	std::size_t count() const; // of records, those without vertices included
 
 	// Adds pages of records made on the CPU: cells that were walked, and blocks that the device does not hold.
 	Status appendHostRecords(std::span<const shared::PolygonRecord> records);
 };
+
+// Whether polygons of a plane's cut may lie on each other: where blocks may, or a grid is folded over.
+bool mayOverlap(const grid::BlockSet& blocks);
 
 // All records from the CPU: the path of the CPU classifier.
 Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool> pool,

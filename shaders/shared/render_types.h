@@ -13,8 +13,8 @@ VP_CONST uint kMaxSurfaces = 64u; // and surfaces
 VP_CONST uint kRecordTriangles = 4u;
 VP_CONST uint kRecordCorners = 3u * kRecordTriangles;
 
-// From a sheet's (u, v) to clip space: u * u_axis + v * v_axis + origin. What of it is drawn beyond the values is known
-// when the pipeline is made (kLayer bits).
+// From a sheet's (u, v) to clip space: u * u_axis + v * v_axis + origin; with kLayerListed x and y are those of
+// RasterPush. What of it is drawn beyond the values is known when the pipeline is made (kLayer bits).
 struct LayerPush
 {
 	float u_axis[4];
@@ -22,7 +22,8 @@ struct LayerPush
 	float origin[4];
 	float window[4];       // u from, to, v from, to; with kLayerWindow
 	float mesh_half_width; // pixels; with kLayerMesh
-	uint listed_from;      // place of the first drawn record's number in the list; with kLayerListed
+	float size[2];         // of the picture, pixels; with kLayerListed, as the next
+	uint listed_from;      // place of the first drawn record's number in the list
 };
 
 VP_CONST uint kLayerWindow = 1u; // what lies outside of the window is left out
