@@ -7,6 +7,11 @@
 #include <optional>
 #include <vector>
 
+namespace vp::slice
+{
+class RecordPool; // gpu_records.h
+}
+
 namespace vp::app
 {
 
