@@ -40,10 +40,9 @@ uint countUpTo(float y, uint place, uint count)
 }
 
 // What differs between a layer and a surface is defined by who includes this: by how much y comes nearer from one pixel to the
-// next to a level above (`side` 1) or below it (-1), whether a line runs between polygons here, and light and opacity.
+// next to a level above (`side` 1) or below it (-1), whether a line runs between polygons here, and its opacity.
 float steepness(float y, float side, uint layer, ivec2 pixel);
 float lineBetween(float y, uint above, uint layer, ivec2 pixel);
-float shadeOf(uint layer);
 float opacityOf(uint layer);
 
 // Lines this many pixels apart and farther have full strength; closer ones would cover everything.
@@ -94,35 +93,14 @@ vec4 inked(vec4 color, float ink, float coverage, float opacity)
 const float kContourInk = 0.75;
 const float kMeshInk = 0.5;
 
-// Not multiplied by alpha, the opacity taken in. texel: value, and how much of a mesh line is here.
-vec4 colorOf(vec2 texel, uint layer, ivec2 pixel)
+// The lines that run over a colour. texel: value, and how much of a mesh line is here.
+vec4 withLines(vec4 color, vec2 texel, uint layer, ivec2 pixel)
 {
-	const float y = scaled(texel.x, layer);
-	vec4 color;
-	if ((kFeatures & kComposeSteps) != 0u && params.sheets[layer].step_count > 0u)
-		color = tableColor(params.sheets[layer].step_colors +
-						   countUpTo(y, params.sheets[layer].step_bounds, params.sheets[layer].step_count));
-	else
-	{
-		const float t = clamp((y - params.sheets[layer].range_lo) * params.sheets[layer].range_scale +
-								  params.sheets[layer].range_offset,
-							  0.0, 1.0);
-		const float place = float(kTableColors - 1u) * t;
-		const uint low = min(uint(place), kTableColors - 2u);
-		const uint colors = params.sheets[layer].colors + low;
-		color = mix(tableColor(colors), tableColor(colors + 1u), place - float(low));
-	}
-	color = y < params.sheets[layer].below_from ? unpacked(params.sheets[layer].below_color) : color;
-	color = y > params.sheets[layer].above_from ? unpacked(params.sheets[layer].above_color) : color;
-	const bool is_nan = texel.x >= kNanFrom;
-	color = is_nan ? unpacked(params.sheets[layer].nan_color) : color;
-
-	const float opacity = opacityOf(layer);
-	color *= vec4(vec3(shadeOf(layer)), opacity);
 	const vec3 ground = color.rgb;
 	if ((kFeatures & kComposeMesh) != 0u)
-		color = inked(color, inkOn(ground, kDarkForMesh), kMeshInk * texel.y, opacity);
+		color = inked(color, inkOn(ground, kDarkForMesh), kMeshInk * texel.y, opacityOf(layer));
 	if ((kFeatures & kComposeLines) != 0u && abs(texel.x) < kInfiniteFrom)
-		color = inked(color, inkOn(ground, kDarkForContours), kContourInk * contourLine(y, layer, pixel), opacity);
+		color = inked(color, inkOn(ground, kDarkForContours),
+					  kContourInk * contourLine(scaled(texel.x, layer), layer, pixel), opacityOf(layer));
 	return color;
 }

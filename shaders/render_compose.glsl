@@ -11,10 +11,11 @@ layout(binding = 0, scalar) uniform Params
 };
 layout(binding = 1) uniform sampler2DArray layers;
 layout(binding = 2) uniform sampler2D lines;
-layout(binding = 3) uniform usamplerBuffer tables; // of colours, and of the values where they change
+layout(binding = 3) uniform usamplerBuffer tables; // of the values where colours change, and of levels
+layout(binding = 4) uniform samplerBuffer colors;  // of layers
 #ifdef SURFACES
-layout(binding = 4, r32ui) uniform readonly uimage2D heads; // of the lists of surface fragments
-layout(binding = 5) uniform usamplerBuffer fragments; // SurfaceFragment each, which software reads faster as texels
+layout(binding = 5, r32ui) uniform readonly uimage2D heads; // of the lists of surface fragments
+layout(binding = 6) uniform usamplerBuffer fragments; // SurfaceFragment each, which software reads faster as texels
 #endif
 layout(push_constant, scalar) uniform Push
 {
@@ -28,6 +29,7 @@ layout(constant_id = 1) const uint kFeatures = 0u;
 
 #include "render_colors.glsl"
 #include "render_layer_colors.glsl"
+#include "render_background.glsl"
 
 const float kBehindAll = -1.0; // as the depth of an empty slot
 
@@ -56,57 +58,71 @@ void lineDownTo(float depth)
 #include "render_surface_list.glsl"
 #endif
 
+// The layers at a pixel, and what is between them.
+void composeLayers(ivec2 pixel)
+{
+	const vec2 place = gl_FragCoord.xy - vec2(push.jitter[0], push.jitter[1]);
+
+	// What is here; an empty slot lies behind all. Indices are constant once kSlots is, so the arrays are registers.
+	float depths[kSlots];
+	vec2 texels[kSlots];
+	uint places[kSlots];
+	for (uint i = 0u; i < kSlots; ++i)
+	{
+		texels[i] = texelFetch(layers, ivec3(pixel, int(min(i, params.last_layer))), 0).xy;
+		const float depth =
+			params.sheets[i].plane[0] * place.x + params.sheets[i].plane[1] * place.y + params.sheets[i].plane[2];
+		depths[i] = i <= params.last_layer && texels[i].x > kEmptyUpTo ? max(depth, 0.0) : kBehindAll;
+		places[i] = colorPlace(texels[i].x, i);
+	}
+
+	// The nearest layer that is left, round by round; of equal depths the first, as sheets in one plane have them. Software ends
+	// the rounds as soon as all its pixels have done: most have one layer or none.
+	bool left;
+	do
+	{
+		uint layer = 0u;
+		float depth = depths[0];
+		vec2 texel = texels[0];
+		uint color_place = places[0];
+		for (uint i = 1u; i < kSlots; ++i)
+		{
+			const bool nearer = depths[i] > depth;
+			layer = nearer ? i : layer;
+			depth = nearer ? depths[i] : depth;
+			texel = nearer ? texels[i] : texel;
+			color_place = nearer ? places[i] : color_place;
+		}
+		left = false;
+		for (uint i = 0u; i < kSlots; ++i)
+		{
+			depths[i] = i == layer ? kBehindAll : depths[i];
+			left = left || depths[i] > kBehindAll;
+		}
+#ifdef SURFACES
+		surfacesDownTo(depth);
+#endif
+		lineDownTo(depth);
+		const vec4 color = withLines(texelFetch(colors, int(color_place)), texel, layer, pixel);
+		under(color.rgb, depth > kBehindAll ? color.a : 0.0);
+	} while (left);
+}
+
 void main()
 {
 	const ivec2 pixel = ivec2(gl_FragCoord.xy);
-	const vec2 place = gl_FragCoord.xy - vec2(push.jitter[0], push.jitter[1]);
-
-	// What is here; an empty slot is transparent. Loops and indices are constant once kSlots is, so the arrays are registers.
-	float depths[kSlots];
-	uvec2 colors[kSlots];
-	for (uint i = 0u; i < kSlots; ++i)
-	{
-		const uint layer = min(i, params.last_layer);
-		const vec2 texel = texelFetch(layers, ivec3(pixel, int(layer)), 0).xy;
-		const bool here = i <= params.last_layer && texel.x > kEmptyUpTo;
-		const float depth = params.sheets[layer].plane[0] * place.x + params.sheets[layer].plane[1] * place.y +
-							params.sheets[layer].plane[2];
-		const vec4 color = here ? colorOf(texel, layer, pixel) : vec4(0.0);
-		depths[i] = here ? max(depth, 0.0) : kBehindAll;
-		colors[i] = uvec2(packUnorm2x16(color.rg), packUnorm2x16(color.ba));
-	}
-	// Equal depths keep their order: of sheets in one plane the first is in front.
-	for (uint last = kSlots - 1u; last > 0u; --last)
-		for (uint i = 0u; i < last; ++i)
-		{
-			const bool swap = depths[i] < depths[i + 1u];
-			const float near = swap ? depths[i + 1u] : depths[i];
-			const float far = swap ? depths[i] : depths[i + 1u];
-			const uvec2 near_color = swap ? colors[i + 1u] : colors[i];
-			const uvec2 far_color = swap ? colors[i] : colors[i + 1u];
-			depths[i] = near;
-			colors[i] = near_color;
-			depths[i + 1u] = far;
-			colors[i + 1u] = far_color;
-		}
-
 	front = vec4(0.0);
 	line_depth = texelFetch(lines, pixel, 0).x;
 	line_left = line_depth > 0.0 ? params.line_color[3] : 0.0;
 #ifdef SURFACES
 	beginList(pixel);
 #endif
-	for (uint i = 0u; i < kSlots; ++i)
-	{
-#ifdef SURFACES
-		surfacesDownTo(depths[i]);
-#endif
-		lineDownTo(depths[i]);
-		const vec2 blue_alpha = unpackUnorm2x16(colors[i].y);
-		under(vec3(unpackUnorm2x16(colors[i].x), blue_alpha.x), blue_alpha.y);
-	}
+	if ((kFeatures & kComposeGround) == 0u)
+		composeLayers(pixel);
 #ifdef SURFACES
 	surfacesDownTo(kBehindAll);
 #endif
 	lineDownTo(kBehindAll);
+	if ((kFeatures & kComposeWhole) != 0u)
+		front = overBackground(front, gl_FragCoord.y);
 }

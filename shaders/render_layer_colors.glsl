@@ -39,12 +39,26 @@ float steepness(float y, float side, uint layer, ivec2 pixel)
 	return length(rise);
 }
 
-float shadeOf(uint layer)
-{
-	return params.sheets[layer].shade;
-}
-
 float opacityOf(uint layer)
 {
 	return params.sheets[layer].opacity;
+}
+
+// The place of a value's colour in the table of layers' colours (engine/render/layer_colors.h).
+uint colorPlace(float value, uint layer)
+{
+	const float y = scaled(value, layer);
+	const uint table = params.layer_colors[layer];
+	uint place = table + kLayerRange;
+	if ((kFeatures & kComposeSteps) != 0u && params.sheets[layer].step_count > 0u)
+		place += countUpTo(y, params.sheets[layer].step_bounds, params.sheets[layer].step_count);
+	else
+	{
+		const float t =
+			(y - params.sheets[layer].range_lo) * params.sheets[layer].range_scale + params.sheets[layer].range_offset;
+		place += uint(clamp(t, 0.0, 1.0) * float(kLayerRangeColors - 1u) + 0.5);
+	}
+	place = y < params.sheets[layer].below_from ? table + kLayerBelow : place;
+	place = y > params.sheets[layer].above_from ? table + kLayerAbove : place;
+	return value >= kNanFrom ? table + kLayerNan : place;
 }

@@ -105,6 +105,33 @@ uint tenBits(float part)
 	return uint(clamp(part, 0.0, 1.0) * 1023.0 + 0.5);
 }
 
+// Not multiplied by alpha, the opacity taken in. texel: value, and how much of a mesh line is here.
+vec4 colorOf(vec2 texel, uint layer, ivec2 pixel)
+{
+	const float y = scaled(texel.x, layer);
+	vec4 color;
+	if ((kFeatures & kComposeSteps) != 0u && params.sheets[layer].step_count > 0u)
+		color = tableColor(params.sheets[layer].step_colors +
+						   countUpTo(y, params.sheets[layer].step_bounds, params.sheets[layer].step_count));
+	else
+	{
+		const float t = clamp((y - params.sheets[layer].range_lo) * params.sheets[layer].range_scale +
+								  params.sheets[layer].range_offset,
+							  0.0, 1.0);
+		const float place = float(kTableColors - 1u) * t;
+		const uint low = min(uint(place), kTableColors - 2u);
+		const uint colors = params.sheets[layer].colors + low;
+		color = mix(tableColor(colors), tableColor(colors + 1u), place - float(low));
+	}
+	color = y < params.sheets[layer].below_from ? unpacked(params.sheets[layer].below_color) : color;
+	color = y > params.sheets[layer].above_from ? unpacked(params.sheets[layer].above_color) : color;
+	const bool is_nan = texel.x >= kNanFrom;
+	color = is_nan ? unpacked(params.sheets[layer].nan_color) : color;
+
+	color *= vec4(vec3(shadeOf(layer)), opacityOf(layer));
+	return withLines(color, texel, layer, pixel);
+}
+
 void main()
 {
 	const float y = scaled(value, push.surface);

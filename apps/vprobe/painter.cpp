@@ -6,7 +6,6 @@
 #include "slice/cell_steps.h"
 #include "slice/generations.h"
 #include "slice/gpu_records.h"
-#include "slice/host_records.h"
 #include "slice/plane_triangles.h"
 
 #include <algorithm>
@@ -34,7 +33,8 @@ void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
 } // namespace
 
 Painter::Painter(Session& session, SheetLooks looks, render::Renderer renderer)
-    : session_(session), looks_(std::move(looks)), renderer_(std::move(renderer))
+    : session_(session), looks_(std::move(looks)), renderer_(std::move(renderer)),
+      pool_(slice::RecordPool::create(*session.device))
 {
 }
 
@@ -134,12 +134,13 @@ Result<std::shared_ptr<const slice::SheetRecords>> Painter::recordsOf(const slic
 		return std::shared_ptr<const slice::SheetRecords>(sheet.records);
 	if (const auto known = records_.find(sheet.number); known != records_.end())
 		return known->second;
-	const auto host =
-	    by_generation ? slice::recordsFromMesh(sheet.sheet, stats.mesh, slice::polygonGenerations(sheet, stats.mesh))
-	                  : slice::recordsFromMesh(session_.blocks, sheet.sheet, stats.mesh, sheet.field);
-	auto made = slice::recordsFromHost(slice::RecordPool::create(*session_.device), host);
+	const slice::MeshRecords host =
+	    by_generation ? slice::MeshRecords(sheet.sheet, stats.mesh, slice::polygonGenerations(sheet, stats.mesh))
+	                  : slice::MeshRecords(session_.blocks, sheet.sheet, stats.mesh, sheet.field);
+	auto made = slice::recordsFromMesh(pool_, host);
 	if (!made)
 		return made.error();
+	(*made)->overlapping = slice::mayOverlap(session_.blocks);
 	return records_[sheet.number] = std::move(*made);
 }
 

@@ -10,6 +10,11 @@
 #include <optional>
 #include <vector>
 
+namespace vp::slice
+{
+class RecordPool; // gpu_records.h
+}
+
 namespace vp::app
 {
 
@@ -52,6 +57,7 @@ private:
 	Session& session_;
 	SheetLooks looks_;
 	render::Renderer renderer_;
+	std::shared_ptr<slice::RecordPool> pool_; // its pages serve picture after picture
 	std::vector<render::Segment> outline_;
 	std::vector<render::Surface> context_;
 	std::vector<Vec3> extent_; // what the picture holds: the blocks and the lines around them

@@ -2,7 +2,6 @@
 
 #include "grid/unstructured.h"
 
-#include <type_traits>
 
 namespace vp::grid
 {

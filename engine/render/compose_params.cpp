@@ -12,7 +12,7 @@ namespace vp::render
 namespace
 {
 
-static_assert(sizeof(shared::ComposeParams) == 4 * (16 + 21 * shared::kMaxLayers));
+static_assert(sizeof(shared::ComposeParams) == 4 * (16 + 22 * shared::kMaxLayers));
 
 constexpr Color kLineOnLight{66, 72, 82, 225};
 constexpr Color kLineOnDark{206, 211, 218, 225};
@@ -89,6 +89,8 @@ ComposeParams composeParams(const Scene& scene, VkExtent2D extent)
 	if (look.mesh)
 		made.features |= shared::kComposeMesh;
 	made.tables = tables.take();
+	for (std::size_t i = 0; i < std::max<std::size_t>(1, scene.sheets.size()); ++i)
+		params.layer_colors[i] = addLayerColors(made.colors, params.sheets[i], made.tables);
 	return made;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/layer_colors.h"
 #include "render/scene.h"
 #include "shared/render_types.h"
 
@@ -18,6 +19,7 @@ struct ComposeParams
 {
 	shared::ComposeParams params;
 	std::vector<std::uint32_t> tables; // not empty
+	LayerColors colors;                // of the sheets' layers; not empty
 	std::uint32_t features = 0;
 };
 

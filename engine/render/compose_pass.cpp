@@ -3,6 +3,7 @@
 #include "render/compose_pass.h"
 
 #include "render/compose_params.h"
+#include "render/picture_geometry.h"
 
 #include <algorithm>
 
@@ -19,7 +20,23 @@ VkPipelineColorBlendAttachmentState summing()
 	return state;
 }
 
+// What is left of a picture: above, below, left and right of a part of it.
+std::array<VkRect2D, 4> around(const VkRect2D& part, VkExtent2D extent)
+{
+	const std::int32_t right = part.offset.x + static_cast<std::int32_t>(part.extent.width);
+	const std::int32_t below = part.offset.y + static_cast<std::int32_t>(part.extent.height);
+	return {VkRect2D{{0, 0}, {extent.width, static_cast<std::uint32_t>(part.offset.y)}},
+	        VkRect2D{{0, below}, {extent.width, extent.height - static_cast<std::uint32_t>(below)}},
+	        VkRect2D{{0, part.offset.y}, {static_cast<std::uint32_t>(part.offset.x), part.extent.height}},
+	        VkRect2D{{right, part.offset.y}, {extent.width - static_cast<std::uint32_t>(right), part.extent.height}}};
+}
+
 } // namespace
+
+bool composesWhole(const Scene& scene)
+{
+	return scene.surfaces.empty() && samplePattern(scene.look.samples).size() == 1;
+}
 
 Result<ComposePass> ComposePass::create(gpu::Device& device)
 {
@@ -59,15 +76,18 @@ Result<const gpu::Pipeline*> ComposePass::pipelineFor(std::size_t layers, std::u
 	info.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
 	                 {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
 	                 {2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
-	                 {3, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}};
+	                 {3, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER},
+	                 {4, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}};
 	if (surfaces)
 	{
-		info.bindings.push_back({4, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE});
-		info.bindings.push_back({5, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER});
+		info.bindings.push_back({5, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE});
+		info.bindings.push_back({6, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER});
 	}
 	info.push_bytes = sizeof(shared::ComposePush);
-	info.colour_formats = {sumFormat(*device_)};
-	info.blends = {summing()};
+	const bool whole = (features & shared::kComposeWhole) != 0;
+	info.colour_formats = {whole ? kPictureFormat : sumFormat(*device_)};
+	if (!whole)
+		info.blends = {summing()};
 	info.constants = {{0, slots}, {1, features}};
 	auto made = gpu::Pipeline::create(*device_, info, "compose");
 	if (!made)
@@ -87,9 +107,10 @@ Result<VkDescriptorSet> ComposePass::compositionSet(const Targets& targets, cons
 	writer.uniformBuffer(0, params_.handle())
 	    .sampledImage(1, targets.layers(), sampler_.handle())
 	    .sampledImage(2, targets.lines.view(), sampler_.handle())
-	    .texels(3, tables_.texels.handle());
+	    .texels(3, tables_.texels.handle())
+	    .texels(4, colors_.texels.handle());
 	if (lists)
-		writer.storageImage(4, lists->heads().view()).texels(5, lists->fragmentTexels());
+		writer.storageImage(5, lists->heads().view()).texels(6, lists->fragmentTexels());
 	writer.write(*device_, *set);
 	return set;
 }
@@ -103,12 +124,27 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets, const Fr
 		return room;
 	*params_.mappedAs<shared::ComposeParams>() = made.params;
 	params_.flush();
-	if (Status put = tables_.put(*device_, made.tables, "colour tables"); !put)
+	if (Status put = tables_.put(*device_, std::as_bytes(std::span(made.tables)), VK_FORMAT_R32_UINT, "colour tables");
+	    !put)
 		return put;
-	auto pipeline = pipelineFor(std::max<std::size_t>(1, scene.sheets.size()), made.features, lists != nullptr);
+	if (Status put = colors_.put(*device_, std::as_bytes(std::span(made.colors)), VK_FORMAT_R16G16B16A16_UNORM,
+	                             "layers' colours");
+	    !put)
+		return put;
+	const std::uint32_t features = made.features | (composesWhole(scene) ? shared::kComposeWhole : 0u);
+	auto pipeline = pipelineFor(std::max<std::size_t>(1, scene.sheets.size()), features, lists != nullptr);
 	if (!pipeline)
 		return pipeline.error();
 	pipeline_ = *pipeline;
+	ground_ = nullptr;
+	sheets_part_ = sheetsPart(scene, targets.extent());
+	if (!lists)
+	{
+		auto ground = pipelineFor(1, (features & shared::kComposeWhole) | shared::kComposeGround, false);
+		if (!ground)
+			return ground.error();
+		ground_ = *ground;
+	}
 	auto set = compositionSet(targets, lists);
 	if (!set)
 		return set.error();
@@ -129,22 +165,50 @@ void ComposePass::record(VkCommandBuffer commands, const Targets& targets, const
 {
 	targets.sum.transition(commands, first_sample && first_part ? gpu::kDiscard : gpu::kColourTarget,
 	                       gpu::kColourTarget);
-	VkRenderingAttachmentInfo sum{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-	sum.imageView = targets.sum.view();
-	sum.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-	sum.loadOp = first_sample ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
-	sum.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+	recordInto(commands, targets, targets.sum.view(), jitter, part,
+	           first_sample ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD);
+}
+
+void ComposePass::recordWhole(VkCommandBuffer commands, const Targets& targets) const
+{
+	recordInto(commands, targets, targets.picture.view(), {0.0, 0.0}, {{0, 0}, targets.extent()},
+	           VK_ATTACHMENT_LOAD_OP_DONT_CARE);
+}
+
+void ComposePass::recordInto(VkCommandBuffer commands, const Targets& targets, VkImageView view,
+                             const glm::dvec2& jitter, const VkRect2D& part, VkAttachmentLoadOp load) const
+{
+	VkRenderingAttachmentInfo target{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+	target.imageView = view;
+	target.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+	target.loadOp = load;
+	target.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
 	VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
 	rendering.renderArea = part;
 	rendering.layerCount = 1;
 	rendering.colorAttachmentCount = 1;
-	rendering.pColorAttachments = &sum;
+	rendering.pColorAttachments = &target;
 	vkCmdBeginRendering(commands, &rendering);
-	coverPart(commands, targets.extent(), part);
-	pipeline_->bind(commands, set_);
-	pipeline_->push(commands, shared::ComposePush{{static_cast<float>(jitter.x), static_cast<float>(jitter.y)}});
-	vkCmdDraw(commands, 3, 1, 0, 0);
+	if (!ground_)
+		recordPart(commands, targets, *pipeline_, jitter, part);
+	else
+	{
+		recordPart(commands, targets, *pipeline_, jitter, sheets_part_);
+		for (const VkRect2D& beside : around(sheets_part_, targets.extent()))
+			recordPart(commands, targets, *ground_, jitter, beside);
+	}
 	vkCmdEndRendering(commands);
+}
+
+void ComposePass::recordPart(VkCommandBuffer commands, const Targets& targets, const gpu::Pipeline& pipeline,
+                             const glm::dvec2& jitter, const VkRect2D& part) const
+{
+	if (part.extent.width == 0 || part.extent.height == 0)
+		return;
+	coverPart(commands, targets.extent(), part);
+	pipeline.bind(commands, set_);
+	pipeline.push(commands, shared::ComposePush{{static_cast<float>(jitter.x), static_cast<float>(jitter.y)}});
+	vkCmdDraw(commands, 3, 1, 0, 0);
 }
 
 void ComposePass::recordResolve(VkCommandBuffer commands, const Targets& targets) const

@@ -20,19 +20,18 @@ Status makeRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, Vk
 	return Nothing{};
 }
 
-Status HostTexels::put(gpu::Device& device, const std::vector<std::uint32_t>& words, std::string_view name)
+Status HostTexels::put(gpu::Device& device, std::span<const std::byte> bytes, VkFormat format, std::string_view name)
 {
-	const std::size_t bytes = words.size() * sizeof(words[0]);
-	if (!buffer || buffer.size() < bytes)
+	if (!buffer || buffer.size() < bytes.size())
 	{
-		if (Status room = makeRoom(device, buffer, bytes, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, name); !room)
+		if (Status room = makeRoom(device, buffer, bytes.size(), VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, name); !room)
 			return room;
-		auto view = gpu::TexelView::create(buffer, VK_FORMAT_R32_UINT, name);
+		auto view = gpu::TexelView::create(buffer, format, name);
 		if (!view)
 			return view.error();
 		texels = std::move(*view);
 	}
-	std::memcpy(buffer.mapped(), words.data(), bytes);
+	std::memcpy(buffer.mapped(), bytes.data(), bytes.size());
 	buffer.flush();
 	return Nothing{};
 }

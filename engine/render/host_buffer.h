@@ -2,9 +2,9 @@
 
 #include "gpu/buffer.h"
 
-#include <cstdint>
+#include <cstddef>
+#include <span>
 #include <string_view>
-#include <vector>
 
 namespace vp::render
 {
@@ -13,13 +13,13 @@ namespace vp::render
 Status makeRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, VkBufferUsageFlags usage,
                 std::string_view name);
 
-// Words that the host writes and shaders read as texels.
+// What the host writes and shaders read as texels.
 struct HostTexels
 {
 	gpu::Buffer buffer;
 	gpu::TexelView texels;
 
-	Status put(gpu::Device& device, const std::vector<std::uint32_t>& words, std::string_view name);
+	Status put(gpu::Device& device, std::span<const std::byte> bytes, VkFormat format, std::string_view name);
 };
 
 } // namespace vp::render

@@ -10,12 +10,12 @@
 #include "render/line_pass.h"
 #include "render/overlay_pass.h"
 #include "render/picture_geometry.h"
+#include "render/raster_side.h"
 #include "render/surface_pass.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace vp::render
 {
@@ -24,11 +24,13 @@ namespace
 {
 
 // The device's picture is multiplied by alpha, as blending wants it; a file's is not.
-void copyPixels(const gpu::Buffer& pixels, Picture& picture)
+void copyPixels(const gpu::Buffer& pixels, bool opaque, Picture& picture)
 {
 	pixels.invalidate();
-	picture.rgba.resize(std::size_t(4) * picture.width * picture.height);
-	std::memcpy(picture.rgba.data(), pixels.mapped(), picture.rgba.size());
+	const auto* from = pixels.mappedAs<std::uint8_t>();
+	picture.rgba.assign(from, from + std::size_t(4) * picture.width * picture.height);
+	if (opaque)
+		return;
 	for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
 	{
 		const int alpha = picture.rgba[i + 3];
@@ -54,13 +56,21 @@ struct Renderer::Private
 	gpu::Commands commands;
 	gpu::Timers timers;
 	Targets targets;
+	std::size_t layers_drawn = 0;
+	KeptLettering lettering{};
 
+	// The targets hold nothing that can be left as it is.
+	void forget()
+	{
+		layers.forget();
+		lines.forget();
+	}
 	Status makeTargets(const Scene& scene);
 	Status prepare(const Scene& scene);
 	Result<bool> drawOnce(const Scene& scene, Timeline* timeline);
 	void recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	void recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
-	void recordPicture(VkCommandBuffer to);
+	void recordPicture(VkCommandBuffer to, bool from_layers);
 };
 
 Renderer::Renderer(std::unique_ptr<Private> made) : private_(std::move(made)) {}
@@ -68,9 +78,13 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Result<Renderer> Renderer::create(gpu::Device& device, std::uint64_t most_fragment_bytes)
+Result<Renderer> Renderer::create(gpu::Device& device, std::uint64_t most_fragment_bytes,
+                                  std::optional<std::uint32_t> raster_side)
 {
-	auto layers = LayerPass::create(device);
+	auto side = raster_side ? Result<std::uint32_t>(*raster_side) : suitableRasterSide(device);
+	if (!side)
+		return side.error();
+	auto layers = LayerPass::create(device, *side);
 	if (!layers)
 		return layers.error();
 	auto lines = LinePass::create(device);
@@ -96,6 +110,7 @@ Status Renderer::Private::makeTargets(const Scene& scene)
 	const auto count = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.sheets.size()));
 	if (targets.holds(extent, count, scene.look.mesh))
 		return Nothing{};
+	forget();
 	targets = {}; // before its successor, that both need not fit into memory
 	auto made = Targets::create(device, extent, count, scene.look.mesh);
 	if (!made)
@@ -114,8 +129,8 @@ Status Renderer::Private::prepare(const Scene& scene)
 		if (Status ready = surfaces.prepare(scene, lists); !ready)
 			return ready;
 	}
-	const Overlay over = makeOverlay(scene);
-	for (Status ready : {layers.prepare(scene), lines.prepare(scene),
+	const Overlay over = makeOverlay(scene, &lettering);
+	for (Status ready : {layers.prepare(scene, targets), lines.prepare(scene),
 	                     compose.prepare(scene, targets, has_surfaces ? &lists : nullptr), overlay.prepare(over)})
 		if (!ready)
 			return ready;
@@ -128,9 +143,11 @@ void Renderer::Private::recordSample(VkCommandBuffer to, const Scene& scene, con
 	{
 		// Every sheet into its own layer of values, the outline into its depths.
 		gpu::TimedPass timed(timers, to, "layers");
-		layers.record(to, scene, targets, jitter);
+		layers_drawn += layers.record(to, scene, targets, jitter);
 		lines.record(to, scene, targets, jitter);
 	}
+	if (composesWhole(scene))
+		return;
 	if (!scene.surfaces.empty())
 		return recordSurfaces(to, scene, jitter, sample);
 	// The layers in their order at each pixel, coloured, blended and added to the samples before.
@@ -157,19 +174,27 @@ void Renderer::Private::recordSurfaces(VkCommandBuffer to, const Scene& scene, c
 	}
 }
 
-// From the sum of samples to pixels for the host.
-void Renderer::Private::recordPicture(VkCommandBuffer to)
+// From the sum of samples, or the layers of the only one, to pixels for the host.
+void Renderer::Private::recordPicture(VkCommandBuffer to, bool from_layers)
 {
 	const VkExtent2D extent = targets.extent();
+	targets.picture.transition(to, gpu::kDiscard, gpu::kColourTarget);
+	if (from_layers)
+	{
+		// The layers in their order at each pixel, coloured and blended over the background.
+		gpu::TimedPass timed(timers, to, "compose");
+		compose.recordWhole(to, targets);
+		targets.picture.transition(to, gpu::kColourTarget, gpu::kColourTarget);
+	}
 	{
 		// The samples' mean over the background, then legend, axes and words over the finished picture.
 		gpu::TimedPass timed(timers, to, "overlay");
-		targets.sum.transition(to, gpu::kColourTarget, gpu::kSampled);
-		targets.picture.transition(to, gpu::kDiscard, gpu::kColourTarget);
+		if (!from_layers)
+			targets.sum.transition(to, gpu::kColourTarget, gpu::kSampled);
 		VkRenderingAttachmentInfo picture{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
 		picture.imageView = targets.picture.view();
 		picture.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-		picture.loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+		picture.loadOp = from_layers ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
 		picture.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
 		VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
 		rendering.renderArea.extent = extent;
@@ -177,7 +202,8 @@ void Renderer::Private::recordPicture(VkCommandBuffer to)
 		rendering.colorAttachmentCount = 1;
 		rendering.pColorAttachments = &picture;
 		vkCmdBeginRendering(to, &rendering);
-		compose.recordResolve(to, targets);
+		if (!from_layers)
+			compose.recordResolve(to, targets);
 		overlay.record(to, targets);
 		vkCmdEndRendering(to);
 		targets.picture.transition(to, gpu::kColourTarget, gpu::kCopyFrom);
@@ -211,12 +237,14 @@ Result<bool> Renderer::Private::drawOnce(const Scene& scene, Timeline* timeline)
 		recordSample(*begun, scene, pattern[sample], sample);
 	if (has_surfaces)
 		lists.recordEnd(*begun);
-	recordPicture(*begun);
+	recordPicture(*begun, composesWhole(scene));
 	const Status drawn = [&]
 	{
 		const TimedSection section(timeline, "wait");
 		return commands.submitAndWait();
 	}();
+	if (!drawn)
+		forget();
 	if (drawn && timeline)
 		timers.collect(*timeline);
 	else
@@ -224,6 +252,11 @@ Result<bool> Renderer::Private::drawOnce(const Scene& scene, Timeline* timeline)
 	if (!drawn)
 		return drawn.error();
 	return has_surfaces ? lists.complete() : Result<bool>(true);
+}
+
+std::size_t Renderer::layersDrawn() const
+{
+	return private_->layers_drawn;
 }
 
 Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
@@ -234,6 +267,7 @@ Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 		                                          scene.sheets.size(), shared::kMaxLayers)};
 	if (Status made = private_->makeTargets(scene); !made)
 		return made.error();
+	private_->layers_drawn = 0;
 	for (;;)
 	{
 		Result<bool> whole = private_->drawOnce(scene, timeline);
@@ -244,7 +278,8 @@ Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 	}
 	const TimedSection reading(timeline, "pixels");
 	Picture picture{scene.look.width, scene.look.height, {}};
-	copyPixels(private_->targets.pixels, picture);
+	const Background& background = scene.look.background;
+	copyPixels(private_->targets.pixels, background.top.a == 255 && background.bottom.a == 255, picture);
 	return picture;
 }
 

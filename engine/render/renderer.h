@@ -5,7 +5,9 @@
 #include "render/picture.h"
 #include "render/scene.h"
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace vp
 {
@@ -24,8 +26,11 @@ class Renderer
 {
 public:
 	// The device outlives it. most_fragment_bytes: what the lists of surface fragments may take; a picture that needs
-	// more is drawn in strips.
-	static Result<Renderer> create(gpu::Device& device, std::uint64_t most_fragment_bytes = kMostFragmentBytes);
+	// more is drawn in strips. raster_side: sheets' polygons of up to so many pixels (at most shared::kMostRasterSide)
+	// are drawn by a compute shader, others by the hardware's rasterizer; 0: all by the latter; unset: as suits the
+	// device.
+	static Result<Renderer> create(gpu::Device& device, std::uint64_t most_fragment_bytes = kMostFragmentBytes,
+	                               std::optional<std::uint32_t> raster_side = {});
 	~Renderer();
 	Renderer(Renderer&&) noexcept;
 	Renderer& operator=(Renderer&&) noexcept;
@@ -35,6 +40,9 @@ public:
 	// "surfaces" (where there are any), "compose", "overlay" and "copy" on the timeline, where there is one. More
 	// sheets than shared::kMaxLayers or surfaces than shared::kMaxSurfaces are a usage error.
 	Result<Picture> draw(const Scene& scene, Timeline* timeline = nullptr);
+
+	// By the last draw(), over all its samples: layers that were as they should be already are not drawn again.
+	std::size_t layersDrawn() const;
 
 private:
 	struct Private;

@@ -58,7 +58,8 @@ Status SurfacePass::putColors(const Scene& scene)
 		features_.push_back(featuresOf(surface) | featuresOf(params));
 	}
 	params_.flush();
-	return tables_.put(*device_, tables.take(), "surface colour tables");
+	const std::vector<std::uint32_t> words = tables.take();
+	return tables_.put(*device_, std::as_bytes(std::span(words)), VK_FORMAT_R32_UINT, "surface colour tables");
 }
 
 Result<const gpu::Pipeline*> SurfacePass::pipelineFor(std::uint32_t features)

@@ -61,7 +61,10 @@ Status GpuClassifier::prepare(std::span<const probe::Sheet> sheets)
 			axis_texels += axisTexels(block.grid);
 	}
 	for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet)
+	{
 		records_.push_back(std::make_shared<SheetRecords>(blocks_.recordPool()));
+		records_.back()->overlapping = mayOverlap(blocks_.blocks());
+	}
 	if (blocks_.heldCount() == 0 || sheets.empty())
 		return Nothing{};
 

@@ -73,29 +73,114 @@ std::size_t SheetRecords::count() const
 	return sum;
 }
 
-Status SheetRecords::appendHostRecords(std::span<const shared::PolygonRecord> records)
+namespace
 {
-	while (!records.empty())
+
+// write(first, to) writes records into memory of the host or the device.
+template <class Write>
+Status appendRecords(SheetRecords& sheet, std::size_t records, const Write& write)
+{
+	for (std::size_t begun = 0; begun < records;)
 	{
-		const std::size_t count = std::min<std::size_t>(records.size(), pool->pageRecords());
-		Result<std::shared_ptr<RecordPage>> page = pool->take(RecordPool::Writer::host);
+		const std::size_t count = std::min<std::size_t>(records - begun, sheet.pool->pageRecords());
+		Result<std::shared_ptr<RecordPage>> page = sheet.pool->take(RecordPool::Writer::host);
 		if (!page)
 			return page.error();
-		if (Status copied = gpu::upload((*page)->buffer, std::as_bytes(records.first(count))); !copied)
-			return copied;
-		pages.push_back({std::move(*page), static_cast<std::uint32_t>(count)});
-		records = records.subspan(count);
+		Status filled =
+		    gpu::fillBuffer((*page)->buffer, count, sizeof(shared::PolygonRecord),
+		                    [&](std::byte* to, std::size_t first, std::size_t run)
+		                    { write(begun + first, std::span(reinterpret_cast<shared::PolygonRecord*>(to), run)); });
+		if (!filled)
+			return filled;
+		sheet.pages.push_back({std::move(*page), static_cast<std::uint32_t>(count)});
+		begun += count;
 	}
 	return Nothing{};
 }
 
-Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool> pool,
-                                                      std::span<const shared::PolygonRecord> records)
+} // namespace
+
+Status SheetRecords::appendHostRecords(std::span<const shared::PolygonRecord> records)
+{
+	return appendRecords(*this, records.size(),
+	                     [&](std::size_t first, std::span<shared::PolygonRecord> to)
+	                     { std::copy_n(records.begin() + static_cast<std::ptrdiff_t>(first), to.size(), to.begin()); });
+}
+
+Status SheetRecords::appendHostRecords(const MeshRecords& records)
+{
+	return appendRecords(*this, records.count(),
+	                     [&](std::size_t first, std::span<shared::PolygonRecord> to) { records.write(first, to); });
+}
+
+namespace
+{
+
+// More than rounding makes neighbours do.
+bool overlap(const Box& a, const Box& b)
+{
+	constexpr double kRounding = 1e-9;
+	for (int axis = 0; axis < 3; ++axis)
+	{
+		const double shared = std::min(a.hi[axis], b.hi[axis]) - std::max(a.lo[axis], b.lo[axis]);
+		if (shared <= kRounding * std::max(a.hi[axis] - a.lo[axis], b.hi[axis] - b.lo[axis]))
+			return false;
+	}
+	return true;
+}
+
+} // namespace
+
+bool mayOverlap(const grid::BlockSet& blocks)
+{
+	constexpr std::size_t kMostLookedAt = 64;
+	if (blocks.blocks.size() > kMostLookedAt)
+		return true;
+	for (const grid::Block& block : blocks.blocks)
+	{
+		if (!block.inverted.empty())
+			return true;
+		for (const grid::Block* other = blocks.blocks.data(); other != &block; ++other)
+			if (overlap(block.bounds, other->bounds))
+				return true;
+	}
+	return false;
+}
+
+namespace
+{
+
+UvBounds boundsOf(std::span<const shared::PolygonRecord> records)
+{
+	UvBounds bounds;
+	for (const shared::PolygonRecord& record : records)
+		for (std::uint32_t i = 0; i < record.vertices; ++i)
+			bounds = bounds.with(glm::dvec2(record.uv[2 * i], record.uv[2 * i + 1]));
+	return bounds;
+}
+
+template <class Records>
+Result<std::shared_ptr<SheetRecords>> sheetOf(std::shared_ptr<RecordPool> pool, const Records& records,
+                                              const UvBounds& bounds)
 {
 	auto sheet = std::make_shared<SheetRecords>(std::move(pool));
+	sheet->bounds = bounds;
 	if (Status added = sheet->appendHostRecords(records); !added)
 		return added.error();
 	return sheet;
+}
+
+} // namespace
+
+Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool> pool,
+                                                      std::span<const shared::PolygonRecord> records)
+{
+	return sheetOf(std::move(pool), records, boundsOf(records));
+}
+
+Result<std::shared_ptr<SheetRecords>> recordsFromMesh(std::shared_ptr<RecordPool> pool, const MeshRecords& records)
+{
+	return sheetOf(std::move(pool), records, records.bounds());
 }
 
 } // namespace vp::slice

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "gpu/buffer.h"
+#include "grid/block.h"
 #include "shared/slice_types.h"
+#include "slice/mesh_records.h"
 
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -83,15 +86,25 @@ struct SheetRecords
 	std::shared_ptr<RecordPool> pool;
 	std::vector<Page> pages;
 	std::vector<Run> runs;
+	std::optional<UvBounds> bounds; // of all polygons, where they are known
+	bool overlapping = false;       // polygons may cover each other (mayOverlap()): then the last one counts
 
 	std::size_t count() const; // of records, those without vertices included
 
 	// Adds pages of records made on the CPU: cells that were walked, and blocks that the device does not hold.
 	Status appendHostRecords(std::span<const shared::PolygonRecord> records);
+	Status appendHostRecords(const MeshRecords& records);
 };
+
+// Whether polygons of a plane's cut may lie on each other: where a grid is folded over, or boxes of blocks overlap
+// (more than a few are not looked at).
+bool mayOverlap(const grid::BlockSet& blocks);
 
 // All records from the CPU: the path of the CPU classifier.
 Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool> pool,
                                                       std::span<const shared::PolygonRecord> records);
+
+// Those of a mesh, written straight into device memory where that is mapped.
+Result<std::shared_ptr<SheetRecords>> recordsFromMesh(std::shared_ptr<RecordPool> pool, const MeshRecords& records);
 
 } // namespace vp::slice

@@ -13,8 +13,8 @@ VP_CONST uint kMaxSurfaces = 64u; // and surfaces
 VP_CONST uint kRecordTriangles = 4u;
 VP_CONST uint kRecordCorners = 3u * kRecordTriangles;
 
-// From a sheet's (u, v) to clip space: u * u_axis + v * v_axis + origin. What of it is drawn beyond the values is known
-// when the pipeline is made (kLayer bits).
+// From a sheet's (u, v) to clip space: u * u_axis + v * v_axis + origin; with kLayerListed x and y are those of
+// RasterPush. What of it is drawn beyond the values is known when the pipeline is made (kLayer bits).
 struct LayerPush
 {
 	float u_axis[4];
@@ -22,10 +22,45 @@ struct LayerPush
 	float origin[4];
 	float window[4];       // u from, to, v from, to; with kLayerWindow
 	float mesh_half_width; // pixels; with kLayerMesh
+	float size[2];         // of the picture, pixels; with kLayerListed, as the next
+	uint listed_from;      // place of the first drawn record's number in the list
 };
 
 VP_CONST uint kLayerWindow = 1u; // what lies outside of the window is left out
 VP_CONST uint kLayerMesh = 2u;   // how much of a line along the polygons' edges is at a pixel goes beside the values
+VP_CONST uint kLayerListed = 4u; // of the records those are drawn that the compute rasterizer listed
+
+// The compute rasterizer of small polygons. Pixels are numbered from 0, and their centres lie at whole numbers.
+VP_CONST uint kRasterGroupSize = 64u; // one thread a record
+VP_CONST uint kSubpixels = 256u;      // a pixel's side has so many places for corners: as many as hardware has
+VP_CONST uint kMostRasterSide = 64u;  // pixels; of larger polygons the edges would not fit into 32 bits
+
+struct RasterPush
+{
+	float u_axis[3]; // from (u, v) to a place in subpixels times w, and w: u * u_axis + v * v_axis + origin
+	float v_axis[3];
+	float origin[3];
+	float u_of_pixel[3]; // from a pixel (x, y, 1) to (u, v, 1) times a factor; with kLayerWindow
+	float v_of_pixel[3];
+	float w_of_pixel[3];
+	float window[4]; // u from, to, v from, to
+	float near_w;    // w of the near plane
+	float largest;   // side of a polygon that is drawn here, subpixels
+	float last_pixel[2];
+	uint count;       // of the page's records
+	uint draw;        // number of the page's draw
+	uint listed_from; // place of the page's first number in the list
+};
+
+// VkDrawIndexedIndirectCommand: the records that a page leaves to the hardware.
+struct RasterDraw
+{
+	uint corners;
+	uint instances;
+	uint first_index;
+	int vertex_offset;
+	uint first_instance;
+};
 
 struct LineSegment
 {
@@ -55,6 +90,8 @@ VP_CONST uint kComposeLines = 1u;
 VP_CONST uint kComposeSteps = 2u; // bands or categories
 VP_CONST uint kComposeLog = 4u;
 VP_CONST uint kComposeMesh = 8u;
+VP_CONST uint kComposeGround = 64u; // a part of the picture in which no layer has anything
+VP_CONST uint kComposeWhole = 128u; // the one sample of a picture, over its background
 
 // A layer's plane, and how its values become colours. Values are scaled first: y is the value, or its log10. Places are
 // those in the buffer of tables, four-byte words; colours are encoded (sRGB), not multiplied by alpha, red in the
@@ -84,6 +121,14 @@ struct SheetParams
 
 VP_CONST uint kTableColors = 256u;
 
+// The colours of a layer, with its light and opacity taken in: places in its table. Steps, or so many colours over the
+// range, are in the last; nearest ones are taken, which with a thousand is as good as to interpolate between 256.
+VP_CONST uint kLayerBelow = 0u;
+VP_CONST uint kLayerAbove = 1u;
+VP_CONST uint kLayerNan = 2u;
+VP_CONST uint kLayerRange = 3u;
+VP_CONST uint kLayerRangeColors = 1024u;
+
 // Colours here are encoded, not multiplied by alpha.
 struct ComposeParams
 {
@@ -94,6 +139,7 @@ struct ComposeParams
 	float line_color[4];
 	float top_color[4]; // of the background
 	float bottom_color[4];
+	uint layer_colors[kMaxLayers]; // where a layer's colours begin
 	SheetParams sheets[kMaxLayers];
 };
 
