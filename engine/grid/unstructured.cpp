@@ -45,13 +45,14 @@ void UnstructuredGrid::cellFaces(CellId c, CellFaces& faces) const
 
 std::size_t UnstructuredGrid::geometryBytes() const
 {
-	return points_.bytes() + 4 * (records_.capacity() + polyhedron_faces_.capacity() + face_points_start_.capacity() +
-	                              face_points_.capacity());
+	return points_.bytes() + 4 * (cell_count_ * std::size_t(width_) + polyhedron_faces_.capacity() +
+	                              face_points_start_.capacity() + face_points_.capacity());
 }
 
 std::size_t UnstructuredGrid::adjacencyBytes() const
 {
-	std::size_t sum = 4 * (neighbours_.capacity() + source_points_.capacity()) + 8 * source_cells_.capacity();
+	std::size_t sum = 4 * (cell_count_ * std::size_t(face_width_) + polyhedron_neighbours_.capacity() +
+	                       source_points_.capacity() + source_cells_.capacity());
 	for (const std::vector<CellId>& cells : several_)
 		sum += sizeof(cells) + 4 * cells.capacity();
 	return sum;
