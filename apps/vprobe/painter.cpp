@@ -140,7 +140,7 @@ Result<std::shared_ptr<const slice::SheetRecords>> Painter::recordsOf(const slic
 	auto made = slice::recordsFromMesh(pool_, host);
 	if (!made)
 		return made.error();
-	(*made)->overlapping = slice::mayOverlap(session_.blocks);
+	(*made)->overlapping = (*made)->overlapping || slice::mayFold(session_.blocks);
 	return records_[sheet.number] = std::move(*made);
 }
 
