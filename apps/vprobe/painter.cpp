@@ -6,7 +6,6 @@
 #include "slice/cell_steps.h"
 #include "slice/generations.h"
 #include "slice/gpu_records.h"
-#include "slice/host_records.h"
 #include "slice/plane_triangles.h"
 
 #include <algorithm>
@@ -33,24 +32,28 @@ void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
 
 // A sheet's polygons where they lie: records that the GPU classifier left in device memory, or the CPU's mesh put
 // there.
-Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const Session& session, const slice::SheetSlice& sheet,
-                                                             const SheetStats& stats, bool by_generation)
+Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const Session& session,
+                                                             const std::shared_ptr<slice::RecordPool>& pool,
+                                                             const slice::SheetSlice& sheet, const SheetStats& stats,
+                                                             bool by_generation)
 {
 	if (sheet.records && !by_generation)
 		return std::shared_ptr<const slice::SheetRecords>(sheet.records);
-	const auto host =
-	    by_generation ? slice::recordsFromMesh(sheet.sheet, stats.mesh, slice::polygonGenerations(sheet, stats.mesh))
-	                  : slice::recordsFromMesh(session.blocks, sheet.sheet, stats.mesh, sheet.field);
-	auto made = slice::recordsFromHost(slice::RecordPool::create(*session.device), host);
+	const slice::MeshRecords host =
+	    by_generation ? slice::MeshRecords(sheet.sheet, stats.mesh, slice::polygonGenerations(sheet, stats.mesh))
+	                  : slice::MeshRecords(session.blocks, sheet.sheet, stats.mesh, sheet.field);
+	auto made = slice::recordsFromMesh(pool, host);
 	if (!made)
 		return made.error();
+	(*made)->overlapping = slice::mayOverlap(session.blocks);
 	return std::shared_ptr<const slice::SheetRecords>(std::move(*made));
 }
 
 } // namespace
 
 Painter::Painter(Session& session, SheetLooks looks, render::Renderer renderer)
-    : session_(session), looks_(std::move(looks)), renderer_(std::move(renderer))
+    : session_(session), looks_(std::move(looks)), renderer_(std::move(renderer)),
+      pool_(slice::RecordPool::create(*session.device))
 {
 }
 
@@ -155,7 +158,7 @@ Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStat
 			scene.surfaces.push_back(std::move(*surface));
 			continue;
 		}
-		auto records = recordsOf(session_, slice.sheets[s], sheets[s], choice().by_generation);
+		auto records = recordsOf(session_, pool_, slice.sheets[s], sheets[s], choice().by_generation);
 		if (!records)
 			return records.error();
 		made->records = std::move(*records);

@@ -7,6 +7,11 @@
 #include <optional>
 #include <vector>
 
+namespace vp::slice
+{
+class RecordPool; // gpu_records.h
+}
+
 namespace vp::app
 {
 
@@ -43,6 +48,7 @@ private:
 	Session& session_;
 	SheetLooks looks_;
 	render::Renderer renderer_;
+	std::shared_ptr<slice::RecordPool> pool_; // its pages serve picture after picture
 	std::vector<render::Segment> outline_;
 	std::vector<render::Surface> context_;
 	std::vector<Vec3> extent_; // what the picture holds: the blocks and the lines around them

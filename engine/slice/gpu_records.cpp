@@ -73,20 +73,44 @@ std::size_t SheetRecords::count() const
 	return sum;
 }
 
-Status SheetRecords::appendHostRecords(std::span<const shared::PolygonRecord> records)
+namespace
 {
-	while (!records.empty())
+
+// write(first, to) writes records into memory of the host or the device.
+template <class Write>
+Status appendRecords(SheetRecords& sheet, std::size_t records, const Write& write)
+{
+	for (std::size_t begun = 0; begun < records;)
 	{
-		const std::size_t count = std::min<std::size_t>(records.size(), pool->pageRecords());
-		Result<std::shared_ptr<RecordPage>> page = pool->take(RecordPool::Writer::host);
+		const std::size_t count = std::min<std::size_t>(records - begun, sheet.pool->pageRecords());
+		Result<std::shared_ptr<RecordPage>> page = sheet.pool->take(RecordPool::Writer::host);
 		if (!page)
 			return page.error();
-		if (Status copied = gpu::upload((*page)->buffer, std::as_bytes(records.first(count))); !copied)
-			return copied;
-		pages.push_back({std::move(*page), static_cast<std::uint32_t>(count)});
-		records = records.subspan(count);
+		Status filled =
+		    gpu::fillBuffer((*page)->buffer, count, sizeof(shared::PolygonRecord),
+		                    [&](std::byte* to, std::size_t first, std::size_t run)
+		                    { write(begun + first, std::span(reinterpret_cast<shared::PolygonRecord*>(to), run)); });
+		if (!filled)
+			return filled;
+		sheet.pages.push_back({std::move(*page), static_cast<std::uint32_t>(count)});
+		begun += count;
 	}
 	return Nothing{};
+}
+
+} // namespace
+
+Status SheetRecords::appendHostRecords(std::span<const shared::PolygonRecord> records)
+{
+	return appendRecords(*this, records.size(),
+	                     [&](std::size_t first, std::span<shared::PolygonRecord> to)
+	                     { std::copy_n(records.begin() + static_cast<std::ptrdiff_t>(first), to.size(), to.begin()); });
+}
+
+Status SheetRecords::appendHostRecords(const MeshRecords& records)
+{
+	return appendRecords(*this, records.count(),
+	                     [&](std::size_t first, std::span<shared::PolygonRecord> to) { records.write(first, to); });
 }
 
 bool mayOverlap(const grid::BlockSet& blocks)
@@ -95,13 +119,29 @@ bool mayOverlap(const grid::BlockSet& blocks)
 	       std::ranges::any_of(blocks.blocks, [](const grid::Block& block) { return !block.inverted.empty(); });
 }
 
-Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool> pool,
-                                                      std::span<const shared::PolygonRecord> records)
+namespace
+{
+
+template <class Records>
+Result<std::shared_ptr<SheetRecords>> sheetOf(std::shared_ptr<RecordPool> pool, const Records& records)
 {
 	auto sheet = std::make_shared<SheetRecords>(std::move(pool));
 	if (Status added = sheet->appendHostRecords(records); !added)
 		return added.error();
 	return sheet;
+}
+
+} // namespace
+
+Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool> pool,
+                                                      std::span<const shared::PolygonRecord> records)
+{
+	return sheetOf(std::move(pool), records);
+}
+
+Result<std::shared_ptr<SheetRecords>> recordsFromMesh(std::shared_ptr<RecordPool> pool, const MeshRecords& records)
+{
+	return sheetOf(std::move(pool), records);
 }
 
 } // namespace vp::slice

@@ -3,6 +3,7 @@
 #include "gpu/buffer.h"
 #include "grid/block.h"
 #include "shared/slice_types.h"
+#include "slice/mesh_records.h"
 
 #include <cstdint>
 #include <memory>
@@ -90,6 +91,7 @@ struct SheetRecords
 
 	// Adds pages of records made on the CPU: cells that were walked, and blocks that the device does not hold.
 	Status appendHostRecords(std::span<const shared::PolygonRecord> records);
+	Status appendHostRecords(const MeshRecords& records);
 };
 
 // Whether polygons of a plane's cut may lie on each other: where blocks may, or a grid is folded over.
@@ -98,5 +100,8 @@ bool mayOverlap(const grid::BlockSet& blocks);
 // All records from the CPU: the path of the CPU classifier.
 Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool> pool,
                                                       std::span<const shared::PolygonRecord> records);
+
+// Those of a mesh, written straight into device memory where that is mapped.
+Result<std::shared_ptr<SheetRecords>> recordsFromMesh(std::shared_ptr<RecordPool> pool, const MeshRecords& records);
 
 } // namespace vp::slice

@@ -15,19 +15,21 @@ using glm::dvec2;
 // Twice the area of a triangle, positive when it runs counter-clockwise, and what of it may be rounding.
 struct Turn
 {
+	dvec2 ab;
+	dvec2 ac;
 	double area;
-	double slack;
 
-	Turn(const dvec2& a, const dvec2& b, const dvec2& c)
+	Turn(const dvec2& a, const dvec2& b, const dvec2& c) : ab(b - a), ac(c - a), area(ab.x * ac.y - ab.y * ac.x) {}
+	// Slack is asked for last: most turns are clear without it.
+	bool clockwise() const { return area < 0.0 && area < -slack(); }
+	bool counterClockwise() const { return area > 0.0 && area > slack(); }
+
+private:
+	double slack() const
 	{
 		constexpr double kStraight = 1e-9;
-		const dvec2 ab = b - a;
-		const dvec2 ac = c - a;
-		area = ab.x * ac.y - ab.y * ac.x;
-		slack = kStraight * glm::length(ab) * glm::length(ac);
+		return kStraight * glm::length(ab) * glm::length(ac);
 	}
-	bool clockwise() const { return area < -slack; }
-	bool counterClockwise() const { return area > slack; }
 };
 
 class EarClipper
