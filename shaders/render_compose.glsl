@@ -58,9 +58,9 @@ void lineDownTo(float depth)
 #include "render_surface_list.glsl"
 #endif
 
-void main()
+// The layers at a pixel, and what is between them.
+void composeLayers(ivec2 pixel)
 {
-	const ivec2 pixel = ivec2(gl_FragCoord.xy);
 	const vec2 place = gl_FragCoord.xy - vec2(push.jitter[0], push.jitter[1]);
 
 	// What is here; an empty slot lies behind all. Indices are constant once kSlots is, so the arrays are registers.
@@ -76,12 +76,6 @@ void main()
 		places[i] = colorPlace(texels[i].x, i);
 	}
 
-	front = vec4(0.0);
-	line_depth = texelFetch(lines, pixel, 0).x;
-	line_left = line_depth > 0.0 ? params.line_color[3] : 0.0;
-#ifdef SURFACES
-	beginList(pixel);
-#endif
 	// The nearest layer that is left, round by round; of equal depths the first, as sheets in one plane have them. Software ends
 	// the rounds as soon as all its pixels have done: most have one layer or none.
 	bool left;
@@ -112,6 +106,19 @@ void main()
 		const vec4 color = withLines(texelFetch(colors, int(color_place)), texel, layer, pixel);
 		under(color.rgb, depth > kBehindAll ? color.a : 0.0);
 	} while (left);
+}
+
+void main()
+{
+	const ivec2 pixel = ivec2(gl_FragCoord.xy);
+	front = vec4(0.0);
+	line_depth = texelFetch(lines, pixel, 0).x;
+	line_left = line_depth > 0.0 ? params.line_color[3] : 0.0;
+#ifdef SURFACES
+	beginList(pixel);
+#endif
+	if ((kFeatures & kComposeGround) == 0u)
+		composeLayers(pixel);
 #ifdef SURFACES
 	surfacesDownTo(kBehindAll);
 #endif

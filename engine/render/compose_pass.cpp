@@ -20,6 +20,17 @@ VkPipelineColorBlendAttachmentState summing()
 	return state;
 }
 
+// What is left of a picture: above, below, left and right of a part of it.
+std::array<VkRect2D, 4> around(const VkRect2D& part, VkExtent2D extent)
+{
+	const std::int32_t right = part.offset.x + static_cast<std::int32_t>(part.extent.width);
+	const std::int32_t below = part.offset.y + static_cast<std::int32_t>(part.extent.height);
+	return {VkRect2D{{0, 0}, {extent.width, static_cast<std::uint32_t>(part.offset.y)}},
+	        VkRect2D{{0, below}, {extent.width, extent.height - static_cast<std::uint32_t>(below)}},
+	        VkRect2D{{0, part.offset.y}, {static_cast<std::uint32_t>(part.offset.x), part.extent.height}},
+	        VkRect2D{{right, part.offset.y}, {extent.width - static_cast<std::uint32_t>(right), part.extent.height}}};
+}
+
 } // namespace
 
 bool composesWhole(const Scene& scene)
@@ -125,6 +136,15 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets, const Fr
 	if (!pipeline)
 		return pipeline.error();
 	pipeline_ = *pipeline;
+	ground_ = nullptr;
+	sheets_part_ = sheetsPart(scene, targets.extent());
+	if (!lists)
+	{
+		auto ground = pipelineFor(1, (features & shared::kComposeWhole) | shared::kComposeGround, false);
+		if (!ground)
+			return ground.error();
+		ground_ = *ground;
+	}
 	auto set = compositionSet(targets, lists);
 	if (!set)
 		return set.error();
@@ -169,11 +189,26 @@ void ComposePass::recordInto(VkCommandBuffer commands, const Targets& targets, V
 	rendering.colorAttachmentCount = 1;
 	rendering.pColorAttachments = &target;
 	vkCmdBeginRendering(commands, &rendering);
-	coverPart(commands, targets.extent(), part);
-	pipeline_->bind(commands, set_);
-	pipeline_->push(commands, shared::ComposePush{{static_cast<float>(jitter.x), static_cast<float>(jitter.y)}});
-	vkCmdDraw(commands, 3, 1, 0, 0);
+	if (!ground_)
+		recordPart(commands, targets, *pipeline_, jitter, part);
+	else
+	{
+		recordPart(commands, targets, *pipeline_, jitter, sheets_part_);
+		for (const VkRect2D& beside : around(sheets_part_, targets.extent()))
+			recordPart(commands, targets, *ground_, jitter, beside);
+	}
 	vkCmdEndRendering(commands);
+}
+
+void ComposePass::recordPart(VkCommandBuffer commands, const Targets& targets, const gpu::Pipeline& pipeline,
+                             const glm::dvec2& jitter, const VkRect2D& part) const
+{
+	if (part.extent.width == 0 || part.extent.height == 0)
+		return;
+	coverPart(commands, targets.extent(), part);
+	pipeline.bind(commands, set_);
+	pipeline.push(commands, shared::ComposePush{{static_cast<float>(jitter.x), static_cast<float>(jitter.y)}});
+	vkCmdDraw(commands, 3, 1, 0, 0);
 }
 
 void ComposePass::recordResolve(VkCommandBuffer commands, const Targets& targets) const

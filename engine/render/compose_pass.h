@@ -46,10 +46,15 @@ private:
 	Result<const gpu::Pipeline*> pipelineFor(std::size_t layers, std::uint32_t features, bool surfaces);
 	void recordInto(VkCommandBuffer commands, const Targets& targets, VkImageView view, const glm::dvec2& jitter,
 	                const VkRect2D& part, VkAttachmentLoadOp load) const;
+	void recordPart(VkCommandBuffer commands, const Targets& targets, const gpu::Pipeline& pipeline,
+	                const glm::dvec2& jitter, const VkRect2D& part) const;
 	Result<VkDescriptorSet> compositionSet(const Targets& targets, const FragmentLists* lists);
 
 	std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, gpu::Pipeline> pipelines_; // by slots, features, surfaces
-	const gpu::Pipeline* pipeline_ = nullptr;                                           // of the scene prepared last
+	// Of the scene prepared last. Where it has no surfaces, sheets are in a part of the picture only.
+	const gpu::Pipeline* pipeline_ = nullptr;
+	const gpu::Pipeline* ground_ = nullptr;
+	VkRect2D sheets_part_{};
 	gpu::Pipeline resolve_;
 	gpu::DescriptorSets sets_;
 	std::optional<gpu::DescriptorSets> surface_sets_; // made on first use

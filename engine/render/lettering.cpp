@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr const char* kEllipsis = "…";
+constexpr unsigned kLastDefaultLetter = 0xFF; // of GetGlyphRangesDefault()
 
 bool startsLetter(char c)
 {
@@ -130,6 +131,30 @@ std::vector<std::string> Lettering::wrapped(std::string_view text, double size, 
 		text.remove_prefix(end);
 	}
 	return result;
+}
+
+std::shared_ptr<const Lettering> KeptLettering::get(const std::vector<double>& sizes,
+                                                    const std::vector<std::string>& texts)
+{
+	std::vector<int> pixels;
+	for (const double size : sizes)
+		pixels.push_back(static_cast<int>(std::lround(size)));
+	std::set<unsigned> letters;
+	for (const std::string& text : texts)
+		for (const char* at = text.data(); at < text.data() + text.size();)
+		{
+			unsigned letter = 0;
+			at += ImTextCharFromUtf8(&letter, at, text.data() + text.size());
+			if (letter > kLastDefaultLetter)
+				letters.insert(letter);
+		}
+	if (!kept_ || pixels != pixels_ || letters != letters_)
+	{
+		kept_ = std::make_shared<const Lettering>(sizes, texts);
+		pixels_ = std::move(pixels);
+		letters_ = std::move(letters);
+	}
+	return kept_;
 }
 
 } // namespace vp::render

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,19 @@ private:
 	std::unique_ptr<ImDrawListSharedData, SharedDeleter> shared_;
 	unsigned char* texels_ = nullptr;
 	glm::ivec2 texel_size_{0};
+};
+
+// The lettering that was asked for last, for pictures that are written with the same letters.
+class KeptLettering
+{
+public:
+	// As Lettering's.
+	std::shared_ptr<const Lettering> get(const std::vector<double>& sizes, const std::vector<std::string>& texts);
+
+private:
+	std::vector<int> pixels_;
+	std::set<unsigned> letters_; // beside those that are there anyway
+	std::shared_ptr<const Lettering> kept_;
 };
 
 } // namespace vp::render

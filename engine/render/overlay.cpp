@@ -103,14 +103,15 @@ void writePlates(const Scene& scene, const Layout& layout, Pen& pen)
 
 } // namespace
 
-Overlay makeOverlay(const Scene& scene)
+Overlay makeOverlay(const Scene& scene, KeptLettering* kept)
 {
 	const std::vector<LegendContent> legends = legendContents(scene);
 	const Layout layout = makeLayout(scene.look, legends);
 
 	Overlay overlay;
-	overlay.lettering = std::make_unique<Lettering>(std::vector<double>{layout.small_em, layout.em, layout.title_em},
-	                                                writtenTexts(scene.look, legends));
+	KeptLettering own;
+	overlay.lettering =
+	    (kept ? *kept : own).get({layout.small_em, layout.em, layout.title_em}, writtenTexts(scene.look, legends));
 	DrawListPen pen(*overlay.lettering, inksOn(scene.look.background), layout.em);
 	if (!scene.fitted && scene.bounds)
 		writePlates(scene, layout, pen);

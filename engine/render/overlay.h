@@ -14,11 +14,12 @@ namespace vp::render
 // What is written over a picture as triangles, in pixels: the legend, the axes, title and caption.
 struct Overlay
 {
-	std::unique_ptr<Lettering> lettering; // its coverage is the triangles' texture
+	std::shared_ptr<const Lettering> lettering; // its coverage is the triangles' texture
 	std::vector<ImDrawVert> vertices;
 	std::vector<std::uint32_t> indices;
 };
 
-Overlay makeOverlay(const Scene& scene);
+// kept: from picture to picture; null makes a lettering for this one.
+Overlay makeOverlay(const Scene& scene, KeptLettering* kept = nullptr);
 
 } // namespace vp::render

@@ -59,7 +59,21 @@ Status OverlayPass::prepare(const Overlay& overlay)
 	if (Status put_in = put(indices_, overlay.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "overlay indices"); !put_in)
 		return put_in;
 
-	const glm::ivec2 size = overlay.lettering->texelSize();
+	if (Status uploaded = putLetters(overlay.lettering); !uploaded)
+		return uploaded;
+	auto set = sets_.get(0);
+	if (!set)
+		return set.error();
+	set_ = *set;
+	gpu::DescriptorWriter().sampledImage(0, letters_.view(), sampler_.handle()).write(*device_, set_);
+	return Nothing{};
+}
+
+Status OverlayPass::putLetters(const std::shared_ptr<const Lettering>& lettering)
+{
+	if (lettering == lettering_)
+		return Nothing{};
+	const glm::ivec2 size = lettering->texelSize();
 	gpu::ImageInfo info;
 	info.extent = {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)};
 	info.format = VK_FORMAT_R8_UNORM;
@@ -68,15 +82,11 @@ Status OverlayPass::prepare(const Overlay& overlay)
 	if (!letters)
 		return letters.error();
 	letters_ = std::move(*letters);
-	const auto texels = std::as_bytes(std::span(overlay.lettering->texels(), std::size_t(size.x) * size.y));
+	const auto texels = std::as_bytes(std::span(lettering->texels(), std::size_t(size.x) * size.y));
+	lettering_ = nullptr;
 	if (Status uploaded = gpu::uploadImage(*device_, letters_, texels, gpu::kSampled); !uploaded)
 		return uploaded;
-
-	auto set = sets_.get(0);
-	if (!set)
-		return set.error();
-	set_ = *set;
-	gpu::DescriptorWriter().sampledImage(0, letters_.view(), sampler_.handle()).write(*device_, set_);
+	lettering_ = lettering;
 	return Nothing{};
 }
 

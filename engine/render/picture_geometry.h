@@ -33,6 +33,9 @@ shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera,
 shared::LayerPush listedPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
                              const glm::dvec2& jitter);
 
+// A part of the picture outside of which no sheet is seen, wherever in their pixels samples lie.
+VkRect2D sheetsPart(const Scene& scene, VkExtent2D extent);
+
 // a, b, c: near / w = a x + b y + c at pixel (x, y) of the sheet's plane, for 1 / w is linear in the picture. All zero
 // for a sheet seen edge on.
 std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera, VkExtent2D extent);

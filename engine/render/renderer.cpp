@@ -15,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace vp::render
 {
@@ -24,11 +23,13 @@ namespace
 {
 
 // The device's picture is multiplied by alpha, as blending wants it; a file's is not.
-void copyPixels(const gpu::Buffer& pixels, Picture& picture)
+void copyPixels(const gpu::Buffer& pixels, bool opaque, Picture& picture)
 {
 	pixels.invalidate();
-	picture.rgba.resize(std::size_t(4) * picture.width * picture.height);
-	std::memcpy(picture.rgba.data(), pixels.mapped(), picture.rgba.size());
+	const auto* from = pixels.mappedAs<std::uint8_t>();
+	picture.rgba.assign(from, from + std::size_t(4) * picture.width * picture.height);
+	if (opaque)
+		return;
 	for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
 	{
 		const int alpha = picture.rgba[i + 3];
@@ -55,6 +56,7 @@ struct Renderer::Private
 	gpu::Timers timers;
 	Targets targets;
 	std::size_t layers_drawn = 0;
+	KeptLettering lettering{};
 
 	Status makeTargets(const Scene& scene);
 	Status prepare(const Scene& scene);
@@ -117,7 +119,7 @@ Status Renderer::Private::prepare(const Scene& scene)
 		if (Status ready = surfaces.prepare(scene, lists); !ready)
 			return ready;
 	}
-	const Overlay over = makeOverlay(scene);
+	const Overlay over = makeOverlay(scene, &lettering);
 	for (Status ready : {layers.prepare(scene, targets), lines.prepare(scene),
 	                     compose.prepare(scene, targets, has_surfaces ? &lists : nullptr), overlay.prepare(over)})
 		if (!ready)
@@ -258,7 +260,8 @@ Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 			break;
 	}
 	Picture picture{scene.look.width, scene.look.height, {}};
-	copyPixels(private_->targets.pixels, picture);
+	const Background& background = scene.look.background;
+	copyPixels(private_->targets.pixels, background.top.a == 255 && background.bottom.a == 255, picture);
 	return picture;
 }
 

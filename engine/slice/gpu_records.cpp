@@ -122,10 +122,21 @@ bool mayOverlap(const grid::BlockSet& blocks)
 namespace
 {
 
+UvBounds boundsOf(std::span<const shared::PolygonRecord> records)
+{
+	UvBounds bounds;
+	for (const shared::PolygonRecord& record : records)
+		for (std::uint32_t i = 0; i < record.vertices; ++i)
+			bounds = bounds.with(glm::dvec2(record.uv[2 * i], record.uv[2 * i + 1]));
+	return bounds;
+}
+
 template <class Records>
-Result<std::shared_ptr<SheetRecords>> sheetOf(std::shared_ptr<RecordPool> pool, const Records& records)
+Result<std::shared_ptr<SheetRecords>> sheetOf(std::shared_ptr<RecordPool> pool, const Records& records,
+                                              const UvBounds& bounds)
 {
 	auto sheet = std::make_shared<SheetRecords>(std::move(pool));
+	sheet->bounds = bounds;
 	if (Status added = sheet->appendHostRecords(records); !added)
 		return added.error();
 	return sheet;
@@ -136,12 +147,12 @@ Result<std::shared_ptr<SheetRecords>> sheetOf(std::shared_ptr<RecordPool> pool, 
 Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool> pool,
                                                       std::span<const shared::PolygonRecord> records)
 {
-	return sheetOf(std::move(pool), records);
+	return sheetOf(std::move(pool), records, boundsOf(records));
 }
 
 Result<std::shared_ptr<SheetRecords>> recordsFromMesh(std::shared_ptr<RecordPool> pool, const MeshRecords& records)
 {
-	return sheetOf(std::move(pool), records);
+	return sheetOf(std::move(pool), records, records.bounds());
 }
 
 } // namespace vp::slice

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -85,7 +86,8 @@ struct SheetRecords
 	std::shared_ptr<RecordPool> pool;
 	std::vector<Page> pages;
 	std::vector<Run> runs;
-	bool overlapping = false; // polygons may cover each other (mayOverlap()): then the last one counts
+	std::optional<UvBounds> bounds; // of all polygons, where they are known
+	bool overlapping = false;       // polygons may cover each other (mayOverlap()): then the last one counts
 
 	std::size_t count() const; // of records, those without vertices included
 

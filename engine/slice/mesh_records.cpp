@@ -4,6 +4,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,12 +81,19 @@ void MeshRecords::takePlaces(const probe::Sheet& sheet)
 {
 	const Vec3 x_axis = sheet.xAxis();
 	places_.resize(mesh_.positions.size());
-	forAll(places_.size(),
-	       [&](std::size_t v)
-	       {
-		       const Vec3 from_origin = mesh_.positions[v] - sheet.origin;
-		       places_[v] = {glm::dot(from_origin, x_axis), glm::dot(from_origin, sheet.up)};
-	       });
+	bounds_ = tbb::parallel_reduce(
+	    tbb::blocked_range<std::size_t>(0, places_.size(), kChunk), UvBounds(),
+	    [&](const auto& range, UvBounds bounds)
+	    {
+		    for (std::size_t v = range.begin(); v < range.end(); ++v)
+		    {
+			    const Vec3 from_origin = mesh_.positions[v] - sheet.origin;
+			    places_[v] = {glm::dot(from_origin, x_axis), glm::dot(from_origin, sheet.up)};
+			    bounds = bounds.with(places_[v]);
+		    }
+		    return bounds;
+	    },
+	    [](const UvBounds& a, const UvBounds& b) { return a.with(b); });
 }
 
 // Notes whether the polygon is one record. places: room to work in.

@@ -8,6 +8,8 @@
 #include "slice/mesh.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,6 +19,16 @@ namespace vp::slice
 
 // A value as shaders take it: NaN has a mark of its own, infinities come to less than the marks.
 float drawnValue(double value);
+
+// In a sheet's frame; nothing where lo is above hi.
+struct UvBounds
+{
+	glm::dvec2 lo{std::numeric_limits<double>::infinity()};
+	glm::dvec2 hi{-std::numeric_limits<double>::infinity()};
+
+	UvBounds with(const glm::dvec2& place) const { return {glm::min(lo, place), glm::max(hi, place)}; }
+	UvBounds with(const UvBounds& other) const { return {glm::min(lo, other.lo), glm::max(hi, other.hi)}; }
+};
 
 // The polygons of a mesh as they are drawn: a record is a fan of triangles about its first vertex. A polygon of more
 // than six vertices becomes several records, cut along diagonals from its first vertex; a concave one is parted
@@ -32,6 +44,7 @@ public:
 	MeshRecords(const probe::Sheet& sheet, const SheetMesh& mesh, std::span<const double> polygon_values);
 
 	std::size_t count() const { return chunk_starts_.back(); }
+	const UvBounds& bounds() const { return bounds_; }
 	// Those from `first` on, to uninitialised memory.
 	void write(std::size_t first, std::span<shared::PolygonRecord> to) const;
 
@@ -43,7 +56,8 @@ private:
 	void writePolygon(std::size_t polygon, std::vector<glm::dvec2>& places, Emit&& emit) const;
 
 	const SheetMesh& mesh_;
-	RawVector<glm::dvec2> places_;          // of vertices, in the sheet's frame
+	RawVector<glm::dvec2> places_; // of vertices, in the sheet's frame
+	UvBounds bounds_;
 	RawVector<float> values_;               // of vertices, or of polygons
 	bool of_vertices_ = false;              // what the values are of
 	RawVector<std::uint8_t> is_one_;        // per polygon: its corners in their order are one record

@@ -90,6 +90,7 @@ VP_CONST uint kComposeLines = 1u;
 VP_CONST uint kComposeSteps = 2u; // bands or categories
 VP_CONST uint kComposeLog = 4u;
 VP_CONST uint kComposeMesh = 8u;
+VP_CONST uint kComposeGround = 64u; // a part of the picture in which no layer has anything
 VP_CONST uint kComposeWhole = 128u; // the one sample of a picture, over its background
 
 // A layer's plane, and how its values become colours. Values are scaled first: y is the value, or its log10. Places are
