@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,8 +20,8 @@ namespace vp::render
 class LayerPass
 {
 public:
-	// raster_side: polygons of up to so many pixels go the compute way, 0: none; unset: as suits the device.
-	static Result<LayerPass> create(gpu::Device& device, std::optional<std::uint32_t> raster_side);
+	// raster_side: polygons of up to so many pixels go the compute way; 0: none.
+	static Result<LayerPass> create(gpu::Device& device, std::uint32_t raster_side);
 
 	// Descriptors for the scene's records; before record(), while no submission draws.
 	Status prepare(const Scene& scene, const Targets& targets);

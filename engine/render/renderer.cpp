@@ -10,6 +10,7 @@
 #include "render/line_pass.h"
 #include "render/overlay_pass.h"
 #include "render/picture_geometry.h"
+#include "render/raster_side.h"
 #include "render/surface_pass.h"
 
 #include <fmt/format.h>
@@ -74,7 +75,10 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Result<Renderer> Renderer::create(gpu::Device& device, std::uint64_t most_fragment_bytes,
                                   std::optional<std::uint32_t> raster_side)
 {
-	auto layers = LayerPass::create(device, raster_side);
+	auto side = raster_side ? Result<std::uint32_t>(*raster_side) : suitableRasterSide(device);
+	if (!side)
+		return side.error();
+	auto layers = LayerPass::create(device, *side);
 	if (!layers)
 		return layers.error();
 	auto lines = LinePass::create(device);

@@ -113,10 +113,38 @@ Status SheetRecords::appendHostRecords(const MeshRecords& records)
 	                     [&](std::size_t first, std::span<shared::PolygonRecord> to) { records.write(first, to); });
 }
 
+namespace
+{
+
+// More than rounding makes neighbours do.
+bool overlap(const Box& a, const Box& b)
+{
+	constexpr double kRounding = 1e-9;
+	for (int axis = 0; axis < 3; ++axis)
+	{
+		const double shared = std::min(a.hi[axis], b.hi[axis]) - std::max(a.lo[axis], b.lo[axis]);
+		if (shared <= kRounding * std::max(a.hi[axis] - a.lo[axis], b.hi[axis] - b.lo[axis]))
+			return false;
+	}
+	return true;
+}
+
+} // namespace
+
 bool mayOverlap(const grid::BlockSet& blocks)
 {
-	return blocks.blocks.size() > 1 ||
-	       std::ranges::any_of(blocks.blocks, [](const grid::Block& block) { return !block.inverted.empty(); });
+	constexpr std::size_t kMostLookedAt = 64;
+	if (blocks.blocks.size() > kMostLookedAt)
+		return true;
+	for (const grid::Block& block : blocks.blocks)
+	{
+		if (!block.inverted.empty())
+			return true;
+		for (const grid::Block* other = blocks.blocks.data(); other != &block; ++other)
+			if (overlap(block.bounds, other->bounds))
+				return true;
+	}
+	return false;
 }
 
 namespace

@@ -96,7 +96,8 @@ struct SheetRecords
 	Status appendHostRecords(const MeshRecords& records);
 };
 
-// Whether polygons of a plane's cut may lie on each other: where blocks may, or a grid is folded over.
+// Whether polygons of a plane's cut may lie on each other: where a grid is folded over, or boxes of blocks overlap
+// (more than a few are not looked at).
 bool mayOverlap(const grid::BlockSet& blocks);
 
 // All records from the CPU: the path of the CPU classifier.

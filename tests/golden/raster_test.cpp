@@ -1,11 +1,11 @@
 #include "pixel_lists.h"
 
+#include "render/raster_side.h"
 #include "slice/gpu_records.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace vp::render::test
 {
@@ -85,8 +85,7 @@ struct View
 	Camera camera;
 };
 
-// The sheet fills the picture, seen obliquely; `nearest`: the least distance from the eye, as a part of that in the
-// middle.
+// The sheet fills the picture, seen obliquely.
 View obliqueView(std::mt19937& random)
 {
 	View view;
@@ -100,7 +99,7 @@ View obliqueView(std::mt19937& random)
 	return view;
 }
 
-// The eye is in the sheet's plane, or close above it, within the sheet: near / w leaves the picture on one side.
+// The eye is close above the sheet, and within it: polygons reach from before the near plane to far away.
 View grazingView(std::mt19937& random)
 {
 	View view;
@@ -265,6 +264,13 @@ TEST_F(Raster, BothWaysAgreeWhereTheEyeIsInTheSheet)
 		EXPECT_GT(covered, 5'000u);
 		EXPECT_LE(1'000 * off, covered) << i; // where an edge of the sheet passes through a pixel's centre
 	}
+}
+
+TEST_F(Raster, TheFasterWayIsMeasured)
+{
+	const auto side = measuredRasterSide(device());
+	ASSERT_TRUE(side);
+	EXPECT_TRUE(*side == 0 || *side == kRasterSide);
 }
 
 TEST_F(Raster, PolygonsWithoutOneValueHaveTheirColor)
