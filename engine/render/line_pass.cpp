@@ -6,6 +6,7 @@
 #include "render/picture_geometry.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace vp::render
 {
@@ -70,14 +71,18 @@ Status LinePass::prepare(const Scene& scene)
 	                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "outline");
 	    !room)
 		return room;
-	auto* segments = segments_.mappedAs<shared::LineSegment>();
-	for (const Segment& s : lines)
+	std::vector<shared::LineSegment> segments(count_);
+	for (std::size_t i = 0; i < lines.size(); ++i)
 	{
-		store(segments->a, s.a - centre_);
-		store(segments->b, s.b - centre_);
-		++segments;
+		store(segments[i].a, lines[i].a - centre_);
+		store(segments[i].b, lines[i].b - centre_);
 	}
+	const std::size_t bytes = sizeof(segments[0]) * count_;
+	if (kept_.size() != count_ || std::memcmp(kept_.data(), segments.data(), bytes) != 0)
+		forget();
+	std::memcpy(segments_.mapped(), segments.data(), bytes);
 	segments_.flush();
+	kept_ = std::move(segments);
 	auto set = sets_.get(0);
 	if (!set)
 		return set.error();
@@ -86,9 +91,26 @@ Status LinePass::prepare(const Scene& scene)
 	return Nothing{};
 }
 
-void LinePass::record(VkCommandBuffer commands, const Scene& scene, const Targets& targets,
-                      const glm::dvec2& jitter) const
+shared::LinePush LinePass::linePush(const Scene& scene, VkExtent2D extent, const glm::dvec2& jitter) const
 {
+	const glm::dmat4 clip = clipMatrix(scene.camera, extent, centre_, jitter);
+	shared::LinePush push{};
+	for (int i = 0; i < 16; ++i)
+		push.clip[i] = static_cast<float>(clip[i / 4][i % 4]);
+	push.half_size[0] = 0.5f * static_cast<float>(extent.width);
+	push.half_size[1] = 0.5f * static_cast<float>(extent.height);
+	push.half_width = 0.5f * lineWidth(scene.look);
+	push.near_w = static_cast<float>(scene.camera.near);
+	push.depth_bias = kDepthBias;
+	return push;
+}
+
+void LinePass::record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter)
+{
+	const Drawn wanted{count_, linePush(scene, targets.extent(), jitter)};
+	if (drawn_ && drawn_->count == count_ && std::memcmp(&drawn_->push, &wanted.push, sizeof(wanted.push)) == 0)
+		return;
+	drawn_ = wanted;
 	const gpu::ImageUse sampled{VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
 	                            VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
 	targets.lines.transition(commands, {VK_IMAGE_LAYOUT_UNDEFINED, sampled.stages, sampled.access}, gpu::kDepthTarget);
@@ -107,16 +129,7 @@ void LinePass::record(VkCommandBuffer commands, const Scene& scene, const Target
 	{
 		coverAll(commands, targets.extent());
 		pipeline_.bind(commands, set_);
-		const glm::dmat4 clip = clipMatrix(scene.camera, targets.extent(), centre_, jitter);
-		shared::LinePush push{};
-		for (int i = 0; i < 16; ++i)
-			push.clip[i] = static_cast<float>(clip[i / 4][i % 4]);
-		push.half_size[0] = 0.5f * static_cast<float>(targets.extent().width);
-		push.half_size[1] = 0.5f * static_cast<float>(targets.extent().height);
-		push.half_width = 0.5f * lineWidth(scene.look);
-		push.near_w = static_cast<float>(scene.camera.near);
-		push.depth_bias = kDepthBias;
-		pipeline_.push(commands, push);
+		pipeline_.push(commands, wanted.push);
 		vkCmdDraw(commands, count_ * shared::kSegmentCorners, 1, 0, 0);
 	}
 	vkCmdEndRendering(commands);

@@ -4,6 +4,11 @@
 #include "gpu/shader.h"
 #include "render/scene.h"
 #include "render/targets.h"
+#include "shared/render_types.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace vp::render
 {
@@ -16,9 +21,21 @@ public:
 	static Result<LinePass> create(gpu::Device& device);
 
 	Status prepare(const Scene& scene);
-	void record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter) const;
+	// Lines that would come out as they are already are left as they are.
+	void record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter);
+	// What was recorded did not run, or the depths are others.
+	void forget() { drawn_.reset(); }
 
 private:
+	// What the depths were drawn from, beside the segments.
+	struct Drawn
+	{
+		std::uint32_t count;
+		shared::LinePush push;
+	};
+
+	shared::LinePush linePush(const Scene& scene, VkExtent2D extent, const glm::dvec2& jitter) const;
+
 	gpu::Device* device_ = nullptr;
 	gpu::Pipeline pipeline_;
 	gpu::DescriptorSets sets_;
@@ -26,6 +43,8 @@ private:
 	VkDescriptorSet set_ = VK_NULL_HANDLE;
 	Vec3 centre_{0.0}; // that the segments are relative to
 	std::uint32_t count_ = 0;
+	std::vector<shared::LineSegment> kept_; // those on the device
+	std::optional<Drawn> drawn_;
 };
 
 } // namespace vp::render

@@ -59,6 +59,12 @@ struct Renderer::Private
 	std::size_t layers_drawn = 0;
 	KeptLettering lettering{};
 
+	// The targets hold nothing that can be left as it is.
+	void forget()
+	{
+		layers.forget();
+		lines.forget();
+	}
 	Status makeTargets(const Scene& scene);
 	Status prepare(const Scene& scene);
 	Result<bool> drawOnce(const Scene& scene, Timeline* timeline);
@@ -104,7 +110,7 @@ Status Renderer::Private::makeTargets(const Scene& scene)
 	const auto count = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.sheets.size()));
 	if (targets.holds(extent, count, scene.look.mesh))
 		return Nothing{};
-	layers.forget();
+	forget();
 	targets = {}; // before its successor, that both need not fit into memory
 	auto made = Targets::create(device, extent, count, scene.look.mesh);
 	if (!made)
@@ -231,7 +237,7 @@ Result<bool> Renderer::Private::drawOnce(const Scene& scene, Timeline* timeline)
 	recordPicture(*begun, composesWhole(scene));
 	const Status drawn = commands.submitAndWait();
 	if (!drawn)
-		layers.forget();
+		forget();
 	if (drawn && timeline)
 		timers.collect(*timeline);
 	else

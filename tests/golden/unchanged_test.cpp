@@ -94,6 +94,29 @@ TEST_F(Unchanged, RecordsThatAreGoneAreNotTakenForOthers)
 	}
 }
 
+TEST_F(Unchanged, LinesAroundTheSheetsAreTheScenes)
+{
+	Scene scene = threeSheets();
+	std::vector<Segment> outline{{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}};
+	scene.outline = outline;
+	EXPECT_EQ(layersFor(scene), 3u);
+	EXPECT_EQ(layersFor(scene), 0u);
+	outline[0].b = {1.0, -1.0, 1.0};
+	EXPECT_EQ(layersFor(scene), 0u);
+	outline.push_back({{-1.0, 1.0, 1.0}, {1.0, -1.0, -1.0}});
+	scene.outline = outline;
+	EXPECT_EQ(layersFor(scene), 0u);
+	scene.sheets[0].window = WindowRect{-0.5, 0.5, -0.5, 0.5};
+	EXPECT_EQ(layersFor(scene), 1u);
+	scene.outline = {};
+	scene.sheets[0].rim = false;
+	EXPECT_EQ(layersFor(scene), 0u);
+	scene.outline = outline;
+	EXPECT_EQ(layersFor(scene), 0u);
+	scene.camera.position += Vec3(0.0, 0.2, 0.0);
+	EXPECT_EQ(layersFor(scene), 3u);
+}
+
 TEST_F(Unchanged, ViewsNeedAllLayers)
 {
 	Scene scene = threeSheets();
