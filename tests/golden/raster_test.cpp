@@ -1,4 +1,5 @@
 #include "pixel_lists.h"
+#include "tiling.h"
 
 #include "render/raster_side.h"
 #include "slice/gpu_records.h"
@@ -14,70 +15,6 @@ namespace
 {
 
 using vp::shared::PolygonRecord;
-
-double uniform(std::mt19937& random, double from, double to)
-{
-	return std::uniform_real_distribution<double>(from, to)(random);
-}
-
-// A polygon of a mesh: its corners' numbers.
-using Corners = std::vector<std::uint32_t>;
-
-// Without holes or laps: quadrangles with corners out of place, some cut along a diagonal, some with a corner more
-// within a side.
-struct Mesh
-{
-	std::vector<glm::dvec2> points;
-	std::vector<Corners> polygons;
-
-	Mesh(std::mt19937& random, int side, double half, bool bends = true)
-	{
-		const double step = 2.0 * half / side;
-		for (int j = 0; j <= side; ++j)
-			for (int i = 0; i <= side; ++i)
-				points.push_back(step * glm::dvec2(i, j) - half +
-				                 step * glm::dvec2(uniform(random, -0.2, 0.2), uniform(random, -0.2, 0.2)));
-		for (int j = 0; j < side; ++j)
-			for (int i = 0; i < side; ++i)
-				addCell(random, static_cast<std::uint32_t>(j * (side + 1) + i), static_cast<std::uint32_t>(side + 1),
-				        bends ? 3 : 2);
-	}
-
-	PolygonRecord record(std::size_t polygon, double value) const
-	{
-		PolygonRecord made{};
-		for (const std::uint32_t corner : polygons[polygon])
-		{
-			made.uv[2 * made.vertices] = static_cast<float>(points[corner].x);
-			made.uv[2 * made.vertices + 1] = static_cast<float>(points[corner].y);
-			made.value[made.vertices++] = static_cast<float>(value + 0.3 * std::sin(points[corner].x));
-		}
-		return made;
-	}
-
-private:
-	void addCell(std::mt19937& random, std::uint32_t a, std::uint32_t row, unsigned kinds)
-	{
-		const std::uint32_t b = a + 1;
-		const std::uint32_t c = a + row + 1;
-		const std::uint32_t d = a + row;
-		switch (random() % kinds)
-		{
-		case 0:
-			polygons.push_back({a, b, c, d});
-			break;
-		case 1:
-			polygons.push_back({a, b, c});
-			polygons.push_back({c, d, a});
-			break;
-		default:
-			// A corner on the diagonal, which rounding puts on one side of it or the other.
-			points.push_back(glm::mix(points[a], points[c], uniform(random, 0.1, 0.9)));
-			polygons.push_back({a, b, c, static_cast<std::uint32_t>(points.size() - 1)});
-			polygons.push_back({c, d, a, static_cast<std::uint32_t>(points.size() - 1)});
-		}
-	}
-};
 
 struct View
 {
@@ -168,11 +105,8 @@ TEST_F(Raster, EveryPixelBelongsToOnePolygon)
 		{
 			Renderer renderer = rendererOf(side);
 			// Of a polygon that snapping bends inwards the hardware's triangles cover more.
-			const Mesh mesh(random, cells, 4.5, side == 64);
+			const std::vector<PolygonRecord> all = Tiling(random, cells, 4.5, side == 64).records();
 			const View view = obliqueView(random);
-			std::vector<PolygonRecord> all;
-			for (std::size_t p = 0; p < mesh.polygons.size(); ++p)
-				all.push_back(mesh.record(p, 0.5));
 			const std::vector<bool> whole = coverage(renderer, view, all);
 			EXPECT_EQ(std::ranges::count(whole, false), 0) << cells << " cells, side " << side;
 			for (std::size_t bit = 1; bit < all.size(); bit *= 2)
@@ -240,12 +174,7 @@ TEST_F(Raster, BothWaysAgreeWhereTheEyeIsInTheSheet)
 	std::mt19937 random(9);
 	for (int i = 0; i < 6; ++i)
 	{
-		const Mesh mesh(random, 60, 1.0);
-		const View view = grazingView(random);
-		std::vector<PolygonRecord> records;
-		for (std::size_t p = 0; p < mesh.polygons.size(); ++p)
-			records.push_back(mesh.record(p, 0.5));
-		const Scene scene = sceneOf(view, records);
+		const Scene scene = sceneOf(grazingView(random), Tiling(random, 60, 1.0, true).records());
 		const auto a = hardware.draw(scene);
 		const auto b = compute.draw(scene);
 		ASSERT_TRUE(a && b);
@@ -297,17 +226,12 @@ TEST_F(Raster, CellValuesStayWhatTheyAre)
 	Scene scene = bareScene(160, 120, 1);
 	scene.look.bands = 10;
 	std::mt19937 random(4);
-	const Mesh mesh(random, 90, 2.0);
-	std::vector<PolygonRecord> records;
-	for (std::size_t p = 0; p < mesh.polygons.size(); ++p)
-	{
-		records.push_back(mesh.record(p, 0.0));
-		std::fill(std::begin(records.back().value), std::end(records.back().value), 0.5f);
-	}
+	std::vector<PolygonRecord> records = Tiling(random, 90, 2.0, true).records();
+	for (PolygonRecord& record : records)
+		std::fill(std::begin(record.value), std::end(record.value), 0.5f);
 	auto on_device = slice::recordsFromHost(pool(), records);
 	ASSERT_TRUE(on_device);
-	scene.sheets.push_back({obliqueView(random).sheet, *on_device, 1.0});
-	scene.sheets[0].sheet = probe::makeSheet({0.0, 0.0, 0.0}, {0.1, 0.2, 1.0});
+	scene.sheets.push_back({probe::makeSheet({0.0, 0.0, 0.0}, {0.1, 0.2, 1.0}), *on_device, 1.0});
 	auto drawn = rendererOf(64).draw(scene);
 	ASSERT_TRUE(drawn);
 	const auto middle = drawn->pixel(80, 60);
