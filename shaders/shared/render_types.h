@@ -47,8 +47,8 @@ struct RasterPush
 	float near_w;    // w of the near plane
 	float largest;   // side of a polygon that is drawn here, subpixels
 	float last_pixel[2];
-	uint count; // of the page's records
-	uint draw;  // number of the page's draw
+	uint count;       // of the page's records
+	uint draw;        // number of the page's draw
 	uint listed_from; // place of the page's first number in the list
 };
 
