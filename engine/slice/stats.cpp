@@ -2,6 +2,9 @@
 
 #include "slice/components.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -55,7 +58,51 @@ struct Sums
 		min = std::min(min, value);
 		max = std::max(max, value);
 	}
+	void add(const Sums& other)
+	{
+		area += other.area;
+		boundary_area += other.boundary_area;
+		nan_area += other.nan_area;
+		value_area += other.value_area;
+		min = std::min(min, other.min);
+		max = std::max(max, other.max);
+	}
 };
+
+// add(sums, i) for each of so many, on all cores. Each part has sums of its own, which are added in order: so they are
+// the same for any number of threads.
+template <class Add>
+Sums sumUp(std::size_t count, const Add& add)
+{
+	constexpr std::size_t kPart = 4096;
+	std::vector<Sums> parts((count + kPart - 1) / kPart);
+	tbb::parallel_for(std::size_t(0), parts.size(),
+	                  [&](std::size_t part)
+	                  {
+		                  Sums sums;
+		                  for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, count); ++i)
+			                  add(sums, i);
+		                  parts[part] = sums;
+	                  });
+	Sums all;
+	for (const Sums& part : parts)
+		all.add(part);
+	return all;
+}
+
+// Values of vertices, with their range.
+Sums takeVertexValues(const grid::BlockSet& blocks, const SheetMesh& mesh, const FieldChoice& field,
+                      std::vector<double>& values)
+{
+	values.resize(mesh.positions.size());
+	const std::vector<const grid::Field*> fields = field.inEach(blocks);
+	return sumUp(values.size(),
+	             [&](Sums& sums, std::size_t v)
+	             {
+		             values[v] = vertexValue(blocks, mesh, v, fields, field.component);
+		             sums.addValue(values[v]);
+	             });
+}
 
 } // namespace
 
@@ -63,37 +110,28 @@ SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const 
 {
 	const bool on_points = field && field->association == grid::Association::point;
 	constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-	Sums sums;
 	std::vector<double> vertex_values;
-	if (on_points)
-	{
-		vertex_values.reserve(mesh.positions.size());
-		const std::vector<const grid::Field*> fields = field->inEach(blocks);
-		for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-		{
-			vertex_values.push_back(vertexValue(blocks, mesh, v, fields, field->component));
-			sums.addValue(vertex_values.back());
-		}
-	}
+	const Sums of_vertices = on_points ? takeVertexValues(blocks, mesh, *field, vertex_values) : Sums();
+	const auto fields = field ? field->inEach(blocks) : std::vector<const grid::Field*>(blocks.blocks.size());
 	const std::size_t of_cells = mesh.polygons() - mesh.boundary_polygons;
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-	{
-		const auto polygon = mesh.polygon(p);
-		double polygon_value = kNan;
-		if (field && !on_points)
-		{
-			const grid::Block& block = blocks.blocks[mesh.polygon_cells[p].block];
-			if (const grid::Field* values = field->in(block))
-				polygon_value = cellValue(block, *values, field->component, mesh.polygon_cells[p].cell);
-			sums.addValue(polygon_value);
-		}
-		if (p < of_cells)
-			sums.addPolygon(mesh, polygon,
-			                on_points ? std::span<const double>(vertex_values) : std::span<const double>(),
-			                polygon_value);
-		else
-			sums.boundary_area += 0.5 * glm::length(doubleArea(mesh, polygon));
-	}
+	Sums sums = sumUp(mesh.polygons(),
+	                  [&](Sums& part, std::size_t p)
+	                  {
+		                  const auto polygon = mesh.polygon(p);
+		                  const auto [b, cell] = mesh.polygon_cells[p];
+		                  double polygon_value = kNan;
+		                  if (field && !on_points)
+		                  {
+			                  if (fields[b])
+				                  polygon_value = cellValue(blocks.blocks[b], *fields[b], field->component, cell);
+			                  part.addValue(polygon_value);
+		                  }
+		                  if (p < of_cells)
+			                  part.addPolygon(mesh, polygon, vertex_values, polygon_value);
+		                  else
+			                  part.boundary_area += 0.5 * glm::length(doubleArea(mesh, polygon));
+	                  });
+	sums.add(of_vertices);
 
 	SheetMeasure result;
 	result.area = sums.area;
