@@ -207,8 +207,8 @@ void drawPixels(ivec2 first, ivec2 last)
 
 void main()
 {
-	const uint record = gl_GlobalInvocationID.x;
-	if (record >= push.count || !loadPolygon(int(record)))
+	const uint record = push.first + gl_GlobalInvocationID.x;
+	if (gl_GlobalInvocationID.x >= push.count || !loadPolygon(int(record)))
 		return;
 	const Extent extent = placeCorners();
 	const vec2 size = extent.hi - extent.lo;

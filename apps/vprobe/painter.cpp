@@ -45,7 +45,7 @@ Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const Session& sess
 	auto made = slice::recordsFromMesh(pool, host);
 	if (!made)
 		return made.error();
-	(*made)->overlapping = slice::mayOverlap(session.blocks);
+	(*made)->overlapping = (*made)->overlapping || slice::mayFold(session.blocks);
 	return std::shared_ptr<const slice::SheetRecords>(std::move(*made));
 }
 

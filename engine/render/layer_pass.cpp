@@ -213,6 +213,28 @@ void LayerPass::recordComputed(VkCommandBuffer commands, const Scene& scene, con
 	targets.values.transition(commands, kComputedLayers, gpu::kColourTarget);
 }
 
+void LayerPass::drawPages(VkCommandBuffer commands, const slice::SheetRecords& records, std::size_t i,
+                          const shared::LayerPush& push) const
+{
+	for (std::size_t p = 0; p < records.pages.size(); ++p)
+	{
+		sheet_pipelines_[i]->bind(commands, page_sets_[first_sets_[i] + p]);
+		sheet_pipelines_[i]->push(commands, push);
+		vkCmdDrawIndexed(commands, records.pages[p].count * shared::kRecordCorners, 1, 0, 0, 0);
+	}
+}
+
+void LayerPass::drawListed(VkCommandBuffer commands, std::size_t i, shared::LayerPush push) const
+{
+	for (const RasterPass::Run& run : raster_.runs(i))
+	{
+		push.listed_from = run.listed_from;
+		sheet_pipelines_[i]->bind(commands, page_sets_[first_sets_[i] + run.page]);
+		sheet_pipelines_[i]->push(commands, push);
+		vkCmdDrawIndexedIndirect(commands, raster_.draws(), sizeof(shared::RasterDraw) * run.draw, 1, 0);
+	}
+}
+
 // A layer's polygons, or those of them that the compute shader left.
 void LayerPass::recordLayer(VkCommandBuffer commands, const Scene& scene, const Targets& targets, std::size_t i,
                             shared::LayerPush push) const
@@ -235,18 +257,10 @@ void LayerPass::recordLayer(VkCommandBuffer commands, const Scene& scene, const 
 		coverAll(commands, targets.extent());
 		if (indices_)
 			vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
-		const auto& pages = scene.sheets[i].records->pages;
-		for (std::size_t p = 0; p < pages.size(); ++p)
-		{
-			sheet_pipelines_[i]->bind(commands, page_sets_[first_sets_[i] + p]);
-			if (computed)
-				push.listed_from = raster_.listedFrom(i, p);
-			sheet_pipelines_[i]->push(commands, push);
-			if (computed)
-				vkCmdDrawIndexedIndirect(commands, raster_.draws(), raster_.drawOffset(i, p), 1, 0);
-			else
-				vkCmdDrawIndexed(commands, pages[p].count * shared::kRecordCorners, 1, 0, 0, 0);
-		}
+		if (computed)
+			drawListed(commands, i, push);
+		else
+			drawPages(commands, *scene.sheets[i].records, i, push);
 	}
 	vkCmdEndRendering(commands);
 }

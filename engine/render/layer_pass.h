@@ -49,6 +49,9 @@ private:
 	std::vector<Drawn> wanted(const Scene& scene, VkExtent2D extent, const glm::dvec2& jitter) const;
 	void recordComputed(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter,
 	                    const gpu::ImageUse& before, std::span<const std::size_t> layers) const;
+	void drawPages(VkCommandBuffer commands, const slice::SheetRecords& records, std::size_t i,
+	               const shared::LayerPush& push) const;
+	void drawListed(VkCommandBuffer commands, std::size_t i, shared::LayerPush push) const;
 	void recordLayer(VkCommandBuffer commands, const Scene& scene, const Targets& targets, std::size_t i,
 	                 shared::LayerPush push) const;
 

@@ -7,12 +7,11 @@
 #include "slice/gpu_records.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace vp::render
 {
 
-static_assert(sizeof(shared::RasterPush) == 116 && sizeof(shared::RasterDraw) == sizeof(VkDrawIndexedIndirectCommand));
+static_assert(sizeof(shared::RasterPush) == 120 && sizeof(shared::RasterDraw) == sizeof(VkDrawIndexedIndirectCommand));
 
 namespace
 {
@@ -66,78 +65,116 @@ Result<const gpu::Pipeline*> RasterPass::pipelineFor(std::uint32_t features)
 	return &pipeline;
 }
 
+// A sheet's records, parted where pages and parts end.
+void RasterPass::addRuns(const slice::SheetRecords& records)
+{
+	std::uint32_t listed = runs_.empty() ? 0 : runs_.back().listed_from + runs_.back().count;
+	std::size_t page_start = 0;
+	auto part = records.parts.begin();
+	for (std::size_t page = 0; page < records.pages.size(); ++page)
+	{
+		const std::uint32_t count = records.pages[page].count;
+		for (std::uint32_t first = 0; first < count;)
+		{
+			bool begins_part = false;
+			for (; part != records.parts.end() && *part <= page_start + first; ++part)
+				begins_part = true;
+			const std::uint32_t end =
+			    part == records.parts.end()
+			        ? count
+			        : static_cast<std::uint32_t>(std::min<std::size_t>(count, *part - page_start));
+			const auto draw = static_cast<std::uint32_t>(runs_.size());
+			runs_.push_back({page, first, end - first, listed, draw, begins_part, VK_NULL_HANDLE});
+			listed += end - first;
+			first = end;
+		}
+		page_start += count;
+	}
+}
+
 Status RasterPass::prepare(const Scene& scene, const Targets& targets, const std::vector<bool>& computed)
 {
-	pages_.clear();
-	first_pages_.clear();
+	runs_.clear();
+	first_runs_.assign(1, 0);
 	sheet_pipelines_.clear();
-	std::uint32_t records = 0;
 	for (std::size_t s = 0; s < scene.sheets.size(); ++s)
 	{
-		first_pages_.push_back(pages_.size());
 		sheet_pipelines_.push_back(nullptr);
-		if (!computed[s])
-			continue;
-		auto pipeline = pipelineFor(scene.sheets[s].window ? shared::kLayerWindow : 0u);
-		if (!pipeline)
-			return pipeline.error();
-		sheet_pipelines_.back() = *pipeline;
-		for (const auto& page : scene.sheets[s].records->pages)
+		if (computed[s])
 		{
-			auto set = sets_.get(pages_.size());
-			if (!set)
-				return set.error();
-			pages_.push_back({records, *set});
-			records += page.count;
+			auto pipeline = pipelineFor(scene.sheets[s].window ? shared::kLayerWindow : 0u);
+			if (!pipeline)
+				return pipeline.error();
+			sheet_pipelines_.back() = *pipeline;
+			addRuns(*scene.sheets[s].records);
 		}
+		first_runs_.push_back(runs_.size());
 	}
-	assert(pages_.size() <= kMostUpdate); // of 5 MiB each
-	if (Status room = makeDeviceRoom(*device_, list_, sizeof(std::uint32_t) * records,
+	const VkDeviceSize listed = runs_.empty() ? 0 : runs_.back().listed_from + runs_.back().count;
+	if (Status room = makeDeviceRoom(*device_, list_, sizeof(std::uint32_t) * listed,
 	                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "large polygons");
 	    !room)
 		return room;
-	if (Status room = makeDeviceRoom(*device_, draws_, sizeof(shared::RasterDraw) * pages_.size(),
+	if (Status room = makeDeviceRoom(*device_, draws_, sizeof(shared::RasterDraw) * runs_.size(),
 	                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
 	                                     VK_BUFFER_USAGE_TRANSFER_DST_BIT,
 	                                 "draws of large polygons");
 	    !room)
 		return room;
+	return makeSets(scene, targets);
+}
+
+Status RasterPass::makeSets(const Scene& scene, const Targets& targets)
+{
 	for (std::size_t s = 0; s < scene.sheets.size(); ++s)
-		for (std::size_t p = 0; sheet_pipelines_[s] && p < scene.sheets[s].records->pages.size(); ++p)
+		for (std::size_t r = first_runs_[s]; r < first_runs_[s + 1]; ++r)
+		{
+			const bool same_page = r > first_runs_[s] && runs_[r - 1].page == runs_[r].page;
+			if (same_page)
+			{
+				runs_[r].set = runs_[r - 1].set;
+				continue;
+			}
+			auto set = sets_.get(r);
+			if (!set)
+				return set.error();
+			runs_[r].set = *set;
 			gpu::DescriptorWriter()
-			    .texels(0, scene.sheets[s].records->pages[p].texels())
+			    .texels(0, scene.sheets[s].records->pages[runs_[r].page].texels())
 			    .storageImage(1, targets.layer(s))
 			    .storageBuffer(2, list_.handle())
 			    .storageBuffer(3, draws_.handle())
-			    .write(*device_, pages_[first_pages_[s] + p].set);
+			    .write(*device_, *set);
+		}
 	return Nothing{};
 }
 
 void RasterPass::recordStart(VkCommandBuffer commands) const
 {
-	if (pages_.empty())
-		return;
-	const std::vector<shared::RasterDraw> none(pages_.size(), {0, 1, 0, 0, 0});
-	vkCmdUpdateBuffer(commands, draws_.handle(), 0, sizeof(none[0]) * none.size(), none.data());
+	const std::vector<shared::RasterDraw> none(std::min(runs_.size(), kMostUpdate), {0, 1, 0, 0, 0});
+	for (std::size_t first = 0; first < runs_.size(); first += kMostUpdate)
+		vkCmdUpdateBuffer(commands, draws_.handle(), sizeof(none[0]) * first,
+		                  sizeof(none[0]) * std::min(kMostUpdate, runs_.size() - first), none.data());
 }
 
 void RasterPass::record(VkCommandBuffer commands, const Scene& scene, std::size_t sheet, VkExtent2D extent,
                         const glm::dvec2& jitter, std::uint32_t side) const
 {
-	const SheetDrawing& drawing = scene.sheets[sheet];
-	shared::RasterPush push = rasterPush(drawing, scene.camera, extent, jitter);
+	shared::RasterPush push = rasterPush(scene.sheets[sheet], scene.camera, extent, jitter);
 	push.largest = static_cast<float>(std::min(side, shared::kMostRasterSide) * shared::kSubpixels);
 	const gpu::Pipeline& pipeline = *sheet_pipelines_[sheet];
-	std::size_t page = first_pages_[sheet];
-	for (const auto& records : drawing.records->pages)
+	for (const Run& run : runs(sheet))
 	{
-		push.count = records.count;
-		push.draw = static_cast<std::uint32_t>(page);
-		push.listed_from = pages_[page].listed_from;
-		pipeline.bind(commands, pages_[page].set);
+		if (run.begins_part)
+			gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+			                   VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+		push.first = run.first;
+		push.count = run.count;
+		push.draw = run.draw;
+		push.listed_from = run.listed_from;
+		pipeline.bind(commands, run.set);
 		pipeline.push(commands, push);
-		vkCmdDispatch(commands, (records.count + shared::kRasterGroupSize - 1) / shared::kRasterGroupSize, 1, 1);
-		++page;
+		vkCmdDispatch(commands, (run.count + shared::kRasterGroupSize - 1) / shared::kRasterGroupSize, 1, 1);
 	}
 }
 

@@ -7,6 +7,7 @@
 #include "shared/render_types.h"
 
 #include <map>
+#include <span>
 #include <vector>
 
 namespace vp::render
@@ -28,35 +29,40 @@ public:
 	void record(VkCommandBuffer commands, const Scene& scene, std::size_t sheet, VkExtent2D extent,
 	            const glm::dvec2& jitter, std::uint32_t side) const;
 
-	// For the hardware: where the numbers of a page's records begin in the list, and the draw of so many.
+	// What is drawn at once: records of one page and one part (SheetRecords::parts).
+	struct Run
+	{
+		std::size_t page;
+		std::uint32_t first;
+		std::uint32_t count;
+		std::uint32_t listed_from; // where in the list the numbers of its large polygons begin
+		std::uint32_t draw;        // which of the draws is theirs
+		bool begins_part;          // after the first one
+		VkDescriptorSet set;
+	};
+	// For the hardware.
 	VkBuffer list() const { return list_.handle(); }
 	VkBuffer draws() const { return draws_.handle(); }
-	std::uint32_t listedFrom(std::size_t sheet, std::size_t page) const
+	std::span<const Run> runs(std::size_t sheet) const
 	{
-		return pages_[first_pages_[sheet] + page].listed_from;
-	}
-	VkDeviceSize drawOffset(std::size_t sheet, std::size_t page) const
-	{
-		return sizeof(shared::RasterDraw) * (first_pages_[sheet] + page);
+		return std::span(runs_).subspan(first_runs_[sheet], first_runs_[sheet + 1] - first_runs_[sheet]);
 	}
 
 private:
-	struct Page
-	{
-		std::uint32_t listed_from;
-		VkDescriptorSet set;
-	};
+	void addRuns(const slice::SheetRecords& records);
+	Status makeSets(const Scene& scene, const Targets& targets);
 
 	Result<const gpu::Pipeline*> pipelineFor(std::uint32_t features); // made on first use
 
 	gpu::Device* device_ = nullptr;
 	std::map<std::uint32_t, gpu::Pipeline> pipelines_;
 	gpu::DescriptorSets sets_;
-	gpu::Buffer list_;  // numbers of records, a part a page
-	gpu::Buffer draws_; // shared::RasterDraw a page
-	std::vector<Page> pages_;
-	std::vector<std::size_t> first_pages_;              // per sheet of the scene prepared last
-	std::vector<const gpu::Pipeline*> sheet_pipelines_; // likewise; null where it is not drawn here
+	gpu::Buffer list_;  // numbers of records, a stretch a run
+	gpu::Buffer draws_; // shared::RasterDraw a run
+	// Of the scene prepared last.
+	std::vector<Run> runs_;
+	std::vector<std::size_t> first_runs_;               // per sheet, and the end
+	std::vector<const gpu::Pipeline*> sheet_pipelines_; // per sheet; null where it is not drawn here
 };
 
 } // namespace vp::render

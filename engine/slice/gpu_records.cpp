@@ -131,19 +131,20 @@ bool overlap(const Box& a, const Box& b)
 
 } // namespace
 
+bool mayFold(const grid::BlockSet& blocks)
+{
+	return std::ranges::any_of(blocks.blocks, [](const grid::Block& block) { return !block.inverted.empty(); });
+}
+
 bool mayOverlap(const grid::BlockSet& blocks)
 {
 	constexpr std::size_t kMostLookedAt = 64;
-	if (blocks.blocks.size() > kMostLookedAt)
+	if (blocks.blocks.size() > kMostLookedAt || mayFold(blocks))
 		return true;
 	for (const grid::Block& block : blocks.blocks)
-	{
-		if (!block.inverted.empty())
-			return true;
 		for (const grid::Block* other = blocks.blocks.data(); other != &block; ++other)
 			if (overlap(block.bounds, other->bounds))
 				return true;
-	}
 	return false;
 }
 
@@ -180,7 +181,14 @@ Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool
 
 Result<std::shared_ptr<SheetRecords>> recordsFromMesh(std::shared_ptr<RecordPool> pool, const MeshRecords& records)
 {
-	return sheetOf(std::move(pool), records, records.bounds());
+	constexpr std::size_t kMostParts = 256; // each is drawn for itself
+	auto sheet = sheetOf(std::move(pool), records, records.bounds());
+	if (!sheet)
+		return sheet;
+	(*sheet)->overlapping = records.parts().size() > kMostParts;
+	if (!(*sheet)->overlapping)
+		(*sheet)->parts = records.parts();
+	return sheet;
 }
 
 } // namespace vp::slice

@@ -87,7 +87,10 @@ struct SheetRecords
 	std::vector<Page> pages;
 	std::vector<Run> runs;
 	std::optional<UvBounds> bounds; // of all polygons, where they are known
-	bool overlapping = false;       // polygons may cover each other (mayOverlap()): then the last one counts
+	// Polygons may cover each other, and the last one counts; or polygons of different parts may, and that of the later
+	// part counts. parts: numbers of the records, over all pages, with which each part after the first begins.
+	bool overlapping = false;
+	std::vector<std::size_t> parts;
 
 	std::size_t count() const; // of records, those without vertices included
 
@@ -96,15 +99,16 @@ struct SheetRecords
 	Status appendHostRecords(const MeshRecords& records);
 };
 
-// Whether polygons of a plane's cut may lie on each other: where a grid is folded over, or boxes of blocks overlap
-// (more than a few are not looked at).
+// Whether polygons of a plane's cut within one block may lie on each other: where the grid is folded over.
+bool mayFold(const grid::BlockSet& blocks);
+// Whether any may: also where boxes of blocks overlap (more than a few are not looked at).
 bool mayOverlap(const grid::BlockSet& blocks);
 
 // All records from the CPU: the path of the CPU classifier.
 Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool> pool,
                                                       std::span<const shared::PolygonRecord> records);
 
-// Those of a mesh, written straight into device memory where that is mapped.
+// Those of a mesh, written straight into device memory where that is mapped; blocks are parts.
 Result<std::shared_ptr<SheetRecords>> recordsFromMesh(std::shared_ptr<RecordPool> pool, const MeshRecords& records);
 
 } // namespace vp::slice

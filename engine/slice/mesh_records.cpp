@@ -127,6 +127,21 @@ void MeshRecords::countRecords()
 	                  });
 	for (std::size_t chunk = 0; chunk < chunks; ++chunk)
 		chunk_starts_[chunk + 1] += chunk_starts_[chunk];
+	findParts();
+}
+
+void MeshRecords::findParts()
+{
+	std::vector<glm::dvec2> places;
+	for (std::size_t p = 1; p < mesh_.polygons(); ++p)
+	{
+		if (mesh_.polygon_cells[p].block == mesh_.polygon_cells[p - 1].block)
+			continue;
+		std::size_t record = chunk_starts_[p / kChunk];
+		for (std::size_t before = p / kChunk * kChunk; before < p; ++before)
+			record += is_one_[before] ? 1 : recordsOf(before, places);
+		parts_.push_back(record);
+	}
 }
 
 // emit(record) for each of the polygon's records.

@@ -45,6 +45,8 @@ public:
 
 	std::size_t count() const { return chunk_starts_.back(); }
 	const UvBounds& bounds() const { return bounds_; }
+	// Numbers of the records with which those of another block begin than the one before had.
+	const std::vector<std::size_t>& parts() const { return parts_; }
 	// Those from `first` on, to uninitialised memory.
 	void write(std::size_t first, std::span<shared::PolygonRecord> to) const;
 
@@ -52,15 +54,17 @@ private:
 	void takePlaces(const probe::Sheet& sheet);
 	void countRecords();
 	std::size_t recordsOf(std::size_t polygon, std::vector<glm::dvec2>& places);
+	void findParts();
 	template <class Emit>
 	void writePolygon(std::size_t polygon, std::vector<glm::dvec2>& places, Emit&& emit) const;
 
 	const SheetMesh& mesh_;
 	RawVector<glm::dvec2> places_; // of vertices, in the sheet's frame
 	UvBounds bounds_;
-	RawVector<float> values_;               // of vertices, or of polygons
-	bool of_vertices_ = false;              // what the values are of
-	RawVector<std::uint8_t> is_one_;        // per polygon: its corners in their order are one record
+	RawVector<float> values_;        // of vertices, or of polygons
+	bool of_vertices_ = false;       // what the values are of
+	RawVector<std::uint8_t> is_one_; // per polygon: its corners in their order are one record
+	std::vector<std::size_t> parts_;
 	std::vector<std::size_t> chunk_starts_; // records before each chunk of polygons, and all
 };
 

@@ -47,12 +47,13 @@ struct RasterPush
 	float near_w;    // w of the near plane
 	float largest;   // side of a polygon that is drawn here, subpixels
 	float last_pixel[2];
-	uint count;       // of the page's records
-	uint draw;        // number of the page's draw
-	uint listed_from; // place of the page's first number in the list
+	uint first;       // record of the page
+	uint count;       // of records
+	uint draw;        // number of the run's draw
+	uint listed_from; // place of the run's first number in the list
 };
 
-// VkDrawIndexedIndirectCommand: the records that a page leaves to the hardware.
+// VkDrawIndexedIndirectCommand: the records that a run leaves to the hardware.
 struct RasterDraw
 {
 	uint corners;

@@ -195,6 +195,42 @@ TEST_F(Raster, BothWaysAgreeWhereTheEyeIsInTheSheet)
 	}
 }
 
+// Blocks that lie on each other, as overset grids do: the later one is seen, in whatever order threads run.
+TEST_F(Raster, LaterPartsCoverEarlierOnes)
+{
+	std::mt19937 random(17);
+	std::vector<PolygonRecord> records;
+	std::vector<std::size_t> parts;
+	for (const auto& [half, value] : {std::pair{1.5, 0.2f}, {0.9, 0.9f}, {1.2, 0.5f}, {0.4, 0.7f}})
+	{
+		if (!records.empty())
+			parts.push_back(records.size());
+		for (PolygonRecord record : Tiling(random, 80, half, true).records())
+		{
+			std::fill(std::begin(record.value), std::end(record.value), value);
+			records.push_back(record);
+		}
+	}
+	Scene scene = bareScene(200, 150, 1);
+	scene.camera.vertical_field = 35.0;
+	for (const bool computed : {false, true})
+	{
+		auto on_device = slice::recordsFromHost(pool(), records); // several pages
+		ASSERT_TRUE(on_device);
+		(*on_device)->overlapping = !computed;
+		(*on_device)->parts = computed ? parts : std::vector<std::size_t>();
+		scene.sheets.assign(1, {probe::makeSheet({0.0, 0.0, 0.0}, {0.1, 0.2, 1.0}), *on_device, 1.0});
+		auto drawn = rendererOf(16).draw(scene);
+		ASSERT_TRUE(drawn);
+		const auto colorOf = [&](double value) { return rgb(scene.look.colors.at(value)); };
+		EXPECT_LE(difference(colorOf(0.7), drawn->pixel(100, 75)), 1.0);
+		EXPECT_LE(difference(colorOf(0.5), drawn->pixel(100, 45)), 1.0) << "between, and over the second";
+		EXPECT_LE(difference(colorOf(0.2), drawn->pixel(100, 9)), 1.0);
+		for (int again = 0; again < 3; ++again)
+			EXPECT_TRUE(rendererOf(16).draw(scene)->rgba == drawn->rgba);
+	}
+}
+
 TEST_F(Raster, TheFasterWayIsMeasured)
 {
 	const auto side = measuredRasterSide(device());

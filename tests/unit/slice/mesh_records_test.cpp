@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -94,6 +95,25 @@ TEST(MeshRecords, ComeInPartsAsInWhole)
 		EXPECT_EQ(std::memcmp(parts.data(), all.data(), sizeof(all[0]) * all.size()), 0) << part;
 	}
 	records.write(3, {});
+}
+
+TEST(MeshRecords, ArePartedWhereBlocksBegin)
+{
+	slice::SheetMesh mesh = manyPolygons(3300);
+	EXPECT_TRUE(slice::MeshRecords(kSheet, mesh, std::vector<double>(3300)).parts().empty());
+	const std::vector<CellId> begins{5, 1024, 1025, 3000};
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+		mesh.polygon_cells[p].block =
+		    static_cast<std::uint32_t>(std::ranges::upper_bound(begins, mesh.polygon_cells[p].cell) - begins.begin());
+	const slice::MeshRecords records(kSheet, mesh, std::vector<double>(3300));
+	std::vector<shared::PolygonRecord> all(records.count());
+	records.write(0, all);
+	ASSERT_EQ(records.parts().size(), begins.size());
+	for (std::size_t i = 0; i < begins.size(); ++i)
+	{
+		EXPECT_EQ(all[records.parts()[i]].cell, begins[i]);
+		EXPECT_NE(all[records.parts()[i] - 1].cell, begins[i]);
+	}
 }
 
 TEST(MeshRecords, KnowWhereTheyAre)
