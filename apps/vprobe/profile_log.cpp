@@ -56,7 +56,7 @@ void ProfileLog::addFigures(const slice::Slice& slice, const std::vector<SheetSt
 		const slice::SheetSlice& sheet = slice.sheets[s];
 		for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
 		{
-			const std::size_t block_touched = sheet.hasSpans(b) ? sheet.cutCells(b) : sheet.cuts[b].cells.size();
+			const std::size_t block_touched = sheet.touchedCells(b);
 			cut += sheet.cutCells(b);
 			touched += block_touched;
 			if (block_touched > 0)

@@ -60,7 +60,6 @@ void addCells(const grid::Block& block, const traverse::LaneCut& cut, TraversalS
 {
 	sums.cut_cells += sourceCutCells(block, cut);
 	sums.linear_cut_cells += cut.cut_cells;
-	sums.touched += cut.cells.size();
 	for (const std::uint32_t word : cut.words)
 		sums.walked += (word & shared::kWordWalk) != 0;
 }
@@ -74,11 +73,11 @@ TraversalSums sumUp(const grid::BlockSet& blocks, const slice::SheetSlice& sheet
 		{
 			sums.cut_cells += sheet.cutCells(b);
 			sums.linear_cut_cells += sheet.cutCells(b);
-			sums.touched += sheet.spans[b]->cells.looked_at;
 			sums.walked += sheet.spans[b]->cells.walked;
 		}
 		else
 			addCells(blocks.blocks[b], sheet.cuts[b], sums);
+		sums.touched += sheet.touchedCells(b);
 		const traverse::LaneCut& cut = sheet.cuts[b];
 		sums.generations = std::max(sums.generations, cut.steps);
 		sums.front_max = std::max(sums.front_max, cut.frontMax());

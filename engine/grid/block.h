@@ -47,7 +47,8 @@ struct Block
 	std::shared_ptr<LazyCellPlaces> cell_places; // of a hidden lattice, for latticeCellsOf()
 };
 
-// The order of a curvilinear grid's axes (lattice_axes.h), categorical fields, bounds, boundary index, vantage points and inverted cells, on all cores.
+// The order of a curvilinear grid's axes (lattice_axes.h), categorical fields, bounds, boundary index, vantage points
+// and inverted cells, on all cores.
 void finishBlock(Block& block);
 
 // Other values over the same grid, as at another time.

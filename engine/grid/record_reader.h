@@ -2,7 +2,6 @@
 
 #include "grid/unstructured.h"
 
-
 namespace vp::grid
 {
 

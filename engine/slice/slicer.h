@@ -99,6 +99,11 @@ struct SheetSlice
 	{
 		return hasSpans(block) ? spans[block]->cells.cut : cuts[block].cut_cells;
 	}
+	// Whether they turned out to count or not.
+	std::size_t touchedCells(std::size_t block) const
+	{
+		return hasSpans(block) ? spans[block]->cells.looked_at : cuts[block].cells.size();
+	}
 };
 
 struct Slice

@@ -140,7 +140,7 @@ TEST_F(Slice, VisitedAsksForGenerations)
 	EXPECT_EQ(found["generations"], 0);
 	EXPECT_GT(stamps["generations"], 1);
 	EXPECT_EQ(octants, stamps);
-	for (const char* key : {"cut_cells", "polygons", "vertices", "area"})
+	for (const char* key : {"cut_cells", "polygons", "vertices"})
 		EXPECT_EQ(stamps[key], found[key]) << key;
 }
 
