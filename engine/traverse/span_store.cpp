@@ -75,34 +75,35 @@ void SpanStore::takeRow(std::uint32_t row, SpanCut& cut)
 
 SpanCut SpanStore::collect()
 {
+	std::vector<Found*> finders;
+	for (const std::unique_ptr<Found>& of_thread : found_)
+		if (of_thread)
+			finders.push_back(of_thread.get());
 	SpanCut cut;
 	std::size_t spans = 0;
 	std::size_t columns = 0;
-	for (const std::unique_ptr<Found>& of_thread : found_)
-		if (of_thread)
-		{
-			spans += of_thread->records;
-			columns += of_thread->columns.size();
-			cut.cells += of_thread->cells;
-		}
+	for (const Found* of_thread : finders)
+	{
+		spans += of_thread->records;
+		columns += of_thread->columns.size();
+		cut.cells += of_thread->cells;
+	}
 	cut.spans.reserve(spans);
 	cut.columns.reserve(columns);
 	for (std::size_t word = 0; word < (rows_ + 63) / 64; ++word)
 	{
 		std::uint64_t rows = 0;
-		for (const std::unique_ptr<Found>& of_thread : found_)
-			if (of_thread)
-				rows |= std::exchange(of_thread->touched[word], 0);
+		for (Found* of_thread : finders)
+			rows |= std::exchange(of_thread->touched[word], 0);
 		for (; rows; rows &= rows - 1)
 			takeRow(static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(rows))), cut);
 	}
-	for (const std::unique_ptr<Found>& of_thread : found_)
-		if (of_thread)
-		{
-			of_thread->records = 0;
-			of_thread->columns.clear();
-			of_thread->cells = {};
-		}
+	for (Found* of_thread : finders)
+	{
+		of_thread->records = 0;
+		of_thread->columns.clear();
+		of_thread->cells = {};
+	}
 	return cut;
 }
 
