@@ -7,15 +7,23 @@
 namespace vp::slice
 {
 
+namespace
+{
+
+std::optional<seed::SheetWindow> windowOf(const probe::Sheet& sheet)
+{
+	return sheet.window ? std::optional<seed::SheetWindow>(sheet) : std::nullopt;
+}
+
+} // namespace
+
 // None where the block's kind, or what it holds, is not for spans.
 std::optional<traverse::SpanCut> Slicer::spansOf(const SheetSlice& sheet, std::size_t b, Finder finder)
 {
 	const grid::Block& block = blocks_.blocks[b];
 	const surface::Plane plane = sheet.sheet.plane();
-	std::optional<seed::SheetWindow> its_window;
-	if (sheet.sheet.window)
-		its_window.emplace(sheet.sheet);
-	const seed::SheetWindow* window = its_window ? &*its_window : nullptr;
+	const std::optional<seed::SheetWindow> limits = windowOf(sheet.sheet);
+	const seed::SheetWindow* window = limits ? &*limits : nullptr;
 	if (const auto* uniform = std::get_if<grid::UniformGrid>(&block.grid))
 		return traverse::rowSpans(*uniform, plane, window);
 	if (const auto* rectilinear = std::get_if<grid::RectilinearGrid>(&block.grid))
@@ -31,18 +39,30 @@ std::optional<traverse::SpanCut> Slicer::spansOf(const SheetSlice& sheet, std::s
 namespace
 {
 
-void countAsGeneration(traverse::LaneCut& cut)
+// The cells that a device is asked about: those beside a window it would take for cut.
+traverse::LaneCut asFront(std::vector<CellId> cells)
 {
-	cut.generation_starts = {0, static_cast<std::uint32_t>(cut.cells.size())};
-	cut.steps = 1;
+	traverse::LaneCut front = traverse::oneGeneration(std::move(cells));
+	front.steps = front.cells.empty() ? 0 : 1;
+	return front;
 }
 
-traverse::LaneCut cellsOf(const grid::Block& block, const traverse::SpanCut& spans)
+traverse::LaneCut asFront(const traverse::LaneCut& cut)
+{
+	std::vector<CellId> cells;
+	cells.reserve(cut.cut_cells);
+	for (std::size_t i = 0; i < cut.cells.size(); ++i)
+		if (cut.words[i] & shared::kWordCut)
+			cells.push_back(cut.cells[i]);
+	return asFront(std::move(cells));
+}
+
+traverse::LaneCut asFront(const grid::Block& block, const traverse::SpanCut& spans)
 {
 	std::vector<CellId> cells;
 	cells.reserve(spans.cells.cut);
 	traverse::forEachCell(block, spans, [&](CellId cell) { cells.push_back(cell); });
-	return traverse::oneGeneration(std::move(cells));
+	return asFront(std::move(cells));
 }
 
 } // namespace
@@ -64,20 +84,21 @@ Slicer::Found Slicer::find(const SliceRequest& request, Slice& slice)
 			continue;
 		if (const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&blocks_.blocks[b].grid))
 		{
-			if (request.finder != Finder::automatic || sheet.sheet.window)
+			const std::optional<seed::SheetWindow> window = windowOf(sheet.sheet);
+			// Where cells are linked the traversal enters all behind a large face that the window holds a part of.
+			if (request.finder != Finder::automatic || (window && unstructured->hasLinks()))
 				continue;
 			found[lane] = traverse::floodCells(*unstructured, sheet.sheet.plane(), blocks_.blocks[b].bounds,
-			                                   sheet.seeds.cells[b], *marks_[b]->borrow());
+			                                   window ? &*window : nullptr, sheet.seeds.cells[b], *marks_[b]->borrow());
 			if (gpu_)
-				countAsGeneration(*found[lane]);
+				*found[lane] = asFront(*found[lane]);
 		}
 		else if ((sheet.spans[b] = spansOf(sheet, b, request.finder)))
 		{
 			found[lane].emplace();
 			if (!gpu_)
 				continue;
-			found[lane] = cellsOf(blocks_.blocks[b], *sheet.spans[b]);
-			countAsGeneration(*found[lane]);
+			found[lane] = asFront(blocks_.blocks[b], *sheet.spans[b]);
 		}
 	}
 	return found;

@@ -180,7 +180,8 @@ TEST_F(Profile, FiguresAreThoseOfTheTrace)
 	std::vector<double> cuts;
 	std::vector<double> fronts; // of generation 0
 	bool is_first = false;
-	for (const trace::Event& event : trace::check(contents(path("t.json"))).named("main"))
+	const trace::Rows rows = trace::check(contents(path("t.json")));
+	for (const trace::Event& event : rows.named("main"))
 	{
 		const double ms = 1e-6 * static_cast<double>(event.end - event.begin);
 		if (event.name == "cut")
