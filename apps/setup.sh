@@ -5,11 +5,12 @@
 build_packages=(
 	cmake ninja-build g++ glslang-tools
 	libvulkan-dev libvtk9-dev libtbb-dev libglm-dev libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev
-	libteem-dev zlib1g-dev libpng-dev libcairo2-dev pkg-config libimgui-dev libstb-dev fonts-dejavu-core
+	libteem-dev zlib1g-dev libpng-dev libcairo2-dev pkg-config libimgui-dev libstb-dev libglfw3-dev fonts-dejavu-core
 	mesa-vulkan-drivers # lavapipe draws where there is no GPU
 )
 test_packages=(
 	ccache clang-14 clang-format-14 libgtest-dev libgmock-dev libbenchmark-dev vulkan-validationlayers
+	xvfb xdotool openbox
 )
 
 # Another compiler has other warnings: they are errors on Debian 12 only.

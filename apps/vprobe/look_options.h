@@ -38,6 +38,8 @@ struct LookOptions
 	std::string units;
 	std::string length_units;
 	std::optional<std::string> title; // else the input's name
+
+	bool operator==(const LookOptions&) const = default;
 };
 
 enum class LookScope

@@ -30,6 +30,12 @@ void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
 			extent.push_back(sheet.origin + x * sheet.xAxis() + y * sheet.up);
 }
 
+// The paddlewheel's own window reaches around everything.
+bool drawsRims(const ProbeOptions& options)
+{
+	return !options.window.empty() || options.probe != "paddlewheel";
+}
+
 } // namespace
 
 Painter::Painter(Session& session, SheetLooks looks, render::Renderer renderer)
@@ -70,10 +76,20 @@ Status Painter::makeContext()
 	return Nothing{};
 }
 
+Status Painter::setLook(const ProbeOptions& options, LookChoice choice)
+{
+	choice.window_rims = drawsRims(options);
+	const bool same_around =
+	    choice.look.outline == looks_.choice().look.outline && choice.look.box_axes == looks_.choice().look.box_axes &&
+	    std::ranges::equal(choice.context, looks_.choice().context, {}, &ContextChoice::word, &ContextChoice::word);
+	looks_.setChoice(std::move(choice));
+	camera_.reset();
+	return same_around ? Status(Nothing{}) : takeBlocks();
+}
+
 Result<Painter> Painter::create(Session& session, const ProbeOptions& options, LookChoice choice)
 {
-	// The paddlewheel's own window reaches around everything.
-	choice.window_rims = !options.window.empty() || options.probe != "paddlewheel";
+	choice.window_rims = drawsRims(options);
 	Result<render::Renderer> renderer = render::Renderer::create(*session.device);
 	if (!renderer)
 		return renderer.error();

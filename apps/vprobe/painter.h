@@ -33,6 +33,12 @@ public:
 	}
 	// The session's blocks are others now.
 	Status takeBlocks();
+	// From the next picture on. A camera that is chosen and not given is fitted anew.
+	Status setLook(const ProbeOptions& options, LookChoice choice);
+
+	// What is to be drawn, for renderer(). sheets: sheetStats() of the slice. Section "scene".
+	Result<render::Scene> sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
+	render::Renderer& renderer() { return renderer_; }
 
 	// Section "render" on the session's timeline. sheets: sheetStats() of the slice.
 	Result<render::Picture> draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
@@ -45,7 +51,6 @@ private:
 	Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const slice::SheetSlice& sheet,
 	                                                             const SheetStats& stats);
 	Status addSheets(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene);
-	Result<render::Scene> sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
 	Result<render::Surface> surfaceOf(const slice::SheetSlice& sheet, const SheetStats& stats,
 	                                  const render::SheetDrawing& drawing,
 	                                  const std::optional<render::ValueScale>& scale) const;

@@ -22,6 +22,8 @@ struct PathOptions
 
 	// The probe stands still, and the input's times go by.
 	bool overTimes() const { return path == "times" && !own_path; }
+
+	bool operator==(const PathOptions&) const = default;
 };
 
 void addPathOptions(CLI::App& command, PathOptions& options);

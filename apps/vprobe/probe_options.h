@@ -42,6 +42,8 @@ struct ProbeOptions
 	bool classify_given = false;
 	std::string device;
 	int threads = 0;
+
+	bool operator==(const ProbeOptions&) const = default;
 };
 
 // Adds them to a command.

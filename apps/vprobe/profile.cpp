@@ -193,7 +193,6 @@ Result<ExitCode> runProfile(ProfileOptions& options, const CLI::App& command)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
-	session.crinkle = options.saved.probe.crinkle;
 	if (options.draw && look->by_generation)
 		session.finder = slice::Finder::traversal;
 	const std::string picture =

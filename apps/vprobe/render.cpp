@@ -49,7 +49,6 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
-	session.crinkle = options.saved.probe.crinkle;
 	if (look->by_generation)
 		session.finder = slice::Finder::traversal;
 	Result<slice::Slice> slice = cut(session);

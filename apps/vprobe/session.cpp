@@ -117,13 +117,44 @@ Status makeSlicer(Session& session, const ProbeOptions& options)
 	return Nothing{};
 }
 
-Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use, Timeline::Keep keep)
+Status choose(Session& session, const ProbeOptions& options)
+{
+	session.seeds = seedOptions(options);
+	session.corners = options.corners == "skip" ? slice::Corners::skip : slice::Corners::keep;
+	session.crinkle = options.crinkle;
+	Result<std::optional<SurfaceChoice>> surface = surfaceOf(options);
+	if (!surface)
+		return surface.error();
+	session.surface = *surface;
+	Result<std::optional<slice::Threshold>> threshold = parseThreshold(options.threshold);
+	if (!threshold)
+		return threshold.error();
+	session.threshold = *threshold;
+	Result<std::optional<slice::FieldChoice>> field =
+	    slice::chooseField(session.blocks, options.array, options.component);
+	if (!field)
+		return field.error();
+	session.field = *field;
+	if (session.surface)
+		if (Status fits = checkSurface(session.blocks, *session.surface, *options.surface); !fits)
+			return fits.error();
+	if (session.threshold && !session.field)
+		return Error{ExitCode::input, fmt::format("{}: has no array for --threshold to look at; leave the option out",
+		                                          options.inputs.front())};
+	Result<probe::Probe> probe = makeProbe(options, session.blocks.bounds());
+	if (!probe)
+		return probe.error();
+	session.probe = *probe;
+	std::erase_if(session.probe.sheets, [](const probe::Sheet& sheet) { return sheet.wishes.hidden; });
+	return chooseSheetFields(options, session);
+}
+
+Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use, Timeline::Keep keep,
+                                             std::shared_ptr<gpu::Device> device, const std::stop_token& stop)
 {
 	limitThreads(options.threads);
 	auto session = std::make_unique<Session>();
 	session->timeline = std::make_unique<Timeline>(keep);
-	session->seeds = seedOptions(options);
-	session->corners = options.corners == "skip" ? slice::Corners::skip : slice::Corners::keep;
 
 	Result<read::TimeChoice> time = read::parseTime(options.time);
 	if (!time)
@@ -131,45 +162,31 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	// What can be wrong on the command line is told before a large file is read.
 	if (Status fits = checkProbeOptions(options); !fits)
 		return fits.error();
-	Result<std::optional<SurfaceChoice>> surface = surfaceOf(options);
-	if (!surface)
+	if (auto surface = surfaceOf(options); !surface)
 		return surface.error();
-	session->surface = *surface;
-	Result<std::optional<slice::Threshold>> threshold = parseThreshold(options.threshold);
-	if (!threshold)
+	if (auto threshold = parseThreshold(options.threshold); !threshold)
 		return threshold.error();
-	session->threshold = *threshold;
 	Result<grid::BlockSet> blocks = [&]
 	{
 		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
-		return read::readInputs(options.inputs, readOptions(options, *time), session->timeline.get());
+		read::ReadOptions reading = readOptions(options, *time);
+		reading.stop = stop;
+		return read::readInputs(options.inputs, reading, session->timeline.get());
 	}();
 	if (!blocks)
 		return blocks.error();
 	session->blocks = std::move(*blocks);
-	Result<std::optional<slice::FieldChoice>> field =
-	    slice::chooseField(session->blocks, options.array, options.component);
-	if (!field)
-		return field.error();
-	session->field = *field;
-	if (session->surface)
-		if (Status fits = checkSurface(session->blocks, *session->surface, *options.surface); !fits)
-			return fits.error();
-	if (session->threshold && !session->field)
-		return Error{ExitCode::input, fmt::format("{}: has no array for --threshold to look at; leave the option out",
-		                                          options.inputs.front())};
-	Result<probe::Probe> probe = makeProbe(options, session->blocks.bounds());
-	if (!probe)
-		return probe.error();
-	session->probe = *probe;
-	std::erase_if(session->probe.sheets, [](const probe::Sheet& sheet) { return sheet.wishes.hidden; });
-	if (Status chosen = chooseSheetFields(options, *session); !chosen)
+	if (Status chosen = choose(*session, options); !chosen)
 		return chosen.error();
 
-	Result<std::unique_ptr<gpu::Device>> device = openDevice(options, use);
-	if (!device)
-		return device.error();
-	session->device = std::move(*device);
+	session->device = std::move(device);
+	if (!session->device)
+	{
+		Result<std::unique_ptr<gpu::Device>> opened = openDevice(options, use);
+		if (!opened)
+			return opened.error();
+		session->device = std::move(*opened);
+	}
 	if (Status made = makeSlicer(*session, options); !made)
 		return made.error();
 	// The device goes by generations, as the paper does, unless it is left to choose what is fastest.

@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace vp::app
@@ -34,7 +35,7 @@ struct Session
 	std::optional<slice::Threshold> threshold;
 	slice::Finder finder = slice::Finder::automatic;
 	slice::Visited visited = slice::Visited::stamps;
-	std::unique_ptr<gpu::Device> device; // null where the CPU does without
+	std::shared_ptr<gpu::Device> device; // null where the CPU does without
 	std::unique_ptr<slice::Slicer> slicer;
 	std::unique_ptr<Timeline> timeline;
 };
@@ -45,9 +46,15 @@ enum class DeviceUse
 	draw      // a device is needed in any case
 };
 
-// Reads the inputs and builds the rest. Nothing is written before this has succeeded.
+// Reads the inputs and builds the rest. Nothing is written before this has succeeded. device: one that is open; null
+// opens the one that the options say. stop: asked to stop, reading ends with an error.
 Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use,
-                                             Timeline::Keep keep = Timeline::Keep::totals);
+                                             Timeline::Keep keep = Timeline::Keep::totals,
+                                             std::shared_ptr<gpu::Device> device = nullptr,
+                                             const std::stop_token& stop = {});
+
+// What is cut and by what, of the blocks that the session has: all that the options say beside input and device.
+Status choose(Session& session, const ProbeOptions& options);
 
 // How the inputs are read at one of their times.
 read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time);

@@ -56,7 +56,21 @@ bool hasNan(const SheetStats& sheet)
 SheetLooks::SheetLooks(const Session& session, std::vector<std::string> inputs, LookChoice choice)
     : session_(session), inputs_(std::move(inputs)), choice_(std::move(choice))
 {
-	// The file's, where all of it agrees.
+	takeLengthUnits();
+}
+
+void SheetLooks::setChoice(LookChoice choice)
+{
+	const bool same_scales = choice.look.logarithmic == choice_.look.logarithmic && choice.units == choice_.units;
+	choice_ = std::move(choice);
+	takeLengthUnits();
+	if (!same_scales)
+		forgetScales();
+}
+
+// The file's, where all of it agrees.
+void SheetLooks::takeLengthUnits()
+{
 	std::string& units = choice_.look.length_units;
 	const auto& blocks = session_.blocks.blocks;
 	if (units.empty() && !blocks.empty() &&

@@ -20,6 +20,7 @@ public:
 	SheetLooks(const Session& session, std::vector<std::string> inputs, LookChoice choice);
 
 	const LookChoice& choice() const { return choice_; }
+	void setChoice(LookChoice choice);
 	// The arrays hold other values now.
 	void forgetScales() { scales_.clear(); }
 
@@ -30,6 +31,7 @@ public:
 
 private:
 	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan);
+	void takeLengthUnits();
 	std::string unitsOf(const std::optional<slice::FieldChoice>& field) const;
 
 	const Session& session_;

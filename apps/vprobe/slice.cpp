@@ -118,7 +118,6 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
-	session.crinkle = options.saved.probe.crinkle;
 	if (!options.line.empty() && static_cast<std::size_t>(options.line_sheet) >= session.probe.sheets.size())
 		return Error{ExitCode::usage, fmt::format("--sheet {}: there are {}, counted from 0", options.line_sheet,
 		                                          session.probe.sheets.size())};

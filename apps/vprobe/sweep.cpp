@@ -149,7 +149,6 @@ Result<ExitCode> runSweep(SweepOptions& options)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
-	session.crinkle = options.saved.probe.crinkle;
 	if (look->by_generation)
 		session.finder = slice::Finder::traversal;
 	Result<std::unique_ptr<SweepProducts>> products =

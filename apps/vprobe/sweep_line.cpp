@@ -57,23 +57,12 @@ private:
 			if (!slice)
 				return slice.error();
 			made->slice = std::move(*slice);
-			for (std::size_t s = 0; s < made->slice.sheets.size(); ++s)
-				made->sheets.push_back(statsOf(made->slice, s));
+			made->sheets = statsSince(session_, made->slice, last_.get());
 		}
 		if (plan_.wants_figures)
 			made->figures = sheetsJson(session_, made->slice, made->sheets);
 		last_ = made;
 		return std::shared_ptr<const CutFrame>(std::move(made));
-	}
-
-	// A sheet that has not moved shows what it showed.
-	SheetStats statsOf(const slice::Slice& slice, std::size_t s) const
-	{
-		if (last_ && s < last_->sheets.size() && last_->slice.sheets[s].number == slice.sheets[s].number)
-			return last_->sheets[s];
-		SheetStats stats = sheetMesh(session_, slice, s);
-		measureSheet(session_, slice, s, stats);
-		return stats;
 	}
 
 	const SweepPlan& plan_;

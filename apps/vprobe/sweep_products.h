@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cut_frame.h"
 #include "frames.h"
 #include "interrupt.h"
 #include "painter.h"
@@ -14,14 +15,6 @@
 
 namespace vp::app
 {
-
-// A frame of a sweep that has been cut.
-struct CutFrame
-{
-	slice::Slice slice;
-	std::vector<SheetStats> sheets;
-	nlohmann::json figures{}; // of --stats, where they are wanted
-};
 
 // What a sweep makes of its frames, one after the other. A picture is written on a thread of its own while the next
 // one is drawn; what goes wrong there is told before what goes wrong with any later frame.

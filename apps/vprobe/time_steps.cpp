@@ -3,6 +3,39 @@
 namespace vp::app
 {
 
+namespace
+{
+
+Status buildAnew(Session& session, const ProbeOptions& options, const read::ReadOptions& at, Painter* painter)
+{
+	Result<grid::BlockSet> blocks = read::readInputs(options.inputs, at, session.timeline.get());
+	if (!blocks)
+		return blocks.error();
+	session.slicer.reset();
+	session.blocks = std::move(*blocks);
+	if (painter)
+		if (Status taken = painter->takeBlocks(); !taken)
+			return taken;
+	return makeSlicer(session, options);
+}
+
+} // namespace
+
+Result<bool> moveToTime(Session& session, const ProbeOptions& options, const read::TimeChoice& time, Painter* painter)
+{
+	const read::ReadOptions at = readOptions(options, time);
+	Result<bool> same_grid = read::readValues(options.inputs, at, session.blocks, session.timeline.get());
+	if (!same_grid)
+		return same_grid;
+	if (painter)
+		painter->forgetScales();
+	if (*same_grid)
+		session.slicer->forgetValues();
+	else if (Status built = buildAnew(session, options, at, painter); !built)
+		return built.error();
+	return same_grid;
+}
+
 TimeSteps::TimeSteps(Session& session, const ProbeOptions& options, Painter* painter)
     : session_(session), options_(options), painter_(painter), times_(session.blocks.times)
 {
@@ -10,37 +43,16 @@ TimeSteps::TimeSteps(Session& session, const ProbeOptions& options, Painter* pai
 
 Result<slice::Slice> TimeSteps::cutAt(int step)
 {
-	const read::ReadOptions at =
-	    readOptions(options_, {read::TimeChoice::Kind::value, times_[static_cast<std::size_t>(step)]});
-	Result<bool> same_grid = read::readValues(options_.inputs, at, session_.blocks, session_.timeline.get());
+	const read::TimeChoice time{read::TimeChoice::Kind::value, times_[static_cast<std::size_t>(step)]};
+	Result<bool> same_grid = moveToTime(session_, options_, time, painter_);
 	if (!same_grid)
 		return same_grid.error();
-	if (painter_)
-		painter_->forgetScales();
-	if (*same_grid)
-		session_.slicer->forgetValues();
-	else if (Status built = buildAnew(at); !built)
-		return built.error();
 	Result<slice::Slice> slice = *same_grid && kept_ && !session_.threshold
 	                                 ? session_.slicer->regather(*kept_, session_.timeline.get())
 	                                 : cut(session_);
 	if (slice)
 		kept_ = *slice;
 	return slice;
-}
-
-Status TimeSteps::buildAnew(const read::ReadOptions& at)
-{
-	Result<grid::BlockSet> blocks = read::readInputs(options_.inputs, at, session_.timeline.get());
-	if (!blocks)
-		return blocks.error();
-	kept_.reset();
-	session_.slicer.reset();
-	session_.blocks = std::move(*blocks);
-	if (painter_)
-		if (Status taken = painter_->takeBlocks(); !taken)
-			return taken;
-	return makeSlicer(session_, options_);
 }
 
 } // namespace vp::app

@@ -9,6 +9,10 @@
 namespace vp::app
 {
 
+// Takes a session to a time of its inputs. True: the grid is the same, and a cut of it needs other values only. False:
+// it was read and built anew. painter: told of what changes; null where nothing is drawn.
+Result<bool> moveToTime(Session& session, const ProbeOptions& options, const read::TimeChoice& time, Painter* painter);
+
 // Takes a session from one of its inputs' times to another. Where only values differ the cut is kept and gathers them;
 // where the grid moves it is read and cut anew. All it is made of outlives it.
 class TimeSteps
@@ -21,8 +25,6 @@ public:
 	Result<slice::Slice> cutAt(int step);
 
 private:
-	Status buildAnew(const read::ReadOptions& at);
-
 	Session& session_;
 	const ProbeOptions& options_;
 	Painter* painter_;

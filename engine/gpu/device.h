@@ -56,6 +56,7 @@ public:
 	VkInstance instance() const { return instance_; }
 	VkPhysicalDevice physical() const { return physical_; }
 	VkDevice handle() const { return device_; }
+	VkQueue queue() const { return queue_; } // for libraries that ask for one; what is submitted goes through submit()
 	std::uint32_t queueFamily() const { return queue_family_; }
 	const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
 	bool mapsDeviceMemory() const { return map_device_memory_; }

@@ -57,6 +57,7 @@ Status check(VkResult result, const char* call)
 		return Error{ExitCode::output,
 		             fmt::format("{} ({}); use --classify cpu or smaller data", resultName(result), call)};
 	case VK_ERROR_DEVICE_LOST:
+	case VK_ERROR_SURFACE_LOST_KHR:
 		return Error{ExitCode::no_device,
 		             fmt::format("{} ({}); the driver's log may say why, --classify cpu works without",
 		                         resultName(result), call)};

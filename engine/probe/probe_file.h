@@ -23,6 +23,8 @@ struct ProbeFile
 {
 	Probe probe;         // at the world's origin where the file does not say where it stands
 	bool placed = false; // the file says
+
+	bool operator==(const ProbeFile&) const = default;
 };
 
 Result<ProbeFile> readProbe(const std::string& file);

@@ -90,6 +90,11 @@ rlimit limitOf(std::uint64_t value, int resource)
 
 } // namespace
 
+Error stopped(const std::string& input)
+{
+	return {ExitCode::interrupted, fmt::format("{}: reading was cancelled", input)};
+}
+
 Result<HandedOver> runReader(const std::string& file, const ReadOptions& options, const InputLimits& limits)
 {
 	const Result<std::string> program = readerProgram();
@@ -135,8 +140,10 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	Reader reader(pid, std::move(manifest.read_end), std::move(errors.read_end));
 	manifest.write_end.reset();
 	errors.write_end.reset();
-	if (!reader.finish(deadline))
+	if (!reader.finish(deadline, options.stop))
 	{
+		if (options.stop.stop_requested())
+			return stopped(file);
 		const char* reason =
 		    reader.wroteTooMuch() ? "describes more arrays than can be" : "the reader ran over its time limit of {} s";
 		return Error{ExitCode::input,

@@ -21,6 +21,9 @@ struct HandedOver
 // Runs vprobe-read on one file, within its limits. Whatever goes wrong with the child is an error that names the file.
 Result<HandedOver> runReader(const std::string& file, const ReadOptions& options, const InputLimits& limits);
 
+// What reading ends with when it was asked to stop.
+Error stopped(const std::string& input);
+
 // The program that is run: beside this one, or ../libexec/vprobe/ from there.
 Result<std::string> readerProgram();
 

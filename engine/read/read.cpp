@@ -100,6 +100,8 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 		Result<grid::BlockSet> set = readInput(input, options, timeline);
 		if (!set)
 			return set.error();
+		if (options.stop.stop_requested())
+			return stopped(input);
 		for (grid::Patch& patch : set->patches)
 			for (grid::Patch::Face& face : patch.faces)
 				face.block += static_cast<std::uint32_t>(all.blocks.size());

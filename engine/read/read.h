@@ -4,6 +4,7 @@
 #include "grid/block.h"
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,9 @@ struct ReadOptions
 	std::string solution; // PLOT3D q file, where its name does not follow from the grid's
 	// Curved cells are cut into linear ones over their own points; each level halves the edges of those once more.
 	int refine = 0;
-	double displace = 0.0; // moves the points of Exodus files by their displacements, times this
-	bool patches = false;  // reads what the files name of the boundary: OpenFOAM patches, Exodus side sets
+	double displace = 0.0;  // moves the points of Exodus files by their displacements, times this
+	bool patches = false;   // reads what the files name of the boundary: OpenFOAM patches, Exodus side sets
+	std::stop_token stop{}; // asked to stop, reading ends with an error
 };
 
 constexpr int kMaxRefine = 6;

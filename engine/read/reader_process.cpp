@@ -27,6 +27,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kMaxManifestBytes = 64u << 20;
 // Of standard error, only the last line is used.
 constexpr std::size_t kKeptErrorBytes = 4096;
+// Milliseconds after which a wish to stop is heard at the latest.
+constexpr long long kLongestWait = 100;
 
 // Sanitizers reserve terabytes of address space.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -105,18 +107,18 @@ void becomeReader(const ChildSetup& setup)
 	_exit(127);
 }
 
-bool Reader::finish(Clock::time_point deadline)
+bool Reader::finish(Clock::time_point deadline, const std::stop_token& stop)
 {
 	while (manifest_pipe_ || error_pipe_)
 	{
 		std::array<pollfd, 2> ready = {pollfd{manifest_pipe_.get(), POLLIN, 0}, pollfd{error_pipe_.get(), POLLIN, 0}};
 		const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-		if (left <= 0 || wroteTooMuch())
+		if (left <= 0 || wroteTooMuch() || stop.stop_requested())
 		{
 			end();
 			return false;
 		}
-		poll(ready.data(), ready.size(), static_cast<int>(std::min<long long>(left, 1000)));
+		poll(ready.data(), ready.size(), static_cast<int>(std::min<long long>(left, kLongestWait)));
 		if (ready[0].revents)
 			take(manifest_pipe_, manifest);
 		if (ready[1].revents)
@@ -128,7 +130,7 @@ bool Reader::finish(Clock::time_point deadline)
 	}
 	while (!hasEnded())
 	{
-		if (Clock::now() > deadline)
+		if (Clock::now() > deadline || stop.stop_requested())
 		{
 			end();
 			return false;

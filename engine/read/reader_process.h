@@ -4,6 +4,7 @@
 
 #include <array>
 #include <chrono>
+#include <stop_token>
 #include <string>
 
 #include <sys/resource.h>
@@ -58,8 +59,8 @@ public:
 	Reader& operator=(const Reader&) = delete;
 
 	// Takes in what the child writes until both pipes are closed and it has ended; false, with the child killed, when
-	// the time is over or it writes too much.
-	bool finish(std::chrono::steady_clock::time_point deadline);
+	// the time is over, it writes too much or it is asked to stop.
+	bool finish(std::chrono::steady_clock::time_point deadline, const std::stop_token& stop = {});
 	bool wroteTooMuch() const;
 
 	std::string manifest;

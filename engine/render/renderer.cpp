@@ -42,6 +42,20 @@ void copyPixels(const gpu::Buffer& pixels, bool opaque, Picture& picture)
 	}
 }
 
+// Where a picture goes to: an image, or the host.
+struct DrawTarget
+{
+	const gpu::Image* image = nullptr;
+	const std::function<bool()>* goes_on = nullptr; // asked between samples, which are submitted one by one then
+};
+
+enum class Drawn
+{
+	whole,
+	cramped, // fragments found no room; to be drawn again
+	given_up
+};
+
 } // namespace
 
 struct Renderer::Private
@@ -67,10 +81,13 @@ struct Renderer::Private
 	}
 	Status makeTargets(const Scene& scene);
 	Status prepare(const Scene& scene);
-	Result<bool> drawOnce(const Scene& scene, Timeline* timeline);
+	Result<Drawn> draw(const Scene& scene, const DrawTarget& target, Timeline* timeline);
+	Result<Drawn> drawOnce(const Scene& scene, const DrawTarget& target, Timeline* timeline);
+	Result<Drawn> finish(bool has_surfaces, Timeline* timeline);
 	void recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	void recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	void recordPicture(VkCommandBuffer to, bool from_layers);
+	void recordCopy(VkCommandBuffer to, const gpu::Image* into);
 };
 
 Renderer::Renderer(std::unique_ptr<Private> made) : private_(std::move(made)) {}
@@ -208,7 +225,22 @@ void Renderer::Private::recordPicture(VkCommandBuffer to, bool from_layers)
 		vkCmdEndRendering(to);
 		targets.picture.transition(to, gpu::kColourTarget, gpu::kCopyFrom);
 	}
+}
+
+void Renderer::Private::recordCopy(VkCommandBuffer to, const gpu::Image* into)
+{
+	const VkExtent2D extent = targets.extent();
 	gpu::TimedPass timed(timers, to, "copy");
+	if (into)
+	{
+		VkImageCopy copy{};
+		copy.srcSubresource = copy.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+		copy.extent = {extent.width, extent.height, 1};
+		into->transition(to, gpu::kDiscard, gpu::kCopyTo);
+		vkCmdCopyImage(to, targets.picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, into->handle(),
+		               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+		return into->transition(to, gpu::kCopyTo, gpu::kCopyFrom);
+	}
 	VkBufferImageCopy copy{};
 	copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
 	copy.imageExtent = {extent.width, extent.height, 1};
@@ -218,8 +250,31 @@ void Renderer::Private::recordPicture(VkCommandBuffer to, bool from_layers)
 	                   VK_ACCESS_2_HOST_READ_BIT);
 }
 
-// Whether everything had room; if not, it is to be drawn again.
-Result<bool> Renderer::Private::drawOnce(const Scene& scene, Timeline* timeline)
+// What is recorded, done.
+Result<Drawn> Renderer::Private::finish(bool has_surfaces, Timeline* timeline)
+{
+	const Status drawn = [&]
+	{
+		const TimedSection section(timeline, "wait");
+		return commands.submitAndWait();
+	}();
+	if (!drawn)
+		forget();
+	if (drawn && timeline)
+		timers.collect(*timeline);
+	else
+		timers.forget();
+	if (!drawn)
+		return drawn.error();
+	if (!has_surfaces)
+		return Drawn::whole;
+	Result<bool> complete = lists.complete();
+	if (!complete)
+		return complete.error();
+	return *complete ? Drawn::whole : Drawn::cramped;
+}
+
+Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& target, Timeline* timeline)
 {
 	const bool has_surfaces = !scene.surfaces.empty();
 	{
@@ -234,24 +289,44 @@ Result<bool> Renderer::Private::drawOnce(const Scene& scene, Timeline* timeline)
 		lists.recordStart(*begun);
 	const auto pattern = samplePattern(scene.look.samples);
 	for (std::size_t sample = 0; sample < pattern.size(); ++sample)
+	{
+		if (target.goes_on && sample > 0)
+		{
+			if (Status done = commands.submitAndWait(); !done)
+			{
+				forget();
+				timers.forget();
+				return done.error();
+			}
+			if (*target.goes_on && !(*target.goes_on)())
+			{
+				timers.forget();
+				return Drawn::given_up;
+			}
+			begun = commands.begin();
+			if (!begun)
+				return begun.error();
+		}
 		recordSample(*begun, scene, pattern[sample], sample);
+	}
 	if (has_surfaces)
 		lists.recordEnd(*begun);
 	recordPicture(*begun, composesWhole(scene));
-	const Status drawn = [&]
-	{
-		const TimedSection section(timeline, "wait");
-		return commands.submitAndWait();
-	}();
-	if (!drawn)
-		forget();
-	if (drawn && timeline)
-		timers.collect(*timeline);
-	else
-		timers.forget();
-	if (!drawn)
-		return drawn.error();
-	return has_surfaces ? lists.complete() : Result<bool>(true);
+	recordCopy(*begun, target.image);
+	return finish(has_surfaces, timeline);
+}
+
+Result<Drawn> Renderer::Private::draw(const Scene& scene, const DrawTarget& target, Timeline* timeline)
+{
+	if (scene.sheets.size() > shared::kMaxLayers)
+		return Error{ExitCode::usage, fmt::format("{} sheets are more than a picture takes; show up to {}",
+		                                          scene.sheets.size(), shared::kMaxLayers)};
+	if (Status made = makeTargets(scene); !made)
+		return made.error();
+	layers_drawn = 0;
+	for (;;)
+		if (Result<Drawn> drawn = drawOnce(scene, target, timeline); !drawn || *drawn != Drawn::cramped)
+			return drawn;
 }
 
 std::size_t Renderer::layersDrawn() const
@@ -262,25 +337,23 @@ std::size_t Renderer::layersDrawn() const
 Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 {
 	const TimedSection section(timeline, "draw");
-	if (scene.sheets.size() > shared::kMaxLayers)
-		return Error{ExitCode::usage, fmt::format("{} sheets are more than a picture takes; show up to {}",
-		                                          scene.sheets.size(), shared::kMaxLayers)};
-	if (Status made = private_->makeTargets(scene); !made)
-		return made.error();
-	private_->layers_drawn = 0;
-	for (;;)
-	{
-		Result<bool> whole = private_->drawOnce(scene, timeline);
-		if (!whole)
-			return whole.error();
-		if (*whole)
-			break;
-	}
+	if (Result<Drawn> drawn = private_->draw(scene, {}, timeline); !drawn)
+		return drawn.error();
 	const TimedSection reading(timeline, "pixels");
 	Picture picture{scene.look.width, scene.look.height, {}};
 	const Background& background = scene.look.background;
 	copyPixels(private_->targets.pixels, background.top.a == 255 && background.bottom.a == 255, picture);
 	return picture;
+}
+
+Result<bool> Renderer::drawInto(const Scene& scene, const gpu::Image& into, const std::function<bool()>& goes_on,
+                                Timeline* timeline)
+{
+	const TimedSection section(timeline, "draw");
+	Result<Drawn> drawn = private_->draw(scene, {&into, &goes_on}, timeline);
+	if (!drawn)
+		return drawn.error();
+	return *drawn == Drawn::whole;
 }
 
 } // namespace vp::render

@@ -6,6 +6,7 @@
 #include "render/scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -16,7 +17,8 @@ class Timeline;
 namespace vp::gpu
 {
 class Device;
-}
+class Image;
+} // namespace vp::gpu
 
 namespace vp::render
 {
@@ -40,6 +42,13 @@ public:
 	// "surfaces" (where there are any), "compose", "overlay" and "copy" on the timeline, where there is one. More
 	// sheets than shared::kMaxLayers or surfaces than shared::kMaxSurfaces are a usage error.
 	Result<Picture> draw(const Scene& scene, Timeline* timeline = nullptr);
+
+	// The same into an image of the scene's size and kPictureFormat that nothing submitted still uses, made with
+	// TRANSFER_DST usage; it is left as gpu::kCopyFrom. Colours are multiplied by alpha. Each sample is submitted by
+	// itself, so that a window on the same queue is not kept waiting, and between them `goes_on` (which may be empty)
+	// is asked: where it says no the image holds nothing and false comes back.
+	Result<bool> drawInto(const Scene& scene, const gpu::Image& into, const std::function<bool()>& goes_on = {},
+	                      Timeline* timeline = nullptr);
 
 	// By the last draw(), over all its samples: layers that were as they should be already are not drawn again.
 	std::size_t layersDrawn() const;

@@ -1,0 +1,22 @@
+#include "cut_frame.h"
+
+namespace vp::app
+{
+
+std::vector<SheetStats> statsSince(const Session& session, const slice::Slice& slice, const CutFrame* last)
+{
+	std::vector<SheetStats> all;
+	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
+	{
+		if (last && s < last->sheets.size() && last->slice.sheets[s].number == slice.sheets[s].number)
+		{
+			all.push_back(last->sheets[s]);
+			continue;
+		}
+		all.push_back(sheetMesh(session, slice, s));
+		measureSheet(session, slice, s, all.back());
+	}
+	return all;
+}
+
+} // namespace vp::app

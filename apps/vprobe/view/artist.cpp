@@ -1,0 +1,327 @@
+#include "view/artist.h"
+
+#include "make_probe.h"
+#include "render/targets.h"
+#include "time_steps.h"
+
+#include <new>
+#include <utility>
+
+namespace vp::app
+{
+
+namespace
+{
+
+// While the hand moves, pictures have one sample a pixel; the others are added once it has been still for so long.
+constexpr std::chrono::milliseconds kStill{120};
+
+double millisecondsSince(Moment start)
+{
+	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Cuts that differ in no more than this share what their unmoved sheets show.
+ProbeOptions withoutPlace(ProbeOptions options)
+{
+	options.origin.clear();
+	options.normal.reset();
+	options.up.clear();
+	options.window.clear();
+	options.probe.clear();
+	options.own_probe.reset();
+	options.vanes.reset();
+	options.offsets.clear();
+	options.sheets.reset();
+	return options;
+}
+
+ProbeOptions withoutTime(ProbeOptions options)
+{
+	options.time.clear();
+	return options;
+}
+
+} // namespace
+
+Artist::Artist(std::shared_ptr<gpu::Device> device, std::function<void()> wake)
+    : device_(std::move(device)), wake_(std::move(wake)), thread_(
+                                                              [this]
+                                                              {
+	                                                              nameThreadRow("artist");
+	                                                              work();
+                                                              })
+{
+}
+
+Artist::~Artist()
+{
+	{
+		const std::lock_guard lock(mutex_);
+		ends_ = true;
+	}
+	changed_.notify_all();
+	thread_.join();
+}
+
+void Artist::ask(Wish wish)
+{
+	{
+		const std::lock_guard lock(mutex_);
+		if (wish_)
+			wish.since = std::min(wish.since, wish_->since); // its input is answered by this one's picture
+		wish_ = std::move(wish);
+	}
+	changed_.notify_all();
+}
+
+void Artist::take(std::unique_ptr<Session> session, Wish wish)
+{
+	{
+		const std::lock_guard lock(mutex_);
+		next_session_ = std::move(session);
+		wish_ = std::move(wish);
+	}
+	changed_.notify_all();
+}
+
+std::shared_ptr<const Shown> Artist::shown() const
+{
+	const std::lock_guard lock(mutex_);
+	return shown_;
+}
+
+std::optional<Error> Artist::takeError()
+{
+	const std::lock_guard lock(mutex_);
+	return std::exchange(error_, std::nullopt);
+}
+
+bool Artist::isIdle() const
+{
+	const std::lock_guard lock(mutex_);
+	return !wish_ && !busy_;
+}
+
+bool Artist::waits() const
+{
+	const std::lock_guard lock(mutex_);
+	return wish_ || ends_;
+}
+
+void Artist::work()
+{
+	std::unique_lock lock(mutex_);
+	const auto woken = [this] { return wish_ || ends_; };
+	for (;;)
+	{
+		const bool coarse = shown_ && !shown_->smooth && session_;
+		const bool still = coarse ? !changed_.wait_for(lock, kStill, woken) : (changed_.wait(lock, woken), false);
+		if (ends_)
+			return;
+		std::optional<Wish> wish = std::exchange(wish_, std::nullopt);
+		std::unique_ptr<Session> session = std::move(next_session_);
+		busy_ = true;
+		lock.unlock();
+		if (session)
+		{
+			painter_.reset();
+			cut_.reset();
+			followed_.reset();
+			session_ = std::move(session);
+		}
+		answer(still ? shown_->wish : *wish, still);
+		wake_();
+		lock.lock();
+		busy_ = false;
+	}
+}
+
+void Artist::answer(const Wish& wish, bool smooth)
+{
+	if (!session_)
+		return;
+	Status done = [&]() -> Status
+	{
+		try
+		{
+			return show(wish, smooth);
+		}
+		catch (const std::bad_alloc&)
+		{
+			return Error{ExitCode::output, "out of memory; show fewer sheets or a smaller input"};
+		}
+	}();
+	if (done)
+		return;
+	const std::lock_guard lock(mutex_);
+	error_ = done.error();
+}
+
+Status Artist::show(const Wish& wish, bool smooth)
+{
+	if (smooth)
+	{
+		Shown shown = *this->shown();
+		Result<bool> drawn = draw(shown, true);
+		if (!drawn)
+			return drawn.error();
+		if (*drawn)
+			publish(std::move(shown));
+		return Nothing{};
+	}
+	Shown shown;
+	shown.wish = wish;
+	if (Status followed = follow(wish); !followed)
+	{
+		followed_.reset(); // some of it may have been done
+		return followed;
+	}
+	Result<probe::Probe> probe = makeProbe(wish.probe, session_->blocks.bounds());
+	if (!probe)
+		return probe.error();
+	shown.probe = std::move(*probe);
+	if (!cut_ || cut_is_old_)
+		if (Status cut = cutAnew(shown); !cut)
+			return cut;
+	shown.cut = cut_;
+	shown.cuts = cuts_;
+	Result<bool> drawn = draw(shown, false);
+	if (!drawn)
+		return drawn.error();
+	publish(std::move(shown));
+	return Nothing{};
+}
+
+// Session and painter, as the wish has them. What has not changed is left as it is.
+Status Artist::follow(const Wish& wish)
+{
+	if (!followed_ || followed_->probe.time != wish.probe.time)
+		if (Status moved = followTime(wish.probe); !moved)
+			return moved;
+	if (!followed_ || !(withoutTime(followed_->probe) == withoutTime(wish.probe)))
+	{
+		if (Status chosen = choose(*session_, wish.probe); !chosen)
+			return chosen;
+		only_moved_ = followed_ && withoutPlace(followed_->probe) == withoutPlace(wish.probe);
+		cut_is_old_ = true;
+	}
+	if (!followed_ || !(followed_->look == wish.look))
+		if (Status looked = followLook(wish); !looked)
+			return looked;
+	followed_ = wish;
+	return Nothing{};
+}
+
+Status Artist::followTime(const ProbeOptions& options)
+{
+	if (!followed_)
+		return Nothing{}; // the session was opened at this time
+	Result<read::TimeChoice> time = read::parseTime(options.time);
+	if (!time)
+		return time.error();
+	cut_is_old_ = true;
+	only_moved_ = false;
+	cut_.reset();
+	Result<bool> moved = moveToTime(*session_, options, *time, painter_ ? &*painter_ : nullptr);
+	return moved ? Status(Nothing{}) : moved.error();
+}
+
+Status Artist::followLook(const Wish& wish)
+{
+	Result<LookChoice> look = parseLook(wish.look, wish.probe.inputs);
+	if (!look)
+		return look.error();
+	const auto finder = look->by_generation           ? slice::Finder::traversal
+	                    : session_->slicer->usesGpu() ? slice::Finder::direct
+	                                                  : slice::Finder::automatic;
+	if (finder != session_->finder)
+	{
+		session_->finder = finder;
+		cut_is_old_ = true;
+		only_moved_ = false;
+	}
+	if (painter_)
+		return painter_->setLook(wish.probe, std::move(*look));
+	Result<Painter> painter = Painter::create(*session_, wish.probe, std::move(*look));
+	if (!painter)
+		return painter.error();
+	painter_.emplace(std::move(*painter));
+	return Nothing{};
+}
+
+Status Artist::cutAnew(Shown& shown)
+{
+	const Moment start = std::chrono::steady_clock::now();
+	std::shared_ptr<const CutFrame> last = only_moved_ ? cut_ : nullptr;
+	Result<slice::Slice> slice =
+	    cut(*session_, last ? std::shared_ptr<const slice::Slice>(last, &last->slice) : nullptr);
+	if (!slice)
+		return slice.error();
+	auto made = std::make_shared<CutFrame>();
+	made->slice = std::move(*slice);
+	made->sheets = statsSince(*session_, made->slice, last.get());
+	cut_ = std::move(made);
+	cut_is_old_ = false;
+	++cuts_;
+	shown.cut_ms = millisecondsSince(start);
+	return Nothing{};
+}
+
+// False where a new wish came meanwhile.
+Result<bool> Artist::draw(Shown& shown, bool smooth)
+{
+	const Moment start = std::chrono::steady_clock::now();
+	Result<render::Scene> scene = painter_->sceneOf(shown.cut->slice, shown.cut->sheets);
+	if (!scene)
+		return scene.error();
+	shown.smooth = smooth || scene->look.samples == 1;
+	if (!smooth)
+		scene->look.samples = 1;
+	Result<std::shared_ptr<gpu::Image>> image = takeImage({scene->look.width, scene->look.height});
+	if (!image)
+		return image.error();
+	Result<bool> drawn = painter_->renderer().drawInto(
+	    *scene, **image, [&] { return !smooth || !waits(); }, session_->timeline.get());
+	if (!drawn || !*drawn)
+		return drawn;
+	shown.image = *image;
+	shown.camera = scene->camera;
+	shown.frame = render::pictureFrame(*scene);
+	shown.values = scene->values;
+	shown.draw_ms = millisecondsSince(start);
+	return true;
+}
+
+// One that nobody shows any more.
+Result<std::shared_ptr<gpu::Image>> Artist::takeImage(VkExtent2D extent)
+{
+	std::erase_if(pictures_,
+	              [&](const auto& picture)
+	              {
+		              const VkExtent2D has = picture->extent();
+		              return picture.use_count() == 1 && (has.width != extent.width || has.height != extent.height);
+	              });
+	for (const auto& picture : pictures_)
+		if (picture.use_count() == 1)
+			return picture;
+	Result<gpu::Image> made =
+	    gpu::Image::create(*device_,
+	                       {.extent = extent,
+	                        .format = render::kPictureFormat,
+	                        .usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
+	                       "shown picture");
+	if (!made)
+		return made.error();
+	return pictures_.emplace_back(std::make_shared<gpu::Image>(std::move(*made)));
+}
+
+void Artist::publish(Shown shown)
+{
+	auto made = std::make_shared<const Shown>(std::move(shown));
+	const std::lock_guard lock(mutex_);
+	shown_ = std::move(made);
+	error_.reset();
+}
+
+} // namespace vp::app

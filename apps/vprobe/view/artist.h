@@ -1,0 +1,106 @@
+#pragma once
+
+#include "cut_frame.h"
+#include "gpu/image.h"
+#include "painter.h"
+#include "saved_options.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace vp::app
+{
+
+using Moment = std::chrono::steady_clock::time_point;
+
+// What is to be seen.
+struct Wish
+{
+	std::uint64_t number = 0; // rising
+	ProbeOptions probe;
+	LookOptions look; // its size is the picture's
+	Moment since{};   // the oldest input that has not been answered by a picture
+};
+
+// A picture, and all that it was made of.
+struct Shown
+{
+	std::shared_ptr<const gpu::Image> image; // gpu::kCopyFrom
+	Wish wish;
+	probe::Probe probe; // as it stands in the picture, hidden sheets included
+	std::shared_ptr<const CutFrame> cut;
+	render::Camera camera;
+	render::Frame frame;
+	std::optional<render::ValueScale> values;
+	bool smooth = false; // all samples are in it
+	double cut_ms = 0.0; // 0 where the cut before was still good
+	double draw_ms = 0.0;
+	std::uint64_t cuts = 0; // made so far
+};
+
+// Cuts and draws on a thread of its own what was wished last. The last picture stays until the next is ready, and what
+// cannot be done leaves it as it was. Thread safe.
+class Artist
+{
+public:
+	// wake: called, on the artist's thread, when there is something new to be had.
+	Artist(std::shared_ptr<gpu::Device> device, std::function<void()> wake);
+	~Artist();
+	Artist(const Artist&) = delete;
+	Artist& operator=(const Artist&) = delete;
+
+	void ask(Wish wish); // takes the place of what waits
+	// From now on this one is cut, as the wish says.
+	void take(std::unique_ptr<Session> session, Wish wish);
+
+	std::shared_ptr<const Shown> shown() const; // null before the first picture
+	std::optional<Error> takeError();           // why the last wish is not shown
+	bool isIdle() const;                        // all that was wished is shown, and smooth
+
+private:
+	using Pictures = std::vector<std::shared_ptr<gpu::Image>>;
+
+	void work();
+	void answer(const Wish& wish, bool smooth);
+	Status show(const Wish& wish, bool smooth);
+	Status follow(const Wish& wish);
+	Status followLook(const Wish& wish);
+	Status followTime(const ProbeOptions& options);
+	Status cutAnew(Shown& shown);
+	Result<bool> draw(Shown& shown, bool smooth);
+	Result<std::shared_ptr<gpu::Image>> takeImage(VkExtent2D extent);
+	void publish(Shown shown);
+	bool waits() const;
+
+	std::shared_ptr<gpu::Device> device_;
+	std::function<void()> wake_;
+
+	// Of the artist's thread.
+	std::unique_ptr<Session> session_;
+	std::optional<Painter> painter_;
+	std::optional<Wish> followed_; // what session and painter stand at
+	std::shared_ptr<const CutFrame> cut_;
+	std::uint64_t cuts_ = 0;
+	bool cut_is_old_ = true;
+	bool only_moved_ = false;
+	Pictures pictures_;
+
+	mutable std::mutex mutex_;
+	std::condition_variable changed_;
+	std::optional<Wish> wish_;
+	std::unique_ptr<Session> next_session_;
+	std::shared_ptr<const Shown> shown_;
+	std::optional<Error> error_;
+	bool busy_ = false;
+	bool ends_ = false;
+	std::thread thread_; // the last to be made
+};
+
+} // namespace vp::app

@@ -1,0 +1,194 @@
+#include "view/gpu_window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui/backends/imgui_impl_glfw.h>
+#include <imgui/imgui.h>
+
+namespace vp::app
+{
+
+namespace
+{
+
+constexpr int kLeastWidth = 640;
+constexpr int kLeastHeight = 400;
+
+std::string lastComplaint()
+{
+	const char* words = nullptr;
+	glfwGetError(&words);
+	return words ? words : "no reason given";
+}
+
+Window& windowOf(GLFWwindow* handle)
+{
+	return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+}
+
+} // namespace
+
+Result<std::unique_ptr<Window>> Window::create(const std::string& title, int width, int height)
+{
+	if (!glfwInit())
+		return Error{ExitCode::no_device,
+		             fmt::format("no window can be opened ({}); set DISPLAY to a screen, or draw with vprobe render",
+		                         lastComplaint())};
+	glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+	glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+	GLFWwindow* handle = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+	if (!handle)
+	{
+		const std::string reason = lastComplaint();
+		glfwTerminate();
+		return Error{ExitCode::no_device, fmt::format("no window can be opened ({}); draw with vprobe render", reason)};
+	}
+	glfwSetWindowSizeLimits(handle, kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
+	std::unique_ptr<Window> window(new Window(handle));
+	glfwSetWindowUserPointer(handle, window.get());
+	// The user interface hears everything too, and takes what is meant for it: the listener asks it.
+	glfwSetCursorPosCallback(handle,
+	                         [](GLFWwindow* of, double x, double y)
+	                         {
+		                         if (const auto& tell = windowOf(of).events_.cursor)
+			                         tell(x, y);
+	                         });
+	glfwSetMouseButtonCallback(handle,
+	                           [](GLFWwindow* of, int button, int action, int modifiers)
+	                           {
+		                           ImGui_ImplGlfw_MouseButtonCallback(of, button, action, modifiers);
+		                           if (const auto& tell = windowOf(of).events_.button)
+			                           tell(button, action == GLFW_PRESS, modifiers);
+	                           });
+	glfwSetScrollCallback(handle,
+	                      [](GLFWwindow* of, double across, double along)
+	                      {
+		                      ImGui_ImplGlfw_ScrollCallback(of, across, along);
+		                      if (const auto& tell = windowOf(of).events_.wheel)
+			                      tell(along, windowOf(of).modifiers_);
+	                      });
+	glfwSetKeyCallback(handle,
+	                   [](GLFWwindow* of, int key, int scancode, int action, int modifiers)
+	                   {
+		                   ImGui_ImplGlfw_KeyCallback(of, key, scancode, action, modifiers);
+		                   windowOf(of).modifiers_ = modifiers;
+		                   if (const auto& tell = windowOf(of).events_.key)
+			                   tell(key, action != GLFW_RELEASE, modifiers);
+	                   });
+	glfwSetCharCallback(handle, ImGui_ImplGlfw_CharCallback);
+	glfwSetCursorEnterCallback(handle, ImGui_ImplGlfw_CursorEnterCallback);
+	glfwSetWindowFocusCallback(handle, ImGui_ImplGlfw_WindowFocusCallback);
+	glfwSetDropCallback(handle,
+	                    [](GLFWwindow* of, int count, const char** names) {
+		                    windowOf(of).drop({names, names + count});
+	                    });
+	return window;
+}
+
+Window::~Window()
+{
+	glfwDestroyWindow(window_);
+	glfwTerminate();
+}
+
+std::vector<const char*> Window::instanceExtensions()
+{
+	std::uint32_t count = 0;
+	const char** names = glfwGetRequiredInstanceExtensions(&count);
+	return names ? std::vector<const char*>(names, names + count) : std::vector<const char*>();
+}
+
+Result<VkSurfaceKHR> Window::makeSurface(VkInstance instance) const
+{
+	VkSurfaceKHR surface = VK_NULL_HANDLE;
+	if (glfwCreateWindowSurface(instance, window_, nullptr, &surface) != VK_SUCCESS)
+		return Error{
+		    ExitCode::no_device,
+		    fmt::format("the device cannot draw into a window ({}); draw with vprobe render", lastComplaint())};
+	return surface;
+}
+
+void Window::drop(std::vector<std::string> files) const
+{
+	if (events_.drop)
+		events_.drop(std::move(files));
+}
+
+void Window::hear(double seconds)
+{
+	if (seconds > 0.0)
+		glfwWaitEventsTimeout(seconds);
+	else
+		glfwPollEvents();
+}
+
+void Window::wake()
+{
+	glfwPostEmptyEvent();
+}
+
+VkExtent2D Window::pixels() const
+{
+	int width = 0;
+	int height = 0;
+	glfwGetFramebufferSize(window_, &width, &height);
+	return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+}
+
+double Window::scale() const
+{
+	float across = 1.0f;
+	float along = 1.0f;
+	glfwGetWindowContentScale(window_, &across, &along);
+	return across;
+}
+
+double Window::refreshRate() const
+{
+	GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+	const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+	return mode && mode->refreshRate > 0 ? mode->refreshRate : 60.0;
+}
+
+bool Window::minimised() const
+{
+	return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
+}
+
+bool Window::closes() const
+{
+	return glfwWindowShouldClose(window_) != 0;
+}
+
+void Window::stayOpen()
+{
+	glfwSetWindowShouldClose(window_, GLFW_FALSE);
+}
+
+void Window::setTitle(const std::string& title)
+{
+	glfwSetWindowTitle(window_, title.c_str());
+}
+
+bool Window::fullScreen() const
+{
+	return glfwGetWindowMonitor(window_) != nullptr;
+}
+
+void Window::setFullScreen(bool full)
+{
+	if (full == fullScreen())
+		return;
+	if (!full)
+		return glfwSetWindowMonitor(window_, nullptr, place_[0], place_[1], place_[2], place_[3], 0);
+	GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+	const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+	if (!mode)
+		return;
+	glfwGetWindowPos(window_, &place_[0], &place_[1]);
+	glfwGetWindowSize(window_, &place_[2], &place_[3]);
+	glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+} // namespace vp::app
