@@ -63,7 +63,7 @@ struct CameraChoice
 	Kind kind = Kind::automatic;
 	Vec3 direction{0.0};
 	Vec3 up{0.0};
-	Camera camera;
+	Camera camera; // of one that is fitted, the field of view
 
 	bool followsSheet() const { return kind == Kind::sheet; }
 };

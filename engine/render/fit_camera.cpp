@@ -184,6 +184,7 @@ Camera makeCamera(const CameraChoice& choice, const probe::Sheet* sheet, std::sp
 	const double size = bounds.diagonal() > 0.0 ? bounds.diagonal() : 1.0;
 
 	Camera camera;
+	camera.vertical_field = choice.camera.vertical_field;
 	camera.focal_point = centre;
 	camera.position = centre + size * glm::normalize(view.direction);
 	camera.up = view.up;

@@ -1,0 +1,237 @@
+#include "interact/bindings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace vp::interact
+{
+
+namespace
+{
+
+constexpr Chord plain(char32_t c)
+{
+	return {key(c), false, false, false};
+}
+
+constexpr Chord plain(Key k)
+{
+	return {k, false, false, false};
+}
+
+constexpr Chord shift(char32_t c)
+{
+	return {key(c), false, true, false};
+}
+
+constexpr Chord shift(Key k)
+{
+	return {k, false, true, false};
+}
+
+constexpr Chord ctrl(char32_t c)
+{
+	return {key(c), true, false, false};
+}
+
+constexpr Chord ctrl(Key k)
+{
+	return {k, true, false, false};
+}
+
+constexpr Chord ctrlShift(char32_t c)
+{
+	return {key(c), true, true, false};
+}
+
+constexpr std::string_view kFile = "File";
+constexpr std::string_view kFilm = "Film";
+constexpr std::string_view kProbe = "Probe";
+constexpr std::string_view kSheet = "Sheets";
+constexpr std::string_view kView = "Camera";
+constexpr std::string_view kLook = "Look";
+constexpr std::string_view kWindow = "Window";
+
+using enum Action;
+
+constexpr auto kBindings = std::to_array<Binding>({
+    {open, ctrl('o'), kFile, "Open files"},
+    {save_state, ctrl('s'), kFile, "Save the state"},
+    {save_state_as, ctrlShift('s'), kFile, "Save the state under another name"},
+    {save_picture, ctrl('p'), kFile, "Save the picture"},
+    {save_film, ctrl('m'), kFile, "Save the film"},
+    {save_slice, ctrl('e'), kFile, "Export the slice"},
+    {copy_picture, ctrlShift('c'), kFile, "Copy the picture"},
+    {undo, ctrl('z'), kFile, "Undo"},
+    {redo, ctrlShift('z'), kFile, "Redo"},
+    {redo, ctrl('y'), kFile, "Redo"},
+    {quit, ctrl('q'), kFile, "Quit"},
+    {cancel, plain(Key::escape), kFile, "Cancel what is under way"},
+
+    {play, plain(Key::space), kFilm, "Play or pause the sweep"},
+    {faster, plain(']'), kFilm, "Play faster"},
+    {slower, plain('['), kFilm, "Play slower"},
+    {there_and_back, plain('b'), kFilm, "Play there and back"},
+    {loop, shift('l'), kFilm, "Play in a loop"},
+    {record, ctrl('r'), kFilm, "Record the pose as a key of the path"},
+    {next_frame, ctrl(Key::right), kFilm, "Next frame"},
+    {previous_frame, ctrl(Key::left), kFilm, "Previous frame"},
+    {first_frame, ctrl(Key::home), kFilm, "First frame"},
+    {last_frame, ctrl(Key::end), kFilm, "Last frame"},
+    {next_time, plain(Key::page_down), kFilm, "Next time step"},
+    {previous_time, plain(Key::page_up), kFilm, "Previous time step"},
+
+    {push_forward, plain('.'), kProbe, "Push forward along the normal"},
+    {push_back, plain(','), kProbe, "Push back along the normal"},
+    {push_forward_fine, shift('.'), kProbe, "Push forward by a tenth of a step"},
+    {push_back_fine, shift(','), kProbe, "Push back by a tenth of a step"},
+    {turn_x_plus, plain(Key::down), kProbe, "Turn about the x axis"},
+    {turn_x_minus, plain(Key::up), kProbe, "Turn about the x axis, the other way"},
+    {turn_up_plus, plain(Key::right), kProbe, "Turn about the up axis"},
+    {turn_up_minus, plain(Key::left), kProbe, "Turn about the up axis, the other way"},
+    {turn_normal_plus, shift(Key::left), kProbe, "Turn about the normal"},
+    {turn_normal_minus, shift(Key::right), kProbe, "Turn about the normal, the other way"},
+    {window_bigger, plain('='), kProbe, "Make the window bigger"},
+    {window_bigger, plain('+'), kProbe, "Make the window bigger"},
+    {window_smaller, plain('-'), kProbe, "Make the window smaller"},
+    {normal_x, plain('x'), kProbe, "Turn the normal to x"},
+    {normal_y, plain('y'), kProbe, "Turn the normal to y"},
+    {normal_z, plain('z'), kProbe, "Turn the normal to z"},
+    {normal_to_camera, plain('n'), kProbe, "Turn the normal to the camera"},
+    {snap_normal, shift('n'), kProbe, "Turn the normal to the nearest axis"},
+    {reset_place, plain(Key::home), kProbe, "Put the probe back to the middle"},
+
+    {next_sheet, plain(Key::tab), kSheet, "Choose the next sheet"},
+    {previous_sheet, shift(Key::tab), kSheet, "Choose the sheet before"},
+    {hide_sheet, plain('h'), kSheet, "Hide or show the sheet"},
+    {show_all_sheets, shift('h'), kSheet, "Show all sheets"},
+    {add_sheet, plain(Key::insert), kSheet, "Add a sheet"},
+    {remove_sheet, plain(Key::remove), kSheet, "Remove the sheet"},
+    {sheet_alone, plain('o'), kSheet, "Move the sheet alone, or the whole probe"},
+    {preset_single, ctrl('1'), kSheet, "Probe of one sheet"},
+    {preset_trihedral, ctrl('2'), kSheet, "Probe of three sheets at right angles"},
+    {preset_paddlewheel, ctrl('3'), kSheet, "Probe of vanes about an axis"},
+    {preset_stack, ctrl('4'), kSheet, "Probe of parallel sheets"},
+    {magnifier, plain('m'), kSheet, "Magnifier: wheel and drag within the sheet"},
+    {reset_magnifier, shift('m'), kSheet, "Take the magnifier away"},
+
+    {reset_camera, plain('r'), kView, "Fit the scene into the picture"},
+    {face_sheet, plain('f'), kView, "Face the sheet"},
+    {view_x, plain('1'), kView, "View from x"},
+    {view_minus_x, plain('2'), kView, "View from -x"},
+    {view_y, plain('3'), kView, "View from y"},
+    {view_minus_y, plain('4'), kView, "View from -y"},
+    {view_z, plain('5'), kView, "View from z"},
+    {view_minus_z, plain('6'), kView, "View from -z"},
+    {view_iso, plain('7'), kView, "View from x, y and z alike"},
+
+    {next_array, plain('a'), kLook, "Show the next array"},
+    {previous_array, shift('a'), kLook, "Show the array before"},
+    {range_of_slice, plain('c'), kLook, "Fit the colours to the slice"},
+    {lines, plain('l'), kLook, "Contour lines"},
+    {bands, shift('b'), kLook, "Colours in bands"},
+    {mesh, plain('e'), kLook, "Edges of the cells"},
+    {outline, shift('o'), kLook, "Outline of the grid"},
+    {legend, plain('k'), kLook, "Legend"},
+    {axes, shift('k'), kLook, "Axes"},
+    {dark_theme, plain('d'), kLook, "Dark or light theme"},
+
+    {handles, plain('g'), kWindow, "Handles of the probe"},
+    {plane_pane, plain('p'), kWindow, "The sheet in a pane of its own, flat"},
+    {panels, plain(Key::f9), kWindow, "Panels"},
+    {profile_overlay, plain(Key::f2), kWindow, "What a frame's time is spent on"},
+    {full_screen, plain(Key::f11), kWindow, "Full screen"},
+    {help, plain('?'), kWindow, "This list"},
+    {help, plain(Key::f1), kWindow, "This list"},
+});
+
+constexpr std::array<std::string_view, 14> kKeyNames{"Escape", "Enter",    "Tab",   "Backspace", "Insert",
+                                                     "Delete", "Left",     "Right", "Up",        "Down",
+                                                     "PageUp", "PageDown", "Home",  "End"};
+
+std::string nameOf(Key key)
+{
+	const auto code = static_cast<char32_t>(key);
+	if (key == Key::space)
+		return "Space";
+	if (key >= Key::f1)
+		return fmt::format("F{}", code - static_cast<char32_t>(Key::f1) + 1);
+	if (key >= Key::escape)
+		return std::string(kKeyNames[code - static_cast<char32_t>(Key::escape)]);
+	const char letter = static_cast<char>(code);
+	return std::string(1, letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter);
+}
+
+bool isSign(Key key)
+{
+	const auto code = static_cast<char32_t>(key);
+	const bool letter = code >= U'a' && code <= U'z';
+	const bool digit = code >= U'0' && code <= U'9';
+	return code > U' ' && key < Key::beyond_unicode && !letter && !digit;
+}
+
+const Binding* bindingOf(const Chord& chord)
+{
+	const auto found = std::ranges::find(kBindings, chord, &Binding::chord);
+	return found == kBindings.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+std::span<const Binding> bindings()
+{
+	return kBindings;
+}
+
+std::optional<Action> actionOf(const Chord& chord)
+{
+	const Binding* binding = bindingOf(chord);
+	// A sign typed with Shift where the table has it without, as ? is on most keyboards.
+	if (!binding && chord.shift && isSign(chord.key))
+		binding = bindingOf({chord.key, chord.ctrl, false, chord.alt});
+	return binding ? std::optional(binding->action) : std::nullopt;
+}
+
+std::string nameOf(const Chord& chord)
+{
+	return fmt::format("{}{}{}{}", chord.ctrl ? "Ctrl+" : "", chord.alt ? "Alt+" : "", chord.shift ? "Shift+" : "",
+	                   nameOf(chord.key));
+}
+
+std::string keysOf(Action action)
+{
+	std::string keys;
+	for (const Binding& binding : kBindings)
+		if (binding.action == action)
+			keys += (keys.empty() ? "" : ", ") + nameOf(binding.chord);
+	return keys;
+}
+
+std::string_view wordsOf(Action action)
+{
+	return std::ranges::find(kBindings, action, &Binding::action)->words;
+}
+
+std::string bindingsText()
+{
+	std::size_t width = 0;
+	for (const Binding& binding : kBindings)
+		width = std::max(width, keysOf(binding.action).size());
+	std::string text;
+	const Binding* last = nullptr;
+	for (const Binding& binding : kBindings)
+	{
+		if (last && last->action == binding.action)
+			continue;
+		if (!last || last->group != binding.group)
+			fmt::format_to(std::back_inserter(text), "{}{}\n", last ? "\n" : "", binding.group);
+		fmt::format_to(std::back_inserter(text), "  {:<{}}  {}\n", keysOf(binding.action), width, binding.words);
+		last = &binding;
+	}
+	return text;
+}
+
+} // namespace vp::interact

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "interact/placing.h"
+#include "interact/view.h"
+#include "interact/window_size.h"
+
+#include <cstddef>
+
+namespace vp::interact
+{
+
+// What wheel and keys do to a probe, step by step; turns and places are in placing.h.
+
+// Along a sheet's normal, `steps` round steps (roundStep) of the bounds forward; negative ones go back. fine: a tenth.
+// own: the sheet alone, else the whole probe.
+probe::Probe pushed(const probe::Probe& probe, std::size_t sheet, double steps, const Box& bounds, bool fine = false,
+                    bool own = false);
+
+// A sheet's window, and those equal to it but for `own`, `factor` times as large about its centre, or about a point in
+// the sheet's coordinates. Unchanged where the sheet has none.
+probe::Probe withWindowScaled(const probe::Probe& probe, std::size_t sheet, double factor, const Box& bounds,
+                              bool own = false);
+probe::Probe withWindowScaled(const probe::Probe& probe, std::size_t sheet, double factor, const glm::dvec2& about,
+                              const Box& bounds, bool own = false);
+
+// The magnifier: what a sheet shows is magnified `factor` times more, and what is shown at `uv` (in the sheet's
+// coordinates as drawn, see SheetHit) stays there. The magnification stays within kLeastMagnification and
+// kMostMagnification, or what it was.
+probe::Probe magnified(const probe::Probe& probe, std::size_t sheet, double factor, const glm::dvec2& uv);
+constexpr double kLeastMagnification = 1e-3;
+constexpr double kMostMagnification = 1e6;
+
+// What is shown at `from` comes to be shown at `to`.
+probe::Probe magnifierPanned(const probe::Probe& probe, std::size_t sheet, const glm::dvec2& from,
+                             const glm::dvec2& to);
+
+// Without fx: what is shown is what is there.
+probe::Probe withoutMagnifier(const probe::Probe& probe, std::size_t sheet);
+
+// A part turned to face the eye, by the least angle.
+probe::Probe withNormalToCamera(const probe::Probe& probe, const Part& part, const render::Camera& camera);
+
+} // namespace vp::interact

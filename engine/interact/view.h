@@ -1,0 +1,46 @@
+#pragma once
+
+#include "base/vec.h"
+#include "render/camera.h"
+
+#include <array>
+#include <optional>
+
+namespace vp::interact
+{
+
+// What a user sees: pixels are counted from the frame's top left, y down, pixel centres at halves. Where the frame is
+// only a part of a window, its place there is the caller's to take off.
+struct View
+{
+	render::Camera camera;
+	render::Frame frame;
+};
+
+// What lies under a pixel: from the eye on, `along` is 1 long along the camera's forward().
+struct Ray
+{
+	Vec3 from;
+	Vec3 along;
+
+	Vec3 at(double depth) const { return from + depth * along; }
+};
+
+Ray rayOf(const View& view, const glm::dvec2& pixel);
+
+// Along the camera's forward(); negative behind the eye.
+double depthOf(const View& view, const Vec3& point);
+
+// Where a point is seen; none of one that is nearer than the near plane.
+std::optional<glm::dvec2> pixelOf(const View& view, const Vec3& point);
+
+// How long a length of 1 across the line of sight is seen at a depth > 0.
+double pixelsPerLength(const View& view, double depth);
+
+// The part of a segment beyond the near plane, in pixels.
+std::optional<std::array<glm::dvec2, 2>> seenSegment(const View& view, const Vec3& a, const Vec3& b);
+
+// The depth at which a ray meets the plane through a point; none where it does not in front of the eye.
+std::optional<double> depthOnPlane(const Ray& ray, const Vec3& through, const Vec3& normal);
+
+} // namespace vp::interact
