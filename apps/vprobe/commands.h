@@ -18,6 +18,7 @@ void addSlice(CLI::App& program, Run& run);
 void addRender(CLI::App& program, Run& run);
 void addSweep(CLI::App& program, Run& run);
 void addProfile(CLI::App& program, Run& run);
+void addView(CLI::App& program, Run& run);
 void addCheck(CLI::App& program, Run& run);
 
 } // namespace vp::app

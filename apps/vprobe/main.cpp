@@ -66,6 +66,7 @@ int main(int argc, char** argv)
 	vp::app::addRender(program, run);
 	vp::app::addSweep(program, run);
 	vp::app::addProfile(program, run);
+	vp::app::addView(program, run);
 	vp::app::addCheck(program, run);
 
 	// CLI11 would say that a command is missing, not that this one is none.

@@ -45,6 +45,9 @@ public:
 		return true;
 	}
 
+	// Another state in place of this one, without a step: for what follows from it, and is no doing of the user's.
+	void amend(State state) { now_ = std::move(state); }
+
 	// The next commit is a step of its own, whatever its key.
 	void endMerge()
 	{

@@ -75,14 +75,11 @@ void Artist::ask(Wish wish)
 	changed_.notify_all();
 }
 
-void Artist::take(std::unique_ptr<Session> session, Wish wish)
+void Artist::replaceSession(std::unique_ptr<Session> session)
 {
-	{
-		const std::lock_guard lock(mutex_);
-		next_session_ = std::move(session);
-		wish_ = std::move(wish);
-	}
-	changed_.notify_all();
+	const std::lock_guard lock(mutex_);
+	next_session_ = std::move(session);
+	wish_.reset();
 }
 
 std::shared_ptr<const Shown> Artist::shown() const

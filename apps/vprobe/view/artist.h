@@ -57,8 +57,8 @@ public:
 	Artist& operator=(const Artist&) = delete;
 
 	void ask(Wish wish); // takes the place of what waits
-	// From now on this one is cut, as the wish says.
-	void take(std::unique_ptr<Session> session, Wish wish);
+	// The next wish is for this one; what waits was for the session before.
+	void replaceSession(std::unique_ptr<Session> session);
 
 	std::shared_ptr<const Shown> shown() const; // null before the first picture
 	std::optional<Error> takeError();           // why the last wish is not shown

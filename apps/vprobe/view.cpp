@@ -1,0 +1,64 @@
+#include "commands.h"
+#include "interact/bindings.h"
+#include "saved_options.h"
+#include "stats_json.h"
+#include "view/viewer.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace vp::app
+{
+
+namespace
+{
+
+struct ViewOptions
+{
+	SavedOptions saved;
+	std::string stats;
+	bool list_bindings = false;
+};
+
+Result<ExitCode> runView(ViewOptions& options)
+{
+	if (options.list_bindings)
+	{
+		fmt::print("{}", interact::bindingsText());
+		return ExitCode::done;
+	}
+	if (options.saved.state_error)
+		return *options.saved.state_error;
+	if (!options.saved.probe.inputs.empty())
+		if (Status ready = prepare(options.saved); !ready)
+			return ready.error();
+	if (Status place = tryPlace(options.stats); !place)
+		return place.error();
+	// What can be wrong on the command line is told before a window opens.
+	if (Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs); !look)
+		return look.error();
+	return runViewer({{options.saved.probe, options.saved.look, options.saved.path}, options.stats});
+}
+
+} // namespace
+
+void addView(CLI::App& program, Run& run)
+{
+	auto options = std::make_shared<ViewOptions>();
+	// The window's own threads cut; what the CPU finds without a traversal is what follows the hand.
+	options->saved.probe.classify = "auto";
+	CLI::App* command = program.add_subcommand("view", "Drag a probe through an input, in a window");
+	addInputs(*command, options->saved.probe)->required(false);
+	addProbeOptions(*command, options->saved.probe);
+	addLookOptions(*command, options->saved.look);
+	addStateOptions(*command, options->saved);
+	command->add_flag("--list-bindings", options->list_bindings, "Prints what the keys do, and opens no window");
+	command
+	    ->add_option("--stats", options->stats,
+	                 "When the window closes: how fast it was, as JSON (frames, cuts, from input to picture)")
+	    ->type_name("FILE|-");
+	command->callback([&run, options] { run = [options] { return runView(*options); }; });
+}
+
+} // namespace vp::app

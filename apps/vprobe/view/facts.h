@@ -1,0 +1,40 @@
+#pragma once
+
+#include "session.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vp::app
+{
+
+// What a window tells of the data that it shows. A copy: the session itself belongs to the thread that cuts.
+struct Facts
+{
+	struct Array
+	{
+		std::string word; // as --array takes it: point:NAME, cell:NAME
+		std::string name;
+		grid::Association association = grid::Association::point;
+		int components = 1;
+	};
+
+	std::vector<std::string> inputs;
+	std::string kind; // of the grid, as info tells it
+	std::size_t cells = 0;
+	std::size_t points = 0;
+	std::size_t blocks = 0;
+	Box bounds;
+	std::vector<Vec3> extent; // close around the data: what a camera is to hold
+	std::vector<Array> arrays;
+	std::vector<double> times; // ascending; empty where the input knows none
+	std::vector<std::string> patches;
+	std::string device;
+	std::string classifier;  // gpu or cpu
+	bool structured = false; // has subscripts i, j, k
+};
+
+Facts factsOf(const Session& session, const std::vector<std::string>& inputs);
+
+} // namespace vp::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "view/hand.h"
+#include "view/meter.h"
+#include "view/theme.h"
+#include "view/workbench.h"
+
+namespace vp::app
+{
+
+// What panels are drawn from.
+struct Desk
+{
+	Workbench& bench;
+	Hand& hand;
+	const Meter& meter;
+	double scale; // of the screen
+};
+
+// Each draws one part of the user interface, with ImGui, from the bench's state and into it.
+
+ScenePart showPanels(Desk& desk); // all of them; what they leave is the scene's
+void showMenu(Desk& desk);
+void showSidePanel(Desk& desk, const ScenePart& room);
+void showStatusLine(Desk& desk, const ScenePart& room);
+void showScene(Desk& desk, const ScenePart& part); // handles, what is under the pointer
+void showNotices(Desk& desk, const ScenePart& part);
+void showProfile(Desk& desk, const ScenePart& part);
+void showHelp(Desk& desk);
+void showQuestions(Desk& desk);
+
+} // namespace vp::app

@@ -1,0 +1,60 @@
+#include "view/panels.h"
+
+namespace vp::app
+{
+
+namespace
+{
+
+ImVec2 onScreen(const glm::dvec2& pixel, const ScenePart& part)
+{
+	return {static_cast<float>(part.lo.x + pixel.x), static_cast<float>(part.lo.y + pixel.y)};
+}
+
+ImU32 faded(ImU32 colour, double alpha)
+{
+	const auto a = static_cast<ImU32>(alpha * ((colour >> IM_COL32_A_SHIFT) & 0xff));
+	return (colour & ~IM_COL32_A_MASK) | (a << IM_COL32_A_SHIFT);
+}
+
+ImU32 colourOf(const interact::HandleShape& shape, const Hand& hand, const Theme& colours)
+{
+	if (hand.handle() == shape.handle)
+		return colours.held;
+	switch (shape.handle.kind)
+	{
+	case interact::HandleKind::move:
+	case interact::HandleKind::turn:
+		return faded(colours.handle[shape.handle.axis], shape.alpha);
+	default:
+		return faded(colours.window_rim, shape.alpha);
+	}
+}
+
+void drawShape(const interact::HandleShape& shape, const interact::View& view, ImU32 colour, float width,
+               const ScenePart& part)
+{
+	ImDrawList& list = *ImGui::GetBackgroundDrawList();
+	for (const auto& line : shape.lines)
+		for (std::size_t i = 0; i + 1 < line.size(); ++i)
+			if (const auto seen = interact::seenSegment(view, line[i], line[i + 1]))
+				list.AddLine(onScreen((*seen)[0], part), onScreen((*seen)[1], part), colour, width);
+}
+
+} // namespace
+
+void showScene(Desk& desk, const ScenePart& part)
+{
+	const auto view = desk.bench.view();
+	if (!view)
+		return;
+	const Theme& colours = theme(desk.bench.parts.dark);
+	ImDrawList& list = *ImGui::GetBackgroundDrawList();
+	list.PushClipRect(onScreen({0.0, 0.0}, part), onScreen(part.size, part));
+	for (const interact::HandleShape& shape : desk.hand.shapes())
+		drawShape(shape, *view, colourOf(shape, desk.hand, colours),
+		          static_cast<float>(desk.scale * (desk.hand.handle() == shape.handle ? 3.0 : 2.0)), part);
+	list.PopClipRect();
+}
+
+} // namespace vp::app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <imgui/imgui.h>
+
+namespace vp::app
+{
+
+// The look of the user interface: one calm theme, dark and light.
+
+// Colours beside ImGui's own.
+struct Theme
+{
+	ImU32 handle[3]; // x, up, normal
+	ImU32 window_rim;
+	ImU32 held; // under the pointer, or in the hand
+	ImU32 note;
+	ImU32 error;
+	ImU32 graph[3];
+};
+
+const Theme& theme(bool dark);
+
+// Sets ImGui's style, and its font in pixels that suit the screen's scale. The fonts are to be taken by the screen
+// after a change of scale.
+void applyTheme(bool dark, double scale);
+void makeFonts(double scale);
+
+} // namespace vp::app

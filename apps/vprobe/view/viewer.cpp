@@ -1,0 +1,256 @@
+#include "view/viewer.h"
+
+#include "stats_json.h"
+#include "view/gpu_screen.h"
+#include "view/gpu_window.h"
+#include "view/key_codes.h"
+#include "view/panels.h"
+
+#include <imgui/backends/imgui_impl_glfw.h>
+#include <imgui/backends/imgui_impl_vulkan.h>
+
+#include <chrono>
+
+namespace vp::app
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+// A software device draws the window on the cores that cut: more frames than the eye needs would cost cuts.
+constexpr double kSoftwareFrameRate = 40.0;
+// Nothing moves: the window is drawn now and then for what tells the time.
+constexpr double kIdleSeconds = 0.25;
+constexpr std::chrono::milliseconds kStaysAwake{500};
+
+struct InterfaceContext
+{
+	InterfaceContext()
+	{
+		IMGUI_CHECKVERSION();
+		ImGui::CreateContext();
+		ImGui::GetIO().IniFilename = nullptr; // the places of panels are fixed
+		ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+	}
+	~InterfaceContext() { ImGui::DestroyContext(); }
+	InterfaceContext(const InterfaceContext&) = delete;
+	InterfaceContext& operator=(const InterfaceContext&) = delete;
+};
+
+struct WindowBackend
+{
+	explicit WindowBackend(const Window& window) { ImGui_ImplGlfw_InitForVulkan(window.handle(), false); }
+	~WindowBackend() { ImGui_ImplGlfw_Shutdown(); }
+	WindowBackend(const WindowBackend&) = delete;
+	WindowBackend& operator=(const WindowBackend&) = delete;
+};
+
+class Viewer
+{
+public:
+	Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewState& state);
+
+	Result<ExitCode> run();
+	const Meter& meter() const { return meter_; }
+
+private:
+	void listen();
+	void onKey(int key, bool down, int modifiers);
+	void heard(); // input came
+	Status showFrame();
+	Status followScale();
+	double secondsToNextFrame() const;
+	bool isAwake() const;
+
+	Window& window_;
+	Screen& screen_;
+	Workbench bench_;
+	Hand hand_{bench_};
+	Meter meter_;
+	double frame_seconds_;
+	double scale_;
+	bool dark_;
+	ScenePart scene_;
+	Moment last_frame_ = Clock::now();
+	Moment last_event_ = Clock::now();
+	std::shared_ptr<const Shown> drawn_;
+};
+
+Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewState& state)
+    : window_(window), screen_(screen), bench_(state, device, Window::wake),
+      frame_seconds_(1.0 / (device->isSoftware() ? kSoftwareFrameRate : window.refreshRate())), scale_(window.scale()),
+      dark_(bench_.parts.dark)
+{
+	applyTheme(dark_, scale_);
+	listen();
+}
+
+void Viewer::heard()
+{
+	last_event_ = Clock::now();
+	bench_.noteInput(last_event_);
+}
+
+void Viewer::listen()
+{
+	WindowEvents events;
+	events.cursor = [this](double x, double y)
+	{
+		heard();
+		hand_.moveTo({x, y});
+	};
+	events.button = [this](int button, bool down, int)
+	{
+		heard();
+		const std::optional<Button> known = buttonOf(button);
+		if (known && down)
+			hand_.press(*known, !ImGui::GetIO().WantCaptureMouse);
+		else if (known)
+			hand_.release(*known);
+	};
+	events.wheel = [this](double amount, int)
+	{
+		heard();
+		hand_.wheel(amount, !ImGui::GetIO().WantCaptureMouse);
+	};
+	events.key = [this](int key, bool down, int modifiers)
+	{
+		heard();
+		onKey(key, down, modifiers);
+	};
+	events.drop = [this](std::vector<std::string> files)
+	{
+		heard();
+		bench_.open(std::move(files));
+	};
+	window_.listen(std::move(events));
+}
+
+void Viewer::onKey(int key, bool down, int modifiers)
+{
+	hand_.setKeys(modifiersOf(key, down, modifiers));
+	if (!down || ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup))
+		return;
+	if (const auto chord = chordOf(key, modifiers))
+		if (const auto action = interact::actionOf(*chord))
+			bench_.perform(*action);
+}
+
+bool Viewer::isAwake() const
+{
+	return !bench_.isIdle() || Clock::now() - last_event_ < kStaysAwake;
+}
+
+double Viewer::secondsToNextFrame() const
+{
+	const double since = std::chrono::duration<double>(Clock::now() - last_frame_).count();
+	return std::max(0.0, (isAwake() ? frame_seconds_ : kIdleSeconds) - since);
+}
+
+Status Viewer::followScale()
+{
+	if (window_.scale() != scale_)
+	{
+		scale_ = window_.scale();
+		applyTheme(bench_.parts.dark, scale_);
+		makeFonts(scale_);
+		if (Status taken = screen_.takeFonts(); !taken)
+			return taken;
+	}
+	if (dark_ != bench_.parts.dark)
+		applyTheme(dark_ = bench_.parts.dark, scale_);
+	window_.setFullScreen(bench_.parts.full_screen);
+	return Nothing{};
+}
+
+Status Viewer::showFrame()
+{
+	if (Status followed = followScale(); !followed)
+		return followed;
+	ImGui_ImplVulkan_NewFrame();
+	ImGui_ImplGlfw_NewFrame();
+	ImGui::NewFrame();
+	Desk desk{bench_, hand_, meter_, scale_};
+	scene_ = showPanels(desk);
+	hand_.place(scene_, scale_);
+	ImGui::Render();
+
+	const std::shared_ptr<const Shown> shown = bench_.shown();
+	std::vector<Placement> pictures;
+	if (shown)
+		pictures.push_back({shown->image, glm::ivec2(scene_.lo), glm::ivec2(scene_.size)});
+	const bool was_awake = isAwake();
+	Result<bool> presented = screen_.show(pictures, *ImGui::GetDrawData(), window_.pixels());
+	if (!presented)
+		return presented.error();
+	last_frame_ = Clock::now();
+	if (!*presented)
+		return Nothing{};
+	meter_.frame(last_frame_, was_awake);
+	meter_.picture(shown, last_frame_);
+	return Nothing{};
+}
+
+Result<ExitCode> Viewer::run()
+{
+	while (!window_.closes() && !bench_.wantsToQuit())
+	{
+		window_.hear(secondsToNextFrame());
+		// What was heard goes to the artist at once; the window's next frame need not be waited for.
+		bench_.update({static_cast<std::uint32_t>(scene_.size.x), static_cast<std::uint32_t>(scene_.size.y)});
+		if (window_.minimised() || window_.pixels().width == 0)
+		{
+			last_frame_ = Clock::now();
+			continue;
+		}
+		const bool new_picture = bench_.shown() != drawn_;
+		if (secondsToNextFrame() > 0.0 && !new_picture)
+			continue;
+		drawn_ = bench_.shown();
+		if (Status shown = showFrame(); !shown)
+			return shown.error();
+	}
+	return ExitCode::done;
+}
+
+} // namespace
+
+Result<ExitCode> runViewer(const ViewerOptions& options)
+{
+	const auto size = render::parseSize(options.state.look.size);
+	if (!size)
+		return size.error();
+	Result<std::unique_ptr<Window>> window =
+	    Window::create("Volume Probes", static_cast<int>(size->first), static_cast<int>(size->second));
+	if (!window)
+		return window.error();
+	Result<std::unique_ptr<gpu::Device>> made =
+	    gpu::Device::create({.name_or_index = options.state.probe.device,
+	                         .validation = {},
+	                         .instance_extensions = Window::instanceExtensions(),
+	                         .swapchain = true});
+	if (!made)
+		return made.error();
+	const std::shared_ptr<gpu::Device> device = std::move(*made);
+	Result<VkSurfaceKHR> surface = (*window)->makeSurface(device->instance());
+	if (!surface)
+		return surface.error();
+	const InterfaceContext context;
+	const WindowBackend backend(**window);
+	makeFonts((*window)->scale());
+	Result<std::unique_ptr<Screen>> screen = Screen::create(*device, *surface, (*window)->pixels());
+	if (!screen)
+		return screen.error();
+	Viewer viewer(**window, **screen, device, options.state);
+	Result<ExitCode> ended = viewer.run();
+	if (!ended)
+		return ended;
+	nlohmann::json figures = viewer.meter().json();
+	figures["device"] = device->name();
+	figures["validation_messages"] = device->validationMessages();
+	return writeStats(options.stats, {}, figures.dump(2) + "\n");
+}
+
+} // namespace vp::app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "base/result.h"
+#include "view/view_state.h"
+
+#include <string>
+
+namespace vp::app
+{
+
+struct ViewerOptions
+{
+	ViewState state;
+	std::string stats; // figures of how fast the window was, as JSON, when it closes; empty: none
+};
+
+// Opens the window and stays until it is closed.
+Result<ExitCode> runViewer(const ViewerOptions& options);
+
+} // namespace vp::app
