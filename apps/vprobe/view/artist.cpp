@@ -6,6 +6,7 @@
 #include "view/view_state.h"
 #include "write/slice_file.h"
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -246,6 +247,7 @@ Status Artist::show(const Wish& wish, bool smooth)
 	shown.cut_ms = *cut_ms;
 	shown.cut = cut_;
 	shown.cuts = cuts_;
+	shown.empty = std::ranges::all_of(cut_->slice.sheets, isEmpty);
 	Result<bool> drawn = draw(shown, false);
 	if (!drawn)
 		return drawn.error();

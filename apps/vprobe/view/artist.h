@@ -43,6 +43,7 @@ struct Shown
 	render::Frame frame;
 	std::optional<render::ValueScale> values;
 	bool smooth = false; // all samples are in it
+	bool empty = false;  // no sheet cuts anything
 	double cut_ms = 0.0; // 0 where the cut before was still good
 	double draw_ms = 0.0;
 	std::uint64_t cuts = 0; // made so far

@@ -219,7 +219,11 @@ Result<ExitCode> Viewer::run()
 			continue;
 		drawn_ = bench_.shown();
 		if (Status shown = showFrame(); !shown)
-			return shown.error();
+		{
+			bench_.keepState();
+			return Error{shown.error().code,
+			             shown.error().message + "; what was set is kept: the next vprobe view brings it back"};
+		}
 	}
 	return ExitCode::done;
 }

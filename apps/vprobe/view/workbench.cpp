@@ -21,7 +21,11 @@ constexpr std::chrono::seconds kErrorStays{15};
 Workbench::Workbench(ViewState state, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
                      ReadState read_state)
     : settings(readSettings()), history_(state), read_state_(std::move(read_state)), recovery_file_(recoveryFile()),
-      mail_(std::make_shared<Mail>()), wake_(wake), loader_(device, wake), artist_(device, wake)
+      mail_(std::make_shared<Mail>()), warnings_(
+                                           [mail = mail_](std::string_view words) {
+	                                           mail->leave({std::string(words), false, {}});
+                                           }),
+      wake_(wake), loader_(device, wake), artist_(device, wake)
 {
 	if (!leftRecoveryFiles().empty())
 		question = Question::recover;
@@ -35,7 +39,8 @@ Workbench::~Workbench()
 		task.wait();
 	writeSettings(settings);
 	std::error_code ignored;
-	std::filesystem::remove(recovery_file_, ignored);
+	if (!keeps_state_)
+		std::filesystem::remove(recovery_file_, ignored);
 }
 
 void Workbench::change(const std::string& label, const Edit& edit, const std::string& merge)

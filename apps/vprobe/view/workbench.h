@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/log.h"
 #include "exposure.h"
 #include "interact/bindings.h"
 #include "interact/history.h"
@@ -37,6 +38,7 @@ struct OpenParts
 	bool panels = true;
 	bool handles = true;
 	bool magnifier = false;
+	bool own = false; // the sheet that is chosen moves alone, not the whole probe
 	bool plane_pane = false;
 	bool profile = false;
 	bool help = false;
@@ -133,6 +135,8 @@ public:
 	const std::vector<Notice>& notices() const { return notices_; }
 	void notify(std::string words, bool is_error = false);
 	void notify(const Error& error) { notify(error.message, true); }
+	// What was set stays to be recovered when the bench goes: it ends by a fault.
+	void keepState();
 	bool wantsToQuit() const { return quits_; }
 	void quit() { quits_ = true; }
 
@@ -188,6 +192,7 @@ private:
 	std::string recovery_file_;
 	std::uint64_t recovery_version_ = 1; // that the recovery file holds
 	Moment recovery_time_{};
+	bool keeps_state_ = false; // when it ends
 	Watcher watcher_;
 	std::vector<std::future<Notice>> written_; // under way
 
@@ -200,6 +205,7 @@ private:
 	// What comes back from the artist's thread.
 	struct Mail;
 	std::shared_ptr<Mail> mail_;
+	WarningListener warnings_;
 
 	std::function<void()> wake_;
 	Loader loader_;

@@ -92,6 +92,8 @@ bool Workbench::performOnWindow(Action action)
 		return toggle(parts.profile);
 	case Action::full_screen:
 		return toggle(parts.full_screen);
+	case Action::sheet_alone:
+		return toggle(parts.own);
 	case Action::magnifier:
 		return toggle(parts.magnifier);
 	case Action::help:
@@ -207,10 +209,6 @@ bool Workbench::performOnSheets(Action action)
 	case Action::show_all_sheets:
 		for (probe::Sheet& each : next.sheets)
 			each.wishes.hidden = false;
-		return done();
-	case Action::sheet_alone:
-		for (probe::Sheet& each : next.sheets)
-			each.wishes.hidden = &each != &sheet;
 		return done();
 	case Action::add_sheet:
 	{

@@ -170,6 +170,11 @@ void Workbench::takeWritten()
 		notify(notice.words, notice.is_error);
 }
 
+void Workbench::keepState()
+{
+	keeps_state_ = facts_ && !recovery_file_.empty() && app::saveState(savedOptions(state(), recovery_file_));
+}
+
 // Every few seconds in which anything changed: what a crash would lose.
 void Workbench::keepForRecovery()
 {
