@@ -112,7 +112,7 @@ void Artist::work()
 	const auto woken = [this] { return wish_ || ends_; };
 	for (;;)
 	{
-		const bool coarse = shown_ && !shown_->smooth && session_;
+		const bool coarse = shown_ && (!shown_->smooth || !shown_->lookups) && session_;
 		const bool still = coarse ? !changed_.wait_for(lock, kStill, woken) : (changed_.wait(lock, woken), false);
 		if (ends_)
 			return;
@@ -158,15 +158,7 @@ void Artist::answer(const Wish& wish, bool smooth)
 Status Artist::show(const Wish& wish, bool smooth)
 {
 	if (smooth)
-	{
-		Shown shown = *this->shown();
-		Result<bool> drawn = draw(shown, true);
-		if (!drawn)
-			return drawn.error();
-		if (*drawn)
-			publish(std::move(shown));
-		return Nothing{};
-	}
+		return refine();
 	Shown shown;
 	shown.wish = wish;
 	if (Status followed = follow(wish); !followed)
@@ -183,11 +175,39 @@ Status Artist::show(const Wish& wish, bool smooth)
 			return cut;
 	shown.cut = cut_;
 	shown.cuts = cuts_;
+	shown.memory = session_->slicer->memory();
+	if (const auto before = this->shown(); before && before->cut == cut_)
+		shown.lookups = before->lookups;
 	Result<bool> drawn = draw(shown, false);
 	if (!drawn)
 		return drawn.error();
 	publish(std::move(shown));
 	return Nothing{};
+}
+
+Status Artist::refine()
+{
+	addLookups();
+	Shown shown = *this->shown();
+	if (shown.smooth || waits())
+		return Nothing{};
+	Result<bool> drawn = draw(shown, true);
+	if (!drawn)
+		return drawn.error();
+	if (*drawn)
+		publish(std::move(shown));
+	return Nothing{};
+}
+
+void Artist::addLookups()
+{
+	Shown shown = *this->shown();
+	if (shown.lookups)
+		return;
+	const bool by_generation = shown.wish.look.color_by == "generation";
+	shown.lookups = std::make_shared<const SheetLookups>(*session_, shown.cut, by_generation);
+	publish(std::move(shown));
+	wake_();
 }
 
 // Session and painter, as the wish has them. What has not changed is left as it is.

@@ -4,6 +4,7 @@
 #include "gpu/image.h"
 #include "painter.h"
 #include "saved_options.h"
+#include "view/sheet_lookups.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -39,10 +40,12 @@ struct Shown
 	render::Camera camera;
 	render::Frame frame;
 	std::optional<render::ValueScale> values;
-	bool smooth = false; // all samples are in it
-	double cut_ms = 0.0; // 0 where the cut before was still good
+	bool smooth = false;                         // all samples are in it
+	std::shared_ptr<const SheetLookups> lookups; // of the cut, once it has been still; or null
+	double cut_ms = 0.0;                         // 0 where the cut before was still good
 	double draw_ms = 0.0;
-	std::uint64_t cuts = 0; // made so far
+	std::uint64_t cuts = 0;       // made so far
+	slice::Slicer::Memory memory; // that the slicer keeps
 };
 
 // Cuts and draws on a thread of its own what was wished last. The last picture stays until the next is ready, and what
@@ -75,6 +78,8 @@ private:
 	Status followTime(const ProbeOptions& options);
 	Status cutAnew(Shown& shown);
 	Result<bool> draw(Shown& shown, bool smooth);
+	Status refine(); // what is shown, while nothing else is wished
+	void addLookups();
 	Result<std::shared_ptr<gpu::Image>> takeImage(VkExtent2D extent);
 	void publish(Shown shown);
 	bool waits() const;

@@ -36,6 +36,7 @@ struct OpenParts
 	bool help = false;
 	bool dark = true;
 	bool full_screen = false;
+	bool plays_times = false;
 };
 
 // A question that waits for its answer.
@@ -79,6 +80,8 @@ public:
 	const Loader& loader() const { return loader_; }
 	void cancelLoading();
 	int timeStep() const; // the one of the input's times that the state means
+	void showTime(int step, const std::string& merge = {});
+	const Facts::Array* shownArray() const; // the state's; null without arrays
 	const std::optional<Facts>& facts() const { return facts_; }
 
 	// --- The picture.
@@ -87,6 +90,7 @@ public:
 	void noteInput(Moment when); // what follows answers it
 	const std::shared_ptr<const Shown>& shown() const { return shown_; }
 	bool isIdle() const;
+	bool isShown() const; // what is shown is of the state as it is
 
 	// --- The window.
 	OpenParts parts;
@@ -94,6 +98,7 @@ public:
 	const std::vector<Notice>& notices() const { return notices_; }
 	void notify(std::string words, bool is_error = false);
 	void notify(const Error& error) { notify(error.message, true); }
+	void dismiss(const std::string& words);
 	bool wantsToQuit() const { return quits_; }
 	void quit() { quits_ = true; }
 
