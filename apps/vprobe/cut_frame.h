@@ -12,7 +12,6 @@ struct CutFrame
 {
 	slice::Slice slice;
 	std::vector<SheetStats> sheets;
-	nlohmann::json figures{}; // of --stats, where they are wanted
 };
 
 // Figures of a slice. last: the frame before, or null; a sheet that has not moved since shows what it showed.

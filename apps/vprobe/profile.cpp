@@ -11,6 +11,7 @@
 #include "trace_option.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <memory>
 

@@ -3,6 +3,7 @@
 #include "write/atomic_file.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <unordered_set>

@@ -3,7 +3,7 @@
 #include "session.h"
 #include "slice/stats.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>

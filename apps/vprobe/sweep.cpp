@@ -7,6 +7,7 @@
 #include "trace_option.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <memory>

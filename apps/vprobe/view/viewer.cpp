@@ -9,6 +9,7 @@
 
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_vulkan.h>
+#include <nlohmann/json.hpp>
 
 #include <chrono>
 
