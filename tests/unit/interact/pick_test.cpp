@@ -124,6 +124,13 @@ TEST(Handles, CornersLieWhereTheirSidesMeet)
 	}
 }
 
+TEST(Handles, SayWhatTheyDo)
+{
+	EXPECT_EQ(interact::wordsOf({HandleKind::turn, 2}), "Turn about the normal");
+	EXPECT_EQ(interact::wordsOf({HandleKind::move, 1}), "Move along up");
+	EXPECT_EQ(interact::wordsOf({HandleKind::corner, 0, 0, 2}), "Resize the window");
+}
+
 TEST(Handles, StandAtASheetOfItsOwn)
 {
 	for (const Scene& scene : allScenes())
