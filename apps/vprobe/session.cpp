@@ -175,6 +175,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	// The device goes by generations, as the paper does, unless it is left to choose what is fastest.
 	if (options.classify == "gpu" && session->slicer->usesGpu())
 		session->finder = slice::Finder::direct;
+	session->seeds.lattice = session->slicer->usesGpu();
 	if (!options.visited.empty())
 		session->finder = slice::Finder::traversal;
 	if (options.visited == "octants")
