@@ -72,7 +72,7 @@ private:
 		if (last_ && s < last_->sheets.size() && last_->slice.sheets[s].number == slice.sheets[s].number)
 			return last_->sheets[s];
 		SheetStats stats = sheetMesh(session_, slice, s);
-		measureSheet(session_, slice, s, stats);
+		(plan_.wants_figures ? measureSheet : measureNan)(session_, slice, s, stats);
 		return stats;
 	}
 
