@@ -127,7 +127,7 @@ private:
 		if (!painter_)
 			return Nothing{};
 		for (std::size_t s = 0; s < sheets_.size(); ++s)
-			measureSheet(session_, slice_, s, sheets_[s]); // pictures tell whether values are missing
+			measureNan(session_, slice_, s, sheets_[s]); // as a picture needs it
 		const Result<render::Picture> picture = painter_->draw(slice_, sheets_);
 		return picture ? Status(Nothing{}) : picture.error();
 	}

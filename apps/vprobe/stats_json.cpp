@@ -161,6 +161,12 @@ void measureSheet(const Session& session, const slice::Slice& slice, std::size_t
 	stats.measure = slice::measure(session.blocks, stats.mesh, slice.sheets[sheet].field);
 }
 
+void measureNan(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats)
+{
+	const TimedSection section(session.timeline.get(), "measure");
+	stats.measure.nan_area = slice::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field);
+}
+
 std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice)
 {
 	std::vector<SheetStats> sheets;

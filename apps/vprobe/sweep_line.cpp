@@ -62,7 +62,7 @@ private:
 			if (!slice)
 				return slice.error();
 			made->slice = std::move(*slice);
-			made->sheets = statsSince(session_, made->slice, last_.get());
+			made->sheets = statsSince(session_, made->slice, last_.get(), plan_.wants_figures);
 		}
 		if (plan_.wants_figures)
 			made->figures = sheetsJson(session_, made->slice, made->sheets);
