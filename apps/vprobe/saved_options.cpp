@@ -117,6 +117,8 @@ Status checkAgainst(const CLI::App& command, const state::Sections& sections, co
 	return Nothing{};
 }
 
+} // namespace
+
 Status loadState(const CLI::App& command, SavedOptions& options, const std::string& file)
 {
 	const state::Sections sections = sectionsOf(options);
@@ -124,8 +126,6 @@ Status loadState(const CLI::App& command, SavedOptions& options, const std::stri
 		return loaded;
 	return checkAgainst(*command.get_parent()->get_subcommand("sweep"), sections, file);
 }
-
-} // namespace
 
 void addStateOptions(CLI::App& command, SavedOptions& options)
 {
@@ -177,9 +177,10 @@ Status prepare(SavedOptions& options)
 	return readPathFile(options.path);
 }
 
-Status saveState(SavedOptions& options)
+Status saveState(const SavedOptions& options)
 {
-	return options.save.empty() ? Nothing{} : state::save(sectionsOf(options), options.save);
+	// The places of a list are read only where it is saved.
+	return options.save.empty() ? Nothing{} : state::save(sectionsOf(const_cast<SavedOptions&>(options)), options.save);
 }
 
 } // namespace vp::app

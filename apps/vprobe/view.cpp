@@ -21,7 +21,7 @@ struct ViewOptions
 	bool list_bindings = false;
 };
 
-Result<ExitCode> runView(ViewOptions& options)
+Result<ExitCode> runView(ViewOptions& options, const CLI::App& command)
 {
 	if (options.list_bindings)
 	{
@@ -38,7 +38,17 @@ Result<ExitCode> runView(ViewOptions& options)
 	// What can be wrong on the command line is told before a window opens.
 	if (Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs); !look)
 		return look.error();
-	return runViewer({{options.saved.probe, options.saved.look, options.saved.path}, options.stats});
+	const ReadState read_state = [&command](const std::string& file) -> Result<ViewState>
+	{
+		SavedOptions saved;
+		saved.probe.classify = "auto";
+		if (Status loaded = loadState(command, saved, file); !loaded)
+			return loaded.error();
+		if (Status ready = prepare(saved); !ready)
+			return ready.error();
+		return ViewState{saved.probe, saved.look, saved.path};
+	};
+	return runViewer({{options.saved.probe, options.saved.look, options.saved.path}, read_state, options.stats});
 }
 
 } // namespace
@@ -52,13 +62,14 @@ void addView(CLI::App& program, Run& run)
 	addInputs(*command, options->saved.probe)->required(false);
 	addProbeOptions(*command, options->saved.probe);
 	addLookOptions(*command, options->saved.look);
+	addPathOptions(*command, options->saved.path);
 	addStateOptions(*command, options->saved);
 	command->add_flag("--list-bindings", options->list_bindings, "Prints what the keys do, and opens no window");
 	command
 	    ->add_option("--stats", options->stats,
 	                 "When the window closes: how fast it was, as JSON (frames, cuts, from input to picture)")
 	    ->type_name("FILE|-");
-	command->callback([&run, options] { run = [options] { return runView(*options); }; });
+	command->callback([&run, options, command] { run = [options, command] { return runView(*options, *command); }; });
 }
 
 } // namespace vp::app

@@ -17,7 +17,7 @@ constexpr std::size_t kMost = 4; // at once, the newest
 // Gives the height that it takes.
 float showNotice(Desk& desk, const Notice& notice, const ImVec2& lower_left, float width)
 {
-	const Theme& colours = theme(desk.bench.parts.dark);
+	const Theme& colours = theme(desk.bench.settings.dark);
 	ImGui::SetNextWindowPos(lower_left, ImGuiCond_Always, {0.0f, 1.0f});
 	ImGui::PushStyleColor(ImGuiCol_WindowBg, notice.is_error ? colours.error : colours.note);
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding);

@@ -1,7 +1,5 @@
 #include "view/panels.h"
 
-#include "view/sections.h"
-
 #include <algorithm>
 
 namespace vp::app
@@ -17,7 +15,6 @@ constexpr double kLineHeight = 26.0;
 
 ScenePart showPanels(Desk& desk)
 {
-	playTimes(desk);
 	showMenu(desk);
 	const ImGuiViewport& all = *ImGui::GetMainViewport();
 	ScenePart scene{{all.WorkPos.x, all.WorkPos.y}, {all.WorkSize.x, all.WorkSize.y}};
@@ -31,6 +28,7 @@ ScenePart showPanels(Desk& desk)
 		showSidePanel(desk, {{scene.lo.x + scene.size.x, scene.lo.y}, {side, scene.size.y}});
 	}
 	showScene(desk, scene);
+	showPlanePane(desk, scene);
 	showNotices(desk, scene);
 	if (desk.bench.parts.profile)
 		showProfile(desk, scene);

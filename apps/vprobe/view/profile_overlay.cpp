@@ -122,7 +122,7 @@ void showProfile(Desk& desk, const ScenePart& part)
 	ImGui::Begin("profile", nullptr,
 	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
 	                 ImGuiWindowFlags_NoFocusOnAppearing);
-	const Theme& colours = theme(desk.bench.parts.dark);
+	const Theme& colours = theme(desk.bench.settings.dark);
 	for (std::size_t i = 0; i < kRows.size(); ++i)
 		showRow(desk, kRows[i], colours.graph[i]);
 	showFacts(desk);

@@ -125,7 +125,7 @@ void showSceneSection(Desk& desk)
 	ImGui::Checkbox("Handles", &desk.bench.parts.handles);
 	tip(tipOf(Action::handles));
 	ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().ItemSpacing.x);
-	ImGui::Checkbox("Dark theme", &desk.bench.parts.dark);
+	ImGui::Checkbox("Dark theme", &desk.bench.settings.dark);
 	tip(tipOf(Action::dark_theme));
 }
 

@@ -1,6 +1,7 @@
 #include "view/viewer.h"
 
 #include "stats_json.h"
+#include "view/gpu_film_screen.h"
 #include "view/gpu_screen.h"
 #include "view/gpu_window.h"
 #include "view/key_codes.h"
@@ -50,7 +51,7 @@ struct WindowBackend
 class Viewer
 {
 public:
-	Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewState& state);
+	Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewerOptions& options);
 
 	Result<ExitCode> run();
 	const Meter& meter() const { return meter_; }
@@ -67,6 +68,7 @@ private:
 
 	Window& window_;
 	Screen& screen_;
+	gpu::Device& device_;
 	Workbench bench_;
 	Hand hand_{bench_};
 	Meter meter_;
@@ -77,12 +79,14 @@ private:
 	Moment last_frame_ = Clock::now();
 	Moment last_event_ = Clock::now();
 	std::shared_ptr<const Shown> drawn_;
+	FilmScreen film_screen_{device_};
 };
 
-Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewState& state)
-    : window_(window), screen_(screen), bench_(state, device, Window::wake),
+Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewerOptions& options)
+    : window_(window), screen_(screen), device_(*device),
+      bench_(options.state, device, Window::wake, options.read_state),
       frame_seconds_(1.0 / (device->isSoftware() ? kSoftwareFrameRate : window.refreshRate())), scale_(window.scale()),
-      dark_(bench_.parts.dark)
+      dark_(bench_.settings.dark)
 {
 	applyTheme(dark_, scale_);
 	listen();
@@ -155,13 +159,13 @@ Status Viewer::followScale()
 	if (window_.scale() != scale_)
 	{
 		scale_ = window_.scale();
-		applyTheme(bench_.parts.dark, scale_);
+		applyTheme(bench_.settings.dark, scale_);
 		makeFonts(scale_);
 		if (Status taken = screen_.takeFonts(); !taken)
 			return taken;
 	}
-	if (dark_ != bench_.parts.dark)
-		applyTheme(dark_ = bench_.parts.dark, scale_);
+	if (dark_ != bench_.settings.dark)
+		applyTheme(dark_ = bench_.settings.dark, scale_);
 	window_.setFullScreen(bench_.parts.full_screen);
 	return Nothing{};
 }
@@ -190,8 +194,18 @@ Status Viewer::showFrame()
 
 	const std::shared_ptr<const Shown> shown = bench_.shown();
 	std::vector<Placement> pictures;
-	if (shown)
-		pictures.push_back({shown->image, glm::ivec2(scene_.lo), glm::ivec2(scene_.size)});
+	const std::shared_ptr<const render::Picture> film = bench_.filmPicture();
+	Result<std::shared_ptr<const gpu::Image>> frame =
+	    film ? film_screen_.image(film) : Result<std::shared_ptr<const gpu::Image>>(shown ? shown->image : nullptr);
+	if (!frame)
+		return frame.error();
+	if (*frame)
+		pictures.push_back({*frame, glm::ivec2(scene_.lo), glm::ivec2(scene_.size)});
+	if (bench_.parts.plane_pane && shown && shown->pane && !film)
+	{
+		const ScenePart pane = paneOf(scene_, scale_);
+		pictures.push_back({shown->pane->image, glm::ivec2(pane.lo), glm::ivec2(pane.size)});
+	}
 	const bool was_awake = isAwake();
 	Result<bool> presented = screen_.show(pictures, *ImGui::GetDrawData(), window_.pixels());
 	if (!presented)
@@ -221,7 +235,11 @@ Result<ExitCode> Viewer::run()
 			continue;
 		drawn_ = bench_.shown();
 		if (Status shown = showFrame(); !shown)
-			return shown.error();
+		{
+			bench_.keepState();
+			return Error{shown.error().code,
+			             shown.error().message + "; what was set is kept: the next vprobe view brings it back"};
+		}
 	}
 	return ExitCode::done;
 }
@@ -254,7 +272,7 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 	Result<std::unique_ptr<Screen>> screen = Screen::create(*device, *surface, (*window)->pixels());
 	if (!screen)
 		return screen.error();
-	Viewer viewer(**window, **screen, device, options.state);
+	Viewer viewer(**window, **screen, device, options);
 	Result<ExitCode> ended = viewer.run();
 	if (!ended)
 		return ended;
