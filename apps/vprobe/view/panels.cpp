@@ -11,6 +11,11 @@ namespace
 constexpr double kSideWidth = 290.0;
 constexpr double kLineHeight = 26.0;
 
+ScenePart abovePane(const ScenePart& scene, double scale)
+{
+	return {scene.lo, {scene.size.x, paneOf(scene, scale).lo.y - scene.lo.y}};
+}
+
 } // namespace
 
 ScenePart showPanels(Desk& desk)
@@ -29,7 +34,7 @@ ScenePart showPanels(Desk& desk)
 	}
 	showScene(desk, scene);
 	showPlanePane(desk, scene);
-	showNotices(desk, scene);
+	showNotices(desk, desk.bench.parts.plane_pane ? abovePane(scene, desk.scale) : scene);
 	if (desk.bench.parts.profile)
 		showProfile(desk, scene);
 	if (desk.bench.parts.help)

@@ -62,8 +62,10 @@ void showPlanePane(Desk& desk, const ScenePart& part)
 	                 ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus |
 	                 ImGuiWindowFlags_NoFocusOnAppearing);
 	ImDrawList& list = *ImGui::GetWindowDrawList();
-	list.AddRect(asImVec(pane.lo), asImVec(pane.lo + pane.size), ImGui::GetColorU32(ImGuiCol_Border), 0.0f, 0,
+	list.PushClipRect(asImVec(pane.lo), asImVec(pane.lo + pane.size)); // padding and all
+	list.AddRect(asImVec(pane.lo), asImVec(pane.lo + pane.size), ImGui::GetColorU32(ImGuiCol_TextDisabled), 0.0f, 0,
 	             static_cast<float>(desk.scale));
+	list.PopClipRect();
 	const float button = ImGui::GetFrameHeight();
 	ImGui::SetCursorPos({static_cast<float>(pane.size.x) - button - 2.0f, 2.0f});
 	if (ImGui::Button("\u00d7", {button, button}))

@@ -155,7 +155,7 @@ void showAnswers(Desk& desk, const FileQuestion& asked, bool chosen)
 	const bool pressed = ImGui::Button(asked.button);
 	ImGui::EndDisabled();
 	ImGui::SameLine();
-	if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+	if (ImGui::Button("Cancel"))
 		desk.bench.question = Question::none;
 	else if ((pressed || chosen) && !now.browser.path().empty())
 	{

@@ -81,7 +81,7 @@ void showEmptyScene(Desk& desk, const ScenePart& part)
 // What lies under a pointer that rests.
 void showPointed(const Desk& desk)
 {
-	if (!pointerRests())
+	if (!pointerRests() || desk.hand.handle())
 		return;
 	const auto pointed = pointedAt(desk);
 	if (!pointed || !pointed->found)
@@ -100,7 +100,8 @@ void showScene(Desk& desk, const ScenePart& part)
 	const auto view = desk.bench.view();
 	if (!view)
 		return showEmptyScene(desk, part);
-	const Theme& colours = theme(desk.bench.settings.dark);
+	const auto ground = render::parseBackground(desk.bench.state().look.background);
+	const Theme& colours = theme(ground && ground->dark()); // to be seen on the picture, whatever the panels' theme
 	ImDrawList& list = *ImGui::GetBackgroundDrawList();
 	const std::vector<interact::HandleShape> shapes = desk.hand.shapes();
 	for (const ScenePart& free : freeParts(desk, part))
