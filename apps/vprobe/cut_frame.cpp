@@ -15,7 +15,7 @@ std::vector<SheetStats> statsSince(const Session& session, const slice::Slice& s
 			continue;
 		}
 		all.push_back(sheetMesh(session, slice, s));
-		(wants_figures ? measureSheet : measureNan)(session, slice, s, all.back());
+		(wants_figures ? measureSheet : measureForPicture)(session, slice, s, all.back());
 	}
 	return all;
 }

@@ -161,8 +161,10 @@ void measureSheet(const Session& session, const slice::Slice& slice, std::size_t
 	stats.measure = slice::measure(session.blocks, stats.mesh, slice.sheets[sheet].field);
 }
 
-void measureNan(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats)
+void measureForPicture(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats)
 {
+	if (session.range_of_slice)
+		return measureSheet(session, slice, sheet, stats);
 	const TimedSection section(session.timeline.get(), "measure");
 	stats.measure.nan_area = slice::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field);
 }

@@ -25,7 +25,7 @@ std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& s
 SheetStats sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet);
 void measureSheet(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);
 // In place of the second where only a picture is wanted: it tells whether values are missing.
-void measureNan(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);
+void measureForPicture(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);
 
 // What a slice's export holds: its polygons, or the faces of its whole cells.
 std::vector<slice::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets);

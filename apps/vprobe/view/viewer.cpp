@@ -5,6 +5,7 @@
 #include "view/gpu_screen.h"
 #include "view/gpu_window.h"
 #include "view/key_codes.h"
+#include "view/keyboard.h"
 #include "view/panels.h"
 
 #include <imgui/backends/imgui_impl_glfw.h>
@@ -59,7 +60,6 @@ public:
 
 private:
 	void listen();
-	void onKey(int key, bool down, int modifiers);
 	void heard(); // input came
 	Status showFrame();
 	Status followScale();
@@ -72,6 +72,7 @@ private:
 	gpu::Device& device_;
 	Workbench bench_;
 	Hand hand_{bench_};
+	Keyboard keyboard_{bench_, hand_};
 	Meter meter_;
 	double frame_seconds_;
 	double scale_;
@@ -124,24 +125,15 @@ void Viewer::listen()
 	events.key = [this](int key, bool down, int modifiers)
 	{
 		heard();
-		onKey(key, down, modifiers);
+		keyboard_.press(key, down, modifiers);
 	};
+	events.typed = [this](char32_t character) { keyboard_.type(character); };
 	events.drop = [this](std::vector<std::string> files)
 	{
 		heard();
 		bench_.open(std::move(files));
 	};
 	window_.listen(std::move(events));
-}
-
-void Viewer::onKey(int key, bool down, int modifiers)
-{
-	hand_.setKeys(modifiersOf(key, down, modifiers));
-	if (!down || ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup))
-		return;
-	if (const auto chord = chordOf(key, modifiers))
-		if (const auto action = interact::actionOf(*chord))
-			bench_.perform(*action);
 }
 
 bool Viewer::isAwake() const
@@ -202,6 +194,11 @@ Status Viewer::showFrame()
 		return frame.error();
 	if (*frame)
 		pictures.push_back({*frame, glm::ivec2(scene_.lo), glm::ivec2(scene_.size)});
+	if (bench_.parts.plane_pane && shown && shown->pane && !film)
+	{
+		const ScenePart pane = paneOf(scene_, scale_);
+		pictures.push_back({shown->pane->image, glm::ivec2(pane.lo), glm::ivec2(pane.size)});
+	}
 	const bool was_awake = isAwake();
 	Result<bool> presented = screen_.show(pictures, *ImGui::GetDrawData(), window_.pixels());
 	if (!presented)
