@@ -18,6 +18,7 @@ struct ViewOptions
 {
 	SavedOptions saved;
 	std::string stats;
+	std::string commands;
 	bool list_bindings = false;
 };
 
@@ -38,7 +39,7 @@ Result<ExitCode> runView(ViewOptions& options)
 	// What can be wrong on the command line is told before a window opens.
 	if (Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs); !look)
 		return look.error();
-	return runViewer({{options.saved.probe, options.saved.look, options.saved.path}, options.stats});
+	return runViewer({{options.saved.probe, options.saved.look, options.saved.path}, options.stats, options.commands});
 }
 
 } // namespace
@@ -57,6 +58,10 @@ void addView(CLI::App& program, Run& run)
 	command
 	    ->add_option("--stats", options->stats,
 	                 "When the window closes: how fast it was, as JSON (frames, cuts, from input to picture)")
+	    ->type_name("FILE|-");
+	command
+	    ->add_option("--commands", options->commands,
+	                 "Carries out the lines of a file while the window runs: docs/VIEWER.md, Scripting")
 	    ->type_name("FILE|-");
 	command->callback([&run, options] { run = [options] { return runView(*options); }; });
 }

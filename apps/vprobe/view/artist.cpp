@@ -97,7 +97,7 @@ std::optional<Error> Artist::takeError()
 bool Artist::isIdle() const
 {
 	const std::lock_guard lock(mutex_);
-	return !wish_ && !busy_;
+	return !wish_ && !busy_ && (!shown_ || shown_->smooth);
 }
 
 bool Artist::waits() const

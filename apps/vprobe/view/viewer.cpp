@@ -1,6 +1,7 @@
 #include "view/viewer.h"
 
 #include "stats_json.h"
+#include "view/commands.h"
 #include "view/gpu_screen.h"
 #include "view/gpu_window.h"
 #include "view/key_codes.h"
@@ -50,7 +51,9 @@ struct WindowBackend
 class Viewer
 {
 public:
-	Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewState& state);
+	// commands: null where there are none.
+	Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewState& state,
+	       std::shared_ptr<std::FILE> commands);
 
 	Result<ExitCode> run();
 	const Meter& meter() const { return meter_; }
@@ -59,6 +62,7 @@ private:
 	void listen();
 	void onKey(int key, bool down, int modifiers);
 	void heard(); // input came
+	void obey();  // --commands
 	Status showFrame();
 	Status followScale();
 	double secondsToNextFrame() const;
@@ -67,6 +71,7 @@ private:
 	Window& window_;
 	Screen& screen_;
 	Workbench bench_;
+	std::optional<Commands> commands_;
 	Hand hand_{bench_};
 	Meter meter_;
 	double frame_seconds_;
@@ -78,11 +83,14 @@ private:
 	std::shared_ptr<const Shown> drawn_;
 };
 
-Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewState& state)
+Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewState& state,
+               std::shared_ptr<std::FILE> commands)
     : window_(window), screen_(screen), bench_(state, device, Window::wake),
       frame_seconds_(1.0 / (device->isSoftware() ? kSoftwareFrameRate : window.refreshRate())), scale_(window.scale()),
       dark_(bench_.parts.dark)
 {
+	if (commands)
+		commands_.emplace(std::move(commands), Window::wake);
 	applyTheme(dark_, scale_);
 	listen();
 }
@@ -136,6 +144,12 @@ void Viewer::onKey(int key, bool down, int modifiers)
 	if (const auto chord = chordOf(key, modifiers))
 		if (const auto action = interact::actionOf(*chord))
 			bench_.perform(*action);
+}
+
+void Viewer::obey()
+{
+	if (commands_ && commands_->run({bench_, window_, screen_, bench_.shown() == drawn_}))
+		heard();
 }
 
 bool Viewer::isAwake() const
@@ -198,6 +212,7 @@ Result<ExitCode> Viewer::run()
 	while (!window_.closes() && !bench_.wantsToQuit())
 	{
 		window_.hear(secondsToNextFrame());
+		obey();
 		// What was heard goes to the artist at once; the window's next frame need not be waited for.
 		bench_.update({static_cast<std::uint32_t>(scene_.size.x), static_cast<std::uint32_t>(scene_.size.y)});
 		if (window_.minimised() || window_.pixels().width == 0)
@@ -206,7 +221,8 @@ Result<ExitCode> Viewer::run()
 			continue;
 		}
 		const bool new_picture = bench_.shown() != drawn_;
-		if (secondsToNextFrame() > 0.0 && !new_picture)
+		const bool captures = commands_ && commands_->wantsFrame();
+		if (secondsToNextFrame() > 0.0 && !new_picture && !captures)
 			continue;
 		drawn_ = bench_.shown();
 		if (Status shown = showFrame(); !shown)
@@ -222,6 +238,14 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 	const auto size = render::parseSize(options.state.look.size);
 	if (!size)
 		return size.error();
+	std::shared_ptr<std::FILE> commands;
+	if (!options.commands.empty())
+	{
+		Result<std::shared_ptr<std::FILE>> opened = Commands::open(options.commands);
+		if (!opened)
+			return opened.error();
+		commands = std::move(*opened);
+	}
 	Result<std::unique_ptr<Window>> window =
 	    Window::create("Volume Probes", static_cast<int>(size->first), static_cast<int>(size->second));
 	if (!window)
@@ -243,7 +267,7 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 	Result<std::unique_ptr<Screen>> screen = Screen::create(*device, *surface, (*window)->pixels());
 	if (!screen)
 		return screen.error();
-	Viewer viewer(**window, **screen, device, options.state);
+	Viewer viewer(**window, **screen, device, options.state, std::move(commands));
 	Result<ExitCode> ended = viewer.run();
 	if (!ended)
 		return ended;

@@ -11,7 +11,8 @@ namespace vp::app
 struct ViewerOptions
 {
 	ViewState state;
-	std::string stats; // figures of how fast the window was, as JSON, when it closes; empty: none
+	std::string stats;    // figures of how fast the window was, as JSON, when it closes; empty: none
+	std::string commands; // a file of commands that are carried out while it runs; empty: none
 };
 
 // Opens the window and stays until it is closed.

@@ -170,8 +170,8 @@ void Workbench::ask(VkExtent2D size)
 
 bool Workbench::isIdle() const
 {
-	return !loader_.isBusy() && artist_.isIdle() && (!facts_ || (shown_ && shown_->wish.number == asked_)) &&
-	       asked_ == version_;
+	// A picture that cannot be made leaves the one before it.
+	return !loader_.isBusy() && (!facts_ || (asked_ == version_ && artist_.isIdle() && shown_ == artist_.shown()));
 }
 
 void Workbench::notify(std::string words, bool is_error)
