@@ -114,6 +114,8 @@ Status checkAgainst(const CLI::App& command, const state::Sections& sections, co
 	return Nothing{};
 }
 
+} // namespace
+
 Status loadState(const CLI::App& command, SavedOptions& options, const std::string& file)
 {
 	const state::Sections sections = sectionsOf(options);
@@ -121,8 +123,6 @@ Status loadState(const CLI::App& command, SavedOptions& options, const std::stri
 		return loaded;
 	return checkAgainst(*command.get_parent()->get_subcommand("sweep"), sections, file);
 }
-
-} // namespace
 
 void addStateOptions(CLI::App& command, SavedOptions& options)
 {
@@ -174,9 +174,10 @@ Status prepare(SavedOptions& options)
 	return readPathFile(options.path);
 }
 
-Status saveState(SavedOptions& options)
+Status saveState(const SavedOptions& options)
 {
-	return options.save.empty() ? Nothing{} : state::save(sectionsOf(options), options.save);
+	// The places of a list are read only where it is saved.
+	return options.save.empty() ? Nothing{} : state::save(sectionsOf(const_cast<SavedOptions&>(options)), options.save);
 }
 
 } // namespace vp::app

@@ -29,10 +29,13 @@ void addStateOptions(CLI::App& command, SavedOptions& options);
 // Pictures show planes only; a usage error, before any input is read, where the options ask for another mesh.
 Status requirePlanes(const SavedOptions& options);
 
+// Takes a --state file's settings over. command: any that has a --state.
+Status loadState(const CLI::App& command, SavedOptions& options, const std::string& file);
+
 // First of all: tells what is wrong with --state and what is missing, and reads the files of probe and path.
 Status prepare(SavedOptions& options);
 
 // Writes the --save file, if one is asked for.
-Status saveState(SavedOptions& options);
+Status saveState(const SavedOptions& options);
 
 } // namespace vp::app

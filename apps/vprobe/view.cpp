@@ -22,7 +22,7 @@ struct ViewOptions
 	bool list_bindings = false;
 };
 
-Result<ExitCode> runView(ViewOptions& options)
+Result<ExitCode> runView(ViewOptions& options, const CLI::App& command)
 {
 	if (options.list_bindings)
 	{
@@ -39,7 +39,18 @@ Result<ExitCode> runView(ViewOptions& options)
 	// What can be wrong on the command line is told before a window opens.
 	if (Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs); !look)
 		return look.error();
-	return runViewer({{options.saved.probe, options.saved.look, options.saved.path}, options.stats, options.commands});
+	const ReadState read_state = [&command](const std::string& file) -> Result<ViewState>
+	{
+		SavedOptions saved;
+		saved.probe.classify = "auto";
+		if (Status loaded = loadState(command, saved, file); !loaded)
+			return loaded.error();
+		if (Status ready = prepare(saved); !ready)
+			return ready.error();
+		return ViewState{saved.probe, saved.look, saved.path};
+	};
+	return runViewer(
+	    {{options.saved.probe, options.saved.look, options.saved.path}, read_state, options.stats, options.commands});
 }
 
 } // namespace
@@ -53,6 +64,7 @@ void addView(CLI::App& program, Run& run)
 	addInputs(*command, options->saved.probe)->required(false);
 	addProbeOptions(*command, options->saved.probe);
 	addLookOptions(*command, options->saved.look);
+	addPathOptions(*command, options->saved.path);
 	addStateOptions(*command, options->saved);
 	command->add_flag("--list-bindings", options->list_bindings, "Prints what the keys do, and opens no window");
 	command
@@ -63,7 +75,7 @@ void addView(CLI::App& program, Run& run)
 	    ->add_option("--commands", options->commands,
 	                 "Carries out the lines of a file while the window runs: docs/VIEWER.md, Scripting")
 	    ->type_name("FILE|-");
-	command->callback([&run, options] { run = [options] { return runView(*options); }; });
+	command->callback([&run, options, command] { run = [options, command] { return runView(*options, *command); }; });
 }
 
 } // namespace vp::app

@@ -3,6 +3,9 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <mutex>
+#include <utility>
+
 namespace vp
 {
 
@@ -18,10 +21,39 @@ spdlog::logger& logger()
 	}();
 	return *log;
 }
+
+struct Listening
+{
+	std::mutex mutex;
+	std::function<void(std::string_view)> hear;
+};
+
+Listening& listening()
+{
+	static Listening one;
+	return one;
+}
 } // namespace
+
+WarningListener::WarningListener(std::function<void(std::string_view)> hear)
+{
+	const std::lock_guard lock(listening().mutex);
+	listening().hear = std::move(hear);
+}
+
+WarningListener::~WarningListener()
+{
+	const std::lock_guard lock(listening().mutex);
+	listening().hear = nullptr;
+}
 
 void logWarning(std::string_view line)
 {
+	{
+		const std::lock_guard lock(listening().mutex);
+		if (listening().hear)
+			return listening().hear(line);
+	}
 	logger().warn(line);
 }
 

@@ -78,11 +78,14 @@ Drag::Pointer Drag::makeEdgePointer(const View& view, double farthest) const
 		const Vec3 corner = pointOn(sheet, {sideOf(w, sides[0]), sideOf(w, sides[1])});
 		return PlanePointer(view, corner, frame_.xAxis(), frame_.up, pixel_, farthest);
 	}
-	const auto hit = hitOf(sheet, handle_.sheet, view, pixel_);
-	glm::dvec2 uv = hit ? glm::clamp(hit->uv, glm::dvec2(w.x0, w.y0), glm::dvec2(w.x1, w.y1))
-	                    : glm::dvec2(0.5 * (w.x0 + w.x1), 0.5 * (w.y0 + w.y1));
+	// Of the side the point under the pixel.
 	const int axis = sides[0] / 2;
+	glm::dvec2 uv(0.5 * (w.x0 + w.x1), 0.5 * (w.y0 + w.y1));
 	uv[axis] = sideOf(w, sides[0]);
+	const int along = 1 - axis;
+	const double half = 0.5 * (along == 0 ? w.width() : w.height());
+	const AxisPointer side(view, pointOn(sheet, uv), axisOf(frame_, along), pixel_, farthest);
+	uv[along] += std::clamp(side.under(pixel_), -half, half);
 	return AxisPointer(view, pointOn(sheet, uv), axisOf(frame_, axis), pixel_, farthest);
 }
 

@@ -42,14 +42,15 @@ AxisPointer::AxisPointer(const View& view, const Vec3& through, const Vec3& axis
     : view_(view), axis_(axis), start_(start), farthest_(farthest)
 {
 	const Vec3 arm = through - view.camera.position;
-	const Vec3 across = arm - glm::dot(arm, axis) * axis;
+	taken_ = glm::dot(arm, axis);
+	const Vec3 across = arm - taken_ * axis;
 	foot_ = glm::length(across);
 	if (foot_ < kAtEye * glm::length(arm))
 	{
 		const double away = glm::dot(axis, view.camera.forward()) < 0.0 ? -1.0 : 1.0;
-		per_pixel_up_ = away / pixelsPerLength(view, depthOf(view, through));
+		per_pixel_up_ = away / pixelsPerLength(view, std::max(depthOf(view, through), view.camera.near));
 	}
-	else
+	if (foot_ > 0.0)
 		towards_ = across / foot_;
 }
 
@@ -68,6 +69,11 @@ double AxisPointer::moved(const glm::dvec2& pixel) const
 {
 	const double way = per_pixel_up_ != 0.0 ? (start_.y - pixel.y) * per_pixel_up_ : place(pixel) - place(start_);
 	return std::clamp(way, -farthest_, farthest_);
+}
+
+double AxisPointer::under(const glm::dvec2& pixel) const
+{
+	return foot_ > 0.0 ? place(pixel) - taken_ : 0.0;
 }
 
 RingPointer::RingPointer(const View& view, const Vec3& centre, const Vec3& axis, const glm::dvec2& start, double radius)

@@ -12,12 +12,15 @@ namespace vp::interact
 class AxisPointer
 {
 public:
-	// through: the point that was taken, in front of the eye. axis: unit.
+	// through: the point that was taken. axis: unit.
 	AxisPointer(const View& view, const Vec3& through, const Vec3& axis, const glm::dvec2& start, double farthest);
 
 	// Along the axis. A pixel beside the axis counts as the one on it that is seen in the same plane across the eye and
 	// the axis. Where the axis points at the eye (kAtEye), up is away from the eye, at the scale of the point taken.
 	double moved(const glm::dvec2& pixel) const;
+
+	// The place under a pixel, from the point that was taken, however the axis lies; 0 where it runs through the eye.
+	double under(const glm::dvec2& pixel) const;
 
 private:
 	double place(const glm::dvec2& pixel) const; // along the axis from the foot of the eye's perpendicular
@@ -26,6 +29,7 @@ private:
 	Vec3 axis_;
 	glm::dvec2 start_;
 	double farthest_;
+	double taken_;              // the place of the point taken
 	double foot_ = 0.0;         // from the eye to the axis
 	Vec3 towards_{0.0};         // unit, that way
 	double per_pixel_up_ = 0.0; // where the axis points at the eye, else 0

@@ -77,13 +77,18 @@ private:
 
 } // namespace
 
+glm::dvec2 planePoint(const Vec3& position, const probe::Frame& frame)
+{
+	const Vec3 arm = position - frame.origin;
+	return {glm::dot(arm, frame.xAxis()), glm::dot(arm, frame.up)};
+}
+
 std::vector<glm::dvec2> planePoints(const SheetMesh& mesh, const probe::Frame& frame)
 {
-	const Vec3 x_axis = frame.xAxis();
 	std::vector<glm::dvec2> points;
 	points.reserve(mesh.positions.size());
 	for (const Vec3& position : mesh.positions)
-		points.emplace_back(glm::dot(position - frame.origin, x_axis), glm::dot(position - frame.origin, frame.up));
+		points.push_back(planePoint(position, frame));
 	return points;
 }
 

@@ -25,7 +25,10 @@ struct PlaneTriangles
 	std::size_t vertices = 0;                 // of the mesh
 };
 
-// Places of the mesh's vertices along the frame's x and y axes, from its origin, in the grid's units.
+// A place along the frame's x and y axes, from its origin, in the grid's units.
+glm::dvec2 planePoint(const Vec3& position, const probe::Frame& frame);
+
+// Places of the mesh's vertices.
 std::vector<glm::dvec2> planePoints(const SheetMesh& mesh, const probe::Frame& frame);
 
 // values: one per vertex of the mesh.

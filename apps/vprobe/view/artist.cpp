@@ -3,7 +3,10 @@
 #include "make_probe.h"
 #include "render/targets.h"
 #include "time_steps.h"
+#include "view/view_state.h"
+#include "write/slice_file.h"
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -15,25 +18,19 @@ namespace
 
 // While the hand moves, pictures have one sample a pixel; the others are added once it has been still for so long.
 constexpr std::chrono::milliseconds kStill{120};
+// For a trace: some minute of dragging, 5 MiB.
+constexpr std::size_t kKeptSections = 50'000;
 
 double millisecondsSince(Moment start)
 {
 	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Cuts that differ in no more than this share what their unmoved sheets show.
-ProbeOptions withoutPlace(ProbeOptions options)
+// Whether two cuts differ in no more than where their probes are.
+bool differInPlace(ProbeOptions a, const ProbeOptions& b)
 {
-	options.origin.clear();
-	options.normal.reset();
-	options.up.clear();
-	options.window.clear();
-	options.probe.clear();
-	options.own_probe.reset();
-	options.vanes.reset();
-	options.offsets.clear();
-	options.sheets.reset();
-	return options;
+	takePlace(a, b);
+	return a == b;
 }
 
 ProbeOptions withoutTime(ProbeOptions options)
@@ -97,7 +94,16 @@ std::optional<Error> Artist::takeError()
 bool Artist::isIdle() const
 {
 	const std::lock_guard lock(mutex_);
-	return !wish_ && !busy_ && (!shown_ || shown_->smooth);
+	return !wish_ && orders_.empty() && !busy_ && (!shown_ || shown_->smooth);
+}
+
+void Artist::order(Order order)
+{
+	{
+		const std::lock_guard lock(mutex_);
+		orders_.push_back(std::move(order));
+	}
+	changed_.notify_all();
 }
 
 bool Artist::waits() const
@@ -109,50 +115,110 @@ bool Artist::waits() const
 void Artist::work()
 {
 	std::unique_lock lock(mutex_);
-	const auto woken = [this] { return wish_ || ends_; };
+	const auto woken = [this] { return wish_ || !orders_.empty() || ends_; };
 	for (;;)
 	{
 		const bool coarse = shown_ && !shown_->smooth && session_;
 		const bool still = coarse ? !changed_.wait_for(lock, kStill, woken) : (changed_.wait(lock, woken), false);
 		if (ends_)
 			return;
-		std::optional<Wish> wish = std::exchange(wish_, std::nullopt);
+		std::optional<Wish> wish = still ? std::optional(shown_->wish) : std::exchange(wish_, std::nullopt);
+		std::optional<Order> order;
+		if (!orders_.empty())
+		{
+			order = std::move(orders_.front());
+			orders_.pop_front();
+		}
 		std::unique_ptr<Session> session = std::move(next_session_);
 		busy_ = true;
 		lock.unlock();
 		if (session)
-		{
-			painter_.reset();
-			cut_.reset();
-			followed_.reset();
-			session_ = std::move(session);
-		}
-		answer(still ? shown_->wish : *wish, still);
+			install(std::move(session));
+		if (wish)
+			answer(*wish, still);
+		if (order)
+			answer(*order);
 		wake_();
 		lock.lock();
+		keepSections();
 		busy_ = false;
+	}
+}
+
+// The mutex is held.
+void Artist::keepSections()
+{
+	if (!session_)
+		return;
+	for (Timeline::Section& section : session_->timeline->takeSections())
+		sections_.push_back(std::move(section));
+	while (sections_.size() > kKeptSections)
+		sections_.pop_front();
+}
+
+std::vector<Timeline::Section> Artist::sections() const
+{
+	const std::lock_guard lock(mutex_);
+	return {sections_.begin(), sections_.end()};
+}
+
+void Artist::install(std::unique_ptr<Session> session)
+{
+	painter_.reset();
+	cut_.reset();
+	followed_.reset();
+	session_ = std::move(session);
+}
+
+// Of what works with all that memory has.
+template <class Work>
+auto Artist::tried(const Work& work) -> decltype(work())
+{
+	if (!session_)
+		return Error{ExitCode::input, "nothing is shown yet; open a file first"};
+	try
+	{
+		return work();
+	}
+	catch (const std::bad_alloc&)
+	{
+		return Error{ExitCode::output, "out of memory; show fewer sheets or a smaller input"};
 	}
 }
 
 void Artist::answer(const Wish& wish, bool smooth)
 {
-	if (!session_)
-		return;
-	Status done = [&]() -> Status
-	{
-		try
-		{
-			return show(wish, smooth);
-		}
-		catch (const std::bad_alloc&)
-		{
-			return Error{ExitCode::output, "out of memory; show fewer sheets or a smaller input"};
-		}
-	}();
+	const Status done = tried([&] { return show(wish, smooth); });
 	if (done)
 		return;
 	const std::lock_guard lock(mutex_);
 	error_ = done.error();
+}
+
+void Artist::answer(Order& order)
+{
+	if (auto* picture = std::get_if<PictureOrder>(&order))
+		return picture->take(tried([&] { return this->picture(*picture); }));
+	auto& slice = std::get<SliceOrder>(order);
+	slice.done(tried([&] { return writeSlice(slice); }));
+}
+
+Result<render::Picture> Artist::picture(const PictureOrder& order)
+{
+	if (Status followed = follow(order.wish); !followed)
+		return followed.error();
+	if (Result<double> cut = cutAsWished(); !cut)
+		return cut.error();
+	return order.empty ? painter_->drawEmpty(cut_->slice, cut_->sheets) : painter_->draw(cut_->slice, cut_->sheets);
+}
+
+Status Artist::writeSlice(const SliceOrder& order)
+{
+	if (Status followed = follow(order.wish); !followed)
+		return followed;
+	if (Result<double> cut = cutAsWished(); !cut)
+		return cut.error();
+	return write::writeSlice(session_->blocks, exportedMeshes(cut_->sheets), order.file);
 }
 
 Status Artist::show(const Wish& wish, bool smooth)
@@ -170,19 +236,18 @@ Status Artist::show(const Wish& wish, bool smooth)
 	Shown shown;
 	shown.wish = wish;
 	if (Status followed = follow(wish); !followed)
-	{
-		followed_.reset(); // some of it may have been done
 		return followed;
-	}
 	Result<probe::Probe> probe = makeProbe(wish.probe, session_->blocks.bounds());
 	if (!probe)
 		return probe.error();
 	shown.probe = std::move(*probe);
-	if (!cut_ || cut_is_old_)
-		if (Status cut = cutAnew(shown); !cut)
-			return cut;
+	Result<double> cut_ms = cutAsWished();
+	if (!cut_ms)
+		return cut_ms.error();
+	shown.cut_ms = *cut_ms;
 	shown.cut = cut_;
 	shown.cuts = cuts_;
+	shown.empty = std::ranges::all_of(cut_->slice.sheets, isEmpty);
 	Result<bool> drawn = draw(shown, false);
 	if (!drawn)
 		return drawn.error();
@@ -190,8 +255,16 @@ Status Artist::show(const Wish& wish, bool smooth)
 	return Nothing{};
 }
 
-// Session and painter, as the wish has them. What has not changed is left as it is.
 Status Artist::follow(const Wish& wish)
+{
+	Status done = followAll(wish);
+	if (!done)
+		followed_.reset(); // some of it may have been done
+	return done;
+}
+
+// Session and painter, as the wish has them. What has not changed is left as it is.
+Status Artist::followAll(const Wish& wish)
 {
 	if (!followed_ || followed_->probe.time != wish.probe.time)
 		if (Status moved = followTime(wish.probe); !moved)
@@ -200,7 +273,7 @@ Status Artist::follow(const Wish& wish)
 	{
 		if (Status chosen = choose(*session_, wish.probe); !chosen)
 			return chosen;
-		only_moved_ = followed_ && withoutPlace(followed_->probe) == withoutPlace(wish.probe);
+		only_moved_ = followed_ && differInPlace(followed_->probe, wish.probe);
 		cut_is_old_ = true;
 	}
 	if (!followed_ || !(followed_->look == wish.look))
@@ -247,8 +320,10 @@ Status Artist::followLook(const Wish& wish)
 	return Nothing{};
 }
 
-Status Artist::cutAnew(Shown& shown)
+Result<double> Artist::cutAsWished()
 {
+	if (cut_ && !cut_is_old_)
+		return 0.0;
 	const Moment start = std::chrono::steady_clock::now();
 	std::shared_ptr<const CutFrame> last = only_moved_ ? cut_ : nullptr;
 	Result<slice::Slice> slice =
@@ -261,8 +336,7 @@ Status Artist::cutAnew(Shown& shown)
 	cut_ = std::move(made);
 	cut_is_old_ = false;
 	++cuts_;
-	shown.cut_ms = millisecondsSince(start);
-	return Nothing{};
+	return millisecondsSince(start);
 }
 
 // False where a new wish came meanwhile.

@@ -8,19 +8,22 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <variant>
+#include <vector>
 
 namespace vp::app
 {
 
 using Moment = std::chrono::steady_clock::time_point;
 
-// What is to be seen.
+// What is to be seen, or kept.
 struct Wish
 {
 	std::uint64_t number = 0; // rising
@@ -40,10 +43,30 @@ struct Shown
 	render::Frame frame;
 	std::optional<render::ValueScale> values;
 	bool smooth = false; // all samples are in it
+	bool empty = false;  // no sheet cuts anything
 	double cut_ms = 0.0; // 0 where the cut before was still good
 	double draw_ms = 0.0;
 	std::uint64_t cuts = 0; // made so far
 };
+
+// A picture to be kept: all samples, at the wish's size, apart from what is shown.
+struct PictureOrder
+{
+	Wish wish;
+	bool empty = false; // without the sheets, as the ground of an exposure
+	std::function<void(Result<render::Picture>)> take;
+};
+
+// Polygons of the sheets, or the faces of their whole cells, to be written.
+struct SliceOrder
+{
+	Wish wish;
+	std::string file;
+	std::function<void(Status)> done;
+};
+
+// Answered on the artist's thread, one after the other between pictures.
+using Order = std::variant<PictureOrder, SliceOrder>;
 
 // Cuts and draws on a thread of its own what was wished last. The last picture stays until the next is ready, and what
 // cannot be done leaves it as it was. Thread safe.
@@ -57,12 +80,14 @@ public:
 	Artist& operator=(const Artist&) = delete;
 
 	void ask(Wish wish); // takes the place of what waits
+	void order(Order order);
 	// The next wish is for this one; what waits was for the session before.
 	void replaceSession(std::unique_ptr<Session> session);
 
-	std::shared_ptr<const Shown> shown() const; // null before the first picture
-	std::optional<Error> takeError();           // why the last wish is not shown
-	bool isIdle() const;                        // all that was wished is shown, and smooth
+	std::shared_ptr<const Shown> shown() const;      // null before the first picture
+	std::optional<Error> takeError();                // why the last wish is not shown
+	bool isIdle() const;                             // nothing waits and nothing is being done
+	std::vector<Timeline::Section> sections() const; // of the last minute or so, for a trace
 
 private:
 	using Pictures = std::vector<std::shared_ptr<gpu::Image>>;
@@ -70,14 +95,22 @@ private:
 	void work();
 	void answer(const Wish& wish, bool smooth);
 	Status show(const Wish& wish, bool smooth);
+	void install(std::unique_ptr<Session> session);
+	template <class Work>
+	auto tried(const Work& work) -> decltype(work());
 	Status follow(const Wish& wish);
+	Status followAll(const Wish& wish);
 	Status followLook(const Wish& wish);
 	Status followTime(const ProbeOptions& options);
-	Status cutAnew(Shown& shown);
+	Result<double> cutAsWished(); // ms; 0 where the last cut is still good
+	void answer(Order& order);
+	Result<render::Picture> picture(const PictureOrder& order);
+	Status writeSlice(const SliceOrder& order);
 	Result<bool> draw(Shown& shown, bool smooth);
 	Result<std::shared_ptr<gpu::Image>> takeImage(VkExtent2D extent);
 	void publish(Shown shown);
 	bool waits() const;
+	void keepSections();
 
 	std::shared_ptr<gpu::Device> device_;
 	std::function<void()> wake_;
@@ -95,9 +128,11 @@ private:
 	mutable std::mutex mutex_;
 	std::condition_variable changed_;
 	std::optional<Wish> wish_;
+	std::deque<Order> orders_;
 	std::unique_ptr<Session> next_session_;
 	std::shared_ptr<const Shown> shown_;
 	std::optional<Error> error_;
+	std::deque<Timeline::Section> sections_;
 	bool busy_ = false;
 	bool ends_ = false;
 	std::thread thread_; // the last to be made

@@ -36,7 +36,10 @@ std::vector<interact::HandleShape> Hand::shapes() const
 	const auto view = bench_.view();
 	if (!view || !bench_.facts() || !bench_.parts.handles)
 		return {};
-	return interact::handlesOf(bench_.shown()->probe, *view, bench_.facts()->bounds, {.ui_scale = ui_scale_});
+	interact::HandleOptions options{.ui_scale = ui_scale_};
+	if (bench_.parts.own)
+		options.own = bench_.sheet();
+	return interact::handlesOf(bench_.shown()->probe, *view, bench_.facts()->bounds, options);
 }
 
 // Where the grid is cut there, the nearest sheet.
@@ -93,8 +96,9 @@ void Hand::takeSheet()
 	if (bench_.parts.magnifier)
 		grip_ = LensGrip{bench_.probe(), *bench_.view(), sheet_->sheet, sheet_->uv};
 	else
-		grip_.emplace<interact::Drag>(interact::Handle{interact::HandleKind::sheet, 2, sheet_->sheet}, inScene(at_),
-		                              *bench_.view(), bench_.probe(), bench_.facts()->bounds, ui_scale_);
+		grip_.emplace<interact::Drag>(
+		    interact::Handle{interact::HandleKind::sheet, 2, sheet_->sheet, 0, bench_.parts.own}, inScene(at_),
+		    *bench_.view(), bench_.probe(), bench_.facts()->bounds, ui_scale_);
 }
 
 void Hand::release(Button button)
@@ -114,7 +118,7 @@ interact::Modifiers Hand::keysFor(const interact::Drag& drag) const
 	const interact::HandleKind kind = drag.handle().kind;
 	const bool sizes = kind == interact::HandleKind::edge || kind == interact::HandleKind::corner;
 	keys.both_sides = keys_.own && sizes;
-	keys.own = keys_.own && !sizes;
+	keys.own = drag.handle().own || (keys_.own && !sizes);
 	return keys;
 }
 
@@ -159,7 +163,8 @@ void Hand::wheel(double amount, bool within)
 		return bench_.setProbe(
 		    "Magnify", interact::magnified(probe, sheet_->sheet, std::pow(kZoomFactor, amount), sheet_->uv), kWheelKey);
 	bench_.setProbe("Push the sheet",
-	                interact::pushed(probe, sheet_->sheet, amount, bench_.facts()->bounds, keys_.fine, keys_.own),
+	                interact::pushed(probe, sheet_->sheet, amount, bench_.facts()->bounds, keys_.fine,
+	                                 keys_.own || bench_.parts.own),
 	                kWheelKey);
 }
 

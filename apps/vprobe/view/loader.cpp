@@ -38,7 +38,7 @@ void Loader::begin(ProbeOptions options)
 		    nameThreadRow("loader");
 		    try
 		    {
-			    job->opened = openSession(job->options, DeviceUse::draw, Timeline::Keep::totals, device, stop);
+			    job->opened = openSession(job->options, DeviceUse::draw, Timeline::Keep::sections, device, stop);
 		    }
 		    catch (const std::bad_alloc&)
 		    {

@@ -48,7 +48,7 @@ void showScene(Desk& desk, const ScenePart& part)
 	const auto view = desk.bench.view();
 	if (!view)
 		return;
-	const Theme& colours = theme(desk.bench.parts.dark);
+	const Theme& colours = theme(desk.bench.settings.dark);
 	ImDrawList& list = *ImGui::GetBackgroundDrawList();
 	list.PushClipRect(onScreen({0.0, 0.0}, part), onScreen(part.size, part));
 	for (const interact::HandleShape& shape : desk.hand.shapes())

@@ -45,6 +45,19 @@ void placeProbe(ProbeOptions& options, const probe::Probe& before, const probe::
 	options.sheets.reset();
 }
 
+void takePlace(ProbeOptions& options, const ProbeOptions& from)
+{
+	options.origin = from.origin;
+	options.normal = from.normal;
+	options.up = from.up;
+	options.window = from.window;
+	options.probe = from.probe;
+	options.own_probe = from.own_probe;
+	options.vanes = from.vanes;
+	options.offsets = from.offsets;
+	options.sheets = from.sheets;
+}
+
 std::optional<render::Camera> cameraOf(const LookOptions& look)
 {
 	Result<render::CameraChoice> choice = render::parseCamera(look.camera);

@@ -30,6 +30,10 @@ SavedOptions savedOptions(const ViewState& state, const std::string& file);
 // of its own.
 void placeProbe(ProbeOptions& options, const probe::Probe& before, const probe::Probe& after);
 
+// Where the probe is and of what sheets, as the other options have it. Cuts that differ in no more share what their
+// unmoved sheets show.
+void takePlace(ProbeOptions& options, const ProbeOptions& from);
+
 // None where the look leaves it to be fitted.
 std::optional<render::Camera> cameraOf(const LookOptions& look);
 void setCamera(LookOptions& look, const render::Camera& camera);

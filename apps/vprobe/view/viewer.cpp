@@ -2,6 +2,7 @@
 
 #include "stats_json.h"
 #include "view/commands.h"
+#include "view/gpu_film_screen.h"
 #include "view/gpu_screen.h"
 #include "view/gpu_window.h"
 #include "view/key_codes.h"
@@ -21,7 +22,7 @@ namespace
 using Clock = std::chrono::steady_clock;
 
 // A software device draws the window on the cores that cut: more frames than the eye needs would cost cuts.
-constexpr double kSoftwareFrameRate = 40.0;
+constexpr double kSoftwareFrameRate = 50.0;
 // Nothing moves: the window is drawn now and then for what tells the time.
 constexpr double kIdleSeconds = 0.25;
 constexpr std::chrono::milliseconds kStaysAwake{500};
@@ -52,7 +53,7 @@ class Viewer
 {
 public:
 	// commands: null where there are none.
-	Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewState& state,
+	Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewerOptions& options,
 	       std::shared_ptr<std::FILE> commands);
 
 	Result<ExitCode> run();
@@ -70,6 +71,7 @@ private:
 
 	Window& window_;
 	Screen& screen_;
+	gpu::Device& device_;
 	Workbench bench_;
 	std::optional<Commands> commands_;
 	Hand hand_{bench_};
@@ -81,13 +83,15 @@ private:
 	Moment last_frame_ = Clock::now();
 	Moment last_event_ = Clock::now();
 	std::shared_ptr<const Shown> drawn_;
+	FilmScreen film_screen_{device_};
 };
 
-Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewState& state,
+Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewerOptions& options,
                std::shared_ptr<std::FILE> commands)
-    : window_(window), screen_(screen), bench_(state, device, Window::wake),
+    : window_(window), screen_(screen), device_(*device),
+      bench_(options.state, device, Window::wake, options.read_state),
       frame_seconds_(1.0 / (device->isSoftware() ? kSoftwareFrameRate : window.refreshRate())), scale_(window.scale()),
-      dark_(bench_.parts.dark)
+      dark_(bench_.settings.dark)
 {
 	if (commands)
 		commands_.emplace(std::move(commands), Window::wake);
@@ -168,13 +172,13 @@ Status Viewer::followScale()
 	if (window_.scale() != scale_)
 	{
 		scale_ = window_.scale();
-		applyTheme(bench_.parts.dark, scale_);
+		applyTheme(bench_.settings.dark, scale_);
 		makeFonts(scale_);
 		if (Status taken = screen_.takeFonts(); !taken)
 			return taken;
 	}
-	if (dark_ != bench_.parts.dark)
-		applyTheme(dark_ = bench_.parts.dark, scale_);
+	if (dark_ != bench_.settings.dark)
+		applyTheme(dark_ = bench_.settings.dark, scale_);
 	window_.setFullScreen(bench_.parts.full_screen);
 	return Nothing{};
 }
@@ -193,8 +197,13 @@ Status Viewer::showFrame()
 
 	const std::shared_ptr<const Shown> shown = bench_.shown();
 	std::vector<Placement> pictures;
-	if (shown)
-		pictures.push_back({shown->image, glm::ivec2(scene_.lo), glm::ivec2(scene_.size)});
+	const std::shared_ptr<const render::Picture> film = bench_.filmPicture();
+	Result<std::shared_ptr<const gpu::Image>> frame =
+	    film ? film_screen_.image(film) : Result<std::shared_ptr<const gpu::Image>>(shown ? shown->image : nullptr);
+	if (!frame)
+		return frame.error();
+	if (*frame)
+		pictures.push_back({*frame, glm::ivec2(scene_.lo), glm::ivec2(scene_.size)});
 	const bool was_awake = isAwake();
 	Result<bool> presented = screen_.show(pictures, *ImGui::GetDrawData(), window_.pixels());
 	if (!presented)
@@ -226,7 +235,11 @@ Result<ExitCode> Viewer::run()
 			continue;
 		drawn_ = bench_.shown();
 		if (Status shown = showFrame(); !shown)
-			return shown.error();
+		{
+			bench_.keepState();
+			return Error{shown.error().code,
+			             shown.error().message + "; what was set is kept: the next vprobe view brings it back"};
+		}
 	}
 	return ExitCode::done;
 }
@@ -267,7 +280,7 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 	Result<std::unique_ptr<Screen>> screen = Screen::create(*device, *surface, (*window)->pixels());
 	if (!screen)
 		return screen.error();
-	Viewer viewer(**window, **screen, device, options.state, std::move(commands));
+	Viewer viewer(**window, **screen, device, options, std::move(commands));
 	Result<ExitCode> ended = viewer.run();
 	if (!ended)
 		return ended;

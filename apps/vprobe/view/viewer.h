@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "view/view_state.h"
+#include "view/workbench.h"
 
 #include <string>
 
@@ -11,6 +11,7 @@ namespace vp::app
 struct ViewerOptions
 {
 	ViewState state;
+	ReadState read_state;
 	std::string stats;    // figures of how fast the window was, as JSON, when it closes; empty: none
 	std::string commands; // a file of commands that are carried out while it runs; empty: none
 };

@@ -1,6 +1,7 @@
 #include "view/workbench.h"
 
 #include "make_probe.h"
+#include "view/mail.h"
 
 #include <fmt/format.h>
 
@@ -17,11 +18,29 @@ constexpr std::chrono::seconds kErrorStays{15};
 
 } // namespace
 
-Workbench::Workbench(ViewState state, std::shared_ptr<gpu::Device> device, std::function<void()> wake)
-    : history_(std::move(state)), loader_(device, wake), artist_(device, wake)
+Workbench::Workbench(ViewState state, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
+                     ReadState read_state)
+    : settings(readSettings()), history_(state), read_state_(std::move(read_state)), recovery_file_(recoveryFile()),
+      mail_(std::make_shared<Mail>()), warnings_(
+                                           [mail = mail_](std::string_view words) {
+	                                           mail->leave({std::string(words), false, {}});
+                                           }),
+      wake_(wake), loader_(device, wake), artist_(device, wake)
 {
-	if (!history_.state().probe.inputs.empty())
-		loader_.begin(history_.state().probe);
+	if (!leftRecoveryFiles().empty())
+		question = Question::recover;
+	if (!state.probe.inputs.empty())
+		load(std::move(state));
+}
+
+Workbench::~Workbench()
+{
+	for (std::future<Notice>& task : written_)
+		task.wait();
+	writeSettings(settings);
+	std::error_code ignored;
+	if (!keeps_state_)
+		std::filesystem::remove(recovery_file_, ignored);
 }
 
 void Workbench::change(const std::string& label, const Edit& edit, const std::string& merge)
@@ -72,55 +91,6 @@ std::optional<interact::View> Workbench::view() const
 	return interact::View{shown_->camera, shown_->frame};
 }
 
-void Workbench::open(std::vector<std::string> inputs)
-{
-	ProbeOptions options = state().probe;
-	options.inputs = std::move(inputs);
-	// What belongs to other data goes: places, arrays, times. How it is looked at stays.
-	ProbeOptions fresh;
-	fresh.inputs = options.inputs;
-	fresh.classify = options.classify;
-	fresh.classify_given = options.classify_given;
-	fresh.threads = options.threads;
-	loader_.begin(std::move(fresh));
-}
-
-void Workbench::reload()
-{
-	if (facts_)
-		loader_.begin(state().probe);
-}
-
-void Workbench::cancelLoading()
-{
-	loader_.cancel();
-	notify("Loading was cancelled");
-}
-
-void Workbench::takeLoaded()
-{
-	std::optional<Loader::Loaded> loaded = loader_.take();
-	if (!loaded)
-		return;
-	if (!loaded->session)
-		return notify(loaded->session.error());
-	std::unique_ptr<Session> session = std::move(*loaded->session);
-	const bool same = facts_ && facts_->inputs == loaded->options.inputs;
-	facts_ = factsOf(*session, loaded->options.inputs);
-	if (!same && !(state().probe == loaded->options))
-	{
-		ViewState fresh = state();
-		fresh.probe = loaded->options;
-		fresh.look.camera = "auto";
-		fresh.look.range.clear();
-		fresh.look.title.reset();
-		history_ = interact::History<ViewState>(std::move(fresh));
-	}
-	takes_camera_ = takes_camera_ || !cameraOf(state().look);
-	++version_;
-	artist_.replaceSession(std::move(session));
-}
-
 void Workbench::takePicture()
 {
 	std::shared_ptr<const Shown> newest = artist_.shown();
@@ -148,7 +118,12 @@ void Workbench::update(VkExtent2D size)
 {
 	takeLoaded();
 	takePicture();
+	takeWritten();
 	forgetOldNotices();
+	watchFiles();
+	keepForRecovery();
+	playSweep();
+	orderFrames();
 	if (facts_ && size.width > 0 && size.height > 0)
 		ask(size);
 	input_.reset();
@@ -163,15 +138,22 @@ void Workbench::ask(VkExtent2D size)
 		++version_;
 	asked_ = version_;
 	asked_size_ = size;
+	artist_.ask(wish());
+}
+
+// What the state is to look like, in the size that was last asked for.
+Wish Workbench::wish() const
+{
 	Wish wish{version_, state().probe, state().look, input_.value_or(std::chrono::steady_clock::now())};
-	wish.look.size = fmt::format("{}x{}", size.width, size.height);
-	artist_.ask(std::move(wish));
+	wish.look.size = fmt::format("{}x{}", asked_size_.width, asked_size_.height);
+	return wish;
 }
 
 bool Workbench::isIdle() const
 {
 	// A picture that cannot be made leaves the one before it.
-	return !loader_.isBusy() && (!facts_ || (asked_ == version_ && artist_.isIdle() && shown_ == artist_.shown()));
+	return !loader_.isBusy() && !isPlaying() && !recording_ && written_.empty() &&
+	       (!facts_ || (asked_ == version_ && artist_.isIdle() && shown_ == artist_.shown()));
 }
 
 void Workbench::notify(std::string words, bool is_error)

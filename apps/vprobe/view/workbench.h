@@ -1,14 +1,21 @@
 #pragma once
 
+#include "base/log.h"
+#include "exposure.h"
 #include "interact/bindings.h"
 #include "interact/history.h"
 #include "interact/view.h"
 #include "view/artist.h"
 #include "view/facts.h"
+#include "view/film_loop.h"
 #include "view/loader.h"
+#include "view/sweep_player.h"
+#include "view/user_files.h"
 #include "view/view_state.h"
+#include "view/watcher.h"
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,11 +38,12 @@ struct OpenParts
 	bool panels = true;
 	bool handles = true;
 	bool magnifier = false;
+	bool own = false; // the sheet that is chosen moves alone, not the whole probe
 	bool plane_pane = false;
 	bool profile = false;
 	bool help = false;
-	bool dark = true;
 	bool full_screen = false;
+	bool exposure = false; // in place of the film loop, all its frames in one picture
 };
 
 // A question that waits for its answer.
@@ -46,15 +54,28 @@ enum class Question
 	save_state,
 	save_picture,
 	save_film,
-	save_slice
+	save_slice,
+	recover // what a window that ended unexpectedly has left
 };
+
+// Pictures of a sweep under way into a film loop.
+struct Recording
+{
+	std::shared_ptr<FilmLoop> film;
+	int ordered = 0;
+	Wish like; // the size and the look of its pictures
+};
+
+using ReadState = std::function<Result<ViewState>(const std::string& file)>;
 
 // All of a viewer but its window: the state and its history, the data, the artist. Panels and the hand read it and call
 // it, on the window's thread.
 class Workbench
 {
 public:
-	Workbench(ViewState state, std::shared_ptr<gpu::Device> device, std::function<void()> wake);
+	// read_state: of a file that --save or the window has written.
+	Workbench(ViewState state, std::shared_ptr<gpu::Device> device, std::function<void()> wake, ReadState read_state);
+	~Workbench(); // waits until what is being written is there
 
 	// --- The state. Each change is a step of the history; those with the same key, until endMerge(), are one.
 	const ViewState& state() const { return history_.state(); }
@@ -72,14 +93,34 @@ public:
 
 	void perform(interact::Action action);
 
-	// --- The data.
-	// Loads them beside what is shown, which stays where they fail. One .json file is a state.
+	// --- Files. What fails is told by a notice, and leaves all as it was.
+	// Loads them beside what is shown. One .json file is a state.
 	void open(std::vector<std::string> inputs);
 	void reload();
 	const Loader& loader() const { return loader_; }
 	void cancelLoading();
-	int timeStep() const; // the one of the input's times that the state means
 	const std::optional<Facts>& facts() const { return facts_; }
+	int timeStep() const; // the one of the input's times that the state means
+	void saveState(const std::string& file);
+	const std::string& stateFile() const { return state_file_; } // that it was last read from or saved to, or empty
+	void savePicture(const std::string& file, std::uint32_t width, std::uint32_t height);
+	void saveSlice(const std::string& file);
+	void saveTrace(const std::string& file);
+	void recover(bool wanted); // the answer to Question::recover
+
+	// --- The sweep.
+	bool isPlaying() const { return sweep_.player.playing(seconds()); }
+	int frame() const { return sweep_.player.frameAt(seconds()); }
+	int frames() const { return sweep_.player.frames(); }
+	void seek(int frame);
+	bool loops() const { return sweep_.player.loops(); }
+	bool hasExposure() const { return exposure_ != nullptr; }
+	const std::optional<Recording>& recording() const { return recording_; }
+	const std::shared_ptr<const FilmLoop>& film() const { return film_; } // whole, or null
+	// The film loop's picture to be shown in place of the scene's; null where the scene is to be seen.
+	std::shared_ptr<const render::Picture> filmPicture() const;
+	void saveFilm(const std::string& file); // a film, or pictures by a pattern with {frame} in it
+	void saveExposure(const std::string& file);
 
 	// --- The picture.
 	// Once a frame, and after input: hands on what has changed. size: of the part of the window that shows the scene.
@@ -91,33 +132,55 @@ public:
 	// --- The window.
 	OpenParts parts;
 	Question question = Question::none;
+	Settings settings;
+	bool watches = true; // for files to be written anew
 	const std::vector<Notice>& notices() const { return notices_; }
 	void notify(std::string words, bool is_error = false);
 	void notify(const Error& error) { notify(error.message, true); }
+	// What was set stays to be recovered when the bench goes: it ends by a fault.
+	void keepState();
 	bool wantsToQuit() const { return quits_; }
 	void quit() { quits_ = true; }
 
 private:
 	void stateChanged();
+	void load(ViewState next);
 	void takeLoaded();
 	void takePicture();
 	void ask(VkExtent2D size);
+	Wish wish() const;
 	void forgetOldNotices();
+	void takeWritten();
+	void keepForRecovery();
+	void watchFiles();
 
 	// One group of actions each; false where it is none of theirs.
 	bool performOnWindow(interact::Action action);
+	bool performOnSweep(interact::Action action);
 	bool performOnProbe(interact::Action action);
 	bool performOnSheets(interact::Action action);
 	bool performOnView(interact::Action action);
 	bool performOnLook(interact::Action action);
 	void setPreset(const char* name);
-	void show(const render::Camera& camera, const char* label);
 	void stepArray(int by);
 	void stepTime(int by);
 
+	double seconds() const; // the sweep's clock
+	Status followSweep();
+	bool canSweep();
+	void playSweep();
+	void setSpeed(double factor);
+	void record();
+	void orderFrames();
+	bool filmIsGood() const;
+	// Does it on a thread of its own, and tells what came of it.
+	void writeBeside(std::function<Notice()> write);
+
 	interact::History<ViewState> history_;
+	ReadState read_state_;
 	std::size_t sheet_ = 0;
 	std::optional<Facts> facts_;
+	std::optional<ViewState> loading_; // the state that what is being loaded is for
 	std::shared_ptr<const Shown> shown_;
 	std::vector<Notice> notices_;
 	bool quits_ = false;
@@ -128,6 +191,26 @@ private:
 	std::optional<Moment> input_; // the oldest that was not asked for yet
 	bool takes_camera_ = true;    // the state's camera is to become the next picture's
 
+	std::string state_file_;
+	std::string recovery_file_;
+	std::uint64_t recovery_version_ = 1; // that the recovery file holds
+	Moment recovery_time_{};
+	bool keeps_state_ = false; // when it ends
+	Watcher watcher_;
+	std::vector<std::future<Notice>> written_; // under way
+
+	SweepPlayer sweep_;
+	std::optional<Recording> recording_;
+	std::shared_ptr<const FilmLoop> film_;
+	Wish film_like_;
+	std::shared_ptr<const render::Picture> exposure_;
+
+	// What comes back from the artist's thread.
+	struct Mail;
+	std::shared_ptr<Mail> mail_;
+	WarningListener warnings_;
+
+	std::function<void()> wake_;
 	Loader loader_;
 	Artist artist_;
 };

@@ -36,8 +36,8 @@ std::string after(const std::string& word, const std::array<const char*, Count>&
 
 void Workbench::perform(Action action)
 {
-	for (const auto part : {&Workbench::performOnWindow, &Workbench::performOnSheets, &Workbench::performOnProbe,
-	                        &Workbench::performOnView, &Workbench::performOnLook})
+	for (const auto part : {&Workbench::performOnWindow, &Workbench::performOnSweep, &Workbench::performOnSheets,
+	                        &Workbench::performOnProbe, &Workbench::performOnView, &Workbench::performOnLook})
 		if ((this->*part)(action))
 			return;
 }
@@ -50,12 +50,21 @@ bool Workbench::performOnWindow(Action action)
 	{
 	case Action::open:
 		return ask(Question::open);
+	case Action::save_state:
+		return state_file_.empty() ? ask(Question::save_state) : (saveState(state_file_), true);
 	case Action::save_state_as:
 		return ask(Question::save_state);
 	case Action::save_picture:
 		return ask(Question::save_picture);
+	case Action::save_film:
+		return ask(Question::save_film);
 	case Action::save_slice:
 		return ask(Question::save_slice);
+	case Action::cancel:
+		if (loader_.isBusy())
+			cancelLoading();
+		parts.help = false;
+		return false; // the sweep has something to cancel too
 	case Action::undo:
 		if (history_.canUndo())
 			notify(fmt::format("Undone: {}", history_.undoLabel()));
@@ -72,7 +81,7 @@ bool Workbench::performOnWindow(Action action)
 		quit();
 		return true;
 	case Action::dark_theme:
-		return toggle(parts.dark);
+		return toggle(settings.dark);
 	case Action::handles:
 		return toggle(parts.handles);
 	case Action::plane_pane:
@@ -83,6 +92,8 @@ bool Workbench::performOnWindow(Action action)
 		return toggle(parts.profile);
 	case Action::full_screen:
 		return toggle(parts.full_screen);
+	case Action::sheet_alone:
+		return toggle(parts.own);
 	case Action::magnifier:
 		return toggle(parts.magnifier);
 	case Action::help:
@@ -199,10 +210,6 @@ bool Workbench::performOnSheets(Action action)
 		for (probe::Sheet& each : next.sheets)
 			each.wishes.hidden = false;
 		return done();
-	case Action::sheet_alone:
-		for (probe::Sheet& each : next.sheets)
-			each.wishes.hidden = &each != &sheet;
-		return done();
 	case Action::add_sheet:
 	{
 		if (next.sheets.size() >= probe::kMaxSheets)
@@ -228,27 +235,22 @@ bool Workbench::performOnSheets(Action action)
 	}
 }
 
-void Workbench::show(const render::Camera& camera, const char* label)
-{
-	setCamera(label, camera);
-}
-
 bool Workbench::performOnView(Action action)
 {
 	const std::optional<interact::View> seen = view();
 	if (!seen || !facts_)
 		return false;
 	const auto named = [&](interact::NamedView name)
-	{ return show(interact::namedView(*seen, name, facts_->extent), "View"), true; };
+	{ return setCamera(label(action), interact::namedView(*seen, name, facts_->extent)), true; };
 	switch (action)
 	{
 	case Action::reset_camera:
-		return show(interact::fitted(*seen, facts_->extent), "Fit the view"), true;
+		return setCamera(label(action), interact::fitted(*seen, facts_->extent)), true;
 	case Action::face_sheet:
 	{
 		const probe::Probe placed = probe::placed(probe());
 		if (sheet_ < placed.sheets.size())
-			show(interact::faceSheet(*seen, placed.sheets[sheet_], facts_->extent), "Face the sheet");
+			setCamera(label(action), interact::faceSheet(*seen, placed.sheets[sheet_], facts_->extent));
 		return true;
 	}
 	case Action::view_x:

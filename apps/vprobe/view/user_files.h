@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vp::app
+{
+
+// What the window keeps from one day to the next, beside states that the user saves: where the XDG base directories
+// say, in a folder volume-probes.
+
+struct Settings
+{
+	bool dark = true;
+	std::vector<std::string> recent; // inputs, the last one first; as absolute paths
+};
+
+constexpr std::size_t kMostRecent = 12;
+
+// Defaults where there are none, or they cannot be read.
+Settings readSettings();
+// Where they cannot be kept the window works all the same: false.
+bool writeSettings(const Settings& settings);
+void remember(Settings& settings, const std::string& input);
+
+// The file that keeps this process's state until it ends well; empty where there is no place for it.
+std::string recoveryFile();
+// Of processes that are gone and did not end well; the newest first.
+std::vector<std::string> leftRecoveryFiles();
+
+} // namespace vp::app
