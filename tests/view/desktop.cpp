@@ -4,7 +4,7 @@
 
 #include <array>
 #include <cstdlib>
-#include <fstream>
+#include <stdexcept>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -62,14 +62,12 @@ void Desktop::SetUp()
 		GTEST_SKIP() << "lavapipe is not installed";
 	startScreen();
 	startManager();
-	manager_ = std::make_unique<Process>(std::vector<std::string>{"openbox", "--config-file", path("openbox.xml")},
-	                                     Process::Setting{.environment = surroundings()});
 }
 
 void Desktop::TearDown()
 {
-	if (HasFailure() && screen_)
-		keepPicture(std::string("failed_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+	if (HasFailure() && program_ && program_->runs())
+		keepFailure();
 	program_.reset();
 	manager_.reset();
 	screen_.reset();
@@ -91,11 +89,20 @@ void Desktop::startScreen()
 	ASSERT_NE(display_, ":") << cli::contents(path("screen.err"));
 }
 
-void Desktop::startManager() const
+// A window that is opened while the manager starts may wait for ever to be told that it is seen (GLFW 3.3).
+void Desktop::startManager()
 {
 	write("openbox.xml", kManagerSettings);
 	for (const char* folder : {"home", "config", "state"})
 		std::filesystem::create_directory(path(folder));
+	manager_ = std::make_unique<Process>(std::vector<std::string>{"openbox", "--config-file", path("openbox.xml")},
+	                                     Process::Setting{.environment = surroundings()});
+	const auto answers = [this]
+	{
+		Process question({"xdotool", "get_num_desktops"}, {.environment = surroundings()});
+		return question.waitFor(kPatience) == 0;
+	};
+	ASSERT_TRUE(eventually(answers)) << "openbox does not manage windows";
 }
 
 std::map<std::string, std::string> Desktop::surroundings() const
@@ -141,7 +148,8 @@ void Desktop::command(const std::string& line) const
 {
 	// Without a reader there is nobody to wait for.
 	const int fifo = ::open(path("commands").c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
-	ASSERT_GE(fifo, 0) << "the program does not listen; it said: " << err();
+	if (fifo < 0)
+		throw std::runtime_error("the program does not listen; it said: " + err());
 	const std::string bytes = line + "\n";
 	EXPECT_EQ(::write(fifo, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
 	::close(fifo);
@@ -152,11 +160,10 @@ nlohmann::json Desktop::settle()
 	const std::string file = path("settled_" + std::to_string(settled_++) + ".json");
 	command("wait");
 	command("save-state " + file);
-	const bool came = eventually([&] { return std::filesystem::exists(file) || !program_->runs(); });
-	EXPECT_TRUE(came && program_->runs()) << "the window does not answer; it said: " << err();
-	nlohmann::json state = nlohmann::json::parse(cli::contents(file), nullptr, false);
-	EXPECT_TRUE(state.is_object());
-	return state;
+	eventually([&] { return std::filesystem::exists(file) || !program_->runs(); });
+	if (!std::filesystem::exists(file))
+		throw std::runtime_error("the window does not answer; it said: " + err());
+	return nlohmann::json::parse(cli::contents(file));
 }
 
 std::string Desktop::err() const
@@ -164,13 +171,20 @@ std::string Desktop::err() const
 	return cli::contents(path("err"));
 }
 
+void Desktop::keepFailure() const
+{
+	keepPicture(std::string("failed_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+}
+
 nlohmann::json Desktop::close(const std::string& spoken)
 {
+	if (HasFailure())
+		keepFailure();
 	command("quit");
 	const std::optional<int> status = program_->waitFor(kPatience);
 	EXPECT_EQ(status, 0) << err();
 	EXPECT_EQ(err(), spoken);
-	nlohmann::json stats = nlohmann::json::parse(cli::contents(path("stats.json")), nullptr, false);
+	nlohmann::json stats = nlohmann::json::parse(cli::contents(path("stats.json")));
 	EXPECT_EQ(stats.value("validation_messages", -1), 0) << stats.dump(1);
 	return stats;
 }

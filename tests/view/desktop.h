@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -57,8 +58,9 @@ protected:
 	static constexpr int kHeight = 700;
 
 private:
+	void keepFailure() const;
 	void startScreen();
-	void startManager() const;
+	void startManager();
 	std::map<std::string, std::string> surroundings() const;
 
 	std::string display_;
