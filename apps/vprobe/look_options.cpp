@@ -22,6 +22,8 @@ constexpr double kLogReach = 1e-6;
 
 Status setRange(const LookOptions& options, render::Look& look)
 {
+	if (options.symmetric && options.logarithmic)
+		return Error{ExitCode::usage, "--symmetric: there is no logarithm below 0; leave it out, or --log"};
 	if (options.range.empty())
 		return Nothing{};
 	const double lo = options.range[0];
@@ -44,6 +46,7 @@ Status checkCategories(const LookOptions& options, const render::Look& look)
 	                     : options.lines > 0      ? "--lines"
 	                     : options.bands > 0      ? "--bands"
 	                     : !options.range.empty() ? "--range"
+	                     : options.symmetric      ? "--symmetric"
 	                                              : nullptr;
 	if (!option)
 		return Nothing{};
@@ -83,11 +86,21 @@ void addColorOptions(CLI::App& command, LookOptions& options, const char* group)
 	    ->allow_extra_args(false)
 	    ->type_name("LO HI")
 	    ->group(group);
+	command
+	    .add_option(
+	        "--range-of", options.range_of,
+	        "Whose lowest and highest value are at the ends: data (the whole array) or slice (what the sheets show)")
+	    ->check(CLI::IsMember({"data", "slice"}))
+	    ->capture_default_str()
+	    ->group(group);
+	command.add_flag("--symmetric", options.symmetric, "The ends lie alike about 0, so 0 has the middle colour")
+	    ->group(group);
 	command.add_flag("--log", options.logarithmic, "Colours follow the values' logarithm")->group(group);
 	command.add_option("--lines", options.lines, "About N contour lines, at round values")
 	    ->check(CLI::Range(0, render::kMostLevels))
 	    ->type_name("N")
 	    ->group(group);
+	command.add_flag("--no-legend", options.no_legend, "Leaves the legend out")->group(group);
 	command.add_flag("--no-labels", options.no_labels, "Contour lines without their values")->group(group);
 	command.add_option("--bands", options.bands, "Bands of one colour, parted at about N round values")
 	    ->check(CLI::Range(0, render::kMostLevels))
@@ -190,12 +203,15 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 	if (!std::isfinite(options.opacity))
 		return Error{ExitCode::usage, "--opacity: nan is no opacity; give a number from 0 to 1"};
 	choice.opacity = options.opacity;
+	choice.range_of_slice = options.range_of == "slice";
+	choice.symmetric = options.symmetric;
 	choice.by_generation = options.color_by == "generation";
 	look.logarithmic = options.logarithmic;
 	look.lines = options.lines;
 	look.bands = options.bands;
 	look.mesh = options.mesh;
 	look.lit = options.lit;
+	look.legend = !options.no_legend;
 	look.labels = !options.no_labels;
 	look.length_units = options.length_units;
 	choice.units = options.units;

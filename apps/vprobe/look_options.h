@@ -23,6 +23,8 @@ struct LookOptions
 	std::string colormap = "viridis";
 	std::string color_by = "array";
 	std::vector<double> range; // none, or LO and HI
+	std::string range_of = "data";
+	bool symmetric = false;
 	bool logarithmic = false;
 	double opacity = 1.0;
 	int lines = 0;
@@ -34,6 +36,7 @@ struct LookOptions
 	std::string outline = "box";
 	std::vector<std::string> context;
 	std::string axes = "corner";
+	bool no_legend = false;
 	bool no_labels = false;
 	std::string units;
 	std::string length_units;
@@ -55,11 +58,13 @@ struct LookChoice
 	render::Look look;
 	render::CameraChoice camera;
 	std::vector<ContextChoice> context;
-	double opacity = 1.0;       // of every sheet
-	bool by_generation = false; // colours tell when the traversal met a cell, instead of the array
-	std::string units;          // of the array, told behind its name
-	bool captions = true;       // where the first sheet is
-	bool window_rims = true;    // lines around windows
+	double opacity = 1.0;        // of every sheet
+	bool range_of_slice = false; // without a range: the colours' ends are those of what the sheets show
+	bool symmetric = false;      // and lie alike about 0
+	bool by_generation = false;  // colours tell when the traversal met a cell, instead of the array
+	std::string units;           // of the array, told behind its name
+	bool captions = true;        // where the first sheet is
+	bool window_rims = true;     // lines around windows
 };
 
 // What can be wrong on the command line is told before a large file is read.

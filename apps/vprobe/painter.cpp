@@ -196,7 +196,7 @@ Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vec
 	scene.surfaces = context_;
 	scene.bounds = session_.blocks.bounds();
 	scene.fitted = choice().camera.kind != render::CameraChoice::Kind::fixed;
-	auto scale = looks_.scaleOf(slice, std::ranges::any_of(sheets, hasNan));
+	auto scale = looks_.scaleOf(slice, sheets, std::ranges::any_of(sheets, hasNan));
 	if (!scale)
 		return scale.error();
 	scene.values = *scale;

@@ -49,7 +49,7 @@ Result<std::vector<std::string>> writePictures(const Session& session, const std
 	std::vector<render::FlatScene> flats;
 	for (std::size_t s = 0; s < sheets.size(); ++s)
 	{
-		auto scale = looks.scaleOf(slice, hasNan(sheets[s]));
+		auto scale = looks.scaleOf(slice, sheets, hasNan(sheets[s]));
 		if (!scale)
 			return scale.error();
 		Result<render::SheetDrawing> drawing = looks.drawing(slice.sheets[s], sheets[s]);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace vp::app
 {
@@ -110,11 +111,40 @@ Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const std::optiona
 	return scale;
 }
 
-Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const slice::Slice& slice, bool has_nan)
+void SheetLooks::chooseEnds(render::ValueScale& scale, std::span<const SheetStats* const> sheets) const
+{
+	grid::ValueSpan shown;
+	for (const SheetStats* sheet : sheets)
+		for (const std::optional<double>& end : {sheet->measure.min, sheet->measure.max})
+			if (end)
+				shown.include(*end);
+	if (choice_.range_of_slice && !shown.empty()) // where nothing is shown the array's ends serve
+	{
+		std::tie(scale.lo, scale.hi) = shown.range();
+		if (scale.lo > 0.0)
+			scale.log_lo = scale.lo;
+	}
+	if (choice_.symmetric)
+	{
+		scale.hi = std::max(std::abs(scale.lo), std::abs(scale.hi));
+		scale.lo = -scale.hi;
+	}
+}
+
+Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const slice::Slice& slice,
+                                                              std::span<const SheetStats> sheets, bool has_nan)
 {
 	if (choice_.by_generation)
 		return std::optional(generationScale(slice));
-	return scaleOf(session_.field, has_nan);
+	auto scale = scaleOf(session_.field, has_nan);
+	if (!scale || !*scale)
+		return scale;
+	std::vector<const SheetStats*> of_array;
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+		if (slice.sheets[s].field == session_.field)
+			of_array.push_back(&sheets[s]);
+	chooseEnds(**scale, of_array);
+	return scale;
 }
 
 Result<render::SheetDrawing> SheetLooks::drawing(const slice::SheetSlice& sheet, const SheetStats& stats)
@@ -131,6 +161,9 @@ Result<render::SheetDrawing> SheetLooks::drawing(const slice::SheetSlice& sheet,
 		if (!scale)
 			return scale.error();
 		drawing.values = *scale;
+		const SheetStats* const own[] = {&stats};
+		if (drawing.values)
+			chooseEnds(*drawing.values, own);
 	}
 	if (wishes.colormap)
 	{

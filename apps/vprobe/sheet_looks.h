@@ -6,6 +6,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,13 +25,16 @@ public:
 	// The arrays hold other values now.
 	void forgetScales() { scales_.clear(); }
 
-	// Of the array that the sheets show, or of generations.
-	Result<std::optional<render::ValueScale>> scaleOf(const slice::Slice& slice, bool has_nan);
+	// Of the array that the sheets show, or of generations. sheets: all of the slice's.
+	Result<std::optional<render::ValueScale>> scaleOf(const slice::Slice& slice, std::span<const SheetStats> sheets,
+	                                                  bool has_nan);
 	// Without records.
 	Result<render::SheetDrawing> drawing(const slice::SheetSlice& sheet, const SheetStats& stats);
 
 private:
 	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan);
+	// The array's scale with the ends that the look asks for. sheets: those that show it.
+	void chooseEnds(render::ValueScale& scale, std::span<const SheetStats* const> sheets) const;
 	void takeLengthUnits();
 	std::string unitsOf(const std::optional<slice::FieldChoice>& field) const;
 

@@ -63,7 +63,9 @@ TEST_F(Render, OptionsChangeThePicture)
 	const std::string plain = picture({"--background", "white"});
 	for (const Arguments& options :
 	     {Arguments{"--background", "black"}, Arguments{"--background", "white", "--range", "-0.1", "0.1"},
-	      Arguments{"--background", "white", "--camera", "x"}, Arguments{"--background", "white", "--array", "v"},
+	      Arguments{"--background", "white", "--range-of", "slice"}, Arguments{"--background", "white", "--symmetric"},
+	      Arguments{"--background", "white", "--no-legend"}, Arguments{"--background", "white", "--camera", "x"},
+	      Arguments{"--background", "white", "--array", "v"},
 	      Arguments{"--background", "white", "--origin", "0", "1", "0"},
 	      Arguments{"--background", "white", "--colormap", "viridis_r"}, Arguments{"--background", "white", "--mesh"},
 	      Arguments{"--background", "white", "--lines", "8"}, Arguments{"--background", "white", "--bands", "8"},
@@ -72,6 +74,30 @@ TEST_F(Render, OptionsChangeThePicture)
 	      Arguments{"--background", "white", "--context", "boundary"},
 	      Arguments{"--background", "white", "--outline", "none"}, Arguments{"--background", "white", "--title", ""}})
 		EXPECT_NE(picture(options), plain) << options[options.size() - 2];
+}
+
+TEST_F(Render, RangesOfSlices)
+{
+	const Arguments where{"--origin", "1", "1.2", "0.1", "--normal", "x"};
+	ASSERT_TRUE(
+	    isQuiet(run(Arguments{"slice", "demo:shell:16", "-o", path("a.vtp"), "--stats", path("s.json")} + where)));
+	const nlohmann::json sheet = nlohmann::json::parse(contents(path("s.json"))).at("sheets").at(0);
+	const auto number = [](double value) { return nlohmann::json(value).dump(); };
+	const double lo = sheet.at("min");
+	const double hi = sheet.at("max");
+	const double most = std::max(std::abs(lo), std::abs(hi));
+	const auto picture = [&](const Arguments& options)
+	{
+		EXPECT_TRUE(isQuiet(
+		    run(Arguments{"render", "demo:shell:16", "-o", path("out.png"), "--size", "200x120", "--no-legend"} +
+		        where + options)));
+		return contents(path("out.png"));
+	};
+	const std::string of_slice = picture({"--range-of", "slice"});
+	EXPECT_TRUE(of_slice == picture({"--range", number(lo), number(hi)}));
+	EXPECT_TRUE(of_slice != picture({}));
+	EXPECT_TRUE(picture({"--range-of", "slice", "--symmetric"}) == picture({"--range", number(-most), number(most)}));
+	EXPECT_TRUE(picture({"--symmetric", "--range", "-0.2", "0.4"}) == picture({"--range", "-0.2", "0.4"}));
 }
 
 TEST_F(Render, ContextIsTranslucentAsAsked)

@@ -63,9 +63,9 @@ TEST_F(Usage, HelpNamesTheOptions)
 		EXPECT_TRUE(contains(render, option)) << option;
 	}
 	EXPECT_TRUE(contains(slice, "--stats"));
-	for (const char* option :
-	     {"--size", "--samples", "--colormap", "--range", "--log", "--opacity", "--lines", "--bands", "--mesh", "--lit",
-	      "--camera", "--background", "--outline", "--axes", "--title", "NAME_r"})
+	for (const char* option : {"--size", "--samples", "--colormap", "--range", "--range-of", "--symmetric",
+	                           "--no-legend", "--log", "--opacity", "--lines", "--bands", "--mesh", "--lit", "--camera",
+	                           "--background", "--outline", "--axes", "--title", "NAME_r"})
 		EXPECT_TRUE(contains(render, option)) << option;
 }
 
@@ -174,6 +174,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"hugeSize", {"--size", "1000000x1000000"}, "--size"},
         Bad{"colormap", {"--colormap", "no-such-map"}, "--colormap"},
         Bad{"rangeUpsideDown", {"--range", "2", "1"}, "--range"},
+        Bad{"rangeOfWhat", {"--range-of", "sheet"}, "--range-of"},
+        Bad{"symmetricLogarithm", {"--log", "--symmetric"}, "--symmetric"},
         Bad{"rangeNotANumber", {"--range", "nan", "1"}, "--range"}, Bad{"camera", {"--camera", "nowhere"}, "--camera"},
         Bad{"cameraOfFourNumbers", {"--camera", "1", "2", "3", "4"}, "--camera"},
         Bad{"logOfNothing", {"--log", "--range", "0", "1"}, "--range"},

@@ -118,7 +118,7 @@ void Artist::work()
 	const auto woken = [this] { return wish_ || !orders_.empty() || ends_; };
 	for (;;)
 	{
-		const bool coarse = shown_ && !shown_->smooth && session_;
+		const bool coarse = shown_ && (!shown_->smooth || !shown_->lookups) && session_ && !refining_failed_;
 		const bool still = coarse ? !changed_.wait_for(lock, kStill, woken) : (changed_.wait(lock, woken), false);
 		if (ends_)
 			return;
@@ -189,6 +189,7 @@ auto Artist::tried(const Work& work) -> decltype(work())
 void Artist::answer(const Wish& wish, bool smooth)
 {
 	const Status done = tried([&] { return show(wish, smooth); });
+	refining_failed_ = smooth && !done; // once is enough
 	if (done)
 		return;
 	const std::lock_guard lock(mutex_);
@@ -224,15 +225,7 @@ Status Artist::writeSlice(const SliceOrder& order)
 Status Artist::show(const Wish& wish, bool smooth)
 {
 	if (smooth)
-	{
-		Shown shown = *this->shown();
-		Result<bool> drawn = draw(shown, true);
-		if (!drawn)
-			return drawn.error();
-		if (*drawn)
-			publish(std::move(shown));
-		return Nothing{};
-	}
+		return refine();
 	Shown shown;
 	shown.wish = wish;
 	if (Status followed = follow(wish); !followed)
@@ -248,11 +241,44 @@ Status Artist::show(const Wish& wish, bool smooth)
 	shown.cut = cut_;
 	shown.cuts = cuts_;
 	shown.empty = std::ranges::all_of(cut_->slice.sheets, isEmpty);
+	shown.memory = session_->slicer->memory();
+	if (const auto before = this->shown(); before && before->cut == cut_)
+		shown.lookups = before->lookups;
 	Result<bool> drawn = draw(shown, false);
 	if (!drawn)
 		return drawn.error();
 	publish(std::move(shown));
 	return Nothing{};
+}
+
+Status Artist::refine()
+{
+	addLookups();
+	Shown shown = *this->shown();
+	if (shown.smooth || waits())
+		return Nothing{};
+	// An order may have come between, for another picture.
+	if (Status followed = follow(shown.wish); !followed)
+		return followed;
+	if (Result<double> cut = cutAsWished(); !cut)
+		return cut.error();
+	Result<bool> drawn = draw(shown, true);
+	if (!drawn)
+		return drawn.error();
+	if (*drawn)
+		publish(std::move(shown));
+	return Nothing{};
+}
+
+void Artist::addLookups()
+{
+	Shown shown = *this->shown();
+	if (shown.lookups)
+		return;
+	const bool by_generation = shown.wish.look.color_by == "generation";
+	shown.lookups = std::make_shared<const SheetLookups>(*session_, shown.cut, by_generation);
+	publish(std::move(shown));
+	wake_();
 }
 
 Status Artist::follow(const Wish& wish)

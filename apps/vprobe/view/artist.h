@@ -4,6 +4,7 @@
 #include "gpu/image.h"
 #include "painter.h"
 #include "saved_options.h"
+#include "view/sheet_lookups.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -42,11 +43,13 @@ struct Shown
 	render::Camera camera;
 	render::Frame frame;
 	std::optional<render::ValueScale> values;
-	bool smooth = false; // all samples are in it
-	bool empty = false;  // no sheet cuts anything
-	double cut_ms = 0.0; // 0 where the cut before was still good
+	bool smooth = false;                         // all samples are in it
+	bool empty = false;                          // no sheet cuts anything
+	std::shared_ptr<const SheetLookups> lookups; // of the cut, once it has been still; or null
+	double cut_ms = 0.0;                         // 0 where the cut before was still good
 	double draw_ms = 0.0;
-	std::uint64_t cuts = 0; // made so far
+	std::uint64_t cuts = 0;       // made so far
+	slice::Slicer::Memory memory; // that the slicer keeps
 };
 
 // A picture to be kept: all samples, at the wish's size, apart from what is shown.
@@ -107,6 +110,8 @@ private:
 	Result<render::Picture> picture(const PictureOrder& order);
 	Status writeSlice(const SliceOrder& order);
 	Result<bool> draw(Shown& shown, bool smooth);
+	Status refine(); // what is shown, while nothing else is wished
+	void addLookups();
 	Result<std::shared_ptr<gpu::Image>> takeImage(VkExtent2D extent);
 	void publish(Shown shown);
 	bool waits() const;
@@ -123,6 +128,7 @@ private:
 	std::uint64_t cuts_ = 0;
 	bool cut_is_old_ = true;
 	bool only_moved_ = false;
+	bool refining_failed_ = false; // of the picture that is shown
 	Pictures pictures_;
 
 	mutable std::mutex mutex_;

@@ -46,6 +46,7 @@ Facts factsOf(const Session& session, const std::vector<std::string>& inputs)
 	facts.times = blocks.times;
 	for (const grid::Patch& patch : blocks.patches)
 		facts.patches.push_back(patch.name);
+	facts.memory = grid::memoryOf(blocks);
 	facts.device = session.device->name();
 	facts.classifier = classifierName(session);
 	facts.structured = std::ranges::all_of(blocks.blocks, [](const grid::Block& block)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grid/memory.h"
 #include "session.h"
 
 #include <string>
@@ -30,6 +31,7 @@ struct Facts
 	std::vector<Array> arrays;
 	std::vector<double> times; // ascending; empty where the input knows none
 	std::vector<std::string> patches;
+	grid::Memory memory; // of the blocks, when they had been loaded
 	std::string device;
 	std::string classifier;  // gpu or cpu
 	bool structured = false; // has subscripts i, j, k

@@ -61,8 +61,8 @@ void Hand::look()
 	const auto view = bench_.view();
 	if (!view || !part_.holds(at_))
 		return;
-	handle_ = interact::pickHandle(shapes(), *view, inScene(at_), 6.0 * ui_scale_);
-	sheet_ = sheetAt(inScene(at_));
+	handle_ = interact::pickHandle(shapes(), *view, inScene(), 6.0 * ui_scale_);
+	sheet_ = sheetAt(inScene());
 }
 
 void Hand::moveTo(const glm::dvec2& at)
@@ -83,11 +83,11 @@ void Hand::press(Button button, bool within)
 	bench_.endMerge();
 	const Vec3 pivot = sheet_ ? sheet_->point : view->camera.focal_point;
 	if (button == Button::left && handle_)
-		grip_.emplace<interact::Drag>(*handle_, inScene(at_), *view, bench_.probe(), bench_.facts()->bounds, ui_scale_);
+		grip_.emplace<interact::Drag>(*handle_, inScene(), *view, bench_.probe(), bench_.facts()->bounds, ui_scale_);
 	else if (button == Button::left && sheet_)
 		takeSheet();
 	else
-		grip_ = CameraGrip{*view, inScene(at_), button == Button::middle, pivot};
+		grip_ = CameraGrip{*view, inScene(), button == Button::middle, pivot};
 }
 
 void Hand::takeSheet()
@@ -97,7 +97,7 @@ void Hand::takeSheet()
 		grip_ = LensGrip{bench_.probe(), *bench_.view(), sheet_->sheet, sheet_->uv};
 	else
 		grip_.emplace<interact::Drag>(
-		    interact::Handle{interact::HandleKind::sheet, 2, sheet_->sheet, 0, bench_.parts.own}, inScene(at_),
+		    interact::Handle{interact::HandleKind::sheet, 2, sheet_->sheet, 0, bench_.parts.own}, inScene(),
 		    *bench_.view(), bench_.probe(), bench_.facts()->bounds, ui_scale_);
 }
 
@@ -124,7 +124,7 @@ interact::Modifiers Hand::keysFor(const interact::Drag& drag) const
 
 void Hand::drag()
 {
-	const glm::dvec2 pixel = inScene(at_);
+	const glm::dvec2 pixel = inScene();
 	if (const auto* drag = std::get_if<interact::Drag>(&grip_))
 		return bench_.setProbe(nameOf(drag->handle()), drag->to(pixel, keysFor(*drag)), kDragKey);
 	if (const auto* lens = std::get_if<LensGrip>(&grip_))
@@ -155,7 +155,7 @@ void Hand::wheel(double amount, bool within)
 	{
 		const std::optional<Vec3> point = sheet_ ? std::optional(sheet_->point) : std::nullopt;
 		return bench_.setCamera(
-		    "Zoom", interact::zoomed(*view, inScene(at_), std::pow(kZoomFactor, amount), bench_.facts()->extent, point),
+		    "Zoom", interact::zoomed(*view, inScene(), std::pow(kZoomFactor, amount), bench_.facts()->extent, point),
 		    kWheelKey);
 	}
 	bench_.chooseSheet(sheet_->sheet);

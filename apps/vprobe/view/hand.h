@@ -56,7 +56,9 @@ public:
 	const std::optional<interact::Handle>& handle() const { return handle_; }
 	const std::optional<interact::SheetHit>& sheet() const { return sheet_; }
 	glm::dvec2 at() const { return at_; }
-	std::vector<interact::HandleShape> shapes() const; // as they are to be drawn, in the world
+	bool isInScene() const { return part_.holds(at_); }
+	glm::dvec2 inScene() const { return at_ - part_.lo; } // the pointer, in the scene's pixels
+	std::vector<interact::HandleShape> shapes() const;    // as they are to be drawn, in the world
 
 private:
 	struct CameraGrip
@@ -75,7 +77,6 @@ private:
 	};
 	using Grip = std::variant<std::monostate, interact::Drag, CameraGrip, LensGrip>;
 
-	glm::dvec2 inScene(const glm::dvec2& at) const { return at - part_.lo; }
 	void look();
 	void drag();
 	void takeSheet();

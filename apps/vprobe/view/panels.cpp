@@ -1,5 +1,7 @@
 #include "view/panels.h"
 
+#include "view/sections.h"
+
 #include <algorithm>
 
 namespace vp::app
@@ -15,6 +17,7 @@ constexpr double kLineHeight = 26.0;
 
 ScenePart showPanels(Desk& desk)
 {
+	playTimes(desk);
 	showMenu(desk);
 	const ImGuiViewport& all = *ImGui::GetMainViewport();
 	ScenePart scene{{all.WorkPos.x, all.WorkPos.y}, {all.WorkSize.x, all.WorkSize.y}};

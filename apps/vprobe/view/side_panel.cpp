@@ -1,6 +1,6 @@
-#include "view/panels.h"
+#include "view/sections.h"
 
-#include <fmt/format.h>
+#include <array>
 
 namespace vp::app
 {
@@ -8,71 +8,52 @@ namespace vp::app
 namespace
 {
 
-using interact::Action;
-
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus;
-
-void item(Desk& desk, Action action, bool chosen = false, bool enabled = true)
+struct Section
 {
-	if (ImGui::MenuItem(std::string(interact::wordsOf(action)).c_str(), interact::keysOf(action).c_str(), chosen,
-	                    enabled))
-		desk.bench.perform(action);
-}
+	const char* name;
+	const char* words;
+	void (*show)(Desk& desk);
+	bool unfolded;
+};
 
-void beginFixed(const char* name, const ScenePart& room)
+constexpr std::array kSections{
+    Section{"Data", "What is loaded", showDataSection, true},
+    Section{"Probe", "The sheets, where they stand, their windows", showProbeSection, true},
+    Section{"Colours", "What array the sheets show, and how", showColourSection, true},
+    Section{"Time", "The input's time steps", showTimeSection, true},
+    Section{"Magnifier", "What a sheet shows, magnified", showMagnifierSection, false},
+    Section{"Scene", "What is drawn around the sheets", showSceneSection, false},
+    Section{"Camera", "Where the scene is seen from", showCameraSection, false},
+};
+
+bool isOfUse(const Section& section, const Workbench& bench)
 {
-	ImGui::SetNextWindowPos({static_cast<float>(room.lo.x), static_cast<float>(room.lo.y)});
-	ImGui::SetNextWindowSize({static_cast<float>(room.size.x), static_cast<float>(room.size.y)});
-	ImGui::Begin(name, nullptr, kFixed);
+	if (section.show == showDataSection)
+		return true;
+	if (section.show == showTimeSection)
+		return bench.facts() && bench.facts()->times.size() > 1;
+	return bench.facts().has_value();
 }
 
 } // namespace
 
-void showMenu(Desk& desk)
-{
-	if (!ImGui::BeginMainMenuBar())
-		return;
-	if (ImGui::BeginMenu("File"))
-	{
-		item(desk, Action::open);
-		item(desk, Action::save_state);
-		item(desk, Action::save_picture);
-		item(desk, Action::quit);
-		ImGui::EndMenu();
-	}
-	if (ImGui::BeginMenu("Edit"))
-	{
-		item(desk, Action::undo, false, desk.bench.history().canUndo());
-		item(desk, Action::redo, false, desk.bench.history().canRedo());
-		ImGui::EndMenu();
-	}
-	ImGui::EndMainMenuBar();
-}
-
 void showSidePanel(Desk& desk, const ScenePart& room)
 {
-	beginFixed("side", room);
-	for (const Action action :
-	     {Action::preset_single, Action::preset_trihedral, Action::preset_paddlewheel, Action::preset_stack})
-		if (ImGui::Button(std::string(interact::wordsOf(action)).c_str()))
-			desk.bench.perform(action);
+	beginFixed("side", room, ImGuiWindowFlags_AlwaysVerticalScrollbar);
+	for (const Section& section : kSections)
+	{
+		if (!isOfUse(section, desk.bench))
+			continue;
+		const bool open = ImGui::CollapsingHeader(section.name, section.unfolded ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+		tip(section.words);
+		if (!open)
+			continue;
+		ImGui::PushID(section.name);
+		section.show(desk);
+		ImGui::PopID();
+		ImGui::Spacing();
+	}
 	ImGui::End();
 }
-
-void showStatusLine(Desk& desk, const ScenePart& room)
-{
-	beginFixed("status", room);
-	const Meter& meter = desk.meter;
-	ImGui::TextUnformatted(fmt::format("cut {:.1f} ms  draw {:.1f} ms  input to picture {:.0f} ms", meter.cuts().last(),
-	                                   meter.draws().last(), meter.answers().last())
-	                           .c_str());
-	ImGui::End();
-}
-
-void showNotices(Desk&, const ScenePart&) {}
-void showProfile(Desk&, const ScenePart&) {}
-void showHelp(Desk&) {}
-void showQuestions(Desk&) {}
 
 } // namespace vp::app

@@ -56,13 +56,15 @@ const Theme& theme(bool dark)
 	                         IM_COL32(255, 208, 84, 255),
 	                         IM_COL32(44, 58, 74, 240),
 	                         IM_COL32(110, 40, 36, 245),
-	                         {IM_COL32(92, 154, 235, 255), IM_COL32(226, 160, 84, 255), IM_COL32(104, 190, 96, 255)}};
+	                         {IM_COL32(92, 154, 235, 255), IM_COL32(226, 160, 84, 255), IM_COL32(104, 190, 96, 255),
+	                          IM_COL32(190, 130, 220, 255)}};
 	static const Theme kLight{{IM_COL32(196, 58, 48, 255), IM_COL32(48, 138, 52, 255), IM_COL32(38, 98, 190, 255)},
 	                          IM_COL32(40, 44, 52, 150),
 	                          IM_COL32(222, 138, 0, 255),
 	                          IM_COL32(222, 232, 242, 245),
 	                          IM_COL32(250, 216, 212, 250),
-	                          {IM_COL32(38, 98, 190, 255), IM_COL32(196, 120, 30, 255), IM_COL32(48, 138, 52, 255)}};
+	                          {IM_COL32(38, 98, 190, 255), IM_COL32(196, 120, 30, 255), IM_COL32(48, 138, 52, 255),
+	                           IM_COL32(140, 70, 170, 255)}};
 	return dark ? kDark : kLight;
 }
 
@@ -91,7 +93,7 @@ void makeFonts(double scale)
 	ImFontConfig config;
 	config.FontDataOwnedByAtlas = false;
 	// Units, degrees and powers, arrows and the marks of playing.
-	static const ImWchar kLetters[] = {0x20,   0x24f,  0x370,  0x3ff,  0x2010, 0x2027, 0x2070, 0x209f, 0x2190, 0x21ff,
+	static const ImWchar kLetters[] = {0x20,   0x24f,  0x370,  0x3ff,  0x2000, 0x2027, 0x2070, 0x209f, 0x2190, 0x21ff,
 	                                   0x2200, 0x22ff, 0x23e9, 0x23fa, 0x25a0, 0x25ff, 0x2700, 0x27bf, 0};
 	io.Fonts->AddFontFromMemoryTTF(const_cast<std::byte*>(file.data()), static_cast<int>(file.size()),
 	                               static_cast<float>(std::round(kFontPixels * scale)), &config, kLetters);

@@ -15,7 +15,7 @@ struct Theme
 	ImU32 held; // under the pointer, or in the hand
 	ImU32 note;
 	ImU32 error;
-	ImU32 graph[3];
+	ImU32 graph[4]; // frame, cut, draw, input to picture
 };
 
 const Theme& theme(bool dark);

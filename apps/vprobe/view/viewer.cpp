@@ -34,7 +34,7 @@ struct InterfaceContext
 		IMGUI_CHECKVERSION();
 		ImGui::CreateContext();
 		ImGui::GetIO().IniFilename = nullptr; // the places of panels are fixed
-		ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+		ImGui::GetIO().ConfigDragClickToInputText = true;
 	}
 	~InterfaceContext() { ImGui::DestroyContext(); }
 	InterfaceContext(const InterfaceContext&) = delete;
@@ -66,6 +66,7 @@ private:
 	void obey();  // --commands
 	Status showFrame();
 	Status followScale();
+	static void followKeyboard();
 	double secondsToNextFrame() const;
 	bool isAwake() const;
 
@@ -183,12 +184,22 @@ Status Viewer::followScale()
 	return Nothing{};
 }
 
+// Menus and questions go by the arrows too; else those turn the probe.
+void Viewer::followKeyboard()
+{
+	ImGuiIO& io = ImGui::GetIO();
+	const bool asks = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+	io.ConfigFlags = asks ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
+	                      : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
+}
+
 Status Viewer::showFrame()
 {
 	if (Status followed = followScale(); !followed)
 		return followed;
 	ImGui_ImplVulkan_NewFrame();
 	ImGui_ImplGlfw_NewFrame();
+	followKeyboard();
 	ImGui::NewFrame();
 	Desk desk{bench_, hand_, meter_, scale_};
 	scene_ = showPanels(desk);

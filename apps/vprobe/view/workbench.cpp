@@ -156,11 +156,20 @@ bool Workbench::isIdle() const
 	       (!facts_ || (asked_ == version_ && artist_.isIdle() && shown_ == artist_.shown()));
 }
 
+bool Workbench::isShown() const
+{
+	return shown_ && asked_ == version_ && shown_->wish.number == asked_;
+}
+
 void Workbench::notify(std::string words, bool is_error)
 {
-	const Moment now = std::chrono::steady_clock::now();
+	dismiss(words);
+	notices_.push_back({std::move(words), is_error, std::chrono::steady_clock::now()});
+}
+
+void Workbench::dismiss(const std::string& words)
+{
 	std::erase_if(notices_, [&](const Notice& notice) { return notice.words == words; });
-	notices_.push_back({std::move(words), is_error, now});
 }
 
 void Workbench::forgetOldNotices()

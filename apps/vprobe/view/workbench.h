@@ -44,6 +44,7 @@ struct OpenParts
 	bool help = false;
 	bool full_screen = false;
 	bool exposure = false; // in place of the film loop, all its frames in one picture
+	bool plays_times = false;
 };
 
 // A question that waits for its answer.
@@ -99,6 +100,8 @@ public:
 	void reload();
 	const Loader& loader() const { return loader_; }
 	void cancelLoading();
+	void showTime(int step, const std::string& merge = {});
+	const Facts::Array* shownArray() const; // the state's; null without arrays
 	const std::optional<Facts>& facts() const { return facts_; }
 	int timeStep() const; // the one of the input's times that the state means
 	void saveState(const std::string& file);
@@ -128,6 +131,7 @@ public:
 	void noteInput(Moment when); // what follows answers it
 	const std::shared_ptr<const Shown>& shown() const { return shown_; }
 	bool isIdle() const;
+	bool isShown() const; // what is shown is of the state as it is
 
 	// --- The window.
 	OpenParts parts;
@@ -139,6 +143,7 @@ public:
 	void notify(const Error& error) { notify(error.message, true); }
 	// What was set stays to be recovered when the bench goes: it ends by a fault.
 	void keepState();
+	void dismiss(const std::string& words);
 	bool wantsToQuit() const { return quits_; }
 	void quit() { quits_ = true; }
 

@@ -289,6 +289,16 @@ bool Workbench::performOnLook(Action action)
 		return edit([](ViewState& state) { state.look.lines = state.look.lines > 0 ? 0 : kLines; });
 	case Action::bands:
 		return edit([](ViewState& state) { state.look.bands = state.look.bands > 0 ? 0 : kLines; });
+	case Action::legend:
+		return edit([](ViewState& state) { state.look.no_legend = !state.look.no_legend; });
+	case Action::range_of_slice:
+		return edit(
+		    [](ViewState& state)
+		    {
+			    const bool on = state.look.range.empty() && state.look.range_of == "slice";
+			    state.look.range.clear();
+			    state.look.range_of = on ? "data" : "slice";
+		    });
 	case Action::mesh:
 		return edit([](ViewState& state) { state.look.mesh = !state.look.mesh; });
 	case Action::outline:
@@ -306,18 +316,25 @@ bool Workbench::performOnLook(Action action)
 	}
 }
 
-void Workbench::stepArray(int by)
+// Without a name the first array is shown.
+const Facts::Array* Workbench::shownArray() const
 {
 	if (!facts_ || facts_->arrays.empty())
+		return nullptr;
+	const std::string& name = state().probe.array;
+	const auto at = std::ranges::find_if(facts_->arrays, [&](const Facts::Array& array)
+	                                     { return array.word == name || array.name == name; });
+	return at == facts_->arrays.end() ? &facts_->arrays.front() : &*at;
+}
+
+void Workbench::stepArray(int by)
+{
+	const Facts::Array* now = shownArray();
+	if (!now)
 		return;
 	const auto& arrays = facts_->arrays;
-	const std::string& name = state().probe.array;
-	// Without a name the first array is shown.
-	auto at = std::ranges::find_if(arrays,
-	                               [&](const Facts::Array& array) { return array.word == name || array.name == name; });
 	const auto count = static_cast<std::ptrdiff_t>(arrays.size());
-	const std::ptrdiff_t index = at == arrays.end() ? 0 : at - arrays.begin();
-	const Facts::Array& next = arrays[static_cast<std::size_t>((index + by + count) % count)];
+	const Facts::Array& next = arrays[static_cast<std::size_t>((now - arrays.data() + by + count) % count)];
 	change(fmt::format("Array {}", next.name),
 	       [&](ViewState& state)
 	       {
@@ -332,8 +349,13 @@ void Workbench::stepTime(int by)
 	if (!facts_ || facts_->times.empty())
 		return;
 	const int last = static_cast<int>(facts_->times.size()) - 1;
-	const int next = std::clamp(timeStep() + by, 0, last);
-	change("Time", [&](ViewState& state) { state.probe.time = fmt::format("#{}", next); });
+	showTime(std::clamp(timeStep() + by, 0, last));
+}
+
+void Workbench::showTime(int step, const std::string& merge)
+{
+	change(
+	    "Time", [&](ViewState& state) { state.probe.time = fmt::format("#{}", step); }, merge);
 }
 
 // Of the input's times, the one that is shown.

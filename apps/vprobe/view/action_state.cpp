@@ -1,0 +1,111 @@
+#include "view/widgets.h"
+
+namespace vp::app
+{
+
+namespace
+{
+
+using interact::Action;
+
+bool needsData(Action action)
+{
+	switch (action)
+	{
+	case Action::open:
+	case Action::save_state:
+	case Action::save_state_as:
+	case Action::undo:
+	case Action::redo:
+	case Action::quit:
+	case Action::cancel:
+	case Action::dark_theme:
+	case Action::handles:
+	case Action::plane_pane:
+	case Action::panels:
+	case Action::profile_overlay:
+	case Action::full_screen:
+	case Action::help:
+	case Action::magnifier:
+		return false;
+	default:
+		return true;
+	}
+}
+
+bool isProbe(const ProbeOptions& options, const char* name)
+{
+	return options.probe == name && !options.own_probe && !options.surface;
+}
+
+} // namespace
+
+bool isOn(const Workbench& bench, Action action)
+{
+	const OpenParts& parts = bench.parts;
+	const LookOptions& look = bench.state().look;
+	const ProbeOptions& probe = bench.state().probe;
+	switch (action)
+	{
+	case Action::dark_theme:
+		return settings.dark;
+	case Action::handles:
+		return parts.handles;
+	case Action::plane_pane:
+		return parts.plane_pane;
+	case Action::panels:
+		return parts.panels;
+	case Action::profile_overlay:
+		return parts.profile;
+	case Action::full_screen:
+		return parts.full_screen;
+	case Action::magnifier:
+		return parts.magnifier;
+	case Action::help:
+		return parts.help;
+	case Action::lines:
+		return look.lines > 0;
+	case Action::bands:
+		return look.bands > 0;
+	case Action::mesh:
+		return look.mesh;
+	case Action::legend:
+		return !look.no_legend;
+	case Action::axes:
+		return look.axes != "none";
+	case Action::outline:
+		return look.outline != "none";
+	case Action::range_of_slice:
+		return look.range.empty() && look.range_of == "slice";
+	case Action::preset_single:
+		return isProbe(probe, "single");
+	case Action::preset_trihedral:
+		return isProbe(probe, "trihedral");
+	case Action::preset_paddlewheel:
+		return isProbe(probe, "paddlewheel");
+	case Action::preset_stack:
+		return isProbe(probe, "stack");
+	default:
+		return false;
+	}
+}
+
+bool isPossible(const Workbench& bench, Action action)
+{
+	switch (action)
+	{
+	case Action::undo:
+		return bench.history().canUndo();
+	case Action::redo:
+		return bench.history().canRedo();
+	case Action::cancel:
+		return bench.loader().isBusy();
+	case Action::next_time:
+	case Action::previous_time:
+		return bench.facts() && bench.facts()->times.size() > 1;
+	default:
+		return !needsData(action) || bench.facts().has_value();
+	}
+}
+
+} // namespace vp::app

@@ -1,0 +1,135 @@
+#include "view/sections.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace vp::app
+{
+
+namespace
+{
+
+using interact::Action;
+
+constexpr int kMostLines = 40; // that a slider offers
+
+std::string titleOf(const Facts::Array& array)
+{
+	return fmt::format("{}  ({})", array.name, array.association == grid::Association::cell ? "cells" : "points");
+}
+
+void chooseArray(Desk& desk, const Facts::Array& array)
+{
+	desk.bench.change(fmt::format("Array {}", array.name),
+	                  [&](ViewState& state)
+	                  {
+		                  state.probe.array = array.word;
+		                  state.probe.component.clear();
+		                  state.look.color_by = "array";
+		                  state.look.range.clear();
+	                  });
+}
+
+void showArrays(Desk& desk, const Facts::Array* now)
+{
+	const bool by_generation = desk.bench.state().look.color_by == "generation";
+	const std::string shown = by_generation ? "Generation" : now ? titleOf(*now) : "None";
+	labelled("Array");
+	if (ImGui::BeginCombo("##array", shown.c_str(), ImGuiComboFlags_HeightLarge))
+	{
+		for (const Facts::Array& array : desk.bench.facts()->arrays)
+			if (ImGui::Selectable(titleOf(array).c_str(), !by_generation && &array == now))
+				chooseArray(desk, array);
+		if (ImGui::Selectable("Generation", by_generation))
+			desk.bench.change("Colours by generation",
+			                  [](ViewState& state)
+			                  {
+				                  state.look.color_by = "generation";
+				                  state.look.range.clear();
+				                  state.look.logarithmic = false;
+			                  });
+		tip("When the traversal met each cell, from the seeds on");
+		ImGui::EndCombo();
+	}
+	tip(fmt::format("What the sheets show: {}\n{}\n{}", shown, tipOf(Action::next_array),
+	                tipOf(Action::previous_array)));
+}
+
+std::string componentWord(int component, int components)
+{
+	return component < 0                        ? "magnitude"
+	       : components <= 3 && components >= 2 ? std::string(1, static_cast<char>('x' + component))
+	                                            : fmt::format("{}", component);
+}
+
+void showComponents(Desk& desk, const Facts::Array* now)
+{
+	if (!now || now->components < 2 || desk.bench.state().look.color_by == "generation")
+		return;
+	const std::string& word = desk.bench.state().probe.component;
+	labelled("Component");
+	if (ImGui::BeginCombo("##component", word.empty() ? "magnitude" : word.c_str()))
+	{
+		for (int component = -1; component < now->components; ++component)
+		{
+			const std::string each = componentWord(component, now->components);
+			if (ImGui::Selectable(each.c_str(), each == (word.empty() ? "magnitude" : word)))
+				desk.bench.change(fmt::format("Component {}", each),
+				                  [&](ViewState& state)
+				                  {
+					                  state.probe.component = each;
+					                  state.look.range.clear();
+				                  });
+		}
+		ImGui::EndCombo();
+	}
+	tip("Of an array of vectors or tensors: its length, or one of its numbers");
+}
+
+void showOpacity(Desk& desk)
+{
+	auto opacity = static_cast<float>(desk.bench.state().look.opacity);
+	labelled("Opacity");
+	if (ImGui::SliderFloat("##opacity", &opacity, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp))
+		desk.bench.change(
+		    "Opacity", [&](ViewState& state) { state.look.opacity = opacity; }, "opacity");
+	if (ImGui::IsItemDeactivated())
+		desk.bench.endMerge();
+	tip("Of every sheet; several lie over each other in exact order");
+}
+
+void showCount(Desk& desk, Action action, const char* label, int LookOptions::*option)
+{
+	int count = desk.bench.state().look.*option;
+	labelled(label);
+	if (ImGui::SliderInt(fmt::format("##{}", label).c_str(), &count, 0, kMostLines, count == 0 ? "none" : "about %d"))
+		desk.bench.change(
+		    label, [&](ViewState& state) { state.look.*option = std::max(0, count); }, label);
+	if (ImGui::IsItemDeactivated())
+		desk.bench.endMerge();
+	tip(tipOf(action));
+}
+
+} // namespace
+
+void showColourSection(Desk& desk)
+{
+	const Facts::Array* now = desk.bench.shownArray();
+	showArrays(desk, now);
+	showComponents(desk, now);
+	showColourMapChoice(desk);
+	showRangeChoice(desk);
+	showOpacity(desk);
+	showCount(desk, Action::lines, "Lines", &LookOptions::lines);
+	showCount(desk, Action::bands, "Bands", &LookOptions::bands);
+	const LookOptions& look = desk.bench.state().look;
+	toggle(desk, "Cell edges", look.mesh, tipOf(Action::mesh),
+	       [](ViewState& state) { state.look.mesh = !state.look.mesh; });
+	ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().ItemSpacing.x);
+	toggle(desk, "Lit", look.lit, "Sheets are darker the more they are turned from the light",
+	       [](ViewState& state) { state.look.lit = !state.look.lit; });
+}
+
+} // namespace vp::app

@@ -1,0 +1,87 @@
+#include "view/sections.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace vp::app
+{
+
+namespace
+{
+
+using interact::Action;
+
+std::string nameOf(const std::vector<std::string>& inputs)
+{
+	const std::string& first = inputs.front();
+	const std::string name = first.starts_with("demo:") ? first : std::filesystem::path(first).filename().string();
+	return inputs.size() == 1 ? name : fmt::format("{} and {} more", name, inputs.size() - 1);
+}
+
+void fact(const char* label, const std::string& value)
+{
+	labelled(label);
+	clippedText(value);
+}
+
+void showFacts(const Facts& facts)
+{
+	clippedText(nameOf(facts.inputs));
+	tip(fmt::format("{}", fmt::join(facts.inputs, "\n")));
+	fact("Grid", facts.blocks > 1 ? fmt::format("{}, {} blocks", facts.kind, facts.blocks) : facts.kind);
+	fact("Cells", grouped(facts.cells));
+	fact("Points", grouped(facts.points));
+	fact("Cut by", facts.classifier == "cpu" ? "the processor" : facts.device);
+}
+
+} // namespace
+
+// How much is still to be read nobody knows beforehand: a part of the bar that wanders.
+void showLoading(Desk& desk)
+{
+	const Loader& loader = desk.bench.loader();
+	clippedText(loader.isBusy() ? fmt::format("Loading {}", loader.what()) : "Drawing the first picture");
+	const float width = ImGui::GetContentRegionAvail().x;
+	const float height = std::round(static_cast<float>(4.0 * desk.scale));
+	const ImVec2 at = ImGui::GetCursorScreenPos();
+	const auto place = static_cast<float>(0.5 - 0.5 * std::cos(1.6 * loader.seconds()));
+	ImDrawList& list = *ImGui::GetWindowDrawList();
+	const auto bar = [&](float from, float to, ImGuiCol colour)
+	{
+		list.AddRectFilled({at.x + from * width, at.y}, {at.x + to * width, at.y + height}, ImGui::GetColorU32(colour),
+		                   0.5f * height);
+	};
+	bar(0.0f, 1.0f, ImGuiCol_FrameBg);
+	bar(0.7f * place, 0.7f * place + 0.3f, ImGuiCol_CheckMark);
+	ImGui::Dummy({width, height});
+	if (!loader.isBusy())
+		return;
+	ImGui::AlignTextToFramePadding();
+	ImGui::Text("%.0f s", std::floor(loader.seconds()));
+	ImGui::SameLine();
+	if (ImGui::Button("Cancel"))
+		desk.bench.cancelLoading();
+	tip(desk.bench.facts() ? "Stops loading; what is shown stays" : "Stops loading");
+}
+
+void showDataSection(Desk& desk)
+{
+	if (desk.bench.facts())
+		showFacts(*desk.bench.facts());
+	if (desk.bench.loader().isBusy())
+		return showLoading(desk);
+	if (!desk.bench.facts())
+		ImGui::TextDisabled("Nothing is loaded");
+	actionButton(desk, Action::open, "Open\u2026", shareOfLine(2));
+	if (!desk.bench.facts())
+		return;
+	ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+	if (ImGui::Button("Reload", {shareOfLine(1), 0.0f}))
+		desk.bench.reload();
+	tip("Reads the files again, as after they were written anew");
+}
+
+} // namespace vp::app

@@ -1,0 +1,8 @@
+#include "view/panels.h"
+
+namespace vp::app
+{
+
+void showQuestions(Desk&) {}
+
+} // namespace vp::app

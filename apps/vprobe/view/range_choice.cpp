@@ -1,0 +1,122 @@
+#include "view/sections.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vp::app
+{
+
+namespace
+{
+
+enum class Ends
+{
+	data,
+	slice,
+	fixed
+};
+constexpr std::array kEnds{"Whole data", "This slice", "Fixed"};
+constexpr std::array kEndsTips{"The colours' ends are the lowest and highest value of the whole array",
+                               "Those of what the sheets show, at every moment",
+                               "Two numbers of yours; values beyond them get tints of their own"};
+
+Ends endsOf(const LookOptions& look)
+{
+	return !look.range.empty() ? Ends::fixed : look.range_of == "slice" ? Ends::slice : Ends::data;
+}
+
+// What the picture's colours go from and to.
+std::array<double, 2> shownEnds(const Workbench& bench)
+{
+	const LookOptions& look = bench.state().look;
+	if (!look.range.empty())
+		return {look.range[0], look.range[1]};
+	if (!bench.shown() || !bench.shown()->values)
+		return {0.0, 1.0};
+	const render::ValueScale& values = *bench.shown()->values;
+	return {look.logarithmic ? values.log_lo : values.lo, values.hi};
+}
+
+void choose(Desk& desk, Ends ends)
+{
+	const std::array<double, 2> shown = shownEnds(desk.bench);
+	desk.bench.change("Range of the colours",
+	                  [&](ViewState& state)
+	                  {
+		                  LookOptions& look = state.look;
+		                  look.range.clear();
+		                  look.range_of = ends == Ends::slice ? "slice" : "data";
+		                  if (ends != Ends::fixed)
+			                  return;
+		                  const bool spans = shown[0] < shown[1];
+		                  look.range = {shown[0], spans ? shown[1] : shown[0] + std::max(1.0, std::abs(shown[0]))};
+		                  look.symmetric = false;
+	                  });
+}
+
+void showEnds(Desk& desk)
+{
+	std::array<double, 2> ends = shownEnds(desk.bench);
+	const bool fixed = endsOf(desk.bench.state().look) == Ends::fixed;
+	ImGui::BeginDisabled(!fixed);
+	ImGui::SetNextItemWidth(-1.0f);
+	const double speed = std::max(1e-300, 0.004 * std::abs(ends[1] - ends[0]));
+	const bool changed = dragNumbers(desk, {"##ends", speed}, ends.data(), 2,
+	                                 fixed ? "Values at the low and the high end of the colour map"
+	                                       : "Values at the ends of the colour map; choose Fixed to set them");
+	ImGui::EndDisabled();
+	if (!fixed || !changed || !(ends[0] < ends[1]) || (desk.bench.state().look.logarithmic && ends[0] <= 0.0))
+		return;
+	desk.bench.change(
+	    "Range of the colours",
+	    [&](ViewState& state) {
+		    state.look.range = {ends[0], ends[1]};
+	    },
+	    "range");
+}
+
+void showScaling(Desk& desk)
+{
+	const LookOptions& look = desk.bench.state().look;
+	ImGui::BeginDisabled(look.logarithmic || !look.range.empty());
+	toggle(desk, "Symmetric about 0", look.symmetric, "The ends lie alike about 0, which has the middle colour",
+	       [](ViewState& state) { state.look.symmetric = !state.look.symmetric; });
+	ImGui::EndDisabled();
+	toggle(desk, "Logarithmic", look.logarithmic,
+	       "Colours follow the values' logarithm; values of 0 and below have none",
+	       [](ViewState& state)
+	       {
+		       LookOptions& next = state.look;
+		       next.logarithmic = !next.logarithmic;
+		       if (!next.logarithmic)
+			       return;
+		       next.symmetric = false;
+		       if (!next.range.empty() && next.range[0] <= 0.0)
+			       next.range.clear();
+	       });
+}
+
+} // namespace
+
+void showRangeChoice(Desk& desk)
+{
+	const Ends now = endsOf(desk.bench.state().look);
+	labelled("Range");
+	if (ImGui::BeginCombo("##range", kEnds[static_cast<std::size_t>(now)]))
+	{
+		for (const Ends ends : {Ends::data, Ends::slice, Ends::fixed})
+		{
+			const auto index = static_cast<std::size_t>(ends);
+			if (ImGui::Selectable(kEnds[index], ends == now))
+				choose(desk, ends);
+			tip(kEndsTips[index]);
+		}
+		ImGui::EndCombo();
+	}
+	tip(tipOf(interact::Action::range_of_slice));
+	showEnds(desk);
+	showScaling(desk);
+}
+
+} // namespace vp::app

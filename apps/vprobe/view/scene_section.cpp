@@ -1,0 +1,132 @@
+#include "view/sections.h"
+
+#include <fmt/format.h>
+#include <imgui/imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace vp::app
+{
+
+namespace
+{
+
+using interact::Action;
+
+constexpr double kBoundaryOpacity = 0.15; // where none is given, see docs/LOOKS.md
+
+struct Choice
+{
+	const char* word;
+	const char* name;
+};
+
+template <std::size_t Count>
+void showChoice(Desk& desk, const char* label, const std::array<Choice, Count>& choices,
+                std::string LookOptions::*option, std::string_view words)
+{
+	const std::string now = desk.bench.state().look.*option;
+	const auto known = std::ranges::find(choices, now, [](const Choice& choice) { return std::string(choice.word); });
+	labelled(label);
+	if (ImGui::BeginCombo(fmt::format("##{}", label).c_str(), known == choices.end() ? now.c_str() : known->name))
+	{
+		for (const Choice& choice : choices)
+			if (ImGui::Selectable(choice.name, now == choice.word))
+				desk.bench.change(label, [&](ViewState& state) { state.look.*option = choice.word; });
+		ImGui::EndCombo();
+	}
+	tip(words);
+}
+
+bool isBoundary(const std::string& context)
+{
+	return context == "boundary" || context.starts_with("boundary:");
+}
+
+double opacityOf(const std::string& context)
+{
+	double opacity = kBoundaryOpacity;
+	const std::size_t colon = context.find(':');
+	if (colon != std::string::npos)
+		std::from_chars(context.data() + colon + 1, context.data() + context.size(), opacity);
+	return opacity;
+}
+
+void showBoundary(Desk& desk)
+{
+	const auto& context = desk.bench.state().look.context;
+	const auto found = std::ranges::find_if(context, isBoundary);
+	const bool on = found != context.end();
+	toggle(desk, "Boundary", on, "The domain's boundary around the sheets, as if of glass",
+	       [&](ViewState& state)
+	       {
+		       if (on)
+			       std::erase_if(state.look.context, isBoundary);
+		       else
+			       state.look.context.push_back("boundary");
+	       });
+	if (!on)
+		return;
+	ImGui::SameLine();
+	ImGui::SetNextItemWidth(-1.0f);
+	auto opacity = static_cast<float>(opacityOf(*found));
+	if (ImGui::SliderFloat("##boundary", &opacity, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp))
+		desk.bench.change(
+		    "Boundary's opacity",
+		    [&](ViewState& state)
+		    { *std::ranges::find_if(state.look.context, isBoundary) = fmt::format("boundary:{:.2f}", opacity); },
+		    "boundary");
+	if (ImGui::IsItemDeactivated())
+		desk.bench.endMerge();
+	tip("Opacity of the boundary; 1 hides what is behind it");
+}
+
+void showTitle(Desk& desk)
+{
+	const LookOptions& look = desk.bench.state().look;
+	std::string title = look.title.value_or("");
+	labelled("Title");
+	if (ImGui::InputTextWithHint("##title", look.title ? "none" : "the input's name", &title))
+		desk.bench.change(
+		    "Title", [&](ViewState& state) { state.look.title = title; }, "title");
+	if (ImGui::IsItemDeactivated())
+		desk.bench.endMerge();
+	tip("Above the picture; empty for none");
+}
+
+void showBackground(Desk& desk)
+{
+	static constexpr std::array kGrounds{Choice{"gradient", "Gradient"}, Choice{"white", "White"},
+	                                     Choice{"grey", "Grey"}, Choice{"#20242b", "Dark"}, Choice{"black", "Black"}};
+	showChoice(desk, "Background", kGrounds, &LookOptions::background, "Behind the scene; letters suit it");
+}
+
+} // namespace
+
+void showSceneSection(Desk& desk)
+{
+	static constexpr std::array kOutlines{Choice{"box", "Boxes"}, Choice{"edges", "Sharp edges"},
+	                                      Choice{"none", "None"}};
+	static constexpr std::array kAxes{Choice{"corner", "In the corner"}, Choice{"box", "Numbers on the box"},
+	                                  Choice{"none", "None"}};
+	showChoice(desk, "Outline", kOutlines, &LookOptions::outline, tipOf(Action::outline));
+	showChoice(desk, "Axes", kAxes, &LookOptions::axes, tipOf(Action::axes));
+	showBackground(desk);
+	showBoundary(desk);
+	const LookOptions& look = desk.bench.state().look;
+	toggle(desk, "Legend", !look.no_legend, tipOf(Action::legend),
+	       [](ViewState& state) { state.look.no_legend = !state.look.no_legend; });
+	ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().ItemSpacing.x);
+	toggle(desk, "Values on lines", !look.no_labels, "Contour lines bear their values",
+	       [](ViewState& state) { state.look.no_labels = !state.look.no_labels; });
+	showTitle(desk);
+	ImGui::Checkbox("Handles", &desk.bench.parts.handles);
+	tip(tipOf(Action::handles));
+	ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().ItemSpacing.x);
+	ImGui::Checkbox("Dark theme", &desk.bench.settings.dark);
+	tip(tipOf(Action::dark_theme));
+}
+
+} // namespace vp::app
