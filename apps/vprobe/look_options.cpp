@@ -57,6 +57,8 @@ Status checkCategories(const LookOptions& options, const render::Look& look)
 
 std::string defaultTitle(const std::vector<std::string>& inputs)
 {
+	if (inputs.empty())
+		return {}; // a window without data
 	const std::string& first = inputs.front();
 	const std::string name = first.starts_with("demo:") ? first : std::filesystem::path(first).filename().string();
 	return inputs.size() == 1 ? name : fmt::format("{} and {} more", name, inputs.size() - 1);
