@@ -44,6 +44,7 @@ protected:
 	void wheel(int notches) const;             // > 0: away from the user
 	void press(const std::string& keys) const; // as xdotool writes them: "ctrl+s"
 	std::string window() const { return window_; }
+	std::string displayName() const { return display_; }
 
 	// --- The screen.
 	vp::render::Picture screen() const { return readScreen(path("screen/Xvfb_screen0")); }

@@ -89,9 +89,11 @@ TEST_F(HandOnASheet, SizesItsWindowByACorner)
 {
 	const SeenProbe seen = now();
 	const glm::ivec2 corner = pixelOf(seen, Handle{HandleKind::corner, 0, 0, 2});
-	drag(corner, pixelOf(seen, Vec3(1.0, 0.8, 0.1)));
-	const SeenProbe sized = now();
-	(void)sized;
+	drag(corner, pixelOf(seen, Vec3(1.0, 2.2, 0.1)));
+	const nlohmann::json state = settle();
+	EXPECT_FALSE(state["probe"].contains("window")) << "the probe is of the hand's own making now";
+	const nlohmann::json& window = state["probe"]["probe"]["sheets"][0]["window"];
+	EXPECT_NE(window, nlohmann::json({3.0, 2.0})) << state["probe"].dump(1);
 	close();
 }
 

@@ -48,7 +48,7 @@ bool isOn(const Workbench& bench, Action action)
 	switch (action)
 	{
 	case Action::dark_theme:
-		return settings.dark;
+		return bench.settings.dark;
 	case Action::handles:
 		return parts.handles;
 	case Action::plane_pane:

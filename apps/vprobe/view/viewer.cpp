@@ -81,6 +81,7 @@ private:
 	double scale_;
 	bool dark_;
 	ScenePart scene_;
+	std::uint64_t frames_ = 0; // shown so far
 	Moment last_frame_ = Clock::now();
 	Moment last_event_ = Clock::now();
 	std::shared_ptr<const Shown> drawn_;
@@ -153,7 +154,7 @@ void Viewer::onKey(int key, bool down, int modifiers)
 
 void Viewer::obey()
 {
-	if (commands_ && commands_->run({bench_, window_, screen_, bench_.shown() == drawn_}))
+	if (commands_ && commands_->run({bench_, window_, screen_, bench_.shown() == drawn_, frames_}))
 		heard();
 }
 
@@ -222,6 +223,7 @@ Status Viewer::showFrame()
 	last_frame_ = Clock::now();
 	if (!*presented)
 		return Nothing{};
+	++frames_;
 	meter_.frame(last_frame_, was_awake);
 	meter_.picture(shown, last_frame_);
 	return Nothing{};
