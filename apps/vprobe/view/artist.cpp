@@ -94,7 +94,7 @@ std::optional<Error> Artist::takeError()
 bool Artist::isIdle() const
 {
 	const std::lock_guard lock(mutex_);
-	return !wish_ && orders_.empty() && !busy_ && (!shown_ || shown_->smooth);
+	return !wish_ && orders_.empty() && !busy_ && !rough_;
 }
 
 void Artist::order(Order order)
@@ -118,8 +118,7 @@ void Artist::work()
 	const auto woken = [this] { return wish_ || !orders_.empty() || ends_; };
 	for (;;)
 	{
-		const bool coarse = shown_ && (!shown_->smooth || !shown_->lookups) && session_ && !refining_failed_;
-		const bool still = coarse ? !changed_.wait_for(lock, kStill, woken) : (changed_.wait(lock, woken), false);
+		const bool still = rough_ ? !changed_.wait_for(lock, kStill, woken) : (changed_.wait(lock, woken), false);
 		if (ends_)
 			return;
 		std::optional<Wish> wish = still ? std::optional(shown_->wish) : std::exchange(wish_, std::nullopt);
@@ -167,6 +166,7 @@ void Artist::install(std::unique_ptr<Session> session)
 	painter_.reset();
 	cut_.reset();
 	followed_.reset();
+	rough_ = false;
 	session_ = std::move(session);
 }
 
@@ -189,7 +189,6 @@ auto Artist::tried(const Work& work) -> decltype(work())
 void Artist::answer(const Wish& wish, bool smooth)
 {
 	const Status done = tried([&] { return show(wish, smooth); });
-	refining_failed_ = smooth && !done; // once is enough
 	if (done)
 		return;
 	const std::lock_guard lock(mutex_);
@@ -248,20 +247,21 @@ Status Artist::show(const Wish& wish, bool smooth)
 	if (!drawn)
 		return drawn.error();
 	publish(std::move(shown));
+	rough_ = true;
 	return Nothing{};
 }
 
 Status Artist::refine()
 {
+	rough_ = false;
+	const Wish wish = shown()->wish;
+	// An order may have led session and painter elsewhere.
+	if (!followed_ || !(followed_->probe == wish.probe && followed_->look == wish.look))
+		return show(wish, false);
 	addLookups();
 	Shown shown = *this->shown();
 	if (shown.smooth || waits())
 		return Nothing{};
-	// An order may have come between, for another picture.
-	if (Status followed = follow(shown.wish); !followed)
-		return followed;
-	if (Result<double> cut = cutAsWished(); !cut)
-		return cut.error();
 	Result<bool> drawn = draw(shown, true);
 	if (!drawn)
 		return drawn.error();
@@ -337,6 +337,12 @@ Status Artist::followLook(const Wish& wish)
 		cut_is_old_ = true;
 		only_moved_ = false;
 	}
+	if (look->range_of_slice && !session_->range_of_slice)
+	{
+		cut_is_old_ = true; // what it shows was not measured
+		only_moved_ = false;
+	}
+	session_->range_of_slice = look->range_of_slice;
 	if (painter_)
 		return painter_->setLook(wish.probe, std::move(*look));
 	Result<Painter> painter = Painter::create(*session_, wish.probe, std::move(*look));
@@ -358,7 +364,7 @@ Result<double> Artist::cutAsWished()
 		return slice.error();
 	auto made = std::make_shared<CutFrame>();
 	made->slice = std::move(*slice);
-	made->sheets = statsSince(*session_, made->slice, last.get());
+	made->sheets = statsSince(*session_, made->slice, last.get(), false);
 	cut_ = std::move(made);
 	cut_is_old_ = false;
 	++cuts_;
@@ -375,7 +381,7 @@ Result<bool> Artist::draw(Shown& shown, bool smooth)
 	shown.smooth = smooth || scene->look.samples == 1;
 	if (!smooth)
 		scene->look.samples = 1;
-	Result<std::shared_ptr<gpu::Image>> image = takeImage({scene->look.width, scene->look.height});
+	Result<std::shared_ptr<gpu::Image>> image = pictures_.take(*device_, {scene->look.width, scene->look.height});
 	if (!image)
 		return image.error();
 	Result<bool> drawn = painter_->renderer().drawInto(
@@ -386,31 +392,10 @@ Result<bool> Artist::draw(Shown& shown, bool smooth)
 	shown.camera = scene->camera;
 	shown.frame = render::pictureFrame(*scene);
 	shown.values = scene->values;
+	if (Status pane = drawPane(shown, *scene); !pane)
+		return pane.error();
 	shown.draw_ms = millisecondsSince(start);
 	return true;
-}
-
-// One that nobody shows any more.
-Result<std::shared_ptr<gpu::Image>> Artist::takeImage(VkExtent2D extent)
-{
-	std::erase_if(pictures_,
-	              [&](const auto& picture)
-	              {
-		              const VkExtent2D has = picture->extent();
-		              return picture.use_count() == 1 && (has.width != extent.width || has.height != extent.height);
-	              });
-	for (const auto& picture : pictures_)
-		if (picture.use_count() == 1)
-			return picture;
-	Result<gpu::Image> made =
-	    gpu::Image::create(*device_,
-	                       {.extent = extent,
-	                        .format = render::kPictureFormat,
-	                        .usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
-	                       "shown picture");
-	if (!made)
-		return made.error();
-	return pictures_.emplace_back(std::make_shared<gpu::Image>(std::move(*made)));
 }
 
 void Artist::publish(Shown shown)

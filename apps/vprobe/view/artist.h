@@ -4,8 +4,10 @@
 #include "gpu/image.h"
 #include "painter.h"
 #include "saved_options.h"
+#include "view/gpu_pictures.h"
 #include "view/sheet_lookups.h"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -24,6 +26,18 @@ namespace vp::app
 
 using Moment = std::chrono::steady_clock::time_point;
 
+// A second picture: a sheet of the probe alone, seen straight on.
+struct PaneWish
+{
+	std::size_t sheet = 0;
+	VkExtent2D size{};
+
+	bool operator==(const PaneWish& other) const
+	{
+		return sheet == other.sheet && size.width == other.size.width && size.height == other.size.height;
+	}
+};
+
 // What is to be seen, or kept.
 struct Wish
 {
@@ -31,6 +45,7 @@ struct Wish
 	ProbeOptions probe;
 	LookOptions look; // its size is the picture's
 	Moment since{};   // the oldest input that has not been answered by a picture
+	std::optional<PaneWish> pane{};
 };
 
 // A picture, and all that it was made of.
@@ -43,6 +58,14 @@ struct Shown
 	render::Camera camera;
 	render::Frame frame;
 	std::optional<render::ValueScale> values;
+	struct Pane
+	{
+		std::shared_ptr<const gpu::Image> image;
+		std::size_t sheet;
+		render::Camera camera;
+		render::Frame frame;
+	};
+	std::optional<Pane> pane;                    // where one is wished, and its sheet is seen
 	bool smooth = false;                         // all samples are in it
 	bool empty = false;                          // no sheet cuts anything
 	std::shared_ptr<const SheetLookups> lookups; // of the cut, once it has been still; or null
@@ -93,8 +116,6 @@ public:
 	std::vector<Timeline::Section> sections() const; // of the last minute or so, for a trace
 
 private:
-	using Pictures = std::vector<std::shared_ptr<gpu::Image>>;
-
 	void work();
 	void answer(const Wish& wish, bool smooth);
 	Status show(const Wish& wish, bool smooth);
@@ -112,7 +133,8 @@ private:
 	Result<bool> draw(Shown& shown, bool smooth);
 	Status refine(); // what is shown, while nothing else is wished
 	void addLookups();
-	Result<std::shared_ptr<gpu::Image>> takeImage(VkExtent2D extent);
+	Status drawPane(Shown& shown, const render::Scene& scene);
+	static const render::SheetDrawing* sheetOfPane(const Shown& shown, const render::Scene& scene);
 	void publish(Shown shown);
 	bool waits() const;
 	void keepSections();
@@ -128,8 +150,10 @@ private:
 	std::uint64_t cuts_ = 0;
 	bool cut_is_old_ = true;
 	bool only_moved_ = false;
-	bool refining_failed_ = false; // of the picture that is shown
+	std::atomic<bool> rough_ = false; // what is shown is to be refined once it has been still
 	Pictures pictures_;
+	Pictures pane_pictures_;
+	std::optional<render::Renderer> pane_renderer_;
 
 	mutable std::mutex mutex_;
 	std::condition_variable changed_;

@@ -76,7 +76,13 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, int wid
 		                   if (const auto& tell = windowOf(of).events_.key)
 			                   tell(key, action != GLFW_RELEASE, modifiers);
 	                   });
-	glfwSetCharCallback(handle, ImGui_ImplGlfw_CharCallback);
+	glfwSetCharCallback(handle,
+	                    [](GLFWwindow* of, unsigned character)
+	                    {
+		                    ImGui_ImplGlfw_CharCallback(of, character);
+		                    if (const auto& tell = windowOf(of).events_.typed)
+			                    tell(static_cast<char32_t>(character));
+	                    });
 	glfwSetCursorEnterCallback(handle, ImGui_ImplGlfw_CursorEnterCallback);
 	glfwSetWindowFocusCallback(handle, ImGui_ImplGlfw_WindowFocusCallback);
 	glfwSetDropCallback(handle,

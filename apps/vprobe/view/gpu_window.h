@@ -21,6 +21,7 @@ struct WindowEvents
 	std::function<void(int button, bool down, int modifiers)> button{};
 	std::function<void(double amount, int modifiers)> wheel{}; // > 0: away from the user
 	std::function<void(int key, bool down, int modifiers)> key{};
+	std::function<void(char32_t character)> typed{}; // right after its key
 	std::function<void(std::vector<std::string> files)> drop{};
 };
 

@@ -56,6 +56,7 @@ public:
 	const std::optional<interact::Handle>& handle() const { return handle_; }
 	const std::optional<interact::SheetHit>& sheet() const { return sheet_; }
 	glm::dvec2 at() const { return at_; }
+	const ScenePart& part() const { return part_; }
 	bool isInScene() const { return part_.holds(at_); }
 	glm::dvec2 inScene() const { return at_ - part_.lo; } // the pointer, in the scene's pixels
 	std::vector<interact::HandleShape> shapes() const;    // as they are to be drawn, in the world

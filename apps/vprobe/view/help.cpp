@@ -99,9 +99,6 @@ void showHelp(Desk& desk)
 			ImGui::SetKeyboardFocusHere();
 		ImGui::SetNextItemWidth(-1.0f);
 		ImGui::InputTextWithHint("##wanted", "Search", wanted.data(), wanted.size());
-		// What was typed may be a key that closes this list.
-		if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
-			desk.bench.parts.help = false;
 		if (ImGui::BeginTable("list", 2, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg))
 		{
 			ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 200.0f * scale);

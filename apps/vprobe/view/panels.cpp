@@ -1,7 +1,5 @@
 #include "view/panels.h"
 
-#include "view/sections.h"
-
 #include <algorithm>
 
 namespace vp::app
@@ -13,11 +11,15 @@ namespace
 constexpr double kSideWidth = 290.0;
 constexpr double kLineHeight = 26.0;
 
+ScenePart abovePane(const ScenePart& scene, double scale)
+{
+	return {scene.lo, {scene.size.x, paneOf(scene, scale).lo.y - scene.lo.y}};
+}
+
 } // namespace
 
 ScenePart showPanels(Desk& desk)
 {
-	playTimes(desk);
 	showMenu(desk);
 	const ImGuiViewport& all = *ImGui::GetMainViewport();
 	ScenePart scene{{all.WorkPos.x, all.WorkPos.y}, {all.WorkSize.x, all.WorkSize.y}};
@@ -31,7 +33,8 @@ ScenePart showPanels(Desk& desk)
 		showSidePanel(desk, {{scene.lo.x + scene.size.x, scene.lo.y}, {side, scene.size.y}});
 	}
 	showScene(desk, scene);
-	showNotices(desk, scene);
+	showPlanePane(desk, scene);
+	showNotices(desk, desk.bench.parts.plane_pane ? abovePane(scene, desk.scale) : scene);
 	if (desk.bench.parts.profile)
 		showProfile(desk, scene);
 	if (desk.bench.parts.help)

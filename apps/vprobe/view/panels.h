@@ -19,11 +19,15 @@ struct Desk
 
 // Each draws one part of the user interface, with ImGui, from the bench's state and into it.
 
+// Where in the scene's part the pane of a sheet seen straight on lies.
+ScenePart paneOf(const ScenePart& scene, double scale);
+
 ScenePart showPanels(Desk& desk); // all of them; what they leave is the scene's
 void showMenu(Desk& desk);
 void showSidePanel(Desk& desk, const ScenePart& room);
 void showStatusLine(Desk& desk, const ScenePart& room);
 void showScene(Desk& desk, const ScenePart& part); // handles, what is under the pointer
+void showPlanePane(Desk& desk, const ScenePart& part);
 void showNotices(Desk& desk, const ScenePart& part);
 void showProfile(Desk& desk, const ScenePart& part);
 void showHelp(Desk& desk);

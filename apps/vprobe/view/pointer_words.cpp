@@ -31,12 +31,30 @@ std::string place(const Vec3& at, const Box& bounds)
 	return fmt::format("{:.5g}, {:.5g}, {:.5g}", number(at.x), number(at.y), number(at.z));
 }
 
+std::optional<Pointed> pointedInPane(const Desk& desk)
+{
+	const Shown& shown = *desk.bench.shown();
+	const ScenePart pane = paneOf(desk.hand.part(), desk.scale);
+	if (!desk.bench.parts.plane_pane || !shown.pane || !shown.lookups || !pane.holds(desk.hand.at()))
+		return std::nullopt;
+	const std::size_t sheet = shown.pane->sheet;
+	const auto hit = interact::hitOf(probe::placed(shown.probe).sheets[sheet], sheet,
+	                                 {shown.pane->camera, shown.pane->frame}, desk.hand.at() - pane.lo);
+	if (!hit)
+		return std::nullopt;
+	auto found = shown.lookups->at(sheetOfCut(shown.probe, sheet), hit->content_uv);
+	return found ? std::optional(Pointed{*hit, std::move(found)}) : std::nullopt;
+}
+
 } // namespace
 
 std::optional<Pointed> pointedAt(const Desk& desk)
 {
 	const auto& shown = desk.bench.shown();
 	const auto view = desk.bench.view();
+	if (shown && !desk.hand.isBusy())
+		if (auto in_pane = pointedInPane(desk))
+			return in_pane;
 	if (!shown || !view || !desk.hand.isInScene() || desk.hand.isBusy() || ImGui::GetIO().WantCaptureMouse)
 		return std::nullopt;
 	for (const interact::SheetHit& hit :

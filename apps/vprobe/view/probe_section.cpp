@@ -113,12 +113,15 @@ void showSheet(Desk& desk, const probe::Probe& probe, std::size_t sheet)
 	tip(hidden ? "Shows the sheet" : "Hides the sheet: it is neither cut nor drawn");
 	ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
 	ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(hidden ? ImGuiCol_TextDisabled : ImGuiCol_Text));
+	ImVec4 chosen = ImGui::GetStyleColorVec4(ImGuiCol_CheckMark);
+	chosen.w = 0.35f;
+	ImGui::PushStyleColor(ImGuiCol_Header, chosen);
 	ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
 	const std::string name = fmt::format("{}##sheet", nameOf(desk.bench, probe, sheet));
 	if (ImGui::Selectable(name.c_str(), desk.bench.sheet() == sheet, 0, {0.0f, ImGui::GetFrameHeight()}))
 		desk.bench.chooseSheet(sheet);
 	ImGui::PopStyleVar();
-	ImGui::PopStyleColor();
+	ImGui::PopStyleColor(2);
 	tip(fmt::format("Chooses the sheet that keys and fields mean ({})", interact::keysOf(Action::next_sheet)));
 	ImGui::PopID();
 }

@@ -27,7 +27,7 @@ constexpr std::array kRows{
     Row{"Frame", "From one frame of the window to the next, while something moves", &Meter::frames},
     Row{"Cut", "Finding and cutting the cells of the sheets that moved", &Meter::cuts},
     Row{"Draw", "Drawing the picture of the sheets", &Meter::draws},
-    Row{"Input to picture", "From a move of the hand to the picture that answers it", &Meter::answers},
+    Row{"Answer", "From a move of the hand to the picture that answers it", &Meter::answers},
 };
 
 // The last values as bars, up to the highest of them.
@@ -84,10 +84,10 @@ void showCut(const Desk& desk, const Shown& shown)
 	fact("Cut cells", grouped(cut.cut_cells), "Of all sheets");
 	fact("Touched", grouped(cut.touched), "Cells queued or given a polygon");
 	fact("Polygons", grouped(cut.polygons), "Drawn");
-	fact("Cuts a second", fmt::format("{:.1f}", desk.meter.cutsPerSecond()), "While the hand moved");
+	fact("Cuts / s", fmt::format("{:.1f}", desk.meter.cutsPerSecond()), "While the hand moved");
 	fact("Generations", floods ? "all at once" : grouped(cut.generations),
 	     "Steps of the breadth-first traversal; a flood on the processor has none");
-	fact("Widest front", floods ? "-" : grouped(cut.front_max), "Cells of the largest generation");
+	fact("Widest", floods ? "-" : grouped(cut.front_max), "Cells of the largest generation");
 }
 
 void showMemory(const Desk& desk, const Shown& shown)
@@ -117,7 +117,6 @@ void showProfile(Desk& desk, const ScenePart& part)
 	const auto width = static_cast<float>(std::min(kWidth * desk.scale, part.size.x - 20.0 * desk.scale));
 	ImGui::SetNextWindowPos({static_cast<float>(part.lo.x) + margin, static_cast<float>(part.lo.y) + margin});
 	ImGui::SetNextWindowSize({width, 0.0f});
-	ImGui::SetNextWindowBgAlpha(0.92f);
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding);
 	ImGui::Begin("profile", nullptr,
 	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |

@@ -44,6 +44,18 @@ void drawShape(const interact::HandleShape& shape, const interact::View& view, I
 				list.AddLine(onScreen((*seen)[0], part), onScreen((*seen)[1], part), colour, width);
 }
 
+// The scene without its pane, which handles would be drawn over: what is above it, and what is beside it.
+std::vector<ScenePart> freeParts(const Desk& desk, const ScenePart& part)
+{
+	const auto& shown = desk.bench.shown();
+	if (!desk.bench.parts.plane_pane || !shown->pane)
+		return {part};
+	const ScenePart pane = paneOf(part, desk.scale);
+	const glm::dvec2 hi = part.lo + part.size;
+	const double right = pane.lo.x + pane.size.x;
+	return {{part.lo, {part.size.x, pane.lo.y - part.lo.y}}, {{right, pane.lo.y}, {hi.x - right, hi.y - pane.lo.y}}};
+}
+
 // Where there is no picture yet.
 void showEmptyScene(Desk& desk, const ScenePart& part)
 {
@@ -69,7 +81,7 @@ void showEmptyScene(Desk& desk, const ScenePart& part)
 // What lies under a pointer that rests.
 void showPointed(const Desk& desk)
 {
-	if (!pointerRests())
+	if (!pointerRests() || desk.hand.handle())
 		return;
 	const auto pointed = pointedAt(desk);
 	if (!pointed || !pointed->found)
@@ -88,13 +100,18 @@ void showScene(Desk& desk, const ScenePart& part)
 	const auto view = desk.bench.view();
 	if (!view)
 		return showEmptyScene(desk, part);
-	const Theme& colours = theme(desk.bench.settings.dark);
+	const auto ground = render::parseBackground(desk.bench.state().look.background);
+	const Theme& colours = theme(ground && ground->dark()); // to be seen on the picture, whatever the panels' theme
 	ImDrawList& list = *ImGui::GetBackgroundDrawList();
-	list.PushClipRect(onScreen({0.0, 0.0}, part), onScreen(part.size, part));
-	for (const interact::HandleShape& shape : desk.hand.shapes())
-		drawShape(shape, *view, colourOf(shape, desk.hand, colours),
-		          static_cast<float>(desk.scale * (desk.hand.handle() == shape.handle ? 3.0 : 2.0)), part);
-	list.PopClipRect();
+	const std::vector<interact::HandleShape> shapes = desk.hand.shapes();
+	for (const ScenePart& free : freeParts(desk, part))
+	{
+		list.PushClipRect(onScreen({0.0, 0.0}, free), onScreen(free.size, free));
+		for (const interact::HandleShape& shape : shapes)
+			drawShape(shape, *view, colourOf(shape, desk.hand, colours),
+			          static_cast<float>(desk.scale * (desk.hand.handle() == shape.handle ? 3.0 : 2.0)), part);
+		list.PopClipRect();
+	}
 	showPointed(desk);
 }
 

@@ -18,8 +18,6 @@ void showRangeChoice(Desk& desk);
 void showSceneSection(Desk& desk);
 void showTimeSection(Desk& desk);
 void showCameraSection(Desk& desk);
-
-// Takes the next time once the last is shown, while times are played.
-void playTimes(Desk& desk);
+void showSweepSection(Desk& desk);
 
 } // namespace vp::app

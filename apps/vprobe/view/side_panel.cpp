@@ -21,6 +21,7 @@ constexpr std::array kSections{
     Section{"Probe", "The sheets, where they stand, their windows", showProbeSection, true},
     Section{"Colours", "What array the sheets show, and how", showColourSection, true},
     Section{"Time", "The input's time steps", showTimeSection, true},
+    Section{"Sweep", "The probe moved along a path, as a film", showSweepSection, false},
     Section{"Magnifier", "What a sheet shows, magnified", showMagnifierSection, false},
     Section{"Scene", "What is drawn around the sheets", showSceneSection, false},
     Section{"Camera", "Where the scene is seen from", showCameraSection, false},

@@ -31,7 +31,7 @@ void setColours(ImGuiStyle& style, bool dark)
 	colours[ImGuiCol_WindowBg] = colours[ImGuiCol_PopupBg] = colours[ImGuiCol_MenuBarBg] =
 	    dark ? grey(0.13f) : grey(0.95f);
 	colours[ImGuiCol_ChildBg] = ImVec4(0, 0, 0, 0);
-	colours[ImGuiCol_Border] = dark ? grey(0.24f) : grey(0.80f);
+	colours[ImGuiCol_Border] = dark ? grey(0.30f) : grey(0.78f);
 	colours[ImGuiCol_FrameBg] = dark ? grey(0.19f) : grey(0.995f);
 	colours[ImGuiCol_FrameBgHovered] = dark ? grey(0.24f) : grey(0.90f);
 	colours[ImGuiCol_FrameBgActive] = dark ? grey(0.28f) : grey(0.86f);
@@ -75,7 +75,7 @@ void applyTheme(bool dark, double scale)
 	style.WindowRounding = 0.0f;
 	style.FrameRounding = style.GrabRounding = style.PopupRounding = 4.0f;
 	style.WindowBorderSize = 0.0f;
-	style.FrameBorderSize = dark ? 0.0f : 1.0f;
+	style.FrameBorderSize = 1.0f;
 	style.WindowPadding = {10.0f, 8.0f};
 	style.FramePadding = {7.0f, 3.0f};
 	style.ItemSpacing = {7.0f, 5.0f};

@@ -14,19 +14,20 @@ using interact::Action;
 
 constexpr const char* kMerge = "time";
 
-} // namespace
-
-void playTimes(Desk& desk)
+void playTimes(Workbench& bench)
 {
-	Workbench& bench = desk.bench;
-	if (!bench.parts.plays_times || !bench.facts() || !bench.isShown())
-		return;
-	const auto steps = static_cast<int>(bench.facts()->times.size());
-	if (steps < 2)
-		bench.parts.plays_times = false;
-	else
-		bench.showTime((bench.timeStep() + 1) % steps, kMerge);
+	if (!bench.state().path.overTimes())
+		bench.change("Path through time",
+		             [](ViewState& state)
+		             {
+			             state.path.path = "times";
+			             state.path.own_path.reset();
+			             state.path.frames.reset();
+		             });
+	bench.perform(Action::play);
 }
+
+} // namespace
 
 void showTimeSection(Desk& desk)
 {
@@ -39,21 +40,16 @@ void showTimeSection(Desk& desk)
 	ImGui::SetNextItemWidth(-1.0f);
 	if (ImGui::SliderInt("##time", &step, 0, static_cast<int>(times.size()) - 1, words.c_str(),
 	                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
-	{
-		bench.parts.plays_times = false;
 		bench.showTime(step, kMerge);
-	}
 	if (ImGui::IsItemDeactivated())
 		bench.endMerge();
 	tip("The time that is shown");
 	actionButton(desk, Action::previous_time, "Earlier", shareOfLine(3));
 	ImGui::SameLine(0.0f, gap);
-	if (ImGui::Button(bench.parts.plays_times ? "Pause##play" : "Play##play", {shareOfLine(2), 0.0f}))
-	{
-		bench.parts.plays_times = !bench.parts.plays_times;
-		bench.endMerge();
-	}
-	tip("Shows one time after the other, as fast as they can be read, and begins again");
+	const bool plays = bench.isPlaying() && bench.state().path.overTimes();
+	if (ImGui::Button(plays ? "Pause##play" : "Play##play", {shareOfLine(2), 0.0f}))
+		playTimes(bench);
+	tip("Shows one time after the other: the sweep's path leads through time");
 	ImGui::SameLine(0.0f, gap);
 	actionButton(desk, Action::next_time, "Later", shareOfLine(1));
 }

@@ -6,10 +6,12 @@
 #include "view/gpu_screen.h"
 #include "view/gpu_window.h"
 #include "view/key_codes.h"
+#include "view/keyboard.h"
 #include "view/panels.h"
 
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_vulkan.h>
+#include <nlohmann/json.hpp>
 
 #include <chrono>
 
@@ -61,7 +63,6 @@ public:
 
 private:
 	void listen();
-	void onKey(int key, bool down, int modifiers);
 	void heard(); // input came
 	void obey();  // --commands
 	Status showFrame();
@@ -76,6 +77,7 @@ private:
 	Workbench bench_;
 	std::optional<Commands> commands_;
 	Hand hand_{bench_};
+	Keyboard keyboard_{bench_, hand_};
 	Meter meter_;
 	double frame_seconds_;
 	double scale_;
@@ -132,24 +134,15 @@ void Viewer::listen()
 	events.key = [this](int key, bool down, int modifiers)
 	{
 		heard();
-		onKey(key, down, modifiers);
+		keyboard_.press(key, down, modifiers);
 	};
+	events.typed = [this](char32_t character) { keyboard_.type(character); };
 	events.drop = [this](std::vector<std::string> files)
 	{
 		heard();
 		bench_.open(std::move(files));
 	};
 	window_.listen(std::move(events));
-}
-
-void Viewer::onKey(int key, bool down, int modifiers)
-{
-	hand_.setKeys(modifiersOf(key, down, modifiers));
-	if (!down || ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup))
-		return;
-	if (const auto chord = chordOf(key, modifiers))
-		if (const auto action = interact::actionOf(*chord))
-			bench_.perform(*action);
 }
 
 void Viewer::obey()
@@ -216,6 +209,11 @@ Status Viewer::showFrame()
 		return frame.error();
 	if (*frame)
 		pictures.push_back({*frame, glm::ivec2(scene_.lo), glm::ivec2(scene_.size)});
+	if (bench_.parts.plane_pane && shown && shown->pane && !film)
+	{
+		const ScenePart pane = paneOf(scene_, scale_);
+		pictures.push_back({shown->pane->image, glm::ivec2(pane.lo), glm::ivec2(pane.size)});
+	}
 	const bool was_awake = isAwake();
 	Result<bool> presented = screen_.show(pictures, *ImGui::GetDrawData(), window_.pixels());
 	if (!presented)

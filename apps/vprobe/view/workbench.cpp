@@ -129,6 +129,16 @@ void Workbench::update(VkExtent2D size)
 	input_.reset();
 }
 
+void Workbench::setPane(VkExtent2D size)
+{
+	const std::optional<PaneWish> next =
+	    size.width > 0 && size.height > 0 ? std::optional(PaneWish{sheet_, size}) : std::nullopt;
+	if (next == pane_)
+		return;
+	pane_ = next;
+	++version_;
+}
+
 void Workbench::ask(VkExtent2D size)
 {
 	const bool same_size = size.width == asked_size_.width && size.height == asked_size_.height;
@@ -138,7 +148,9 @@ void Workbench::ask(VkExtent2D size)
 		++version_;
 	asked_ = version_;
 	asked_size_ = size;
-	artist_.ask(wish());
+	Wish next = wish();
+	next.pane = pane_;
+	artist_.ask(std::move(next));
 }
 
 // What the state is to look like, in the size that was last asked for.

@@ -44,7 +44,6 @@ struct OpenParts
 	bool help = false;
 	bool full_screen = false;
 	bool exposure = false; // in place of the film loop, all its frames in one picture
-	bool plays_times = false;
 };
 
 // A question that waits for its answer.
@@ -129,6 +128,8 @@ public:
 	// Once a frame, and after input: hands on what has changed. size: of the part of the window that shows the scene.
 	void update(VkExtent2D size);
 	void noteInput(Moment when); // what follows answers it
+	// From the next picture on, the chosen sheet in a pane of this size; none of 0 x 0.
+	void setPane(VkExtent2D size);
 	const std::shared_ptr<const Shown>& shown() const { return shown_; }
 	bool isIdle() const;
 	bool isShown() const; // what is shown is of the state as it is
@@ -141,9 +142,9 @@ public:
 	const std::vector<Notice>& notices() const { return notices_; }
 	void notify(std::string words, bool is_error = false);
 	void notify(const Error& error) { notify(error.message, true); }
+	void dismiss(const std::string& words);
 	// What was set stays to be recovered when the bench goes: it ends by a fault.
 	void keepState();
-	void dismiss(const std::string& words);
 	bool wantsToQuit() const { return quits_; }
 	void quit() { quits_ = true; }
 
@@ -193,6 +194,7 @@ private:
 	std::uint64_t version_ = 1; // of all that a picture depends on
 	std::uint64_t asked_ = 0;   // the version that was asked for last
 	VkExtent2D asked_size_{};
+	std::optional<PaneWish> pane_;
 	std::optional<Moment> input_; // the oldest that was not asked for yet
 	bool takes_camera_ = true;    // the state's camera is to become the next picture's
 
