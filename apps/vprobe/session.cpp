@@ -50,6 +50,7 @@ seed::SeedOptions seedOptions(const ProbeOptions& options)
 // Of sheets that wish for an array of their own.
 Status chooseSheetFields(const ProbeOptions& options, Session& session)
 {
+	session.sheet_fields.clear();
 	for (const probe::Sheet& sheet : session.probe.sheets)
 	{
 		const probe::SheetWishes& wishes = sheet.wishes;

@@ -78,7 +78,9 @@ std::uint64_t Device::lastSubmission() const
 
 Status Device::waitIdle()
 {
-	return wait(lastSubmission());
+	// Not only submissions: a presentation still waits for its semaphore.
+	const std::lock_guard lock(private_->queue_mutex);
+	return check(vkQueueWaitIdle(queue_), "vkQueueWaitIdle");
 }
 
 VkResult Device::present(const VkPresentInfoKHR& info)

@@ -2,6 +2,7 @@
 
 #include "write/png.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <stdexcept>
@@ -157,8 +158,13 @@ void Desktop::command(const std::string& line) const
 
 nlohmann::json Desktop::settle()
 {
-	const std::string file = path("settled_" + std::to_string(settled_++) + ".json");
 	command("wait");
+	return state();
+}
+
+nlohmann::json Desktop::state()
+{
+	const std::string file = path("state_" + std::to_string(states_++) + ".json");
 	command("save-state " + file);
 	eventually([&] { return std::filesystem::exists(file) || !program_->runs(); });
 	if (!std::filesystem::exists(file))
@@ -173,7 +179,9 @@ std::string Desktop::err() const
 
 void Desktop::keepFailure() const
 {
-	keepPicture(std::string("failed_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+	std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+	std::ranges::replace(name, '/', '_');
+	keepPicture("failed_" + name);
 }
 
 nlohmann::json Desktop::close(const std::string& spoken)

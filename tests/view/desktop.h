@@ -30,6 +30,7 @@ protected:
 	void command(const std::string& line) const; // of --commands
 	void act(const std::string& action) const { command("do " + action); }
 	nlohmann::json settle(); // when all is done and shown: the state
+	nlohmann::json state();  // as it is now
 	std::string err() const; // what it said so far
 	Process& program() { return *program_; }
 	// Ends it by Ctrl+Q, and holds it to exit code 0 without validation messages: what --stats says. spoken: what it
@@ -44,6 +45,7 @@ protected:
 	void wheel(int notches) const;             // > 0: away from the user
 	void press(const std::string& keys) const; // as xdotool writes them: "ctrl+s"
 	std::string window() const { return window_; }
+	std::string displayName() const { return display_; }
 
 	// --- The screen.
 	vp::render::Picture screen() const { return readScreen(path("screen/Xvfb_screen0")); }
@@ -65,7 +67,7 @@ private:
 
 	std::string display_;
 	std::string window_;
-	int settled_ = 0;
+	int states_ = 0;
 	std::unique_ptr<Process> screen_; // ends last
 	std::unique_ptr<Process> manager_;
 	std::unique_ptr<Process> program_;

@@ -26,7 +26,7 @@ protected:
 		if (IsSkipped() || HasFatalFailure())
 			return;
 		open({"demo:shell:32", "--origin", "0", "1.5", "0.1", "--normal", "0 0 1", "--up", "0", "1", "0", "--window",
-		      "1.6", "2", "--camera", "8,-6,9,0,1.5,0,0,0,1"});
+		      "3", "2", "--camera", "8,-6,9,0,1.5,0,0,0,1"});
 		act("panels");
 		first_ = settle();
 		area_ = scene();
@@ -89,9 +89,11 @@ TEST_F(HandOnASheet, SizesItsWindowByACorner)
 {
 	const SeenProbe seen = now();
 	const glm::ivec2 corner = pixelOf(seen, Handle{HandleKind::corner, 0, 0, 2});
-	drag(corner, pixelOf(seen, Vec3(1.0, 0.8, 0.1)));
-	const SeenProbe sized = now();
-	(void)sized;
+	drag(corner, pixelOf(seen, Vec3(1.0, 2.2, 0.1)));
+	const nlohmann::json state = settle();
+	EXPECT_NE(state["probe"], first_["probe"]);
+	EXPECT_EQ(state["look"]["camera"], first_["look"]["camera"]);
+	EXPECT_EQ(normalOf(state), normalOf(first_));
 	close();
 }
 

@@ -151,11 +151,8 @@ TEST_P(MonkeyAtTheWindow, DoesNoHarm)
 			warm = program().residentBytes();
 	} while (passed() < GetParam());
 
-	// Whatever is open or plays is left: then it answers.
-	press("Escape");
-	press("Escape");
-	command("open demo:shell:16");
-	settle();
+	// It answers. (Nobody waits for it to rest: a sweep may be playing.)
+	EXPECT_TRUE(state().is_object());
 	const std::size_t after = program().residentBytes();
 	EXPECT_LT(after, warm + kMostGrowth) << "memory grew from " << warm << " to " << after << " bytes";
 	std::printf("resident: %zu MiB after the warm-up, %zu MiB at the end\n", warm >> 20, after >> 20);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace view
 {
 
@@ -24,7 +26,6 @@ TEST_F(Picture, AnInputAppearsInTheColoursOfTheMap)
 	open({"demo:shell:32", "--normal", "0.3", "0.5", "0.8"});
 	const Area left{100, 100, 500, 450};
 	EXPECT_GT(shareOf(viridis(), rest(left)), 0.1);
-	keepPicture("shell");
 	const nlohmann::json stats = close();
 	EXPECT_GE(stats["cut_ms"]["count"], 1) << stats.dump(1);
 }
@@ -51,6 +52,45 @@ TEST_F(Picture, TheNextArrayIsShown)
 	const nlohmann::json after = settle();
 	EXPECT_NE(before["probe"].value("array", ""), after["probe"].value("array", ""));
 	EXPECT_TRUE(eventually([&] { return difference(first, seen(left)) > 0.05; }));
+	close();
+}
+
+// docs/VIEWER.md has them by the same names; keep_pictures.sh copies them there.
+TEST_F(Picture, TheManualsAreTaken)
+{
+	open({"demo:shell:64", "--normal", "0.3", "0.5", "0.8", "--size", "1100x720"});
+	moveTo({5, 640});
+	const auto take = [&](const std::string& name)
+	{
+		settle();
+		const std::string file = VPROBE_VIEW_OUTPUT "/" + name + ".png";
+		std::filesystem::remove(file);
+		command("screenshot " + file);
+		EXPECT_TRUE(eventually([&] { return cli::sizeOf(cli::contents(file)) == cli::PictureSize{1100, 720}; }));
+	};
+	take("shell");
+	act("preset_trihedral");
+	act("lines");
+	take("trihedral");
+	act("preset_single");
+	act("lines");
+	act("plane_pane");
+	take("plane");
+	close();
+}
+
+TEST_F(Picture, TheValueUnderThePointerIsTold)
+{
+	open({"demo:shell:32", "--normal", "z"});
+	const Area line{8, 672, 400, 26}; // the status line's beginning
+	moveTo({5, 640});
+	settle();
+	const vp::render::Picture beside = rest(line);
+	moveTo({480, 280});
+	EXPECT_TRUE(eventually([&] { return difference(beside, seen(line)) > 0.02; }));
+	const vp::render::Picture on_sheet = rest(line);
+	moveTo({200, 300});
+	EXPECT_TRUE(eventually([&] { return difference(on_sheet, seen(line)) > 0.005; }));
 	close();
 }
 

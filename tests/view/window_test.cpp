@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+
 namespace view
 {
 
@@ -117,6 +121,39 @@ TEST_F(WindowOfTheDesktop, ClosesByItsKeys)
 	press("ctrl+q");
 	EXPECT_EQ(program().waitFor(kPatience), 0);
 	EXPECT_EQ(err(), "");
+}
+
+TEST_F(WindowOfTheDesktop, ACrashLeavesWhatWasSet)
+{
+	open({"demo:shell:16", "--normal", "z"});
+	act("turn_x_plus");
+	settle();
+	const auto kept = [&]
+	{
+		for (const auto& entry : std::filesystem::recursive_directory_iterator(path("state")))
+			if (entry.path().filename().string().starts_with("recovery-"))
+				return cli::contents(entry.path());
+		return std::string();
+	};
+	const std::string turned = settle()["probe"]["normal"];
+	EXPECT_TRUE(eventually([&] { return cli::contains(kept(), turned); })) << kept();
+	program().interrupt(SIGKILL);
+	EXPECT_TRUE(program().waitFor(kPatience));
+	EXPECT_TRUE(cli::contains(kept(), turned));
+	// A state like any other.
+	const std::string file = write("left.json", kept());
+	EXPECT_EQ(run({"slice", "--state", file, "--classify", "cpu", "--stats", "-"}).status, 0);
+}
+
+TEST_F(WindowOfTheDesktop, ClosedItLeavesNothingToRecover)
+{
+	open({"demo:shell:16", "--normal", "z"});
+	act("turn_x_plus");
+	settle();
+	close();
+	for (const auto& entry : std::filesystem::recursive_directory_iterator(path("state")))
+		EXPECT_TRUE(entry.is_directory()) << entry.path();
+	EXPECT_TRUE(std::filesystem::exists(path("config") + "/volume-probes/view.json"));
 }
 
 TEST_F(WindowOfTheDesktop, CommandsThatFailAreToldAndTheOthersFollow)

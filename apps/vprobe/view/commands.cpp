@@ -197,10 +197,7 @@ Status Commands::act(const Words& words, const Stage& stage)
 	if (has("size", 2))
 		return resize(rest, stage);
 	if (has("wait", 0))
-		waiting_ =
-		    Waiting{[](const Stage& now) { return now.bench.isIdle() && (now.shows_newest || now.window.minimised()); },
-		            {},
-		            {}};
+		waitForPicture(stage);
 	else if (has("minimise", 0))
 	{
 		stage.window.minimise();
@@ -216,6 +213,15 @@ Status Commands::act(const Words& words, const Stage& stage)
 	else
 		return unfit("no such command, or not with so many words");
 	return Nothing{};
+}
+
+// What a frame of the window changes, as the part of it that shows the scene, is asked for with the frame after it.
+void Commands::waitForPicture(const Stage& stage)
+{
+	constexpr std::uint64_t kFrames = 2;
+	const auto done = [enough = stage.frames + kFrames](const Stage& now)
+	{ return now.bench.isIdle() && (now.window.minimised() || (now.shows_newest && now.frames >= enough)); };
+	waiting_ = Waiting{done, {}, {}};
 }
 
 Status Commands::saveState(const std::string& file, const Stage& stage) const

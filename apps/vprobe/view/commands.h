@@ -39,7 +39,8 @@ public:
 		Workbench& bench;
 		Window& window;
 		Screen& screen;
-		bool shows_newest; // the window shows the bench's picture
+		bool shows_newest;    // the window shows the bench's picture
+		std::uint64_t frames; // of the window, shown so far
 	};
 	// Carries out what has come, up to what has to wait. True where anything was done or is waited for.
 	bool run(const Stage& stage);
@@ -61,6 +62,7 @@ private:
 	bool isWaiting(const Stage& stage);
 	void tellErrors(const Workbench& bench);
 
+	void waitForPicture(const Stage& stage);
 	Status carryOut(const std::string& line, const Stage& stage);
 	Status act(const Words& words, const Stage& stage);
 	Status saveState(const std::string& file, const Stage& stage) const;

@@ -83,6 +83,7 @@ private:
 	double scale_;
 	bool dark_;
 	ScenePart scene_;
+	std::uint64_t frames_ = 0; // shown so far
 	Moment last_frame_ = Clock::now();
 	Moment last_event_ = Clock::now();
 	std::shared_ptr<const Shown> drawn_;
@@ -146,7 +147,7 @@ void Viewer::listen()
 
 void Viewer::obey()
 {
-	if (commands_ && commands_->run({bench_, window_, screen_, bench_.shown() == drawn_}))
+	if (commands_ && commands_->run({bench_, window_, screen_, bench_.shown() == drawn_, frames_}))
 		heard();
 }
 
@@ -220,6 +221,7 @@ Status Viewer::showFrame()
 	last_frame_ = Clock::now();
 	if (!*presented)
 		return Nothing{};
+	++frames_;
 	meter_.frame(last_frame_, was_awake);
 	meter_.picture(shown, last_frame_);
 	return Nothing{};
