@@ -22,7 +22,7 @@ namespace
 using Clock = std::chrono::steady_clock;
 
 // A software device draws the window on the cores that cut: more frames than the eye needs would cost cuts.
-constexpr double kSoftwareFrameRate = 40.0;
+constexpr double kSoftwareFrameRate = 50.0;
 // Nothing moves: the window is drawn now and then for what tells the time.
 constexpr double kIdleSeconds = 0.25;
 constexpr std::chrono::milliseconds kStaysAwake{500};

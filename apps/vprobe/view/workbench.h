@@ -55,6 +55,7 @@ enum class Question
 	save_picture,
 	save_film,
 	save_slice,
+	save_trace,
 	recover // what a window that ended unexpectedly has left
 };
 
@@ -115,6 +116,8 @@ public:
 	int frame() const { return sweep_.player.frameAt(seconds()); }
 	int frames() const { return sweep_.player.frames(); }
 	void seek(int frame);
+	bool loops() const { return sweep_.player.loops(); }
+	bool hasExposure() const { return exposure_ != nullptr; }
 	const std::optional<Recording>& recording() const { return recording_; }
 	const std::shared_ptr<const FilmLoop>& film() const { return film_; } // whole, or null
 	// The film loop's picture to be shown in place of the scene's; null where the scene is to be seen.
@@ -170,7 +173,8 @@ private:
 	void stepTime(int by);
 
 	double seconds() const; // the sweep's clock
-	bool followSweep();     // false, with a notice, where the path cannot be gone
+	Status followSweep();
+	bool canSweep();
 	void playSweep();
 	void setSpeed(double factor);
 	void record();

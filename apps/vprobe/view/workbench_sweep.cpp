@@ -49,11 +49,17 @@ double Workbench::seconds() const
 	return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-bool Workbench::followSweep()
+Status Workbench::followSweep()
 {
-	if (!facts_ || probe().sheets.empty())
-		return false;
-	const Status followed = sweep_.follow(state(), *facts_, seconds());
+	if (!facts_)
+		return Error{ExitCode::usage, "nothing is shown yet; open a file first"};
+	return sweep_.follow(state(), *facts_, seconds());
+}
+
+// False, with a notice, where the path cannot be gone.
+bool Workbench::canSweep()
+{
+	const Status followed = followSweep();
 	if (!followed)
 	{
 		sweep_.player.pause(seconds());
@@ -65,7 +71,13 @@ bool Workbench::followSweep()
 // The frame of this moment becomes the state's; a film loop is shown without cutting.
 void Workbench::playSweep()
 {
-	if (!isPlaying() || !followSweep() || filmIsGood())
+	if (!isPlaying())
+	{
+		// So that it is known how many frames there are; what is wrong with the path is told when it is played.
+		[[maybe_unused]] const Status followed = followSweep();
+		return;
+	}
+	if (!canSweep() || filmIsGood())
 		return;
 	const int frame = this->frame();
 	change(
@@ -74,7 +86,7 @@ void Workbench::playSweep()
 
 void Workbench::seek(int frame)
 {
-	if (!followSweep())
+	if (!canSweep())
 		return;
 	sweep_.player.seek(frame, seconds());
 	change(
@@ -87,7 +99,7 @@ bool Workbench::performOnSweep(Action action)
 	switch (action)
 	{
 	case Action::play:
-		if (!followSweep())
+		if (!canSweep())
 			return true;
 		sweep_.player.toggle(now);
 		if (!isPlaying())
@@ -137,7 +149,7 @@ void Workbench::record()
 {
 	if (recording_)
 		return perform(Action::cancel), void();
-	if (!followSweep())
+	if (!canSweep())
 		return;
 	const std::size_t bytes = FilmLoop::bytesOf(frames(), asked_size_.width, asked_size_.height);
 	if (bytes > FilmLoop::kMostBytes)
