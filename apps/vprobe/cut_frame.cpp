@@ -3,7 +3,8 @@
 namespace vp::app
 {
 
-std::vector<SheetStats> statsSince(const Session& session, const slice::Slice& slice, const CutFrame* last)
+std::vector<SheetStats> statsSince(const Session& session, const slice::Slice& slice, const CutFrame* last,
+                                   bool wants_figures)
 {
 	std::vector<SheetStats> all;
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
@@ -14,7 +15,7 @@ std::vector<SheetStats> statsSince(const Session& session, const slice::Slice& s
 			continue;
 		}
 		all.push_back(sheetMesh(session, slice, s));
-		measureSheet(session, slice, s, all.back());
+		(wants_figures ? measureSheet : measureForPicture)(session, slice, s, all.back());
 	}
 	return all;
 }

@@ -12,10 +12,11 @@ struct CutFrame
 {
 	slice::Slice slice;
 	std::vector<SheetStats> sheets;
-	nlohmann::json figures{}; // of --stats, where they are wanted
 };
 
-// Figures of a slice. last: the frame before, or null; a sheet that has not moved since shows what it showed.
-std::vector<SheetStats> statsSince(const Session& session, const slice::Slice& slice, const CutFrame* last);
+// What a slice's sheets show: all figures where they are wanted, else what a picture needs. last: the frame before, by
+// the same wish, or null; a sheet that has not moved since shows what it showed.
+std::vector<SheetStats> statsSince(const Session& session, const slice::Slice& slice, const CutFrame* last,
+                                   bool wants_figures);
 
 } // namespace vp::app

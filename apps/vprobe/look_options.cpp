@@ -6,6 +6,7 @@
 #include "render/least_positive.h"
 #include "render/levels.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

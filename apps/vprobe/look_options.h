@@ -6,11 +6,14 @@
 #include "render/scene.h"
 #include "slice/field_choice.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI
+{
+class App;
+}
 
 namespace vp::app
 {

@@ -2,6 +2,7 @@
 
 #include "probe/path_file.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cmath>

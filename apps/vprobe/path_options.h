@@ -3,10 +3,13 @@
 #include "base/result.h"
 #include "probe/path.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
+
+namespace CLI
+{
+class App;
+}
 
 namespace vp::app
 {

@@ -2,6 +2,8 @@
 
 #include "read/read.h"
 
+#include <CLI/CLI.hpp>
+
 namespace vp::app
 {
 

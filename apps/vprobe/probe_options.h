@@ -2,11 +2,15 @@
 
 #include "probe/probe_file.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI
+{
+class App;
+class Option;
+} // namespace CLI
 
 namespace vp::app
 {

@@ -11,6 +11,7 @@
 #include "trace_option.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <memory>
 
@@ -126,7 +127,7 @@ private:
 		if (!painter_)
 			return Nothing{};
 		for (std::size_t s = 0; s < sheets_.size(); ++s)
-			measureSheet(session_, slice_, s, sheets_[s]); // pictures tell whether values are missing
+			measureForPicture(session_, slice_, s, sheets_[s]);
 		const Result<render::Picture> picture = painter_->draw(slice_, sheets_);
 		return picture ? Status(Nothing{}) : picture.error();
 	}
@@ -193,6 +194,7 @@ Result<ExitCode> runProfile(ProfileOptions& options, const CLI::App& command)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
+	session.range_of_slice = look->range_of_slice;
 	if (options.draw && look->by_generation)
 		session.finder = slice::Finder::traversal;
 	const std::string picture =

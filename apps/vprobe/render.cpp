@@ -5,6 +5,7 @@
 #include "write/png.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <memory>

@@ -5,6 +5,7 @@
 #include "stats_json.h"
 #include "write/atomic_file.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

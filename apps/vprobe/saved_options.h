@@ -4,10 +4,13 @@
 #include "path_options.h"
 #include "probe_options.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
+
+namespace CLI
+{
+class App;
+}
 
 namespace vp::app
 {

@@ -204,7 +204,10 @@ Result<slice::Slice> cut(const Session& session, std::shared_ptr<const slice::Sl
 	std::optional<slice::OtherSurface> surface;
 	if (session.surface)
 		surface = surfaceAt(*session.surface, session.swept);
-	return session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, session.seeds,
+	// For a device few generations are wanted; where the traversal is asked for by name it goes as the paper has it.
+	seed::SeedOptions seeds = session.seeds;
+	seeds.lattice = session.slicer->usesGpu() && session.finder != slice::Finder::traversal;
+	return session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, seeds,
 	                            session.threshold, session.finder, session.visited, surface, std::move(last),
 	                            session.timeline.get()});
 }

@@ -3,6 +3,7 @@
 #include "write/atomic_file.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <unordered_set>
@@ -158,6 +159,14 @@ void measureSheet(const Session& session, const slice::Slice& slice, std::size_t
 {
 	const TimedSection section(session.timeline.get(), "measure");
 	stats.measure = slice::measure(session.blocks, stats.mesh, slice.sheets[sheet].field);
+}
+
+void measureForPicture(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats)
+{
+	if (session.range_of_slice)
+		return measureSheet(session, slice, sheet, stats);
+	const TimedSection section(session.timeline.get(), "measure");
+	stats.measure.nan_area = slice::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field);
 }
 
 std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice)

@@ -3,7 +3,7 @@
 #include "session.h"
 #include "slice/stats.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>
@@ -24,6 +24,8 @@ std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& s
 // Of one sheet, in two halves: its polygons, section "emit"; what they show, section "measure".
 SheetStats sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet);
 void measureSheet(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);
+// In place of the second where only a picture is wanted: it tells whether values are missing.
+void measureForPicture(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);
 
 // What a slice's export holds: its polygons, or the faces of its whole cells.
 std::vector<slice::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets);

@@ -15,13 +15,14 @@ namespace vp::app
 namespace
 {
 
-// An option that is given although it places or bounds a plane; null where there is none.
+// An option that is given although it places, bounds or traverses a plane; null where there is none.
 const char* planeOption(const ProbeOptions& options)
 {
 	for (const auto& [given, name] :
 	     {std::pair{options.probe != "single", "--probe"}, std::pair{!options.window.empty(), "--window"},
 	      std::pair{!options.origin.empty(), "--origin"}, std::pair{options.normal.has_value(), "--normal"},
-	      std::pair{!options.up.empty(), "--up"}, std::pair{options.seeds != "auto", "--seeds"}})
+	      std::pair{!options.up.empty(), "--up"}, std::pair{options.seeds != "auto", "--seeds"},
+	      std::pair{!options.visited.empty(), "--visited"}})
 		if (given)
 			return name;
 	return nullptr;

@@ -7,6 +7,7 @@
 #include "trace_option.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -149,6 +150,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 	if (!opened)
 		return opened.error();
 	Session& session = **opened;
+	session.range_of_slice = look->range_of_slice;
 	if (look->by_generation)
 		session.finder = slice::Finder::traversal;
 	Result<std::unique_ptr<SweepProducts>> products =

@@ -15,7 +15,12 @@ namespace vp::app
 namespace
 {
 
-using CutFrameResult = Result<std::shared_ptr<const CutFrame>>;
+struct SweptFrame : CutFrame
+{
+	nlohmann::json figures; // of --stats, where they are wanted
+};
+
+using CutFrameResult = Result<std::shared_ptr<const SweptFrame>>;
 
 // Cuts one frame after the other, where it is asked for or on a thread of its own.
 class Cutter
@@ -49,7 +54,7 @@ private:
 
 	CutFrameResult cut(int frame)
 	{
-		auto made = std::make_shared<CutFrame>();
+		auto made = std::make_shared<SweptFrame>();
 		{
 			const TimedSection section(session_.timeline.get(), "cut");
 			Result<slice::Slice> slice =
@@ -57,12 +62,12 @@ private:
 			if (!slice)
 				return slice.error();
 			made->slice = std::move(*slice);
-			made->sheets = statsSince(session_, made->slice, last_.get());
+			made->sheets = statsSince(session_, made->slice, last_.get(), plan_.wants_figures);
 		}
 		if (plan_.wants_figures)
 			made->figures = sheetsJson(session_, made->slice, made->sheets);
 		last_ = made;
-		return std::shared_ptr<const CutFrame>(std::move(made));
+		return std::shared_ptr<const SweptFrame>(std::move(made));
 	}
 
 	const SweepPlan& plan_;
@@ -70,8 +75,8 @@ private:
 	const Session& session_;
 	std::shared_ptr<Task> task_; // that nobody has begun
 	std::future<CutFrameResult> result_;
-	std::shared_ptr<const CutFrame> last_; // of the thread that cuts
-	std::optional<Worker> worker_;         // the last to be made: it uses the others
+	std::shared_ptr<const SweptFrame> last_; // of the thread that cuts
+	std::optional<Worker> worker_;           // the last to be made: it uses the others
 };
 
 // The first frame from `frame` on that is not there yet, or the number of frames.

@@ -18,6 +18,7 @@ struct ViewOptions
 {
 	SavedOptions saved;
 	std::string stats;
+	std::string commands;
 	bool list_bindings = false;
 };
 
@@ -48,7 +49,8 @@ Result<ExitCode> runView(ViewOptions& options, const CLI::App& command)
 			return ready.error();
 		return ViewState{saved.probe, saved.look, saved.path};
 	};
-	return runViewer({{options.saved.probe, options.saved.look, options.saved.path}, read_state, options.stats});
+	return runViewer(
+	    {{options.saved.probe, options.saved.look, options.saved.path}, read_state, options.stats, options.commands});
 }
 
 } // namespace
@@ -68,6 +70,10 @@ void addView(CLI::App& program, Run& run)
 	command
 	    ->add_option("--stats", options->stats,
 	                 "When the window closes: how fast it was, as JSON (frames, cuts, from input to picture)")
+	    ->type_name("FILE|-");
+	command
+	    ->add_option("--commands", options->commands,
+	                 "Carries out the lines of a file while the window runs: docs/VIEWER.md, Scripting")
 	    ->type_name("FILE|-");
 	command->callback([&run, options, command] { run = [options, command] { return runView(*options, *command); }; });
 }

@@ -152,6 +152,7 @@ struct Chord
 struct Binding
 {
 	Action action;
+	std::string_view name; // for scripts: the enumerator's
 	Chord chord;
 	std::string_view group; // heading of the list
 	std::string_view words; // what it does, for tooltips too
@@ -167,7 +168,9 @@ std::string nameOf(const Chord& chord); // "Ctrl+Shift+Z"
 std::string keysOf(Action action);      // all its chords: "Ctrl+Shift+Z, Ctrl+Y"
 std::string_view wordsOf(Action action);
 
-// The table as text, a line an action: its keys and words in columns, under the headings of the groups.
+std::optional<Action> actionNamed(std::string_view name);
+
+// The table as text, a line an action: its keys, name and words in columns, under the headings of the groups.
 std::string bindingsText();
 
 } // namespace vp::interact

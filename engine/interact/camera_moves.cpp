@@ -153,16 +153,11 @@ render::Camera faceSheet(const View& view, const probe::Sheet& placed, std::span
 {
 	render::CameraChoice choice;
 	choice.kind = render::CameraChoice::Kind::sheet;
-	return filling(view, choice, &placed, scene);
-}
-
-std::vector<Vec3> sheetExtent(const probe::Sheet& placed, std::span<const Vec3> scene)
-{
 	if (!placed.window)
-		return {scene.begin(), scene.end()};
-	const probe::Window& w = *placed.window;
-	return {pointOn(placed, {w.x0, w.y0}), pointOn(placed, {w.x1, w.y0}), pointOn(placed, {w.x1, w.y1}),
-	        pointOn(placed, {w.x0, w.y1})};
+		return filling(view, choice, &placed, scene);
+	render::Camera camera = filling(view, choice, &placed, windowCorners(placed));
+	camera.fitNear(scene);
+	return camera;
 }
 
 } // namespace vp::interact

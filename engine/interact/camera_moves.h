@@ -5,7 +5,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace vp::interact
 {
@@ -48,12 +47,11 @@ enum class NamedView
 };
 constexpr int kNamedViews = 7;
 
-// These fill the free area of the view's frame with the scene, and keep its field of view.
+// These fill the free area of the view's frame, and keep its field of view.
 render::Camera namedView(const View& view, NamedView name, std::span<const Vec3> scene);
 render::Camera fitted(const View& view, std::span<const Vec3> scene); // from where the camera looks now
-render::Camera faceSheet(const View& view, const probe::Sheet& placed, std::span<const Vec3> scene); // its up upright
 
-// What a camera is to fit where it faces a sheet: its window's corners, else what is given of the scene.
-std::vector<Vec3> sheetExtent(const probe::Sheet& placed, std::span<const Vec3> scene);
+// Straight onto a sheet, its up upright: its window fills the free area, or else the scene.
+render::Camera faceSheet(const View& view, const probe::Sheet& placed, std::span<const Vec3> scene);
 
 } // namespace vp::interact

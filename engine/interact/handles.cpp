@@ -131,9 +131,7 @@ HandleShape cornerShape(const probe::Sheet& sheet, std::size_t s, int corner, co
 void addWindow(const probe::Sheet& sheet, std::size_t s, const View& view, double ui_scale,
                std::vector<HandleShape>& shapes)
 {
-	const probe::Window& w = *sheet.window;
-	const std::array<Vec3, 4> corner{pointOn(sheet, {w.x0, w.y0}), pointOn(sheet, {w.x1, w.y0}),
-	                                 pointOn(sheet, {w.x1, w.y1}), pointOn(sheet, {w.x0, w.y1})};
+	const std::array<Vec3, 4> corner = windowCorners(sheet);
 	shapes.push_back(
 	    {{HandleKind::sheet, 2, s}, {{corner[0], corner[1], corner[2], corner[3], corner[0]}}, 1.0, false});
 	constexpr std::array<std::array<int, 2>, 4> kEnds{{{0, 3}, {1, 2}, {0, 1}, {3, 2}}};
@@ -161,6 +159,27 @@ probe::Frame standOf(const probe::Probe& probe, const Handle& handle)
 	return probe::placed(probe.sheets[handle.sheet], probe.frame);
 }
 
+std::string_view wordsOf(const Handle& handle)
+{
+	constexpr std::array<std::string_view, 3> kMoves{"Move along the x axis", "Move along up", "Move along the normal"};
+	constexpr std::array<std::string_view, 3> kTurns{"Turn about the x axis", "Turn about up", "Turn about the normal"};
+	switch (handle.kind)
+	{
+	case HandleKind::move:
+		return kMoves[handle.axis];
+	case HandleKind::turn:
+		return kTurns[handle.axis];
+	case HandleKind::centre:
+		return "Move parallel to the picture";
+	case HandleKind::sheet:
+		return "Push along the normal";
+	case HandleKind::edge:
+	case HandleKind::corner:
+		break;
+	}
+	return "Resize the window";
+}
+
 Vec3 axisOf(const probe::Frame& frame, int axis)
 {
 	return axis == 0 ? frame.xAxis() : axis == 1 ? frame.up : frame.normal;
@@ -169,6 +188,13 @@ Vec3 axisOf(const probe::Frame& frame, int axis)
 Vec3 pointOn(const probe::Sheet& placed, const glm::dvec2& uv)
 {
 	return placed.origin + (uv.x * placed.xAxis() + uv.y * placed.up);
+}
+
+std::array<Vec3, 4> windowCorners(const probe::Sheet& placed)
+{
+	const probe::Window& w = *placed.window;
+	return {pointOn(placed, {w.x0, w.y0}), pointOn(placed, {w.x1, w.y0}), pointOn(placed, {w.x1, w.y1}),
+	        pointOn(placed, {w.x0, w.y1})};
 }
 
 std::vector<HandleShape> handlesOf(const probe::Probe& probe, const View& view, const Box& bounds,

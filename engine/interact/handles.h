@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace vp::interact
@@ -66,11 +67,17 @@ constexpr double kEdgeOn = 0.1;
 // probe's.
 probe::Frame standOf(const probe::Probe& probe, const Handle& handle);
 
+// What dragging it does, for tooltips and the steps of a history: "Turn about the normal".
+std::string_view wordsOf(const Handle& handle);
+
 // x, up or normal.
 Vec3 axisOf(const probe::Frame& frame, int axis);
 
 // Where a point of a placed sheet is drawn, given along its x and y axes.
 Vec3 pointOn(const probe::Sheet& placed, const glm::dvec2& uv);
+
+// Of the window of a placed sheet that has one, counter-clockwise from x0 y0: see cornerSides().
+std::array<Vec3, 4> windowCorners(const probe::Sheet& placed);
 
 // All handles of a probe's visible sheets: arrows and rings of the same size on screen wherever they stand; none where
 // that is behind the eye. A sheet's shape is the outline of its window; without a window it has no line, and is left

@@ -1,5 +1,6 @@
 #include "interact/nudge.h"
 
+#include "interact/handles.h"
 #include "interact/steps.h"
 
 #include <algorithm>
@@ -12,6 +13,11 @@ probe::Probe pushed(const probe::Probe& probe, std::size_t sheet, double steps, 
 {
 	const double way = steps * roundStep(bounds) * (fine ? 0.1 : 1.0);
 	return moved(probe, own ? Part(sheet) : Part(), way * frameOf(probe, sheet).normal);
+}
+
+probe::Probe turnedAbout(const probe::Probe& probe, const Part& part, int axis, double degrees)
+{
+	return turned(probe, part, axisOf(frameOf(probe, part), axis), degrees);
 }
 
 probe::Probe withWindowScaled(const probe::Probe& probe, std::size_t sheet, double factor, const Box& bounds, bool own)

@@ -9,12 +9,15 @@
 namespace vp::interact
 {
 
-// What wheel and keys do to a probe, step by step; turns and places are in placing.h.
+// What wheel and keys do to a probe, step by step; see placing.h too.
 
 // Along a sheet's normal, `steps` round steps (roundStep) of the bounds forward; negative ones go back. fine: a tenth.
 // own: the sheet alone, else the whole probe.
 probe::Probe pushed(const probe::Probe& probe, std::size_t sheet, double steps, const Box& bounds, bool fine = false,
                     bool own = false);
+
+// A part turned about an axis of its own: 0, 1, 2 for x, up and normal.
+probe::Probe turnedAbout(const probe::Probe& probe, const Part& part, int axis, double degrees);
 
 // A sheet's window, and those equal to it but for `own`, `factor` times as large about its centre, or about a point in
 // the sheet's coordinates. Unchanged where the sheet has none.

@@ -60,7 +60,7 @@ double AxisPointer::place(const glm::dvec2& pixel) const
 	const double along = foot_ * glm::dot(sight, axis_);
 	const double across = glm::dot(sight, towards_);
 	// Beyond the horizon that is the axis' end on this side.
-	if (across <= 0.0 || std::abs(along) > 2.0 * farthest_ * across)
+	if (std::abs(along) >= 2.0 * farthest_ * across)
 		return std::copysign(2.0 * farthest_, along);
 	return along / across;
 }

@@ -108,6 +108,7 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 	SheetSeeds seeds;
 	seeds.cells.resize(blocks.blocks.size());
 	seeds.faces_in_plane.resize(blocks.blocks.size());
+	seeds.rim.resize(blocks.blocks.size());
 	const surface::Plane plane = sheet.plane();
 	const std::optional<SheetWindow> window = sheet.window ? std::optional<SheetWindow>(sheet) : std::nullopt;
 	const Vec3 hot_spot = window ? window->hotSpot() : sheet.origin;
@@ -135,6 +136,8 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 			        {
 				        if (seeds_boundary && (seeds.cells[b].empty() || seeds.cells[b].back() != face.cell))
 					        seeds.cells[b].push_back(face.cell);
+				        if (options.lattice)
+					        seeds.rim[b].push_back(face);
 				        if (!moves_hot_spot)
 					        return;
 				        const Vec3 point = nearestOnSegment(face.from, face.to, hot_spot);

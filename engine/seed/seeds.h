@@ -3,6 +3,7 @@
 #include "base/ids.h"
 #include "grid/block.h"
 #include "probe/sheet.h"
+#include "seed/boundary_cut.h"
 
 #include <cstddef>
 #include <optional>
@@ -31,12 +32,17 @@ struct SeedOptions
 {
 	SeedMode mode = SeedMode::automatic;
 	OutsidePolicy outside = OutsidePolicy::nearest;
+	// Hot spots all over the sheet besides (hot_spots.h), where a traversal goes by generations: they become few. Not
+	// with SeedMode::hotspot.
+	bool lattice = false;
 };
 
 // Generation 0 of a sheet, per block.
 struct SheetSeeds
 {
 	std::vector<std::vector<CellId>> cells; // per block
+	// Per block, where SeedOptions::lattice asks for them: the cut boundary faces, from which hot spots are spread.
+	std::vector<std::vector<CutFace>> rim;
 	// Per block: boundary faces that lie in the plane and whose cell is not cut, so that nothing else shows them. Of
 	// faces that coincide at a seam one at most, and none where a cell on either side is cut.
 	std::vector<std::vector<grid::BoundaryIndex::Face>> faces_in_plane;

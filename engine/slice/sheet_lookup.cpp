@@ -105,11 +105,17 @@ SheetLookup::Bins SheetLookup::firstBins(std::span<const Rect> rects) const
 	return Bins(bins);
 }
 
+void SheetLookup::setBins(const Bins& bins)
+{
+	bins_ = bins;
+	// A mesh without width is one bin wide.
+	const glm::dvec2 size = glm::max(rect_.hi - rect_.lo, glm::dvec2(std::numeric_limits<double>::min()));
+	per_length_ = glm::min(glm::dvec2(bins) / size, glm::dvec2(std::numeric_limits<double>::max()));
+}
+
 SheetLookup::Bins SheetLookup::binOf(const glm::dvec2& uv) const
 {
-	const glm::dvec2 size = glm::max(rect_.hi - rect_.lo, glm::dvec2(std::numeric_limits<double>::min()));
-	const glm::dvec2 at = (uv - rect_.lo) / size * glm::dvec2(bins_);
-	return Bins(glm::clamp(at, glm::dvec2(0.0), glm::dvec2(bins_) - 1.0));
+	return Bins(glm::clamp((uv - rect_.lo) * per_length_, glm::dvec2(0.0), glm::dvec2(bins_) - 1.0));
 }
 
 std::size_t SheetLookup::entries(std::span<const Rect> rects) const
@@ -126,12 +132,9 @@ std::size_t SheetLookup::entries(std::span<const Rect> rects) const
 // Slivers across the axes fill their rectangles with bins that they miss: fewer bins then.
 void SheetLookup::chooseBins(std::span<const Rect> rects)
 {
-	bins_ = firstBins(rects);
+	setBins(firstBins(rects));
 	while (entries(rects) > kMostEntries * rects.size())
-	{
-		unsigned& more = bins_.x >= bins_.y ? bins_.x : bins_.y;
-		more = (more + 1) / 2;
-	}
+		setBins(bins_.x >= bins_.y ? Bins((bins_.x + 1) / 2, bins_.y) : Bins(bins_.x, (bins_.y + 1) / 2));
 }
 
 void SheetLookup::fill(std::span<const Rect> rects)

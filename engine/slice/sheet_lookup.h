@@ -54,6 +54,7 @@ private:
 
 	std::vector<Rect> takeRects();
 	Bins firstBins(std::span<const Rect> rects) const;
+	void setBins(const Bins& bins);
 	Bins binOf(const glm::dvec2& uv) const;
 	std::size_t entries(std::span<const Rect> rects) const; // there would be with these bins
 	void chooseBins(std::span<const Rect> rects);
@@ -66,6 +67,7 @@ private:
 	probe::Frame frame_;
 	Rect rect_; // of the whole mesh
 	Bins bins_{1, 1};
+	glm::dvec2 per_length_{0.0};        // bins
 	std::vector<std::uint32_t> starts_; // bins + 1 offsets into polygons_, rows along x
 	std::vector<std::uint32_t> polygons_;
 };

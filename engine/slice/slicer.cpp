@@ -154,20 +154,29 @@ Slicer::Lanes Slicer::makeLanes(const SliceRequest& request, const Slice& slice,
 
 Result<Slice> Slicer::run(const SliceRequest& request, std::stop_token stop)
 {
-	if (!request.last)
-	{
-		Result<Slice> cut = cutAll(request, stop);
-		if (cut)
-			numberSheets(*cut);
-		return cut;
-	}
-	const std::vector<bool> unmoved = unmovedSheets(request);
-	const bool some_moved = std::ranges::find(unmoved, false) != unmoved.end();
-	Result<Slice> moved = some_moved ? run(withoutSheets(request, unmoved), stop) : Slice();
-	return moved ? joinSheets(request, unmoved, std::move(*moved)) : moved;
+	if (request.last)
+		return cutMoved(request, stop);
+	Result<Slice> cut = cutAll(request, {}, stop);
+	if (cut)
+		numberSheets(*cut);
+	return cut;
 }
 
-Result<Slice> Slicer::cutAll(const SliceRequest& request, std::stop_token stop)
+Result<Slice> Slicer::cutMoved(const SliceRequest& request, std::stop_token stop)
+{
+	const std::vector<bool> unmoved = unmovedSheets(request);
+	Before before;
+	for (std::size_t s = 0; s < unmoved.size(); ++s)
+		if (!unmoved[s])
+			before.push_back(s < request.last->sheets.size() ? &request.last->sheets[s] : nullptr);
+	Result<Slice> moved = before.empty() ? Slice() : cutAll(withoutSheets(request, unmoved), before, stop);
+	if (!moved)
+		return moved;
+	numberSheets(*moved);
+	return joinSheets(request, unmoved, std::move(*moved));
+}
+
+Result<Slice> Slicer::cutAll(const SliceRequest& request, const Before& before, std::stop_token stop)
 {
 	assert(request.field || !request.threshold);
 	Admits admits(blocks_.blocks.size());
@@ -179,6 +188,7 @@ Result<Slice> Slicer::cutAll(const SliceRequest& request, std::stop_token stop)
 
 	Slice slice = seedSheets(request, admits);
 	Found found = find(request, slice);
+	spreadSeeds(request, before, found, slice);
 
 	Lanes lanes = makeLanes(request, slice, found, admits);
 	Result<std::vector<traverse::LaneCut>> cuts =

@@ -176,13 +176,17 @@ private:
 
 	Slice seedSheets(const SliceRequest& request, const Admits& admits) const;
 	Result<Slice> run(const SliceRequest& request, std::stop_token stop);
-	Result<Slice> cutAll(const SliceRequest& request, std::stop_token stop);
+	Result<Slice> cutMoved(const SliceRequest& request, std::stop_token stop);
+	// The sheets as they were, one each, null where one is new; or none at all.
+	using Before = std::vector<const SheetSlice*>;
+	Result<Slice> cutAll(const SliceRequest& request, const Before& before, std::stop_token stop);
 	Slice showSurface(const SliceRequest& request, const Admits& admits) const;
 	// Per lane; none where the traversal is to find the cells.
 	using Found = std::vector<std::optional<traverse::LaneCut>>;
 
 	std::optional<traverse::SpanCut> spansOf(const SheetSlice& sheet, std::size_t block, Finder finder);
 	Found find(const SliceRequest& request, Slice& slice);
+	void spreadSeeds(const SliceRequest& request, const Before& before, const Found& found, Slice& slice) const;
 	Lanes makeLanes(const SliceRequest& request, const Slice& slice, const Found& found, const Admits& admits);
 	Result<std::vector<traverse::LaneCut>> traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes,
 	                                                     std::stop_token stop);

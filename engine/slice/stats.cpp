@@ -2,10 +2,13 @@
 
 #include "slice/components.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace vp::slice
@@ -104,7 +107,37 @@ Sums takeVertexValues(const grid::BlockSet& blocks, const SheetMesh& mesh, const
 	             });
 }
 
+// Whether is_finite(i) holds for each of so many, asked on all cores.
+template <class IsFinite>
+bool areFinite(std::size_t count, const IsFinite& is_finite)
+{
+	const auto all = [&](const tbb::blocked_range<std::size_t>& part, bool so_far)
+	{
+		for (std::size_t i = part.begin(); so_far && i < part.end(); ++i)
+			so_far = is_finite(i);
+		return so_far;
+	};
+	return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, count, 4096), true, all, std::logical_and<>());
+}
+
 } // namespace
+
+double nanArea(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field)
+{
+	if (!field)
+		return 0.0;
+	const std::vector<const grid::Field*> fields = field->inEach(blocks);
+	const auto ofVertex = [&](std::size_t v)
+	{ return std::isfinite(vertexValue(blocks, mesh, v, fields, field->component)); };
+	const auto ofPolygon = [&](std::size_t p)
+	{
+		const auto [b, cell] = mesh.polygon_cells[p];
+		return fields[b] && std::isfinite(cellValue(blocks.blocks[b], *fields[b], field->component, cell));
+	};
+	const bool finite = field->association == grid::Association::point ? areFinite(mesh.positions.size(), ofVertex)
+	                                                                   : areFinite(mesh.polygons(), ofPolygon);
+	return finite ? 0.0 : measure(blocks, mesh, field).nan_area;
+}
 
 SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field)
 {

@@ -25,6 +25,9 @@ struct SheetMeasure
 	std::size_t components = 0; // see components.h
 };
 
+// The nan_area of measure() alone: where all values are finite, as mostly, nothing else is looked at.
+double nanArea(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field);
+
 SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field);
 
 } // namespace vp::slice

@@ -135,6 +135,10 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 		if (!lane.window || lane.window->meetsFace(grid, lane.surface, faces[f]))
 			cross(cell, f);
 	};
+	// Where a large face leads to several small cells, the window may hold a part of it that only some of them share.
+	bool asks_every_cell = kHasSeams;
+	if constexpr (requires { grid.hasLinks(); })
+		asks_every_cell = asks_every_cell || grid.hasLinks();
 	grid::CellFaces faces;
 	for (std::size_t i = begin; i < end; ++i)
 	{
@@ -146,8 +150,8 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 			continue;
 		if (lane.window && !walked)
 			grid.cellFaces(cell, faces);
-		// Later generations are entered across an edge in the window.
-		if (lane.window && begin == 0 && !lane.window->meetsCell(grid, lane.surface, faces))
+		// Later generations are mostly entered across an edge in the window, which is theirs too.
+		if (lane.window && (begin == 0 || asks_every_cell) && !lane.window->meetsCell(grid, lane.surface, faces))
 		{
 			cut.words[i] &= 0xFFu | shared::kWordWalk;
 			continue;

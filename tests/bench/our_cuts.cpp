@@ -42,6 +42,7 @@ void sweep(benchmark::State& state, slice::Slicer& slicer, slice::Finder finder,
 	{
 		slice::SliceRequest request;
 		request.finder = finder;
+		request.seeds.lattice = slicer.usesGpu();
 		request.probe.sheets = sheetsAt(planes[k], sheets);
 		if (!windows.empty())
 			request.probe.sheets[0].window = windows[k];

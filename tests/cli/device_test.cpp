@@ -46,6 +46,19 @@ TEST_F(Device, GivesWhatTheCpuGives)
 	}
 }
 
+TEST_F(Device, HotSpotsOverTheSheetLeaveFewGenerations)
+{
+	const Arguments probe{"slice", "demo:hexes:48", "--normal", "0.3",     "0.5",
+	                      "0.81",  "--classify",    "gpu",      "--stats", "-"};
+	const nlohmann::json spread = run(probe).json()["sheets"][0];
+	const nlohmann::json plain = run(probe + Arguments{"--visited", "stamps"}).json()["sheets"][0];
+	for (const char* key : {"cut_cells", "polygons", "vertices", "components", "cells_touched"})
+		EXPECT_EQ(spread[key], plain[key]) << key;
+	EXPECT_LE(spread["generations"], 24);
+	EXPECT_GT(plain["generations"], 24);
+	EXPECT_LE(spread["hops"], 0.2 * spread["cut_cells"].get<double>() + 6.0 * 48);
+}
+
 TEST_F(Device, WithoutTheOptionOrWithAuto)
 {
 	EXPECT_TRUE(isQuiet(slice({})));

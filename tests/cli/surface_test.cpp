@@ -130,7 +130,10 @@ TEST_F(Surface, WhatCannotBeIsOneLine)
 	      Case{"demo:shell:8", {"--surface", "i=2", "--probe", "trihedral"}, 1, {"--probe", "--surface"}},
 	      Case{"demo:shell:8", {"--surface", "i=2", "--normal", "x"}, 1, {"--normal", "--surface"}},
 	      Case{"demo:shell:8", {"--surface", "i=2", "--origin", "0", "0", "0"}, 1, {"--origin", "--surface"}},
-	      Case{"demo:shell:8", {"--surface", "i=2", "--seeds", "hotspot"}, 1, {"--seeds", "--surface"}}})
+	      Case{"demo:shell:8", {"--surface", "i=2", "--seeds", "hotspot"}, 1, {"--seeds", "--surface"}},
+	      Case{
+	          "demo:shell:8", {"--surface", "i=2", "--visited", "octants"}, 1, {"--visited", "--surface i=2", "leave"}},
+	      Case{"demo:shell:8", {"--surface", "i=2", "--visited", "stamps"}, 1, {"--visited", "--surface i=2"}}})
 	{
 		EXPECT_TRUE(isError(run(Arguments{"slice", wrong.input, "-o", path("out.vtp")} + wrong.options), wrong.status,
 		                    wrong.words))

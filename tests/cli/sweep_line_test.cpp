@@ -148,7 +148,7 @@ TEST_F(SweepLine, WhatRestsIsNotCutAgain)
 		const trace::Rows rows = trace::check(contents(path("t.json")));
 		auto counts = countsOf(rows.named("cutter"));
 		EXPECT_EQ(counts["cut"], 4);
-		EXPECT_EQ(counts["seed"], 1);
+		EXPECT_EQ(counts["seed"], classifier == "gpu" ? 2 : 1); // hot spots over the sheet apart
 		EXPECT_EQ(counts["measure"], 3);
 		const auto frames = json("s.json").at("frames");
 		ASSERT_EQ(frames.size(), 4u);

@@ -18,9 +18,9 @@ struct Work
 	double boundary_tests = 0.0;
 };
 
-Work workOf(slice::Slicer& slicer, const TestPlane& plane)
+Work workOf(slice::Slicer& slicer, const TestPlane& plane, const seed::SeedOptions& seeds = {})
 {
-	const SlicedSheet sheet = cut(slicer, plane);
+	const SlicedSheet sheet = cut(slicer, plane, seeds);
 	return {static_cast<double>(sheet.cutCellCount()), static_cast<double>(sheet.touched()),
 	        static_cast<double>(sheet.slice.seeds.hops), static_cast<double>(sheet.slice.seeds.boundary_tests)};
 }
@@ -53,10 +53,14 @@ TEST(OutputSensitivity, WorkIsBoundedByTheCut)
 		slice::Slicer slicer(set);
 		for (const TestPlane& plane : planesThrough(set.bounds()))
 		{
-			const Work work = workOf(slicer, plane);
-			EXPECT_LE(work.touched, 1.05 * work.cut + 1.0) << name << ' ' << n;
-			EXPECT_LE(work.hops, work.cut / 5.0 + 6.0 * sideOf(set))
-			    << name << ' ' << n << ", origin " << plane.origin.x << ' ' << plane.origin.y << ' ' << plane.origin.z;
+			for (const bool lattice : {false, true})
+			{
+				const Work work = workOf(slicer, plane, {.lattice = lattice});
+				EXPECT_LE(work.touched, 1.05 * work.cut + 1.0) << name << ' ' << n;
+				EXPECT_LE(work.hops, work.cut / 5.0 + 6.0 * sideOf(set))
+				    << name << ' ' << n << (lattice ? ", lattice" : "") << ", origin " << plane.origin.x << ' '
+				    << plane.origin.y << ' ' << plane.origin.z;
+			}
 		}
 	}
 }

@@ -291,6 +291,9 @@ void checkFinders(const Pair& pair, slice::Slicer& slicer, const std::optional<p
 	const SlicedSheet found = cut(slicer, pair.asked, {}, slice::Finder::automatic, window);
 	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
 		EXPECT_EQ(found.slice.cutCells(b), expected.slice.cutCells(b)) << "block " << b;
+	const SlicedSheet spread = cut(slicer, pair.asked, {.lattice = true}, slice::Finder::traversal, window);
+	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
+		EXPECT_EQ(spread.cutCells(b), expected.cutCells(b)) << "hot spots, block " << b;
 	if (pair.set.interfaces.seam_faces == 0)
 		return expectSameMesh(found.mesh, expected.mesh);
 	// Of vertices at one place, a rounding apart, the one stays that comes first.

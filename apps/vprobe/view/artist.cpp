@@ -94,7 +94,7 @@ std::optional<Error> Artist::takeError()
 bool Artist::isIdle() const
 {
 	const std::lock_guard lock(mutex_);
-	return !wish_ && orders_.empty() && !busy_;
+	return !wish_ && orders_.empty() && !busy_ && !rough_;
 }
 
 void Artist::order(Order order)
@@ -337,6 +337,12 @@ Status Artist::followLook(const Wish& wish)
 		cut_is_old_ = true;
 		only_moved_ = false;
 	}
+	if (look->range_of_slice && !session_->range_of_slice)
+	{
+		cut_is_old_ = true; // what it shows was not measured
+		only_moved_ = false;
+	}
+	session_->range_of_slice = look->range_of_slice;
 	if (painter_)
 		return painter_->setLook(wish.probe, std::move(*look));
 	Result<Painter> painter = Painter::create(*session_, wish.probe, std::move(*look));
@@ -358,7 +364,7 @@ Result<double> Artist::cutAsWished()
 		return slice.error();
 	auto made = std::make_shared<CutFrame>();
 	made->slice = std::move(*slice);
-	made->sheets = statsSince(*session_, made->slice, last.get());
+	made->sheets = statsSince(*session_, made->slice, last.get(), false);
 	cut_ = std::move(made);
 	cut_is_old_ = false;
 	++cuts_;

@@ -7,6 +7,7 @@
 #include "view/gpu_pictures.h"
 #include "view/sheet_lookups.h"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -149,7 +150,7 @@ private:
 	std::uint64_t cuts_ = 0;
 	bool cut_is_old_ = true;
 	bool only_moved_ = false;
-	bool rough_ = false; // what is shown is to be refined once it has been still
+	std::atomic<bool> rough_ = false; // what is shown is to be refined once it has been still
 	Pictures pictures_;
 	Pictures pane_pictures_;
 	std::optional<render::Renderer> pane_renderer_;

@@ -10,7 +10,6 @@ CutFigures figuresOf(const CutFrame& cut, std::size_t sheet)
 	const slice::SheetSlice& slice = cut.slice.sheets[sheet];
 	CutFigures figures;
 	figures.polygons = cut.sheets[sheet].mesh.polygons();
-	figures.area = cut.sheets[sheet].measure.area;
 	for (std::size_t b = 0; b < slice.cuts.size(); ++b)
 	{
 		figures.cut_cells += slice.cutCells(b);
@@ -32,7 +31,6 @@ CutFigures figuresOf(const CutFrame& cut)
 		all.generations = std::max(all.generations, one.generations);
 		all.front_max = std::max(all.front_max, one.front_max);
 		all.polygons += one.polygons;
-		all.area += one.area;
 	}
 	return all;
 }

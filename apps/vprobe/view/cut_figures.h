@@ -15,7 +15,6 @@ struct CutFigures
 	std::size_t generations = 0; // 0 where all cells were found at once
 	std::size_t front_max = 0;
 	std::size_t polygons = 0;
-	double area = 0.0;
 };
 
 CutFigures figuresOf(const CutFrame& cut, std::size_t sheet);

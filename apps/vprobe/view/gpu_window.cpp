@@ -162,6 +162,21 @@ bool Window::minimised() const
 	return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
 }
 
+void Window::minimise()
+{
+	glfwIconifyWindow(window_);
+}
+
+void Window::restore()
+{
+	glfwRestoreWindow(window_);
+}
+
+void Window::resize(int width, int height)
+{
+	glfwSetWindowSize(window_, width, height);
+}
+
 bool Window::closes() const
 {
 	return glfwWindowShouldClose(window_) != 0;

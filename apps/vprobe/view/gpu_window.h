@@ -50,7 +50,10 @@ public:
 	double scale() const;      // of the screen: 2 where letters are to have twice the pixels
 	double refreshRate() const;
 	bool minimised() const;
-	bool closes() const; // the user wishes so
+	void minimise();
+	void restore();
+	void resize(int width, int height); // of the content; the desktop has the last word, later
+	bool closes() const;                // the user wishes so
 	void stayOpen();
 	void setTitle(const std::string& title);
 	void setFullScreen(bool full);

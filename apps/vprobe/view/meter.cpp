@@ -1,6 +1,7 @@
 #include "view/meter.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace vp::app
 {

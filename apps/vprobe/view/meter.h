@@ -2,7 +2,7 @@
 
 #include "view/artist.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <cstddef>

@@ -77,7 +77,7 @@ void showEmptyScene(Desk& desk, const ScenePart& part)
 		showLoading(desk);
 	else
 	{
-		const std::string hint = fmt::format("Drop a file here or {}", interact::keysOf(interact::Action::open));
+		const std::string hint = fmt::format("Drop a file here, or press {}", interact::keysOf(interact::Action::open));
 		ImGui::SetCursorPosX(0.5f * (width - ImGui::CalcTextSize(hint.c_str()).x));
 		ImGui::TextUnformatted(hint.c_str());
 	}

@@ -1,6 +1,7 @@
 #include "view/viewer.h"
 
 #include "stats_json.h"
+#include "view/commands.h"
 #include "view/gpu_film_screen.h"
 #include "view/gpu_screen.h"
 #include "view/gpu_window.h"
@@ -10,6 +11,7 @@
 
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_vulkan.h>
+#include <nlohmann/json.hpp>
 
 #include <chrono>
 
@@ -52,7 +54,9 @@ struct WindowBackend
 class Viewer
 {
 public:
-	Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewerOptions& options);
+	// commands: null where there are none.
+	Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewerOptions& options,
+	       std::shared_ptr<std::FILE> commands);
 
 	Result<ExitCode> run();
 	const Meter& meter() const { return meter_; }
@@ -60,6 +64,7 @@ public:
 private:
 	void listen();
 	void heard(); // input came
+	void obey();  // --commands
 	Status showFrame();
 	Status followScale();
 	static void followKeyboard();
@@ -70,6 +75,7 @@ private:
 	Screen& screen_;
 	gpu::Device& device_;
 	Workbench bench_;
+	std::optional<Commands> commands_;
 	Hand hand_{bench_};
 	Keyboard keyboard_{bench_, hand_};
 	Meter meter_;
@@ -83,12 +89,15 @@ private:
 	FilmScreen film_screen_{device_};
 };
 
-Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewerOptions& options)
+Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewerOptions& options,
+               std::shared_ptr<std::FILE> commands)
     : window_(window), screen_(screen), device_(*device),
       bench_(options.state, device, Window::wake, options.read_state),
       frame_seconds_(1.0 / (device->isSoftware() ? kSoftwareFrameRate : window.refreshRate())), scale_(window.scale()),
       dark_(bench_.settings.dark)
 {
+	if (commands)
+		commands_.emplace(std::move(commands), Window::wake);
 	applyTheme(dark_, scale_);
 	listen();
 }
@@ -133,6 +142,12 @@ void Viewer::listen()
 		bench_.open(std::move(files));
 	};
 	window_.listen(std::move(events));
+}
+
+void Viewer::obey()
+{
+	if (commands_ && commands_->run({bench_, window_, screen_, bench_.shown() == drawn_}))
+		heard();
 }
 
 bool Viewer::isAwake() const
@@ -215,6 +230,7 @@ Result<ExitCode> Viewer::run()
 	while (!window_.closes() && !bench_.wantsToQuit())
 	{
 		window_.hear(secondsToNextFrame());
+		obey();
 		// What was heard goes to the artist at once; the window's next frame need not be waited for.
 		bench_.update({static_cast<std::uint32_t>(scene_.size.x), static_cast<std::uint32_t>(scene_.size.y)});
 		if (window_.minimised() || window_.pixels().width == 0)
@@ -223,7 +239,8 @@ Result<ExitCode> Viewer::run()
 			continue;
 		}
 		const bool new_picture = bench_.shown() != drawn_;
-		if (secondsToNextFrame() > 0.0 && !new_picture)
+		const bool captures = commands_ && commands_->wantsFrame();
+		if (secondsToNextFrame() > 0.0 && !new_picture && !captures)
 			continue;
 		drawn_ = bench_.shown();
 		if (Status shown = showFrame(); !shown)
@@ -243,6 +260,14 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 	const auto size = render::parseSize(options.state.look.size);
 	if (!size)
 		return size.error();
+	std::shared_ptr<std::FILE> commands;
+	if (!options.commands.empty())
+	{
+		Result<std::shared_ptr<std::FILE>> opened = Commands::open(options.commands);
+		if (!opened)
+			return opened.error();
+		commands = std::move(*opened);
+	}
 	Result<std::unique_ptr<Window>> window =
 	    Window::create("Volume Probes", static_cast<int>(size->first), static_cast<int>(size->second));
 	if (!window)
@@ -264,7 +289,7 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 	Result<std::unique_ptr<Screen>> screen = Screen::create(*device, *surface, (*window)->pixels());
 	if (!screen)
 		return screen.error();
-	Viewer viewer(**window, **screen, device, options);
+	Viewer viewer(**window, **screen, device, options, std::move(commands));
 	Result<ExitCode> ended = viewer.run();
 	if (!ended)
 		return ended;

@@ -12,7 +12,8 @@ struct ViewerOptions
 {
 	ViewState state;
 	ReadState read_state;
-	std::string stats; // figures of how fast the window was, as JSON, when it closes; empty: none
+	std::string stats;    // figures of how fast the window was, as JSON, when it closes; empty: none
+	std::string commands; // a file of commands that are carried out while it runs; empty: none
 };
 
 // Opens the window and stays until it is closed.

@@ -163,8 +163,9 @@ Wish Workbench::wish() const
 
 bool Workbench::isIdle() const
 {
-	return !loader_.isBusy() && artist_.isIdle() && !isPlaying() && !recording_ && written_.empty() &&
-	       (!facts_ || (shown_ && shown_->wish.number == asked_)) && asked_ == version_;
+	// A picture that cannot be made leaves the one before it.
+	return !loader_.isBusy() && !isPlaying() && !recording_ && written_.empty() &&
+	       (!facts_ || (asked_ == version_ && artist_.isIdle() && shown_ == artist_.shown()));
 }
 
 bool Workbench::isShown() const

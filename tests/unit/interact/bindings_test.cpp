@@ -78,6 +78,15 @@ TEST(Bindings, SignsThatNeedShiftAreKnownWithIt)
 	EXPECT_EQ(actionOf({key('s'), true, false, true}), std::nullopt);
 }
 
+TEST(Bindings, ActionsAreKnownByName)
+{
+	EXPECT_EQ(actionNamed("push_forward"), Action::push_forward);
+	EXPECT_EQ(actionNamed("push"), std::nullopt);
+	EXPECT_EQ(actionNamed(""), std::nullopt);
+	for (const Binding& binding : bindings())
+		EXPECT_EQ(actionNamed(binding.name), binding.action) << binding.name;
+}
+
 TEST(Bindings, TheListIsAligned)
 {
 	std::istringstream text(bindingsText());

@@ -188,6 +188,13 @@ TEST(Placing, PartsArePlacedInTheWorld)
 			const double degrees = 2.0 * degreesBetween(to.normal, glm::normalize(Vec3(0.2, 0.4, 0.9)));
 			EXPECT_LE(degreesBetween(interact::frameOf(turned, part).normal, to.normal),
 			          std::min(50.0, degrees) + 1e-9);
+			for (int axis = 0; axis < 3; ++axis)
+			{
+				const probe::Frame about = interact::frameOf(interact::turnedAbout(placed, part, axis, 30.0), part);
+				EXPECT_LT(glm::length(interact::axisOf(about, axis) - interact::axisOf(at, axis)), 1e-12);
+				const int next = (axis + 1) % 3;
+				EXPECT_NEAR(degreesBetween(interact::axisOf(about, next), interact::axisOf(at, next)), 30.0, 1e-6);
+			}
 			const probe::Probe faced = interact::withNormalToCamera(scene.probe, part, scene.view.camera);
 			EXPECT_NEAR(glm::dot(interact::frameOf(faced, part).normal, scene.view.camera.forward()), -1.0, 1e-13);
 			EXPECT_TRUE(interact::turned(scene.probe, part, {0.0, 0.0, 1.0}, 0.0) == scene.probe);

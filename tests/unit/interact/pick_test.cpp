@@ -99,6 +99,38 @@ TEST(Handles, HaveOneSizeOnScreen)
 		}
 }
 
+TEST(Handles, CornersLieWhereTheirSidesMeet)
+{
+	for (const Scene& scene : allScenes())
+	{
+		const auto shapes = interact::handlesOf(scene.probe, scene.view, scene.bounds);
+		for (const HandleShape& corner : shapes)
+			for (const HandleShape& side : shapes)
+			{
+				const Handle& c = corner.handle;
+				const Handle& s = side.handle;
+				if (c.kind != HandleKind::corner || s.kind != HandleKind::edge || c.sheet != s.sheet)
+					continue;
+				const auto& ends = side.lines[0];
+				const bool meets = ends[0] == corner.lines[0][1] || ends[1] == corner.lines[0][1];
+				EXPECT_EQ(meets, std::ranges::count(interact::cornerSides(c.part), s.part) == 1);
+				const probe::Sheet sheet = probe::placed(scene.probe).sheets[s.sheet];
+				const Vec3 axis = s.part < 2 ? sheet.xAxis() : sheet.up;
+				const probe::Window& w = *sheet.window;
+				const double at = std::array{w.x0, w.x1, w.y0, w.y1}[s.part];
+				EXPECT_NEAR(glm::dot(ends[0] - sheet.origin, axis), at, 1e-7);
+				EXPECT_NEAR(glm::dot(ends[1] - sheet.origin, axis), at, 1e-7);
+			}
+	}
+}
+
+TEST(Handles, SayWhatTheyDo)
+{
+	EXPECT_EQ(interact::wordsOf({HandleKind::turn, 2}), "Turn about the normal");
+	EXPECT_EQ(interact::wordsOf({HandleKind::move, 1}), "Move along up");
+	EXPECT_EQ(interact::wordsOf({HandleKind::corner, 0, 0, 2}), "Resize the window");
+}
+
 TEST(Handles, StandAtASheetOfItsOwn)
 {
 	for (const Scene& scene : allScenes())

@@ -62,6 +62,7 @@ TEST(Measure, APolygonIsAFanAboutItsMean)
 	EXPECT_EQ(measure.min, 1.0);
 	EXPECT_EQ(measure.max, 9.0);
 	EXPECT_EQ(measure.nan_area, 0.0);
+	EXPECT_EQ(slice::nanArea(set, mesh, kOnPoints), measure.nan_area);
 	EXPECT_EQ(measure.components, 1u);
 }
 
@@ -84,6 +85,7 @@ TEST(Measure, NanStaysOutOfMeanAndRange)
 	const slice::SheetMeasure measure = slice::measure(set, mesh, kOnPoints);
 	EXPECT_DOUBLE_EQ(measure.area, 2.5);
 	EXPECT_DOUBLE_EQ(measure.nan_area, 2.0);
+	EXPECT_EQ(slice::nanArea(set, mesh, kOnPoints), measure.nan_area);
 	EXPECT_DOUBLE_EQ(measure.mean.value(), 5.0 / 3.0);
 	EXPECT_EQ(measure.min, 1.0);
 	EXPECT_EQ(measure.max, 3.0);
@@ -124,6 +126,7 @@ TEST(Measure, CellDataAreConstantOnAPolygon)
 	    polygonsOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {7, 0, 0}, {5, 2, 0}}, {{0, 1, 2}, {3, 4, 5}});
 	const slice::SheetMeasure measure = slice::measure(set, mesh, kOnCells);
 	EXPECT_DOUBLE_EQ(measure.nan_area, 2.0);
+	EXPECT_EQ(slice::nanArea(set, mesh, kOnCells), measure.nan_area);
 	EXPECT_DOUBLE_EQ(measure.mean.value(), 2.0);
 	EXPECT_EQ(measure.min, 2.0);
 	EXPECT_EQ(measure.max, 2.0);

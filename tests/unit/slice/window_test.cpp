@@ -186,6 +186,51 @@ TEST(Window, EndsTheTraversal)
 	}
 }
 
+// Behind a large face lie several small cells, of which the window may hold some only.
+TEST(Window, AtAnInterfaceCountsWhatReachesIntoIt)
+{
+	std::mt19937 random(76);
+	std::size_t parted = 0; // windows beside which the interface has cells
+	const auto compare = [&](const grid::BlockSet& set, const TestPlane& plane)
+	{
+		slice::Slicer slicer(set);
+		probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
+		sheet.window = randomWindow(set.bounds(), random);
+		const slice::Slice slice = cutWindow(slicer, sheet);
+		const seed::SheetWindow window(sheet);
+		for (std::size_t b = 0; b < set.blocks.size(); ++b)
+		{
+			const std::vector<CellId> all = scanCutCells(set.blocks[b], plane);
+			std::vector<CellId> expected;
+			grid::CellFaces faces;
+			visitGrid(set.blocks[b],
+			          [&](const auto& grid)
+			          {
+				          for (const CellId cell : all)
+				          {
+					          grid.cellFaces(cell, faces);
+					          if (window.meetsCell(grid, sheet.plane(), faces))
+						          expected.push_back(cell);
+				          }
+			          });
+			const traverse::LaneCut& lane = slice.sheets[0].cuts[b];
+			std::vector<CellId> found;
+			for (std::size_t i = 0; i < lane.cells.size(); ++i)
+				if (lane.words[i] & shared::kWordCut)
+					found.push_back(lane.cells[i]);
+			EXPECT_EQ(sorted(std::move(found)), expected);
+			EXPECT_EQ(lane.cut_cells, expected.size());
+			parted += !expected.empty() && expected.size() < all.size();
+		}
+	};
+	const grid::BlockSet linked = setOf(gridNamed("two_to_one"));
+	const grid::BlockSet seamed = setOfBlocks({latticeBlock(warped, 0.0, false), latticeBlock(warped, 1.0, true)});
+	for (const grid::BlockSet* set : {&linked, &seamed})
+		for (const TestPlane& plane : randomPlanes(set->bounds(), 200, 77))
+			compare(*set, plane);
+	EXPECT_GT(parted, 100u);
+}
+
 // What fx magnifies is the smaller window's content.
 TEST(Window, FxShowsTheContentOfASmallerOne)
 {

@@ -1,0 +1,90 @@
+#include "program.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace cli
+{
+
+namespace
+{
+
+class View : public Program
+{
+protected:
+	// A machine without a display, and without a device either: what is refused is refused before both.
+	static Surroundings nowhere()
+	{
+		Surroundings all = noDevice();
+		all.environment["DISPLAY"] = "";
+		all.environment["WAYLAND_DISPLAY"] = "";
+		return all;
+	}
+};
+
+struct Row
+{
+	std::string keys, name, words;
+};
+
+// Of --list-bindings: two spaces at least between columns.
+std::vector<Row> rowsOf(const std::string& list)
+{
+	std::vector<Row> rows;
+	std::istringstream text(list);
+	for (std::string line; std::getline(text, line);)
+	{
+		if (!line.starts_with("  "))
+			continue;
+		std::vector<std::string> cells;
+		for (std::size_t at = 2; at < line.size();)
+		{
+			const std::size_t end = std::min(line.find("  ", at), line.size());
+			cells.push_back(line.substr(at, end - at));
+			at = std::min(line.find_first_not_of(' ', end), line.size());
+		}
+		EXPECT_EQ(cells.size(), 3u) << line;
+		if (cells.size() == 3)
+			rows.push_back({cells[0], cells[1], cells[2]});
+	}
+	return rows;
+}
+
+} // namespace
+
+TEST_F(View, ListsItsKeysWithoutAWindow)
+{
+	const Outcome outcome = run({"view", "--list-bindings"}, nowhere());
+	EXPECT_TRUE(isQuiet(outcome));
+	EXPECT_GT(rowsOf(outcome.out).size(), 50u);
+}
+
+TEST_F(View, TheManualListsEveryKey)
+{
+	const std::string manual = contents(VPROBE_SOURCE_DIR "/docs/VIEWER.md");
+	for (const Row& row : rowsOf(run({"view", "--list-bindings"}).out))
+	{
+		const std::string line = "| " + row.keys + " | `" + row.name + "` | " + row.words + " |\n";
+		EXPECT_TRUE(contains(manual, line)) << "docs/VIEWER.md lacks: " << line;
+	}
+}
+
+TEST_F(View, WithoutADisplayItSaysSo)
+{
+	EXPECT_TRUE(isError(run({"view", "demo:shell:8"}, nowhere()), 3, {"DISPLAY", "vprobe render"}));
+	EXPECT_TRUE(isError(run({"view"}, nowhere()), 3, {"DISPLAY"}));
+}
+
+TEST_F(View, WrongOptionsAreToldBeforeAWindowOpens)
+{
+	EXPECT_TRUE(isError(run({"view", "demo:shell:8", "--camera", "askew"}, nowhere()), 1, {"--camera"}));
+	EXPECT_TRUE(isError(run({"view", "demo:shell:8", "--colormap", "mud"}, nowhere()), 1, {"mud"}));
+	EXPECT_TRUE(isError(run({"view", "demo:shell:8", "--normal", "0 0 0"}, nowhere()), 1, {"--normal"}));
+	EXPECT_TRUE(isError(run({"view", "demo:shell:8", "--size", "none"}, nowhere()), 1, {"--size"}));
+	EXPECT_TRUE(isError(run({"view", "demo:shell:8", "--unheard-of"}, nowhere()), 1, {"vprobe view --help"}));
+	EXPECT_TRUE(isError(run({"view", "--state", path("none.json")}, nowhere()), 2, {"none.json"}));
+	EXPECT_TRUE(isError(run({"view", "--commands", path("none")}, nowhere()), 2, {"--commands", "FIFO"}));
+	EXPECT_TRUE(files().empty());
+}
+
+} // namespace cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "desktop.h"
+#include "interact/pick.h"
+#include "probe/probe.h"
+
+#include <glm/vec2.hpp>
+#include <nlohmann/json.hpp>
+
+namespace view
+{
+
+// What is seen in the scene, by a saved state that gives origin, normal, window and camera.
+struct SeenProbe
+{
+	vp::probe::Probe probe;
+	vp::interact::View view;
+	vp::Box bounds;
+	Area scene;
+};
+
+// bounds: of the input.
+SeenProbe seenProbe(const nlohmann::json& state, const vp::Box& bounds, const Area& scene);
+
+// A place on the screen where a hand takes this handle and no other; fails the test where there is none.
+glm::ivec2 pixelOf(const SeenProbe& seen, const vp::interact::Handle& handle);
+// Where a point of the world is seen.
+glm::ivec2 pixelOf(const SeenProbe& seen, const vp::Vec3& point);
+
+} // namespace view

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "render/color_map.h"
+#include "render/picture.h"
+
+#include <string>
+
+namespace view
+{
+
+struct Area
+{
+	std::uint32_t x = 0, y = 0, width = 0, height = 0;
+};
+
+// What a screen of Xvfb shows: the file that it keeps with -fbdir, in X's window dump format of 32 bits a pixel (see
+// X11/XWDFile.h). 0 x 0 where the file is no such.
+vp::render::Picture readScreen(const std::string& file);
+
+vp::render::Picture part(const vp::render::Picture& picture, const Area& area);
+
+// Parts of 1 of all pixels: that differ at all; that have one of the map's colours, give or take 6 of 255.
+double difference(const vp::render::Picture& a, const vp::render::Picture& b);
+double shareOf(const vp::render::ColorMap& map, const vp::render::Picture& picture);
+
+} // namespace view
