@@ -34,8 +34,7 @@ const render::SheetDrawing* Artist::sheetOfPane(const Shown& shown, const render
 {
 	const std::size_t sheet = shown.wish.pane->sheet;
 	const auto& sheets = shown.probe.sheets;
-	if (sheet >= sheets.size() || sheets[sheet].wishes.hidden || !scene.surfaces.empty() ||
-	    scene.sheets.size() != shown.cut->sheets.size())
+	if (sheet >= sheets.size() || sheets[sheet].wishes.hidden || scene.sheets.size() != shown.cut->sheets.size())
 		return nullptr;
 	const auto end = sheets.begin() + static_cast<std::ptrdiff_t>(sheet);
 	const auto before =
