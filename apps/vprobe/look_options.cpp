@@ -1,6 +1,7 @@
 #include "look_options.h"
 
 #include "base/log.h"
+#include "input_title.h"
 #include "render/color_map_file.h"
 #include "render/least_positive.h"
 #include "render/levels.h"
@@ -10,7 +11,6 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <filesystem>
 
 namespace vp::app
 {
@@ -53,15 +53,6 @@ Status checkCategories(const LookOptions& options, const render::Look& look)
 		return Nothing{};
 	return Error{ExitCode::usage, fmt::format("{}: means nothing to the categories of --colormap {}; leave it out",
 	                                          option, options.colormap)};
-}
-
-std::string defaultTitle(const std::vector<std::string>& inputs)
-{
-	if (inputs.empty())
-		return {}; // a window without data
-	const std::string& first = inputs.front();
-	const std::string name = first.starts_with("demo:") ? first : std::filesystem::path(first).filename().string();
-	return inputs.size() == 1 ? name : fmt::format("{} and {} more", name, inputs.size() - 1);
 }
 
 void addColorOptions(CLI::App& command, LookOptions& options, const char* group)
@@ -230,7 +221,7 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 	choice.context = std::move(*context);
 	look.axes = options.axes == "corner";
 	look.box_axes = options.axes == "box";
-	look.title = options.title.value_or(defaultTitle(inputs));
+	look.title = options.title.value_or(inputTitle(inputs));
 	auto camera = render::parseCamera(options.camera);
 	if (!camera)
 		return camera.error();

@@ -63,9 +63,8 @@ TEST_F(Render, OptionsChangeThePicture)
 	const std::string plain = picture({"--background", "white"});
 	for (const Arguments& options :
 	     {Arguments{"--background", "black"}, Arguments{"--background", "white", "--range", "-0.1", "0.1"},
-	      Arguments{"--background", "white", "--range-of", "slice"}, Arguments{"--background", "white", "--symmetric"},
-	      Arguments{"--background", "white", "--no-legend"}, Arguments{"--background", "white", "--camera", "x"},
-	      Arguments{"--background", "white", "--array", "v"},
+	      Arguments{"--background", "white", "--range-of", "slice"}, Arguments{"--background", "white", "--no-legend"},
+	      Arguments{"--background", "white", "--camera", "x"}, Arguments{"--background", "white", "--array", "v"},
 	      Arguments{"--background", "white", "--origin", "0", "1", "0"},
 	      Arguments{"--background", "white", "--colormap", "viridis_r"}, Arguments{"--background", "white", "--mesh"},
 	      Arguments{"--background", "white", "--lines", "8"}, Arguments{"--background", "white", "--bands", "8"},

@@ -63,6 +63,14 @@ bool isOn(const Workbench& bench, Action action)
 		return parts.magnifier;
 	case Action::help:
 		return parts.help;
+	case Action::play:
+		return bench.isPlaying();
+	case Action::loop:
+		return bench.loops();
+	case Action::there_and_back:
+		return bench.state().path.there_and_back;
+	case Action::sheet_alone:
+		return parts.own;
 	case Action::lines:
 		return look.lines > 0;
 	case Action::bands:
@@ -99,7 +107,9 @@ bool isPossible(const Workbench& bench, Action action)
 	case Action::redo:
 		return bench.history().canRedo();
 	case Action::cancel:
-		return bench.loader().isBusy();
+		return bench.loader().isBusy() || bench.recording();
+	case Action::save_film:
+		return bench.film() != nullptr;
 	case Action::next_time:
 	case Action::previous_time:
 		return bench.facts() && bench.facts()->times.size() > 1;

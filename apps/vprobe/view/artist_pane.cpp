@@ -27,6 +27,15 @@ render::Scene paneScene(const render::Scene& scene, const render::SheetDrawing& 
 	return pane;
 }
 
+// The grid's outline laid into the sheet's plane: so the sheet's scale does not depend on how deep it lies.
+std::vector<Vec3> flatExtent(const grid::BlockSet& blocks, const probe::Sheet& sheet)
+{
+	std::vector<Vec3> extent = render::extentOf(blocks);
+	for (Vec3& point : extent)
+		point -= glm::dot(point - sheet.origin, sheet.normal) * sheet.normal;
+	return extent;
+}
+
 } // namespace
 
 // The sheet of a scene that a wish's pane shows; null where that is hidden, or no plane.
@@ -34,8 +43,7 @@ const render::SheetDrawing* Artist::sheetOfPane(const Shown& shown, const render
 {
 	const std::size_t sheet = shown.wish.pane->sheet;
 	const auto& sheets = shown.probe.sheets;
-	if (sheet >= sheets.size() || sheets[sheet].wishes.hidden || !scene.surfaces.empty() ||
-	    scene.sheets.size() != shown.cut->sheets.size())
+	if (sheet >= sheets.size() || sheets[sheet].wishes.hidden || scene.sheets.size() != shown.cut->sheets.size())
 		return nullptr;
 	const auto end = sheets.begin() + static_cast<std::ptrdiff_t>(sheet);
 	const auto before =
@@ -61,7 +69,7 @@ Status Artist::drawPane(Shown& shown, const render::Scene& scene)
 	const VkExtent2D size = shown.wish.pane->size;
 	render::Scene pane = paneScene(scene, *sheet, size);
 	const render::Frame frame = render::pictureFrame(pane);
-	pane.camera = interact::faceSheet({scene.camera, frame}, sheet->sheet, render::extentOf(session_->blocks));
+	pane.camera = interact::faceSheet({scene.camera, frame}, sheet->sheet, flatExtent(session_->blocks, sheet->sheet));
 	Result<std::shared_ptr<gpu::Image>> image = pane_pictures_.take(*device_, size);
 	if (!image)
 		return image.error();

@@ -53,6 +53,7 @@ void showColourMapChoice(Desk& desk)
 	const ImVec2 at = ImGui::GetCursorScreenPos();
 	const float width = ImGui::CalcItemWidth();
 	const float height = ImGui::GetFrameHeight();
+	ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
 	if (ImGui::BeginCombo("##map", "", ImGuiComboFlags_HeightLarge))
 	{
 		for (const std::string& name : render::colorMapNames())
@@ -61,6 +62,7 @@ void showColourMapChoice(Desk& desk)
 			item(desk, now, now);
 		ImGui::EndCombo();
 	}
+	ImGui::PopStyleVar();
 	tip(fmt::format("Colour map: {}. A ParaView preset comes from a file with --colormap FILE.json", shortName(now)));
 	const float inset = 0.22f * height;
 	if (const render::ColorMap* map = colorMapOf(now))

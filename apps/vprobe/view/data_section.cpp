@@ -1,10 +1,10 @@
+#include "input_title.h"
 #include "view/sections.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <filesystem>
 
 namespace vp::app
 {
@@ -14,13 +14,6 @@ namespace
 
 using interact::Action;
 
-std::string nameOf(const std::vector<std::string>& inputs)
-{
-	const std::string& first = inputs.front();
-	const std::string name = first.starts_with("demo:") ? first : std::filesystem::path(first).filename().string();
-	return inputs.size() == 1 ? name : fmt::format("{} and {} more", name, inputs.size() - 1);
-}
-
 void fact(const char* label, const std::string& value)
 {
 	labelled(label);
@@ -29,7 +22,7 @@ void fact(const char* label, const std::string& value)
 
 void showFacts(const Facts& facts)
 {
-	clippedText(nameOf(facts.inputs));
+	clippedText(inputTitle(facts.inputs));
 	tip(fmt::format("{}", fmt::join(facts.inputs, "\n")));
 	fact("Grid", facts.blocks > 1 ? fmt::format("{}, {} blocks", facts.kind, facts.blocks) : facts.kind);
 	fact("Cells", grouped(facts.cells));

@@ -125,6 +125,11 @@ void showProfile(Desk& desk, const ScenePart& part)
 	for (std::size_t i = 0; i < kRows.size(); ++i)
 		showRow(desk, kRows[i], colours.graph[i]);
 	showFacts(desk);
+	ImGui::BeginDisabled(!desk.bench.shown());
+	if (ImGui::Button("Write a trace\u2026"))
+		desk.bench.question = Question::save_trace;
+	ImGui::EndDisabled();
+	tip("Where the time of the last minute went, on the processor and on the device");
 	ImGui::End();
 	ImGui::PopStyleVar();
 }

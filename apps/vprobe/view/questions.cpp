@@ -36,6 +36,8 @@ constexpr std::array kFileQuestions{
                  "The film loop that was recorded; a .png with {frame} in its name is a picture a frame"},
     FileQuestion{Question::save_slice, "Export the slice", "Export", ".vtp .vtm .ply .csv", "slice.vtp",
                  "Polygons with all arrays: .vtp, .vtm (a file a sheet), .ply, or .csv as a table"},
+    FileQuestion{Question::save_trace, "Write a trace", "Write", ".json", "trace.json",
+                 "Where the time of the last minute went, for ui.perfetto.dev or chrome://tracing"},
 };
 
 // What is being answered. The user interface has one question at a time.
@@ -95,6 +97,9 @@ void take(Desk& desk, const FileQuestion& asked)
 		break;
 	case Question::save_film:
 		bench.saveFilm(file);
+		break;
+	case Question::save_trace:
+		bench.saveTrace(file);
 		break;
 	default:
 		bench.saveSlice(file);

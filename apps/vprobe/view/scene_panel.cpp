@@ -20,9 +20,15 @@ ImU32 faded(ImU32 colour, double alpha)
 	return (colour & ~IM_COL32_A_MASK) | (a << IM_COL32_A_SHIFT);
 }
 
+// In the hand, or under the pointer where nothing of the user interface lies between.
+bool isHeld(const interact::HandleShape& shape, const Hand& hand)
+{
+	return hand.handle() == shape.handle && (hand.isBusy() || !ImGui::GetIO().WantCaptureMouse);
+}
+
 ImU32 colourOf(const interact::HandleShape& shape, const Hand& hand, const Theme& colours)
 {
-	if (hand.handle() == shape.handle)
+	if (isHeld(shape, hand))
 		return colours.held;
 	switch (shape.handle.kind)
 	{
@@ -71,7 +77,7 @@ void showEmptyScene(Desk& desk, const ScenePart& part)
 		showLoading(desk);
 	else
 	{
-		const std::string hint = fmt::format("Drop a file here or {}", interact::keysOf(interact::Action::open));
+		const std::string hint = fmt::format("Drop a file here, or press {}", interact::keysOf(interact::Action::open));
 		ImGui::SetCursorPosX(0.5f * (width - ImGui::CalcTextSize(hint.c_str()).x));
 		ImGui::TextUnformatted(hint.c_str());
 	}
@@ -109,7 +115,7 @@ void showScene(Desk& desk, const ScenePart& part)
 		list.PushClipRect(onScreen({0.0, 0.0}, free), onScreen(free.size, free));
 		for (const interact::HandleShape& shape : shapes)
 			drawShape(shape, *view, colourOf(shape, desk.hand, colours),
-			          static_cast<float>(desk.scale * (desk.hand.handle() == shape.handle ? 3.0 : 2.0)), part);
+			          static_cast<float>(desk.scale * (isHeld(shape, desk.hand) ? 3.0 : 2.0)), part);
 		list.PopClipRect();
 	}
 	showPointed(desk);

@@ -123,8 +123,8 @@ void showFilm(Desk& desk)
 	}
 	actionButton(desk, Action::record, bench.recording() ? "Cancel" : "Record", shareOfLine(2));
 	ImGui::SameLine(0.0f, gap);
-	ImGui::BeginDisabled(!bench.film());
 	actionButton(desk, Action::save_film, "Save film\u2026", shareOfLine(1));
+	ImGui::BeginDisabled(!bench.hasExposure());
 	ImGui::Checkbox("All frames in one picture", &bench.parts.exposure);
 	ImGui::EndDisabled();
 	tip("As the eye keeps them: their light is added up. Record the sweep first");
@@ -139,6 +139,11 @@ void showSweepSection(Desk& desk)
 	showSpeed(desk);
 	toggle(desk, "There and back", desk.bench.state().path.there_and_back, tipOf(Action::there_and_back),
 	       [](ViewState& state) { state.path.there_and_back = !state.path.there_and_back; });
+	ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().ItemSpacing.x);
+	bool loops = desk.bench.loops();
+	if (ImGui::Checkbox("Loop", &loops))
+		desk.bench.perform(Action::loop);
+	tip(tipOf(Action::loop));
 	showPlayer(desk);
 	showFilm(desk);
 }

@@ -55,6 +55,7 @@ enum class Question
 	save_picture,
 	save_film,
 	save_slice,
+	save_trace,
 	recover // what a window that ended unexpectedly has left
 };
 
