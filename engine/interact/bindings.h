@@ -17,7 +17,6 @@ enum class Action
 	save_picture,
 	save_film,
 	save_slice,
-	copy_picture,
 	undo,
 	redo,
 	quit,

@@ -82,6 +82,8 @@ void Slicer::spreadSeeds(const SliceRequest& request, const Before& before, cons
 				const seed::HotSpots spots =
 				    seed::spreadHotSpots(block, sheet.sheet, sheet.seeds.rim[b], sheet.seeds.cells[b]);
 				add(spots.cells, b, sheet.seeds);
+				// As they lie in memory, for their points.
+				std::ranges::sort(sheet.seeds.cells[b]);
 				sheet.seeds.hops += spots.hops;
 			}
 		}

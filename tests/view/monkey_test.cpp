@@ -26,7 +26,6 @@ bool isLeftOut(Action action)
 	case Action::save_picture:
 	case Action::save_film:
 	case Action::save_slice:
-	case Action::copy_picture:
 		return true;
 	default:
 		return false;

@@ -15,20 +15,6 @@ constexpr double kZoomFactor = 1.15; // of a notch of the wheel
 constexpr const char* kDragKey = "drag";
 constexpr const char* kWheelKey = "wheel";
 
-const char* nameOf(const interact::Handle& handle)
-{
-	switch (handle.kind)
-	{
-	case interact::HandleKind::turn:
-		return "Turn the probe";
-	case interact::HandleKind::edge:
-	case interact::HandleKind::corner:
-		return "Size the window";
-	default:
-		return "Move the probe";
-	}
-}
-
 } // namespace
 
 std::vector<interact::HandleShape> Hand::shapes() const
@@ -126,7 +112,7 @@ void Hand::drag()
 {
 	const glm::dvec2 pixel = inScene();
 	if (const auto* drag = std::get_if<interact::Drag>(&grip_))
-		return bench_.setProbe(nameOf(drag->handle()), drag->to(pixel, keysFor(*drag)), kDragKey);
+		return bench_.setProbe(std::string(interact::wordsOf(drag->handle())), drag->to(pixel, keysFor(*drag)), kDragKey);
 	if (const auto* lens = std::get_if<LensGrip>(&grip_))
 	{
 		const probe::Probe placed = probe::placed(lens->start);
