@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "interact/bindings.h"
+#include "make_probe.h"
 #include "saved_options.h"
 #include "stats_json.h"
 #include "view/viewer.h"
@@ -37,6 +38,8 @@ Result<ExitCode> runView(ViewOptions& options, const CLI::App& command)
 	if (Status place = tryPlace(options.stats); !place)
 		return place.error();
 	// What can be wrong on the command line is told before a window opens.
+	if (Status probe = checkProbeOptions(options.saved.probe); !probe)
+		return probe.error();
 	if (Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs); !look)
 		return look.error();
 	const ReadState read_state = [&command](const std::string& file) -> Result<ViewState>

@@ -1,6 +1,8 @@
 #include "program.h"
 
 #include <algorithm>
+#include <iterator>
+#include <regex>
 #include <sstream>
 
 namespace cli
@@ -62,7 +64,11 @@ TEST_F(View, ListsItsKeysWithoutAWindow)
 TEST_F(View, TheManualListsEveryKey)
 {
 	const std::string manual = contents(VPROBE_SOURCE_DIR "/docs/VIEWER.md");
-	for (const Row& row : rowsOf(run({"view", "--list-bindings"}).out))
+	const std::vector<Row> rows = rowsOf(run({"view", "--list-bindings"}).out);
+	const std::regex row_of_keys("\n\\| [^|`]+ \\| `[a-z0-9_]+` \\| ");
+	const std::sregex_iterator found(manual.begin(), manual.end(), row_of_keys);
+	EXPECT_EQ(std::distance(found, std::sregex_iterator()), static_cast<std::ptrdiff_t>(rows.size()));
+	for (const Row& row : rows)
 	{
 		const std::string line = "| " + row.keys + " | `" + row.name + "` | " + row.words + " |\n";
 		EXPECT_TRUE(contains(manual, line)) << "docs/VIEWER.md lacks: " << line;

@@ -255,8 +255,9 @@ vp::render::Picture Desktop::rest(const Area& area) const
 Area Desktop::scene() const
 {
 	const vp::render::Picture picture = screen();
-	std::uint32_t top = 0;
-	while (top < kHeight && picture.pixel(kWidth - 8, top) == picture.pixel(kWidth - 8, 1))
+	constexpr std::uint32_t kBelowItsRim = 3;
+	std::uint32_t top = kBelowItsRim;
+	while (top < kHeight && picture.pixel(kWidth - 8, top) == picture.pixel(kWidth - 8, kBelowItsRim))
 		++top;
 	return {0, top, kWidth, kHeight - top};
 }

@@ -15,12 +15,14 @@ namespace
 using vp::interact::Action;
 using vp::interact::Binding;
 
-// What would end the window, or write where the test does not look.
+// What would end the window, write where the test does not look, or keep a film loop: its pictures are memory that is
+// meant to grow.
 bool isLeftOut(Action action)
 {
 	switch (action)
 	{
 	case Action::quit:
+	case Action::record:
 	case Action::save_state:
 	case Action::save_state_as:
 	case Action::save_picture:
