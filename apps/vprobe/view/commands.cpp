@@ -192,6 +192,8 @@ Status Commands::act(const Words& words, const Stage& stage)
 	}
 	if (has("save-state", 1))
 		return saveState(rest[0], stage);
+	if (has("save-trace", 1))
+		return stage.bench.saveTrace(rest[0]), Nothing{};
 	if (has("screenshot", 1))
 		return capture(rest[0], stage);
 	if (has("size", 2))

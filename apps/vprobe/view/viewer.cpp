@@ -84,7 +84,8 @@ private:
 	bool dark_;
 	ScenePart scene_;
 	std::uint64_t frames_ = 0; // shown so far
-	Moment last_frame_ = Clock::now();
+	Moment frame_begin_ = Clock::now(); // of the last frame
+	Moment last_frame_ = Clock::now();  // when it had been presented
 	Moment last_event_ = Clock::now();
 	std::shared_ptr<const Shown> drawn_;
 	FilmScreen film_screen_{device_};
@@ -158,7 +159,8 @@ bool Viewer::isAwake() const
 
 double Viewer::secondsToNextFrame() const
 {
-	const double since = std::chrono::duration<double>(Clock::now() - last_frame_).count();
+	// From begin to begin: where the device is slow, presenting a frame takes most of the time to the next one.
+	const double since = std::chrono::duration<double>(Clock::now() - frame_begin_).count();
 	return std::max(0.0, (isAwake() ? frame_seconds_ : kIdleSeconds) - since);
 }
 
@@ -189,6 +191,7 @@ void Viewer::followKeyboard()
 
 Status Viewer::showFrame()
 {
+	frame_begin_ = Clock::now();
 	if (Status followed = followScale(); !followed)
 		return followed;
 	ImGui_ImplVulkan_NewFrame();
@@ -237,7 +240,7 @@ Result<ExitCode> Viewer::run()
 		bench_.update({static_cast<std::uint32_t>(scene_.size.x), static_cast<std::uint32_t>(scene_.size.y)});
 		if (window_.minimised() || window_.pixels().width == 0)
 		{
-			last_frame_ = Clock::now();
+			frame_begin_ = last_frame_ = Clock::now();
 			continue;
 		}
 		const bool new_picture = bench_.shown() != drawn_;
