@@ -33,6 +33,12 @@ bool differInPlace(ProbeOptions a, const ProbeOptions& b)
 	return a == b;
 }
 
+// The painter draws lines around windows by these.
+bool haveSameRims(const ProbeOptions& a, const ProbeOptions& b)
+{
+	return a.probe == b.probe && a.window == b.window;
+}
+
 ProbeOptions withoutTime(ProbeOptions options)
 {
 	options.time.clear();
@@ -302,7 +308,7 @@ Status Artist::followAll(const Wish& wish)
 		only_moved_ = followed_ && differInPlace(followed_->probe, wish.probe);
 		cut_is_old_ = true;
 	}
-	if (!followed_ || !(followed_->look == wish.look))
+	if (!followed_ || !(followed_->look == wish.look) || !haveSameRims(followed_->probe, wish.probe))
 		if (Status looked = followLook(wish); !looked)
 			return looked;
 	followed_ = wish;
