@@ -112,7 +112,8 @@ void Hand::drag()
 {
 	const glm::dvec2 pixel = inScene();
 	if (const auto* drag = std::get_if<interact::Drag>(&grip_))
-		return bench_.setProbe(std::string(interact::wordsOf(drag->handle())), drag->to(pixel, keysFor(*drag)), kDragKey);
+		return bench_.setProbe(std::string(interact::wordsOf(drag->handle())), drag->to(pixel, keysFor(*drag)),
+		                       kDragKey);
 	if (const auto* lens = std::get_if<LensGrip>(&grip_))
 	{
 		const probe::Probe placed = probe::placed(lens->start);

@@ -83,7 +83,7 @@ private:
 	double scale_;
 	bool dark_;
 	ScenePart scene_;
-	std::uint64_t frames_ = 0; // shown so far
+	std::uint64_t frames_ = 0;          // shown so far
 	Moment frame_begin_ = Clock::now(); // of the last frame
 	Moment last_frame_ = Clock::now();  // when it had been presented
 	Moment last_event_ = Clock::now();
