@@ -1,0 +1,95 @@
+#pragma once
+
+#include "grid/grid.h"
+#include "locate/interpolate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace vp::locate
+{
+
+// x with x0 a0 + x1 a1 + x2 a2 = b, by Cramer's rule; not finite where the three lie in a plane.
+inline Vec3 solve(const std::array<Vec3, 3>& a, const Vec3& b)
+{
+	const Vec3 across = glm::cross(a[1], a[2]);
+	const Vec3 turned = glm::cross(a[0], b);
+	return Vec3(glm::dot(b, across), glm::dot(a[2], turned), -glm::dot(a[1], turned)) / glm::dot(a[0], across);
+}
+
+// A tetrahedron of a cell: the mean of the cell's points, that of a face's, and an edge of the face.
+struct FanPart
+{
+	int face = -1;
+	std::size_t edge = 0;                                    // from that point of the face to the next
+	std::array<double, 4> weight{};                          // of cell, face, edge's begin and end
+	double least = -std::numeric_limits<double>::infinity(); // of the weights
+
+	// How deep within the cell, not within the part: a place where two parts meet may be far inside.
+	double depth() const
+	{
+		const double rim = std::min({weight[1], weight[2], weight[3]});
+		return rim >= -1e-9 ? weight[0] : least;
+	}
+};
+
+// Means and places relative to a point of the cell.
+template <grid::Grid G>
+FanPart deepestPart(const G& grid, const grid::CellFaces& faces, const Vec3& origin, const Vec3& centre,
+                    const Vec3& place)
+{
+	FanPart deepest;
+	for (int f = 0; f < faces.size(); ++f)
+	{
+		const std::span<const PointId> face = faces[f];
+		Vec3 middle(0.0);
+		for (const PointId p : face)
+			middle += (grid.point(p) - origin) / static_cast<double>(face.size());
+		for (std::size_t e = 0; e < face.size(); ++e)
+		{
+			const Vec3 begin = grid.point(face[e]) - origin;
+			const Vec3 end = grid.point(face[(e + 1) % face.size()]) - origin;
+			const Vec3 w = solve({middle - centre, begin - centre, end - centre}, place - centre);
+			const double least = std::min({1.0 - w.x - w.y - w.z, w.x, w.y, w.z});
+			if (least > deepest.least && std::isfinite(w.x + w.y + w.z)) // a part without volume holds nothing
+				deepest = {f, e, {1.0 - w.x - w.y - w.z, w.x, w.y, w.z}, least};
+		}
+	}
+	return deepest;
+}
+
+// weighCellByTetrahedra() of interpolate.h. Of parts that both hold a place, as in concave cells, the deeper one
+// counts.
+template <grid::Grid G>
+void weighFan(const G& grid, CellId cell, const Vec3& place, CellWeights& found)
+{
+	grid::CellFaces faces;
+	grid.cellFaces(cell, faces);
+	found.points = faces.points;
+	std::ranges::sort(found.points);
+	found.points.erase(std::unique(found.points.begin(), found.points.end()), found.points.end());
+	const Vec3 origin = grid.point(found.points.front());
+	const double each = 1.0 / static_cast<double>(found.points.size());
+	Vec3 centre(0.0);
+	for (const PointId p : found.points)
+		centre += each * (grid.point(p) - origin);
+	const FanPart part = deepestPart(grid, faces, origin, centre, place - origin);
+	if (part.face < 0)
+	{
+		found = {{}, {}, part.least};
+		return;
+	}
+	found.depth = part.depth();
+	found.weights.assign(found.points.size(), part.weight[0] * each);
+	const auto add = [&](PointId p, double weight)
+	{ found.weights[std::ranges::lower_bound(found.points, p) - found.points.begin()] += weight; };
+	const std::span<const PointId> face = faces[part.face];
+	for (const PointId p : face)
+		add(p, part.weight[1] / static_cast<double>(face.size()));
+	add(face[part.edge], part.weight[2]);
+	add(face[(part.edge + 1) % face.size()], part.weight[3]);
+}
+
+} // namespace vp::locate

@@ -1,0 +1,193 @@
+#include "locate/interpolate.h"
+
+#include "locate/fan_weights.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vp::locate
+{
+
+namespace
+{
+
+using grid::CellShape;
+using grid::kMaxShapePoints;
+
+// The shape functions at one place of a cell's own coordinates, and their derivatives.
+struct ShapeFunctions
+{
+	std::array<double, kMaxShapePoints> value{};
+	std::array<Vec3, kMaxShapePoints> slope{};
+};
+
+ShapeFunctions tetrahedronAt(const Vec3& u)
+{
+	return {{1.0 - u.x - u.y - u.z, u.x, u.y, u.z},
+	        {Vec3(-1.0), Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)}};
+}
+
+// In a = r (1 - t), b = s (1 - t) and t of VTK's r, s, t: in those the functions have no slope at the tip, in these
+// they stay as they are all along a line to it, and are linear over a base that is a parallelogram.
+ShapeFunctions pyramidAt(const Vec3& u)
+{
+	const double below = 1.0 - u.z;
+	const double r = below == 0.0 ? 0.5 : u.x / below;
+	const double s = below == 0.0 ? 0.5 : u.y / below;
+	const double both = r * u.y;
+	const Vec3 slope(s, r, r * s);
+	return {{below - u.x - u.y + both, u.x - both, both, u.y - both, u.z},
+	        {Vec3(-1.0, -1.0, -1.0) + slope, Vec3(1.0, 0.0, 0.0) - slope, slope, Vec3(0.0, 1.0, 0.0) - slope,
+	         Vec3(0.0, 0.0, 1.0)}};
+}
+
+ShapeFunctions wedgeAt(const Vec3& u)
+{
+	const std::array<double, 3> corner{1.0 - u.x - u.y, u.x, u.y};
+	constexpr std::array<glm::dvec2, 3> kSlope{{{-1.0, -1.0}, {1.0, 0.0}, {0.0, 1.0}}};
+	ShapeFunctions at;
+	for (int i = 0; i < 6; ++i)
+	{
+		const int c = i % 3;
+		const double side = i < 3 ? 1.0 - u.z : u.z;
+		at.value[i] = corner[c] * side;
+		at.slope[i] = Vec3(kSlope[c] * side, i < 3 ? -corner[c] : corner[c]);
+	}
+	return at;
+}
+
+ShapeFunctions hexahedronAt(const Vec3& u)
+{
+	ShapeFunctions at;
+	for (int i = 0; i < 8; ++i)
+	{
+		const bool x = i % 4 == 1 || i % 4 == 2;
+		const bool y = i % 4 >= 2;
+		const bool z = i >= 4;
+		const Vec3 f(x ? u.x : 1.0 - u.x, y ? u.y : 1.0 - u.y, z ? u.z : 1.0 - u.z);
+		at.value[i] = f.x * f.y * f.z;
+		at.slope[i] = {(x ? 1.0 : -1.0) * f.y * f.z, (y ? 1.0 : -1.0) * f.x * f.z, (z ? 1.0 : -1.0) * f.x * f.y};
+	}
+	return at;
+}
+
+ShapeFunctions functionsAt(CellShape shape, const Vec3& u)
+{
+	switch (shape)
+	{
+	case CellShape::tetrahedron:
+		return tetrahedronAt(u);
+	case CellShape::pyramid:
+		return pyramidAt(u);
+	case CellShape::wedge:
+		return wedgeAt(u);
+	default:
+		return hexahedronAt(u);
+	}
+}
+
+double depthAt(CellShape shape, const Vec3& u)
+{
+	switch (shape)
+	{
+	case CellShape::tetrahedron:
+		return std::min({u.x, u.y, u.z, 1.0 - u.x - u.y - u.z});
+	case CellShape::pyramid:
+		return std::min({u.x, u.y, u.z, 1.0 - u.z - u.x, 1.0 - u.z - u.y});
+	case CellShape::wedge:
+		return std::min({u.x, u.y, 1.0 - u.x - u.y, u.z, 1.0 - u.z});
+	default:
+		return std::min({u.x, u.y, u.z, 1.0 - u.x, 1.0 - u.y, 1.0 - u.z});
+	}
+}
+
+Vec3 middleOf(CellShape shape)
+{
+	switch (shape)
+	{
+	case CellShape::tetrahedron:
+		return Vec3(0.25);
+	case CellShape::pyramid:
+		return {0.4, 0.4, 0.2};
+	case CellShape::wedge:
+		return {1.0 / 3.0, 1.0 / 3.0, 0.5};
+	default:
+		return Vec3(0.5);
+	}
+}
+
+// Newton's step from u; not finite where the map is singular. points, place: relative to the cell's first point, so
+// that a cell of 1e-6 far from zero keeps its digits.
+Vec3 newtonStep(CellShape shape, std::span<const Vec3> points, const Vec3& place, const Vec3& u)
+{
+	const ShapeFunctions at = functionsAt(shape, u);
+	Vec3 missing = place;
+	std::array<Vec3, 3> along{};
+	for (std::size_t i = 0; i < points.size(); ++i)
+	{
+		missing -= at.value[i] * points[i];
+		for (int axis = 0; axis < 3; ++axis)
+			along[axis] += at.slope[i][axis] * points[i];
+	}
+	return solve(along, missing);
+}
+
+} // namespace
+
+std::optional<ShapeWeights> shapeWeights(CellShape shape, std::span<const Vec3> points, const Vec3& place)
+{
+	// Steps square the error: from the middle of a sound cell 4 or 5 do.
+	constexpr int kMostSteps = 24;
+	constexpr double kStill = 1e-10;   // a step so short leaves nothing but rounding
+	constexpr double kFar = 1e3;       // cells away: no place of this cell
+	constexpr double kTrembles = 1e-6; // where rounding keeps thin cells from standing still
+	std::array<Vec3, kMaxShapePoints> near;
+	for (std::size_t i = 0; i < points.size(); ++i)
+		near[i] = points[i] - points[0];
+	Vec3 u = middleOf(shape);
+	double length = 0.0;
+	for (int step = 0; step < kMostSteps; ++step)
+	{
+		const Vec3 move = newtonStep(shape, {near.data(), points.size()}, place - points[0], u);
+		u += move;
+		length = std::max({std::abs(move.x), std::abs(move.y), std::abs(move.z)});
+		if (!(glm::length(u) < kFar)) // NaN too
+			return std::nullopt;
+		if (length <= kStill)
+			break;
+	}
+	if (length > kTrembles)
+		return std::nullopt;
+	return ShapeWeights{functionsAt(shape, u).value, depthAt(shape, u)};
+}
+
+void weighCell(const grid::Block& block, CellId cell, const Vec3& place, CellWeights& found)
+{
+	std::visit(
+	    [&](const auto& grid)
+	    {
+		    if (const CellShape shape = grid.shape(cell); shape != CellShape::polyhedron)
+		    {
+			    const grid::CellPoints ids = grid.cellPoints(cell);
+			    std::array<Vec3, kMaxShapePoints> points;
+			    for (int i = 0; i < ids.size; ++i)
+				    points[i] = grid.point(ids.id[i]);
+			    if (const auto weights = shapeWeights(shape, {points.data(), std::size_t(ids.size)}, place))
+			    {
+				    found.points.assign(ids.begin(), ids.end());
+				    found.weights.assign(weights->weight.begin(), weights->weight.begin() + ids.size);
+				    found.depth = weights->depth;
+				    return;
+			    }
+		    }
+		    weighFan(grid, cell, place, found);
+	    },
+	    block.grid);
+}
+
+void weighCellByTetrahedra(const grid::Block& block, CellId cell, const Vec3& place, CellWeights& found)
+{
+	std::visit([&](const auto& grid) { weighFan(grid, cell, place, found); }, block.grid);
+}
+
+} // namespace vp::locate

@@ -1,0 +1,117 @@
+#include "exhaustive.h"
+#include "test_grids.h"
+
+#include "locate/place.h"
+
+#include <gtest/gtest.h>
+
+namespace vp::test
+{
+
+namespace
+{
+
+using locate::Place;
+using locate::PlaceFinder;
+
+grid::BlockSet setOf(std::initializer_list<grid::Block> blocks)
+{
+	grid::BlockSet set;
+	set.blocks = blocks;
+	return set;
+}
+
+grid::Block boxed(double from)
+{
+	grid::Block block;
+	block.grid = grid::UniformGrid({5, 5, 5}, Vec3(from, 0.0, 0.0), Vec3(1.0));
+	grid::finishBlock(block);
+	return block;
+}
+
+double linearIn(const grid::Block& block, const Place& place)
+{
+	double sum = 0.0;
+	visitGrid(block,
+	          [&](const auto& grid)
+	          {
+		          for (std::size_t i = 0; i < place.weights.points.size(); ++i)
+			          sum += place.weights.weights[i] * linearAt(grid.point(place.weights.points[i]));
+	          });
+	return sum;
+}
+
+} // namespace
+
+TEST(PlaceFinder, FindsWhatIsInside)
+{
+	for (const grid::Block& block : allGrids())
+	{
+		const BruteForceLocator locator(block);
+		const grid::BlockSet set = setOf({block});
+		PlaceFinder finder(set);
+		std::mt19937 random(21);
+		int inside = 0;
+		for (int i = 0; i < 500; ++i)
+		{
+			const Vec3 point = randomPoint(block.bounds, random);
+			if (locator.cellsHolding(point).empty())
+				continue;
+			++inside;
+			const Place& place = finder.find(point);
+			ASSERT_TRUE(place.found()) << block.name;
+			EXPECT_NEAR(linearIn(block, place), linearAt(point), 1e-10) << block.name;
+		}
+		EXPECT_GT(inside, 50) << block.name;
+	}
+}
+
+TEST(PlaceFinder, APointOnAFaceBelongsToOneCell)
+{
+	const grid::BlockSet set = setOf({boxed(0.0)});
+	const auto& grid = std::get<grid::UniformGrid>(set.blocks[0].grid);
+	PlaceFinder finder(set);
+	for (const Vec3& point : {Vec3(2.0, 1.5, 1.5), Vec3(2.0, 2.0, 1.5), Vec3(2.0, 2.0, 2.0), Vec3(0.0), Vec3(4.0)})
+	{
+		const Vec3 low = glm::max(glm::ceil(point) - 1.0, Vec3(0.0));
+		const CellId lowest = grid.cell(static_cast<std::uint32_t>(low.x), static_cast<std::uint32_t>(low.y),
+		                                static_cast<std::uint32_t>(low.z));
+		for (const Vec3& before : {Vec3(0.1), Vec3(3.9), Vec3(3.9, 0.1, 3.9), Vec3(2.1, 2.1, 2.1), Vec3(9.0)})
+		{
+			finder.find(before);
+			EXPECT_EQ(finder.find(point).cell, lowest);
+		}
+	}
+}
+
+TEST(PlaceFinder, BlocksAreAskedInOrder)
+{
+	const grid::BlockSet set = setOf({boxed(3.0), boxed(0.0)});
+	PlaceFinder finder(set);
+	EXPECT_EQ(finder.find(Vec3(3.5)).block, 0u); // both hold it
+	EXPECT_EQ(finder.find(Vec3(0.5)).block, 1u);
+	EXPECT_FALSE(finder.find(Vec3(-0.1, 1.0, 1.0)).found());
+	EXPECT_FALSE(finder.find(Vec3(8.0)).found());
+	EXPECT_EQ(finder.find(Vec3(6.5, 1.5, 1.5)).block, 0u);
+}
+
+TEST(PlaceFinder, AFlatBoundaryIsSharp)
+{
+	const grid::BlockSet set = setOf({boxed(0.0)});
+	PlaceFinder finder(set);
+	EXPECT_TRUE(finder.find({4.0, 2.2, 2.2}).found());
+	EXPECT_FALSE(finder.find({4.0 + 1e-6, 2.2, 2.2}).found());
+	EXPECT_FALSE(finder.find(Vec3(std::numeric_limits<double>::quiet_NaN())).found());
+}
+
+// What is missing within the bounds is outside.
+TEST(PlaceFinder, HiddenCellsAreOutside)
+{
+	const grid::BlockSet set = setOf({gridNamed("two_pieces")});
+	PlaceFinder finder(set);
+	EXPECT_TRUE(finder.find({0.1, 0.5, 0.5}).found());
+	EXPECT_FALSE(finder.find({0.5, 0.5, 0.5}).found());
+	EXPECT_TRUE(finder.find({0.9, 0.5, 0.5}).found());
+}
+
+} // namespace vp::test
