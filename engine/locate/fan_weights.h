@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace vp::locate
@@ -17,6 +16,14 @@ inline Vec3 solve(const std::array<Vec3, 3>& a, const Vec3& b)
 	const Vec3 across = glm::cross(a[1], a[2]);
 	const Vec3 turned = glm::cross(a[0], b);
 	return Vec3(glm::dot(b, across), glm::dot(a[2], turned), -glm::dot(a[1], turned)) / glm::dot(a[0], across);
+}
+
+// Whether it did: where the three lie in a plane but for rounding, what comes out is finite and means nothing.
+inline bool solves(const std::array<Vec3, 3>& a, const Vec3& x, const Vec3& b)
+{
+	constexpr double kRounding = 1e-11;
+	const double size = std::max({glm::length(a[0]), glm::length(a[1]), glm::length(a[2]), glm::length(b)});
+	return glm::length(x.x * a[0] + x.y * a[1] + x.z * a[2] - b) <= kRounding * size; // false for NaN
 }
 
 // A tetrahedron of a cell: the mean of the cell's points, that of a face's, and an edge of the face.
@@ -51,9 +58,10 @@ FanPart deepestPart(const G& grid, const grid::CellFaces& faces, const Vec3& ori
 		{
 			const Vec3 begin = grid.point(face[e]) - origin;
 			const Vec3 end = grid.point(face[(e + 1) % face.size()]) - origin;
-			const Vec3 w = solve({middle - centre, begin - centre, end - centre}, place - centre);
+			const std::array<Vec3, 3> sides{middle - centre, begin - centre, end - centre};
+			const Vec3 w = solve(sides, place - centre);
 			const double least = std::min({1.0 - w.x - w.y - w.z, w.x, w.y, w.z});
-			if (least > deepest.least && std::isfinite(w.x + w.y + w.z)) // a part without volume holds nothing
+			if (least > deepest.least && solves(sides, w, place - centre))
 				deepest = {f, e, {1.0 - w.x - w.y - w.z, w.x, w.y, w.z}, least};
 		}
 	}

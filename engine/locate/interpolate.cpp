@@ -116,20 +116,24 @@ Vec3 middleOf(CellShape shape)
 	}
 }
 
-// Newton's step from u; not finite where the map is singular. points, place: relative to the cell's first point, so
-// that a cell of 1e-6 far from zero keeps its digits.
-Vec3 newtonStep(CellShape shape, std::span<const Vec3> points, const Vec3& place, const Vec3& u)
+// points, place: relative to the cell's first point, so that a cell of 1e-6 far from zero keeps its digits.
+struct Residual
+{
+	Vec3 missing;              // from where u lies to the place
+	std::array<Vec3, 3> along; // the map's derivatives there
+};
+
+Residual residualAt(CellShape shape, std::span<const Vec3> points, const Vec3& place, const Vec3& u)
 {
 	const ShapeFunctions at = functionsAt(shape, u);
-	Vec3 missing = place;
-	std::array<Vec3, 3> along{};
+	Residual residual{place, {Vec3(0.0), Vec3(0.0), Vec3(0.0)}};
 	for (std::size_t i = 0; i < points.size(); ++i)
 	{
-		missing -= at.value[i] * points[i];
+		residual.missing -= at.value[i] * points[i];
 		for (int axis = 0; axis < 3; ++axis)
-			along[axis] += at.slope[i][axis] * points[i];
+			residual.along[axis] += at.slope[i][axis] * points[i];
 	}
-	return solve(along, missing);
+	return residual;
 }
 
 } // namespace
@@ -138,25 +142,33 @@ std::optional<ShapeWeights> shapeWeights(CellShape shape, std::span<const Vec3> 
 {
 	// Steps square the error: from the middle of a sound cell 4 or 5 do.
 	constexpr int kMostSteps = 24;
-	constexpr double kStill = 1e-10;   // a step so short leaves nothing but rounding
-	constexpr double kFar = 1e3;       // cells away: no place of this cell
-	constexpr double kTrembles = 1e-6; // where rounding keeps thin cells from standing still
-	std::array<Vec3, kMaxShapePoints> near;
+	constexpr double kStill = 1e-10;    // a step so short leaves nothing but rounding
+	constexpr double kTrembles = 1e-6;  // where rounding keeps thin cells from standing still
+	constexpr double kFar = 1e3;        // cells away: no place of this cell
+	constexpr double kRounding = 1e-12; // of the cell's size
+	std::array<Vec3, kMaxShapePoints> near{};
+	double size = glm::length(place - points[0]);
 	for (std::size_t i = 0; i < points.size(); ++i)
-		near[i] = points[i] - points[0];
-	Vec3 u = middleOf(shape);
-	double length = 0.0;
-	for (int step = 0; step < kMostSteps; ++step)
 	{
-		const Vec3 move = newtonStep(shape, {near.data(), points.size()}, place - points[0], u);
+		near[i] = points[i] - points[0];
+		size = std::max(size, glm::length(near[i]));
+	}
+	const auto residual = [&](const Vec3& u) {
+		return residualAt(shape, {near.data(), points.size()}, place - points[0], u);
+	};
+	Vec3 u = middleOf(shape);
+	double length = 1.0;
+	for (int step = 0; step < kMostSteps && length > kStill; ++step)
+	{
+		const Residual at = residual(u);
+		const Vec3 move = solve(at.along, at.missing);
 		u += move;
-		length = std::max({std::abs(move.x), std::abs(move.y), std::abs(move.z)});
+		length = glm::length(move);
 		if (!(glm::length(u) < kFar)) // NaN too
 			return std::nullopt;
-		if (length <= kStill)
-			break;
 	}
-	if (length > kTrembles)
+	// Near a collapsed edge rounding may end in a place of its own.
+	if (length > kTrembles || glm::length(residual(u).missing) > kRounding * size)
 		return std::nullopt;
 	return ShapeWeights{functionsAt(shape, u).value, depthAt(shape, u)};
 }

@@ -66,6 +66,26 @@ TEST(PlaceFinder, FindsWhatIsInside)
 	}
 }
 
+// Corners, and the middles of edges and faces: where cells meet, and where collapsed ones have no volume nearby.
+TEST(PlaceFinder, FindsWhatLiesWhereCellsMeet)
+{
+	for (const grid::Block& block : allGrids())
+	{
+		const grid::BlockSet set = setOf({block});
+		PlaceFinder finder(set);
+		for (CellId c = 0; c < cellCount(block); ++c)
+			for (const Tetrahedron& part : cellTetrahedra(block, c))
+				for (const Vec3& point : {part[1], part[2], glm::mix(part[2], part[3], 0.5)})
+				{
+					const Place& place = finder.find(point);
+					ASSERT_TRUE(place.found()) << block.name << " " << c;
+					EXPECT_NEAR(linearIn(block, place), linearAt(point), 1e-9) << block.name << " " << c;
+					for (const double weight : place.weights.weights)
+						EXPECT_GT(weight, -1e-6) << block.name << " " << c; // nothing is extrapolated
+				}
+	}
+}
+
 TEST(PlaceFinder, APointOnAFaceBelongsToOneCell)
 {
 	const grid::BlockSet set = setOf({boxed(0.0)});
