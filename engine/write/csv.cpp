@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
 #include <iterator>
 
 namespace vp::write
@@ -13,49 +12,10 @@ namespace vp::write
 namespace
 {
 
-using grid::NumberType;
-
-template <class T>
-void appendNumbers(std::string& row, const std::byte* at, int components)
-{
-	for (int c = 0; c < components; ++c)
-	{
-		T number;
-		std::memcpy(&number, at + c * sizeof(T), sizeof(T));
-		// The fewest digits that give the same number back; int8 is a number here, not a letter.
-		if constexpr (sizeof(T) == 1)
-			fmt::format_to(std::back_inserter(row), ",{}", static_cast<int>(number));
-		else
-			fmt::format_to(std::back_inserter(row), ",{}", number);
-	}
-}
-
 void appendColumn(std::string& row, const Column& column, std::size_t tuple)
 {
 	const std::byte* at = column.bytes.data() + tuple * column.components * grid::byteSize(column.type);
-	switch (column.type)
-	{
-	case NumberType::int8:
-		return appendNumbers<std::int8_t>(row, at, column.components);
-	case NumberType::uint8:
-		return appendNumbers<std::uint8_t>(row, at, column.components);
-	case NumberType::int16:
-		return appendNumbers<std::int16_t>(row, at, column.components);
-	case NumberType::uint16:
-		return appendNumbers<std::uint16_t>(row, at, column.components);
-	case NumberType::int32:
-		return appendNumbers<std::int32_t>(row, at, column.components);
-	case NumberType::uint32:
-		return appendNumbers<std::uint32_t>(row, at, column.components);
-	case NumberType::int64:
-		return appendNumbers<std::int64_t>(row, at, column.components);
-	case NumberType::uint64:
-		return appendNumbers<std::uint64_t>(row, at, column.components);
-	case NumberType::float32:
-		return appendNumbers<float>(row, at, column.components);
-	case NumberType::float64:
-		return appendNumbers<double>(row, at, column.components);
-	}
+	appendNumbers(row, column.type, at, column.components);
 }
 
 } // namespace

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "grid/field.h"
+
+#include <cstddef>
 #include <string>
 
 namespace vp::write
@@ -19,5 +22,8 @@ inline std::string quoted(const std::string& text)
 	}
 	return result + '"';
 }
+
+// A comma and a number for each component, in the fewest digits that give the same number back.
+void appendNumbers(std::string& row, grid::NumberType type, const std::byte* at, int components);
 
 } // namespace vp::write

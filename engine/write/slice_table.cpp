@@ -1,6 +1,6 @@
 #include "write/slice_table.h"
 
-#include <fmt/format.h>
+#include "write/set_arrays.h"
 
 #include <algorithm>
 #include <cstring>
@@ -17,54 +17,9 @@ using grid::NumberType;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// An array with its field in each block, null where a block lacks it.
-struct Source
-{
-	std::string name;
-	int components = 0;
-	NumberType type;
-	bool categorical; // in every block, of one type
-	std::vector<const grid::Field*> per_block;
-};
-
-std::vector<Source> sourcesOf(const grid::BlockSet& blocks, Association association)
-{
-	std::vector<Source> sources;
-	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
-		for (const grid::Field& field : blocks.blocks[b].fields)
-		{
-			if (field.association != association)
-				continue;
-			auto source =
-			    std::find_if(sources.begin(), sources.end(), [&](const Source& s) { return s.name == field.name; });
-			if (source == sources.end())
-			{
-				source = sources.insert(source, {field.name, 0, field.type, field.categorical, {}});
-				source->per_block.resize(blocks.blocks.size());
-			}
-			if (source->per_block[b])
-				continue; // a second array of the name: the first is the one that --array finds
-			source->per_block[b] = &field;
-			source->components = std::max(source->components, field.components);
-			source->categorical = source->categorical && field.categorical && source->type == field.type;
-			if (source->type != field.type)
-				source->type = NumberType::float64;
-		}
-	return sources;
-}
-
 bool isFloat(NumberType type)
 {
 	return type == NumberType::float32 || type == NumberType::float64;
-}
-
-NumberType interpolatedType(const Source& array)
-{
-	const NumberType source = array.type;
-	if (array.categorical)
-		return source;
-	const bool fits = source == NumberType::float32 || grid::byteSize(source) <= 2;
-	return fits ? NumberType::float32 : NumberType::float64;
 }
 
 std::byte* put(std::byte* at, NumberType type, double value)
@@ -73,7 +28,7 @@ std::byte* put(std::byte* at, NumberType type, double value)
 	return at + grid::byteSize(type);
 }
 
-Column vertexColumn(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const Source& source,
+Column vertexColumn(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const SetArray& source,
                     std::size_t vertices)
 {
 	Column column{source.name, source.components, interpolatedType(source), {}};
@@ -86,7 +41,7 @@ Column vertexColumn(const grid::BlockSet& blocks, std::span<const slice::SheetMe
 	return column;
 }
 
-Column polygonColumn(std::span<const slice::SheetMesh> meshes, const SliceTable& table, const Source& source)
+Column polygonColumn(std::span<const slice::SheetMesh> meshes, const SliceTable& table, const SetArray& source)
 {
 	Column column{source.name, source.components, source.type, {}};
 	const std::size_t number = grid::byteSize(source.type);
@@ -135,11 +90,7 @@ void addMesh(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, std::in
 
 std::string Column::componentName(int component) const
 {
-	if (components == 1)
-		return name;
-	if (components <= 3)
-		return fmt::format("{}_{}", name, "xyz"[component]);
-	return fmt::format("{}_{}", name, component);
+	return write::componentName(name, components, component);
 }
 
 double Column::value(std::size_t tuple, int component) const
@@ -153,9 +104,9 @@ SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMe
 	table.polygon_starts.push_back(0);
 	for (std::size_t m = 0; m < meshes.size(); ++m)
 		addMesh(blocks, meshes[m], static_cast<std::int32_t>(first_sheet + m), table);
-	for (const Source& source : sourcesOf(blocks, Association::point))
+	for (const SetArray& source : arraysOf(blocks, Association::point))
 		table.vertex_columns.push_back(vertexColumn(blocks, meshes, source, table.vertices()));
-	for (const Source& source : sourcesOf(blocks, Association::cell))
+	for (const SetArray& source : arraysOf(blocks, Association::cell))
 		table.polygon_columns.push_back(polygonColumn(meshes, table, source));
 	return table;
 }
