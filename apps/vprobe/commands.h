@@ -20,5 +20,6 @@ void addSweep(CLI::App& program, Run& run);
 void addProfile(CLI::App& program, Run& run);
 void addView(CLI::App& program, Run& run);
 void addCheck(CLI::App& program, Run& run);
+void addSample(CLI::App& program, Run& run);
 
 } // namespace vp::app

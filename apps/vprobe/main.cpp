@@ -68,6 +68,7 @@ int main(int argc, char** argv)
 	vp::app::addProfile(program, run);
 	vp::app::addView(program, run);
 	vp::app::addCheck(program, run);
+	vp::app::addSample(program, run);
 
 	// CLI11 would say that a command is missing, not that this one is none.
 	const auto commands = program.get_subcommands([](const CLI::App*) { return true; });

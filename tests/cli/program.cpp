@@ -39,7 +39,7 @@ void redirect(int descriptor, const std::string& file)
 [[noreturn]] void becomeProgram(const Arguments& arguments, const Surroundings& surroundings, const std::string& out,
                                 const std::string& err)
 {
-	const int input = open("/dev/null", O_RDONLY);
+	const int input = open(surroundings.standard_input.c_str(), O_RDONLY);
 	dup2(input, STDIN_FILENO);
 	redirect(STDOUT_FILENO, out);
 	redirect(STDERR_FILENO, err);

@@ -68,4 +68,13 @@ std::string xmlHexahedra()
 	       "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
+std::string imageWithHiddenCells()
+{
+	return R"(<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
+<ImageData WholeExtent="0 3 0 3 0 3" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 3 0 3 0 3">
+<CellData><DataArray type="UInt8" Name="vtkGhostType" format="ascii">
+0 0 0 0 32 0 0 0 0  0 0 0 0 32 0 0 0 0  0 0 0 0 0 0 0 0 0
+</DataArray></CellData></Piece></ImageData></VTKFile>)";
+}
+
 } // namespace cli

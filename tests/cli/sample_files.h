@@ -15,4 +15,7 @@ std::string xmlImage();
 // Two hexahedra side by side, as VTK's XML unstructured grid, in text; point array "height".
 std::string xmlHexahedra();
 
+// An XML image of 3 x 3 x 3 cells over 0..3 without arrays; the cell in the middle and the one below it are hidden.
+std::string imageWithHiddenCells();
+
 } // namespace cli

@@ -25,13 +25,6 @@ protected:
 	}
 };
 
-// 3 x 3 x 3 cells; the one in the middle and the one below it are hidden.
-const std::string kWithHidden = R"(<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
-<ImageData WholeExtent="0 3 0 3 0 3" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 3 0 3 0 3">
-<CellData><DataArray type="UInt8" Name="vtkGhostType" format="ascii">
-0 0 0 0 32 0 0 0 0  0 0 0 0 32 0 0 0 0  0 0 0 0 0 0 0 0 0
-</DataArray></CellData></Piece></ImageData></VTKFile>)";
-
 } // namespace
 
 TEST_F(Surface, FiguresOfAPlainBox)
@@ -79,7 +72,7 @@ TEST_F(Surface, IsExported)
 
 TEST_F(Surface, HiddenCellsStayHidden)
 {
-	const std::string file = write("hidden.vti", kWithHidden);
+	const std::string file = write("hidden.vti", imageWithHiddenCells());
 	const auto quietly = [&](const char* at)
 	{
 		const Outcome outcome = run({"slice", file, "--surface", at, "--stats", "-"});
