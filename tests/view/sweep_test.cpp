@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 namespace view
 {
 
@@ -34,6 +37,30 @@ TEST_F(SweepInTheWindow, PlaysAndKeepsThePoseWhenItPauses)
 	EXPECT_EQ(settle(), after);
 	EXPECT_EQ(difference(paused, rest(left_)), 0.0);
 	close();
+}
+
+TEST_F(SweepInTheWindow, IsRecordedIntoAFilmLoopAndSaved)
+{
+	open({"demo:shell:16", "--normal", "z", "--path", "translate", "--frames", "6"});
+	act("record");
+	const nlohmann::json before = settle();
+	command("save-film " + path("frame{frame:02}.png"));
+	EXPECT_EQ(settle(), before);
+	std::set<std::string> pictures;
+	for (int k = 0; k < 6; ++k)
+		pictures.insert(cli::contents(path("frame0" + std::to_string(k) + ".png")));
+	EXPECT_EQ(pictures.size(), 6u) << "every frame shows another cut";
+	EXPECT_FALSE(pictures.contains(""));
+	close();
+}
+
+TEST_F(SweepInTheWindow, WithoutAFilmLoopThereIsNoFilmToSave)
+{
+	open({"demo:shell:16"});
+	command("save-film " + path("film{frame}.png"));
+	settle();
+	EXPECT_TRUE(cli::contains(err(), "Record the sweep first"));
+	close(err());
 }
 
 } // namespace view

@@ -19,6 +19,31 @@ protected:
 	const Area left_{100, 100, 500, 450};
 };
 
+// 3 x 3 x 3 points with values from 0 to period - 1.
+std::string smallImage(int period)
+{
+	std::string text = "# vtk DataFile Version 3.0\none\nASCII\nDATASET STRUCTURED_POINTS\n"
+	                   "DIMENSIONS 3 3 3\nORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 27\n"
+	                   "SCALARS heat float 1\nLOOKUP_TABLE default\n";
+	for (int i = 0; i < 27; ++i)
+		text += std::to_string(i % period) + "\n";
+	return text;
+}
+
+// Of a PNG, from its header.
+glm::ivec2 sizeOfPng(const std::string& file)
+{
+	const std::string bytes = cli::contents(file);
+	const auto number = [&](std::size_t at)
+	{
+		int value = 0;
+		for (std::size_t i = at; i < at + 4 && i < bytes.size(); ++i)
+			value = 256 * value + static_cast<unsigned char>(bytes[i]);
+		return value;
+	};
+	return {number(16), number(20)};
+}
+
 } // namespace
 
 TEST_F(WindowOfTheDesktop, FollowsItsSize)
@@ -87,22 +112,35 @@ TEST_F(WindowOfTheDesktop, ABadFileLeavesAllAsItWas)
 TEST_F(WindowOfTheDesktop, AGoodFileTakesThePlaceOfTheOther)
 {
 	open({"demo:shell:16", "--normal", "z"});
-	const std::string good = write(
-	    "good.vtk", "# vtk DataFile Version 3.0\none\nASCII\nDATASET STRUCTURED_POINTS\n"
-	                "DIMENSIONS 3 3 3\nORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 27\n"
-	                "SCALARS heat float 1\nLOOKUP_TABLE default\n" +
-	                    []
-	                    {
-		                    std::string values;
-		                    for (int i = 0; i < 27; ++i)
-			                    values += std::to_string(i % 7) + "\n";
-		                    return values;
-	                    }());
+	const std::string good = write("good.vtk", smallImage(7));
 	command("drop " + good);
 	const nlohmann::json state = settle();
 	ASSERT_EQ(state["input"]["files"].size(), 1u) << state.dump(1);
 	EXPECT_TRUE(cli::contains(state["input"]["files"][0], "good.vtk"));
 	EXPECT_TRUE(eventually([&] { return shareOf(map_, seen(left_)) > 0.1; }));
+	close();
+}
+
+TEST_F(WindowOfTheDesktop, AFileThatIsWrittenAnewIsReadAgain)
+{
+	const std::string file = write("solver.vtk", smallImage(7));
+	open({file});
+	act("panels");
+	moveTo({5, 690});
+	const vp::render::Picture before = rest(left_);
+	write("solver.vtk", smallImage(2));
+	EXPECT_TRUE(eventually([&] { return difference(before, seen(left_)) > 0.02; }));
+	close();
+}
+
+TEST_F(WindowOfTheDesktop, SavesPictureAndPolygons)
+{
+	open({"demo:shell:16", "--normal", "z"});
+	command("save-picture 320 200 " + path("small.png"));
+	command("save-slice " + path("cut.vtp"));
+	settle();
+	EXPECT_EQ(sizeOfPng(path("small.png")), glm::ivec2(320, 200));
+	EXPECT_TRUE(cli::contains(cli::contents(path("cut.vtp")), "<VTKFile type=\"PolyData\""));
 	close();
 }
 

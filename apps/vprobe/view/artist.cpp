@@ -2,8 +2,6 @@
 
 #include "make_probe.h"
 #include "render/targets.h"
-#include "time_steps.h"
-#include "view/view_state.h"
 #include "write/slice_file.h"
 
 #include <algorithm>
@@ -20,30 +18,6 @@ namespace
 constexpr std::chrono::milliseconds kStill{120};
 // For a trace: some minute of dragging, 5 MiB.
 constexpr std::size_t kKeptSections = 50'000;
-
-double millisecondsSince(Moment start)
-{
-	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-// Whether two cuts differ in no more than where their probes are.
-bool differInPlace(ProbeOptions a, const ProbeOptions& b)
-{
-	takePlace(a, b);
-	return a == b;
-}
-
-// The painter draws lines around windows by these.
-bool haveSameRims(const ProbeOptions& a, const ProbeOptions& b)
-{
-	return a.probe == b.probe && a.window == b.window;
-}
-
-ProbeOptions withoutTime(ProbeOptions options)
-{
-	options.time.clear();
-	return options;
-}
 
 } // namespace
 
@@ -285,96 +259,6 @@ void Artist::addLookups()
 	shown.lookups = std::make_shared<const SheetLookups>(*session_, shown.cut, by_generation);
 	publish(std::move(shown));
 	wake_();
-}
-
-Status Artist::follow(const Wish& wish)
-{
-	Status done = followAll(wish);
-	if (!done)
-		followed_.reset(); // some of it may have been done
-	return done;
-}
-
-// Session and painter, as the wish has them. What has not changed is left as it is.
-Status Artist::followAll(const Wish& wish)
-{
-	if (!followed_ || followed_->probe.time != wish.probe.time)
-		if (Status moved = followTime(wish.probe); !moved)
-			return moved;
-	if (!followed_ || !(withoutTime(followed_->probe) == withoutTime(wish.probe)))
-	{
-		if (Status chosen = choose(*session_, wish.probe); !chosen)
-			return chosen;
-		only_moved_ = followed_ && differInPlace(followed_->probe, wish.probe);
-		cut_is_old_ = true;
-	}
-	if (!followed_ || !(followed_->look == wish.look) || !haveSameRims(followed_->probe, wish.probe))
-		if (Status looked = followLook(wish); !looked)
-			return looked;
-	followed_ = wish;
-	return Nothing{};
-}
-
-Status Artist::followTime(const ProbeOptions& options)
-{
-	if (!followed_)
-		return Nothing{}; // the session was opened at this time
-	Result<read::TimeChoice> time = read::parseTime(options.time);
-	if (!time)
-		return time.error();
-	cut_is_old_ = true;
-	only_moved_ = false;
-	cut_.reset();
-	Result<bool> moved = moveToTime(*session_, options, *time, painter_ ? &*painter_ : nullptr);
-	return moved ? Status(Nothing{}) : moved.error();
-}
-
-Status Artist::followLook(const Wish& wish)
-{
-	Result<LookChoice> look = parseLook(wish.look, wish.probe.inputs);
-	if (!look)
-		return look.error();
-	const auto finder = look->by_generation           ? slice::Finder::traversal
-	                    : session_->slicer->usesGpu() ? slice::Finder::direct
-	                                                  : slice::Finder::automatic;
-	if (finder != session_->finder)
-	{
-		session_->finder = finder;
-		cut_is_old_ = true;
-		only_moved_ = false;
-	}
-	if (look->range_of_slice && !session_->range_of_slice)
-	{
-		cut_is_old_ = true; // what it shows was not measured
-		only_moved_ = false;
-	}
-	session_->range_of_slice = look->range_of_slice;
-	if (painter_)
-		return painter_->setLook(wish.probe, std::move(*look));
-	Result<Painter> painter = Painter::create(*session_, wish.probe, std::move(*look));
-	if (!painter)
-		return painter.error();
-	painter_.emplace(std::move(*painter));
-	return Nothing{};
-}
-
-Result<double> Artist::cutAsWished()
-{
-	if (cut_ && !cut_is_old_)
-		return 0.0;
-	const Moment start = std::chrono::steady_clock::now();
-	std::shared_ptr<const CutFrame> last = only_moved_ ? cut_ : nullptr;
-	Result<slice::Slice> slice =
-	    cut(*session_, last ? std::shared_ptr<const slice::Slice>(last, &last->slice) : nullptr);
-	if (!slice)
-		return slice.error();
-	auto made = std::make_shared<CutFrame>();
-	made->slice = std::move(*slice);
-	made->sheets = statsSince(*session_, made->slice, last.get(), false);
-	cut_ = std::move(made);
-	cut_is_old_ = false;
-	++cuts_;
-	return millisecondsSince(start);
 }
 
 // False where a new wish came meanwhile.

@@ -26,6 +26,11 @@ namespace vp::app
 
 using Moment = std::chrono::steady_clock::time_point;
 
+inline double millisecondsSince(Moment start)
+{
+	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 // A second picture: a sheet of the probe alone, seen straight on.
 struct PaneWish
 {

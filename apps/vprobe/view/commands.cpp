@@ -192,6 +192,12 @@ Status Commands::act(const Words& words, const Stage& stage)
 	}
 	if (has("save-state", 1))
 		return saveState(rest[0], stage);
+	if (has("save-picture", 3))
+		return savePicture(rest, stage);
+	if (has("save-film", 1))
+		return stage.bench.saveFilm(rest[0]), Nothing{};
+	if (has("save-slice", 1))
+		return stage.bench.saveSlice(rest[0]), Nothing{};
 	if (has("save-trace", 1))
 		return stage.bench.saveTrace(rest[0]), Nothing{};
 	if (has("screenshot", 1))
@@ -245,6 +251,17 @@ Status Commands::capture(const std::string& file, const Stage& stage)
 			    logError(fmt::format("--commands: screenshot: {}", written.error().message));
 	    });
 	waiting_ = Waiting{[this](const Stage&) { return !captures_; }, {}, {}};
+	return Nothing{};
+}
+
+Status Commands::savePicture(const Words& words, const Stage& stage)
+{
+	const auto width = numberOf(words[0]);
+	const auto height = numberOf(words[1]);
+	constexpr int kMost = static_cast<int>(render::kMaxPictureSize);
+	if (!width || !height || *width < 1 || *height < 1 || *width > kMost || *height > kMost)
+		return unfit("needs a width and a height in pixels, and a file's name");
+	stage.bench.savePicture(words[2], static_cast<std::uint32_t>(*width), static_cast<std::uint32_t>(*height));
 	return Nothing{};
 }
 

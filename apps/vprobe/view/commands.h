@@ -67,6 +67,7 @@ private:
 	Status act(const Words& words, const Stage& stage);
 	Status saveState(const std::string& file, const Stage& stage) const;
 	Status capture(const std::string& file, const Stage& stage);
+	Status savePicture(const Words& words, const Stage& stage);
 	Status resize(const Words& words, const Stage& stage);
 	void waitFor(std::function<bool(const Stage&)> done, std::string failure);
 
