@@ -24,6 +24,12 @@
 namespace vp::app
 {
 
+struct PixelSize
+{
+	std::uint32_t width = 0;
+	std::uint32_t height = 0;
+};
+
 using Moment = std::chrono::steady_clock::time_point;
 
 inline double millisecondsSince(Moment start)
@@ -35,7 +41,7 @@ inline double millisecondsSince(Moment start)
 struct PaneWish
 {
 	std::size_t sheet = 0;
-	VkExtent2D size{};
+	PixelSize size{};
 
 	bool operator==(const PaneWish& other) const
 	{

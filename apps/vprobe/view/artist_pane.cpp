@@ -12,7 +12,7 @@ namespace
 {
 
 // A sheet alone, without what is written around it. Seen straight on a perspective is true to scale.
-render::Scene paneScene(const render::Scene& scene, const render::SheetDrawing& sheet, VkExtent2D size)
+render::Scene paneScene(const render::Scene& scene, const render::SheetDrawing& sheet, PixelSize size)
 {
 	render::Scene pane;
 	pane.sheets = {sheet};
@@ -66,11 +66,11 @@ Status Artist::drawPane(Shown& shown, const render::Scene& scene)
 			return made.error();
 		pane_renderer_.emplace(std::move(*made));
 	}
-	const VkExtent2D size = shown.wish.pane->size;
+	const PixelSize size = shown.wish.pane->size;
 	render::Scene pane = paneScene(scene, *sheet, size);
 	const render::Frame frame = render::pictureFrame(pane);
 	pane.camera = interact::faceSheet({scene.camera, frame}, sheet->sheet, flatExtent(session_->blocks, sheet->sheet));
-	Result<std::shared_ptr<gpu::Image>> image = pane_pictures_.take(*device_, size);
+	Result<std::shared_ptr<gpu::Image>> image = pane_pictures_.take(*device_, {size.width, size.height});
 	if (!image)
 		return image.error();
 	if (Result<bool> drawn = pane_renderer_->drawInto(pane, **image, {}, session_->timeline.get()); !drawn)

@@ -49,9 +49,9 @@ void showPlanePane(Desk& desk, const ScenePart& part)
 {
 	const ScenePart pane = paneOf(part, desk.scale);
 	const bool open = desk.bench.parts.plane_pane && desk.bench.shown();
-	desk.bench.setPane(
-	    open ? VkExtent2D{static_cast<std::uint32_t>(pane.size.x), static_cast<std::uint32_t>(pane.size.y)}
-	         : VkExtent2D{});
+	desk.bench.setPane(open
+	                       ? PixelSize{static_cast<std::uint32_t>(pane.size.x), static_cast<std::uint32_t>(pane.size.y)}
+	                       : PixelSize{});
 	if (!open || !desk.bench.shown()->pane)
 		return;
 	ImGui::SetNextWindowPos(asImVec(pane.lo));

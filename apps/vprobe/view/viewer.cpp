@@ -285,7 +285,7 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 	if (!made)
 		return made.error();
 	const std::shared_ptr<gpu::Device> device = std::move(*made);
-	Result<VkSurfaceKHR> surface = (*window)->makeSurface(device->instance());
+	const auto surface = (*window)->makeSurface(device->instance());
 	if (!surface)
 		return surface.error();
 	const InterfaceContext context;

@@ -114,7 +114,7 @@ void Workbench::noteInput(Moment when)
 		input_ = when;
 }
 
-void Workbench::update(VkExtent2D size)
+void Workbench::update(PixelSize size)
 {
 	takeLoaded();
 	takePicture();
@@ -129,7 +129,7 @@ void Workbench::update(VkExtent2D size)
 	input_.reset();
 }
 
-void Workbench::setPane(VkExtent2D size)
+void Workbench::setPane(PixelSize size)
 {
 	const std::optional<PaneWish> next =
 	    size.width > 0 && size.height > 0 ? std::optional(PaneWish{sheet_, size}) : std::nullopt;
@@ -139,7 +139,7 @@ void Workbench::setPane(VkExtent2D size)
 	++version_;
 }
 
-void Workbench::ask(VkExtent2D size)
+void Workbench::ask(PixelSize size)
 {
 	const bool same_size = size.width == asked_size_.width && size.height == asked_size_.height;
 	if (asked_ == version_ && same_size)

@@ -127,10 +127,10 @@ public:
 
 	// --- The picture.
 	// Once a frame, and after input: hands on what has changed. size: of the part of the window that shows the scene.
-	void update(VkExtent2D size);
+	void update(PixelSize size);
 	void noteInput(Moment when); // what follows answers it
 	// From the next picture on, the chosen sheet in a pane of this size; none of 0 x 0.
-	void setPane(VkExtent2D size);
+	void setPane(PixelSize size);
 	const std::shared_ptr<const Shown>& shown() const { return shown_; }
 	bool isIdle() const;
 	bool isShown() const; // what is shown is of the state as it is
@@ -154,7 +154,7 @@ private:
 	void load(ViewState next);
 	void takeLoaded();
 	void takePicture();
-	void ask(VkExtent2D size);
+	void ask(PixelSize size);
 	Wish wish() const;
 	void forgetOldNotices();
 	void takeWritten();
@@ -194,7 +194,7 @@ private:
 
 	std::uint64_t version_ = 1; // of all that a picture depends on
 	std::uint64_t asked_ = 0;   // the version that was asked for last
-	VkExtent2D asked_size_{};
+	PixelSize asked_size_{};
 	std::optional<PaneWish> pane_;
 	std::optional<Moment> input_; // the oldest that was not asked for yet
 	bool takes_camera_ = true;    // the state's camera is to become the next picture's
