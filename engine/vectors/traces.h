@@ -1,0 +1,46 @@
+#pragma once
+
+#include "base/ids.h"
+#include "base/raw_vector.h"
+#include "base/vec.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vp::vectors
+{
+
+// Why a trace ends where it does.
+enum class TraceEnd : std::uint8_t
+{
+	steps,       // all its steps are done
+	left_grid,   // the next place lies outside the grid, or in a hidden cell
+	zero_vector, // nothing moves there
+	no_vector    // NaN or infinite, or the block there lacks the array
+};
+
+// Paths of particles that follow a vector field, each from its earliest point to its latest.
+struct Traces
+{
+	std::vector<std::uint32_t> starts{0}; // traces + 1 offsets into the points
+	std::vector<std::uint32_t> seeds;     // per trace: which of the lattice's points it was launched from
+	std::vector<std::uint32_t> launches;  // per trace: the point, among all, where it was launched
+	std::vector<TraceEnd> begins;         // per trace: why it goes back no farther
+	std::vector<TraceEnd> ends;           // and on no farther
+
+	// Per point of all traces.
+	RawVector<Vec3> points;
+	RawVector<double> times;         // from the launch, negative before it
+	RawVector<Vec3> vectors;         // the field there, whole
+	RawVector<std::uint32_t> blocks; // the cell that holds it
+	RawVector<CellId> cells;
+
+	std::size_t count() const { return starts.size() - 1; }
+	std::size_t first(std::size_t trace) const { return starts[trace]; }
+	std::size_t size(std::size_t trace) const { return starts[trace + 1] - starts[trace]; }
+	std::span<const Vec3> path(std::size_t trace) const { return std::span(points).subspan(first(trace), size(trace)); }
+};
+
+} // namespace vp::vectors
