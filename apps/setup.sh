@@ -9,7 +9,7 @@ build_packages=(
 	mesa-vulkan-drivers # lavapipe draws where there is no GPU
 )
 test_packages=(
-	ccache clang-14 clang-format-14 libgtest-dev libgmock-dev libbenchmark-dev vulkan-validationlayers
+	ccache clang-14 clang-format-14 libgtest-dev libgmock-dev libbenchmark-dev libmuparser-dev vulkan-validationlayers
 	xvfb xdotool openbox
 )
 
