@@ -35,39 +35,39 @@ std::vector<std::uint8_t> registerNeeds(const std::vector<ExpressionNode>& nodes
 using Batch = std::array<double, kBatch>;
 
 // integerPower() of many, in its order.
-Batch integerPowers(const double* a, int exponent, std::size_t count)
+void integerPowers(const double* a, int exponent, double* to, std::size_t count)
 {
 	Batch base;
-	Batch powers;
 	std::copy_n(a, count, base.begin());
-	std::fill_n(powers.begin(), count, 1.0);
+	std::fill_n(to, count, 1.0);
 	for (int left = std::abs(exponent); left > 0; left >>= 1)
 	{
 		if (left & 1)
 			for (std::size_t i = 0; i < count; ++i)
-				powers[i] *= base[i];
+				to[i] *= base[i];
 		for (std::size_t i = 0; i < count; ++i)
 			base[i] *= base[i];
 	}
 	if (exponent < 0)
 		for (std::size_t i = 0; i < count; ++i)
-			powers[i] = 1.0 / powers[i];
-	return powers;
+			to[i] = 1.0 / to[i];
 }
 
-// Into an array of its own, since a register may be read and written: such a loop would not be vectorised.
-Batch appliedToMany(Operation operation, int exponent, const double* a, const double* b, std::size_t count)
+// `to` overlaps no operand: the loops are vectorised.
+void applyToMany(const ExpressionProgram::Instruction& instruction, const double* a, const double* b, double* to,
+                 std::size_t count)
 {
-	if (operation == Operation::integer_power)
-		return integerPowers(a, exponent, count);
-	Batch results;
-	withOperation(operation, exponent,
-	              [&](auto f)
-	              {
-		              for (std::size_t i = 0; i < count; ++i)
-			              results[i] = f(a[i], b[i]);
-	              });
-	return results;
+	if (instruction.operation == Operation::number)
+		std::fill_n(to, count, instruction.number);
+	else if (instruction.operation == Operation::integer_power)
+		integerPowers(a, instruction.exponent, to, count);
+	else
+		withOperation(instruction.operation, instruction.exponent,
+		              [&](auto f)
+		              {
+			              for (std::size_t i = 0; i < count; ++i)
+				              to[i] = f(a[i], b[i]);
+		              });
 }
 
 } // namespace
@@ -127,20 +127,21 @@ double ExpressionProgram::value(double x, double y, double z) const
 
 void ExpressionProgram::values(const double* x, const double* y, const double* z, double* out, std::size_t count) const
 {
-	std::array<Batch, kSlots - kFirstRegister> registers;
+	// One more than there are registers: what is computed goes there, then takes the place of what was in its register.
+	std::array<Batch, kSlots - kFirstRegister + 1> room;
+	std::array<double*, kSlots> registers{};
+	for (int r = kFirstRegister; r < kSlots; ++r)
+		registers[r] = room[r - kFirstRegister].data();
+	double* spare = room.back().data();
 	for (std::size_t begin = 0; begin < count; begin += kBatch)
 	{
 		const std::size_t here = std::min(kBatch, count - begin);
 		const std::array<const double*, kFirstRegister> variables{x + begin, y + begin, z + begin};
-		const auto slot = [&](int s)
-		{ return s < kFirstRegister ? variables[s] : registers[s - kFirstRegister].data(); };
+		const auto slot = [&](int s) { return s < kFirstRegister ? variables[s] : registers[s]; };
 		for (const Instruction& i : instructions_)
 		{
-			Batch& to = registers[i.to - kFirstRegister];
-			if (i.operation == Operation::number)
-				std::fill_n(to.begin(), here, i.number);
-			else
-				to = appliedToMany(i.operation, i.exponent, slot(i.a), slot(i.b), here);
+			applyToMany(i, slot(i.a), slot(i.b), spare, here);
+			std::swap(spare, registers[i.to]);
 		}
 		std::copy_n(slot(result_), here, out + begin);
 	}
