@@ -1,6 +1,7 @@
 #include "make_probe.h"
 
 #include "probe/presets.h"
+#include "surface_options.h"
 
 #include <fmt/format.h>
 
@@ -121,11 +122,14 @@ Status checkProbeOptions(const ProbeOptions& options)
 	return Nothing{};
 }
 
-Result<probe::Probe> makeProbe(const ProbeOptions& options, const Box& bounds)
+namespace
+{
+
+Result<probe::Probe> makePlanes(const ProbeOptions& options, const Box& bounds, const Vec3& origin)
 {
 	const std::optional<probe::ProbeFile>& file = options.own_probe;
 	// What a file says about its place gives way to what the command line says.
-	probe::Frame frame = file && file->placed ? file->probe.frame : probe::Frame{bounds.centre()};
+	probe::Frame frame = file && file->placed ? file->probe.frame : probe::Frame{origin};
 	if (!options.origin.empty())
 		frame.origin = vectorOf(options.origin);
 	if (options.normal || !options.up.empty())
@@ -150,6 +154,22 @@ Result<probe::Probe> makeProbe(const ProbeOptions& options, const Box& bounds)
 		                                            : options.offsets,
 		                    size);
 	return probe::single(frame, size);
+}
+
+} // namespace
+
+Result<probe::Probe> makeProbe(const ProbeOptions& options, const Box& bounds)
+{
+	Result<std::optional<surface::Form>> form = formOf(options);
+	if (!form)
+		return form.error();
+	// An expression is in the grid's own coordinates where nothing else is said.
+	const Vec3 origin = *form && !(*form)->isAboutOrigin() ? Vec3(0.0) : bounds.centre();
+	Result<probe::Probe> probe = makePlanes(options, bounds, origin);
+	if (probe && *form)
+		for (probe::Sheet& sheet : probe->sheets)
+			sheet.form = **form;
+	return probe;
 }
 
 } // namespace vp::app

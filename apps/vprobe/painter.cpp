@@ -170,7 +170,7 @@ Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStat
 		Result<render::SheetDrawing> made = looks_.drawing(slice.sheets[s], sheets[s]);
 		if (!made)
 			return made.error();
-		if (slice.sheets[s].surface || sheets[s].crinkle)
+		if (!slice.sheets[s].isPlane() || sheets[s].crinkle)
 		{
 			Result<render::Surface> surface = surfaceOf(slice.sheets[s], sheets[s], *made, scene.values);
 			if (!surface)
@@ -203,11 +203,11 @@ Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vec
 	if (Status added = addSheets(slice, sheets, scene); !added)
 		return added.error();
 	addContours(slice, sheets, scene);
-	const bool has_plane = !slice.sheets.empty() && !slice.sheets.front().surface;
+	const bool has_plane = !slice.sheets.empty() && slice.sheets.front().isPlane();
 	const probe::Sheet* first = has_plane ? &slice.sheets.front().shown : nullptr;
 	if (!slice.sheets.empty() && choice().captions)
 		scene.look.caption =
-		    has_plane ? caption(*first, session_.blocks.bounds()) : slice::nameOf(*slice.sheets.front().surface);
+		    has_plane ? caption(*first, session_.blocks.bounds()) : slice::surfaceName(slice.sheets.front());
 	if (!camera_ || choice().camera.followsSheet())
 	{
 		if (choice().camera.followsSheet() && !has_plane)

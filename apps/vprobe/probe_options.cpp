@@ -75,12 +75,22 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	    ->check(CLI::Range(1, static_cast<int>(probe::kMaxSheets)))
 	    ->type_name("N")
 	    ->group(group);
+	CLI::Option* surface =
+	    command
+	        .add_option(
+	            "--surface", options.surface,
+	            "In place of a plane: a surface about the origin and the normal (half angle of a cone; "
+	            "ellipsoid:A,B,C and quadric: with ten numbers too). Or a grid surface of structured blocks, i, j "
+	            "or k=INDEX of its points from 0, between two with a fraction; a sweep goes from FIRST to LAST. Or "
+	            "a part of the boundary that the file names")
+	        ->type_name("sphere:R|cylinder:R|cone:DEGREES|i=INDEX|i=FIRST..LAST|patch=NAME")
+	        ->group(group);
 	command
-	    .add_option("--surface", options.surface,
-	                "In place of a plane: a grid surface of structured blocks, i, j or k=INDEX of its points from 0, "
-	                "between two with a fraction; a sweep goes from FIRST to LAST. Or a part of the boundary that the "
-	                "file names")
-	    ->type_name("i=INDEX|i=FIRST..LAST|patch=NAME")
+	    .add_option_function<std::string>(
+	        "--iso", [&options](const std::string& value) { options.surface = "iso:" + value; },
+	        "In place of a plane: the surface where the array, of points, has this value")
+	    ->excludes(surface)
+	    ->type_name("VALUE")
 	    ->group(group);
 	command
 	    .add_flag("--crinkle", options.crinkle,

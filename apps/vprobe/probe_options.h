@@ -25,7 +25,7 @@ struct ProbeOptions
 	std::optional<std::string> normal;  // x, y, z or three numbers
 	std::vector<double> up;             // three numbers, or none
 	std::vector<double> window;         // none, or width and height
-	std::optional<std::string> surface; // in place of planes: i=, j= or k=, see surface_options.h
+	std::optional<std::string> surface; // in place of planes, see surface_options.h
 	bool crinkle = false;               // the cells that are cut, whole
 	bool reads_patches = false;         // no option: another one needs them
 	std::optional<int> vanes;

@@ -123,7 +123,7 @@ nlohmann::json subjectJson(const Profile& profile)
 {
 	const ProbeOptions& options = profile.options;
 	nlohmann::json json = inputJson(options, profile.session);
-	const bool has_planes = !options.surface;
+	const bool has_planes = !replacesSheets(options);
 	json.update({{"finder", profile.log.finder()},
 	             {"probe", has_planes ? probe::toJson(profile.session.probe) : nlohmann::json()},
 	             {"surface", options.surface ? nlohmann::json(*options.surface) : nlohmann::json()},

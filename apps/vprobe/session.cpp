@@ -73,7 +73,7 @@ Status chooseSheetFields(const ProbeOptions& options, Session& session)
 Result<std::unique_ptr<gpu::Device>> openDevice(const ProbeOptions& options, DeviceUse use)
 {
 	// A grid surface is found by its subscripts, without classifying.
-	const bool classifies = options.classify != "cpu" && (!options.surface || options.classify_given);
+	const bool classifies = options.classify != "cpu" && (!replacesSheets(options) || options.classify_given);
 	if (use == DeviceUse::classify && !classifies)
 		return std::unique_ptr<gpu::Device>();
 	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({.name_or_index = options.device});
@@ -90,7 +90,7 @@ Result<std::unique_ptr<gpu::Device>> openDevice(const ProbeOptions& options, Dev
 // cores as the CPU does, and pays for the round trip on top.
 bool classifiesOnGpu(const ProbeOptions& options, const gpu::Device* device)
 {
-	if (!device || options.classify == "cpu" || options.surface)
+	if (!device || options.classify == "cpu" || replacesSheets(options))
 		return false;
 	return options.classify == "gpu" || !device->isSoftware();
 }
@@ -147,7 +147,9 @@ Status choose(Session& session, const ProbeOptions& options)
 		return probe.error();
 	session.probe = *probe;
 	std::erase_if(session.probe.sheets, [](const probe::Sheet& sheet) { return sheet.wishes.hidden; });
-	return chooseSheetFields(options, session);
+	if (Status chosen = chooseSheetFields(options, session); !chosen)
+		return chosen;
+	return checkForms(session.probe.sheets, session.sheet_fields);
 }
 
 Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use, Timeline::Keep keep,
@@ -165,6 +167,8 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 		return fits.error();
 	if (auto surface = surfaceOf(options); !surface)
 		return surface.error();
+	if (auto form = formOf(options); !form)
+		return form.error();
 	if (auto threshold = parseThreshold(options.threshold); !threshold)
 		return threshold.error();
 	Result<grid::BlockSet> blocks = [&]
@@ -229,7 +233,7 @@ Status tellAbout(const Session& session, const slice::Slice& slice)
 	{
 		const Vec3 at = sheet.sheet.origin;
 		const bool outside =
-		    !session.surface && session.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
+		    sheet.isPlane() && session.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
 		if (outside && session.seeds.outside == seed::OutsidePolicy::refuse)
 			return Error{ExitCode::usage,
 			             fmt::format("--origin {} {} {}: the hot spot lies outside the grid; choose one inside, or "
@@ -250,11 +254,18 @@ Status tellAbout(const Session& session, const slice::Slice& slice)
 			     session.threshold->lo, session.threshold->hi);
 		else if (sheet.surface)
 			warn("{} is empty: {} shows no cells, or hidden ones only", what, slice::nameOf(*sheet.surface));
+		else if (sheet.sheet.form && sheet.sheet.form->isoValue())
+			warn("{} is empty: no edge that is reached passes {}; the values of {} go from {:.6g} to {:.6g}", what,
+			     sheet.sheet.form->isoValue()->value, sheet.field->title(session.blocks),
+			     fieldRange(session.blocks, *sheet.field).first, fieldRange(session.blocks, *sheet.field).second);
 		else
 			warn("{} is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
 			     "{:.6g}",
-			     what, sheet.sheet.window ? "window" : "plane", bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x,
-			     bounds.hi.y, bounds.hi.z);
+			     what,
+			     sheet.sheet.window ? "window"
+			     : sheet.sheet.form ? "surface"
+			                        : "plane",
+			     bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z);
 	}
 	return Nothing{};
 }

@@ -97,7 +97,7 @@ nlohmann::json frameJson(const slice::SheetSlice& sheet)
 		        {"normal", nullptr},
 		        {"up", nullptr},
 		        {"window", nullptr}};
-	return {{"surface", nullptr},
+	return {{"surface", sheet.sheet.form ? nlohmann::json(sheet.sheet.form->text()) : nlohmann::json()},
 	        {"origin", asJson(sheet.sheet.origin)},
 	        {"normal", asJson(sheet.sheet.normal)},
 	        {"up", asJson(sheet.sheet.up)},
@@ -130,6 +130,7 @@ nlohmann::json sheetJson(const grid::BlockSet& blocks, const slice::SheetSlice& 
 	             {"seeds", sheet.seeds.count},
 	             {"hops", sheet.seeds.hops},
 	             {"boundary_tests", sheet.seeds.boundary_tests},
+	             {"tree_tests", sheet.seeds.tree_tests},
 	             {"hot_spot_inside", sheet.seeds.hot_spot_inside},
 	             {"generations", sums.generations},
 	             {"front_max", sums.front_max},

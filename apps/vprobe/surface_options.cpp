@@ -55,9 +55,42 @@ bool namesPatch(const ProbeOptions& options)
 	return options.surface && options.surface->starts_with(kPatch);
 }
 
+bool replacesSheets(const ProbeOptions& options)
+{
+	const auto isGridIndex = [](const std::string& text)
+	{ return text.size() > 1 && text[1] == '=' && text[0] >= 'i' && text[0] <= 'k'; };
+	return namesPatch(options) || (options.surface && isGridIndex(*options.surface));
+}
+
+Result<std::optional<surface::Form>> formOf(const ProbeOptions& options)
+{
+	if (!options.surface || replacesSheets(options))
+		return std::optional<surface::Form>();
+	Result<surface::Form> form = surface::Form::parse(*options.surface);
+	if (!form)
+		return Error{form.error().code, fmt::format("--surface {}: {}", *options.surface, form.error().message)};
+	return std::optional(*form);
+}
+
+Status checkForms(const std::vector<probe::Sheet>& sheets, std::span<const std::optional<slice::FieldChoice>> fields)
+{
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+	{
+		if (!sheets[s].form || !sheets[s].form->isoValue())
+			continue;
+		const std::optional<slice::FieldChoice>& field = fields[s];
+		if (!field || field->association != grid::Association::point)
+			return Error{ExitCode::input, fmt::format("--iso {}: needs values at points{}; choose an array of points "
+			                                          "with --array",
+			                                          sheets[s].form->isoValue()->value,
+			                                          field ? ", and " + field->name + " has them in cells" : "")};
+	}
+	return Nothing{};
+}
+
 Result<std::optional<SurfaceChoice>> surfaceOf(const ProbeOptions& options)
 {
-	if (!options.surface)
+	if (!replacesSheets(options))
 		return std::optional<SurfaceChoice>();
 	if (const char* option = planeOption(options))
 		return Error{ExitCode::usage,
@@ -88,7 +121,7 @@ slice::OtherSurface surfaceAt(const SurfaceChoice& choice, double done)
 
 Status refuseGenerations(const ProbeOptions& options, bool by_generation)
 {
-	if (!options.surface || !by_generation)
+	if (!replacesSheets(options) || !by_generation)
 		return Nothing{};
 	return Error{ExitCode::usage, fmt::format("--color-by generation: --surface {} is found without a traversal, which "
 	                                          "has the generations; leave one of the two out",

@@ -3,11 +3,15 @@
 #include "base/result.h"
 #include "path_options.h"
 #include "probe_options.h"
+#include "slice/field_choice.h"
 #include "slice/other_surface.h"
+#include "surface/form.h"
 #include "surface/grid_index.h"
 
 #include <optional>
+#include <span>
 #include <variant>
+#include <vector>
 
 namespace vp::app
 {
@@ -15,8 +19,18 @@ namespace vp::app
 // What --surface says: grid surfaces from one index to another, or patches of the boundary.
 using SurfaceChoice = std::variant<surface::GridIndexRange, slice::PatchName>;
 
-// None where the option is not given. A usage error where it cannot be, or beside an option that places a plane.
+// None where the option is not given, or gives a form. A usage error where it cannot be, or beside an option that
+// places a plane.
 Result<std::optional<SurfaceChoice>> surfaceOf(const ProbeOptions& options);
+
+// What --surface or --iso says that the probe's sheets are to cut by in place of their planes; none where neither does.
+Result<std::optional<surface::Form>> formOf(const ProbeOptions& options);
+
+// Tells whether the blocks have what the forms of the sheets look at. fields: per sheet.
+Status checkForms(const std::vector<probe::Sheet>& sheets, std::span<const std::optional<slice::FieldChoice>> fields);
+
+// Whether --surface names what takes the place of the sheets, which then are not cut at all.
+bool replacesSheets(const ProbeOptions& options);
 
 // Whether it names a patch, for which the input's are to be read.
 bool namesPatch(const ProbeOptions& options);

@@ -36,6 +36,17 @@ Result<bool> moveToTime(Session& session, const ProbeOptions& options, const rea
 	return same_grid;
 }
 
+namespace
+{
+
+bool cutsByValue(const probe::Probe& probe)
+{
+	return std::ranges::any_of(probe.sheets,
+	                           [](const probe::Sheet& sheet) { return sheet.form && sheet.form->isoValue(); });
+}
+
+} // namespace
+
 TimeSteps::TimeSteps(Session& session, const ProbeOptions& options, Painter* painter)
     : session_(session), options_(options), painter_(painter), times_(session.blocks.times)
 {
@@ -47,7 +58,7 @@ Result<slice::Slice> TimeSteps::cutAt(int step)
 	Result<bool> same_grid = moveToTime(session_, options_, time, painter_);
 	if (!same_grid)
 		return same_grid.error();
-	Result<slice::Slice> slice = *same_grid && kept_ && !session_.threshold
+	Result<slice::Slice> slice = *same_grid && kept_ && !session_.threshold && !cutsByValue(session_.probe)
 	                                 ? session_.slicer->regather(*kept_, session_.timeline.get())
 	                                 : cut(session_);
 	if (slice)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "probe/transform.h"
+#include "surface/form.h"
 #include "surface/plane.h"
 
 #include <optional>
@@ -54,15 +55,18 @@ struct SheetWishes
 	bool operator==(const SheetWishes&) const = default;
 };
 
-// A cutting plane with a frame of its own: it is the plane z = 0 there, and the origin is its hot spot. The frame is
-// given in the probe's coordinates as it is designed, in the world once placed (probe.h).
+// A cutting surface with a frame of its own: the plane z = 0 there, whose hot spot is the origin, or another form. The
+// frame is given in the probe's coordinates as it is designed, in the world once placed (probe.h).
 struct Sheet : Frame
 {
 	Fx fx;
-	std::optional<Window> window; // else the sheet covers the whole slice
-	SheetWishes wishes;
+	std::optional<Window> window;        // else the sheet covers the whole slice; through a form it reaches along z
+	std::optional<surface::Form> form{}; // none: the plane. No fx then
+	SheetWishes wishes{};
 
 	surface::Plane plane() const { return {origin, normal}; } // where it is drawn; fx may cut another: content()
+
+	surface::Axes axes() const { return {origin, xAxis(), up, normal}; }
 
 	bool operator==(const Sheet&) const = default;
 };

@@ -1,5 +1,7 @@
 #include "render/least_positive.h"
 
+#include "grid/shown_value.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
@@ -8,21 +10,6 @@
 
 namespace vp::render
 {
-
-namespace
-{
-
-double shown(const grid::Field& field, std::size_t tuple, int component)
-{
-	if (component != grid::kMagnitude)
-		return field.value(tuple, component);
-	double square = 0.0;
-	for (int c = 0; c < field.components; ++c)
-		square += field.value(tuple, c) * field.value(tuple, c);
-	return std::sqrt(square);
-}
-
-} // namespace
 
 double leastPositive(const grid::BlockSet& blocks, const slice::FieldChoice& choice)
 {
@@ -36,7 +23,7 @@ double leastPositive(const grid::BlockSet& blocks, const slice::FieldChoice& cho
 		{
 			for (std::size_t t = tuples.begin(); t < tuples.end(); ++t)
 			{
-				const double value = shown(*field, t, choice.component);
+				const double value = grid::shownValue(*field, t, choice.component);
 				if (value > 0.0 && std::isfinite(value))
 					result = std::min(result, value);
 			}

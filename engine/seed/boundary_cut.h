@@ -3,7 +3,7 @@
 #include "grid/boundary.h"
 #include "grid/grid.h"
 #include "seed/sheet_window.h"
-#include "surface/plane.h"
+#include "surface/curved.h"
 
 #include <tbb/parallel_for.h>
 
@@ -16,7 +16,7 @@
 namespace vp::seed
 {
 
-// A boundary face that the plane cuts, and the segment it is cut in (of a face cut more than twice, the first).
+// A boundary face that a cutting surface cuts, and the segment it is cut in (of a face cut more than twice, the first).
 struct CutFace
 {
 	CellId cell;
@@ -60,7 +60,7 @@ void useFacePoints(const G& grid, CellId cell, std::uint32_t face, grid::CellFac
 	use(std::span<const PointId>(ids.data(), corners.size()));
 }
 
-// What the plane has in common with a part of a boundary.
+// What a cutting surface has in common with a part of a boundary.
 struct BoundaryCut
 {
 	std::vector<CutFace> cut;
@@ -69,18 +69,18 @@ struct BoundaryCut
 };
 
 // The part of groups [begin, end) of the index. With a window (or null) only faces that may reach into it.
-template <grid::Grid G>
+template <grid::Grid G, class Surface>
 class BoundarySearch
 {
 public:
-	BoundarySearch(const G& grid, const surface::Plane& plane, const SheetWindow* window)
-	    : grid_(grid), plane_(plane), window_(window)
+	BoundarySearch(const G& grid, const Surface& surface, const SheetWindow* window)
+	    : grid_(grid), surface_(surface), window_(window)
 	{
 	}
 
 	BoundaryCut search(const grid::BoundaryIndex& boundary, std::size_t begin, std::size_t end)
 	{
-		const auto meets = [&](const Box& box) { return plane_.meets(box) && (!window_ || window_->meets(box)); };
+		const auto meets = [&](const Box& box) { return surface_.meets(box) && (!window_ || window_->meets(box)); };
 		const std::size_t boxes = boundary.visitWhere(begin, end, meets, [&](const auto& faces) { askPatch(faces); });
 		found_.tests += boxes;
 		return std::move(found_);
@@ -98,38 +98,40 @@ private:
 	void askFace(const grid::BoundaryIndex::Face& face, std::span<const PointId> points)
 	{
 		Vec3 previous = grid_.point(points.back());
-		double previous_distance = plane_.signedDistance(previous);
+		double previous_distance = surface::heightAt(grid_, surface_, points.back());
 		Vec3 ends[2];
 		int found = 0;
 		bool flat = true;
 		for (const PointId p : points)
 		{
 			const Vec3 corner = grid_.point(p);
-			const double distance = plane_.signedDistance(corner);
+			const double distance = surface::heightAt(grid_, surface_, p);
 			if ((distance >= 0.0) != (previous_distance >= 0.0) && found < 2)
-				ends[found++] = previous + (previous_distance / (previous_distance - distance)) * (corner - previous);
+				ends[found++] =
+				    previous +
+				    surface::crossingOf(surface_, previous, corner, previous_distance, distance) * (corner - previous);
 			flat = flat && distance == 0.0;
 			previous = corner;
 			previous_distance = distance;
 		}
-		if (found == 2 && (!window_ || window_->meetsFace(grid_, plane_, points)))
+		if (found == 2 && (!window_ || window_->meetsFace(grid_, surface_, points)))
 			found_.cut.push_back({face.cell, ends[0], ends[1]});
 		else if (flat && (!window_ || window_->meets(boxOf(grid_, points))))
 			found_.flat.push_back(face);
 	}
 
 	const G& grid_;
-	const surface::Plane& plane_;
+	const Surface& surface_;
 	const SheetWindow* window_;
 	grid::CellFaces faces_;
 	BoundaryCut found_;
 };
 
 // Calls visit_cut(CutFace) for every boundary face with vertices on both sides: its cell is cut. Calls visit_flat(Face)
-// for every one that lies in the plane whole. With a window (or null) only those that may reach into it. In the order
+// for every one that lies in the surface whole. With a window (or null) only those that may reach into it. In the order
 // of the index, one after the other, though they are looked for on all cores. Returns the boxes and faces asked.
-template <grid::Grid G, class VisitCut, class VisitFlat>
-std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary, const surface::Plane& plane,
+template <grid::Grid G, class Surface, class VisitCut, class VisitFlat>
+std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary, const Surface& surface,
                              const SheetWindow* window, VisitCut&& visit_cut, VisitFlat&& visit_flat)
 {
 	constexpr std::size_t kGroups = 16; // at a time: some 10 us of work
@@ -138,7 +140,7 @@ std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary,
 	                  [&](std::size_t n)
 	                  {
 		                  const std::size_t end = std::min((n + 1) * kGroups, boundary.groups.size());
-		                  parts[n] = BoundarySearch(grid, plane, window).search(boundary, n * kGroups, end);
+		                  parts[n] = BoundarySearch(grid, surface, window).search(boundary, n * kGroups, end);
 	                  });
 	std::size_t tests = 0;
 	for (const BoundaryCut& part : parts)

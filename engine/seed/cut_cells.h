@@ -1,18 +1,38 @@
 #pragma once
 
 #include "grid/block.h"
-#include "surface/plane.h"
+#include "surface/curved.h"
+
+#include <span>
 
 namespace vp::seed
 {
 
-// Whether a cell has points on both sides of the plane.
-template <grid::Grid G>
-bool isCut(const G& grid, const surface::Plane& plane, CellId cell)
+// S at a point: 1 where it does not lie below the surface.
+template <class G, class Surface>
+bool isPositive(const G& grid, const Surface& surface, PointId p)
+{
+	return surface::heightAt(grid, surface, p) >= 0.0;
+}
+
+// Whether a face has points on both sides.
+template <class G, class Surface>
+bool isFaceCut(const G& grid, const Surface& surface, std::span<const PointId> face)
 {
 	bool positive = false;
 	bool negative = false;
-	const auto see = [&](PointId p) { (plane.signedDistance(grid.point(p)) >= 0.0 ? positive : negative) = true; };
+	for (const PointId p : face)
+		(isPositive(grid, surface, p) ? positive : negative) = true;
+	return positive && negative;
+}
+
+// Whether a cell has points on both sides of a cutting surface.
+template <grid::Grid G, class Surface>
+bool isCut(const G& grid, const Surface& surface, CellId cell)
+{
+	bool positive = false;
+	bool negative = false;
+	const auto see = [&](PointId p) { (isPositive(grid, surface, p) ? positive : negative) = true; };
 	if (grid.shape(cell) != grid::CellShape::polyhedron)
 	{
 		for (const PointId p : grid.cellPoints(cell))

@@ -3,6 +3,7 @@
 #include "locate/find_cell.h"
 #include "seed/boundary_cut.h"
 #include "seed/cut_cells.h"
+#include "seed/nearest_cut.h"
 
 #include <limits>
 #include <tuple>
@@ -12,38 +13,6 @@ namespace vp::seed
 
 namespace
 {
-
-// A hot spot on a face or a vertex may be found in the cell whose vertices all count as positive. The cut cell is near:
-// looked for across faces, ring by ring, among this many cells (two rings of hexahedra and their corners). So is the
-// one whose section holds a window that is smaller than a cell: where faces are warped it may be beside the one found.
-constexpr std::size_t kNearbyCells = 64;
-
-template <grid::Grid G>
-CellId nearestCutCell(const G& grid, const surface::Plane& plane, const SheetWindow* window, CellId start)
-{
-	std::vector<CellId> queue{start};
-	grid::CellFaces faces;
-	for (std::size_t i = 0; i < queue.size(); ++i)
-	{
-		if (isCut(grid, plane, queue[i]))
-		{
-			if (!window)
-				return queue[i];
-			grid.cellFaces(queue[i], faces);
-			if (window->meetsCell(grid, plane, faces))
-				return queue[i];
-		}
-		for (int f = 0; f < grid.faceCount(queue[i]); ++f)
-			grid.forEachNeighbour(queue[i], f,
-			                      [&](CellId n)
-			                      {
-				                      if (queue.size() < kNearbyCells &&
-				                          std::find(queue.begin(), queue.end(), n) == queue.end())
-					                      queue.push_back(n);
-			                      });
-	}
-	return kNoCell;
-}
 
 bool isFlat(const grid::Block& block, const surface::Plane& plane, CellId cell, std::uint32_t face)
 {

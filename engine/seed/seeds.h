@@ -49,6 +49,7 @@ struct SheetSeeds
 	std::size_t count = 0;          // of seeds in all blocks
 	std::size_t hops = 0;           // cells that fence hops passed
 	std::size_t boundary_tests = 0; // boxes and faces of the boundary index that were asked
+	std::size_t tree_tests = 0;     // boxes of the block tree and cells in them, of curved surfaces (curved_seeds.h)
 	bool hot_spot_inside = false;
 	std::optional<Vec3> moved_to; // the hot spot that took the place of one outside
 };

@@ -2,7 +2,7 @@
 
 #include "grid/grid.h"
 #include "probe/sheet.h"
-#include "surface/plane.h"
+#include "surface/curved.h"
 
 #include <array>
 #include <span>
@@ -86,7 +86,7 @@ private:
 		const auto cornerAt = [&](PointId p)
 		{
 			const Vec3 place = grid.point(p);
-			return Corner{p, place, surface.signedDistance(place)};
+			return Corner{p, place, surface::heightAt(grid, surface, p)};
 		};
 		cuts.count = 0;
 		Corner previous = cornerAt(face.back());
@@ -98,7 +98,8 @@ private:
 				const Corner& low = previous.id < p ? previous : corner;
 				const Corner& high = previous.id < p ? corner : previous;
 				cuts.at[cuts.count++] =
-				    uvOf(low.place + (low.distance / (low.distance - high.distance)) * (high.place - low.place));
+				    uvOf(low.place + surface::crossingOf(surface, low.place, high.place, low.distance, high.distance) *
+				                         (high.place - low.place));
 			}
 			previous = corner;
 		}

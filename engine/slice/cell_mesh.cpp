@@ -115,7 +115,8 @@ void withReader(const G& grid, Use&& use)
 
 } // namespace
 
-MeshDoubts addCells(const grid::Block& block, std::uint32_t number, const surface::Plane& plane, const Vec3& normal,
+template <class Surface>
+MeshDoubts addCells(const grid::Block& block, std::uint32_t number, const Surface& surface, const Vec3& normal,
                     const traverse::LaneCut& found, SheetMesh& mesh)
 {
 	if (found.cut_cells == 0)
@@ -131,14 +132,14 @@ MeshDoubts addCells(const grid::Block& block, std::uint32_t number, const surfac
 		    [&](std::size_t p)
 		    {
 			    const std::size_t end = std::min((p + 1) * kPartCells, cut.cells.size());
-			    parts[p] = MeshPartMaker(grid, reader, plane, cut, p * kPartCells, end).make();
+			    parts[p] = MeshPartMaker(grid, reader, surface, cut, p * kPartCells, end).make();
 		    });
 		placeParts(parts, mesh);
 		forParts(
 		    [&](std::size_t p)
 		    {
 			    const MeshPart part = std::move(parts[p]); // freed here, not one after the other
-			    doubts[p] = PartWriter(reader, number, plane, normal, part, mesh).write();
+			    doubts[p] = PartWriter(grid, reader, number, surface, normal, part, mesh).write();
 		    });
 	};
 	std::visit([&](const auto& grid) { withReader(grid, [&](const auto& reader) { add(grid, reader); }); }, block.grid);
@@ -147,5 +148,10 @@ MeshDoubts addCells(const grid::Block& block, std::uint32_t number, const surfac
 		any = any | of_part;
 	return any;
 }
+
+template MeshDoubts addCells(const grid::Block&, std::uint32_t, const surface::Plane&, const Vec3&,
+                             const traverse::LaneCut&, SheetMesh&);
+template MeshDoubts addCells(const grid::Block&, std::uint32_t, const surface::BlockSurface&, const Vec3&,
+                             const traverse::LaneCut&, SheetMesh&);
 
 } // namespace vp::slice

@@ -3,7 +3,7 @@
 #include "cases/case_table.h"
 #include "cases/cell_walk.h"
 #include "grid/grid.h"
-#include "surface/plane.h"
+#include "surface/curved.h"
 #include "traverse/cell_signs.h"
 
 #include <algorithm>
@@ -18,13 +18,13 @@ namespace vp::slice
 // Gives the polygons of a cut cell as pairs of point ids {positive, negative} per cut edge, in polygon order: from the
 // case table where it has an entry, by walking the cell's faces otherwise. Reused from cell to cell to save
 // allocations.
-template <grid::Grid G>
+template <grid::Grid G, class Surface>
 class CellPolygons
 {
 public:
 	using Edge = std::pair<PointId, PointId>; // positive, negative
 
-	CellPolygons(const G& grid, const surface::Plane& plane) : grid_(grid), plane_(plane)
+	CellPolygons(const G& grid, const Surface& surface) : grid_(grid), surface_(surface)
 	{
 		for (int s = 0; s < grid::kTableShapes; ++s)
 			tables_[s] = cases::caseTable(static_cast<grid::CellShape>(s)).data();
@@ -77,7 +77,7 @@ private:
 		positive_.clear();
 		for (const PointId p : local_points_)
 		{
-			distances_.push_back(plane_.signedDistance(grid_.point(p)));
+			distances_.push_back(surface::heightAt(grid_, surface_, p));
 			positive_.push_back(distances_.back() >= 0.0);
 		}
 		walk_faces_.points.clear();
@@ -100,7 +100,7 @@ private:
 	}
 
 	const G& grid_;
-	const surface::Plane& plane_;
+	const Surface& surface_;
 	std::array<const cases::Case*, grid::kTableShapes> tables_;
 	grid::CellFaces faces_;
 	std::vector<PointId> local_points_; // of the walked cell, ascending

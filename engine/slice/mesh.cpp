@@ -1,5 +1,6 @@
 #include "slice/mesh.h"
 
+#include "grid/shown_value.h"
 #include "slice/cell_mesh.h"
 #include "slice/join_vertices.h"
 #include "slice/key_numbers.h"
@@ -91,6 +92,29 @@ void dropUnusedVertices(SheetMesh& mesh)
 	}
 }
 
+namespace
+{
+
+// What is left to do once the polygons of all cut cells are there. normal: of a flat mesh.
+void finishMesh(const grid::BlockSet& blocks, std::span<const BlockCut> cuts, MeshDoubts doubts, const Vec3& normal,
+                SheetMesh& mesh)
+{
+	for (const BlockCut& cut : cuts)
+		std::visit([&](const auto& grid) { addFacesInPlane(grid, cut, mesh); }, blocks.blocks[cut.block].grid);
+
+	const bool joins = doubts.at_points || mesh.boundary_polygons > 0 || blocks.blocks.size() > 1 ||
+	                   blocks.interfaces.of(0) != nullptr;
+	if (joins)
+		joinVertices(blocks, mesh);
+	if (joins || doubts.slivers)
+	{
+		tidyPolygons(mesh, normal);
+		dropUnusedVertices(mesh);
+	}
+}
+
+} // namespace
+
 SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const BlockCut> cuts)
 {
 	SheetMesh mesh;
@@ -104,39 +128,22 @@ SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std
 	for (const BlockCut& cut : cuts)
 		if (cut.cut)
 			doubts = doubts | addCells(blocks.blocks[cut.block], cut.block, plane, sheet.normal, *cut.cut, mesh);
-	for (const BlockCut& cut : cuts)
-		std::visit([&](const auto& grid) { addFacesInPlane(grid, cut, mesh); }, blocks.blocks[cut.block].grid);
-
-	const bool joins = doubts.at_points || mesh.boundary_polygons > 0 || blocks.blocks.size() > 1 ||
-	                   blocks.interfaces.of(0) != nullptr;
-	if (joins)
-		joinVertices(blocks, mesh);
-	if (joins || doubts.slivers)
-	{
-		tidyPolygons(mesh, sheet.normal);
-		dropUnusedVertices(mesh);
-	}
+	finishMesh(blocks, cuts, doubts, sheet.normal, mesh);
 	return mesh;
 }
 
-namespace
+SheetMesh buildMesh(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
+                    std::span<const BlockCut> cuts)
 {
-
-// The shown number of a tuple whose components `at(c)` gives.
-template <class At>
-double shownValue(int components, int component, At&& at)
-{
-	if (component != grid::kMagnitude)
-		return at(component);
-	if (components == 1)
-		return std::abs(at(0));
-	double sum = 0.0;
-	for (int c = 0; c < components; ++c)
-		sum += at(c) * at(c);
-	return std::sqrt(sum);
+	SheetMesh mesh;
+	mesh.polygon_starts.push_back(0);
+	mesh.flat = false;
+	MeshDoubts doubts;
+	for (const BlockCut& cut : cuts)
+		doubts = doubts | addCells(blocks.blocks[cut.block], cut.block, surfaces[cut.block], Vec3(0.0), *cut.cut, mesh);
+	finishMesh(blocks, cuts, doubts, Vec3(0.0), mesh);
+	return mesh;
 }
-
-} // namespace
 
 double interpolate(const grid::Block& block, const grid::Field& field, int component, const EdgePoint& at)
 {
@@ -145,19 +152,19 @@ double interpolate(const grid::Block& block, const grid::Field& field, int compo
 		    return std::pair{grid.sourcePoint(at.lower), grid.sourcePoint(at.higher)};
 	    },
 	    block.grid);
-	return shownValue(field.components, component,
-	                  [&](int c)
-	                  {
-		                  const double a = field.value(sources.first, c);
-		                  // An end that has no part in the vertex does not bring its NaN to it.
-		                  if (at.t == 0.0)
-			                  return a;
-		                  const double b = field.value(sources.second, c);
-		                  if (field.categorical)
-			                  return at.t < 0.5 ? a : at.t > 0.5 ? b : std::min(a, b);
-		                  // Between two equal infinities there is no difference to take a part of.
-		                  return at.t == 1.0 || a == b ? b : a + at.t * (b - a);
-	                  });
+	return grid::shownValue(field.components, component,
+	                        [&](int c)
+	                        {
+		                        const double a = field.value(sources.first, c);
+		                        // An end that has no part in the vertex does not bring its NaN to it.
+		                        if (at.t == 0.0)
+			                        return a;
+		                        const double b = field.value(sources.second, c);
+		                        if (field.categorical)
+			                        return at.t < 0.5 ? a : at.t > 0.5 ? b : std::min(a, b);
+		                        // Between two equal infinities there is no difference to take a part of.
+		                        return at.t == 1.0 || a == b ? b : a + at.t * (b - a);
+	                        });
 }
 
 double vertexValue(const grid::BlockSet& blocks, const SheetMesh& mesh, std::size_t vertex,
@@ -196,14 +203,15 @@ double vertexValue(const grid::BlockSet& blocks, const SheetMesh& mesh, std::siz
 		return sum;
 	};
 	const double first = componentAt(std::max(component, 0));
-	return component != grid::kMagnitude || std::isnan(first) ? first : shownValue(components, component, componentAt);
+	return component != grid::kMagnitude || std::isnan(first) ? first
+	                                                          : grid::shownValue(components, component, componentAt);
 }
 
 double cellValue(const grid::Block& block, const grid::Field& field, int component, CellId cell)
 {
 	const std::size_t source =
 	    std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell)); }, block.grid);
-	return shownValue(field.components, component, [&](int c) { return field.value(source, c); });
+	return grid::shownValue(field, source, component);
 }
 
 } // namespace vp::slice

@@ -86,6 +86,10 @@ struct BlockCut
 // Of the whole plane: clipToWindow (clip.h) leaves the part in a window.
 SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const BlockCut> cuts);
 
+// Of a curved surface; surfaces: as each block sees it. The cuts hold cells.
+SheetMesh buildMesh(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
+                    std::span<const BlockCut> cuts);
+
 // Twice the vector area of a polygon (at least one vertex): for a flat polygon, of whatever form, twice its area along
 // the normal about which it runs counter-clockwise.
 Vec3 doubleArea(const SheetMesh& mesh, std::span<const std::uint32_t> polygon);

@@ -52,14 +52,14 @@ private:
 // An edge that other parts may know is found without asking them. The cells about an edge go on from each other through
 // its cut faces, so where some of them are elsewhere, one here has a face with the edge whose other side is not here.
 // In a closed cut it is enough to hold that cell's number against the part's first and last.
-template <grid::Grid G, class Reader>
+template <grid::Grid G, class Reader, class Surface>
 class MeshPartMaker
 {
 public:
-	MeshPartMaker(const G& grid, const Reader& reader, const surface::Plane& plane, const traverse::LaneCut& cut,
+	MeshPartMaker(const G& grid, const Reader& reader, const Surface& surface, const traverse::LaneCut& cut,
 	              std::size_t begin, std::size_t end)
 	    : reader_(reader), cut_(cut), begin_(begin), end_(end), first_cell_(cut.cells[begin]),
-	      cell_span_(cut.closed ? cut.cells[end - 1] - first_cell_ + 1 : 0), polygons_(grid, plane)
+	      cell_span_(cut.closed ? cut.cells[end - 1] - first_cell_ + 1 : 0), polygons_(grid, surface)
 	{
 	}
 
@@ -147,7 +147,7 @@ private:
 
 	void addByWalk(CellId cell, std::uint32_t word)
 	{
-		const auto add = [&](std::span<const typename CellPolygons<G>::Edge> edges)
+		const auto add = [&](std::span<const typename CellPolygons<G, Surface>::Edge> edges)
 		{
 			makeRoom(edges.size());
 			for (std::size_t e = 0; e < edges.size(); ++e)
@@ -191,7 +191,7 @@ private:
 	std::size_t end_;
 	CellId first_cell_;
 	CellId cell_span_; // cells from first_cell_ on that are of this part, where they are cut
-	CellPolygons<G> polygons_;
+	CellPolygons<G, Surface> polygons_;
 	RawVector<std::uint64_t> edges_; // per corner
 	std::vector<std::uint32_t> shared_corners_;
 	std::size_t corner_count_ = 0;

@@ -25,12 +25,18 @@ std::vector<BlockCut> blockCuts(const SheetSlice& sheet)
 	return blocks;
 }
 
+std::string surfaceName(const SheetSlice& sheet)
+{
+	return sheet.surface ? nameOf(*sheet.surface) : sheet.sheet.form->text();
+}
+
 SheetMesh Slice::mesh(const grid::BlockSet& blocks, std::size_t sheet) const
 {
 	const SheetSlice& cut = sheets[sheet];
 	if (cut.surface)
 		return surfaceMesh(blocks, *cut.surface, cut.cuts);
-	SheetMesh mesh = buildMesh(blocks, cut.sheet, blockCuts(cut));
+	SheetMesh mesh = cut.sheet.form ? buildMesh(blocks, surfacesOf(blocks, cut.sheet, cut.field), blockCuts(cut))
+	                                : buildMesh(blocks, cut.sheet, blockCuts(cut));
 	if (cut.sheet.window)
 		clipToWindow(cut.sheet, cut.corners, mesh);
 	return mesh;

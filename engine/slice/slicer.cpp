@@ -35,7 +35,7 @@ Result<Slice> SliceTicket::wait()
 	return result_.get();
 }
 
-Slicer::Slicer(const grid::BlockSet& blocks) : blocks_(blocks)
+Slicer::Slicer(const grid::BlockSet& blocks) : blocks_(blocks), ranges_(blocks.blocks.size())
 {
 	for (const grid::Block& block : blocks.blocks)
 	{
@@ -80,6 +80,7 @@ Slicer::Memory Slicer::memory() const
 	for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 		memory.marks += visited_[b]->bytes() + stores_[b]->sumOfIdle(bytes) + marks_[b]->sumOfIdle(bytes);
 	memory.device = gpu_ ? gpu_->bytes() : 0;
+	memory.marks += ranges_.bytes();
 	return memory;
 }
 
@@ -176,15 +177,23 @@ Result<Slice> Slicer::cutMoved(const SliceRequest& request, std::stop_token stop
 	return joinSheets(request, unmoved, std::move(*moved));
 }
 
-Result<Slice> Slicer::cutAll(const SliceRequest& request, const Before& before, std::stop_token stop)
+Slicer::Admits Slicer::admitsOf(const SliceRequest& request) const
 {
-	assert(request.field || !request.threshold);
 	Admits admits(blocks_.blocks.size());
 	if (request.threshold)
 		for (std::size_t b = 0; b < admits.size(); ++b)
 			admits[b] = cellsWithin(blocks_.blocks[b], *request.field, *request.threshold);
+	return admits;
+}
+
+Result<Slice> Slicer::cutAll(const SliceRequest& request, const Before& before, std::stop_token stop)
+{
+	assert(request.field || !request.threshold);
+	const Admits admits = admitsOf(request);
 	if (request.surface)
 		return showSurface(request, admits);
+	if (const std::vector<bool> has_form = sheetsWithForm(request); std::ranges::find(has_form, true) != has_form.end())
+		return cutForms(request, has_form, before, stop);
 
 	Slice slice = seedSheets(request, admits);
 	Found found = find(request, slice);

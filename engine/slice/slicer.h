@@ -6,6 +6,7 @@
 #include "probe/probe.h"
 #include "seed/seeds.h"
 #include "slice/clip.h"
+#include "slice/curved_sheet.h"
 #include "slice/field_choice.h"
 #include "slice/mesh.h"
 #include "slice/other_surface.h"
@@ -94,6 +95,7 @@ struct SheetSlice
 	// Of the cut: sheets of two slices with one number are the same, and over the same values so are their meshes.
 	std::uint64_t number = 0;
 
+	bool isPlane() const { return !surface && !sheet.form; }
 	bool hasSpans(std::size_t block) const { return !spans.empty() && spans[block]; }
 	std::size_t cutCells(std::size_t block) const
 	{
@@ -105,6 +107,9 @@ struct SheetSlice
 		return hasSpans(block) ? spans[block]->cells.looked_at : cuts[block].cells.size();
 	}
 };
+
+// Of a sheet that is no plane: "i=12.5", "sphere:2".
+std::string surfaceName(const SheetSlice& sheet);
 
 struct Slice
 {
@@ -181,6 +186,12 @@ private:
 	using Before = std::vector<const SheetSlice*>;
 	Result<Slice> cutAll(const SliceRequest& request, const Before& before, std::stop_token stop);
 	Slice showSurface(const SliceRequest& request, const Admits& admits) const;
+	// slicer_curved.cpp
+	Result<Slice> cutForms(const SliceRequest& request, const std::vector<bool>& has_form, const Before& before,
+	                       std::stop_token stop);
+	Result<SheetSlice> cutForm(const SliceRequest& request, const probe::Sheet& sheet,
+	                           const std::optional<FieldChoice>& field, std::stop_token stop);
+	Admits admitsOf(const SliceRequest& request) const;
 	// Per lane; none where the traversal is to find the cells.
 	using Found = std::vector<std::optional<traverse::LaneCut>>;
 
@@ -202,6 +213,7 @@ private:
 	std::vector<std::unique_ptr<traverse::VisitedPool>> visited_;    // per block
 	std::vector<std::unique_ptr<Pool<traverse::SpanStore>>> stores_; // per block
 	std::vector<std::unique_ptr<Pool<traverse::CellMarks>>> marks_;  // per block
+	ValueRanges ranges_;                                             // for iso values
 	std::shared_ptr<GpuBlocks> gpu_;
 };
 

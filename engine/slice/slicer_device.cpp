@@ -81,6 +81,7 @@ Result<std::vector<traverse::LaneCut>> Slicer::traverseOnGpu(const SliceRequest&
 
 void Slicer::forgetValues()
 {
+	ranges_.forget();
 	if (gpu_)
 		gpu_->forgetFields();
 }
@@ -89,7 +90,7 @@ Result<Slice> Slicer::regather(const Slice& kept, Timeline* timeline)
 {
 	Slice slice = kept;
 	numberSheets(slice);
-	if (!gpu_ || std::ranges::any_of(slice.sheets, [](const SheetSlice& s) { return s.surface.has_value(); }))
+	if (!gpu_ || std::ranges::any_of(slice.sheets, [](const SheetSlice& s) { return !s.isPlane(); }))
 		return slice; // meshes gather their values when they are made
 	const TimedSection section(timeline, "emit");
 	Result<std::unique_ptr<GpuClassifier>> classifier = gpuClassifier(slice, timeline);

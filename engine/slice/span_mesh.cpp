@@ -192,7 +192,7 @@ private:
 	// The cells that the table has no entry for, behind all others.
 	void addWalked()
 	{
-		CellPolygons<G> polygons(grid_, plane_);
+		CellPolygons polygons(grid_, plane_);
 		for (const Span& span : cut_.spans)
 		{
 			const std::uint32_t k = span.row / points_[1];
@@ -205,7 +205,7 @@ private:
 					addWalkedCell(polygons, grid_.cell(span.begin + x, j, k));
 		}
 	}
-	void addWalkedCell(CellPolygons<G>& polygons, CellId cell)
+	void addWalkedCell(CellPolygons<G, surface::Plane>& polygons, CellId cell)
 	{
 		const std::uint32_t word = traverse::classifyByTable(grid_, plane_, cell, grid::CellShape::hexahedron);
 		mesh_.cells_twisted += polygons.visit(cell, word,

@@ -30,6 +30,14 @@ std::vector<bool> unmovedSheets(const SliceRequest& request)
 	return unmoved;
 }
 
+std::vector<bool> sheetsWithForm(const SliceRequest& request)
+{
+	std::vector<bool> has_form;
+	for (const probe::Sheet& sheet : request.probe.sheets)
+		has_form.push_back(sheet.form.has_value());
+	return has_form;
+}
+
 SliceRequest withoutSheets(const SliceRequest& request, const std::vector<bool>& left_out)
 {
 	SliceRequest rest = request;

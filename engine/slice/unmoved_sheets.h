@@ -14,6 +14,9 @@ void numberSheets(Slice& slice);
 // Which of a request's sheets, placed, stand in request.last to the last bit, with the same values and corners.
 std::vector<bool> unmovedSheets(const SliceRequest& request);
 
+// Which of a request's sheets cut by a form in place of their plane.
+std::vector<bool> sheetsWithForm(const SliceRequest& request);
+
 // The request for the others alone.
 SliceRequest withoutSheets(const SliceRequest& request, const std::vector<bool>& left_out);
 

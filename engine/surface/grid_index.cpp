@@ -1,29 +1,15 @@
 #include "surface/grid_index.h"
 
+#include "surface/number_text.h"
+
 #include <fmt/format.h>
 
 #include <cassert>
-#include <charconv>
 #include <cmath>
-#include <optional>
 #include <string_view>
 
 namespace vp::surface
 {
-
-namespace
-{
-
-std::optional<double> numberOf(std::string_view text)
-{
-	double number = 0.0;
-	const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-	if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
-		return std::nullopt;
-	return number;
-}
-
-} // namespace
 
 GridLayers layersOf(double index, std::uint32_t cells)
 {

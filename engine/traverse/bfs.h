@@ -160,7 +160,7 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 		if (walked)
 		{
 			for (int f = 0; f < faces.size(); ++f)
-				if (isFaceCut(grid, lane.surface, faces[f]))
+				if (seed::isFaceCut(grid, lane.surface, faces[f]))
 					crossFace(cell, f, faces);
 			continue;
 		}

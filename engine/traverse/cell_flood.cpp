@@ -128,7 +128,7 @@ private:
 			return leaveOut(cell, word);
 		if (word & shared::kWordCut)
 			for (int f = 0; f < faces_.size(); ++f)
-				if (window_ ? window_->meetsFace(grid_, plane_, faces_[f]) : isFaceCut(grid_, plane_, faces_[f]))
+				if (window_ ? window_->meetsFace(grid_, plane_, faces_[f]) : seed::isFaceCut(grid_, plane_, faces_[f]))
 					cross(queue, cell, f);
 		found_.push_back({cell, word});
 	}

@@ -3,30 +3,13 @@
 #include "base/ids.h"
 #include "cases/case_table.h"
 #include "grid/grid.h"
+#include "seed/cut_cells.h"
 #include "shared/slice_types.h"
 
 #include <span>
 
 namespace vp::traverse
 {
-
-// S at a point: 1 where the signed distance is not negative.
-template <class G, class Surface>
-bool isPositive(const G& grid, const Surface& surface, PointId p)
-{
-	return surface.signedDistance(grid.point(p)) >= 0.0;
-}
-
-// Whether a face has points on both sides.
-template <class G, class Surface>
-bool isFaceCut(const G& grid, const Surface& surface, std::span<const PointId> face)
-{
-	bool positive = false;
-	bool negative = false;
-	for (const PointId p : face)
-		(isPositive(grid, surface, p) ? positive : negative) = true;
-	return positive && negative;
-}
 
 // The word of each case of a table shape, kWordWalk set where the table has no entry for it.
 const std::uint32_t* caseWords(grid::CellShape shape);
@@ -38,7 +21,7 @@ std::uint32_t classifyByTable(const G& grid, const Surface& surface, CellId cell
 	const grid::CellPoints points = grid.cellPoints(cell);
 	std::uint32_t index = 0;
 	for (int v = 0; v < points.size; ++v)
-		index |= static_cast<std::uint32_t>(isPositive(grid, surface, points.id[v])) << v;
+		index |= static_cast<std::uint32_t>(seed::isPositive(grid, surface, points.id[v])) << v;
 	return caseWords(shape)[index];
 }
 
@@ -52,7 +35,7 @@ std::uint32_t classifyByWalk(const G& grid, const Surface& surface, CellId cell,
 	if (const grid::CellShape shape = grid.shape(cell); shape != grid::CellShape::polyhedron)
 		return classifyByTable(grid, surface, cell, shape) | shared::kWordWalk;
 	for (int f = 0; f < faces.size(); ++f)
-		if (isFaceCut(grid, surface, faces[f]))
+		if (seed::isFaceCut(grid, surface, faces[f]))
 			return shared::kWordCut | shared::kWordWalk;
 	return shared::kWordWalk;
 }

@@ -152,7 +152,7 @@ void showSheets(Desk& desk)
 
 void showProbeSection(Desk& desk)
 {
-	if (desk.bench.state().probe.surface)
+	if (replacesSheets(desk.bench.state().probe))
 	{
 		ImGui::TextWrapped("A grid surface is shown, %s. Choose a preset for planes.",
 		                   desk.bench.state().probe.surface->c_str());

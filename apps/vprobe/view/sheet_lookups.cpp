@@ -41,7 +41,7 @@ SheetLookups::SheetLookups(const Session& session, std::shared_ptr<const CutFram
 		const slice::SheetSlice& sheet = cut_->slice.sheets[s];
 		const slice::SheetMesh& mesh = cut_->sheets[s].mesh;
 		std::optional<OfSheet>& made = sheets_.emplace_back();
-		if (sheet.surface || cut_->sheets[s].crinkle)
+		if (!sheet.isPlane() || cut_->sheets[s].crinkle)
 			continue;
 		render::SheetValues values = sheetValues(session, sheet, mesh, by_generation);
 		made.emplace(OfSheet{.lookup = {mesh, sheet.sheet},

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "grid/field.h"
+
+#include <cmath>
+
+namespace vp::grid
+{
+
+// The shown number of a tuple whose components `at(c)` gives. component: 0.. or kMagnitude.
+template <class At>
+double shownValue(int components, int component, At&& at)
+{
+	if (component != kMagnitude)
+		return at(component);
+	if (components == 1)
+		return std::abs(at(0));
+	double sum = 0.0;
+	for (int c = 0; c < components; ++c)
+		sum += at(c) * at(c);
+	return std::sqrt(sum);
+}
+
+inline double shownValue(const Field& field, std::size_t tuple, int component)
+{
+	return shownValue(field.components, component, [&](int c) { return field.value(tuple, c); });
+}
+
+} // namespace vp::grid

@@ -1,0 +1,256 @@
+#include "seed/curved_seeds.h"
+
+#include "locate/find_cell.h"
+#include "seed/boundary_cut.h"
+#include "seed/cut_cells.h"
+#include "seed/nearest_cut.h"
+#include "surface/leaf_values.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace vp::seed
+{
+
+namespace
+{
+
+using Admits = std::function<bool(CellId)>;
+
+// The leaves of a block's tree that the surface may pass through.
+std::vector<std::uint32_t> leavesThatMeet(const grid::BlockTree& tree, const surface::BlockSurface& surface,
+                                          const SheetWindow* window, std::size_t& tests)
+{
+	const surface::BlockValues* values = surface.values();
+	const surface::LeafValues* known = values ? values->leaves.get() : nullptr;
+	const auto meets = [&](const Box& box) { return surface.meets(box) && (!window || window->meets(box)); };
+	std::vector<std::uint32_t> leaves;
+	tests += tree.groups().size();
+	for (std::size_t g = 0; g < tree.groups().size(); ++g)
+	{
+		const grid::BlockTree::Node& group = tree.groups()[g];
+		if (!meets(group.box) || (known && !known->groupHolds(g, values->value)))
+			continue;
+		tests += group.end - group.begin;
+		for (std::uint32_t leaf = group.begin; leaf < group.end; ++leaf)
+			if (meets(tree.leaves()[leaf].box) && (!known || known->leafHolds(leaf, values->value)))
+				leaves.push_back(leaf);
+	}
+	return leaves;
+}
+
+// The pieces of a surface within one leaf.
+template <grid::Grid G>
+class LeafPieces
+{
+public:
+	LeafPieces(const G& grid, const surface::BlockSurface& surface, const SheetWindow* window, const Admits& admits)
+	    : grid_(grid), surface_(surface), window_(window), admits_(admits)
+	{
+	}
+
+	// A cell of each.
+	std::vector<CellId> seedsOf(const grid::BlockTree& tree, std::uint32_t leaf)
+	{
+		cells_.clear();
+		tree.forEachCell(tree.leaves()[leaf],
+		                 [&](CellId cell)
+		                 {
+			                 ++asked_;
+			                 if (isCut(grid_, surface_, cell) && (!admits_ || admits_(cell)) && isInWindow(cell))
+				                 cells_.push_back(cell);
+		                 });
+		std::ranges::sort(cells_);
+		met_.assign(cells_.size(), false);
+		std::vector<CellId> seeds;
+		for (std::size_t i = 0; i < cells_.size(); ++i)
+			if (!met_[i])
+			{
+				seeds.push_back(cells_[i]);
+				flood(i);
+			}
+		return seeds;
+	}
+	std::size_t asked() const { return asked_; } // cells
+
+private:
+	bool isInWindow(CellId cell)
+	{
+		if (!window_)
+			return true;
+		grid_.cellFaces(cell, faces_);
+		return window_->meetsCell(grid_, surface_, faces_);
+	}
+
+	void flood(std::size_t first)
+	{
+		queue_.assign(1, first);
+		met_[first] = true;
+		while (!queue_.empty())
+		{
+			const CellId cell = cells_[queue_.back()];
+			queue_.pop_back();
+			grid_.cellFaces(cell, faces_);
+			for (int f = 0; f < faces_.size(); ++f)
+				if (isFaceCut(grid_, surface_, faces_[f]) &&
+				    (!window_ || window_->meetsFace(grid_, surface_, faces_[f])))
+					grid_.forEachNeighbour(cell, f, [&](CellId neighbour) { enter(neighbour); });
+		}
+	}
+	void enter(CellId cell)
+	{
+		const auto at = std::ranges::lower_bound(cells_, cell);
+		const auto place = static_cast<std::size_t>(at - cells_.begin());
+		if (at == cells_.end() || *at != cell || met_[place])
+			return;
+		met_[place] = true;
+		queue_.push_back(place);
+	}
+
+	const G& grid_;
+	const surface::BlockSurface& surface_;
+	const SheetWindow* window_;
+	const Admits& admits_;
+	std::vector<CellId> cells_; // that are cut, ascending
+	std::vector<bool> met_;
+	std::vector<std::size_t> queue_;
+	grid::CellFaces faces_;
+	std::size_t asked_ = 0;
+};
+
+// One leaf after the other on all cores; seeds in the order of the leaves.
+void seedTree(const grid::Block& block, const surface::BlockSurface& surface, const SheetWindow* window,
+              const Admits& admits, std::vector<CellId>& cells, std::size_t& tests)
+{
+	const grid::BlockTree& tree = grid::treeOf(block);
+	const std::vector<std::uint32_t> leaves = leavesThatMeet(tree, surface, window, tests);
+	constexpr std::size_t kLeaves = 16; // at a time
+	struct Part
+	{
+		std::vector<CellId> seeds;
+		std::size_t asked = 0;
+	};
+	std::vector<Part> parts((leaves.size() + kLeaves - 1) / kLeaves);
+	const auto search = [&](const auto& grid, std::size_t p)
+	{
+		LeafPieces pieces(grid, surface, window, admits);
+		for (std::size_t i = p * kLeaves; i < std::min((p + 1) * kLeaves, leaves.size()); ++i)
+		{
+			const std::vector<CellId> seeds = pieces.seedsOf(tree, leaves[i]);
+			parts[p].seeds.insert(parts[p].seeds.end(), seeds.begin(), seeds.end());
+		}
+		parts[p].asked = pieces.asked();
+	};
+	std::visit([&](const auto& grid)
+	           { tbb::parallel_for(std::size_t(0), parts.size(), [&](std::size_t p) { search(grid, p); }); },
+	           block.grid);
+	for (const Part& part : parts)
+	{
+		cells.insert(cells.end(), part.seeds.begin(), part.seeds.end());
+		tests += part.asked;
+	}
+}
+
+// Faces that lie in the surface, and with `seeds_cut` the cells of those that are cut.
+void seedBoundary(const grid::Block& block, const surface::BlockSurface& surface, const SheetWindow* window,
+                  const Admits& admits, bool seeds_cut, std::size_t b, SheetSeeds& seeds)
+{
+	const auto admitted = [&](CellId cell) { return !admits || admits(cell); };
+	const auto search = [&](const auto& grid)
+	{
+		const auto addCut = [&](const CutFace& face)
+		{
+			if (seeds_cut && (seeds.cells[b].empty() || seeds.cells[b].back() != face.cell))
+				seeds.cells[b].push_back(face.cell);
+		};
+		const auto addFlat = [&](const grid::BoundaryIndex::Face& face)
+		{
+			if (admitted(face.cell) && !isCut(grid, surface, face.cell))
+				seeds.faces_in_plane[b].push_back(face);
+		};
+		seeds.boundary_tests += visitBoundaryCut(grid, block.boundary, surface, window, addCut, addFlat);
+	};
+	std::visit(search, block.grid);
+}
+
+// Where a line first meets the surface.
+std::optional<Vec3> meetingOn(const surface::BlockSurface& surface, const Vec3& from, const Vec3& along)
+{
+	constexpr int kSteps = 256;
+	const auto heightAt = [&](double t) { return *surface.heightAt(from + t * along); };
+	double before = 0.0;
+	const bool positive = heightAt(0.0) >= 0.0;
+	for (int step = 1; step <= kSteps; ++step)
+	{
+		double after = static_cast<double>(step) / kSteps;
+		if ((heightAt(after) >= 0.0) == positive)
+		{
+			before = after;
+			continue;
+		}
+		for (double middle = 0.5 * (before + after); middle > before && middle < after; middle = 0.5 * (before + after))
+			((heightAt(middle) >= 0.0) == positive ? before : after) = middle;
+		return from + after * along;
+	}
+	return std::nullopt;
+}
+
+// The first hot spot along the sheet's axes that lies in the grid.
+void seedHotSpot(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
+                 const probe::Sheet& sheet, const SheetWindow* window, SheetSeeds& seeds)
+{
+	const double reach = blocks.bounds().diagonal();
+	const Vec3 axes[] = {sheet.normal, -sheet.normal, sheet.up, -sheet.up, sheet.xAxis(), -sheet.xAxis()};
+	for (const Vec3& axis : axes)
+		for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+		{
+			if (!surfaces[b].heightAt(sheet.origin))
+				return;
+			const std::optional<Vec3> spot = meetingOn(surfaces[b], sheet.origin, reach * axis);
+			if (!spot)
+				break;
+			const locate::Located located = locate::findCell(blocks.blocks[b], kNoCell, *spot);
+			seeds.hops += located.hops;
+			seeds.boundary_tests += located.boundary_tests;
+			if (!located.found())
+				continue;
+			const CellId cell =
+			    std::visit([&](const auto& grid) { return nearestCutCell(grid, surfaces[b], window, located.cell); },
+			               blocks.blocks[b].grid);
+			if (cell == kNoCell)
+				continue;
+			seeds.hot_spot_inside = true;
+			seeds.cells[b].push_back(cell);
+			return;
+		}
+}
+
+} // namespace
+
+SheetSeeds findSeeds(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
+                     const probe::Sheet& sheet, SeedMode mode, std::span<const std::function<bool(CellId)>> admits)
+{
+	SheetSeeds seeds;
+	seeds.cells.resize(blocks.blocks.size());
+	seeds.faces_in_plane.resize(blocks.blocks.size());
+	seeds.rim.resize(blocks.blocks.size());
+	const std::optional<SheetWindow> limits = sheet.window ? std::optional<SheetWindow>(sheet) : std::nullopt;
+	const SheetWindow* window = limits ? &*limits : nullptr;
+	if (mode == SeedMode::hotspot)
+		seedHotSpot(blocks, surfaces, sheet, window, seeds);
+	for (std::size_t b = 0; b < blocks.blocks.size() && mode != SeedMode::hotspot; ++b)
+	{
+		const grid::Block& block = blocks.blocks[b];
+		const Admits admitted = admits.empty() ? Admits() : admits[b];
+		seedBoundary(block, surfaces[b], window, admitted, mode == SeedMode::boundary, b, seeds);
+		if (mode == SeedMode::automatic)
+			seedTree(block, surfaces[b], window, admitted, seeds.cells[b], seeds.tree_tests);
+	}
+	for (const std::vector<CellId>& cells : seeds.cells)
+		seeds.count += cells.size();
+	return seeds;
+}
+
+} // namespace vp::seed

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "grid/block.h"
+#include "seed/seeds.h"
+#include "surface/curved.h"
+
+#include <functional>
+#include <span>
+
+namespace vp::seed
+{
+
+// Generation 0 of a curved surface. It may close up anywhere, out of reach of the boundary, so the block tree is asked:
+// of every leaf that the surface may pass through the cells are classified, and each of the leaf's pieces (cut cells
+// that hang together through cut faces within it) gives a seed. So every piece is found, and fronts are wide.
+// SheetSeeds::tree_tests has the boxes and cells asked. With SeedMode::boundary the tree is left alone, and with
+// SeedMode::hotspot there is one seed: the cut cell nearest along the sheet's axes from its origin, the normal first.
+//
+// surfaces: as each block sees it. sheet: placed; its window, if it has one, bounds what is looked for. admits: per
+// block, cells that it turns down are not there; an empty function, or no functions: all are.
+SheetSeeds findSeeds(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
+                     const probe::Sheet& sheet, SeedMode mode,
+                     std::span<const std::function<bool(CellId)>> admits = {});
+
+} // namespace vp::seed

@@ -1,0 +1,102 @@
+#include "base/timeline.h"
+#include "seed/curved_seeds.h"
+#include "slice/cpu_classifier.h"
+#include "slice/slicer.h"
+#include "slice/unmoved_sheets.h"
+
+#include <algorithm>
+
+namespace vp::slice
+{
+
+// Planes as ever, forms one after the other.
+Result<Slice> Slicer::cutForms(const SliceRequest& request, const std::vector<bool>& has_form, const Before& before,
+                               std::stop_token stop)
+{
+	Slice planes;
+	if (std::ranges::find(has_form, false) != has_form.end())
+	{
+		Before of_planes;
+		for (std::size_t s = 0; s < before.size(); ++s)
+			if (!has_form[s])
+				of_planes.push_back(before[s]);
+		Result<Slice> cut = cutAll(withoutSheets(request, has_form), of_planes, stop);
+		if (!cut)
+			return cut;
+		planes = std::move(*cut);
+	}
+	Slice slice;
+	slice.words = std::move(planes.words);
+	const probe::Probe placed = probe::placed(request.probe);
+	std::size_t plane = 0;
+	for (std::size_t s = 0; s < has_form.size(); ++s)
+	{
+		if (!has_form[s])
+		{
+			slice.sheets.push_back(std::move(planes.sheets[plane++]));
+			continue;
+		}
+		Result<SheetSlice> cut = cutForm(request, placed.sheets[s],
+		                                 request.sheet_fields.empty() ? request.field : request.sheet_fields[s], stop);
+		if (!cut)
+			return cut.error();
+		slice.sheets.push_back(std::move(*cut));
+	}
+	return slice;
+}
+
+namespace
+{
+
+// Cells that both admit.
+std::function<bool(CellId)> both(std::function<bool(CellId)> a, std::function<bool(CellId)> b)
+{
+	if (!a || !b)
+		return a ? a : b;
+	return [a = std::move(a), b = std::move(b)](CellId cell) { return a(cell) && b(cell); };
+}
+
+} // namespace
+
+Result<SheetSlice> Slicer::cutForm(const SliceRequest& request, const probe::Sheet& sheet,
+                                   const std::optional<FieldChoice>& field, std::stop_token stop)
+{
+	using Lane = traverse::Lane<surface::BlockSurface>;
+	SheetSlice slice;
+	slice.shown = sheet;
+	slice.sheet = sheet;
+	slice.corners = request.corners;
+	slice.field = field;
+	const std::vector<surface::BlockSurface> surfaces = surfacesOf(blocks_, sheet, field, &ranges_);
+	Admits admits = admitsOf(request);
+	for (std::size_t b = 0; b < admits.size(); ++b)
+		admits[b] = both(std::move(admits[b]), finiteCells(blocks_.blocks[b], surfaces[b]));
+	{
+		const TimedSection section(request.timeline, "seed");
+		slice.seeds = seed::findSeeds(blocks_, surfaces, sheet, request.seeds.mode, admits);
+	}
+	const TimedSection section(request.timeline, "traverse");
+	std::vector<Lane> lanes;
+	std::vector<traverse::VisitedPool::Loan> marks;
+	for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
+	{
+		marks.push_back(visited_[b]->borrow());
+		lanes.push_back({.block = &blocks_.blocks[b],
+		                 .surface = surfaces[b],
+		                 .visited = marks.back().get(),
+		                 .seeds = slice.seeds.cells[b],
+		                 .seams = blocks_.interfaces.of(b),
+		                 .sheet_lane = 0,
+		                 .admits = admits[b]});
+		if (sheet.window)
+			lanes.back().window.emplace(sheet);
+	}
+	CpuClassifier<surface::BlockSurface> classifier(lanes);
+	auto cuts = traverse::breadthFirst<surface::BlockSurface>(lanes, classifier, stop, request.timeline);
+	if (!cuts)
+		return cuts.error();
+	slice.cuts = std::move(*cuts);
+	return slice;
+}
+
+} // namespace vp::slice

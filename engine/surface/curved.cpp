@@ -1,0 +1,31 @@
+#include "surface/curved.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vp::surface
+{
+
+double BlockSurface::crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) const
+{
+	if (const Quadric* quadric = std::get_if<Quadric>(&kind_))
+		return quadric->crossing(a, b, height_a, height_b);
+	// Towards what is no number the surface ends where the numbers do.
+	if (!std::isfinite(height_a) || !std::isfinite(height_b))
+		return std::isfinite(height_a) ? 0.0 : 1.0;
+	return std::clamp(height_a / (height_a - height_b), 0.0, 1.0);
+}
+
+std::optional<double> BlockSurface::heightAt(const Vec3& place) const
+{
+	const Quadric* quadric = std::get_if<Quadric>(&kind_);
+	return quadric ? std::optional(quadric->height(place)) : std::nullopt;
+}
+
+bool BlockSurface::meets(const Box& box) const
+{
+	const Quadric* quadric = std::get_if<Quadric>(&kind_);
+	return !quadric || quadric->meets(box);
+}
+
+} // namespace vp::surface

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "base/ids.h"
+#include "grid/field.h"
+#include "grid/shown_value.h"
+#include "surface/plane.h"
+#include "surface/quadric.h"
+
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace vp::surface
+{
+
+class LeafValues;
+
+// A cutting surface that is no plane and has a place in the world: a quadric.
+using Curved = std::variant<Quadric>;
+
+// A surface of one value of a block's array.
+struct BlockValues
+{
+	const grid::Field* field; // of points; it outlives this
+	int component;            // 0.. or grid::kMagnitude
+	double value;
+	std::shared_ptr<const LeafValues> leaves; // of the block's tree; or null
+
+	template <class G>
+	double height(const G& grid, PointId p) const
+	{
+		return grid::shownValue(*field, grid.sourcePoint(p), component) - value;
+	}
+};
+
+// A cutting surface that is no plane, as one block sees it. S = 1 at a point where the height is not negative; NaN
+// counts as negative. The height of a point is one expression in double, the same for every cell around it.
+class BlockSurface
+{
+public:
+	using Kind = std::variant<Quadric, BlockValues>;
+
+	explicit BlockSurface(Kind kind) : kind_(std::move(kind)) {}
+
+	template <class G>
+	double height(const G& grid, PointId p) const
+	{
+		if (const auto* values = std::get_if<BlockValues>(&kind_))
+			return values->height(grid, p);
+		return std::get<Quadric>(kind_).height(grid.point(p));
+	}
+	// How far from a to b the surface lies, 0 to 1; exactly there for a quadric, by linear interpolation for values.
+	// The heights have different signs.
+	double crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) const;
+	// Whether it may pass through the box, its rim included; of values nothing is known.
+	bool meets(const Box& box) const;
+
+	// Of any place; of values nothing is known.
+	std::optional<double> heightAt(const Vec3& place) const;
+
+	const BlockValues* values() const { return std::get_if<BlockValues>(&kind_); }
+	const Quadric* quadric() const { return std::get_if<Quadric>(&kind_); }
+
+private:
+	Kind kind_;
+};
+
+// The height of a point over a cutting surface of any kind, and how far from a to b an edge meets it.
+template <class G>
+double heightAt(const G& grid, const Plane& plane, PointId p)
+{
+	return plane.signedDistance(grid.point(p));
+}
+template <class G>
+double heightAt(const G& grid, const BlockSurface& surface, PointId p)
+{
+	return surface.height(grid, p);
+}
+
+inline double crossingOf(const Plane&, const Vec3&, const Vec3&, double height_a, double height_b)
+{
+	return height_a / (height_a - height_b);
+}
+inline double crossingOf(const BlockSurface& surface, const Vec3& a, const Vec3& b, double height_a, double height_b)
+{
+	return surface.crossing(a, b, height_a, height_b);
+}
+
+// Whether polygons in it may bend.
+template <class Surface>
+constexpr bool kIsCurved = !std::is_same_v<Surface, Plane>;
+
+} // namespace vp::surface

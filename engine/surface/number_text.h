@@ -1,0 +1,21 @@
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace vp::surface
+{
+
+// The finite number that a text is, whole; in any locale.
+inline std::optional<double> numberOf(std::string_view text)
+{
+	double number = 0.0;
+	const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+	if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
+		return std::nullopt;
+	return number;
+}
+
+} // namespace vp::surface

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "base/vec.h"
+
+#include <array>
+
+namespace vp::surface
+{
+
+// Where a frame's origin and axes lie in the world; unit vectors at right angles.
+struct Axes
+{
+	Vec3 origin{0.0};
+	Vec3 x{1.0, 0.0, 0.0};
+	Vec3 y{0.0, 1.0, 0.0};
+	Vec3 z{0.0, 0.0, 1.0};
+
+	bool operator==(const Axes&) const = default;
+};
+
+// height(p) = q A q + b q + c with q = p - origin and A symmetric; S(x) = 1 where it is not negative. A sphere, a
+// cylinder, a cone and an ellipsoid are negative within.
+class Quadric
+{
+public:
+	// xx, yy, zz, xy, xz, yz, x, y, z, 1.
+	using Coefficients = std::array<double, 10>;
+
+	explicit Quadric(const Coefficients& coefficients);
+
+	static Quadric sphere(double radius);                   // about the origin
+	static Quadric cylinder(double radius);                 // about the z axis
+	static Quadric cone(double degrees);                    // about the z axis, both halves; half its opening angle
+	static Quadric ellipsoid(double x, double y, double z); // its half axes
+
+	// Given in a frame's coordinates, in those of the world.
+	Quadric placed(const Axes& axes) const;
+
+	double height(const Vec3& p) const;
+	// Along which the height rises, not a unit vector; zero where there is no one direction.
+	Vec3 gradient(const Vec3& p) const;
+	// How far from a to b the surface lies, 0 to 1: the root of the quadratic that the height is along an edge. Their
+	// heights have different signs.
+	double crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) const;
+	// Whether it may pass through the box, its rim included.
+	bool meets(const Box& box) const;
+
+	const Vec3& origin() const { return origin_; }
+	const Vec3& square() const { return square_; } // xx, yy, zz
+	const Vec3& mixed() const { return mixed_; }   // xy, xz, yz: twice what stands in A
+	const Vec3& linear() const { return linear_; }
+	double constant() const { return constant_; }
+
+	bool operator==(const Quadric&) const = default;
+
+private:
+	Vec3 times(const Vec3& q) const; // A q
+
+	Vec3 origin_{0.0};
+	Vec3 square_;
+	Vec3 mixed_;
+	Vec3 linear_;
+	double constant_;
+};
+
+} // namespace vp::surface
