@@ -7,13 +7,12 @@ Bounded coefficient(uint which)
 	return Bounded(lane.coefficient[which], lane.coefficient_error[which]);
 }
 
-// By powers of x, each with what stands beside it.
 Bounded surfaceAt(Bounded x, Bounded y, Bounded z)
 {
-	const Bounded by_x = sumOf(sumOf(coefficient(1u), productOf(coefficient(4u), x)),
-	                           sumOf(productOf(coefficient(7u), y), productOf(coefficient(9u), z)));
+	const Bounded by_x = sumOf(sumOf(coefficient(6u), productOf(coefficient(0u), x)),
+	                           sumOf(productOf(coefficient(3u), y), productOf(coefficient(4u), z)));
 	const Bounded by_y =
-		sumOf(sumOf(coefficient(2u), productOf(coefficient(5u), y)), productOf(coefficient(8u), z));
-	const Bounded by_z = sumOf(coefficient(3u), productOf(coefficient(6u), z));
-	return sumOf(sumOf(coefficient(0u), productOf(by_x, x)), sumOf(productOf(by_y, y), productOf(by_z, z)));
+		sumOf(sumOf(coefficient(7u), productOf(coefficient(1u), y)), productOf(coefficient(5u), z));
+	const Bounded by_z = sumOf(coefficient(8u), productOf(coefficient(2u), z));
+	return sumOf(sumOf(coefficient(9u), productOf(by_x, x)), sumOf(productOf(by_y, y), productOf(by_z, z)));
 }

@@ -60,6 +60,28 @@ void setCorner(uint v, uint id, AxisShare x, AxisShare y, AxisShare z)
 
 #include "classify_cell.glsl"
 
+Bounded along(float axis[3], Bounded x, Bounded y, Bounded z)
+{
+	return sumOf(sumOf(productOf(rounded(axis[0], 0.0), x), productOf(rounded(axis[1], 0.0), y)),
+	             productOf(rounded(axis[2], 0.0), z));
+}
+
+Bounded valueAt(vec3 place)
+{
+	Bounded x = rounded(place.x, lane.place_error[0]);
+	Bounded y = rounded(place.y, lane.place_error[1]);
+	Bounded z = rounded(place.z, lane.place_error[2]);
+	if (lane.turned != 0u)
+	{
+		const Bounded turned_x = along(lane.x_axis, x, y, z);
+		const Bounded turned_y = along(lane.y_axis, x, y, z);
+		z = along(lane.z_axis, x, y, z);
+		x = turned_x;
+		y = turned_y;
+	}
+	return surfaceAt(x, y, z);
+}
+
 void main()
 {
 	const uint i = gl_GlobalInvocationID.x;
@@ -71,11 +93,8 @@ void main()
 	uint positive_mask = 0u;
 	for (uint v = 0u; v < vertices; ++v)
 	{
-		const vec3 place = pick(vertex_place, v);
 		unknown = false;
-		const Bounded value =
-			surfaceAt(rounded(place.x, lane.place_error[0]), rounded(place.y, lane.place_error[1]),
-		              rounded(place.z, lane.place_error[2]));
+		const Bounded value = valueAt(pick(vertex_place, v));
 		// The bound's own rounding: less than 1e-6 of it for each of some thousand operations.
 		certain = certain && !unknown && abs(value.value) > 1.0625 * value.error;
 		positive_mask |= uint(value.value > 0.0) << v;

@@ -82,6 +82,8 @@ Result<std::shared_ptr<const gpu::Pipeline>> SurfacePipelines::get(std::uint32_t
 	if (Status warm = warmUp(device_, *made, kinds, texels); !warm)
 		return warm.error();
 	made_.push_front({kinds, text, std::make_shared<const gpu::Pipeline>(std::move(*made))});
+	if (!first_)
+		first_ = made_.front().pipeline;
 	if (made_.size() > kKept)
 		made_.pop_back();
 	return made_.front().pipeline;

@@ -33,6 +33,9 @@ public:
 	Result<std::shared_ptr<const gpu::Pipeline>> get(std::uint32_t cells_kind, std::uint32_t points_kind,
 	                                                 const surface::Expression* expression, VkBufferView texels);
 
+	// The first that was made, which stays: workspaces take the layout of their descriptor sets from it.
+	const gpu::Pipeline& first() const { return *first_; }
+
 private:
 	struct Made
 	{
@@ -49,6 +52,7 @@ private:
 	gpu::Device& device_;
 	std::mutex mutex_;
 	std::deque<Made> made_; // the last first
+	std::shared_ptr<const gpu::Pipeline> first_;
 };
 
 } // namespace vp::slice

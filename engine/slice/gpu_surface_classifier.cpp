@@ -18,8 +18,7 @@ constexpr std::size_t kMaxRun = std::size_t(shared::kClassifyGroupSize) << 14;
 
 } // namespace
 
-GpuSurfaceClassifier::GpuSurfaceClassifier(GpuBlocks& blocks, std::vector<GpuLane> lanes, OnCpu on_cpu,
-                                           Timeline* timeline)
+GpuSurfaceClassifier::GpuSurfaceClassifier(GpuBlocks& blocks, std::vector<Lane> lanes, OnCpu on_cpu, Timeline* timeline)
     : blocks_(blocks), lanes_(std::move(lanes)), on_cpu_(std::move(on_cpu)), timeline_(timeline),
       pipelines_(lanes_.size())
 {
@@ -29,13 +28,13 @@ GpuSurfaceClassifier::GpuSurfaceClassifier(GpuBlocks& blocks, std::vector<GpuLan
 }
 
 Result<std::unique_ptr<GpuSurfaceClassifier>> GpuSurfaceClassifier::create(GpuBlocks& blocks,
-                                                                           std::span<const GpuSurface> surfaces,
-                                                                           std::vector<GpuLane> lanes, OnCpu on_cpu,
+
+                                                                           std::vector<Lane> lanes, OnCpu on_cpu,
                                                                            Timeline* timeline)
 {
 	std::unique_ptr<GpuSurfaceClassifier> made(
 	    new GpuSurfaceClassifier(blocks, std::move(lanes), std::move(on_cpu), timeline));
-	if (Status prepared = made->prepare(surfaces); !prepared)
+	if (Status prepared = made->prepare(); !prepared)
 		return prepared.error();
 	return made;
 }
@@ -49,25 +48,34 @@ GpuSurfaceClassifier::~GpuSurfaceClassifier()
 	blocks_.giveBack(std::move(workspace_));
 }
 
-Status GpuSurfaceClassifier::prepare(std::span<const GpuSurface> surfaces)
+Status GpuSurfaceClassifier::makePipelines()
 {
-	std::size_t axis_texels = 1;
 	for (std::size_t l = 0; l < lanes_.size(); ++l)
 	{
-		const GpuLane& lane = lanes_[l];
-		if (!blocks_.holds(lane.block))
+		const Lane& lane = lanes_[l];
+		if (!lane.surface || !blocks_.holds(lane.block))
 			continue;
-		axis_texels += axisTexels(blocks_.blocks().blocks[lane.block].grid);
 		const GpuBlock& block = blocks_.block(lane.block);
-		const auto& expression = surfaces[lane.sheet].expression;
+		const auto* placed = std::get_if<GpuExpression>(&*lane.surface);
 		auto pipeline = blocks_.surfacePipelines().get(block.cells_kind, block.points_kind,
-		                                               expression ? &*expression : nullptr, blocks_.caseTexels());
+		                                               placed ? &placed->expression : nullptr, blocks_.caseTexels());
 		if (!pipeline)
 			return pipeline.error();
 		pipelines_[l] = std::move(*pipeline);
 	}
+	return Nothing{};
+}
+
+Status GpuSurfaceClassifier::prepare()
+{
+	if (Status made = makePipelines(); !made)
+		return made;
 	if (std::ranges::none_of(pipelines_, [](const auto& pipeline) { return pipeline != nullptr; }))
 		return Nothing{};
+	std::size_t axis_texels = 1;
+	for (std::size_t l = 0; l < lanes_.size(); ++l)
+		if (pipelines_[l])
+			axis_texels += axisTexels(blocks_.blocks().blocks[lanes_[l].block].grid);
 	if (Status done = reserve(axis_texels); !done)
 		return done;
 
@@ -77,11 +85,11 @@ Status GpuSurfaceClassifier::prepare(std::span<const GpuSurface> surfaces)
 	{
 		if (!pipelines_[l])
 			continue;
-		const GpuLane& lane = lanes_[l];
+		const Lane& lane = lanes_[l];
 		const grid::Block& block = blocks_.blocks().blocks[lane.block];
 		const std::size_t texels = axisTexels(block.grid);
-		const shared::SurfaceLane described = describeSurfaceLane(
-		    block, blocks_.block(lane.block), surfaces[lane.sheet], axis_start, axes.subspan(axis_start, texels));
+		const shared::SurfaceLane described = describeSurfaceLane(block, blocks_.block(lane.block), *lane.surface,
+		                                                          axis_start, axes.subspan(axis_start, texels));
 		std::memcpy(workspace_->lanes.mappedAs<std::byte>() + l * lane_stride_, &described, sizeof(described));
 		axis_start += texels;
 	}
@@ -92,8 +100,7 @@ Status GpuSurfaceClassifier::reserve(std::size_t axis_texels)
 {
 	workspace_ = blocks_.borrowWorkspace();
 	gpu::Device& device = blocks_.device();
-	const auto any = std::ranges::find_if(pipelines_, [](const auto& pipeline) { return pipeline != nullptr; });
-	if (Status done = workspace_->prepare(device, **any); !done)
+	if (Status done = workspace_->prepare(device, blocks_.surfacePipelines().first()); !done)
 		return done;
 	if (Status done = workspace_->reserveLanes(device, lanes_.size() * lane_stride_); !done)
 		return done;

@@ -1,5 +1,6 @@
 #include "slice/gpu_surface_lane.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -11,54 +12,36 @@ namespace
 {
 
 // Scalar layout: as the shader has it.
-static_assert(offsetof(shared::SurfaceLane, cells_i) == 36 && offsetof(shared::SurfaceLane, coefficient) == 88 &&
-              sizeof(shared::SurfaceLane) == 168);
-
-Vec3 rounded(const Vec3& v)
-{
-	return Vec3(Vec3f(v));
-}
+static_assert(offsetof(shared::SurfaceLane, cells_i) == 36 && offsetof(shared::SurfaceLane, coefficient) == 128 &&
+              sizeof(shared::SurfaceLane) == 208);
 
 double sumOfSizes(const Vec3& v)
 {
 	return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-// The same polynomial in p - to.
-Polynomial movedTo(const Vec3& to, const Polynomial& from)
+// The quadric's polynomial about `centre`, with errors: of the coefficients' rounding to float, of the move, and, with
+// the constant, of the CPU that evaluates the polynomial as it was given. Of the last two a sum of a dozen terms is
+// wrong by less than 2^-48 of the terms' sizes, which the reach of the points from the quadric's origin bounds.
+void describeQuadric(const surface::Quadric& quadric, const Vec3& centre, const Vec3& half, shared::SurfaceLane& lane)
 {
-	const auto& c = from.coefficient;
-	const Vec3 linear(c[1], c[2], c[3]);
-	const Vec3 squares(c[4], c[5], c[6]);
-	const Vec3 mixed(c[7], c[8], c[9]); // xy, yz, zx
-	const Vec3 m = to - from.origin;
-	const Vec3 crossed(mixed.x * m.y + mixed.z * m.z, mixed.x * m.x + mixed.y * m.z, mixed.y * m.y + mixed.z * m.x);
-	const Vec3 slope = linear + 2.0 * squares * m + crossed;
-	const double value = c[0] + glm::dot(linear, m) + glm::dot(squares, m * m) + 0.5 * glm::dot(crossed, m);
-	return {to, {value, slope.x, slope.y, slope.z, c[4], c[5], c[6], c[7], c[8], c[9]}};
-}
+	const Vec3 slope = quadric.gradient(centre);
+	const Vec3& square = quadric.square();
+	const Vec3& mixed = quadric.mixed();
+	const std::array<double, shared::kQuadricCoefficients> moved{
+	    square.x, square.y, square.z, mixed.x, mixed.y, mixed.z, slope.x, slope.y, slope.z, quadric.height(centre)};
 
-// The coefficients about `centre`, with errors: of their rounding to float, of the move, and, with the constant, of the
-// CPU that evaluates the polynomial as it was given. Of the last two a sum of a dozen terms is wrong by less than 2^-48
-// of the terms' sizes, which the reach of the points from the polynomial's origin bounds.
-void describePolynomial(const Polynomial& given, const Vec3& centre, const Vec3& half, shared::SurfaceLane& lane)
-{
-	const Polynomial here = movedTo(centre, given);
-	const auto& c = given.coefficient;
-	const double reach = sumOfSizes(centre - given.origin) + sumOfSizes(half);
-	const double linear = std::abs(c[1]) + std::abs(c[2]) + std::abs(c[3]);
-	double squares = 0.0;
-	for (int i = 4; i < 10; ++i)
-		squares += std::abs(c[i]);
-	const double sizes = std::abs(c[0]) + (linear + squares * reach) * reach;
-	for (std::size_t i = 0; i < here.coefficient.size(); ++i)
+	const double reach = sumOfSizes(centre - quadric.origin()) + sumOfSizes(half);
+	const double slopes = sumOfSizes(quadric.linear()) + 2.0 * (sumOfSizes(square) + sumOfSizes(mixed)) * reach;
+	const double heights = std::abs(quadric.constant()) + slopes * reach;
+	for (std::size_t i = 0; i < moved.size(); ++i)
 	{
-		const auto single = static_cast<float>(here.coefficient[i]);
-		double error = std::abs(here.coefficient[i] - single);
-		if (i == 0)
-			error += 0x1p-48 * sizes;
-		else if (i < 4)
-			error += 0x1p-48 * (linear + squares * reach);
+		const auto single = static_cast<float>(moved[i]);
+		double error = std::abs(moved[i] - single);
+		if (i == 9)
+			error += 0x1p-48 * heights;
+		else if (i >= 6)
+			error += 0x1p-48 * slopes;
 		lane.coefficient[i] = single;
 		lane.coefficient_error[i] = boundedAbove(error);
 	}
@@ -83,43 +66,69 @@ void fillAxes(const grid::AnyGrid& any, const Vec3& centre, std::span<AxisTexel>
 	std::visit(fill, any);
 }
 
+// Where an expression's coordinates count from.
+void describeAxes(const surface::Axes& axes, shared::SurfaceLane& lane)
+{
+	lane.turned = 1;
+	for (int i = 0; i < 3; ++i)
+	{
+		lane.x_axis[i] = static_cast<float>(axes.x[i]);
+		lane.y_axis[i] = static_cast<float>(axes.y[i]);
+		lane.z_axis[i] = static_cast<float>(axes.z[i]);
+	}
+}
+
+// What is stored, with the lane's shift, is the difference from `centre`.
+void describePlaces(const GpuBlock& block, const Vec3& half, const Vec3& centre, shared::SurfaceLane& lane)
+{
+	const bool fixed = block.points && block.points_kind == shared::kPointsFixed;
+	for (int axis = 0; axis < 3; ++axis)
+	{
+		const double from = fixed ? block.centre[axis] : 0.0;
+		const double shift = block.points ? from - centre[axis] : 0.0;
+		lane.unit[axis] = static_cast<float>(block.unit[axis]);
+		lane.shift[axis] = static_cast<float>(shift);
+		double error = std::abs(shift - lane.shift[axis]);
+		// The low bits, which are left out, what the source is beside the number, the rounding of the number's
+		// conversion and product, and that of the centre's sums in double. All else is rounded in proportion to what it
+		// gives.
+		if (fixed)
+			error += 513.0 * block.unit[axis] + 0x1p-22 * half[axis] +
+			         0x1p-50 * (std::abs(from) + std::abs(centre[axis]) + half[axis]);
+		lane.place_error[axis] = boundedAbove(error);
+	}
+}
+
 } // namespace
+
+std::optional<GpuSurface> gpuSurfaceOf(const surface::BlockSurface& surface)
+{
+	if (const surface::Quadric* quadric = surface.quadric())
+		return *quadric;
+	return std::nullopt;
+}
 
 shared::SurfaceLane describeSurfaceLane(const grid::Block& block, const GpuBlock& on_device, const GpuSurface& surface,
                                         std::size_t axis_start, std::span<AxisTexel> axes)
 {
 	const bool fixed = on_device.points && on_device.points_kind == shared::kPointsFixed;
-	const Box& bounds = on_device.bounds;
-	const Vec3 half = 0.5 * bounds.size() + on_device.unit;
-	// An expression is of the coordinates themselves; a polynomial is moved to the block's middle, where floats lose
-	// least.
-	Vec3 centre(0.0);
-	if (!surface.expression)
-		centre = fixed ? on_device.centre : rounded(bounds.centre());
-
+	const Vec3 half = 0.5 * on_device.bounds.size() + on_device.unit;
 	shared::SurfaceLane lane{};
+	Vec3 centre(0.0);
+	if (const auto* quadric = std::get_if<surface::Quadric>(&surface))
+	{
+		// Moved to the block's middle, where floats lose least.
+		centre = fixed ? on_device.centre : Vec3(Vec3f(on_device.bounds.centre()));
+		describeQuadric(*quadric, centre, half, lane);
+	}
+	else if (const auto& placed = std::get<GpuExpression>(surface); placed.axes)
+	{
+		centre = placed.axes->origin;
+		describeAxes(*placed.axes, lane);
+	}
+	describePlaces(on_device, half, centre, lane);
 	describeCells(block.grid, axis_start, lane);
 	fillAxes(block.grid, centre, axes);
-	for (int axis = 0; axis < 3; ++axis)
-	{
-		double error = 0.0;
-		lane.unit[axis] = static_cast<float>(on_device.unit[axis]);
-		if (fixed)
-		{
-			// The low bits, which are left out, what the source is beside the number, and the rounding of the number's
-			// conversion and product.
-			const double shift = on_device.centre[axis] - centre[axis];
-			lane.shift[axis] = static_cast<float>(shift);
-			error = 513.0 * on_device.unit[axis] + 0x1p-22 * half[axis] + std::abs(shift - lane.shift[axis]);
-		}
-		else if (on_device.points)
-			lane.shift[axis] = static_cast<float>(-centre[axis]);
-		else if (!surface.expression) // the difference's rounding in double
-			error = 0x1p-51 * (std::abs(centre[axis]) + half[axis]);
-		lane.place_error[axis] = boundedAbove(error);
-	}
-	if (!surface.expression)
-		describePolynomial(surface.polynomial, centre, half, lane);
 	return lane;
 }
 

@@ -2,28 +2,28 @@
 
 #include "shared/surface_types.h"
 #include "slice/gpu_lane.h"
+#include "surface/curved.h"
 #include "surface/expression.h"
 
-#include <array>
 #include <optional>
+#include <span>
+#include <variant>
 
 namespace vp::slice
 {
 
-// A polynomial of degree 2 in p - origin: the sum of coefficient i times the i-th of 1, x, y, z, xx, yy, zz, xy, yz,
-// zx.
-struct Polynomial
+// An expression of the world's coordinates, or of those in a frame.
+struct GpuExpression
 {
-	Vec3 origin;
-	std::array<double, shared::kQuadricCoefficients> coefficient;
+	surface::Expression expression;
+	std::optional<surface::Axes> axes = {};
 };
 
-// A curved surface as the device has it: an expression, else a polynomial.
-struct GpuSurface
-{
-	std::optional<surface::Expression> expression;
-	Polynomial polynomial{};
-};
+// A curved surface that the device can classify.
+using GpuSurface = std::variant<surface::Quadric, GpuExpression>;
+
+// None of values, which the CPU has.
+std::optional<GpuSurface> gpuSurfaceOf(const surface::BlockSurface& surface);
 
 // What the shader is told about a surface in a block. Fills `axes` (axisTexels() of them), whose first is texel
 // `axis_start` of the buffer.

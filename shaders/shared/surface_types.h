@@ -7,11 +7,11 @@
 
 VP_SHARED_BEGIN
 
-// The polynomial's coefficients of 1, x, y, z, xx, yy, zz, xy, yz, zx.
+// The polynomial's coefficients of xx, yy, zz, xy, xz, yz, x, y, z, 1.
 VP_CONST uint kQuadricCoefficients = 10u;
 
 // A surface in a block for the length of a slice. A coordinate is what is stored and `shift`; of images and rectilinear
-// grids it is stored as it is.
+// grids it is stored as it is. Where `turned` is 1 the surface is a function of coordinates along the axes.
 struct SurfaceLane
 {
 	float unit[3]; // of fixed-point numbers
@@ -25,6 +25,10 @@ struct SurfaceLane
 	uint points_layer;
 	uint axis_start[3];
 	uint table_start[4];
+	uint turned;
+	float x_axis[3];
+	float y_axis[3];
+	float z_axis[3];
 	float coefficient[kQuadricCoefficients];
 	float coefficient_error[kQuadricCoefficients];
 };
