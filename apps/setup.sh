@@ -3,13 +3,13 @@
 # Sourced, never run.
 
 build_packages=(
-	cmake ninja-build g++ glslang-tools
+	cmake ninja-build g++ glslang-tools glslang-dev spirv-tools
 	libvulkan-dev libvtk9-dev libtbb-dev libglm-dev libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev
 	libteem-dev zlib1g-dev libpng-dev libcairo2-dev pkg-config libimgui-dev libstb-dev libglfw3-dev fonts-dejavu-core
 	mesa-vulkan-drivers # lavapipe draws where there is no GPU
 )
 test_packages=(
-	ccache clang-14 clang-format-14 libgtest-dev libgmock-dev libbenchmark-dev vulkan-validationlayers
+	ccache clang-14 clang-format-14 libgtest-dev libgmock-dev libbenchmark-dev libmuparser-dev vulkan-validationlayers
 	xvfb xdotool openbox
 )
 

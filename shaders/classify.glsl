@@ -53,15 +53,7 @@ void setVertex(uint v, uint id, VP_REAL distance, bool exact, vec2 uv)
 	near_mask |= uint(abs(vertex_distance[v]) <= lane.error) << v;
 }
 
-#define VP_PICK(type) \
-	type pick(type a[8], uint v) \
-	{ \
-		const bool odd = (v & 1u) != 0u; \
-		const bool upper = (v & 2u) != 0u; \
-		const type low = upper ? (odd ? a[3] : a[2]) : (odd ? a[1] : a[0]); \
-		const type high = upper ? (odd ? a[7] : a[6]) : (odd ? a[5] : a[4]); \
-		return (v & 4u) != 0u ? high : low; \
-	}
+#include "classify_common.glsl"
 VP_PICK(uint)
 VP_PICK(float)
 VP_PICK(vec2)
@@ -74,11 +66,6 @@ double fromHalves(uint low, uint high)
 #define VP_DOUBLE3(field) \
 	dvec3(fromHalves(field[0], field[1]), fromHalves(field[2], field[3]), fromHalves(field[4], field[5]))
 #endif
-
-vec3 fromArray(float a[3])
-{
-	return vec3(a[0], a[1], a[2]);
-}
 
 // Sets distance and uv of a vertex from its point.
 void fetchPoint(uint v, uint id)
@@ -145,86 +132,7 @@ void setCorner(uint v, uint id, AxisShare x, AxisShare y, AxisShare z)
 	setVertex(v, id, distance, VP_DOUBLES != 0, uv);
 }
 
-// With inverse = floor((2^32 - 1) / divisor) the product is at most one too small. Software devices divide slowly.
-uint divide(uint value, uint divisor, uint inverse)
-{
-	uint high, low;
-	umulExtended(value, inverse, high, low);
-	return value - high * divisor >= divisor ? high + 1u : high;
-}
-
-// Fetches the cell's vertices. Returns where its shape's cases start, and the number of vertices; 0 for a polyhedron.
-uint fetchCell(uint cell, out uint case_start)
-{
-	case_start = lane.table_start[3];
-	if (kCells == kCellsAxes || kCells == kCellsLattice)
-	{
-		const uint row = divide(cell, lane.cells_i, lane.inverse_i);
-		const uint i = cell - row * lane.cells_i;
-		const uint k = divide(row, lane.cells_j, lane.inverse_j);
-		const uint j = row - k * lane.cells_j;
-		const uint p = k * lane.points_layer + j * lane.points_i + i;
-		const uint next_row = lane.points_i;
-		const uint next_layer = lane.points_layer;
-		if (kCells == kCellsAxes)
-		{
-			const AxisShare x0 = fetchShare(0u, i), x1 = fetchShare(0u, i + 1u);
-			const AxisShare y0 = fetchShare(1u, j), y1 = fetchShare(1u, j + 1u);
-			const AxisShare z0 = fetchShare(2u, k), z1 = fetchShare(2u, k + 1u);
-			setCorner(0u, p, x0, y0, z0);
-			setCorner(1u, p + 1u, x1, y0, z0);
-			setCorner(2u, p + 1u + next_row, x1, y1, z0);
-			setCorner(3u, p + next_row, x0, y1, z0);
-			setCorner(4u, p + next_layer, x0, y0, z1);
-			setCorner(5u, p + 1u + next_layer, x1, y0, z1);
-			setCorner(6u, p + 1u + next_row + next_layer, x1, y1, z1);
-			setCorner(7u, p + next_row + next_layer, x0, y1, z1);
-		}
-		else
-		{
-			fetchPoint(0u, p);
-			fetchPoint(1u, p + 1u);
-			fetchPoint(2u, p + 1u + next_row);
-			fetchPoint(3u, p + next_row);
-			fetchPoint(4u, p + next_layer);
-			fetchPoint(5u, p + 1u + next_layer);
-			fetchPoint(6u, p + 1u + next_row + next_layer);
-			fetchPoint(7u, p + next_row + next_layer);
-		}
-		return 8u;
-	}
-	if (kCells == kCellsRecord4)
-	{
-		const uvec4 ids = texelFetch(cells, int(cell));
-		case_start = lane.table_start[0];
-		fetchPoint(0u, ids.x);
-		fetchPoint(1u, ids.y);
-		fetchPoint(2u, ids.z);
-		fetchPoint(3u, ids.w);
-		return 4u;
-	}
-	const uvec4 first = texelFetch(cells, int(2u * cell));
-	const uvec4 second = texelFetch(cells, int(2u * cell + 1u));
-	const uint shape = second.w >= kShapeMark ? second.w - kShapeMark : 3u;
-	if (shape > 3u)
-		return 0u;
-	case_start = lane.table_start[shape];
-	const uint vertices = shape == 3u ? 8u : 4u + shape; // tetrahedron, pyramid, wedge
-	fetchPoint(0u, first.x);
-	fetchPoint(1u, first.y);
-	fetchPoint(2u, first.z);
-	fetchPoint(3u, first.w);
-	if (vertices > 4u)
-		fetchPoint(4u, second.x);
-	if (vertices > 5u)
-		fetchPoint(5u, second.y);
-	if (vertices > 6u)
-	{
-		fetchPoint(6u, second.z);
-		fetchPoint(7u, second.w);
-	}
-	return vertices;
-}
+#include "classify_cell.glsl"
 
 // Data linear along the edge; an end that has no part in the vertex does not bring its NaN to it.
 float alongEdge(float from, float to, float t)

@@ -16,14 +16,9 @@ namespace
 class Module
 {
 public:
-	Module(Device& device, std::string_view name) : device_(device.handle())
+	Module(Device& device, std::string_view name) : Module(device, builtIn(name)) {}
+	Module(Device& device, std::span<const std::uint32_t> words) : device_(device.handle())
 	{
-		const std::span<const std::uint32_t> words = shaders::spirv(name);
-		if (words.empty())
-		{
-			logError(fmt::format("no shader {} was built in", name));
-			std::abort();
-		}
 		VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
 		info.codeSize = words.size_bytes();
 		info.pCode = words.data();
@@ -37,6 +32,17 @@ public:
 	VkResult result() const { return result_; }
 
 private:
+	static std::span<const std::uint32_t> builtIn(std::string_view name)
+	{
+		const std::span<const std::uint32_t> words = shaders::spirv(name);
+		if (words.empty())
+		{
+			logError(fmt::format("no shader {} was built in", name));
+			std::abort();
+		}
+		return words;
+	}
+
 	VkDevice device_;
 	VkShaderModule handle_ = VK_NULL_HANDLE;
 	VkResult result_;
@@ -133,7 +139,7 @@ Result<Pipeline> Pipeline::create(Device& device, const ComputePipelineInfo& inf
 	                                       VK_PIPELINE_BIND_POINT_COMPUTE, name);
 	if (!pipeline)
 		return pipeline.error();
-	const Module module(device, info.shader);
+	const Module module = info.spirv.empty() ? Module(device, info.shader) : Module(device, info.spirv);
 	if (Status made = check(module.result(), "vkCreateShaderModule"); !made)
 		return made.error();
 	const Specialisation constants(info.constants);

@@ -31,6 +31,7 @@ struct ComputePipelineInfo
 	std::vector<Binding> bindings;
 	std::uint32_t push_bytes = 0;
 	std::vector<SpecialisationConstant> constants;
+	std::span<const std::uint32_t> spirv = {}; // in place of a built-in shader
 };
 
 // For dynamic rendering; viewport and scissor are dynamic.

@@ -14,7 +14,7 @@ namespace vp::slice
 GpuBlocks::GpuBlocks(gpu::Device& device, const grid::BlockSet& set, const GpuBlocksOptions& options)
     : device_(device), set_(set), limits_{options.max_texels, options.max_bytes},
       doubles_(options.doubles && device.features().shaderFloat64),
-      records_(RecordPool::create(device, options.page_records))
+      records_(RecordPool::create(device, options.page_records)), surface_pipelines_(device)
 {
 	// A texel buffer may come a little larger than asked for.
 	constexpr std::uint64_t kSlack = 256;
@@ -143,67 +143,19 @@ const gpu::Pipeline& GpuBlocks::pipeline(const GpuBlock& block, const GpuValues&
 	return pipelines_.at({block.cells_kind, block.points_kind, values.kind});
 }
 
-Status GpuBlocks::makePipeline(const Kinds& kinds)
+Status GpuBlocks::makePipeline(const PipelineKinds& kinds)
 {
 	if (pipelines_.count(kinds))
 		return Nothing{};
-	gpu::ComputePipelineInfo info;
+	gpu::ComputePipelineInfo info = classifyPipelineInfo(kinds);
 	info.shader = doubles_ ? "classify_double.comp" : "classify_single.comp";
-	for (const std::uint32_t binding :
-	     {shared::kBindPoints, shared::kBindCells, shared::kBindCases, shared::kBindValues, shared::kBindAxes})
-		info.bindings.push_back({binding, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER});
-	for (const std::uint32_t binding : {shared::kBindFront, shared::kBindWords, shared::kBindRecords})
-		info.bindings.push_back({binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
-	info.bindings.push_back({shared::kBindLane, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER});
-	info.push_bytes = sizeof(shared::ClassifyPush);
-	info.constants = {
-	    {shared::kConstantCells, kinds[0]}, {shared::kConstantPoints, kinds[1]}, {shared::kConstantValues, kinds[2]}};
 	Result<gpu::Pipeline> made = gpu::Pipeline::create(device_, info, "classify");
 	if (!made)
 		return made.error();
-	if (Status warm = warmUp(*made, kinds); !warm)
+	if (Status warm = warmUp(device_, *made, kinds, caseTexels()); !warm)
 		return warm;
 	pipelines_.emplace(kinds, std::move(*made));
 	return Nothing{};
-}
-
-// A driver may compile for the formats that are bound, so they are those of real work.
-Status GpuBlocks::warmUp(const gpu::Pipeline& pipeline, const Kinds& kinds)
-{
-	gpu::DescriptorSets sets(device_, pipeline, "warm-up");
-	Result<VkDescriptorSet> set = sets.get(0);
-	if (!set)
-		return set.error();
-	static_assert(sizeof(shared::ClassifyLane) <= 1024);
-	Result<gpu::Buffer> room =
-	    gpu::Buffer::create(device_, 1024,
-	                        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
-	                            VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
-	                        gpu::Memory::device, "warm-up");
-	if (!room)
-		return room.error();
-	const bool tuple = kinds[2] == shared::kValuesPointTuple || kinds[2] == shared::kValuesCellTuple;
-	Result<gpu::TexelView> values =
-	    gpu::TexelView::create(*room, tuple ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R32_SFLOAT, "warm-up values");
-	if (!values)
-		return values.error();
-
-	gpu::DescriptorWriter writer;
-	for (const std::uint32_t binding : {shared::kBindPoints, shared::kBindCells, shared::kBindCases, shared::kBindAxes})
-		writer.texels(binding, caseTexels());
-	writer.texels(shared::kBindValues, values->handle());
-	for (const std::uint32_t binding : {shared::kBindFront, shared::kBindWords, shared::kBindRecords})
-		writer.storageBuffer(binding, room->handle());
-	writer.uniformBuffer(shared::kBindLane, room->handle());
-	writer.write(device_, *set);
-	return gpu::runOnce(device_, "warm-up",
-	                    [&](VkCommandBuffer commands)
-	                    {
-		                    // No cells: the shader is compiled, and returns at once.
-		                    pipeline.bind(commands, *set);
-		                    pipeline.push(commands, shared::ClassifyPush{0, 0});
-		                    vkCmdDispatch(commands, 1, 1, 1);
-	                    });
 }
 
 std::unique_ptr<ClassifyWorkspace> GpuBlocks::borrowWorkspace()

@@ -3,10 +3,10 @@
 #include "gpu/shader.h"
 #include "grid/block.h"
 #include "slice/field_choice.h"
+#include "slice/gpu_pipelines.h"
 #include "slice/gpu_records.h"
 #include "slice/gpu_upload.h"
 
-#include <array>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -66,21 +66,18 @@ public:
 	const GpuBlock& block(std::size_t block) const { return *blocks_[block]; }
 	bool usesDoubles() const { return doubles_; }
 	const gpu::Pipeline& pipeline(const GpuBlock& block, const GpuValues& values) const;
+	SurfacePipelines& surfacePipelines() { return surface_pipelines_; }
 	VkBufferView caseTexels() const { return cases_.view.handle(); }
 	VkBufferView noValueTexels() const { return no_values_.view.handle(); } // stands in where there are no values
 	std::unique_ptr<ClassifyWorkspace> borrowWorkspace();
 	void giveBack(std::unique_ptr<ClassifyWorkspace> workspace);
 
 private:
-	// The kinds of cells, points and values that a pipeline is made for.
-	using Kinds = std::array<std::uint32_t, 3>;
-
 	GpuBlocks(gpu::Device& device, const grid::BlockSet& set, const GpuBlocksOptions& options);
 
 	Status uploadBlocks();
 	Result<std::shared_ptr<const GpuField>> uploadField(const std::optional<FieldChoice>& choice);
-	Status makePipeline(const Kinds& kinds);
-	Status warmUp(const gpu::Pipeline& pipeline, const Kinds& kinds);
+	Status makePipeline(const PipelineKinds& kinds);
 
 	gpu::Device& device_;
 	const grid::BlockSet& set_;
@@ -91,9 +88,10 @@ private:
 	GpuTexels cases_;
 	GpuTexels no_values_;
 	std::shared_ptr<RecordPool> records_;
+	SurfacePipelines surface_pipelines_;
 
 	mutable std::mutex mutex_; // of what follows
-	std::map<Kinds, gpu::Pipeline> pipelines_;
+	std::map<PipelineKinds, gpu::Pipeline> pipelines_;
 	Fields fields_;
 	std::vector<std::unique_ptr<ClassifyWorkspace>> workspaces_;
 };

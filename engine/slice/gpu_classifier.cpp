@@ -11,16 +11,6 @@
 namespace vp::slice
 {
 
-namespace
-{
-
-constexpr std::size_t roundUp(std::size_t value, std::size_t step)
-{
-	return (value + step - 1) / step * step;
-}
-
-} // namespace
-
 GpuClassifier::GpuClassifier(GpuBlocks& blocks, std::vector<GpuLane> lanes, Timeline* timeline)
     : blocks_(blocks), lanes_(std::move(lanes)), timeline_(timeline), lane_cells_(lanes_.size(), 0)
 {

@@ -5,6 +5,7 @@
 #include "slice/cpu_classifier.h"
 #include "slice/field_choice.h"
 #include "slice/gpu_blocks.h"
+#include "slice/gpu_lane.h"
 #include "slice/gpu_records.h"
 #include "traverse/bfs.h"
 
@@ -20,13 +21,6 @@ class Timeline;
 
 namespace vp::slice
 {
-
-// What a lane of the traversal is: a sheet in a block.
-struct GpuLane
-{
-	std::uint32_t sheet;
-	std::uint32_t block;
-};
 
 // Classifies on the device: one submission serves a generation of all lanes. The shader decides each cell, looks its
 // case up and writes its polygon into the sheet's records; the words come back for the traversal. Lanes in blocks that

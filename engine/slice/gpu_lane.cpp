@@ -1,12 +1,9 @@
 #include "slice/gpu_lane.h"
 
-#include "cases/case_table.h"
-
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 
 namespace vp::slice
 {
@@ -64,12 +61,6 @@ double distanceError(const GpuBlock& block, const Vec3& normal, const Vec3& orig
 constexpr double kLeastDifferenceDoubles = 2000.0;
 constexpr double kLeastDifferenceSingles = 64.0;
 
-// Rounded upwards: a bound stays a bound.
-float bounded(double value)
-{
-	return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
-}
-
 template <class Lattice>
 double fillAxes(const Lattice& grid, const surface::Plane& plane, const probe::Sheet& sheet, bool doubles,
                 std::span<AxisTexel> axes)
@@ -99,6 +90,11 @@ double fillAxes(const Lattice& grid, const surface::Plane& plane, const probe::S
 }
 
 } // namespace
+
+float boundedAbove(double value)
+{
+	return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
+}
 
 std::size_t axisTexels(const grid::AnyGrid& any)
 {
@@ -133,33 +129,20 @@ shared::ClassifyLane describeLane(const grid::Block& block, const GpuBlock& on_d
 	setSingle(lane.y_axis, sheet.up);
 
 	double error = distanceError(on_device, normal, origin, doubles);
-	const auto describeLattice = [&](const auto& grid)
-	{
-		using G = std::decay_t<decltype(grid)>;
-		if constexpr (std::is_base_of_v<grid::Lattice, G>)
-		{
-			lane.cells_i = grid.cells()[0];
-			lane.cells_j = grid.cells()[1];
-			lane.inverse_i = grid.cells()[0] ? 0xFFFFFFFFu / grid.cells()[0] : 0;
-			lane.inverse_j = grid.cells()[1] ? 0xFFFFFFFFu / grid.cells()[1] : 0;
-			lane.points_i = grid.points()[0];
-			lane.points_layer = grid.points()[0] * grid.points()[1];
-			lane.axis_start[0] = static_cast<std::uint32_t>(axis_start);
-			lane.axis_start[1] = lane.axis_start[0] + grid.points()[0];
-			lane.axis_start[2] = lane.axis_start[1] + grid.points()[1];
-		}
-		if constexpr (requires { grid.coordinate(0, 0u); })
-			error = fillAxes(grid, plane, sheet, doubles, axes);
-	};
-	std::visit(describeLattice, block.grid);
+	describeCells(block.grid, axis_start, lane);
+	std::visit(
+	    [&](const auto& grid)
+	    {
+		    if constexpr (requires { grid.coordinate(0, 0u); })
+			    error = fillAxes(grid, plane, sheet, doubles, axes);
+	    },
+	    block.grid);
 
-	lane.error = bounded(error);
-	lane.least_difference = bounded(error * (doubles ? kLeastDifferenceDoubles : kLeastDifferenceSingles));
+	lane.error = boundedAbove(error);
+	lane.least_difference = boundedAbove(error * (doubles ? kLeastDifferenceDoubles : kLeastDifferenceSingles));
 	for (int axis = 0; axis < 3; ++axis)
 		if (normal[axis] != 0.0)
 			lane.inexact_mask |= 1u << (shared::kFixedInexactShift + axis);
-	for (int shape = 0; shape < grid::kTableShapes; ++shape)
-		lane.table_start[shape] = cases::caseTableStart(static_cast<grid::CellShape>(shape));
 	lane.nearest = values.nearest;
 	lane.tuple_texels = values.tuple_texels;
 	// Without an array there is nothing to miss; a block that lacks the shown array has no value there.

@@ -10,6 +10,11 @@
 namespace vp::slice
 {
 
+constexpr std::size_t roundUp(std::size_t value, std::size_t step)
+{
+	return (value + step - 1) / step * step;
+}
+
 // What one slice under way needs on the device, kept from slice to slice: nothing is made per generation but where a
 // front outgrows all before it.
 struct ClassifyWorkspace

@@ -40,8 +40,17 @@ std::string manifestSeed(const std::string& file)
 
 std::vector<std::string> makeSeeds()
 {
-	std::vector<std::string> seeds = {"Tlast",  "T#3",     "T-2.5e-3",  "Ciso",
-	                                  "C30,45", "Ii=12.5", "Ik=2..1e2", "C1 2 3, 4 5 6, 0 0 1"};
+	std::vector<std::string> seeds = {"Tlast",
+	                                  "T#3",
+	                                  "T-2.5e-3",
+	                                  "Ciso",
+	                                  "C30,45",
+	                                  "Ii=12.5",
+	                                  "Ik=2..1e2",
+	                                  "C1 2 3, 4 5 6, 0 0 1",
+	                                  "Sx*x + y*y = 0.25*z",
+	                                  "S-x^-3^2 * (sin(pi*y) - atan2(z, e)) / max(x, y, 1e-3)",
+	                                  "Ssqrt(abs(ln(x) - pow(y, z))) + cosh(asin(x/7)) - hypot(tan(y), cbrt(z))"};
 	const TemporaryFolder folder;
 	for (const SampleFile& sample : sampleFiles())
 	{

@@ -10,6 +10,7 @@
 #include "refusal.h"
 #include "render/camera.h"
 #include "sample_files.h"
+#include "surface/expression.h"
 #include "surface/grid_index.h"
 #include "xml_check.h"
 
@@ -82,6 +83,22 @@ void feedGridIndex(std::string_view input)
 	        (range->axis >= 0 && range->axis < 3 && std::isfinite(range->first) && std::isfinite(range->last)));
 }
 
+void feedExpression(std::string_view input)
+{
+	const auto expression = surface::Expression::parse(std::string(input));
+	if (!expression)
+		return require(expression.error().message.starts_with("column ") &&
+		               expression.error().message.find('\n') == std::string::npos);
+	const Vec3 at(0.3, -1.2, 7.0);
+	const double value = expression->value(at);
+	double batch = 0.0;
+	expression->values(&at.x, &at.y, &at.z, &batch, 1);
+	require(batch == value || (std::isnan(batch) && std::isnan(value)));
+	const surface::Interval all = expression->over({at - Vec3(0.5), at + Vec3(0.5)});
+	require(all.contains(value) || (std::isnan(value) && !all.isBounded()));
+	expression->gradient(at);
+}
+
 // EnSight keeps a case in several files: one of them is the input, the others are sound.
 void feedEnSight(const TemporaryFolder& folder, char which, const std::string& input)
 {
@@ -144,6 +161,8 @@ void feedParser(const std::uint8_t* data, std::size_t size)
 		feedCamera(input);
 	else if (which == 'I')
 		feedGridIndex(input);
+	else if (which == 'S')
+		feedExpression(input);
 	else if (std::string_view("NPHXEGV").find(which) != std::string_view::npos)
 		feedFile(which, std::string(input));
 }

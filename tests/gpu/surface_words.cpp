@@ -1,0 +1,78 @@
+#include "surface_words.h"
+
+#include "exhaustive.h"
+#include "traverse/cell_signs.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace vp::test
+{
+
+namespace
+{
+
+// As the CPU classifier has it.
+std::vector<std::uint32_t> wordsInDouble(const grid::Block& block, const std::function<double(const Vec3&)>& height)
+{
+	std::vector<std::uint32_t> words;
+	const auto classify = [&](const auto& grid)
+	{
+		for (CellId cell = 0; cell < grid.cellCount(); ++cell)
+		{
+			const grid::CellShape shape = grid.shape(cell);
+			if (shape == grid::CellShape::polyhedron)
+			{
+				words.push_back(shared::kWordWalk);
+				continue;
+			}
+			const grid::CellPoints points = grid.cellPoints(cell);
+			std::uint32_t index = 0;
+			for (int v = 0; v < points.size; ++v)
+				index |= std::uint32_t(height(grid.point(points.id[v])) >= 0.0) << v;
+			words.push_back(traverse::caseWords(shape)[index]);
+		}
+	};
+	visitGrid(block, classify);
+	return words;
+}
+
+} // namespace
+
+SurfaceWords classifyAllCells(slice::GpuBlocks& blocks, std::size_t block, const slice::GpuSurface& surface,
+                              const std::function<double(const Vec3&)>& height)
+{
+	SurfaceWords result;
+	const auto none_left = [](std::span<const traverse::FrontSlice>) -> Status
+	{
+		ADD_FAILURE() << "the CPU was asked";
+		return Nothing{};
+	};
+	auto classifier = slice::GpuSurfaceClassifier::create(blocks, {{block, surface}}, none_left, nullptr);
+	EXPECT_TRUE(classifier) << classifier.error().message;
+	if (!classifier)
+		return result;
+	const grid::Block& cut = blocks.blocks().blocks[block];
+	std::vector<CellId> cells(cellCount(cut));
+	std::iota(cells.begin(), cells.end(), CellId(0));
+	std::vector<std::uint32_t> words(cells.size(), 0xDEADBEEFu);
+	const traverse::FrontSlice front{0, cells, words};
+	const Status done = (*classifier)->classify({&front, 1});
+	EXPECT_TRUE(done) << done.error().message;
+
+	const std::vector<std::uint32_t> expected = wordsInDouble(cut, height);
+	std::size_t wrong = 0;
+	for (std::size_t i = 0; i < cells.size(); ++i)
+	{
+		const bool left = words[i] == shared::kWordWalk;
+		wrong += !left && words[i] != expected[i];
+		result.walked += left && !(expected[i] & shared::kWordWalk);
+		result.cut += (expected[i] & shared::kWordCut) != 0;
+	}
+	EXPECT_EQ(wrong, 0u) << "of " << cells.size() << " cells, of which " << result.walked << " were left open";
+	result.cells = cells.size();
+	return result;
+}
+
+} // namespace vp::test

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "slice/gpu_surface_classifier.h"
+
+#include <functional>
+
+namespace vp::test
+{
+
+// All cells of a block, classified on the device and by this program's own loop in double.
+struct SurfaceWords
+{
+	std::size_t cells = 0;
+	std::size_t cut = 0;
+	std::size_t walked = 0; // cells that only the device left open
+};
+
+// Expects that every word the device is sure of is that of the signs of `height` at the cell's points.
+SurfaceWords classifyAllCells(slice::GpuBlocks& blocks, std::size_t block, const slice::GpuSurface& surface,
+                              const std::function<double(const Vec3&)>& height);
+
+} // namespace vp::test
