@@ -8,6 +8,8 @@
 #include "probe_options.h"
 #include "read/read.h"
 #include "slice/field_choice.h"
+#include "slice/finite_fields.h"
+#include "slice/gpu_break_even.h"
 #include "slice/slicer.h"
 #include "surface_options.h"
 
@@ -38,6 +40,8 @@ struct Session
 	slice::Visited visited = slice::Visited::stamps;
 	std::shared_ptr<gpu::Device> device; // null where the CPU does without
 	std::unique_ptr<slice::Slicer> slicer;
+	std::optional<slice::BreakEven> break_even; // measured where --classify auto has a device to choose
+	std::unique_ptr<slice::FiniteFields> finite_fields = std::make_unique<slice::FiniteFields>();
 	std::unique_ptr<Timeline> timeline;
 };
 

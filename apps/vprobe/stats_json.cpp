@@ -167,7 +167,8 @@ void measureForPicture(const Session& session, const slice::Slice& slice, std::s
 	if (session.range_of_slice)
 		return measureSheet(session, slice, sheet, stats);
 	const TimedSection section(session.timeline.get(), "measure");
-	stats.measure.nan_area = slice::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field);
+	stats.measure.nan_area =
+	    slice::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field, session.finite_fields.get());
 }
 
 std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice)
@@ -204,6 +205,13 @@ nlohmann::json sheetsJson(const Session& session, const slice::Slice& slice, con
 	return list;
 }
 
+// From how many cells on `--classify auto` has the device do it; null where it was not asked, or is never faster.
+nlohmann::json breakEvenJson(const Session& session)
+{
+	return session.break_even && session.break_even->cells ? nlohmann::json(*session.break_even->cells)
+	                                                       : nlohmann::json();
+}
+
 nlohmann::json inputJson(const ProbeOptions& options, const Session& session)
 {
 	return {{"input", fmt::format("{}", fmt::join(options.inputs, " "))},
@@ -216,7 +224,8 @@ nlohmann::json inputJson(const ProbeOptions& options, const Session& session)
 	          {"blocks", session.blocks.blocks.size()}}},
 	        {"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
 	        {"device", session.device ? session.device->name() : "none"},
-	        {"classifier", classifierName(session)}};
+	        {"classifier", classifierName(session)},
+	        {"break_even_cells", breakEvenJson(session)}};
 }
 
 std::string statsDocument(const ProbeOptions& options, const Session& session, const char* key, nlohmann::json what)

@@ -15,9 +15,10 @@ SheetWindow::SheetWindow(const probe::Sheet& content)
 		hot_spot_ = origin_ + centre.x * x_axis_ + centre.y * y_axis_;
 	// The rounding of a point far from the origin.
 	const double reach = glm::length(origin_) + glm::length(centre) + window.width() + window.height();
-	const Uv slack(1e-14 * reach);
-	lo_ = Uv(window.x0, window.y0) - slack;
-	hi_ = Uv(window.x1, window.y1) + slack;
+	slack_ = 1e-14 * reach;
+	reach_squared_ = reach * reach;
+	lo_ = Uv(window.x0, window.y0) - slack_;
+	hi_ = Uv(window.x1, window.y1) + slack_;
 }
 
 bool SheetWindow::meets(const Box& box) const

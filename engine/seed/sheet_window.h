@@ -53,6 +53,19 @@ public:
 		return inside || unsure;
 	}
 
+	// Whether a cell lies within the window as seen along the normal: all that is cut of it does then. No where it is
+	// so by less than rounding, and for polyhedra.
+	template <class G>
+	bool holdsCell(const G& grid, CellId cell) const
+	{
+		if (grid.shape(cell) == grid::CellShape::polyhedron)
+			return false;
+		for (const PointId p : grid.cellPoints(cell))
+			if (!holds(grid.point(p)))
+				return false;
+		return true;
+	}
+
 	// The window's sides: `lo` to `hi` along the axes from the origin.
 	const Vec3& origin() const { return origin_; }
 	const Vec3& axis(int of) const { return of == 0 ? x_axis_ : y_axis_; }
@@ -71,6 +84,14 @@ private:
 		int count = 0;
 	};
 
+	bool holds(const Vec3& p) const
+	{
+		const Vec3 from_origin = p - origin_;
+		const Uv uv(glm::dot(from_origin, x_axis_), glm::dot(from_origin, y_axis_));
+		// What is cut far from the plane may be rounded by more than the slack of the sides.
+		return uv.x >= lo_.x + slack_ && uv.x <= hi_.x - slack_ && uv.y >= lo_.y + slack_ && uv.y <= hi_.y - slack_ &&
+		       glm::dot(from_origin, from_origin) <= reach_squared_;
+	}
 	Uv uvOf(const Vec3& p) const { return {glm::dot(p - origin_, x_axis_), glm::dot(p - origin_, y_axis_)}; }
 
 	// Where the edges of a face are cut, to the last bit the same seen from either of its cells. False where none is.
@@ -115,6 +136,8 @@ private:
 	Vec3 y_axis_;
 	Uv lo_;
 	Uv hi_;
+	double slack_; // of the sides
+	double reach_squared_;
 	Vec3 hot_spot_;
 };
 

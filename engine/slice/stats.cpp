@@ -120,13 +120,26 @@ bool areFinite(std::size_t count, const IsFinite& is_finite)
 	return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, count, 4096), true, all, std::logical_and<>());
 }
 
+// Whether all that `count` lookups could give is known to be finite.
+bool areKnownFinite(std::span<const grid::Field* const> fields, int component, std::size_t count, FiniteFields& known)
+{
+	const std::size_t share = count / fields.size() + 1;
+	return std::ranges::all_of(fields, [&](const grid::Field* field)
+	                           { return field && component < field->components && known.holds(*field, share); });
+}
+
 } // namespace
 
-double nanArea(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field)
+double nanArea(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field,
+               FiniteFields* known)
 {
-	if (!field)
+	if (!field || blocks.blocks.empty())
 		return 0.0;
 	const std::vector<const grid::Field*> fields = field->inEach(blocks);
+	const bool on_points = field->association == grid::Association::point;
+	const std::size_t count = on_points ? mesh.positions.size() : mesh.polygons();
+	if (known && areKnownFinite(fields, field->component, count, *known))
+		return 0.0;
 	const auto ofVertex = [&](std::size_t v)
 	{ return std::isfinite(vertexValue(blocks, mesh, v, fields, field->component)); };
 	const auto ofPolygon = [&](std::size_t p)
@@ -134,8 +147,7 @@ double nanArea(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::o
 		const auto [b, cell] = mesh.polygon_cells[p];
 		return fields[b] && std::isfinite(cellValue(blocks.blocks[b], *fields[b], field->component, cell));
 	};
-	const bool finite = field->association == grid::Association::point ? areFinite(mesh.positions.size(), ofVertex)
-	                                                                   : areFinite(mesh.polygons(), ofPolygon);
+	const bool finite = on_points ? areFinite(count, ofVertex) : areFinite(count, ofPolygon);
 	return finite ? 0.0 : measure(blocks, mesh, field).nan_area;
 }
 

@@ -10,6 +10,9 @@
 #include "traverse/octant_queue.h"
 #include "traverse/visited.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
 #include <bit>
 #include <concepts>
 #include <functional>
@@ -130,11 +133,6 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 					cuts[lane.sheet_lane + link.block].cells.push_back(link.other);
 		}
 	};
-	const auto crossFace = [&](CellId cell, int f, const grid::CellFaces& faces)
-	{
-		if (!lane.window || lane.window->meetsFace(grid, lane.surface, faces[f]))
-			cross(cell, f);
-	};
 	// Where a large face leads to several small cells, the window may hold a part of it that only some of them share.
 	bool asks_every_cell = kHasSeams;
 	if constexpr (requires { grid.hasLinks(); })
@@ -148,25 +146,74 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 			cut.words[i] = classifyByWalk(grid, lane.surface, cell, faces);
 		if (!(cut.words[i] & shared::kWordCut))
 			continue;
-		if (lane.window && !walked)
+		// Most cells lie within the window as a whole, and are not asked face by face.
+		const bool at_rim = lane.window && !lane.window->holdsCell(grid, cell);
+		if (at_rim && !walked)
 			grid.cellFaces(cell, faces);
 		// Later generations are mostly entered across an edge in the window, which is theirs too.
-		if (lane.window && (begin == 0 || asks_every_cell) && !lane.window->meetsCell(grid, lane.surface, faces))
+		if (at_rim && (begin == 0 || asks_every_cell) && !lane.window->meetsCell(grid, lane.surface, faces))
 		{
 			cut.words[i] &= 0xFFu | shared::kWordWalk;
 			continue;
 		}
 		++cut.cut_cells;
+		const auto crossFace = [&](int f)
+		{
+			if (!at_rim || lane.window->meetsFace(grid, lane.surface, faces[f]))
+				cross(cell, f);
+		};
 		if (walked)
 		{
 			for (int f = 0; f < faces.size(); ++f)
 				if (seed::isFaceCut(grid, lane.surface, faces[f]))
-					crossFace(cell, f, faces);
+					crossFace(f);
 			continue;
 		}
 		for (std::uint32_t bits = (cut.words[i] >> shared::kWordFacesShift) & 0xFFu; bits; bits &= bits - 1)
-			crossFace(cell, std::countr_zero(bits), faces);
+			crossFace(std::countr_zero(bits));
 	}
+}
+
+// Those of one sheet, one after the other: across seams a front grows the lanes after it and before it, so its own ends
+// are those of this generation.
+template <class Surface>
+void expandSheet(std::span<const Lane<Surface>> lanes, std::span<const FrontSlice> fronts, std::span<LaneCut> cuts)
+{
+	for (const FrontSlice& front : fronts)
+	{
+		const Lane<Surface>& lane = lanes[front.lane];
+		const std::size_t end = cuts[front.lane].generation_starts.back();
+		const std::size_t begin = end - front.cells.size();
+		const auto expand = [&]<bool kHasSeams>(const auto& grid)
+		{ expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface>(grid, lanes, front.lane, begin, end, cuts); };
+		std::visit([&](const auto& grid)
+		           { lane.seams ? expand.template operator()<true>(grid) : expand.template operator()<false>(grid); },
+		           lane.block->grid);
+	}
+}
+
+// Sheets know nothing of each other: those of a wide generation are expanded on all cores. front_cells: of all fronts.
+template <class Surface>
+void expandSheets(std::span<const Lane<Surface>> lanes, std::span<const FrontSlice> fronts, std::size_t front_cells,
+                  std::span<LaneCut> cuts)
+{
+	constexpr std::size_t kWorthSharing = 1024; // some 30 us of one core
+	const auto ofSameSheet = [&](const FrontSlice& a, const FrontSlice& b)
+	{ return lanes[a.lane].sheet_lane == lanes[b.lane].sheet_lane; };
+	std::vector<std::span<const FrontSlice>> sheets;
+	for (auto first = fronts.begin(); first != fronts.end();)
+	{
+		const auto last =
+		    std::find_if(first, fronts.end(), [&](const FrontSlice& f) { return !ofSameSheet(*first, f); });
+		sheets.emplace_back(first, last);
+		first = last;
+	}
+	const auto expand = [&](std::size_t s) { expandSheet<Surface>(lanes, sheets[s], cuts); };
+	if (sheets.size() > 1 && front_cells >= kWorthSharing)
+		tbb::parallel_for(std::size_t(0), sheets.size(), expand);
+	else
+		for (std::size_t s = 0; s < sheets.size(); ++s)
+			expand(s);
 }
 
 // Breadth first, by generations: G(k+1) are the cells first met across the cut faces of G(k). Returns one LaneCut a
@@ -212,21 +259,7 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 				return classified.error();
 		}
 		const TimedSection section(timeline, "expand");
-		// Across seams a front grows the lanes after it and before it: its own ends are those of this generation.
-		for (const FrontSlice& front : fronts)
-		{
-			const Lane<Surface>& lane = lanes[front.lane];
-			const std::size_t end = cuts[front.lane].generation_starts.back();
-			const std::size_t begin = end - front.cells.size();
-			const auto expand = [&]<bool kHasSeams>(const auto& grid) {
-				expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface>(grid, lanes, front.lane, begin, end,
-				                                                              cuts);
-			};
-			std::visit(
-			    [&](const auto& grid)
-			    { lane.seams ? expand.template operator()<true>(grid) : expand.template operator()<false>(grid); },
-			    lane.block->grid);
-		}
+		expandSheets<Surface>(lanes, fronts, front_cells, cuts);
 	}
 	// A stop leaves a generation queued that nothing is known about.
 	for (LaneCut& cut : cuts)
