@@ -79,6 +79,15 @@ const Place& PlaceFinder::find(const Vec3& point)
 	return place_;
 }
 
+const Place& PlaceFinder::findByTree(std::uint32_t block, const Vec3& point)
+{
+	place_.block = block;
+	place_.cell = kNoCell;
+	if (holds(widened(blocks_.blocks[block].bounds), point))
+		searchTree(point);
+	return place_;
+}
+
 void PlaceFinder::weigh(CellId cell, const Vec3& point)
 {
 	place_.cell = cell;

@@ -32,6 +32,9 @@ public:
 	// Valid until the next call.
 	const Place& find(const Vec3& point);
 
+	// In one block and without a hop: for points that mostly lie outside of it, where hops would wander.
+	const Place& findByTree(std::uint32_t block, const Vec3& point);
+
 private:
 	bool findIn(std::uint32_t block, const Vec3& point);
 	void weigh(CellId cell, const Vec3& point);
