@@ -62,7 +62,7 @@ public:
 	// between: 0 at the first of two times, 1 at the second.
 	Sample at(const Vec3& place, double between)
 	{
-		if (predicts_ && (kIsLattice<G> || here().cell == inverse_cell_))
+		if (predictsIn(here()))
 			u_ += locate::applied(inverse_, place - place_);
 		place_ = place;
 		CellId before = kNoCell;
@@ -101,6 +101,9 @@ public:
 			return std::nullopt;
 		return locate::faceDepths(here().shape, u_).of[face];
 	}
+
+	// Whether places are found to rounding, or to what a step needs.
+	void beExact(bool exact) { exact_ = exact; }
 
 	// Takes steps in space to steps in the coordinates of the cell, about the place of the last call. From then on it
 	// tells where to look for places first.
@@ -148,6 +151,8 @@ private:
 
 	CellField& here() { return kept_[at_]; }
 	const CellField& here() const { return kept_[at_]; }
+	// Cells side by side in a lattice are much alike.
+	bool predictsIn(const CellField& cell) const { return predicts_ && (kIsLattice<G> || cell.cell == inverse_cell_); }
 	static Vec3 startOf(grid::CellShape shape)
 	{
 		return shape == grid::CellShape::polyhedron ? Vec3(0.5) : locate::middleOf(shape);
@@ -184,16 +189,44 @@ private:
 	}
 	bool findInShape(const CellField& cell, const Vec3& place)
 	{
+		if (predictsIn(cell) && !exact_ && findNear(cell, place))
+			return true;
 		if (locate::findPlace(cell.places, cell.shape, place, u_))
 			return true;
 		u_ = startOf(cell.shape);
 		return locate::findPlace(cell.places, cell.shape, place, u_);
 	}
 
+	// From a guess that is near: with one slope for all steps, and each leaves a part of the error as small as the
+	// slopes differ in the cell.
+	bool findNear(const CellField& cell, const Vec3& place)
+	{
+		constexpr int kMostSteps = 3;
+		constexpr double kSmall = 1e-6; // of the cell; vectors know no place better, and steps keep to 1e-5
+		Vec3 u = u_;
+		for (int step = 0; step < kMostSteps; ++step)
+		{
+			const Vec3 move = locate::applied(inverse_, place - cell.places.at(cell.shape, u));
+			u += move;
+			if (std::abs(move.x) + std::abs(move.y) + std::abs(move.z) < kSmall)
+			{
+				u_ = u;
+				return true;
+			}
+		}
+		return false;
+	}
+
 	Nearest nearestFace() const
 	{
 		if (part_)
 			return {part_->face, part_->depth()};
+		if constexpr (kIsLattice<G>)
+		{
+			const Vec3 off = glm::abs(u_ - 0.5);
+			if (const double depth = 0.5 - std::max({off.x, off.y, off.z}); depth >= 0.0)
+				return {-1, depth}; // which face matters outside only
+		}
 		const locate::FaceDepths depths = locate::faceDepths(here().shape, u_);
 		const auto least = std::ranges::min_element(depths.of);
 		return {static_cast<int>(least - depths.of.begin()), *least};
@@ -284,7 +317,8 @@ private:
 	Vec3 u_{0.5};                         // in the present cell
 	Vec3 place_{0.0};                     // of the last call
 	std::optional<locate::FanPart> part_; // where the present cell is taken as tetrahedra
-	bool predicts_ = false;
+	bool predicts_ = false;               // by the inverse
+	bool exact_ = false;
 	CellId inverse_cell_ = kNoCell;
 	std::array<Vec3, 3> inverse_{};
 };

@@ -29,6 +29,8 @@ public:
 
 	void fly(Particle& particle)
 	{
+		if (particle.cell == kNoCell)
+			return particle.stop(TraceEnd::left_grid);
 		while (!particle.end)
 		{
 			const Flight::BlockTimes& vectors = vectors_[particle.block];
@@ -149,6 +151,13 @@ Status Flight::advance(std::span<const BlockTimes> vectors, double sense, const 
 bool Flight::anyLeft(double sense) const
 {
 	return std::ranges::any_of(particles_, [&](const Particle& p) { return p.sense == sense && !p.end; });
+}
+
+void Flight::end(double sense, TraceEnd why)
+{
+	for (Particle& particle : particles_)
+		if (particle.sense == sense && !particle.end)
+			particle.stop(why);
 }
 
 Traces Flight::take()

@@ -26,7 +26,8 @@ public:
 	// Moves the particles of one sense until they end or the span does, on all cores.
 	Status advance(std::span<const BlockTimes> vectors, double sense, const TimeSpan& span,
 	               const std::stop_token& stop);
-	bool anyLeft(double sense) const; // under way
+	bool anyLeft(double sense) const;     // under way
+	void end(double sense, TraceEnd why); // of those that are under way
 
 	Traces take();
 

@@ -59,8 +59,6 @@ public:
 	}
 
 private:
-	using Method = DormandPrince;
-
 	static constexpr double kReach = 1.0; // cells a substep: two might step over a third
 	static constexpr double kLeast =
 	    1e-3; // cells: a substep so short is taken whatever its error, at a kink of the field
@@ -96,13 +94,13 @@ private:
 	{
 		walker_.restore(start_);
 		Tried tried{h, {}, {}, {}, 0.0, {}};
-		const RungeKuttaStep step = Method::step(velocity_, h,
-		                                         [&](const Vec3& way, double part)
-		                                         {
-			                                         tried.sample =
-			                                             walker_.at(p_.place + way, span_.between(p_.time + part * h));
-			                                         return p_.sense * motion_.moving(tried.sample.vector);
-		                                         });
+		const auto velocityAt = [&](const Vec3& way, double part)
+		{
+			tried.sample = walker_.at(p_.place + way, span_.between(p_.time + part * h));
+			return p_.sense * motion_.moving(tried.sample.vector);
+		};
+		const RungeKuttaStep step = p_.pair.low() ? BogackiShampine::step(velocity_, h, velocityAt)
+		                                          : DormandPrince::step(velocity_, h, velocityAt);
 		tried.place = p_.place + step.move;
 		tried.velocity = step.velocity;
 		tried.vector = tried.sample.vector;
@@ -122,7 +120,8 @@ private:
 			return stop(TraceEnd::zero_vector);
 		if (++p_.substeps > kMostSubsteps)
 			return stop(TraceEnd::gave_up);
-		double most = std::min({left, p_.substep, kReach / rate});
+		const double wanted = std::min(left, kReach / rate);
+		double most = std::min(p_.substep, wanted);
 		if (most < left && left < 2.0 * most)
 			most = 0.5 * left; // two of a length in place of a long one and a crumb
 		for (double h = most;;)
@@ -136,7 +135,8 @@ private:
 				h *= 0.25;
 				continue;
 			}
-			const double factor = growth(tried.error);
+			const double factor = p_.pair.growth(tried.error);
+			p_.pair.judge(h * factor, wanted);
 			if (tried.error > 1.0 && !short_enough)
 			{
 				h *= factor;
@@ -148,15 +148,6 @@ private:
 			accept(tried, h == left ? until : p_.time + h);
 			return std::nullopt;
 		}
-	}
-
-	// Of the next substep, by the error of this one over what is allowed.
-	static double growth(double error)
-	{
-		constexpr double kMost = 5.0;
-		constexpr double kSafety = 0.9;
-		constexpr double kSmall = 1e-5; // without a power: it allows the most growth with either method
-		return error < kSmall ? kMost : std::clamp(kSafety * std::pow(error, -1.0 / Method::kOrder), 0.2, kMost);
 	}
 
 	std::optional<Exit> stop(TraceEnd why)
@@ -184,9 +175,17 @@ private:
 	};
 	Beyond beyond(const Tried& tried) const { return {tried.h, tried.sample.depth, walker_.cell(), tried.sample.face}; }
 
-	// Shortens a step that ends beyond a face until it ends on it. The depth behind the face is followed by secants
-	// where it is known, else the step is halved.
 	std::optional<Exit> leave(const Tried& tried)
+	{
+		walker_.beExact(true);
+		const std::optional<Exit> exit = shorten(tried);
+		walker_.beExact(false);
+		return exit;
+	}
+
+	// A step that ends beyond a face, until it ends on it. The depth behind the face is followed by secants
+	// where it is known, else the step is halved.
+	std::optional<Exit> shorten(const Tried& tried)
 	{
 		constexpr int kMostTries = 60;
 		constexpr double kOnFace = 1e-9; // cells

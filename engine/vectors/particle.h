@@ -2,6 +2,7 @@
 
 #include "base/ids.h"
 #include "base/vec.h"
+#include "vectors/runge_kutta.h"
 #include "vectors/traces.h"
 
 #include <cmath>
@@ -70,7 +71,8 @@ struct Particle
 	double sense = 1.0; // -1: backward
 	std::uint32_t block;
 	CellId cell;
-	double substep = HUGE_VAL;   // as long as the error last allowed
+	double substep = HUGE_VAL; // as long as the error last allowed
+	PairChoice pair;
 	std::size_t substeps = 0;    // of the present step
 	std::size_t idle = 0;        // crossings since it last moved
 	std::optional<TraceEnd> end; // why it is not under way any more

@@ -2,6 +2,9 @@
 
 #include "base/vec.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace vp::vectors
 {
 
@@ -17,8 +20,6 @@ struct RungeKuttaStep
 // asked at part of the step's time; the last stage is the first of the next step.
 struct DormandPrince
 {
-	static constexpr double kOrder = 5.0;
-
 	template <class VelocityAt>
 	static RungeKuttaStep step(const Vec3& k1, double h, VelocityAt&& velocity_at)
 	{
@@ -44,8 +45,6 @@ struct DormandPrince
 // Bogacki and Shampine, "A 3(2) pair of Runge-Kutta formulas" (1989).
 struct BogackiShampine
 {
-	static constexpr double kOrder = 3.0;
-
 	template <class VelocityAt>
 	static RungeKuttaStep step(const Vec3& k1, double h, VelocityAt&& velocity_at)
 	{
@@ -57,6 +56,42 @@ struct BogackiShampine
 		done.error = h * (-5.0 / 72.0 * k1 + 1.0 / 12.0 * k2 + 1.0 / 9.0 * k3 - 1.0 / 8.0 * done.velocity);
 		return done;
 	}
+};
+
+// Which pair takes the next step. Within a cell a field mostly bends little, and a step that may not be longer than a
+// cell is taken by the low order with half the work; where the error asks for shorter ones, by the high order.
+class PairChoice
+{
+public:
+	bool low() const { return low_; }
+
+	// Of the next step, by the error of this one over what is allowed.
+	double growth(double error) const
+	{
+		constexpr double kMost = 5.0;
+		constexpr double kSafety = 0.9;
+		constexpr double kSmall = 1e-5; // allows the most with either order: no power is taken
+		return error < kSmall ? kMost
+		                      : std::clamp(kSafety * std::pow(error, low_ ? -1.0 / 3.0 : -1.0 / 5.0), 0.2, kMost);
+	}
+
+	// After a step: how long the next may be, and how long it is wanted.
+	void judge(double allowed, double wanted)
+	{
+		constexpr int kTriedAgain = 32; // the field may be gentler here
+		if (low_ && allowed < 0.5 * wanted)
+			*this = {false, 0};
+		else if (!low_ && ++steps_ == kTriedAgain)
+			*this = {true, 0};
+	}
+
+	PairChoice() = default;
+
+private:
+	PairChoice(bool low, int steps) : low_(low), steps_(steps) {}
+
+	bool low_ = true;
+	int steps_ = 0;
 };
 
 } // namespace vp::vectors

@@ -19,7 +19,7 @@ enum class TraceEnd : std::uint8_t
 	steps,       // all its steps are done
 	left_grid,   // the next place lies outside the grid, or in a hidden cell
 	zero_vector, // nothing moves there
-	no_vector,   // NaN or infinite, or the block there lacks the array
+	no_vector,   // NaN or infinite, or the block there lacks the array; of path lines also beyond the stored times
 	gave_up      // a step took more substeps than a step may: its dt reaches over thousands of cells
 };
 

@@ -12,8 +12,6 @@ namespace vp::vectors
 namespace
 {
 
-constexpr int kComponents = 3;
-
 // Point arrays first, each once.
 std::vector<slice::FieldChoice> vectorArrays(const grid::BlockSet& blocks)
 {
@@ -23,7 +21,7 @@ std::vector<slice::FieldChoice> vectorArrays(const grid::BlockSet& blocks)
 			for (const grid::Field& field : block.fields)
 			{
 				const slice::FieldChoice array{field.name, field.association, grid::kMagnitude};
-				if (field.association == wanted && field.components == kComponents &&
+				if (field.association == wanted && field.components == kVectorComponents &&
 				    std::ranges::find(arrays, array) == arrays.end())
 					arrays.push_back(array);
 			}

@@ -11,6 +11,8 @@
 namespace vp::vectors
 {
 
+constexpr int kVectorComponents = 3;
+
 // The array of three components that is followed: `array` is "[point:|cell:]NAME"; empty takes the first such point
 // array, else the first such cell array. Input errors: no such array, or one of other components; they list those that
 // would do.
@@ -22,7 +24,10 @@ class BlockVectors
 public:
 	BlockVectors() = default;
 	// field: may be null, as of a block that lacks the array.
-	explicit BlockVectors(const grid::Field* field) : field_(field && field->components == 3 ? field : nullptr) {}
+	explicit BlockVectors(const grid::Field* field)
+	    : field_(field && field->components == kVectorComponents ? field : nullptr)
+	{
+	}
 
 	bool known() const { return field_; }
 	bool onCells() const { return field_->association == grid::Association::cell; }

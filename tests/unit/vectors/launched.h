@@ -1,6 +1,8 @@
 #pragma once
 
 #include "grid/demo.h"
+#include "locate/find_cell.h"
+#include "locate/interpolate.h"
 #include "sliced_sheet.h"
 #include "vectors/tracer.h"
 #include "vectors/vector_array.h"
