@@ -15,7 +15,6 @@
 #include <vtkStringArray.h>
 
 #include <limits>
-#include <numeric>
 
 namespace vp::write
 {
@@ -35,8 +34,12 @@ struct LineTable
 	std::vector<std::int32_t> block;
 	std::vector<std::int64_t> cell; // source id, -1 outside
 	std::vector<Column> columns;
-	std::vector<std::int64_t> starts{0};
-	std::vector<std::int64_t> order;
+	// VTK knows no line of one point, and numbers single points before lines.
+	std::vector<std::int64_t> dot_starts{0};
+	std::vector<std::int64_t> dots;
+	std::vector<std::int64_t> line_starts{0};
+	std::vector<std::int64_t> lines;
+	// Per dot, then per line.
 	std::vector<std::int32_t> sheet;
 	std::vector<std::int64_t> seed;
 	std::vector<std::int32_t> begin;
@@ -91,15 +94,35 @@ void addPoints(const grid::BlockSet& blocks, const Traces& traces, LineTable& ta
 	}
 }
 
-void addLines(const Traces& traces, std::int32_t sheet, std::size_t first, LineTable& table)
+// Of one sheet, whose points are first .. of the table: the traces of one point, or the others.
+void addTraces(const Traces& traces, std::int32_t sheet, std::size_t first, bool dots, LineTable& table)
 {
+	std::vector<std::int64_t>& ids = dots ? table.dots : table.lines;
+	std::vector<std::int64_t>& starts = dots ? table.dot_starts : table.line_starts;
 	for (std::size_t t = 0; t < traces.count(); ++t)
 	{
-		table.starts.push_back(static_cast<std::int64_t>(first) + traces.starts[t + 1]);
+		if ((traces.size(t) == 1) != dots)
+			continue;
+		for (std::size_t i = 0; i < traces.size(t); ++i)
+			ids.push_back(static_cast<std::int64_t>(first + traces.first(t) + i));
+		starts.push_back(static_cast<std::int64_t>(ids.size()));
 		table.sheet.push_back(sheet);
 		table.seed.push_back(traces.seeds[t]);
 		table.begin.push_back(static_cast<std::int32_t>(traces.begins[t]));
 		table.end.push_back(static_cast<std::int32_t>(traces.ends[t]));
+	}
+}
+
+void addAllTraces(std::span<const Traces> traces, LineTable& table)
+{
+	for (const bool dots : {true, false})
+	{
+		std::size_t first = 0;
+		for (std::size_t s = 0; s < traces.size(); ++s)
+		{
+			addTraces(traces[s], static_cast<std::int32_t>(s), first, dots, table);
+			first += traces[s].points.size();
+		}
 	}
 }
 
@@ -118,15 +141,13 @@ LineTable tabulate(const grid::BlockSet& blocks, std::span<const Traces> traces)
 		column.type = interpolatedType(array);
 		column.bytes.resize(points * static_cast<std::size_t>(array.components) * grid::byteSize(column.type));
 	}
-	for (std::size_t s = 0; s < traces.size(); ++s)
+	for (const Traces& sheet : traces)
 	{
 		const std::size_t first = table.places.size();
-		addPoints(blocks, traces[s], table);
-		addLines(traces[s], static_cast<std::int32_t>(s), first, table);
-		fillColumns(blocks, traces[s], arrays, first, table);
+		addPoints(blocks, sheet, table);
+		fillColumns(blocks, sheet, arrays, first, table);
 	}
-	table.order.resize(points);
-	std::iota(table.order.begin(), table.order.end(), 0);
+	addAllTraces(traces, table);
 	return table;
 }
 
@@ -149,11 +170,15 @@ Status writeTraces(const grid::BlockSet& blocks, std::span<const Traces> traces,
 	LineTable table = tabulate(blocks, traces);
 	vtkNew<vtkPoints> points;
 	points->SetData(viewValues("Points", NumberType::float64, 3, table.places));
+	vtkNew<vtkCellArray> dots;
+	dots->SetData(viewValues("offsets", NumberType::int64, 1, table.dot_starts),
+	              viewValues("connectivity", NumberType::int64, 1, table.dots));
 	vtkNew<vtkCellArray> lines;
-	lines->SetData(viewValues("offsets", NumberType::int64, 1, table.starts),
-	               viewValues("connectivity", NumberType::int64, 1, table.order));
+	lines->SetData(viewValues("offsets", NumberType::int64, 1, table.line_starts),
+	               viewValues("connectivity", NumberType::int64, 1, table.lines));
 	vtkNew<vtkPolyData> data;
 	data->SetPoints(points);
+	data->SetVerts(dots);
 	data->SetLines(lines);
 	addColumns(table.columns, data->GetPointData());
 	data->GetPointData()->AddArray(viewValues("vprobe:time", NumberType::float64, 1, table.times));
