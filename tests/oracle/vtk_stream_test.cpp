@@ -43,8 +43,10 @@ vtkNew<vtkUnstructuredGrid> asVtk(const grid::Block& block, const vectors::Block
 	    {
 		    for (PointId p = 0; p < grid.pointCount(); ++p)
 		    {
-			    points->InsertNextPoint(&grid.point(p).x);
-			    array->InsertNextTuple(&vectors.at(grid.sourcePoint(p)).x);
+			    const Vec3 place = grid.point(p);
+			    const Vec3 vector = vectors.at(grid.sourcePoint(p));
+			    points->InsertNextPoint(&place.x);
+			    array->InsertNextTuple(&vector.x);
 		    }
 		    made->SetPoints(points);
 		    for (CellId c = 0; c < grid.cellCount(); ++c)
@@ -84,7 +86,19 @@ std::vector<vectors::Launch> launchesIn(const grid::Block& block, const vectors:
 	return launches;
 }
 
-vtkSmartPointer<vtkPolyData> tracedByVtk(vtkUnstructuredGrid* grid, const Vec3& from, double length)
+double speedAt(const grid::BlockSet& blocks, const Vec3& point, const vectors::BlockVectors& vectors)
+{
+	locate::PlaceFinder finder(blocks);
+	const locate::CellWeights& weights = finder.find(point).weights;
+	Vec3 vector(0.0);
+	for (std::size_t i = 0; i < weights.points.size(); ++i)
+		vector += weights.weights[i] * std::visit([&](const auto& grid)
+		                                          { return vectors.at(grid.sourcePoint(weights.points[i])); },
+		                                          blocks.blocks[0].grid);
+	return glm::length(vector);
+}
+
+vtkSmartPointer<vtkPolyData> tracedByVtk(vtkUnstructuredGrid* grid, const Vec3& from, double speed, double length)
 {
 	vtkNew<vtkStreamTracer> tracer;
 	tracer->SetInputData(grid);
@@ -93,47 +107,74 @@ vtkSmartPointer<vtkPolyData> tracedByVtk(vtkUnstructuredGrid* grid, const Vec3& 
 	tracer->SetIntegratorTypeToRungeKutta45();
 	tracer->SetIntegrationDirectionToForward();
 	tracer->SetIntegrationStepUnit(vtkStreamTracer::CELL_LENGTH_UNIT);
-	tracer->SetInitialIntegrationStep(0.02);
+	tracer->SetInitialIntegrationStep(0.005);
 	tracer->SetMinimumIntegrationStep(1e-4);
-	tracer->SetMaximumIntegrationStep(0.05);
+	tracer->SetMaximumIntegrationStep(0.01);
 	tracer->SetMaximumError(1e-9);
-	tracer->SetMaximumNumberOfSteps(20'000);
+	tracer->SetMaximumNumberOfSteps(100'000);
+	// Where vectors run together VTK's steps, which have a least length, go to and fro.
+	tracer->SetTerminalSpeed(0.1 * speed);
 	tracer->SetMaximumPropagation(length);
 	tracer->SetComputeVorticity(false);
 	tracer->Update();
 	return tracer->GetOutput();
 }
 
-double lengthOf(std::span<const Vec3> path)
+// A path by the way along it. Steps of VTK's are even in length, and the times that it tells with them are off by part
+// of one, so that places at equal times would differ in proportion to its steps.
+class Way
 {
-	double length = 0.0;
-	for (std::size_t i = 1; i < path.size(); ++i)
-		length += glm::length(path[i] - path[i - 1]);
-	return length;
+public:
+	void add(const Vec3& place)
+	{
+		length_.push_back(places_.empty() ? 0.0 : length_.back() + glm::length(place - places_.back()));
+		places_.push_back(place);
+	}
+	double length() const { return length_.back(); }
+	Vec3 at(double length) const
+	{
+		const auto next = std::ranges::upper_bound(length_, length) - length_.begin();
+		if (next == std::ssize(length_))
+			return places_.back();
+		const double part = (length - length_[next - 1]) / (length_[next] - length_[next - 1]);
+		return glm::mix(places_[next - 1], places_[next], part);
+	}
+
+private:
+	std::vector<Vec3> places_;
+	std::vector<double> length_;
+};
+
+Way wayOf(vtkPolyData* path)
+{
+	Way way;
+	for (vtkIdType i = 0; i < path->GetNumberOfPoints(); ++i)
+	{
+		Vec3 place;
+		path->GetPoint(i, &place.x);
+		way.add(place);
+	}
+	return way;
 }
 
-// The farthest of our points within VTK's times from VTK's line, over how far the particle has come.
-double worstDeviation(const vectors::Traces& ours, vtkPolyData* theirs)
+Way wayOf(const vectors::Traces& traces)
 {
-	vtkDataArray* times = theirs->GetPointData()->GetArray("IntegrationTime");
-	const vtkIdType count = theirs->GetNumberOfPoints();
-	vtkIdType at = 0;
+	Way way;
+	for (const Vec3& place : traces.path(0))
+		way.add(place);
+	return way;
+}
+
+// The farthest that two particles are apart when they have come as far, over how far they have come.
+double worstDeviation(const Way& a, const Way& b)
+{
+	const double both = std::min(a.length(), b.length());
+	constexpr int kPlaces = 100;
 	double worst = 0.0;
-	double way = 0.0;
-	for (std::size_t i = 1; i < ours.points.size(); ++i)
+	for (int i = 1; i <= kPlaces; ++i)
 	{
-		way += glm::length(ours.points[i] - ours.points[i - 1]);
-		while (at + 1 < count && times->GetTuple1(at + 1) < ours.times[i])
-			++at;
-		if (at + 1 >= count)
-			break;
-		const double begin = times->GetTuple1(at);
-		const double part = (ours.times[i] - begin) / (times->GetTuple1(at + 1) - begin);
-		Vec3 a;
-		Vec3 b;
-		theirs->GetPoint(at, &a.x);
-		theirs->GetPoint(at + 1, &b.x);
-		worst = std::max(worst, glm::length(glm::mix(a, b, part) - ours.points[i]) / way);
+		const double length = both * i / kPlaces;
+		worst = std::max(worst, glm::length(a.at(length) - b.at(length)) / length);
 	}
 	return worst;
 }
@@ -151,30 +192,26 @@ void compare(const char* file, const char* array)
 	const grid::Block& block = blocks.blocks[0];
 	const vectors::BlockVectors values(choice.in(block));
 	const vtkNew<vtkUnstructuredGrid> grid = asVtk(block, values);
-	const double length = 0.3 * block.bounds.diagonal();
-	int agree = 0;
 	int compared = 0;
 	for (const vectors::Launch& launch : launchesIn(block, values))
 	{
-		const auto theirs = tracedByVtk(grid, launch.position, length);
-		if (theirs->GetNumberOfPoints() < 10)
+		const auto traced =
+		    tracedByVtk(grid, launch.position, speedAt(blocks, launch.position, values), 0.3 * block.bounds.diagonal());
+		const vtkIdType last = traced->GetNumberOfPoints() - 1;
+		const Way theirs = wayOf(traced);
+		if (last < 10)
 			continue;
-		const double time =
-		    theirs->GetPointData()->GetArray("IntegrationTime")->GetTuple1(theirs->GetNumberOfPoints() - 1);
 		vectors::TraceOptions options;
-		options.steps = 100.0;
-		options.dt = time / options.steps;
-		const vectors::Traces ours = vectors::trace(blocks, choice, std::span(&launch, 1), options).value();
+		options.steps = 1000.0;
+		options.dt = traced->GetPointData()->GetArray("IntegrationTime")->GetTuple1(last) / options.steps;
+		const vectors::Traces traces = vectors::trace(blocks, choice, std::span(&launch, 1), options).value();
+		const Way ours = wayOf(traces);
 		++compared;
-		const double worst = worstDeviation(ours, theirs);
-		agree += worst < 0.01;
-		if (worst >= 0.01)
-			std::printf("%s %g: %g of %g, %s, n %zu cell %u at %g %g %g\n", file, worst, lengthOf(ours.path(0)), length,
-			            vectors::traceEndWord(ours.ends[0]), ours.points.size(), launch.cell, launch.position.x, launch.position.y, launch.position.z);
+		EXPECT_LT(worstDeviation(ours, theirs), 0.01) << launch.cell;
+		// VTK ends a little before the boundary.
+		EXPECT_GT(ours.length(), 0.97 * theirs.length()) << launch.cell;
 	}
-	std::printf("%d of %d\n", agree, compared);
 	EXPECT_GT(compared, 40);
-	EXPECT_EQ(agree, compared);
 }
 
 } // namespace
