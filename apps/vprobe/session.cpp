@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "make_probe.h"
+#include "sheet_traces.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -147,7 +148,9 @@ Status choose(Session& session, const ProbeOptions& options)
 		return probe.error();
 	session.probe = *probe;
 	std::erase_if(session.probe.sheets, [](const probe::Sheet& sheet) { return sheet.wishes.hidden; });
-	return chooseSheetFields(options, session);
+	if (Status chosen = chooseSheetFields(options, session); !chosen)
+		return chosen;
+	return chooseVectors(options, session);
 }
 
 Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use, Timeline::Keep keep,
@@ -165,6 +168,8 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 		return fits.error();
 	if (auto surface = surfaceOf(options); !surface)
 		return surface.error();
+	if (Status fits = checkVectors(options); !fits)
+		return fits.error();
 	if (auto threshold = parseThreshold(options.threshold); !threshold)
 		return threshold.error();
 	Result<grid::BlockSet> blocks = [&]
