@@ -63,7 +63,10 @@ Result<ExitCode> runRender(RenderOptions& options)
 		return slice.error();
 	if (Status told = tellAbout(session, *slice); !told)
 		return told.error();
-	const std::vector<SheetStats> sheets = sheetStats(session, *slice);
+	Result<std::vector<SheetStats>> stats = sheetStats(session, *slice);
+	if (!stats)
+		return stats.error();
+	const std::vector<SheetStats>& sheets = *stats;
 	Result<Painter> painter = Painter::create(session, options.saved.probe, std::move(*look));
 	if (!painter)
 		return painter.error();

@@ -79,6 +79,7 @@ state::Sections sectionsOf(SavedOptions& options)
 	          {"vector_dt", &probe.vectors.dt},
 	          {"vector_direction", &probe.vectors.direction},
 	          {"vector_part", &probe.vectors.part},
+	          {"path_lines", &probe.vectors.path_lines},
 	          {"vector_color", &look.vectors.color},
 	          {"vector_colormap", state::NameOrFile{&look.vectors.colormap}},
 	          {"vector_width", &look.vectors.width},

@@ -11,6 +11,7 @@
 #include "slice/slicer.h"
 #include "surface_options.h"
 #include "vector_choice.h"
+#include "vectors/path_lines.h"
 
 #include <memory>
 #include <optional>
@@ -38,6 +39,8 @@ struct Session
 	std::optional<slice::Threshold> threshold;
 	std::optional<slice::FieldChoice> vector_array;                 // where one is asked for, or needed
 	std::optional<VectorChoice> vectors;                            // launched from the sheets
+	std::optional<vectors::StoredVectors> stored{};                 // of that array, where particles go through times
+	double time = 0.0;                                              // that the blocks have values of
 	std::optional<std::pair<slice::FieldChoice, double>> fastest{}; // the greatest length in an array of vectors
 	slice::Finder finder = slice::Finder::automatic;
 	slice::Visited visited = slice::Visited::stamps;

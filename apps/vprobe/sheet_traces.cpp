@@ -1,5 +1,6 @@
 #include "sheet_traces.h"
 
+#include "stored_vectors.h"
 #include "vectors/flux.h"
 #include "vectors/tracer.h"
 #include "vectors/vector_array.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
 namespace vp::app
@@ -85,6 +85,41 @@ void takeStep(Session& session)
 	choice.dt = std::isfinite(dt) && dt > 0.0 ? dt : 1.0;
 }
 
+void takeTime(const read::TimeChoice& time, Session& session)
+{
+	const std::vector<double>& times = session.blocks.times;
+	session.time = times.empty() ? 0.0 : times[read::timeIndex(times, time)];
+}
+
+// Of path lines, which are launched now.
+Status requireTimeToGo(const Session& session)
+{
+	const std::vector<double>& times = session.stored->times;
+	const vectors::Direction direction = session.vectors->direction;
+	if (direction == vectors::Direction::forward && session.time >= times.back())
+		return Error{ExitCode::usage,
+		             "--path-lines: after the last time nothing is known; launch at --time first, or go "
+		             "--vector-direction backward"};
+	if (direction == vectors::Direction::backward && session.time <= times.front())
+		return Error{ExitCode::usage,
+		             "--path-lines: before the first time nothing is known; launch at --time last, or go "
+		             "--vector-direction forward"};
+	return Nothing{};
+}
+
+Status choosePathLines(const ProbeOptions& options, Session& session)
+{
+	Result<vectors::StoredVectors> stored = storedVectors(options, session, *session.vector_array);
+	if (!stored)
+		return stored.error();
+	session.stored = std::move(*stored);
+	Result<read::TimeChoice> time = read::parseTime(options.time);
+	if (!time)
+		return time.error();
+	takeTime(*time, session);
+	return requireTimeToGo(session);
+}
+
 } // namespace
 
 Status checkVectors(const ProbeOptions& options)
@@ -101,6 +136,7 @@ Status chooseVectors(const ProbeOptions& options, Session& session)
 	const VectorOptions& words = options.vectors;
 	session.vectors.reset();
 	session.vector_array.reset();
+	session.stored.reset();
 	if (Status fits = checkVectors(options); !fits)
 		return fits;
 	if (!words.on() && words.array.empty())
@@ -112,36 +148,46 @@ Status chooseVectors(const ProbeOptions& options, Session& session)
 	if (!words.on())
 		return Nothing{};
 	const double spacing = longestSide(session) / words.lattice;
-	session.vectors = VectorChoice{kindOf(words.kind),     {words.lattice, words.jitter}, words.stepsOrDefault(),
-	                               words.dt.value_or(1.0), spacing > 0.0 ? spacing : 1.0, directionOf(words.direction),
-	                               partOf(words.part),     !words.dt.has_value()};
+	session.vectors = VectorChoice{.kind = kindOf(words.kind),
+	                               .lattice = {words.lattice, words.jitter},
+	                               .steps = words.stepsOrDefault(),
+	                               .dt = words.dt.value_or(1.0),
+	                               .spacing = spacing > 0.0 ? spacing : 1.0,
+	                               .direction = directionOf(words.direction),
+	                               .part = partOf(words.part),
+	                               .own_dt = !words.dt.has_value()};
 	takeStep(session);
-	return Nothing{};
+	return words.path_lines ? choosePathLines(options, session) : Nothing{};
 }
 
-void takeNewValues(Session& session)
+void takeValuesAt(const read::TimeChoice& time, Session& session)
 {
+	takeTime(time, session);
 	session.fastest.reset();
 	if (session.vectors)
 		takeStep(session);
 }
 
-std::shared_ptr<const vectors::Traces> traceSheet(const Session& session, const slice::Slice& slice, std::size_t sheet,
-                                                  const slice::SheetMesh& mesh)
+Result<SharedTraces> traceSheet(const Session& session, const slice::Slice& slice, std::size_t sheet,
+                                const slice::SheetMesh& mesh)
 {
 	if (!session.vectors)
-		return nullptr;
+		return SharedTraces();
 	const TimedSection section(session.timeline.get(), "trace");
 	const VectorChoice& choice = *session.vectors;
 	const probe::Sheet& content = slice.sheets[sheet].sheet;
 	const vectors::SheetLattice lattice = vectors::launchLattice(mesh, content, choice.lattice);
-	Result<vectors::Traces> traces = vectors::trace(session.blocks, *session.vector_array, lattice.launches,
-	                                                {.steps = choice.steps,
-	                                                 .dt = choice.dt,
-	                                                 .direction = choice.direction,
-	                                                 .part = choice.part,
-	                                                 .normal = content.normal});
-	assert(traces); // the options have been checked
+	const vectors::TraceOptions options{.steps = choice.steps,
+	                                    .dt = choice.dt,
+	                                    .direction = choice.direction,
+	                                    .part = choice.part,
+	                                    .normal = content.normal};
+	Result<vectors::Traces> traces =
+	    session.stored
+	        ? vectors::tracePathLines(session.blocks, *session.stored, session.time, lattice.launches, options)
+	        : vectors::trace(session.blocks, *session.vector_array, lattice.launches, options);
+	if (!traces)
+		return traces.error();
 	return std::make_shared<const vectors::Traces>(std::move(*traces));
 }
 

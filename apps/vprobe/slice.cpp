@@ -138,7 +138,10 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 		return slice.error();
 	if (Status told = tellAbout(session, *slice); !told)
 		return told.error();
-	std::vector<SheetStats> sheets = sheetStats(session, *slice);
+	Result<std::vector<SheetStats>> stats = sheetStats(session, *slice);
+	if (!stats)
+		return stats.error();
+	const std::vector<SheetStats>& sheets = *stats;
 
 	std::vector<std::string> written;
 	if (!options.output.empty())

@@ -149,7 +149,7 @@ nlohmann::json sheetJson(const Session& session, const slice::SheetSlice& sheet,
 
 } // namespace
 
-SheetStats sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet)
+Result<SheetStats> sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet)
 {
 	SheetStats stats;
 	{
@@ -158,7 +158,10 @@ SheetStats sheetMesh(const Session& session, const slice::Slice& slice, std::siz
 		if (session.crinkle)
 			stats.crinkle = slice.crinkle(session.blocks, sheet);
 	}
-	stats.traces = traceSheet(session, slice, sheet, stats.mesh);
+	Result<SharedTraces> traces = traceSheet(session, slice, sheet, stats.mesh);
+	if (!traces)
+		return traces.error();
+	stats.traces = std::move(*traces);
 	return stats;
 }
 
@@ -177,12 +180,15 @@ void measureForPicture(const Session& session, const slice::Slice& slice, std::s
 	stats.measure.nan_area = slice::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field);
 }
 
-std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice)
+Result<std::vector<SheetStats>> sheetStats(const Session& session, const slice::Slice& slice)
 {
 	std::vector<SheetStats> sheets;
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
-		sheets.push_back(sheetMesh(session, slice, s));
+		Result<SheetStats> stats = sheetMesh(session, slice, s);
+		if (!stats)
+			return stats.error();
+		sheets.push_back(std::move(*stats));
 		measureSheet(session, slice, s, sheets.back());
 	}
 	return sheets;

@@ -24,10 +24,10 @@ struct SheetStats
 	std::optional<double> flux{};                    // of vectors, through it
 };
 
-std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice);
+Result<std::vector<SheetStats>> sheetStats(const Session& session, const slice::Slice& slice);
 // Of one sheet, in two halves: its polygons, section "emit", and what is launched from them; what they show, section
 // "measure".
-SheetStats sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet);
+Result<SheetStats> sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet);
 void measureSheet(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);
 // In place of the second where only a picture is wanted: it tells whether values are missing.
 void measureForPicture(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);

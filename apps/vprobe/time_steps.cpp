@@ -35,7 +35,7 @@ Result<bool> moveToTime(Session& session, const ProbeOptions& options, const rea
 		session.slicer->forgetValues();
 	else if (Status built = buildAnew(session, options, at, painter); !built)
 		return built.error();
-	takeNewValues(session);
+	takeValuesAt(time, session);
 	return same_grid;
 }
 

@@ -15,7 +15,7 @@ namespace
 {
 
 // Widths, as shares of the lattice's spacing: what stands side by side is told apart.
-constexpr double kTuftWidth = 0.06;
+constexpr double kTuftWidth = 0.08;
 constexpr double kLineWidth = 0.06;
 constexpr double kRibbonWidth = 0.4;
 constexpr double kTubeWidth = 0.2;
@@ -37,6 +37,12 @@ double widthOf(const VectorChoice& choice, const Box& bounds)
 	default:
 		return std::max(kLineWidth * choice.spacing, kLeastLine * glm::length(bounds.hi - bounds.lo));
 	}
+}
+
+// Arrows in the colours of the sheet that they stand on would be lost.
+render::ColorMap besides(const render::ColorMap& of_sheets)
+{
+	return *render::makeColorMap(of_sheets.name.starts_with("turbo") ? "grey" : "turbo");
 }
 
 std::vector<double> lengthsOf(const vectors::Traces& traces)
@@ -159,8 +165,8 @@ Result<std::optional<render::Surface>> VectorDrawing::surface(const slice::Slice
 	surface.colors = look.colors;
 	if (as_sheets)
 		surface.range = looks.choice().look.range;
-	else if (!surface.colors && !looks.choice().look.colors.categories.empty())
-		surface.colors = render::Look().colors; // those of categories are of no other array
+	else if (!surface.colors)
+		surface.colors = besides(looks.choice().look.colors);
 	return std::optional(surface);
 }
 

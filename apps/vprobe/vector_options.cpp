@@ -28,7 +28,9 @@ void addDrawnOptions(CLI::App& command, VectorLookOptions& look)
 	    ->type_name("[point:|cell:]NAME|COLOUR")
 	    ->group(kGroup);
 	command
-	    .add_option("--vector-colormap", look.colormap, "A map of their own (default: that of the sheets, --colormap)")
+	    .add_option("--vector-colormap", look.colormap,
+	                "Their colour map (default: that of the sheets for the array that these show, else turbo, or grey "
+	                "beside turbo)")
 	    ->type_name("NAME|FILE.json[:PRESET]")
 	    ->group(kGroup);
 	command
@@ -94,6 +96,11 @@ void addVectorOptions(CLI::App& command, VectorOptions& options, VectorLookOptio
 	                "What of the vector moves them: the whole, its part in the sheet, or that through it")
 	    ->check(CLI::IsMember({"whole", "tangential", "normal"}))
 	    ->capture_default_str()
+	    ->group(kGroup);
+	command
+	    .add_flag("--path-lines", options.path_lines,
+	              "Particles go while the field changes from one of the input's times to the next, launched at --time; "
+	              "without it the field stands still")
 	    ->group(kGroup);
 	if (look)
 		addDrawnOptions(command, *look);

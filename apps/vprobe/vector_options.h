@@ -25,6 +25,7 @@ struct VectorOptions
 	std::optional<double> dt;    // else from the fastest and the lattice's spacing
 	std::string direction = "forward";
 	std::string part = "whole";
+	bool path_lines = false; // the field changes while particles go
 
 	bool on() const { return kind != "none"; }
 	// Where none are given: a tuft shows one step, what else there is follows particles a long way.
@@ -36,7 +37,7 @@ struct VectorOptions
 struct VectorLookOptions
 {
 	std::string color;           // an array, or a colour; empty: the vector's length
-	std::string colormap;        // empty: that of the sheets
+	std::string colormap;        // empty: that of the sheets for their array, else another
 	std::optional<double> width; // in the grid's units; else from the lattice's spacing
 	double opacity = 1.0;
 
@@ -46,7 +47,7 @@ struct VectorLookOptions
 struct VectorLook
 {
 	std::string color;
-	std::optional<render::ColorMap> colors; // else those of the sheets
+	std::optional<render::ColorMap> colors; // else see VectorLookOptions
 	std::optional<double> width;
 	double opacity = 1.0;
 };

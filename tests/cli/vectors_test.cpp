@@ -87,7 +87,7 @@ TEST_F(Vectors, LatticeAndDirectionSayHowMany)
 
 TEST_F(Vectors, PartsAreOfTheSheet)
 {
-	const Arguments rake{"--vectors", "lines", "--vector-dt", "0.05", "--vector-steps", "100", "--vector-part"};
+	const Arguments rake{"--vectors", "lines", "--vector-dt", "0.05", "--vector-steps", "300", "--vector-part"};
 	// v's part through a plane of constant z is 0.3 everywhere: all leave the grid.
 	const json through = sheet(rake + Arguments{"normal"})["vectors"];
 	EXPECT_EQ(through["ends"]["left_grid"], through["traces"]);
@@ -166,6 +166,30 @@ TEST_F(Vectors, AreWrittenAsLinesThatSayWhyTheyEnd)
 	EXPECT_TRUE(isError(run({"slice", "demo:shell:12", "--vectors-out", path("b.vtp")}), 1,
 	                    {"--vectors-out", "--vectors tufts"}));
 	EXPECT_TRUE(isError(run(rake + Arguments{"-o", path("a.png")}), 1, {"--vectors", "render"}));
+}
+
+TEST_F(Vectors, PathLinesFollowTheTimes)
+{
+	// The wind is (1, 2, 2) at time 0, and turns about by time 1.
+	std::string later = legacyImage();
+	for (std::size_t at = later.find("1 2 2"); at != std::string::npos; at = later.find("1 2 2", at))
+		later.replace(at, 5, "-1 -2 -2");
+	write("a.vtk", legacyImage());
+	write("b.vtk", later);
+	const std::string series = write("a.vtk.series", R"({"file-series-version": "1.0", "files": [
+		{"name": "a.vtk", "time": 0}, {"name": "b.vtk", "time": 1}]})");
+	const Arguments rake{series, "--vectors",   "lines", "--vector-lattice", "3", "--vector-steps",
+	                     "10",   "--vector-dt", "0.1"};
+	const Arguments first{"--time", "first"};
+	const json ends = stats(rake + first)["sheets"][0]["vectors"]["ends"];
+	const json path_ends = stats(rake + first + Arguments{"--path-lines"})["sheets"][0]["vectors"]["ends"];
+	// Half of the way and back again stays in the grid, which is 3 wide; straight on 2 are gone in the time.
+	EXPECT_GT(ends["left_grid"].get<int>(), 0);
+	EXPECT_EQ(path_ends["left_grid"], 0);
+	const Arguments slice = Arguments{"slice"} + rake + Arguments{"--path-lines"};
+	EXPECT_TRUE(isError(run(slice + Arguments{"--time", "last"}), 1, {"--path-lines", "--time first"}));
+	EXPECT_TRUE(isError(run({"slice", "demo:shell:4", "--vectors", "lines", "--path-lines"}), 2,
+	                    {"demo:shell:4", "--path-lines"}));
 }
 
 TEST_F(Vectors, OfAnInputWithoutThem)

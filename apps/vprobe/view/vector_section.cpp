@@ -110,6 +110,10 @@ void showVectorSection(Desk& desk)
 	           "How many steps a particle goes",
 	           [](ViewState& state, double steps) { state.probe.vectors.steps = steps; });
 	showStep(desk);
+	if (desk.bench.facts()->times.size() > 1)
+		toggle(desk, "Path lines", options.path_lines,
+		       "Particles go while the field changes from time to time, launched at the one that is shown",
+		       [](ViewState& state) { state.probe.vectors.path_lines = !state.probe.vectors.path_lines; });
 	showWord(desk, "Direction", kDirections, &VectorOptions::direction, "With the flow, against it, or both");
 	showWord(desk, "Part", kParts, &VectorOptions::part, "What of the vector moves the particles");
 	showSlider(desk, {.label = "Opacity"}, desk.bench.state().look.vectors.opacity, "Of what is launched",
