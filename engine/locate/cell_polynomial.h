@@ -21,7 +21,7 @@ struct CellPolynomial
 {
 	Vec3 constant{0.0}, x{0.0}, y{0.0}, z{0.0}, xy{0.0}, xz{0.0}, yz{0.0}, xyz{0.0};
 
-	Vec3 at(grid::CellShape shape, const Vec3& u) const
+	[[gnu::always_inline]] Vec3 at(grid::CellShape shape, const Vec3& u) const
 	{
 		if (shape == grid::CellShape::pyramid)
 			return constant + u.x * x + u.y * y + u.z * z + crossTerm(u) * xy;
@@ -97,7 +97,7 @@ inline std::array<Vec3, 3> inverseOf(const std::array<Vec3, 3>& slopes)
 	return {each * across, each * glm::cross(slopes[2], slopes[0]), each * glm::cross(slopes[0], slopes[1])};
 }
 
-inline Vec3 applied(const std::array<Vec3, 3>& inverse, const Vec3& step)
+[[gnu::always_inline]] inline Vec3 applied(const std::array<Vec3, 3>& inverse, const Vec3& step)
 {
 	return {glm::dot(inverse[0], step), glm::dot(inverse[1], step), glm::dot(inverse[2], step)};
 }

@@ -202,7 +202,7 @@ private:
 	bool findNear(const CellField& cell, const Vec3& place)
 	{
 		constexpr int kMostSteps = 3;
-		constexpr double kSmall = 1e-6; // of the cell; vectors know no place better, and steps keep to 1e-5
+		constexpr double kSmall = 2e-5; // of the cell: what is left then is a small part of it
 		Vec3 u = u_;
 		for (int step = 0; step < kMostSteps; ++step)
 		{

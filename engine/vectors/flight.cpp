@@ -29,7 +29,7 @@ public:
 
 	void fly(Particle& particle)
 	{
-		if (particle.cell == kNoCell)
+		if (particle.cell == kNoCell && !locateLaunch(particle))
 			return particle.stop(TraceEnd::left_grid);
 		while (!particle.end)
 		{
@@ -51,6 +51,15 @@ public:
 	}
 
 private:
+	bool locateLaunch(Particle& particle)
+	{
+		const locate::Place& found = finder_.find(particle.place);
+		if (found.found())
+			particle.block = found.block;
+		particle.cell = found.cell;
+		return found.found();
+	}
+
 	// Of several cells on the face the one in which the particle lies deepest.
 	bool crossSeam(Particle& particle, const Exit& exit)
 	{
@@ -72,7 +81,8 @@ private:
 		return !links.empty();
 	}
 
-	// Blocks that overlap, or abut without meeting face to face, and what hops do not reach.
+	// Blocks that overlap, or abut without meeting face to face; in the same block, faces that meet others in part
+	// only, and the far side of an axis that faces are collapsed to.
 	bool findBeyond(Particle& particle, const Exit& exit)
 	{
 		constexpr std::size_t kMostIdle = 4;
@@ -82,8 +92,11 @@ private:
 		const Vec3 beyond = particle.place + kBeyond / exit.rate * velocity;
 		for (std::uint32_t b = 0; b < blocks_.blocks.size(); ++b)
 		{
-			const locate::Place& found = finder_.findByTree(b, beyond);
-			if (!found.found() || (b == particle.block && found.cell == particle.cell))
+			const bool own = b == particle.block;
+			const locate::Place& found =
+			    own ? finder_.findAtBoundary(b, beyond, glm::length(beyond - particle.place), particle.cell)
+			        : finder_.findByTree(b, beyond);
+			if (!found.found())
 				continue;
 			particle.block = b;
 			particle.cell = found.cell;

@@ -16,7 +16,7 @@ struct Launch
 {
 	Vec3 position{0.0};
 	std::uint32_t block = 0;
-	CellId cell = kNoCell;  // that holds the position, or is near it; kNoCell: outside
+	CellId cell = kNoCell;  // that holds the position, or is a few cells away; kNoCell: it is looked for
 	std::uint32_t seed = 0; // its place in the lattice, the same whatever other places are in the cut
 };
 

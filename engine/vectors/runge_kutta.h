@@ -71,8 +71,9 @@ public:
 		constexpr double kMost = 5.0;
 		constexpr double kSafety = 0.9;
 		constexpr double kSmall = 1e-5; // allows the most with either order: no power is taken
-		return error < kSmall ? kMost
-		                      : std::clamp(kSafety * std::pow(error, low_ ? -1.0 / 3.0 : -1.0 / 5.0), 0.2, kMost);
+		if (error < kSmall)
+			return kMost;
+		return std::clamp(kSafety / (low_ ? std::cbrt(error) : std::pow(error, 0.2)), 0.2, kMost);
 	}
 
 	// After a step: how long the next may be, and how long it is wanted.

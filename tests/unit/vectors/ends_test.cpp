@@ -229,6 +229,15 @@ TEST(TraceEnds, AtOnceOutsideTheGrid)
 	EXPECT_EQ(traces.size(0), 1u);
 }
 
+TEST(Trace, ALaunchWithoutACellIsLookedFor)
+{
+	const grid::BlockSet box = unitBox([](const Vec3&) { return Vec3(1.0, 0.0, 0.0); });
+	const std::vector<Launch> launches{{Vec3(0.31, 0.42, 0.53), 0, kNoCell, 0}};
+	const Traces traces = traced(box, launches, steps(1, 0.1), "w");
+	EXPECT_EQ(traces.cells[0], std::get<grid::UniformGrid>(box.blocks[0].grid).cell(2, 3, 4));
+	EXPECT_EQ(traces.ends[0], TraceEnd::steps);
+}
+
 // Hidden cells, as the reader leaves them out.
 TEST(TraceEnds, AtHiddenCells)
 {

@@ -4,6 +4,7 @@
 #include "locate/find_cell.h"
 #include "locate/interpolate.h"
 #include "sliced_sheet.h"
+#include "test_grids.h"
 #include "vectors/tracer.h"
 #include "vectors/vector_array.h"
 
