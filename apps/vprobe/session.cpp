@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "make_probe.h"
+#include "sheet_traces.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -169,7 +170,9 @@ Status choose(Session& session, const ProbeOptions& options)
 	std::erase_if(session.probe.sheets, [](const probe::Sheet& sheet) { return sheet.wishes.hidden; });
 	if (Status chosen = chooseSheetFields(options, session); !chosen)
 		return chosen;
-	return checkForms(session.probe.sheets, session.sheet_fields);
+	if (Status fits = checkForms(session.probe.sheets, session.sheet_fields); !fits)
+		return fits;
+	return chooseVectors(options, session);
 }
 
 Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use, Timeline::Keep keep,
@@ -189,6 +192,8 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 		return surface.error();
 	if (auto form = formOf(options); !form)
 		return form.error();
+	if (Status fits = checkVectors(options); !fits)
+		return fits.error();
 	if (auto threshold = parseThreshold(options.threshold); !threshold)
 		return threshold.error();
 	Result<grid::BlockSet> blocks = [&]

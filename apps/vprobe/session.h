@@ -12,10 +12,13 @@
 #include "slice/gpu_break_even.h"
 #include "slice/slicer.h"
 #include "surface_options.h"
+#include "vector_choice.h"
+#include "vectors/path_lines.h"
 
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 namespace vp::app
@@ -36,6 +39,11 @@ struct Session
 	bool crinkle = false;                 // the whole cells are wanted too
 	bool range_of_slice = false;          // pictures' colours go by the values that are shown
 	std::optional<slice::Threshold> threshold;
+	std::optional<slice::FieldChoice> vector_array;                 // where one is asked for, or needed
+	std::optional<VectorChoice> vectors;                            // launched from the sheets
+	std::optional<vectors::StoredVectors> stored{};                 // of that array, where particles go through times
+	double time = 0.0;                                              // that the blocks have values of
+	std::optional<std::pair<slice::FieldChoice, double>> fastest{}; // the greatest length in an array of vectors
 	slice::Finder finder = slice::Finder::automatic;
 	slice::Visited visited = slice::Visited::stamps;
 	std::shared_ptr<gpu::Device> device; // null where the CPU does without
