@@ -16,6 +16,7 @@
 #include <optional>
 #include <span>
 #include <stop_token>
+#include <type_traits>
 #include <vector>
 
 namespace vp::traverse
@@ -23,7 +24,9 @@ namespace vp::traverse
 
 // A sheet within a block: the unit that has a front and visited marks of its own. All lanes go in lock step, one call
 // of the classifier for generation k of every lane.
-template <class Surface>
+//
+// Window: what bounds the sheet, seed::SheetWindow or another that tells of faces and cells whether they reach into it.
+template <class Surface, class Window = seed::SheetWindow>
 struct Lane
 {
 	const grid::Block* block;
@@ -37,7 +40,7 @@ struct Lane
 	// Cells that it turns down end the traversal: they are not queued. Empty: every cell may come.
 	std::function<bool(CellId)> admits = {};
 	// Where the sheet has one: cells whose section lies outside do not count as cut, edges outside lead nowhere.
-	std::optional<seed::SheetWindow> window = {};
+	std::optional<Window> window = {};
 	OctantQueue* queue = nullptr; // in place of the marks, and empty
 
 	// Whether the cell is to be queued: it may come, and has not been queued yet.
@@ -99,11 +102,11 @@ inline LaneCut oneGeneration(std::vector<CellId> cells)
 
 // Queues the unqueued neighbours of the front [begin, end) of lane l across its cut faces. A boundary face of a block
 // with seams is looked up among them; a block without pays nothing for those of others.
-template <bool kHasSeams, class G, class Surface>
-void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_t l, std::size_t begin, std::size_t end,
-                 std::span<LaneCut> cuts)
+template <bool kHasSeams, class G, class Surface, class Window>
+void expandFront(const G& grid, std::span<const Lane<Surface, Window>> lanes, std::size_t l, std::size_t begin,
+                 std::size_t end, std::span<LaneCut> cuts)
 {
-	const Lane<Surface>& lane = lanes[l];
+	const Lane<Surface, Window>& lane = lanes[l];
 	LaneCut& cut = cuts[l];
 	const auto enqueue = [&](CellId neighbour)
 	{
@@ -172,9 +175,9 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 // Breadth first, by generations: G(k+1) are the cells first met across the cut faces of G(k). Returns one LaneCut a
 // lane, or the classifier's error; a stop request ends the traversal between generations with what was found.
 // timeline: sections "classify", which knows how wide the front is, and "expand" of each generation; or null.
-template <class Surface, Classifier C>
-Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& classifier, std::stop_token stop = {},
-                                          Timeline* timeline = nullptr)
+template <class Surface, class Window = seed::SheetWindow, Classifier C>
+Result<std::vector<LaneCut>> breadthFirst(std::type_identity_t<std::span<Lane<Surface, Window>>> lanes, C& classifier,
+                                          std::stop_token stop = {}, Timeline* timeline = nullptr)
 {
 	std::vector<LaneCut> cuts(lanes.size());
 	for (std::size_t l = 0; l < lanes.size(); ++l)
@@ -215,12 +218,12 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 		// Across seams a front grows the lanes after it and before it: its own ends are those of this generation.
 		for (const FrontSlice& front : fronts)
 		{
-			const Lane<Surface>& lane = lanes[front.lane];
+			const Lane<Surface, Window>& lane = lanes[front.lane];
 			const std::size_t end = cuts[front.lane].generation_starts.back();
 			const std::size_t begin = end - front.cells.size();
 			const auto expand = [&]<bool kHasSeams>(const auto& grid) {
-				expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface>(grid, lanes, front.lane, begin, end,
-				                                                              cuts);
+				expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface, Window>(grid, lanes, front.lane, begin,
+				                                                                      end, cuts);
 			};
 			std::visit(
 			    [&](const auto& grid)
