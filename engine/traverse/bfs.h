@@ -19,6 +19,7 @@
 #include <optional>
 #include <span>
 #include <stop_token>
+#include <type_traits>
 #include <vector>
 
 namespace vp::traverse
@@ -26,7 +27,9 @@ namespace vp::traverse
 
 // A sheet within a block: the unit that has a front and visited marks of its own. All lanes go in lock step, one call
 // of the classifier for generation k of every lane.
-template <class Surface>
+//
+// Window: what bounds the sheet, seed::SheetWindow or another that tells of faces and cells whether they reach into it.
+template <class Surface, class Window = seed::SheetWindow>
 struct Lane
 {
 	const grid::Block* block;
@@ -40,7 +43,7 @@ struct Lane
 	// Cells that it turns down end the traversal: they are not queued. Empty: every cell may come.
 	std::function<bool(CellId)> admits = {};
 	// Where the sheet has one: cells whose section lies outside do not count as cut, edges outside lead nowhere.
-	std::optional<seed::SheetWindow> window = {};
+	std::optional<Window> window = {};
 	OctantQueue* queue = nullptr; // in place of the marks, and empty
 
 	// Whether the cell is to be queued: it may come, and has not been queued yet.
@@ -102,11 +105,11 @@ inline LaneCut oneGeneration(std::vector<CellId> cells)
 
 // Queues the unqueued neighbours of the front [begin, end) of lane l across its cut faces. A boundary face of a block
 // with seams is looked up among them; a block without pays nothing for those of others.
-template <bool kHasSeams, class G, class Surface>
-void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_t l, std::size_t begin, std::size_t end,
-                 std::span<LaneCut> cuts)
+template <bool kHasSeams, class G, class Surface, class Window>
+void expandFront(const G& grid, std::span<const Lane<Surface, Window>> lanes, std::size_t l, std::size_t begin,
+                 std::size_t end, std::span<LaneCut> cuts)
 {
-	const Lane<Surface>& lane = lanes[l];
+	const Lane<Surface, Window>& lane = lanes[l];
 	LaneCut& cut = cuts[l];
 	const auto enqueue = [&](CellId neighbour)
 	{
@@ -176,16 +179,16 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 
 // Those of one sheet, one after the other: across seams a front grows the lanes after it and before it, so its own ends
 // are those of this generation.
-template <class Surface>
-void expandSheet(std::span<const Lane<Surface>> lanes, std::span<const FrontSlice> fronts, std::span<LaneCut> cuts)
+template <class Surface, class Window>
+void expandSheet(std::span<const Lane<Surface, Window>> lanes, std::span<const FrontSlice> fronts, std::span<LaneCut> cuts)
 {
 	for (const FrontSlice& front : fronts)
 	{
-		const Lane<Surface>& lane = lanes[front.lane];
+		const Lane<Surface, Window>& lane = lanes[front.lane];
 		const std::size_t end = cuts[front.lane].generation_starts.back();
 		const std::size_t begin = end - front.cells.size();
 		const auto expand = [&]<bool kHasSeams>(const auto& grid)
-		{ expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface>(grid, lanes, front.lane, begin, end, cuts); };
+		{ expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface, Window>(grid, lanes, front.lane, begin, end, cuts); };
 		std::visit([&](const auto& grid)
 		           { lane.seams ? expand.template operator()<true>(grid) : expand.template operator()<false>(grid); },
 		           lane.block->grid);
@@ -193,8 +196,8 @@ void expandSheet(std::span<const Lane<Surface>> lanes, std::span<const FrontSlic
 }
 
 // Sheets know nothing of each other: those of a wide generation are expanded on all cores. front_cells: of all fronts.
-template <class Surface>
-void expandSheets(std::span<const Lane<Surface>> lanes, std::span<const FrontSlice> fronts, std::size_t front_cells,
+template <class Surface, class Window>
+void expandSheets(std::span<const Lane<Surface, Window>> lanes, std::span<const FrontSlice> fronts, std::size_t front_cells,
                   std::span<LaneCut> cuts)
 {
 	constexpr std::size_t kWorthSharing = 1024; // some 30 us of one core
@@ -208,7 +211,7 @@ void expandSheets(std::span<const Lane<Surface>> lanes, std::span<const FrontSli
 		sheets.emplace_back(first, last);
 		first = last;
 	}
-	const auto expand = [&](std::size_t s) { expandSheet<Surface>(lanes, sheets[s], cuts); };
+	const auto expand = [&](std::size_t s) { expandSheet<Surface, Window>(lanes, sheets[s], cuts); };
 	if (sheets.size() > 1 && front_cells >= kWorthSharing)
 		tbb::parallel_for(std::size_t(0), sheets.size(), expand);
 	else
@@ -219,9 +222,9 @@ void expandSheets(std::span<const Lane<Surface>> lanes, std::span<const FrontSli
 // Breadth first, by generations: G(k+1) are the cells first met across the cut faces of G(k). Returns one LaneCut a
 // lane, or the classifier's error; a stop request ends the traversal between generations with what was found.
 // timeline: sections "classify", which knows how wide the front is, and "expand" of each generation; or null.
-template <class Surface, Classifier C>
-Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& classifier, std::stop_token stop = {},
-                                          Timeline* timeline = nullptr)
+template <class Surface, class Window = seed::SheetWindow, Classifier C>
+Result<std::vector<LaneCut>> breadthFirst(std::type_identity_t<std::span<Lane<Surface, Window>>> lanes, C& classifier,
+                                          std::stop_token stop = {}, Timeline* timeline = nullptr)
 {
 	std::vector<LaneCut> cuts(lanes.size());
 	for (std::size_t l = 0; l < lanes.size(); ++l)
@@ -259,7 +262,7 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 				return classified.error();
 		}
 		const TimedSection section(timeline, "expand");
-		expandSheets<Surface>(lanes, fronts, front_cells, cuts);
+		expandSheets<Surface, Window>(lanes, fronts, front_cells, cuts);
 	}
 	// A stop leaves a generation queued that nothing is known about.
 	for (LaneCut& cut : cuts)
