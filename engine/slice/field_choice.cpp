@@ -98,7 +98,8 @@ Result<int> parseComponent(const grid::Field& field, const std::string& text)
 
 const grid::Field* FieldChoice::in(const grid::Block& block) const
 {
-	return findField(block, name, association);
+	const grid::Field* field = findField(block, name, association);
+	return field && component < field->components ? field : nullptr;
 }
 
 std::vector<const grid::Field*> FieldChoice::inEach(const grid::BlockSet& blocks) const

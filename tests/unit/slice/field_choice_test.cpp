@@ -121,4 +121,15 @@ TEST(FieldChoice, ItsRangeSpansAllBlocks)
 	EXPECT_EQ(slice::fieldRange(set, choose("point:both")), std::pair(1.0, 8.0));
 }
 
+TEST(FieldChoice, ABlockWhoseArrayIsTooNarrowLacksIt)
+{
+	grid::BlockSet set;
+	set.blocks.push_back(blockWith({grid::makeField("v", Association::cell, 3, std::vector<float>{1, 2, 3})}));
+	set.blocks.push_back(blockWith({grid::makeField("v", Association::cell, 1, std::vector<float>{9})}));
+	const slice::FieldChoice choice = slice::chooseField(set, "v", "z").value().value();
+	EXPECT_EQ(choice.in(set.blocks[0]), &set.blocks[0].fields[0]);
+	EXPECT_EQ(choice.in(set.blocks[1]), nullptr);
+	EXPECT_EQ(slice::fieldRange(set, choice), std::pair(3.0, 3.0));
+}
+
 } // namespace vp::test
