@@ -47,7 +47,7 @@ TEST_F(CurvedSurface, StandsWhereTheSheetStands)
 {
 	const json ball = sheet({"demo:blob:32", "--surface", "sphere:0.5", "--origin", "1", "0.5", "-1"});
 	EXPECT_EQ(ball["origin"], json({1.0, 0.5, -1.0}));
-	EXPECT_NEAR(ball["area"].get<double>() / kPi, 1.0, 0.02);
+	EXPECT_NEAR(ball["area"].get<double>() / kPi, 1.0, 0.05);
 	// A cylinder along x through the whole box; and half of it in a window.
 	const Arguments lying{"demo:blob:32", "--surface", "cylinder:1", "--normal", "x"};
 	const json whole = sheet(lying);
@@ -67,7 +67,7 @@ TEST_F(CurvedSurface, AStackIsARowOfThem)
 	    stats({"demo:blob:24", "--probe", "stack", "--offsets", "-1", "1", "--surface", "sphere:0.6"}).at("sheets");
 	ASSERT_EQ(sheets.size(), 2u);
 	for (const json& ball : sheets)
-		EXPECT_NEAR(ball["area"].get<double>() / (1.44 * kPi), 1.0, 0.03);
+		EXPECT_NEAR(ball["area"].get<double>() / (1.44 * kPi), 1.0, 0.05);
 	EXPECT_EQ(sheets[0]["origin"][2], -1.0);
 	EXPECT_EQ(sheets[1]["origin"][2], 1.0);
 }
