@@ -104,10 +104,20 @@ SheetWishes wishesOf(const JsonReader& reader)
 	return wishes;
 }
 
+surface::Form formOf(const JsonReader& reader, const Fx& fx)
+{
+	if (fx != Fx())
+		reader.refuse("fx magnifies planes; leave one of the two out");
+	Result<surface::Form> form = surface::Form::parse(reader.text());
+	if (!form)
+		reader.refuse(form.error().message);
+	return *form;
+}
+
 Sheet sheetOf(const JsonReader& reader)
 {
-	reader.expectKeys(
-	    {"to_sheet", "fx", "window", "opacity", "array", "component", "colormap", "range", "lines", "hidden"});
+	reader.expectKeys({"to_sheet", "fx", "window", "surface", "opacity", "array", "component", "colormap", "range",
+	                   "lines", "hidden"});
 	Sheet sheet;
 	if (const auto to_sheet = reader.find("to_sheet"))
 		static_cast<Frame&>(sheet) = to_sheet->frame();
@@ -115,6 +125,8 @@ Sheet sheetOf(const JsonReader& reader)
 		sheet.fx = fxOf(*fx);
 	if (const auto window = reader.find("window"))
 		sheet.window = windowOf(*window);
+	if (const auto form = reader.find("surface"))
+		sheet.form = formOf(*form, sheet.fx);
 	sheet.wishes = wishesOf(reader);
 	return sheet;
 }
@@ -144,6 +156,8 @@ json sheetJson(const Sheet& sheet)
 		value["fx"] = {{"magnification", sheet.fx.magnification}, {"pan", toJson(sheet.fx.pan)}};
 	if (const auto& window = sheet.window)
 		value["window"] = {{"x", {window->x0, window->x1}}, {"y", {window->y0, window->y1}}};
+	if (sheet.form)
+		value["surface"] = sheet.form->text();
 	const SheetWishes& wishes = sheet.wishes;
 	const auto put = [&](const char* key, const auto& wish)
 	{

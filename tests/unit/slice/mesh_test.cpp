@@ -1,9 +1,9 @@
 #include "sliced_sheet.h"
 #include "test_grids.h"
+#include "watertight_mesh.h"
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <set>
 
 namespace vp::test
@@ -50,38 +50,6 @@ Vec3 vectorArea(const slice::SheetMesh& mesh, std::size_t polygon)
 		sum += glm::cross(mesh.positions[corners[i]] - mesh.positions[corners[0]],
 		                  mesh.positions[corners[i + 1]] - mesh.positions[corners[0]]);
 	return 0.5 * sum;
-}
-
-struct CellEdges
-{
-	std::set<std::pair<PointId, PointId>> edges;
-	std::vector<std::set<PointId>> boundary_faces;
-};
-
-CellEdges edgesOf(const grid::Block& block, CellId cell)
-{
-	CellEdges result;
-	visitGrid(block,
-	          [&](const auto& grid)
-	          {
-		          grid::CellFaces faces;
-		          grid.cellFaces(cell, faces);
-		          for (int f = 0; f < faces.size(); ++f)
-		          {
-			          for (std::size_t i = 0; i < faces[f].size(); ++i)
-				          result.edges.insert(std::minmax(faces[f][i], faces[f][(i + 1) % faces[f].size()]));
-			          bool inner = false;
-			          grid.forEachNeighbour(cell, f, [&](CellId) { inner = true; });
-			          if (!inner)
-				          result.boundary_faces.emplace_back(faces[f].begin(), faces[f].end());
-		          }
-	          });
-	return result;
-}
-
-bool conforms(const grid::Block& block)
-{
-	return block.name != "three_on_a_face" && block.name != "two_to_one";
 }
 
 } // namespace
@@ -157,35 +125,8 @@ TEST(Mesh, IsWatertight)
 {
 	const auto planes = [](const grid::Block& block)
 	{ return conforms(block) ? randomPlanes(block.bounds, 60, 32) : std::vector<TestPlane>(); };
-	forEachCut(planes,
-	           [](const grid::Block& block, const TestPlane&, const SlicedSheet& sheet)
-	           {
-		           const slice::SheetMesh& mesh = sheet.mesh;
-		           struct Use
-		           {
-			           int polygons = 0;
-			           bool on_boundary = false;
-		           };
-		           std::map<std::pair<std::uint32_t, std::uint32_t>, Use> uses;
-		           for (std::size_t p = 0; p < mesh.polygons(); ++p)
-		           {
-			           const CellEdges cell = edgesOf(block, mesh.polygon_cells[p].cell);
-			           const auto polygon = mesh.polygon(p);
-			           for (std::size_t i = 0; i < polygon.size(); ++i)
-			           {
-				           const std::uint32_t v = polygon[i];
-				           const std::uint32_t w = polygon[(i + 1) % polygon.size()];
-				           Use& use = uses[std::minmax(v, w)];
-				           ++use.polygons;
-				           for (const std::set<PointId>& face : cell.boundary_faces)
-					           use.on_boundary |=
-					               face.contains(mesh.edges[v].lower) && face.contains(mesh.edges[v].higher) &&
-					               face.contains(mesh.edges[w].lower) && face.contains(mesh.edges[w].higher);
-			           }
-		           }
-		           for (const auto& [edge, use] : uses)
-			           EXPECT_EQ(use.polygons, use.on_boundary ? 1 : 2);
-	           });
+	forEachCut(planes, [](const grid::Block& block, const TestPlane&, const SlicedSheet& sheet)
+	           { expectWatertight(block, sheet.mesh); });
 }
 
 TEST(Mesh, ALinearFieldIsExact)
