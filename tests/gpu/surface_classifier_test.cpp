@@ -106,7 +106,7 @@ TEST_F(GpuSurfaceClassifier, LeavesFewCellsOfAShellOpen)
 	      classify(*blocks, "atan2(y, x) - 1.5 - 0.1*exp(-z*z)*sqrt(abs(x))")})
 	{
 		EXPECT_GT(words.cut, 2000u);
-		RecordProperty("walked", static_cast<int>(words.walked));
+		RecordProperty(fmt::format("walked_of_{}", words.cut), static_cast<int>(words.walked));
 		EXPECT_LT(50 * words.walked, words.cut) << words.walked << " of " << words.cut;
 	}
 }
