@@ -83,7 +83,7 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	            "ellipsoid:A,B,C and quadric: with ten numbers too). Or a grid surface of structured blocks, i, j "
 	            "or k=INDEX of its points from 0, between two with a fraction; a sweep goes from FIRST to LAST. Or "
 	            "a part of the boundary that the file names")
-	        ->type_name("sphere:R|cylinder:R|cone:DEGREES|i=INDEX|i=FIRST..LAST|patch=NAME")
+	        ->type_name("EXPR|sphere:R|cylinder:R|cone:DEGREES|i=INDEX|i=FIRST..LAST|patch=NAME")
 	        ->group(group);
 	command
 	    .add_option_function<std::string>(

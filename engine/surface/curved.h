@@ -3,6 +3,7 @@
 #include "base/ids.h"
 #include "grid/field.h"
 #include "grid/shown_value.h"
+#include "surface/placed_expression.h"
 #include "surface/plane.h"
 #include "surface/quadric.h"
 
@@ -17,8 +18,8 @@ namespace vp::surface
 
 class LeafValues;
 
-// A cutting surface that is no plane and has a place in the world: a quadric.
-using Curved = std::variant<Quadric>;
+// A cutting surface that is no plane and has a place in the world.
+using Curved = std::variant<Quadric, PlacedExpression>;
 
 // A surface of one value of a block's array.
 struct BlockValues
@@ -40,7 +41,7 @@ struct BlockValues
 class BlockSurface
 {
 public:
-	using Kind = std::variant<Quadric, BlockValues>;
+	using Kind = std::variant<Quadric, PlacedExpression, BlockValues>;
 
 	explicit BlockSurface(Kind kind) : kind_(std::move(kind)) {}
 
@@ -49,9 +50,11 @@ public:
 	{
 		if (const auto* values = std::get_if<BlockValues>(&kind_))
 			return values->height(grid, p);
-		return std::get<Quadric>(kind_).height(grid.point(p));
+		if (const auto* quadric = std::get_if<Quadric>(&kind_))
+			return quadric->height(grid.point(p));
+		return std::get<PlacedExpression>(kind_).height(grid.point(p));
 	}
-	// How far from a to b the surface lies, 0 to 1; exactly there for a quadric, by linear interpolation for values.
+	// How far from a to b the surface lies, 0 to 1: the root of what has a place, by linear interpolation for values.
 	// The heights have different signs.
 	double crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) const;
 	// Whether it may pass through the box, its rim included; of values nothing is known.
@@ -62,6 +65,7 @@ public:
 
 	const BlockValues* values() const { return std::get_if<BlockValues>(&kind_); }
 	const Quadric* quadric() const { return std::get_if<Quadric>(&kind_); }
+	const PlacedExpression* expression() const { return std::get_if<PlacedExpression>(&kind_); }
 
 private:
 	Kind kind_;

@@ -109,18 +109,23 @@ Result<Form> Form::parse(const std::string& text)
 		Result<Quadric> quadric = known.make(*numbers);
 		return quadric ? Result<Form>(Form(text, *quadric)) : quadric.error();
 	}
-	return Error{ExitCode::usage, "is no surface; take sphere:R, cylinder:R, cone:DEGREES, ellipsoid:A,B,C, "
-	                              "quadric:… or iso:VALUE"};
+	if (colon != std::string::npos)
+		return Error{ExitCode::usage, "is no surface; take sphere:R, cylinder:R, cone:DEGREES, ellipsoid:A,B,C, "
+		                              "quadric: and ten numbers, iso:VALUE, or an expression in x, y and z"};
+	Result<Expression> expression = Expression::parse(text);
+	return expression ? Result<Form>(Form(text, *expression)) : expression.error();
 }
 
 bool Form::isAboutOrigin() const
 {
-	return std::holds_alternative<Quadric>(kind_);
+	return !std::holds_alternative<Expression>(kind_);
 }
 
 Curved Form::placed(const Axes& axes) const
 {
-	return std::get<Quadric>(kind_).placed(axes);
+	if (const Quadric* quadric = std::get_if<Quadric>(&kind_))
+		return quadric->placed(axes);
+	return PlacedExpression(std::get<Expression>(kind_), axes);
 }
 
 } // namespace vp::surface

@@ -2,6 +2,7 @@
 
 #include "base/result.h"
 #include "surface/curved.h"
+#include "surface/expression.h"
 #include "surface/quadric.h"
 
 #include <string>
@@ -24,7 +25,8 @@ class Form
 {
 public:
 	// sphere:R, cylinder:R (about z), cone:DEGREES (about z, half its opening angle), ellipsoid:A,B,C, quadric: and the
-	// ten coefficients of Quadric, iso:VALUE. A usage error, without the option's name, tells what is wrong.
+	// ten coefficients of Quadric, iso:VALUE; anything else is an expression in x, y and z (expression.h), cut where it
+	// is 0. A usage error, without the option's name, tells what is wrong.
 	static Result<Form> parse(const std::string& text);
 
 	const std::string& text() const { return text_; }
@@ -37,7 +39,7 @@ public:
 	bool operator==(const Form&) const = default;
 
 private:
-	using Kind = std::variant<Quadric, IsoValue>;
+	using Kind = std::variant<Quadric, Expression, IsoValue>;
 
 	Form(std::string text, Kind kind) : text_(std::move(text)), kind_(std::move(kind)) {}
 

@@ -1,22 +1,12 @@
 #pragma once
 
 #include "base/vec.h"
+#include "surface/axes.h"
 
 #include <array>
 
 namespace vp::surface
 {
-
-// Where a frame's origin and axes lie in the world; unit vectors at right angles.
-struct Axes
-{
-	Vec3 origin{0.0};
-	Vec3 x{1.0, 0.0, 0.0};
-	Vec3 y{0.0, 1.0, 0.0};
-	Vec3 z{0.0, 0.0, 1.0};
-
-	bool operator==(const Axes&) const = default;
-};
 
 // height(p) = q A q + b q + c with q = p - origin and A symmetric; S(x) = 1 where it is not negative. A sphere, a
 // cylinder, a cone and an ellipsoid are negative within.

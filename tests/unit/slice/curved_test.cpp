@@ -31,6 +31,10 @@ const TestForm kForms[] = {
     {"ellipsoid:0.9,0.5,0.3", [](const Vec3& p) { return glm::length(p / Vec3(0.9, 0.5, 0.3)) - 1.0; }},
     {"quadric:1,0,-1,0.5,0,0,0,0.3,0,-0.1",
      [](const Vec3& p) { return p.x * p.x - p.z * p.z + 0.5 * p.x * p.y + 0.3 * p.y - 0.1; }},
+    {"x*x + y*y - 0.25*z", [](const Vec3& p) { return p.x * p.x + p.y * p.y - 0.25 * p.z; }},
+    {"sin(3*x) + cos(2*y) = exp(z)",
+     [](const Vec3& p) { return std::sin(3 * p.x) + std::cos(2 * p.y) - std::exp(p.z); }},
+    {"sqrt(x) - 0.3", [](const Vec3& p) { return p.x < 0.0 ? -1.0 : std::sqrt(p.x) - 0.3; }},
 };
 
 slice::SliceRequest requestOf(const std::string& text, const probe::Frame& frame)
