@@ -3,6 +3,7 @@
 #include "test_grids.h"
 
 #include "base/timeline.h"
+#include "slice/gpu_surface_lane.h"
 #include "slice/slicer.h"
 
 #include <fmt/format.h>
@@ -56,7 +57,8 @@ TEST_F(CurvedSlice, IsTheSameWithADevice)
 		request.field = slice::FieldChoice{"linear", grid::Association::point, 0};
 		const double size = set.bounds().diagonal();
 		request.probe.sheets = {sheetOf(set, fmt::format("sphere:{}", 0.3 * size)), sheetOf(set, "cone:35"),
-		                        sheetOf(set, fmt::format("cylinder:{}", 0.2 * size)), sheetOf(set, "iso:0.7")};
+		                        sheetOf(set, fmt::format("cylinder:{}", 0.2 * size)), sheetOf(set, "iso:0.7"),
+		                        sheetOf(set, fmt::format("x^2 + x*y - {}*sin(z) = {}", size, 0.01 * size * size))};
 		request.probe.sheets[2].window = probe::Window{-0.2 * size, 0.2 * size, -0.15 * size, 0.15 * size};
 		EXPECT_GT(expectSameSlices(device(), set, request), 0u);
 	}
@@ -71,6 +73,21 @@ TEST_F(CurvedSlice, SoItIsOverSeveralBlocks)
 	request.field = slice::FieldChoice{"linear", grid::Association::point, 0};
 	request.probe.sheets = {sheetOf(set, "sphere:1.7"), sheetOf(set, "ellipsoid:2,1,3")};
 	EXPECT_GT(expectSameSlices(device(), set, request), 100u);
+}
+
+TEST_F(CurvedSlice, WhatWouldTakeLongToCompileStaysWithTheCpu)
+{
+	std::string waves = "x - 2";
+	for (int i = 1; i < 150; ++i)
+		waves += fmt::format(" + tanh(y*{})/{}", i, 100 * i);
+	const surface::BlockSurface of(surface::PlacedExpression(*surface::Expression::parse(waves), {}));
+	EXPECT_FALSE(slice::gpuSurfaceOf(of));
+	grid::BlockSet set;
+	set.blocks.push_back(gridNamed("shell"));
+	slice::SliceRequest request;
+	request.probe.sheets = {sheetOf(set, waves)};
+	request.probe.sheets[0].origin = Vec3(0.0);
+	EXPECT_GT(expectSameSlices(device(), set, request), 20u);
 }
 
 TEST_F(CurvedSlice, GenerationsAreOnTheTimeline)
