@@ -3,8 +3,8 @@
 namespace vp::app
 {
 
-std::vector<SheetStats> statsSince(const Session& session, const slice::Slice& slice, const CutFrame* last,
-                                   bool wants_figures)
+Result<std::vector<SheetStats>> statsSince(const Session& session, const slice::Slice& slice, const CutFrame* last,
+                                           bool wants_figures)
 {
 	std::vector<SheetStats> all;
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
@@ -14,7 +14,10 @@ std::vector<SheetStats> statsSince(const Session& session, const slice::Slice& s
 			all.push_back(last->sheets[s]);
 			continue;
 		}
-		all.push_back(sheetMesh(session, slice, s));
+		Result<SheetStats> stats = sheetMesh(session, slice, s);
+		if (!stats)
+			return stats.error();
+		all.push_back(std::move(*stats));
 		(wants_figures ? measureSheet : measureForPicture)(session, slice, s, all.back());
 	}
 	return all;

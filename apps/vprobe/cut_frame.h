@@ -16,7 +16,7 @@ struct CutFrame
 
 // What a slice's sheets show: all figures where they are wanted, else what a picture needs. last: the frame before, by
 // the same wish, or null; a sheet that has not moved since shows what it showed.
-std::vector<SheetStats> statsSince(const Session& session, const slice::Slice& slice, const CutFrame* last,
-                                   bool wants_figures);
+Result<std::vector<SheetStats>> statsSince(const Session& session, const slice::Slice& slice, const CutFrame* last,
+                                           bool wants_figures);
 
 } // namespace vp::app

@@ -226,6 +226,10 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 	if (!camera)
 		return camera.error();
 	choice.camera = *camera;
+	auto vectors = parseVectorLook(options.vectors);
+	if (!vectors)
+		return vectors.error();
+	choice.vectors = std::move(*vectors);
 	return choice;
 }
 

@@ -5,6 +5,7 @@
 #include "grid/block.h"
 #include "render/scene.h"
 #include "slice/field_choice.h"
+#include "vector_options.h"
 
 #include <optional>
 #include <string>
@@ -44,6 +45,7 @@ struct LookOptions
 	std::string units;
 	std::string length_units;
 	std::optional<std::string> title; // else the input's name
+	VectorLookOptions vectors;
 
 	bool operator==(const LookOptions&) const = default;
 };
@@ -68,6 +70,7 @@ struct LookChoice
 	std::string units;           // of the array, told behind its name
 	bool captions = true;        // where the first sheet is
 	bool window_rims = true;     // lines around windows
+	VectorLook vectors;
 };
 
 // What can be wrong on the command line is told before a large file is read.

@@ -39,7 +39,7 @@ bool drawsRims(const ProbeOptions& options)
 } // namespace
 
 Painter::Painter(Session& session, SheetLooks looks, render::Renderer renderer)
-    : session_(session), looks_(std::move(looks)), renderer_(std::move(renderer)),
+    : session_(session), looks_(std::move(looks)), vectors_(session), renderer_(std::move(renderer)),
       pool_(slice::RecordPool::create(*session.device))
 {
 }
@@ -202,6 +202,11 @@ Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vec
 	scene.values = *scale;
 	if (Status added = addSheets(slice, sheets, scene); !added)
 		return added.error();
+	auto launched = vectors_.surface(slice, sheets, scene.values, looks_);
+	if (!launched)
+		return launched.error();
+	if (*launched)
+		scene.surfaces.push_back(std::move(**launched));
 	addContours(slice, sheets, scene);
 	const bool has_plane = !slice.sheets.empty() && slice.sheets.front().isPlane();
 	const probe::Sheet* first = has_plane ? &slice.sheets.front().shown : nullptr;

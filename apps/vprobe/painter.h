@@ -3,6 +3,7 @@
 #include "render/outline.h"
 #include "render/renderer.h"
 #include "sheet_looks.h"
+#include "vector_drawing.h"
 
 #include <cstdint>
 #include <map>
@@ -29,6 +30,7 @@ public:
 	void forgetScales()
 	{
 		looks_.forgetScales();
+		vectors_.forget();
 		records_.clear();
 	}
 	// The session's blocks are others now.
@@ -61,6 +63,7 @@ private:
 
 	Session& session_;
 	SheetLooks looks_;
+	VectorDrawing vectors_;
 	render::Renderer renderer_;
 	std::shared_ptr<slice::RecordPool> pool_; // its pages serve picture after picture
 	std::vector<render::Segment> outline_;

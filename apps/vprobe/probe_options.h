@@ -1,6 +1,7 @@
 #pragma once
 
 #include "probe/probe_file.h"
+#include "vector_options.h"
 
 #include <optional>
 #include <string>
@@ -46,6 +47,7 @@ struct ProbeOptions
 	bool classify_given = false;
 	std::string device;
 	int threads = 0;
+	VectorOptions vectors; // launched from the sheets
 
 	bool operator==(const ProbeOptions&) const = default;
 };

@@ -122,7 +122,12 @@ private:
 			slice_ = std::move(*slice);
 			sheets_.clear();
 			for (std::size_t s = 0; s < slice_.sheets.size(); ++s)
-				sheets_.push_back(sheetMesh(session_, slice_, s));
+			{
+				Result<SheetStats> stats = sheetMesh(session_, slice_, s);
+				if (!stats)
+					return stats.error();
+				sheets_.push_back(std::move(*stats));
+			}
 		}
 		if (!painter_)
 			return Nothing{};

@@ -2,6 +2,7 @@
 #include "painter.h"
 #include "saved_options.h"
 #include "surface_options.h"
+#include "vectors_out.h"
 #include "write/png.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ struct RenderOptions
 	SavedOptions saved;
 	std::string output;
 	std::string stats;
+	std::string vectors_out;
 };
 
 Result<ExitCode> runRender(RenderOptions& options)
@@ -37,6 +39,10 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (options.output != "-" && std::filesystem::path(options.output).extension() != ".png")
 		return Error{ExitCode::usage, fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -",
 		                                          options.output)};
+	if (Status fits = checkVectorsOut(options.saved.probe.vectors, options.vectors_out,
+	                                  {{"-o", options.output}, {"--stats", options.stats}});
+	    !fits)
+		return fits.error();
 	if (Status one = requireOneSurface(options.saved.probe); !one)
 		return one.error();
 	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
@@ -57,7 +63,10 @@ Result<ExitCode> runRender(RenderOptions& options)
 		return slice.error();
 	if (Status told = tellAbout(session, *slice); !told)
 		return told.error();
-	const std::vector<SheetStats> sheets = sheetStats(session, *slice);
+	Result<std::vector<SheetStats>> stats = sheetStats(session, *slice);
+	if (!stats)
+		return stats.error();
+	const std::vector<SheetStats>& sheets = *stats;
 	Result<Painter> painter = Painter::create(session, options.saved.probe, std::move(*look));
 	if (!painter)
 		return painter.error();
@@ -66,9 +75,12 @@ Result<ExitCode> runRender(RenderOptions& options)
 		return picture.error();
 	if (Status written = write::writePng(*picture, options.output); !written)
 		return written.error();
+	if (Status written = writeVectors(session, sheets, options.vectors_out); !written)
+		return written.error();
 	if (Status saved = saveState(options.saved); !saved)
 		return saved.error();
-	return writeStats(options.stats, {options.output}, statsJson(options.saved.probe, session, *slice, sheets));
+	return writeStats(options.stats, {options.output, options.vectors_out},
+	                  statsJson(options.saved.probe, session, *slice, sheets));
 }
 
 } // namespace
@@ -85,6 +97,8 @@ void addRender(CLI::App& program, Run& run)
 	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
 
 	addLookOptions(*command, options->saved.look);
+	addVectorOptions(*command, options->saved.probe.vectors, &options->saved.look.vectors);
+	addVectorsOut(*command, options->vectors_out);
 	addStateOptions(*command, options->saved);
 	command->callback([&run, options] { run = [options] { return runRender(*options); }; });
 }

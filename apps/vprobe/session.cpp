@@ -3,11 +3,13 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "make_probe.h"
+#include "sheet_traces.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vp::app
 {
@@ -86,13 +88,32 @@ Result<std::unique_ptr<gpu::Device>> openDevice(const ProbeOptions& options, Dev
 	return std::unique_ptr<gpu::Device>();
 }
 
-// auto takes what was measured to be faster (docs/PERFORMANCE.md): a software device classifies a front on the same
-// cores as the CPU does, and pays for the round trip on top.
-bool classifiesOnGpu(const ProbeOptions& options, const gpu::Device* device)
+// auto takes what is faster on the fronts to come, which was measured on a part of the grid: all sheets go to the
+// device at once, and a plane cuts some N^(2/3) of N cells. Chosen once, since a device must be given the whole grid
+// first.
+bool isWorthDevice(const Session& session)
 {
-	if (!device || options.classify == "cpu" || replacesSheets(options))
+	const double front = static_cast<double>(session.probe.sheets.size()) *
+	                     std::pow(static_cast<double>(session.blocks.cellCount()), 2.0 / 3.0);
+	const std::optional<std::size_t> from = session.break_even->cells;
+	return from && static_cast<double>(*from) <= front;
+}
+
+bool classifiesOnGpu(const ProbeOptions& options, Session& session)
+{
+	if (!session.device || options.classify == "cpu" || replacesSheets(options))
 		return false;
-	return options.classify == "gpu" || !device->isSoftware();
+	if (options.classify == "gpu")
+		return true;
+	if (!session.break_even)
+	{
+		const TimedSection section(session.timeline.get(), "upload");
+		const Result<slice::BreakEven> measured = slice::measureBreakEven(*session.device, session.blocks);
+		if (!measured)
+			warn("{}; the CPU classifies instead", measured.error().message);
+		session.break_even = measured ? *measured : slice::BreakEven{};
+	}
+	return isWorthDevice(session);
 }
 
 } // namespace
@@ -104,7 +125,7 @@ read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoic
 
 Status makeSlicer(Session& session, const ProbeOptions& options)
 {
-	if (!classifiesOnGpu(options, session.device.get()))
+	if (!classifiesOnGpu(options, session))
 	{
 		session.slicer = std::make_unique<slice::Slicer>(session.blocks);
 		return Nothing{};
@@ -149,7 +170,9 @@ Status choose(Session& session, const ProbeOptions& options)
 	std::erase_if(session.probe.sheets, [](const probe::Sheet& sheet) { return sheet.wishes.hidden; });
 	if (Status chosen = chooseSheetFields(options, session); !chosen)
 		return chosen;
-	return checkForms(session.probe.sheets, session.sheet_fields);
+	if (Status fits = checkForms(session.probe.sheets, session.sheet_fields); !fits)
+		return fits;
+	return chooseVectors(options, session);
 }
 
 Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use, Timeline::Keep keep,
@@ -169,6 +192,8 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 		return surface.error();
 	if (auto form = formOf(options); !form)
 		return form.error();
+	if (Status fits = checkVectors(options); !fits)
+		return fits.error();
 	if (auto threshold = parseThreshold(options.threshold); !threshold)
 		return threshold.error();
 	Result<grid::BlockSet> blocks = [&]

@@ -8,12 +8,17 @@
 #include "probe_options.h"
 #include "read/read.h"
 #include "slice/field_choice.h"
+#include "slice/finite_fields.h"
+#include "slice/gpu_break_even.h"
 #include "slice/slicer.h"
 #include "surface_options.h"
+#include "vector_choice.h"
+#include "vectors/path_lines.h"
 
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 namespace vp::app
@@ -34,10 +39,17 @@ struct Session
 	bool crinkle = false;                 // the whole cells are wanted too
 	bool range_of_slice = false;          // pictures' colours go by the values that are shown
 	std::optional<slice::Threshold> threshold;
+	std::optional<slice::FieldChoice> vector_array;                 // where one is asked for, or needed
+	std::optional<VectorChoice> vectors;                            // launched from the sheets
+	std::optional<vectors::StoredVectors> stored{};                 // of that array, where particles go through times
+	double time = 0.0;                                              // that the blocks have values of
+	std::optional<std::pair<slice::FieldChoice, double>> fastest{}; // the greatest length in an array of vectors
 	slice::Finder finder = slice::Finder::automatic;
 	slice::Visited visited = slice::Visited::stamps;
 	std::shared_ptr<gpu::Device> device; // null where the CPU does without
 	std::unique_ptr<slice::Slicer> slicer;
+	std::optional<slice::BreakEven> break_even; // measured where --classify auto has a device to choose
+	std::unique_ptr<slice::FiniteFields> finite_fields = std::make_unique<slice::FiniteFields>();
 	std::unique_ptr<Timeline> timeline;
 };
 

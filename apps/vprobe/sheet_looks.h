@@ -28,11 +28,12 @@ public:
 	// Of the array that the sheets show, or of generations. sheets: all of the slice's.
 	Result<std::optional<render::ValueScale>> scaleOf(const slice::Slice& slice, std::span<const SheetStats> sheets,
 	                                                  bool has_nan);
+	// Of an array.
+	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan);
 	// Without records.
 	Result<render::SheetDrawing> drawing(const slice::SheetSlice& sheet, const SheetStats& stats);
 
 private:
-	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan);
 	// The array's scale with the ends that the look asks for. sheets: those that show it.
 	void chooseEnds(render::ValueScale& scale, std::span<const SheetStats* const> sheets) const;
 	void takeLengthUnits();

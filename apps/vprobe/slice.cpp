@@ -5,6 +5,7 @@
 #include "saved_options.h"
 #include "stats_json.h"
 #include "surface_options.h"
+#include "vectors_out.h"
 #include "write/line_file.h"
 #include "write/slice_file.h"
 
@@ -27,6 +28,7 @@ struct SliceOptions
 	SavedOptions saved;
 	std::string output;
 	std::string stats;
+	std::string vectors_out;
 	std::vector<double> line; // none, or where it begins and ends on the sheet
 	int line_sheet = 0;
 };
@@ -99,11 +101,17 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 	if (options.output == "-" && options.stats == "-")
 		return Error{ExitCode::usage,
 		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
+	if (Status fits = checkVectorsOut(options.saved.probe.vectors, options.vectors_out,
+	                                  {{"-o", options.output}, {"--stats", options.stats}});
+	    !fits)
+		return fits.error();
 	if (Status fits = checkLine(options, command); !fits)
 		return fits.error();
 	const bool pictures = namesPictures(options.output);
 	if (Status planes = pictures || !options.line.empty() ? requirePlanes(options.saved) : Nothing{}; !planes)
 		return planes.error();
+	if (pictures && options.saved.probe.vectors.on())
+		return Error{ExitCode::usage, "--vectors: flat pictures show none; draw them with vprobe render"};
 	const std::string why =
 	    options.output.empty() ? "no -o asks for one" : fmt::format("-o {} is none", options.output);
 	if (Status fits = pictures ? Nothing{} : refuseLook(command, why, "write a .png, .svg or .pdf"); !fits)
@@ -130,7 +138,10 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 		return slice.error();
 	if (Status told = tellAbout(session, *slice); !told)
 		return told.error();
-	std::vector<SheetStats> sheets = sheetStats(session, *slice);
+	Result<std::vector<SheetStats>> stats = sheetStats(session, *slice);
+	if (!stats)
+		return stats.error();
+	const std::vector<SheetStats>& sheets = *stats;
 
 	std::vector<std::string> written;
 	if (!options.output.empty())
@@ -140,7 +151,10 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 			return files.error();
 		written = std::move(*files);
 	}
-	if (options.output.empty() && options.stats.empty())
+	if (Status vectors = writeVectors(session, sheets, options.vectors_out); !vectors)
+		return vectors.error();
+	written.push_back(options.vectors_out);
+	if (options.output.empty() && options.stats.empty() && options.vectors_out.empty())
 		fmt::print("{}", statsTable(session, *slice, sheets));
 	if (Status saved = saveState(options.saved); !saved)
 		return saved.error();
@@ -173,8 +187,10 @@ void addSlice(CLI::App& program, Run& run)
 	command->add_option("--sheet", options->line_sheet, "The sheet of --line, from 0")
 	    ->check(CLI::Range(0, static_cast<int>(probe::kMaxSheets) - 1))
 	    ->type_name("K");
-	command->footer("With neither -o nor --stats a short table is printed.");
+	command->footer("With neither -o, --stats nor --vectors-out a short table is printed.");
 	addLookOptions(*command, options->saved.look, LookScope::plane);
+	addVectorOptions(*command, options->saved.probe.vectors, nullptr);
+	addVectorsOut(*command, options->vectors_out);
 	addStateOptions(*command, options->saved);
 	command->callback([&run, options, command] { run = [options, command] { return runSlice(*options, *command); }; });
 }

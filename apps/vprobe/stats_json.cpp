@@ -1,5 +1,6 @@
 #include "stats_json.h"
 
+#include "sheet_traces.h"
 #include "write/atomic_file.h"
 
 #include <fmt/format.h>
@@ -113,11 +114,11 @@ nlohmann::json crinkleJson(const grid::BlockSet& blocks, const std::optional<sli
 	        {"area", slice::measure(blocks, *crinkle, {}).area}};
 }
 
-nlohmann::json sheetJson(const grid::BlockSet& blocks, const slice::SheetSlice& sheet, const SheetStats& stats)
+nlohmann::json sheetJson(const Session& session, const slice::SheetSlice& sheet, const SheetStats& stats)
 {
-	const TraversalSums sums = sumUp(blocks, sheet);
+	const TraversalSums sums = sumUp(session.blocks, sheet);
 	nlohmann::json json = frameJson(sheet);
-	json.update({{"array", sheet.field ? nlohmann::json(sheet.field->title(blocks)) : nlohmann::json()},
+	json.update({{"array", sheet.field ? nlohmann::json(sheet.field->title(session.blocks)) : nlohmann::json()},
 	             {"cut_cells", sums.cut_cells},
 	             {"linear_cut_cells", sums.linear_cut_cells},
 	             {"polygons", stats.mesh.polygons()},
@@ -140,19 +141,28 @@ nlohmann::json sheetJson(const grid::BlockSet& blocks, const slice::SheetSlice& 
 	             {"boundary_faces", sums.boundary_faces},
 	             {"boundary_area", stats.measure.boundary_area},
 	             {"nan_area", stats.measure.nan_area},
-	             {"crinkle", crinkleJson(blocks, stats.crinkle)}});
+	             {"flux", orNull(stats.flux)},
+	             {"crinkle", crinkleJson(session.blocks, stats.crinkle)}});
+	if (stats.traces)
+		json["vectors"] = tracesJson(session, *stats.traces);
 	return json;
 }
 
 } // namespace
 
-SheetStats sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet)
+Result<SheetStats> sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet)
 {
-	const TimedSection section(session.timeline.get(), "emit");
 	SheetStats stats;
-	stats.mesh = slice.mesh(session.blocks, sheet);
-	if (session.crinkle)
-		stats.crinkle = slice.crinkle(session.blocks, sheet);
+	{
+		const TimedSection section(session.timeline.get(), "emit");
+		stats.mesh = slice.mesh(session.blocks, sheet);
+		if (session.crinkle)
+			stats.crinkle = slice.crinkle(session.blocks, sheet);
+	}
+	Result<SharedTraces> traces = traceSheet(session, slice, sheet, stats.mesh);
+	if (!traces)
+		return traces.error();
+	stats.traces = std::move(*traces);
 	return stats;
 }
 
@@ -160,6 +170,7 @@ void measureSheet(const Session& session, const slice::Slice& slice, std::size_t
 {
 	const TimedSection section(session.timeline.get(), "measure");
 	stats.measure = slice::measure(session.blocks, stats.mesh, slice.sheets[sheet].field);
+	stats.flux = fluxThrough(session, slice.sheets[sheet], stats.mesh);
 }
 
 void measureForPicture(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats)
@@ -167,15 +178,19 @@ void measureForPicture(const Session& session, const slice::Slice& slice, std::s
 	if (session.range_of_slice)
 		return measureSheet(session, slice, sheet, stats);
 	const TimedSection section(session.timeline.get(), "measure");
-	stats.measure.nan_area = slice::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field);
+	stats.measure.nan_area =
+	    slice::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field, session.finite_fields.get());
 }
 
-std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice)
+Result<std::vector<SheetStats>> sheetStats(const Session& session, const slice::Slice& slice)
 {
 	std::vector<SheetStats> sheets;
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
-		sheets.push_back(sheetMesh(session, slice, s));
+		Result<SheetStats> stats = sheetMesh(session, slice, s);
+		if (!stats)
+			return stats.error();
+		sheets.push_back(std::move(*stats));
 		measureSheet(session, slice, s, sheets.back());
 	}
 	return sheets;
@@ -200,8 +215,15 @@ nlohmann::json sheetsJson(const Session& session, const slice::Slice& slice, con
 {
 	nlohmann::json list = nlohmann::json::array();
 	for (std::size_t s = 0; s < sheets.size(); ++s)
-		list.push_back(sheetJson(session.blocks, slice.sheets[s], sheets[s]));
+		list.push_back(sheetJson(session, slice.sheets[s], sheets[s]));
 	return list;
+}
+
+// From how many cells on `--classify auto` has the device do it; null where it was not asked, or is never faster.
+nlohmann::json breakEvenJson(const Session& session)
+{
+	return session.break_even && session.break_even->cells ? nlohmann::json(*session.break_even->cells)
+	                                                       : nlohmann::json();
 }
 
 nlohmann::json inputJson(const ProbeOptions& options, const Session& session)
@@ -216,7 +238,8 @@ nlohmann::json inputJson(const ProbeOptions& options, const Session& session)
 	          {"blocks", session.blocks.blocks.size()}}},
 	        {"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
 	        {"device", session.device ? session.device->name() : "none"},
-	        {"classifier", classifierName(session)}};
+	        {"classifier", classifierName(session)},
+	        {"break_even_cells", breakEvenJson(session)}};
 }
 
 std::string statsDocument(const ProbeOptions& options, const Session& session, const char* key, nlohmann::json what)
@@ -224,7 +247,7 @@ std::string statsDocument(const ProbeOptions& options, const Session& session, c
 	const Timeline& timeline = *session.timeline;
 	nlohmann::json ms = {{"gpu", timeline.totalGpu()}, {"total", timeline.now()}};
 	for (const char* section :
-	     {"read", "build", "upload", "seed", "traverse", "emit", "measure", "readback", "render", "write"})
+	     {"read", "build", "upload", "seed", "traverse", "emit", "measure", "trace", "readback", "render", "write"})
 		ms[section] = timeline.total(section);
 
 	nlohmann::json document = inputJson(options, session);

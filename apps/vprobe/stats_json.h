@@ -2,9 +2,11 @@
 
 #include "session.h"
 #include "slice/stats.h"
+#include "vectors/traces.h"
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,12 +19,15 @@ struct SheetStats
 {
 	slice::SheetMesh mesh;
 	slice::SheetMeasure measure;
-	std::optional<slice::SheetMesh> crinkle{}; // where whole cells are wanted
+	std::optional<slice::SheetMesh> crinkle{};       // where whole cells are wanted
+	std::shared_ptr<const vectors::Traces> traces{}; // launched from it; null where nothing is
+	std::optional<double> flux{};                    // of vectors, through it
 };
 
-std::vector<SheetStats> sheetStats(const Session& session, const slice::Slice& slice);
-// Of one sheet, in two halves: its polygons, section "emit"; what they show, section "measure".
-SheetStats sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet);
+Result<std::vector<SheetStats>> sheetStats(const Session& session, const slice::Slice& slice);
+// Of one sheet, in two halves: its polygons, section "emit", and what is launched from them; what they show, section
+// "measure".
+Result<SheetStats> sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet);
 void measureSheet(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);
 // In place of the second where only a picture is wanted: it tells whether values are missing.
 void measureForPicture(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);

@@ -181,6 +181,7 @@ void addSweep(CLI::App& program, Run& run)
 	addInputs(*command, options->saved.probe)->required(false); // --state may name them
 	addProbeOptions(*command, options->saved.probe);
 	addLookOptions(*command, options->saved.look);
+	addVectorOptions(*command, options->saved.probe.vectors, &options->saved.look.vectors);
 	addPathOptions(*command, options->saved.path);
 	addStateOptions(*command, options->saved);
 	const char* group = "Sweep";

@@ -62,7 +62,11 @@ private:
 			if (!slice)
 				return slice.error();
 			made->slice = std::move(*slice);
-			made->sheets = statsSince(session_, made->slice, last_.get(), plan_.wants_figures);
+			Result<std::vector<SheetStats>> sheets =
+			    statsSince(session_, made->slice, last_.get(), plan_.wants_figures);
+			if (!sheets)
+				return sheets.error();
+			made->sheets = std::move(*sheets);
 		}
 		if (plan_.wants_figures)
 			made->figures = sheetsJson(session_, made->slice, made->sheets);

@@ -1,5 +1,7 @@
 #include "time_steps.h"
 
+#include "sheet_traces.h"
+
 namespace vp::app
 {
 
@@ -33,6 +35,7 @@ Result<bool> moveToTime(Session& session, const ProbeOptions& options, const rea
 		session.slicer->forgetValues();
 	else if (Status built = buildAnew(session, options, at, painter); !built)
 		return built.error();
+	takeValuesAt(time, session);
 	return same_grid;
 }
 

@@ -2,6 +2,7 @@
 #include "interact/bindings.h"
 #include "make_probe.h"
 #include "saved_options.h"
+#include "sheet_traces.h"
 #include "stats_json.h"
 #include "view/viewer.h"
 
@@ -40,6 +41,8 @@ Result<ExitCode> runView(ViewOptions& options, const CLI::App& command)
 	// What can be wrong on the command line is told before a window opens.
 	if (Status probe = checkProbeOptions(options.saved.probe); !probe)
 		return probe.error();
+	if (Status vectors = checkVectors(options.saved.probe); !vectors)
+		return vectors.error();
 	if (Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs); !look)
 		return look.error();
 	const ReadState read_state = [&command](const std::string& file) -> Result<ViewState>
@@ -67,6 +70,7 @@ void addView(CLI::App& program, Run& run)
 	addInputs(*command, options->saved.probe)->required(false);
 	addProbeOptions(*command, options->saved.probe);
 	addLookOptions(*command, options->saved.look);
+	addVectorOptions(*command, options->saved.probe.vectors, &options->saved.look.vectors);
 	addPathOptions(*command, options->saved.path);
 	addStateOptions(*command, options->saved);
 	command->add_flag("--list-bindings", options->list_bindings, "Prints what the keys do, and opens no window");

@@ -196,7 +196,9 @@ private:
 				const ShapeTopology& table = topology(shape(c));
 				const auto f = slot - std::size_t(c) * kFaceWidth;
 				const std::uint32_t* record = recordOf(c);
-				work.faces.push_back({keyOf(record, table.face[f], table.face_size[f]), slot});
+				KeyedSlot& face = work.faces.emplace_back();
+				face.key = keyOf(record, table.face[f], table.face_size[f]);
+				face.slot = slot;
 				continue;
 			}
 			const FaceKey key = polygonKey(slot - faces_.tableSlots(), work.ids);

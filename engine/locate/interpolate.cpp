@@ -1,6 +1,7 @@
 #include "locate/interpolate.h"
 
 #include "locate/fan_weights.h"
+#include "locate/shape_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,36 +87,6 @@ ShapeFunctions functionsAt(CellShape shape, const Vec3& u)
 	}
 }
 
-double depthAt(CellShape shape, const Vec3& u)
-{
-	switch (shape)
-	{
-	case CellShape::tetrahedron:
-		return std::min({u.x, u.y, u.z, 1.0 - u.x - u.y - u.z});
-	case CellShape::pyramid:
-		return std::min({u.x, u.y, u.z, 1.0 - u.z - u.x, 1.0 - u.z - u.y});
-	case CellShape::wedge:
-		return std::min({u.x, u.y, 1.0 - u.x - u.y, u.z, 1.0 - u.z});
-	default:
-		return std::min({u.x, u.y, u.z, 1.0 - u.x, 1.0 - u.y, 1.0 - u.z});
-	}
-}
-
-Vec3 middleOf(CellShape shape)
-{
-	switch (shape)
-	{
-	case CellShape::tetrahedron:
-		return Vec3(0.25);
-	case CellShape::pyramid:
-		return {0.4, 0.4, 0.2};
-	case CellShape::wedge:
-		return {1.0 / 3.0, 1.0 / 3.0, 0.5};
-	default:
-		return Vec3(0.5);
-	}
-}
-
 // points, place: relative to the cell's first point, so that a cell of 1e-6 far from zero keeps its digits.
 struct Residual
 {
@@ -170,7 +141,7 @@ std::optional<ShapeWeights> shapeWeights(CellShape shape, std::span<const Vec3> 
 	// Near a collapsed edge rounding may end in a place of its own.
 	if (length > kTrembles || glm::length(residual(u).missing) > kRounding * size)
 		return std::nullopt;
-	return ShapeWeights{functionsAt(shape, u).value, depthAt(shape, u)};
+	return ShapeWeights{functionsAt(shape, u).value, faceDepths(shape, u).least()};
 }
 
 void weighCell(const grid::Block& block, CellId cell, const Vec3& place, CellWeights& found)

@@ -79,6 +79,35 @@ const Place& PlaceFinder::find(const Vec3& point)
 	return place_;
 }
 
+const Place& PlaceFinder::findByTree(std::uint32_t block, const Vec3& point)
+{
+	place_.block = block;
+	place_.cell = kNoCell;
+	if (holds(widened(blocks_.blocks[block].bounds), point))
+		searchTree(point);
+	return place_;
+}
+
+const Place& PlaceFinder::findAtBoundary(std::uint32_t b, const Vec3& point, double reach, CellId besides)
+{
+	const grid::Block& block = blocks_.blocks[b];
+	place_.block = b;
+	place_.cell = kNoCell;
+	block.boundary.visitWhere(
+	    [&](const Box& box) {
+		    return !place_.found() && holds({box.lo - reach, box.hi + reach}, point);
+	    },
+	    [&](const grid::BoundaryIndex::Face& face)
+	    {
+		    if (place_.found() || face.cell == besides || !holds(widened(boxOf(block, face.cell)), point))
+			    return;
+		    weigh(face.cell, point);
+		    if (place_.weights.depth < kHeld)
+			    place_.cell = kNoCell;
+	    });
+	return place_;
+}
+
 void PlaceFinder::weigh(CellId cell, const Vec3& point)
 {
 	place_.cell = cell;

@@ -32,6 +32,13 @@ public:
 	// Valid until the next call.
 	const Place& find(const Vec3& point);
 
+	// In one block and without a hop: for points that mostly lie outside of it, where hops would wander.
+	const Place& findByTree(std::uint32_t block, const Vec3& point);
+
+	// The same in time that does not grow with the block's cells, but only in cells behind its boundary, no farther
+	// from their boundary face's box than `reach`, and not in the cell `besides`.
+	const Place& findAtBoundary(std::uint32_t block, const Vec3& point, double reach, CellId besides);
+
 private:
 	bool findIn(std::uint32_t block, const Vec3& point);
 	void weigh(CellId cell, const Vec3& point);

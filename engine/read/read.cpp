@@ -73,6 +73,18 @@ Result<grid::BlockSet> readInput(const std::string& input, const ReadOptions& op
 
 } // namespace
 
+std::size_t timeIndex(const std::vector<double>& times, const TimeChoice& choice)
+{
+	if (times.empty() || choice.kind == TimeChoice::Kind::first)
+		return 0;
+	if (choice.kind == TimeChoice::Kind::last)
+		return times.size() - 1;
+	if (choice.kind == TimeChoice::Kind::index)
+		return std::min(choice.index, times.size() - 1);
+	const auto nearer = [&](double a, double b) { return std::abs(a - choice.value) < std::abs(b - choice.value); };
+	return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
+}
+
 Result<TimeChoice> parseTime(const std::string& text)
 {
 	if (text == "last")
@@ -119,28 +131,38 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 	return all;
 }
 
-Result<bool> readValues(const std::vector<std::string>& inputs, const ReadOptions& options, grid::BlockSet& set,
-                        Timeline* timeline)
+Result<std::optional<BlockFields>> readFields(const std::vector<std::string>& inputs, const ReadOptions& options,
+                                              const grid::BlockSet& set, Timeline* timeline)
 {
-	std::vector<std::vector<grid::Field>> fields;
+	const std::optional<BlockFields> none;
+	BlockFields fields;
 	for (const std::string& input : inputs)
 	{
 		if (input.starts_with(kDemoPrefix))
-			return false;
+			return none;
 		Result<CheckedInput> read = readChecked(input, options, timeline);
 		if (!read)
 			return read.error();
 		for (CheckedBlock& block : read->blocks)
 		{
 			if (fields.size() == set.blocks.size() || geometryOf(block) != set.blocks[fields.size()].geometry)
-				return false;
+				return none;
 			fields.push_back(std::move(block.fields));
 		}
 	}
-	if (fields.size() != set.blocks.size())
+	return fields.size() == set.blocks.size() ? std::optional(std::move(fields)) : none;
+}
+
+Result<bool> readValues(const std::vector<std::string>& inputs, const ReadOptions& options, grid::BlockSet& set,
+                        Timeline* timeline)
+{
+	Result<std::optional<BlockFields>> fields = readFields(inputs, options, set, timeline);
+	if (!fields)
+		return fields.error();
+	if (!*fields)
 		return false;
-	for (std::size_t b = 0; b < fields.size(); ++b)
-		grid::replaceFields(set.blocks[b], std::move(fields[b]));
+	for (std::size_t b = 0; b < (*fields)->size(); ++b)
+		grid::replaceFields(set.blocks[b], std::move((**fields)[b]));
 	return true;
 }
 

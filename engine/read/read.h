@@ -31,6 +31,9 @@ struct TimeChoice
 	std::size_t index = 0;
 };
 
+// The number of the chosen one among times, which are ascending; 0 where there are none.
+std::size_t timeIndex(const std::vector<double>& times, const TimeChoice& choice);
+
 // "last", "first", a number, or # and an index; a usage error otherwise.
 Result<TimeChoice> parseTime(const std::string& text);
 
@@ -54,6 +57,12 @@ constexpr int kMaxRefine = 6;
 // input error that names the file. Sections "read" and "build" go to the timeline.
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,
                                   Timeline* timeline);
+
+// The arrays of each block of a set that readInputs made of the inputs, read once more, at another time say; none where
+// the grids are others.
+using BlockFields = std::vector<std::vector<grid::Field>>;
+Result<std::optional<BlockFields>> readFields(const std::vector<std::string>& inputs, const ReadOptions& options,
+                                              const grid::BlockSet& set, Timeline* timeline);
 
 // Reads the inputs once more, at another time say, into a set that readInputs made of them, and takes their values over
 // where the grids are the same. False, and the set as it was, where they are not: readInputs builds them anew.

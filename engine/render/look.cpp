@@ -40,21 +40,25 @@ bool Background::dark() const
 	return 0.5 * (luma(top) + luma(bottom)) < 110.0;
 }
 
+std::optional<Color> parseColor(std::string_view text)
+{
+	if (text == "white")
+		return Color{255, 255, 255};
+	if (text == "black")
+		return Color{0, 0, 0};
+	if (text == "grey")
+		return Color{128, 128, 128};
+	return text.starts_with('#') ? fromHex(text.substr(1)) : std::nullopt;
+}
+
 Result<Background> parseBackground(std::string_view text)
 {
 	if (text == "gradient")
 		return Background{};
-	if (text == "white")
-		return plain({255, 255, 255});
-	if (text == "black")
-		return plain({0, 0, 0});
-	if (text == "grey")
-		return plain({128, 128, 128});
 	if (text == "transparent")
 		return plain({0, 0, 0, 0});
-	if (text.starts_with('#'))
-		if (const auto color = fromHex(text.substr(1)))
-			return plain(*color);
+	if (const auto color = parseColor(text))
+		return plain(*color);
 	return Error{
 	    ExitCode::usage,
 	    fmt::format("--background: '{}' is no colour; take gradient, white, grey, black, transparent, or #RRGGBB",

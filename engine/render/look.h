@@ -26,6 +26,9 @@ struct Background
 	bool dark() const; // lines and letters are light then
 };
 
+// `white`, `black`, `grey`, #RGB or #RRGGBB; none where the text is no colour.
+std::optional<Color> parseColor(std::string_view text);
+
 // `gradient`, `white`, `black`, `grey`, `transparent`, #RGB or #RRGGBB; anything else is a usage error.
 Result<Background> parseBackground(std::string_view text);
 

@@ -89,6 +89,7 @@ struct Surface
 	std::optional<ColorMap> colors{};
 	std::optional<std::pair<double, double>> range{};
 	std::optional<int> lines{}; // about so many contour lines
+	std::string name{};         // what a legend calls it where it calls it anything; else by its number
 };
 
 struct Scene

@@ -134,7 +134,7 @@ std::vector<LegendContent> legendContents(const Scene& scene)
 		const Surface& surface = scene.surfaces[i];
 		if (surface.values)
 			addLegend({surface.values->title, surface.values->has_nan, valueStyle(scene, surface)},
-			          fmt::format("surface {}", i + 1), contents);
+			          surface.name.empty() ? fmt::format("surface {}", i + 1) : surface.name, contents);
 	}
 	return contents;
 }

@@ -15,9 +15,10 @@ SheetWindow::SheetWindow(const probe::Sheet& content)
 		hot_spot_ = origin_ + centre.x * x_axis_ + centre.y * y_axis_;
 	// The rounding of a point far from the origin.
 	const double reach = glm::length(origin_) + glm::length(centre) + window.width() + window.height();
-	const Uv slack(1e-14 * reach);
-	lo_ = Uv(window.x0, window.y0) - slack;
-	hi_ = Uv(window.x1, window.y1) + slack;
+	slack_ = 1e-14 * reach;
+	reach_squared_ = reach * reach;
+	lo_ = Uv(window.x0, window.y0) - slack_;
+	hi_ = Uv(window.x1, window.y1) + slack_;
 }
 
 bool SheetWindow::meets(const Box& box) const
@@ -31,40 +32,7 @@ bool SheetWindow::meets(const Box& box) const
 
 bool SheetWindow::meets(const Vec3& from, const Vec3& to) const
 {
-	return meets(uvOf(from), uvOf(to));
-}
-
-// Liang and Barsky's: the part of the segment between each pair of sides must leave something.
-bool SheetWindow::meets(const Uv& from, const Uv& to) const
-{
-	double first = 0.0;
-	double last = 1.0;
-	for (int axis = 0; axis < 2; ++axis)
-	{
-		const double along = to[axis] - from[axis];
-		const double to_lo = lo_[axis] - from[axis];
-		const double to_hi = hi_[axis] - from[axis];
-		if (along == 0.0)
-		{
-			if (to_lo > 0.0 || to_hi < 0.0)
-				return false;
-			continue;
-		}
-		const double a = to_lo / along;
-		const double b = to_hi / along;
-		first = std::max(first, std::min(a, b));
-		last = std::min(last, std::max(a, b));
-	}
-	return first <= last;
-}
-
-bool SheetWindow::anyMeets(const Cuts& cuts) const
-{
-	for (int i = 0; i + 1 < cuts.count; ++i)
-		for (int j = i + 1; j < cuts.count; ++j)
-			if (meets(cuts.at[i], cuts.at[j]))
-				return true;
-	return false;
+	return reachesInto(uvOf(from), uvOf(to), lo_, hi_);
 }
 
 bool SheetWindow::passesRightOfCentre(const Uv& from, const Uv& to) const

@@ -2,11 +2,9 @@
 
 #include "grid/grid.h"
 #include "probe/sheet.h"
-#include "surface/curved.h"
+#include "seed/face_cuts.h"
 
-#include <array>
 #include <span>
-#include <utility>
 
 namespace vp::seed
 {
@@ -53,6 +51,19 @@ public:
 		return inside || unsure;
 	}
 
+	// Whether a cell lies within the window as seen along the normal: all that is cut of it does then. No where it is
+	// so by less than rounding, and for polyhedra.
+	template <class G>
+	bool holdsCell(const G& grid, CellId cell) const
+	{
+		if (grid.shape(cell) == grid::CellShape::polyhedron)
+			return false;
+		for (const PointId p : grid.cellPoints(cell))
+			if (!holds(grid.point(p)))
+				return false;
+		return true;
+	}
+
 	// The window's sides: `lo` to `hi` along the axes from the origin.
 	const Vec3& origin() const { return origin_; }
 	const Vec3& axis(int of) const { return of == 0 ? x_axis_ : y_axis_; }
@@ -64,49 +75,25 @@ public:
 
 private:
 	using Uv = glm::dvec2;
-	static constexpr int kMostCuts = 16; // of a face; of one cut more often the rest does not matter: it is unsure
-	struct Cuts
-	{
-		std::array<Uv, kMostCuts> at;
-		int count = 0;
-	};
+	using Cuts = FaceCuts<2>;
 
+	bool holds(const Vec3& p) const
+	{
+		const Vec3 from_origin = p - origin_;
+		const Uv uv(glm::dot(from_origin, x_axis_), glm::dot(from_origin, y_axis_));
+		// What is cut far from the plane may be rounded by more than the slack of the sides.
+		return uv.x >= lo_.x + slack_ && uv.x <= hi_.x - slack_ && uv.y >= lo_.y + slack_ && uv.y <= hi_.y - slack_ &&
+		       glm::dot(from_origin, from_origin) <= reach_squared_;
+	}
 	Uv uvOf(const Vec3& p) const { return {glm::dot(p - origin_, x_axis_), glm::dot(p - origin_, y_axis_)}; }
 
-	// Where the edges of a face are cut, to the last bit the same seen from either of its cells. False where none is.
 	template <class G, class Surface>
 	bool findCuts(const G& grid, const Surface& surface, std::span<const PointId> face, Cuts& cuts) const
 	{
-		struct Corner
-		{
-			PointId id;
-			Vec3 place;
-			double distance;
-		};
-		const auto cornerAt = [&](PointId p)
-		{
-			const Vec3 place = grid.point(p);
-			return Corner{p, place, surface::heightAt(grid, surface, p)};
-		};
-		cuts.count = 0;
-		Corner previous = cornerAt(face.back());
-		for (const PointId p : face)
-		{
-			const Corner corner = cornerAt(p);
-			if ((corner.distance >= 0.0) != (previous.distance >= 0.0) && cuts.count < kMostCuts)
-			{
-				const Corner& low = previous.id < p ? previous : corner;
-				const Corner& high = previous.id < p ? corner : previous;
-				cuts.at[cuts.count++] =
-				    uvOf(low.place + surface::crossingOf(surface, low.place, high.place, low.distance, high.distance) *
-				                         (high.place - low.place));
-			}
-			previous = corner;
-		}
-		return cuts.count > 0;
+		return seed::findCuts(
+		    grid, surface, face, [this](const Vec3& p) { return uvOf(p); }, cuts);
 	}
-	bool anyMeets(const Cuts& cuts) const;
-	bool meets(const Uv& from, const Uv& to) const;
+	bool anyMeets(const Cuts& cuts) const { return anyReaches(cuts, lo_, hi_); }
 	bool passesRightOfCentre(const Uv& from, const Uv& to) const;
 	bool isAboutCentre(const Cuts& cuts) const; // the loop through all of them
 
@@ -115,6 +102,8 @@ private:
 	Vec3 y_axis_;
 	Uv lo_;
 	Uv hi_;
+	double slack_; // of the sides
+	double reach_squared_;
 	Vec3 hot_spot_;
 };
 

@@ -6,8 +6,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
+#include <cassert>
 #include <tuple>
 #include <unordered_map>
 
@@ -17,23 +17,16 @@ namespace vp::slice
 namespace
 {
 
-// A side of a window: what lies at least `least` along the axis is kept.
-struct Side
-{
-	Vec3 axis;
-	double least;
-};
-constexpr unsigned kSides = 4;
-
 // Clips the polygons that cross the rim at one side after the other; the others are kept or left out as they are.
 class Clipper
 {
 public:
-	Clipper(const probe::Sheet& content, Corners corners, SheetMesh& mesh)
-	    : content_(content), corners_(corners),
-	      mesh_(mesh), sides_{Side{content.xAxis(), content.window->x0}, Side{-content.xAxis(), -content.window->x1},
-	                          Side{content.up, content.window->y0}, Side{-content.up, -content.window->y1}}
+	Clipper(const Vec3& origin, std::span<const ClipSide> sides, Corners corners, SheetMesh& mesh)
+	    : origin_(origin), sides_(sides), corners_(corners), mesh_(mesh)
 	{
+		assert(sides.size() <= kMostClipSides);
+		for (std::size_t side = 0; side < sides.size(); ++side)
+			numbers_.emplace_back(16);
 	}
 
 	void clip()
@@ -41,7 +34,7 @@ public:
 		if (findOutside())
 		{
 			takePolygons();
-			for (unsigned side = 0; side < kSides; ++side)
+			for (unsigned side = 0; side < sides_.size(); ++side)
 				pairAcrossSeams(side);
 		}
 		dropUnusedVertices(mesh_);
@@ -59,7 +52,7 @@ private:
 	// How far a vertex lies within a side.
 	double within(std::uint32_t v, unsigned side) const
 	{
-		return glm::dot(mesh_.positions[v] - content_.origin, sides_[side].axis) - sides_[side].least;
+		return glm::dot(mesh_.positions[v] - origin_, sides_[side].axis) - sides_[side].least;
 	}
 	// Per vertex a bit for each side that it lies outside of. Returns whether there are any.
 	bool findOutside()
@@ -74,7 +67,7 @@ private:
 			                  for (std::size_t v = range.begin(); v < range.end(); ++v)
 			                  {
 				                  outside_[v] = 0;
-				                  for (unsigned side = 0; side < kSides; ++side)
+				                  for (unsigned side = 0; side < sides_.size(); ++side)
 					                  if (within(static_cast<std::uint32_t>(v), side) < 0.0)
 						                  outside_[v] |= static_cast<std::uint8_t>(1 << side);
 				                  found |= outside_[v];
@@ -126,7 +119,7 @@ private:
 			return {};
 		part_.assign(polygon.begin(), polygon.end());
 		bool has_corner = false;
-		for (unsigned side = 0; side < kSides && !part_.empty(); ++side)
+		for (unsigned side = 0; side < sides_.size() && !part_.empty(); ++side)
 			if (std::ranges::any_of(part_, [&](std::uint32_t v) { return within(v, side) < 0.0; }))
 				has_corner = clipAt(side) || has_corner;
 		if (part_.size() < 3 || (has_corner && corners_ == Corners::skip))
@@ -249,22 +242,32 @@ private:
 		}
 	}
 
-	const probe::Sheet& content_;
+	Vec3 origin_;
+	std::span<const ClipSide> sides_;
 	Corners corners_;
 	SheetMesh& mesh_;
-	std::array<Side, kSides> sides_;
 	RawVector<std::uint8_t> outside_;
-	std::array<KeyNumbers, kSides> numbers_{KeyNumbers(16), KeyNumbers(16), KeyNumbers(16), KeyNumbers(16)};
-	std::vector<Cut> made_; // per rim vertex
+	std::vector<KeyNumbers> numbers_; // per side
+	std::vector<Cut> made_;           // per rim vertex
 	std::vector<std::uint32_t> part_;
 	std::vector<std::uint32_t> whole_; // what part_ is clipped from
 };
 
 } // namespace
 
+void clipToSides(const Vec3& origin, std::span<const ClipSide> sides, Corners corners, SheetMesh& mesh)
+{
+	Clipper(origin, sides, corners, mesh).clip();
+}
+
 void clipToWindow(const probe::Sheet& content, Corners corners, SheetMesh& mesh)
 {
-	Clipper(content, corners, mesh).clip();
+	const probe::Window& window = *content.window;
+	const ClipSide sides[] = {{content.xAxis(), window.x0},
+	                          {-content.xAxis(), -window.x1},
+	                          {content.up, window.y0},
+	                          {-content.up, -window.y1}};
+	clipToSides(content.origin, sides, corners, mesh);
 }
 
 } // namespace vp::slice

@@ -1,11 +1,9 @@
 #include "slice/components.h"
 
-#include "slice/union_find.h"
-
 namespace vp::slice
 {
 
-std::size_t countComponents(const SheetMesh& mesh)
+UnionFind joinedVertices(const SheetMesh& mesh)
 {
 	UnionFind pieces(mesh.positions.size()); // every vertex belongs to a polygon
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -13,7 +11,12 @@ std::size_t countComponents(const SheetMesh& mesh)
 			pieces.join(mesh.polygon(p)[0], v);
 	for (const auto& [v, w] : mesh.seam_pairs)
 		pieces.join(v, w);
-	return pieces.count();
+	return pieces;
+}
+
+std::size_t countComponents(const SheetMesh& mesh)
+{
+	return joinedVertices(mesh).count();
 }
 
 } // namespace vp::slice

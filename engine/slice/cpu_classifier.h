@@ -10,12 +10,12 @@ namespace vp::slice
 {
 
 // Classifies in double precision on the calling thread: the oracle that the GPU is held against.
-template <class Surface>
+template <class Surface, class Window = seed::SheetWindow>
 class CpuClassifier
 {
 public:
 	// The lanes stay the caller's, and are those that are traversed.
-	explicit CpuClassifier(std::span<const traverse::Lane<Surface>> lanes) : lanes_(lanes) {}
+	explicit CpuClassifier(std::span<const traverse::Lane<Surface, Window>> lanes) : lanes_(lanes) {}
 
 	Status classify(std::span<const traverse::FrontSlice> fronts)
 	{
@@ -83,7 +83,7 @@ private:
 		return index;
 	}
 
-	std::span<const traverse::Lane<Surface>> lanes_;
+	std::span<const traverse::Lane<Surface, Window>> lanes_;
 };
 
 } // namespace vp::slice

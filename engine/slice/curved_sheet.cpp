@@ -52,19 +52,23 @@ std::size_t ValueRanges::bytes() const
 	return sum;
 }
 
-std::vector<surface::BlockSurface> surfacesOf(const grid::BlockSet& blocks, const probe::Sheet& sheet,
-                                              const std::optional<FieldChoice>& field, ValueRanges* ranges)
+std::vector<surface::BlockSurface> isoSurfaces(const grid::BlockSet& blocks, double value,
+                                               const std::optional<FieldChoice>& field, ValueRanges* ranges)
 {
 	std::vector<surface::BlockSurface> surfaces;
 	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
-	{
-		if (const surface::IsoValue* iso = sheet.form->isoValue())
-			surfaces.push_back(isoSurface(b, blocks.blocks[b], iso->value, field, ranges));
-		else
-			surfaces.push_back(std::visit([](auto&& placed) { return surface::BlockSurface(placed); },
-			                              sheet.form->placed(sheet.axes())));
-	}
+		surfaces.push_back(isoSurface(b, blocks.blocks[b], value, field, ranges));
 	return surfaces;
+}
+
+std::vector<surface::BlockSurface> surfacesOf(const grid::BlockSet& blocks, const probe::Sheet& sheet,
+                                              const std::optional<FieldChoice>& field, ValueRanges* ranges)
+{
+	if (const surface::IsoValue* iso = sheet.form->isoValue())
+		return isoSurfaces(blocks, iso->value, field, ranges);
+	const auto one =
+	    std::visit([](auto&& placed) { return surface::BlockSurface(placed); }, sheet.form->placed(sheet.axes()));
+	return std::vector(blocks.blocks.size(), one);
 }
 
 std::function<bool(CellId)> finiteCells(const grid::Block& block, const surface::BlockSurface& surface)

@@ -43,6 +43,10 @@ private:
 std::vector<surface::BlockSurface> surfacesOf(const grid::BlockSet& blocks, const probe::Sheet& sheet,
                                               const std::optional<FieldChoice>& field, ValueRanges* ranges = nullptr);
 
+// The surfaces of one value of an array: as surfacesOf() has them for an iso value.
+std::vector<surface::BlockSurface> isoSurfaces(const grid::BlockSet& blocks, double value,
+                                               const std::optional<FieldChoice>& field, ValueRanges* ranges = nullptr);
+
 // Turns down cells with a value that is NaN or infinite; empty where there are none, or the surface is not of values.
 std::function<bool(CellId)> finiteCells(const grid::Block& block, const surface::BlockSurface& surface);
 

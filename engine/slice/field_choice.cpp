@@ -121,7 +121,7 @@ std::string FieldChoice::title(const grid::BlockSet& blocks) const
 }
 
 Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, const std::string& array,
-                                               const std::string& component)
+                                               const std::string& component, const char* option)
 {
 	std::optional<grid::Association> association;
 	std::string name = array;
@@ -143,7 +143,7 @@ Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, con
 	}
 	if (!field)
 		return Error{ExitCode::input,
-		             fmt::format("--array {}: no such array; there are: {}", array, listFields(blocks))};
+		             fmt::format("{} {}: no such array; there are: {}", option, array, listFields(blocks))};
 	Result<int> chosen = parseComponent(*field, component);
 	if (!chosen)
 		return chosen.error();

@@ -25,9 +25,9 @@ struct FieldChoice
 
 // `array` is "[point:|cell:]NAME"; empty takes the first point array, else the first cell array, else none. `component`
 // is "", "magnitude", "x", "y", "z" or a number from 0. An array that no block has is an input error that lists those
-// there are.
+// there are. option: what the error calls it.
 Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, const std::string& array,
-                                               const std::string& component);
+                                               const std::string& component, const char* option = "--array");
 
 // Range of the chosen values over all blocks, NaN left out.
 std::pair<double, double> fieldRange(const grid::BlockSet& blocks, const FieldChoice& choice);

@@ -161,6 +161,9 @@ public:
 	// The same slice over the values there are now: what was cut is kept, nothing is traversed.
 	Result<Slice> regather(const Slice& kept, Timeline* timeline);
 
+	// Marks of a block's cells for another traversal than a slice's, such as what is grown from a sheet.
+	traverse::VisitedPool::Loan borrowMarks(std::size_t block) { return visited_[block]->borrow(); }
+
 	const grid::BlockSet& blocks() const { return blocks_; }
 	bool usesGpu() const { return gpu_ != nullptr; }
 	std::size_t blocksOnGpu() const; // the others passed a limit of the device, and are classified by the CPU

@@ -1,9 +1,9 @@
 #include "slice/stats.h"
 
 #include "slice/components.h"
+#include "slice/ordered_sum.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -72,39 +72,18 @@ struct Sums
 	}
 };
 
-// add(sums, i) for each of so many, on all cores. Each part has sums of its own, which are added in order: so they are
-// the same for any number of threads.
-template <class Add>
-Sums sumUp(std::size_t count, const Add& add)
-{
-	constexpr std::size_t kPart = 4096;
-	std::vector<Sums> parts((count + kPart - 1) / kPart);
-	tbb::parallel_for(std::size_t(0), parts.size(),
-	                  [&](std::size_t part)
-	                  {
-		                  Sums sums;
-		                  for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, count); ++i)
-			                  add(sums, i);
-		                  parts[part] = sums;
-	                  });
-	Sums all;
-	for (const Sums& part : parts)
-		all.add(part);
-	return all;
-}
-
 // Values of vertices, with their range.
 Sums takeVertexValues(const grid::BlockSet& blocks, const SheetMesh& mesh, const FieldChoice& field,
                       std::vector<double>& values)
 {
 	values.resize(mesh.positions.size());
 	const std::vector<const grid::Field*> fields = field.inEach(blocks);
-	return sumUp(values.size(),
-	             [&](Sums& sums, std::size_t v)
-	             {
-		             values[v] = vertexValue(blocks, mesh, v, fields, field.component);
-		             sums.addValue(values[v]);
-	             });
+	return orderedSum<Sums>(values.size(),
+	                        [&](Sums& sums, std::size_t v)
+	                        {
+		                        values[v] = vertexValue(blocks, mesh, v, fields, field.component);
+		                        sums.addValue(values[v]);
+	                        });
 }
 
 // Whether is_finite(i) holds for each of so many, asked on all cores.
@@ -120,13 +99,26 @@ bool areFinite(std::size_t count, const IsFinite& is_finite)
 	return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, count, 4096), true, all, std::logical_and<>());
 }
 
+// Whether all that `count` lookups could give is known to be finite.
+bool areKnownFinite(std::span<const grid::Field* const> fields, int component, std::size_t count, FiniteFields& known)
+{
+	const std::size_t share = count / fields.size() + 1;
+	return std::ranges::all_of(fields, [&](const grid::Field* field)
+	                           { return field && component < field->components && known.holds(*field, share); });
+}
+
 } // namespace
 
-double nanArea(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field)
+double nanArea(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field,
+               FiniteFields* known)
 {
-	if (!field)
+	if (!field || blocks.blocks.empty())
 		return 0.0;
 	const std::vector<const grid::Field*> fields = field->inEach(blocks);
+	const bool on_points = field->association == grid::Association::point;
+	const std::size_t count = on_points ? mesh.positions.size() : mesh.polygons();
+	if (known && areKnownFinite(fields, field->component, count, *known))
+		return 0.0;
 	const auto ofVertex = [&](std::size_t v)
 	{ return std::isfinite(vertexValue(blocks, mesh, v, fields, field->component)); };
 	const auto ofPolygon = [&](std::size_t p)
@@ -134,8 +126,7 @@ double nanArea(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::o
 		const auto [b, cell] = mesh.polygon_cells[p];
 		return fields[b] && std::isfinite(cellValue(blocks.blocks[b], *fields[b], field->component, cell));
 	};
-	const bool finite = field->association == grid::Association::point ? areFinite(mesh.positions.size(), ofVertex)
-	                                                                   : areFinite(mesh.polygons(), ofPolygon);
+	const bool finite = on_points ? areFinite(count, ofVertex) : areFinite(count, ofPolygon);
 	return finite ? 0.0 : measure(blocks, mesh, field).nan_area;
 }
 
@@ -147,23 +138,24 @@ SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const 
 	const Sums of_vertices = on_points ? takeVertexValues(blocks, mesh, *field, vertex_values) : Sums();
 	const auto fields = field ? field->inEach(blocks) : std::vector<const grid::Field*>(blocks.blocks.size());
 	const std::size_t of_cells = mesh.polygons() - mesh.boundary_polygons;
-	Sums sums = sumUp(mesh.polygons(),
-	                  [&](Sums& part, std::size_t p)
-	                  {
-		                  const auto polygon = mesh.polygon(p);
-		                  const auto [b, cell] = mesh.polygon_cells[p];
-		                  double polygon_value = kNan;
-		                  if (field && !on_points)
-		                  {
-			                  if (fields[b])
-				                  polygon_value = cellValue(blocks.blocks[b], *fields[b], field->component, cell);
-			                  part.addValue(polygon_value);
-		                  }
-		                  if (p < of_cells)
-			                  part.addPolygon(mesh, polygon, vertex_values, polygon_value);
-		                  else
-			                  part.boundary_area += 0.5 * glm::length(doubleArea(mesh, polygon));
-	                  });
+	Sums sums = orderedSum<Sums>(mesh.polygons(),
+	                             [&](Sums& part, std::size_t p)
+	                             {
+		                             const auto polygon = mesh.polygon(p);
+		                             const auto [b, cell] = mesh.polygon_cells[p];
+		                             double polygon_value = kNan;
+		                             if (field && !on_points)
+		                             {
+			                             if (fields[b])
+				                             polygon_value =
+				                                 cellValue(blocks.blocks[b], *fields[b], field->component, cell);
+			                             part.addValue(polygon_value);
+		                             }
+		                             if (p < of_cells)
+			                             part.addPolygon(mesh, polygon, vertex_values, polygon_value);
+		                             else
+			                             part.boundary_area += 0.5 * glm::length(doubleArea(mesh, polygon));
+	                             });
 	sums.add(of_vertices);
 
 	SheetMeasure result;

@@ -2,6 +2,7 @@
 
 #include "grid/block.h"
 #include "slice/field_choice.h"
+#include "slice/finite_fields.h"
 #include "slice/mesh.h"
 
 #include <optional>
@@ -25,8 +26,10 @@ struct SheetMeasure
 	std::size_t components = 0; // see components.h
 };
 
-// The nan_area of measure() alone: where all values are finite, as mostly, nothing else is looked at.
-double nanArea(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field);
+// The nan_area of measure() alone: where all values are finite, as mostly, nothing else is looked at. known: what is
+// known of the blocks' arrays from other meshes, so that not even values are; or null.
+double nanArea(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field,
+               FiniteFields* known = nullptr);
 
 SheetMeasure measure(const grid::BlockSet& blocks, const SheetMesh& mesh, const std::optional<FieldChoice>& field);
 

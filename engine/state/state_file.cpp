@@ -81,6 +81,7 @@ struct Reader
 	}
 	void operator()(std::optional<int>* number) const { (*this)(&number->emplace()); }
 	void operator()(double* number) const { *number = from.number(); }
+	void operator()(std::optional<double>* number) const { (*this)(&number->emplace()); }
 	void operator()(bool* flag) const { *flag = from.flag(); }
 	void operator()(std::vector<double>* numbers) const
 	{
@@ -172,6 +173,7 @@ struct Words
 	Texts operator()(const int* number) const { return {fmt::to_string(*number)}; }
 	Texts operator()(const std::optional<int>* number) const { return *number ? (*this)(&**number) : Texts(); }
 	Texts operator()(const double* number) const { return {fmt::to_string(*number)}; }
+	Texts operator()(const std::optional<double>* number) const { return *number ? (*this)(&**number) : Texts(); }
 	Texts operator()(const std::vector<double>* numbers) const
 	{
 		Texts texts;

@@ -51,9 +51,9 @@ struct PathChoice
 
 // Where a setting's value lies. An empty string or vector and an absent optional are not written; a key that is left
 // out leaves the value as it is.
-using Place =
-    std::variant<std::string*, std::optional<std::string>*, int*, std::optional<int>*, double*, bool*,
-                 std::vector<double>*, std::vector<std::string>*, Files, File, NameOrFile, ProbeChoice, PathChoice>;
+using Place = std::variant<std::string*, std::optional<std::string>*, int*, std::optional<int>*, double*,
+                           std::optional<double>*, bool*, std::vector<double>*, std::vector<std::string>*, Files, File,
+                           NameOrFile, ProbeChoice, PathChoice>;
 
 struct Setting
 {

@@ -10,12 +10,16 @@
 #include "traverse/octant_queue.h"
 #include "traverse/visited.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
 #include <bit>
 #include <concepts>
 #include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
+#include <type_traits>
 #include <vector>
 
 namespace vp::traverse
@@ -23,7 +27,9 @@ namespace vp::traverse
 
 // A sheet within a block: the unit that has a front and visited marks of its own. All lanes go in lock step, one call
 // of the classifier for generation k of every lane.
-template <class Surface>
+//
+// Window: what bounds the sheet, seed::SheetWindow or another that tells of faces and cells whether they reach into it.
+template <class Surface, class Window = seed::SheetWindow>
 struct Lane
 {
 	const grid::Block* block;
@@ -37,7 +43,7 @@ struct Lane
 	// Cells that it turns down end the traversal: they are not queued. Empty: every cell may come.
 	std::function<bool(CellId)> admits = {};
 	// Where the sheet has one: cells whose section lies outside do not count as cut, edges outside lead nowhere.
-	std::optional<seed::SheetWindow> window = {};
+	std::optional<Window> window = {};
 	OctantQueue* queue = nullptr; // in place of the marks, and empty
 
 	// Whether the cell is to be queued: it may come, and has not been queued yet.
@@ -99,11 +105,11 @@ inline LaneCut oneGeneration(std::vector<CellId> cells)
 
 // Queues the unqueued neighbours of the front [begin, end) of lane l across its cut faces. A boundary face of a block
 // with seams is looked up among them; a block without pays nothing for those of others.
-template <bool kHasSeams, class G, class Surface>
-void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_t l, std::size_t begin, std::size_t end,
-                 std::span<LaneCut> cuts)
+template <bool kHasSeams, class G, class Surface, class Window>
+void expandFront(const G& grid, std::span<const Lane<Surface, Window>> lanes, std::size_t l, std::size_t begin,
+                 std::size_t end, std::span<LaneCut> cuts)
 {
-	const Lane<Surface>& lane = lanes[l];
+	const Lane<Surface, Window>& lane = lanes[l];
 	LaneCut& cut = cuts[l];
 	const auto enqueue = [&](CellId neighbour)
 	{
@@ -130,11 +136,6 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 					cuts[lane.sheet_lane + link.block].cells.push_back(link.other);
 		}
 	};
-	const auto crossFace = [&](CellId cell, int f, const grid::CellFaces& faces)
-	{
-		if (!lane.window || lane.window->meetsFace(grid, lane.surface, faces[f]))
-			cross(cell, f);
-	};
 	// Where a large face leads to several small cells, the window may hold a part of it that only some of them share.
 	bool asks_every_cell = kHasSeams;
 	if constexpr (requires { grid.hasLinks(); })
@@ -148,33 +149,82 @@ void expandFront(const G& grid, std::span<const Lane<Surface>> lanes, std::size_
 			cut.words[i] = classifyByWalk(grid, lane.surface, cell, faces);
 		if (!(cut.words[i] & shared::kWordCut))
 			continue;
-		if (lane.window && !walked)
+		// Most cells lie within the window as a whole, and are not asked face by face.
+		const bool at_rim = lane.window && !lane.window->holdsCell(grid, cell);
+		if (at_rim && !walked)
 			grid.cellFaces(cell, faces);
 		// Later generations are mostly entered across an edge in the window, which is theirs too.
-		if (lane.window && (begin == 0 || asks_every_cell) && !lane.window->meetsCell(grid, lane.surface, faces))
+		if (at_rim && (begin == 0 || asks_every_cell) && !lane.window->meetsCell(grid, lane.surface, faces))
 		{
 			cut.words[i] &= 0xFFu | shared::kWordWalk;
 			continue;
 		}
 		++cut.cut_cells;
+		const auto crossFace = [&](int f)
+		{
+			if (!at_rim || lane.window->meetsFace(grid, lane.surface, faces[f]))
+				cross(cell, f);
+		};
 		if (walked)
 		{
 			for (int f = 0; f < faces.size(); ++f)
 				if (seed::isFaceCut(grid, lane.surface, faces[f]))
-					crossFace(cell, f, faces);
+					crossFace(f);
 			continue;
 		}
 		for (std::uint32_t bits = (cut.words[i] >> shared::kWordFacesShift) & 0xFFu; bits; bits &= bits - 1)
-			crossFace(cell, std::countr_zero(bits), faces);
+			crossFace(std::countr_zero(bits));
 	}
+}
+
+// Those of one sheet, one after the other: across seams a front grows the lanes after it and before it, so its own ends
+// are those of this generation.
+template <class Surface, class Window>
+void expandSheet(std::span<const Lane<Surface, Window>> lanes, std::span<const FrontSlice> fronts, std::span<LaneCut> cuts)
+{
+	for (const FrontSlice& front : fronts)
+	{
+		const Lane<Surface, Window>& lane = lanes[front.lane];
+		const std::size_t end = cuts[front.lane].generation_starts.back();
+		const std::size_t begin = end - front.cells.size();
+		const auto expand = [&]<bool kHasSeams>(const auto& grid)
+		{ expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface, Window>(grid, lanes, front.lane, begin, end, cuts); };
+		std::visit([&](const auto& grid)
+		           { lane.seams ? expand.template operator()<true>(grid) : expand.template operator()<false>(grid); },
+		           lane.block->grid);
+	}
+}
+
+// Sheets know nothing of each other: those of a wide generation are expanded on all cores. front_cells: of all fronts.
+template <class Surface, class Window>
+void expandSheets(std::span<const Lane<Surface, Window>> lanes, std::span<const FrontSlice> fronts, std::size_t front_cells,
+                  std::span<LaneCut> cuts)
+{
+	constexpr std::size_t kWorthSharing = 1024; // some 30 us of one core
+	const auto ofSameSheet = [&](const FrontSlice& a, const FrontSlice& b)
+	{ return lanes[a.lane].sheet_lane == lanes[b.lane].sheet_lane; };
+	std::vector<std::span<const FrontSlice>> sheets;
+	for (auto first = fronts.begin(); first != fronts.end();)
+	{
+		const auto last =
+		    std::find_if(first, fronts.end(), [&](const FrontSlice& f) { return !ofSameSheet(*first, f); });
+		sheets.emplace_back(first, last);
+		first = last;
+	}
+	const auto expand = [&](std::size_t s) { expandSheet<Surface, Window>(lanes, sheets[s], cuts); };
+	if (sheets.size() > 1 && front_cells >= kWorthSharing)
+		tbb::parallel_for(std::size_t(0), sheets.size(), expand);
+	else
+		for (std::size_t s = 0; s < sheets.size(); ++s)
+			expand(s);
 }
 
 // Breadth first, by generations: G(k+1) are the cells first met across the cut faces of G(k). Returns one LaneCut a
 // lane, or the classifier's error; a stop request ends the traversal between generations with what was found.
 // timeline: sections "classify", which knows how wide the front is, and "expand" of each generation; or null.
-template <class Surface, Classifier C>
-Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& classifier, std::stop_token stop = {},
-                                          Timeline* timeline = nullptr)
+template <class Surface, class Window = seed::SheetWindow, Classifier C>
+Result<std::vector<LaneCut>> breadthFirst(std::type_identity_t<std::span<Lane<Surface, Window>>> lanes, C& classifier,
+                                          std::stop_token stop = {}, Timeline* timeline = nullptr)
 {
 	std::vector<LaneCut> cuts(lanes.size());
 	for (std::size_t l = 0; l < lanes.size(); ++l)
@@ -212,21 +262,7 @@ Result<std::vector<LaneCut>> breadthFirst(std::span<Lane<Surface>> lanes, C& cla
 				return classified.error();
 		}
 		const TimedSection section(timeline, "expand");
-		// Across seams a front grows the lanes after it and before it: its own ends are those of this generation.
-		for (const FrontSlice& front : fronts)
-		{
-			const Lane<Surface>& lane = lanes[front.lane];
-			const std::size_t end = cuts[front.lane].generation_starts.back();
-			const std::size_t begin = end - front.cells.size();
-			const auto expand = [&]<bool kHasSeams>(const auto& grid) {
-				expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface>(grid, lanes, front.lane, begin, end,
-				                                                              cuts);
-			};
-			std::visit(
-			    [&](const auto& grid)
-			    { lane.seams ? expand.template operator()<true>(grid) : expand.template operator()<false>(grid); },
-			    lane.block->grid);
-		}
+		expandSheets<Surface, Window>(lanes, fronts, front_cells, cuts);
 	}
 	// A stop leaves a generation queued that nothing is known about.
 	for (LaneCut& cut : cuts)

@@ -4,6 +4,7 @@
 #include "base/raw_vector.h"
 #include "base/vec.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,8 +19,17 @@ enum class TraceEnd : std::uint8_t
 	steps,       // all its steps are done
 	left_grid,   // the next place lies outside the grid, or in a hidden cell
 	zero_vector, // nothing moves there
-	no_vector    // NaN or infinite, or the block there lacks the array
+	no_vector,   // NaN or infinite, or the block there lacks the array; of path lines also beyond the stored times
+	gave_up      // a step took more substeps than a step may: its dt reaches over thousands of cells
 };
+
+// As they stand in files and figures.
+constexpr std::array<const char*, 5> kTraceEndWords{"steps", "left_grid", "zero_vector", "no_vector", "gave_up"};
+
+constexpr const char* traceEndWord(TraceEnd end)
+{
+	return kTraceEndWords[static_cast<std::size_t>(end)];
+}
 
 // Paths of particles that follow a vector field, each from its earliest point to its latest.
 struct Traces

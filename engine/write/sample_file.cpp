@@ -3,6 +3,7 @@
 #include "locate/place.h"
 #include "write/atomic_file.h"
 #include "write/csv_text.h"
+#include "write/place_values.h"
 #include "write/set_arrays.h"
 #include "write/unique_names.h"
 
@@ -102,20 +103,11 @@ private:
 	static void addInterpolated(std::string& text, const G& grid, const SetArray& array, const Place& place)
 	{
 		const grid::Field* field = array.per_block[place.block];
-		const auto& [points, weights, depth] = place.weights;
-		const auto nearest = std::ranges::max_element(weights) - weights.begin();
 		for (int c = 0; field && c < field->components; ++c)
 		{
-			double value = 0.0;
-			if (field->categorical)
-				value = field->value(grid.sourcePoint(points[nearest]), c);
-			else
-				for (std::size_t i = 0; i < points.size(); ++i)
-					if (weights[i] != 0.0) // a NaN there does not reach here
-						value += weights[i] * field->value(grid.sourcePoint(points[i]), c);
 			std::byte number[sizeof(double)];
 			const grid::NumberType type = interpolatedType(array);
-			grid::storeNumber(type, value, number);
+			grid::storeNumber(type, valueAt(grid, *field, c, place.weights), number);
 			appendNumbers(text, type, number, 1);
 		}
 		addNan(text, array.components - (field ? field->components : 0));

@@ -9,6 +9,7 @@
 #include "grids.h"
 #include "our_cuts.h"
 #include "targets.h"
+#include "traces.h"
 #include "vtk_cuts.h"
 
 #include <benchmark/benchmark.h>
@@ -97,6 +98,11 @@ int main(int argc, char** argv)
 			add(grid, "8 vanes vtkPlaneCutter",
 			    [](auto& state) { vtkCut(state, "shell:256", bench::VtkCut::plane_cutter, 8); })
 			    ->MinTime(1.0);
+		}
+		if (grid == "shell:128" || grid == "tets:96")
+		{
+			add(grid, "traces", [=](auto& state) { bench::ourTraces(state, grid); })->MinTime(1.0);
+			add(grid, "vtkStreamTracer", [=](auto& state) { bench::vtkTraces(state, grid); })->Iterations(1);
 		}
 		if (grid == "shell:256" || grid == "hexes:256" || grid == "tets:184")
 			addBuilding(grid);

@@ -82,14 +82,6 @@ vtkDataSet* vtkNamed(const std::string& name)
 	return grid.vtk;
 }
 
-grid::Block unbuilt(const grid::Block& block)
-{
-	grid::Block made;
-	made.name = block.name;
-	made.grid = block.grid;
-	return made;
-}
-
 ReadCells readCells(const grid::UnstructuredGrid& grid, bool shuffled)
 {
 	std::vector<CellId> order(grid.cellCount());

@@ -19,8 +19,7 @@ const grid::BlockSet& gridNamed(const std::string& name);
 // The same as VTK has it. Of both the last that was asked for is kept: several large ones do not fit into memory.
 vtkDataSet* vtkNamed(const std::string& name);
 
-// The grid as it comes from a file, nothing built: cells in the program's own order, or shuffled.
-grid::Block unbuilt(const grid::Block& block);
+// A grid as it comes from a file, nothing built: cells in the program's own order, or shuffled.
 struct ReadCells
 {
 	grid::Points points;

@@ -103,6 +103,8 @@ std::vector<Target> targets()
 	           "shell:256/8 vanes vtkPlaneCutter"),
 	    {"frames a second: 3 translucent vanes, shell:256, 1280x720", "", 30, true,
 	     [](const Figures& f) { return quotient(Number(1000.0), f.counter("shell:256/frames", "frame_ms")); }},
+	    faster("10 000 particles of 200 steps, shell:128, against vtkStreamTracer", 10, "shell:128/traces",
+	           "shell:128/vtkStreamTracer"),
 	    counted("bytes built besides a cell, shell:256", "", 4, "shell:256/memory", "extra_per_cell"),
 	    counted("bytes built besides a cell, tets:128", "", 24, "tets:128/memory", "extra_per_cell"),
 	    counted("bytes built besides a cell, hexes:192", "", 36, "hexes:192/memory", "extra_per_cell")};

@@ -65,6 +65,18 @@ TEST_F(Device, WithoutTheOptionOrWithAuto)
 	EXPECT_TRUE(isQuiet(slice({"--classify", "auto"})));
 }
 
+TEST_F(Device, AutoTellsFromWhereTheDeviceIsFaster)
+{
+	const nlohmann::json stats = slice({"--classify", "auto"}).json();
+	ASSERT_TRUE(stats.contains("break_even_cells"));
+	const nlohmann::json& cells = stats["break_even_cells"];
+	// 16^2 cells are less than the narrowest front that is measured.
+	EXPECT_TRUE(cells.is_null() || cells >= 2048) << cells;
+	EXPECT_EQ(stats["classifier"], "cpu");
+	for (const char* named : {"cpu", "gpu"})
+		EXPECT_TRUE(slice({"--classify", named}).json()["break_even_cells"].is_null());
+}
+
 TEST_F(Device, ByIndexOrName)
 {
 	EXPECT_TRUE(isQuiet(slice({"--classify", "gpu", "--device", "0"})));

@@ -114,8 +114,6 @@ TEST_F(Surface, WhatCannotBeIsOneLine)
 	     {Case{"demo:tets:6", {"--surface", "i=2"}, 2, {"--surface", "subscripts", "--normal"}},
 	      Case{"demo:shell:8", {"--surface", "i=8.5"}, 1, {"--surface i=8.5", "0 to 8"}},
 	      Case{"demo:shell:8", {"--surface", "k=-1"}, 1, {"--surface k=-1", "0 to 8"}},
-	      Case{"demo:shell:8", {"--surface", "sphere:2"}, 1, {"--surface sphere:2", "i="}},
-	      Case{"demo:shell:8", {"--surface", "x*y"}, 1, {"--surface x*y", "i="}},
 	      Case{"demo:shell:8", {"--surface", "i=two"}, 1, {"--surface i=two"}},
 	      Case{"demo:shell:8", {"--surface", "i="}, 1, {"--surface i="}},
 	      Case{"demo:shell:8", {"--surface", "i=1..2"}, 1, {"--surface i=1..2", "sweep"}},

@@ -15,6 +15,19 @@ vp::render::ColorMap viridis()
 	return *vp::render::makeColorMap("viridis");
 }
 
+// Lit or in shade, as nothing else in the window is.
+double shareOfMagenta(const vp::render::Picture& picture)
+{
+	std::size_t count = 0;
+	for (std::uint32_t y = 0; y < picture.height; ++y)
+		for (std::uint32_t x = 0; x < picture.width; ++x)
+		{
+			const auto [r, g, b, a] = picture.pixel(x, y);
+			count += r > 90 && b > 90 && g < 40;
+		}
+	return static_cast<double>(count) / (picture.width * picture.height);
+}
+
 class Picture : public Desktop
 {
 };
@@ -52,6 +65,29 @@ TEST_F(Picture, TheNextArrayIsShown)
 	const nlohmann::json after = settle();
 	EXPECT_NE(before["probe"].value("array", ""), after["probe"].value("array", ""));
 	EXPECT_TRUE(eventually([&] { return difference(first, seen(left)) > 0.05; }));
+	close();
+}
+
+TEST_F(Picture, WhatIsLaunchedFollowsTheProbe)
+{
+	open({"demo:shell:32", "--normal", "z", "--vectors", "tufts", "--vector-color", "#ff00ff"});
+	moveTo({5, 640});
+	const nlohmann::json state = settle();
+	EXPECT_EQ(state["vectors"]["vectors"], "tufts");
+	const Area left{100, 100, 500, 450};
+	const vp::render::Picture first = rest(left);
+	EXPECT_GT(shareOfMagenta(first), 0.002);
+	act("push_forward");
+	settle();
+	EXPECT_TRUE(eventually(
+	    [&]
+	    {
+		    const vp::render::Picture now = seen(left);
+		    return difference(first, now) > 0.01 && shareOfMagenta(now) > 0.002;
+	    }));
+	act("undo");
+	settle();
+	EXPECT_TRUE(eventually([&] { return difference(first, seen(left)) == 0.0; }));
 	close();
 }
 

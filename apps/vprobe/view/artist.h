@@ -79,6 +79,7 @@ struct Shown
 	std::optional<Pane> pane;                    // where one is wished, and its sheet is seen
 	bool smooth = false;                         // all samples are in it
 	bool empty = false;                          // no sheet cuts anything
+	double vector_dt = 0.0;                      // of a step of what is launched from the sheets, 0 without
 	std::shared_ptr<const SheetLookups> lookups; // of the cut, once it has been still; or null
 	double cut_ms = 0.0;                         // 0 where the cut before was still good
 	double draw_ms = 0.0;

@@ -114,7 +114,10 @@ Result<double> Artist::cutAsWished()
 		return slice.error();
 	auto made = std::make_shared<CutFrame>();
 	made->slice = std::move(*slice);
-	made->sheets = statsSince(*session_, made->slice, last.get(), false);
+	Result<std::vector<SheetStats>> sheets = statsSince(*session_, made->slice, last.get(), false);
+	if (!sheets)
+		return sheets.error();
+	made->sheets = std::move(*sheets);
 	cut_ = std::move(made);
 	cut_is_old_ = false;
 	++cuts_;

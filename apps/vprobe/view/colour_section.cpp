@@ -90,14 +90,9 @@ void showComponents(Desk& desk, const Facts::Array* now)
 
 void showOpacity(Desk& desk)
 {
-	auto opacity = static_cast<float>(desk.bench.state().look.opacity);
-	labelled("Opacity");
-	if (ImGui::SliderFloat("##opacity", &opacity, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp))
-		desk.bench.change(
-		    "Opacity", [&](ViewState& state) { state.look.opacity = opacity; }, "opacity");
-	if (ImGui::IsItemDeactivated())
-		desk.bench.endMerge();
-	tip("Of every sheet; several lie over each other in exact order");
+	showSlider(desk, {.label = "Opacity"}, desk.bench.state().look.opacity,
+	           "Of every sheet; several lie over each other in exact order",
+	           [](ViewState& state, double opacity) { state.look.opacity = opacity; });
 }
 
 void showCount(Desk& desk, Action action, const char* label, int LookOptions::*option)

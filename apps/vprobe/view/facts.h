@@ -20,6 +20,7 @@ struct Facts
 		grid::Association association = grid::Association::point;
 		int components = 1;
 	};
+	static bool isVector(const Array& array) { return array.components == 3; }
 
 	std::vector<std::string> inputs;
 	std::string kind; // of the grid, as info tells it

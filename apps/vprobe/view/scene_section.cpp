@@ -17,27 +17,11 @@ using interact::Action;
 
 constexpr double kBoundaryOpacity = 0.15; // where none is given, see docs/LOOKS.md
 
-struct Choice
+void showWord(Desk& desk, const char* label, std::span<const Choice> choices, std::string LookOptions::*option,
+              std::string_view words)
 {
-	const char* word;
-	const char* name;
-};
-
-template <std::size_t Count>
-void showChoice(Desk& desk, const char* label, const std::array<Choice, Count>& choices,
-                std::string LookOptions::*option, std::string_view words)
-{
-	const std::string now = desk.bench.state().look.*option;
-	const auto known = std::ranges::find(choices, now, [](const Choice& choice) { return std::string(choice.word); });
-	labelled(label);
-	if (ImGui::BeginCombo(fmt::format("##{}", label).c_str(), known == choices.end() ? now.c_str() : known->name))
-	{
-		for (const Choice& choice : choices)
-			if (ImGui::Selectable(choice.name, now == choice.word))
-				desk.bench.change(label, [&](ViewState& state) { state.look.*option = choice.word; });
-		ImGui::EndCombo();
-	}
-	tip(words);
+	showChoice(desk, label, choices, desk.bench.state().look.*option, words,
+	           [&](ViewState& state, const char* word) { state.look.*option = word; });
 }
 
 bool isBoundary(const std::string& context)
@@ -100,7 +84,7 @@ void showBackground(Desk& desk)
 {
 	static constexpr std::array kGrounds{Choice{"gradient", "Gradient"}, Choice{"white", "White"},
 	                                     Choice{"grey", "Grey"}, Choice{"#20242b", "Dark"}, Choice{"black", "Black"}};
-	showChoice(desk, "Background", kGrounds, &LookOptions::background, "Behind the scene; letters suit it");
+	showWord(desk, "Background", kGrounds, &LookOptions::background, "Behind the scene; letters suit it");
 }
 
 } // namespace
@@ -111,8 +95,8 @@ void showSceneSection(Desk& desk)
 	                                      Choice{"none", "None"}};
 	static constexpr std::array kAxes{Choice{"corner", "In the corner"}, Choice{"box", "Numbers on the box"},
 	                                  Choice{"none", "None"}};
-	showChoice(desk, "Outline", kOutlines, &LookOptions::outline, tipOf(Action::outline));
-	showChoice(desk, "Axes", kAxes, &LookOptions::axes, tipOf(Action::axes));
+	showWord(desk, "Outline", kOutlines, &LookOptions::outline, tipOf(Action::outline));
+	showWord(desk, "Axes", kAxes, &LookOptions::axes, tipOf(Action::axes));
 	showBackground(desk);
 	showBoundary(desk);
 	const LookOptions& look = desk.bench.state().look;

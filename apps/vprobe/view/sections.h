@@ -16,6 +16,7 @@ void showColourSection(Desk& desk);
 void showColourMapChoice(Desk& desk);
 void showRangeChoice(Desk& desk);
 void showSceneSection(Desk& desk);
+void showVectorSection(Desk& desk);
 void showTimeSection(Desk& desk);
 void showCameraSection(Desk& desk);
 void showSweepSection(Desk& desk);

@@ -1,5 +1,6 @@
 #include "view/sections.h"
 
+#include <algorithm>
 #include <array>
 
 namespace vp::app
@@ -20,6 +21,7 @@ constexpr std::array kSections{
     Section{"Data", "What is loaded", showDataSection, true},
     Section{"Probe", "The sheets, where they stand, their windows", showProbeSection, true},
     Section{"Colours", "What array the sheets show, and how", showColourSection, true},
+    Section{"Vectors", "Arrows, and paths of particles, launched from the sheets", showVectorSection, false},
     Section{"Time", "The input's time steps", showTimeSection, true},
     Section{"Sweep", "The probe moved along a path, as a film", showSweepSection, false},
     Section{"Magnifier", "What a sheet shows, magnified", showMagnifierSection, false},
@@ -33,6 +35,8 @@ bool isOfUse(const Section& section, const Workbench& bench)
 		return true;
 	if (section.show == showTimeSection)
 		return bench.facts() && bench.facts()->times.size() > 1;
+	if (section.show == showVectorSection)
+		return bench.facts() && std::ranges::any_of(bench.facts()->arrays, Facts::isVector);
 	return bench.facts().has_value();
 }
 

@@ -100,6 +100,36 @@ void toggle(Desk& desk, const char* label, bool now, std::string_view words, con
 	tip(words);
 }
 
+void showChoice(Desk& desk, const char* label, std::span<const Choice> choices, const std::string& now,
+                std::string_view words, const std::function<void(ViewState& state, const char* word)>& set)
+{
+	const auto known = std::ranges::find(choices, now, [](const Choice& choice) { return std::string(choice.word); });
+	labelled(label);
+	if (ImGui::BeginCombo(fmt::format("##{}", label).c_str(), known == choices.end() ? now.c_str() : known->name))
+	{
+		for (const Choice& choice : choices)
+			if (ImGui::Selectable(choice.name, now == choice.word))
+				desk.bench.change(label, [&](ViewState& state) { set(state, choice.word); });
+		ImGui::EndCombo();
+	}
+	tip(words);
+}
+
+void showSlider(Desk& desk, const Slide& slide, double now, std::string_view words,
+                const std::function<void(ViewState& state, double value)>& set)
+{
+	auto value = static_cast<float>(now);
+	labelled(slide.label);
+	if (ImGui::SliderFloat(fmt::format("##{}", slide.label).c_str(), &value, static_cast<float>(slide.least),
+	                       static_cast<float>(slide.most), slide.format,
+	                       ImGuiSliderFlags_AlwaysClamp | (slide.logarithmic ? ImGuiSliderFlags_Logarithmic : 0)))
+		desk.bench.change(
+		    slide.label, [&](ViewState& state) { set(state, value); }, slide.label);
+	if (ImGui::IsItemDeactivated())
+		desk.bench.endMerge();
+	tip(words);
+}
+
 bool dragNumbers(Desk& desk, const Drag& drag, double* numbers, int count, std::string_view words)
 {
 	const bool bounded = drag.least < drag.most;

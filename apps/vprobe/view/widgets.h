@@ -2,6 +2,8 @@
 
 #include "view/panels.h"
 
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -33,6 +35,28 @@ void labelled(const char* label);
 
 // A check box for a part of the state.
 void toggle(Desk& desk, const char* label, bool now, std::string_view words, const Workbench::Edit& edit);
+
+// One of several words for an option, by names that a reader knows. The value may be none of them: then it is shown as
+// it is.
+struct Choice
+{
+	const char* word;
+	const char* name;
+};
+void showChoice(Desk& desk, const char* label, std::span<const Choice> choices, const std::string& now,
+                std::string_view words, const std::function<void(ViewState& state, const char* word)>& set);
+
+// A part of something, from `least` to `most`, by a slider.
+struct Slide
+{
+	const char* label;
+	double least = 0.0;
+	double most = 1.0;
+	const char* format = "%.2f";
+	bool logarithmic = false;
+};
+void showSlider(Desk& desk, const Slide& slide, double now, std::string_view words,
+                const std::function<void(ViewState& state, double value)>& set);
 
 // Numbers to be dragged, or typed after a click; `count` of them side by side. True while they change; when that ends,
 // so does the step of the history that they belong to.

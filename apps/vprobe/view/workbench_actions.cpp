@@ -230,22 +230,7 @@ int Workbench::timeStep() const
 	const Result<read::TimeChoice> choice = read::parseTime(state().probe.time);
 	if (!facts_ || facts_->times.empty() || !choice)
 		return 0;
-	const auto& times = facts_->times;
-	switch (choice->kind)
-	{
-	case read::TimeChoice::Kind::first:
-		return 0;
-	case read::TimeChoice::Kind::index:
-		return static_cast<int>(std::min(choice->index, times.size() - 1));
-	case read::TimeChoice::Kind::value:
-	{
-		const auto nearer = [&](double a, double b)
-		{ return std::abs(a - choice->value) < std::abs(b - choice->value); };
-		return static_cast<int>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
-	}
-	default:
-		return static_cast<int>(times.size()) - 1;
-	}
+	return static_cast<int>(read::timeIndex(facts_->times, *choice));
 }
 
 } // namespace vp::app

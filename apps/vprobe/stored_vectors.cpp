@@ -1,0 +1,54 @@
+#include "stored_vectors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vp::app
+{
+
+namespace
+{
+
+// Of no components where there is none, as vectors::vectorsOf() has it.
+grid::Field pick(std::vector<grid::Field>& fields, const slice::FieldChoice& array)
+{
+	for (grid::Field& field : fields)
+		if (field.name == array.name && field.association == array.association)
+			return std::move(field);
+	grid::Field none;
+	none.components = 0;
+	return none;
+}
+
+} // namespace
+
+Result<vectors::StoredVectors> storedVectors(const ProbeOptions& options, const Session& session,
+                                             const slice::FieldChoice& array)
+{
+	const std::string input = options.inputs.front();
+	if (session.blocks.times.size() < 2)
+		return Error{ExitCode::input,
+		             fmt::format("{}: has no several times for --path-lines; leave the option out", input)};
+	vectors::StoredVectors stored{session.blocks.times, {}};
+	stored.load = [options, input, array, times = stored.times, &blocks = session.blocks,
+	               timeline = session.timeline.get()](std::size_t index) -> Result<std::vector<grid::Field>>
+	{
+		const read::TimeChoice time{read::TimeChoice::Kind::value, times[index]};
+		Result<std::optional<read::BlockFields>> read =
+		    read::readFields(options.inputs, readOptions(options, time), blocks, timeline);
+		if (!read)
+			return read.error();
+		if (!*read)
+			return Error{ExitCode::input, fmt::format("{}: its grid moves with time, and --path-lines needs one that "
+			                                          "stays; leave the option out",
+			                                          input)};
+		std::vector<grid::Field> fields;
+		for (std::vector<grid::Field>& of_block : **read)
+			fields.push_back(pick(of_block, array));
+		return fields;
+	};
+	return stored;
+}
+
+} // namespace vp::app

@@ -1,0 +1,123 @@
+#include "view/sections.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace vp::app
+{
+
+namespace
+{
+
+constexpr int kMostAlong = 60; // points that a slider offers; an option takes more
+constexpr double kMostSteps = 400.0;
+
+constexpr std::array kKinds{Choice{"none", "None"}, Choice{"tufts", "Tufts"}, Choice{"lines", "Lines"},
+                            Choice{"ribbons", "Ribbons"}, Choice{"tubes", "Tubes"}};
+constexpr std::array kDirections{Choice{"forward", "Forward"}, Choice{"backward", "Backward"}, Choice{"both", "Both"}};
+constexpr std::array kParts{Choice{"whole", "Whole"}, Choice{"tangential", "In the sheet"},
+                            Choice{"normal", "Through the sheet"}};
+
+void showWord(Desk& desk, const char* label, std::span<const Choice> choices, std::string VectorOptions::*option,
+              std::string_view words)
+{
+	showChoice(desk, label, choices, desk.bench.state().probe.vectors.*option, words,
+	           [&](ViewState& state, const char* word) { state.probe.vectors.*option = word; });
+}
+
+// Of those that `fits`; the first is what no word stands for.
+std::vector<Choice> arrayChoices(const Facts& facts, const Choice& first, bool (*fits)(const Facts::Array&))
+{
+	std::vector<Choice> choices{first};
+	for (const Facts::Array& array : facts.arrays)
+		if (fits(array))
+			choices.push_back({array.word.c_str(), array.name.c_str()});
+	return choices;
+}
+
+void showArray(Desk& desk)
+{
+	const Facts& facts = *desk.bench.facts();
+	const auto first = std::ranges::find_if(facts.arrays, Facts::isVector);
+	showWord(desk, "Array", arrayChoices(facts, {"", first->name.c_str()}, Facts::isVector), &VectorOptions::array,
+	         "The vectors that move the particles");
+}
+
+void showColour(Desk& desk)
+{
+	std::vector<Choice> choices =
+	    arrayChoices(*desk.bench.facts(), {"", "The vector's length"}, [](const Facts::Array&) { return true; });
+	for (const Choice& colour : {Choice{"black", "Black"}, Choice{"grey", "Grey"}, Choice{"white", "White"}})
+		choices.push_back(colour);
+	showChoice(desk, "Colour", choices, desk.bench.state().look.vectors.color, "By an array, or one colour",
+	           [](ViewState& state, const char* word) { state.look.vectors.color = word; });
+}
+
+void showDensity(Desk& desk)
+{
+	int along = desk.bench.state().probe.vectors.lattice;
+	labelled("Density");
+	if (ImGui::SliderInt("##density", &along, 1, kMostAlong, "%d along the side"))
+		desk.bench.change(
+		    "Density", [&](ViewState& state) { state.probe.vectors.lattice = std::max(1, along); }, "density");
+	if (ImGui::IsItemDeactivated())
+		desk.bench.endMerge();
+	tip("Points on the longer side of a window, or of the cut");
+	showSlider(desk, {.label = "Jitter"}, desk.bench.state().probe.vectors.jitter,
+	           "How far the points stray from their lattice",
+	           [](ViewState& state, double jitter) { state.probe.vectors.jitter = jitter; });
+}
+
+// Without one of its own the step follows from the lattice and the fastest particle.
+void showStep(Desk& desk)
+{
+	const VectorOptions& options = desk.bench.state().probe.vectors;
+	const double shown = desk.bench.shown() ? desk.bench.shown()->vector_dt : 0.0;
+	double dt = options.dt.value_or(shown);
+	if (!(dt > 0.0))
+		return;
+	labelled("Time step");
+	const float button = options.dt ? ImGui::CalcTextSize("Auto").x + 3.0f * ImGui::GetStyle().FramePadding.x : 0.0f;
+	ImGui::SetNextItemWidth(-button - 1.0f);
+	if (dragNumbers(desk, {.id = "##dt", .speed = 0.01 * dt, .least = 1e-3 * dt, .most = 1e3 * dt, .format = "%.4g"},
+	                &dt, 1, "The time of a step: how long tufts are. Drag, or double-click and type"))
+		desk.bench.change(
+		    "Time step", [&](ViewState& state) { state.probe.vectors.dt = dt; }, "dt");
+	if (!options.dt)
+		return;
+	ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+	if (ImGui::Button("Auto"))
+		desk.bench.change("Time step", [](ViewState& state) { state.probe.vectors.dt.reset(); });
+	tip("The fastest particle goes as far as the points are apart");
+}
+
+} // namespace
+
+void showVectorSection(Desk& desk)
+{
+	showWord(desk, "Show", kKinds, &VectorOptions::kind,
+	         "Tufts are arrows, one step long; the others follow particles a long way");
+	const VectorOptions& options = desk.bench.state().probe.vectors;
+	if (!options.on())
+		return;
+	showArray(desk);
+	showColour(desk);
+	showDensity(desk);
+	showSlider(desk, {.label = "Steps", .most = kMostSteps, .logarithmic = true}, options.stepsOrDefault(),
+	           "How many steps a particle goes",
+	           [](ViewState& state, double steps) { state.probe.vectors.steps = steps; });
+	showStep(desk);
+	if (desk.bench.facts()->times.size() > 1)
+		toggle(desk, "Path lines", options.path_lines,
+		       "Particles go while the field changes from time to time, launched at the one that is shown",
+		       [](ViewState& state) { state.probe.vectors.path_lines = !state.probe.vectors.path_lines; });
+	showWord(desk, "Direction", kDirections, &VectorOptions::direction, "With the flow, against it, or both");
+	showWord(desk, "Part", kParts, &VectorOptions::part, "What of the vector moves the particles");
+	showSlider(desk, {.label = "Opacity"}, desk.bench.state().look.vectors.opacity, "Of what is launched",
+	           [](ViewState& state, double opacity) { state.look.vectors.opacity = opacity; });
+}
+
+} // namespace vp::app

@@ -1,0 +1,181 @@
+#include "contour/box_contour.h"
+
+#include "base/timeline.h"
+#include "contour/sheet_pieces.h"
+#include "grid/shown_value.h"
+#include "slice/cpu_classifier.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace vp::contour
+{
+
+namespace
+{
+
+using Lane = traverse::Lane<surface::BlockSurface, ClipBox>;
+
+// Of the sheet's window in its frame, else of what it cuts.
+Box rectOf(const slice::SheetSlice& sheet, const slice::SheetMesh& mesh)
+{
+	Box rect;
+	if (const std::optional<probe::Window>& window = sheet.sheet.window)
+	{
+		rect.include({window->x0, window->y0, 0.0});
+		rect.include({window->x1, window->y1, 0.0});
+		return rect;
+	}
+	const Vec3 x_axis = sheet.sheet.xAxis();
+	for (const Vec3& p : mesh.positions)
+		rect.include({glm::dot(p - sheet.sheet.origin, x_axis), glm::dot(p - sheet.sheet.origin, sheet.sheet.up), 0.0});
+	if (rect.empty())
+		rect.include(Vec3(0.0));
+	return rect;
+}
+
+ClipBox boxOf(const slice::SheetSlice& sheet, const slice::SheetMesh& mesh, std::optional<double> depth)
+{
+	Box box = rectOf(sheet, mesh);
+	const double smaller = std::min(box.size().x, box.size().y);
+	const double half = 0.5 * depth.value_or(sheet.sheet.window ? smaller : 0.5 * smaller);
+	box.lo.z = -half;
+	box.hi.z = half;
+	return {sheet.sheet, box.lo, box.hi};
+}
+
+// Polygons of a cell stand one after the other.
+std::size_t cellsOf(const slice::SheetMesh& mesh)
+{
+	std::size_t cells = 0;
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+		cells += p == 0 || mesh.polygon_cells[p].cell != mesh.polygon_cells[p - 1].cell ||
+		         mesh.polygon_cells[p].block != mesh.polygon_cells[p - 1].block;
+	return cells;
+}
+
+// The whole of it, not clipped.
+slice::SheetMesh meshOf(const grid::BlockSet& blocks, const std::vector<surface::BlockSurface>& surfaces,
+                        const std::vector<traverse::LaneCut>& cuts)
+{
+	std::vector<slice::BlockCut> of_blocks;
+	for (std::size_t b = 0; b < cuts.size(); ++b)
+		of_blocks.push_back({static_cast<std::uint32_t>(b), &cuts[b], nullptr, {}});
+	return slice::buildMesh(blocks, surfaces, of_blocks);
+}
+
+} // namespace
+
+BoxContourer::BoxContourer(slice::Slicer& slicer, const slice::SheetSlice& sheet, const slice::SheetMesh& mesh,
+                           std::optional<double> depth)
+    : slicer_(slicer), sheet_(sheet), mesh_(mesh), box_(boxOf(sheet, mesh, depth))
+{
+	assert(sheet.isPlane() && sheet.field && sheet.field->association == grid::Association::point);
+	findValues();
+}
+
+// What the iso surface goes by: the shown numbers of the points, linear between them. Of the length of a vector that is
+// another number than slice::vertexValue() has.
+void BoxContourer::findValues()
+{
+	const grid::BlockSet& blocks = slicer_.blocks();
+	const auto fields = sheet_.field->inEach(blocks);
+	const auto atPoint = [&](std::uint32_t block, PointId p)
+	{
+		const grid::Field* field = fields[block];
+		if (!field || sheet_.field->component >= field->components)
+			return std::numeric_limits<double>::quiet_NaN();
+		const auto source =
+		    std::visit([&](const auto& grid) { return std::size_t(grid.sourcePoint(p)); }, blocks.blocks[block].grid);
+		return grid::shownValue(*field, source, sheet_.field->component);
+	};
+	const auto ofVertex = [&](std::size_t v)
+	{
+		if (v < mesh_.edges.size())
+		{
+			const slice::EdgePoint& edge = mesh_.edges[v];
+			const double low = edge.t == 1.0 ? 0.0 : (1.0 - edge.t) * atPoint(edge.block, edge.lower);
+			return edge.t == 0.0 ? low : low + edge.t * atPoint(edge.block, edge.higher);
+		}
+		double sum = 0.0;
+		for (const slice::PointShare& share : mesh_.rimShares(v))
+			sum += share.weight * atPoint(share.block, share.point);
+		return sum;
+	};
+	values_.resize(mesh_.positions.size());
+	tbb::parallel_for(std::size_t(0), values_.size(), [&](std::size_t v) { values_[v] = ofVertex(v); });
+	for (const double value : values_)
+		if (std::isfinite(value))
+			range_ = range_ ? std::pair(std::min(range_->first, value), std::max(range_->second, value))
+			                : std::pair(value, value);
+}
+
+// Cells in whose polygon the value is crossed. Of polygons on the window's rim all are taken: what a bent iso surface
+// and a polygon have in common may lie a little aside of where the polygon's sides have the value. Cells that are not
+// cut by the iso surface within the box do no harm.
+std::vector<std::vector<CellId>> BoxContourer::seedsOf(double value) const
+{
+	std::vector<std::vector<CellId>> seeds(slicer_.blocks().blocks.size());
+	for (std::size_t p = 0; p < mesh_.polygons(); ++p)
+	{
+		double least = std::numeric_limits<double>::infinity();
+		double most = -least;
+		bool on_rim = false;
+		for (const std::uint32_t v : mesh_.polygon(p))
+		{
+			least = std::min(least, values_[v]);
+			most = std::max(most, values_[v]);
+			on_rim = on_rim || v >= mesh_.edges.size();
+		}
+		if (on_rim || (least <= value && value <= most))
+			seeds[mesh_.polygon_cells[p].block].push_back(mesh_.polygon_cells[p].cell);
+	}
+	return seeds;
+}
+
+Result<Contour> BoxContourer::grow(double value, Timeline* timeline, std::stop_token stop) const
+{
+	const TimedSection section(timeline, "contour");
+	Contour contour;
+	contour.value = value;
+	if (!range_ || value < range_->first || value > range_->second)
+		return contour;
+	const grid::BlockSet& blocks = slicer_.blocks();
+	const auto surfaces = slice::isoSurfaces(blocks, value, sheet_.field);
+	std::vector<std::vector<CellId>> seeds = seedsOf(value);
+	std::vector<Lane> lanes;
+	std::vector<traverse::VisitedPool::Loan> marks;
+	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+	{
+		marks.push_back(slicer_.borrowMarks(b));
+		lanes.push_back({.block = &blocks.blocks[b],
+		                 .surface = surfaces[b],
+		                 .visited = marks.back().get(),
+		                 .seeds = std::move(seeds[b]),
+		                 .seams = blocks.interfaces.of(b),
+		                 .sheet_lane = 0,
+		                 .admits = slice::finiteCells(blocks.blocks[b], surfaces[b]),
+		                 .window = box_});
+	}
+	slice::CpuClassifier<surface::BlockSurface, ClipBox> classifier(lanes);
+	const auto cuts = traverse::breadthFirst<surface::BlockSurface, ClipBox>(lanes, classifier, stop);
+	if (!cuts)
+		return cuts.error();
+	for (const traverse::LaneCut& cut : *cuts)
+	{
+		contour.cells_touched += cut.cells.size();
+		contour.generations = std::max(contour.generations, cut.steps);
+		contour.seeds += cut.generations() > 0 ? cut.generation_starts[1] : 0;
+	}
+	contour.mesh = meshOf(blocks, surfaces, *cuts);
+	slice::clipToSides(box_.frame().origin, box_.sides(), slice::Corners::keep, contour.mesh);
+	contour.components = keepOnSheet(blocks, surfaces, box_, contour.mesh);
+	contour.cells = cellsOf(contour.mesh);
+	return contour;
+}
+
+} // namespace vp::contour

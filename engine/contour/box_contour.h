@@ -1,0 +1,67 @@
+#pragma once
+
+#include "base/result.h"
+#include "contour/clip_box.h"
+#include "slice/slicer.h"
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+namespace vp
+{
+class Timeline;
+}
+
+namespace vp::contour
+{
+
+// The iso surface of one value within a sheet's clip box: those of its pieces there that touch the sheet. Linear along
+// the grid's edges, as every iso surface here.
+struct Contour
+{
+	double value = 0.0;
+	slice::SheetMesh mesh;       // winds to where the values rise
+	std::size_t components = 0;  // pieces, see slice/components.h
+	std::size_t cells = 0;       // that the mesh has polygons of
+	std::size_t seeds = 0;       // cells of generation 0
+	std::size_t generations = 0; // of the growth
+	std::size_t cells_touched = 0;
+};
+
+// Grows contours of one sheet (Speray and Kennon 1990 planned them, "Contours"): the sheet's own cut cells in which the
+// value is crossed are generation 0, and the traversal goes on across faces that the iso surface cuts within the box.
+// So the work follows the box; of the grid nothing is kept but the slicer's visited marks.
+class BoxContourer
+{
+public:
+	// sheet: a plane whose array is of points; mesh: its cut within its window. Both, and the slicer, outlive this.
+	// depth: of the box along the normal, half to each side, in the grid's units; none: the smaller side of the window.
+	BoxContourer(slice::Slicer& slicer, const slice::SheetSlice& sheet, const slice::SheetMesh& mesh,
+	             std::optional<double> depth);
+
+	// The window times the depth; without a window the bounds of the mesh take its place.
+	const ClipBox& box() const { return box_; }
+
+	// Of the values that the sheet has at its vertices; none where no value is finite. No other is on the sheet, and so
+	// in a contour of it.
+	const std::optional<std::pair<double, double>>& range() const { return range_; }
+
+	// Section "contour". A stop request ends it between generations with what was found.
+	Result<Contour> grow(double value, Timeline* timeline = nullptr, std::stop_token stop = {}) const;
+
+private:
+	std::vector<std::vector<CellId>> seedsOf(double value) const; // per block
+	void findValues();
+
+	slice::Slicer& slicer_;
+	const slice::SheetSlice& sheet_;
+	const slice::SheetMesh& mesh_;
+	ClipBox box_;
+	std::vector<double> values_; // per vertex of the mesh, linear along the edges
+	std::optional<std::pair<double, double>> range_;
+};
+
+} // namespace vp::contour

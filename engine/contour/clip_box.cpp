@@ -1,0 +1,30 @@
+#include "contour/clip_box.h"
+
+namespace vp::contour
+{
+
+ClipBox::ClipBox(const probe::Frame& frame, const Vec3& lo, const Vec3& hi)
+    : frame_(frame), x_axis_(frame.xAxis()), box_{lo, hi}
+{
+	// The rounding of a point far from the origin.
+	const double reach = glm::length(frame.origin) + glm::length(lo) + glm::length(hi);
+	lo_ = lo - Vec3(1e-14 * reach);
+	hi_ = hi + Vec3(1e-14 * reach);
+}
+
+bool ClipBox::holdsPartOf(const Box& section) const
+{
+	for (int axis = 0; axis < 3; ++axis)
+		if (!(section.hi[axis] >= lo_[axis] && section.lo[axis] <= hi_[axis]))
+			return false;
+	return true;
+}
+
+std::array<slice::ClipSide, 6> ClipBox::sides() const
+{
+	return {slice::ClipSide{x_axis_, box_.lo.x},       slice::ClipSide{-x_axis_, -box_.hi.x},
+	        slice::ClipSide{frame_.up, box_.lo.y},     slice::ClipSide{-frame_.up, -box_.hi.y},
+	        slice::ClipSide{frame_.normal, box_.lo.z}, slice::ClipSide{-frame_.normal, -box_.hi.z}};
+}
+
+} // namespace vp::contour

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "probe/transform.h"
+#include "seed/face_cuts.h"
+#include "slice/clip.h"
+
+#include <array>
+#include <span>
+
+namespace vp::contour
+{
+
+// The clip box of a sheet as a traversal sees it: what seed::SheetWindow is in two dimensions. A face whose cut lies
+// wholly outside leads nowhere; what touches the box's rim counts as inside.
+class ClipBox
+{
+public:
+	// From `lo` to `hi` along the frame's x and y axes and its normal, from its origin, in the grid's units.
+	ClipBox(const probe::Frame& frame, const Vec3& lo, const Vec3& hi);
+
+	// Whether a face is cut within the box.
+	template <class G, class Surface>
+	bool meetsFace(const G& grid, const Surface& surface, std::span<const PointId> face) const
+	{
+		Cuts cuts;
+		return findCuts(grid, surface, face, cuts) && seed::anyReaches(cuts, lo_, hi_);
+	}
+
+	// Whether the section of a cut cell may reach into the box. It may bend, so where no side of it does the box of its
+	// corners decides: more is let in than reaches in, nothing is lost.
+	template <class G, class Surface>
+	bool meetsCell(const G& grid, const Surface& surface, const grid::CellFaces& faces) const
+	{
+		Box section;
+		Cuts cuts;
+		for (int f = 0; f < faces.size(); ++f)
+		{
+			if (!findCuts(grid, surface, faces[f], cuts))
+				continue;
+			if (seed::anyReaches(cuts, lo_, hi_))
+				return true;
+			for (int cut = 0; cut < cuts.count; ++cut)
+				section.include(cuts.at[cut]);
+		}
+		return holdsPartOf(section);
+	}
+
+	// Whether a cell lies within the box: all that is cut of it does then. Not asked of polyhedra.
+	template <class G>
+	bool holdsCell(const G& grid, CellId cell) const
+	{
+		if (grid.shape(cell) == grid::CellShape::polyhedron)
+			return false;
+		for (const PointId p : grid.cellPoints(cell))
+			if (!holds(inBox(grid.point(p))))
+				return false;
+		return true;
+	}
+
+	const probe::Frame& frame() const { return frame_; }
+	const Vec3& lo() const { return box_.lo; }
+	const Vec3& hi() const { return box_.hi; }
+	// Along the box's axes from the frame's origin.
+	Vec3 inBox(const Vec3& p) const
+	{
+		const Vec3 from = p - frame_.origin;
+		return {glm::dot(from, x_axis_), glm::dot(from, frame_.up), glm::dot(from, frame_.normal)};
+	}
+	// For slice::clipToSides(), about the frame's origin.
+	std::array<slice::ClipSide, 6> sides() const;
+
+private:
+	using Cuts = seed::FaceCuts<3>;
+
+	template <class G, class Surface>
+	bool findCuts(const G& grid, const Surface& surface, std::span<const PointId> face, Cuts& cuts) const
+	{
+		return seed::findCuts(
+		    grid, surface, face, [this](const Vec3& p) { return inBox(p); }, cuts);
+	}
+	bool holdsPartOf(const Box& section) const; // in the box's coordinates
+	// By more than rounding.
+	bool holds(const Vec3& place) const
+	{
+		const Vec3 slack = box_.lo - lo_;
+		return glm::all(glm::greaterThan(place, box_.lo + slack)) && glm::all(glm::lessThan(place, box_.hi - slack));
+	}
+
+	probe::Frame frame_;
+	Vec3 x_axis_;
+	Box box_;
+	Vec3 lo_; // with a slack for rounding
+	Vec3 hi_;
+};
+
+} // namespace vp::contour

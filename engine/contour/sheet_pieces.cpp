@@ -1,0 +1,106 @@
+#include "contour/sheet_pieces.h"
+
+#include "slice/components.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <vector>
+
+namespace vp::contour
+{
+
+namespace
+{
+
+constexpr double kRounding = 1e-12; // of the box's size: what only just touches the sheet does
+
+// Joins what meets across faces that have several neighbours.
+void joinAcrossLinks(const grid::UnstructuredGrid& grid, std::uint32_t block, const surface::BlockSurface& surface,
+                     const ClipBox& box, const slice::SheetMesh& mesh, slice::UnionFind& joined)
+{
+	std::unordered_map<CellId, std::uint32_t> vertex_of;
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+		if (mesh.polygon_cells[p].block == block)
+			vertex_of.emplace(mesh.polygon_cells[p].cell, mesh.polygon(p)[0]);
+	grid::CellFaces faces;
+	for (const auto& [cell, vertex] : vertex_of)
+	{
+		grid.cellFaces(cell, faces);
+		for (int f = 0; f < faces.size(); ++f)
+		{
+			int neighbours = 0;
+			grid.forEachNeighbour(cell, f, [&](CellId) { ++neighbours; });
+			if (neighbours < 2 || !box.meetsFace(grid, surface, faces[f]))
+				continue;
+			grid.forEachNeighbour(cell, f,
+			                      [&, vertex = vertex](CellId neighbour)
+			                      {
+				                      if (const auto other = vertex_of.find(neighbour); other != vertex_of.end())
+					                      joined.join(vertex, other->second);
+			                      });
+		}
+	}
+}
+
+// Per vertex the one that stands for its piece.
+std::vector<std::uint32_t> piecesOf(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
+                                    const ClipBox& box, const slice::SheetMesh& mesh)
+{
+	slice::UnionFind joined = slice::joinedVertices(mesh);
+	for (std::uint32_t b = 0; b < blocks.blocks.size(); ++b)
+		if (const auto* grid = std::get_if<grid::UnstructuredGrid>(&blocks.blocks[b].grid); grid && grid->hasLinks())
+			joinAcrossLinks(*grid, b, surfaces[b], box, mesh, joined);
+	std::vector<std::uint32_t> pieces(mesh.positions.size());
+	for (std::uint32_t v = 0; v < pieces.size(); ++v)
+		pieces[v] = joined.root(v);
+	return pieces;
+}
+
+void keepPolygons(slice::SheetMesh& mesh, const std::vector<bool>& kept)
+{
+	std::size_t polygon = 0;
+	std::uint32_t corner = 0;
+	for (std::size_t p = 0; p < kept.size(); ++p)
+	{
+		if (!kept[p])
+			continue;
+		const std::uint32_t begin = mesh.polygon_starts[p];
+		const std::uint32_t end = mesh.polygon_starts[p + 1];
+		mesh.polygon_starts[polygon] = corner;
+		for (std::uint32_t c = begin; c < end; ++c)
+			mesh.polygon_vertices[corner++] = mesh.polygon_vertices[c];
+		mesh.polygon_cells[polygon++] = mesh.polygon_cells[p];
+	}
+	mesh.polygon_starts.resize(polygon + 1);
+	mesh.polygon_starts[polygon] = corner;
+	mesh.polygon_vertices.resize(corner);
+	mesh.polygon_cells.resize(polygon);
+	slice::dropUnusedVertices(mesh);
+}
+
+} // namespace
+
+std::size_t keepOnSheet(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
+                        const ClipBox& box, slice::SheetMesh& mesh)
+{
+	const std::vector<std::uint32_t> pieces = piecesOf(blocks, surfaces, box, mesh);
+	const double slack = kRounding * (glm::length(box.hi() - box.lo()) + glm::length(box.frame().origin));
+	std::vector<std::uint8_t> sides(mesh.positions.size(), 0); // bits, of the vertex that stands for a piece
+	for (std::size_t v = 0; v < pieces.size(); ++v)
+	{
+		const double height = box.inBox(mesh.positions[v]).z;
+		sides[pieces[v]] |= (height <= slack ? 1 : 0) | (height >= -slack ? 2 : 0);
+	}
+	const auto touches = [&](std::uint32_t piece) { return sides[piece] == 3; };
+	std::size_t count = 0;
+	for (std::uint32_t v = 0; v < pieces.size(); ++v)
+		count += pieces[v] == v && touches(v);
+	std::vector<bool> kept(mesh.polygons());
+	for (std::size_t p = 0; p < kept.size(); ++p)
+		kept[p] = touches(pieces[mesh.polygon(p)[0]]);
+	if (std::ranges::find(kept, false) != kept.end())
+		keepPolygons(mesh, kept);
+	return count;
+}
+
+} // namespace vp::contour

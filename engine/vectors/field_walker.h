@@ -1,0 +1,326 @@
+#pragma once
+
+#include "vectors/cell_field.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace vp::vectors
+{
+
+// The vector at a place.
+struct Sample
+{
+	Vec3 vector;   // the cell's own, continued beyond its faces where the place is outside; NaN where nothing is known
+	double depth;  // in the cell, in its own coordinates: negative outside
+	int face = -1; // that it is nearest to, or farthest beyond
+	bool outside = false; // of the block, or of the cell for a walker that stays in it
+};
+
+// Gives the vectors at places in one block that lie near each other, as along a path. A place is looked for in the cell
+// of the last one, by Newton's method from where that was; while it lies beyond a face, in the cell across. That is
+// fence hopping with the cell's own coordinates in place of planes: exact on warped faces. It ends outside where no
+// face that the place lies beyond has a cell across. The last cells are kept ready, since the stages of a step come and
+// go.
+//
+// Not thread safe; refers to the grid and its vectors. Allocates only for polyhedra and what Newton's method fails in,
+// and then only while buffers grow.
+template <grid::Grid G>
+class FieldWalker
+{
+public:
+	// Where a walk may start again.
+	struct Cursor
+	{
+		CellId cell;
+		Vec3 u;
+		Vec3 place;
+	};
+
+	static constexpr double kHeld = -1e-9; // rounding: so far beyond its face a cell still holds a place
+
+	// stays: places are taken in the cell of the last one wherever they lie, for arrays on cells.
+	FieldWalker(const CellLoader<G>& loader, bool stays) : loader_(loader), stays_(stays) {}
+
+	void startIn(CellId cell)
+	{
+		moveTo(cell);
+		u_ = startOf(here().shape);
+		predicts_ = false;
+	}
+	Cursor cursor() const { return {here().cell, u_, place_}; }
+	void restore(const Cursor& cursor)
+	{
+		moveTo(cursor.cell);
+		u_ = cursor.u;
+		place_ = cursor.place;
+	}
+	CellId cell() const { return here().cell; }
+
+	// between: 0 at the first of two times, 1 at the second.
+	Sample at(const Vec3& place, double between)
+	{
+		if (predictsIn(here()))
+			u_ += locate::applied(inverse_, place - place_);
+		place_ = place;
+		CellId before = kNoCell;
+		double depth_before = 0.0;
+		for (int hop = 0;; ++hop)
+		{
+			settle();
+			if (part_ && part_->face < 0)
+				return {Vec3(std::numeric_limits<double>::quiet_NaN()), -1.0, -1, true}; // no volume
+			const Nearest nearest = nearestFace();
+			const bool held = nearest.depth >= kHeld;
+			if (held || stays_ || hop == kMostHops)
+				return sample(nearest, between, !held);
+			const std::optional<Crossing> way = wayOut(nearest);
+			if (!way)
+				return sample(nearest, between, true);
+			if (way->cell == before)
+			{
+				// Both sides of a warped face disown it, as cells of different shapes may: the nearer one has it.
+				if (depth_before <= nearest.depth)
+					return sample(nearest, between, false);
+				cross(*way);
+				settle();
+				return sample(nearestFace(), between, false);
+			}
+			before = here().cell;
+			depth_before = nearest.depth;
+			cross(*way);
+		}
+	}
+
+	// Where the place of the last call lies behind a face of its cell; none where the cell is taken as tetrahedra.
+	std::optional<double> depthBehind(int face) const
+	{
+		if (part_)
+			return std::nullopt;
+		return locate::faceDepths(here().shape, u_).of[face];
+	}
+
+	// Whether places are found to rounding, or to what a step needs.
+	void beExact(bool exact) { exact_ = exact; }
+
+	// Takes steps in space to steps in the coordinates of the cell, about the place of the last call. From then on it
+	// tells where to look for places first.
+	const std::array<Vec3, 3>& measureCell()
+	{
+		inverse_ = inverseHere();
+		inverse_cell_ = here().cell;
+		predicts_ = !part_;
+		return inverse_;
+	}
+
+	// The cell across a face; of several cells the one whose centre is nearest to the place.
+	CellId across(int face) const
+	{
+		if constexpr (kIsLattice<G>)
+			return loader_.grid().neighbour(here().cell, face);
+		else
+		{
+			CellId first = kNoCell;
+			bool several = false;
+			loader_.grid().forEachNeighbour(here().cell, face,
+			                                [&](CellId next)
+			                                {
+				                                several = first != kNoCell;
+				                                first = several ? first : next;
+			                                });
+			return several ? nearestAcross(face) : first;
+		}
+	}
+
+private:
+	static constexpr int kMostHops = 64; // steps are kept as short as a cell
+	static constexpr int kKept = 4;      // cells: a step near an edge comes by as many
+
+	struct Nearest
+	{
+		int face;
+		double depth;
+	};
+	struct Crossing
+	{
+		CellId cell;
+		int face;
+	};
+
+	CellField& here() { return kept_[at_]; }
+	const CellField& here() const { return kept_[at_]; }
+	// Cells side by side in a lattice are much alike.
+	bool predictsIn(const CellField& cell) const { return predicts_ && (kIsLattice<G> || cell.cell == inverse_cell_); }
+	static Vec3 startOf(grid::CellShape shape)
+	{
+		return shape == grid::CellShape::polyhedron ? Vec3(0.5) : locate::middleOf(shape);
+	}
+
+	void moveTo(CellId cell)
+	{
+		for (int i = 0; i < kKept; ++i)
+			if (kept_[i].cell == cell)
+			{
+				at_ = i;
+				return;
+			}
+		at_ = next_;
+		next_ = (next_ + 1) % kKept;
+		loader_.load(cell, kept_[at_]);
+	}
+
+	// Finds the place in the present cell.
+	void settle()
+	{
+		CellField& cell = here();
+		const Vec3 place = place_ - cell.origin;
+		part_.reset();
+		if (cell.affine)
+			u_ = locate::applied(cell.inverse, place);
+		else if (cell.shape == grid::CellShape::polyhedron || !findInShape(cell, place))
+		{
+			if (!cell.fan.loaded)
+				loader_.loadFan(cell);
+			part_ = locate::deepestPart(loader_.grid(), cell.fan.faces, cell.origin, cell.fan.centre, place);
+			u_ = startOf(cell.shape);
+		}
+	}
+	bool findInShape(const CellField& cell, const Vec3& place)
+	{
+		if (predictsIn(cell) && !exact_ && findNear(cell, place))
+			return true;
+		if (locate::findPlace(cell.places, cell.shape, place, u_))
+			return true;
+		u_ = startOf(cell.shape);
+		return locate::findPlace(cell.places, cell.shape, place, u_);
+	}
+
+	// From a guess that is near: with one slope for all steps, and each leaves a part of the error as small as the
+	// slopes differ in the cell.
+	bool findNear(const CellField& cell, const Vec3& place)
+	{
+		constexpr int kMostSteps = 3;
+		constexpr double kSmall = 2e-5; // of the cell: what is left then is a small part of it
+		Vec3 u = u_;
+		for (int step = 0; step < kMostSteps; ++step)
+		{
+			const Vec3 move = locate::applied(inverse_, place - cell.places.at(cell.shape, u));
+			u += move;
+			if (std::abs(move.x) + std::abs(move.y) + std::abs(move.z) < kSmall)
+			{
+				u_ = u;
+				return true;
+			}
+		}
+		return false;
+	}
+
+	Nearest nearestFace() const
+	{
+		if (part_)
+			return {part_->face, part_->depth()};
+		if constexpr (kIsLattice<G>)
+		{
+			const Vec3 off = glm::abs(u_ - 0.5);
+			if (const double depth = 0.5 - std::max({off.x, off.y, off.z}); depth >= 0.0)
+				return {-1, depth}; // which face matters outside only
+		}
+		const locate::FaceDepths depths = locate::faceDepths(here().shape, u_);
+		const auto least = std::ranges::min_element(depths.of);
+		return {static_cast<int>(least - depths.of.begin()), *least};
+	}
+
+	// Across the face that the place is farthest beyond, of those with a cell across.
+	std::optional<Crossing> wayOut(const Nearest& nearest) const
+	{
+		if (const CellId next = across(nearest.face); next != kNoCell)
+			return Crossing{next, nearest.face};
+		if (part_)
+			return std::nullopt;
+		locate::FaceDepths depths = locate::faceDepths(here().shape, u_);
+		depths.of[nearest.face] = 0.0;
+		for (;;)
+		{
+			const auto least = std::ranges::min_element(depths.of);
+			if (!(*least < kHeld))
+				return std::nullopt;
+			*least = 0.0;
+			const int face = static_cast<int>(least - depths.of.begin());
+			if (const CellId next = across(face); next != kNoCell)
+				return Crossing{next, face};
+		}
+	}
+
+	CellId nearestAcross(int face) const
+	{
+		CellId nearest = kNoCell;
+		double least = std::numeric_limits<double>::infinity();
+		loader_.grid().forEachNeighbour(here().cell, face,
+		                                [&](CellId next)
+		                                {
+			                                const Vec3 off = grid::cellCentre(loader_.grid(), next) - place_;
+			                                if (glm::dot(off, off) < least)
+			                                {
+				                                least = glm::dot(off, off);
+				                                nearest = next;
+			                                }
+		                                });
+		return nearest;
+	}
+
+	void cross(const Crossing& way)
+	{
+		moveTo(way.cell);
+		if constexpr (kIsLattice<G>)
+			u_[way.face / 2] += way.face % 2 ? -1.0 : 1.0;
+		else
+			u_ = startOf(here().shape);
+	}
+
+	Sample sample(const Nearest& nearest, double between, bool outside) const
+	{
+		Vec3 vector = vectorAt(0);
+		if (between != 0.0)
+			vector += between * (vectorAt(1) - vector);
+		return {vector, nearest.depth, nearest.face, outside};
+	}
+	Vec3 vectorAt(int time) const
+	{
+		return part_ ? loader_.fanVector(here(), *part_, time) : here().vectorAt(u_, time);
+	}
+
+	std::array<Vec3, 3> inverseHere() const
+	{
+		const CellField& cell = here();
+		if (cell.affine)
+			return cell.inverse;
+		if (!part_)
+		{
+			const auto inverse = locate::inverseOf(cell.places.slopesAt(cell.shape, u_));
+			if (std::isfinite(inverse[0].x + inverse[1].y + inverse[2].z))
+				return inverse;
+		}
+		CellField scratch = cell;
+		if (!scratch.fan.loaded)
+			loader_.loadFan(scratch);
+		const Vec3 size = glm::max(scratch.fan.size, Vec3(std::numeric_limits<double>::min()));
+		return {Vec3(1.0 / size.x, 0.0, 0.0), Vec3(0.0, 1.0 / size.y, 0.0), Vec3(0.0, 0.0, 1.0 / size.z)};
+	}
+
+	const CellLoader<G>& loader_;
+	bool stays_;
+	std::array<CellField, kKept> kept_;
+	int at_ = 0;
+	int next_ = 0;
+	Vec3 u_{0.5};                         // in the present cell
+	Vec3 place_{0.0};                     // of the last call
+	std::optional<locate::FanPart> part_; // where the present cell is taken as tetrahedra
+	bool predicts_ = false;               // by the inverse
+	bool exact_ = false;
+	CellId inverse_cell_ = kNoCell;
+	std::array<Vec3, 3> inverse_{};
+};
+
+} // namespace vp::vectors

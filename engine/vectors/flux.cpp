@@ -1,0 +1,99 @@
+#include "vectors/flux.h"
+
+#include "grid/for_ranges.h"
+#include "slice/ordered_sum.h"
+#include "vectors/vector_array.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace vp::vectors
+{
+
+namespace
+{
+
+struct FluxSum : Flux
+{
+	void add(const FluxSum& other)
+	{
+		through += other.through;
+		nan_area += other.nan_area;
+	}
+	void addPart(const Vec3& area, const Vec3& vector)
+	{
+		const double part = glm::dot(vector, area);
+		if (std::isfinite(part))
+			through += part;
+		else
+			nan_area += glm::length(area);
+	}
+};
+
+using Fields = std::vector<const grid::Field*>;
+
+std::vector<Vec3> vertexVectors(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, const Fields& fields)
+{
+	std::vector<Vec3> vectors(mesh.positions.size());
+	grid::forRanges(vectors.size(),
+	                [&](std::size_t v)
+	                {
+		                for (int c = 0; c < 3; ++c)
+			                vectors[v][c] = slice::vertexValue(blocks, mesh, v, fields, c);
+	                });
+	return vectors;
+}
+
+Vec3 polygonVector(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, const Fields& fields,
+                   std::size_t polygon)
+{
+	const auto [b, cell] = mesh.polygon_cells[polygon];
+	Vec3 vector(std::numeric_limits<double>::quiet_NaN());
+	for (int c = 0; fields[b] && c < 3; ++c)
+		vector[c] = slice::cellValue(blocks.blocks[b], *fields[b], c, cell);
+	return vector;
+}
+
+// The area of a triangle stands along the normal about which its polygon winds.
+void addFan(const slice::SheetMesh& mesh, std::span<const std::uint32_t> polygon, const std::vector<Vec3>& vectors,
+            FluxSum& sum)
+{
+	Vec3 centre(0.0);
+	Vec3 mean(0.0);
+	for (const std::uint32_t v : polygon)
+	{
+		centre += mesh.positions[v] / static_cast<double>(polygon.size());
+		mean += vectors[v] / static_cast<double>(polygon.size());
+	}
+	std::uint32_t previous = polygon.back();
+	for (const std::uint32_t v : polygon)
+	{
+		const Vec3 area = 0.5 * glm::cross(mesh.positions[previous] - centre, mesh.positions[v] - centre);
+		sum.addPart(area, (vectors[previous] + vectors[v] + mean) / 3.0);
+		previous = v;
+	}
+}
+
+} // namespace
+
+Flux fluxThrough(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, const slice::FieldChoice& array)
+{
+	Fields fields = array.inEach(blocks);
+	for (const grid::Field*& field : fields)
+		if (field && field->components != kVectorComponents)
+			field = nullptr;
+	const bool on_points = array.association == grid::Association::point;
+	const std::vector<Vec3> vectors = on_points ? vertexVectors(blocks, mesh, fields) : std::vector<Vec3>();
+	return slice::orderedSum<FluxSum>(mesh.polygons() - mesh.boundary_polygons,
+	                                  [&](FluxSum& sum, std::size_t p)
+	                                  {
+		                                  if (on_points)
+			                                  addFan(mesh, mesh.polygon(p), vectors, sum);
+		                                  else
+			                                  sum.addPart(0.5 * slice::doubleArea(mesh, mesh.polygon(p)),
+			                                              polygonVector(blocks, mesh, fields, p));
+	                                  });
+}
+
+} // namespace vp::vectors

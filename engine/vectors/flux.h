@@ -1,0 +1,22 @@
+#pragma once
+
+#include "grid/block.h"
+#include "slice/field_choice.h"
+#include "slice/mesh.h"
+
+namespace vp::vectors
+{
+
+// What flows through a sheet, in the unit of the vectors times that of an area.
+struct Flux
+{
+	double through = 0.0;  // integral of vector times unit normal; positive towards the side the normal points to
+	double nan_area = 0.0; // of the sheet where the vector is NaN, infinite or not known; it is left out
+};
+
+// array: of three components (chooseVectors()). Through the polygons of a mesh, which a window has clipped, each as the
+// fan of triangles about the mean of its vertices, whose vector is the mean of theirs: exact for linear fields.
+// Boundary faces in the plane are left out, as in slice::measure().
+Flux fluxThrough(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, const slice::FieldChoice& array);
+
+} // namespace vp::vectors

@@ -1,0 +1,197 @@
+#include "write/particle_file.h"
+
+#include "grid/for_ranges.h"
+#include "write/place_values.h"
+#include "write/poly_data.h"
+#include "write/set_arrays.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+#include <limits>
+
+namespace vp::write
+{
+
+namespace
+{
+
+using grid::NumberType;
+using vectors::Traces;
+
+// Traces of several sheets in one, as the file has them.
+struct LineTable
+{
+	std::vector<Vec3> places;
+	std::vector<double> times;
+	std::vector<Vec3> vectors;
+	std::vector<std::int32_t> block;
+	std::vector<std::int64_t> cell; // source id, -1 outside
+	std::vector<Column> columns;
+	// VTK knows no line of one point, and numbers single points before lines.
+	std::vector<std::int64_t> dot_starts{0};
+	std::vector<std::int64_t> dots;
+	std::vector<std::int64_t> line_starts{0};
+	std::vector<std::int64_t> lines;
+	// Per dot, then per line.
+	std::vector<std::int32_t> sheet;
+	std::vector<std::int64_t> seed;
+	std::vector<std::int32_t> begin;
+	std::vector<std::int32_t> end;
+};
+
+// Of the point arrays, at points first .. of the table.
+void fillColumns(const grid::BlockSet& blocks, const Traces& traces, std::span<const SetArray> arrays,
+                 std::size_t first, LineTable& table)
+{
+	constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+	grid::forRanges(
+	    traces.points.size(),
+	    [&](std::size_t i)
+	    {
+		    thread_local locate::CellWeights weights;
+		    const std::uint32_t b = traces.blocks[i];
+		    const bool inside = traces.cells[i] != kNoCell;
+		    if (inside)
+			    locate::weighCell(blocks.blocks[b], traces.cells[i], traces.points[i], weights);
+		    for (std::size_t a = 0; a < arrays.size(); ++a)
+		    {
+			    Column& column = table.columns[a];
+			    const grid::Field* field = arrays[a].per_block[b];
+			    for (int c = 0; c < column.components; ++c)
+			    {
+				    const bool known = inside && !weights.points.empty() && field && c < field->components;
+				    const double value =
+				        known ? std::visit([&](const auto& grid) { return valueAt(grid, *field, c, weights); },
+				                           blocks.blocks[b].grid)
+				              : kNan;
+				    const std::size_t number = (first + i) * static_cast<std::size_t>(column.components) + c;
+				    grid::storeNumber(column.type, value, &column.bytes[number * grid::byteSize(column.type)]);
+			    }
+		    }
+	    });
+}
+
+void addPoints(const grid::BlockSet& blocks, const Traces& traces, LineTable& table)
+{
+	table.places.insert(table.places.end(), traces.points.begin(), traces.points.end());
+	table.times.insert(table.times.end(), traces.times.begin(), traces.times.end());
+	table.vectors.insert(table.vectors.end(), traces.vectors.begin(), traces.vectors.end());
+	for (std::size_t i = 0; i < traces.points.size(); ++i)
+	{
+		table.block.push_back(static_cast<std::int32_t>(traces.blocks[i]));
+		table.cell.push_back(traces.cells[i] == kNoCell
+		                         ? -1
+		                         : std::visit([&](const auto& grid)
+		                                      { return static_cast<std::int64_t>(grid.sourceCell(traces.cells[i])); },
+		                                      blocks.blocks[traces.blocks[i]].grid));
+	}
+}
+
+// Of one sheet, whose points are first .. of the table: the traces of one point, or the others.
+void addTraces(const Traces& traces, std::int32_t sheet, std::size_t first, bool dots, LineTable& table)
+{
+	std::vector<std::int64_t>& ids = dots ? table.dots : table.lines;
+	std::vector<std::int64_t>& starts = dots ? table.dot_starts : table.line_starts;
+	for (std::size_t t = 0; t < traces.count(); ++t)
+	{
+		if ((traces.size(t) == 1) != dots)
+			continue;
+		for (std::size_t i = 0; i < traces.size(t); ++i)
+			ids.push_back(static_cast<std::int64_t>(first + traces.first(t) + i));
+		starts.push_back(static_cast<std::int64_t>(ids.size()));
+		table.sheet.push_back(sheet);
+		table.seed.push_back(traces.seeds[t]);
+		table.begin.push_back(static_cast<std::int32_t>(traces.begins[t]));
+		table.end.push_back(static_cast<std::int32_t>(traces.ends[t]));
+	}
+}
+
+void addAllTraces(std::span<const Traces> traces, LineTable& table)
+{
+	for (const bool dots : {true, false})
+	{
+		std::size_t first = 0;
+		for (std::size_t s = 0; s < traces.size(); ++s)
+		{
+			addTraces(traces[s], static_cast<std::int32_t>(s), first, dots, table);
+			first += traces[s].points.size();
+		}
+	}
+}
+
+LineTable tabulate(const grid::BlockSet& blocks, std::span<const Traces> traces)
+{
+	const std::vector<SetArray> arrays = arraysOf(blocks, grid::Association::point);
+	std::size_t points = 0;
+	for (const Traces& sheet : traces)
+		points += sheet.points.size();
+	LineTable table;
+	for (const SetArray& array : arrays)
+	{
+		Column& column = table.columns.emplace_back();
+		column.name = array.name;
+		column.components = array.components;
+		column.type = interpolatedType(array);
+		column.bytes.resize(points * static_cast<std::size_t>(array.components) * grid::byteSize(column.type));
+	}
+	for (const Traces& sheet : traces)
+	{
+		const std::size_t first = table.places.size();
+		addPoints(blocks, sheet, table);
+		fillColumns(blocks, sheet, arrays, first, table);
+	}
+	addAllTraces(traces, table);
+	return table;
+}
+
+vtkNew<vtkStringArray> endWords()
+{
+	vtkNew<vtkStringArray> words;
+	words->SetName("vprobe:ends");
+	for (const char* word : vectors::kTraceEndWords)
+		words->InsertNextValue(word);
+	return words;
+}
+
+} // namespace
+
+Status writeTraces(const grid::BlockSet& blocks, std::span<const Traces> traces, const std::string& path)
+{
+	Result<AtomicFile> file = AtomicFile::create(path);
+	if (!file)
+		return file.error();
+	LineTable table = tabulate(blocks, traces);
+	vtkNew<vtkPoints> points;
+	points->SetData(viewValues("Points", NumberType::float64, 3, table.places));
+	vtkNew<vtkCellArray> dots;
+	dots->SetData(viewValues("offsets", NumberType::int64, 1, table.dot_starts),
+	              viewValues("connectivity", NumberType::int64, 1, table.dots));
+	vtkNew<vtkCellArray> lines;
+	lines->SetData(viewValues("offsets", NumberType::int64, 1, table.line_starts),
+	               viewValues("connectivity", NumberType::int64, 1, table.lines));
+	vtkNew<vtkPolyData> data;
+	data->SetPoints(points);
+	data->SetVerts(dots);
+	data->SetLines(lines);
+	addColumns(table.columns, data->GetPointData());
+	data->GetPointData()->AddArray(viewValues("vprobe:time", NumberType::float64, 1, table.times));
+	data->GetPointData()->AddArray(viewValues("vprobe:vector", NumberType::float64, 3, table.vectors));
+	data->GetPointData()->AddArray(viewValues("vprobe:block", NumberType::int32, 1, table.block));
+	data->GetPointData()->AddArray(viewValues("vprobe:cell", NumberType::int64, 1, table.cell));
+	data->GetCellData()->AddArray(viewValues("vprobe:sheet", NumberType::int32, 1, table.sheet));
+	data->GetCellData()->AddArray(viewValues("vprobe:seed", NumberType::int64, 1, table.seed));
+	data->GetCellData()->AddArray(viewValues("vprobe:begin", NumberType::int32, 1, table.begin));
+	data->GetCellData()->AddArray(viewValues("vprobe:end", NumberType::int32, 1, table.end));
+	data->GetFieldData()->AddArray(endWords());
+	writePolyData(data, *file);
+	return file->commit();
+}
+
+} // namespace vp::write
