@@ -2,6 +2,8 @@
 
 #include "traverse/bfs.h"
 
+#include <algorithm>
+#include <array>
 #include <span>
 
 namespace vp::slice
@@ -27,14 +29,58 @@ private:
 	template <class G>
 	static void classifyFront(const G& grid, const Surface& surface, const traverse::FrontSlice& front)
 	{
-		for (std::size_t i = 0; i < front.cells.size(); ++i)
+		if constexpr (surface::kIsCurved<Surface>)
 		{
-			const CellId cell = front.cells[i];
-			const grid::CellShape shape = grid.shape(cell);
-			front.words[i] = shape == grid::CellShape::polyhedron
-			                     ? shared::kWordWalk
-			                     : traverse::classifyByTable(grid, surface, cell, shape);
+			constexpr std::size_t kCells = Surface::kMostPoints / 8;
+			for (std::size_t begin = 0; begin < front.cells.size(); begin += kCells)
+			{
+				const std::size_t count = std::min(kCells, front.cells.size() - begin);
+				classifyTogether(grid, surface, front.cells.subspan(begin, count), front.words.subspan(begin, count));
+			}
 		}
+		else
+			for (std::size_t i = 0; i < front.cells.size(); ++i)
+			{
+				const CellId cell = front.cells[i];
+				const grid::CellShape shape = grid.shape(cell);
+				front.words[i] = shape == grid::CellShape::polyhedron
+				                     ? shared::kWordWalk
+				                     : traverse::classifyByTable(grid, surface, cell, shape);
+			}
+	}
+
+	// A few cells: what a surface computes is computed for all their points at once, which pays for an expression.
+	template <class G>
+	static void classifyTogether(const G& grid, const Surface& surface, std::span<const CellId> cells,
+	                             std::span<std::uint32_t> words)
+	{
+		std::array<PointId, Surface::kMostPoints> points;
+		std::array<double, Surface::kMostPoints> heights;
+		std::size_t count = 0;
+		for (const CellId cell : cells)
+			if (grid.shape(cell) != grid::CellShape::polyhedron)
+				for (const PointId p : grid.cellPoints(cell))
+					points[count++] = p;
+		surface.heights(grid, std::span(points).first(count), heights.data());
+		const double* next = heights.data();
+		for (std::size_t i = 0; i < cells.size(); ++i)
+		{
+			const grid::CellShape shape = grid.shape(cells[i]);
+			words[i] = shared::kWordWalk;
+			if (shape == grid::CellShape::polyhedron)
+				continue;
+			const int vertices = grid.cellPoints(cells[i]).size;
+			words[i] = traverse::caseWords(shape)[caseIndex(next, vertices)];
+			next += vertices;
+		}
+	}
+
+	static std::uint32_t caseIndex(const double* heights, int vertices)
+	{
+		std::uint32_t index = 0;
+		for (int v = 0; v < vertices; ++v)
+			index |= static_cast<std::uint32_t>(heights[v] >= 0.0) << v;
+		return index;
 	}
 
 	std::span<const traverse::Lane<Surface, Window>> lanes_;

@@ -56,9 +56,9 @@ Status GpuSurfaceClassifier::makePipelines()
 		if (!lane.surface || !blocks_.holds(lane.block))
 			continue;
 		const GpuBlock& block = blocks_.block(lane.block);
-		const auto* placed = std::get_if<GpuExpression>(&*lane.surface);
+		const auto* placed = std::get_if<surface::PlacedExpression>(&*lane.surface);
 		auto pipeline = blocks_.surfacePipelines().get(block.cells_kind, block.points_kind,
-		                                               placed ? &placed->expression : nullptr, blocks_.caseTexels());
+		                                               placed ? &placed->expression() : nullptr, blocks_.caseTexels());
 		if (!pipeline)
 			return pipeline.error();
 		pipelines_[l] = std::move(*pipeline);

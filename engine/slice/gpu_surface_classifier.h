@@ -26,7 +26,7 @@ public:
 	struct Lane
 	{
 		std::size_t block;
-		std::optional<GpuSurface> surface;
+		std::optional<surface::Curved> surface;
 	};
 
 	// `lanes` in the order in which they are traversed. Sections "classify" go to the timeline, which may be null.

@@ -1,5 +1,7 @@
 #include "slice/gpu_surface_lane.h"
 
+#include "surface/expression_glsl.h"
+
 #include <array>
 #include <bit>
 #include <cmath>
@@ -101,15 +103,21 @@ void describePlaces(const GpuBlock& block, const Vec3& half, const Vec3& centre,
 
 } // namespace
 
-std::optional<GpuSurface> gpuSurfaceOf(const surface::BlockSurface& surface)
+std::optional<surface::Curved> gpuSurfaceOf(const surface::BlockSurface& surface)
 {
+	// Half a second with a software driver, once for a surface and a kind of grid.
+	constexpr int kMostCost = 256;
 	if (const surface::Quadric* quadric = surface.quadric())
 		return *quadric;
-	return std::nullopt;
+	const surface::PlacedExpression* placed = surface.expression();
+	if (!placed || surface::shaderCost(placed->expression()) > kMostCost)
+		return std::nullopt;
+	return *placed;
 }
 
-shared::SurfaceLane describeSurfaceLane(const grid::Block& block, const GpuBlock& on_device, const GpuSurface& surface,
-                                        std::size_t axis_start, std::span<AxisTexel> axes)
+shared::SurfaceLane describeSurfaceLane(const grid::Block& block, const GpuBlock& on_device,
+                                        const surface::Curved& surface, std::size_t axis_start,
+                                        std::span<AxisTexel> axes)
 {
 	const bool fixed = on_device.points && on_device.points_kind == shared::kPointsFixed;
 	const Vec3 half = 0.5 * on_device.bounds.size() + on_device.unit;
@@ -121,10 +129,10 @@ shared::SurfaceLane describeSurfaceLane(const grid::Block& block, const GpuBlock
 		centre = fixed ? on_device.centre : Vec3(Vec3f(on_device.bounds.centre()));
 		describeQuadric(*quadric, centre, half, lane);
 	}
-	else if (const auto& placed = std::get<GpuExpression>(surface); placed.axes)
+	else if (const auto& placed = std::get<surface::PlacedExpression>(surface); placed.isMoved())
 	{
-		centre = placed.axes->origin;
-		describeAxes(*placed.axes, lane);
+		centre = placed.axes().origin;
+		describeAxes(placed.axes(), lane);
 	}
 	describePlaces(on_device, half, centre, lane);
 	describeCells(block.grid, axis_start, lane);

@@ -192,6 +192,9 @@ private:
 	// slicer_curved.cpp
 	Result<Slice> cutForms(const SliceRequest& request, const std::vector<bool>& has_form, const Before& before,
 	                       std::stop_token stop);
+	using CurvedLane = traverse::Lane<surface::BlockSurface>; // of one sheet: one a block
+	Result<std::vector<traverse::LaneCut>> traverseForm(const SliceRequest& request, std::span<CurvedLane> lanes,
+	                                                    std::stop_token stop);
 	Result<SheetSlice> cutForm(const SliceRequest& request, const probe::Sheet& sheet,
 	                           const std::optional<FieldChoice>& field, std::stop_token stop);
 	Admits admitsOf(const SliceRequest& request) const;

@@ -1,6 +1,7 @@
 #include "base/timeline.h"
 #include "seed/curved_seeds.h"
 #include "slice/cpu_classifier.h"
+#include "slice/gpu_surface_classifier.h"
 #include "slice/slicer.h"
 #include "slice/unmoved_sheets.h"
 
@@ -61,7 +62,6 @@ std::function<bool(CellId)> both(std::function<bool(CellId)> a, std::function<bo
 Result<SheetSlice> Slicer::cutForm(const SliceRequest& request, const probe::Sheet& sheet,
                                    const std::optional<FieldChoice>& field, std::stop_token stop)
 {
-	using Lane = traverse::Lane<surface::BlockSurface>;
 	SheetSlice slice;
 	slice.shown = sheet;
 	slice.sheet = sheet;
@@ -76,7 +76,7 @@ Result<SheetSlice> Slicer::cutForm(const SliceRequest& request, const probe::She
 		slice.seeds = seed::findSeeds(blocks_, surfaces, sheet, request.seeds.mode, admits);
 	}
 	const TimedSection section(request.timeline, "traverse");
-	std::vector<Lane> lanes;
+	std::vector<CurvedLane> lanes;
 	std::vector<traverse::VisitedPool::Loan> marks;
 	for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 	{
@@ -91,12 +91,29 @@ Result<SheetSlice> Slicer::cutForm(const SliceRequest& request, const probe::She
 		if (sheet.window)
 			lanes.back().window.emplace(sheet);
 	}
-	CpuClassifier<surface::BlockSurface> classifier(lanes);
-	auto cuts = traverse::breadthFirst<surface::BlockSurface>(lanes, classifier, stop, request.timeline);
+	auto cuts = traverseForm(request, lanes, stop);
 	if (!cuts)
 		return cuts.error();
 	slice.cuts = std::move(*cuts);
 	return slice;
+}
+
+Result<std::vector<traverse::LaneCut>> Slicer::traverseForm(const SliceRequest& request, std::span<CurvedLane> lanes,
+                                                            std::stop_token stop)
+{
+	CpuClassifier<surface::BlockSurface> cpu(lanes);
+	std::vector<GpuSurfaceClassifier::Lane> on_device;
+	for (std::size_t b = 0; b < lanes.size(); ++b)
+		on_device.push_back({b, gpuSurfaceOf(lanes[b].surface)});
+	const bool uses_device =
+	    gpu_ && std::ranges::any_of(on_device, [](const auto& lane) { return lane.surface.has_value(); });
+	if (!uses_device)
+		return traverse::breadthFirst<surface::BlockSurface>(lanes, cpu, stop, request.timeline);
+	auto gpu = GpuSurfaceClassifier::create(
+	    *gpu_, std::move(on_device), [&](auto fronts) { return cpu.classify(fronts); }, request.timeline);
+	if (!gpu)
+		return gpu.error();
+	return traverse::breadthFirst<surface::BlockSurface>(lanes, **gpu, stop, request.timeline);
 }
 
 } // namespace vp::slice

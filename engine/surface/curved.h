@@ -7,8 +7,10 @@
 #include "surface/plane.h"
 #include "surface/quadric.h"
 
+#include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -53,6 +55,21 @@ public:
 		if (const auto* quadric = std::get_if<Quadric>(&kind_))
 			return quadric->height(grid.point(p));
 		return std::get<PlacedExpression>(kind_).height(grid.point(p));
+	}
+	// Of each point; for as many as kMostPoints. `heights` has as many.
+	static constexpr std::size_t kMostPoints = 64;
+	template <class G>
+	void heights(const G& grid, std::span<const PointId> points, double* heights) const
+	{
+		const PlacedExpression* placed = expression();
+		std::array<Vec3, kMostPoints> places;
+		for (std::size_t i = 0; i < points.size(); ++i)
+			if (placed)
+				places[i] = grid.point(points[i]);
+			else
+				heights[i] = height(grid, points[i]);
+		if (placed)
+			placed->heightsAt({places.data(), points.size()}, heights);
 	}
 	// How far from a to b the surface lies, 0 to 1: the root of what has a place, by linear interpolation for values.
 	// The heights have different signs.

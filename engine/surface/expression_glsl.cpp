@@ -111,6 +111,35 @@ std::string valueOf(const ExpressionNode& node)
 	return fmt::format("{}(n{}, n{})", function, node.a, node.b);
 }
 
+// By what bounded.glsl makes of them, compiled for software.
+int costOf(Operation operation)
+{
+	switch (operation)
+	{
+	case Operation::x:
+	case Operation::y:
+	case Operation::z:
+	case Operation::number:
+	case Operation::add:
+	case Operation::subtract:
+	case Operation::multiply:
+	case Operation::divide:
+	case Operation::negate:
+	case Operation::square:
+	case Operation::abs:
+	case Operation::min:
+	case Operation::max:
+		return 1;
+	case Operation::pow:
+	case Operation::sinh:
+	case Operation::cosh:
+	case Operation::tanh:
+		return 10;
+	default:
+		return 4;
+	}
+}
+
 // Folding leaves nodes behind that nothing needs.
 std::vector<bool> neededNodes(const ParsedExpression& parsed)
 {
@@ -125,6 +154,16 @@ std::vector<bool> neededNodes(const ParsedExpression& parsed)
 }
 
 } // namespace
+
+int shaderCost(const Expression& expression)
+{
+	const ParsedExpression& parsed = expression.parsed().expression;
+	const std::vector<bool> needed = neededNodes(parsed);
+	int sum = 0;
+	for (std::size_t n = 0; n < needed.size(); ++n)
+		sum += needed[n] ? costOf(parsed.tree.nodes()[n].operation) : 0;
+	return sum;
+}
 
 std::string glslOf(const Expression& expression)
 {

@@ -12,4 +12,7 @@ namespace vp::surface
 // of nodes and the bits of numbers get into it.
 std::string glslOf(const Expression& expression);
 
+// How long what glslOf() gives takes a driver to compile, about: sums and products count 1.
+int shaderCost(const Expression& expression);
+
 } // namespace vp::surface

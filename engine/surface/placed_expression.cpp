@@ -1,5 +1,7 @@
 #include "surface/placed_expression.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -9,6 +11,24 @@ namespace vp::surface
 PlacedExpression::PlacedExpression(Expression expression, const Axes& axes)
     : expression_(std::move(expression)), axes_(axes), moved_(axes != Axes())
 {
+}
+
+void PlacedExpression::heightsAt(std::span<const Vec3> places, double* heights) const
+{
+	constexpr std::size_t kBatch = 64;
+	std::array<double, kBatch> x, y, z;
+	for (std::size_t begin = 0; begin < places.size(); begin += kBatch)
+	{
+		const std::size_t count = std::min(kBatch, places.size() - begin);
+		for (std::size_t i = 0; i < count; ++i)
+		{
+			const Vec3 at = local(places[begin + i]);
+			x[i] = at.x;
+			y[i] = at.y;
+			z[i] = at.z;
+		}
+		expression_.values(x.data(), y.data(), z.data(), heights + begin, count);
+	}
 }
 
 // Regula falsi by the Illinois rule, which keeps the root between two places of different sign, and halving where that

@@ -3,6 +3,8 @@
 #include "surface/axes.h"
 #include "surface/expression.h"
 
+#include <span>
+
 namespace vp::surface
 {
 
@@ -13,6 +15,8 @@ public:
 	PlacedExpression(Expression expression, const Axes& axes);
 
 	double height(const Vec3& p) const { return expression_.value(local(p)); }
+	// height() of each place, some times faster; `heights` has as many.
+	void heightsAt(std::span<const Vec3> places, double* heights) const;
 	// How far from a to b the surface lies, 0 to 1: the heights have different signs, one of which may be NaN. The root
 	// is bracketed to the last bit but a few; towards what is no number it ends where the numbers do.
 	double crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) const;

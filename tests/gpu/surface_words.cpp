@@ -14,8 +14,10 @@ namespace
 {
 
 // As the CPU classifier has it.
-std::vector<std::uint32_t> wordsInDouble(const grid::Block& block, const std::function<double(const Vec3&)>& height)
+std::vector<std::uint32_t> wordsInDouble(const grid::Block& block, const surface::Curved& surface)
 {
+	const auto height = [&](const Vec3& p)
+	{ return std::visit([&](const auto& kind) { return kind.height(p); }, surface); };
 	std::vector<std::uint32_t> words;
 	const auto classify = [&](const auto& grid)
 	{
@@ -40,8 +42,7 @@ std::vector<std::uint32_t> wordsInDouble(const grid::Block& block, const std::fu
 
 } // namespace
 
-SurfaceWords classifyAllCells(slice::GpuBlocks& blocks, std::size_t block, const slice::GpuSurface& surface,
-                              const std::function<double(const Vec3&)>& height)
+SurfaceWords classifyAllCells(slice::GpuBlocks& blocks, std::size_t block, const surface::Curved& surface)
 {
 	SurfaceWords result;
 	const auto none_left = [](std::span<const traverse::FrontSlice>) -> Status
@@ -61,7 +62,7 @@ SurfaceWords classifyAllCells(slice::GpuBlocks& blocks, std::size_t block, const
 	const Status done = (*classifier)->classify({&front, 1});
 	EXPECT_TRUE(done) << done.error().message;
 
-	const std::vector<std::uint32_t> expected = wordsInDouble(cut, height);
+	const std::vector<std::uint32_t> expected = wordsInDouble(cut, surface);
 	std::size_t wrong = 0;
 	for (std::size_t i = 0; i < cells.size(); ++i)
 	{

@@ -2,8 +2,6 @@
 
 #include "slice/gpu_surface_classifier.h"
 
-#include <functional>
-
 namespace vp::test
 {
 
@@ -15,8 +13,7 @@ struct SurfaceWords
 	std::size_t walked = 0; // cells that only the device left open
 };
 
-// Expects that every word the device is sure of is that of the signs of `height` at the cell's points.
-SurfaceWords classifyAllCells(slice::GpuBlocks& blocks, std::size_t block, const slice::GpuSurface& surface,
-                              const std::function<double(const Vec3&)>& height);
+// Expects that every word the device is sure of is that of the signs of the heights of the cell's points.
+SurfaceWords classifyAllCells(slice::GpuBlocks& blocks, std::size_t block, const surface::Curved& surface);
 
 } // namespace vp::test

@@ -1,0 +1,109 @@
+#include "cut_both_ways.h"
+#include "gpu_fixture.h"
+#include "test_grids.h"
+
+#include "base/timeline.h"
+#include "slice/gpu_surface_lane.h"
+#include "slice/slicer.h"
+
+#include <fmt/format.h>
+
+namespace vp::test
+{
+
+namespace
+{
+
+probe::Sheet sheetOf(const grid::BlockSet& set, const std::string& form)
+{
+	probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {0.3, 0.5, 0.81});
+	sheet.form = *surface::Form::parse(form);
+	return sheet;
+}
+
+// With a device and without the same cells in the same order, with the same words. Returns those that were cut.
+std::size_t expectSameSlices(gpu::Device& device, const grid::BlockSet& set, const slice::SliceRequest& request)
+{
+	auto on_device = slice::Slicer::onDevice(device, set, request.field, nullptr);
+	EXPECT_TRUE(on_device) << on_device.error().message;
+	slice::Slicer on_cpu(set);
+	const slice::Slice gpu = std::move((*on_device)->cut(request).value());
+	const slice::Slice cpu = std::move(on_cpu.cut(request).value());
+	std::size_t cut_cells = 0;
+	for (std::size_t s = 0; s < request.probe.sheets.size(); ++s)
+	{
+		CutBothWays cut;
+		cut.gpu = gpu.sheets[s].cuts;
+		cut.cpu = cpu.sheets[s].cuts;
+		expectSameCells(cut);
+		for (const traverse::LaneCut& lane : cut.gpu)
+			cut_cells += lane.cut_cells;
+	}
+	return cut_cells;
+}
+
+} // namespace
+
+using CurvedSlice = GpuTest;
+
+TEST_F(CurvedSlice, IsTheSameWithADevice)
+{
+	for (const grid::Block& block : allGrids())
+	{
+		SCOPED_TRACE(block.name);
+		grid::BlockSet set;
+		set.blocks.push_back(block);
+		slice::SliceRequest request;
+		request.field = slice::FieldChoice{"linear", grid::Association::point, 0};
+		const double size = set.bounds().diagonal();
+		request.probe.sheets = {sheetOf(set, fmt::format("sphere:{}", 0.3 * size)), sheetOf(set, "cone:35"),
+		                        sheetOf(set, fmt::format("cylinder:{}", 0.2 * size)), sheetOf(set, "iso:0.7"),
+		                        sheetOf(set, fmt::format("x^2 + x*y - {}*sin(z) = {}", size, 0.01 * size * size))};
+		request.probe.sheets[2].window = probe::Window{-0.2 * size, 0.2 * size, -0.15 * size, 0.15 * size};
+		EXPECT_GT(expectSameSlices(device(), set, request), 0u);
+	}
+}
+
+TEST_F(CurvedSlice, SoItIsOverSeveralBlocks)
+{
+	grid::BlockSet set;
+	for (const char* name : {"shell", "blob", "tets", "hexagonal_prisms"})
+		set.blocks.push_back(gridNamed(name));
+	slice::SliceRequest request;
+	request.field = slice::FieldChoice{"linear", grid::Association::point, 0};
+	request.probe.sheets = {sheetOf(set, "sphere:1.7"), sheetOf(set, "ellipsoid:2,1,3")};
+	EXPECT_GT(expectSameSlices(device(), set, request), 100u);
+}
+
+TEST_F(CurvedSlice, WhatWouldTakeLongToCompileStaysWithTheCpu)
+{
+	std::string waves = "x - 2";
+	for (int i = 1; i < 150; ++i)
+		waves += fmt::format(" + tanh(y*{})/{}", i, 100 * i);
+	const surface::BlockSurface of(surface::PlacedExpression(*surface::Expression::parse(waves), {}));
+	EXPECT_FALSE(slice::gpuSurfaceOf(of));
+	grid::BlockSet set;
+	set.blocks.push_back(gridNamed("shell"));
+	slice::SliceRequest request;
+	request.probe.sheets = {sheetOf(set, waves)};
+	request.probe.sheets[0].origin = Vec3(0.0);
+	EXPECT_GT(expectSameSlices(device(), set, request), 20u);
+}
+
+TEST_F(CurvedSlice, GenerationsAreOnTheTimeline)
+{
+	if (device().timestampBits() == 0)
+		GTEST_SKIP() << device().name() << " has no timestamps";
+	grid::BlockSet set;
+	set.blocks.push_back(gridNamed("shell"));
+	auto slicer = slice::Slicer::onDevice(device(), set, {}, nullptr);
+	ASSERT_TRUE(slicer) << slicer.error().message;
+	Timeline timeline;
+	slice::SliceRequest request;
+	request.timeline = &timeline;
+	request.probe.sheets = {sheetOf(set, "sphere:1")};
+	ASSERT_TRUE((*slicer)->cut(request));
+	EXPECT_GT(timeline.totalGpu(), 0.0);
+}
+
+} // namespace vp::test
