@@ -60,8 +60,8 @@ public:
 
 private:
 	static constexpr double kReach = 1.0; // cells a substep: two might step over a third
-	static constexpr double kLeast =
-	    1e-3; // cells: a substep so short is taken whatever its error, at a kink of the field
+	// Cells: so short a substep is taken whatever its error, at a kink of the field.
+	static constexpr double kLeast = 1e-3;
 	// In a million such steps nothing would move by a millionth of a cell.
 	static constexpr double kStands = 1e-12;
 	static constexpr std::size_t kMostSubsteps = 20'000; // a step
