@@ -244,6 +244,7 @@ private:
 				enter();
 				return std::nullopt;
 			}
+		p_.cell = out.cell; // whose face it is, though on an edge others may hold the place
 		const Vec3 velocity = p_.sense * motion_.moving(p_.vector);
 		return Exit{out.face, largest(locate::applied(walker_.measureCell(), velocity))};
 	}
