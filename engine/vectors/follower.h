@@ -215,7 +215,9 @@ private:
 				depth = depthBehind(out);
 			}
 		}
-		return standOn(out, in, in.h > kOnFace * tried.h);
+		// To and fro across a face, as vectors that run against each other have it, is no way.
+		constexpr double kWay = 1e-6; // cells
+		return standOn(out, in, in.h * largest(locate::applied(inverse_, velocity_)) > kWay);
 	}
 
 	// The last place asked for.
