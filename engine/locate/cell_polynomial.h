@@ -21,6 +21,7 @@ struct CellPolynomial
 {
 	Vec3 constant{0.0}, x{0.0}, y{0.0}, z{0.0}, xy{0.0}, xz{0.0}, yz{0.0}, xyz{0.0};
 
+	// Without a call, which would cost a trace more than what is worked out.
 	[[gnu::always_inline]] Vec3 at(grid::CellShape shape, const Vec3& u) const
 	{
 		if (shape == grid::CellShape::pyramid)

@@ -35,8 +35,8 @@ public:
 	// In one block and without a hop: for points that mostly lie outside of it, where hops would wander.
 	const Place& findByTree(std::uint32_t block, const Vec3& point);
 
-	// The same in time that does not grow with the block's cells, but only in cells behind its boundary, no farther
-	// from their boundary face's box than `reach`, and not in the cell `besides`.
+	// The same in time that does not grow with the block's cells, in cells behind its boundary: at least in those whose
+	// boundary face's box is no farther than `reach`. Not in the cell `besides`.
 	const Place& findAtBoundary(std::uint32_t block, const Vec3& point, double reach, CellId besides);
 
 private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "vectors/cell_across.h"
 #include "vectors/cell_field.h"
 
 #include <array>
@@ -115,24 +116,8 @@ public:
 		return inverse_;
 	}
 
-	// The cell across a face; of several cells the one whose centre is nearest to the place.
-	CellId across(int face) const
-	{
-		if constexpr (kIsLattice<G>)
-			return loader_.grid().neighbour(here().cell, face);
-		else
-		{
-			CellId first = kNoCell;
-			bool several = false;
-			loader_.grid().forEachNeighbour(here().cell, face,
-			                                [&](CellId next)
-			                                {
-				                                several = first != kNoCell;
-				                                first = several ? first : next;
-			                                });
-			return several ? nearestAcross(face) : first;
-		}
-	}
+	// The cell across a face of the present one, kNoCell on the boundary.
+	CellId across(int face) const { return cellAcross(loader_.grid(), here().cell, face, place_); }
 
 private:
 	static constexpr int kMostHops = 64; // steps are kept as short as a cell
@@ -251,23 +236,6 @@ private:
 			if (const CellId next = across(face); next != kNoCell)
 				return Crossing{next, face};
 		}
-	}
-
-	CellId nearestAcross(int face) const
-	{
-		CellId nearest = kNoCell;
-		double least = std::numeric_limits<double>::infinity();
-		loader_.grid().forEachNeighbour(here().cell, face,
-		                                [&](CellId next)
-		                                {
-			                                const Vec3 off = grid::cellCentre(loader_.grid(), next) - place_;
-			                                if (glm::dot(off, off) < least)
-			                                {
-				                                least = glm::dot(off, off);
-				                                nearest = next;
-			                                }
-		                                });
-		return nearest;
 	}
 
 	void cross(const Crossing& way)

@@ -60,8 +60,8 @@ public:
 
 private:
 	static constexpr double kReach = 1.0; // cells a substep: two might step over a third
-	static constexpr double kLeast =
-	    1e-3; // cells: a substep so short is taken whatever its error, at a kink of the field
+	// Cells: so short a substep is taken whatever its error, at a kink of the field.
+	static constexpr double kLeast = 1e-3;
 	// In a million such steps nothing would move by a millionth of a cell.
 	static constexpr double kStands = 1e-12;
 	static constexpr std::size_t kMostSubsteps = 20'000; // a step
@@ -215,7 +215,9 @@ private:
 				depth = depthBehind(out);
 			}
 		}
-		return standOn(out, in, in.h > kOnFace * tried.h);
+		// To and fro across a face, as vectors that run against each other have it, is no way.
+		constexpr double kWay = 1e-6; // cells
+		return standOn(out, in, in.h * largest(locate::applied(inverse_, velocity_)) > kWay);
 	}
 
 	// The last place asked for.
@@ -244,6 +246,7 @@ private:
 				enter();
 				return std::nullopt;
 			}
+		p_.cell = out.cell; // whose face it is, though on an edge others may hold the place
 		const Vec3 velocity = p_.sense * motion_.moving(p_.vector);
 		return Exit{out.face, largest(locate::applied(walker_.measureCell(), velocity))};
 	}

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 namespace vp::vectors
 {
@@ -19,7 +18,7 @@ Status checkOptions(const TraceOptions& options, std::size_t launches)
 		             fmt::format("--vector-steps {}: not a number of steps; give 0 or more", options.steps)};
 	const double ways = options.direction == Direction::both ? 2.0 : 1.0;
 	const double points = static_cast<double>(launches) * (ways * (std::ceil(options.steps) + 1.0));
-	if (points > std::numeric_limits<std::uint32_t>::max())
+	if (points > kMostTracePoints)
 		return Error{ExitCode::usage, fmt::format("--vector-steps {}: of {} traces there would be {:.3g} points; "
 		                                          "take fewer steps, or fewer points in the lattice",
 		                                          options.steps, launches, points)};

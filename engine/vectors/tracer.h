@@ -24,7 +24,10 @@ struct TraceOptions
 	double tolerance = 1e-5;
 };
 
-// Usage errors: dt not positive or not finite, steps negative or not finite, more points than can be numbered.
+// Of all traces; they take some 140 bytes each while they are made.
+constexpr double kMostTracePoints = 1e8;
+
+// Usage errors: dt not positive or not finite, steps negative or not finite, more points than kMostTracePoints.
 Status checkOptions(const TraceOptions& options, std::size_t launches);
 
 // Particles from the launches along the vectors of an array (chooseVectors()), with a point every dt. Between points of

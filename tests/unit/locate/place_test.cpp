@@ -104,6 +104,33 @@ TEST(PlaceFinder, APointOnAFaceBelongsToOneCell)
 	}
 }
 
+TEST(PlaceFinder, TheTreeFindsInOneBlockWhatHopsFind)
+{
+	const grid::BlockSet set = setOf({boxed(3.0), gridNamed("mixed"), boxed(0.0)});
+	PlaceFinder finder(set);
+	EXPECT_FALSE(finder.findByTree(0, Vec3(0.5)).found());
+	EXPECT_EQ(finder.findByTree(2, Vec3(0.5)).block, 2u);
+	std::mt19937 random(22);
+	for (int i = 0; i < 100; ++i)
+	{
+		const Vec3 point = randomPoint(set.blocks[1].bounds, random);
+		const Place& place = finder.findByTree(1, point);
+		ASSERT_TRUE(place.found());
+		EXPECT_NEAR(linearIn(set.blocks[1], place), linearAt(point), 1e-10);
+	}
+}
+
+TEST(PlaceFinder, CellsBehindTheBoundaryAreFoundAlongIt)
+{
+	const grid::BlockSet set = setOf({gridNamed("two_pieces")}); // x to 1/3, and from 2/3
+	PlaceFinder finder(set);
+	const CellId cell = finder.find({0.3, 0.4, 0.4}).cell;
+	constexpr double kReach = 0.01;
+	EXPECT_EQ(finder.findAtBoundary(0, {0.33, 0.4, 0.4}, kReach, kNoCell).cell, cell);
+	EXPECT_FALSE(finder.findAtBoundary(0, {0.33, 0.4, 0.4}, kReach, cell).found());
+	EXPECT_FALSE(finder.findAtBoundary(0, {0.34, 0.4, 0.4}, kReach, kNoCell).found());
+}
+
 TEST(PlaceFinder, BlocksAreAskedInOrder)
 {
 	const grid::BlockSet set = setOf({boxed(3.0), boxed(0.0)});
