@@ -3,11 +3,11 @@
 #include "base/timeline.h"
 #include "slice/cpu_classifier.h"
 #include "slice/gpu_blocks.h"
+#include "slice/lane_marks.h"
 #include "slice/unmoved_sheets.h"
 
 #include <algorithm>
 #include <cassert>
-#include <deque>
 
 namespace vp::slice
 {
@@ -114,12 +114,11 @@ Slice Slicer::seedSheets(const SliceRequest& request, const Admits& admits) cons
 	return slice;
 }
 
-// Lanes, and the marks or queues that they refer to.
+// Lanes, and the marks that they refer to.
 struct Slicer::Lanes
 {
 	std::vector<Lane> all; // lane s * blocks + b is sheet s in block b
-	std::vector<traverse::VisitedPool::Loan> marks;
-	std::deque<traverse::OctantQueue> queues;
+	LaneMarks marks;
 };
 
 // What is found already is not traversed again.
@@ -144,10 +143,7 @@ Slicer::Lanes Slicer::makeLanes(const SliceRequest& request, const Slice& slice,
 			if (found[lanes.all.size() - 1])
 				continue;
 			lane.seeds = sheet.seeds.cells[b];
-			if (request.visited == Visited::octants)
-				lane.queue = &lanes.queues.emplace_back(*lane.block, lane.seeds.empty() ? 0 : lane.seeds.front());
-			else
-				lane.visited = lanes.marks.emplace_back(visited_[b]->borrow()).get();
+			lanes.marks.give(lane, request.visited, *visited_[b]);
 		}
 	}
 	return lanes;

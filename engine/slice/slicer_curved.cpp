@@ -2,6 +2,7 @@
 #include "seed/curved_seeds.h"
 #include "slice/cpu_classifier.h"
 #include "slice/gpu_surface_classifier.h"
+#include "slice/lane_marks.h"
 #include "slice/slicer.h"
 #include "slice/unmoved_sheets.h"
 
@@ -77,17 +78,17 @@ Result<SheetSlice> Slicer::cutForm(const SliceRequest& request, const probe::She
 	}
 	const TimedSection section(request.timeline, "traverse");
 	std::vector<CurvedLane> lanes;
-	std::vector<traverse::VisitedPool::Loan> marks;
+	LaneMarks marks;
 	for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 	{
-		marks.push_back(visited_[b]->borrow());
 		lanes.push_back({.block = &blocks_.blocks[b],
 		                 .surface = surfaces[b],
-		                 .visited = marks.back().get(),
+		                 .visited = nullptr,
 		                 .seeds = slice.seeds.cells[b],
 		                 .seams = blocks_.interfaces.of(b),
 		                 .sheet_lane = 0,
 		                 .admits = admits[b]});
+		marks.give(lanes.back(), request.visited, *visited_[b]);
 		if (sheet.window)
 			lanes.back().window.emplace(sheet);
 	}
