@@ -35,7 +35,7 @@ bool needsData(Action action)
 
 bool isProbe(const ProbeOptions& options, const char* name)
 {
-	return options.probe == name && !options.own_probe && !options.surface;
+	return options.probe == name && !options.own_probe && !replacesSheets(options);
 }
 
 } // namespace

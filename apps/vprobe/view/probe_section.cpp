@@ -2,6 +2,7 @@
 #include "view/sections.h"
 
 #include <fmt/format.h>
+#include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -148,17 +149,24 @@ void showSheets(Desk& desk)
 	ImGui::EndDisabled();
 }
 
+void showSurface(Desk& desk)
+{
+	std::string text = desk.bench.state().probe.surface.value_or("");
+	labelled("Surface");
+	if (ImGui::InputTextWithHint("##surface", "planes", &text, ImGuiInputTextFlags_EnterReturnsTrue))
+		desk.bench.setSurface(text);
+	tip("What sheets cut by: nothing for planes, sphere:R, cylinder:R, cone:DEGREES, iso:VALUE, or an expression in "
+	    "x, y and z. Enter takes it");
+}
+
 } // namespace
 
 void showProbeSection(Desk& desk)
 {
-	if (replacesSheets(desk.bench.state().probe))
-	{
-		ImGui::TextWrapped("A grid surface is shown, %s. Choose a preset for planes.",
-		                   desk.bench.state().probe.surface->c_str());
-		return showPresets(desk);
-	}
 	showPresets(desk);
+	showSurface(desk);
+	if (replacesSheets(desk.bench.state().probe))
+		return ImGui::TextWrapped("A part of the grid is shown, which has no sheets to move.");
 	showCounts(desk);
 	showSheets(desk);
 	showPlaceFields(desk);

@@ -86,6 +86,8 @@ public:
 	const interact::History<ViewState>& history() const { return history_; }
 
 	probe::Probe probe() const; // as the state has it; without sheets before anything is loaded
+	// As --surface has it; empty for planes. What is none is told.
+	void setSurface(const std::string& text);
 	void setProbe(const std::string& label, const probe::Probe& probe, const std::string& merge = {});
 	std::size_t sheet() const { return sheet_; } // the one that keys and panels mean
 	void chooseSheet(std::size_t sheet);

@@ -85,13 +85,30 @@ void Workbench::setPreset(const char* name)
 	       {
 		       state.probe.probe = name;
 		       state.probe.own_probe.reset();
-		       state.probe.surface.reset();
+		       if (replacesSheets(state.probe))
+			       state.probe.surface.reset();
 		       state.probe.vanes.reset();
 		       state.probe.offsets.clear();
 		       state.probe.sheets.reset();
 		       state.probe.corners.reset();
 	       });
 	sheet_ = 0;
+}
+
+void Workbench::setSurface(const std::string& text)
+{
+	ProbeOptions asked = state().probe;
+	asked.surface = text.empty() ? std::nullopt : std::optional(text);
+	if (const auto form = formOf(asked); !form)
+		return notify(form.error().message, true);
+	change("Surface",
+	       [&](ViewState& state)
+	       {
+		       state.probe.surface = asked.surface;
+		       if (state.probe.own_probe)
+			       for (probe::Sheet& sheet : state.probe.own_probe->probe.sheets)
+				       sheet.form.reset();
+	       });
 }
 
 bool Workbench::performOnSheets(Action action)
