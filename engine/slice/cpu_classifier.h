@@ -31,7 +31,7 @@ private:
 	{
 		if constexpr (surface::kIsCurved<Surface>)
 		{
-			constexpr std::size_t kCells = Surface::kMostPoints / 8;
+			constexpr std::size_t kCells = Surface::kMostPoints / grid::kMaxShapePoints;
 			for (std::size_t begin = 0; begin < front.cells.size(); begin += kCells)
 			{
 				const std::size_t count = std::min(kCells, front.cells.size() - begin);
