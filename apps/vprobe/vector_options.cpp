@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 namespace vp::app
 {
@@ -121,14 +120,6 @@ Status checkVectorOptions(const VectorOptions& options)
 		    ExitCode::usage,
 		    fmt::format("--vector-dt {}: a step takes some time; give a number above 0, or leave the option out",
 		                *options.dt)};
-	// Traces number their points.
-	const double launches = std::pow(options.lattice + 1.0, 2);
-	const double points = launches * (options.direction == "both" ? 2.0 : 1.0) * (options.stepsOrDefault() + 2.0);
-	if (points > std::numeric_limits<std::uint32_t>::max())
-		return Error{ExitCode::usage,
-		             fmt::format("--vector-steps {}: {:.3g} points of paths are more than fit; take fewer steps or a "
-		                         "smaller --vector-lattice",
-		                         options.stepsOrDefault(), points)};
 	return Nothing{};
 }
 
