@@ -58,17 +58,22 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (Status told = tellAbout(session, *slice); !told)
 		return told.error();
 	const std::vector<SheetStats> sheets = sheetStats(session, *slice);
+	const Result<Contours> contours = growContours(session, *slice, sheets, options.saved.look.contour, Tell::all);
+	if (!contours)
+		return contours.error();
 	Result<Painter> painter = Painter::create(session, options.saved.probe, std::move(*look));
 	if (!painter)
 		return painter.error();
-	Result<render::Picture> picture = painter->draw(*slice, sheets);
+	Result<render::Picture> picture = painter->draw(*slice, sheets, *contours);
 	if (!picture)
 		return picture.error();
 	if (Status written = write::writePng(*picture, options.output); !written)
 		return written.error();
 	if (Status saved = saveState(options.saved); !saved)
 		return saved.error();
-	return writeStats(options.stats, {options.output}, statsJson(options.saved.probe, session, *slice, sheets));
+	return writeStats(
+	    options.stats, {options.output},
+	    statsJson(options.saved.probe, session, *slice, sheets, {{"contours", contoursJson(session, *contours)}}));
 }
 
 } // namespace
@@ -85,6 +90,7 @@ void addRender(CLI::App& program, Run& run)
 	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
 
 	addLookOptions(*command, options->saved.look);
+	addContourOptions(*command, options->saved.look.contour);
 	addStateOptions(*command, options->saved);
 	command->callback([&run, options] { run = [options] { return runRender(*options); }; });
 }

@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "grown_contours.h"
 #include "interrupt.h"
 #include "make_probe.h"
 #include "plane_pictures.h"
@@ -71,7 +72,7 @@ Result<LookChoice> planeLook(const SliceOptions& options, const CLI::App& comman
 // Of pictures, or of polygons; gives the files.
 Result<std::vector<std::string>> writeSlices(const Session& session, const SliceOptions& options,
                                              const LookChoice& look, const slice::Slice& slice,
-                                             const std::vector<SheetStats>& sheets)
+                                             const std::vector<SheetStats>& sheets, const Contours& contours)
 {
 	const TimedSection section(session.timeline.get(), "write");
 	const DeferredInterrupt writing; // the files of a .vtm appear together
@@ -83,7 +84,9 @@ Result<std::vector<std::string>> writeSlices(const Session& session, const Slice
 			return written.error();
 		return std::vector{options.output};
 	}
-	if (Status written = write::writeSlice(session.blocks, exportedMeshes(sheets), options.output); !written)
+	if (Status written =
+	        write::writeSlice(session.blocks, exportedMeshes(sheets), options.output, contourPieces(contours));
+	    !written)
 		return written.error();
 	return std::vector{options.output};
 }
@@ -132,10 +135,14 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 		return told.error();
 	std::vector<SheetStats> sheets = sheetStats(session, *slice);
 
+	const Result<Contours> contours = growContours(session, *slice, sheets, options.saved.look.contour, Tell::all);
+	if (!contours)
+		return contours.error();
+
 	std::vector<std::string> written;
 	if (!options.output.empty())
 	{
-		Result<std::vector<std::string>> files = writeSlices(session, options, *look, *slice, sheets);
+		Result<std::vector<std::string>> files = writeSlices(session, options, *look, *slice, sheets, *contours);
 		if (!files)
 			return files.error();
 		written = std::move(*files);
@@ -144,7 +151,9 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 		fmt::print("{}", statsTable(session, *slice, sheets));
 	if (Status saved = saveState(options.saved); !saved)
 		return saved.error();
-	return writeStats(options.stats, written, statsJson(options.saved.probe, session, *slice, sheets));
+	return writeStats(
+	    options.stats, written,
+	    statsJson(options.saved.probe, session, *slice, sheets, {{"contours", contoursJson(session, *contours)}}));
 }
 
 } // namespace
@@ -175,6 +184,7 @@ void addSlice(CLI::App& program, Run& run)
 	    ->type_name("K");
 	command->footer("With neither -o nor --stats a short table is printed.");
 	addLookOptions(*command, options->saved.look, LookScope::plane);
+	addContourOptions(*command, options->saved.look.contour);
 	addStateOptions(*command, options->saved);
 	command->callback([&run, options, command] { run = [options, command] { return runSlice(*options, *command); }; });
 }

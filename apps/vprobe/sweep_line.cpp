@@ -63,9 +63,14 @@ private:
 				return slice.error();
 			made->slice = std::move(*slice);
 			made->sheets = statsSince(session_, made->slice, last_.get(), plan_.wants_figures);
+			Result<Contours> contours = growContours(session_, made->slice, made->sheets, plan_.contour, Tell::unfit);
+			if (!contours)
+				return contours.error();
+			made->contours = std::move(*contours);
 		}
 		if (plan_.wants_figures)
-			made->figures = sheetsJson(session_, made->slice, made->sheets);
+			made->figures = {{"sheets", sheetsJson(session_, made->slice, made->sheets)},
+			                 {"contours", contoursJson(session_, made->contours)}};
 		last_ = made;
 		return std::shared_ptr<const SweptFrame>(std::move(made));
 	}
@@ -124,7 +129,10 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 		remaining.done();
 		empty += std::ranges::all_of((*cut)->slice.sheets, isEmpty);
 		if (plan.wants_figures)
-			figures.push_back({{"frame", frame}, {"sheets", (*cut)->figures}});
+		{
+			figures.push_back((*cut)->figures);
+			figures.back()["frame"] = frame;
+		}
 		if (plan.trace)
 			plan.trace->add(session.timeline->takeSections());
 	}

@@ -67,6 +67,7 @@ void addView(CLI::App& program, Run& run)
 	addInputs(*command, options->saved.probe)->required(false);
 	addProbeOptions(*command, options->saved.probe);
 	addLookOptions(*command, options->saved.look);
+	addContourOptions(*command, options->saved.look.contour);
 	addPathOptions(*command, options->saved.path);
 	addStateOptions(*command, options->saved);
 	command->add_flag("--list-bindings", options->list_bindings, "Prints what the keys do, and opens no window");

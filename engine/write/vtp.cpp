@@ -74,6 +74,8 @@ void writeVtp(SliceTable& table, AtomicFile& file)
 	slice->GetCellData()->AddArray(view("vprobe:cell", NumberType::int64, 1, table.cell));
 	slice->GetCellData()->AddArray(view("vprobe:block", NumberType::int32, 1, table.block));
 	slice->GetCellData()->AddArray(view("vprobe:sheet", NumberType::int32, 1, table.sheet));
+	if (!table.contour.empty())
+		slice->GetCellData()->AddArray(view("vprobe:contour", NumberType::float64, 1, table.contour));
 
 	// To memory and from there to the file: VTK goes back in its stream to fill in offsets, which a pipe does not
 	// allow, and reports a full disk less surely than AtomicFile.

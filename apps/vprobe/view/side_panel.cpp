@@ -20,6 +20,7 @@ constexpr std::array kSections{
     Section{"Data", "What is loaded", showDataSection, true},
     Section{"Probe", "The sheets, where they stand, their windows", showProbeSection, true},
     Section{"Colours", "What array the sheets show, and how", showColourSection, true},
+    Section{"Contours", "Surfaces of one value, grown from the sheets", showContourSection, false},
     Section{"Time", "The input's time steps", showTimeSection, true},
     Section{"Sweep", "The probe moved along a path, as a film", showSweepSection, false},
     Section{"Magnifier", "What a sheet shows, magnified", showMagnifierSection, false},
