@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stats_json.h"
+#include "grown_contours.h"
 
 #include <vector>
 
@@ -12,6 +12,7 @@ struct CutFrame
 {
 	slice::Slice slice;
 	std::vector<SheetStats> sheets;
+	Contours contours{}; // where they are grown once for the frame
 };
 
 // What a slice's sheets show: all figures where they are wanted, else what a picture needs. last: the frame before, by

@@ -219,6 +219,7 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 	if (!context)
 		return context.error();
 	choice.context = std::move(*context);
+	choice.contour = options.contour;
 	look.axes = options.axes == "corner";
 	look.box_axes = options.axes == "box";
 	look.title = options.title.value_or(inputTitle(inputs));

@@ -2,6 +2,7 @@
 
 #include "base/result.h"
 #include "context_options.h"
+#include "contour_options.h"
 #include "grid/block.h"
 #include "render/scene.h"
 #include "slice/field_choice.h"
@@ -46,6 +47,7 @@ struct LookOptions
 	std::string length_units;
 	std::optional<std::string> title; // else the input's name
 	VectorLookOptions vectors;
+	ContourOptions contour; // with options of their own
 
 	bool operator==(const LookOptions&) const = default;
 };
@@ -63,6 +65,7 @@ struct LookChoice
 	render::Look look;
 	render::CameraChoice camera;
 	std::vector<ContextChoice> context;
+	ContourOptions contour;
 	double opacity = 1.0;        // of every sheet
 	bool range_of_slice = false; // without a range: the colours' ends are those of what the sheets show
 	bool symmetric = false;      // and lie alike about 0

@@ -1,5 +1,6 @@
 #include "painter.h"
 
+#include "contour_drawing.h"
 #include "render/surface_polygons.h"
 #include "render/value_style.h"
 #include "sheet_values.h"
@@ -160,7 +161,8 @@ Result<std::shared_ptr<const slice::SheetRecords>> Painter::recordsOf(const slic
 	return records_[sheet.number] = std::move(*made);
 }
 
-Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene)
+Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStats>& sheets, const Contours& contours,
+                          render::Scene& scene)
 {
 	std::erase_if(
 	    records_, [&](const auto& kept)
@@ -170,6 +172,9 @@ Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStat
 		Result<render::SheetDrawing> made = looks_.drawing(slice.sheets[s], sheets[s]);
 		if (!made)
 			return made.error();
+		if (s < contours.size())
+			if (Status added = app::addContours(session_, slice.sheets[s], contours[s], *made, choice(), scene); !added)
+				return added;
 		if (!slice.sheets[s].isPlane() || sheets[s].crinkle)
 		{
 			Result<render::Surface> surface = surfaceOf(slice.sheets[s], sheets[s], *made, scene.values);
@@ -187,7 +192,8 @@ Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStat
 	return Nothing{};
 }
 
-Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets,
+                                       const Contours& contours)
 {
 	const TimedSection section(session_.timeline.get(), "scene");
 	render::Scene scene;
@@ -200,7 +206,7 @@ Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vec
 	if (!scale)
 		return scale.error();
 	scene.values = *scale;
-	if (Status added = addSheets(slice, sheets, scene); !added)
+	if (Status added = addSheets(slice, sheets, contours, scene); !added)
 		return added.error();
 	auto launched = vectors_.surface(slice, sheets, scene.values, looks_);
 	if (!launched)
@@ -230,10 +236,11 @@ Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vec
 	return scene;
 }
 
-Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets,
+                                      const Contours& contours)
 {
 	const TimedSection section(session_.timeline.get(), "render");
-	Result<render::Scene> scene = sceneOf(slice, sheets);
+	Result<render::Scene> scene = sceneOf(slice, sheets, contours);
 	return scene ? renderer_.draw(*scene, session_.timeline.get()) : scene.error();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grown_contours.h"
 #include "render/outline.h"
 #include "render/renderer.h"
 #include "sheet_looks.h"
@@ -39,11 +40,13 @@ public:
 	Status setLook(const ProbeOptions& options, LookChoice choice);
 
 	// What is to be drawn, for renderer(). sheets: sheetStats() of the slice. Section "scene".
-	Result<render::Scene> sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
+	Result<render::Scene> sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets,
+	                              const Contours& contours = {});
 	render::Renderer& renderer() { return renderer_; }
 
 	// Section "render" on the session's timeline. sheets: sheetStats() of the slice.
-	Result<render::Picture> draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
+	Result<render::Picture> draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets,
+	                             const Contours& contours = {});
 	// The scene without the sheets and the lines around them.
 	Result<render::Picture> drawEmpty(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
 
@@ -52,7 +55,8 @@ private:
 	Status makeContext();
 	Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const slice::SheetSlice& sheet,
 	                                                             const SheetStats& stats);
-	Status addSheets(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene);
+	Status addSheets(const slice::Slice& slice, const std::vector<SheetStats>& sheets, const Contours& contours,
+	                 render::Scene& scene);
 	Result<render::Surface> surfaceOf(const slice::SheetSlice& sheet, const SheetStats& stats,
 	                                  const render::SheetDrawing& drawing,
 	                                  const std::optional<render::ValueScale>& scale) const;

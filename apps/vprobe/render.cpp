@@ -67,10 +67,13 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (!stats)
 		return stats.error();
 	const std::vector<SheetStats>& sheets = *stats;
+	const Result<Contours> contours = growContours(session, *slice, sheets, options.saved.look.contour, Tell::all);
+	if (!contours)
+		return contours.error();
 	Result<Painter> painter = Painter::create(session, options.saved.probe, std::move(*look));
 	if (!painter)
 		return painter.error();
-	Result<render::Picture> picture = painter->draw(*slice, sheets);
+	Result<render::Picture> picture = painter->draw(*slice, sheets, *contours);
 	if (!picture)
 		return picture.error();
 	if (Status written = write::writePng(*picture, options.output); !written)
@@ -79,8 +82,9 @@ Result<ExitCode> runRender(RenderOptions& options)
 		return written.error();
 	if (Status saved = saveState(options.saved); !saved)
 		return saved.error();
-	return writeStats(options.stats, {options.output, options.vectors_out},
-	                  statsJson(options.saved.probe, session, *slice, sheets));
+	return writeStats(
+	    options.stats, {options.output, options.vectors_out},
+	    statsJson(options.saved.probe, session, *slice, sheets, {{"contours", contoursJson(session, *contours)}}));
 }
 
 } // namespace
@@ -99,6 +103,7 @@ void addRender(CLI::App& program, Run& run)
 	addLookOptions(*command, options->saved.look);
 	addVectorOptions(*command, options->saved.probe.vectors, &options->saved.look.vectors);
 	addVectorsOut(*command, options->vectors_out);
+	addContourOptions(*command, options->saved.look.contour);
 	addStateOptions(*command, options->saved);
 	command->callback([&run, options] { run = [options] { return runRender(*options); }; });
 }

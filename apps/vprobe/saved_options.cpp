@@ -84,6 +84,11 @@ state::Sections sectionsOf(SavedOptions& options)
 	          {"vector_colormap", state::NameOrFile{&look.vectors.colormap}},
 	          {"vector_width", &look.vectors.width},
 	          {"vector_opacity", &look.vectors.opacity}}},
+	        {"contours",
+	         {{"contour", &look.contour.values},
+	          {"contour_at", &look.contour.at},
+	          {"contour_depth", &look.contour.depth},
+	          {"contour_opacity", &look.contour.opacity}}},
 	        {"sweep",
 	         {{"path", state::PathChoice{&path.path, &path.own_path}},
 	          {"frames", &path.frames},
@@ -187,6 +192,8 @@ Status prepare(SavedOptions& options)
 		return Error{ExitCode::usage, "--save -: a state names files relative to its own place; give it a file's name"};
 	if (Status place = tryPlace(options.save); !place)
 		return place;
+	if (Status fits = checkContours(options.look.contour, options.probe); !fits)
+		return fits;
 	if (Status probe = readProbeFile(options.probe); !probe)
 		return probe;
 	return readPathFile(options.path);

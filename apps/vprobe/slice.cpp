@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "grown_contours.h"
 #include "interrupt.h"
 #include "make_probe.h"
 #include "plane_pictures.h"
@@ -73,7 +74,7 @@ Result<LookChoice> planeLook(const SliceOptions& options, const CLI::App& comman
 // Of pictures, or of polygons; gives the files.
 Result<std::vector<std::string>> writeSlices(const Session& session, const SliceOptions& options,
                                              const LookChoice& look, const slice::Slice& slice,
-                                             const std::vector<SheetStats>& sheets)
+                                             const std::vector<SheetStats>& sheets, const Contours& contours)
 {
 	const TimedSection section(session.timeline.get(), "write");
 	const DeferredInterrupt writing; // the files of a .vtm appear together
@@ -85,7 +86,9 @@ Result<std::vector<std::string>> writeSlices(const Session& session, const Slice
 			return written.error();
 		return std::vector{options.output};
 	}
-	if (Status written = write::writeSlice(session.blocks, exportedMeshes(sheets), options.output); !written)
+	if (Status written =
+	        write::writeSlice(session.blocks, exportedMeshes(sheets), options.output, contourPieces(contours));
+	    !written)
 		return written.error();
 	return std::vector{options.output};
 }
@@ -143,10 +146,14 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 		return stats.error();
 	const std::vector<SheetStats>& sheets = *stats;
 
+	const Result<Contours> contours = growContours(session, *slice, sheets, options.saved.look.contour, Tell::all);
+	if (!contours)
+		return contours.error();
+
 	std::vector<std::string> written;
 	if (!options.output.empty())
 	{
-		Result<std::vector<std::string>> files = writeSlices(session, options, *look, *slice, sheets);
+		Result<std::vector<std::string>> files = writeSlices(session, options, *look, *slice, sheets, *contours);
 		if (!files)
 			return files.error();
 		written = std::move(*files);
@@ -158,7 +165,9 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 		fmt::print("{}", statsTable(session, *slice, sheets));
 	if (Status saved = saveState(options.saved); !saved)
 		return saved.error();
-	return writeStats(options.stats, written, statsJson(options.saved.probe, session, *slice, sheets));
+	return writeStats(
+	    options.stats, written,
+	    statsJson(options.saved.probe, session, *slice, sheets, {{"contours", contoursJson(session, *contours)}}));
 }
 
 } // namespace
@@ -191,6 +200,7 @@ void addSlice(CLI::App& program, Run& run)
 	addLookOptions(*command, options->saved.look, LookScope::plane);
 	addVectorOptions(*command, options->saved.probe.vectors, nullptr);
 	addVectorsOut(*command, options->vectors_out);
+	addContourOptions(*command, options->saved.look.contour);
 	addStateOptions(*command, options->saved);
 	command->callback([&run, options, command] { run = [options, command] { return runSlice(*options, *command); }; });
 }

@@ -242,24 +242,25 @@ nlohmann::json inputJson(const ProbeOptions& options, const Session& session)
 	        {"break_even_cells", breakEvenJson(session)}};
 }
 
-std::string statsDocument(const ProbeOptions& options, const Session& session, const char* key, nlohmann::json what)
+std::string statsDocument(const ProbeOptions& options, const Session& session, const nlohmann::json& what)
 {
 	const Timeline& timeline = *session.timeline;
 	nlohmann::json ms = {{"gpu", timeline.totalGpu()}, {"total", timeline.now()}};
-	for (const char* section :
-	     {"read", "build", "upload", "seed", "traverse", "emit", "measure", "trace", "readback", "render", "write"})
+	for (const char* section : {"read", "build", "upload", "seed", "traverse", "emit", "contour", "trace", "measure",
+	                            "readback", "render", "write"})
 		ms[section] = timeline.total(section);
 
 	nlohmann::json document = inputJson(options, session);
-	document[key] = std::move(what);
+	document.update(what);
 	document["ms"] = std::move(ms);
 	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
-                      const std::vector<SheetStats>& sheets)
+                      const std::vector<SheetStats>& sheets, nlohmann::json more)
 {
-	return statsDocument(options, session, "sheets", sheetsJson(session, slice, sheets));
+	more["sheets"] = sheetsJson(session, slice, sheets);
+	return statsDocument(options, session, more);
 }
 
 std::string statsTable(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets)

@@ -41,12 +41,12 @@ nlohmann::json sheetsJson(const Session& session, const slice::Slice& slice, con
 // What a document says first: input, grid, array, device and classifier.
 nlohmann::json inputJson(const ProbeOptions& options, const Session& session);
 
-// A --stats document that says `what` under `key`: input, grid, device and times are told in any.
-std::string statsDocument(const ProbeOptions& options, const Session& session, const char* key, nlohmann::json what);
+// A --stats document that says `what`, key by key: input, grid, device and times are told in any.
+std::string statsDocument(const ProbeOptions& options, const Session& session, const nlohmann::json& what);
 
-// The --stats document of a slice. Scripts rely on its keys: add to them, never rename one.
+// The --stats document of a slice. Scripts rely on its keys: add to them, never rename one. more: further keys.
 std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
-                      const std::vector<SheetStats>& sheets);
+                      const std::vector<SheetStats>& sheets, nlohmann::json more);
 
 // The same for people.
 std::string statsTable(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets);

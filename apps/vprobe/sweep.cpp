@@ -158,7 +158,8 @@ Result<ExitCode> runSweep(SweepOptions& options)
 	if (!products)
 		return products.error();
 	const bool threads = options.saved.probe.threads != 1; // one thread is one
-	const SweepPlan plan{*count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr};
+	const SweepPlan plan{
+	    *count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr, options.saved.look.contour};
 	Result<nlohmann::json> figures = options.saved.path.overTimes() ? sweepOverTimes(options, plan, session, **products)
 	                                                                : sweepAlong(path, plan, session, **products);
 	if (!figures)
@@ -168,7 +169,8 @@ Result<ExitCode> runSweep(SweepOptions& options)
 			return written.error();
 	if (Status saved = saveState(options.saved); !saved)
 		return saved.error();
-	return writeStats(options.stats, {}, statsDocument(options.saved.probe, session, "frames", std::move(*figures)));
+	return writeStats(options.stats, {},
+	                  statsDocument(options.saved.probe, session, {{"frames", std::move(*figures)}}));
 }
 
 } // namespace
@@ -182,6 +184,7 @@ void addSweep(CLI::App& program, Run& run)
 	addProbeOptions(*command, options->saved.probe);
 	addLookOptions(*command, options->saved.look);
 	addVectorOptions(*command, options->saved.probe.vectors, &options->saved.look.vectors);
+	addContourOptions(*command, options->saved.look.contour);
 	addPathOptions(*command, options->saved.path);
 	addStateOptions(*command, options->saved);
 	const char* group = "Sweep";

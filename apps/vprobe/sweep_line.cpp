@@ -67,9 +67,14 @@ private:
 			if (!sheets)
 				return sheets.error();
 			made->sheets = std::move(*sheets);
+			Result<Contours> contours = growContours(session_, made->slice, made->sheets, plan_.contour, Tell::unfit);
+			if (!contours)
+				return contours.error();
+			made->contours = std::move(*contours);
 		}
 		if (plan_.wants_figures)
-			made->figures = sheetsJson(session_, made->slice, made->sheets);
+			made->figures = {{"sheets", sheetsJson(session_, made->slice, made->sheets)},
+			                 {"contours", contoursJson(session_, made->contours)}};
 		last_ = made;
 		return std::shared_ptr<const SweptFrame>(std::move(made));
 	}
@@ -128,7 +133,10 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 		remaining.done();
 		empty += std::ranges::all_of((*cut)->slice.sheets, isEmpty);
 		if (plan.wants_figures)
-			figures.push_back({{"frame", frame}, {"sheets", (*cut)->figures}});
+		{
+			figures.push_back((*cut)->figures);
+			figures.back()["frame"] = frame;
+		}
 		if (plan.trace)
 			plan.trace->add(session.timeline->takeSections());
 	}

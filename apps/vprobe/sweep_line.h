@@ -22,6 +22,7 @@ struct SweepPlan
 	bool writes_beside;      // see SweepProducts
 	bool wants_figures;      // of every frame
 	write::TraceFile* trace; // or null
+	ContourOptions contour;
 };
 
 // Cuts, draws and writes frame by frame. With both threads frame n + 1 is cut while n is drawn and n - 1 written: the

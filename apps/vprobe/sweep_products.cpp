@@ -27,7 +27,9 @@ Status SweepProducts::add(int frame, const CutFrame& cut)
 	if (series_)
 	{
 		const TimedSection section(session_.timeline.get(), "write");
-		if (Status written = series_->add(frame, session_.blocks, exportedMeshes(cut.sheets)); !written)
+		if (Status written =
+		        series_->add(frame, session_.blocks, exportedMeshes(cut.sheets), contourPieces(cut.contours));
+		    !written)
 			return written;
 	}
 	return painter_ ? draw(frame, cut) : Nothing{};
@@ -42,7 +44,7 @@ Status SweepProducts::draw(int frame, const CutFrame& cut)
 			return empty.error();
 		frames_.beginExposure(std::move(*empty));
 	}
-	Result<render::Picture> picture = painter_->draw(cut.slice, cut.sheets);
+	Result<render::Picture> picture = painter_->draw(cut.slice, cut.sheets, cut.contours);
 	if (!picture)
 		return picture.error();
 	if (writer_)

@@ -71,6 +71,7 @@ void addView(CLI::App& program, Run& run)
 	addProbeOptions(*command, options->saved.probe);
 	addLookOptions(*command, options->saved.look);
 	addVectorOptions(*command, options->saved.probe.vectors, &options->saved.look.vectors);
+	addContourOptions(*command, options->saved.look.contour);
 	addPathOptions(*command, options->saved.path);
 	addStateOptions(*command, options->saved);
 	command->add_flag("--list-bindings", options->list_bindings, "Prints what the keys do, and opens no window");

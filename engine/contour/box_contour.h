@@ -49,6 +49,9 @@ public:
 	// in a contour of it.
 	const std::optional<std::pair<double, double>>& range() const { return range_; }
 
+	// Per vertex of the mesh; NaN where there is none.
+	const std::vector<double>& values() const { return values_; }
+
 	// Section "contour". A stop request ends it between generations with what was found.
 	Result<Contour> grow(double value, Timeline* timeline = nullptr, std::stop_token stop = {}) const;
 

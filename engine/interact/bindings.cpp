@@ -145,6 +145,7 @@ constexpr auto kBindings = std::to_array<Binding>({
     VP_BINDING(dark_theme, plain('d'), kLook, "Dark or light theme"),
 
     VP_BINDING(handles, plain('g'), kWindow, "Handles of the probe"),
+    VP_BINDING(contour, shift('c'), kWindow, "A contour follows the pointer over the sheets"),
     VP_BINDING(plane_pane, plain('p'), kWindow, "The sheet in a pane of its own, flat"),
     VP_BINDING(panels, plain(Key::f9), kWindow, "Panels"),
     VP_BINDING(profile_overlay, plain(Key::f2), kWindow, "What a frame's time is spent on"),

@@ -90,6 +90,7 @@ enum class Action
 	dark_theme,
 
 	handles,
+	contour,
 	plane_pane,
 	panels,
 	profile_overlay,

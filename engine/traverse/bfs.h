@@ -180,15 +180,18 @@ void expandFront(const G& grid, std::span<const Lane<Surface, Window>> lanes, st
 // Those of one sheet, one after the other: across seams a front grows the lanes after it and before it, so its own ends
 // are those of this generation.
 template <class Surface, class Window>
-void expandSheet(std::span<const Lane<Surface, Window>> lanes, std::span<const FrontSlice> fronts, std::span<LaneCut> cuts)
+void expandSheet(std::span<const Lane<Surface, Window>> lanes, std::span<const FrontSlice> fronts,
+                 std::span<LaneCut> cuts)
 {
 	for (const FrontSlice& front : fronts)
 	{
 		const Lane<Surface, Window>& lane = lanes[front.lane];
 		const std::size_t end = cuts[front.lane].generation_starts.back();
 		const std::size_t begin = end - front.cells.size();
-		const auto expand = [&]<bool kHasSeams>(const auto& grid)
-		{ expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface, Window>(grid, lanes, front.lane, begin, end, cuts); };
+		const auto expand = [&]<bool kHasSeams>(const auto& grid) {
+			expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface, Window>(grid, lanes, front.lane, begin, end,
+			                                                                      cuts);
+		};
 		std::visit([&](const auto& grid)
 		           { lane.seams ? expand.template operator()<true>(grid) : expand.template operator()<false>(grid); },
 		           lane.block->grid);
@@ -197,8 +200,8 @@ void expandSheet(std::span<const Lane<Surface, Window>> lanes, std::span<const F
 
 // Sheets know nothing of each other: those of a wide generation are expanded on all cores. front_cells: of all fronts.
 template <class Surface, class Window>
-void expandSheets(std::span<const Lane<Surface, Window>> lanes, std::span<const FrontSlice> fronts, std::size_t front_cells,
-                  std::span<LaneCut> cuts)
+void expandSheets(std::span<const Lane<Surface, Window>> lanes, std::span<const FrontSlice> fronts,
+                  std::size_t front_cells, std::span<LaneCut> cuts)
 {
 	constexpr std::size_t kWorthSharing = 1024; // some 30 us of one core
 	const auto ofSameSheet = [&](const FrontSlice& a, const FrontSlice& b)

@@ -34,17 +34,18 @@ Result<SliceFormat> sliceFormatOf(const std::string& path)
 	                path)};
 }
 
-Status writeSlice(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path)
+Status writeSlice(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path,
+                  std::span<const ContourPiece> contours)
 {
 	const Result<SliceFormat> format = sliceFormatOf(path);
 	if (!format)
 		return format.error();
 	if (*format == SliceFormat::vtm)
-		return writeVtm(blocks, meshes, path);
+		return writeVtm(blocks, meshes, path, contours);
 	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)
 		return file.error();
-	SliceTable table = tabulate(blocks, meshes);
+	SliceTable table = tabulate(blocks, meshes, 0, contours);
 	switch (*format)
 	{
 	case SliceFormat::vtp:

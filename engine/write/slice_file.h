@@ -3,6 +3,7 @@
 #include "base/result.h"
 #include "grid/block.h"
 #include "slice/mesh.h"
+#include "write/slice_table.h"
 
 #include <span>
 #include <string>
@@ -24,8 +25,10 @@ Result<SliceFormat> sliceFormatOf(const std::string& path);
 // Writes the sheets' polygons (meshes[i] is sheet i) with every point array interpolated to the vertices, every cell
 // array, and the cell arrays vprobe:cell (source cell id), vprobe:block and vprobe:sheet. An array that a block lacks
 // is NaN (0 for integers) there.
+// contours: stand behind the sheets' polygons, with the cell array vprobe:contour (NaN on those).
 // "-" writes to standard output. A file appears whole or not at all (written beside its place and renamed), a .vtm
 // with all that belongs to it; a failure is an output error.
-Status writeSlice(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path);
+Status writeSlice(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path,
+                  std::span<const ContourPiece> contours = {});
 
 } // namespace vp::write

@@ -5,7 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 namespace vp::write
 {
@@ -29,7 +32,8 @@ Status writePart(SliceTable table, const FileSet::Member& part, const std::strin
 
 } // namespace
 
-Status writeVtm(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path)
+Status writeVtm(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path,
+                std::span<const ContourPiece> contours)
 {
 	Result<FileSet> files = FileSet::create(path);
 	if (!files)
@@ -38,7 +42,10 @@ Status writeVtm(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> 
 	for (std::size_t sheet = 0; sheet < meshes.size(); ++sheet)
 	{
 		const FileSet::Member part = files->add(fmt::format("sheet_{}.vtp", sheet));
-		if (Status written = writePart(tabulate(blocks, meshes.subspan(sheet, 1), sheet), part, path); !written)
+		std::vector<ContourPiece> own;
+		std::ranges::copy_if(contours, std::back_inserter(own),
+		                     [&](const ContourPiece& contour) { return std::cmp_equal(contour.sheet, sheet); });
+		if (Status written = writePart(tabulate(blocks, meshes.subspan(sheet, 1), sheet, own), part, path); !written)
 			return written;
 		fmt::format_to(std::back_inserter(entries), "\t\t<DataSet index=\"{0}\" name=\"sheet {0}\" file=\"{1}\"/>\n",
 		               sheet, xmlText(part.name));
@@ -57,12 +64,13 @@ Result<SliceSeries> SliceSeries::create(const std::string& path)
 	return SliceSeries(path, std::move(*files));
 }
 
-Status SliceSeries::add(int frame, const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes)
+Status SliceSeries::add(int frame, const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes,
+                        std::span<const ContourPiece> contours)
 {
 	const FileSet::Member part = files_.add(fmt::format("frame_{:04}.vtp", frame));
 	fmt::format_to(std::back_inserter(entries_), "\t\t<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
 	               frame, xmlText(part.name));
-	return writePart(tabulate(blocks, meshes), part, path_);
+	return writePart(tabulate(blocks, meshes, 0, contours), part, path_);
 }
 
 Status SliceSeries::commit()

@@ -4,6 +4,7 @@
 #include "grid/block.h"
 #include "slice/mesh.h"
 #include "write/file_set.h"
+#include "write/slice_table.h"
 
 #include <span>
 #include <string>
@@ -13,7 +14,9 @@ namespace vp::write
 
 // A slice as VTK's XML multiblock file (.vtm): a .vtp a sheet, named "sheet 0", "sheet 1" …, in a folder of its stem
 // beside it. meshes[i] is sheet i; the .vtp are as writeSlice() writes them.
-Status writeVtm(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path);
+// Contours are in the file of their sheet.
+Status writeVtm(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path,
+                std::span<const ContourPiece> contours = {});
 
 // Slices over time as ParaView's collection (.pvd): a .vtp a frame with all its sheets, in a folder of its stem beside
 // it; the frame's number is its time. All of it appears on commit(), or nothing.
@@ -22,7 +25,8 @@ class SliceSeries
 public:
 	static Result<SliceSeries> create(const std::string& path);
 
-	Status add(int frame, const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes);
+	Status add(int frame, const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes,
+	           std::span<const ContourPiece> contours = {});
 	Status commit();
 
 private:

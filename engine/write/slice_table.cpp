@@ -28,20 +28,21 @@ std::byte* put(std::byte* at, NumberType type, double value)
 	return at + grid::byteSize(type);
 }
 
-Column vertexColumn(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const SetArray& source,
-                    std::size_t vertices)
+using Meshes = std::span<const slice::SheetMesh* const>;
+
+Column vertexColumn(const grid::BlockSet& blocks, Meshes meshes, const SetArray& source, std::size_t vertices)
 {
 	Column column{source.name, source.components, interpolatedType(source), {}};
 	column.bytes.resize(vertices * source.components * grid::byteSize(column.type));
 	std::byte* at = column.bytes.data();
-	for (const slice::SheetMesh& mesh : meshes)
-		for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+	for (const slice::SheetMesh* mesh : meshes)
+		for (std::size_t v = 0; v < mesh->positions.size(); ++v)
 			for (int c = 0; c < source.components; ++c)
-				at = put(at, column.type, slice::vertexValue(blocks, mesh, v, source.per_block, c));
+				at = put(at, column.type, slice::vertexValue(blocks, *mesh, v, source.per_block, c));
 	return column;
 }
 
-Column polygonColumn(std::span<const slice::SheetMesh> meshes, const SliceTable& table, const SetArray& source)
+Column polygonColumn(Meshes meshes, const SliceTable& table, const SetArray& source)
 {
 	Column column{source.name, source.components, source.type, {}};
 	const std::size_t number = grid::byteSize(source.type);
@@ -49,8 +50,8 @@ Column polygonColumn(std::span<const slice::SheetMesh> meshes, const SliceTable&
 	column.bytes.resize(table.polygons() * tuple); // zero: the value of an integer that is not known
 	std::byte* at = column.bytes.data();
 	std::size_t polygon = 0;
-	for (const slice::SheetMesh& mesh : meshes)
-		for (const slice::BlockCell& from : mesh.polygon_cells)
+	for (const slice::SheetMesh* mesh : meshes)
+		for (const slice::BlockCell& from : mesh->polygon_cells)
 		{
 			const grid::Field* field = source.per_block[from.block];
 			const int known = field ? field->components : 0;
@@ -98,16 +99,29 @@ double Column::value(std::size_t tuple, int component) const
 	return grid::loadNumber(type, bytes.data() + (tuple * components + component) * grid::byteSize(type));
 }
 
-SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, std::size_t first_sheet)
+SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, std::size_t first_sheet,
+                    std::span<const ContourPiece> contours)
 {
 	SliceTable table;
 	table.polygon_starts.push_back(0);
+	std::vector<const slice::SheetMesh*> all;
 	for (std::size_t m = 0; m < meshes.size(); ++m)
+	{
 		addMesh(blocks, meshes[m], static_cast<std::int32_t>(first_sheet + m), table);
+		all.push_back(&meshes[m]);
+	}
+	if (!contours.empty())
+		table.contour.assign(table.polygons(), kNan);
+	for (const ContourPiece& contour : contours)
+	{
+		addMesh(blocks, *contour.mesh, contour.sheet, table);
+		table.contour.resize(table.polygons(), contour.value);
+		all.push_back(contour.mesh);
+	}
 	for (const SetArray& source : arraysOf(blocks, Association::point))
-		table.vertex_columns.push_back(vertexColumn(blocks, meshes, source, table.vertices()));
+		table.vertex_columns.push_back(vertexColumn(blocks, all, source, table.vertices()));
 	for (const SetArray& source : arraysOf(blocks, Association::cell))
-		table.polygon_columns.push_back(polygonColumn(meshes, table, source));
+		table.polygon_columns.push_back(polygonColumn(all, table, source));
 	return table;
 }
 

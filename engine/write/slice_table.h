@@ -36,6 +36,7 @@ struct SliceTable
 	std::vector<std::int64_t> cell; // source id
 	std::vector<std::int32_t> block;
 	std::vector<std::int32_t> sheet;
+	std::vector<double> contour; // the value of its contour, NaN of a sheet's own polygons; empty without contours
 	std::vector<Column> vertex_columns;
 	std::vector<Column> polygon_columns;
 
@@ -43,10 +44,19 @@ struct SliceTable
 	std::size_t polygons() const { return cell.size(); }
 };
 
+// Polygons of an iso surface grown from a sheet (contour/), beside the sheet's own.
+struct ContourPiece
+{
+	const slice::SheetMesh* mesh;
+	std::int32_t sheet;
+	double value;
+};
+
 // An array is known by its name and association. Where blocks hold it in different types it is float64, and as wide as
 // the widest. Interpolated values are float32 for sources that fit (float32, integers of up to 16 bits), else float64;
-// of a categorical array, which is not interpolated, they keep its type. meshes[i] is sheet first_sheet + i.
-SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes,
-                    std::size_t first_sheet = 0);
+// of a categorical array, which is not interpolated, they keep its type. meshes[i] is sheet first_sheet + i;
+// contours follow behind them all.
+SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, std::size_t first_sheet = 0,
+                    std::span<const ContourPiece> contours = {});
 
 } // namespace vp::write

@@ -28,6 +28,8 @@ void writeVtp(SliceTable& table, AtomicFile& file)
 	slice->GetCellData()->AddArray(viewValues("vprobe:cell", NumberType::int64, 1, table.cell));
 	slice->GetCellData()->AddArray(viewValues("vprobe:block", NumberType::int32, 1, table.block));
 	slice->GetCellData()->AddArray(viewValues("vprobe:sheet", NumberType::int32, 1, table.sheet));
+	if (!table.contour.empty())
+		slice->GetCellData()->AddArray(viewValues("vprobe:contour", NumberType::float64, 1, table.contour));
 	writePolyData(slice, file);
 }
 

@@ -6,6 +6,7 @@
 //
 // Of a moved plane the first cut of vtkPlaneCutter, which builds its tree, is made before the clock runs.
 
+#include "contours.h"
 #include "grids.h"
 #include "our_cuts.h"
 #include "targets.h"
@@ -79,6 +80,15 @@ void addBuilding(const std::string& name)
 	add(name, "build shuffled", [=](auto& state) { bench::buildGrid(state, name, true); })->Iterations(1);
 }
 
+void addContours(const std::string& name)
+{
+	for (const bool with_sheet : {false, true})
+		add(name, with_sheet ? "sheet and contour in a box" : "contour in a box",
+		    [=](auto& state) { bench::boxContour(state, name, with_sheet); })
+		    ->MinTime(1.0);
+	add(name, "vtkContourFilter", [=](auto& state) { bench::vtkContour(state, name); })->Iterations(2);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -106,6 +116,8 @@ int main(int argc, char** argv)
 			    ->MinTime(1.0);
 			add(grid, "vtkStreamTracer", [=](auto& state) { bench::vtkTraces(state, grid); })->Iterations(1);
 		}
+		if (grid == "shell:256")
+			addContours(grid);
 		if (grid == "shell:256" || grid == "hexes:256" || grid == "tets:184")
 			addBuilding(grid);
 	}

@@ -144,7 +144,7 @@ TEST_F(State, NothingIsSavedOfWhatFails)
 TEST_F(State, SchemaHasTheKeysOfAFile)
 {
 	const json schema = json::parse(contents(VPROBE_SOURCE_DIR "/docs/state.schema.json"));
-	for (const char* section : {"input", "probe", "look", "vectors", "sweep"})
+	for (const char* section : {"input", "probe", "look", "vectors", "contours", "sweep"})
 	{
 		const std::string file = write("s.json", std::string(R"({"version": 1, ")") + section + R"(": {"?": 1}})");
 		const std::string error = slice({"--state", file}).err;

@@ -1,14 +1,12 @@
 #include "sliced_sheet.h"
+#include "vtk_grids.h"
 
 #include "grid/demo.h"
 
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkCutter.h>
-#include <vtkFloatArray.h>
-#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
@@ -22,42 +20,6 @@ namespace vp::test
 
 namespace
 {
-
-vtkSmartPointer<vtkUnstructuredGrid> vtkGridOf(const grid::Block& block)
-{
-	auto made = vtkSmartPointer<vtkUnstructuredGrid>::New();
-	visitGrid(
-	    block,
-	    [&](const auto& grid)
-	    {
-		    vtkNew<vtkPoints> points;
-		    points->SetDataTypeToDouble();
-		    vtkNew<vtkFloatArray> s;
-		    s->SetName("s");
-		    for (PointId p = 0; p < grid.pointCount(); ++p)
-		    {
-			    const Vec3 x = grid.point(p);
-			    points->InsertNextPoint(x.x, x.y, x.z);
-			    s->InsertNextValue(static_cast<float>(block.fields[0].value(grid.sourcePoint(p), 0)));
-		    }
-		    made->SetPoints(points);
-		    made->GetPointData()->AddArray(s);
-
-		    constexpr int types[] = {VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON}; // in the order of CellShape
-		    vtkNew<vtkIdTypeArray> ids;
-		    ids->SetName("cell");
-		    for (CellId c = 0; c < grid.cellCount(); ++c)
-		    {
-			    const grid::CellPoints corners = grid.cellPoints(c);
-			    const std::vector<vtkIdType> list(corners.begin(), corners.end());
-			    made->InsertNextCell(types[static_cast<int>(grid.shape(c))], static_cast<vtkIdType>(list.size()),
-			                         list.data());
-			    ids->InsertNextValue(c);
-		    }
-		    made->GetCellData()->AddArray(ids);
-	    });
-	return made;
-}
 
 // What vtkCutter makes of it, measured by the same rule: fans about the means of the polygons' vertices.
 struct VtkCut
@@ -126,7 +88,7 @@ TEST_P(VtkCutterTest, FindsTheSame)
 {
 	const auto [name, n] = GetParam();
 	const grid::BlockSet set = std::move(grid::makeDemo(name, n).value());
-	const vtkSmartPointer<vtkUnstructuredGrid> peer = vtkGridOf(set.blocks[0]);
+	const vtkSmartPointer<vtkUnstructuredGrid> peer = vtkCellsOf(set.blocks[0], set.blocks[0].fields[0]);
 	slice::Slicer slicer(set);
 	for (const TestPlane& plane : randomPlanes(set.bounds(), 25, 100))
 	{

@@ -130,4 +130,25 @@ TEST_F(Picture, TheValueUnderThePointerIsTold)
 	close();
 }
 
+TEST_F(Picture, AContourFollowsThePointer)
+{
+	open({"demo:shell:32", "--normal", "z", "--camera", "40,35", "--window", "3", "3"});
+	const Area left{100, 60, 550, 560};
+	moveTo({5, 640});
+	const vp::render::Picture sheet = rest(left);
+	act("contour");
+	settle();
+	EXPECT_LT(difference(sheet, rest(left)), 0.001); // the pointer is on no sheet
+	moveTo({400, 330});
+	EXPECT_TRUE(eventually([&] { return difference(sheet, seen(left)) > 0.01; }));
+	const vp::render::Picture one = rest(left);
+	moveTo({330, 340});
+	EXPECT_TRUE(eventually([&] { return difference(one, seen(left)) > 0.01; }));
+	keepPicture("contour");
+	act("contour");
+	moveTo({5, 640});
+	EXPECT_TRUE(eventually([&] { return difference(sheet, seen(left)) < 0.001; }));
+	close();
+}
+
 } // namespace view

@@ -21,6 +21,7 @@ bool needsData(Action action)
 	case Action::cancel:
 	case Action::dark_theme:
 	case Action::handles:
+	case Action::contour:
 	case Action::plane_pane:
 	case Action::panels:
 	case Action::profile_overlay:
@@ -51,6 +52,8 @@ bool isOn(const Workbench& bench, Action action)
 		return bench.settings.dark;
 	case Action::handles:
 		return parts.handles;
+	case Action::contour:
+		return parts.contour;
 	case Action::plane_pane:
 		return parts.plane_pane;
 	case Action::panels:

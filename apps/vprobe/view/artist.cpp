@@ -2,10 +2,8 @@
 
 #include "make_probe.h"
 #include "render/targets.h"
-#include "write/slice_file.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 namespace vp::app
@@ -145,25 +143,10 @@ void Artist::install(std::unique_ptr<Session> session)
 {
 	painter_.reset();
 	cut_.reset();
+	grown_ = {};
 	followed_.reset();
 	rough_ = false;
 	session_ = std::move(session);
-}
-
-// Of what works with all that memory has.
-template <class Work>
-auto Artist::tried(const Work& work) -> decltype(work())
-{
-	if (!session_)
-		return Error{ExitCode::input, "nothing is shown yet; open a file first"};
-	try
-	{
-		return work();
-	}
-	catch (const std::bad_alloc&)
-	{
-		return Error{ExitCode::output, "out of memory; show fewer sheets or a smaller input"};
-	}
 }
 
 void Artist::answer(const Wish& wish, bool smooth)
@@ -173,32 +156,6 @@ void Artist::answer(const Wish& wish, bool smooth)
 		return;
 	const std::lock_guard lock(mutex_);
 	error_ = done.error();
-}
-
-void Artist::answer(Order& order)
-{
-	if (auto* picture = std::get_if<PictureOrder>(&order))
-		return picture->take(tried([&] { return this->picture(*picture); }));
-	auto& slice = std::get<SliceOrder>(order);
-	slice.done(tried([&] { return writeSlice(slice); }));
-}
-
-Result<render::Picture> Artist::picture(const PictureOrder& order)
-{
-	if (Status followed = follow(order.wish); !followed)
-		return followed.error();
-	if (Result<double> cut = cutAsWished(); !cut)
-		return cut.error();
-	return order.empty ? painter_->drawEmpty(cut_->slice, cut_->sheets) : painter_->draw(cut_->slice, cut_->sheets);
-}
-
-Status Artist::writeSlice(const SliceOrder& order)
-{
-	if (Status followed = follow(order.wish); !followed)
-		return followed;
-	if (Result<double> cut = cutAsWished(); !cut)
-		return cut.error();
-	return write::writeSlice(session_->blocks, exportedMeshes(cut_->sheets), order.file);
 }
 
 Status Artist::show(const Wish& wish, bool smooth)
@@ -217,6 +174,8 @@ Status Artist::show(const Wish& wish, bool smooth)
 	if (!cut_ms)
 		return cut_ms.error();
 	shown.cut_ms = *cut_ms;
+	if (Status grown = growAsWished(wish); !grown)
+		return grown;
 	shown.cut = cut_;
 	shown.cuts = cuts_;
 	shown.empty = std::ranges::all_of(cut_->slice.sheets, isEmpty);
@@ -237,7 +196,8 @@ Status Artist::refine()
 	rough_ = false;
 	const Wish wish = shown()->wish;
 	// An order may have led session and painter elsewhere.
-	if (!followed_ || !(followed_->probe == wish.probe && followed_->look == wish.look))
+	if (!followed_ || !(followed_->probe == wish.probe && followed_->look == wish.look) || grown_.cut != cut_ ||
+	    !(grown_.pointed == wish.contour))
 		return show(wish, false);
 	addLookups();
 	Shown shown = *this->shown();
@@ -266,7 +226,7 @@ void Artist::addLookups()
 Result<bool> Artist::draw(Shown& shown, bool smooth)
 {
 	const Moment start = std::chrono::steady_clock::now();
-	Result<render::Scene> scene = painter_->sceneOf(shown.cut->slice, shown.cut->sheets);
+	Result<render::Scene> scene = painter_->sceneOf(shown.cut->slice, shown.cut->sheets, grown_.contours);
 	if (!scene)
 		return scene.error();
 	shown.smooth = smooth || scene->look.samples == 1;

@@ -15,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <string>
 #include <thread>
@@ -57,6 +58,7 @@ struct Wish
 	LookOptions look; // its size is the picture's
 	Moment since{};   // the oldest input that has not been answered by a picture
 	std::optional<PaneWish> pane{};
+	std::optional<PointedValue> contour{}; // one more besides those of the look
 };
 
 // A picture, and all that it was made of.
@@ -128,6 +130,15 @@ public:
 	std::vector<Timeline::Section> sections() const; // of the last minute or so, for a trace
 
 private:
+	// The contours of a cut, and what they were grown for.
+	struct Grown
+	{
+		std::shared_ptr<const CutFrame> cut;
+		ContourOptions options;
+		std::optional<PointedValue> pointed;
+		Contours contours;
+	};
+
 	void work();
 	void answer(const Wish& wish, bool smooth);
 	Status show(const Wish& wish, bool smooth);
@@ -139,6 +150,7 @@ private:
 	Status followLook(const Wish& wish);
 	Status followTime(const ProbeOptions& options);
 	Result<double> cutAsWished(); // ms; 0 where the last cut is still good
+	Status growAsWished(const Wish& wish);
 	void answer(Order& order);
 	Result<render::Picture> picture(const PictureOrder& order);
 	Status writeSlice(const SliceOrder& order);
@@ -161,6 +173,7 @@ private:
 	std::shared_ptr<const CutFrame> cut_;
 	std::uint64_t cuts_ = 0;
 	bool cut_is_old_ = true;
+	Grown grown_;
 	bool only_moved_ = false;
 	std::atomic<bool> rough_ = false; // what is shown is to be refined once it has been still
 	Pictures pictures_;
@@ -179,5 +192,21 @@ private:
 	bool ends_ = false;
 	std::thread thread_; // the last to be made
 };
+
+// Of what works with all that memory has.
+template <class Work>
+auto Artist::tried(const Work& work) -> decltype(work())
+{
+	if (!session_)
+		return Error{ExitCode::input, "nothing is shown yet; open a file first"};
+	try
+	{
+		return work();
+	}
+	catch (const std::bad_alloc&)
+	{
+		return Error{ExitCode::output, "out of memory; show fewer sheets or a smaller input"};
+	}
+}
 
 } // namespace vp::app

@@ -102,6 +102,21 @@ Status Artist::followLook(const Wish& wish)
 	return Nothing{};
 }
 
+// What can have no contours, such as arrays of cells, has none.
+Status Artist::growAsWished(const Wish& wish)
+{
+	ContourOptions options = wish.look.contour;
+	options.opacity = 1.0; // a matter of drawing
+	if (grown_.cut == cut_ && grown_.options == options && grown_.pointed == wish.contour)
+		return Nothing{};
+	Result<Contours> contours =
+	    growContours(*session_, cut_->slice, cut_->sheets, options, Tell::nothing, wish.contour);
+	if (!contours)
+		return contours.error();
+	grown_ = {cut_, options, wish.contour, std::move(*contours)};
+	return Nothing{};
+}
+
 Result<double> Artist::cutAsWished()
 {
 	if (cut_ && !cut_is_old_)

@@ -27,6 +27,7 @@ void showMenu(Desk& desk);
 void showSidePanel(Desk& desk, const ScenePart& room);
 void showStatusLine(Desk& desk, const ScenePart& room);
 void showScene(Desk& desk, const ScenePart& part); // handles, what is under the pointer
+void followPointer(Desk& desk);                    // with a contour, where one is to
 void showPlanePane(Desk& desk, const ScenePart& part);
 void showNotices(Desk& desk, const ScenePart& part);
 void showProfile(Desk& desk, const ScenePart& part);

@@ -69,6 +69,13 @@ std::optional<Pointed> pointedAt(const Desk& desk)
 	return std::nullopt;
 }
 
+std::optional<PointedValue> valueOf(const Desk& desk, const Pointed& pointed)
+{
+	if (!pointed.found || pointed.found->array.empty() || !std::isfinite(pointed.found->value))
+		return std::nullopt;
+	return PointedValue{sheetOfCut(desk.bench.shown()->probe, pointed.hit.sheet), pointed.found->value};
+}
+
 std::string valueWords(const Desk& desk, const Pointed& pointed)
 {
 	if (!pointed.found || pointed.found->array.empty())

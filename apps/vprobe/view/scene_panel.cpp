@@ -119,6 +119,7 @@ void showScene(Desk& desk, const ScenePart& part)
 		list.PopClipRect();
 	}
 	showPointed(desk);
+	followPointer(desk);
 }
 
 } // namespace vp::app

@@ -15,6 +15,7 @@ void showMagnifierSection(Desk& desk);
 void showColourSection(Desk& desk);
 void showColourMapChoice(Desk& desk);
 void showRangeChoice(Desk& desk);
+void showContourSection(Desk& desk);
 void showSceneSection(Desk& desk);
 void showVectorSection(Desk& desk);
 void showTimeSection(Desk& desk);

@@ -22,6 +22,7 @@ constexpr std::array kSections{
     Section{"Probe", "The sheets, where they stand, their windows", showProbeSection, true},
     Section{"Colours", "What array the sheets show, and how", showColourSection, true},
     Section{"Vectors", "Arrows, and paths of particles, launched from the sheets", showVectorSection, false},
+    Section{"Contours", "Surfaces of one value, grown from the sheets", showContourSection, false},
     Section{"Time", "The input's time steps", showTimeSection, true},
     Section{"Sweep", "The probe moved along a path, as a film", showSweepSection, false},
     Section{"Magnifier", "What a sheet shows, magnified", showMagnifierSection, false},

@@ -139,6 +139,14 @@ void Workbench::setPane(PixelSize size)
 	++version_;
 }
 
+void Workbench::pointContour(const std::optional<PointedValue>& pointed)
+{
+	if (pointed == pointed_contour_)
+		return;
+	pointed_contour_ = pointed;
+	++version_;
+}
+
 void Workbench::ask(PixelSize size)
 {
 	const bool same_size = size.width == asked_size_.width && size.height == asked_size_.height;
@@ -158,6 +166,7 @@ Wish Workbench::wish() const
 {
 	Wish wish{version_, state().probe, state().look, input_.value_or(std::chrono::steady_clock::now())};
 	wish.look.size = fmt::format("{}x{}", asked_size_.width, asked_size_.height);
+	wish.contour = pointed_contour_;
 	return wish;
 }
 

@@ -43,6 +43,7 @@ struct OpenParts
 	bool profile = false;
 	bool help = false;
 	bool full_screen = false;
+	bool contour = false;  // one follows the pointer over the sheets
 	bool exposure = false; // in place of the film loop, all its frames in one picture
 };
 
@@ -133,6 +134,9 @@ public:
 	void noteInput(Moment when); // what follows answers it
 	// From the next picture on, the chosen sheet in a pane of this size; none of 0 x 0.
 	void setPane(PixelSize size);
+	// From the next picture on, a contour of this value; sheet: of the cut.
+	void pointContour(const std::optional<PointedValue>& pointed);
+	const std::optional<PointedValue>& pointedContour() const { return pointed_contour_; }
 	const std::shared_ptr<const Shown>& shown() const { return shown_; }
 	bool isIdle() const;
 	bool isShown() const; // what is shown is of the state as it is
@@ -198,6 +202,7 @@ private:
 	std::uint64_t asked_ = 0;   // the version that was asked for last
 	PixelSize asked_size_{};
 	std::optional<PaneWish> pane_;
+	std::optional<PointedValue> pointed_contour_;
 	std::optional<Moment> input_; // the oldest that was not asked for yet
 	bool takes_camera_ = true;    // the state's camera is to become the next picture's
 

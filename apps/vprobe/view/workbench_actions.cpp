@@ -82,6 +82,9 @@ bool Workbench::performOnWindow(Action action)
 		return toggle(settings.dark);
 	case Action::handles:
 		return toggle(parts.handles);
+	case Action::contour:
+		pointContour(std::nullopt);
+		return toggle(parts.contour);
 	case Action::plane_pane:
 		return toggle(parts.plane_pane);
 	case Action::panels:

@@ -1,0 +1,150 @@
+#include "grown_contours.h"
+
+#include "base/log.h"
+#include "slice/sheet_lookup.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+namespace vp::app
+{
+
+namespace
+{
+
+const char* optionOf(const ContourOptions& options)
+{
+	return options.values.empty() && !options.at.empty() ? "--contour-at" : "--contour";
+}
+
+Status checkSheet(const slice::SheetSlice& sheet, const char* option)
+{
+	if (!sheet.isPlane())
+		return Error{ExitCode::usage, fmt::format("{}: grows from planes, and {} is none; leave one of the two out",
+		                                          option, slice::surfaceName(sheet))};
+	if (!sheet.field || sheet.field->association != grid::Association::point)
+		return Error{ExitCode::input,
+		             fmt::format("{}: needs values at points{}; choose an array of points with --array", option,
+		                         sheet.field ? ", and " + sheet.field->name + " has them in cells" : "")};
+	return Nothing{};
+}
+
+// What the sheet has at a place of its box, 0 to 1 along its sides.
+Result<double> valueAt(const contour::BoxContourer& contourer, const slice::SheetSlice& sheet,
+                       const slice::SheetMesh& mesh, const std::vector<double>& at)
+{
+	const Vec3 size = contourer.box().hi() - contourer.box().lo();
+	const glm::dvec2 uv(contourer.box().lo().x + at[0] * size.x, contourer.box().lo().y + at[1] * size.y);
+	const slice::SheetLookup lookup(mesh, sheet.sheet);
+	if (const auto place = lookup.at(uv))
+		if (const double value = lookup.value(*place, contourer.values()); std::isfinite(value))
+			return value;
+	return Error{ExitCode::usage,
+	             fmt::format("--contour-at {} {}: the first sheet has no value there; choose a place that it shows",
+	                         at[0], at[1])};
+}
+
+// One beside the other.
+Result<std::vector<contour::Contour>> growAll(const contour::BoxContourer& contourer, const std::vector<double>& values,
+                                              Timeline* timeline)
+{
+	std::vector<contour::Contour> contours(values.size());
+	std::vector<Status> done(values.size(), Nothing{});
+	tbb::parallel_for(std::size_t(0), values.size(),
+	                  [&](std::size_t i)
+	                  {
+		                  if (auto grown = contourer.grow(values[i], timeline))
+			                  contours[i] = std::move(*grown);
+		                  else
+			                  done[i] = grown.error();
+	                  });
+	for (const Status& each : done)
+		if (!each)
+			return each.error();
+	return contours;
+}
+
+void tellEmpty(const Session& session, const slice::Slice& slice, std::size_t s, double value,
+               const contour::BoxContourer& contourer)
+{
+	if (!contourer.range())
+		return; // it shows nothing, which has been told
+	const std::string where = slice.sheets.size() == 1 ? std::string("the sheet") : fmt::format("sheet {}", s);
+	warn("--contour {} is empty: {} has {} from {:.6g} to {:.6g} within its box; give a value between", value, where,
+	     slice.sheets[s].field->title(session.blocks), contourer.range()->first, contourer.range()->second);
+}
+
+} // namespace
+
+Result<Contours> growContours(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets,
+                              const ContourOptions& options, Tell tell, const std::optional<PointedValue>& pointed)
+{
+	if (!options.isGiven() && !pointed)
+		return Contours();
+	Contours contours(sheets.size());
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+	{
+		const bool is_pointed = pointed && pointed->sheet == s;
+		const bool is_placed = s == 0 && !options.at.empty();
+		if (options.values.empty() && !is_placed && !is_pointed)
+			continue;
+		if (Status fits = checkSheet(slice.sheets[s], optionOf(options)); !fits)
+		{
+			if (tell != Tell::nothing)
+				return fits.error();
+			continue;
+		}
+		const contour::BoxContourer contourer(*session.slicer, slice.sheets[s], sheets[s].mesh,
+		                                      options.depth > 0.0 ? std::optional(options.depth) : std::nullopt);
+		std::vector<double> values = options.values;
+		if (is_placed)
+		{
+			Result<double> value = valueAt(contourer, slice.sheets[s], sheets[s].mesh, options.at);
+			if (!value && tell == Tell::all)
+				return value.error();
+			if (value)
+				values.push_back(*value);
+		}
+		if (is_pointed)
+			values.push_back(pointed->value);
+		Result<std::vector<contour::Contour>> grown = growAll(contourer, values, session.timeline.get());
+		if (!grown)
+			return grown.error();
+		contours[s] = std::move(*grown);
+		for (const contour::Contour& contour : contours[s])
+			if (contour.mesh.polygons() == 0 && tell == Tell::all)
+				tellEmpty(session, slice, s, contour.value, contourer);
+	}
+	return contours;
+}
+
+nlohmann::json contoursJson(const Session& session, const Contours& contours)
+{
+	nlohmann::json list = nlohmann::json::array();
+	for (std::size_t s = 0; s < contours.size(); ++s)
+		for (const contour::Contour& contour : contours[s])
+			list.push_back({{"sheet", s},
+			                {"value", contour.value},
+			                {"cells", contour.cells},
+			                {"polygons", contour.mesh.polygons()},
+			                {"area", slice::measure(session.blocks, contour.mesh, {}).area},
+			                {"components", contour.components},
+			                {"seeds", contour.seeds},
+			                {"generations", contour.generations},
+			                {"cells_touched", contour.cells_touched}});
+	return list;
+}
+
+std::vector<write::ContourPiece> contourPieces(const Contours& contours)
+{
+	std::vector<write::ContourPiece> pieces;
+	for (std::size_t s = 0; s < contours.size(); ++s)
+		for (const contour::Contour& contour : contours[s])
+			pieces.push_back({&contour.mesh, static_cast<std::int32_t>(s), contour.value});
+	return pieces;
+}
+
+} // namespace vp::app

@@ -1,0 +1,40 @@
+#include "view/artist.h"
+#include "write/slice_file.h"
+
+namespace vp::app
+{
+
+void Artist::answer(Order& order)
+{
+	if (auto* picture = std::get_if<PictureOrder>(&order))
+		return picture->take(tried([&] { return this->picture(*picture); }));
+	auto& slice = std::get<SliceOrder>(order);
+	slice.done(tried([&] { return writeSlice(slice); }));
+}
+
+Result<render::Picture> Artist::picture(const PictureOrder& order)
+{
+	if (Status followed = follow(order.wish); !followed)
+		return followed.error();
+	if (Result<double> cut = cutAsWished(); !cut)
+		return cut.error();
+	if (order.empty)
+		return painter_->drawEmpty(cut_->slice, cut_->sheets);
+	if (Status grown = growAsWished(order.wish); !grown)
+		return grown.error();
+	return painter_->draw(cut_->slice, cut_->sheets, grown_.contours);
+}
+
+Status Artist::writeSlice(const SliceOrder& order)
+{
+	if (Status followed = follow(order.wish); !followed)
+		return followed;
+	if (Result<double> cut = cutAsWished(); !cut)
+		return cut.error();
+	if (Status grown = growAsWished(order.wish); !grown)
+		return grown;
+	return write::writeSlice(session_->blocks, exportedMeshes(cut_->sheets), order.file,
+	                         contourPieces(grown_.contours));
+}
+
+} // namespace vp::app

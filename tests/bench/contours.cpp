@@ -1,0 +1,87 @@
+#include "contours.h"
+
+#include "contour/box_contour.h"
+#include "grids.h"
+
+#include <vtkContourFilter.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+namespace vp::bench
+{
+
+namespace
+{
+
+constexpr double kPart = 1.0 / 10.0;
+
+slice::SliceRequest requestFor(const grid::BlockSet& blocks)
+{
+	const Vec3 size = blocks.bounds().size();
+	slice::SliceRequest request;
+	request.finder = slice::Finder::automatic;
+	request.field = slice::FieldChoice{blocks.blocks[0].fields[0].name, grid::Association::point, 0};
+	// Beside the middle of the bounds, which in the shell is at its inner wall.
+	const Vec3 origin = blocks.bounds().centre() + Vec3(0.0, 0.12 * size.y, 0.05 * size.z);
+	request.probe.sheets = {probe::makeSheet(origin, {0.0, 0.0, 1.0})};
+	request.probe.sheets[0].window = probe::centredWindow(kPart * size.x, kPart * size.y);
+	return request;
+}
+
+double middleOf(const contour::BoxContourer& contourer)
+{
+	return 0.5 * (contourer.range()->first + contourer.range()->second);
+}
+
+double valueIn(const std::string& name)
+{
+	const grid::BlockSet& blocks = gridNamed(name);
+	slice::Slicer slicer(blocks);
+	const slice::Slice slice = std::move(slicer.cut(requestFor(blocks)).value());
+	const slice::SheetMesh mesh = slice.mesh(blocks, 0);
+	return middleOf(contour::BoxContourer(slicer, slice.sheets[0], mesh, {}));
+}
+
+} // namespace
+
+void boxContour(benchmark::State& state, const std::string& name, bool with_sheet)
+{
+	const grid::BlockSet& blocks = gridNamed(name);
+	const double depth = kPart * blocks.bounds().size().z;
+	const double value = valueIn(name);
+	slice::Slicer slicer(blocks);
+	const slice::SliceRequest request = requestFor(blocks);
+	slice::Slice slice = std::move(slicer.cut(request).value());
+	slice::SheetMesh mesh = slice.mesh(blocks, 0);
+	std::size_t cells = 0;
+	for (auto _ : state)
+	{
+		if (with_sheet)
+		{
+			slice = std::move(slicer.cut(request).value());
+			mesh = slice.mesh(blocks, 0);
+		}
+		const contour::BoxContourer contourer(slicer, slice.sheets[0], mesh, depth);
+		const contour::Contour contour = contourer.grow(value).value();
+		cells = contour.cells;
+		benchmark::DoNotOptimize(contour.mesh.positions.data());
+	}
+	state.counters["cells"] = static_cast<double>(cells);
+}
+
+void vtkContour(benchmark::State& state, const std::string& name)
+{
+	const double value = valueIn(name);
+	vtkNew<vtkContourFilter> filter;
+	filter->SetInputDataObject(vtkNamed(name));
+	filter->SetValue(0, value);
+	filter->ComputeNormalsOff();
+	for (auto _ : state)
+	{
+		filter->Modified();
+		filter->Update();
+	}
+	state.counters["triangles"] = static_cast<double>(filter->GetOutput()->GetNumberOfPolys());
+}
+
+} // namespace vp::bench
