@@ -28,28 +28,27 @@ void showWord(Desk& desk, const char* label, std::span<const Choice> choices, st
 	           [&](ViewState& state, const char* word) { state.probe.vectors.*option = word; });
 }
 
-// Of those that `fits`; the first is what no word stands for.
-std::vector<Choice> arrayChoices(const Facts& facts, const Choice& first, bool (*fits)(const Facts::Array&))
+void addArrays(const Facts& facts, bool only_vectors, std::vector<Choice>& choices)
 {
-	std::vector<Choice> choices{first};
 	for (const Facts::Array& array : facts.arrays)
-		if (fits(array))
+		if (!only_vectors || Facts::isVector(array))
 			choices.push_back({array.word.c_str(), array.name.c_str()});
-	return choices;
 }
 
 void showArray(Desk& desk)
 {
-	const Facts& facts = *desk.bench.facts();
-	const auto first = std::ranges::find_if(facts.arrays, Facts::isVector);
-	showWord(desk, "Array", arrayChoices(facts, {"", first->name.c_str()}, Facts::isVector), &VectorOptions::array,
-	         "The vectors that move the particles");
+	std::vector<Choice> choices;
+	addArrays(*desk.bench.facts(), true, choices);
+	const std::string& array = desk.bench.state().probe.vectors.array;
+	showChoice(desk, "Array", choices, array.empty() ? choices.front().word : array,
+	           "The vectors that move the particles",
+	           [](ViewState& state, const char* word) { state.probe.vectors.array = word; });
 }
 
 void showColour(Desk& desk)
 {
-	std::vector<Choice> choices =
-	    arrayChoices(*desk.bench.facts(), {"", "The vector's length"}, [](const Facts::Array&) { return true; });
+	std::vector<Choice> choices{{"", "The vector's length"}};
+	addArrays(*desk.bench.facts(), false, choices);
 	for (const Choice& colour : {Choice{"black", "Black"}, Choice{"grey", "Grey"}, Choice{"white", "White"}})
 		choices.push_back(colour);
 	showChoice(desk, "Colour", choices, desk.bench.state().look.vectors.color, "By an array, or one colour",

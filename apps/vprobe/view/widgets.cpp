@@ -108,8 +108,12 @@ void showChoice(Desk& desk, const char* label, std::span<const Choice> choices, 
 	if (ImGui::BeginCombo(fmt::format("##{}", label).c_str(), known == choices.end() ? now.c_str() : known->name))
 	{
 		for (const Choice& choice : choices)
+		{
+			ImGui::PushID(choice.word); // names may be alike
 			if (ImGui::Selectable(choice.name, now == choice.word))
 				desk.bench.change(label, [&](ViewState& state) { set(state, choice.word); });
+			ImGui::PopID();
+		}
 		ImGui::EndCombo();
 	}
 	tip(words);
