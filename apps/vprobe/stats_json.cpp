@@ -1,12 +1,10 @@
 #include "stats_json.h"
 
 #include "sheet_traces.h"
-#include "write/atomic_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <unordered_set>
 
 namespace vp::app
@@ -282,35 +280,6 @@ std::string statsTable(const Session& session, const slice::Slice& slice, const 
 	                     session.field ? fmt::format("array {}, ", session.field->title(session.blocks)) : "",
 	                     classifierName(session), cut_ms, timeline.now());
 	return table;
-}
-
-Status tryPlace(const std::string& path)
-{
-	if (path.empty() || path == "-")
-		return Nothing{};
-	const Result<write::AtomicFile> tried = write::AtomicFile::create(path);
-	return tried ? Status(Nothing{}) : tried.error();
-}
-
-Result<ExitCode> writeStats(const std::string& path, const std::vector<std::string>& outputs,
-                            const std::string& document)
-{
-	if (path.empty())
-		return ExitCode::done;
-	Status written = [&]() -> Status
-	{
-		Result<write::AtomicFile> file = write::AtomicFile::create(path);
-		if (!file)
-			return file.error();
-		file->write(document);
-		return file->commit();
-	}();
-	if (written)
-		return ExitCode::done;
-	for (const std::string& output : outputs)
-		if (std::filesystem::is_regular_file(output))
-			std::filesystem::remove(output);
-	return written.error();
 }
 
 } // namespace vp::app
