@@ -38,7 +38,7 @@ TEST(SheetWindow, HoldsOnlyCellsWhoseCutFacesMeetIt)
 					grid.cellFaces(cell, faces);
 					EXPECT_TRUE(window.meetsCell(grid, sheet.plane(), faces)) << cell;
 					for (int f = 0; f < faces.size(); ++f)
-						EXPECT_TRUE(!traverse::isFaceCut(grid, sheet.plane(), faces[f]) ||
+						EXPECT_TRUE(!seed::isFaceCut(grid, sheet.plane(), faces[f]) ||
 						            window.meetsFace(grid, sheet.plane(), faces[f]))
 						    << cell;
 				}
