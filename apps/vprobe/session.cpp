@@ -75,7 +75,7 @@ Status chooseSheetFields(const ProbeOptions& options, Session& session)
 Result<std::unique_ptr<gpu::Device>> openDevice(const ProbeOptions& options, DeviceUse use)
 {
 	// A grid surface is found by its subscripts, without classifying.
-	const bool classifies = options.classify != "cpu" && (!replacesSheets(options) || options.classify_given);
+	const bool classifies = options.classify != "cpu" && (!leavesDeviceIdle(options) || options.classify_given);
 	if (use == DeviceUse::classify && !classifies)
 		return std::unique_ptr<gpu::Device>();
 	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({.name_or_index = options.device});
@@ -101,7 +101,7 @@ bool isWorthDevice(const Session& session)
 
 bool classifiesOnGpu(const ProbeOptions& options, Session& session)
 {
-	if (!session.device || options.classify == "cpu" || replacesSheets(options))
+	if (!session.device || options.classify == "cpu" || leavesDeviceIdle(options))
 		return false;
 	if (options.classify == "gpu")
 		return true;

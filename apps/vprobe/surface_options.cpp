@@ -62,6 +62,12 @@ bool replacesSheets(const ProbeOptions& options)
 	return namesPatch(options) || (options.surface && isGridIndex(*options.surface));
 }
 
+bool leavesDeviceIdle(const ProbeOptions& options)
+{
+	const Result<std::optional<surface::Form>> form = formOf(options);
+	return replacesSheets(options) || (form && *form && (*form)->isoValue());
+}
+
 Result<std::optional<surface::Form>> formOf(const ProbeOptions& options)
 {
 	if (!options.surface || replacesSheets(options))

@@ -32,6 +32,9 @@ Status checkForms(const std::vector<probe::Sheet>& sheets, std::span<const std::
 // Whether --surface names what takes the place of the sheets, which then are not cut at all.
 bool replacesSheets(const ProbeOptions& options);
 
+// Whether it leaves nothing for a device to classify: neither what replaces sheets nor an iso value is.
+bool leavesDeviceIdle(const ProbeOptions& options);
+
 // Whether it names a patch, for which the input's are to be read.
 bool namesPatch(const ProbeOptions& options);
 

@@ -35,39 +35,37 @@ void PlacedExpression::heightsAt(std::span<const Vec3> places, double* heights) 
 // is not finite or the places draw together too slowly.
 double PlacedExpression::crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) const
 {
-	double lo = 0.0;
-	double hi = 1.0;
-	double at_lo = height_a;
-	double at_hi = height_b;
+	struct End
+	{
+		double t;
+		double height;
+		double weight = 1.0; // halved while the end stays
+	};
+	End lo{0.0, height_a};
+	End hi{1.0, height_b};
 	const bool rises = height_b >= 0.0;
 	constexpr int kQuick = 24;
 	constexpr double kClose = 1e-15;
-	for (int step = 0; hi - lo > kClose; ++step)
+	const End* stayed = nullptr;
+	for (int step = 0; hi.t - lo.t > kClose; ++step)
 	{
-		double t = lo - at_lo * (hi - lo) / (at_hi - at_lo);
-		if (!(t > lo && t < hi) || step > kQuick)
-			t = 0.5 * (lo + hi);
-		if (t == lo || t == hi)
+		const double at_lo = lo.weight * lo.height;
+		double t = lo.t - at_lo * (hi.t - lo.t) / (hi.weight * hi.height - at_lo);
+		if (!(t > lo.t && t < hi.t) || step > kQuick)
+			t = 0.5 * (lo.t + hi.t);
+		if (t == lo.t || t == hi.t)
 			break;
 		const double height = this->height(a + t * (b - a));
 		if (height == 0.0)
 			return t;
-		const bool is_above = height >= 0.0;
-		(is_above == rises ? hi : lo) = t;
-		// An end that stays twice counts half from then on.
-		if (is_above == rises)
-		{
-			at_hi = height;
-			at_lo *= 0.5;
-		}
-		else
-		{
-			at_lo = height;
-			at_hi *= 0.5;
-		}
+		End& moves = (height >= 0.0) == rises ? hi : lo;
+		End& stays = &moves == &hi ? lo : hi;
+		if (stayed == &stays)
+			stays.weight *= 0.5;
+		stayed = &stays;
+		moves = {t, height};
 	}
-	const bool ends_low = std::abs(at_lo) < std::abs(at_hi);
-	return ends_low ? lo : hi;
+	return std::abs(lo.height) < std::abs(hi.height) ? lo.t : hi.t;
 }
 
 bool PlacedExpression::meets(const Box& box) const

@@ -130,7 +130,8 @@ TEST(ProbeFile, AMatrixIsThePapers)
 
 TEST(ProbeFile, SaysWhereAndWhatIsWrong)
 {
-	const std::string sheet_keys = "to_sheet, fx, window, opacity, array, component, colormap, range, lines, hidden";
+	const std::string sheet_keys =
+	    "to_sheet, fx, window, surface, opacity, array, component, colormap, range, lines, hidden";
 	const std::string rigid = "give a rotation and a translation";
 	const std::vector<Malformed> table{
 	    {"", "line 1, column 1: this is no JSON; mend it (docs/PROBES.md shows how such a file looks)"},
