@@ -96,7 +96,7 @@ std::vector<Target> targets()
 	     [](const Figures& f) { return f.ms("tets:184/build shuffled"); }},
 	    faster("window of 1/5 x 1/5 of the slice against all of it, shell:256", 12, "shell:256/window",
 	           "shell:256/cpu"),
-	    faster("contour in a box of 1/10 of each side, its sheet's cut included, against vtkContourFilter", 50,
+	    faster("contour in a box of 1/10 each side, and its sheet, to vtkContourFilter", 50,
 	           "shell:256/sheet and contour in a box", "shell:256/vtkContourFilter"),
 	    counted("generations of a device's cut, shell:256", "", 24, "shell:256/gpu", "generations"),
 	    faster("device's classifier, shell:256, one sheet, against vtkPlaneCutter", 4, "shell:256/gpu, one front",
