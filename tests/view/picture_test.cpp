@@ -133,7 +133,7 @@ TEST_F(Picture, TheValueUnderThePointerIsTold)
 TEST_F(Picture, AContourFollowsThePointer)
 {
 	open({"demo:shell:32", "--normal", "z", "--camera", "40,35", "--window", "3", "3"});
-	const Area left{100, 60, 550, 560};
+	const Area left{100, 130, 500, 470}; // what is written gets a ground once the camera is no longer fitted
 	moveTo({5, 640});
 	const vp::render::Picture sheet = rest(left);
 	act("contour");
@@ -142,12 +142,12 @@ TEST_F(Picture, AContourFollowsThePointer)
 	moveTo({400, 330});
 	EXPECT_TRUE(eventually([&] { return difference(sheet, seen(left)) > 0.01; }));
 	const vp::render::Picture one = rest(left);
-	moveTo({330, 340});
+	moveTo({335, 470});
 	EXPECT_TRUE(eventually([&] { return difference(one, seen(left)) > 0.01; }));
 	keepPicture("contour");
 	act("contour");
 	moveTo({5, 640});
-	EXPECT_TRUE(eventually([&] { return difference(sheet, seen(left)) < 0.001; }));
+	EXPECT_TRUE(eventually([&] { return difference(sheet, seen(left)) < 0.005; }));
 	close();
 }
 
