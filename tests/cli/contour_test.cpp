@@ -64,13 +64,14 @@ TEST_F(Contour, AtAPlaceOfTheFirstSheet)
 	EXPECT_NEAR(contours({path("image.vtk"), "--normal", "x", "--up", "0", "0", "1", "--window", "1", "2",
 	                      "--contour-at", "0.5", "0.25"})[0]["value"],
 	            1.0, 1e-6);
-	EXPECT_TRUE(isError(run({"slice", "demo:shell:8", "--normal", "z", "--contour-at", "0.5", "0.05"}), 1,
-	                    {"--contour-at 0.5 0.05", "a place that it shows"}));
+	EXPECT_TRUE(
+	    isError(run({"slice", "demo:shell:8", "--normal", "z", "--contour-at", "0.5", "0.05", "--classify", "cpu"}), 1,
+	            {"--contour-at 0.5 0.05", "a place that it shows"}));
 }
 
 TEST_F(Contour, IsExportedWithTheSheet)
 {
-	const Arguments command = Arguments{"slice"} + kSheet + Arguments{"--contour", "0.2", "-o"};
+	const Arguments command = Arguments{"slice"} + kSheet + Arguments{"--contour", "0.2", "--classify", "cpu", "-o"};
 	for (const char* name : {"out.vtp", "out.ply", "out.csv", "out.vtm"})
 		EXPECT_TRUE(isQuiet(run(command + Arguments{path(name)}))) << name;
 	for (const char* name : {"out.vtp", "out.ply", "out/sheet_0.vtp"})
@@ -79,7 +80,7 @@ TEST_F(Contour, IsExportedWithTheSheet)
 	EXPECT_TRUE(contains(table.substr(0, table.find('\n')), ",contour"));
 	EXPECT_TRUE(contains(table, ",nan\n"));
 	EXPECT_TRUE(contains(table, ",0.2\n"));
-	EXPECT_TRUE(isQuiet(run(Arguments{"slice"} + kSheet + Arguments{"-o", path("plain.vtp")})));
+	EXPECT_TRUE(isQuiet(run(Arguments{"slice"} + kSheet + Arguments{"--classify", "cpu", "-o", path("plain.vtp")})));
 	EXPECT_FALSE(contains(contents(path("plain.vtp")), "vprobe:contour"));
 }
 
@@ -93,8 +94,9 @@ TEST_F(Contour, WhatIsNotOnTheSheetIsTold)
 
 TEST_F(Contour, WhatCannotBe)
 {
-	const auto fails = [&](const Arguments& options, int status, const std::vector<std::string>& words)
-	{ EXPECT_TRUE(isError(run(Arguments{"slice"} + options), status, words)); };
+	const auto fails = [&](const Arguments& options, int status, const std::vector<std::string>& words) {
+		EXPECT_TRUE(isError(run(Arguments{"slice", "--classify", "cpu"} + options), status, words));
+	};
 	fails({"demo:blob:4", "--contour", "nan"}, 1, {"--contour", "finite"});
 	fails({"demo:blob:4", "--contour", "0", "--surface", "sphere:1"}, 1, {"--contour", "--surface sphere:1"});
 	fails({"demo:blob:4", "--contour-at", "0", "0", "--iso", "0.5"}, 1, {"--contour-at", "--iso 0.5"});
@@ -103,7 +105,7 @@ TEST_F(Contour, WhatCannotBe)
 	      {"--contour", "both has them in cells", "--array"});
 	for (const Arguments& bad : {Arguments{"--contour-depth", "-1"}, Arguments{"--contour-opacity", "1.5"},
 	                             Arguments{"--contour-at", "0.5"}, Arguments{"--contour", "x"}})
-		EXPECT_EQ(run(Arguments{"slice", "demo:blob:4"} + bad).status, 1) << bad[0];
+		EXPECT_EQ(run(Arguments{"slice", "demo:blob:4", "--classify", "cpu"} + bad).status, 1) << bad[0];
 }
 
 TEST_F(Contour, StandsInAState)

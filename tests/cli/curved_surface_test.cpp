@@ -105,8 +105,8 @@ TEST_F(CurvedSurface, IsoValues)
 
 TEST_F(CurvedSurface, IsExportedWithItsArrays)
 {
-	EXPECT_TRUE(isQuiet(
-	    run({"slice", "demo:hexes:12", "--surface", "sphere:0.5", "--origin", "0", "2", "0", "-o", path("ball.vtp")})));
+	EXPECT_TRUE(isQuiet(run({"slice", "demo:hexes:12", "--surface", "sphere:0.5", "--origin", "0", "2", "0",
+	                         "--classify", "cpu", "-o", path("ball.vtp")})));
 	const std::string text = contents(path("ball.vtp"));
 	for (const char* word : {"<Polys>", "Name=\"s\"", "vprobe:cell"})
 		EXPECT_TRUE(contains(text, word)) << word;
@@ -143,11 +143,16 @@ TEST_F(CurvedSurface, WhatCannotBeIsOneLine)
 	{
 		std::vector<std::string> words{std::string("--surface ") + wrong.surface};
 		words.insert(words.end(), wrong.words.begin(), wrong.words.end());
-		EXPECT_TRUE(isError(run({"slice", "demo:blob:8", "--surface", wrong.surface, "-o", path("out.vtp")}), 1, words))
+		EXPECT_TRUE(isError(
+		    run({"slice", "demo:blob:8", "--surface", wrong.surface, "--classify", "cpu", "-o", path("out.vtp")}), 1,
+		    words))
 		    << wrong.surface;
 	}
-	EXPECT_TRUE(isDoneWithAWord(run({"slice", "demo:blob:8", "--surface", "sphere:20"}), {"empty", "surface misses"}));
-	EXPECT_TRUE(isError(run({"slice", "demo:blob:8", "--surface", "sphere:1", "-o", path("a.png")}), 1, {"--surface"}));
+	EXPECT_TRUE(isDoneWithAWord(run({"slice", "demo:blob:8", "--surface", "sphere:20", "--classify", "cpu"}),
+	                            {"empty", "surface misses"}));
+	EXPECT_TRUE(
+	    isError(run({"slice", "demo:blob:8", "--surface", "sphere:1", "--classify", "cpu", "-o", path("a.png")}), 1,
+	            {"--surface"}));
 	EXPECT_TRUE(files().empty());
 }
 

@@ -120,7 +120,7 @@ TEST_F(Vectors, AStateBringsThemBack)
 TEST_P(BadVectors, IsOneLine)
 {
 	const Bad& bad = GetParam();
-	EXPECT_TRUE(isError(run(Arguments{"slice"} + bad.options), bad.status, bad.words));
+	EXPECT_TRUE(isError(run(Arguments{"slice", "--classify", "cpu"} + bad.options), bad.status, bad.words));
 }
 
 INSTANTIATE_TEST_SUITE_P(

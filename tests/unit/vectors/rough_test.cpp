@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -14,15 +15,13 @@ using vectors::Traces;
 namespace
 {
 
-// "w" over the points or cells of a block: any numbers, each its own; some not known.
+// "w" over the points or cells of a block's source, as many as its other arrays have: any numbers, each its own; some
+// not known.
 void addRoughVectors(grid::Block& block, grid::Association association, std::mt19937& random)
 {
 	std::normal_distribution<double> any(0.0, 1.0);
 	std::uniform_int_distribution<int> one_in(0, 99);
-	const std::size_t count =
-	    std::visit([&](const auto& grid)
-	               { return association == grid::Association::point ? grid.pointCount() : grid.cellCount(); },
-	               block.grid);
+	const std::size_t count = std::ranges::find(block.fields, association, &grid::Field::association)->tuples();
 	std::vector<double> values(3 * count);
 	for (double& value : values)
 		value = one_in(random) == 0 ? std::numeric_limits<double>::quiet_NaN() : any(random);
