@@ -121,13 +121,7 @@ Status GpuSurfaceClassifier::classify(std::span<const traverse::FrontSlice> fron
 	if (runs_.empty())
 		return Nothing{};
 
-	if (Status done = workspace_->commands.wait(); !done)
-		return done;
-	workspace_->words.invalidate();
-	const auto* words = workspace_->words.mappedAs<std::uint32_t>();
-	for (const Run& run : runs_)
-		std::memcpy(run.front->words.data() + run.begin, words + run.offset, run.count * sizeof(std::uint32_t));
-	return Nothing{};
+	return workspace_->takeWords(runs_);
 }
 
 Status GpuSurfaceClassifier::planRuns(std::span<const traverse::FrontSlice> fronts)

@@ -6,6 +6,9 @@
 #include "gpu/timers.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
 
 namespace vp::slice
 {
@@ -28,6 +31,20 @@ struct ClassifyWorkspace
 	// Room for what stays the same during a slice.
 	Status reserveLanes(gpu::Device& device, std::size_t bytes);
 	Status reserveAxes(gpu::Device& device, std::size_t texels);
+
+	// Waits for what was submitted, and hands each run of cells its words: run.count from run.offset on, for the cells
+	// of run.front from run.begin on.
+	template <class Run>
+	Status takeWords(const std::vector<Run>& runs)
+	{
+		if (Status done = commands.wait(); !done)
+			return done;
+		words.invalidate();
+		const auto* from = words.mappedAs<std::uint32_t>();
+		for (const Run& run : runs)
+			std::memcpy(run.front->words.data() + run.begin, from + run.offset, run.count * sizeof(std::uint32_t));
+		return Nothing{};
+	}
 
 	gpu::Commands commands;
 	gpu::DescriptorSets sets; // set i serves dispatch i of a generation
