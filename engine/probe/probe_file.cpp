@@ -152,7 +152,8 @@ ProbeFile probeOf(const JsonReader& reader)
 json sheetJson(const Sheet& sheet)
 {
 	json value{{"to_sheet", toJson(static_cast<const Frame&>(sheet))}};
-	if (sheet.fx != Fx())
+	// Beside a form it shows nothing, and would not be read again.
+	if (sheet.fx != Fx() && !sheet.form)
 		value["fx"] = {{"magnification", sheet.fx.magnification}, {"pan", toJson(sheet.fx.pan)}};
 	if (const auto& window = sheet.window)
 		value["window"] = {{"x", {window->x0, window->x1}}, {"y", {window->y0, window->y1}}};

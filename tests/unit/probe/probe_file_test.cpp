@@ -281,4 +281,15 @@ TEST(ProbeFile, NamesThatAreNoUtf8AreWrittenAllTheSame)
 	EXPECT_EQ(read->probe.sheets[0].wishes.array, "Temp\xEF\xBF\xBDrature");
 }
 
+TEST(ProbeFile, AFormIsReadAgainWhateverFxStandsBesideIt)
+{
+	probe::Probe probe;
+	probe.sheets.push_back(probe::makeSheet(Vec3(0.0), Vec3(0.0, 0.0, 1.0)));
+	probe.sheets[0].form = surface::Form::parse("x*x + y*y - z").value();
+	probe.sheets[0].fx.magnification = 3.0;
+	const Result<probe::ProbeFile> read = probe::parseProbe(probe::probeText(probe), "probe.json");
+	ASSERT_TRUE(read) << read.error().message;
+	EXPECT_EQ(read->probe.sheets[0].form, probe.sheets[0].form);
+}
+
 } // namespace vp::test
