@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the program and draws one picture with it. Installs what is missing (Debian 12, as root or with sudo).
+# Builds the program and draws one picture with it. Installs what is missing (Debian 12 and 13, Ubuntu 24.04; as root or
+# with sudo).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source apps/setup.sh
@@ -8,7 +9,7 @@ install_packages "${build_packages[@]}"
 
 # A build folder that has the tests keeps them.
 if [[ ! -e build/release/build.ninja ]]; then
-	step build/log/configure "Configuring" cmake --preset release -DVPROBE_TESTS=OFF -DVPROBE_BENCH=OFF "${strict[@]}"
+	configure release -DVPROBE_TESTS=OFF -DVPROBE_BENCH=OFF
 fi
 step build/log/build "Building" cmake --build build/release --target vprobe vprobe-read
 

@@ -1,30 +1,71 @@
 # shellcheck shell=bash disable=SC2034
-# What apps/demo.sh and tests/run.sh share: the packages of Debian 12, their installation, steps with progress.
+# What apps/demo.sh and tests/run.sh share: package names, their installation, steps with progress.
 # Sourced, never run.
 
+# ID and version of the system, such as debian12; empty where it does not say.
+system=$(. /etc/os-release 2>/dev/null && printf '%s%s' "${ID-}" "${VERSION_ID-}") || system=
+
+# ccache serves the second build, not the first; it is here so that both scripts compile with the same commands.
 build_packages=(
-	cmake ninja-build g++ glslang-tools glslang-dev spirv-tools
+	cmake ninja-build g++ ccache glslang-tools glslang-dev spirv-tools
 	libvulkan-dev libvtk9-dev libtbb-dev libglm-dev libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev
 	libteem-dev zlib1g-dev libpng-dev libcairo2-dev pkg-config libimgui-dev libstb-dev libglfw3-dev fonts-dejavu-core
 	mesa-vulkan-drivers # lavapipe draws where there is no GPU
 )
 test_packages=(
-	ccache clang-14 clang-format-14 libgtest-dev libgmock-dev libbenchmark-dev libmuparser-dev vulkan-validationlayers
+	libgtest-dev libgmock-dev libbenchmark-dev libmuparser-dev vulkan-validationlayers
 	xvfb xdotool openbox
 )
+# The second compiler. clang-format's output depends on its version, so the format is checked where version 14 is.
+case $system in
+debian13) test_packages+=(clang) ;;
+*) test_packages+=(clang-14 clang-format-14) ;;
+esac
 
-# Another compiler has other warnings: they are errors on Debian 12 only.
+# The scripts install packages on these. Ubuntu has the same names in its package lists; nobody has run the scripts there.
+case $system in
+debian12 | debian13 | ubuntu24.04) can_install=yes ;;
+*) can_install= ;;
+esac
+
+# Another compiler has other warnings: they are errors only where the project is tested.
 strict=()
-if (. /etc/os-release && [[ $ID$VERSION_ID == debian12 ]]) 2>/dev/null; then
-	strict=(-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
-fi
+case $system in
+debian12 | debian13) strict=(-DCMAKE_COMPILE_WARNING_AS_ERROR=ON) ;;
+esac
+
+# Objects are shared between checkouts.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+
+step_times=() # "SECONDS TITLE" of each step
 
 say() { printf '%s\n' "$*" >&2; }
 
-# step LOG TITLE COMMAND...: one line of progress; what the command says goes to LOG and is shown where it fails.
+# report_progress LOG TITLE: every 30 seconds, a line that says how far ninja, or ctest, has come by its log.
+report_progress()
+{
+	local log=$1 title=$2 start=$SECONDS spent count nap
+	trap 'kill "$nap" 2>/dev/null; exit' TERM
+	while true; do
+		sleep 30 &
+		nap=$!
+		wait "$nap"
+		spent=$((SECONDS - start))
+		# "[12/340] Building ..." and " 12/340 Test ..."
+		count=$(tail -c 20000 "$log" | sed -nE 's#^(\[| *)([0-9]+/[0-9]+)(\]| Test).*#\2#p' | tail -n 1) || true
+		if [[ $count == [1-9]* ]]; then
+			say "$title: ${count%/*} of ${count#*/} done, about $((spent * (${count#*/} - ${count%/*}) / ${count%/*})) s left"
+		else
+			say "$title: $spent s so far"
+		fi
+	done
+}
+
+# step LOG TITLE COMMAND...: on a terminal one line of progress that is renewed, elsewhere a line every 30 seconds. The
+# command's output goes to LOG and is shown where it fails.
 step()
 {
-	local log=$1 title=$2 start=$SECONDS status=0 line
+	local log=$1 title=$2 start=$SECONDS status=0 line reporter
 	shift 2
 	mkdir -p "$(dirname "$log")"
 	if [[ -t 2 ]]; then
@@ -34,8 +75,14 @@ step()
 		printf '\r\e[K' >&2
 	else
 		say "$title ..."
+		: >"$log"
+		report_progress "$log" "$title" >/dev/null &
+		reporter=$!
 		"$@" </dev/null >"$log" 2>&1 || status=$?
+		kill "$reporter" 2>/dev/null || true
+		wait "$reporter" 2>/dev/null || true
 	fi
+	step_times+=("$((SECONDS - start)) $title")
 	if ((status)); then
 		grep -vE '^\[[0-9]+/[0-9]+\] [A-Z]' "$log" | tail -n 200 >&2 || true # ninja's good lines left out
 		say "$title: failed; all of it is in $log"
@@ -52,29 +99,36 @@ missing_packages()
 		<(printf '%s\n' "$@" | sort -u)
 }
 
-# install_packages PACKAGE...: on Debian 12, installs what is missing; elsewhere says what is needed and goes on.
+# install_packages PACKAGE...: installs what is missing where the names are known; elsewhere says in one line what the
+# build needs and does not find, and goes on where it finds all of it.
 install_packages()
 {
-	local missing=("$@") as_root=()
-	if command -v dpkg-query >/dev/null; then
-		mapfile -t missing < <(missing_packages "$@")
+	local missing=() as_root=() tool
+	if [[ -z $can_install ]]; then
+		for tool in cmake ninja c++ glslangValidator pkg-config; do
+			command -v "$tool" >/dev/null || missing+=("$tool")
+		done
 		((${#missing[@]})) || return 0
+		say "This system's packages are not known here. Missing: ${missing[*]}. docs/INSTALL.md lists what the build needs."
+		return 1
 	fi
-	((EUID)) && as_root=(sudo)
-	if ((${#strict[@]} == 0)); then
-		say "Needed, by the names of Debian 12: ${missing[*]}"
-	elif ((EUID)) && ! command -v sudo >/dev/null; then
+	mapfile -t missing < <(missing_packages "$@")
+	((${#missing[@]})) || return 0
+	if ((EUID)) && ! command -v sudo >/dev/null; then
 		say "Missing, and neither root nor sudo to install it: apt-get install ${missing[*]}"
-	else
-		local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300)
-		((EUID)) && sudo -v
-		step build/log/apt-update "Package lists" "${apt[@]}" update
-		step build/log/apt-install "Installing ${#missing[@]} packages and what they need" \
-			"${apt[@]}" install -y --no-install-recommends "${missing[@]}"
-		return
+		return 1
 	fi
-	local tool
-	for tool in cmake ninja c++; do
-		command -v "$tool" >/dev/null || { say "$tool is not there: install the packages named above."; return 1; }
-	done
+	((EUID)) && as_root=(sudo) && sudo -v
+	local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300)
+	step build/log/apt-update "Package lists" "${apt[@]}" update
+	step build/log/apt-install "Installing ${#missing[@]} packages and what they need" \
+		"${apt[@]}" install -y --no-install-recommends "${missing[@]}"
+}
+
+# configure PRESET [OPTION...]: with the same compile commands for every script, so nothing is compiled twice.
+configure()
+{
+	local preset=$1
+	shift
+	step "build/log/$preset-configure" "Configuring $preset" cmake --preset "$preset" "${strict[@]}" "$@"
 }

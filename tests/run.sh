@@ -1,24 +1,28 @@
 #!/usr/bin/env bash
-# Builds and runs every test: release, sanitizers, format, the other compiler. Installs what is missing (Debian 12, as root
-# or with sudo). The last line sums up: N passed, N failed, N skipped.
-# usage: tests/run.sh [--long]    --long: the tests labelled long as well
+# Builds and runs every test: release, sanitizers, format, the other compiler. Installs what is missing (Debian 12 and 13,
+# Ubuntu 24.04; as root or with sudo). Ends with the slowest steps and tests, and a line that sums up: N passed, N failed,
+# N skipped.
+# usage: tests/run.sh [--release|--long]
+#   --release: the release build and its tests, nothing else
+#   --long: also the tests labelled long, every file compiled alone, and Debian 13
+# What --long downloads is kept in $VPROBE_CACHE, else in ~/.cache/vprobe.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source apps/setup.sh
 
-select=(-LE '^long$') long=
+select=(-LE '^long$') long= others=yes
 case ${1-} in
 '') ;;
+--release) others= ;;
 --long) select=() long=yes ;;
-*) say "usage: tests/run.sh [--long]"; exit 1 ;;
+*) say "usage: tests/run.sh [--release|--long]"; exit 1 ;;
 esac
 
 install_packages "${build_packages[@]}" "${test_packages[@]}"
 
 jobs=$(nproc)
+clang=$(command -v clang++-14 || command -v clang++) || clang=
 passed=0 failed=0 skipped=() launcher=()
-# Objects are shared between checkouts.
-export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 export VPROBE_VALIDATION=1
 # The same device everywhere: lavapipe, unless VPROBE_TEST_DEVICE asks for the machine's own.
 lavapipe=$(compgen -G '/usr/share/vulkan/icd.d/lvp_icd*.json' | head -n 1) || true
@@ -41,8 +45,7 @@ build()
 {
 	local preset=$1 target=$2
 	shift 2
-	step "build/log/$preset-configure" "Configuring $preset" \
-		cmake --preset "$preset" -DVPROBE_TESTS=ON -DVPROBE_BENCH=ON "${strict[@]}" "$@" &&
+	configure "$preset" -DVPROBE_TESTS=ON -DVPROBE_BENCH=ON "$@" &&
 		step "build/log/$preset-build" "Building $preset" cmake --build "build/$preset" --target "$target" -- -k 0
 }
 
@@ -77,52 +80,107 @@ check_format()
 	return "$bad"
 }
 
-# Every source file, compiled as the release build does, with the warnings of the other compiler.
+# compile_with_clang PRESET: what the build of this preset compiles, with the warnings of the other compiler.
 compile_with_clang()
 {
-	sed -n 's/^ *"command": "\(.*\)",\{0,1\}$/\1/p' build/release/compile_commands.json | sed 's/\\"/"/g; s/\\\\/\\/g' |
-		sed -E 's#^.*/(c|g)\+\+(-[0-9]+)? #clang++-14 -fsyntax-only -Wall -Wextra -Werror #; s# -o [^ ]+ # #' | sort |
-		(cd build/release && xargs -d '\n' -P "$jobs" -I COMMAND bash -c 'COMMAND')
+	sed -n 's/^ *"command": "\(.*\)",\{0,1\}$/\1/p' "build/$1/compile_commands.json" | sed 's/\\"/"/g; s/\\\\/\\/g' |
+		sed -E "s#^.*/(c|g|clang)\+\+(-[0-9]+)? #$clang -fsyntax-only -Wall -Wextra -Werror #; s# -o [^ ]+ # #" | sort |
+		(cd "build/$1" && xargs -d '\n' -P "$jobs" -I COMMAND bash -c 'COMMAND')
 }
 
-if build release all -DCMAKE_EXPORT_COMPILE_COMMANDS=ON; then
-	run_tests release
-	if command -v clang++-14 >/dev/null; then
-		check "Compiling with clang" compile_with_clang
+# Files that are compiled together could lean on each other's includes.
+compile_files_alone()
+{
+	cmake --preset dev -DVPROBE_TESTS=ON -DVPROBE_BENCH=ON && cmake --build build/dev --target vp_shaders vp_font &&
+		compile_with_clang dev
+}
+
+# print_slowest TITLE: the five largest of the lines "SECONDS NAME" on standard input.
+print_slowest()
+{
+	echo "$1:"
+	sort -rn | head -n 5 | sed -E 's/^([0-9.]+) /  \1 s  /'
+}
+
+test_release()
+{
+	if build release all -DCMAKE_EXPORT_COMPILE_COMMANDS=ON; then
+		run_tests release
 	else
-		skipped+=("clang: no clang++-14")
+		failed=$((failed + 1))
 	fi
-else
-	failed=$((failed + 1))
-fi
-if build asan cpu_tests; then
-	run_tests asan -L '^cpu$'
-else
-	failed=$((failed + 1))
-fi
-# VTK is not built for the thread sanitizer: what links it, or talks to it, stays out.
-if build tsan unit_tests; then
-	# Neither is TBB: the sanitizer cannot see that the end of a loop waits for its bodies. On one core TBB starts no
-	# threads of its own, while those of the program and its tests run as ever.
-	core=$(taskset -cp $$ | sed 's/.*: *\([0-9]*\).*/\1/')
-	launcher=(taskset -c "$core")
-	TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp" run_tests tsan -R '^unit_'
-else
-	failed=$((failed + 1))
-fi
-if [[ -n $long ]] && command -v clang++-14 >/dev/null; then
-	if build fuzz fuzz_parsers_guided; then
+}
+
+test_with_clang()
+{
+	if [[ -z $clang ]]; then
+		skipped+=("clang: no clang++-14, no clang++")
+		return
+	fi
+	check "Compiling with clang" compile_with_clang release
+	[[ -z $long ]] || check "Compiling files alone" compile_files_alone
+}
+
+test_with_sanitizers()
+{
+	if build asan cpu_tests; then
+		run_tests asan -L '^cpu$'
+	else
+		failed=$((failed + 1))
+	fi
+	# VTK is not built for the thread sanitizer: what links it, or talks to it, stays out.
+	if build tsan unit_tests; then
+		# Neither is TBB: the sanitizer cannot see that the end of a loop waits for its bodies. On one core TBB starts no
+		# threads of its own, while those of the program and its tests run as ever.
+		core=$(taskset -cp $$ | sed 's/.*: *\([0-9]*\).*/\1/')
+		launcher=(taskset -c "$core")
+		TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp" run_tests tsan -R '^unit_'
+		launcher=()
+	else
+		failed=$((failed + 1))
+	fi
+}
+
+test_at_length()
+{
+	local why_not
+	if ! command -v clang++-14 >/dev/null; then
+		skipped+=("fuzz: no clang++-14")
+	elif build fuzz fuzz_parsers_guided; then
 		run_tests fuzz -R '^fuzz\.parser'
 	else
 		failed=$((failed + 1))
 	fi
+	if why_not=$(bash tests/debian13.sh --can-run); then
+		check "Debian 13" bash tests/debian13.sh
+	else
+		skipped+=("Debian 13: $why_not")
+	fi
+}
+
+test_format()
+{
+	if command -v clang-format-14 >/dev/null; then
+		check "Format" check_format
+	else
+		skipped+=("format: no clang-format-14")
+	fi
+}
+
+rm -f build/*/tests.xml
+test_release
+if [[ -n $others ]]; then
+	test_with_clang
+	test_with_sanitizers
+	test_format
 fi
-if command -v clang-format-14 >/dev/null; then
-	check "Format" check_format
-else
-	skipped+=("format: no clang-format-14")
+if [[ -n $long ]]; then
+	test_at_length
 fi
 
+printf '%s\n' "${step_times[@]}" | print_slowest "Slowest steps"
+cat build/*/tests.xml 2>/dev/null | sed -nE 's/.*<testcase name="([^"]*)".* time="([0-9.]+)" status="run".*/\2 \1/p' |
+	print_slowest "Slowest tests"
 printf 'skipped: %s\n' "${skipped[@]}" | sed '/^skipped: $/d'
 printf '%s\n' "${skipped[@]}" >build/skipped.txt
 echo "$passed passed, $failed failed, ${#skipped[@]} skipped"

@@ -12,10 +12,10 @@ namespace
 {
 
 // A lattice with a node at each place that `index` knows.
-class Lattice
+class NodeLattice
 {
 public:
-	explicit Lattice(std::array<int, 3> intervals) : intervals_(intervals) {}
+	explicit NodeLattice(std::array<int, 3> intervals) : intervals_(intervals) {}
 
 	std::size_t place(int i, int j, int k) const
 	{
@@ -75,7 +75,7 @@ void addWedges(CellSplit& split, std::initializer_list<std::array<std::size_t, 6
 
 CellSplit splitHexahedron(std::array<int, 3> intervals, std::span<const Vec3> at)
 {
-	const Lattice lattice(intervals);
+	const NodeLattice lattice(intervals);
 	const std::vector<int> points = lattice.pointsAt(at);
 	CellSplit split;
 	for (int k = 0; k <= intervals[2]; ++k)
@@ -105,7 +105,7 @@ CellSplit splitHexahedron(std::array<int, 3> intervals, std::span<const Vec3> at
 
 CellSplit splitWedge(int across, int along, std::span<const Vec3> at)
 {
-	const Lattice lattice({across, across, along});
+	const NodeLattice lattice({across, across, along});
 	const std::vector<int> points = lattice.pointsAt(at);
 	std::vector<std::size_t> number(points.size());
 	CellSplit split;
@@ -144,7 +144,7 @@ CellSplit splitWedge(int across, int along, std::span<const Vec3> at)
 
 CellSplit splitTetrahedron(int intervals, std::span<const Vec3> at)
 {
-	const Lattice lattice({intervals, intervals, intervals});
+	const NodeLattice lattice({intervals, intervals, intervals});
 	const std::vector<int> points = lattice.pointsAt(at);
 	std::vector<std::size_t> number(points.size());
 	CellSplit split;

@@ -1,4 +1,5 @@
 #include "formats.h"
+#include "is_one_of.h"
 #include "read/protocol.h"
 #include "refusal.h"
 
@@ -46,11 +47,6 @@ std::string xmlTypeOf(std::string_view head)
 		return {};
 	const auto close = attributes.find(attributes[at], at + 1);
 	return close == attributes.npos ? std::string() : std::string(attributes.substr(at + 1, close - at - 1));
-}
-
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words)
-{
-	return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 // Where a NIfTI header has its magic, and what stands there.

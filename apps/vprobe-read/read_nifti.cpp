@@ -41,7 +41,7 @@ vtkSmartPointer<vtkDataArray> valuesAt(vtkDataArray* all, int first, int compone
 }
 
 // The header's code; its other bits are of time.
-std::string lengthUnits(int code)
+std::string lengthUnitsOfCode(int code)
 {
 	constexpr int kOfSpace = 7;
 	constexpr const char* names[] = {"", "m", "mm", "µm"};
@@ -96,7 +96,7 @@ void readNifti(const Request& request, ManifestWriter& manifest)
 		image->SetDirectionMatrix(direction.data());
 		image->SetOrigin(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
 	}
-	manifest.setLengthUnits(lengthUnits(reader->GetNIFTIHeader()->GetXYZTUnits()));
+	manifest.setLengthUnits(lengthUnitsOfCode(reader->GetNIFTIHeader()->GetXYZTUnits()));
 	manifest.add(image);
 	manifest.offerTimes(std::move(times));
 }

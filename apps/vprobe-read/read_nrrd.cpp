@@ -131,7 +131,7 @@ void place(const Nrrd& nrrd, const std::array<unsigned, 3>& axes, vtkImageData* 
 }
 
 // Of space, or of the axes; empty where they differ.
-std::string lengthUnits(const Nrrd& nrrd, const std::array<unsigned, 3>& axes)
+std::string lengthUnitsOfAxes(const Nrrd& nrrd, const std::array<unsigned, 3>& axes)
 {
 	std::array<std::string, 3> units;
 	for (unsigned a = 0; a < 3; ++a)
@@ -169,6 +169,6 @@ void readNrrd(const Request& request, ManifestWriter& manifest)
 	values->SetVoidArray(nrrd->data, static_cast<vtkIdType>(samples), 1);
 	values->SetName(nrrd->content && *nrrd->content ? nrrd->content : "NRRD");
 	image->GetPointData()->SetScalars(values);
-	manifest.setLengthUnits(lengthUnits(*nrrd, axes));
+	manifest.setLengthUnits(lengthUnitsOfAxes(*nrrd, axes));
 	manifest.add(image);
 }

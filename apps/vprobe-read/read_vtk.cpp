@@ -1,4 +1,5 @@
 #include "formats.h"
+#include "is_one_of.h"
 #include "manifest_writer.h"
 #include "refusal.h"
 #include "text_end.h"
@@ -24,7 +25,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string_view>
 
 namespace
@@ -52,11 +52,6 @@ vtkSmartPointer<vtkDataObject> loadTrees(const Request& request, ManifestWriter&
 	leaves->SetInputData(trees);
 	leaves->Update();
 	return leaves->GetOutputDataObject(0);
-}
-
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words)
-{
-	return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 } // namespace

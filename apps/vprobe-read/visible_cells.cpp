@@ -29,10 +29,10 @@ vtkUnsignedCharArray* marksOf(vtkDataSetAttributes* attributes, vtkIdType wanted
 	return marks;
 }
 
-class Lattice
+class PointLattice
 {
 public:
-	explicit Lattice(const std::array<int, 3>& points)
+	explicit PointLattice(const std::array<int, 3>& points)
 	    : nx_(points[0]), ny_(points[1]), nz_(points[2]), layer_(nx_ * ny_)
 	{
 	}
@@ -82,7 +82,7 @@ json writePoints(ArrayWriter& writer, vtkDataSet* data)
 
 std::vector<unsigned char> hiddenCellsOf(vtkDataSet* data, const std::array<int, 3>& points)
 {
-	const Lattice lattice(points);
+	const PointLattice lattice(points);
 	vtkUnsignedCharArray* cell_marks = marksOf(data->GetCellData(), static_cast<vtkIdType>(lattice.cells()));
 	vtkUnsignedCharArray* point_marks = marksOf(data->GetPointData(), data->GetNumberOfPoints());
 	if (!cell_marks && !point_marks)
@@ -113,7 +113,7 @@ json describeVisible(ArrayWriter& writer, vtkDataSet* data, const std::array<int
 	std::vector<std::int64_t> connectivity;
 	offsets.reserve(hidden.size() + 1);
 	connectivity.reserve(8 * visible);
-	Lattice(points).forEachCell(
+	PointLattice(points).forEachCell(
 	    [&](std::size_t cell, const std::array<std::int64_t, 8>& ids)
 	    {
 		    if (!hidden[cell])

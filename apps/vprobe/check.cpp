@@ -115,8 +115,8 @@ bool isClean(const std::vector<Finding>& findings)
 	return std::ranges::none_of(findings, &Finding::fault);
 }
 
-nlohmann::json asJson(const grid::BlockSet& blocks, const std::vector<Finding>& findings,
-                      const slice::SweepFindings& sweep, std::size_t overlap_samples)
+nlohmann::json findingsJson(const grid::BlockSet& blocks, const std::vector<Finding>& findings,
+                            const slice::SweepFindings& sweep, std::size_t overlap_samples)
 {
 	nlohmann::json document = {{"clean", isClean(findings)},
 	                           {"grid",
@@ -144,8 +144,8 @@ nlohmann::json asJson(const grid::BlockSet& blocks, const std::vector<Finding>& 
 	return document;
 }
 
-void printTable(const grid::BlockSet& blocks, const std::vector<Finding>& findings, const slice::SweepFindings& sweep,
-                std::size_t overlap_samples)
+void printFindings(const grid::BlockSet& blocks, const std::vector<Finding>& findings,
+                   const slice::SweepFindings& sweep, std::size_t overlap_samples)
 {
 	const bool several = blocks.blocks.size() > 1;
 	for (const Finding& finding : findings)
@@ -194,10 +194,10 @@ Result<ExitCode> runCheck(const CheckOptions& options)
 			return written.error();
 	}
 	if (options.json)
-		fmt::print("{}\n", asJson(session.blocks, findings, *sweep, quality.overlap_samples)
+		fmt::print("{}\n", findingsJson(session.blocks, findings, *sweep, quality.overlap_samples)
 		                       .dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
 	else if (options.output != "-")
-		printTable(session.blocks, findings, *sweep, quality.overlap_samples);
+		printFindings(session.blocks, findings, *sweep, quality.overlap_samples);
 	return isClean(findings) ? ExitCode::done : ExitCode::findings;
 }
 

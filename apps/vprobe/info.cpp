@@ -49,7 +49,7 @@ std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
 	return arrays;
 }
 
-nlohmann::json asJson(const grid::BlockSet& blocks)
+nlohmann::json infoJson(const grid::BlockSet& blocks)
 {
 	nlohmann::json arrays = nlohmann::json::array();
 	for (const auto& [field, range] : listArrays(blocks))
@@ -141,7 +141,7 @@ void printMeetings(const grid::BlockSet& blocks)
 	printMore(overlaps.size());
 }
 
-void printTable(const grid::BlockSet& blocks)
+void printInfo(const grid::BlockSet& blocks)
 {
 	const Box bounds = blocks.bounds();
 	fmt::print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.sourceCellCount(),
@@ -182,9 +182,9 @@ Result<ExitCode> runInfo(const InfoOptions& options)
 	if (!blocks)
 		return blocks.error();
 	if (options.json)
-		fmt::print("{}\n", asJson(*blocks).dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
+		fmt::print("{}\n", infoJson(*blocks).dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
 	else
-		printTable(*blocks);
+		printInfo(*blocks);
 	return ExitCode::done;
 }
 

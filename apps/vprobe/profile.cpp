@@ -60,7 +60,7 @@ Result<ExitCode> runCompare(const ProfileOptions& options, const CLI::App& comma
 }
 
 // Told before a large file is read.
-Status checkOptions(const ProfileOptions& options, const CLI::App& command)
+Status checkProfileOptions(const ProfileOptions& options, const CLI::App& command)
 {
 	if (options.json == "-" && options.trace == "-")
 		return Error{ExitCode::usage,
@@ -182,7 +182,7 @@ Result<ExitCode> runProfile(ProfileOptions& options, const CLI::App& command)
 		return ready.error();
 	if (Status read = readPathFile(options.path); !read)
 		return read.error();
-	if (Status fits = checkOptions(options, command); !fits)
+	if (Status fits = checkProfileOptions(options, command); !fits)
 		return fits.error();
 	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
 	if (!look)

@@ -59,7 +59,7 @@ void addSpread(const std::string& key, const json& spread, double planes, Figure
 	add("first", noise, kOnceNoise);
 }
 
-double noiseOf(const std::string& key, double value)
+double recordedNoise(const std::string& key, double value)
 {
 	if (key.starts_with("setup_ms."))
 		return kOnceNoise * value;
@@ -78,7 +78,7 @@ void addFigures(const std::string& prefix, const json& object, double planes, Fi
 		else if (value.is_object())
 			addFigures(key + ".", value, planes, figures);
 		else if (value.is_number())
-			figures[key] = {value.get<double>(), noiseOf(key, value.get<double>())};
+			figures[key] = {value.get<double>(), recordedNoise(key, value.get<double>())};
 		else if (value.is_array() && name.ends_with("stages"))
 			for (const json& stage : value)
 				if (isSpread(stage) && stage.contains("stage") && stage["stage"].is_string())

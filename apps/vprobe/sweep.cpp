@@ -32,7 +32,7 @@ struct SweepOptions
 	bool draws() const { return !exports() || !exposure.empty(); }
 };
 
-Status checkOptions(const SweepOptions& options)
+Status checkSweepOptions(const SweepOptions& options)
 {
 	if (options.output.empty() && options.exposure.empty())
 		return Error{ExitCode::usage,
@@ -118,7 +118,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 		return ready.error();
 	if (Status place = tryPlace(options.stats); !place)
 		return place.error();
-	if (Status fits = checkOptions(options); !fits)
+	if (Status fits = checkSweepOptions(options); !fits)
 		return fits.error();
 	if (Status fits = requirePathOfSurface(options.saved.probe, options.saved.path); !fits)
 		return fits.error();

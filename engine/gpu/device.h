@@ -70,6 +70,8 @@ public:
 	std::uint64_t lastSubmission() const;
 	Status waitIdle();
 	VkResult present(const VkPresentInfoKHR& info);
+	// Keeps everyone else off the queue while `use` runs: for libraries that submit by themselves.
+	void lendQueue(const std::function<void()>& use);
 
 	// Runs `destroy` as soon as everything submitted so far is done.
 	void retire(std::function<void(VkDevice)> destroy);

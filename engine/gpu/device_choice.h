@@ -3,6 +3,7 @@
 #include "base/result.h"
 #include "gpu/vulkan.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -91,6 +91,12 @@ VkResult Device::present(const VkPresentInfoKHR& info)
 	return queue_present(queue_, &info);
 }
 
+void Device::lendQueue(const std::function<void()>& use)
+{
+	const std::lock_guard lock(private_->queue_mutex);
+	use();
+}
+
 bool Device::Private::hasRetired()
 {
 	const std::lock_guard lock(retired_mutex);

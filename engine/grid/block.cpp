@@ -17,22 +17,12 @@ namespace
 
 constexpr std::size_t kBoundaryVantages = 16;
 
-std::size_t usedPoints(const Lattice& lattice)
-{
-	return lattice.pointCount();
-}
-
-std::size_t usedPoints(const UnstructuredGrid& grid)
-{
-	return grid.usedPointCount();
-}
-
 // Of the points that are numbers.
 template <Grid G>
 Box boundsOf(const G& grid)
 {
 	return tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, usedPoints(grid), 65536), Box{},
+	    tbb::blocked_range<std::size_t>(0, grid.usedPointCount(), 65536), Box{},
 	    [&](const tbb::blocked_range<std::size_t>& range, Box box)
 	    {
 		    for (std::size_t p = range.begin(); p < range.end(); ++p)
@@ -91,7 +81,7 @@ std::size_t cellsOf(const Block& block)
 	return std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid);
 }
 
-std::size_t pointsOf(const Block& block)
+std::size_t gridPoints(const Block& block)
 {
 	return std::visit([](const auto& grid) { return grid.pointCount(); }, block.grid);
 }
@@ -141,7 +131,7 @@ std::size_t BlockSet::pointCount() const
 {
 	std::size_t count = 0;
 	for (const Block& block : blocks)
-		count += pointsOf(block);
+		count += gridPoints(block);
 	return count;
 }
 
@@ -162,7 +152,7 @@ std::size_t BlockSet::sourcePointCount() const
 	for (const Block& block : blocks)
 	{
 		const auto* grid = std::get_if<UnstructuredGrid>(&block.grid);
-		count += grid ? grid->sourcePointCount() : pointsOf(block);
+		count += grid ? grid->sourcePointCount() : gridPoints(block);
 	}
 	return count;
 }

@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr std::uint32_t kPatchFaces = 16;
-constexpr std::uint32_t kGroupPatches = 64;
+constexpr std::uint32_t kGroupFacePatches = 64;
 
 // On the side of a lattice.
 constexpr std::uint32_t kPatchEdge = 4;
@@ -122,7 +122,7 @@ void addFaces(const UnstructuredGrid& grid, BoundaryIndex& index)
 			                  static_cast<std::uint32_t>(std::min<std::size_t>(begin + step, size))});
 	};
 	cut(index.faces.size(), kPatchFaces, index.patches);
-	cut(index.patches.size(), kGroupPatches, index.groups);
+	cut(index.patches.size(), kGroupFacePatches, index.groups);
 }
 
 template <Grid G>

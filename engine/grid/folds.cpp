@@ -19,7 +19,7 @@ namespace vp::grid
 namespace
 {
 
-constexpr std::size_t kChunk = 16384; // cells
+constexpr std::size_t kFoldChunk = 16384; // cells
 
 // One per cell; written by foldedCells() of each grid.
 class Turns
@@ -60,11 +60,11 @@ private:
 
 	std::pair<std::size_t, std::size_t> chunk(std::size_t n) const
 	{
-		return {n * kChunk, std::min(cells_, (n + 1) * kChunk)};
+		return {n * kFoldChunk, std::min(cells_, (n + 1) * kFoldChunk)};
 	}
 	std::vector<Count> countChunks() const
 	{
-		std::vector<Count> counts((cells_ + kChunk - 1) / kChunk);
+		std::vector<Count> counts((cells_ + kFoldChunk - 1) / kFoldChunk);
 		tbb::parallel_for(std::size_t(0), counts.size(),
 		                  [&](std::size_t n)
 		                  {

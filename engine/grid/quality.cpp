@@ -19,7 +19,7 @@ namespace vp::grid
 namespace
 {
 
-constexpr std::size_t kChunk = 16384;
+constexpr std::size_t kFaultChunk = 16384;
 
 // Cells of a chunk by fault, and the orientation of all.
 struct CellFaults
@@ -108,13 +108,13 @@ void append(std::uint32_t block, const std::vector<CellId>& cells, std::vector<S
 template <Grid G, class Take>
 void inspectCells(const G& grid, Take&& take)
 {
-	std::vector<CellFaults> chunks((grid.cellCount() + kChunk - 1) / kChunk);
+	std::vector<CellFaults> chunks((grid.cellCount() + kFaultChunk - 1) / kFaultChunk);
 	tbb::parallel_for(std::size_t(0), chunks.size(),
 	                  [&](std::size_t n)
 	                  {
 		                  CellFaces faces;
-		                  const std::size_t end = std::min(grid.cellCount(), (n + 1) * kChunk);
-		                  for (std::size_t c = n * kChunk; c < end; ++c)
+		                  const std::size_t end = std::min(grid.cellCount(), (n + 1) * kFaultChunk);
+		                  for (std::size_t c = n * kFaultChunk; c < end; ++c)
 			                  inspectCell(grid, static_cast<CellId>(c), faces, chunks[n]);
 	                  });
 	for (const CellFaults& chunk : chunks)
@@ -162,16 +162,6 @@ void findCellFaultsOf(const G& grid, std::uint32_t block, Quality& quality)
 	       quality.inverted);
 }
 
-std::size_t usedPoints(const Lattice& lattice)
-{
-	return lattice.pointCount();
-}
-
-std::size_t usedPoints(const UnstructuredGrid& grid)
-{
-	return grid.usedPointCount();
-}
-
 bool placedBefore(const Vec3& a, const Vec3& b)
 {
 	return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
@@ -180,7 +170,7 @@ bool placedBefore(const Vec3& a, const Vec3& b)
 template <Grid G>
 std::vector<PointId> coincidentPoints(const G& grid)
 {
-	std::vector<PointId> order(usedPoints(grid));
+	std::vector<PointId> order(grid.usedPointCount());
 	std::iota(order.begin(), order.end(), 0u);
 	// A coordinate that is no number has no place among the others.
 	std::erase_if(order,
@@ -231,7 +221,7 @@ void findPointFaults(const BlockSet& blocks, Quality& quality)
 					    quality.coincident.push_back({b, p});
 					    quality.coincident_at_fault |= std::is_same_v<G, UnstructuredGrid>;
 				    }
-			    for (std::size_t p = usedPoints(grid); p < grid.pointCount(); ++p)
+			    for (std::size_t p = grid.usedPointCount(); p < grid.pointCount(); ++p)
 				    quality.orphans.push_back({b, static_cast<PointId>(p)});
 		    },
 		    blocks.blocks[b].grid);

@@ -20,7 +20,7 @@ constexpr std::size_t kPairSamples = 500; // cells of either block of a pair
 
 // Boxes over cells that follow each other, which lie together: unstructured cells run along a Morton curve.
 constexpr std::size_t kPatchCells = 16;
-constexpr std::size_t kGroupPatches = 64;
+constexpr std::size_t kGroupCellPatches = 64;
 
 bool meet(const Box& a, const Box& b)
 {
@@ -70,8 +70,8 @@ public:
 			    {
 				    if (!meet(groups_[g], box))
 					    continue;
-				    const std::size_t end = std::min(patches_.size(), (g + 1) * kGroupPatches);
-				    for (std::size_t p = g * kGroupPatches; p < end; ++p)
+				    const std::size_t end = std::min(patches_.size(), (g + 1) * kGroupCellPatches);
+				    for (std::size_t p = g * kGroupCellPatches; p < end; ++p)
 				    {
 					    if (!meet(patches_[p], box))
 						    continue;
@@ -90,13 +90,13 @@ private:
 	{
 		cells_ = grid.cellCount();
 		patches_.resize((cells_ + kPatchCells - 1) / kPatchCells);
-		groups_.resize((patches_.size() + kGroupPatches - 1) / kGroupPatches);
+		groups_.resize((patches_.size() + kGroupCellPatches - 1) / kGroupCellPatches);
 		tbb::parallel_for(std::size_t(0), groups_.size(),
 		                  [&](std::size_t g)
 		                  {
 			                  CellFaces faces;
-			                  const std::size_t end = std::min(patches_.size(), (g + 1) * kGroupPatches);
-			                  for (std::size_t p = g * kGroupPatches; p < end; ++p)
+			                  const std::size_t end = std::min(patches_.size(), (g + 1) * kGroupCellPatches);
+			                  for (std::size_t p = g * kGroupCellPatches; p < end; ++p)
 			                  {
 				                  for (std::size_t c = p * kPatchCells; c < std::min(cells_, (p + 1) * kPatchCells);
 				                       ++c)

@@ -13,7 +13,7 @@ namespace
 {
 
 // The distinct points of a face, ascending.
-std::vector<PointId> pointsOf(std::span<const PointId> face)
+std::vector<PointId> distinctPoints(std::span<const PointId> face)
 {
 	std::vector<PointId> points(face.begin(), face.end());
 	std::ranges::sort(points);
@@ -39,13 +39,13 @@ void sharedFaces(const UnstructuredGrid& grid, std::uint32_t block, Quality& qua
 			                      std::ranges::any_of(across, [&](CellId other) { return other < cell; }))
 				                  return;
 			                  grid.cellFaces(cell, faces);
-			                  const std::vector<PointId> points = pointsOf(faces[f]);
+			                  const std::vector<PointId> points = distinctPoints(faces[f]);
 			                  std::vector<SetCell> cells{{block, cell}};
 			                  for (const CellId other : across)
 			                  {
 				                  grid.cellFaces(other, others);
 				                  for (int g = 0; g < others.size(); ++g)
-					                  if (pointsOf(others[g]) == points)
+					                  if (distinctPoints(others[g]) == points)
 					                  {
 						                  cells.push_back({block, other});
 						                  break;

@@ -23,6 +23,7 @@ public:
 	std::array<std::uint32_t, 3> cells() const { return cells_; }
 	std::size_t cellCount() const { return std::size_t(cells_[0]) * cells_[1] * cells_[2]; }
 	std::size_t pointCount() const { return std::size_t(points_[0]) * points_[1] * points_[2]; }
+	std::size_t usedPointCount() const { return pointCount(); } // all belong to a cell, where there is one
 
 	std::array<std::uint32_t, 3> cellIndex(CellId c) const
 	{

@@ -23,7 +23,7 @@ void require(bool holds, fmt::format_string<Args...> format, Args&&... args)
 }
 
 // A coordinate that is not a number lies in no box and counts as held.
-bool holds(const Box& box, const Vec3& p)
+bool boxHolds(const Box& box, const Vec3& p)
 {
 	for (int axis = 0; axis < 3; ++axis)
 		if (p[axis] < box.lo[axis] || p[axis] > box.hi[axis])
@@ -31,12 +31,12 @@ bool holds(const Box& box, const Vec3& p)
 	return true;
 }
 
-bool holds(const Box& outer, const Box& inner)
+bool boxHolds(const Box& outer, const Box& inner)
 {
-	return inner.lo.x > inner.hi.x || (holds(outer, inner.lo) && holds(outer, inner.hi));
+	return inner.lo.x > inner.hi.x || (boxHolds(outer, inner.lo) && boxHolds(outer, inner.hi));
 }
 
-bool hasArea(std::span<const PointId> face)
+bool hasThreePoints(std::span<const PointId> face)
 {
 	return std::set<PointId>(face.begin(), face.end()).size() >= 3;
 }
@@ -54,7 +54,7 @@ void checkCell(const G& grid, CellId c, const Box& bounds, CellFaces& faces)
 		require(p < grid.pointCount(), "cell {}: point {} out of range", c, p);
 		const Vec3 x = grid.point(p);
 		const bool finite = std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
-		require(!finite || holds(bounds, x), "cell {}: point {} outside the bounds", c, p);
+		require(!finite || boxHolds(bounds, x), "cell {}: point {} outside the bounds", c, p);
 	}
 	for (int f = 0; f < faces.size(); ++f)
 		grid.forEachNeighbour(c, f,
@@ -123,7 +123,7 @@ void checkBoundary(const G& grid, const BoundaryIndex& index)
 		require(group.end <= index.patches.size(), "group beyond the patches");
 		next = group.end;
 		for (std::uint32_t p = group.begin; p < group.end; ++p)
-			require(holds(group.box, index.patches[p].box), "patch {} outside its group's box", p);
+			require(boxHolds(group.box, index.patches[p].box), "patch {} outside its group's box", p);
 	}
 	require(next == index.patches.size(), "patches in no group");
 
@@ -136,7 +136,7 @@ void checkBoundary(const G& grid, const BoundaryIndex& index)
 			        "boundary face {} out of range", i);
 			grid.cellFaces(cell, faces);
 			for (const PointId p : faces[f])
-				require(holds(patch.box, grid.point(p)), "boundary face {} outside its patch's box", i);
+				require(boxHolds(patch.box, grid.point(p)), "boundary face {} outside its patch's box", i);
 		}
 }
 
@@ -160,7 +160,7 @@ void checkBoundaryComplete(const G& grid, const BoundaryIndex& index)
 			if (!alone)
 				continue;
 			grid.cellFaces(cell, faces);
-			if (!std::is_same_v<G, UnstructuredGrid> || hasArea(faces[f]))
+			if (!std::is_same_v<G, UnstructuredGrid> || hasThreePoints(faces[f]))
 				expected.emplace_back(cell, static_cast<std::uint32_t>(f));
 		}
 	}

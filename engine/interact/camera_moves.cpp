@@ -1,12 +1,12 @@
 #include "interact/camera_moves.h"
 
+#include "base/angle.h"
 #include "interact/handles.h"
 #include "interact/steps.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 namespace vp::interact
 {
@@ -14,7 +14,6 @@ namespace vp::interact
 namespace
 {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kNearestToPole = 0.5; // degrees; at the pole itself nothing is upright
 
 // About axes through the pivot, one turn after the other.

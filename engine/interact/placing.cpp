@@ -1,17 +1,15 @@
 #include "interact/placing.h"
+#include "base/angle.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 namespace vp::interact
 {
 
 namespace
 {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 // In place, so that what is not turned or moved keeps every bit.
 probe::Frame& frameIn(probe::Probe& probe, const Part& part)

@@ -1,18 +1,16 @@
 #include "interact/pointers.h"
 
+#include "base/angle.h"
 #include "interact/handles.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vp::interact
 {
 
 namespace
 {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 bool isEdgeOn(const Vec3& arm, const Vec3& normal)
 {

@@ -16,7 +16,7 @@ namespace
 constexpr double kRigid = 1e-5;
 constexpr double kFarthest = 1e100;
 
-std::string_view kindOf(const nlohmann::json& value)
+std::string_view kindOfJson(const nlohmann::json& value)
 {
 	if (value.is_null())
 		return "null";
@@ -38,7 +38,7 @@ void JsonReader::refuse(const std::string& reason) const
 
 std::string JsonReader::shown() const
 {
-	return value_.is_number() ? value_.dump() : std::string(kindOf(value_));
+	return value_.is_number() ? value_.dump() : std::string(kindOfJson(value_));
 }
 
 void JsonReader::expectKeys(const std::vector<std::string_view>& keys) const

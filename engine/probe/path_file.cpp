@@ -18,7 +18,7 @@ using nlohmann::json;
 
 constexpr std::array<std::string_view, 6> kNames{"translate", "rotate", "spin", "revolve", "profile", "keyframes"};
 
-PathKind kindOf(const JsonReader& reader)
+PathKind kindOfPath(const JsonReader& reader)
 {
 	const std::string name = reader.text();
 	const std::optional<PathKind> kind = pathKind(name);
@@ -104,7 +104,7 @@ Path pathOf(const JsonReader& reader)
 	if (!reader.isObject())
 		reader.expectKeys({"path"});
 	Path path;
-	path.kind = kindOf(reader["path"]);
+	path.kind = kindOfPath(reader["path"]);
 	std::vector<std::string_view> keys = ownKeys(path.kind);
 	keys.insert(keys.begin(), {"$schema", "path", "there_and_back", "unit"});
 	reader.expectKeys(keys);

@@ -28,7 +28,7 @@ Quaternion turnBy(const Vec3& v)
 }
 
 // Of turnBy, the shorter way round.
-Vec3 turnOf(const Quaternion& q)
+Vec3 rotationVector(const Quaternion& q)
 {
 	const Vec3 axis(q.x, q.y, q.z);
 	const double sine = glm::length(axis);
@@ -77,7 +77,7 @@ public:
 		const Quaternion turn_leave = turnBy(h / 3.0 * start.turn);
 		const Quaternion turn_arrive = turnBy(h / 3.0 * end.turn);
 		const Quaternion whole = turnBy(h * motion.turn);
-		const Vec3 turn_between = turnOf(glm::conjugate(turn_leave) * whole * glm::conjugate(turn_arrive));
+		const Vec3 turn_between = rotationVector(glm::conjugate(turn_leave) * whole * glm::conjugate(turn_arrive));
 		const Quaternion q =
 		    from * turnBy(b1 * h / 3.0 * start.turn) * turnBy(b2 * turn_between) * turnBy(b3 * h / 3.0 * end.turn);
 		return makeFrame(origin, q * Vec3(0.0, 0.0, 1.0), q * Vec3(0.0, 1.0, 0.0));
@@ -93,7 +93,7 @@ private:
 		const Key& b = key(i + 1);
 		const double length = b.at > a.at ? b.at - a.at : b.at - a.at + period_;
 		const Quaternion turn = glm::conjugate(orientationOf(a.frame)) * orientationOf(b.frame);
-		return {(b.frame.origin - a.frame.origin) / length, turnOf(turn) / length, length};
+		return {(b.frame.origin - a.frame.origin) / length, rotationVector(turn) / length, length};
 	}
 
 	// Of the parabola through a key and its neighbours.

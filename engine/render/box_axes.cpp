@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double kTick = 0.35;        // length, em
-constexpr double kLabelGap = 0.3;     // em
+constexpr double kAxisLabelGap = 0.3; // em
 constexpr double kShortest = 3.0;     // an axis seen shorter than this, em, has no numbers
 constexpr double kBetweenTicks = 3.5; // em, at least
 
@@ -46,7 +46,8 @@ public:
 			const double part = (tick.value - box.lo[axis]) / extent;
 			const glm::dvec2 at = camera.project(edge.from + part * (edge.to - edge.from), frame);
 			pen_.line(at, at + kTick * em_ * edge.outward);
-			reach = std::max(reach, beside(at, edge.outward, (kTick + kLabelGap) * em_, tick.label, pen_.inks().text));
+			reach =
+			    std::max(reach, beside(at, edge.outward, (kTick + kAxisLabelGap) * em_, tick.label, pen_.inks().text));
 		}
 		const Color colors[] = {pen_.inks().x, pen_.inks().y, pen_.inks().z};
 		std::string name(1, static_cast<char>('x' + axis));
@@ -54,7 +55,7 @@ public:
 			name += " [" + units_ + "]";
 		if (!ticks.factor.empty())
 			name += " " + ticks.factor;
-		beside(0.5 * (from + to), edge.outward, std::max(reach, kTick * em_) + kLabelGap * em_, name, colors[axis]);
+		beside(0.5 * (from + to), edge.outward, std::max(reach, kTick * em_) + kAxisLabelGap * em_, name, colors[axis]);
 	}
 
 private:

@@ -24,8 +24,6 @@ constexpr double kUnits = 2048.0;
 constexpr double kEm = kUnits / (kAscent + kDescent);
 constexpr double kBaseline = kAscent / (kAscent + kDescent);
 
-constexpr double kHalo = 0.16; // em
-
 cairo_font_face_t* makeFace()
 {
 	FT_Library library = nullptr;

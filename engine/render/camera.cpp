@@ -1,18 +1,16 @@
 #include "render/camera.h"
+#include "base/angle.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace vp::render
 {
 
 namespace
 {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 } // namespace
 

@@ -22,7 +22,7 @@ int hexDigit(char c)
 	return c <= '9' ? c - '0' : c - 'a' + 10;
 }
 
-Table fromHex(const char* text)
+Table tableFromHex(const char* text)
 {
 	Table table;
 	for (Color& color : table)
@@ -108,11 +108,11 @@ Result<ColorMap> makeColorMap(std::string_view name)
 	ColorMap map;
 	map.name = name;
 	if (name == "viridis")
-		map.colors = fromHex(kViridis);
+		map.colors = tableFromHex(kViridis);
 	else if (name == "cividis")
-		map.colors = fromHex(kCividis);
+		map.colors = tableFromHex(kCividis);
 	else if (name == "turbo")
-		map.colors = fromHex(kTurbo);
+		map.colors = tableFromHex(kTurbo);
 	else if (name == "grey")
 		map.colors = grey();
 	else if (name == "cool-warm")

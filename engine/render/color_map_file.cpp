@@ -20,7 +20,7 @@ using nlohmann::json;
 // Presets are a few kilobytes; a file of data given by mistake is not read to its end.
 constexpr std::uintmax_t kLargestFile = std::uintmax_t(16) << 20;
 
-Error bad(const std::string& file, const std::string& what)
+Error badColorMap(const std::string& file, const std::string& what)
 {
 	return {ExitCode::input, fmt::format("--colormap {}: {}", file, what)};
 }
@@ -35,7 +35,7 @@ Result<json> choosePreset(json document, const std::string& file, const std::str
 	if (document.is_object())
 		document = json::array({document});
 	if (!document.is_array() || document.empty())
-		return bad(file, "holds no color map; export one from ParaView (Color Map Editor, Export)");
+		return badColorMap(file, "holds no color map; export one from ParaView (Color Map Editor, Export)");
 	if (name.empty() && document.size() == 1)
 		return document[0];
 	std::string names;
@@ -49,9 +49,9 @@ Result<json> choosePreset(json document, const std::string& file, const std::str
 	}
 	if (told > 5)
 		names += " …";
-	return name.empty() ? bad(file, fmt::format("holds {} color maps; choose one as {}:NAME of {}", document.size(),
-	                                            file, names))
-	                    : bad(file, fmt::format("holds no color map '{}'; take one of {}", name, names));
+	return name.empty() ? badColorMap(file, fmt::format("holds {} color maps; choose one as {}:NAME of {}",
+	                                                    document.size(), file, names))
+	                    : badColorMap(file, fmt::format("holds no color map '{}'; take one of {}", name, names));
 }
 
 // A name of ours or a file's map, as it stands there.
@@ -75,15 +75,15 @@ Result<ColorMap> parseColorMap(std::string_view text, const std::string& file, c
 {
 	json document = json::parse(text, nullptr, false);
 	if (document.is_discarded())
-		return bad(file, "is not JSON; export the color map from ParaView again");
+		return badColorMap(file, "is not JSON; export the color map from ParaView again");
 	auto chosen = choosePreset(std::move(document), file, preset);
 	if (!chosen)
 		return chosen.error();
 	if (!chosen->is_object())
-		return bad(file, "a color map must be an object with RGBPoints or IndexedColors");
+		return badColorMap(file, "a color map must be an object with RGBPoints or IndexedColors");
 	auto made = colorMapOf(*chosen);
 	if (!made)
-		return bad(file, made.error().message);
+		return badColorMap(file, made.error().message);
 	made->name = !nameOf(*chosen).empty() ? nameOf(*chosen) : std::filesystem::path(file).stem().string();
 	return made;
 }
@@ -93,13 +93,13 @@ Result<ColorMap> readColorMap(const std::string& file, const std::string& preset
 	std::error_code error;
 	const auto size = std::filesystem::file_size(file, error);
 	if (error)
-		return bad(file, "cannot be read; check the name");
+		return badColorMap(file, "cannot be read; check the name");
 	if (size > kLargestFile)
-		return bad(file, "is too large for a color map; give a JSON file of ParaView's presets");
+		return badColorMap(file, "is too large for a color map; give a JSON file of ParaView's presets");
 	std::ifstream stream(file, std::ios::binary);
 	const std::string text{std::istreambuf_iterator<char>(stream), {}};
 	if (!stream && text.empty())
-		return bad(file, "cannot be read; check its permissions");
+		return badColorMap(file, "cannot be read; check its permissions");
 	return parseColorMap(text, file, preset);
 }
 

@@ -20,7 +20,7 @@ constexpr Color kLineOnDark{206, 211, 218, 225};
 // Sheets whose distance is this part of that to the eye lie in one plane.
 constexpr double kOnePlane = 1e-9;
 
-void store(float (&to)[4], Color c)
+void storeColor(float (&to)[4], Color c)
 {
 	const std::uint8_t from[] = {c.r, c.g, c.b, c.a};
 	for (int i = 0; i < 4; ++i)
@@ -68,9 +68,9 @@ ComposeParams composeParams(const Scene& scene, VkExtent2D extent)
 	params.sample_weight = 1.0f / static_cast<float>(samplePattern(look.samples).size());
 	params.last_layer = static_cast<std::uint32_t>(scene.sheets.empty() ? 0 : scene.sheets.size() - 1);
 	params.contour_half_width = 0.5f * lineWidth(look);
-	store(params.line_color, look.background.dark() ? kLineOnDark : kLineOnLight);
-	store(params.top_color, look.background.top);
-	store(params.bottom_color, look.background.bottom);
+	storeColor(params.line_color, look.background.dark() ? kLineOnDark : kLineOnLight);
+	storeColor(params.top_color, look.background.top);
+	storeColor(params.bottom_color, look.background.bottom);
 	ColorTables tables;
 	const auto depths = planeDepths(scene, extent);
 	for (std::size_t i = 0; i < scene.sheets.size(); ++i)

@@ -11,9 +11,9 @@ namespace vp::render
 namespace
 {
 
-constexpr double kLabelsApart = 30.0; // em, along a line
-constexpr double kSoftHalo = 0.5;     // of the plate's opacity, on translucent sheets
-constexpr double kHides = 0.6;        // a sheet of this opacity
+constexpr double kSceneLabelsApart = 30.0; // em, along a line
+constexpr double kSoftHalo = 0.5;          // of the plate's opacity, on translucent sheets
+constexpr double kHides = 0.6;             // a sheet of this opacity
 
 // Even-odd.
 bool isInside(const glm::dvec2& p, const std::vector<slice::PlaneLine>& rim)
@@ -61,7 +61,7 @@ public:
 		const Area picture{glm::dvec2(0.2 * size),
 		                   {layout_.frame.width - 0.2 * size, layout_.frame.height - 0.2 * size}};
 		const auto seen = [&](std::size_t line, const glm::dvec2& pixel) { return isSeen(sheets_[line], pixel); };
-		for (const LabelPlace& place : placeLabels(lines_, size, kLabelsApart * layout_.em, picture, taken, seen))
+		for (const LabelPlace& place : placeLabels(lines_, size, kSceneLabelsApart * layout_.em, picture, taken, seen))
 			write(place, size);
 	}
 

@@ -9,10 +9,9 @@ namespace vp::render
 namespace
 {
 
-constexpr double kHalo = 0.16; // em
 constexpr int kHaloSteps = 12;
 
-ImU32 packed(Color c)
+ImU32 packedForImGui(Color c)
 {
 	return IM_COL32(c.r, c.g, c.b, c.a);
 }
@@ -43,7 +42,7 @@ DrawListPen::DrawListPen(const Lettering& lettering, const Inks& inks, double em
 void DrawListPen::text(const glm::dvec2& top_left, double size, Color color, const std::string& words)
 {
 	const glm::dvec2 pixel = glm::round(top_left);
-	list_.AddText(lettering().font(size), static_cast<float>(size), at(pixel), packed(color), words.data(),
+	list_.AddText(lettering().font(size), static_cast<float>(size), at(pixel), packedForImGui(color), words.data(),
 	              words.data() + words.size());
 }
 
@@ -57,10 +56,10 @@ void DrawListPen::turnedText(const glm::dvec2& centre, double angle, double size
 		{
 			const double turn = 2.0 * std::numbers::pi * i / kHaloSteps;
 			const glm::dvec2 off = kHalo * size * glm::dvec2(std::cos(turn), std::sin(turn));
-			list_.AddText(lettering().font(size), static_cast<float>(size), at(top_left + off), packed(halo),
+			list_.AddText(lettering().font(size), static_cast<float>(size), at(top_left + off), packedForImGui(halo),
 			              words.data(), words.data() + words.size());
 		}
-	list_.AddText(lettering().font(size), static_cast<float>(size), at(top_left), packed(color), words.data(),
+	list_.AddText(lettering().font(size), static_cast<float>(size), at(top_left), packedForImGui(color), words.data(),
 	              words.data() + words.size());
 	for (int i = first; i < list_.VtxBuffer.Size; ++i)
 	{
@@ -73,30 +72,30 @@ void DrawListPen::turnedText(const glm::dvec2& centre, double angle, double size
 
 void DrawListPen::line(const glm::dvec2& a, const glm::dvec2& b, Color color, double width)
 {
-	list_.AddLine(at(a), at(b), packed(color), static_cast<float>(width));
+	list_.AddLine(at(a), at(b), packedForImGui(color), static_cast<float>(width));
 }
 
 void DrawListPen::closedLine(const std::vector<glm::dvec2>& corners, Color color, double width)
 {
 	const auto points = at(corners);
-	list_.AddPolyline(points.data(), static_cast<int>(points.size()), packed(color), ImDrawFlags_Closed,
+	list_.AddPolyline(points.data(), static_cast<int>(points.size()), packedForImGui(color), ImDrawFlags_Closed,
 	                  static_cast<float>(width));
 }
 
 void DrawListPen::filled(const std::vector<glm::dvec2>& convex, Color color)
 {
 	const auto corners = at(convex);
-	list_.AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()), packed(color));
+	list_.AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()), packedForImGui(color));
 }
 
 void DrawListPen::filled(const Area& area, Color color)
 {
-	list_.AddRectFilled(at(area.lo), at(area.hi), packed(color));
+	list_.AddRectFilled(at(area.lo), at(area.hi), packedForImGui(color));
 }
 
 void DrawListPen::dot(const glm::dvec2& centre, double radius, Color color)
 {
-	list_.AddCircleFilled(at(centre), static_cast<float>(radius), packed(color));
+	list_.AddCircleFilled(at(centre), static_cast<float>(radius), packedForImGui(color));
 }
 
 void DrawListPen::colorBar(const Area& bar, const ColorMap& colors)
@@ -104,8 +103,8 @@ void DrawListPen::colorBar(const Area& bar, const ColorMap& colors)
 	const auto y = [&](int step) { return bar.hi.y - bar.size().y * step / (kColorMapSize - 1); };
 	for (int i = 0; i + 1 < kColorMapSize; ++i)
 	{
-		const ImU32 top = packed(colors.colors[i + 1]);
-		const ImU32 bottom = packed(colors.colors[i]);
+		const ImU32 top = packedForImGui(colors.colors[i + 1]);
+		const ImU32 bottom = packedForImGui(colors.colors[i]);
 		list_.AddRectFilledMultiColor(at({bar.lo.x, y(i + 1)}), at({bar.hi.x, y(i)}), top, top, bottom, bottom);
 	}
 }

@@ -1,3 +1,4 @@
+#include "base/angle.h"
 #include "render/camera.h"
 
 #include <algorithm>
@@ -13,10 +14,8 @@ namespace vp::render
 namespace
 {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 // From the scene to the eye.
-Vec3 fromAngles(double azimuth, double elevation)
+Vec3 directionOfAngles(double azimuth, double elevation)
 {
 	return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
@@ -36,7 +35,7 @@ View obliqueView(const Vec3& sheet_normal)
 	const bool level = std::hypot(n.x, n.y) < 0.02;
 	const double azimuth = level ? -60.0 * kDegree : std::atan2(n.y, n.x) + 30.0 * kDegree;
 	const double elevation = std::min(std::asin(std::min(n.z, 1.0)) + 20.0 * kDegree, 45.0 * kDegree);
-	return {fromAngles(azimuth, elevation), {0.0, 0.0, 1.0}};
+	return {directionOfAngles(azimuth, elevation), {0.0, 0.0, 1.0}};
 }
 
 View chosenView(const CameraChoice& choice, const probe::Sheet* sheet)

@@ -20,7 +20,7 @@ constexpr double kAroundData = 0.02;    // of its size, free around a slice with
 constexpr double kNumberWidth = 4.5;    // em, between numbers of the level axis
 constexpr double kNumberHeight = 2.4;   // em, and of the upright one
 constexpr double kLeastRest = 12.0;     // em, of a plot and its numbers beside a legend
-constexpr int kMostNumbers = 12;
+constexpr int kMostTickNumbers = 12;
 
 // What is shown: the window, else what the slice covers, else where the bounds lie.
 Area shownArea(const FlatScene& flat)
@@ -47,7 +47,7 @@ Area shownArea(const FlatScene& flat)
 
 void setTicks(PlaneAxis& axis, double lo, double hi, double room, double each)
 {
-	const int most = std::clamp(static_cast<int>(room / each), 2, kMostNumbers);
+	const int most = std::clamp(static_cast<int>(room / each), 2, kMostTickNumbers);
 	axis.ticks = makeTicks(axis.at_origin + axis.sign * lo, axis.at_origin + axis.sign * hi, most);
 }
 

@@ -1,5 +1,6 @@
 #include "render/flat_drawing.h"
 
+#include "base/cross2.h"
 #include "render/label_places.h"
 #include "slice/cell_steps.h"
 #include "slice/contour_lines.h"
@@ -29,12 +30,7 @@ constexpr double kSeam = 0.6; // pixels
 constexpr double kDarkForMesh = 0.2; // as in pictures in space
 
 constexpr std::size_t kEdgesAtOnce = 2000; // cairo's work grows faster than a path
-constexpr double kLabelsApart = 26.0;      // em, along a line
-
-double cross(const glm::dvec2& a, const glm::dvec2& b)
-{
-	return a.x * b.y - a.y * b.x;
-}
+constexpr double kFlatLabelsApart = 26.0;  // em, along a line
 
 std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& points)
 {
@@ -217,7 +213,7 @@ private:
 			lines.push_back({inPixels(rim.points), true, 0.0});
 		std::vector<LabelPlace> places;
 		if (flat_.scene.look.labels)
-			places = placeLabels(lines, labelSize(), kLabelsApart * pen_.em(), layout_.plot);
+			places = placeLabels(lines, labelSize(), kFlatLabelsApart * pen_.em(), layout_.plot);
 		const double width = std::max(1.2, pen_.em() / 11.0);
 		for (std::size_t i = 0; i < drawn.size(); ++i)
 		{

@@ -26,7 +26,7 @@ void add(LayerColors& to, const shared::SheetParams& sheet, const Channels& colo
 }
 
 // Between the colours of the table, t from 0 to 1.
-Channels colorAt(const std::uint32_t* table, float t)
+Channels tableColorAt(const std::uint32_t* table, float t)
 {
 	const float place = t * static_cast<float>(shared::kTableColors - 1);
 	const auto low = std::min(static_cast<std::uint32_t>(place), shared::kTableColors - 2);
@@ -51,7 +51,8 @@ std::uint32_t addLayerColors(LayerColors& to, const shared::SheetParams& sheet,
 			add(to, sheet, unpacked(tables[sheet.step_colors + i]));
 	else
 		for (std::uint32_t i = 0; i < shared::kLayerRangeColors; ++i)
-			add(to, sheet, colorAt(&tables[sheet.colors], static_cast<float>(i) / (shared::kLayerRangeColors - 1)));
+			add(to, sheet,
+			    tableColorAt(&tables[sheet.colors], static_cast<float>(i) / (shared::kLayerRangeColors - 1)));
 	return place;
 }
 

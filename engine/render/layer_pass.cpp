@@ -28,7 +28,7 @@ constexpr gpu::ImageUse kClearedLayers{VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAG
 constexpr gpu::ImageUse kComputedLayers{VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                                         VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
 
-std::uint32_t featuresOf(const Scene& scene, const SheetDrawing& sheet)
+std::uint32_t layerFeatures(const Scene& scene, const SheetDrawing& sheet)
 {
 	return (sheet.window ? shared::kLayerWindow : 0u) | (scene.look.mesh ? shared::kLayerMesh : 0u);
 }
@@ -96,7 +96,7 @@ Status LayerPass::prepare(const Scene& scene, const Targets& targets)
 	for (std::size_t s = 0; s < scene.sheets.size(); ++s)
 	{
 		const SheetDrawing& sheet = scene.sheets[s];
-		auto pipeline = pipelineFor(featuresOf(scene, sheet) | (computed_[s] ? shared::kLayerListed : 0u));
+		auto pipeline = pipelineFor(layerFeatures(scene, sheet) | (computed_[s] ? shared::kLayerListed : 0u));
 		if (!pipeline)
 			return pipeline.error();
 		sheet_pipelines_.push_back(*pipeline);
@@ -144,7 +144,7 @@ std::vector<LayerPass::Drawn> LayerPass::wanted(const Scene& scene, VkExtent2D e
 		const SheetDrawing& sheet = scene.sheets[i];
 		layers[i].records = sheet.records;
 		layers[i].record_count = sheet.records ? sheet.records->count() : 0;
-		layers[i].features = featuresOf(scene, sheet);
+		layers[i].features = layerFeatures(scene, sheet);
 		layers[i].push = layerPush(sheet, scene.camera, extent, jitter);
 		layers[i].push.mesh_half_width = 0.5f * lineWidth(scene.look);
 	}

@@ -11,7 +11,6 @@ namespace vp::render
 namespace
 {
 
-constexpr double kLineHeight = 1.25;
 constexpr double kSmallestText = 9.0; // pixels; DejaVu is legible from there
 
 } // namespace

@@ -12,6 +12,8 @@
 namespace vp::render
 {
 
+constexpr double kLineHeight = 1.25; // of text, in em
+
 struct Area
 {
 	glm::dvec2 lo{0.0};

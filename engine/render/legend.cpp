@@ -10,14 +10,14 @@ namespace vp::render
 namespace
 {
 
-constexpr double kLabelGap = 0.6; // em, between a colour and its label
+constexpr double kColorLabelGap = 0.6; // em, between a colour and its label
 
 class Legend
 {
 public:
 	Legend(const LegendContent& content, const LegendLayout& layout, Pen& pen)
 	    : content_(content), layout_(layout), pen_(pen), style_(content.style), em_(pen.em()), bar_(layout.bar),
-	      label_x_(layout.bar.hi.x + kLabelGap * em_)
+	      label_x_(layout.bar.hi.x + kColorLabelGap * em_)
 	{
 	}
 

@@ -12,7 +12,6 @@ namespace
 // DejaVu Sans: a digit is 0.636 em wide, wider than points, signs of numbers and most letters.
 constexpr double kDigitWidth = 0.64;
 constexpr double kLetterWidth = 0.60;
-constexpr double kLineHeight = 1.25;
 
 constexpr double kLongestTitleLine = 9.0; // of the legend, em
 

@@ -19,7 +19,7 @@ static_assert(sizeof(shared::LineSegment) == 24 && sizeof(shared::LinePush) == 8
 // Of the nearer half of a line's width, so that edges within a sheet's plane are not eaten by rounding.
 constexpr float kDepthBias = 1.0005f;
 
-void store(float (&to)[3], const Vec3& from)
+void storePlace(float (&to)[3], const Vec3& from)
 {
 	for (int i = 0; i < 3; ++i)
 		to[i] = static_cast<float>(from[i]);
@@ -74,8 +74,8 @@ Status LinePass::prepare(const Scene& scene)
 	std::vector<shared::LineSegment> segments(count_);
 	for (std::size_t i = 0; i < lines.size(); ++i)
 	{
-		store(segments[i].a, lines[i].a - centre_);
-		store(segments[i].b, lines[i].b - centre_);
+		storePlace(segments[i].a, lines[i].a - centre_);
+		storePlace(segments[i].b, lines[i].b - centre_);
 	}
 	const std::size_t bytes = sizeof(segments[0]) * count_;
 	if (kept_.size() != count_ || std::memcmp(kept_.data(), segments.data(), bytes) != 0)

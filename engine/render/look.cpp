@@ -10,7 +10,7 @@ namespace vp::render
 namespace
 {
 
-std::optional<Color> fromHex(std::string_view digits)
+std::optional<Color> colorFromHex(std::string_view digits)
 {
 	unsigned value = 0;
 	const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
@@ -48,7 +48,7 @@ std::optional<Color> parseColor(std::string_view text)
 		return Color{0, 0, 0};
 	if (text == "grey")
 		return Color{128, 128, 128};
-	return text.starts_with('#') ? fromHex(text.substr(1)) : std::nullopt;
+	return text.starts_with('#') ? colorFromHex(text.substr(1)) : std::nullopt;
 }
 
 Result<Background> parseBackground(std::string_view text)

@@ -1,10 +1,10 @@
+#include "base/angle.h"
 #include "render/camera.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +14,6 @@ namespace vp::render
 
 namespace
 {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 // Numbers between commas and blanks; none where anything else is among them.
 std::optional<std::vector<double>> numbersIn(const std::string& text)

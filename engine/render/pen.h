@@ -28,6 +28,9 @@ Color groundOf(const Background& background); // its middle; white where it is t
 // Of lines on a colour: dark on light, light on dark.
 Color inkOver(const Color& under);
 
+// Width of the halo about letters, in em.
+constexpr double kHalo = 0.16;
+
 // Writes and draws in pixels; y runs down.
 class Pen
 {

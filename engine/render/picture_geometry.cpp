@@ -66,7 +66,7 @@ struct ClipFrame
 	}
 };
 
-void store(std::span<float> to, const double* from)
+void storeFloats(std::span<float> to, const double* from)
 {
 	std::transform(from, from + to.size(), to.begin(), [](double d) { return static_cast<float>(d); });
 }
@@ -76,7 +76,7 @@ void storeWindow(float (&to)[4], const std::optional<WindowRect>& window)
 	if (!window)
 		return;
 	const double sides[] = {window->x0, window->x1, window->y0, window->y1};
-	store(to, sides);
+	storeFloats(to, sides);
 }
 
 } // namespace
@@ -86,9 +86,9 @@ shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, V
 {
 	const ClipFrame frame(drawing, camera, extent, jitter);
 	shared::LayerPush push{};
-	store(push.u_axis, &frame.u[0]);
-	store(push.v_axis, &frame.v[0]);
-	store(push.origin, &frame.origin[0]);
+	storeFloats(push.u_axis, &frame.u[0]);
+	storeFloats(push.v_axis, &frame.v[0]);
+	storeFloats(push.origin, &frame.origin[0]);
 	storeWindow(push.window, drawing.window);
 	return push;
 }
@@ -104,13 +104,13 @@ shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera,
 	const glm::dmat3 to_pixels(inPixels(frame.u), inPixels(frame.v), inPixels(frame.origin));
 	const glm::dvec3 subpixels(shared::kSubpixels, shared::kSubpixels, 1.0);
 	shared::RasterPush push{};
-	store(push.u_axis, &(subpixels * to_pixels[0])[0]);
-	store(push.v_axis, &(subpixels * to_pixels[1])[0]);
-	store(push.origin, &(subpixels * to_pixels[2])[0]);
+	storeFloats(push.u_axis, &(subpixels * to_pixels[0])[0]);
+	storeFloats(push.v_axis, &(subpixels * to_pixels[1])[0]);
+	storeFloats(push.origin, &(subpixels * to_pixels[2])[0]);
 	const glm::dmat3 back = glm::transpose(glm::inverse(to_pixels)); // its columns are the rows that are wanted
-	store(push.u_of_pixel, &back[0][0]);
-	store(push.v_of_pixel, &back[1][0]);
-	store(push.w_of_pixel, &back[2][0]);
+	storeFloats(push.u_of_pixel, &back[0][0]);
+	storeFloats(push.v_of_pixel, &back[1][0]);
+	storeFloats(push.w_of_pixel, &back[2][0]);
 	storeWindow(push.window, drawing.window);
 	push.near_w = static_cast<float>(camera.near);
 	push.last_pixel[0] = static_cast<float>(extent.width - 1);

@@ -18,10 +18,10 @@ namespace
 
 using nlohmann::json;
 
-constexpr std::size_t kMostNumbers = 400'000; // of a list in a preset
+constexpr std::size_t kMostPresetNumbers = 400'000; // of a list in a preset
 constexpr std::size_t kMostCategories = 1024;
 
-Error bad(const std::string& what)
+Error badPreset(const std::string& what)
 {
 	return {ExitCode::input, what};
 }
@@ -33,14 +33,14 @@ Result<std::vector<double>> numbersOf(const json& preset, const char* key, std::
 	if (!preset.contains(key))
 		return numbers;
 	const json& list = preset[key];
-	const bool fits = list.is_array() && list.size() % group == 0 && list.size() <= kMostNumbers &&
+	const bool fits = list.is_array() && list.size() % group == 0 && list.size() <= kMostPresetNumbers &&
 	                  std::all_of(list.begin(), list.end(), [](const json& n) { return n.is_number(); });
 	if (!fits)
-		return bad(fmt::format("{} must be a list of numbers, {} for each", key, group));
+		return badPreset(fmt::format("{} must be a list of numbers, {} for each", key, group));
 	for (const json& number : list)
 		numbers.push_back(number.get<double>());
 	if (!std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); }))
-		return bad(fmt::format("{} must be finite numbers", key));
+		return badPreset(fmt::format("{} must be finite numbers", key));
 	return numbers;
 }
 
@@ -77,7 +77,7 @@ Result<ColorSpace> spaceOf(const json& preset)
 		return ColorSpace::diverging;
 	if (name == "Step")
 		return ColorSpace::step;
-	return bad(fmt::format("ColorSpace '{}' is not known; write RGB, HSV, Lab, Diverging or Step", name));
+	return badPreset(fmt::format("ColorSpace '{}' is not known; write RGB, HSV, Lab, Diverging or Step", name));
 }
 
 // The last point at or before x, at most the last but one.
@@ -94,7 +94,7 @@ double partOf(double x, double from, double to)
 	return to > from ? std::clamp((x - from) / (to - from), 0.0, 1.0) : 1.0;
 }
 
-Rgb colorAt(const std::vector<double>& points, double x, ColorSpace space)
+Rgb presetColorAt(const std::vector<double>& points, double x, ColorSpace space)
 {
 	const double* a = &points[intervalOf(points, 4, x)];
 	const double* b = a + 4;
@@ -146,7 +146,7 @@ Status setColors(const json& preset, ColorMap& map)
 		return points.error();
 	if (points->size() < 8 || !ascending(*points, 4) || !colorsAreParts(*points, 4, 1, 3) ||
 	    !((*points)[points->size() - 4] > points->front()))
-		return bad("RGBPoints must be two or more points x, r, g, b, with ascending x and colours from 0 to 1");
+		return badPreset("RGBPoints must be two or more points x, r, g, b, with ascending x and colours from 0 to 1");
 	auto space = spaceOf(preset);
 	if (!space)
 		return space.error();
@@ -156,14 +156,15 @@ Status setColors(const json& preset, ColorMap& map)
 		return opacities.error();
 	if (!opacities->empty() &&
 	    (opacities->size() < 8 || !ascending(*opacities, 4) || !colorsAreParts(*opacities, 4, 1, 3)))
-		return bad("Points must be two or more points x, alpha, midpoint, sharpness, with ascending x and the others "
-		           "from 0 to 1");
+		return badPreset(
+		    "Points must be two or more points x, alpha, midpoint, sharpness, with ascending x and the others "
+		    "from 0 to 1");
 	const double lo = points->front();
 	const double hi = (*points)[points->size() - 4];
 	for (int i = 0; i < kColorMapSize; ++i)
 	{
 		const double x = lo + (hi - lo) * i / (kColorMapSize - 1);
-		map.colors[i] = colorOf(colorAt(*points, x, *space), opacities->empty() ? 1.0 : opacityAt(*opacities, x));
+		map.colors[i] = colorOf(presetColorAt(*points, x, *space), opacities->empty() ? 1.0 : opacityAt(*opacities, x));
 	}
 	return Nothing{};
 }
@@ -190,7 +191,7 @@ Status setCategories(const json& preset, ColorMap& map)
 	if (!colors)
 		return colors.error();
 	if (colors->empty() || !colorsAreParts(*colors, 3, 0, 3))
-		return bad("IndexedColors must be one or more colours r, g, b from 0 to 1");
+		return badPreset("IndexedColors must be one or more colours r, g, b from 0 to 1");
 	const std::size_t count = colors->size() / 3;
 	const auto color = [&](std::size_t i)
 	{
@@ -199,12 +200,12 @@ Status setCategories(const json& preset, ColorMap& map)
 	};
 	const json notes = preset.value("Annotations", json::array());
 	if (!notes.is_array() || notes.size() % 2 != 0)
-		return bad("Annotations must be a list of values and names in turn");
+		return badPreset("Annotations must be a list of values and names in turn");
 	for (std::size_t i = 0; i < notes.size() / 2; ++i)
 	{
 		const auto value = number(notes[2 * i]);
 		if (!value || !notes[2 * i + 1].is_string())
-			return bad(fmt::format("Annotations: entry {} must be a number and a name", i));
+			return badPreset(fmt::format("Annotations: entry {} must be a number and a name", i));
 		const std::string name = oneLine(notes[2 * i + 1]);
 		map.categories.push_back({*value, name.empty() ? fmt::format("{}", *value) : name, color(i)});
 	}
@@ -212,14 +213,14 @@ Status setCategories(const json& preset, ColorMap& map)
 		for (std::size_t i = 0; i < count; ++i)
 			map.categories.push_back({double(i), fmt::format("{}", i), color(i)});
 	if (map.categories.size() > kMostCategories)
-		return bad(fmt::format("{} categories are more than a legend takes; leave up to {}", map.categories.size(),
-		                       kMostCategories));
+		return badPreset(fmt::format("{} categories are more than a legend takes; leave up to {}",
+		                             map.categories.size(), kMostCategories));
 	std::sort(map.categories.begin(), map.categories.end(),
 	          [](const Category& a, const Category& b) { return a.value < b.value; });
 	const auto same = std::adjacent_find(map.categories.begin(), map.categories.end(),
 	                                     [](const Category& a, const Category& b) { return a.value == b.value; });
 	if (same != map.categories.end())
-		return bad(fmt::format("Annotations name the value {} twice; leave one", same->value));
+		return badPreset(fmt::format("Annotations name the value {} twice; leave one", same->value));
 	for (int i = 0; i < kColorMapSize; ++i)
 		map.colors[i] = map.categories[i % map.categories.size()].color;
 	return Nothing{};
@@ -233,7 +234,7 @@ Status takeColor(const json& preset, const char* key, Color& to)
 	if (numbers->empty())
 		return Nothing{};
 	if (numbers->size() != 3 || !colorsAreParts(*numbers, 3, 0, 3))
-		return bad(fmt::format("{} must be three numbers from 0 to 1", key));
+		return badPreset(fmt::format("{} must be three numbers from 0 to 1", key));
 	to = colorOf({(*numbers)[0], (*numbers)[1], (*numbers)[2]});
 	return Nothing{};
 }
@@ -254,7 +255,7 @@ Result<ColorMap> colorMapOf(const json& preset)
 	const bool categories =
 	    preset.contains("IndexedColors") && (!preset.contains("RGBPoints") || isOn(preset, "IndexedLookup"));
 	if (!categories && !preset.contains("RGBPoints"))
-		return bad("has neither RGBPoints nor IndexedColors; export the color map from ParaView again");
+		return badPreset("has neither RGBPoints nor IndexedColors; export the color map from ParaView again");
 	if (Status set = categories ? setCategories(preset, map) : setColors(preset, map); !set)
 		return set.error();
 	if (Status set = takeColor(preset, "NanColor", map.nan); !set)

@@ -23,7 +23,7 @@ static_assert(sizeof(shared::SurfacePush) == 96 &&
 // A sheet in the surface's plane is in front, whatever rounding says: by some hundred steps of a float.
 constexpr double kBehindSheets = 1.0 - 1e-5;
 
-std::uint32_t featuresOf(const Surface& surface)
+std::uint32_t surfaceFeatures(const Surface& surface)
 {
 	return (surface.lit ? shared::kSurfaceLit : 0u) | (surface.thick ? shared::kSurfaceThick : 0u) |
 	       (surface.mesh ? shared::kComposeMesh : 0u) |
@@ -55,7 +55,7 @@ Status SurfacePass::putColors(const Scene& scene)
 			setValues(params, valueStyle(scene, surface), tables);
 		else
 			setPlain(params, surface.color);
-		features_.push_back(featuresOf(surface) | featuresOf(params));
+		features_.push_back(surfaceFeatures(surface) | featuresOf(params));
 	}
 	params_.flush();
 	const std::vector<std::uint32_t> words = tables.take();

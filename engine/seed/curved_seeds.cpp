@@ -198,8 +198,8 @@ std::optional<Vec3> meetingOn(const surface::BlockSurface& surface, const Vec3& 
 }
 
 // The first hot spot along the sheet's axes that lies in the grid.
-void seedHotSpot(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
-                 const probe::Sheet& sheet, const SheetWindow* window, SheetSeeds& seeds)
+void seedAlongAxes(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
+                   const probe::Sheet& sheet, const SheetWindow* window, SheetSeeds& seeds)
 {
 	const double reach = blocks.bounds().diagonal();
 	const Vec3 axes[] = {sheet.normal, -sheet.normal, sheet.up, -sheet.up, sheet.xAxis(), -sheet.xAxis()};
@@ -239,7 +239,7 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, std::span<const surface::Bloc
 	const std::optional<SheetWindow> limits = sheet.window ? std::optional<SheetWindow>(sheet) : std::nullopt;
 	const SheetWindow* window = limits ? &*limits : nullptr;
 	if (mode == SeedMode::hotspot)
-		seedHotSpot(blocks, surfaces, sheet, window, seeds);
+		seedAlongAxes(blocks, surfaces, sheet, window, seeds);
 	for (std::size_t b = 0; b < blocks.blocks.size() && mode != SeedMode::hotspot; ++b)
 	{
 		const grid::Block& block = blocks.blocks[b];

@@ -62,8 +62,8 @@ constexpr double kLeastDifferenceDoubles = 2000.0;
 constexpr double kLeastDifferenceSingles = 64.0;
 
 template <class Lattice>
-double fillAxes(const Lattice& grid, const surface::Plane& plane, const probe::Sheet& sheet, bool doubles,
-                std::span<AxisTexel> axes)
+double fillPlaneAxes(const Lattice& grid, const surface::Plane& plane, const probe::Sheet& sheet, bool doubles,
+                     std::span<AxisTexel> axes)
 {
 	const Vec3 x_axis = sheet.xAxis();
 	std::size_t next = 0;
@@ -134,7 +134,7 @@ shared::ClassifyLane describeLane(const grid::Block& block, const GpuBlock& on_d
 	    [&](const auto& grid)
 	    {
 		    if constexpr (requires { grid.coordinate(0, 0u); })
-			    error = fillAxes(grid, plane, sheet, doubles, axes);
+			    error = fillPlaneAxes(grid, plane, sheet, doubles, axes);
 	    },
 	    block.grid);
 

@@ -151,7 +151,7 @@ bool mayOverlap(const grid::BlockSet& blocks)
 namespace
 {
 
-UvBounds boundsOf(std::span<const shared::PolygonRecord> records)
+UvBounds uvBoundsOf(std::span<const shared::PolygonRecord> records)
 {
 	UvBounds bounds;
 	for (const shared::PolygonRecord& record : records)
@@ -176,7 +176,7 @@ Result<std::shared_ptr<SheetRecords>> sheetOf(std::shared_ptr<RecordPool> pool, 
 Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool> pool,
                                                       std::span<const shared::PolygonRecord> records)
 {
-	return sheetOf(std::move(pool), records, boundsOf(records));
+	return sheetOf(std::move(pool), records, uvBoundsOf(records));
 }
 
 Result<std::shared_ptr<SheetRecords>> recordsFromMesh(std::shared_ptr<RecordPool> pool, const MeshRecords& records)

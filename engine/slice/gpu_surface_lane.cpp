@@ -50,7 +50,7 @@ void describeQuadric(const surface::Quadric& quadric, const Vec3& centre, const 
 }
 
 // Coordinates as they are, or from the centre.
-void fillAxes(const grid::AnyGrid& any, const Vec3& centre, std::span<AxisTexel> axes)
+void fillCoordinateAxes(const grid::AnyGrid& any, const Vec3& centre, std::span<AxisTexel> axes)
 {
 	const auto fill = [&](const auto& grid)
 	{
@@ -136,7 +136,7 @@ shared::SurfaceLane describeSurfaceLane(const grid::Block& block, const GpuBlock
 	}
 	describePlaces(on_device, half, centre, lane);
 	describeCells(block.grid, axis_start, lane);
-	fillAxes(block.grid, centre, axes);
+	fillCoordinateAxes(block.grid, centre, axes);
 	return lane;
 }
 

@@ -5,6 +5,7 @@
 #include "shared/classify_types.h"
 #include "shared/slice_types.h"
 #include "slice/gpu_points.h"
+#include "slice/mesh_records.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -61,7 +62,7 @@ Result<GpuTexels> makeTexels(gpu::Device& device, std::size_t count, VkFormat fo
 	return GpuTexels{std::move(*buffer), std::move(*view)};
 }
 
-Box boundsOf(const grid::Points& points)
+Box pointBounds(const grid::Points& points)
 {
 	const auto include = [&](const tbb::blocked_range<std::size_t>& range, Box box)
 	{
@@ -113,14 +114,6 @@ Result<GpuTexels> uploadPoints(gpu::Device& device, const grid::Points& points, 
 	                         });
 }
 
-// Infinite data would overrun the marks for NaN and for an empty pixel.
-constexpr double kLargestValue = 2.0e38;
-
-float shownValue(double value)
-{
-	return std::isnan(value) ? shared::kNanValue : static_cast<float>(std::clamp(value, -kLargestValue, kLargestValue));
-}
-
 std::uint32_t tupleTexels(int components)
 {
 	return (static_cast<std::uint32_t>(components) + 3) / 4;
@@ -165,7 +158,7 @@ Result<std::unique_ptr<GpuBlock>> uploadBlock(gpu::Device& device, const grid::B
 	if (const grid::Points* points = coordinatesOf(block.grid))
 	{
 		// Not the block's bounds, which leave out points of no cell.
-		made->bounds = boundsOf(*points);
+		made->bounds = pointBounds(*points);
 		made->points_kind = points->isDouble() ? shared::kPointsFixed : shared::kPointsFloat;
 		const FixedPoints fixed(made->bounds.empty() ? Box{Vec3(0.0), Vec3(0.0)} : made->bounds);
 		made->centre = fixed.centre();
@@ -213,7 +206,7 @@ Result<GpuValues> uploadValues(gpu::Device& device, const grid::Block& block, co
 		if (!tuple)
 			return makeTexels<float>(device, count, VK_FORMAT_R32_SFLOAT, name,
 			                         [&](std::size_t i, float& texel)
-			                         { texel = shownValue(field->value(source(i), choice.component)); });
+			                         { texel = drawnValue(field->value(source(i), choice.component)); });
 		const std::size_t width = made.tuple_texels;
 		return makeTexels<Tuple>(device, count * width, VK_FORMAT_R32G32B32A32_SFLOAT, name,
 		                         [&](std::size_t i, Tuple& texel)
@@ -222,7 +215,7 @@ Result<GpuValues> uploadValues(gpu::Device& device, const grid::Block& block, co
 			                         const int first = static_cast<int>(i % width) * 4;
 			                         for (int c = 0; c < 4; ++c)
 				                         texel[c] = first + c < field->components
-				                                        ? shownValue(field->value(at, first + c))
+				                                        ? drawnValue(field->value(at, first + c))
 				                                        : 0.0f;
 		                         });
 	};

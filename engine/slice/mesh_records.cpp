@@ -15,16 +15,13 @@ namespace vp::slice
 namespace
 {
 
-// Infinite data would overrun the marks for NaN and for an empty pixel.
-constexpr double kLargestValue = 2.0e38;
-
 // Polygons or vertices that one thread takes at a time: some 100 kB of either.
-constexpr std::size_t kChunk = 1024;
+constexpr std::size_t kRecordChunk = 1024;
 
 template <class F>
 void forAll(std::size_t count, const F& f)
 {
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kChunk),
+	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kRecordChunk),
 	                  [&](const auto& range)
 	                  {
 		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
@@ -42,7 +39,9 @@ std::size_t recordsOfFan(std::size_t corners)
 
 float drawnValue(double value)
 {
-	return std::isnan(value) ? shared::kNanValue : static_cast<float>(std::clamp(value, -kLargestValue, kLargestValue));
+	// Infinite data would overrun the marks for NaN and for an empty pixel.
+	constexpr double kLargest = 2.0e38;
+	return std::isnan(value) ? shared::kNanValue : static_cast<float>(std::clamp(value, -kLargest, kLargest));
 }
 
 MeshRecords::MeshRecords(const grid::BlockSet& blocks, const probe::Sheet& sheet, const SheetMesh& mesh,
@@ -82,7 +81,7 @@ void MeshRecords::takePlaces(const probe::Sheet& sheet)
 	const Vec3 x_axis = sheet.xAxis();
 	places_.resize(mesh_.positions.size());
 	bounds_ = tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, places_.size(), kChunk), UvBounds(),
+	    tbb::blocked_range<std::size_t>(0, places_.size(), kRecordChunk), UvBounds(),
 	    [&](const auto& range, UvBounds bounds)
 	    {
 		    for (std::size_t v = range.begin(); v < range.end(); ++v)
@@ -114,15 +113,15 @@ std::size_t MeshRecords::recordsOf(std::size_t polygon, std::vector<glm::dvec2>&
 
 void MeshRecords::countRecords()
 {
-	const std::size_t chunks = (mesh_.polygons() + kChunk - 1) / kChunk;
+	const std::size_t chunks = (mesh_.polygons() + kRecordChunk - 1) / kRecordChunk;
 	is_one_.resize(mesh_.polygons());
 	chunk_starts_.assign(chunks + 1, 0);
 	tbb::parallel_for(std::size_t(0), chunks,
 	                  [&](std::size_t chunk)
 	                  {
 		                  std::vector<glm::dvec2> places;
-		                  const std::size_t end = std::min((chunk + 1) * kChunk, mesh_.polygons());
-		                  for (std::size_t p = chunk * kChunk; p < end; ++p)
+		                  const std::size_t end = std::min((chunk + 1) * kRecordChunk, mesh_.polygons());
+		                  for (std::size_t p = chunk * kRecordChunk; p < end; ++p)
 			                  chunk_starts_[chunk + 1] += recordsOf(p, places);
 	                  });
 	for (std::size_t chunk = 0; chunk < chunks; ++chunk)
@@ -137,8 +136,8 @@ void MeshRecords::findParts()
 	{
 		if (mesh_.polygon_cells[p].block == mesh_.polygon_cells[p - 1].block)
 			continue;
-		std::size_t record = chunk_starts_[p / kChunk];
-		for (std::size_t before = p / kChunk * kChunk; before < p; ++before)
+		std::size_t record = chunk_starts_[p / kRecordChunk];
+		for (std::size_t before = p / kRecordChunk * kRecordChunk; before < p; ++before)
 			record += is_one_[before] ? 1 : recordsOf(before, places);
 		parts_.push_back(record);
 	}
@@ -192,8 +191,8 @@ void MeshRecords::write(std::size_t first, std::span<shared::PolygonRecord> to) 
 	                  {
 		                  std::vector<glm::dvec2> places;
 		                  std::size_t next = chunk_starts_[chunk];
-		                  const std::size_t end = std::min<std::size_t>((chunk + 1) * kChunk, mesh_.polygons());
-		                  for (std::size_t p = chunk * kChunk; p < end; ++p)
+		                  const std::size_t end = std::min<std::size_t>((chunk + 1) * kRecordChunk, mesh_.polygons());
+		                  for (std::size_t p = chunk * kRecordChunk; p < end; ++p)
 			                  writePolygon(p, places,
 			                               [&](const shared::PolygonRecord& record)
 			                               {

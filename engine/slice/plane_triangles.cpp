@@ -1,5 +1,6 @@
 #include "slice/plane_triangles.h"
 
+#include "base/cross2.h"
 #include "slice/polygon_fans.h"
 
 #include <cmath>
@@ -9,11 +10,6 @@ namespace vp::slice
 
 namespace
 {
-
-double cross(const glm::dvec2& a, const glm::dvec2& b)
-{
-	return a.x * b.y - a.y * b.x;
-}
 
 class Triangulation
 {

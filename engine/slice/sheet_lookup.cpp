@@ -1,5 +1,6 @@
 #include "slice/sheet_lookup.h"
 
+#include "base/cross2.h"
 #include "slice/plane_triangles.h"
 
 #include <algorithm>
@@ -22,11 +23,6 @@ constexpr double kRim = 1e-12;
 
 // A weight is that much off zero by rounding.
 constexpr double kOutside = -1e-9;
-
-double cross(const glm::dvec2& a, const glm::dvec2& b)
-{
-	return a.x * b.y - a.y * b.x;
-}
 
 std::array<double, 3> weightsIn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& p)
 {

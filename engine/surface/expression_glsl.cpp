@@ -90,7 +90,7 @@ std::string bitsOf(float number)
 }
 
 // Beyond a float's range the shader takes it for unknown, as it does all that is very large.
-std::string numberOf(double number)
+std::string floatLiteral(double number)
 {
 	constexpr double kOutOfRange = 1e30;
 	const auto nearest = static_cast<float>(std::clamp(number, -kOutOfRange, kOutOfRange));
@@ -102,7 +102,7 @@ std::string numberOf(double number)
 std::string valueOf(const ExpressionNode& node)
 {
 	if (node.operation == Operation::number)
-		return numberOf(node.number);
+		return floatLiteral(node.number);
 	const std::string_view function = functionOf(node.operation);
 	if (node.operation == Operation::integer_power)
 		return fmt::format("{}(n{}, {})", function, node.a, node.exponent);

@@ -13,7 +13,7 @@ namespace
 {
 
 template <class T>
-void append(std::string& row, const std::byte* at, int components)
+void appendTuple(std::string& row, const std::byte* at, int components)
 {
 	for (int c = 0; c < components; ++c)
 	{
@@ -35,25 +35,25 @@ void appendNumbers(std::string& row, grid::NumberType type, const std::byte* at,
 	switch (type)
 	{
 	case NumberType::int8:
-		return append<std::int8_t>(row, at, components);
+		return appendTuple<std::int8_t>(row, at, components);
 	case NumberType::uint8:
-		return append<std::uint8_t>(row, at, components);
+		return appendTuple<std::uint8_t>(row, at, components);
 	case NumberType::int16:
-		return append<std::int16_t>(row, at, components);
+		return appendTuple<std::int16_t>(row, at, components);
 	case NumberType::uint16:
-		return append<std::uint16_t>(row, at, components);
+		return appendTuple<std::uint16_t>(row, at, components);
 	case NumberType::int32:
-		return append<std::int32_t>(row, at, components);
+		return appendTuple<std::int32_t>(row, at, components);
 	case NumberType::uint32:
-		return append<std::uint32_t>(row, at, components);
+		return appendTuple<std::uint32_t>(row, at, components);
 	case NumberType::int64:
-		return append<std::int64_t>(row, at, components);
+		return appendTuple<std::int64_t>(row, at, components);
 	case NumberType::uint64:
-		return append<std::uint64_t>(row, at, components);
+		return appendTuple<std::uint64_t>(row, at, components);
 	case NumberType::float32:
-		return append<float>(row, at, components);
+		return appendTuple<float>(row, at, components);
 	case NumberType::float64:
-		return append<double>(row, at, components);
+		return appendTuple<double>(row, at, components);
 	}
 }
 

@@ -30,7 +30,7 @@ struct SurfaceDeleter
 };
 using Surface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
 
-cairo_status_t writeBytes(void* file, const unsigned char* bytes, unsigned size)
+cairo_status_t writeCairoBytes(void* file, const unsigned char* bytes, unsigned size)
 {
 	static_cast<AtomicFile*>(file)->write({reinterpret_cast<const char*>(bytes), size}); // failures: see commit()
 	return CAIRO_STATUS_SUCCESS;
@@ -46,14 +46,14 @@ Surface surfaceFor(const render::Look& look, PictureFormat format, AtomicFile& f
 		return Surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
 	case PictureFormat::svg:
 	{
-		Surface surface(cairo_svg_surface_create_for_stream(writeBytes, &file, width, height));
+		Surface surface(cairo_svg_surface_create_for_stream(writeCairoBytes, &file, width, height));
 		cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
 		return surface;
 	}
 	case PictureFormat::pdf:
 	{
-		Surface surface(
-		    cairo_pdf_surface_create_for_stream(writeBytes, &file, kPointsPerPixel * width, kPointsPerPixel * height));
+		Surface surface(cairo_pdf_surface_create_for_stream(writeCairoBytes, &file, kPointsPerPixel * width,
+		                                                    kPointsPerPixel * height));
 		cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, render::validUtf8(look.title).c_str());
 		return surface;
 	}

@@ -30,7 +30,7 @@ void keepMessage(png_structp png, png_const_charp message)
 
 void dropMessage(png_structp, png_const_charp) {}
 
-void writeBytes(png_structp png, png_bytep bytes, png_size_t size)
+void writePngBytes(png_structp png, png_bytep bytes, png_size_t size)
 {
 	static_cast<AtomicFile*>(png_get_io_ptr(png))->write({reinterpret_cast<const char*>(bytes), size});
 }
@@ -48,7 +48,7 @@ bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_
 		png_destroy_write_struct(&png, &info);
 		return false;
 	}
-	png_set_write_fn(png, &file, writeBytes, flushNothing);
+	png_set_write_fn(png, &file, writePngBytes, flushNothing);
 	png_set_IHDR(png, info, picture.width, picture.height, 8, opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
 	             PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
 	png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);

@@ -10,15 +10,15 @@ namespace
 
 using nlohmann::json;
 
-const Arguments kSheet{"demo:blob:16", "--normal", "0.3 0.5 0.81", "--window", "3", "2"};
+const Arguments kDrawnSheet{"demo:blob:16", "--normal", "0.3 0.5 0.81", "--window", "3", "2"};
 
 class DrawnContour : public Drawing
 {
 protected:
 	std::string drawn(const Arguments& options) const
 	{
-		EXPECT_TRUE(isQuiet(
-		    run(Arguments{"render", "-o", path("out.png"), "--size", "240x160", "--samples", "1"} + kSheet + options)));
+		EXPECT_TRUE(isQuiet(run(Arguments{"render", "-o", path("out.png"), "--size", "240x160", "--samples", "1"} +
+		                        kDrawnSheet + options)));
 		const std::string png = contents(path("out.png"));
 		EXPECT_EQ(sizeOf(png), (PictureSize{240, 160}));
 		return png;
@@ -41,7 +41,7 @@ TEST_F(DrawnContour, IsSeen)
 
 TEST_F(DrawnContour, OfASweep)
 {
-	const Outcome sweep = run(Arguments{"sweep"} + kSheet +
+	const Outcome sweep = run(Arguments{"sweep"} + kDrawnSheet +
 	                          Arguments{"--path", "spin", "--frames", "3", "--contour", "0.2", "--size", "120x80",
 	                                    "--samples", "1", "-o", path("{frame}.png"), "--stats", "-"});
 	ASSERT_EQ(sweep.status, 0) << sweep.err;

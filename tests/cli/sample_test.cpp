@@ -11,11 +11,11 @@ namespace cli
 namespace
 {
 
-using Row = std::vector<std::string>;
+using CsvRow = std::vector<std::string>;
 
-std::vector<Row> rowsOf(const std::string& csv)
+std::vector<CsvRow> csvRows(const std::string& csv)
 {
-	std::vector<Row> rows;
+	std::vector<CsvRow> rows;
 	std::istringstream lines(csv);
 	for (std::string line; std::getline(lines, line);)
 	{
@@ -48,17 +48,17 @@ class Sample : public Program
 {
 protected:
 	// What must succeed with all points inside.
-	std::vector<Row> sample(const Arguments& arguments) const
+	std::vector<CsvRow> sample(const Arguments& arguments) const
 	{
 		const Outcome outcome = run(Arguments{"sample"} + arguments, noDevice());
 		EXPECT_TRUE(isQuiet(outcome));
-		return rowsOf(outcome.out);
+		return csvRows(outcome.out);
 	}
 	// Of s, whose formula is known.
 	double largestError(const std::string& input) const
 	{
 		double largest = 0.0;
-		const std::vector<Row> rows = sample({input, "--line", "-0.7", "1.1", "-0.9", "1.4", "1.3", "1.2", "300"});
+		const std::vector<CsvRow> rows = sample({input, "--line", "-0.7", "1.1", "-0.9", "1.4", "1.3", "1.2", "300"});
 		EXPECT_EQ(rows.size(), 301u);
 		for (std::size_t i = 1; i < rows.size(); ++i)
 		{
@@ -90,9 +90,9 @@ TEST_F(Sample, ALinearArrayIsExact)
 	const std::string points = write("points.txt", pointsWithin(-2.9, 2.9, 400));
 	for (const char* input : {"demo:mixed:7", "demo:blob:5", "demo:graded:6"})
 	{
-		const std::vector<Row> rows = sample({input, "--points", points, "--array", "v"});
+		const std::vector<CsvRow> rows = sample({input, "--points", points, "--array", "v"});
 		ASSERT_EQ(rows.size(), 401u) << input;
-		EXPECT_EQ(rows[0], (Row{"x", "y", "z", "block", "cell", "v_x", "v_y", "v_z"}));
+		EXPECT_EQ(rows[0], (CsvRow{"x", "y", "z", "block", "cell", "v_x", "v_y", "v_z"}));
 		for (std::size_t i = 1; i < rows.size(); ++i)
 		{
 			EXPECT_NEAR(std::stod(rows[i][5]), -std::stod(rows[i][1]), 1e-6) << input;
@@ -100,7 +100,7 @@ TEST_F(Sample, ALinearArrayIsExact)
 			EXPECT_NEAR(std::stod(rows[i][7]), 0.3, 1e-6) << input;
 		}
 	}
-	const std::vector<Row> rows =
+	const std::vector<CsvRow> rows =
 	    sample({"demo:tets:9", "--line", "-1", "1", "-0.5", "1", "1.5", "0.7", "100", "--array", "v"});
 	for (std::size_t i = 1; i < rows.size(); ++i)
 		EXPECT_NEAR(std::stod(rows[i][6]), std::stod(rows[i][0]), 1e-6);
@@ -108,10 +108,10 @@ TEST_F(Sample, ALinearArrayIsExact)
 
 TEST_F(Sample, ALineHasBothItsEnds)
 {
-	const std::vector<Row> rows = sample({"demo:blob:4", "--line", "-3", "-2.9", "0.1", "3", "0.7", "1.3", "5"});
+	const std::vector<CsvRow> rows = sample({"demo:blob:4", "--line", "-3", "-2.9", "0.1", "3", "0.7", "1.3", "5"});
 	ASSERT_EQ(rows.size(), 6u);
-	EXPECT_EQ(Row(rows[1].begin(), rows[1].begin() + 5), (Row{"-3", "-2.9", "0.1", "0", "32"}));
-	EXPECT_EQ(Row(rows[5].begin(), rows[5].begin() + 3), (Row{"3", "0.7", "1.3"}));
+	EXPECT_EQ(CsvRow(rows[1].begin(), rows[1].begin() + 5), (CsvRow{"-3", "-2.9", "0.1", "0", "32"}));
+	EXPECT_EQ(CsvRow(rows[5].begin(), rows[5].begin() + 3), (CsvRow{"3", "0.7", "1.3"}));
 	EXPECT_EQ(rows[3][0], "0");
 }
 
@@ -119,17 +119,18 @@ TEST_F(Sample, ALineHasBothItsEnds)
 TEST_F(Sample, EveryArrayHasItsColumns)
 {
 	const std::string points = write("p.txt", "0.25 0.5 0.75\n1.5,2.5,2.25\n");
-	const std::vector<Row> rows = sample({write("image.vtk", legacyImage()), "--points", points});
+	const std::vector<CsvRow> rows = sample({write("image.vtk", legacyImage()), "--points", points});
 	ASSERT_EQ(rows.size(), 3u);
-	const Row header{"x", "y", "z", "block", "cell", "height", "both", "wind_x", "wind_y", "wind_z", "both_2", "mass"};
+	const CsvRow header{"x",    "y",      "z",      "block",  "cell",   "height",
+	                    "both", "wind_x", "wind_y", "wind_z", "both_2", "mass"};
 	EXPECT_EQ(rows[0], header);
-	EXPECT_EQ(rows[1], (Row{"0.25", "0.5", "0.75", "0", "0", "0.75", "0.25", "1", "2", "2", "100", "7"}));
-	EXPECT_EQ(rows[2], (Row{"1.5", "2.5", "2.25", "0", "25", "2.25", "1.5", "1", "2", "2", "125", "7"}));
-	const std::vector<Row> some =
+	EXPECT_EQ(rows[1], (CsvRow{"0.25", "0.5", "0.75", "0", "0", "0.75", "0.25", "1", "2", "2", "100", "7"}));
+	EXPECT_EQ(rows[2], (CsvRow{"1.5", "2.5", "2.25", "0", "25", "2.25", "1.5", "1", "2", "2", "125", "7"}));
+	const std::vector<CsvRow> some =
 	    sample({write("image.vtk", legacyImage()), "--points", points, "--array", "cell:both", "--array", "height"});
 	ASSERT_EQ(some.size(), 3u);
-	EXPECT_EQ(some[0], (Row{"x", "y", "z", "block", "cell", "height", "both"}));
-	EXPECT_EQ(some[2], (Row{"1.5", "2.5", "2.25", "0", "25", "2.25", "125"}));
+	EXPECT_EQ(some[0], (CsvRow{"x", "y", "z", "block", "cell", "height", "both"}));
+	EXPECT_EQ(some[2], (CsvRow{"1.5", "2.5", "2.25", "0", "25", "2.25", "125"}));
 }
 
 TEST_F(Sample, OutsideIsTold)
@@ -137,9 +138,9 @@ TEST_F(Sample, OutsideIsTold)
 	const std::string points = write("p.txt", "0 0 0\n9 0 0\n1e300 0 0\n");
 	const Outcome outcome = run({"sample", "demo:blob:4", "--points", points});
 	EXPECT_TRUE(isDoneWithAWord(outcome, {"2 of 3", "outside"}));
-	const std::vector<Row> rows = rowsOf(outcome.out);
+	const std::vector<CsvRow> rows = csvRows(outcome.out);
 	ASSERT_EQ(rows.size(), 4u);
-	EXPECT_EQ(rows[2], (Row{"9", "0", "0", "", "", "nan", "nan", "nan", "nan"}));
+	EXPECT_EQ(rows[2], (CsvRow{"9", "0", "0", "", "", "nan", "nan", "nan", "nan"}));
 	EXPECT_NE(rows[1][4], "");
 	// In the hollow of the shell.
 	EXPECT_TRUE(isDoneWithAWord(run({"sample", "demo:shell:8", "--line", "0", "0", "0", "0", "0.5", "0", "4"}),
@@ -152,7 +153,7 @@ TEST_F(Sample, HiddenCellsAreOutside)
 	const Outcome outcome = run({"sample", file, "--line", "0.5", "1.5", "1.5", "2.5", "1.5", "1.5", "3"});
 	EXPECT_EQ(outcome.status, 0);
 	EXPECT_TRUE(contains(outcome.err, "1 of 3 points lie outside")) << outcome.err; // reading tells of hidden cells
-	const std::vector<Row> rows = rowsOf(outcome.out);
+	const std::vector<CsvRow> rows = csvRows(outcome.out);
 	ASSERT_EQ(rows.size(), 4u);
 	EXPECT_EQ(rows[1][4], "12");
 	EXPECT_EQ(rows[2][4], "");
@@ -163,7 +164,7 @@ TEST_F(Sample, SeveralInputsAreBlocks)
 {
 	const std::string file = write("image.vtk", legacyImage());
 	const std::string points = write("p.txt", "-2 -2 -2\n2.5 2.5 2.5\n");
-	const std::vector<Row> rows = sample({file, "demo:blob:4", "--points", points});
+	const std::vector<CsvRow> rows = sample({file, "demo:blob:4", "--points", points});
 	ASSERT_EQ(rows.size(), 3u);
 	EXPECT_EQ(rows[1][3], "1");
 	EXPECT_EQ(rows[2][3], "0");   // both hold it
@@ -176,9 +177,9 @@ TEST_F(Sample, PointsOfStandardInput)
 	const std::string points = write("p.txt", "  1e-1\t+.5 , -.25 \r\n\n0,0,0");
 	const Outcome outcome = run({"sample", "demo:blob:4", "--points", "-", "-o", "-"}, {.standard_input = points});
 	EXPECT_TRUE(isQuiet(outcome));
-	const std::vector<Row> rows = rowsOf(outcome.out);
+	const std::vector<CsvRow> rows = csvRows(outcome.out);
 	ASSERT_EQ(rows.size(), 3u);
-	EXPECT_EQ(Row(rows[1].begin(), rows[1].begin() + 3), (Row{"0.1", "0.5", "-0.25"}));
+	EXPECT_EQ(CsvRow(rows[1].begin(), rows[1].begin() + 3), (CsvRow{"0.1", "0.5", "-0.25"}));
 	EXPECT_TRUE(isDoneWithAWord(run({"sample", "demo:blob:4", "--points", "-"}), {"standard input", "no points"}));
 }
 

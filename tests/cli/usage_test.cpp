@@ -11,26 +11,26 @@ class Usage : public Program
 };
 
 // Values that cannot be, for options of the commands that cut.
-struct Bad
+struct BadUsage
 {
 	const char* name;
 	Arguments arguments;
 	std::string word; // the error line holds it
 };
 
-void PrintTo(const Bad& bad, std::ostream* stream)
+void PrintTo(const BadUsage& bad, std::ostream* stream)
 {
 	*stream << bad.name;
 }
 
-class BadProbe : public Program, public testing::WithParamInterface<Bad>
+class BadProbe : public Program, public testing::WithParamInterface<BadUsage>
 {
 };
-class BadLook : public Program, public testing::WithParamInterface<Bad>
+class BadLook : public Program, public testing::WithParamInterface<BadUsage>
 {
 };
 
-std::string name(const testing::TestParamInfo<Bad>& info)
+std::string name(const testing::TestParamInfo<BadUsage>& info)
 {
 	return info.param.name;
 }
@@ -138,27 +138,32 @@ TEST_P(BadProbe, IsOneLineAndLeavesNothing)
 	}
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, BadProbe,
-    testing::Values(
-        Bad{"zeroNormal", {"--normal", "0", "0", "0"}, "--normal"}, Bad{"wordAsNormal", {"--normal", "up"}, "--normal"},
-        Bad{"twoNumbersAsNormal", {"--normal", "1", "0"}, "--normal"},
-        Bad{"normalNotANumber", {"--normal", "nan", "0", "1"}, "--normal"},
-        Bad{"endlessNormal", {"--normal", "inf", "0", "1"}, "--normal"}, Bad{"normalLeftOut", {"--normal"}, "--normal"},
-        Bad{"wordAsOrigin", {"--origin", "a", "b", "c"}, "--origin"},
-        Bad{"twoNumbersAsOrigin", {"--origin", "1", "2"}, "--origin"},
-        Bad{"originNotANumber", {"--origin", "nan", "0", "0"}, "--origin"},
-        Bad{"endlessOrigin", {"--origin", "0", "inf", "0"}, "--origin"}, Bad{"zeroUp", {"--up", "0", "0", "0"}, "--up"},
-        Bad{"classifier", {"--classify", "fpga"}, "--classify"}, Bad{"seeds", {"--seeds", "many"}, "--seeds"},
-        Bad{"outside", {"--outside", "never"}, "--outside"}, Bad{"time", {"--time", "yesterday"}, "--time"},
-        Bad{"emptyTime", {"--time", ""}, "--time"}, Bad{"timeIndex", {"--time", "#x"}, "--time"},
-        Bad{"component", {"--component", "w"}, "--component"},
-        Bad{"thresholdUpsideDown", {"--threshold", "2", "1"}, "--threshold"},
-        Bad{"thresholdNotANumber", {"--threshold", "0", "nan"}, "--threshold"},
-        Bad{"thresholdOfOne", {"--threshold", "0"}, "--threshold"},
-        Bad{"negativeComponent", {"--component", "-1"}, "--component"},
-        Bad{"threads", {"--threads", "-1"}, "--threads"}, Bad{"threadsInWords", {"--threads", "two"}, "--threads"}),
-    name);
+INSTANTIATE_TEST_SUITE_P(All, BadProbe,
+                         testing::Values(BadUsage{"zeroNormal", {"--normal", "0", "0", "0"}, "--normal"},
+                                         BadUsage{"wordAsNormal", {"--normal", "up"}, "--normal"},
+                                         BadUsage{"twoNumbersAsNormal", {"--normal", "1", "0"}, "--normal"},
+                                         BadUsage{"normalNotANumber", {"--normal", "nan", "0", "1"}, "--normal"},
+                                         BadUsage{"endlessNormal", {"--normal", "inf", "0", "1"}, "--normal"},
+                                         BadUsage{"normalLeftOut", {"--normal"}, "--normal"},
+                                         BadUsage{"wordAsOrigin", {"--origin", "a", "b", "c"}, "--origin"},
+                                         BadUsage{"twoNumbersAsOrigin", {"--origin", "1", "2"}, "--origin"},
+                                         BadUsage{"originNotANumber", {"--origin", "nan", "0", "0"}, "--origin"},
+                                         BadUsage{"endlessOrigin", {"--origin", "0", "inf", "0"}, "--origin"},
+                                         BadUsage{"zeroUp", {"--up", "0", "0", "0"}, "--up"},
+                                         BadUsage{"classifier", {"--classify", "fpga"}, "--classify"},
+                                         BadUsage{"seeds", {"--seeds", "many"}, "--seeds"},
+                                         BadUsage{"outside", {"--outside", "never"}, "--outside"},
+                                         BadUsage{"time", {"--time", "yesterday"}, "--time"},
+                                         BadUsage{"emptyTime", {"--time", ""}, "--time"},
+                                         BadUsage{"timeIndex", {"--time", "#x"}, "--time"},
+                                         BadUsage{"component", {"--component", "w"}, "--component"},
+                                         BadUsage{"thresholdUpsideDown", {"--threshold", "2", "1"}, "--threshold"},
+                                         BadUsage{"thresholdNotANumber", {"--threshold", "0", "nan"}, "--threshold"},
+                                         BadUsage{"thresholdOfOne", {"--threshold", "0"}, "--threshold"},
+                                         BadUsage{"negativeComponent", {"--component", "-1"}, "--component"},
+                                         BadUsage{"threads", {"--threads", "-1"}, "--threads"},
+                                         BadUsage{"threadsInWords", {"--threads", "two"}, "--threads"}),
+                         name);
 
 TEST_P(BadLook, IsOneLineAndLeavesNothing)
 {
@@ -170,29 +175,33 @@ TEST_P(BadLook, IsOneLineAndLeavesNothing)
 INSTANTIATE_TEST_SUITE_P(
     All, BadLook,
     testing::Values(
-        Bad{"zeroSize", {"--size", "0x10"}, "--size"}, Bad{"sizeInWords", {"--size", "big"}, "--size"},
-        Bad{"hugeSize", {"--size", "1000000x1000000"}, "--size"},
-        Bad{"colormap", {"--colormap", "no-such-map"}, "--colormap"},
-        Bad{"rangeUpsideDown", {"--range", "2", "1"}, "--range"},
-        Bad{"rangeOfWhat", {"--range-of", "sheet"}, "--range-of"},
-        Bad{"symmetricLogarithm", {"--log", "--symmetric"}, "--symmetric"},
-        Bad{"rangeNotANumber", {"--range", "nan", "1"}, "--range"}, Bad{"camera", {"--camera", "nowhere"}, "--camera"},
-        Bad{"cameraOfFourNumbers", {"--camera", "1", "2", "3", "4"}, "--camera"},
-        Bad{"logOfNothing", {"--log", "--range", "0", "1"}, "--range"},
-        Bad{"opacityAboveOne", {"--opacity", "1.5"}, "--opacity"},
-        Bad{"negativeOpacity", {"--opacity", "-0.1"}, "--opacity"},
-        Bad{"opacityNotANumber", {"--opacity", "nan"}, "--opacity"},
-        Bad{"opacityInWords", {"--opacity", "half"}, "--opacity"}, Bad{"negativeLines", {"--lines", "-1"}, "--lines"},
-        Bad{"tooManyLines", {"--lines", "100000"}, "--lines"}, Bad{"linesInWords", {"--lines", "few"}, "--lines"},
-        Bad{"unknownContext", {"--context", "walls"}, "boundary[:OPACITY]"},
-        Bad{"contextOpacityAboveOne", {"--context", "boundary:1.5"}, "--context boundary:1.5"},
-        Bad{"contextOpacityNotANumber", {"--context", "boundary:nan"}, "--context boundary:nan"},
-        Bad{"contextOpacityInWords", {"--context", "boundary:half"}, "--context boundary:half"},
-        Bad{"contextArgument", {"--context", "boundary=3"}, "--context boundary=3"},
-        Bad{"noContext", {"--context", ""}, "--context"}, Bad{"bandsNotWhole", {"--bands", "2.5"}, "--bands"},
-        Bad{"axes", {"--axes", "round"}, "--axes"}, Bad{"samples", {"--samples", "0"}, "--samples"},
-        Bad{"outline", {"--outline", "sphere"}, "--outline"}, Bad{"reversedNothing", {"--colormap", "jet_r"}, "jet_r"},
-        Bad{"background", {"--background", "no-such-colour"}, "--background"}),
+        BadUsage{"zeroSize", {"--size", "0x10"}, "--size"}, BadUsage{"sizeInWords", {"--size", "big"}, "--size"},
+        BadUsage{"hugeSize", {"--size", "1000000x1000000"}, "--size"},
+        BadUsage{"colormap", {"--colormap", "no-such-map"}, "--colormap"},
+        BadUsage{"rangeUpsideDown", {"--range", "2", "1"}, "--range"},
+        BadUsage{"rangeOfWhat", {"--range-of", "sheet"}, "--range-of"},
+        BadUsage{"symmetricLogarithm", {"--log", "--symmetric"}, "--symmetric"},
+        BadUsage{"rangeNotANumber", {"--range", "nan", "1"}, "--range"},
+        BadUsage{"camera", {"--camera", "nowhere"}, "--camera"},
+        BadUsage{"cameraOfFourNumbers", {"--camera", "1", "2", "3", "4"}, "--camera"},
+        BadUsage{"logOfNothing", {"--log", "--range", "0", "1"}, "--range"},
+        BadUsage{"opacityAboveOne", {"--opacity", "1.5"}, "--opacity"},
+        BadUsage{"negativeOpacity", {"--opacity", "-0.1"}, "--opacity"},
+        BadUsage{"opacityNotANumber", {"--opacity", "nan"}, "--opacity"},
+        BadUsage{"opacityInWords", {"--opacity", "half"}, "--opacity"},
+        BadUsage{"negativeLines", {"--lines", "-1"}, "--lines"},
+        BadUsage{"tooManyLines", {"--lines", "100000"}, "--lines"},
+        BadUsage{"linesInWords", {"--lines", "few"}, "--lines"},
+        BadUsage{"unknownContext", {"--context", "walls"}, "boundary[:OPACITY]"},
+        BadUsage{"contextOpacityAboveOne", {"--context", "boundary:1.5"}, "--context boundary:1.5"},
+        BadUsage{"contextOpacityNotANumber", {"--context", "boundary:nan"}, "--context boundary:nan"},
+        BadUsage{"contextOpacityInWords", {"--context", "boundary:half"}, "--context boundary:half"},
+        BadUsage{"contextArgument", {"--context", "boundary=3"}, "--context boundary=3"},
+        BadUsage{"noContext", {"--context", ""}, "--context"}, BadUsage{"bandsNotWhole", {"--bands", "2.5"}, "--bands"},
+        BadUsage{"axes", {"--axes", "round"}, "--axes"}, BadUsage{"samples", {"--samples", "0"}, "--samples"},
+        BadUsage{"outline", {"--outline", "sphere"}, "--outline"},
+        BadUsage{"reversedNothing", {"--colormap", "jet_r"}, "jet_r"},
+        BadUsage{"background", {"--background", "no-such-colour"}, "--background"}),
     name);
 
 } // namespace cli

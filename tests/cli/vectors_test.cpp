@@ -19,13 +19,13 @@ protected:
 	json sheet(const Arguments& options) const { return stats(Arguments{"demo:shell:16"} + options)["sheets"][0]; }
 };
 
-struct Bad
+struct BadVectorOption
 {
 	Arguments options;
 	int status;
 	std::vector<std::string> words;
 };
-class BadVectors : public Program, public testing::WithParamInterface<Bad>
+class BadVectors : public Program, public testing::WithParamInterface<BadVectorOption>
 {
 };
 
@@ -119,30 +119,35 @@ TEST_F(Vectors, AStateBringsThemBack)
 
 TEST_P(BadVectors, IsOneLine)
 {
-	const Bad& bad = GetParam();
+	const BadVectorOption& bad = GetParam();
 	EXPECT_TRUE(isError(run(Arguments{"slice", "--classify", "cpu"} + bad.options), bad.status, bad.words));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Options, BadVectors,
     testing::Values(
-        Bad{{"demo:shell:4", "--vectors", "hairs"}, 1, {"--vectors", "tufts"}},
-        Bad{{"demo:shell:4", "--vectors", "tufts", "--vector-array", "s"},
-            2,
-            {"--vector-array s", "1 component", "point:v"}},
-        Bad{{"demo:shell:4", "--vectors", "tufts", "--vector-array", "w"}, 2, {"--vector-array w", "point:v"}},
-        Bad{{"demo:shell:4", "--vectors", "tufts", "--vector-dt", "0"}, 1, {"--vector-dt 0", "above 0"}},
-        Bad{{"demo:shell:4", "--vectors", "tufts", "--vector-dt", "nan"}, 1, {"--vector-dt nan"}},
-        Bad{{"demo:shell:4", "--vectors", "tufts", "--vector-steps", "-1"}, 1, {"--vector-steps -1", "backward"}},
-        Bad{{"demo:shell:4", "--vectors", "tubes", "--vector-steps", "1e6", "--vector-lattice", "1000"},
-            1,
-            {"--vector-steps 1000000", "fewer"}},
-        Bad{{"demo:shell:4", "--vectors", "tufts", "--vector-lattice", "0"}, 1, {"--vector-lattice"}},
-        Bad{{"demo:shell:4", "--vectors", "tufts", "--vector-jitter", "1.5"}, 1, {"--vector-jitter"}},
-        Bad{{"demo:shell:4", "--vectors", "tufts", "--vector-jitter", "nan"}, 1, {"--vector-jitter"}},
-        Bad{{"demo:shell:4", "--vectors", "tufts", "--vector-direction", "up"}, 1, {"--vector-direction", "backward"}},
-        Bad{{"demo:shell:4", "--vectors", "tufts", "--vector-part", "half"}, 1, {"--vector-part", "tangential"}},
-        Bad{{"demo:shell:4", "--vectors", "tufts", "--surface", "i=2"}, 1, {"--vectors", "--surface i=2"}}));
+        BadVectorOption{{"demo:shell:4", "--vectors", "hairs"}, 1, {"--vectors", "tufts"}},
+        BadVectorOption{{"demo:shell:4", "--vectors", "tufts", "--vector-array", "s"},
+                        2,
+                        {"--vector-array s", "1 component", "point:v"}},
+        BadVectorOption{
+            {"demo:shell:4", "--vectors", "tufts", "--vector-array", "w"}, 2, {"--vector-array w", "point:v"}},
+        BadVectorOption{{"demo:shell:4", "--vectors", "tufts", "--vector-dt", "0"}, 1, {"--vector-dt 0", "above 0"}},
+        BadVectorOption{{"demo:shell:4", "--vectors", "tufts", "--vector-dt", "nan"}, 1, {"--vector-dt nan"}},
+        BadVectorOption{
+            {"demo:shell:4", "--vectors", "tufts", "--vector-steps", "-1"}, 1, {"--vector-steps -1", "backward"}},
+        BadVectorOption{{"demo:shell:4", "--vectors", "tubes", "--vector-steps", "1e6", "--vector-lattice", "1000"},
+                        1,
+                        {"--vector-steps 1000000", "fewer"}},
+        BadVectorOption{{"demo:shell:4", "--vectors", "tufts", "--vector-lattice", "0"}, 1, {"--vector-lattice"}},
+        BadVectorOption{{"demo:shell:4", "--vectors", "tufts", "--vector-jitter", "1.5"}, 1, {"--vector-jitter"}},
+        BadVectorOption{{"demo:shell:4", "--vectors", "tufts", "--vector-jitter", "nan"}, 1, {"--vector-jitter"}},
+        BadVectorOption{
+            {"demo:shell:4", "--vectors", "tufts", "--vector-direction", "up"}, 1, {"--vector-direction", "backward"}},
+        BadVectorOption{
+            {"demo:shell:4", "--vectors", "tufts", "--vector-part", "half"}, 1, {"--vector-part", "tangential"}},
+        BadVectorOption{
+            {"demo:shell:4", "--vectors", "tufts", "--surface", "i=2"}, 1, {"--vectors", "--surface i=2"}}));
 
 TEST_F(Vectors, AreWrittenAsLinesThatSayWhyTheyEnd)
 {

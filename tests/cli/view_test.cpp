@@ -24,15 +24,15 @@ protected:
 	}
 };
 
-struct Row
+struct BindingRow
 {
 	std::string keys, name, words;
 };
 
 // Of --list-bindings: two spaces at least between columns.
-std::vector<Row> rowsOf(const std::string& list)
+std::vector<BindingRow> bindingRows(const std::string& list)
 {
-	std::vector<Row> rows;
+	std::vector<BindingRow> rows;
 	std::istringstream text(list);
 	for (std::string line; std::getline(text, line);)
 	{
@@ -58,17 +58,17 @@ TEST_F(View, ListsItsKeysWithoutAWindow)
 {
 	const Outcome outcome = run({"view", "--list-bindings"}, nowhere());
 	EXPECT_TRUE(isQuiet(outcome));
-	EXPECT_GT(rowsOf(outcome.out).size(), 50u);
+	EXPECT_GT(bindingRows(outcome.out).size(), 50u);
 }
 
 TEST_F(View, TheManualListsEveryKey)
 {
 	const std::string manual = contents(VPROBE_SOURCE_DIR "/docs/VIEWER.md");
-	const std::vector<Row> rows = rowsOf(run({"view", "--list-bindings"}).out);
+	const std::vector<BindingRow> rows = bindingRows(run({"view", "--list-bindings"}).out);
 	const std::regex row_of_keys("\n\\| [^|`]+ \\| `[a-z0-9_]+` \\| ");
 	const std::sregex_iterator found(manual.begin(), manual.end(), row_of_keys);
 	EXPECT_EQ(std::distance(found, std::sregex_iterator()), static_cast<std::ptrdiff_t>(rows.size()));
-	for (const Row& row : rows)
+	for (const BindingRow& row : rows)
 	{
 		const std::string line = "| " + row.keys + " | `" + row.name + "` | " + row.words + " |\n";
 		EXPECT_TRUE(contains(manual, line)) << "docs/VIEWER.md lacks: " << line;

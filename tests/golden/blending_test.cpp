@@ -13,8 +13,6 @@ namespace
 {
 
 constexpr double kHalf = 1.4;
-constexpr Rgb kWhite{255.0, 255.0, 255.0};
-
 // What a ray meets, nearest first.
 std::vector<std::pair<double, std::size_t>> order(const Scene& scene, double x, double y)
 {

@@ -6,18 +6,6 @@
 namespace vp::render::test
 {
 
-namespace
-{
-
-double half(double, double)
-{
-	return 0.5;
-}
-
-constexpr Rgb kWhite{255.0, 255.0, 255.0};
-
-} // namespace
-
 class Coverage : public DrawingTest
 {
 };

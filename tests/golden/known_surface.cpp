@@ -1,5 +1,7 @@
 #include "known_surface.h"
 
+#include "uniform.h"
+
 #include "render/surface_polygons.h"
 
 #include <algorithm>
@@ -13,11 +15,6 @@ namespace
 {
 
 const ValueScale kScale{.title = "g"};
-
-double uniform(std::mt19937& random, double from, double to)
-{
-	return std::uniform_real_distribution<double>(from, to)(random);
-}
 
 } // namespace
 

@@ -11,13 +11,7 @@ namespace vp::render::test
 namespace
 {
 
-const probe::Sheet kFacing = probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
 constexpr Frame kFrame{240.0, 180.0, {}, {}, {}};
-
-double half(double, double)
-{
-	return 0.5;
-}
 
 } // namespace
 

@@ -38,11 +38,6 @@ std::vector<Vec3> ends(const std::vector<Segment>& lines)
 	return points;
 }
 
-double waves(double u, double v)
-{
-	return std::sin(3.0 * u) * std::cos(2.0 * v);
-}
-
 } // namespace
 
 class Pictures : public DrawingTest

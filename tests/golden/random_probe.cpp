@@ -1,5 +1,7 @@
 #include "random_probe.h"
 
+#include "uniform.h"
+
 #include "shared/render_types.h"
 
 #include <array>
@@ -12,11 +14,6 @@ namespace
 {
 
 using vp::shared::PolygonRecord;
-
-double uniform(std::mt19937& random, double from, double to)
-{
-	return std::uniform_real_distribution<double>(from, to)(random);
-}
 
 Vec3 direction(std::mt19937& random)
 {

@@ -14,7 +14,6 @@ namespace vp::render::test
 namespace
 {
 
-constexpr Rgb kWhite{255.0, 255.0, 255.0};
 constexpr Color kOrange{240, 140, 20};
 
 // A unit sphere of quadrangles that are not flat, closed.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -38,6 +39,19 @@ private:
 	std::size_t messages_before_ = 0;
 };
 
+// Values over a square.
+inline double half(double, double)
+{
+	return 0.5;
+}
+inline double waves(double u, double v)
+{
+	return std::sin(3.0 * u) * std::cos(2.0 * v);
+}
+
+// A sheet at the origin that faces the z axis.
+const probe::Sheet kFacing = probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
+
 // A camera on the z axis that looks at the origin, and a picture with nothing in it: white, no overlay.
 Scene bareScene(std::uint32_t width, std::uint32_t height, int samples);
 
@@ -52,6 +66,7 @@ std::optional<Hit> hit(const Scene& scene, const probe::Sheet& sheet, double hal
 
 using Rgb = std::array<double, 3>; // 0..255
 Rgb rgb(Color color);
+constexpr Rgb kWhite{255.0, 255.0, 255.0};
 Rgb over(const Rgb& front, double opacity, const Rgb& back);
 double difference(const Rgb& expected, const std::array<std::uint8_t, 4>& pixel); // of the channel that differs most
 

@@ -1,16 +1,13 @@
 #include "tiling.h"
 
+#include "uniform.h"
+
 #include <glm/common.hpp>
 
 #include <cmath>
 
 namespace vp::render::test
 {
-
-double uniform(std::mt19937& random, double from, double to)
-{
-	return std::uniform_real_distribution<double>(from, to)(random);
-}
 
 Tiling::Tiling(std::mt19937& random, int side, double half, bool bends)
 {

@@ -11,8 +11,6 @@
 namespace vp::render::test
 {
 
-double uniform(std::mt19937& random, double from, double to);
-
 // The square of half a side `half` about the origin in polygons without holes or laps: `side` by `side` quadrangles
 // with corners out of place, some cut along a diagonal, some along one that has a corner more, which rounding puts on
 // one side of it or the other (`bends`). Values are within 0..1.

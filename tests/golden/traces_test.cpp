@@ -55,7 +55,7 @@ std::array<std::uint8_t, 4> pixelAt(const Scene& scene, const Picture& picture, 
 	return picture.pixel(static_cast<std::uint32_t>(at.x), static_cast<std::uint32_t>(at.y));
 }
 
-constexpr double kWidth = 0.2;
+constexpr double kTraceWidth = 0.2;
 constexpr double kTolerance = 6.0; // of 255: a pixel is wider than the map is fine
 
 } // namespace
@@ -65,7 +65,7 @@ TEST_F(DrawnTraces, HaveTheColoursOfTheirValues)
 	for (const auto add : {vectors::addTubes, vectors::addLines})
 	{
 		vectors::TraceMesh made;
-		add(curves_, values_, kWidth, made);
+		add(curves_, values_, kTraceWidth, made);
 		const Scene scene = sceneOf(made);
 		const Picture picture = draw(scene);
 		for (const double x : {-0.9, -0.5, 0.0, 0.4, 0.9})
@@ -97,9 +97,9 @@ TEST_F(DrawnTraces, ArrowsAreWidestAtTheirHeadsBase)
 TEST_F(DrawnTraces, RibbonsAreSeenFromTheirSide)
 {
 	vectors::TraceMesh flat;
-	vectors::addRibbons(curves_, values_, kWidth, {0.0, 1.0, 0.0}, {}, flat);
+	vectors::addRibbons(curves_, values_, kTraceWidth, {0.0, 1.0, 0.0}, {}, flat);
 	vectors::TraceMesh edge;
-	vectors::addRibbons(curves_, values_, kWidth, {0.0, 0.0, 1.0}, {}, edge);
+	vectors::addRibbons(curves_, values_, kTraceWidth, {0.0, 0.0, 1.0}, {}, edge);
 	const auto drawn = [&](const vectors::TraceMesh& made)
 	{
 		const Scene scene = sceneOf(made);

@@ -5,16 +5,6 @@
 namespace vp::render::test
 {
 
-namespace
-{
-
-double waves(double u, double v)
-{
-	return std::sin(3.0 * u) * std::cos(2.0 * v);
-}
-
-} // namespace
-
 // Layers that are as they should be are not drawn again, and the picture is that of a renderer that never drew
 // anything.
 class Unchanged : public DrawingTest

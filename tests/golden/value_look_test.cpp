@@ -15,10 +15,8 @@ namespace vp::render::test
 namespace
 {
 
-constexpr std::uint32_t kWidth = 200;
-constexpr std::uint32_t kHeight = 120;
-const probe::Sheet kFacing = probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
-
+constexpr std::uint32_t kPictureWidth = 200;
+constexpr std::uint32_t kPictureHeight = 120;
 using Pixel = std::array<std::uint8_t, 4>;
 
 int brightness(const Pixel& p)
@@ -31,7 +29,10 @@ int brightness(const Pixel& p)
 class ValueLook : public DrawingTest
 {
 protected:
-	ValueLook() : scene_(bareScene(kWidth, kHeight, 4)) { scene_.look.colors = makeColorMap("grey").value(); }
+	ValueLook() : scene_(bareScene(kPictureWidth, kPictureHeight, 4))
+	{
+		scene_.look.colors = makeColorMap("grey").value();
+	}
 
 	void show(const std::function<double(double, double)>& f, int n = 8)
 	{
@@ -40,7 +41,7 @@ protected:
 	// The pixel at a point of the sheet.
 	glm::dvec2 place(double u, double v) const
 	{
-		return scene_.camera.project({u, v, 0.0}, {double(kWidth), double(kHeight), {}, {}, {}});
+		return scene_.camera.project({u, v, 0.0}, {double(kPictureWidth), double(kPictureHeight), {}, {}, {}});
 	}
 	Pixel at(const Picture& picture, double u, double v) const
 	{
@@ -88,8 +89,8 @@ TEST_F(ValueLook, LinesAreEquallyWideWhereverTheyGo)
 		const Picture lines = draw(scene_);
 		const Picture plain = without(&Look::lines);
 		double ink = 0.0;
-		for (std::uint32_t x = 0; x < kWidth; ++x)
-			for (std::uint32_t y = 0; y < kHeight; ++y)
+		for (std::uint32_t x = 0; x < kPictureWidth; ++x)
+			for (std::uint32_t y = 0; y < kPictureHeight; ++y)
 				ink += brightness(plain.pixel(x, y)) - brightness(lines.pixel(x, y));
 		// Over the length of the line within the square.
 		const double bend = std::max(std::abs(std::cos(turn)), std::abs(std::sin(turn)));
@@ -195,7 +196,7 @@ TEST_F(ValueLook, BandsHaveOneColorEach)
 	const Picture picture = draw(scene_);
 	std::set<Pixel> seen;
 	for (std::uint32_t x = 60; x < 140; ++x)
-		seen.insert(picture.pixel(x, kHeight / 2));
+		seen.insert(picture.pixel(x, kPictureHeight / 2));
 	EXPECT_EQ(seen.size(), 5u);
 	for (std::size_t band = 0; band < 5; ++band)
 	{
@@ -263,7 +264,7 @@ TEST_F(ValueLook, LitSheetsAreDarkerTheMoreTheyTurnAway)
 	{
 		scene_.look.lit = lit;
 		scene_.sheets = {square(probe::makeSheet({0.0, 0.0, 0.0}, normal), 1.5, 1.0, white)};
-		return draw(scene_).pixel(kWidth / 2, kHeight / 2)[0];
+		return draw(scene_).pixel(kPictureWidth / 2, kPictureHeight / 2)[0];
 	};
 	const Vec3 towards_light = glm::normalize(Vec3(-0.3, 0.45, 1.0));
 	EXPECT_EQ(shade({1.0, 0.0, 0.7}, false), 255);

@@ -10,7 +10,7 @@ namespace vp::render::test
 namespace
 {
 
-double waves(double u, double v)
+double paleWaves(double u, double v)
 {
 	return 0.5 + 0.3 * std::sin(4.0 * u) * std::cos(3.0 * v);
 }
@@ -28,7 +28,7 @@ protected:
 		Scene scene = bareScene(200, 160, 1);
 		scene.look.background = parseBackground("transparent").value();
 		scene.camera.position = {1.5, 1.0, 4.5};
-		scene.sheets.push_back(square(probe::makeSheet({0.1, 0.0, 0.0}, {0.2, -0.3, 1.0}), 1.4, 1.0, waves, 17));
+		scene.sheets.push_back(square(probe::makeSheet({0.1, 0.0, 0.0}, {0.2, -0.3, 1.0}), 1.4, 1.0, paleWaves, 17));
 		return scene;
 	}
 };
@@ -84,11 +84,11 @@ TEST_F(Windows, MagnificationDrawsTheSameThingLarger)
 	// 1.6 times the uv of a sheet, or a sheet 1.6 times as large: the same picture.
 	Scene scene = slanted();
 	const probe::Sheet sheet = scene.sheets[0].sheet;
-	const auto stretched = [](double u, double v) { return waves(u / 1.6, v / 1.6); };
+	const auto stretched = [](double u, double v) { return paleWaves(u / 1.6, v / 1.6); };
 	scene.sheets[0] = square(sheet, 1.6 * 1.4, 1.0, stretched, 17);
 	scene.sheets[0].window = WindowRect{-1.6 * 0.5, 1.6 * 0.8, -1.6 * 0.2, 1.6 * 0.6};
 	const Picture large = draw(scene);
-	scene.sheets[0] = square(sheet, 1.4, 1.0, waves, 17);
+	scene.sheets[0] = square(sheet, 1.4, 1.0, paleWaves, 17);
 	scene.sheets[0].window = WindowRect{-0.5, 0.8, -0.2, 0.6};
 	scene.sheets[0].magnification = 1.6;
 	const Picture magnified = draw(scene);

@@ -1,6 +1,7 @@
 #include "cut_both_ways.h"
 #include "gpu_fixture.h"
 #include "test_grids.h"
+#include "uploaded.h"
 
 #include "base/timeline.h"
 #include "gpu/upload.h"
@@ -21,7 +22,7 @@ FieldChoice pointField(const char* name, int component = 0)
 	return {name, grid::Association::point, component};
 }
 
-grid::BlockSet setOf(std::initializer_list<const char*> names)
+grid::BlockSet setNamed(std::initializer_list<const char*> names)
 {
 	grid::BlockSet set;
 	for (const char* name : names)
@@ -32,14 +33,6 @@ grid::BlockSet setOf(std::initializer_list<const char*> names)
 probe::Sheet sheetOf(const TestPlane& plane)
 {
 	return probe::makeSheet(plane.origin, plane.normal, {0.3, 1.0, 0.2});
-}
-
-std::unique_ptr<slice::GpuBlocks> upload(gpu::Device& device, const grid::BlockSet& set,
-                                         const slice::GpuBlocksOptions& options = {})
-{
-	auto made = slice::GpuBlocks::create(device, set, options);
-	EXPECT_TRUE(made) << made.error().message;
-	return std::move(*made);
 }
 
 // Random planes and degenerate ones through every test grid.
@@ -90,7 +83,7 @@ TEST_F(GpuClassifier, AgreesWithTheCpuWithoutDoubles)
 
 TEST_F(StagedGpuClassifier, AgreesWithTheCpu)
 {
-	const grid::BlockSet set = setOf({"mixed_polyhedra"});
+	const grid::BlockSet set = setNamed({"mixed_polyhedra"});
 	const auto blocks = upload(device(), set);
 	for (const TestPlane& plane : randomPlanes(set.bounds(), 5, 7))
 	{
@@ -103,7 +96,7 @@ TEST_F(StagedGpuClassifier, AgreesWithTheCpu)
 
 TEST_F(GpuClassifier, SheetsInLockStepCrossInTheSameCells)
 {
-	const grid::BlockSet set = setOf({"shell"});
+	const grid::BlockSet set = setNamed({"shell"});
 	const auto blocks = upload(device(), set);
 	const Vec3 centre = set.bounds().centre();
 	const std::vector<probe::Sheet> sheets{probe::makeSheet(centre, {1, 0.1, 0}), probe::makeSheet(centre, {0, 1, 0.2}),
@@ -117,7 +110,7 @@ TEST_F(GpuClassifier, SheetsInLockStepCrossInTheSameCells)
 
 TEST_F(GpuClassifier, FrontsStraddlePages)
 {
-	const grid::BlockSet set = setOf({"shell", "hexes"});
+	const grid::BlockSet set = setNamed({"shell", "hexes"});
 	slice::GpuBlocksOptions options;
 	options.page_records = 64; // less than a wide front
 	const auto blocks = upload(device(), set, options);
@@ -132,7 +125,7 @@ TEST_F(GpuClassifier, FrontsStraddlePages)
 TEST_F(GpuClassifier, BlocksOfEveryKindInOneSet)
 {
 	const grid::BlockSet set =
-	    setOf({"blob", "graded", "shell", "tets", "mixed", "hexagonal_prisms", "warped_curvilinear"});
+	    setNamed({"blob", "graded", "shell", "tets", "mixed", "hexagonal_prisms", "warped_curvilinear"});
 	const auto blocks = upload(device(), set);
 	EXPECT_EQ(blocks->heldCount(), set.blocks.size());
 	const std::vector<probe::Sheet> sheets{probe::makeSheet({0.1, 0.2, 0.3}, {1, 0.3, 0.4}),
@@ -145,7 +138,7 @@ TEST_F(GpuClassifier, BlocksOfEveryKindInOneSet)
 
 TEST_F(GpuClassifier, ShowsAnyArray)
 {
-	const grid::BlockSet set = setOf({"shell"});
+	const grid::BlockSet set = setNamed({"shell"});
 	const auto blocks = upload(device(), set);
 	const probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {1, 0.3, 0.4});
 	const std::vector<std::optional<FieldChoice>> choices{std::nullopt,
@@ -212,7 +205,7 @@ TEST_F(GpuClassifier, PlanesThroughVerticesAreDecidedOnTheDevice)
 	for (const char* name : {"blob", "graded", "shell"})
 	{
 		SCOPED_TRACE(name);
-		const grid::BlockSet set = setOf({name});
+		const grid::BlockSet set = setNamed({name});
 		const auto blocks = upload(device(), set);
 		if (!blocks->usesDoubles())
 			GTEST_SKIP() << device().name() << " has no doubles";
@@ -226,7 +219,7 @@ TEST_F(GpuClassifier, PlanesThroughVerticesAreDecidedOnTheDevice)
 
 TEST_F(GpuClassifier, BlockPastALimitStaysWithTheCpu)
 {
-	const grid::BlockSet set = setOf({"shell", "tets"});
+	const grid::BlockSet set = setNamed({"shell", "tets"});
 	slice::GpuBlocksOptions options;
 	// tets has fewer points but more cells than shell has points.
 	options.max_texels = visitGrid(set.blocks[0], [](const auto& grid) { return grid.pointCount(); });
@@ -245,7 +238,7 @@ TEST_F(GpuClassifier, BlockPastALimitStaysWithTheCpu)
 
 TEST_F(GpuClassifier, SlicesUnderWayDoNotDisturbEachOther)
 {
-	const grid::BlockSet set = setOf({"shell", "mixed"});
+	const grid::BlockSet set = setNamed({"shell", "mixed"});
 	const auto blocks = upload(device(), set);
 	const std::vector<TestPlane> planes = randomPlanes(set.bounds(), 4, 13);
 	std::vector<std::thread> threads;
@@ -274,7 +267,7 @@ TEST_F(GpuClassifier, SlicesUnderWayDoNotDisturbEachOther)
 
 TEST_F(GpuClassifier, PagesAreUsedAgain)
 {
-	const grid::BlockSet set = setOf({"shell"});
+	const grid::BlockSet set = setNamed({"shell"});
 	const auto blocks = upload(device(), set);
 	std::size_t bytes = 0;
 	for (int i = 0; i < 8; ++i)
@@ -292,7 +285,7 @@ TEST_F(GpuClassifier, GenerationsAreOnTheTimeline)
 {
 	if (device().timestampBits() == 0)
 		GTEST_SKIP() << device().name() << " has no timestamps";
-	const grid::BlockSet set = setOf({"shell"});
+	const grid::BlockSet set = setNamed({"shell"});
 	const auto blocks = upload(device(), set);
 	const probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {1, 0.1, 0.4});
 	Timeline timeline(Timeline::Keep::sections);

@@ -1,7 +1,9 @@
 #include "gpu_fixture.h"
 #include "random_expression.h"
+#include "sliced_sheet.h"
 #include "surface_words.h"
 #include "test_grids.h"
+#include "uploaded.h"
 
 #include "grid/demo.h"
 
@@ -17,20 +19,6 @@ using surface::Axes;
 using surface::Expression;
 using surface::PlacedExpression;
 using surface::Quadric;
-
-std::unique_ptr<slice::GpuBlocks> upload(gpu::Device& device, const grid::BlockSet& set)
-{
-	auto made = slice::GpuBlocks::create(device, set);
-	EXPECT_TRUE(made) << made.error().message;
-	return std::move(*made);
-}
-
-grid::BlockSet setOf(const grid::Block& block)
-{
-	grid::BlockSet set;
-	set.blocks.push_back(block);
-	return set;
-}
 
 SurfaceWords classify(slice::GpuBlocks& blocks, const Quadric& quadric)
 {

@@ -59,7 +59,7 @@ double meshArea(const slice::SheetMesh& mesh, const Vec3& normal)
 	return 0.5 * glm::dot(sum, normal);
 }
 
-void expectSameMesh(const slice::SheetMesh& a, const slice::SheetMesh& b)
+void expectIdenticalMesh(const slice::SheetMesh& a, const slice::SheetMesh& b)
 {
 	EXPECT_EQ(a.cells_twisted, b.cells_twisted);
 	EXPECT_EQ(a.polygon_starts, b.polygon_starts);
@@ -79,7 +79,7 @@ void sliceBothWays(gpu::Device& device, const grid::BlockSet& set, const TestPla
 	const Result<slice::Slice> gpu = (*on_gpu)->cut(request);
 	ASSERT_TRUE(cpu && gpu);
 	const slice::SheetMesh mesh = cpu->mesh(set, 0);
-	expectSameMesh(mesh, gpu->mesh(set, 0));
+	expectIdenticalMesh(mesh, gpu->mesh(set, 0));
 	const double area = meshArea(mesh, request.probe.sheets[0].normal);
 	EXPECT_NEAR(drawnArea(*gpu->sheets[0].records), area, 1e-5 * area);
 }

@@ -20,7 +20,7 @@ namespace
 
 // The weights that VTK finds for places inside cells whose corners are moved at random.
 template <class VtkCell>
-void compare(grid::CellShape shape)
+void compareShape(grid::CellShape shape)
 {
 	vtkNew<VtkCell> cell;
 	const double* middles = cell->GetParametricCoords();
@@ -58,10 +58,10 @@ void compare(grid::CellShape shape)
 
 TEST(VtkInterpolation, AllShapes)
 {
-	compare<vtkTetra>(grid::CellShape::tetrahedron);
-	compare<vtkPyramid>(grid::CellShape::pyramid);
-	compare<vtkWedge>(grid::CellShape::wedge);
-	compare<vtkHexahedron>(grid::CellShape::hexahedron);
+	compareShape<vtkTetra>(grid::CellShape::tetrahedron);
+	compareShape<vtkPyramid>(grid::CellShape::pyramid);
+	compareShape<vtkWedge>(grid::CellShape::wedge);
+	compareShape<vtkHexahedron>(grid::CellShape::hexahedron);
 }
 
 } // namespace vp::test

@@ -179,7 +179,7 @@ double worstDeviation(const Way& a, const Way& b)
 	return worst;
 }
 
-void compare(const char* file, const char* array)
+void compareTraces(const char* file, const char* array)
 {
 	const char* data = std::getenv("VPROBE_DATA");
 	if (!data)
@@ -218,17 +218,17 @@ void compare(const char* file, const char* array)
 
 TEST(VtkStreamTracer, Bluntfin)
 {
-	compare("structured/bluntfin/bluntfinxyz.bin", "");
+	compareTraces("structured/bluntfin/bluntfinxyz.bin", "");
 }
 
 TEST(VtkStreamTracer, DiskOutRef)
 {
-	compare("unstructured/disk_out_ref/disk_out_ref.ex2", "");
+	compareTraces("unstructured/disk_out_ref/disk_out_ref.ex2", "");
 }
 
 TEST(VtkStreamTracer, Carotid)
 {
-	compare("uniform/carotid/carotid.vtk", "");
+	compareTraces("uniform/carotid/carotid.vtk", "");
 }
 
 } // namespace vp::test

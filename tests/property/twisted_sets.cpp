@@ -6,7 +6,7 @@ namespace vp::test
 namespace
 {
 
-std::vector<std::int64_t> pointsOf(const RawBlock& block, std::size_t cell)
+std::vector<std::int64_t> cellPointIds(const RawBlock& block, std::size_t cell)
 {
 	if (block.kind != RawKind::cells) // the middle cell of 3^3
 	{
@@ -49,7 +49,7 @@ int twistedPoints(LatticeKind kind)
 {
 	Draw draw(0);
 	const TwistedSet set = untouched(kind, draw);
-	return static_cast<int>(pointsOf(set.raw.blocks[0], set.cell).size());
+	return static_cast<int>(cellPointIds(set.raw.blocks[0], set.cell).size());
 }
 
 TwistedSet twistedSet(LatticeKind kind, std::uint32_t mask, unsigned seed)
@@ -64,7 +64,7 @@ TwistedSet twistedSet(LatticeKind kind, std::uint32_t mask, unsigned seed)
 		if (std::abs(p.z) < kClear)
 			p.z = kClear;
 	}
-	const std::vector<std::int64_t> ids = pointsOf(set.raw.blocks[0], set.cell);
+	const std::vector<std::int64_t> ids = cellPointIds(set.raw.blocks[0], set.cell);
 	for (std::size_t i = 0; i < ids.size(); ++i)
 		points[ids[i]].z = (mask >> i & 1 ? 1.0 : -1.0) * draw.real(kClear, 1.0);
 	for (Vec3& p : points)

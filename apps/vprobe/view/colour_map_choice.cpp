@@ -30,7 +30,7 @@ void previewLastItem(const std::string& word, float from)
 	             {hi.x - inset, hi.y - inset});
 }
 
-void choose(Desk& desk, const std::string& word)
+void chooseMap(Desk& desk, const std::string& word)
 {
 	desk.bench.change(fmt::format("Colour map {}", shortName(word)),
 	                  [&](ViewState& state) { state.look.colormap = word; });
@@ -40,7 +40,7 @@ void item(Desk& desk, const std::string& word, const std::string& now)
 {
 	if (ImGui::Selectable(fmt::format("{}##map", shortName(word)).c_str(), word == now, 0,
 	                      {0.0f, ImGui::GetFrameHeight()}))
-		choose(desk, word);
+		chooseMap(desk, word);
 	previewLastItem(word, 0.45f);
 }
 
@@ -70,7 +70,7 @@ void showColourMapChoice(Desk& desk)
 		             {at.x + width - height - inset, at.y + height - inset});
 	bool reversed = isReversed(now);
 	if (ImGui::Checkbox("Reversed", &reversed))
-		choose(desk, otherWay(now));
+		chooseMap(desk, otherWay(now));
 	tip("The colours of high and low values change places");
 }
 

@@ -88,14 +88,14 @@ void showComponents(Desk& desk, const Facts::Array* now)
 	tip("Of an array of vectors or tensors: its length, or one of its numbers");
 }
 
-void showOpacity(Desk& desk)
+void showSheetOpacity(Desk& desk)
 {
 	showSlider(desk, {.label = "Opacity"}, desk.bench.state().look.opacity,
 	           "Of every sheet; several lie over each other in exact order",
 	           [](ViewState& state, double opacity) { state.look.opacity = opacity; });
 }
 
-void showCount(Desk& desk, Action action, const char* label, int LookOptions::*option)
+void showLineCount(Desk& desk, Action action, const char* label, int LookOptions::*option)
 {
 	int count = desk.bench.state().look.*option;
 	labelled(label);
@@ -116,9 +116,9 @@ void showColourSection(Desk& desk)
 	showComponents(desk, now);
 	showColourMapChoice(desk);
 	showRangeChoice(desk);
-	showOpacity(desk);
-	showCount(desk, Action::lines, "Lines", &LookOptions::lines);
-	showCount(desk, Action::bands, "Bands", &LookOptions::bands);
+	showSheetOpacity(desk);
+	showLineCount(desk, Action::lines, "Lines", &LookOptions::lines);
+	showLineCount(desk, Action::bands, "Bands", &LookOptions::bands);
 	const LookOptions& look = desk.bench.state().look;
 	toggle(desk, "Cell edges", look.mesh, tipOf(Action::mesh),
 	       [](ViewState& state) { state.look.mesh = !state.look.mesh; });

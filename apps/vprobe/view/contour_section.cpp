@@ -49,7 +49,7 @@ void showKept(Desk& desk)
 	}
 }
 
-void showOpacity(Desk& desk)
+void showContourOpacity(Desk& desk)
 {
 	auto opacity = static_cast<float>(desk.bench.state().look.contour.opacity);
 	labelled("Opacity");
@@ -82,7 +82,7 @@ void showContourSection(Desk& desk)
 	showFollowing(desk);
 	showKept(desk);
 	showDepth(desk);
-	showOpacity(desk);
+	showContourOpacity(desk);
 }
 
 // Beside the sheets the last value stays, so that a hand on the panel sees what it sets.

@@ -14,20 +14,20 @@ namespace
 
 using interact::Action;
 
-void fact(const char* label, const std::string& value)
+void gridFact(const char* label, const std::string& value)
 {
 	labelled(label);
 	clippedText(value);
 }
 
-void showFacts(const Facts& facts)
+void showGridFacts(const Facts& facts)
 {
 	clippedText(inputTitle(facts.inputs));
 	tip(fmt::format("{}", fmt::join(facts.inputs, "\n")));
-	fact("Grid", facts.blocks > 1 ? fmt::format("{}, {} blocks", facts.kind, facts.blocks) : facts.kind);
-	fact("Cells", grouped(facts.cells));
-	fact("Points", grouped(facts.points));
-	fact("Cut by", facts.classifier == "cpu" ? "the processor" : facts.device);
+	gridFact("Grid", facts.blocks > 1 ? fmt::format("{}, {} blocks", facts.kind, facts.blocks) : facts.kind);
+	gridFact("Cells", grouped(facts.cells));
+	gridFact("Points", grouped(facts.points));
+	gridFact("Cut by", facts.classifier == "cpu" ? "the processor" : facts.device);
 }
 
 } // namespace
@@ -63,7 +63,7 @@ void showLoading(Desk& desk)
 void showDataSection(Desk& desk)
 {
 	if (desk.bench.facts())
-		showFacts(*desk.bench.facts());
+		showGridFacts(*desk.bench.facts());
 	if (desk.bench.loader().isBusy())
 		return showLoading(desk);
 	if (!desk.bench.facts())

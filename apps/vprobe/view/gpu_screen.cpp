@@ -21,6 +21,34 @@ VkOffset3D corner(const glm::ivec2& at, int depth)
 	return {at.x, at.y, depth};
 }
 
+// Dear ImGui 1.90 uploads fonts by itself, 1.90.4 takes the render pass with the rest.
+void beginInterface(ImGui_ImplVulkan_InitInfo& info, VkRenderPass pass)
+{
+#if IMGUI_VERSION_NUM >= 19040
+	info.RenderPass = pass;
+	ImGui_ImplVulkan_Init(&info);
+#else
+	ImGui_ImplVulkan_Init(&info, pass);
+#endif
+}
+
+Status uploadFonts(gpu::Device& device)
+{
+#if IMGUI_VERSION_NUM >= 19000
+	bool made = false;
+	device.lendQueue([&] { made = ImGui_ImplVulkan_CreateFontsTexture(); });
+	if (!made)
+		return Error{ExitCode::output, "the fonts of the window do not fit into device memory; close other programs"};
+	return Nothing{};
+#else
+	Status uploaded =
+	    gpu::runOnce(device, "fonts", [](VkCommandBuffer to) { ImGui_ImplVulkan_CreateFontsTexture(to); });
+	if (uploaded)
+		ImGui_ImplVulkan_DestroyFontUploadObjects();
+	return uploaded;
+#endif
+}
+
 } // namespace
 
 Result<std::unique_ptr<Screen>> Screen::create(gpu::Device& device, VkSurfaceKHR surface, VkExtent2D extent)
@@ -77,12 +105,9 @@ Status Screen::takeFonts()
 	info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
 	info.CheckVkResultFn = [](VkResult result)
 	{ [[maybe_unused]] const Status told = gpu::check(result, "a call of the user interface"); };
-	ImGui_ImplVulkan_Init(&info, render_pass_);
+	beginInterface(info, render_pass_);
 	interface_started_ = true;
-	Status taken = gpu::runOnce(device_, "fonts", [](VkCommandBuffer to) { ImGui_ImplVulkan_CreateFontsTexture(to); });
-	if (taken)
-		ImGui_ImplVulkan_DestroyFontUploadObjects();
-	return taken;
+	return uploadFonts(device_);
 }
 
 Result<bool> Screen::show(std::span<const Placement> pictures, ImDrawData& interface, VkExtent2D extent)

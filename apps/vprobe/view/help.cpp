@@ -47,7 +47,7 @@ void row(std::string_view keys, std::string_view words)
 	ImGui::TextUnformatted(words.data(), words.data() + words.size());
 }
 
-void heading(std::string_view words)
+void groupHeading(std::string_view words)
 {
 	ImGui::TableNextRow();
 	ImGui::TableNextColumn();
@@ -62,7 +62,7 @@ void listHand(std::string_view wanted)
 		if (!has(words.what, wanted) && !has(words.does, wanted))
 			continue;
 		if (!headed)
-			heading("Mouse");
+			groupHeading("Mouse");
 		headed = true;
 		row(words.what, words.does);
 	}
@@ -77,7 +77,7 @@ void listKeys(std::string_view wanted)
 		if ((last && last->action == binding.action) || !(has(binding.words, wanted) || has(keys, wanted)))
 			continue;
 		if (!last || last->group != binding.group)
-			heading(binding.group);
+			groupHeading(binding.group);
 		row(keys, binding.words);
 		last = &binding;
 	}

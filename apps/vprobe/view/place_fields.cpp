@@ -31,7 +31,7 @@ void change(Desk& desk, const Place& place, const char* label, const probe::Fram
 	desk.bench.setProbe(label, interact::withFrame(desk.bench.probe(), place.part, frame), label);
 }
 
-void heading(const char* words)
+void fieldHeading(const char* words)
 {
 	ImGui::TextDisabled("%s", words);
 	ImGui::SetNextItemWidth(-1.0f);
@@ -39,7 +39,7 @@ void heading(const char* words)
 
 void showOrigin(Desk& desk, const Place& place)
 {
-	heading("Position");
+	fieldHeading("Position");
 	probe::Frame frame = place.frame;
 	if (dragNumbers(desk, {"##origin", lengthSpeed(desk)}, &frame.origin.x, 3,
 	                "x, y and z of the origin. Drag, or click and type"))
@@ -48,7 +48,7 @@ void showOrigin(Desk& desk, const Place& place)
 
 void showNormal(Desk& desk, const Place& place)
 {
-	heading("Normal");
+	fieldHeading("Normal");
 	Vec3 normal = place.frame.normal;
 	if (dragNumbers(desk, {"##normal", kDirectionSpeed}, &normal.x, 3, "Where the sheet faces; any length") &&
 	    glm::length(normal) > kLeastDirection)
@@ -57,7 +57,7 @@ void showNormal(Desk& desk, const Place& place)
 
 void showUp(Desk& desk, const Place& place)
 {
-	heading("Up");
+	fieldHeading("Up");
 	Vec3 up = place.frame.up;
 	if (dragNumbers(desk, {"##up", kDirectionSpeed}, &up.x, 3,
 	                "The sheet's y axis; it is made perpendicular to the normal") &&

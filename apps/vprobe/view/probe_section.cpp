@@ -39,8 +39,8 @@ void showPresets(Desk& desk)
 	    "own");
 }
 
-void showCount(Desk& desk, const char* label, int now, int least, int most, std::string_view words,
-               std::optional<int> ProbeOptions::*option)
+void showSheetCount(Desk& desk, const char* label, int now, int least, int most, std::string_view words,
+                    std::optional<int> ProbeOptions::*option)
 {
 	labelled(label);
 	if (ImGui::SliderInt("##count", &now, least, most, "%d", ImGuiSliderFlags_AlwaysClamp))
@@ -56,11 +56,11 @@ void showCounts(Desk& desk)
 	constexpr int kMost = 16; // as many sheets as a picture shows
 	const ProbeOptions& options = desk.bench.state().probe;
 	if (isOn(desk.bench, Action::preset_paddlewheel))
-		showCount(desk, "Vanes", options.vanes.value_or(3), 1, kMost, "How many sheets turn about the axis",
-		          &ProbeOptions::vanes);
+		showSheetCount(desk, "Vanes", options.vanes.value_or(3), 1, kMost, "How many sheets turn about the axis",
+		               &ProbeOptions::vanes);
 	if (isOn(desk.bench, Action::preset_stack) && options.offsets.empty())
-		showCount(desk, "Sheets", options.sheets.value_or(5), 1, kMost, "How many sheets lie in the stack",
-		          &ProbeOptions::sheets);
+		showSheetCount(desk, "Sheets", options.sheets.value_or(5), 1, kMost, "How many sheets lie in the stack",
+		               &ProbeOptions::sheets);
 }
 
 // An eye, open or closed. True where it was clicked.

@@ -68,7 +68,7 @@ void showRow(const Desk& desk, const Row& row, ImU32 colour)
 	tip(row.words);
 }
 
-void fact(const char* name, const std::string& value, const char* words)
+void cutFact(const char* name, const std::string& value, const char* words)
 {
 	ImGui::TableNextColumn();
 	ImGui::TextDisabled("%s", name);
@@ -81,25 +81,25 @@ void showCut(const Desk& desk, const Shown& shown)
 {
 	const CutFigures cut = figuresOf(*shown.cut);
 	const bool floods = cut.generations == 0;
-	fact("Cut cells", grouped(cut.cut_cells), "Of all sheets");
-	fact("Touched", grouped(cut.touched), "Cells queued or given a polygon");
-	fact("Polygons", grouped(cut.polygons), "Drawn");
-	fact("Cuts / s", fmt::format("{:.1f}", desk.meter.cutsPerSecond()), "While the hand moved");
-	fact("Generations", floods ? "all at once" : grouped(cut.generations),
-	     "Steps of the breadth-first traversal; a flood on the processor has none");
-	fact("Widest", floods ? "-" : grouped(cut.front_max), "Cells of the largest generation");
+	cutFact("Cut cells", grouped(cut.cut_cells), "Of all sheets");
+	cutFact("Touched", grouped(cut.touched), "Cells queued or given a polygon");
+	cutFact("Polygons", grouped(cut.polygons), "Drawn");
+	cutFact("Cuts / s", fmt::format("{:.1f}", desk.meter.cutsPerSecond()), "While the hand moved");
+	cutFact("Generations", floods ? "all at once" : grouped(cut.generations),
+	        "Steps of the breadth-first traversal; a flood on the processor has none");
+	cutFact("Widest", floods ? "-" : grouped(cut.front_max), "Cells of the largest generation");
 }
 
 void showMemory(const Desk& desk, const Shown& shown)
 {
 	const grid::Memory& memory = desk.bench.facts()->memory;
-	fact("Grid", bytes(static_cast<double>(memory.read())), "Coordinates, cells and arrays");
-	fact("Built", bytes(static_cast<double>(memory.built())), "Neighbours, boundary, trees");
-	fact("Marks", bytes(static_cast<double>(shown.memory.marks)), "Kept from slice to slice");
-	fact("Device", bytes(static_cast<double>(shown.memory.device)), "Blocks, values and polygons in device memory");
+	cutFact("Grid", bytes(static_cast<double>(memory.read())), "Coordinates, cells and arrays");
+	cutFact("Built", bytes(static_cast<double>(memory.built())), "Neighbours, boundary, trees");
+	cutFact("Marks", bytes(static_cast<double>(shown.memory.marks)), "Kept from slice to slice");
+	cutFact("Device", bytes(static_cast<double>(shown.memory.device)), "Blocks, values and polygons in device memory");
 }
 
-void showFacts(const Desk& desk)
+void showCutFacts(const Desk& desk)
 {
 	const auto& shown = desk.bench.shown();
 	if (!shown || !desk.bench.facts() || !ImGui::BeginTable("facts", 4))
@@ -124,7 +124,7 @@ void showProfile(Desk& desk, const ScenePart& part)
 	const Theme& colours = theme(desk.bench.settings.dark);
 	for (std::size_t i = 0; i < kRows.size(); ++i)
 		showRow(desk, kRows[i], colours.graph[i]);
-	showFacts(desk);
+	showCutFacts(desk);
 	ImGui::BeginDisabled(!desk.bench.shown());
 	if (ImGui::Button("Write a trace\u2026"))
 		desk.bench.question = Question::save_trace;

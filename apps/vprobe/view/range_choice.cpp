@@ -38,7 +38,7 @@ std::array<double, 2> shownEnds(const Workbench& bench)
 	return {look.logarithmic ? values.log_lo : values.lo, values.hi};
 }
 
-void choose(Desk& desk, Ends ends)
+void chooseEnds(Desk& desk, Ends ends)
 {
 	const std::array<double, 2> shown = shownEnds(desk.bench);
 	desk.bench.change("Range of the colours",
@@ -109,7 +109,7 @@ void showRangeChoice(Desk& desk)
 		{
 			const auto index = static_cast<std::size_t>(ends);
 			if (ImGui::Selectable(kEnds[index], ends == now))
-				choose(desk, ends);
+				chooseEnds(desk, ends);
 			tip(kEndsTips[index]);
 		}
 		ImGui::EndCombo();

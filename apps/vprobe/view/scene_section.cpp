@@ -17,8 +17,8 @@ using interact::Action;
 
 constexpr double kBoundaryOpacity = 0.15; // where none is given, see docs/LOOKS.md
 
-void showWord(Desk& desk, const char* label, std::span<const Choice> choices, std::string LookOptions::*option,
-              std::string_view words)
+void showLookChoice(Desk& desk, const char* label, std::span<const Choice> choices, std::string LookOptions::*option,
+                    std::string_view words)
 {
 	showChoice(desk, label, choices, desk.bench.state().look.*option, words,
 	           [&](ViewState& state, const char* word) { state.look.*option = word; });
@@ -84,7 +84,7 @@ void showBackground(Desk& desk)
 {
 	static constexpr std::array kGrounds{Choice{"gradient", "Gradient"}, Choice{"white", "White"},
 	                                     Choice{"grey", "Grey"}, Choice{"#20242b", "Dark"}, Choice{"black", "Black"}};
-	showWord(desk, "Background", kGrounds, &LookOptions::background, "Behind the scene; letters suit it");
+	showLookChoice(desk, "Background", kGrounds, &LookOptions::background, "Behind the scene; letters suit it");
 }
 
 } // namespace
@@ -95,8 +95,8 @@ void showSceneSection(Desk& desk)
 	                                      Choice{"none", "None"}};
 	static constexpr std::array kAxes{Choice{"corner", "In the corner"}, Choice{"box", "Numbers on the box"},
 	                                  Choice{"none", "None"}};
-	showWord(desk, "Outline", kOutlines, &LookOptions::outline, tipOf(Action::outline));
-	showWord(desk, "Axes", kAxes, &LookOptions::axes, tipOf(Action::axes));
+	showLookChoice(desk, "Outline", kOutlines, &LookOptions::outline, tipOf(Action::outline));
+	showLookChoice(desk, "Axes", kAxes, &LookOptions::axes, tipOf(Action::axes));
 	showBackground(desk);
 	showBoundary(desk);
 	const LookOptions& look = desk.bench.state().look;

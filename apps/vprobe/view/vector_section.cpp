@@ -21,8 +21,8 @@ constexpr std::array kDirections{Choice{"forward", "Forward"}, Choice{"backward"
 constexpr std::array kParts{Choice{"whole", "Whole"}, Choice{"tangential", "In the sheet"},
                             Choice{"normal", "Through the sheet"}};
 
-void showWord(Desk& desk, const char* label, std::span<const Choice> choices, std::string VectorOptions::*option,
-              std::string_view words)
+void showVectorChoice(Desk& desk, const char* label, std::span<const Choice> choices,
+                      std::string VectorOptions::*option, std::string_view words)
 {
 	showChoice(desk, label, choices, desk.bench.state().probe.vectors.*option, words,
 	           [&](ViewState& state, const char* word) { state.probe.vectors.*option = word; });
@@ -97,8 +97,8 @@ void showStep(Desk& desk)
 
 void showVectorSection(Desk& desk)
 {
-	showWord(desk, "Show", kKinds, &VectorOptions::kind,
-	         "Tufts are arrows, one step long; the others follow particles a long way");
+	showVectorChoice(desk, "Show", kKinds, &VectorOptions::kind,
+	                 "Tufts are arrows, one step long; the others follow particles a long way");
 	const VectorOptions& options = desk.bench.state().probe.vectors;
 	if (!options.on())
 		return;
@@ -113,8 +113,8 @@ void showVectorSection(Desk& desk)
 		toggle(desk, "Path lines", options.path_lines,
 		       "Particles go while the field changes from time to time, launched at the one that is shown",
 		       [](ViewState& state) { state.probe.vectors.path_lines = !state.probe.vectors.path_lines; });
-	showWord(desk, "Direction", kDirections, &VectorOptions::direction, "With the flow, against it, or both");
-	showWord(desk, "Part", kParts, &VectorOptions::part, "What of the vector moves the particles");
+	showVectorChoice(desk, "Direction", kDirections, &VectorOptions::direction, "With the flow, against it, or both");
+	showVectorChoice(desk, "Part", kParts, &VectorOptions::part, "What of the vector moves the particles");
 	showSlider(desk, {.label = "Opacity"}, desk.bench.state().look.vectors.opacity, "Of what is launched",
 	           [](ViewState& state, double opacity) { state.look.vectors.opacity = opacity; });
 }

@@ -11,9 +11,9 @@ namespace vp::grid
 namespace
 {
 
-using Corners = std::vector<Vec3>;
+using CellCorners = std::vector<Vec3>;
 
-Corners unitCell(CellShape shape)
+CellCorners unitCell(CellShape shape)
 {
 	switch (shape)
 	{
@@ -28,9 +28,10 @@ Corners unitCell(CellShape shape)
 	}
 }
 
-constexpr CellShape kShapes[] = {CellShape::tetrahedron, CellShape::pyramid, CellShape::wedge, CellShape::hexahedron};
+constexpr CellShape kTurnedShapes[] = {CellShape::tetrahedron, CellShape::pyramid, CellShape::wedge,
+                                       CellShape::hexahedron};
 
-Corners moved(Corners corners, const glm::dmat3& by, const Vec3& shift)
+CellCorners moved(CellCorners corners, const glm::dmat3& by, const Vec3& shift)
 {
 	for (Vec3& p : corners)
 		p = by * p + shift;
@@ -38,7 +39,7 @@ Corners moved(Corners corners, const glm::dmat3& by, const Vec3& shift)
 }
 
 // The Jacobian of the trilinear map by central differences.
-double jacobian(const Corners& p, const Vec3& at)
+double jacobian(const CellCorners& p, const Vec3& at)
 {
 	const auto place = [&](const Vec3& x)
 	{
@@ -73,7 +74,7 @@ TEST(CellTurn, OfAnyAffineImage)
 		for (int column = 0; column < 3; ++column)
 			by[column] = Vec3(number(random), number(random), number(random));
 		by[n % 3] *= std::pow(10.0, -(n % 7)); // thin by up to 1e6
-		for (const CellShape shape : kShapes)
+		for (const CellShape shape : kTurnedShapes)
 			EXPECT_EQ(turnOf(shape, moved(unitCell(shape), by, Vec3(n % 5))),
 			          glm::determinant(by) > 0.0 ? Turn::positive : Turn::negative);
 	}
@@ -82,8 +83,8 @@ TEST(CellTurn, OfAnyAffineImage)
 TEST(CellTurn, GoodCornersAreNotEnough)
 {
 	// 2 x 1 below, 1 x 2 turned by 180 degrees above.
-	const Corners brick = {{-1, -0.5, 0}, {1, -0.5, 0}, {1, 0.5, 0},   {-1, 0.5, 0},
-	                       {0.5, 1, 1},   {-0.5, 1, 1}, {-0.5, -1, 1}, {0.5, -1, 1}};
+	const CellCorners brick = {{-1, -0.5, 0}, {1, -0.5, 0}, {1, 0.5, 0},   {-1, 0.5, 0},
+	                           {0.5, 1, 1},   {-0.5, 1, 1}, {-0.5, -1, 1}, {0.5, -1, 1}};
 	for (const CornerFrame& frame : cornerFrames(CellShape::hexahedron))
 	{
 		const auto edge = [&](int i) { return brick[frame.corner[i]] - brick[frame.corner[0]]; };
@@ -91,7 +92,7 @@ TEST(CellTurn, GoodCornersAreNotEnough)
 	}
 	EXPECT_LT(jacobian(brick, Vec3(0.5)), 0.0);
 	EXPECT_EQ(turnOf(CellShape::hexahedron, brick), Turn::mixed);
-	Corners wedge = {{0, 0, 0}, {0, 1, 0}, {3, 0, 0}, {0, 0, 1}, {0, 3, 1}, {1, 0, 1}};
+	CellCorners wedge = {{0, 0, 0}, {0, 1, 0}, {3, 0, 0}, {0, 0, 1}, {0, 3, 1}, {1, 0, 1}};
 	EXPECT_EQ(turnOf(CellShape::wedge, wedge), Turn::positive);
 	for (int i = 3; i < 6; ++i)
 		wedge[i] = {-wedge[i].x, -wedge[i].y, 1.0};
@@ -108,7 +109,7 @@ TEST(CellTurn, OfHexahedraIsTheSignOfTheJacobian)
 	int mixed_but_one_sign = 0;
 	for (int n = 0; n < 3000; ++n)
 	{
-		Corners p = unitCell(CellShape::hexahedron);
+		CellCorners p = unitCell(CellShape::hexahedron);
 		for (Vec3& corner : p)
 			corner += (n % 10) / 10.0 * Vec3(jitter(random), jitter(random), jitter(random));
 		const Turn turn = turnOf(CellShape::hexahedron, p);
@@ -130,12 +131,12 @@ TEST(CellTurn, OfHexahedraIsTheSignOfTheJacobian)
 
 TEST(CellTurn, FlatAndCollapsedCells)
 {
-	Corners flat = unitCell(CellShape::hexahedron);
+	CellCorners flat = unitCell(CellShape::hexahedron);
 	for (Vec3& p : flat)
 		p.z = 0.0;
 	EXPECT_EQ(turnOf(CellShape::hexahedron, flat), Turn::mixed);
 	// An edge drawn to a point leaves a wedge that is turned one way.
-	Corners drawn = unitCell(CellShape::hexahedron);
+	CellCorners drawn = unitCell(CellShape::hexahedron);
 	drawn[3] = drawn[0];
 	drawn[7] = drawn[4];
 	EXPECT_EQ(turnOf(CellShape::hexahedron, drawn), Turn::positive);

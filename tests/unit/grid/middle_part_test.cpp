@@ -13,21 +13,21 @@ namespace vp::test
 namespace
 {
 
-using Corners = std::multiset<std::array<double, 3>>;
+using PlaceSet = std::multiset<std::array<double, 3>>;
 
 // A cell by the places of its points.
 template <class G>
-Corners cornersOf(const G& grid, CellId cell)
+PlaceSet cornersOf(const G& grid, CellId cell)
 {
-	Corners corners;
+	PlaceSet corners;
 	for (const PointId p : grid.cellPoints(cell))
 		corners.insert({grid.point(p).x, grid.point(p).y, grid.point(p).z});
 	return corners;
 }
 
-std::multiset<Corners> tableCells(const grid::AnyGrid& any)
+std::multiset<PlaceSet> tableCells(const grid::AnyGrid& any)
 {
-	std::multiset<Corners> cells;
+	std::multiset<PlaceSet> cells;
 	std::visit(
 	    [&](const auto& grid)
 	    {
@@ -46,12 +46,12 @@ TEST(MiddlePart, HoldsCellsOfTheBlock)
 	for (const grid::Block& block : allGrids())
 	{
 		SCOPED_TRACE(block.name);
-		const std::multiset<Corners> all = tableCells(block.grid);
+		const std::multiset<PlaceSet> all = tableCells(block.grid);
 		for (const std::size_t side : {1u, 3u, 100u})
 		{
 			const grid::Block part = grid::middlePart(block, side);
 			grid::validate(part);
-			const std::multiset<Corners> cells = tableCells(part.grid);
+			const std::multiset<PlaceSet> cells = tableCells(part.grid);
 			EXPECT_LE(cells.size(), side * side * side);
 			EXPECT_TRUE(std::ranges::includes(all, cells));
 			EXPECT_TRUE(side < 100 || cells.size() == all.size());

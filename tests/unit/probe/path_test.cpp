@@ -16,11 +16,11 @@ using probe::PathKind;
 namespace
 {
 
-const Box kBounds{{-1.0, 0.0, 2.0}, {3.0, 4.0, 8.0}};
+const Box kPathBounds{{-1.0, 0.0, 2.0}, {3.0, 4.0, 8.0}};
 
 probe::Probe probeAt(const Frame& frame)
 {
-	return probe::paddlewheel(frame, kBounds, 3);
+	return probe::paddlewheel(frame, kPathBounds, 3);
 }
 
 Path pathOf(PathKind kind)
@@ -36,7 +36,7 @@ TEST(Path, TranslationVisitsEqualSlabsOfTheBounds)
 {
 	Frame start; // normal z; the bounds reach from 2 to 8
 	start.origin = {0.5, 1.5, 100.0};
-	const std::vector<Frame> frames = poses(pathOf(PathKind::translate), probeAt(start), kBounds, 3);
+	const std::vector<Frame> frames = poses(pathOf(PathKind::translate), probeAt(start), kPathBounds, 3);
 	ASSERT_EQ(frames.size(), 3u);
 	for (int k = 0; k < 3; ++k)
 	{
@@ -44,7 +44,7 @@ TEST(Path, TranslationVisitsEqualSlabsOfTheBounds)
 		EXPECT_EQ(frames[k].normal, start.normal);
 		EXPECT_EQ(frames[k].up, start.up);
 	}
-	EXPECT_EQ(poses(pathOf(PathKind::translate), probeAt(start), kBounds, 1)[0].origin, Vec3(0.5, 1.5, 5.0));
+	EXPECT_EQ(poses(pathOf(PathKind::translate), probeAt(start), kPathBounds, 1)[0].origin, Vec3(0.5, 1.5, 5.0));
 }
 
 TEST(Path, TranslationAlongAnyAxisStaysInTheBounds)
@@ -56,13 +56,13 @@ TEST(Path, TranslationAlongAnyAxisStaysInTheBounds)
 		const Frame start = randomFrame(random);
 		path.axis = 7.0 * randomDirection(random);
 		const Vec3 axis = glm::normalize(*path.axis);
-		const std::vector<Frame> frames = poses(path, probeAt(start), kBounds, 9);
+		const std::vector<Frame> frames = poses(path, probeAt(start), kPathBounds, 9);
 		const double step = glm::dot(frames[1].origin - frames[0].origin, axis);
-		const double reach = glm::dot(glm::abs(axis), 0.5 * kBounds.size());
+		const double reach = glm::dot(glm::abs(axis), 0.5 * kPathBounds.size());
 		EXPECT_NEAR(step * 9.0, 2.0 * reach, 1e-12);
 		for (int k = 0; k < 9; ++k)
 		{
-			const double at = glm::dot(frames[k].origin - kBounds.centre(), axis);
+			const double at = glm::dot(frames[k].origin - kPathBounds.centre(), axis);
 			EXPECT_NEAR(at, (k - 4) * step, 1e-12);
 			expectNear(glm::cross(frames[k].origin - start.origin, axis), Vec3(0.0), 1e-12); // not off its line
 		}
@@ -73,18 +73,18 @@ TEST(Path, ThereAndBackPassesEachPlaceTwiceButItsEnds)
 {
 	Path path = pathOf(PathKind::translate);
 	path.there_and_back = true;
-	const std::vector<Frame> frames = poses(path, probeAt({}), kBounds, 6);
+	const std::vector<Frame> frames = poses(path, probeAt({}), kPathBounds, 6);
 	ASSERT_EQ(frames.size(), 6u);
 	for (const auto& [k, z] : std::map<int, double>{{0, 2.75}, {1, 4.25}, {2, 5.75}, {3, 7.25}, {4, 5.75}, {5, 4.25}})
 		EXPECT_NEAR(frames[k].origin.z, z, 1e-13) << k;
-	EXPECT_NEAR(poses(path, probeAt({}), kBounds, 1)[0].origin.z, 5.0, 1e-13);
+	EXPECT_NEAR(poses(path, probeAt({}), kPathBounds, 1)[0].origin.z, 5.0, 1e-13);
 }
 
 TEST(Path, RotationGoesRoundTheUpAxisAndLeavesItsEndOut)
 {
 	std::mt19937 random(42);
 	const Frame start = randomFrame(random);
-	const std::vector<Frame> frames = poses(pathOf(PathKind::rotate), probeAt(start), kBounds, 8);
+	const std::vector<Frame> frames = poses(pathOf(PathKind::rotate), probeAt(start), kPathBounds, 8);
 	ASSERT_EQ(frames.size(), 8u);
 	expectNear(frames[0], start, 1e-15);
 	for (int k = 0; k < 8; ++k)
@@ -101,7 +101,7 @@ TEST(Path, RotationAboutAnyAxisInSpace)
 	path.axis = Vec3(0.0, 0.0, 2.0);
 	path.through = Vec3(1.0, 0.0, 0.0);
 	path.degrees = 90.0; // no whole turn: both ends are there
-	const std::vector<Frame> frames = poses(path, probeAt({}), kBounds, 3);
+	const std::vector<Frame> frames = poses(path, probeAt({}), kPathBounds, 3);
 	expectNear(frames[0], Frame(), 1e-15);
 	expectNear(frames[1].origin, {1.0 - std::sqrt(0.5), -std::sqrt(0.5), 0.0}, 1e-15);
 	expectNear(frames[2].origin, {1.0, -1.0, 0.0}, 1e-15);
@@ -112,7 +112,7 @@ TEST(Path, SpinKeepsThePlane)
 {
 	std::mt19937 random(43);
 	const Frame start = randomFrame(random);
-	const std::vector<Frame> frames = poses(pathOf(PathKind::spin), probeAt(start), kBounds, 5);
+	const std::vector<Frame> frames = poses(pathOf(PathKind::spin), probeAt(start), kPathBounds, 5);
 	for (int k = 0; k < 5; ++k)
 	{
 		EXPECT_EQ(frames[k].origin, start.origin);
@@ -128,9 +128,9 @@ TEST(Path, RevolveLoopsFromVaneToVane)
 	for (const int vanes : {1, 2, 3, 5})
 		for (const int frames : {1, 2, 7})
 		{
-			probe::Probe probe = probe::paddlewheel(randomFrame(random), kBounds, vanes);
+			probe::Probe probe = probe::paddlewheel(randomFrame(random), kPathBounds, vanes);
 			const Frame start = probe.frame;
-			const std::vector<Frame> film = poses(pathOf(PathKind::revolve), probe, kBounds, frames);
+			const std::vector<Frame> film = poses(pathOf(PathKind::revolve), probe, kPathBounds, frames);
 			const probe::Probe first = placed(probe);
 			expectNear(film[0], start, 1e-14);
 			// One step on from the last frame every vane lies where the next one began.
@@ -141,14 +141,14 @@ TEST(Path, RevolveLoopsFromVaneToVane)
 		}
 	Path six = pathOf(PathKind::revolve);
 	six.vanes = 6;
-	const std::vector<Frame> film = poses(six, probeAt({}), kBounds, 2);
+	const std::vector<Frame> film = poses(six, probeAt({}), kPathBounds, 2);
 	expectNear(film[1], probe::turned({}, Vec3(0.0), {0.0, 1.0, 0.0}, 30.0), 1e-15);
 }
 
 // As the benchmark's figures were taken.
 TEST(Path, ProfileIsTheBenchmarksSweep)
 {
-	const std::vector<Frame> frames = poses(pathOf(PathKind::profile), probeAt({}), kBounds, probe::kProfilePlanes);
+	const std::vector<Frame> frames = poses(pathOf(PathKind::profile), probeAt({}), kPathBounds, probe::kProfilePlanes);
 	ASSERT_EQ(frames.size(), 60u);
 	const Vec3 n0 = Vec3(0.3, 0.5, 0.81) / std::sqrt(0.09 + 0.25 + 0.6561);
 	for (int k = 0; k < 60; ++k)
@@ -157,7 +157,7 @@ TEST(Path, ProfileIsTheBenchmarksSweep)
 		const Vec3 n(std::cos(t) * n0.x - std::sin(t) * n0.y, std::sin(t) * n0.x + std::cos(t) * n0.y, n0.z);
 		const double h = 0.5 * (std::abs(n.x) * 4.0 + std::abs(n.y) * 4.0 + std::abs(n.z) * 6.0);
 		expectNear(frames[k].normal, n, 1e-14);
-		expectNear(frames[k].origin, kBounds.centre() + n * (-0.6 + 1.2 * k / 59.0) * h, 1e-13);
+		expectNear(frames[k].origin, kPathBounds.centre() + n * (-0.6 + 1.2 * k / 59.0) * h, 1e-13);
 	}
 }
 

@@ -22,7 +22,7 @@ using vp::Vec3;
 namespace
 {
 
-enum class Form
+enum class ParentShape
 {
 	hexahedron,
 	wedge,
@@ -30,25 +30,25 @@ enum class Form
 	tetrahedron
 };
 
-Form formOf(std::uint8_t type)
+ParentShape formOf(std::uint8_t type)
 {
 	switch (type)
 	{
 	case VTK_QUADRATIC_TETRA:
 	case VTK_LAGRANGE_TETRAHEDRON:
 	case VTK_BEZIER_TETRAHEDRON:
-		return Form::tetrahedron;
+		return ParentShape::tetrahedron;
 	case VTK_QUADRATIC_WEDGE:
 	case VTK_QUADRATIC_LINEAR_WEDGE:
 	case VTK_BIQUADRATIC_QUADRATIC_WEDGE:
 	case VTK_LAGRANGE_WEDGE:
 	case VTK_BEZIER_WEDGE:
-		return Form::wedge;
+		return ParentShape::wedge;
 	case VTK_QUADRATIC_PYRAMID:
 	case VTK_TRIQUADRATIC_PYRAMID:
-		return Form::pyramid;
+		return ParentShape::pyramid;
 	default:
-		return Form::hexahedron;
+		return ParentShape::hexahedron;
 	}
 }
 
@@ -103,16 +103,16 @@ std::vector<Vec3> referencePoints(const CurvedKind& kind)
 using Frame = std::array<Vec3, 4>; // origin and three edges
 
 // The cells of a unit cube. Wedges and tetrahedra part its sides alike in every cube.
-std::vector<Frame> framesOf(Form form)
+std::vector<Frame> framesOf(ParentShape form)
 {
 	const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), zero(0, 0, 0);
 	switch (form)
 	{
-	case Form::hexahedron:
+	case ParentShape::hexahedron:
 		return {{zero, x, y, z}};
-	case Form::wedge:
+	case ParentShape::wedge:
 		return {{zero, x, x + y, z}, {zero, x + y, y, z}};
-	case Form::pyramid:
+	case ParentShape::pyramid:
 	{
 		std::vector<Frame> frames;
 		// The third edge runs so that (1/2, 1/2, 1) comes to the cube's middle.

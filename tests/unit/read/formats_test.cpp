@@ -1,5 +1,5 @@
+#include "name_of_sample.h"
 #include "read/read.h"
-#include "sample_files.h"
 
 #include <gtest/gtest.h>
 
@@ -11,13 +11,6 @@ namespace
 class EachFormat : public testing::TestWithParam<std::size_t>
 {
 };
-
-std::string nameOf(const testing::TestParamInfo<std::size_t>& info)
-{
-	std::string name = sampleFiles()[info.param].name;
-	std::replace(name.begin(), name.end(), '.', '_');
-	return name;
-}
 
 // The formats with arrays of fixed names.
 void renameArrays(grid::BlockSet& set)
@@ -52,4 +45,4 @@ TEST_P(EachFormat, GivesCountsAndValues)
 	}
 }
 
-INSTANTIATE_TEST_SUITE_P(Read, EachFormat, testing::Range(std::size_t(0), sampleFiles().size()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Read, EachFormat, testing::Range(std::size_t(0), sampleFiles().size()), nameOfSample);

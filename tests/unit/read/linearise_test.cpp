@@ -28,7 +28,7 @@ Result<grid::BlockSet> readGrid(vtkUnstructuredGrid* grid, int refine = 0)
 	return read::readInputs({folder / "grid.vtu"}, {{}, "", refine}, nullptr);
 }
 
-const grid::UnstructuredGrid& cellsOf(const grid::BlockSet& set)
+const grid::UnstructuredGrid& cellsOfSet(const grid::BlockSet& set)
 {
 	return std::get<grid::UnstructuredGrid>(set.blocks[0].grid);
 }
@@ -45,7 +45,7 @@ const grid::Field& fieldOf(const grid::BlockSet& set, const std::string& name)
 // gives its points, so that all wedges of a mesh may read negative.
 std::vector<double> volumes(const grid::BlockSet& set)
 {
-	const grid::UnstructuredGrid& grid = cellsOf(set);
+	const grid::UnstructuredGrid& grid = cellsOfSet(set);
 	std::vector<double> sums(grid.sourceCellCount());
 	grid::CellFaces faces;
 	const bool wedges = grid.cellCount() > 0 && grid.shape(0) == grid::CellShape::wedge;
@@ -62,7 +62,7 @@ std::vector<double> volumes(const grid::BlockSet& set)
 // Wherever a point lies, f is what it is there.
 void expectLinearField(const grid::BlockSet& set)
 {
-	const grid::UnstructuredGrid& grid = cellsOf(set);
+	const grid::UnstructuredGrid& grid = cellsOfSet(set);
 	const grid::Field& f = fieldOf(set, "f");
 	const grid::Field& n = fieldOf(set, "n");
 	ASSERT_EQ(f.tuples(), grid.pointCount());
@@ -79,7 +79,7 @@ void expectLinearField(const grid::BlockSet& set)
 // Every face without a neighbour lies in a side of the box, and they cover its sides.
 void expectConforming(const grid::BlockSet& set)
 {
-	const grid::UnstructuredGrid& grid = cellsOf(set);
+	const grid::UnstructuredGrid& grid = cellsOfSet(set);
 	grid::CellFaces faces;
 	double area = 0.0;
 	for (const auto& [cell, f] : set.blocks[0].boundary.faces)
@@ -115,7 +115,7 @@ TEST_P(Curved, CellKeepsItsVolume)
 	const auto set = readGrid(source);
 	ASSERT_TRUE(set) << set.error().message;
 	grid::validate(set->blocks[0]);
-	ASSERT_EQ(cellsOf(*set).sourceCellCount(), 1u);
+	ASSERT_EQ(cellsOfSet(*set).sourceCellCount(), 1u);
 	const std::string name = GetParam().name;
 	const double expected = name.find("Tetra") != name.npos     ? 1.0 / 6.0
 	                        : name.find("Pyramid") != name.npos ? 1.0 / 3.0
@@ -140,7 +140,7 @@ TEST_P(Curved, MeshIsConforming)
 		EXPECT_EQ(set->sourceCellCount(), cells);
 		EXPECT_EQ(set->sourcePointCount(), static_cast<std::size_t>(source->GetNumberOfPoints()));
 		EXPECT_GT(set->cellCount(), last);
-		EXPECT_EQ(cellsOf(*set).splitsCells(), set->cellCount() > cells);
+		EXPECT_EQ(cellsOfSet(*set).splitsCells(), set->cellCount() > cells);
 		last = set->cellCount();
 		expectConforming(*set);
 		expectLinearField(*set);
@@ -193,7 +193,7 @@ TEST(Linearise, NewPointsFollowTheCurve)
 	double least = 1.0;
 	for (std::size_t p = 0; p < set->pointCount(); ++p)
 	{
-		const Vec3 at = cellsOf(*set).point(static_cast<PointId>(p));
+		const Vec3 at = cellsOfSet(*set).point(static_cast<PointId>(p));
 		const double across = at.x - (at.y - 0.5) * (at.y - 0.5);
 		EXPECT_NEAR(across * 8.0, std::round(across * 8.0), 1e-12);
 		least = std::min(least, across);
@@ -214,8 +214,8 @@ TEST(Linearise, BezierPointsAreHandles)
 	for (std::size_t p = 0; p < set->pointCount(); ++p)
 	{
 		const auto point = static_cast<PointId>(p);
-		const Vec3 at = cellsOf(*set).point(point);
-		if (cellsOf(*set).sourcePoint(point) != 8)
+		const Vec3 at = cellsOfSet(*set).point(point);
+		if (cellsOfSet(*set).sourcePoint(point) != 8)
 			continue;
 		found = true;
 		EXPECT_NEAR(at.x, 0.5, 1e-12);
@@ -246,7 +246,7 @@ TEST(Linearise, PrismsBecomePolyhedra)
 		ASSERT_TRUE(set) << set.error().message;
 		grid::validate(set->blocks[0]);
 		EXPECT_EQ(set->cellCount(), 2u);
-		EXPECT_FALSE(cellsOf(*set).splitsCells());
+		EXPECT_FALSE(cellsOfSet(*set).splitsCells());
 		EXPECT_EQ(set->blocks[0].boundary.faces.size(), std::size_t(2 + 2 * sides));
 		for (const double volume : volumes(*set))
 			EXPECT_NEAR(volume, 0.5 * sides * std::sin(2 * M_PI / sides), 1e-6);
@@ -271,7 +271,7 @@ TEST(Linearise, FlatAndHiddenCellsAreCountedOnce)
 	EXPECT_EQ(set->sourceCellCount(), 7u);
 	EXPECT_EQ(set->cellCount(), 56u);
 	for (std::size_t c = 0; c < set->cellCount(); ++c)
-		EXPECT_NE(cellsOf(*set).sourceCell(static_cast<CellId>(c)), 3u);
+		EXPECT_NE(cellsOfSet(*set).sourceCell(static_cast<CellId>(c)), 3u);
 }
 
 TEST(Linearise, LinearCellsStayAsTheyAre)

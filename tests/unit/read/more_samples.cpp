@@ -25,7 +25,6 @@ std::string besideIt(const std::string& path, const std::string& name)
 	return (std::filesystem::path(path).parent_path() / name).string();
 }
 
-constexpr std::array<int, 3> kPoints = {5, 4, 6};
 constexpr vp::Vec3 kOrigin = {2.0, -2.0, -1.5};
 constexpr vp::Vec3 kSpacing = {0.5, 0.25, 2.0};
 
@@ -37,9 +36,9 @@ vp::Vec3 placeOf(int i, int j, int k)
 std::vector<double> latticeValues(vp::Vec3 (*place)(int, int, int))
 {
 	std::vector<double> values;
-	for (int k = 0; k < kPoints[2]; ++k)
-		for (int j = 0; j < kPoints[1]; ++j)
-			for (int i = 0; i < kPoints[0]; ++i)
+	for (int k = 0; k < kSamplePoints[2]; ++k)
+		for (int j = 0; j < kSamplePoints[1]; ++j)
+			for (int i = 0; i < kSamplePoints[0]; ++i)
 				values.push_back(sampleValue(place(i, j, k)));
 	return values;
 }
@@ -99,7 +98,7 @@ void writeTurnedNrrd(const std::string& path)
 void writeNifti(const std::string& path)
 {
 	vtkNew<vtkImageData> image;
-	image->SetDimensions(kPoints.data());
+	image->SetDimensions(kSamplePoints.data());
 	image->SetSpacing(0.5, 0.25, 2.0);
 	vtkNew<vtkDoubleArray> f;
 	for (const double value : latticeValues(turned))
@@ -123,17 +122,17 @@ void writeGold(const std::string& path)
 	std::string geometry = "one\ntwo\nnode id off\nelement id off\npart\n1\nbox\ncoordinates\n120\n";
 	std::string f = "f\npart\n1\ncoordinates\n";
 	for (int axis = 0; axis < 3; ++axis)
-		for (int k = 0; k < kPoints[2]; ++k)
-			for (int j = 0; j < kPoints[1]; ++j)
-				for (int i = 0; i < kPoints[0]; ++i)
+		for (int k = 0; k < kSamplePoints[2]; ++k)
+			for (int j = 0; j < kSamplePoints[1]; ++j)
+				for (int i = 0; i < kSamplePoints[0]; ++i)
 					geometry += std::to_string(placeOf(i, j, k)[axis]) + "\n";
 	for (const double value : latticeValues(placeOf))
 		f += std::to_string(value) + "\n";
 	geometry += "hexa8\n60\n";
 	std::string g = "g\npart\n1\nhexa8\n";
-	for (int k = 0; k + 1 < kPoints[2]; ++k)
-		for (int j = 0; j + 1 < kPoints[1]; ++j)
-			for (int i = 0; i + 1 < kPoints[0]; ++i)
+	for (int k = 0; k + 1 < kSamplePoints[2]; ++k)
+		for (int j = 0; j + 1 < kSamplePoints[1]; ++j)
+			for (int i = 0; i + 1 < kSamplePoints[0]; ++i)
 			{
 				for (const int corner : {0, 1, 6, 5, 20, 21, 26, 25})
 					geometry += std::to_string(1 + i + 5 * j + 20 * k + corner) + " ";

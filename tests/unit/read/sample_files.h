@@ -2,6 +2,7 @@
 
 #include "grid/block.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -37,6 +38,8 @@ struct SampleFile
 };
 
 const std::vector<SampleFile>& sampleFiles();
+
+constexpr std::array<int, 3> kSamplePoints = {5, 4, 6}; // along the axes of the lattices
 
 double sampleValue(const vp::Vec3& point);
 

@@ -1,5 +1,5 @@
+#include "name_of_sample.h"
 #include "read/read.h"
-#include "sample_files.h"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +14,6 @@ namespace
 class EachFormatCutShort : public testing::TestWithParam<std::size_t>
 {
 };
-
-std::string nameOf(const testing::TestParamInfo<std::size_t>& info)
-{
-	std::string name = sampleFiles()[info.param].name;
-	std::replace(name.begin(), name.end(), '.', '_');
-	return name;
-}
 
 constexpr std::size_t kSpread = 8;
 
@@ -102,4 +95,4 @@ TEST_P(EachFormatCutShort, IsRefusedOrRight)
 	EXPECT_GE(refused, kSpread / 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Read, EachFormatCutShort, testing::Range(std::size_t(0), sampleFiles().size()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Read, EachFormatCutShort, testing::Range(std::size_t(0), sampleFiles().size()), nameOfSample);

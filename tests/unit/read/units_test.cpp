@@ -23,7 +23,7 @@ grid::Block onlyBlockOf(const std::string& path)
 	return set ? set->blocks.at(0) : grid::Block{};
 }
 
-void writeNrrd(const std::string& path, const std::string& about)
+void writeNrrdAbout(const std::string& path, const std::string& about)
 {
 	writeContents(path, "NRRD0005\ntype: float\ndimension: 3\nsizes: 2 2 2\nencoding: ascii\n" + about +
 	                        "\n\n1 2 3 4 5 6 7 8\n");
@@ -61,13 +61,13 @@ TEST(Units, OfLengthsComeFromNrrd)
 {
 	const TemporaryFolder folder;
 	const std::string in_space = "space dimension: 3\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)";
-	writeNrrd(folder / "a.nrrd", in_space + "\nspace units: \"mm\" \"mm\" \"mm\"");
+	writeNrrdAbout(folder / "a.nrrd", in_space + "\nspace units: \"mm\" \"mm\" \"mm\"");
 	EXPECT_EQ(onlyBlockOf(folder / "a.nrrd").length_units, "mm");
-	writeNrrd(folder / "b.nrrd", in_space + "\nspace units: \"mm\" \"mm\" \"m\"");
+	writeNrrdAbout(folder / "b.nrrd", in_space + "\nspace units: \"mm\" \"mm\" \"m\"");
 	EXPECT_EQ(onlyBlockOf(folder / "b.nrrd").length_units, ""); // no one word for all
-	writeNrrd(folder / "c.nrrd", "spacings: 1 1 1\nunits: \"cm\" \"cm\" \"cm\"");
+	writeNrrdAbout(folder / "c.nrrd", "spacings: 1 1 1\nunits: \"cm\" \"cm\" \"cm\"");
 	EXPECT_EQ(onlyBlockOf(folder / "c.nrrd").length_units, "cm");
-	writeNrrd(folder / "d.nrrd", in_space);
+	writeNrrdAbout(folder / "d.nrrd", in_space);
 	EXPECT_EQ(onlyBlockOf(folder / "d.nrrd").length_units, "");
 }
 

@@ -25,8 +25,6 @@
 namespace
 {
 
-constexpr std::array<int, 3> kPoints = {5, 4, 6};
-
 double sampleAt(const std::array<double, 3>& at)
 {
 	return sampleValue({at[0], at[1], at[2]});
@@ -63,7 +61,7 @@ vtkSmartPointer<vtkImageData> makeImage()
 {
 	auto image = vtkSmartPointer<vtkImageData>::New();
 	// An extent that does not start at zero, as pieces have.
-	image->SetExtent(2, kPoints[0] + 1, 0, kPoints[1] - 1, -1, kPoints[2] - 2);
+	image->SetExtent(2, kSamplePoints[0] + 1, 0, kSamplePoints[1] - 1, -1, kSamplePoints[2] - 2);
 	image->SetOrigin(1.0, -2.0, 0.5);
 	image->SetSpacing(0.5, 0.25, 2.0);
 	return withArrays(image);
@@ -72,10 +70,10 @@ vtkSmartPointer<vtkImageData> makeImage()
 vtkSmartPointer<vtkRectilinearGrid> makeRectilinear()
 {
 	auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
-	grid->SetDimensions(kPoints.data());
+	grid->SetDimensions(kSamplePoints.data());
 	std::array<vtkNew<vtkDoubleArray>, 3> axes;
 	for (int axis = 0; axis < 3; ++axis)
-		for (int i = 0; i < kPoints[axis]; ++i)
+		for (int i = 0; i < kSamplePoints[axis]; ++i)
 			axes[axis]->InsertNextValue(0.1 * i * i + axis);
 	grid->SetXCoordinates(axes[0]);
 	grid->SetYCoordinates(axes[1]);
@@ -87,9 +85,9 @@ vtkSmartPointer<vtkPoints> makePoints(int type)
 {
 	auto points = vtkSmartPointer<vtkPoints>::New();
 	points->SetDataType(type);
-	for (int k = 0; k < kPoints[2]; ++k)
-		for (int j = 0; j < kPoints[1]; ++j)
-			for (int i = 0; i < kPoints[0]; ++i)
+	for (int k = 0; k < kSamplePoints[2]; ++k)
+		for (int j = 0; j < kSamplePoints[1]; ++j)
+			for (int i = 0; i < kSamplePoints[0]; ++i)
 				points->InsertNextPoint(i + 0.25 * j, j + 0.125 * k, k);
 	return points;
 }
@@ -97,14 +95,14 @@ vtkSmartPointer<vtkPoints> makePoints(int type)
 vtkSmartPointer<vtkStructuredGrid> makeStructured()
 {
 	auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
-	grid->SetDimensions(kPoints.data());
+	grid->SetDimensions(kSamplePoints.data());
 	grid->SetPoints(makePoints(VTK_DOUBLE));
 	return withArrays(grid);
 }
 
 vtkIdType pointId(int i, int j, int k)
 {
-	return (vtkIdType(k) * kPoints[1] + j) * kPoints[0] + i;
+	return (vtkIdType(k) * kSamplePoints[1] + j) * kSamplePoints[0] + i;
 }
 
 // Hexahedra, or each of them cut into two wedges where i is odd.
@@ -112,9 +110,9 @@ vtkSmartPointer<vtkUnstructuredGrid> makeUnstructured(bool wedges)
 {
 	auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
 	grid->SetPoints(makePoints(VTK_FLOAT));
-	for (int k = 0; k + 1 < kPoints[2]; ++k)
-		for (int j = 0; j + 1 < kPoints[1]; ++j)
-			for (int i = 0; i + 1 < kPoints[0]; ++i)
+	for (int k = 0; k + 1 < kSamplePoints[2]; ++k)
+		for (int j = 0; j + 1 < kSamplePoints[1]; ++j)
+			for (int i = 0; i + 1 < kSamplePoints[0]; ++i)
 			{
 				std::array<vtkIdType, 8> p;
 				for (int corner = 0; corner < 8; ++corner)
@@ -192,7 +190,7 @@ void writeMeta(const std::string& path, bool compressed)
 	vtkSmartPointer<vtkImageData> image = makeImage();
 	image->GetPointData()->GetScalars()->SetName("MetaImage");
 	image->SetOrigin(image->GetPoint(0));
-	image->SetExtent(0, kPoints[0] - 1, 0, kPoints[1] - 1, 0, kPoints[2] - 1);
+	image->SetExtent(0, kSamplePoints[0] - 1, 0, kSamplePoints[1] - 1, 0, kSamplePoints[2] - 1);
 	vtkNew<vtkMetaImageWriter> writer;
 	writer->SetFileName(path.c_str());
 	if (path.ends_with(".mhd"))

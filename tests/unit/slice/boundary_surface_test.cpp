@@ -34,11 +34,6 @@ double areaOf(const slice::SheetMesh& mesh)
 	return area;
 }
 
-grid::BlockSet setOf(const grid::Block& block)
-{
-	return setOfBlocks({block});
-}
-
 } // namespace
 
 TEST(BoundarySurface, HasTheFacesOfEveryGridAtTheirPoints)
@@ -46,7 +41,7 @@ TEST(BoundarySurface, HasTheFacesOfEveryGridAtTheirPoints)
 	std::size_t closed = 0;
 	for (const grid::Block& block : allGrids())
 	{
-		const grid::BlockSet set = setOf(block);
+		const grid::BlockSet set = setOfBlocks({block});
 		const slice::SheetMesh mesh = slice::boundarySurface(set);
 		// As many as the block has that are not degenerate, counted by their sets of points.
 		std::size_t expected = 0;
@@ -80,12 +75,12 @@ TEST(BoundarySurface, SeamsAreNoBoundary)
 {
 	for (const Place place : {straight, warped})
 	{
-		const grid::BlockSet whole = setOf(hexahedraBlock(place, 0.0, 2.0, true));
+		const grid::BlockSet whole = setOfBlocks({hexahedraBlock(place, 0.0, 2.0, true)});
 		const slice::SheetMesh expected = slice::boundarySurface(whole);
 		EXPECT_EQ(expected.polygons(), 4u * 2 * kSteps * kSteps + 2u * kSteps * kSteps);
 		EXPECT_EQ(openEdges(expected), 0u);
 		const grid::BlockSet sets[] = {
-		    setOf(hexahedraBlock(place, 0.0, 2.0, false)),
+		    setOfBlocks({hexahedraBlock(place, 0.0, 2.0, false)}),
 		    setOfBlocks({latticeBlock(place, 0.0, false), latticeBlock(place, 1.0, true)}),
 		    setOfBlocks({latticeBlock(place, 0.0, false), hexahedraBlock(place, 1.0, 2.0, true)})};
 		for (const grid::BlockSet& set : sets)
@@ -99,7 +94,7 @@ TEST(BoundarySurface, SeamsAreNoBoundary)
 
 TEST(BoundarySurface, OfAnOGridIsTwoTubesAndTwoRings)
 {
-	const slice::SheetMesh mesh = slice::boundarySurface(setOf(oGrid()));
+	const slice::SheetMesh mesh = slice::boundarySurface(setOfBlocks({oGrid()}));
 	EXPECT_EQ(mesh.polygons(), 4u * 2 * kSteps * kSteps);
 	EXPECT_EQ(openEdges(mesh), 0u);
 	std::set<std::uint32_t> used(mesh.polygon_vertices.begin(), mesh.polygon_vertices.end());

@@ -11,7 +11,7 @@ namespace vp::test
 namespace
 {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 // Points 0..2n-1 in pairs, so that vertex v of a mesh lies on the edge (2v, 2v + 1) and takes the value of point 2v at
 // t = 0.
@@ -79,7 +79,7 @@ TEST(Measure, AConcavePolygonIsNoMoreThanItIs)
 
 TEST(Measure, NanStaysOutOfMeanAndRange)
 {
-	const grid::BlockSet set = carrier({1.0, 1.0, 3.0, kNan, 3.0, 3.0});
+	const grid::BlockSet set = carrier({1.0, 1.0, 3.0, kNoValue, 3.0, 3.0});
 	const slice::SheetMesh mesh =
 	    polygonsOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {7, 0, 0}, {5, 2, 0}}, {{0, 1, 2}, {3, 4, 5}});
 	const slice::SheetMeasure measure = slice::measure(set, mesh, kOnPoints);
@@ -94,7 +94,7 @@ TEST(Measure, NanStaysOutOfMeanAndRange)
 
 TEST(Measure, AllNanHasNoMean)
 {
-	const grid::BlockSet set = carrier({kNan, kNan, kNan});
+	const grid::BlockSet set = carrier({kNoValue, kNoValue, kNoValue});
 	const slice::SheetMeasure measure =
 	    slice::measure(set, polygonsOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}), kOnPoints);
 	EXPECT_DOUBLE_EQ(measure.nan_area, 0.5);
@@ -120,7 +120,7 @@ TEST(Measure, CellDataAreConstantOnAPolygon)
 	grid::BlockSet set = carrier({0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
 	std::vector<double> cells(11, 100.0);
 	cells[0] = 2.0;
-	cells[1] = kNan;
+	cells[1] = kNoValue;
 	set.blocks[0].fields.push_back(grid::makeField("c", grid::Association::cell, 1, cells));
 	const slice::SheetMesh mesh =
 	    polygonsOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {7, 0, 0}, {5, 2, 0}}, {{0, 1, 2}, {3, 4, 5}});
@@ -162,7 +162,7 @@ TEST(Measure, AnEndWithoutPartDoesNotBringItsNan)
 {
 	grid::Block block;
 	block.grid = grid::UniformGrid({2, 2, 2}, Vec3(0.0), Vec3(1.0));
-	std::vector<double> s(8, kNan);
+	std::vector<double> s(8, kNoValue);
 	s[0] = 5.0;
 	const grid::Field field = grid::makeField("s", grid::Association::point, 1, s);
 	EXPECT_EQ(slice::interpolate(block, field, 0, {0, 0, 1, 0.0}), 5.0);

@@ -13,8 +13,6 @@ using vectors::Traces;
 namespace
 {
 
-constexpr TestPlane kAskew{{0.3, 0.9, 0.1}, {0.3, 0.5, 0.81}};
-
 double worstError(const Traces& traces)
 {
 	double worst = 0.0;

@@ -13,6 +13,18 @@
 namespace vp::test
 {
 
+constexpr TestPlane kAskew{{0.3, 0.9, 0.1}, {0.3, 0.5, 0.81}};
+
+inline vectors::TraceOptions forTime(double steps, double dt,
+                                     vectors::Direction direction = vectors::Direction::forward)
+{
+	vectors::TraceOptions options;
+	options.steps = steps;
+	options.dt = dt;
+	options.direction = direction;
+	return options;
+}
+
 inline grid::BlockSet demo(const std::string& name, int n)
 {
 	return std::move(*grid::makeDemo(name, n));

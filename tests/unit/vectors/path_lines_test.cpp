@@ -41,15 +41,6 @@ struct Moving
 	}
 };
 
-TraceOptions forTime(double steps, double dt, Direction direction)
-{
-	TraceOptions options;
-	options.steps = steps;
-	options.dt = dt;
-	options.direction = direction;
-	return options;
-}
-
 } // namespace
 
 TEST(PathLines, FollowVectorsThatChange)

@@ -15,17 +15,6 @@ using vectors::VectorPart;
 namespace
 {
 
-constexpr TestPlane kAskew{{0.3, 0.9, 0.1}, {0.3, 0.5, 0.81}};
-
-TraceOptions forTime(double steps, double dt, Direction direction = Direction::forward)
-{
-	TraceOptions options;
-	options.steps = steps;
-	options.dt = dt;
-	options.direction = direction;
-	return options;
-}
-
 Error errorOf(const TraceOptions& options)
 {
 	const grid::BlockSet blocks = demo("blob", 2);

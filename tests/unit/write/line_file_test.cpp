@@ -17,10 +17,10 @@ namespace vp::test
 namespace
 {
 
-using Row = std::map<std::string, double>;
+using NamedRow = std::map<std::string, double>;
 
 // A file without quoted names.
-std::vector<Row> rowsOf(const std::string& text)
+std::vector<NamedRow> rowsOf(const std::string& text)
 {
 	std::istringstream lines(text);
 	std::string line;
@@ -29,11 +29,11 @@ std::vector<Row> rowsOf(const std::string& text)
 	std::istringstream header(line);
 	for (std::string name; std::getline(header, name, ',');)
 		names.push_back(name);
-	std::vector<Row> rows;
+	std::vector<NamedRow> rows;
 	while (std::getline(lines, line))
 	{
 		std::istringstream fields(line);
-		Row& row = rows.emplace_back();
+		NamedRow& row = rows.emplace_back();
 		for (const std::string& name : names)
 		{
 			std::string field;
@@ -44,7 +44,7 @@ std::vector<Row> rowsOf(const std::string& text)
 	return rows;
 }
 
-std::vector<Row> rowsAlong(const grid::BlockSet& blocks, const probe::Sheet& sheet, const write::SheetLine& line)
+std::vector<NamedRow> rowsAlong(const grid::BlockSet& blocks, const probe::Sheet& sheet, const write::SheetLine& line)
 {
 	const TemporaryFolder folder;
 	slice::Slicer slicer(blocks);
@@ -56,7 +56,7 @@ std::vector<Row> rowsAlong(const grid::BlockSet& blocks, const probe::Sheet& she
 	return rowsOf(readText(folder / "line.csv"));
 }
 
-double linear(const Row& row)
+double linear(const NamedRow& row)
 {
 	return 2.0 * row.at("x") - 3.0 * row.at("y") + 0.5 * row.at("z");
 }
@@ -96,7 +96,7 @@ TEST(LineFile, ALinearFieldIsExactOnEveryRow)
 		const auto rows = rowsAlong(blocks, probe::makeSheet(centre, {0.3, -0.2, 0.9}), {{-1.9, 0.35}, {2.1, -0.8}});
 		std::size_t inside = 0;
 		double before = 0.0;
-		for (const Row& row : rows)
+		for (const NamedRow& row : rows)
 		{
 			EXPECT_GE(row.at("distance"), before);
 			before = row.at("distance");
@@ -119,7 +119,7 @@ TEST(LineFile, GapsAndEndsOutsideAreToldOnce)
 	// Through the hollow middle of the shell and out at both sides.
 	const auto rows = rowsAlong(blocks, probe::makeSheet({0.0, 0.5, 0.0}, {0.0, 0.0, 1.0}), {{-4.0, 0.0}, {4.0, 0.0}});
 	std::vector<double> outside;
-	for (const Row& row : rows)
+	for (const NamedRow& row : rows)
 		if (std::isnan(row.at("f")))
 			outside.push_back(row.at("u"));
 	ASSERT_EQ(outside.size(), 3u);
@@ -137,7 +137,7 @@ TEST(LineFile, EndsWithinAPolygonHaveTheirValues)
 	const grid::BlockSet blocks = withLinear("blob", 6);
 	const auto rows = rowsAlong(blocks, probe::makeSheet({0.0, 0.0, 0.25}, {0.0, 0.0, 1.0}), {{0.2, 0.3}, {2.6, 0.7}});
 	ASSERT_EQ(rows.size(), 4u); // x = 1 and 2 between
-	for (const Row& row : rows)
+	for (const NamedRow& row : rows)
 		EXPECT_NEAR(row.at("f"), linear(row), 1e-12);
 	EXPECT_NEAR(rows[1].at("x"), 1.0, 1e-12);
 	EXPECT_EQ(rows[3].at("c"), rows[2].at("c"));

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+
+inline bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words)
+{
+	return std::find(words.begin(), words.end(), word) != words.end();
+}
