@@ -19,7 +19,7 @@ test_packages=(
 # The second compiler. clang-format's output depends on its version, so the format is checked where version 14 is.
 case $system in
 debian13) test_packages+=(clang) ;;
-*) test_packages+=(clang-14 clang-format-14) ;;
+*) test_packages+=(clang-14 libclang-rt-14-dev clang-format-14) ;;
 esac
 
 # The scripts install packages on these. Ubuntu has the same names in its package lists; nobody has run the scripts there.

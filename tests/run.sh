@@ -14,7 +14,7 @@ select=(-LE '^long$') long= others=yes
 case ${1-} in
 '') ;;
 --release) others= ;;
---long) select=() long=yes ;;
+--long) select=() long=yes && export VPROBE_LONG=1 ;;
 *) say "usage: tests/run.sh [--release|--long]"; exit 1 ;;
 esac
 
@@ -49,22 +49,53 @@ build()
 		step "build/log/$preset-build" "Building $preset" cmake --build "build/$preset" --target "$target" -- -k 0
 }
 
+# list_tests PRESET: a line "passed|failed|skipped SECONDS NAME" for every test that ran, as GoogleTest and ctest report them.
+list_tests()
+{
+	local report name status seconds
+	for report in "build/$1"/gtest/*.xml; do
+		[[ -e $report ]] || continue
+		name=$(basename "$report" .xml)
+		awk -v program="${name%.[0-9]*}" '
+			function attribute(key)
+			{
+				return match($0, " " key "=\"[^\"]*\"") ? substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 4) : ""
+			}
+			function tell() { if (test) print verdict, seconds, test }
+			/<testcase / {
+				tell()
+				test = program "." attribute("classname") "." attribute("name")
+				seconds = attribute("time")
+				verdict = attribute("result") == "skipped" ? "skipped" : "passed"
+			}
+			/<failure / { verdict = "failed" }
+			END { tell() }' "$report"
+	done
+	# Of a program that died before it could report, ctest knows.
+	sed -nE 's/.*<testcase name="([^"]*)".* time="([^"]*)" status="([^"]*)".*/\3 \2 \1/p' "build/$1/tests.xml" |
+		sed -E 's/^run /passed /; s/^fail /failed /; s/^(notrun|disabled) /skipped /' |
+		while read -r status seconds name; do
+			[[ -e build/$1/gtest/$name.xml ]] || echo "$status $seconds $name"
+		done
+}
+
 # run_tests PRESET [CTEST OPTION...]: counts passed and failed, keeps the names of the skipped.
 run_tests()
 {
 	local preset=$1 report=build/$1/tests.xml status=0 total fails names name
 	shift
-	rm -f "$report"
+	rm -rf "$report" "build/$preset/gtest"
 	step "build/log/$preset-tests" "Testing $preset" "${launcher[@]}" ctest --test-dir "build/$preset" -j "$jobs" --output-on-failure --timeout 300 \
 		--no-tests=error --output-junit "$PWD/$report" "${select[@]}" "$@" || status=$?
 	if [[ ! -e $report ]]; then
 		failed=$((failed + 1))
 		return
 	fi
-	total=$(grep -c '<testcase ' "$report" || true)
-	fails=$(grep -c '<testcase .*status="fail"' "$report" || true)
-	mapfile -t names < <(sed -n 's/.*<testcase name="\([^"]*\)".*status="\(notrun\|disabled\)".*/\1/p' "$report")
-	((status == 0 || fails > 0)) || fails=1 # ctest itself failed
+	list_tests "$preset" >"build/$preset/tests.txt"
+	total=$(grep -c . "build/$preset/tests.txt" || true)
+	fails=$(grep -c '^failed ' "build/$preset/tests.txt" || true)
+	mapfile -t names < <(sed -n 's/^skipped [^ ]* //p' "build/$preset/tests.txt")
+	((status == 0 || fails > 0)) || fails=1 # ctest itself failed, or a program after its last test
 	passed=$((passed + total - fails - ${#names[@]}))
 	failed=$((failed + fails))
 	for name in "${names[@]}"; do skipped+=("$preset: $name"); done
@@ -80,19 +111,24 @@ check_format()
 	return "$bad"
 }
 
-# compile_with_clang PRESET: what the build of this preset compiles, with the warnings of the other compiler.
-compile_with_clang()
+# check_with_clang PRESET [TARGET]: the warnings of the other compiler, for all that the preset's build would compile but what
+# it compiles for the target.
+check_with_clang()
 {
-	sed -n 's/^ *"command": "\(.*\)",\{0,1\}$/\1/p' "build/$1/compile_commands.json" | sed 's/\\"/"/g; s/\\\\/\\/g' |
-		sed -E "s#^.*/(c|g|clang)\+\+(-[0-9]+)? #$clang -fsyntax-only -Wall -Wextra -Werror #; s# -o [^ ]+ # #" | sort |
-		(cd "build/$1" && xargs -d '\n' -P "$jobs" -I COMMAND bash -c 'COMMAND')
+	local preset=$1
+	{
+		ninja -C "build/$preset" -t commands "${@:2}" | grep -E ' -c [^ ]+$' | sort -u
+		ninja -C "build/$preset" -t commands | grep -E ' -c [^ ]+$' | sort -u
+	} | if (($# > 1)); then sort | uniq -u; else sort -u; fi |
+		sed -E "s#^.*/(c|g|clang)\+\+(-[0-9]+)? #$clang -fsyntax-only -Wall -Wextra -Werror #; s# -o [^ ]+ # #" |
+		(cd "build/$preset" && xargs -d '\n' -P "$jobs" -I COMMAND bash -c 'COMMAND')
 }
 
 # Files that are compiled together could lean on each other's includes.
 compile_files_alone()
 {
 	cmake --preset dev -DVPROBE_TESTS=ON -DVPROBE_BENCH=ON && cmake --build build/dev --target vp_shaders vp_font &&
-		compile_with_clang dev
+		check_with_clang dev
 }
 
 # print_slowest TITLE: the five largest of the lines "SECONDS NAME" on standard input.
@@ -104,32 +140,27 @@ print_slowest()
 
 test_release()
 {
-	if build release all -DCMAKE_EXPORT_COMPILE_COMMANDS=ON; then
+	if build release all; then
 		run_tests release
 	else
 		failed=$((failed + 1))
 	fi
 }
 
-test_with_clang()
-{
-	if [[ -z $clang ]]; then
-		skipped+=("clang: no clang++-14, no clang++")
-		return
-	fi
-	check "Compiling with clang" compile_with_clang release
-	[[ -z $long ]] || check "Compiling files alone" compile_files_alone
-}
-
+# Where clang has its sanitizers it builds with them, which compiles faster than GCC; so it sees most files anyway.
 test_with_sanitizers()
 {
-	if build asan cpu_tests; then
+	local compiler=() seen=()
+	if [[ -n $clang ]] && "$clang" -x c++ -fsanitize=address,undefined -o build/sanitized - <<<'int main() {}' 2>/dev/null; then
+		compiler=(-DCMAKE_CXX_COMPILER="$clang") seen=(cpu_tests)
+	fi
+	if build asan cpu_tests "${compiler[@]}"; then
 		run_tests asan -L '^cpu$'
 	else
 		failed=$((failed + 1))
 	fi
 	# VTK is not built for the thread sanitizer: what links it, or talks to it, stays out.
-	if build tsan unit_tests; then
+	if build tsan unit_tests "${compiler[@]}"; then
 		# Neither is TBB: the sanitizer cannot see that the end of a loop waits for its bodies. On one core TBB starts no
 		# threads of its own, while those of the program and its tests run as ever.
 		core=$(taskset -cp $$ | sed 's/.*: *\([0-9]*\).*/\1/')
@@ -139,11 +170,19 @@ test_with_sanitizers()
 	else
 		failed=$((failed + 1))
 	fi
+	if [[ -z $clang ]]; then
+		skipped+=("clang: no clang++-14, no clang++")
+	else
+		check "The rest with clang" check_with_clang asan "${seen[@]}"
+	fi
 }
 
 test_at_length()
 {
 	local why_not
+	if [[ -n $clang ]]; then
+		check "Files alone with clang" compile_files_alone
+	fi
 	if ! command -v clang++-14 >/dev/null; then
 		skipped+=("fuzz: no clang++-14")
 	elif build fuzz fuzz_parsers_guided; then
@@ -167,10 +206,9 @@ test_format()
 	fi
 }
 
-rm -f build/*/tests.xml
+rm -f build/*/tests.txt
 test_release
 if [[ -n $others ]]; then
-	test_with_clang
 	test_with_sanitizers
 	test_format
 fi
@@ -179,8 +217,7 @@ if [[ -n $long ]]; then
 fi
 
 printf '%s\n' "${step_times[@]}" | print_slowest "Slowest steps"
-cat build/*/tests.xml 2>/dev/null | sed -nE 's/.*<testcase name="([^"]*)".* time="([0-9.]+)" status="run".*/\2 \1/p' |
-	print_slowest "Slowest tests"
+sed 's/^[a-z]* //' build/*/tests.txt 2>/dev/null | print_slowest "Slowest tests"
 printf 'skipped: %s\n' "${skipped[@]}" | sed '/^skipped: $/d'
 printf '%s\n' "${skipped[@]}" >build/skipped.txt
 echo "$passed passed, $failed failed, ${#skipped[@]} skipped"

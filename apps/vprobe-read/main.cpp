@@ -50,6 +50,7 @@ Request parseRequest(char** arguments)
 	request.displace = std::strtod(arguments[4], nullptr);
 	request.patches = std::string(arguments[5]) == "1";
 	request.file = arguments[6];
+	request.arguments = arguments;
 	return request;
 }
 

@@ -17,7 +17,8 @@ struct Request
 	} time = Time::last;
 	double time_value = 0.0;
 	std::size_t time_index = 0;
-	double displace = 0.0; // what Exodus displacements are multiplied with; 0 leaves the points where they are
-	bool patches = false;  // whether the parts of the boundary that the file names are wanted
-	int refine = 0;        // how many times the linear parts of curved cells are halved
+	double displace = 0.0;      // what Exodus displacements are multiplied with; 0 leaves the points where they are
+	bool patches = false;       // whether the parts of the boundary that the file names are wanted
+	int refine = 0;             // how many times the linear parts of curved cells are halved
+	char** arguments = nullptr; // as the process was started with them
 };

@@ -38,7 +38,7 @@ constexpr std::uint64_t kMostBytesLong = 30u << 20;
 struct Options
 {
 	std::uint64_t seed = 1;
-	std::size_t cases = 200;
+	std::size_t cases = 80;
 	std::optional<std::size_t> only_case;
 	std::string only_set; // part of its name
 	std::string program = VPROBE_PROGRAM;
@@ -251,7 +251,7 @@ bool parse(int argc, char** argv, Options& options)
 			return false;
 	}
 	options.seed = seed;
-	options.cases = cases ? cases : options.is_long ? 10000 : 200;
+	options.cases = cases ? cases : options.is_long ? 10000 : 80;
 	options.jobs = static_cast<unsigned>(std::clamp<std::uint64_t>(jobs, 1, 64));
 	if (only != ~std::uint64_t(0))
 		options.only_case = only;

@@ -161,6 +161,6 @@ TEST_P(MonkeyAtTheWindow, DoesNoHarm)
 	close(err()); // what a key could not do is told
 }
 
-INSTANTIATE_TEST_SUITE_P(Minute, MonkeyAtTheWindow, testing::Values(VPROBE_MONKEY_SECONDS));
+INSTANTIATE_TEST_SUITE_P(Seconds, MonkeyAtTheWindow, testing::Values(VPROBE_MONKEY_SECONDS));
 
 } // namespace view

@@ -64,8 +64,13 @@ TEST(SheetLine, PiecesAreInOrderCoverTheSliceAndKeepALinearField)
 		{
 			const SlicedSheet sheet = cut(slicer, plane);
 			const std::vector<Uv> points = slice::planePoints(sheet.mesh, sheet.slice.sheet);
-			const Uv a(somewhere(random), somewhere(random));
-			const Uv b(somewhere(random), somewhere(random));
+			const auto place = [&]
+			{
+				const double v = somewhere(random);
+				return Uv(somewhere(random), v);
+			};
+			const Uv a = place();
+			const Uv b = place();
 			const std::vector<LinePiece> pieces = slice::alongLine(sheet.mesh, points, a, b);
 			double end = 0.0;
 			for (const LinePiece& piece : pieces)

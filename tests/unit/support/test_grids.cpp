@@ -85,7 +85,12 @@ Block warpedCurvilinear()
 	std::uniform_real_distribution<double> jitter(-0.35, 0.35);
 	return curvilinear("warped_curvilinear", {7, 7, 7},
 	                   [&](int i, int j, int k)
-	                   { return Vec3(i + jitter(random), j + jitter(random), k + jitter(random)); });
+	                   {
+		                   // One after the other: compilers evaluate arguments in different orders.
+		                   const double z = k + jitter(random);
+		                   const double y = j + jitter(random);
+		                   return Vec3(i + jitter(random), y, z);
+	                   });
 }
 
 using LatticeIds = std::vector<std::int64_t>;
