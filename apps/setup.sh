@@ -44,7 +44,7 @@ say() { printf '%s\n' "$*" >&2; }
 # report_progress LOG TITLE: every 30 seconds, a line that says how far ninja, or ctest, has come by its log.
 report_progress()
 {
-	local log=$1 title=$2 start=$SECONDS spent count nap
+	local log=$1 title=$2 start=$SECONDS spent count nap=
 	trap 'kill "$nap" 2>/dev/null; exit' TERM
 	while true; do
 		sleep 30 &

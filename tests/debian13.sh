@@ -37,6 +37,7 @@ cp /etc/resolv.conf "$root/etc/"
 find /etc/apt/apt.conf.d -maxdepth 1 -name '*proxy*' -exec cp {} "$root/etc/apt/apt.conf.d/" \;
 rm -f "$root/etc/apt/apt.conf.d/docker-clean"
 echo 'Binary::apt-get::APT::Keep-Downloaded-Packages "true";' >"$root/etc/apt/apt.conf.d/90keep"
+echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io" # the root is thrown away
 mkdir -p "$root"/{source,root/.cache/ccache}
 mount --bind "$cache/archives" "$root/var/cache/apt/archives"
 mount --bind "$cache/ccache" "$root/root/.cache/ccache"
