@@ -10,11 +10,11 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source apps/setup.sh
 
-select=(-LE '^long$') long= others=yes
+select=(-LE '^long$') long= others=yes threads=threads
 case ${1-} in
 '') ;;
 --release) others= ;;
---long) select=() long=yes && export VPROBE_LONG=1 ;;
+--long) select=() long=yes threads=unit && export VPROBE_LONG=1 ;;
 *) say "usage: tests/run.sh [--release|--long]"; exit 1 ;;
 esac
 
@@ -22,7 +22,7 @@ install_packages "${build_packages[@]}" "${test_packages[@]}"
 
 jobs=$(nproc)
 clang=$(command -v clang++-14 || command -v clang++) || clang=
-passed=0 failed=0 skipped=() launcher=()
+passed=0 failed=0 skipped=()
 export VPROBE_VALIDATION=1
 # The same device everywhere: lavapipe, unless VPROBE_TEST_DEVICE asks for the machine's own.
 lavapipe=$(compgen -G '/usr/share/vulkan/icd.d/lvp_icd*.json' | head -n 1) || true
@@ -85,7 +85,7 @@ run_tests()
 	local preset=$1 report=build/$1/tests.xml status=0 total fails names name
 	shift
 	rm -rf "$report" "build/$preset/gtest"
-	step "build/log/$preset-tests" "Testing $preset" "${launcher[@]}" ctest --test-dir "build/$preset" -j "$jobs" --output-on-failure --timeout 300 \
+	step "build/log/$preset-tests" "Testing $preset" ctest --test-dir "build/$preset" -j "$jobs" --output-on-failure --timeout 300 \
 		--no-tests=error --output-junit "$PWD/$report" "${select[@]}" "$@" || status=$?
 	if [[ ! -e $report ]]; then
 		failed=$((failed + 1))
@@ -104,11 +104,8 @@ run_tests()
 # Names the files that clang-format would change.
 check_format()
 {
-	local file bad=0
-	while IFS= read -r file; do
-		clang-format-14 "$file" | cmp -s - "$file" || { echo "$file: clang-format-14 -i would change it"; bad=1; }
-	done < <(find engine apps tests shaders/shared -name '*.cpp' -o -name '*.h' -o -name '*.inl')
-	return "$bad"
+	find engine apps tests shaders/shared -name '*.cpp' -o -name '*.h' -o -name '*.inl' |
+		xargs -d '\n' -P "$jobs" -n 100 clang-format-14 --dry-run -Werror
 }
 
 # check_with_clang PRESET [TARGET]: the warnings of the other compiler, for all that the preset's build would compile but what
@@ -135,7 +132,7 @@ compile_files_alone()
 print_slowest()
 {
 	echo "$1:"
-	sort -rn | head -n 5 | sed -E 's/^([0-9.]+) /  \1 s  /'
+	sort -rn | sed -nE '1,5s/^([0-9.]+) /  \1 s  /p' # reads to the end: a sort that cannot write would end the run
 }
 
 test_release()
@@ -159,14 +156,9 @@ test_with_sanitizers()
 	else
 		failed=$((failed + 1))
 	fi
-	# VTK is not built for the thread sanitizer: what links it, or talks to it, stays out.
-	if build tsan unit_tests "${compiler[@]}"; then
-		# Neither is TBB: the sanitizer cannot see that the end of a loop waits for its bodies. On one core TBB starts no
-		# threads of its own, while those of the program and its tests run as ever.
-		core=$(taskset -cp $$ | sed 's/.*: *\([0-9]*\).*/\1/')
-		launcher=(taskset -c "$core")
-		TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp" run_tests tsan -R '^unit_'
-		launcher=()
+	# Libraries are not built for the thread sanitizer, so only threads of our own can be watched (see vp_test).
+	if build tsan "${threads}_tests" "${compiler[@]}"; then
+		TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp" run_tests tsan -L "^$threads\$"
 	else
 		failed=$((failed + 1))
 	fi

@@ -1,4 +1,5 @@
 #include "run_pairs.h"
+#include "tries.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@ namespace vp::test
 
 TEST(Properties, HoldForRandomSetsAndPlanes)
 {
-	runPairs(0, 500);
+	runPairs(0, tries(500));
 }
 
 } // namespace vp::test

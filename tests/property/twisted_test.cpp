@@ -1,4 +1,5 @@
 #include "pair_checks.h"
+#include "tries.h"
 #include "twisted_sets.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ void checkMask(LatticeKind kind, std::uint32_t mask, unsigned seed)
 void checkMasks(LatticeKind kind, std::uint32_t step, unsigned seeds)
 {
 	const std::uint32_t all = (1u << twistedPoints(kind)) - 1u;
-	for (std::uint32_t mask = 1; mask < all; mask += step)
+	for (std::uint32_t mask = 1; mask < all; mask += step * tryEvery())
 		for (unsigned seed = 0; seed < seeds; ++seed)
 		{
 			checkMask(kind, mask, 100 * mask + seed);

@@ -1,5 +1,6 @@
 #include "state/file_places.h"
 #include "state/state_file.h"
+#include "tries.h"
 
 #include <gtest/gtest.h>
 
@@ -115,7 +116,7 @@ TEST_F(StateFile, AnyNumbersKeepEveryBit)
 {
 	std::mt19937_64 random(7);
 	std::uniform_int_distribution<std::uint64_t> bits;
-	for (int round = 0; round < 200; ++round)
+	for (int round = 0; round < tries(200); ++round)
 	{
 		Values values;
 		for (int i = 0; i < 20; ++i)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grid/block.h"
+#include "tries.h"
 
 #include <algorithm>
 #include <array>
@@ -241,7 +242,7 @@ inline std::vector<TestPlane> randomPlanes(const Box& box, int count, unsigned s
 {
 	std::mt19937 random(seed);
 	std::vector<TestPlane> planes;
-	for (int i = 0; i < count; ++i)
+	for (int i = 0; i < tries(count); ++i)
 	{
 		const Vec3 origin = randomPoint(box, random);
 		planes.push_back({origin, randomDirection(random)});

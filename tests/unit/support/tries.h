@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdlib>
+
+namespace vp::test
+{
+
+/// Of many cases alike a test takes every one, but every seventh in a build with sanitizers: there each takes some ten times
+/// as long, and the first few already enter the code that is watched. With VPROBE_LONG set: every one.
+inline int tryEvery()
+{
+#ifdef VPROBE_SANITIZED
+	static const bool all = std::getenv("VPROBE_LONG") != nullptr;
+	return all ? 1 : 7;
+#else
+	return 1;
+#endif
+}
+
+/// How many of `full` cases that makes; at least 1.
+inline int tries(int full)
+{
+	return (full + tryEvery() - 1) / tryEvery();
+}
+
+} // namespace vp::test
