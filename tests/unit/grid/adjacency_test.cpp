@@ -148,7 +148,7 @@ TEST(Adjacency, FlatCellIsNotItsOwnNeighbour)
 TEST(Adjacency, ManyFacesAtOnePoint)
 {
 	// A fan of tetrahedra about one edge and a pole: all faces but the rim's share the lowest points.
-	const int n = tries(2000);
+	const int n = test::tries(2000);
 	test::CellListMaker maker;
 	maker.point({0, 0, 0});
 	maker.point({0, 0, 1});

@@ -106,7 +106,7 @@ TEST(CellTurn, OfHexahedraIsTheSignOfTheJacobian)
 	std::mt19937 random(2);
 	std::uniform_real_distribution<double> unit(0.0, 1.0);
 	std::uniform_real_distribution<double> jitter(-0.6, 0.6);
-	const int cells = tries(3000);
+	const int cells = test::tries(3000);
 	int settled = 0;
 	int mixed_but_one_sign = 0;
 	for (int n = 0; n < cells; ++n)

@@ -5,8 +5,8 @@
 namespace vp::test
 {
 
-/// Of many cases alike a test takes every one, but every seventh in a build with sanitizers: there each takes some ten times
-/// as long, and the first few already enter the code that is watched. With VPROBE_LONG set: every one.
+/// Of many cases alike a test takes every one, but every seventh in a build with sanitizers: there each takes some ten
+/// times as long, and the first few already enter the code that is watched. With VPROBE_LONG set: every one.
 inline int tryEvery()
 {
 #ifdef VPROBE_SANITIZED
