@@ -374,7 +374,7 @@ TEST(Manifest, WithFlippedBytesNeverCrashes)
 	const std::string text = whole.text();
 	std::mt19937 random(7);
 	std::size_t held = 0;
-	const int rounds = tries(20000);
+	const int rounds = test::tries(20000);
 	for (int round = 0; round < rounds; ++round)
 	{
 		std::string changed = text;
