@@ -1,4 +1,5 @@
 #include "sliced_sheet.h"
+#include "tries.h"
 
 #include "grid/demo.h"
 
@@ -33,7 +34,7 @@ double sideOf(const grid::BlockSet& set)
 // Planes as the benchmark has them, and hot spots anywhere: many of those are outside.
 std::vector<TestPlane> planesThrough(const Box& box)
 {
-	std::vector<TestPlane> planes = randomPlanes(box, 60, 120);
+	std::vector<TestPlane> planes = randomPlanes(box, tries(60), 120);
 	planes.push_back({box.centre(), {0.3, 0.5, 0.81}});
 	planes.push_back({box.centre(), {1.0, 0.0, 0.0}});
 	planes.push_back({box.centre(), {0.0, 1.0, 0.0}});

@@ -1,5 +1,6 @@
 #include "sliced_sheet.h"
 #include "test_grids.h"
+#include "tries.h"
 
 #include <gtest/gtest.h>
 
@@ -140,7 +141,7 @@ bool hasFlatConvexCells(const grid::Block& block)
 
 std::vector<TestPlane> planesFor(const grid::Block& block)
 {
-	std::vector<TestPlane> planes = randomPlanes(block.bounds, 200, 20);
+	std::vector<TestPlane> planes = randomPlanes(block.bounds, tries(200), 20);
 	const std::vector<TestPlane> more = degeneratePlanes(block, 21);
 	planes.insert(planes.end(), more.begin(), more.end());
 	// As long as a sheet's: scaled twice, a normal may differ in its last bit.

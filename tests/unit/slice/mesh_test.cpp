@@ -1,5 +1,6 @@
 #include "sliced_sheet.h"
 #include "test_grids.h"
+#include "tries.h"
 #include "watertight_mesh.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ namespace
 
 std::vector<TestPlane> planesFor(const grid::Block& block)
 {
-	std::vector<TestPlane> planes = randomPlanes(block.bounds, 60, 30);
+	std::vector<TestPlane> planes = randomPlanes(block.bounds, tries(60), 30);
 	const std::vector<TestPlane> more = degeneratePlanes(block, 31);
 	planes.insert(planes.end(), more.begin(), more.end());
 	return planes;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "grid/block.h"
-#include "tries.h"
 
 #include <algorithm>
 #include <array>
@@ -242,7 +241,7 @@ inline std::vector<TestPlane> randomPlanes(const Box& box, int count, unsigned s
 {
 	std::mt19937 random(seed);
 	std::vector<TestPlane> planes;
-	for (int i = 0; i < tries(count); ++i)
+	for (int i = 0; i < count; ++i)
 	{
 		const Vec3 origin = randomPoint(box, random);
 		planes.push_back({origin, randomDirection(random)});
