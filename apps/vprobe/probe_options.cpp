@@ -141,6 +141,11 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	        "fastest")
 	    ->check(CLI::IsMember({"stamps", "octants"}))
 	    ->group(group);
+	command
+	    .add_option("--strategy", options.strategy,
+	                "How cut cells are found, in place of the best way for each block; --explain shows that one")
+	    ->check(CLI::IsMember({"rows", "spans", "cells", "generations", "listed"}))
+	    ->group(group);
 	addDeviceOptions(command, options);
 }
 
@@ -148,17 +153,11 @@ void addDeviceOptions(CLI::App& command, ProbeOptions& options)
 {
 	const char* group = "Probe";
 	command
-	    .add_option_function<std::string>(
-	        "--classify",
-	        [&options](const std::string& value)
-	        {
-		        options.classify = value;
-		        options.classify_given = true;
-	        },
-	        "Where cells are classified. gpu (default): on the Vulkan device, or, when not asked for by name and there "
-	        "is none, on the CPU; "
-	        "auto: where it is faster")
+	    .add_option("--classify", options.classify,
+	                "Where cells are classified. auto: where it is faster, which is the CPU unless there is a hardware "
+	                "device; gpu: on the Vulkan device; cpu: on the CPU")
 	    ->check(CLI::IsMember({"auto", "gpu", "cpu"}))
+	    ->capture_default_str()
 	    ->group(group);
 	command.add_option("--device", options.device, "Vulkan device, by part of its name or by number")
 	    ->type_name("NAME|INDEX")
@@ -166,6 +165,13 @@ void addDeviceOptions(CLI::App& command, ProbeOptions& options)
 	command.add_option("--threads", options.threads, "Most threads to use (default: all cores)")
 	    ->check(CLI::Range(1, 4096))
 	    ->group(group);
+}
+
+void addExplain(CLI::App& command, ProbeOptions& options)
+{
+	command
+	    .add_flag("--explain", options.explain, "Prints how each sheet will be cut in each block, and why, and ends")
+	    ->group("Probe");
 }
 
 } // namespace vp::app

@@ -42,9 +42,10 @@ struct ProbeOptions
 	double displace = 0.0;
 	std::string seeds = "auto";
 	std::string outside = "nearest";
-	std::string visited; // none: cells are found the fastest way, which may need neither
-	std::string classify = "gpu";
-	bool classify_given = false;
+	std::string visited;  // none: cells are found the fastest way, which may need neither
+	std::string strategy; // none: the plan's own choice
+	bool explain = false; // the plan is wanted in place of the cut
+	std::string classify = "auto";
 	std::string device;
 	int threads = 0;
 	VectorOptions vectors; // launched from the sheets
@@ -56,5 +57,6 @@ struct ProbeOptions
 CLI::Option* addInputs(CLI::App& command, ProbeOptions& options);
 void addProbeOptions(CLI::App& command, ProbeOptions& options); // with the device's
 void addDeviceOptions(CLI::App& command, ProbeOptions& options);
+void addExplain(CLI::App& command, ProbeOptions& options); // of commands that end with a cut
 
 } // namespace vp::app

@@ -1,6 +1,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "commands.h"
+#include "explain.h"
 #include "painter.h"
 #include "plane_pictures.h"
 #include "profile_compare.h"
@@ -180,6 +181,8 @@ Result<ExitCode> runProfile(ProfileOptions& options, const CLI::App& command)
 		return runCompare(options, command);
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
+	if (options.saved.probe.explain)
+		return explain(options.saved.probe, options.saved.look.color_by == "generation");
 	if (Status read = readPathFile(options.path); !read)
 		return read.error();
 	if (Status fits = checkProfileOptions(options, command); !fits)
@@ -233,6 +236,7 @@ void addProfile(CLI::App& program, Run& run)
 	    "profile", "Measure a sweep of a probe through an input: times of every stage, work, memory; compare two");
 	addInputs(*command, options->saved.probe)->required(false); // --state may name them
 	addProbeOptions(*command, options->saved.probe);
+	addExplain(*command, options->saved.probe);
 	addLookOptions(*command, options->saved.look);
 	addStateOptions(*command, options->saved);
 	const char* group = "Profile";

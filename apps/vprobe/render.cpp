@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "explain.h"
 #include "painter.h"
 #include "saved_options.h"
 #include "surface_options.h"
@@ -29,6 +30,8 @@ Result<ExitCode> runRender(RenderOptions& options)
 {
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
+	if (options.saved.probe.explain)
+		return explain(options.saved.probe, options.saved.look.color_by == "generation");
 	if (Status place = tryPlace(options.stats); !place)
 		return place.error();
 	if (options.output.empty())
@@ -96,6 +99,7 @@ void addRender(CLI::App& program, Run& run)
 	    program.add_subcommand("render", "Draw the cut of an input by a probe, with legend and axes, as a PNG");
 	addInputs(*command, options->saved.probe)->required(false); // --state may name them
 	addProbeOptions(*command, options->saved.probe);
+	addExplain(*command, options->saved.probe);
 	command->add_option("-o,--output", options->output, "Picture; - writes it to standard output")
 	    ->type_name("FILE.png|-");
 	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");

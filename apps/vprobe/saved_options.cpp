@@ -17,7 +17,7 @@ namespace
 {
 
 // The one list of what a state holds: a new option is one line here. A key is the option's name with _ for -.
-// What belongs to the machine (--classify, --device, --threads) is none of it.
+// What belongs to the machine (--classify, --strategy, --device, --threads) is none of it.
 state::Sections sectionsOf(SavedOptions& options)
 {
 	ProbeOptions& probe = options.probe;

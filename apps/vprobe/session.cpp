@@ -70,21 +70,20 @@ Status chooseSheetFields(const ProbeOptions& options, Session& session)
 	return Nothing{};
 }
 
-// The device, where one is wanted. None is an error for drawing, and for a GPU classifier that was asked for by name;
-// otherwise the CPU goes on, with a word.
+// The device, where one is wanted. None is an error where it is asked for by name, draws, or must classify; otherwise
+// the CPU does the work.
 Result<std::unique_ptr<gpu::Device>> openDevice(const ProbeOptions& options, DeviceUse use)
 {
-	// A grid surface is found by its subscripts, without classifying.
-	const bool classifies = options.classify != "cpu" && (!leavesDeviceIdle(options) || options.classify_given);
-	if (use == DeviceUse::classify && !classifies)
+	const bool needed = use == DeviceUse::draw || options.classify == "gpu" || !options.device.empty();
+	const bool may_classify = options.classify == "auto" && !leavesDeviceIdle(options);
+	if (use == DeviceUse::classify && (options.classify == "cpu" || (!needed && !may_classify)))
+		return std::unique_ptr<gpu::Device>();
+	// A software device would share the CPU's cores, and is not worth the time that it takes to open.
+	if (!needed && !gpu::hasHardwareDevice())
 		return std::unique_ptr<gpu::Device>();
 	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({.name_or_index = options.device});
-	const bool needed =
-	    use == DeviceUse::draw || (options.classify == "gpu" && options.classify_given) || !options.device.empty();
 	if (device || needed)
 		return device;
-	if (options.classify == "gpu")
-		warn("{}; the CPU classifies instead", device.error().message);
 	return std::unique_ptr<gpu::Device>();
 }
 
@@ -105,6 +104,8 @@ bool classifiesOnGpu(const ProbeOptions& options, Session& session)
 		return false;
 	if (options.classify == "gpu")
 		return true;
+	if (session.device->isSoftware())
+		return false;
 	if (!session.break_even)
 	{
 		const TimedSection section(session.timeline.get(), "upload");
@@ -222,6 +223,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	// The device goes by generations, as the paper does, unless it is left to choose what is fastest.
 	if (options.classify == "gpu" && session->slicer->usesGpu())
 		session->finder = slice::Finder::direct;
+	session->strategy = slice::strategyNamed(options.strategy);
 	if (!options.visited.empty())
 		session->finder = slice::Finder::traversal;
 	if (options.visited == "octants")
@@ -229,17 +231,50 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	return session;
 }
 
-Result<slice::Slice> cut(const Session& session, std::shared_ptr<const slice::Slice> last)
+namespace
+{
+
+slice::SliceRequest requestOf(const Session& session)
 {
 	std::optional<slice::OtherSurface> surface;
 	if (session.surface)
 		surface = surfaceAt(*session.surface, session.swept);
 	// For a device few generations are wanted; where the traversal is asked for by name it goes as the paper has it.
 	seed::SeedOptions seeds = session.seeds;
-	seeds.lattice = session.slicer->usesGpu() && session.finder != slice::Finder::traversal;
-	return session.slicer->cut({session.probe, session.corners, session.field, session.sheet_fields, seeds,
-	                            session.threshold, session.finder, session.visited, surface, std::move(last),
-	                            session.timeline.get()});
+	seeds.lattice = session.slicer->usesGpu() && session.finder != slice::Finder::traversal &&
+	                session.strategy != slice::Strategy::generations;
+	return {.probe = session.probe,
+	        .corners = session.corners,
+	        .field = session.field,
+	        .sheet_fields = session.sheet_fields,
+	        .seeds = seeds,
+	        .threshold = session.threshold,
+	        .finder = session.finder,
+	        .strategy = session.strategy,
+	        .visited = session.visited,
+	        .surface = surface,
+	        .last = nullptr,
+	        .timeline = session.timeline.get()};
+}
+
+} // namespace
+
+Result<slice::Slice> cut(const Session& session, std::shared_ptr<const slice::Slice> last)
+{
+	if (session.strategy)
+		if (const Result<slice::CutPlan> plan = planOf(session); !plan)
+			return plan.error();
+	slice::SliceRequest request = requestOf(session);
+	request.last = std::move(last);
+	return session.slicer->cut(request);
+}
+
+Result<slice::CutPlan> planOf(const Session& session)
+{
+	Result<slice::CutPlan> plan = session.slicer->plan(requestOf(session));
+	if (!plan)
+		return Error{plan.error().code, fmt::format("--strategy {}", plan.error().message)};
+	return plan;
 }
 
 bool isEmpty(const slice::SheetSlice& sheet)

@@ -45,6 +45,7 @@ struct Session
 	double time = 0.0;                                              // that the blocks have values of
 	std::optional<std::pair<slice::FieldChoice, double>> fastest{}; // the greatest length in an array of vectors
 	slice::Finder finder = slice::Finder::automatic;
+	std::optional<slice::Strategy> strategy; // asked for by name
 	slice::Visited visited = slice::Visited::stamps;
 	std::shared_ptr<gpu::Device> device; // null where the CPU does without
 	std::unique_ptr<slice::Slicer> slicer;
@@ -77,6 +78,9 @@ Status makeSlicer(Session& session, const ProbeOptions& options);
 
 // last: a cut of this session that differs in the probe's place alone; see SliceRequest.
 Result<slice::Slice> cut(const Session& session, std::shared_ptr<const slice::Slice> last = nullptr);
+
+// How cut() goes. A usage error that names --strategy where what it asks for cannot be had.
+Result<slice::CutPlan> planOf(const Session& session);
 
 bool isEmpty(const slice::SheetSlice& sheet);
 

@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "explain.h"
 #include "grown_contours.h"
 #include "interrupt.h"
 #include "make_probe.h"
@@ -101,6 +102,8 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 		return place.error();
 	if (Status one = requireOneSurface(options.saved.probe); !one)
 		return one.error();
+	if (options.saved.probe.explain)
+		return explain(options.saved.probe);
 	if (options.output == "-" && options.stats == "-")
 		return Error{ExitCode::usage,
 		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
@@ -179,6 +182,7 @@ void addSlice(CLI::App& program, Run& run)
 	    "slice", "Cut an input by a plane: polygons with every array, a flat picture of each sheet, and figures");
 	addInputs(*command, options->saved.probe)->required(false); // --state may name them
 	addProbeOptions(*command, options->saved.probe);
+	addExplain(*command, options->saved.probe);
 	command
 	    ->add_option("-o,--output", options->output,
 	                 "Polygons as .vtp, .vtm (a .vtp a sheet), .ply or .csv; - writes VTP to standard output. Or a "

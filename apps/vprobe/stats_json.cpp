@@ -1,5 +1,6 @@
 #include "stats_json.h"
 
+#include "explain.h"
 #include "sheet_traces.h"
 
 #include <fmt/format.h>
@@ -237,7 +238,8 @@ nlohmann::json inputJson(const ProbeOptions& options, const Session& session)
 	        {"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
 	        {"device", session.device ? session.device->name() : "none"},
 	        {"classifier", classifierName(session)},
-	        {"break_even_cells", breakEvenJson(session)}};
+	        {"break_even_cells", breakEvenJson(session)},
+	        {"plan", planJson(session)}};
 }
 
 std::string statsDocument(const ProbeOptions& options, const Session& session, const nlohmann::json& what)

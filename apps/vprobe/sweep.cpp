@@ -1,5 +1,6 @@
 #include "base/log.h"
 #include "commands.h"
+#include "explain.h"
 #include "saved_options.h"
 #include "surface_options.h"
 #include "sweep_line.h"
@@ -116,6 +117,8 @@ Result<ExitCode> runSweep(SweepOptions& options)
 {
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
+	if (options.saved.probe.explain)
+		return explain(options.saved.probe, options.saved.look.color_by == "generation");
 	if (Status place = tryPlace(options.stats); !place)
 		return place.error();
 	if (Status fits = checkSweepOptions(options); !fits)
@@ -182,6 +185,7 @@ void addSweep(CLI::App& program, Run& run)
 	    program.add_subcommand("sweep", "Sweep a probe through an input: numbered pictures, a film, or an exposure");
 	addInputs(*command, options->saved.probe)->required(false); // --state may name them
 	addProbeOptions(*command, options->saved.probe);
+	addExplain(*command, options->saved.probe);
 	addLookOptions(*command, options->saved.look);
 	addVectorOptions(*command, options->saved.probe.vectors, &options->saved.look.vectors);
 	addContourOptions(*command, options->saved.look.contour);

@@ -64,6 +64,26 @@ void load(Function& function, VkDevice device, const char* name)
 
 Device::Device() : private_(std::make_unique<Private>()) {}
 
+bool hasHardwareDevice()
+{
+	const Result<std::unique_ptr<Instance>> instance = createInstance(false, {});
+	if (!instance)
+		return false;
+	std::uint32_t count = 0;
+	vkEnumeratePhysicalDevices((*instance)->handle, &count, nullptr);
+	std::vector<VkPhysicalDevice> devices(count);
+	if (vkEnumeratePhysicalDevices((*instance)->handle, &count, devices.data()) < 0)
+		return false;
+	devices.resize(count);
+	return std::ranges::any_of(devices,
+	                           [](VkPhysicalDevice device)
+	                           {
+		                           VkPhysicalDeviceProperties properties;
+		                           vkGetPhysicalDeviceProperties(device, &properties);
+		                           return properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU;
+	                           });
+}
+
 Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 {
 	std::unique_ptr<Device> device(new Device);

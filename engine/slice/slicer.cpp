@@ -84,6 +84,15 @@ Slicer::Memory Slicer::memory() const
 	return memory;
 }
 
+Result<CutPlan> Slicer::plan(const SliceRequest& request) const
+{
+	DeviceProfile device;
+	if (gpu_)
+		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
+			device.holds.push_back(gpu_->holds(b));
+	return planCut(request, blocks_, gpu_ ? &device : nullptr);
+}
+
 SliceTicket Slicer::begin(SliceRequest request)
 {
 	std::stop_source stop;
@@ -185,6 +194,9 @@ Slicer::Admits Slicer::admitsOf(const SliceRequest& request) const
 Result<Slice> Slicer::cutAll(const SliceRequest& request, const Before& before, std::stop_token stop)
 {
 	assert(request.field || !request.threshold);
+	const Result<CutPlan> plan = this->plan(request);
+	if (!plan)
+		return plan.error();
 	const Admits admits = admitsOf(request);
 	if (request.surface)
 		return showSurface(request, admits);
@@ -192,7 +204,7 @@ Result<Slice> Slicer::cutAll(const SliceRequest& request, const Before& before, 
 		return cutForms(request, has_form, before, stop);
 
 	Slice slice = seedSheets(request, admits);
-	Found found = find(request, slice);
+	Found found = find(request, *plan, slice);
 	spreadSeeds(request, before, found, slice);
 
 	Lanes lanes = makeLanes(request, slice, found, admits);

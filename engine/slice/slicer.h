@@ -7,6 +7,7 @@
 #include "seed/seeds.h"
 #include "slice/clip.h"
 #include "slice/curved_sheet.h"
+#include "slice/cut_plan.h"
 #include "slice/field_choice.h"
 #include "slice/mesh.h"
 #include "slice/other_surface.h"
@@ -42,14 +43,13 @@ struct SheetRecords; // a sheet's polygons in device memory (gpu_records.h)
 
 struct Slice;
 
-// How the cut cells are found. All find the same, and make the same mesh but for the numbering. What is not found by
-// the traversal goes to a device's classifier as one wide front.
+// Which strategies a plan chooses from where none is asked for by name. All find the same cells, and make the same mesh
+// but for the numbering. What is not found in generations goes to a device's classifier as one wide front.
 enum class Finder
 {
-	traversal, // cell by cell, breadth first in generations, with a classifier
-	direct,    // in blocks with straight axes by the paper's formula (traverse/span_rows.h), else by the traversal
-	automatic  // the fastest there is: in curvilinear blocks spans of cells too (traverse/span_flood.h), for whole
-	           // sheets in unstructured ones cells in no order (traverse/cell_flood.h)
+	traversal, // generations alone
+	direct,    // rows where they can be had, else generations
+	automatic  // the fastest that can be had
 };
 
 // How the traversal knows the cells that it has queued.
@@ -69,6 +69,7 @@ struct SliceRequest
 	seed::SeedOptions seeds;
 	std::optional<Threshold> threshold; // of the field's values: cells outside end the traversal
 	Finder finder = Finder::traversal;
+	std::optional<Strategy> strategy; // for all sheets and blocks; an error where it cannot be had
 	Visited visited = Visited::stamps;
 	// Takes the place of the probe's sheets. It needs no search, and windows and seeds mean nothing to it.
 	std::optional<OtherSurface> surface;
@@ -153,6 +154,9 @@ public:
 	                                                const std::optional<FieldChoice>& field, Timeline* timeline);
 	~Slicer();
 
+	// The way that begin() and cut() go with a request. Its origins and normals make no difference.
+	Result<CutPlan> plan(const SliceRequest& request) const;
+
 	SliceTicket begin(SliceRequest request);
 	Result<Slice> cut(const SliceRequest& request) { return run(request, {}); }
 
@@ -201,8 +205,9 @@ private:
 	// Per lane; none where the traversal is to find the cells.
 	using Found = std::vector<std::optional<traverse::LaneCut>>;
 
-	std::optional<traverse::SpanCut> spansOf(const SheetSlice& sheet, std::size_t block, Finder finder);
-	Found find(const SliceRequest& request, Slice& slice);
+	traverse::SpanCut spansOf(const SheetSlice& sheet, std::size_t block);
+	traverse::LaneCut floodCells(const SheetSlice& sheet, std::size_t block);
+	Found find(const SliceRequest& request, const CutPlan& plan, Slice& slice);
 	void spreadSeeds(const SliceRequest& request, const Before& before, const Found& found, Slice& slice) const;
 	Lanes makeLanes(const SliceRequest& request, const Slice& slice, const Found& found, const Admits& admits);
 	Result<std::vector<traverse::LaneCut>> traverseOnCpu(const SliceRequest& request, std::span<Lane> lanes,

@@ -17,8 +17,8 @@ std::optional<seed::SheetWindow> windowOf(const probe::Sheet& sheet)
 
 } // namespace
 
-// None where the block's kind, or what it holds, is not for spans.
-std::optional<traverse::SpanCut> Slicer::spansOf(const SheetSlice& sheet, std::size_t b, Finder finder)
+// The plan has one of two strategies for the block: rows or spans.
+traverse::SpanCut Slicer::spansOf(const SheetSlice& sheet, std::size_t b)
 {
 	const grid::Block& block = blocks_.blocks[b];
 	const surface::Plane plane = sheet.sheet.plane();
@@ -27,13 +27,18 @@ std::optional<traverse::SpanCut> Slicer::spansOf(const SheetSlice& sheet, std::s
 	if (const auto* uniform = std::get_if<grid::UniformGrid>(&block.grid))
 		return traverse::rowSpans(*uniform, plane, window);
 	if (const auto* rectilinear = std::get_if<grid::RectilinearGrid>(&block.grid))
-		return traverse::hasStraightRows(*rectilinear) ? std::optional(traverse::rowSpans(*rectilinear, plane, window))
-		                                               : std::nullopt;
-	const auto* curvilinear = std::get_if<grid::CurvilinearGrid>(&block.grid);
-	if (finder != Finder::automatic || !curvilinear || !traverse::floodTakes(*curvilinear))
-		return std::nullopt;
+		return traverse::rowSpans(*rectilinear, plane, window);
 	const Pool<traverse::SpanStore>::Loan store = stores_[b]->borrow();
-	return traverse::floodSpans(*curvilinear, block.bounds, plane, window, sheet.seeds.cells[b], *store);
+	return traverse::floodSpans(std::get<grid::CurvilinearGrid>(block.grid), block.bounds, plane, window,
+	                            sheet.seeds.cells[b], *store);
+}
+
+traverse::LaneCut Slicer::floodCells(const SheetSlice& sheet, std::size_t b)
+{
+	const grid::Block& block = blocks_.blocks[b];
+	const std::optional<seed::SheetWindow> window = windowOf(sheet.sheet);
+	return traverse::floodCells(std::get<grid::UnstructuredGrid>(block.grid), sheet.sheet.plane(), block.bounds,
+	                            window ? &*window : nullptr, sheet.seeds.cells[b], *marks_[b]->borrow());
 }
 
 namespace
@@ -67,39 +72,33 @@ traverse::LaneCut asFront(const grid::Block& block, const traverse::SpanCut& spa
 
 } // namespace
 
-// Every block from seeds of its own, so that nothing has to be followed across seams.
-Slicer::Found Slicer::find(const SliceRequest& request, Slice& slice)
+// What needs no generations, every block from seeds of its own, so that nothing has to be followed across seams.
+Slicer::Found Slicer::find(const SliceRequest& request, const CutPlan& plan, Slice& slice)
 {
 	Found found(slice.sheets.size() * blocks_.blocks.size());
-	if (request.threshold || request.finder == Finder::traversal)
-		return found;
-	const TimedSection section(request.timeline, "traverse");
-	const bool one_piece = request.seeds.mode == seed::SeedMode::hotspot;
+	std::optional<TimedSection> section;
 	for (std::size_t lane = 0; lane < found.size(); ++lane)
 	{
-		SheetSlice& sheet = slice.sheets[lane / blocks_.blocks.size()];
 		const std::size_t b = lane % blocks_.blocks.size();
-		sheet.spans.resize(blocks_.blocks.size());
-		if (one_piece && (blocks_.interfaces.of(b) || sheet.seeds.cells[b].empty() || sheet.sheet.window))
+		const Strategy strategy = plan.sheets[lane / blocks_.blocks.size()][b].strategy;
+		if (strategy == Strategy::generations)
 			continue;
-		if (const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&blocks_.blocks[b].grid))
+		SheetSlice& sheet = slice.sheets[lane / blocks_.blocks.size()];
+		sheet.spans.resize(blocks_.blocks.size());
+		// The piece at the hot spot lies in another block: nothing of this one is found, in no generations.
+		if (request.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.cells[b].empty())
+			continue;
+		if (!section)
+			section.emplace(request.timeline, "traverse");
+		if (strategy == Strategy::cells)
 		{
-			const std::optional<seed::SheetWindow> window = windowOf(sheet.sheet);
-			// Where cells are linked the traversal enters all behind a large face that the window holds a part of.
-			if (request.finder != Finder::automatic || (window && unstructured->hasLinks()))
-				continue;
-			found[lane] = traverse::floodCells(*unstructured, sheet.sheet.plane(), blocks_.blocks[b].bounds,
-			                                   window ? &*window : nullptr, sheet.seeds.cells[b], *marks_[b]->borrow());
+			found[lane] = floodCells(sheet, b);
 			if (gpu_)
-				*found[lane] = asFront(*found[lane]);
+				found[lane] = asFront(*found[lane]);
+			continue;
 		}
-		else if ((sheet.spans[b] = spansOf(sheet, b, request.finder)))
-		{
-			found[lane].emplace();
-			if (!gpu_)
-				continue;
-			found[lane] = asFront(blocks_.blocks[b], *sheet.spans[b]);
-		}
+		sheet.spans[b] = spansOf(sheet, b);
+		found[lane] = gpu_ ? asFront(blocks_.blocks[b], *sheet.spans[b]) : traverse::LaneCut();
 	}
 	return found;
 }

@@ -63,6 +63,13 @@ TEST_F(Device, WithoutTheOptionOrWithAuto)
 {
 	EXPECT_TRUE(isQuiet(slice({})));
 	EXPECT_TRUE(isQuiet(slice({"--classify", "auto"})));
+	// A device of software, even one that is asked for by name, is given nothing that it does not draw.
+	const nlohmann::json named = slice({"--device", slice({"--classify", "gpu"}).json()["device"]}).json();
+	if (contains(named["device"].get<std::string>(), "llvmpipe"))
+	{
+		EXPECT_EQ(named["classifier"], "cpu");
+		EXPECT_EQ(named["ms"]["upload"], 0.0);
+	}
 }
 
 TEST_F(Device, AutoTellsFromWhereTheDeviceIsFaster)

@@ -39,7 +39,7 @@ void Workbench::open(std::vector<std::string> inputs)
 	next.probe = {};
 	next.probe.inputs = std::move(inputs);
 	next.probe.classify = state().probe.classify;
-	next.probe.classify_given = state().probe.classify_given;
+	next.probe.strategy = state().probe.strategy;
 	next.probe.threads = state().probe.threads;
 	next.look.camera = "auto";
 	next.look.range.clear();

@@ -1,0 +1,69 @@
+#include "explain.h"
+#include "surface_options.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace vp::app
+{
+
+namespace
+{
+
+// Calls visit(sheet, block, plan).
+template <class Visit>
+void forEachBlockPlan(const slice::CutPlan& plan, Visit&& visit)
+{
+	for (std::size_t s = 0; s < plan.sheets.size(); ++s)
+		for (std::size_t b = 0; b < plan.sheets[s].size(); ++b)
+			visit(s, b, plan.sheets[s][b]);
+}
+
+} // namespace
+
+Result<ExitCode> explain(const ProbeOptions& options, bool by_generation)
+{
+	if (Status known = refuseGenerations(options, by_generation); !known)
+		return known.error();
+	Result<std::unique_ptr<Session>> opened = openSession(options, DeviceUse::classify);
+	if (!opened)
+		return opened.error();
+	Session& session = **opened;
+	if (by_generation)
+		session.finder = slice::Finder::traversal;
+	const Result<slice::CutPlan> plan = planOf(session);
+	if (!plan)
+		return plan.error();
+	const std::vector<grid::Block>& blocks = session.blocks.blocks;
+	std::size_t width = 5;
+	for (const grid::Block& block : blocks)
+		width = std::max(width, block.name.size());
+	fmt::print("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", "sheet", "block", width, "strategy", "classifier", "reason");
+	forEachBlockPlan(*plan,
+	                 [&](std::size_t s, std::size_t b, const slice::BlockPlan& way)
+	                 {
+		                 fmt::print("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", s, blocks[b].name, width,
+		                            nameOf(way.strategy), nameOf(way.classifier), way.reason());
+	                 });
+	return ExitCode::done;
+}
+
+nlohmann::json planJson(const Session& session)
+{
+	nlohmann::json list = nlohmann::json::array();
+	if (const Result<slice::CutPlan> plan = planOf(session))
+		forEachBlockPlan(*plan,
+		                 [&](std::size_t s, std::size_t b, const slice::BlockPlan& way)
+		                 {
+			                 list.push_back({{"block", b},
+			                                 {"sheet", s},
+			                                 {"strategy", nameOf(way.strategy)},
+			                                 {"classifier", nameOf(way.classifier)},
+			                                 {"reason", way.reason()}});
+		                 });
+	return list;
+}
+
+} // namespace vp::app
