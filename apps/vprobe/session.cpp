@@ -79,9 +79,8 @@ Result<std::unique_ptr<gpu::Device>> openDevice(const ProbeOptions& options, Dev
 	if (use == DeviceUse::classify && (options.classify == "cpu" || (!needed && !may_classify)))
 		return std::unique_ptr<gpu::Device>();
 	// A software device would share the CPU's cores, and is not worth the time that it takes to open.
-	if (!needed && !gpu::hasHardwareDevice())
-		return std::unique_ptr<gpu::Device>();
-	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({.name_or_index = options.device});
+	Result<std::unique_ptr<gpu::Device>> device =
+	    gpu::Device::create({.name_or_index = options.device, .hardware_only = !needed});
 	if (device || needed)
 		return device;
 	return std::unique_ptr<gpu::Device>();

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <filesystem>
 
 namespace vp::gpu
 {
@@ -60,32 +62,33 @@ void load(Function& function, VkDevice device, const char* name)
 {
 	function = reinterpret_cast<Function>(vkGetDeviceProcAddr(device, name));
 }
+
+// Whether the kernel has a file for any graphics device: a moment's look, where loading the drivers takes tens of
+// milliseconds. Elsewhere than on Linux the drivers have to be asked.
+bool mayHaveHardware()
+{
+#ifdef __linux__
+	constexpr std::array kNodes{"/dev/dri", "/dev/nvidiactl", "/dev/dxg", "/dev/kgsl-3d0", "/dev/mali0"};
+	return std::ranges::any_of(kNodes,
+	                           [](const char* node)
+	                           {
+		                           std::error_code error;
+		                           return std::filesystem::exists(node, error);
+	                           });
+#else
+	return true;
+#endif
+}
+
 } // namespace
 
 Device::Device() : private_(std::make_unique<Private>()) {}
 
-bool hasHardwareDevice()
-{
-	const Result<std::unique_ptr<Instance>> instance = createInstance(false, {});
-	if (!instance)
-		return false;
-	std::uint32_t count = 0;
-	vkEnumeratePhysicalDevices((*instance)->handle, &count, nullptr);
-	std::vector<VkPhysicalDevice> devices(count);
-	if (vkEnumeratePhysicalDevices((*instance)->handle, &count, devices.data()) < 0)
-		return false;
-	devices.resize(count);
-	return std::ranges::any_of(devices,
-	                           [](VkPhysicalDevice device)
-	                           {
-		                           VkPhysicalDeviceProperties properties;
-		                           vkGetPhysicalDeviceProperties(device, &properties);
-		                           return properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU;
-	                           });
-}
-
 Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 {
+	const Error no_hardware{ExitCode::no_device, "no Vulkan device but software on the CPU"};
+	if (options.hardware_only && !mayHaveHardware())
+		return no_hardware;
 	std::unique_ptr<Device> device(new Device);
 	Private& hidden = *device->private_;
 	Result<std::unique_ptr<Instance>> instance = createInstance(validationWanted(options), options.instance_extensions);
@@ -96,6 +99,8 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 	Result<Candidate> choice = chooseDevice(device->instance_, options.name_or_index, options.swapchain);
 	if (!choice)
 		return choice.error();
+	if (options.hardware_only && choice->type == VK_PHYSICAL_DEVICE_TYPE_CPU)
+		return no_hardware;
 	device->map_device_memory_ = options.map_device_memory;
 	device->physical_ = choice->handle;
 	device->name_ = choice->name;

@@ -21,12 +21,9 @@ struct DeviceOptions
 	std::optional<bool> validation;               // unset: where VPROBE_VALIDATION=1 asks for it
 	std::vector<const char*> instance_extensions; // those a window needs; none to work headless
 	bool swapchain = false;
+	bool hardware_only = false; // software on the CPU is no device then
 	bool map_device_memory = true; // false: device memory is filled by copies even where it could be written directly
 };
-
-// Whether a device of the machine is more than software on the CPU. False where there is no loader and no driver. Takes
-// as long as the drivers need to load, and opens nothing.
-bool hasHardwareDevice();
 
 // Work for the queue. The semaphores are binary ones, as a swapchain needs them.
 struct Submission

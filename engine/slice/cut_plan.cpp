@@ -33,7 +33,8 @@ struct Lane
 const char* needsGenerations(const Lane& lane)
 {
 	if (lane.sheet->form)
-		return lane.sheet->form->isoValue() ? "the surface of one value" : "a curved surface";
+		return lane.sheet->form->isoValue() ? "the surface of one value, which only the CPU classifies"
+		                                    : "a curved surface";
 	if (lane.request.threshold)
 		return "the search ends at cells outside the threshold";
 	if (lane.request.seeds.mode == seed::SeedMode::hotspot && (lane.has_seams || lane.sheet->window))
@@ -145,7 +146,7 @@ const char* whyNotOnDevice(const Lane& lane, bool holds)
 	if (!lane.sheet->form)
 		return nullptr;
 	if (lane.sheet->form->isoValue())
-		return "CPU: the device does not take iso values";
+		return ""; // why_strategy tells
 	const auto surface = std::visit([](auto&& placed) { return surface::BlockSurface(placed); },
 	                                lane.sheet->form->placed(lane.sheet->axes()));
 	return gpuSurfaceOf(surface) ? nullptr : "CPU: the expression is too long for the device";
