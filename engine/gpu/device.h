@@ -21,7 +21,7 @@ struct DeviceOptions
 	std::optional<bool> validation;               // unset: where VPROBE_VALIDATION=1 asks for it
 	std::vector<const char*> instance_extensions; // those a window needs; none to work headless
 	bool swapchain = false;
-	bool hardware_only = false; // software on the CPU is no device then
+	bool hardware_only = false;    // software on the CPU is no device then
 	bool map_device_memory = true; // false: device memory is filled by copies even where it could be written directly
 };
 
