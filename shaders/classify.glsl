@@ -1,7 +1,7 @@
 // Decides the cells of a front against a plane and emits their polygons: one thread a cell, signs, case table, polygon.
 //
 // The CPU in double precision is the truth. A cell where the sign of a vertex, or the place of a polygon's vertex, is
-// not certain here gets kWordWalk and an empty record; the CPU then decides it. With doubles the distance is the CPU's
+// not certain here gets kCodeWalk and an empty record; the CPU then decides it. With doubles the distance is the CPU's
 // own expression on the same numbers, rounded alike, so this happens only next to points that do not fit 41 bits.
 //
 // All that a vertex is made of is `precise`: cells that share it compute it to the same bits, whichever of their
@@ -191,7 +191,7 @@ void main()
 	const bool certain = vertices != 0u && (near_mask & ~exact_mask) == 0u;
 	if (!certain)
 	{
-		words[i] = kWordWalk;
+		words[i] = kCodeWalk;
 		leaveEmpty(i, cell);
 		return;
 	}
@@ -230,6 +230,6 @@ void main()
 	}
 	records[i].cell = cell;
 	records[i].vertices = walk ? 0u : edges;
-	words[i] = walk ? kWordWalk
-					: positive_mask | (entry.x & 0xFF00u) << (kWordFacesShift - 8u) | (edges != 0u ? kWordCut : 0u);
+	words[i] = walk ? kCodeWalk
+					: positive_mask | (entry.x & 0xFF00u) << (kCodeFacesShift - 8u) | (edges != 0u ? kCodeCut : 0u);
 }

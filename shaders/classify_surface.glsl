@@ -1,7 +1,7 @@
 // Decides the cells of a front against a curved surface: one thread a cell. Only words are written; the CPU makes the mesh.
 //
 // The CPU in double precision is the truth. Values are computed with a bound on what they may differ from its own by, and
-// a cell with a vertex whose sign that leaves open gets kWordWalk: the CPU then decides it.
+// a cell with a vertex whose sign that leaves open gets kCodeWalk: the CPU then decides it.
 //
 // What includes this defines surfaceAt().
 #extension GL_EXT_scalar_block_layout : require
@@ -101,7 +101,7 @@ void main()
 	}
 	const uvec4 entry = texelFetch(cases, int(case_start + positive_mask));
 	const bool walk = !certain || (entry.x >> 16) != 0u;
-	words[i] = walk ? kWordWalk
-					: positive_mask | (entry.x & 0xFF00u) << (kWordFacesShift - 8u) |
-	                      ((entry.x & 0xFFu) != 0u ? kWordCut : 0u);
+	words[i] = walk ? kCodeWalk
+					: positive_mask | (entry.x & 0xFF00u) << (kCodeFacesShift - 8u) |
+	                      ((entry.x & 0xFFu) != 0u ? kCodeCut : 0u);
 }

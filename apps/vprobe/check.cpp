@@ -1,7 +1,7 @@
 #include "commands.h"
-#include "grid/quality.h"
+#include "cut/integrity.h"
+#include "grid/check/quality.h"
 #include "session.h"
-#include "slice/integrity.h"
 #include "write/marked_cells.h"
 
 #include <fmt/format.h>
@@ -74,7 +74,7 @@ std::vector<grid::SetCell> inFileOrder(const grid::BlockSet& blocks, std::vector
 }
 
 std::vector<Finding> listFindings(const grid::BlockSet& blocks, const grid::Quality& quality,
-                                  const slice::SweepFindings& sweep)
+                                  const cut::SweepFindings& sweep)
 {
 	std::vector<Finding> findings;
 	const auto add = [&](const char* key, const char* about, std::size_t count, std::vector<grid::SetCell> cells,
@@ -116,7 +116,7 @@ bool isClean(const std::vector<Finding>& findings)
 }
 
 nlohmann::json findingsJson(const grid::BlockSet& blocks, const std::vector<Finding>& findings,
-                            const slice::SweepFindings& sweep, std::size_t overlap_samples)
+                            const cut::SweepFindings& sweep, std::size_t overlap_samples)
 {
 	nlohmann::json document = {{"clean", isClean(findings)},
 	                           {"grid",
@@ -144,8 +144,8 @@ nlohmann::json findingsJson(const grid::BlockSet& blocks, const std::vector<Find
 	return document;
 }
 
-void printFindings(const grid::BlockSet& blocks, const std::vector<Finding>& findings,
-                   const slice::SweepFindings& sweep, std::size_t overlap_samples)
+void printFindings(const grid::BlockSet& blocks, const std::vector<Finding>& findings, const cut::SweepFindings& sweep,
+                   std::size_t overlap_samples)
 {
 	const bool several = blocks.blocks.size() > 1;
 	for (const Finding& finding : findings)
@@ -179,7 +179,7 @@ Result<ExitCode> runCheck(const CheckOptions& options)
 	Session& session = **opened;
 
 	const grid::Quality quality = grid::checkQuality(session.blocks);
-	Result<slice::SweepFindings> sweep = slice::sweepForImpossibleCases(*session.slicer);
+	Result<cut::SweepFindings> sweep = cut::sweepForImpossibleCases(*session.slicer);
 	if (!sweep)
 		return sweep.error();
 	const std::vector<Finding> findings = listFindings(session.blocks, quality, *sweep);

@@ -1,8 +1,8 @@
 #include "context_options.h"
 
-#include "slice/boundary_surface.h"
-#include "slice/grid_surface.h"
-#include "slice/patch_surface.h"
+#include "find/listed.h"
+#include "mesh/boundary_surface.h"
+#include "mesh/listed_mesh.h"
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ Error wrong(const std::string& word, const std::string& what)
 	return {ExitCode::usage, fmt::format("--context {}: {}", word, what)};
 }
 
-Result<slice::SheetMesh> gridSurface(const grid::BlockSet& blocks, const ContextChoice& choice)
+Result<mesh::SheetMesh> gridSurface(const grid::BlockSet& blocks, const ContextChoice& choice)
 {
 	const std::string text = fmt::format("{}={}", choice.kind->name, choice.argument);
 	const Result<surface::GridIndexRange> range = surface::parseGridIndex(text);
@@ -37,23 +37,23 @@ Result<slice::SheetMesh> gridSurface(const grid::BlockSet& blocks, const Context
 		return wrong(choice.word, range.error().message);
 	if (!range->isOne())
 		return wrong(choice.word, "stands still; give one index");
-	if (Status fits = slice::checkGridIndex(blocks, *range); !fits)
+	if (Status fits = find::checkGridIndex(blocks, *range); !fits)
 		return Error{fits.error().code, fmt::format("--context {}: {}", choice.word, fits.error().message)};
 	const surface::GridIndex at = range->at(0.0);
-	return slice::gridSurfaceMesh(blocks, at, slice::gridSurfaceCells(blocks, at));
+	return mesh::gridIndexMesh(blocks, at, find::gridIndexCells(blocks, at));
 }
 
-Result<slice::SheetMesh> patch(const grid::BlockSet& blocks, const ContextChoice& choice)
+Result<mesh::SheetMesh> patch(const grid::BlockSet& blocks, const ContextChoice& choice)
 {
-	if (Status known = slice::checkPatch(blocks, choice.argument); !known)
+	if (Status known = find::checkPatch(blocks, choice.argument); !known)
 		return Error{known.error().code, fmt::format("--context {}: {}", choice.word, known.error().message)};
-	return slice::patchMesh(blocks, choice.argument, slice::patchCells(blocks, choice.argument));
+	return mesh::patchMesh(blocks, choice.argument, find::patchCells(blocks, choice.argument));
 }
 
 constexpr std::array kKinds{
     ContextKind{"boundary", nullptr, kBoundaryOpacity,
-                [](const grid::BlockSet& blocks, const ContextChoice&) -> Result<slice::SheetMesh>
-                { return slice::boundarySurface(blocks); }},
+                [](const grid::BlockSet& blocks, const ContextChoice&) -> Result<mesh::SheetMesh>
+                { return mesh::boundarySurface(blocks); }},
     ContextKind{"i", "N", kPartOpacity, gridSurface},
     ContextKind{"j", "N", kPartOpacity, gridSurface},
     ContextKind{"k", "N", kPartOpacity, gridSurface},

@@ -2,7 +2,7 @@
 
 #include "base/result.h"
 #include "grid/block.h"
-#include "slice/mesh.h"
+#include "mesh/sheet_mesh.h"
 
 #include <string>
 #include <vector>
@@ -28,7 +28,7 @@ struct ContextKind
 	const char* argument; // what stands behind = in the help, as "N"; null: takes none
 	double opacity;       // where the user says none
 	// Polygons in world coordinates. An error names the argument and the remedy.
-	Result<slice::SheetMesh> (*mesh)(const grid::BlockSet& blocks, const ContextChoice& choice);
+	Result<mesh::SheetMesh> (*mesh)(const grid::BlockSet& blocks, const ContextChoice& choice);
 };
 
 // For the help: boundary[:OPACITY], ...

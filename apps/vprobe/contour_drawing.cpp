@@ -1,6 +1,6 @@
 #include "contour_drawing.h"
 
-#include "render/surface_polygons.h"
+#include "render/passes/surface_polygons.h"
 
 namespace vp::app
 {
@@ -9,11 +9,11 @@ namespace
 {
 
 // All in one mesh, where the sheet shows them: places and polygons are all that is drawn.
-slice::SheetMesh joined(const slice::SheetSlice& sheet, std::span<const contour::Contour> contours,
-                        std::vector<double>& values)
+mesh::SheetMesh joined(const cut::SheetCut& sheet, std::span<const contour::Contour> contours,
+                       std::vector<double>& values)
 {
 	const probe::Transform shown = probe::displayTransform(sheet.shown);
-	slice::SheetMesh all;
+	mesh::SheetMesh all;
 	all.flat = false;
 	all.polygon_starts.push_back(0);
 	for (const contour::Contour& contour : contours)
@@ -35,11 +35,11 @@ slice::SheetMesh joined(const slice::SheetSlice& sheet, std::span<const contour:
 
 } // namespace
 
-Status addContours(const Session& session, const slice::SheetSlice& sheet, std::span<const contour::Contour> contours,
+Status addContours(const Session& session, const cut::SheetCut& sheet, std::span<const contour::Contour> contours,
                    const render::SheetDrawing& drawing, const LookChoice& choice, render::Scene& scene)
 {
 	std::vector<double> values;
-	const slice::SheetMesh mesh = joined(sheet, contours, values);
+	const mesh::SheetMesh mesh = joined(sheet, contours, values);
 	if (mesh.polygons() == 0)
 		return Nothing{};
 	const bool colored = !choice.by_generation; // whose scale is none of the values'

@@ -3,7 +3,7 @@
 namespace vp::app
 {
 
-Result<std::vector<SheetStats>> statsSince(const Session& session, const slice::Slice& slice, const CutFrame* last,
+Result<std::vector<SheetStats>> statsSince(const Session& session, const cut::Cut& slice, const CutFrame* last,
                                            bool wants_figures)
 {
 	std::vector<SheetStats> all;

@@ -10,14 +10,14 @@ namespace vp::app
 // A frame of a sweep, or of a window, that has been cut.
 struct CutFrame
 {
-	slice::Slice slice;
+	cut::Cut slice;
 	std::vector<SheetStats> sheets;
 	Contours contours{}; // where they are grown once for the frame
 };
 
 // What a slice's sheets show: all figures where they are wanted, else what a picture needs. last: the frame before, by
 // the same wish, or null; a sheet that has not moved since shows what it showed.
-Result<std::vector<SheetStats>> statsSince(const Session& session, const slice::Slice& slice, const CutFrame* last,
+Result<std::vector<SheetStats>> statsSince(const Session& session, const cut::Cut& slice, const CutFrame* last,
                                            bool wants_figures);
 
 } // namespace vp::app

@@ -14,7 +14,7 @@ namespace
 
 // Calls visit(sheet, block, plan).
 template <class Visit>
-void forEachBlockPlan(const slice::CutPlan& plan, Visit&& visit)
+void forEachBlockPlan(const find::CutPlan& plan, Visit&& visit)
 {
 	for (std::size_t s = 0; s < plan.sheets.size(); ++s)
 		for (std::size_t b = 0; b < plan.sheets[s].size(); ++b)
@@ -32,8 +32,8 @@ Result<ExitCode> explain(const ProbeOptions& options, bool by_generation)
 		return opened.error();
 	Session& session = **opened;
 	if (by_generation)
-		session.finder = slice::Finder::traversal;
-	const Result<slice::CutPlan> plan = planOf(session);
+		session.finder = find::Finder::traversal;
+	const Result<find::CutPlan> plan = planOf(session);
 	if (!plan)
 		return plan.error();
 	const std::vector<grid::Block>& blocks = session.blocks.blocks;
@@ -42,7 +42,7 @@ Result<ExitCode> explain(const ProbeOptions& options, bool by_generation)
 		width = std::max(width, block.name.size());
 	fmt::print("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", "sheet", "block", width, "strategy", "classifier", "reason");
 	forEachBlockPlan(*plan,
-	                 [&](std::size_t s, std::size_t b, const slice::BlockPlan& way)
+	                 [&](std::size_t s, std::size_t b, const find::BlockPlan& way)
 	                 {
 		                 fmt::print("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", s, blocks[b].name, width,
 		                            nameOf(way.strategy), nameOf(way.classifier), way.reason());
@@ -53,9 +53,9 @@ Result<ExitCode> explain(const ProbeOptions& options, bool by_generation)
 nlohmann::json planJson(const Session& session)
 {
 	nlohmann::json list = nlohmann::json::array();
-	if (const Result<slice::CutPlan> plan = planOf(session))
+	if (const Result<find::CutPlan> plan = planOf(session))
 		forEachBlockPlan(*plan,
-		                 [&](std::size_t s, std::size_t b, const slice::BlockPlan& way)
+		                 [&](std::size_t s, std::size_t b, const find::BlockPlan& way)
 		                 {
 			                 list.push_back({{"block", b},
 			                                 {"sheet", s},

@@ -1,7 +1,7 @@
 #include "grown_contours.h"
 
 #include "base/log.h"
-#include "slice/sheet_lookup.h"
+#include "measure/sheet_lookup.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,11 +20,11 @@ const char* optionOf(const ContourOptions& options)
 	return options.values.empty() && !options.at.empty() ? "--contour-at" : "--contour";
 }
 
-Status checkSheet(const slice::SheetSlice& sheet, const char* option)
+Status checkSheet(const cut::SheetCut& sheet, const char* option)
 {
 	if (!sheet.isPlane())
 		return Error{ExitCode::usage, fmt::format("{}: grows from planes, and {} is none; leave one of the two out",
-		                                          option, slice::surfaceName(sheet))};
+		                                          option, cut::surfaceName(sheet))};
 	if (!sheet.field || sheet.field->association != grid::Association::point)
 		return Error{ExitCode::input,
 		             fmt::format("{}: needs values at points{}; choose an array of points with --array", option,
@@ -33,12 +33,12 @@ Status checkSheet(const slice::SheetSlice& sheet, const char* option)
 }
 
 // What the sheet has at a place of its box, 0 to 1 along its sides.
-Result<double> valueAt(const contour::BoxContourer& contourer, const slice::SheetSlice& sheet,
-                       const slice::SheetMesh& mesh, const std::vector<double>& at)
+Result<double> valueAt(const contour::BoxContourer& contourer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
+                       const std::vector<double>& at)
 {
 	const Vec3 size = contourer.box().hi() - contourer.box().lo();
 	const glm::dvec2 uv(contourer.box().lo().x + at[0] * size.x, contourer.box().lo().y + at[1] * size.y);
-	const slice::SheetLookup lookup(mesh, sheet.sheet);
+	const measure::SheetLookup lookup(mesh, sheet.sheet);
 	if (const auto place = lookup.at(uv))
 		if (const double value = lookup.value(*place, contourer.values()); std::isfinite(value))
 			return value;
@@ -67,7 +67,7 @@ Result<std::vector<contour::Contour>> growAll(const contour::BoxContourer& conto
 	return contours;
 }
 
-void tellEmpty(const Session& session, const slice::Slice& slice, std::size_t s, double value,
+void tellEmpty(const Session& session, const cut::Cut& slice, std::size_t s, double value,
                const contour::BoxContourer& contourer)
 {
 	if (!contourer.range())
@@ -79,7 +79,7 @@ void tellEmpty(const Session& session, const slice::Slice& slice, std::size_t s,
 
 } // namespace
 
-Result<Contours> growContours(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets,
+Result<Contours> growContours(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets,
                               const ContourOptions& options, Tell tell, const std::optional<PointedValue>& pointed)
 {
 	if (!options.isGiven() && !pointed)
@@ -130,7 +130,7 @@ nlohmann::json contoursJson(const Session& session, const Contours& contours)
 			                {"value", contour.value},
 			                {"cells", contour.cells},
 			                {"polygons", contour.mesh.polygons()},
-			                {"area", slice::measure(session.blocks, contour.mesh, {}).area},
+			                {"area", measure::measure(session.blocks, contour.mesh, {}).area},
 			                {"components", contour.components},
 			                {"seeds", contour.seeds},
 			                {"generations", contour.generations},

@@ -34,7 +34,7 @@ enum class Tell
 
 // sheets: sheetStats() of the slice. pointed: one more, which is never told of. None where none is asked for. Sheets
 // that are no planes are a usage error, sheets without values at points an input error. Section "contour".
-Result<Contours> growContours(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets,
+Result<Contours> growContours(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets,
                               const ContourOptions& options, Tell tell,
                               const std::optional<PointedValue>& pointed = {});
 

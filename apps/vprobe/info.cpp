@@ -1,10 +1,10 @@
 #include "base/timeline.h"
 #include "commands.h"
+#include "grid/check/quality.h"
 #include "grid/demo.h"
-#include "grid/quality.h"
+#include "grid/field_choice.h"
 #include "probe_options.h"
 #include "read/read.h"
-#include "slice/field_choice.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,7 +44,7 @@ std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
 			if (known)
 				continue;
 			const int component = field.components == 1 ? 0 : grid::kMagnitude;
-			arrays.push_back({&field, slice::fieldRange(blocks, {field.name, field.association, component})});
+			arrays.push_back({&field, grid::fieldRange(blocks, {field.name, field.association, component})});
 		}
 	return arrays;
 }

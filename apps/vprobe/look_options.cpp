@@ -2,9 +2,9 @@
 
 #include "base/log.h"
 #include "input_title.h"
-#include "render/color_map_file.h"
-#include "render/least_positive.h"
-#include "render/levels.h"
+#include "render/color/color_map_file.h"
+#include "render/scene/least_positive.h"
+#include "render/scene/levels.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -235,7 +235,7 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 }
 
 Result<std::optional<render::ValueScale>> valueScale(const grid::BlockSet& blocks,
-                                                     const std::optional<slice::FieldChoice>& field,
+                                                     const std::optional<grid::FieldChoice>& field,
                                                      const std::vector<std::string>& inputs, const render::Look& look)
 {
 	const char* needed = look.logarithmic ? "--log" : look.lines > 0 ? "--lines" : look.bands > 0 ? "--bands" : nullptr;

@@ -4,8 +4,8 @@
 #include "context_options.h"
 #include "contour_options.h"
 #include "grid/block.h"
-#include "render/scene.h"
-#include "slice/field_choice.h"
+#include "grid/field_choice.h"
+#include "render/scene/scene.h"
 #include "vector_options.h"
 
 #include <optional>
@@ -82,7 +82,7 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 // The scale of an array, none without one. Options that need values are an input error where there are none that serve;
 // values that a logarithm leaves out are told in a word.
 Result<std::optional<render::ValueScale>> valueScale(const grid::BlockSet& blocks,
-                                                     const std::optional<slice::FieldChoice>& field,
+                                                     const std::optional<grid::FieldChoice>& field,
                                                      const std::vector<std::string>& inputs, const render::Look& look);
 
 } // namespace vp::app

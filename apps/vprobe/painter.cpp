@@ -1,13 +1,13 @@
 #include "painter.h"
 
+#include "classify/gpu_records.h"
 #include "contour_drawing.h"
-#include "render/surface_polygons.h"
-#include "render/value_style.h"
+#include "cut/polygon_generations.h"
+#include "measure/cell_steps.h"
+#include "measure/plane_triangles.h"
+#include "render/passes/surface_polygons.h"
+#include "render/scene/value_style.h"
 #include "sheet_values.h"
-#include "slice/cell_steps.h"
-#include "slice/generations.h"
-#include "slice/gpu_records.h"
-#include "slice/plane_triangles.h"
 
 #include <algorithm>
 
@@ -41,7 +41,7 @@ bool drawsRims(const ProbeOptions& options)
 
 Painter::Painter(Session& session, SheetLooks looks, render::Renderer renderer)
     : session_(session), looks_(std::move(looks)), vectors_(session), renderer_(std::move(renderer)),
-      pool_(slice::RecordPool::create(*session.device))
+      pool_(classify::RecordPool::create(*session.device))
 {
 }
 
@@ -62,7 +62,7 @@ Status Painter::makeContext()
 	context_.clear();
 	for (const ContextChoice& context : choice().context)
 	{
-		Result<slice::SheetMesh> mesh = context.kind->mesh(session_.blocks, context);
+		Result<mesh::SheetMesh> mesh = context.kind->mesh(session_.blocks, context);
 		if (!mesh)
 			return mesh.error();
 		auto polygons = render::surfacePolygons(*session_.device, *mesh);
@@ -101,11 +101,11 @@ Result<Painter> Painter::create(Session& session, const ProbeOptions& options, L
 }
 
 // What is no plane: a grid surface, a patch of the boundary, whole cells.
-Result<render::Surface> Painter::surfaceOf(const slice::SheetSlice& sheet, const SheetStats& stats,
+Result<render::Surface> Painter::surfaceOf(const cut::SheetCut& sheet, const SheetStats& stats,
                                            const render::SheetDrawing& drawing,
                                            const std::optional<render::ValueScale>& scale) const
 {
-	const slice::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
+	const mesh::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
 	const render::SheetValues values = sheetValues(session_, sheet, mesh, choice().by_generation);
 	auto polygons = render::surfacePolygons(*session_.device, mesh, {values.of_vertices, values.of_polygons});
 	if (!polygons)
@@ -120,7 +120,7 @@ Result<render::Surface> Painter::surfaceOf(const slice::SheetSlice& sheet, const
 }
 
 // Lines are drawn from the layers of values; labels want to know where they run.
-void Painter::addContours(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene) const
+void Painter::addContours(const cut::Cut& slice, const std::vector<SheetStats>& sheets, render::Scene& scene) const
 {
 	if (!choice().look.labels || !scene.values)
 		return;
@@ -138,35 +138,36 @@ void Painter::addContours(const slice::Slice& slice, const std::vector<SheetStat
 	if (std::ranges::any_of(scene.sheets, [](const auto& sheet) { return !sheet.contours.empty(); }))
 		for (std::size_t s = 0; s < scene.sheets.size(); ++s)
 			scene.sheets[s].rim_lines =
-			    slice::meshOutlines(sheets[s].mesh, slice::planePoints(sheets[s].mesh, slice.sheets[s].sheet));
+			    measure::meshOutlines(sheets[s].mesh, measure::planePoints(sheets[s].mesh, slice.sheets[s].sheet));
 }
 
 // A sheet's polygons where they lie: records that the GPU classifier left in device memory, those of the last picture
 // where the sheet has not moved, or the CPU's mesh put there.
-Result<std::shared_ptr<const slice::SheetRecords>> Painter::recordsOf(const slice::SheetSlice& sheet,
-                                                                      const SheetStats& stats)
+Result<std::shared_ptr<const classify::SheetRecords>> Painter::recordsOf(const cut::SheetCut& sheet,
+                                                                         const SheetStats& stats)
 {
 	const bool by_generation = choice().by_generation;
 	if (sheet.records && !by_generation)
-		return std::shared_ptr<const slice::SheetRecords>(sheet.records);
+		return std::shared_ptr<const classify::SheetRecords>(sheet.records);
 	if (const auto known = records_.find(sheet.number); known != records_.end())
 		return known->second;
-	const slice::MeshRecords host =
-	    by_generation ? slice::MeshRecords(sheet.sheet, stats.mesh, slice::polygonGenerations(sheet, stats.mesh))
-	                  : slice::MeshRecords(session_.blocks, sheet.sheet, stats.mesh, sheet.field);
-	auto made = slice::recordsFromMesh(pool_, host);
+	const mesh::MeshRecords host =
+	    by_generation ? mesh::MeshRecords(sheet.sheet, stats.mesh, cut::polygonGenerations(sheet, stats.mesh))
+	                  : mesh::MeshRecords(session_.blocks, sheet.sheet, stats.mesh, sheet.field);
+	auto made = classify::recordsFromMesh(pool_, host);
 	if (!made)
 		return made.error();
-	(*made)->overlapping = (*made)->overlapping || slice::mayFold(session_.blocks);
+	(*made)->overlapping = (*made)->overlapping || classify::mayFold(session_.blocks);
 	return records_[sheet.number] = std::move(*made);
 }
 
-Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStats>& sheets, const Contours& contours,
+Status Painter::addSheets(const cut::Cut& slice, const std::vector<SheetStats>& sheets, const Contours& contours,
                           render::Scene& scene)
 {
-	std::erase_if(
-	    records_, [&](const auto& kept)
-	    { return std::ranges::find(slice.sheets, kept.first, &slice::SheetSlice::number) == slice.sheets.end(); });
+	std::erase_if(records_,
+	              [&](const auto& kept) {
+		              return std::ranges::find(slice.sheets, kept.first, &cut::SheetCut::number) == slice.sheets.end();
+	              });
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
 		Result<render::SheetDrawing> made = looks_.drawing(slice.sheets[s], sheets[s]);
@@ -192,7 +193,7 @@ Status Painter::addSheets(const slice::Slice& slice, const std::vector<SheetStat
 	return Nothing{};
 }
 
-Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets,
+Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
                                        const Contours& contours)
 {
 	const TimedSection section(session_.timeline.get(), "scene");
@@ -218,7 +219,7 @@ Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vec
 	const probe::Sheet* first = has_plane ? &slice.sheets.front().shown : nullptr;
 	if (!slice.sheets.empty() && choice().captions)
 		scene.look.caption =
-		    has_plane ? caption(*first, session_.blocks.bounds()) : slice::surfaceName(slice.sheets.front());
+		    has_plane ? caption(*first, session_.blocks.bounds()) : cut::surfaceName(slice.sheets.front());
 	if (!camera_ || choice().camera.followsSheet())
 	{
 		if (choice().camera.followsSheet() && !has_plane)
@@ -228,7 +229,7 @@ Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vec
 		const bool by_sheet = slice.sheets.size() == 1 || choice().camera.followsSheet();
 		std::vector<Vec3> extent = extent_;
 		if (choice().window_rims)
-			for (const slice::SheetSlice& sheet : slice.sheets)
+			for (const cut::SheetCut& sheet : slice.sheets)
 				addRim(sheet.shown, extent);
 		camera_ = render::makeCamera(choice().camera, by_sheet ? first : nullptr, extent, render::pictureFrame(scene));
 	}
@@ -236,7 +237,7 @@ Result<render::Scene> Painter::sceneOf(const slice::Slice& slice, const std::vec
 	return scene;
 }
 
-Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets,
+Result<render::Picture> Painter::draw(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
                                       const Contours& contours)
 {
 	const TimedSection section(session_.timeline.get(), "render");
@@ -244,7 +245,7 @@ Result<render::Picture> Painter::draw(const slice::Slice& slice, const std::vect
 	return scene ? renderer_.draw(*scene, session_.timeline.get()) : scene.error();
 }
 
-Result<render::Picture> Painter::drawEmpty(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+Result<render::Picture> Painter::drawEmpty(const cut::Cut& slice, const std::vector<SheetStats>& sheets)
 {
 	const TimedSection section(session_.timeline.get(), "render");
 	Result<render::Scene> scene = sceneOf(slice, sheets);

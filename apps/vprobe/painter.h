@@ -1,8 +1,8 @@
 #pragma once
 
 #include "grown_contours.h"
-#include "render/outline.h"
 #include "render/renderer.h"
+#include "render/scene/outline.h"
 #include "sheet_looks.h"
 #include "vector_drawing.h"
 
@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace vp::slice
+namespace vp::classify
 {
 class RecordPool; // gpu_records.h
 }
@@ -40,28 +40,28 @@ public:
 	Status setLook(const ProbeOptions& options, LookChoice choice);
 
 	// What is to be drawn, for renderer(). sheets: sheetStats() of the slice. Section "scene".
-	Result<render::Scene> sceneOf(const slice::Slice& slice, const std::vector<SheetStats>& sheets,
+	Result<render::Scene> sceneOf(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
 	                              const Contours& contours = {});
 	render::Renderer& renderer() { return renderer_; }
 
 	// Section "render" on the session's timeline. sheets: sheetStats() of the slice.
-	Result<render::Picture> draw(const slice::Slice& slice, const std::vector<SheetStats>& sheets,
+	Result<render::Picture> draw(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
 	                             const Contours& contours = {});
 	// The scene without the sheets and the lines around them.
-	Result<render::Picture> drawEmpty(const slice::Slice& slice, const std::vector<SheetStats>& sheets);
+	Result<render::Picture> drawEmpty(const cut::Cut& slice, const std::vector<SheetStats>& sheets);
 
 private:
 	Painter(Session& session, SheetLooks looks, render::Renderer renderer);
 	Status makeContext();
-	Result<std::shared_ptr<const slice::SheetRecords>> recordsOf(const slice::SheetSlice& sheet,
-	                                                             const SheetStats& stats);
-	Status addSheets(const slice::Slice& slice, const std::vector<SheetStats>& sheets, const Contours& contours,
+	Result<std::shared_ptr<const classify::SheetRecords>> recordsOf(const cut::SheetCut& sheet,
+	                                                                const SheetStats& stats);
+	Status addSheets(const cut::Cut& slice, const std::vector<SheetStats>& sheets, const Contours& contours,
 	                 render::Scene& scene);
-	Result<render::Surface> surfaceOf(const slice::SheetSlice& sheet, const SheetStats& stats,
+	Result<render::Surface> surfaceOf(const cut::SheetCut& sheet, const SheetStats& stats,
 	                                  const render::SheetDrawing& drawing,
 	                                  const std::optional<render::ValueScale>& scale) const;
 
-	void addContours(const slice::Slice& slice, const std::vector<SheetStats>& sheets, render::Scene& scene) const;
+	void addContours(const cut::Cut& slice, const std::vector<SheetStats>& sheets, render::Scene& scene) const;
 
 	const LookChoice& choice() const { return looks_.choice(); }
 
@@ -69,13 +69,13 @@ private:
 	SheetLooks looks_;
 	VectorDrawing vectors_;
 	render::Renderer renderer_;
-	std::shared_ptr<slice::RecordPool> pool_; // its pages serve picture after picture
+	std::shared_ptr<classify::RecordPool> pool_; // its pages serve picture after picture
 	std::vector<render::Segment> outline_;
 	std::vector<render::Surface> context_;
 	std::vector<Vec3> extent_; // what the picture holds: the blocks and the lines around them
 	std::optional<render::Camera> camera_;
 	// Polygons of the last picture that were put onto the device for it, by the number of their sheet.
-	std::map<std::uint64_t, std::shared_ptr<const slice::SheetRecords>> records_;
+	std::map<std::uint64_t, std::shared_ptr<const classify::SheetRecords>> records_;
 };
 
 } // namespace vp::app

@@ -38,7 +38,7 @@ Result<std::vector<std::string>> pictureNames(const std::string& output, std::si
 }
 
 Result<std::vector<std::string>> writePictures(const Session& session, const std::vector<std::string>& inputs,
-                                               const LookChoice& look, const slice::Slice& slice,
+                                               const LookChoice& look, const cut::Cut& slice,
                                                const std::vector<SheetStats>& sheets, const std::string& output)
 {
 	Result<std::vector<std::string>> paths = pictureNames(output, sheets.size());

@@ -20,7 +20,7 @@ Status refuseLook(const CLI::App& command, const std::string& why, const char* r
 
 // Draws each sheet of a slice flat. `output` has {sheet} in it where there are several. Gives the files.
 Result<std::vector<std::string>> writePictures(const Session& session, const std::vector<std::string>& inputs,
-                                               const LookChoice& look, const slice::Slice& slice,
+                                               const LookChoice& look, const cut::Cut& slice,
                                                const std::vector<SheetStats>& sheets, const std::string& output);
 
 // Told before a slice is cut: what is wrong with the names of so many pictures.

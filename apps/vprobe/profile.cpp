@@ -117,7 +117,7 @@ private:
 		const TimedSection frame(timeline, "frame");
 		{
 			const TimedSection section(timeline, "cut");
-			Result<slice::Slice> slice = cut(session_);
+			Result<cut::Cut> slice = cut(session_);
 			if (!slice)
 				return slice.error();
 			slice_ = std::move(*slice);
@@ -148,7 +148,7 @@ private:
 	std::optional<Painter> painter_;
 	std::optional<write::TraceFile>& trace_;
 	ProfileLog log_;
-	slice::Slice slice_;
+	cut::Cut slice_;
 	std::vector<SheetStats> sheets_;
 };
 
@@ -204,7 +204,7 @@ Result<ExitCode> runProfile(ProfileOptions& options, const CLI::App& command)
 	Session& session = **opened;
 	session.range_of_slice = look->range_of_slice;
 	if (options.draw && look->by_generation)
-		session.finder = slice::Finder::traversal;
+		session.finder = find::Finder::traversal;
 	const std::string picture =
 	    fmt::format("{}x{}, {} samples", look->look.width, look->look.height, look->look.samples);
 	std::optional<Painter> painter;

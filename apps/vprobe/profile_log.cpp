@@ -28,7 +28,7 @@ std::vector<Section> named(const std::vector<Section>& sections, const char* nam
 	return found;
 }
 
-const char* finderOf(const slice::SheetSlice& sheet, std::size_t block)
+const char* finderOf(const cut::SheetCut& sheet, std::size_t block)
 {
 	if (sheet.surface)
 		return "subscripts";
@@ -39,8 +39,7 @@ const char* finderOf(const slice::SheetSlice& sheet, std::size_t block)
 
 } // namespace
 
-void ProfileLog::add(const slice::Slice& slice, const std::vector<SheetStats>& sheets,
-                     const std::vector<Section>& sections)
+void ProfileLog::add(const cut::Cut& slice, const std::vector<SheetStats>& sheets, const std::vector<Section>& sections)
 {
 	const std::vector<Section> ordered = inOrder(sections);
 	addStages(ordered);
@@ -48,12 +47,12 @@ void ProfileLog::add(const slice::Slice& slice, const std::vector<SheetStats>& s
 	addFigures(slice, sheets);
 }
 
-void ProfileLog::addFigures(const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+void ProfileLog::addFigures(const cut::Cut& slice, const std::vector<SheetStats>& sheets)
 {
 	std::size_t cut = 0, touched = 0, polygons = 0, vertices = 0;
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 	{
-		const slice::SheetSlice& sheet = slice.sheets[s];
+		const cut::SheetCut& sheet = slice.sheets[s];
 		for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
 		{
 			const std::size_t block_touched = sheet.touchedCells(b);

@@ -102,7 +102,7 @@ std::size_t peakResident()
 nlohmann::json memoryJson(const Session& session)
 {
 	const grid::Memory grid = grid::memoryOf(session.blocks);
-	const slice::Slicer::Memory slicer = session.slicer->memory();
+	const cut::Cutter::Memory slicer = session.slicer->memory();
 	return {{"grid", grid.read()},
 	        {"extra", grid.built() + slicer.marks + slicer.device},
 	        {"peak_rss", peakResident()},

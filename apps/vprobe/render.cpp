@@ -60,8 +60,8 @@ Result<ExitCode> runRender(RenderOptions& options)
 		return opened.error();
 	Session& session = **opened;
 	if (look->by_generation)
-		session.finder = slice::Finder::traversal;
-	Result<slice::Slice> slice = cut(session);
+		session.finder = find::Finder::traversal;
+	Result<cut::Cut> slice = cut(session);
 	if (!slice)
 		return slice.error();
 	if (Status told = tellAbout(session, *slice); !told)

@@ -1,9 +1,9 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "commands.h"
+#include "grid/field_choice.h"
 #include "sample_points.h"
 #include "session.h"
-#include "slice/field_choice.h"
 #include "write/atomic_file.h"
 #include "write/sample_file.h"
 
@@ -34,12 +34,12 @@ Result<std::vector<Vec3>> pointsOf(const SampleOptions& options)
 	return options.line.empty() ? readPoints(options.points) : pointsOnLine(options.line);
 }
 
-Result<std::vector<slice::FieldChoice>> chooseArrays(const SampleOptions& options, const grid::BlockSet& blocks)
+Result<std::vector<grid::FieldChoice>> chooseArrays(const SampleOptions& options, const grid::BlockSet& blocks)
 {
-	std::vector<slice::FieldChoice> chosen;
+	std::vector<grid::FieldChoice> chosen;
 	for (const std::string& array : options.arrays)
 	{
-		Result<std::optional<slice::FieldChoice>> choice = slice::chooseField(blocks, array, "");
+		Result<std::optional<grid::FieldChoice>> choice = grid::chooseField(blocks, array, "");
 		if (!choice)
 			return choice.error();
 		if (*choice)
@@ -66,7 +66,7 @@ Result<ExitCode> runSample(const SampleOptions& options)
 	}();
 	if (!blocks)
 		return blocks.error();
-	Result<std::vector<slice::FieldChoice>> chosen = chooseArrays(options, *blocks);
+	Result<std::vector<grid::FieldChoice>> chosen = chooseArrays(options, *blocks);
 	if (!chosen)
 		return chosen.error();
 	Result<std::size_t> outside = [&]

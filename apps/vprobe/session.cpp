@@ -25,16 +25,16 @@ void limitThreads(int threads)
 		limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
 }
 
-Result<std::optional<slice::Threshold>> parseThreshold(const std::vector<double>& numbers)
+Result<std::optional<find::Threshold>> parseThreshold(const std::vector<double>& numbers)
 {
 	if (numbers.empty())
-		return std::optional<slice::Threshold>();
+		return std::optional<find::Threshold>();
 	if (Status finite = requireFinite(numbers, "--threshold"); !finite)
 		return finite.error();
 	if (numbers[0] > numbers[1])
 		return Error{ExitCode::usage, fmt::format("--threshold {} {}: LO is above HI; give the lower value first",
 		                                          numbers[0], numbers[1])};
-	return std::optional(slice::Threshold{numbers[0], numbers[1]});
+	return std::optional(find::Threshold{numbers[0], numbers[1]});
 }
 
 seed::SeedOptions seedOptions(const ProbeOptions& options)
@@ -61,7 +61,7 @@ Status chooseSheetFields(const ProbeOptions& options, Session& session)
 			session.sheet_fields.push_back(session.field);
 			continue;
 		}
-		Result<std::optional<slice::FieldChoice>> field = slice::chooseField(
+		Result<std::optional<grid::FieldChoice>> field = grid::chooseField(
 		    session.blocks, wishes.array.value_or(options.array), wishes.component.value_or(options.component));
 		if (!field)
 			return field.error();
@@ -108,10 +108,10 @@ bool classifiesOnGpu(const ProbeOptions& options, Session& session)
 	if (!session.break_even)
 	{
 		const TimedSection section(session.timeline.get(), "upload");
-		const Result<slice::BreakEven> measured = slice::measureBreakEven(*session.device, session.blocks);
+		const Result<classify::BreakEven> measured = classify::measureBreakEven(*session.device, session.blocks);
 		if (!measured)
 			warn("{}; the CPU classifies instead", measured.error().message);
-		session.break_even = measured ? *measured : slice::BreakEven{};
+		session.break_even = measured ? *measured : classify::BreakEven{};
 	}
 	return isWorthDevice(session);
 }
@@ -127,12 +127,12 @@ Status makeSlicer(Session& session, const ProbeOptions& options)
 {
 	if (!classifiesOnGpu(options, session))
 	{
-		session.slicer = std::make_unique<slice::Slicer>(session.blocks);
+		session.slicer = std::make_unique<cut::Cutter>(session.blocks);
 		return Nothing{};
 	}
 	const Progress progress("uploading");
-	Result<std::unique_ptr<slice::Slicer>> slicer =
-	    slice::Slicer::onDevice(*session.device, session.blocks, session.field, session.timeline.get());
+	Result<std::unique_ptr<cut::Cutter>> slicer =
+	    cut::Cutter::onDevice(*session.device, session.blocks, session.field, session.timeline.get());
 	if (!slicer)
 		return slicer.error();
 	session.slicer = std::move(*slicer);
@@ -142,18 +142,18 @@ Status makeSlicer(Session& session, const ProbeOptions& options)
 Status choose(Session& session, const ProbeOptions& options)
 {
 	session.seeds = seedOptions(options);
-	session.corners = options.corners == "skip" ? slice::Corners::skip : slice::Corners::keep;
+	session.corners = options.corners == "skip" ? mesh::Corners::skip : mesh::Corners::keep;
 	session.crinkle = options.crinkle;
 	Result<std::optional<SurfaceChoice>> surface = surfaceOf(options);
 	if (!surface)
 		return surface.error();
 	session.surface = *surface;
-	Result<std::optional<slice::Threshold>> threshold = parseThreshold(options.threshold);
+	Result<std::optional<find::Threshold>> threshold = parseThreshold(options.threshold);
 	if (!threshold)
 		return threshold.error();
 	session.threshold = *threshold;
-	Result<std::optional<slice::FieldChoice>> field =
-	    slice::chooseField(session.blocks, options.array, options.component);
+	Result<std::optional<grid::FieldChoice>> field =
+	    grid::chooseField(session.blocks, options.array, options.component);
 	if (!field)
 		return field.error();
 	session.field = *field;
@@ -221,27 +221,27 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 		return made.error();
 	// The device goes by generations, as the paper does, unless it is left to choose what is fastest.
 	if (options.classify == "gpu" && session->slicer->usesGpu())
-		session->finder = slice::Finder::direct;
-	session->strategy = slice::strategyNamed(options.strategy);
+		session->finder = find::Finder::direct;
+	session->strategy = find::strategyNamed(options.strategy);
 	if (!options.visited.empty())
-		session->finder = slice::Finder::traversal;
+		session->finder = find::Finder::traversal;
 	if (options.visited == "octants")
-		session->visited = slice::Visited::octants;
+		session->visited = find::VisitedSet::octants;
 	return session;
 }
 
 namespace
 {
 
-slice::SliceRequest requestOf(const Session& session)
+cut::CutRequest requestOf(const Session& session)
 {
-	std::optional<slice::OtherSurface> surface;
+	std::optional<find::ListedSurface> surface;
 	if (session.surface)
 		surface = surfaceAt(*session.surface, session.swept);
 	// For a device few generations are wanted; where the traversal is asked for by name it goes as the paper has it.
 	seed::SeedOptions seeds = session.seeds;
-	seeds.lattice = session.slicer->usesGpu() && session.finder != slice::Finder::traversal &&
-	                session.strategy != slice::Strategy::generations;
+	seeds.lattice = session.slicer->usesGpu() && session.finder != find::Finder::traversal &&
+	                session.strategy != find::Strategy::generations;
 	return {.probe = session.probe,
 	        .corners = session.corners,
 	        .field = session.field,
@@ -258,25 +258,25 @@ slice::SliceRequest requestOf(const Session& session)
 
 } // namespace
 
-Result<slice::Slice> cut(const Session& session, std::shared_ptr<const slice::Slice> last)
+Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last)
 {
 	if (session.strategy)
-		if (const Result<slice::CutPlan> plan = planOf(session); !plan)
+		if (const Result<find::CutPlan> plan = planOf(session); !plan)
 			return plan.error();
-	slice::SliceRequest request = requestOf(session);
+	cut::CutRequest request = requestOf(session);
 	request.last = std::move(last);
 	return session.slicer->cut(request);
 }
 
-Result<slice::CutPlan> planOf(const Session& session)
+Result<find::CutPlan> planOf(const Session& session)
 {
-	Result<slice::CutPlan> plan = session.slicer->plan(requestOf(session));
+	Result<find::CutPlan> plan = session.slicer->plan(requestOf(session));
 	if (!plan)
 		return Error{plan.error().code, fmt::format("--strategy {}", plan.error().message)};
 	return plan;
 }
 
-bool isEmpty(const slice::SheetSlice& sheet)
+bool isEmpty(const cut::SheetCut& sheet)
 {
 	for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
 		if (sheet.cutCells(b) > 0)
@@ -284,11 +284,11 @@ bool isEmpty(const slice::SheetSlice& sheet)
 	return std::ranges::all_of(sheet.seeds.faces_in_plane, [](const auto& faces) { return faces.empty(); });
 }
 
-Status tellAbout(const Session& session, const slice::Slice& slice)
+Status tellAbout(const Session& session, const cut::Cut& slice)
 {
 	for (const std::string& words : slice.words)
 		warn("{}", words);
-	for (const slice::SheetSlice& sheet : slice.sheets)
+	for (const cut::SheetCut& sheet : slice.sheets)
 	{
 		const Vec3 at = sheet.sheet.origin;
 		const bool outside =
@@ -312,7 +312,7 @@ Status tellAbout(const Session& session, const slice::Slice& slice)
 			warn("{} is empty: no cell that is reached has values between {} and {}; widen --threshold", what,
 			     session.threshold->lo, session.threshold->hi);
 		else if (sheet.surface)
-			warn("{} is empty: {} shows no cells, or hidden ones only", what, slice::nameOf(*sheet.surface));
+			warn("{} is empty: {} shows no cells, or hidden ones only", what, find::nameOf(*sheet.surface));
 		else if (sheet.sheet.form && sheet.sheet.form->isoValue())
 			warn("{} is empty: no edge that is reached passes {}; the values of {} go from {:.6g} to {:.6g}", what,
 			     sheet.sheet.form->isoValue()->value, sheet.field->title(session.blocks),

@@ -2,15 +2,15 @@
 
 #include "base/result.h"
 #include "base/timeline.h"
+#include "classify/gpu_break_even.h"
+#include "cut/cutter.h"
 #include "gpu/device.h"
 #include "grid/block.h"
+#include "grid/field_choice.h"
+#include "measure/finite_fields.h"
 #include "probe/probe.h"
 #include "probe_options.h"
 #include "read/read.h"
-#include "slice/field_choice.h"
-#include "slice/finite_fields.h"
-#include "slice/gpu_break_even.h"
-#include "slice/slicer.h"
 #include "surface_options.h"
 #include "vector_choice.h"
 #include "vectors/path_lines.h"
@@ -29,28 +29,28 @@ namespace vp::app
 struct Session
 {
 	grid::BlockSet blocks;
-	std::optional<slice::FieldChoice> field;
+	std::optional<grid::FieldChoice> field;
 	probe::Probe probe; // without its hidden sheets
-	std::vector<std::optional<slice::FieldChoice>> sheet_fields;
-	slice::Corners corners = slice::Corners::keep;
+	std::vector<std::optional<grid::FieldChoice>> sheet_fields;
+	mesh::Corners corners = mesh::Corners::keep;
 	seed::SeedOptions seeds;
 	std::optional<SurfaceChoice> surface; // in place of the probe's sheets
 	double swept = 0.0;                   // how far along its range the next cut lies, 0 to 1
 	bool crinkle = false;                 // the whole cells are wanted too
 	bool range_of_slice = false;          // pictures' colours go by the values that are shown
-	std::optional<slice::Threshold> threshold;
-	std::optional<slice::FieldChoice> vector_array;                 // where one is asked for, or needed
-	std::optional<VectorChoice> vectors;                            // launched from the sheets
-	std::optional<vectors::StoredVectors> stored{};                 // of that array, where particles go through times
-	double time = 0.0;                                              // that the blocks have values of
-	std::optional<std::pair<slice::FieldChoice, double>> fastest{}; // the greatest length in an array of vectors
-	slice::Finder finder = slice::Finder::automatic;
-	std::optional<slice::Strategy> strategy; // asked for by name
-	slice::Visited visited = slice::Visited::stamps;
+	std::optional<find::Threshold> threshold;
+	std::optional<grid::FieldChoice> vector_array;                 // where one is asked for, or needed
+	std::optional<VectorChoice> vectors;                           // launched from the sheets
+	std::optional<vectors::StoredVectors> stored{};                // of that array, where particles go through times
+	double time = 0.0;                                             // that the blocks have values of
+	std::optional<std::pair<grid::FieldChoice, double>> fastest{}; // the greatest length in an array of vectors
+	find::Finder finder = find::Finder::automatic;
+	std::optional<find::Strategy> strategy; // asked for by name
+	find::VisitedSet visited = find::VisitedSet::stamps;
 	std::shared_ptr<gpu::Device> device; // null where the CPU does without
-	std::unique_ptr<slice::Slicer> slicer;
-	std::optional<slice::BreakEven> break_even; // measured where --classify auto has a device to choose
-	std::unique_ptr<slice::FiniteFields> finite_fields = std::make_unique<slice::FiniteFields>();
+	std::unique_ptr<cut::Cutter> slicer;
+	std::optional<classify::BreakEven> break_even; // measured where --classify auto has a device to choose
+	std::unique_ptr<measure::FiniteFields> finite_fields = std::make_unique<measure::FiniteFields>();
 	std::unique_ptr<Timeline> timeline;
 };
 
@@ -76,15 +76,15 @@ read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoic
 // A slicer for the blocks that the session has now.
 Status makeSlicer(Session& session, const ProbeOptions& options);
 
-// last: a cut of this session that differs in the probe's place alone; see SliceRequest.
-Result<slice::Slice> cut(const Session& session, std::shared_ptr<const slice::Slice> last = nullptr);
+// last: a cut of this session that differs in the probe's place alone; see CutRequest.
+Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last = nullptr);
 
 // How cut() goes. A usage error that names --strategy where what it asks for cannot be had.
-Result<slice::CutPlan> planOf(const Session& session);
+Result<find::CutPlan> planOf(const Session& session);
 
-bool isEmpty(const slice::SheetSlice& sheet);
+bool isEmpty(const cut::SheetCut& sheet);
 
 // Tells the user in a word what is empty or was moved; an error where a hot spot outside is to be one.
-Status tellAbout(const Session& session, const slice::Slice& slice);
+Status tellAbout(const Session& session, const cut::Cut& slice);
 
 } // namespace vp::app

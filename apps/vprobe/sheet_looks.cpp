@@ -1,6 +1,6 @@
 #include "sheet_looks.h"
 
-#include "render/color_map_file.h"
+#include "render/color/color_map_file.h"
 
 #include <fmt/format.h>
 
@@ -29,11 +29,11 @@ Vec3 withoutSmall(Vec3 v, double least)
 	return v;
 }
 
-render::ValueScale generationScale(const slice::Slice& slice)
+render::ValueScale generationScale(const cut::Cut& slice)
 {
 	std::size_t generations = 2; // a scale has two ends
-	for (const slice::SheetSlice& sheet : slice.sheets)
-		for (const traverse::LaneCut& cut : sheet.cuts)
+	for (const cut::SheetCut& sheet : slice.sheets)
+		for (const find::CellCut& cut : sheet.cuts)
 			generations = std::max(generations, cut.generations());
 	return {.title = "generation", .hi = static_cast<double>(generations - 1), .per_cell = true, .log_lo = 1.0};
 }
@@ -80,7 +80,7 @@ void SheetLooks::takeLengthUnits()
 }
 
 // Those of the command line go before the file's.
-std::string SheetLooks::unitsOf(const std::optional<slice::FieldChoice>& field) const
+std::string SheetLooks::unitsOf(const std::optional<grid::FieldChoice>& field) const
 {
 	if (field == session_.field && !choice_.units.empty())
 		return choice_.units;
@@ -92,7 +92,7 @@ std::string SheetLooks::unitsOf(const std::optional<slice::FieldChoice>& field) 
 }
 
 // Worked out once: an array may be large, and what it lacks is told once.
-Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const std::optional<slice::FieldChoice>& field,
+Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const std::optional<grid::FieldChoice>& field,
                                                               bool has_nan)
 {
 	auto known = std::ranges::find(scales_, field, [](const auto& scale) { return scale.first; });
@@ -131,8 +131,8 @@ void SheetLooks::chooseEnds(render::ValueScale& scale, std::span<const SheetStat
 	}
 }
 
-Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const slice::Slice& slice,
-                                                              std::span<const SheetStats> sheets, bool has_nan)
+Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const cut::Cut& slice, std::span<const SheetStats> sheets,
+                                                              bool has_nan)
 {
 	if (choice_.by_generation)
 		return std::optional(generationScale(slice));
@@ -147,7 +147,7 @@ Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const slice::Slice
 	return scale;
 }
 
-Result<render::SheetDrawing> SheetLooks::drawing(const slice::SheetSlice& sheet, const SheetStats& stats)
+Result<render::SheetDrawing> SheetLooks::drawing(const cut::SheetCut& sheet, const SheetStats& stats)
 {
 	const probe::SheetWishes& wishes = sheet.shown.wishes;
 	render::SheetDrawing drawing{sheet.shown, nullptr, wishes.opacity.value_or(choice_.opacity)};

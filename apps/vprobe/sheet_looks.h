@@ -1,7 +1,7 @@
 #pragma once
 
 #include "look_options.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 #include "stats_json.h"
 
 #include <map>
@@ -26,23 +26,23 @@ public:
 	void forgetScales() { scales_.clear(); }
 
 	// Of the array that the sheets show, or of generations. sheets: all of the slice's.
-	Result<std::optional<render::ValueScale>> scaleOf(const slice::Slice& slice, std::span<const SheetStats> sheets,
+	Result<std::optional<render::ValueScale>> scaleOf(const cut::Cut& slice, std::span<const SheetStats> sheets,
 	                                                  bool has_nan);
 	// Of an array.
-	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<slice::FieldChoice>& field, bool has_nan);
+	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<grid::FieldChoice>& field, bool has_nan);
 	// Without records.
-	Result<render::SheetDrawing> drawing(const slice::SheetSlice& sheet, const SheetStats& stats);
+	Result<render::SheetDrawing> drawing(const cut::SheetCut& sheet, const SheetStats& stats);
 
 private:
 	// The array's scale with the ends that the look asks for. sheets: those that show it.
 	void chooseEnds(render::ValueScale& scale, std::span<const SheetStats* const> sheets) const;
 	void takeLengthUnits();
-	std::string unitsOf(const std::optional<slice::FieldChoice>& field) const;
+	std::string unitsOf(const std::optional<grid::FieldChoice>& field) const;
 
 	const Session& session_;
 	std::vector<std::string> inputs_;
 	LookChoice choice_;
-	std::vector<std::pair<std::optional<slice::FieldChoice>, std::optional<render::ValueScale>>> scales_;
+	std::vector<std::pair<std::optional<grid::FieldChoice>, std::optional<render::ValueScale>>> scales_;
 	std::map<std::string, render::ColorMap> colors_; // of sheets that wish for one
 };
 

@@ -57,14 +57,14 @@ double longestSide(const Session& session)
 	return std::min(whole, windows);
 }
 
-bool hasVectors(const grid::BlockSet& blocks, const slice::FieldChoice& array)
+bool hasVectors(const grid::BlockSet& blocks, const grid::FieldChoice& array)
 {
 	return std::ranges::any_of(array.inEach(blocks),
 	                           [](const grid::Field* field) { return field && field->components == 3; });
 }
 
 // Anywhere in the blocks.
-double fastest(const grid::BlockSet& blocks, const slice::FieldChoice& array)
+double fastest(const grid::BlockSet& blocks, const grid::FieldChoice& array)
 {
 	grid::ValueSpan span;
 	for (const grid::Field* field : array.inEach(blocks))
@@ -141,7 +141,7 @@ Status chooseVectors(const ProbeOptions& options, Session& session)
 		return fits;
 	if (!words.on() && words.array.empty())
 		return Nothing{};
-	Result<slice::FieldChoice> array = vectors::chooseVectors(session.blocks, words.array);
+	Result<grid::FieldChoice> array = vectors::chooseVectors(session.blocks, words.array);
 	if (!array)
 		return array.error();
 	session.vector_array = *array;
@@ -168,8 +168,8 @@ void takeValuesAt(const read::TimeChoice& time, Session& session)
 		takeStep(session);
 }
 
-Result<SharedTraces> traceSheet(const Session& session, const slice::Slice& slice, std::size_t sheet,
-                                const slice::SheetMesh& mesh)
+Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, std::size_t sheet,
+                                const mesh::SheetMesh& mesh)
 {
 	if (!session.vectors)
 		return SharedTraces();
@@ -191,9 +191,9 @@ Result<SharedTraces> traceSheet(const Session& session, const slice::Slice& slic
 	return std::make_shared<const vectors::Traces>(std::move(*traces));
 }
 
-std::optional<double> fluxThrough(const Session& session, const slice::SheetSlice& sheet, const slice::SheetMesh& mesh)
+std::optional<double> fluxThrough(const Session& session, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh)
 {
-	std::optional<slice::FieldChoice> array = session.vector_array;
+	std::optional<grid::FieldChoice> array = session.vector_array;
 	if (!array && sheet.field && hasVectors(session.blocks, *sheet.field))
 		array = sheet.field;
 	if (!array || sheet.surface)

@@ -25,12 +25,12 @@ void takeValuesAt(const read::TimeChoice& time, Session& session);
 // Of the particles launched from a sheet, section "trace". mesh: its polygons. Null where nothing is to be launched.
 // Fails where vectors of other times cannot be read.
 using SharedTraces = std::shared_ptr<const vectors::Traces>;
-Result<SharedTraces> traceSheet(const Session& session, const slice::Slice& slice, std::size_t sheet,
-                                const slice::SheetMesh& mesh);
+Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, std::size_t sheet,
+                                const mesh::SheetMesh& mesh);
 
 // Through a sheet's polygons, along its normal: of the array that moves particles, else of the shown one where that is
 // a vector; else none.
-std::optional<double> fluxThrough(const Session& session, const slice::SheetSlice& sheet, const slice::SheetMesh& mesh);
+std::optional<double> fluxThrough(const Session& session, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh);
 
 // For --stats.
 nlohmann::json tracesJson(const Session& session, const vectors::Traces& traces);

@@ -1,6 +1,7 @@
 #include "sheet_values.h"
 
-#include "slice/generations.h"
+#include "cut/polygon_generations.h"
+#include "mesh/mesh_values.h"
 
 #include <limits>
 
@@ -10,26 +11,26 @@ namespace vp::app
 namespace
 {
 
-std::vector<double> vertexValues(const grid::BlockSet& blocks, const slice::SheetMesh& mesh,
-                                 const slice::FieldChoice& field)
+std::vector<double> vertexValues(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
+                                 const grid::FieldChoice& field)
 {
 	const std::vector<const grid::Field*> fields = field.inEach(blocks);
 	std::vector<double> values;
 	values.reserve(mesh.positions.size());
 	for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-		values.push_back(slice::vertexValue(blocks, mesh, v, fields, field.component));
+		values.push_back(mesh::vertexValue(blocks, mesh, v, fields, field.component));
 	return values;
 }
 
-std::vector<double> polygonValues(const grid::BlockSet& blocks, const slice::SheetMesh& mesh,
-                                  const slice::FieldChoice& field)
+std::vector<double> polygonValues(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
+                                  const grid::FieldChoice& field)
 {
 	std::vector<double> values;
 	values.reserve(mesh.polygons());
 	for (const auto& [b, cell] : mesh.polygon_cells)
 	{
 		const grid::Field* of_block = field.in(blocks.blocks[b]);
-		values.push_back(of_block ? slice::cellValue(blocks.blocks[b], *of_block, field.component, cell)
+		values.push_back(of_block ? mesh::cellValue(blocks.blocks[b], *of_block, field.component, cell)
 		                          : std::numeric_limits<double>::quiet_NaN());
 	}
 	return values;
@@ -37,11 +38,11 @@ std::vector<double> polygonValues(const grid::BlockSet& blocks, const slice::She
 
 } // namespace
 
-render::SheetValues sheetValues(const Session& session, const slice::SheetSlice& sheet, const slice::SheetMesh& mesh,
+render::SheetValues sheetValues(const Session& session, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
                                 bool by_generation)
 {
 	if (by_generation)
-		return {{}, slice::polygonGenerations(sheet, mesh)};
+		return {{}, cut::polygonGenerations(sheet, mesh)};
 	if (!sheet.field)
 		return {};
 	if (sheet.field->association == grid::Association::cell)

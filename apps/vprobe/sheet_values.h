@@ -1,13 +1,13 @@
 #pragma once
 
-#include "render/sheet_contours.h"
+#include "render/scene/sheet_contours.h"
 #include "session.h"
 
 namespace vp::app
 {
 
 // What a sheet shows at its mesh's vertices or on its polygons: its array, or generations.
-render::SheetValues sheetValues(const Session& session, const slice::SheetSlice& sheet, const slice::SheetMesh& mesh,
+render::SheetValues sheetValues(const Session& session, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
                                 bool by_generation);
 
 } // namespace vp::app

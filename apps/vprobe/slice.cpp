@@ -55,7 +55,7 @@ Status checkLine(const SliceOptions& options, const CLI::App& command)
 	                    "--line: the values along it are written as .csv; name such a file with -o, or -"};
 }
 
-Status writeLineFile(const Session& session, const SliceOptions& options, const slice::Slice& slice,
+Status writeLineFile(const Session& session, const SliceOptions& options, const cut::Cut& slice,
                      const std::vector<SheetStats>& sheets)
 {
 	const auto sheet = static_cast<std::size_t>(options.line_sheet);
@@ -74,7 +74,7 @@ Result<LookChoice> planeLook(const SliceOptions& options, const CLI::App& comman
 
 // Of pictures, or of polygons; gives the files.
 Result<std::vector<std::string>> writeSlices(const Session& session, const SliceOptions& options,
-                                             const LookChoice& look, const slice::Slice& slice,
+                                             const LookChoice& look, const cut::Cut& slice,
                                              const std::vector<SheetStats>& sheets, const Contours& contours)
 {
 	const TimedSection section(session.timeline.get(), "write");
@@ -139,7 +139,7 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 	if (pictures)
 		if (auto names = pictureNames(options.output, session.probe.sheets.size()); !names)
 			return names.error();
-	Result<slice::Slice> slice = cut(session);
+	Result<cut::Cut> slice = cut(session);
 	if (!slice)
 		return slice.error();
 	if (Status told = tellAbout(session, *slice); !told)

@@ -45,27 +45,27 @@ struct TraversalSums
 };
 
 // The file's cells among those a lane cuts.
-std::size_t sourceCutCells(const grid::Block& block, const traverse::LaneCut& cut)
+std::size_t sourceCutCells(const grid::Block& block, const find::CellCut& cut)
 {
 	const auto* grid = std::get_if<grid::UnstructuredGrid>(&block.grid);
 	if (!grid || !grid->splitsCells())
 		return cut.cut_cells;
 	std::unordered_set<std::size_t> sources;
 	for (std::size_t i = 0; i < cut.cells.size(); ++i)
-		if (cut.words[i] & shared::kWordCut)
+		if (cut.words[i] & shared::kCodeCut)
 			sources.insert(grid->sourceCell(cut.cells[i]));
 	return sources.size();
 }
 
-void addCells(const grid::Block& block, const traverse::LaneCut& cut, TraversalSums& sums)
+void addCells(const grid::Block& block, const find::CellCut& cut, TraversalSums& sums)
 {
 	sums.cut_cells += sourceCutCells(block, cut);
 	sums.linear_cut_cells += cut.cut_cells;
 	for (const std::uint32_t word : cut.words)
-		sums.walked += (word & shared::kWordWalk) != 0;
+		sums.walked += (word & shared::kCodeWalk) != 0;
 }
 
-TraversalSums sumUp(const grid::BlockSet& blocks, const slice::SheetSlice& sheet)
+TraversalSums sumUp(const grid::BlockSet& blocks, const cut::SheetCut& sheet)
 {
 	TraversalSums sums;
 	for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
@@ -79,7 +79,7 @@ TraversalSums sumUp(const grid::BlockSet& blocks, const slice::SheetSlice& sheet
 		else
 			addCells(blocks.blocks[b], sheet.cuts[b], sums);
 		sums.touched += sheet.touchedCells(b);
-		const traverse::LaneCut& cut = sheet.cuts[b];
+		const find::CellCut& cut = sheet.cuts[b];
 		sums.generations = std::max(sums.generations, cut.steps);
 		sums.front_max = std::max(sums.front_max, cut.frontMax());
 	}
@@ -89,10 +89,10 @@ TraversalSums sumUp(const grid::BlockSet& blocks, const slice::SheetSlice& sheet
 }
 
 // A surface of another kind has no frame: null.
-nlohmann::json frameJson(const slice::SheetSlice& sheet)
+nlohmann::json frameJson(const cut::SheetCut& sheet)
 {
 	if (sheet.surface)
-		return {{"surface", slice::nameOf(*sheet.surface)},
+		return {{"surface", find::nameOf(*sheet.surface)},
 		        {"origin", nullptr},
 		        {"normal", nullptr},
 		        {"up", nullptr},
@@ -104,16 +104,16 @@ nlohmann::json frameJson(const slice::SheetSlice& sheet)
 	        {"window", asJson(sheet.sheet.window)}};
 }
 
-nlohmann::json crinkleJson(const grid::BlockSet& blocks, const std::optional<slice::SheetMesh>& crinkle)
+nlohmann::json crinkleJson(const grid::BlockSet& blocks, const std::optional<mesh::SheetMesh>& crinkle)
 {
 	if (!crinkle)
 		return {};
 	return {{"faces", crinkle->polygons()},
 	        {"vertices", crinkle->positions.size()},
-	        {"area", slice::measure(blocks, *crinkle, {}).area}};
+	        {"area", measure::measure(blocks, *crinkle, {}).area}};
 }
 
-nlohmann::json sheetJson(const Session& session, const slice::SheetSlice& sheet, const SheetStats& stats)
+nlohmann::json sheetJson(const Session& session, const cut::SheetCut& sheet, const SheetStats& stats)
 {
 	const TraversalSums sums = sumUp(session.blocks, sheet);
 	nlohmann::json json = frameJson(sheet);
@@ -149,7 +149,7 @@ nlohmann::json sheetJson(const Session& session, const slice::SheetSlice& sheet,
 
 } // namespace
 
-Result<SheetStats> sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet)
+Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std::size_t sheet)
 {
 	SheetStats stats;
 	{
@@ -165,23 +165,23 @@ Result<SheetStats> sheetMesh(const Session& session, const slice::Slice& slice, 
 	return stats;
 }
 
-void measureSheet(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats)
+void measureSheet(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
 {
 	const TimedSection section(session.timeline.get(), "measure");
-	stats.measure = slice::measure(session.blocks, stats.mesh, slice.sheets[sheet].field);
+	stats.measure = measure::measure(session.blocks, stats.mesh, slice.sheets[sheet].field);
 	stats.flux = fluxThrough(session, slice.sheets[sheet], stats.mesh);
 }
 
-void measureForPicture(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats)
+void measureForPicture(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
 {
 	if (session.range_of_slice)
 		return measureSheet(session, slice, sheet, stats);
 	const TimedSection section(session.timeline.get(), "measure");
 	stats.measure.nan_area =
-	    slice::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field, session.finite_fields.get());
+	    measure::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field, session.finite_fields.get());
 }
 
-Result<std::vector<SheetStats>> sheetStats(const Session& session, const slice::Slice& slice)
+Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice)
 {
 	std::vector<SheetStats> sheets;
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
@@ -195,9 +195,9 @@ Result<std::vector<SheetStats>> sheetStats(const Session& session, const slice::
 	return sheets;
 }
 
-std::vector<slice::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets)
+std::vector<mesh::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets)
 {
-	std::vector<slice::SheetMesh> meshes;
+	std::vector<mesh::SheetMesh> meshes;
 	for (const SheetStats& sheet : sheets)
 		meshes.push_back(sheet.crinkle ? *sheet.crinkle : sheet.mesh);
 	return meshes;
@@ -210,7 +210,7 @@ const char* classifierName(const Session& session)
 	                                                                      : "gpu";
 }
 
-nlohmann::json sheetsJson(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+nlohmann::json sheetsJson(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets)
 {
 	nlohmann::json list = nlohmann::json::array();
 	for (std::size_t s = 0; s < sheets.size(); ++s)
@@ -256,21 +256,21 @@ std::string statsDocument(const ProbeOptions& options, const Session& session, c
 	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
+std::string statsJson(const ProbeOptions& options, const Session& session, const cut::Cut& slice,
                       const std::vector<SheetStats>& sheets, nlohmann::json more)
 {
 	more["sheets"] = sheetsJson(session, slice, sheets);
 	return statsDocument(options, session, more);
 }
 
-std::string statsTable(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets)
+std::string statsTable(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets)
 {
 	std::string table = fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13} {:>13} {:>13} {:>13}\n", "sheet", "cells",
 	                                "polygons", "vertices", "pieces", "area", "mean", "min", "max");
 	const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; };
 	for (std::size_t s = 0; s < sheets.size(); ++s)
 	{
-		const slice::SheetMeasure& measure = sheets[s].measure;
+		const measure::SheetMeasure& measure = sheets[s].measure;
 		table += fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13.6g} {:>13} {:>13} {:>13}\n", s,
 		                     sumUp(session.blocks, slice.sheets[s]).cut_cells, sheets[s].mesh.polygons(),
 		                     sheets[s].mesh.positions.size(), measure.components, measure.area, number(measure.mean),

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "measure/stats.h"
 #include "session.h"
-#include "slice/stats.h"
 #include "vectors/traces.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,26 +17,26 @@ namespace vp::app
 // A sheet's figures: what was cut, and what it shows.
 struct SheetStats
 {
-	slice::SheetMesh mesh;
-	slice::SheetMeasure measure;
-	std::optional<slice::SheetMesh> crinkle{};       // where whole cells are wanted
+	mesh::SheetMesh mesh;
+	measure::SheetMeasure measure;
+	std::optional<mesh::SheetMesh> crinkle{};        // where whole cells are wanted
 	std::shared_ptr<const vectors::Traces> traces{}; // launched from it; null where nothing is
 	std::optional<double> flux{};                    // of vectors, through it
 };
 
-Result<std::vector<SheetStats>> sheetStats(const Session& session, const slice::Slice& slice);
+Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice);
 // Of one sheet, in two halves: its polygons, section "emit", and what is launched from them; what they show, section
 // "measure".
-Result<SheetStats> sheetMesh(const Session& session, const slice::Slice& slice, std::size_t sheet);
-void measureSheet(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);
+Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std::size_t sheet);
+void measureSheet(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats);
 // In place of the second where only a picture is wanted: it tells whether values are missing.
-void measureForPicture(const Session& session, const slice::Slice& slice, std::size_t sheet, SheetStats& stats);
+void measureForPicture(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats);
 
 // What a slice's export holds: its polygons, or the faces of its whole cells.
-std::vector<slice::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets);
+std::vector<mesh::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets);
 
 // What the --stats document says of sheets.
-nlohmann::json sheetsJson(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets);
+nlohmann::json sheetsJson(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets);
 
 // What a document says first: input, grid, array, device and classifier.
 nlohmann::json inputJson(const ProbeOptions& options, const Session& session);
@@ -45,11 +45,11 @@ nlohmann::json inputJson(const ProbeOptions& options, const Session& session);
 std::string statsDocument(const ProbeOptions& options, const Session& session, const nlohmann::json& what);
 
 // The --stats document of a slice. Scripts rely on its keys: add to them, never rename one. more: further keys.
-std::string statsJson(const ProbeOptions& options, const Session& session, const slice::Slice& slice,
+std::string statsJson(const ProbeOptions& options, const Session& session, const cut::Cut& slice,
                       const std::vector<SheetStats>& sheets, nlohmann::json more);
 
 // The same for people.
-std::string statsTable(const Session& session, const slice::Slice& slice, const std::vector<SheetStats>& sheets);
+std::string statsTable(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets);
 
 // "gpu", "cpu", or "mixed" where a block stayed with the CPU for a limit of the device.
 const char* classifierName(const Session& session);

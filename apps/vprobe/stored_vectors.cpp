@@ -11,7 +11,7 @@ namespace
 {
 
 // Of no components where there is none, as vectors::vectorsOf() has it.
-grid::Field pick(std::vector<grid::Field>& fields, const slice::FieldChoice& array)
+grid::Field pick(std::vector<grid::Field>& fields, const grid::FieldChoice& array)
 {
 	for (grid::Field& field : fields)
 		if (field.name == array.name && field.association == array.association)
@@ -24,7 +24,7 @@ grid::Field pick(std::vector<grid::Field>& fields, const slice::FieldChoice& arr
 } // namespace
 
 Result<vectors::StoredVectors> storedVectors(const ProbeOptions& options, const Session& session,
-                                             const slice::FieldChoice& array)
+                                             const grid::FieldChoice& array)
 {
 	const std::string input = options.inputs.front();
 	if (session.blocks.times.size() < 2)

@@ -1,8 +1,7 @@
 #include "surface_options.h"
 
+#include "find/listed.h"
 #include "probe/path_file.h"
-#include "slice/grid_surface.h"
-#include "slice/patch_surface.h"
 
 #include <fmt/format.h>
 
@@ -78,13 +77,13 @@ Result<std::optional<surface::Form>> formOf(const ProbeOptions& options)
 	return std::optional(*form);
 }
 
-Status checkForms(const std::vector<probe::Sheet>& sheets, std::span<const std::optional<slice::FieldChoice>> fields)
+Status checkForms(const std::vector<probe::Sheet>& sheets, std::span<const std::optional<grid::FieldChoice>> fields)
 {
 	for (std::size_t s = 0; s < sheets.size(); ++s)
 	{
 		if (!sheets[s].form || !sheets[s].form->isoValue())
 			continue;
-		const std::optional<slice::FieldChoice>& field = fields[s];
+		const std::optional<grid::FieldChoice>& field = fields[s];
 		if (!field || field->association != grid::Association::point)
 			return Error{ExitCode::input, fmt::format("--iso {}: needs values at points{}; choose an array of points "
 			                                          "with --array",
@@ -103,7 +102,7 @@ Result<std::optional<SurfaceChoice>> surfaceOf(const ProbeOptions& options)
 		             fmt::format("{}: belongs to planes, and --surface {} is none; leave one of the two out", option,
 		                         *options.surface)};
 	if (namesPatch(options))
-		return std::optional<SurfaceChoice>(slice::PatchName{options.surface->substr(kPatch.size())});
+		return std::optional<SurfaceChoice>(find::PatchName{options.surface->substr(kPatch.size())});
 	Result<surface::GridIndexRange> range = surface::parseGridIndex(*options.surface);
 	if (!range)
 		return Error{range.error().code, fmt::format("--surface {}: {}", *options.surface, range.error().message)};
@@ -112,15 +111,15 @@ Result<std::optional<SurfaceChoice>> surfaceOf(const ProbeOptions& options)
 
 Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice, const std::string& text)
 {
-	const auto* patch = std::get_if<slice::PatchName>(&choice);
-	const Status fits = patch ? slice::checkPatch(blocks, patch->name)
-	                          : slice::checkGridIndex(blocks, std::get<surface::GridIndexRange>(choice));
+	const auto* patch = std::get_if<find::PatchName>(&choice);
+	const Status fits = patch ? find::checkPatch(blocks, patch->name)
+	                          : find::checkGridIndex(blocks, std::get<surface::GridIndexRange>(choice));
 	return fits ? fits : Error{fits.error().code, fmt::format("--surface {}: {}", text, fits.error().message)};
 }
 
-slice::OtherSurface surfaceAt(const SurfaceChoice& choice, double done)
+find::ListedSurface surfaceAt(const SurfaceChoice& choice, double done)
 {
-	if (const auto* patch = std::get_if<slice::PatchName>(&choice))
+	if (const auto* patch = std::get_if<find::PatchName>(&choice))
 		return *patch;
 	return std::get<surface::GridIndexRange>(choice).at(done);
 }

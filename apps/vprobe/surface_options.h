@@ -1,10 +1,10 @@
 #pragma once
 
 #include "base/result.h"
+#include "find/listed.h"
+#include "grid/field_choice.h"
 #include "path_options.h"
 #include "probe_options.h"
-#include "slice/field_choice.h"
-#include "slice/other_surface.h"
 #include "surface/form.h"
 #include "surface/grid_index.h"
 
@@ -17,7 +17,7 @@ namespace vp::app
 {
 
 // What --surface says: grid surfaces from one index to another, or patches of the boundary.
-using SurfaceChoice = std::variant<surface::GridIndexRange, slice::PatchName>;
+using SurfaceChoice = std::variant<surface::GridIndexRange, find::PatchName>;
 
 // None where the option is not given, or gives a form. A usage error where it cannot be, or beside an option that
 // places a plane.
@@ -27,7 +27,7 @@ Result<std::optional<SurfaceChoice>> surfaceOf(const ProbeOptions& options);
 Result<std::optional<surface::Form>> formOf(const ProbeOptions& options);
 
 // Tells whether the blocks have what the forms of the sheets look at. fields: per sheet.
-Status checkForms(const std::vector<probe::Sheet>& sheets, std::span<const std::optional<slice::FieldChoice>> fields);
+Status checkForms(const std::vector<probe::Sheet>& sheets, std::span<const std::optional<grid::FieldChoice>> fields);
 
 // Whether --surface names what takes the place of the sheets, which then are not cut at all.
 bool replacesSheets(const ProbeOptions& options);
@@ -42,7 +42,7 @@ bool namesPatch(const ProbeOptions& options);
 Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice, const std::string& text);
 
 // done: how far along its range, 0 to 1.
-slice::OtherSurface surfaceAt(const SurfaceChoice& choice, double done);
+find::ListedSurface surfaceAt(const SurfaceChoice& choice, double done);
 
 // Colours by generation are of traversals, and a surface is found without: a usage error.
 Status refuseGenerations(const ProbeOptions& options, bool by_generation);

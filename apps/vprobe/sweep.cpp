@@ -88,7 +88,7 @@ Result<nlohmann::json> sweepAlong(const probe::Path& path, const SweepPlan& plan
                                   SweepProducts& products)
 {
 	const std::vector<probe::Frame> poses = probe::poses(path, session.probe, session.blocks.bounds(), plan.frames);
-	const CutSlice cut_slice = [&](int frame, std::shared_ptr<const slice::Slice> last)
+	const CutSlice cut_slice = [&](int frame, std::shared_ptr<const cut::Cut> last)
 	{
 		session.probe.frame = poses[static_cast<std::size_t>(frame)];
 		session.swept = probe::progress(path, frame, plan.frames);
@@ -108,8 +108,7 @@ Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, SweepPlan pla
 		                                          options.saved.probe.inputs.front())};
 	if (options.saved.look.range.empty() && options.draws())
 		warn("--path times: the colours follow the range of each time; --range LO HI holds them still");
-	const CutSlice cut_slice = [&](int frame, const std::shared_ptr<const slice::Slice>&)
-	{ return steps.cutAt(frame); };
+	const CutSlice cut_slice = [&](int frame, const std::shared_ptr<const cut::Cut>&) { return steps.cutAt(frame); };
 	return sweepThrough(plan, cut_slice, session, products);
 }
 
@@ -155,7 +154,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 	Session& session = **opened;
 	session.range_of_slice = look->range_of_slice;
 	if (look->by_generation)
-		session.finder = slice::Finder::traversal;
+		session.finder = find::Finder::traversal;
 	Result<std::unique_ptr<SweepProducts>> products =
 	    productsOf(options, session, std::move(*look), std::move(*frames));
 	if (!products)

@@ -57,8 +57,8 @@ private:
 		auto made = std::make_shared<SweptFrame>();
 		{
 			const TimedSection section(session_.timeline.get(), "cut");
-			Result<slice::Slice> slice =
-			    cut_slice_(frame, last_ ? std::shared_ptr<const slice::Slice>(last_, &last_->slice) : nullptr);
+			Result<cut::Cut> slice =
+			    cut_slice_(frame, last_ ? std::shared_ptr<const cut::Cut>(last_, &last_->slice) : nullptr);
 			if (!slice)
 				return slice.error();
 			made->slice = std::move(*slice);

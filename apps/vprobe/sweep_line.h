@@ -13,7 +13,7 @@ namespace vp::app
 {
 
 // A frame's slice. last: that of the frame before, or null.
-using CutSlice = std::function<Result<slice::Slice>(int frame, std::shared_ptr<const slice::Slice> last)>;
+using CutSlice = std::function<Result<cut::Cut>(int frame, std::shared_ptr<const cut::Cut> last)>;
 
 struct SweepPlan
 {

@@ -55,15 +55,15 @@ TimeSteps::TimeSteps(Session& session, const ProbeOptions& options, Painter* pai
 {
 }
 
-Result<slice::Slice> TimeSteps::cutAt(int step)
+Result<cut::Cut> TimeSteps::cutAt(int step)
 {
 	const read::TimeChoice time{read::TimeChoice::Kind::value, times_[static_cast<std::size_t>(step)]};
 	Result<bool> same_grid = moveToTime(session_, options_, time, painter_);
 	if (!same_grid)
 		return same_grid.error();
-	Result<slice::Slice> slice = *same_grid && kept_ && !session_.threshold && !cutsByValue(session_.probe)
-	                                 ? session_.slicer->regather(*kept_, session_.timeline.get())
-	                                 : cut(session_);
+	Result<cut::Cut> slice = *same_grid && kept_ && !session_.threshold && !cutsByValue(session_.probe)
+	                             ? session_.slicer->regather(*kept_, session_.timeline.get())
+	                             : cut(session_);
 	if (slice)
 		kept_ = *slice;
 	return slice;

@@ -22,14 +22,14 @@ public:
 	TimeSteps(Session& session, const ProbeOptions& options, Painter* painter);
 
 	int count() const { return static_cast<int>(times_.size()); }
-	Result<slice::Slice> cutAt(int step);
+	Result<cut::Cut> cutAt(int step);
 
 private:
 	Session& session_;
 	const ProbeOptions& options_;
 	Painter* painter_;
 	std::vector<double> times_;
-	std::optional<slice::Slice> kept_;
+	std::optional<cut::Cut> kept_;
 };
 
 } // namespace vp::app

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "slice/field_choice.h"
+#include "grid/field_choice.h"
 #include "vectors/lattice.h"
 #include "vectors/particle.h"
 

@@ -1,6 +1,6 @@
 #include "vector_drawing.h"
 
-#include "render/surface_polygons.h"
+#include "render/passes/surface_polygons.h"
 #include "vectors/trace_values.h"
 
 #include <fmt/format.h>
@@ -74,7 +74,7 @@ Result<VectorDrawing::Coloring> VectorDrawing::coloringOf(const VectorLook& look
 {
 	if (look.color.empty())
 		return Coloring{session_->vector_array};
-	auto field = slice::chooseField(session_->blocks, look.color, "", "--vector-color");
+	auto field = grid::chooseField(session_->blocks, look.color, "", "--vector-color");
 	if (field)
 		return Coloring{*field};
 	if (const auto color = render::parseColor(look.color))
@@ -113,7 +113,7 @@ void VectorDrawing::addTraces(const vectors::Traces& traces, const Vec3& normal,
 	}
 }
 
-Status VectorDrawing::make(Kept& kept, const slice::Slice& slice) const
+Status VectorDrawing::make(Kept& kept, const cut::Cut& slice) const
 {
 	const double width = kept.width.value_or(widthOf(*session_->vectors, session_->blocks.bounds()));
 	vectors::TraceMesh made;
@@ -130,7 +130,7 @@ Status VectorDrawing::make(Kept& kept, const slice::Slice& slice) const
 	return Nothing{};
 }
 
-Result<std::optional<render::Surface>> VectorDrawing::surface(const slice::Slice& slice,
+Result<std::optional<render::Surface>> VectorDrawing::surface(const cut::Cut& slice,
                                                               const std::vector<SheetStats>& sheets,
                                                               const std::optional<render::ValueScale>& scale,
                                                               SheetLooks& looks)

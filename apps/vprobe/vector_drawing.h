@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene.h"
+#include "render/scene/scene.h"
 #include "sheet_looks.h"
 #include "vectors/trace_mesh.h"
 
@@ -22,7 +22,7 @@ public:
 	void forget() { kept_.reset(); }
 
 	// All of it as one surface; none where nothing is launched. scale: of the array that the sheets show.
-	Result<std::optional<render::Surface>> surface(const slice::Slice& slice, const std::vector<SheetStats>& sheets,
+	Result<std::optional<render::Surface>> surface(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
 	                                               const std::optional<render::ValueScale>& scale, SheetLooks& looks);
 
 private:
@@ -31,7 +31,7 @@ private:
 	// What colours it: an array, or one colour.
 	struct Coloring
 	{
-		std::optional<slice::FieldChoice> field;
+		std::optional<grid::FieldChoice> field;
 		render::Color color = render::kPlainColor;
 
 		bool operator==(const Coloring&) const = default;
@@ -50,7 +50,7 @@ private:
 	std::vector<double> valuesOf(const Coloring& coloring, const vectors::Traces& traces) const;
 	void addTraces(const vectors::Traces& traces, const Vec3& normal, const Coloring& coloring, double width,
 	               vectors::TraceMesh& made) const;
-	Status make(Kept& kept, const slice::Slice& slice) const;
+	Status make(Kept& kept, const cut::Cut& slice) const;
 
 	const Session* session_;
 	std::optional<Kept> kept_;

@@ -1,6 +1,6 @@
 #include "vector_options.h"
 
-#include "render/color_map_file.h"
+#include "render/color/color_map_file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "render/color_map.h"
+#include "render/color/color_map.h"
 
 #include <optional>
 #include <string>

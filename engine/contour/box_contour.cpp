@@ -1,9 +1,11 @@
 #include "contour/box_contour.h"
 
 #include "base/timeline.h"
+#include "classify/cpu_classifier.h"
 #include "contour/sheet_pieces.h"
 #include "grid/shown_value.h"
-#include "slice/cpu_classifier.h"
+#include "mesh/build_mesh.h"
+#include "mesh/mesh_values.h"
 
 #include <tbb/parallel_for.h>
 
@@ -18,10 +20,10 @@ namespace vp::contour
 namespace
 {
 
-using Lane = traverse::Lane<surface::BlockSurface, ClipBox>;
+using ClippedSurface = find::SheetInBlock<surface::BlockSurface, ClipBox>;
 
 // Of the sheet's window in its frame, else of what it cuts.
-Box rectOf(const slice::SheetSlice& sheet, const slice::SheetMesh& mesh)
+Box rectOf(const cut::SheetCut& sheet, const mesh::SheetMesh& mesh)
 {
 	Box rect;
 	if (const std::optional<probe::Window>& window = sheet.sheet.window)
@@ -38,7 +40,7 @@ Box rectOf(const slice::SheetSlice& sheet, const slice::SheetMesh& mesh)
 	return rect;
 }
 
-ClipBox boxOf(const slice::SheetSlice& sheet, const slice::SheetMesh& mesh, std::optional<double> depth)
+ClipBox boxOf(const cut::SheetCut& sheet, const mesh::SheetMesh& mesh, std::optional<double> depth)
 {
 	Box box = rectOf(sheet, mesh);
 	const double smaller = std::min(box.size().x, box.size().y);
@@ -49,7 +51,7 @@ ClipBox boxOf(const slice::SheetSlice& sheet, const slice::SheetMesh& mesh, std:
 }
 
 // Polygons of a cell stand one after the other.
-std::size_t cellsOf(const slice::SheetMesh& mesh)
+std::size_t cellsOf(const mesh::SheetMesh& mesh)
 {
 	std::size_t cells = 0;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -59,18 +61,18 @@ std::size_t cellsOf(const slice::SheetMesh& mesh)
 }
 
 // The whole of it, not clipped.
-slice::SheetMesh meshOf(const grid::BlockSet& blocks, const std::vector<surface::BlockSurface>& surfaces,
-                        const std::vector<traverse::LaneCut>& cuts)
+mesh::SheetMesh meshOf(const grid::BlockSet& blocks, const std::vector<surface::BlockSurface>& surfaces,
+                       const std::vector<find::CellCut>& cuts)
 {
-	std::vector<slice::BlockCut> of_blocks;
+	std::vector<mesh::BlockCut> of_blocks;
 	for (std::size_t b = 0; b < cuts.size(); ++b)
 		of_blocks.push_back({static_cast<std::uint32_t>(b), &cuts[b], nullptr, {}});
-	return slice::buildMesh(blocks, surfaces, of_blocks);
+	return mesh::buildMesh(blocks, surfaces, of_blocks);
 }
 
 } // namespace
 
-BoxContourer::BoxContourer(slice::Slicer& slicer, const slice::SheetSlice& sheet, const slice::SheetMesh& mesh,
+BoxContourer::BoxContourer(cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
                            std::optional<double> depth)
     : slicer_(slicer), sheet_(sheet), mesh_(mesh), box_(boxOf(sheet, mesh, depth))
 {
@@ -79,7 +81,7 @@ BoxContourer::BoxContourer(slice::Slicer& slicer, const slice::SheetSlice& sheet
 }
 
 // What the iso surface goes by: the shown numbers of the points, linear between them. Of the length of a vector that is
-// another number than slice::vertexValue() has.
+// another number than mesh::vertexValue() has.
 void BoxContourer::findValues()
 {
 	const grid::BlockSet& blocks = slicer_.blocks();
@@ -97,12 +99,12 @@ void BoxContourer::findValues()
 	{
 		if (v < mesh_.edges.size())
 		{
-			const slice::EdgePoint& edge = mesh_.edges[v];
+			const mesh::EdgePoint& edge = mesh_.edges[v];
 			const double low = edge.t == 1.0 ? 0.0 : (1.0 - edge.t) * atPoint(edge.block, edge.lower);
 			return edge.t == 0.0 ? low : low + edge.t * atPoint(edge.block, edge.higher);
 		}
 		double sum = 0.0;
-		for (const slice::PointShare& share : mesh_.rimShares(v))
+		for (const mesh::PointShare& share : mesh_.rimShares(v))
 			sum += share.weight * atPoint(share.block, share.point);
 		return sum;
 	};
@@ -145,10 +147,10 @@ Result<Contour> BoxContourer::grow(double value, Timeline* timeline, std::stop_t
 	if (!range_ || value < range_->first || value > range_->second)
 		return contour;
 	const grid::BlockSet& blocks = slicer_.blocks();
-	const auto surfaces = slice::isoSurfaces(blocks, value, sheet_.field);
+	const auto surfaces = find::isoSurfaces(blocks, value, sheet_.field);
 	std::vector<std::vector<CellId>> seeds = seedsOf(value);
-	std::vector<Lane> lanes;
-	std::vector<traverse::VisitedPool::Loan> marks;
+	std::vector<ClippedSurface> lanes;
+	std::vector<find::VisitedPool::Loan> marks;
 	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
 	{
 		marks.push_back(slicer_.borrowMarks(b));
@@ -158,21 +160,21 @@ Result<Contour> BoxContourer::grow(double value, Timeline* timeline, std::stop_t
 		                 .seeds = std::move(seeds[b]),
 		                 .seams = blocks.interfaces.of(b),
 		                 .sheet_lane = 0,
-		                 .admits = slice::finiteCells(blocks.blocks[b], surfaces[b]),
+		                 .admits = find::finiteCells(blocks.blocks[b], surfaces[b]),
 		                 .window = box_});
 	}
-	slice::CpuClassifier<surface::BlockSurface, ClipBox> classifier(lanes);
-	const auto cuts = traverse::breadthFirst<surface::BlockSurface, ClipBox>(lanes, classifier, stop);
+	classify::CpuClassifier<surface::BlockSurface, ClipBox> classifier(lanes);
+	const auto cuts = find::breadthFirst<surface::BlockSurface, ClipBox>(lanes, classifier, stop);
 	if (!cuts)
 		return cuts.error();
-	for (const traverse::LaneCut& cut : *cuts)
+	for (const find::CellCut& cut : *cuts)
 	{
 		contour.cells_touched += cut.cells.size();
 		contour.generations = std::max(contour.generations, cut.steps);
 		contour.seeds += cut.generations() > 0 ? cut.generation_starts[1] : 0;
 	}
 	contour.mesh = meshOf(blocks, surfaces, *cuts);
-	slice::clipToSides(box_.frame().origin, box_.sides(), slice::Corners::keep, contour.mesh);
+	mesh::clipToSides(box_.frame().origin, box_.sides(), mesh::Corners::keep, contour.mesh);
 	contour.components = keepOnSheet(blocks, surfaces, box_, contour.mesh);
 	contour.cells = cellsOf(contour.mesh);
 	return contour;

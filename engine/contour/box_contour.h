@@ -2,7 +2,7 @@
 
 #include "base/result.h"
 #include "contour/clip_box.h"
-#include "slice/slicer.h"
+#include "cut/cutter.h"
 
 #include <cstddef>
 #include <optional>
@@ -23,8 +23,8 @@ namespace vp::contour
 struct Contour
 {
 	double value = 0.0;
-	slice::SheetMesh mesh;       // winds to where the values rise
-	std::size_t components = 0;  // pieces, see slice/components.h
+	mesh::SheetMesh mesh;        // winds to where the values rise
+	std::size_t components = 0;  // pieces, see measure/components.h
 	std::size_t cells = 0;       // that the mesh has polygons of
 	std::size_t seeds = 0;       // cells of generation 0
 	std::size_t generations = 0; // of the growth
@@ -39,7 +39,7 @@ class BoxContourer
 public:
 	// sheet: a plane whose array is of points; mesh: its cut within its window. Both, and the slicer, outlive this.
 	// depth: of the box along the normal, half to each side, in the grid's units; none: the smaller side of the window.
-	BoxContourer(slice::Slicer& slicer, const slice::SheetSlice& sheet, const slice::SheetMesh& mesh,
+	BoxContourer(cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
 	             std::optional<double> depth);
 
 	// The window times the depth; without a window the bounds of the mesh take its place.
@@ -59,9 +59,9 @@ private:
 	std::vector<std::vector<CellId>> seedsOf(double value) const; // per block
 	void findValues();
 
-	slice::Slicer& slicer_;
-	const slice::SheetSlice& sheet_;
-	const slice::SheetMesh& mesh_;
+	cut::Cutter& slicer_;
+	const cut::SheetCut& sheet_;
+	const mesh::SheetMesh& mesh_;
 	ClipBox box_;
 	std::vector<double> values_; // per vertex of the mesh, linear along the edges
 	std::optional<std::pair<double, double>> range_;

@@ -20,11 +20,11 @@ bool ClipBox::holdsPartOf(const Box& section) const
 	return true;
 }
 
-std::array<slice::ClipSide, 6> ClipBox::sides() const
+std::array<mesh::ClipSide, 6> ClipBox::sides() const
 {
-	return {slice::ClipSide{x_axis_, box_.lo.x},       slice::ClipSide{-x_axis_, -box_.hi.x},
-	        slice::ClipSide{frame_.up, box_.lo.y},     slice::ClipSide{-frame_.up, -box_.hi.y},
-	        slice::ClipSide{frame_.normal, box_.lo.z}, slice::ClipSide{-frame_.normal, -box_.hi.z}};
+	return {mesh::ClipSide{x_axis_, box_.lo.x},       mesh::ClipSide{-x_axis_, -box_.hi.x},
+	        mesh::ClipSide{frame_.up, box_.lo.y},     mesh::ClipSide{-frame_.up, -box_.hi.y},
+	        mesh::ClipSide{frame_.normal, box_.lo.z}, mesh::ClipSide{-frame_.normal, -box_.hi.z}};
 }
 
 } // namespace vp::contour

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "mesh/clip.h"
 #include "probe/transform.h"
 #include "seed/face_cuts.h"
-#include "slice/clip.h"
 
 #include <array>
 #include <span>
@@ -66,8 +66,8 @@ public:
 		const Vec3 from = p - frame_.origin;
 		return {glm::dot(from, x_axis_), glm::dot(from, frame_.up), glm::dot(from, frame_.normal)};
 	}
-	// For slice::clipToSides(), about the frame's origin.
-	std::array<slice::ClipSide, 6> sides() const;
+	// For mesh::clipToSides(), about the frame's origin.
+	std::array<mesh::ClipSide, 6> sides() const;
 
 private:
 	using Cuts = seed::FaceCuts<3>;

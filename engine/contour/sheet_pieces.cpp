@@ -1,6 +1,6 @@
 #include "contour/sheet_pieces.h"
 
-#include "slice/components.h"
+#include "measure/components.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -16,7 +16,7 @@ constexpr double kRounding = 1e-12; // of the box's size: what only just touches
 
 // Joins what meets across faces that have several neighbours.
 void joinAcrossLinks(const grid::UnstructuredGrid& grid, std::uint32_t block, const surface::BlockSurface& surface,
-                     const ClipBox& box, const slice::SheetMesh& mesh, slice::UnionFind& joined)
+                     const ClipBox& box, const mesh::SheetMesh& mesh, mesh::UnionFind& joined)
 {
 	std::unordered_map<CellId, std::uint32_t> vertex_of;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -44,9 +44,9 @@ void joinAcrossLinks(const grid::UnstructuredGrid& grid, std::uint32_t block, co
 
 // Per vertex the one that stands for its piece.
 std::vector<std::uint32_t> piecesOf(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
-                                    const ClipBox& box, const slice::SheetMesh& mesh)
+                                    const ClipBox& box, const mesh::SheetMesh& mesh)
 {
-	slice::UnionFind joined = slice::joinedVertices(mesh);
+	mesh::UnionFind joined = measure::joinedVertices(mesh);
 	for (std::uint32_t b = 0; b < blocks.blocks.size(); ++b)
 		if (const auto* grid = std::get_if<grid::UnstructuredGrid>(&blocks.blocks[b].grid); grid && grid->hasLinks())
 			joinAcrossLinks(*grid, b, surfaces[b], box, mesh, joined);
@@ -56,7 +56,7 @@ std::vector<std::uint32_t> piecesOf(const grid::BlockSet& blocks, std::span<cons
 	return pieces;
 }
 
-void keepPolygons(slice::SheetMesh& mesh, const std::vector<bool>& kept)
+void keepPolygons(mesh::SheetMesh& mesh, const std::vector<bool>& kept)
 {
 	std::size_t polygon = 0;
 	std::uint32_t corner = 0;
@@ -75,13 +75,13 @@ void keepPolygons(slice::SheetMesh& mesh, const std::vector<bool>& kept)
 	mesh.polygon_starts[polygon] = corner;
 	mesh.polygon_vertices.resize(corner);
 	mesh.polygon_cells.resize(polygon);
-	slice::dropUnusedVertices(mesh);
+	mesh::dropUnusedVertices(mesh);
 }
 
 } // namespace
 
 std::size_t keepOnSheet(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
-                        const ClipBox& box, slice::SheetMesh& mesh)
+                        const ClipBox& box, mesh::SheetMesh& mesh)
 {
 	const std::vector<std::uint32_t> pieces = piecesOf(blocks, surfaces, box, mesh);
 	const double slack = kRounding * (glm::length(box.hi() - box.lo()) + glm::length(box.frame().origin));

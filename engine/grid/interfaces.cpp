@@ -1,28 +1,10 @@
 #include "grid/interfaces.h"
 
-#include "grid/block.h"
-#include "grid/face_matcher.h"
-
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 namespace vp::grid
 {
-
-namespace
-{
-
-// How many faces lie on another.
-std::size_t distinctFaces(const BlockSeams& seams)
-{
-	std::size_t count = 0;
-	const std::span<const SeamLink> links = seams.all();
-	for (std::size_t i = 0; i < links.size(); ++i)
-		count += i == 0 || links[i].cell != links[i - 1].cell || links[i].face != links[i - 1].face;
-	return count;
-}
-
-} // namespace
 
 BlockSeams::BlockSeams(std::vector<SeamLink> links) : links_(std::move(links))
 {
@@ -40,32 +22,6 @@ std::span<const SeamLink> BlockSeams::of(CellId cell, std::uint32_t face) const
 	const auto key = [](const SeamLink& link) { return std::pair(link.cell, link.face); };
 	const std::pair wanted(cell, face);
 	return {std::ranges::lower_bound(links_, wanted, {}, key), std::ranges::upper_bound(links_, wanted, {}, key)};
-}
-
-void matchInterfaces(BlockSet& set)
-{
-	Interfaces result;
-	std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-	std::uint32_t block = 0;
-	for (std::vector<SeamLink>& links : matchFaces(set))
-	{
-		for (const SeamLink& link : links)
-			if (std::tie(block, link.cell, link.face) < std::tie(link.block, link.other, link.other_face))
-				pairs.emplace_back(block, link.block);
-		result.blocks.emplace_back(std::move(links));
-		const std::size_t seams = distinctFaces(result.blocks.back());
-		result.seam_faces += seams;
-		result.boundary_faces += set.blocks[block].boundary.faces.size() - seams;
-		++block;
-	}
-	std::ranges::sort(pairs);
-	for (const auto& [a, b] : pairs)
-	{
-		if (result.interfaces.empty() || result.interfaces.back().a != a || result.interfaces.back().b != b)
-			result.interfaces.push_back({a, b, 0});
-		++result.interfaces.back().faces;
-	}
-	set.interfaces = std::move(result);
 }
 
 } // namespace vp::grid

@@ -126,4 +126,14 @@ std::vector<Patch> findPatches(const BlockSet& blocks, std::span<const PatchPoly
 	return PatchFinder(polygons).find(blocks);
 }
 
+std::vector<Patch::Face> facesOfPatches(const BlockSet& blocks, const std::string& name, std::uint32_t block)
+{
+	std::vector<Patch::Face> faces;
+	for (const Patch& patch : blocks.patches)
+		if (patch.name == name)
+			std::ranges::copy_if(patch.faces, std::back_inserter(faces),
+			                     [&](const Patch::Face& face) { return face.block == block; });
+	return faces;
+}
+
 } // namespace vp::grid

@@ -44,4 +44,7 @@ struct PatchPolygons
 // order. Of two that coincide, as on a seam, the first block's. Time follows the boundary.
 std::vector<Patch> findPatches(const BlockSet& blocks, std::span<const PatchPolygons> polygons);
 
+/// The faces of all patches of a name in one block, in their order.
+std::vector<Patch::Face> facesOfPatches(const BlockSet& blocks, const std::string& name, std::uint32_t block);
+
 } // namespace vp::grid

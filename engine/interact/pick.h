@@ -27,7 +27,7 @@ struct SheetHit
 
 // The visible sheets under a pixel, the nearest first: within their windows; without a window where what is shown lies
 // in the bounds, grown by a thousandth of their diagonal. Whether the grid is cut there, a SheetLookup
-// (slice/sheet_lookup.h) knows.
+// (measure/sheet_lookup.h) knows.
 std::vector<SheetHit> pickSheets(const probe::Probe& probe, const View& view, const glm::dvec2& pixel,
                                  const Box& bounds);
 

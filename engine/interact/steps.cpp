@@ -1,6 +1,6 @@
 #include "interact/steps.h"
 
-#include "render/round_numbers.h"
+#include "render/scene/round_numbers.h"
 
 #include <cmath>
 

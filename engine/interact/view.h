@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/vec.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 #include <array>
 #include <optional>

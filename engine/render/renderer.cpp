@@ -5,13 +5,13 @@
 #include "base/timeline.h"
 #include "gpu/commands.h"
 #include "gpu/timers.h"
-#include "render/compose_pass.h"
-#include "render/layer_pass.h"
-#include "render/line_pass.h"
-#include "render/overlay_pass.h"
-#include "render/picture_geometry.h"
-#include "render/raster_side.h"
-#include "render/surface_pass.h"
+#include "render/passes/compose_pass.h"
+#include "render/passes/layer_pass.h"
+#include "render/passes/line_pass.h"
+#include "render/passes/overlay_pass.h"
+#include "render/passes/picture_geometry.h"
+#include "render/passes/raster_side.h"
+#include "render/passes/surface_pass.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grid/block.h"
-#include "slice/field_choice.h"
+#include "grid/field_choice.h"
 #include "vectors/follower.h"
 #include "vectors/tracer.h"
 

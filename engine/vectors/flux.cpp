@@ -1,7 +1,8 @@
 #include "vectors/flux.h"
 
-#include "grid/for_ranges.h"
-#include "slice/ordered_sum.h"
+#include "base/ordered_sum.h"
+#include "grid/build/for_ranges.h"
+#include "mesh/mesh_values.h"
 #include "vectors/vector_array.h"
 
 #include <cmath>
@@ -33,30 +34,29 @@ struct FluxSum : Flux
 
 using Fields = std::vector<const grid::Field*>;
 
-std::vector<Vec3> vertexVectors(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, const Fields& fields)
+std::vector<Vec3> vertexVectors(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const Fields& fields)
 {
 	std::vector<Vec3> vectors(mesh.positions.size());
 	grid::forRanges(vectors.size(),
 	                [&](std::size_t v)
 	                {
 		                for (int c = 0; c < 3; ++c)
-			                vectors[v][c] = slice::vertexValue(blocks, mesh, v, fields, c);
+			                vectors[v][c] = mesh::vertexValue(blocks, mesh, v, fields, c);
 	                });
 	return vectors;
 }
 
-Vec3 polygonVector(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, const Fields& fields,
-                   std::size_t polygon)
+Vec3 polygonVector(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const Fields& fields, std::size_t polygon)
 {
 	const auto [b, cell] = mesh.polygon_cells[polygon];
 	Vec3 vector(std::numeric_limits<double>::quiet_NaN());
 	for (int c = 0; fields[b] && c < 3; ++c)
-		vector[c] = slice::cellValue(blocks.blocks[b], *fields[b], c, cell);
+		vector[c] = mesh::cellValue(blocks.blocks[b], *fields[b], c, cell);
 	return vector;
 }
 
 // The area of a triangle stands along the normal about which its polygon winds.
-void addFan(const slice::SheetMesh& mesh, std::span<const std::uint32_t> polygon, const std::vector<Vec3>& vectors,
+void addFan(const mesh::SheetMesh& mesh, std::span<const std::uint32_t> polygon, const std::vector<Vec3>& vectors,
             FluxSum& sum)
 {
 	Vec3 centre(0.0);
@@ -77,7 +77,7 @@ void addFan(const slice::SheetMesh& mesh, std::span<const std::uint32_t> polygon
 
 } // namespace
 
-Flux fluxThrough(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, const slice::FieldChoice& array)
+Flux fluxThrough(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const grid::FieldChoice& array)
 {
 	Fields fields = array.inEach(blocks);
 	for (const grid::Field*& field : fields)
@@ -85,15 +85,15 @@ Flux fluxThrough(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, con
 			field = nullptr;
 	const bool on_points = array.association == grid::Association::point;
 	const std::vector<Vec3> vectors = on_points ? vertexVectors(blocks, mesh, fields) : std::vector<Vec3>();
-	return slice::orderedSum<FluxSum>(mesh.polygons() - mesh.boundary_polygons,
-	                                  [&](FluxSum& sum, std::size_t p)
-	                                  {
-		                                  if (on_points)
-			                                  addFan(mesh, mesh.polygon(p), vectors, sum);
-		                                  else
-			                                  sum.addPart(0.5 * slice::doubleArea(mesh, mesh.polygon(p)),
-			                                              polygonVector(blocks, mesh, fields, p));
-	                                  });
+	return orderedSum<FluxSum>(mesh.polygons() - mesh.boundary_polygons,
+	                           [&](FluxSum& sum, std::size_t p)
+	                           {
+		                           if (on_points)
+			                           addFan(mesh, mesh.polygon(p), vectors, sum);
+		                           else
+			                           sum.addPart(0.5 * mesh::doubleArea(mesh, mesh.polygon(p)),
+			                                       polygonVector(blocks, mesh, fields, p));
+	                           });
 }
 
 } // namespace vp::vectors

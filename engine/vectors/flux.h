@@ -1,8 +1,8 @@
 #pragma once
 
 #include "grid/block.h"
-#include "slice/field_choice.h"
-#include "slice/mesh.h"
+#include "grid/field_choice.h"
+#include "mesh/sheet_mesh.h"
 
 namespace vp::vectors
 {
@@ -16,7 +16,7 @@ struct Flux
 
 // array: of three components (chooseVectors()). Through the polygons of a mesh, which a window has clipped, each as the
 // fan of triangles about the mean of its vertices, whose vector is the mean of theirs: exact for linear fields.
-// Boundary faces in the plane are left out, as in slice::measure().
-Flux fluxThrough(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, const slice::FieldChoice& array);
+// Boundary faces in the plane are left out, as in measure::measure().
+Flux fluxThrough(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const grid::FieldChoice& array);
 
 } // namespace vp::vectors

@@ -1,7 +1,7 @@
 #include "vectors/lattice.h"
 
-#include "slice/plane_triangles.h"
-#include "slice/sheet_lookup.h"
+#include "measure/plane_triangles.h"
+#include "measure/sheet_lookup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +23,9 @@ double hashed(std::uint64_t place)
 	return static_cast<double>(place >> 11) * 0x1p-53;
 }
 
-probe::Window boundsOf(const slice::SheetMesh& mesh, const probe::Sheet& content)
+probe::Window boundsOf(const mesh::SheetMesh& mesh, const probe::Sheet& content)
 {
-	const std::vector<glm::dvec2> points = slice::planePoints(mesh, content);
+	const std::vector<glm::dvec2> points = measure::planePoints(mesh, content);
 	glm::dvec2 lo = points.front();
 	glm::dvec2 hi = lo;
 	for (const glm::dvec2& p : points)
@@ -36,7 +36,7 @@ probe::Window boundsOf(const slice::SheetMesh& mesh, const probe::Sheet& content
 	return {lo.x, hi.x, lo.y, hi.y};
 }
 
-Vec3 positionAt(const slice::SheetMesh& mesh, const slice::SheetPlace& place)
+Vec3 positionAt(const mesh::SheetMesh& mesh, const measure::SheetPlace& place)
 {
 	const auto corners = mesh.polygon(place.polygon);
 	Vec3 mean(0.0);
@@ -49,7 +49,7 @@ Vec3 positionAt(const slice::SheetMesh& mesh, const slice::SheetPlace& place)
 
 } // namespace
 
-SheetLattice launchLattice(const slice::SheetMesh& mesh, const probe::Sheet& content, const LatticeChoice& choice)
+SheetLattice launchLattice(const mesh::SheetMesh& mesh, const probe::Sheet& content, const LatticeChoice& choice)
 {
 	SheetLattice lattice;
 	if (mesh.polygons() == 0)
@@ -60,7 +60,7 @@ SheetLattice launchLattice(const slice::SheetMesh& mesh, const probe::Sheet& con
 	{ return std::max(1u, static_cast<std::uint32_t>(std::lround(side / lattice.spacing))); };
 	const std::uint32_t columns = pointsAlong(area.width());
 	const std::uint32_t rows = pointsAlong(area.height());
-	const slice::SheetLookup lookup(mesh, content);
+	const measure::SheetLookup lookup(mesh, content);
 	for (std::uint32_t row = 0; row < rows; ++row)
 		for (std::uint32_t column = 0; column < columns; ++column)
 		{

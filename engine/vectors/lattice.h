@@ -2,8 +2,8 @@
 
 #include "base/ids.h"
 #include "base/vec.h"
+#include "mesh/sheet_mesh.h"
 #include "probe/sheet.h"
-#include "slice/mesh.h"
 
 #include <cstdint>
 #include <vector>
@@ -35,6 +35,6 @@ struct SheetLattice
 // Points on the cut of a sheet (content: the one that the mesh is the cut of), in a square lattice along its x axis and
 // up: over its window, or the bounds of its cut where it has none. Only those that lie in the cut. The jitter of a
 // point follows from its place in the lattice alone, so points move with the sheet and do not tremble.
-SheetLattice launchLattice(const slice::SheetMesh& mesh, const probe::Sheet& content, const LatticeChoice& choice);
+SheetLattice launchLattice(const mesh::SheetMesh& mesh, const probe::Sheet& content, const LatticeChoice& choice);
 
 } // namespace vp::vectors

@@ -87,7 +87,7 @@ Status fly(Flight& flight, const StoredVectors& stored, double launch_time, doub
 
 } // namespace
 
-std::vector<grid::Field> vectorsOf(const grid::BlockSet& blocks, const slice::FieldChoice& array)
+std::vector<grid::Field> vectorsOf(const grid::BlockSet& blocks, const grid::FieldChoice& array)
 {
 	std::vector<grid::Field> fields;
 	for (const grid::Field* field : array.inEach(blocks))

@@ -10,7 +10,7 @@ namespace vp::vectors
 {
 
 // The array of each block; of no components where a block lacks it. Copies share its memory.
-std::vector<grid::Field> vectorsOf(const grid::BlockSet& blocks, const slice::FieldChoice& array);
+std::vector<grid::Field> vectorsOf(const grid::BlockSet& blocks, const grid::FieldChoice& array);
 
 // Values of one array over grids that stay as they are, at several times.
 struct StoredVectors

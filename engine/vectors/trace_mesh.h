@@ -1,6 +1,6 @@
 #pragma once
 
-#include "slice/mesh.h"
+#include "mesh/sheet_mesh.h"
 #include "vectors/curves.h"
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace vp::vectors
 // Curves as polygons in world coordinates, for drawing: triangles and quads, closed but for ribbons.
 struct TraceMesh
 {
-	slice::SheetMesh mesh;      // positions and polygons, nothing else
+	mesh::SheetMesh mesh;       // positions and polygons, nothing else
 	std::vector<double> values; // per vertex, of its point of the curve
 
 	TraceMesh() { mesh.polygon_starts.push_back(0); }

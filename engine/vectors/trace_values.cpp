@@ -112,7 +112,7 @@ double turnRate(const grid::Block& block, const grid::Field& field, CellId cell,
 
 } // namespace
 
-std::vector<double> valuesAt(const grid::BlockSet& blocks, const slice::FieldChoice& choice, const Traces& traces)
+std::vector<double> valuesAt(const grid::BlockSet& blocks, const grid::FieldChoice& choice, const Traces& traces)
 {
 	const std::vector<const grid::Field*> fields = choice.inEach(blocks);
 	std::vector<double> values(traces.points.size(), kNothing);
@@ -134,7 +134,7 @@ std::vector<double> valuesAt(const grid::BlockSet& blocks, const slice::FieldCho
 	return values;
 }
 
-std::vector<double> turnsAlong(const grid::BlockSet& blocks, const slice::FieldChoice& vectors, const Traces& traces)
+std::vector<double> turnsAlong(const grid::BlockSet& blocks, const grid::FieldChoice& vectors, const Traces& traces)
 {
 	std::vector<double> turns(traces.points.size(), 0.0);
 	if (vectors.association == grid::Association::cell)

@@ -25,7 +25,7 @@ Status checkOptions(const TraceOptions& options, std::size_t launches)
 	return Nothing{};
 }
 
-Result<Traces> trace(const grid::BlockSet& blocks, const slice::FieldChoice& array, std::span<const Launch> launches,
+Result<Traces> trace(const grid::BlockSet& blocks, const grid::FieldChoice& array, std::span<const Launch> launches,
                      const TraceOptions& options, std::stop_token stop)
 {
 	if (Status sound = checkOptions(options, launches.size()); !sound)

@@ -2,7 +2,7 @@
 
 #include "base/result.h"
 #include "grid/block.h"
-#include "slice/field_choice.h"
+#include "grid/field_choice.h"
 #include "vectors/lattice.h"
 #include "vectors/particle.h"
 #include "vectors/traces.h"
@@ -35,7 +35,7 @@ Status checkOptions(const TraceOptions& options, std::size_t launches);
 // constant in each. Particles cross from block to block where faces meet (grid::Interfaces), and where another cell
 // lies within kBeyond of a cell behind the boundary. Traces come in the launches' order, the same for any number of
 // threads. On all cores. Asked to stop it ends with ExitCode::interrupted.
-Result<Traces> trace(const grid::BlockSet& blocks, const slice::FieldChoice& array, std::span<const Launch> launches,
+Result<Traces> trace(const grid::BlockSet& blocks, const grid::FieldChoice& array, std::span<const Launch> launches,
                      const TraceOptions& options, std::stop_token stop = {});
 
 constexpr double kBeyond = 0.02; // of a cell

@@ -3,7 +3,7 @@
 #include "base/result.h"
 #include "base/vec.h"
 #include "grid/block.h"
-#include "slice/field_choice.h"
+#include "grid/field_choice.h"
 
 #include <cstddef>
 #include <string>
@@ -16,7 +16,7 @@ constexpr int kVectorComponents = 3;
 // The array of three components that is followed: `array` is "[point:|cell:]NAME"; empty takes the first such point
 // array, else the first such cell array. Input errors: no such array, or one of other components; they list those that
 // would do.
-Result<slice::FieldChoice> chooseVectors(const grid::BlockSet& blocks, const std::string& array);
+Result<grid::FieldChoice> chooseVectors(const grid::BlockSet& blocks, const std::string& array);
 
 // Vectors of one block at one time.
 class BlockVectors

@@ -1,7 +1,7 @@
 #include "write/line_file.h"
 
-#include "slice/plane_triangles.h"
-#include "slice/sheet_line.h"
+#include "measure/plane_triangles.h"
+#include "measure/sheet_line.h"
 #include "write/atomic_file.h"
 #include "write/csv_text.h"
 #include "write/slice_table.h"
@@ -21,7 +21,7 @@ namespace vp::write
 namespace
 {
 
-using slice::LinePiece;
+using measure::LinePiece;
 
 class LineRows
 {
@@ -38,7 +38,7 @@ public:
 		const LinePiece* last = nullptr;
 		for (const LinePiece& piece : pieces)
 		{
-			const bool gap = piece.from - end > slice::kLineGap;
+			const bool gap = piece.from - end > measure::kLineGap;
 			if (last && (gap || pointValues(*last, last->to) != pointValues(piece, piece.from)))
 				row(last->to, last);
 			if (gap)
@@ -49,7 +49,7 @@ public:
 		}
 		if (last)
 			row(end, last);
-		if (1.0 - end > slice::kLineGap)
+		if (1.0 - end > measure::kLineGap)
 		{
 			if (!last)
 				row(0.0, nullptr);
@@ -79,7 +79,7 @@ private:
 		return a + part * (b - a);
 	}
 
-	static double at(const Column& column, const slice::SideCrossing& side, int component)
+	static double at(const Column& column, const measure::SideCrossing& side, int component)
 	{
 		return between(column, column.value(side.a, component), column.value(side.b, component), side.part);
 	}
@@ -130,13 +130,14 @@ private:
 
 } // namespace
 
-Status writeLine(const grid::BlockSet& blocks, const probe::Sheet& content, const slice::SheetMesh& mesh,
+Status writeLine(const grid::BlockSet& blocks, const probe::Sheet& content, const mesh::SheetMesh& mesh,
                  const SheetLine& line, const std::string& path)
 {
 	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)
 		return file.error();
-	const std::vector<LinePiece> pieces = slice::alongLine(mesh, slice::planePoints(mesh, content), line.from, line.to);
+	const std::vector<LinePiece> pieces =
+	    measure::alongLine(mesh, measure::planePoints(mesh, content), line.from, line.to);
 	const SliceTable table = tabulate(blocks, std::span(&mesh, 1));
 	file->write(LineRows(table, content, line).text(pieces));
 	return file->commit();

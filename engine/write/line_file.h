@@ -2,8 +2,8 @@
 
 #include "base/result.h"
 #include "grid/block.h"
+#include "mesh/sheet_mesh.h"
 #include "probe/sheet.h"
-#include "slice/mesh.h"
 
 #include <string>
 
@@ -23,7 +23,7 @@ struct SheetLine
 // (block and cell too) hold from a row to the next. Where point arrays jump, as between blocks that differ, there are
 // two rows at one distance. Where the line is out of the slice all but the place is nan: in one row in the middle of
 // each gap, and at an end that lies outside. "-" is standard output.
-Status writeLine(const grid::BlockSet& blocks, const probe::Sheet& content, const slice::SheetMesh& mesh,
+Status writeLine(const grid::BlockSet& blocks, const probe::Sheet& content, const mesh::SheetMesh& mesh,
                  const SheetLine& line, const std::string& path);
 
 } // namespace vp::write

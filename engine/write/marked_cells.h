@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "grid/quality.h"
+#include "grid/check/quality.h"
 
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
 #include "write/plane_picture.h"
 
-#include "render/valid_utf8.h"
+#include "render/annotate/valid_utf8.h"
 #include "write/atomic_file.h"
 #include "write/png.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "render/flat_scene.h"
+#include "render/flat/flat_scene.h"
 
 #include <optional>
 #include <span>

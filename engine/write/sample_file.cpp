@@ -25,7 +25,7 @@ using locate::Place;
 class SampleRows
 {
 public:
-	SampleRows(const grid::BlockSet& blocks, std::span<const slice::FieldChoice> chosen)
+	SampleRows(const grid::BlockSet& blocks, std::span<const grid::FieldChoice> chosen)
 	    : blocks_(blocks), point_arrays_(arraysOf(blocks, Association::point)),
 	      cell_arrays_(arraysOf(blocks, Association::cell))
 	{
@@ -64,13 +64,13 @@ public:
 	}
 
 private:
-	static void keep(std::vector<SetArray>& arrays, Association association, std::span<const slice::FieldChoice> chosen)
+	static void keep(std::vector<SetArray>& arrays, Association association, std::span<const grid::FieldChoice> chosen)
 	{
 		std::erase_if(arrays,
 		              [&](const SetArray& array)
 		              {
 			              return std::ranges::none_of(
-			                  chosen, [&](const slice::FieldChoice& choice)
+			                  chosen, [&](const grid::FieldChoice& choice)
 			                  { return choice.association == association && choice.name == array.name; });
 		              });
 	}
@@ -121,7 +121,7 @@ private:
 } // namespace
 
 Result<std::size_t> writeSamples(const grid::BlockSet& blocks, std::span<const Vec3> points,
-                                 std::span<const slice::FieldChoice> chosen, const std::string& path)
+                                 std::span<const grid::FieldChoice> chosen, const std::string& path)
 {
 	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)

@@ -3,7 +3,7 @@
 #include "base/result.h"
 #include "base/vec.h"
 #include "grid/block.h"
-#include "slice/field_choice.h"
+#include "grid/field_choice.h"
 
 #include <cstddef>
 #include <span>
@@ -18,6 +18,6 @@ namespace vp::write
 // outside the grid block and cell are empty and the values nan. chosen: the arrays, whatever their component; none:
 // all. "-" is standard output. Gives how many points are outside.
 Result<std::size_t> writeSamples(const grid::BlockSet& blocks, std::span<const Vec3> points,
-                                 std::span<const slice::FieldChoice> chosen, const std::string& path);
+                                 std::span<const grid::FieldChoice> chosen, const std::string& path);
 
 } // namespace vp::write

@@ -34,7 +34,7 @@ Result<SliceFormat> sliceFormatOf(const std::string& path)
 	                path)};
 }
 
-Status writeSlice(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path,
+Status writeSlice(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, const std::string& path,
                   std::span<const ContourPiece> contours)
 {
 	const Result<SliceFormat> format = sliceFormatOf(path);

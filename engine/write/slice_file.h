@@ -2,7 +2,7 @@
 
 #include "base/result.h"
 #include "grid/block.h"
-#include "slice/mesh.h"
+#include "mesh/sheet_mesh.h"
 #include "write/slice_table.h"
 
 #include <span>
@@ -28,7 +28,7 @@ Result<SliceFormat> sliceFormatOf(const std::string& path);
 // contours: stand behind the sheets' polygons, with the cell array vprobe:contour (NaN on those).
 // "-" writes to standard output. A file appears whole or not at all (written beside its place and renamed), a .vtm
 // with all that belongs to it; a failure is an output error.
-Status writeSlice(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path,
+Status writeSlice(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, const std::string& path,
                   std::span<const ContourPiece> contours = {});
 
 } // namespace vp::write

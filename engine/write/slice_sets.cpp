@@ -32,7 +32,7 @@ Status writePart(SliceTable table, const FileSet::Member& part, const std::strin
 
 } // namespace
 
-Status writeVtm(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path,
+Status writeVtm(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, const std::string& path,
                 std::span<const ContourPiece> contours)
 {
 	Result<FileSet> files = FileSet::create(path);
@@ -64,7 +64,7 @@ Result<SliceSeries> SliceSeries::create(const std::string& path)
 	return SliceSeries(path, std::move(*files));
 }
 
-Status SliceSeries::add(int frame, const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes,
+Status SliceSeries::add(int frame, const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes,
                         std::span<const ContourPiece> contours)
 {
 	const FileSet::Member part = files_.add(fmt::format("frame_{:04}.vtp", frame));

@@ -2,7 +2,7 @@
 
 #include "base/result.h"
 #include "grid/block.h"
-#include "slice/mesh.h"
+#include "mesh/sheet_mesh.h"
 #include "write/file_set.h"
 #include "write/slice_table.h"
 
@@ -15,7 +15,7 @@ namespace vp::write
 // A slice as VTK's XML multiblock file (.vtm): a .vtp a sheet, named "sheet 0", "sheet 1" …, in a folder of its stem
 // beside it. meshes[i] is sheet i; the .vtp are as writeSlice() writes them.
 // Contours are in the file of their sheet.
-Status writeVtm(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, const std::string& path,
+Status writeVtm(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, const std::string& path,
                 std::span<const ContourPiece> contours = {});
 
 // Slices over time as ParaView's collection (.pvd): a .vtp a frame with all its sheets, in a folder of its stem beside
@@ -25,7 +25,7 @@ class SliceSeries
 public:
 	static Result<SliceSeries> create(const std::string& path);
 
-	Status add(int frame, const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes,
+	Status add(int frame, const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes,
 	           std::span<const ContourPiece> contours = {});
 	Status commit();
 

@@ -1,5 +1,6 @@
 #include "write/slice_table.h"
 
+#include "mesh/mesh_values.h"
 #include "write/set_arrays.h"
 
 #include <algorithm>
@@ -28,17 +29,17 @@ std::byte* put(std::byte* at, NumberType type, double value)
 	return at + grid::byteSize(type);
 }
 
-using Meshes = std::span<const slice::SheetMesh* const>;
+using Meshes = std::span<const mesh::SheetMesh* const>;
 
 Column vertexColumn(const grid::BlockSet& blocks, Meshes meshes, const SetArray& source, std::size_t vertices)
 {
 	Column column{source.name, source.components, interpolatedType(source), {}};
 	column.bytes.resize(vertices * source.components * grid::byteSize(column.type));
 	std::byte* at = column.bytes.data();
-	for (const slice::SheetMesh* mesh : meshes)
+	for (const mesh::SheetMesh* mesh : meshes)
 		for (std::size_t v = 0; v < mesh->positions.size(); ++v)
 			for (int c = 0; c < source.components; ++c)
-				at = put(at, column.type, slice::vertexValue(blocks, *mesh, v, source.per_block, c));
+				at = put(at, column.type, mesh::vertexValue(blocks, *mesh, v, source.per_block, c));
 	return column;
 }
 
@@ -50,8 +51,8 @@ Column polygonColumn(Meshes meshes, const SliceTable& table, const SetArray& sou
 	column.bytes.resize(table.polygons() * tuple); // zero: the value of an integer that is not known
 	std::byte* at = column.bytes.data();
 	std::size_t polygon = 0;
-	for (const slice::SheetMesh* mesh : meshes)
-		for (const slice::BlockCell& from : mesh->polygon_cells)
+	for (const mesh::SheetMesh* mesh : meshes)
+		for (const mesh::BlockCell& from : mesh->polygon_cells)
 		{
 			const grid::Field* field = source.per_block[from.block];
 			const int known = field ? field->components : 0;
@@ -69,7 +70,7 @@ Column polygonColumn(Meshes meshes, const SliceTable& table, const SetArray& sou
 	return column;
 }
 
-void addMesh(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, std::int32_t sheet, SliceTable& table)
+void addMesh(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, std::int32_t sheet, SliceTable& table)
 {
 	const auto base = static_cast<std::int64_t>(table.positions.size());
 	table.positions.insert(table.positions.end(), mesh.positions.begin(), mesh.positions.end());
@@ -78,7 +79,7 @@ void addMesh(const grid::BlockSet& blocks, const slice::SheetMesh& mesh, std::in
 		for (const std::uint32_t v : mesh.polygon(p))
 			table.polygon_vertices.push_back(base + v);
 		table.polygon_starts.push_back(static_cast<std::int64_t>(table.polygon_vertices.size()));
-		const slice::BlockCell& from = mesh.polygon_cells[p];
+		const mesh::BlockCell& from = mesh.polygon_cells[p];
 		table.cell.push_back(std::visit([&](const auto& grid)
 		                                { return static_cast<std::int64_t>(grid.sourceCell(from.cell)); },
 		                                blocks.blocks[from.block].grid));
@@ -99,12 +100,12 @@ double Column::value(std::size_t tuple, int component) const
 	return grid::loadNumber(type, bytes.data() + (tuple * components + component) * grid::byteSize(type));
 }
 
-SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, std::size_t first_sheet,
+SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, std::size_t first_sheet,
                     std::span<const ContourPiece> contours)
 {
 	SliceTable table;
 	table.polygon_starts.push_back(0);
-	std::vector<const slice::SheetMesh*> all;
+	std::vector<const mesh::SheetMesh*> all;
 	for (std::size_t m = 0; m < meshes.size(); ++m)
 	{
 		addMesh(blocks, meshes[m], static_cast<std::int32_t>(first_sheet + m), table);

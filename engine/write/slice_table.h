@@ -3,7 +3,7 @@
 #include "base/vec.h"
 #include "grid/block.h"
 #include "grid/field.h"
-#include "slice/mesh.h"
+#include "mesh/sheet_mesh.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -47,7 +47,7 @@ struct SliceTable
 // Polygons of an iso surface grown from a sheet (contour/), beside the sheet's own.
 struct ContourPiece
 {
-	const slice::SheetMesh* mesh;
+	const mesh::SheetMesh* mesh;
 	std::int32_t sheet;
 	double value;
 };
@@ -56,7 +56,7 @@ struct ContourPiece
 // the widest. Interpolated values are float32 for sources that fit (float32, integers of up to 16 bits), else float64;
 // of a categorical array, which is not interpolated, they keep its type. meshes[i] is sheet first_sheet + i;
 // contours follow behind them all.
-SliceTable tabulate(const grid::BlockSet& blocks, std::span<const slice::SheetMesh> meshes, std::size_t first_sheet = 0,
+SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, std::size_t first_sheet = 0,
                     std::span<const ContourPiece> contours = {});
 
 } // namespace vp::write

@@ -8,9 +8,9 @@ VP_SHARED_BEGIN
 
 // The word a classifier returns per cell: bits 0..7 the case index (bit v: vertex v is positive), bits 8..15 the cut
 // faces.
-VP_CONST uint kWordFacesShift = 8u;
-VP_CONST uint kWordCut = 0x10000u;  // the cell is cut
-VP_CONST uint kWordWalk = 0x20000u; // undecided here: the CPU classifies and walks the cell in double
+VP_CONST uint kCodeFacesShift = 8u;
+VP_CONST uint kCodeCut = 0x10000u;  // the cell is cut
+VP_CONST uint kCodeWalk = 0x20000u; // undecided here: the CPU classifies and walks the cell in double
 
 VP_CONST uint kMaxRecordVertices = 6u;
 

@@ -15,12 +15,12 @@ namespace
 
 constexpr double kPart = 1.0 / 10.0;
 
-slice::SliceRequest requestFor(const grid::BlockSet& blocks)
+cut::CutRequest requestFor(const grid::BlockSet& blocks)
 {
 	const Vec3 size = blocks.bounds().size();
-	slice::SliceRequest request;
-	request.finder = slice::Finder::automatic;
-	request.field = slice::FieldChoice{blocks.blocks[0].fields[0].name, grid::Association::point, 0};
+	cut::CutRequest request;
+	request.finder = find::Finder::automatic;
+	request.field = grid::FieldChoice{blocks.blocks[0].fields[0].name, grid::Association::point, 0};
 	// Beside the middle of the bounds, which in the shell is at its inner wall.
 	const Vec3 origin = blocks.bounds().centre() + Vec3(0.0, 0.12 * size.y, 0.05 * size.z);
 	request.probe.sheets = {probe::makeSheet(origin, {0.0, 0.0, 1.0})};
@@ -36,9 +36,9 @@ double middleOf(const contour::BoxContourer& contourer)
 double valueIn(const std::string& name)
 {
 	const grid::BlockSet& blocks = gridNamed(name);
-	slice::Slicer slicer(blocks);
-	const slice::Slice slice = std::move(slicer.cut(requestFor(blocks)).value());
-	const slice::SheetMesh mesh = slice.mesh(blocks, 0);
+	cut::Cutter slicer(blocks);
+	const cut::Cut slice = std::move(slicer.cut(requestFor(blocks)).value());
+	const mesh::SheetMesh mesh = slice.mesh(blocks, 0);
 	return middleOf(contour::BoxContourer(slicer, slice.sheets[0], mesh, {}));
 }
 
@@ -49,10 +49,10 @@ void boxContour(benchmark::State& state, const std::string& name, bool with_shee
 	const grid::BlockSet& blocks = gridNamed(name);
 	const double depth = kPart * blocks.bounds().size().z;
 	const double value = valueIn(name);
-	slice::Slicer slicer(blocks);
-	const slice::SliceRequest request = requestFor(blocks);
-	slice::Slice slice = std::move(slicer.cut(request).value());
-	slice::SheetMesh mesh = slice.mesh(blocks, 0);
+	cut::Cutter slicer(blocks);
+	const cut::CutRequest request = requestFor(blocks);
+	cut::Cut slice = std::move(slicer.cut(request).value());
+	mesh::SheetMesh mesh = slice.mesh(blocks, 0);
 	std::size_t cells = 0;
 	for (auto _ : state)
 	{

@@ -58,10 +58,10 @@ void addCuts(const std::string& name)
 	using bench::VtkCut;
 	constexpr double kSeconds = 1.0;
 	const auto moved = [&](const char* way, auto function) { add(name, way, function)->MinTime(kSeconds); };
-	moved("cpu", [=](auto& state) { bench::cpuCut(state, name, slice::Finder::automatic); });
-	moved("cpu, traversal", [=](auto& state) { bench::cpuCut(state, name, slice::Finder::traversal); });
-	moved("gpu", [=](auto& state) { bench::gpuCut(state, name, slice::Finder::traversal, 1); });
-	moved("gpu, one front", [=](auto& state) { bench::gpuCut(state, name, slice::Finder::automatic, 1); });
+	moved("cpu", [=](auto& state) { bench::cpuCut(state, name, find::Finder::automatic); });
+	moved("cpu, traversal", [=](auto& state) { bench::cpuCut(state, name, find::Finder::traversal); });
+	moved("gpu", [=](auto& state) { bench::gpuCut(state, name, find::Finder::traversal, 1); });
+	moved("gpu, one front", [=](auto& state) { bench::gpuCut(state, name, find::Finder::automatic, 1); });
 	moved("window", [=](auto& state) { bench::windowCut(state, name); });
 	if (name.starts_with("blob"))
 		moved("vtkFlyingEdgesPlaneCutter", [=](auto& state) { vtkCut(state, name, VtkCut::flying_edges_cutter, 1); });
@@ -103,7 +103,7 @@ int main(int argc, char** argv)
 		if (grid == "shell:256")
 		{
 			add(grid, "gpu, 8 vanes",
-			    [](auto& state) { bench::gpuCut(state, "shell:256", slice::Finder::automatic, 8); })
+			    [](auto& state) { bench::gpuCut(state, "shell:256", find::Finder::automatic, 8); })
 			    ->MinTime(1.0);
 			add(grid, "8 vanes vtkPlaneCutter",
 			    [](auto& state) { vtkCut(state, "shell:256", bench::VtkCut::plane_cutter, 8); })
@@ -122,7 +122,7 @@ int main(int argc, char** argv)
 			addBuilding(grid);
 	}
 	for (const char* name : {"shell:256 jki", "shell:256 kij"})
-		add(name, "cpu", [=](auto& state) { bench::cpuCut(state, name, slice::Finder::automatic); })->MinTime(1.0);
+		add(name, "cpu", [=](auto& state) { bench::cpuCut(state, name, find::Finder::automatic); })->MinTime(1.0);
 	for (const char* name : {"shell:256", "tets:128", "hexes:192"})
 		add(name, "memory", [=](auto& state) { bench::memory(state, program, name); })->Iterations(1);
 	add("shell:256", "frames", [=](auto& state) { bench::frames(state, program, "shell:256"); })->Iterations(1);

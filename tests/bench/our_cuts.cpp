@@ -31,7 +31,7 @@ std::vector<probe::Sheet> sheetsAt(const probe::Frame& frame, int count)
 }
 
 // A moved plane after the other; `window` one a plane, or empty.
-void sweep(benchmark::State& state, slice::Slicer& slicer, slice::Finder finder, int sheets,
+void sweep(benchmark::State& state, cut::Cutter& slicer, find::Finder finder, int sheets,
            const std::vector<std::optional<probe::Window>>& windows = {})
 {
 	const std::vector<probe::Frame> planes = sweepOf(slicer.blocks().bounds());
@@ -40,20 +40,20 @@ void sweep(benchmark::State& state, slice::Slicer& slicer, slice::Finder finder,
 	std::size_t generations = 0;
 	for (auto _ : state)
 	{
-		slice::SliceRequest request;
+		cut::CutRequest request;
 		request.finder = finder;
 		request.seeds.lattice = slicer.usesGpu();
 		request.probe.sheets = sheetsAt(planes[k], sheets);
 		if (!windows.empty())
 			request.probe.sheets[0].window = windows[k];
-		const Result<slice::Slice> slice = slicer.cut(request);
+		const Result<cut::Cut> slice = slicer.cut(request);
 		for (std::size_t s = 0; s < slice->sheets.size(); ++s)
 		{
 			cells += slice->sheets[s].cutCells(0);
 			generations += slice->sheets[s].cuts[0].generations();
 			if (slicer.usesGpu())
 				continue;
-			const slice::SheetMesh mesh = slice->mesh(slicer.blocks(), s);
+			const mesh::SheetMesh mesh = slice->mesh(slicer.blocks(), s);
 			benchmark::DoNotOptimize(mesh.positions.data());
 		}
 		k = (k + 1) % planes.size();
@@ -65,7 +65,7 @@ void sweep(benchmark::State& state, slice::Slicer& slicer, slice::Finder finder,
 		    benchmark::Counter(static_cast<double>(generations) / sheets, benchmark::Counter::kAvgIterations);
 }
 
-std::optional<probe::Window> middleOf(const probe::Sheet& sheet, const slice::SheetMesh& mesh)
+std::optional<probe::Window> middleOf(const probe::Sheet& sheet, const mesh::SheetMesh& mesh)
 {
 	if (mesh.positions.empty())
 		return std::nullopt;
@@ -86,11 +86,11 @@ std::optional<probe::Window> middleOf(const probe::Sheet& sheet, const slice::Sh
 void cutOnce(const grid::BlockSet& blocks)
 {
 	const std::vector<probe::Frame> planes = sweepOf(blocks.bounds());
-	slice::Slicer slicer(blocks);
-	slice::SliceRequest request;
-	request.finder = slice::Finder::automatic;
+	cut::Cutter slicer(blocks);
+	cut::CutRequest request;
+	request.finder = find::Finder::automatic;
 	request.probe.sheets = sheetsAt(planes[planes.size() / 2], 1);
-	const slice::SheetMesh mesh = slicer.cut(request)->mesh(blocks, 0);
+	const mesh::SheetMesh mesh = slicer.cut(request)->mesh(blocks, 0);
 	benchmark::DoNotOptimize(mesh.positions.data());
 }
 
@@ -123,18 +123,18 @@ std::vector<probe::Frame> fanOf(const probe::Frame& frame, int planes)
 	return fan;
 }
 
-void cpuCut(benchmark::State& state, const std::string& name, slice::Finder finder)
+void cpuCut(benchmark::State& state, const std::string& name, find::Finder finder)
 {
-	slice::Slicer slicer(gridNamed(name));
+	cut::Cutter slicer(gridNamed(name));
 	sweep(state, slicer, finder, 1);
 }
 
-void gpuCut(benchmark::State& state, const std::string& name, slice::Finder finder, int sheets)
+void gpuCut(benchmark::State& state, const std::string& name, find::Finder finder, int sheets)
 {
 	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({});
 	if (!device)
 		return state.SkipWithError(device.error().message.c_str());
-	Result<std::unique_ptr<slice::Slicer>> slicer = slice::Slicer::onDevice(**device, gridNamed(name), {}, nullptr);
+	Result<std::unique_ptr<cut::Cutter>> slicer = cut::Cutter::onDevice(**device, gridNamed(name), {}, nullptr);
 	if (!slicer)
 		return state.SkipWithError(slicer.error().message.c_str());
 	state.SetLabel((*device)->name());
@@ -143,17 +143,17 @@ void gpuCut(benchmark::State& state, const std::string& name, slice::Finder find
 
 void windowCut(benchmark::State& state, const std::string& name)
 {
-	slice::Slicer slicer(gridNamed(name));
+	cut::Cutter slicer(gridNamed(name));
 	std::vector<std::optional<probe::Window>> windows;
 	for (const probe::Frame& plane : sweepOf(slicer.blocks().bounds()))
 	{
-		slice::SliceRequest request;
-		request.finder = slice::Finder::automatic;
+		cut::CutRequest request;
+		request.finder = find::Finder::automatic;
 		request.probe.sheets = sheetsAt(plane, 1);
-		const Result<slice::Slice> slice = slicer.cut(request);
+		const Result<cut::Cut> slice = slicer.cut(request);
 		windows.push_back(middleOf(request.probe.sheets[0], slice->mesh(slicer.blocks(), 0)));
 	}
-	sweep(state, slicer, slice::Finder::automatic, 1, windows);
+	sweep(state, slicer, find::Finder::automatic, 1, windows);
 }
 
 void firstCut(benchmark::State& state, const std::string& name)

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "cut/cutter.h"
 #include "probe/transform.h"
-#include "slice/slicer.h"
 
 #include <benchmark/benchmark.h>
 
@@ -15,9 +15,9 @@ namespace vp::bench
 std::vector<probe::Frame> fanOf(const probe::Frame& frame, int planes);
 
 // Moved planes.
-void cpuCut(benchmark::State& state, const std::string& name, slice::Finder finder);
+void cpuCut(benchmark::State& state, const std::string& name, find::Finder finder);
 // Counter "generations", on the mean. The polygons stay in device memory.
-void gpuCut(benchmark::State& state, const std::string& name, slice::Finder finder, int sheets);
+void gpuCut(benchmark::State& state, const std::string& name, find::Finder finder, int sheets);
 // Within a window of 1/5 x 1/5 of the slice's extent about its centre.
 void windowCut(benchmark::State& state, const std::string& name);
 

@@ -1,7 +1,7 @@
 #include "traces.h"
 
+#include "cut/cutter.h"
 #include "grids.h"
-#include "slice/slicer.h"
 #include "vectors/tracer.h"
 #include "vectors/vector_array.h"
 
@@ -37,13 +37,13 @@ const std::vector<vectors::Launch>& launchesOn(const std::string& name)
 		return launches;
 	of = name;
 	launches.clear();
-	slice::Slicer slicer(gridNamed(name));
-	slice::SliceRequest request;
+	cut::Cutter slicer(gridNamed(name));
+	cut::CutRequest request;
 	constexpr double kLongitude = 0.3;
 	request.probe.sheets = {
 	    probe::makeSheet(Vec3(0.0), Vec3(-std::sin(kLongitude), std::cos(kLongitude), 0.0), Vec3(0.0, 0.0, 1.0))};
-	const slice::Slice cut = std::move(*slicer.cut(std::move(request)));
-	const slice::SheetMesh mesh = cut.mesh(slicer.blocks(), 0);
+	const cut::Cut cut = std::move(*slicer.cut(std::move(request)));
+	const mesh::SheetMesh mesh = cut.mesh(slicer.blocks(), 0);
 	for (int along = 150; launches.size() < kParticles; along += 10)
 		launches = vectors::launchLattice(mesh, cut.sheets[0].sheet, {along, 0.0}).launches;
 	launches.resize(kParticles);
@@ -71,7 +71,7 @@ void vtkTraces(benchmark::State& state, const std::string& name)
 	if (!grid->GetPointData()->GetArray("v"))
 	{
 		const grid::Block& block = gridNamed(name).blocks[0];
-		const slice::FieldChoice choice = *vectors::chooseVectors(gridNamed(name), "v");
+		const grid::FieldChoice choice = *vectors::chooseVectors(gridNamed(name), "v");
 		const vectors::BlockVectors vectors(choice.in(block));
 		vtkNew<vtkFloatArray> array;
 		array->SetName("v");

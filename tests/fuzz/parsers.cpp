@@ -8,7 +8,7 @@
 #include "read/manifest.h"
 #include "read/read.h"
 #include "refusal.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "sample_files.h"
 #include "surface/expression.h"
 #include "surface/grid_index.h"

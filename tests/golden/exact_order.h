@@ -2,7 +2,7 @@
 
 #include "pixel_lists.h"
 
-#include "slice/gpu_records.h"
+#include "classify/gpu_records.h"
 
 namespace vp::render::test
 {
@@ -14,7 +14,7 @@ protected:
 	// So many random probes, three cameras each.
 	void compareProbes(unsigned first_seed, int probes)
 	{
-		const auto pool = slice::RecordPool::create(device(), 512);
+		const auto pool = classify::RecordPool::create(device(), 512);
 		ListComparison all;
 		for (int i = 0; i < probes; ++i)
 		{
@@ -23,7 +23,7 @@ protected:
 			Scene scene = bareScene(200, 150, 1);
 			for (const KnownSheet& known : sheets)
 			{
-				auto records = slice::recordsFromHost(pool, known.records);
+				auto records = classify::recordsFromHost(pool, known.records);
 				ASSERT_TRUE(records);
 				scene.sheets.push_back(known.drawing);
 				scene.sheets.back().records = *records;

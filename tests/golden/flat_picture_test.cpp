@@ -1,7 +1,7 @@
 #include "baseline.h"
 
+#include "cut/cutter.h"
 #include "grid/demo.h"
-#include "slice/slicer.h"
 #include "write/plane_picture.h"
 
 #include <gtest/gtest.h>
@@ -33,8 +33,8 @@ protected:
 
 	FlatScene sceneOf(const std::function<double(const Vec3&)>& value, const probe::Sheet& sheet)
 	{
-		slice::Slicer slicer(blocks_);
-		slice::SliceRequest request;
+		cut::Cutter slicer(blocks_);
+		cut::CutRequest request;
 		request.probe.sheets = {sheet};
 		mesh_ = slicer.cut(std::move(request)).value().mesh(blocks_, 0);
 		FlatScene flat;
@@ -80,7 +80,7 @@ protected:
 	}
 
 	grid::BlockSet blocks_;
-	slice::SheetMesh mesh_;
+	mesh::SheetMesh mesh_;
 	std::filesystem::path folder_;
 };
 

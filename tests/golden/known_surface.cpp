@@ -2,7 +2,7 @@
 
 #include "uniform.h"
 
-#include "render/surface_polygons.h"
+#include "render/passes/surface_polygons.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ const ValueScale kScale{.title = "g"};
 
 } // namespace
 
-void addPolygon(slice::SheetMesh& mesh, const std::vector<Vec3>& corners)
+void addPolygon(mesh::SheetMesh& mesh, const std::vector<Vec3>& corners)
 {
 	if (mesh.polygon_starts.empty())
 		mesh.polygon_starts.push_back(0);

@@ -2,7 +2,7 @@
 
 #include "random_probe.h"
 
-#include "slice/mesh.h"
+#include "mesh/sheet_mesh.h"
 
 namespace vp::render::test
 {
@@ -12,13 +12,13 @@ namespace vp::render::test
 struct KnownSurface
 {
 	Surface drawing; // without polygons, in the colours of its values
-	slice::SheetMesh mesh;
+	mesh::SheetMesh mesh;
 	std::vector<double> vertex_values;
 	std::vector<double> polygon_values;
 };
 
 // Corners that are where a vertex is already are that vertex.
-void addPolygon(slice::SheetMesh& mesh, const std::vector<Vec3>& corners);
+void addPolygon(mesh::SheetMesh& mesh, const std::vector<Vec3>& corners);
 
 // The same polygons as the sheet's, with the same look; the window is left out.
 KnownSurface asSurface(const KnownSheet& known);

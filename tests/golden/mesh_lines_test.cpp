@@ -1,7 +1,7 @@
 #include "synthetic_scene.h"
 
+#include "classify/gpu_records.h"
 #include "shared/slice_types.h"
-#include "slice/gpu_records.h"
 
 #include <cmath>
 
@@ -126,7 +126,7 @@ TEST_F(MeshLines, DiagonalsThatPartALargePolygonAreNoEdges)
 		};
 		const std::vector<vp::shared::PolygonRecord> records{record(7, {0, 1, 2, 3, 4, 5}),
 		                                                     record(one_cell ? 7 : 8, {0, 5, 6, 7})};
-		auto on_device = slice::recordsFromHost(slice::RecordPool::create(device()), records);
+		auto on_device = classify::recordsFromHost(classify::RecordPool::create(device()), records);
 		ASSERT_TRUE(on_device);
 		scene_.sheets = {{kFacing, *on_device, 1.0}};
 		drawBoth();

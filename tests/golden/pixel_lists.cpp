@@ -83,7 +83,7 @@ public:
 		for (std::size_t p = 0; p < known.mesh.polygons(); ++p)
 		{
 			const auto polygon = known.mesh.polygon(p);
-			const Vec3 area = slice::doubleArea(known.mesh, polygon);
+			const Vec3 area = mesh::doubleArea(known.mesh, polygon);
 			KnownSheet plane;
 			plane.drawing.sheet = probe::makeSheet(known.mesh.positions[polygon[0]], area);
 			PolygonRecord record{};

@@ -1,8 +1,8 @@
 #include "pixel_lists.h"
 #include "tiling.h"
 
-#include "render/raster_side.h"
-#include "slice/gpu_records.h"
+#include "classify/gpu_records.h"
+#include "render/passes/raster_side.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,7 @@ protected:
 	{
 		Scene scene = bareScene(203, 151, 1);
 		scene.look.background = parseBackground("transparent").value();
-		auto on_device = slice::recordsFromHost(pool(), records);
+		auto on_device = classify::recordsFromHost(pool(), records);
 		EXPECT_TRUE(on_device);
 		scene.sheets.push_back({view.sheet, *on_device, 1.0});
 		scene.camera = view.camera;
@@ -82,15 +82,15 @@ protected:
 		return covered;
 	}
 
-	const std::shared_ptr<slice::RecordPool>& pool()
+	const std::shared_ptr<classify::RecordPool>& pool()
 	{
 		if (!pool_)
-			pool_ = slice::RecordPool::create(device(), 4096);
+			pool_ = classify::RecordPool::create(device(), 4096);
 		return pool_;
 	}
 
 private:
-	std::shared_ptr<slice::RecordPool> pool_;
+	std::shared_ptr<classify::RecordPool> pool_;
 };
 
 // Polygons are parted in two by each bit of their number. If the halves cover every pixel once, then so do all
@@ -140,7 +140,7 @@ TEST_F(Raster, BothWaysAgreeOnRandomProbes)
 		scene.look.bands = seed % 4 == 1 ? 6 : 0;
 		for (const KnownSheet& known : sheets)
 		{
-			auto records = slice::recordsFromHost(pool(), known.records);
+			auto records = classify::recordsFromHost(pool(), known.records);
 			ASSERT_TRUE(records);
 			scene.sheets.push_back(known.drawing);
 			scene.sheets.back().records = *records;
@@ -215,7 +215,7 @@ TEST_F(Raster, LaterPartsCoverEarlierOnes)
 	scene.camera.vertical_field = 35.0;
 	for (const bool computed : {false, true})
 	{
-		auto on_device = slice::recordsFromHost(pool(), records); // several pages
+		auto on_device = classify::recordsFromHost(pool(), records); // several pages
 		ASSERT_TRUE(on_device);
 		(*on_device)->overlapping = !computed;
 		(*on_device)->parts = computed ? parts : std::vector<std::size_t>();
@@ -265,7 +265,7 @@ TEST_F(Raster, CellValuesStayWhatTheyAre)
 	std::vector<PolygonRecord> records = Tiling(random, 90, 2.0, true).records();
 	for (PolygonRecord& record : records)
 		std::fill(std::begin(record.value), std::end(record.value), 0.5f);
-	auto on_device = slice::recordsFromHost(pool(), records);
+	auto on_device = classify::recordsFromHost(pool(), records);
 	ASSERT_TRUE(on_device);
 	scene.sheets.push_back({probe::makeSheet({0.0, 0.0, 0.0}, {0.1, 0.2, 1.0}), *on_device, 1.0});
 	auto drawn = rendererOf(64).draw(scene);

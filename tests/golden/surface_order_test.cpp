@@ -1,7 +1,7 @@
 #include "known_surface.h"
 #include "pixel_lists.h"
 
-#include "slice/gpu_records.h"
+#include "classify/gpu_records.h"
 
 namespace vp::render::test
 {
@@ -28,7 +28,7 @@ class SurfaceOrder : public DrawingTest
 protected:
 	void addLayer(Scene& scene, const KnownSheet& known)
 	{
-		auto records = slice::recordsFromHost(slice::RecordPool::create(device()), known.records);
+		auto records = classify::recordsFromHost(classify::RecordPool::create(device()), known.records);
 		ASSERT_TRUE(records);
 		scene.sheets.push_back(known.drawing);
 		scene.sheets.back().records = *records;

@@ -1,6 +1,6 @@
 #include "known_surface.h"
 
-#include "render/surface_polygons.h"
+#include "render/passes/surface_polygons.h"
 #include "shared/render_types.h"
 
 #include <algorithm>
@@ -17,9 +17,9 @@ namespace
 constexpr Color kOrange{240, 140, 20};
 
 // A unit sphere of quadrangles that are not flat, closed.
-slice::SheetMesh sphere(int around = 24)
+mesh::SheetMesh sphere(int around = 24)
 {
-	slice::SheetMesh mesh;
+	mesh::SheetMesh mesh;
 	const int down = around / 2;
 	const auto at = [&](int i, int j)
 	{
@@ -41,7 +41,7 @@ slice::SheetMesh sphere(int around = 24)
 class SurfaceLook : public DrawingTest
 {
 protected:
-	Surface surface(const slice::SheetMesh& mesh, const SurfaceValues& values = {})
+	Surface surface(const mesh::SheetMesh& mesh, const SurfaceValues& values = {})
 	{
 		auto polygons = surfacePolygons(device(), mesh, values);
 		EXPECT_TRUE(polygons);
@@ -55,7 +55,7 @@ protected:
 	// A square about the origin across the view, of n by n polygons, with values x at the vertices.
 	Surface square(int n, double opacity, bool of_polygons = false)
 	{
-		slice::SheetMesh mesh;
+		mesh::SheetMesh mesh;
 		std::vector<double> polygon_values;
 		for (int j = 0; j < n; ++j)
 			for (int i = 0; i < n; ++i)
@@ -174,7 +174,7 @@ TEST_F(SurfaceLook, ValuesOfPolygonsAndNan)
 	EXPECT_LE(difference(rgb(scene.look.colors.at(0.25)), picture.pixel(60, 50)), 1.0);
 	EXPECT_LE(difference(rgb(scene.look.colors.at(0.75)), picture.pixel(100, 50)), 1.0);
 
-	slice::SheetMesh mesh;
+	mesh::SheetMesh mesh;
 	addPolygon(mesh, {{-1.0, -1.0, 0.0}, {1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}, {-1.0, 1.0, 0.0}});
 	const std::vector<double> values{0.0, std::numeric_limits<double>::quiet_NaN(), 1.0, 1.0};
 	scene.surfaces[0] = surface(mesh, {values, {}});

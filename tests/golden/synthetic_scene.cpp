@@ -1,8 +1,8 @@
 #include "synthetic_scene.h"
 
+#include "classify/gpu_records.h"
+#include "mesh/host_records.h"
 #include "shared/slice_types.h"
-#include "slice/gpu_records.h"
-#include "slice/host_records.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,12 +90,12 @@ SheetDrawing DrawingTest::square(const probe::Sheet& sheet, double half, double 
 				const double value = f(u, v);
 				record.uv[2 * k] = static_cast<float>(u);
 				record.uv[2 * k + 1] = static_cast<float>(v);
-				record.value[k] = slice::drawnValue(value);
+				record.value[k] = mesh::drawnValue(value);
 			}
 			records.push_back(record);
 			records.push_back({}); // a cell that emitted nothing
 		}
-	auto on_device = slice::recordsFromHost(slice::RecordPool::create(device()), records);
+	auto on_device = classify::recordsFromHost(classify::RecordPool::create(device()), records);
 	EXPECT_TRUE(on_device);
 	return {sheet, *on_device, opacity};
 }

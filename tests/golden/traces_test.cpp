@@ -2,7 +2,7 @@
 
 #include "synthetic_scene.h"
 
-#include "render/surface_polygons.h"
+#include "render/passes/surface_polygons.h"
 #include "vectors/trace_mesh.h"
 
 namespace vp::render::test

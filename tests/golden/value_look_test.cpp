@@ -1,8 +1,8 @@
 #include "synthetic_scene.h"
 
-#include "render/value_style.h"
+#include "classify/gpu_records.h"
+#include "render/scene/value_style.h"
 #include "shared/slice_types.h"
-#include "slice/gpu_records.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,7 +168,7 @@ TEST_F(ValueLook, LinesOfCellValuesGoBetweenCells)
 	add(0.0f, 1.0f, -1.0f, 0.5f, 0.7f);
 	add(-1.0f, 0.0f, 0.5f, 1.0f, 0.52f);
 	add(0.0f, 1.0f, 0.5f, 1.0f, 0.7f);
-	auto on_device = slice::recordsFromHost(slice::RecordPool::create(device()), records);
+	auto on_device = classify::recordsFromHost(classify::RecordPool::create(device()), records);
 	ASSERT_TRUE(on_device);
 	scene_.sheets = {{kFacing, *on_device, 1.0}};
 	const Picture lines = draw(scene_);

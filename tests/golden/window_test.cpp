@@ -1,6 +1,6 @@
 #include "synthetic_scene.h"
 
-#include "render/picture_geometry.h"
+#include "render/passes/picture_geometry.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "gpu_fixture.h"
 #include "test_grids.h"
 
-#include "slice/gpu_break_even.h"
+#include "classify/gpu_break_even.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ TEST_F(BreakEven, IsMeasuredOnGridsOfEveryKind)
 		SCOPED_TRACE(block.name);
 		grid::BlockSet set;
 		set.blocks.push_back(block);
-		const auto found = slice::measureBreakEven(device(), set);
+		const auto found = classify::measureBreakEven(device(), set);
 		ASSERT_TRUE(found) << found.error().message;
 		constexpr std::array<std::size_t, 3> kMeasured{2048, 8192, 32768};
 		EXPECT_TRUE(!found->cells || std::ranges::count(kMeasured, *found->cells) == 1);
@@ -27,7 +27,7 @@ TEST_F(BreakEven, IsMeasuredOnGridsOfEveryKind)
 
 TEST_F(BreakEven, IsNowhereWithoutCells)
 {
-	const auto found = slice::measureBreakEven(device(), {});
+	const auto found = classify::measureBreakEven(device(), {});
 	ASSERT_TRUE(found);
 	EXPECT_FALSE(found->cells);
 }

@@ -15,7 +15,7 @@ namespace vp::test
 namespace
 {
 
-using slice::FieldChoice;
+using grid::FieldChoice;
 
 FieldChoice pointField(const char* name, int component = 0)
 {
@@ -36,7 +36,7 @@ probe::Sheet sheetOf(const TestPlane& plane)
 }
 
 // Random planes and degenerate ones through every test grid.
-void cutAllGrids(gpu::Device& device, const slice::GpuBlocksOptions& options, bool singles)
+void cutAllGrids(gpu::Device& device, const classify::GpuBlocksOptions& options, bool singles)
 {
 	for (const grid::Block& block : allGrids())
 	{
@@ -76,7 +76,7 @@ TEST_F(GpuClassifier, AgreesWithTheCpuOnEveryGrid)
 
 TEST_F(GpuClassifier, AgreesWithTheCpuWithoutDoubles)
 {
-	slice::GpuBlocksOptions options;
+	classify::GpuBlocksOptions options;
 	options.doubles = false;
 	cutAllGrids(device(), options, true);
 }
@@ -104,14 +104,14 @@ TEST_F(GpuClassifier, SheetsInLockStepCrossInTheSameCells)
 	const CutBothWays cut = cutBothWays(*blocks, sheets, pointField("s"));
 	expectSameCells(cut);
 	expectRecords(set, sheets, pointField("s"), cut);
-	for (const traverse::LaneCut& lane : cut.gpu)
+	for (const find::CellCut& lane : cut.gpu)
 		EXPECT_GT(lane.cut_cells, 20u);
 }
 
 TEST_F(GpuClassifier, FrontsStraddlePages)
 {
 	const grid::BlockSet set = setNamed({"shell", "hexes"});
-	slice::GpuBlocksOptions options;
+	classify::GpuBlocksOptions options;
 	options.page_records = 64; // less than a wide front
 	const auto blocks = upload(device(), set, options);
 	const std::vector<probe::Sheet> sheets{probe::makeSheet(set.bounds().centre(), {1, 0.3, 0.4}),
@@ -220,7 +220,7 @@ TEST_F(GpuClassifier, PlanesThroughVerticesAreDecidedOnTheDevice)
 TEST_F(GpuClassifier, BlockPastALimitStaysWithTheCpu)
 {
 	const grid::BlockSet set = setNamed({"shell", "tets"});
-	slice::GpuBlocksOptions options;
+	classify::GpuBlocksOptions options;
 	// tets has fewer points but more cells than shell has points.
 	options.max_texels = visitGrid(set.blocks[0], [](const auto& grid) { return grid.pointCount(); });
 	auto cells = visitGrid(set.blocks[1], [](const auto& grid) { return grid.cellCount(); });
@@ -232,7 +232,7 @@ TEST_F(GpuClassifier, BlockPastALimitStaysWithTheCpu)
 	const probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {1, 0.3, 0.4});
 	const CutBothWays cut = cutBothWays(*blocks, std::span(&sheet, 1), pointField("linear"));
 	expectSameCells(cut);
-	for (const slice::SheetRecords::Run& run : cut.records[0]->runs)
+	for (const classify::SheetRecords::Run& run : cut.records[0]->runs)
 		EXPECT_TRUE(blocks->holds(run.block));
 }
 
@@ -296,16 +296,16 @@ TEST_F(GpuClassifier, GenerationsAreOnTheTimeline)
 
 TEST_F(GpuClassifier, HostRecordsFollowThoseOfTheDevice)
 {
-	const auto pool = slice::RecordPool::create(device(), 100);
+	const auto pool = classify::RecordPool::create(device(), 100);
 	std::vector<shared::PolygonRecord> records(250);
 	for (std::size_t i = 0; i < records.size(); ++i)
 		records[i] = {static_cast<std::uint32_t>(i), 3, {0, 0, 1, 0, 0, 1}, {1, 2, 3}};
-	const auto sheet = slice::recordsFromHost(pool, records);
+	const auto sheet = classify::recordsFromHost(pool, records);
 	ASSERT_TRUE(sheet);
 	ASSERT_EQ((*sheet)->pages.size(), 3u);
 	EXPECT_EQ((*sheet)->count(), records.size());
 	std::size_t next = 0;
-	for (const slice::SheetRecords::Page& page : (*sheet)->pages)
+	for (const classify::SheetRecords::Page& page : (*sheet)->pages)
 	{
 		std::vector<shared::PolygonRecord> back(page.count);
 		ASSERT_TRUE(gpu::download(page.page->buffer, 0, std::as_writable_bytes(std::span(back))));

@@ -1,10 +1,11 @@
 #include "cut_both_ways.h"
 #include "gpu_fixture.h"
+#include "surface/gpu_surface.h"
 #include "test_grids.h"
 
 #include "base/timeline.h"
-#include "slice/gpu_surface_lane.h"
-#include "slice/slicer.h"
+#include "classify/gpu_surface_lane.h"
+#include "cut/cutter.h"
 
 #include <fmt/format.h>
 
@@ -22,13 +23,13 @@ probe::Sheet sheetOf(const grid::BlockSet& set, const std::string& form)
 }
 
 // With a device and without the same cells in the same order, with the same words. Returns those that were cut.
-std::size_t expectSameSlices(gpu::Device& device, const grid::BlockSet& set, const slice::SliceRequest& request)
+std::size_t expectSameSlices(gpu::Device& device, const grid::BlockSet& set, const cut::CutRequest& request)
 {
-	auto on_device = slice::Slicer::onDevice(device, set, request.field, nullptr);
+	auto on_device = cut::Cutter::onDevice(device, set, request.field, nullptr);
 	EXPECT_TRUE(on_device) << on_device.error().message;
-	slice::Slicer on_cpu(set);
-	const slice::Slice gpu = std::move((*on_device)->cut(request).value());
-	const slice::Slice cpu = std::move(on_cpu.cut(request).value());
+	cut::Cutter on_cpu(set);
+	const cut::Cut gpu = std::move((*on_device)->cut(request).value());
+	const cut::Cut cpu = std::move(on_cpu.cut(request).value());
 	std::size_t cut_cells = 0;
 	for (std::size_t s = 0; s < request.probe.sheets.size(); ++s)
 	{
@@ -36,7 +37,7 @@ std::size_t expectSameSlices(gpu::Device& device, const grid::BlockSet& set, con
 		cut.gpu = gpu.sheets[s].cuts;
 		cut.cpu = cpu.sheets[s].cuts;
 		expectSameCells(cut);
-		for (const traverse::LaneCut& lane : cut.gpu)
+		for (const find::CellCut& lane : cut.gpu)
 			cut_cells += lane.cut_cells;
 	}
 	return cut_cells;
@@ -53,8 +54,8 @@ TEST_F(CurvedSlice, IsTheSameWithADevice)
 		SCOPED_TRACE(block.name);
 		grid::BlockSet set;
 		set.blocks.push_back(block);
-		slice::SliceRequest request;
-		request.field = slice::FieldChoice{"linear", grid::Association::point, 0};
+		cut::CutRequest request;
+		request.field = grid::FieldChoice{"linear", grid::Association::point, 0};
 		const double size = set.bounds().diagonal();
 		request.probe.sheets = {sheetOf(set, fmt::format("sphere:{}", 0.3 * size)), sheetOf(set, "cone:35"),
 		                        sheetOf(set, fmt::format("cylinder:{}", 0.2 * size)), sheetOf(set, "iso:0.7"),
@@ -69,8 +70,8 @@ TEST_F(CurvedSlice, SoItIsOverSeveralBlocks)
 	grid::BlockSet set;
 	for (const char* name : {"shell", "blob", "tets", "hexagonal_prisms"})
 		set.blocks.push_back(gridNamed(name));
-	slice::SliceRequest request;
-	request.field = slice::FieldChoice{"linear", grid::Association::point, 0};
+	cut::CutRequest request;
+	request.field = grid::FieldChoice{"linear", grid::Association::point, 0};
 	request.probe.sheets = {sheetOf(set, "sphere:1.7"), sheetOf(set, "ellipsoid:2,1,3")};
 	EXPECT_GT(expectSameSlices(device(), set, request), 100u);
 }
@@ -81,10 +82,10 @@ TEST_F(CurvedSlice, WhatWouldTakeLongToCompileStaysWithTheCpu)
 	for (int i = 1; i < 150; ++i)
 		waves += fmt::format(" + tanh(y*{})/{}", i, 100 * i);
 	const surface::BlockSurface of(surface::PlacedExpression(*surface::Expression::parse(waves), {}));
-	EXPECT_FALSE(slice::gpuSurfaceOf(of));
+	EXPECT_FALSE(surface::gpuSurfaceOf(of));
 	grid::BlockSet set;
 	set.blocks.push_back(gridNamed("shell"));
-	slice::SliceRequest request;
+	cut::CutRequest request;
 	request.probe.sheets = {sheetOf(set, waves)};
 	request.probe.sheets[0].origin = Vec3(0.0);
 	EXPECT_GT(expectSameSlices(device(), set, request), 20u);
@@ -96,10 +97,10 @@ TEST_F(CurvedSlice, GenerationsAreOnTheTimeline)
 		GTEST_SKIP() << device().name() << " has no timestamps";
 	grid::BlockSet set;
 	set.blocks.push_back(gridNamed("shell"));
-	auto slicer = slice::Slicer::onDevice(device(), set, {}, nullptr);
+	auto slicer = cut::Cutter::onDevice(device(), set, {}, nullptr);
 	ASSERT_TRUE(slicer) << slicer.error().message;
 	Timeline timeline;
-	slice::SliceRequest request;
+	cut::CutRequest request;
 	request.timeline = &timeline;
 	request.probe.sheets = {sheetOf(set, "sphere:1")};
 	ASSERT_TRUE((*slicer)->cut(request));

@@ -1,9 +1,10 @@
 #include "cut_both_ways.h"
 
 #include "cases/case_table.h"
+#include "classify/cpu_classifier.h"
 #include "gpu/upload.h"
-#include "slice/cpu_classifier.h"
-#include "slice/mesh.h"
+#include "mesh/mesh_values.h"
+#include "mesh/sheet_mesh.h"
 
 #include <map>
 
@@ -13,7 +14,7 @@ namespace vp::test
 namespace
 {
 
-using Lane = traverse::Lane<surface::Plane>;
+using PlaneInBlock = find::SheetInBlock<surface::Plane>;
 
 // Seeds in every piece, some of them not cut.
 std::vector<CellId> seedsOf(const grid::Block& block, const probe::Sheet& sheet)
@@ -25,7 +26,7 @@ std::vector<CellId> seedsOf(const grid::Block& block, const probe::Sheet& sheet)
 	return seeds;
 }
 
-std::vector<shared::PolygonRecord> download(const slice::SheetRecords::Page& page)
+std::vector<shared::PolygonRecord> download(const classify::SheetRecords::Page& page)
 {
 	std::vector<shared::PolygonRecord> records(page.count);
 	EXPECT_TRUE(gpu::download(page.page->buffer, 0, std::as_writable_bytes(std::span(records))));
@@ -45,7 +46,7 @@ struct ExpectedVertex
 class RecordChecker
 {
 public:
-	RecordChecker(const grid::BlockSet& blocks, const std::optional<slice::FieldChoice>& field, bool singles)
+	RecordChecker(const grid::BlockSet& blocks, const std::optional<grid::FieldChoice>& field, bool singles)
 	    : blocks_(blocks), field_(field), singles_(singles)
 	{
 	}
@@ -55,7 +56,7 @@ public:
 	{
 		const grid::Block& block = blocks_.blocks[b];
 		ASSERT_EQ(record.cell, cell);
-		if ((word & shared::kWordWalk) || !(word & shared::kWordCut))
+		if ((word & shared::kCodeWalk) || !(word & shared::kCodeCut))
 		{
 			ASSERT_EQ(record.vertices, 0u);
 			return;
@@ -98,16 +99,16 @@ private:
 			{
 				const PointId a = points.id[entry.edge[e][0]];
 				const PointId c = points.id[entry.edge[e][1]];
-				slice::EdgePoint at{b, std::min(a, c), std::max(a, c), 0.0};
+				mesh::EdgePoint at{b, std::min(a, c), std::max(a, c), 0.0};
 				const Vec3 low = grid.point(at.lower);
 				const Vec3 high = grid.point(at.higher);
 				at.t = plane.signedDistance(low) / (plane.signedDistance(low) - plane.signedDistance(high));
 				const Vec3 from_origin = low + at.t * (high - low) - sheet.origin;
 				double value = field_ ? std::numeric_limits<double>::quiet_NaN() : 0.0;
 				if (values && values->association == grid::Association::point)
-					value = slice::interpolate(block, *values, field_->component, at);
+					value = mesh::interpolate(block, *values, field_->component, at);
 				else if (values)
-					value = slice::cellValue(block, *values, field_->component, cell);
+					value = mesh::cellValue(block, *values, field_->component, cell);
 				polygon.push_back({at.lower, at.higher, glm::dot(from_origin, sheet.xAxis()),
 				                   glm::dot(from_origin, sheet.up), value});
 			}
@@ -126,50 +127,50 @@ private:
 	}
 
 	const grid::BlockSet& blocks_;
-	const std::optional<slice::FieldChoice>& field_;
+	const std::optional<grid::FieldChoice>& field_;
 	bool singles_;
 	std::map<std::array<std::uint32_t, 3>, std::array<float, 2>> vertices_; // of the sheet, by block and edge
 };
 
 } // namespace
 
-CutBothWays cutBothWays(slice::GpuBlocks& blocks, std::span<const probe::Sheet> sheets,
-                        const std::optional<slice::FieldChoice>& field, Timeline* timeline)
+CutBothWays cutBothWays(classify::GpuBlocks& blocks, std::span<const probe::Sheet> sheets,
+                        const std::optional<grid::FieldChoice>& field, Timeline* timeline)
 {
 	const grid::BlockSet& set = blocks.blocks();
-	std::vector<slice::GpuLane> gpu_lanes;
-	std::vector<Lane> lanes;
-	std::vector<std::unique_ptr<traverse::VisitedMarks>> marks;
+	std::vector<classify::GpuLane> gpu_lanes;
+	std::vector<PlaneInBlock> lanes;
+	std::vector<std::unique_ptr<find::VisitedMarks>> marks;
 	for (std::uint32_t s = 0; s < sheets.size(); ++s)
 		for (std::uint32_t b = 0; b < set.blocks.size(); ++b)
 		{
 			gpu_lanes.push_back({s, b});
-			marks.push_back(std::make_unique<traverse::VisitedMarks>(cellCount(set.blocks[b])));
+			marks.push_back(std::make_unique<find::VisitedMarks>(cellCount(set.blocks[b])));
 			lanes.push_back({&set.blocks[b], sheets[s].plane(), marks.back().get(), seedsOf(set.blocks[b], sheets[s])});
 		}
 	const auto traverse = [&](auto& classifier)
 	{
 		for (const auto& mark : marks)
 			mark->beginSlice();
-		Result<std::vector<traverse::LaneCut>> cuts =
-		    traverse::breadthFirst<surface::Plane>(std::span<Lane>(lanes), classifier);
+		Result<std::vector<find::CellCut>> cuts =
+		    find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(lanes), classifier);
 		EXPECT_TRUE(cuts) << cuts.error().message;
 		return std::move(*cuts);
 	};
 
 	CutBothWays cut;
-	slice::CpuClassifier<surface::Plane> cpu(lanes);
+	classify::CpuClassifier<surface::Plane> cpu(lanes);
 	cut.cpu = traverse(cpu);
-	const std::vector<std::optional<slice::FieldChoice>> fields(sheets.size(), field);
-	auto gpu = slice::GpuClassifier::create(blocks, sheets, fields, gpu_lanes, timeline);
+	const std::vector<std::optional<grid::FieldChoice>> fields(sheets.size(), field);
+	auto gpu = classify::GpuClassifier::create(blocks, sheets, fields, gpu_lanes, timeline);
 	EXPECT_TRUE(gpu) << gpu.error().message;
 	cut.gpu = traverse(**gpu);
 	cut.records = (*gpu)->finish();
 	for (std::size_t lane = 0; lane < lanes.size(); ++lane)
 		for (std::size_t i = 0; i < cut.gpu[lane].cells.size(); ++i)
 		{
-			const bool gpu_walks = cut.gpu[lane].words[i] & shared::kWordWalk;
-			cut.walked += gpu_walks && !(cut.cpu[lane].words[i] & shared::kWordWalk);
+			const bool gpu_walks = cut.gpu[lane].words[i] & shared::kCodeWalk;
+			cut.walked += gpu_walks && !(cut.cpu[lane].words[i] & shared::kCodeWalk);
 			++cut.cells;
 		}
 	return cut;
@@ -180,40 +181,40 @@ void expectSameCells(const CutBothWays& cut)
 	ASSERT_EQ(cut.gpu.size(), cut.cpu.size());
 	for (std::size_t lane = 0; lane < cut.gpu.size(); ++lane)
 	{
-		const traverse::LaneCut& gpu = cut.gpu[lane];
-		const traverse::LaneCut& cpu = cut.cpu[lane];
+		const find::CellCut& gpu = cut.gpu[lane];
+		const find::CellCut& cpu = cut.cpu[lane];
 		ASSERT_EQ(gpu.cells, cpu.cells);
 		EXPECT_EQ(gpu.cut_cells, cpu.cut_cells);
 		EXPECT_EQ(gpu.generation_starts, cpu.generation_starts);
 		for (std::size_t i = 0; i < gpu.cells.size(); ++i)
 		{
-			ASSERT_EQ(gpu.words[i] & ~shared::kWordWalk, cpu.words[i] & ~shared::kWordWalk) << "cell " << gpu.cells[i];
+			ASSERT_EQ(gpu.words[i] & ~shared::kCodeWalk, cpu.words[i] & ~shared::kCodeWalk) << "cell " << gpu.cells[i];
 			// What the table cannot say, the GPU does not say either.
-			ASSERT_TRUE(!(cpu.words[i] & shared::kWordWalk) || (gpu.words[i] & shared::kWordWalk))
+			ASSERT_TRUE(!(cpu.words[i] & shared::kCodeWalk) || (gpu.words[i] & shared::kCodeWalk))
 			    << "cell " << gpu.cells[i];
 		}
 	}
 }
 
 void expectRecords(const grid::BlockSet& blocks, std::span<const probe::Sheet> sheets,
-                   const std::optional<slice::FieldChoice>& field, const CutBothWays& cut, bool singles)
+                   const std::optional<grid::FieldChoice>& field, const CutBothWays& cut, bool singles)
 {
 	ASSERT_EQ(cut.records.size(), sheets.size());
 	for (std::size_t s = 0; s < sheets.size(); ++s)
 	{
-		const slice::SheetRecords& records = *cut.records[s];
+		const classify::SheetRecords& records = *cut.records[s];
 		std::vector<std::vector<shared::PolygonRecord>> pages;
 		std::vector<std::vector<bool>> covered;
-		for (const slice::SheetRecords::Page& page : records.pages)
+		for (const classify::SheetRecords::Page& page : records.pages)
 		{
 			pages.push_back(download(page));
 			covered.emplace_back(page.count, false);
 		}
 		RecordChecker checker(blocks, field, singles);
 		std::map<std::uint32_t, std::size_t> next_cell; // per block
-		for (const slice::SheetRecords::Run& run : records.runs)
+		for (const classify::SheetRecords::Run& run : records.runs)
 		{
-			const traverse::LaneCut& lane = cut.gpu[s * blocks.blocks.size() + run.block];
+			const find::CellCut& lane = cut.gpu[s * blocks.blocks.size() + run.block];
 			ASSERT_EQ(run.first_cell, next_cell[run.block]);
 			next_cell[run.block] += run.count;
 			for (std::uint32_t i = 0; i < run.count; ++i)

@@ -3,7 +3,7 @@
 #include "precision_sets.h"
 #include "sliced_sheet.h"
 
-#include "slice/gpu_points.h"
+#include "classify/gpu_points.h"
 
 #include <random>
 
@@ -16,9 +16,9 @@ namespace
 void cutNearWall(gpu::Device& device, const Vec3& offset, bool doubles)
 {
 	const grid::BlockSet set = build(nearWall(offset));
-	slice::GpuBlocksOptions options;
+	classify::GpuBlocksOptions options;
 	options.doubles = doubles;
-	auto blocks = slice::GpuBlocks::create(device, set, options);
+	auto blocks = classify::GpuBlocks::create(device, set, options);
 	ASSERT_TRUE(blocks);
 	std::mt19937 random(17);
 	std::size_t walked = 0;
@@ -71,16 +71,16 @@ TEST_F(GpuPrecision, FineCellsFarAwayGiveTheSameMesh)
 	for (const bool as_hexahedra : {false, true})
 	{
 		const grid::BlockSet set = build(farAway(as_hexahedra));
-		auto blocks = slice::GpuBlocks::create(device(), set, {});
-		auto on_gpu = slice::Slicer::onDevice(device(), set, {}, nullptr);
+		auto blocks = classify::GpuBlocks::create(device(), set, {});
+		auto on_gpu = cut::Cutter::onDevice(device(), set, {}, nullptr);
 		ASSERT_TRUE(blocks && on_gpu);
-		slice::Slicer on_cpu(set);
+		cut::Cutter on_cpu(set);
 		std::size_t walked = 0;
 		std::size_t cells = 0;
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 20, 25))
 		{
-			const slice::SheetMesh cpu = cut(on_cpu, plane).mesh;
-			const slice::SheetMesh gpu = cut(**on_gpu, plane).mesh;
+			const mesh::SheetMesh cpu = cut(on_cpu, plane).mesh;
+			const mesh::SheetMesh gpu = cut(**on_gpu, plane).mesh;
 			EXPECT_EQ(cpu.positions, gpu.positions);
 			EXPECT_EQ(cpu.polygon_vertices, gpu.polygon_vertices);
 			EXPECT_EQ(cpu.polygon_starts, gpu.polygon_starts);
@@ -98,7 +98,7 @@ TEST_F(GpuPrecision, FineCellsFarAwayGiveTheSameMesh)
 TEST(FixedPoints, FlagWhatTheyDoNotHoldExactly)
 {
 	const Box box{Vec3(-3.0, 1e7, 0.0), Vec3(3.0, 1e7 + 30.0, 1e-3)};
-	const slice::FixedPoints fixed(box);
+	const classify::FixedPoints fixed(box);
 	std::mt19937 random(19);
 	const auto unpack = [&](const std::array<std::uint32_t, 4>& packed, int axis)
 	{

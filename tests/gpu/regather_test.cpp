@@ -2,7 +2,7 @@
 #include "gpu_fixture.h"
 #include "test_grids.h"
 
-#include "slice/slicer.h"
+#include "cut/cutter.h"
 
 namespace vp::test
 {
@@ -16,14 +16,14 @@ TEST_F(Regather, GivesTheRecordsOfANewCut)
 	{
 		grid::BlockSet set;
 		set.blocks.push_back(gridNamed(name));
-		const slice::FieldChoice field{"linear", grid::Association::point, 0};
-		auto slicer = slice::Slicer::onDevice(device(), set, field, nullptr);
+		const grid::FieldChoice field{"linear", grid::Association::point, 0};
+		auto slicer = cut::Cutter::onDevice(device(), set, field, nullptr);
 		ASSERT_TRUE(slicer) << slicer.error().message;
-		slice::SliceRequest request;
+		cut::CutRequest request;
 		request.field = field;
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 3, 80))
 			request.probe.sheets.push_back(probe::makeSheet(plane.origin, plane.normal));
-		const slice::Slice before = std::move((*slicer)->cut(request).value());
+		const cut::Cut before = std::move((*slicer)->cut(request).value());
 
 		for (grid::Field& values : set.blocks[0].fields)
 		{
@@ -39,7 +39,7 @@ TEST_F(Regather, GivesTheRecordsOfANewCut)
 		ASSERT_TRUE(after) << after.error().message;
 
 		CutBothWays cut;
-		for (const slice::SheetSlice& sheet : after->sheets)
+		for (const cut::SheetCut& sheet : after->sheets)
 		{
 			cut.gpu.insert(cut.gpu.end(), sheet.cuts.begin(), sheet.cuts.end());
 			cut.records.push_back(sheet.records);

@@ -20,12 +20,12 @@ using surface::Expression;
 using surface::PlacedExpression;
 using surface::Quadric;
 
-SurfaceWords classify(slice::GpuBlocks& blocks, const Quadric& quadric)
+SurfaceWords classify(classify::GpuBlocks& blocks, const Quadric& quadric)
 {
 	return classifyAllCells(blocks, 0, quadric);
 }
 
-SurfaceWords classify(slice::GpuBlocks& blocks, const std::string& text)
+SurfaceWords classify(classify::GpuBlocks& blocks, const std::string& text)
 {
 	SCOPED_TRACE(text);
 	const Result<Expression> expression = Expression::parse(text);

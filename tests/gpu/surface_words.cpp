@@ -1,7 +1,7 @@
 #include "surface_words.h"
 
 #include "exhaustive.h"
-#include "traverse/cell_signs.h"
+#include "find/cell_signs.h"
 
 #include <gtest/gtest.h>
 
@@ -26,14 +26,14 @@ std::vector<std::uint32_t> wordsInDouble(const grid::Block& block, const surface
 			const grid::CellShape shape = grid.shape(cell);
 			if (shape == grid::CellShape::polyhedron)
 			{
-				words.push_back(shared::kWordWalk);
+				words.push_back(shared::kCodeWalk);
 				continue;
 			}
 			const grid::CellPoints points = grid.cellPoints(cell);
 			std::uint32_t index = 0;
 			for (int v = 0; v < points.size; ++v)
 				index |= std::uint32_t(height(grid.point(points.id[v])) >= 0.0) << v;
-			words.push_back(traverse::caseWords(shape)[index]);
+			words.push_back(find::caseWords(shape)[index]);
 		}
 	};
 	visitGrid(block, classify);
@@ -42,15 +42,15 @@ std::vector<std::uint32_t> wordsInDouble(const grid::Block& block, const surface
 
 } // namespace
 
-SurfaceWords classifyAllCells(slice::GpuBlocks& blocks, std::size_t block, const surface::Curved& surface)
+SurfaceWords classifyAllCells(classify::GpuBlocks& blocks, std::size_t block, const surface::Curved& surface)
 {
 	SurfaceWords result;
-	const auto none_left = [](std::span<const traverse::FrontSlice>) -> Status
+	const auto none_left = [](std::span<const find::FrontSlice>) -> Status
 	{
 		ADD_FAILURE() << "the CPU was asked";
 		return Nothing{};
 	};
-	auto classifier = slice::GpuSurfaceClassifier::create(blocks, {{block, surface}}, none_left, nullptr);
+	auto classifier = classify::GpuSurfaceClassifier::create(blocks, {{block, surface}}, none_left, nullptr);
 	EXPECT_TRUE(classifier) << classifier.error().message;
 	if (!classifier)
 		return result;
@@ -58,7 +58,7 @@ SurfaceWords classifyAllCells(slice::GpuBlocks& blocks, std::size_t block, const
 	std::vector<CellId> cells(cellCount(cut));
 	std::iota(cells.begin(), cells.end(), CellId(0));
 	std::vector<std::uint32_t> words(cells.size(), 0xDEADBEEFu);
-	const traverse::FrontSlice front{0, cells, words};
+	const find::FrontSlice front{0, cells, words};
 	const Status done = (*classifier)->classify({&front, 1});
 	EXPECT_TRUE(done) << done.error().message;
 
@@ -66,10 +66,10 @@ SurfaceWords classifyAllCells(slice::GpuBlocks& blocks, std::size_t block, const
 	std::size_t wrong = 0;
 	for (std::size_t i = 0; i < cells.size(); ++i)
 	{
-		const bool left = words[i] == shared::kWordWalk;
+		const bool left = words[i] == shared::kCodeWalk;
 		wrong += !left && words[i] != expected[i];
-		result.walked += left && !(expected[i] & shared::kWordWalk);
-		result.cut += (expected[i] & shared::kWordCut) != 0;
+		result.walked += left && !(expected[i] & shared::kCodeWalk);
+		result.cut += (expected[i] & shared::kCodeCut) != 0;
 	}
 	EXPECT_EQ(wrong, 0u) << "of " << cells.size() << " cells, of which " << result.walked << " were left open";
 	result.cells = cells.size();

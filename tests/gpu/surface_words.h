@@ -1,6 +1,6 @@
 #pragma once
 
-#include "slice/gpu_surface_classifier.h"
+#include "classify/gpu_surface_classifier.h"
 
 namespace vp::test
 {
@@ -14,6 +14,6 @@ struct SurfaceWords
 };
 
 // Expects that every word the device is sure of is that of the signs of the heights of the cell's points.
-SurfaceWords classifyAllCells(slice::GpuBlocks& blocks, std::size_t block, const surface::Curved& surface);
+SurfaceWords classifyAllCells(classify::GpuBlocks& blocks, std::size_t block, const surface::Curved& surface);
 
 } // namespace vp::test

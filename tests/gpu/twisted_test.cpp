@@ -3,8 +3,8 @@
 #include "random_sets.h"
 #include "twisted_sets.h"
 
+#include "cut/cutter.h"
 #include "gpu/upload.h"
-#include "slice/slicer.h"
 
 #include <map>
 
@@ -28,12 +28,12 @@ double areaOf(const shared::PolygonRecord& record)
 
 // Of what is drawn. The device's polygons run as their cells say, those of folded cells the other way; the host's run
 // one way and lie in several records where they have many corners.
-double drawnArea(const slice::SheetRecords& records)
+double drawnArea(const classify::SheetRecords& records)
 {
 	std::vector<std::vector<bool>> from_device;
-	for (const slice::SheetRecords::Page& page : records.pages)
+	for (const classify::SheetRecords::Page& page : records.pages)
 		from_device.emplace_back(page.count, false);
-	for (const slice::SheetRecords::Run& run : records.runs)
+	for (const classify::SheetRecords::Run& run : records.runs)
 		std::fill_n(from_device[run.page].begin() + run.first, run.count, true);
 	double area = 0.0;
 	for (std::size_t p = 0; p < records.pages.size(); ++p)
@@ -46,7 +46,7 @@ double drawnArea(const slice::SheetRecords& records)
 	return area;
 }
 
-double meshArea(const slice::SheetMesh& mesh, const Vec3& normal)
+double meshArea(const mesh::SheetMesh& mesh, const Vec3& normal)
 {
 	Vec3 sum(0.0);
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -59,7 +59,7 @@ double meshArea(const slice::SheetMesh& mesh, const Vec3& normal)
 	return 0.5 * glm::dot(sum, normal);
 }
 
-void expectIdenticalMesh(const slice::SheetMesh& a, const slice::SheetMesh& b)
+void expectIdenticalMesh(const mesh::SheetMesh& a, const mesh::SheetMesh& b)
 {
 	EXPECT_EQ(a.cells_twisted, b.cells_twisted);
 	EXPECT_EQ(a.polygon_starts, b.polygon_starts);
@@ -70,15 +70,15 @@ void expectIdenticalMesh(const slice::SheetMesh& a, const slice::SheetMesh& b)
 // The whole way of a slice with either classifier: the same mesh to the last bit, and drawn with its area.
 void sliceBothWays(gpu::Device& device, const grid::BlockSet& set, const TestPlane& plane)
 {
-	slice::SliceRequest request;
+	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
-	slice::Slicer on_cpu(set);
-	auto on_gpu = slice::Slicer::onDevice(device, set, {}, nullptr);
+	cut::Cutter on_cpu(set);
+	auto on_gpu = cut::Cutter::onDevice(device, set, {}, nullptr);
 	ASSERT_TRUE(on_gpu) << on_gpu.error().message;
-	const Result<slice::Slice> cpu = on_cpu.cut(request);
-	const Result<slice::Slice> gpu = (*on_gpu)->cut(request);
+	const Result<cut::Cut> cpu = on_cpu.cut(request);
+	const Result<cut::Cut> gpu = (*on_gpu)->cut(request);
 	ASSERT_TRUE(cpu && gpu);
-	const slice::SheetMesh mesh = cpu->mesh(set, 0);
+	const mesh::SheetMesh mesh = cpu->mesh(set, 0);
 	expectIdenticalMesh(mesh, gpu->mesh(set, 0));
 	const double area = meshArea(mesh, request.probe.sheets[0].normal);
 	EXPECT_NEAR(drawnArea(*gpu->sheets[0].records), area, 1e-5 * area);
@@ -99,10 +99,10 @@ void cutMasks(gpu::Device& device, LatticeKind kind, std::uint32_t step)
 	}
 	grid::BlockSet set = build(raw);
 	set.interfaces = {}; // the blocks lie one in the other and have nothing to do with each other
-	const auto blocks = slice::GpuBlocks::create(device, set, {});
+	const auto blocks = classify::GpuBlocks::create(device, set, {});
 	ASSERT_TRUE(blocks) << blocks.error().message;
 	const probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
-	const slice::FieldChoice linear{"linear", grid::Association::point, 0};
+	const grid::FieldChoice linear{"linear", grid::Association::point, 0};
 	const CutBothWays cut = cutBothWays(**blocks, std::span(&sheet, 1), linear);
 	expectSameCells(cut);
 	expectRecords(set, std::span(&sheet, 1), linear, cut, !(*blocks)->usesDoubles());
@@ -133,7 +133,7 @@ TEST_F(GpuTwisted, RandomSetsAndPlanes)
 	{
 		SCOPED_TRACE(number);
 		const grid::BlockSet set = build(randomSet(5000 + number));
-		const auto blocks = slice::GpuBlocks::create(device(), set, {});
+		const auto blocks = classify::GpuBlocks::create(device(), set, {});
 		ASSERT_TRUE(blocks) << blocks.error().message;
 		for (unsigned n = 0; n < 4; ++n)
 		{

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "slice/gpu_blocks.h"
+#include "classify/gpu_blocks.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 namespace vp::test
 {
 
-inline std::unique_ptr<slice::GpuBlocks> upload(gpu::Device& device, const grid::BlockSet& set,
-                                                const slice::GpuBlocksOptions& options = {})
+inline std::unique_ptr<classify::GpuBlocks> upload(gpu::Device& device, const grid::BlockSet& set,
+                                                   const classify::GpuBlocksOptions& options = {})
 {
-	auto made = slice::GpuBlocks::create(device, set, options);
+	auto made = classify::GpuBlocks::create(device, set, options);
 	EXPECT_TRUE(made) << made.error().message;
 	return std::move(*made);
 }

@@ -3,7 +3,7 @@
 #include "same_mesh.h"
 #include "test_grids.h"
 
-#include "slice/slicer.h"
+#include "cut/cutter.h"
 
 #include <set>
 #include <string>
@@ -19,11 +19,11 @@ using WideFront = GpuTest;
 // Without cells that the device leaves to the host.
 const std::set<std::string> kWholeOnDevice = {"shell", "tets", "mixed", "blob", "graded"};
 
-std::vector<CellId> cutCells(const traverse::LaneCut& cut)
+std::vector<CellId> cutCells(const find::CellCut& cut)
 {
 	std::vector<CellId> cells;
 	for (std::size_t i = 0; i < cut.cells.size(); ++i)
-		if (cut.words[i] & shared::kWordCut)
+		if (cut.words[i] & shared::kCodeCut)
 			cells.push_back(cut.cells[i]);
 	return sorted(std::move(cells));
 }
@@ -37,25 +37,25 @@ TEST_F(WideFront, ShowsWhatTheTraversalShows)
 		SCOPED_TRACE(block.name);
 		grid::BlockSet set;
 		set.blocks.push_back(block);
-		const slice::FieldChoice field{"linear", grid::Association::point, 0};
-		auto slicer = slice::Slicer::onDevice(device(), set, field, nullptr);
+		const grid::FieldChoice field{"linear", grid::Association::point, 0};
+		auto slicer = cut::Cutter::onDevice(device(), set, field, nullptr);
 		ASSERT_TRUE(slicer) << slicer.error().message;
-		slice::SliceRequest request;
+		cut::CutRequest request;
 		request.field = field;
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 4, 81))
 			request.probe.sheets.push_back(probe::makeSheet(plane.origin, plane.normal));
 		const double size = set.bounds().diagonal();
 		request.probe.sheets.back().window = probe::centredWindow(0.3 * size, 0.2 * size);
-		const slice::Slice expected = std::move((*slicer)->cut(request).value());
+		const cut::Cut expected = std::move((*slicer)->cut(request).value());
 
-		for (const slice::Finder finder : {slice::Finder::direct, slice::Finder::automatic})
+		for (const find::Finder finder : {find::Finder::direct, find::Finder::automatic})
 		{
 			request.finder = finder;
-			const slice::Slice found = std::move((*slicer)->cut(request).value());
+			const cut::Cut found = std::move((*slicer)->cut(request).value());
 			CutBothWays cut;
 			for (std::size_t s = 0; s < found.sheets.size(); ++s)
 			{
-				const slice::SheetSlice& sheet = found.sheets[s];
+				const cut::SheetCut& sheet = found.sheets[s];
 				EXPECT_EQ(cutCells(sheet.cuts[0]), cutCells(expected.sheets[s].cuts[0]));
 				expectSameMesh(found.mesh(set, s), expected.mesh(set, s));
 				at_once += sheet.cuts[0].generations() == 1;

@@ -63,7 +63,7 @@ vtkSmartPointer<vtkPolyData> inFans(vtkPolyData* surface)
 
 vtkSmartPointer<vtkPolyData> clipped(vtkSmartPointer<vtkPolyData> surface, const contour::ClipBox& box)
 {
-	for (const slice::ClipSide& side : box.sides())
+	for (const mesh::ClipSide& side : box.sides())
 	{
 		vtkNew<vtkPlane> plane;
 		const Vec3 on = box.frame().origin + side.least * side.axis;
@@ -125,10 +125,10 @@ double areaOnSheet(vtkPolyData* surface, const contour::ClipBox& box)
 void expectSame(const grid::BlockSet& set, const std::string& array, const TestPlane& plane, double width,
                 double height, std::initializer_list<double> parts = {0.2, 0.5, 0.8})
 {
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	SlicedSheet sheet =
-	    cut(slicer, plane, {}, slice::Finder::automatic, std::optional(probe::centredWindow(width, height)));
-	sheet.slice.field = slice::FieldChoice{array, grid::Association::point, 0};
+	    cut(slicer, plane, {}, find::Finder::automatic, std::optional(probe::centredWindow(width, height)));
+	sheet.slice.field = grid::FieldChoice{array, grid::Association::point, 0};
 	const contour::BoxContourer contourer(slicer, sheet.slice, sheet.mesh, std::nullopt);
 	const auto [least, most] = contourer.range().value();
 	const auto peer = vtkCellsOf(set.blocks[0], *sheet.slice.field->in(set.blocks[0]));
@@ -142,7 +142,7 @@ void expectSame(const grid::BlockSet& set, const std::string& array, const TestP
 		const contour::Contour contour = contourer.grow(value).value();
 		filter->SetValue(0, value);
 		filter->Update();
-		const double ours = slice::measure(set, contour.mesh, {}).area;
+		const double ours = measure::measure(set, contour.mesh, {}).area;
 		const double theirs = areaOnSheet(clipped(inFans(filter->GetOutput()), contourer.box()), contourer.box());
 		EXPECT_GT(ours, 0.0);
 		// Where a cell's surface is ambiguous each has a rule of its own.

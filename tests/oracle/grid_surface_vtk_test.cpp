@@ -1,7 +1,8 @@
 #include "sliced_sheet.h"
 #include "test_grids.h"
 
-#include "slice/grid_surface.h"
+#include "mesh/listed_mesh.h"
+#include "mesh/mesh_values.h"
 
 #include <gtest/gtest.h>
 #include <vtkContourFilter.h>
@@ -72,14 +73,14 @@ std::vector<Place> placesOf(vtkPolyData* data)
 	return places;
 }
 
-std::vector<Place> placesOf(const grid::BlockSet& set, const slice::SheetMesh& mesh)
+std::vector<Place> placesOf(const grid::BlockSet& set, const mesh::SheetMesh& mesh)
 {
 	std::vector<Place> places;
-	const auto fields = slice::FieldChoice{"linear", grid::Association::point, 0}.inEach(set);
+	const auto fields = grid::FieldChoice{"linear", grid::Association::point, 0}.inEach(set);
 	for (std::size_t v = 0; v < mesh.positions.size(); ++v)
 	{
 		const Vec3& at = mesh.positions[v];
-		places.emplace_back(at.x, at.y, at.z, slice::vertexValue(set, mesh, v, fields, 0));
+		places.emplace_back(at.x, at.y, at.z, mesh::vertexValue(set, mesh, v, fields, 0));
 	}
 	return places;
 }
@@ -146,11 +147,11 @@ TEST(GridSurfaceVtk, AtPointsItIsWhatExtractGridGives)
 				geometry->Update();
 				vtkPolyData* theirs = geometry->GetOutput();
 
-				const slice::SheetMesh ours = slice::gridSurfaceMesh(set, at, slice::gridSurfaceCells(set, at));
+				const mesh::SheetMesh ours = mesh::gridIndexMesh(set, at, find::gridIndexCells(set, at));
 				SCOPED_TRACE(testing::Message() << name << " " << surface::nameOf(at));
 				EXPECT_EQ(static_cast<vtkIdType>(ours.polygons()), theirs->GetNumberOfCells());
 				expectSame(placesOf(set, ours), placesOf(theirs), 2e-6);
-				EXPECT_NEAR(slice::measure(set, ours, {}).area, areaOfQuads(theirs), 1e-6 * areaOfQuads(theirs));
+				EXPECT_NEAR(measure::measure(set, ours, {}).area, areaOfQuads(theirs), 1e-6 * areaOfQuads(theirs));
 			}
 	}
 }
@@ -171,7 +172,7 @@ TEST(GridSurfaceVtk, BetweenPointsItIsTheContourOfTheirSubscript)
 				contour->SetInputData(peer);
 				contour->SetValue(0, index);
 				contour->Update();
-				const slice::SheetMesh ours = slice::gridSurfaceMesh(set, at, slice::gridSurfaceCells(set, at));
+				const mesh::SheetMesh ours = mesh::gridIndexMesh(set, at, find::gridIndexCells(set, at));
 				SCOPED_TRACE(testing::Message() << name << " " << surface::nameOf(at));
 				expectSame(placesOf(set, ours), placesOf(contour->GetOutput()), 1e-5);
 			}

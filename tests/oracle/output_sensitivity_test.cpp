@@ -19,7 +19,7 @@ struct Work
 	double boundary_tests = 0.0;
 };
 
-Work workOf(slice::Slicer& slicer, const TestPlane& plane, const seed::SeedOptions& seeds = {})
+Work workOf(cut::Cutter& slicer, const TestPlane& plane, const seed::SeedOptions& seeds = {})
 {
 	const SlicedSheet sheet = cut(slicer, plane, seeds);
 	return {static_cast<double>(sheet.cutCellCount()), static_cast<double>(sheet.touched()),
@@ -51,7 +51,7 @@ TEST(OutputSensitivity, WorkIsBoundedByTheCut)
 	      std::pair("tets", 20), std::pair("mixed", 24), std::pair("blob", 32), std::pair("graded", 32)})
 	{
 		const grid::BlockSet set = std::move(grid::makeDemo(name, n).value());
-		slice::Slicer slicer(set);
+		cut::Cutter slicer(set);
 		for (const TestPlane& plane : planesThrough(set.bounds()))
 		{
 			for (const bool lattice : {false, true})
@@ -74,8 +74,8 @@ TEST(OutputSensitivity, WorkGrowsWithTheCut)
 		const int n = std::string(name) == "shell" ? 32 : 15;
 		const grid::BlockSet coarse = std::move(grid::makeDemo(name, n).value());
 		const grid::BlockSet fine = std::move(grid::makeDemo(name, 2 * n).value());
-		slice::Slicer coarse_slicer(coarse);
-		slice::Slicer fine_slicer(fine);
+		cut::Cutter coarse_slicer(coarse);
+		cut::Cutter fine_slicer(fine);
 		Work small;
 		Work large;
 		const auto add = [](Work& sum, const Work& part)

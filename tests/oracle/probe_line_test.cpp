@@ -1,7 +1,8 @@
+#include "cut/cutter.h"
+#include "measure/plane_triangles.h"
+#include "measure/sheet_line.h"
+#include "mesh/mesh_values.h"
 #include "read/read.h"
-#include "slice/plane_triangles.h"
-#include "slice/sheet_line.h"
-#include "slice/slicer.h"
 
 #include <gtest/gtest.h>
 #include <vtkDataArray.h>
@@ -32,14 +33,14 @@ TEST(ProbeLine, RealTetrahedraAsVtkProbesThem)
 	const grid::BlockSet blocks = read::readInputs({path}, {}, nullptr).value();
 	const Vec3 lo = blocks.bounds().lo;
 	const Vec3 size = blocks.bounds().hi - lo;
-	const slice::FieldChoice field = slice::chooseField(blocks, "", "").value().value();
-	const auto [low, high] = slice::fieldRange(blocks, field);
+	const grid::FieldChoice field = grid::chooseField(blocks, "", "").value().value();
+	const auto [low, high] = grid::fieldRange(blocks, field);
 
-	slice::Slicer slicer(blocks);
-	slice::SliceRequest request;
+	cut::Cutter slicer(blocks);
+	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet(lo + 0.47 * size, {0.2, 0.7, 0.4})};
 	const probe::Sheet sheet = request.probe.sheets[0];
-	const slice::SheetMesh mesh = slicer.cut(std::move(request)).value().mesh(blocks, 0);
+	const mesh::SheetMesh mesh = slicer.cut(std::move(request)).value().mesh(blocks, 0);
 	const double reach = glm::length(size);
 	const glm::dvec2 from(-0.7 * reach, -0.31 * reach);
 	const glm::dvec2 to(0.7 * reach, 0.42 * reach);
@@ -48,9 +49,9 @@ TEST(ProbeLine, RealTetrahedraAsVtkProbesThem)
 	places->SetDataTypeToDouble();
 	std::vector<double> ours;
 	const std::vector<const grid::Field*> fields = field.inEach(blocks);
-	const auto value = [&](std::uint32_t v) { return slice::vertexValue(blocks, mesh, v, fields, field.component); };
-	const auto atSide = [&](const slice::SideCrossing& s) { return value(s.a) + s.part * (value(s.b) - value(s.a)); };
-	for (const slice::LinePiece& piece : slice::alongLine(mesh, slice::planePoints(mesh, sheet), from, to))
+	const auto value = [&](std::uint32_t v) { return mesh::vertexValue(blocks, mesh, v, fields, field.component); };
+	const auto atSide = [&](const measure::SideCrossing& s) { return value(s.a) + s.part * (value(s.b) - value(s.a)); };
+	for (const measure::LinePiece& piece : measure::alongLine(mesh, measure::planePoints(mesh, sheet), from, to))
 	{
 		const glm::dvec2 uv = from + 0.5 * (piece.enter.t + piece.leave.t) * (to - from);
 		const Vec3 at = sheet.origin + uv.x * sheet.xAxis() + uv.y * sheet.up;

@@ -151,7 +151,7 @@ std::vector<TestPlane> planesFor(const grid::Block& block)
 }
 
 // Of the polygons of each cell together, by the mesh's own winding.
-std::map<CellId, double> polygonAreas(const slice::SheetMesh& mesh, const Vec3& normal)
+std::map<CellId, double> polygonAreas(const mesh::SheetMesh& mesh, const Vec3& normal)
 {
 	std::map<CellId, double> areas;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -181,7 +181,7 @@ TEST(Scan, TraversalFindsEveryCutCell)
 	for (const grid::Block& block : allGrids())
 	{
 		const grid::BlockSet set = setOf(block);
-		slice::Slicer slicer(set);
+		cut::Cutter slicer(set);
 		for (const TestPlane& plane : planesFor(block))
 			ASSERT_EQ(cut(slicer, plane).cutCells(), scanCutCells(block, plane)) << describe(block, plane);
 	}
@@ -192,7 +192,7 @@ TEST(Scan, TheSideOfTheNormalDoesNotMatter)
 	for (const grid::Block& block : allGrids())
 	{
 		const grid::BlockSet set = setOf(block);
-		slice::Slicer slicer(set);
+		cut::Cutter slicer(set);
 		for (const TestPlane& plane : randomPlanes(block.bounds, 20, 22))
 			ASSERT_EQ(cut(slicer, plane).cutCells(), cut(slicer, {plane.origin, -3.0 * plane.normal}).cutCells())
 			    << describe(block, plane);
@@ -204,7 +204,7 @@ TEST(Scan, PolygonsHaveTheAreaOfTheCellsSection)
 	for (const grid::Block& block : allGrids())
 	{
 		const grid::BlockSet set = setOf(block);
-		slice::Slicer slicer(set);
+		cut::Cutter slicer(set);
 		const double scale = block.bounds.diagonal() * block.bounds.diagonal();
 		std::size_t compared = 0;
 		std::size_t unknown = 0;
@@ -245,7 +245,7 @@ TEST(Scan, TheWholeAreaIsTheLineIntegralAroundIt)
 		if (block.name == "three_on_a_face" || block.name == "inverted")
 			continue; // cells overlap, or their faces are not oriented alike
 		const grid::BlockSet set = setOf(block);
-		slice::Slicer slicer(set);
+		cut::Cutter slicer(set);
 		std::size_t compared = 0;
 		for (const TestPlane& plane : randomPlanes(block.bounds, 100, 23))
 		{

@@ -89,7 +89,7 @@ TEST_P(VtkCutterTest, FindsTheSame)
 	const auto [name, n] = GetParam();
 	const grid::BlockSet set = std::move(grid::makeDemo(name, n).value());
 	const vtkSmartPointer<vtkUnstructuredGrid> peer = vtkCellsOf(set.blocks[0], set.blocks[0].fields[0]);
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	for (const TestPlane& plane : randomPlanes(set.bounds(), 25, 100))
 	{
 		const SlicedSheet sheet = cut(slicer, plane);
@@ -97,7 +97,7 @@ TEST_P(VtkCutterTest, FindsTheSame)
 			continue;
 		const VtkCut expected = cutByVtk(peer, plane);
 		std::set<CellId> cells;
-		for (const slice::BlockCell& from : sheet.mesh.polygon_cells)
+		for (const mesh::BlockCell& from : sheet.mesh.polygon_cells)
 			cells.insert(from.cell);
 		EXPECT_EQ(cells, expected.cells);
 		EXPECT_EQ(sheet.mesh.positions.size(), expected.vertices);
@@ -105,8 +105,8 @@ TEST_P(VtkCutterTest, FindsTheSame)
 		{
 			EXPECT_EQ(sheet.mesh.polygons(), expected.polygons);
 		}
-		const slice::SheetMeasure measure =
-		    slice::measure(set, sheet.mesh, slice::FieldChoice{"s", grid::Association::point, 0});
+		const measure::SheetMeasure measure =
+		    measure::measure(set, sheet.mesh, grid::FieldChoice{"s", grid::Association::point, 0});
 		EXPECT_NEAR(measure.area, expected.area, 1e-9 * expected.area);
 		EXPECT_NEAR(measure.mean.value(), expected.mean, 1e-6);
 	}

@@ -188,7 +188,7 @@ void compareTraces(const char* file, const char* array)
 	if (!std::filesystem::exists(path))
 		GTEST_SKIP() << path << " is not there";
 	const grid::BlockSet blocks = read::readInputs({path}, {}, nullptr).value();
-	const slice::FieldChoice choice = vectors::chooseVectors(blocks, array).value();
+	const grid::FieldChoice choice = vectors::chooseVectors(blocks, array).value();
 	const grid::Block& block = blocks.blocks[0];
 	const vectors::BlockVectors values(choice.in(block));
 	const vtkNew<vtkUnstructuredGrid> grid = asVtk(block, values);

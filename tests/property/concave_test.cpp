@@ -1,4 +1,4 @@
-#include "slice/host_records.h"
+#include "mesh/host_records.h"
 #include "twisted_sets.h"
 
 #include "sliced_sheet.h"
@@ -32,7 +32,7 @@ bool segmentsCross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, c
 	return turn(a, b, c, normal) * turn(a, b, d, normal) < 0.0 && turn(c, d, a, normal) * turn(c, d, b, normal) < 0.0;
 }
 
-Witness witnessOf(const slice::SheetMesh& mesh, std::size_t p, const Vec3& normal)
+Witness witnessOf(const mesh::SheetMesh& mesh, std::size_t p, const Vec3& normal)
 {
 	std::vector<Vec3> corners;
 	Vec3 middle(0.0);
@@ -73,14 +73,14 @@ void forSections(Visit&& visit)
 		SCOPED_TRACE(mask);
 		const TwistedSet twisted = twistedSet(LatticeKind::doubles, mask, mask);
 		const grid::BlockSet set = build(twisted.raw);
-		slice::Slicer slicer(set);
+		cut::Cutter slicer(set);
 		visit(set, cut(slicer, twisted.plane));
 		if (testing::Test::HasFailure())
 			return;
 	}
 }
 
-const slice::FieldChoice kLinear{"linear", grid::Association::point, 0};
+const grid::FieldChoice kLinear{"linear", grid::Association::point, 0};
 
 } // namespace
 
@@ -99,10 +99,10 @@ TEST(Concave, AreaAndMeanAreThePolygons)
 			    sum.unsigned_ += one.unsigned_;
 		    }
 		    too_much = std::max(too_much, sum.unsigned_ - sum.area);
-		    const slice::SheetMeasure measure = slice::measure(set, sheet.mesh, kLinear);
+		    const measure::SheetMeasure measure = measure::measure(set, sheet.mesh, kLinear);
 		    EXPECT_NEAR(measure.area, sum.area, 1e-12 * sum.area);
 		    EXPECT_NEAR(measure.mean.value(), sum.moment / sum.area, 1e-11);
-		    EXPECT_NEAR(slice::measure(set, sheet.mesh, {}).area, sum.area, 1e-12 * sum.area);
+		    EXPECT_NEAR(measure::measure(set, sheet.mesh, {}).area, sum.area, 1e-12 * sum.area);
 	    });
 	EXPECT_GT(too_much, 0.01);
 }
@@ -114,7 +114,7 @@ TEST(Concave, RecordsCoverThePolygonAndNothingElse)
 	forSections(
 	    [&](const grid::BlockSet& set, const SlicedSheet& sheet)
 	    {
-		    const auto records = slice::recordsFromMesh(set, sheet.slice.sheet, sheet.mesh, kLinear);
+		    const auto records = mesh::recordsFromMesh(set, sheet.slice.sheet, sheet.mesh, kLinear);
 		    std::size_t next = 0;
 		    for (std::size_t p = 0; p < sheet.mesh.polygons(); ++p)
 		    {

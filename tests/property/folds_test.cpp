@@ -31,7 +31,7 @@ TEST(Folds, PiecesInsideAreFound)
 		for (const double by : {1.4, -1.4, 2.3})
 		{
 			const grid::BlockSet set = build(peaked(kind, {0.0, 0.0, by}));
-			slice::Slicer slicer(set);
+			cut::Cutter slicer(set);
 			for (int step = 1; step < 50; ++step)
 			{
 				const TestPlane plane{{2.5, 2.5, 0.1 * step + 0.01}, {0, 0, 1}};
@@ -40,7 +40,7 @@ TEST(Folds, PiecesInsideAreFound)
 			}
 		}
 	const grid::BlockSet set = build(peaked(LatticeKind::curvilinear, {0.0, 0.0, 1.4}));
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	EXPECT_EQ(cut(slicer, {{2.5, 2.5, 3.2}, {0, 0, 1}}).cutCellCount(), 33u);
 }
 
@@ -51,7 +51,7 @@ TEST(Folds, AxesThatTurnBack)
 	block.grid = grid::RectilinearGrid(there_and_back, there_and_back, there_and_back);
 	grid::finishBlock(block);
 	const grid::BlockSet set = setOf(block);
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	for (const TestPlane& plane : randomPlanes(block.bounds, 100, 26))
 		EXPECT_EQ(cut(slicer, plane).cutCells(), scanCutCells(block, plane));
 }

@@ -35,7 +35,7 @@ double areaSlack(const grid::BlockSet& set, const SlicedSheet& sheet, double rou
 		double shift = 0.0;
 		for (const std::uint32_t v : sheet.mesh.polygon(p))
 		{
-			const slice::EdgePoint& edge = sheet.mesh.edges[v];
+			const mesh::EdgePoint& edge = sheet.mesh.edges[v];
 			const Vec3 along = visitGrid(set.blocks[edge.block], [&](const auto& grid)
 			                             { return grid.point(edge.higher) - grid.point(edge.lower); });
 			const double rise = std::abs(glm::dot(along, normal));
@@ -51,7 +51,7 @@ double areaSlack(const grid::BlockSet& set, const SlicedSheet& sheet, double rou
 
 double meanOf(const grid::BlockSet& set, const SlicedSheet& sheet)
 {
-	return slice::measure(set, sheet.mesh, slice::FieldChoice{"linear", grid::Association::point, 0})
+	return measure::measure(set, sheet.mesh, grid::FieldChoice{"linear", grid::Association::point, 0})
 	    .mean.value_or(0.0);
 }
 
@@ -129,7 +129,7 @@ void checkShuffled(const Pair& pair, const Comparison& comparison, std::mt19937&
 		if (raw.blocks[b].kind == RawKind::cells)
 			raw.blocks[b] = shuffled(pair.raw.blocks[b], random, orders[b]);
 	const grid::BlockSet set = build(raw);
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	const SlicedSheet sheet = cut(slicer, pair.asked);
 	std::vector<std::vector<std::size_t>> cells = sourceCells(set, sheet);
 	for (std::size_t b = 0; b < cells.size(); ++b)
@@ -158,7 +158,7 @@ void checkMoved(const Pair& pair, const Comparison& comparison, std::mt19937& ra
 	if (std::ranges::any_of(raw.blocks, &RawBlock::floats))
 		return;
 	const grid::BlockSet set = build(raw);
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	const TestPlane plane{motion(pair.plane.origin), motion.turned(pair.plane.normal)};
 	const SlicedSheet sheet = cut(slicer, plane);
 	if (keepsArea(pair))
@@ -172,7 +172,7 @@ void checkInvariance(const Pair& pair, unsigned seed)
 {
 	std::mt19937 random(seed);
 	const Comparison comparison(pair);
-	slice::Slicer slicer(pair.set);
+	cut::Cutter slicer(pair.set);
 	const double rounding = roundingOf(pair.set, pair.plane);
 	const auto again = [&](const char* how, const TestPlane& plane, double shift)
 	{

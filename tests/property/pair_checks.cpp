@@ -1,5 +1,6 @@
 #include "pair_checks.h"
 
+#include "mesh/mesh_values.h"
 #include "same_mesh.h"
 #include "seed/cut_cells.h"
 
@@ -16,7 +17,7 @@ namespace
 
 constexpr double kUlp = 2.3e-16;
 
-std::pair<Vec3, Vec3> endsOf(const grid::BlockSet& set, const slice::EdgePoint& edge)
+std::pair<Vec3, Vec3> endsOf(const grid::BlockSet& set, const mesh::EdgePoint& edge)
 {
 	return visitGrid(set.blocks[edge.block],
 	                 [&](const auto& grid) { return std::pair(grid.point(edge.lower), grid.point(edge.higher)); });
@@ -36,7 +37,7 @@ std::vector<CellId> cellsOfTree(const grid::Block& block, const TestPlane& test_
 	return sorted(std::move(cells));
 }
 
-double areaOf(const slice::SheetMesh& mesh, std::size_t polygon, const Vec3& normal)
+double areaOf(const mesh::SheetMesh& mesh, std::size_t polygon, const Vec3& normal)
 {
 	const auto corners = mesh.polygon(polygon);
 	Vec3 sum(0.0);
@@ -94,10 +95,10 @@ void checkCells(const Pair& pair)
 
 void checkVertices(const Pair& pair)
 {
-	const slice::SheetMesh& mesh = pair.sheet.mesh;
+	const mesh::SheetMesh& mesh = pair.sheet.mesh;
 	const Side side(pair.plane);
 	const double rounding = roundingOf(pair.set, pair.plane);
-	const slice::FieldChoice linear{"linear", grid::Association::point, 0};
+	const grid::FieldChoice linear{"linear", grid::Association::point, 0};
 	for (std::size_t v = 0; v < mesh.positions.size(); ++v)
 	{
 		const Vec3& p = mesh.positions[v];
@@ -108,7 +109,7 @@ void checkVertices(const Pair& pair)
 		EXPECT_LE(largest(p - (a + t * (b - a))), rounding);
 		EXPECT_LE(std::abs(side.distance(p)), rounding);
 		const grid::Block& block = pair.set.blocks[mesh.edges[v].block];
-		const double value = slice::interpolate(block, *linear.in(block), 0, mesh.edges[v]);
+		const double value = mesh::interpolate(block, *linear.in(block), 0, mesh.edges[v]);
 		EXPECT_NEAR(value, linearAt(p), 8.0 * rounding + 16.0 * kUlp);
 	}
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -258,7 +259,7 @@ private:
 
 void checkAreas(const Pair& pair)
 {
-	const slice::SheetMesh& mesh = pair.sheet.mesh;
+	const mesh::SheetMesh& mesh = pair.sheet.mesh;
 	std::map<std::pair<std::uint32_t, CellId>, double> areas;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
 		areas[{mesh.polygon_cells[p].block, mesh.polygon_cells[p].cell}] +=
@@ -285,13 +286,13 @@ void checkAreas(const Pair& pair)
 	EXPECT_TRUE(areas.empty()) << "polygons of cells that are not cut";
 }
 
-void checkFinders(const Pair& pair, slice::Slicer& slicer, const std::optional<probe::Window>& window)
+void checkFinders(const Pair& pair, cut::Cutter& slicer, const std::optional<probe::Window>& window)
 {
-	const SlicedSheet expected = window ? cut(slicer, pair.asked, {}, slice::Finder::traversal, window) : pair.sheet;
-	const SlicedSheet found = cut(slicer, pair.asked, {}, slice::Finder::automatic, window);
+	const SlicedSheet expected = window ? cut(slicer, pair.asked, {}, find::Finder::traversal, window) : pair.sheet;
+	const SlicedSheet found = cut(slicer, pair.asked, {}, find::Finder::automatic, window);
 	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
 		EXPECT_EQ(found.slice.cutCells(b), expected.slice.cutCells(b)) << "block " << b;
-	const SlicedSheet spread = cut(slicer, pair.asked, {.lattice = true}, slice::Finder::traversal, window);
+	const SlicedSheet spread = cut(slicer, pair.asked, {.lattice = true}, find::Finder::traversal, window);
 	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
 		EXPECT_EQ(spread.cutCells(b), expected.cutCells(b)) << "hot spots, block " << b;
 	if (pair.set.interfaces.seam_faces == 0)

@@ -39,7 +39,7 @@ struct Shifts
 
 	void add(const Pair& pair)
 	{
-		const slice::SheetMesh& mesh = pair.sheet.mesh;
+		const mesh::SheetMesh& mesh = pair.sheet.mesh;
 		const Vec normal(Side(pair.plane).normal());
 		for (std::size_t p = 0; p < mesh.polygons(); ++p)
 		{
@@ -84,7 +84,7 @@ Shifts checkAll(const RawSet& raw, double layers)
 {
 	const grid::BlockSet set = build(raw);
 	EXPECT_TRUE(set.blocks[0].inverted.empty());
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	Shifts shifts;
 	for (const TestPlane& asked : planesOf(set.bounds(), layers))
 	{

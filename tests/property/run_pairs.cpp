@@ -48,7 +48,7 @@ void runPairs(unsigned first, unsigned count)
 	}
 	RawSet raw;
 	grid::BlockSet set;
-	std::unique_ptr<slice::Slicer> slicer;
+	std::unique_ptr<cut::Cutter> slicer;
 	for (unsigned number = first; number < last; ++number)
 	{
 		if (!slicer || number % kPlanesPerSet == 0)
@@ -58,7 +58,7 @@ void runPairs(unsigned first, unsigned count)
 			set = build(raw);
 			for (const grid::Block& block : set.blocks)
 				grid::validate(block);
-			slicer = std::make_unique<slice::Slicer>(set);
+			slicer = std::make_unique<cut::Cutter>(set);
 		}
 		const TestPlane asked = randomPlane(set, number);
 		const TestPlane plane{asked.origin, probe::makeSheet(asked.origin, asked.normal).normal};

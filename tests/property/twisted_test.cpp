@@ -14,7 +14,7 @@ void checkMask(LatticeKind kind, std::uint32_t mask, unsigned seed)
 {
 	const TwistedSet twisted = twistedSet(kind, mask, seed);
 	const grid::BlockSet set = build(twisted.raw);
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	const TestPlane plane{twisted.plane.origin, probe::makeSheet(twisted.plane.origin, twisted.plane.normal).normal};
 	const Pair pair{twisted.raw, set, twisted.plane, plane, cut(slicer, twisted.plane), isGeneric(set, plane)};
 	EXPECT_TRUE(pair.generic);

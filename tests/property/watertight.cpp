@@ -73,7 +73,7 @@ public:
 		for (std::size_t b = 0; b < set.blocks.size(); ++b)
 			visitGrid(set.blocks[b], [&](const auto& grid) { addFaces(set, b, grid); });
 	}
-	bool holdBoth(const slice::EdgePoint& v, const slice::EdgePoint& w) const
+	bool holdBoth(const mesh::EdgePoint& v, const mesh::EdgePoint& w) const
 	{
 		const auto facesOf = [&](std::uint32_t block, PointId p) -> const std::set<std::size_t>&
 		{
@@ -121,7 +121,7 @@ struct EdgeUse
 
 using EdgeUses = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<EdgeUse>>;
 
-EdgeUses usesOf(const slice::SheetMesh& mesh)
+EdgeUses usesOf(const mesh::SheetMesh& mesh)
 {
 	EdgeUses uses;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -180,7 +180,7 @@ void checkWatertight(const Pair& pair)
 	// that has other vertices on either side. Cells drawn together have several faces on the same edges.
 	if (!pair.raw.conforming || !pair.generic)
 		return;
-	const slice::SheetMesh& mesh = pair.sheet.mesh;
+	const mesh::SheetMesh& mesh = pair.sheet.mesh;
 	const BoundaryFaces boundary(pair.set);
 	Sides sides(mesh.polygons());
 	for (const auto& [edge, uses] : usesOf(mesh))

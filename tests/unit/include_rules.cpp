@@ -18,9 +18,18 @@ namespace
 namespace fs = std::filesystem;
 
 // A folder may use only folders before it.
-const std::vector<std::string> kFolders{"base",    "grid",   "cases",    "read",  "surface", "probe",
-                                        "locate",  "seed",   "traverse", "gpu",   "slice",   "contour",
-                                        "vectors", "render", "write",    "state", "interact"};
+const std::vector<std::string> kFolders{"base",    "grid",    "cases",  "read",  "surface",  "probe",   "locate",
+                                        "seed",    "find",    "mesh",   "gpu",   "classify", "measure", "cut",
+                                        "contour", "vectors", "render", "write", "state",    "interact"};
+
+// Rooms inside a folder, in the order in which they may use each other; "" are the files of the folder itself.
+struct Rooms
+{
+	std::string folder;
+	std::vector<std::string> order;
+};
+const std::vector<Rooms> kInnerRooms{{"grid", {"", "build", "check"}},
+                                     {"render", {"font", "color", "scene", "annotate", "passes", "flat", ""}}};
 
 const fs::path kRoot = VPROBE_SOURCE_DIR;
 
@@ -90,6 +99,28 @@ TEST(IncludeRules, EngineUsesOnlyFoldersAbove)
 		}
 		EXPECT_NE(used, "..") << include.where();
 		EXPECT_NE(used, "apps") << include.where();
+	}
+}
+
+TEST(IncludeRules, RoomsInsideAFolderUseOnlyRoomsBefore)
+{
+	for (const auto& [folder, order] : kInnerRooms)
+	{
+		const auto placeOf = [&](const fs::path& path)
+		{
+			const std::string room = path.parent_path().filename().string();
+			return std::find(order.begin(), order.end(), room == folder ? "" : room) - order.begin();
+		};
+		const auto includes = includesUnder("engine/" + folder);
+		ASSERT_FALSE(includes.empty());
+		for (const Include& include : includes)
+		{
+			ASSERT_LT(placeOf(include.file), std::ssize(order)) << include.file << ": a room the design does not know";
+			if (include.header.starts_with(folder + "/"))
+			{
+				EXPECT_LE(placeOf(include.header), placeOf(include.file)) << include.where();
+			}
+		}
 	}
 }
 

@@ -1,7 +1,7 @@
 #include "handle_pixels.h"
 
 #include "probe/presets.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "view/artist.h"
 
 #include "make_probe.h"
-#include "render/targets.h"
+#include "render/passes/targets.h"
 
 #include <algorithm>
 #include <utility>

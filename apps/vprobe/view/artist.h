@@ -85,8 +85,8 @@ struct Shown
 	std::shared_ptr<const SheetLookups> lookups; // of the cut, once it has been still; or null
 	double cut_ms = 0.0;                         // 0 where the cut before was still good
 	double draw_ms = 0.0;
-	std::uint64_t cuts = 0;       // made so far
-	slice::Slicer::Memory memory; // that the slicer keeps
+	std::uint64_t cuts = 0;     // made so far
+	cut::Cutter::Memory memory; // that the slicer keeps
 };
 
 // A picture to be kept: all samples, at the wish's size, apart from what is shown.

@@ -78,9 +78,9 @@ Status Artist::followLook(const Wish& wish)
 	Result<LookChoice> look = parseLook(wish.look, wish.probe.inputs);
 	if (!look)
 		return look.error();
-	const auto finder = look->by_generation           ? slice::Finder::traversal
-	                    : session_->slicer->usesGpu() ? slice::Finder::direct
-	                                                  : slice::Finder::automatic;
+	const auto finder = look->by_generation           ? find::Finder::traversal
+	                    : session_->slicer->usesGpu() ? find::Finder::direct
+	                                                  : find::Finder::automatic;
 	if (finder != session_->finder)
 	{
 		session_->finder = finder;
@@ -123,8 +123,7 @@ Result<double> Artist::cutAsWished()
 		return 0.0;
 	const Moment start = std::chrono::steady_clock::now();
 	std::shared_ptr<const CutFrame> last = only_moved_ ? cut_ : nullptr;
-	Result<slice::Slice> slice =
-	    cut(*session_, last ? std::shared_ptr<const slice::Slice>(last, &last->slice) : nullptr);
+	Result<cut::Cut> slice = cut(*session_, last ? std::shared_ptr<const cut::Cut>(last, &last->slice) : nullptr);
 	if (!slice)
 		return slice.error();
 	auto made = std::make_shared<CutFrame>();

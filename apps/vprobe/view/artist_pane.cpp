@@ -1,6 +1,6 @@
 #include "interact/camera_moves.h"
-#include "render/outline.h"
-#include "render/targets.h"
+#include "render/passes/targets.h"
+#include "render/scene/outline.h"
 #include "view/artist.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "view/colour_maps.h"
 
-#include "render/color_map_file.h"
+#include "render/color/color_map_file.h"
 
 #include <map>
 #include <optional>

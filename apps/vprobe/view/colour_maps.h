@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/color_map.h"
+#include "render/color/color_map.h"
 #include "view/panels.h"
 
 #include <string>

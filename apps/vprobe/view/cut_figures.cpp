@@ -7,7 +7,7 @@ namespace vp::app
 
 CutFigures figuresOf(const CutFrame& cut, std::size_t sheet)
 {
-	const slice::SheetSlice& slice = cut.slice.sheets[sheet];
+	const cut::SheetCut& slice = cut.slice.sheets[sheet];
 	CutFigures figures;
 	figures.polygons = cut.sheets[sheet].mesh.polygons();
 	for (std::size_t b = 0; b < slice.cuts.size(); ++b)

@@ -1,6 +1,6 @@
 #include "view/facts.h"
 
-#include "render/outline.h"
+#include "render/scene/outline.h"
 #include "stats_json.h"
 
 #include <fmt/format.h>

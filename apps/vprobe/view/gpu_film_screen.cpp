@@ -1,6 +1,6 @@
 #include "view/gpu_film_screen.h"
 
-#include "render/targets.h"
+#include "render/passes/targets.h"
 
 #include <algorithm>
 

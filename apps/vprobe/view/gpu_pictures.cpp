@@ -1,6 +1,6 @@
 #include "view/gpu_pictures.h"
 
-#include "render/targets.h"
+#include "render/passes/targets.h"
 
 namespace vp::app
 {

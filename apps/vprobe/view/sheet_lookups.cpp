@@ -10,7 +10,7 @@ namespace vp::app
 namespace
 {
 
-bool isCategorical(const Session& session, const std::optional<slice::FieldChoice>& field)
+bool isCategorical(const Session& session, const std::optional<grid::FieldChoice>& field)
 {
 	if (field)
 		for (const grid::Field* of_block : field->inEach(session.blocks))
@@ -19,11 +19,11 @@ bool isCategorical(const Session& session, const std::optional<slice::FieldChoic
 	return false;
 }
 
-std::vector<std::uint64_t> sourceCells(const grid::BlockSet& blocks, const slice::SheetMesh& mesh)
+std::vector<std::uint64_t> sourceCells(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh)
 {
 	std::vector<std::uint64_t> cells;
 	cells.reserve(mesh.polygons());
-	for (const slice::BlockCell& cell : mesh.polygon_cells)
+	for (const mesh::BlockCell& cell : mesh.polygon_cells)
 		cells.push_back(std::visit([&](const auto& grid) { return std::uint64_t(grid.sourceCell(cell.cell)); },
 		                           blocks.blocks[cell.block].grid));
 	return cells;
@@ -38,8 +38,8 @@ SheetLookups::SheetLookups(const Session& session, std::shared_ptr<const CutFram
 		blocks_.push_back(block.name);
 	for (std::size_t s = 0; s < cut_->sheets.size(); ++s)
 	{
-		const slice::SheetSlice& sheet = cut_->slice.sheets[s];
-		const slice::SheetMesh& mesh = cut_->sheets[s].mesh;
+		const cut::SheetCut& sheet = cut_->slice.sheets[s];
+		const mesh::SheetMesh& mesh = cut_->sheets[s].mesh;
 		std::optional<OfSheet>& made = sheets_.emplace_back();
 		if (!sheet.isPlane() || cut_->sheets[s].crinkle)
 			continue;
@@ -59,7 +59,7 @@ std::optional<SheetLookups::Found> SheetLookups::at(std::size_t sheet, const glm
 	if (sheet >= sheets_.size() || !sheets_[sheet])
 		return std::nullopt;
 	const OfSheet& of = *sheets_[sheet];
-	const std::optional<slice::SheetPlace> place = of.lookup.at(content_uv);
+	const std::optional<measure::SheetPlace> place = of.lookup.at(content_uv);
 	if (!place)
 		return std::nullopt;
 	Found found{of.array, std::numeric_limits<double>::quiet_NaN(), {}, of.cells[place->polygon]};

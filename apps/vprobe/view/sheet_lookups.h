@@ -1,8 +1,8 @@
 #pragma once
 
 #include "cut_frame.h"
+#include "measure/sheet_lookup.h"
 #include "session.h"
-#include "slice/sheet_lookup.h"
 
 #include <cstdint>
 #include <memory>
@@ -35,7 +35,7 @@ public:
 private:
 	struct OfSheet
 	{
-		slice::SheetLookup lookup;
+		measure::SheetLookup lookup;
 		std::string array;
 		bool nearest; // ids and categories are those of the nearest vertex
 		std::vector<double> of_vertices;

@@ -5,7 +5,7 @@
 #include "path_options.h"
 #include "probe/probe.h"
 #include "probe_options.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 #include "saved_options.h"
 
 #include <optional>

@@ -1,10 +1,11 @@
 #include "all_pieces.h"
 
 #include "exhaustive.h"
-#include "slice/curved_sheet.h"
-#include "slice/mesh.h"
-#include "slice/union_find.h"
-#include "traverse/cell_signs.h"
+#include "find/cell_signs.h"
+#include "find/curved_sheet.h"
+#include "mesh/build_mesh.h"
+#include "mesh/sheet_mesh.h"
+#include "mesh/union_find.h"
 
 #include <algorithm>
 #include <map>
@@ -56,18 +57,18 @@ double areaOf(const Polygon& polygon)
 }
 
 template <class G>
-traverse::LaneCut scan(const G& grid, const surface::BlockSurface& surface)
+find::CellCut scan(const G& grid, const surface::BlockSurface& surface)
 {
-	traverse::LaneCut cut;
+	find::CellCut cut;
 	grid::CellFaces faces;
 	for (CellId c = 0; c < grid.cellCount(); ++c)
 	{
 		const grid::CellShape shape = grid.shape(c);
-		std::uint32_t word = shape == grid::CellShape::polyhedron ? shared::kWordWalk
-		                                                          : traverse::classifyByTable(grid, surface, c, shape);
-		if (word & shared::kWordWalk)
-			word = traverse::classifyByWalk(grid, surface, c, faces);
-		if (!(word & shared::kWordCut))
+		std::uint32_t word =
+		    shape == grid::CellShape::polyhedron ? shared::kCodeWalk : find::classifyByTable(grid, surface, c, shape);
+		if (word & shared::kCodeWalk)
+			word = find::classifyByWalk(grid, surface, c, faces);
+		if (!(word & shared::kCodeCut))
 			continue;
 		cut.cells.push_back(c);
 		cut.words.push_back(word);
@@ -77,7 +78,7 @@ traverse::LaneCut scan(const G& grid, const surface::BlockSurface& surface)
 }
 
 // Polygons that share a side which reaches into the box, or a vertex in it.
-void joinNeighbours(const slice::SheetMesh& mesh, const contour::ClipBox& box, slice::UnionFind& polygons)
+void joinNeighbours(const mesh::SheetMesh& mesh, const contour::ClipBox& box, mesh::UnionFind& polygons)
 {
 	std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> first;
 	const auto join = [&](std::uint32_t v, std::uint32_t w, std::uint32_t p)
@@ -106,19 +107,19 @@ void joinNeighbours(const slice::SheetMesh& mesh, const contour::ClipBox& box, s
 PiecesOnSheet piecesOnSheet(const grid::BlockSet& set, const std::string& field, double value,
                             const contour::ClipBox& box)
 {
-	const auto surfaces = slice::isoSurfaces(set, value, slice::FieldChoice{field, grid::Association::point, 0});
-	std::vector<traverse::LaneCut> cuts;
+	const auto surfaces = find::isoSurfaces(set, value, grid::FieldChoice{field, grid::Association::point, 0});
+	std::vector<find::CellCut> cuts;
 	for (std::size_t b = 0; b < set.blocks.size(); ++b)
 		cuts.push_back(visitGrid(set.blocks[b], [&](const auto& grid) { return scan(grid, surfaces[b]); }));
-	std::vector<slice::BlockCut> of_blocks;
+	std::vector<mesh::BlockCut> of_blocks;
 	PiecesOnSheet found;
 	for (std::size_t b = 0; b < cuts.size(); ++b)
 	{
 		of_blocks.push_back({std::uint32_t(b), &cuts[b], nullptr, {}});
 		found.cut_cells += cuts[b].cut_cells;
 	}
-	const slice::SheetMesh mesh = slice::buildMesh(set, surfaces, of_blocks);
-	slice::UnionFind joined(mesh.polygons());
+	const mesh::SheetMesh mesh = mesh::buildMesh(set, surfaces, of_blocks);
+	mesh::UnionFind joined(mesh.polygons());
 	joinNeighbours(mesh, box, joined);
 
 	std::vector<Polygon> parts(mesh.polygons());

@@ -18,21 +18,21 @@ namespace vp::test
 namespace
 {
 
-double areaOf(const grid::BlockSet& set, const slice::SheetMesh& mesh)
+double areaOf(const grid::BlockSet& set, const mesh::SheetMesh& mesh)
 {
-	return slice::measure(set, mesh, {}).area;
+	return measure::measure(set, mesh, {}).area;
 }
 
-std::set<std::pair<std::size_t, CellId>> cellsOf(const slice::SheetMesh& mesh)
+std::set<std::pair<std::size_t, CellId>> cellsOf(const mesh::SheetMesh& mesh)
 {
 	std::set<std::pair<std::size_t, CellId>> cells;
-	for (const slice::BlockCell& from : mesh.polygon_cells)
+	for (const mesh::BlockCell& from : mesh.polygon_cells)
 		cells.emplace(from.block, from.cell);
 	return cells;
 }
 
 // Sides that one polygon alone has: both their ends.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> openSides(const slice::SheetMesh& mesh)
+std::vector<std::pair<std::uint32_t, std::uint32_t>> openSides(const mesh::SheetMesh& mesh)
 {
 	std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -84,7 +84,7 @@ TEST(BoxContour, IsWhatAScanOfAllCellsFindsOnTheSheet)
 			continue;
 		SCOPED_TRACE(plain.name);
 		const grid::BlockSet set = setOf(withHills(plain));
-		slice::Slicer slicer(set);
+		cut::Cutter slicer(set);
 		const double size = set.bounds().diagonal();
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 12, 18))
 		{
@@ -112,7 +112,7 @@ TEST(BoxContour, IsWhatAScanOfAllCellsFindsOnTheSheet)
 TEST(BoxContour, HasNoHolesButOnTheBoxesSides)
 {
 	const grid::BlockSet set = setOf(imageOfRadius(24));
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	std::mt19937 random(3);
 	std::size_t polygons = 0;
 	for (const TestPlane& plane : randomPlanes(set.bounds(), 60, 4))
@@ -142,7 +142,7 @@ TEST(BoxContour, AreaOfASpheresZoneConverges)
 	for (int fine = 0; fine < 2; ++fine)
 	{
 		const grid::BlockSet set = setOf(imageOfRadius(fine ? 80 : 40));
-		slice::Slicer slicer(set);
+		cut::Cutter slicer(set);
 		const SheetOfHills sheet(slicer, {{0.03, -0.02, 0.01}, {0.3, 0.5, 0.81}}, probe::centredWindow(5.0, 5.0),
 		                         kDepth);
 		const contour::Contour contour = sheet.contourer.grow(kRadius).value();
@@ -156,7 +156,7 @@ TEST(BoxContour, AreaOfASpheresZoneConverges)
 TEST(BoxContour, WorkFollowsTheBox)
 {
 	const grid::BlockSet set = setOf(imageOfRadius(96));
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	const TestPlane plane{{1.5, 0.0, 0.0}, {0.0, 0.0, 1.0}};
 	const SheetOfHills small(slicer, plane, probe::centredWindow(0.6, 0.6), std::nullopt);
 	const contour::Contour contour = small.contourer.grow(1.5).value();
@@ -171,7 +171,7 @@ TEST(BoxContour, WorkFollowsTheBox)
 TEST(BoxContour, DefaultDepthIsOfTheSmallerSide)
 {
 	const grid::BlockSet set = setOf(imageOfRadius(16));
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	const TestPlane plane{{0.0, 0.0, 0.1}, {0.0, 0.0, 1.0}};
 	const SheetOfHills windowed(slicer, plane, probe::Window{-1.0, 1.5, 0.0, 2.0}, std::nullopt);
 	EXPECT_EQ(windowed.contourer.box().lo(), Vec3(-1.0, 0.0, -1.0));
@@ -186,7 +186,7 @@ TEST(BoxContour, DefaultDepthIsOfTheSmallerSide)
 TEST(BoxContour, ValuesOffTheSheetGiveNothing)
 {
 	const grid::BlockSet set = setOf(imageOfRadius(16));
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	const SheetOfHills sheet(slicer, {{0.0, 0.0, 0.1}, {0.0, 0.0, 1.0}}, probe::centredWindow(1.0, 1.0), 5.0);
 	// In the box, but never on the sheet.
 	EXPECT_LT(sheet.contourer.range()->second, 1.5);
@@ -200,7 +200,7 @@ TEST(BoxContour, CellsWithNanAreLeftOut)
 	const grid::Block plain = grid::makeDemo("blob", 24)->blocks[0];
 	const auto height = [](const Vec3& p) { return p.x > 0.4 ? std::nan("") : glm::length(p); };
 	const grid::BlockSet set = setOf(withHills(plain, height));
-	slice::Slicer slicer(set);
+	cut::Cutter slicer(set);
 	const SheetOfHills sheet(slicer, {{0.0, 0.0, 0.1}, {0.0, 0.0, 1.0}}, std::nullopt, 6.0);
 	const contour::Contour contour = sheet.contourer.grow(2.0).value();
 	EXPECT_GT(contour.mesh.polygons(), 50u);
@@ -217,8 +217,8 @@ TEST(BoxContour, CrossesSeams)
 	const grid::BlockSet two = setOfBlocks(
 	    {withHills(latticeBlock(warped, 0.0, false), height), withHills(latticeBlock(warped, 1.0, true), height)});
 	const grid::BlockSet one = setOf(withHills(hexahedraBlock(warped, 0.0, 2.0, true), height));
-	slice::Slicer of_two(two);
-	slice::Slicer of_one(one);
+	cut::Cutter of_two(two);
+	cut::Cutter of_one(one);
 	std::size_t both = 0;
 	for (const TestPlane& plane : randomPlanes(one.bounds(), 20, 5))
 	{
@@ -233,7 +233,7 @@ TEST(BoxContour, CrossesSeams)
 		EXPECT_EQ(contour.components, expected.components);
 		EXPECT_NEAR(areaOf(two, contour.mesh), areaOf(one, expected.mesh), 1e-9);
 		std::set<std::uint32_t> blocks;
-		for (const slice::BlockCell& from : contour.mesh.polygon_cells)
+		for (const mesh::BlockCell& from : contour.mesh.polygon_cells)
 			blocks.insert(from.block);
 		both += blocks.size() == 2;
 	}

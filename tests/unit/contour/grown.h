@@ -11,7 +11,7 @@
 namespace vp::test
 {
 
-const inline slice::FieldChoice kHills{"hills", grid::Association::point, 0};
+const inline grid::FieldChoice kHills{"hills", grid::Association::point, 0};
 
 // The block with a point field "hills" besides, a function of the place.
 inline grid::Block withHills(grid::Block block, const std::function<double(const Vec3&)>& height)
@@ -50,9 +50,9 @@ inline grid::Block withHills(const grid::Block& block)
 // A sheet, its cut, and what grows from it.
 struct SheetOfHills
 {
-	SheetOfHills(slice::Slicer& slicer, const TestPlane& plane, const std::optional<probe::Window>& window,
+	SheetOfHills(cut::Cutter& slicer, const TestPlane& plane, const std::optional<probe::Window>& window,
 	             std::optional<double> depth)
-	    : cut(test::cut(slicer, plane, {}, slice::Finder::automatic, window)),
+	    : cut(test::cut(slicer, plane, {}, find::Finder::automatic, window)),
 	      contourer(
 	          [&]
 	          {

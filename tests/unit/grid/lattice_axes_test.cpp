@@ -1,5 +1,5 @@
 #include "grid/block.h"
-#include "grid/lattice_axes.h"
+#include "grid/build/lattice_axes.h"
 #include "grid/lattice_cells.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "grid/morton.h"
+#include "grid/build/morton.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,6 +1,6 @@
 #include "seamed_sets.h"
 
-#include "grid/quality.h"
+#include "grid/check/quality.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "interact/handles.h"
 #include "probe/presets.h"
-#include "render/outline.h"
+#include "render/scene/outline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "render/box_axes.h"
+#include "render/annotate/box_axes.h"
 
 #include <gtest/gtest.h>
 

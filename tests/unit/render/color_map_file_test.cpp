@@ -1,6 +1,6 @@
-#include "render/color_map_file.h"
+#include "render/color/color_map_file.h"
 
-#include "render/value_style.h"
+#include "render/scene/value_style.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "render/color_map.h"
+#include "render/color/color_map.h"
 
 #include <gtest/gtest.h>
 

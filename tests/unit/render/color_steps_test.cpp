@@ -1,4 +1,4 @@
-#include "render/color_steps.h"
+#include "render/scene/color_steps.h"
 
 #include <gtest/gtest.h>
 

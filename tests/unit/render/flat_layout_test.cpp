@@ -1,4 +1,4 @@
-#include "render/flat_layout.h"
+#include "render/flat/flat_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@ namespace vp::render
 // The legend shares the right side with the small view of the grid.
 TEST(FlatLayout, SmallPicturesHaveALegendThatFitsOrNone)
 {
-	const slice::SheetMesh empty;
+	const mesh::SheetMesh empty;
 	const Lettering lettering({9.0, 12.0, 40.0}, {"s"});
 	std::size_t some = 0;
 	std::size_t none = 0;

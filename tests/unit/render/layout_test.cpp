@@ -1,7 +1,7 @@
-#include "render/layout.h"
+#include "render/annotate/layout.h"
 
-#include "render/contour_labels.h"
-#include "render/overlay.h"
+#include "render/annotate/contour_labels.h"
+#include "render/annotate/overlay.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "render/levels.h"
+#include "render/scene/levels.h"
 
 #include <gtest/gtest.h>
 

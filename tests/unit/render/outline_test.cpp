@@ -1,5 +1,5 @@
 #include "grid/demo.h"
-#include "render/outline.h"
+#include "render/scene/outline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "render/surface_triangles.h"
+#include "render/passes/surface_triangles.h"
 
-#include "render/corner_normals.h"
+#include "render/passes/corner_normals.h"
 #include "shared/slice_types.h"
 
 #include <glm/packing.hpp>
@@ -17,9 +17,9 @@ namespace vp::render
 namespace
 {
 
-slice::SheetMesh meshOf(std::vector<Vec3> positions, const std::vector<std::vector<std::uint32_t>>& polygons)
+mesh::SheetMesh meshOf(std::vector<Vec3> positions, const std::vector<std::vector<std::uint32_t>>& polygons)
 {
-	slice::SheetMesh mesh;
+	mesh::SheetMesh mesh;
 	mesh.positions.assign(positions.begin(), positions.end());
 	mesh.polygon_starts.push_back(0);
 	for (const auto& polygon : polygons)
@@ -32,7 +32,7 @@ slice::SheetMesh meshOf(std::vector<Vec3> positions, const std::vector<std::vect
 }
 
 // A strip of quadrangles bent about the y axis, `angle` degrees from one to the next.
-slice::SheetMesh bentStrip(int count, double angle)
+mesh::SheetMesh bentStrip(int count, double angle)
 {
 	std::vector<Vec3> positions;
 	std::vector<std::vector<std::uint32_t>> polygons;
@@ -116,7 +116,7 @@ TEST(SurfaceTriangles, WidthIsThePolygons)
 
 TEST(SurfaceTriangles, InPartsAreTheSame)
 {
-	const slice::SheetMesh mesh = bentStrip(50, 3.0);
+	const mesh::SheetMesh mesh = bentStrip(50, 3.0);
 	std::vector<double> values;
 	for (const Vec3& p : mesh.positions)
 		values.push_back(p.x + 10.0 * p.y);
@@ -145,7 +145,7 @@ TEST(SurfaceTriangles, InPartsAreTheSame)
 TEST(SurfaceTriangles, OnePolygonWithNanHasNoValueAnywhere)
 {
 	const double nan = std::numeric_limits<double>::quiet_NaN();
-	const slice::SheetMesh mesh = bentStrip(3, 0.0);
+	const mesh::SheetMesh mesh = bentStrip(3, 0.0);
 	std::vector<double> values(mesh.positions.size(), 1.0);
 	values[0] = nan;
 	const auto by_vertex = surfaceTriangles(mesh, {values, {}}, {}, 999);
@@ -160,7 +160,7 @@ TEST(SurfaceTriangles, OnePolygonWithNanHasNoValueAnywhere)
 TEST(SurfaceTriangles, InfiniteThroughoutOrNoValue)
 {
 	const double infinity = std::numeric_limits<double>::infinity();
-	const slice::SheetMesh mesh = bentStrip(3, 0.0);
+	const mesh::SheetMesh mesh = bentStrip(3, 0.0);
 	const std::vector<double> values{infinity, infinity, infinity, infinity, 1.0, 1.0, 1.0, 1.0};
 	const auto parts = surfaceTriangles(mesh, {values, {}}, {}, 999);
 	for (std::size_t t = 0; t < 6; ++t)
@@ -198,7 +198,7 @@ TEST(CornerNormals, AreSmoothUpToACrease)
 {
 	for (const double angle : {10.0, 50.0})
 	{
-		slice::SheetMesh mesh = bentStrip(2, angle);
+		mesh::SheetMesh mesh = bentStrip(2, angle);
 		// The second polygon the other way round: a surface has no side.
 		std::reverse(mesh.polygon_vertices.begin() + 4, mesh.polygon_vertices.end());
 		const std::vector<Vec3f> normals = cornerNormals(mesh);

@@ -1,5 +1,5 @@
-#include "render/levels.h"
-#include "render/ticks.h"
+#include "render/annotate/ticks.h"
+#include "render/scene/levels.h"
 
 #include <gtest/gtest.h>
 

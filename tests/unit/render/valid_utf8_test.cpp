@@ -1,4 +1,4 @@
-#include "render/valid_utf8.h"
+#include "render/annotate/valid_utf8.h"
 
 #include <gtest/gtest.h>
 

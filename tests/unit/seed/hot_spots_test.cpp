@@ -71,9 +71,9 @@ TEST(HotSpots, ChangeNothingButTheGenerations)
 	const auto compare = [&](const grid::BlockSet& set, const TestPlane& plane)
 	{
 		const std::optional<probe::Window> window = maybeWindow(set.bounds(), random);
-		slice::Slicer slicer(set);
-		const SlicedSheet expected = cut(slicer, plane, {}, slice::Finder::traversal, window);
-		const SlicedSheet found = cut(slicer, plane, kLattice, slice::Finder::traversal, window);
+		cut::Cutter slicer(set);
+		const SlicedSheet expected = cut(slicer, plane, {}, find::Finder::traversal, window);
+		const SlicedSheet found = cut(slicer, plane, kLattice, find::Finder::traversal, window);
 		for (std::size_t b = 0; b < set.blocks.size(); ++b)
 		{
 			ASSERT_EQ(found.cutCells(b), expected.cutCells(b));
@@ -103,13 +103,13 @@ TEST(HotSpots, LeaveFewGenerations)
 	for (const auto& [name, n] : {std::pair("shell", 96), std::pair("hexes", 64), std::pair("tets", 40)})
 	{
 		const grid::BlockSet set = std::move(*grid::makeDemo(name, n));
-		slice::Slicer slicer(set);
+		cut::Cutter slicer(set);
 		std::size_t most = 0;
 		std::size_t most_without = 0;
 		const auto see = [&](const TestPlane& plane, const std::optional<probe::Window>& window)
 		{
-			const SlicedSheet spread = cut(slicer, plane, kLattice, slice::Finder::traversal, window);
-			const SlicedSheet without = cut(slicer, plane, {}, slice::Finder::traversal, window);
+			const SlicedSheet spread = cut(slicer, plane, kLattice, find::Finder::traversal, window);
+			const SlicedSheet without = cut(slicer, plane, {}, find::Finder::traversal, window);
 			most = std::max(most, spread.slice.cuts[0].generations());
 			most_without = std::max(most_without, without.slice.cuts[0].generations());
 			EXPECT_LE(spread.slice.seeds.hops,
@@ -145,17 +145,17 @@ TEST(HotSpots, AreTheSameForAnyNumberOfThreads)
 TEST(HotSpots, OfTheCutBefore)
 {
 	const grid::BlockSet set = std::move(*grid::makeDemo("shell", 64));
-	slice::Slicer slicer(set);
-	const auto cutAt = [&](const TestPlane& plane, const slice::Slice* last)
+	cut::Cutter slicer(set);
+	const auto cutAt = [&](const TestPlane& plane, const cut::Cut* last)
 	{
-		slice::SliceRequest request;
+		cut::CutRequest request;
 		request.seeds = kLattice;
 		request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 		if (last)
-			request.last = std::make_shared<slice::Slice>(*last);
+			request.last = std::make_shared<cut::Cut>(*last);
 		return std::move(*slicer.cut(request));
 	};
-	const auto cellsOf = [](const slice::Slice& slice)
+	const auto cellsOf = [](const cut::Cut& slice)
 	{
 		SlicedSheet sheet;
 		sheet.slice = slice.sheets[0];
@@ -164,15 +164,15 @@ TEST(HotSpots, OfTheCutBefore)
 	std::size_t kept = 0;
 	for (const TestPlane& plane : randomPlanes(set.bounds(), 20, 101))
 	{
-		const slice::Slice first = cutAt(plane, nullptr);
+		const cut::Cut first = cutAt(plane, nullptr);
 		for (const double moved : {1e-5, 0.002, 0.01, 0.3})
 		{
 			const TestPlane there{plane.origin + moved * glm::normalize(plane.normal), plane.normal};
-			const slice::Slice next = cutAt(there, &first);
-			const slice::Slice alone = cutAt(there, nullptr);
+			const cut::Cut next = cutAt(there, &first);
+			const cut::Cut alone = cutAt(there, nullptr);
 			EXPECT_EQ(cellsOf(next), cellsOf(alone));
 			EXPECT_NE(next.sheets[0].number, first.sheets[0].number);
-			const traverse::LaneCut& cut = next.sheets[0].cuts[0];
+			const find::CellCut& cut = next.sheets[0].cuts[0];
 			EXPECT_LE(cut.cells.size(), 1.25 * cut.cut_cells + 30);
 			if (moved == 1e-5 && cut.cut_cells > 200)
 			{

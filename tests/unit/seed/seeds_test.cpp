@@ -121,7 +121,7 @@ TEST(Seeds, TheHotSpotGivesItsPieceAndNoOther)
 		if (block.name == "three_on_a_face")
 			continue; // cells overlap, so a point is in several
 		const grid::BlockSet set = setOf(block);
-		slice::Slicer slicer(set);
+		cut::Cutter slicer(set);
 		std::mt19937 random(81);
 		std::uniform_int_distribution<CellId> any_cell(0, static_cast<CellId>(cellCount(block) - 1));
 		for (int i = 0; i < 40; ++i)
@@ -155,7 +155,7 @@ TEST(Seeds, OutsideTheNearestPointOfTheSheetTakesItsPlace)
 	{
 		const grid::Block& block = gridNamed(name);
 		const grid::BlockSet set = setOf(block);
-		slice::Slicer slicer(set);
+		cut::Cutter slicer(set);
 		for (const TestPlane& plane : outsidePlanes(block, 82))
 		{
 			const SeedOptions options{SeedMode::hotspot, OutsidePolicy::nearest};

@@ -2,9 +2,9 @@
 #include "random_window.h"
 #include "test_grids.h"
 
+#include "find/cell_signs.h"
 #include "seed/cut_cells.h"
 #include "seed/sheet_window.h"
-#include "traverse/cell_signs.h"
 
 #include <gtest/gtest.h>
 

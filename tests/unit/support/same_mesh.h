@@ -1,6 +1,6 @@
 #pragma once
 
-#include "slice/mesh.h"
+#include "mesh/sheet_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ struct PlacedPolygon
 	auto operator<=>(const PlacedPolygon&) const = default;
 };
 
-inline std::vector<PlacedPolygon> placedPolygons(const slice::SheetMesh& mesh)
+inline std::vector<PlacedPolygon> placedPolygons(const mesh::SheetMesh& mesh)
 {
 	std::vector<PlacedPolygon> polygons;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -39,7 +39,7 @@ inline std::vector<PlacedPolygon> placedPolygons(const slice::SheetMesh& mesh)
 }
 
 // The same polygons of the same cells at the same places, to the last bit, with as many vertices; in any order.
-inline void expectSameMesh(const slice::SheetMesh& mesh, const slice::SheetMesh& expected)
+inline void expectSameMesh(const mesh::SheetMesh& mesh, const mesh::SheetMesh& expected)
 {
 	EXPECT_EQ(mesh.positions.size(), expected.positions.size());
 	EXPECT_EQ(mesh.edges.size(), expected.edges.size());

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "cut/cutter.h"
 #include "exhaustive.h"
-#include "slice/slicer.h"
-#include "slice/stats.h"
+#include "measure/stats.h"
 
 namespace vp::test
 {
@@ -10,44 +10,44 @@ namespace vp::test
 // One sheet through one block set, the way a user's slice goes.
 struct SlicedSheet
 {
-	slice::SheetSlice slice;
-	slice::SheetMesh mesh;
+	cut::SheetCut slice;
+	mesh::SheetMesh mesh;
 
 	std::vector<CellId> cutCells(std::size_t block = 0) const // ascending
 	{
 		std::vector<CellId> cells;
-		const traverse::LaneCut& cut = slice.cuts[block];
+		const find::CellCut& cut = slice.cuts[block];
 		for (std::size_t i = 0; i < cut.cells.size(); ++i)
-			if (cut.words[i] & shared::kWordCut)
+			if (cut.words[i] & shared::kCodeCut)
 				cells.push_back(cut.cells[i]);
 		return sorted(std::move(cells));
 	}
 	std::size_t cutCellCount() const
 	{
 		std::size_t count = 0;
-		for (const traverse::LaneCut& cut : slice.cuts)
+		for (const find::CellCut& cut : slice.cuts)
 			count += cut.cut_cells;
 		return count;
 	}
 	std::size_t touched() const
 	{
 		std::size_t count = 0;
-		for (const traverse::LaneCut& cut : slice.cuts)
+		for (const find::CellCut& cut : slice.cuts)
 			count += cut.cells.size();
 		return count;
 	}
 };
 
-inline SlicedSheet cut(slice::Slicer& slicer, const TestPlane& plane, const seed::SeedOptions& seeds = {},
-                       slice::Finder finder = slice::Finder::traversal,
+inline SlicedSheet cut(cut::Cutter& slicer, const TestPlane& plane, const seed::SeedOptions& seeds = {},
+                       find::Finder finder = find::Finder::traversal,
                        const std::optional<probe::Window>& window = std::nullopt)
 {
-	slice::SliceRequest request;
+	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 	request.probe.sheets[0].window = window;
 	request.seeds = seeds;
 	request.finder = finder;
-	slice::Slice slice = std::move(slicer.cut(std::move(request)).value());
+	cut::Cut slice = std::move(slicer.cut(std::move(request)).value());
 	SlicedSheet sheet{{}, slice.mesh(slicer.blocks(), 0)};
 	sheet.slice = std::move(slice.sheets[0]);
 	return sheet;

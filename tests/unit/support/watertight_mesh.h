@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhaustive.h"
-#include "slice/mesh.h"
+#include "mesh/sheet_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ inline bool conforms(const grid::Block& block)
 
 // Every edge of a polygon is another's too, or lies on the boundary. most: how often a face may be cut; where a curved
 // surface cuts one more than once the edges of several pairs of polygons may run between the same two vertices.
-inline void expectWatertight(const grid::Block& block, const slice::SheetMesh& mesh, int most = 1)
+inline void expectWatertight(const grid::Block& block, const mesh::SheetMesh& mesh, int most = 1)
 {
 	struct Use
 	{

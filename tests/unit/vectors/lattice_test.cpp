@@ -16,14 +16,14 @@ namespace
 
 struct Cut
 {
-	slice::SheetMesh mesh;
+	mesh::SheetMesh mesh;
 	probe::Sheet sheet;
 };
 
 Cut cutOf(const grid::BlockSet& blocks, const Vec3& origin, std::optional<probe::Window> window)
 {
-	slice::Slicer slicer(blocks);
-	const SlicedSheet sheet = cut(slicer, {origin, {0.0, 0.0, 1.0}}, {}, slice::Finder::automatic, window);
+	cut::Cutter slicer(blocks);
+	const SlicedSheet sheet = cut(slicer, {origin, {0.0, 0.0, 1.0}}, {}, find::Finder::automatic, window);
 	return {sheet.mesh, sheet.slice.sheet};
 }
 

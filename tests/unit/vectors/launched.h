@@ -34,7 +34,7 @@ inline grid::BlockSet demo(const std::string& name, int n)
 inline vectors::SheetLattice latticeOn(const grid::BlockSet& blocks, const TestPlane& plane,
                                        const vectors::LatticeChoice& choice = {})
 {
-	slice::Slicer slicer(blocks);
+	cut::Cutter slicer(blocks);
 	const SlicedSheet sheet = cut(slicer, plane);
 	return vectors::launchLattice(sheet.mesh, sheet.slice.sheet, choice);
 }
@@ -42,7 +42,7 @@ inline vectors::SheetLattice latticeOn(const grid::BlockSet& blocks, const TestP
 inline vectors::Traces traced(const grid::BlockSet& blocks, std::span<const vectors::Launch> launches,
                               const vectors::TraceOptions& options, const std::string& array = "")
 {
-	const slice::FieldChoice choice = vectors::chooseVectors(blocks, array).value();
+	const grid::FieldChoice choice = vectors::chooseVectors(blocks, array).value();
 	return std::move(vectors::trace(blocks, choice, launches, options).value());
 }
 

@@ -53,7 +53,7 @@ struct Helix
 };
 
 // Whether every edge is run once either way.
-bool isClosed(const slice::SheetMesh& mesh)
+bool isClosed(const mesh::SheetMesh& mesh)
 {
 	std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -69,7 +69,7 @@ bool isClosed(const slice::SheetMesh& mesh)
 }
 
 // Positive where polygons wind counter-clockwise seen from outside.
-double volume(const slice::SheetMesh& mesh)
+double volume(const mesh::SheetMesh& mesh)
 {
 	double sum = 0.0;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)

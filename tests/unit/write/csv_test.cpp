@@ -1,5 +1,6 @@
 #include "sample_slice.h"
 
+#include "mesh/mesh_values.h"
 #include "write/slice_file.h"
 
 #include <gtest/gtest.h>
@@ -79,13 +80,13 @@ TEST(Csv, HasARowPerCorner)
 	std::size_t polygon = 0;
 	for (std::size_t sheet = 0; sheet < sample.meshes.size(); ++sheet)
 	{
-		const slice::SheetMesh& mesh = sample.meshes[sheet];
+		const mesh::SheetMesh& mesh = sample.meshes[sheet];
 		for (std::size_t p = 0; p < mesh.polygons(); ++p, ++polygon)
 			for (const std::uint32_t v : mesh.polygon(p))
 			{
 				const Row& row = rows[r++];
 				ASSERT_EQ(row.size(), head.size());
-				const slice::BlockCell from = mesh.polygon_cells[p];
+				const mesh::BlockCell from = mesh.polygon_cells[p];
 				const grid::Block& block = sample.blocks.blocks[from.block];
 				const std::size_t source =
 				    std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(from.cell)); }, block.grid);
@@ -96,9 +97,9 @@ TEST(Csv, HasARowPerCorner)
 				// Every digit that the number needs.
 				EXPECT_EQ(Vec3(number<double>(row[4]), number<double>(row[5]), number<double>(row[6])),
 				          mesh.positions[v]);
-				EXPECT_EQ(number<double>(row[7]), slice::interpolate(block, block.fields[0], 0, mesh.edges[v]));
+				EXPECT_EQ(number<double>(row[7]), mesh::interpolate(block, block.fields[0], 0, mesh.edges[v]));
 				EXPECT_EQ(number<float>(row[8]),
-				          static_cast<float>(slice::interpolate(block, block.fields[1], 0, mesh.edges[v])));
+				          static_cast<float>(mesh::interpolate(block, block.fields[1], 0, mesh.edges[v])));
 				EXPECT_EQ(number<std::int64_t>(row[12]),
 				          from.block == 0 ? kFirstId + static_cast<std::int64_t>(source) : 0);
 				EXPECT_EQ(number<int>(row[13]), from.block == 0 ? static_cast<int>(200 + source % 50) : 7);
@@ -111,7 +112,7 @@ TEST(Csv, NumbersAreShort)
 {
 	SampleSlice sample = sampleSlice();
 	sample.meshes.resize(1);
-	slice::SheetMesh& mesh = sample.meshes[0];
+	mesh::SheetMesh& mesh = sample.meshes[0];
 	mesh.positions.assign(mesh.positions.size(), Vec3(0.1, -2.0, 1e300));
 	const TemporaryFolder folder;
 	ASSERT_TRUE(write::writeSlice(sample.blocks, sample.meshes, folder / "cut.csv"));

@@ -1,9 +1,9 @@
 #include "write/line_file.h"
 
+#include "cut/cutter.h"
 #include "exhaustive.h"
 #include "grid/demo.h"
 #include "sample_slice.h"
-#include "slice/slicer.h"
 
 #include <gtest/gtest.h>
 
@@ -47,10 +47,10 @@ std::vector<NamedRow> rowsOf(const std::string& text)
 std::vector<NamedRow> rowsAlong(const grid::BlockSet& blocks, const probe::Sheet& sheet, const write::SheetLine& line)
 {
 	const TemporaryFolder folder;
-	slice::Slicer slicer(blocks);
-	slice::SliceRequest request;
+	cut::Cutter slicer(blocks);
+	cut::CutRequest request;
 	request.probe.sheets = {sheet};
-	const slice::SheetMesh mesh = slicer.cut(std::move(request)).value().mesh(blocks, 0);
+	const mesh::SheetMesh mesh = slicer.cut(std::move(request)).value().mesh(blocks, 0);
 	EXPECT_TRUE(write::writeLine(blocks, sheet, mesh, line, folder / "line.csv"));
 	EXPECT_EQ(folder.files(), 1u);
 	return rowsOf(readText(folder / "line.csv"));

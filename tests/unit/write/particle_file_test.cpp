@@ -35,7 +35,7 @@ TEST(ParticleFile, HoldsPathsAndWhyTheyEnd)
 	options.steps = 30.0;
 	options.dt = 0.1;
 	options.direction = vectors::Direction::both;
-	const slice::FieldChoice array = vectors::chooseVectors(blocks, "v").value();
+	const grid::FieldChoice array = vectors::chooseVectors(blocks, "v").value();
 	const std::vector<Launch> first{{inside, 0, cell, 3}, {Vec3(9.0), 0, kNoCell, 4}};
 	const std::vector<Launch> second{{inside, 0, cell, 5}};
 	const std::array<Traces, 2> traces{vectors::trace(blocks, array, first, options).value(),

@@ -1,5 +1,6 @@
 #include "sample_slice.h"
 
+#include "mesh/mesh_values.h"
 #include "write/slice_file.h"
 
 #include <gtest/gtest.h>
@@ -134,7 +135,7 @@ TEST(Ply, HoldsTheMesh)
 
 	std::size_t v = 0;
 	std::size_t f = 0;
-	for (const slice::SheetMesh& mesh : sample.meshes)
+	for (const mesh::SheetMesh& mesh : sample.meshes)
 	{
 		const std::size_t base = v;
 		for (const Vec3& position : mesh.positions)
@@ -171,12 +172,12 @@ TEST(Ply, CarriesArraysAsProperties)
 	EXPECT_EQ(face.types["flag"], "uchar");
 
 	std::size_t v = 0;
-	for (const slice::SheetMesh& mesh : sample.meshes)
-		for (const slice::EdgePoint& edge : mesh.edges)
+	for (const mesh::SheetMesh& mesh : sample.meshes)
+		for (const mesh::EdgePoint& edge : mesh.edges)
 		{
 			const grid::Block& block = sample.blocks.blocks[edge.block];
-			EXPECT_EQ(vertex.values["s"][v], slice::interpolate(block, block.fields[0], 0, edge));
-			EXPECT_EQ(vertex.values["v_z"][v], static_cast<float>(slice::interpolate(block, block.fields[1], 2, edge)));
+			EXPECT_EQ(vertex.values["s"][v], mesh::interpolate(block, block.fields[0], 0, edge));
+			EXPECT_EQ(vertex.values["v_z"][v], static_cast<float>(mesh::interpolate(block, block.fields[1], 2, edge)));
 			++v;
 		}
 	for (std::size_t f = 0; f < face.count; ++f)
@@ -200,7 +201,7 @@ TEST(Ply, NamesAreOfOneKind)
 	block.fields.push_back(grid::makeField("a\tb", grid::Association::point, 1, std::vector<float>(27, 3.0f)));
 	sample.blocks.blocks = {block};
 	sample.meshes.assign(1, {});
-	slice::SheetMesh& mesh = sample.meshes[0];
+	mesh::SheetMesh& mesh = sample.meshes[0];
 	mesh.positions = {{0.5, 0, 0}, {0.5, 1, 0}, {0.5, 1, 1}};
 	mesh.edges = {{0, 0, 1, 0.5}, {0, 3, 4, 0.5}, {0, 12, 13, 0.5}};
 	mesh.polygon_starts = {0, 3};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grid/block.h"
-#include "slice/mesh.h"
+#include "mesh/sheet_mesh.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace vp::test
 struct SampleSlice
 {
 	grid::BlockSet blocks;
-	std::vector<slice::SheetMesh> meshes;
+	std::vector<mesh::SheetMesh> meshes;
 
 	std::size_t vertices() const;
 	std::size_t polygons() const;

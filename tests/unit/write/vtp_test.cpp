@@ -1,5 +1,6 @@
 #include "sample_slice.h"
 
+#include "mesh/mesh_values.h"
 #include "write/slice_file.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +52,7 @@ TEST_F(VtpTest, HoldsTheMesh)
 	vtkIdType point = 0;
 	vtkIdType polygon = 0;
 	vtkNew<vtkIdList> corners;
-	for (const slice::SheetMesh& mesh : sample_.meshes)
+	for (const mesh::SheetMesh& mesh : sample_.meshes)
 	{
 		const vtkIdType base = point;
 		for (const Vec3& position : mesh.positions)
@@ -77,7 +78,7 @@ TEST_F(VtpTest, TellsWhereEachPolygonComesFrom)
 	ASSERT_TRUE(cellArray("vprobe:cell") && cellArray("vprobe:block") && cellArray("vprobe:sheet"));
 	vtkIdType polygon = 0;
 	for (std::size_t sheet = 0; sheet < sample_.meshes.size(); ++sheet)
-		for (const slice::BlockCell& from : sample_.meshes[sheet].polygon_cells)
+		for (const mesh::BlockCell& from : sample_.meshes[sheet].polygon_cells)
 		{
 			const std::size_t source =
 			    std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(from.cell)); },
@@ -99,14 +100,14 @@ TEST_F(VtpTest, InterpolatesPointArrays)
 	EXPECT_EQ(pointArray("v")->GetNumberOfComponents(), 3);
 	EXPECT_EQ(pointArray("level")->GetDataType(), VTK_FLOAT); // 16 bits fit
 	vtkIdType point = 0;
-	for (const slice::SheetMesh& mesh : sample_.meshes)
-		for (const slice::EdgePoint& edge : mesh.edges)
+	for (const mesh::SheetMesh& mesh : sample_.meshes)
+		for (const mesh::EdgePoint& edge : mesh.edges)
 		{
 			const grid::Block& block = sample_.blocks.blocks[edge.block];
-			EXPECT_EQ(pointArray("s")->GetTuple1(point), slice::interpolate(block, block.fields[0], 0, edge));
+			EXPECT_EQ(pointArray("s")->GetTuple1(point), mesh::interpolate(block, block.fields[0], 0, edge));
 			for (int c = 0; c < 3; ++c)
 				EXPECT_EQ(static_cast<float>(pointArray("v")->GetComponent(point, c)),
-				          static_cast<float>(slice::interpolate(block, block.fields[1], c, edge)));
+				          static_cast<float>(mesh::interpolate(block, block.fields[1], c, edge)));
 			EXPECT_EQ(std::isnan(pointArray("level")->GetTuple1(point)), edge.block == 1);
 			++point;
 		}

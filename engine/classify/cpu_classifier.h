@@ -1,0 +1,89 @@
+#pragma once
+
+#include "find/generations.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace vp::classify
+{
+
+// Classifies in double precision on the calling thread: the oracle that the GPU is held against.
+template <class Surface, class Window = seed::SheetWindow>
+class CpuClassifier
+{
+public:
+	// The lanes stay the caller's, and are those that are traversed.
+	explicit CpuClassifier(std::span<const find::SheetInBlock<Surface, Window>> lanes) : lanes_(lanes) {}
+
+	Status classify(std::span<const find::FrontSlice> fronts)
+	{
+		for (const find::FrontSlice& front : fronts)
+			std::visit([&](const auto& grid) { classifyFront(grid, lanes_[front.lane].surface, front); },
+			           lanes_[front.lane].block->grid);
+		return Nothing{};
+	}
+
+private:
+	template <class G>
+	static void classifyFront(const G& grid, const Surface& surface, const find::FrontSlice& front)
+	{
+		if constexpr (surface::kIsCurved<Surface>)
+		{
+			constexpr std::size_t kCells = Surface::kMostPoints / grid::kMaxShapePoints;
+			for (std::size_t begin = 0; begin < front.cells.size(); begin += kCells)
+			{
+				const std::size_t count = std::min(kCells, front.cells.size() - begin);
+				classifyTogether(grid, surface, front.cells.subspan(begin, count), front.words.subspan(begin, count));
+			}
+		}
+		else
+			for (std::size_t i = 0; i < front.cells.size(); ++i)
+			{
+				const CellId cell = front.cells[i];
+				const grid::CellShape shape = grid.shape(cell);
+				front.words[i] = shape == grid::CellShape::polyhedron
+				                     ? shared::kCodeWalk
+				                     : find::classifyByTable(grid, surface, cell, shape);
+			}
+	}
+
+	// A few cells: what a surface computes is computed for all their points at once, which pays for an expression.
+	template <class G>
+	static void classifyTogether(const G& grid, const Surface& surface, std::span<const CellId> cells,
+	                             std::span<std::uint32_t> words)
+	{
+		std::array<PointId, Surface::kMostPoints> points;
+		std::array<double, Surface::kMostPoints> heights;
+		std::size_t count = 0;
+		for (const CellId cell : cells)
+			if (grid.shape(cell) != grid::CellShape::polyhedron)
+				for (const PointId p : grid.cellPoints(cell))
+					points[count++] = p;
+		surface.heights(grid, std::span(points).first(count), heights.data());
+		const double* next = heights.data();
+		for (std::size_t i = 0; i < cells.size(); ++i)
+		{
+			const grid::CellShape shape = grid.shape(cells[i]);
+			words[i] = shared::kCodeWalk;
+			if (shape == grid::CellShape::polyhedron)
+				continue;
+			const int vertices = grid.cellPoints(cells[i]).size;
+			words[i] = find::caseWords(shape)[caseIndex(next, vertices)];
+			next += vertices;
+		}
+	}
+
+	static std::uint32_t caseIndex(const double* heights, int vertices)
+	{
+		std::uint32_t index = 0;
+		for (int v = 0; v < vertices; ++v)
+			index |= static_cast<std::uint32_t>(heights[v] >= 0.0) << v;
+		return index;
+	}
+
+	std::span<const find::SheetInBlock<Surface, Window>> lanes_;
+};
+
+} // namespace vp::classify

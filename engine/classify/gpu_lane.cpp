@@ -1,0 +1,154 @@
+#include "classify/gpu_lane.h"
+
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace vp::classify
+{
+
+namespace
+{
+
+// Scalar layout: as the shader has it.
+static_assert(offsetof(shared::ClassifyLane, unit) == 72 && offsetof(shared::ClassifyLane, error) == 156);
+
+void setHalves(shared::uint* halves, const Vec3& v)
+{
+	for (int axis = 0; axis < 3; ++axis)
+	{
+		const auto bits = std::bit_cast<std::uint64_t>(v[axis]);
+		halves[2 * axis] = static_cast<std::uint32_t>(bits);
+		halves[2 * axis + 1] = static_cast<std::uint32_t>(bits >> 32);
+	}
+}
+
+void setSingle(float* single, const Vec3& v)
+{
+	for (int axis = 0; axis < 3; ++axis)
+		single[axis] = static_cast<float>(v[axis]);
+}
+
+// A bound of |d_here - d_cpu| at a point whose distance d is not exactly the CPU's, d = sum n_i (p_i - o_i). With c the
+// centre and h the half size of the points, r_i = |c_i - o_i| + h_i bounds |p_i - o_i|, and e the rounding of one
+// operation:
+//
+// Doubles, e = 2^-53, fixed-point numbers of unit u: the number is off by at most u_i / 2, unpacking adds e |p_i|, and
+// packing e h_i. On each side the difference, the product and two sums round once, in all 8 e r_i; twice that is
+// granted.
+//
+// Floats, e = 2^-24: the number is off by 2^9 u_i <= 2^-29 h_i, its conversion by e h_i, the difference (its two steps
+// for float points) by 2 e r_i, normal, product and sums by 4 e r_i, and the low part of the origin by e^2 |o_i|: less
+// than 8 e r_i + 2^-47 |o_i|; twice that is granted.
+double distanceError(const GpuBlock& block, const Vec3& normal, const Vec3& origin, bool doubles)
+{
+	double bound = 0.0;
+	for (int axis = 0; axis < 3; ++axis)
+	{
+		const double centre = std::abs(block.centre[axis]);
+		const double half = 0.5 * block.bounds.size()[axis] + block.unit[axis];
+		const double reach = std::abs(block.centre[axis] - origin[axis]) + half;
+		const double error = doubles ? 0.5 * block.unit[axis] + 0x1p-52 * (centre + half) + 0x1p-49 * reach
+		                             : 0x1p-20 * reach + 0x1p-46 * std::abs(origin[axis]);
+		bound += std::abs(normal[axis]) * error;
+	}
+	return bound;
+}
+
+// With distances off by at most E each, a vertex moves along its edge by at most 2 E / |d0 - d1| of the edge: 1e-3 with
+// doubles. Floats cannot keep that on fine grids; there the bound, which is ten times what occurs, keeps 1/32.
+constexpr double kLeastDifferenceDoubles = 2000.0;
+constexpr double kLeastDifferenceSingles = 64.0;
+
+template <class Lattice>
+double fillPlaneAxes(const Lattice& grid, const surface::Plane& plane, const probe::Sheet& sheet, bool doubles,
+                     std::span<AxisTexel> axes)
+{
+	const Vec3 x_axis = sheet.xAxis();
+	std::size_t next = 0;
+	double error = 0.0;
+	for (int axis = 0; axis < 3; ++axis)
+	{
+		double largest = 0.0;
+		for (std::uint32_t i = 0; i < grid.points()[axis]; ++i)
+		{
+			const double from_origin = grid.coordinate(axis, i) - plane.origin()[axis];
+			// One of the three terms that surface::Plane::signedDistance() adds.
+			const double share = plane.normal()[axis] * from_origin;
+			largest = std::max(largest, std::abs(share));
+			const auto bits = doubles ? std::bit_cast<std::uint64_t>(share)
+			                          : std::uint64_t(std::bit_cast<std::uint32_t>(static_cast<float>(share)));
+			axes[next++] = {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32),
+			                std::bit_cast<std::uint32_t>(static_cast<float>(x_axis[axis] * from_origin)),
+			                std::bit_cast<std::uint32_t>(static_cast<float>(sheet.up[axis] * from_origin))};
+		}
+		// Floats: a rounding of the share and of two sums, and the CPU's own; twice that is granted.
+		error += 0x1p-21 * largest;
+	}
+	return error;
+}
+
+} // namespace
+
+float boundedAbove(double value)
+{
+	return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
+}
+
+std::size_t axisTexels(const grid::AnyGrid& any)
+{
+	return std::visit(
+	    [](const auto& grid) -> std::size_t
+	    {
+		    if constexpr (requires { grid.coordinate(0, 0u); })
+			    return std::size_t(grid.points()[0]) + grid.points()[1] + grid.points()[2];
+		    else
+			    return 0;
+	    },
+	    any);
+}
+
+shared::ClassifyLane describeLane(const grid::Block& block, const GpuBlock& on_device, const GpuValues& values,
+                                  bool field_chosen, bool doubles, const probe::Sheet& sheet, std::size_t axis_start,
+                                  std::span<AxisTexel> axes)
+{
+	const surface::Plane plane = sheet.plane();
+	const Vec3& normal = plane.normal();
+	const Vec3& origin = plane.origin();
+	shared::ClassifyLane lane{};
+	setHalves(lane.normal, normal);
+	setHalves(lane.origin, origin);
+	setHalves(lane.centre, on_device.centre);
+	setSingle(lane.unit, on_device.unit);
+	setSingle(lane.single_normal, normal);
+	setSingle(lane.single_centre, on_device.centre - origin);
+	setSingle(lane.single_origin_hi, origin);
+	setSingle(lane.single_origin_lo, origin - Vec3(Vec3f(origin)));
+	setSingle(lane.x_axis, sheet.xAxis());
+	setSingle(lane.y_axis, sheet.up);
+
+	double error = distanceError(on_device, normal, origin, doubles);
+	describeCells(block.grid, axis_start, lane);
+	std::visit(
+	    [&](const auto& grid)
+	    {
+		    if constexpr (requires { grid.coordinate(0, 0u); })
+			    error = fillPlaneAxes(grid, plane, sheet, doubles, axes);
+	    },
+	    block.grid);
+
+	lane.error = boundedAbove(error);
+	lane.least_difference = boundedAbove(error * (doubles ? kLeastDifferenceDoubles : kLeastDifferenceSingles));
+	for (int axis = 0; axis < 3; ++axis)
+		if (normal[axis] != 0.0)
+			lane.inexact_mask |= 1u << (shared::kFixedInexactShift + axis);
+	lane.nearest = values.nearest;
+	lane.tuple_texels = values.tuple_texels;
+	// Without an array there is nothing to miss; a block that lacks the shown array has no value there.
+	lane.no_value = field_chosen ? shared::kNanValue : 0.0f;
+	lane.flipped = glm::dot(normal, sheet.normal) < 0.0;
+	return lane;
+}
+
+} // namespace vp::classify

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "grid/block.h"
+#include "grid/field_choice.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace vp::classify
+{
+
+// A buffer read as texels.
+struct GpuTexels
+{
+	gpu::Buffer buffer;
+	gpu::TexelView view;
+
+	explicit operator bool() const { return static_cast<bool>(view); }
+};
+
+// How a block lies in device memory; see shared/classify_types.h for the formats.
+struct GpuBlock
+{
+	std::uint32_t cells_kind = 0;  // kCellsAxes …
+	std::uint32_t points_kind = 0; // kPointsFloat …
+	GpuTexels points;
+	GpuTexels cells;
+	// Of the points; for fixed-point numbers the centre and unit they count from.
+	Box bounds;
+	Vec3 centre{0.0};
+	Vec3 unit{1.0};
+};
+
+// The shown array of a block in the block's own numbering.
+struct GpuValues
+{
+	std::uint32_t kind = 0;         // kValuesNone …
+	std::uint32_t tuple_texels = 0; // a tuple takes so many texels of four numbers
+	bool nearest = false;           // categorical
+	GpuTexels texels;
+};
+
+// What one array may take.
+struct GpuLimits
+{
+	std::uint64_t texels;
+	std::uint64_t bytes;
+};
+
+// Why a block with any of its arrays does not fit the device; empty where it does.
+std::string whyNotOnDevice(const gpu::Device& device, const GpuLimits& limits, const grid::Block& block);
+
+Result<std::unique_ptr<GpuBlock>> uploadBlock(gpu::Device& device, const grid::Block& block);
+// None where the block lacks the array.
+Result<GpuValues> uploadValues(gpu::Device& device, const grid::Block& block, const grid::FieldChoice& choice);
+Result<GpuTexels> uploadCaseTables(gpu::Device& device);
+// One texel, for a shader that has no values to read.
+Result<GpuTexels> uploadNoValues(gpu::Device& device);
+
+} // namespace vp::classify

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/commands.h"
+#include "gpu/shader.h"
+#include "gpu/timers.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace vp::classify
+{
+
+constexpr std::size_t roundUp(std::size_t value, std::size_t step)
+{
+	return (value + step - 1) / step * step;
+}
+
+// What one slice under way needs on the device, kept from slice to slice: nothing is made per generation but where a
+// front outgrows all before it.
+struct ClassifyWorkspace
+{
+	explicit ClassifyWorkspace(gpu::Device& device) : timers(device, "GPU cut") {}
+
+	// Made by the first slice.
+	Status prepare(gpu::Device& device, const gpu::Pipeline& pipeline);
+	// Room for so many cells of a generation, over all lanes. What is in the buffers is lost.
+	Status reserveFront(gpu::Device& device, std::size_t cells);
+	// Room for what stays the same during a slice.
+	Status reserveLanes(gpu::Device& device, std::size_t bytes);
+	Status reserveAxes(gpu::Device& device, std::size_t texels);
+
+	// Waits for what was submitted, and hands each run of cells its words: run.count from run.offset on, for the cells
+	// of run.front from run.begin on.
+	template <class Run>
+	Status takeWords(const std::vector<Run>& runs)
+	{
+		if (Status done = commands.wait(); !done)
+			return done;
+		words.invalidate();
+		const auto* from = words.mappedAs<std::uint32_t>();
+		for (const Run& run : runs)
+			std::memcpy(run.front->words.data() + run.begin, from + run.offset, run.count * sizeof(std::uint32_t));
+		return Nothing{};
+	}
+
+	gpu::Commands commands;
+	gpu::DescriptorSets sets; // set i serves dispatch i of a generation
+	gpu::Timers timers;
+	gpu::Buffer front; // cell ids, written by the host
+	gpu::Buffer words; // read by the host
+	gpu::Buffer lanes; // ClassifyLane each, at offsets that the device can bind
+	gpu::Buffer axes;
+	gpu::TexelView axis_texels;
+};
+
+} // namespace vp::classify

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "base/ids.h"
+#include "base/raw_vector.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace vp::find
+{
+
+// Which cells a flood has met, one bit each, and which words of 64 bits are not empty: so they are listed in ascending
+// order without a sort, and cleared, in time that follows their number and N / 4096.
+class CellMarks
+{
+public:
+	explicit CellMarks(std::size_t cells);
+
+	// What a thread marks with; to be kept by value.
+	class Pen
+	{
+	public:
+		explicit Pen(CellMarks& marks) : words_(marks.words_.get()), groups_(marks.groups_.get()) {}
+
+		// True where the cell had no mark yet. Not exact among threads, since no bus is locked (a locked exchange takes
+		// longer than all else that is done to a cell): it may be true for several callers, and one may undo the
+		// other's mark of another cell. So cells met are to be kept besides, and given to settle() when all have come
+		// to rest.
+		bool mark(CellId cell) const
+		{
+			const std::uint64_t bit = 1ull << cell % 64;
+			std::atomic<std::uint64_t>& word = words_[cell / 64];
+			const std::uint64_t before = word.load(std::memory_order_relaxed);
+			if (before & bit)
+				return false;
+			word.store(before | bit, std::memory_order_relaxed);
+			if (before == 0)
+			{
+				std::atomic<std::uint64_t>& group = groups_[cell / 4096];
+				group.store(group.load(std::memory_order_relaxed) | 1ull << cell / 64 % 64, std::memory_order_relaxed);
+			}
+			return true;
+		}
+
+	private:
+		std::atomic<std::uint64_t>* words_;
+		std::atomic<std::uint64_t>* groups_;
+	};
+
+	// Makes certain that a cell is marked. Thread safe beside itself, not beside pens.
+	void settle(CellId cell)
+	{
+		setBit(words_[cell / 64], 1ull << cell % 64);
+		setBit(groups_[cell / 4096], 1ull << cell / 64 % 64);
+	}
+
+	// Once all are settled: the cells in ascending order. Makes rank() known.
+	std::vector<CellId> list();
+	// The place of a marked cell in the list.
+	std::uint32_t rank(CellId cell) const
+	{
+		const std::uint64_t below = (1ull << cell % 64) - 1;
+		return ranks_[cell / 64] + countBits(words_[cell / 64].load(std::memory_order_relaxed) & below);
+	}
+	void clear(); // of what list() gave
+
+	std::size_t bytes() const { return ranks_.size() * (8 + 4) + group_count_ * 8; }
+
+private:
+	// In sums of ever wider fields. std::popcount calls a function where the machine is not known to have the
+	// instruction.
+	static std::uint32_t countBits(std::uint64_t word)
+	{
+		word -= word >> 1 & 0x5555555555555555ull;
+		word = (word & 0x3333333333333333ull) + (word >> 2 & 0x3333333333333333ull);
+		word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0Full;
+		return static_cast<std::uint32_t>(word * 0x0101010101010101ull >> 56);
+	}
+	static void setBit(std::atomic<std::uint64_t>& word, std::uint64_t bit)
+	{
+		if (!(word.load(std::memory_order_relaxed) & bit))
+			word.fetch_or(bit, std::memory_order_relaxed);
+	}
+	std::size_t chunks() const { return (group_count_ + kChunkGroups - 1) / kChunkGroups; }
+	template <class Visit>
+	void forWords(std::size_t chunk, Visit&& visit) const;
+
+	static constexpr std::size_t kChunkGroups = 128; // half a million cells
+
+	std::unique_ptr<std::atomic<std::uint64_t>[]> words_;
+	std::unique_ptr<std::atomic<std::uint64_t>[]> groups_;
+	RawVector<std::uint32_t> ranks_; // of the first cell of a word that is not empty
+	std::size_t group_count_;
+};
+
+} // namespace vp::find

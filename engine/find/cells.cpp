@@ -1,0 +1,209 @@
+#include "find/cells.h"
+
+#include "base/raw_vector.h"
+#include "find/flood_sharing.h"
+#include "find/record_signs.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <mutex>
+#include <numeric>
+#include <vector>
+
+namespace vp::find
+{
+
+namespace
+{
+
+struct WordOf
+{
+	CellId cell;
+	std::uint32_t word;
+};
+
+// The part of a flood that one thread does.
+template <int kWidth, class Number>
+class CellFlooder
+{
+public:
+	using Reader = grid::RecordReader<kWidth, Number>;
+
+	CellFlooder(const grid::UnstructuredGrid& grid, const Reader& reader, const surface::Plane& plane,
+	            const seed::SheetWindow* window, const RecordSigns<kWidth, Number>& signs, CellMarks& marks)
+	    : grid_(grid), reader_(reader), plane_(plane), window_(window), signs_(signs), pen_(marks)
+	{
+		for (int s = 0; s < grid::kTableShapes; ++s)
+			words_of_[s] = caseWords(static_cast<grid::CellShape>(s));
+	}
+
+	void follow(std::vector<CellId>& queue, std::size_t at)
+	{
+		if (at + kAhead < queue.size())
+			reader_.prefetchCell(queue[at + kAhead]);
+		if (at + kAhead / 2 < queue.size())
+			reader_.prefetchPoints(queue[at + kAhead / 2]);
+		const CellId cell = queue[at];
+		const std::uint32_t* record = reader_.record(cell);
+		const grid::CellShape shape = reader_.shape(record);
+		if (kWidth == 8 && shape == grid::CellShape::polyhedron)
+			return walk(queue, cell);
+		const std::uint32_t word = words_of_[static_cast<std::size_t>(shape)][signs_.of(record, shape)];
+		if (kWidth == 8 && word & shared::kCodeWalk)
+			return walk(queue, cell);
+		const Reach reach = window_ ? reachOf(cell, record, shape) : Reach::within;
+		if (reach == Reach::outside)
+			return leaveOut(cell, word);
+		const CellMarks::Pen pen = pen_;
+		for (std::uint32_t bits = word >> shared::kCodeFacesShift & 0xFFu; bits; bits &= bits - 1)
+		{
+			const int face = std::countr_zero(bits);
+			if (reach == Reach::rim && !window_->meetsFace(grid_, plane_, faces_[face]))
+				continue;
+			const std::uint32_t across = reader_.across(record)[face];
+			if (across >= kMaxBlockIds)
+				cross(queue, cell, face);
+			else if (pen.mark(across))
+				queue.push_back(across);
+		}
+		found_.push_back({cell, word});
+	}
+
+	RawVector<WordOf> takeFound() { return std::move(found_); }
+
+private:
+	static constexpr std::size_t kAhead = 32; // cells, whose record is fetched; their points at half the way
+
+	void cross(std::vector<CellId>& queue, CellId cell, int face)
+	{
+		grid_.forEachNeighbour(cell, face,
+		                       [&](CellId across)
+		                       {
+			                       if (pen_.mark(across))
+				                       queue.push_back(across);
+		                       });
+	}
+	// As the traversal marks a cell of generation 0 whose section lies outside.
+	void leaveOut(CellId cell, std::uint32_t word) { found_.push_back({cell, word & (0xFFu | shared::kCodeWalk)}); }
+
+	// Where the section of a cell, if it has one, lies. The box of its points decides about most; faces_ are filled for
+	// those on the rim.
+	enum class Reach
+	{
+		outside,
+		rim,
+		within
+	};
+	Reach reachOf(CellId cell, const std::uint32_t* record, grid::CellShape shape)
+	{
+		bool within = true;
+		for (int axis = 0; axis < 2; ++axis)
+		{
+			double low = std::numeric_limits<double>::infinity();
+			double high = -low;
+			for (int v = 0; v < grid::topology(shape).points; ++v)
+			{
+				const double along = glm::dot(reader_.point(record[v]) - window_->origin(), window_->axis(axis));
+				low = std::min(low, along);
+				high = std::max(high, along);
+			}
+			if (high < window_->lo()[axis] || low > window_->hi()[axis])
+				return Reach::outside;
+			within = within && low >= window_->lo()[axis] && high <= window_->hi()[axis];
+		}
+		if (within)
+			return Reach::within;
+		grid_.cellFaces(cell, faces_);
+		return window_->meetsCell(grid_, plane_, faces_) ? Reach::rim : Reach::outside;
+	}
+
+	// A cell that no table knows.
+	void walk(std::vector<CellId>& queue, CellId cell)
+	{
+		const std::uint32_t word = classifyByWalk(grid_, plane_, cell, faces_);
+		if (window_ && !window_->meetsCell(grid_, plane_, faces_))
+			return leaveOut(cell, word);
+		if (word & shared::kCodeCut)
+			for (int f = 0; f < faces_.size(); ++f)
+				if (window_ ? window_->meetsFace(grid_, plane_, faces_[f]) : seed::isFaceCut(grid_, plane_, faces_[f]))
+					cross(queue, cell, f);
+		found_.push_back({cell, word});
+	}
+
+	const grid::UnstructuredGrid& grid_;
+	const Reader& reader_;
+	const surface::Plane& plane_;
+	const seed::SheetWindow* window_;
+	const RecordSigns<kWidth, Number>& signs_;
+	CellMarks::Pen pen_;
+	std::array<const std::uint32_t*, grid::kTableShapes> words_of_;
+	grid::CellFaces faces_;
+	RawVector<WordOf> found_;
+};
+
+using Found = std::vector<RawVector<WordOf>>; // by each part of the work
+
+template <int kWidth, class Number>
+Found flood(const grid::UnstructuredGrid& grid, const grid::RecordReader<kWidth, Number>& reader,
+            const surface::Plane& plane, const Box& bounds, const seed::SheetWindow* window,
+            std::span<const CellId> first, CellMarks& marks)
+{
+	const RecordSigns<kWidth, Number> signs(reader, plane, bounds);
+	std::mutex mutex;
+	Found found;
+	shareFlood(first,
+	           [&](FloodQueue<CellId>& queue)
+	           {
+		           CellFlooder flooder(grid, reader, plane, window, signs, marks);
+		           queue.run([&](std::vector<CellId>& cells, std::size_t at) { flooder.follow(cells, at); });
+		           const std::lock_guard lock(mutex);
+		           found.push_back(flooder.takeFound());
+	           });
+	return found;
+}
+
+// Some cells may have been found twice.
+CellCut inOrder(const Found& found, CellMarks& marks)
+{
+	const auto forFound = [&](auto&& visit)
+	{
+		tbb::parallel_for(std::size_t(0), found.size(),
+		                  [&](std::size_t part)
+		                  {
+			                  for (const WordOf& known : found[part])
+				                  visit(known);
+		                  });
+	};
+	forFound([&](const WordOf& known) { marks.settle(known.cell); });
+	CellCut cut;
+	cut.cells = marks.list();
+	cut.words.resize(cut.cells.size());
+	forFound([&](const WordOf& known)
+	         { std::atomic_ref(cut.words[marks.rank(known.cell)]).store(known.word, std::memory_order_relaxed); });
+	marks.clear();
+	for (const std::uint32_t word : cut.words)
+		cut.cut_cells += (word & shared::kCodeCut) != 0;
+	return cut;
+}
+
+} // namespace
+
+CellCut floodCells(const grid::UnstructuredGrid& grid, const surface::Plane& plane, const Box& bounds,
+                   const seed::SheetWindow* window, std::span<const CellId> seeds, CellMarks& marks)
+{
+	const CellMarks::Pen pen(marks);
+	std::vector<CellId> first;
+	for (const CellId seed : seeds)
+		if (pen.mark(seed))
+			first.push_back(seed);
+	const Found found = grid::readRecords(grid, [&](const auto& reader)
+	                                      { return flood(grid, reader, plane, bounds, window, first, marks); });
+	CellCut cut = inOrder(found, marks);
+	cut.closed = !grid.hasLinks() && !window;
+	return cut;
+}
+
+} // namespace vp::find

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "grid/block.h"
+#include "grid/field_choice.h"
+#include "probe/sheet.h"
+#include "surface/curved.h"
+#include "surface/leaf_values.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace vp::find
+{
+
+// The ranges of arrays in the leaves of block trees, kept from cut to cut: the last array of each block. Thread safe.
+class ValueRanges
+{
+public:
+	explicit ValueRanges(std::size_t blocks) : kept_(blocks) {}
+
+	std::shared_ptr<const surface::LeafValues> of(std::size_t number, const grid::Block& block,
+	                                              const grid::Field& field, int component);
+	void forget(); // the arrays hold other values now
+	std::size_t bytes() const;
+
+private:
+	struct Kept
+	{
+		const std::byte* values = nullptr;
+		int component = 0;
+		std::shared_ptr<const surface::LeafValues> ranges;
+	};
+	mutable std::mutex mutex_;
+	std::vector<Kept> kept_;
+};
+
+// The form of a placed sheet, which has one, as each block sees it. field: the shown array; an iso value is of it, and
+// blocks that lack it, or have it on cells, are cut nowhere. ranges: null where nothing is to be looked for.
+std::vector<surface::BlockSurface> surfacesOf(const grid::BlockSet& blocks, const probe::Sheet& sheet,
+                                              const std::optional<grid::FieldChoice>& field,
+                                              ValueRanges* ranges = nullptr);
+
+// The surfaces of one value of an array: as surfacesOf() has them for an iso value.
+std::vector<surface::BlockSurface> isoSurfaces(const grid::BlockSet& blocks, double value,
+                                               const std::optional<grid::FieldChoice>& field,
+                                               ValueRanges* ranges = nullptr);
+
+// Turns down cells with a value that is NaN or infinite; empty where there are none, or the surface is not of values.
+std::function<bool(CellId)> finiteCells(const grid::Block& block, const surface::BlockSurface& surface);
+
+} // namespace vp::find

@@ -1,0 +1,212 @@
+#include "find/plan.h"
+
+#include "find/rows.h"
+#include "find/spans.h"
+#include "surface/gpu_surface.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace vp::find
+{
+
+namespace
+{
+
+constexpr std::array kStrategies{std::pair(Strategy::rows, "rows"), std::pair(Strategy::spans, "spans"),
+                                 std::pair(Strategy::cells, "cells"), std::pair(Strategy::generations, "generations"),
+                                 std::pair(Strategy::listed, "listed")};
+
+/// One sheet in one block. sheet: null where something else takes the place of the sheets.
+struct PlannedSheet
+{
+	const PlanRequest& request;
+	const probe::Sheet* sheet;
+	const grid::Block& block;
+	bool has_seams; // with other blocks
+};
+
+/// Why the cells have to be followed from one to the next in generations, whatever the grid; null where they do not.
+const char* needsGenerations(const PlannedSheet& at)
+{
+	if (at.sheet->form)
+		return at.sheet->form->isoValue() ? "the surface of one value, which only the CPU classifies"
+		                                  : "a curved surface";
+	if (at.request.has_threshold)
+		return "the search ends at cells outside the threshold";
+	if (at.request.seed_mode == seed::SeedMode::hotspot && (at.has_seams || at.sheet->window))
+		return "only the piece at the hot spot is wanted";
+	return nullptr;
+}
+
+const char* whyNotRows(const PlannedSheet& at)
+{
+	if (std::holds_alternative<grid::UniformGrid>(at.block.grid))
+		return nullptr;
+	const auto* rectilinear = std::get_if<grid::RectilinearGrid>(&at.block.grid);
+	if (!rectilinear)
+		return "the block has no straight axes";
+	return hasStraightRows(*rectilinear) ? nullptr : "coordinates of an axis go up and down";
+}
+
+const char* whyNotSpans(const PlannedSheet& at)
+{
+	const auto* curvilinear = std::get_if<grid::CurvilinearGrid>(&at.block.grid);
+	if (!curvilinear)
+		return "the block is not curvilinear";
+	return floodTakes(*curvilinear) ? nullptr : "rows are too long, or threads too many";
+}
+
+const char* whyNotCells(const PlannedSheet& at)
+{
+	const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&at.block.grid);
+	if (!unstructured)
+		return "the block is not unstructured";
+	// Where cells are linked the traversal enters all behind a large face that the window holds a part of.
+	return at.sheet->window && unstructured->hasLinks() ? "a window over faces that meet several smaller ones"
+	                                                    : nullptr;
+}
+
+/// Why a strategy cannot be had; null where it can.
+const char* whyNot(Strategy strategy, const PlannedSheet& at)
+{
+	if (!at.sheet)
+		return strategy == Strategy::listed ? nullptr : "cells of a grid index or a patch are listed";
+	if (strategy == Strategy::listed)
+		return "only cells of a grid index or a patch are listed";
+	if (strategy == Strategy::generations)
+		return nullptr;
+	if (const char* why = needsGenerations(at))
+		return why;
+	if (at.request.finder == Finder::traversal)
+		return "generations are asked for";
+	return strategy == Strategy::rows    ? whyNotRows(at)
+	       : strategy == Strategy::spans ? whyNotSpans(at)
+	                                     : whyNotCells(at);
+}
+
+const char* whyGenerations(const PlannedSheet& at)
+{
+	if (const char* why = needsGenerations(at))
+		return why;
+	if (at.request.finder == Finder::traversal)
+		return "asked for";
+	// The strategy of the block's kind could not be had, or was not to be taken.
+	const char* why = std::holds_alternative<grid::RectilinearGrid>(at.block.grid)   ? whyNotRows(at)
+	                  : std::holds_alternative<grid::CurvilinearGrid>(at.block.grid) ? whyNotSpans(at)
+	                                                                                 : whyNotCells(at);
+	return why ? why : "the device classifies a generation at a time";
+}
+
+const char* whyTaken(Strategy strategy, const PlannedSheet& at)
+{
+	if (strategy == at.request.strategy)
+		return "asked for";
+	switch (strategy)
+	{
+	case Strategy::rows:
+		return "straight axes: the plane's equation gives the cells";
+	case Strategy::spans:
+		return "curvilinear: runs of cells along i";
+	case Strategy::cells:
+		return "unstructured: cell by cell, in any order";
+	case Strategy::listed:
+		return std::holds_alternative<PatchName>(*at.request.surface) ? "the faces of a patch are known"
+		                                                              : "cells of a grid index are known by subscripts";
+	case Strategy::generations:
+		break;
+	}
+	return whyGenerations(at);
+}
+
+/// The first that can be had, in the order of their speed. A device is given generations rather than a search on the
+/// CPU, unless the fastest way is wanted.
+Strategy choose(const PlannedSheet& at)
+{
+	for (const auto& [strategy, name] : kStrategies)
+	{
+		const bool searches = strategy == Strategy::spans || strategy == Strategy::cells;
+		if (!(searches && at.request.finder == Finder::direct) && !whyNot(strategy, at))
+			return strategy;
+	}
+	return Strategy::generations;
+}
+
+/// Why the CPU classifies although there is a device; null where the device does.
+const char* whyNotOnDevice(const PlannedSheet& at, bool holds)
+{
+	if (!at.sheet)
+		return "nothing to classify";
+	if (!holds)
+		return "CPU: the block passes a limit of the device";
+	if (!at.sheet->form)
+		return nullptr;
+	if (at.sheet->form->isoValue())
+		return ""; // why_strategy tells
+	const auto surface = std::visit([](auto&& placed) { return surface::BlockSurface(placed); },
+	                                at.sheet->form->placed(at.sheet->axes()));
+	return surface::gpuSurfaceOf(surface) ? nullptr : "CPU: the expression is too long for the device";
+}
+
+BlockPlan planBlock(const PlannedSheet& at, bool has_device, bool holds)
+{
+	BlockPlan plan;
+	plan.strategy = at.request.strategy.value_or(choose(at));
+	plan.why_strategy = whyTaken(plan.strategy, at);
+	const char* why_cpu = has_device ? whyNotOnDevice(at, holds) : "";
+	plan.classifier = why_cpu ? Processor::cpu : Processor::gpu;
+	plan.why_classifier = why_cpu ? why_cpu : "";
+	return plan;
+}
+
+} // namespace
+
+std::optional<Strategy> strategyNamed(std::string_view name)
+{
+	for (const auto& [strategy, known] : kStrategies)
+		if (name == known)
+			return strategy;
+	return std::nullopt;
+}
+
+const char* nameOf(Strategy strategy)
+{
+	return kStrategies[static_cast<std::size_t>(strategy)].second;
+}
+
+const char* nameOf(Processor classifier)
+{
+	return classifier == Processor::gpu ? "gpu" : "cpu";
+}
+
+std::string BlockPlan::reason() const
+{
+	return *why_classifier ? fmt::format("{}; {}", why_strategy, why_classifier) : why_strategy;
+}
+
+Result<CutPlan> planCut(const PlanRequest& request, const grid::BlockSet& blocks, const DeviceProfile* device)
+{
+	CutPlan plan;
+	const std::size_t sheets = request.surface ? 1 : request.sheets.size();
+	for (std::size_t s = 0; s < sheets; ++s)
+	{
+		std::vector<BlockPlan>& of_sheet = plan.sheets.emplace_back();
+		for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+		{
+			const PlannedSheet at{request, request.surface ? nullptr : &request.sheets[s], blocks.blocks[b],
+			                      blocks.interfaces.of(b) != nullptr};
+			if (request.strategy)
+				if (const char* why = whyNot(*request.strategy, at))
+					return Error{ExitCode::usage,
+					             fmt::format("{}: not for sheet {} in block {}: {}; leave it out, or take {}",
+					                         nameOf(*request.strategy), s, blocks.blocks[b].name, why,
+					                         nameOf(choose(at)))};
+			of_sheet.push_back(planBlock(at, device, device && device->holds[b]));
+		}
+	}
+	return plan;
+}
+
+} // namespace vp::find

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "find/point_heights.h"
+#include "surface/plane.h"
+
+namespace vp::find
+{
+
+// S at points, four at a time and in float, where that is certain to be what the one expression in double says
+// (Plane::signedDistance).
+class SignFilter
+{
+public:
+	static constexpr unsigned kInDoubt = ~0u;
+
+	// bounds: of the points.
+	SignFilter(const surface::Plane& plane, const Box& bounds) : heights_(plane.normal(), plane.origin(), bounds) {}
+
+	// Bit v: S at point v. kInDoubt where one of them is to be asked in double.
+	unsigned four(const FourPoints& points) const
+	{
+		const FourFloats height = heights_.at(points);
+		if (bitsAtLeast(magnitude(height), FourFloats(heights_.doubt())) != 15)
+			return kInDoubt;
+		return bitsAtLeast(height, FourFloats(0.0f));
+	}
+
+private:
+	PointHeights heights_;
+};
+
+} // namespace vp::find

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "grid/build/face_key.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace vp::grid
+{
+
+constexpr std::uint32_t kNoSlot = 0xFFFFFFFFu;
+
+// Faces with one lowest point, some 24 in a mesh of tetrahedra, are compared one with the other up to here; at the tip
+// of a fan of thousands they are sorted.
+constexpr std::size_t kMostCompared = 128;
+
+struct KeyedSlot
+{
+	FaceKey key;
+	std::uint32_t slot;
+};
+
+// Faces with the same points.
+struct Meeting
+{
+	FaceKey key;
+	std::uint32_t first;
+	std::uint32_t second = kNoSlot;
+};
+
+// The faces about one point, by their other points; at most kMostCompared of them.
+class Meetings
+{
+public:
+	Meetings() { places_.fill(kFree); }
+
+	// Calls crowd(meeting, slot) for every third and further face of a meeting.
+	template <class Crowd>
+	void meet(const FaceKey& key, std::uint32_t slot, Crowd&& crowd)
+	{
+		std::size_t place = key.hash() >> (32 - kPlaceBits);
+		for (; places_[place] != kFree; place = (place + 1) % places_.size())
+		{
+			Meeting& known = meetings_[places_[place]];
+			if (!(known.key == key))
+				continue;
+			if (known.second == kNoSlot)
+				known.second = slot;
+			else
+				crowd(static_cast<std::uint32_t>(places_[place]), slot);
+			return;
+		}
+		places_[place] = static_cast<std::uint8_t>(count_);
+		taken_[count_] = static_cast<std::uint8_t>(place);
+		meetings_[count_++] = {key, slot};
+	}
+	const Meeting& operator[](std::size_t m) const { return meetings_[m]; }
+	std::span<const Meeting> all() const { return {meetings_.data(), count_}; }
+	void clear()
+	{
+		for (std::size_t m = 0; m < count_; ++m)
+			places_[taken_[m]] = kFree;
+		count_ = 0;
+	}
+
+private:
+	static constexpr int kPlaceBits = 8;
+	static constexpr std::uint8_t kFree = 0xFF;
+
+	std::array<std::uint8_t, 1 << kPlaceBits> places_; // hashed: numbers of meetings
+	std::array<std::uint8_t, kMostCompared> taken_;    // of the meetings: their places
+	std::array<Meeting, kMostCompared> meetings_;
+	std::size_t count_ = 0;
+};
+
+} // namespace vp::grid

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "base/ids.h"
+#include "grid/structured.h"
+#include "grid/unstructured.h"
+
+#include <vector>
+
+namespace vp::grid
+{
+
+// The cells at which a grid may be folded over: those not turned, throughout (see turnOf()), the way that most cells of
+// the block are, in ascending order. A plane's cut can close within the block, out of reach of its boundary, only
+// through such a cell:
+//
+// The cells' maps, glued at their faces, carry the cut's surface within them into the plane. A face is crossed only
+// where its points' signs differ, so a piece whose cut faces all have a neighbour is a closed surface. Were all its
+// cells turned one way, the map would keep its sense everywhere, and be open (around a cut edge it may wind several
+// times): the image of the closed surface would be open and compact, and the plane holds no such set but the empty one.
+//
+// Cells are taken to meet in whole faces, two at most on each.
+//
+// A polyhedron is filled from its centre (the mean of its points) by tetrahedra to its triangles, pyramids to its
+// quads, and fans about the mean of larger faces. Since files list its faces either way round, it asks no majority: it
+// is listed where it is not filled one way, or lies on the same side of a face as the cell across.
+//
+// One pass on all cores and a byte a cell while it runs; a curvilinear grid is settled in boxes of cells that are
+// alike.
+std::vector<CellId> foldedCells(const UniformGrid& grid);
+std::vector<CellId> foldedCells(const RectilinearGrid& grid);
+std::vector<CellId> foldedCells(const CurvilinearGrid& grid);
+std::vector<CellId> foldedCells(const UnstructuredGrid& grid);
+
+} // namespace vp::grid

@@ -1,0 +1,226 @@
+#include "grid/build/adjacency.h"
+#include "grid/build/cell_order.h"
+#include "grid/build/for_ranges.h"
+#include "grid/build/listed_cells.h"
+#include "grid/unstructured.h"
+
+#include <memory>
+#include <stdexcept>
+
+namespace vp::grid
+{
+
+namespace
+{
+
+template <class Number>
+Points gathered(const Points& points, const HugeVector<std::uint32_t>& order)
+{
+	const auto xyz = std::make_shared<HugeVector<Number>>(3 * order.size());
+	Number* numbers = xyz->data();
+	forRanges(order.size(),
+	          [&](std::size_t p)
+	          {
+		          const Vec3 x = points[order[p]];
+		          for (int axis = 0; axis < 3; ++axis)
+			          numbers[3 * p + axis] = static_cast<Number>(x[axis]);
+	          });
+	return Points(Array<Number>(xyz, numbers, 3 * order.size()));
+}
+
+} // namespace
+
+// Builds the parts of a grid in the order they depend on each other.
+class UnstructuredBuilder
+{
+public:
+	UnstructuredBuilder(const Points& points, const CellList& cells) : points_(points), cells_(cells) {}
+
+	UnstructuredGrid build(const std::vector<FaceLink>& links)
+	{
+		takeOrder();
+		writePolyhedra();
+		writeRecords();
+		matchCells(links);
+		nameSources();
+		return std::move(grid_);
+	}
+
+private:
+	void takeOrder()
+	{
+		order_ = orderCells(points_, cells_);
+		grid_.cell_count_ = order_.cells.size();
+		grid_.left_out_ = order_.left_out;
+		grid_.used_points_ = order_.used_points;
+		if (order_.all_tetrahedra)
+			grid_.width_ = grid_.face_width_ = 4;
+		grid_.source_cells_ = std::move(order_.cells);
+		grid_.source_points_ = std::move(order_.points);
+		grid_.points_ = points_.isDouble() ? gathered<double>(points_, grid_.source_points_)
+		                                   : gathered<float>(points_, grid_.source_points_);
+	}
+
+	void writePolyhedra()
+	{
+		std::size_t faces = 0;
+		std::size_t face_points = 0;
+		std::vector<std::size_t> first_point;
+		for (std::size_t c = 0; order_.has_polyhedra && c < grid_.cell_count_; ++c)
+		{
+			const std::size_t source = grid_.source_cells_[c];
+			if (!cells_.isPolyhedron(source))
+				continue;
+			polyhedra_.push_back(static_cast<CellId>(c));
+			grid_.polyhedron_faces_.push_back(static_cast<std::uint32_t>(faces));
+			first_point.push_back(face_points);
+			const std::size_t cell_faces = cells_.faceCount(source);
+			cells_.forEachFace(source, [&](std::span<const std::int64_t> face) { face_points += face.size(); });
+			faces += cell_faces;
+		}
+		checkSlots(grid_.cell_count_ * grid_.face_width_ + faces);
+		checkSlots(face_points);
+		if (polyhedra_.empty())
+			return;
+		grid_.polyhedron_faces_.push_back(static_cast<std::uint32_t>(faces));
+		grid_.face_points_start_.resize(faces + 1);
+		grid_.face_points_start_[faces] = static_cast<std::uint32_t>(face_points);
+		grid_.face_points_.resize(face_points);
+		forRanges(polyhedra_.size(),
+		          [&](std::size_t n)
+		          {
+			          std::uint32_t face = grid_.polyhedron_faces_[n];
+			          std::size_t point = first_point[n];
+			          cells_.forEachFace(grid_.source_cells_[polyhedra_[n]],
+			                             [&](std::span<const std::int64_t> ids)
+			                             {
+				                             grid_.face_points_start_[face++] = static_cast<std::uint32_t>(point);
+				                             for (const std::int64_t p : ids)
+					                             grid_.face_points_[point++] = order_.rank[p];
+			                             });
+		          });
+	}
+
+	static void checkSlots(std::size_t count)
+	{
+		if (count > UnstructuredGrid::kMaxFaceSlots)
+			throw std::length_error("a block holds at most 4294967295 cell faces");
+	}
+
+	void writeRecords()
+	{
+		constexpr std::size_t kAhead = 32; // cells, which may lie anywhere in the list
+		const std::size_t width = grid_.width_;
+		const std::size_t stride = grid_.recordStride();
+		grid_.records_.resize(grid_.cell_count_ * stride);
+		forRanges(grid_.cell_count_,
+		          [&](std::size_t c)
+		          {
+			          const std::size_t source = grid_.source_cells_[c];
+			          if (c + kAhead < grid_.cell_count_)
+				          cells_.prefetchOffset(grid_.source_cells_[c + kAhead]);
+			          if (c + kAhead / 2 < grid_.cell_count_)
+				          cells_.prefetchPoints(grid_.source_cells_[c + kAhead / 2]);
+			          const CellShape shape = shapeOf(cells_.type(source));
+			          std::uint32_t* record = &grid_.records_[c * stride];
+			          if (shape == CellShape::polyhedron)
+				          return;
+			          const std::int64_t* ids = cells_.points(source);
+			          const bool voxel = cells_.type(source) == kVoxel;
+			          const int count = topology(shape).points;
+			          for (int i = 0; i < count; ++i)
+				          record[i] = order_.rank[ids[voxel ? kVoxelOrder[i] : i]];
+			          // Ids that can be fetched, should a loop run over all eight.
+			          for (std::size_t i = count; i < width; ++i)
+				          record[i] = record[0];
+			          if (width == 8 && count < 8)
+				          record[7] = UnstructuredGrid::kShapeMark + static_cast<std::uint32_t>(shape);
+		          });
+		for (std::size_t n = 0; n < polyhedra_.size(); ++n)
+		{
+			std::uint32_t* record = &grid_.records_[std::size_t(polyhedra_[n]) * stride];
+			record[0] = static_cast<std::uint32_t>(n);
+			record[7] = UnstructuredGrid::kShapeMark + static_cast<std::uint32_t>(CellShape::polyhedron);
+		}
+		order_.rank = {};
+	}
+
+	void matchCells(const std::vector<FaceLink>& links)
+	{
+		FaceSlots faces;
+		faces.records = grid_.records_;
+		faces.record_width = grid_.width_;
+		faces.face_width = grid_.face_width_;
+		faces.cells = grid_.cell_count_;
+		faces.points = grid_.used_points_;
+		faces.shape_mark = UnstructuredGrid::kShapeMark;
+		faces.polyhedra = polyhedra_;
+		faces.polyhedron_faces = grid_.polyhedron_faces_;
+		faces.face_points_start = grid_.face_points_start_;
+		faces.face_points = grid_.face_points_;
+		grid_.polyhedron_neighbours_.resize(faces.count() - faces.tableSlots());
+		faces.polyhedron_neighbours = grid_.polyhedron_neighbours_;
+		grid_.several_ = matchFaces(faces);
+		grid_.has_links_ = !links.empty();
+		if (grid_.has_links_)
+			linkFaces(links, faces);
+	}
+
+	void linkFaces(const std::vector<FaceLink>& links, const FaceSlots& faces)
+	{
+		std::vector<CellId> stored(cells_.list().types.size(), kNoCell);
+		forRanges(grid_.cell_count_, [&](std::size_t c) { stored[grid_.source_cells_[c]] = static_cast<CellId>(c); });
+		for (const FaceLink& link : links)
+		{
+			const CellId a = stored[link.cell_a];
+			const CellId b = stored[link.cell_b];
+			if (a == kNoCell || b == kNoCell || a == b)
+				continue;
+			addNeighbour(faces.across(slotOf(a, link.face_a, faces)), b, grid_.several_);
+			addNeighbour(faces.across(slotOf(b, link.face_b, faces)), a, grid_.several_);
+		}
+	}
+
+	std::size_t slotOf(CellId cell, int face, const FaceSlots& faces) const
+	{
+		if (grid_.isPolyhedron(cell))
+			return faces.tableSlots() + grid_.polyhedron_faces_[grid_.record(cell)[0]] + face;
+		return std::size_t(cell) * faces.face_width + face;
+	}
+
+	// Up to here source_cells_ gives places in the list; from here on the file's cells.
+	void nameSources()
+	{
+		grid_.source_point_count_ = cells_.list().source_points > 0 ? cells_.list().source_points : points_.size();
+		grid_.source_cell_count_ = grid_.cell_count_;
+		if (cells_.list().source_cells.empty())
+			return;
+		forRanges(grid_.cell_count_,
+		          [&](std::size_t c) {
+			          grid_.source_cells_[c] =
+			              static_cast<std::uint32_t>(cells_.list().source_cells[grid_.source_cells_[c]]);
+		          });
+		std::vector<bool> seen;
+		grid_.source_cell_count_ = 0;
+		for (const std::uint32_t source : grid_.source_cells_)
+		{
+			if (source >= seen.size())
+				seen.resize(source + 1);
+			grid_.source_cell_count_ += !seen[source];
+			seen[source] = true;
+		}
+	}
+
+	const Points& points_;
+	ListedCells cells_;
+	CellOrder order_;
+	UnstructuredGrid grid_;
+	std::vector<CellId> polyhedra_;
+};
+
+UnstructuredGrid UnstructuredGrid::build(const Points& points, const CellList& cells, std::vector<FaceLink> links)
+{
+	return UnstructuredBuilder(points, cells).build(links);
+}
+
+} // namespace vp::grid

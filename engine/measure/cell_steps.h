@@ -1,0 +1,25 @@
+#pragma once
+
+#include "measure/plane_lines.h"
+#include "mesh/sheet_mesh.h"
+
+#include <span>
+#include <vector>
+
+namespace vp::measure
+{
+
+// Polygons that each have one value: lines run along their edges.
+
+// What bounds all polygons.
+std::vector<PlaneLine> meshOutlines(const mesh::SheetMesh& mesh, std::span<const glm::dvec2> points);
+
+// Of each group the outlines, as Contours::area(). groups: per polygon, from 0 to `count` - 1.
+std::vector<std::vector<PlaneLine>> groupOutlines(const mesh::SheetMesh& mesh, std::span<const glm::dvec2> points,
+                                                  std::span<const std::uint32_t> groups, std::size_t count);
+
+// Where a polygon at or above the level borders one below it; higher values lie on the left.
+std::vector<PlaneLine> stepLines(const mesh::SheetMesh& mesh, std::span<const glm::dvec2> points,
+                                 std::span<const double> polygon_values, double level);
+
+} // namespace vp::measure

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "grid/field.h"
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace vp::measure
+{
+
+// Which arrays hold nothing but ordinary numbers: none is NaN or infinite, nor so large that a difference or a square
+// would be. What is interpolated between such, and the length of a tuple, is finite without being looked at. Keeps no
+// array alive. Thread safe.
+class FiniteFields
+{
+public:
+	// Whether that is known of the array. lookups: of values that the caller makes itself where the answer is no. The
+	// array is gone through once, when the lookups of all calls took about as long: so work follows what is shown.
+	bool holds(const grid::Field& field, std::size_t lookups);
+
+private:
+	struct Known
+	{
+		std::weak_ptr<const void> owner; // of the array's memory
+		const std::byte* data;
+		std::size_t lookups = 0;
+		std::optional<bool> finite;
+	};
+	Known& entryOf(const grid::Field& field);
+
+	std::mutex mutex_;
+	std::vector<Known> known_;
+};
+
+// Goes through the array, on all cores; one of integers is ordinary anyway.
+bool hasOrdinaryNumbersOnly(const grid::Field& field);
+
+} // namespace vp::measure

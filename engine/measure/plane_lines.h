@@ -1,0 +1,44 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vp::measure
+{
+
+// A line in a sheet's plane; a closed one ends where it begins without telling that point twice.
+struct PlaneLine
+{
+	std::vector<glm::dvec2> points;
+	bool closed = false;
+};
+
+// A piece of a line, from one named place to another.
+struct PlaneStep
+{
+	std::uint64_t from;
+	std::uint64_t to;
+};
+
+// Chains steps into lines, each step once: those that begin where no step ends first, then closed ones. Where several
+// steps begin at a place, any follows; steps around areas give closed lines all the same, since as many begin
+// there as end.
+std::vector<std::vector<std::uint64_t>> chained(std::vector<PlaneStep> steps);
+
+// A directed edge between two points of a mesh.
+struct NetEdge
+{
+	std::uint32_t from;
+	std::uint32_t to;
+};
+
+// Of directed edges those left when a way and its way back cancel: what bounds the triangles they are the sides of.
+std::vector<NetEdge> netEdges(std::vector<NetEdge> edges);
+
+// The edges chained, through the places of their ends.
+std::vector<PlaneLine> linesOf(std::span<const NetEdge> edges, std::span<const glm::dvec2> points);
+
+} // namespace vp::measure

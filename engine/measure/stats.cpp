@@ -1,0 +1,180 @@
+#include "measure/stats.h"
+
+#include "base/ordered_sum.h"
+#include "measure/components.h"
+#include "mesh/mesh_values.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace vp::measure
+{
+
+namespace
+{
+
+struct Sums
+{
+	double area = 0.0;
+	double boundary_area = 0.0;
+	double nan_area = 0.0;
+	double value_area = 0.0; // integral of the values over the area that is not NaN
+	double min = std::numeric_limits<double>::infinity();
+	double max = -std::numeric_limits<double>::infinity();
+
+	// A polygon with a value of its own, or, where vertex_values are given, as the fan about the mean of its vertices.
+	void addPolygon(const mesh::SheetMesh& mesh, std::span<const std::uint32_t> polygon,
+	                std::span<const double> vertex_values, double polygon_value)
+	{
+		if (vertex_values.empty() && mesh.flat)
+			return addPart(0.5 * glm::length(mesh::doubleArea(mesh, polygon)), polygon_value);
+		double centre_value = 0.0;
+		if (!vertex_values.empty())
+			for (const std::uint32_t v : polygon)
+				centre_value += vertex_values[v];
+		centre_value /= static_cast<double>(polygon.size());
+		mesh::forFan(mesh, polygon,
+		             [&](std::uint32_t v, std::uint32_t w, double part)
+		             {
+			             const double value = vertex_values.empty()
+			                                      ? polygon_value
+			                                      : (vertex_values[v] + vertex_values[w] + centre_value) / 3.0;
+			             addPart(part, value);
+		             });
+	}
+	void addPart(double area_part, double mean_value)
+	{
+		area += area_part;
+		if (!std::isfinite(mean_value))
+			nan_area += area_part;
+		else
+			value_area += area_part * mean_value;
+	}
+	void addValue(double value)
+	{
+		if (!std::isfinite(value))
+			return;
+		min = std::min(min, value);
+		max = std::max(max, value);
+	}
+	void add(const Sums& other)
+	{
+		area += other.area;
+		boundary_area += other.boundary_area;
+		nan_area += other.nan_area;
+		value_area += other.value_area;
+		min = std::min(min, other.min);
+		max = std::max(max, other.max);
+	}
+};
+
+// Values of vertices, with their range.
+Sums takeVertexValues(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const grid::FieldChoice& field,
+                      std::vector<double>& values)
+{
+	values.resize(mesh.positions.size());
+	const std::vector<const grid::Field*> fields = field.inEach(blocks);
+	return orderedSum<Sums>(values.size(),
+	                        [&](Sums& sums, std::size_t v)
+	                        {
+		                        values[v] = mesh::vertexValue(blocks, mesh, v, fields, field.component);
+		                        sums.addValue(values[v]);
+	                        });
+}
+
+// Whether is_finite(i) holds for each of so many, asked on all cores.
+template <class IsFinite>
+bool areFinite(std::size_t count, const IsFinite& is_finite)
+{
+	const auto all = [&](const tbb::blocked_range<std::size_t>& part, bool so_far)
+	{
+		for (std::size_t i = part.begin(); so_far && i < part.end(); ++i)
+			so_far = is_finite(i);
+		return so_far;
+	};
+	return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, count, 4096), true, all, std::logical_and<>());
+}
+
+// Whether all that `count` lookups could give is known to be finite.
+bool areKnownFinite(std::span<const grid::Field* const> fields, int component, std::size_t count, FiniteFields& known)
+{
+	const std::size_t share = count / fields.size() + 1;
+	return std::ranges::all_of(fields, [&](const grid::Field* field)
+	                           { return field && component < field->components && known.holds(*field, share); });
+}
+
+} // namespace
+
+double nanArea(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const std::optional<grid::FieldChoice>& field,
+               FiniteFields* known)
+{
+	if (!field || blocks.blocks.empty())
+		return 0.0;
+	const std::vector<const grid::Field*> fields = field->inEach(blocks);
+	const bool on_points = field->association == grid::Association::point;
+	const std::size_t count = on_points ? mesh.positions.size() : mesh.polygons();
+	if (known && areKnownFinite(fields, field->component, count, *known))
+		return 0.0;
+	const auto ofVertex = [&](std::size_t v)
+	{ return std::isfinite(mesh::vertexValue(blocks, mesh, v, fields, field->component)); };
+	const auto ofPolygon = [&](std::size_t p)
+	{
+		const auto [b, cell] = mesh.polygon_cells[p];
+		return fields[b] && std::isfinite(mesh::cellValue(blocks.blocks[b], *fields[b], field->component, cell));
+	};
+	const bool finite = on_points ? areFinite(count, ofVertex) : areFinite(count, ofPolygon);
+	return finite ? 0.0 : measure(blocks, mesh, field).nan_area;
+}
+
+SheetMeasure measure(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
+                     const std::optional<grid::FieldChoice>& field)
+{
+	const bool on_points = field && field->association == grid::Association::point;
+	constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+	std::vector<double> vertex_values;
+	const Sums of_vertices = on_points ? takeVertexValues(blocks, mesh, *field, vertex_values) : Sums();
+	const auto fields = field ? field->inEach(blocks) : std::vector<const grid::Field*>(blocks.blocks.size());
+	const std::size_t of_cells = mesh.polygons() - mesh.boundary_polygons;
+	Sums sums = orderedSum<Sums>(mesh.polygons(),
+	                             [&](Sums& part, std::size_t p)
+	                             {
+		                             const auto polygon = mesh.polygon(p);
+		                             const auto [b, cell] = mesh.polygon_cells[p];
+		                             double polygon_value = kNan;
+		                             if (field && !on_points)
+		                             {
+			                             if (fields[b])
+				                             polygon_value =
+				                                 mesh::cellValue(blocks.blocks[b], *fields[b], field->component, cell);
+			                             part.addValue(polygon_value);
+		                             }
+		                             if (p < of_cells)
+			                             part.addPolygon(mesh, polygon, vertex_values, polygon_value);
+		                             else
+			                             part.boundary_area += 0.5 * glm::length(mesh::doubleArea(mesh, polygon));
+	                             });
+	sums.add(of_vertices);
+
+	SheetMeasure result;
+	result.area = sums.area;
+	result.boundary_area = sums.boundary_area;
+	result.components = countComponents(mesh);
+	if (!field)
+		return result;
+	result.nan_area = sums.nan_area;
+	if (const double valued = sums.area - sums.nan_area; valued > 0.0)
+		result.mean = sums.value_area / valued;
+	if (sums.min <= sums.max)
+	{
+		result.min = sums.min;
+		result.max = sums.max;
+	}
+	return result;
+}
+
+} // namespace vp::measure

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "grid/block.h"
+#include "grid/field_choice.h"
+#include "measure/finite_fields.h"
+#include "mesh/sheet_mesh.h"
+
+#include <optional>
+
+namespace vp::measure
+{
+
+// What a sheet shows, in numbers. A polygon counts as the fan of triangles about the mean of its vertices, whose value
+// is the mean of theirs. A triangle that runs against its polygon, as some do where that is concave, counts as
+// negative: so the sum is the polygon, and the integral of a linear field is exact. Boundary faces in the plane have an
+// area of their own and stay out of the rest but for the range: what is cut is the same then on either side of a plane
+// where cells meet.
+struct SheetMeasure
+{
+	double area = 0.0;
+	double boundary_area = 0.0; // of the boundary faces in the plane
+	double nan_area = 0.0;      // part of the area whose value is NaN or infinite; it stays out of the rest
+	std::optional<double> mean; // area-weighted; none without an array or without area
+	std::optional<double> min;  // of the values at the vertices (point data) or of the polygons (cell data)
+	std::optional<double> max;
+	std::size_t components = 0; // see components.h
+};
+
+// The nan_area of measure() alone: where all values are finite, as mostly, nothing else is looked at. known: what is
+// known of the blocks' arrays from other meshes, so that not even values are; or null.
+double nanArea(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const std::optional<grid::FieldChoice>& field,
+               FiniteFields* known = nullptr);
+
+SheetMeasure measure(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
+                     const std::optional<grid::FieldChoice>& field);
+
+} // namespace vp::measure

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "base/ids.h"
+#include "base/raw_vector.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vp::mesh
+{
+
+// An edge by its points, whichever comes first. Which is the lower one cannot be foreseen, so there is no branch.
+inline std::uint64_t edgeKey(PointId a, PointId b)
+{
+	const PointId exchange = (a ^ b) & (0u - static_cast<PointId>(b < a));
+	return std::uint64_t(a ^ exchange) << 32 | (b ^ exchange);
+}
+inline PointId lowerOf(std::uint64_t edge)
+{
+	return static_cast<PointId>(edge >> 32);
+}
+inline PointId higherOf(std::uint64_t edge)
+{
+	return static_cast<PointId>(edge);
+}
+
+struct NumberedEdges
+{
+	RawVector<std::uint64_t> edges;   // each once, in the order in which they are first met
+	RawVector<std::uint32_t> numbers; // of those that were asked for: places in `edges`
+};
+
+// Numbers edges of a small part of a mesh. Open addressing over four-byte numbers, with the edges beside in their
+// order: so little memory that it stays in a core's cache, with so much room that there is hardly a second place to
+// look at, and no branch that depends on whether an edge is new.
+inline NumberedEdges numberEdges(std::span<const std::uint64_t> asked)
+{
+	constexpr std::uint32_t kEmpty = 0xFFFFFFFFu;
+	constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15ull; // of 2^64: Fibonacci hashing, upper bits taken
+	std::vector<std::uint32_t> slots(std::bit_ceil(2 * asked.size() + 64), kEmpty);
+	const int shift = 64 - std::countr_zero(slots.size());
+	NumberedEdges found;
+	found.edges.resize(asked.size() + 1);
+	found.numbers.resize(asked.size());
+	std::uint32_t* slot = slots.data();
+	std::uint64_t* edges = found.edges.data();
+	std::uint32_t count = 0;
+	for (std::size_t i = 0; i < asked.size(); ++i)
+	{
+		const std::uint64_t edge = asked[i];
+		std::size_t at = (edge * kGolden) >> shift;
+		edges[count] = edge; // to stay, should it be new
+		std::uint32_t number = std::min(slot[at], count);
+		while (edges[number] != edge)
+		{
+			at = (at + 1) & (slots.size() - 1);
+			number = std::min(slot[at], count);
+		}
+		slot[at] = number;
+		found.numbers[i] = number;
+		count += number == count;
+	}
+	found.edges.resize(count);
+	return found;
+}
+
+} // namespace vp::mesh

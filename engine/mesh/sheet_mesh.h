@@ -1,0 +1,102 @@
+#pragma once
+
+#include "base/ids.h"
+#include "base/raw_vector.h"
+#include "base/vec.h"
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace vp::mesh
+{
+
+// Where a vertex lies: on the edge from the lower to the higher point id, at lower + t (higher - lower), 0 <= t <= 1.
+// This is the vertex's identity too: a cut edge is one vertex, whatever number of cells share it. Where blocks meet, or
+// points are not merged, an edge has several names, of which the vertex bears one (join_vertices.h).
+struct EdgePoint
+{
+	std::uint32_t block;
+	PointId lower;
+	PointId higher;
+	double t;
+};
+
+// A grid point's part in a vertex on the rim of a window.
+struct PointShare
+{
+	std::uint32_t block;
+	PointId point;
+	double weight; // the weights of a vertex sum up to 1
+};
+
+struct BlockCell
+{
+	std::uint32_t block;
+	CellId cell;
+};
+
+// Polygons with shared vertices, in double precision: the cut of one sheet through a block set, which winds
+// counter-clockwise seen from the side the sheet's normal points to; a grid surface (grid_surface.h); or the faces of
+// cut cells (crinkle.h). Polygons with fewer than three distinct vertices are left out.
+struct SheetMesh
+{
+	RawVector<Vec3> positions;
+	RawVector<EdgePoint> edges; // per vertex that lies on a cell edge; they come first
+	std::vector<std::uint32_t> rim_starts{
+	    0};                                  // per vertex after them, on a window's rim, and 1: offsets into rim_shares
+	std::vector<PointShare> rim_shares;      // what the vertex is the weighted mean of
+	RawVector<std::uint32_t> polygon_starts; // polygons + 1 offsets into polygon_vertices
+	RawVector<std::uint32_t> polygon_vertices;
+	RawVector<BlockCell> polygon_cells; // per polygon
+	std::size_t boundary_polygons = 0;  // the last so many are boundary faces in the plane, of cells that are not cut
+	// Vertices that lie on each other at a seam and yet stay two, since the arrays differ from one side to the other.
+	std::vector<std::pair<std::uint32_t, std::uint32_t>> seam_pairs;
+	std::size_t cells_twisted = 0; // cut cells with a face that is cut more than once, or with several polygons
+	bool flat = true;              // every polygon lies in a plane; others are the fans about their vertices' means
+
+	std::span<const PointShare> rimShares(std::size_t vertex) const
+	{
+		const std::size_t rim = vertex - edges.size();
+		return std::span(rim_shares).subspan(rim_starts[rim], rim_starts[rim + 1] - rim_starts[rim]);
+	}
+	std::size_t polygons() const { return polygon_cells.size(); }
+	std::span<const std::uint32_t> polygon(std::size_t i) const
+	{
+		return std::span(polygon_vertices).subspan(polygon_starts[i], polygon_starts[i + 1] - polygon_starts[i]);
+	}
+};
+
+// Twice the vector area of a polygon (at least one vertex): for a flat polygon, of whatever form, twice its area along
+// the normal about which it runs counter-clockwise.
+Vec3 doubleArea(const SheetMesh& mesh, std::span<const std::uint32_t> polygon);
+
+// A polygon as the fan of triangles about the mean of its vertices (at least three). visit(previous, vertex, area) per
+// triangle; a triangle that runs against its polygon, as some do where that is concave, has a negative area.
+template <class Visit>
+void forFan(const SheetMesh& mesh, std::span<const std::uint32_t> polygon, Visit&& visit)
+{
+	const Vec3 double_area = doubleArea(mesh, polygon);
+	const double length = glm::length(double_area);
+	const Vec3 along = length > 0.0 ? double_area / length : Vec3(0.0);
+	Vec3 centre(0.0);
+	for (const std::uint32_t v : polygon)
+		centre += mesh.positions[v];
+	centre /= static_cast<double>(polygon.size());
+	std::uint32_t previous = polygon.back();
+	for (const std::uint32_t v : polygon)
+	{
+		const Vec3 cross = glm::cross(mesh.positions[previous] - centre, mesh.positions[v] - centre);
+		const double part = glm::dot(cross, along);
+		// Off the plane of the whole a triangle has more area than is seen along it.
+		visit(previous, v, 0.5 * (mesh.flat ? part : std::copysign(glm::length(cross), part)));
+		previous = v;
+	}
+}
+
+// Drops the vertices that no polygon uses.
+void dropUnusedVertices(SheetMesh& mesh);
+
+} // namespace vp::mesh

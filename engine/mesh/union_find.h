@@ -1,0 +1,43 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace vp::mesh
+{
+
+// Sets of vertices, joined two by two; the least of a set stands for it.
+class UnionFind
+{
+public:
+	explicit UnionFind(std::size_t vertices) : parent_(vertices), count_(vertices)
+	{
+		std::iota(parent_.begin(), parent_.end(), 0u);
+	}
+
+	void join(std::uint32_t a, std::uint32_t b)
+	{
+		a = root(a);
+		b = root(b);
+		if (a == b)
+			return;
+		parent_[std::max(a, b)] = std::min(a, b);
+		--count_;
+	}
+	std::uint32_t root(std::uint32_t v)
+	{
+		while (parent_[v] != v)
+			v = parent_[v] = parent_[parent_[v]]; // path halving
+		return v;
+	}
+	std::size_t count() const { return count_; }
+
+private:
+	std::vector<std::uint32_t> parent_;
+	std::size_t count_;
+};
+
+} // namespace vp::mesh

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "render/annotate/ticks.h"
+#include "render/scene/camera.h"
+#include "render/scene/scene.h"
+#include "render/scene/value_style.h"
+
+#include <glm/vec2.hpp>
+
+#include <vector>
+
+namespace vp::render
+{
+
+constexpr double kLineHeight = 1.25; // of text, in em
+
+struct Area
+{
+	glm::dvec2 lo{0.0};
+	glm::dvec2 hi{0.0};
+
+	glm::dvec2 size() const { return hi - lo; }
+	bool overlaps(const Area& other) const
+	{
+		return lo.x < other.hi.x && other.lo.x < hi.x && lo.y < other.hi.y && other.lo.y < hi.y;
+	}
+};
+
+// A legend's column, and its parts from top to bottom.
+struct LegendLayout
+{
+	Area column;
+	Area title;
+	Area factor;
+	Area bar; // without the caps; of categories, the column of their colours
+	Area nan;
+	double cap; // height of the pointed ends for values beyond the range, 0 without
+	Ticks ticks;
+	std::size_t categories; // that fit; below them it is told how many are left out
+	double entry;           // height of a category's line
+};
+
+// Where everything that is written into a picture goes, in pixels from the top left. What is switched off has no area.
+struct Layout
+{
+	double em;       // size of plain text
+	double title_em; // of the picture's title
+	double small_em; // of the caption
+	double margin;
+
+	Area title;
+	Area caption;
+	Area axes;
+	std::vector<LegendLayout>
+	    legends; // of the first contents, as many as there is room for, maybe none; from top to bottom
+
+	Frame frame;
+};
+
+Layout makeLayout(const Look& look, const std::vector<LegendContent>& legends);
+Layout makeLayout(const Scene& scene);
+
+} // namespace vp::render

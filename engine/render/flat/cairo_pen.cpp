@@ -1,0 +1,167 @@
+#include "render/flat/cairo_pen.h"
+
+#include "render/annotate/valid_utf8.h"
+#include "render/font/font.h"
+
+#include <cairo-ft.h>
+#include <cairo.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+namespace vp::render
+{
+
+namespace
+{
+
+// Lettering's sizes are from the highest letter's top to the lowest one's bottom, cairo's are the font's em; of
+// DejaVu Sans in its units of 2048 to the em.
+constexpr double kAscent = 1901.0;
+constexpr double kDescent = 483.0;
+constexpr double kUnits = 2048.0;
+constexpr double kEm = kUnits / (kAscent + kDescent);
+constexpr double kBaseline = kAscent / (kAscent + kDescent);
+
+cairo_font_face_t* makeFace()
+{
+	FT_Library library = nullptr;
+	FT_Face face = nullptr;
+	const auto file = fontFile();
+	if (FT_Init_FreeType(&library) != 0 || FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(file.data()),
+	                                                          static_cast<FT_Long>(file.size()), 0, &face) != 0)
+		std::abort(); // the font is part of the program
+	return cairo_ft_font_face_create_for_ft_face(face, FT_LOAD_NO_HINTING);
+}
+
+// cairo may keep a face longer than a context lives: this one lives as long as the program.
+cairo_font_face_t* fontFace()
+{
+	static cairo_font_face_t* const face = makeFace();
+	return face;
+}
+
+} // namespace
+
+CairoPen::CairoPen(cairo_t* context, const Lettering& lettering, const Inks& inks, double em)
+    : Pen(lettering, inks, em), context_(context)
+{
+	cairo_set_font_face(context_, fontFace());
+	cairo_font_options_t* options = cairo_font_options_create();
+	cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+	cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+	cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+	cairo_set_font_options(context_, options);
+	cairo_font_options_destroy(options);
+	cairo_set_line_join(context_, CAIRO_LINE_JOIN_ROUND);
+	cairo_set_line_cap(context_, CAIRO_LINE_CAP_ROUND);
+}
+
+void CairoPen::setColor(Color color)
+{
+	cairo_set_source_rgba(context_, color.r / 255.0, color.g / 255.0, color.b / 255.0, color.a / 255.0);
+}
+
+void CairoPen::path(const std::vector<glm::dvec2>& points, bool closed)
+{
+	if (points.empty())
+		return;
+	cairo_move_to(context_, points.front().x, points.front().y);
+	for (std::size_t i = 1; i < points.size(); ++i)
+		cairo_line_to(context_, points[i].x, points[i].y);
+	if (closed)
+		cairo_close_path(context_);
+}
+
+void CairoPen::stroke(Color color, double width)
+{
+	setColor(color);
+	cairo_set_line_width(context_, width);
+	cairo_stroke(context_);
+}
+
+void CairoPen::text(const glm::dvec2& top_left, double size, Color color, const std::string& words)
+{
+	setColor(color);
+	cairo_set_font_size(context_, kEm * size);
+	cairo_move_to(context_, top_left.x, top_left.y + kBaseline * size);
+	cairo_show_text(context_, validUtf8(words).c_str());
+}
+
+void CairoPen::turnedText(const glm::dvec2& centre, double angle, double size, Color color, Color halo,
+                          const std::string& words)
+{
+	const std::string letters = validUtf8(words);
+	cairo_save(context_);
+	cairo_translate(context_, centre.x, centre.y);
+	cairo_rotate(context_, angle);
+	cairo_set_font_size(context_, kEm * size);
+	cairo_text_extents_t extents;
+	cairo_text_extents(context_, letters.c_str(), &extents);
+	const glm::dvec2 start(-0.5 * extents.x_advance, (kBaseline - 0.5) * size);
+	if (halo.a > 0)
+	{
+		cairo_move_to(context_, start.x, start.y);
+		cairo_text_path(context_, letters.c_str());
+		stroke(halo, 2.0 * kHalo * size);
+	}
+	setColor(color);
+	cairo_move_to(context_, start.x, start.y);
+	cairo_show_text(context_, letters.c_str());
+	cairo_restore(context_);
+}
+
+void CairoPen::line(const glm::dvec2& a, const glm::dvec2& b, Color color, double width)
+{
+	path({a, b}, false);
+	stroke(color, width);
+}
+
+void CairoPen::closedLine(const std::vector<glm::dvec2>& corners, Color color, double width)
+{
+	path(corners, true);
+	stroke(color, width);
+}
+
+void CairoPen::filled(const std::vector<glm::dvec2>& convex, Color color)
+{
+	path(convex, true);
+	setColor(color);
+	cairo_fill(context_);
+}
+
+// On whole pixels, so that neighbours meet.
+void CairoPen::filled(const Area& area, Color color)
+{
+	const glm::dvec2 lo = glm::round(area.lo);
+	const glm::dvec2 size = glm::round(area.hi) - lo;
+	cairo_rectangle(context_, lo.x, lo.y, size.x, size.y);
+	setColor(color);
+	cairo_fill(context_);
+}
+
+void CairoPen::dot(const glm::dvec2& centre, double radius, Color color)
+{
+	cairo_new_sub_path(context_);
+	cairo_arc(context_, centre.x, centre.y, radius, 0.0, 2.0 * std::numbers::pi);
+	setColor(color);
+	cairo_fill(context_);
+}
+
+void CairoPen::colorBar(const Area& bar, const ColorMap& colors)
+{
+	cairo_pattern_t* gradient = cairo_pattern_create_linear(0.0, bar.hi.y, 0.0, bar.lo.y);
+	for (int i = 0; i < kColorMapSize; ++i)
+	{
+		const Color& c = colors.colors[i];
+		cairo_pattern_add_color_stop_rgba(gradient, i / double(kColorMapSize - 1), c.r / 255.0, c.g / 255.0,
+		                                  c.b / 255.0, c.a / 255.0);
+	}
+	cairo_rectangle(context_, bar.lo.x, bar.lo.y, bar.size().x, bar.size().y);
+	cairo_set_source(context_, gradient);
+	cairo_fill(context_);
+	cairo_pattern_destroy(gradient);
+}
+
+} // namespace vp::render

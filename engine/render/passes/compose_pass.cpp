@@ -1,0 +1,221 @@
+#include "gpu/vulkan.h"
+
+#include "render/passes/compose_pass.h"
+
+#include "render/passes/compose_params.h"
+#include "render/passes/picture_geometry.h"
+
+#include <algorithm>
+
+namespace vp::render
+{
+
+namespace
+{
+
+VkPipelineColorBlendAttachmentState summing()
+{
+	VkPipelineColorBlendAttachmentState state = gpu::premultipliedOver();
+	state.dstColorBlendFactor = state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+	return state;
+}
+
+// What is left of a picture: above, below, left and right of a part of it.
+std::array<VkRect2D, 4> around(const VkRect2D& part, VkExtent2D extent)
+{
+	const std::int32_t right = part.offset.x + static_cast<std::int32_t>(part.extent.width);
+	const std::int32_t below = part.offset.y + static_cast<std::int32_t>(part.extent.height);
+	return {VkRect2D{{0, 0}, {extent.width, static_cast<std::uint32_t>(part.offset.y)}},
+	        VkRect2D{{0, below}, {extent.width, extent.height - static_cast<std::uint32_t>(below)}},
+	        VkRect2D{{0, part.offset.y}, {static_cast<std::uint32_t>(part.offset.x), part.extent.height}},
+	        VkRect2D{{right, part.offset.y}, {extent.width - static_cast<std::uint32_t>(right), part.extent.height}}};
+}
+
+} // namespace
+
+bool composesWhole(const Scene& scene)
+{
+	return scene.surfaces.empty() && samplePattern(scene.look.samples).size() == 1;
+}
+
+Result<ComposePass> ComposePass::create(gpu::Device& device)
+{
+	ComposePass pass;
+	pass.device_ = &device;
+	// The layouts of pipelines without surfaces are alike, so a set of the first fits them all.
+	auto first = pass.pipelineFor(1, 0, false);
+	if (!first)
+		return first.error();
+	pass.sets_ = gpu::DescriptorSets(device, **first, "compose");
+	gpu::GraphicsPipelineInfo resolve;
+	resolve.vertex_shader = "render_full.vert";
+	resolve.fragment_shader = "render_resolve.frag";
+	resolve.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}, {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
+	resolve.colour_formats = {kPictureFormat};
+	auto resolve_pipeline = gpu::Pipeline::create(device, resolve, "resolve");
+	if (!resolve_pipeline)
+		return resolve_pipeline.error();
+	pass.resolve_ = std::move(*resolve_pipeline);
+	pass.resolve_sets_ = gpu::DescriptorSets(device, pass.resolve_, "resolve");
+	auto sampler = gpu::Sampler::create(device, VK_FILTER_NEAREST, "layers");
+	if (!sampler)
+		return sampler.error();
+	pass.sampler_ = std::move(*sampler);
+	return pass;
+}
+
+Result<const gpu::Pipeline*> ComposePass::pipelineFor(std::size_t layers, std::uint32_t features, bool surfaces)
+{
+	const std::uint32_t slots = *std::find_if(kSlots.begin(), kSlots.end(), [&](auto s) { return s >= layers; });
+	gpu::Pipeline& pipeline = pipelines_[{slots, features, surfaces}];
+	if (pipeline)
+		return &pipeline;
+	gpu::GraphicsPipelineInfo info;
+	info.vertex_shader = "render_full.vert";
+	info.fragment_shader = surfaces ? "render_compose_surfaces.frag" : "render_compose.frag";
+	info.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
+	                 {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+	                 {2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+	                 {3, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER},
+	                 {4, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}};
+	if (surfaces)
+	{
+		info.bindings.push_back({5, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE});
+		info.bindings.push_back({6, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER});
+	}
+	info.push_bytes = sizeof(shared::ComposePush);
+	const bool whole = (features & shared::kComposeWhole) != 0;
+	info.colour_formats = {whole ? kPictureFormat : sumFormat(*device_)};
+	if (!whole)
+		info.blends = {summing()};
+	info.constants = {{0, slots}, {1, features}};
+	auto made = gpu::Pipeline::create(*device_, info, "compose");
+	if (!made)
+		return made.error();
+	pipeline = std::move(*made);
+	return &pipeline;
+}
+
+Result<VkDescriptorSet> ComposePass::compositionSet(const Targets& targets, const FragmentLists* lists)
+{
+	if (lists && !surface_sets_)
+		surface_sets_.emplace(*device_, *pipeline_, "compose surfaces");
+	auto set = lists ? surface_sets_->get(0) : sets_.get(0);
+	if (!set)
+		return set;
+	gpu::DescriptorWriter writer;
+	writer.uniformBuffer(0, params_.handle())
+	    .sampledImage(1, targets.layers(), sampler_.handle())
+	    .sampledImage(2, targets.lines.view(), sampler_.handle())
+	    .texels(3, tables_.texels.handle())
+	    .texels(4, colors_.texels.handle());
+	if (lists)
+		writer.storageImage(5, lists->heads().view()).texels(6, lists->fragmentTexels());
+	writer.write(*device_, *set);
+	return set;
+}
+
+Status ComposePass::prepare(const Scene& scene, const Targets& targets, const FragmentLists* lists)
+{
+	const ComposeParams made = composeParams(scene, targets.extent());
+	if (Status room = makeRoom(*device_, params_, sizeof(shared::ComposeParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+	                           "compose parameters");
+	    !room)
+		return room;
+	*params_.mappedAs<shared::ComposeParams>() = made.params;
+	params_.flush();
+	if (Status put = tables_.put(*device_, std::as_bytes(std::span(made.tables)), VK_FORMAT_R32_UINT, "colour tables");
+	    !put)
+		return put;
+	if (Status put = colors_.put(*device_, std::as_bytes(std::span(made.colors)), VK_FORMAT_R16G16B16A16_UNORM,
+	                             "layers' colours");
+	    !put)
+		return put;
+	const std::uint32_t features = made.features | (composesWhole(scene) ? shared::kComposeWhole : 0u);
+	auto pipeline = pipelineFor(std::max<std::size_t>(1, scene.sheets.size()), features, lists != nullptr);
+	if (!pipeline)
+		return pipeline.error();
+	pipeline_ = *pipeline;
+	ground_ = nullptr;
+	sheets_part_ = sheetsPart(scene, targets.extent());
+	if (!lists)
+	{
+		auto ground = pipelineFor(1, (features & shared::kComposeWhole) | shared::kComposeGround, false);
+		if (!ground)
+			return ground.error();
+		ground_ = *ground;
+	}
+	auto set = compositionSet(targets, lists);
+	if (!set)
+		return set.error();
+	set_ = *set;
+	auto resolve_set = resolve_sets_.get(0);
+	if (!resolve_set)
+		return resolve_set.error();
+	resolve_set_ = *resolve_set;
+	gpu::DescriptorWriter()
+	    .uniformBuffer(0, params_.handle())
+	    .sampledImage(1, targets.sum.view(), sampler_.handle())
+	    .write(*device_, resolve_set_);
+	return Nothing{};
+}
+
+void ComposePass::record(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter,
+                         const VkRect2D& part, bool first_sample, bool first_part) const
+{
+	targets.sum.transition(commands, first_sample && first_part ? gpu::kDiscard : gpu::kColourTarget,
+	                       gpu::kColourTarget);
+	recordInto(commands, targets, targets.sum.view(), jitter, part,
+	           first_sample ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD);
+}
+
+void ComposePass::recordWhole(VkCommandBuffer commands, const Targets& targets) const
+{
+	recordInto(commands, targets, targets.picture.view(), {0.0, 0.0}, {{0, 0}, targets.extent()},
+	           VK_ATTACHMENT_LOAD_OP_DONT_CARE);
+}
+
+void ComposePass::recordInto(VkCommandBuffer commands, const Targets& targets, VkImageView view,
+                             const glm::dvec2& jitter, const VkRect2D& part, VkAttachmentLoadOp load) const
+{
+	VkRenderingAttachmentInfo target{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+	target.imageView = view;
+	target.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+	target.loadOp = load;
+	target.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+	VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
+	rendering.renderArea = part;
+	rendering.layerCount = 1;
+	rendering.colorAttachmentCount = 1;
+	rendering.pColorAttachments = &target;
+	vkCmdBeginRendering(commands, &rendering);
+	if (!ground_)
+		recordPart(commands, targets, *pipeline_, jitter, part);
+	else
+	{
+		recordPart(commands, targets, *pipeline_, jitter, sheets_part_);
+		for (const VkRect2D& beside : around(sheets_part_, targets.extent()))
+			recordPart(commands, targets, *ground_, jitter, beside);
+	}
+	vkCmdEndRendering(commands);
+}
+
+void ComposePass::recordPart(VkCommandBuffer commands, const Targets& targets, const gpu::Pipeline& pipeline,
+                             const glm::dvec2& jitter, const VkRect2D& part) const
+{
+	if (part.extent.width == 0 || part.extent.height == 0)
+		return;
+	coverPart(commands, targets.extent(), part);
+	pipeline.bind(commands, set_);
+	pipeline.push(commands, shared::ComposePush{{static_cast<float>(jitter.x), static_cast<float>(jitter.y)}});
+	vkCmdDraw(commands, 3, 1, 0, 0);
+}
+
+void ComposePass::recordResolve(VkCommandBuffer commands, const Targets& targets) const
+{
+	coverAll(commands, targets.extent());
+	resolve_.bind(commands, resolve_set_);
+	vkCmdDraw(commands, 3, 1, 0, 0);
+}
+
+} // namespace vp::render

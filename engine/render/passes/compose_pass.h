@@ -1,0 +1,70 @@
+#pragma once
+
+#include "gpu/shader.h"
+#include "render/passes/fragment_lists.h"
+#include "render/passes/host_buffer.h"
+#include "render/passes/targets.h"
+#include "render/scene/scene.h"
+#include "shared/render_types.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace vp::render
+{
+
+// Whether its picture is one sample, without lists that may run over: it needs no sum.
+bool composesWhole(const Scene& scene);
+
+// Orders the layers at each pixel, and the surfaces' fragments where there are surfaces, colours and blends them, and
+// sums up the samples (render_compose.glsl); at last puts their mean over the background (render_resolve.frag).
+class ComposePass
+{
+public:
+	static Result<ComposePass> create(gpu::Device& device);
+
+	// lists: prepared for the scene's surfaces; null where it has none.
+	Status prepare(const Scene& scene, const Targets& targets, const FragmentLists* lists);
+	// A part of the picture, all of it or a strip, of which the first sample and the first part of it begin anew.
+	void record(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter, const VkRect2D& part,
+	            bool first_sample, bool first_part) const;
+	// In place of samples and their sum: straight into the picture, which is a colour target. The scene is one that
+	// composesWhole().
+	void recordWhole(VkCommandBuffer commands, const Targets& targets) const;
+	// Within a rendering into the picture, after the last sample.
+	void recordResolve(VkCommandBuffer commands, const Targets& targets) const;
+
+private:
+	gpu::Device* device_ = nullptr;
+	// The shader holds a pixel's layers in registers and sorts them all: as few of them as do (software takes 12 ns
+	// more a pixel for four than for one).
+	static constexpr std::array<std::uint32_t, 6> kSlots{1, 2, 3, 4, 8, shared::kMaxLayers};
+
+	// Made on first use; the pointer stays valid.
+	Result<const gpu::Pipeline*> pipelineFor(std::size_t layers, std::uint32_t features, bool surfaces);
+	void recordInto(VkCommandBuffer commands, const Targets& targets, VkImageView view, const glm::dvec2& jitter,
+	                const VkRect2D& part, VkAttachmentLoadOp load) const;
+	void recordPart(VkCommandBuffer commands, const Targets& targets, const gpu::Pipeline& pipeline,
+	                const glm::dvec2& jitter, const VkRect2D& part) const;
+	Result<VkDescriptorSet> compositionSet(const Targets& targets, const FragmentLists* lists);
+
+	std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, gpu::Pipeline> pipelines_; // by slots, features, surfaces
+	// Of the scene prepared last. Where it has no surfaces, sheets are in a part of the picture only.
+	const gpu::Pipeline* pipeline_ = nullptr;
+	const gpu::Pipeline* ground_ = nullptr;
+	VkRect2D sheets_part_{};
+	gpu::Pipeline resolve_;
+	gpu::DescriptorSets sets_;
+	std::optional<gpu::DescriptorSets> surface_sets_; // made on first use
+	gpu::DescriptorSets resolve_sets_;
+	gpu::Sampler sampler_;
+	gpu::Buffer params_;
+	HostTexels tables_;
+	HostTexels colors_; // of layers
+	VkDescriptorSet set_ = VK_NULL_HANDLE;
+	VkDescriptorSet resolve_set_ = VK_NULL_HANDLE;
+};
+
+} // namespace vp::render

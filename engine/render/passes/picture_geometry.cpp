@@ -1,0 +1,218 @@
+#include "render/passes/picture_geometry.h"
+
+#include "classify/gpu_records.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <span>
+
+namespace vp::render
+{
+
+std::vector<glm::dvec2> samplePattern(int samples)
+{
+	samples = std::clamp(samples, 1, kMaxSamples);
+	// The generator near n / golden ratio without a common factor spreads the lattice well.
+	int generator = std::max(1, static_cast<int>(std::lround(samples / std::numbers::phi)));
+	while (std::gcd(generator, samples) != 1)
+		++generator;
+	std::vector<glm::dvec2> pattern;
+	for (int i = 0; i < samples; ++i)
+		pattern.push_back(
+		    {(i + 0.5) / samples - 0.5, (static_cast<long>(i) * generator % samples + 0.5) / samples - 0.5});
+	return pattern;
+}
+
+glm::dmat4 clipMatrix(const Camera& camera, VkExtent2D extent, const Vec3& centre, const glm::dvec2& jitter)
+{
+	const glm::dvec2 size(extent.width, extent.height);
+	glm::dmat4 shift(1.0);
+	shift[3][0] = 2.0 * jitter.x / size.x;
+	shift[3][1] = 2.0 * jitter.y / size.y;
+	return shift * camera.projection(size.x / size.y) * glm::translate(camera.view(), centre);
+}
+
+Vec3 lightDirection(const Camera& camera)
+{
+	return glm::normalize(-camera.forward() + 0.45 * camera.trueUp() - 0.3 * camera.right());
+}
+
+float lineWidth(const Look& look)
+{
+	return static_cast<float>(std::max(1.2, 1.5 * std::min(look.height / 720.0, look.width / 960.0)));
+}
+
+namespace
+{
+
+// A sheet's frame in clip space.
+struct ClipFrame
+{
+	glm::dvec4 u;
+	glm::dvec4 v;
+	glm::dvec4 origin;
+
+	ClipFrame(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent, const glm::dvec2& jitter)
+	{
+		const probe::Sheet& sheet = drawing.sheet;
+		const glm::dmat4 clip = clipMatrix(camera, extent, sheet.origin, jitter);
+		u = clip * glm::dvec4(drawing.magnification * sheet.xAxis(), 0.0);
+		v = clip * glm::dvec4(drawing.magnification * sheet.up, 0.0);
+		origin = clip[3];
+	}
+};
+
+void storeFloats(std::span<float> to, const double* from)
+{
+	std::transform(from, from + to.size(), to.begin(), [](double d) { return static_cast<float>(d); });
+}
+
+void storeWindow(float (&to)[4], const std::optional<WindowRect>& window)
+{
+	if (!window)
+		return;
+	const double sides[] = {window->x0, window->x1, window->y0, window->y1};
+	storeFloats(to, sides);
+}
+
+} // namespace
+
+shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+                            const glm::dvec2& jitter)
+{
+	const ClipFrame frame(drawing, camera, extent, jitter);
+	shared::LayerPush push{};
+	storeFloats(push.u_axis, &frame.u[0]);
+	storeFloats(push.v_axis, &frame.v[0]);
+	storeFloats(push.origin, &frame.origin[0]);
+	storeWindow(push.window, drawing.window);
+	return push;
+}
+
+shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+                              const glm::dvec2& jitter)
+{
+	const ClipFrame frame(drawing, camera, extent, jitter);
+	const glm::dvec2 half = 0.5 * glm::dvec2(extent.width, extent.height);
+	const auto inPixels = [&](const glm::dvec4& clip) {
+		return glm::dvec3(half.x * clip.x + (half.x - 0.5) * clip.w, half.y * clip.y + (half.y - 0.5) * clip.w, clip.w);
+	};
+	const glm::dmat3 to_pixels(inPixels(frame.u), inPixels(frame.v), inPixels(frame.origin));
+	const glm::dvec3 subpixels(shared::kSubpixels, shared::kSubpixels, 1.0);
+	shared::RasterPush push{};
+	storeFloats(push.u_axis, &(subpixels * to_pixels[0])[0]);
+	storeFloats(push.v_axis, &(subpixels * to_pixels[1])[0]);
+	storeFloats(push.origin, &(subpixels * to_pixels[2])[0]);
+	const glm::dmat3 back = glm::transpose(glm::inverse(to_pixels)); // its columns are the rows that are wanted
+	storeFloats(push.u_of_pixel, &back[0][0]);
+	storeFloats(push.v_of_pixel, &back[1][0]);
+	storeFloats(push.w_of_pixel, &back[2][0]);
+	storeWindow(push.window, drawing.window);
+	push.near_w = static_cast<float>(camera.near);
+	push.last_pixel[0] = static_cast<float>(extent.width - 1);
+	push.last_pixel[1] = static_cast<float>(extent.height - 1);
+	return push;
+}
+
+shared::LayerPush listedPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+                             const glm::dvec2& jitter)
+{
+	const shared::RasterPush from = rasterPush(drawing, camera, extent, jitter);
+	shared::LayerPush push{};
+	for (int i = 0; i < 3; ++i)
+	{
+		const int to = i < 2 ? i : 3; // x, y, w
+		push.u_axis[to] = from.u_axis[i];
+		push.v_axis[to] = from.v_axis[i];
+		push.origin[to] = from.origin[i];
+	}
+	push.origin[2] = from.near_w;
+	std::copy(std::begin(from.window), std::end(from.window), push.window);
+	push.size[0] = static_cast<float>(extent.width);
+	push.size[1] = static_cast<float>(extent.height);
+	return push;
+}
+
+namespace
+{
+
+// Where a sheet has something to show, in its records' uv; none: anywhere.
+std::optional<mesh::UvBounds> shownBounds(const SheetDrawing& drawing)
+{
+	std::optional<mesh::UvBounds> bounds = drawing.records->bounds;
+	if (const auto& window = drawing.window)
+	{
+		const mesh::UvBounds all = bounds.value_or(mesh::UvBounds{glm::dvec2(-1e300), glm::dvec2(1e300)});
+		bounds = mesh::UvBounds{glm::max(all.lo, {window->x0, window->y0}), glm::min(all.hi, {window->x1, window->y1})};
+	}
+	return bounds;
+}
+
+} // namespace
+
+VkRect2D sheetsPart(const Scene& scene, VkExtent2D extent)
+{
+	constexpr double kPad = 2.0; // pixels, for samples beside the middle and for rounding
+	const VkRect2D whole{{0, 0}, extent};
+	const glm::dvec2 size(extent.width, extent.height);
+	const Frame frame{size.x, size.y, {}, {}, {}};
+	glm::dvec2 lo = size;
+	glm::dvec2 hi(0.0);
+	for (const SheetDrawing& drawing : scene.sheets)
+	{
+		if (!drawing.records || drawing.records->pages.empty())
+			continue;
+		const auto bounds = shownBounds(drawing);
+		if (!bounds)
+			return whole;
+		for (const double u : {bounds->lo.x, bounds->hi.x})
+			for (const double v : {bounds->lo.y, bounds->hi.y})
+			{
+				const Vec3 at = drawing.inWorld({u, v});
+				if (!(glm::dot(at - scene.camera.position, scene.camera.forward()) > scene.camera.near))
+					return whole;
+				const glm::dvec2 pixel = scene.camera.project(at, frame);
+				lo = glm::min(lo, pixel);
+				hi = glm::max(hi, pixel);
+			}
+	}
+	lo = glm::clamp(glm::floor(lo - kPad), glm::dvec2(0.0), size);
+	hi = glm::clamp(glm::ceil(hi + kPad), lo, size);
+	return {{static_cast<std::int32_t>(lo.x), static_cast<std::int32_t>(lo.y)},
+	        {static_cast<std::uint32_t>(hi.x - lo.x), static_cast<std::uint32_t>(hi.y - lo.y)}};
+}
+
+std::vector<Segment> windowRim(const SheetDrawing& drawing)
+{
+	if (!drawing.window)
+		return {};
+	const WindowRect& w = *drawing.window;
+	const auto at = [&drawing](double u, double v)
+	{ return drawing.sheet.origin + drawing.magnification * (u * drawing.sheet.xAxis() + v * drawing.sheet.up); };
+	const Vec3 corners[] = {at(w.x0, w.y0), at(w.x1, w.y0), at(w.x1, w.y1), at(w.x0, w.y1)};
+	std::vector<Segment> rim;
+	for (int i = 0; i < 4; ++i)
+		rim.push_back({corners[i], corners[(i + 1) % 4]});
+	return rim;
+}
+
+std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera, VkExtent2D extent)
+{
+	const Vec3 to_sheet = sheet.origin - camera.position;
+	const double distance = glm::dot(sheet.normal, to_sheet);
+	if (std::abs(distance) < 1e-12 * glm::length(to_sheet))
+		return {0.0, 0.0, 0.0};
+	// The point of the plane seen at a pixel is eye + w ray, ray = forward + x right + y up linear in the pixel.
+	const double tangent = std::tan(0.5 * camera.vertical_field * std::numbers::pi / 180.0);
+	const double right = glm::dot(sheet.normal, camera.right()) * tangent * extent.width / extent.height;
+	const double up = glm::dot(sheet.normal, camera.trueUp()) * tangent;
+	const double forward = glm::dot(sheet.normal, camera.forward());
+	const double scale = camera.near / distance;
+	return {scale * right * 2.0 / extent.width, -scale * up * 2.0 / extent.height, scale * (forward - right + up)};
+}
+
+} // namespace vp::render

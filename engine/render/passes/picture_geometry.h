@@ -1,0 +1,52 @@
+#pragma once
+
+#include "render/scene/scene.h"
+#include "shared/render_types.h"
+
+#include <glm/vec2.hpp>
+#include <vulkan/vulkan.h>
+
+#include <array>
+#include <vector>
+
+namespace vp::render
+{
+
+// Where the samples of a pixel lie, from its centre: every sample has a row and a column of its own (a rank-1 lattice),
+// so edges of any direction get as many shades as there are samples.
+std::vector<glm::dvec2> samplePattern(int samples);
+
+// Of lines, pixels: about 1.5 at a height of 720, and lines of large pictures keep their share.
+float lineWidth(const Look& look);
+
+// The sheet's frame in clip space, moved by `jitter` pixels, and its window. Formed in double and about the sheet's
+// origin, so that a scene far from the coordinates' origin loses nothing.
+shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+                            const glm::dvec2& jitter);
+
+// The same for the compute rasterizer: frame, window, near plane and picture. Of a sheet seen edge on the way back from
+// pixels is not finite.
+shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+                              const glm::dvec2& jitter);
+
+// For polygons that the compute rasterizer left (shared::kLayerListed), whose corners are put where it would put them.
+shared::LayerPush listedPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+                             const glm::dvec2& jitter);
+
+// A part of the picture outside of which no sheet is seen, wherever in their pixels samples lie.
+VkRect2D sheetsPart(const Scene& scene, VkExtent2D extent);
+
+// a, b, c: near / w = a x + b y + c at pixel (x, y) of the sheet's plane, for 1 / w is linear in the picture. All zero
+// for a sheet seen edge on.
+std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera, VkExtent2D extent);
+
+// The window's four sides where they are drawn; none without a window.
+std::vector<Segment> windowRim(const SheetDrawing& drawing);
+
+// Towards the light, unit: it comes from above the viewer's left shoulder, so that faces at right angles differ.
+Vec3 lightDirection(const Camera& camera);
+
+// From offsets about `centre` to clip space.
+glm::dmat4 clipMatrix(const Camera& camera, VkExtent2D extent, const Vec3& centre, const glm::dvec2& jitter);
+
+} // namespace vp::render

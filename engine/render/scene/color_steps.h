@@ -1,0 +1,21 @@
+#pragma once
+
+#include "render/scene/value_style.h"
+
+namespace vp::render
+{
+
+// Colours of values, each from one bound to the next: bounds[i] is the least value of colors[i + 1].
+struct ColorSteps
+{
+	std::vector<double> bounds; // ascending
+	std::vector<Color> colors;  // one more
+
+	std::size_t at(double value) const; // which colour
+	bool opaque() const;
+};
+
+// Of a style: its bands or categories, else `steps` equal parts of the colour map; and what lies beyond its range.
+ColorSteps colorSteps(const ValueStyle& style, int steps);
+
+} // namespace vp::render

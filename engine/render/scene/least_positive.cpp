@@ -1,0 +1,38 @@
+#include "render/scene/least_positive.h"
+
+#include "grid/shown_value.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <cmath>
+#include <limits>
+
+namespace vp::render
+{
+
+double leastPositive(const grid::BlockSet& blocks, const grid::FieldChoice& choice)
+{
+	double least = std::numeric_limits<double>::infinity();
+	for (const grid::Block& block : blocks.blocks)
+	{
+		const grid::Field* field = choice.in(block);
+		if (!field)
+			continue;
+		const auto scan = [&](const tbb::blocked_range<std::size_t>& tuples, double result)
+		{
+			for (std::size_t t = tuples.begin(); t < tuples.end(); ++t)
+			{
+				const double value = grid::shownValue(*field, t, choice.component);
+				if (value > 0.0 && std::isfinite(value))
+					result = std::min(result, value);
+			}
+			return result;
+		};
+		least = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, field->tuples(), 65536), least, scan,
+		                             [](double a, double b) { return std::min(a, b); });
+	}
+	return std::isfinite(least) ? least : 0.0;
+}
+
+} // namespace vp::render

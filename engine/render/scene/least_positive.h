@@ -1,0 +1,12 @@
+#pragma once
+
+#include "grid/block.h"
+#include "grid/field_choice.h"
+
+namespace vp::render
+{
+
+// The smallest finite shown value above 0 over all blocks. 0 where there is none.
+double leastPositive(const grid::BlockSet& blocks, const grid::FieldChoice& choice);
+
+} // namespace vp::render

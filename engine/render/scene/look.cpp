@@ -1,0 +1,86 @@
+#include "render/scene/look.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace vp::render
+{
+
+namespace
+{
+
+std::optional<Color> colorFromHex(std::string_view digits)
+{
+	unsigned value = 0;
+	const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+	if (error != std::errc{} || end != digits.data() + digits.size())
+		return std::nullopt;
+	const auto byte = [value](int shift) { return static_cast<std::uint8_t>(value >> shift & 0xFFu); };
+	const auto nibble = [value](int shift) { return static_cast<std::uint8_t>(17u * (value >> shift & 0xFu)); };
+	if (digits.size() == 6)
+		return Color{byte(16), byte(8), byte(0)};
+	if (digits.size() == 3)
+		return Color{nibble(8), nibble(4), nibble(0)};
+	return std::nullopt;
+}
+
+Background plain(Color color)
+{
+	return {color, color};
+}
+
+} // namespace
+
+bool Background::dark() const
+{
+	if (transparent())
+		return false;
+	const auto luma = [](Color c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; };
+	return 0.5 * (luma(top) + luma(bottom)) < 110.0;
+}
+
+std::optional<Color> parseColor(std::string_view text)
+{
+	if (text == "white")
+		return Color{255, 255, 255};
+	if (text == "black")
+		return Color{0, 0, 0};
+	if (text == "grey")
+		return Color{128, 128, 128};
+	return text.starts_with('#') ? colorFromHex(text.substr(1)) : std::nullopt;
+}
+
+Result<Background> parseBackground(std::string_view text)
+{
+	if (text == "gradient")
+		return Background{};
+	if (text == "transparent")
+		return plain({0, 0, 0, 0});
+	if (const auto color = parseColor(text))
+		return plain(*color);
+	return Error{
+	    ExitCode::usage,
+	    fmt::format("--background: '{}' is no colour; take gradient, white, grey, black, transparent, or #RRGGBB",
+	                text)};
+}
+
+Result<std::pair<std::uint32_t, std::uint32_t>> parseSize(std::string_view text)
+{
+	std::uint32_t width = 0;
+	std::uint32_t height = 0;
+	const char* const end = text.data() + text.size();
+	const auto [x, first_error] = std::from_chars(text.data(), end, width);
+	if (first_error == std::errc{} && x != end && *x == 'x')
+	{
+		const auto [last, second_error] = std::from_chars(x + 1, end, height);
+		if (second_error == std::errc{} && last == end && width > 0 && height > 0 && width <= kMaxPictureSize &&
+		    height <= kMaxPictureSize)
+			return std::pair{width, height};
+	}
+	return Error{ExitCode::usage,
+	             fmt::format("--size: '{}' is no size; write WIDTHxHEIGHT in pixels, as 1280x720, up to {}", text,
+	                         kMaxPictureSize)};
+}
+
+} // namespace vp::render

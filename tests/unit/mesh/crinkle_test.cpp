@@ -1,0 +1,276 @@
+#include "seamed_sets.h"
+#include "sliced_sheet.h"
+
+#include "mesh/build_mesh.h"
+#include "mesh/crinkle.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace vp::test
+{
+
+namespace
+{
+
+struct Crinkled
+{
+	SlicedSheet sheet;
+	mesh::SheetMesh mesh;
+	std::vector<std::set<CellId>> cells; // per block: those shown
+};
+
+Crinkled crinkled(cut::Cutter& slicer, const TestPlane& plane)
+{
+	Crinkled made{cut(slicer, plane), {}, {}};
+	std::vector<mesh::BlockCut> cuts;
+	for (std::uint32_t b = 0; b < made.sheet.slice.cuts.size(); ++b)
+	{
+		cuts.push_back({b, &made.sheet.slice.cuts[b], nullptr, made.sheet.slice.seeds.faces_in_plane[b]});
+		const std::vector<CellId> cut_cells = made.sheet.cutCells(b);
+		made.cells.emplace_back(cut_cells.begin(), cut_cells.end());
+		for (const grid::BoundaryIndex::Face& face : cuts.back().faces_in_plane)
+			made.cells.back().insert(face.cell);
+	}
+	made.mesh = mesh::crinkleMesh(slicer.blocks(), cuts);
+	return made;
+}
+
+// The faces of some cells by their points, with how many of the cells have them.
+std::map<std::set<PointId>, int> facesOf(const grid::Block& block, const std::set<CellId>& cells)
+{
+	std::map<std::set<PointId>, int> count;
+	visitGrid(block,
+	          [&](const auto& grid)
+	          {
+		          grid::CellFaces faces;
+		          for (const CellId cell : cells)
+		          {
+			          grid.cellFaces(cell, faces);
+			          for (int f = 0; f < faces.size(); ++f)
+				          ++count[std::set<PointId>(faces[f].begin(), faces[f].end())];
+		          }
+	          });
+	return count;
+}
+
+double volumeOfCells(const grid::Block& block, const std::set<CellId>& cells)
+{
+	double sum = 0.0;
+	for (const CellId cell : cells)
+		for (const Tetrahedron& part : cellTetrahedra(block, cell))
+			sum += std::abs(volumeOf(part));
+	return sum;
+}
+
+// Six times the volume that the faces enclose, taken as the fans about their means.
+double volumeWithin(const mesh::SheetMesh& mesh)
+{
+	double sum = 0.0;
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		const auto polygon = mesh.polygon(p);
+		Vec3 middle(0.0);
+		for (const std::uint32_t v : polygon)
+			middle += mesh.positions[v] / static_cast<double>(polygon.size());
+		for (std::size_t i = 0; i < polygon.size(); ++i)
+			sum += glm::dot(middle,
+			                glm::cross(mesh.positions[polygon[i]], mesh.positions[polygon[(i + 1) % polygon.size()]])) /
+			       6.0;
+	}
+	return sum;
+}
+
+std::vector<TestPlane> planesThrough(const grid::Block& block, unsigned seed)
+{
+	std::vector<TestPlane> planes = randomPlanes(block.bounds, 12, seed);
+	const std::vector<TestPlane> hard = degeneratePlanes(block, seed);
+	planes.insert(planes.end(), hard.begin(), hard.end());
+	return planes;
+}
+
+// Faces that no points share, or more than two cells do, are counted otherwise.
+bool isConforming(const grid::Block& block)
+{
+	return block.name != "two_to_one" && block.name != "three_on_a_face";
+}
+
+} // namespace
+
+TEST(Crinkle, HoldsTheFacesThatOneShownCellHas)
+{
+	for (const grid::Block& block : allGrids())
+	{
+		if (!isConforming(block))
+			continue;
+		const grid::BlockSet set = setOf(block);
+		cut::Cutter slicer(set);
+		std::size_t faces = 0;
+		for (const TestPlane& plane : planesThrough(block, 31))
+		{
+			const Crinkled made = crinkled(slicer, plane);
+			const auto count = facesOf(block, made.cells[0]);
+			std::multiset<std::set<PointId>> found;
+			for (std::size_t p = 0; p < made.mesh.polygons(); ++p)
+			{
+				std::set<PointId> points;
+				for (const std::uint32_t v : made.mesh.polygon(p))
+				{
+					EXPECT_EQ(made.mesh.edges[v].lower, made.mesh.edges[v].higher);
+					points.insert(made.mesh.edges[v].lower);
+				}
+				found.insert(points);
+				EXPECT_TRUE(made.cells[0].contains(made.mesh.polygon_cells[p].cell)) << block.name;
+			}
+			for (const std::set<PointId>& points : found)
+			{
+				const auto face = count.find(points);
+				ASSERT_NE(face, count.end()) << block.name;
+				EXPECT_EQ(face->second, 1) << block.name;
+				EXPECT_EQ(found.count(points), 1u) << block.name;
+			}
+			// Faces without area are left out.
+			std::size_t expected = 0;
+			for (const auto& [points, cells] : count)
+				expected += cells == 1;
+			if (block.name.find("collapsed") == std::string::npos)
+			{
+				EXPECT_EQ(found.size(), expected) << block.name;
+			}
+			else
+				EXPECT_LE(found.size(), expected) << block.name;
+			faces += found.size();
+		}
+		EXPECT_GT(faces, 0u) << block.name;
+	}
+}
+
+TEST(Crinkle, EnclosesTheCells)
+{
+	for (const grid::Block& block : allGrids())
+	{
+		if (block.name == "three_on_a_face" || block.name == "two_to_one" || !block.inverted.empty())
+			continue;
+		const grid::BlockSet set = setOf(block);
+		cut::Cutter slicer(set);
+		for (const TestPlane& plane : planesThrough(block, 32))
+		{
+			const Crinkled made = crinkled(slicer, plane);
+			const double volume = volumeOfCells(block, made.cells[0]);
+			EXPECT_NEAR(volumeWithin(made.mesh), volume, 1e-9 * (1.0 + volume)) << block.name;
+			Vec3 closed(0.0);
+			for (std::size_t p = 0; p < made.mesh.polygons(); ++p)
+				closed += mesh::doubleArea(made.mesh, made.mesh.polygon(p));
+			EXPECT_LT(glm::length(closed), 1e-9) << block.name;
+		}
+	}
+}
+
+// Of a large face only some of the small cells before it may be shown: it stays, so that no hole is left.
+TEST(Crinkle, HasNoHoleAtFacesWithSeveralNeighbours)
+{
+	const grid::Block& block = gridNamed("two_to_one");
+	const grid::BlockSet set = setOf(block);
+	cut::Cutter slicer(set);
+	for (const TestPlane& plane : planesThrough(block, 33))
+	{
+		const Crinkled made = crinkled(slicer, plane);
+		std::size_t expected = 0;
+		visitGrid(block,
+		          [&](const auto& grid)
+		          {
+			          for (const CellId cell : made.cells[0])
+				          for (int f = 0; f < grid.faceCount(cell); ++f)
+				          {
+					          bool open = true;
+					          bool any = false;
+					          grid.forEachNeighbour(cell, f,
+					                                [&](CellId n)
+					                                {
+						                                open = any ? open : false;
+						                                any = true;
+						                                open = open || !made.cells[0].contains(n);
+					                                });
+					          expected += open;
+				          }
+		          });
+		EXPECT_EQ(made.mesh.polygons(), expected);
+	}
+}
+
+TEST(Crinkle, ClosesAcrossSeams)
+{
+	for (const Place place : {Place(warped), Place(straight)})
+	{
+		const grid::BlockSet set = setOfBlocks({latticeBlock(place, 0.0, false), latticeBlock(place, 1.0, true)});
+		const grid::BlockSet whole = setOfBlocks({hexahedraBlock(place, 0.0, 2.0, true)});
+		cut::Cutter slicer(set);
+		cut::Cutter of_whole(whole);
+		for (const TestPlane& plane : randomPlanes(set.bounds(), 40, 34))
+		{
+			const Crinkled here = crinkled(slicer, plane);
+			const Crinkled there = crinkled(of_whole, plane);
+			EXPECT_EQ(here.mesh.polygons(), there.mesh.polygons());
+			EXPECT_EQ(here.mesh.positions.size(), there.mesh.positions.size());
+			EXPECT_NEAR(measure::measure(set, here.mesh, {}).area, measure::measure(whole, there.mesh, {}).area, 1e-9);
+			EXPECT_NEAR(volumeWithin(here.mesh), volumeWithin(there.mesh), 1e-9);
+		}
+	}
+}
+
+TEST(Crinkle, IsOfWholeCellsInAWindow)
+{
+	const grid::BlockSet set = setOf(gridNamed("shell"));
+	cut::Cutter slicer(set);
+	cut::CutRequest request;
+	probe::Sheet sheet = probe::makeSheet({0.1, 1.6, 0.2}, {0.3, 0.5, 0.8});
+	sheet.window = probe::centredWindow(0.5, 0.4);
+	request.probe.sheets = {sheet};
+	const cut::Cut slice = std::move(slicer.cut(std::move(request)).value());
+	const mesh::SheetMesh mesh = slice.crinkle(set, 0);
+	std::set<CellId> cells;
+	for (const mesh::BlockCell& from : slice.mesh(set, 0).polygon_cells)
+		cells.insert(from.cell);
+	ASSERT_FALSE(cells.empty());
+	EXPECT_NEAR(volumeWithin(mesh), volumeOfCells(set.blocks[0], cells), 1e-9);
+}
+
+TEST(Crinkle, IsTheSameOfSpans)
+{
+	for (const char* name : {"shell", "blob", "graded", "left_handed"})
+	{
+		const grid::Block& block = gridNamed(name);
+		const grid::BlockSet set = setOf(block);
+		cut::Cutter slicer(set);
+		for (const TestPlane& plane : planesThrough(block, 35))
+		{
+			cut::CutRequest request;
+			request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
+			request.finder = find::Finder::automatic;
+			const mesh::SheetMesh mesh = slicer.cut(request)->crinkle(set, 0);
+			const mesh::SheetMesh expected = crinkled(slicer, plane).mesh;
+			EXPECT_EQ(mesh.polygons(), expected.polygons()) << name;
+			EXPECT_EQ(mesh.positions.size(), expected.positions.size()) << name;
+			EXPECT_NEAR(volumeWithin(mesh), volumeWithin(expected), 1e-9) << name;
+		}
+	}
+}
+
+TEST(Crinkle, OfAGridSurfaceIsItsLayer)
+{
+	const grid::Block& shell = gridNamed("shell");
+	const grid::BlockSet set = setOf(shell);
+	cut::Cutter slicer(set);
+	cut::CutRequest request;
+	request.surface = surface::GridIndex{1, 4.5};
+	const cut::Cut slice = std::move(slicer.cut(std::move(request)).value());
+	const std::size_t n = grid::latticeCellsOf(shell)->lattice().cells()[0];
+	EXPECT_EQ(slice.mesh(set, 0).polygons(), n * n);
+	EXPECT_EQ(slice.crinkle(set, 0).polygons(), 2 * n * n + 4 * n);
+	const std::vector<CellId>& cells = slice.sheets[0].cuts[0].cells;
+	EXPECT_NEAR(volumeWithin(slice.crinkle(set, 0)), volumeOfCells(shell, {cells.begin(), cells.end()}), 1e-9);
+}
+
+} // namespace vp::test
