@@ -27,7 +27,7 @@ layout(binding = kBindCases) uniform usamplerBuffer cases;
 layout(binding = kBindValues) uniform samplerBuffer values;
 layout(binding = kBindAxes) uniform usamplerBuffer axes;
 layout(binding = kBindFront, scalar) readonly buffer Front { uint front[]; };
-layout(binding = kBindWords, scalar) writeonly buffer Words { uint words[]; };
+layout(binding = kBindCodes, scalar) writeonly buffer Codes { uint codes[]; };
 layout(binding = kBindRecords, scalar) writeonly buffer Records { PolygonRecord records[]; };
 layout(binding = kBindLane, scalar) uniform Lane { ClassifyLane lane; };
 layout(push_constant, scalar) uniform Push { ClassifyPush push; };
@@ -191,7 +191,7 @@ void main()
 	const bool certain = vertices != 0u && (near_mask & ~exact_mask) == 0u;
 	if (!certain)
 	{
-		words[i] = kCodeWalk;
+		codes[i] = kCodeWalk;
 		leaveEmpty(i, cell);
 		return;
 	}
@@ -230,6 +230,6 @@ void main()
 	}
 	records[i].cell = cell;
 	records[i].vertices = walk ? 0u : edges;
-	words[i] = walk ? kCodeWalk
+	codes[i] = walk ? kCodeWalk
 					: positive_mask | (entry.x & 0xFF00u) << (kCodeFacesShift - 8u) | (edges != 0u ? kCodeCut : 0u);
 }

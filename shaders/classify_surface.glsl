@@ -1,4 +1,4 @@
-// Decides the cells of a front against a curved surface: one thread a cell. Only words are written; the CPU makes the mesh.
+// Decides the cells of a front against a curved surface: one thread a cell. Only codes are written; the CPU makes the mesh.
 //
 // The CPU in double precision is the truth. Values are computed with a bound on what they may differ from its own by, and
 // a cell with a vertex whose sign that leaves open gets kCodeWalk: the CPU then decides it.
@@ -21,7 +21,7 @@ layout(binding = kBindCells) uniform usamplerBuffer cells;
 layout(binding = kBindCases) uniform usamplerBuffer cases;
 layout(binding = kBindAxes) uniform usamplerBuffer axes;
 layout(binding = kBindFront, scalar) readonly buffer Front { uint front[]; };
-layout(binding = kBindWords, scalar) writeonly buffer Words { uint words[]; };
+layout(binding = kBindCodes, scalar) writeonly buffer Codes { uint codes[]; };
 layout(binding = kBindLane, scalar) uniform Lane { SurfaceLane lane; };
 layout(push_constant, scalar) uniform Push { ClassifyPush push; };
 
@@ -101,7 +101,7 @@ void main()
 	}
 	const uvec4 entry = texelFetch(cases, int(case_start + positive_mask));
 	const bool walk = !certain || (entry.x >> 16) != 0u;
-	words[i] = walk ? kCodeWalk
+	codes[i] = walk ? kCodeWalk
 					: positive_mask | (entry.x & 0xFF00u) << (kCodeFacesShift - 8u) |
 	                      ((entry.x & 0xFFu) != 0u ? kCodeCut : 0u);
 }

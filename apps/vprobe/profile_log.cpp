@@ -32,9 +32,9 @@ const char* finderOf(const cut::SheetCut& sheet, std::size_t block)
 {
 	if (sheet.surface)
 		return "subscripts";
-	if (sheet.hasSpans(block))
+	if (sheet.cuts[block].hasSpans())
 		return "spans";
-	return sheet.cuts[block].steps == 0 ? "flood" : "traversal";
+	return sheet.cuts[block].steps() == 0 ? "flood" : "traversal";
 }
 
 } // namespace
@@ -55,8 +55,8 @@ void ProfileLog::addFigures(const cut::Cut& slice, const std::vector<SheetStats>
 		const cut::SheetCut& sheet = slice.sheets[s];
 		for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
 		{
-			const std::size_t block_touched = sheet.touchedCells(b);
-			cut += sheet.cutCells(b);
+			const std::size_t block_touched = sheet.cuts[b].touchedCells();
+			cut += sheet.cuts[b].cutCells();
 			touched += block_touched;
 			if (block_touched > 0)
 				finders_.insert(finderOf(sheet, b));

@@ -278,15 +278,15 @@ Result<find::CutPlan> planOf(const Session& session)
 
 bool isEmpty(const cut::SheetCut& sheet)
 {
-	for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
-		if (sheet.cutCells(b) > 0)
+	for (const find::BlockCut& cut : sheet.cuts)
+		if (cut.cutCells() > 0)
 			return false;
 	return std::ranges::all_of(sheet.seeds.faces_in_plane, [](const auto& faces) { return faces.empty(); });
 }
 
 Status tellAbout(const Session& session, const cut::Cut& slice)
 {
-	for (const std::string& words : slice.words)
+	for (const std::string& words : slice.warnings)
 		warn("{}", words);
 	for (const cut::SheetCut& sheet : slice.sheets)
 	{

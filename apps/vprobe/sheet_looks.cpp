@@ -33,8 +33,9 @@ render::ValueScale generationScale(const cut::Cut& slice)
 {
 	std::size_t generations = 2; // a scale has two ends
 	for (const cut::SheetCut& sheet : slice.sheets)
-		for (const find::CellCut& cut : sheet.cuts)
-			generations = std::max(generations, cut.generations());
+		for (const find::BlockCut& cut : sheet.cuts)
+			if (!cut.hasSpans())
+				generations = std::max(generations, cut.cells().generations());
 	return {.title = "generation", .hi = static_cast<double>(generations - 1), .per_cell = true, .log_lo = 1.0};
 }
 

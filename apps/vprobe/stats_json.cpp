@@ -52,7 +52,7 @@ std::size_t sourceCutCells(const grid::Block& block, const find::CellCut& cut)
 		return cut.cut_cells;
 	std::unordered_set<std::size_t> sources;
 	for (std::size_t i = 0; i < cut.cells.size(); ++i)
-		if (cut.words[i] & shared::kCodeCut)
+		if (cut.codes[i] & shared::kCodeCut)
 			sources.insert(grid->sourceCell(cut.cells[i]));
 	return sources.size();
 }
@@ -61,8 +61,15 @@ void addCells(const grid::Block& block, const find::CellCut& cut, TraversalSums&
 {
 	sums.cut_cells += sourceCutCells(block, cut);
 	sums.linear_cut_cells += cut.cut_cells;
-	for (const std::uint32_t word : cut.words)
-		sums.walked += (word & shared::kCodeWalk) != 0;
+	for (const std::uint32_t code : cut.codes)
+		sums.walked += (code & shared::kCodeWalk) != 0;
+}
+
+void addCells(const grid::Block&, const find::SpanCut& cut, TraversalSums& sums)
+{
+	sums.cut_cells += cut.cells.cut;
+	sums.linear_cut_cells += cut.cells.cut;
+	sums.walked += cut.cells.walked;
 }
 
 TraversalSums sumUp(const grid::BlockSet& blocks, const cut::SheetCut& sheet)
@@ -70,17 +77,10 @@ TraversalSums sumUp(const grid::BlockSet& blocks, const cut::SheetCut& sheet)
 	TraversalSums sums;
 	for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
 	{
-		if (sheet.hasSpans(b))
-		{
-			sums.cut_cells += sheet.cutCells(b);
-			sums.linear_cut_cells += sheet.cutCells(b);
-			sums.walked += sheet.spans[b]->cells.walked;
-		}
-		else
-			addCells(blocks.blocks[b], sheet.cuts[b], sums);
-		sums.touched += sheet.touchedCells(b);
-		const find::CellCut& cut = sheet.cuts[b];
-		sums.generations = std::max(sums.generations, cut.steps);
+		const find::BlockCut& cut = sheet.cuts[b];
+		std::visit([&](const auto& found) { addCells(blocks.blocks[b], found, sums); }, cut.found);
+		sums.touched += cut.touchedCells();
+		sums.generations = std::max(sums.generations, cut.steps());
 		sums.front_max = std::max(sums.front_max, cut.frontMax());
 	}
 	for (const auto& faces : sheet.seeds.faces_in_plane)

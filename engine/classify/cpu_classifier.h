@@ -35,7 +35,7 @@ private:
 			for (std::size_t begin = 0; begin < front.cells.size(); begin += kCells)
 			{
 				const std::size_t count = std::min(kCells, front.cells.size() - begin);
-				classifyTogether(grid, surface, front.cells.subspan(begin, count), front.words.subspan(begin, count));
+				classifyTogether(grid, surface, front.cells.subspan(begin, count), front.codes.subspan(begin, count));
 			}
 		}
 		else
@@ -43,7 +43,7 @@ private:
 			{
 				const CellId cell = front.cells[i];
 				const grid::CellShape shape = grid.shape(cell);
-				front.words[i] = shape == grid::CellShape::polyhedron
+				front.codes[i] = shape == grid::CellShape::polyhedron
 				                     ? shared::kCodeWalk
 				                     : find::classifyByTable(grid, surface, cell, shape);
 			}
@@ -52,7 +52,7 @@ private:
 	// A few cells: what a surface computes is computed for all their points at once, which pays for an expression.
 	template <class G>
 	static void classifyTogether(const G& grid, const Surface& surface, std::span<const CellId> cells,
-	                             std::span<std::uint32_t> words)
+	                             std::span<std::uint32_t> codes)
 	{
 		std::array<PointId, Surface::kMostPoints> points;
 		std::array<double, Surface::kMostPoints> heights;
@@ -66,11 +66,11 @@ private:
 		for (std::size_t i = 0; i < cells.size(); ++i)
 		{
 			const grid::CellShape shape = grid.shape(cells[i]);
-			words[i] = shared::kCodeWalk;
+			codes[i] = shared::kCodeWalk;
 			if (shape == grid::CellShape::polyhedron)
 				continue;
 			const int vertices = grid.cellPoints(cells[i]).size;
-			words[i] = find::caseWords(shape)[caseIndex(next, vertices)];
+			codes[i] = find::caseCodes(shape)[caseIndex(next, vertices)];
 			next += vertices;
 		}
 	}

@@ -62,7 +62,7 @@ Status GpuBlocks::uploadBlocks()
 				why = uploaded.error().message; // out of memory
 		}
 		if (!on_device)
-			words_.push_back(fmt::format("block {} is classified by the CPU: {}", block.name, why));
+			warnings_.push_back(fmt::format("block {} is classified by the CPU: {}", block.name, why));
 		blocks_.push_back(std::move(on_device));
 	}
 	return Nothing{};
@@ -137,10 +137,16 @@ Result<std::shared_ptr<const GpuField>> GpuBlocks::uploadField(const std::option
 	return std::shared_ptr<const GpuField>(std::move(made));
 }
 
-const gpu::Pipeline& GpuBlocks::pipeline(const GpuBlock& block, const GpuValues& values) const
+std::shared_ptr<const gpu::Pipeline> GpuBlocks::pipeline(const GpuBlock& block, const GpuValues& values) const
 {
 	const std::lock_guard lock(mutex_);
 	return pipelines_.at({block.cells_kind, block.points_kind, values.kind});
+}
+
+const gpu::Pipeline& GpuBlocks::lastingPipeline() const
+{
+	const std::lock_guard lock(mutex_);
+	return pipelines_.empty() ? surface_pipelines_.first() : *pipelines_.begin()->second;
 }
 
 Status GpuBlocks::makePipeline(const PipelineKinds& kinds)
@@ -154,7 +160,7 @@ Status GpuBlocks::makePipeline(const PipelineKinds& kinds)
 		return made.error();
 	if (Status warm = warmUp(device_, *made, kinds, caseTexels()); !warm)
 		return warm;
-	pipelines_.emplace(kinds, std::move(*made));
+	pipelines_.emplace(kinds, std::make_shared<const gpu::Pipeline>(std::move(*made)));
 	return Nothing{};
 }
 

@@ -52,8 +52,11 @@ public:
 	// A block past a limit of the device is left to the CPU.
 	bool holds(std::size_t block) const { return blocks_[block] != nullptr; }
 	std::size_t heldCount() const;
-	const std::vector<std::string>& words() const { return words_; } // for the user: what was left to the CPU, and why
-	std::size_t bytes() const;                                       // of device memory, record pages included
+	const std::vector<std::string>& warnings() const
+	{
+		return warnings_;
+	}                          // for the user: what was left to the CPU, and why
+	std::size_t bytes() const; // of device memory, record pages included
 
 	// The values of an array, and the pipelines for them, each run once since a driver may compile a shader on its
 	// first use. The arrays asked for last are kept.
@@ -65,7 +68,9 @@ public:
 	// For the classifier.
 	const GpuBlock& block(std::size_t block) const { return *blocks_[block]; }
 	bool usesDoubles() const { return doubles_; }
-	const gpu::Pipeline& pipeline(const GpuBlock& block, const GpuValues& values) const;
+	std::shared_ptr<const gpu::Pipeline> pipeline(const GpuBlock& block, const GpuValues& values) const;
+	// Any that stays: the descriptor sets of all are alike. Some pipeline has been asked for.
+	const gpu::Pipeline& lastingPipeline() const;
 	SurfacePipelines& surfacePipelines() { return surface_pipelines_; }
 	VkBufferView caseTexels() const { return cases_.view.handle(); }
 	VkBufferView noValueTexels() const { return no_values_.view.handle(); } // stands in where there are no values
@@ -84,14 +89,14 @@ private:
 	GpuLimits limits_;
 	bool doubles_;
 	std::vector<std::unique_ptr<GpuBlock>> blocks_; // null where left to the CPU
-	std::vector<std::string> words_;
+	std::vector<std::string> warnings_;
 	GpuTexels cases_;
 	GpuTexels no_values_;
 	std::shared_ptr<RecordPool> records_;
 	SurfacePipelines surface_pipelines_;
 
 	mutable std::mutex mutex_; // of what follows
-	std::map<PipelineKinds, gpu::Pipeline> pipelines_;
+	std::map<PipelineKinds, std::shared_ptr<const gpu::Pipeline>> pipelines_;
 	Fields fields_;
 	std::vector<std::unique_ptr<ClassifyWorkspace>> workspaces_;
 };

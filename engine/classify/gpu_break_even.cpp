@@ -1,6 +1,8 @@
 #include "classify/gpu_break_even.h"
 
+#include "classify/cpu_classifier.h"
 #include "classify/gpu_classifier.h"
+#include "classify/gpu_planes.h"
 #include "grid/build/middle_part.h"
 #include "seed/cut_cells.h"
 
@@ -43,8 +45,8 @@ std::vector<CellId> frontOf(const grid::Block& block, const surface::Plane& plan
 template <class Classifier>
 Result<double> timeOf(Classifier& classifier, std::span<const CellId> cells)
 {
-	std::vector<std::uint32_t> words(cells.size());
-	const find::FrontSlice front{0, cells, words};
+	std::vector<std::uint32_t> codes(cells.size());
+	const find::FrontSlice front{0, cells, codes};
 	double best = std::numeric_limits<double>::infinity();
 	for (int run = 0; run < kRuns; ++run)
 	{
@@ -64,11 +66,15 @@ Result<BreakEven> measureOn(gpu::Device& device, const grid::BlockSet& part, con
 	if ((*on_device)->heldCount() == 0)
 		return BreakEven{};
 	const std::optional<grid::FieldChoice> no_field;
-	auto gpu = GpuClassifier::create(**on_device, {&sheet, 1}, {&no_field, 1}, {{0, 0}}, nullptr);
+	Result<PlanesOnGpu> planes = planesOnGpu(**on_device, {&sheet, 1}, {&no_field, 1});
+	if (!planes)
+		return planes.error();
+	const find::SheetInBlock<surface::Plane> plane{&part.blocks[0], sheet.plane(), nullptr, {}};
+	CpuClassifier<surface::Plane> cpu({&plane, 1});
+	auto gpu = GpuClassifier::create(
+	    **on_device, std::move(planes->sheets), [&](auto fronts) { return cpu.classify(fronts); }, nullptr);
 	if (!gpu)
 		return gpu.error();
-	const find::SheetInBlock<surface::Plane> lane{&part.blocks[0], sheet.plane(), nullptr, {}};
-	CpuClassifier<surface::Plane> cpu({&lane, 1});
 
 	BreakEven found;
 	const std::vector<CellId> cells = frontOf(part.blocks[0], sheet.plane(), kFronts[0]);

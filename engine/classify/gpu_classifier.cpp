@@ -1,91 +1,84 @@
 #include "classify/gpu_classifier.h"
 
 #include "base/timeline.h"
-#include "classify/gpu_lane.h"
 #include "classify/gpu_workspace.h"
 
 #include <algorithm>
 #include <cstring>
 #include <numeric>
+#include <optional>
 
 namespace vp::classify
 {
 
-GpuClassifier::GpuClassifier(GpuBlocks& blocks, std::vector<GpuLane> lanes, Timeline* timeline)
-    : blocks_(blocks), lanes_(std::move(lanes)), timeline_(timeline), lane_cells_(lanes_.size(), 0)
+namespace
+{
+
+// Cells of a dispatch without records: 2^14 groups, where a device takes 65 535 at least.
+constexpr std::size_t kMaxRun = std::size_t(shared::kClassifyGroupSize) << 14;
+
+} // namespace
+
+GpuClassifier::GpuClassifier(GpuBlocks& blocks, std::vector<GpuSheetInBlock> sheets, OnCpu on_cpu, Timeline* timeline)
+    : blocks_(blocks), sheets_(std::move(sheets)), on_cpu_(std::move(on_cpu)), timeline_(timeline),
+      cells_done_(sheets_.size(), 0)
 {
 	const VkPhysicalDeviceLimits& limits = blocks.device().limits();
-	lane_stride_ = roundUp(sizeof(shared::ClassifyLane), limits.minUniformBufferOffsetAlignment);
+	told_stride_ = roundUp(GpuSheetInBlock::kMaxTold, limits.minUniformBufferOffsetAlignment);
 	const std::size_t alignment = std::max<std::size_t>(limits.minStorageBufferOffsetAlignment, 4);
-	word_alignment_ = alignment / 4;
+	code_alignment_ = alignment / 4;
 	record_alignment_ = static_cast<std::uint32_t>(alignment / std::gcd(alignment, sizeof(shared::PolygonRecord)));
 }
 
-Result<std::unique_ptr<GpuClassifier>> GpuClassifier::create(GpuBlocks& blocks, std::span<const probe::Sheet> sheets,
-                                                             std::span<const std::optional<grid::FieldChoice>> fields,
-                                                             std::vector<GpuLane> lanes, Timeline* timeline)
+Result<std::unique_ptr<GpuClassifier>> GpuClassifier::create(GpuBlocks& blocks, std::vector<GpuSheetInBlock> sheets,
+                                                             OnCpu on_cpu, Timeline* timeline)
 {
-	std::unique_ptr<GpuClassifier> made(new GpuClassifier(blocks, std::move(lanes), timeline));
-	Result<GpuBlocks::Fields> values = blocks.fields(fields);
-	if (!values)
-		return values.error();
-	made->fields_ = std::move(*values);
-	if (Status prepared = made->prepare(sheets); !prepared)
+	std::unique_ptr<GpuClassifier> made(new GpuClassifier(blocks, std::move(sheets), std::move(on_cpu), timeline));
+	if (Status prepared = made->prepare(); !prepared)
 		return prepared.error();
 	return made;
 }
 
 GpuClassifier::~GpuClassifier()
 {
-	finish();
+	if (!workspace_)
+		return;
+	if (workspace_->commands.handle() && workspace_->commands.wait() && timeline_)
+		workspace_->timers.collect(*timeline_);
+	blocks_.giveBack(std::move(workspace_));
 }
 
-Status GpuClassifier::prepare(std::span<const probe::Sheet> sheets)
+Status GpuClassifier::prepare()
 {
 	std::size_t axis_texels = 1;
-	for (const GpuLane& lane : lanes_)
-	{
-		const grid::Block& block = blocks_.blocks().blocks[lane.block];
-		cpu_lanes_.push_back({&block, sheets[lane.sheet].plane(), nullptr, {}});
-		if (blocks_.holds(lane.block))
-			axis_texels += axisTexels(block.grid);
-	}
-	for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet)
-	{
-		records_.push_back(std::make_shared<SheetRecords>(blocks_.recordPool()));
-		records_.back()->overlapping = mayOverlap(blocks_.blocks());
-	}
-	if (blocks_.heldCount() == 0 || sheets.empty())
+	bool is_used = false;
+	for (const GpuSheetInBlock& sheet : sheets_)
+		if (sheet.pipeline)
+		{
+			is_used = true;
+			axis_texels += axisTexels(blocks_.blocks().blocks[sheet.block].grid);
+		}
+	if (!is_used)
 		return Nothing{};
 
 	workspace_ = blocks_.borrowWorkspace();
 	gpu::Device& device = blocks_.device();
-	std::size_t held = 0;
-	while (!blocks_.holds(held))
-		++held;
-	// The descriptor sets of all the pipelines are alike.
-	if (Status done = workspace_->prepare(device, blocks_.pipeline(blocks_.block(held), fields_.front()->blocks[held]));
-	    !done)
+	if (Status done = workspace_->prepare(device, blocks_.lastingPipeline()); !done)
 		return done;
-	if (Status done = workspace_->reserveLanes(device, lanes_.size() * lane_stride_); !done)
+	if (Status done = workspace_->reserveLanes(device, sheets_.size() * told_stride_); !done)
 		return done;
 	if (Status done = workspace_->reserveAxes(device, axis_texels); !done)
 		return done;
 
 	const std::span<AxisTexel> axes(workspace_->axes.mappedAs<AxisTexel>(), axis_texels);
 	std::size_t axis_start = 0;
-	for (std::size_t l = 0; l < lanes_.size(); ++l)
+	for (std::size_t i = 0; i < sheets_.size(); ++i)
 	{
-		const GpuLane& lane = lanes_[l];
-		if (!blocks_.holds(lane.block))
+		if (!sheets_[i].pipeline)
 			continue;
-		const grid::Block& block = blocks_.blocks().blocks[lane.block];
-		const std::size_t texels = axisTexels(block.grid);
-		const GpuField& field = *fields_[lane.sheet];
-		const shared::ClassifyLane described =
-		    describeLane(block, blocks_.block(lane.block), field.blocks[lane.block], field.choice.has_value(),
-		                 blocks_.usesDoubles(), sheets[lane.sheet], axis_start, axes.subspan(axis_start, texels));
-		std::memcpy(workspace_->lanes.mappedAs<std::byte>() + l * lane_stride_, &described, sizeof(described));
+		const std::size_t texels = axisTexels(blocks_.blocks().blocks[sheets_[i].block].grid);
+		sheets_[i].describe(axis_start, axes.subspan(axis_start, texels),
+		                    workspace_->lanes.mappedAs<std::byte>() + i * told_stride_);
 		axis_start += texels;
 	}
 	return Nothing{};
@@ -96,23 +89,13 @@ Status GpuClassifier::classify(std::span<const find::FrontSlice> fronts)
 	if (Status planned = planRuns(fronts); !planned)
 		return planned;
 	if (!runs_.empty())
-	{
-		auto* cells = workspace_->front.mappedAs<CellId>();
-		for (const Run& run : runs_)
-			std::memcpy(cells + run.offset, run.front->cells.data() + run.begin, run.count * sizeof(CellId));
-		if (Status recorded = record(); !recorded)
-			return recorded;
-		if (Result<std::uint64_t> submitted = workspace_->commands.submit(); !submitted)
-			return submitted.error();
-	}
+		if (Status submitted = submit(); !submitted)
+			return submitted;
 	// While the device works.
-	CpuClassifier<surface::Plane> cpu(cpu_lanes_);
-	if (Status done = cpu.classify(cpu_fronts_); !done)
-		return done;
-	if (runs_.empty())
-		return Nothing{};
-
-	return workspace_->takeWords(runs_);
+	if (!cpu_fronts_.empty())
+		if (Status done = on_cpu_(cpu_fronts_); !done)
+			return done;
+	return runs_.empty() ? Status(Nothing{}) : workspace_->takeCodes(runs_);
 }
 
 Status GpuClassifier::planRuns(std::span<const find::FrontSlice> fronts)
@@ -122,7 +105,7 @@ Status GpuClassifier::planRuns(std::span<const find::FrontSlice> fronts)
 	std::size_t offset = 0;
 	for (const find::FrontSlice& front : fronts)
 	{
-		if (!blocks_.holds(lanes_[front.lane].block))
+		if (!sheets_[front.lane].pipeline)
 			cpu_fronts_.push_back(front);
 		else if (Status added = addRuns(front, offset); !added)
 			return added;
@@ -132,41 +115,63 @@ Status GpuClassifier::planRuns(std::span<const find::FrontSlice> fronts)
 
 Status GpuClassifier::addRuns(const find::FrontSlice& front, std::size_t& offset)
 {
-	const GpuLane& lane = lanes_[front.lane];
-	SheetRecords& records = *records_[lane.sheet];
-	const std::uint32_t capacity = records.pool->pageRecords();
 	for (std::size_t begin = 0; begin < front.cells.size();)
 	{
-		std::size_t first = records.pages.empty() ? capacity : roundUp(records.pages.back().count, record_alignment_);
-		if (first >= capacity)
-		{
-			Result<std::shared_ptr<RecordPage>> page = records.pool->take(RecordPool::Writer::gpu);
-			if (!page)
-				return page.error();
-			records.pages.push_back({std::move(*page), 0});
-			first = 0;
-		}
-		SheetRecords::Page& page = records.pages.back();
-		const std::size_t count = std::min(front.cells.size() - begin, capacity - first);
-		const std::size_t padded = std::min(roundUp(count, record_alignment_), capacity - first);
-		runs_.push_back({&front, begin, count, offset, page.buffer(), static_cast<std::uint32_t>(first),
-		                 static_cast<std::uint32_t>(padded)});
-		records.runs.push_back({static_cast<std::uint32_t>(records.pages.size() - 1), static_cast<std::uint32_t>(first),
-		                        static_cast<std::uint32_t>(count), lane.block, lane_cells_[front.lane]});
-		page.count = static_cast<std::uint32_t>(first + count);
-		lane_cells_[front.lane] += static_cast<std::uint32_t>(count);
-		begin += count;
-		offset += roundUp(count, word_alignment_);
+		const std::size_t left = front.cells.size() - begin;
+		Run run{&front, begin, std::min(left, kMaxRun), offset};
+		if (sheets_[front.lane].records)
+			if (Status placed = placeRecords(front, begin, run); !placed)
+				return placed;
+		runs_.push_back(run);
+		begin += run.count;
+		offset += roundUp(run.count, code_alignment_);
 	}
 	return Nothing{};
 }
 
-Status GpuClassifier::record()
+// Takes the run's records from the end of the last page, or from a new one.
+Status GpuClassifier::placeRecords(const find::FrontSlice& front, std::size_t begin, Run& run)
 {
-	Result<VkCommandBuffer> begun = workspace_->commands.begin();
-	if (!begun)
-		return begun.error();
-	const VkCommandBuffer commands = *begun;
+	SheetRecords& records = *sheets_[front.lane].records;
+	const std::uint32_t capacity = records.pool->pageRecords();
+	std::size_t first = records.pages.empty() ? capacity : roundUp(records.pages.back().count, record_alignment_);
+	if (first >= capacity)
+	{
+		Result<std::shared_ptr<RecordPage>> page = records.pool->take(RecordPool::Writer::gpu);
+		if (!page)
+			return page.error();
+		records.pages.push_back({std::move(*page), 0});
+		first = 0;
+	}
+	SheetRecords::Page& page = records.pages.back();
+	run.count = std::min(front.cells.size() - begin, capacity - first);
+	run.page = page.buffer();
+	run.first = static_cast<std::uint32_t>(first);
+	run.padded = static_cast<std::uint32_t>(std::min(roundUp(run.count, record_alignment_), capacity - first));
+	records.runs.push_back({static_cast<std::uint32_t>(records.pages.size() - 1), run.first,
+	                        static_cast<std::uint32_t>(run.count),
+	                        static_cast<std::uint32_t>(sheets_[front.lane].block), cells_done_[front.lane]});
+	page.count = static_cast<std::uint32_t>(first + run.count);
+	cells_done_[front.lane] += static_cast<std::uint32_t>(run.count);
+	return Nothing{};
+}
+
+Status GpuClassifier::submit()
+{
+	auto* cells = workspace_->front.mappedAs<CellId>();
+	for (const Run& run : runs_)
+		std::memcpy(cells + run.offset, run.front->cells.data() + run.begin, run.count * sizeof(CellId));
+	Result<VkCommandBuffer> commands = workspace_->commands.begin();
+	if (!commands)
+		return commands.error();
+	if (Status recorded = record(*commands); !recorded)
+		return recorded;
+	Result<std::uint64_t> submitted = workspace_->commands.submit();
+	return submitted ? Status(Nothing{}) : Status(submitted.error());
+}
+
+Status GpuClassifier::record(VkCommandBuffer commands)
+{
 	std::optional<gpu::TimedPass> timed; // labels the pass as well
 	std::optional<gpu::Label> label;
 	if (timeline_)
@@ -183,7 +188,7 @@ Status GpuClassifier::record()
 			return set.error();
 		recordRun(commands, runs_[i], *set);
 	}
-	// Words to the host, records to whatever draws them.
+	// Codes to the host, records to whatever draws them.
 	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
 	                   VK_PIPELINE_STAGE_2_HOST_BIT | VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
 	                   VK_ACCESS_2_HOST_READ_BIT | VK_ACCESS_2_MEMORY_READ_BIT);
@@ -192,9 +197,8 @@ Status GpuClassifier::record()
 
 void GpuClassifier::recordRun(VkCommandBuffer commands, const Run& run, VkDescriptorSet set)
 {
-	const GpuLane& lane = lanes_[run.front->lane];
-	const GpuBlock& block = blocks_.block(lane.block);
-	const GpuValues& values = fields_[lane.sheet]->blocks[lane.block];
+	const GpuSheetInBlock& sheet = sheets_[run.front->lane];
+	const GpuBlock& block = blocks_.block(sheet.block);
 	const auto orCases = [&](const GpuTexels& texels) { return texels ? texels.view.handle() : blocks_.caseTexels(); };
 
 	// Descriptors cover what the run touches and no more, so runs of a generation need no barrier between them.
@@ -202,31 +206,22 @@ void GpuClassifier::recordRun(VkCommandBuffer commands, const Run& run, VkDescri
 	writer.texels(shared::kBindPoints, orCases(block.points))
 	    .texels(shared::kBindCells, orCases(block.cells))
 	    .texels(shared::kBindCases, blocks_.caseTexels())
-	    .texels(shared::kBindValues, values.texels ? values.texels.view.handle() : blocks_.noValueTexels())
+	    .texels(shared::kBindValues, sheet.values ? sheet.values : blocks_.noValueTexels())
 	    .texels(shared::kBindAxes, workspace_->axis_texels.handle())
 	    .storageBuffer(shared::kBindFront, workspace_->front.handle(), 4 * run.offset, 4 * run.count)
-	    .storageBuffer(shared::kBindWords, workspace_->words.handle(), 4 * run.offset, 4 * run.count)
-	    .storageBuffer(shared::kBindRecords, run.page, run.first * sizeof(shared::PolygonRecord),
-	                   run.padded * sizeof(shared::PolygonRecord))
-	    .uniformBuffer(shared::kBindLane, workspace_->lanes.handle(), run.front->lane * lane_stride_,
-	                   sizeof(shared::ClassifyLane))
-	    .write(blocks_.device(), set);
+	    .storageBuffer(shared::kBindCodes, workspace_->codes.handle(), 4 * run.offset, 4 * run.count)
+	    .uniformBuffer(shared::kBindLane, workspace_->lanes.handle(), run.front->lane * told_stride_,
+	                   GpuSheetInBlock::kMaxTold);
+	if (run.page)
+		writer.storageBuffer(shared::kBindRecords, run.page, run.first * sizeof(shared::PolygonRecord),
+		                     run.padded * sizeof(shared::PolygonRecord));
+	else // a shader without records does not look at this binding
+		writer.storageBuffer(shared::kBindRecords, workspace_->codes.handle(), 4 * run.offset, 4 * run.count);
+	writer.write(blocks_.device(), set);
 
-	const gpu::Pipeline& pipeline = blocks_.pipeline(block, values);
-	pipeline.bind(commands, set);
-	pipeline.push(commands, shared::ClassifyPush{static_cast<std::uint32_t>(run.count), run.padded});
+	sheet.pipeline->bind(commands, set);
+	sheet.pipeline->push(commands, shared::ClassifyPush{static_cast<std::uint32_t>(run.count), run.padded});
 	vkCmdDispatch(commands, (run.padded + shared::kClassifyGroupSize - 1) / shared::kClassifyGroupSize, 1, 1);
-}
-
-std::vector<std::shared_ptr<SheetRecords>> GpuClassifier::finish()
-{
-	if (workspace_)
-	{
-		if (workspace_->commands.handle() && workspace_->commands.wait() && timeline_)
-			workspace_->timers.collect(*timeline_);
-		blocks_.giveBack(std::move(workspace_));
-	}
-	return std::move(records_);
 }
 
 } // namespace vp::classify

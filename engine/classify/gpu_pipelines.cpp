@@ -18,7 +18,7 @@ gpu::ComputePipelineInfo classifyPipelineInfo(const PipelineKinds& kinds)
 	for (const std::uint32_t binding :
 	     {shared::kBindPoints, shared::kBindCells, shared::kBindCases, shared::kBindValues, shared::kBindAxes})
 		info.bindings.push_back({binding, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER});
-	for (const std::uint32_t binding : {shared::kBindFront, shared::kBindWords, shared::kBindRecords})
+	for (const std::uint32_t binding : {shared::kBindFront, shared::kBindCodes, shared::kBindRecords})
 		info.bindings.push_back({binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
 	info.bindings.push_back({shared::kBindLane, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER});
 	info.push_bytes = sizeof(shared::ClassifyPush);
@@ -51,7 +51,7 @@ Status warmUp(gpu::Device& device, const gpu::Pipeline& pipeline, const Pipeline
 	for (const std::uint32_t binding : {shared::kBindPoints, shared::kBindCells, shared::kBindCases, shared::kBindAxes})
 		writer.texels(binding, texels);
 	writer.texels(shared::kBindValues, values->handle());
-	for (const std::uint32_t binding : {shared::kBindFront, shared::kBindWords, shared::kBindRecords})
+	for (const std::uint32_t binding : {shared::kBindFront, shared::kBindCodes, shared::kBindRecords})
 		writer.storageBuffer(binding, room->handle());
 	writer.uniformBuffer(shared::kBindLane, room->handle());
 	writer.write(device, *set);
@@ -97,11 +97,11 @@ Result<gpu::Pipeline> SurfacePipelines::make(const PipelineKinds& kinds, const s
 		info.shader = "classify_quadric.comp";
 		return gpu::Pipeline::create(device_, info, "classify quadric");
 	}
-	Result<std::vector<std::uint32_t>> words =
+	Result<std::vector<std::uint32_t>> codes =
 	    gpu::compileComputeShader(std::string(shaders::classifyExpressionSource()) + surface::glslOf(*expression));
-	if (!words)
-		return words.error();
-	info.spirv = *words;
+	if (!codes)
+		return codes.error();
+	info.spirv = *codes;
 	return gpu::Pipeline::create(device_, info, "classify expression");
 }
 

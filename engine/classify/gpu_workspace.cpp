@@ -45,7 +45,7 @@ Status ClassifyWorkspace::reserveFront(gpu::Device& device, std::size_t cells)
 	if (Status grown = grow(device, front, 4 * cells, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Memory::upload, "front");
 	    !grown)
 		return grown;
-	return grow(device, words, 4 * cells, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Memory::readback, "words");
+	return grow(device, codes, 4 * cells, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Memory::readback, "codes");
 }
 
 Status ClassifyWorkspace::reserveLanes(gpu::Device& device, std::size_t bytes)

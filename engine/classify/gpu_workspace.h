@@ -32,17 +32,17 @@ struct ClassifyWorkspace
 	Status reserveLanes(gpu::Device& device, std::size_t bytes);
 	Status reserveAxes(gpu::Device& device, std::size_t texels);
 
-	// Waits for what was submitted, and hands each run of cells its words: run.count from run.offset on, for the cells
+	// Waits for what was submitted, and hands each run of cells its codes: run.count from run.offset on, for the cells
 	// of run.front from run.begin on.
 	template <class Run>
-	Status takeWords(const std::vector<Run>& runs)
+	Status takeCodes(const std::vector<Run>& runs)
 	{
 		if (Status done = commands.wait(); !done)
 			return done;
-		words.invalidate();
-		const auto* from = words.mappedAs<std::uint32_t>();
+		codes.invalidate();
+		const auto* from = codes.mappedAs<std::uint32_t>();
 		for (const Run& run : runs)
-			std::memcpy(run.front->words.data() + run.begin, from + run.offset, run.count * sizeof(std::uint32_t));
+			std::memcpy(run.front->codes.data() + run.begin, from + run.offset, run.count * sizeof(std::uint32_t));
 		return Nothing{};
 	}
 
@@ -50,7 +50,7 @@ struct ClassifyWorkspace
 	gpu::DescriptorSets sets; // set i serves dispatch i of a generation
 	gpu::Timers timers;
 	gpu::Buffer front; // cell ids, written by the host
-	gpu::Buffer words; // read by the host
+	gpu::Buffer codes; // read by the host
 	gpu::Buffer lanes; // ClassifyLane each, at offsets that the device can bind
 	gpu::Buffer axes;
 	gpu::TexelView axis_texels;

@@ -64,10 +64,10 @@ std::size_t cellsOf(const mesh::SheetMesh& mesh)
 mesh::SheetMesh meshOf(const grid::BlockSet& blocks, const std::vector<surface::BlockSurface>& surfaces,
                        const std::vector<find::CellCut>& cuts)
 {
-	std::vector<mesh::BlockCut> of_blocks;
+	std::vector<mesh::ShownBlock> shown;
 	for (std::size_t b = 0; b < cuts.size(); ++b)
-		of_blocks.push_back({static_cast<std::uint32_t>(b), &cuts[b], nullptr, {}});
-	return mesh::buildMesh(blocks, surfaces, of_blocks);
+		shown.push_back({static_cast<std::uint32_t>(b), &cuts[b]});
+	return mesh::buildMesh(blocks, surfaces, shown);
 }
 
 } // namespace
@@ -160,7 +160,7 @@ Result<Contour> BoxContourer::grow(double value, Timeline* timeline, std::stop_t
 		                 .seeds = std::move(seeds[b]),
 		                 .seams = blocks.interfaces.of(b),
 		                 .sheet_lane = 0,
-		                 .admits = find::finiteCells(blocks.blocks[b], surfaces[b]),
+		                 .filter = find::finiteCells(blocks.blocks[b], surfaces[b]),
 		                 .window = box_});
 	}
 	classify::CpuClassifier<surface::BlockSurface, ClipBox> classifier(lanes);

@@ -3,24 +3,21 @@
 #include "base/timeline.h"
 #include "classify/cpu_classifier.h"
 #include "classify/gpu_blocks.h"
-#include "cut/unmoved_sheets.h"
-#include "find/lane_marks.h"
+#include "classify/gpu_classifier.h"
+#include "classify/gpu_surfaces.h"
+#include "cut/planes_on_device.h"
+#include "cut/reuse.h"
+#include "cut/sheet_group.h"
+#include "cut/spread_seeds.h"
+#include "find/find_block.h"
+#include "find/listed.h"
+#include "seed/curved_seeds.h"
 
 #include <algorithm>
 #include <cassert>
 
 namespace vp::cut
 {
-
-find::PlanRequest planRequestOf(const CutRequest& request)
-{
-	return {.sheets = request.probe.sheets,
-	        .surface = request.surface ? &*request.surface : nullptr,
-	        .has_threshold = request.threshold.has_value(),
-	        .seed_mode = request.seeds.mode,
-	        .finder = request.finder,
-	        .strategy = request.strategy};
-}
 
 CutTicket::CutTicket(std::stop_source stop, std::future<Result<Cut>> result)
     : stop_(std::move(stop)), result_(std::move(result))
@@ -48,18 +45,7 @@ Result<Cut> CutTicket::wait()
 Cutter::Cutter(const grid::BlockSet& blocks) : blocks_(blocks), ranges_(blocks.blocks.size())
 {
 	for (const grid::Block& block : blocks.blocks)
-	{
-		visited_.push_back(std::make_unique<find::VisitedPool>(
-		    std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid)));
-		const auto* curvilinear = std::get_if<grid::CurvilinearGrid>(&block.grid);
-		const std::size_t rows = curvilinear ? std::size_t(curvilinear->points()[1]) * curvilinear->points()[2] : 0;
-		stores_.push_back(
-		    std::make_unique<Pool<find::SpanStore>>([rows] { return std::make_unique<find::SpanStore>(rows); }));
-		const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&block.grid);
-		const std::size_t cells = unstructured ? unstructured->cellCount() : 0;
-		marks_.push_back(
-		    std::make_unique<Pool<find::CellMarks>>([cells] { return std::make_unique<find::CellMarks>(cells); }));
-	}
+		stores_.push_back(std::make_unique<find::BlockStores>(block));
 }
 
 Result<std::unique_ptr<Cutter>> Cutter::onDevice(gpu::Device& device, const grid::BlockSet& blocks,
@@ -71,9 +57,9 @@ Result<std::unique_ptr<Cutter>> Cutter::onDevice(gpu::Device& device, const grid
 		return uploaded.error();
 	if (Result<classify::GpuBlocks::Fields> values = (*uploaded)->fields({&field, 1}); !values)
 		return values.error();
-	auto slicer = std::make_unique<Cutter>(blocks);
-	slicer->gpu_ = std::move(*uploaded);
-	return slicer;
+	auto cutter = std::make_unique<Cutter>(blocks);
+	cutter->gpu_ = std::move(*uploaded);
+	return cutter;
 }
 
 Cutter::~Cutter() = default;
@@ -86,11 +72,10 @@ std::size_t Cutter::blocksOnGpu() const
 Cutter::Memory Cutter::memory() const
 {
 	Memory memory;
-	const auto bytes = [](const auto& each) { return each.bytes(); };
-	for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
-		memory.marks += visited_[b]->bytes() + stores_[b]->sumOfIdle(bytes) + marks_[b]->sumOfIdle(bytes);
-	memory.device = gpu_ ? gpu_->bytes() : 0;
+	for (const auto& stores : stores_)
+		memory.marks += stores->bytes();
 	memory.marks += ranges_.bytes();
+	memory.device = gpu_ ? gpu_->bytes() : 0;
 	return memory;
 }
 
@@ -110,144 +95,238 @@ CutTicket Cutter::begin(CutRequest request)
 	                         { return run(request, token); })};
 }
 
-// The sheets, placed, with generation 0 of each; without faces that the threshold does not admit.
-Cut Cutter::seedSheets(const CutRequest& request, const Admits& admits) const
-{
-	const TimedSection section(request.timeline, "seed");
-	Cut slice;
-	for (const probe::Sheet& shown : probe::placed(request.probe).sheets)
-	{
-		const probe::Sheet sheet = probe::content(shown);
-		const std::optional<grid::FieldChoice>& field =
-		    request.sheet_fields.empty() ? request.field : request.sheet_fields[slice.sheets.size()];
-		slice.sheets.push_back({.shown = shown,
-		                        .sheet = sheet,
-		                        .corners = request.corners,
-		                        .field = field,
-		                        .seeds = seed::findSeeds(blocks_, sheet, request.seeds)});
-		for (std::size_t b = 0; b < admits.size(); ++b)
-			if (admits[b])
-				std::erase_if(slice.sheets.back().seeds.faces_in_plane[b],
-				              [&](const auto& face) { return !admits[b](face.cell); });
-	}
-	return slice;
-}
-
-// Lanes, and the marks that they refer to.
-struct Cutter::Lanes
-{
-	std::vector<PlaneInBlock> all; // lane s * blocks + b is sheet s in block b
-	find::LaneMarks marks;
-};
-
-// What is found already is not traversed again.
-Cutter::Lanes Cutter::makeLanes(const CutRequest& request, const Cut& slice, const Found& found, const Admits& admits)
-{
-	Lanes lanes;
-	for (const SheetCut& sheet : slice.sheets)
-	{
-		const std::size_t sheet_lane = lanes.all.size();
-		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
-		{
-			PlaneInBlock& lane = lanes.all.emplace_back(PlaneInBlock{.block = &blocks_.blocks[b],
-			                                                         .surface = sheet.sheet.plane(),
-			                                                         .visited = nullptr,
-			                                                         .seeds = {},
-			                                                         .seams = blocks_.interfaces.of(b),
-			                                                         .sheet_lane = sheet_lane,
-			                                                         .admits = admits[b]});
-			if (sheet.sheet.window)
-				lane.window.emplace(sheet.sheet);
-			if (found[lanes.all.size() - 1])
-				continue;
-			lane.seeds = sheet.seeds.cells[b];
-			lanes.marks.give(lane, request.visited, *visited_[b]);
-		}
-	}
-	return lanes;
-}
-
 Result<Cut> Cutter::run(const CutRequest& request, std::stop_token stop)
 {
-	if (request.last)
-		return cutMoved(request, stop);
-	Result<Cut> cut = cutAll(request, {}, stop);
-	if (cut)
-		numberSheets(*cut);
-	return cut;
-}
-
-Result<Cut> Cutter::cutMoved(const CutRequest& request, std::stop_token stop)
-{
-	const std::vector<bool> unmoved = unmovedSheets(request);
-	Before before;
-	for (std::size_t s = 0; s < unmoved.size(); ++s)
-		if (!unmoved[s])
-			before.push_back(s < request.last->sheets.size() ? &request.last->sheets[s] : nullptr);
-	Result<Cut> moved = before.empty() ? Cut() : cutAll(withoutSheets(request, unmoved), before, stop);
+	if (!request.last)
+	{
+		Result<Cut> cut = cutAll(request, {}, stop);
+		if (cut)
+			numberSheets(*cut);
+		return cut;
+	}
+	const Reuse reuse = reuseOf(request);
+	Result<Cut> moved = reuse.was.empty() ? Cut() : cutAll(reuse.moved, reuse.was, stop);
 	if (!moved)
 		return moved;
 	numberSheets(*moved);
-	return joinSheets(request, unmoved, std::move(*moved));
+	return withResting(request, reuse, std::move(*moved));
 }
 
-Cutter::Admits Cutter::admitsOf(const CutRequest& request) const
-{
-	Admits admits(blocks_.blocks.size());
-	if (request.threshold)
-		for (std::size_t b = 0; b < admits.size(); ++b)
-			admits[b] = find::cellsWithin(blocks_.blocks[b], *request.field, *request.threshold);
-	return admits;
-}
-
-Result<Cut> Cutter::cutAll(const CutRequest& request, const Before& before, std::stop_token stop)
+Result<Cut> Cutter::cutAll(const CutRequest& request, const Previous& previous, std::stop_token stop)
 {
 	assert(request.field || !request.threshold);
 	const Result<find::CutPlan> plan = this->plan(request);
 	if (!plan)
 		return plan.error();
-	const Admits admits = admitsOf(request);
 	if (request.surface)
-		return showSurface(request, admits);
-	if (const std::vector<bool> has_form = sheetsWithForm(request); std::ranges::find(has_form, true) != has_form.end())
-		return cutForms(request, has_form, before, stop);
+		return listSurface(request);
 
-	Cut slice = seedSheets(request, admits);
-	Found found = find(request, *plan, slice);
-	spreadSeeds(request, before, found, slice);
-
-	Lanes lanes = makeLanes(request, slice, found, admits);
-	Result<std::vector<find::CellCut>> cuts =
-	    gpu_ ? traverseOnGpu(request, lanes.all, found, slice, stop) : traverseOnCpu(request, lanes.all, stop);
-	if (!cuts)
-		return cuts.error();
-	for (std::size_t lane = 0; lane < cuts->size(); ++lane)
-		slice.sheets[lane / blocks_.blocks.size()].cuts.push_back(
-		    std::move(found[lane] ? *found[lane] : (*cuts)[lane]));
-	if (gpu_)
-		if (Status added = addHostRecords(request.timeline, slice); !added)
-			return added.error();
-	return slice;
+	Cut cut;
+	cut.sheets.resize(request.probe.sheets.size());
+	const auto take = [&](auto& group)
+	{
+		for (std::size_t i = 0; i < group.numbers.size(); ++i)
+			cut.sheets[group.numbers[i]] = std::move(group.sheets[i]);
+	};
+	std::vector<std::size_t> planes;
+	for (std::size_t s = 0; s < cut.sheets.size(); ++s)
+		if (!request.probe.sheets[s].form)
+			planes.push_back(s);
+	if (!planes.empty())
+	{
+		SheetGroup<surface::Plane> group = planesOf(request, *plan, planes);
+		if (Status done = search(group, previous, stop); !done)
+			return done.error();
+		take(group);
+		if (gpu_)
+			cut.warnings = gpu_->warnings();
+	}
+	for (std::size_t s = 0; s < cut.sheets.size(); ++s)
+	{
+		if (!request.probe.sheets[s].form)
+			continue;
+		SheetGroup<surface::BlockSurface> group = curvedSheetOf(request, *plan, s);
+		if (Status done = search(group, stop); !done)
+			return done.error();
+		take(group);
+	}
+	return cut;
 }
 
-Cut Cutter::showSurface(const CutRequest& request, const Admits& admits) const
+Cut Cutter::listSurface(const CutRequest& request) const
 {
 	const TimedSection section(request.timeline, "traverse");
-	Cut slice;
-	SheetCut& sheet = slice.sheets.emplace_back();
-	sheet.field = request.sheet_fields.empty() ? request.field : request.sheet_fields.front();
+	Cut cut;
+	SheetCut& sheet = cut.sheets.emplace_back();
+	sheet.field = request.fieldOf(0);
 	sheet.surface = request.surface;
-	sheet.cuts = find::listedCells(blocks_, *request.surface, admits);
+	sheet.cuts = find::listedCells(blocks_, *request.surface, thresholdFilters(request));
 	sheet.seeds.faces_in_plane.resize(sheet.cuts.size());
-	return slice;
+	return cut;
 }
 
-Result<std::vector<find::CellCut>> Cutter::traverseOnCpu(const CutRequest& request, std::span<PlaneInBlock> lanes,
-                                                         std::stop_token stop)
+std::vector<grid::CellFilter> Cutter::thresholdFilters(const CutRequest& request) const
 {
-	const TimedSection section(request.timeline, "traverse");
-	classify::CpuClassifier<surface::Plane> classifier(lanes);
-	return find::breadthFirst<surface::Plane>(lanes, classifier, stop, request.timeline);
+	std::vector<grid::CellFilter> filters(blocks_.blocks.size());
+	if (request.threshold)
+		for (std::size_t b = 0; b < filters.size(); ++b)
+			filters[b] = find::cellsWithin(blocks_.blocks[b], *request.field, *request.threshold);
+	return filters;
+}
+
+template <class Surface>
+SheetGroup<Surface> Cutter::groupOf(const CutRequest& request, const find::CutPlan& plan,
+                                    std::vector<std::size_t> numbers) const
+{
+	SheetGroup<Surface> group{request, std::move(numbers), {}, {}, {}, {}};
+	const std::vector<probe::Sheet> placed = probe::placed(request.probe).sheets;
+	const std::vector<grid::CellFilter> filters = thresholdFilters(request);
+	for (const std::size_t s : group.numbers)
+	{
+		SheetCut& sheet = group.sheets.emplace_back();
+		sheet.shown = placed[s];
+		sheet.sheet = probe::content(placed[s]);
+		sheet.corners = request.corners;
+		sheet.field = request.fieldOf(s);
+		sheet.cuts.resize(blocks_.blocks.size());
+		group.plan.insert(group.plan.end(), plan.sheets[s].begin(), plan.sheets[s].end());
+		group.filters.insert(group.filters.end(), filters.begin(), filters.end());
+	}
+	return group;
+}
+
+SheetGroup<surface::Plane> Cutter::planesOf(const CutRequest& request, const find::CutPlan& plan,
+                                            std::vector<std::size_t> numbers) const
+{
+	const TimedSection section(request.timeline, "seed");
+	SheetGroup<surface::Plane> group = groupOf<surface::Plane>(request, plan, std::move(numbers));
+	for (SheetCut& sheet : group.sheets)
+	{
+		group.surfaces.insert(group.surfaces.end(), blocks_.blocks.size(), sheet.sheet.plane());
+		sheet.seeds = seed::findSeeds(blocks_, sheet.sheet, request.seeds);
+		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
+			if (const grid::CellFilter& filter = group.filters[b])
+				std::erase_if(sheet.seeds.faces_in_plane[b], [&](const auto& face) { return !filter(face.cell); });
+	}
+	return group;
+}
+
+SheetGroup<surface::BlockSurface> Cutter::curvedSheetOf(const CutRequest& request, const find::CutPlan& plan,
+                                                        std::size_t number)
+{
+	SheetGroup<surface::BlockSurface> group = groupOf<surface::BlockSurface>(request, plan, {number});
+	SheetCut& sheet = group.sheets.front();
+	group.surfaces = find::surfacesOf(blocks_, sheet.sheet, sheet.field, &ranges_);
+	for (std::size_t b = 0; b < group.filters.size(); ++b)
+		group.filters[b] =
+		    grid::both(std::move(group.filters[b]), find::finiteCells(blocks_.blocks[b], group.surfaces[b]));
+	const TimedSection section(request.timeline, "seed");
+	sheet.seeds = seed::findSeeds(blocks_, group.surfaces, sheet.sheet, request.seeds.mode, group.filters);
+	return group;
+}
+
+// What needs no generations.
+void Cutter::findKnown(SheetGroup<surface::Plane>& group)
+{
+	std::optional<TimedSection> section;
+	for (std::size_t i = 0; i < group.plan.size(); ++i)
+	{
+		SheetCut& sheet = group.sheets[i / blocks_.blocks.size()];
+		const std::size_t b = i % blocks_.blocks.size();
+		// Without a seed there the piece at the hot spot lies in another block.
+		if (group.needsGenerations(i) ||
+		    (group.request.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.cells[b].empty()))
+			continue;
+		if (!section)
+			section.emplace(group.request.timeline, "traverse");
+		sheet.cuts[b] = find::findInBlock(group.plan[i].strategy, blocks_.blocks[b], sheet.sheet, sheet.seeds.cells[b],
+		                                  *stores_[b]);
+		if (gpu_ && !sheet.cuts[b].hasSpans())
+			sheet.cuts[b].found = find::asOneFront(blocks_.blocks[b], sheet.cuts[b]);
+	}
+}
+
+// More of generation 0, where it is asked for and a traversal is to come.
+void Cutter::addSeeds(SheetGroup<surface::Plane>& group, const Previous& previous) const
+{
+	const CutRequest& request = group.request;
+	if (!request.seeds.lattice || request.threshold || request.seeds.mode == seed::SeedMode::hotspot)
+		return;
+	const TimedSection section(request.timeline, "seed");
+	for (std::size_t i = 0; i < group.plan.size(); ++i)
+	{
+		const std::size_t s = i / blocks_.blocks.size();
+		const std::size_t b = i % blocks_.blocks.size();
+		if (group.needsGenerations(i))
+			spreadSeeds(blocks_.blocks[b], b, previous.empty() ? nullptr : previous[group.numbers[s]], group.sheets[s]);
+		group.sheets[s].seeds.rim[b] = {};
+	}
+}
+
+Status Cutter::search(SheetGroup<surface::Plane>& group, const Previous& previous, std::stop_token stop)
+{
+	findKnown(group);
+	addSeeds(group, previous);
+	GenerationSearch<surface::Plane> generations(group, blocks_, stores_);
+	if (!gpu_)
+	{
+		const TimedSection section(group.request.timeline, "traverse");
+		classify::CpuClassifier<surface::Plane> classifier(generations.sheets());
+		return generations.run(classifier, stop);
+	}
+	std::optional<TimedSection> section(std::in_place, group.request.timeline, "traverse");
+	auto device = PlanesOnDevice::create(*gpu_, group.sheets, group.request.timeline);
+	if (!device)
+		return device.error();
+	if (Status done = (*device)->classifyKnown(); !done)
+		return done;
+	if (Status done = generations.run((*device)->classifier(), stop); !done)
+		return done;
+	section.reset();
+	return (*device)->finish();
+}
+
+Status Cutter::search(SheetGroup<surface::BlockSurface>& group, std::stop_token stop)
+{
+	const TimedSection section(group.request.timeline, "traverse");
+	GenerationSearch<surface::BlockSurface> generations(group, blocks_, stores_);
+	classify::CpuClassifier<surface::BlockSurface> cpu(generations.sheets());
+	if (!gpu_)
+		return generations.run(cpu, stop);
+	auto surface = classify::surfaceOnGpu(*gpu_, group.surfaces);
+	if (!surface)
+		return surface.error();
+	auto gpu = classify::GpuClassifier::create(
+	    *gpu_, std::move(*surface), [&](auto fronts) { return cpu.classify(fronts); }, group.request.timeline);
+	return gpu ? generations.run(**gpu, stop) : Status(gpu.error());
+}
+
+void Cutter::forgetValues()
+{
+	ranges_.forget();
+	if (gpu_)
+		gpu_->forgetFields();
+}
+
+Result<Cut> Cutter::regather(const Cut& kept, Timeline* timeline)
+{
+	Cut cut = kept;
+	numberSheets(cut);
+	if (!gpu_ || std::ranges::any_of(cut.sheets, [](const SheetCut& s) { return !s.isPlane(); }))
+		return cut; // meshes gather their values when they are made
+	const TimedSection section(timeline, "emit");
+	Cut classified = cut; // the device knows nothing of windows, so its codes are not kept
+	auto device = PlanesOnDevice::create(*gpu_, classified.sheets, timeline);
+	if (!device)
+		return device.error();
+	if (Status done = (*device)->classifyKnown(); !done)
+		return done.error();
+	if (Status done = (*device)->finish(); !done)
+		return done.error();
+	for (std::size_t s = 0; s < cut.sheets.size(); ++s)
+		cut.sheets[s].records = classified.sheets[s].records;
+	cut.warnings = gpu_->warnings();
+	return cut;
 }
 
 } // namespace vp::cut

@@ -37,10 +37,10 @@ void collect(const grid::Block& block, std::uint32_t number, const find::CellCut
 		    for (std::size_t i = 0; i < cut.cells.size(); ++i)
 		    {
 			    // Every case without an entry is walked.
-			    if (!(cut.words[i] & shared::kCodeWalk))
+			    if (!(cut.codes[i] & shared::kCodeWalk))
 				    continue;
 			    const grid::CellShape shape = grid.shape(cut.cells[i]);
-			    if (shape != grid::CellShape::polyhedron && cases::caseTable(shape)[cut.words[i] & 0xFFu].needs_walk)
+			    if (shape != grid::CellShape::polyhedron && cases::caseTable(shape)[cut.codes[i] & 0xFFu].needs_walk)
 				    impossible.push_back({number, cut.cells[i]});
 		    }
 	    },
@@ -80,8 +80,8 @@ Result<SweepFindings> sweepForImpossibleCases(Cutter& slicer)
 				++findings.planes;
 				for (std::uint32_t b = 0; b < sheet.cuts.size(); ++b)
 				{
-					findings.cells += sheet.cuts[b].cells.size();
-					collect(blocks.blocks[b], b, sheet.cuts[b], findings.impossible);
+					findings.cells += sheet.cuts[b].touchedCells();
+					collect(blocks.blocks[b], b, sheet.cuts[b].cells(), findings.impossible);
 				}
 			}
 		}

@@ -11,10 +11,10 @@
 namespace vp::find
 {
 
-// The word of each case of a table shape, kCodeWalk set where the table has no entry for it.
-const std::uint32_t* caseWords(grid::CellShape shape);
+// The code of each case of a table shape, kCodeWalk set where the table has no entry for it.
+const std::uint32_t* caseCodes(grid::CellShape shape);
 
-// The word of a cell of a table shape, kCodeWalk set where the table has no entry for its case.
+// The code of a cell of a table shape, kCodeWalk set where the table has no entry for its case.
 template <class G, class Surface>
 std::uint32_t classifyByTable(const G& grid, const Surface& surface, CellId cell, grid::CellShape shape)
 {
@@ -22,11 +22,11 @@ std::uint32_t classifyByTable(const G& grid, const Surface& surface, CellId cell
 	std::uint32_t index = 0;
 	for (int v = 0; v < points.size; ++v)
 		index |= static_cast<std::uint32_t>(seed::isPositive(grid, surface, points.id[v])) << v;
-	return caseWords(shape)[index];
+	return caseCodes(shape)[index];
 }
 
-// The word of any cell decided here, in double, and its faces: kCodeWalk says that the cut is to be walked from the
-// faces. The faces are filled in every case; only the first eight fit the word's face bits, so use the faces of a
+// The code of any cell decided here, in double, and its faces: kCodeWalk says that the cut is to be walked from the
+// faces. The faces are filled in every case; only the first eight fit the code's face bits, so use the faces of a
 // walked cell.
 template <class G, class Surface>
 std::uint32_t classifyByWalk(const G& grid, const Surface& surface, CellId cell, grid::CellFaces& faces)

@@ -19,10 +19,10 @@ namespace vp::find
 namespace
 {
 
-struct WordOf
+struct CodedCell
 {
 	CellId cell;
-	std::uint32_t word;
+	std::uint32_t code;
 };
 
 // The part of a flood that one thread does.
@@ -37,7 +37,7 @@ public:
 	    : grid_(grid), reader_(reader), plane_(plane), window_(window), signs_(signs), pen_(marks)
 	{
 		for (int s = 0; s < grid::kTableShapes; ++s)
-			words_of_[s] = caseWords(static_cast<grid::CellShape>(s));
+			codes_of_[s] = caseCodes(static_cast<grid::CellShape>(s));
 	}
 
 	void follow(std::vector<CellId>& queue, std::size_t at)
@@ -51,14 +51,14 @@ public:
 		const grid::CellShape shape = reader_.shape(record);
 		if (kWidth == 8 && shape == grid::CellShape::polyhedron)
 			return walk(queue, cell);
-		const std::uint32_t word = words_of_[static_cast<std::size_t>(shape)][signs_.of(record, shape)];
-		if (kWidth == 8 && word & shared::kCodeWalk)
+		const std::uint32_t code = codes_of_[static_cast<std::size_t>(shape)][signs_.of(record, shape)];
+		if (kWidth == 8 && code & shared::kCodeWalk)
 			return walk(queue, cell);
 		const Reach reach = window_ ? reachOf(cell, record, shape) : Reach::within;
 		if (reach == Reach::outside)
-			return leaveOut(cell, word);
+			return leaveOut(cell, code);
 		const CellMarks::Pen pen = pen_;
-		for (std::uint32_t bits = word >> shared::kCodeFacesShift & 0xFFu; bits; bits &= bits - 1)
+		for (std::uint32_t bits = code >> shared::kCodeFacesShift & 0xFFu; bits; bits &= bits - 1)
 		{
 			const int face = std::countr_zero(bits);
 			if (reach == Reach::rim && !window_->meetsFace(grid_, plane_, faces_[face]))
@@ -69,10 +69,10 @@ public:
 			else if (pen.mark(across))
 				queue.push_back(across);
 		}
-		found_.push_back({cell, word});
+		found_.push_back({cell, code});
 	}
 
-	RawVector<WordOf> takeFound() { return std::move(found_); }
+	RawVector<CodedCell> takeFound() { return std::move(found_); }
 
 private:
 	static constexpr std::size_t kAhead = 32; // cells, whose record is fetched; their points at half the way
@@ -87,7 +87,7 @@ private:
 		                       });
 	}
 	// As the traversal marks a cell of generation 0 whose section lies outside.
-	void leaveOut(CellId cell, std::uint32_t word) { found_.push_back({cell, word & (0xFFu | shared::kCodeWalk)}); }
+	void leaveOut(CellId cell, std::uint32_t code) { found_.push_back({cell, code & (0xFFu | shared::kCodeWalk)}); }
 
 	// Where the section of a cell, if it has one, lies. The box of its points decides about most; faces_ are filled for
 	// those on the rim.
@@ -123,14 +123,14 @@ private:
 	// A cell that no table knows.
 	void walk(std::vector<CellId>& queue, CellId cell)
 	{
-		const std::uint32_t word = classifyByWalk(grid_, plane_, cell, faces_);
+		const std::uint32_t code = classifyByWalk(grid_, plane_, cell, faces_);
 		if (window_ && !window_->meetsCell(grid_, plane_, faces_))
-			return leaveOut(cell, word);
-		if (word & shared::kCodeCut)
+			return leaveOut(cell, code);
+		if (code & shared::kCodeCut)
 			for (int f = 0; f < faces_.size(); ++f)
 				if (window_ ? window_->meetsFace(grid_, plane_, faces_[f]) : seed::isFaceCut(grid_, plane_, faces_[f]))
 					cross(queue, cell, f);
-		found_.push_back({cell, word});
+		found_.push_back({cell, code});
 	}
 
 	const grid::UnstructuredGrid& grid_;
@@ -139,12 +139,12 @@ private:
 	const seed::SheetWindow* window_;
 	const RecordSigns<kWidth, Number>& signs_;
 	CellMarks::Pen pen_;
-	std::array<const std::uint32_t*, grid::kTableShapes> words_of_;
+	std::array<const std::uint32_t*, grid::kTableShapes> codes_of_;
 	grid::CellFaces faces_;
-	RawVector<WordOf> found_;
+	RawVector<CodedCell> found_;
 };
 
-using Found = std::vector<RawVector<WordOf>>; // by each part of the work
+using Found = std::vector<RawVector<CodedCell>>; // by each part of the work
 
 template <int kWidth, class Number>
 Found flood(const grid::UnstructuredGrid& grid, const grid::RecordReader<kWidth, Number>& reader,
@@ -173,19 +173,19 @@ CellCut inOrder(const Found& found, CellMarks& marks)
 		tbb::parallel_for(std::size_t(0), found.size(),
 		                  [&](std::size_t part)
 		                  {
-			                  for (const WordOf& known : found[part])
+			                  for (const CodedCell& known : found[part])
 				                  visit(known);
 		                  });
 	};
-	forFound([&](const WordOf& known) { marks.settle(known.cell); });
+	forFound([&](const CodedCell& known) { marks.settle(known.cell); });
 	CellCut cut;
 	cut.cells = marks.list();
-	cut.words.resize(cut.cells.size());
-	forFound([&](const WordOf& known)
-	         { std::atomic_ref(cut.words[marks.rank(known.cell)]).store(known.word, std::memory_order_relaxed); });
+	cut.codes.resize(cut.cells.size());
+	forFound([&](const CodedCell& known)
+	         { std::atomic_ref(cut.codes[marks.rank(known.cell)]).store(known.code, std::memory_order_relaxed); });
 	marks.clear();
-	for (const std::uint32_t word : cut.words)
-		cut.cut_cells += (word & shared::kCodeCut) != 0;
+	for (const std::uint32_t code : cut.codes)
+		cut.cut_cells += (code & shared::kCodeCut) != 0;
 	return cut;
 }
 

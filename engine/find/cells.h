@@ -11,7 +11,7 @@ namespace vp::find
 {
 
 // The traversal of cells of any shape in no generations: a cell is classified, and its neighbours queued, whenever a
-// core is free, with what comes next fetched from memory in advance. Cells and words are those of breadthFirst(), in
+// core is free, with what comes next fetched from memory in advance. Cells and codes are those of breadthFirst(), in
 // ascending order of the cells: the same for any number of threads.
 //
 // With a window (or null) only cells whose section reaches into it count as cut and are left; those beside them are in

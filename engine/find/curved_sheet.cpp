@@ -71,7 +71,7 @@ std::vector<surface::BlockSurface> surfacesOf(const grid::BlockSet& blocks, cons
 	return std::vector(blocks.blocks.size(), one);
 }
 
-std::function<bool(CellId)> finiteCells(const grid::Block& block, const surface::BlockSurface& surface)
+grid::CellFilter finiteCells(const grid::Block& block, const surface::BlockSurface& surface)
 {
 	const surface::BlockValues* values = surface.values();
 	if (!values || (values->leaves && values->leaves->allFinite()))

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "grid/block.h"
+#include "grid/cell_filter.h"
 #include "grid/field_choice.h"
 #include "probe/sheet.h"
 #include "surface/curved.h"
 #include "surface/leaf_values.h"
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -50,6 +50,6 @@ std::vector<surface::BlockSurface> isoSurfaces(const grid::BlockSet& blocks, dou
                                                ValueRanges* ranges = nullptr);
 
 // Turns down cells with a value that is NaN or infinite; empty where there are none, or the surface is not of values.
-std::function<bool(CellId)> finiteCells(const grid::Block& block, const surface::BlockSurface& surface);
+grid::CellFilter finiteCells(const grid::Block& block, const surface::BlockSurface& surface);
 
 } // namespace vp::find

@@ -7,6 +7,7 @@
 #include "find/octant_queue.h"
 #include "find/visited.h"
 #include "grid/block.h"
+#include "grid/cell_filter.h"
 #include "seed/sheet_window.h"
 #include "shared/slice_types.h"
 
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <bit>
 #include <concepts>
-#include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -34,31 +34,33 @@ struct SheetInBlock
 {
 	const grid::Block* block;
 	Surface surface;
-	VisitedMarks* visited;     // beginSlice() has been called; null where there is a queue
+	VisitedMarks* visited;     // beginSlice() has been called; null where there is a queue, or nothing is searched
 	std::vector<CellId> seeds; // generation 0; cells that turn out not to be cut do no harm
 	// Where the block meets others or itself; null: nowhere. The lanes of a sheet stand in the order of the blocks,
 	// from `sheet_lane` on: what lies across a seam in block b is queued in lane sheet_lane + b.
 	const grid::BlockSeams* seams = nullptr;
 	std::size_t sheet_lane = 0;
 	// Cells that it turns down end the traversal: they are not queued. Empty: every cell may come.
-	std::function<bool(CellId)> admits = {};
+	grid::CellFilter filter = {};
 	// Where the sheet has one: cells whose section lies outside do not count as cut, edges outside lead nowhere.
 	std::optional<Window> window = {};
 	OctantQueue* queue = nullptr; // in place of the marks, and empty
 
+	// Otherwise the block's cells are found in another way.
+	bool isSearched() const { return visited || queue; }
 	// Whether the cell is to be queued: it may come, and has not been queued yet.
 	bool enters(CellId cell) const
 	{
-		return (queue ? queue->mark(cell) : visited->mark(cell)) && (!admits || admits(cell));
+		return (queue ? queue->mark(cell) : visited->mark(cell)) && (!filter || filter(cell));
 	}
 };
 
-// What a classifier is asked: a word for every cell of a lane's front (see slice_types.h).
+// What a classifier is asked: a code for every cell of a lane's front (see slice_types.h).
 struct FrontSlice
 {
 	std::size_t lane;
 	std::span<const CellId> cells;
-	std::span<std::uint32_t> words;
+	std::span<std::uint32_t> codes;
 };
 
 template <class C>
@@ -73,7 +75,7 @@ concept Classifier = requires(C& c, std::span<const FrontSlice> fronts)
 struct CellCut
 {
 	std::vector<CellId> cells;        // every cell that was queued
-	std::vector<std::uint32_t> words; // its word, kCodeCut set where it is cut; kCodeWalk kept where the CPU walked it
+	std::vector<std::uint32_t> codes; // its code, kCodeCut set where it is cut; kCodeWalk kept where the CPU walked it
 	std::size_t cut_cells = 0;
 	bool closed = false; // cells ascend, and what lies across a cut face of theirs in the block is listed too
 	std::vector<std::uint32_t> generation_starts; // generations + 1 offsets into cells
@@ -96,7 +98,7 @@ inline CellCut oneGeneration(std::vector<CellId> cells)
 	CellCut cut;
 	cut.cells = std::move(cells);
 	cut.cut_cells = cut.cells.size();
-	cut.words.assign(cut.cells.size(), shared::kCodeCut);
+	cut.codes.assign(cut.cells.size(), shared::kCodeCut);
 	cut.generation_starts.push_back(0);
 	if (!cut.cells.empty())
 		cut.generation_starts.push_back(static_cast<std::uint32_t>(cut.cells.size()));
@@ -132,8 +134,11 @@ void expandFront(const G& grid, std::span<const SheetInBlock<Surface, Window>> l
 			if (!on_boundary)
 				return;
 			for (const grid::SeamLink& link : lane.seams->of(cell, static_cast<std::uint32_t>(face)))
-				if (lanes[lane.sheet_lane + link.block].enters(link.other))
-					cuts[lane.sheet_lane + link.block].cells.push_back(link.other);
+			{
+				const std::size_t across = lane.sheet_lane + link.block;
+				if (lanes[across].isSearched() && lanes[across].enters(link.other))
+					cuts[across].cells.push_back(link.other);
+			}
 		}
 	};
 	// Where a large face leads to several small cells, the window may hold a part of it that only some of them share.
@@ -144,10 +149,10 @@ void expandFront(const G& grid, std::span<const SheetInBlock<Surface, Window>> l
 	for (std::size_t i = begin; i < end; ++i)
 	{
 		const CellId cell = cut.cells[i];
-		const bool walked = cut.words[i] & shared::kCodeWalk;
+		const bool walked = cut.codes[i] & shared::kCodeWalk;
 		if (walked)
-			cut.words[i] = classifyByWalk(grid, lane.surface, cell, faces);
-		if (!(cut.words[i] & shared::kCodeCut))
+			cut.codes[i] = classifyByWalk(grid, lane.surface, cell, faces);
+		if (!(cut.codes[i] & shared::kCodeCut))
 			continue;
 		// Most cells lie within the window as a whole, and are not asked face by face.
 		const bool at_rim = lane.window && !lane.window->holdsCell(grid, cell);
@@ -156,7 +161,7 @@ void expandFront(const G& grid, std::span<const SheetInBlock<Surface, Window>> l
 		// Later generations are mostly entered across an edge in the window, which is theirs too.
 		if (at_rim && (begin == 0 || asks_every_cell) && !lane.window->meetsCell(grid, lane.surface, faces))
 		{
-			cut.words[i] &= 0xFFu | shared::kCodeWalk;
+			cut.codes[i] &= 0xFFu | shared::kCodeWalk;
 			continue;
 		}
 		++cut.cut_cells;
@@ -172,7 +177,7 @@ void expandFront(const G& grid, std::span<const SheetInBlock<Surface, Window>> l
 					crossFace(f);
 			continue;
 		}
-		for (std::uint32_t bits = (cut.words[i] >> shared::kCodeFacesShift) & 0xFFu; bits; bits &= bits - 1)
+		for (std::uint32_t bits = (cut.codes[i] >> shared::kCodeFacesShift) & 0xFFu; bits; bits &= bits - 1)
 			crossFace(std::countr_zero(bits));
 	}
 }
@@ -252,10 +257,10 @@ Result<std::vector<CellCut>> breadthFirst(std::type_identity_t<std::span<SheetIn
 			if (begin == cut.cells.size())
 				continue;
 			cut.generation_starts.push_back(static_cast<std::uint32_t>(cut.cells.size()));
-			cut.words.resize(cut.cells.size());
+			cut.codes.resize(cut.cells.size());
 			cut.steps = step;
 			front_cells += cut.cells.size() - begin;
-			fronts.push_back({l, std::span(cut.cells).subspan(begin), std::span(cut.words).subspan(begin)});
+			fronts.push_back({l, std::span(cut.cells).subspan(begin), std::span(cut.codes).subspan(begin)});
 		}
 		if (fronts.empty())
 			break;
@@ -269,7 +274,7 @@ Result<std::vector<CellCut>> breadthFirst(std::type_identity_t<std::span<SheetIn
 	}
 	// A stop leaves a generation queued that nothing is known about.
 	for (CellCut& cut : cuts)
-		cut.cells.resize(cut.words.size());
+		cut.cells.resize(cut.codes.size());
 	return cuts;
 }
 

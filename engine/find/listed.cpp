@@ -36,8 +36,8 @@ std::array<std::uint32_t, 3> subscriptsOf(const grid::Block& block, const grid::
 class SurfaceCells
 {
 public:
-	SurfaceCells(const grid::BlockSet& blocks, const GridIndex& at, std::span<const std::function<bool(CellId)>> admits)
-	    : blocks_(blocks), at_(at), admits_(admits)
+	SurfaceCells(const grid::BlockSet& blocks, const GridIndex& at, std::span<const grid::CellFilter> filters)
+	    : blocks_(blocks), at_(at), filters_(filters)
 	{
 		for (const grid::Block& block : blocks.blocks)
 			lattices_.push_back(latticeReaching(block, at));
@@ -79,7 +79,7 @@ private:
 
 	bool admitted(std::uint32_t block, CellId cell) const
 	{
-		return admits_.empty() || !admits_[block] || admits_[block](cell);
+		return filters_.empty() || !filters_[block] || filters_[block](cell);
 	}
 
 	// Whether the cell shows a face on a seam, and a cell before it shows what lies across.
@@ -111,7 +111,7 @@ private:
 
 	const grid::BlockSet& blocks_;
 	const GridIndex& at_;
-	std::span<const std::function<bool(CellId)>> admits_;
+	std::span<const grid::CellFilter> filters_;
 	std::vector<std::optional<grid::LatticeCells>> lattices_; // per block, where the surface meets it
 };
 
@@ -133,13 +133,13 @@ Status checkGridIndex(const grid::BlockSet& blocks, const surface::GridIndexRang
 	return Nothing{};
 }
 
-std::vector<CellCut> gridIndexCells(const grid::BlockSet& blocks, const GridIndex& at,
-                                    std::span<const std::function<bool(CellId)>> admits)
+std::vector<BlockCut> gridIndexCells(const grid::BlockSet& blocks, const GridIndex& at,
+                                     std::span<const grid::CellFilter> filters)
 {
-	const SurfaceCells cells(blocks, at, admits);
-	std::vector<CellCut> cuts;
+	const SurfaceCells cells(blocks, at, filters);
+	std::vector<BlockCut> cuts;
 	for (std::uint32_t b = 0; b < blocks.blocks.size(); ++b)
-		cuts.push_back(cells.ofBlock(b));
+		cuts.push_back({cells.ofBlock(b)});
 	return cuts;
 }
 
@@ -172,18 +172,18 @@ Status checkPatch(const grid::BlockSet& blocks, const std::string& name)
 	return Error{ExitCode::input, fmt::format("there is no patch of that name; there are {}", fmt::join(names, ", "))};
 }
 
-std::vector<CellCut> patchCells(const grid::BlockSet& blocks, const std::string& name,
-                                std::span<const std::function<bool(CellId)>> admits)
+std::vector<BlockCut> patchCells(const grid::BlockSet& blocks, const std::string& name,
+                                 std::span<const grid::CellFilter> filters)
 {
-	std::vector<CellCut> cuts;
+	std::vector<BlockCut> cuts;
 	for (std::uint32_t b = 0; b < blocks.blocks.size(); ++b)
 	{
 		KeyNumbers known(0);
 		std::vector<CellId> cells;
 		for (const grid::Patch::Face& face : grid::facesOfPatches(blocks, name, b))
-			if ((admits.empty() || !admits[b] || admits[b](face.cell)) && known.find(face.cell, 0).is_new)
+			if ((filters.empty() || !filters[b] || filters[b](face.cell)) && known.find(face.cell, 0).is_new)
 				cells.push_back(face.cell);
-		cuts.push_back(oneGeneration(std::move(cells)));
+		cuts.push_back({oneGeneration(std::move(cells))});
 	}
 	return cuts;
 }
@@ -195,12 +195,12 @@ std::string nameOf(const ListedSurface& surface)
 	return surface::nameOf(std::get<surface::GridIndex>(surface));
 }
 
-std::vector<CellCut> listedCells(const grid::BlockSet& blocks, const ListedSurface& surface,
-                                 std::span<const std::function<bool(CellId)>> admits)
+std::vector<BlockCut> listedCells(const grid::BlockSet& blocks, const ListedSurface& surface,
+                                  std::span<const grid::CellFilter> filters)
 {
 	if (const auto* patch = std::get_if<PatchName>(&surface))
-		return patchCells(blocks, patch->name, admits);
-	return gridIndexCells(blocks, std::get<surface::GridIndex>(surface), admits);
+		return patchCells(blocks, patch->name, filters);
+	return gridIndexCells(blocks, std::get<surface::GridIndex>(surface), filters);
 }
 
 } // namespace vp::find

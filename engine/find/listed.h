@@ -1,11 +1,11 @@
 #pragma once
 
 #include "base/result.h"
-#include "find/generations.h"
+#include "find/block_cut.h"
 #include "grid/block.h"
+#include "grid/cell_filter.h"
 #include "surface/grid_index.h"
 
-#include <functional>
 #include <span>
 #include <string>
 #include <variant>
@@ -35,22 +35,22 @@ Status checkGridIndex(const grid::BlockSet& blocks, const surface::GridIndexRang
 /// The cells that a grid surface shows, a list a block, as if each had been found in one step of a traversal: those of
 /// the layer it lies in. Where it lies between two layers a cell of the low side (at index 0 of the one above), or,
 /// where that is hidden, the one on the other side. Blocks without subscripts, or that end before the index, have none.
-/// Of two such surfaces on one seam the first block's shows. `admits` (per block, or empty) may turn cells down.
+/// Of two such surfaces on one seam the first block's shows. `filters` (per block, or empty) may turn cells down.
 /// Time follows the surface.
-std::vector<CellCut> gridIndexCells(const grid::BlockSet& blocks, const surface::GridIndex& at,
-                                    std::span<const std::function<bool(CellId)>> admits = {});
+std::vector<BlockCut> gridIndexCells(const grid::BlockSet& blocks, const surface::GridIndex& at,
+                                     std::span<const grid::CellFilter> filters = {});
 
 /// An input error that lists the names there are, where no patch of the set has this one, or none of its faces could be
-/// found. Faces that could not are told in a word. The caller names the option.
+/// found. Faces that could not are told in a warning. The caller names the option.
 Status checkPatch(const grid::BlockSet& blocks, const std::string& name);
 
 /// The cells behind the faces of the patches of a name, a list a block, as if each had been found in one step of a
-/// traversal. `admits` (per block, or empty) may turn cells down.
-std::vector<CellCut> patchCells(const grid::BlockSet& blocks, const std::string& name,
-                                std::span<const std::function<bool(CellId)>> admits = {});
+/// traversal. `filters` (per block, or empty) may turn cells down.
+std::vector<BlockCut> patchCells(const grid::BlockSet& blocks, const std::string& name,
+                                 std::span<const grid::CellFilter> filters = {});
 
 /// Those of either; the surface has passed the check of its kind.
-std::vector<CellCut> listedCells(const grid::BlockSet& blocks, const ListedSurface& surface,
-                                 std::span<const std::function<bool(CellId)>> admits);
+std::vector<BlockCut> listedCells(const grid::BlockSet& blocks, const ListedSurface& surface,
+                                  std::span<const grid::CellFilter> filters);
 
 } // namespace vp::find

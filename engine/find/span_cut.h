@@ -66,11 +66,12 @@ struct SpanCut
 	std::vector<cases::Column> columns;
 	SpanCounts counts; // of all
 	SpanCells cells;
+	bool classified_at_once = false; // by a device too, as one front
 };
 
 // Calls visit(CellId) for every cut cell, in the order of the spans.
 template <class Visit>
-void forEachCell(const grid::Lattice& lattice, const SpanCut& cut, Visit&& visit)
+void forEachCutCell(const grid::Lattice& lattice, const SpanCut& cut, Visit&& visit)
 {
 	const std::uint32_t points_j = lattice.points()[1];
 	const std::uint32_t points_k = lattice.points()[2];
@@ -89,13 +90,13 @@ void forEachCell(const grid::Lattice& lattice, const SpanCut& cut, Visit&& visit
 
 // The same in a block, whose grid is a lattice.
 template <class Visit>
-void forEachCell(const grid::Block& block, const SpanCut& cut, Visit&& visit)
+void forEachCutCell(const grid::Block& block, const SpanCut& cut, Visit&& visit)
 {
 	std::visit(
 	    [&](const auto& grid)
 	    {
 		    if constexpr (std::is_base_of_v<grid::Lattice, std::decay_t<decltype(grid)>>)
-			    forEachCell(static_cast<const grid::Lattice&>(grid), cut, visit);
+			    forEachCutCell(static_cast<const grid::Lattice&>(grid), cut, visit);
 	    },
 	    block.grid);
 }

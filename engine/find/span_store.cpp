@@ -90,13 +90,13 @@ SpanCut SpanStore::collect()
 	}
 	cut.spans.reserve(spans);
 	cut.columns.reserve(columns);
-	for (std::size_t word = 0; word < (rows_ + 63) / 64; ++word)
+	for (std::size_t code = 0; code < (rows_ + 63) / 64; ++code)
 	{
 		std::uint64_t rows = 0;
 		for (Found* of_thread : finders)
-			rows |= std::exchange(of_thread->touched[word], 0);
+			rows |= std::exchange(of_thread->touched[code], 0);
 		for (; rows; rows &= rows - 1)
-			takeRow(static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(rows))), cut);
+			takeRow(static_cast<std::uint32_t>(code * 64 + static_cast<std::size_t>(std::countr_zero(rows))), cut);
 	}
 	for (Found* of_thread : finders)
 	{

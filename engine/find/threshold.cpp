@@ -34,8 +34,7 @@ bool hasPart(const G& grid, const grid::Field& field, int component, CellId cell
 
 } // namespace
 
-std::function<bool(CellId)> cellsWithin(const grid::Block& block, const grid::FieldChoice& choice,
-                                        const Threshold& threshold)
+grid::CellFilter cellsWithin(const grid::Block& block, const grid::FieldChoice& choice, const Threshold& threshold)
 {
 	const grid::Field* field = choice.in(block);
 	if (!field)

@@ -2,9 +2,8 @@
 
 #include "base/ids.h"
 #include "grid/block.h"
+#include "grid/cell_filter.h"
 #include "grid/field_choice.h"
-
-#include <functional>
 
 namespace vp::find
 {
@@ -18,7 +17,6 @@ struct Threshold
 
 // Whether a cell has a part in the range: its values do not all lie below lo, nor all above hi. NaN is left out; a
 // block without the array, or a cell that is NaN throughout, has no part. The block must outlive the filter.
-std::function<bool(CellId)> cellsWithin(const grid::Block& block, const grid::FieldChoice& choice,
-                                        const Threshold& threshold);
+grid::CellFilter cellsWithin(const grid::Block& block, const grid::FieldChoice& choice, const Threshold& threshold);
 
 } // namespace vp::find

@@ -14,7 +14,7 @@ namespace
 
 // The boundary faces in the plane of one block: a corner of theirs is an edge of its own.
 template <grid::Grid G>
-void addFacesInPlane(const G& grid, const BlockCut& block, SheetMesh& mesh)
+void addFacesInPlane(const G& grid, const ShownBlock& block, SheetMesh& mesh)
 {
 	KeyNumbers at_point(block.faces_in_plane.size());
 	grid::CellFaces faces;
@@ -38,17 +38,17 @@ void addFacesInPlane(const G& grid, const BlockCut& block, SheetMesh& mesh)
 }
 
 // What is left to do once the polygons of all cut cells are there. normal: of a flat mesh.
-void finishMesh(const grid::BlockSet& blocks, std::span<const BlockCut> cuts, MeshCleanup doubts, const Vec3& normal,
-                SheetMesh& mesh)
+void finishMesh(const grid::BlockSet& blocks, std::span<const ShownBlock> shown, MeshCleanup cleanup,
+                const Vec3& normal, SheetMesh& mesh)
 {
-	for (const BlockCut& cut : cuts)
-		std::visit([&](const auto& grid) { addFacesInPlane(grid, cut, mesh); }, blocks.blocks[cut.block].grid);
+	for (const ShownBlock& block : shown)
+		std::visit([&](const auto& grid) { addFacesInPlane(grid, block, mesh); }, blocks.blocks[block.block].grid);
 
-	const bool joins = doubts.at_points || mesh.boundary_polygons > 0 || blocks.blocks.size() > 1 ||
+	const bool joins = cleanup.at_points || mesh.boundary_polygons > 0 || blocks.blocks.size() > 1 ||
 	                   blocks.interfaces.of(0) != nullptr;
 	if (joins)
 		joinVertices(blocks, mesh);
-	if (joins || doubts.slivers)
+	if (joins || cleanup.slivers)
 	{
 		tidyPolygons(mesh, normal);
 		dropUnusedVertices(mesh);
@@ -57,33 +57,42 @@ void finishMesh(const grid::BlockSet& blocks, std::span<const BlockCut> cuts, Me
 
 } // namespace
 
-SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const BlockCut> cuts)
+ShownBlock shownBlock(std::uint32_t block, const find::BlockCut& cut,
+                      std::span<const grid::BoundaryIndex::Face> faces_in_plane)
+{
+	ShownBlock shown{block, {}, faces_in_plane};
+	std::visit([&](const auto& found) { shown.found = &found; }, cut.found);
+	return shown;
+}
+
+SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const ShownBlock> shown)
 {
 	SheetMesh mesh;
 	mesh.polygon_starts.push_back(0);
 	const surface::Plane plane = sheet.plane();
-	MeshCleanup doubts;
-	for (const BlockCut& cut : cuts)
-		if (cut.spans)
-			doubts = doubts | addSpans(blocks.blocks[cut.block], cut.block, plane, sheet.normal, *cut.spans, mesh);
-
-	for (const BlockCut& cut : cuts)
-		if (cut.cut)
-			doubts = doubts | addCells(blocks.blocks[cut.block], cut.block, plane, sheet.normal, *cut.cut, mesh);
-	finishMesh(blocks, cuts, doubts, sheet.normal, mesh);
+	MeshCleanup cleanup;
+	// Vertices of runs come first: their numbers are known before anything is written.
+	for (const ShownBlock& block : shown)
+		if (const auto* spans = std::get_if<const find::SpanCut*>(&block.found))
+			cleanup = cleanup | addSpans(blocks.blocks[block.block], block.block, plane, sheet.normal, **spans, mesh);
+	for (const ShownBlock& block : shown)
+		if (const auto* cells = std::get_if<const find::CellCut*>(&block.found))
+			cleanup = cleanup | addCells(blocks.blocks[block.block], block.block, plane, sheet.normal, **cells, mesh);
+	finishMesh(blocks, shown, cleanup, sheet.normal, mesh);
 	return mesh;
 }
 
 SheetMesh buildMesh(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
-                    std::span<const BlockCut> cuts)
+                    std::span<const ShownBlock> shown)
 {
 	SheetMesh mesh;
 	mesh.polygon_starts.push_back(0);
 	mesh.flat = false;
-	MeshCleanup doubts;
-	for (const BlockCut& cut : cuts)
-		doubts = doubts | addCells(blocks.blocks[cut.block], cut.block, surfaces[cut.block], Vec3(0.0), *cut.cut, mesh);
-	finishMesh(blocks, cuts, doubts, Vec3(0.0), mesh);
+	MeshCleanup cleanup;
+	for (const ShownBlock& block : shown)
+		cleanup = cleanup | addCells(blocks.blocks[block.block], block.block, surfaces[block.block], Vec3(0.0),
+		                             *std::get<const find::CellCut*>(block.found), mesh);
+	finishMesh(blocks, shown, cleanup, Vec3(0.0), mesh);
 	return mesh;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "find/generations.h"
-#include "find/span_cut.h"
+#include "find/block_cut.h"
 #include "grid/block.h"
 #include "mesh/sheet_mesh.h"
 #include "probe/sheet.h"
@@ -9,25 +8,29 @@
 
 #include <cstdint>
 #include <span>
+#include <variant>
 
 namespace vp::mesh
 {
 
-// What was found of a sheet in one block, as cells or as spans of cells (the other is null), and the block's boundary
-// faces that lie in the plane without their cell being cut.
-struct BlockCut
+/// What a mesh shows of one block: the cells or runs of cells that were found, and the block's boundary faces that lie
+/// in the plane without their cell being cut.
+struct ShownBlock
 {
 	std::uint32_t block;
-	const find::CellCut* cut;
-	const find::SpanCut* spans;
-	std::span<const grid::BoundaryIndex::Face> faces_in_plane;
+	std::variant<const find::CellCut*, const find::SpanCut*> found; // never null
+	std::span<const grid::BoundaryIndex::Face> faces_in_plane = {};
 };
 
-// Of the whole plane: clipToWindow (clip.h) leaves the part in a window.
-SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const BlockCut> cuts);
+/// What was found of a block, which must outlive it.
+ShownBlock shownBlock(std::uint32_t block, const find::BlockCut& cut,
+                      std::span<const grid::BoundaryIndex::Face> faces_in_plane = {});
 
-// Of a curved surface; surfaces: as each block sees it. The cuts hold cells.
+/// Of the whole plane: clipToWindow (clip.h) leaves the part in a window.
+SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const ShownBlock> shown);
+
+/// Of a curved surface; surfaces: as each block sees it. What was found are cells.
 SheetMesh buildMesh(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
-                    std::span<const BlockCut> cuts);
+                    std::span<const ShownBlock> shown);
 
 } // namespace vp::mesh

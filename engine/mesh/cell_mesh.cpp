@@ -25,15 +25,15 @@ find::CellCut inOrder(const find::CellCut& cut)
 	struct Entry
 	{
 		CellId cell;
-		std::uint32_t word;
+		std::uint32_t code;
 	};
 	std::vector<Entry> entries;
 	entries.reserve(cut.cut_cells);
 	CellId last = 0;
 	for (std::size_t i = 0; i < cut.cells.size(); ++i)
-		if (cut.words[i] & shared::kCodeCut)
+		if (cut.codes[i] & shared::kCodeCut)
 		{
-			entries.push_back({cut.cells[i], cut.words[i]});
+			entries.push_back({cut.cells[i], cut.codes[i]});
 			last = std::max(last, cut.cells[i]);
 		}
 	std::vector<Entry> sorted(entries.size());
@@ -56,7 +56,7 @@ find::CellCut inOrder(const find::CellCut& cut)
 	for (const Entry& entry : entries)
 	{
 		ordered.cells.push_back(entry.cell);
-		ordered.words.push_back(entry.word);
+		ordered.codes.push_back(entry.code);
 	}
 	return ordered;
 }

@@ -31,21 +31,21 @@ public:
 	}
 
 	// What the table knows of a cut cell; null where its faces are to be walked.
-	const cases::Case* entryOf(CellId cell, std::uint32_t word) const
+	const cases::Case* entryOf(CellId cell, std::uint32_t code) const
 	{
 		const grid::CellShape shape = grid_.shape(cell);
 		if (shape == grid::CellShape::polyhedron)
 			return nullptr;
-		const cases::Case& entry = tables_[static_cast<std::size_t>(shape)][word & 0xFFu];
+		const cases::Case& entry = tables_[static_cast<std::size_t>(shape)][code & 0xFFu];
 		return entry.needs_walk ? nullptr : &entry;
 	}
 
 	// Calls visit(std::span<const Edge>) per polygon. Returns whether the cell is twisted: a face cut more than once,
 	// or several polygons.
 	template <class Visit>
-	bool visit(CellId cell, std::uint32_t word, Visit&& visit)
+	bool visit(CellId cell, std::uint32_t code, Visit&& visit)
 	{
-		if (const cases::Case* entry = entryOf(cell, word))
+		if (const cases::Case* entry = entryOf(cell, code))
 		{
 			const grid::CellPoints points = grid_.cellPoints(cell);
 			std::array<Edge, cases::kMaxPolygon> edges;

@@ -18,16 +18,13 @@ namespace
 class ShownCells
 {
 public:
-	ShownCells(const grid::BlockSet& blocks, std::span<const BlockCut> cuts) : keys_(0)
+	ShownCells(const grid::BlockSet& blocks, std::span<const ShownBlock> cuts) : keys_(0)
 	{
-		for (const BlockCut& block : cuts)
+		for (const ShownBlock& block : cuts)
 		{
-			if (block.spans)
-				find::forEachCell(blocks.blocks[block.block], *block.spans,
-				                  [&](CellId cell) { add(block.block, cell); });
-			for (std::size_t i = 0; block.cut && i < block.cut->cells.size(); ++i)
-				if (block.cut->words[i] & shared::kCodeCut)
-					add(block.block, block.cut->cells[i]);
+			const auto take = [&](CellId cell) { add(block.block, cell); };
+			std::visit([&](const auto* cut) { find::forEachCutCell(blocks.blocks[block.block], *cut, take); },
+			           block.found);
 			for (const grid::BoundaryIndex::Face& face : block.faces_in_plane)
 				add(block.block, face.cell);
 		}
@@ -99,7 +96,7 @@ private:
 
 } // namespace
 
-SheetMesh crinkleMesh(const grid::BlockSet& blocks, std::span<const BlockCut> cuts)
+SheetMesh crinkleMesh(const grid::BlockSet& blocks, std::span<const ShownBlock> cuts)
 {
 	const ShownCells shown(blocks, cuts);
 	SheetMesh mesh = makeFaceMesh();

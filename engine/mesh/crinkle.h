@@ -13,6 +13,6 @@ namespace vp::mesh
 // its plane. A face is part of it unless such a cell is on either side, in the same block or across a seam; of a face
 // with several neighbours all must be. Faces wind counter-clockwise seen from outside their cell, and each keeps the
 // cell it is of; vertices are grid points. Curved cells show the linear parts that are cut. Time follows the cut.
-SheetMesh crinkleMesh(const grid::BlockSet& blocks, std::span<const BlockCut> cuts);
+SheetMesh crinkleMesh(const grid::BlockSet& blocks, std::span<const ShownBlock> shown);
 
 } // namespace vp::mesh

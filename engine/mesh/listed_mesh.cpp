@@ -93,16 +93,16 @@ private:
 
 } // namespace
 
-SheetMesh gridIndexMesh(const grid::BlockSet& blocks, const GridIndex& at, std::span<const find::CellCut> cells)
+SheetMesh gridIndexMesh(const grid::BlockSet& blocks, const GridIndex& at, std::span<const find::BlockCut> cuts)
 {
 	SheetMesh mesh = makeFaceMesh();
-	for (std::uint32_t b = 0; b < cells.size(); ++b)
-		if (!cells[b].cells.empty())
+	for (std::uint32_t b = 0; b < cuts.size(); ++b)
+		if (cuts[b].cutCells() > 0)
 			std::visit(
 			    [&](const auto& grid)
 			    {
 				    const auto lattice = grid::latticeCellsOf(blocks.blocks[b]);
-				    BlockSurface(grid, b, *lattice, at, mesh, cells[b].cells.size()).add(cells[b].cells);
+				    BlockSurface(grid, b, *lattice, at, mesh, cuts[b].cells().cells.size()).add(cuts[b].cells().cells);
 			    },
 			    blocks.blocks[b].grid);
 	joinVertices(blocks, mesh, true);
@@ -111,15 +111,15 @@ SheetMesh gridIndexMesh(const grid::BlockSet& blocks, const GridIndex& at, std::
 	return mesh;
 }
 
-SheetMesh patchMesh(const grid::BlockSet& blocks, const std::string& name, std::span<const find::CellCut> cells)
+SheetMesh patchMesh(const grid::BlockSet& blocks, const std::string& name, std::span<const find::BlockCut> cuts)
 {
 	SheetMesh mesh = makeFaceMesh();
-	for (std::uint32_t b = 0; b < cells.size(); ++b)
+	for (std::uint32_t b = 0; b < cuts.size(); ++b)
 		std::visit(
 		    [&](const auto& grid)
 		    {
-			    KeyNumbers shown(cells[b].cells.size());
-			    for (const CellId cell : cells[b].cells)
+			    KeyNumbers shown(cuts[b].cells().cells.size());
+			    for (const CellId cell : cuts[b].cells().cells)
 				    shown.find(cell, 0);
 			    BlockFaces faces(grid, b, mesh);
 			    grid::CellFaces of_cell;
@@ -139,11 +139,11 @@ SheetMesh patchMesh(const grid::BlockSet& blocks, const std::string& name, std::
 }
 
 SheetMesh listedMesh(const grid::BlockSet& blocks, const find::ListedSurface& surface,
-                     std::span<const find::CellCut> cells)
+                     std::span<const find::BlockCut> cuts)
 {
 	if (const auto* patch = std::get_if<find::PatchName>(&surface))
-		return patchMesh(blocks, patch->name, cells);
-	return gridIndexMesh(blocks, std::get<GridIndex>(surface), cells);
+		return patchMesh(blocks, patch->name, cuts);
+	return gridIndexMesh(blocks, std::get<GridIndex>(surface), cuts);
 }
 
 } // namespace vp::mesh

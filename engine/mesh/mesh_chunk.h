@@ -70,12 +70,12 @@ public:
 			if constexpr (kReadsRecords)
 				if (i + kAhead < end_)
 					reader_.prefetchCell(cut_.cells[i + kAhead]);
-			if (!(cut_.words[i] & shared::kCodeCut))
+			if (!(cut_.codes[i] & shared::kCodeCut))
 				continue;
-			if (const cases::Case* entry = polygons_.entryOf(cut_.cells[i], cut_.words[i]))
+			if (const cases::Case* entry = polygons_.entryOf(cut_.cells[i], cut_.codes[i]))
 				addByTable(cut_.cells[i], *entry);
 			else
-				addByWalk(cut_.cells[i], cut_.words[i]);
+				addByWalk(cut_.cells[i], cut_.codes[i]);
 		}
 		part_.ends.resize(polygon_count_);
 		part_.cells.resize(polygon_count_);
@@ -145,7 +145,7 @@ private:
 			}
 	}
 
-	void addByWalk(CellId cell, std::uint32_t word)
+	void addByWalk(CellId cell, std::uint32_t code)
 	{
 		const auto add = [&](std::span<const typename CellPolygons<G, Surface>::Edge> edges)
 		{
@@ -157,7 +157,7 @@ private:
 			}
 			endPolygon(cell, edges.size());
 		};
-		part_.twisted += polygons_.visit(cell, word, add);
+		part_.twisted += polygons_.visit(cell, code, add);
 	}
 
 	void endPolygon(CellId cell, std::size_t corners)

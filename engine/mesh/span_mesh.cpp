@@ -207,8 +207,8 @@ private:
 	}
 	void addWalkedCell(CellPolygons<G, surface::Plane>& polygons, CellId cell)
 	{
-		const std::uint32_t word = find::classifyByTable(grid_, plane_, cell, grid::CellShape::hexahedron);
-		mesh_.cells_twisted += polygons.visit(cell, word,
+		const std::uint32_t code = find::classifyByTable(grid_, plane_, cell, grid::CellShape::hexahedron);
+		mesh_.cells_twisted += polygons.visit(cell, code,
 		                                      [&](const auto& edges)
 		                                      {
 			                                      for (const auto& edge : edges)

@@ -17,8 +17,6 @@ namespace vp::seed
 namespace
 {
 
-using Admits = std::function<bool(CellId)>;
-
 // The leaves of a block's tree that the surface may pass through.
 std::vector<std::uint32_t> leavesThatMeet(const grid::BlockTree& tree, const surface::BlockSurface& surface,
                                           const SheetWindow* window, std::size_t& tests)
@@ -46,8 +44,9 @@ template <grid::Grid G>
 class LeafPieces
 {
 public:
-	LeafPieces(const G& grid, const surface::BlockSurface& surface, const SheetWindow* window, const Admits& admits)
-	    : grid_(grid), surface_(surface), window_(window), admits_(admits)
+	LeafPieces(const G& grid, const surface::BlockSurface& surface, const SheetWindow* window,
+	           const grid::CellFilter& filters)
+	    : grid_(grid), surface_(surface), window_(window), filter_(filters)
 	{
 	}
 
@@ -59,7 +58,7 @@ public:
 		                 [&](CellId cell)
 		                 {
 			                 ++asked_;
-			                 if (isCut(grid_, surface_, cell) && (!admits_ || admits_(cell)) && isInWindow(cell))
+			                 if (isCut(grid_, surface_, cell) && (!filter_ || filter_(cell)) && isInWindow(cell))
 				                 cells_.push_back(cell);
 		                 });
 		std::ranges::sort(cells_);
@@ -112,7 +111,7 @@ private:
 	const G& grid_;
 	const surface::BlockSurface& surface_;
 	const SheetWindow* window_;
-	const Admits& admits_;
+	const grid::CellFilter& filter_;
 	std::vector<CellId> cells_; // that are cut, ascending
 	std::vector<bool> met_;
 	std::vector<std::size_t> queue_;
@@ -122,7 +121,7 @@ private:
 
 // One leaf after the other on all cores; seeds in the order of the leaves.
 void seedTree(const grid::Block& block, const surface::BlockSurface& surface, const SheetWindow* window,
-              const Admits& admits, std::vector<CellId>& cells, std::size_t& tests)
+              const grid::CellFilter& filters, std::vector<CellId>& cells, std::size_t& tests)
 {
 	const grid::BlockTree& tree = grid::treeOf(block);
 	const std::vector<std::uint32_t> leaves = leavesThatMeet(tree, surface, window, tests);
@@ -135,7 +134,7 @@ void seedTree(const grid::Block& block, const surface::BlockSurface& surface, co
 	std::vector<Part> parts((leaves.size() + kLeaves - 1) / kLeaves);
 	const auto search = [&](const auto& grid, std::size_t p)
 	{
-		LeafPieces pieces(grid, surface, window, admits);
+		LeafPieces pieces(grid, surface, window, filters);
 		for (std::size_t i = p * kLeaves; i < std::min((p + 1) * kLeaves, leaves.size()); ++i)
 		{
 			const std::vector<CellId> seeds = pieces.seedsOf(tree, leaves[i]);
@@ -155,9 +154,9 @@ void seedTree(const grid::Block& block, const surface::BlockSurface& surface, co
 
 // Faces that lie in the surface, and with `seeds_cut` the cells of those that are cut.
 void seedBoundary(const grid::Block& block, const surface::BlockSurface& surface, const SheetWindow* window,
-                  const Admits& admits, bool seeds_cut, std::size_t b, SheetSeeds& seeds)
+                  const grid::CellFilter& filters, bool seeds_cut, std::size_t b, SheetSeeds& seeds)
 {
-	const auto admitted = [&](CellId cell) { return !admits || admits(cell); };
+	const auto admitted = [&](CellId cell) { return !filters || filters(cell); };
 	const auto search = [&](const auto& grid)
 	{
 		const auto addCut = [&](const CutFace& face)
@@ -230,7 +229,7 @@ void seedAlongAxes(const grid::BlockSet& blocks, std::span<const surface::BlockS
 } // namespace
 
 SheetSeeds findSeeds(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
-                     const probe::Sheet& sheet, SeedMode mode, std::span<const std::function<bool(CellId)>> admits)
+                     const probe::Sheet& sheet, SeedMode mode, std::span<const grid::CellFilter> filters)
 {
 	SheetSeeds seeds;
 	seeds.cells.resize(blocks.blocks.size());
@@ -243,7 +242,7 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, std::span<const surface::Bloc
 	for (std::size_t b = 0; b < blocks.blocks.size() && mode != SeedMode::hotspot; ++b)
 	{
 		const grid::Block& block = blocks.blocks[b];
-		const Admits admitted = admits.empty() ? Admits() : admits[b];
+		const grid::CellFilter admitted = filters.empty() ? grid::CellFilter() : filters[b];
 		seedBoundary(block, surfaces[b], window, admitted, mode == SeedMode::boundary, b, seeds);
 		if (mode == SeedMode::automatic)
 			seedTree(block, surfaces[b], window, admitted, seeds.cells[b], seeds.tree_tests);

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "grid/block.h"
+#include "grid/cell_filter.h"
 #include "seed/seeds.h"
 #include "surface/curved.h"
 
-#include <functional>
 #include <span>
 
 namespace vp::seed
@@ -16,10 +16,9 @@ namespace vp::seed
 // SheetSeeds::tree_tests has the boxes and cells asked. With SeedMode::boundary the tree is left alone, and with
 // SeedMode::hotspot there is one seed: the cut cell nearest along the sheet's axes from its origin, the normal first.
 //
-// surfaces: as each block sees it. sheet: placed; its window, if it has one, bounds what is looked for. admits: per
+// surfaces: as each block sees it. sheet: placed; its window, if it has one, bounds what is looked for. filters: per
 // block, cells that it turns down are not there; an empty function, or no functions: all are.
 SheetSeeds findSeeds(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
-                     const probe::Sheet& sheet, SeedMode mode,
-                     std::span<const std::function<bool(CellId)>> admits = {});
+                     const probe::Sheet& sheet, SeedMode mode, std::span<const grid::CellFilter> filters = {});
 
 } // namespace vp::seed

@@ -16,7 +16,7 @@ VP_CONST uint kBindCases = 2u;   // texels, one a case
 VP_CONST uint kBindValues = 3u;  // texels, see kValuesNone
 VP_CONST uint kBindAxes = 4u;    // texels, see kCellsAxes
 VP_CONST uint kBindFront = 5u;   // cell ids in
-VP_CONST uint kBindWords = 6u;   // words out
+VP_CONST uint kBindCodes = 6u;   // codes out
 VP_CONST uint kBindRecords = 7u; // polygon records out
 VP_CONST uint kBindLane = 8u;    // ClassifyLane
 

@@ -6,7 +6,7 @@
 
 VP_SHARED_BEGIN
 
-// The word a classifier returns per cell: bits 0..7 the case index (bit v: vertex v is positive), bits 8..15 the cut
+// The code a classifier returns per cell: bits 0..7 the case index (bit v: vertex v is positive), bits 8..15 the cut
 // faces.
 VP_CONST uint kCodeFacesShift = 8u;
 VP_CONST uint kCodeCut = 0x10000u;  // the cell is cut

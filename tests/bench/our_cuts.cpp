@@ -49,8 +49,8 @@ void sweep(benchmark::State& state, cut::Cutter& slicer, find::Finder finder, in
 		const Result<cut::Cut> slice = slicer.cut(request);
 		for (std::size_t s = 0; s < slice->sheets.size(); ++s)
 		{
-			cells += slice->sheets[s].cutCells(0);
-			generations += slice->sheets[s].cuts[0].generations();
+			cells += slice->sheets[s].cuts[0].cutCells();
+			generations += slice->sheets[s].cuts[0].cells().generations();
 			if (slicer.usesGpu())
 				continue;
 			const mesh::SheetMesh mesh = slice->mesh(slicer.blocks(), s);

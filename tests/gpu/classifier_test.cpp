@@ -227,7 +227,7 @@ TEST_F(GpuClassifier, BlockPastALimitStaysWithTheCpu)
 	if (cells <= options.max_texels)
 		options.max_texels = cells - 1;
 	const auto blocks = upload(device(), set, options);
-	ASSERT_EQ(blocks->words().size(), 2u - blocks->heldCount());
+	ASSERT_EQ(blocks->warnings().size(), 2u - blocks->heldCount());
 	EXPECT_LT(blocks->heldCount(), 2u);
 	const probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {1, 0.3, 0.4});
 	const CutBothWays cut = cutBothWays(*blocks, std::span(&sheet, 1), pointField("linear"));

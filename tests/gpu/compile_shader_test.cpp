@@ -17,20 +17,20 @@ const char* const kSound = "#version 460\nlayout(local_size_x = 1) in;\nvoid mai
 
 TEST(CompileShader, GivesSpirv)
 {
-	const auto words = gpu::compileComputeShader(kSound);
-	ASSERT_TRUE(words) << words.error().message;
-	ASSERT_GT(words->size(), 5u);
-	EXPECT_EQ(words->front(), 0x07230203u);
+	const auto codes = gpu::compileComputeShader(kSound);
+	ASSERT_TRUE(codes) << codes.error().message;
+	ASSERT_GT(codes->size(), 5u);
+	EXPECT_EQ(codes->front(), 0x07230203u);
 }
 
 TEST(CompileShader, SaysInOneLineWhatIsWrong)
 {
 	for (const char* source : {"", "void main() { x = 1; }", "#version 460\nvoid f();\nvoid main() { f(); }\n"})
 	{
-		const auto words = gpu::compileComputeShader(source);
-		ASSERT_FALSE(words) << source;
-		EXPECT_NE(words.error().message.find("use --classify cpu"), std::string::npos);
-		EXPECT_EQ(words.error().message.find('\n'), std::string::npos);
+		const auto codes = gpu::compileComputeShader(source);
+		ASSERT_FALSE(codes) << source;
+		EXPECT_NE(codes.error().message.find("use --classify cpu"), std::string::npos);
+		EXPECT_EQ(codes.error().message.find('\n'), std::string::npos);
 	}
 }
 

@@ -4,7 +4,7 @@
 #include "test_grids.h"
 
 #include "base/timeline.h"
-#include "classify/gpu_surface_lane.h"
+#include "classify/gpu_surfaces.h"
 #include "cut/cutter.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ probe::Sheet sheetOf(const grid::BlockSet& set, const std::string& form)
 	return sheet;
 }
 
-// With a device and without the same cells in the same order, with the same words. Returns those that were cut.
+// With a device and without the same cells in the same order, with the same codes. Returns those that were cut.
 std::size_t expectSameSlices(gpu::Device& device, const grid::BlockSet& set, const cut::CutRequest& request)
 {
 	auto on_device = cut::Cutter::onDevice(device, set, request.field, nullptr);
@@ -34,8 +34,11 @@ std::size_t expectSameSlices(gpu::Device& device, const grid::BlockSet& set, con
 	for (std::size_t s = 0; s < request.probe.sheets.size(); ++s)
 	{
 		CutBothWays cut;
-		cut.gpu = gpu.sheets[s].cuts;
-		cut.cpu = cpu.sheets[s].cuts;
+		for (std::size_t b = 0; b < set.blocks.size(); ++b)
+		{
+			cut.gpu.push_back(gpu.sheets[s].cuts[b].cells());
+			cut.cpu.push_back(cpu.sheets[s].cuts[b].cells());
+		}
 		expectSameCells(cut);
 		for (const find::CellCut& lane : cut.gpu)
 			cut_cells += lane.cut_cells;

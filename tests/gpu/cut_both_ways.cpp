@@ -2,6 +2,7 @@
 
 #include "cases/case_table.h"
 #include "classify/cpu_classifier.h"
+#include "classify/gpu_planes.h"
 #include "gpu/upload.h"
 #include "mesh/mesh_values.h"
 #include "mesh/sheet_mesh.h"
@@ -51,17 +52,17 @@ public:
 	{
 	}
 
-	void check(const probe::Sheet& sheet, std::uint32_t b, CellId cell, std::uint32_t word,
+	void check(const probe::Sheet& sheet, std::uint32_t b, CellId cell, std::uint32_t code,
 	           const shared::PolygonRecord& record)
 	{
 		const grid::Block& block = blocks_.blocks[b];
 		ASSERT_EQ(record.cell, cell);
-		if ((word & shared::kCodeWalk) || !(word & shared::kCodeCut))
+		if ((code & shared::kCodeWalk) || !(code & shared::kCodeCut))
 		{
 			ASSERT_EQ(record.vertices, 0u);
 			return;
 		}
-		std::vector<ExpectedVertex> expected = expectedPolygon(sheet, b, cell, word);
+		std::vector<ExpectedVertex> expected = expectedPolygon(sheet, b, cell, code);
 		ASSERT_EQ(record.vertices, expected.size());
 		// A float's rounding of positions and data of this size; in floats, what kLeastDifferenceSingles leaves.
 		const double size = block.bounds.diagonal() + glm::length(block.bounds.centre() - sheet.origin);
@@ -85,7 +86,7 @@ public:
 
 private:
 	std::vector<ExpectedVertex> expectedPolygon(const probe::Sheet& sheet, std::uint32_t b, CellId cell,
-	                                            std::uint32_t word) const
+	                                            std::uint32_t code) const
 	{
 		const grid::Block& block = blocks_.blocks[b];
 		const grid::Field* values = field_ ? field_->in(block) : nullptr;
@@ -94,7 +95,7 @@ private:
 		const auto trace = [&](const auto& grid)
 		{
 			const grid::CellPoints points = grid.cellPoints(cell);
-			const cases::Case& entry = cases::caseTable(grid.shape(cell))[word & 0xFFu];
+			const cases::Case& entry = cases::caseTable(grid.shape(cell))[code & 0xFFu];
 			for (int e = 0; e < entry.edges; ++e)
 			{
 				const PointId a = points.id[entry.edge[e][0]];
@@ -138,13 +139,11 @@ CutBothWays cutBothWays(classify::GpuBlocks& blocks, std::span<const probe::Shee
                         const std::optional<grid::FieldChoice>& field, Timeline* timeline)
 {
 	const grid::BlockSet& set = blocks.blocks();
-	std::vector<classify::GpuLane> gpu_lanes;
 	std::vector<PlaneInBlock> lanes;
 	std::vector<std::unique_ptr<find::VisitedMarks>> marks;
 	for (std::uint32_t s = 0; s < sheets.size(); ++s)
 		for (std::uint32_t b = 0; b < set.blocks.size(); ++b)
 		{
-			gpu_lanes.push_back({s, b});
 			marks.push_back(std::make_unique<find::VisitedMarks>(cellCount(set.blocks[b])));
 			lanes.push_back({&set.blocks[b], sheets[s].plane(), marks.back().get(), seedsOf(set.blocks[b], sheets[s])});
 		}
@@ -162,15 +161,19 @@ CutBothWays cutBothWays(classify::GpuBlocks& blocks, std::span<const probe::Shee
 	classify::CpuClassifier<surface::Plane> cpu(lanes);
 	cut.cpu = traverse(cpu);
 	const std::vector<std::optional<grid::FieldChoice>> fields(sheets.size(), field);
-	auto gpu = classify::GpuClassifier::create(blocks, sheets, fields, gpu_lanes, timeline);
+	Result<classify::PlanesOnGpu> planes = classify::planesOnGpu(blocks, sheets, fields);
+	EXPECT_TRUE(planes) << planes.error().message;
+	cut.records = planes->records;
+	auto gpu = classify::GpuClassifier::create(
+	    blocks, std::move(planes->sheets), [&](auto fronts) { return cpu.classify(fronts); }, timeline);
 	EXPECT_TRUE(gpu) << gpu.error().message;
 	cut.gpu = traverse(**gpu);
-	cut.records = (*gpu)->finish();
+	gpu->reset(); // waits
 	for (std::size_t lane = 0; lane < lanes.size(); ++lane)
 		for (std::size_t i = 0; i < cut.gpu[lane].cells.size(); ++i)
 		{
-			const bool gpu_walks = cut.gpu[lane].words[i] & shared::kCodeWalk;
-			cut.walked += gpu_walks && !(cut.cpu[lane].words[i] & shared::kCodeWalk);
+			const bool gpu_walks = cut.gpu[lane].codes[i] & shared::kCodeWalk;
+			cut.walked += gpu_walks && !(cut.cpu[lane].codes[i] & shared::kCodeWalk);
 			++cut.cells;
 		}
 	return cut;
@@ -188,9 +191,9 @@ void expectSameCells(const CutBothWays& cut)
 		EXPECT_EQ(gpu.generation_starts, cpu.generation_starts);
 		for (std::size_t i = 0; i < gpu.cells.size(); ++i)
 		{
-			ASSERT_EQ(gpu.words[i] & ~shared::kCodeWalk, cpu.words[i] & ~shared::kCodeWalk) << "cell " << gpu.cells[i];
+			ASSERT_EQ(gpu.codes[i] & ~shared::kCodeWalk, cpu.codes[i] & ~shared::kCodeWalk) << "cell " << gpu.cells[i];
 			// What the table cannot say, the GPU does not say either.
-			ASSERT_TRUE(!(cpu.words[i] & shared::kCodeWalk) || (gpu.words[i] & shared::kCodeWalk))
+			ASSERT_TRUE(!(cpu.codes[i] & shared::kCodeWalk) || (gpu.codes[i] & shared::kCodeWalk))
 			    << "cell " << gpu.cells[i];
 		}
 	}
@@ -222,7 +225,7 @@ void expectRecords(const grid::BlockSet& blocks, std::span<const probe::Sheet> s
 				const std::size_t at = run.first_cell + i;
 				ASSERT_LT(at, lane.cells.size());
 				covered[run.page].at(run.first + i) = true;
-				checker.check(sheets[s], run.block, lane.cells[at], lane.words[at], pages[run.page].at(run.first + i));
+				checker.check(sheets[s], run.block, lane.cells[at], lane.codes[at], pages[run.page].at(run.first + i));
 				if (testing::Test::HasFatalFailure() || testing::Test::HasNonfatalFailure())
 				{
 					ADD_FAILURE() << "sheet " << s << ", block " << blocks.blocks[run.block].name << ", cell "

@@ -41,14 +41,15 @@ TEST_F(Regather, GivesTheRecordsOfANewCut)
 		CutBothWays cut;
 		for (const cut::SheetCut& sheet : after->sheets)
 		{
-			cut.gpu.insert(cut.gpu.end(), sheet.cuts.begin(), sheet.cuts.end());
+			for (const find::BlockCut& in_block : sheet.cuts)
+				cut.gpu.push_back(in_block.cells());
 			cut.records.push_back(sheet.records);
 		}
 		cut.cpu = cut.gpu;
 		expectRecords(set, request.probe.sheets, field, cut);
 		for (std::size_t s = 0; s < before.sheets.size(); ++s)
 		{
-			EXPECT_EQ(after->sheets[s].cuts[0].cells, before.sheets[s].cuts[0].cells);
+			EXPECT_EQ(after->sheets[s].cuts[0].cells().cells, before.sheets[s].cuts[0].cells().cells);
 			EXPECT_NE(after->sheets[s].records, before.sheets[s].records);
 		}
 	}

@@ -66,12 +66,12 @@ TEST_F(GpuSurfaceClassifier, AgreesWithTheCpuOnEveryGrid)
 		const grid::BlockSet set = setOf(block);
 		const auto blocks = upload(device(), set);
 		const Axes axes = tilted(block.bounds.centre());
-		std::vector<SurfaceWords> words{classify(*blocks, Quadric::sphere(0.3 * block.bounds.diagonal()).placed(axes)),
+		std::vector<SurfaceWords> codes{classify(*blocks, Quadric::sphere(0.3 * block.bounds.diagonal()).placed(axes)),
 		                                classify(*blocks, Quadric::sphere(2.0).placed({})),
 		                                classify(*blocks, Quadric::cone(35.0).placed(axes))};
 		for (const std::string& text : expressionsThrough(block.bounds))
-			words.push_back(classify(*blocks, text));
-		for (const SurfaceWords& of : words)
+			codes.push_back(classify(*blocks, text));
+		for (const SurfaceWords& of : codes)
 		{
 			all.cells += of.cells;
 			all.cut += of.cut;
@@ -87,14 +87,14 @@ TEST_F(GpuSurfaceClassifier, LeavesFewCellsOfAShellOpen)
 {
 	const grid::BlockSet set = *grid::makeDemo("shell", 64);
 	const auto blocks = upload(device(), set);
-	for (const SurfaceWords& words :
+	for (const SurfaceWords& codes :
 	     {classify(*blocks, Quadric::sphere(0.8).placed(tilted({0.0, 2.0, 0.1}))),
 	      classify(*blocks, "x^2 + (y - 2)^2 + (z - 0.1)^2 = 0.64"), classify(*blocks, "sin(3*x)*cos(2*y) + z/2 = 0.1"),
 	      classify(*blocks, "atan2(y, x) - 1.5 - 0.1*exp(-z*z)*sqrt(abs(x))")})
 	{
-		EXPECT_GT(words.cut, 2000u);
-		RecordProperty(fmt::format("walked_of_{}", words.cut), static_cast<int>(words.walked));
-		EXPECT_LT(50 * words.walked, words.cut) << words.walked << " of " << words.cut;
+		EXPECT_GT(codes.cut, 2000u);
+		RecordProperty(fmt::format("walked_of_{}", codes.cut), static_cast<int>(codes.walked));
+		EXPECT_LT(50 * codes.walked, codes.cut) << codes.walked << " of " << codes.cut;
 	}
 }
 
@@ -106,9 +106,9 @@ TEST_F(GpuSurfaceClassifier, ExpressionsMayBePlaced)
 		const auto blocks = upload(device(), set);
 		const Axes axes = tilted(set.bounds().centre());
 		const Expression expression = *Expression::parse("x^2 + y*y/2 - z*z*z + 0.1*x*y - 0.4");
-		const SurfaceWords words = classifyAllCells(*blocks, 0, PlacedExpression(expression, axes));
-		EXPECT_GT(words.cut, 10u);
-		EXPECT_LT(20 * words.walked, words.cut);
+		const SurfaceWords codes = classifyAllCells(*blocks, 0, PlacedExpression(expression, axes));
+		EXPECT_GT(codes.cut, 10u);
+		EXPECT_LT(20 * codes.walked, codes.cut);
 	}
 }
 
@@ -147,15 +147,15 @@ TEST_F(GpuSurfaceClassifier, EveryFunctionHasItsBound)
 	                         "1/x - y",
 	                         "asin(x) - z"})
 	{
-		const SurfaceWords words = classify(*blocks, text);
-		EXPECT_GT(words.cut, 50u) << text;
-		RecordProperty(text, fmt::format("{} of {}", words.walked, words.cut));
+		const SurfaceWords codes = classify(*blocks, text);
+		EXPECT_GT(codes.cut, 50u) << text;
+		RecordProperty(text, fmt::format("{} of {}", codes.walked, codes.cut));
 	}
 	// Where it is defined everywhere few cells are left open.
 	for (const char* text : {"abs(x + y) - 1.1", "cos(x + 4*y) - 0.3*z", "exp(x - y) - 3", "tanh(x - y) - 0.6"})
 	{
-		const SurfaceWords words = classify(*blocks, text);
-		EXPECT_LT(20 * words.walked, words.cut) << text;
+		const SurfaceWords codes = classify(*blocks, text);
+		EXPECT_LT(20 * codes.walked, codes.cut) << text;
 	}
 }
 
@@ -170,8 +170,8 @@ TEST_F(GpuSurfaceClassifier, AgreesOnRandomExpressions)
 		const std::string text = "x - 0.2 + " + randomExpression(random, 1 + round % 5);
 		if (!Expression::parse(text))
 			continue;
-		const SurfaceWords words = classify(*blocks, text);
-		certain += 2 * words.walked < words.cells;
+		const SurfaceWords codes = classify(*blocks, text);
+		certain += 2 * codes.walked < codes.cells;
 	}
 	EXPECT_GT(certain, 15u);
 }
@@ -190,10 +190,10 @@ TEST_F(GpuSurfaceClassifier, FarFromTheOriginQuadricsLoseNothing)
 	grid::finishBlock(block);
 	const grid::BlockSet set = setOf(block);
 	const auto blocks = upload(device(), set);
-	const SurfaceWords words =
+	const SurfaceWords codes =
 	    classify(*blocks, Quadric::sphere(0.3 * block.bounds.diagonal()).placed(tilted(block.bounds.centre())));
-	EXPECT_GT(words.cut, 20u);
-	EXPECT_LT(10 * words.walked, words.cut);
+	EXPECT_GT(codes.cut, 20u);
+	EXPECT_LT(10 * codes.walked, codes.cut);
 }
 
 } // namespace vp::test

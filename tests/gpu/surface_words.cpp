@@ -18,7 +18,7 @@ std::vector<std::uint32_t> wordsInDouble(const grid::Block& block, const surface
 {
 	const auto height = [&](const Vec3& p)
 	{ return std::visit([&](const auto& kind) { return kind.height(p); }, surface); };
-	std::vector<std::uint32_t> words;
+	std::vector<std::uint32_t> codes;
 	const auto classify = [&](const auto& grid)
 	{
 		for (CellId cell = 0; cell < grid.cellCount(); ++cell)
@@ -26,18 +26,18 @@ std::vector<std::uint32_t> wordsInDouble(const grid::Block& block, const surface
 			const grid::CellShape shape = grid.shape(cell);
 			if (shape == grid::CellShape::polyhedron)
 			{
-				words.push_back(shared::kCodeWalk);
+				codes.push_back(shared::kCodeWalk);
 				continue;
 			}
 			const grid::CellPoints points = grid.cellPoints(cell);
 			std::uint32_t index = 0;
 			for (int v = 0; v < points.size; ++v)
 				index |= std::uint32_t(height(grid.point(points.id[v])) >= 0.0) << v;
-			words.push_back(find::caseWords(shape)[index]);
+			codes.push_back(find::caseCodes(shape)[index]);
 		}
 	};
 	visitGrid(block, classify);
-	return words;
+	return codes;
 }
 
 } // namespace
@@ -50,15 +50,22 @@ SurfaceWords classifyAllCells(classify::GpuBlocks& blocks, std::size_t block, co
 		ADD_FAILURE() << "the CPU was asked";
 		return Nothing{};
 	};
-	auto classifier = classify::GpuSurfaceClassifier::create(blocks, {{block, surface}}, none_left, nullptr);
+	const surface::BlockSurface seen =
+	    std::visit([](const auto& kind) { return surface::BlockSurface(kind); }, surface);
+	const std::vector<surface::BlockSurface> surfaces(blocks.blocks().blocks.size(), seen);
+	auto on_gpu = classify::surfaceOnGpu(blocks, surfaces);
+	EXPECT_TRUE(on_gpu) << on_gpu.error().message;
+	if (!on_gpu)
+		return result;
+	auto classifier = classify::GpuClassifier::create(blocks, {(*on_gpu)[block]}, none_left, nullptr);
 	EXPECT_TRUE(classifier) << classifier.error().message;
 	if (!classifier)
 		return result;
 	const grid::Block& cut = blocks.blocks().blocks[block];
 	std::vector<CellId> cells(cellCount(cut));
 	std::iota(cells.begin(), cells.end(), CellId(0));
-	std::vector<std::uint32_t> words(cells.size(), 0xDEADBEEFu);
-	const find::FrontSlice front{0, cells, words};
+	std::vector<std::uint32_t> codes(cells.size(), 0xDEADBEEFu);
+	const find::FrontSlice front{0, cells, codes};
 	const Status done = (*classifier)->classify({&front, 1});
 	EXPECT_TRUE(done) << done.error().message;
 
@@ -66,8 +73,8 @@ SurfaceWords classifyAllCells(classify::GpuBlocks& blocks, std::size_t block, co
 	std::size_t wrong = 0;
 	for (std::size_t i = 0; i < cells.size(); ++i)
 	{
-		const bool left = words[i] == shared::kCodeWalk;
-		wrong += !left && words[i] != expected[i];
+		const bool left = codes[i] == shared::kCodeWalk;
+		wrong += !left && codes[i] != expected[i];
 		result.walked += left && !(expected[i] & shared::kCodeWalk);
 		result.cut += (expected[i] & shared::kCodeCut) != 0;
 	}

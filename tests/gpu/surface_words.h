@@ -1,6 +1,7 @@
 #pragma once
 
-#include "classify/gpu_surface_classifier.h"
+#include "classify/gpu_classifier.h"
+#include "classify/gpu_surfaces.h"
 
 namespace vp::test
 {
@@ -13,7 +14,7 @@ struct SurfaceWords
 	std::size_t walked = 0; // cells that only the device left open
 };
 
-// Expects that every word the device is sure of is that of the signs of the heights of the cell's points.
+// Expects that every code the device is sure of is that of the signs of the heights of the cell's points.
 SurfaceWords classifyAllCells(classify::GpuBlocks& blocks, std::size_t block, const surface::Curved& surface);
 
 } // namespace vp::test

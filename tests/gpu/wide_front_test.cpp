@@ -19,13 +19,27 @@ using WideFront = GpuTest;
 // Without cells that the device leaves to the host.
 const std::set<std::string> kWholeOnDevice = {"shell", "tets", "mixed", "blob", "graded"};
 
-std::vector<CellId> cutCells(const find::CellCut& cut)
+std::vector<CellId> cutCells(const grid::Block& block, const find::BlockCut& cut)
 {
 	std::vector<CellId> cells;
-	for (std::size_t i = 0; i < cut.cells.size(); ++i)
-		if (cut.words[i] & shared::kCodeCut)
-			cells.push_back(cut.cells[i]);
+	find::forEachCutCell(block, cut, [&](CellId cell) { cells.push_back(cell); });
 	return sorted(std::move(cells));
+}
+
+// The front that the device classified, with the codes of a device that leaves nothing to the host.
+find::CellCut frontOf(const grid::Block& block, const probe::Sheet& sheet, const find::BlockCut& cut)
+{
+	if (!cut.hasSpans())
+		return cut.cells();
+	find::CellCut front = find::asOneFront(block, cut);
+	std::visit(
+	    [&](const auto& grid)
+	    {
+		    for (std::size_t i = 0; i < front.cells.size(); ++i)
+			    front.codes[i] = find::classifyByTable(grid, sheet.plane(), front.cells[i], grid.shape(front.cells[i]));
+	    },
+	    block.grid);
+	return front;
 }
 
 // Cells that were found without a traversal go to the device at once: the same as generation by generation.
@@ -56,10 +70,10 @@ TEST_F(WideFront, ShowsWhatTheTraversalShows)
 			for (std::size_t s = 0; s < found.sheets.size(); ++s)
 			{
 				const cut::SheetCut& sheet = found.sheets[s];
-				EXPECT_EQ(cutCells(sheet.cuts[0]), cutCells(expected.sheets[s].cuts[0]));
+				EXPECT_EQ(cutCells(set.blocks[0], sheet.cuts[0]), cutCells(set.blocks[0], expected.sheets[s].cuts[0]));
 				expectSameMesh(found.mesh(set, s), expected.mesh(set, s));
-				at_once += sheet.cuts[0].generations() == 1;
-				cut.gpu.push_back(sheet.cuts[0]);
+				at_once += sheet.cuts[0].steps() == 1;
+				cut.gpu.push_back(frontOf(set.blocks[0], sheet.sheet, sheet.cuts[0]));
 				cut.records.push_back(sheet.records);
 			}
 			cut.cpu = cut.gpu;

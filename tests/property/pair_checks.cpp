@@ -291,7 +291,7 @@ void checkFinders(const Pair& pair, cut::Cutter& slicer, const std::optional<pro
 	const SlicedSheet expected = window ? cut(slicer, pair.asked, {}, find::Finder::traversal, window) : pair.sheet;
 	const SlicedSheet found = cut(slicer, pair.asked, {}, find::Finder::automatic, window);
 	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
-		EXPECT_EQ(found.slice.cutCells(b), expected.slice.cutCells(b)) << "block " << b;
+		EXPECT_EQ(found.slice.cuts[b].cutCells(), expected.slice.cuts[b].cutCells()) << "block " << b;
 	const SlicedSheet spread = cut(slicer, pair.asked, {.lattice = true}, find::Finder::traversal, window);
 	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
 		EXPECT_EQ(spread.cutCells(b), expected.cutCells(b)) << "hot spots, block " << b;

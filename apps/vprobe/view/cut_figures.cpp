@@ -10,12 +10,12 @@ CutFigures figuresOf(const CutFrame& cut, std::size_t sheet)
 	const cut::SheetCut& slice = cut.slice.sheets[sheet];
 	CutFigures figures;
 	figures.polygons = cut.sheets[sheet].mesh.polygons();
-	for (std::size_t b = 0; b < slice.cuts.size(); ++b)
+	for (const find::BlockCut& in_block : slice.cuts)
 	{
-		figures.cut_cells += slice.cutCells(b);
-		figures.touched += slice.touchedCells(b);
-		figures.generations = std::max<std::size_t>(figures.generations, slice.cuts[b].steps);
-		figures.front_max = std::max<std::size_t>(figures.front_max, slice.cuts[b].frontMax());
+		figures.cut_cells += in_block.cutCells();
+		figures.touched += in_block.touchedCells();
+		figures.generations = std::max(figures.generations, in_block.steps());
+		figures.front_max = std::max(figures.front_max, in_block.frontMax());
 	}
 	return figures;
 }

@@ -64,14 +64,14 @@ find::CellCut scan(const G& grid, const surface::BlockSurface& surface)
 	for (CellId c = 0; c < grid.cellCount(); ++c)
 	{
 		const grid::CellShape shape = grid.shape(c);
-		std::uint32_t word =
+		std::uint32_t code =
 		    shape == grid::CellShape::polyhedron ? shared::kCodeWalk : find::classifyByTable(grid, surface, c, shape);
-		if (word & shared::kCodeWalk)
-			word = find::classifyByWalk(grid, surface, c, faces);
-		if (!(word & shared::kCodeCut))
+		if (code & shared::kCodeWalk)
+			code = find::classifyByWalk(grid, surface, c, faces);
+		if (!(code & shared::kCodeCut))
 			continue;
 		cut.cells.push_back(c);
-		cut.words.push_back(word);
+		cut.codes.push_back(code);
 	}
 	cut.cut_cells = cut.cells.size();
 	return cut;
@@ -111,11 +111,11 @@ PiecesOnSheet piecesOnSheet(const grid::BlockSet& set, const std::string& field,
 	std::vector<find::CellCut> cuts;
 	for (std::size_t b = 0; b < set.blocks.size(); ++b)
 		cuts.push_back(visitGrid(set.blocks[b], [&](const auto& grid) { return scan(grid, surfaces[b]); }));
-	std::vector<mesh::BlockCut> of_blocks;
+	std::vector<mesh::ShownBlock> of_blocks;
 	PiecesOnSheet found;
 	for (std::size_t b = 0; b < cuts.size(); ++b)
 	{
-		of_blocks.push_back({std::uint32_t(b), &cuts[b], nullptr, {}});
+		of_blocks.push_back({std::uint32_t(b), &cuts[b]});
 		found.cut_cells += cuts[b].cut_cells;
 	}
 	const mesh::SheetMesh mesh = mesh::buildMesh(set, surfaces, of_blocks);

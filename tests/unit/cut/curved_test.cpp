@@ -48,7 +48,7 @@ cut::CutRequest requestOf(const std::string& text, const probe::Frame& frame)
 SlicedSheet cutBy(cut::Cutter& slicer, const cut::CutRequest& request)
 {
 	cut::Cut slice = std::move(slicer.cut(request).value());
-	SlicedSheet sheet{{}, slice.mesh(slicer.blocks(), 0)};
+	SlicedSheet sheet{&slicer.blocks(), {}, slice.mesh(slicer.blocks(), 0)};
 	sheet.slice = std::move(slice.sheets[0]);
 	return sheet;
 }

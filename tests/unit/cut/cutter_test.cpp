@@ -40,8 +40,8 @@ TEST(Cutter, SheetsOfOneProbeAreCutAsIfAlone)
 	for (std::size_t s = 0; s < planes.size(); ++s)
 	{
 		const cut::Cut alone = std::move(slicer.cut(requestOf({planes[s]})).value());
-		EXPECT_EQ(together.sheets[s].cuts[0].cells, alone.sheets[0].cuts[0].cells);
-		EXPECT_EQ(together.sheets[s].cuts[0].words, alone.sheets[0].cuts[0].words);
+		EXPECT_EQ(together.sheets[s].cuts[0].cells().cells, alone.sheets[0].cuts[0].cells().cells);
+		EXPECT_EQ(together.sheets[s].cuts[0].cells().codes, alone.sheets[0].cuts[0].cells().codes);
 		EXPECT_EQ(together.mesh(set, s).positions, alone.mesh(set, 0).positions);
 	}
 }
@@ -57,8 +57,8 @@ TEST(Cutter, SeveralSlicesMayBeUnderWay)
 	for (std::size_t i = planes.size(); i-- > 0;)
 	{
 		const cut::Cut slice = std::move(tickets[i].wait().value());
-		EXPECT_EQ(cellsOf(slice.sheets[0].cuts[0]), scanCutCells(set.blocks[0], planes[i]));
-		EXPECT_EQ(cellsOf(slice.sheets[1].cuts[0]), scanCutCells(set.blocks[0], planes[0]));
+		EXPECT_EQ(cellsOf(slice.sheets[0].cuts[0].cells()), scanCutCells(set.blocks[0], planes[i]));
+		EXPECT_EQ(cellsOf(slice.sheets[1].cuts[0].cells()), scanCutCells(set.blocks[0], planes[0]));
 	}
 }
 
@@ -93,9 +93,9 @@ TEST(Cutter, ACancelledTicketEndsCleanly)
 		for (std::size_t s = 0; s < planes.size();
 		     ++s) // what was found until then is right, and a mesh can be made of it
 		{
-			for (const CellId cell : cellsOf(slice->sheets[s].cuts[0]))
+			for (const CellId cell : cellsOf(slice->sheets[s].cuts[0].cells()))
 				EXPECT_TRUE(isCut(set.blocks[0], cell, Side(planes[s])));
-			EXPECT_LE(slice->mesh(set, s).polygons(), slice->sheets[s].cuts[0].cells.size());
+			EXPECT_LE(slice->mesh(set, s).polygons(), slice->sheets[s].cuts[0].cells().cells.size());
 		}
 	}
 }
@@ -200,7 +200,7 @@ TEST(Cutter, AThresholdEndsTheTraversal)
 			for (std::size_t i = 0; i < queue.size(); ++i)
 				for (const CellId neighbour : cutNeighbours(block, queue[i], Side(plane)))
 					enter(neighbour);
-			EXPECT_EQ(cellsOf(slice.sheets[0].cuts[0]), std::vector(reached.begin(), reached.end())) << name;
+			EXPECT_EQ(cellsOf(slice.sheets[0].cuts[0].cells()), std::vector(reached.begin(), reached.end())) << name;
 			ended += !reached.empty() && reached.size() < scanCutCells(block, plane).size();
 		}
 		EXPECT_GT(ended, 5u) << name;
@@ -214,7 +214,7 @@ TEST(Cutter, AThresholdOverWhatABlockLacksShowsNothing)
 	cut::CutRequest request = requestOf({{set.bounds().centre(), {0.1, 0.2, 1.0}}});
 	request.field = grid::FieldChoice{"missing"};
 	request.threshold = find::Threshold{-1e30, 1e30};
-	EXPECT_TRUE(slicer.cut(std::move(request)).value().sheets[0].cuts[0].cells.empty());
+	EXPECT_TRUE(slicer.cut(std::move(request)).value().sheets[0].cuts[0].cells().cells.empty());
 }
 
 } // namespace vp::test

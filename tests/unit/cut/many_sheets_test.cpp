@@ -20,7 +20,7 @@ cut::CutRequest requestOf(std::vector<probe::Sheet> sheets)
 void expectSameCut(const find::CellCut& cut, const find::CellCut& alone)
 {
 	EXPECT_EQ(cut.cells, alone.cells);
-	EXPECT_EQ(cut.words, alone.words);
+	EXPECT_EQ(cut.codes, alone.codes);
 	EXPECT_EQ(cut.cut_cells, alone.cut_cells);
 	EXPECT_EQ(cut.generation_starts, alone.generation_starts);
 }
@@ -52,9 +52,9 @@ TEST(ManySheets, AreCutAsEachIsAlone)
 			const cut::Cut alone = slicer.cut(requestOf({sheets[s]})).value();
 			for (std::size_t b = 0; b < set.blocks.size(); ++b)
 			{
-				expectSameCut(together.sheets[s].cuts[b], alone.sheets[0].cuts[b]);
-				if (alone.sheets[0].cuts[b].generations() > 0)
-					front += alone.sheets[0].cuts[b].generation_starts[1];
+				expectSameCut(together.sheets[s].cuts[b].cells(), alone.sheets[0].cuts[b].cells());
+				if (alone.sheets[0].cuts[b].cells().generations() > 0)
+					front += alone.sheets[0].cuts[b].cells().generation_starts[1];
 			}
 		}
 		EXPECT_GT(front, 1024u) << "too few cells to be shared among the cores";

@@ -169,7 +169,7 @@ TEST(Seams, SheetsKeepToTheirLanes)
 	{
 		const SlicedSheet alone = cut(slicer, planes[s], kHotSpot);
 		for (std::size_t b = 0; b < set.blocks.size(); ++b)
-			EXPECT_EQ(sorted(together.sheets[s].cuts[b].cells), sorted(alone.slice.cuts[b].cells));
+			EXPECT_EQ(sorted(together.sheets[s].cuts[b].cells().cells), sorted(alone.slice.cuts[b].cells().cells));
 		EXPECT_EQ(alone.cutCellCount(), scanCount(set, planes[s]));
 	}
 }

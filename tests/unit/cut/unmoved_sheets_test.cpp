@@ -43,7 +43,7 @@ protected:
 		for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 		{
 			EXPECT_EQ(slice.sheets[s].shown, anew->sheets[s].shown);
-			EXPECT_EQ(slice.sheets[s].cutCells(0), anew->sheets[s].cutCells(0));
+			EXPECT_EQ(slice.sheets[s].cuts[0].cutCells(), anew->sheets[s].cuts[0].cutCells());
 			EXPECT_EQ(slice.mesh(set_, s).positions, anew->mesh(set_, s).positions) << s;
 			EXPECT_EQ(slice.sheets[s].seeds.count, anew->sheets[s].seeds.count);
 		}

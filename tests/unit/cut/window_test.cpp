@@ -108,9 +108,9 @@ TEST(Window, ShowsWhatTheWholeSliceShowsThere)
 			std::set<std::pair<std::uint32_t, CellId>> cut_cells;
 			for (std::uint32_t b = 0; b < slice.sheets[0].cuts.size(); ++b)
 			{
-				const find::CellCut& lane = slice.sheets[0].cuts[b];
+				const find::CellCut& lane = slice.sheets[0].cuts[b].cells();
 				for (std::size_t i = 0; i < lane.cells.size(); ++i)
-					if (lane.words[i] & shared::kCodeCut)
+					if (lane.codes[i] & shared::kCodeCut)
 						cut_cells.insert({b, lane.cells[i]});
 			}
 			EXPECT_TRUE(std::ranges::includes(cut_cells, cells));
@@ -163,8 +163,8 @@ TEST(Window, InsideOneCellIsOneRectangle)
 	sheet.window = probe::centredWindow(1e-4, 2e-4);
 	const cut::Cut slice = cutWindow(slicer, sheet);
 	const mesh::SheetMesh mesh = slice.mesh(set, 0);
-	EXPECT_EQ(slice.sheets[0].cuts[0].cut_cells, 1u);
-	EXPECT_EQ(slice.sheets[0].cuts[0].cells.size(), 1u);
+	EXPECT_EQ(slice.sheets[0].cuts[0].cells().cut_cells, 1u);
+	EXPECT_EQ(slice.sheets[0].cuts[0].cells().cells.size(), 1u);
 	EXPECT_EQ(mesh.polygons(), 1u);
 	EXPECT_EQ(mesh.positions.size(), 4u);
 	EXPECT_NEAR(measure::measure(set, mesh, {}).area, 2e-8, 1e-18);
@@ -183,7 +183,7 @@ TEST(Window, EndsTheTraversal)
 		sheet.window = randomWindow(set.bounds(), random);
 		const cut::Cut slice = cutWindow(slicer, sheet);
 		// Beside those that show something: cells that the rim touches, and the seed.
-		EXPECT_LE(slice.sheets[0].cuts[0].cells.size(), slice.sheets[0].cuts[0].cut_cells + 1);
+		EXPECT_LE(slice.sheets[0].cuts[0].cells().cells.size(), slice.sheets[0].cuts[0].cells().cut_cells + 1);
 	}
 }
 
@@ -214,10 +214,10 @@ TEST(Window, AtAnInterfaceCountsWhatReachesIntoIt)
 						          expected.push_back(cell);
 				          }
 			          });
-			const find::CellCut& lane = slice.sheets[0].cuts[b];
+			const find::CellCut& lane = slice.sheets[0].cuts[b].cells();
 			std::vector<CellId> found;
 			for (std::size_t i = 0; i < lane.cells.size(); ++i)
-				if (lane.words[i] & shared::kCodeCut)
+				if (lane.codes[i] & shared::kCodeCut)
 					found.push_back(lane.cells[i]);
 			EXPECT_EQ(sorted(std::move(found)), expected);
 			EXPECT_EQ(lane.cut_cells, expected.size());
@@ -247,8 +247,8 @@ TEST(Window, FxShowsTheContentOfASmallerOne)
 	const cut::Cut through = cutWindow(slicer, lens);
 	const cut::Cut at = cutWindow(slicer, plain);
 	EXPECT_EQ(through.sheets[0].shown, lens);
-	EXPECT_GT(at.sheets[0].cuts[0].cut_cells, 0u);
-	EXPECT_EQ(sorted(through.sheets[0].cuts[0].cells), sorted(at.sheets[0].cuts[0].cells));
+	EXPECT_GT(at.sheets[0].cuts[0].cells().cut_cells, 0u);
+	EXPECT_EQ(sorted(through.sheets[0].cuts[0].cells().cells), sorted(at.sheets[0].cuts[0].cells().cells));
 	const measure::SheetMeasure magnified = measure::measure(set, through.mesh(set, 0), {});
 	EXPECT_NEAR(magnified.area, 0.25 * 0.15, 1e-12); // true sizes
 }

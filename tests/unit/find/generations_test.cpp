@@ -28,7 +28,7 @@ struct WalkEverything
 	Status classify(std::span<const find::FrontSlice> fronts)
 	{
 		for (const find::FrontSlice& front : fronts)
-			std::ranges::fill(front.words, shared::kCodeWalk);
+			std::ranges::fill(front.codes, shared::kCodeWalk);
 		if (++calls == stop_at)
 			stop.request_stop();
 		return Nothing{};
@@ -50,7 +50,7 @@ struct ByTable
 				    for (std::size_t i = 0; i < front.cells.size(); ++i)
 				    {
 					    const grid::CellShape shape = grid.shape(front.cells[i]);
-					    front.words[i] =
+					    front.codes[i] =
 					        shape == grid::CellShape::polyhedron
 					            ? shared::kCodeWalk
 					            : find::classifyByTable(grid, lanes[front.lane].surface, front.cells[i], shape);
@@ -86,7 +86,7 @@ std::vector<CellId> cutCells(const find::CellCut& cut)
 {
 	std::vector<CellId> cells;
 	for (std::size_t i = 0; i < cut.cells.size(); ++i)
-		if (cut.words[i] & shared::kCodeCut)
+		if (cut.codes[i] & shared::kCodeCut)
 			cells.push_back(cut.cells[i]);
 	return sorted(std::move(cells));
 }
@@ -118,7 +118,7 @@ TEST(BreadthFirst, GenerationsAreDistancesFromTheSeeds)
 							queue.push_back(next);
 
 			ASSERT_EQ(cut.cells.size(), distance.size()) << block.name;
-			ASSERT_EQ(cut.words.size(), cut.cells.size());
+			ASSERT_EQ(cut.codes.size(), cut.cells.size());
 			ASSERT_EQ(cut.generation_starts.back(), cut.cells.size());
 			ASSERT_EQ(std::set<CellId>(cut.cells.begin(), cut.cells.end()).size(), cut.cells.size())
 			    << "a cell queued twice";
@@ -223,7 +223,7 @@ TEST(BreadthFirst, SheetsInLockStepDoNotDisturbEachOther)
 		for (std::size_t sheet = 0; sheet < planes.size(); ++sheet)
 		{
 			EXPECT_EQ((*together)[sheet].cells, alone[sheet].cells) << block.name;
-			EXPECT_EQ((*together)[sheet].words, alone[sheet].words) << block.name;
+			EXPECT_EQ((*together)[sheet].codes, alone[sheet].codes) << block.name;
 			EXPECT_EQ((*together)[sheet].generation_starts, alone[sheet].generation_starts) << block.name;
 		}
 	}
@@ -283,8 +283,8 @@ TEST(BreadthFirst, AStopEndsItBetweenGenerations)
 	const find::CellCut& cut = (*stopped)[0];
 	EXPECT_EQ(classifier.calls, 3u);
 	EXPECT_EQ(cut.generations(), 3u);
-	// Whatever uses the cut counts on a word for every cell.
-	EXPECT_EQ(cut.words.size(), cut.cells.size());
+	// Whatever uses the cut counts on a code for every cell.
+	EXPECT_EQ(cut.codes.size(), cut.cells.size());
 	EXPECT_EQ(cut.generation_starts.back(), cut.cells.size());
 }
 

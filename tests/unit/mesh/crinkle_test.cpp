@@ -25,10 +25,10 @@ struct Crinkled
 Crinkled crinkled(cut::Cutter& slicer, const TestPlane& plane)
 {
 	Crinkled made{cut(slicer, plane), {}, {}};
-	std::vector<mesh::BlockCut> cuts;
+	std::vector<mesh::ShownBlock> cuts;
 	for (std::uint32_t b = 0; b < made.sheet.slice.cuts.size(); ++b)
 	{
-		cuts.push_back({b, &made.sheet.slice.cuts[b], nullptr, made.sheet.slice.seeds.faces_in_plane[b]});
+		cuts.push_back(mesh::shownBlock(b, made.sheet.slice.cuts[b], made.sheet.slice.seeds.faces_in_plane[b]));
 		const std::vector<CellId> cut_cells = made.sheet.cutCells(b);
 		made.cells.emplace_back(cut_cells.begin(), cut_cells.end());
 		for (const grid::BoundaryIndex::Face& face : cuts.back().faces_in_plane)
@@ -269,7 +269,7 @@ TEST(Crinkle, OfAGridSurfaceIsItsLayer)
 	const std::size_t n = grid::latticeCellsOf(shell)->lattice().cells()[0];
 	EXPECT_EQ(slice.mesh(set, 0).polygons(), n * n);
 	EXPECT_EQ(slice.crinkle(set, 0).polygons(), 2 * n * n + 4 * n);
-	const std::vector<CellId>& cells = slice.sheets[0].cuts[0].cells;
+	const std::vector<CellId>& cells = slice.sheets[0].cuts[0].cells().cells;
 	EXPECT_NEAR(volumeWithin(slice.crinkle(set, 0)), volumeOfCells(shell, {cells.begin(), cells.end()}), 1e-9);
 }
 

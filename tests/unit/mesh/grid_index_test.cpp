@@ -137,11 +137,11 @@ TEST(GridSurface, ShowsEachCellOfItsLayerOnce)
 			            const auto cuts = find::gridIndexCells(set, at);
 			            const auto cells = lattice.cells();
 			            const std::size_t all = lattice.cellCount() / cells[at.axis];
-			            EXPECT_EQ(std::set(cuts[0].cells.begin(), cuts[0].cells.end()).size(), all);
-			            EXPECT_EQ(cuts[0].cells.size(), all); // and no other was looked at
-			            EXPECT_EQ(cuts[0].cut_cells, all);
+			            EXPECT_EQ(std::set(cuts[0].cells().cells.begin(), cuts[0].cells().cells.end()).size(), all);
+			            EXPECT_EQ(cuts[0].cells().cells.size(), all); // and no other was looked at
+			            EXPECT_EQ(cuts[0].cells().cut_cells, all);
 			            const double low_side = at.index == 0.0 ? 0.0 : std::ceil(at.index) - 1.0;
-			            for (const CellId cell : cuts[0].cells)
+			            for (const CellId cell : cuts[0].cells().cells)
 				            EXPECT_EQ(lattice.cellIndex(sourceCell(*block, cell))[at.axis], low_side);
 		            });
 	}
@@ -221,7 +221,7 @@ TEST(GridSurface, LeavesOutWhatHasNoArea)
 	            {
 		            const auto cuts = find::gridIndexCells(set, at);
 		            const mesh::SheetMesh mesh = mesh::gridIndexMesh(set, at, cuts);
-		            left_out = left_out || mesh.polygons() < cuts[0].cut_cells;
+		            left_out = left_out || mesh.polygons() < cuts[0].cells().cut_cells;
 		            for (std::size_t p = 0; p < mesh.polygons(); ++p)
 			            EXPECT_GT(glm::length(mesh::doubleArea(mesh, mesh.polygon(p))), 0.0);
 	            });
@@ -247,7 +247,7 @@ TEST(GridSurface, HiddenCellsStayHidden)
 		            std::set<std::size_t> shown;
 		            const surface::GridLayers layers = surface::layersOf(at.index, lattice.cells()[at.axis]);
 		            const auto all = find::gridIndexCells(bare, at);
-		            for (const CellId cell : all[0].cells)
+		            for (const CellId cell : all[0].cells().cells)
 		            {
 			            const CellId other = lattice.neighbour(cell, 2 * at.axis + 1);
 			            if (!hidden.contains(cell))
@@ -280,10 +280,10 @@ TEST(GridSurface, HiddenCellsStayHidden)
 TEST(GridSurface, CellsMayBeTurnedDown)
 {
 	const grid::BlockSet set = setOf(gridNamed("shell"));
-	const std::vector<std::function<bool(CellId)>> admits{[](CellId cell) { return cell % 2 == 0; }};
-	const auto cuts = find::gridIndexCells(set, {2, 3.5}, admits);
-	EXPECT_GT(cuts[0].cells.size(), 0u);
-	EXPECT_TRUE(std::ranges::all_of(cuts[0].cells, admits[0]));
+	const std::vector<grid::CellFilter> filter{[](CellId cell) { return cell % 2 == 0; }};
+	const auto cuts = find::gridIndexCells(set, {2, 3.5}, filter);
+	EXPECT_GT(cuts[0].cells().cells.size(), 0u);
+	EXPECT_TRUE(std::ranges::all_of(cuts[0].cells().cells, filter[0]));
 }
 
 // u = 1, where two blocks meet: the first one's last surface, the second one's first.

@@ -37,7 +37,7 @@ TEST(PatchSurface, IsTheGridSurfaceThere)
 	const mesh::SheetMesh sphere = mesh::gridIndexMesh(set, at, find::gridIndexCells(set, at));
 	EXPECT_EQ(mesh.polygons(), sphere.polygons());
 	EXPECT_EQ(mesh.positions.size(), sphere.positions.size());
-	EXPECT_EQ(cells[0].cut_cells, std::size_t(n * n));
+	EXPECT_EQ(cells[0].cutCells(), std::size_t(n * n));
 	const grid::FieldChoice s{"s", grid::Association::point, 0};
 	const measure::SheetMeasure ours = measure::measure(set, mesh, s);
 	const measure::SheetMeasure theirs = measure::measure(set, sphere, s);
@@ -51,8 +51,8 @@ TEST(PatchSurface, IsTheGridSurfaceThere)
 TEST(PatchSurface, CellsMayBeTurnedDown)
 {
 	const grid::BlockSet set = shellWithSphere(8);
-	const std::vector<std::function<bool(CellId)>> admits{[](CellId cell) { return cell > 255; }};
-	const auto cells = find::patchCells(set, "sphere", admits);
+	const std::vector<grid::CellFilter> filter{[](CellId cell) { return cell > 255; }};
+	const auto cells = find::patchCells(set, "sphere", filter);
 	EXPECT_EQ(mesh::patchMesh(set, "sphere", cells).polygons(), 32u); // half of the 64
 }
 

@@ -77,8 +77,8 @@ TEST(HotSpots, ChangeNothingButTheGenerations)
 		for (std::size_t b = 0; b < set.blocks.size(); ++b)
 		{
 			ASSERT_EQ(found.cutCells(b), expected.cutCells(b));
-			EXPECT_EQ(found.slice.cuts[b].cut_cells, expected.slice.cuts[b].cut_cells);
-			cells += found.slice.cutCells(b);
+			EXPECT_EQ(found.slice.cuts[b].cells().cut_cells, expected.slice.cuts[b].cells().cut_cells);
+			cells += found.slice.cuts[b].cutCells();
 		}
 		expectSameMesh(found.mesh, expected.mesh);
 	};
@@ -110,8 +110,8 @@ TEST(HotSpots, LeaveFewGenerations)
 		{
 			const SlicedSheet spread = cut(slicer, plane, kLattice, find::Finder::traversal, window);
 			const SlicedSheet without = cut(slicer, plane, {}, find::Finder::traversal, window);
-			most = std::max(most, spread.slice.cuts[0].generations());
-			most_without = std::max(most_without, without.slice.cuts[0].generations());
+			most = std::max(most, spread.slice.cuts[0].cells().generations());
+			most_without = std::max(most_without, without.slice.cuts[0].cells().generations());
 			EXPECT_LE(spread.slice.seeds.hops,
 			          0.2 * static_cast<double>(spread.cutCellCount()) + 6.0 * std::cbrt(set.cellCount()));
 		};
@@ -155,12 +155,7 @@ TEST(HotSpots, OfTheCutBefore)
 			request.last = std::make_shared<cut::Cut>(*last);
 		return std::move(*slicer.cut(request));
 	};
-	const auto cellsOf = [](const cut::Cut& slice)
-	{
-		SlicedSheet sheet;
-		sheet.slice = slice.sheets[0];
-		return sheet.cutCells();
-	};
+	const auto cellsOf = [&](const cut::Cut& slice) { return SlicedSheet{&set, slice.sheets[0], {}}.cutCells(); };
 	std::size_t kept = 0;
 	for (const TestPlane& plane : randomPlanes(set.bounds(), 20, 101))
 	{
@@ -172,7 +167,7 @@ TEST(HotSpots, OfTheCutBefore)
 			const cut::Cut alone = cutAt(there, nullptr);
 			EXPECT_EQ(cellsOf(next), cellsOf(alone));
 			EXPECT_NE(next.sheets[0].number, first.sheets[0].number);
-			const find::CellCut& cut = next.sheets[0].cuts[0];
+			const find::CellCut& cut = next.sheets[0].cuts[0].cells();
 			EXPECT_LE(cut.cells.size(), 1.25 * cut.cut_cells + 30);
 			if (moved == 1e-5 && cut.cut_cells > 200)
 			{

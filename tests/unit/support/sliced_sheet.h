@@ -10,30 +10,28 @@ namespace vp::test
 // One sheet through one block set, the way a user's slice goes.
 struct SlicedSheet
 {
+	const grid::BlockSet* blocks;
 	cut::SheetCut slice;
 	mesh::SheetMesh mesh;
 
 	std::vector<CellId> cutCells(std::size_t block = 0) const // ascending
 	{
 		std::vector<CellId> cells;
-		const find::CellCut& cut = slice.cuts[block];
-		for (std::size_t i = 0; i < cut.cells.size(); ++i)
-			if (cut.words[i] & shared::kCodeCut)
-				cells.push_back(cut.cells[i]);
+		find::forEachCutCell(blocks->blocks[block], slice.cuts[block], [&](CellId cell) { cells.push_back(cell); });
 		return sorted(std::move(cells));
 	}
 	std::size_t cutCellCount() const
 	{
 		std::size_t count = 0;
-		for (const find::CellCut& cut : slice.cuts)
-			count += cut.cut_cells;
+		for (const find::BlockCut& cut : slice.cuts)
+			count += cut.cutCells();
 		return count;
 	}
 	std::size_t touched() const
 	{
 		std::size_t count = 0;
-		for (const find::CellCut& cut : slice.cuts)
-			count += cut.cells.size();
+		for (const find::BlockCut& cut : slice.cuts)
+			count += cut.touchedCells();
 		return count;
 	}
 };
@@ -48,7 +46,7 @@ inline SlicedSheet cut(cut::Cutter& slicer, const TestPlane& plane, const seed::
 	request.seeds = seeds;
 	request.finder = finder;
 	cut::Cut slice = std::move(slicer.cut(std::move(request)).value());
-	SlicedSheet sheet{{}, slice.mesh(slicer.blocks(), 0)};
+	SlicedSheet sheet{&slicer.blocks(), {}, slice.mesh(slicer.blocks(), 0)};
 	sheet.slice = std::move(slice.sheets[0]);
 	return sheet;
 }

@@ -1,8 +1,9 @@
-#include "classify/gpu_lane.h"
+#include "classify/gpu_planes.h"
 
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 
 namespace vp::classify
@@ -89,29 +90,10 @@ double fillPlaneAxes(const Lattice& grid, const surface::Plane& plane, const pro
 	return error;
 }
 
-} // namespace
-
-float boundedAbove(double value)
-{
-	return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
-}
-
-std::size_t axisTexels(const grid::AnyGrid& any)
-{
-	return std::visit(
-	    [](const auto& grid) -> std::size_t
-	    {
-		    if constexpr (requires { grid.coordinate(0, 0u); })
-			    return std::size_t(grid.points()[0]) + grid.points()[1] + grid.points()[2];
-		    else
-			    return 0;
-	    },
-	    any);
-}
-
-shared::ClassifyLane describeLane(const grid::Block& block, const GpuBlock& on_device, const GpuValues& values,
-                                  bool field_chosen, bool doubles, const probe::Sheet& sheet, std::size_t axis_start,
-                                  std::span<AxisTexel> axes)
+// What the shader is told about a plane in a block.
+shared::ClassifyLane describePlane(const grid::Block& block, const GpuBlock& on_device, const GpuValues& values,
+                                   bool field_chosen, bool doubles, const probe::Sheet& sheet, std::size_t axis_start,
+                                   std::span<AxisTexel> axes)
 {
 	const surface::Plane plane = sheet.plane();
 	const Vec3& normal = plane.normal();
@@ -149,6 +131,49 @@ shared::ClassifyLane describeLane(const grid::Block& block, const GpuBlock& on_d
 	lane.no_value = field_chosen ? shared::kNanValue : 0.0f;
 	lane.flipped = glm::dot(normal, sheet.normal) < 0.0;
 	return lane;
+}
+
+GpuSheetInBlock planeInBlock(GpuBlocks& blocks, std::size_t b, const probe::Sheet& sheet,
+                             const std::shared_ptr<const GpuField>& field, const std::shared_ptr<SheetRecords>& records)
+{
+	GpuSheetInBlock made;
+	made.block = b;
+	if (!blocks.holds(b))
+		return made;
+	const GpuValues& values = field->blocks[b];
+	made.pipeline = blocks.pipeline(blocks.block(b), values);
+	if (values.texels)
+		made.values = values.texels.view.handle();
+	made.keeps = field;
+	made.records = records;
+	made.describe = [&blocks, b, sheet, field](std::size_t axis_start, std::span<AxisTexel> axes, std::byte* told)
+	{
+		const shared::ClassifyLane described =
+		    describePlane(blocks.blocks().blocks[b], blocks.block(b), field->blocks[b], field->choice.has_value(),
+		                  blocks.usesDoubles(), sheet, axis_start, axes);
+		std::memcpy(told, &described, sizeof(described));
+	};
+	return made;
+}
+
+} // namespace
+
+Result<PlanesOnGpu> planesOnGpu(GpuBlocks& blocks, std::span<const probe::Sheet> sheets,
+                                std::span<const std::optional<grid::FieldChoice>> fields)
+{
+	Result<GpuBlocks::Fields> values = blocks.fields(fields);
+	if (!values)
+		return values.error();
+	const bool overlapping = mayOverlap(blocks.blocks());
+	PlanesOnGpu made;
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+	{
+		made.records.push_back(std::make_shared<SheetRecords>(blocks.recordPool()));
+		made.records.back()->overlapping = overlapping;
+		for (std::size_t b = 0; b < blocks.blocks().blocks.size(); ++b)
+			made.sheets.push_back(planeInBlock(blocks, b, sheets[s], (*values)[s], made.records.back()));
+	}
+	return made;
 }
 
 } // namespace vp::classify

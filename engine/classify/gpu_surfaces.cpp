@@ -1,9 +1,12 @@
-#include "classify/gpu_surface_lane.h"
+#include "classify/gpu_surfaces.h"
+
+#include "surface/gpu_surface.h"
 
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 namespace vp::classify
 {
@@ -99,11 +102,9 @@ void describePlaces(const GpuBlock& block, const Vec3& half, const Vec3& centre,
 	}
 }
 
-} // namespace
-
-shared::SurfaceLane describeSurfaceLane(const grid::Block& block, const GpuBlock& on_device,
-                                        const surface::Curved& surface, std::size_t axis_start,
-                                        std::span<AxisTexel> axes)
+// What the shader is told about a surface in a block.
+shared::SurfaceLane describeSurface(const grid::Block& block, const GpuBlock& on_device, const surface::Curved& surface,
+                                    std::size_t axis_start, std::span<AxisTexel> axes)
 {
 	const bool fixed = on_device.points && on_device.points_kind == shared::kPointsFixed;
 	const Vec3 half = 0.5 * on_device.bounds.size() + on_device.unit;
@@ -124,6 +125,35 @@ shared::SurfaceLane describeSurfaceLane(const grid::Block& block, const GpuBlock
 	describeCells(block.grid, axis_start, lane);
 	fillCoordinateAxes(block.grid, centre, axes);
 	return lane;
+}
+
+} // namespace
+
+Result<std::vector<GpuSheetInBlock>> surfaceOnGpu(GpuBlocks& blocks, std::span<const surface::BlockSurface> surfaces)
+{
+	std::vector<GpuSheetInBlock> made(surfaces.size());
+	for (std::size_t b = 0; b < surfaces.size(); ++b)
+	{
+		made[b].block = b;
+		const std::optional<surface::Curved> surface = surface::gpuSurfaceOf(surfaces[b]);
+		if (!surface || !blocks.holds(b))
+			continue;
+		const GpuBlock& block = blocks.block(b);
+		const auto* placed = std::get_if<surface::PlacedExpression>(&*surface);
+		auto pipeline = blocks.surfacePipelines().get(block.cells_kind, block.points_kind,
+		                                              placed ? &placed->expression() : nullptr, blocks.caseTexels());
+		if (!pipeline)
+			return pipeline.error();
+		made[b].pipeline = std::move(*pipeline);
+		made[b].describe =
+		    [&blocks, b, surface = *surface](std::size_t axis_start, std::span<AxisTexel> axes, std::byte* told)
+		{
+			const shared::SurfaceLane described =
+			    describeSurface(blocks.blocks().blocks[b], blocks.block(b), surface, axis_start, axes);
+			std::memcpy(told, &described, sizeof(described));
+		};
+	}
+	return made;
 }
 
 } // namespace vp::classify

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "base/result.h"
+#include "classify/gpu_sheet_in_block.h"
+#include "grid/field_choice.h"
+#include "probe/sheet.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vp::classify
+{
+
+/// Planes as the device classifies them: it decides each cell, looks its case up and writes its polygon to the sheet's
+/// records.
+struct PlanesOnGpu
+{
+	std::vector<GpuSheetInBlock> sheets;                // sheet s in block b: number s * blocks + b
+	std::vector<std::shared_ptr<SheetRecords>> records; // per sheet
+};
+
+/// fields: one a sheet. Uploads the arrays that are not on the device yet.
+Result<PlanesOnGpu> planesOnGpu(GpuBlocks& blocks, std::span<const probe::Sheet> sheets,
+                                std::span<const std::optional<grid::FieldChoice>> fields);
+
+} // namespace vp::classify

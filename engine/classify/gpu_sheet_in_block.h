@@ -1,0 +1,70 @@
+#pragma once
+
+#include "cases/case_table.h"
+#include "classify/gpu_blocks.h"
+#include "classify/gpu_records.h"
+#include "gpu/shader.h"
+#include "shared/classify_types.h"
+#include "shared/surface_types.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <type_traits>
+
+namespace vp::classify
+{
+
+/// A place along an axis of a grid with straight axes, as the shaders read it.
+using AxisTexel = std::array<std::uint32_t, 4>;
+
+/// A sheet in a block, as the device classifies it.
+struct GpuSheetInBlock
+{
+	std::size_t block = 0;
+	std::shared_ptr<const gpu::Pipeline> pipeline; // null: the CPU classifies its cells
+	VkBufferView values = VK_NULL_HANDLE;          // of the shown array; null: there are none
+	std::shared_ptr<const void> keeps;             // what `values` needs to stay alive
+	std::shared_ptr<SheetRecords> records;         // gets the polygons; null: only the codes come back
+	/// Writes what the shader is told, kMaxTold bytes at most, to `told`, and axisTexels() texels to `axes`, of which
+	/// the first is texel `axis_start` of their buffer.
+	std::function<void(std::size_t axis_start, std::span<AxisTexel> axes, std::byte* told)> describe;
+
+	static constexpr std::size_t kMaxTold = std::max(sizeof(shared::ClassifyLane), sizeof(shared::SurfaceLane));
+};
+
+/// The texels that the axes of an image or rectilinear grid take; 0 for other grids.
+std::size_t axisTexels(const grid::AnyGrid& grid);
+
+/// How cells find their points and cases; for what has these fields of ClassifyLane.
+template <class ShaderLane>
+void describeCells(const grid::AnyGrid& any, std::size_t axis_start, ShaderLane& lane)
+{
+	const auto describeLattice = [&](const auto& grid)
+	{
+		if constexpr (std::is_base_of_v<grid::Lattice, std::decay_t<decltype(grid)>>)
+		{
+			lane.cells_i = grid.cells()[0];
+			lane.cells_j = grid.cells()[1];
+			lane.inverse_i = grid.cells()[0] ? 0xFFFFFFFFu / grid.cells()[0] : 0;
+			lane.inverse_j = grid.cells()[1] ? 0xFFFFFFFFu / grid.cells()[1] : 0;
+			lane.points_i = grid.points()[0];
+			lane.points_layer = grid.points()[0] * grid.points()[1];
+			lane.axis_start[0] = static_cast<std::uint32_t>(axis_start);
+			lane.axis_start[1] = lane.axis_start[0] + grid.points()[0];
+			lane.axis_start[2] = lane.axis_start[1] + grid.points()[1];
+		}
+	};
+	std::visit(describeLattice, any);
+	for (int shape = 0; shape < grid::kTableShapes; ++shape)
+		lane.table_start[shape] = cases::caseTableStart(static_cast<grid::CellShape>(shape));
+}
+
+/// What is not less as a float: a bound stays a bound.
+float boundedAbove(double value);
+
+} // namespace vp::classify
