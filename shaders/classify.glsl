@@ -81,7 +81,7 @@ void fetchPoint(uint v, uint id)
 		const uint low_mask = (1u << kFixedLowBits) - 1u;
 		const uvec3 low = (uvec3(stored.w) >> uvec3(0u, kFixedLowBits, 2u * kFixedLowBits)) & low_mask;
 		const dvec3 fixed_point = dvec3(ivec3(stored.xyz)) * double(1u << kFixedLowBits) + dvec3(ivec3(low));
-		precise dvec3 point = VP_DOUBLE3(lane.centre) + fixed_point * dvec3(fromArray(lane.unit));
+		precise dvec3 point = VP_DOUBLE3(lane.center) + fixed_point * dvec3(fromArray(lane.unit));
 		from_origin = point - VP_DOUBLE3(lane.origin);
 		exact = (stored.w & lane.inexact_mask) == 0u;
 	}
@@ -93,7 +93,7 @@ void fetchPoint(uint v, uint id)
 	else
 	{
 		const vec3 coarse_unit = fromArray(lane.unit) * float(1u << kFixedLowBits);
-		from_origin = vec3(ivec3(stored.xyz)) * coarse_unit + fromArray(lane.single_centre);
+		from_origin = vec3(ivec3(stored.xyz)) * coarse_unit + fromArray(lane.single_center);
 	}
 	const vec3 normal = fromArray(lane.single_normal);
 #endif

@@ -1,4 +1,4 @@
-// Values as colours, of sheets' layers and of surfaces. Selections instead of branches where no fetch is spared: neighbouring pixels go different ways at
+// Values as colors, of sheets' layers and of surfaces. Selections instead of branches where no fetch is spared: neighboring pixels go different ways at
 // every edge.
 
 const float kNoScaled = -3.0e38; // log of what has none
@@ -71,16 +71,16 @@ float contourLine(float y, uint layer, ivec2 pixel)
 		   clamp(apart / kFullStrengthFrom, 0.1, 1.0);
 }
 
-// Dark on light, light on dark: on colours darker than this.
+// Dark on light, light on dark: on colors darker than this.
 const float kDarkForContours = 0.33;
-const float kDarkForMesh = 0.2; // a mesh runs through many colours, and is to change seldom
+const float kDarkForMesh = 0.2; // a mesh runs through many colors, and is to change seldom
 
 float inkOn(vec3 color, float dark)
 {
 	return dot(color, vec3(0.2126, 0.7152, 0.0722)) < dark ? 0.92 : 0.07;
 }
 
-// Lines over a colour: not multiplied by alpha, as what they lie over.
+// Lines over a color: not multiplied by alpha, as what they lie over.
 vec4 inked(vec4 color, float ink, float coverage, float opacity)
 {
 	// On a faint sheet lines are not as faint.
@@ -93,7 +93,7 @@ vec4 inked(vec4 color, float ink, float coverage, float opacity)
 const float kContourInk = 0.75;
 const float kMeshInk = 0.5;
 
-// The lines that run over a colour. texel: value, and how much of a mesh line is here.
+// The lines that run over a color. texel: value, and how much of a mesh line is here.
 vec4 withLines(vec4 color, vec2 texel, uint layer, ivec2 pixel)
 {
 	const vec3 ground = color.rgb;

@@ -11,7 +11,7 @@ layout(binding = 0, scalar) uniform Params
 };
 layout(binding = 1) uniform sampler2DArray layers;
 layout(binding = 2) uniform sampler2D lines;
-layout(binding = 3) uniform usamplerBuffer tables; // of the values where colours change, and of levels
+layout(binding = 3) uniform usamplerBuffer tables; // of the values where colors change, and of levels
 layout(binding = 4) uniform samplerBuffer colors;  // of layers
 #ifdef SURFACES
 layout(binding = 5, r32ui) uniform readonly uimage2D heads; // of the lists of surface fragments

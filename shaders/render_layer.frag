@@ -6,7 +6,7 @@
 #include "render_record.glsl"
 #include "render_mesh_lines.glsl"
 
-// The window is tested here and not by clip distances: what is inside keeps its pixels to the last bit, and neighbouring polygons
+// The window is tested here and not by clip distances: what is inside keeps its pixels to the last bit, and neighboring polygons
 // cut by the rim leave no crack.
 layout(push_constant, scalar) uniform Push
 {

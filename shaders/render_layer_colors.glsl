@@ -1,7 +1,7 @@
-// What colouring a layer asks of the pixels around, which have values of the same layer.
+// What coloring a layer asks of the pixels around, which have values of the same layer.
 
-// y of a neighbour, or `here` where it has none.
-float neighbour(ivec2 pixel, ivec2 offset, uint layer, float here)
+// y of a neighbor, or `here` where it has none.
+float neighbor(ivec2 pixel, ivec2 offset, uint layer, float here)
 {
 	const ivec2 at = pixel + offset;
 	if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, textureSize(layers, 0).xy)))
@@ -13,28 +13,28 @@ float neighbour(ivec2 pixel, ivec2 offset, uint layer, float here)
 	return y > kNoScaled ? y : here;
 }
 
-// Of values that are constant in each polygon lines go between polygons: wherever a neighbour lies beyond a level.
+// Of values that are constant in each polygon lines go between polygons: wherever a neighbor lies beyond a level.
 float lineBetween(float y, uint above, uint layer, ivec2 pixel)
 {
 	const int reach = max(1, int(params.contour_half_width + 0.5));
 	for (int i = 0; i < 4; ++i)
 	{
 		const ivec2 offset = reach * (1 - (i & 2)) * ((i & 1) == 0 ? ivec2(1, 0) : ivec2(0, 1));
-		const float there = neighbour(pixel, offset, layer, y);
+		const float there = neighbor(pixel, offset, layer, y);
 		if (countUpTo(there, params.sheets[layer].levels, params.sheets[layer].level_count) != above)
 			return 1.0;
 	}
 	return 0.0;
 }
 
-// Of two neighbours the one that leads to the level counts: the other may lie behind a kink or a jump.
+// Of two neighbors the one that leads to the level counts: the other may lie behind a kink or a jump.
 float steepness(float y, float side, uint layer, ivec2 pixel)
 {
 	vec2 rise = vec2(0.0);
 	for (int i = 0; i < 4; ++i)
 	{
 		const ivec2 offset = (1 - (i & 2)) * ((i & 1) == 0 ? ivec2(1, 0) : ivec2(0, 1));
-		rise[i & 1] = max(rise[i & 1], side * (neighbour(pixel, offset, layer, y) - y));
+		rise[i & 1] = max(rise[i & 1], side * (neighbor(pixel, offset, layer, y) - y));
 	}
 	return length(rise);
 }
@@ -44,7 +44,7 @@ float opacityOf(uint layer)
 	return params.sheets[layer].opacity;
 }
 
-// The place of a value's colour in the table of layers' colours (engine/render/layer_colors.h).
+// The place of a value's color in the table of layers' colors (engine/render/layer_colors.h).
 uint colorPlace(float value, uint layer)
 {
 	const float y = scaled(value, layer);

@@ -1,6 +1,6 @@
 #version 460
 
-// Depth only: all lines have one colour.
+// Depth only: all lines have one color.
 void main()
 {
 }

@@ -1,14 +1,14 @@
 // Lines along polygons' edges, as they are from the pixel at the origin, in pixels.
 
 // Where polygons are this many pixels wide and more, lines between them have full strength. Narrower ones would be all line: there
-// it falls, down to kLeastStrength where they are no wider than a pixel.
+// it falls, down to kMinStrength where they are no wider than a pixel.
 const float kFullStrengthFromWidth = 6.0;
-const float kLeastStrength = 0.1;
+const float kMinStrength = 0.1;
 
 // How much of a line covers the pixel whose nearest edge is so far away, of a polygon so wide: 4 area / perimeter.
 float lineCoverage(float nearest, float width, float half_width)
 {
-	const float strength = clamp((width - 1.0) / (kFullStrengthFromWidth - 1.0), kLeastStrength, 1.0);
+	const float strength = clamp((width - 1.0) / (kFullStrengthFromWidth - 1.0), kMinStrength, 1.0);
 	return strength * clamp(half_width + 0.5 - nearest, 0.0, 1.0);
 }
 

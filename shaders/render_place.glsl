@@ -1,4 +1,4 @@
-// A corner's place in subpixels from the first pixel's centre, as whole numbers. at: x and y times w, and w. The compute rasterizer
+// A corner's place in subpixels from the first pixel's center, as whole numbers. at: x and y times w, and w. The compute rasterizer
 // and the hardware's share corners, which both must put at the same place: so both round here, in the same steps.
 vec2 snapped(vec3 at)
 {

@@ -9,7 +9,7 @@
 
 // Small polygons into a layer of values, one thread a polygon. Corners are snapped to 1/kSubpixels of a pixel and edges taken in
 // whole numbers, so what lies on an edge belongs to one side of it, as the hardware's rule has it (left and upper edges). A pixel is
-// inside where a ray to the right crosses the outline an odd number of times: so neighbours, who snap a shared corner alike, leave no
+// inside where a ray to the right crosses the outline an odd number of times: so neighbors, who snap a shared corner alike, leave no
 // hole even where snapping bends a polygon inwards. What is too large or reaches the near plane is listed for the hardware.
 layout(local_size_x = kRasterGroupSize) in;
 layout(binding = 1, r32f) uniform writeonly image2D layer;
@@ -36,7 +36,7 @@ uint vertices;
 vec2 uv[kCorners];
 float values[kCorners];
 float inverse_w[kCorners];
-vec2 places[kCorners];   // subpixels, from the first pixel's centre
+vec2 places[kCorners];   // subpixels, from the first pixel's center
 ivec2 corners[kCorners]; // the same from the first corner: less than 2^15, so products stay below 2^31
 int wedges[kCorners];    // cross products of a corner and the next
 int turn;                // 1 or -1: the way the polygon runs round

@@ -1,11 +1,11 @@
 // A pixel's list of surface fragments, blended nearest first. They are taken from the list in batches, each the nearest of those
 // behind the batch before: so a list of any length comes in its order. Elements of equal depth go by their surface's number, and
-// then by colour: the order in which the device made them plays no part.
+// then by color: the order in which the device made them plays no part.
 
 const uint kBatch = 4u;
 const float kOpaque = 1.0 - 1.0 / 4096.0; // nothing behind can be seen
 
-// Of a fragment: its place, and its depth's bits, which are in order as positive floats are; colour; order. Where there is none
+// Of a fragment: its place, and its depth's bits, which are in order as positive floats are; color; order. Where there is none
 // its depth is 0.
 uvec4 batch[kBatch];
 uint batch_left;

@@ -12,7 +12,7 @@
 namespace
 {
 // Larger than any file's number, small enough for an integer.
-constexpr double kMostFileNumber = 1e15;
+constexpr double kMaxFileNumber = 1e15;
 } // namespace
 
 EnSightCase readEnSightCase(const std::string& file)
@@ -71,7 +71,7 @@ std::string fileAt(const EnSightCase& about, std::string name, const std::string
 		++step;
 	const double number =
 	    step < times.numbers.size() ? times.numbers[step] : times.start + static_cast<double>(step) * times.increment;
-	if (!(std::abs(number) < kMostFileNumber))
+	if (!(std::abs(number) < kMaxFileNumber))
 		throw NotUnderstood();
 	const auto width = std::min(name.find_first_not_of('*', star), name.size()) - star;
 	return name.replace(star, width, fmt::format("{:0{}}", static_cast<long>(number), width));

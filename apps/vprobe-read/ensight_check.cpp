@@ -17,7 +17,7 @@ namespace
 {
 
 // Along one axis of a block; EnSight counts with 32 bits.
-constexpr std::int64_t kMostAxisPoints = std::int64_t(1) << 31;
+constexpr std::int64_t kMaxAxisPoints = std::int64_t(1) << 31;
 
 struct Part
 {
@@ -59,7 +59,7 @@ void walkBlock(EnSightCursor& file, const std::string& options, Part& part)
 			product = file.product(product, std::max<std::int64_t>(each - less, 1));
 		return product;
 	};
-	if (std::ranges::any_of(n, [](std::int64_t each) { return each < 1 || each > kMostAxisPoints; }))
+	if (std::ranges::any_of(n, [](std::int64_t each) { return each < 1 || each > kMaxAxisPoints; }))
 		file.endsEarly();
 	part.points = product(0);
 	part.cells = product(1);

@@ -1,6 +1,6 @@
 #include "manifest_writer.h"
 
-#include "linearise.h"
+#include "linearize.h"
 #include "patch_polygons.h"
 #include "refusal.h"
 #include "structured_blocks.h"
@@ -138,7 +138,7 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* data)
 	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
 	{
 		const vtkIdType file_points = grid->GetNumberOfPoints();
-		linear = linearise(grid, refine_);
+		linear = linearize(grid, refine_);
 		if (linear)
 			point_data = grid = linear->grid;
 		json cells = writeCells(cell_writer_, grid, counts_);

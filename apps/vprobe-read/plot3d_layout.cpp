@@ -15,7 +15,7 @@ namespace
 
 // More blocks, or more points along an axis, than any real grid has; bounds what a foreign file can make us do.
 constexpr std::uint64_t kMaxBlocks = 100000;
-constexpr std::uint64_t kMaxAxisPoints = 1u << 24;
+constexpr std::uint64_t kMaxPlot3dAxisPoints = 1u << 24;
 // Some systems write files in whole sectors.
 constexpr std::uint64_t kSector = 512;
 
@@ -74,7 +74,7 @@ bool readHeader(const std::string& file, Plot3dLayout& layout)
 		for (int axis = 0; axis < axes; ++axis)
 		{
 			block[axis] = header.next().value_or(0);
-			if (block[axis] < 1 || block[axis] > kMaxAxisPoints)
+			if (block[axis] < 1 || block[axis] > kMaxPlot3dAxisPoints)
 				return false;
 		}
 		if (pointsOf(block) > (std::uint64_t(1) << 40))

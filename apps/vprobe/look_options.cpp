@@ -89,13 +89,13 @@ void addColorOptions(CLI::App& command, LookOptions& options, const char* group)
 	    ->group(group);
 	command.add_flag("--log", options.logarithmic, "Colours follow the values' logarithm")->group(group);
 	command.add_option("--lines", options.lines, "About N contour lines, at round values")
-	    ->check(CLI::Range(0, render::kMostLevels))
+	    ->check(CLI::Range(0, render::kMaxLevels))
 	    ->type_name("N")
 	    ->group(group);
 	command.add_flag("--no-legend", options.no_legend, "Leaves the legend out")->group(group);
 	command.add_flag("--no-labels", options.no_labels, "Contour lines without their values")->group(group);
 	command.add_option("--bands", options.bands, "Bands of one colour, parted at about N round values")
-	    ->check(CLI::Range(0, render::kMostLevels))
+	    ->check(CLI::Range(0, render::kMaxLevels))
 	    ->type_name("N")
 	    ->group(group);
 	command.add_flag("--mesh", options.mesh, "Draws the edges of the cut's polygons")->group(group);

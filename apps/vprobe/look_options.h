@@ -67,9 +67,9 @@ struct LookChoice
 	std::vector<ContextChoice> context;
 	ContourOptions contour;
 	double opacity = 1.0;        // of every sheet
-	bool range_of_slice = false; // without a range: the colours' ends are those of what the sheets show
+	bool range_of_slice = false; // without a range: the colors' ends are those of what the sheets show
 	bool symmetric = false;      // and lie alike about 0
-	bool by_generation = false;  // colours tell when the traversal met a cell, instead of the array
+	bool by_generation = false;  // colors tell when the traversal met a cell, instead of the array
 	std::string units;           // of the array, told behind its name
 	bool captions = true;        // where the first sheet is
 	bool window_rims = true;     // lines around windows

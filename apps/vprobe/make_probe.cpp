@@ -160,11 +160,11 @@ Result<probe::Probe> makePlanes(const ProbeOptions& options, const Box& bounds, 
 
 Result<probe::Probe> makeProbe(const ProbeOptions& options, const Box& bounds)
 {
-	Result<std::optional<surface::Form>> form = formOf(options);
+	Result<std::optional<surface::ImplicitSurface>> form = formOf(options);
 	if (!form)
 		return form.error();
 	// An expression is in the grid's own coordinates where nothing else is said.
-	const Vec3 origin = *form && !(*form)->isAboutOrigin() ? Vec3(0.0) : bounds.centre();
+	const Vec3 origin = *form && !(*form)->isAboutOrigin() ? Vec3(0.0) : bounds.center();
 	Result<probe::Probe> probe = makePlanes(options, bounds, origin);
 	if (probe && *form)
 		for (probe::Sheet& sheet : probe->sheets)

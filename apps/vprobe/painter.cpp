@@ -17,7 +17,7 @@ namespace vp::app
 namespace
 {
 
-// Neutral: it takes no part in the colours of the values.
+// Neutral: it takes no part in the colors of the values.
 constexpr render::Color kContextColor{194, 199, 206};
 
 // The corners of its window, where it is drawn.

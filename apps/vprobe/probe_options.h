@@ -22,7 +22,7 @@ struct ProbeOptions
 	std::vector<std::string> inputs;
 	std::string probe = "single"; // or another built-in one, or a .json file; empty: own_probe
 	std::optional<probe::ProbeFile> own_probe{};
-	std::vector<double> origin;         // three numbers, or none: the centre of the bounds
+	std::vector<double> origin;         // three numbers, or none: the center of the bounds
 	std::optional<std::string> normal;  // x, y, z or three numbers
 	std::vector<double> up;             // three numbers, or none
 	std::vector<double> window;         // none, or width and height

@@ -22,7 +22,7 @@ namespace vp::app
 namespace
 {
 
-constexpr int kMostPlanes = 10'000; // a profile keeps some dozens of numbers for each generation of each
+constexpr int kMaxPlanes = 10'000; // a profile keeps some dozens of numbers for each generation of each
 
 struct ProfileOptions
 {
@@ -242,7 +242,7 @@ void addProfile(CLI::App& program, Run& run)
 	const char* group = "Profile";
 	command->add_flag("--draw", options->draw, "Measures whole frames: every plane is drawn as well")->group(group);
 	command->add_option("--planes", options->path.frames, "Number of planes")
-	    ->check(CLI::Range(1, kMostPlanes))
+	    ->check(CLI::Range(1, kMaxPlanes))
 	    ->capture_default_str()
 	    ->type_name("N")
 	    ->group(group);

@@ -17,7 +17,7 @@ namespace
 
 using nlohmann::json;
 
-constexpr std::uintmax_t kMostBytes = 64u << 20; // of a profile: some 200 bytes a generation
+constexpr std::uintmax_t kMaxBytes = 64u << 20; // of a profile: some 200 bytes a generation
 
 // Two runs of one program differ by so much on a machine that is left alone (docs/PROFILE.md): parts of the value.
 constexpr double kRunNoise = 0.05;
@@ -171,7 +171,7 @@ Result<json> readProfile(const std::string& file)
 		return Error{ExitCode::input, fmt::format("{}: {}; give a file that vprobe profile --json wrote", file, why)};
 	};
 	std::error_code failed;
-	if (const std::uintmax_t bytes = std::filesystem::file_size(file, failed); !failed && bytes > kMostBytes)
+	if (const std::uintmax_t bytes = std::filesystem::file_size(file, failed); !failed && bytes > kMaxBytes)
 		return unusable("is larger than any profile");
 	std::ifstream stream(file, std::ios::binary);
 	if (!stream || std::filesystem::is_directory(file, failed))

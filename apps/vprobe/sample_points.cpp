@@ -91,16 +91,16 @@ Result<std::vector<Vec3>> readPoints(const std::string& path)
 
 Result<std::vector<Vec3>> pointsOnLine(const std::vector<double>& numbers)
 {
-	constexpr double kMostPoints = 1e7;
+	constexpr double kMaxPoints = 1e7;
 	if (Status finite = requireFinite(numbers, "--line"); !finite)
 		return finite.error();
 	const Vec3 from(numbers[0], numbers[1], numbers[2]);
 	const Vec3 to(numbers[3], numbers[4], numbers[5]);
 	const double count = numbers[6];
-	if (!(count >= 2.0 && count <= kMostPoints) || count != std::floor(count))
+	if (!(count >= 2.0 && count <= kMaxPoints) || count != std::floor(count))
 		return Error{ExitCode::usage, fmt::format("--line: {} points cannot be; give a whole number from 2, both ends "
 		                                          "counted, to {:.0f}",
-		                                          count, kMostPoints)};
+		                                          count, kMaxPoints)};
 	if (from == to)
 		return Error{ExitCode::usage, "--line: begins where it ends; give it a length"};
 	std::vector<Vec3> points;

@@ -37,7 +37,7 @@ struct Session
 	std::optional<SurfaceChoice> surface; // in place of the probe's sheets
 	double swept = 0.0;                   // how far along its range the next cut lies, 0 to 1
 	bool crinkle = false;                 // the whole cells are wanted too
-	bool range_of_slice = false;          // pictures' colours go by the values that are shown
+	bool range_of_slice = false;          // pictures' colors go by the values that are shown
 	std::optional<find::Threshold> threshold;
 	std::optional<grid::FieldChoice> vector_array;                 // where one is asked for, or needed
 	std::optional<VectorChoice> vectors;                           // launched from the sheets

@@ -12,7 +12,7 @@ struct Spread
 {
 	double median = 0.0;
 	double p95 = 0.0; // 95 of 100 are not above it
-	// How much one measurement is off by chance: the standard deviation about the mean of its two neighbours, by the
+	// How much one measurement is off by chance: the standard deviation about the mean of its two neighbors, by the
 	// median of the distances from it, since along a sweep the work itself changes slowly (Gasser, Sroka and
 	// Jennen-Steinmetz, "Residual variance and residual pattern in nonlinear regression", 1986). 0 of fewer than three.
 	double noise = 0.0;

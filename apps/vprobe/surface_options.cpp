@@ -63,15 +63,15 @@ bool replacesSheets(const ProbeOptions& options)
 
 bool leavesDeviceIdle(const ProbeOptions& options)
 {
-	const Result<std::optional<surface::Form>> form = formOf(options);
+	const Result<std::optional<surface::ImplicitSurface>> form = formOf(options);
 	return replacesSheets(options) || (form && *form && (*form)->isoValue());
 }
 
-Result<std::optional<surface::Form>> formOf(const ProbeOptions& options)
+Result<std::optional<surface::ImplicitSurface>> formOf(const ProbeOptions& options)
 {
 	if (!options.surface || replacesSheets(options))
-		return std::optional<surface::Form>();
-	Result<surface::Form> form = surface::Form::parse(*options.surface);
+		return std::optional<surface::ImplicitSurface>();
+	Result<surface::ImplicitSurface> form = surface::ImplicitSurface::parse(*options.surface);
 	if (!form)
 		return Error{form.error().code, fmt::format("--surface {}: {}", *options.surface, form.error().message)};
 	return std::optional(*form);

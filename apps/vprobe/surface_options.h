@@ -5,8 +5,8 @@
 #include "grid/field_choice.h"
 #include "path_options.h"
 #include "probe_options.h"
-#include "surface/form.h"
 #include "surface/grid_index.h"
+#include "surface/implicit_surface.h"
 
 #include <optional>
 #include <span>
@@ -24,7 +24,7 @@ using SurfaceChoice = std::variant<surface::GridIndexRange, find::PatchName>;
 Result<std::optional<SurfaceChoice>> surfaceOf(const ProbeOptions& options);
 
 // What --surface or --iso says that the probe's sheets are to cut by in place of their planes; none where neither does.
-Result<std::optional<surface::Form>> formOf(const ProbeOptions& options);
+Result<std::optional<surface::ImplicitSurface>> formOf(const ProbeOptions& options);
 
 // Tells whether the blocks have what the forms of the sheets look at. fields: per sheet.
 Status checkForms(const std::vector<probe::Sheet>& sheets, std::span<const std::optional<grid::FieldChoice>> fields);
@@ -44,7 +44,7 @@ Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice, c
 // done: how far along its range, 0 to 1.
 find::ListedSurface surfaceAt(const SurfaceChoice& choice, double done);
 
-// Colours by generation are of traversals, and a surface is found without: a usage error.
+// Colors by generation are of traversals, and a surface is found without: a usage error.
 Status refuseGenerations(const ProbeOptions& options, bool by_generation);
 
 // Of commands that show one surface: a usage error where a range is given.

@@ -20,9 +20,9 @@ constexpr double kLineWidth = 0.06;
 constexpr double kRibbonWidth = 0.4;
 constexpr double kTubeWidth = 0.2;
 // Of the scene's diagonal: in a dense lattice a line is still about a pixel wide.
-constexpr double kLeastLine = 0.0007;
+constexpr double kMinLine = 0.0007;
 // Of the width: nearer points of a path are not seen apart.
-constexpr double kLeastPiece = 0.25;
+constexpr double kMinPiece = 0.25;
 
 double widthOf(const VectorChoice& choice, const Box& bounds)
 {
@@ -35,11 +35,11 @@ double widthOf(const VectorChoice& choice, const Box& bounds)
 	case TraceKind::tubes:
 		return kTubeWidth * choice.spacing;
 	default:
-		return std::max(kLineWidth * choice.spacing, kLeastLine * glm::length(bounds.hi - bounds.lo));
+		return std::max(kLineWidth * choice.spacing, kMinLine * glm::length(bounds.hi - bounds.lo));
 	}
 }
 
-// Arrows in the colours of the sheet that they stand on would be lost.
+// Arrows in the colors of the sheet that they stand on would be lost.
 render::ColorMap besides(const render::ColorMap& of_sheets)
 {
 	return *render::makeColorMap(of_sheets.name.starts_with("turbo") ? "grey" : "turbo");
@@ -69,7 +69,7 @@ std::vector<Vec3> velocitiesOf(const vectors::Traces& traces, vectors::VectorPar
 
 } // namespace
 
-// An array's name goes before a colour's.
+// An array's name goes before a color's.
 Result<VectorDrawing::Coloring> VectorDrawing::coloringOf(const VectorLook& look) const
 {
 	if (look.color.empty())
@@ -97,7 +97,7 @@ void VectorDrawing::addTraces(const vectors::Traces& traces, const Vec3& normal,
 {
 	const VectorChoice& choice = *session_->vectors;
 	const vectors::Curves curves =
-	    vectors::curvesOf(traces, velocitiesOf(traces, choice.part, normal), kLeastPiece * width);
+	    vectors::curvesOf(traces, velocitiesOf(traces, choice.part, normal), kMinPiece * width);
 	const std::vector<double> values = vectors::alongCurves(curves, valuesOf(coloring, traces));
 	switch (choice.kind)
 	{

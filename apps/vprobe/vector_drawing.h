@@ -28,7 +28,7 @@ public:
 private:
 	using SharedTraces = std::vector<std::shared_ptr<const vectors::Traces>>;
 
-	// What colours it: an array, or one colour.
+	// What colors it: an array, or one color.
 	struct Coloring
 	{
 		std::optional<grid::FieldChoice> field;

@@ -16,7 +16,7 @@ namespace
 const char* const kGroup = "Vectors";
 
 // More would be more than a screen has pixels.
-constexpr int kMostLattice = 1000;
+constexpr int kMaxLattice = 1000;
 
 void addDrawnOptions(CLI::App& command, VectorLookOptions& look)
 {
@@ -64,7 +64,7 @@ void addVectorOptions(CLI::App& command, VectorOptions& options, VectorLookOptio
 	command
 	    .add_option("--vector-lattice", options.lattice,
 	                "Points along the longer side of a window, or of the cut where there is none")
-	    ->check(CLI::Range(1, kMostLattice))
+	    ->check(CLI::Range(1, kMaxLattice))
 	    ->type_name("N")
 	    ->capture_default_str()
 	    ->group(kGroup);
@@ -107,14 +107,14 @@ void addVectorOptions(CLI::App& command, VectorOptions& options, VectorLookOptio
 
 Status checkVectorOptions(const VectorOptions& options)
 {
-	constexpr double kMostSteps = 1e6;
+	constexpr double kMaxSteps = 1e6;
 	// Not a number passes every comparison with the ends of a range.
 	if (!(options.jitter >= 0.0 && options.jitter <= 1.0))
 		return Error{ExitCode::usage, fmt::format("--vector-jitter {}: give a number from 0 to 1", options.jitter)};
-	if (options.steps && !(*options.steps >= 0.0 && *options.steps <= kMostSteps))
+	if (options.steps && !(*options.steps >= 0.0 && *options.steps <= kMaxSteps))
 		return Error{ExitCode::usage, fmt::format("--vector-steps {}: give a number from 0 to {}; --vector-direction "
 		                                          "backward goes against the flow",
-		                                          *options.steps, kMostSteps)};
+		                                          *options.steps, kMaxSteps)};
 	if (options.dt && !(*options.dt > 0.0 && std::isfinite(*options.dt)))
 		return Error{
 		    ExitCode::usage,

@@ -36,7 +36,7 @@ struct VectorOptions
 // And how it is to look.
 struct VectorLookOptions
 {
-	std::string color;           // an array, or a colour; empty: the vector's length
+	std::string color;           // an array, or a color; empty: the vector's length
 	std::string colormap;        // empty: that of the sheets for their array, else another
 	std::optional<double> width; // in the grid's units; else from the lattice's spacing
 	double opacity = 1.0;

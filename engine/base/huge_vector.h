@@ -13,7 +13,7 @@ namespace vp
 {
 
 // Memory in huge pages where the system has them to give: what is read here and there in an array of gigabytes then
-// finds its page without a walk through the page tables. What resize() adds is uninitialised, as in a RawVector.
+// finds its page without a walk through the page tables. What resize() adds is uninitialized, as in a RawVector.
 template <class T>
 struct HugeAllocator
 {

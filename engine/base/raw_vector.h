@@ -8,7 +8,7 @@
 namespace vp
 {
 
-// Leaves what resize() adds uninitialised, for what is filled by several threads at once.
+// Leaves what resize() adds uninitialized, for what is filled by several threads at once.
 template <class T>
 struct RawAllocator : std::allocator<T>
 {

@@ -29,7 +29,7 @@ struct Box
 		hi = glm::max(hi, b.hi);
 	}
 	bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
-	Vec3 centre() const { return 0.5 * (lo + hi); }
+	Vec3 center() const { return 0.5 * (lo + hi); }
 	Vec3 size() const { return hi - lo; }
 	double diagonal() const { return empty() ? 0.0 : glm::length(size()); }
 };

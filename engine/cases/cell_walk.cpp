@@ -13,7 +13,7 @@ namespace
 constexpr std::uint32_t kNoEnd = 0xFFFFFFFFu;
 
 // Beyond this many ends on one edge the cell is nonsense, and any pairing will do that takes no time.
-constexpr std::size_t kMostCompared = 64;
+constexpr std::size_t kMaxCompared = 64;
 
 std::uint32_t keyOf(CutEdge edge)
 {
@@ -30,7 +30,7 @@ void pairEnds(std::span<const SegmentEnd> ends, std::span<const Segment> segment
 		partner[a.id] = b.id;
 		partner[b.id] = a.id;
 	};
-	if (ends.size() == 2 || ends.size() > kMostCompared)
+	if (ends.size() == 2 || ends.size() > kMaxCompared)
 	{
 		for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
 			join(ends[i], ends[i + 1]);
@@ -114,7 +114,7 @@ bool findCrossings(const WalkFaces& faces, int f, std::span<const std::uint8_t> 
 	return true;
 }
 
-void addSegments(std::span<const Crossing> crossings, std::uint32_t face, bool centre_positive,
+void addSegments(std::span<const Crossing> crossings, std::uint32_t face, bool center_positive,
                  std::vector<Segment>& segments)
 {
 	// Around the face, leaving and coming back take turns. The crossing before a leaving one began the same positive
@@ -124,7 +124,7 @@ void addSegments(std::span<const Crossing> crossings, std::uint32_t face, bool c
 	{
 		if (!crossings[i].leaves)
 			continue;
-		const Crossing& back = crossings[centre_positive ? (i + 1) % count : (i + count - 1) % count];
+		const Crossing& back = crossings[center_positive ? (i + 1) % count : (i + count - 1) % count];
 		// A face that runs along an edge and back again leaves nothing between.
 		if (crossings[i].edge != back.edge)
 			segments.push_back({crossings[i].edge, back.edge, face});

@@ -41,12 +41,12 @@ struct CellCut
 };
 
 // Walks the faces of a cell from cut edge to cut edge until each polygon closes (the paper's construction of the
-// table). positive[p] is S at point p. On a face with more than two cut edges, centre_positive(f) decides, alike for
+// table). positive[p] is S at point p. On a face with more than two cut edges, center_positive(f) decides, alike for
 // both cells that share the face, whether its positive corners are joined through the face (true) or cut off one by one
 // (false). Where every face lists its points counter-clockwise from outside, a polygon runs counter-clockwise seen from
 // its positive side.
-template <class CentrePositive>
-void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, CentrePositive&& centre_positive,
+template <class CenterPositive>
+void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, CenterPositive&& center_positive,
               CellCut& cut);
 
 } // namespace vp::cases

@@ -49,7 +49,7 @@ bool findCrossings(const WalkFaces& faces, int f, std::span<const std::uint8_t> 
                    std::vector<Crossing>& crossings);
 
 // Joins the crossings around one face: with its positive corners cut off one by one, or its negative ones.
-void addSegments(std::span<const Crossing> crossings, std::uint32_t face, bool centre_positive,
+void addSegments(std::span<const Crossing> crossings, std::uint32_t face, bool center_positive,
                  std::vector<Segment>& segments);
 
 // Joins the segments at their cut edges into polygons.
@@ -57,8 +57,8 @@ void tracePolygons(WalkScratch& scratch, CellCut& cut);
 
 } // namespace detail
 
-template <class CentrePositive>
-void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, CentrePositive&& centre_positive,
+template <class CenterPositive>
+void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, CenterPositive&& center_positive,
               CellCut& cut)
 {
 	cut.edges.clear();
@@ -79,7 +79,7 @@ void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, Ce
 			continue;
 		const bool ambiguous = cuts >= 4;
 		cut.ambiguous = cut.ambiguous || ambiguous;
-		detail::addSegments(scratch.crossings, static_cast<std::uint32_t>(f), ambiguous && centre_positive(f),
+		detail::addSegments(scratch.crossings, static_cast<std::uint32_t>(f), ambiguous && center_positive(f),
 		                    scratch.segments);
 	}
 	detail::tracePolygons(scratch, cut);

@@ -31,7 +31,7 @@ private:
 	{
 		if constexpr (surface::kIsCurved<Surface>)
 		{
-			constexpr std::size_t kCells = Surface::kMostPoints / grid::kMaxShapePoints;
+			constexpr std::size_t kCells = Surface::kMaxPoints / grid::kMaxShapePoints;
 			for (std::size_t begin = 0; begin < front.cells.size(); begin += kCells)
 			{
 				const std::size_t count = std::min(kCells, front.cells.size() - begin);
@@ -54,8 +54,8 @@ private:
 	static void classifyTogether(const G& grid, const Surface& surface, std::span<const CellId> cells,
 	                             std::span<std::uint32_t> codes)
 	{
-		std::array<PointId, Surface::kMostPoints> points;
-		std::array<double, Surface::kMostPoints> heights;
+		std::array<PointId, Surface::kMaxPoints> points;
+		std::array<double, Surface::kMaxPoints> heights;
 		std::size_t count = 0;
 		for (const CellId cell : cells)
 			if (grid.shape(cell) != grid::CellShape::polyhedron)

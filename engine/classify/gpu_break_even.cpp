@@ -107,7 +107,7 @@ Result<BreakEven> measureBreakEven(gpu::Device& device, const grid::BlockSet& bl
 	if (part.cellCount() == 0) // polyhedra alone, which are the CPU's anyway
 		return BreakEven{};
 	// Askew to all axes, as most planes are.
-	const probe::Sheet sheet = probe::makeSheet(part.blocks[0].bounds.centre(), {0.3, 0.5, 0.81});
+	const probe::Sheet sheet = probe::makeSheet(part.blocks[0].bounds.center(), {0.3, 0.5, 0.81});
 	return measureOn(device, part, sheet);
 }
 

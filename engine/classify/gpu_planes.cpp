@@ -32,7 +32,7 @@ void setSingle(float* single, const Vec3& v)
 }
 
 // A bound of |d_here - d_cpu| at a point whose distance d is not exactly the CPU's, d = sum n_i (p_i - o_i). With c the
-// centre and h the half size of the points, r_i = |c_i - o_i| + h_i bounds |p_i - o_i|, and e the rounding of one
+// center and h the half size of the points, r_i = |c_i - o_i| + h_i bounds |p_i - o_i|, and e the rounding of one
 // operation:
 //
 // Doubles, e = 2^-53, fixed-point numbers of unit u: the number is off by at most u_i / 2, unpacking adds e |p_i|, and
@@ -47,10 +47,10 @@ double distanceError(const GpuBlock& block, const Vec3& normal, const Vec3& orig
 	double bound = 0.0;
 	for (int axis = 0; axis < 3; ++axis)
 	{
-		const double centre = std::abs(block.centre[axis]);
+		const double center = std::abs(block.center[axis]);
 		const double half = 0.5 * block.bounds.size()[axis] + block.unit[axis];
-		const double reach = std::abs(block.centre[axis] - origin[axis]) + half;
-		const double error = doubles ? 0.5 * block.unit[axis] + 0x1p-52 * (centre + half) + 0x1p-49 * reach
+		const double reach = std::abs(block.center[axis] - origin[axis]) + half;
+		const double error = doubles ? 0.5 * block.unit[axis] + 0x1p-52 * (center + half) + 0x1p-49 * reach
 		                             : 0x1p-20 * reach + 0x1p-46 * std::abs(origin[axis]);
 		bound += std::abs(normal[axis]) * error;
 	}
@@ -59,8 +59,8 @@ double distanceError(const GpuBlock& block, const Vec3& normal, const Vec3& orig
 
 // With distances off by at most E each, a vertex moves along its edge by at most 2 E / |d0 - d1| of the edge: 1e-3 with
 // doubles. Floats cannot keep that on fine grids; there the bound, which is ten times what occurs, keeps 1/32.
-constexpr double kLeastDifferenceDoubles = 2000.0;
-constexpr double kLeastDifferenceSingles = 64.0;
+constexpr double kMinDifferenceDoubles = 2000.0;
+constexpr double kMinDifferenceSingles = 64.0;
 
 template <class Lattice>
 double fillPlaneAxes(const Lattice& grid, const surface::Plane& plane, const probe::Sheet& sheet, bool doubles,
@@ -101,10 +101,10 @@ shared::ClassifyLane describePlane(const grid::Block& block, const GpuBlock& on_
 	shared::ClassifyLane lane{};
 	setHalves(lane.normal, normal);
 	setHalves(lane.origin, origin);
-	setHalves(lane.centre, on_device.centre);
+	setHalves(lane.center, on_device.center);
 	setSingle(lane.unit, on_device.unit);
 	setSingle(lane.single_normal, normal);
-	setSingle(lane.single_centre, on_device.centre - origin);
+	setSingle(lane.single_center, on_device.center - origin);
 	setSingle(lane.single_origin_hi, origin);
 	setSingle(lane.single_origin_lo, origin - Vec3(Vec3f(origin)));
 	setSingle(lane.x_axis, sheet.xAxis());
@@ -121,7 +121,7 @@ shared::ClassifyLane describePlane(const grid::Block& block, const GpuBlock& on_
 	    block.grid);
 
 	lane.error = boundedAbove(error);
-	lane.least_difference = boundedAbove(error * (doubles ? kLeastDifferenceDoubles : kLeastDifferenceSingles));
+	lane.least_difference = boundedAbove(error * (doubles ? kMinDifferenceDoubles : kMinDifferenceSingles));
 	for (int axis = 0; axis < 3; ++axis)
 		if (normal[axis] != 0.0)
 			lane.inexact_mask |= 1u << (shared::kFixedInexactShift + axis);

@@ -20,7 +20,7 @@ public:
 
 	explicit FixedPoints(const Box& bounds)
 	{
-		centre_ = bounds.centre();
+		center_ = bounds.center();
 		for (int axis = 0; axis < 3; ++axis)
 		{
 			const double half = 0.5 * bounds.size()[axis];
@@ -29,12 +29,12 @@ public:
 			// The shader holds the unit in a float.
 			unit_[axis] = std::ldexp(1.0, std::max(exponent - (kBits - 2), -126));
 			// On a multiple of the unit, so that round coordinates stay exact; past 2^52 units every double is one.
-			if (std::abs(centre_[axis] / unit_[axis]) < 0x1p52)
-				centre_[axis] = std::round(centre_[axis] / unit_[axis]) * unit_[axis];
+			if (std::abs(center_[axis] / unit_[axis]) < 0x1p52)
+				center_[axis] = std::round(center_[axis] / unit_[axis]) * unit_[axis];
 		}
 	}
 
-	const Vec3& centre() const { return centre_; }
+	const Vec3& center() const { return center_; }
 	const Vec3& unit() const { return unit_; }
 
 	std::array<std::uint32_t, 4> pack(const Vec3& point) const
@@ -42,12 +42,12 @@ public:
 		std::array<std::uint32_t, 4> packed{};
 		for (int axis = 0; axis < 3; ++axis)
 		{
-			const std::int64_t number = std::llround((point[axis] - centre_[axis]) / unit_[axis]);
+			const std::int64_t number = std::llround((point[axis] - center_[axis]) / unit_[axis]);
 			packed[axis] = static_cast<std::uint32_t>(number >> shared::kFixedLowBits);
 			const auto low = static_cast<std::uint32_t>(number & ((1 << shared::kFixedLowBits) - 1));
 			packed[3] |= low << (shared::kFixedLowBits * axis);
 			// The shader's own expression.
-			const double unpacked = centre_[axis] + static_cast<double>(number) * unit_[axis];
+			const double unpacked = center_[axis] + static_cast<double>(number) * unit_[axis];
 			if (unpacked != point[axis])
 				packed[3] |= 1u << (shared::kFixedInexactShift + axis);
 		}
@@ -55,7 +55,7 @@ public:
 	}
 
 private:
-	Vec3 centre_;
+	Vec3 center_;
 	Vec3 unit_;
 };
 

@@ -116,7 +116,7 @@ Status SheetRecords::appendHostRecords(const mesh::MeshRecords& records)
 namespace
 {
 
-// More than rounding makes neighbours do.
+// More than rounding makes neighbors do.
 bool overlap(const Box& a, const Box& b)
 {
 	constexpr double kRounding = 1e-9;
@@ -138,8 +138,8 @@ bool mayFold(const grid::BlockSet& blocks)
 
 bool mayOverlap(const grid::BlockSet& blocks)
 {
-	constexpr std::size_t kMostLookedAt = 64;
-	if (blocks.blocks.size() > kMostLookedAt || mayFold(blocks))
+	constexpr std::size_t kMaxLookedAt = 64;
+	if (blocks.blocks.size() > kMaxLookedAt || mayFold(blocks))
 		return true;
 	for (const grid::Block& block : blocks.blocks)
 		for (const grid::Block* other = blocks.blocks.data(); other != &block; ++other)
@@ -182,11 +182,11 @@ Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool
 Result<std::shared_ptr<SheetRecords>> recordsFromMesh(std::shared_ptr<RecordPool> pool,
                                                       const mesh::MeshRecords& records)
 {
-	constexpr std::size_t kMostParts = 256; // each is drawn for itself
+	constexpr std::size_t kMaxParts = 256; // each is drawn for itself
 	auto sheet = sheetOf(std::move(pool), records, records.bounds());
 	if (!sheet)
 		return sheet;
-	(*sheet)->overlapping = records.parts().size() > kMostParts;
+	(*sheet)->overlapping = records.parts().size() > kMaxParts;
 	if (!(*sheet)->overlapping)
 		(*sheet)->parts = records.parts();
 	return sheet;

@@ -23,18 +23,18 @@ double sumOfSizes(const Vec3& v)
 	return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-// The quadric's polynomial about `centre`, with errors: of the coefficients' rounding to float, of the move, and, with
+// The quadric's polynomial about `center`, with errors: of the coefficients' rounding to float, of the move, and, with
 // the constant, of the CPU that evaluates the polynomial as it was given. Of the last two a sum of a dozen terms is
 // wrong by less than 2^-48 of the terms' sizes, which the reach of the points from the quadric's origin bounds.
-void describeQuadric(const surface::Quadric& quadric, const Vec3& centre, const Vec3& half, shared::SurfaceLane& lane)
+void describeQuadric(const surface::Quadric& quadric, const Vec3& center, const Vec3& half, shared::SurfaceLane& lane)
 {
-	const Vec3 slope = quadric.gradient(centre);
+	const Vec3 slope = quadric.gradient(center);
 	const Vec3& square = quadric.square();
 	const Vec3& mixed = quadric.mixed();
 	const std::array<double, shared::kQuadricCoefficients> moved{
-	    square.x, square.y, square.z, mixed.x, mixed.y, mixed.z, slope.x, slope.y, slope.z, quadric.height(centre)};
+	    square.x, square.y, square.z, mixed.x, mixed.y, mixed.z, slope.x, slope.y, slope.z, quadric.height(center)};
 
-	const double reach = sumOfSizes(centre - quadric.origin()) + sumOfSizes(half);
+	const double reach = sumOfSizes(center - quadric.origin()) + sumOfSizes(half);
 	const double slopes = sumOfSizes(quadric.linear()) + 2.0 * (sumOfSizes(square) + sumOfSizes(mixed)) * reach;
 	const double heights = std::abs(quadric.constant()) + slopes * reach;
 	for (std::size_t i = 0; i < moved.size(); ++i)
@@ -50,8 +50,8 @@ void describeQuadric(const surface::Quadric& quadric, const Vec3& centre, const 
 	}
 }
 
-// Coordinates as they are, or from the centre.
-void fillCoordinateAxes(const grid::AnyGrid& any, const Vec3& centre, std::span<AxisTexel> axes)
+// Coordinates as they are, or from the center.
+void fillCoordinateAxes(const grid::AnyGrid& any, const Vec3& center, std::span<AxisTexel> axes)
 {
 	const auto fill = [&](const auto& grid)
 	{
@@ -61,7 +61,7 @@ void fillCoordinateAxes(const grid::AnyGrid& any, const Vec3& centre, std::span<
 			for (int axis = 0; axis < 3; ++axis)
 				for (std::uint32_t i = 0; i < grid.points()[axis]; ++i)
 				{
-					const auto place = static_cast<float>(grid.coordinate(axis, i) - centre[axis]);
+					const auto place = static_cast<float>(grid.coordinate(axis, i) - center[axis]);
 					axes[next++] = {std::bit_cast<std::uint32_t>(place), 0, 0, 0};
 				}
 		}
@@ -81,23 +81,23 @@ void describeAxes(const surface::Axes& axes, shared::SurfaceLane& lane)
 	}
 }
 
-// What is stored, with the lane's shift, is the difference from `centre`.
-void describePlaces(const GpuBlock& block, const Vec3& half, const Vec3& centre, shared::SurfaceLane& lane)
+// What is stored, with the lane's shift, is the difference from `center`.
+void describePlaces(const GpuBlock& block, const Vec3& half, const Vec3& center, shared::SurfaceLane& lane)
 {
 	const bool fixed = block.points && block.points_kind == shared::kPointsFixed;
 	for (int axis = 0; axis < 3; ++axis)
 	{
-		const double from = fixed ? block.centre[axis] : 0.0;
-		const double shift = block.points ? from - centre[axis] : 0.0;
+		const double from = fixed ? block.center[axis] : 0.0;
+		const double shift = block.points ? from - center[axis] : 0.0;
 		lane.unit[axis] = static_cast<float>(block.unit[axis]);
 		lane.shift[axis] = static_cast<float>(shift);
 		double error = std::abs(shift - lane.shift[axis]);
 		// The low bits, which are left out, what the source is beside the number, the rounding of the number's
-		// conversion and product, and that of the centre's sums in double. All else is rounded in proportion to what it
+		// conversion and product, and that of the center's sums in double. All else is rounded in proportion to what it
 		// gives.
 		if (fixed)
 			error += 513.0 * block.unit[axis] + 0x1p-22 * half[axis] +
-			         0x1p-50 * (std::abs(from) + std::abs(centre[axis]) + half[axis]);
+			         0x1p-50 * (std::abs(from) + std::abs(center[axis]) + half[axis]);
 		lane.place_error[axis] = boundedAbove(error);
 	}
 }
@@ -109,21 +109,21 @@ shared::SurfaceLane describeSurface(const grid::Block& block, const GpuBlock& on
 	const bool fixed = on_device.points && on_device.points_kind == shared::kPointsFixed;
 	const Vec3 half = 0.5 * on_device.bounds.size() + on_device.unit;
 	shared::SurfaceLane lane{};
-	Vec3 centre(0.0);
+	Vec3 center(0.0);
 	if (const auto* quadric = std::get_if<surface::Quadric>(&surface))
 	{
 		// Moved to the block's middle, where floats lose least.
-		centre = fixed ? on_device.centre : Vec3(Vec3f(on_device.bounds.centre()));
-		describeQuadric(*quadric, centre, half, lane);
+		center = fixed ? on_device.center : Vec3(Vec3f(on_device.bounds.center()));
+		describeQuadric(*quadric, center, half, lane);
 	}
 	else if (const auto& placed = std::get<surface::PlacedExpression>(surface); placed.isMoved())
 	{
-		centre = placed.axes().origin;
+		center = placed.axes().origin;
 		describeAxes(placed.axes(), lane);
 	}
-	describePlaces(on_device, half, centre, lane);
+	describePlaces(on_device, half, center, lane);
 	describeCells(block.grid, axis_start, lane);
-	fillCoordinateAxes(block.grid, centre, axes);
+	fillCoordinateAxes(block.grid, center, axes);
 	return lane;
 }
 

@@ -161,7 +161,7 @@ Result<std::unique_ptr<GpuBlock>> uploadBlock(gpu::Device& device, const grid::B
 		made->bounds = pointBounds(*points);
 		made->points_kind = points->isDouble() ? shared::kPointsFixed : shared::kPointsFloat;
 		const FixedPoints fixed(made->bounds.empty() ? Box{Vec3(0.0), Vec3(0.0)} : made->bounds);
-		made->centre = fixed.centre();
+		made->center = fixed.center();
 		made->unit = fixed.unit();
 		Result<GpuTexels> texels = uploadPoints(device, *points, fixed, block.name + " points");
 		if (!texels)

@@ -27,9 +27,9 @@ struct GpuBlock
 	std::uint32_t points_kind = 0; // kPointsFloat …
 	GpuTexels points;
 	GpuTexels cells;
-	// Of the points; for fixed-point numbers the centre and unit they count from.
+	// Of the points; for fixed-point numbers the center and unit they count from.
 	Box bounds;
-	Vec3 centre{0.0};
+	Vec3 center{0.0};
 	Vec3 unit{1.0};
 };
 

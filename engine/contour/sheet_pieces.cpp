@@ -14,7 +14,7 @@ namespace
 
 constexpr double kRounding = 1e-12; // of the box's size: what only just touches the sheet does
 
-// Joins what meets across faces that have several neighbours.
+// Joins what meets across faces that have several neighbors.
 void joinAcrossLinks(const grid::UnstructuredGrid& grid, std::uint32_t block, const surface::BlockSurface& surface,
                      const ClipBox& box, const mesh::SheetMesh& mesh, mesh::UnionFind& joined)
 {
@@ -28,16 +28,16 @@ void joinAcrossLinks(const grid::UnstructuredGrid& grid, std::uint32_t block, co
 		grid.cellFaces(cell, faces);
 		for (int f = 0; f < faces.size(); ++f)
 		{
-			int neighbours = 0;
-			grid.forEachNeighbour(cell, f, [&](CellId) { ++neighbours; });
-			if (neighbours < 2 || !box.meetsFace(grid, surface, faces[f]))
+			int neighbors = 0;
+			grid.forEachNeighbor(cell, f, [&](CellId) { ++neighbors; });
+			if (neighbors < 2 || !box.meetsFace(grid, surface, faces[f]))
 				continue;
-			grid.forEachNeighbour(cell, f,
-			                      [&, vertex = vertex](CellId neighbour)
-			                      {
-				                      if (const auto other = vertex_of.find(neighbour); other != vertex_of.end())
-					                      joined.join(vertex, other->second);
-			                      });
+			grid.forEachNeighbor(cell, f,
+			                     [&, vertex = vertex](CellId neighbor)
+			                     {
+				                     if (const auto other = vertex_of.find(neighbor); other != vertex_of.end())
+					                     joined.join(vertex, other->second);
+			                     });
 		}
 	}
 }

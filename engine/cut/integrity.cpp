@@ -11,8 +11,8 @@ namespace vp::cut
 namespace
 {
 
-constexpr int kLeastPlanes = 16;
-constexpr int kMostPlanes = 128;
+constexpr int kMinPlanes = 16;
+constexpr int kMaxPlanes = 128;
 
 // Sheets that go through the grid in lock step: wide fronts for the GPU, few marks to hold.
 constexpr int kSheetsAtOnce = 8;
@@ -56,7 +56,7 @@ Result<SweepFindings> sweepForImpossibleCases(Cutter& slicer)
 	if (!hasCellsOfAnyForm(blocks) || blocks.bounds().empty())
 		return findings;
 	const int planes = std::clamp(static_cast<int>(std::lround(std::cbrt(static_cast<double>(blocks.cellCount())))),
-	                              kLeastPlanes, kMostPlanes);
+	                              kMinPlanes, kMaxPlanes);
 	const Box bounds = blocks.bounds();
 	for (int axis = 0; axis < 3; ++axis)
 		for (int first = 0; first < planes; first += kSheetsAtOnce)
@@ -68,7 +68,7 @@ Result<SweepFindings> sweepForImpossibleCases(Cutter& slicer)
 			for (int k = first; k < std::min(planes, first + kSheetsAtOnce); ++k)
 			{
 				// A little off the middles, which lattices often hold too.
-				Vec3 origin = bounds.centre();
+				Vec3 origin = bounds.center();
 				origin[axis] = bounds.lo[axis] + (k + 0.4903) / planes * bounds.size()[axis];
 				request.probe.sheets.push_back(probe::makeSheet(origin, normal));
 			}

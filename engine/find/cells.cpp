@@ -79,12 +79,12 @@ private:
 
 	void cross(std::vector<CellId>& queue, CellId cell, int face)
 	{
-		grid_.forEachNeighbour(cell, face,
-		                       [&](CellId across)
-		                       {
-			                       if (pen_.mark(across))
-				                       queue.push_back(across);
-		                       });
+		grid_.forEachNeighbor(cell, face,
+		                      [&](CellId across)
+		                      {
+			                      if (pen_.mark(across))
+				                      queue.push_back(across);
+		                      });
 	}
 	// As the traversal marks a cell of generation 0 whose section lies outside.
 	void leaveOut(CellId cell, std::uint32_t code) { found_.push_back({cell, code & (0xFFu | shared::kCodeWalk)}); }

@@ -10,7 +10,7 @@
 namespace vp::find
 {
 
-// The traversal of cells of any shape in no generations: a cell is classified, and its neighbours queued, whenever a
+// The traversal of cells of any shape in no generations: a cell is classified, and its neighbors queued, whenever a
 // core is free, with what comes next fetched from memory in advance. Cells and codes are those of breadthFirst(), in
 // ascending order of the cells: the same for any number of threads.
 //

@@ -105,7 +105,7 @@ inline CellCut oneGeneration(std::vector<CellId> cells)
 	return cut;
 }
 
-// Queues the unqueued neighbours of the front [begin, end) of lane l across its cut faces. A boundary face of a block
+// Queues the unqueued neighbors of the front [begin, end) of lane l across its cut faces. A boundary face of a block
 // with seams is looked up among them; a block without pays nothing for those of others.
 template <bool kHasSeams, class G, class Surface, class Window>
 void expandFront(const G& grid, std::span<const SheetInBlock<Surface, Window>> lanes, std::size_t l, std::size_t begin,
@@ -113,24 +113,24 @@ void expandFront(const G& grid, std::span<const SheetInBlock<Surface, Window>> l
 {
 	const SheetInBlock<Surface, Window>& lane = lanes[l];
 	CellCut& cut = cuts[l];
-	const auto enqueue = [&](CellId neighbour)
+	const auto enqueue = [&](CellId neighbor)
 	{
-		if (lane.enters(neighbour))
-			cut.cells.push_back(neighbour);
+		if (lane.enters(neighbor))
+			cut.cells.push_back(neighbor);
 	};
 	const auto cross = [&](CellId cell, int face)
 	{
 		if constexpr (!kHasSeams)
-			grid.forEachNeighbour(cell, face, enqueue);
+			grid.forEachNeighbor(cell, face, enqueue);
 		else
 		{
 			bool on_boundary = true;
-			grid.forEachNeighbour(cell, face,
-			                      [&](CellId neighbour)
-			                      {
-				                      on_boundary = false;
-				                      enqueue(neighbour);
-			                      });
+			grid.forEachNeighbor(cell, face,
+			                     [&](CellId neighbor)
+			                     {
+				                     on_boundary = false;
+				                     enqueue(neighbor);
+			                     });
 			if (!on_boundary)
 				return;
 			for (const grid::SeamLink& link : lane.seams->of(cell, static_cast<std::uint32_t>(face)))

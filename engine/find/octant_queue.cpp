@@ -8,7 +8,7 @@ namespace vp::find
 bool OctantQueue::mark(CellId cell)
 {
 	const Vec3 place = placeOf(cell);
-	const std::size_t octant = (place.x < centre_.x) | (place.y < centre_.y) << 1 | (place.z < centre_.z) << 2;
+	const std::size_t octant = (place.x < center_.x) | (place.y < center_.y) << 1 | (place.z < center_.z) << 2;
 	for (const Generation& generation : generations_)
 		if (std::find(generation[octant].rbegin(), generation[octant].rend(), cell) != generation[octant].rend())
 			return false;

@@ -55,7 +55,7 @@ public:
 		{
 			extent_.leaveOut(run->row, run->begin, run->end, columns_);
 			add(*run);
-			enterNeighbours(*run, queue);
+			enterNeighbors(*run, queue);
 			if constexpr (Extent::kLimits)
 				enterOwners(*run, queue);
 		}
@@ -164,7 +164,7 @@ private:
 
 	// One entry for every run of cut faces that belongs to one run of cells across: it ends where the two points shared
 	// with the next face have the same sign, since the column there may be uniform.
-	void enterNeighbours(const Run& run, std::vector<Entry>& queue)
+	void enterNeighbors(const Run& run, std::vector<Entry>& queue)
 	{
 		struct Side
 		{
@@ -202,7 +202,7 @@ private:
 		}
 	}
 
-	// The rows diagonally across, where a cell's points own an edge that no neighbour across a face would bring: with a
+	// The rows diagonally across, where a cell's points own an edge that no neighbor across a face would bring: with a
 	// window not every cell around an edge is there.
 	void enterOwners(const Run& run, std::vector<Entry>& queue)
 	{

@@ -17,7 +17,7 @@ bool floodTakes(const grid::Lattice& lattice);
 
 // The traversal of a lattice by runs instead of cells. The nodes of the graph are runs of cut cells along i, which end
 // at a uniform column: so no two overlap, and which there are does not depend on the order they are found in. A run
-// is followed to both ends from any of its cells; each run of cut faces towards a neighbouring row leads to a run
+// is followed to both ends from any of its cells; each run of cut faces towards a neighboring row leads to a run
 // there. The cells are those of breadthFirst(), in no generations.
 //
 // With a window (or null), a run is left only across faces of cells whose section reaches into it. Spans hold cells

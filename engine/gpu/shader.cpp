@@ -157,7 +157,7 @@ Result<Pipeline> Pipeline::create(Device& device, const ComputePipelineInfo& inf
 
 Result<Pipeline> Pipeline::create(Device& device, const GraphicsPipelineInfo& info, std::string_view name)
 {
-	assert(info.blends.empty() || info.blends.size() == info.colour_formats.size());
+	assert(info.blends.empty() || info.blends.size() == info.color_formats.size());
 	Result<Pipeline> pipeline =
 	    withLayout(device, info.bindings, info.push_bytes, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
 	               VK_PIPELINE_BIND_POINT_GRAPHICS, name);
@@ -193,7 +193,7 @@ Result<Pipeline> Pipeline::create(Device& device, const GraphicsPipelineInfo& in
 	depth.depthWriteEnable = info.depth_write;
 	depth.depthCompareOp = info.depth_compare;
 	std::vector<VkPipelineColorBlendAttachmentState> blends = info.blends;
-	blends.resize(info.colour_formats.size(), noBlending());
+	blends.resize(info.color_formats.size(), noBlending());
 	VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
 	blend.attachmentCount = static_cast<std::uint32_t>(blends.size());
 	blend.pAttachments = blends.data();
@@ -202,8 +202,8 @@ Result<Pipeline> Pipeline::create(Device& device, const GraphicsPipelineInfo& in
 	dynamic.dynamicStateCount = static_cast<std::uint32_t>(dynamic_states.size());
 	dynamic.pDynamicStates = dynamic_states.data();
 	VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
-	rendering.colorAttachmentCount = static_cast<std::uint32_t>(info.colour_formats.size());
-	rendering.pColorAttachmentFormats = info.colour_formats.data();
+	rendering.colorAttachmentCount = static_cast<std::uint32_t>(info.color_formats.size());
+	rendering.pColorAttachmentFormats = info.color_formats.data();
 	rendering.depthAttachmentFormat = info.depth_format;
 
 	VkGraphicsPipelineCreateInfo create{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};

@@ -48,8 +48,8 @@ struct GraphicsPipelineInfo
 	VkCullModeFlags cull = VK_CULL_MODE_NONE;
 	VkPolygonMode polygon_mode = VK_POLYGON_MODE_FILL;
 	VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-	std::vector<VkFormat> colour_formats;                    // may be empty
-	std::vector<VkPipelineColorBlendAttachmentState> blends; // one a colour format; empty writes without blending
+	std::vector<VkFormat> color_formats;                     // may be empty
+	std::vector<VkPipelineColorBlendAttachmentState> blends; // one a color format; empty writes without blending
 	VkFormat depth_format = VK_FORMAT_UNDEFINED;
 	bool depth_test = false;
 	bool depth_write = false;
@@ -57,7 +57,7 @@ struct GraphicsPipelineInfo
 };
 
 VkPipelineColorBlendAttachmentState noBlending();
-VkPipelineColorBlendAttachmentState premultipliedOver(); // source over destination, colours premultiplied by alpha
+VkPipelineColorBlendAttachmentState premultipliedOver(); // source over destination, colors premultiplied by alpha
 
 // A compute or graphics pipeline with its layouts. Move-only, as Buffer.
 class Pipeline

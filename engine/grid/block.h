@@ -40,7 +40,7 @@ struct Block
 	// Built by finishBlock().
 	Box bounds;
 	BoundaryIndex boundary;
-	std::vector<CellId> vantage;  // cells from which fence hopping starts: side centres, or spread boundary cells
+	std::vector<CellId> vantage;  // cells from which fence hopping starts: side centers, or spread boundary cells
 	std::vector<CellId> inverted; // where the grid may be folded: they can close off a piece, so they seed (folds.h)
 	BlockTree inverted_tree;      // over those
 	std::shared_ptr<LazyBlockTree> tree;         // over all cells, for treeOf()
@@ -78,7 +78,7 @@ struct BlockSet
 	const char* kind() const;
 };
 
-// Throws std::logic_error on a broken invariant: neighbours that do not know each other, ids out of range, boxes that
+// Throws std::logic_error on a broken invariant: neighbors that do not know each other, ids out of range, boxes that
 // do not hold their faces. For tests.
 void validate(const Block& block);
 

@@ -91,13 +91,13 @@ void addFaces(const UnstructuredGrid& grid, BoundaryIndex& index)
 		                  for (std::size_t c = n * chunk; c < end; ++c)
 		                  {
 			                  const CellId cell = static_cast<CellId>(c);
-			                  if (grid.hasAllNeighbours(cell))
+			                  if (grid.hasAllNeighbors(cell))
 				                  continue;
 			                  bool listed = false;
 			                  for (int f = 0; f < grid.faceCount(cell); ++f)
 			                  {
 				                  bool alone = true;
-				                  grid.forEachNeighbour(cell, f, [&](CellId) { alone = false; });
+				                  grid.forEachNeighbor(cell, f, [&](CellId) { alone = false; });
 				                  if (!alone)
 					                  continue;
 				                  if (!listed)

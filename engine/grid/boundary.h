@@ -11,7 +11,7 @@
 namespace vp::grid
 {
 
-// The faces of a block that have no neighbour, in groups of patches of faces that lie together, each with its box: what
+// The faces of a block that have no neighbor, in groups of patches of faces that lie together, each with its box: what
 // a surface cuts of the boundary is found in time that follows the cut. A patch holds up to 16 faces (4 x 4 on the side
 // of a lattice), a group up to 64 patches (32 x 32 faces).
 struct BoundaryIndex

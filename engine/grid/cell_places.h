@@ -13,7 +13,7 @@ struct CellPlaces
 {
 	CellFaces faces;
 	std::vector<Vec3> places;
-	Vec3 centre{0.0};
+	Vec3 center{0.0};
 
 	template <Grid G>
 	void fetch(const G& grid, CellId cell)
@@ -22,15 +22,15 @@ struct CellPlaces
 		places.clear();
 		for (const PointId p : faces.points)
 			places.push_back(grid.point(p));
-		centre = cellCentre(grid, cell);
+		center = cellCenter(grid, cell);
 	}
 };
 
-// Whether the point lies, deeper than contact, in one of the tetrahedra from the centre to the fans of the faces, away
+// Whether the point lies, deeper than contact, in one of the tetrahedra from the center to the fans of the faces, away
 // from the face. Cells that share a face share its fan.
 inline bool liesInside(const CellPlaces& cell, const Vec3& point)
 {
-	// Deeper than contact, as a share of the way from a face to the cell's centre.
+	// Deeper than contact, as a share of the way from a face to the cell's center.
 	constexpr double kDepth = 1e-2;
 	constexpr double kRim = 1e-9; // between the tetrahedra
 	for (int f = 0; f < cell.faces.size(); ++f)
@@ -41,13 +41,13 @@ inline bool liesInside(const CellPlaces& cell, const Vec3& point)
 			middle += p / static_cast<double>(face.size());
 		for (std::size_t i = 0; i < face.size(); ++i)
 		{
-			const Vec3 a = middle - cell.centre;
-			const Vec3 b = face[i] - cell.centre;
-			const Vec3 c = face[(i + 1) % face.size()] - cell.centre;
+			const Vec3 a = middle - cell.center;
+			const Vec3 b = face[i] - cell.center;
+			const Vec3 c = face[(i + 1) % face.size()] - cell.center;
 			const double volume = glm::dot(a, glm::cross(b, c));
 			if (volume == 0.0)
 				continue;
-			const Vec3 p = point - cell.centre;
+			const Vec3 p = point - cell.center;
 			const double wa = glm::dot(p, glm::cross(b, c)) / volume;
 			const double wb = glm::dot(a, glm::cross(p, c)) / volume;
 			const double wc = glm::dot(a, glm::cross(b, p)) / volume;

@@ -198,7 +198,7 @@ Turn turnOf(CellShape shape, std::span<const Vec3> points)
 
 Turn turnOfEdges(const Box& u, const Box& v, const Box& w)
 {
-	const Frame frame(u.centre(), v.centre(), w.centre());
+	const Frame frame(u.center(), v.center(), w.center());
 	const auto holds = [&](int axis, const Box& box)
 	{
 		// Edges taken as differences of floats are off by 6e-8 of their own length along each axis.

@@ -17,7 +17,7 @@ enum class Turn : std::int8_t
 	positive = 1
 };
 
-// A corner whose three edges make a volume: the point, then its neighbours counter-clockwise seen from inside the cell,
+// A corner whose three edges make a volume: the point, then its neighbors counter-clockwise seen from inside the cell,
 // by the numbering of a cell that is not inverted.
 struct CornerFrame
 {
@@ -28,7 +28,7 @@ struct CornerFrame
 std::span<const CornerFrame> cornerFrames(CellShape shape);
 
 // The sign of the Jacobian of the map that fills a cell of a table shape: linear on triangles, bilinear on quads, so
-// that neighbours agree on their face. Exact for tetrahedra and pyramids, whose Jacobian is least at a corner. For
+// that neighbors agree on their face. Exact for tetrahedra and pyramids, whose Jacobian is least at a corner. For
 // wedges and hexahedra the corners are not enough (a brick 2 x 1 at the bottom and 1 x 2 at the top, turned by 180
 // degrees, has eight good corners and an inverted middle): there it is the signs of the Jacobian's Bernstein
 // coefficients, between which it lies. Corners at edges without length count for nothing.

@@ -58,7 +58,7 @@ Block makeUnstructured(const Filled<float>& xyz, const CellList& cells)
 class MixedCells
 {
 public:
-	explicit MixedCells(int n) : side_(n), points_(n), centre_(static_cast<std::int64_t>(points_.count())) {}
+	explicit MixedCells(int n) : side_(n), points_(n), center_(static_cast<std::int64_t>(points_.count())) {}
 
 	CellList list()
 	{
@@ -101,7 +101,7 @@ private:
 	}
 
 	// A pyramid on the -i face where the wedges are across it, two tetrahedra on every other face, their apex in the
-	// centre. Both cells at a face halve it from its lowest corner, so that the halves meet.
+	// center. Both cells at a face halve it from its lowest corner, so that the halves meet.
 	void addSplit(const HexahedronIds& c, bool wedges_behind)
 	{
 		const ShapeTopology& hexahedron = topology(CellShape::hexahedron);
@@ -114,19 +114,19 @@ private:
 			std::ranges::reverse(face);
 			std::rotate(face.begin(), std::ranges::min_element(face), face.end());
 			if (f == 0 && wedges_behind)
-				add(14, std::array{face[0], face[1], face[2], face[3], centre_});
+				add(14, std::array{face[0], face[1], face[2], face[3], center_});
 			else
 			{
-				add(10, std::array{face[0], face[1], face[2], centre_});
-				add(10, std::array{face[0], face[2], face[3], centre_});
+				add(10, std::array{face[0], face[1], face[2], center_});
+				add(10, std::array{face[0], face[2], face[3], center_});
 			}
 		}
-		++centre_;
+		++center_;
 	}
 
 	std::size_t side_;
 	LatticePoints points_;
-	std::int64_t centre_; // the next centre point, in the order of the cells
+	std::int64_t center_; // the next center point, in the order of the cells
 	std::vector<std::uint8_t> types_;
 	std::vector<std::int64_t> offsets_;
 	std::vector<std::int64_t> ids_;
@@ -193,11 +193,11 @@ Block makeMixed(int n)
 			        place(points(i, j, k), i, j, k);
 	        });
 	const std::size_t side = n;
-	std::size_t centre = points.count();
+	std::size_t center = points.count();
 	for (std::size_t k = 0; k < side; ++k)
 		for (std::size_t j = 0; j < side; ++j)
 			for (std::size_t i = 2 * side / 3; i < side; ++i)
-				place(centre++, i + 0.5, j + 0.5, k + 0.5);
+				place(center++, i + 0.5, j + 0.5, k + 0.5);
 	return makeUnstructured(xyz, cells.list());
 }
 

@@ -15,7 +15,7 @@ namespace vp::grid
 {
 
 // The contract between a grid and everything that walks it. A cell has any number of faces, a face any number of points
-// and any number of neighbours: none on the domain's boundary, several at a 2:1 interface or a non-manifold face.
+// and any number of neighbors: none on the domain's boundary, several at a 2:1 interface or a non-manifold face.
 // Grids are concrete types behind this concept; std::visit picks one per cut, never per cell.
 
 // The points of a cell of a table shape, in VTK's order. Points may repeat (collapsed cells).
@@ -69,8 +69,8 @@ concept Grid = requires(const G& g, CellId c, PointId p, int f, CellFaces& faces
 	{
 		g.faceCount(c)
 		} -> std::same_as<int>;
-	g.cellFaces(c, faces);           // any shape; clears `faces` first
-	g.forEachNeighbour(c, f, visit); // every cell across face f
+	g.cellFaces(c, faces);          // any shape; clears `faces` first
+	g.forEachNeighbor(c, f, visit); // every cell across face f
 	{
 		g.sourcePoint(p)
 		} -> std::convertible_to<std::size_t>; // index into point fields
@@ -84,7 +84,7 @@ void shapeFaces(CellShape shape, const CellPoints& points, CellFaces& faces);
 
 // Mean of the points of a cell of any shape (each point of a table shape once; of a polyhedron once per face it is in).
 template <Grid G>
-Vec3 cellCentre(const G& grid, CellId cell)
+Vec3 cellCenter(const G& grid, CellId cell)
 {
 	Vec3 sum(0.0);
 	if (grid.shape(cell) != CellShape::polyhedron)

@@ -12,7 +12,7 @@ struct Memory
 {
 	std::size_t geometry = 0; // coordinates, and the points of cells
 	std::size_t arrays = 0;
-	std::size_t adjacency = 0; // neighbours, and the source's numbers of cells and points
+	std::size_t adjacency = 0; // neighbors, and the source's numbers of cells and points
 	std::size_t boundary = 0;  // index of boundary faces, vantage points, patches
 	std::size_t folds = 0;     // cells where a grid may be folded
 	std::size_t trees = 0;     // block trees and places of cells, where somebody asked for them

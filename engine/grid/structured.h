@@ -57,7 +57,7 @@ public:
 		shapeFaces(CellShape::hexahedron, cellPoints(c), faces);
 	}
 	// The one cell across face f, kNoCell on the boundary.
-	CellId neighbour(CellId c, int f) const
+	CellId neighbor(CellId c, int f) const
 	{
 		const auto index = cellIndex(c);
 		const int axis = f / 2;
@@ -67,9 +67,9 @@ public:
 		return up ? c + stride_[axis] : c - stride_[axis];
 	}
 	template <class Visit>
-	void forEachNeighbour(CellId c, int f, Visit&& visit) const
+	void forEachNeighbor(CellId c, int f, Visit&& visit) const
 	{
-		if (const CellId n = neighbour(c, f); n != kNoCell)
+		if (const CellId n = neighbor(c, f); n != kNoCell)
 			visit(n);
 	}
 	std::size_t sourcePoint(PointId p) const { return p; }

@@ -51,7 +51,7 @@ std::size_t UnstructuredGrid::geometryBytes() const
 
 std::size_t UnstructuredGrid::adjacencyBytes() const
 {
-	std::size_t sum = 4 * (cell_count_ * std::size_t(face_width_) + polyhedron_neighbours_.capacity() +
+	std::size_t sum = 4 * (cell_count_ * std::size_t(face_width_) + polyhedron_neighbors_.capacity() +
 	                       source_points_.capacity() + source_cells_.capacity());
 	for (const std::vector<CellId>& cells : several_)
 		sum += sizeof(cells) + 4 * cells.capacity();

@@ -90,7 +90,7 @@ public:
 	int faceCount(CellId c) const;
 	void cellFaces(CellId c, CellFaces& faces) const;
 	template <class Visit>
-	void forEachNeighbour(CellId c, int f, Visit&& visit) const
+	void forEachNeighbor(CellId c, int f, Visit&& visit) const
 	{
 		const std::uint32_t n = across(c)[f];
 		if (n < kMaxBlockIds)
@@ -100,9 +100,9 @@ public:
 				visit(other);
 	}
 	// The cell across a face of a table shape; kMaxBlockIds or more where there is none or several.
-	std::uint32_t soleNeighbour(CellId c, int f) const { return record(c)[width_ + f]; }
+	std::uint32_t soleNeighbor(CellId c, int f) const { return record(c)[width_ + f]; }
 	// Whether every face of a cell of any shape has another cell across.
-	bool hasAllNeighbours(CellId c) const
+	bool hasAllNeighbors(CellId c) const
 	{
 		const std::uint32_t* numbers = across(c);
 		return std::find(numbers, numbers + faceCount(c), kNoCell) == numbers + faceCount(c);
@@ -118,7 +118,7 @@ public:
 	const std::uint32_t* record(CellId c) const { return records_.data() + std::size_t(c) * recordStride(); }
 	const Points& coordinates() const { return points_; }
 	std::size_t geometryBytes() const;  // coordinates, records, faces of polyhedra
-	std::size_t adjacencyBytes() const; // neighbours and source numbers
+	std::size_t adjacencyBytes() const; // neighbors and source numbers
 
 private:
 	bool isPolyhedron(CellId c) const { return shape(c) == CellShape::polyhedron; }
@@ -126,7 +126,7 @@ private:
 	const std::uint32_t* across(CellId c) const
 	{
 		if (isPolyhedron(c))
-			return polyhedron_neighbours_.data() + polyhedron_faces_[record(c)[0]];
+			return polyhedron_neighbors_.data() + polyhedron_faces_[record(c)[0]];
 		return record(c) + width_;
 	}
 
@@ -137,17 +137,17 @@ private:
 	std::size_t used_points_ = 0;
 	bool has_links_ = false;
 	int width_ = 8;      // ids per record
-	int face_width_ = 6; // neighbour slots per cell of a table shape
+	int face_width_ = 6; // neighbor slots per cell of a table shape
 	Points points_;
 	HugeVector<std::uint32_t> records_;
 	std::vector<std::vector<CellId>> several_;
 	HugeVector<std::uint32_t> source_points_;
 	HugeVector<std::uint32_t> source_cells_;
-	// Polyhedra, by the number in their record: faces, their points, and where their neighbours start.
+	// Polyhedra, by the number in their record: faces, their points, and where their neighbors start.
 	std::vector<std::uint32_t> polyhedron_faces_; // polyhedra + 1 offsets into face_points_start_
 	std::vector<std::uint32_t> face_points_start_;
 	std::vector<PointId> face_points_;
-	std::vector<std::uint32_t> polyhedron_neighbours_; // per face of a polyhedron
+	std::vector<std::uint32_t> polyhedron_neighbors_; // per face of a polyhedron
 
 	friend class UnstructuredBuilder;
 };

@@ -51,7 +51,7 @@ Drag::Pointer Drag::makePointer(const View& view, double ui_scale) const
 		return AxisPointer(view, origin, axisOf(frame_, handle_.axis), pixel_, farthest);
 	case HandleKind::turn:
 		return RingPointer(view, origin, axisOf(frame_, handle_.axis), pixel_, ui_scale * kRingPixels);
-	case HandleKind::centre:
+	case HandleKind::center:
 		return PlanePointer(view, origin, across_[0], across_[1], pixel_, farthest);
 	case HandleKind::sheet:
 	{

@@ -52,7 +52,7 @@ private:
 	probe::Probe probe_;
 	Box bounds_;
 	probe::Frame frame_;         // that the handle stands at
-	std::array<Vec3, 2> across_; // centre: the picture's axes
+	std::array<Vec3, 2> across_; // center: the picture's axes
 	Pointer pointer_;
 };
 

@@ -12,11 +12,11 @@ namespace
 {
 
 constexpr int kRingSegments = 64;
-constexpr double kArrowBegin = 14.0; // pixels from the centre, which has a handle of its own there
+constexpr double kArrowBegin = 14.0; // pixels from the center, which has a handle of its own there
 constexpr double kHeadLength = 14.0;
 constexpr double kHeadHalfWidth = 5.0;
-constexpr double kCentrePixels = 7.0;
-constexpr int kCentreSegments = 16;
+constexpr double kCenterPixels = 7.0;
+constexpr int kCenterSegments = 16;
 
 // Full where it is twice as far from its limit as need be.
 double fade(double sine, double limit)
@@ -24,19 +24,19 @@ double fade(double sine, double limit)
 	return std::clamp((sine - limit) / limit, 0.0, 1.0);
 }
 
-std::vector<Vec3> circle(const Vec3& centre, const Vec3& x, const Vec3& y, double radius, int segments)
+std::vector<Vec3> circle(const Vec3& center, const Vec3& x, const Vec3& y, double radius, int segments)
 {
 	std::vector<Vec3> points;
 	for (int i = 0; i < segments; ++i)
 	{
 		const double angle = 2.0 * std::numbers::pi * i / segments;
-		points.push_back(centre + radius * (std::cos(angle) * x + std::sin(angle) * y));
+		points.push_back(center + radius * (std::cos(angle) * x + std::sin(angle) * y));
 	}
 	points.push_back(points.front());
 	return points;
 }
 
-// Arrows, rings and centre at one frame.
+// Arrows, rings and center at one frame.
 class Stand
 {
 public:
@@ -68,11 +68,11 @@ public:
 		return shape;
 	}
 
-	HandleShape centre() const
+	HandleShape center() const
 	{
-		HandleShape shape = faded({HandleKind::centre}, 1.0, 0.5);
-		shape.lines = {circle(frame_.origin, view_.camera.right(), view_.camera.trueUp(), pixel_ * kCentrePixels,
-		                      kCentreSegments)};
+		HandleShape shape = faded({HandleKind::center}, 1.0, 0.5);
+		shape.lines = {circle(frame_.origin, view_.camera.right(), view_.camera.trueUp(), pixel_ * kCenterPixels,
+		                      kCenterSegments)};
 		return shape;
 	}
 
@@ -103,7 +103,7 @@ void addStand(const probe::Frame& frame, const View& view, const HandleOptions& 
 	if (depthOf(view, frame.origin) < view.camera.near)
 		return;
 	const Stand stand(frame, view, options);
-	shapes.push_back(stand.centre());
+	shapes.push_back(stand.center());
 	for (int axis = 0; axis < 3; ++axis)
 		shapes.push_back(stand.arrow(axis));
 	for (int axis = 0; axis < 3; ++axis)
@@ -152,7 +152,7 @@ std::array<int, 2> cornerSides(int corner)
 probe::Frame standOf(const probe::Probe& probe, const Handle& handle)
 {
 	const bool at_probe =
-	    handle.kind == HandleKind::move || handle.kind == HandleKind::turn || handle.kind == HandleKind::centre;
+	    handle.kind == HandleKind::move || handle.kind == HandleKind::turn || handle.kind == HandleKind::center;
 	if (at_probe && !handle.own)
 		return probe.frame;
 	assert(handle.sheet < probe.sheets.size());
@@ -169,7 +169,7 @@ std::string_view wordsOf(const Handle& handle)
 		return kMoves[handle.axis];
 	case HandleKind::turn:
 		return kTurns[handle.axis];
-	case HandleKind::centre:
+	case HandleKind::center:
 		return "Move parallel to the picture";
 	case HandleKind::sheet:
 		return "Push along the normal";

@@ -15,7 +15,7 @@ enum class HandleKind
 {
 	move,   // an arrow: along the axis
 	turn,   // a ring: about the axis
-	centre, // freely, parallel to the picture
+	center, // freely, parallel to the picture
 	sheet,  // the sheet itself, wherever it is taken: along its normal
 	edge,   // a side of a sheet's window
 	corner  // of a sheet's window
@@ -24,9 +24,9 @@ enum class HandleKind
 // What of a probe can be taken hold of.
 struct Handle
 {
-	HandleKind kind = HandleKind::centre;
+	HandleKind kind = HandleKind::center;
 	int axis = 0;          // move, turn: 0, 1, 2 for x, up and normal of the frame it stands at
-	std::size_t sheet = 0; // of the probe; with move, turn and centre where `own`
+	std::size_t sheet = 0; // of the probe; with move, turn and center where `own`
 	int part = 0;          // edge: 0 to 3 for the sides at x0, x1, y0, y1; corner: see cornerSides()
 	bool own = false;      // stands at the sheet's frame in place of the probe's, and moves that sheet alone
 

@@ -9,9 +9,9 @@
 namespace vp::interact
 {
 
-constexpr std::size_t kMostSteps = 500;
+constexpr std::size_t kMaxSteps = 500;
 
-// A state and the steps that led to it, to be undone and done again. What lies more than kMostSteps back is forgotten.
+// A state and the steps that led to it, to be undone and done again. What lies more than kMaxSteps back is forgotten.
 // State: a value with ==.
 template <class State>
 class History
@@ -85,7 +85,7 @@ private:
 	void push(Step step)
 	{
 		done_.push_back(std::move(step));
-		if (done_.size() > kMostSteps)
+		if (done_.size() > kMaxSteps)
 			done_.pop_front();
 	}
 

@@ -24,8 +24,8 @@ probe::Probe withWindowScaled(const probe::Probe& probe, std::size_t sheet, doub
 {
 	assert(sheet < probe.sheets.size());
 	const std::optional<probe::Window>& w = probe.sheets[sheet].window;
-	const glm::dvec2 centre = w ? 0.5 * glm::dvec2(w->x0 + w->x1, w->y0 + w->y1) : glm::dvec2(0.0);
-	return withWindowScaled(probe, sheet, factor, centre, bounds, own);
+	const glm::dvec2 center = w ? 0.5 * glm::dvec2(w->x0 + w->x1, w->y0 + w->y1) : glm::dvec2(0.0);
+	return withWindowScaled(probe, sheet, factor, center, bounds, own);
 }
 
 probe::Probe withWindowScaled(const probe::Probe& probe, std::size_t sheet, double factor, const glm::dvec2& about,
@@ -44,7 +44,7 @@ probe::Probe magnified(const probe::Probe& probe, std::size_t sheet, double fact
 	probe::Probe result = probe;
 	probe::Fx& fx = result.sheets[sheet].fx;
 	const double now = fx.magnification;
-	fx.magnification = std::clamp(now * factor, std::min(now, kLeastMagnification), std::max(now, kMostMagnification));
+	fx.magnification = std::clamp(now * factor, std::min(now, kMinMagnification), std::max(now, kMaxMagnification));
 	fx.pan += Vec3(uv / now - uv / fx.magnification, 0.0);
 	return result;
 }

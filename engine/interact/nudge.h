@@ -19,7 +19,7 @@ probe::Probe pushed(const probe::Probe& probe, std::size_t sheet, double steps, 
 // A part turned about an axis of its own: 0, 1, 2 for x, up and normal.
 probe::Probe turnedAbout(const probe::Probe& probe, const Part& part, int axis, double degrees);
 
-// A sheet's window, and those equal to it but for `own`, `factor` times as large about its centre, or about a point in
+// A sheet's window, and those equal to it but for `own`, `factor` times as large about its center, or about a point in
 // the sheet's coordinates. Unchanged where the sheet has none.
 probe::Probe withWindowScaled(const probe::Probe& probe, std::size_t sheet, double factor, const Box& bounds,
                               bool own = false);
@@ -27,11 +27,11 @@ probe::Probe withWindowScaled(const probe::Probe& probe, std::size_t sheet, doub
                               const Box& bounds, bool own = false);
 
 // The magnifier: what a sheet shows is magnified `factor` times more, and what is shown at `uv` (in the sheet's
-// coordinates as drawn, see SheetHit) stays there. The magnification stays within kLeastMagnification and
-// kMostMagnification, or what it was.
+// coordinates as drawn, see SheetHit) stays there. The magnification stays within kMinMagnification and
+// kMaxMagnification, or what it was.
 probe::Probe magnified(const probe::Probe& probe, std::size_t sheet, double factor, const glm::dvec2& uv);
-constexpr double kLeastMagnification = 1e-3;
-constexpr double kMostMagnification = 1e6;
+constexpr double kMinMagnification = 1e-3;
+constexpr double kMaxMagnification = 1e6;
 
 // What is shown at `from` comes to be shown at `to`.
 probe::Probe magnifierPanned(const probe::Probe& probe, std::size_t sheet, const glm::dvec2& from,

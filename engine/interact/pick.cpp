@@ -17,7 +17,7 @@ int rank(HandleKind kind)
 	{
 	case HandleKind::move:
 	case HandleKind::corner:
-	case HandleKind::centre:
+	case HandleKind::center:
 		return 0;
 	case HandleKind::turn:
 		return 1;

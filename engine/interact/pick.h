@@ -9,7 +9,7 @@
 namespace vp::interact
 {
 
-// The handle under a pixel: of those with a line within `reach` pixels arrows, corners and centre go before rings,
+// The handle under a pixel: of those with a line within `reach` pixels arrows, corners and center go before rings,
 // rings before edges; then the nearest on screen.
 std::optional<Handle> pickHandle(std::span<const HandleShape> shapes, const View& view, const glm::dvec2& pixel,
                                  double reach = 6.0);

@@ -102,7 +102,7 @@ probe::Probe withNormal(const probe::Probe& probe, const Part& part, const Vec3&
 
 probe::Probe resetPlace(const probe::Probe& probe, const Box& bounds)
 {
-	return withFrame(probe, {}, probe::makeFrame(bounds.empty() ? Vec3(0.0) : bounds.centre(), Vec3(0.0, 0.0, 1.0)));
+	return withFrame(probe, {}, probe::makeFrame(bounds.empty() ? Vec3(0.0) : bounds.center(), Vec3(0.0, 0.0, 1.0)));
 }
 
 } // namespace vp::interact

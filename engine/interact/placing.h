@@ -35,7 +35,7 @@ probe::Frame snapNormal(const probe::Frame& frame, double most_degrees = 90.0);
 probe::Probe withNormalSnapped(const probe::Probe& probe, const Part& part, double most_degrees = 90.0);
 probe::Probe withNormal(const probe::Probe& probe, const Part& part, const Vec3& direction);
 
-// Back to where a probe stands that nobody moved: at the centre of the bounds, normal z and up y. Its sheets stay as
+// Back to where a probe stands that nobody moved: at the center of the bounds, normal z and up y. Its sheets stay as
 // they are within it.
 probe::Probe resetPlace(const probe::Probe& probe, const Box& bounds);
 

@@ -15,7 +15,7 @@ constexpr double kEarly = 1e-6;
 
 } // namespace
 
-Player::Player(int frames, double speed) : frames_(frames), speed_(std::clamp(speed, kLeastSpeed, kMostSpeed))
+Player::Player(int frames, double speed) : frames_(frames), speed_(std::clamp(speed, kMinSpeed, kMaxSpeed))
 {
 	assert(frames >= 1);
 }
@@ -125,7 +125,7 @@ void Player::setFrames(int frames, double now)
 void Player::setSpeed(double speed, double now)
 {
 	restart(now);
-	speed_ = std::clamp(speed, kLeastSpeed, kMostSpeed);
+	speed_ = std::clamp(speed, kMinSpeed, kMaxSpeed);
 }
 
 void Player::setLoops(bool loops, double now)

@@ -9,8 +9,8 @@ enum class Pace
 	every_frame // none is left out: the next one comes when the last was shown, and is due
 };
 
-constexpr double kLeastSpeed = 0.1; // frames a second
-constexpr double kMostSpeed = 1000.0;
+constexpr double kMinSpeed = 0.1; // frames a second
+constexpr double kMaxSpeed = 1000.0;
 
 // Plays the frames 0 to frames - 1 of a sweep. It has no clock: `now` is in seconds of any clock that never goes back.
 // Frames come in cycles: there and back is 0 ... N-1 ... 1, the ends told once. Without a loop the film stops at a

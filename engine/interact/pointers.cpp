@@ -74,8 +74,8 @@ double AxisPointer::under(const glm::dvec2& pixel) const
 	return foot_ > 0.0 ? place(pixel) - taken_ : 0.0;
 }
 
-RingPointer::RingPointer(const View& view, const Vec3& centre, const Vec3& axis, const glm::dvec2& start, double radius)
-    : view_(view), arm_(centre - view.camera.position), axis_(axis), start_(start), edge_on_(isEdgeOn(arm_, axis))
+RingPointer::RingPointer(const View& view, const Vec3& center, const Vec3& axis, const glm::dvec2& start, double radius)
+    : view_(view), arm_(center - view.camera.position), axis_(axis), start_(start), edge_on_(isEdgeOn(arm_, axis))
 {
 	if (!edge_on_)
 		return;

@@ -38,8 +38,8 @@ private:
 class RingPointer
 {
 public:
-	// centre: in front of the eye. axis: unit. radius: of the ring on screen, in pixels.
-	RingPointer(const View& view, const Vec3& centre, const Vec3& axis, const glm::dvec2& start, double radius);
+	// center: in front of the eye. axis: unit. radius: of the ring on screen, in pixels.
+	RingPointer(const View& view, const Vec3& center, const Vec3& axis, const glm::dvec2& start, double radius);
 
 	// Degrees about the axis, -180 to 180, as seen in the ring's plane. Where that is seen edge on (kEdgeOn), along the
 	// tangent of the ring's near side.
@@ -49,7 +49,7 @@ private:
 	double angle(const glm::dvec2& pixel) const; // radians
 
 	View view_;
-	Vec3 arm_; // from the eye to the centre
+	Vec3 arm_; // from the eye to the center
 	Vec3 axis_;
 	glm::dvec2 start_;
 	glm::dvec2 tangent_{0.0}; // where seen edge on: degrees per pixel along it

@@ -18,7 +18,7 @@ double roundStep(const Box& bounds)
 	const double wanted = sizeOf(bounds) / 50.0;
 	const int exponent = render::decimalExponent(wanted);
 	const double m = wanted / std::pow(10.0, exponent);
-	// Parted where the ratios to both neighbours are the same.
+	// Parted where the ratios to both neighbors are the same.
 	const double round = m < std::sqrt(2.0) ? 1.0 : m < std::sqrt(10.0) ? 2.0 : m < std::sqrt(50.0) ? 5.0 : 10.0;
 	return render::timesPowerOfTen(round, exponent);
 }

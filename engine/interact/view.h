@@ -9,7 +9,7 @@
 namespace vp::interact
 {
 
-// What a user sees: pixels are counted from the frame's top left, y down, pixel centres at halves. Where the frame is
+// What a user sees: pixels are counted from the frame's top left, y down, pixel centers at halves. Where the frame is
 // only a part of a window, its place there is the caller's to take off.
 struct View
 {

@@ -107,12 +107,12 @@ inline std::array<Vec3, 3> inverseOf(const std::array<Vec3, 3>& slopes)
 // does not end, as in cells without volume, and far outside: then u means nothing.
 inline bool findPlace(const CellPolynomial& places, grid::CellShape shape, const Vec3& place, Vec3& u)
 {
-	constexpr int kMostSteps = 16;
+	constexpr int kMaxSteps = 16;
 	// Steps square the error, so after such a one it is 1e-8 of the cell at most, and 1e-10 in cells that are nearly
 	// parallelepipeds.
 	constexpr double kSmall = 1e-4;
 	constexpr double kFar = 1e2; // cells away
-	for (int step = 0; step < kMostSteps; ++step)
+	for (int step = 0; step < kMaxSteps; ++step)
 	{
 		const Vec3 move = solve(places.slopesAt(shape, u), place - places.at(shape, u));
 		u += move;

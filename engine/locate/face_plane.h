@@ -12,26 +12,26 @@ namespace vp::locate
 // products about the mean), zero for a collapsed face.
 struct FacePlane
 {
-	Vec3 centre;
+	Vec3 center;
 	Vec3 normal; // not of unit length
 };
 
 template <grid::Grid G>
 FacePlane facePlane(const G& grid, std::span<const PointId> face)
 {
-	Vec3 centre(0.0);
+	Vec3 center(0.0);
 	for (const PointId p : face)
-		centre += grid.point(p);
-	centre /= static_cast<double>(face.size());
+		center += grid.point(p);
+	center /= static_cast<double>(face.size());
 	Vec3 normal(0.0);
-	Vec3 previous = grid.point(face.back()) - centre;
+	Vec3 previous = grid.point(face.back()) - center;
 	for (const PointId p : face)
 	{
-		const Vec3 spoke = grid.point(p) - centre;
+		const Vec3 spoke = grid.point(p) - center;
 		normal += glm::cross(previous, spoke);
 		previous = spoke;
 	}
-	return {centre, 0.5 * normal};
+	return {center, 0.5 * normal};
 }
 
 } // namespace vp::locate

@@ -44,7 +44,7 @@ struct FanPart
 
 // Means and places relative to a point of the cell.
 template <grid::Grid G>
-FanPart deepestPart(const G& grid, const grid::CellFaces& faces, const Vec3& origin, const Vec3& centre,
+FanPart deepestPart(const G& grid, const grid::CellFaces& faces, const Vec3& origin, const Vec3& center,
                     const Vec3& place)
 {
 	FanPart deepest;
@@ -58,10 +58,10 @@ FanPart deepestPart(const G& grid, const grid::CellFaces& faces, const Vec3& ori
 		{
 			const Vec3 begin = grid.point(face[e]) - origin;
 			const Vec3 end = grid.point(face[(e + 1) % face.size()]) - origin;
-			const std::array<Vec3, 3> sides{middle - centre, begin - centre, end - centre};
-			const Vec3 w = solve(sides, place - centre);
+			const std::array<Vec3, 3> sides{middle - center, begin - center, end - center};
+			const Vec3 w = solve(sides, place - center);
 			const double least = std::min({1.0 - w.x - w.y - w.z, w.x, w.y, w.z});
-			if (least > deepest.least && solves(sides, w, place - centre))
+			if (least > deepest.least && solves(sides, w, place - center))
 				deepest = {f, e, {1.0 - w.x - w.y - w.z, w.x, w.y, w.z}, least};
 		}
 	}
@@ -80,10 +80,10 @@ void weighFan(const G& grid, CellId cell, const Vec3& place, CellWeights& found)
 	found.points.erase(std::unique(found.points.begin(), found.points.end()), found.points.end());
 	const Vec3 origin = grid.point(found.points.front());
 	const double each = 1.0 / static_cast<double>(found.points.size());
-	Vec3 centre(0.0);
+	Vec3 center(0.0);
 	for (const PointId p : found.points)
-		centre += each * (grid.point(p) - origin);
-	const FanPart part = deepestPart(grid, faces, origin, centre, place - origin);
+		center += each * (grid.point(p) - origin);
+	const FanPart part = deepestPart(grid, faces, origin, center, place - origin);
 	if (part.face < 0)
 	{
 		found = {{}, {}, part.least};

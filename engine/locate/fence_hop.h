@@ -36,7 +36,7 @@ template <grid::Grid G>
 Hop fenceHop(const G& grid, CellId start, const Vec3& target, std::size_t max_hops)
 {
 	grid::CellFaces faces;
-	Vec3 from = cellCentre(grid, start);
+	Vec3 from = cellCenter(grid, start);
 	Hop hop{Hop::End::looped, start};
 	CellId landmark = kNoCell; // Brent: moved to the present cell at every power of two
 	std::size_t next_landmark = 1;
@@ -51,7 +51,7 @@ Hop fenceHop(const G& grid, CellId start, const Vec3& target, std::size_t max_ho
 		}
 
 		grid.cellFaces(hop.cell, faces);
-		const Vec3 centre = cellCentre(grid, hop.cell);
+		const Vec3 center = cellCenter(grid, hop.cell);
 		const Vec3 along = target - from;
 		double least = std::numeric_limits<double>::infinity();
 		int exit = -1;
@@ -61,11 +61,11 @@ Hop fenceHop(const G& grid, CellId start, const Vec3& target, std::size_t max_ho
 			if (plane.normal == Vec3(0.0))
 				continue; // a collapsed face has no area to leave through
 			// Positive towards the outside, whichever way the cell is turned.
-			const double side = glm::dot(plane.normal, plane.centre - centre) < 0.0 ? -1.0 : 1.0;
+			const double side = glm::dot(plane.normal, plane.center - center) < 0.0 ? -1.0 : 1.0;
 			const double approach = side * glm::dot(plane.normal, along);
 			if (approach <= 0.0)
 				continue; // the line runs away from this face
-			const double t = std::max(0.0, side * glm::dot(plane.normal, plane.centre - from) / approach);
+			const double t = std::max(0.0, side * glm::dot(plane.normal, plane.center - from) / approach);
 			if (t < least)
 			{
 				least = t;
@@ -81,18 +81,18 @@ Hop fenceHop(const G& grid, CellId start, const Vec3& target, std::size_t max_ho
 		CellId next = kNoCell;
 		const Vec3 crossing = from + least * along;
 		double nearest = std::numeric_limits<double>::infinity();
-		// Several cells may lie behind a face: the one that is entered is the one whose centre is nearest to the
+		// Several cells may lie behind a face: the one that is entered is the one whose center is nearest to the
 		// crossing.
-		grid.forEachNeighbour(hop.cell, exit,
-		                      [&](CellId candidate)
-		                      {
-			                      const double distance = glm::length(cellCentre(grid, candidate) - crossing);
-			                      if (distance < nearest)
-			                      {
-				                      nearest = distance;
-				                      next = candidate;
-			                      }
-		                      });
+		grid.forEachNeighbor(hop.cell, exit,
+		                     [&](CellId candidate)
+		                     {
+			                     const double distance = glm::length(cellCenter(grid, candidate) - crossing);
+			                     if (distance < nearest)
+			                     {
+				                     nearest = distance;
+				                     next = candidate;
+			                     }
+		                     });
 		if (next == kNoCell)
 		{
 			hop.end = Hop::End::left_grid;
@@ -101,8 +101,8 @@ Hop fenceHop(const G& grid, CellId start, const Vec3& target, std::size_t max_ho
 		}
 		const FacePlane entry = facePlane(grid, faces[exit]);
 		hop.cell = next;
-		from = 0.5 * (crossing + entry.centre);
-		from += 0.1 * (cellCentre(grid, next) - from);
+		from = 0.5 * (crossing + entry.center);
+		from += 0.1 * (cellCenter(grid, next) - from);
 	}
 }
 

@@ -29,14 +29,14 @@ std::vector<CellId> cellsInSight(const G& grid, const grid::BoundaryIndex& bound
 		++tests;
 		grid.cellFaces(face.cell, faces);
 		const std::span<const PointId> points = faces[face.face];
-		// About the mean of its points, so that a warped face has no gap to its neighbours.
-		const Vec3 centre = facePlane(grid, points).centre;
+		// About the mean of its points, so that a warped face has no gap to its neighbors.
+		const Vec3 center = facePlane(grid, points).center;
 		double nearest = kNoCrossing;
 		Vec3 previous = grid.point(points.back());
 		for (const PointId p : points)
 		{
 			const Vec3 corner = grid.point(p);
-			nearest = std::min(nearest, crossTriangle(segment, centre, previous, corner));
+			nearest = std::min(nearest, crossTriangle(segment, center, previous, corner));
 			previous = corner;
 		}
 		if (nearest == kNoCrossing || nearest > first + kSame)
@@ -88,7 +88,7 @@ Located find(const G& grid, const grid::Block& block, CellId start, const Vec3& 
 	std::vector<std::pair<double, CellId>> starts;
 	for (const CellId cell : block.vantage)
 		if (cell != start)
-			starts.emplace_back(glm::length(cellCentre(grid, cell) - target), cell);
+			starts.emplace_back(glm::length(cellCenter(grid, cell) - target), cell);
 	if (start != kNoCell)
 		starts.emplace_back(-1.0, start);
 	std::sort(starts.begin(), starts.end());

@@ -112,7 +112,7 @@ Residual residualAt(CellShape shape, std::span<const Vec3> points, const Vec3& p
 std::optional<ShapeWeights> shapeWeights(CellShape shape, std::span<const Vec3> points, const Vec3& place)
 {
 	// Steps square the error: from the middle of a sound cell 4 or 5 do.
-	constexpr int kMostSteps = 24;
+	constexpr int kMaxSteps = 24;
 	constexpr double kStill = 1e-10;    // a step so short leaves nothing but rounding
 	constexpr double kTrembles = 1e-6;  // where rounding keeps thin cells from standing still
 	constexpr double kFar = 1e3;        // cells away: no place of this cell
@@ -129,7 +129,7 @@ std::optional<ShapeWeights> shapeWeights(CellShape shape, std::span<const Vec3> 
 	};
 	Vec3 u = middleOf(shape);
 	double length = 1.0;
-	for (int step = 0; step < kMostSteps && length > kStill; ++step)
+	for (int step = 0; step < kMaxSteps && length > kStill; ++step)
 	{
 		const Residual at = residual(u);
 		const Vec3 move = solve(at.along, at.missing);

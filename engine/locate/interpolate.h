@@ -24,7 +24,7 @@ struct ShapeWeights
 };
 
 // By VTK's shape functions (vtkTetra, vtkPyramid, vtkWedge, vtkHexahedron): linear on triangles, bilinear on quads, so
-// that neighbours agree on their face. Newton's method finds the place in the cell's own coordinates. points: of a
+// that neighbors agree on their face. Newton's method finds the place in the cell's own coordinates. points: of a
 // table shape, in VTK's order, in any units, wherever they lie. None where the method does not end, as in cells
 // without volume, in very warped ones, and far outside.
 std::optional<ShapeWeights> shapeWeights(grid::CellShape shape, std::span<const Vec3> points, const Vec3& place);

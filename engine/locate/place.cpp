@@ -55,13 +55,13 @@ Box boxOf(const grid::Block& block, CellId cell)
 }
 
 template <class Visit>
-void forEachNeighbour(const grid::Block& block, CellId cell, Visit&& visit)
+void forEachNeighbor(const grid::Block& block, CellId cell, Visit&& visit)
 {
 	std::visit(
 	    [&](const auto& grid)
 	    {
 		    for (int f = 0; f < grid.faceCount(cell); ++f)
-			    grid.forEachNeighbour(cell, f, visit);
+			    grid.forEachNeighbor(cell, f, visit);
 	    },
 	    block.grid);
 }
@@ -140,16 +140,16 @@ void PlaceFinder::takeFirstOfThoseAround(const Vec3& point)
 	std::vector<CellId> around{place_.cell};
 	CellWeights weights;
 	for (std::size_t next = 0; next < around.size(); ++next)
-		forEachNeighbour(block, around[next],
-		                 [&](CellId neighbour)
-		                 {
-			                 if (std::ranges::find(seen, neighbour) != seen.end())
-				                 return;
-			                 seen.push_back(neighbour);
-			                 weighCell(block, neighbour, point, weights);
-			                 if (weights.depth >= kHeld)
-				                 around.push_back(neighbour);
-		                 });
+		forEachNeighbor(block, around[next],
+		                [&](CellId neighbor)
+		                {
+			                if (std::ranges::find(seen, neighbor) != seen.end())
+				                return;
+			                seen.push_back(neighbor);
+			                weighCell(block, neighbor, point, weights);
+			                if (weights.depth >= kHeld)
+				                around.push_back(neighbor);
+		                });
 	weigh(*std::ranges::min_element(around, {}, [&](CellId cell) { return rank(block, cell); }), point);
 }
 

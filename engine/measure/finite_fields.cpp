@@ -15,7 +15,7 @@ namespace
 {
 
 // Squares of up to 1e7 components do not overflow.
-constexpr double kMostOrdinary = 1e150;
+constexpr double kMaxOrdinary = 1e150;
 
 // To interpolate a value at a vertex takes some 20 ns, to look at a number of an array 0.5.
 constexpr std::size_t kNumbersPerLookup = 32;
@@ -23,7 +23,7 @@ constexpr std::size_t kNumbersPerLookup = 32;
 template <class T>
 bool areOrdinary(const std::byte* bytes, std::size_t count)
 {
-	constexpr double kMost = sizeof(T) == 4 ? std::numeric_limits<float>::max() : kMostOrdinary;
+	constexpr double kMax = sizeof(T) == 4 ? std::numeric_limits<float>::max() : kMaxOrdinary;
 	const auto all = [&](const tbb::blocked_range<std::size_t>& part, bool so_far)
 	{
 		if (!so_far)
@@ -33,7 +33,7 @@ bool areOrdinary(const std::byte* bytes, std::size_t count)
 		{
 			T number; // mapped files give no promise about alignment
 			std::memcpy(&number, bytes + i * sizeof(T), sizeof(T));
-			ordinary &= std::abs(number) <= static_cast<T>(kMost);
+			ordinary &= std::abs(number) <= static_cast<T>(kMax);
 		}
 		return ordinary;
 	};

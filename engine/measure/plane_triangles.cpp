@@ -18,40 +18,40 @@ public:
 
 	void add(std::span<const std::uint32_t> polygon)
 	{
-		glm::dvec2 centre(0.0);
+		glm::dvec2 center(0.0);
 		double value = 0.0;
 		for (const std::uint32_t v : polygon)
 		{
-			centre += result_.points[v];
+			center += result_.points[v];
 			value += result_.values[v];
 		}
 		std::vector<PlaneTriangle>& triangles = std::isnan(value) ? result_.nan_triangles : result_.triangles;
 		if (polygon.size() == 3)
 			triangles.push_back({polygon[0], polygon[1], polygon[2]});
-		else if (seesAll(centre / double(polygon.size()), polygon))
-			addAboutCentre(centre / double(polygon.size()), value / double(polygon.size()), polygon, triangles);
+		else if (seesAll(center / double(polygon.size()), polygon))
+			addAboutCenter(center / double(polygon.size()), value / double(polygon.size()), polygon, triangles);
 		else
 			addFans(polygon, triangles);
 	}
 
 private:
-	bool seesAll(const glm::dvec2& centre, std::span<const std::uint32_t> polygon) const
+	bool seesAll(const glm::dvec2& center, std::span<const std::uint32_t> polygon) const
 	{
 		for (std::size_t i = 0; i < polygon.size(); ++i)
 		{
-			const glm::dvec2 a = result_.points[polygon[i]] - centre;
-			const glm::dvec2 b = result_.points[polygon[(i + 1) % polygon.size()]] - centre;
+			const glm::dvec2 a = result_.points[polygon[i]] - center;
+			const glm::dvec2 b = result_.points[polygon[(i + 1) % polygon.size()]] - center;
 			if (cross(a, b) < -1e-9 * glm::length(a) * glm::length(b))
 				return false;
 		}
 		return true;
 	}
 
-	void addAboutCentre(const glm::dvec2& centre, double value, std::span<const std::uint32_t> polygon,
+	void addAboutCenter(const glm::dvec2& center, double value, std::span<const std::uint32_t> polygon,
 	                    std::vector<PlaneTriangle>& triangles)
 	{
 		const auto c = static_cast<std::uint32_t>(result_.points.size());
-		result_.points.push_back(centre);
+		result_.points.push_back(center);
 		result_.values.push_back(value);
 		for (std::size_t i = 0; i < polygon.size(); ++i)
 			triangles.push_back({c, polygon[i], polygon[(i + 1) % polygon.size()]});

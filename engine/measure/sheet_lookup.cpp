@@ -15,7 +15,7 @@ namespace
 {
 
 // With as many bins as polygons at most, and so many entries a polygon, at 4 bytes: kLookupBytes.
-constexpr std::size_t kMostEntries = 4;
+constexpr std::size_t kMaxEntries = 4;
 
 // Nearer to a polygon than this part of the mesh's extent a place still counts where none holds it: at the rim, and
 // where two blocks' seam differs by rounding.
@@ -129,7 +129,7 @@ std::size_t SheetLookup::entries(std::span<const Rect> rects) const
 void SheetLookup::chooseBins(std::span<const Rect> rects)
 {
 	setBins(firstBins(rects));
-	while (entries(rects) > kMostEntries * rects.size())
+	while (entries(rects) > kMaxEntries * rects.size())
 		setBins(bins_.x >= bins_.y ? Bins((bins_.x + 1) / 2, bins_.y) : Bins(bins_.x, (bins_.y + 1) / 2));
 }
 
@@ -155,7 +155,7 @@ void SheetLookup::fill(std::span<const Rect> rects)
 	starts_.pop_back();
 }
 
-// Even-odd. Sides are reckoned from their lower vertex, so that neighbours agree.
+// Even-odd. Sides are reckoned from their lower vertex, so that neighbors agree.
 bool SheetLookup::holds(std::uint32_t polygon, const glm::dvec2& uv) const
 {
 	const auto corners = mesh_->polygon(polygon);
@@ -176,11 +176,11 @@ bool SheetLookup::holds(std::uint32_t polygon, const glm::dvec2& uv) const
 std::optional<SheetPlace> SheetLookup::inFan(std::uint32_t polygon, const glm::dvec2& uv) const
 {
 	const auto corners = mesh_->polygon(polygon);
-	glm::dvec2 centre(0.0);
+	glm::dvec2 center(0.0);
 	for (const std::uint32_t v : corners)
-		centre += place(v);
-	centre /= static_cast<double>(corners.size());
-	const auto area = [&](std::uint32_t a, std::uint32_t b) { return cross(place(a) - centre, place(b) - centre); };
+		center += place(v);
+	center /= static_cast<double>(corners.size());
+	const auto area = [&](std::uint32_t a, std::uint32_t b) { return cross(place(a) - center, place(b) - center); };
 	double whole = 0.0;
 	std::uint32_t previous = corners.back();
 	for (const std::uint32_t v : corners)
@@ -193,7 +193,7 @@ std::optional<SheetPlace> SheetLookup::inFan(std::uint32_t polygon, const glm::d
 		const double part = area(a, v);
 		if (part == 0.0)
 			continue;
-		const std::array<double, 3> weight = weightsIn(place(a), place(v), centre, uv);
+		const std::array<double, 3> weight = weightsIn(place(a), place(v), center, uv);
 		const double least = std::ranges::min(weight);
 		const double rank = least + (least < kOutside ? 0.0 : part * whole > 0.0 ? 2.0 : 1.0);
 		if (!best || rank > best_rank)

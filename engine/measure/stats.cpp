@@ -33,17 +33,17 @@ struct Sums
 	{
 		if (vertex_values.empty() && mesh.flat)
 			return addPart(0.5 * glm::length(mesh::doubleArea(mesh, polygon)), polygon_value);
-		double centre_value = 0.0;
+		double center_value = 0.0;
 		if (!vertex_values.empty())
 			for (const std::uint32_t v : polygon)
-				centre_value += vertex_values[v];
-		centre_value /= static_cast<double>(polygon.size());
+				center_value += vertex_values[v];
+		center_value /= static_cast<double>(polygon.size());
 		mesh::forFan(mesh, polygon,
 		             [&](std::uint32_t v, std::uint32_t w, double part)
 		             {
 			             const double value = vertex_values.empty()
 			                                      ? polygon_value
-			                                      : (vertex_values[v] + vertex_values[w] + centre_value) / 3.0;
+			                                      : (vertex_values[v] + vertex_values[w] + center_value) / 3.0;
 			             addPart(part, value);
 		             });
 	}

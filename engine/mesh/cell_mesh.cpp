@@ -17,7 +17,7 @@ namespace
 // Some 1400 vertices of tetrahedra or 2100 of hexahedra, whose table and places stay in a second-level cache.
 constexpr std::size_t kPartCells = 2048;
 
-// The cut cells by their numbers: neighbours of a part are in it, and their points in the cache. Of a list from the
+// The cut cells by their numbers: neighbors of a part are in it, and their points in the cache. Of a list from the
 // traversal that takes less time than it saves. Digit by digit, so that it is linear.
 find::CellCut inOrder(const find::CellCut& cut)
 {

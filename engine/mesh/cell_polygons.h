@@ -87,7 +87,7 @@ private:
 			    std::lower_bound(local_points_.begin(), local_points_.end(), p) - local_points_.begin()));
 		// The mean distance of a face's points, summed in ascending order of their ids: the same number for both its
 		// cells.
-		const auto centre_positive = [&](int f)
+		const auto center_positive = [&](int f)
 		{
 			face_.assign(walk_faces_[f].begin(), walk_faces_[f].end());
 			std::sort(face_.begin(), face_.end());
@@ -96,7 +96,7 @@ private:
 				sum += distances_[p];
 			return sum >= 0.0;
 		};
-		cases::walkCell(walk_faces_, std::span<const std::uint8_t>(positive_), centre_positive, cut_);
+		cases::walkCell(walk_faces_, std::span<const std::uint8_t>(positive_), center_positive, cut_);
 	}
 
 	const G& grid_;

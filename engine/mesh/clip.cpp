@@ -24,7 +24,7 @@ public:
 	Clipper(const Vec3& origin, std::span<const ClipSide> sides, Corners corners, SheetMesh& mesh)
 	    : origin_(origin), sides_(sides), corners_(corners), mesh_(mesh)
 	{
-		assert(sides.size() <= kMostClipSides);
+		assert(sides.size() <= kMaxClipSides);
 		for (std::size_t side = 0; side < sides.size(); ++side)
 			numbers_.emplace_back(16);
 	}

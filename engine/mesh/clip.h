@@ -21,9 +21,9 @@ struct ClipSide
 	Vec3 axis;
 	double least;
 };
-constexpr std::size_t kMostClipSides = 8;
+constexpr std::size_t kMaxClipSides = 8;
 
-// The part of a mesh within all of the sides, at most kMostClipSides, whose origin is one.
+// The part of a mesh within all of the sides, at most kMaxClipSides, whose origin is one.
 // Vertices on the rim lie on the edges of polygons, with values linear along them, and are shared like any other.
 // Sutherland and Hodgman's: of a polygon that is not convex parts may hang together along the rim.
 void clipToSides(const Vec3& origin, std::span<const ClipSide> sides, Corners corners, SheetMesh& mesh);

@@ -73,18 +73,18 @@ public:
 private:
 	bool isInner(const BlockCell& at, int face) const
 	{
-		bool has_neighbour = false;
+		bool has_neighbor = false;
 		bool all_shown = true;
 		const auto meet = [&](std::uint32_t block, CellId other)
 		{
-			has_neighbour = true;
+			has_neighbor = true;
 			all_shown = all_shown && shown_.has(block, other);
 		};
-		grid_.forEachNeighbour(at.cell, face, [&](CellId other) { meet(at.block, other); });
-		if (!has_neighbour && seams_)
+		grid_.forEachNeighbor(at.cell, face, [&](CellId other) { meet(at.block, other); });
+		if (!has_neighbor && seams_)
 			for (const grid::SeamLink& link : seams_->of(at.cell, static_cast<std::uint32_t>(face)))
 				meet(link.block, link.other);
-		return has_neighbour && all_shown;
+		return has_neighbor && all_shown;
 	}
 
 	const G& grid_;

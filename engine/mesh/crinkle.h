@@ -11,7 +11,7 @@ namespace vp::mesh
 
 // The crinkled surface around the cells that a sheet shows, whole: those it cuts, and those whose boundary face lies in
 // its plane. A face is part of it unless such a cell is on either side, in the same block or across a seam; of a face
-// with several neighbours all must be. Faces wind counter-clockwise seen from outside their cell, and each keeps the
+// with several neighbors all must be. Faces wind counter-clockwise seen from outside their cell, and each keeps the
 // cell it is of; vertices are grid points. Curved cells show the linear parts that are cut. Time follows the cut.
 SheetMesh crinkleMesh(const grid::BlockSet& blocks, std::span<const ShownBlock> shown);
 

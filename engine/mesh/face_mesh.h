@@ -40,7 +40,7 @@ public:
 		Vec3 middle(0.0);
 		for (const std::uint32_t v : vertices)
 			middle += mesh_.positions[v] / static_cast<double>(vertices.size());
-		if (glm::dot(doubleArea(mesh_, vertices), middle - grid::cellCentre(grid_, cell)) < 0.0)
+		if (glm::dot(doubleArea(mesh_, vertices), middle - grid::cellCenter(grid_, cell)) < 0.0)
 			std::reverse(vertices.begin(), vertices.end());
 	}
 

@@ -106,10 +106,10 @@ private:
 	// All the places of the longest polygon are written, whatever its length: that cannot be foreseen either.
 	void addByTable(CellId cell, const cases::Case& entry)
 	{
-		makeRoom(kMostCorners);
+		makeRoom(kMaxCorners);
 		const auto record = reader_.record(cell);
 		std::uint64_t* edges = &edges_[corner_count_];
-		for (int e = 0; e < kMostCorners; ++e)
+		for (int e = 0; e < kMaxCorners; ++e)
 			edges[e] = edgeKey(record[entry.edge[e][0]], record[entry.edge[e][1]]);
 		if (leadsOut(record, entry))
 			listCornersOut(record, entry);
@@ -128,7 +128,7 @@ private:
 	bool leadsOut(const Record& record, const cases::Case& entry) const
 	{
 		bool out = false;
-		for (int e = 0; e < kMostCorners; ++e)
+		for (int e = 0; e < kMaxCorners; ++e)
 			out |= leadsOut(record, entry.face_after[e]);
 		return out;
 	}
@@ -183,7 +183,7 @@ private:
 	}
 
 	// Of a shape's polygon.
-	static constexpr int kMostCorners = Reader::kTetrahedra ? 4 : cases::kMaxPolygon;
+	static constexpr int kMaxCorners = Reader::kTetrahedra ? 4 : cases::kMaxPolygon;
 
 	const Reader& reader_;
 	const find::CellCut& cut_;

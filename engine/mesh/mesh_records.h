@@ -47,7 +47,7 @@ public:
 	const UvBounds& bounds() const { return bounds_; }
 	// Numbers of the records with which those of another block begin than the one before had.
 	const std::vector<std::size_t>& parts() const { return parts_; }
-	// Those from `first` on, to uninitialised memory.
+	// Those from `first` on, to uninitialized memory.
 	void write(std::size_t first, std::span<shared::PolygonRecord> to) const;
 
 private:

@@ -139,7 +139,7 @@ std::vector<std::vector<std::uint32_t>> cutIntoFans(std::span<const dvec2> polyg
 {
 	std::vector<std::uint32_t> corners(polygon.size());
 	std::iota(corners.begin(), corners.end(), 0u);
-	if (polygon.size() > kMostEarCorners)
+	if (polygon.size() > kMaxEarCorners)
 		return {corners};
 	std::vector<dvec2> turned(polygon.begin(), polygon.end());
 	for (std::size_t n = 0; n < polygon.size(); ++n)

@@ -19,10 +19,10 @@ bool isFan(std::span<const glm::dvec2> polygon);
 // Parts a polygon that is none into fans, as corner numbers: into one where some corner sees all others, else by ear
 // clipping (Meisters, "Polygons have ears", 1975), where ears about the same corner make one fan. What crosses itself,
 // as the section of a folded cell may, has no ears in the end; the rest of it, and a polygon of more than
-// kMostEarCorners, is fanned as it is.
+// kMaxEarCorners, is fanned as it is.
 std::vector<std::vector<std::uint32_t>> cutIntoFans(std::span<const glm::dvec2> polygon);
 
 // The work grows with the cube of the corners: here it is some 0.1 s.
-constexpr std::size_t kMostEarCorners = 500;
+constexpr std::size_t kMaxEarCorners = 500;
 
 } // namespace vp::mesh

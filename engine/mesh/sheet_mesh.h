@@ -81,14 +81,14 @@ void forFan(const SheetMesh& mesh, std::span<const std::uint32_t> polygon, Visit
 	const Vec3 double_area = doubleArea(mesh, polygon);
 	const double length = glm::length(double_area);
 	const Vec3 along = length > 0.0 ? double_area / length : Vec3(0.0);
-	Vec3 centre(0.0);
+	Vec3 center(0.0);
 	for (const std::uint32_t v : polygon)
-		centre += mesh.positions[v];
-	centre /= static_cast<double>(polygon.size());
+		center += mesh.positions[v];
+	center /= static_cast<double>(polygon.size());
 	std::uint32_t previous = polygon.back();
 	for (const std::uint32_t v : polygon)
 	{
-		const Vec3 cross = glm::cross(mesh.positions[previous] - centre, mesh.positions[v] - centre);
+		const Vec3 cross = glm::cross(mesh.positions[previous] - center, mesh.positions[v] - center);
 		const double part = glm::dot(cross, along);
 		// Off the plane of the whole a triangle has more area than is seen along it.
 		visit(previous, v, 0.5 * (mesh.flat ? part : std::copysign(glm::length(cross), part)));

@@ -14,7 +14,7 @@ struct Extent
 
 inline Extent extentAlong(const Box& bounds, const Vec3& direction, const Vec3& from)
 {
-	return {glm::dot(bounds.centre() - from, direction), glm::dot(glm::abs(direction), 0.5 * bounds.size())};
+	return {glm::dot(bounds.center() - from, direction), glm::dot(glm::abs(direction), 0.5 * bounds.size())};
 }
 
 } // namespace vp::probe

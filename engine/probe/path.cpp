@@ -51,7 +51,7 @@ Frame profilePose(const Box& bounds, double done)
 	first.normal = glm::normalize(Vec3(0.3, 0.5, 0.81));
 	const Vec3 normal = turned(first, Vec3(0.0), {0.0, 0.0, 1.0}, -30.0 + 60.0 * done).normal;
 	const double reach = extentAlong(bounds, normal, Vec3(0.0)).half;
-	return makeFrame(bounds.centre() + (-0.6 + 1.2 * done) * reach * normal, normal);
+	return makeFrame(bounds.center() + (-0.6 + 1.2 * done) * reach * normal, normal);
 }
 
 Frame keyedPose(const Path& path, double done)

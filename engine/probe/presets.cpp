@@ -18,7 +18,7 @@ Sheet sheetAt(const Frame& frame, const std::optional<WindowSize>& size)
 {
 	Sheet sheet{frame, {}, {}, {}};
 	if (size)
-		sheet.window = centredWindow(size->width, size->height);
+		sheet.window = centeredWindow(size->width, size->height);
 	return sheet;
 }
 

@@ -18,19 +18,19 @@ struct WindowSize
 	double height;
 };
 
-// One sheet, the plane z = 0 of the probe: the paper's magnifying glass. A window is centred.
+// One sheet, the plane z = 0 of the probe: the paper's magnifying glass. A window is centered.
 Probe single(const Frame& frame, const std::optional<WindowSize>& size = {});
 
 // Three sheets at right angles: normal to the probe's x axis, y axis (up) and z axis (normal), in this order. Their
-// own up is the probe's, x for the one normal to it. Windows are centred.
+// own up is the probe's, x for the one normal to it. Windows are centered.
 Probe trihedral(const Frame& frame, const std::optional<WindowSize>& size = {});
 
 // Vanes (1 to kMaxSheets) that touch along the probe's up axis; vane k is the plane z = 0 turned by 360 k / vanes
 // degrees about it, and reaches from the axis outward: window [0, W] x [-H/2, H/2]. Without a size it reaches
-// everything when the axis passes through the centre of the bounds: [0, 2R] x [-R, R], R half their diagonal.
+// everything when the axis passes through the center of the bounds: [0, 2R] x [-R, R], R half their diagonal.
 Probe paddlewheel(const Frame& frame, const Box& bounds, int vanes = 3, const std::optional<WindowSize>& size = {});
 
-// Parallel sheets, at these distances along the probe's normal. Windows are centred.
+// Parallel sheets, at these distances along the probe's normal. Windows are centered.
 Probe stack(const Frame& frame, std::span<const double> offsets, const std::optional<WindowSize>& size = {});
 
 // The offsets of `sheets` sheets spread evenly over the bounds along the frame's normal: each in the middle of one of

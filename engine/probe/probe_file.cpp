@@ -22,9 +22,9 @@ Fx fxOf(const JsonReader& reader)
 	if (const auto magnification = reader.find("magnification"))
 	{
 		fx.magnification = magnification->number();
-		if (fx.magnification < kLeastMagnification || fx.magnification > kMostMagnification)
+		if (fx.magnification < kMinMagnification || fx.magnification > kMaxMagnification)
 			magnification->refuse(fmt::format("{} is not between {} and {}; 1 shows the content as it is",
-			                                  fx.magnification, kLeastMagnification, kMostMagnification));
+			                                  fx.magnification, kMinMagnification, kMaxMagnification));
 	}
 	if (const auto pan = reader.find("pan"))
 		fx.pan = pan->vector();
@@ -50,7 +50,7 @@ std::pair<double, double> sidesOf(const JsonReader& reader)
 	return sides;
 }
 
-// [W, H], centred, or the rectangle's sides.
+// [W, H], centered, or the rectangle's sides.
 Window windowOf(const JsonReader& reader)
 {
 	if (reader.isObject())
@@ -63,7 +63,7 @@ Window windowOf(const JsonReader& reader)
 	if (!reader.isArray())
 		reader.refuse("a window is [W, H] or {\"x\": [x0, x1], \"y\": [y0, y1]}; give one of them");
 	reader.expectArray(2, 2, "numbers");
-	return centredWindow(sizeOf(reader.at(0)), sizeOf(reader.at(1)));
+	return centeredWindow(sizeOf(reader.at(0)), sizeOf(reader.at(1)));
 }
 
 std::string componentOf(const JsonReader& reader)
@@ -98,17 +98,17 @@ SheetWishes wishesOf(const JsonReader& reader)
 	if (const auto range = reader.find("range"))
 		wishes.range = range->ascending();
 	if (const auto lines = reader.find("lines"))
-		wishes.lines = lines->whole(0, kMostLines);
+		wishes.lines = lines->whole(0, kMaxLines);
 	if (const auto hidden = reader.find("hidden"))
 		wishes.hidden = hidden->flag();
 	return wishes;
 }
 
-surface::Form formOf(const JsonReader& reader, const Fx& fx)
+surface::ImplicitSurface formOf(const JsonReader& reader, const Fx& fx)
 {
 	if (fx != Fx())
 		reader.refuse("fx magnifies planes; leave one of the two out");
-	Result<surface::Form> form = surface::Form::parse(reader.text());
+	Result<surface::ImplicitSurface> form = surface::ImplicitSurface::parse(reader.text());
 	if (!form)
 		reader.refuse(form.error().message);
 	return *form;

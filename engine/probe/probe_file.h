@@ -15,9 +15,9 @@ namespace vp::probe
 // programs. Whatever does not fit is an input error: one line that names the file, where in it (a JSON pointer) and the
 // remedy.
 
-constexpr double kLeastMagnification = 1e-6;
-constexpr double kMostMagnification = 1e6;
-constexpr int kMostLines = 1000; // contour lines of a sheet
+constexpr double kMinMagnification = 1e-6;
+constexpr double kMaxMagnification = 1e6;
+constexpr int kMaxLines = 1000; // contour lines of a sheet
 
 struct ProbeFile
 {

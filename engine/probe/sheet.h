@@ -1,7 +1,7 @@
 #pragma once
 
 #include "probe/transform.h"
-#include "surface/form.h"
+#include "surface/implicit_surface.h"
 #include "surface/plane.h"
 
 #include <optional>
@@ -35,8 +35,8 @@ struct Window
 	bool operator==(const Window&) const = default;
 };
 
-// Centred on the sheet's origin.
-inline Window centredWindow(double width, double height)
+// Centered on the sheet's origin.
+inline Window centeredWindow(double width, double height)
 {
 	return {-0.5 * width, 0.5 * width, -0.5 * height, 0.5 * height};
 }
@@ -48,7 +48,7 @@ struct SheetWishes
 	std::optional<std::string> array;               // "[point:|cell:]NAME"
 	std::optional<std::string> component;           // "x", "y", "z", "magnitude" or a number from 0
 	std::optional<std::string> colormap;            // its name
-	std::optional<std::pair<double, double>> range; // of the colours, lower < higher
+	std::optional<std::pair<double, double>> range; // of the colors, lower < higher
 	std::optional<int> lines;                       // contour lines, 0 or more
 	bool hidden = false;                            // neither cut nor drawn
 
@@ -60,8 +60,8 @@ struct SheetWishes
 struct Sheet : Frame
 {
 	Fx fx;
-	std::optional<Window> window;        // else the sheet covers the whole slice; through a form it reaches along z
-	std::optional<surface::Form> form{}; // none: the plane. No fx then
+	std::optional<Window> window; // else the sheet covers the whole slice; through a form it reaches along z
+	std::optional<surface::ImplicitSurface> form{}; // none: the plane. No fx then
 	SheetWishes wishes{};
 
 	surface::Plane plane() const { return {origin, normal}; } // where it is drawn; fx may cut another: content()

@@ -96,7 +96,7 @@ private:
 		return {(b.frame.origin - a.frame.origin) / length, rotationVector(turn) / length, length};
 	}
 
-	// Of the parabola through a key and its neighbours.
+	// Of the parabola through a key and its neighbors.
 	static Motion middle(const Motion& before, const Motion& after)
 	{
 		const double share = before.length / (before.length + after.length);

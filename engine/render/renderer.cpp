@@ -167,7 +167,7 @@ void Renderer::Private::recordSample(VkCommandBuffer to, const Scene& scene, con
 		return;
 	if (!scene.surfaces.empty())
 		return recordSurfaces(to, scene, jitter, sample);
-	// The layers in their order at each pixel, coloured, blended and added to the samples before.
+	// The layers in their order at each pixel, colored, blended and added to the samples before.
 	gpu::TimedPass timed(timers, to, "compose");
 	compose.record(to, targets, jitter, {{0, 0}, targets.extent()}, sample == 0, true);
 }
@@ -195,19 +195,19 @@ void Renderer::Private::recordSurfaces(VkCommandBuffer to, const Scene& scene, c
 void Renderer::Private::recordPicture(VkCommandBuffer to, bool from_layers)
 {
 	const VkExtent2D extent = targets.extent();
-	targets.picture.transition(to, gpu::kDiscard, gpu::kColourTarget);
+	targets.picture.transition(to, gpu::kDiscard, gpu::kColorTarget);
 	if (from_layers)
 	{
-		// The layers in their order at each pixel, coloured and blended over the background.
+		// The layers in their order at each pixel, colored and blended over the background.
 		gpu::TimedPass timed(timers, to, "compose");
 		compose.recordWhole(to, targets);
-		targets.picture.transition(to, gpu::kColourTarget, gpu::kColourTarget);
+		targets.picture.transition(to, gpu::kColorTarget, gpu::kColorTarget);
 	}
 	{
 		// The samples' mean over the background, then legend, axes and words over the finished picture.
 		gpu::TimedPass timed(timers, to, "overlay");
 		if (!from_layers)
-			targets.sum.transition(to, gpu::kColourTarget, gpu::kSampled);
+			targets.sum.transition(to, gpu::kColorTarget, gpu::kSampled);
 		VkRenderingAttachmentInfo picture{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
 		picture.imageView = targets.picture.view();
 		picture.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
@@ -223,7 +223,7 @@ void Renderer::Private::recordPicture(VkCommandBuffer to, bool from_layers)
 			compose.recordResolve(to, targets);
 		overlay.record(to, targets);
 		vkCmdEndRendering(to);
-		targets.picture.transition(to, gpu::kColourTarget, gpu::kCopyFrom);
+		targets.picture.transition(to, gpu::kColorTarget, gpu::kCopyFrom);
 	}
 }
 

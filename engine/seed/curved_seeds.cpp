@@ -95,7 +95,7 @@ private:
 			for (int f = 0; f < faces_.size(); ++f)
 				if (isFaceCut(grid_, surface_, faces_[f]) &&
 				    (!window_ || window_->meetsFace(grid_, surface_, faces_[f])))
-					grid_.forEachNeighbour(cell, f, [&](CellId neighbour) { enter(neighbour); });
+					grid_.forEachNeighbor(cell, f, [&](CellId neighbor) { enter(neighbor); });
 		}
 	}
 	void enter(CellId cell)

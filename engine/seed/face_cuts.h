@@ -15,9 +15,9 @@ template <int N>
 struct FaceCuts
 {
 	using Place = glm::vec<N, double>;
-	static constexpr int kMost = 16; // of one cut more often the rest does not matter
+	static constexpr int kMax = 16; // of one cut more often the rest does not matter
 
-	std::array<Place, kMost> at;
+	std::array<Place, kMax> at;
 	int count = 0;
 };
 
@@ -43,7 +43,7 @@ bool findCuts(const G& grid, const Surface& surface, std::span<const PointId> fa
 	for (const PointId p : face)
 	{
 		const Corner corner = cornerAt(p);
-		if ((corner.distance >= 0.0) != (previous.distance >= 0.0) && cuts.count < FaceCuts<N>::kMost)
+		if ((corner.distance >= 0.0) != (previous.distance >= 0.0) && cuts.count < FaceCuts<N>::kMax)
 		{
 			const Corner& low = previous.id < p ? previous : corner;
 			const Corner& high = previous.id < p ? corner : previous;

@@ -33,13 +33,13 @@ CellId nearestCutCell(const G& grid, const Surface& surface, const SheetWindow* 
 				return queue[i];
 		}
 		for (int f = 0; f < grid.faceCount(queue[i]); ++f)
-			grid.forEachNeighbour(queue[i], f,
-			                      [&](CellId n)
-			                      {
-				                      if (queue.size() < kNearbyCells &&
-				                          std::find(queue.begin(), queue.end(), n) == queue.end())
-					                      queue.push_back(n);
-			                      });
+			grid.forEachNeighbor(queue[i], f,
+			                     [&](CellId n)
+			                     {
+				                     if (queue.size() < kNearbyCells &&
+				                         std::find(queue.begin(), queue.end(), n) == queue.end())
+					                     queue.push_back(n);
+			                     });
 	}
 	return kNoCell;
 }

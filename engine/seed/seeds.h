@@ -56,7 +56,7 @@ struct SheetSeeds
 
 // The sheet is placed in the world and has no fx (see probe::content()). Of one with a window the seeds reach every
 // piece in the window: either its rim lies on the boundary there, or it is the whole window, and so holds the hot spot.
-// The centre of the window stands in for a hot spot outside it.
+// The center of the window stands in for a hot spot outside it.
 SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, const SeedOptions& options);
 
 } // namespace vp::seed

@@ -142,12 +142,12 @@ CellId nextCell(const G& grid, CellId cell, CellId before, const Crossings& cros
 	{
 		CellId next = kNoCell;
 		bool leads_back = false;
-		grid.forEachNeighbour(cell, crossings.at[i].face,
-		                      [&](CellId neighbour)
-		                      {
-			                      leads_back = leads_back || neighbour == before;
-			                      next = neighbour;
-		                      });
+		grid.forEachNeighbor(cell, crossings.at[i].face,
+		                     [&](CellId neighbor)
+		                     {
+			                     leads_back = leads_back || neighbor == before;
+			                     next = neighbor;
+		                     });
 		if (!leads_back)
 			return next;
 	}
@@ -163,7 +163,7 @@ void walk(const G& grid, const surface::Plane& plane, const SheetAxes& axes, Cel
 {
 	// A line along a side, or through a corner where many cells meet, may stand still for some cells, and rounding sets
 	// it back.
-	constexpr int kMostStops = 8;
+	constexpr int kMaxStops = 8;
 	int stops = 0;
 	CellId before = kNoCell;
 	double reached = -std::numeric_limits<double>::infinity(); // in the line's sense
@@ -176,7 +176,7 @@ void walk(const G& grid, const surface::Plane& plane, const SheetAxes& axes, Cel
 		const double enters = crossings.at[0].where;
 		const double leaves = crossings.at[crossings.count - 1].where;
 		stops = leaves > reached ? 0 : stops + 1;
-		if (stops > kMostStops)
+		if (stops > kMaxStops)
 			return;
 		reached = leaves;
 		passed.push_back({cell, line.sense > 0 ? enters : -leaves, line.sense > 0 ? leaves : -enters,

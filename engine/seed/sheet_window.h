@@ -34,7 +34,7 @@ public:
 	template <class G, class Surface>
 	bool meetsCell(const G& grid, const Surface& surface, const grid::CellFaces& faces) const
 	{
-		bool inside = false; // the window's centre is: an odd number of the section's sides lie to one side of it
+		bool inside = false; // the window's center is: an odd number of the section's sides lie to one side of it
 		bool unsure = false;
 		Cuts cuts;
 		for (int f = 0; f < faces.size(); ++f)
@@ -43,10 +43,10 @@ public:
 				continue;
 			if (anyMeets(cuts))
 				return true;
-			// Which cuts are joined matters only where the centre lies between them.
-			unsure = unsure || (cuts.count > 2 && (cuts.count > 4 || isAboutCentre(cuts)));
+			// Which cuts are joined matters only where the center lies between them.
+			unsure = unsure || (cuts.count > 2 && (cuts.count > 4 || isAboutCenter(cuts)));
 			for (int cut = 0; cut + 1 < cuts.count; cut += 2)
-				inside ^= passesRightOfCentre(cuts.at[cut], cuts.at[cut + 1]);
+				inside ^= passesRightOfCenter(cuts.at[cut], cuts.at[cut + 1]);
 		}
 		return inside || unsure;
 	}
@@ -70,7 +70,7 @@ public:
 	const glm::dvec2& lo() const { return lo_; }
 	const glm::dvec2& hi() const { return hi_; }
 
-	// A point of the window to start from: the sheet's origin where it is inside, else the window's centre.
+	// A point of the window to start from: the sheet's origin where it is inside, else the window's center.
 	const Vec3& hotSpot() const { return hot_spot_; }
 
 private:
@@ -94,8 +94,8 @@ private:
 		    grid, surface, face, [this](const Vec3& p) { return uvOf(p); }, cuts);
 	}
 	bool anyMeets(const Cuts& cuts) const { return anyReaches(cuts, lo_, hi_); }
-	bool passesRightOfCentre(const Uv& from, const Uv& to) const;
-	bool isAboutCentre(const Cuts& cuts) const; // the loop through all of them
+	bool passesRightOfCenter(const Uv& from, const Uv& to) const;
+	bool isAboutCenter(const Cuts& cuts) const; // the loop through all of them
 
 	Vec3 origin_;
 	Vec3 x_axis_;

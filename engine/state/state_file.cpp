@@ -17,9 +17,9 @@ namespace
 using nlohmann::json;
 using probe::JsonReader;
 
-constexpr std::size_t kMostNumbers = 64; // offsets of a stack
-constexpr std::size_t kMostWords = 64;   // surfaces in a picture
-constexpr std::size_t kMostFiles = 100'000;
+constexpr std::size_t kMaxNumbers = 64; // offsets of a stack
+constexpr std::size_t kMaxWords = 64;   // surfaces in a picture
+constexpr std::size_t kMaxFiles = 100'000;
 
 bool isJson(const std::string& name)
 {
@@ -85,21 +85,21 @@ struct Reader
 	void operator()(bool* flag) const { *flag = from.flag(); }
 	void operator()(std::vector<double>* numbers) const
 	{
-		from.expectArray(1, kMostNumbers, "numbers");
+		from.expectArray(1, kMaxNumbers, "numbers");
 		numbers->clear();
 		for (std::size_t i = 0; i < from.size(); ++i)
 			numbers->push_back(from.at(i).number());
 	}
 	void operator()(std::vector<std::string>* words) const
 	{
-		from.expectArray(1, kMostWords, "words");
+		from.expectArray(1, kMaxWords, "words");
 		words->clear();
 		for (std::size_t i = 0; i < from.size(); ++i)
 			words->push_back(from.at(i).text());
 	}
 	void operator()(Files files) const
 	{
-		from.expectArray(1, kMostFiles, "names of files");
+		from.expectArray(1, kMaxFiles, "names of files");
 		files.names->clear();
 		for (std::size_t i = 0; i < from.size(); ++i)
 			files.names->push_back(fromState(file, from.at(i).text()));

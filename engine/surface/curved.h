@@ -56,13 +56,13 @@ public:
 			return quadric->height(grid.point(p));
 		return std::get<PlacedExpression>(kind_).height(grid.point(p));
 	}
-	// Of each point; for as many as kMostPoints. `heights` has as many.
-	static constexpr std::size_t kMostPoints = 64;
+	// Of each point; for as many as kMaxPoints. `heights` has as many.
+	static constexpr std::size_t kMaxPoints = 64;
 	template <class G>
 	void heights(const G& grid, std::span<const PointId> points, double* heights) const
 	{
 		const PlacedExpression* placed = expression();
-		std::array<Vec3, kMostPoints> places;
+		std::array<Vec3, kMaxPoints> places;
 		for (std::size_t i = 0; i < points.size(); ++i)
 			if (placed)
 				places[i] = grid.point(points[i]);

@@ -8,11 +8,11 @@ namespace vp::surface
 std::optional<Curved> gpuSurfaceOf(const BlockSurface& surface)
 {
 	// Half a second with a software driver, once for a surface and a kind of grid.
-	constexpr int kMostCost = 256;
+	constexpr int kMaxCost = 256;
 	if (const Quadric* quadric = surface.quadric())
 		return *quadric;
 	const PlacedExpression* placed = surface.expression();
-	if (!placed || shaderCost(placed->expression()) > kMostCost)
+	if (!placed || shaderCost(placed->expression()) > kMaxCost)
 		return std::nullopt;
 	return *placed;
 }

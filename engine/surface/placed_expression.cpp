@@ -72,14 +72,14 @@ bool PlacedExpression::meets(const Box& box) const
 {
 	if (!moved_)
 		return expression_.meets(box);
-	const Vec3 centre = local(box.centre());
+	const Vec3 center = local(box.center());
 	const Vec3 half = 0.5 * box.size();
 	const Vec3 reach(glm::dot(glm::abs(axes_.x), half), glm::dot(glm::abs(axes_.y), half),
 	                 glm::dot(glm::abs(axes_.z), half));
-	// Rounding of the centre in the frame.
-	const Vec3 far = glm::abs(box.centre()) + glm::abs(axes_.origin) + half;
+	// Rounding of the center in the frame.
+	const Vec3 far = glm::abs(box.center()) + glm::abs(axes_.origin) + half;
 	const Vec3 slack(1e-15 * (far.x + far.y + far.z));
-	return expression_.meets({centre - reach - slack, centre + reach + slack});
+	return expression_.meets({center - reach - slack, center + reach + slack});
 }
 
 } // namespace vp::surface

@@ -26,10 +26,10 @@ public:
 	{
 		const Vec3 half = 0.5 * box.size();
 		const double reach = glm::dot(glm::abs(normal_), half);
-		// Rounding of centre and half size, so that no face is lost that touches the box's side.
+		// Rounding of center and half size, so that no face is lost that touches the box's side.
 		const Vec3 reaches = glm::abs(box.lo) + glm::abs(box.hi) + glm::abs(origin_);
 		const double slack = 1e-14 * (reaches.x + reaches.y + reaches.z);
-		return std::abs(signedDistance(box.centre())) <= reach + slack;
+		return std::abs(signedDistance(box.center())) <= reach + slack;
 	}
 
 private:

@@ -90,17 +90,17 @@ double Quadric::crossing(const Vec3& a, const Vec3& b, double height_a, double h
 bool Quadric::meets(const Box& box) const
 {
 	const Vec3 half = 0.5 * box.size();
-	const Vec3 centre = box.centre();
-	// Of all that the height may differ by from that at the centre.
+	const Vec3 center = box.center();
+	// Of all that the height may differ by from that at the center.
 	const double bends = glm::dot(half, glm::abs(square_) * half) + std::abs(mixed_.x) * half.x * half.y +
 	                     std::abs(mixed_.y) * half.x * half.z + std::abs(mixed_.z) * half.y * half.z;
-	const double reach = glm::dot(glm::abs(gradient(centre)), half) + bends;
+	const double reach = glm::dot(glm::abs(gradient(center)), half) + bends;
 	// Rounding of the height and of the gradient: of sums of up to ten terms of this size.
-	const Vec3 far = glm::abs(centre - origin_) + half + 1e-15 * (glm::abs(centre) + glm::abs(origin_));
+	const Vec3 far = glm::abs(center - origin_) + half + 1e-15 * (glm::abs(center) + glm::abs(origin_));
 	const double size = glm::dot(far, glm::abs(square_) * far) + std::abs(mixed_.x) * far.x * far.y +
 	                    std::abs(mixed_.y) * far.x * far.z + std::abs(mixed_.z) * far.y * far.z +
 	                    glm::dot(glm::abs(linear_), far) + std::abs(constant_);
-	return std::abs(height(centre)) <= reach + 1e-13 * size;
+	return std::abs(height(center)) <= reach + 1e-13 * size;
 }
 
 } // namespace vp::surface

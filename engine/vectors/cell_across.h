@@ -7,37 +7,37 @@
 namespace vp::vectors
 {
 
-// The cell across a face; of several the one whose centre is nearest to a place, as fence hopping chooses. kNoCell on
+// The cell across a face; of several the one whose center is nearest to a place, as fence hopping chooses. kNoCell on
 // the boundary.
 template <grid::Grid G>
 CellId cellAcross(const G& grid, CellId cell, int face, const Vec3& place)
 {
 	if constexpr (kIsLattice<G>)
-		return grid.neighbour(cell, face);
+		return grid.neighbor(cell, face);
 	else
 	{
 		CellId first = kNoCell;
 		bool several = false;
-		grid.forEachNeighbour(cell, face,
-		                      [&](CellId next)
-		                      {
-			                      several = first != kNoCell;
-			                      first = several ? first : next;
-		                      });
+		grid.forEachNeighbor(cell, face,
+		                     [&](CellId next)
+		                     {
+			                     several = first != kNoCell;
+			                     first = several ? first : next;
+		                     });
 		if (!several)
 			return first;
 		CellId nearest = kNoCell;
 		double least = std::numeric_limits<double>::infinity();
-		grid.forEachNeighbour(cell, face,
-		                      [&](CellId next)
-		                      {
-			                      const Vec3 off = grid::cellCentre(grid, next) - place;
-			                      if (glm::dot(off, off) < least)
-			                      {
-				                      least = glm::dot(off, off);
-				                      nearest = next;
-			                      }
-		                      });
+		grid.forEachNeighbor(cell, face,
+		                     [&](CellId next)
+		                     {
+			                     const Vec3 off = grid::cellCenter(grid, next) - place;
+			                     if (glm::dot(off, off) < least)
+			                     {
+				                     least = glm::dot(off, off);
+				                     nearest = next;
+			                     }
+		                     });
 		return nearest;
 	}
 }

@@ -24,7 +24,7 @@ struct CellFan
 	bool loaded = false;
 	grid::CellFaces faces;
 	std::vector<PointId> points; // each once
-	Vec3 centre;                 // their mean, from the cell's origin
+	Vec3 center;                 // their mean, from the cell's origin
 	Vec3 size;                   // of their box
 };
 
@@ -90,11 +90,11 @@ public:
 		if (into.shape == grid::CellShape::polyhedron)
 			into.origin = grid_.point(fan.points.front());
 		Box box;
-		fan.centre = Vec3(0.0);
+		fan.center = Vec3(0.0);
 		for (const PointId p : fan.points)
 		{
 			const Vec3 place = grid_.point(p) - into.origin;
-			fan.centre += place / static_cast<double>(fan.points.size());
+			fan.center += place / static_cast<double>(fan.points.size());
 			box.include(place);
 		}
 		fan.size = box.size();

@@ -11,9 +11,9 @@ namespace
 {
 
 constexpr double kPieceTurn = 10.0 * std::numbers::pi / 180.0; // smooth where lit, and few
-constexpr int kMostPieces = 32;
+constexpr int kMaxPieces = 32;
 // A cubic whose velocities are longer than three chords may run in loops.
-constexpr double kMostChords = 3.0;
+constexpr double kMaxChords = 3.0;
 
 double angle(const Vec3& a, const Vec3& b)
 {
@@ -57,7 +57,7 @@ struct Step
 	int pieces() const
 	{
 		const double turn = angle(leave, to - from) + angle(to - from, arrive);
-		return std::clamp(static_cast<int>(std::ceil(turn / kPieceTurn)), 1, kMostPieces);
+		return std::clamp(static_cast<int>(std::ceil(turn / kPieceTurn)), 1, kMaxPieces);
 	}
 
 private:
@@ -67,7 +67,7 @@ private:
 		const Vec3 moved = velocity * time;
 		if (!isDirection(moved))
 			return chord;
-		return moved * std::min(1.0, kMostChords * glm::length(chord) / glm::length(moved));
+		return moved * std::min(1.0, kMaxChords * glm::length(chord) / glm::length(moved));
 	}
 };
 
@@ -153,7 +153,7 @@ Vec3 mirrored(const Vec3& v, const Vec3& normal)
 	return square > 0.0 ? v - (2.0 * glm::dot(v, normal) / square) * normal : v;
 }
 
-// From one point of a curve to its neighbour.
+// From one point of a curve to its neighbor.
 Vec3 carried(const Vec3& across, const Curves& curves, std::size_t from, std::size_t to)
 {
 	const Vec3 chord = curves.points[to] - curves.points[from];

@@ -75,7 +75,7 @@ public:
 				return {Vec3(std::numeric_limits<double>::quiet_NaN()), -1.0, -1, true}; // no volume
 			const Nearest nearest = nearestFace();
 			const bool held = nearest.depth >= kHeld;
-			if (held || stays_ || hop == kMostHops)
+			if (held || stays_ || hop == kMaxHops)
 				return sample(nearest, between, !held);
 			const std::optional<Crossing> way = wayOut(nearest);
 			if (!way)
@@ -120,8 +120,8 @@ public:
 	CellId across(int face) const { return cellAcross(loader_.grid(), here().cell, face, place_); }
 
 private:
-	static constexpr int kMostHops = 64; // steps are kept as short as a cell
-	static constexpr int kKept = 4;      // cells: a step near an edge comes by as many
+	static constexpr int kMaxHops = 64; // steps are kept as short as a cell
+	static constexpr int kKept = 4;     // cells: a step near an edge comes by as many
 
 	struct Nearest
 	{
@@ -168,7 +168,7 @@ private:
 		{
 			if (!cell.fan.loaded)
 				loader_.loadFan(cell);
-			part_ = locate::deepestPart(loader_.grid(), cell.fan.faces, cell.origin, cell.fan.centre, place);
+			part_ = locate::deepestPart(loader_.grid(), cell.fan.faces, cell.origin, cell.fan.center, place);
 			u_ = startOf(cell.shape);
 		}
 	}
@@ -186,10 +186,10 @@ private:
 	// slopes differ in the cell.
 	bool findNear(const CellField& cell, const Vec3& place)
 	{
-		constexpr int kMostSteps = 3;
+		constexpr int kMaxSteps = 3;
 		constexpr double kSmall = 2e-5; // of the cell: what is left then is a small part of it
 		Vec3 u = u_;
-		for (int step = 0; step < kMostSteps; ++step)
+		for (int step = 0; step < kMaxSteps; ++step)
 		{
 			const Vec3 move = locate::applied(inverse_, place - cell.places.at(cell.shape, u));
 			u += move;

@@ -85,8 +85,8 @@ private:
 	// only, and the far side of an axis that faces are collapsed to.
 	bool findBeyond(Particle& particle, const Exit& exit)
 	{
-		constexpr std::size_t kMostIdle = 4;
-		if (particle.idle > kMostIdle)
+		constexpr std::size_t kMaxIdle = 4;
+		if (particle.idle > kMaxIdle)
 			return false;
 		const Vec3 velocity = particle.sense * motion_.moving(particle.vector);
 		const Vec3 beyond = particle.place + kBeyond / exit.rate * velocity;

@@ -59,17 +59,17 @@ Vec3 polygonVector(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, co
 void addFan(const mesh::SheetMesh& mesh, std::span<const std::uint32_t> polygon, const std::vector<Vec3>& vectors,
             FluxSum& sum)
 {
-	Vec3 centre(0.0);
+	Vec3 center(0.0);
 	Vec3 mean(0.0);
 	for (const std::uint32_t v : polygon)
 	{
-		centre += mesh.positions[v] / static_cast<double>(polygon.size());
+		center += mesh.positions[v] / static_cast<double>(polygon.size());
 		mean += vectors[v] / static_cast<double>(polygon.size());
 	}
 	std::uint32_t previous = polygon.back();
 	for (const std::uint32_t v : polygon)
 	{
-		const Vec3 area = 0.5 * glm::cross(mesh.positions[previous] - centre, mesh.positions[v] - centre);
+		const Vec3 area = 0.5 * glm::cross(mesh.positions[previous] - center, mesh.positions[v] - center);
 		sum.addPart(area, (vectors[previous] + vectors[v] + mean) / 3.0);
 		previous = v;
 	}

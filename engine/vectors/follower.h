@@ -61,11 +61,11 @@ public:
 private:
 	static constexpr double kReach = 1.0; // cells a substep: two might step over a third
 	// Cells: so short a substep is taken whatever its error, at a kink of the field.
-	static constexpr double kLeast = 1e-3;
+	static constexpr double kMin = 1e-3;
 	// In a million such steps nothing would move by a millionth of a cell.
 	static constexpr double kStands = 1e-12;
-	static constexpr std::size_t kMostSubsteps = 20'000; // a step
-	static constexpr std::size_t kMostIdle = 32; // faces crossed at one place: about a corner there are some twenty
+	static constexpr std::size_t kMaxSubsteps = 20'000; // a step
+	static constexpr std::size_t kMaxIdle = 32; // faces crossed at one place: about a corner there are some twenty
 
 	static bool finite(const Vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 	static double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -118,7 +118,7 @@ private:
 		const double rate = largest(locate::applied(inverse_, velocity_));
 		if (motion_.steady && !(rate * motion_.dt > kStands))
 			return stop(TraceEnd::zero_vector);
-		if (++p_.substeps > kMostSubsteps)
+		if (++p_.substeps > kMaxSubsteps)
 			return stop(TraceEnd::gave_up);
 		const double wanted = std::min(left, kReach / rate);
 		double most = std::min(p_.substep, wanted);
@@ -127,7 +127,7 @@ private:
 		for (double h = most;;)
 		{
 			const Tried tried = attempt(h);
-			const bool short_enough = h * rate <= kLeast;
+			const bool short_enough = h * rate <= kMin;
 			if (!finite(tried.place + tried.velocity))
 			{
 				if (short_enough)
@@ -187,7 +187,7 @@ private:
 	// where it is known, else the step is halved.
 	std::optional<Exit> shorten(const Tried& tried)
 	{
-		constexpr int kMostTries = 60;
+		constexpr int kMaxTries = 60;
 		constexpr double kOnFace = 1e-9; // cells
 		constexpr double kNothing = 1e-14;
 		Beyond out = beyond(tried);
@@ -196,7 +196,7 @@ private:
 		walker_.restore(start_);
 		in.sample = walker_.at(p_.place, span_.between(p_.time));
 		std::optional<double> depth = depthBehind(out);
-		for (int i = 0; i < kMostTries && !(depth && *depth <= kOnFace) && out.h - in.h > kNothing * tried.h; ++i)
+		for (int i = 0; i < kMaxTries && !(depth && *depth <= kOnFace) && out.h - in.h > kNothing * tried.h; ++i)
 		{
 			// Every so often halved, since secants may keep to one side.
 			const bool secant = depth && out.depth < 0.0 && i % 4 != 3;
@@ -236,7 +236,7 @@ private:
 		}
 		p_.cell = out.cell;
 		p_.idle = moved ? 1 : p_.idle + 1;
-		if (p_.idle > kMostIdle)
+		if (p_.idle > kMaxIdle)
 			return stop(TraceEnd::zero_vector); // vectors on both sides of a face run against each other
 		enter();
 		if (stays_)

@@ -68,12 +68,12 @@ public:
 	// Of the next step, by the error of this one over what is allowed.
 	double growth(double error) const
 	{
-		constexpr double kMost = 5.0;
+		constexpr double kMax = 5.0;
 		constexpr double kSafety = 0.9;
 		constexpr double kSmall = 1e-5; // allows the most with either order: no power is taken
 		if (error < kSmall)
-			return kMost;
-		return std::clamp(kSafety / (low_ ? std::cbrt(error) : std::pow(error, 0.2)), 0.2, kMost);
+			return kMax;
+		return std::clamp(kSafety / (low_ ? std::cbrt(error) : std::pow(error, 0.2)), 0.2, kMax);
 	}
 
 	// After a step: how long the next may be, and how long it is wanted.

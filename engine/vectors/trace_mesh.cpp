@@ -90,7 +90,7 @@ private:
 	}
 
 	// Of vertices that run right-handed about the curve's direction at its point i. Gives the first.
-	std::uint32_t addRing(const Vec3& centre, std::size_t i, double radius)
+	std::uint32_t addRing(const Vec3& center, std::size_t i, double radius)
 	{
 		const Vec3 x = across_[i - first_];
 		const Vec3 y = glm::cross(curves_.directions[i], x);
@@ -98,7 +98,7 @@ private:
 		for (std::uint32_t k = 0; k < sides_; ++k)
 		{
 			const double turn = 2.0 * std::numbers::pi * k / sides_;
-			made_.addVertex(centre + radius * (std::cos(turn) * x + std::sin(turn) * y), values_[i]);
+			made_.addVertex(center + radius * (std::cos(turn) * x + std::sin(turn) * y), values_[i]);
 		}
 		return ring;
 	}

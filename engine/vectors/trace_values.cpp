@@ -16,7 +16,7 @@ namespace
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-// Of the cell's size: differences over less would be rounding, over more the neighbours' business.
+// Of the cell's size: differences over less would be rounding, over more the neighbors' business.
 constexpr double kShare = 0.05;
 
 // One component of an array at a place in a cell whose weights are known.

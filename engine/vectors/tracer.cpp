@@ -18,7 +18,7 @@ Status checkOptions(const TraceOptions& options, std::size_t launches)
 		             fmt::format("--vector-steps {}: not a number of steps; give 0 or more", options.steps)};
 	const double ways = options.direction == Direction::both ? 2.0 : 1.0;
 	const double points = static_cast<double>(launches) * (ways * (std::ceil(options.steps) + 1.0));
-	if (points > kMostTracePoints)
+	if (points > kMaxTracePoints)
 		return Error{ExitCode::usage, fmt::format("--vector-steps {}: of {} traces there would be {:.3g} points; "
 		                                          "take fewer steps, or fewer points in the lattice",
 		                                          options.steps, launches, points)};

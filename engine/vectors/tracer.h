@@ -25,9 +25,9 @@ struct TraceOptions
 };
 
 // Of all traces; they take some 140 bytes each while they are made.
-constexpr double kMostTracePoints = 1e8;
+constexpr double kMaxTracePoints = 1e8;
 
-// Usage errors: dt not positive or not finite, steps negative or not finite, more points than kMostTracePoints.
+// Usage errors: dt not positive or not finite, steps negative or not finite, more points than kMaxTracePoints.
 Status checkOptions(const TraceOptions& options, std::size_t launches);
 
 // Particles from the launches along the vectors of an array (chooseVectors()), with a point every dt. Between points of

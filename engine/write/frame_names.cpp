@@ -11,7 +11,7 @@ namespace vp::write
 namespace
 {
 
-constexpr int kMostDigits = 20;
+constexpr int kMaxDigits = 20;
 
 } // namespace
 
@@ -30,7 +30,7 @@ Result<FrameNames> FrameNames::create(const std::string& pattern, const std::str
 	{
 		const char* end = format.data() + format.size();
 		const auto [at, failed] = std::from_chars(format.data() + 1, end, names.digits_);
-		if (format[0] != ':' || failed != std::errc() || at != end || names.digits_ < 1 || names.digits_ > kMostDigits)
+		if (format[0] != ':' || failed != std::errc() || at != end || names.digits_ < 1 || names.digits_ > kMaxDigits)
 			return wrong;
 	}
 	names.before_ = pattern.substr(0, open);

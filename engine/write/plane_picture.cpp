@@ -61,7 +61,7 @@ Surface surfaceFor(const render::Look& look, PictureFormat format, AtomicFile& f
 	return nullptr;
 }
 
-// From cairo's words of alpha and colours multiplied by it.
+// From cairo's words of alpha and colors multiplied by it.
 render::Picture pictureOf(cairo_surface_t* surface)
 {
 	cairo_surface_flush(surface);

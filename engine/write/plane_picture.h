@@ -20,7 +20,7 @@ enum class PictureFormat
 // By the path's ending, in any case; none for any other.
 std::optional<PictureFormat> pictureFormatOf(const std::string& path);
 
-// Steps of colour that suit a format, for render::FlatScene: in files of polygons each step is one more outline.
+// Steps of color that suit a format, for render::FlatScene: in files of polygons each step is one more outline.
 int colorSteps(PictureFormat format);
 
 // Pictures of sheets, flats[i] to paths[i], whose endings tell the formats. They appear when all are written, or none

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr std::size_t kBufferBytes = 1 << 16;
-constexpr std::int64_t kLeastRest = 1000; // ns: a shorter one is the clock's own time
+constexpr std::int64_t kMinRest = 1000; // ns: a shorter one is the clock's own time
 
 std::int64_t nanoseconds(double ms)
 {
@@ -65,7 +65,7 @@ std::vector<TraceFile::Event> TraceFile::restsOf(const std::vector<Event>& event
 	std::vector<Event> rests;
 	const auto tellRest = [&](const Open& of, std::int64_t until)
 	{
-		if (until - of.told >= kLeastRest)
+		if (until - of.told >= kMinRest)
 			rests.push_back({nullptr, of.told, until, of.event->depth + 1});
 	};
 	const auto close = [&](std::uint32_t depth) // and what is deeper

@@ -36,7 +36,7 @@ VP_CONST uint kShapeMark = 0xFFFFFFF0u; // grid::UnstructuredGrid's: the last id
 
 // How a point is stored.
 VP_CONST uint kPointsFloat = 0u; // three floats, as the source has them
-VP_CONST uint kPointsFixed = 1u; // three signed numbers of 41 bits, from the block's centre: 32 upper bits each in x,
+VP_CONST uint kPointsFixed = 1u; // three signed numbers of 41 bits, from the block's center: 32 upper bits each in x,
                                  // y, z; in w 9 lower bits each, then three flags
 VP_CONST uint kFixedLowBits = 9u;
 VP_CONST uint kFixedInexactShift = 27u; // bit 27 + axis: the source is not exactly this number
@@ -54,10 +54,10 @@ struct ClassifyLane
 {
 	uint normal[6];         // of the plane, unit, canonical
 	uint origin[6];         // of the sheet
-	uint centre[6];         // of the block's fixed-point numbers
+	uint center[6];         // of the block's fixed-point numbers
 	float unit[3];          // their unit, a power of two
 	float single_normal[3]; // the same in floats, for devices without doubles
-	float single_centre[3]; // centre - origin
+	float single_center[3]; // center - origin
 	float single_origin_hi[3];
 	float single_origin_lo[3];
 	float x_axis[3]; // of the sheet

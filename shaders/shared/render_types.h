@@ -30,10 +30,10 @@ VP_CONST uint kLayerWindow = 1u; // what lies outside of the window is left out
 VP_CONST uint kLayerMesh = 2u;   // how much of a line along the polygons' edges is at a pixel goes beside the values
 VP_CONST uint kLayerListed = 4u; // of the records those are drawn that the compute rasterizer listed
 
-// The compute rasterizer of small polygons. Pixels are numbered from 0, and their centres lie at whole numbers.
+// The compute rasterizer of small polygons. Pixels are numbered from 0, and their centers lie at whole numbers.
 VP_CONST uint kRasterGroupSize = 64u; // one thread a record
 VP_CONST uint kSubpixels = 256u;      // a pixel's side has so many places for corners: as many as hardware has
-VP_CONST uint kMostRasterSide = 64u;  // pixels; of larger polygons the edges would not fit into 32 bits
+VP_CONST uint kMaxRasterSide = 64u;  // pixels; of larger polygons the edges would not fit into 32 bits
 
 struct RasterPush
 {
@@ -94,25 +94,25 @@ VP_CONST uint kComposeMesh = 8u;
 VP_CONST uint kComposeGround = 64u; // a part of the picture in which no layer has anything
 VP_CONST uint kComposeWhole = 128u; // the one sample of a picture, over its background
 
-// A layer's plane, and how its values become colours. Values are scaled first: y is the value, or its log10. Places are
-// those in the buffer of tables, four-byte words; colours are encoded (sRGB), not multiplied by alpha, red in the
+// A layer's plane, and how its values become colors. Values are scaled first: y is the value, or its log10. Places are
+// those in the buffer of tables, four-byte words; colors are encoded (sRGB), not multiplied by alpha, red in the
 // lowest byte.
 struct SheetParams
 {
 	float plane[3]; // near / w = a x + b y + c in pixels
 	float opacity;
-	float below_from; // y below and above these have colours of their own
+	float below_from; // y below and above these have colors of their own
 	float above_from;
 	float range_lo;
 	float range_scale; // t = (y - lo) * scale + offset
 	float range_offset;
-	float shade; // of the light on it, a factor on colours
+	float shade; // of the light on it, a factor on colors
 	uint is_log;
 	uint is_stepped;  // values are constant in each polygon
-	uint colors;      // place of kTableColors colours over t from 0 to 1
+	uint colors;      // place of kTableColors colors over t from 0 to 1
 	uint step_bounds; // place of the bounds between steps, ascending y
-	uint step_colors; // place of one colour more than there are bounds
-	uint step_count;  // bounds; 0: colours are continuous
+	uint step_colors; // place of one color more than there are bounds
+	uint step_count;  // bounds; 0: colors are continuous
 	uint levels;      // place of the contour lines' y, ascending
 	uint level_count;
 	uint nan_color;
@@ -122,7 +122,7 @@ struct SheetParams
 
 VP_CONST uint kTableColors = 256u;
 
-// The colours of a layer, with its light and opacity taken in: places in its table. Steps, or so many colours over the
+// The colors of a layer, with its light and opacity taken in: places in its table. Steps, or so many colors over the
 // range, are in the last; nearest ones are taken, which with a thousand is as good as to interpolate between 256.
 VP_CONST uint kLayerBelow = 0u;
 VP_CONST uint kLayerAbove = 1u;
@@ -130,7 +130,7 @@ VP_CONST uint kLayerNan = 2u;
 VP_CONST uint kLayerRange = 3u;
 VP_CONST uint kLayerRangeColors = 1024u;
 
-// Colours here are encoded, not multiplied by alpha.
+// Colors here are encoded, not multiplied by alpha.
 struct ComposeParams
 {
 	float height;
@@ -140,7 +140,7 @@ struct ComposeParams
 	float line_color[4];
 	float top_color[4]; // of the background
 	float bottom_color[4];
-	uint layer_colors[kMaxLayers]; // where a layer's colours begin
+	uint layer_colors[kMaxLayers]; // where a layer's colors begin
 	SheetParams sheets[kMaxLayers];
 };
 

@@ -22,9 +22,9 @@ cut::CutRequest requestFor(const grid::BlockSet& blocks)
 	request.finder = find::Finder::automatic;
 	request.field = grid::FieldChoice{blocks.blocks[0].fields[0].name, grid::Association::point, 0};
 	// Beside the middle of the bounds, which in the shell is at its inner wall.
-	const Vec3 origin = blocks.bounds().centre() + Vec3(0.0, 0.12 * size.y, 0.05 * size.z);
+	const Vec3 origin = blocks.bounds().center() + Vec3(0.0, 0.12 * size.y, 0.05 * size.z);
 	request.probe.sheets = {probe::makeSheet(origin, {0.0, 0.0, 1.0})};
-	request.probe.sheets[0].window = probe::centredWindow(kPart * size.x, kPart * size.y);
+	request.probe.sheets[0].window = probe::centeredWindow(kPart * size.x, kPart * size.y);
 	return request;
 }
 

@@ -50,7 +50,7 @@ void sweep(benchmark::State& state, cut::Cutter& slicer, find::Finder finder, in
 		for (std::size_t s = 0; s < slice->sheets.size(); ++s)
 		{
 			cells += slice->sheets[s].cuts[0].cutCells();
-			generations += slice->sheets[s].cuts[0].cells().generations();
+			generations += slice->sheets[s].cuts[0].steps();
 			if (slicer.usesGpu())
 				continue;
 			const mesh::SheetMesh mesh = slice->mesh(slicer.blocks(), s);
@@ -78,9 +78,9 @@ std::optional<probe::Window> middleOf(const probe::Sheet& sheet, const mesh::She
 		hi = glm::max(hi, uv);
 	}
 	constexpr double kPart = 1.0 / 5.0;
-	const glm::dvec2 centre = 0.5 * (lo + hi);
+	const glm::dvec2 center = 0.5 * (lo + hi);
 	const glm::dvec2 half = 0.5 * kPart * (hi - lo);
-	return probe::Window{centre.x - half.x, centre.x + half.x, centre.y - half.y, centre.y + half.y};
+	return probe::Window{center.x - half.x, center.x + half.x, center.y - half.y, center.y + half.y};
 }
 
 void cutOnce(const grid::BlockSet& blocks)

@@ -18,7 +18,7 @@ std::vector<probe::Frame> fanOf(const probe::Frame& frame, int planes);
 void cpuCut(benchmark::State& state, const std::string& name, find::Finder finder);
 // Counter "generations", on the mean. The polygons stay in device memory.
 void gpuCut(benchmark::State& state, const std::string& name, find::Finder finder, int sheets);
-// Within a window of 1/5 x 1/5 of the slice's extent about its centre.
+// Within a window of 1/5 x 1/5 of the slice's extent about its center.
 void windowCut(benchmark::State& state, const std::string& name);
 
 // From the arrays as a file has them to the first mesh.

@@ -190,7 +190,7 @@ TEST_F(Render, LogarithmicColors)
 }
 
 // It is the traversal's own: the same whoever classifies.
-TEST_F(Render, ColoursOfGenerations)
+TEST_F(Render, ColorsOfGenerations)
 {
 	const auto picture = [&](const Arguments& options)
 	{

@@ -32,8 +32,8 @@ constexpr std::uint64_t kMemoryPerByte = 1032;
 // A reader of so small files is ended after 15 s.
 constexpr std::chrono::seconds kTimeLimit{20};
 // Larger data sets take seconds a case.
-constexpr std::uint64_t kMostBytes = 1u << 20;
-constexpr std::uint64_t kMostBytesLong = 30u << 20;
+constexpr std::uint64_t kMaxBytes = 1u << 20;
+constexpr std::uint64_t kMaxBytesLong = 30u << 20;
 
 struct Options
 {
@@ -205,7 +205,7 @@ int runAll(const Options& options)
 	Tally tally;
 	tally.failed = countUnreadable(options, sets, place.path());
 	if (const char* data = std::getenv("VPROBE_DATA"))
-		for (DataSet& set : findRealSets(data, options.is_long ? kMostBytesLong : kMostBytes))
+		for (DataSet& set : findRealSets(data, options.is_long ? kMaxBytesLong : kMaxBytes))
 			sets.push_back(std::move(set));
 
 	const std::size_t first = options.only_case.value_or(0);

@@ -14,8 +14,8 @@ namespace
 {
 
 constexpr int kLargeDifference = 24; // of a channel
-constexpr double kMostLarge = 0.005; // of the pixels
-constexpr double kMostMean = 0.5;    // of a channel, over the picture
+constexpr double kMaxLarge = 0.005;  // of the pixels
+constexpr double kMaxMean = 0.5;     // of a channel, over the picture
 
 } // namespace
 
@@ -64,7 +64,7 @@ testing::AssertionResult looksLike(const Picture& picture, const std::string& na
 	}
 	const double pixels = static_cast<double>(picture.rgba.size() / 4);
 	const double mean = sum / (4.0 * pixels);
-	if (static_cast<double>(large) > kMostLarge * pixels || mean > kMostMean)
+	if (static_cast<double>(large) > kMaxLarge * pixels || mean > kMaxMean)
 		return differs() << large << " pixels by more than " << kLargeDifference << ", mean " << mean;
 	return testing::AssertionSuccess();
 }

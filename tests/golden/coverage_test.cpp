@@ -49,7 +49,7 @@ TEST_F(Coverage, EdgesHaveAsManyShadesAsSamples)
 				const double covered = 255.0 * std::clamp(edge - x, 0.0, 1.0);
 				const auto seen = picture.pixel(x, 30);
 				EXPECT_NEAR(seen[3], covered, 255.0 / samples * 0.5 + 1.5) << samples << " " << edge << " " << x;
-				// What is half covered keeps its colour.
+				// What is half covered keeps its color.
 				if (seen[3] > 60)
 				{
 					EXPECT_LE(difference(rgb(scene.look.colors.at(0.5)), seen), 3.0);
@@ -103,7 +103,7 @@ TEST_F(Coverage, LinesHideBehindSheetsAndShowThroughThem)
 	EXPECT_GE(behind, 40.0) << "behind a translucent sheet";
 	EXPECT_LE(behind, 0.55 * difference(kWhite, darkest(picture, 1.3, 0.5, -0.4)));
 
-	// Dark grey at 88 percent over white; a full pixel of it lies under a line of constant width wherever it goes.
+	// Dark gray at 88 percent over white; a full pixel of it lies under a line of constant width wherever it goes.
 	scene.sheets.clear();
 	picture = draw(scene);
 	EXPECT_EQ(darkest(picture, 0.0, 0.5, -0.4), darkest(picture, 1.3, 0.5, -0.4));

@@ -115,13 +115,13 @@ Box4 filledBox(const Picture& picture, std::uint32_t x, std::uint32_t y)
 probe::Sheet windowed(double width, double height)
 {
 	probe::Sheet sheet = probe::makeSheet({0.0, 0.0, 0.1}, {0.0, 0.0, 1.0});
-	sheet.window = probe::centredWindow(width, height);
+	sheet.window = probe::centeredWindow(width, height);
 	return sheet;
 }
 
 } // namespace
 
-TEST_F(Flat, ColoursOfAKnownFieldTrueToScale)
+TEST_F(Flat, ColorsOfAKnownFieldTrueToScale)
 {
 	const FlatScene flat = sceneOf([](const Vec3& p) { return p.x; }, windowed(4.0, 2.0));
 	const Picture picture = drawn(flat);
@@ -199,7 +199,7 @@ TEST_F(Flat, ContourLinesRunThroughTheirPlaces)
 	EXPECT_NE(drawn(flat).rgba, with.rgba);
 }
 
-TEST_F(Flat, NanAndWhatIsBeyondTheRangeHaveTheirColours)
+TEST_F(Flat, NanAndWhatIsBeyondTheRangeHaveTheirColors)
 {
 	FlatScene flat = sceneOf([](const Vec3& p) { return p.y > 0.45 ? std::nan("") : p.x; }, windowed(4.0, 2.0));
 	flat.scene.look.range = {-1.0, 1.0};

@@ -66,13 +66,13 @@ KnownSurface randomBlob(std::mt19937& random)
 	constexpr int kDown = 12;
 	const double bulge = uniform(random, 0.1, 0.35);
 	const double bumps = 2.0 + random() % 3;
-	const Vec3 centre(uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4));
+	const Vec3 center(uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4));
 	const auto at = [&](int i, int j)
 	{
 		const double longitude = 2.0 * std::numbers::pi * (i % kAround) / kAround;
 		const double latitude = std::numbers::pi * (static_cast<double>(j) / kDown - 0.5);
 		const double radius = 0.9 * (1.0 + bulge * std::sin(bumps * longitude) * std::cos(3.0 * latitude));
-		return centre + radius * Vec3(std::cos(latitude) * std::cos(longitude),
+		return center + radius * Vec3(std::cos(latitude) * std::cos(longitude),
 		                              std::cos(latitude) * std::sin(longitude), std::sin(latitude));
 	};
 	KnownSurface made;

@@ -11,7 +11,7 @@ namespace vp::render::test
 // at the vertices or of the polygons.
 struct KnownSurface
 {
-	Surface drawing; // without polygons, in the colours of its values
+	Surface drawing; // without polygons, in the colors of its values
 	mesh::SheetMesh mesh;
 	std::vector<double> vertex_values;
 	std::vector<double> polygon_values;

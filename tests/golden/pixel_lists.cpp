@@ -57,10 +57,10 @@ struct Fragment
 	double value;
 };
 
-class Rasteriser
+class Rasterizer
 {
 public:
-	explicit Rasteriser(const Scene& scene)
+	explicit Rasterizer(const Scene& scene)
 	    : scene_(scene), frame_{double(scene.look.width), double(scene.look.height), {}, {}, {}},
 	      fragments_(std::size_t(scene.look.width) * scene.look.height), on_edge_(fragments_.size())
 	{
@@ -128,9 +128,9 @@ private:
 	void markEdge(const glm::dvec2& a, const glm::dvec2& b)
 	{
 		forPixels(glm::min(a, b), glm::max(a, b),
-		          [&](std::size_t i, const glm::dvec2& centre)
+		          [&](std::size_t i, const glm::dvec2& center)
 		          {
-			          if (distanceToSegment(centre, a, b) < kEdgeReach)
+			          if (distanceToSegment(center, a, b) < kEdgeReach)
 				          on_edge_[i] = true;
 		          });
 	}
@@ -149,9 +149,9 @@ private:
 		for (std::size_t k = 0; k < corners.size(); ++k)
 			markEdge(corners[k], corners[(k + 1) % corners.size()]);
 		forPixels(lo, hi,
-		          [&](std::size_t i, const glm::dvec2& centre)
+		          [&](std::size_t i, const glm::dvec2& center)
 		          {
-			          const auto found = hit(scene_, known.drawing.sheet, 1e9, centre.x, centre.y);
+			          const auto found = hit(scene_, known.drawing.sheet, 1e9, center.x, center.y);
 			          if (!found)
 				          return;
 			          const glm::dvec2 at = glm::dvec2(found->u, found->v) / known.drawing.magnification;
@@ -207,12 +207,12 @@ private:
 std::vector<PixelList> blendedLists(const Scene& scene, const std::vector<KnownSheet>& sheets,
                                     const std::vector<KnownSurface>& surfaces)
 {
-	Rasteriser rasteriser(scene);
+	Rasterizer rasterizer(scene);
 	for (std::size_t i = 0; i < sheets.size(); ++i)
-		rasteriser.add(i, sheets[i]);
+		rasterizer.add(i, sheets[i]);
 	for (std::size_t i = 0; i < surfaces.size(); ++i)
-		rasteriser.add(sheets.size() + i, surfaces[i]);
-	return rasteriser.blended();
+		rasterizer.add(sheets.size() + i, surfaces[i]);
+	return rasterizer.blended();
 }
 
 ListComparison compareLists(const std::vector<PixelList>& lists, const Picture& picture)

@@ -7,13 +7,13 @@
 namespace vp::render::test
 {
 
-// What a picture should be, found without a GPU: every polygon is rasterised in double into a list at each pixel, lists
+// What a picture should be, found without a GPU: every polygon is rasterized in double into a list at each pixel, lists
 // are sorted by depth (sheets in one plane by their number, a surface in a sheet's plane behind it) and blended over
 // white.
 struct PixelList
 {
 	Rgb color{};
-	std::size_t fragments = 0; // of sheets and surfaces, at the pixel's centre
+	std::size_t fragments = 0; // of sheets and surfaces, at the pixel's center
 	bool on_edge = false; // an edge of a polygon or a window, or a crossing of two of them, is too near to tell sides
 };
 std::vector<PixelList> blendedLists(const Scene& scene, const std::vector<KnownSheet>& sheets,

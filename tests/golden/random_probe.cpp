@@ -81,7 +81,7 @@ std::vector<PolygonRecord> hexagons(const Waves& waves)
 	for (int j = -5; j <= 5; ++j)
 		for (int i = -5; i <= 5; ++i)
 		{
-			// Corners shared by neighbours are formed from whole numbers, so that they are the same floats.
+			// Corners shared by neighbors are formed from whole numbers, so that they are the same floats.
 			std::vector<glm::dvec2> corners;
 			constexpr std::array<std::array<int, 2>, 6> kCorners{{{1, -1}, {1, 1}, {0, 2}, {-1, 1}, {-1, -1}, {0, -2}}};
 			for (const auto& [x, y] : kCorners)

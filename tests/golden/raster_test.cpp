@@ -55,7 +55,7 @@ class Raster : public DrawingTest
 protected:
 	Renderer rendererOf(std::uint32_t side)
 	{
-		auto made = Renderer::create(device(), kMostFragmentBytes, side);
+		auto made = Renderer::create(device(), kMaxFragmentBytes, side);
 		EXPECT_TRUE(made);
 		return std::move(*made);
 	}
@@ -191,7 +191,7 @@ TEST_F(Raster, BothWaysAgreeWhereTheEyeIsInTheSheet)
 				}
 		}
 		EXPECT_GT(covered, 5'000u);
-		EXPECT_LE(1'000 * off, covered) << i; // where an edge of the sheet passes through a pixel's centre
+		EXPECT_LE(1'000 * off, covered) << i; // where an edge of the sheet passes through a pixel's center
 	}
 }
 

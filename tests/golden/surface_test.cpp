@@ -220,8 +220,8 @@ TEST_F(SurfaceLook, ATurnedFaceIsDarkerAndAThickOneDenser)
 	scene.surfaces[0].opacity = 0.2;
 	scene.surfaces[0].thick = true;
 	const Picture thick = draw(scene);
-	const Rgb centre = over(rgb(kOrange), 0.2, over(rgb(kOrange), 0.2, kWhite));
-	EXPECT_LE(difference(centre, thick.pixel(100, 80)), 2.0);
+	const Rgb center = over(rgb(kOrange), 0.2, over(rgb(kOrange), 0.2, kWhite));
+	EXPECT_LE(difference(center, thick.pixel(100, 80)), 2.0);
 	std::uint32_t x = 100;
 	while (difference(kWhite, thick.pixel(x + 1, 80)) > 0.0)
 		++x;

@@ -1,4 +1,4 @@
-// Traces drawn as surfaces: where they are, and in what colours.
+// Traces drawn as surfaces: where they are, and in what colors.
 
 #include "synthetic_scene.h"
 
@@ -60,7 +60,7 @@ constexpr double kTolerance = 6.0; // of 255: a pixel is wider than the map is f
 
 } // namespace
 
-TEST_F(DrawnTraces, HaveTheColoursOfTheirValues)
+TEST_F(DrawnTraces, HaveTheColorsOfTheirValues)
 {
 	for (const auto add : {vectors::addTubes, vectors::addLines})
 	{

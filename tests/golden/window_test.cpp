@@ -169,7 +169,7 @@ TEST_F(Windows, SheetsMayHaveALookOfTheirOwn)
 	picture = draw(scene);
 	EXPECT_LE(difference(rgb(turbo.at(0.25 + 0.5 * value)), at(picture, 0.8)), 3.0);
 
-	// Plain beside coloured.
+	// Plain beside colored.
 	scene.values.reset();
 	picture = draw(scene);
 	EXPECT_LE(difference(rgb(turbo.at(0.25 + 0.5 * value)), at(picture, 0.8)), 3.0);

@@ -98,9 +98,9 @@ TEST_F(GpuClassifier, SheetsInLockStepCrossInTheSameCells)
 {
 	const grid::BlockSet set = setNamed({"shell"});
 	const auto blocks = upload(device(), set);
-	const Vec3 centre = set.bounds().centre();
-	const std::vector<probe::Sheet> sheets{probe::makeSheet(centre, {1, 0.1, 0}), probe::makeSheet(centre, {0, 1, 0.2}),
-	                                       probe::makeSheet(centre, {-0.3, 0, -1})};
+	const Vec3 center = set.bounds().center();
+	const std::vector<probe::Sheet> sheets{probe::makeSheet(center, {1, 0.1, 0}), probe::makeSheet(center, {0, 1, 0.2}),
+	                                       probe::makeSheet(center, {-0.3, 0, -1})};
 	const CutBothWays cut = cutBothWays(*blocks, sheets, pointField("s"));
 	expectSameCells(cut);
 	expectRecords(set, sheets, pointField("s"), cut);
@@ -114,8 +114,8 @@ TEST_F(GpuClassifier, FrontsStraddlePages)
 	classify::GpuBlocksOptions options;
 	options.page_records = 64; // less than a wide front
 	const auto blocks = upload(device(), set, options);
-	const std::vector<probe::Sheet> sheets{probe::makeSheet(set.bounds().centre(), {1, 0.3, 0.4}),
-	                                       probe::makeSheet(set.bounds().centre(), {0.2, 1, 0.1})};
+	const std::vector<probe::Sheet> sheets{probe::makeSheet(set.bounds().center(), {1, 0.3, 0.4}),
+	                                       probe::makeSheet(set.bounds().center(), {0.2, 1, 0.1})};
 	const CutBothWays cut = cutBothWays(*blocks, sheets, pointField("v", grid::kMagnitude));
 	expectSameCells(cut);
 	expectRecords(set, sheets, pointField("v", grid::kMagnitude), cut);
@@ -140,7 +140,7 @@ TEST_F(GpuClassifier, ShowsAnyArray)
 {
 	const grid::BlockSet set = setNamed({"shell"});
 	const auto blocks = upload(device(), set);
-	const probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {1, 0.3, 0.4});
+	const probe::Sheet sheet = probe::makeSheet(set.bounds().center(), {1, 0.3, 0.4});
 	const std::vector<std::optional<FieldChoice>> choices{std::nullopt,
 	                                                      pointField("v", 1),
 	                                                      pointField("v", grid::kMagnitude),
@@ -169,7 +169,7 @@ TEST_F(GpuClassifier, CategoriesAreNotInterpolated)
 	grid::BlockSet set;
 	set.blocks.push_back(std::move(block));
 	const auto blocks = upload(device(), set);
-	const probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {1, 0.3, 0.4});
+	const probe::Sheet sheet = probe::makeSheet(set.bounds().center(), {1, 0.3, 0.4});
 	for (const int component : {0, grid::kMagnitude})
 	{
 		const CutBothWays cut = cutBothWays(*blocks, std::span(&sheet, 1), pointField("material", component));
@@ -229,7 +229,7 @@ TEST_F(GpuClassifier, BlockPastALimitStaysWithTheCpu)
 	const auto blocks = upload(device(), set, options);
 	ASSERT_EQ(blocks->warnings().size(), 2u - blocks->heldCount());
 	EXPECT_LT(blocks->heldCount(), 2u);
-	const probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {1, 0.3, 0.4});
+	const probe::Sheet sheet = probe::makeSheet(set.bounds().center(), {1, 0.3, 0.4});
 	const CutBothWays cut = cutBothWays(*blocks, std::span(&sheet, 1), pointField("linear"));
 	expectSameCells(cut);
 	for (const classify::SheetRecords::Run& run : cut.records[0]->runs)
@@ -272,7 +272,7 @@ TEST_F(GpuClassifier, PagesAreUsedAgain)
 	std::size_t bytes = 0;
 	for (int i = 0; i < 8; ++i)
 	{
-		const probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {1, 0.1 * i, 0.4});
+		const probe::Sheet sheet = probe::makeSheet(set.bounds().center(), {1, 0.1 * i, 0.4});
 		const CutBothWays cut = cutBothWays(*blocks, std::span(&sheet, 1), pointField("s"));
 		expectRecords(set, std::span(&sheet, 1), pointField("s"), cut);
 		if (i == 0)
@@ -287,7 +287,7 @@ TEST_F(GpuClassifier, GenerationsAreOnTheTimeline)
 		GTEST_SKIP() << device().name() << " has no timestamps";
 	const grid::BlockSet set = setNamed({"shell"});
 	const auto blocks = upload(device(), set);
-	const probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {1, 0.1, 0.4});
+	const probe::Sheet sheet = probe::makeSheet(set.bounds().center(), {1, 0.1, 0.4});
 	Timeline timeline(Timeline::Keep::sections);
 	const CutBothWays cut = cutBothWays(*blocks, std::span(&sheet, 1), pointField("s"), &timeline);
 	EXPECT_EQ(timeline.takeSections().size(), cut.gpu[0].generations());

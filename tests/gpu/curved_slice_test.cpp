@@ -17,8 +17,8 @@ namespace
 
 probe::Sheet sheetOf(const grid::BlockSet& set, const std::string& form)
 {
-	probe::Sheet sheet = probe::makeSheet(set.bounds().centre(), {0.3, 0.5, 0.81});
-	sheet.form = *surface::Form::parse(form);
+	probe::Sheet sheet = probe::makeSheet(set.bounds().center(), {0.3, 0.5, 0.81});
+	sheet.form = *surface::ImplicitSurface::parse(form);
 	return sheet;
 }
 

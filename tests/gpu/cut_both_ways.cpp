@@ -64,8 +64,8 @@ public:
 		}
 		std::vector<ExpectedVertex> expected = expectedPolygon(sheet, b, cell, code);
 		ASSERT_EQ(record.vertices, expected.size());
-		// A float's rounding of positions and data of this size; in floats, what kLeastDifferenceSingles leaves.
-		const double size = block.bounds.diagonal() + glm::length(block.bounds.centre() - sheet.origin);
+		// A float's rounding of positions and data of this size; in floats, what kMinDifferenceSingles leaves.
+		const double size = block.bounds.diagonal() + glm::length(block.bounds.center() - sheet.origin);
 		const double slack = singles_ ? 1e-3 * block.bounds.diagonal() + 1e-6 * size : 1e-6 * size;
 		for (std::uint32_t i = 0; i < record.vertices; ++i)
 		{

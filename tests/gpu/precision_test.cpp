@@ -104,7 +104,7 @@ TEST(FixedPoints, FlagWhatTheyDoNotHoldExactly)
 	{
 		const auto low = packed[3] >> (shared::kFixedLowBits * axis) & ((1u << shared::kFixedLowBits) - 1u);
 		const double number = static_cast<double>(static_cast<std::int32_t>(packed[axis])) * 512.0 + low;
-		return fixed.centre()[axis] + number * fixed.unit()[axis];
+		return fixed.center()[axis] + number * fixed.unit()[axis];
 	};
 	for (int i = 0; i < 10000; ++i)
 	{

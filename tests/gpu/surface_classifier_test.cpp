@@ -43,7 +43,7 @@ Axes tilted(const Vec3& origin)
 // Three that cross any grid with these bounds: a bowl, waves, and one with roots and slopes.
 std::vector<std::string> expressionsThrough(const Box& bounds)
 {
-	const Vec3 c = bounds.centre();
+	const Vec3 c = bounds.center();
 	const Vec3 s = 1.0 / glm::max(bounds.size(), Vec3(1e-6));
 	const std::string x = fmt::format("{}*(x - ({}))", s.x, c.x);
 	const std::string y = fmt::format("{}*(y - ({}))", s.y, c.y);
@@ -65,7 +65,7 @@ TEST_F(GpuSurfaceClassifier, AgreesWithTheCpuOnEveryGrid)
 		SCOPED_TRACE(block.name);
 		const grid::BlockSet set = setOf(block);
 		const auto blocks = upload(device(), set);
-		const Axes axes = tilted(block.bounds.centre());
+		const Axes axes = tilted(block.bounds.center());
 		std::vector<SurfaceWords> codes{classify(*blocks, Quadric::sphere(0.3 * block.bounds.diagonal()).placed(axes)),
 		                                classify(*blocks, Quadric::sphere(2.0).placed({})),
 		                                classify(*blocks, Quadric::cone(35.0).placed(axes))};
@@ -104,7 +104,7 @@ TEST_F(GpuSurfaceClassifier, ExpressionsMayBePlaced)
 	{
 		const grid::BlockSet set = setOf(gridNamed(name));
 		const auto blocks = upload(device(), set);
-		const Axes axes = tilted(set.bounds().centre());
+		const Axes axes = tilted(set.bounds().center());
 		const Expression expression = *Expression::parse("x^2 + y*y/2 - z*z*z + 0.1*x*y - 0.4");
 		const SurfaceWords codes = classifyAllCells(*blocks, 0, PlacedExpression(expression, axes));
 		EXPECT_GT(codes.cut, 10u);
@@ -191,7 +191,7 @@ TEST_F(GpuSurfaceClassifier, FarFromTheOriginQuadricsLoseNothing)
 	const grid::BlockSet set = setOf(block);
 	const auto blocks = upload(device(), set);
 	const SurfaceWords codes =
-	    classify(*blocks, Quadric::sphere(0.3 * block.bounds.diagonal()).placed(tilted(block.bounds.centre())));
+	    classify(*blocks, Quadric::sphere(0.3 * block.bounds.diagonal()).placed(tilted(block.bounds.center())));
 	EXPECT_GT(codes.cut, 20u);
 	EXPECT_LT(10 * codes.walked, codes.cut);
 }

@@ -59,7 +59,7 @@ TEST_F(WideFront, ShowsWhatTheTraversalShows)
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 4, 81))
 			request.probe.sheets.push_back(probe::makeSheet(plane.origin, plane.normal));
 		const double size = set.bounds().diagonal();
-		request.probe.sheets.back().window = probe::centredWindow(0.3 * size, 0.2 * size);
+		request.probe.sheets.back().window = probe::centeredWindow(0.3 * size, 0.2 * size);
 		const cut::Cut expected = std::move((*slicer)->cut(request).value());
 
 		for (const find::Finder finder : {find::Finder::direct, find::Finder::automatic})

@@ -46,12 +46,12 @@ vtkSmartPointer<vtkPolyData> inFans(vtkPolyData* surface)
 			surface->GetPoint(corners->GetId(i), &at.x);
 			mean += at / static_cast<double>(count);
 		}
-		const vtkIdType centre = count == 3 ? -1 : points->InsertNextPoint(mean.x, mean.y, mean.z);
+		const vtkIdType center = count == 3 ? -1 : points->InsertNextPoint(mean.x, mean.y, mean.z);
 		if (count == 3)
 			triangles->InsertNextCell(corners);
 		for (vtkIdType i = 0; count > 3 && i < count; ++i)
 		{
-			const vtkIdType triangle[] = {corners->GetId(i), corners->GetId((i + 1) % count), centre};
+			const vtkIdType triangle[] = {corners->GetId(i), corners->GetId((i + 1) % count), center};
 			triangles->InsertNextCell(3, triangle);
 		}
 	}
@@ -127,7 +127,7 @@ void expectSame(const grid::BlockSet& set, const std::string& array, const TestP
 {
 	cut::Cutter slicer(set);
 	SlicedSheet sheet =
-	    cut(slicer, plane, {}, find::Finder::automatic, std::optional(probe::centredWindow(width, height)));
+	    cut(slicer, plane, {}, find::Finder::automatic, std::optional(probe::centeredWindow(width, height)));
 	sheet.slice.field = grid::FieldChoice{array, grid::Association::point, 0};
 	const contour::BoxContourer contourer(slicer, sheet.slice, sheet.mesh, std::nullopt);
 	const auto [least, most] = contourer.range().value();

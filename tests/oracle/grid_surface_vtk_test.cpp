@@ -111,14 +111,14 @@ double areaOfQuads(vtkPolyData* data)
 		data->GetCellPoints(c, corners);
 		EXPECT_EQ(corners->GetNumberOfIds(), 4);
 		Vec3 at[4];
-		Vec3 centre(0.0);
+		Vec3 center(0.0);
 		for (int i = 0; i < 4; ++i)
 		{
 			data->GetPoint(corners->GetId(i), &at[i].x);
-			centre += at[i] / 4.0;
+			center += at[i] / 4.0;
 		}
 		for (int i = 0; i < 4; ++i)
-			sum += 0.5 * glm::length(glm::cross(at[i] - centre, at[(i + 1) % 4] - centre));
+			sum += 0.5 * glm::length(glm::cross(at[i] - center, at[(i + 1) % 4] - center));
 	}
 	return sum;
 }

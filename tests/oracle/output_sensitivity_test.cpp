@@ -35,10 +35,10 @@ double sideOf(const grid::BlockSet& set)
 std::vector<TestPlane> planesThrough(const Box& box)
 {
 	std::vector<TestPlane> planes = randomPlanes(box, tries(60), 120);
-	planes.push_back({box.centre(), {0.3, 0.5, 0.81}});
-	planes.push_back({box.centre(), {1.0, 0.0, 0.0}});
-	planes.push_back({box.centre(), {0.0, 1.0, 0.0}});
-	planes.push_back({box.centre(), {0.0, 0.0, 1.0}});
+	planes.push_back({box.center(), {0.3, 0.5, 0.81}});
+	planes.push_back({box.center(), {1.0, 0.0, 0.0}});
+	planes.push_back({box.center(), {0.0, 1.0, 0.0}});
+	planes.push_back({box.center(), {0.0, 0.0, 1.0}});
 	return planes;
 }
 

@@ -262,7 +262,7 @@ TEST(Scan, TheWholeAreaIsTheLineIntegralAroundIt)
 					          for (int f = 0; f < faces.size(); ++f)
 					          {
 						          bool inner = false;
-						          grid.forEachNeighbour(c, f, [&](CellId) { inner = true; });
+						          grid.forEachNeighbor(c, f, [&](CellId) { inner = true; });
 						          if (inner)
 							          continue;
 						          std::vector<Vec3> corners;

@@ -57,19 +57,19 @@ VtkCut cutByVtk(vtkUnstructuredGrid* grid, const TestPlane& plane)
 		const auto count = static_cast<std::size_t>(corners->GetNumberOfIds());
 		std::vector<Vec3> at(count);
 		std::vector<double> value(count);
-		Vec3 centre(0.0);
+		Vec3 center(0.0);
 		double middle = 0.0;
 		for (std::size_t i = 0; i < count; ++i)
 		{
 			output->GetPoint(corners->GetId(static_cast<vtkIdType>(i)), &at[i].x);
 			value[i] = s->GetTuple1(corners->GetId(static_cast<vtkIdType>(i)));
-			centre += at[i] / static_cast<double>(count);
+			center += at[i] / static_cast<double>(count);
 			middle += value[i] / static_cast<double>(count);
 		}
 		for (std::size_t i = 0; i < count; ++i)
 		{
 			const std::size_t next = (i + 1) % count;
-			const double part = 0.5 * glm::length(glm::cross(at[i] - centre, at[next] - centre));
+			const double part = 0.5 * glm::length(glm::cross(at[i] - center, at[next] - center));
 			result.area += part;
 			result.mean += part * (value[i] + value[next] + middle) / 3.0;
 		}

@@ -79,7 +79,7 @@ std::vector<vectors::Launch> launchesIn(const grid::Block& block, const vectors:
 			    for (const PointId p : grid.cellPoints(cell))
 				    least = std::min(least, glm::length(vectors.at(grid.sourcePoint(p))));
 			    if (least > 0.0)
-				    launches.push_back({grid::cellCentre(grid, cell), 0, cell, 0});
+				    launches.push_back({grid::cellCenter(grid, cell), 0, cell, 0});
 		    }
 	    },
 	    block.grid);

@@ -15,7 +15,7 @@ enum VtkType : std::uint8_t
 	kPolyhedron = 42
 };
 
-std::int64_t addCentre(RawBlock& block, const Ids& c)
+std::int64_t addCenter(RawBlock& block, const Ids& c)
 {
 	Vec3 sum(0.0);
 	for (const std::int64_t id : c)
@@ -85,7 +85,7 @@ void addTetrahedra(RawBlock& block, const Ids& c)
 
 void addPyramids(RawBlock& block, const Ids& c)
 {
-	const std::int64_t tip = addCentre(block, c);
+	const std::int64_t tip = addCenter(block, c);
 	for (const Ids& face : facesOf(c))
 		block.cells.push_back({kPyramid, {face[3], face[2], face[1], face[0], tip}, {}});
 }

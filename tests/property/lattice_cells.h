@@ -37,7 +37,7 @@ void addHexahedron(RawBlock& block, const Ids& corners);
 void addWedges(RawBlock& block, const Ids& corners); // two, by the diagonal of the faces normal to k
 void addTetrahedra(RawBlock& block,
                    const Ids& corners); // six about the diagonal 0-6, alike in every cell, so that they fit
-void addPyramids(RawBlock& block, const Ids& corners);               // six about the centre
+void addPyramids(RawBlock& block, const Ids& corners);               // six about the center
 void addPolyhedron(RawBlock& block, const Ids& corners, Draw& draw); // its faces listed either way round
 void addPolyhedron(RawBlock& block, std::vector<Ids> faces);
 

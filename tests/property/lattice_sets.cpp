@@ -55,7 +55,7 @@ RawSet doublePolyhedra(Draw& draw, const Disorder& disorder, const LatticeSize& 
 	return {"double polyhedra", {block}};
 }
 
-// A wall of bricks: each has six neighbours in its layer, its top and bottom are hexagons.
+// A wall of bricks: each has six neighbors in its layer, its top and bottom are hexagons.
 RawSet hexagonalPolyhedra(Draw& draw, const Disorder& disorder, const LatticeSize& size)
 {
 	RawBlock block = lattice(draw, disorder, size);

@@ -109,7 +109,7 @@ TestPlane randomPlane(const grid::BlockSet& set, unsigned seed)
 	case 5:
 		return {inside, along};
 	case 6: // at most touching
-		return {box.centre() + (0.4 + 0.4 * draw.real(0.0, 1.0)) * box.diagonal() * direction, direction};
+		return {box.center() + (0.4 + 0.4 * draw.real(0.0, 1.0)) * box.diagonal() * direction, direction};
 	default:
 		return {inside, generic};
 	}

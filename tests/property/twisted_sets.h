@@ -5,7 +5,7 @@
 namespace vp::test
 {
 
-// A cell among its neighbours, warped so that a plane cuts it with given signs.
+// A cell among its neighbors, warped so that a plane cuts it with given signs.
 struct TwistedSet
 {
 	RawSet raw;

@@ -64,7 +64,7 @@ private:
 	std::map<PointName, PointName> other_; // to a lesser name
 };
 
-// Whether two vertices lie on one face of the domain's boundary: without a neighbour, and on no seam.
+// Whether two vertices lie on one face of the domain's boundary: without a neighbor, and on no seam.
 class BoundaryFaces
 {
 public:
@@ -176,7 +176,7 @@ private:
 
 void checkWatertight(const Pair& pair)
 {
-	// Where a plane runs through points, polygons without area are left out, and their neighbours meet along a line
+	// Where a plane runs through points, polygons without area are left out, and their neighbors meet along a line
 	// that has other vertices on either side. Cells drawn together have several faces on the same edges.
 	if (!pair.raw.conforming || !pair.generic)
 		return;
@@ -191,7 +191,7 @@ void checkWatertight(const Pair& pair)
 		if (uses.size() != 2)
 			continue;
 		// Polygons face the sheet's normal. One of a folded cell, or of a concave one at a warped face, faces the other
-		// way by its cell: against its neighbours, all of them alike.
+		// way by its cell: against its neighbors, all of them alike.
 		const bool alike = uses[0].forward == uses[1].forward;
 		EXPECT_FALSE(alike && pair.raw.flat_faces) << "polygons that run the same way along an edge";
 		EXPECT_TRUE(sides.relate(uses[0].polygon, uses[1].polygon, alike)) << "polygons do not agree on their sides";

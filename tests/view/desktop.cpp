@@ -251,7 +251,7 @@ vp::render::Picture Desktop::rest(const Area& area) const
 	return last;
 }
 
-// The menu bar has one colour at its right end.
+// The menu bar has one color at its right end.
 Area Desktop::scene() const
 {
 	const vp::render::Picture picture = screen();

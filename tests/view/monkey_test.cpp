@@ -124,7 +124,7 @@ std::uint32_t seedOfTheRun()
 }
 
 // Pictures of the largest window, of 16 sheets, come and go; what leaks with each of hundreds of deeds is far more.
-constexpr std::size_t kMostGrowth = std::size_t(160) << 20;
+constexpr std::size_t kMaxGrowth = std::size_t(160) << 20;
 
 } // namespace
 
@@ -156,7 +156,7 @@ TEST_P(MonkeyAtTheWindow, DoesNoHarm)
 	// It answers. (Nobody waits for it to rest: a sweep may be playing.)
 	EXPECT_TRUE(state().is_object());
 	const std::size_t after = program().residentBytes();
-	EXPECT_LT(after, warm + kMostGrowth) << "memory grew from " << warm << " to " << after << " bytes";
+	EXPECT_LT(after, warm + kMaxGrowth) << "memory grew from " << warm << " to " << after << " bytes";
 	std::printf("resident: %zu MiB after the warm-up, %zu MiB at the end\n", warm >> 20, after >> 20);
 	close(err()); // what a key could not do is told
 }

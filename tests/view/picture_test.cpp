@@ -34,7 +34,7 @@ class Picture : public Desktop
 
 } // namespace
 
-TEST_F(Picture, AnInputAppearsInTheColoursOfTheMap)
+TEST_F(Picture, AnInputAppearsInTheColorsOfTheMap)
 {
 	open({"demo:shell:32", "--normal", "0.3", "0.5", "0.8"});
 	const Area left{100, 100, 500, 450};

@@ -19,7 +19,7 @@ vp::render::Picture readScreen(const std::string& file);
 
 vp::render::Picture part(const vp::render::Picture& picture, const Area& area);
 
-// Parts of 1 of all pixels: that differ at all; that have one of the map's colours, give or take 6 of 255.
+// Parts of 1 of all pixels: that differ at all; that have one of the map's colors, give or take 6 of 255.
 double difference(const vp::render::Picture& a, const vp::render::Picture& b);
 double shareOf(const vp::render::ColorMap& map, const vp::render::Picture& picture);
 

@@ -71,7 +71,7 @@ TEST_F(WindowOfTheDesktop, FollowsItsSize)
 	close();
 }
 
-TEST_F(WindowOfTheDesktop, ComesBackAsItWasAfterMinimising)
+TEST_F(WindowOfTheDesktop, ComesBackAsItWasAfterMinimizing)
 {
 	open({"demo:shell:16", "--normal", "z"});
 	act("panels");

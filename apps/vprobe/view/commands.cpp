@@ -208,13 +208,13 @@ Status Commands::act(const Words& words, const Stage& stage)
 		waitForPicture(stage);
 	else if (has("minimise", 0))
 	{
-		stage.window.minimise();
-		waitFor([](const Stage& now) { return now.window.minimised(); }, "minimise: the window stayed as it was");
+		stage.window.minimize();
+		waitFor([](const Stage& now) { return now.window.minimized(); }, "minimise: the window stayed as it was");
 	}
 	else if (has("restore", 0))
 	{
 		stage.window.restore();
-		waitFor([](const Stage& now) { return !now.window.minimised(); }, "restore: the window stayed as it was");
+		waitFor([](const Stage& now) { return !now.window.minimized(); }, "restore: the window stayed as it was");
 	}
 	else if (has("quit", 0))
 		stage.bench.quit();
@@ -228,7 +228,7 @@ void Commands::waitForPicture(const Stage& stage)
 {
 	constexpr std::uint64_t kFrames = 2;
 	const auto done = [enough = stage.frames + kFrames](const Stage& now)
-	{ return now.bench.isIdle() && (now.window.minimised() || (now.shows_newest && now.frames >= enough)); };
+	{ return now.bench.isIdle() && (now.window.minimized() || (now.shows_newest && now.frames >= enough)); };
 	waiting_ = Waiting{done, {}, {}};
 }
 
@@ -240,7 +240,7 @@ Status Commands::saveState(const std::string& file, const Stage& stage) const
 
 Status Commands::capture(const std::string& file, const Stage& stage)
 {
-	if (stage.window.minimised())
+	if (stage.window.minimized())
 		return Error{ExitCode::usage, "nothing is seen of a minimised window; restore comes first"};
 	captures_ = true;
 	stage.screen.capture(
@@ -258,8 +258,8 @@ Status Commands::savePicture(const Words& words, const Stage& stage)
 {
 	const auto width = numberOf(words[0]);
 	const auto height = numberOf(words[1]);
-	constexpr int kMost = static_cast<int>(render::kMaxPictureSize);
-	if (!width || !height || *width < 1 || *height < 1 || *width > kMost || *height > kMost)
+	constexpr int kMax = static_cast<int>(render::kMaxPictureSize);
+	if (!width || !height || *width < 1 || *height < 1 || *width > kMax || *height > kMax)
 		return unfit("needs a width and a height in pixels, and a file's name");
 	stage.bench.savePicture(words[2], static_cast<std::uint32_t>(*width), static_cast<std::uint32_t>(*height));
 	return Nothing{};

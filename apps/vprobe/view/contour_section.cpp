@@ -52,7 +52,7 @@ void showKept(Desk& desk)
 void showContourOpacity(Desk& desk)
 {
 	auto opacity = static_cast<float>(desk.bench.state().look.contour.opacity);
-	labelled("Opacity");
+	labeled("Opacity");
 	if (ImGui::SliderFloat("##opacity", &opacity, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp))
 		desk.bench.change(
 		    "Opacity of contours", [&](ViewState& state) { state.look.contour.opacity = opacity; }, "contour opacity");
@@ -65,7 +65,7 @@ void showDepth(Desk& desk)
 {
 	auto depth = static_cast<float>(desk.bench.state().look.contour.depth);
 	const auto most = static_cast<float>(desk.bench.facts()->bounds.diagonal());
-	labelled("Depth");
+	labeled("Depth");
 	if (ImGui::SliderFloat("##depth", &depth, 0.0f, most, depth == 0.0f ? "as the window" : "%.4g",
 	                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic))
 		desk.bench.change(

@@ -16,7 +16,7 @@ using interact::Action;
 
 void gridFact(const char* label, const std::string& value)
 {
-	labelled(label);
+	labeled(label);
 	clippedText(value);
 }
 
@@ -42,9 +42,9 @@ void showLoading(Desk& desk)
 	const ImVec2 at = ImGui::GetCursorScreenPos();
 	const auto place = static_cast<float>(0.5 - 0.5 * std::cos(1.6 * loader.seconds()));
 	ImDrawList& list = *ImGui::GetWindowDrawList();
-	const auto bar = [&](float from, float to, ImGuiCol colour)
+	const auto bar = [&](float from, float to, ImGuiCol color)
 	{
-		list.AddRectFilled({at.x + from * width, at.y}, {at.x + to * width, at.y + height}, ImGui::GetColorU32(colour),
+		list.AddRectFilled({at.x + from * width, at.y}, {at.x + to * width, at.y + height}, ImGui::GetColorU32(color),
 		                   0.5f * height);
 	};
 	bar(0.0f, 1.0f, ImGuiCol_FrameBg);

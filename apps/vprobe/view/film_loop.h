@@ -16,7 +16,7 @@ class FilmLoop
 {
 public:
 	// Of all its pictures together: some 280 of 1280 x 720.
-	static constexpr std::size_t kMostBytes = std::size_t(1) << 30;
+	static constexpr std::size_t kMaxBytes = std::size_t(1) << 30;
 	static std::size_t bytesOf(int frames, std::uint32_t width, std::uint32_t height)
 	{
 		return std::size_t(4) * width * height * static_cast<std::size_t>(frames);

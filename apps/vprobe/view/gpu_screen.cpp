@@ -149,10 +149,10 @@ Result<bool> Screen::show(std::span<const Placement> pictures, ImDrawData& inter
 void Screen::record(VkCommandBuffer to, const Target& target, std::span<const Placement> pictures,
                     ImDrawData& interface)
 {
-	const VkImageAspectFlags colour = VK_IMAGE_ASPECT_COLOR_BIT;
-	gpu::imageBarrier(to, target.image, colour, gpu::kDiscard, gpu::kCopyTo);
+	const VkImageAspectFlags color = VK_IMAGE_ASPECT_COLOR_BIT;
+	gpu::imageBarrier(to, target.image, color, gpu::kDiscard, gpu::kCopyTo);
 	recordPictures(to, target, pictures);
-	gpu::imageBarrier(to, target.image, colour, gpu::kCopyTo, gpu::kColourTarget);
+	gpu::imageBarrier(to, target.image, color, gpu::kCopyTo, gpu::kColorTarget);
 	VkRenderPassBeginInfo begin{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
 	begin.renderPass = render_pass_;
 	begin.framebuffer = target.framebuffer;
@@ -160,7 +160,7 @@ void Screen::record(VkCommandBuffer to, const Target& target, std::span<const Pl
 	vkCmdBeginRenderPass(to, &begin, VK_SUBPASS_CONTENTS_INLINE);
 	ImGui_ImplVulkan_RenderDrawData(&interface, to);
 	vkCmdEndRenderPass(to);
-	gpu::imageBarrier(to, target.image, colour, gpu::kColourTarget, kShown);
+	gpu::imageBarrier(to, target.image, color, gpu::kColorTarget, kShown);
 }
 
 void Screen::recordPictures(VkCommandBuffer to, const Target& target, std::span<const Placement> pictures) const

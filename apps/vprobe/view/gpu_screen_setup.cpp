@@ -28,14 +28,14 @@ Status Screen::chooseFormat()
 // ImGui of Debian 12 knows render passes only. The pictures lie below what it draws.
 Status Screen::makeRenderPass()
 {
-	VkAttachmentDescription colour{};
-	colour.format = format_.format;
-	colour.samples = VK_SAMPLE_COUNT_1_BIT;
-	colour.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
-	colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-	colour.stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-	colour.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
-	colour.initialLayout = colour.finalLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+	VkAttachmentDescription color{};
+	color.format = format_.format;
+	color.samples = VK_SAMPLE_COUNT_1_BIT;
+	color.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+	color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+	color.stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+	color.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+	color.initialLayout = color.finalLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
 	const VkAttachmentReference target{0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
 	VkSubpassDescription pass{};
 	pass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
@@ -43,7 +43,7 @@ Status Screen::makeRenderPass()
 	pass.pColorAttachments = &target;
 	VkRenderPassCreateInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO};
 	info.attachmentCount = 1;
-	info.pAttachments = &colour;
+	info.pAttachments = &color;
 	info.subpassCount = 1;
 	info.pSubpasses = &pass;
 	if (Status made =
@@ -87,7 +87,7 @@ Status Screen::makeSwapchain(VkExtent2D extent)
 	if (can.currentExtent.width != ~0u)
 		extent = can.currentExtent;
 	if (extent.width == 0 || extent.height == 0)
-		return Nothing{}; // minimised: later
+		return Nothing{}; // minimized: later
 	if (Status idle = device_.waitIdle(); !idle)
 		return idle;
 	VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};

@@ -12,8 +12,8 @@ namespace vp::app
 namespace
 {
 
-constexpr int kLeastWindowWidth = 640;
-constexpr int kLeastWindowHeight = 400;
+constexpr int kMinWindowWidth = 640;
+constexpr int kMinWindowHeight = 400;
 
 std::string lastComplaint()
 {
@@ -44,7 +44,7 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, int wid
 		glfwTerminate();
 		return Error{ExitCode::no_device, fmt::format("no window can be opened ({}); draw with vprobe render", reason)};
 	}
-	glfwSetWindowSizeLimits(handle, kLeastWindowWidth, kLeastWindowHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
+	glfwSetWindowSizeLimits(handle, kMinWindowWidth, kMinWindowHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
 	std::unique_ptr<Window> window(new Window(handle));
 	glfwSetWindowUserPointer(handle, window.get());
 	// The user interface hears everything too, and takes what is meant for it: the listener asks it.
@@ -157,12 +157,12 @@ double Window::refreshRate() const
 	return mode && mode->refreshRate > 0 ? mode->refreshRate : 60.0;
 }
 
-bool Window::minimised() const
+bool Window::minimized() const
 {
 	return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
 }
 
-void Window::minimise()
+void Window::minimize()
 {
 	glfwIconifyWindow(window_);
 }

@@ -46,11 +46,11 @@ public:
 	void hear(double seconds);
 	static void wake(); // from any thread: ends a wait
 
-	VkExtent2D pixels() const; // of the content; 0 x 0 while minimised
+	VkExtent2D pixels() const; // of the content; 0 x 0 while minimized
 	double scale() const;      // of the screen: 2 where letters are to have twice the pixels
 	double refreshRate() const;
-	bool minimised() const;
-	void minimise();
+	bool minimized() const;
+	void minimize();
 	void restore();
 	void resize(int width, int height); // of the content; the desktop has the last word, later
 	bool closes() const;                // the user wishes so

@@ -11,15 +11,15 @@ namespace
 {
 
 constexpr double kWidest = 460.0;
-constexpr double kLeast = 120.0; // of the scene's width
-constexpr std::size_t kMost = 4; // at once, the newest
+constexpr double kMin = 120.0;  // of the scene's width
+constexpr std::size_t kMax = 4; // at once, the newest
 
 // Gives the height that it takes.
 float showNotice(Desk& desk, const Notice& notice, const ImVec2& lower_left, float width)
 {
-	const Theme& colours = theme(desk.bench.settings.dark);
+	const Theme& colors = theme(desk.bench.settings.dark);
 	ImGui::SetNextWindowPos(lower_left, ImGuiCond_Always, {0.0f, 1.0f});
-	ImGui::PushStyleColor(ImGuiCol_WindowBg, notice.is_error ? colours.error : colours.note);
+	ImGui::PushStyleColor(ImGuiCol_WindowBg, notice.is_error ? colors.error : colors.note);
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding);
 	ImGui::Begin(fmt::format("##{}", notice.words).c_str(), nullptr,
 	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
@@ -50,9 +50,9 @@ void showNotices(Desk& desk, const ScenePart& part)
 {
 	const std::vector<Notice> notices = desk.bench.notices(); // a copy: one may be dismissed meanwhile
 	const auto margin = static_cast<float>(10.0 * desk.scale);
-	const auto width = static_cast<float>(std::clamp(part.size.x - 20.0 * desk.scale, kLeast, kWidest * desk.scale));
+	const auto width = static_cast<float>(std::clamp(part.size.x - 20.0 * desk.scale, kMin, kWidest * desk.scale));
 	ImVec2 at{static_cast<float>(part.lo.x) + margin, static_cast<float>(part.lo.y + part.size.y) - margin};
-	for (std::size_t i = notices.size(); i > 0 && notices.size() - i < kMost; --i)
+	for (std::size_t i = notices.size(); i > 0 && notices.size() - i < kMax; --i)
 		at.y -= showNotice(desk, notices[i - 1], at, width) + 0.6f * margin;
 }
 

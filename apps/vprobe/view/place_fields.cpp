@@ -18,7 +18,7 @@ using interact::Action;
 
 constexpr double kDirectionSpeed = 0.005;
 constexpr double kFirstWindow = 0.5; // of the data's size, when one is switched on
-constexpr double kLeastDirection = 1e-6;
+constexpr double kMinDirection = 1e-6;
 
 struct Place
 {
@@ -51,7 +51,7 @@ void showNormal(Desk& desk, const Place& place)
 	fieldHeading("Normal");
 	Vec3 normal = place.frame.normal;
 	if (dragNumbers(desk, {"##normal", kDirectionSpeed}, &normal.x, 3, "Where the sheet faces; any length") &&
-	    glm::length(normal) > kLeastDirection)
+	    glm::length(normal) > kMinDirection)
 		change(desk, place, "Normal", interact::normalTo(place.frame, normal));
 }
 
@@ -61,7 +61,7 @@ void showUp(Desk& desk, const Place& place)
 	Vec3 up = place.frame.up;
 	if (dragNumbers(desk, {"##up", kDirectionSpeed}, &up.x, 3,
 	                "The sheet's y axis; it is made perpendicular to the normal") &&
-	    glm::length(glm::cross(up, place.frame.normal)) > kLeastDirection)
+	    glm::length(glm::cross(up, place.frame.normal)) > kMinDirection)
 		change(desk, place, "Up", probe::makeFrame(place.frame.origin, place.frame.normal, up));
 }
 
@@ -69,7 +69,7 @@ void showPart(Desk& desk, const probe::Probe& probe, bool& own)
 {
 	if (probe.sheets.size() < 2)
 		return;
-	labelled("Place of");
+	labeled("Place of");
 	const std::string sheet = fmt::format("Sheet {} alone", desk.bench.sheet() + 1);
 	if (ImGui::BeginCombo("##part", own ? sheet.c_str() : "The whole probe"))
 	{
@@ -108,7 +108,7 @@ void showWindow(Desk& desk, const probe::Probe& probe)
 		probe::Probe next = probe;
 		const double side = kFirstWindow * interact::sizeOf(desk.bench.facts()->bounds);
 		for (probe::Sheet& each : next.sheets)
-			each.window = has ? std::optional(probe::centredWindow(side, side)) : std::nullopt;
+			each.window = has ? std::optional(probe::centeredWindow(side, side)) : std::nullopt;
 		desk.bench.setProbe("Window", next);
 		return;
 	}
@@ -166,12 +166,12 @@ void showMagnifierSection(Desk& desk)
 	const std::size_t sheet = std::min(desk.bench.sheet(), probe.sheets.size() - 1);
 	const double now = probe.sheets[sheet].fx.magnification;
 	double next = now;
-	labelled("Factor");
+	labeled("Factor");
 	if (dragNumbers(desk,
 	                {.id = "##factor",
 	                 .speed = 0.01,
-	                 .least = interact::kLeastMagnification,
-	                 .most = interact::kMostMagnification,
+	                 .least = interact::kMinMagnification,
+	                 .most = interact::kMaxMagnification,
 	                 .format = "%.4g\u00d7",
 	                 .logarithmic = true},
 	                &next, 1, "How many times larger the chosen sheet shows what it cuts"))

@@ -13,8 +13,8 @@ namespace
 {
 
 constexpr double kPartOfScene = 0.36; // its width
-constexpr double kLeastPaneWidth = 180.0;
-constexpr double kMostWidth = 420.0;
+constexpr double kMinPaneWidth = 180.0;
+constexpr double kMaxWidth = 420.0;
 constexpr double kAspect = 0.75;
 constexpr double kMargin = 10.0;
 
@@ -36,9 +36,9 @@ void hearWheel(Desk& desk)
 
 ScenePart paneOf(const ScenePart& scene, double scale)
 {
-	const double most = std::min(scene.size.x - 2.0 * kMargin * scale, kMostWidth * scale);
+	const double most = std::min(scene.size.x - 2.0 * kMargin * scale, kMaxWidth * scale);
 	const double width =
-	    std::floor(std::clamp(kPartOfScene * scene.size.x, std::min(kLeastPaneWidth * scale, most), most));
+	    std::floor(std::clamp(kPartOfScene * scene.size.x, std::min(kMinPaneWidth * scale, most), most));
 	const double height = std::floor(std::min(kAspect * width, 0.5 * scene.size.y));
 	return {
 	    {std::floor(scene.lo.x + kMargin * scale), std::floor(scene.lo.y + scene.size.y - kMargin * scale - height)},

@@ -15,7 +15,7 @@ namespace
 
 using interact::Action;
 
-constexpr float kMostRows = 6.0f; // of sheets; more are scrolled to
+constexpr float kMaxRows = 6.0f; // of sheets; more are scrolled to
 constexpr std::array kPresets{Action::preset_single, Action::preset_trihedral, Action::preset_paddlewheel,
                               Action::preset_stack};
 constexpr std::array kPresetNames{"Single", "Trihedral", "Paddlewheel", "Stack"};
@@ -24,7 +24,7 @@ void showPresets(Desk& desk)
 {
 	const auto chosen = std::ranges::find_if(kPresets, [&](Action action) { return isOn(desk.bench, action); });
 	const bool own = chosen == kPresets.end();
-	labelled("Preset");
+	labeled("Preset");
 	if (ImGui::BeginCombo("##preset", own ? "Of your own" : kPresetNames[chosen - kPresets.begin()]))
 	{
 		for (std::size_t i = 0; i < kPresets.size(); ++i)
@@ -42,7 +42,7 @@ void showPresets(Desk& desk)
 void showSheetCount(Desk& desk, const char* label, int now, int least, int most, std::string_view words,
                     std::optional<int> ProbeOptions::*option)
 {
-	labelled(label);
+	labeled(label);
 	if (ImGui::SliderInt("##count", &now, least, most, "%d", ImGuiSliderFlags_AlwaysClamp))
 		desk.bench.change(
 		    label, [&](ViewState& state) { state.probe.*option = now; }, label);
@@ -53,13 +53,13 @@ void showSheetCount(Desk& desk, const char* label, int now, int least, int most,
 
 void showCounts(Desk& desk)
 {
-	constexpr int kMost = 16; // as many sheets as a picture shows
+	constexpr int kMax = 16; // as many sheets as a picture shows
 	const ProbeOptions& options = desk.bench.state().probe;
 	if (isOn(desk.bench, Action::preset_paddlewheel))
-		showSheetCount(desk, "Vanes", options.vanes.value_or(3), 1, kMost, "How many sheets turn about the axis",
+		showSheetCount(desk, "Vanes", options.vanes.value_or(3), 1, kMax, "How many sheets turn about the axis",
 		               &ProbeOptions::vanes);
 	if (isOn(desk.bench, Action::preset_stack) && options.offsets.empty())
-		showSheetCount(desk, "Sheets", options.sheets.value_or(5), 1, kMost, "How many sheets lie in the stack",
+		showSheetCount(desk, "Sheets", options.sheets.value_or(5), 1, kMax, "How many sheets lie in the stack",
 		               &ProbeOptions::sheets);
 }
 
@@ -71,18 +71,18 @@ bool eyeButton(const char* id, bool open)
 	const bool clicked = ImGui::InvisibleButton(id, {height, height});
 	const float half = 0.30f * height;
 	const ImVec2 middle{at.x + 0.5f * height, at.y + 0.5f * height};
-	const ImU32 colour = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_CheckMark
-	                                        : open                 ? ImGuiCol_Text
-	                                                               : ImGuiCol_TextDisabled);
+	const ImU32 color = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_CheckMark
+	                                       : open                 ? ImGuiCol_Text
+	                                                              : ImGuiCol_TextDisabled);
 	const float thick = 0.07f * height;
 	ImDrawList& list = *ImGui::GetWindowDrawList();
 	const ImVec2 left{middle.x - half, middle.y};
 	const ImVec2 right{middle.x + half, middle.y};
 	if (open)
-		list.AddBezierQuadratic(left, {middle.x, middle.y - 1.3f * half}, right, colour, thick);
-	list.AddBezierQuadratic(left, {middle.x, middle.y + 1.3f * half}, right, colour, thick);
+		list.AddBezierQuadratic(left, {middle.x, middle.y - 1.3f * half}, right, color, thick);
+	list.AddBezierQuadratic(left, {middle.x, middle.y + 1.3f * half}, right, color, thick);
 	if (open)
-		list.AddCircleFilled(middle, 0.36f * half, colour);
+		list.AddCircleFilled(middle, 0.36f * half, color);
 	return clicked;
 }
 
@@ -132,7 +132,7 @@ void showSheets(Desk& desk)
 	const probe::Probe probe = desk.bench.probe();
 	const ImGuiStyle& style = ImGui::GetStyle();
 	const auto rows = static_cast<float>(probe.sheets.size());
-	const float height = std::min(rows, kMostRows) * (ImGui::GetFrameHeight() + style.ItemSpacing.y);
+	const float height = std::min(rows, kMaxRows) * (ImGui::GetFrameHeight() + style.ItemSpacing.y);
 	if (probe.sheets.size() > 1)
 	{
 		ImGui::BeginChild("sheets", {0.0f, height}, false, ImGuiWindowFlags_NoNav);
@@ -152,7 +152,7 @@ void showSheets(Desk& desk)
 void showSurface(Desk& desk)
 {
 	std::string text = desk.bench.state().probe.surface.value_or("");
-	labelled("Surface");
+	labeled("Surface");
 	if (ImGui::InputTextWithHint("##surface", "planes", &text, ImGuiInputTextFlags_EnterReturnsTrue))
 		desk.bench.setSurface(text);
 	tip("What sheets cut by: nothing for planes, sphere:R, cylinder:R, cone:DEGREES, iso:VALUE, or an expression in "

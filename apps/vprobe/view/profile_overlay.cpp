@@ -13,8 +13,8 @@ namespace
 {
 
 constexpr double kWidth = 320.0;
-constexpr double kGraph = 34.0;   // height
-constexpr double kLeastTop = 8.0; // ms: shorter times do not fill a graph
+constexpr double kGraph = 34.0; // height
+constexpr double kMinTop = 8.0; // ms: shorter times do not fill a graph
 
 struct Row
 {
@@ -31,14 +31,14 @@ constexpr std::array kRows{
 };
 
 // The last values as bars, up to the highest of them.
-void drawGraph(const Figure& figure, ImU32 colour, float height)
+void drawGraph(const Figure& figure, ImU32 color, float height)
 {
 	const std::vector<float> history = figure.history();
 	const ImVec2 lo = ImGui::GetCursorScreenPos();
 	const float width = ImGui::GetContentRegionAvail().x;
 	ImDrawList& list = *ImGui::GetWindowDrawList();
 	list.AddRectFilled(lo, {lo.x + width, lo.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg));
-	double top = kLeastTop;
+	double top = kMinTop;
 	for (const float value : history)
 		top = std::max(top, static_cast<double>(value));
 	const float step = width / static_cast<float>(Figure::kKept);
@@ -47,7 +47,7 @@ void drawGraph(const Figure& figure, ImU32 colour, float height)
 	{
 		const float x = start + step * static_cast<float>(i);
 		const auto bar = static_cast<float>(history[i] / top) * height;
-		list.AddRectFilled({x, lo.y + height - bar}, {x + std::max(1.0f, step), lo.y + height}, colour);
+		list.AddRectFilled({x, lo.y + height - bar}, {x + std::max(1.0f, step), lo.y + height}, color);
 	}
 	const std::string most = fmt::format("{:.0f} ms", top);
 	list.AddText({lo.x + width - ImGui::CalcTextSize(most.c_str()).x - 3.0f, lo.y},
@@ -55,7 +55,7 @@ void drawGraph(const Figure& figure, ImU32 colour, float height)
 	ImGui::Dummy({width, height});
 }
 
-void showRow(const Desk& desk, const Row& row, ImU32 colour)
+void showRow(const Desk& desk, const Row& row, ImU32 color)
 {
 	const Figure& figure = (desk.meter.*row.figure)();
 	ImGui::TextUnformatted(row.name);
@@ -64,7 +64,7 @@ void showRow(const Desk& desk, const Row& row, ImU32 colour)
 	                                        figure.percentile(0.5), figure.percentile(0.95));
 	ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(numbers.c_str()).x);
 	ImGui::TextDisabled("%s", numbers.c_str());
-	drawGraph(figure, colour, static_cast<float>(kGraph * desk.scale));
+	drawGraph(figure, color, static_cast<float>(kGraph * desk.scale));
 	tip(row.words);
 }
 
@@ -121,9 +121,9 @@ void showProfile(Desk& desk, const ScenePart& part)
 	ImGui::Begin("profile", nullptr,
 	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
 	                 ImGuiWindowFlags_NoFocusOnAppearing);
-	const Theme& colours = theme(desk.bench.settings.dark);
+	const Theme& colors = theme(desk.bench.settings.dark);
 	for (std::size_t i = 0; i < kRows.size(); ++i)
-		showRow(desk, kRows[i], colours.graph[i]);
+		showRow(desk, kRows[i], colors.graph[i]);
 	showCutFacts(desk);
 	ImGui::BeginDisabled(!desk.bench.shown());
 	if (ImGui::Button("Write a trace\u2026"))

@@ -26,7 +26,7 @@ Ends endsOf(const LookOptions& look)
 	return !look.range.empty() ? Ends::fixed : look.range_of == "slice" ? Ends::slice : Ends::data;
 }
 
-// What the picture's colours go from and to.
+// What the picture's colors go from and to.
 std::array<double, 2> shownEnds(const Workbench& bench)
 {
 	const LookOptions& look = bench.state().look;
@@ -102,7 +102,7 @@ void showScaling(Desk& desk)
 void showRangeChoice(Desk& desk)
 {
 	const Ends now = endsOf(desk.bench.state().look);
-	labelled("Range");
+	labeled("Range");
 	if (ImGui::BeginCombo("##range", kEnds[static_cast<std::size_t>(now)]))
 	{
 		for (const Ends ends : {Ends::data, Ends::slice, Ends::fixed})

@@ -14,10 +14,10 @@ ImVec2 onScreen(const glm::dvec2& pixel, const ScenePart& part)
 	return {static_cast<float>(part.lo.x + pixel.x), static_cast<float>(part.lo.y + pixel.y)};
 }
 
-ImU32 faded(ImU32 colour, double alpha)
+ImU32 faded(ImU32 color, double alpha)
 {
-	const auto a = static_cast<ImU32>(alpha * ((colour >> IM_COL32_A_SHIFT) & 0xff));
-	return (colour & ~IM_COL32_A_MASK) | (a << IM_COL32_A_SHIFT);
+	const auto a = static_cast<ImU32>(alpha * ((color >> IM_COL32_A_SHIFT) & 0xff));
+	return (color & ~IM_COL32_A_MASK) | (a << IM_COL32_A_SHIFT);
 }
 
 // In the hand, or under the pointer where nothing of the user interface lies between.
@@ -26,28 +26,28 @@ bool isHeld(const interact::HandleShape& shape, const Hand& hand)
 	return hand.handle() == shape.handle && (hand.isBusy() || !ImGui::GetIO().WantCaptureMouse);
 }
 
-ImU32 colourOf(const interact::HandleShape& shape, const Hand& hand, const Theme& colours)
+ImU32 colorOf(const interact::HandleShape& shape, const Hand& hand, const Theme& colors)
 {
 	if (isHeld(shape, hand))
-		return colours.held;
+		return colors.held;
 	switch (shape.handle.kind)
 	{
 	case interact::HandleKind::move:
 	case interact::HandleKind::turn:
-		return faded(colours.handle[shape.handle.axis], shape.alpha);
+		return faded(colors.handle[shape.handle.axis], shape.alpha);
 	default:
-		return faded(colours.window_rim, shape.alpha);
+		return faded(colors.window_rim, shape.alpha);
 	}
 }
 
-void drawShape(const interact::HandleShape& shape, const interact::View& view, ImU32 colour, float width,
+void drawShape(const interact::HandleShape& shape, const interact::View& view, ImU32 color, float width,
                const ScenePart& part)
 {
 	ImDrawList& list = *ImGui::GetBackgroundDrawList();
 	for (const auto& line : shape.lines)
 		for (std::size_t i = 0; i + 1 < line.size(); ++i)
 			if (const auto seen = interact::seenSegment(view, line[i], line[i + 1]))
-				list.AddLine(onScreen((*seen)[0], part), onScreen((*seen)[1], part), colour, width);
+				list.AddLine(onScreen((*seen)[0], part), onScreen((*seen)[1], part), color, width);
 }
 
 // The scene without its pane, which handles would be drawn over: what is above it, and what is beside it.
@@ -107,14 +107,14 @@ void showScene(Desk& desk, const ScenePart& part)
 	if (!view)
 		return showEmptyScene(desk, part);
 	const auto ground = render::parseBackground(desk.bench.state().look.background);
-	const Theme& colours = theme(ground && ground->dark()); // to be seen on the picture, whatever the panels' theme
+	const Theme& colors = theme(ground && ground->dark()); // to be seen on the picture, whatever the panels' theme
 	ImDrawList& list = *ImGui::GetBackgroundDrawList();
 	const std::vector<interact::HandleShape> shapes = desk.hand.shapes();
 	for (const ScenePart& free : freeParts(desk, part))
 	{
 		list.PushClipRect(onScreen({0.0, 0.0}, free), onScreen(free.size, free));
 		for (const interact::HandleShape& shape : shapes)
-			drawShape(shape, *view, colourOf(shape, desk.hand, colours),
+			drawShape(shape, *view, colorOf(shape, desk.hand, colors),
 			          static_cast<float>(desk.scale * (isHeld(shape, desk.hand) ? 3.0 : 2.0)), part);
 		list.PopClipRect();
 	}

@@ -71,7 +71,7 @@ void showTitle(Desk& desk)
 {
 	const LookOptions& look = desk.bench.state().look;
 	std::string title = look.title.value_or("");
-	labelled("Title");
+	labeled("Title");
 	if (ImGui::InputTextWithHint("##title", look.title ? "none" : "the input's name", &title))
 		desk.bench.change(
 		    "Title", [&](ViewState& state) { state.look.title = title; }, "title");

@@ -12,8 +12,8 @@ void showLoading(Desk& desk); // what is being loaded, for how long, and Cancel
 void showProbeSection(Desk& desk);
 void showPlaceFields(Desk& desk); // of the probe, or of one of its sheets
 void showMagnifierSection(Desk& desk);
-void showColourSection(Desk& desk);
-void showColourMapChoice(Desk& desk);
+void showColorSection(Desk& desk);
+void showColorMapChoice(Desk& desk);
 void showRangeChoice(Desk& desk);
 void showContourSection(Desk& desk);
 void showSceneSection(Desk& desk);

@@ -20,7 +20,7 @@ struct Section
 constexpr std::array kSections{
     Section{"Data", "What is loaded", showDataSection, true},
     Section{"Probe", "The sheets, where they stand, their windows", showProbeSection, true},
-    Section{"Colours", "What array the sheets show, and how", showColourSection, true},
+    Section{"Colours", "What array the sheets show, and how", showColorSection, true},
     Section{"Vectors", "Arrows, and paths of particles, launched from the sheets", showVectorSection, false},
     Section{"Contours", "Surfaces of one value, grown from the sheets", showContourSection, false},
     Section{"Time", "The input's time steps", showTimeSection, true},

@@ -28,14 +28,14 @@ constexpr std::array kPaths{
     PathName{"profile", "Tilting", "Planes of many slopes through the middle of the grid"},
     PathName{"times", "Through time", "The probe stands still, and the input's times go by"},
 };
-constexpr int kMostFrames = 1000; // that a drag reaches; more can be typed
+constexpr int kMaxFrames = 1000; // that a drag reaches; more can be typed
 
 void showPath(Desk& desk)
 {
 	const PathOptions& options = desk.bench.state().path;
 	const auto now =
 	    std::ranges::find(kPaths, options.path, [](const PathName& path) { return std::string(path.word); });
-	labelled("Path");
+	labeled("Path");
 	if (ImGui::BeginCombo("##path", options.own_path || now == kPaths.end() ? "Of your own" : now->name))
 	{
 		const bool has_times = desk.bench.facts()->times.size() > 1;
@@ -63,8 +63,8 @@ void showFrameCount(Desk& desk)
 	if (options.overTimes())
 		return;
 	int frames = options.frames.value_or(desk.bench.frames());
-	labelled("Frames");
-	if (ImGui::DragInt("##frames", &frames, 0.5f, 1, kMostFrames))
+	labeled("Frames");
+	if (ImGui::DragInt("##frames", &frames, 0.5f, 1, kMaxFrames))
 		desk.bench.change(
 		    "Frames", [&](ViewState& state) { state.path.frames = std::clamp(frames, 1, probe::kMaxFrames); },
 		    "frames");
@@ -76,12 +76,12 @@ void showFrameCount(Desk& desk)
 void showSpeed(Desk& desk)
 {
 	double speed = desk.bench.state().path.per_second;
-	labelled("Speed");
+	labeled("Speed");
 	if (dragNumbers(desk,
 	                {.id = "##speed",
 	                 .speed = 0.1,
-	                 .least = interact::kLeastSpeed,
-	                 .most = interact::kMostSpeed,
+	                 .least = interact::kMinSpeed,
+	                 .most = interact::kMaxSpeed,
 	                 .format = "%.3g a second",
 	                 .logarithmic = true},
 	                &speed, 1, "Frames a second; what cannot be drawn in time is left out"))

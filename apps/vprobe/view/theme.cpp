@@ -12,12 +12,12 @@ namespace
 
 constexpr double kFontPixels = 14.0;
 
-ImVec4 grey(float value, float alpha = 1.0f)
+ImVec4 gray(float value, float alpha = 1.0f)
 {
 	return {value, value * 1.01f, value * 1.03f, alpha};
 }
 
-void setColours(ImGuiStyle& style, bool dark)
+void setColors(ImGuiStyle& style, bool dark)
 {
 	if (dark)
 		ImGui::StyleColorsDark(&style);
@@ -25,26 +25,26 @@ void setColours(ImGuiStyle& style, bool dark)
 		ImGui::StyleColorsLight(&style);
 	const ImVec4 accent = dark ? ImVec4(0.30f, 0.52f, 0.74f, 1.0f) : ImVec4(0.22f, 0.46f, 0.70f, 1.0f);
 	const auto tinted = [&](float alpha) { return ImVec4(accent.x, accent.y, accent.z, alpha); };
-	ImVec4* colours = style.Colors;
-	colours[ImGuiCol_Text] = dark ? grey(0.90f) : grey(0.12f);
-	colours[ImGuiCol_TextDisabled] = dark ? grey(0.56f) : grey(0.45f);
-	colours[ImGuiCol_WindowBg] = colours[ImGuiCol_PopupBg] = colours[ImGuiCol_MenuBarBg] =
-	    dark ? grey(0.13f) : grey(0.95f);
-	colours[ImGuiCol_ChildBg] = ImVec4(0, 0, 0, 0);
-	colours[ImGuiCol_Border] = dark ? grey(0.30f) : grey(0.78f);
-	colours[ImGuiCol_FrameBg] = dark ? grey(0.19f) : grey(0.995f);
-	colours[ImGuiCol_FrameBgHovered] = dark ? grey(0.24f) : grey(0.90f);
-	colours[ImGuiCol_FrameBgActive] = dark ? grey(0.28f) : grey(0.86f);
-	colours[ImGuiCol_TitleBg] = colours[ImGuiCol_TitleBgActive] = dark ? grey(0.17f) : grey(0.90f);
-	colours[ImGuiCol_CheckMark] = colours[ImGuiCol_SliderGrab] = accent;
-	colours[ImGuiCol_SliderGrabActive] = tinted(0.8f);
-	colours[ImGuiCol_Button] = dark ? grey(0.23f) : grey(0.87f);
-	colours[ImGuiCol_ButtonHovered] = tinted(0.55f);
-	colours[ImGuiCol_ButtonActive] = tinted(0.85f);
-	colours[ImGuiCol_Header] = dark ? grey(0.20f) : grey(0.89f);
-	colours[ImGuiCol_HeaderHovered] = tinted(0.45f);
-	colours[ImGuiCol_HeaderActive] = tinted(0.65f);
-	colours[ImGuiCol_PlotLines] = colours[ImGuiCol_PlotHistogram] = accent;
+	ImVec4* colors = style.Colors;
+	colors[ImGuiCol_Text] = dark ? gray(0.90f) : gray(0.12f);
+	colors[ImGuiCol_TextDisabled] = dark ? gray(0.56f) : gray(0.45f);
+	colors[ImGuiCol_WindowBg] = colors[ImGuiCol_PopupBg] = colors[ImGuiCol_MenuBarBg] =
+	    dark ? gray(0.13f) : gray(0.95f);
+	colors[ImGuiCol_ChildBg] = ImVec4(0, 0, 0, 0);
+	colors[ImGuiCol_Border] = dark ? gray(0.30f) : gray(0.78f);
+	colors[ImGuiCol_FrameBg] = dark ? gray(0.19f) : gray(0.995f);
+	colors[ImGuiCol_FrameBgHovered] = dark ? gray(0.24f) : gray(0.90f);
+	colors[ImGuiCol_FrameBgActive] = dark ? gray(0.28f) : gray(0.86f);
+	colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = dark ? gray(0.17f) : gray(0.90f);
+	colors[ImGuiCol_CheckMark] = colors[ImGuiCol_SliderGrab] = accent;
+	colors[ImGuiCol_SliderGrabActive] = tinted(0.8f);
+	colors[ImGuiCol_Button] = dark ? gray(0.23f) : gray(0.87f);
+	colors[ImGuiCol_ButtonHovered] = tinted(0.55f);
+	colors[ImGuiCol_ButtonActive] = tinted(0.85f);
+	colors[ImGuiCol_Header] = dark ? gray(0.20f) : gray(0.89f);
+	colors[ImGuiCol_HeaderHovered] = tinted(0.45f);
+	colors[ImGuiCol_HeaderActive] = tinted(0.65f);
+	colors[ImGuiCol_PlotLines] = colors[ImGuiCol_PlotHistogram] = accent;
 }
 
 } // namespace
@@ -71,7 +71,7 @@ const Theme& theme(bool dark)
 void applyTheme(bool dark, double scale)
 {
 	ImGuiStyle style;
-	setColours(style, dark);
+	setColors(style, dark);
 	style.WindowRounding = 0.0f;
 	style.FrameRounding = style.GrabRounding = style.PopupRounding = 4.0f;
 	style.WindowBorderSize = 0.0f;

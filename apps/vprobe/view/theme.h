@@ -7,7 +7,7 @@ namespace vp::app
 
 // The look of the user interface: one calm theme, dark and light.
 
-// Colours beside ImGui's own.
+// Colors beside ImGui's own.
 struct Theme
 {
 	ImU32 handle[3]; // x, up, normal

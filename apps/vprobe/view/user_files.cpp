@@ -76,7 +76,7 @@ Settings readSettings()
 		settings.dark = *dark;
 	if (const auto recent = json.find("recent"); recent != json.end() && recent->is_array())
 		for (const nlohmann::json& name : *recent)
-			if (name.is_string() && settings.recent.size() < kMostRecent)
+			if (name.is_string() && settings.recent.size() < kMaxRecent)
 				settings.recent.push_back(name);
 	return settings;
 }
@@ -99,7 +99,7 @@ void remember(Settings& settings, const std::string& input)
 	const std::string name = input.starts_with("demo:") ? input : fs::absolute(input, failed).string();
 	std::erase(settings.recent, name);
 	settings.recent.insert(settings.recent.begin(), name);
-	settings.recent.resize(std::min(settings.recent.size(), kMostRecent));
+	settings.recent.resize(std::min(settings.recent.size(), kMaxRecent));
 }
 
 std::string recoveryFile()

@@ -15,7 +15,7 @@ struct Settings
 	std::vector<std::string> recent; // inputs, the last one first; as absolute paths
 };
 
-constexpr std::size_t kMostRecent = 12;
+constexpr std::size_t kMaxRecent = 12;
 
 // Defaults where there are none, or they cannot be read.
 Settings readSettings();

@@ -12,8 +12,8 @@ namespace vp::app
 namespace
 {
 
-constexpr int kMostAlong = 60; // points that a slider offers; an option takes more
-constexpr double kMostSteps = 400.0;
+constexpr int kMaxAlong = 60; // points that a slider offers; an option takes more
+constexpr double kMaxSteps = 400.0;
 
 constexpr std::array kKinds{Choice{"none", "None"}, Choice{"tufts", "Tufts"}, Choice{"lines", "Lines"},
                             Choice{"ribbons", "Ribbons"}, Choice{"tubes", "Tubes"}};
@@ -45,12 +45,12 @@ void showArray(Desk& desk)
 	           [](ViewState& state, const char* word) { state.probe.vectors.array = word; });
 }
 
-void showColour(Desk& desk)
+void showColor(Desk& desk)
 {
 	std::vector<Choice> choices{{"", "The vector's length"}};
 	addArrays(*desk.bench.facts(), false, choices);
-	for (const Choice& colour : {Choice{"black", "Black"}, Choice{"grey", "Grey"}, Choice{"white", "White"}})
-		choices.push_back(colour);
+	for (const Choice& color : {Choice{"black", "Black"}, Choice{"grey", "Grey"}, Choice{"white", "White"}})
+		choices.push_back(color);
 	showChoice(desk, "Colour", choices, desk.bench.state().look.vectors.color, "By an array, or one colour",
 	           [](ViewState& state, const char* word) { state.look.vectors.color = word; });
 }
@@ -58,8 +58,8 @@ void showColour(Desk& desk)
 void showDensity(Desk& desk)
 {
 	int along = desk.bench.state().probe.vectors.lattice;
-	labelled("Density");
-	if (ImGui::SliderInt("##density", &along, 1, kMostAlong, "%d along the side"))
+	labeled("Density");
+	if (ImGui::SliderInt("##density", &along, 1, kMaxAlong, "%d along the side"))
 		desk.bench.change(
 		    "Density", [&](ViewState& state) { state.probe.vectors.lattice = std::max(1, along); }, "density");
 	if (ImGui::IsItemDeactivated())
@@ -78,7 +78,7 @@ void showStep(Desk& desk)
 	double dt = options.dt.value_or(shown);
 	if (!(dt > 0.0))
 		return;
-	labelled("Time step");
+	labeled("Time step");
 	const float button = options.dt ? ImGui::CalcTextSize("Auto").x + 3.0f * ImGui::GetStyle().FramePadding.x : 0.0f;
 	ImGui::SetNextItemWidth(-button - 1.0f);
 	if (dragNumbers(desk, {.id = "##dt", .speed = 0.01 * dt, .least = 1e-3 * dt, .most = 1e3 * dt, .format = "%.4g"},
@@ -103,9 +103,9 @@ void showVectorSection(Desk& desk)
 	if (!options.on())
 		return;
 	showArray(desk);
-	showColour(desk);
+	showColor(desk);
 	showDensity(desk);
-	showSlider(desk, {.label = "Steps", .most = kMostSteps, .logarithmic = true}, options.stepsOrDefault(),
+	showSlider(desk, {.label = "Steps", .most = kMaxSteps, .logarithmic = true}, options.stepsOrDefault(),
 	           "How many steps a particle goes",
 	           [](ViewState& state, double steps) { state.probe.vectors.steps = steps; });
 	showStep(desk);

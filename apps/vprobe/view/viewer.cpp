@@ -238,7 +238,7 @@ Result<ExitCode> Viewer::run()
 		obey();
 		// What was heard goes to the artist at once; the window's next frame need not be waited for.
 		bench_.update({static_cast<std::uint32_t>(scene_.size.x), static_cast<std::uint32_t>(scene_.size.y)});
-		if (window_.minimised() || window_.pixels().width == 0)
+		if (window_.minimized() || window_.pixels().width == 0)
 		{
 			frame_begin_ = last_frame_ = Clock::now();
 			continue;

@@ -83,7 +83,7 @@ float shareOfLine(int count)
 	return std::max(1.0f, (ImGui::GetContentRegionAvail().x - gaps) / static_cast<float>(count));
 }
 
-void labelled(const char* label)
+void labeled(const char* label)
 {
 	const float room = ImGui::GetContentRegionAvail().x;
 	const float start = ImGui::GetCursorPosX();
@@ -104,7 +104,7 @@ void showChoice(Desk& desk, const char* label, std::span<const Choice> choices, 
                 std::string_view words, const std::function<void(ViewState& state, const char* word)>& set)
 {
 	const auto known = std::ranges::find(choices, now, [](const Choice& choice) { return std::string(choice.word); });
-	labelled(label);
+	labeled(label);
 	if (ImGui::BeginCombo(fmt::format("##{}", label).c_str(), known == choices.end() ? now.c_str() : known->name))
 	{
 		for (const Choice& choice : choices)
@@ -123,7 +123,7 @@ void showSlider(Desk& desk, const Slide& slide, double now, std::string_view wor
                 const std::function<void(ViewState& state, double value)>& set)
 {
 	auto value = static_cast<float>(now);
-	labelled(slide.label);
+	labeled(slide.label);
 	if (ImGui::SliderFloat(fmt::format("##{}", slide.label).c_str(), &value, static_cast<float>(slide.least),
 	                       static_cast<float>(slide.most), slide.format,
 	                       ImGuiSliderFlags_AlwaysClamp | (slide.logarithmic ? ImGuiSliderFlags_Logarithmic : 0)))

@@ -31,7 +31,7 @@ bool isPossible(const Workbench& bench, interact::Action action);
 float shareOfLine(int count);
 
 // A label on the left, the control that follows on the right of the line.
-void labelled(const char* label);
+void labeled(const char* label);
 
 // A check box for a part of the state.
 void toggle(Desk& desk, const char* label, bool now, std::string_view words, const Workbench::Edit& edit);

@@ -138,7 +138,7 @@ bool Workbench::performOnSweep(Action action)
 
 void Workbench::setSpeed(double factor)
 {
-	const double speed = std::clamp(state().path.per_second * factor, interact::kLeastSpeed, interact::kMostSpeed);
+	const double speed = std::clamp(state().path.per_second * factor, interact::kMinSpeed, interact::kMaxSpeed);
 	change(
 	    "Speed", [&](ViewState& next) { next.path.per_second = speed; }, "speed");
 	sweep_.player.setSpeed(speed, seconds());
@@ -152,11 +152,11 @@ void Workbench::record()
 	if (!canSweep())
 		return;
 	const std::size_t bytes = FilmLoop::bytesOf(frames(), asked_size_.width, asked_size_.height);
-	if (bytes > FilmLoop::kMostBytes)
+	if (bytes > FilmLoop::kMaxBytes)
 		return notify(
 		    fmt::format("{} frames of {}x{} take {} MiB, and a film loop holds {}: make them fewer, or the window "
 		                "smaller",
-		                frames(), asked_size_.width, asked_size_.height, bytes >> 20, FilmLoop::kMostBytes >> 20),
+		                frames(), asked_size_.width, asked_size_.height, bytes >> 20, FilmLoop::kMaxBytes >> 20),
 		    true);
 	sweep_.player.pause(seconds());
 	film_.reset();

@@ -46,7 +46,7 @@ public:
 	std::vector<std::vector<CellId>> match()
 	{
 		// A face is pushed on the chain of its lowest point; the chain runs through the slots that will hold the
-		// neighbours, so that matching takes four bytes a point and no copy of the faces.
+		// neighbors, so that matching takes four bytes a point and no copy of the faces.
 		heads_ = std::vector<std::atomic<std::uint32_t>>(faces_.points);
 		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.points, 65536),
 		                  [&](const auto& range)
@@ -85,7 +85,7 @@ private:
 	std::uint32_t& across(std::size_t slot) const
 	{
 		if (!kTetrahedra && slot >= table_slots_)
-			return faces_.polyhedron_neighbours[slot - table_slots_];
+			return faces_.polyhedron_neighbors[slot - table_slots_];
 		return records_[slot + (slot / kFaceWidth + 1) * kWidth];
 	}
 
@@ -207,7 +207,7 @@ private:
 			else
 				work.polygons.push_back({work.ids, slot});
 		}
-		if (work.faces.size() > kMostCompared)
+		if (work.faces.size() > kMaxCompared)
 			joinEqual(
 			    work.faces, [](const KeyedSlot& face) -> auto& { return face.key.ids; }, work);
 		else

@@ -25,13 +25,13 @@ struct FaceSlots
 	std::span<const std::uint32_t> polyhedron_faces;
 	std::span<const std::uint32_t> face_points_start;
 	std::span<const PointId> face_points;
-	std::span<std::uint32_t> polyhedron_neighbours;
+	std::span<std::uint32_t> polyhedron_neighbors;
 
 	const std::uint32_t* record(std::size_t cell) const { return &records[cell * (record_width + face_width)]; }
 	std::uint32_t& across(std::size_t slot) const
 	{
 		if (slot >= tableSlots())
-			return polyhedron_neighbours[slot - tableSlots()];
+			return polyhedron_neighbors[slot - tableSlots()];
 		const std::size_t cell = face_width == 4 ? slot / 4 : slot / 6;
 		return records[slot + (cell + 1) * record_width];
 	}
@@ -40,12 +40,12 @@ struct FaceSlots
 };
 
 // A number across a face, kNoCell at first, names this cell too. several: what numbers from kMaxBlockIds on stand for.
-void addNeighbour(std::uint32_t& across, CellId other, std::vector<std::vector<CellId>>& several);
+void addNeighbor(std::uint32_t& across, CellId other, std::vector<std::vector<CellId>>& several);
 
 // Writes what is across every face, and returns what the numbers from kMaxBlockIds on stand for.
 //
 // Two faces meet where their sets of distinct points are equal, so a collapsed quad meets a triangle. Faces of fewer
-// than three distinct points meet nothing. A cell is not its own neighbour. The same result for any number of threads.
+// than three distinct points meet nothing. A cell is not its own neighbor. The same result for any number of threads.
 std::vector<std::vector<CellId>> matchFaces(const FaceSlots& faces);
 
 } // namespace vp::grid

@@ -10,7 +10,7 @@ namespace
 
 // As many cells on one face know all the others; in larger crowds (cells given thousands of times) each knows the one
 // before and the one after, which still leads to all.
-constexpr std::size_t kMostLinked = 64;
+constexpr std::size_t kMaxLinked = 64;
 
 void linkCrowd(std::span<const std::uint32_t> slots, const std::function<CellId(std::uint32_t)>& cellOf,
                const std::function<std::uint32_t&(std::uint32_t)>& across, std::vector<std::vector<CellId>>& several)
@@ -23,15 +23,15 @@ void linkCrowd(std::span<const std::uint32_t> slots, const std::function<CellId(
 	}
 	std::ranges::sort(cells);
 	cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-	const std::size_t reach = cells.size() > kMostLinked ? 1 : cells.size() - 1;
+	const std::size_t reach = cells.size() > kMaxLinked ? 1 : cells.size() - 1;
 	for (const std::uint32_t slot : slots)
 	{
 		const std::size_t own = std::ranges::lower_bound(cells, cellOf(slot)) - cells.begin();
 		for (std::size_t step = 1; step <= reach; ++step)
 		{
-			addNeighbour(across(slot), cells[(own + step) % cells.size()], several);
-			if (cells.size() > kMostLinked)
-				addNeighbour(across(slot), cells[(own + cells.size() - step) % cells.size()], several);
+			addNeighbor(across(slot), cells[(own + step) % cells.size()], several);
+			if (cells.size() > kMaxLinked)
+				addNeighbor(across(slot), cells[(own + cells.size() - step) % cells.size()], several);
 		}
 	}
 }
@@ -48,7 +48,7 @@ void linkCrowds(std::vector<std::vector<std::uint32_t>> crowds, const std::funct
 		linkCrowd(slots, cellOf, across, several);
 }
 
-void addNeighbour(std::uint32_t& across, CellId other, std::vector<std::vector<CellId>>& several)
+void addNeighbor(std::uint32_t& across, CellId other, std::vector<std::vector<CellId>>& several)
 {
 	if (across == kNoCell)
 		across = other;

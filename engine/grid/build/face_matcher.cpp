@@ -17,11 +17,11 @@ namespace
 
 constexpr double kEdgeTolerance = 1e-6;
 constexpr double kUlps = 4.0;
-constexpr double kMostOfAnEdge = 0.25;
+constexpr double kMaxOfAnEdge = 0.25;
 
 struct Candidate
 {
-	Vec3 centre;
+	Vec3 center;
 	double edge;      // the shortest
 	double tolerance; // of a corner
 	double most; // what no tolerance may pass: a cell may be flatter, and must not meet what lies on its other side
@@ -52,7 +52,7 @@ bool meetsItself(const AnyGrid& grid)
 	return !std::holds_alternative<UniformGrid>(grid) && !std::holds_alternative<RectilinearGrid>(grid);
 }
 
-// The corners of a face, each place once: neighbours around the face that coincide are one.
+// The corners of a face, each place once: neighbors around the face that coincide are one.
 template <Grid G>
 void corners(const G& grid, const BoundaryIndex::Face& face, CellFaces& faces, std::vector<Vec3>& found)
 {
@@ -101,21 +101,21 @@ bool describe(const G& grid, std::uint32_t block, const BoundaryIndex::Face& fac
 		edge = std::min(edge, glm::length(points[i] - points[i ? i - 1 : points.size() - 1]));
 	}
 	const double floor = kUlps * storedUlp(grid) * std::max({greatest.x, greatest.y, greatest.z});
-	const double tolerance = std::max(kEdgeTolerance * edge, std::min(floor, kMostOfAnEdge * edge));
-	const double most = kMostOfAnEdge * shortestEdge(grid, faces);
+	const double tolerance = std::max(kEdgeTolerance * edge, std::min(floor, kMaxOfAnEdge * edge));
+	const double most = kMaxOfAnEdge * shortestEdge(grid, faces);
 	candidate = {sum / static_cast<double>(points.size()), edge, tolerance, most, block, face};
-	return std::isfinite(candidate.centre.x) && std::isfinite(candidate.centre.y) &&
-	       std::isfinite(candidate.centre.z) && edge > 0.0;
+	return std::isfinite(candidate.center.x) && std::isfinite(candidate.center.y) &&
+	       std::isfinite(candidate.center.z) && edge > 0.0;
 }
 
-// A bucket holds the faces whose shortest edge and centre are alike: cubes as wide as the edge, rounded down to a power
+// A bucket holds the faces whose shortest edge and center are alike: cubes as wide as the edge, rounded down to a power
 // of two. So near-wall faces do not crowd in one bucket.
-std::uint64_t bucketOf(int level, const Vec3& centre)
+std::uint64_t bucketOf(int level, const Vec3& center)
 {
 	std::uint64_t hash = static_cast<std::uint64_t>(level) * 0x9E3779B97F4A7C15u;
 	for (int axis = 0; axis < 3; ++axis)
 	{
-		const double at = std::clamp(std::floor(std::ldexp(centre[axis], -level)), -9e18, 9e18);
+		const double at = std::clamp(std::floor(std::ldexp(center[axis], -level)), -9e18, 9e18);
 		hash = (hash ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(at))) * 0xBF58476D1CE4E5B9u;
 		hash ^= hash >> 29;
 	}
@@ -213,8 +213,8 @@ private:
 		return std::ranges::any_of(boxes,
 		                           [&](const Box& box)
 		                           {
-			                           return glm::all(glm::greaterThanEqual(c.centre, box.lo - c.edge)) &&
-			                                  glm::all(glm::lessThanEqual(c.centre, box.hi + c.edge));
+			                           return glm::all(glm::greaterThanEqual(c.center, box.lo - c.edge)) &&
+			                                  glm::all(glm::lessThanEqual(c.center, box.hi + c.edge));
 		                           });
 	}
 
@@ -225,7 +225,7 @@ private:
 		                  [&](std::size_t i)
 		                  {
 			                  const Candidate& c = candidates_[i];
-			                  sorted_[i] = {bucketOf(levelOf(c.edge), c.centre), static_cast<std::uint32_t>(i)};
+			                  sorted_[i] = {bucketOf(levelOf(c.edge), c.center), static_cast<std::uint32_t>(i)};
 		                  });
 		tbb::parallel_sort(sorted_);
 	}
@@ -240,7 +240,7 @@ private:
 		for (int level = low; level <= high; ++level)
 			for (int corner = 0; corner < 8; ++corner)
 				buckets.push_back(
-				    bucketOf(level, c.centre + Vec3(corner & 1 ? reach : -reach, corner & 2 ? reach : -reach,
+				    bucketOf(level, c.center + Vec3(corner & 1 ? reach : -reach, corner & 2 ? reach : -reach,
 				                                    corner & 4 ? reach : -reach)));
 		std::ranges::sort(buckets);
 		buckets.erase(std::unique(buckets.begin(), buckets.end()), buckets.end());
@@ -274,7 +274,7 @@ private:
 	{
 		if (a.block == b.block && (a.face.cell == b.face.cell || !meetsItself(set_.blocks[a.block].grid)))
 			return false;
-		return glm::length(a.centre - b.centre) <= 2.0 * toleranceOf(a, b);
+		return glm::length(a.center - b.center) <= 2.0 * toleranceOf(a, b);
 	}
 	static double toleranceOf(const Candidate& a, const Candidate& b)
 	{

@@ -14,7 +14,7 @@ constexpr std::uint32_t kNoSlot = 0xFFFFFFFFu;
 
 // Faces with one lowest point, some 24 in a mesh of tetrahedra, are compared one with the other up to here; at the tip
 // of a fan of thousands they are sorted.
-constexpr std::size_t kMostCompared = 128;
+constexpr std::size_t kMaxCompared = 128;
 
 struct KeyedSlot
 {
@@ -30,7 +30,7 @@ struct Meeting
 	std::uint32_t second = kNoSlot;
 };
 
-// The faces about one point, by their other points; at most kMostCompared of them.
+// The faces about one point, by their other points; at most kMaxCompared of them.
 class Meetings
 {
 public:
@@ -70,8 +70,8 @@ private:
 	static constexpr std::uint8_t kFree = 0xFF;
 
 	std::array<std::uint8_t, 1 << kPlaceBits> places_; // hashed: numbers of meetings
-	std::array<std::uint8_t, kMostCompared> taken_;    // of the meetings: their places
-	std::array<Meeting, kMostCompared> meetings_;
+	std::array<std::uint8_t, kMaxCompared> taken_;     // of the meetings: their places
+	std::array<Meeting, kMaxCompared> meetings_;
 	std::size_t count_ = 0;
 };
 

@@ -109,13 +109,13 @@ Turn turnOfRecord(const RecordReader<kWidth, Number>& reader, CellId cell)
 constexpr std::array<std::uint32_t, 3> kBrick{16, 8, 8};
 
 // With fewer along i a brick is settled cell by cell (see edgeBoxes()).
-constexpr std::uint32_t kLeastRow = 4;
+constexpr std::uint32_t kMinRow = 4;
 
 // Of all cells of a brick, mixed where they are to be asked one by one.
 Turn turnOfBrick(const CurvilinearGrid& grid, const std::array<std::uint32_t, 3>& lo,
                  const std::array<std::uint32_t, 3>& size)
 {
-	if (size[0] < kLeastRow)
+	if (size[0] < kMinRow)
 		return Turn::mixed;
 	const std::size_t first = 3 * std::size_t(grid.pointId(lo[0], lo[1], lo[2]));
 	const std::size_t row = 3 * std::size_t(grid.points()[0]);
@@ -159,17 +159,17 @@ bool isSteady(const RectilinearGrid& grid)
 	return true;
 }
 
-// Sees how the polyhedra of a grid lie among their neighbours.
+// Sees how the polyhedra of a grid lie among their neighbors.
 class PolyhedronTurns
 {
 public:
-	explicit PolyhedronTurns(const UnstructuredGrid& grid) : grid_(grid), centres_(grid.cellCount())
+	explicit PolyhedronTurns(const UnstructuredGrid& grid) : grid_(grid), centers_(grid.cellCount())
 	{
-		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, centres_.size(), 1024),
+		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, centers_.size(), 1024),
 		                  [&](const auto& range)
 		                  {
 			                  for (std::size_t c = range.begin(); c < range.end(); ++c)
-				                  centres_[c] = cellCentre(grid_, static_cast<CellId>(c));
+				                  centers_[c] = cellCenter(grid_, static_cast<CellId>(c));
 		                  });
 	}
 
@@ -188,14 +188,14 @@ public:
 		work.alike.clear();
 		for (int f = 0; f < work.faces.size(); ++f)
 		{
-			const Turn turn = turnOfFace(work.faces[f], centres_[cell], work.points);
+			const Turn turn = turnOfFace(work.faces[f], centers_[cell], work.points);
 			if (turn == Turn::mixed)
 				return false;
 			const Turn across = turn == Turn::positive ? Turn::negative : Turn::positive;
 			bool apart = true;
-			grid_.forEachNeighbour(cell, f,
-			                       [&](CellId n)
-			                       { apart = apart && turnOfFace(work.faces[f], centres_[n], work.points) == across; });
+			grid_.forEachNeighbor(cell, f,
+			                      [&](CellId n)
+			                      { apart = apart && turnOfFace(work.faces[f], centers_[n], work.points) == across; });
 			if (!apart)
 				return false;
 			work.reversed.assign(work.faces[f].begin(), work.faces[f].end());
@@ -235,7 +235,7 @@ private:
 	}
 
 	const UnstructuredGrid& grid_;
-	std::vector<Vec3> centres_;
+	std::vector<Vec3> centers_;
 };
 
 } // namespace

@@ -14,13 +14,13 @@ namespace vp::grid
 // through such a cell:
 //
 // The cells' maps, glued at their faces, carry the cut's surface within them into the plane. A face is crossed only
-// where its points' signs differ, so a piece whose cut faces all have a neighbour is a closed surface. Were all its
+// where its points' signs differ, so a piece whose cut faces all have a neighbor is a closed surface. Were all its
 // cells turned one way, the map would keep its sense everywhere, and be open (around a cut edge it may wind several
 // times): the image of the closed surface would be open and compact, and the plane holds no such set but the empty one.
 //
 // Cells are taken to meet in whole faces, two at most on each.
 //
-// A polyhedron is filled from its centre (the mean of its points) by tetrahedra to its triangles, pyramids to its
+// A polyhedron is filled from its center (the mean of its points) by tetrahedra to its triangles, pyramids to its
 // quads, and fans about the mean of larger faces. Since files list its faces either way round, it asks no majority: it
 // is listed where it is not filled one way, or lies on the same side of a face as the cell across.
 //

@@ -158,8 +158,8 @@ private:
 		faces.polyhedron_faces = grid_.polyhedron_faces_;
 		faces.face_points_start = grid_.face_points_start_;
 		faces.face_points = grid_.face_points_;
-		grid_.polyhedron_neighbours_.resize(faces.count() - faces.tableSlots());
-		faces.polyhedron_neighbours = grid_.polyhedron_neighbours_;
+		grid_.polyhedron_neighbors_.resize(faces.count() - faces.tableSlots());
+		faces.polyhedron_neighbors = grid_.polyhedron_neighbors_;
 		grid_.several_ = matchFaces(faces);
 		grid_.has_links_ = !links.empty();
 		if (grid_.has_links_)
@@ -176,8 +176,8 @@ private:
 			const CellId b = stored[link.cell_b];
 			if (a == kNoCell || b == kNoCell || a == b)
 				continue;
-			addNeighbour(faces.across(slotOf(a, link.face_a, faces)), b, grid_.several_);
-			addNeighbour(faces.across(slotOf(b, link.face_b, faces)), a, grid_.several_);
+			addNeighbor(faces.across(slotOf(a, link.face_a, faces)), b, grid_.several_);
+			addNeighbor(faces.across(slotOf(b, link.face_b, faces)), a, grid_.several_);
 		}
 	}
 

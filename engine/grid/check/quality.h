@@ -66,8 +66,8 @@ Quality checkQuality(const BlockSet& blocks);
 void findCellFaults(const BlockSet& blocks, Quality& quality);     // collapsed, inverted, twisted
 void findPointFaults(const BlockSet& blocks, Quality& quality);    // coincident, orphans
 void findTopologyFaults(const BlockSet& blocks, Quality& quality); // nonmanifold
-// Looks whether the centre of a cell, or a point halfway from there to a corner, lies inside another cell, by more than
-// a hundredth of the way from the other's face to its centre. Of each block 20 000 cells at most are looked at, evenly
+// Looks whether the center of a cell, or a point halfway from there to a corner, lies inside another cell, by more than
+// a hundredth of the way from the other's face to its center. Of each block 20 000 cells at most are looked at, evenly
 // spread, against all cells of all blocks. Images and rectilinear grids do not overlap themselves and are not asked.
 void findOverlaps(const BlockSet& blocks, Quality& quality);
 

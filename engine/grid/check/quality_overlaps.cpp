@@ -129,7 +129,7 @@ struct Scratch
 	std::vector<Vec3> points;
 };
 
-// The cells, other than `cell` itself, that hold one of its points: its centre, and points halfway from there to its
+// The cells, other than `cell` itself, that hold one of its points: its center, and points halfway from there to its
 // corners.
 template <Grid G>
 void lookAt(const BlockSet& set, const G& grid, const SetCell& cell, std::span<const CellBoxes> boxes,
@@ -147,9 +147,9 @@ void lookAt(const BlockSet& set, const G& grid, const SetCell& cell, std::span<c
 		if (scratch.points.empty())
 		{
 			scratch.mine.fetch(grid, cell.cell);
-			scratch.points.push_back(scratch.mine.centre);
+			scratch.points.push_back(scratch.mine.center);
 			for (const Vec3& corner : scratch.mine.places)
-				if (const Vec3 p = 0.5 * (scratch.mine.centre + corner);
+				if (const Vec3 p = 0.5 * (scratch.mine.center + corner);
 				    std::ranges::find(scratch.points, p) == scratch.points.end())
 					scratch.points.push_back(p);
 			std::erase_if(scratch.points, [&](const Vec3& p) { return !liesInside(scratch.mine, p); });

@@ -34,7 +34,7 @@ void sharedFaces(const UnstructuredGrid& grid, std::uint32_t block, Quality& qua
 		                  const auto inspect = [&](CellId cell, int f)
 		                  {
 			                  std::vector<CellId> across;
-			                  grid.forEachNeighbour(cell, f, [&](CellId other) { across.push_back(other); });
+			                  grid.forEachNeighbor(cell, f, [&](CellId other) { across.push_back(other); });
 			                  if (across.size() < 2 ||
 			                      std::ranges::any_of(across, [&](CellId other) { return other < cell; }))
 				                  return;

@@ -57,16 +57,16 @@ void checkCell(const G& grid, CellId c, const Box& bounds, CellFaces& faces)
 		require(!finite || boxHolds(bounds, x), "cell {}: point {} outside the bounds", c, p);
 	}
 	for (int f = 0; f < faces.size(); ++f)
-		grid.forEachNeighbour(c, f,
-		                      [&](CellId n)
-		                      {
-			                      require(n < grid.cellCount(), "cell {} face {}: neighbour {} out of range", c, f, n);
-			                      require(n != c, "cell {} face {}: neighbour of itself", c, f);
-			                      bool known = false;
-			                      for (int g = 0; g < grid.faceCount(n); ++g)
-				                      grid.forEachNeighbour(n, g, [&](CellId back) { known = known || back == c; });
-			                      require(known, "cell {} face {}: neighbour {} does not know it", c, f, n);
-		                      });
+		grid.forEachNeighbor(c, f,
+		                     [&](CellId n)
+		                     {
+			                     require(n < grid.cellCount(), "cell {} face {}: neighbour {} out of range", c, f, n);
+			                     require(n != c, "cell {} face {}: neighbour of itself", c, f);
+			                     bool known = false;
+			                     for (int g = 0; g < grid.faceCount(n); ++g)
+				                     grid.forEachNeighbor(n, g, [&](CellId back) { known = known || back == c; });
+			                     require(known, "cell {} face {}: neighbour {} does not know it", c, f, n);
+		                     });
 }
 
 template <Grid G>
@@ -140,7 +140,7 @@ void checkBoundary(const G& grid, const BoundaryIndex& index)
 		}
 }
 
-// Each face without neighbour once, and no other.
+// Each face without neighbor once, and no other.
 template <Grid G>
 void checkBoundaryComplete(const G& grid, const BoundaryIndex& index)
 {
@@ -156,7 +156,7 @@ void checkBoundaryComplete(const G& grid, const BoundaryIndex& index)
 		for (int f = 0; f < grid.faceCount(cell); ++f)
 		{
 			bool alone = true;
-			grid.forEachNeighbour(cell, f, [&](CellId) { alone = false; });
+			grid.forEachNeighbor(cell, f, [&](CellId) { alone = false; });
 			if (!alone)
 				continue;
 			grid.cellFaces(cell, faces);

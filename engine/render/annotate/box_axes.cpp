@@ -20,7 +20,7 @@ constexpr double kBetweenTicks = 3.5; // em, at least
 class Numbers
 {
 public:
-	Numbers(const Layout& layout, const std::string& units, Pen& pen)
+	Numbers(const Layout& layout, const std::string& units, Canvas& pen)
 	    : pen_(pen), units_(units),
 	      em_(layout.em), picture_{{0.0, 0.0}, {layout.frame.width, layout.frame.height}}, taken_{layout.title,
 	                                                                                              layout.caption}
@@ -64,8 +64,8 @@ private:
 	{
 		const glm::dvec2 half{0.5 * pen_.lettering().width(words, em_), 0.5 * em_};
 		const double depth = half.x * std::abs(outward.x) + half.y * std::abs(outward.y);
-		const glm::dvec2 centre = at + (gap + depth) * outward;
-		const Area area{centre - half, centre + half};
+		const glm::dvec2 center = at + (gap + depth) * outward;
+		const Area area{center - half, center + half};
 		const bool inside =
 		    area.lo.x >= 0.0 && area.lo.y >= 0.0 && area.hi.x <= picture_.hi.x && area.hi.y <= picture_.hi.y;
 		if (!inside || std::any_of(taken_.begin(), taken_.end(), [&](const Area& a) { return a.overlaps(area); }))
@@ -75,7 +75,7 @@ private:
 		return gap + 2.0 * depth;
 	}
 
-	Pen& pen_;
+	Canvas& pen_;
 	const std::string& units_;
 	double em_;
 	Area picture_;
@@ -129,7 +129,7 @@ std::array<std::optional<AxisEdge>, 3> axisEdges(const Box& box, const Camera& c
 	return edges;
 }
 
-void writeBoxAxes(const Box& box, const Camera& camera, const Layout& layout, const std::string& units, Pen& pen)
+void writeBoxAxes(const Box& box, const Camera& camera, const Layout& layout, const std::string& units, Canvas& pen)
 {
 	const auto edges = axisEdges(box, camera, layout.frame);
 	Numbers numbers(layout, units, pen);

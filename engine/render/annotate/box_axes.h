@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/annotate/pen.h"
+#include "render/annotate/canvas.h"
 
 #include <array>
 #include <optional>
@@ -25,6 +25,6 @@ bool facesEye(const Box& box, const Vec3& eye, int axis, bool high);
 
 // Round numbers along these edges, the axes' names with their units and, where numbers are long, their power of ten.
 // Numbers that would lie on each other or on what else is written are left out.
-void writeBoxAxes(const Box& box, const Camera& camera, const Layout& layout, const std::string& units, Pen& pen);
+void writeBoxAxes(const Box& box, const Camera& camera, const Layout& layout, const std::string& units, Canvas& pen);
 
 } // namespace vp::render

@@ -46,7 +46,7 @@ namespace
 class ContourLabels
 {
 public:
-	ContourLabels(const Scene& scene, const Layout& layout, Pen& pen) : scene_(scene), layout_(layout), pen_(pen) {}
+	ContourLabels(const Scene& scene, const Layout& layout, Canvas& pen) : scene_(scene), layout_(layout), pen_(pen) {}
 
 	void write()
 	{
@@ -82,15 +82,15 @@ private:
 
 	void add(std::size_t s, const measure::PlaneLine& line, double level, std::string words)
 	{
-		LabelledLine labelled{{}, line.closed, pen_.lettering().width(words, layout_.small_em)};
+		LabeledLine labeled{{}, line.closed, pen_.lettering().width(words, layout_.small_em)};
 		for (const glm::dvec2& uv : line.points)
 		{
 			const Vec3 at = scene_.sheets[s].inWorld(uv);
 			if (glm::dot(at - scene_.camera.position, scene_.camera.forward()) < scene_.camera.near)
 				return;
-			labelled.points.push_back(scene_.camera.project(at, layout_.frame));
+			labeled.points.push_back(scene_.camera.project(at, layout_.frame));
 		}
-		lines_.push_back(std::move(labelled));
+		lines_.push_back(std::move(labeled));
 		levels_.push_back(level);
 		words_.push_back(std::move(words));
 		sheets_.push_back(s);
@@ -133,16 +133,16 @@ private:
 		const glm::dvec2 along =
 		    (0.5 * lines_[place.line].width + 0.3 * size) * glm::dvec2(std::cos(place.angle), std::sin(place.angle));
 		const glm::dvec2 across = 0.18 * size * glm::normalize(glm::dvec2(-along.y, along.x));
-		pen_.filled({place.centre - along - across, place.centre + along - across, place.centre + along + across,
-		             place.centre - along + across},
+		pen_.filled({place.center - along - across, place.center + along - across, place.center + along + across,
+		             place.center - along + across},
 		            plate);
-		pen_.turnedText(place.centre, place.angle, size, ink, halo, words_[place.line]);
+		pen_.turnedText(place.center, place.angle, size, ink, halo, words_[place.line]);
 	}
 
 	const Scene& scene_;
 	const Layout& layout_;
-	Pen& pen_;
-	std::vector<LabelledLine> lines_;
+	Canvas& pen_;
+	std::vector<LabeledLine> lines_;
 	std::vector<double> levels_; // per line
 	std::vector<std::string> words_;
 	std::vector<std::size_t> sheets_;
@@ -150,7 +150,7 @@ private:
 
 } // namespace
 
-void writeContourLabels(const Scene& scene, const Layout& layout, Pen& pen)
+void writeContourLabels(const Scene& scene, const Layout& layout, Canvas& pen)
 {
 	if (scene.look.labels && scene.values)
 		ContourLabels(scene, layout, pen).write();

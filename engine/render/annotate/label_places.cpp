@@ -16,9 +16,9 @@ namespace
 {
 
 // In heights of the label.
-constexpr double kMargin = 0.35;   // free on either side of a label, of the line and of other labels
-constexpr double kMostBend = 0.42; // of the line off the label's middle
-constexpr double kProbe = 0.5;     // between the places where lines are looked for
+constexpr double kMargin = 0.35;  // free on either side of a label, of the line and of other labels
+constexpr double kMaxBend = 0.42; // of the line off the label's middle
+constexpr double kProbe = 0.5;    // between the places where lines are looked for
 
 // In lengths of the part that a label takes.
 constexpr double kShortestLine = 1.6;
@@ -34,7 +34,7 @@ constexpr double kWorst = 3.0;      // no label is better than such a place
 class Route
 {
 public:
-	explicit Route(const LabelledLine& line) : points_(line.points)
+	explicit Route(const LabeledLine& line) : points_(line.points)
 	{
 		if (line.closed && !points_.empty())
 			points_.push_back(points_.front());
@@ -76,14 +76,14 @@ private:
 
 struct Box2
 {
-	glm::dvec2 centre;
+	glm::dvec2 center;
 	glm::dvec2 along; // unit
 	glm::dvec2 half;  // along, across
 
 	glm::dvec2 across() const { return {-along.y, along.x}; }
 	glm::dvec2 inside(const glm::dvec2& p) const // in the box' own axes
 	{
-		return {glm::dot(p - centre, along), glm::dot(p - centre, across())};
+		return {glm::dot(p - center, along), glm::dot(p - center, across())};
 	}
 	bool holds(const glm::dvec2& p) const
 	{
@@ -97,15 +97,15 @@ struct Box2
 	bool overlaps(const Box2& other) const
 	{
 		for (const glm::dvec2& axis : {along, across(), other.along, other.across()})
-			if (std::abs(glm::dot(other.centre - centre, axis)) > reach(axis) + other.reach(axis))
+			if (std::abs(glm::dot(other.center - center, axis)) > reach(axis) + other.reach(axis))
 				return false;
 		return true;
 	}
 	bool within(const Area& area) const
 	{
 		const glm::dvec2 r(reach({1.0, 0.0}), reach({0.0, 1.0}));
-		const glm::dvec2 lo = centre - r;
-		const glm::dvec2 hi = centre + r;
+		const glm::dvec2 lo = center - r;
+		const glm::dvec2 hi = center + r;
 		return lo.x >= area.lo.x && lo.y >= area.lo.y && hi.x <= area.hi.x && hi.y <= area.hi.y;
 	}
 };
@@ -125,8 +125,8 @@ public:
 	int othersIn(const Box2& box, std::size_t line) const
 	{
 		const glm::dvec2 reach(box.reach({1.0, 0.0}), box.reach({0.0, 1.0}));
-		const glm::ivec2 lo(glm::floor((box.centre - reach) / cell_));
-		const glm::ivec2 hi(glm::floor((box.centre + reach) / cell_));
+		const glm::ivec2 lo(glm::floor((box.center - reach) / cell_));
+		const glm::ivec2 hi(glm::floor((box.center + reach) / cell_));
 		int found = 0;
 		for (int y = lo.y; y <= hi.y; ++y)
 			for (int x = lo.x; x <= hi.x; ++x)
@@ -171,11 +171,11 @@ std::optional<Candidate> candidateAt(const Route& route, std::size_t line, doubl
 	double bend = 0.0;
 	for (int i = 1; i < kSteps; ++i)
 		bend = std::max(bend, std::abs(box.inside(route.at(from + taken * i / kSteps)).y) / height);
-	if (bend > kMostBend)
+	if (bend > kMaxBend)
 		return std::nullopt;
 	const double angle = std::atan2(along.y, along.x);
-	const double marks = bend / kMostBend + kSteepness * std::abs(angle) / (0.5 * std::numbers::pi);
-	return Candidate{{line, box.centre, angle, from, from + taken}, box, marks};
+	const double marks = bend / kMaxBend + kSteepness * std::abs(angle) / (0.5 * std::numbers::pi);
+	return Candidate{{line, box.center, angle, from, from + taken}, box, marks};
 }
 
 std::vector<Candidate> candidatesOf(const Route& route, std::size_t line, double width, bool closed, double height)
@@ -196,12 +196,12 @@ std::vector<Candidate> candidatesOf(const Route& route, std::size_t line, double
 
 } // namespace
 
-std::vector<LabelPlace> placeLabels(std::span<const LabelledLine> lines, double height, double spacing,
+std::vector<LabelPlace> placeLabels(std::span<const LabeledLine> lines, double height, double spacing,
                                     const Area& within, std::span<const Area> taken_areas,
                                     const std::function<bool(std::size_t, const glm::dvec2&)>& seen)
 {
 	std::vector<Route> routes;
-	for (const LabelledLine& line : lines)
+	for (const LabeledLine& line : lines)
 		routes.emplace_back(line);
 	const LineMap map(routes, height);
 	std::vector<std::size_t> order(lines.size());
@@ -230,7 +230,7 @@ std::vector<LabelPlace> placeLabels(std::span<const LabelledLine> lines, double 
 			wide.half += kMargin * height;
 			if (c.marks > kWorst || std::any_of(places.begin() + std::ptrdiff_t(first), places.end(), near) ||
 			    std::ranges::any_of(taken, [&](const Box2& box) { return box.overlaps(wide); }) ||
-			    (seen && !seen(line, c.place.centre)))
+			    (seen && !seen(line, c.place.center)))
 				continue;
 			places.push_back(c.place);
 			taken.push_back(c.box);
@@ -239,7 +239,7 @@ std::vector<LabelPlace> placeLabels(std::span<const LabelledLine> lines, double 
 	return places;
 }
 
-std::vector<std::vector<glm::dvec2>> withGaps(const LabelledLine& line, std::span<const LabelPlace> places)
+std::vector<std::vector<glm::dvec2>> withGaps(const LabeledLine& line, std::span<const LabelPlace> places)
 {
 	const Route route(line);
 	std::vector<std::pair<double, double>> gaps;

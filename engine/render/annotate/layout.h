@@ -32,7 +32,7 @@ struct LegendLayout
 	Area column;
 	Area title;
 	Area factor;
-	Area bar; // without the caps; of categories, the column of their colours
+	Area bar; // without the caps; of categories, the column of their colors
 	Area nan;
 	double cap; // height of the pointed ends for values beyond the range, 0 without
 	Ticks ticks;

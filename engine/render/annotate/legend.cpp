@@ -10,12 +10,12 @@ namespace vp::render
 namespace
 {
 
-constexpr double kColorLabelGap = 0.6; // em, between a colour and its label
+constexpr double kColorLabelGap = 0.6; // em, between a color and its label
 
 class Legend
 {
 public:
-	Legend(const LegendContent& content, const LegendLayout& layout, Pen& pen)
+	Legend(const LegendContent& content, const LegendLayout& layout, Canvas& pen)
 	    : content_(content), layout_(layout), pen_(pen), style_(content.style), em_(pen.em()), bar_(layout.bar),
 	      label_x_(layout.bar.hi.x + kColorLabelGap * em_)
 	{
@@ -129,7 +129,7 @@ private:
 
 	const LegendContent& content_;
 	const LegendLayout& layout_;
-	Pen& pen_;
+	Canvas& pen_;
 	const ValueStyle& style_;
 	double em_;
 	Area bar_;
@@ -138,7 +138,7 @@ private:
 
 } // namespace
 
-void writeLegend(const LegendContent& content, const LegendLayout& layout, Pen& pen)
+void writeLegend(const LegendContent& content, const LegendLayout& layout, Canvas& pen)
 {
 	Legend(content, layout, pen).write();
 }

@@ -23,8 +23,8 @@ std::size_t letters(const std::string& utf8)
 
 constexpr double kLongestBar = 32.0;       // em
 constexpr double kWidestCategories = 15.0; // em
-constexpr double kLeastLegend = 12.0;      // em of height, of several
-constexpr double kLeastBar = 3.0;          // em: two marks, or two categories
+constexpr double kMinLegend = 12.0;        // em of height, of several
+constexpr double kMinBar = 3.0;            // em: two marks, or two categories
 constexpr double kRoomyBar = 5.0;          // em; before it is shorter, what is around it moves closer
 constexpr double kCap = 0.9;               // em
 constexpr double kAboveBar = 0.45;         // em, to the factor or the title
@@ -114,7 +114,7 @@ double layOut(const LegendContent& content, const Slot& slot, const Look& look, 
 	const double bar_width = 1.1 * em;
 	const double factor_height = layout.ticks.factor.empty() ? 0.0 : kLineHeight * em;
 	const double top = slot.tight ? slot.bar_lo + factor_height : slot.bar_lo;
-	if (slot.bar_hi - top < kLeastBar * em)
+	if (slot.bar_hi - top < kMinBar * em)
 		return 0.0;
 	layout.bar = {{0.0, top}, {bar_width, bottom}};
 	const double factor_bottom = top - layout.cap - kAboveBar * em;
@@ -142,7 +142,7 @@ double layOut(const LegendContent& content, const Slot& slot, const Look& look, 
 void layOutLegends(const Look& look, const std::vector<LegendContent>& contents, Layout& layout)
 {
 	const auto room =
-	    static_cast<std::size_t>(std::max(1.0, (look.height - 2.0 * layout.margin) / (kLeastLegend * layout.em)));
+	    static_cast<std::size_t>(std::max(1.0, (look.height - 2.0 * layout.margin) / (kMinLegend * layout.em)));
 	const std::size_t count = std::min(contents.size(), room);
 	double column = 0.0;
 	for (std::size_t i = 0; i < count; ++i)

@@ -2,7 +2,7 @@
 
 #include "render/annotate/box_axes.h"
 #include "render/annotate/contour_labels.h"
-#include "render/annotate/draw_list_pen.h"
+#include "render/annotate/draw_list_canvas.h"
 #include "render/annotate/legend.h"
 #include "render/annotate/titles.h"
 #include "render/scene/outline.h"
@@ -18,11 +18,11 @@ namespace
 {
 
 // Where x, y and z point, in the corner; what is nearer to the eye is drawn over what is farther.
-void writeDirections(const Camera& camera, const Layout& layout, Pen& pen)
+void writeDirections(const Camera& camera, const Layout& layout, Canvas& pen)
 {
 	struct Axis
 	{
-		glm::dvec2 tip; // from the centre, in lengths of the axis
+		glm::dvec2 tip; // from the center, in lengths of the axis
 		double depth;
 		Color color;
 		const char* name;
@@ -39,26 +39,26 @@ void writeDirections(const Camera& camera, const Layout& layout, Pen& pen)
 	std::sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.depth > b.depth; });
 
 	const double em = layout.em;
-	const glm::dvec2 centre = 0.5 * (layout.axes.lo + layout.axes.hi);
+	const glm::dvec2 center = 0.5 * (layout.axes.lo + layout.axes.hi);
 	const double length = 1.9 * em;
 	for (const Axis& a : axes)
 	{
 		const double seen = glm::length(a.tip);
-		const glm::dvec2 tip = centre + length * a.tip;
+		const glm::dvec2 tip = center + length * a.tip;
 		if (seen > 0.15)
 		{
 			const glm::dvec2 along = a.tip / seen;
 			const glm::dvec2 across{-along.y, along.x};
 			const double head = std::min(0.55 * em, 0.7 * length * seen);
-			pen.line(centre, tip - head * along, a.color, std::max(1.5, 0.14 * em));
+			pen.line(center, tip - head * along, a.color, std::max(1.5, 0.14 * em));
 			pen.filled({tip, tip - head * along + 0.42 * head * across, tip - head * along - 0.42 * head * across},
 			           a.color);
 		}
 		else
-			pen.dot(centre, 0.2 * em, a.color);
+			pen.dot(center, 0.2 * em, a.color);
 		// Beside an axis that points at the eye or away from it, its name goes where the others rarely are.
 		const glm::dvec2 place =
-		    seen > 0.15 ? tip + 0.55 * em * a.tip / seen : centre + glm::dvec2(-0.6 * em, 0.65 * em);
+		    seen > 0.15 ? tip + 0.55 * em * a.tip / seen : center + glm::dvec2(-0.6 * em, 0.65 * em);
 		pen.text(place - glm::dvec2(0.5 * pen.lettering().width(a.name, em), 0.55 * em), em, a.color, a.name);
 	}
 }
@@ -78,8 +78,8 @@ Area seenArea(const Box& box, const Camera& camera, const Frame& frame)
 	return seen;
 }
 
-// Words over the scene would be lost in its colours: they get a ground.
-void writePlates(const Scene& scene, const Layout& layout, Pen& pen)
+// Words over the scene would be lost in its colors: they get a ground.
+void writePlates(const Scene& scene, const Layout& layout, Canvas& pen)
 {
 	Color ground = groundOf(scene.look.background);
 	ground.a = 205;
@@ -112,7 +112,7 @@ Overlay makeOverlay(const Scene& scene, KeptLettering* kept)
 	KeptLettering own;
 	overlay.lettering =
 	    (kept ? *kept : own).get({layout.small_em, layout.em, layout.title_em}, writtenTexts(scene.look, legends));
-	DrawListPen pen(*overlay.lettering, inksOn(scene.look.background), layout.em);
+	DrawListCanvas pen(*overlay.lettering, inksOn(scene.look.background), layout.em);
 	if (!scene.fitted && scene.bounds)
 		writePlates(scene, layout, pen);
 	writeContourLabels(scene, layout, pen);

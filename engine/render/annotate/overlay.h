@@ -1,7 +1,7 @@
 #pragma once
 
+#include "render/annotate/font_atlas.h"
 #include "render/annotate/layout.h"
-#include "render/annotate/lettering.h"
 #include "render/scene/scene.h"
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace vp::render
 // What is written over a picture as triangles, in pixels: the legend, the axes, title and caption.
 struct Overlay
 {
-	std::shared_ptr<const Lettering> lettering; // its coverage is the triangles' texture
+	std::shared_ptr<const FontAtlas> lettering; // its coverage is the triangles' texture
 	std::vector<ImDrawVert> vertices;
 	std::vector<std::uint32_t> indices;
 };

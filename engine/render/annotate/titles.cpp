@@ -11,7 +11,7 @@ constexpr const char* kSigns = "\u2212×⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
 
 } // namespace
 
-void writeTitles(const Look& look, const Layout& layout, Pen& pen)
+void writeTitles(const Look& look, const Layout& layout, Canvas& pen)
 {
 	if (!look.title.empty())
 		pen.text(layout.title.lo, layout.title_em, pen.inks().text,

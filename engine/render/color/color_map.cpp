@@ -40,7 +40,7 @@ Table tableFromHex(const char* text)
 	return table;
 }
 
-Table grey()
+Table gray()
 {
 	Table table;
 	for (int i = 0; i < kColorMapSize; ++i)
@@ -114,7 +114,7 @@ Result<ColorMap> makeColorMap(std::string_view name)
 	else if (name == "turbo")
 		map.colors = tableFromHex(kTurbo);
 	else if (name == "grey")
-		map.colors = grey();
+		map.colors = gray();
 	else if (name == "cool-warm")
 	{
 		map.colors = coolWarm();

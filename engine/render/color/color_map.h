@@ -13,7 +13,7 @@ namespace vp::render
 {
 
 // Encoded in sRGB, as in a picture; blending happens in this encoding too, so that an opacity of one half is the mean
-// of two colours as a user reads them off.
+// of two colors as a user reads them off.
 struct Color
 {
 	std::uint8_t r = 0;
@@ -39,7 +39,7 @@ struct Category
 	bool operator==(const Category&) const = default;
 };
 
-// The colours of values from the range's low end (0) to its high end (1), and of those that have no place in it: NaN is
+// The colors of values from the range's low end (0) to its high end (1), and of those that have no place in it: NaN is
 // magenta in every map of ours; values below and above, which a range of the user's can leave out, are tints that the
 // map does not hold. Alpha is an opacity by value, a factor on the sheet's.
 struct ColorMap
@@ -51,10 +51,10 @@ struct ColorMap
 	Color above{255, 200, 182};
 	std::vector<Category> categories{}; // ascending values; where there are any, `colors` is not used
 
-	Color at(double t) const; // 0..1, linear between neighbours
+	Color at(double t) const; // 0..1, linear between neighbors
 };
 
-// High and low ends change places; categories keep their names and values, and take each other's colours.
+// High and low ends change places; categories keep their names and values, and take each other's colors.
 ColorMap reversed(ColorMap map);
 
 const std::vector<std::string>& colorMapNames(); // viridis first, the default

@@ -13,10 +13,10 @@ namespace vp::render
 Result<ColorMap> chooseColorMap(const std::string& text);
 
 // ParaView's presets: an object, or an array of them, from which `preset` chooses by Name (empty: there must be one).
-// RGBPoints (x, r, g, b …) and ColorSpace make the colours, Points (x, alpha, midpoint, sharpness …) an opacity by
+// RGBPoints (x, r, g, b …) and ColorSpace make the colors, Points (x, alpha, midpoint, sharpness …) an opacity by
 // value unless EnableOpacityMapping is false; IndexedColors (r, g, b …) and Annotations (value, name …) make
 // categories. NanColor, BelowRangeColor and AboveRangeColor are taken over. x are places between the ends, not values:
-// the range of the colours is the data's or the user's.
+// the range of the colors is the data's or the user's.
 Result<ColorMap> readColorMap(const std::string& file, const std::string& preset = {});
 Result<ColorMap> parseColorMap(std::string_view text, const std::string& file, const std::string& preset = {});
 

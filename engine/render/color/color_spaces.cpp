@@ -47,7 +47,7 @@ Rgb fromLab(const Lab& lab)
 	        encoded(0.0557 * x - 0.2040 * y + 1.0570 * z)};
 }
 
-// Magnitude, saturation and hue about CIELAB's grey axis.
+// Magnitude, saturation and hue about CIELAB's gray axis.
 struct Msh
 {
 	double m, s, h;
@@ -66,7 +66,7 @@ Rgb fromMsh(const Msh& msh)
 	return fromLab({msh.m * std::cos(msh.s), colored * std::cos(msh.h), colored * std::sin(msh.h)});
 }
 
-// The hue that a grey of magnitude m takes so that it fades to the colour with even steps.
+// The hue that a gray of magnitude m takes so that it fades to the color with even steps.
 double spunHue(const Msh& to, double m)
 {
 	if (to.m >= m)
@@ -75,7 +75,7 @@ double spunHue(const Msh& to, double m)
 	return to.h > -kPi / 3.0 ? to.h + spin : to.h - spin;
 }
 
-// From here on a colour has a hue that tells.
+// From here on a color has a hue that tells.
 constexpr double kSaturated = 0.05;
 
 Rgb betweenDiverging(const Rgb& first, const Rgb& second, double part)
@@ -85,7 +85,7 @@ Rgb betweenDiverging(const Rgb& first, const Rgb& second, double part)
 	const double turn = std::abs(std::remainder(a.h - b.h, 2.0 * kPi));
 	if (a.s > kSaturated && b.s > kSaturated && turn > kPi / 3.0)
 	{
-		// Different hues meet in a grey.
+		// Different hues meet in a gray.
 		const Msh middle{std::max({a.m, b.m, 88.0}), 0.0, 0.0};
 		(part < 0.5 ? b : a) = middle;
 		part = part < 0.5 ? 2.0 * part : 2.0 * part - 1.0;

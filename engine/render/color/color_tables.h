@@ -1,6 +1,6 @@
 #pragma once
 
-// 256 colours each as RRGGBB, the published tables: viridis by S. van der Walt and N. Smith (2015, CC0); cividis by J.
+// 256 colors each as RRGGBB, the published tables: viridis by S. van der Walt and N. Smith (2015, CC0); cividis by J.
 // Nunez, C. Anderton and R. Renslow (PLOS ONE 13(7), 2018); turbo by A. Mikhailov (Google, 2019).
 namespace vp::render
 {

@@ -18,8 +18,8 @@ namespace
 
 using nlohmann::json;
 
-constexpr std::size_t kMostPresetNumbers = 400'000; // of a list in a preset
-constexpr std::size_t kMostCategories = 1024;
+constexpr std::size_t kMaxPresetNumbers = 400'000; // of a list in a preset
+constexpr std::size_t kMaxCategories = 1024;
 
 Error badPreset(const std::string& what)
 {
@@ -33,7 +33,7 @@ Result<std::vector<double>> numbersOf(const json& preset, const char* key, std::
 	if (!preset.contains(key))
 		return numbers;
 	const json& list = preset[key];
-	const bool fits = list.is_array() && list.size() % group == 0 && list.size() <= kMostPresetNumbers &&
+	const bool fits = list.is_array() && list.size() % group == 0 && list.size() <= kMaxPresetNumbers &&
 	                  std::all_of(list.begin(), list.end(), [](const json& n) { return n.is_number(); });
 	if (!fits)
 		return badPreset(fmt::format("{} must be a list of numbers, {} for each", key, group));
@@ -99,7 +99,7 @@ Rgb presetColorAt(const std::vector<double>& points, double x, ColorSpace space)
 	const double* a = &points[intervalOf(points, 4, x)];
 	const double* b = a + 4;
 	const double part = partOf(x, a[0], b[0]);
-	// At a point, its own colour: only behind it the step's next one begins.
+	// At a point, its own color: only behind it the step's next one begins.
 	if (part == 0.0)
 		return {a[1], a[2], a[3]};
 	return between({a[1], a[2], a[3]}, {b[1], b[2], b[3]}, part, space);
@@ -183,7 +183,7 @@ std::optional<double> number(const json& value)
 	return parsed;
 }
 
-// Colours are taken in turn, and again from the first where there are more annotations. Without annotations they stand
+// Colors are taken in turn, and again from the first where there are more annotations. Without annotations they stand
 // for 0, 1, 2 …
 Status setCategories(const json& preset, ColorMap& map)
 {
@@ -212,9 +212,9 @@ Status setCategories(const json& preset, ColorMap& map)
 	if (notes.empty())
 		for (std::size_t i = 0; i < count; ++i)
 			map.categories.push_back({double(i), fmt::format("{}", i), color(i)});
-	if (map.categories.size() > kMostCategories)
+	if (map.categories.size() > kMaxCategories)
 		return badPreset(fmt::format("{} categories are more than a legend takes; leave up to {}",
-		                             map.categories.size(), kMostCategories));
+		                             map.categories.size(), kMaxCategories));
 	std::sort(map.categories.begin(), map.categories.end(),
 	          [](const Category& a, const Category& b) { return a.value < b.value; });
 	const auto same = std::adjacent_find(map.categories.begin(), map.categories.end(),

@@ -9,7 +9,7 @@
 namespace vp::render
 {
 
-// The colour map that one of ParaView's presets describes, without its name. The error says what is wrong with the
+// The color map that one of ParaView's presets describes, without its name. The error says what is wrong with the
 // object and how it should be.
 Result<ColorMap> colorMapOf(const nlohmann::json& preset);
 

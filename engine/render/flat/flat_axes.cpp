@@ -13,7 +13,7 @@ std::string titleOf(const PlaneAxis& axis)
 
 } // namespace
 
-void drawFlatAxes(const FlatLayout& layout, CairoPen& pen)
+void drawFlatAxes(const FlatLayout& layout, CairoCanvas& pen)
 {
 	const double em = pen.em();
 	const Color ink = pen.inks().text;

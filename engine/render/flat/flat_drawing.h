@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/flat/cairo_pen.h"
+#include "render/flat/cairo_canvas.h"
 #include "render/flat/flat_layout.h"
 #include "render/scene/color_steps.h"
 
@@ -11,13 +11,13 @@ namespace vp::render
 
 void paintBackground(const Look& look, cairo_t* context);
 
-// The sheet's colours, mesh and contour lines, within the plot.
-void drawFlatSheet(const FlatScene& flat, const FlatLayout& layout, CairoPen& pen);
+// The sheet's colors, mesh and contour lines, within the plot.
+void drawFlatSheet(const FlatScene& flat, const FlatLayout& layout, CairoCanvas& pen);
 
 // A frame around the plot, with numbers and the axes' names.
-void drawFlatAxes(const FlatLayout& layout, CairoPen& pen);
+void drawFlatAxes(const FlatLayout& layout, CairoCanvas& pen);
 
 // Where the sheet lies in the grid.
-void drawSmallView(const FlatScene& flat, const FlatLayout& layout, CairoPen& pen);
+void drawSmallView(const FlatScene& flat, const FlatLayout& layout, CairoCanvas& pen);
 
 } // namespace vp::render

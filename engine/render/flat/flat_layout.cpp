@@ -14,13 +14,13 @@ namespace vp::render
 namespace
 {
 
-constexpr double kSmallView = 14.0;     // em, at most
-constexpr double kLeastSmallView = 4.0; // em; the axes' names take 3.2 of it
-constexpr double kAroundData = 0.02;    // of its size, free around a slice without a window
-constexpr double kNumberWidth = 4.5;    // em, between numbers of the level axis
-constexpr double kNumberHeight = 2.4;   // em, and of the upright one
-constexpr double kLeastRest = 12.0;     // em, of a plot and its numbers beside a legend
-constexpr int kMostTickNumbers = 12;
+constexpr double kSmallView = 14.0;   // em, at most
+constexpr double kMinSmallView = 4.0; // em; the axes' names take 3.2 of it
+constexpr double kAroundData = 0.02;  // of its size, free around a slice without a window
+constexpr double kNumberWidth = 4.5;  // em, between numbers of the level axis
+constexpr double kNumberHeight = 2.4; // em, and of the upright one
+constexpr double kMinRest = 12.0;     // em, of a plot and its numbers beside a legend
+constexpr int kMaxTickNumbers = 12;
 
 // What is shown: the window, else what the slice covers, else where the bounds lie.
 Area shownArea(const FlatScene& flat)
@@ -47,11 +47,11 @@ Area shownArea(const FlatScene& flat)
 
 void setTicks(PlaneAxis& axis, double lo, double hi, double room, double each)
 {
-	const int most = std::clamp(static_cast<int>(room / each), 2, kMostTickNumbers);
+	const int most = std::clamp(static_cast<int>(room / each), 2, kMaxTickNumbers);
 	axis.ticks = makeTicks(axis.at_origin + axis.sign * lo, axis.at_origin + axis.sign * hi, most);
 }
 
-double widest(const Ticks& ticks, const Lettering& lettering, double em)
+double widest(const Ticks& ticks, const FontAtlas& lettering, double em)
 {
 	double width = 0.0;
 	for (const Tick& tick : ticks.marks)
@@ -68,7 +68,7 @@ void layOutLegendsAbove(double bottom, double left, const Look& look, const std:
 	layOutLegends(upper, legends, text);
 	if (text.legends.empty())
 		return;
-	if (std::min(left, text.legends.front().column.lo.x) < kLeastRest * text.em)
+	if (std::min(left, text.legends.front().column.lo.x) < kMinRest * text.em)
 		return text.legends.clear();
 	const double shift = std::max(0.0, text.legends.front().column.lo.x - left);
 	for (LegendLayout& legend : text.legends)
@@ -86,7 +86,7 @@ double layOutColumn(const FlatScene& flat, const std::vector<LegendContent>& leg
 	if (look.axes && flat.scene.bounds)
 	{
 		const double side = std::min({kSmallView * text.em, 0.3 * look.width, 0.36 * look.height});
-		if (side > kLeastSmallView * text.em)
+		if (side > kMinSmallView * text.em)
 		{
 			layout.small = {{right - side, look.height - text.margin - side}, {right, look.height - text.margin}};
 			left = layout.small.lo.x;
@@ -98,7 +98,7 @@ double layOutColumn(const FlatScene& flat, const std::vector<LegendContent>& leg
 		layOutLegendsAbove(above ? layout.small.lo.y : look.height, left, look, legends, text);
 		if (text.legends.empty() && above)
 		{
-			// Where there is no room for both, colours that can be read are worth more.
+			// Where there is no room for both, colors that can be read are worth more.
 			layOutLegendsAbove(look.height, right, look, legends, text);
 			if (!text.legends.empty())
 				layout.small = {}, left = right;
@@ -123,7 +123,7 @@ PlaneAxis planeAxis(const Vec3& origin, const Vec3& direction, const std::string
 }
 
 FlatLayout makeFlatLayout(const FlatScene& flat, const std::vector<LegendContent>& legends, const Layout& text,
-                          const Lettering& lettering)
+                          const FontAtlas& lettering)
 {
 	FlatLayout layout{};
 	layout.text = text;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "render/annotate/font_atlas.h"
 #include "render/annotate/layout.h"
-#include "render/annotate/lettering.h"
 #include "render/flat/flat_scene.h"
 
 #include <array>
@@ -46,6 +46,6 @@ constexpr double kFlatGap = 0.3;   // em, between ticks, numbers and titles
 
 // Text sizes of the layout are those of makeLayout(); `lettering` has them.
 FlatLayout makeFlatLayout(const FlatScene& flat, const std::vector<LegendContent>& legends, const Layout& text,
-                          const Lettering& lettering);
+                          const FontAtlas& lettering);
 
 } // namespace vp::render

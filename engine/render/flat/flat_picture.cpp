@@ -37,11 +37,11 @@ void drawFlat(const FlatScene& flat, cairo_t* context)
 	const std::vector<LegendContent> legends = legendContents(flat.scene);
 	look.axes = look.box_axes = false; // those of a picture in space
 	Layout text = makeLayout(look, {});
-	const Lettering lettering({text.small_em, text.em, text.title_em}, writtenTexts(look, legends));
+	const FontAtlas lettering({text.small_em, text.em, text.title_em}, writtenTexts(look, legends));
 	const FlatLayout layout = makeFlatLayout(flat, legends, text, lettering);
 
 	paintBackground(look, context);
-	CairoPen pen(context, lettering, inksOn(look.background), text.em);
+	CairoCanvas pen(context, lettering, inksOn(look.background), text.em);
 	drawFlatSheet(flat, layout, pen);
 	drawFlatAxes(layout, pen);
 	drawSmallView(flat, layout, pen);

@@ -18,7 +18,7 @@ struct FlatScene
 	probe::Sheet content;
 	const mesh::SheetMesh* mesh = nullptr; // of the content
 	SheetValues values;
-	// Steps of colour from the range's low end to its high one, where bands are not asked for. The colour map holds
+	// Steps of color from the range's low end to its high one, where bands are not asked for. The color map holds
 	// no more than 256; a file of polygons grows with them.
 	int color_steps = kColorMapSize;
 

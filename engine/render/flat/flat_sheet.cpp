@@ -22,9 +22,9 @@ using measure::PlaneLine;
 
 // Points nearer than this to the line without them are left out; files of vectors are a third as large then.
 constexpr double kTolerance = 0.05; // pixels
-constexpr std::size_t kMostLeftOut = 24;
+constexpr std::size_t kMaxLeftOut = 24;
 
-// Between neighbours that each have a colour, and their edges smoothed, the ground would shine through.
+// Between neighbors that each have a color, and their edges smoothed, the ground would shine through.
 constexpr double kSeam = 0.6; // pixels
 
 constexpr double kDarkForMesh = 0.2; // as in pictures in space
@@ -51,7 +51,7 @@ std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& points)
 	};
 	for (std::size_t i = 0; i < points.size(); ++i)
 	{
-		if (i > 0 && i + 1 < points.size() && i - last < kMostLeftOut && straight(i + 1))
+		if (i > 0 && i + 1 < points.size() && i - last < kMaxLeftOut && straight(i + 1))
 			continue;
 		kept.push_back(points[i]);
 		last = i;
@@ -62,7 +62,7 @@ std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& points)
 class FlatSheet
 {
 public:
-	FlatSheet(const FlatScene& flat, const FlatLayout& layout, CairoPen& pen)
+	FlatSheet(const FlatScene& flat, const FlatLayout& layout, CairoCanvas& pen)
 	    : flat_(flat), layout_(layout), pen_(pen), points_(measure::planePoints(*flat.mesh, flat.content)),
 	      style_(flat.hasValues() ? valueStyle(flat.scene, flat.sheet()) : ValueStyle{})
 	{
@@ -109,7 +109,7 @@ private:
 
 	void fillPlain() { fill(measure::meshOutlines(*flat_.mesh, points_), kPlainSheet, 0.0); }
 
-	// Polygons of one colour are one area.
+	// Polygons of one color are one area.
 	void fillCells()
 	{
 		const ColorSteps steps = colorSteps(style_, flat_.color_steps);
@@ -122,7 +122,7 @@ private:
 			fill(outlines[i], i == nan ? style_.colors->nan : steps.colors[i], kSeam);
 	}
 
-	// What is infinite throughout, over the colour of NaN. Categories have none so large.
+	// What is infinite throughout, over the color of NaN. Categories have none so large.
 	void fillInfinite()
 	{
 		if (!(style_.below || style_.above) || !style_.colors->categories.empty())
@@ -177,7 +177,7 @@ private:
 		return edges;
 	}
 
-	// Light on dark colours, dark on others.
+	// Light on dark colors, dark on others.
 	void drawMesh()
 	{
 		const auto edges = meshEdges();
@@ -205,7 +205,7 @@ private:
 	{
 		const std::vector<LevelLine> drawn = levelLines(*flat_.mesh, flat_.content, flat_.values, style_.lines);
 		const int digits = digitsApart(style_.lines);
-		std::vector<LabelledLine> lines;
+		std::vector<LabeledLine> lines;
 		for (const LevelLine& line : drawn)
 			lines.push_back({inPixels(line.line.points), line.line.closed,
 			                 pen_.lettering().width(shortNumber(line.level, digits), labelSize())});
@@ -233,7 +233,7 @@ private:
 			ink.a = 255;
 			Color halo = colorAt(level);
 			halo.a = 170;
-			pen_.turnedText(place.centre, place.angle, labelSize(), ink, halo, shortNumber(level, digits));
+			pen_.turnedText(place.center, place.angle, labelSize(), ink, halo, shortNumber(level, digits));
 		}
 	}
 
@@ -241,14 +241,14 @@ private:
 
 	const FlatScene& flat_;
 	const FlatLayout& layout_;
-	CairoPen& pen_;
+	CairoCanvas& pen_;
 	std::vector<glm::dvec2> points_;
 	ValueStyle style_;
 };
 
 } // namespace
 
-void drawFlatSheet(const FlatScene& flat, const FlatLayout& layout, CairoPen& pen)
+void drawFlatSheet(const FlatScene& flat, const FlatLayout& layout, CairoCanvas& pen)
 {
 	cairo_t* context = pen.context();
 	cairo_save(context);

@@ -18,13 +18,13 @@ namespace
 constexpr Color kSheetOnLight{190, 209, 237};
 constexpr Color kSheetOnDark{44, 72, 122};
 constexpr Color kSheetRim{92, 127, 190};
-constexpr double kDash = 0.3;             // em, of hidden edges
-constexpr std::size_t kMostLines = 20000; // of the outline: more would be a blot
+constexpr double kDash = 0.3;            // em, of hidden edges
+constexpr std::size_t kMaxLines = 20000; // of the outline: more would be a blot
 
 class SmallView
 {
 public:
-	SmallView(const FlatScene& flat, const FlatLayout& layout, CairoPen& pen)
+	SmallView(const FlatScene& flat, const FlatLayout& layout, CairoCanvas& pen)
 	    : flat_(flat), pen_(pen), box_(*flat.scene.bounds), em_(pen.em())
 	{
 		frame_.width = flat.scene.look.width;
@@ -91,7 +91,7 @@ private:
 	// The grid's own, where the box is not all there is to it.
 	void lines()
 	{
-		if (flat_.scene.outline.size() > kMostLines)
+		if (flat_.scene.outline.size() > kMaxLines)
 			return;
 		for (const Segment& line : flat_.scene.outline)
 			pen_.path({pixel(line.a), pixel(line.b)}, false);
@@ -136,7 +136,7 @@ private:
 	}
 
 	const FlatScene& flat_;
-	CairoPen& pen_;
+	CairoCanvas& pen_;
 	Box box_;
 	double em_;
 	Frame frame_;
@@ -145,7 +145,7 @@ private:
 
 } // namespace
 
-void drawSmallView(const FlatScene& flat, const FlatLayout& layout, CairoPen& pen)
+void drawSmallView(const FlatScene& flat, const FlatLayout& layout, CairoCanvas& pen)
 {
 	if (layout.small.size().x > 0.0)
 		SmallView(flat, layout, pen).draw();

@@ -51,7 +51,7 @@ Result<ComposePass> ComposePass::create(gpu::Device& device)
 	resolve.vertex_shader = "render_full.vert";
 	resolve.fragment_shader = "render_resolve.frag";
 	resolve.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}, {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
-	resolve.colour_formats = {kPictureFormat};
+	resolve.color_formats = {kPictureFormat};
 	auto resolve_pipeline = gpu::Pipeline::create(device, resolve, "resolve");
 	if (!resolve_pipeline)
 		return resolve_pipeline.error();
@@ -85,7 +85,7 @@ Result<const gpu::Pipeline*> ComposePass::pipelineFor(std::size_t layers, std::u
 	}
 	info.push_bytes = sizeof(shared::ComposePush);
 	const bool whole = (features & shared::kComposeWhole) != 0;
-	info.colour_formats = {whole ? kPictureFormat : sumFormat(*device_)};
+	info.color_formats = {whole ? kPictureFormat : sumFormat(*device_)};
 	if (!whole)
 		info.blends = {summing()};
 	info.constants = {{0, slots}, {1, features}};
@@ -163,8 +163,7 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets, const Fr
 void ComposePass::record(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter,
                          const VkRect2D& part, bool first_sample, bool first_part) const
 {
-	targets.sum.transition(commands, first_sample && first_part ? gpu::kDiscard : gpu::kColourTarget,
-	                       gpu::kColourTarget);
+	targets.sum.transition(commands, first_sample && first_part ? gpu::kDiscard : gpu::kColorTarget, gpu::kColorTarget);
 	recordInto(commands, targets, targets.sum.view(), jitter, part,
 	           first_sample ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD);
 }

@@ -18,7 +18,7 @@ namespace vp::render
 // Whether its picture is one sample, without lists that may run over: it needs no sum.
 bool composesWhole(const Scene& scene);
 
-// Orders the layers at each pixel, and the surfaces' fragments where there are surfaces, colours and blends them, and
+// Orders the layers at each pixel, and the surfaces' fragments where there are surfaces, colors and blends them, and
 // sums up the samples (render_compose.glsl); at last puts their mean over the background (render_resolve.frag).
 class ComposePass
 {
@@ -30,7 +30,7 @@ public:
 	// A part of the picture, all of it or a strip, of which the first sample and the first part of it begin anew.
 	void record(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter, const VkRect2D& part,
 	            bool first_sample, bool first_part) const;
-	// In place of samples and their sum: straight into the picture, which is a colour target. The scene is one that
+	// In place of samples and their sum: straight into the picture, which is a color target. The scene is one that
 	// composesWhole().
 	void recordWhole(VkCommandBuffer commands, const Targets& targets) const;
 	// Within a rendering into the picture, after the last sample.

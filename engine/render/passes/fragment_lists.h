@@ -9,7 +9,7 @@ namespace vp::render
 {
 
 // All of a picture's surface fragments at once, at the most: 16 bytes each. More are drawn strip by strip.
-constexpr std::uint64_t kMostFragmentBytes = std::uint64_t(512) << 20;
+constexpr std::uint64_t kMaxFragmentBytes = std::uint64_t(512) << 20;
 
 // The surface fragments of each pixel as a linked list, in device memory: a head a pixel and room for so many
 // fragments. They are counted while they are drawn, also those for which there was no room: then complete() makes more,

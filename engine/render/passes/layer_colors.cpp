@@ -25,7 +25,7 @@ void add(LayerColors& to, const shared::SheetParams& sheet, const Channels& colo
 		to.push_back(static_cast<std::uint16_t>(65535.0f * color[c] * (c < 3 ? sheet.shade : sheet.opacity) + 0.5f));
 }
 
-// Between the colours of the table, t from 0 to 1.
+// Between the colors of the table, t from 0 to 1.
 Channels tableColorAt(const std::uint32_t* table, float t)
 {
 	const float place = t * static_cast<float>(shared::kTableColors - 1);

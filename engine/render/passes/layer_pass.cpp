@@ -68,7 +68,7 @@ Result<const gpu::Pipeline*> LayerPass::pipelineFor(std::uint32_t features)
 	info.fragment_shader = "render_layer.frag";
 	info.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}, {1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
 	info.push_bytes = sizeof(shared::LayerPush);
-	info.colour_formats = {layerFormat((features & shared::kLayerMesh) != 0)};
+	info.color_formats = {layerFormat((features & shared::kLayerMesh) != 0)};
 	info.constants = {{0, features}};
 	auto made = gpu::Pipeline::create(*device_, info, "layer");
 	if (!made)
@@ -170,14 +170,14 @@ std::size_t LayerPass::record(VkCommandBuffer commands, const Scene& scene, cons
 	    drawn_.empty() ? gpu::ImageUse{VK_IMAGE_LAYOUT_UNDEFINED, kSampledLayers.stages, kSampledLayers.access}
 	                   : kSampledLayers;
 	if (computed.empty())
-		targets.values.transition(commands, before, gpu::kColourTarget);
+		targets.values.transition(commands, before, gpu::kColorTarget);
 	else
 		recordComputed(commands, scene, targets, jitter, before, computed);
 	for (const std::size_t i : changed)
 		recordLayer(commands, scene, targets, i,
 		            isComputed(i) ? listedPush(scene.sheets[i], scene.camera, targets.extent(), jitter)
 		                          : layers[i].push);
-	targets.values.transition(commands, gpu::kColourTarget, kSampledLayers);
+	targets.values.transition(commands, gpu::kColorTarget, kSampledLayers);
 	// Layers behind those of this scene keep what they hold.
 	drawn_.resize(std::max(drawn_.size(), layers.size()));
 	std::move(layers.begin(), layers.end(), drawn_.begin());
@@ -210,7 +210,7 @@ void LayerPass::recordComputed(VkCommandBuffer commands, const Scene& scene, con
 	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
 	                   VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
 	                   VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT);
-	targets.values.transition(commands, kComputedLayers, gpu::kColourTarget);
+	targets.values.transition(commands, kComputedLayers, gpu::kColorTarget);
 }
 
 void LayerPass::drawPages(VkCommandBuffer commands, const classify::SheetRecords& records, std::size_t i,

@@ -66,7 +66,7 @@ Status LinePass::prepare(const Scene& scene)
 		box.include(s.a);
 		box.include(s.b);
 	}
-	centre_ = box.centre();
+	center_ = box.center();
 	if (Status room = makeRoom(*device_, segments_, sizeof(shared::LineSegment) * count_,
 	                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "outline");
 	    !room)
@@ -74,8 +74,8 @@ Status LinePass::prepare(const Scene& scene)
 	std::vector<shared::LineSegment> segments(count_);
 	for (std::size_t i = 0; i < lines.size(); ++i)
 	{
-		storePlace(segments[i].a, lines[i].a - centre_);
-		storePlace(segments[i].b, lines[i].b - centre_);
+		storePlace(segments[i].a, lines[i].a - center_);
+		storePlace(segments[i].b, lines[i].b - center_);
 	}
 	const std::size_t bytes = sizeof(segments[0]) * count_;
 	if (kept_.size() != count_ || std::memcmp(kept_.data(), segments.data(), bytes) != 0)
@@ -93,7 +93,7 @@ Status LinePass::prepare(const Scene& scene)
 
 shared::LinePush LinePass::linePush(const Scene& scene, VkExtent2D extent, const glm::dvec2& jitter) const
 {
-	const glm::dmat4 clip = clipMatrix(scene.camera, extent, centre_, jitter);
+	const glm::dmat4 clip = clipMatrix(scene.camera, extent, center_, jitter);
 	shared::LinePush push{};
 	for (int i = 0; i < 16; ++i)
 		push.clip[i] = static_cast<float>(clip[i / 4][i % 4]);

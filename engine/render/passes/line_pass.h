@@ -41,7 +41,7 @@ private:
 	gpu::DescriptorSets sets_;
 	gpu::Buffer segments_;
 	VkDescriptorSet set_ = VK_NULL_HANDLE;
-	Vec3 centre_{0.0}; // that the segments are relative to
+	Vec3 center_{0.0}; // that the segments are relative to
 	std::uint32_t count_ = 0;
 	std::vector<shared::LineSegment> kept_; // those on the device
 	std::optional<Drawn> drawn_;

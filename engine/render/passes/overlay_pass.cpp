@@ -22,7 +22,7 @@ Result<OverlayPass> OverlayPass::create(gpu::Device& device)
 	info.vertex_attributes = {{0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, pos)},
 	                          {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, uv)},
 	                          {2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(ImDrawVert, col)}};
-	info.colour_formats = {kPictureFormat};
+	info.color_formats = {kPictureFormat};
 	info.blends = {gpu::premultipliedOver()};
 	auto pipeline = gpu::Pipeline::create(device, info, "overlay");
 	if (!pipeline)
@@ -69,7 +69,7 @@ Status OverlayPass::prepare(const Overlay& overlay)
 	return Nothing{};
 }
 
-Status OverlayPass::putLetters(const std::shared_ptr<const Lettering>& lettering)
+Status OverlayPass::putLetters(const std::shared_ptr<const FontAtlas>& lettering)
 {
 	if (lettering == lettering_)
 		return Nothing{};

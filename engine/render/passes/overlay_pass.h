@@ -19,14 +19,14 @@ public:
 	void record(VkCommandBuffer commands, const Targets& targets) const;
 
 private:
-	Status putLetters(const std::shared_ptr<const Lettering>& lettering);
+	Status putLetters(const std::shared_ptr<const FontAtlas>& lettering);
 
 	gpu::Device* device_ = nullptr;
 	gpu::Pipeline pipeline_;
 	gpu::DescriptorSets sets_;
 	gpu::Sampler sampler_;
 	gpu::Image letters_;
-	std::shared_ptr<const Lettering> lettering_; // whose they are
+	std::shared_ptr<const FontAtlas> lettering_; // whose they are
 	gpu::Buffer vertices_;
 	gpu::Buffer indices_;
 	VkDescriptorSet set_ = VK_NULL_HANDLE;

@@ -27,13 +27,13 @@ std::vector<glm::dvec2> samplePattern(int samples)
 	return pattern;
 }
 
-glm::dmat4 clipMatrix(const Camera& camera, VkExtent2D extent, const Vec3& centre, const glm::dvec2& jitter)
+glm::dmat4 clipMatrix(const Camera& camera, VkExtent2D extent, const Vec3& center, const glm::dvec2& jitter)
 {
 	const glm::dvec2 size(extent.width, extent.height);
 	glm::dmat4 shift(1.0);
 	shift[3][0] = 2.0 * jitter.x / size.x;
 	shift[3][1] = 2.0 * jitter.y / size.y;
-	return shift * camera.projection(size.x / size.y) * glm::translate(camera.view(), centre);
+	return shift * camera.projection(size.x / size.y) * glm::translate(camera.view(), center);
 }
 
 Vec3 lightDirection(const Camera& camera)

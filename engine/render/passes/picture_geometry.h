@@ -12,7 +12,7 @@
 namespace vp::render
 {
 
-// Where the samples of a pixel lie, from its centre: every sample has a row and a column of its own (a rank-1 lattice),
+// Where the samples of a pixel lie, from its center: every sample has a row and a column of its own (a rank-1 lattice),
 // so edges of any direction get as many shades as there are samples.
 std::vector<glm::dvec2> samplePattern(int samples);
 
@@ -46,7 +46,7 @@ std::vector<Segment> windowRim(const SheetDrawing& drawing);
 // Towards the light, unit: it comes from above the viewer's left shoulder, so that faces at right angles differ.
 Vec3 lightDirection(const Camera& camera);
 
-// From offsets about `centre` to clip space.
-glm::dmat4 clipMatrix(const Camera& camera, VkExtent2D extent, const Vec3& centre, const glm::dvec2& jitter);
+// From offsets about `center` to clip space.
+glm::dmat4 clipMatrix(const Camera& camera, VkExtent2D extent, const Vec3& center, const glm::dvec2& jitter);
 
 } // namespace vp::render

@@ -17,7 +17,7 @@ namespace
 {
 
 // vkCmdUpdateBuffer takes so many bytes.
-constexpr std::size_t kMostUpdate = 65536 / sizeof(shared::RasterDraw);
+constexpr std::size_t kMaxUpdate = 65536 / sizeof(shared::RasterDraw);
 
 Status makeDeviceRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, VkBufferUsageFlags usage,
                       const char* name)
@@ -151,17 +151,17 @@ Status RasterPass::makeSets(const Scene& scene, const Targets& targets)
 
 void RasterPass::recordStart(VkCommandBuffer commands) const
 {
-	const std::vector<shared::RasterDraw> none(std::min(runs_.size(), kMostUpdate), {0, 1, 0, 0, 0});
-	for (std::size_t first = 0; first < runs_.size(); first += kMostUpdate)
+	const std::vector<shared::RasterDraw> none(std::min(runs_.size(), kMaxUpdate), {0, 1, 0, 0, 0});
+	for (std::size_t first = 0; first < runs_.size(); first += kMaxUpdate)
 		vkCmdUpdateBuffer(commands, draws_.handle(), sizeof(none[0]) * first,
-		                  sizeof(none[0]) * std::min(kMostUpdate, runs_.size() - first), none.data());
+		                  sizeof(none[0]) * std::min(kMaxUpdate, runs_.size() - first), none.data());
 }
 
 void RasterPass::record(VkCommandBuffer commands, const Scene& scene, std::size_t sheet, VkExtent2D extent,
                         const glm::dvec2& jitter, std::uint32_t side) const
 {
 	shared::RasterPush push = rasterPush(scene.sheets[sheet], scene.camera, extent, jitter);
-	push.largest = static_cast<float>(std::min(side, shared::kMostRasterSide) * shared::kSubpixels);
+	push.largest = static_cast<float>(std::min(side, shared::kMaxRasterSide) * shared::kSubpixels);
 	const gpu::Pipeline& pipeline = *sheet_pipelines_[sheet];
 	for (const Run& run : runs(sheet))
 	{

@@ -13,7 +13,7 @@
 namespace vp::render
 {
 
-// Draws the scene's surfaces into lists of fragments, coloured already, one at each pixel (render_surface.frag).
+// Draws the scene's surfaces into lists of fragments, colored already, one at each pixel (render_surface.frag).
 class SurfacePass
 {
 public:

@@ -38,7 +38,7 @@ Result<std::shared_ptr<const SurfacePolygons>> surfacePolygons(gpu::Device& devi
 	for (const Vec3& p : mesh.positions)
 		box.include(p);
 	if (!box.empty())
-		made->origin = box.centre();
+		made->origin = box.center();
 	// A buffer may become a little longer than it was asked for (gpu/workarounds.h).
 	constexpr std::size_t kLonger = 64;
 	const std::size_t texels = std::min<std::size_t>(kPartTexels, device.limits().maxTexelBufferElements - kLonger);

@@ -42,7 +42,7 @@ public:
 	gpu::Image values; // a layer a sheet
 	gpu::Image lines;
 	gpu::Image sum;
-	gpu::Image picture; // colours multiplied by alpha
+	gpu::Image picture; // colors multiplied by alpha
 	gpu::Buffer pixels; // the picture, for the host
 
 private:

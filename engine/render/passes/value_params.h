@@ -9,7 +9,7 @@
 namespace vp::render
 {
 
-// The words that colouring shaders read beside their parameters (render_colors.glsl). add() returns the place.
+// The words that coloring shaders read beside their parameters (render_colors.glsl). add() returns the place.
 class ColorTables
 {
 public:
@@ -22,7 +22,7 @@ private:
 	std::vector<std::uint32_t> words_;
 };
 
-// How values become colours; the rest of `sheet` is left as it is. Without values all have one colour.
+// How values become colors; the rest of `sheet` is left as it is. Without values all have one color.
 void setPlain(shared::SheetParams& sheet, Color color);
 void setValues(shared::SheetParams& sheet, const ValueStyle& style, ColorTables& tables);
 

@@ -40,7 +40,7 @@ struct Camera
 	glm::dmat4 view() const;
 	glm::dmat4 projection(double aspect) const;
 
-	// The pixel of a point in front of the camera; x to the right, y down, pixel centres at halves.
+	// The pixel of a point in front of the camera; x to the right, y down, pixel centers at halves.
 	glm::dvec2 project(const Vec3& point, const Frame& frame) const;
 
 	// Where the eye looks through a pixel: the direction, 1 long along forward().

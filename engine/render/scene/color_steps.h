@@ -5,17 +5,17 @@
 namespace vp::render
 {
 
-// Colours of values, each from one bound to the next: bounds[i] is the least value of colors[i + 1].
+// Colors of values, each from one bound to the next: bounds[i] is the least value of colors[i + 1].
 struct ColorSteps
 {
 	std::vector<double> bounds; // ascending
 	std::vector<Color> colors;  // one more
 
-	std::size_t at(double value) const; // which colour
+	std::size_t at(double value) const; // which color
 	bool opaque() const;
 };
 
-// Of a style: its bands or categories, else `steps` equal parts of the colour map; and what lies beyond its range.
+// Of a style: its bands or categories, else `steps` equal parts of the color map; and what lies beyond its range.
 ColorSteps colorSteps(const ValueStyle& style, int steps);
 
 } // namespace vp::render

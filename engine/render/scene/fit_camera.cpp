@@ -80,7 +80,7 @@ struct AxisFit
 // The points in the axes of a camera that looks at their middle from afar: right, up, forward.
 struct Seen
 {
-	Vec3 centre;
+	Vec3 center;
 	Vec3 right;
 	Vec3 up;
 	Vec3 forward;
@@ -92,11 +92,11 @@ struct Seen
 
 Seen seenFrom(const Camera& camera, const Box& bounds, std::span<const Vec3> points)
 {
-	Seen seen{bounds.centre(), camera.right(), camera.trueUp(), camera.forward(), bounds.diagonal(), 0.0, 0.0, {}};
+	Seen seen{bounds.center(), camera.right(), camera.trueUp(), camera.forward(), bounds.diagonal(), 0.0, 0.0, {}};
 	seen.points.reserve(points.size());
 	for (const Vec3& p : points)
 	{
-		const Vec3 at = p - seen.centre;
+		const Vec3 at = p - seen.center;
 		seen.points.push_back({glm::dot(at, seen.right), glm::dot(at, seen.up), glm::dot(at, seen.forward)});
 		seen.nearest = std::min(seen.nearest, seen.points.back().z);
 		seen.farthest = std::max(seen.farthest, seen.points.back().z);
@@ -137,7 +137,7 @@ Camera fitted(Camera camera, const Seen& seen, const Frame& frame, const glm::dv
 		const glm::dvec2 off = 0.5 * (from + to - glm::dvec2(x.lo + x.hi, y.lo + y.hi));
 		eye = glm::clamp(eye + off * (seen.nearest - depth), glm::min(least, most), glm::max(least, most));
 	}
-	camera.position = seen.centre + eye.x * seen.right + eye.y * seen.up + depth * seen.forward;
+	camera.position = seen.center + eye.x * seen.right + eye.y * seen.up + depth * seen.forward;
 	camera.focal_point = camera.position + (0.5 * (seen.nearest + seen.farthest) - depth) * seen.forward;
 	camera.near = std::max(0.5 * (seen.nearest - depth), 1e-4 * (seen.farthest - depth));
 	return camera;
@@ -179,13 +179,13 @@ Camera makeCamera(const CameraChoice& choice, const probe::Sheet* sheet, std::sp
 	Box bounds;
 	for (const Vec3& p : points)
 		bounds.include(p);
-	const Vec3 centre = bounds.empty() ? Vec3(0.0) : bounds.centre();
+	const Vec3 center = bounds.empty() ? Vec3(0.0) : bounds.center();
 	const double size = bounds.diagonal() > 0.0 ? bounds.diagonal() : 1.0;
 
 	Camera camera;
 	camera.vertical_field = choice.camera.vertical_field;
-	camera.focal_point = centre;
-	camera.position = centre + size * glm::normalize(view.direction);
+	camera.focal_point = center;
+	camera.position = center + size * glm::normalize(view.direction);
 	camera.up = view.up;
 	camera.up = camera.trueUp();
 	if (bounds.diagonal() == 0.0)
@@ -196,7 +196,7 @@ Camera makeCamera(const CameraChoice& choice, const probe::Sheet* sheet, std::sp
 		return whole;
 	const Camera beside = fitted(camera, seen, frame, {frame.corner->x, frame.free_lo.y}, frame.free_hi);
 	const Camera above = fitted(camera, seen, frame, frame.free_lo, {frame.free_hi.x, frame.corner->y});
-	const auto distance = [&centre](const Camera& c) { return glm::dot(centre - c.position, c.forward()); };
+	const auto distance = [&center](const Camera& c) { return glm::dot(center - c.position, c.forward()); };
 	return distance(beside) < distance(above) ? beside : above;
 }
 

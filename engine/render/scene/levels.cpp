@@ -13,7 +13,7 @@ namespace
 {
 
 // More are made for no candidate: it would not be chosen.
-constexpr int kMostCandidates = 4 * kMostLevels;
+constexpr int kMaxCandidates = 4 * kMaxLevels;
 
 // Takes candidates and keeps the one whose number of levels is nearest to what was asked for; of two, the one with
 // fewer.
@@ -58,7 +58,7 @@ std::vector<double> multiples(double lo, double hi, double m, int e)
 	std::vector<double> values;
 	const double first = std::ceil(lo / step);
 	const double last = std::floor(hi / step);
-	if (last - first >= kMostCandidates)
+	if (last - first >= kMaxCandidates)
 		return values;
 	for (double i = first; i <= last; i += 1.0)
 		values.push_back(i == 0.0 ? 0.0 : timesPowerOfTen(i * m, e)); // no negative zero
@@ -90,7 +90,7 @@ std::vector<double> ofDecades(double lo, double hi, int stride, std::initializer
 
 std::vector<double> roundLevels(double lo, double hi, int about, bool logarithmic)
 {
-	about = std::clamp(about, 0, kMostLevels);
+	about = std::clamp(about, 0, kMaxLevels);
 	const double largest = std::max(std::abs(lo), std::abs(hi));
 	if (about == 0 || !(hi - lo > kNarrowestRange * largest) || !std::isfinite(hi - lo))
 		return {};

@@ -5,7 +5,7 @@
 namespace vp::render
 {
 
-constexpr int kMostLevels = 1000;
+constexpr int kMaxLevels = 1000;
 
 // About `about` round values strictly between lo < hi, ascending: multiples of 1, 2, 2.5 or 5 times a power of ten. On
 // a logarithmic scale (0 < lo): powers of ten, of every so many decades, or these and 3, or 2 and 5, or all of 1 to 9,

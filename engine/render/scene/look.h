@@ -16,7 +16,7 @@ namespace vp::render
 constexpr std::uint32_t kMaxPictureSize = 16384; // a side, pixels; a device may take less
 constexpr int kMaxSamples = 256;
 
-// Behind the scene: a gradient from top to bottom, a plain colour (both alike), or nothing (alpha 0).
+// Behind the scene: a gradient from top to bottom, a plain color (both alike), or nothing (alpha 0).
 struct Background
 {
 	Color top{253, 253, 254};
@@ -26,10 +26,10 @@ struct Background
 	bool dark() const; // lines and letters are light then
 };
 
-// `white`, `black`, `grey`, #RGB or #RRGGBB; none where the text is no colour.
+// `white`, `black`, `gray`, #RGB or #RRGGBB; none where the text is no color.
 std::optional<Color> parseColor(std::string_view text);
 
-// `gradient`, `white`, `black`, `grey`, `transparent`, #RGB or #RRGGBB; anything else is a usage error.
+// `gradient`, `white`, `black`, `gray`, `transparent`, #RGB or #RRGGBB; anything else is a usage error.
 Result<Background> parseBackground(std::string_view text);
 
 // WxH in pixels.
@@ -43,10 +43,10 @@ struct Look
 	int samples = 8; // per pixel
 	ColorMap colors = makeColorMap("viridis").value();
 	std::optional<std::pair<double, double>>
-	    range;                // of the colours; values beyond it get colours of their own. Else the data's.
-	bool logarithmic = false; // colours follow the values' logarithm
+	    range;                // of the colors; values beyond it get colors of their own. Else the data's.
+	bool logarithmic = false; // colors follow the values' logarithm
 	int lines = 0;            // about so many contour lines, at round values
-	int bands = 0;            // bands of one colour, about so many bounds between them, at round values
+	int bands = 0;            // bands of one color, about so many bounds between them, at round values
 	bool mesh = false;        // the polygons' edges
 	bool lit = false;         // sheets are darker the more they are seen from the side
 	Background background;

@@ -96,7 +96,7 @@ struct Scene
 {
 	std::vector<SheetDrawing> sheets; // up to shared::kMaxLayers
 	std::vector<Surface> surfaces{};  // up to shared::kMaxSurfaces
-	std::optional<ValueScale> values; // none: the sheets have one plain colour
+	std::optional<ValueScale> values; // none: the sheets have one plain color
 	std::span<const Segment> outline;
 	std::optional<Box> bounds{}; // of the blocks, for numbered axes
 	Camera camera;               // made for pictureFrame() of the same scene

@@ -40,20 +40,20 @@ std::vector<std::uint8_t> bits(unsigned mask, int points)
 	return positive;
 }
 
-CellCut walk(const WalkFaces& faces, const std::vector<std::uint8_t>& positive, bool centre)
+CellCut walk(const WalkFaces& faces, const std::vector<std::uint8_t>& positive, bool center)
 {
 	CellCut cut;
 	walkCell(
-	    faces, positive, [&](int) { return centre; }, cut);
+	    faces, positive, [&](int) { return center; }, cut);
 	return cut;
 }
 
 TEST(CellWalk, EveryMaskOfAHexahedronCloses)
 {
 	for (unsigned mask = 0; mask < 256; ++mask)
-		for (const bool centre : {false, true})
+		for (const bool center : {false, true})
 		{
-			const CellCut cut = walk(hexahedron(), bits(mask, 8), centre);
+			const CellCut cut = walk(hexahedron(), bits(mask, 8), center);
 			EXPECT_FALSE(cut.open) << mask;
 			// Each cut edge once, in all polygons together.
 			std::size_t cut_edges = 0;
@@ -69,7 +69,7 @@ TEST(CellWalk, EveryMaskOfAHexahedronCloses)
 		}
 }
 
-TEST(CellWalk, AmbiguousFaceFollowsItsCentre)
+TEST(CellWalk, AmbiguousFaceFollowsItsCenter)
 {
 	// Two opposite corners of the bottom face: cut off one by one, or joined through the face's middle.
 	const std::vector<std::uint8_t> positive = bits(0b0101, 8);
@@ -85,13 +85,13 @@ TEST(CellWalk, AmbiguousFaceFollowsItsCentre)
 // What one cell pairs on a face, the cell on its other side pairs too, though it lists the face the other way round.
 TEST(CellWalk, BothCellsOfAnAmbiguousFaceAgree)
 {
-	const auto pairs = [](const WalkFaces& faces, unsigned mask, bool centre)
+	const auto pairs = [](const WalkFaces& faces, unsigned mask, bool center)
 	{
 		// Segments within face 0, as unordered pairs of edges.
 		std::vector<detail::Crossing> crossings;
 		std::vector<detail::Segment> segments;
 		detail::findCrossings(faces, 0, bits(mask, 8), crossings);
-		detail::addSegments(crossings, 0, centre, segments);
+		detail::addSegments(crossings, 0, center, segments);
 		std::map<std::pair<int, int>, std::pair<int, int>> joined;
 		for (const detail::Segment& s : segments)
 		{
@@ -101,9 +101,9 @@ TEST(CellWalk, BothCellsOfAnAmbiguousFaceAgree)
 		return joined;
 	};
 	for (unsigned mask = 0; mask < 256; ++mask)
-		for (const bool centre : {false, true})
-			EXPECT_EQ(pairs(facesOf({{0, 1, 2, 3, 4, 5, 6, 7}}), mask, centre),
-			          pairs(facesOf({{3, 2, 1, 0, 7, 6, 5, 4}}), mask, centre));
+		for (const bool center : {false, true})
+			EXPECT_EQ(pairs(facesOf({{0, 1, 2, 3, 4, 5, 6, 7}}), mask, center),
+			          pairs(facesOf({{3, 2, 1, 0, 7, 6, 5, 4}}), mask, center));
 }
 
 TEST(CellWalk, RepeatedPointsAreNoEdges)

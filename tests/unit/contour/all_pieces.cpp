@@ -42,12 +42,12 @@ Polygon clipped(Polygon polygon, const contour::ClipBox& box)
 
 double areaOf(const Polygon& polygon)
 {
-	Vec3 centre(0.0);
+	Vec3 center(0.0);
 	Vec3 whole(0.0);
 	for (const Vec3& p : polygon)
-		centre += p / double(polygon.size());
+		center += p / double(polygon.size());
 	const auto cross = [&](std::size_t i)
-	{ return glm::cross(polygon[i] - centre, polygon[(i + 1) % polygon.size()] - centre); };
+	{ return glm::cross(polygon[i] - center, polygon[(i + 1) % polygon.size()] - center); };
 	for (std::size_t i = 0; i < polygon.size(); ++i)
 		whole += cross(i);
 	double area = 0.0;
@@ -78,7 +78,7 @@ find::CellCut scan(const G& grid, const surface::BlockSurface& surface)
 }
 
 // Polygons that share a side which reaches into the box, or a vertex in it.
-void joinNeighbours(const mesh::SheetMesh& mesh, const contour::ClipBox& box, mesh::UnionFind& polygons)
+void joinNeighbors(const mesh::SheetMesh& mesh, const contour::ClipBox& box, mesh::UnionFind& polygons)
 {
 	std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> first;
 	const auto join = [&](std::uint32_t v, std::uint32_t w, std::uint32_t p)
@@ -120,7 +120,7 @@ PiecesOnSheet piecesOnSheet(const grid::BlockSet& set, const std::string& field,
 	}
 	const mesh::SheetMesh mesh = mesh::buildMesh(set, surfaces, of_blocks);
 	mesh::UnionFind joined(mesh.polygons());
-	joinNeighbours(mesh, box, joined);
+	joinNeighbors(mesh, box, joined);
 
 	std::vector<Polygon> parts(mesh.polygons());
 	std::map<std::uint32_t, Box> pieces;

@@ -118,7 +118,7 @@ TEST(BoxContour, HasNoHolesButOnTheBoxesSides)
 	for (const TestPlane& plane : randomPlanes(set.bounds(), 60, 4))
 	{
 		const double side = std::uniform_real_distribution<double>(0.4, 3.0)(random);
-		const SheetOfHills sheet(slicer, plane, probe::centredWindow(side, 0.8 * side), std::nullopt);
+		const SheetOfHills sheet(slicer, plane, probe::centeredWindow(side, 0.8 * side), std::nullopt);
 		if (!sheet.contourer.range())
 			continue;
 		const double value = within(sheet.contourer.range(), random);
@@ -143,7 +143,7 @@ TEST(BoxContour, AreaOfASpheresZoneConverges)
 	{
 		const grid::BlockSet set = setOf(imageOfRadius(fine ? 80 : 40));
 		cut::Cutter slicer(set);
-		const SheetOfHills sheet(slicer, {{0.03, -0.02, 0.01}, {0.3, 0.5, 0.81}}, probe::centredWindow(5.0, 5.0),
+		const SheetOfHills sheet(slicer, {{0.03, -0.02, 0.01}, {0.3, 0.5, 0.81}}, probe::centeredWindow(5.0, 5.0),
 		                         kDepth);
 		const contour::Contour contour = sheet.contourer.grow(kRadius).value();
 		EXPECT_EQ(contour.components, 1u);
@@ -158,7 +158,7 @@ TEST(BoxContour, WorkFollowsTheBox)
 	const grid::BlockSet set = setOf(imageOfRadius(96));
 	cut::Cutter slicer(set);
 	const TestPlane plane{{1.5, 0.0, 0.0}, {0.0, 0.0, 1.0}};
-	const SheetOfHills small(slicer, plane, probe::centredWindow(0.6, 0.6), std::nullopt);
+	const SheetOfHills small(slicer, plane, probe::centeredWindow(0.6, 0.6), std::nullopt);
 	const contour::Contour contour = small.contourer.grow(1.5).value();
 	EXPECT_GT(contour.cells, 60u);
 	// The surface in the box, and a rim of cells about it.
@@ -187,7 +187,7 @@ TEST(BoxContour, ValuesOffTheSheetGiveNothing)
 {
 	const grid::BlockSet set = setOf(imageOfRadius(16));
 	cut::Cutter slicer(set);
-	const SheetOfHills sheet(slicer, {{0.0, 0.0, 0.1}, {0.0, 0.0, 1.0}}, probe::centredWindow(1.0, 1.0), 5.0);
+	const SheetOfHills sheet(slicer, {{0.0, 0.0, 0.1}, {0.0, 0.0, 1.0}}, probe::centeredWindow(1.0, 1.0), 5.0);
 	// In the box, but never on the sheet.
 	EXPECT_LT(sheet.contourer.range()->second, 1.5);
 	const contour::Contour contour = sheet.contourer.grow(1.5).value();

@@ -115,7 +115,7 @@ TEST(Area, OnTheSidesOfTheDomainIsShownOnce)
 				EXPECT_NEAR(areaOf(slicer, {origin, axis(a)}), sideArea(block.bounds, a),
 				            1e-12 * sideArea(block.bounds, a))
 				    << block.name;
-				const Vec3 beside = origin + (origin - block.bounds.centre()) * 1e-9;
+				const Vec3 beside = origin + (origin - block.bounds.center()) * 1e-9;
 				EXPECT_EQ(areaOf(slicer, {beside, axis(a)}), 0.0) << block.name;
 			}
 	}
@@ -160,7 +160,7 @@ TEST(Area, FarAwayAndTinyDomainsLoseNothing)
 			grid::finishBlock(block);
 			const grid::BlockSet set = setOf(block);
 			cut::Cutter slicer(set);
-			const TestPlane plane{block.bounds.centre(), {0.3, 0.5, 0.81}};
+			const TestPlane plane{block.bounds.center(), {0.3, 0.5, 0.81}};
 			// The last bit of a coordinate, as the domain sees it.
 			const double rounding = 1e-15 * (offset + size) / size;
 			EXPECT_NEAR(areaOf(slicer, plane) / (size * size),

@@ -41,7 +41,7 @@ cut::CutRequest requestOf(const std::string& text, const probe::Frame& frame)
 {
 	cut::CutRequest request;
 	request.probe.sheets.push_back(probe::makeSheet(frame.origin, frame.normal, frame.up));
-	request.probe.sheets[0].form = surface::Form::parse(text).value();
+	request.probe.sheets[0].form = surface::ImplicitSurface::parse(text).value();
 	return request;
 }
 
@@ -118,7 +118,7 @@ TEST(Curved, CutsTheCellsThatAScanFindsWithVerticesOnTheSurface)
 				          scan(block, [&](PointId p)
 				               { return height(visitGrid(block, [&](const auto& grid) { return grid.point(p); })); }))
 				    << block.name << ' ' << form.text;
-				const double scale = 1.0 + glm::length(set.bounds().size()) + glm::length(set.bounds().centre());
+				const double scale = 1.0 + glm::length(set.bounds().size()) + glm::length(set.bounds().center());
 				for (const Vec3& vertex : sheet.mesh.positions)
 					EXPECT_LT(std::abs(height(vertex)), 1e-7 * scale) << block.name << ' ' << form.text;
 				if (conforms(block))
@@ -240,7 +240,7 @@ TEST(Curved, AWindowHoldsThePartWithinIt)
 			{
 				cut::CutRequest request = requestOf(form, place.frame);
 				SlicedSheet whole = cutBy(slicer, request);
-				request.probe.sheets[0].window = probe::centredWindow(0.8, 0.5);
+				request.probe.sheets[0].window = probe::centeredWindow(0.8, 0.5);
 				const SlicedSheet windowed = cutBy(slicer, request);
 				mesh::clipToWindow(windowed.slice.sheet, mesh::Corners::keep, whole.mesh);
 				EXPECT_NEAR(areaOf(set, windowed), areaOf(set, whole), 1e-9 * (1.0 + areaOf(set, whole))) << name;

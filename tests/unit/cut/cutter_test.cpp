@@ -139,7 +139,7 @@ TEST(Cutter, TellsWhereTheTimeWent)
 	const grid::BlockSet set = setOf(gridNamed("shell"));
 	cut::Cutter slicer(set);
 	Timeline timeline;
-	cut::CutRequest request = requestOf({{set.bounds().centre(), {0.0, 0.0, 1.0}}});
+	cut::CutRequest request = requestOf({{set.bounds().center(), {0.0, 0.0, 1.0}}});
 	request.timeline = &timeline;
 	ASSERT_TRUE(slicer.cut(request));
 	EXPECT_GT(timeline.total("seed"), 0.0);
@@ -198,8 +198,8 @@ TEST(Cutter, AThresholdEndsTheTraversal)
 			for (const CellId seed : slice.sheets[0].seeds.cells[0])
 				enter(seed);
 			for (std::size_t i = 0; i < queue.size(); ++i)
-				for (const CellId neighbour : cutNeighbours(block, queue[i], Side(plane)))
-					enter(neighbour);
+				for (const CellId neighbor : cutNeighbors(block, queue[i], Side(plane)))
+					enter(neighbor);
 			EXPECT_EQ(cellsOf(slice.sheets[0].cuts[0].cells()), std::vector(reached.begin(), reached.end())) << name;
 			ended += !reached.empty() && reached.size() < scanCutCells(block, plane).size();
 		}
@@ -211,7 +211,7 @@ TEST(Cutter, AThresholdOverWhatABlockLacksShowsNothing)
 {
 	const grid::BlockSet set = setOf(gridNamed("shell"));
 	cut::Cutter slicer(set);
-	cut::CutRequest request = requestOf({{set.bounds().centre(), {0.1, 0.2, 1.0}}});
+	cut::CutRequest request = requestOf({{set.bounds().center(), {0.1, 0.2, 1.0}}});
 	request.field = grid::FieldChoice{"missing"};
 	request.threshold = find::Threshold{-1e30, 1e30};
 	EXPECT_TRUE(slicer.cut(std::move(request)).value().sheets[0].cuts[0].cells().cells.empty());

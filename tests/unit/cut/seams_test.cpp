@@ -158,9 +158,9 @@ TEST(Seams, SheetsKeepToTheirLanes)
 	const grid::BlockSet set = setOfBlocks({latticeBlock(warped, 0.0, false), latticeBlock(warped, 1.0, true)});
 	cut::Cutter slicer(set);
 	cut::CutRequest request;
-	const Vec3 centre = warped(0.6, 0.5, 0.5);
+	const Vec3 center = warped(0.6, 0.5, 0.5);
 	const std::vector<TestPlane> planes{
-	    {centre, {0.1, 1.0, 0.2}}, {centre, {0.2, 0.1, 1.0}}, {centre, {1.0, 0.1, 0.2}}};
+	    {center, {0.1, 1.0, 0.2}}, {center, {0.2, 0.1, 1.0}}, {center, {1.0, 0.1, 0.2}}};
 	for (const TestPlane& plane : planes)
 		request.probe.sheets.push_back(probe::makeSheet(plane.origin, plane.normal));
 	request.seeds = kHotSpot;

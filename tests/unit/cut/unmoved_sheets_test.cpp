@@ -24,7 +24,7 @@ protected:
 	{
 		cut::CutRequest request;
 		request.finder = GetParam();
-		request.probe.frame.origin = set_.bounds().centre();
+		request.probe.frame.origin = set_.bounds().center();
 		for (const Vec3 normal : {Vec3(0.0, 0.0, 1.0), Vec3(0.3, 1.0, 0.2), Vec3(1.0, 0.1, 0.4)})
 			request.probe.sheets.push_back(probe::makeSheet({0.01, 0.02, 0.03}, normal));
 		return request;

@@ -160,7 +160,7 @@ TEST(Window, InsideOneCellIsOneRectangle)
 	const grid::BlockSet set = setOf(gridNamed("blob"));
 	cut::Cutter slicer(set);
 	probe::Sheet sheet = probe::makeSheet({0.11, 0.13, 0.17}, {0.0, 0.0, 1.0});
-	sheet.window = probe::centredWindow(1e-4, 2e-4);
+	sheet.window = probe::centeredWindow(1e-4, 2e-4);
 	const cut::Cut slice = cutWindow(slicer, sheet);
 	const mesh::SheetMesh mesh = slice.mesh(set, 0);
 	EXPECT_EQ(slice.sheets[0].cuts[0].cells().cut_cells, 1u);
@@ -238,12 +238,12 @@ TEST(Window, FxShowsTheContentOfASmallerOne)
 	const grid::BlockSet set = setOf(gridNamed("shell"));
 	cut::Cutter slicer(set);
 	probe::Sheet lens = probe::makeSheet({0.0, 1.8, 0.2}, {0.3, 0.5, 0.81});
-	lens.window = probe::centredWindow(1.0, 0.6);
+	lens.window = probe::centeredWindow(1.0, 0.6);
 	lens.fx = {4.0, {0.1, -0.05, 0.2}};
 	probe::Sheet plain = lens;
 	plain.fx = {};
 	plain.origin = lens.origin + 0.1 * lens.xAxis() - 0.05 * lens.up + 0.2 * lens.normal;
-	plain.window = probe::centredWindow(0.25, 0.15);
+	plain.window = probe::centeredWindow(0.25, 0.15);
 	const cut::Cut through = cutWindow(slicer, lens);
 	const cut::Cut at = cutWindow(slicer, plain);
 	EXPECT_EQ(through.sheets[0].shown, lens);
@@ -258,7 +258,7 @@ TEST(Window, CornersMayBeLeftOut)
 	const grid::BlockSet set = setOf(gridNamed("blob"));
 	cut::Cutter slicer(set);
 	probe::Sheet sheet = probe::makeSheet({0.1, 0.2, 0.3}, {0.3, 0.5, 0.81});
-	sheet.window = probe::centredWindow(1.5, 1.1);
+	sheet.window = probe::centeredWindow(1.5, 1.1);
 	const mesh::SheetMesh kept = cutWindow(slicer, sheet).mesh(set, 0);
 	const mesh::SheetMesh skipped = cutWindow(slicer, sheet, mesh::Corners::skip).mesh(set, 0);
 	EXPECT_EQ(skipped.polygons() + 4, kept.polygons());

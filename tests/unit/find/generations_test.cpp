@@ -113,7 +113,7 @@ TEST(BreadthFirst, GenerationsAreDistancesFromTheSeeds)
 					queue.push_back(seed);
 			for (std::size_t i = 0; i < queue.size(); ++i)
 				if (isCut(block, queue[i], side))
-					for (const CellId next : cutNeighbours(block, queue[i], side))
+					for (const CellId next : cutNeighbors(block, queue[i], side))
 						if (distance.emplace(next, distance[queue[i]] + 1).second)
 							queue.push_back(next);
 
@@ -203,9 +203,9 @@ TEST(BreadthFirst, SheetsInLockStepDoNotDisturbEachOther)
 {
 	for (const grid::Block& block : allGrids())
 	{
-		const Vec3 centre = block.bounds.centre();
+		const Vec3 center = block.bounds.center();
 		const std::vector<TestPlane> planes{
-		    {centre, {1.0, 0.1, 0.2}}, {centre, {0.3, 1.0, 0.1}}, {centre, {0.2, 0.3, 1.0}}};
+		    {center, {1.0, 0.1, 0.2}}, {center, {0.3, 1.0, 0.1}}, {center, {0.2, 0.3, 1.0}}};
 		std::vector<std::unique_ptr<find::VisitedMarks>> marks;
 		std::vector<PlaneInBlock> lanes;
 		std::vector<find::CellCut> alone;
@@ -253,7 +253,7 @@ TEST(BreadthFirst, WalkingEveryCellFindsTheSame)
 TEST(BreadthFirst, SeedsThatAreNotCutDoNoHarm)
 {
 	const grid::Block& block = gridNamed("shell");
-	const TestPlane plane{block.bounds.centre(), {0.3, 0.5, 0.81}};
+	const TestPlane plane{block.bounds.center(), {0.3, 0.5, 0.81}};
 	std::vector<CellId> all(cellCount(block));
 	for (CellId c = 0; c < all.size(); ++c)
 		all[c] = c;
@@ -268,7 +268,7 @@ TEST(BreadthFirst, SeedsThatAreNotCutDoNoHarm)
 TEST(BreadthFirst, AStopEndsItBetweenGenerations)
 {
 	const grid::Block& block = gridNamed("shell");
-	const TestPlane plane{block.bounds.centre(), {0.3, 0.5, 0.81}};
+	const TestPlane plane{block.bounds.center(), {0.3, 0.5, 0.81}};
 	const std::vector<CellId> seeds{seedsOf(block, plane).front()};
 	find::VisitedMarks marks(cellCount(block));
 	const find::CellCut whole = traverseAlone(block, plane, marks, seeds);

@@ -2,7 +2,7 @@
 #include "find/plan.h"
 #include "grid/demo.h"
 #include "mesh/listed_mesh.h"
-#include "surface/form.h"
+#include "surface/implicit_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -56,14 +56,14 @@ void setSurface(const std::string& text, cut::CutRequest& request)
 	else if (const auto index = surface::parseGridIndex(text))
 		request.surface = index->at(0.0);
 	else
-		request.probe.sheets[0].form = surface::Form::parse(text).value();
+		request.probe.sheets[0].form = surface::ImplicitSurface::parse(text).value();
 }
 
 Case caseOf(const std::string& options, const grid::BlockSet& blocks)
 {
 	Case made;
 	cut::CutRequest& request = made.request;
-	request.probe.sheets = {probe::makeSheet(blocks.bounds().centre(), {0.0, 0.0, 1.0})};
+	request.probe.sheets = {probe::makeSheet(blocks.bounds().center(), {0.0, 0.0, 1.0})};
 	request.field = grid::chooseField(blocks, "", "").value();
 	request.finder = find::Finder::automatic;
 	std::string words = options;
@@ -75,7 +75,7 @@ Case caseOf(const std::string& options, const grid::BlockSet& blocks)
 			continue;
 		stream >> value;
 		if (option == "--window")
-			request.probe.sheets[0].window = probe::centredWindow(1.0, 1.0);
+			request.probe.sheets[0].window = probe::centeredWindow(1.0, 1.0);
 		else if (option == "--threshold")
 			request.threshold = find::Threshold{0.0, 1.0};
 		else if (option == "--seeds")
@@ -181,7 +181,7 @@ TEST(CutPlan, HasAWayForEverySheetInEveryBlock)
 	blocks.interfaces = {};
 	Case asked = caseOf("none", blocks);
 	asked.request.probe.sheets.push_back(asked.request.probe.sheets[0]);
-	asked.request.probe.sheets[1].form = surface::Form::parse("sphere:1").value();
+	asked.request.probe.sheets[1].form = surface::ImplicitSurface::parse("sphere:1").value();
 	const auto plan = planOf(asked.request, blocks, nullptr);
 	ASSERT_TRUE(plan);
 	std::string ways;

@@ -16,23 +16,23 @@ namespace vp::grid
 namespace
 {
 
-using Neighbours = std::vector<std::vector<std::set<CellId>>>; // per cell and face
+using Neighbors = std::vector<std::vector<std::set<CellId>>>; // per cell and face
 
-Neighbours neighboursOf(const UnstructuredGrid& grid)
+Neighbors neighborsOf(const UnstructuredGrid& grid)
 {
-	Neighbours all(grid.cellCount());
+	Neighbors all(grid.cellCount());
 	for (CellId c = 0; c < grid.cellCount(); ++c)
 	{
 		all[c].resize(grid.faceCount(c));
 		for (int f = 0; f < grid.faceCount(c); ++f)
-			grid.forEachNeighbour(c, f,
-			                      [&](CellId n) { EXPECT_TRUE(all[c][f].insert(n).second) << "neighbour told twice"; });
+			grid.forEachNeighbor(c, f,
+			                     [&](CellId n) { EXPECT_TRUE(all[c][f].insert(n).second) << "neighbour told twice"; });
 	}
 	return all;
 }
 
 // Every face against every other.
-Neighbours bruteForce(const UnstructuredGrid& grid)
+Neighbors bruteForce(const UnstructuredGrid& grid)
 {
 	std::vector<std::vector<std::set<PointId>>> sets(grid.cellCount());
 	CellFaces faces;
@@ -42,7 +42,7 @@ Neighbours bruteForce(const UnstructuredGrid& grid)
 		for (int f = 0; f < faces.size(); ++f)
 			sets[c].emplace_back(faces[f].begin(), faces[f].end());
 	}
-	Neighbours all(grid.cellCount());
+	Neighbors all(grid.cellCount());
 	for (CellId c = 0; c < grid.cellCount(); ++c)
 	{
 		all[c].resize(sets[c].size());
@@ -61,7 +61,7 @@ TEST(Adjacency, EqualsBruteForceOnAllGrids)
 		const auto* grid = std::get_if<UnstructuredGrid>(&block.grid);
 		if (!grid || block.name == "two_to_one")
 			continue;
-		EXPECT_EQ(neighboursOf(*grid), bruteForce(*grid)) << block.name;
+		EXPECT_EQ(neighborsOf(*grid), bruteForce(*grid)) << block.name;
 	}
 }
 
@@ -93,7 +93,7 @@ TEST(Adjacency, EqualsBruteForceOnRandomCells)
 		}
 		const Block block = maker.block("random");
 		const auto& grid = std::get<UnstructuredGrid>(block.grid);
-		EXPECT_EQ(neighboursOf(grid), bruteForce(grid));
+		EXPECT_EQ(neighborsOf(grid), bruteForce(grid));
 		EXPECT_NO_THROW(validate(block));
 	}
 }
@@ -101,44 +101,44 @@ TEST(Adjacency, EqualsBruteForceOnRandomCells)
 TEST(Adjacency, ThreeCellsOnAFaceKnowEachOther)
 {
 	const auto& grid = std::get<UnstructuredGrid>(test::gridNamed("three_on_a_face").grid);
-	std::map<std::size_t, std::size_t> faces_by_neighbours;
-	const Neighbours neighbours = neighboursOf(grid);
-	for (const auto& cell : neighbours)
+	std::map<std::size_t, std::size_t> faces_by_neighbors;
+	const Neighbors neighbors = neighborsOf(grid);
+	for (const auto& cell : neighbors)
 		for (const auto& across : cell)
-			++faces_by_neighbours[across.size()];
-	EXPECT_EQ(faces_by_neighbours, (std::map<std::size_t, std::size_t>{{0, 13}, {2, 3}}));
+			++faces_by_neighbors[across.size()];
+	EXPECT_EQ(faces_by_neighbors, (std::map<std::size_t, std::size_t>{{0, 13}, {2, 3}}));
 }
 
 TEST(Adjacency, LinksJoinCoarseAndFine)
 {
 	const auto& grid = std::get<UnstructuredGrid>(test::gridNamed("two_to_one").grid);
-	const Neighbours neighbours = neighboursOf(grid);
+	const Neighbors neighbors = neighborsOf(grid);
 	for (CellId c = 0; c < grid.cellCount(); ++c)
 	{
 		if (grid.sourceCell(c) == 0)
 		{
-			EXPECT_EQ(neighbours[c][1].size(), 4u);
-			EXPECT_TRUE(neighbours[c][0].empty());
+			EXPECT_EQ(neighbors[c][1].size(), 4u);
+			EXPECT_TRUE(neighbors[c][0].empty());
 			continue;
 		}
-		ASSERT_EQ(neighbours[c][0].size(), 1u);
-		EXPECT_EQ(grid.sourceCell(*neighbours[c][0].begin()), 0u);
+		ASSERT_EQ(neighbors[c][0].size(), 1u);
+		EXPECT_EQ(grid.sourceCell(*neighbors[c][0].begin()), 0u);
 		std::size_t all = 0;
-		for (const auto& across : neighbours[c])
+		for (const auto& across : neighbors[c])
 			all += across.size();
 		EXPECT_EQ(all, 3u);
 	}
 }
 
-TEST(Adjacency, FlatCellIsNotItsOwnNeighbour)
+TEST(Adjacency, FlatCellIsNotItsOwnNeighbor)
 {
 	test::CellListMaker maker;
 	for (const Vec3& p : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)})
 		maker.point(p);
 	maker.cell(12, {0, 1, 2, 3, 0, 1, 2, 3});
 	const Block block = maker.block("flat");
-	const Neighbours neighbours = neighboursOf(std::get<UnstructuredGrid>(block.grid));
-	for (const auto& across : neighbours[0])
+	const Neighbors neighbors = neighborsOf(std::get<UnstructuredGrid>(block.grid));
+	for (const auto& across : neighbors[0])
 		EXPECT_TRUE(across.empty());
 	// Its two sides; the other faces are lines.
 	EXPECT_EQ(block.boundary.faces.size(), 2u);
@@ -157,7 +157,7 @@ TEST(Adjacency, ManyFacesAtOnePoint)
 	for (int p = 0; p < n; ++p)
 		maker.cell(10, {0, 1, 2 + p, 2 + (p + 1) % n});
 	const Block block = maker.block("fan");
-	EXPECT_EQ(neighboursOf(std::get<UnstructuredGrid>(block.grid)), bruteForce(std::get<UnstructuredGrid>(block.grid)));
+	EXPECT_EQ(neighborsOf(std::get<UnstructuredGrid>(block.grid)), bruteForce(std::get<UnstructuredGrid>(block.grid)));
 }
 
 TEST(Adjacency, CellsGivenThousandsOfTimes)
@@ -174,12 +174,12 @@ TEST(Adjacency, CellsGivenThousandsOfTimes)
 	std::vector<CellId> queue{0};
 	std::set<CellId> seen{0};
 	for (std::size_t at = 0; at < queue.size(); ++at)
-		grid.forEachNeighbour(queue[at], 2,
-		                      [&](CellId n)
-		                      {
-			                      if (seen.insert(n).second)
-				                      queue.push_back(n);
-		                      });
+		grid.forEachNeighbor(queue[at], 2,
+		                     [&](CellId n)
+		                     {
+			                     if (seen.insert(n).second)
+				                     queue.push_back(n);
+		                     });
 	EXPECT_EQ(seen.size(), grid.cellCount());
 }
 
@@ -210,8 +210,8 @@ TEST(Adjacency, SameForAnyNumberOfThreads)
 				// In the same order, too.
 				std::vector<CellId> a;
 				std::vector<CellId> b;
-				one.forEachNeighbour(c, f, [&](CellId n) { a.push_back(n); });
-				two.forEachNeighbour(c, f, [&](CellId n) { b.push_back(n); });
+				one.forEachNeighbor(c, f, [&](CellId n) { a.push_back(n); });
+				two.forEachNeighbor(c, f, [&](CellId n) { b.push_back(n); });
 				ASSERT_EQ(a, b);
 			}
 		}

@@ -83,9 +83,9 @@ TEST(BlockTree, AsksFewBoxesAndTakesLittleMemory)
 {
 	const grid::Block block = demo("shell", 96);
 	const grid::BlockTree& tree = grid::treeOf(block);
-	const Side side({block.bounds.centre(), {0.3, 0.5, 0.81}});
+	const Side side({block.bounds.center(), {0.3, 0.5, 0.81}});
 	const auto meets = [&](const Box& box)
-	{ return std::abs(side.distance(box.centre())) <= glm::dot(glm::abs(side.normal()), 0.5 * box.size()); };
+	{ return std::abs(side.distance(box.center())) <= glm::dot(glm::abs(side.normal()), 0.5 * box.size()); };
 	std::size_t cells = 0;
 	const std::size_t boxes = tree.visitWhere(meets, [&](CellId) { ++cells; });
 	EXPECT_LT(cells, cellCount(block) / 4);

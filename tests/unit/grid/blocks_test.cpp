@@ -97,7 +97,7 @@ TEST(Blocks, VantagePointsSpread)
 	const auto& grid = std::get<UnstructuredGrid>(pieces.grid);
 	int left = 0;
 	for (const CellId c : pieces.vantage)
-		left += cellCentre(grid, c).x < 0.5;
+		left += cellCenter(grid, c).x < 0.5;
 	EXPECT_GT(left, 0);
 	EXPECT_LT(left, static_cast<int>(pieces.vantage.size()));
 }

@@ -61,7 +61,7 @@ TEST(Boundary, FindsEveryFaceThatAPlaneCuts)
 		std::visit(
 		    [&](const auto& grid)
 		    {
-			    const double level = block.bounds.centre().z + 0.01;
+			    const double level = block.bounds.center().z + 0.01;
 			    std::set<std::pair<CellId, std::uint32_t>> found;
 			    block.boundary.visitWhere([&](const Box& box) { return box.lo.z <= level && box.hi.z >= level; },
 			                              [&](BoundaryIndex::Face face) {

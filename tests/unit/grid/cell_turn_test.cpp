@@ -146,7 +146,7 @@ TEST(CellTurn, FlatAndCollapsedCells)
 
 TEST(CellTurn, OfManyEdgesAtOnce)
 {
-	const auto around = [](const Vec3& centre, double reach) { return Box{centre - reach, centre + reach}; };
+	const auto around = [](const Vec3& center, double reach) { return Box{center - reach, center + reach}; };
 	EXPECT_EQ(turnOfEdges(around({1, 0, 0}, 0.2), around({0, 1, 0}, 0.2), around({0, 0, 1}, 0.2)), Turn::positive);
 	EXPECT_EQ(turnOfEdges(around({0, 1, 0}, 0.2), around({1, 0, 0}, 0.2), around({0, 0, 1}, 0.2)), Turn::negative);
 	EXPECT_EQ(turnOfEdges(around({1, 0, 0}, 0.6), around({0, 1, 0}, 0.6), around({0, 0, 1}, 0.6)), Turn::mixed);

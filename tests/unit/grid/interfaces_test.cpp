@@ -118,7 +118,7 @@ TEST(Interfaces, NoneWherePointsAreMerged)
 	}
 }
 
-// Cells a millionth as high as wide, far from the origin: neighbours are not taken for one another.
+// Cells a millionth as high as wide, far from the origin: neighbors are not taken for one another.
 TEST(Interfaces, ThinCellsFarAway)
 {
 	for (const double height : {1e-3, 1e-6})

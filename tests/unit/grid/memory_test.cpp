@@ -39,7 +39,7 @@ TEST(Memory, OfStructuredGridsIsTheirPointsAndArrays)
 	}
 }
 
-TEST(Memory, OfUnstructuredGridsCountsNeighbours)
+TEST(Memory, OfUnstructuredGridsCountsNeighbors)
 {
 	const grid::Memory hexes = memoryOf("hexes");
 	EXPECT_EQ(hexes.geometry, kPoints * 3 * 4 + kCells * 8 * 4);

@@ -62,7 +62,7 @@ TEST(CellShape, VolumesArePositive)
 	std::set<std::size_t> inverted;
 	for (const CellId c : block.inverted)
 		inverted.insert(grid.sourceCell(c));
-	// A polyhedron's faces have no order of their own: here it lies where its neighbours are.
+	// A polyhedron's faces have no order of their own: here it lies where its neighbors are.
 	EXPECT_EQ(inverted, (std::set<std::size_t>{5, 6}));
 }
 

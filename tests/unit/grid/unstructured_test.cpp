@@ -129,11 +129,11 @@ TEST(Unstructured, PolyhedraKeepTheirFaces)
 		grid.cellFaces(c, faces);
 		ASSERT_EQ(faces.size(), 8);
 		EXPECT_EQ(faces[0].size(), 6u);
-		int neighbours = 0;
+		int neighbors = 0;
 		for (int f = 0; f < 8; ++f)
-			grid.forEachNeighbour(c, f, [&](CellId) { ++neighbours; });
+			grid.forEachNeighbor(c, f, [&](CellId) { ++neighbors; });
 		// The ring around it and the other prism.
-		EXPECT_EQ(neighbours, 7);
+		EXPECT_EQ(neighbors, 7);
 	}
 	EXPECT_EQ(prisms, 2);
 }
@@ -168,7 +168,7 @@ TEST(Unstructured, OrderComesFromSpace)
 	{
 		Box box;
 		for (CellId near = c; near < c + 8; ++near)
-			box.include(cellCentre(grid, near));
+			box.include(cellCenter(grid, near));
 		EXPECT_EQ(box.size(), Vec3(1.0));
 	}
 }

@@ -80,7 +80,7 @@ TEST(DragModifiers, SnapGoesInRoundSteps)
 				EXPECT_TRUE(isMultiple(glm::length(way), step, 1e-7)) << glm::length(way);
 				EXPECT_LE(glm::length(way - (drag.to(end).frame.origin - scene.probe.frame.origin)), 0.5 * step + 1e-7);
 			}
-			if (handle.kind == HandleKind::centre)
+			if (handle.kind == HandleKind::center)
 			{
 				EXPECT_TRUE(isMultiple(glm::dot(way, scene.view.camera.right()), step, 1e-7));
 				EXPECT_TRUE(isMultiple(glm::dot(way, scene.view.camera.trueUp()), step, 1e-7));
@@ -166,7 +166,7 @@ TEST(DragModifiers, OwnMovesOneSheet)
 		for (Handle handle : everyHandle(scene))
 		{
 			SCOPED_TRACE(scene.name);
-			if (handle.kind == HandleKind::move || handle.kind == HandleKind::turn || handle.kind == HandleKind::centre)
+			if (handle.kind == HandleKind::move || handle.kind == HandleKind::turn || handle.kind == HandleKind::center)
 				handle.sheet = random() % scene.probe.sheets.size();
 			const Drag drag(handle, startOf(scene), scene.view, scene.probe, scene.bounds);
 			const Pixel end = startOf(scene) + Pixel(41.0, 58.0);

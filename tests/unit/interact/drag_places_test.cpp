@@ -56,7 +56,7 @@ TEST(Drag, EdgeOnRingsTurnAlongTheirTangent)
 // Beyond the horizon of a plane or an axis it goes on to the end on this side, not to the other side.
 void expectNoJumpBeyondHorizons(Scene scene)
 {
-	scene.probe.frame = probe::makeFrame(scene.bounds.centre(), {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0});
+	scene.probe.frame = probe::makeFrame(scene.bounds.center(), {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0});
 	const probe::Frame& frame = scene.probe.frame;
 	const bool up_is_away = glm::dot(scene.view.camera.forward(), frame.up) > 0.0;
 	const Vec3 away = up_is_away ? frame.up : -frame.up;

@@ -148,12 +148,12 @@ TEST(Drag, SheetsFollowThePointerAlongTheirNormals)
 	EXPECT_GT(done, 200);
 }
 
-TEST(Drag, TheCentreFollowsThePointerAnywhere)
+TEST(Drag, TheCenterFollowsThePointerAnywhere)
 {
 	std::mt19937 random(4);
 	int done = 0;
 	for (const Scene& scene : allScenes())
-		for (const Handle& handle : handlesIn(scene, HandleKind::centre))
+		for (const Handle& handle : handlesIn(scene, HandleKind::center))
 		{
 			SCOPED_TRACE(scene.name);
 			const Vec3 origin = scene.probe.frame.origin;

@@ -94,9 +94,9 @@ TEST(History, AnUndoneDragIsNotMergedInto)
 TEST(History, ForgetsTheOldest)
 {
 	History<int> history(0);
-	for (int i = 1; i <= static_cast<int>(kMostSteps) + 7; ++i)
+	for (int i = 1; i <= static_cast<int>(kMaxSteps) + 7; ++i)
 		history.commit(i, "step");
-	EXPECT_EQ(history.steps(), kMostSteps);
+	EXPECT_EQ(history.steps(), kMaxSteps);
 	while (history.undo())
 		;
 	EXPECT_EQ(history.state(), 7);
@@ -132,7 +132,7 @@ TEST(History, GoesAsAListOfStates)
 			}
 		}
 		ASSERT_EQ(history.state(), states[at]);
-		if (states.size() > kMostSteps)
+		if (states.size() > kMaxSteps)
 			break;
 	}
 }

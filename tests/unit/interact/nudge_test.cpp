@@ -114,10 +114,10 @@ TEST(Nudge, TheMagnificationIsBounded)
 	probe::Probe probe = probe::single({});
 	for (int i = 0; i < 100; ++i)
 		probe = interact::magnified(probe, 0, 2.0, {0.3, 0.4});
-	EXPECT_EQ(probe.sheets[0].fx.magnification, interact::kMostMagnification);
+	EXPECT_EQ(probe.sheets[0].fx.magnification, interact::kMaxMagnification);
 	for (int i = 0; i < 100; ++i)
 		probe = interact::magnified(probe, 0, 0.5, {0.3, 0.4});
-	EXPECT_EQ(probe.sheets[0].fx.magnification, interact::kLeastMagnification);
+	EXPECT_EQ(probe.sheets[0].fx.magnification, interact::kMinMagnification);
 }
 
 TEST(Placing, NormalsTurnAsLittleAsCanBe)
@@ -177,7 +177,7 @@ TEST(Placing, PartsArePlacedInTheWorld)
 		for (const Part& part : {Part(), last})
 		{
 			const probe::Frame to =
-			    probe::makeFrame(scene.bounds.centre() + Vec3(0.1), {1.0, 2.0, -0.5}, {0.0, 0.3, 1.0});
+			    probe::makeFrame(scene.bounds.center() + Vec3(0.1), {1.0, 2.0, -0.5}, {0.0, 0.3, 1.0});
 			const probe::Probe placed = interact::withFrame(scene.probe, part, to);
 			const probe::Frame at = interact::frameOf(placed, part);
 			EXPECT_LT(glm::length(at.origin - to.origin), 1e-7);
@@ -200,7 +200,7 @@ TEST(Placing, PartsArePlacedInTheWorld)
 			EXPECT_TRUE(interact::turned(scene.probe, part, {0.0, 0.0, 1.0}, 0.0) == scene.probe);
 		}
 		const probe::Probe reset = interact::resetPlace(scene.probe, scene.bounds);
-		EXPECT_EQ(reset.frame, (probe::Frame{scene.bounds.centre(), {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}}));
+		EXPECT_EQ(reset.frame, (probe::Frame{scene.bounds.center(), {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}}));
 		EXPECT_TRUE(reset.sheets == scene.probe.sheets);
 	}
 }

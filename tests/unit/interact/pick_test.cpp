@@ -42,7 +42,7 @@ TEST(Handles, EveryVisibleSheetHasItsOwn)
 		};
 		EXPECT_EQ(count(HandleKind::move, 0), 3);
 		EXPECT_EQ(count(HandleKind::turn, 0), 3);
-		EXPECT_EQ(count(HandleKind::centre, 0), 1);
+		EXPECT_EQ(count(HandleKind::center, 0), 1);
 		for (std::size_t s = 0; s < scene.probe.sheets.size(); ++s)
 		{
 			const probe::Sheet& sheet = scene.probe.sheets[s];
@@ -79,7 +79,7 @@ TEST(Handles, HaveOneSizeOnScreen)
 			for (const HandleShape& shape :
 			     interact::handlesOf(scene.probe, scene.view, scene.bounds, {ui_scale, std::nullopt}))
 			{
-				if (shape.handle.kind == HandleKind::centre)
+				if (shape.handle.kind == HandleKind::center)
 				{
 					EXPECT_NEAR(lengthOnScreen(scene.view, shape.lines[0]), 44.0 * ui_scale, 2.0 * ui_scale);
 				}

@@ -81,9 +81,9 @@ TEST(Player, ChangesGoOnFromTheFrameThereIs)
 	EXPECT_TRUE(player.playing(2.08));
 	EXPECT_EQ(player.frameAt(2.14), 0);
 	player.setSpeed(1e9, 3.0);
-	EXPECT_EQ(player.speed(), kMostSpeed);
+	EXPECT_EQ(player.speed(), kMaxSpeed);
 	player.setSpeed(0.0, 3.0);
-	EXPECT_EQ(player.speed(), kLeastSpeed);
+	EXPECT_EQ(player.speed(), kMinSpeed);
 }
 
 TEST(Player, SeeksAndStepsAndPausesThere)

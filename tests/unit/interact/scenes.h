@@ -56,7 +56,7 @@ inline double uniform(double lo, double hi, std::mt19937& random)
 
 inline std::vector<probe::Probe> someProbes(const Box& bounds)
 {
-	const Vec3 c = bounds.centre();
+	const Vec3 c = bounds.center();
 	const probe::Frame level = probe::makeFrame(c, {0.0, 0.0, 1.0});
 	const probe::Frame oblique = probe::makeFrame(c + Vec3(0.2, -0.1, 0.3), {0.3, 0.5, 0.81}, {0.1, 1.0, 0.2});
 	const std::array offsets{-0.5, 0.1, 0.6};

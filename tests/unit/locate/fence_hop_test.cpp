@@ -17,11 +17,11 @@ TEST(FenceHop, GoesStraightThroughAnImage)
 	const auto& grid = std::get<grid::UniformGrid>(gridNamed("blob").grid);
 	const CellId from = grid.cell(0, 3, 3);
 	const CellId to = grid.cell(7, 3, 3);
-	const Hop hop = locate::fenceHop(grid, from, cellCentre(grid, to), 100);
+	const Hop hop = locate::fenceHop(grid, from, cellCenter(grid, to), 100);
 	EXPECT_EQ(hop.end, Hop::End::found);
 	EXPECT_EQ(hop.cell, to);
 	EXPECT_EQ(hop.hops, 7u);
-	EXPECT_EQ(locate::fenceHop(grid, to, cellCentre(grid, to), 100).hops, 0u);
+	EXPECT_EQ(locate::fenceHop(grid, to, cellCenter(grid, to), 100).hops, 0u);
 }
 
 TEST(FenceHop, TellsByWhichFaceItLeft)
@@ -31,13 +31,13 @@ TEST(FenceHop, TellsByWhichFaceItLeft)
 	for (int axis = 0; axis < 3; ++axis)
 		for (const double sign : {-1.0, 1.0})
 		{
-			Vec3 target = cellCentre(grid, from);
+			Vec3 target = cellCenter(grid, from);
 			target[axis] += 100.0 * sign;
 			const Hop hop = locate::fenceHop(grid, from, target, 100);
 			EXPECT_EQ(hop.end, Hop::End::left_grid);
 			EXPECT_EQ(hop.face, 2 * axis + (sign > 0.0));
 			bool inner = false;
-			grid.forEachNeighbour(hop.cell, hop.face, [&](CellId) { inner = true; });
+			grid.forEachNeighbor(hop.cell, hop.face, [&](CellId) { inner = true; });
 			EXPECT_FALSE(inner);
 		}
 }
@@ -45,7 +45,7 @@ TEST(FenceHop, TellsByWhichFaceItLeft)
 TEST(FenceHop, StopsAfterItsBudget)
 {
 	const auto& grid = std::get<grid::UniformGrid>(gridNamed("blob").grid);
-	const Hop hop = locate::fenceHop(grid, grid.cell(0, 0, 0), cellCentre(grid, grid.cell(7, 7, 7)), 3);
+	const Hop hop = locate::fenceHop(grid, grid.cell(0, 0, 0), cellCenter(grid, grid.cell(7, 7, 7)), 3);
 	EXPECT_EQ(hop.end, Hop::End::looped);
 	EXPECT_LE(hop.hops, 4u);
 }

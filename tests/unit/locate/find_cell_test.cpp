@@ -22,7 +22,7 @@ bool hasFlatFaces(const grid::Block& block)
 	return false;
 }
 
-// A point well inside a tetrahedron of a cell, drawn towards the cell's centre by `pull`.
+// A point well inside a tetrahedron of a cell, drawn towards the cell's center by `pull`.
 Vec3 pointInside(const BruteForceLocator& locator, CellId cell, double pull, std::mt19937& random)
 {
 	std::vector<Tetrahedron> parts = locator.parts(cell);
@@ -49,14 +49,14 @@ std::size_t budget(const grid::Block& block)
 	return static_cast<std::size_t>(6.0 * std::cbrt(static_cast<double>(cellCount(block)))) + 8;
 }
 
-bool areNeighbours(const grid::Block& block, CellId a, CellId b)
+bool areNeighbors(const grid::Block& block, CellId a, CellId b)
 {
 	bool found = false;
 	visitGrid(block,
 	          [&](const auto& grid)
 	          {
 		          for (int f = 0; f < grid.faceCount(a); ++f)
-			          grid.forEachNeighbour(a, f, [&](CellId n) { found |= n == b; });
+			          grid.forEachNeighbor(a, f, [&](CellId n) { found |= n == b; });
 	          });
 	return found;
 }
@@ -88,7 +88,7 @@ TEST(FindCell, FindsTheCellOfAnyPointFromAnyCell)
 }
 
 // Where faces are warped, a point near one may be given to the cell across it, but no further.
-TEST(FindCell, ComesToTheCellOrItsNeighbourInWarpedGrids)
+TEST(FindCell, ComesToTheCellOrItsNeighborInWarpedGrids)
 {
 	for (const grid::Block& block : allGrids())
 	{
@@ -105,7 +105,7 @@ TEST(FindCell, ComesToTheCellOrItsNeighbourInWarpedGrids)
 			const Vec3 target = pointInside(locator, cell, 0.5, random);
 			const locate::Located located = locate::findCell(block, i % 3 ? any_cell(random) : kNoCell, target);
 			ASSERT_TRUE(located.found()) << block.name;
-			EXPECT_TRUE(located.cell == cell || areNeighbours(block, located.cell, cell)) << block.name;
+			EXPECT_TRUE(located.cell == cell || areNeighbors(block, located.cell, cell)) << block.name;
 			exact += locator.cellHolds(located.cell, target);
 			EXPECT_LE(located.hops, budget(block));
 		}

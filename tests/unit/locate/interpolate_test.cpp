@@ -228,15 +228,15 @@ TEST(Interpolate, IsContinuousAcrossFaces)
 					          // surface run through.
 					          const Vec3 place =
 					              faces[f].size() == 3 ? glm::mix(middle, grid.point(faces[f][0]), 0.37) : middle;
-					          grid.forEachNeighbour(c, f,
-					                                [&](CellId n)
-					                                {
-						                                locate::weighCell(block, c, place, here);
-						                                locate::weighCell(block, n, place, there);
-						                                EXPECT_NEAR(valueOf(block, here), valueOf(block, there), 1e-10)
-						                                    << name;
-						                                ++faces_seen;
-					                                });
+					          grid.forEachNeighbor(c, f,
+					                               [&](CellId n)
+					                               {
+						                               locate::weighCell(block, c, place, here);
+						                               locate::weighCell(block, n, place, there);
+						                               EXPECT_NEAR(valueOf(block, here), valueOf(block, there), 1e-10)
+						                                   << name;
+						                               ++faces_seen;
+					                               });
 				          }
 			          }
 		          });

@@ -226,10 +226,10 @@ TEST(ContourLines, OfPolygonsRunAlongTheirSides)
 	std::vector<std::uint32_t> groups;
 	for (std::size_t p = 0; p < sheet.mesh.polygons(); ++p)
 	{
-		Uv centre(0.0);
+		Uv center(0.0);
 		for (const std::uint32_t v : sheet.mesh.polygon(p))
-			centre += points[v] / 4.0;
-		const bool within = std::abs(centre.x) < 2.0 && std::abs(centre.y) < 1.0;
+			center += points[v] / 4.0;
+		const bool within = std::abs(center.x) < 2.0 && std::abs(center.y) < 1.0;
 		values.push_back(within ? 7.0 : 3.0);
 		groups.push_back(within ? 1 : 0);
 	}

@@ -162,18 +162,18 @@ TEST(SheetLookup, VerticesAndMeansHaveTheirValues)
 	for (std::size_t p = 0; p < sheet.mesh.polygons(); ++p)
 	{
 		const auto polygon = sheet.mesh.polygon(p);
-		Uv centre(0.0);
+		Uv center(0.0);
 		double mean = 0.0;
 		for (const std::uint32_t v : polygon)
 		{
-			centre += points[v] / double(polygon.size());
+			center += points[v] / double(polygon.size());
 			mean += values[v] / double(polygon.size());
 		}
-		const std::optional<SheetPlace> place = lookup.at(centre);
+		const std::optional<SheetPlace> place = lookup.at(center);
 		ASSERT_TRUE(place);
 		EXPECT_EQ(place->polygon, p);
 		EXPECT_NEAR(lookup.value(*place, values), mean, 1e-9);
-		const Uv near_corner = points[polygon[0]] + 1e-9 * (centre - points[polygon[0]]);
+		const Uv near_corner = points[polygon[0]] + 1e-9 * (center - points[polygon[0]]);
 		const std::optional<SheetPlace> corner = lookup.at(near_corner);
 		ASSERT_TRUE(corner);
 		EXPECT_EQ(corner->polygon, p);

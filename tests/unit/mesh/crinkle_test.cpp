@@ -169,7 +169,7 @@ TEST(Crinkle, EnclosesTheCells)
 }
 
 // Of a large face only some of the small cells before it may be shown: it stays, so that no hole is left.
-TEST(Crinkle, HasNoHoleAtFacesWithSeveralNeighbours)
+TEST(Crinkle, HasNoHoleAtFacesWithSeveralNeighbors)
 {
 	const grid::Block& block = gridNamed("two_to_one");
 	const grid::BlockSet set = setOf(block);
@@ -186,13 +186,13 @@ TEST(Crinkle, HasNoHoleAtFacesWithSeveralNeighbours)
 				          {
 					          bool open = true;
 					          bool any = false;
-					          grid.forEachNeighbour(cell, f,
-					                                [&](CellId n)
-					                                {
-						                                open = any ? open : false;
-						                                any = true;
-						                                open = open || !made.cells[0].contains(n);
-					                                });
+					          grid.forEachNeighbor(cell, f,
+					                               [&](CellId n)
+					                               {
+						                               open = any ? open : false;
+						                               any = true;
+						                               open = open || !made.cells[0].contains(n);
+					                               });
 					          expected += open;
 				          }
 		          });
@@ -226,7 +226,7 @@ TEST(Crinkle, IsOfWholeCellsInAWindow)
 	cut::Cutter slicer(set);
 	cut::CutRequest request;
 	probe::Sheet sheet = probe::makeSheet({0.1, 1.6, 0.2}, {0.3, 0.5, 0.8});
-	sheet.window = probe::centredWindow(0.5, 0.4);
+	sheet.window = probe::centeredWindow(0.5, 0.4);
 	request.probe.sheets = {sheet};
 	const cut::Cut slice = std::move(slicer.cut(std::move(request)).value());
 	const mesh::SheetMesh mesh = slice.crinkle(set, 0);

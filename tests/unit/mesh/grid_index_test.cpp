@@ -249,7 +249,7 @@ TEST(GridSurface, HiddenCellsStayHidden)
 		            const auto all = find::gridIndexCells(bare, at);
 		            for (const CellId cell : all[0].cells().cells)
 		            {
-			            const CellId other = lattice.neighbour(cell, 2 * at.axis + 1);
+			            const CellId other = lattice.neighbor(cell, 2 * at.axis + 1);
 			            if (!hidden.contains(cell))
 				            shown.insert(cell);
 			            else if (layers.has_other_side && !hidden.contains(other))

@@ -121,9 +121,9 @@ TEST(PolygonFans, WhatCrossesItselfOrIsTooLargeComesBackWhole)
 	const Polygon bow{{0, 0}, {2, 2}, {2, 0}, {0, 1}, {1, 3}};
 	EXPECT_EQ(count(bow), 3u);
 	Polygon star;
-	for (std::size_t i = 0; i < 2 * mesh::kMostEarCorners; ++i)
+	for (std::size_t i = 0; i < 2 * mesh::kMaxEarCorners; ++i)
 	{
-		const double angle = std::numbers::pi * static_cast<double>(i) / static_cast<double>(mesh::kMostEarCorners);
+		const double angle = std::numbers::pi * static_cast<double>(i) / static_cast<double>(mesh::kMaxEarCorners);
 		star.push_back((i % 2 ? 1.0 : 2.0) * dvec2(std::cos(angle), std::sin(angle)));
 	}
 	EXPECT_EQ(count(star), star.size() - 2);

@@ -103,11 +103,11 @@ TEST(ProbeDocs, TheProbesSchemaHasTheKeysThatAreRead)
 	frame.insert("matrix");
 	EXPECT_EQ(frame, keysRead(R"({"to_probe": {"?": 1}})", read));
 	EXPECT_EQ(document.at("properties").at("sheets").at("maxItems"), probe::kMaxSheets);
-	EXPECT_EQ(sheet.at("properties").at("lines").at("maximum"), probe::kMostLines);
+	EXPECT_EQ(sheet.at("properties").at("lines").at("maximum"), probe::kMaxLines);
 	EXPECT_EQ(sheet.at("properties").at("fx").at("properties").at("magnification").at("minimum"),
-	          probe::kLeastMagnification);
+	          probe::kMinMagnification);
 	EXPECT_EQ(sheet.at("properties").at("fx").at("properties").at("magnification").at("maximum"),
-	          probe::kMostMagnification);
+	          probe::kMaxMagnification);
 }
 
 TEST(ProbeDocs, ThePathsSchemaHasTheKeysThatAreRead)

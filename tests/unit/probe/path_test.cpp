@@ -62,7 +62,7 @@ TEST(Path, TranslationAlongAnyAxisStaysInTheBounds)
 		EXPECT_NEAR(step * 9.0, 2.0 * reach, 1e-12);
 		for (int k = 0; k < 9; ++k)
 		{
-			const double at = glm::dot(frames[k].origin - kPathBounds.centre(), axis);
+			const double at = glm::dot(frames[k].origin - kPathBounds.center(), axis);
 			EXPECT_NEAR(at, (k - 4) * step, 1e-12);
 			expectNear(glm::cross(frames[k].origin - start.origin, axis), Vec3(0.0), 1e-12); // not off its line
 		}
@@ -157,7 +157,7 @@ TEST(Path, ProfileIsTheBenchmarksSweep)
 		const Vec3 n(std::cos(t) * n0.x - std::sin(t) * n0.y, std::sin(t) * n0.x + std::cos(t) * n0.y, n0.z);
 		const double h = 0.5 * (std::abs(n.x) * 4.0 + std::abs(n.y) * 4.0 + std::abs(n.z) * 6.0);
 		expectNear(frames[k].normal, n, 1e-14);
-		expectNear(frames[k].origin, kPathBounds.centre() + n * (-0.6 + 1.2 * k / 59.0) * h, 1e-13);
+		expectNear(frames[k].origin, kPathBounds.center() + n * (-0.6 + 1.2 * k / 59.0) * h, 1e-13);
 	}
 }
 

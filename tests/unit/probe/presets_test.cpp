@@ -50,7 +50,7 @@ TEST(Presets, TrihedralIsNormalToXUpAndNormal)
 		for (const probe::Sheet& sheet : world.sheets)
 		{
 			EXPECT_EQ(sheet.origin, frame.origin);
-			EXPECT_EQ(sheet.window, probe::centredWindow(1.0, 1.0));
+			EXPECT_EQ(sheet.window, probe::centeredWindow(1.0, 1.0));
 		}
 	}
 }
@@ -89,14 +89,14 @@ TEST(Presets, VanesReachFromTheAxisOutward)
 	EXPECT_EQ(sized.sheets[1].window, (probe::Window{0.0, 5.0, -1.5, 1.5}));
 }
 
-// R is half the diagonal: about the centre of the bounds nothing is out of a vane's reach, however it stands.
-TEST(Presets, VanesCoverTheBoundsAboutTheirCentre)
+// R is half the diagonal: about the center of the bounds nothing is out of a vane's reach, however it stands.
+TEST(Presets, VanesCoverTheBoundsAboutTheirCenter)
 {
 	std::mt19937 random(34);
 	for (int i = 0; i < 100; ++i)
 	{
 		probe::Frame frame = randomFrame(random);
-		frame.origin = kBounds.centre();
+		frame.origin = kBounds.center();
 		const probe::Sheet vane = placed(probe::paddlewheel(frame, kBounds)).sheets[0];
 		for (const Vec3& corner : corners(kBounds))
 		{
@@ -120,7 +120,7 @@ TEST(Presets, StackHasItsOffsetsAlongTheNormal)
 	{
 		expectNear(world.sheets[k].origin, frame.origin + offsets[k] * frame.normal, 1e-14);
 		expectNear(world.sheets[k].normal, frame.normal, 1e-15);
-		EXPECT_EQ(world.sheets[k].window, probe::centredWindow(2.0, 2.0));
+		EXPECT_EQ(world.sheets[k].window, probe::centeredWindow(2.0, 2.0));
 	}
 }
 

@@ -33,7 +33,7 @@ probe::SheetWishes randomWishes(std::mt19937& random)
 	if (coin(random))
 		wishes.range = {between(-1e300, 0.0, random), between(0.0, 1e-300, random)};
 	if (coin(random))
-		wishes.lines = std::uniform_int_distribution(0, probe::kMostLines)(random);
+		wishes.lines = std::uniform_int_distribution(0, probe::kMaxLines)(random);
 	wishes.hidden = coin(random);
 	return wishes;
 }
@@ -285,7 +285,7 @@ TEST(ProbeFile, AFormIsReadAgainWhateverFxStandsBesideIt)
 {
 	probe::Probe probe;
 	probe.sheets.push_back(probe::makeSheet(Vec3(0.0), Vec3(0.0, 0.0, 1.0)));
-	probe.sheets[0].form = surface::Form::parse("x*x + y*y - z").value();
+	probe.sheets[0].form = surface::ImplicitSurface::parse("x*x + y*y - z").value();
 	probe.sheets[0].fx.magnification = 3.0;
 	const Result<probe::ProbeFile> read = probe::parseProbe(probe::probeText(probe), "probe.json");
 	ASSERT_TRUE(read) << read.error().message;

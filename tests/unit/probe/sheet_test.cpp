@@ -89,7 +89,7 @@ TEST(Sheet, ToCubeMapsTheWindowToTheUnitSquare)
 	EXPECT_EQ(cube.point({-1.0, 2.0, 0.0}), Vec3(0.0));
 	EXPECT_EQ(cube.point({3.0, 4.0, 0.0}), Vec3(1.0, 1.0, 0.0));
 	EXPECT_EQ(cube.point({1.0, 3.0, 7.0}), Vec3(0.5, 0.5, 7.0));
-	EXPECT_EQ(probe::centredWindow(4.0, 2.0), (probe::Window{-2.0, 2.0, -1.0, 1.0}));
+	EXPECT_EQ(probe::centeredWindow(4.0, 2.0), (probe::Window{-2.0, 2.0, -1.0, 1.0}));
 }
 
 TEST(Sheet, WithoutFxCutAndDrawingAgree)
@@ -149,7 +149,7 @@ TEST(Sheet, TheHotSpotOfAMagnifiedSheetIsThePannedPoint)
 TEST(Sheet, FarFromZeroTheWindowKeepsItsDigits)
 {
 	probe::Sheet sheet = probe::makeSheet(Vec3(1e7), {0.3, 0.5, 0.81});
-	sheet.window = probe::centredWindow(1e-3, 1e-3);
+	sheet.window = probe::centeredWindow(1e-3, 1e-3);
 	EXPECT_EQ(worldToWindow(sheet, sheet.origin), glm::dvec2(0.5, 0.5));
 	const Vec3 p = sheet.origin + 0.0005 * sheet.up;
 	EXPECT_NEAR(worldToWindow(sheet, p).y, 1.0, 1e-5); // 1e7 itself is known to 2e-9

@@ -138,7 +138,7 @@ TEST(Cells, OfEveryShapeAreTaken)
 	EXPECT_EQ(outcome.set->left_out, 1u);
 	EXPECT_EQ(outcome.words, "");
 	EXPECT_NO_THROW(grid::validate(outcome.set->blocks[0]));
-	// All but the two ends and the sides have a neighbour: the shapes share faces.
+	// All but the two ends and the sides have a neighbor: the shapes share faces.
 	EXPECT_EQ(outcome.set->blocks[0].boundary.faces.size(), 3u * 6 - 4);
 }
 

@@ -132,7 +132,7 @@ TEST(HiddenCells, AreThoseAtPointsThatPlot3dBlanks)
 		for (int p = 0; p < 64; ++p)
 			put(static_cast<float>(axis == 0 ? p % 4 : axis == 1 ? p / 4 % 4 : p / 16));
 	for (int p = 0; p < 64; ++p)
-		put(std::int32_t(p == 21 ? 0 : p == 63 ? -2 : 1)); // an inner point; -2 names a neighbour, and is shown
+		put(std::int32_t(p == 21 ? 0 : p == 63 ? -2 : 1)); // an inner point; -2 names a neighbor, and is shown
 	writeContents(folder / "blanked.xyz", bytes);
 	EXPECT_EQ(visible(folder / "blanked.xyz"), 27u - 8u);
 }

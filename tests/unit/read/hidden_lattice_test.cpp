@@ -80,7 +80,7 @@ TEST(HiddenLattice, KnowsItsCellsByTheirSubscripts)
 				if (cell == kNoCell)
 					continue;
 				++visible;
-				EXPECT_LT(glm::length(grid::cellCentre(grid, cell) - Vec3(i + 0.5, 2.0 * j + 1.0, 3.0 * k + 1.5)),
+				EXPECT_LT(glm::length(grid::cellCenter(grid, cell) - Vec3(i + 0.5, 2.0 * j + 1.0, 3.0 * k + 1.5)),
 				          1e-12);
 			}
 	EXPECT_EQ(visible, grid.cellCount());

@@ -56,7 +56,7 @@ TEST(ColorMapFile, PointsMakeAMap)
 	EXPECT_TRUE(map.categories.empty());
 }
 
-// vtkColorTransferFunction's own colours half way from red to blue.
+// vtkColorTransferFunction's own colors half way from red to blue.
 TEST(ColorMapFile, SpacesBetweenColors)
 {
 	EXPECT_TRUE(isNear(inSpace("RGB").at(0.5), {128, 0, 128}));
@@ -64,7 +64,7 @@ TEST(ColorMapFile, SpacesBetweenColors)
 	EXPECT_TRUE(isNear(inSpace("Lab").at(0.5), {202, 0, 136}, 3));
 	EXPECT_TRUE(isNear(inSpace("Step").at(0.5), {0, 0, 255}));
 	EXPECT_EQ(inSpace("Step").at(0.0), (Color{255, 0, 0}));
-	// Between different hues a diverging map passes a pale grey.
+	// Between different hues a diverging map passes a pale gray.
 	const Color middle = inSpace("Diverging").at(0.5);
 	EXPECT_LE(std::max({middle.r, middle.g, middle.b}) - std::min({middle.r, middle.g, middle.b}), 6);
 	EXPECT_GE(middle.g, 200);
@@ -102,7 +102,7 @@ TEST(ColorMapFile, AnnotationsMakeCategories)
 	ASSERT_EQ(map.categories.size(), 3u);
 	EXPECT_EQ(map.categories[0], (Category{-1.5, "low", {0, 255, 0}}));
 	EXPECT_EQ(map.categories[1], (Category{3.0, "three", {255, 0, 0}}));
-	EXPECT_EQ(map.categories[2], (Category{100.0, "100", {255, 0, 0}})); // colours in turn
+	EXPECT_EQ(map.categories[2], (Category{100.0, "100", {255, 0, 0}})); // colors in turn
 	const ColorMap numbers = parsed(R"({"IndexedColors":[1,0,0, 0,1,0]})");
 	EXPECT_EQ(numbers.categories[1], (Category{1.0, "1", {0, 255, 0}}));
 

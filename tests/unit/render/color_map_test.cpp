@@ -47,7 +47,7 @@ TEST(ColorMap, HasThePublishedColors)
 	EXPECT_LE(difference(diverging.at(1.0), {180, 4, 38}), 1);
 }
 
-TEST(ColorMap, EveryNameWorksAndNeighboursAreClose)
+TEST(ColorMap, EveryNameWorksAndNeighborsAreClose)
 {
 	for (const std::string& name : colorMapNames())
 	{

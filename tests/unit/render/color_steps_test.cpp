@@ -25,7 +25,7 @@ const ColorMap kMap = makeColorMap("viridis").value();
 
 } // namespace
 
-TEST(ColorSteps, FollowTheColourMap)
+TEST(ColorSteps, FollowTheColorMap)
 {
 	const ValueStyle style = styleFor(kMap, -2.0, 6.0);
 	for (const int count : {64, 256})

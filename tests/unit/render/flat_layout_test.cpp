@@ -9,7 +9,7 @@ namespace vp::render
 TEST(FlatLayout, SmallPicturesHaveALegendThatFitsOrNone)
 {
 	const mesh::SheetMesh empty;
-	const Lettering lettering({9.0, 12.0, 40.0}, {"s"});
+	const FontAtlas lettering({9.0, 12.0, 40.0}, {"s"});
 	std::size_t some = 0;
 	std::size_t none = 0;
 	for (std::uint32_t width = 48; width <= 320; width += 34)

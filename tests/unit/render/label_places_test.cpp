@@ -15,20 +15,20 @@ const Area kPicture{glm::dvec2(0.0), {1000.0, 800.0}};
 constexpr double kHeight = 12.0;
 constexpr double kWidth = 30.0;
 
-LabelledLine straight(const glm::dvec2& a, const glm::dvec2& b)
+LabeledLine straight(const glm::dvec2& a, const glm::dvec2& b)
 {
-	LabelledLine line{{}, false, kWidth};
+	LabeledLine line{{}, false, kWidth};
 	for (int i = 0; i <= 50; ++i)
 		line.points.push_back(glm::mix(a, b, i / 50.0));
 	return line;
 }
 
-LabelledLine circle(const glm::dvec2& centre, double radius)
+LabeledLine circle(const glm::dvec2& center, double radius)
 {
-	LabelledLine line{{}, true, kWidth};
+	LabeledLine line{{}, true, kWidth};
 	for (int i = 0; i < 90; ++i)
 		line.points.push_back(
-		    centre + radius * glm::dvec2(std::cos(i * std::numbers::pi / 45.0), std::sin(i * std::numbers::pi / 45.0)));
+		    center + radius * glm::dvec2(std::cos(i * std::numbers::pi / 45.0), std::sin(i * std::numbers::pi / 45.0)));
 	return line;
 }
 
@@ -44,7 +44,7 @@ double lengthOf(const std::vector<glm::dvec2>& points)
 bool apart(const LabelPlace& a, const LabelPlace& b)
 {
 	const double reach = glm::length(glm::dvec2(kWidth, kHeight));
-	if (glm::length(a.centre - b.centre) > reach)
+	if (glm::length(a.center - b.center) > reach)
 		return true;
 	const auto axes = [](const LabelPlace& p)
 	{
@@ -57,7 +57,7 @@ bool apart(const LabelPlace& a, const LabelPlace& b)
 	};
 	for (const LabelPlace* of : {&a, &b})
 		for (const glm::dvec2& axis : axes(*of))
-			if (std::abs(glm::dot(a.centre - b.centre, axis)) > extent(a, axis) + extent(b, axis))
+			if (std::abs(glm::dot(a.center - b.center, axis)) > extent(a, axis) + extent(b, axis))
 				return true;
 	return false;
 }
@@ -75,7 +75,7 @@ TEST(LabelPlaces, LieOnTheirLinesAlongThem)
 		const std::vector lines{straight(middle - 100.0 * along, middle + 100.0 * along)};
 		const auto places = placeLabels(lines, kHeight, 1000.0, kPicture);
 		ASSERT_EQ(places.size(), 1u);
-		EXPECT_NEAR(std::abs(along.x * (places[0].centre - middle).y - along.y * (places[0].centre - middle).x), 0.0,
+		EXPECT_NEAR(std::abs(along.x * (places[0].center - middle).y - along.y * (places[0].center - middle).x), 0.0,
 		            1e-9);
 		EXPECT_NEAR(std::abs(std::cos(places[0].angle - turn)), 1.0, 1e-9); // either way along it
 		EXPECT_GE(std::cos(places[0].angle), -1e-9);                        // never upside down
@@ -87,7 +87,7 @@ TEST(LabelPlaces, LieOnTheirLinesAlongThem)
 
 TEST(LabelPlaces, ShortLinesAndPlacesOutsideHaveNone)
 {
-	const auto count = [](const LabelledLine& line)
+	const auto count = [](const LabeledLine& line)
 	{ return placeLabels(std::vector{line}, kHeight, 1000.0, kPicture).size(); };
 	EXPECT_EQ(count(straight({100.0, 100.0}, {140.0, 100.0})), 0u);
 	EXPECT_EQ(count(straight({100.0, 1100.0}, {900.0, 1100.0})), 0u);
@@ -95,14 +95,14 @@ TEST(LabelPlaces, ShortLinesAndPlacesOutsideHaveNone)
 	EXPECT_EQ(count(circle({500.0, 400.0}, 100.0)), 1u);
 	EXPECT_EQ(count({{{1.0, 1.0}}, false, kWidth}), 0u);
 	EXPECT_EQ(count({{}, true, kWidth}), 0u);
-	LabelledLine silent = straight({100.0, 100.0}, {900.0, 100.0});
+	LabeledLine silent = straight({100.0, 100.0}, {900.0, 100.0});
 	silent.width = 0.0;
 	EXPECT_EQ(count(silent), 0u);
 }
 
 TEST(LabelPlaces, AreApartFromEachOther)
 {
-	std::vector<LabelledLine> lines;
+	std::vector<LabeledLine> lines;
 	for (int i = 0; i < 40; ++i)
 	{
 		lines.push_back(straight({50.0, 20.0 + 19.0 * i}, {950.0, 780.0 - 11.0 * i}));
@@ -123,25 +123,25 @@ TEST(LabelPlaces, KeepOffWhatIsTakenAndWhatIsNotSeen)
 	const std::vector lines{straight({100.0, 300.0}, {900.0, 300.0})};
 	const std::vector taken{Area{{0.0, 200.0}, {700.0, 400.0}}};
 	for (const LabelPlace& place : placeLabels(lines, kHeight, 50.0, kPicture, taken))
-		EXPECT_GT(place.centre.x - 0.5 * kWidth, 700.0);
+		EXPECT_GT(place.center.x - 0.5 * kWidth, 700.0);
 	const auto left = [](std::size_t, const glm::dvec2& at) { return at.x < 250.0; };
 	const auto places = placeLabels(lines, kHeight, 50.0, kPicture, {}, left);
 	EXPECT_FALSE(places.empty());
 	for (const LabelPlace& place : places)
-		EXPECT_LT(place.centre.x, 250.0);
+		EXPECT_LT(place.center.x, 250.0);
 	// A line without a label is kept off where there is room beside it.
-	std::vector<LabelledLine> crossed = lines;
+	std::vector<LabeledLine> crossed = lines;
 	for (double x = 100.0; x < 700.0; x += 10.0)
 	{
 		crossed.push_back(straight({x, 250.0}, {x, 350.0}));
 		crossed.back().width = 0.0;
 	}
-	EXPECT_GT(placeLabels(crossed, kHeight, 1e4, kPicture).at(0).centre.x, 700.0);
+	EXPECT_GT(placeLabels(crossed, kHeight, 1e4, kPicture).at(0).center.x, 700.0);
 }
 
 TEST(LabelPlaces, GapsTakeTheirPartOfTheLine)
 {
-	for (const LabelledLine& line : {straight({100.0, 300.0}, {900.0, 300.0}), circle({500.0, 400.0}, 120.0)})
+	for (const LabeledLine& line : {straight({100.0, 300.0}, {900.0, 300.0}), circle({500.0, 400.0}, 120.0)})
 	{
 		const auto places = placeLabels(std::vector{line}, kHeight, 150.0, kPicture);
 		ASSERT_FALSE(places.empty());

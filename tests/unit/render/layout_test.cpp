@@ -231,9 +231,9 @@ TEST(Overlay, StaysInsideThePicture)
 		}
 }
 
-TEST(Lettering, ElidesAndWraps)
+TEST(FontAtlas, ElidesAndWraps)
 {
-	const Lettering lettering({16.0}, {kLongName, "ρ"});
+	const FontAtlas lettering({16.0}, {kLongName, "ρ"});
 	const double most = 100.0;
 	EXPECT_EQ(lettering.elided("s", 16.0, most), "s");
 	const std::string elided = lettering.elided(kLongName, 16.0, most);

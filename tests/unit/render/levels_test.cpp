@@ -49,7 +49,7 @@ TEST(Levels, OfNothingThereAreNone)
 	EXPECT_TRUE(roundLevels(2.0, 2.0, 5, false).empty());
 	EXPECT_TRUE(roundLevels(1.0, 1.0 + 1e-9, 5, false).empty());
 	EXPECT_TRUE(roundLevels(1.0, 1.0, 5, true).empty());
-	EXPECT_LE(roundLevels(0.0, 1.0, 1'000'000, false).size(), 2u * kMostLevels);
+	EXPECT_LE(roundLevels(0.0, 1.0, 1'000'000, false).size(), 2u * kMaxLevels);
 }
 
 } // namespace vp::render

@@ -182,7 +182,7 @@ TEST(SurfaceTriangles, ValuesAcrossEdges)
 			if (parts[0].across.at(t)[k] == own)
 				continue;
 			seen[t / 2].push_back(parts[0].across[t][k]);
-			// Only edges along y lead to a neighbour.
+			// Only edges along y lead to a neighbor.
 			EXPECT_FALSE(triangle.corners[k] & shared::kHiddenEdge);
 			EXPECT_NEAR(std::abs(place(parts[0], triangle, (k + 1) % 3).y - place(parts[0], triangle, k).y), 1.0, 1e-6);
 		}

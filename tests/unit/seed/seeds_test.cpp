@@ -34,7 +34,7 @@ std::vector<std::set<CellId>> piecesOf(const grid::Block& block, const TestPlane
 		std::vector<CellId> queue{*left.begin()};
 		left.erase(queue[0]);
 		for (std::size_t i = 0; i < queue.size(); ++i)
-			for (const CellId next : cutNeighbours(block, queue[i], side))
+			for (const CellId next : cutNeighbors(block, queue[i], side))
 				if (left.erase(next))
 					queue.push_back(next);
 		pieces.emplace_back(queue.begin(), queue.end());
@@ -58,7 +58,7 @@ double distanceToBoundaryCut(const grid::Block& block, const TestPlane& plane)
 			          for (int f = 0; f < faces.size(); ++f)
 			          {
 				          bool inner = false;
-				          grid.forEachNeighbour(c, f, [&](CellId) { inner = true; });
+				          grid.forEachNeighbor(c, f, [&](CellId) { inner = true; });
 				          std::vector<Vec3> crossings;
 				          for (std::size_t i = 0; i < faces[f].size() && !inner; ++i)
 				          {
@@ -128,10 +128,10 @@ TEST(Seeds, TheHotSpotGivesItsPieceAndNoOther)
 		{
 			const CellId holder = any_cell(random);
 			const std::vector<Vec3> corners = cellCorners(block, holder);
-			Vec3 centre(0.0);
+			Vec3 center(0.0);
 			for (const Vec3& corner : corners)
-				centre += corner / static_cast<double>(corners.size());
-			const TestPlane plane{centre, randomDirection(random)};
+				center += corner / static_cast<double>(corners.size());
+			const TestPlane plane{center, randomDirection(random)};
 			const seed::SheetSeeds seeds = seedsOf(set, plane, {SeedMode::hotspot, OutsidePolicy::refuse});
 			EXPECT_TRUE(seeds.hot_spot_inside) << block.name;
 			EXPECT_FALSE(seeds.moved_to);
@@ -206,7 +206,7 @@ TEST(Seeds, FacesInThePlaneAreThoseNoCutCellShows)
 		EXPECT_EQ(faces(block.bounds.lo, normal), 64u); // the cells behind it are wholly positive
 		EXPECT_EQ(faces(block.bounds.lo, -normal), 64u);
 		EXPECT_EQ(faces(block.bounds.hi, normal), 0u); // cut cells show it
-		EXPECT_EQ(faces(block.bounds.centre(), normal), 0u);
+		EXPECT_EQ(faces(block.bounds.center(), normal), 0u);
 	}
 }
 

@@ -24,7 +24,7 @@ TEST(SheetWindow, HoldsOnlyCellsWhoseCutFacesMeetIt)
 			probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
 			const double size = block.bounds.diagonal();
 			sheet.window =
-			    random() % 2 ? randomWindow(block.bounds, random) : probe::centredWindow(0.6 * size, 0.4 * size);
+			    random() % 2 ? randomWindow(block.bounds, random) : probe::centeredWindow(0.6 * size, 0.4 * size);
 			const seed::SheetWindow window(sheet);
 			grid::CellFaces faces;
 			const auto ask = [&](const auto& grid)

@@ -101,7 +101,7 @@ TEST_F(StateFile, StandardValuesRoundTrip)
 	EXPECT_EQ(read.colors, "turbo");
 }
 
-TEST_F(StateFile, AColourMapsFileIsRelativeToo)
+TEST_F(StateFile, AColorMapsFileIsRelativeToo)
 {
 	Values values;
 	values.colors = path("maps.json");

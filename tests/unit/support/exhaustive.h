@@ -90,7 +90,7 @@ inline std::vector<CellId> sorted(std::vector<CellId> cells)
 }
 
 // What lies across the cut faces of a cell.
-inline std::vector<CellId> cutNeighbours(const grid::Block& block, CellId cell, const Side& side)
+inline std::vector<CellId> cutNeighbors(const grid::Block& block, CellId cell, const Side& side)
 {
 	std::vector<CellId> found;
 	visitGrid(block,
@@ -102,7 +102,7 @@ inline std::vector<CellId> cutNeighbours(const grid::Block& block, CellId cell, 
 		          {
 			          const auto positive = [&](PointId p) { return side.positive(grid.point(p)); };
 			          if (std::ranges::any_of(faces[f], positive) && !std::ranges::all_of(faces[f], positive))
-				          grid.forEachNeighbour(cell, f, [&](CellId n) { found.push_back(n); });
+				          grid.forEachNeighbor(cell, f, [&](CellId n) { found.push_back(n); });
 		          }
 	          });
 	return found;
@@ -127,7 +127,7 @@ inline std::vector<Vec3> cellCorners(const grid::Block& block, CellId cell)
 
 using Tetrahedron = std::array<Vec3, 4>;
 
-// A cell as tetrahedra from its centre to the fans of its faces about the faces' means: cells that share a face share
+// A cell as tetrahedra from its center to the fans of its faces about the faces' means: cells that share a face share
 // its fan.
 inline std::vector<Tetrahedron> cellTetrahedra(const grid::Block& block, CellId cell)
 {
@@ -137,17 +137,17 @@ inline std::vector<Tetrahedron> cellTetrahedra(const grid::Block& block, CellId 
 	          {
 		          grid::CellFaces faces;
 		          grid.cellFaces(cell, faces);
-		          Vec3 centre(0.0);
+		          Vec3 center(0.0);
 		          const std::vector<Vec3> corners = cellCorners(block, cell);
 		          for (const Vec3& corner : corners)
-			          centre += corner / static_cast<double>(corners.size());
+			          center += corner / static_cast<double>(corners.size());
 		          for (int f = 0; f < faces.size(); ++f)
 		          {
 			          Vec3 middle(0.0);
 			          for (const PointId p : faces[f])
 				          middle += grid.point(p) / static_cast<double>(faces[f].size());
 			          for (std::size_t i = 0; i < faces[f].size(); ++i)
-				          parts.push_back({centre, middle, grid.point(faces[f][i]),
+				          parts.push_back({center, middle, grid.point(faces[f][i]),
 				                           grid.point(faces[f][(i + 1) % faces[f].size()])});
 		          }
 	          });
@@ -259,7 +259,7 @@ inline std::vector<TestPlane> degeneratePlanes(const grid::Block& block, unsigne
 	{
 		Vec3 normal(0.0);
 		normal[axis] = 1.0;
-		for (const Vec3& origin : {box.lo, box.hi, box.centre(), box.lo - box.size()})
+		for (const Vec3& origin : {box.lo, box.hi, box.center(), box.lo - box.size()})
 			for (const double sign : {1.0, -1.0})
 				planes.push_back({origin, sign * normal});
 	}

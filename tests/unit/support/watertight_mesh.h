@@ -33,7 +33,7 @@ inline CellEdges edgesOf(const grid::Block& block, CellId cell)
 			          for (std::size_t i = 0; i < faces[f].size(); ++i)
 				          result.edges.insert(std::minmax(faces[f][i], faces[f][(i + 1) % faces[f].size()]));
 			          bool inner = false;
-			          grid.forEachNeighbour(cell, f, [&](CellId) { inner = true; });
+			          grid.forEachNeighbor(cell, f, [&](CellId) { inner = true; });
 			          if (!inner)
 				          result.boundary_faces.emplace_back(faces[f].begin(), faces[f].end());
 		          }
@@ -41,7 +41,7 @@ inline CellEdges edgesOf(const grid::Block& block, CellId cell)
 	return result;
 }
 
-// Whether every face has one neighbour, of which it is a whole face.
+// Whether every face has one neighbor, of which it is a whole face.
 inline bool conforms(const grid::Block& block)
 {
 	return block.name != "three_on_a_face" && block.name != "two_to_one";

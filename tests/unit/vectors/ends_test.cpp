@@ -19,7 +19,7 @@ namespace
 
 using VectorAt = Vec3 (*)(const Vec3& place);
 
-// A vector array "w" over the points of a block, or over its cells at their centres.
+// A vector array "w" over the points of a block, or over its cells at their centers.
 void addVectors(grid::Block& block, VectorAt at, grid::Association association = grid::Association::point)
 {
 	std::visit(
@@ -30,7 +30,7 @@ void addVectors(grid::Block& block, VectorAt at, grid::Association association =
 		    for (std::size_t i = 0; i < values.size() / 3; ++i)
 		    {
 			    const auto id = static_cast<std::uint32_t>(i);
-			    const Vec3 w = at(on_points ? grid.point(id) : grid::cellCentre(grid, id));
+			    const Vec3 w = at(on_points ? grid.point(id) : grid::cellCenter(grid, id));
 			    const std::size_t tuple = on_points ? grid.sourcePoint(id) : grid.sourceCell(id);
 			    for (int c = 0; c < 3; ++c)
 				    values[3 * tuple + c] = w[c];
@@ -50,9 +50,9 @@ grid::BlockSet unitBox(VectorAt at, grid::Association association = grid::Associ
 	return setOfBlocks({block});
 }
 
-Vec3 centreOf(const grid::Block& block, CellId cell)
+Vec3 centerOf(const grid::Block& block, CellId cell)
 {
-	return std::visit([&](const auto& grid) { return grid::cellCentre(grid, cell); }, block.grid);
+	return std::visit([&](const auto& grid) { return grid::cellCenter(grid, cell); }, block.grid);
 }
 
 Traces one(const grid::BlockSet& blocks, const Vec3& from, const TraceOptions& options)
@@ -183,7 +183,7 @@ TEST(Trace, CrossesSeams)
 		{
 			TraceOptions options = steps(60, 0.05);
 			options.direction = Direction::both;
-			const Vec3 from = centreOf(set.blocks[0], cell);
+			const Vec3 from = centerOf(set.blocks[0], cell);
 			const Traces in_two = one(set, from, options);
 			const Traces in_one = one(merged, from, options);
 			crossed += in_two.blocks.front() != in_two.blocks.back();

@@ -32,7 +32,7 @@ TEST(Flux, OfALinearFieldIsExact)
 		for (const Vec3& normal : {Vec3(0.0, 0.0, 1.0), Vec3(1.0, 0.0, 0.0), Vec3(-0.3, 0.5, 0.8)})
 		{
 			const double through = glm::dot(Vec3(-origin.y, origin.x, 0.3), glm::normalize(normal));
-			const vectors::Flux flux = fluxOf(blocks, {origin, normal}, probe::centredWindow(1.5, 0.8));
+			const vectors::Flux flux = fluxOf(blocks, {origin, normal}, probe::centeredWindow(1.5, 0.8));
 			EXPECT_NEAR(flux.through, 1.5 * 0.8 * through, 2e-6) << name; // arrays and points are of single precision
 			EXPECT_EQ(flux.nan_area, 0.0);
 		}

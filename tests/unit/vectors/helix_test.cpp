@@ -37,7 +37,7 @@ grid::BlockSet turningAboutItsMiddle(const grid::Block& plain)
 		    values.resize(3 * grid.pointCount());
 		    for (PointId p = 0; p < grid.pointCount(); ++p)
 		    {
-			    const Vec3 off = grid.point(p) - block.bounds.centre();
+			    const Vec3 off = grid.point(p) - block.bounds.center();
 			    const Vec3 w(-off.y, off.x, 0.3);
 			    for (int c = 0; c < 3; ++c)
 				    values[3 * grid.sourcePoint(p) + c] = w[c];
@@ -80,12 +80,12 @@ TEST(Trace, FollowsTheHelixOnEveryTestGrid)
 	{
 		const grid::BlockSet blocks = turningAboutItsMiddle(plain);
 		const grid::Block& block = blocks.blocks[0];
-		const Vec3 middle = block.bounds.centre();
+		const Vec3 middle = block.bounds.center();
 		locate::CellWeights weights;
 		std::vector<vectors::Launch> launches;
 		for (CellId c = 0; c < cellCount(block); ++c)
 			launches.push_back(
-			    {std::visit([&](const auto& grid) { return cellCentre(grid, c); }, block.grid), 0, c, c});
+			    {std::visit([&](const auto& grid) { return cellCenter(grid, c); }, block.grid), 0, c, c});
 		TraceOptions options;
 		options.steps = 60.0;
 		options.dt = 0.1;

@@ -32,7 +32,7 @@ Cut cutOf(const grid::BlockSet& blocks, const Vec3& origin, std::optional<probe:
 TEST(Lattice, FillsTheWindowEvenly)
 {
 	const grid::BlockSet blocks = demo("blob", 8);
-	const Cut cut = cutOf(blocks, {0.0, 0.0, 0.2}, probe::centredWindow(2.0, 1.0));
+	const Cut cut = cutOf(blocks, {0.0, 0.0, 0.2}, probe::centeredWindow(2.0, 1.0));
 	const SheetLattice lattice = vectors::launchLattice(cut.mesh, cut.sheet, {10, 0.0});
 	EXPECT_DOUBLE_EQ(lattice.spacing, 0.2);
 	ASSERT_EQ(lattice.launches.size(), 50u);
@@ -55,7 +55,7 @@ TEST(Lattice, OnlyWhatIsCutAndInTheCellThatIsTold)
 	for (const grid::Demo& kind : grid::demos())
 	{
 		const grid::BlockSet blocks = demo(kind.name, 9);
-		const Cut cut = cutOf(blocks, {0.0, 0.0, 0.35}, probe::centredWindow(7.0, 7.0));
+		const Cut cut = cutOf(blocks, {0.0, 0.0, 0.35}, probe::centeredWindow(7.0, 7.0));
 		const SheetLattice lattice = vectors::launchLattice(cut.mesh, cut.sheet, {30, 1.0});
 		EXPECT_GT(lattice.launches.size(), 200u) << kind.name;
 		EXPECT_LT(lattice.launches.size(), 900u) << kind.name;
@@ -77,7 +77,7 @@ TEST(Lattice, JitterFollowsFromThePlaceAlone)
 	const grid::BlockSet blocks = demo("blob", 8);
 	const auto at = [&](double z, double jitter)
 	{
-		const Cut cut = cutOf(blocks, {0.0, 0.0, z}, probe::centredWindow(3.0, 3.0));
+		const Cut cut = cutOf(blocks, {0.0, 0.0, z}, probe::centeredWindow(3.0, 3.0));
 		return vectors::launchLattice(cut.mesh, cut.sheet, {10, jitter}).launches;
 	};
 	const auto regular = at(0.1, 0.0);

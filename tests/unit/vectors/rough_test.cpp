@@ -61,7 +61,7 @@ TEST(Trace, RoughVectorsOnEveryTestGrid)
 			std::vector<vectors::Launch> launches;
 			for (CellId c = 0; c < cellCount(block); c += 3)
 				launches.push_back(
-				    {std::visit([&](const auto& grid) { return cellCentre(grid, c); }, block.grid), 0, c, c});
+				    {std::visit([&](const auto& grid) { return cellCenter(grid, c); }, block.grid), 0, c, c});
 			vectors::TraceOptions options;
 			options.steps = 10.5;
 			options.dt = 0.3 * block.bounds.diagonal();

@@ -92,8 +92,8 @@ TEST(LineFile, ALinearFieldIsExactOnEveryRow)
 	{
 		SCOPED_TRACE(demo);
 		const grid::BlockSet blocks = withLinear(demo, 10);
-		const Vec3 centre = 0.5 * (blocks.bounds().lo + blocks.bounds().hi);
-		const auto rows = rowsAlong(blocks, probe::makeSheet(centre, {0.3, -0.2, 0.9}), {{-1.9, 0.35}, {2.1, -0.8}});
+		const Vec3 center = 0.5 * (blocks.bounds().lo + blocks.bounds().hi);
+		const auto rows = rowsAlong(blocks, probe::makeSheet(center, {0.3, -0.2, 0.9}), {{-1.9, 0.35}, {2.1, -0.8}});
 		std::size_t inside = 0;
 		double before = 0.0;
 		for (const NamedRow& row : rows)

@@ -22,4 +22,4 @@ struct LinearCells
 // faces are cut alike from either side, and diagonals lie inside cells only.
 //
 // Nothing where there is no such cell. Throws a Refusal for damaged cells and for too high a level.
-std::optional<LinearCells> linearise(vtkUnstructuredGrid* grid, int level);
+std::optional<LinearCells> linearize(vtkUnstructuredGrid* grid, int level);

@@ -1,4 +1,4 @@
-#include "render/flat/cairo_pen.h"
+#include "render/flat/cairo_canvas.h"
 
 #include "render/annotate/valid_utf8.h"
 #include "render/font/font.h"
@@ -16,7 +16,7 @@ namespace vp::render
 namespace
 {
 
-// Lettering's sizes are from the highest letter's top to the lowest one's bottom, cairo's are the font's em; of
+// FontAtlas's sizes are from the highest letter's top to the lowest one's bottom, cairo's are the font's em; of
 // DejaVu Sans in its units of 2048 to the em.
 constexpr double kAscent = 1901.0;
 constexpr double kDescent = 483.0;
@@ -44,8 +44,8 @@ cairo_font_face_t* fontFace()
 
 } // namespace
 
-CairoPen::CairoPen(cairo_t* context, const Lettering& lettering, const Inks& inks, double em)
-    : Pen(lettering, inks, em), context_(context)
+CairoCanvas::CairoCanvas(cairo_t* context, const FontAtlas& lettering, const Inks& inks, double em)
+    : Canvas(lettering, inks, em), context_(context)
 {
 	cairo_set_font_face(context_, fontFace());
 	cairo_font_options_t* options = cairo_font_options_create();
@@ -58,12 +58,12 @@ CairoPen::CairoPen(cairo_t* context, const Lettering& lettering, const Inks& ink
 	cairo_set_line_cap(context_, CAIRO_LINE_CAP_ROUND);
 }
 
-void CairoPen::setColor(Color color)
+void CairoCanvas::setColor(Color color)
 {
 	cairo_set_source_rgba(context_, color.r / 255.0, color.g / 255.0, color.b / 255.0, color.a / 255.0);
 }
 
-void CairoPen::path(const std::vector<glm::dvec2>& points, bool closed)
+void CairoCanvas::path(const std::vector<glm::dvec2>& points, bool closed)
 {
 	if (points.empty())
 		return;
@@ -74,14 +74,14 @@ void CairoPen::path(const std::vector<glm::dvec2>& points, bool closed)
 		cairo_close_path(context_);
 }
 
-void CairoPen::stroke(Color color, double width)
+void CairoCanvas::stroke(Color color, double width)
 {
 	setColor(color);
 	cairo_set_line_width(context_, width);
 	cairo_stroke(context_);
 }
 
-void CairoPen::text(const glm::dvec2& top_left, double size, Color color, const std::string& words)
+void CairoCanvas::text(const glm::dvec2& top_left, double size, Color color, const std::string& words)
 {
 	setColor(color);
 	cairo_set_font_size(context_, kEm * size);
@@ -89,12 +89,12 @@ void CairoPen::text(const glm::dvec2& top_left, double size, Color color, const 
 	cairo_show_text(context_, validUtf8(words).c_str());
 }
 
-void CairoPen::turnedText(const glm::dvec2& centre, double angle, double size, Color color, Color halo,
-                          const std::string& words)
+void CairoCanvas::turnedText(const glm::dvec2& center, double angle, double size, Color color, Color halo,
+                             const std::string& words)
 {
 	const std::string letters = validUtf8(words);
 	cairo_save(context_);
-	cairo_translate(context_, centre.x, centre.y);
+	cairo_translate(context_, center.x, center.y);
 	cairo_rotate(context_, angle);
 	cairo_set_font_size(context_, kEm * size);
 	cairo_text_extents_t extents;
@@ -112,27 +112,27 @@ void CairoPen::turnedText(const glm::dvec2& centre, double angle, double size, C
 	cairo_restore(context_);
 }
 
-void CairoPen::line(const glm::dvec2& a, const glm::dvec2& b, Color color, double width)
+void CairoCanvas::line(const glm::dvec2& a, const glm::dvec2& b, Color color, double width)
 {
 	path({a, b}, false);
 	stroke(color, width);
 }
 
-void CairoPen::closedLine(const std::vector<glm::dvec2>& corners, Color color, double width)
+void CairoCanvas::closedLine(const std::vector<glm::dvec2>& corners, Color color, double width)
 {
 	path(corners, true);
 	stroke(color, width);
 }
 
-void CairoPen::filled(const std::vector<glm::dvec2>& convex, Color color)
+void CairoCanvas::filled(const std::vector<glm::dvec2>& convex, Color color)
 {
 	path(convex, true);
 	setColor(color);
 	cairo_fill(context_);
 }
 
-// On whole pixels, so that neighbours meet.
-void CairoPen::filled(const Area& area, Color color)
+// On whole pixels, so that neighbors meet.
+void CairoCanvas::filled(const Area& area, Color color)
 {
 	const glm::dvec2 lo = glm::round(area.lo);
 	const glm::dvec2 size = glm::round(area.hi) - lo;
@@ -141,15 +141,15 @@ void CairoPen::filled(const Area& area, Color color)
 	cairo_fill(context_);
 }
 
-void CairoPen::dot(const glm::dvec2& centre, double radius, Color color)
+void CairoCanvas::dot(const glm::dvec2& center, double radius, Color color)
 {
 	cairo_new_sub_path(context_);
-	cairo_arc(context_, centre.x, centre.y, radius, 0.0, 2.0 * std::numbers::pi);
+	cairo_arc(context_, center.x, center.y, radius, 0.0, 2.0 * std::numbers::pi);
 	setColor(color);
 	cairo_fill(context_);
 }
 
-void CairoPen::colorBar(const Area& bar, const ColorMap& colors)
+void CairoCanvas::colorBar(const Area& bar, const ColorMap& colors)
 {
 	cairo_pattern_t* gradient = cairo_pattern_create_linear(0.0, bar.hi.y, 0.0, bar.lo.y);
 	for (int i = 0; i < kColorMapSize; ++i)

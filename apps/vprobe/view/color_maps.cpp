@@ -1,4 +1,4 @@
-#include "view/colour_maps.h"
+#include "view/color_maps.h"
 
 #include "render/color/color_map_file.h"
 

@@ -1,33 +1,33 @@
 #pragma once
 
-#include "render/annotate/pen.h"
+#include "render/annotate/canvas.h"
 
 typedef struct _cairo cairo_t;
 
 namespace vp::render
 {
 
-// A pen on any of cairo's surfaces, with the font of Lettering.
-class CairoPen final : public Pen
+// A pen on any of cairo's surfaces, with the font of FontAtlas.
+class CairoCanvas final : public Canvas
 {
 public:
 	// The context outlives it.
-	CairoPen(cairo_t* context, const Lettering& lettering, const Inks& inks, double em);
+	CairoCanvas(cairo_t* context, const FontAtlas& lettering, const Inks& inks, double em);
 
 	cairo_t* context() const { return context_; }
 	void setColor(Color color);
 	void path(const std::vector<glm::dvec2>& points, bool closed); // adds to cairo's
 	void stroke(Color color, double width);                        // of cairo's path, with round joins and ends
 
-	using Pen::line;
+	using Canvas::line;
 	void text(const glm::dvec2& top_left, double size, Color color, const std::string& words) override;
-	void turnedText(const glm::dvec2& centre, double angle, double size, Color color, Color halo,
+	void turnedText(const glm::dvec2& center, double angle, double size, Color color, Color halo,
 	                const std::string& words) override;
 	void line(const glm::dvec2& a, const glm::dvec2& b, Color color, double width) override;
 	void closedLine(const std::vector<glm::dvec2>& corners, Color color, double width) override;
 	void filled(const std::vector<glm::dvec2>& convex, Color color) override;
 	void filled(const Area& area, Color color) override;
-	void dot(const glm::dvec2& centre, double radius, Color color) override;
+	void dot(const glm::dvec2& center, double radius, Color color) override;
 	void colorBar(const Area& bar, const ColorMap& colors) override;
 
 private:

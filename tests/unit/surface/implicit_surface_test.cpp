@@ -1,4 +1,4 @@
-#include "surface/form.h"
+#include "surface/implicit_surface.h"
 #include "surface/quadric.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace vp::test
 {
 
-TEST(Form, TellsWhatIsWrong)
+TEST(ImplicitSurface, TellsWhatIsWrong)
 {
 	for (const auto& [text, says] :
 	     {std::pair{"sphere", "a radius"}, std::pair{"sphere:", "a radius"}, std::pair{"sphere:-1", "above 0"},
@@ -18,19 +18,19 @@ TEST(Form, TellsWhatIsWrong)
 	      std::pair{"quadric:0,0,0,0,0,0,0,0,0,3", "constant"}, std::pair{"iso:", "a value"},
 	      std::pair{"iso:inf", "a value"}})
 	{
-		const Result<surface::Form> form = surface::Form::parse(text);
+		const Result<surface::ImplicitSurface> form = surface::ImplicitSurface::parse(text);
 		ASSERT_FALSE(form) << text;
 		EXPECT_EQ(form.error().code, ExitCode::usage);
 		EXPECT_NE(form.error().message.find(says), std::string::npos) << text << ": " << form.error().message;
 	}
 }
 
-TEST(Form, KeepsItsText)
+TEST(ImplicitSurface, KeepsItsText)
 {
-	const surface::Form form = surface::Form::parse("ellipsoid:1,2.5,3e-1").value();
+	const surface::ImplicitSurface form = surface::ImplicitSurface::parse("ellipsoid:1,2.5,3e-1").value();
 	EXPECT_EQ(form.text(), "ellipsoid:1,2.5,3e-1");
-	EXPECT_EQ(form, surface::Form::parse(form.text()).value());
-	EXPECT_EQ(surface::Form::parse("iso:-0.25").value().isoValue()->value, -0.25);
+	EXPECT_EQ(form, surface::ImplicitSurface::parse(form.text()).value());
+	EXPECT_EQ(surface::ImplicitSurface::parse("iso:-0.25").value().isoValue()->value, -0.25);
 }
 
 TEST(Quadric, CrossesEdgesAtItsRoot)

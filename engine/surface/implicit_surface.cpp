@@ -1,4 +1,4 @@
-#include "surface/form.h"
+#include "surface/implicit_surface.h"
 
 #include "surface/number_text.h"
 
@@ -88,7 +88,7 @@ constexpr QuadricWord kWords[] = {
 
 } // namespace
 
-Result<Form> Form::parse(const std::string& text)
+Result<ImplicitSurface> ImplicitSurface::parse(const std::string& text)
 {
 	const std::size_t colon = text.find(':');
 	const std::string_view word = std::string_view(text).substr(0, colon);
@@ -98,7 +98,7 @@ Result<Form> Form::parse(const std::string& text)
 	{
 		if (!numbers || numbers->size() != 1)
 			return Error{ExitCode::usage, "after iso: goes a value, such as iso:0.5"};
-		return Form(text, IsoValue{numbers->front()});
+		return ImplicitSurface(text, IsoValue{numbers->front()});
 	}
 	for (const QuadricWord& known : kWords)
 	{
@@ -107,21 +107,21 @@ Result<Form> Form::parse(const std::string& text)
 		if (!numbers || numbers->size() != known.numbers)
 			return Error{ExitCode::usage, fmt::format("takes {}", known.takes)};
 		Result<Quadric> quadric = known.make(*numbers);
-		return quadric ? Result<Form>(Form(text, *quadric)) : quadric.error();
+		return quadric ? Result<ImplicitSurface>(ImplicitSurface(text, *quadric)) : quadric.error();
 	}
 	if (colon != std::string::npos)
 		return Error{ExitCode::usage, "is no surface; take sphere:R, cylinder:R, cone:DEGREES, ellipsoid:A,B,C, "
 		                              "quadric: and ten numbers, iso:VALUE, or an expression in x, y and z"};
 	Result<Expression> expression = Expression::parse(text);
-	return expression ? Result<Form>(Form(text, *expression)) : expression.error();
+	return expression ? Result<ImplicitSurface>(ImplicitSurface(text, *expression)) : expression.error();
 }
 
-bool Form::isAboutOrigin() const
+bool ImplicitSurface::isAboutOrigin() const
 {
 	return !std::holds_alternative<Expression>(kind_);
 }
 
-Curved Form::placed(const Axes& axes) const
+Curved ImplicitSurface::placed(const Axes& axes) const
 {
 	if (const Quadric* quadric = std::get_if<Quadric>(&kind_))
 		return quadric->placed(axes);

@@ -1,4 +1,4 @@
-#include "render/annotate/draw_list_pen.h"
+#include "render/annotate/draw_list_canvas.h"
 
 #include <cmath>
 #include <numbers>
@@ -31,26 +31,26 @@ std::vector<ImVec2> at(const std::vector<glm::dvec2>& points)
 
 } // namespace
 
-DrawListPen::DrawListPen(const Lettering& lettering, const Inks& inks, double em)
-    : Pen(lettering, inks, em), list_(lettering.shared())
+DrawListCanvas::DrawListCanvas(const FontAtlas& lettering, const Inks& inks, double em)
+    : Canvas(lettering, inks, em), list_(lettering.shared())
 {
 	list_._ResetForNewFrame();
 	list_.PushClipRectFullScreen();
 	list_.PushTextureID(nullptr);
 }
 
-void DrawListPen::text(const glm::dvec2& top_left, double size, Color color, const std::string& words)
+void DrawListCanvas::text(const glm::dvec2& top_left, double size, Color color, const std::string& words)
 {
 	const glm::dvec2 pixel = glm::round(top_left);
 	list_.AddText(lettering().font(size), static_cast<float>(size), at(pixel), packedForImGui(color), words.data(),
 	              words.data() + words.size());
 }
 
-void DrawListPen::turnedText(const glm::dvec2& centre, double angle, double size, Color color, Color halo,
-                             const std::string& words)
+void DrawListCanvas::turnedText(const glm::dvec2& center, double angle, double size, Color color, Color halo,
+                                const std::string& words)
 {
 	const int first = list_.VtxBuffer.Size;
-	const glm::dvec2 top_left = glm::round(centre) - 0.5 * glm::round(glm::dvec2(lettering().width(words, size), size));
+	const glm::dvec2 top_left = glm::round(center) - 0.5 * glm::round(glm::dvec2(lettering().width(words, size), size));
 	if (halo.a > 0)
 		for (int i = 0; i < kHaloSteps; ++i)
 		{
@@ -64,41 +64,41 @@ void DrawListPen::turnedText(const glm::dvec2& centre, double angle, double size
 	for (int i = first; i < list_.VtxBuffer.Size; ++i)
 	{
 		ImVec2& p = list_.VtxBuffer[i].pos;
-		const glm::dvec2 from = glm::dvec2(p.x, p.y) - centre;
-		p = at(centre + glm::dvec2(std::cos(angle) * from.x - std::sin(angle) * from.y,
+		const glm::dvec2 from = glm::dvec2(p.x, p.y) - center;
+		p = at(center + glm::dvec2(std::cos(angle) * from.x - std::sin(angle) * from.y,
 		                           std::sin(angle) * from.x + std::cos(angle) * from.y));
 	}
 }
 
-void DrawListPen::line(const glm::dvec2& a, const glm::dvec2& b, Color color, double width)
+void DrawListCanvas::line(const glm::dvec2& a, const glm::dvec2& b, Color color, double width)
 {
 	list_.AddLine(at(a), at(b), packedForImGui(color), static_cast<float>(width));
 }
 
-void DrawListPen::closedLine(const std::vector<glm::dvec2>& corners, Color color, double width)
+void DrawListCanvas::closedLine(const std::vector<glm::dvec2>& corners, Color color, double width)
 {
 	const auto points = at(corners);
 	list_.AddPolyline(points.data(), static_cast<int>(points.size()), packedForImGui(color), ImDrawFlags_Closed,
 	                  static_cast<float>(width));
 }
 
-void DrawListPen::filled(const std::vector<glm::dvec2>& convex, Color color)
+void DrawListCanvas::filled(const std::vector<glm::dvec2>& convex, Color color)
 {
 	const auto corners = at(convex);
 	list_.AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()), packedForImGui(color));
 }
 
-void DrawListPen::filled(const Area& area, Color color)
+void DrawListCanvas::filled(const Area& area, Color color)
 {
 	list_.AddRectFilled(at(area.lo), at(area.hi), packedForImGui(color));
 }
 
-void DrawListPen::dot(const glm::dvec2& centre, double radius, Color color)
+void DrawListCanvas::dot(const glm::dvec2& center, double radius, Color color)
 {
-	list_.AddCircleFilled(at(centre), static_cast<float>(radius), packedForImGui(color));
+	list_.AddCircleFilled(at(center), static_cast<float>(radius), packedForImGui(color));
 }
 
-void DrawListPen::colorBar(const Area& bar, const ColorMap& colors)
+void DrawListCanvas::colorBar(const Area& bar, const ColorMap& colors)
 {
 	const auto y = [&](int step) { return bar.hi.y - bar.size().y * step / (kColorMapSize - 1); };
 	for (int i = 0; i + 1 < kColorMapSize; ++i)

@@ -13,7 +13,7 @@ namespace
 
 using interact::Action;
 
-constexpr int kMostLines = 40; // that a slider offers
+constexpr int kMaxLines = 40; // that a slider offers
 
 std::string titleOf(const Facts::Array& array)
 {
@@ -36,7 +36,7 @@ void showArrays(Desk& desk, const Facts::Array* now)
 {
 	const bool by_generation = desk.bench.state().look.color_by == "generation";
 	const std::string shown = by_generation ? "Generation" : now ? titleOf(*now) : "None";
-	labelled("Array");
+	labeled("Array");
 	if (ImGui::BeginCombo("##array", shown.c_str(), ImGuiComboFlags_HeightLarge))
 	{
 		for (const Facts::Array& array : desk.bench.facts()->arrays)
@@ -69,7 +69,7 @@ void showComponents(Desk& desk, const Facts::Array* now)
 	if (!now || now->components < 2 || desk.bench.state().look.color_by == "generation")
 		return;
 	const std::string& word = desk.bench.state().probe.component;
-	labelled("Component");
+	labeled("Component");
 	if (ImGui::BeginCombo("##component", word.empty() ? "magnitude" : word.c_str()))
 	{
 		for (int component = -1; component < now->components; ++component)
@@ -98,8 +98,8 @@ void showSheetOpacity(Desk& desk)
 void showLineCount(Desk& desk, Action action, const char* label, int LookOptions::*option)
 {
 	int count = desk.bench.state().look.*option;
-	labelled(label);
-	if (ImGui::SliderInt(fmt::format("##{}", label).c_str(), &count, 0, kMostLines, count == 0 ? "none" : "about %d"))
+	labeled(label);
+	if (ImGui::SliderInt(fmt::format("##{}", label).c_str(), &count, 0, kMaxLines, count == 0 ? "none" : "about %d"))
 		desk.bench.change(
 		    label, [&](ViewState& state) { state.look.*option = std::max(0, count); }, label);
 	if (ImGui::IsItemDeactivated())
@@ -109,12 +109,12 @@ void showLineCount(Desk& desk, Action action, const char* label, int LookOptions
 
 } // namespace
 
-void showColourSection(Desk& desk)
+void showColorSection(Desk& desk)
 {
 	const Facts::Array* now = desk.bench.shownArray();
 	showArrays(desk, now);
 	showComponents(desk, now);
-	showColourMapChoice(desk);
+	showColorMapChoice(desk);
 	showRangeChoice(desk);
 	showSheetOpacity(desk);
 	showLineCount(desk, Action::lines, "Lines", &LookOptions::lines);

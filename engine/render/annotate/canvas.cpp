@@ -1,4 +1,4 @@
-#include "render/annotate/pen.h"
+#include "render/annotate/canvas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,34 +45,34 @@ Color inkOver(const Color& under)
 	return {ink, ink, ink, 190};
 }
 
-double Pen::hairline() const
+double Canvas::hairline() const
 {
 	return std::max(1.0, em_ / 16.0);
 }
 
-Color Pen::thin() const
+Color Canvas::thin() const
 {
 	Color color = inks_.text;
 	color.a = static_cast<std::uint8_t>(std::lround(kThin * color.a));
 	return color;
 }
 
-void Pen::label(double x, double y, const std::string& words)
+void Canvas::label(double x, double y, const std::string& words)
 {
 	text({x, y - 0.5 * em_}, em_, inks_.text, words);
 }
 
-void Pen::line(const glm::dvec2& a, const glm::dvec2& b)
+void Canvas::line(const glm::dvec2& a, const glm::dvec2& b)
 {
 	line(a, b, thin(), hairline());
 }
 
-void Pen::framed(const std::vector<glm::dvec2>& corners)
+void Canvas::framed(const std::vector<glm::dvec2>& corners)
 {
 	closedLine(corners, thin(), hairline());
 }
 
-void Pen::framed(const Area& area)
+void Canvas::framed(const Area& area)
 {
 	framed(cornersOf(area));
 }

@@ -1,4 +1,4 @@
-#include "view/colour_maps.h"
+#include "view/color_maps.h"
 #include "view/sections.h"
 
 #include <fmt/format.h>
@@ -46,10 +46,10 @@ void item(Desk& desk, const std::string& word, const std::string& now)
 
 } // namespace
 
-void showColourMapChoice(Desk& desk)
+void showColorMapChoice(Desk& desk)
 {
 	const std::string now = desk.bench.state().look.colormap;
-	labelled("Map");
+	labeled("Map");
 	const ImVec2 at = ImGui::GetCursorScreenPos();
 	const float width = ImGui::CalcItemWidth();
 	const float height = ImGui::GetFrameHeight();

@@ -21,13 +21,13 @@ struct IsoValue
 
 // What a sheet cuts by where that is no plane, in the sheet's own coordinates: x along its x axis, y along up, z along
 // its normal.
-class Form
+class ImplicitSurface
 {
 public:
 	// sphere:R, cylinder:R (about z), cone:DEGREES (about z, half its opening angle), ellipsoid:A,B,C, quadric: and the
 	// ten coefficients of Quadric, iso:VALUE; anything else is an expression in x, y and z (expression.h), cut where it
 	// is 0. A usage error, without the option's name, tells what is wrong.
-	static Result<Form> parse(const std::string& text);
+	static Result<ImplicitSurface> parse(const std::string& text);
 
 	const std::string& text() const { return text_; }
 	const IsoValue* isoValue() const { return std::get_if<IsoValue>(&kind_); }
@@ -36,12 +36,12 @@ public:
 	// Not of an iso value, which has no place.
 	Curved placed(const Axes& axes) const;
 
-	bool operator==(const Form&) const = default;
+	bool operator==(const ImplicitSurface&) const = default;
 
 private:
 	using Kind = std::variant<Quadric, Expression, IsoValue>;
 
-	Form(std::string text, Kind kind) : text_(std::move(text)), kind_(std::move(kind)) {}
+	ImplicitSurface(std::string text, Kind kind) : text_(std::move(text)), kind_(std::move(kind)) {}
 
 	std::string text_;
 	Kind kind_;

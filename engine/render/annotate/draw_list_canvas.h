@@ -1,27 +1,27 @@
 #pragma once
 
-#include "render/annotate/pen.h"
+#include "render/annotate/canvas.h"
 
 namespace vp::render
 {
 
 // A pen whose strokes are triangles in one of ImGui's draw lists.
-class DrawListPen final : public Pen
+class DrawListCanvas final : public Canvas
 {
 public:
-	DrawListPen(const Lettering& lettering, const Inks& inks, double em);
+	DrawListCanvas(const FontAtlas& lettering, const Inks& inks, double em);
 
 	const ImDrawList& list() const { return list_; }
 
-	using Pen::line;
+	using Canvas::line;
 	void text(const glm::dvec2& top_left, double size, Color color, const std::string& words) override;
-	void turnedText(const glm::dvec2& centre, double angle, double size, Color color, Color halo,
+	void turnedText(const glm::dvec2& center, double angle, double size, Color color, Color halo,
 	                const std::string& words) override;
 	void line(const glm::dvec2& a, const glm::dvec2& b, Color color, double width) override;
 	void closedLine(const std::vector<glm::dvec2>& corners, Color color, double width) override;
 	void filled(const std::vector<glm::dvec2>& convex, Color color) override;
 	void filled(const Area& area, Color color) override;
-	void dot(const glm::dvec2& centre, double radius, Color color) override;
+	void dot(const glm::dvec2& center, double radius, Color color) override;
 	void colorBar(const Area& bar, const ColorMap& colors) override;
 
 private:

@@ -1,4 +1,4 @@
-#include "render/annotate/lettering.h"
+#include "render/annotate/font_atlas.h"
 
 #include "render/font/font.h"
 
@@ -36,12 +36,12 @@ bool breaksAfter(char c)
 
 } // namespace
 
-void Lettering::SharedDeleter::operator()(ImDrawListSharedData* data) const
+void FontAtlas::SharedDeleter::operator()(ImDrawListSharedData* data) const
 {
 	delete data;
 }
 
-Lettering::Lettering(const std::vector<double>& sizes, const std::vector<std::string>& texts)
+FontAtlas::FontAtlas(const std::vector<double>& sizes, const std::vector<std::string>& texts)
 {
 	ImFontGlyphRangesBuilder builder;
 	builder.AddRanges(atlas_.GetGlyphRangesDefault());
@@ -80,20 +80,20 @@ Lettering::Lettering(const std::vector<double>& sizes, const std::vector<std::st
 	shared_->ClipRectFullscreen = ImVec4(-1e6f, -1e6f, 1e6f, 1e6f);
 }
 
-Lettering::~Lettering() = default;
+FontAtlas::~FontAtlas() = default;
 
-ImFont* Lettering::font(double size) const
+ImFont* FontAtlas::font(double size) const
 {
 	return fonts_.at(static_cast<int>(std::lround(size)));
 }
 
-double Lettering::width(std::string_view text, double size) const
+double FontAtlas::width(std::string_view text, double size) const
 {
 	const ImFont* found = font(size);
 	return found->CalcTextSizeA(found->FontSize, 1e6f, 0.0f, text.data(), text.data() + text.size()).x;
 }
 
-std::string Lettering::elided(std::string_view text, double size, double most) const
+std::string FontAtlas::elided(std::string_view text, double size, double most) const
 {
 	if (width(text, size) <= most)
 		return std::string(text);
@@ -107,7 +107,7 @@ std::string Lettering::elided(std::string_view text, double size, double most) c
 	return {};
 }
 
-std::vector<std::string> Lettering::wrapped(std::string_view text, double size, double most, std::size_t lines) const
+std::vector<std::string> FontAtlas::wrapped(std::string_view text, double size, double most, std::size_t lines) const
 {
 	std::vector<std::string> result;
 	while (!text.empty())
@@ -133,7 +133,7 @@ std::vector<std::string> Lettering::wrapped(std::string_view text, double size, 
 	return result;
 }
 
-std::shared_ptr<const Lettering> KeptLettering::get(const std::vector<double>& sizes,
+std::shared_ptr<const FontAtlas> KeptLettering::get(const std::vector<double>& sizes,
                                                     const std::vector<std::string>& texts)
 {
 	std::vector<int> pixels;
@@ -150,7 +150,7 @@ std::shared_ptr<const Lettering> KeptLettering::get(const std::vector<double>& s
 		}
 	if (!kept_ || pixels != pixels_ || letters != letters_)
 	{
-		kept_ = std::make_shared<const Lettering>(sizes, texts);
+		kept_ = std::make_shared<const FontAtlas>(sizes, texts);
 		pixels_ = std::move(pixels);
 		letters_ = std::move(letters);
 	}

@@ -18,14 +18,14 @@ namespace vp::render
 
 // The font at a few sizes, with the letters of given texts only, and ImGui's draw lists without an ImGui context:
 // pictures are made on any thread, beside a window or without one.
-class Lettering
+class FontAtlas
 {
 public:
 	// `texts` is all that will be written, UTF-8; digits, ASCII letters and the ellipsis are there anyway.
-	Lettering(const std::vector<double>& sizes, const std::vector<std::string>& texts);
-	~Lettering();
-	Lettering(const Lettering&) = delete;
-	Lettering& operator=(const Lettering&) = delete;
+	FontAtlas(const std::vector<double>& sizes, const std::vector<std::string>& texts);
+	~FontAtlas();
+	FontAtlas(const FontAtlas&) = delete;
+	FontAtlas& operator=(const FontAtlas&) = delete;
 
 	double width(std::string_view text, double size) const;
 	// The text, or its beginning and an ellipsis where it is too wide.
@@ -58,13 +58,13 @@ private:
 class KeptLettering
 {
 public:
-	// As Lettering's.
-	std::shared_ptr<const Lettering> get(const std::vector<double>& sizes, const std::vector<std::string>& texts);
+	// As FontAtlas's.
+	std::shared_ptr<const FontAtlas> get(const std::vector<double>& sizes, const std::vector<std::string>& texts);
 
 private:
 	std::vector<int> pixels_;
 	std::set<unsigned> letters_; // beside those that are there anyway
-	std::shared_ptr<const Lettering> kept_;
+	std::shared_ptr<const FontAtlas> kept_;
 };
 
 } // namespace vp::render

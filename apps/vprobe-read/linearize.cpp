@@ -1,4 +1,4 @@
-#include "linearise.h"
+#include "linearize.h"
 
 #include "cell_lists.h"
 #include "grown_cells.h"
@@ -45,10 +45,10 @@ bool isRewritten(std::uint8_t type)
 	return isCurved(type) || isPrism(type) || type == VTK_CONVEX_POINT_SET;
 }
 
-class Lineariser
+class Linearizer
 {
 public:
-	Lineariser(vtkUnstructuredGrid* grid, int level)
+	Linearizer(vtkUnstructuredGrid* grid, int level)
 	    : grid_(grid), level_(level), nodes_(grid), source_(grid), ghosts_(ghostMarks(grid))
 	{
 	}
@@ -216,7 +216,7 @@ private:
 
 } // namespace
 
-std::optional<LinearCells> linearise(vtkUnstructuredGrid* grid, int level)
+std::optional<LinearCells> linearize(vtkUnstructuredGrid* grid, int level)
 {
 	if (!grid->GetPoints() || !grid->GetCells() || !grid->GetCellTypesArray())
 		return std::nullopt;
@@ -227,5 +227,5 @@ std::optional<LinearCells> linearise(vtkUnstructuredGrid* grid, int level)
 		any = isRewritten(types->GetValue(c));
 	if (!any)
 		return std::nullopt;
-	return Lineariser(grid, level).run();
+	return Linearizer(grid, level).run();
 }

@@ -1,4 +1,4 @@
-// Curved cells and odd ones come as linear cells: none of the volume is lost, neighbours fit, and every part knows its
+// Curved cells and odd ones come as linear cells: none of the volume is lost, neighbors fit, and every part knows its
 // cell.
 #include "curved_samples.h"
 #include "grid/measure.h"
@@ -76,7 +76,7 @@ void expectLinearField(const grid::BlockSet& set)
 	}
 }
 
-// Every face without a neighbour lies in a side of the box, and they cover its sides.
+// Every face without a neighbor lies in a side of the box, and they cover its sides.
 void expectConforming(const grid::BlockSet& set)
 {
 	const grid::UnstructuredGrid& grid = cellsOfSet(set);
@@ -176,7 +176,7 @@ TEST_P(Curved, BentMeshIsConforming)
 INSTANTIATE_TEST_SUITE_P(Read, Curved, testing::ValuesIn(curvedKinds()),
                          [](const testing::TestParamInfo<CurvedKind>& info) { return std::string(info.param.name); });
 
-TEST(Linearise, NewPointsFollowTheCurve)
+TEST(Linearize, NewPointsFollowTheCurve)
 {
 	// One 20-node hexahedron whose points lie on x = (y - 1/2)^2 more than they would: a parabola its shape functions
 	// hold.
@@ -203,7 +203,7 @@ TEST(Linearise, NewPointsFollowTheCurve)
 	EXPECT_EQ(set->pointCount(), 729u);
 }
 
-TEST(Linearise, BezierPointsAreHandles)
+TEST(Linearize, BezierPointsAreHandles)
 {
 	const auto source = curvedCell({"", VTK_BEZIER_HEXAHEDRON, 27});
 	// Point 8 is the handle between points 0 and 1.
@@ -224,7 +224,7 @@ TEST(Linearise, BezierPointsAreHandles)
 	EXPECT_TRUE(found);
 }
 
-TEST(Linearise, PrismsBecomePolyhedra)
+TEST(Linearize, PrismsBecomePolyhedra)
 {
 	for (const int sides : {5, 6})
 	{
@@ -253,7 +253,7 @@ TEST(Linearise, PrismsBecomePolyhedra)
 	}
 }
 
-TEST(Linearise, FlatAndHiddenCellsAreCountedOnce)
+TEST(Linearize, FlatAndHiddenCellsAreCountedOnce)
 {
 	const auto source = curvedMesh({"", VTK_QUADRATIC_HEXAHEDRON, 20});
 	const std::array<vtkIdType, 3> triangle = {0, 1, 2};
@@ -274,7 +274,7 @@ TEST(Linearise, FlatAndHiddenCellsAreCountedOnce)
 		EXPECT_NE(cellsOfSet(*set).sourceCell(static_cast<CellId>(c)), 3u);
 }
 
-TEST(Linearise, LinearCellsStayAsTheyAre)
+TEST(Linearize, LinearCellsStayAsTheyAre)
 {
 	const auto source = curvedMesh({"", VTK_HEXAHEDRON, 8});
 	const auto set = readGrid(source, 2);
@@ -283,7 +283,7 @@ TEST(Linearise, LinearCellsStayAsTheyAre)
 	EXPECT_EQ(set->pointCount(), 27u);
 }
 
-TEST(Linearise, DamagedAndEndlessCellsAreRefused)
+TEST(Linearize, DamagedAndEndlessCellsAreRefused)
 {
 	const auto refusalOf = [](const CurvedKind& kind, vtkIdType points, vtkIdType first, int refine)
 	{
