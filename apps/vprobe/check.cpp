@@ -179,7 +179,7 @@ Result<ExitCode> runCheck(const CheckOptions& options)
 	Session& session = **opened;
 
 	const grid::Quality quality = grid::checkQuality(session.blocks);
-	Result<cut::SweepFindings> sweep = cut::sweepForImpossibleCases(*session.slicer);
+	Result<cut::SweepFindings> sweep = cut::sweepForImpossibleCases(*session.cutter);
 	if (!sweep)
 		return sweep.error();
 	const std::vector<Finding> findings = listFindings(session.blocks, quality, *sweep);

@@ -97,7 +97,7 @@ Result<Contours> growContours(const Session& session, const cut::Cut& slice, con
 				return fits.error();
 			continue;
 		}
-		const contour::BoxContourer contourer(*session.slicer, slice.sheets[s], sheets[s].mesh,
+		const contour::BoxContourer contourer(*session.cutter, slice.sheets[s], sheets[s].mesh,
 		                                      options.depth > 0.0 ? std::optional(options.depth) : std::nullopt);
 		std::vector<double> values = options.values;
 		if (is_placed)

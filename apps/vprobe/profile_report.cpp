@@ -102,9 +102,9 @@ std::size_t peakResident()
 nlohmann::json memoryJson(const Session& session)
 {
 	const grid::Memory grid = grid::memoryOf(session.blocks);
-	const cut::Cutter::Memory slicer = session.slicer->memory();
+	const cut::Cutter::Memory cutter = session.cutter->memory();
 	return {{"grid", grid.read()},
-	        {"extra", grid.built() + slicer.marks + slicer.device},
+	        {"extra", grid.built() + cutter.marks + cutter.device},
 	        {"peak_rss", peakResident()},
 	        {"parts",
 	         {{"geometry", grid.geometry},
@@ -114,8 +114,8 @@ nlohmann::json memoryJson(const Session& session)
 	          {"folds", grid.folds},
 	          {"trees", grid.trees},
 	          {"seams", grid.seams},
-	          {"marks", slicer.marks},
-	          {"device", slicer.device}}}};
+	          {"marks", cutter.marks},
+	          {"device", cutter.device}}}};
 }
 
 // What was measured: two profiles are of the same work where all this is the same.

@@ -123,19 +123,19 @@ read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoic
 	return {time, options.solution, options.refine, options.displace, options.reads_patches || namesPatch(options)};
 }
 
-Status makeSlicer(Session& session, const ProbeOptions& options)
+Status makeCutter(Session& session, const ProbeOptions& options)
 {
 	if (!classifiesOnGpu(options, session))
 	{
-		session.slicer = std::make_unique<cut::Cutter>(session.blocks);
+		session.cutter = std::make_unique<cut::Cutter>(session.blocks);
 		return Nothing{};
 	}
 	const Progress progress("uploading");
-	Result<std::unique_ptr<cut::Cutter>> slicer =
+	Result<std::unique_ptr<cut::Cutter>> cutter =
 	    cut::Cutter::onDevice(*session.device, session.blocks, session.field, session.timeline.get());
-	if (!slicer)
-		return slicer.error();
-	session.slicer = std::move(*slicer);
+	if (!cutter)
+		return cutter.error();
+	session.cutter = std::move(*cutter);
 	return Nothing{};
 }
 
@@ -217,10 +217,10 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 			return opened.error();
 		session->device = std::move(*opened);
 	}
-	if (Status made = makeSlicer(*session, options); !made)
+	if (Status made = makeCutter(*session, options); !made)
 		return made.error();
 	// The device goes by generations, as the paper does, unless it is left to choose what is fastest.
-	if (options.classify == "gpu" && session->slicer->usesGpu())
+	if (options.classify == "gpu" && session->cutter->usesGpu())
 		session->finder = find::Finder::direct;
 	session->strategy = find::strategyNamed(options.strategy);
 	if (!options.visited.empty())
@@ -240,7 +240,7 @@ cut::CutRequest requestOf(const Session& session)
 		surface = surfaceAt(*session.surface, session.swept);
 	// For a device few generations are wanted; where the traversal is asked for by name it goes as the paper has it.
 	seed::SeedOptions seeds = session.seeds;
-	seeds.lattice = session.slicer->usesGpu() && session.finder != find::Finder::traversal &&
+	seeds.lattice = session.cutter->usesGpu() && session.finder != find::Finder::traversal &&
 	                session.strategy != find::Strategy::generations;
 	return {.probe = session.probe,
 	        .corners = session.corners,
@@ -265,12 +265,12 @@ Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> las
 			return plan.error();
 	cut::CutRequest request = requestOf(session);
 	request.last = std::move(last);
-	return session.slicer->cut(request);
+	return session.cutter->cut(request);
 }
 
 Result<find::CutPlan> planOf(const Session& session)
 {
-	Result<find::CutPlan> plan = session.slicer->plan(requestOf(session));
+	Result<find::CutPlan> plan = session.cutter->plan(requestOf(session));
 	if (!plan)
 		return Error{plan.error().code, fmt::format("--strategy {}", plan.error().message)};
 	return plan;

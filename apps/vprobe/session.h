@@ -24,8 +24,8 @@
 namespace vp::app
 {
 
-// What a command cuts and by what, made ready from the options. The slicer refers to the blocks, the device serves
-// slicer and drawing.
+// What a command cuts and by what, made ready from the options. The cutter refers to the blocks, the device serves
+// cutter and drawing.
 struct Session
 {
 	grid::BlockSet blocks;
@@ -48,7 +48,7 @@ struct Session
 	std::optional<find::Strategy> strategy; // asked for by name
 	find::VisitedSet visited = find::VisitedSet::stamps;
 	std::shared_ptr<gpu::Device> device; // null where the CPU does without
-	std::unique_ptr<cut::Cutter> slicer;
+	std::unique_ptr<cut::Cutter> cutter;
 	std::optional<classify::BreakEven> break_even; // measured where --classify auto has a device to choose
 	std::unique_ptr<measure::FiniteFields> finite_fields = std::make_unique<measure::FiniteFields>();
 	std::unique_ptr<Timeline> timeline;
@@ -73,8 +73,8 @@ Status choose(Session& session, const ProbeOptions& options);
 // How the inputs are read at one of their times.
 read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time);
 
-// A slicer for the blocks that the session has now.
-Status makeSlicer(Session& session, const ProbeOptions& options);
+// A cutter for the blocks that the session has now.
+Status makeCutter(Session& session, const ProbeOptions& options);
 
 // last: a cut of this session that differs in the probe's place alone; see CutRequest.
 Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last = nullptr);

@@ -205,8 +205,8 @@ std::vector<mesh::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheet
 
 const char* classifierName(const Session& session)
 {
-	return !session.slicer->usesGpu()                                     ? "cpu"
-	       : session.slicer->blocksOnGpu() < session.blocks.blocks.size() ? "mixed"
+	return !session.cutter->usesGpu()                                     ? "cpu"
+	       : session.cutter->blocksOnGpu() < session.blocks.blocks.size() ? "mixed"
 	                                                                      : "gpu";
 }
 

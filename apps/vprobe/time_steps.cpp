@@ -13,12 +13,12 @@ Status buildAnew(Session& session, const ProbeOptions& options, const read::Read
 	Result<grid::BlockSet> blocks = read::readInputs(options.inputs, at, session.timeline.get());
 	if (!blocks)
 		return blocks.error();
-	session.slicer.reset();
+	session.cutter.reset();
 	session.blocks = std::move(*blocks);
 	if (painter)
 		if (Status taken = painter->takeBlocks(); !taken)
 			return taken;
-	return makeSlicer(session, options);
+	return makeCutter(session, options);
 }
 
 } // namespace
@@ -32,7 +32,7 @@ Result<bool> moveToTime(Session& session, const ProbeOptions& options, const rea
 	if (painter)
 		painter->forgetScales();
 	if (*same_grid)
-		session.slicer->forgetValues();
+		session.cutter->forgetValues();
 	else if (Status built = buildAnew(session, options, at, painter); !built)
 		return built.error();
 	takeValuesAt(time, session);
@@ -62,7 +62,7 @@ Result<cut::Cut> TimeSteps::cutAt(int step)
 	if (!same_grid)
 		return same_grid.error();
 	Result<cut::Cut> slice = *same_grid && kept_ && !session_.threshold && !cutsByValue(session_.probe)
-	                             ? session_.slicer->regather(*kept_, session_.timeline.get())
+	                             ? session_.cutter->regather(*kept_, session_.timeline.get())
 	                             : cut(session_);
 	if (slice)
 		kept_ = *slice;

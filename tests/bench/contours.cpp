@@ -36,10 +36,10 @@ double middleOf(const contour::BoxContourer& contourer)
 double valueIn(const std::string& name)
 {
 	const grid::BlockSet& blocks = gridNamed(name);
-	cut::Cutter slicer(blocks);
-	const cut::Cut slice = std::move(slicer.cut(requestFor(blocks)).value());
+	cut::Cutter cutter(blocks);
+	const cut::Cut slice = std::move(cutter.cut(requestFor(blocks)).value());
 	const mesh::SheetMesh mesh = slice.mesh(blocks, 0);
-	return middleOf(contour::BoxContourer(slicer, slice.sheets[0], mesh, {}));
+	return middleOf(contour::BoxContourer(cutter, slice.sheets[0], mesh, {}));
 }
 
 } // namespace
@@ -49,19 +49,19 @@ void boxContour(benchmark::State& state, const std::string& name, bool with_shee
 	const grid::BlockSet& blocks = gridNamed(name);
 	const double depth = kPart * blocks.bounds().size().z;
 	const double value = valueIn(name);
-	cut::Cutter slicer(blocks);
+	cut::Cutter cutter(blocks);
 	const cut::CutRequest request = requestFor(blocks);
-	cut::Cut slice = std::move(slicer.cut(request).value());
+	cut::Cut slice = std::move(cutter.cut(request).value());
 	mesh::SheetMesh mesh = slice.mesh(blocks, 0);
 	std::size_t cells = 0;
 	for (auto _ : state)
 	{
 		if (with_sheet)
 		{
-			slice = std::move(slicer.cut(request).value());
+			slice = std::move(cutter.cut(request).value());
 			mesh = slice.mesh(blocks, 0);
 		}
-		const contour::BoxContourer contourer(slicer, slice.sheets[0], mesh, depth);
+		const contour::BoxContourer contourer(cutter, slice.sheets[0], mesh, depth);
 		const contour::Contour contour = contourer.grow(value).value();
 		cells = contour.cells;
 		benchmark::DoNotOptimize(contour.mesh.positions.data());

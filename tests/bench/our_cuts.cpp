@@ -31,10 +31,10 @@ std::vector<probe::Sheet> sheetsAt(const probe::Frame& frame, int count)
 }
 
 // A moved plane after the other; `window` one a plane, or empty.
-void sweep(benchmark::State& state, cut::Cutter& slicer, find::Finder finder, int sheets,
+void sweep(benchmark::State& state, cut::Cutter& cutter, find::Finder finder, int sheets,
            const std::vector<std::optional<probe::Window>>& windows = {})
 {
-	const std::vector<probe::Frame> planes = sweepOf(slicer.blocks().bounds());
+	const std::vector<probe::Frame> planes = sweepOf(cutter.blocks().bounds());
 	std::size_t k = 0;
 	std::size_t cells = 0;
 	std::size_t generations = 0;
@@ -42,18 +42,18 @@ void sweep(benchmark::State& state, cut::Cutter& slicer, find::Finder finder, in
 	{
 		cut::CutRequest request;
 		request.finder = finder;
-		request.seeds.lattice = slicer.usesGpu();
+		request.seeds.lattice = cutter.usesGpu();
 		request.probe.sheets = sheetsAt(planes[k], sheets);
 		if (!windows.empty())
 			request.probe.sheets[0].window = windows[k];
-		const Result<cut::Cut> slice = slicer.cut(request);
+		const Result<cut::Cut> slice = cutter.cut(request);
 		for (std::size_t s = 0; s < slice->sheets.size(); ++s)
 		{
 			cells += slice->sheets[s].cuts[0].cutCells();
 			generations += slice->sheets[s].cuts[0].steps();
-			if (slicer.usesGpu())
+			if (cutter.usesGpu())
 				continue;
-			const mesh::SheetMesh mesh = slice->mesh(slicer.blocks(), s);
+			const mesh::SheetMesh mesh = slice->mesh(cutter.blocks(), s);
 			benchmark::DoNotOptimize(mesh.positions.data());
 		}
 		k = (k + 1) % planes.size();
@@ -86,11 +86,11 @@ std::optional<probe::Window> middleOf(const probe::Sheet& sheet, const mesh::She
 void cutOnce(const grid::BlockSet& blocks)
 {
 	const std::vector<probe::Frame> planes = sweepOf(blocks.bounds());
-	cut::Cutter slicer(blocks);
+	cut::Cutter cutter(blocks);
 	cut::CutRequest request;
 	request.finder = find::Finder::automatic;
 	request.probe.sheets = sheetsAt(planes[planes.size() / 2], 1);
-	const mesh::SheetMesh mesh = slicer.cut(request)->mesh(blocks, 0);
+	const mesh::SheetMesh mesh = cutter.cut(request)->mesh(blocks, 0);
 	benchmark::DoNotOptimize(mesh.positions.data());
 }
 
@@ -125,8 +125,8 @@ std::vector<probe::Frame> fanOf(const probe::Frame& frame, int planes)
 
 void cpuCut(benchmark::State& state, const std::string& name, find::Finder finder)
 {
-	cut::Cutter slicer(gridNamed(name));
-	sweep(state, slicer, finder, 1);
+	cut::Cutter cutter(gridNamed(name));
+	sweep(state, cutter, finder, 1);
 }
 
 void gpuCut(benchmark::State& state, const std::string& name, find::Finder finder, int sheets)
@@ -134,26 +134,26 @@ void gpuCut(benchmark::State& state, const std::string& name, find::Finder finde
 	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({});
 	if (!device)
 		return state.SkipWithError(device.error().message.c_str());
-	Result<std::unique_ptr<cut::Cutter>> slicer = cut::Cutter::onDevice(**device, gridNamed(name), {}, nullptr);
-	if (!slicer)
-		return state.SkipWithError(slicer.error().message.c_str());
+	Result<std::unique_ptr<cut::Cutter>> cutter = cut::Cutter::onDevice(**device, gridNamed(name), {}, nullptr);
+	if (!cutter)
+		return state.SkipWithError(cutter.error().message.c_str());
 	state.SetLabel((*device)->name());
-	sweep(state, **slicer, finder, sheets);
+	sweep(state, **cutter, finder, sheets);
 }
 
 void windowCut(benchmark::State& state, const std::string& name)
 {
-	cut::Cutter slicer(gridNamed(name));
+	cut::Cutter cutter(gridNamed(name));
 	std::vector<std::optional<probe::Window>> windows;
-	for (const probe::Frame& plane : sweepOf(slicer.blocks().bounds()))
+	for (const probe::Frame& plane : sweepOf(cutter.blocks().bounds()))
 	{
 		cut::CutRequest request;
 		request.finder = find::Finder::automatic;
 		request.probe.sheets = sheetsAt(plane, 1);
-		const Result<cut::Cut> slice = slicer.cut(request);
-		windows.push_back(middleOf(request.probe.sheets[0], slice->mesh(slicer.blocks(), 0)));
+		const Result<cut::Cut> slice = cutter.cut(request);
+		windows.push_back(middleOf(request.probe.sheets[0], slice->mesh(cutter.blocks(), 0)));
 	}
-	sweep(state, slicer, find::Finder::automatic, 1, windows);
+	sweep(state, cutter, find::Finder::automatic, 1, windows);
 }
 
 void firstCut(benchmark::State& state, const std::string& name)

@@ -37,13 +37,13 @@ const std::vector<vectors::Launch>& launchesOn(const std::string& name)
 		return launches;
 	of = name;
 	launches.clear();
-	cut::Cutter slicer(gridNamed(name));
+	cut::Cutter cutter(gridNamed(name));
 	cut::CutRequest request;
 	constexpr double kLongitude = 0.3;
 	request.probe.sheets = {
 	    probe::makeSheet(Vec3(0.0), Vec3(-std::sin(kLongitude), std::cos(kLongitude), 0.0), Vec3(0.0, 0.0, 1.0))};
-	const cut::Cut cut = std::move(*slicer.cut(std::move(request)));
-	const mesh::SheetMesh mesh = cut.mesh(slicer.blocks(), 0);
+	const cut::Cut cut = std::move(*cutter.cut(std::move(request)));
+	const mesh::SheetMesh mesh = cut.mesh(cutter.blocks(), 0);
 	for (int along = 150; launches.size() < kParticles; along += 10)
 		launches = vectors::launchLattice(mesh, cut.sheets[0].sheet, {along, 0.0}).launches;
 	launches.resize(kParticles);

@@ -33,10 +33,10 @@ protected:
 
 	FlatScene sceneOf(const std::function<double(const Vec3&)>& value, const probe::Sheet& sheet)
 	{
-		cut::Cutter slicer(blocks_);
+		cut::Cutter cutter(blocks_);
 		cut::CutRequest request;
 		request.probe.sheets = {sheet};
-		mesh_ = slicer.cut(std::move(request)).value().mesh(blocks_, 0);
+		mesh_ = cutter.cut(std::move(request)).value().mesh(blocks_, 0);
 		FlatScene flat;
 		flat.content = sheet;
 		flat.mesh = &mesh_;

@@ -105,7 +105,7 @@ TEST_F(MeshLines, FadeWherePolygonsAreAsSmallAsPixels)
 
 TEST_F(MeshLines, DiagonalsThatPartALargePolygonAreNoEdges)
 {
-	// An octagon as two records of one cell, as the slicer makes them; then as those of two cells.
+	// An octagon as two records of one cell, as the cutter makes them; then as those of two cells.
 	for (const bool one_cell : {true, false})
 	{
 		std::vector<glm::dvec2> corners;

@@ -100,13 +100,13 @@ TEST_F(CurvedSlice, GenerationsAreOnTheTimeline)
 		GTEST_SKIP() << device().name() << " has no timestamps";
 	grid::BlockSet set;
 	set.blocks.push_back(gridNamed("shell"));
-	auto slicer = cut::Cutter::onDevice(device(), set, {}, nullptr);
-	ASSERT_TRUE(slicer) << slicer.error().message;
+	auto cutter = cut::Cutter::onDevice(device(), set, {}, nullptr);
+	ASSERT_TRUE(cutter) << cutter.error().message;
 	Timeline timeline;
 	cut::CutRequest request;
 	request.timeline = &timeline;
 	request.probe.sheets = {sheetOf(set, "sphere:1")};
-	ASSERT_TRUE((*slicer)->cut(request));
+	ASSERT_TRUE((*cutter)->cut(request));
 	EXPECT_GT(timeline.totalGpu(), 0.0);
 }
 

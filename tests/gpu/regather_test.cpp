@@ -17,13 +17,13 @@ TEST_F(Regather, GivesTheRecordsOfANewCut)
 		grid::BlockSet set;
 		set.blocks.push_back(gridNamed(name));
 		const grid::FieldChoice field{"linear", grid::Association::point, 0};
-		auto slicer = cut::Cutter::onDevice(device(), set, field, nullptr);
-		ASSERT_TRUE(slicer) << slicer.error().message;
+		auto cutter = cut::Cutter::onDevice(device(), set, field, nullptr);
+		ASSERT_TRUE(cutter) << cutter.error().message;
 		cut::CutRequest request;
 		request.field = field;
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 3, 80))
 			request.probe.sheets.push_back(probe::makeSheet(plane.origin, plane.normal));
-		const cut::Cut before = std::move((*slicer)->cut(request).value());
+		const cut::Cut before = std::move((*cutter)->cut(request).value());
 
 		for (grid::Field& values : set.blocks[0].fields)
 		{
@@ -34,8 +34,8 @@ TEST_F(Regather, GivesTheRecordsOfANewCut)
 				changed[i] = 3.0 - 2.0 * values.value(i, 0);
 			values = grid::makeField("linear", grid::Association::point, 1, std::move(changed));
 		}
-		(*slicer)->forgetValues();
-		auto after = (*slicer)->regather(before, nullptr);
+		(*cutter)->forgetValues();
+		auto after = (*cutter)->regather(before, nullptr);
 		ASSERT_TRUE(after) << after.error().message;
 
 		CutBothWays cut;

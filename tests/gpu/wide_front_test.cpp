@@ -52,20 +52,20 @@ TEST_F(WideFront, ShowsWhatTheTraversalShows)
 		grid::BlockSet set;
 		set.blocks.push_back(block);
 		const grid::FieldChoice field{"linear", grid::Association::point, 0};
-		auto slicer = cut::Cutter::onDevice(device(), set, field, nullptr);
-		ASSERT_TRUE(slicer) << slicer.error().message;
+		auto cutter = cut::Cutter::onDevice(device(), set, field, nullptr);
+		ASSERT_TRUE(cutter) << cutter.error().message;
 		cut::CutRequest request;
 		request.field = field;
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 4, 81))
 			request.probe.sheets.push_back(probe::makeSheet(plane.origin, plane.normal));
 		const double size = set.bounds().diagonal();
 		request.probe.sheets.back().window = probe::centeredWindow(0.3 * size, 0.2 * size);
-		const cut::Cut expected = std::move((*slicer)->cut(request).value());
+		const cut::Cut expected = std::move((*cutter)->cut(request).value());
 
 		for (const find::Finder finder : {find::Finder::direct, find::Finder::automatic})
 		{
 			request.finder = finder;
-			const cut::Cut found = std::move((*slicer)->cut(request).value());
+			const cut::Cut found = std::move((*cutter)->cut(request).value());
 			CutBothWays cut;
 			for (std::size_t s = 0; s < found.sheets.size(); ++s)
 			{

@@ -125,11 +125,11 @@ double areaOnSheet(vtkPolyData* surface, const contour::ClipBox& box)
 void expectSame(const grid::BlockSet& set, const std::string& array, const TestPlane& plane, double width,
                 double height, std::initializer_list<double> parts = {0.2, 0.5, 0.8})
 {
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	SlicedSheet sheet =
-	    cut(slicer, plane, {}, find::Finder::automatic, std::optional(probe::centeredWindow(width, height)));
+	    cut(cutter, plane, {}, find::Finder::automatic, std::optional(probe::centeredWindow(width, height)));
 	sheet.slice.field = grid::FieldChoice{array, grid::Association::point, 0};
-	const contour::BoxContourer contourer(slicer, sheet.slice, sheet.mesh, std::nullopt);
+	const contour::BoxContourer contourer(cutter, sheet.slice, sheet.mesh, std::nullopt);
 	const auto [least, most] = contourer.range().value();
 	const auto peer = vtkCellsOf(set.blocks[0], *sheet.slice.field->in(set.blocks[0]));
 	vtkNew<vtkContourFilter> filter;

@@ -19,9 +19,9 @@ struct Work
 	double boundary_tests = 0.0;
 };
 
-Work workOf(cut::Cutter& slicer, const TestPlane& plane, const seed::SeedOptions& seeds = {})
+Work workOf(cut::Cutter& cutter, const TestPlane& plane, const seed::SeedOptions& seeds = {})
 {
-	const SlicedSheet sheet = cut(slicer, plane, seeds);
+	const SlicedSheet sheet = cut(cutter, plane, seeds);
 	return {static_cast<double>(sheet.cutCellCount()), static_cast<double>(sheet.touched()),
 	        static_cast<double>(sheet.slice.seeds.hops), static_cast<double>(sheet.slice.seeds.boundary_tests)};
 }
@@ -51,12 +51,12 @@ TEST(OutputSensitivity, WorkIsBoundedByTheCut)
 	      std::pair("tets", 20), std::pair("mixed", 24), std::pair("blob", 32), std::pair("graded", 32)})
 	{
 		const grid::BlockSet set = std::move(grid::makeDemo(name, n).value());
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (const TestPlane& plane : planesThrough(set.bounds()))
 		{
 			for (const bool lattice : {false, true})
 			{
-				const Work work = workOf(slicer, plane, {.lattice = lattice});
+				const Work work = workOf(cutter, plane, {.lattice = lattice});
 				EXPECT_LE(work.touched, 1.05 * work.cut + 1.0) << name << ' ' << n;
 				EXPECT_LE(work.hops, work.cut / 5.0 + 6.0 * sideOf(set))
 				    << name << ' ' << n << (lattice ? ", lattice" : "") << ", origin " << plane.origin.x << ' '
@@ -74,8 +74,8 @@ TEST(OutputSensitivity, WorkGrowsWithTheCut)
 		const int n = std::string(name) == "shell" ? 32 : 15;
 		const grid::BlockSet coarse = std::move(grid::makeDemo(name, n).value());
 		const grid::BlockSet fine = std::move(grid::makeDemo(name, 2 * n).value());
-		cut::Cutter coarse_slicer(coarse);
-		cut::Cutter fine_slicer(fine);
+		cut::Cutter coarse_cutter(coarse);
+		cut::Cutter fine_cutter(fine);
 		Work small;
 		Work large;
 		const auto add = [](Work& sum, const Work& part)
@@ -86,8 +86,8 @@ TEST(OutputSensitivity, WorkGrowsWithTheCut)
 		};
 		for (const TestPlane& plane : planesThrough(coarse.bounds()))
 		{
-			add(small, workOf(coarse_slicer, plane));
-			add(large, workOf(fine_slicer, plane));
+			add(small, workOf(coarse_cutter, plane));
+			add(large, workOf(fine_cutter, plane));
 		}
 		EXPECT_NEAR(large.cut / small.cut, 4.0, 0.2) << name;
 		EXPECT_LE(large.touched / small.touched, 4.2) << name;

@@ -36,11 +36,11 @@ TEST(ProbeLine, RealTetrahedraAsVtkProbesThem)
 	const grid::FieldChoice field = grid::chooseField(blocks, "", "").value().value();
 	const auto [low, high] = grid::fieldRange(blocks, field);
 
-	cut::Cutter slicer(blocks);
+	cut::Cutter cutter(blocks);
 	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet(lo + 0.47 * size, {0.2, 0.7, 0.4})};
 	const probe::Sheet sheet = request.probe.sheets[0];
-	const mesh::SheetMesh mesh = slicer.cut(std::move(request)).value().mesh(blocks, 0);
+	const mesh::SheetMesh mesh = cutter.cut(std::move(request)).value().mesh(blocks, 0);
 	const double reach = glm::length(size);
 	const glm::dvec2 from(-0.7 * reach, -0.31 * reach);
 	const glm::dvec2 to(0.7 * reach, 0.42 * reach);

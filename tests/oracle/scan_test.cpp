@@ -181,9 +181,9 @@ TEST(Scan, TraversalFindsEveryCutCell)
 	for (const grid::Block& block : allGrids())
 	{
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (const TestPlane& plane : planesFor(block))
-			ASSERT_EQ(cut(slicer, plane).cutCells(), scanCutCells(block, plane)) << describe(block, plane);
+			ASSERT_EQ(cut(cutter, plane).cutCells(), scanCutCells(block, plane)) << describe(block, plane);
 	}
 }
 
@@ -192,9 +192,9 @@ TEST(Scan, TheSideOfTheNormalDoesNotMatter)
 	for (const grid::Block& block : allGrids())
 	{
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (const TestPlane& plane : randomPlanes(block.bounds, 20, 22))
-			ASSERT_EQ(cut(slicer, plane).cutCells(), cut(slicer, {plane.origin, -3.0 * plane.normal}).cutCells())
+			ASSERT_EQ(cut(cutter, plane).cutCells(), cut(cutter, {plane.origin, -3.0 * plane.normal}).cutCells())
 			    << describe(block, plane);
 	}
 }
@@ -204,14 +204,14 @@ TEST(Scan, PolygonsHaveTheAreaOfTheCellsSection)
 	for (const grid::Block& block : allGrids())
 	{
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		const double scale = block.bounds.diagonal() * block.bounds.diagonal();
 		std::size_t compared = 0;
 		std::size_t unknown = 0;
 		for (const TestPlane& plane : planesFor(block))
 		{
 			const Side side(plane);
-			const SlicedSheet sheet = cut(slicer, plane);
+			const SlicedSheet sheet = cut(cutter, plane);
 			std::map<CellId, double> areas = polygonAreas(sheet.mesh, sheet.slice.sheet.normal);
 			for (const grid::BoundaryIndex::Face& face : sheet.slice.seeds.faces_in_plane[0])
 				areas.erase(face.cell);
@@ -245,7 +245,7 @@ TEST(Scan, TheWholeAreaIsTheLineIntegralAroundIt)
 		if (block.name == "three_on_a_face" || block.name == "inverted")
 			continue; // cells overlap, or their faces are not oriented alike
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		std::size_t compared = 0;
 		for (const TestPlane& plane : randomPlanes(block.bounds, 100, 23))
 		{
@@ -278,7 +278,7 @@ TEST(Scan, TheWholeAreaIsTheLineIntegralAroundIt)
 			if (!known)
 				continue;
 			++compared;
-			const SlicedSheet sheet = cut(slicer, plane);
+			const SlicedSheet sheet = cut(cutter, plane);
 			double area = 0.0;
 			for (const auto& [cell, part] : polygonAreas(sheet.mesh, sheet.slice.sheet.normal))
 				area += part;

@@ -16,8 +16,8 @@ constexpr double kLatitude = 0.45 * kPi; // the shell ends here, north and south
 double areaOf(int n, const TestPlane& plane)
 {
 	const grid::BlockSet set = std::move(grid::makeDemo("shell", n).value());
-	cut::Cutter slicer(set);
-	return measure::measure(set, cut(slicer, plane).mesh, {}).area;
+	cut::Cutter cutter(set);
+	return measure::measure(set, cut(cutter, plane).mesh, {}).area;
 }
 
 // z = c cuts half a ring: r from 1 to 3 at latitudes whose sine is c / r.

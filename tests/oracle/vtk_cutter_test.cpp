@@ -89,10 +89,10 @@ TEST_P(VtkCutterTest, FindsTheSame)
 	const auto [name, n] = GetParam();
 	const grid::BlockSet set = std::move(grid::makeDemo(name, n).value());
 	const vtkSmartPointer<vtkUnstructuredGrid> peer = vtkCellsOf(set.blocks[0], set.blocks[0].fields[0]);
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	for (const TestPlane& plane : randomPlanes(set.bounds(), 25, 100))
 	{
-		const SlicedSheet sheet = cut(slicer, plane);
+		const SlicedSheet sheet = cut(cutter, plane);
 		if (sheet.mesh.polygons() == 0)
 			continue;
 		const VtkCut expected = cutByVtk(peer, plane);

@@ -73,8 +73,8 @@ void forSections(Visit&& visit)
 		SCOPED_TRACE(mask);
 		const TwistedSet twisted = twistedSet(LatticeKind::doubles, mask, mask);
 		const grid::BlockSet set = build(twisted.raw);
-		cut::Cutter slicer(set);
-		visit(set, cut(slicer, twisted.plane));
+		cut::Cutter cutter(set);
+		visit(set, cut(cutter, twisted.plane));
 		if (testing::Test::HasFailure())
 			return;
 	}

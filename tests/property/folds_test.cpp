@@ -31,17 +31,17 @@ TEST(Folds, PiecesInsideAreFound)
 		for (const double by : {1.4, -1.4, 2.3})
 		{
 			const grid::BlockSet set = build(peaked(kind, {0.0, 0.0, by}));
-			cut::Cutter slicer(set);
+			cut::Cutter cutter(set);
 			for (int step = 1; step < 50; ++step)
 			{
 				const TestPlane plane{{2.5, 2.5, 0.1 * step + 0.01}, {0, 0, 1}};
-				EXPECT_EQ(cut(slicer, plane).cutCells(), scanCutCells(set.blocks[0], plane))
+				EXPECT_EQ(cut(cutter, plane).cutCells(), scanCutCells(set.blocks[0], plane))
 				    << "kind " << static_cast<int>(kind) << ", by " << by << ", height " << plane.origin.z;
 			}
 		}
 	const grid::BlockSet set = build(peaked(LatticeKind::curvilinear, {0.0, 0.0, 1.4}));
-	cut::Cutter slicer(set);
-	EXPECT_EQ(cut(slicer, {{2.5, 2.5, 3.2}, {0, 0, 1}}).cutCellCount(), 33u);
+	cut::Cutter cutter(set);
+	EXPECT_EQ(cut(cutter, {{2.5, 2.5, 3.2}, {0, 0, 1}}).cutCellCount(), 33u);
 }
 
 TEST(Folds, AxesThatTurnBack)
@@ -51,9 +51,9 @@ TEST(Folds, AxesThatTurnBack)
 	block.grid = grid::RectilinearGrid(there_and_back, there_and_back, there_and_back);
 	grid::finishBlock(block);
 	const grid::BlockSet set = setOf(block);
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	for (const TestPlane& plane : randomPlanes(block.bounds, 100, 26))
-		EXPECT_EQ(cut(slicer, plane).cutCells(), scanCutCells(block, plane));
+		EXPECT_EQ(cut(cutter, plane).cutCells(), scanCutCells(block, plane));
 }
 
 // What is listed is where the grid is folded and not all of it.

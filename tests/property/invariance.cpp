@@ -129,8 +129,8 @@ void checkShuffled(const Pair& pair, const Comparison& comparison, std::mt19937&
 		if (raw.blocks[b].kind == RawKind::cells)
 			raw.blocks[b] = shuffled(pair.raw.blocks[b], random, orders[b]);
 	const grid::BlockSet set = build(raw);
-	cut::Cutter slicer(set);
-	const SlicedSheet sheet = cut(slicer, pair.asked);
+	cut::Cutter cutter(set);
+	const SlicedSheet sheet = cut(cutter, pair.asked);
 	std::vector<std::vector<std::size_t>> cells = sourceCells(set, sheet);
 	for (std::size_t b = 0; b < cells.size(); ++b)
 		if (!orders[b].empty())
@@ -158,9 +158,9 @@ void checkMoved(const Pair& pair, const Comparison& comparison, std::mt19937& ra
 	if (std::ranges::any_of(raw.blocks, &RawBlock::floats))
 		return;
 	const grid::BlockSet set = build(raw);
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	const TestPlane plane{motion(pair.plane.origin), motion.turned(pair.plane.normal)};
-	const SlicedSheet sheet = cut(slicer, plane);
+	const SlicedSheet sheet = cut(cutter, plane);
 	if (keepsArea(pair))
 		comparison.expectSame("moved", set, sheet, sourceCells(set, sheet),
 		                      roundingOf(set, plane) + roundingOf(pair.set, pair.plane));
@@ -172,14 +172,14 @@ void checkInvariance(const Pair& pair, unsigned seed)
 {
 	std::mt19937 random(seed);
 	const Comparison comparison(pair);
-	cut::Cutter slicer(pair.set);
+	cut::Cutter cutter(pair.set);
 	const double rounding = roundingOf(pair.set, pair.plane);
 	const auto again = [&](const char* how, const TestPlane& plane, double shift)
 	{
-		const SlicedSheet sheet = cut(slicer, plane);
+		const SlicedSheet sheet = cut(cutter, plane);
 		comparison.expectSame(how, pair.set, sheet, sourceCells(pair.set, sheet), rounding + shift);
 	};
-	const SlicedSheet flipped = cut(slicer, {pair.asked.origin, -1.0 * pair.asked.normal});
+	const SlicedSheet flipped = cut(cutter, {pair.asked.origin, -1.0 * pair.asked.normal});
 	EXPECT_EQ(sourceCells(pair.set, flipped), sourceCells(pair.set, pair.sheet));
 	EXPECT_EQ(flipped.mesh.polygons(), pair.sheet.mesh.polygons());
 	comparison.expectSame("flipped", pair.set, flipped, sourceCells(pair.set, flipped), rounding);

@@ -286,13 +286,13 @@ void checkAreas(const Pair& pair)
 	EXPECT_TRUE(areas.empty()) << "polygons of cells that are not cut";
 }
 
-void checkFinders(const Pair& pair, cut::Cutter& slicer, const std::optional<probe::Window>& window)
+void checkFinders(const Pair& pair, cut::Cutter& cutter, const std::optional<probe::Window>& window)
 {
-	const SlicedSheet expected = window ? cut(slicer, pair.asked, {}, find::Finder::traversal, window) : pair.sheet;
-	const SlicedSheet found = cut(slicer, pair.asked, {}, find::Finder::automatic, window);
+	const SlicedSheet expected = window ? cut(cutter, pair.asked, {}, find::Finder::traversal, window) : pair.sheet;
+	const SlicedSheet found = cut(cutter, pair.asked, {}, find::Finder::automatic, window);
 	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
 		EXPECT_EQ(found.slice.cuts[b].cutCells(), expected.slice.cuts[b].cutCells()) << "block " << b;
-	const SlicedSheet spread = cut(slicer, pair.asked, {.lattice = true}, find::Finder::traversal, window);
+	const SlicedSheet spread = cut(cutter, pair.asked, {.lattice = true}, find::Finder::traversal, window);
 	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
 		EXPECT_EQ(spread.cutCells(b), expected.cutCells(b)) << "hot spots, block " << b;
 	if (pair.set.interfaces.seam_faces == 0)

@@ -35,7 +35,7 @@ void checkWatertight(const Pair& pair);
 // The other side of the normal, a shift by an ulp, a rigid motion, another order of cells and points.
 void checkInvariance(const Pair& pair, unsigned seed);
 // The fastest way to find cells makes the same mesh as the traversal, of the whole sheet or within a window.
-void checkFinders(const Pair& pair, cut::Cutter& slicer, const std::optional<probe::Window>& window);
+void checkFinders(const Pair& pair, cut::Cutter& cutter, const std::optional<probe::Window>& window);
 
 // Of all polygons, as vector areas along the sheet's normal.
 double areaOf(const SlicedSheet& sheet);

@@ -84,12 +84,12 @@ Shifts checkAll(const RawSet& raw, double layers)
 {
 	const grid::BlockSet set = build(raw);
 	EXPECT_TRUE(set.blocks[0].inverted.empty());
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	Shifts shifts;
 	for (const TestPlane& asked : planesOf(set.bounds(), layers))
 	{
 		const TestPlane plane{asked.origin, probe::makeSheet(asked.origin, asked.normal).normal};
-		const Pair pair{raw, set, asked, plane, cut(slicer, asked), isGeneric(set, plane)};
+		const Pair pair{raw, set, asked, plane, cut(cutter, asked), isGeneric(set, plane)};
 		checkCells(pair);
 		checkVertices(pair);
 		checkAreas(pair);

@@ -48,29 +48,29 @@ void runPairs(unsigned first, unsigned count)
 	}
 	RawSet raw;
 	grid::BlockSet set;
-	std::unique_ptr<cut::Cutter> slicer;
+	std::unique_ptr<cut::Cutter> cutter;
 	for (unsigned number = first; number < last; ++number)
 	{
-		if (!slicer || number % kPlanesPerSet == 0)
+		if (!cutter || number % kPlanesPerSet == 0)
 		{
-			slicer.reset();
+			cutter.reset();
 			raw = randomSet(number / kPlanesPerSet);
 			set = build(raw);
 			for (const grid::Block& block : set.blocks)
 				grid::validate(block);
-			slicer = std::make_unique<cut::Cutter>(set);
+			cutter = std::make_unique<cut::Cutter>(set);
 		}
 		const TestPlane asked = randomPlane(set, number);
 		const TestPlane plane{asked.origin, probe::makeSheet(asked.origin, asked.normal).normal};
-		const Pair pair{raw, set, asked, plane, cut(*slicer, asked), isGeneric(set, plane)};
+		const Pair pair{raw, set, asked, plane, cut(*cutter, asked), isGeneric(set, plane)};
 		checkCells(pair);
 		checkVertices(pair);
 		checkAreas(pair);
 		checkWatertight(pair);
 		checkInvariance(pair, number);
-		checkFinders(pair, *slicer, std::nullopt);
+		checkFinders(pair, *cutter, std::nullopt);
 		std::mt19937 random(number);
-		checkFinders(pair, *slicer, randomWindow(set.bounds(), random));
+		checkFinders(pair, *cutter, randomWindow(set.bounds(), random));
 		if (testing::Test::HasFailure())
 		{
 			ADD_FAILURE() << describe(number, raw, set, asked);

@@ -14,9 +14,9 @@ void checkMask(LatticeKind kind, std::uint32_t mask, unsigned seed)
 {
 	const TwistedSet twisted = twistedSet(kind, mask, seed);
 	const grid::BlockSet set = build(twisted.raw);
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	const TestPlane plane{twisted.plane.origin, probe::makeSheet(twisted.plane.origin, twisted.plane.normal).normal};
-	const Pair pair{twisted.raw, set, twisted.plane, plane, cut(slicer, twisted.plane), isGeneric(set, plane)};
+	const Pair pair{twisted.raw, set, twisted.plane, plane, cut(cutter, twisted.plane), isGeneric(set, plane)};
 	EXPECT_TRUE(pair.generic);
 	checkCells(pair);
 	checkVertices(pair);

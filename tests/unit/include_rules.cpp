@@ -104,19 +104,20 @@ TEST(IncludeRules, EngineUsesOnlyFoldersAbove)
 
 TEST(IncludeRules, RoomsInsideAFolderUseOnlyRoomsBefore)
 {
-	for (const auto& [folder, order] : kInnerRooms)
+	for (const Rooms& inner : kInnerRooms)
 	{
 		const auto placeOf = [&](const fs::path& path)
 		{
 			const std::string room = path.parent_path().filename().string();
-			return std::find(order.begin(), order.end(), room == folder ? "" : room) - order.begin();
+			return std::ranges::find(inner.order, room == inner.folder ? "" : room) - inner.order.begin();
 		};
-		const auto includes = includesUnder("engine/" + folder);
+		const auto includes = includesUnder("engine/" + inner.folder);
 		ASSERT_FALSE(includes.empty());
 		for (const Include& include : includes)
 		{
-			ASSERT_LT(placeOf(include.file), std::ssize(order)) << include.file << ": a room the design does not know";
-			if (include.header.starts_with(folder + "/"))
+			ASSERT_LT(placeOf(include.file), std::ssize(inner.order))
+			    << include.file << ": a room the design does not know";
+			if (include.header.starts_with(inner.folder + "/"))
 			{
 				EXPECT_LE(placeOf(include.header), placeOf(include.file)) << include.where();
 			}

@@ -179,7 +179,7 @@ Status Artist::show(const Wish& wish, bool smooth)
 	shown.cut = cut_;
 	shown.cuts = cuts_;
 	shown.empty = std::ranges::all_of(cut_->slice.sheets, isEmpty);
-	shown.memory = session_->slicer->memory();
+	shown.memory = session_->cutter->memory();
 	shown.vector_dt = session_->vectors ? session_->vectors->dt : 0.0;
 	if (const auto before = this->shown(); before && before->cut == cut_)
 		shown.lookups = before->lookups;

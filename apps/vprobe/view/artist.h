@@ -86,7 +86,7 @@ struct Shown
 	double cut_ms = 0.0;                         // 0 where the cut before was still good
 	double draw_ms = 0.0;
 	std::uint64_t cuts = 0;     // made so far
-	cut::Cutter::Memory memory; // that the slicer keeps
+	cut::Cutter::Memory memory; // that the cutter keeps
 };
 
 // A picture to be kept: all samples, at the wish's size, apart from what is shown.

@@ -79,7 +79,7 @@ Status Artist::followLook(const Wish& wish)
 	if (!look)
 		return look.error();
 	const auto finder = look->by_generation           ? find::Finder::traversal
-	                    : session_->slicer->usesGpu() ? find::Finder::direct
+	                    : session_->cutter->usesGpu() ? find::Finder::direct
 	                                                  : find::Finder::automatic;
 	if (finder != session_->finder)
 	{

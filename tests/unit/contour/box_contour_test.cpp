@@ -84,14 +84,14 @@ TEST(BoxContour, IsWhatAScanOfAllCellsFindsOnTheSheet)
 			continue;
 		SCOPED_TRACE(plain.name);
 		const grid::BlockSet set = setOf(withHills(plain));
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		const double size = set.bounds().diagonal();
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 12, 18))
 		{
 			const bool windowed = random() % 4 != 0;
 			const double depth = size * std::pow(10.0, std::uniform_real_distribution<double>(-2.0, 0.0)(random));
 			const SheetOfHills sheet(
-			    slicer, plane, windowed ? std::optional(randomWindow(set.bounds(), random)) : std::nullopt, depth);
+			    cutter, plane, windowed ? std::optional(randomWindow(set.bounds(), random)) : std::nullopt, depth);
 			if (!sheet.contourer.range())
 				continue;
 			const double value = within(sheet.contourer.range(), random);
@@ -112,13 +112,13 @@ TEST(BoxContour, IsWhatAScanOfAllCellsFindsOnTheSheet)
 TEST(BoxContour, HasNoHolesButOnTheBoxesSides)
 {
 	const grid::BlockSet set = setOf(imageOfRadius(24));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	std::mt19937 random(3);
 	std::size_t polygons = 0;
 	for (const TestPlane& plane : randomPlanes(set.bounds(), 60, 4))
 	{
 		const double side = std::uniform_real_distribution<double>(0.4, 3.0)(random);
-		const SheetOfHills sheet(slicer, plane, probe::centeredWindow(side, 0.8 * side), std::nullopt);
+		const SheetOfHills sheet(cutter, plane, probe::centeredWindow(side, 0.8 * side), std::nullopt);
 		if (!sheet.contourer.range())
 			continue;
 		const double value = within(sheet.contourer.range(), random);
@@ -142,8 +142,8 @@ TEST(BoxContour, AreaOfASpheresZoneConverges)
 	for (int fine = 0; fine < 2; ++fine)
 	{
 		const grid::BlockSet set = setOf(imageOfRadius(fine ? 80 : 40));
-		cut::Cutter slicer(set);
-		const SheetOfHills sheet(slicer, {{0.03, -0.02, 0.01}, {0.3, 0.5, 0.81}}, probe::centeredWindow(5.0, 5.0),
+		cut::Cutter cutter(set);
+		const SheetOfHills sheet(cutter, {{0.03, -0.02, 0.01}, {0.3, 0.5, 0.81}}, probe::centeredWindow(5.0, 5.0),
 		                         kDepth);
 		const contour::Contour contour = sheet.contourer.grow(kRadius).value();
 		EXPECT_EQ(contour.components, 1u);
@@ -156,9 +156,9 @@ TEST(BoxContour, AreaOfASpheresZoneConverges)
 TEST(BoxContour, WorkFollowsTheBox)
 {
 	const grid::BlockSet set = setOf(imageOfRadius(96));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	const TestPlane plane{{1.5, 0.0, 0.0}, {0.0, 0.0, 1.0}};
-	const SheetOfHills small(slicer, plane, probe::centeredWindow(0.6, 0.6), std::nullopt);
+	const SheetOfHills small(cutter, plane, probe::centeredWindow(0.6, 0.6), std::nullopt);
 	const contour::Contour contour = small.contourer.grow(1.5).value();
 	EXPECT_GT(contour.cells, 60u);
 	// The surface in the box, and a rim of cells about it.
@@ -171,23 +171,23 @@ TEST(BoxContour, WorkFollowsTheBox)
 TEST(BoxContour, DefaultDepthIsOfTheSmallerSide)
 {
 	const grid::BlockSet set = setOf(imageOfRadius(16));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	const TestPlane plane{{0.0, 0.0, 0.1}, {0.0, 0.0, 1.0}};
-	const SheetOfHills windowed(slicer, plane, probe::Window{-1.0, 1.5, 0.0, 2.0}, std::nullopt);
+	const SheetOfHills windowed(cutter, plane, probe::Window{-1.0, 1.5, 0.0, 2.0}, std::nullopt);
 	EXPECT_EQ(windowed.contourer.box().lo(), Vec3(-1.0, 0.0, -1.0));
 	EXPECT_EQ(windowed.contourer.box().hi(), Vec3(1.5, 2.0, 1.0));
-	const SheetOfHills whole(slicer, plane, std::nullopt, std::nullopt);
+	const SheetOfHills whole(cutter, plane, std::nullopt, std::nullopt);
 	EXPECT_NEAR(whole.contourer.box().lo().x, -3.0, 1e-12);
 	EXPECT_NEAR(whole.contourer.box().hi().z, 1.5, 1e-12);
-	const SheetOfHills deep(slicer, plane, std::nullopt, 0.5);
+	const SheetOfHills deep(cutter, plane, std::nullopt, 0.5);
 	EXPECT_EQ(deep.contourer.box().hi().z, 0.25);
 }
 
 TEST(BoxContour, ValuesOffTheSheetGiveNothing)
 {
 	const grid::BlockSet set = setOf(imageOfRadius(16));
-	cut::Cutter slicer(set);
-	const SheetOfHills sheet(slicer, {{0.0, 0.0, 0.1}, {0.0, 0.0, 1.0}}, probe::centeredWindow(1.0, 1.0), 5.0);
+	cut::Cutter cutter(set);
+	const SheetOfHills sheet(cutter, {{0.0, 0.0, 0.1}, {0.0, 0.0, 1.0}}, probe::centeredWindow(1.0, 1.0), 5.0);
 	// In the box, but never on the sheet.
 	EXPECT_LT(sheet.contourer.range()->second, 1.5);
 	const contour::Contour contour = sheet.contourer.grow(1.5).value();
@@ -200,8 +200,8 @@ TEST(BoxContour, CellsWithNanAreLeftOut)
 	const grid::Block plain = grid::makeDemo("blob", 24)->blocks[0];
 	const auto height = [](const Vec3& p) { return p.x > 0.4 ? std::nan("") : glm::length(p); };
 	const grid::BlockSet set = setOf(withHills(plain, height));
-	cut::Cutter slicer(set);
-	const SheetOfHills sheet(slicer, {{0.0, 0.0, 0.1}, {0.0, 0.0, 1.0}}, std::nullopt, 6.0);
+	cut::Cutter cutter(set);
+	const SheetOfHills sheet(cutter, {{0.0, 0.0, 0.1}, {0.0, 0.0, 1.0}}, std::nullopt, 6.0);
 	const contour::Contour contour = sheet.contourer.grow(2.0).value();
 	EXPECT_GT(contour.mesh.polygons(), 50u);
 	for (const Vec3& p : contour.mesh.positions)

@@ -50,14 +50,14 @@ inline grid::Block withHills(const grid::Block& block)
 // A sheet, its cut, and what grows from it.
 struct SheetOfHills
 {
-	SheetOfHills(cut::Cutter& slicer, const TestPlane& plane, const std::optional<probe::Window>& window,
+	SheetOfHills(cut::Cutter& cutter, const TestPlane& plane, const std::optional<probe::Window>& window,
 	             std::optional<double> depth)
-	    : cut(test::cut(slicer, plane, {}, find::Finder::automatic, window)),
+	    : cut(test::cut(cutter, plane, {}, find::Finder::automatic, window)),
 	      contourer(
 	          [&]
 	          {
 		          cut.slice.field = kHills;
-		          return contour::BoxContourer(slicer, cut.slice, cut.mesh, depth);
+		          return contour::BoxContourer(cutter, cut.slice, cut.mesh, depth);
 	          }())
 	{
 	}

@@ -47,12 +47,12 @@ std::vector<grid::Block> boxes()
 }
 
 // Of all that is shown: what is cut, and boundary faces in the plane.
-double areaOf(cut::Cutter& slicer, const TestPlane& plane)
+double areaOf(cut::Cutter& cutter, const TestPlane& plane)
 {
-	const SlicedSheet sheet = cut(slicer, plane);
+	const SlicedSheet sheet = cut(cutter, plane);
 	for (const Vec3& p : sheet.mesh.positions)
 		EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
-	const measure::SheetMeasure measure = measure::measure(slicer.blocks(), sheet.mesh, {});
+	const measure::SheetMeasure measure = measure::measure(cutter.blocks(), sheet.mesh, {});
 	return measure.area + measure.boundary_area;
 }
 
@@ -75,13 +75,13 @@ TEST(Area, OfABoxIsTheFormulas)
 	for (const grid::Block& block : boxes())
 	{
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (const TestPlane& plane : randomPlanes(block.bounds, 100, 40))
 		{
 			const Vec3 n = glm::abs(plane.normal);
 			if (std::min({n.x, n.y, n.z}) < 0.01)
 				continue; // the formula loses digits
-			EXPECT_NEAR(areaOf(slicer, plane), boxSection(block.bounds, plane), 1e-10 * sideArea(block.bounds, 0))
+			EXPECT_NEAR(areaOf(cutter, plane), boxSection(block.bounds, plane), 1e-10 * sideArea(block.bounds, 0))
 			    << block.name;
 		}
 	}
@@ -92,12 +92,12 @@ TEST(Area, OfPlanesThroughLayersOfVerticesIsWhole)
 	for (const grid::Block& block : boxes())
 	{
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (int a = 0; a < 3; ++a)
 			for (CellId c = 0; c < cellCount(block); c += 7)
 				for (const Vec3& corner : cellCorners(block, c))
 					for (const double sign : {1.0, -1.0})
-						ASSERT_NEAR(areaOf(slicer, {corner, sign * axis(a)}), sideArea(block.bounds, a),
+						ASSERT_NEAR(areaOf(cutter, {corner, sign * axis(a)}), sideArea(block.bounds, a),
 						            1e-12 * sideArea(block.bounds, a))
 						    << block.name << ", axis " << a << ", at " << corner[a];
 	}
@@ -108,15 +108,15 @@ TEST(Area, OnTheSidesOfTheDomainIsShownOnce)
 	for (const grid::Block& block : boxes())
 	{
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (int a = 0; a < 3; ++a)
 			for (const Vec3& origin : {block.bounds.lo, block.bounds.hi})
 			{
-				EXPECT_NEAR(areaOf(slicer, {origin, axis(a)}), sideArea(block.bounds, a),
+				EXPECT_NEAR(areaOf(cutter, {origin, axis(a)}), sideArea(block.bounds, a),
 				            1e-12 * sideArea(block.bounds, a))
 				    << block.name;
 				const Vec3 beside = origin + (origin - block.bounds.center()) * 1e-9;
-				EXPECT_EQ(areaOf(slicer, {beside, axis(a)}), 0.0) << block.name;
+				EXPECT_EQ(areaOf(cutter, {beside, axis(a)}), 0.0) << block.name;
 			}
 	}
 }
@@ -126,8 +126,8 @@ TEST(Area, OnTheSidesOfTheDomainIsShownOnce)
 TEST(Area, OfBoundaryFacesIsToldApart)
 {
 	const grid::BlockSet set = setOf(explicitHexahedra(2, [](int i, int j, int) { return i == j; }));
-	cut::Cutter slicer(set);
-	const SlicedSheet sheet = cut(slicer, {{0.5, 0.5, 0.5}, {1.0, 0.0, 0.0}});
+	cut::Cutter cutter(set);
+	const SlicedSheet sheet = cut(cutter, {{0.5, 0.5, 0.5}, {1.0, 0.0, 0.0}});
 	const measure::SheetMeasure measure = measure::measure(set, sheet.mesh, {});
 	EXPECT_EQ(sheet.mesh.boundary_polygons, 2u);
 	EXPECT_EQ(sheet.mesh.polygons(), 4u);
@@ -140,14 +140,14 @@ TEST(Area, OfPlanesAlongDiagonals)
 {
 	const grid::Block block = cube(4);
 	const grid::BlockSet set = setOf(block);
-	cut::Cutter slicer(set);
-	EXPECT_NEAR(areaOf(slicer, {{0.0, 0.0, 0.0}, {1.0, -1.0, 0.0}}), std::sqrt(2.0), 1e-14);
-	EXPECT_NEAR(areaOf(slicer, {{0.25, 0.0, 0.0}, {1.0, -1.0, 0.0}}), 0.75 * std::sqrt(2.0), 1e-14);
-	EXPECT_NEAR(areaOf(slicer, {{0.5, 0.5, 0.5}, {1.0, 1.0, 1.0}}), 0.75 * std::sqrt(3.0),
+	cut::Cutter cutter(set);
+	EXPECT_NEAR(areaOf(cutter, {{0.0, 0.0, 0.0}, {1.0, -1.0, 0.0}}), std::sqrt(2.0), 1e-14);
+	EXPECT_NEAR(areaOf(cutter, {{0.25, 0.0, 0.0}, {1.0, -1.0, 0.0}}), 0.75 * std::sqrt(2.0), 1e-14);
+	EXPECT_NEAR(areaOf(cutter, {{0.5, 0.5, 0.5}, {1.0, 1.0, 1.0}}), 0.75 * std::sqrt(3.0),
 	            1e-14); // the regular hexagon
-	EXPECT_NEAR(areaOf(slicer, {{1.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}), 0.5 * std::sqrt(3.0), 1e-14);
-	EXPECT_NEAR(areaOf(slicer, {{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}), 0.0, 1e-14); // touches a corner
-	EXPECT_NEAR(areaOf(slicer, {{0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}}), 0.0, 1e-14); // touches an edge
+	EXPECT_NEAR(areaOf(cutter, {{1.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}), 0.5 * std::sqrt(3.0), 1e-14);
+	EXPECT_NEAR(areaOf(cutter, {{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}), 0.0, 1e-14); // touches a corner
+	EXPECT_NEAR(areaOf(cutter, {{0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}}), 0.0, 1e-14); // touches an edge
 }
 
 TEST(Area, FarAwayAndTinyDomainsLoseNothing)
@@ -159,11 +159,11 @@ TEST(Area, FarAwayAndTinyDomainsLoseNothing)
 			block.grid = grid::UniformGrid({9, 9, 9}, Vec3(offset), Vec3(size / 8.0));
 			grid::finishBlock(block);
 			const grid::BlockSet set = setOf(block);
-			cut::Cutter slicer(set);
+			cut::Cutter cutter(set);
 			const TestPlane plane{block.bounds.center(), {0.3, 0.5, 0.81}};
 			// The last bit of a coordinate, as the domain sees it.
 			const double rounding = 1e-15 * (offset + size) / size;
-			EXPECT_NEAR(areaOf(slicer, plane) / (size * size),
+			EXPECT_NEAR(areaOf(cutter, plane) / (size * size),
 			            boxSection({Vec3(0.0), Vec3(1.0)}, {Vec3(0.5), plane.normal}), 100.0 * rounding);
 		}
 }

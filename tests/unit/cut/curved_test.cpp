@@ -45,10 +45,10 @@ cut::CutRequest requestOf(const std::string& text, const probe::Frame& frame)
 	return request;
 }
 
-SlicedSheet cutBy(cut::Cutter& slicer, const cut::CutRequest& request)
+SlicedSheet cutBy(cut::Cutter& cutter, const cut::CutRequest& request)
 {
-	cut::Cut slice = std::move(slicer.cut(request).value());
-	SlicedSheet sheet{&slicer.blocks(), {}, slice.mesh(slicer.blocks(), 0)};
+	cut::Cut slice = std::move(cutter.cut(request).value());
+	SlicedSheet sheet{&cutter.blocks(), {}, slice.mesh(cutter.blocks(), 0)};
 	sheet.slice = std::move(slice.sheets[0]);
 	return sheet;
 }
@@ -108,11 +108,11 @@ TEST(Curved, CutsTheCellsThatAScanFindsWithVerticesOnTheSurface)
 	for (const grid::Block& block : allGrids())
 	{
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (const Placed& place : placesIn(block))
 			for (const TestForm& form : kForms)
 			{
-				const SlicedSheet sheet = cutBy(slicer, requestOf(form.text, place.frame));
+				const SlicedSheet sheet = cutBy(cutter, requestOf(form.text, place.frame));
 				const auto height = [&](const Vec3& p) { return form.height(place.local(p)); };
 				EXPECT_EQ(sheet.cutCells(),
 				          scan(block, [&](PointId p)
@@ -134,7 +134,7 @@ TEST(Curved, AnIsoValueCutsTheCellsThatHoldIt)
 	for (const grid::Block& block : allGrids())
 	{
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		const auto field = std::ranges::find(block.fields, "linear", &grid::Field::name);
 		const auto [lo, hi] = grid::fieldRange(*field, 0);
 		for (const double share : {0.2, 0.51, 0.8})
@@ -143,7 +143,7 @@ TEST(Curved, AnIsoValueCutsTheCellsThatHoldIt)
 			cut::CutRequest request = requestOf("iso:" + std::to_string(value), {});
 			const double told = request.probe.sheets[0].form->isoValue()->value;
 			request.field = grid::FieldChoice{"linear"};
-			const SlicedSheet sheet = cutBy(slicer, request);
+			const SlicedSheet sheet = cutBy(cutter, request);
 			const auto valueAt = [&](PointId p) {
 				return visitGrid(block, [&](const auto& grid)
 				                 { return grid::shownValue(*field, grid.sourcePoint(p), 0) - told; });
@@ -172,10 +172,10 @@ TEST(Curved, CellsWithoutANumberTakeNoPartInAnIsoSurface)
 	          });
 	values[9 * 9 * 4 + 9 * 4 + 4] = std::numeric_limits<float>::quiet_NaN(); // in the middle, x = 0
 	block.fields.push_back(grid::makeField("hole", grid::Association::point, 1, values));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	cut::CutRequest request = requestOf("iso:0.2", {});
 	request.field = grid::FieldChoice{"hole"};
-	const SlicedSheet sheet = cutBy(slicer, request);
+	const SlicedSheet sheet = cutBy(cutter, request);
 	EXPECT_EQ(sheet.cutCells().size(), 8u * 8u - 4u);
 	for (const Vec3& vertex : sheet.mesh.positions)
 		EXPECT_NEAR(vertex.x, 0.2, 1e-6);
@@ -202,8 +202,8 @@ TEST(Curved, AreasOfASphereAndACylinderConvergeToTheFormulas)
 		for (const int n : {16, 32, 64})
 		{
 			const grid::BlockSet set = std::move(grid::makeDemo(solid.demo, n).value());
-			cut::Cutter slicer(set);
-			const SlicedSheet sheet = cutBy(slicer, requestOf(solid.form, {solid.origin}));
+			cut::Cutter cutter(set);
+			const SlicedSheet sheet = cutBy(cutter, requestOf(solid.form, {solid.origin}));
 			errors.push_back(std::abs(areaOf(set, sheet) / solid.area - 1.0));
 		}
 		EXPECT_LT(errors[2], 0.01) << solid.demo;
@@ -215,15 +215,15 @@ TEST(Curved, AreasOfASphereAndACylinderConvergeToTheFormulas)
 TEST(Curved, AClosedPieceThatTouchesNoBoundaryIsFound)
 {
 	const grid::BlockSet set = std::move(grid::makeDemo("blob", 32).value());
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	cut::CutRequest request = requestOf("sphere:0.5", {Vec3(1.0, 0.5, -0.7)});
-	const SlicedSheet whole = cutBy(slicer, request);
+	const SlicedSheet whole = cutBy(cutter, request);
 	EXPECT_GT(whole.cutCellCount(), 0u);
 	EXPECT_GT(whole.slice.seeds.tree_tests, 0u);
 	request.seeds.mode = seed::SeedMode::boundary;
-	EXPECT_EQ(cutBy(slicer, request).cutCellCount(), 0u);
+	EXPECT_EQ(cutBy(cutter, request).cutCellCount(), 0u);
 	request.seeds.mode = seed::SeedMode::hotspot;
-	const SlicedSheet one = cutBy(slicer, request);
+	const SlicedSheet one = cutBy(cutter, request);
 	EXPECT_EQ(one.cutCells(), whole.cutCells());
 	EXPECT_EQ(one.slice.seeds.count, 1u);
 }
@@ -234,14 +234,14 @@ TEST(Curved, AWindowHoldsThePartWithinIt)
 	{
 		const grid::Block& block = gridNamed(name);
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (const Placed& place : placesIn(block))
 			for (const char* form : {"sphere:0.7", "cylinder:0.4"})
 			{
 				cut::CutRequest request = requestOf(form, place.frame);
-				SlicedSheet whole = cutBy(slicer, request);
+				SlicedSheet whole = cutBy(cutter, request);
 				request.probe.sheets[0].window = probe::centeredWindow(0.8, 0.5);
-				const SlicedSheet windowed = cutBy(slicer, request);
+				const SlicedSheet windowed = cutBy(cutter, request);
 				mesh::clipToWindow(windowed.slice.sheet, mesh::Corners::keep, whole.mesh);
 				EXPECT_NEAR(areaOf(set, windowed), areaOf(set, whole), 1e-9 * (1.0 + areaOf(set, whole))) << name;
 			}

@@ -33,13 +33,13 @@ std::vector<CellId> cellsOf(const find::CellCut& cut)
 TEST(Cutter, SheetsOfOneProbeAreCutAsIfAlone)
 {
 	const grid::BlockSet set = setOf(gridNamed("shell"));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	const std::vector<TestPlane> planes = randomPlanes(set.bounds(), 6, 60);
-	const cut::Cut together = std::move(slicer.cut(requestOf(planes)).value());
+	const cut::Cut together = std::move(cutter.cut(requestOf(planes)).value());
 	ASSERT_EQ(together.sheets.size(), planes.size());
 	for (std::size_t s = 0; s < planes.size(); ++s)
 	{
-		const cut::Cut alone = std::move(slicer.cut(requestOf({planes[s]})).value());
+		const cut::Cut alone = std::move(cutter.cut(requestOf({planes[s]})).value());
 		EXPECT_EQ(together.sheets[s].cuts[0].cells().cells, alone.sheets[0].cuts[0].cells().cells);
 		EXPECT_EQ(together.sheets[s].cuts[0].cells().codes, alone.sheets[0].cuts[0].cells().codes);
 		EXPECT_EQ(together.mesh(set, s).positions, alone.mesh(set, 0).positions);
@@ -49,11 +49,11 @@ TEST(Cutter, SheetsOfOneProbeAreCutAsIfAlone)
 TEST(Cutter, SeveralSlicesMayBeUnderWay)
 {
 	const grid::BlockSet set = setOf(gridNamed("tets"));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	const std::vector<TestPlane> planes = randomPlanes(set.bounds(), 12, 61);
 	std::vector<cut::CutTicket> tickets;
 	for (const TestPlane& plane : planes)
-		tickets.push_back(slicer.begin(requestOf({plane, planes[0]})));
+		tickets.push_back(cutter.begin(requestOf({plane, planes[0]})));
 	for (std::size_t i = planes.size(); i-- > 0;)
 	{
 		const cut::Cut slice = std::move(tickets[i].wait().value());
@@ -65,14 +65,14 @@ TEST(Cutter, SeveralSlicesMayBeUnderWay)
 TEST(Cutter, ManyThreadsMayAskAtOnce)
 {
 	const grid::BlockSet set = setOf(gridNamed("mixed"));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	std::vector<std::thread> threads;
 	for (unsigned t = 0; t < 4; ++t)
 		threads.emplace_back(
 		    [&, t]
 		    {
 			    for (const TestPlane& plane : randomPlanes(set.bounds(), 20, 62 + t))
-				    EXPECT_EQ(cut(slicer, plane).cutCells(), scanCutCells(set.blocks[0], plane));
+				    EXPECT_EQ(cut(cutter, plane).cutCells(), scanCutCells(set.blocks[0], plane));
 		    });
 	for (std::thread& thread : threads)
 		thread.join();
@@ -81,12 +81,12 @@ TEST(Cutter, ManyThreadsMayAskAtOnce)
 TEST(Cutter, ACancelledTicketEndsCleanly)
 {
 	const grid::BlockSet set = setOf(gridNamed("hexes"));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	const std::vector<TestPlane> planes = randomPlanes(set.bounds(), 20, 66);
 	for (int i = 0; i < 20; ++i)
 	{
-		cut::CutTicket dropped = slicer.begin(requestOf(planes));
-		cut::CutTicket cancelled = slicer.begin(requestOf(planes));
+		cut::CutTicket dropped = cutter.begin(requestOf(planes));
+		cut::CutTicket cancelled = cutter.begin(requestOf(planes));
 		cancelled.cancel();
 		const Result<cut::Cut> slice = cancelled.wait();
 		ASSERT_TRUE(slice);
@@ -104,10 +104,10 @@ TEST(Cutter, BlocksAreCutEachForItself)
 {
 	grid::BlockSet set;
 	set.blocks = {gridNamed("blob"), gridNamed("u_shape"), gridNamed("two_pieces")};
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	for (const TestPlane& plane : randomPlanes(set.blocks[1].bounds, 20, 67))
 	{
-		const SlicedSheet sheet = cut(slicer, plane);
+		const SlicedSheet sheet = cut(cutter, plane);
 		ASSERT_EQ(sheet.slice.cuts.size(), 3u);
 		for (std::size_t b = 0; b < 3; ++b)
 			EXPECT_EQ(sheet.cutCells(b), scanCutCells(set.blocks[b], plane));
@@ -117,17 +117,17 @@ TEST(Cutter, BlocksAreCutEachForItself)
 TEST(Cutter, PiecesAreCounted)
 {
 	const grid::BlockSet pieces = setOf(gridNamed("two_pieces"));
-	cut::Cutter slicer(pieces);
+	cut::Cutter cutter(pieces);
 	const auto components = [&](const seed::SeedOptions& seeds) {
-		return measure::measure(pieces, cut(slicer, {{0.1, 0.45, 0.45}, {0.0, 0.3, 1.0}}, seeds).mesh, {}).components;
+		return measure::measure(pieces, cut(cutter, {{0.1, 0.45, 0.45}, {0.0, 0.3, 1.0}}, seeds).mesh, {}).components;
 	};
 	EXPECT_EQ(components({}), 2u);
 	EXPECT_EQ(components({seed::SeedMode::hotspot, seed::OutsidePolicy::nearest}), 1u);
 
 	const grid::BlockSet u = setOf(gridNamed("u_shape"));
-	cut::Cutter u_slicer(u);
+	cut::Cutter u_cutter(u);
 	const auto at = [&](double y) {
-		return measure::measure(u, cut(u_slicer, {{0.5, y, 0.5}, {0.0, 1.0, 0.0}}).mesh, {}).components;
+		return measure::measure(u, cut(u_cutter, {{0.5, y, 0.5}, {0.0, 1.0, 0.0}}).mesh, {}).components;
 	};
 	EXPECT_EQ(at(0.1), 1u);
 	EXPECT_EQ(at(0.8), 2u);
@@ -137,11 +137,11 @@ TEST(Cutter, PiecesAreCounted)
 TEST(Cutter, TellsWhereTheTimeWent)
 {
 	const grid::BlockSet set = setOf(gridNamed("shell"));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	Timeline timeline;
 	cut::CutRequest request = requestOf({{set.bounds().center(), {0.0, 0.0, 1.0}}});
 	request.timeline = &timeline;
-	ASSERT_TRUE(slicer.cut(request));
+	ASSERT_TRUE(cutter.cut(request));
 	EXPECT_GT(timeline.total("seed"), 0.0);
 	EXPECT_GT(timeline.total("traverse"), 0.0);
 }
@@ -151,8 +151,8 @@ TEST(Cutter, AnEmptyCutIsASliceToo)
 	for (const grid::Block& block : allGrids())
 	{
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
-		const SlicedSheet sheet = cut(slicer, {block.bounds.hi + block.bounds.size(), {1.0, 1.0, 1.0}});
+		cut::Cutter cutter(set);
+		const SlicedSheet sheet = cut(cutter, {block.bounds.hi + block.bounds.size(), {1.0, 1.0, 1.0}});
 		EXPECT_EQ(sheet.touched(), 0u);
 		EXPECT_EQ(sheet.mesh.polygons(), 0u);
 		EXPECT_EQ(sheet.mesh.polygon_starts.size(), 1u);
@@ -166,7 +166,7 @@ TEST(Cutter, AThresholdEndsTheTraversal)
 	{
 		const grid::BlockSet set = setOf(gridNamed(name));
 		const grid::Block& block = set.blocks[0];
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		const auto [lo, hi] = grid::fieldRange(set, {"linear"});
 		const find::Threshold threshold{lo + 0.4 * (hi - lo), lo + 0.5 * (hi - lo)};
 		const auto within = [&](CellId cell)
@@ -186,7 +186,7 @@ TEST(Cutter, AThresholdEndsTheTraversal)
 			cut::CutRequest request = requestOf({plane});
 			request.field = grid::FieldChoice{"linear"};
 			request.threshold = threshold;
-			const cut::Cut slice = std::move(slicer.cut(std::move(request)).value());
+			const cut::Cut slice = std::move(cutter.cut(std::move(request)).value());
 
 			std::set<CellId> reached;
 			std::vector<CellId> queue;
@@ -210,11 +210,11 @@ TEST(Cutter, AThresholdEndsTheTraversal)
 TEST(Cutter, AThresholdOverWhatABlockLacksShowsNothing)
 {
 	const grid::BlockSet set = setOf(gridNamed("shell"));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	cut::CutRequest request = requestOf({{set.bounds().center(), {0.1, 0.2, 1.0}}});
 	request.field = grid::FieldChoice{"missing"};
 	request.threshold = find::Threshold{-1e30, 1e30};
-	EXPECT_TRUE(slicer.cut(std::move(request)).value().sheets[0].cuts[0].cells().cells.empty());
+	EXPECT_TRUE(cutter.cut(std::move(request)).value().sheets[0].cuts[0].cells().cells.empty());
 }
 
 } // namespace vp::test

@@ -20,9 +20,9 @@ namespace
 std::size_t compareFinders(const grid::BlockSet& set, const TestPlane& plane, const seed::SeedOptions& seeds = {},
                            const std::optional<probe::Window>& window = std::nullopt)
 {
-	cut::Cutter slicer(set);
-	const SlicedSheet expected = cut(slicer, plane, seeds, find::Finder::traversal, window);
-	const SlicedSheet found = cut(slicer, plane, seeds, find::Finder::automatic, window);
+	cut::Cutter cutter(set);
+	const SlicedSheet expected = cut(cutter, plane, seeds, find::Finder::traversal, window);
+	const SlicedSheet found = cut(cutter, plane, seeds, find::Finder::automatic, window);
 	std::size_t in_spans = 0;
 	for (std::size_t b = 0; b < set.blocks.size(); ++b)
 	{
@@ -101,13 +101,13 @@ TEST(Finder, OctantsOfTheQueueKnowWhatStampsKnow)
 	const auto compare =
 	    [&](const grid::BlockSet& set, const TestPlane& plane, const std::optional<probe::Window>& window)
 	{
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		cut::CutRequest request;
 		request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 		request.probe.sheets[0].window = window;
-		const cut::Cut stamps = std::move(slicer.cut(request).value());
+		const cut::Cut stamps = std::move(cutter.cut(request).value());
 		request.visited = find::VisitedSet::octants;
-		const cut::Cut octants = std::move(slicer.cut(request).value());
+		const cut::Cut octants = std::move(cutter.cut(request).value());
 		for (std::size_t b = 0; b < set.blocks.size(); ++b)
 		{
 			const find::CellCut& expected = stamps.sheets[0].cuts[b].cells();
@@ -154,14 +154,14 @@ TEST(Finder, LongRuns)
 TEST(Finder, TheSameMeshForAnyNumberOfThreads)
 {
 	const grid::BlockSet set = std::move(*grid::makeDemo("shell", 96));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	for (const TestPlane& plane : randomPlanes(set.bounds(), 6, 12))
 	{
 		std::vector<mesh::SheetMesh> meshes;
 		for (const int threads : {1, 2, 4})
 		{
 			const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-			meshes.push_back(cut(slicer, plane, {}, find::Finder::automatic).mesh);
+			meshes.push_back(cut(cutter, plane, {}, find::Finder::automatic).mesh);
 		}
 		for (const mesh::SheetMesh& mesh : meshes)
 		{

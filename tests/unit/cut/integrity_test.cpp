@@ -13,8 +13,8 @@ namespace
 cut::SweepFindings sweep(const grid::Block& block)
 {
 	const grid::BlockSet set = setOfBlocks({block});
-	cut::Cutter slicer(set);
-	return std::move(cut::sweepForImpossibleCases(slicer).value());
+	cut::Cutter cutter(set);
+	return std::move(cut::sweepForImpossibleCases(cutter).value());
 }
 
 } // namespace

@@ -44,12 +44,12 @@ TEST(ManySheets, AreCutAsEachIsAlone)
 			if (sheets.size() % 3 == 0)
 				sheets.back().window = randomWindow(set.bounds(), random);
 		}
-		cut::Cutter slicer(set);
-		const cut::Cut together = slicer.cut(requestOf(sheets)).value();
+		cut::Cutter cutter(set);
+		const cut::Cut together = cutter.cut(requestOf(sheets)).value();
 		std::size_t front = 0;
 		for (std::size_t s = 0; s < sheets.size(); ++s)
 		{
-			const cut::Cut alone = slicer.cut(requestOf({sheets[s]})).value();
+			const cut::Cut alone = cutter.cut(requestOf({sheets[s]})).value();
 			for (std::size_t b = 0; b < set.blocks.size(); ++b)
 			{
 				expectSameCut(together.sheets[s].cuts[b].cells(), alone.sheets[0].cuts[b].cells());

@@ -57,7 +57,7 @@ TEST(Seams, OneSeedReachesThePieceItReachesInOneGrid)
 {
 	for (const SeamedSet& seamed : seamedSets())
 	{
-		cut::Cutter slicer(seamed.set);
+		cut::Cutter cutter(seamed.set);
 		cut::Cutter whole(seamed.whole);
 		std::size_t crossed = 0;
 		const BruteForceLocator locator(seamed.whole.blocks[0]);
@@ -65,7 +65,7 @@ TEST(Seams, OneSeedReachesThePieceItReachesInOneGrid)
 		{
 			if (locator.cellsHolding(plane.origin).empty())
 				continue;
-			const SlicedSheet cut = test::cut(slicer, plane, kHotSpot);
+			const SlicedSheet cut = test::cut(cutter, plane, kHotSpot);
 			EXPECT_TRUE(cut.slice.seeds.hot_spot_inside) << seamed.name;
 			EXPECT_LE(cut.slice.seeds.count, 1u);
 			EXPECT_EQ(cut.cutCellCount(), test::cut(whole, plane, kHotSpot).cutCellCount()) << seamed.name;
@@ -79,11 +79,11 @@ TEST(Seams, AllOfASheetIsTheScanAndItsPiecesAreThoseOfOneGrid)
 {
 	for (const SeamedSet& seamed : seamedSets())
 	{
-		cut::Cutter slicer(seamed.set);
+		cut::Cutter cutter(seamed.set);
 		cut::Cutter whole(seamed.whole);
 		for (const TestPlane& plane : randomPlanes(seamed.set.bounds(), 60, 91))
 		{
-			const SlicedSheet cut = test::cut(slicer, plane);
+			const SlicedSheet cut = test::cut(cutter, plane);
 			const SlicedSheet expected = test::cut(whole, plane);
 			for (std::size_t b = 0; b < seamed.set.blocks.size(); ++b)
 				EXPECT_EQ(cut.cutCells(b), scanCutCells(seamed.set.blocks[b], plane)) << seamed.name;
@@ -101,7 +101,7 @@ TEST(Seams, PlanesThroughPointsShowNothingTwice)
 {
 	for (const SeamedSet& seamed : seamedSets())
 	{
-		cut::Cutter slicer(seamed.set);
+		cut::Cutter cutter(seamed.set);
 		cut::Cutter whole(seamed.whole);
 		for (int axis = 0; axis < 3; ++axis)
 			for (int step = 0; step <= 2 * kSteps; ++step)
@@ -109,7 +109,7 @@ TEST(Seams, PlanesThroughPointsShowNothingTwice)
 				TestPlane plane{Vec3(0.0), Vec3(0.0)};
 				plane.origin[axis] = 0.25 * step;
 				plane.normal[axis] = 1.0;
-				const SlicedSheet cut = test::cut(slicer, plane);
+				const SlicedSheet cut = test::cut(cutter, plane);
 				const SlicedSheet expected = test::cut(whole, plane);
 				EXPECT_EQ(cut.cutCellCount(), scanCount(seamed.set, plane));
 				const measure::SheetMeasure here = measure::measure(seamed.set, cut.mesh, {});
@@ -144,8 +144,8 @@ TEST(Seams, VerticesAreOneUnlessTheArraysJump)
 	for (const auto& [jump, vertices] : {std::pair{0.0, one_side - (kSteps + 1)}, std::pair{0.5, one_side}})
 	{
 		const grid::BlockSet set = halves(jump);
-		cut::Cutter slicer(set);
-		const SlicedSheet cut = test::cut(slicer, plane);
+		cut::Cutter cutter(set);
+		const SlicedSheet cut = test::cut(cutter, plane);
 		EXPECT_EQ(cut.mesh.positions.size(), vertices);
 		const std::set pairs(cut.mesh.seam_pairs.begin(), cut.mesh.seam_pairs.end());
 		EXPECT_EQ(pairs.size(), jump == 0.0 ? 0u : kSteps + 1u);
@@ -156,7 +156,7 @@ TEST(Seams, VerticesAreOneUnlessTheArraysJump)
 TEST(Seams, SheetsKeepToTheirLanes)
 {
 	const grid::BlockSet set = setOfBlocks({latticeBlock(warped, 0.0, false), latticeBlock(warped, 1.0, true)});
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	cut::CutRequest request;
 	const Vec3 center = warped(0.6, 0.5, 0.5);
 	const std::vector<TestPlane> planes{
@@ -164,10 +164,10 @@ TEST(Seams, SheetsKeepToTheirLanes)
 	for (const TestPlane& plane : planes)
 		request.probe.sheets.push_back(probe::makeSheet(plane.origin, plane.normal));
 	request.seeds = kHotSpot;
-	const cut::Cut together = std::move(slicer.cut(std::move(request)).value());
+	const cut::Cut together = std::move(cutter.cut(std::move(request)).value());
 	for (std::size_t s = 0; s < planes.size(); ++s)
 	{
-		const SlicedSheet alone = cut(slicer, planes[s], kHotSpot);
+		const SlicedSheet alone = cut(cutter, planes[s], kHotSpot);
 		for (std::size_t b = 0; b < set.blocks.size(); ++b)
 			EXPECT_EQ(sorted(together.sheets[s].cuts[b].cells().cells), sorted(alone.slice.cuts[b].cells().cells));
 		EXPECT_EQ(alone.cutCellCount(), scanCount(set, planes[s]));

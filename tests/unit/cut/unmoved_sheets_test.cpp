@@ -19,7 +19,7 @@ class UnmovedSheets : public testing::TestWithParam<find::Finder>
 {
 protected:
 	const grid::BlockSet set_ = setOf(gridNamed("shell"));
-	cut::Cutter slicer_{set_};
+	cut::Cutter cutter_{set_};
 	cut::CutRequest request_ = [this]
 	{
 		cut::CutRequest request;
@@ -32,7 +32,7 @@ protected:
 
 	std::shared_ptr<const cut::Cut> cut(const cut::CutRequest& request)
 	{
-		return std::make_shared<const cut::Cut>(std::move(slicer_.cut(request).value()));
+		return std::make_shared<const cut::Cut>(std::move(cutter_.cut(request).value()));
 	}
 	// As if nothing were kept.
 	void expectRight(const cut::Cut& slice, cut::CutRequest request)
@@ -139,7 +139,7 @@ TEST_P(UnmovedSheets, GridSurfacesToo)
 TEST_P(UnmovedSheets, RegatheredOnesHaveAnotherNumber)
 {
 	const auto first = cut(request_);
-	const cut::Cut again = std::move(slicer_.regather(*first, nullptr).value());
+	const cut::Cut again = std::move(cutter_.regather(*first, nullptr).value());
 	EXPECT_EQ(kept(*first, again), std::vector<bool>(3, false));
 }
 

@@ -18,13 +18,13 @@ namespace
 
 using Uv = glm::dvec2;
 
-cut::Cut cutWindow(cut::Cutter& slicer, const probe::Sheet& sheet, mesh::Corners corners = mesh::Corners::keep)
+cut::Cut cutWindow(cut::Cutter& cutter, const probe::Sheet& sheet, mesh::Corners corners = mesh::Corners::keep)
 {
 	cut::CutRequest request;
 	request.probe.sheets = {sheet};
 	request.corners = corners;
 	request.field = grid::FieldChoice{"linear"};
-	return std::move(slicer.cut(std::move(request)).value());
+	return std::move(cutter.cut(std::move(request)).value());
 }
 
 // The witness: the whole plane's polygons, each clipped for itself in the plane.
@@ -87,13 +87,13 @@ TEST(Window, ShowsWhatTheWholeSliceShowsThere)
 	std::size_t shown = 0;
 	for (const grid::BlockSet& set : sets())
 	{
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 60, 71))
 		{
 			probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
-			const SlicedSheet whole = cut(slicer, plane);
+			const SlicedSheet whole = cut(cutter, plane);
 			sheet.window = randomWindow(set.bounds(), random);
-			const cut::Cut slice = cutWindow(slicer, sheet);
+			const cut::Cut slice = cutWindow(cutter, sheet);
 			const mesh::SheetMesh mesh = slice.mesh(set, 0);
 
 			double area = 0.0;
@@ -129,13 +129,13 @@ TEST(Window, VerticesLieInItAndLinearDataAreExact)
 	for (const char* name : {"shell", "tets", "mixed"})
 	{
 		const grid::BlockSet set = setOf(gridNamed(name));
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		const std::vector<const grid::Field*> fields = grid::FieldChoice{"linear"}.inEach(set);
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 30, 73))
 		{
 			probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
 			sheet.window = randomWindow(set.bounds(), random);
-			const mesh::SheetMesh mesh = cutWindow(slicer, sheet).mesh(set, 0);
+			const mesh::SheetMesh mesh = cutWindow(cutter, sheet).mesh(set, 0);
 			for (std::size_t v = 0; v < mesh.positions.size(); ++v)
 			{
 				const Uv uv = probe::worldToWindow(sheet, mesh.positions[v]);
@@ -158,30 +158,30 @@ TEST(Window, VerticesLieInItAndLinearDataAreExact)
 TEST(Window, InsideOneCellIsOneRectangle)
 {
 	const grid::BlockSet set = setOf(gridNamed("blob"));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	probe::Sheet sheet = probe::makeSheet({0.11, 0.13, 0.17}, {0.0, 0.0, 1.0});
 	sheet.window = probe::centeredWindow(1e-4, 2e-4);
-	const cut::Cut slice = cutWindow(slicer, sheet);
+	const cut::Cut slice = cutWindow(cutter, sheet);
 	const mesh::SheetMesh mesh = slice.mesh(set, 0);
 	EXPECT_EQ(slice.sheets[0].cuts[0].cells().cut_cells, 1u);
 	EXPECT_EQ(slice.sheets[0].cuts[0].cells().cells.size(), 1u);
 	EXPECT_EQ(mesh.polygons(), 1u);
 	EXPECT_EQ(mesh.positions.size(), 4u);
 	EXPECT_NEAR(measure::measure(set, mesh, {}).area, 2e-8, 1e-18);
-	EXPECT_EQ(cutWindow(slicer, sheet, mesh::Corners::skip).mesh(set, 0).polygons(), 0u);
+	EXPECT_EQ(cutWindow(cutter, sheet, mesh::Corners::skip).mesh(set, 0).polygons(), 0u);
 }
 
 // Cells touched follow the window.
 TEST(Window, EndsTheTraversal)
 {
 	const grid::BlockSet set = setOf(gridNamed("shell"));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	std::mt19937 random(74);
 	for (const TestPlane& plane : randomPlanes(set.bounds(), 60, 75))
 	{
 		probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
 		sheet.window = randomWindow(set.bounds(), random);
-		const cut::Cut slice = cutWindow(slicer, sheet);
+		const cut::Cut slice = cutWindow(cutter, sheet);
 		// Beside those that show something: cells that the rim touches, and the seed.
 		EXPECT_LE(slice.sheets[0].cuts[0].cells().cells.size(), slice.sheets[0].cuts[0].cells().cut_cells + 1);
 	}
@@ -194,10 +194,10 @@ TEST(Window, AtAnInterfaceCountsWhatReachesIntoIt)
 	std::size_t parted = 0; // windows beside which the interface has cells
 	const auto compare = [&](const grid::BlockSet& set, const TestPlane& plane)
 	{
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
 		sheet.window = randomWindow(set.bounds(), random);
-		const cut::Cut slice = cutWindow(slicer, sheet);
+		const cut::Cut slice = cutWindow(cutter, sheet);
 		const seed::SheetWindow window(sheet);
 		for (std::size_t b = 0; b < set.blocks.size(); ++b)
 		{
@@ -236,7 +236,7 @@ TEST(Window, AtAnInterfaceCountsWhatReachesIntoIt)
 TEST(Window, FxShowsTheContentOfASmallerOne)
 {
 	const grid::BlockSet set = setOf(gridNamed("shell"));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	probe::Sheet lens = probe::makeSheet({0.0, 1.8, 0.2}, {0.3, 0.5, 0.81});
 	lens.window = probe::centeredWindow(1.0, 0.6);
 	lens.fx = {4.0, {0.1, -0.05, 0.2}};
@@ -244,8 +244,8 @@ TEST(Window, FxShowsTheContentOfASmallerOne)
 	plain.fx = {};
 	plain.origin = lens.origin + 0.1 * lens.xAxis() - 0.05 * lens.up + 0.2 * lens.normal;
 	plain.window = probe::centeredWindow(0.25, 0.15);
-	const cut::Cut through = cutWindow(slicer, lens);
-	const cut::Cut at = cutWindow(slicer, plain);
+	const cut::Cut through = cutWindow(cutter, lens);
+	const cut::Cut at = cutWindow(cutter, plain);
 	EXPECT_EQ(through.sheets[0].shown, lens);
 	EXPECT_GT(at.sheets[0].cuts[0].cells().cut_cells, 0u);
 	EXPECT_EQ(sorted(through.sheets[0].cuts[0].cells().cells), sorted(at.sheets[0].cuts[0].cells().cells));
@@ -256,11 +256,11 @@ TEST(Window, FxShowsTheContentOfASmallerOne)
 TEST(Window, CornersMayBeLeftOut)
 {
 	const grid::BlockSet set = setOf(gridNamed("blob"));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	probe::Sheet sheet = probe::makeSheet({0.1, 0.2, 0.3}, {0.3, 0.5, 0.81});
 	sheet.window = probe::centeredWindow(1.5, 1.1);
-	const mesh::SheetMesh kept = cutWindow(slicer, sheet).mesh(set, 0);
-	const mesh::SheetMesh skipped = cutWindow(slicer, sheet, mesh::Corners::skip).mesh(set, 0);
+	const mesh::SheetMesh kept = cutWindow(cutter, sheet).mesh(set, 0);
+	const mesh::SheetMesh skipped = cutWindow(cutter, sheet, mesh::Corners::skip).mesh(set, 0);
 	EXPECT_EQ(skipped.polygons() + 4, kept.polygons());
 	EXPECT_NEAR(measure::measure(set, kept, {}).area, 1.65, 1e-12);
 	EXPECT_LT(measure::measure(set, skipped, {}).area, 1.65);

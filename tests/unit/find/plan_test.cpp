@@ -191,24 +191,24 @@ TEST(CutPlan, HasAWayForEverySheetInEveryBlock)
 	EXPECT_EQ(ways, "rows cells generations generations ");
 }
 
-TEST(CutPlan, IsWhatASlicerFollows)
+TEST(CutPlan, IsWhatACutterFollows)
 {
 	for (const char* name : {"blob", "graded", "shell", "tets"})
 	{
 		const grid::BlockSet blocks = demo(name);
-		cut::Cutter slicer(blocks);
+		cut::Cutter cutter(blocks);
 		Case asked = caseOf("none", blocks);
-		const cut::SheetCut fastest = std::move(slicer.cut(asked.request).value().sheets[0]);
-		const find::Strategy planned = slicer.plan(asked.request)->sheets[0][0].strategy;
+		const cut::SheetCut fastest = std::move(cutter.cut(asked.request).value().sheets[0]);
+		const find::Strategy planned = cutter.plan(asked.request)->sheets[0][0].strategy;
 		EXPECT_EQ(fastest.cuts[0].hasSpans(), planned == find::Strategy::rows || planned == find::Strategy::spans)
 		    << name;
 		EXPECT_EQ(fastest.cuts[0].steps(), 0u) << name;
 		asked.request.strategy = find::Strategy::generations;
-		const cut::SheetCut by_generations = std::move(slicer.cut(asked.request).value().sheets[0]);
+		const cut::SheetCut by_generations = std::move(cutter.cut(asked.request).value().sheets[0]);
 		EXPECT_GT(by_generations.cuts[0].steps(), 0u) << name;
 		EXPECT_EQ(by_generations.cuts[0].cutCells(), fastest.cuts[0].cutCells()) << name;
 		asked.request.strategy = find::Strategy::listed;
-		EXPECT_FALSE(slicer.cut(asked.request)) << name;
+		EXPECT_FALSE(cutter.cut(asked.request)) << name;
 	}
 }
 

@@ -72,11 +72,11 @@ void forAllGrids(const std::function<void(const SlicedSheet&, const Box&)>& chec
 	{
 		SCOPED_TRACE(block.name);
 		const grid::BlockSet blocks = setOf(block);
-		cut::Cutter slicer(blocks);
+		cut::Cutter cutter(blocks);
 		for (const TestPlane& plane : randomPlanes(blocks.bounds(), 3, 11))
-			check(cut(slicer, plane), blocks.bounds());
+			check(cut(cutter, plane), blocks.bounds());
 		for (const TestPlane& plane : degeneratePlanes(block, 12))
-			check(cut(slicer, plane), blocks.bounds());
+			check(cut(cutter, plane), blocks.bounds());
 	}
 }
 
@@ -90,9 +90,9 @@ std::vector<PlaneLine> allLines(const Contours& contours, std::size_t levels)
 }
 
 // The shell's middle, where s is sin(3x) cos(2y).
-SlicedSheet shellSheet(cut::Cutter& slicer)
+SlicedSheet shellSheet(cut::Cutter& cutter)
 {
-	return cut(slicer, {{0.0, 1.5, 0.0}, {0.0, 0.0, 1.0}});
+	return cut(cutter, {{0.0, 1.5, 0.0}, {0.0, 0.0, 1.0}});
 }
 
 } // namespace
@@ -150,8 +150,8 @@ TEST(ContourLines, AreasBetweenLevelsCoverTheSlice)
 TEST(ContourLines, OfALinearFieldBoundAreasOfTheRightSize)
 {
 	const grid::BlockSet blocks = grid::makeDemo("blob", 8).value();
-	cut::Cutter slicer(blocks);
-	const SlicedSheet sheet = cut(slicer, {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}});
+	cut::Cutter cutter(blocks);
+	const SlicedSheet sheet = cut(cutter, {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}});
 	const auto triangles =
 	    measure::planeTriangles(sheet.mesh, sheet.slice.sheet, valuesOf(sheet.mesh, [](const Vec3& p) { return p.x; }));
 	const Contours contours(triangles, {-1.0, 0.5});
@@ -167,8 +167,8 @@ TEST(ContourLines, OfALinearFieldBoundAreasOfTheRightSize)
 TEST(ContourLines, AreWholeAndCloseAroundAPeak)
 {
 	const grid::BlockSet blocks = grid::makeDemo("shell", 40).value();
-	cut::Cutter slicer(blocks);
-	const SlicedSheet sheet = shellSheet(slicer);
+	cut::Cutter cutter(blocks);
+	const SlicedSheet sheet = shellSheet(cutter);
 	const Vec3 peak{0.0, 1.9, 0.0};
 	const auto triangles = measure::planeTriangles(
 	    sheet.mesh, sheet.slice.sheet, valuesOf(sheet.mesh, [&](const Vec3& p) { return glm::length(p - peak); }));
@@ -185,8 +185,8 @@ TEST(ContourLines, AreWholeAndCloseAroundAPeak)
 TEST(ContourLines, LevelsThroughVerticesGiveEachLineOnce)
 {
 	const grid::BlockSet blocks = grid::makeDemo("blob", 6).value(); // points at whole numbers
-	cut::Cutter slicer(blocks);
-	const SlicedSheet sheet = cut(slicer, {{0.0, 0.0, 0.25}, {0.0, 0.0, 1.0}});
+	cut::Cutter cutter(blocks);
+	const SlicedSheet sheet = cut(cutter, {{0.0, 0.0, 0.25}, {0.0, 0.0, 1.0}});
 	const auto triangles = measure::planeTriangles(
 	    sheet.mesh, sheet.slice.sheet, valuesOf(sheet.mesh, [](const Vec3& p) { return std::max(p.x, -p.x); }));
 	const Contours contours(triangles, {1.0, 2.0});
@@ -203,8 +203,8 @@ TEST(ContourLines, LevelsThroughVerticesGiveEachLineOnce)
 TEST(ContourLines, NanIsAHoleInTheSlice)
 {
 	const grid::BlockSet blocks = grid::makeDemo("blob", 6).value();
-	cut::Cutter slicer(blocks);
-	const SlicedSheet sheet = cut(slicer, {{0.0, 0.0, 0.25}, {0.0, 0.0, 1.0}});
+	cut::Cutter cutter(blocks);
+	const SlicedSheet sheet = cut(cutter, {{0.0, 0.0, 0.25}, {0.0, 0.0, 1.0}});
 	const auto triangles =
 	    measure::planeTriangles(sheet.mesh, sheet.slice.sheet,
 	                            valuesOf(sheet.mesh, [](const Vec3& p) { return p.x > 1.5 ? std::nan("") : p.y; }));
@@ -219,8 +219,8 @@ TEST(ContourLines, NanIsAHoleInTheSlice)
 TEST(ContourLines, OfPolygonsRunAlongTheirSides)
 {
 	const grid::BlockSet blocks = grid::makeDemo("blob", 6).value();
-	cut::Cutter slicer(blocks);
-	const SlicedSheet sheet = cut(slicer, {{0.0, 0.0, 0.25}, {0.0, 0.0, 1.0}});
+	cut::Cutter cutter(blocks);
+	const SlicedSheet sheet = cut(cutter, {{0.0, 0.0, 0.25}, {0.0, 0.0, 1.0}});
 	const std::vector<Uv> points = measure::planePoints(sheet.mesh, sheet.slice.sheet);
 	std::vector<double> values;
 	std::vector<std::uint32_t> groups;

@@ -89,13 +89,13 @@ TEST(FiniteFields, LeavesTheAreaOfNanAsItIs)
 						values[i] = value;
 				block.fields = {grid::makeField("t", association, components, std::move(values))};
 				const grid::BlockSet set = setOf(block);
-				cut::Cutter slicer(set);
+				cut::Cutter cutter(set);
 				measure::FiniteFields known;
 				// One that the array lacks is NaN at points.
 				for (const int component : {0, components > 1 ? grid::kMagnitude : 0, on_points ? 5 : 0})
 					for (int again = 0; again < 3; ++again)
 					{
-						const auto sheet = cut(slicer, {block.bounds.center(), {0.3, 0.5, 0.81 + 0.01 * again}});
+						const auto sheet = cut(cutter, {block.bounds.center(), {0.3, 0.5, 0.81 + 0.01 * again}});
 						const grid::FieldChoice choice{"t", association, component};
 						const double area = measure::measure(set, sheet.mesh, choice).nan_area;
 						EXPECT_EQ(measure::nanArea(set, sheet.mesh, choice, &known), area);

@@ -138,8 +138,8 @@ TEST(Measure, ABlockWithoutTheArrayIsNan)
 	grid::BlockSet set;
 	set.blocks = {gridNamed("blob"), gridNamed("blob")};
 	set.blocks[1].fields.clear();
-	cut::Cutter slicer(set);
-	const SlicedSheet sheet = cut(slicer, {{0.1, 0.2, 0.3}, {0.3, 0.5, 0.81}});
+	cut::Cutter cutter(set);
+	const SlicedSheet sheet = cut(cutter, {{0.1, 0.2, 0.3}, {0.3, 0.5, 0.81}});
 	const measure::SheetMeasure measure =
 	    measure::measure(set, sheet.mesh, grid::FieldChoice{"linear", grid::Association::point, 0});
 	EXPECT_NEAR(measure.nan_area, 0.5 * measure.area, 1e-12 * measure.area);
@@ -187,11 +187,11 @@ TEST(Measure, CategoriesAreNotInterpolated)
 
 	// In the middle of a window's rim too.
 	const grid::BlockSet set = setOf(block);
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet({0.4, 0.4, 0.4}, {0.3, 0.5, 0.81})};
 	request.probe.sheets[0].window = probe::Window{-0.25, 0.2, -0.15, 0.2};
-	const mesh::SheetMesh mesh = slicer.cut(request).value().mesh(set, 0);
+	const mesh::SheetMesh mesh = cutter.cut(request).value().mesh(set, 0);
 	ASSERT_GT(mesh.positions.size(), mesh.edges.size());
 	const grid::FieldChoice choice{"material", grid::Association::point, 0};
 	for (std::size_t v = 0; v < mesh.positions.size(); ++v)
@@ -207,10 +207,10 @@ TEST(Measure, TheMeanOfALinearFieldIsItsValueAtTheCentroid)
 	for (const grid::Block& block : allGrids())
 	{
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (const TestPlane& plane : randomPlanes(block.bounds, 20, 50))
 		{
-			const SlicedSheet sheet = cut(slicer, plane);
+			const SlicedSheet sheet = cut(cutter, plane);
 			double area = 0.0;
 			Vec3 moment(0.0);
 			for (std::size_t p = 0; p < sheet.mesh.polygons(); ++p)

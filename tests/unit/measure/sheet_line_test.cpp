@@ -57,12 +57,12 @@ TEST(SheetLine, PiecesAreInOrderCoverTheSliceAndKeepALinearField)
 	{
 		SCOPED_TRACE(block.name);
 		const grid::BlockSet blocks = setOf(block);
-		cut::Cutter slicer(blocks);
+		cut::Cutter cutter(blocks);
 		const double size = glm::length(blocks.bounds().hi - blocks.bounds().lo);
 		std::uniform_real_distribution<double> somewhere(-0.6 * size, 0.6 * size);
 		for (const TestPlane& plane : randomPlanes(blocks.bounds(), 3, 21))
 		{
-			const SlicedSheet sheet = cut(slicer, plane);
+			const SlicedSheet sheet = cut(cutter, plane);
 			const std::vector<Uv> points = measure::planePoints(sheet.mesh, sheet.slice.sheet);
 			const auto place = [&]
 			{
@@ -104,8 +104,8 @@ TEST(SheetLine, PiecesAreInOrderCoverTheSliceAndKeepALinearField)
 TEST(SheetLine, AlongSidesAndTheRimNothingIsLost)
 {
 	const grid::BlockSet blocks = grid::makeDemo("blob", 6).value(); // points at whole numbers
-	cut::Cutter slicer(blocks);
-	const SlicedSheet sheet = cut(slicer, {{0.0, 0.0, 0.25}, {0.0, 0.0, 1.0}});
+	cut::Cutter cutter(blocks);
+	const SlicedSheet sheet = cut(cutter, {{0.0, 0.0, 0.25}, {0.0, 0.0, 1.0}});
 	const std::vector<Uv> points = measure::planePoints(sheet.mesh, sheet.slice.sheet);
 	for (const double y : {-3.0, -1.0, 0.0, 2.0, 3.0})
 		for (const bool back : {false, true})

@@ -128,12 +128,12 @@ TEST(SheetLookup, FindsWhatALineFindsAndKeepsALinearField)
 	{
 		SCOPED_TRACE(block.name);
 		const grid::BlockSet blocks = setOf(block);
-		cut::Cutter slicer(blocks);
+		cut::Cutter cutter(blocks);
 		const double size = blocks.bounds().diagonal();
 		std::uniform_real_distribution<double> somewhere(-0.6 * size, 0.6 * size);
 		for (const TestPlane& plane : randomPlanes(blocks.bounds(), 8, 22))
 		{
-			const SlicedSheet sheet = cut(slicer, plane);
+			const SlicedSheet sheet = cut(cutter, plane);
 			const SheetLookup lookup(sheet.mesh, sheet.slice.sheet);
 			EXPECT_LE(lookup.bytes(), measure::kLookupBytes * sheet.mesh.polygons() + 64);
 			for (int line = 0; line < 8; ++line)
@@ -150,8 +150,8 @@ TEST(SheetLookup, FindsWhatALineFindsAndKeepsALinearField)
 TEST(SheetLookup, VerticesAndMeansHaveTheirValues)
 {
 	const grid::BlockSet blocks = grid::makeDemo("shell", 8).value();
-	cut::Cutter slicer(blocks);
-	const SlicedSheet sheet = cut(slicer, {{0.2, 1.7, 0.1}, {0.3, 0.5, 0.8}});
+	cut::Cutter cutter(blocks);
+	const SlicedSheet sheet = cut(cutter, {{0.2, 1.7, 0.1}, {0.3, 0.5, 0.8}});
 	const SheetLookup lookup(sheet.mesh, sheet.slice.sheet);
 	const std::vector<Uv> points = measure::planePoints(sheet.mesh, sheet.slice.sheet);
 	// Any values, since places are known exactly here.

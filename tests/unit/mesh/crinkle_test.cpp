@@ -22,9 +22,9 @@ struct Crinkled
 	std::vector<std::set<CellId>> cells; // per block: those shown
 };
 
-Crinkled crinkled(cut::Cutter& slicer, const TestPlane& plane)
+Crinkled crinkled(cut::Cutter& cutter, const TestPlane& plane)
 {
-	Crinkled made{cut(slicer, plane), {}, {}};
+	Crinkled made{cut(cutter, plane), {}, {}};
 	std::vector<mesh::ShownBlock> cuts;
 	for (std::uint32_t b = 0; b < made.sheet.slice.cuts.size(); ++b)
 	{
@@ -34,7 +34,7 @@ Crinkled crinkled(cut::Cutter& slicer, const TestPlane& plane)
 		for (const grid::BoundaryIndex::Face& face : cuts.back().faces_in_plane)
 			made.cells.back().insert(face.cell);
 	}
-	made.mesh = mesh::crinkleMesh(slicer.blocks(), cuts);
+	made.mesh = mesh::crinkleMesh(cutter.blocks(), cuts);
 	return made;
 }
 
@@ -106,11 +106,11 @@ TEST(Crinkle, HoldsTheFacesThatOneShownCellHas)
 		if (!isConforming(block))
 			continue;
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		std::size_t faces = 0;
 		for (const TestPlane& plane : planesThrough(block, 31))
 		{
-			const Crinkled made = crinkled(slicer, plane);
+			const Crinkled made = crinkled(cutter, plane);
 			const auto count = facesOf(block, made.cells[0]);
 			std::multiset<std::set<PointId>> found;
 			for (std::size_t p = 0; p < made.mesh.polygons(); ++p)
@@ -154,10 +154,10 @@ TEST(Crinkle, EnclosesTheCells)
 		if (block.name == "three_on_a_face" || block.name == "two_to_one" || !block.inverted.empty())
 			continue;
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (const TestPlane& plane : planesThrough(block, 32))
 		{
-			const Crinkled made = crinkled(slicer, plane);
+			const Crinkled made = crinkled(cutter, plane);
 			const double volume = volumeOfCells(block, made.cells[0]);
 			EXPECT_NEAR(volumeWithin(made.mesh), volume, 1e-9 * (1.0 + volume)) << block.name;
 			Vec3 closed(0.0);
@@ -173,10 +173,10 @@ TEST(Crinkle, HasNoHoleAtFacesWithSeveralNeighbors)
 {
 	const grid::Block& block = gridNamed("two_to_one");
 	const grid::BlockSet set = setOf(block);
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	for (const TestPlane& plane : planesThrough(block, 33))
 	{
-		const Crinkled made = crinkled(slicer, plane);
+		const Crinkled made = crinkled(cutter, plane);
 		std::size_t expected = 0;
 		visitGrid(block,
 		          [&](const auto& grid)
@@ -206,11 +206,11 @@ TEST(Crinkle, ClosesAcrossSeams)
 	{
 		const grid::BlockSet set = setOfBlocks({latticeBlock(place, 0.0, false), latticeBlock(place, 1.0, true)});
 		const grid::BlockSet whole = setOfBlocks({hexahedraBlock(place, 0.0, 2.0, true)});
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		cut::Cutter of_whole(whole);
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 40, 34))
 		{
-			const Crinkled here = crinkled(slicer, plane);
+			const Crinkled here = crinkled(cutter, plane);
 			const Crinkled there = crinkled(of_whole, plane);
 			EXPECT_EQ(here.mesh.polygons(), there.mesh.polygons());
 			EXPECT_EQ(here.mesh.positions.size(), there.mesh.positions.size());
@@ -223,12 +223,12 @@ TEST(Crinkle, ClosesAcrossSeams)
 TEST(Crinkle, IsOfWholeCellsInAWindow)
 {
 	const grid::BlockSet set = setOf(gridNamed("shell"));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	cut::CutRequest request;
 	probe::Sheet sheet = probe::makeSheet({0.1, 1.6, 0.2}, {0.3, 0.5, 0.8});
 	sheet.window = probe::centeredWindow(0.5, 0.4);
 	request.probe.sheets = {sheet};
-	const cut::Cut slice = std::move(slicer.cut(std::move(request)).value());
+	const cut::Cut slice = std::move(cutter.cut(std::move(request)).value());
 	const mesh::SheetMesh mesh = slice.crinkle(set, 0);
 	std::set<CellId> cells;
 	for (const mesh::BlockCell& from : slice.mesh(set, 0).polygon_cells)
@@ -243,14 +243,14 @@ TEST(Crinkle, IsTheSameOfSpans)
 	{
 		const grid::Block& block = gridNamed(name);
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (const TestPlane& plane : planesThrough(block, 35))
 		{
 			cut::CutRequest request;
 			request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 			request.finder = find::Finder::automatic;
-			const mesh::SheetMesh mesh = slicer.cut(request)->crinkle(set, 0);
-			const mesh::SheetMesh expected = crinkled(slicer, plane).mesh;
+			const mesh::SheetMesh mesh = cutter.cut(request)->crinkle(set, 0);
+			const mesh::SheetMesh expected = crinkled(cutter, plane).mesh;
 			EXPECT_EQ(mesh.polygons(), expected.polygons()) << name;
 			EXPECT_EQ(mesh.positions.size(), expected.positions.size()) << name;
 			EXPECT_NEAR(volumeWithin(mesh), volumeWithin(expected), 1e-9) << name;
@@ -262,10 +262,10 @@ TEST(Crinkle, OfAGridSurfaceIsItsLayer)
 {
 	const grid::Block& shell = gridNamed("shell");
 	const grid::BlockSet set = setOf(shell);
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	cut::CutRequest request;
 	request.surface = surface::GridIndex{1, 4.5};
-	const cut::Cut slice = std::move(slicer.cut(std::move(request)).value());
+	const cut::Cut slice = std::move(cutter.cut(std::move(request)).value());
 	const std::size_t n = grid::latticeCellsOf(shell)->lattice().cells()[0];
 	EXPECT_EQ(slice.mesh(set, 0).polygons(), n * n);
 	EXPECT_EQ(slice.crinkle(set, 0).polygons(), 2 * n * n + 4 * n);

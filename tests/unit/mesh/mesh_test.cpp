@@ -29,10 +29,10 @@ void forEachCut(std::vector<TestPlane> (*planes)(const grid::Block&), Visit&& vi
 	for (const grid::Block& block : allGrids())
 	{
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (const TestPlane& plane : planes(block))
 		{
-			visit(block, plane, cut(slicer, plane));
+			visit(block, plane, cut(cutter, plane));
 			if (testing::Test::HasFailure())
 			{
 				ADD_FAILURE() << block.name << ", origin " << plane.origin.x << ' ' << plane.origin.y << ' '
@@ -148,12 +148,12 @@ TEST(Mesh, TwistedCellsAreCountedAndCutWhole)
 	for (const char* name : {"warped_hexahedra", "warped_curvilinear"})
 	{
 		const grid::BlockSet set = setOf(gridNamed(name));
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		std::size_t twisted = 0;
 		std::size_t several = 0;
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 200, 33))
 		{
-			const SlicedSheet sheet = cut(slicer, plane);
+			const SlicedSheet sheet = cut(cutter, plane);
 			std::map<CellId, int> polygons;
 			for (const mesh::BlockCell& from : sheet.mesh.polygon_cells)
 				++polygons[from.cell];

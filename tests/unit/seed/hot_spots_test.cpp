@@ -71,9 +71,9 @@ TEST(HotSpots, ChangeNothingButTheGenerations)
 	const auto compare = [&](const grid::BlockSet& set, const TestPlane& plane)
 	{
 		const std::optional<probe::Window> window = maybeWindow(set.bounds(), random);
-		cut::Cutter slicer(set);
-		const SlicedSheet expected = cut(slicer, plane, {}, find::Finder::traversal, window);
-		const SlicedSheet found = cut(slicer, plane, kLattice, find::Finder::traversal, window);
+		cut::Cutter cutter(set);
+		const SlicedSheet expected = cut(cutter, plane, {}, find::Finder::traversal, window);
+		const SlicedSheet found = cut(cutter, plane, kLattice, find::Finder::traversal, window);
 		for (std::size_t b = 0; b < set.blocks.size(); ++b)
 		{
 			ASSERT_EQ(found.cutCells(b), expected.cutCells(b));
@@ -103,13 +103,13 @@ TEST(HotSpots, LeaveFewGenerations)
 	for (const auto& [name, n] : {std::pair("shell", 96), std::pair("hexes", 64), std::pair("tets", 40)})
 	{
 		const grid::BlockSet set = std::move(*grid::makeDemo(name, n));
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		std::size_t most = 0;
 		std::size_t most_without = 0;
 		const auto see = [&](const TestPlane& plane, const std::optional<probe::Window>& window)
 		{
-			const SlicedSheet spread = cut(slicer, plane, kLattice, find::Finder::traversal, window);
-			const SlicedSheet without = cut(slicer, plane, {}, find::Finder::traversal, window);
+			const SlicedSheet spread = cut(cutter, plane, kLattice, find::Finder::traversal, window);
+			const SlicedSheet without = cut(cutter, plane, {}, find::Finder::traversal, window);
 			most = std::max(most, spread.slice.cuts[0].cells().generations());
 			most_without = std::max(most_without, without.slice.cuts[0].cells().generations());
 			EXPECT_LE(spread.slice.seeds.hops,
@@ -145,7 +145,7 @@ TEST(HotSpots, AreTheSameForAnyNumberOfThreads)
 TEST(HotSpots, OfTheCutBefore)
 {
 	const grid::BlockSet set = std::move(*grid::makeDemo("shell", 64));
-	cut::Cutter slicer(set);
+	cut::Cutter cutter(set);
 	const auto cutAt = [&](const TestPlane& plane, const cut::Cut* last)
 	{
 		cut::CutRequest request;
@@ -153,7 +153,7 @@ TEST(HotSpots, OfTheCutBefore)
 		request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 		if (last)
 			request.last = std::make_shared<cut::Cut>(*last);
-		return std::move(*slicer.cut(request));
+		return std::move(*cutter.cut(request));
 	};
 	const auto cellsOf = [&](const cut::Cut& slice) { return SlicedSheet{&set, slice.sheets[0], {}}.cutCells(); };
 	std::size_t kept = 0;

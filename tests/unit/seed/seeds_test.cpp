@@ -121,7 +121,7 @@ TEST(Seeds, TheHotSpotGivesItsPieceAndNoOther)
 		if (block.name == "three_on_a_face")
 			continue; // cells overlap, so a point is in several
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		std::mt19937 random(81);
 		std::uniform_int_distribution<CellId> any_cell(0, static_cast<CellId>(cellCount(block) - 1));
 		for (int i = 0; i < 40; ++i)
@@ -137,7 +137,7 @@ TEST(Seeds, TheHotSpotGivesItsPieceAndNoOther)
 			EXPECT_FALSE(seeds.moved_to);
 			ASSERT_EQ(seeds.count, 1u) << block.name;
 
-			const SlicedSheet sheet = cut(slicer, plane, {SeedMode::hotspot, OutsidePolicy::refuse});
+			const SlicedSheet sheet = cut(cutter, plane, {SeedMode::hotspot, OutsidePolicy::refuse});
 			const std::vector<CellId> found = sheet.cutCells();
 			for (const std::set<CellId>& piece : piecesOf(block, plane))
 				if (piece.contains(holder))
@@ -155,7 +155,7 @@ TEST(Seeds, OutsideTheNearestPointOfTheSheetTakesItsPlace)
 	{
 		const grid::Block& block = gridNamed(name);
 		const grid::BlockSet set = setOf(block);
-		cut::Cutter slicer(set);
+		cut::Cutter cutter(set);
 		for (const TestPlane& plane : outsidePlanes(block, 82))
 		{
 			const SeedOptions options{SeedMode::hotspot, OutsidePolicy::nearest};
@@ -169,7 +169,7 @@ TEST(Seeds, OutsideTheNearestPointOfTheSheetTakesItsPlace)
 			EXPECT_GE(distance, expected * (1.0 - 1e-3)) << name;
 			EXPECT_NEAR(Side(plane).distance(*seeds.moved_to), 0.0, 1e-12 * block.bounds.diagonal());
 
-			const std::vector<CellId> found = cut(slicer, plane, options).cutCells();
+			const std::vector<CellId> found = cut(cutter, plane, options).cutCells();
 			const auto pieces = piecesOf(block, plane);
 			EXPECT_TRUE(std::ranges::any_of(pieces, [&](const std::set<CellId>& piece)
 			                                { return piece == std::set<CellId>(found.begin(), found.end()); }))

@@ -36,7 +36,7 @@ struct SlicedSheet
 	}
 };
 
-inline SlicedSheet cut(cut::Cutter& slicer, const TestPlane& plane, const seed::SeedOptions& seeds = {},
+inline SlicedSheet cut(cut::Cutter& cutter, const TestPlane& plane, const seed::SeedOptions& seeds = {},
                        find::Finder finder = find::Finder::traversal,
                        const std::optional<probe::Window>& window = std::nullopt)
 {
@@ -45,8 +45,8 @@ inline SlicedSheet cut(cut::Cutter& slicer, const TestPlane& plane, const seed::
 	request.probe.sheets[0].window = window;
 	request.seeds = seeds;
 	request.finder = finder;
-	cut::Cut slice = std::move(slicer.cut(std::move(request)).value());
-	SlicedSheet sheet{&slicer.blocks(), {}, slice.mesh(slicer.blocks(), 0)};
+	cut::Cut slice = std::move(cutter.cut(std::move(request)).value());
+	SlicedSheet sheet{&cutter.blocks(), {}, slice.mesh(cutter.blocks(), 0)};
 	sheet.slice = std::move(slice.sheets[0]);
 	return sheet;
 }

@@ -15,8 +15,8 @@ namespace
 vectors::Flux fluxOf(const grid::BlockSet& blocks, const TestPlane& plane,
                      const std::optional<probe::Window>& window = {}, const char* array = "v")
 {
-	cut::Cutter slicer(blocks);
-	const SlicedSheet sheet = cut(slicer, plane, {}, find::Finder::automatic, window);
+	cut::Cutter cutter(blocks);
+	const SlicedSheet sheet = cut(cutter, plane, {}, find::Finder::automatic, window);
 	return vectors::fluxThrough(blocks, sheet.mesh, vectors::chooseVectors(blocks, array).value());
 }
 

@@ -22,8 +22,8 @@ struct Cut
 
 Cut cutOf(const grid::BlockSet& blocks, const Vec3& origin, std::optional<probe::Window> window)
 {
-	cut::Cutter slicer(blocks);
-	const SlicedSheet sheet = cut(slicer, {origin, {0.0, 0.0, 1.0}}, {}, find::Finder::automatic, window);
+	cut::Cutter cutter(blocks);
+	const SlicedSheet sheet = cut(cutter, {origin, {0.0, 0.0, 1.0}}, {}, find::Finder::automatic, window);
 	return {sheet.mesh, sheet.slice.sheet};
 }
 

@@ -34,8 +34,8 @@ inline grid::BlockSet demo(const std::string& name, int n)
 inline vectors::SheetLattice latticeOn(const grid::BlockSet& blocks, const TestPlane& plane,
                                        const vectors::LatticeChoice& choice = {})
 {
-	cut::Cutter slicer(blocks);
-	const SlicedSheet sheet = cut(slicer, plane);
+	cut::Cutter cutter(blocks);
+	const SlicedSheet sheet = cut(cutter, plane);
 	return vectors::launchLattice(sheet.mesh, sheet.slice.sheet, choice);
 }
 

@@ -47,10 +47,10 @@ std::vector<NamedRow> rowsOf(const std::string& text)
 std::vector<NamedRow> rowsAlong(const grid::BlockSet& blocks, const probe::Sheet& sheet, const write::SheetLine& line)
 {
 	const TemporaryFolder folder;
-	cut::Cutter slicer(blocks);
+	cut::Cutter cutter(blocks);
 	cut::CutRequest request;
 	request.probe.sheets = {sheet};
-	const mesh::SheetMesh mesh = slicer.cut(std::move(request)).value().mesh(blocks, 0);
+	const mesh::SheetMesh mesh = cutter.cut(std::move(request)).value().mesh(blocks, 0);
 	EXPECT_TRUE(write::writeLine(blocks, sheet, mesh, line, folder / "line.csv"));
 	EXPECT_EQ(folder.files(), 1u);
 	return rowsOf(readText(folder / "line.csv"));

@@ -84,11 +84,11 @@ SampleSlice sampleSlice()
 {
 	SampleSlice sample;
 	sample.blocks.blocks = {mixedBlock(), imageBlock()};
-	cut::Cutter slicer(sample.blocks);
+	cut::Cutter cutter(sample.blocks);
 	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet({0.1, 0.2, 0.3}, {0.3, 0.5, 0.81}),
 	                        probe::makeSheet({4.1, 0.0, 0.0}, {1.0, 0.1, 0.0})};
-	const cut::Cut slice = slicer.cut(request).value();
+	const cut::Cut slice = cutter.cut(request).value();
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
 		sample.meshes.push_back(slice.mesh(sample.blocks, s));
 	return sample;
