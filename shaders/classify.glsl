@@ -29,7 +29,7 @@ layout(binding = kBindAxes) uniform usamplerBuffer axes;
 layout(binding = kBindFront, scalar) readonly buffer Front { uint front[]; };
 layout(binding = kBindCodes, scalar) writeonly buffer Codes { uint codes[]; };
 layout(binding = kBindRecords, scalar) writeonly buffer Records { PolygonRecord records[]; };
-layout(binding = kBindLane, scalar) uniform Lane { ClassifyLane lane; };
+layout(binding = kBindSheet, scalar) uniform Sheet { ClassifyPlane sheet; };
 layout(push_constant, scalar) uniform Push { ClassifyPush push; };
 
 // Of the cell's vertices. Indexed by constants only: what pick() does instead costs software devices a fifth.
@@ -50,7 +50,7 @@ void setVertex(uint v, uint id, VP_REAL distance, bool exact, vec2 uv)
 		vertex_value[v] = texelFetch(values, int(id)).x;
 	positive_mask |= uint(distance >= 0.0) << v;
 	exact_mask |= uint(exact) << v;
-	near_mask |= uint(abs(vertex_distance[v]) <= lane.error) << v;
+	near_mask |= uint(abs(vertex_distance[v]) <= sheet.error) << v;
 }
 
 #include "classify_common.glsl"
@@ -75,32 +75,32 @@ void fetchPoint(uint v, uint id)
 	bool exact = VP_DOUBLES != 0;
 #if VP_DOUBLES
 	if (kPoints == kPointsFloat)
-		from_origin = dvec3(uintBitsToFloat(stored.xyz)) - VP_DOUBLE3(lane.origin);
+		from_origin = dvec3(uintBitsToFloat(stored.xyz)) - VP_DOUBLE3(sheet.origin);
 	else
 	{
 		const uint low_mask = (1u << kFixedLowBits) - 1u;
 		const uvec3 low = (uvec3(stored.w) >> uvec3(0u, kFixedLowBits, 2u * kFixedLowBits)) & low_mask;
 		const dvec3 fixed_point = dvec3(ivec3(stored.xyz)) * double(1u << kFixedLowBits) + dvec3(ivec3(low));
-		precise dvec3 point = VP_DOUBLE3(lane.center) + fixed_point * dvec3(fromArray(lane.unit));
-		from_origin = point - VP_DOUBLE3(lane.origin);
-		exact = (stored.w & lane.inexact_mask) == 0u;
+		precise dvec3 point = VP_DOUBLE3(sheet.center) + fixed_point * dvec3(fromArray(sheet.unit));
+		from_origin = point - VP_DOUBLE3(sheet.origin);
+		exact = (stored.w & sheet.inexact_mask) == 0u;
 	}
-	const dvec3 normal = VP_DOUBLE3(lane.normal);
+	const dvec3 normal = VP_DOUBLE3(sheet.normal);
 #else
 	if (kPoints == kPointsFloat)
 		from_origin =
-			(uintBitsToFloat(stored.xyz) - fromArray(lane.single_origin_hi)) - fromArray(lane.single_origin_lo);
+			(uintBitsToFloat(stored.xyz) - fromArray(sheet.single_origin_hi)) - fromArray(sheet.single_origin_lo);
 	else
 	{
-		const vec3 coarse_unit = fromArray(lane.unit) * float(1u << kFixedLowBits);
-		from_origin = vec3(ivec3(stored.xyz)) * coarse_unit + fromArray(lane.single_center);
+		const vec3 coarse_unit = fromArray(sheet.unit) * float(1u << kFixedLowBits);
+		from_origin = vec3(ivec3(stored.xyz)) * coarse_unit + fromArray(sheet.single_center);
 	}
-	const vec3 normal = fromArray(lane.single_normal);
+	const vec3 normal = fromArray(sheet.single_normal);
 #endif
 	precise VP_REAL3 share = normal * from_origin;
 	precise VP_REAL distance = (share.x + share.y) + share.z;
-	precise vec3 x_share = fromArray(lane.x_axis) * vec3(from_origin);
-	precise vec3 y_share = fromArray(lane.y_axis) * vec3(from_origin);
+	precise vec3 x_share = fromArray(sheet.x_axis) * vec3(from_origin);
+	precise vec3 y_share = fromArray(sheet.y_axis) * vec3(from_origin);
 	precise vec2 uv = vec2((x_share.x + x_share.y) + x_share.z, (y_share.x + y_share.y) + y_share.z);
 	setVertex(v, id, distance, exact, uv);
 }
@@ -114,7 +114,7 @@ struct AxisShare
 
 AxisShare fetchShare(uint axis, uint index)
 {
-	const uvec4 stored = texelFetch(axes, int(lane.axis_start[axis] + index));
+	const uvec4 stored = texelFetch(axes, int(sheet.axis_start[axis] + index));
 	AxisShare share;
 #if VP_DOUBLES
 	share.distance = packDouble2x32(stored.xy);
@@ -137,7 +137,7 @@ void setCorner(uint v, uint id, AxisShare x, AxisShare y, AxisShare z)
 // Data linear along the edge; an end that has no part in the vertex does not bring its NaN to it.
 float alongEdge(float from, float to, float t)
 {
-	if (lane.nearest != 0u)
+	if (sheet.nearest != 0u)
 		return t < 0.5 ? from : t > 0.5 ? to : min(from, to);
 	precise float between = max(from, to) >= kNanValue ? kNanValue : from + t * (to - from);
 	return t == 0.0 ? from : t == 1.0 ? to : between;
@@ -148,10 +148,10 @@ float tupleAlongEdge(uint from, uint to, float t)
 {
 	precise float sum = 0.0;
 	float largest = 0.0;
-	for (uint c = 0u; c < lane.tuple_texels; ++c)
+	for (uint c = 0u; c < sheet.tuple_texels; ++c)
 	{
-		const vec4 a = texelFetch(values, int(from * lane.tuple_texels + c));
-		const vec4 b = texelFetch(values, int(to * lane.tuple_texels + c));
+		const vec4 a = texelFetch(values, int(from * sheet.tuple_texels + c));
+		const vec4 b = texelFetch(values, int(to * sheet.tuple_texels + c));
 		const vec4 value =
 			vec4(alongEdge(a.x, b.x, t), alongEdge(a.y, b.y, t), alongEdge(a.z, b.z, t), alongEdge(a.w, b.w, t));
 		largest = max(largest, max(max(value.x, value.y), max(value.z, value.w)));
@@ -166,7 +166,7 @@ float cellValue(uint cell)
 		return texelFetch(values, int(cell)).x;
 	if (kValues == kValuesCellTuple)
 		return tupleAlongEdge(cell, cell, 0.0);
-	return lane.no_value;
+	return sheet.no_value;
 }
 
 void leaveEmpty(uint i, uint cell)
@@ -205,7 +205,7 @@ void main()
 	{
 		if (e >= edges)
 			continue;
-		const uint turned = lane.flipped != 0u ? edges - 1u - e : e;
+		const uint turned = sheet.flipped != 0u ? edges - 1u - e : e;
 		const uint pair = turned < 2u ? entry.y : turned < 4u ? entry.z : entry.w;
 		const uint ends = pair >> (16u * (turned & 1u));
 		// From the positive end: all cells about an edge, in all blocks, agree which that is and compute one vertex.
@@ -214,7 +214,7 @@ void main()
 		const float distance = pick(vertex_distance, positive);
 		precise float difference = distance - pick(vertex_distance, negative);
 		const bool exact = (exact_mask >> positive & exact_mask >> negative & 1u) != 0u;
-		walk = walk || (!exact && difference < lane.least_difference);
+		walk = walk || (!exact && difference < sheet.least_difference);
 		// Not a number only where floats take both ends for zero, some 1e-38 from the plane.
 		precise float t = difference > 0.0 ? distance / difference : 0.0;
 		const vec2 positive_uv = pick(vertex_uv, positive);

@@ -1,4 +1,4 @@
-// The vertices of a cell of any kind. What includes this has kCells, the texels `cells`, a `lane` with the lattice and the
+// The vertices of a cell of any kind. What includes this has kCells, the texels `cells`, a `sheet` with the lattice and the
 // starts of the case tables, and says what a vertex is:
 //   void fetchPoint(uint v, uint id)                                     vertex v of the cell is point `id`
 //   AxisShare fetchShare(uint axis, uint index)                          of a coordinate of an axis (kCellsAxes)
@@ -15,16 +15,16 @@ uint divide(uint value, uint divisor, uint inverse)
 // Fetches the cell's vertices. Returns where its shape's cases start, and the number of vertices; 0 for a polyhedron.
 uint fetchCell(uint cell, out uint case_start)
 {
-	case_start = lane.table_start[3];
+	case_start = sheet.table_start[3];
 	if (kCells == kCellsAxes || kCells == kCellsLattice)
 	{
-		const uint row = divide(cell, lane.cells_i, lane.inverse_i);
-		const uint i = cell - row * lane.cells_i;
-		const uint k = divide(row, lane.cells_j, lane.inverse_j);
-		const uint j = row - k * lane.cells_j;
-		const uint p = k * lane.points_layer + j * lane.points_i + i;
-		const uint next_row = lane.points_i;
-		const uint next_layer = lane.points_layer;
+		const uint row = divide(cell, sheet.cells_i, sheet.inverse_i);
+		const uint i = cell - row * sheet.cells_i;
+		const uint k = divide(row, sheet.cells_j, sheet.inverse_j);
+		const uint j = row - k * sheet.cells_j;
+		const uint p = k * sheet.points_layer + j * sheet.points_i + i;
+		const uint next_row = sheet.points_i;
+		const uint next_layer = sheet.points_layer;
 		if (kCells == kCellsAxes)
 		{
 			const AxisShare x0 = fetchShare(0u, i), x1 = fetchShare(0u, i + 1u);
@@ -55,7 +55,7 @@ uint fetchCell(uint cell, out uint case_start)
 	if (kCells == kCellsRecord4)
 	{
 		const uvec4 ids = texelFetch(cells, int(cell));
-		case_start = lane.table_start[0];
+		case_start = sheet.table_start[0];
 		fetchPoint(0u, ids.x);
 		fetchPoint(1u, ids.y);
 		fetchPoint(2u, ids.z);
@@ -67,7 +67,7 @@ uint fetchCell(uint cell, out uint case_start)
 	const uint shape = second.w >= kShapeMark ? second.w - kShapeMark : 3u;
 	if (shape > 3u)
 		return 0u;
-	case_start = lane.table_start[shape];
+	case_start = sheet.table_start[shape];
 	const uint vertices = shape == 3u ? 8u : 4u + shape; // tetrahedron, pyramid, wedge
 	fetchPoint(0u, first.x);
 	fetchPoint(1u, first.y);

@@ -4,7 +4,7 @@
 
 Bounded coefficient(uint which)
 {
-	return Bounded(lane.coefficient[which], lane.coefficient_error[which]);
+	return Bounded(sheet.coefficient[which], sheet.coefficient_error[which]);
 }
 
 Bounded surfaceAt(Bounded x, Bounded y, Bounded z)

@@ -22,7 +22,7 @@ layout(binding = kBindCases) uniform usamplerBuffer cases;
 layout(binding = kBindAxes) uniform usamplerBuffer axes;
 layout(binding = kBindFront, scalar) readonly buffer Front { uint front[]; };
 layout(binding = kBindCodes, scalar) writeonly buffer Codes { uint codes[]; };
-layout(binding = kBindLane, scalar) uniform Lane { SurfaceLane lane; };
+layout(binding = kBindSheet, scalar) uniform Sheet { ClassifySurface sheet; };
 layout(push_constant, scalar) uniform Push { ClassifyPush push; };
 
 // f at a point.
@@ -38,8 +38,8 @@ void fetchPoint(uint v, uint id)
 	if (kPoints == kPointsFloat)
 		place = uintBitsToFloat(stored.xyz);
 	else
-		place = vec3(ivec3(stored.xyz)) * (fromArray(lane.unit) * float(1u << kFixedLowBits));
-	place = place + fromArray(lane.shift);
+		place = vec3(ivec3(stored.xyz)) * (fromArray(sheet.unit) * float(1u << kFixedLowBits));
+	place = place + fromArray(sheet.shift);
 	vertex_place[v] = place;
 }
 
@@ -50,7 +50,7 @@ struct AxisShare
 
 AxisShare fetchShare(uint axis, uint index)
 {
-	return AxisShare(uintBitsToFloat(texelFetch(axes, int(lane.axis_start[axis] + index)).x));
+	return AxisShare(uintBitsToFloat(texelFetch(axes, int(sheet.axis_start[axis] + index)).x));
 }
 
 void setCorner(uint v, uint id, AxisShare x, AxisShare y, AxisShare z)
@@ -68,14 +68,14 @@ Bounded along(float axis[3], Bounded x, Bounded y, Bounded z)
 
 Bounded valueAt(vec3 place)
 {
-	Bounded x = rounded(place.x, lane.place_error[0]);
-	Bounded y = rounded(place.y, lane.place_error[1]);
-	Bounded z = rounded(place.z, lane.place_error[2]);
-	if (lane.turned != 0u)
+	Bounded x = rounded(place.x, sheet.place_error[0]);
+	Bounded y = rounded(place.y, sheet.place_error[1]);
+	Bounded z = rounded(place.z, sheet.place_error[2]);
+	if (sheet.turned != 0u)
 	{
-		const Bounded turned_x = along(lane.x_axis, x, y, z);
-		const Bounded turned_y = along(lane.y_axis, x, y, z);
-		z = along(lane.z_axis, x, y, z);
+		const Bounded turned_x = along(sheet.x_axis, x, y, z);
+		const Bounded turned_y = along(sheet.y_axis, x, y, z);
+		z = along(sheet.z_axis, x, y, z);
 		x = turned_x;
 		y = turned_y;
 	}

@@ -14,20 +14,20 @@ template <class Surface, class Window = seed::SheetWindow>
 class CpuClassifier
 {
 public:
-	// The lanes stay the caller's, and are those that are traversed.
-	explicit CpuClassifier(std::span<const find::SheetInBlock<Surface, Window>> lanes) : lanes_(lanes) {}
+	// The sheets stay the caller's, and are those that are traversed.
+	explicit CpuClassifier(std::span<const find::SheetInBlock<Surface, Window>> sheets) : sheets_(sheets) {}
 
-	Status classify(std::span<const find::FrontSlice> fronts)
+	Status classify(std::span<const find::Front> fronts)
 	{
-		for (const find::FrontSlice& front : fronts)
-			std::visit([&](const auto& grid) { classifyFront(grid, lanes_[front.lane].surface, front); },
-			           lanes_[front.lane].block->grid);
+		for (const find::Front& front : fronts)
+			std::visit([&](const auto& grid) { classifyFront(grid, sheets_[front.sheet].surface, front); },
+			           sheets_[front.sheet].block->grid);
 		return Nothing{};
 	}
 
 private:
 	template <class G>
-	static void classifyFront(const G& grid, const Surface& surface, const find::FrontSlice& front)
+	static void classifyFront(const G& grid, const Surface& surface, const find::Front& front)
 	{
 		if constexpr (surface::kIsCurved<Surface>)
 		{
@@ -83,7 +83,7 @@ private:
 		return index;
 	}
 
-	std::span<const find::SheetInBlock<Surface, Window>> lanes_;
+	std::span<const find::SheetInBlock<Surface, Window>> sheets_;
 };
 
 } // namespace vp::classify

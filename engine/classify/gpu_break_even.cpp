@@ -46,7 +46,7 @@ template <class Classifier>
 Result<double> timeOf(Classifier& classifier, std::span<const CellId> cells)
 {
 	std::vector<std::uint32_t> codes(cells.size());
-	const find::FrontSlice front{0, cells, codes};
+	const find::Front front{0, cells, codes};
 	double best = std::numeric_limits<double>::infinity();
 	for (int run = 0; run < kRuns; ++run)
 	{

@@ -65,7 +65,7 @@ Status GpuClassifier::prepare()
 	gpu::Device& device = blocks_.device();
 	if (Status done = workspace_->prepare(device, blocks_.lastingPipeline()); !done)
 		return done;
-	if (Status done = workspace_->reserveLanes(device, sheets_.size() * told_stride_); !done)
+	if (Status done = workspace_->reserveSheets(device, sheets_.size() * told_stride_); !done)
 		return done;
 	if (Status done = workspace_->reserveAxes(device, axis_texels); !done)
 		return done;
@@ -78,13 +78,13 @@ Status GpuClassifier::prepare()
 			continue;
 		const std::size_t texels = axisTexels(blocks_.blocks().blocks[sheets_[i].block].grid);
 		sheets_[i].describe(axis_start, axes.subspan(axis_start, texels),
-		                    workspace_->lanes.mappedAs<std::byte>() + i * told_stride_);
+		                    workspace_->sheets.mappedAs<std::byte>() + i * told_stride_);
 		axis_start += texels;
 	}
 	return Nothing{};
 }
 
-Status GpuClassifier::classify(std::span<const find::FrontSlice> fronts)
+Status GpuClassifier::classify(std::span<const find::Front> fronts)
 {
 	if (Status planned = planRuns(fronts); !planned)
 		return planned;
@@ -98,14 +98,14 @@ Status GpuClassifier::classify(std::span<const find::FrontSlice> fronts)
 	return runs_.empty() ? Status(Nothing{}) : workspace_->takeCodes(runs_);
 }
 
-Status GpuClassifier::planRuns(std::span<const find::FrontSlice> fronts)
+Status GpuClassifier::planRuns(std::span<const find::Front> fronts)
 {
 	runs_.clear();
 	cpu_fronts_.clear();
 	std::size_t offset = 0;
-	for (const find::FrontSlice& front : fronts)
+	for (const find::Front& front : fronts)
 	{
-		if (!sheets_[front.lane].pipeline)
+		if (!sheets_[front.sheet].pipeline)
 			cpu_fronts_.push_back(front);
 		else if (Status added = addRuns(front, offset); !added)
 			return added;
@@ -113,13 +113,13 @@ Status GpuClassifier::planRuns(std::span<const find::FrontSlice> fronts)
 	return runs_.empty() ? Status(Nothing{}) : workspace_->reserveFront(blocks_.device(), offset);
 }
 
-Status GpuClassifier::addRuns(const find::FrontSlice& front, std::size_t& offset)
+Status GpuClassifier::addRuns(const find::Front& front, std::size_t& offset)
 {
 	for (std::size_t begin = 0; begin < front.cells.size();)
 	{
 		const std::size_t left = front.cells.size() - begin;
 		Run run{&front, begin, std::min(left, kMaxRun), offset};
-		if (sheets_[front.lane].records)
+		if (sheets_[front.sheet].records)
 			if (Status placed = placeRecords(front, begin, run); !placed)
 				return placed;
 		runs_.push_back(run);
@@ -130,9 +130,9 @@ Status GpuClassifier::addRuns(const find::FrontSlice& front, std::size_t& offset
 }
 
 // Takes the run's records from the end of the last page, or from a new one.
-Status GpuClassifier::placeRecords(const find::FrontSlice& front, std::size_t begin, Run& run)
+Status GpuClassifier::placeRecords(const find::Front& front, std::size_t begin, Run& run)
 {
-	SheetRecords& records = *sheets_[front.lane].records;
+	SheetRecords& records = *sheets_[front.sheet].records;
 	const std::uint32_t capacity = records.pool->pageRecords();
 	std::size_t first = records.pages.empty() ? capacity : roundUp(records.pages.back().count, record_alignment_);
 	if (first >= capacity)
@@ -150,9 +150,9 @@ Status GpuClassifier::placeRecords(const find::FrontSlice& front, std::size_t be
 	run.padded = static_cast<std::uint32_t>(std::min(roundUp(run.count, record_alignment_), capacity - first));
 	records.runs.push_back({static_cast<std::uint32_t>(records.pages.size() - 1), run.first,
 	                        static_cast<std::uint32_t>(run.count),
-	                        static_cast<std::uint32_t>(sheets_[front.lane].block), cells_done_[front.lane]});
+	                        static_cast<std::uint32_t>(sheets_[front.sheet].block), cells_done_[front.sheet]});
 	page.count = static_cast<std::uint32_t>(first + run.count);
-	cells_done_[front.lane] += static_cast<std::uint32_t>(run.count);
+	cells_done_[front.sheet] += static_cast<std::uint32_t>(run.count);
 	return Nothing{};
 }
 
@@ -197,7 +197,7 @@ Status GpuClassifier::record(VkCommandBuffer commands)
 
 void GpuClassifier::recordRun(VkCommandBuffer commands, const Run& run, VkDescriptorSet set)
 {
-	const GpuSheetInBlock& sheet = sheets_[run.front->lane];
+	const GpuSheetInBlock& sheet = sheets_[run.front->sheet];
 	const GpuBlock& block = blocks_.block(sheet.block);
 	const auto orCases = [&](const GpuTexels& texels) { return texels ? texels.view.handle() : blocks_.caseTexels(); };
 
@@ -210,7 +210,7 @@ void GpuClassifier::recordRun(VkCommandBuffer commands, const Run& run, VkDescri
 	    .texels(shared::kBindAxes, workspace_->axis_texels.handle())
 	    .storageBuffer(shared::kBindFront, workspace_->front.handle(), 4 * run.offset, 4 * run.count)
 	    .storageBuffer(shared::kBindCodes, workspace_->codes.handle(), 4 * run.offset, 4 * run.count)
-	    .uniformBuffer(shared::kBindLane, workspace_->lanes.handle(), run.front->lane * told_stride_,
+	    .uniformBuffer(shared::kBindSheet, workspace_->sheets.handle(), run.front->sheet * told_stride_,
 	                   GpuSheetInBlock::kMaxTold);
 	if (run.page)
 		writer.storageBuffer(shared::kBindRecords, run.page, run.first * sizeof(shared::PolygonRecord),

@@ -26,7 +26,7 @@ class GpuClassifier
 {
 public:
 	/// Classifies the fronts of what has no pipeline, while the device works.
-	using OnCpu = std::function<Status(std::span<const find::FrontSlice>)>;
+	using OnCpu = std::function<Status(std::span<const find::Front>)>;
 
 	/// sheets: in the order in which they are traversed. Sections "classify" go to the timeline, which may be null.
 	static Result<std::unique_ptr<GpuClassifier>> create(GpuBlocks& blocks, std::vector<GpuSheetInBlock> sheets,
@@ -35,13 +35,13 @@ public:
 	GpuClassifier(const GpuClassifier&) = delete;
 	GpuClassifier& operator=(const GpuClassifier&) = delete;
 
-	Status classify(std::span<const find::FrontSlice> fronts);
+	Status classify(std::span<const find::Front> fronts);
 
 private:
 	// A dispatch: some cells of a front, whose records, where there are any, go to one page.
 	struct Run
 	{
-		const find::FrontSlice* front;
+		const find::Front* front;
 		std::size_t begin; // of its cells in the front
 		std::size_t count;
 		std::size_t offset;                                       // of its cells and codes in the buffers
@@ -53,9 +53,9 @@ private:
 	GpuClassifier(GpuBlocks& blocks, std::vector<GpuSheetInBlock> sheets, OnCpu on_cpu, Timeline* timeline);
 
 	Status prepare();
-	Status planRuns(std::span<const find::FrontSlice> fronts);
-	Status addRuns(const find::FrontSlice& front, std::size_t& offset);
-	Status placeRecords(const find::FrontSlice& front, std::size_t begin, Run& run);
+	Status planRuns(std::span<const find::Front> fronts);
+	Status addRuns(const find::Front& front, std::size_t& offset);
+	Status placeRecords(const find::Front& front, std::size_t begin, Run& run);
 	Status submit();
 	Status record(VkCommandBuffer commands);
 	void recordRun(VkCommandBuffer commands, const Run& run, VkDescriptorSet set);
@@ -65,12 +65,12 @@ private:
 	OnCpu on_cpu_;
 	Timeline* timeline_;
 	std::unique_ptr<ClassifyWorkspace> workspace_;
-	std::vector<std::uint32_t> cells_done_;    // per sheet in a block
-	std::size_t told_stride_;                  // between what the shader is told of one and of the next
-	std::size_t code_alignment_;               // of a run's cells and codes, in codes
-	std::uint32_t record_alignment_;           // of a run's records
-	std::vector<Run> runs_;                    // of the generation
-	std::vector<find::FrontSlice> cpu_fronts_; // of the generation
+	std::vector<std::uint32_t> cells_done_; // per sheet in a block
+	std::size_t told_stride_;               // between what the shader is told of one and of the next
+	std::size_t code_alignment_;            // of a run's cells and codes, in codes
+	std::uint32_t record_alignment_;        // of a run's records
+	std::vector<Run> runs_;                 // of the generation
+	std::vector<find::Front> cpu_fronts_;   // of the generation
 };
 
 } // namespace vp::classify

@@ -20,7 +20,7 @@ gpu::ComputePipelineInfo classifyPipelineInfo(const PipelineKinds& kinds)
 		info.bindings.push_back({binding, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER});
 	for (const std::uint32_t binding : {shared::kBindFront, shared::kBindCodes, shared::kBindRecords})
 		info.bindings.push_back({binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
-	info.bindings.push_back({shared::kBindLane, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER});
+	info.bindings.push_back({shared::kBindSheet, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER});
 	info.push_bytes = sizeof(shared::ClassifyPush);
 	info.constants = {
 	    {shared::kConstantCells, kinds[0]}, {shared::kConstantPoints, kinds[1]}, {shared::kConstantValues, kinds[2]}};
@@ -33,7 +33,7 @@ Status warmUp(gpu::Device& device, const gpu::Pipeline& pipeline, const Pipeline
 	Result<VkDescriptorSet> set = sets.get(0);
 	if (!set)
 		return set.error();
-	static_assert(sizeof(shared::ClassifyLane) <= 1024 && sizeof(shared::SurfaceLane) <= 1024);
+	static_assert(sizeof(shared::ClassifyPlane) <= 1024 && sizeof(shared::ClassifySurface) <= 1024);
 	Result<gpu::Buffer> room =
 	    gpu::Buffer::create(device, 1024,
 	                        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
@@ -53,7 +53,7 @@ Status warmUp(gpu::Device& device, const gpu::Pipeline& pipeline, const Pipeline
 	writer.texels(shared::kBindValues, values->handle());
 	for (const std::uint32_t binding : {shared::kBindFront, shared::kBindCodes, shared::kBindRecords})
 		writer.storageBuffer(binding, room->handle());
-	writer.uniformBuffer(shared::kBindLane, room->handle());
+	writer.uniformBuffer(shared::kBindSheet, room->handle());
 	writer.write(device, *set);
 	return gpu::runOnce(device, "warm-up",
 	                    [&](VkCommandBuffer commands)

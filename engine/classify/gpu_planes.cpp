@@ -13,7 +13,7 @@ namespace
 {
 
 // Scalar layout: as the shader has it.
-static_assert(offsetof(shared::ClassifyLane, unit) == 72 && offsetof(shared::ClassifyLane, error) == 156);
+static_assert(offsetof(shared::ClassifyPlane, unit) == 72 && offsetof(shared::ClassifyPlane, error) == 156);
 
 void setHalves(shared::uint* halves, const Vec3& v)
 {
@@ -91,27 +91,27 @@ double fillPlaneAxes(const Lattice& grid, const surface::Plane& plane, const pro
 }
 
 // What the shader is told about a plane in a block.
-shared::ClassifyLane describePlane(const grid::Block& block, const GpuBlock& on_device, const GpuValues& values,
-                                   bool field_chosen, bool doubles, const probe::Sheet& sheet, std::size_t axis_start,
-                                   std::span<AxisTexel> axes)
+shared::ClassifyPlane describePlane(const grid::Block& block, const GpuBlock& on_device, const GpuValues& values,
+                                    bool field_chosen, bool doubles, const probe::Sheet& sheet, std::size_t axis_start,
+                                    std::span<AxisTexel> axes)
 {
 	const surface::Plane plane = sheet.plane();
 	const Vec3& normal = plane.normal();
 	const Vec3& origin = plane.origin();
-	shared::ClassifyLane lane{};
-	setHalves(lane.normal, normal);
-	setHalves(lane.origin, origin);
-	setHalves(lane.center, on_device.center);
-	setSingle(lane.unit, on_device.unit);
-	setSingle(lane.single_normal, normal);
-	setSingle(lane.single_center, on_device.center - origin);
-	setSingle(lane.single_origin_hi, origin);
-	setSingle(lane.single_origin_lo, origin - Vec3(Vec3f(origin)));
-	setSingle(lane.x_axis, sheet.xAxis());
-	setSingle(lane.y_axis, sheet.up);
+	shared::ClassifyPlane to{};
+	setHalves(to.normal, normal);
+	setHalves(to.origin, origin);
+	setHalves(to.center, on_device.center);
+	setSingle(to.unit, on_device.unit);
+	setSingle(to.single_normal, normal);
+	setSingle(to.single_center, on_device.center - origin);
+	setSingle(to.single_origin_hi, origin);
+	setSingle(to.single_origin_lo, origin - Vec3(Vec3f(origin)));
+	setSingle(to.x_axis, sheet.xAxis());
+	setSingle(to.y_axis, sheet.up);
 
 	double error = distanceError(on_device, normal, origin, doubles);
-	describeCells(block.grid, axis_start, lane);
+	describeCells(block.grid, axis_start, to);
 	std::visit(
 	    [&](const auto& grid)
 	    {
@@ -120,17 +120,17 @@ shared::ClassifyLane describePlane(const grid::Block& block, const GpuBlock& on_
 	    },
 	    block.grid);
 
-	lane.error = boundedAbove(error);
-	lane.least_difference = boundedAbove(error * (doubles ? kMinDifferenceDoubles : kMinDifferenceSingles));
+	to.error = boundedAbove(error);
+	to.least_difference = boundedAbove(error * (doubles ? kMinDifferenceDoubles : kMinDifferenceSingles));
 	for (int axis = 0; axis < 3; ++axis)
 		if (normal[axis] != 0.0)
-			lane.inexact_mask |= 1u << (shared::kFixedInexactShift + axis);
-	lane.nearest = values.nearest;
-	lane.tuple_texels = values.tuple_texels;
+			to.inexact_mask |= 1u << (shared::kFixedInexactShift + axis);
+	to.nearest = values.nearest;
+	to.tuple_texels = values.tuple_texels;
 	// Without an array there is nothing to miss; a block that lacks the shown array has no value there.
-	lane.no_value = field_chosen ? shared::kNanValue : 0.0f;
-	lane.flipped = glm::dot(normal, sheet.normal) < 0.0;
-	return lane;
+	to.no_value = field_chosen ? shared::kNanValue : 0.0f;
+	to.flipped = glm::dot(normal, sheet.normal) < 0.0;
+	return to;
 }
 
 GpuSheetInBlock planeInBlock(GpuBlocks& blocks, std::size_t b, const probe::Sheet& sheet,
@@ -148,7 +148,7 @@ GpuSheetInBlock planeInBlock(GpuBlocks& blocks, std::size_t b, const probe::Shee
 	made.records = records;
 	made.describe = [&blocks, b, sheet, field](std::size_t axis_start, std::span<AxisTexel> axes, std::byte* told)
 	{
-		const shared::ClassifyLane described =
+		const shared::ClassifyPlane described =
 		    describePlane(blocks.blocks().blocks[b], blocks.block(b), field->blocks[b], field->choice.has_value(),
 		                  blocks.usesDoubles(), sheet, axis_start, axes);
 		std::memcpy(told, &described, sizeof(described));

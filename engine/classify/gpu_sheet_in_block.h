@@ -34,34 +34,34 @@ struct GpuSheetInBlock
 	/// the first is texel `axis_start` of their buffer.
 	std::function<void(std::size_t axis_start, std::span<AxisTexel> axes, std::byte* told)> describe;
 
-	static constexpr std::size_t kMaxTold = std::max(sizeof(shared::ClassifyLane), sizeof(shared::SurfaceLane));
+	static constexpr std::size_t kMaxTold = std::max(sizeof(shared::ClassifyPlane), sizeof(shared::ClassifySurface));
 };
 
 /// The texels that the axes of an image or rectilinear grid take; 0 for other grids.
 std::size_t axisTexels(const grid::AnyGrid& grid);
 
-/// How cells find their points and cases; for what has these fields of ClassifyLane.
-template <class ShaderLane>
-void describeCells(const grid::AnyGrid& any, std::size_t axis_start, ShaderLane& lane)
+/// How cells find their points and cases; for what has these fields of ClassifyPlane.
+template <class Told>
+void describeCells(const grid::AnyGrid& any, std::size_t axis_start, Told& to)
 {
 	const auto describeLattice = [&](const auto& grid)
 	{
 		if constexpr (std::is_base_of_v<grid::Lattice, std::decay_t<decltype(grid)>>)
 		{
-			lane.cells_i = grid.cells()[0];
-			lane.cells_j = grid.cells()[1];
-			lane.inverse_i = grid.cells()[0] ? 0xFFFFFFFFu / grid.cells()[0] : 0;
-			lane.inverse_j = grid.cells()[1] ? 0xFFFFFFFFu / grid.cells()[1] : 0;
-			lane.points_i = grid.points()[0];
-			lane.points_layer = grid.points()[0] * grid.points()[1];
-			lane.axis_start[0] = static_cast<std::uint32_t>(axis_start);
-			lane.axis_start[1] = lane.axis_start[0] + grid.points()[0];
-			lane.axis_start[2] = lane.axis_start[1] + grid.points()[1];
+			to.cells_i = grid.cells()[0];
+			to.cells_j = grid.cells()[1];
+			to.inverse_i = grid.cells()[0] ? 0xFFFFFFFFu / grid.cells()[0] : 0;
+			to.inverse_j = grid.cells()[1] ? 0xFFFFFFFFu / grid.cells()[1] : 0;
+			to.points_i = grid.points()[0];
+			to.points_layer = grid.points()[0] * grid.points()[1];
+			to.axis_start[0] = static_cast<std::uint32_t>(axis_start);
+			to.axis_start[1] = to.axis_start[0] + grid.points()[0];
+			to.axis_start[2] = to.axis_start[1] + grid.points()[1];
 		}
 	};
 	std::visit(describeLattice, any);
 	for (int shape = 0; shape < grid::kTableShapes; ++shape)
-		lane.table_start[shape] = cases::caseTableStart(static_cast<grid::CellShape>(shape));
+		to.table_start[shape] = cases::caseTableStart(static_cast<grid::CellShape>(shape));
 }
 
 /// What is not less as a float: a bound stays a bound.

@@ -15,8 +15,8 @@ namespace
 {
 
 // Scalar layout: as the shader has it.
-static_assert(offsetof(shared::SurfaceLane, cells_i) == 36 && offsetof(shared::SurfaceLane, coefficient) == 128 &&
-              sizeof(shared::SurfaceLane) == 208);
+static_assert(offsetof(shared::ClassifySurface, cells_i) == 36 &&
+              offsetof(shared::ClassifySurface, coefficient) == 128 && sizeof(shared::ClassifySurface) == 208);
 
 double sumOfSizes(const Vec3& v)
 {
@@ -26,7 +26,7 @@ double sumOfSizes(const Vec3& v)
 // The quadric's polynomial about `center`, with errors: of the coefficients' rounding to float, of the move, and, with
 // the constant, of the CPU that evaluates the polynomial as it was given. Of the last two a sum of a dozen terms is
 // wrong by less than 2^-48 of the terms' sizes, which the reach of the points from the quadric's origin bounds.
-void describeQuadric(const surface::Quadric& quadric, const Vec3& center, const Vec3& half, shared::SurfaceLane& lane)
+void describeQuadric(const surface::Quadric& quadric, const Vec3& center, const Vec3& half, shared::ClassifySurface& to)
 {
 	const Vec3 slope = quadric.gradient(center);
 	const Vec3& square = quadric.square();
@@ -45,8 +45,8 @@ void describeQuadric(const surface::Quadric& quadric, const Vec3& center, const 
 			error += 0x1p-48 * heights;
 		else if (i >= 6)
 			error += 0x1p-48 * slopes;
-		lane.coefficient[i] = single;
-		lane.coefficient_error[i] = boundedAbove(error);
+		to.coefficient[i] = single;
+		to.coefficient_error[i] = boundedAbove(error);
 	}
 }
 
@@ -70,61 +70,62 @@ void fillCoordinateAxes(const grid::AnyGrid& any, const Vec3& center, std::span<
 }
 
 // Where an expression's coordinates count from.
-void describeAxes(const surface::Axes& axes, shared::SurfaceLane& lane)
+void describeAxes(const surface::Axes& axes, shared::ClassifySurface& to)
 {
-	lane.turned = 1;
+	to.turned = 1;
 	for (int i = 0; i < 3; ++i)
 	{
-		lane.x_axis[i] = static_cast<float>(axes.x[i]);
-		lane.y_axis[i] = static_cast<float>(axes.y[i]);
-		lane.z_axis[i] = static_cast<float>(axes.z[i]);
+		to.x_axis[i] = static_cast<float>(axes.x[i]);
+		to.y_axis[i] = static_cast<float>(axes.y[i]);
+		to.z_axis[i] = static_cast<float>(axes.z[i]);
 	}
 }
 
-// What is stored, with the lane's shift, is the difference from `center`.
-void describePlaces(const GpuBlock& block, const Vec3& half, const Vec3& center, shared::SurfaceLane& lane)
+// What is stored, with the shift, is the difference from `center`.
+void describePlaces(const GpuBlock& block, const Vec3& half, const Vec3& center, shared::ClassifySurface& to)
 {
 	const bool fixed = block.points && block.points_kind == shared::kPointsFixed;
 	for (int axis = 0; axis < 3; ++axis)
 	{
 		const double from = fixed ? block.center[axis] : 0.0;
 		const double shift = block.points ? from - center[axis] : 0.0;
-		lane.unit[axis] = static_cast<float>(block.unit[axis]);
-		lane.shift[axis] = static_cast<float>(shift);
-		double error = std::abs(shift - lane.shift[axis]);
+		to.unit[axis] = static_cast<float>(block.unit[axis]);
+		to.shift[axis] = static_cast<float>(shift);
+		double error = std::abs(shift - to.shift[axis]);
 		// The low bits, which are left out, what the source is beside the number, the rounding of the number's
 		// conversion and product, and that of the center's sums in double. All else is rounded in proportion to what it
 		// gives.
 		if (fixed)
 			error += 513.0 * block.unit[axis] + 0x1p-22 * half[axis] +
 			         0x1p-50 * (std::abs(from) + std::abs(center[axis]) + half[axis]);
-		lane.place_error[axis] = boundedAbove(error);
+		to.place_error[axis] = boundedAbove(error);
 	}
 }
 
 // What the shader is told about a surface in a block.
-shared::SurfaceLane describeSurface(const grid::Block& block, const GpuBlock& on_device, const surface::Curved& surface,
-                                    std::size_t axis_start, std::span<AxisTexel> axes)
+shared::ClassifySurface describeSurface(const grid::Block& block, const GpuBlock& on_device,
+                                        const surface::Curved& surface, std::size_t axis_start,
+                                        std::span<AxisTexel> axes)
 {
 	const bool fixed = on_device.points && on_device.points_kind == shared::kPointsFixed;
 	const Vec3 half = 0.5 * on_device.bounds.size() + on_device.unit;
-	shared::SurfaceLane lane{};
+	shared::ClassifySurface to{};
 	Vec3 center(0.0);
 	if (const auto* quadric = std::get_if<surface::Quadric>(&surface))
 	{
 		// Moved to the block's middle, where floats lose least.
 		center = fixed ? on_device.center : Vec3(Vec3f(on_device.bounds.center()));
-		describeQuadric(*quadric, center, half, lane);
+		describeQuadric(*quadric, center, half, to);
 	}
 	else if (const auto& placed = std::get<surface::PlacedExpression>(surface); placed.isMoved())
 	{
 		center = placed.axes().origin;
-		describeAxes(placed.axes(), lane);
+		describeAxes(placed.axes(), to);
 	}
-	describePlaces(on_device, half, center, lane);
-	describeCells(block.grid, axis_start, lane);
+	describePlaces(on_device, half, center, to);
+	describeCells(block.grid, axis_start, to);
 	fillCoordinateAxes(block.grid, center, axes);
-	return lane;
+	return to;
 }
 
 } // namespace
@@ -148,7 +149,7 @@ Result<std::vector<GpuSheetInBlock>> surfaceOnGpu(GpuBlocks& blocks, std::span<c
 		made[b].describe =
 		    [&blocks, b, surface = *surface](std::size_t axis_start, std::span<AxisTexel> axes, std::byte* told)
 		{
-			const shared::SurfaceLane described =
+			const shared::ClassifySurface described =
 			    describeSurface(blocks.blocks().blocks[b], blocks.block(b), surface, axis_start, axes);
 			std::memcpy(told, &described, sizeof(described));
 		};

@@ -48,9 +48,9 @@ Status ClassifyWorkspace::reserveFront(gpu::Device& device, std::size_t cells)
 	return grow(device, codes, 4 * cells, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Memory::readback, "codes");
 }
 
-Status ClassifyWorkspace::reserveLanes(gpu::Device& device, std::size_t bytes)
+Status ClassifyWorkspace::reserveSheets(gpu::Device& device, std::size_t bytes)
 {
-	return grow(device, lanes, bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::Memory::upload, "lanes");
+	return grow(device, sheets, bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::Memory::upload, "sheets");
 }
 
 Status ClassifyWorkspace::reserveAxes(gpu::Device& device, std::size_t texels)

@@ -26,10 +26,10 @@ struct ClassifyWorkspace
 
 	// Made by the first slice.
 	Status prepare(gpu::Device& device, const gpu::Pipeline& pipeline);
-	// Room for so many cells of a generation, over all lanes. What is in the buffers is lost.
+	// Room for so many cells of a generation, over all sheets. What is in the buffers is lost.
 	Status reserveFront(gpu::Device& device, std::size_t cells);
 	// Room for what stays the same during a slice.
-	Status reserveLanes(gpu::Device& device, std::size_t bytes);
+	Status reserveSheets(gpu::Device& device, std::size_t bytes);
 	Status reserveAxes(gpu::Device& device, std::size_t texels);
 
 	// Waits for what was submitted, and hands each run of cells its codes: run.count from run.offset on, for the cells
@@ -49,9 +49,9 @@ struct ClassifyWorkspace
 	gpu::Commands commands;
 	gpu::DescriptorSets sets; // set i serves dispatch i of a generation
 	gpu::Timers timers;
-	gpu::Buffer front; // cell ids, written by the host
-	gpu::Buffer codes; // read by the host
-	gpu::Buffer lanes; // ClassifyLane each, at offsets that the device can bind
+	gpu::Buffer front;  // cell ids, written by the host
+	gpu::Buffer codes;  // read by the host
+	gpu::Buffer sheets; // ClassifyPlane each, at offsets that the device can bind
 	gpu::Buffer axes;
 	gpu::TexelView axis_texels;
 };

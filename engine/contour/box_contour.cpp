@@ -149,22 +149,22 @@ Result<Contour> BoxContourer::grow(double value, Timeline* timeline, std::stop_t
 	const grid::BlockSet& blocks = slicer_.blocks();
 	const auto surfaces = find::isoSurfaces(blocks, value, sheet_.field);
 	std::vector<std::vector<CellId>> seeds = seedsOf(value);
-	std::vector<ClippedSurface> lanes;
+	std::vector<ClippedSurface> sheets;
 	std::vector<find::VisitedPool::Loan> marks;
 	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
 	{
 		marks.push_back(slicer_.borrowMarks(b));
-		lanes.push_back({.block = &blocks.blocks[b],
-		                 .surface = surfaces[b],
-		                 .visited = marks.back().get(),
-		                 .seeds = std::move(seeds[b]),
-		                 .seams = blocks.interfaces.of(b),
-		                 .sheet_lane = 0,
-		                 .filter = find::finiteCells(blocks.blocks[b], surfaces[b]),
-		                 .window = box_});
+		sheets.push_back({.block = &blocks.blocks[b],
+		                  .surface = surfaces[b],
+		                  .visited = marks.back().get(),
+		                  .seeds = std::move(seeds[b]),
+		                  .seams = blocks.interfaces.of(b),
+		                  .first_block = 0,
+		                  .filter = find::finiteCells(blocks.blocks[b], surfaces[b]),
+		                  .window = box_});
 	}
-	classify::CpuClassifier<surface::BlockSurface, ClipBox> classifier(lanes);
-	const auto cuts = find::breadthFirst<surface::BlockSurface, ClipBox>(lanes, classifier, stop);
+	classify::CpuClassifier<surface::BlockSurface, ClipBox> classifier(sheets);
+	const auto cuts = find::breadthFirst<surface::BlockSurface, ClipBox>(sheets, classifier, stop);
 	if (!cuts)
 		return cuts.error();
 	for (const find::CellCut& cut : *cuts)

@@ -66,7 +66,7 @@ Result<std::unique_ptr<PlanesOnDevice>> PlanesOnDevice::create(classify::GpuBloc
 Status PlanesOnDevice::classifyKnown()
 {
 	const std::size_t blocks = blocks_.blocks().blocks.size();
-	std::vector<find::FrontSlice> fronts;
+	std::vector<find::Front> fronts;
 	std::vector<find::CellCut*> cuts;
 	for (std::size_t i = 0; i < on_cpu_.size(); ++i)
 	{
@@ -88,7 +88,7 @@ Status PlanesOnDevice::classifyKnown()
 	if (Status done = classifier_->classify(fronts); !done)
 		return done;
 	for (std::size_t f = 0; f < fronts.size(); ++f)
-		walk(on_cpu_[fronts[f].lane], *cuts[f]);
+		walk(on_cpu_[fronts[f].sheet], *cuts[f]);
 	return Nothing{};
 }
 

@@ -4,8 +4,8 @@
 #include "cut/request.h"
 #include "find/block_stores.h"
 #include "find/generations.h"
-#include "find/lane_marks.h"
 #include "find/plan.h"
+#include "find/queued_marks.h"
 #include "grid/block.h"
 #include "grid/cell_filter.h"
 #include "seed/sheet_window.h"
@@ -52,7 +52,7 @@ public:
 			                                                                  .visited = nullptr,
 			                                                                  .seeds = {},
 			                                                                  .seams = blocks.interfaces.of(b),
-			                                                                  .sheet_lane = i - b,
+			                                                                  .first_block = i - b,
 			                                                                  .filter = group.filters[i]});
 			if (sheet.sheet.window)
 				searched.window.emplace(sheet.sheet);
@@ -82,7 +82,7 @@ private:
 	SheetGroup<Surface>& group_;
 	std::size_t block_count_;
 	std::vector<find::SheetInBlock<Surface>> sheets_;
-	find::LaneMarks marks_;
+	find::QueuedMarks marks_;
 };
 
 } // namespace vp::cut

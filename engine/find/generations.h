@@ -25,53 +25,54 @@
 namespace vp::find
 {
 
-// A sheet within a block: the unit that has a front and visited marks of its own. All lanes go in lock step, one call
-// of the classifier for generation k of every lane.
-//
-// Window: what bounds the sheet, seed::SheetWindow or another that tells of faces and cells whether they reach into it.
+/// A sheet in a block: the unit of a traversal. It has a front and marks of its own. All of them go in lock step: one
+/// call of the classifier serves generation k of all.
+///
+/// Window: the type that bounds the sheet. It says whether a face or a cell reaches into it, as seed::SheetWindow does.
 template <class Surface, class Window = seed::SheetWindow>
 struct SheetInBlock
 {
 	const grid::Block* block;
 	Surface surface;
-	VisitedMarks* visited;     // beginSlice() has been called; null where there is a queue, or nothing is searched
+	VisitedMarks* visited;     // beginCut() has been called; null where there is a queue, or nothing is searched
 	std::vector<CellId> seeds; // generation 0; cells that turn out not to be cut do no harm
-	// Where the block meets others or itself; null: nowhere. The lanes of a sheet stand in the order of the blocks,
-	// from `sheet_lane` on: what lies across a seam in block b is queued in lane sheet_lane + b.
+	// The places where the block meets other blocks or itself; null: there are none.
 	const grid::BlockSeams* seams = nullptr;
-	std::size_t sheet_lane = 0;
-	// Cells that it turns down end the traversal: they are not queued. Empty: every cell may come.
+	// A sheet's blocks stand one after the other, in their order. This is the number of the first. A cell across a seam
+	// in block b is queued at number first_block + b.
+	std::size_t first_block = 0;
+	// The traversal does not continue past cells that the filter rejects.
 	grid::CellFilter filter = {};
-	// Where the sheet has one: cells whose section lies outside do not count as cut, edges outside lead nowhere.
+	// Cells whose section lies outside the window are not cut. The traversal crosses no edge outside it.
 	std::optional<Window> window = {};
-	OctantQueue* queue = nullptr; // in place of the marks, and empty
+	OctantQueue* queue = nullptr; // takes the place of the marks; empty at the start
 
-	// Otherwise the block's cells are found in another way.
+	/// False: the cells of this block are found in another way, and none is queued.
 	bool isSearched() const { return visited || queue; }
-	// Whether the cell is to be queued: it may come, and has not been queued yet.
+	/// Marks the cell. True when it is to be queued: it passes the filter, and was not queued before.
 	bool enters(CellId cell) const
 	{
 		return (queue ? queue->mark(cell) : visited->mark(cell)) && (!filter || filter(cell));
 	}
 };
 
-// What a classifier is asked: a code for every cell of a lane's front (see slice_types.h).
-struct FrontSlice
+/// The cells of one generation of a sheet in a block. A classifier writes the code of each (shared/slice_types.h).
+struct Front
 {
-	std::size_t lane;
+	std::size_t sheet; // its number among the sheets in blocks that are traversed
 	std::span<const CellId> cells;
 	std::span<std::uint32_t> codes;
 };
 
 template <class C>
-concept Classifier = requires(C& c, std::span<const FrontSlice> fronts)
+concept Classifier = requires(C& c, std::span<const Front> fronts)
 {
 	{
 		c.classify(fronts)
 		} -> std::same_as<Status>;
 };
 
-// The cut cells of a lane in the order of their discovery.
+/// The cut cells of a sheet in a block, in the order in which they were found.
 struct CellCut
 {
 	std::vector<CellId> cells;        // every cell that was queued
@@ -79,8 +80,9 @@ struct CellCut
 	std::size_t cut_cells = 0;
 	bool closed = false; // cells ascend, and what lies across a cut face of theirs in the block is listed too
 	std::vector<std::uint32_t> generation_starts; // generations + 1 offsets into cells
-	std::size_t steps =
-	    0; // generations of all lanes up to this lane's last: more than its own where it was entered late
+	// Generations of the whole traversal until the last one here. That is more than generations() where the block was
+	// entered late.
+	std::size_t steps = 0;
 
 	std::size_t generations() const { return generation_starts.empty() ? 0 : generation_starts.size() - 1; }
 	std::size_t frontMax() const
@@ -92,7 +94,7 @@ struct CellCut
 	}
 };
 
-// Cells that are found without a traversal, as if they were all cut and had been its seeds.
+/// Cells that are known without a traversal, as one generation. All count as cut.
 inline CellCut oneGeneration(std::vector<CellId> cells)
 {
 	CellCut cut;
@@ -105,17 +107,17 @@ inline CellCut oneGeneration(std::vector<CellId> cells)
 	return cut;
 }
 
-// Queues the unqueued neighbors of the front [begin, end) of lane l across its cut faces. A boundary face of a block
-// with seams is looked up among them; a block without pays nothing for those of others.
+/// Queues the neighbors of the front [begin, end) of sheet number l across cut faces. A boundary face is looked up
+/// among the block's seams. A block without seams pays nothing for this.
 template <bool kHasSeams, class G, class Surface, class Window>
-void expandFront(const G& grid, std::span<const SheetInBlock<Surface, Window>> lanes, std::size_t l, std::size_t begin,
+void expandFront(const G& grid, std::span<const SheetInBlock<Surface, Window>> sheets, std::size_t l, std::size_t begin,
                  std::size_t end, std::span<CellCut> cuts)
 {
-	const SheetInBlock<Surface, Window>& lane = lanes[l];
+	const SheetInBlock<Surface, Window>& sheet = sheets[l];
 	CellCut& cut = cuts[l];
 	const auto enqueue = [&](CellId neighbor)
 	{
-		if (lane.enters(neighbor))
+		if (sheet.enters(neighbor))
 			cut.cells.push_back(neighbor);
 	};
 	const auto cross = [&](CellId cell, int face)
@@ -133,10 +135,10 @@ void expandFront(const G& grid, std::span<const SheetInBlock<Surface, Window>> l
 			                     });
 			if (!on_boundary)
 				return;
-			for (const grid::SeamLink& link : lane.seams->of(cell, static_cast<std::uint32_t>(face)))
+			for (const grid::SeamLink& link : sheet.seams->of(cell, static_cast<std::uint32_t>(face)))
 			{
-				const std::size_t across = lane.sheet_lane + link.block;
-				if (lanes[across].isSearched() && lanes[across].enters(link.other))
+				const std::size_t across = sheet.first_block + link.block;
+				if (sheets[across].isSearched() && sheets[across].enters(link.other))
 					cuts[across].cells.push_back(link.other);
 			}
 		}
@@ -151,15 +153,15 @@ void expandFront(const G& grid, std::span<const SheetInBlock<Surface, Window>> l
 		const CellId cell = cut.cells[i];
 		const bool walked = cut.codes[i] & shared::kCodeWalk;
 		if (walked)
-			cut.codes[i] = classifyByWalk(grid, lane.surface, cell, faces);
+			cut.codes[i] = classifyByWalk(grid, sheet.surface, cell, faces);
 		if (!(cut.codes[i] & shared::kCodeCut))
 			continue;
 		// Most cells lie within the window as a whole, and are not asked face by face.
-		const bool at_rim = lane.window && !lane.window->holdsCell(grid, cell);
+		const bool at_rim = sheet.window && !sheet.window->holdsCell(grid, cell);
 		if (at_rim && !walked)
 			grid.cellFaces(cell, faces);
 		// Later generations are mostly entered across an edge in the window, which is theirs too.
-		if (at_rim && (begin == 0 || asks_every_cell) && !lane.window->meetsCell(grid, lane.surface, faces))
+		if (at_rim && (begin == 0 || asks_every_cell) && !sheet.window->meetsCell(grid, sheet.surface, faces))
 		{
 			cut.codes[i] &= 0xFFu | shared::kCodeWalk;
 			continue;
@@ -167,13 +169,13 @@ void expandFront(const G& grid, std::span<const SheetInBlock<Surface, Window>> l
 		++cut.cut_cells;
 		const auto crossFace = [&](int f)
 		{
-			if (!at_rim || lane.window->meetsFace(grid, lane.surface, faces[f]))
+			if (!at_rim || sheet.window->meetsFace(grid, sheet.surface, faces[f]))
 				cross(cell, f);
 		};
 		if (walked)
 		{
 			for (int f = 0; f < faces.size(); ++f)
-				if (seed::isFaceCut(grid, lane.surface, faces[f]))
+				if (seed::isFaceCut(grid, sheet.surface, faces[f]))
 					crossFace(f);
 			continue;
 		}
@@ -182,76 +184,76 @@ void expandFront(const G& grid, std::span<const SheetInBlock<Surface, Window>> l
 	}
 }
 
-// Those of one sheet, one after the other: across seams a front grows the lanes after it and before it, so its own ends
-// are those of this generation.
+/// Expands the fronts of one sheet's blocks one after the other. Across seams a front adds cells to other blocks of the
+/// sheet, so the range of each front is taken from where its generation begins.
 template <class Surface, class Window>
-void expandSheet(std::span<const SheetInBlock<Surface, Window>> lanes, std::span<const FrontSlice> fronts,
+void expandSheet(std::span<const SheetInBlock<Surface, Window>> sheets, std::span<const Front> fronts,
                  std::span<CellCut> cuts)
 {
-	for (const FrontSlice& front : fronts)
+	for (const Front& front : fronts)
 	{
-		const SheetInBlock<Surface, Window>& lane = lanes[front.lane];
-		const std::size_t end = cuts[front.lane].generation_starts.back();
+		const SheetInBlock<Surface, Window>& sheet = sheets[front.sheet];
+		const std::size_t end = cuts[front.sheet].generation_starts.back();
 		const std::size_t begin = end - front.cells.size();
 		const auto expand = [&]<bool kHasSeams>(const auto& grid) {
-			expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface, Window>(grid, lanes, front.lane, begin, end,
+			expandFront<kHasSeams, std::decay_t<decltype(grid)>, Surface, Window>(grid, sheets, front.sheet, begin, end,
 			                                                                      cuts);
 		};
 		std::visit([&](const auto& grid)
-		           { lane.seams ? expand.template operator()<true>(grid) : expand.template operator()<false>(grid); },
-		           lane.block->grid);
+		           { sheet.seams ? expand.template operator()<true>(grid) : expand.template operator()<false>(grid); },
+		           sheet.block->grid);
 	}
 }
 
-// Sheets know nothing of each other: those of a wide generation are expanded on all cores. front_cells: of all fronts.
+/// Expands all fronts. Sheets share nothing, so a wide generation uses all cores. front_cells: the sum over all fronts.
 template <class Surface, class Window>
-void expandSheets(std::span<const SheetInBlock<Surface, Window>> lanes, std::span<const FrontSlice> fronts,
+void expandSheets(std::span<const SheetInBlock<Surface, Window>> sheets, std::span<const Front> fronts,
                   std::size_t front_cells, std::span<CellCut> cuts)
 {
 	constexpr std::size_t kWorthSharing = 1024; // some 30 us of one core
-	const auto ofSameSheet = [&](const FrontSlice& a, const FrontSlice& b)
-	{ return lanes[a.lane].sheet_lane == lanes[b.lane].sheet_lane; };
-	std::vector<std::span<const FrontSlice>> sheets;
+	const auto ofSameSheet = [&](const Front& a, const Front& b)
+	{ return sheets[a.sheet].first_block == sheets[b.sheet].first_block; };
+	std::vector<std::span<const Front>> groups;
 	for (auto first = fronts.begin(); first != fronts.end();)
 	{
-		const auto last =
-		    std::find_if(first, fronts.end(), [&](const FrontSlice& f) { return !ofSameSheet(*first, f); });
-		sheets.emplace_back(first, last);
+		const auto last = std::find_if(first, fronts.end(), [&](const Front& f) { return !ofSameSheet(*first, f); });
+		groups.emplace_back(first, last);
 		first = last;
 	}
-	const auto expand = [&](std::size_t s) { expandSheet<Surface, Window>(lanes, sheets[s], cuts); };
-	if (sheets.size() > 1 && front_cells >= kWorthSharing)
-		tbb::parallel_for(std::size_t(0), sheets.size(), expand);
+	const auto expand = [&](std::size_t s) { expandSheet<Surface, Window>(sheets, groups[s], cuts); };
+	if (groups.size() > 1 && front_cells >= kWorthSharing)
+		tbb::parallel_for(std::size_t(0), groups.size(), expand);
 	else
-		for (std::size_t s = 0; s < sheets.size(); ++s)
+		for (std::size_t s = 0; s < groups.size(); ++s)
 			expand(s);
 }
 
-// Breadth first, by generations: G(k+1) are the cells first met across the cut faces of G(k). Returns one CellCut a
-// lane, or the classifier's error; a stop request ends the traversal between generations with what was found.
-// timeline: sections "classify", which knows how wide the front is, and "expand" of each generation; or null.
+/// The paper's breadth-first traversal, by generations: G(k+1) are the cells first met across the cut faces of G(k).
+/// Returns one CellCut for each sheet in a block, or the classifier's error. A stop request ends the traversal between
+/// generations; what was found until then is returned. timeline: gets the sections "classify" (with the front's width)
+/// and "expand" of each generation; may be null.
 template <class Surface, class Window = seed::SheetWindow, Classifier C>
-Result<std::vector<CellCut>> breadthFirst(std::type_identity_t<std::span<SheetInBlock<Surface, Window>>> lanes,
+Result<std::vector<CellCut>> breadthFirst(std::type_identity_t<std::span<SheetInBlock<Surface, Window>>> sheets,
                                           C& classifier, std::stop_token stop = {}, Timeline* timeline = nullptr)
 {
-	std::vector<CellCut> cuts(lanes.size());
-	for (std::size_t l = 0; l < lanes.size(); ++l)
+	std::vector<CellCut> cuts(sheets.size());
+	for (std::size_t l = 0; l < sheets.size(); ++l)
 	{
 		cuts[l].generation_starts.push_back(0);
-		for (const CellId seed : lanes[l].seeds)
-			if (lanes[l].enters(seed))
+		for (const CellId seed : sheets[l].seeds)
+			if (sheets[l].enters(seed))
 				cuts[l].cells.push_back(seed);
 	}
 
-	std::vector<FrontSlice> fronts;
+	std::vector<Front> fronts;
 	for (std::size_t step = 1; !stop.stop_requested(); ++step)
 	{
 		fronts.clear();
 		std::size_t front_cells = 0;
-		for (std::size_t l = 0; l < lanes.size(); ++l)
+		for (std::size_t l = 0; l < sheets.size(); ++l)
 		{
-			if (lanes[l].queue)
-				lanes[l].queue->beginGeneration();
+			if (sheets[l].queue)
+				sheets[l].queue->beginGeneration();
 			CellCut& cut = cuts[l];
 			const std::size_t begin = cut.generation_starts.back();
 			if (begin == cut.cells.size())
@@ -270,7 +272,7 @@ Result<std::vector<CellCut>> breadthFirst(std::type_identity_t<std::span<SheetIn
 				return classified.error();
 		}
 		const TimedSection section(timeline, "expand");
-		expandSheets<Surface, Window>(lanes, fronts, front_cells, cuts);
+		expandSheets<Surface, Window>(sheets, fronts, front_cells, cuts);
 	}
 	// A stop leaves a generation queued that nothing is known about.
 	for (CellCut& cut : cuts)

@@ -33,27 +33,27 @@ public:
 			throw std::bad_alloc();
 	}
 
-	void beginSlice()
+	void beginCut()
 	{
-		if (++slice_ == 0)
+		if (++cut_ == 0)
 		{
 			std::memset(stamps_.get(), 0, cells_);
-			slice_ = 1;
+			cut_ = 1;
 		}
 	}
 	// True when the cell had not been queued in this slice yet.
 	bool mark(CellId cell)
 	{
 		std::uint8_t& stamp = stamps_.get()[cell];
-		const bool first = stamp != slice_;
-		stamp = slice_;
+		const bool first = stamp != cut_;
+		stamp = cut_;
 		return first;
 	}
 
 private:
 	std::unique_ptr<std::uint8_t, decltype(&std::free)> stamps_;
 	std::size_t cells_;
-	std::uint8_t slice_ = 0;
+	std::uint8_t cut_ = 0;
 };
 
 // Marks for one block, lent to sheets in flight and taken back; each loan is a slice of its own.
@@ -70,7 +70,7 @@ public:
 	Loan borrow()
 	{
 		Loan marks = pool_.borrow();
-		marks->beginSlice();
+		marks->beginCut();
 		return marks;
 	}
 	std::size_t bytes() const { return pool_.made() * cells_; } // held by all marks of the pool

@@ -18,7 +18,7 @@ VP_CONST uint kBindAxes = 4u;    // texels, see kCellsAxes
 VP_CONST uint kBindFront = 5u;   // cell ids in
 VP_CONST uint kBindCodes = 6u;   // codes out
 VP_CONST uint kBindRecords = 7u; // polygon records out
-VP_CONST uint kBindLane = 8u;    // ClassifyLane
+VP_CONST uint kBindSheet = 8u;    // ClassifyPlane
 
 // Specialisation constants.
 VP_CONST uint kConstantCells = 0u;
@@ -26,7 +26,7 @@ VP_CONST uint kConstantPoints = 1u;
 VP_CONST uint kConstantValues = 2u;
 
 // How a cell finds its points.
-VP_CONST uint kCellsAxes = 0u;    // image and rectilinear grids: one texel per coordinate of each axis and lane, that
+VP_CONST uint kCellsAxes = 0u;    // image and rectilinear grids: one texel per coordinate of each axis and sheet, that
                                   // holds the coordinate's share in the distance (double), in u and in v
 VP_CONST uint kCellsLattice = 1u; // curvilinear grids
 VP_CONST uint kCellsRecord4 = 2u; // unstructured grids of tetrahedra
@@ -49,8 +49,8 @@ VP_CONST uint kValuesCell = 2u;
 VP_CONST uint kValuesPointTuple = 3u;
 VP_CONST uint kValuesCellTuple = 4u;
 
-// One lane (a sheet in a block) for the length of a slice.
-struct ClassifyLane
+// One sheet in a block, for the length of a cut.
+struct ClassifyPlane
 {
 	uint normal[6];         // of the plane, unit, canonical
 	uint origin[6];         // of the sheet

@@ -14,8 +14,8 @@ VP_CONST uint kCodeWalk = 0x20000u; // undecided here: the CPU classifies and wa
 
 VP_CONST uint kMaxRecordVertices = 6u;
 
-// One polygon as it is drawn. Record i of a lane belongs to the i-th cell of its traversal, so nothing is allocated on
-// the GPU; a cell that emits nothing has no vertices.
+// One polygon as it is drawn. Record i of a sheet in a block belongs to the i-th cell of its traversal, so nothing is
+// allocated on the GPU. A cell that emits nothing has no vertices.
 struct PolygonRecord
 {
 	uint cell;                        // in its block

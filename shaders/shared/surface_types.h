@@ -12,12 +12,12 @@ VP_CONST uint kQuadricCoefficients = 10u;
 
 // A surface in a block for the length of a slice. A coordinate is what is stored and `shift`; of images and rectilinear
 // grids it is stored as it is. Where `turned` is 1 the surface is a function of coordinates along the axes.
-struct SurfaceLane
+struct ClassifySurface
 {
 	float unit[3]; // of fixed-point numbers
 	float shift[3];
 	float place_error[3]; // of a coordinate, before it is rounded here
-	uint cells_i;         // lattices, as in ClassifyLane
+	uint cells_i;         // lattices, as in ClassifyPlane
 	uint cells_j;
 	uint inverse_i;
 	uint inverse_j;

@@ -150,7 +150,7 @@ CutBothWays cutBothWays(classify::GpuBlocks& blocks, std::span<const probe::Shee
 	const auto traverse = [&](auto& classifier)
 	{
 		for (const auto& mark : marks)
-			mark->beginSlice();
+			mark->beginCut();
 		Result<std::vector<find::CellCut>> cuts =
 		    find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(lanes), classifier);
 		EXPECT_TRUE(cuts) << cuts.error().message;

@@ -45,7 +45,7 @@ std::vector<std::uint32_t> wordsInDouble(const grid::Block& block, const surface
 SurfaceWords classifyAllCells(classify::GpuBlocks& blocks, std::size_t block, const surface::Curved& surface)
 {
 	SurfaceWords result;
-	const auto none_left = [](std::span<const find::FrontSlice>) -> Status
+	const auto none_left = [](std::span<const find::Front>) -> Status
 	{
 		ADD_FAILURE() << "the CPU was asked";
 		return Nothing{};
@@ -65,7 +65,7 @@ SurfaceWords classifyAllCells(classify::GpuBlocks& blocks, std::size_t block, co
 	std::vector<CellId> cells(cellCount(cut));
 	std::iota(cells.begin(), cells.end(), CellId(0));
 	std::vector<std::uint32_t> codes(cells.size(), 0xDEADBEEFu);
-	const find::FrontSlice front{0, cells, codes};
+	const find::Front front{0, cells, codes};
 	const Status done = (*classifier)->classify({&front, 1});
 	EXPECT_TRUE(done) << done.error().message;
 

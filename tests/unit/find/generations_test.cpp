@@ -25,9 +25,9 @@ struct WalkEverything
 	std::size_t stop_at = 0;
 	std::stop_source stop;
 
-	Status classify(std::span<const find::FrontSlice> fronts)
+	Status classify(std::span<const find::Front> fronts)
 	{
-		for (const find::FrontSlice& front : fronts)
+		for (const find::Front& front : fronts)
 			std::ranges::fill(front.codes, shared::kCodeWalk);
 		if (++calls == stop_at)
 			stop.request_stop();
@@ -38,11 +38,11 @@ struct WalkEverything
 // By the table, as the CPU classifier has it.
 struct ByTable
 {
-	std::span<const PlaneInBlock> lanes;
+	std::span<const PlaneInBlock> sheets;
 
-	Status classify(std::span<const find::FrontSlice> fronts)
+	Status classify(std::span<const find::Front> fronts)
 	{
-		for (const find::FrontSlice& front : fronts)
+		for (const find::Front& front : fronts)
 			std::visit(
 			    [&](const auto& grid)
 			    {
@@ -53,17 +53,17 @@ struct ByTable
 					    front.codes[i] =
 					        shape == grid::CellShape::polyhedron
 					            ? shared::kCodeWalk
-					            : find::classifyByTable(grid, lanes[front.lane].surface, front.cells[i], shape);
+					            : find::classifyByTable(grid, sheets[front.sheet].surface, front.cells[i], shape);
 				    }
 			    },
-			    lanes[front.lane].block->grid);
+			    sheets[front.sheet].block->grid);
 		return Nothing{};
 	}
 };
 
 struct Fails
 {
-	Status classify(std::span<const find::FrontSlice>) { return Error{ExitCode::no_device, "device lost"}; }
+	Status classify(std::span<const find::Front>) { return Error{ExitCode::no_device, "device lost"}; }
 };
 
 std::vector<CellId> seedsOf(const grid::Block& block, const TestPlane& plane)
@@ -76,10 +76,10 @@ std::vector<CellId> seedsOf(const grid::Block& block, const TestPlane& plane)
 find::CellCut traverseAlone(const grid::Block& block, const TestPlane& plane, find::VisitedMarks& marks,
                             std::vector<CellId> seeds)
 {
-	marks.beginSlice();
-	std::vector<PlaneInBlock> lanes{{&block, surface::Plane(plane.origin, plane.normal), &marks, std::move(seeds)}};
-	ByTable classifier{lanes};
-	return std::move(find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(lanes), classifier).value()[0]);
+	marks.beginCut();
+	std::vector<PlaneInBlock> sheets{{&block, surface::Plane(plane.origin, plane.normal), &marks, std::move(seeds)}};
+	ByTable classifier{sheets};
+	return std::move(find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(sheets), classifier).value()[0]);
 }
 
 std::vector<CellId> cutCells(const find::CellCut& cut)
@@ -169,18 +169,19 @@ TEST(BreadthFirst, MarksWrapAroundUnnoticed)
 	for (std::size_t slice = 0; slice < 650; ++slice)
 	{
 		std::vector<find::VisitedPool::Loan> loans;
-		std::vector<PlaneInBlock> lanes;
+		std::vector<PlaneInBlock> sheets;
 		for (std::size_t sheet = 0; sheet < 1 + slice % 3;
-		     ++sheet) // lanes come and go, so marks are not at the same number
+		     ++sheet) // sheets come and go, so marks are not at the same number
 		{
 			const std::size_t p = (slice + sheet) % planes.size();
 			loans.push_back(pool.borrow());
-			lanes.push_back({&block, surface::Plane(planes[p].origin, planes[p].normal), loans.back().get(), seeds[p]});
+			sheets.push_back(
+			    {&block, surface::Plane(planes[p].origin, planes[p].normal), loans.back().get(), seeds[p]});
 		}
-		ByTable classifier{lanes};
-		const auto cuts = find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(lanes), classifier);
+		ByTable classifier{sheets};
+		const auto cuts = find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(sheets), classifier);
 		ASSERT_TRUE(cuts);
-		for (std::size_t sheet = 0; sheet < lanes.size(); ++sheet)
+		for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet)
 			ASSERT_EQ(sorted((*cuts)[sheet].cells), expected[(slice + sheet) % planes.size()]) << "slice " << slice;
 	}
 }
@@ -207,18 +208,18 @@ TEST(BreadthFirst, SheetsInLockStepDoNotDisturbEachOther)
 		const std::vector<TestPlane> planes{
 		    {center, {1.0, 0.1, 0.2}}, {center, {0.3, 1.0, 0.1}}, {center, {0.2, 0.3, 1.0}}};
 		std::vector<std::unique_ptr<find::VisitedMarks>> marks;
-		std::vector<PlaneInBlock> lanes;
+		std::vector<PlaneInBlock> sheets;
 		std::vector<find::CellCut> alone;
 		for (const TestPlane& plane : planes)
 		{
 			marks.push_back(std::make_unique<find::VisitedMarks>(cellCount(block)));
 			alone.push_back(traverseAlone(block, plane, *marks.back(), seedsOf(block, plane)));
-			marks.back()->beginSlice();
-			lanes.push_back(
+			marks.back()->beginCut();
+			sheets.push_back(
 			    {&block, surface::Plane(plane.origin, plane.normal), marks.back().get(), seedsOf(block, plane)});
 		}
-		ByTable classifier{lanes};
-		const auto together = find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(lanes), classifier);
+		ByTable classifier{sheets};
+		const auto together = find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(sheets), classifier);
 		ASSERT_TRUE(together);
 		for (std::size_t sheet = 0; sheet < planes.size(); ++sheet)
 		{
@@ -238,10 +239,10 @@ TEST(BreadthFirst, WalkingEveryCellFindsTheSame)
 		{
 			const std::vector<CellId> seeds = seedsOf(block, plane);
 			const find::CellCut expected = traverseAlone(block, plane, marks, seeds);
-			marks.beginSlice();
-			std::vector<PlaneInBlock> lanes{{&block, surface::Plane(plane.origin, plane.normal), &marks, seeds}};
+			marks.beginCut();
+			std::vector<PlaneInBlock> sheets{{&block, surface::Plane(plane.origin, plane.normal), &marks, seeds}};
 			WalkEverything classifier;
-			const auto walked = find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(lanes), classifier);
+			const auto walked = find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(sheets), classifier);
 			ASSERT_TRUE(walked);
 			EXPECT_EQ((*walked)[0].generation_starts, expected.generation_starts) << block.name;
 			EXPECT_EQ(cutCells((*walked)[0]), cutCells(expected)) << block.name;
@@ -273,12 +274,12 @@ TEST(BreadthFirst, AStopEndsItBetweenGenerations)
 	find::VisitedMarks marks(cellCount(block));
 	const find::CellCut whole = traverseAlone(block, plane, marks, seeds);
 	ASSERT_GT(whole.generations(), 5u);
-	marks.beginSlice();
-	std::vector<PlaneInBlock> lanes{{&block, surface::Plane(plane.origin, plane.normal), &marks, seeds}};
+	marks.beginCut();
+	std::vector<PlaneInBlock> sheets{{&block, surface::Plane(plane.origin, plane.normal), &marks, seeds}};
 	WalkEverything classifier;
 	classifier.stop_at = 3;
 	const auto stopped =
-	    find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(lanes), classifier, classifier.stop.get_token());
+	    find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(sheets), classifier, classifier.stop.get_token());
 	ASSERT_TRUE(stopped);
 	const find::CellCut& cut = (*stopped)[0];
 	EXPECT_EQ(classifier.calls, 3u);
@@ -292,10 +293,10 @@ TEST(BreadthFirst, AClassifiersErrorComesBack)
 {
 	const grid::Block& block = gridNamed("blob");
 	find::VisitedMarks marks(cellCount(block));
-	marks.beginSlice();
-	std::vector<PlaneInBlock> lanes{{&block, surface::Plane(Vec3(0.0), Vec3(1.0)), &marks, {0}}};
+	marks.beginCut();
+	std::vector<PlaneInBlock> sheets{{&block, surface::Plane(Vec3(0.0), Vec3(1.0)), &marks, {0}}};
 	Fails classifier;
-	const auto failed = find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(lanes), classifier);
+	const auto failed = find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(sheets), classifier);
 	ASSERT_FALSE(failed);
 	EXPECT_EQ(failed.error().message, "device lost");
 }
@@ -304,12 +305,12 @@ TEST(BreadthFirst, NoLanesAndNoSeeds)
 {
 	const grid::Block& block = gridNamed("blob");
 	find::VisitedMarks marks(cellCount(block));
-	marks.beginSlice();
+	marks.beginCut();
 	WalkEverything classifier;
-	std::vector<PlaneInBlock> lanes;
-	EXPECT_TRUE(find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(lanes), classifier)->empty());
-	lanes.push_back({&block, surface::Plane(Vec3(0.0), Vec3(1.0)), &marks, {}});
-	const auto cuts = find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(lanes), classifier);
+	std::vector<PlaneInBlock> sheets;
+	EXPECT_TRUE(find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(sheets), classifier)->empty());
+	sheets.push_back({&block, surface::Plane(Vec3(0.0), Vec3(1.0)), &marks, {}});
+	const auto cuts = find::breadthFirst<surface::Plane>(std::span<PlaneInBlock>(sheets), classifier);
 	EXPECT_EQ((*cuts)[0].generations(), 0u);
 	EXPECT_EQ((*cuts)[0].frontMax(), 0u);
 	EXPECT_EQ(classifier.calls, 0u);

@@ -16,7 +16,7 @@ TEST(VisitedMarks, MarkOnceASlice)
 	VisitedMarks marks(10);
 	for (int slice = 0; slice < 700; ++slice) // past the wrap of a byte, twice
 	{
-		marks.beginSlice();
+		marks.beginCut();
 		// Cell 3 only now and then, so that old stamps wait for the number to come round.
 		for (const CellId cell : {CellId(0), CellId(9), slice % 256 == 100 ? CellId(3) : CellId(5)})
 		{
@@ -31,12 +31,12 @@ TEST(VisitedMarks, AnOldStampIsNeverMistaken)
 	VisitedMarks marks(1000);
 	for (CellId cell = 0; cell < 1000; ++cell) // each cell is marked in one slice of its own
 	{
-		marks.beginSlice();
+		marks.beginCut();
 		ASSERT_TRUE(marks.mark(cell));
 	}
 	for (int slice = 0; slice < 256; ++slice)
 	{
-		marks.beginSlice();
+		marks.beginCut();
 	}
 	for (CellId cell = 0; cell < 1000; ++cell)
 		ASSERT_TRUE(marks.mark(cell)) << cell;
