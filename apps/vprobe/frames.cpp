@@ -12,7 +12,7 @@ Result<Frames> Frames::create(const FramePlaces& places, std::uint32_t width, st
 {
 	Frames frames(places);
 	if (!places.exposure.empty())
-		if (Status free = write::tryPlace(places.exposure); !free)
+		if (Status free = write::checkWritable(places.exposure); !free)
 			return free.error();
 	if (!places.pictures.empty())
 	{

@@ -66,7 +66,7 @@ Status checkProfileOptions(const ProfileOptions& options, const CLI::App& comman
 	if (options.json == "-" && options.trace == "-")
 		return Error{ExitCode::usage,
 		             "--json - and --trace -: standard output takes one thing at a time; name a file for the other"};
-	if (Status place = tryPlace(options.json); !place)
+	if (Status place = checkWritable(options.json); !place)
 		return place;
 	if (options.path.overTimes())
 		return Error{ExitCode::usage, "--path times: a profile moves a probe; choose another path"};

@@ -32,7 +32,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 		return ready.error();
 	if (options.saved.probe.explain)
 		return explain(options.saved.probe, options.saved.look.color_by == "generation");
-	if (Status place = tryPlace(options.stats); !place)
+	if (Status place = checkWritable(options.stats); !place)
 		return place.error();
 	if (options.output.empty())
 		return Error{ExitCode::usage, "-o: a picture needs a place; give the name of a .png file, or -"};
@@ -64,7 +64,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 	Result<cut::Cut> slice = cut(session);
 	if (!slice)
 		return slice.error();
-	if (Status told = tellAbout(session, *slice); !told)
+	if (Status told = reportWarnings(session, *slice); !told)
 		return told.error();
 	Result<std::vector<SheetStats>> stats = sheetStats(session, *slice);
 	if (!stats)

@@ -57,7 +57,7 @@ Result<ExitCode> runSample(const SampleOptions& options)
 	Result<std::vector<Vec3>> points = pointsOf(options);
 	if (!points)
 		return points.error();
-	if (Status place = write::tryPlace(options.output); !place)
+	if (Status place = write::checkWritable(options.output); !place)
 		return place.error();
 	Result<grid::BlockSet> blocks = [&]
 	{

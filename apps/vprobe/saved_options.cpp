@@ -190,7 +190,7 @@ Status prepare(SavedOptions& options)
 		return Error{ExitCode::usage, "INPUT is required: name a file, demo:NAME or --state FILE; see vprobe --help"};
 	if (options.save == "-")
 		return Error{ExitCode::usage, "--save -: a state names files relative to its own place; give it a file's name"};
-	if (Status place = tryPlace(options.save); !place)
+	if (Status place = checkWritable(options.save); !place)
 		return place;
 	if (Status fits = checkContours(options.look.contour, options.probe); !fits)
 		return fits;

@@ -284,7 +284,7 @@ bool isEmpty(const cut::SheetCut& sheet)
 	return std::ranges::all_of(sheet.seeds.faces_in_plane, [](const auto& faces) { return faces.empty(); });
 }
 
-Status tellAbout(const Session& session, const cut::Cut& slice)
+Status reportWarnings(const Session& session, const cut::Cut& slice)
 {
 	for (const std::string& words : slice.warnings)
 		warn("{}", words);

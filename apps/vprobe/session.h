@@ -85,6 +85,6 @@ Result<find::CutPlan> planOf(const Session& session);
 bool isEmpty(const cut::SheetCut& sheet);
 
 // Tells the user in a word what is empty or was moved; an error where a hot spot outside is to be one.
-Status tellAbout(const Session& session, const cut::Cut& slice);
+Status reportWarnings(const Session& session, const cut::Cut& slice);
 
 } // namespace vp::app

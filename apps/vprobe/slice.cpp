@@ -98,7 +98,7 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 {
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
-	if (Status place = tryPlace(options.stats); !place)
+	if (Status place = checkWritable(options.stats); !place)
 		return place.error();
 	if (Status one = requireOneSurface(options.saved.probe); !one)
 		return one.error();
@@ -142,7 +142,7 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 	Result<cut::Cut> slice = cut(session);
 	if (!slice)
 		return slice.error();
-	if (Status told = tellAbout(session, *slice); !told)
+	if (Status told = reportWarnings(session, *slice); !told)
 		return told.error();
 	Result<std::vector<SheetStats>> stats = sheetStats(session, *slice);
 	if (!stats)

@@ -6,7 +6,7 @@
 namespace vp::app
 {
 
-Status tryPlace(const std::string& path)
+Status checkWritable(const std::string& path)
 {
 	if (path.empty() || path == "-")
 		return Nothing{};

@@ -57,7 +57,7 @@ const char* classifierName(const Session& session);
 // The end of a command: writes the document to `path` ("-" is standard output, "" does nothing). When that fails the
 // command leaves nothing behind: those of `outputs` that are files are removed.
 // Whether a file can be written there, told before long work; nothing is left of the try. "" and - always fit.
-Status tryPlace(const std::string& path);
+Status checkWritable(const std::string& path);
 
 Result<ExitCode> writeStats(const std::string& path, const std::vector<std::string>& outputs,
                             const std::string& document);

@@ -54,7 +54,7 @@ Status checkSweepOptions(const SweepOptions& options)
 		             "--stats - and --trace -: standard output takes one thing at a time; name a file for the other"};
 	for (const std::string* place : {&options.stats, &options.saved.save})
 		if (!place->empty())
-			if (Status free = write::tryPlace(*place); !free)
+			if (Status free = write::checkWritable(*place); !free)
 				return free;
 	return Nothing{};
 }
@@ -118,7 +118,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 		return ready.error();
 	if (options.saved.probe.explain)
 		return explain(options.saved.probe, options.saved.look.color_by == "generation");
-	if (Status place = tryPlace(options.stats); !place)
+	if (Status place = checkWritable(options.stats); !place)
 		return place.error();
 	if (Status fits = checkSweepOptions(options); !fits)
 		return fits.error();

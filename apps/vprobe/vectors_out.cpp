@@ -34,7 +34,7 @@ Status checkVectorsOut(const VectorOptions& vectors, const std::string& file, co
 			return Error{ExitCode::usage, fmt::format("--vectors-out - and {} -: standard output takes one thing at a "
 			                                          "time; name a file for the other",
 			                                          other.option)};
-	return tryPlace(file);
+	return checkWritable(file);
 }
 
 Status writeVectors(const Session& session, const std::vector<SheetStats>& sheets, const std::string& file)

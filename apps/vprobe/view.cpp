@@ -36,7 +36,7 @@ Result<ExitCode> runView(ViewOptions& options, const CLI::App& command)
 	if (!options.saved.probe.inputs.empty())
 		if (Status ready = prepare(options.saved); !ready)
 			return ready.error();
-	if (Status place = tryPlace(options.stats); !place)
+	if (Status place = checkWritable(options.stats); !place)
 		return place.error();
 	// What can be wrong on the command line is told before a window opens.
 	if (Status probe = checkProbeOptions(options.saved.probe); !probe)

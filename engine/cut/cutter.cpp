@@ -19,27 +19,12 @@
 namespace vp::cut
 {
 
-CutTicket::CutTicket(std::stop_source stop, std::future<Result<Cut>> result)
-    : stop_(std::move(stop)), result_(std::move(result))
-{
-}
-
 CutTicket::~CutTicket()
 {
 	if (!result_.valid())
 		return;
 	cancel();
 	result_.wait();
-}
-
-void CutTicket::cancel()
-{
-	stop_.request_stop();
-}
-
-Result<Cut> CutTicket::wait()
-{
-	return result_.get();
 }
 
 Cutter::Cutter(const grid::BlockSet& blocks) : blocks_(blocks), ranges_(blocks.blocks.size())
@@ -85,7 +70,7 @@ Result<find::CutPlan> Cutter::plan(const CutRequest& request) const
 	if (gpu_)
 		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 			device.holds.push_back(gpu_->holds(b));
-	return find::planCut(planRequestOf(request), blocks_, gpu_ ? &device : nullptr);
+	return find::planCut(request.forPlan(), blocks_, gpu_ ? &device : nullptr);
 }
 
 CutTicket Cutter::begin(CutRequest request)

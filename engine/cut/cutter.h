@@ -3,8 +3,8 @@
 #include "base/result.h"
 #include "cut/cut.h"
 #include "cut/request.h"
-#include "find/block_stores.h"
 #include "find/curved_sheet.h"
+#include "find/find_block.h"
 #include "find/plan.h"
 #include "grid/block.h"
 #include "grid/cell_filter.h"
@@ -40,13 +40,16 @@ struct SheetGroup; // sheets that are searched together (sheet_group.h)
 class CutTicket
 {
 public:
-	CutTicket(std::stop_source stop, std::future<Result<Cut>> result);
+	CutTicket(std::stop_source stop, std::future<Result<Cut>> result)
+	    : stop_(std::move(stop)), result_(std::move(result))
+	{
+	}
 	CutTicket(CutTicket&&) = default;
 	CutTicket& operator=(CutTicket&&) = delete;
 	~CutTicket();
 
-	void cancel();      // wait() then gives what was found until then
-	Result<Cut> wait(); // once
+	void cancel() { stop_.request_stop(); }      // wait() then gives what was found until then
+	Result<Cut> wait() { return result_.get(); } // once
 
 private:
 	std::stop_source stop_;

@@ -47,9 +47,16 @@ struct CutRequest
 	{
 		return sheet_fields.empty() ? field : sheet_fields[sheet];
 	}
+	/// What a plan has to know. It refers to this request.
+	find::PlanRequest forPlan() const
+	{
+		return {.sheets = probe.sheets,
+		        .surface = surface ? &*surface : nullptr,
+		        .has_threshold = threshold.has_value(),
+		        .seed_mode = seeds.mode,
+		        .finder = finder,
+		        .strategy = strategy};
+	}
 };
-
-/// What a plan has to know of a request, which must outlive it.
-find::PlanRequest planRequestOf(const CutRequest& request);
 
 } // namespace vp::cut

@@ -2,7 +2,7 @@
 
 #include "cut/cut.h"
 #include "cut/request.h"
-#include "find/block_stores.h"
+#include "find/find_block.h"
 #include "find/generations.h"
 #include "find/plan.h"
 #include "find/queued_marks.h"

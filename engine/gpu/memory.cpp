@@ -9,14 +9,14 @@ namespace vp::gpu
 
 namespace
 {
-struct Wish
+struct MemoryPreference
 {
 	VkMemoryPropertyFlags required;
 	VkMemoryPropertyFlags preferred;
 	VkMemoryPropertyFlags avoided;
 };
 
-Wish wishFor(Memory kind)
+MemoryPreference wishFor(Memory kind)
 {
 	switch (kind)
 	{
@@ -35,7 +35,7 @@ Wish wishFor(Memory kind)
 }
 
 // The type with the most preferred and then the fewest avoided properties; the driver lists faster ones first.
-int chooseType(const VkPhysicalDeviceMemoryProperties& memory, std::uint32_t allowed, const Wish& wish,
+int chooseType(const VkPhysicalDeviceMemoryProperties& memory, std::uint32_t allowed, const MemoryPreference& wish,
                VkDeviceSize size)
 {
 	int best = -1;
@@ -76,7 +76,7 @@ Result<Allocation> allocate(Device& device, const VkMemoryRequirements& requirem
 	if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY && kind == Memory::upload)
 	{
 		// The device-local window for the host may be full; memory of the host will do.
-		Wish plain = wishFor(kind);
+		MemoryPreference plain = wishFor(kind);
 		plain.avoided |= plain.preferred;
 		plain.preferred = 0;
 		if (const int other = chooseType(memory, requirements.memoryTypeBits, plain, requirements.size); other != type)

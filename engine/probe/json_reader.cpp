@@ -33,7 +33,7 @@ std::string_view kindOfJson(const nlohmann::json& value)
 
 void JsonReader::refuse(const std::string& reason) const
 {
-	throw Unfit{fmt::format("{}: {}", path_.empty() ? "the document" : path_, reason)};
+	throw SchemaError{fmt::format("{}: {}", path_.empty() ? "the document" : path_, reason)};
 }
 
 std::string JsonReader::shown() const
@@ -47,7 +47,7 @@ void JsonReader::expectKeys(const std::vector<std::string_view>& keys) const
 		refuse(fmt::format("{} where an object with {} belongs", shown(), fmt::join(keys, ", ")));
 	for (const auto& [key, value] : value_.items())
 		if (std::ranges::find(keys, key) == keys.end())
-			throw Unfit{fmt::format("{}/{}: unknown key; the keys here are {}", path_, pointerStep(key),
+			throw SchemaError{fmt::format("{}/{}: unknown key; the keys here are {}", path_, pointerStep(key),
 			                        fmt::join(keys, ", "))};
 }
 

@@ -16,7 +16,7 @@ namespace vp::probe
 
 // Why a document cannot be used: where in it (a JSON pointer), what is wrong and what would be right. Thrown to
 // readDocument() only.
-struct Unfit
+struct SchemaError
 {
 	std::string message;
 };
@@ -81,7 +81,7 @@ Result<T> readDocument(const nlohmann::json& document, const std::string& source
 	{
 		return read(JsonReader(document, path));
 	}
-	catch (const Unfit& unfit)
+	catch (const SchemaError& unfit)
 	{
 		return Error{ExitCode::input, source + ": " + unfit.message};
 	}

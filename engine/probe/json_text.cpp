@@ -30,7 +30,7 @@ public:
 		if (event == Event::object_start || event == Event::array_start)
 		{
 			if (levels_.size() == kMaxDepth)
-				throw Unfit{fmt::format("nested more than {} deep; no probe or path is", kMaxDepth)};
+				throw SchemaError{fmt::format("nested more than {} deep; no probe or path is", kMaxDepth)};
 			levels_.push_back({event == Event::array_start, 0, {}, {}});
 		}
 		else if (event == Event::key)
@@ -68,7 +68,7 @@ private:
 		Level& level = levels_.back();
 		level.key = key;
 		if (!level.keys.insert(key).second)
-			throw Unfit{fmt::format("{}: a key given twice; remove one", pointer())};
+			throw SchemaError{fmt::format("{}: a key given twice; remove one", pointer())};
 	}
 
 	std::vector<Level> levels_;
@@ -149,7 +149,7 @@ Result<json> parseJson(std::string_view text, const std::string& source)
 			                   return true;
 		                   });
 	}
-	catch (const Unfit& unfit)
+	catch (const SchemaError& unfit)
 	{
 		return unusable(unfit.message);
 	}

@@ -133,7 +133,7 @@ struct Reader
 	static T own(Result<T> read)
 	{
 		if (!read)
-			throw probe::Unfit{read.error().message.substr(2)};
+			throw probe::SchemaError{read.error().message.substr(2)};
 		return std::move(*read);
 	}
 };

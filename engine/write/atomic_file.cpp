@@ -244,7 +244,7 @@ Status AtomicFile::commit()
 	return Nothing{};
 }
 
-Status tryPlace(const std::string& path)
+Status checkWritable(const std::string& path)
 {
 	std::error_code failed;
 	if (std::filesystem::is_other(path, failed)) // opening a pipe to try it would end its reader

@@ -38,7 +38,7 @@ private:
 };
 
 // Whether a file can be written there, which is told before long work.
-Status tryPlace(const std::string& path);
+Status checkWritable(const std::string& path);
 
 // For a signal handler that ends the program: removes what is being written beside its place, by whatever thread; no
 // thread begins or finishes a file after it. Async-signal-safe.

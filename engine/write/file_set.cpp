@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 Result<FileSet> FileSet::create(const std::string& path)
 {
-	if (Status free = tryPlace(path); !free)
+	if (Status free = checkWritable(path); !free)
 		return free.error();
 	const fs::path file(path);
 	std::error_code failed;

@@ -18,7 +18,7 @@ VP_CONST uint kBindAxes = 4u;    // texels, see kCellsAxes
 VP_CONST uint kBindFront = 5u;   // cell ids in
 VP_CONST uint kBindCodes = 6u;   // codes out
 VP_CONST uint kBindRecords = 7u; // polygon records out
-VP_CONST uint kBindSheet = 8u;    // ClassifyPlane
+VP_CONST uint kBindSheet = 8u;   // ClassifyPlane
 
 // Specialisation constants.
 VP_CONST uint kConstantCells = 0u;

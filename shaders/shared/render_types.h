@@ -33,7 +33,7 @@ VP_CONST uint kLayerListed = 4u; // of the records those are drawn that the comp
 // The compute rasterizer of small polygons. Pixels are numbered from 0, and their centers lie at whole numbers.
 VP_CONST uint kRasterGroupSize = 64u; // one thread a record
 VP_CONST uint kSubpixels = 256u;      // a pixel's side has so many places for corners: as many as hardware has
-VP_CONST uint kMaxRasterSide = 64u;  // pixels; of larger polygons the edges would not fit into 32 bits
+VP_CONST uint kMaxRasterSide = 64u;   // pixels; of larger polygons the edges would not fit into 32 bits
 
 struct RasterPush
 {

@@ -41,7 +41,7 @@ bool isProbe(const ProbeOptions& options, const char* name)
 
 } // namespace
 
-bool isOn(const Workbench& bench, Action action)
+bool isOn(const Document& bench, Action action)
 {
 	const OpenParts& parts = bench.parts;
 	const LookOptions& look = bench.state().look;
@@ -101,7 +101,7 @@ bool isOn(const Workbench& bench, Action action)
 	}
 }
 
-bool isPossible(const Workbench& bench, Action action)
+bool isPossible(const Document& bench, Action action)
 {
 	switch (action)
 	{

@@ -15,12 +15,12 @@ using interact::Action;
 
 constexpr int kMaxLines = 40; // that a slider offers
 
-std::string titleOf(const Facts::Array& array)
+std::string titleOf(const DatasetInfo::Array& array)
 {
 	return fmt::format("{}  ({})", array.name, array.association == grid::Association::cell ? "cells" : "points");
 }
 
-void chooseArray(Desk& desk, const Facts::Array& array)
+void chooseArray(Desk& desk, const DatasetInfo::Array& array)
 {
 	desk.bench.change(fmt::format("Array {}", array.name),
 	                  [&](ViewState& state)
@@ -32,14 +32,14 @@ void chooseArray(Desk& desk, const Facts::Array& array)
 	                  });
 }
 
-void showArrays(Desk& desk, const Facts::Array* now)
+void showArrays(Desk& desk, const DatasetInfo::Array* now)
 {
 	const bool by_generation = desk.bench.state().look.color_by == "generation";
 	const std::string shown = by_generation ? "Generation" : now ? titleOf(*now) : "None";
 	labeled("Array");
 	if (ImGui::BeginCombo("##array", shown.c_str(), ImGuiComboFlags_HeightLarge))
 	{
-		for (const Facts::Array& array : desk.bench.facts()->arrays)
+		for (const DatasetInfo::Array& array : desk.bench.facts()->arrays)
 			if (ImGui::Selectable(titleOf(array).c_str(), !by_generation && &array == now))
 				chooseArray(desk, array);
 		if (ImGui::Selectable("Generation", by_generation))
@@ -64,7 +64,7 @@ std::string componentWord(int component, int components)
 	                                            : fmt::format("{}", component);
 }
 
-void showComponents(Desk& desk, const Facts::Array* now)
+void showComponents(Desk& desk, const DatasetInfo::Array* now)
 {
 	if (!now || now->components < 2 || desk.bench.state().look.color_by == "generation")
 		return;
@@ -111,7 +111,7 @@ void showLineCount(Desk& desk, Action action, const char* label, int LookOptions
 
 void showColorSection(Desk& desk)
 {
-	const Facts::Array* now = desk.bench.shownArray();
+	const DatasetInfo::Array* now = desk.bench.shownArray();
 	showArrays(desk, now);
 	showComponents(desk, now);
 	showColorMapChoice(desk);

@@ -156,7 +156,7 @@ bool Commands::isWaiting(const Stage& stage)
 }
 
 // What a script asks for may fail later, as loading does: a window tells that in a notice, which no script reads.
-void Commands::tellErrors(const Workbench& bench)
+void Commands::tellErrors(const Document& bench)
 {
 	Moment newest = told_;
 	for (const Notice& notice : bench.notices())

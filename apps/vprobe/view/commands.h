@@ -3,7 +3,7 @@
 #include "base/result.h"
 #include "view/gpu_screen.h"
 #include "view/gpu_window.h"
-#include "view/workbench.h"
+#include "view/document.h"
 
 #include <cstdio>
 #include <deque>
@@ -36,7 +36,7 @@ public:
 
 	struct Stage
 	{
-		Workbench& bench;
+		Document& bench;
 		Window& window;
 		Screen& screen;
 		bool shows_newest;    // the window shows the bench's picture
@@ -60,7 +60,7 @@ private:
 	void take(std::string_view bytes, std::string& line);
 	std::optional<std::string> next();
 	bool isWaiting(const Stage& stage);
-	void tellErrors(const Workbench& bench);
+	void tellErrors(const Document& bench);
 
 	void waitForPicture(const Stage& stage);
 	Status carryOut(const std::string& line, const Stage& stage);

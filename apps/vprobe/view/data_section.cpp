@@ -20,7 +20,7 @@ void gridFact(const char* label, const std::string& value)
 	clippedText(value);
 }
 
-void showGridFacts(const Facts& facts)
+void showGridFacts(const DatasetInfo& facts)
 {
 	clippedText(inputTitle(facts.inputs));
 	tip(fmt::format("{}", fmt::join(facts.inputs, "\n")));

@@ -2,7 +2,7 @@
 
 #include "interact/bindings.h"
 #include "interact/drag.h"
-#include "view/hand.h"
+#include "view/pointer_controller.h"
 
 #include <optional>
 

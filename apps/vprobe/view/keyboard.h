@@ -1,7 +1,7 @@
 #pragma once
 
-#include "view/hand.h"
-#include "view/workbench.h"
+#include "view/pointer_controller.h"
+#include "view/document.h"
 
 namespace vp::app
 {
@@ -10,7 +10,7 @@ namespace vp::app
 class Keyboard
 {
 public:
-	Keyboard(Workbench& bench, Hand& hand) : bench_(bench), hand_(hand) {}
+	Keyboard(Document& bench, PointerController& hand) : bench_(bench), hand_(hand) {}
 
 	void press(int key, bool down, int modifiers); // as GLFW numbers them
 	// Right after its key: signs such as ? are typed by different keys on different keyboards.
@@ -19,8 +19,8 @@ public:
 private:
 	bool closeQuestion();
 
-	Workbench& bench_;
-	Hand& hand_;
+	Document& bench_;
+	PointerController& hand_;
 	bool served_ = false; // the last key that went down meant something
 };
 

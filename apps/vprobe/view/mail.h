@@ -1,6 +1,6 @@
 #pragma once
 
-#include "view/workbench.h"
+#include "view/document.h"
 
 #include <mutex>
 #include <utility>
@@ -9,14 +9,14 @@ namespace vp::app
 {
 
 // What other threads leave for the window's. It outlives the bench where they are slower.
-struct Workbench::Mail
+struct Document::Mail
 {
 	std::mutex mutex;
 	std::vector<Notice> notices;
 	std::optional<Error> frame_failed; // of a recording
 	std::shared_ptr<Exposure> exposure;
 
-	// A recorded frame. Only the artist's thread adds to the exposure.
+	// A recorded frame. Only the render thread's thread adds to the exposure.
 	void leave(Result<render::Picture> picture, int frame, FilmLoop& film)
 	{
 		std::shared_ptr<Exposure> exposed;

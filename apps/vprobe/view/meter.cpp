@@ -63,7 +63,7 @@ void Meter::frame(Moment now, bool active)
 	last_frame_ = now;
 }
 
-void Meter::picture(const std::shared_ptr<const Shown>& shown, Moment now)
+void Meter::picture(const std::shared_ptr<const PresentedFrame>& shown, Moment now)
 {
 	if (!shown || shown == last_)
 		return;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "view/artist.h"
+#include "view/render_thread.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -42,7 +42,7 @@ public:
 	// A frame of the window was presented. active: it followed the one before as soon as it could.
 	void frame(Moment now, bool active);
 	// With a picture that was not seen before, if `shown` is another than the last.
-	void picture(const std::shared_ptr<const Shown>& shown, Moment now);
+	void picture(const std::shared_ptr<const PresentedFrame>& shown, Moment now);
 
 	const Figure& frames() const { return frames_; } // from frame to frame, of active ones
 	const Figure& cuts() const { return cuts_; }
@@ -59,7 +59,7 @@ private:
 	Figure cut_gaps_; // between pictures of new cuts, while they follow each other
 	std::optional<Moment> last_frame_;
 	std::optional<Moment> last_cut_;
-	std::shared_ptr<const Shown> last_;
+	std::shared_ptr<const PresentedFrame> last_;
 	std::uint64_t last_number_ = 0;
 };
 

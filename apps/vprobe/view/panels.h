@@ -1,9 +1,9 @@
 #pragma once
 
-#include "view/hand.h"
+#include "view/pointer_controller.h"
 #include "view/meter.h"
 #include "view/theme.h"
-#include "view/workbench.h"
+#include "view/document.h"
 
 namespace vp::app
 {
@@ -11,8 +11,8 @@ namespace vp::app
 // What panels are drawn from.
 struct Desk
 {
-	Workbench& bench;
-	Hand& hand;
+	Document& bench;
+	PointerController& hand;
 	const Meter& meter;
 	double scale; // of the screen
 };

@@ -33,7 +33,7 @@ std::string place(const Vec3& at, const Box& bounds)
 
 std::optional<Pointed> pointedInPane(const Desk& desk)
 {
-	const Shown& shown = *desk.bench.shown();
+	const PresentedFrame& shown = *desk.bench.shown();
 	const ScenePart pane = paneOf(desk.hand.part(), desk.scale);
 	if (!desk.bench.parts.plane_pane || !shown.pane || !shown.lookups || !pane.holds(desk.hand.at()))
 		return std::nullopt;

@@ -86,7 +86,7 @@ bool eyeButton(const char* id, bool open)
 	return clicked;
 }
 
-std::string nameOf(const Workbench& bench, const probe::Probe& probe, std::size_t sheet)
+std::string nameOf(const Document& bench, const probe::Probe& probe, std::size_t sheet)
 {
 	const auto& array = probe.sheets[sheet].wishes.array;
 	const auto& shown = bench.shown();

@@ -77,7 +77,7 @@ void cutFact(const char* name, const std::string& value, const char* words)
 	ImGui::TextUnformatted(value.c_str());
 }
 
-void showCut(const Desk& desk, const Shown& shown)
+void showCut(const Desk& desk, const PresentedFrame& shown)
 {
 	const CutFigures cut = figuresOf(*shown.cut);
 	const bool floods = cut.generations == 0;
@@ -90,7 +90,7 @@ void showCut(const Desk& desk, const Shown& shown)
 	cutFact("Widest", floods ? "-" : grouped(cut.front_max), "Cells of the largest generation");
 }
 
-void showMemory(const Desk& desk, const Shown& shown)
+void showMemory(const Desk& desk, const PresentedFrame& shown)
 {
 	const grid::Memory& memory = desk.bench.facts()->memory;
 	cutFact("Grid", bytes(static_cast<double>(memory.read())), "Coordinates, cells and arrays");

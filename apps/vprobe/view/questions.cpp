@@ -62,7 +62,7 @@ std::vector<std::string> words(const std::string& text)
 	return {std::istream_iterator<std::string>(stream), {}};
 }
 
-void begin(const FileQuestion& asked, const Workbench& bench)
+void begin(const FileQuestion& asked, const Document& bench)
 {
 	Answer& now = answer();
 	now.overwrites = false;
@@ -81,7 +81,7 @@ void begin(const FileQuestion& asked, const Workbench& bench)
 void take(Desk& desk, const FileQuestion& asked)
 {
 	Answer& now = answer();
-	Workbench& bench = desk.bench;
+	Document& bench = desk.bench;
 	const std::string file = now.browser.path();
 	now.folder = now.browser.folder();
 	switch (asked.question)

@@ -27,7 +27,7 @@ Ends endsOf(const LookOptions& look)
 }
 
 // What the picture's colors go from and to.
-std::array<double, 2> shownEnds(const Workbench& bench)
+std::array<double, 2> shownEnds(const Document& bench)
 {
 	const LookOptions& look = bench.state().look;
 	if (!look.range.empty())

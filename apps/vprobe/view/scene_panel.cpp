@@ -21,12 +21,12 @@ ImU32 faded(ImU32 color, double alpha)
 }
 
 // In the hand, or under the pointer where nothing of the user interface lies between.
-bool isHeld(const interact::HandleShape& shape, const Hand& hand)
+bool isHeld(const interact::HandleShape& shape, const PointerController& hand)
 {
 	return hand.handle() == shape.handle && (hand.isBusy() || !ImGui::GetIO().WantCaptureMouse);
 }
 
-ImU32 colorOf(const interact::HandleShape& shape, const Hand& hand, const Theme& colors)
+ImU32 colorOf(const interact::HandleShape& shape, const PointerController& hand, const Theme& colors)
 {
 	if (isHeld(shape, hand))
 		return colors.held;

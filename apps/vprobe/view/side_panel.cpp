@@ -30,14 +30,14 @@ constexpr std::array kSections{
     Section{"Camera", "Where the scene is seen from", showCameraSection, false},
 };
 
-bool isOfUse(const Section& section, const Workbench& bench)
+bool isOfUse(const Section& section, const Document& bench)
 {
 	if (section.show == showDataSection)
 		return true;
 	if (section.show == showTimeSection)
 		return bench.facts() && bench.facts()->times.size() > 1;
 	if (section.show == showVectorSection)
-		return bench.facts() && std::ranges::any_of(bench.facts()->arrays, Facts::isVector);
+		return bench.facts() && std::ranges::any_of(bench.facts()->arrays, DatasetInfo::isVector);
 	return bench.facts().has_value();
 }
 

@@ -10,7 +10,7 @@ namespace vp::app
 namespace
 {
 
-std::string costs(const Shown& shown, const Meter& meter)
+std::string costs(const PresentedFrame& shown, const Meter& meter)
 {
 	return fmt::format("{} cells   cut {:.1f} ms   draw {:.1f} ms", grouped(figuresOf(*shown.cut).cut_cells),
 	                   meter.cuts().last(), meter.draws().last());

@@ -16,7 +16,7 @@ bool SweepPlayer::isPlaced(const ProbeOptions& options) const
 	return placed == options;
 }
 
-Status SweepPlayer::follow(const ViewState& state, const Facts& facts, double now)
+Status SweepPlayer::follow(const ViewState& state, const DatasetInfo& facts, double now)
 {
 	if (start_ && state.path == start_->path && isPlaced(state.probe))
 	{

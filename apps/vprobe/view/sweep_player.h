@@ -2,7 +2,7 @@
 
 #include "interact/player.h"
 #include "probe/transform.h"
-#include "view/facts.h"
+#include "view/dataset_info.h"
 #include "view/view_state.h"
 
 #include <optional>
@@ -19,7 +19,7 @@ public:
 
 	// Takes the path and the place from which it starts, unless the state is one that this sweep has made. An error
 	// where the path cannot be gone.
-	Status follow(const ViewState& state, const Facts& facts, double now);
+	Status follow(const ViewState& state, const DatasetInfo& facts, double now);
 	// The state in a frame.
 	ViewState at(int frame, const ViewState& state);
 

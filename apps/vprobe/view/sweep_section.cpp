@@ -91,7 +91,7 @@ void showSpeed(Desk& desk)
 
 void showPlayer(Desk& desk)
 {
-	Workbench& bench = desk.bench;
+	Document& bench = desk.bench;
 	const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
 	int frame = bench.frame();
 	ImGui::SetNextItemWidth(-1.0f);
@@ -111,7 +111,7 @@ void showPlayer(Desk& desk)
 
 void showFilm(Desk& desk)
 {
-	Workbench& bench = desk.bench;
+	Document& bench = desk.bench;
 	const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
 	if (const auto& recording = bench.recording())
 	{

@@ -14,7 +14,7 @@ using interact::Action;
 
 constexpr const char* kMerge = "time";
 
-void playTimes(Workbench& bench)
+void playTimes(Document& bench)
 {
 	if (!bench.state().path.overTimes())
 		bench.change("Path through time",
@@ -31,7 +31,7 @@ void playTimes(Workbench& bench)
 
 void showTimeSection(Desk& desk)
 {
-	Workbench& bench = desk.bench;
+	Document& bench = desk.bench;
 	const auto& times = bench.facts()->times;
 	const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
 	int step = bench.timeStep();

@@ -28,10 +28,10 @@ void showVectorChoice(Desk& desk, const char* label, std::span<const Choice> cho
 	           [&](ViewState& state, const char* word) { state.probe.vectors.*option = word; });
 }
 
-void addArrays(const Facts& facts, bool only_vectors, std::vector<Choice>& choices)
+void addArrays(const DatasetInfo& facts, bool only_vectors, std::vector<Choice>& choices)
 {
-	for (const Facts::Array& array : facts.arrays)
-		if (!only_vectors || Facts::isVector(array))
+	for (const DatasetInfo::Array& array : facts.arrays)
+		if (!only_vectors || DatasetInfo::isVector(array))
 			choices.push_back({array.word.c_str(), array.name.c_str()});
 }
 

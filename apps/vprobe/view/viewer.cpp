@@ -74,9 +74,9 @@ private:
 	Window& window_;
 	Screen& screen_;
 	gpu::Device& device_;
-	Workbench bench_;
+	Document bench_;
 	std::optional<Commands> commands_;
-	Hand hand_{bench_};
+	PointerController hand_{bench_};
 	Keyboard keyboard_{bench_, hand_};
 	Meter meter_;
 	double frame_seconds_;
@@ -87,7 +87,7 @@ private:
 	Moment frame_begin_ = Clock::now(); // of the last frame
 	Moment last_frame_ = Clock::now();  // when it had been presented
 	Moment last_event_ = Clock::now();
-	std::shared_ptr<const Shown> drawn_;
+	std::shared_ptr<const PresentedFrame> drawn_;
 	FilmScreen film_screen_{device_};
 };
 
@@ -203,7 +203,7 @@ Status Viewer::showFrame()
 	hand_.place(scene_, scale_);
 	ImGui::Render();
 
-	const std::shared_ptr<const Shown> shown = bench_.shown();
+	const std::shared_ptr<const PresentedFrame> shown = bench_.shown();
 	std::vector<Placement> pictures;
 	const std::shared_ptr<const render::Picture> film = bench_.filmPicture();
 	Result<std::shared_ptr<const gpu::Image>> frame =
@@ -236,7 +236,7 @@ Result<ExitCode> Viewer::run()
 	{
 		window_.hear(secondsToNextFrame());
 		obey();
-		// What was heard goes to the artist at once; the window's next frame need not be waited for.
+		// What was heard goes to the render thread at once; the window's next frame need not be waited for.
 		bench_.update({static_cast<std::uint32_t>(scene_.size.x), static_cast<std::uint32_t>(scene_.size.y)});
 		if (window_.minimized() || window_.pixels().width == 0)
 		{

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "view/workbench.h"
+#include "view/document.h"
 
 #include <string>
 

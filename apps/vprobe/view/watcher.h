@@ -1,6 +1,6 @@
 #pragma once
 
-#include "view/artist.h"
+#include "view/render_thread.h"
 
 #include <filesystem>
 #include <optional>

@@ -93,7 +93,7 @@ void labeled(const char* label)
 	ImGui::SetNextItemWidth(-1.0f);
 }
 
-void toggle(Desk& desk, const char* label, bool now, std::string_view words, const Workbench::Edit& edit)
+void toggle(Desk& desk, const char* label, bool now, std::string_view words, const Document::Edit& edit)
 {
 	if (ImGui::Checkbox(label, &now))
 		desk.bench.change(label, edit);

@@ -24,8 +24,8 @@ std::string tipOf(interact::Action action); // its words and keys: "Show the nex
 // Shown by `label`, done by the bench, explained by tipOf().
 bool actionButton(Desk& desk, interact::Action action, const char* label, float width = 0.0f);
 void actionItem(Desk& desk, interact::Action action); // of a menu; checked where it is on
-bool isOn(const Workbench& bench, interact::Action action);
-bool isPossible(const Workbench& bench, interact::Action action);
+bool isOn(const Document& bench, interact::Action action);
+bool isPossible(const Document& bench, interact::Action action);
 
 // The width of each of `count` controls side by side in what is left of the line.
 float shareOfLine(int count);
@@ -34,7 +34,7 @@ float shareOfLine(int count);
 void labeled(const char* label);
 
 // A check box for a part of the state.
-void toggle(Desk& desk, const char* label, bool now, std::string_view words, const Workbench::Edit& edit);
+void toggle(Desk& desk, const char* label, bool now, std::string_view words, const Document::Edit& edit);
 
 // One of several words for an option, by names that a reader knows. The value may be none of them: then it is shown as
 // it is.

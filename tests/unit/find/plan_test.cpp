@@ -103,7 +103,7 @@ Case caseOf(const std::string& options, const grid::BlockSet& blocks)
 Result<find::CutPlan> planOf(const cut::CutRequest& request, const grid::BlockSet& blocks,
                              const find::DeviceProfile* device)
 {
-	return find::planCut(cut::planRequestOf(request), blocks, device);
+	return find::planCut(request.forPlan(), blocks, device);
 }
 
 std::string told(const Case& asked, const grid::BlockSet& blocks, bool with_classifier)

@@ -5,8 +5,8 @@
 #include "interact/bindings.h"
 #include "interact/history.h"
 #include "interact/view.h"
-#include "view/artist.h"
-#include "view/facts.h"
+#include "view/render_thread.h"
+#include "view/dataset_info.h"
 #include "view/film_loop.h"
 #include "view/loader.h"
 #include "view/sweep_player.h"
@@ -65,19 +65,19 @@ struct Recording
 {
 	std::shared_ptr<FilmLoop> film;
 	int ordered = 0;
-	Wish like; // the size and the look of its pictures
+	FrameRequest like; // the size and the look of its pictures
 };
 
 using ReadState = std::function<Result<ViewState>(const std::string& file)>;
 
-// All of a viewer but its window: the state and its history, the data, the artist. Panels and the hand read it and call
+// All of a viewer but its window: the state and its history, the data, the render thread. Panels and the hand read it and call
 // it, on the window's thread.
-class Workbench
+class Document
 {
 public:
 	// read_state: of a file that --save or the window has written.
-	Workbench(ViewState state, std::shared_ptr<gpu::Device> device, std::function<void()> wake, ReadState read_state);
-	~Workbench(); // waits until what is being written is there
+	Document(ViewState state, std::shared_ptr<gpu::Device> device, std::function<void()> wake, ReadState read_state);
+	~Document(); // waits until what is being written is there
 
 	// --- The state. Each change is a step of the history; those with the same key, until endMerge(), are one.
 	const ViewState& state() const { return history_.state(); }
@@ -104,8 +104,8 @@ public:
 	const Loader& loader() const { return loader_; }
 	void cancelLoading();
 	void showTime(int step, const std::string& merge = {});
-	const Facts::Array* shownArray() const; // the state's; null without arrays
-	const std::optional<Facts>& facts() const { return facts_; }
+	const DatasetInfo::Array* shownArray() const; // the state's; null without arrays
+	const std::optional<DatasetInfo>& facts() const { return facts_; }
 	int timeStep() const; // the one of the input's times that the state means
 	void saveState(const std::string& file);
 	const std::string& stateFile() const { return state_file_; } // that it was last read from or saved to, or empty
@@ -137,7 +137,7 @@ public:
 	// From the next picture on, a contour of this value; sheet: of the cut.
 	void pointContour(const std::optional<PointedValue>& pointed);
 	const std::optional<PointedValue>& pointedContour() const { return pointed_contour_; }
-	const std::shared_ptr<const Shown>& shown() const { return shown_; }
+	const std::shared_ptr<const PresentedFrame>& shown() const { return shown_; }
 	bool isIdle() const;
 	bool isShown() const; // what is shown is of the state as it is
 
@@ -161,7 +161,7 @@ private:
 	void takeLoaded();
 	void takePicture();
 	void ask(PixelSize size);
-	Wish wish() const;
+	FrameRequest wish() const;
 	void forgetOldNotices();
 	void takeWritten();
 	void keepForRecovery();
@@ -192,9 +192,9 @@ private:
 	interact::History<ViewState> history_;
 	ReadState read_state_;
 	std::size_t sheet_ = 0;
-	std::optional<Facts> facts_;
+	std::optional<DatasetInfo> facts_;
 	std::optional<ViewState> loading_; // the state that what is being loaded is for
-	std::shared_ptr<const Shown> shown_;
+	std::shared_ptr<const PresentedFrame> shown_;
 	std::vector<Notice> notices_;
 	bool quits_ = false;
 
@@ -217,17 +217,17 @@ private:
 	SweepPlayer sweep_;
 	std::optional<Recording> recording_;
 	std::shared_ptr<const FilmLoop> film_;
-	Wish film_like_;
+	FrameRequest film_like_;
 	std::shared_ptr<const render::Picture> exposure_;
 
-	// What comes back from the artist's thread.
+	// What comes back from the render thread's thread.
 	struct Mail;
 	std::shared_ptr<Mail> mail_;
 	WarningListener warnings_;
 
 	std::function<void()> wake_;
 	Loader loader_;
-	Artist artist_;
+	RenderThread artist_;
 };
 
 } // namespace vp::app

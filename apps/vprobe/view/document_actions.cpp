@@ -1,7 +1,7 @@
 #include "interact/camera_moves.h"
 #include "interact/nudge.h"
 #include "interact/placing.h"
-#include "view/workbench.h"
+#include "view/document.h"
 
 #include <fmt/format.h>
 
@@ -32,15 +32,15 @@ std::string after(const std::string& word, const std::array<const char*, Count>&
 
 } // namespace
 
-void Workbench::perform(Action action)
+void Document::perform(Action action)
 {
-	for (const auto part : {&Workbench::performOnWindow, &Workbench::performOnSweep, &Workbench::performOnSheets,
-	                        &Workbench::performOnProbe, &Workbench::performOnView, &Workbench::performOnLook})
+	for (const auto part : {&Document::performOnWindow, &Document::performOnSweep, &Document::performOnSheets,
+	                        &Document::performOnProbe, &Document::performOnView, &Document::performOnLook})
 		if ((this->*part)(action))
 			return;
 }
 
-bool Workbench::performOnWindow(Action action)
+bool Document::performOnWindow(Action action)
 {
 	const auto toggle = [](bool& part) { return part = !part, true; };
 	const auto ask = [this](Question asked) { return question = asked, true; };
@@ -104,7 +104,7 @@ bool Workbench::performOnWindow(Action action)
 	}
 }
 
-bool Workbench::performOnView(Action action)
+bool Document::performOnView(Action action)
 {
 	const std::optional<interact::View> seen = view();
 	if (!seen || !facts_)
@@ -141,7 +141,7 @@ bool Workbench::performOnView(Action action)
 	}
 }
 
-bool Workbench::performOnLook(Action action)
+bool Document::performOnLook(Action action)
 {
 	const auto edit = [&](const Edit& what) { return change(label(action), what), true; };
 	switch (action)
@@ -186,24 +186,24 @@ bool Workbench::performOnLook(Action action)
 }
 
 // Without a name the first array is shown.
-const Facts::Array* Workbench::shownArray() const
+const DatasetInfo::Array* Document::shownArray() const
 {
 	if (!facts_ || facts_->arrays.empty())
 		return nullptr;
 	const std::string& name = state().probe.array;
-	const auto at = std::ranges::find_if(facts_->arrays, [&](const Facts::Array& array)
+	const auto at = std::ranges::find_if(facts_->arrays, [&](const DatasetInfo::Array& array)
 	                                     { return array.word == name || array.name == name; });
 	return at == facts_->arrays.end() ? &facts_->arrays.front() : &*at;
 }
 
-void Workbench::stepArray(int by)
+void Document::stepArray(int by)
 {
-	const Facts::Array* now = shownArray();
+	const DatasetInfo::Array* now = shownArray();
 	if (!now)
 		return;
 	const auto& arrays = facts_->arrays;
 	const auto count = static_cast<std::ptrdiff_t>(arrays.size());
-	const Facts::Array& next = arrays[static_cast<std::size_t>((now - arrays.data() + by + count) % count)];
+	const DatasetInfo::Array& next = arrays[static_cast<std::size_t>((now - arrays.data() + by + count) % count)];
 	change(fmt::format("Array {}", next.name),
 	       [&](ViewState& state)
 	       {
@@ -213,7 +213,7 @@ void Workbench::stepArray(int by)
 	       });
 }
 
-void Workbench::stepTime(int by)
+void Document::stepTime(int by)
 {
 	if (!facts_ || facts_->times.empty())
 		return;
@@ -221,14 +221,14 @@ void Workbench::stepTime(int by)
 	showTime(std::clamp(timeStep() + by, 0, last));
 }
 
-void Workbench::showTime(int step, const std::string& merge)
+void Document::showTime(int step, const std::string& merge)
 {
 	change(
 	    "Time", [&](ViewState& state) { state.probe.time = fmt::format("#{}", step); }, merge);
 }
 
 // Of the input's times, the one that is shown.
-int Workbench::timeStep() const
+int Document::timeStep() const
 {
 	const Result<read::TimeChoice> choice = read::parseTime(state().probe.time);
 	if (!facts_ || facts_->times.empty() || !choice)

@@ -1,6 +1,6 @@
 #include "frames.h"
 #include "view/mail.h"
-#include "view/workbench.h"
+#include "view/document.h"
 #include "write/png.h"
 
 #include <fmt/format.h>
@@ -17,10 +17,10 @@ using interact::Action;
 
 constexpr const char* kSweepKey = "sweep";
 constexpr double kSpeedFactor = 1.25;
-// Frames that the artist has in hand: one drawn, one waiting.
+// Frames that the render thread has in hand: one drawn, one waiting.
 constexpr int kOrdered = 2;
 
-bool sameButPlace(const Wish& a, const Wish& b)
+bool sameButPlace(const FrameRequest& a, const FrameRequest& b)
 {
 	ProbeOptions placed = a.probe;
 	takePlace(placed, b.probe);
@@ -44,12 +44,12 @@ Status writeFilm(const FilmLoop& film, const std::string& file, double per_secon
 
 } // namespace
 
-double Workbench::seconds() const
+double Document::seconds() const
 {
 	return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Status Workbench::followSweep()
+Status Document::followSweep()
 {
 	if (!facts_)
 		return Error{ExitCode::usage, "nothing is shown yet; open a file first"};
@@ -57,7 +57,7 @@ Status Workbench::followSweep()
 }
 
 // False, with a notice, where the path cannot be gone.
-bool Workbench::canSweep()
+bool Document::canSweep()
 {
 	const Status followed = followSweep();
 	if (!followed)
@@ -69,7 +69,7 @@ bool Workbench::canSweep()
 }
 
 // The frame of this moment becomes the state's; a film loop is shown without cutting.
-void Workbench::playSweep()
+void Document::playSweep()
 {
 	if (!isPlaying())
 	{
@@ -84,7 +84,7 @@ void Workbench::playSweep()
 	    "Sweep", [&](ViewState& next) { next = sweep_.at(frame, next); }, kSweepKey);
 }
 
-void Workbench::seek(int frame)
+void Document::seek(int frame)
 {
 	if (!canSweep())
 		return;
@@ -93,7 +93,7 @@ void Workbench::seek(int frame)
 	    "Sweep", [&](ViewState& next) { next = sweep_.at(this->frame(), next); }, kSweepKey);
 }
 
-bool Workbench::performOnSweep(Action action)
+bool Document::performOnSweep(Action action)
 {
 	const double now = seconds();
 	switch (action)
@@ -136,7 +136,7 @@ bool Workbench::performOnSweep(Action action)
 	}
 }
 
-void Workbench::setSpeed(double factor)
+void Document::setSpeed(double factor)
 {
 	const double speed = std::clamp(state().path.per_second * factor, interact::kMinSpeed, interact::kMaxSpeed);
 	change(
@@ -145,7 +145,7 @@ void Workbench::setSpeed(double factor)
 	notify(fmt::format("{:.3g} frames a second", speed));
 }
 
-void Workbench::record()
+void Document::record()
 {
 	if (recording_)
 		return perform(Action::cancel), void();
@@ -164,7 +164,7 @@ void Workbench::record()
 	recording_ = Recording{std::make_shared<FilmLoop>(frames()), 0, wish()};
 	mail_->frame_failed.reset();
 	mail_->exposure.reset();
-	artist_.order(PictureOrder{recording_->like, true,
+	artist_.order(PictureJob{recording_->like, true,
 	                           [mail = mail_](Result<render::Picture> empty)
 	                           {
 		                           const std::lock_guard lock(mail->mutex);
@@ -173,7 +173,7 @@ void Workbench::record()
 	                           }});
 }
 
-void Workbench::orderFrames()
+void Document::orderFrames()
 {
 	if (!recording_)
 		return;
@@ -190,9 +190,9 @@ void Workbench::orderFrames()
 	while (recording_->ordered < film->frames() && recording_->ordered - film->recorded() < kOrdered)
 	{
 		const int frame = recording_->ordered++;
-		Wish wish = recording_->like;
+		FrameRequest wish = recording_->like;
 		wish.probe = sweep_.at(frame, state()).probe;
-		artist_.order(PictureOrder{wish, false,
+		artist_.order(PictureJob{wish, false,
 		                           [mail = mail_, film, frame, wake = wake_](Result<render::Picture> picture)
 		                           {
 			                           mail->leave(std::move(picture), frame, *film);
@@ -213,14 +213,14 @@ void Workbench::orderFrames()
 }
 
 // Whether the film loop shows what the sweep would.
-bool Workbench::filmIsGood() const
+bool Document::filmIsGood() const
 {
 	if (!film_ || film_->frames() != frames())
 		return false;
 	return sameButPlace(wish(), film_like_);
 }
 
-std::shared_ptr<const render::Picture> Workbench::filmPicture() const
+std::shared_ptr<const render::Picture> Document::filmPicture() const
 {
 	if (!filmIsGood())
 		return nullptr;
@@ -229,7 +229,7 @@ std::shared_ptr<const render::Picture> Workbench::filmPicture() const
 	return isPlaying() ? film_->picture(frame()) : nullptr;
 }
 
-void Workbench::saveFilm(const std::string& file)
+void Document::saveFilm(const std::string& file)
 {
 	if (!film_)
 		return notify("Record the sweep first: what is saved is its film loop", true);
@@ -243,7 +243,7 @@ void Workbench::saveFilm(const std::string& file)
 	    });
 }
 
-void Workbench::saveExposure(const std::string& file)
+void Document::saveExposure(const std::string& file)
 {
 	if (!exposure_)
 		return notify("Record the sweep first: an exposure is made of its frames", true);

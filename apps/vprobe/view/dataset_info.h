@@ -11,7 +11,7 @@ namespace vp::app
 {
 
 // What a window tells of the data that it shows. A copy: the session itself belongs to the thread that cuts.
-struct Facts
+struct DatasetInfo
 {
 	struct Array
 	{
@@ -38,6 +38,6 @@ struct Facts
 	bool structured = false; // has subscripts i, j, k
 };
 
-Facts factsOf(const Session& session, const std::vector<std::string>& inputs);
+DatasetInfo factsOf(const Session& session, const std::vector<std::string>& inputs);
 
 } // namespace vp::app

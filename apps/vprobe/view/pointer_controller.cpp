@@ -1,4 +1,4 @@
-#include "view/hand.h"
+#include "view/pointer_controller.h"
 
 #include "interact/camera_moves.h"
 #include "interact/nudge.h"
@@ -17,7 +17,7 @@ constexpr const char* kWheelKey = "wheel";
 
 } // namespace
 
-std::vector<interact::HandleShape> Hand::shapes() const
+std::vector<interact::HandleShape> PointerController::shapes() const
 {
 	const auto view = bench_.view();
 	if (!view || !bench_.facts() || !bench_.parts.handles)
@@ -29,7 +29,7 @@ std::vector<interact::HandleShape> Hand::shapes() const
 }
 
 // Where the grid is cut there, the nearest sheet.
-std::optional<interact::SheetHit> Hand::sheetAt(const glm::dvec2& pixel) const
+std::optional<interact::SheetHit> PointerController::sheetAt(const glm::dvec2& pixel) const
 {
 	const auto view = bench_.view();
 	if (!view || !bench_.facts())
@@ -40,7 +40,7 @@ std::optional<interact::SheetHit> Hand::sheetAt(const glm::dvec2& pixel) const
 	return std::nullopt;
 }
 
-void Hand::look()
+void PointerController::look()
 {
 	handle_.reset();
 	sheet_.reset();
@@ -51,7 +51,7 @@ void Hand::look()
 	sheet_ = sheetAt(inScene());
 }
 
-void Hand::moveTo(const glm::dvec2& at)
+void PointerController::moveTo(const glm::dvec2& at)
 {
 	at_ = at;
 	if (isBusy())
@@ -59,7 +59,7 @@ void Hand::moveTo(const glm::dvec2& at)
 	look();
 }
 
-void Hand::press(Button button, bool within)
+void PointerController::press(Button button, bool within)
 {
 	const auto view = bench_.view();
 	if (isBusy() || !within || !view || !part_.holds(at_))
@@ -76,7 +76,7 @@ void Hand::press(Button button, bool within)
 		grip_ = CameraGrip{*view, inScene(), button == Button::middle, pivot};
 }
 
-void Hand::takeSheet()
+void PointerController::takeSheet()
 {
 	bench_.chooseSheet(sheet_->sheet);
 	if (bench_.parts.magnifier)
@@ -87,7 +87,7 @@ void Hand::takeSheet()
 		    *bench_.view(), bench_.probe(), bench_.facts()->bounds, ui_scale_);
 }
 
-void Hand::release(Button button)
+void PointerController::release(Button button)
 {
 	if (held_ != button)
 		return;
@@ -98,7 +98,7 @@ void Hand::release(Button button)
 }
 
 // Alt takes a sheet out of its probe, or a window's side with its opposite.
-interact::Modifiers Hand::keysFor(const interact::Drag& drag) const
+interact::Modifiers PointerController::keysFor(const interact::Drag& drag) const
 {
 	interact::Modifiers keys = keys_;
 	const interact::HandleKind kind = drag.handle().kind;
@@ -108,7 +108,7 @@ interact::Modifiers Hand::keysFor(const interact::Drag& drag) const
 	return keys;
 }
 
-void Hand::drag()
+void PointerController::drag()
 {
 	const glm::dvec2 pixel = inScene();
 	if (const auto* drag = std::get_if<interact::Drag>(&grip_))
@@ -131,7 +131,7 @@ void Hand::drag()
 		bench_.setCamera("Turn the view", interact::turned(camera.start, camera.from, pixel, extent), kDragKey);
 }
 
-void Hand::wheel(double amount, bool within)
+void PointerController::wheel(double amount, bool within)
 {
 	const auto view = bench_.view();
 	if (isBusy() || !within || !view || !part_.holds(at_) || amount == 0.0)

@@ -1,7 +1,7 @@
 #include "interact/camera_moves.h"
 #include "render/passes/targets.h"
 #include "render/scene/outline.h"
-#include "view/artist.h"
+#include "view/render_thread.h"
 
 #include <algorithm>
 
@@ -39,7 +39,7 @@ std::vector<Vec3> flatExtent(const grid::BlockSet& blocks, const probe::Sheet& s
 } // namespace
 
 // The sheet of a scene that a wish's pane shows; null where that is hidden, or no plane.
-const render::SheetDrawing* Artist::sheetOfPane(const Shown& shown, const render::Scene& scene)
+const render::SheetDrawing* RenderThread::sheetOfPane(const PresentedFrame& shown, const render::Scene& scene)
 {
 	const std::size_t sheet = shown.wish.pane->sheet;
 	const auto& sheets = shown.probe.sheets;
@@ -51,7 +51,7 @@ const render::SheetDrawing* Artist::sheetOfPane(const Shown& shown, const render
 	return &scene.sheets[static_cast<std::size_t>(before)];
 }
 
-Status Artist::drawPane(Shown& shown, const render::Scene& scene)
+Status RenderThread::drawPane(PresentedFrame& shown, const render::Scene& scene)
 {
 	shown.pane.reset();
 	if (!shown.wish.pane)
@@ -75,7 +75,7 @@ Status Artist::drawPane(Shown& shown, const render::Scene& scene)
 		return image.error();
 	if (Result<bool> drawn = pane_renderer_->drawInto(pane, **image, {}, session_->timeline.get()); !drawn)
 		return drawn.error();
-	shown.pane = Shown::Pane{*image, shown.wish.pane->sheet, pane.camera, frame};
+	shown.pane = PresentedFrame::Pane{*image, shown.wish.pane->sheet, pane.camera, frame};
 	return Nothing{};
 }
 

@@ -1,5 +1,5 @@
 #include "time_steps.h"
-#include "view/artist.h"
+#include "view/render_thread.h"
 #include "view/view_state.h"
 
 #include <utility>
@@ -31,7 +31,7 @@ ProbeOptions withoutTime(ProbeOptions options)
 
 } // namespace
 
-Status Artist::follow(const Wish& wish)
+Status RenderThread::follow(const FrameRequest& wish)
 {
 	Status done = followAll(wish);
 	if (!done)
@@ -40,7 +40,7 @@ Status Artist::follow(const Wish& wish)
 }
 
 // Session and painter, as the wish has them. What has not changed is left as it is.
-Status Artist::followAll(const Wish& wish)
+Status RenderThread::followAll(const FrameRequest& wish)
 {
 	if (!followed_ || followed_->probe.time != wish.probe.time)
 		if (Status moved = followTime(wish.probe); !moved)
@@ -59,7 +59,7 @@ Status Artist::followAll(const Wish& wish)
 	return Nothing{};
 }
 
-Status Artist::followTime(const ProbeOptions& options)
+Status RenderThread::followTime(const ProbeOptions& options)
 {
 	if (!followed_)
 		return Nothing{}; // the session was opened at this time
@@ -73,7 +73,7 @@ Status Artist::followTime(const ProbeOptions& options)
 	return moved ? Status(Nothing{}) : moved.error();
 }
 
-Status Artist::followLook(const Wish& wish)
+Status RenderThread::followLook(const FrameRequest& wish)
 {
 	Result<LookChoice> look = parseLook(wish.look, wish.probe.inputs);
 	if (!look)
@@ -103,7 +103,7 @@ Status Artist::followLook(const Wish& wish)
 }
 
 // What can have no contours, such as arrays of cells, has none.
-Status Artist::growAsWished(const Wish& wish)
+Status RenderThread::growAsWished(const FrameRequest& wish)
 {
 	ContourOptions options = wish.look.contour;
 	options.opacity = 1.0; // a matter of drawing
@@ -117,7 +117,7 @@ Status Artist::growAsWished(const Wish& wish)
 	return Nothing{};
 }
 
-Result<double> Artist::cutAsWished()
+Result<double> RenderThread::cutAsWished()
 {
 	if (cut_ && !cut_is_old_)
 		return 0.0;

@@ -1,4 +1,4 @@
-#include "view/facts.h"
+#include "view/dataset_info.h"
 
 #include "render/scene/outline.h"
 #include "stats_json.h"
@@ -14,16 +14,16 @@ namespace
 {
 
 // Each once, though many blocks have it: those of points first.
-std::vector<Facts::Array> arraysOf(const grid::BlockSet& blocks)
+std::vector<DatasetInfo::Array> arraysOf(const grid::BlockSet& blocks)
 {
-	std::vector<Facts::Array> arrays;
+	std::vector<DatasetInfo::Array> arrays;
 	for (const grid::Association association : {grid::Association::point, grid::Association::cell})
 		for (const grid::Block& block : blocks.blocks)
 			for (const grid::Field& field : block.fields)
 			{
 				const std::string word = fmt::format("{}:{}", grid::associationName(association), field.name);
 				if (field.association == association &&
-				    std::ranges::find(arrays, word, &Facts::Array::word) == arrays.end())
+				    std::ranges::find(arrays, word, &DatasetInfo::Array::word) == arrays.end())
 					arrays.push_back({word, field.name, association, field.components});
 			}
 	return arrays;
@@ -31,10 +31,10 @@ std::vector<Facts::Array> arraysOf(const grid::BlockSet& blocks)
 
 } // namespace
 
-Facts factsOf(const Session& session, const std::vector<std::string>& inputs)
+DatasetInfo factsOf(const Session& session, const std::vector<std::string>& inputs)
 {
 	const grid::BlockSet& blocks = session.blocks;
-	Facts facts;
+	DatasetInfo facts;
 	facts.inputs = inputs;
 	facts.kind = blocks.kind();
 	facts.cells = blocks.sourceCellCount();

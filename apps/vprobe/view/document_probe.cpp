@@ -1,6 +1,6 @@
 #include "interact/nudge.h"
 #include "interact/placing.h"
-#include "view/workbench.h"
+#include "view/document.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ constexpr double kWindowFactor = 1.1;
 
 } // namespace
 
-bool Workbench::performOnProbe(Action action)
+bool Document::performOnProbe(Action action)
 {
 	const probe::Probe now = probe();
 	if (!facts_ || now.sheets.empty())
@@ -78,7 +78,7 @@ bool Workbench::performOnProbe(Action action)
 	}
 }
 
-void Workbench::setPreset(const char* name)
+void Document::setPreset(const char* name)
 {
 	change(fmt::format("Probe: {}", name),
 	       [&](ViewState& state)
@@ -95,7 +95,7 @@ void Workbench::setPreset(const char* name)
 	sheet_ = 0;
 }
 
-void Workbench::setSurface(const std::string& text)
+void Document::setSurface(const std::string& text)
 {
 	ProbeOptions asked = state().probe;
 	asked.surface = text.empty() ? std::nullopt : std::optional(text);
@@ -111,7 +111,7 @@ void Workbench::setSurface(const std::string& text)
 	       });
 }
 
-bool Workbench::performOnSheets(Action action)
+bool Document::performOnSheets(Action action)
 {
 	probe::Probe next = probe();
 	const std::string words(interact::wordsOf(action));

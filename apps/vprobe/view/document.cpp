@@ -1,4 +1,4 @@
-#include "view/workbench.h"
+#include "view/document.h"
 
 #include "make_probe.h"
 #include "view/mail.h"
@@ -18,7 +18,7 @@ constexpr std::chrono::seconds kErrorStays{15};
 
 } // namespace
 
-Workbench::Workbench(ViewState state, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
+Document::Document(ViewState state, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
                      ReadState read_state)
     : settings(readSettings()), history_(state), read_state_(std::move(read_state)), recovery_file_(recoveryFile()),
       mail_(std::make_shared<Mail>()), warnings_(
@@ -33,7 +33,7 @@ Workbench::Workbench(ViewState state, std::shared_ptr<gpu::Device> device, std::
 		load(std::move(state));
 }
 
-Workbench::~Workbench()
+Document::~Document()
 {
 	for (std::future<Notice>& task : written_)
 		task.wait();
@@ -43,7 +43,7 @@ Workbench::~Workbench()
 		std::filesystem::remove(recovery_file_, ignored);
 }
 
-void Workbench::change(const std::string& label, const Edit& edit, const std::string& merge)
+void Document::change(const std::string& label, const Edit& edit, const std::string& merge)
 {
 	ViewState next = state();
 	edit(next);
@@ -51,13 +51,13 @@ void Workbench::change(const std::string& label, const Edit& edit, const std::st
 		stateChanged();
 }
 
-void Workbench::stateChanged()
+void Document::stateChanged()
 {
 	++version_;
 	takes_camera_ = takes_camera_ || !cameraOf(state().look);
 }
 
-probe::Probe Workbench::probe() const
+probe::Probe Document::probe() const
 {
 	if (!facts_)
 		return {};
@@ -65,35 +65,35 @@ probe::Probe Workbench::probe() const
 	return made ? *made : probe::Probe{};
 }
 
-void Workbench::setProbe(const std::string& label, const probe::Probe& probe, const std::string& merge)
+void Document::setProbe(const std::string& label, const probe::Probe& probe, const std::string& merge)
 {
 	const probe::Probe before = this->probe();
 	change(
 	    label, [&](ViewState& state) { placeProbe(state.probe, before, probe); }, merge);
 }
 
-void Workbench::chooseSheet(std::size_t sheet)
+void Document::chooseSheet(std::size_t sheet)
 {
 	const std::size_t count = probe().sheets.size();
 	sheet_ = count == 0 ? 0 : sheet % count;
 }
 
-void Workbench::setCamera(const std::string& label, const render::Camera& camera, const std::string& merge)
+void Document::setCamera(const std::string& label, const render::Camera& camera, const std::string& merge)
 {
 	change(
 	    label, [&](ViewState& state) { app::setCamera(state.look, camera); }, merge);
 }
 
-std::optional<interact::View> Workbench::view() const
+std::optional<interact::View> Document::view() const
 {
 	if (!shown_)
 		return std::nullopt;
 	return interact::View{shown_->camera, shown_->frame};
 }
 
-void Workbench::takePicture()
+void Document::takePicture()
 {
-	std::shared_ptr<const Shown> newest = artist_.shown();
+	std::shared_ptr<const PresentedFrame> newest = artist_.shown();
 	if (std::optional<Error> error = artist_.takeError())
 		notify(*error);
 	if (newest == shown_)
@@ -108,13 +108,13 @@ void Workbench::takePicture()
 	history_.amend(std::move(fixed));
 }
 
-void Workbench::noteInput(Moment when)
+void Document::noteInput(Moment when)
 {
 	if (!input_)
 		input_ = when;
 }
 
-void Workbench::update(PixelSize size)
+void Document::update(PixelSize size)
 {
 	takeLoaded();
 	takePicture();
@@ -129,7 +129,7 @@ void Workbench::update(PixelSize size)
 	input_.reset();
 }
 
-void Workbench::setPane(PixelSize size)
+void Document::setPane(PixelSize size)
 {
 	const std::optional<PaneWish> next =
 	    size.width > 0 && size.height > 0 ? std::optional(PaneWish{sheet_, size}) : std::nullopt;
@@ -139,7 +139,7 @@ void Workbench::setPane(PixelSize size)
 	++version_;
 }
 
-void Workbench::pointContour(const std::optional<PointedValue>& pointed)
+void Document::pointContour(const std::optional<PointedValue>& pointed)
 {
 	if (pointed == pointed_contour_)
 		return;
@@ -147,7 +147,7 @@ void Workbench::pointContour(const std::optional<PointedValue>& pointed)
 	++version_;
 }
 
-void Workbench::ask(PixelSize size)
+void Document::ask(PixelSize size)
 {
 	const bool same_size = size.width == asked_size_.width && size.height == asked_size_.height;
 	if (asked_ == version_ && same_size)
@@ -156,44 +156,44 @@ void Workbench::ask(PixelSize size)
 		++version_;
 	asked_ = version_;
 	asked_size_ = size;
-	Wish next = wish();
+	FrameRequest next = wish();
 	next.pane = pane_;
 	artist_.ask(std::move(next));
 }
 
 // What the state is to look like, in the size that was last asked for.
-Wish Workbench::wish() const
+FrameRequest Document::wish() const
 {
-	Wish wish{version_, state().probe, state().look, input_.value_or(std::chrono::steady_clock::now())};
+	FrameRequest wish{version_, state().probe, state().look, input_.value_or(std::chrono::steady_clock::now())};
 	wish.look.size = fmt::format("{}x{}", asked_size_.width, asked_size_.height);
 	wish.contour = pointed_contour_;
 	return wish;
 }
 
-bool Workbench::isIdle() const
+bool Document::isIdle() const
 {
 	// A picture that cannot be made leaves the one before it.
 	return !loader_.isBusy() && !isPlaying() && !recording_ && written_.empty() &&
 	       (!facts_ || (asked_ == version_ && artist_.isIdle() && shown_ == artist_.shown()));
 }
 
-bool Workbench::isShown() const
+bool Document::isShown() const
 {
 	return shown_ && asked_ == version_ && shown_->wish.number == asked_;
 }
 
-void Workbench::notify(std::string words, bool is_error)
+void Document::notify(std::string words, bool is_error)
 {
 	dismiss(words);
 	notices_.push_back({std::move(words), is_error, std::chrono::steady_clock::now()});
 }
 
-void Workbench::dismiss(const std::string& words)
+void Document::dismiss(const std::string& words)
 {
 	std::erase_if(notices_, [&](const Notice& notice) { return notice.words == words; });
 }
 
-void Workbench::forgetOldNotices()
+void Document::forgetOldNotices()
 {
 	const Moment now = std::chrono::steady_clock::now();
 	std::erase_if(notices_, [&](const Notice& notice)

@@ -1,18 +1,18 @@
-#include "view/artist.h"
+#include "view/render_thread.h"
 #include "write/slice_file.h"
 
 namespace vp::app
 {
 
-void Artist::answer(Order& order)
+void RenderThread::answer(Job& order)
 {
-	if (auto* picture = std::get_if<PictureOrder>(&order))
+	if (auto* picture = std::get_if<PictureJob>(&order))
 		return picture->take(tried([&] { return this->picture(*picture); }));
-	auto& slice = std::get<SliceOrder>(order);
+	auto& slice = std::get<CutJob>(order);
 	slice.done(tried([&] { return writeSlice(slice); }));
 }
 
-Result<render::Picture> Artist::picture(const PictureOrder& order)
+Result<render::Picture> RenderThread::picture(const PictureJob& order)
 {
 	if (Status followed = follow(order.wish); !followed)
 		return followed.error();
@@ -25,7 +25,7 @@ Result<render::Picture> Artist::picture(const PictureOrder& order)
 	return painter_->draw(cut_->slice, cut_->sheets, grown_.contours);
 }
 
-Status Artist::writeSlice(const SliceOrder& order)
+Status RenderThread::writeSlice(const CutJob& order)
 {
 	if (Status followed = follow(order.wish); !followed)
 		return followed;

@@ -2,7 +2,7 @@
 
 #include "interact/drag.h"
 #include "interact/pick.h"
-#include "view/workbench.h"
+#include "view/document.h"
 
 #include <glm/vec2.hpp>
 
@@ -33,10 +33,10 @@ enum class Button
 
 // What the mouse does in the scene. On a handle, or on a sheet: it is moved, turned or sized. Elsewhere, and with the
 // other buttons: the camera. Positions are the window's.
-class Hand
+class PointerController
 {
 public:
-	explicit Hand(Workbench& bench) : bench_(bench) {}
+	explicit PointerController(Document& bench) : bench_(bench) {}
 
 	void place(const ScenePart& part, double ui_scale)
 	{
@@ -76,7 +76,7 @@ private:
 		std::size_t sheet;
 		glm::dvec2 from; // in the sheet
 	};
-	using Grip = std::variant<std::monostate, interact::Drag, CameraGrip, LensGrip>;
+	using DragState = std::variant<std::monostate, interact::Drag, CameraGrip, LensGrip>;
 
 	void look();
 	void drag();
@@ -84,12 +84,12 @@ private:
 	interact::Modifiers keysFor(const interact::Drag& drag) const;
 	std::optional<interact::SheetHit> sheetAt(const glm::dvec2& pixel) const;
 
-	Workbench& bench_;
+	Document& bench_;
 	ScenePart part_;
 	double ui_scale_ = 1.0;
 	glm::dvec2 at_{-1.0};
 	interact::Modifiers keys_;
-	Grip grip_;
+	DragState grip_;
 	std::optional<Button> held_;
 	std::optional<interact::Handle> handle_;
 	std::optional<interact::SheetHit> sheet_;

@@ -51,7 +51,7 @@ struct PaneWish
 };
 
 // What is to be seen, or kept.
-struct Wish
+struct FrameRequest
 {
 	std::uint64_t number = 0; // rising
 	ProbeOptions probe;
@@ -62,10 +62,10 @@ struct Wish
 };
 
 // A picture, and all that it was made of.
-struct Shown
+struct PresentedFrame
 {
 	std::shared_ptr<const gpu::Image> image; // gpu::kCopyFrom
-	Wish wish;
+	FrameRequest wish;
 	probe::Probe probe; // as it stands in the picture, hidden sheets included
 	std::shared_ptr<const CutFrame> cut;
 	render::Camera camera;
@@ -90,41 +90,41 @@ struct Shown
 };
 
 // A picture to be kept: all samples, at the wish's size, apart from what is shown.
-struct PictureOrder
+struct PictureJob
 {
-	Wish wish;
+	FrameRequest wish;
 	bool empty = false; // without the sheets, as the ground of an exposure
 	std::function<void(Result<render::Picture>)> take;
 };
 
 // Polygons of the sheets, or the faces of their whole cells, to be written.
-struct SliceOrder
+struct CutJob
 {
-	Wish wish;
+	FrameRequest wish;
 	std::string file;
 	std::function<void(Status)> done;
 };
 
-// Answered on the artist's thread, one after the other between pictures.
-using Order = std::variant<PictureOrder, SliceOrder>;
+// Answered on the render thread's thread, one after the other between pictures.
+using Job = std::variant<PictureJob, CutJob>;
 
 // Cuts and draws on a thread of its own what was wished last. The last picture stays until the next is ready, and what
 // cannot be done leaves it as it was. Thread safe.
-class Artist
+class RenderThread
 {
 public:
-	// wake: called, on the artist's thread, when there is something new to be had.
-	Artist(std::shared_ptr<gpu::Device> device, std::function<void()> wake);
-	~Artist();
-	Artist(const Artist&) = delete;
-	Artist& operator=(const Artist&) = delete;
+	// wake: called, on the render thread's thread, when there is something new to be had.
+	RenderThread(std::shared_ptr<gpu::Device> device, std::function<void()> wake);
+	~RenderThread();
+	RenderThread(const RenderThread&) = delete;
+	RenderThread& operator=(const RenderThread&) = delete;
 
-	void ask(Wish wish); // takes the place of what waits
-	void order(Order order);
+	void ask(FrameRequest wish); // takes the place of what waits
+	void order(Job order);
 	// The next wish is for this one; what waits was for the session before.
 	void replaceSession(std::unique_ptr<Session> session);
 
-	std::shared_ptr<const Shown> shown() const;      // null before the first picture
+	std::shared_ptr<const PresentedFrame> shown() const;      // null before the first picture
 	std::optional<Error> takeError();                // why the last wish is not shown
 	bool isIdle() const;                             // nothing waits and nothing is being done
 	std::vector<Timeline::Section> sections() const; // of the last minute or so, for a trace
@@ -140,36 +140,36 @@ private:
 	};
 
 	void work();
-	void answer(const Wish& wish, bool smooth);
-	Status show(const Wish& wish, bool smooth);
+	void answer(const FrameRequest& wish, bool smooth);
+	Status show(const FrameRequest& wish, bool smooth);
 	void install(std::unique_ptr<Session> session);
 	template <class Work>
 	auto tried(const Work& work) -> decltype(work());
-	Status follow(const Wish& wish);
-	Status followAll(const Wish& wish);
-	Status followLook(const Wish& wish);
+	Status follow(const FrameRequest& wish);
+	Status followAll(const FrameRequest& wish);
+	Status followLook(const FrameRequest& wish);
 	Status followTime(const ProbeOptions& options);
 	Result<double> cutAsWished(); // ms; 0 where the last cut is still good
-	Status growAsWished(const Wish& wish);
-	void answer(Order& order);
-	Result<render::Picture> picture(const PictureOrder& order);
-	Status writeSlice(const SliceOrder& order);
-	Result<bool> draw(Shown& shown, bool smooth);
+	Status growAsWished(const FrameRequest& wish);
+	void answer(Job& order);
+	Result<render::Picture> picture(const PictureJob& order);
+	Status writeSlice(const CutJob& order);
+	Result<bool> draw(PresentedFrame& shown, bool smooth);
 	Status refine(); // what is shown, while nothing else is wished
 	void addLookups();
-	Status drawPane(Shown& shown, const render::Scene& scene);
-	static const render::SheetDrawing* sheetOfPane(const Shown& shown, const render::Scene& scene);
-	void publish(Shown shown);
+	Status drawPane(PresentedFrame& shown, const render::Scene& scene);
+	static const render::SheetDrawing* sheetOfPane(const PresentedFrame& shown, const render::Scene& scene);
+	void publish(PresentedFrame shown);
 	bool waits() const;
 	void keepSections();
 
 	std::shared_ptr<gpu::Device> device_;
 	std::function<void()> wake_;
 
-	// Of the artist's thread.
+	// Of the render thread's thread.
 	std::unique_ptr<Session> session_;
 	std::optional<Painter> painter_;
-	std::optional<Wish> followed_; // what session and painter stand at
+	std::optional<FrameRequest> followed_; // what session and painter stand at
 	std::shared_ptr<const CutFrame> cut_;
 	std::uint64_t cuts_ = 0;
 	bool cut_is_old_ = true;
@@ -182,10 +182,10 @@ private:
 
 	mutable std::mutex mutex_;
 	std::condition_variable changed_;
-	std::optional<Wish> wish_;
-	std::deque<Order> orders_;
+	std::optional<FrameRequest> wish_;
+	std::deque<Job> orders_;
 	std::unique_ptr<Session> next_session_;
-	std::shared_ptr<const Shown> shown_;
+	std::shared_ptr<const PresentedFrame> shown_;
 	std::optional<Error> error_;
 	std::deque<Timeline::Section> sections_;
 	bool busy_ = false;
@@ -195,7 +195,7 @@ private:
 
 // Of what works with all that memory has.
 template <class Work>
-auto Artist::tried(const Work& work) -> decltype(work())
+auto RenderThread::tried(const Work& work) -> decltype(work())
 {
 	if (!session_)
 		return Error{ExitCode::input, "nothing is shown yet; open a file first"};

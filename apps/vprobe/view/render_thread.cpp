@@ -1,4 +1,4 @@
-#include "view/artist.h"
+#include "view/render_thread.h"
 
 #include "make_probe.h"
 #include "render/passes/targets.h"
@@ -19,7 +19,7 @@ constexpr std::size_t kKeptSections = 50'000;
 
 } // namespace
 
-Artist::Artist(std::shared_ptr<gpu::Device> device, std::function<void()> wake)
+RenderThread::RenderThread(std::shared_ptr<gpu::Device> device, std::function<void()> wake)
     : device_(std::move(device)), wake_(std::move(wake)), thread_(
                                                               [this]
                                                               {
@@ -29,7 +29,7 @@ Artist::Artist(std::shared_ptr<gpu::Device> device, std::function<void()> wake)
 {
 }
 
-Artist::~Artist()
+RenderThread::~RenderThread()
 {
 	{
 		const std::lock_guard lock(mutex_);
@@ -39,7 +39,7 @@ Artist::~Artist()
 	thread_.join();
 }
 
-void Artist::ask(Wish wish)
+void RenderThread::ask(FrameRequest wish)
 {
 	{
 		const std::lock_guard lock(mutex_);
@@ -50,32 +50,32 @@ void Artist::ask(Wish wish)
 	changed_.notify_all();
 }
 
-void Artist::replaceSession(std::unique_ptr<Session> session)
+void RenderThread::replaceSession(std::unique_ptr<Session> session)
 {
 	const std::lock_guard lock(mutex_);
 	next_session_ = std::move(session);
 	wish_.reset();
 }
 
-std::shared_ptr<const Shown> Artist::shown() const
+std::shared_ptr<const PresentedFrame> RenderThread::shown() const
 {
 	const std::lock_guard lock(mutex_);
 	return shown_;
 }
 
-std::optional<Error> Artist::takeError()
+std::optional<Error> RenderThread::takeError()
 {
 	const std::lock_guard lock(mutex_);
 	return std::exchange(error_, std::nullopt);
 }
 
-bool Artist::isIdle() const
+bool RenderThread::isIdle() const
 {
 	const std::lock_guard lock(mutex_);
 	return !wish_ && orders_.empty() && !busy_ && !rough_;
 }
 
-void Artist::order(Order order)
+void RenderThread::order(Job order)
 {
 	{
 		const std::lock_guard lock(mutex_);
@@ -84,13 +84,13 @@ void Artist::order(Order order)
 	changed_.notify_all();
 }
 
-bool Artist::waits() const
+bool RenderThread::waits() const
 {
 	const std::lock_guard lock(mutex_);
 	return wish_ || ends_;
 }
 
-void Artist::work()
+void RenderThread::work()
 {
 	std::unique_lock lock(mutex_);
 	const auto woken = [this] { return wish_ || !orders_.empty() || ends_; };
@@ -99,8 +99,8 @@ void Artist::work()
 		const bool still = rough_ ? !changed_.wait_for(lock, kStill, woken) : (changed_.wait(lock, woken), false);
 		if (ends_)
 			return;
-		std::optional<Wish> wish = still ? std::optional(shown_->wish) : std::exchange(wish_, std::nullopt);
-		std::optional<Order> order;
+		std::optional<FrameRequest> wish = still ? std::optional(shown_->wish) : std::exchange(wish_, std::nullopt);
+		std::optional<Job> order;
 		if (!orders_.empty())
 		{
 			order = std::move(orders_.front());
@@ -123,7 +123,7 @@ void Artist::work()
 }
 
 // The mutex is held.
-void Artist::keepSections()
+void RenderThread::keepSections()
 {
 	if (!session_)
 		return;
@@ -133,13 +133,13 @@ void Artist::keepSections()
 		sections_.pop_front();
 }
 
-std::vector<Timeline::Section> Artist::sections() const
+std::vector<Timeline::Section> RenderThread::sections() const
 {
 	const std::lock_guard lock(mutex_);
 	return {sections_.begin(), sections_.end()};
 }
 
-void Artist::install(std::unique_ptr<Session> session)
+void RenderThread::install(std::unique_ptr<Session> session)
 {
 	painter_.reset();
 	cut_.reset();
@@ -149,7 +149,7 @@ void Artist::install(std::unique_ptr<Session> session)
 	session_ = std::move(session);
 }
 
-void Artist::answer(const Wish& wish, bool smooth)
+void RenderThread::answer(const FrameRequest& wish, bool smooth)
 {
 	const Status done = tried([&] { return show(wish, smooth); });
 	if (done)
@@ -158,11 +158,11 @@ void Artist::answer(const Wish& wish, bool smooth)
 	error_ = done.error();
 }
 
-Status Artist::show(const Wish& wish, bool smooth)
+Status RenderThread::show(const FrameRequest& wish, bool smooth)
 {
 	if (smooth)
 		return refine();
-	Shown shown;
+	PresentedFrame shown;
 	shown.wish = wish;
 	if (Status followed = follow(wish); !followed)
 		return followed;
@@ -191,16 +191,16 @@ Status Artist::show(const Wish& wish, bool smooth)
 	return Nothing{};
 }
 
-Status Artist::refine()
+Status RenderThread::refine()
 {
 	rough_ = false;
-	const Wish wish = shown()->wish;
+	const FrameRequest wish = shown()->wish;
 	// An order may have led session and painter elsewhere.
 	if (!followed_ || !(followed_->probe == wish.probe && followed_->look == wish.look) || grown_.cut != cut_ ||
 	    !(grown_.pointed == wish.contour))
 		return show(wish, false);
 	addLookups();
-	Shown shown = *this->shown();
+	PresentedFrame shown = *this->shown();
 	if (shown.smooth || waits())
 		return Nothing{};
 	Result<bool> drawn = draw(shown, true);
@@ -211,9 +211,9 @@ Status Artist::refine()
 	return Nothing{};
 }
 
-void Artist::addLookups()
+void RenderThread::addLookups()
 {
-	Shown shown = *this->shown();
+	PresentedFrame shown = *this->shown();
 	if (shown.lookups)
 		return;
 	const bool by_generation = shown.wish.look.color_by == "generation";
@@ -223,7 +223,7 @@ void Artist::addLookups()
 }
 
 // False where a new wish came meanwhile.
-Result<bool> Artist::draw(Shown& shown, bool smooth)
+Result<bool> RenderThread::draw(PresentedFrame& shown, bool smooth)
 {
 	const Moment start = std::chrono::steady_clock::now();
 	Result<render::Scene> scene = painter_->sceneOf(shown.cut->slice, shown.cut->sheets, grown_.contours);
@@ -249,9 +249,9 @@ Result<bool> Artist::draw(Shown& shown, bool smooth)
 	return true;
 }
 
-void Artist::publish(Shown shown)
+void RenderThread::publish(PresentedFrame shown)
 {
-	auto made = std::make_shared<const Shown>(std::move(shown));
+	auto made = std::make_shared<const PresentedFrame>(std::move(shown));
 	const std::lock_guard lock(mutex_);
 	shown_ = std::move(made);
 	error_.reset();

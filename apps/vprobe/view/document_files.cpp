@@ -1,5 +1,5 @@
 #include "view/mail.h"
-#include "view/workbench.h"
+#include "view/document.h"
 #include "write/png.h"
 #include "write/slice_file.h"
 #include "write/trace_file.h"
@@ -24,7 +24,7 @@ Notice told(const Status& status, std::string words)
 
 } // namespace
 
-void Workbench::open(std::vector<std::string> inputs)
+void Document::open(std::vector<std::string> inputs)
 {
 	if (inputs.size() == 1 && inputs[0].ends_with(".json"))
 	{
@@ -47,26 +47,26 @@ void Workbench::open(std::vector<std::string> inputs)
 	load(std::move(next));
 }
 
-void Workbench::load(ViewState next)
+void Document::load(ViewState next)
 {
 	loader_.begin(next.probe);
 	loading_ = std::move(next);
 }
 
-void Workbench::reload()
+void Document::reload()
 {
 	if (facts_)
 		load(state());
 }
 
-void Workbench::cancelLoading()
+void Document::cancelLoading()
 {
 	loader_.cancel();
 	loading_.reset();
 	notify("Loading was cancelled");
 }
 
-void Workbench::takeLoaded()
+void Document::takeLoaded()
 {
 	std::optional<Loader::Loaded> loaded = loader_.take();
 	if (!loaded)
@@ -93,7 +93,7 @@ void Workbench::takeLoaded()
 	stateChanged();
 }
 
-void Workbench::saveState(const std::string& file)
+void Document::saveState(const std::string& file)
 {
 	ViewState kept = state();
 	if (asked_size_.width > 0)
@@ -105,11 +105,11 @@ void Workbench::saveState(const std::string& file)
 	notify(fmt::format("Saved {}", file));
 }
 
-void Workbench::savePicture(const std::string& file, std::uint32_t width, std::uint32_t height)
+void Document::savePicture(const std::string& file, std::uint32_t width, std::uint32_t height)
 {
-	Wish like = wish();
+	FrameRequest like = wish();
 	like.look.size = fmt::format("{}x{}", width, height);
-	artist_.order(PictureOrder{like, false,
+	artist_.order(PictureJob{like, false,
 	                           [file, mail = mail_](Result<render::Picture> picture)
 	                           {
 		                           const Status written = picture ? write::writePng(*picture, file) : picture.error();
@@ -117,16 +117,16 @@ void Workbench::savePicture(const std::string& file, std::uint32_t width, std::u
 	                           }});
 }
 
-void Workbench::saveSlice(const std::string& file)
+void Document::saveSlice(const std::string& file)
 {
 	if (Result<write::SliceFormat> format = write::sliceFormatOf(file); !format)
 		return notify(format.error());
-	artist_.order(SliceOrder{wish(), file, [file, mail = mail_](const Status& written) {
+	artist_.order(CutJob{wish(), file, [file, mail = mail_](const Status& written) {
 		                         mail->leave(told(written, fmt::format("Saved {}", file)));
 	                         }});
 }
 
-void Workbench::saveTrace(const std::string& file)
+void Document::saveTrace(const std::string& file)
 {
 	writeBeside(
 	    [file, sections = artist_.sections()]() mutable
@@ -139,7 +139,7 @@ void Workbench::saveTrace(const std::string& file)
 	    });
 }
 
-void Workbench::writeBeside(std::function<Notice()> write)
+void Document::writeBeside(std::function<Notice()> write)
 {
 	written_.push_back(std::async(std::launch::async,
 	                              [write = std::move(write), wake = wake_]
@@ -150,7 +150,7 @@ void Workbench::writeBeside(std::function<Notice()> write)
 	                              }));
 }
 
-void Workbench::takeWritten()
+void Document::takeWritten()
 {
 	const auto take = [&](std::future<Notice>& task)
 	{
@@ -170,13 +170,13 @@ void Workbench::takeWritten()
 		notify(notice.words, notice.is_error);
 }
 
-void Workbench::keepState()
+void Document::keepState()
 {
 	keeps_state_ = facts_ && !recovery_file_.empty() && app::saveState(savedOptions(state(), recovery_file_));
 }
 
 // Every few seconds in which anything changed: what a crash would lose.
-void Workbench::keepForRecovery()
+void Document::keepForRecovery()
 {
 	const Moment now = std::chrono::steady_clock::now();
 	if (recovery_file_.empty() || !facts_ || recovery_version_ == version_ || now - recovery_time_ < kRecoveryPause)
@@ -189,7 +189,7 @@ void Workbench::keepForRecovery()
 	recovery_file_.clear();
 }
 
-void Workbench::recover(bool wanted)
+void Document::recover(bool wanted)
 {
 	question = Question::none;
 	const std::vector<std::string> left = leftRecoveryFiles();
@@ -208,7 +208,7 @@ void Workbench::recover(bool wanted)
 	}
 }
 
-void Workbench::watchFiles()
+void Document::watchFiles()
 {
 	if (!watches || loader_.isBusy() || !watcher_.changed(std::chrono::steady_clock::now()))
 		return;
