@@ -48,7 +48,7 @@ void JsonReader::expectKeys(const std::vector<std::string_view>& keys) const
 	for (const auto& [key, value] : value_.items())
 		if (std::ranges::find(keys, key) == keys.end())
 			throw SchemaError{fmt::format("{}/{}: unknown key; the keys here are {}", path_, pointerStep(key),
-			                        fmt::join(keys, ", "))};
+			                              fmt::join(keys, ", "))};
 }
 
 JsonReader JsonReader::operator[](const char* key) const

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/result.h"
+#include "view/document.h"
 #include "view/gpu_screen.h"
 #include "view/gpu_window.h"
-#include "view/document.h"
 
 #include <cstdio>
 #include <deque>

@@ -19,7 +19,7 @@ constexpr std::chrono::seconds kErrorStays{15};
 } // namespace
 
 Document::Document(ViewState state, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
-                     ReadState read_state)
+                   ReadState read_state)
     : settings(readSettings()), history_(state), read_state_(std::move(read_state)), recovery_file_(recoveryFile()),
       mail_(std::make_shared<Mail>()), warnings_(
                                            [mail = mail_](std::string_view words) {

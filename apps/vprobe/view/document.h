@@ -5,10 +5,10 @@
 #include "interact/bindings.h"
 #include "interact/history.h"
 #include "interact/view.h"
-#include "view/render_thread.h"
 #include "view/dataset_info.h"
 #include "view/film_loop.h"
 #include "view/loader.h"
+#include "view/render_thread.h"
 #include "view/sweep_player.h"
 #include "view/user_files.h"
 #include "view/view_state.h"
@@ -70,8 +70,8 @@ struct Recording
 
 using ReadState = std::function<Result<ViewState>(const std::string& file)>;
 
-// All of a viewer but its window: the state and its history, the data, the render thread. Panels and the hand read it and call
-// it, on the window's thread.
+// All of a viewer but its window: the state and its history, the data, the render thread. Panels and the hand read it
+// and call it, on the window's thread.
 class Document
 {
 public:

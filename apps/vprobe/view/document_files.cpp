@@ -1,5 +1,5 @@
-#include "view/mail.h"
 #include "view/document.h"
+#include "view/mail.h"
 #include "write/png.h"
 #include "write/slice_file.h"
 #include "write/trace_file.h"
@@ -110,11 +110,11 @@ void Document::savePicture(const std::string& file, std::uint32_t width, std::ui
 	FrameRequest like = wish();
 	like.look.size = fmt::format("{}x{}", width, height);
 	artist_.order(PictureJob{like, false,
-	                           [file, mail = mail_](Result<render::Picture> picture)
-	                           {
-		                           const Status written = picture ? write::writePng(*picture, file) : picture.error();
-		                           mail->leave(told(written, fmt::format("Saved {}", file)));
-	                           }});
+	                         [file, mail = mail_](Result<render::Picture> picture)
+	                         {
+		                         const Status written = picture ? write::writePng(*picture, file) : picture.error();
+		                         mail->leave(told(written, fmt::format("Saved {}", file)));
+	                         }});
 }
 
 void Document::saveSlice(const std::string& file)
@@ -122,8 +122,8 @@ void Document::saveSlice(const std::string& file)
 	if (Result<write::SliceFormat> format = write::sliceFormatOf(file); !format)
 		return notify(format.error());
 	artist_.order(CutJob{wish(), file, [file, mail = mail_](const Status& written) {
-		                         mail->leave(told(written, fmt::format("Saved {}", file)));
-	                         }});
+		                     mail->leave(told(written, fmt::format("Saved {}", file)));
+	                     }});
 }
 
 void Document::saveTrace(const std::string& file)

@@ -1,6 +1,6 @@
 #include "frames.h"
-#include "view/mail.h"
 #include "view/document.h"
+#include "view/mail.h"
 #include "write/png.h"
 
 #include <fmt/format.h>
@@ -165,12 +165,12 @@ void Document::record()
 	mail_->frame_failed.reset();
 	mail_->exposure.reset();
 	artist_.order(PictureJob{recording_->like, true,
-	                           [mail = mail_](Result<render::Picture> empty)
-	                           {
-		                           const std::lock_guard lock(mail->mutex);
-		                           if (empty)
-			                           mail->exposure = std::make_shared<Exposure>(std::move(*empty));
-	                           }});
+	                         [mail = mail_](Result<render::Picture> empty)
+	                         {
+		                         const std::lock_guard lock(mail->mutex);
+		                         if (empty)
+			                         mail->exposure = std::make_shared<Exposure>(std::move(*empty));
+	                         }});
 }
 
 void Document::orderFrames()
@@ -193,11 +193,11 @@ void Document::orderFrames()
 		FrameRequest wish = recording_->like;
 		wish.probe = sweep_.at(frame, state()).probe;
 		artist_.order(PictureJob{wish, false,
-		                           [mail = mail_, film, frame, wake = wake_](Result<render::Picture> picture)
-		                           {
-			                           mail->leave(std::move(picture), frame, *film);
-			                           wake();
-		                           }});
+		                         [mail = mail_, film, frame, wake = wake_](Result<render::Picture> picture)
+		                         {
+			                         mail->leave(std::move(picture), frame, *film);
+			                         wake();
+		                         }});
 	}
 	if (!film->isWhole())
 		return;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "view/pointer_controller.h"
 #include "view/document.h"
+#include "view/pointer_controller.h"
 
 namespace vp::app
 {

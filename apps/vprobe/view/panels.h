@@ -1,9 +1,9 @@
 #pragma once
 
-#include "view/pointer_controller.h"
-#include "view/meter.h"
-#include "view/theme.h"
 #include "view/document.h"
+#include "view/meter.h"
+#include "view/pointer_controller.h"
+#include "view/theme.h"
 
 namespace vp::app
 {

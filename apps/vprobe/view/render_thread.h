@@ -124,10 +124,10 @@ public:
 	// The next wish is for this one; what waits was for the session before.
 	void replaceSession(std::unique_ptr<Session> session);
 
-	std::shared_ptr<const PresentedFrame> shown() const;      // null before the first picture
-	std::optional<Error> takeError();                // why the last wish is not shown
-	bool isIdle() const;                             // nothing waits and nothing is being done
-	std::vector<Timeline::Section> sections() const; // of the last minute or so, for a trace
+	std::shared_ptr<const PresentedFrame> shown() const; // null before the first picture
+	std::optional<Error> takeError();                    // why the last wish is not shown
+	bool isIdle() const;                                 // nothing waits and nothing is being done
+	std::vector<Timeline::Section> sections() const;     // of the last minute or so, for a trace
 
 private:
 	// The contours of a cut, and what they were grown for.
