@@ -112,6 +112,16 @@ std::vector<Target> targets()
 	    counted("bytes built besides a cell, hexes:192", "", 36, "hexes:192/memory", "extra_per_cell")};
 }
 
+// Google Benchmark 1.8 tells errors in another way than 1.7.
+template <class Run>
+bool hasFailed(const Run& run)
+{
+	if constexpr (requires { run.error_occurred; })
+		return run.error_occurred;
+	else
+		return run.skipped != 0;
+}
+
 } // namespace
 
 void Figures::ReportRuns(const std::vector<Run>& runs)
@@ -119,7 +129,7 @@ void Figures::ReportRuns(const std::vector<Run>& runs)
 	ConsoleReporter::ReportRuns(runs);
 	for (const Run& run : runs)
 	{
-		if (run.error_occurred || run.run_type != Run::RT_Iteration)
+		if (hasFailed(run) || run.run_type != Run::RT_Iteration)
 			continue;
 		Figure figure{run.GetAdjustedRealTime(), {}};
 		for (const auto& [name, counter] : run.counters)

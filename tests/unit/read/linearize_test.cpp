@@ -33,7 +33,7 @@ const grid::UnstructuredGrid& cellsOfSet(const grid::BlockSet& set)
 	return std::get<grid::UnstructuredGrid>(set.blocks[0].grid);
 }
 
-const grid::Field& fieldOf(const grid::BlockSet& set, const std::string& name)
+const grid::Field& fieldOf(const grid::BlockSet& set, std::string_view name)
 {
 	for (const grid::Field& field : set.blocks[0].fields)
 		if (field.name == name)
