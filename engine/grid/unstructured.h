@@ -1,29 +1,16 @@
 #pragma once
 
-#include "base/array.h"
 #include "base/huge_vector.h"
+#include "grid/cell_list.h"
 #include "grid/grid.h"
 #include "grid/points.h"
 
 #include <algorithm>
-#include <array>
+#include <memory>
 #include <vector>
 
 namespace vp::grid
 {
-
-// Cells as a file lists them: VTK cell types and point ids, in VTK's point order.
-struct CellList
-{
-	Array<std::uint8_t> types;        // VTK cell type numbers
-	Array<std::int64_t> offsets;      // cells + 1 offsets into connectivity
-	Array<std::int64_t> connectivity; // point ids
-	Array<std::int64_t> face_offsets; // polyhedra: cells + 1 offsets into face_stream, or empty
-	Array<std::int64_t> face_stream;  // per polyhedron: faces, then per face its size and point ids
-	Array<std::int64_t>
-	    source_cells;              // per cell: the file's cell it is part of, for fields and ids; empty: each its own
-	std::size_t source_points = 0; // points the file has, where the reader added some behind them; 0: all are its own
-};
 
 // Cells that meet without sharing a face's points, as at a 2:1 interface; each link is entered both ways.
 struct FaceLink
@@ -34,18 +21,16 @@ struct FaceLink
 	int face_b;
 };
 
-// 0 to 3, or -1 for a type VTK does not know.
-int vtkDimension(std::uint8_t vtk_type);
-
-// The types that build() takes: tetrahedron, voxel, hexahedron, wedge, pyramid, polyhedron. Other three-dimensional
-// types (quadratic and higher cells, prisms over pentagons and hexagons) it skips, not counting them as left out: the
-// reader rewrites them to these types first, refuses them or warns.
-bool isSliceable(std::uint8_t vtk_type);
-
-// Cells of any shape. On building, faces are matched, and cells and points are renumbered along a Morton curve so that
-// what is near in space is near in memory; sourceCell() and sourcePoint() give the numbers the cells came with.
+/// Cells of any shape, in one of two states.
+///
+/// *Listed*: the arrays as they came, nothing copied, nothing built. A cell's id is its place in the list, a point's id
+/// its place among the points. The list may hold cells that are not three-dimensional: their ids stand for no cell.
+/// Every cell can be looked at, but none knows its neighbors: what asks for neighbors or records needs the other state.
+///
+/// *Linked*: what build() makes. Faces are matched, and cells and points are renumbered along a Morton curve, so that
+/// what is near in space is near in memory. sourceCell() and sourcePoint() give the numbers the cells came with.
 //
-// A cell is one record, so that a traversal finds all it asks of it in one or two cache lines. First 4 ids (all
+// A linked cell is one record, so that a traversal finds all it asks of it in one or two cache lines. First 4 ids (all
 // tetrahedra) or 8 ids: its points, and in a cell of fewer than 8 points the last id is kShapeMark + shape. A
 // polyhedron's first id is its number in the face lists. The GPU reads the same ids. Behind them 4 or 6 numbers of what
 // is across each face: a cell, kNoCell, or kMaxBlockIds + a place in a list of several; a polyhedron's are kept apart.
@@ -59,14 +44,23 @@ public:
 
 	UnstructuredGrid() = default;
 
+	/// A listed grid, which shares the arrays. The preconditions are those of build(). Throws std::length_error where
+	/// build() would for want of numbers for cells or points. One pass over the types.
+	static UnstructuredGrid listed(Points points, CellList cells);
+	/// The list of a listed grid; null where the grid is linked.
+	const CellList* list() const { return list_.get(); }
+	/// Whether neighbors are known: the grid is linked.
+	bool hasNeighbors() const { return !list_; }
+
 	// Preconditions (the reader checks them): ids within the points, types known, sizes right. Cells of dimension below
 	// three are left out and counted. Throws std::length_error past kMaxFaceSlots or kMaxBlockIds.
 	static UnstructuredGrid build(const Points& points, const CellList& cells, std::vector<FaceLink> links = {});
 
 	std::size_t cellCount() const { return cell_count_; }
 	std::size_t pointCount() const { return points_.size(); }
-	std::size_t usedPointCount() const { return used_points_; } // points from here on belong to no cell
-	std::size_t leftOut() const { return left_out_; }           // cells of dimension below three
+	// Of a linked grid: points from here on belong to no cell. Of a listed one: all.
+	std::size_t usedPointCount() const { return used_points_; }
+	std::size_t leftOut() const { return left_out_; } // cells of dimension below three
 	// The file's own: curved cells come as several linear ones with added points (see CellList::source_cells).
 	std::size_t sourceCellCount() const { return source_cell_count_; }
 	std::size_t sourcePointCount() const { return source_point_count_; }
@@ -75,6 +69,8 @@ public:
 	Vec3 point(PointId p) const { return points_[p]; }
 	CellShape shape(CellId c) const
 	{
+		if (list_)
+			return shapeOf(list_->types[c]);
 		if (width_ == 4)
 			return CellShape::tetrahedron;
 		const std::uint32_t last = record(c)[7];
@@ -84,6 +80,12 @@ public:
 	{
 		CellPoints points;
 		points.size = topology(shape(c)).points;
+		if (list_)
+		{
+			for (int v = 0; v < points.size; ++v)
+				points.id[v] = static_cast<PointId>(list_->point(c, v));
+			return points;
+		}
 		std::copy_n(record(c), points.size, points.id.begin());
 		return points;
 	}
@@ -109,15 +111,20 @@ public:
 	}
 	// Whether cells were linked that do not share a face's points.
 	bool hasLinks() const { return has_links_; }
-	std::size_t sourcePoint(PointId p) const { return source_points_[p]; }
-	std::size_t sourceCell(CellId c) const { return source_cells_[c]; }
+	std::size_t sourcePoint(PointId p) const { return list_ ? p : source_points_[p]; }
+	std::size_t sourceCell(CellId c) const
+	{
+		if (list_)
+			return list_->source_cells.empty() ? c : static_cast<std::size_t>(list_->source_cells[c]);
+		return source_cells_[c];
+	}
 
 	int recordWidth() const { return width_; }
 	int recordStride() const { return width_ + face_width_; }
 	const HugeVector<std::uint32_t>& records() const { return records_; }
 	const std::uint32_t* record(CellId c) const { return records_.data() + std::size_t(c) * recordStride(); }
 	const Points& coordinates() const { return points_; }
-	std::size_t geometryBytes() const;  // coordinates, records, faces of polyhedra
+	std::size_t geometryBytes() const;  // coordinates, records or the list, faces of polyhedra
 	std::size_t adjacencyBytes() const; // neighbors and source numbers
 
 private:
@@ -130,6 +137,7 @@ private:
 		return record(c) + width_;
 	}
 
+	std::shared_ptr<const CellList> list_; // of a listed grid, which has nothing below but points and counts
 	std::size_t cell_count_ = 0;
 	std::size_t left_out_ = 0;
 	std::size_t source_cell_count_ = 0;

@@ -94,13 +94,25 @@ void checkAxis(const Array<double>& axis)
 		throw Unusable("the coordinates of an axis neither rise nor fall throughout");
 }
 
-void checkCells(const grid::CellList& cells, std::size_t points)
+namespace
+{
+
+// That lists without offsets are what these would say: cells of one type, one after the other.
+void checkAlike(const grid::CellList& cells)
+{
+	const std::uint8_t type = cells.types[0];
+	const auto wanted = static_cast<std::size_t>(slicedCellSize(type));
+	if (wanted == 0 || cells.connectivity.size() / wanted != cells.size() || cells.connectivity.size() % wanted != 0)
+		throw Unusable(
+		    fmt::format("{} cells of type {} list {} points", cells.size(), type, cells.connectivity.size()));
+	if (const std::size_t bad = firstWhere(cells.size(), [&](std::size_t c) { return cells.types[c] != type; });
+	    bad != kNone)
+		throw Unusable(fmt::format("cell {} of type {} lists no points", bad, cells.types[bad]));
+}
+
+void checkTypes(const grid::CellList& cells)
 {
 	checkOffsets(cells.offsets, cells.connectivity.size(), "cell");
-	const auto outside = [&](std::size_t i) { return static_cast<std::uint64_t>(cells.connectivity[i]) >= points; };
-	if (const std::size_t bad = firstWhere(cells.connectivity.size(), outside); bad != kNone)
-		throw Unusable(fmt::format("a cell lists point {} of {}", cells.connectivity[bad], points));
-
 	const auto bad_type = [&](std::size_t c)
 	{
 		const std::uint8_t type = cells.types[c];
@@ -111,6 +123,20 @@ void checkCells(const grid::CellList& cells, std::size_t points)
 	if (const std::size_t bad = firstWhere(cells.types.size(), bad_type); bad != kNone)
 		throw Unusable(fmt::format("cell {} of type {} lists {} points", bad, cells.types[bad],
 		                           cells.offsets[bad + 1] - cells.offsets[bad]));
+}
+
+} // namespace
+
+void checkCells(const grid::CellList& cells, std::size_t points)
+{
+	cells.offsets.empty() ? checkAlike(cells) : checkTypes(cells);
+	cells.connectivity.as(
+	    [&](auto ids)
+	    {
+		    const auto outside = [&](std::size_t i) { return static_cast<std::uint64_t>(ids[i]) >= points; };
+		    if (const std::size_t bad = firstWhere(ids.size(), outside); bad != kNone)
+			    throw Unusable(fmt::format("a cell lists point {} of {}", ids[bad], points));
+	    });
 
 	const auto is_polyhedron = [&](std::size_t c) { return cells.types[c] == kPolyhedron; };
 	if (cells.face_offsets.empty())

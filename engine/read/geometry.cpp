@@ -67,8 +67,9 @@ void addMesh(Mixer& mixer, const CellMesh& mesh)
 {
 	mixer.add(mesh.points);
 	mixer.add(mesh.cells.types);
-	for (const Array<std::int64_t>* array : {&mesh.cells.offsets, &mesh.cells.connectivity, &mesh.cells.face_offsets,
-	                                         &mesh.cells.face_stream, &mesh.cells.source_cells})
+	mesh.cells.connectivity.as([&](auto ids) { mixer.add(ids.data(), ids.size()); });
+	for (const Array<std::int64_t>* array :
+	     {&mesh.cells.offsets, &mesh.cells.face_offsets, &mesh.cells.face_stream, &mesh.cells.source_cells})
 		mixer.add(*array);
 	mixer.add(std::uint64_t(mesh.cells.source_points));
 }

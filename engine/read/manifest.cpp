@@ -155,6 +155,13 @@ private:
 		checkSourceCells(mesh.cells.source_cells, mesh.source_cell_count);
 	}
 
+	grid::IdArray idsOf(const json& array) const
+	{
+		if (array.at("type") == "int32")
+			return numbersOf<std::int32_t>(cells_, array, NumberType::int32);
+		return numbersOf<std::int64_t>(cells_, array, NumberType::int64);
+	}
+
 	CellMesh cellMeshOf(const json& block)
 	{
 		CellMesh mesh;
@@ -164,8 +171,9 @@ private:
 		const std::size_t cells = mesh.cells.types.size();
 		if (cells == 0 || cells >= kMaxBlockIds)
 			throw Unusable(fmt::format("a block of {} cells cannot be held", cells));
-		mesh.cells.offsets = numbersOf<std::int64_t>(cells_, lists.at("offsets"), NumberType::int64, cells + 1);
-		mesh.cells.connectivity = numbersOf<std::int64_t>(cells_, lists.at("connectivity"), NumberType::int64);
+		if (lists.contains("offsets"))
+			mesh.cells.offsets = numbersOf<std::int64_t>(cells_, lists.at("offsets"), NumberType::int64, cells + 1);
+		mesh.cells.connectivity = idsOf(lists.at("connectivity"));
 		if (lists.contains("face_offsets"))
 		{
 			mesh.cells.face_offsets =

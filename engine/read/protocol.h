@@ -22,12 +22,13 @@ namespace vp::read
 //   rectilinear   "axes": [array, array, array] of float64
 //   curvilinear   "points": [nx, ny, nz], "coordinates": array
 //   unstructured  "coordinates": array, "cells": {"types", "offsets", "connectivity", "face_offsets", "face_stream",
-//                 "source_cells", "source_cell_count", "source_point_count"}; the latter five where there is need;
+//                 "source_cells", "source_cell_count", "source_point_count"}; the latter five where there is need,
+//                 offsets unless all cells are of one type and lie one after the other, connectivity of int32 or int64;
 //                 "points": [nx, ny, nz] where points and cells, hidden ones too, are those of a lattice
 //
 // An array is {"type": "float32" ..., "offset", "bytes"}, and among "arrays" also has "name", "association",
 // "components" and, where the file names them, "units". So the manifest has "length_units".
-constexpr int kProtocolVersion = 3;
+constexpr int kProtocolVersion = 4;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;

@@ -1,5 +1,6 @@
 #include "grid/build/cell_order.h"
 
+#include "base/ids.h"
 #include "grid/build/for_ranges.h"
 #include "grid/build/morton.h"
 
@@ -58,7 +59,7 @@ Counts countTypes(std::span<const std::uint8_t> types)
 class Orderer
 {
 public:
-	Orderer(const Points& points, const ListedCells& cells) : points_(points), cells_(cells) {}
+	Orderer(const Points& points, const CellList& cells) : points_(points), cells_(cells) {}
 
 	CellOrder order()
 	{
@@ -74,31 +75,20 @@ private:
 
 	void choose()
 	{
-		const std::size_t count = cells_.list().types.size();
-		const Counts of_type = countTypes(cells_.list().types.span());
-		std::size_t kept = 0;
-		for (int type = 0; type < 256; ++type)
-		{
-			const auto vtk_type = static_cast<std::uint8_t>(type);
-			if (isSliceable(vtk_type))
-				kept += of_type[type];
-			else if (const int dimension = vtkDimension(vtk_type); dimension >= 0 && dimension < 3)
-				order_.left_out += of_type[type];
-		}
-		if (kept > kMaxBlockIds || points_.size() > kMaxBlockIds)
-			throw std::length_error("a block holds at most 3221225472 cells or points");
-		if (count > 0xFFFFFFFFu)
-			throw std::length_error("a block lists at most 4294967295 cells");
+		const std::size_t count = cells_.size();
+		const CellCounts counts = countCells(points_, cells_);
+		const std::size_t kept = counts.kept;
+		order_.left_out = counts.left_out;
 		if (kept < count)
 		{
 			kept_.reserve(kept);
 			for (std::size_t c = 0; c < count; ++c)
-				if (isSliceable(cells_.type(c)))
+				if (isSliceable(cells_.types[c]))
 					kept_.push_back(c);
 		}
 		order_.cells.resize(kept);
-		order_.has_polyhedra = of_type[kPolyhedron] > 0;
-		order_.all_tetrahedra = kept > 0 && kept == of_type[kTetra];
+		order_.has_polyhedra = counts.polyhedra > 0;
+		order_.all_tetrahedra = kept > 0 && kept == counts.tetrahedra;
 	}
 
 	void orderCells(const MortonCurve& curve)
@@ -153,7 +143,7 @@ private:
 	}
 
 	const Points& points_;
-	const ListedCells& cells_;
+	const CellList& cells_;
 	CellOrder order_;
 	std::vector<std::size_t> kept_;  // places in the list of the cells, empty where all are
 	std::vector<std::uint8_t> used_; // per source point: whether a cell has it
@@ -161,7 +151,45 @@ private:
 
 } // namespace
 
-CellOrder orderCells(const Points& points, const ListedCells& cells)
+CellCounts countCells(const Points& points, const CellList& cells)
+{
+	const Counts of_type = countTypes(cells.types.span());
+	CellCounts counts;
+	for (int type = 0; type < 256; ++type)
+	{
+		const auto vtk_type = static_cast<std::uint8_t>(type);
+		if (isSliceable(vtk_type))
+			counts.kept += of_type[type];
+		else if (const int dimension = vtkDimension(vtk_type); dimension >= 0 && dimension < 3)
+			counts.left_out += of_type[type];
+	}
+	counts.tetrahedra = of_type[kTetra];
+	counts.polyhedra = of_type[kPolyhedron];
+	if (counts.kept > kMaxBlockIds || points.size() > kMaxBlockIds)
+		throw std::length_error("a block holds at most 3221225472 cells or points");
+	if (cells.size() > 0xFFFFFFFFu)
+		throw std::length_error("a block lists at most 4294967295 cells");
+	return counts;
+}
+
+std::size_t countSources(const CellList& cells)
+{
+	std::vector<bool> seen;
+	std::size_t count = 0;
+	for (std::size_t c = 0; c < cells.size(); ++c)
+	{
+		if (!isSliceable(cells.types[c]))
+			continue;
+		const auto source = static_cast<std::size_t>(cells.source_cells[c]);
+		if (source >= seen.size())
+			seen.resize(source + 1);
+		count += !seen[source];
+		seen[source] = true;
+	}
+	return count;
+}
+
+CellOrder orderCells(const Points& points, const CellList& cells)
 {
 	return Orderer(points, cells).order();
 }

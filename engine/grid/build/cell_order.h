@@ -1,7 +1,8 @@
 #pragma once
 
 #include "base/huge_vector.h"
-#include "grid/build/listed_cells.h"
+#include "grid/cell_list.h"
+#include "grid/points.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +22,22 @@ struct CellOrder
 	bool has_polyhedra = false;
 };
 
-// Throws std::length_error where a grid has no numbers for so many.
-CellOrder orderCells(const Points& points, const ListedCells& cells);
+/// How many cells of a list a grid takes, and of which kinds.
+struct CellCounts
+{
+	std::size_t kept = 0;     // that isSliceable()
+	std::size_t left_out = 0; // of dimension below three
+	std::size_t tetrahedra = 0;
+	std::size_t polyhedra = 0;
+};
+
+/// Throws std::length_error where a grid has no numbers for so many. One pass over the types, on all cores.
+CellCounts countCells(const Points& points, const CellList& cells);
+
+/// How many of the file's cells those in the list are part of. The list has source_cells.
+std::size_t countSources(const CellList& cells);
+
+// Throws as countCells() does.
+CellOrder orderCells(const Points& points, const CellList& cells);
 
 } // namespace vp::grid

@@ -1,6 +1,6 @@
 #include "grid/build/middle_part.h"
 
-#include "grid/build/listed_cells.h"
+#include "grid/cell_list.h"
 
 #include <algorithm>
 

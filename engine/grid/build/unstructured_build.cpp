@@ -1,7 +1,6 @@
 #include "grid/build/adjacency.h"
 #include "grid/build/cell_order.h"
 #include "grid/build/for_ranges.h"
-#include "grid/build/listed_cells.h"
 #include "grid/unstructured.h"
 
 #include <memory>
@@ -118,18 +117,16 @@ private:
 		          {
 			          const std::size_t source = grid_.source_cells_[c];
 			          if (c + kAhead < grid_.cell_count_)
-				          cells_.prefetchOffset(grid_.source_cells_[c + kAhead]);
+				          prefetchStart(grid_.source_cells_[c + kAhead]);
 			          if (c + kAhead / 2 < grid_.cell_count_)
-				          cells_.prefetchPoints(grid_.source_cells_[c + kAhead / 2]);
-			          const CellShape shape = shapeOf(cells_.type(source));
+				          cells_.connectivity.prefetch(cells_.start(grid_.source_cells_[c + kAhead / 2]));
+			          const CellShape shape = shapeOf(cells_.types[source]);
 			          std::uint32_t* record = &grid_.records_[c * stride];
 			          if (shape == CellShape::polyhedron)
 				          return;
-			          const std::int64_t* ids = cells_.points(source);
-			          const bool voxel = cells_.type(source) == kVoxel;
 			          const int count = topology(shape).points;
 			          for (int i = 0; i < count; ++i)
-				          record[i] = order_.rank[ids[voxel ? kVoxelOrder[i] : i]];
+				          record[i] = order_.rank[cells_.point(source, i)];
 			          // Ids that can be fetched, should a loop run over all eight.
 			          for (std::size_t i = count; i < width; ++i)
 				          record[i] = record[0];
@@ -143,6 +140,12 @@ private:
 			record[7] = UnstructuredGrid::kShapeMark + static_cast<std::uint32_t>(CellShape::polyhedron);
 		}
 		order_.rank = {};
+	}
+
+	void prefetchStart(std::size_t source) const
+	{
+		if (!cells_.offsets.empty())
+			__builtin_prefetch(&cells_.offsets[source]);
 	}
 
 	void matchCells(const std::vector<FaceLink>& links)
@@ -168,7 +171,7 @@ private:
 
 	void linkFaces(const std::vector<FaceLink>& links, const FaceSlots& faces)
 	{
-		std::vector<CellId> stored(cells_.list().types.size(), kNoCell);
+		std::vector<CellId> stored(cells_.types.size(), kNoCell);
 		forRanges(grid_.cell_count_, [&](std::size_t c) { stored[grid_.source_cells_[c]] = static_cast<CellId>(c); });
 		for (const FaceLink& link : links)
 		{
@@ -191,32 +194,37 @@ private:
 	// Up to here source_cells_ gives places in the list; from here on the file's cells.
 	void nameSources()
 	{
-		grid_.source_point_count_ = cells_.list().source_points > 0 ? cells_.list().source_points : points_.size();
+		grid_.source_point_count_ = cells_.source_points > 0 ? cells_.source_points : points_.size();
 		grid_.source_cell_count_ = grid_.cell_count_;
-		if (cells_.list().source_cells.empty())
+		if (cells_.source_cells.empty())
 			return;
 		forRanges(grid_.cell_count_,
 		          [&](std::size_t c) {
-			          grid_.source_cells_[c] =
-			              static_cast<std::uint32_t>(cells_.list().source_cells[grid_.source_cells_[c]]);
+			          grid_.source_cells_[c] = static_cast<std::uint32_t>(cells_.source_cells[grid_.source_cells_[c]]);
 		          });
-		std::vector<bool> seen;
-		grid_.source_cell_count_ = 0;
-		for (const std::uint32_t source : grid_.source_cells_)
-		{
-			if (source >= seen.size())
-				seen.resize(source + 1);
-			grid_.source_cell_count_ += !seen[source];
-			seen[source] = true;
-		}
+		grid_.source_cell_count_ = countSources(cells_);
 	}
 
 	const Points& points_;
-	ListedCells cells_;
+	const CellList& cells_;
 	CellOrder order_;
 	UnstructuredGrid grid_;
 	std::vector<CellId> polyhedra_;
 };
+
+UnstructuredGrid UnstructuredGrid::listed(Points points, CellList cells)
+{
+	const CellCounts counts = countCells(points, cells);
+	UnstructuredGrid grid;
+	grid.cell_count_ = counts.kept;
+	grid.left_out_ = counts.left_out;
+	grid.used_points_ = points.size();
+	grid.source_point_count_ = cells.source_points > 0 ? cells.source_points : points.size();
+	grid.source_cell_count_ = cells.source_cells.empty() ? counts.kept : countSources(cells);
+	grid.points_ = std::move(points);
+	grid.list_ = std::make_shared<const CellList>(std::move(cells));
+	return grid;
+}
 
 UnstructuredGrid UnstructuredGrid::build(const Points& points, const CellList& cells, std::vector<FaceLink> links)
 {
