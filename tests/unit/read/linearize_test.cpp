@@ -38,7 +38,7 @@ const grid::Field& fieldOf(const grid::BlockSet& set, std::string_view name)
 	for (const grid::Field& field : set.blocks[0].fields)
 		if (field.name == name)
 			return field;
-	throw std::runtime_error("no array " + name);
+	throw std::runtime_error("no array " + std::string(name));
 }
 
 // The volume of the parts of each cell; none of them inside out. A wedge's own coordinates turn against the order VTK
