@@ -175,6 +175,12 @@ void addLookOptions(CLI::App& command, LookOptions& options, LookScope scope)
 		addSpaceOptions(command, options, group);
 }
 
+bool needsNeighbors(const LookOptions& options)
+{
+	return options.color_by == "generation" || options.outline == "edges" || !options.context.empty() ||
+	       options.contour.isGiven();
+}
+
 Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::string>& inputs)
 {
 	LookChoice choice;

@@ -52,6 +52,9 @@ struct LookOptions
 	bool operator==(const LookOptions&) const = default;
 };
 
+/// Whether what is drawn beside the sheets asks for the neighbors of cells: so no cut can do without them.
+bool needsNeighbors(const LookOptions& options);
+
 enum class LookScope
 {
 	space, // pictures in space: all options

@@ -144,7 +144,7 @@ void addProbeOptions(CLI::App& command, ProbeOptions& options)
 	command
 	    .add_option("--strategy", options.strategy,
 	                "How cut cells are found, in place of the best way for each block; --explain shows that one")
-	    ->check(CLI::IsMember({"rows", "spans", "cells", "generations", "listed"}))
+	    ->check(CLI::IsMember({"rows", "spans", "cells", "generations", "listed", "scan"}))
 	    ->group(group);
 	addDeviceOptions(command, options);
 }

@@ -29,6 +29,7 @@ struct ProbeOptions
 	std::optional<std::string> surface; // in place of planes, see surface_options.h
 	bool crinkle = false;               // the cells that are cut, whole
 	bool reads_patches = false;         // no option: another one needs them
+	bool may_scan = false;              // no option: the first cut may do without neighbors, see needsNeighbors()
 	std::optional<int> vanes;
 	std::vector<double> offsets;
 	std::optional<int> sheets;

@@ -30,6 +30,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 {
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
+	options.saved.probe.may_scan = !needsNeighbors(options.saved.look);
 	if (options.saved.probe.explain)
 		return explain(options.saved.probe, options.saved.look.color_by == "generation");
 	if (Status place = checkWritable(options.stats); !place)

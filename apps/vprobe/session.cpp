@@ -99,7 +99,8 @@ bool isWorthDevice(const Session& session)
 
 bool classifiesOnGpu(const ProbeOptions& options, Session& session)
 {
-	if (!session.device || options.classify == "cpu" || leavesDeviceIdle(options))
+	if (!session.device || options.classify == "cpu" || leavesDeviceIdle(options) ||
+	    !grid::hasNeighbors(session.blocks))
 		return false;
 	if (options.classify == "gpu")
 		return true;
@@ -121,6 +122,18 @@ bool classifiesOnGpu(const ProbeOptions& options, Session& session)
 read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time)
 {
 	return {time, options.solution, options.refine, options.displace, options.reads_patches || namesPatch(options)};
+}
+
+Status buildNeighbors(Session& session, const ProbeOptions& options)
+{
+	if (grid::hasNeighbors(session.blocks))
+		return Nothing{};
+	session.cutter.reset();
+	{
+		const Progress progress("finding neighbors");
+		read::buildNeighbors(session.blocks, session.timeline.get());
+	}
+	return makeCutter(session, options);
 }
 
 Status makeCutter(Session& session, const ProbeOptions& options)
@@ -175,61 +188,6 @@ Status choose(Session& session, const ProbeOptions& options)
 	return chooseVectors(options, session);
 }
 
-Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use, Timeline::Keep keep,
-                                             std::shared_ptr<gpu::Device> device, const std::stop_token& stop)
-{
-	limitThreads(options.threads);
-	auto session = std::make_unique<Session>();
-	session->timeline = std::make_unique<Timeline>(keep);
-
-	Result<read::TimeChoice> time = read::parseTime(options.time);
-	if (!time)
-		return time.error();
-	// What can be wrong on the command line is told before a large file is read.
-	if (Status fits = checkProbeOptions(options); !fits)
-		return fits.error();
-	if (auto surface = surfaceOf(options); !surface)
-		return surface.error();
-	if (auto form = formOf(options); !form)
-		return form.error();
-	if (Status fits = checkVectors(options); !fits)
-		return fits.error();
-	if (auto threshold = parseThreshold(options.threshold); !threshold)
-		return threshold.error();
-	Result<grid::BlockSet> blocks = [&]
-	{
-		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
-		read::ReadOptions reading = readOptions(options, *time);
-		reading.stop = stop;
-		return read::readInputs(options.inputs, reading, session->timeline.get());
-	}();
-	if (!blocks)
-		return blocks.error();
-	session->blocks = std::move(*blocks);
-	if (Status chosen = choose(*session, options); !chosen)
-		return chosen.error();
-
-	session->device = std::move(device);
-	if (!session->device)
-	{
-		Result<std::unique_ptr<gpu::Device>> opened = openDevice(options, use);
-		if (!opened)
-			return opened.error();
-		session->device = std::move(*opened);
-	}
-	if (Status made = makeCutter(*session, options); !made)
-		return made.error();
-	// The device goes by generations, as the paper does, unless it is left to choose what is fastest.
-	if (options.classify == "gpu" && session->cutter->usesGpu())
-		session->finder = find::Finder::direct;
-	session->strategy = find::strategyNamed(options.strategy);
-	if (!options.visited.empty())
-		session->finder = find::Finder::traversal;
-	if (options.visited == "octants")
-		session->visited = find::VisitedSet::octants;
-	return session;
-}
-
 namespace
 {
 
@@ -250,6 +208,7 @@ cut::CutRequest requestOf(const Session& session)
 	        .threshold = session.threshold,
 	        .finder = session.finder,
 	        .strategy = session.strategy,
+	        .another_follows = session.another_follows,
 	        .visited = session.visited,
 	        .surface = surface,
 	        .last = nullptr,
@@ -257,6 +216,66 @@ cut::CutRequest requestOf(const Session& session)
 }
 
 } // namespace
+
+Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, DeviceUse use, Timeline::Keep keep,
+                                             std::shared_ptr<gpu::Device> device, const std::stop_token& stop)
+{
+	limitThreads(options.threads);
+	auto session = std::make_unique<Session>();
+	session->timeline = std::make_unique<Timeline>(keep);
+
+	Result<read::TimeChoice> time = read::parseTime(options.time);
+	if (!time)
+		return time.error();
+	// What can be wrong on the command line is told before a large file is read.
+	if (Status fits = checkProbeOptions(options); !fits)
+		return fits.error();
+	const auto surface = surfaceOf(options);
+	if (!surface)
+		return surface.error();
+	if (auto form = formOf(options); !form)
+		return form.error();
+	if (Status fits = checkVectors(options); !fits)
+		return fits.error();
+	if (auto threshold = parseThreshold(options.threshold); !threshold)
+		return threshold.error();
+	Result<grid::BlockSet> blocks = [&]
+	{
+		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
+		read::ReadOptions reading = readOptions(options, *time);
+		reading.stop = stop;
+		reading.builds_neighbors = !options.may_scan || options.crinkle || options.vectors.on() || *surface;
+		return read::readInputs(options.inputs, reading, session->timeline.get());
+	}();
+	if (!blocks)
+		return blocks.error();
+	session->blocks = std::move(*blocks);
+	if (Status chosen = choose(*session, options); !chosen)
+		return chosen.error();
+
+	session->device = std::move(device);
+	if (!session->device)
+	{
+		Result<std::unique_ptr<gpu::Device>> opened = openDevice(options, use);
+		if (!opened)
+			return opened.error();
+		session->device = std::move(*opened);
+	}
+	// The device goes by generations, as the paper does, unless it is left to choose what is fastest.
+	if (options.classify == "gpu" && session->device && !leavesDeviceIdle(options))
+		session->finder = find::Finder::direct;
+	session->strategy = find::strategyNamed(options.strategy);
+	if (!options.visited.empty())
+		session->finder = find::Finder::traversal;
+	if (options.visited == "octants")
+		session->visited = find::VisitedSet::octants;
+	if (Status made = makeCutter(*session, options); !made)
+		return made.error();
+	if (const auto plan = session->cutter->plan(requestOf(*session)); plan && plan->needs_neighbors)
+		if (Status built = buildNeighbors(*session, options); !built)
+			return built.error();
+	return session;
+}
 
 Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last)
 {

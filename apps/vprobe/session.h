@@ -44,6 +44,7 @@ struct Session
 	std::optional<vectors::StoredVectors> stored{};                // of that array, where particles go through times
 	double time = 0.0;                                             // that the blocks have values of
 	std::optional<std::pair<grid::FieldChoice, double>> fastest{}; // the greatest length in an array of vectors
+	bool another_follows = false; // so that a cut builds neighbors where they are not known
 	find::Finder finder = find::Finder::automatic;
 	std::optional<find::Strategy> strategy; // asked for by name
 	find::VisitedSet visited = find::VisitedSet::stamps;
@@ -73,10 +74,15 @@ Status choose(Session& session, const ProbeOptions& options);
 // How the inputs are read at one of their times.
 read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time);
 
+// Builds the neighbors of cells where the session has been opened without, and a cutter for them. Cuts that were made
+// before, and what was made of them, hold no more. `options`: as the session was opened with.
+Status buildNeighbors(Session& session, const ProbeOptions& options);
+
 // A cutter for the blocks that the session has now.
 Status makeCutter(Session& session, const ProbeOptions& options);
 
-// last: a cut of this session that differs in the probe's place alone; see CutRequest.
+// last: a cut of this session that differs in the probe's place alone; see CutRequest. The session has neighbors where
+// the plan needs them.
 Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last = nullptr);
 
 // How cut() goes. A usage error that names --strategy where what it asks for cannot be had.

@@ -102,6 +102,7 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 		return place.error();
 	if (Status one = requireOneSurface(options.saved.probe); !one)
 		return one.error();
+	options.saved.probe.may_scan = !needsNeighbors(options.saved.look);
 	if (options.saved.probe.explain)
 		return explain(options.saved.probe);
 	if (options.output == "-" && options.stats == "-")

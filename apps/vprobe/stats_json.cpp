@@ -38,6 +38,7 @@ struct TraversalSums
 	std::size_t cut_cells = 0;        // of the file
 	std::size_t linear_cut_cells = 0; // of the grids: the same but where curved cells were cut into linear ones
 	std::size_t touched = 0;
+	std::size_t scanned = 0; // where no cell was searched for
 	std::size_t walked = 0;
 	std::size_t generations = 0; // 0 where all were found at once, without a device
 	std::size_t front_max = 0;
@@ -80,6 +81,7 @@ TraversalSums sumUp(const grid::BlockSet& blocks, const cut::SheetCut& sheet)
 		const find::BlockCut& cut = sheet.cuts[b];
 		std::visit([&](const auto& found) { addCells(blocks.blocks[b], found, sums); }, cut.found);
 		sums.touched += cut.touchedCells();
+		sums.scanned += cut.scannedCells();
 		sums.generations = std::max(sums.generations, cut.steps());
 		sums.front_max = std::max(sums.front_max, cut.frontMax());
 	}
@@ -135,6 +137,7 @@ nlohmann::json sheetJson(const Session& session, const cut::SheetCut& sheet, con
 	             {"generations", sums.generations},
 	             {"front_max", sums.front_max},
 	             {"cells_touched", sums.touched},
+	             {"cells_scanned", sums.scanned},
 	             {"cells_walked", sums.walked},
 	             {"cells_twisted", stats.mesh.cells_twisted},
 	             {"boundary_faces", sums.boundary_faces},
@@ -246,8 +249,8 @@ std::string statsDocument(const ProbeOptions& options, const Session& session, c
 {
 	const Timeline& timeline = *session.timeline;
 	nlohmann::json ms = {{"gpu", timeline.totalGpu()}, {"total", timeline.now()}};
-	for (const char* section : {"read", "build", "upload", "seed", "traverse", "emit", "contour", "trace", "measure",
-	                            "readback", "render", "write"})
+	for (const char* section : {"read", "build", "adjacency", "upload", "seed", "traverse", "emit", "contour", "trace",
+	                            "measure", "readback", "render", "write"})
 		ms[section] = timeline.total(section);
 
 	nlohmann::json document = inputJson(options, session);

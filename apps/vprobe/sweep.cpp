@@ -84,14 +84,18 @@ Result<std::unique_ptr<SweepProducts>> productsOf(const SweepOptions& options, S
 	                             options.exports() ? options.output : "");
 }
 
-Result<nlohmann::json> sweepAlong(const probe::Path& path, const SweepPlan& plan, Session& session,
-                                  SweepProducts& products)
+Result<nlohmann::json> sweepAlong(const probe::Path& path, const ProbeOptions& options, SweepPlan plan,
+                                  Session& session, SweepProducts& products)
 {
+	// The first picture is there as soon as can be. Only then is built what makes the others fast.
+	if (session.strategy != find::Strategy::scan)
+		plan.build_neighbors = [&] { return buildNeighbors(session, options); };
 	const std::vector<probe::Frame> poses = probe::poses(path, session.probe, session.blocks.bounds(), plan.frames);
 	const CutSlice cut_slice = [&](int frame, std::shared_ptr<const cut::Cut> last)
 	{
 		session.probe.frame = poses[static_cast<std::size_t>(frame)];
 		session.swept = probe::progress(path, frame, plan.frames);
+		session.another_follows = frame > 0;
 		return cut(session, std::move(last));
 	};
 	return sweepThrough(plan, cut_slice, session, products);
@@ -116,6 +120,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 {
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
+	options.saved.probe.may_scan = !needsNeighbors(options.saved.look);
 	if (options.saved.probe.explain)
 		return explain(options.saved.probe, options.saved.look.color_by == "generation");
 	if (Status place = checkWritable(options.stats); !place)
@@ -161,9 +166,10 @@ Result<ExitCode> runSweep(SweepOptions& options)
 		return products.error();
 	const bool threads = options.saved.probe.threads != 1; // one thread is one
 	const SweepPlan plan{
-	    *count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr, options.saved.look.contour};
-	Result<nlohmann::json> figures = options.saved.path.overTimes() ? sweepOverTimes(options, plan, session, **products)
-	                                                                : sweepAlong(path, plan, session, **products);
+	    *count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr, options.saved.look.contour, {}};
+	Result<nlohmann::json> figures = options.saved.path.overTimes()
+	                                     ? sweepOverTimes(options, plan, session, **products)
+	                                     : sweepAlong(path, options.saved.probe, plan, session, **products);
 	if (!figures)
 		return figures.error();
 	if (*trace)

@@ -49,6 +49,9 @@ public:
 		return result_.get();
 	}
 
+	/// The next frame takes nothing from those before. No frame is under way.
+	void forgetLast() { last_.reset(); }
+
 private:
 	using Task = std::packaged_task<CutFrameResult()>;
 
@@ -116,6 +119,11 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 		products.writeBeside();
 	Cutter cutter(plan, cut_slice, session);
 	int next = nextFrame(0, plan, products, remaining);
+	const auto lacksNeighbors = [&](int frame)
+	{ return plan.build_neighbors && frame > 0 && frame < plan.frames && !grid::hasNeighbors(session.blocks); };
+	if (lacksNeighbors(next))
+		if (Status built = plan.build_neighbors(); !built)
+			return built.error();
 	if (next < plan.frames)
 		cutter.start(next);
 	while (next < plan.frames)
@@ -126,10 +134,18 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 		if (!cut)
 			return firstError(products, cut.error());
 		next = nextFrame(frame + 1, plan, products, remaining);
-		if (next < plan.frames)
+		const bool waits = lacksNeighbors(next); // until the first frame is done with
+		if (next < plan.frames && !waits)
 			cutter.start(next);
 		if (Status added = products.add(frame, **cut); !added)
 			return firstError(products, added.error());
+		if (waits)
+		{
+			if (Status built = plan.build_neighbors(); !built)
+				return firstError(products, built.error());
+			cutter.forgetLast();
+			cutter.start(next);
+		}
 		remaining.done();
 		empty += std::ranges::all_of((*cut)->slice.sheets, isEmpty);
 		if (plan.wants_figures)

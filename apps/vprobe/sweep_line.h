@@ -23,6 +23,9 @@ struct SweepPlan
 	bool wants_figures;      // of every frame
 	write::TraceFile* trace; // or null
 	ContourOptions contour;
+	// Called after the first frame, and before any other, where the blocks lack neighbors: all frames but the first
+	// need them. Empty where none does.
+	std::function<Status()> build_neighbors;
 };
 
 // Cuts, draws and writes frame by frame. With both threads frame n + 1 is cut while n is drawn and n - 1 written: the

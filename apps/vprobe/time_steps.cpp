@@ -8,8 +8,9 @@ namespace vp::app
 namespace
 {
 
-Status buildAnew(Session& session, const ProbeOptions& options, const read::ReadOptions& at, Painter* painter)
+Status buildAnew(Session& session, const ProbeOptions& options, read::ReadOptions at, Painter* painter)
 {
+	at.builds_neighbors = grid::hasNeighbors(session.blocks); // for one cut a time, neighbors do not pay
 	Result<grid::BlockSet> blocks = read::readInputs(options.inputs, at, session.timeline.get());
 	if (!blocks)
 		return blocks.error();

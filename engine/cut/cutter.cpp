@@ -11,6 +11,7 @@
 #include "cut/spread_seeds.h"
 #include "find/find_block.h"
 #include "find/listed.h"
+#include "find/scan.h"
 #include "seed/curved_seeds.h"
 
 #include <algorithm>
@@ -103,6 +104,7 @@ Result<Cut> Cutter::cutAll(const CutRequest& request, const Previous& previous, 
 	const Result<find::CutPlan> plan = this->plan(request);
 	if (!plan)
 		return plan.error();
+	assert(!plan->needs_neighbors);
 	if (request.surface)
 		return listSurface(request);
 
@@ -188,6 +190,8 @@ SheetGroup<surface::Plane> Cutter::planesOf(const CutRequest& request, const fin
 	for (SheetCut& sheet : group.sheets)
 	{
 		group.surfaces.insert(group.surfaces.end(), blocks_.blocks.size(), sheet.sheet.plane());
+		if (group.isScanned())
+			continue;
 		sheet.seeds = seed::findSeeds(blocks_, sheet.sheet, request.seeds);
 		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 			if (const grid::CellFilter& filter = group.filters[b])
@@ -201,13 +205,37 @@ SheetGroup<surface::BlockSurface> Cutter::curvedSheetOf(const CutRequest& reques
 {
 	SheetGroup<surface::BlockSurface> group = groupOf<surface::BlockSurface>(request, plan, {number});
 	SheetCut& sheet = group.sheets.front();
-	group.surfaces = find::surfacesOf(blocks_, sheet.sheet, sheet.field, &ranges_);
+	group.surfaces = find::surfacesOf(blocks_, sheet.sheet, sheet.field, group.isScanned() ? nullptr : &ranges_);
 	for (std::size_t b = 0; b < group.filters.size(); ++b)
 		group.filters[b] =
 		    grid::both(std::move(group.filters[b]), find::finiteCells(blocks_.blocks[b], group.surfaces[b]));
+	if (group.isScanned())
+		return group;
 	const TimedSection section(request.timeline, "seed");
 	sheet.seeds = seed::findSeeds(blocks_, group.surfaces, sheet.sheet, request.seeds.mode, group.filters);
 	return group;
+}
+
+template <class Surface>
+void Cutter::scan(SheetGroup<Surface>& group) const
+{
+	const TimedSection section(group.request.timeline, "traverse");
+	const std::size_t blocks = blocks_.blocks.size();
+	for (std::size_t s = 0; s < group.sheets.size(); ++s)
+	{
+		SheetCut& sheet = group.sheets[s];
+		std::optional<seed::SheetWindow> window;
+		if (sheet.sheet.window)
+			window.emplace(sheet.sheet);
+		std::vector<find::Scan> scans;
+		for (std::size_t b = 0; b < blocks; ++b)
+			scans.push_back(find::scanCells(blocks_.blocks[b], group.surfaces[s * blocks + b],
+			                                window ? &*window : nullptr, group.filters[s * blocks + b]));
+		sheet.seeds.cells.resize(blocks);
+		sheet.seeds.faces_in_plane = find::facesToShow(blocks_, scans);
+		for (std::size_t b = 0; b < blocks; ++b)
+			sheet.cuts[b].found = std::move(scans[b].cut);
+	}
 }
 
 // What needs no generations.
@@ -250,6 +278,11 @@ void Cutter::addSeeds(SheetGroup<surface::Plane>& group, const Previous& previou
 
 Status Cutter::search(SheetGroup<surface::Plane>& group, const Previous& previous, std::stop_token stop)
 {
+	if (group.isScanned())
+	{
+		scan(group);
+		return Nothing{};
+	}
 	findKnown(group);
 	addSeeds(group, previous);
 	GenerationSearch<surface::Plane> generations(group, blocks_, stores_);
@@ -273,6 +306,11 @@ Status Cutter::search(SheetGroup<surface::Plane>& group, const Previous& previou
 
 Status Cutter::search(SheetGroup<surface::BlockSurface>& group, std::stop_token stop)
 {
+	if (group.isScanned())
+	{
+		scan(group);
+		return Nothing{};
+	}
 	const TimedSection section(group.request.timeline, "traverse");
 	GenerationSearch<surface::BlockSurface> generations(group, blocks_, stores_);
 	classify::CpuClassifier<surface::BlockSurface> cpu(generations.sheets());

@@ -109,6 +109,8 @@ private:
 	                                    std::vector<std::size_t> numbers) const;
 	SheetGroup<surface::BlockSurface> curvedSheetOf(const CutRequest& request, const find::CutPlan& plan,
 	                                                std::size_t number);
+	template <class Surface>
+	void scan(SheetGroup<Surface>& group) const;
 	void findKnown(SheetGroup<surface::Plane>& group);
 	void addSeeds(SheetGroup<surface::Plane>& group, const Previous& previous) const;
 	Status search(SheetGroup<surface::Plane>& group, const Previous& previous, std::stop_token stop);

@@ -34,6 +34,8 @@ struct CutRequest
 	std::optional<find::Threshold> threshold; // of the field's values: the search ends at cells outside
 	find::Finder finder = find::Finder::traversal;
 	std::optional<find::Strategy> strategy; // for all sheets and blocks; an error where it cannot be had
+	// Other cuts of these blocks will follow, so that it pays to build neighbors where a first cut would do without.
+	bool another_follows = false;
 	find::VisitedSet visited = find::VisitedSet::stamps;
 	// Takes the place of the probe's sheets. It needs no search, and windows and seeds mean nothing to it.
 	std::optional<find::ListedSurface> surface;
@@ -54,6 +56,8 @@ struct CutRequest
 		        .surface = surface ? &*surface : nullptr,
 		        .has_threshold = threshold.has_value(),
 		        .seed_mode = seeds.mode,
+		        .looks_for_hot_spot = seeds.outside != seed::OutsidePolicy::nearest,
+		        .another_follows = another_follows,
 		        .finder = finder,
 		        .strategy = strategy};
 	}

@@ -31,6 +31,9 @@ struct SheetGroup
 	std::vector<grid::CellFilter> filters;
 
 	bool needsGenerations(std::size_t i) const { return plan[i].strategy == find::Strategy::generations; }
+	/// Whether every cell is looked at once. Then it is so for all sheets and blocks: a plan takes a scan where all
+	/// blocks are unstructured, for reasons that are the same for all sheets.
+	bool isScanned() const { return !plan.empty() && plan.front().strategy == find::Strategy::scan; }
 };
 
 /// The part of a group that is found in generations.

@@ -21,8 +21,16 @@ struct BlockCut
 	const SpanCut& spans() const { return std::get<SpanCut>(found); } // where it has them
 
 	std::size_t cutCells() const { return hasSpans() ? spans().cells.cut : cells().cut_cells; }
-	/// Those that were looked at, whether they turned out to be cut or not.
-	std::size_t touchedCells() const { return hasSpans() ? spans().cells.looked_at : cells().cells.size(); }
+	/// Those that a search looked at, whether they turned out to be cut or not. 0 where there was no search, but a
+	/// scan.
+	std::size_t touchedCells() const
+	{
+		if (hasSpans())
+			return spans().cells.looked_at;
+		return cells().scanned > 0 ? 0 : cells().cells.size();
+	}
+	/// Those that a scan looked at: all of the block. 0 where there was no scan.
+	std::size_t scannedCells() const { return hasSpans() ? 0 : cells().scanned; }
 	/// Generations until the last cell of the block was found; 0 where none were needed.
 	std::size_t steps() const { return hasSpans() ? spans().classified_at_once : cells().steps; }
 	/// Cells of the widest generation.

@@ -78,7 +78,8 @@ struct CellCut
 	std::vector<CellId> cells;        // every cell that was queued
 	std::vector<std::uint32_t> codes; // its code, kCodeCut set where it is cut; kCodeWalk kept where the CPU walked it
 	std::size_t cut_cells = 0;
-	bool closed = false; // cells ascend, and what lies across a cut face of theirs in the block is listed too
+	std::size_t scanned = 0; // cells that a scan looked at; 0 where the cells were searched for
+	bool closed = false;     // cells ascend, and what lies across a cut face of theirs in the block is listed too
 	std::vector<std::uint32_t> generation_starts; // generations + 1 offsets into cells
 	// Generations of the whole traversal until the last one here. That is more than generations() where the block was
 	// entered late.

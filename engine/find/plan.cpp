@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -15,9 +16,9 @@ namespace vp::find
 namespace
 {
 
-constexpr std::array kStrategies{std::pair(Strategy::rows, "rows"), std::pair(Strategy::spans, "spans"),
-                                 std::pair(Strategy::cells, "cells"), std::pair(Strategy::generations, "generations"),
-                                 std::pair(Strategy::listed, "listed")};
+constexpr std::array kStrategies{std::pair(Strategy::rows, "rows"),     std::pair(Strategy::spans, "spans"),
+                                 std::pair(Strategy::cells, "cells"),   std::pair(Strategy::generations, "generations"),
+                                 std::pair(Strategy::listed, "listed"), std::pair(Strategy::scan, "scan")};
 
 /// One sheet in one block. sheet: null where something else takes the place of the sheets.
 struct PlannedSheet
@@ -25,7 +26,9 @@ struct PlannedSheet
 	const PlanRequest& request;
 	const probe::Sheet* sheet;
 	const grid::Block& block;
-	bool has_seams; // with other blocks
+	bool has_seams;       // with other blocks
+	bool is_unstructured; // as all blocks are
+	bool lacks_neighbors; // some block does
 };
 
 /// Why the cells have to be followed from one to the next in generations, whatever the grid; null where they do not.
@@ -69,6 +72,17 @@ const char* whyNotCells(const PlannedSheet& at)
 	                                                    : nullptr;
 }
 
+const char* whyNotScan(const PlannedSheet& at)
+{
+	if (!at.is_unstructured)
+		return "not all blocks are unstructured";
+	if (at.request.has_threshold)
+		return "the search ends at cells outside the threshold";
+	if (at.request.seed_mode != seed::SeedMode::automatic || at.request.looks_for_hot_spot)
+		return "seeds are asked for";
+	return nullptr;
+}
+
 /// Why a strategy cannot be had; null where it can.
 const char* whyNot(Strategy strategy, const PlannedSheet& at)
 {
@@ -78,10 +92,12 @@ const char* whyNot(Strategy strategy, const PlannedSheet& at)
 		return "only cells of a grid index or a patch are listed";
 	if (strategy == Strategy::generations)
 		return nullptr;
-	if (const char* why = needsGenerations(at))
-		return why;
 	if (at.request.finder == Finder::traversal)
 		return "generations are asked for";
+	if (strategy == Strategy::scan)
+		return whyNotScan(at);
+	if (const char* why = needsGenerations(at))
+		return why;
 	return strategy == Strategy::rows    ? whyNotRows(at)
 	       : strategy == Strategy::spans ? whyNotSpans(at)
 	                                     : whyNotCells(at);
@@ -115,30 +131,42 @@ const char* whyTaken(Strategy strategy, const PlannedSheet& at)
 	case Strategy::listed:
 		return std::holds_alternative<PatchName>(*at.request.surface) ? "the faces of a patch are known"
 		                                                              : "cells of a grid index are known by subscripts";
+	case Strategy::scan:
+		return "the only cut: every cell is looked at once";
 	case Strategy::generations:
 		break;
 	}
 	return whyGenerations(at);
 }
 
+/// Whether neighbors would have to be built for this cut alone.
+bool isOneOff(const PlannedSheet& at)
+{
+	return at.lacks_neighbors && !at.request.another_follows && at.request.finder == Finder::automatic;
+}
+
 /// The first that can be had, in the order of their speed. A device is given generations rather than a search on the
 /// CPU, unless the fastest way is wanted.
 Strategy choose(const PlannedSheet& at)
 {
+	if (isOneOff(at) && !whyNot(Strategy::scan, at))
+		return Strategy::scan;
 	for (const auto& [strategy, name] : kStrategies)
 	{
 		const bool searches = strategy == Strategy::spans || strategy == Strategy::cells;
-		if (!(searches && at.request.finder == Finder::direct) && !whyNot(strategy, at))
+		if (strategy != Strategy::scan && !(searches && at.request.finder == Finder::direct) && !whyNot(strategy, at))
 			return strategy;
 	}
 	return Strategy::generations;
 }
 
 /// Why the CPU classifies although there is a device; null where the device does.
-const char* whyNotOnDevice(const PlannedSheet& at, bool holds)
+const char* whyNotOnDevice(const PlannedSheet& at, Strategy strategy, bool holds)
 {
 	if (!at.sheet)
 		return "nothing to classify";
+	if (strategy == Strategy::scan)
+		return ""; // why_strategy tells
 	if (!holds)
 		return "CPU: the block passes a limit of the device";
 	if (!at.sheet->form)
@@ -155,7 +183,7 @@ BlockPlan planBlock(const PlannedSheet& at, bool has_device, bool holds)
 	BlockPlan plan;
 	plan.strategy = at.request.strategy.value_or(choose(at));
 	plan.why_strategy = whyTaken(plan.strategy, at);
-	const char* why_cpu = has_device ? whyNotOnDevice(at, holds) : "";
+	const char* why_cpu = has_device ? whyNotOnDevice(at, plan.strategy, holds) : "";
 	plan.classifier = why_cpu ? Processor::cpu : Processor::gpu;
 	plan.why_classifier = why_cpu ? why_cpu : "";
 	return plan;
@@ -190,13 +218,17 @@ Result<CutPlan> planCut(const PlanRequest& request, const grid::BlockSet& blocks
 {
 	CutPlan plan;
 	const std::size_t sheets = request.surface ? 1 : request.sheets.size();
+	const bool lacks_neighbors = !grid::hasNeighbors(blocks);
+	const bool unstructured = std::ranges::all_of(blocks.blocks, [](const grid::Block& b)
+	                                              { return std::holds_alternative<grid::UnstructuredGrid>(b.grid); });
 	for (std::size_t s = 0; s < sheets; ++s)
 	{
 		std::vector<BlockPlan>& of_sheet = plan.sheets.emplace_back();
 		for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
 		{
-			const PlannedSheet at{request, request.surface ? nullptr : &request.sheets[s], blocks.blocks[b],
-			                      blocks.interfaces.of(b) != nullptr};
+			const PlannedSheet at{request,          request.surface ? nullptr : &request.sheets[s],
+			                      blocks.blocks[b], blocks.interfaces.of(b) != nullptr,
+			                      unstructured,     lacks_neighbors};
 			if (request.strategy)
 				if (const char* why = whyNot(*request.strategy, at))
 					return Error{ExitCode::usage,
@@ -204,6 +236,7 @@ Result<CutPlan> planCut(const PlanRequest& request, const grid::BlockSet& blocks
 					                         nameOf(*request.strategy), s, blocks.blocks[b].name, why,
 					                         nameOf(choose(at)))};
 			of_sheet.push_back(planBlock(at, device, device && device->holds[b]));
+			plan.needs_neighbors |= of_sheet.back().strategy != Strategy::scan && !grid::hasNeighbors(blocks.blocks[b]);
 		}
 	}
 	return plan;

@@ -23,7 +23,8 @@ enum class Strategy
 	spans,       // curvilinear grids: a flood over runs of cells (spans.h)
 	cells,       // unstructured grids: a flood over cells (cells.h)
 	generations, // any grid: breadth first from the seeds, each generation classified as a whole (generations.h)
-	listed       // a grid index or a patch: its cells are known by their subscripts or faces (listed.h)
+	listed,      // a grid index or a patch: its cells are known by their subscripts or faces (listed.h)
+	scan         // unstructured grids: every cell is looked at once, and no neighbors are needed (scan.h)
 };
 
 /// Who computes the case codes of the cells. Polyhedra are always classified by the CPU.
@@ -54,6 +55,8 @@ struct PlanRequest
 	const ListedSurface* surface = nullptr; // in place of the sheets, or null
 	bool has_threshold = false;             // of values: cells outside end the search
 	seed::SeedMode seed_mode = seed::SeedMode::boundary;
+	bool looks_for_hot_spot = false; // whether the hot spot lies in the grid has to be known
+	bool another_follows = false;    // so that it pays to build neighbors, where they are not known
 	Finder finder = Finder::traversal;
 	std::optional<Strategy> strategy; // for all sheets and blocks; an error where it cannot be had
 };
@@ -74,6 +77,9 @@ struct BlockPlan
 struct CutPlan
 {
 	std::vector<std::vector<BlockPlan>> sheets;
+
+	/// Whether grid::buildNeighbors() is to be called before the plan can be carried out.
+	bool needs_neighbors = false;
 };
 
 /// What a plan has to know of a device that classifies.
@@ -83,8 +89,9 @@ struct DeviceProfile
 };
 
 /// How a request will be cut. A pure function that looks at no cell: the time goes by sheets times blocks, and the axes
-/// of rectilinear blocks. device: null where the CPU works alone. A usage error, without an option's name, says why a
-/// strategy that the request asks for cannot be had. Threads: any.
+/// of rectilinear blocks. What is built already is in the blocks (grid::hasNeighbors). device: null where the CPU works
+/// alone. A usage error, without an option's name, says why a strategy that the request asks for cannot be had.
+/// Threads: any.
 Result<CutPlan> planCut(const PlanRequest& request, const grid::BlockSet& blocks, const DeviceProfile* device);
 
 } // namespace vp::find

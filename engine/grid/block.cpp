@@ -27,6 +27,17 @@ void replaceFields(Block& block, std::vector<Field> fields)
 		field.categorical = namesCategories(field);
 }
 
+bool hasNeighbors(const Block& block)
+{
+	const auto* grid = std::get_if<UnstructuredGrid>(&block.grid);
+	return !grid || grid->hasNeighbors();
+}
+
+bool hasNeighbors(const BlockSet& blocks)
+{
+	return std::ranges::all_of(blocks.blocks, [](const Block& block) { return hasNeighbors(block); });
+}
+
 const BlockTree& treeOf(const Block& block)
 {
 	return std::visit([&](const auto& grid) -> const BlockTree& { return block.tree->over(grid); }, block.grid);

@@ -48,8 +48,11 @@ struct Block
 };
 
 // The order of a curvilinear grid's axes (lattice_axes.h), categorical fields, bounds, boundary index, vantage points
-// and inverted cells, on all cores.
+// and inverted cells, on all cores. Of a listed grid, which has no neighbors, only categorical fields and bounds.
 void finishBlock(Block& block);
+
+/// Whether the cells of the block know their neighbors: the grid is not a listed one (unstructured.h).
+bool hasNeighbors(const Block& block);
 
 // Other values over the same grid, as at another time.
 void replaceFields(Block& block, std::vector<Field> fields);
@@ -77,6 +80,14 @@ struct BlockSet
 	// image, rectilinear, curvilinear, unstructured; block-structured for several structured blocks; hybrid for a mix.
 	const char* kind() const;
 };
+
+/// Whether all blocks know their neighbors.
+bool hasNeighbors(const BlockSet& blocks);
+
+/// Links the listed grids of a set (unstructured.h), finishes their blocks and matches interfaces, on all cores. Cells
+/// and points of these blocks get other ids: nothing that was found before holds any more. Nothing is done where all
+/// blocks know their neighbors. Throws as UnstructuredGrid::build().
+void buildNeighbors(BlockSet& blocks);
 
 // Throws std::logic_error on a broken invariant: neighbors that do not know each other, ids out of range, boxes that
 // do not hold their faces. For tests.

@@ -115,7 +115,7 @@ const std::vector<Demo>& demos()
 	return all;
 }
 
-Result<BlockSet> makeDemo(std::string_view name, int n)
+Result<BlockSet> makeDemo(std::string_view name, int n, bool builds_neighbors)
 {
 	const auto maker = std::ranges::find_if(kMakers, [&](const Maker& m) { return m.demo.name == name; });
 	if (maker == std::end(kMakers))
@@ -131,7 +131,10 @@ Result<BlockSet> makeDemo(std::string_view name, int n)
 		BlockSet set;
 		set.blocks.push_back(maker->make(n));
 		set.blocks[0].name = name;
-		finishBlock(set.blocks[0]);
+		if (builds_neighbors && !hasNeighbors(set))
+			buildNeighbors(set);
+		else
+			finishBlock(set.blocks[0]);
 		return set;
 	}
 	catch (const std::bad_alloc&)
@@ -140,12 +143,12 @@ Result<BlockSet> makeDemo(std::string_view name, int n)
 	}
 }
 
-Result<BlockSet> parseDemo(std::string_view text)
+Result<BlockSet> parseDemo(std::string_view text, bool builds_neighbors)
 {
 	const std::size_t colon = text.find(':');
 	const std::string_view name = text.substr(0, colon);
 	if (colon == std::string_view::npos)
-		return makeDemo(name, kDefaultCells);
+		return makeDemo(name, kDefaultCells, builds_neighbors);
 	const std::string_view number = text.substr(colon + 1);
 	int n = 0;
 	const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), n);
@@ -153,7 +156,7 @@ Result<BlockSet> parseDemo(std::string_view text)
 		return Error{ExitCode::input,
 		             fmt::format("demo:{}: expected NAME or NAME:N with N 1 to {}; the data sets are {}", text,
 		                         kMaxDemoCells, namesOfDemos())};
-	return makeDemo(name, n);
+	return makeDemo(name, n, builds_neighbors);
 }
 
 } // namespace vp::grid

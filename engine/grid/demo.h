@@ -22,9 +22,10 @@ const std::vector<Demo>& demos();
 // n cells each way, 1 <= n <= kMaxDemoCells. An unknown name, or an n out of range, is an input error that lists what
 // there is.
 constexpr int kMaxDemoCells = 1024;
-Result<BlockSet> makeDemo(std::string_view name, int n);
+// builds_neighbors: else unstructured cells are listed (unstructured.h).
+Result<BlockSet> makeDemo(std::string_view name, int n, bool builds_neighbors = true);
 
 // "NAME" or "NAME:N" (64 cells when N is left out), as after demo: on the command line.
-Result<BlockSet> parseDemo(std::string_view text);
+Result<BlockSet> parseDemo(std::string_view text, bool builds_neighbors = true);
 
 } // namespace vp::grid

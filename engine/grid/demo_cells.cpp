@@ -49,7 +49,7 @@ struct CellsOfOneShape
 Block makeUnstructured(const Filled<float>& xyz, const CellList& cells)
 {
 	Block block;
-	block.grid = UnstructuredGrid::build(Points(xyz.array()), cells);
+	block.grid = UnstructuredGrid::listed(Points(xyz.array()), cells);
 	block.fields = fieldsAt(xyz);
 	return block;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/ids.h"
+#include "grid/boundary.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -70,5 +71,8 @@ struct Interfaces
 // fewer than three match nothing. Near-linear in the number of boundary faces, on all cores, the same result for any
 // number of threads.
 void matchInterfaces(BlockSet& blocks);
+
+/// The same for some of the boundary faces, where no more of them are known: faces[b] of block b. Counts are of these.
+Interfaces interfacesAmong(const BlockSet& blocks, std::span<const std::vector<BoundaryIndex::Face>> faces);
 
 } // namespace vp::grid

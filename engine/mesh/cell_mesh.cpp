@@ -108,9 +108,9 @@ template <grid::Grid G, class Use>
 void withReader(const G& grid, Use&& use)
 {
 	if constexpr (std::is_same_v<G, grid::UnstructuredGrid>)
-		grid::readRecords(grid, use);
-	else
-		use(CellReader<G>(grid));
+		if (grid.hasNeighbors())
+			return grid::readRecords(grid, use);
+	use(CellReader<G>(grid));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "base/key_numbers.h"
 #include "base/place_key.h"
+#include "mesh/mesh_seams.h"
 #include "mesh/mesh_values.h"
 #include "mesh/seam_vertices.h"
 #include "mesh/union_find.h"
@@ -35,15 +36,17 @@ public:
 	{
 	}
 
-	void join(bool by_place)
+	bool join(bool by_place)
 	{
 		joinAtGridPoints();
 		joinAtSeams(by_place);
 		if (ofSeveralBlocks())
 			joinAtSamePlace();
-		if (joined_.count() < mesh_.positions.size())
+		const bool any = joined_.count() < mesh_.positions.size();
+		if (any)
 			for (std::uint32_t& v : mesh_.polygon_vertices)
 				v = joined_.root(v);
+		return any || !mesh_.seam_pairs.empty();
 	}
 
 private:
@@ -68,7 +71,9 @@ private:
 
 	void joinAtSeams(bool by_place)
 	{
-		for (const VertexPair& pair : seamVertices(blocks_, mesh_))
+		for (const VertexPair& pair : grid::hasNeighbors(blocks_)
+		                                  ? seamVertices(blocks_, blocks_.interfaces, mesh_)
+		                                  : seamVertices(blocks_, seamsOfMesh(blocks_, mesh_, joined_), mesh_))
 			if (by_place && !areOnePlace(pair.first, pair.second))
 				continue;
 			else if (haveSameData(pair.first, pair.second))
@@ -160,9 +165,9 @@ private:
 
 } // namespace
 
-void joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place)
+bool joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place)
 {
-	VertexJoiner(blocks, mesh).join(by_place);
+	return VertexJoiner(blocks, mesh).join(by_place);
 }
 
 } // namespace vp::mesh

@@ -13,6 +13,8 @@ namespace vp::mesh
 //
 // A plane cuts an edge of a seam once, whatever rounding and tolerance make of the place. What is given `by_place`
 // lies, as grid surfaces of two blocks do, at places of its own along such an edge, and is joined at equal ones only.
-void joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place = false);
+//
+// Returns whether vertices were joined, or put into mesh.seam_pairs.
+bool joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place = false);
 
 } // namespace vp::mesh

@@ -30,7 +30,10 @@ struct Corner
 class SeamVertices
 {
 public:
-	SeamVertices(const grid::BlockSet& blocks, const SheetMesh& mesh) : blocks_(blocks), mesh_(mesh) {}
+	SeamVertices(const grid::BlockSet& blocks, const grid::Interfaces& interfaces, const SheetMesh& mesh)
+	    : blocks_(blocks), interfaces_(interfaces), mesh_(mesh)
+	{
+	}
 
 	std::vector<VertexPair> pairs()
 	{
@@ -49,7 +52,7 @@ public:
 private:
 	const grid::BlockSeams* seamsOf(std::size_t polygon) const
 	{
-		return blocks_.interfaces.of(mesh_.polygon_cells[polygon].block);
+		return interfaces_.of(mesh_.polygon_cells[polygon].block);
 	}
 
 	void addAcross(const CellPolygon& polygon, const grid::SeamLink& link)
@@ -115,6 +118,7 @@ private:
 	}
 
 	const grid::BlockSet& blocks_;
+	const grid::Interfaces& interfaces_;
 	const SheetMesh& mesh_;
 	std::vector<CellPolygon> at_seams_; // ascending by cell
 	std::vector<VertexPair> pairs_;
@@ -122,9 +126,10 @@ private:
 
 } // namespace
 
-std::vector<VertexPair> seamVertices(const grid::BlockSet& blocks, const SheetMesh& mesh)
+std::vector<VertexPair> seamVertices(const grid::BlockSet& blocks, const grid::Interfaces& interfaces,
+                                     const SheetMesh& mesh)
 {
-	return SeamVertices(blocks, mesh).pairs();
+	return SeamVertices(blocks, interfaces, mesh).pairs();
 }
 
 } // namespace vp::mesh

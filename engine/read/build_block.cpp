@@ -17,7 +17,7 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name)
 	    [&](auto&& mesh)
 	    {
 		    if constexpr (std::is_same_v<std::decay_t<decltype(mesh)>, CellMesh>)
-			    block.grid = grid::UnstructuredGrid::build(mesh.points, mesh.cells);
+			    block.grid = grid::UnstructuredGrid::listed(std::move(mesh.points), std::move(mesh.cells));
 		    else
 			    block.grid = std::move(mesh);
 	    },

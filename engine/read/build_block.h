@@ -8,7 +8,8 @@
 namespace vp::read
 {
 
-// A checked block with its grid built, finished (see finishBlock) but for its seams with others.
+// A checked block with its grid, finished (see finishBlock) but for its seams with others. Cells of an unstructured one
+// are listed.
 grid::Block buildBlock(CheckedBlock&& checked, std::string name);
 
 } // namespace vp::read

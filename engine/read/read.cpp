@@ -59,7 +59,11 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 		std::string name = block.name.empty() ? stem : fmt::format("{}: {}", stem, block.name);
 		set.blocks.push_back(buildBlock(std::move(block), std::move(name)));
 	}
-	set.patches = grid::findPatches(set, input->patches);
+	if (!input->patches.empty())
+	{
+		buildNeighbors(set, timeline);
+		set.patches = grid::findPatches(set, input->patches);
+	}
 	return set;
 }
 
@@ -68,10 +72,16 @@ Result<grid::BlockSet> readInput(const std::string& input, const ReadOptions& op
 	if (!input.starts_with(kDemoPrefix))
 		return readFile(input, options, timeline);
 	TimedSection timed(timeline, "build");
-	return grid::parseDemo(std::string_view(input).substr(kDemoPrefix.size()));
+	return grid::parseDemo(std::string_view(input).substr(kDemoPrefix.size()), false);
 }
 
 } // namespace
+
+void buildNeighbors(grid::BlockSet& set, Timeline* timeline)
+{
+	const TimedSection timed(timeline, "adjacency");
+	grid::buildNeighbors(set);
+}
 
 std::size_t timeIndex(const std::vector<double>& times, const TimeChoice& choice)
 {
@@ -124,6 +134,13 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 	}
 	std::sort(all.times.begin(), all.times.end());
 	all.times.erase(std::unique(all.times.begin(), all.times.end()), all.times.end());
+	const bool all_listed =
+	    std::ranges::none_of(all.blocks, [](const grid::Block& block) { return grid::hasNeighbors(block); });
+	if (all_listed && !options.builds_neighbors)
+		return all;
+	if (!grid::hasNeighbors(all))
+		buildNeighbors(all, timeline);
+	else
 	{
 		TimedSection timed(timeline, "build");
 		grid::matchInterfaces(all);

@@ -43,20 +43,28 @@ struct ReadOptions
 	std::string solution; // PLOT3D q file, where its name does not follow from the grid's
 	// Curved cells are cut into linear ones over their own points; each level halves the edges of those once more.
 	int refine = 0;
-	double displace = 0.0;  // moves the points of Exodus files by their displacements, times this
-	bool patches = false;   // reads what the files name of the boundary: OpenFOAM patches, Exodus side sets
+	double displace = 0.0; // moves the points of Exodus files by their displacements, times this
+	bool patches = false;  // reads what the files name of the boundary: OpenFOAM patches, Exodus side sets
+	// Without: where all blocks are unstructured they stay listed (grid/unstructured.h), their seams are not matched,
+	// and grid::buildNeighbors() is left to the caller. Not where patches are read, whose faces are looked for.
+	bool builds_neighbors = true;
 	std::stop_token stop{}; // asked to stop, reading ends with an error
 };
 
 constexpr int kMaxRefine = 6;
 
-// Reads every input (a file, or demo:NAME[:N]) into one block set, finished (see finishBlock, matchInterfaces). A file
+// Reads every input (a file, or demo:NAME[:N]) into one block set, finished (see finishBlock, matchInterfaces).
+// `builds_neighbors` says more. A file
 // is read by VTK in a child process (vprobe-read, beside the program or in its libexec folder) which hands its arrays
 // over in shared memory; sizes, types, offsets and ids are checked here before anything uses them. A file that is
 // missing, empty, truncated, foreign or damaged, or a child that crashes, runs out of memory or out of time, is an
-// input error that names the file. Sections "read" and "build" go to the timeline.
+// input error that names the file. Sections "read", "build" and "adjacency" go
+// to the timeline.
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,
                                   Timeline* timeline);
+
+// grid::buildNeighbors(), as section "adjacency" of the timeline.
+void buildNeighbors(grid::BlockSet& set, Timeline* timeline);
 
 // The arrays of each block of a set that readInputs made of the inputs, read once more, at another time say; none where
 // the grids are others.

@@ -130,7 +130,7 @@ int levelOf(double edge)
 class Matcher
 {
 public:
-	explicit Matcher(const BlockSet& set) : set_(set) {}
+	Matcher(const BlockSet& set, const FacesOfBlocks& faces) : set_(set), faces_(faces) {}
 
 	std::vector<std::vector<SeamLink>> links()
 	{
@@ -180,7 +180,7 @@ private:
 				if (others.empty())
 					continue;
 			}
-			const std::vector<BoundaryIndex::Face>& faces = block.boundary.faces;
+			const std::span<const BoundaryIndex::Face> faces = faces_[b];
 			std::vector<Candidate> all(faces.size());
 			std::vector<std::uint8_t> kept(faces.size());
 			std::visit(
@@ -295,15 +295,16 @@ private:
 	}
 
 	const BlockSet& set_;
+	const FacesOfBlocks& faces_;
 	std::vector<Candidate> candidates_;
 	std::vector<std::pair<std::uint64_t, std::uint32_t>> sorted_; // bucket, candidate
 };
 
 } // namespace
 
-std::vector<std::vector<SeamLink>> matchFaces(const BlockSet& blocks)
+std::vector<std::vector<SeamLink>> matchFaces(const BlockSet& blocks, const FacesOfBlocks& faces)
 {
-	return Matcher(blocks).links();
+	return Matcher(blocks, faces).links();
 }
 
 } // namespace vp::grid

@@ -1,4 +1,5 @@
 #include "grid/block.h"
+#include "grid/build/cell_bounds.h"
 #include "grid/build/folds.h"
 #include "grid/build/lattice_axes.h"
 
@@ -80,6 +81,12 @@ std::vector<CellId> distinct(std::vector<CellId> cells)
 void finishBlock(Block& block)
 {
 	replaceFields(block, std::move(block.fields));
+	if (!hasNeighbors(block))
+	{
+		const auto& listed = std::get<UnstructuredGrid>(block.grid);
+		block.bounds = boundsOfCells(listed.coordinates(), *listed.list());
+		return;
+	}
 	if (auto* curvilinear = std::get_if<CurvilinearGrid>(&block.grid))
 		*curvilinear = withShortestEdgesFirst(std::move(*curvilinear));
 	std::visit(
@@ -94,6 +101,21 @@ void finishBlock(Block& block)
 		    block.cell_places = std::make_shared<LazyCellPlaces>();
 	    },
 	    block.grid);
+}
+
+void buildNeighbors(BlockSet& blocks)
+{
+	if (hasNeighbors(blocks))
+		return;
+	for (Block& block : blocks.blocks)
+	{
+		if (hasNeighbors(block))
+			continue;
+		const auto& listed = std::get<UnstructuredGrid>(block.grid);
+		block.grid = UnstructuredGrid::build(listed.coordinates(), *listed.list());
+		finishBlock(block);
+	}
+	matchInterfaces(blocks);
 }
 
 } // namespace vp::grid

@@ -20,14 +20,12 @@ std::size_t distinctFaces(const BlockSeams& seams)
 	return count;
 }
 
-} // namespace
-
-void matchInterfaces(BlockSet& set)
+Interfaces matched(const BlockSet& set, const FacesOfBlocks& faces)
 {
 	Interfaces result;
 	std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
 	std::uint32_t block = 0;
-	for (std::vector<SeamLink>& links : matchFaces(set))
+	for (std::vector<SeamLink>& links : matchFaces(set, faces))
 	{
 		for (const SeamLink& link : links)
 			if (std::tie(block, link.cell, link.face) < std::tie(link.block, link.other, link.other_face))
@@ -35,7 +33,7 @@ void matchInterfaces(BlockSet& set)
 		result.blocks.emplace_back(std::move(links));
 		const std::size_t seams = distinctFaces(result.blocks.back());
 		result.seam_faces += seams;
-		result.boundary_faces += set.blocks[block].boundary.faces.size() - seams;
+		result.boundary_faces += faces[block].size() - seams;
 		++block;
 	}
 	std::ranges::sort(pairs);
@@ -45,7 +43,22 @@ void matchInterfaces(BlockSet& set)
 			result.interfaces.push_back({a, b, 0});
 		++result.interfaces.back().faces;
 	}
-	set.interfaces = std::move(result);
+	return result;
+}
+
+} // namespace
+
+void matchInterfaces(BlockSet& set)
+{
+	FacesOfBlocks faces;
+	for (const Block& block : set.blocks)
+		faces.emplace_back(block.boundary.faces);
+	set.interfaces = matched(set, faces);
+}
+
+Interfaces interfacesAmong(const BlockSet& set, std::span<const std::vector<BoundaryIndex::Face>> faces)
+{
+	return matched(set, FacesOfBlocks(faces.begin(), faces.end()));
 }
 
 } // namespace vp::grid

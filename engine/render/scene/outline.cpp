@@ -1,5 +1,6 @@
 #include "render/scene/outline.h"
 
+#include "render/scene/farthest_points.h"
 #include "render/scene/feature_edges.h"
 
 #include <fmt/format.h>
@@ -111,7 +112,7 @@ std::vector<Segment> outlineOf(const grid::BlockSet& blocks, Outline outline)
 
 std::vector<Vec3> extentOf(const grid::BlockSet& blocks)
 {
-	std::vector<Vec3> points;
+	std::vector<Vec3> points = farthestPoints(blocks);
 	const auto addCorners = [&points](const Box& box)
 	{
 		if (!box.empty())
@@ -120,6 +121,8 @@ std::vector<Vec3> extentOf(const grid::BlockSet& blocks)
 	};
 	for (const grid::Block& block : blocks.blocks)
 	{
+		if (std::holds_alternative<grid::UnstructuredGrid>(block.grid))
+			continue;
 		// A box is its corners; anything else is inside its boundary.
 		const bool is_box = std::holds_alternative<grid::UniformGrid>(block.grid) ||
 		                    std::holds_alternative<grid::RectilinearGrid>(block.grid) || block.boundary.patches.empty();

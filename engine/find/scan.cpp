@@ -1,0 +1,318 @@
+#include "find/scan.h"
+
+#include "base/huge_vector.h"
+#include "find/cell_signs.h"
+#include "grid/lone_faces.h"
+#include "seed/boundary_cut.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+
+namespace vp::find
+{
+
+namespace
+{
+
+constexpr std::size_t kPoints = 1 << 16; // at a time
+constexpr std::size_t kCells = 1 << 16;
+
+// The side of a point.
+constexpr std::uint8_t kPositive = 1;
+constexpr std::uint8_t kInSurface = 2;
+
+std::uint8_t sideOf(double height)
+{
+	return static_cast<std::uint8_t>((height >= 0.0 ? kPositive : 0) | (height == 0.0 ? kInSurface : 0));
+}
+
+using Sides = HugeVector<std::uint8_t>;
+
+template <class Number>
+void takeSides(const Number* xyz, const surface::Plane& plane, std::size_t begin, std::size_t end, std::uint8_t* sides)
+{
+	for (std::size_t p = begin; p < end; ++p)
+		sides[p] = sideOf(plane.signedDistance({xyz[3 * p], xyz[3 * p + 1], xyz[3 * p + 2]}));
+}
+
+void takeSides(const grid::UnstructuredGrid& grid, const surface::Plane& plane, std::size_t begin, std::size_t end,
+               std::uint8_t* sides)
+{
+	const grid::Points& points = grid.coordinates();
+	if (points.isDouble())
+		takeSides(points.doubles(), plane, begin, end, sides);
+	else
+		takeSides(points.floats(), plane, begin, end, sides);
+}
+
+void takeSides(const grid::UnstructuredGrid& grid, const surface::BlockSurface& surface, std::size_t begin,
+               std::size_t end, std::uint8_t* sides)
+{
+	constexpr std::size_t kMax = surface::BlockSurface::kMaxPoints;
+	std::array<PointId, kMax> ids;
+	std::array<double, kMax> heights;
+	for (; begin < end; begin += kMax)
+	{
+		const std::size_t count = std::min(kMax, end - begin);
+		std::iota(ids.begin(), ids.end(), static_cast<PointId>(begin));
+		surface.heights(grid, {ids.data(), count}, heights.data());
+		for (std::size_t i = 0; i < count; ++i)
+			sides[begin + i] = sideOf(heights[i]);
+	}
+}
+
+std::pair<CellId, std::uint32_t> placeOf(const FlatFace& flat)
+{
+	return {flat.face.cell, flat.face.face};
+}
+
+/// What the points of a cell have in common.
+struct CellSides
+{
+	unsigned any = 0;
+	unsigned all = kPositive | kInSurface;
+
+	void add(unsigned side)
+	{
+		any |= side;
+		all &= side;
+	}
+	bool isCut() const { return (any ^ all) & kPositive; }
+	bool mayBeFlat() const { return any & kInSurface; }
+};
+
+template <class Surface>
+class Scanner
+{
+public:
+	Scanner(const grid::UnstructuredGrid& grid, const Surface& surface, const seed::SheetWindow* window,
+	        const grid::CellFilter& filter)
+	    : grid_(grid), surface_(surface), window_(window), filter_(filter), sides_(grid.pointCount())
+	{
+		for (int s = 0; s < grid::kTableShapes; ++s)
+			codes_of_[s] = caseCodes(static_cast<grid::CellShape>(s));
+	}
+
+	Scan scan()
+	{
+		forParts(sides_.size(), kPoints,
+		         [&](std::size_t begin, std::size_t end, std::size_t)
+		         { takeSides(grid_, surface_, begin, end, sides_.data()); });
+		const grid::CellList* list = grid_.list();
+		const std::size_t cells = list ? list->size() : grid_.cellCount();
+		parts_.resize((cells + kCells - 1) / kCells);
+		if (list && list->offsets.empty())
+			list->connectivity.as([&](auto ids)
+			                      { scanAlike(ids.data(), grid::topology(grid_.shape(0)).points, cells); });
+		else
+			forParts(cells, kCells,
+			         [&](std::size_t begin, std::size_t end, std::size_t part) { scanAny(begin, end, parts_[part]); });
+		return joined();
+	}
+
+private:
+	struct Part
+	{
+		RawVector<CellId> cells;
+		RawVector<std::uint32_t> codes;
+		grid::LoneFaces<FlatFace> flat;
+		grid::CellFaces faces; // for several uses
+	};
+
+	/// Calls act(begin, end, part) for parts of so many numbers, on all cores.
+	template <class Act>
+	static void forParts(std::size_t count, std::size_t grain, Act&& act)
+	{
+		tbb::parallel_for(std::size_t(0), (count + grain - 1) / grain,
+		                  [&](std::size_t part) { act(part * grain, std::min((part + 1) * grain, count), part); });
+	}
+
+	/// Cells of one shape, whose ids lie one after the other.
+	template <class Id>
+	void scanAlike(const Id* ids, int points, std::size_t cells)
+	{
+		const auto withPoints = [&]<int kCount>()
+		{
+			forParts(cells, kCells,
+			         [&](std::size_t begin, std::size_t end, std::size_t part)
+			         { scanAlike<kCount>(ids, begin, end, parts_[part]); });
+		};
+		points == 4   ? withPoints.template operator()<4>()
+		: points == 5 ? withPoints.template operator()<5>()
+		: points == 6 ? withPoints.template operator()<6>()
+		              : withPoints.template operator()<8>();
+	}
+	template <int kCount, class Id>
+	void scanAlike(const Id* ids, std::size_t begin, std::size_t end, Part& part) const
+	{
+		const std::uint8_t* of = sides_.data();
+		for (std::size_t c = begin; c < end; ++c)
+		{
+			CellSides sides;
+			for (int v = 0; v < kCount; ++v)
+				sides.add(of[ids[c * kCount + v]]);
+			if (sides.isCut() || sides.mayBeFlat())
+				take(static_cast<CellId>(c), sides, part);
+		}
+	}
+
+	/// Cells of any shape, in either state of the grid.
+	void scanAny(std::size_t begin, std::size_t end, Part& part) const
+	{
+		const grid::CellList* list = grid_.list();
+		for (std::size_t c = begin; c < end; ++c)
+		{
+			if (list && !grid::isSliceable(list->types[c]))
+				continue;
+			const auto cell = static_cast<CellId>(c);
+			CellSides sides;
+			if (grid_.shape(cell) != grid::CellShape::polyhedron)
+				for (const PointId p : grid_.cellPoints(cell))
+					sides.add(sides_[p]);
+			else
+			{
+				grid_.cellFaces(cell, part.faces);
+				for (const PointId p : part.faces.points)
+					sides.add(sides_[p]);
+			}
+			if (sides.isCut() || sides.mayBeFlat())
+				take(cell, sides, part);
+		}
+	}
+
+	void take(CellId cell, const CellSides& sides, Part& part) const
+	{
+		if (filter_ && !filter_(cell))
+			return;
+		if (sides.mayBeFlat())
+			takeFlatFaces(cell, sides.isCut(), part);
+		if (!sides.isCut() || (window_ && !isInWindow(cell, part.faces)))
+			return;
+		part.cells.push_back(cell);
+		part.codes.push_back(codeOf(cell));
+	}
+
+	std::uint32_t codeOf(CellId cell) const
+	{
+		const grid::CellShape shape = grid_.shape(cell);
+		if (shape == grid::CellShape::polyhedron)
+			return shared::kCodeCut | shared::kCodeWalk;
+		const grid::CellPoints points = grid_.cellPoints(cell);
+		unsigned index = 0;
+		for (int v = 0; v < points.size; ++v)
+			index |= (sides_[points.id[v]] & kPositive) << v;
+		return codes_of_[static_cast<std::size_t>(shape)][index];
+	}
+
+	bool isInWindow(CellId cell, grid::CellFaces& faces) const
+	{
+		if (window_->holdsCell(grid_, cell))
+			return true;
+		grid_.cellFaces(cell, faces);
+		return window_->meets(seed::boxOf(grid_, faces.points)) && window_->meetsCell(grid_, surface_, faces);
+	}
+
+	void takeFlatFaces(CellId cell, bool is_cut, Part& part) const
+	{
+		grid_.cellFaces(cell, part.faces);
+		for (int f = 0; f < part.faces.size(); ++f)
+		{
+			const std::span<const PointId> face = part.faces[f];
+			if (std::ranges::all_of(face, [&](PointId p) { return (sides_[p] & kInSurface) != 0; }) &&
+			    (!window_ || window_->meets(seed::boxOf(grid_, face))) && !hasNeighborAt(cell, f))
+				part.flat.add(face, {{cell, static_cast<std::uint32_t>(f)}, is_cut});
+		}
+	}
+	bool hasNeighborAt(CellId cell, int face) const
+	{
+		bool known = false;
+		if (grid_.hasNeighbors())
+			grid_.forEachNeighbor(cell, face, [&](CellId) { known = true; });
+		return known;
+	}
+
+	Scan joined()
+	{
+		Scan scan;
+		std::size_t count = 0;
+		grid::LoneFaces<FlatFace> flat;
+		std::vector<std::size_t> starts;
+		for (const Part& part : parts_)
+		{
+			starts.push_back(count);
+			count += part.cells.size();
+			flat.add(part.flat);
+		}
+		scan.cut.cells.resize(count);
+		scan.cut.codes.resize(count);
+		for (std::size_t p = 0; p < parts_.size(); ++p)
+		{
+			std::ranges::copy(parts_[p].cells, scan.cut.cells.begin() + static_cast<std::ptrdiff_t>(starts[p]));
+			std::ranges::copy(parts_[p].codes, scan.cut.codes.begin() + static_cast<std::ptrdiff_t>(starts[p]));
+		}
+		for (const std::uint32_t code : scan.cut.codes)
+			scan.cut.cut_cells += (code & shared::kCodeCut) != 0;
+		scan.cut.scanned = grid_.cellCount();
+		scan.cut.closed = !window_ && !filter_ && !grid_.hasLinks();
+		scan.flat = flat.find();
+		std::ranges::sort(scan.flat, {}, placeOf);
+		return scan;
+	}
+
+	const grid::UnstructuredGrid& grid_;
+	const Surface& surface_;
+	const seed::SheetWindow* window_;
+	const grid::CellFilter& filter_;
+	Sides sides_;
+	std::array<const std::uint32_t*, grid::kTableShapes> codes_of_;
+	std::vector<Part> parts_;
+};
+
+} // namespace
+
+template <class Surface>
+Scan scanCells(const grid::Block& block, const Surface& surface, const seed::SheetWindow* window,
+               const grid::CellFilter& filter)
+{
+	return Scanner(std::get<grid::UnstructuredGrid>(block.grid), surface, window, filter).scan();
+}
+
+template Scan scanCells(const grid::Block&, const surface::Plane&, const seed::SheetWindow*, const grid::CellFilter&);
+template Scan scanCells(const grid::Block&, const surface::BlockSurface&, const seed::SheetWindow*,
+                        const grid::CellFilter&);
+
+std::vector<std::vector<grid::BoundaryIndex::Face>> facesToShow(const grid::BlockSet& blocks,
+                                                                std::span<const Scan> scans)
+{
+	std::vector<std::vector<grid::BoundaryIndex::Face>> all(scans.size());
+	std::vector<std::vector<grid::BoundaryIndex::Face>> left(scans.size());
+	const auto isShown = [&](const grid::SeamLink& link)
+	{
+		const std::pair place(link.other, link.other_face);
+		return std::ranges::lower_bound(scans[link.block].flat, place, {}, placeOf)->shown;
+	};
+	for (std::size_t b = 0; b < scans.size(); ++b)
+		for (const FlatFace& flat : scans[b].flat)
+			all[b].push_back(flat.face);
+	const grid::Interfaces seams = grid::interfacesAmong(blocks, all);
+	for (std::uint32_t b = 0; b < scans.size(); ++b)
+		for (const FlatFace& flat : scans[b].flat)
+		{
+			bool is_left = !flat.shown;
+			if (const grid::BlockSeams* of_block = seams.of(b); is_left && of_block)
+				for (const grid::SeamLink& link : of_block->of(flat.face.cell, flat.face.face))
+					is_left =
+					    is_left && !isShown(link) &&
+					    std::tie(b, flat.face.cell, flat.face.face) < std::tie(link.block, link.other, link.other_face);
+			if (is_left)
+				left[b].push_back(flat.face);
+		}
+	return left;
+}
+
+} // namespace vp::find
