@@ -105,7 +105,25 @@ struct CellList
 	{
 		return offsets.empty() ? cell * topology(shapeOf(types[cell])).points : static_cast<std::size_t>(offsets[cell]);
 	}
-	/// The id of a point of a cell of a table shape, in the order of its shape: a voxel's as those of a hexahedron.
+	/// Writes the ids of the points of a cell of a table shape, in the order of its shape: a voxel's as those of a
+	/// hexahedron. Id: as many bits as the ids need.
+	template <class Id>
+	void points(std::size_t cell, int count, Id* points) const
+	{
+		const std::size_t first = offsets.empty() ? cell * count : static_cast<std::size_t>(offsets[cell]);
+		connectivity.as(
+		    [&](auto ids)
+		    {
+			    for (int v = 0; v < count; ++v)
+				    points[v] = static_cast<Id>(ids[first + v]);
+		    });
+		if (types[cell] == kVoxel)
+		{
+			std::swap(points[2], points[3]);
+			std::swap(points[6], points[7]);
+		}
+	}
+	/// The id of one of them.
 	std::int64_t point(std::size_t cell, int v) const
 	{
 		return connectivity[start(cell) + (types[cell] == kVoxel ? kVoxelOrder[v] : v)];

@@ -82,8 +82,7 @@ public:
 		points.size = topology(shape(c)).points;
 		if (list_)
 		{
-			for (int v = 0; v < points.size; ++v)
-				points.id[v] = static_cast<PointId>(list_->point(c, v));
+			list_->points(c, points.size, points.id.data());
 			return points;
 		}
 		std::copy_n(record(c), points.size, points.id.begin());

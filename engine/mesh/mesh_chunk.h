@@ -4,6 +4,7 @@
 #include "grid/record_reader.h"
 #include "mesh/cell_polygons.h"
 #include "mesh/edge_numbers.h"
+#include "mesh/open_vertices.h"
 
 #include <type_traits>
 #include <utility>
@@ -51,7 +52,8 @@ private:
 //
 // An edge that other parts may know is found without asking them. The cells about an edge go on from each other through
 // its cut faces, so where some of them are elsewhere, one here has a face with the edge whose other side is not here.
-// In a closed cut it is enough to hold that cell's number against the part's first and last.
+// In a closed cut it is enough to hold that cell's number against the part's first and last. Where no records are read,
+// the polygons tell: around an edge of cells that are all here they close a ring.
 template <grid::Grid G, class Reader, class Surface>
 class MeshChunkBuilder
 {
@@ -111,8 +113,9 @@ private:
 		std::uint64_t* edges = &edges_[corner_count_];
 		for (int e = 0; e < kMaxCorners; ++e)
 			edges[e] = edgeKey(record[entry.edge[e][0]], record[entry.edge[e][1]]);
-		if (leadsOut(record, entry))
-			listCornersOut(record, entry);
+		if constexpr (kReadsRecords)
+			if (leadsOut(record, entry))
+				listCornersOut(record, entry);
 		endPolygon(cell, entry.edges);
 	}
 
@@ -120,9 +123,7 @@ private:
 	template <class Record>
 	bool leadsOut(const Record& record, std::uint8_t face) const
 	{
-		if constexpr (kReadsRecords)
-			return reader_.across(record)[face] - first_cell_ >= cell_span_;
-		return true;
+		return reader_.across(record)[face] - first_cell_ >= cell_span_;
 	}
 	template <class Record>
 	bool leadsOut(const Record& record, const cases::Case& entry) const
@@ -167,8 +168,27 @@ private:
 		part_.cells[polygon_count_++] = cell;
 	}
 
+	// Where no neighbors are known: the vertices around which polygons of this part do not close a ring.
+	void listOpen()
+	{
+		OpenVertices open(part_.edges.size());
+		std::uint32_t begin = 0;
+		for (const std::uint32_t end : part_.ends)
+		{
+			for (std::uint32_t corner = begin; corner + 1 < end; ++corner)
+				open.add(part_.corners[corner], part_.corners[corner + 1]);
+			open.add(part_.corners[end - 1], part_.corners[begin]);
+			begin = end;
+		}
+		for (std::uint32_t v = 0; v < part_.edges.size(); ++v)
+			if (open.isOpen(v))
+				part_.shared.push_back(v);
+	}
+
 	void listShared()
 	{
+		if constexpr (!kReadsRecords)
+			return listOpen();
 		std::vector<std::uint8_t> is_shared(part_.edges.size());
 		for (const std::uint32_t corner : shared_corners_)
 			is_shared[part_.corners[corner]] = 1;

@@ -1,6 +1,7 @@
 #include "mesh/mesh_seams.h"
 
 #include "grid/lone_faces.h"
+#include "mesh/open_vertices.h"
 
 #include <algorithm>
 #include <span>
@@ -14,20 +15,10 @@ namespace
 
 using Face = grid::BoundaryIndex::Face;
 
-/// Vigna's splitmix64: as good as random.
-std::uint64_t mixed(std::uint64_t x)
+/// Of the vertices that others have been joined to.
+OpenVertices openVertices(const SheetMesh& mesh, UnionFind& joined)
 {
-	x += 0x9E3779B97F4A7C15ull;
-	x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9ull;
-	x = (x ^ x >> 27) * 0x94D049BB133111EBull;
-	return x ^ x >> 31;
-}
-
-/// Per vertex: 0 where the polygons around it close a ring. Each adds a number for the neighbor that follows the vertex
-/// and takes one away for the neighbor that comes before it, so that those of a ring cancel each other.
-std::vector<std::uint64_t> openness(const SheetMesh& mesh, UnionFind& joined)
-{
-	std::vector<std::uint64_t> sums(mesh.positions.size());
+	OpenVertices open(mesh.positions.size());
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
 	{
 		const std::span<const std::uint32_t> polygon = mesh.polygon(p);
@@ -35,14 +26,12 @@ std::vector<std::uint64_t> openness(const SheetMesh& mesh, UnionFind& joined)
 		for (const std::uint32_t corner : polygon)
 		{
 			const std::uint32_t vertex = joined.root(corner);
-			if (vertex == before)
-				continue;
-			sums[before] += mixed(vertex);
-			sums[vertex] -= mixed(before);
+			if (vertex != before)
+				open.add(before, vertex);
 			before = vertex;
 		}
 	}
-	return sums;
+	return open;
 }
 
 /// Whether an edge's or a grid point's vertex lies on a face, as ids have it.
@@ -56,11 +45,11 @@ bool liesOn(const EdgePoint& vertex, std::span<const PointId> face)
 
 grid::Interfaces seamsOfMesh(const grid::BlockSet& blocks, const SheetMesh& mesh, UnionFind& joined)
 {
-	const std::vector<std::uint64_t> open = openness(mesh, joined);
+	const OpenVertices open = openVertices(mesh, joined);
 	std::vector<grid::LoneFaces<Face>> candidates(blocks.blocks.size());
 	grid::CellFaces faces;
 	std::vector<std::uint8_t> taken;
-	const auto isOpen = [&](std::uint32_t v) { return open[joined.root(v)] != 0; };
+	const auto isOpen = [&](std::uint32_t v) { return open.isOpen(joined.root(v)); };
 	// Faces of one cell by its polygon; a twisted cell has several, one after the other.
 	BlockCell cell{~0u, kNoCell};
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)

@@ -37,12 +37,12 @@ void vtkCut(benchmark::State& state, const std::string& name, bench::VtkCut kind
 	}
 }
 
-void firstVtkCut(benchmark::State& state, const std::string& name)
+void firstVtkCut(benchmark::State& state, const std::string& name, bench::VtkCut kind)
 {
-	const std::vector<probe::Frame> planes = bench::sweepOf(bench::gridNamed(name).bounds());
-	vtkDataSet* grid = bench::vtkNamed(name);
+	const std::vector<probe::Frame> planes = bench::sweepOf(bench::listedNamed(name).bounds());
+	vtkDataSet* grid = bench::vtkListedNamed(name);
 	for (auto _ : state)
-		bench::VtkCutter(bench::VtkCut::plane_cutter, grid).cut(planes[planes.size() / 2]);
+		bench::VtkCutter(kind, grid).cut(planes[planes.size() / 2]);
 }
 
 benchmark::internal::Benchmark* add(const std::string& name, const std::string& way,
@@ -70,12 +70,25 @@ void addCuts(const std::string& name)
 	moved("vtkCutter", [=](auto& state) { vtkCut(state, name, VtkCut::cutter, 1); });
 }
 
+void addFirstCuts(const std::string& name)
+{
+	using bench::VtkCut;
+	add(name, "first cut", [=](auto& state) { bench::firstCut(state, name); })->Iterations(5);
+	if (!name.starts_with("shell"))
+	{
+		add(name, "first vtkPlaneCutter without tree",
+		    [=](auto& state) { firstVtkCut(state, name, VtkCut::treeless_cutter); })
+		    ->Iterations(5);
+		add(name, "first vtk3DLinearGridPlaneCutter",
+		    [=](auto& state) { firstVtkCut(state, name, VtkCut::linear_grid_cutter); })
+		    ->Iterations(5);
+	}
+	add(name, "first vtkPlaneCutter", [=](auto& state) { firstVtkCut(state, name, VtkCut::plane_cutter); })
+	    ->Iterations(1);
+}
+
 void addBuilding(const std::string& name)
 {
-	add(name, "first cut", [=](auto& state) { bench::firstCut(state, name); })->Iterations(2);
-	add(name, "first vtkPlaneCutter", [=](auto& state) { firstVtkCut(state, name); })->Iterations(1);
-	if (name.starts_with("shell"))
-		return;
 	add(name, "build", [=](auto& state) { bench::buildGrid(state, name, false); })->Iterations(2);
 	add(name, "build shuffled", [=](auto& state) { bench::buildGrid(state, name, true); })->Iterations(1);
 }
@@ -118,8 +131,11 @@ int main(int argc, char** argv)
 		}
 		if (grid == "shell:256")
 			addContours(grid);
-		if (grid == "shell:256" || grid == "hexes:256" || grid == "tets:184")
+		if (grid == "hexes:256" || grid == "tets:184")
 			addBuilding(grid);
+		if (grid == "shell:256" || grid == "hexes:192" || grid == "hexes:256" || grid == "tets:128" ||
+		    grid == "tets:184")
+			addFirstCuts(grid);
 	}
 	for (const char* name : {"shell:256 jki", "shell:256 kij"})
 		add(name, "cpu", [=](auto& state) { bench::cpuCut(state, name, find::Finder::automatic); })->MinTime(1.0);

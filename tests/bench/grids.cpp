@@ -5,6 +5,7 @@
 #include "vtk_cuts.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <random>
 
@@ -43,10 +44,10 @@ grid::CurvilinearGrid withFirstAxis(const grid::CurvilinearGrid& grid, int first
 	return {points, grid::Points(Array<float>(std::move(xyz)))};
 }
 
-grid::BlockSet makeGrid(const std::string& name)
+grid::BlockSet makeGrid(const std::string& name, bool builds_neighbors)
 {
 	const std::size_t space = name.find(' ');
-	grid::BlockSet made = std::move(*grid::parseDemo(name.substr(0, space)));
+	grid::BlockSet made = std::move(*grid::parseDemo(name.substr(0, space), builds_neighbors));
 	if (space == std::string::npos)
 		return made;
 	grid::Block& block = made.blocks[0];
@@ -56,18 +57,37 @@ grid::BlockSet makeGrid(const std::string& name)
 	return made;
 }
 
-Grid& keep(const std::string& name)
+// Of one kind at a time.
+Grid& keep(const std::string& name, bool builds_neighbors = true)
 {
-	static Grid grid;
+	static std::array<Grid, 2> grids;
+	Grid& grid = grids[builds_neighbors];
 	if (grid.name != name)
 	{
-		grid = {}; // before the next one is made
-		grid = {name, makeGrid(name), nullptr};
+		grids = {}; // before the next one is made
+		grid = {name, makeGrid(name, builds_neighbors), nullptr};
 	}
 	return grid;
 }
 
+vtkDataSet* vtkOf(Grid& grid)
+{
+	if (!grid.vtk)
+		grid.vtk = asVtk(grid.blocks.blocks[0]);
+	return grid.vtk;
+}
+
 } // namespace
+
+const grid::BlockSet& listedNamed(const std::string& name)
+{
+	return keep(name, false).blocks;
+}
+
+vtkDataSet* vtkListedNamed(const std::string& name)
+{
+	return vtkOf(keep(name, false));
+}
 
 const grid::BlockSet& gridNamed(const std::string& name)
 {
@@ -76,10 +96,7 @@ const grid::BlockSet& gridNamed(const std::string& name)
 
 vtkDataSet* vtkNamed(const std::string& name)
 {
-	Grid& grid = keep(name);
-	if (!grid.vtk)
-		grid.vtk = asVtk(grid.blocks.blocks[0]);
-	return grid.vtk;
+	return vtkOf(keep(name));
 }
 
 ReadCells readCells(const grid::UnstructuredGrid& grid, bool shuffled)

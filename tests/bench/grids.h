@@ -16,6 +16,10 @@ namespace vp::bench
 // read.
 const grid::BlockSet& gridNamed(const std::string& name);
 
+// The same, cells listed as a file would list them: no neighbors built. Of this too the last is kept.
+const grid::BlockSet& listedNamed(const std::string& name);
+vtkDataSet* vtkListedNamed(const std::string& name);
+
 // The same as VTK has it. Of both the last that was asked for is kept: several large ones do not fit into memory.
 vtkDataSet* vtkNamed(const std::string& name);
 

@@ -158,15 +158,14 @@ void windowCut(benchmark::State& state, const std::string& name)
 
 void firstCut(benchmark::State& state, const std::string& name)
 {
-	const grid::Block& block = gridNamed(name).blocks[0];
+	const grid::Block& block = listedNamed(name).blocks[0];
 	const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&block.grid);
-	const ReadCells read = unstructured ? readCells(*unstructured, false) : ReadCells{};
 	for (auto _ : state)
 	{
 		grid::BlockSet blocks;
 		grid::Block& made = blocks.blocks.emplace_back();
 		if (unstructured)
-			made.grid = grid::UnstructuredGrid::build(read.points, read.cells);
+			made.grid = grid::UnstructuredGrid::listed(unstructured->coordinates(), *unstructured->list());
 		else
 			made.grid = block.grid; // which shares the points
 		grid::finishBlock(made);

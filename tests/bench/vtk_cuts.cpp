@@ -1,5 +1,6 @@
 #include "vtk_cuts.h"
 
+#include <vtk3DLinearGridPlaneCutter.h>
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
@@ -141,10 +142,18 @@ VtkCutter::VtkCutter(VtkCut kind, vtkDataSet* input) : plane_(vtkSmartPointer<vt
 		break;
 	}
 	case VtkCut::plane_cutter:
+	case VtkCut::treeless_cutter:
 	{
 		const auto cutter = take(vtkSmartPointer<vtkPlaneCutter>::New());
 		cutter->SetPlane(plane_);
-		cutter->BuildTreeOn();
+		cutter->SetBuildTree(kind == VtkCut::plane_cutter);
+		cutter->ComputeNormalsOff();
+		break;
+	}
+	case VtkCut::linear_grid_cutter:
+	{
+		const auto cutter = take(vtkSmartPointer<vtk3DLinearGridPlaneCutter>::New());
+		cutter->SetPlane(plane_);
 		cutter->ComputeNormalsOff();
 		break;
 	}

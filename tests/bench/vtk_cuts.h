@@ -22,6 +22,8 @@ enum class VtkCut
 {
 	cutter,             // vtkCutter
 	plane_cutter,       // vtkPlaneCutter with its sphere tree, built at the first cut
+	treeless_cutter,    // vtkPlaneCutter without
+	linear_grid_cutter, // vtk3DLinearGridPlaneCutter: linear cells of unstructured grids only
 	flying_edges_cutter // vtkFlyingEdgesPlaneCutter: images only
 };
 

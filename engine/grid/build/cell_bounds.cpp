@@ -3,12 +3,14 @@
 #include "base/huge_vector.h"
 #include "grid/build/for_ranges.h"
 
-#include <tbb/parallel_reduce.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace vp::grid
 {
@@ -19,59 +21,83 @@ namespace
 constexpr std::size_t kGrain = 65536;
 constexpr std::size_t kNone = ~std::size_t(0);
 
-/// A box, and for each of its sides (low x, high x, low y …) the first point that lies on it.
-struct Extremes
-{
-	Box box;
-	std::array<std::size_t, 6> at{kNone, kNone, kNone, kNone, kNone, kNone};
-
-	void include(const Vec3& x, std::size_t point)
-	{
-		for (int axis = 0; axis < 3; ++axis)
-		{
-			if (x[axis] < box.lo[axis])
-				at[2 * axis] = point;
-			if (x[axis] > box.hi[axis])
-				at[2 * axis + 1] = point;
-		}
-		box.include(x);
-	}
-	void include(const Extremes& other)
-	{
-		for (int axis = 0; axis < 3; ++axis)
-		{
-			if (other.box.lo[axis] < box.lo[axis])
-				at[2 * axis] = other.at[2 * axis];
-			if (other.box.hi[axis] > box.hi[axis])
-				at[2 * axis + 1] = other.at[2 * axis + 1];
-		}
-		box.include(other.box);
-	}
-};
-
 bool isFinite(const Vec3& x)
 {
 	return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
 }
 
-/// Of the points for which takes(p) holds.
+/// Of the points from begin to end for which takes(p) holds and whose coordinates are finite.
 template <class Takes>
-Extremes extremesOf(const Points& points, const Takes& takes)
+Box boxOf(const Points& points, std::size_t begin, std::size_t end, const Takes& takes)
 {
-	return tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, points.size(), kGrain), Extremes{},
-	    [&](const tbb::blocked_range<std::size_t>& range, Extremes extremes)
-	    {
-		    for (std::size_t p = range.begin(); p < range.end(); ++p)
-			    if (const Vec3 x = points[p]; isFinite(x) && takes(p))
-				    extremes.include(x, p);
-		    return extremes;
-	    },
-	    [](Extremes a, const Extremes& b)
-	    {
-		    a.include(b);
-		    return a;
-	    });
+	Box box;
+	for (std::size_t p = begin; p < end; ++p)
+		if (const Vec3 x = points[p]; isFinite(x) && takes(p))
+			box.include(x);
+	return box;
+}
+
+/// The same for all of them, in a loop that the compiler makes into vector instructions.
+template <class Number>
+Box boxOf(const Points& points, const Number* xyz, std::size_t begin, std::size_t end)
+{
+	constexpr std::size_t kLanes = 12; // a multiple of three
+	std::array<Number, kLanes> lo;
+	std::array<Number, kLanes> hi;
+	std::array<Number, kLanes> strange{}; // NaN once a coordinate is infinite or NaN
+	lo.fill(std::numeric_limits<Number>::infinity());
+	hi.fill(-std::numeric_limits<Number>::infinity());
+	const std::size_t last = 3 * end;
+	std::size_t i = 3 * begin;
+	for (; i + kLanes <= last; i += kLanes)
+		for (std::size_t lane = 0; lane < kLanes; ++lane)
+		{
+			const Number x = xyz[i + lane];
+			lo[lane] = x < lo[lane] ? x : lo[lane];
+			hi[lane] = x > hi[lane] ? x : hi[lane];
+			strange[lane] += x * Number(0);
+		}
+	const auto all = [](std::size_t) { return true; };
+	if (std::ranges::any_of(strange, [](Number x) { return x != Number(0); }))
+		return boxOf(points, begin, end, all);
+	Box box = boxOf(points, i / 3, end, all);
+	for (std::size_t lane = 0; lane < kLanes && i > 3 * begin; ++lane)
+	{
+		double& low = box.lo[static_cast<int>(lane % 3)];
+		double& high = box.hi[static_cast<int>(lane % 3)];
+		low = std::min<double>(low, lo[lane]);
+		high = std::max<double>(high, hi[lane]);
+	}
+	return box;
+}
+
+/// Per part of so many points.
+std::vector<Box> boxesOf(const Points& points)
+{
+	std::vector<Box> boxes((points.size() + kGrain - 1) / kGrain);
+	tbb::parallel_for(std::size_t(0), boxes.size(),
+	                  [&](std::size_t part)
+	                  {
+		                  const std::size_t begin = part * kGrain;
+		                  const std::size_t end = std::min(begin + kGrain, points.size());
+		                  boxes[part] = points.isDouble() ? boxOf(points, points.doubles(), begin, end)
+		                                                  : boxOf(points, points.floats(), begin, end);
+	                  });
+	return boxes;
+}
+
+/// The first point that lies on a side of the bounds of all: low or high along an axis.
+std::size_t pointOnSide(const Points& points, const std::vector<Box>& boxes, int axis, bool high, double bound)
+{
+	for (std::size_t part = 0; part < boxes.size(); ++part)
+	{
+		if ((high ? boxes[part].hi : boxes[part].lo)[axis] != bound)
+			continue;
+		for (std::size_t p = part * kGrain; p < std::min((part + 1) * kGrain, points.size()); ++p)
+			if (const Vec3 x = points[p]; x[axis] == bound && isFinite(x))
+				return p;
+	}
+	return kNone;
 }
 
 /// Whether some cell has the point. Cells are asked outwards from where they would be, were cells and points in the
@@ -115,13 +141,21 @@ HugeVector<std::uint8_t> usedPoints(const CellList& cells, std::size_t points)
 
 Box boundsOfCells(const Points& points, const CellList& cells)
 {
-	const Extremes all = extremesOf(points, [](std::size_t) { return true; });
-	const bool is_right = std::ranges::all_of(all.at, [&](std::size_t point)
-	                                          { return point == kNone || isUsed(cells, points.size(), point); });
+	const std::vector<Box> boxes = boxesOf(points);
+	Box all;
+	for (const Box& box : boxes)
+		all.include(box);
+	bool is_right = true;
+	for (int side = 0; side < 6 && is_right; ++side)
+	{
+		const bool high = side % 2 != 0;
+		const std::size_t point = pointOnSide(points, boxes, side / 2, high, (high ? all.hi : all.lo)[side / 2]);
+		is_right = point == kNone || isUsed(cells, points.size(), point);
+	}
 	if (is_right)
-		return all.box;
+		return all;
 	const HugeVector<std::uint8_t> used = usedPoints(cells, points.size());
-	return extremesOf(points, [&](std::size_t p) { return used[p] != 0; }).box;
+	return boxOf(points, 0, points.size(), [&](std::size_t p) { return used[p] != 0; });
 }
 
 } // namespace vp::grid

@@ -44,8 +44,16 @@ Counts countTypes(std::span<const std::uint8_t> types)
 	    tbb::blocked_range<std::size_t>(0, types.size(), 65536), Counts{},
 	    [&](const tbb::blocked_range<std::size_t>& range, Counts counts)
 	    {
+		    // Most lists hold long runs of one type, and many types are compared in one step.
+		    const std::uint8_t first = types[range.begin()];
+		    unsigned others = 0;
 		    for (std::size_t c = range.begin(); c < range.end(); ++c)
-			    ++counts[types[c]];
+			    others |= types[c] ^ first;
+		    if (others == 0)
+			    counts[first] += range.size();
+		    else
+			    for (std::size_t c = range.begin(); c < range.end(); ++c)
+				    ++counts[types[c]];
 		    return counts;
 	    },
 	    [](Counts a, const Counts& b)
@@ -165,6 +173,8 @@ CellCounts countCells(const Points& points, const CellList& cells)
 	}
 	counts.tetrahedra = of_type[kTetra];
 	counts.polyhedra = of_type[kPolyhedron];
+	counts.alike = cells.size() > 0 && counts.polyhedra == 0 && counts.kept == cells.size() &&
+	               of_type[cells.types[0]] == cells.size();
 	if (counts.kept > kMaxBlockIds || points.size() > kMaxBlockIds)
 		throw std::length_error("a block holds at most 3221225472 cells or points");
 	if (cells.size() > 0xFFFFFFFFu)

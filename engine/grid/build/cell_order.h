@@ -29,6 +29,7 @@ struct CellCounts
 	std::size_t left_out = 0; // of dimension below three
 	std::size_t tetrahedra = 0;
 	std::size_t polyhedra = 0;
+	bool alike = false; // all are kept, and of one type with a table
 };
 
 /// Throws std::length_error where a grid has no numbers for so many. One pass over the types, on all cores.

@@ -215,6 +215,8 @@ private:
 UnstructuredGrid UnstructuredGrid::listed(Points points, CellList cells)
 {
 	const CellCounts counts = countCells(points, cells);
+	if (counts.alike && cells.connectivity.size() == cells.size() * topology(shapeOf(cells.types[0])).points)
+		cells.offsets = {}; // they say no more
 	UnstructuredGrid grid;
 	grid.cell_count_ = counts.kept;
 	grid.left_out_ = counts.left_out;
