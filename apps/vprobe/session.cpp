@@ -124,6 +124,12 @@ read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoic
 	return {time, options.solution, options.refine, options.displace, options.reads_patches || namesPatch(options)};
 }
 
+bool needsNeighbors(const ProbeOptions& options)
+{
+	const auto surface = surfaceOf(options);
+	return options.crinkle || options.vectors.on() || (surface && *surface);
+}
+
 Status buildNeighbors(Session& session, const ProbeOptions& options)
 {
 	if (grid::hasNeighbors(session.blocks))
@@ -230,8 +236,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 	// What can be wrong on the command line is told before a large file is read.
 	if (Status fits = checkProbeOptions(options); !fits)
 		return fits.error();
-	const auto surface = surfaceOf(options);
-	if (!surface)
+	if (auto surface = surfaceOf(options); !surface)
 		return surface.error();
 	if (auto form = formOf(options); !form)
 		return form.error();
@@ -244,7 +249,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
 		read::ReadOptions reading = readOptions(options, *time);
 		reading.stop = stop;
-		reading.builds_neighbors = !options.may_scan || options.crinkle || options.vectors.on() || *surface;
+		reading.builds_neighbors = !options.may_scan || needsNeighbors(options);
 		return read::readInputs(options.inputs, reading, session->timeline.get());
 	}();
 	if (!blocks)

@@ -74,6 +74,9 @@ Status choose(Session& session, const ProbeOptions& options);
 // How the inputs are read at one of their times.
 read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time);
 
+// Whether what is cut asks for neighbors before the session can say what that is: whole cells, vectors, grid surfaces.
+bool needsNeighbors(const ProbeOptions& options);
+
 // Builds the neighbors of cells where the session has been opened without, and a cutter for them. Cuts that were made
 // before, and what was made of them, hold no more. `options`: as the session was opened with.
 Status buildNeighbors(Session& session, const ProbeOptions& options);

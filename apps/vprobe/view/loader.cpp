@@ -38,7 +38,9 @@ void Loader::begin(ProbeOptions options)
 		    nameThreadRow("loader");
 		    try
 		    {
-			    job->opened = openSession(job->options, DeviceUse::draw, Timeline::Keep::sections, device, stop);
+			    ProbeOptions options = job->options;
+			    options.may_scan = true; // the first picture comes before the neighbors do
+			    job->opened = openSession(options, DeviceUse::draw, Timeline::Keep::sections, device, stop);
 		    }
 		    catch (const std::bad_alloc&)
 		    {

@@ -146,6 +146,7 @@ void RenderThread::install(std::unique_ptr<Session> session)
 	grown_ = {};
 	followed_.reset();
 	rough_ = false;
+	neighbors_.drop();
 	session_ = std::move(session);
 }
 
@@ -170,7 +171,7 @@ Status RenderThread::show(const FrameRequest& wish, bool smooth)
 	if (!probe)
 		return probe.error();
 	shown.probe = std::move(*probe);
-	Result<double> cut_ms = cutAsWished();
+	Result<double> cut_ms = cutAsWished(wish.probe);
 	if (!cut_ms)
 		return cut_ms.error();
 	shown.cut_ms = *cut_ms;
@@ -188,6 +189,9 @@ Status RenderThread::show(const FrameRequest& wish, bool smooth)
 		return drawn.error();
 	publish(std::move(shown));
 	rough_ = true;
+	// The picture is there; now comes what makes a moved cut fast.
+	if (!grid::hasNeighbors(session_->blocks))
+		neighbors_.begin(session_->blocks);
 	return Nothing{};
 }
 

@@ -5,6 +5,7 @@
 #include "painter.h"
 #include "saved_options.h"
 #include "view/gpu_pictures.h"
+#include "view/neighbor_builder.h"
 #include "view/sheet_lookups.h"
 
 #include <atomic>
@@ -145,11 +146,14 @@ private:
 	void install(std::unique_ptr<Session> session);
 	template <class Work>
 	auto tried(const Work& work) -> decltype(work());
+	// Takes the neighbors of cells, where the session has none, once they are built. Waits for them where they are
+	// needed.
+	Status takeNeighbors(const ProbeOptions& options, bool needed);
 	Status follow(const FrameRequest& wish);
 	Status followAll(const FrameRequest& wish);
 	Status followLook(const FrameRequest& wish);
 	Status followTime(const ProbeOptions& options);
-	Result<double> cutAsWished(); // ms; 0 where the last cut is still good
+	Result<double> cutAsWished(const ProbeOptions& options); // ms; 0 where the last cut is still good
 	Status growAsWished(const FrameRequest& wish);
 	void answer(Job& order);
 	Result<render::Picture> picture(const PictureJob& order);
@@ -173,6 +177,7 @@ private:
 	std::shared_ptr<const CutFrame> cut_;
 	std::uint64_t cuts_ = 0;
 	bool cut_is_old_ = true;
+	NeighborBuilder neighbors_;
 	Grown grown_;
 	bool only_moved_ = false;
 	std::atomic<bool> rough_ = false; // what is shown is to be refined once it has been still

@@ -31,9 +31,37 @@ ProbeOptions withoutTime(ProbeOptions options)
 
 } // namespace
 
+Status RenderThread::takeNeighbors(const ProbeOptions& options, bool needed)
+{
+	if (grid::hasNeighbors(session_->blocks))
+		return Nothing{};
+	if (needed)
+		neighbors_.begin(session_->blocks);
+	Result<std::optional<grid::BlockSet>> built = neighbors_.take(needed);
+	if (!built)
+		return built.error();
+	if (!*built)
+		return Nothing{};
+	// The time may have changed meanwhile, and the values with it.
+	for (std::size_t b = 0; b < session_->blocks.blocks.size(); ++b)
+		(*built)->blocks[b].fields = std::move(session_->blocks.blocks[b].fields);
+	session_->cutter.reset();
+	session_->blocks = std::move(**built);
+	session_->another_follows = true;
+	cut_.reset(); // cells have other numbers now
+	grown_ = {};
+	only_moved_ = false;
+	if (Status made = makeCutter(*session_, options); !made)
+		return made;
+	return painter_ ? painter_->takeBlocks() : Nothing{};
+}
+
 Status RenderThread::follow(const FrameRequest& wish)
 {
-	Status done = followAll(wish);
+	const bool needed = needsNeighbors(wish.look) || needsNeighbors(wish.probe) || wish.contour;
+	Status done = takeNeighbors(wish.probe, needed);
+	if (done)
+		done = followAll(wish);
 	if (!done)
 		followed_.reset(); // some of it may have been done
 	return done;
@@ -69,8 +97,12 @@ Status RenderThread::followTime(const ProbeOptions& options)
 	cut_is_old_ = true;
 	only_moved_ = false;
 	cut_.reset();
-	Result<bool> moved = moveToTime(*session_, options, *time, painter_ ? &*painter_ : nullptr);
-	return moved ? Status(Nothing{}) : moved.error();
+	Result<bool> same_grid = moveToTime(*session_, options, *time, painter_ ? &*painter_ : nullptr);
+	if (!same_grid)
+		return same_grid.error();
+	if (!*same_grid)
+		neighbors_.drop();
+	return Nothing{};
 }
 
 Status RenderThread::followLook(const FrameRequest& wish)
@@ -117,10 +149,13 @@ Status RenderThread::growAsWished(const FrameRequest& wish)
 	return Nothing{};
 }
 
-Result<double> RenderThread::cutAsWished()
+Result<double> RenderThread::cutAsWished(const ProbeOptions& options)
 {
 	if (cut_ && !cut_is_old_)
 		return 0.0;
+	if (const Result<find::CutPlan> plan = planOf(*session_); plan && plan->needs_neighbors)
+		if (Status taken = takeNeighbors(options, true); !taken)
+			return taken.error();
 	const Moment start = std::chrono::steady_clock::now();
 	std::shared_ptr<const CutFrame> last = only_moved_ ? cut_ : nullptr;
 	Result<cut::Cut> slice = cut(*session_, last ? std::shared_ptr<const cut::Cut>(last, &last->slice) : nullptr);

@@ -16,7 +16,7 @@ Result<render::Picture> RenderThread::picture(const PictureJob& order)
 {
 	if (Status followed = follow(order.wish); !followed)
 		return followed.error();
-	if (Result<double> cut = cutAsWished(); !cut)
+	if (Result<double> cut = cutAsWished(order.wish.probe); !cut)
 		return cut.error();
 	if (order.empty)
 		return painter_->drawEmpty(cut_->slice, cut_->sheets);
@@ -29,7 +29,7 @@ Status RenderThread::writeSlice(const CutJob& order)
 {
 	if (Status followed = follow(order.wish); !followed)
 		return followed;
-	if (Result<double> cut = cutAsWished(); !cut)
+	if (Result<double> cut = cutAsWished(order.wish.probe); !cut)
 		return cut.error();
 	if (Status grown = growAsWished(order.wish); !grown)
 		return grown;
