@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vp::mesh
@@ -15,30 +16,33 @@ namespace
 
 using Face = grid::BoundaryIndex::Face;
 
-/// Of the vertices that others have been joined to.
+/// Of the vertices that others have been joined to. Where only polygons without area are, nothing closes a ring.
 OpenVertices openVertices(const SheetMesh& mesh, UnionFind& joined)
 {
 	OpenVertices open(mesh.positions.size());
+	std::vector<std::uint32_t> corners;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
 	{
-		const std::span<const std::uint32_t> polygon = mesh.polygon(p);
-		std::uint32_t before = joined.root(polygon.back());
-		for (const std::uint32_t corner : polygon)
-		{
-			const std::uint32_t vertex = joined.root(corner);
-			if (vertex != before)
-				open.add(before, vertex);
-			before = vertex;
-		}
+		corners.clear();
+		for (const std::uint32_t corner : mesh.polygon(p))
+			if (const std::uint32_t vertex = joined.root(corner); corners.empty() || vertex != corners.back())
+				corners.push_back(vertex);
+		while (corners.size() > 1 && corners.back() == corners.front())
+			corners.pop_back();
+		if (corners.size() < 3)
+			continue;
+		std::uint32_t before = corners.back();
+		for (const std::uint32_t vertex : corners)
+			open.add(std::exchange(before, vertex), vertex);
 	}
 	return open;
 }
 
-/// Whether an edge's or a grid point's vertex lies on a face, as ids have it.
+/// Whether a vertex lies on a face of the cell that it is of: its edge, or the grid point at which it is.
 bool liesOn(const EdgePoint& vertex, std::span<const PointId> face)
 {
 	const auto has = [&](PointId p) { return std::ranges::find(face, p) != face.end(); };
-	return has(vertex.lower) && has(vertex.higher);
+	return (vertex.t == 1.0 || has(vertex.lower)) && (vertex.t == 0.0 || has(vertex.higher));
 }
 
 } // namespace
@@ -56,11 +60,9 @@ grid::Interfaces seamsOfMesh(const grid::BlockSet& blocks, const SheetMesh& mesh
 	{
 		const std::span<const std::uint32_t> polygon = mesh.polygon(p);
 		const BlockCell of = mesh.polygon_cells[p];
-		for (std::size_t i = 0; i < polygon.size(); ++i)
+		for (const std::uint32_t v : polygon)
 		{
-			const std::uint32_t v = polygon[i];
-			const std::uint32_t w = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-			if (!isOpen(v) || !isOpen(w))
+			if (!isOpen(v))
 				continue;
 			if (of.block != cell.block || of.cell != cell.cell)
 			{
@@ -70,8 +72,7 @@ grid::Interfaces seamsOfMesh(const grid::BlockSet& blocks, const SheetMesh& mesh
 			}
 			for (int f = 0; f < faces.size(); ++f)
 			{
-				if (taken[static_cast<std::size_t>(f)] || !liesOn(mesh.edges[v], faces[f]) ||
-				    !liesOn(mesh.edges[w], faces[f]))
+				if (taken[static_cast<std::size_t>(f)] || !liesOn(mesh.edges[v], faces[f]))
 					continue;
 				taken[static_cast<std::size_t>(f)] = 1;
 				candidates[cell.block].add(faces[f], {cell.cell, static_cast<std::uint32_t>(f)});

@@ -13,15 +13,17 @@ namespace vp::mesh
 class OpenVertices
 {
 public:
-	explicit OpenVertices(std::size_t vertices) : sums_(vertices) {}
+	explicit OpenVertices(std::size_t vertices) : sums_(vertices), used_(vertices) {}
 
 	/// An edge of a polygon, in the way that the polygon winds.
 	void add(std::uint32_t from, std::uint32_t to)
 	{
 		sums_[from] += mixed(to);
 		sums_[to] -= mixed(from);
+		used_[from] = 1;
 	}
-	bool isOpen(std::uint32_t vertex) const { return sums_[vertex] != 0; }
+	/// A vertex of no polygon is open.
+	bool isOpen(std::uint32_t vertex) const { return sums_[vertex] != 0 || !used_[vertex]; }
 
 private:
 	/// Vigna's splitmix64: as good as random.
@@ -34,6 +36,7 @@ private:
 	}
 
 	std::vector<std::uint64_t> sums_;
+	std::vector<std::uint8_t> used_;
 };
 
 } // namespace vp::mesh

@@ -44,9 +44,9 @@ TEST_F(Explain, StandsInTheFigures)
 	{
 		EXPECT_EQ(plan[s]["sheet"], s);
 		EXPECT_EQ(plan[s]["block"], 0);
-		EXPECT_EQ(plan[s]["strategy"], "cells");
+		EXPECT_EQ(plan[s]["strategy"], "scan");
 		EXPECT_EQ(plan[s]["classifier"], "cpu");
-		EXPECT_TRUE(contains(plan[s]["reason"].get<std::string>(), "unstructured"));
+		EXPECT_TRUE(contains(plan[s]["reason"].get<std::string>(), "looked at once"));
 	}
 }
 

@@ -91,7 +91,8 @@ TEST_F(Profile, OnePlaneIsASlice)
 		      Arguments{"--probe", "trihedral", "--threshold", "-1", "0.5"}})
 		{
 			const auto told = profile(Arguments{demo, "--path", "spin", "--planes", "1"} + probe);
-			const auto sheets = stats(Arguments{demo} + probe).at("sheets");
+			// With a hot spot to look for, slice searches too.
+			const auto sheets = stats(Arguments{demo, "--outside", "report"} + probe).at("sheets");
 			std::size_t cut = 0, polygons = 0, vertices = 0, touched = 0, generations = 0, front_max = 0;
 			for (const auto& sheet : sheets)
 			{

@@ -80,6 +80,8 @@ Case caseOf(const std::string& options, const grid::BlockSet& blocks)
 			request.threshold = find::Threshold{0.0, 1.0};
 		else if (option == "--seeds")
 			request.seeds.mode = value == "hotspot" ? seed::SeedMode::hotspot : seed::SeedMode::boundary;
+		else if (option == "--outside")
+			request.seeds.outside = seed::OutsidePolicy::report;
 		else if (option == "--visited")
 			request.finder = find::Finder::traversal;
 		else if (option == "--surface")
@@ -124,21 +126,22 @@ std::string told(const Case& asked, const grid::BlockSet& blocks, bool with_clas
 	return with_classifier ? strategy + " on " + nameOf(way.classifier) : strategy;
 }
 
-grid::BlockSet demo(const char* name)
+grid::BlockSet demo(const char* name, bool builds_neighbors = true)
 {
-	return std::move(grid::makeDemo(name, 6).value());
+	return std::move(grid::makeDemo(name, 6, builds_neighbors).value());
 }
 
 } // namespace
 
 TEST(CutPlan, IsTheTableOfTheDocument)
 {
-	constexpr std::array kDemos{"blob", "graded", "shell", "tets"}; // a column each
+	constexpr std::array kDemos{"blob", "graded", "shell", "tets", "tets"}; // a column each
 	const std::vector<Row> rows = tableRows();
 	ASSERT_GT(rows.size(), 20u);
 	for (std::size_t column = 0; column < kDemos.size(); ++column)
 	{
-		const grid::BlockSet blocks = demo(kDemos[column]);
+		const bool builds_neighbors = column < 4;
+		const grid::BlockSet blocks = demo(kDemos[column], builds_neighbors);
 		for (const Row& row : rows)
 		{
 			ASSERT_EQ(row.size(), 1 + kDemos.size()) << row.front();
