@@ -51,6 +51,9 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, int wid
 	glfwSetCursorPosCallback(handle,
 	                         [](GLFWwindow* of, double x, double y)
 	                         {
+#if IMGUI_VERSION_NUM >= 18700 // an older one asks GLFW for the place in each frame
+		                         ImGui_ImplGlfw_CursorPosCallback(of, x, y);
+#endif
 		                         if (const auto& tell = windowOf(of).events_.cursor)
 			                         tell(x, y);
 	                         });
