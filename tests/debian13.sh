@@ -28,6 +28,7 @@ fi
 mkdir -p "$cache"/{packages,archives/partial,ccache}
 cache=$(cd "$cache" && pwd)
 root=$(mktemp -d -p "$cache" root.XXXX)
+chmod 755 "$root" # tests that drop root's rights still reach their files
 mount --bind "$root" "$root"
 trap 'umount -lR "$root"; rm -rf --one-file-system "$root"' EXIT
 

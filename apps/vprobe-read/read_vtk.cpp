@@ -39,6 +39,14 @@ vtkSmartPointer<vtkDataObject> loadWith(const Request& request, ManifestWriter& 
 	return reader->GetOutputDataObject(0);
 }
 
+// VTK 9.3 would add an array of ids that the file does not hold; 9.1 cannot.
+template <class Filter>
+void addNoIds(Filter& filter)
+{
+	if constexpr (requires { filter.AddOriginalIdsOff(); })
+		filter.AddOriginalIdsOff();
+}
+
 // The leaves of the trees, as voxels with points of their own.
 vtkSmartPointer<vtkDataObject> loadTrees(const Request& request, ManifestWriter& manifest)
 {
@@ -50,6 +58,7 @@ vtkSmartPointer<vtkDataObject> loadTrees(const Request& request, ManifestWriter&
 		throw Refusal(fmt::format("nothing to slice: a hyper tree grid of {} dimensions", trees->GetDimension()));
 	vtkNew<vtkHyperTreeGridToUnstructuredGrid> leaves;
 	leaves->SetInputData(trees);
+	addNoIds(*leaves);
 	leaves->Update();
 	return leaves->GetOutputDataObject(0);
 }

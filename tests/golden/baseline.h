@@ -12,8 +12,8 @@ namespace vp::render::test
 Picture readPng(const std::string& path); // empty where it cannot be read
 
 // Whether the picture looks like baselines/NAME.png: letters and edges may differ a little between devices, in few
-// pixels. Where VPROBE_UPDATE_GOLDEN is 1, the baseline is written instead. A picture that differs is kept beside the
-// test as NAME.png.
-testing::AssertionResult looksLike(const Picture& picture, const std::string& name);
+// pixels. A pixel may have a color of the other picture up to `reach` pixels away. Where VPROBE_UPDATE_GOLDEN is 1, the
+// baseline is written instead. A picture that differs is kept beside the test as NAME.png.
+testing::AssertionResult looksLike(const Picture& picture, const std::string& name, int reach = 0);
 
 } // namespace vp::render::test

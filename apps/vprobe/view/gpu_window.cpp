@@ -6,6 +6,8 @@
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/imgui.h>
 
+#include <cstdlib>
+
 namespace vp::app
 {
 
@@ -22,6 +24,20 @@ std::string lastComplaint()
 	return words ? words : "no reason given";
 }
 
+// GLFW 3.4 tries Wayland before X11, and where there is no Wayland libwayland complains on standard error.
+void preferX11WithoutWayland()
+{
+#ifdef GLFW_PLATFORM
+	const auto names = [](const char* variable)
+	{
+		const char* value = std::getenv(variable);
+		return value && *value;
+	};
+	if (!names("WAYLAND_DISPLAY") && !names("WAYLAND_SOCKET") && glfwPlatformSupported(GLFW_PLATFORM_X11))
+		glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+}
+
 Window& windowOf(GLFWwindow* handle)
 {
 	return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
@@ -31,6 +47,7 @@ Window& windowOf(GLFWwindow* handle)
 
 Result<std::unique_ptr<Window>> Window::create(const std::string& title, int width, int height)
 {
+	preferX11WithoutWayland();
 	if (!glfwInit())
 		return Error{ExitCode::no_device,
 		             fmt::format("no window can be opened ({}); set DISPLAY to a screen, or draw with vprobe render",
@@ -51,6 +68,9 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, int wid
 	glfwSetCursorPosCallback(handle,
 	                         [](GLFWwindow* of, double x, double y)
 	                         {
+#if IMGUI_VERSION_NUM >= 18700 // an older one asks GLFW for the place in each frame
+		                         ImGui_ImplGlfw_CursorPosCallback(of, x, y);
+#endif
 		                         if (const auto& tell = windowOf(of).events_.cursor)
 			                         tell(x, y);
 	                         });

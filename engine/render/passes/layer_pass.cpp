@@ -27,6 +27,9 @@ constexpr gpu::ImageUse kClearedLayers{VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAG
                                        VK_ACCESS_2_TRANSFER_WRITE_BIT};
 constexpr gpu::ImageUse kComputedLayers{VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                                         VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+// The stage of vkCmdUpdateBuffer is CLEAR, as it is one of the clear commands. Validation layers before 1.3.280 expect
+// COPY.
+constexpr VkPipelineStageFlags2 kUpdateStages = VK_PIPELINE_STAGE_2_CLEAR_BIT | VK_PIPELINE_STAGE_2_COPY_BIT;
 
 std::uint32_t layerFeatures(const Scene& scene, const SheetDrawing& sheet)
 {
@@ -191,8 +194,7 @@ void LayerPass::recordComputed(VkCommandBuffer commands, const Scene& scene, con
 {
 	// The sample before has read its lists.
 	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
-	                   VK_ACCESS_2_NONE, VK_PIPELINE_STAGE_2_COPY_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-	                   VK_ACCESS_2_NONE);
+	                   VK_ACCESS_2_NONE, kUpdateStages | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_NONE);
 	targets.values.transition(commands, before, kClearedLayers);
 	raster_.recordStart(commands);
 	const VkClearColorValue empty{{shared::kEmptyValue, 0.0f, 0.0f, 0.0f}};
@@ -201,8 +203,7 @@ void LayerPass::recordComputed(VkCommandBuffer commands, const Scene& scene, con
 		const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, static_cast<std::uint32_t>(i), 1};
 		vkCmdClearColorImage(commands, targets.values.handle(), VK_IMAGE_LAYOUT_GENERAL, &empty, 1, &range);
 	}
-	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-	                   VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+	gpu::memoryBarrier(commands, kUpdateStages, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
 	                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
 	targets.values.transition(commands, kClearedLayers, kComputedLayers);
 	for (const std::size_t i : layers)
