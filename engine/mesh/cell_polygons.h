@@ -85,15 +85,17 @@ private:
 		for (const PointId p : faces_.points)
 			walk_faces_.points.push_back(static_cast<std::uint16_t>(
 			    std::lower_bound(local_points_.begin(), local_points_.end(), p) - local_points_.begin()));
-		// The mean distance of a face's points, summed in ascending order of their ids: the same number for both its
-		// cells.
+		// The sum of the distances of a face's points, in ascending order: the same number for both its cells, however
+		// points are numbered.
 		const auto center_positive = [&](int f)
 		{
-			face_.assign(walk_faces_[f].begin(), walk_faces_[f].end());
+			face_.clear();
+			for (const std::uint16_t p : walk_faces_[f])
+				face_.push_back(distances_[p]);
 			std::sort(face_.begin(), face_.end());
 			double sum = 0.0;
-			for (const std::uint16_t p : face_)
-				sum += distances_[p];
+			for (const double distance : face_)
+				sum += distance;
 			return sum >= 0.0;
 		};
 		cases::walkCell(walk_faces_, std::span<const std::uint8_t>(positive_), center_positive, cut_);
@@ -106,7 +108,7 @@ private:
 	std::vector<PointId> local_points_; // of the walked cell, ascending
 	std::vector<double> distances_;
 	std::vector<std::uint8_t> positive_;
-	std::vector<std::uint16_t> face_;
+	std::vector<double> face_;
 	cases::WalkFaces walk_faces_;
 	cases::CellCut cut_;
 	std::vector<Edge> edges_;

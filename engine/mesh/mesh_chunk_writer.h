@@ -59,7 +59,7 @@ private:
 			if constexpr (kCurved)
 				rises_[v] = da >= 0.0 ? a - b : b - a;
 			at_points |= t == 0.0 || t == 1.0;
-			positions[v] = t == 1.0 ? b : a + t * (b - a);
+			positions[v] = placeOnEdge(a, b, t, da >= 0.0);
 			if (foreign != part_.foreign.end() && foreign->first == v)
 			{
 				numbers[v] = foreign++->second;

@@ -24,6 +24,16 @@ struct EdgePoint
 	double t;
 };
 
+/// The place at t along the edge from a to b, of which `a_positive` tells on which side a lies: to the last bit the
+/// same however the ends are numbered.
+inline Vec3 placeOnEdge(const Vec3& a, const Vec3& b, double t, bool a_positive)
+{
+	const Vec3 positive = a_positive ? a : b;
+	const Vec3 negative = a_positive ? b : a;
+	const double s = a_positive ? t : 1.0 - t;
+	return s == 1.0 ? negative : positive + s * (negative - positive);
+}
+
 // A grid point's part in a vertex on the rim of a window.
 struct PointShare
 {

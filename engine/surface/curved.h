@@ -102,7 +102,7 @@ double heightAt(const G& grid, const BlockSurface& surface, PointId p)
 
 inline double crossingOf(const Plane&, const Vec3&, const Vec3&, double height_a, double height_b)
 {
-	return height_a / (height_a - height_b);
+	return Plane::crossing(height_a, height_b);
 }
 inline double crossingOf(const BlockSurface& surface, const Vec3& a, const Vec3& b, double height_a, double height_b)
 {

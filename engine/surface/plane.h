@@ -2,6 +2,9 @@
 
 #include "base/vec.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace vp::surface
 {
 
@@ -30,6 +33,15 @@ public:
 		const Vec3 reaches = glm::abs(box.lo) + glm::abs(box.hi) + glm::abs(origin_);
 		const double slack = 1e-14 * (reaches.x + reaches.y + reaches.z);
 		return std::abs(signedDistance(box.center())) <= reach + slack;
+	}
+
+	/// How far from a to b an edge meets the plane, 0 to 1, by the distances of its ends, of which one is negative.
+	/// From b to a it is the rest: neither says that it is at an end where the other does not.
+	static double crossing(double distance_a, double distance_b)
+	{
+		const double positive = std::max(distance_a, distance_b);
+		const double rest = 1.0 - positive / (positive - std::min(distance_a, distance_b)); // from the negative end
+		return distance_a >= distance_b ? 1.0 - rest : rest;
 	}
 
 private:
