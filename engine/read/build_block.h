@@ -8,7 +8,8 @@
 namespace vp::read
 {
 
-// A checked block with its grid built, finished (see finishBlock) but for its seams with others.
-grid::Block buildBlock(CheckedBlock&& checked, std::string name);
+// A checked block with its grid built, finished (see finishBlock) but for its seams with others. `identifies_geometry`:
+// see ReadOptions.
+grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies_geometry = true);
 
 } // namespace vp::read

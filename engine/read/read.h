@@ -37,6 +37,17 @@ std::size_t timeIndex(const std::vector<double>& times, const TimeChoice& choice
 // "last", "first", a number, or # and an index; a usage error otherwise.
 Result<TimeChoice> parseTime(const std::string& text);
 
+// Which arrays of points and cells are read. The others are named in grid::Block::arrays_left_out.
+struct ArrayWish
+{
+	bool all = true;
+	// Where not all: those with one of these names, which may have "point:" or "cell:" in front.
+	std::vector<std::string> names{};
+	// And the one that is shown where none is named: each block's first point array, or its first cell array where it
+	// has no point arrays.
+	bool first = false;
+};
+
 struct ReadOptions
 {
 	TimeChoice time;
@@ -46,6 +57,10 @@ struct ReadOptions
 	double displace = 0.0;  // moves the points of Exodus files by their displacements, times this
 	bool patches = false;   // reads what the files name of the boundary: OpenFOAM patches, Exodus side sets
 	std::stop_token stop{}; // asked to stop, reading ends with an error
+	ArrayWish arrays{};
+	// Finds Block::geometry, which readFields() and readValues() compare: where it is not known, they find that the
+	// grids are others.
+	bool identifies_geometry = true;
 };
 
 constexpr int kMaxRefine = 6;
