@@ -5,6 +5,7 @@
 #include "quick_xml.h"
 #include "refusal.h"
 #include "structured_blocks.h"
+#include "time_choice.h"
 #include "visible_cells.h"
 
 #include <vtkCellData.h>
@@ -179,6 +180,7 @@ bool ManifestWriter::addQuickly(const std::string& file, int threads)
 		return false;
 	counts_.flat += quick->flat;
 	addBlock("", std::move(quick->block));
+	offerTimes(inOrder(std::move(quick->times)));
 	return true;
 }
 

@@ -21,7 +21,8 @@ public:
 	// `refine`: how many times the linear parts of curved cells are halved.
 	ManifestWriter(int refine, ArrayWish wish) : refine_(refine), wish_(std::move(wish)) {}
 
-	// Reads a file without VTK and adds its block. False, and nothing added, where it is left to VTK.
+	// Reads a file without VTK and adds its block. False, and nothing added, where it is left to VTK. Offers
+	// the file's times too.
 	bool addQuickly(const std::string& file, int threads);
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);

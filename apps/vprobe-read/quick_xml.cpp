@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 using nlohmann::json;
@@ -28,7 +29,9 @@ public:
 	{
 		const XmlElement& data = file_.data();
 		for (const XmlElement& child : data.children)
-			if (child.name != "Piece" && child.name != "FieldData") // no time comes from field data
+			if (child.name == "FieldData")
+				readTime(child);
+			else if (child.name != "Piece")
 				throw NotQuick();
 		if (file_.type() == "UnstructuredGrid")
 			readUnstructured(data);
@@ -57,6 +60,31 @@ private:
 			if (std::find(allowed.begin(), allowed.end(), child.name) == allowed.end() ||
 			    !seen.insert(child.name).second)
 				throw NotQuick();
+	}
+
+	// Of field data, VTK's readers take the time.
+	void readTime(const XmlElement& field_data)
+	{
+		for (const XmlElement& array : field_data.children)
+		{
+			const std::string_view name = array.attribute("Name");
+			if (!name.starts_with("TimeValue"))
+				continue;
+			const ArrayKind kind(array);
+			if (name != "TimeValue" || array.attribute("NumberOfTuples") != "1" || kind.type != NumberType::float64 ||
+			    kind.components != 1 || !block_.times.empty())
+				throw NotQuick();
+			double time = 0.0;
+			if (array.attribute("format") == "ascii")
+				time = numbersIn<double, 1>(array.text)[0];
+			else
+			{
+				Scratch scratch;
+				const auto packed = file_.open(array, sizeof time);
+				std::memcpy(&time, packed->part(0, sizeof time, scratch).data(), sizeof time);
+			}
+			block_.times.push_back(time);
+		}
 	}
 
 	void readUnstructured(const XmlElement& data)

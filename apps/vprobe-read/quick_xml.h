@@ -7,12 +7,14 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 // A block of the manifest, but for its name.
 struct QuickBlock
 {
 	nlohmann::json block;
-	std::size_t flat = 0; // cells of dimension below three
+	std::size_t flat = 0;      // cells of dimension below three
+	std::vector<double> times; // that the file names: none or one
 };
 
 // Reads a .vti, .vtr, .vts or .vtu file without VTK: on all cores, each array straight to where it is handed over.

@@ -95,7 +95,7 @@ void addXml(const Request& request, const std::string& type, ManifestWriter& man
 	{
 		refuseShortXml(request.file);
 		if (manifest.addQuickly(request.file, request.threads))
-			return manifest.offerTimes({});
+			return;
 	}
 	manifest.add(loadXml(request, type, manifest));
 }
