@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <new>
@@ -12,6 +13,12 @@
 #include <unistd.h>
 
 using vp::grid::NumberType;
+
+namespace
+{
+// What a file can be long.
+constexpr std::size_t kMostBytes = std::size_t(1) << 62;
+} // namespace
 
 void ArrayWriter::begin()
 {
@@ -22,10 +29,26 @@ void ArrayWriter::begin()
 
 void ArrayWriter::append(const void* data, std::size_t bytes)
 {
+	put(position_, data, bytes);
+	position_ += bytes;
+}
+
+std::size_t ArrayWriter::reserve(std::size_t bytes)
+{
+	begin();
+	if (bytes > kMostBytes - position_)
+		throw std::bad_alloc();
+	position_ += bytes;
+	return start_;
+}
+
+// Written, not mapped: so no page is cleared first, the process' limits hold, and no memory is an error, not a signal.
+void ArrayWriter::put(std::size_t at, const void* data, std::size_t bytes) const
+{
 	const char* from = static_cast<const char*>(data);
 	while (bytes > 0)
 	{
-		const ssize_t written = pwrite(memory_, from, bytes, static_cast<off_t>(position_));
+		const ssize_t written = pwrite(memory_, from, bytes, static_cast<off_t>(at));
 		if (written < 0 && errno == EINTR)
 			continue;
 		if (written < 0 && (errno == EFBIG || errno == ENOSPC || errno == ENOMEM))
@@ -34,13 +57,25 @@ void ArrayWriter::append(const void* data, std::size_t bytes)
 			throw std::system_error(errno, std::generic_category(), "shared memory");
 		from += written;
 		bytes -= static_cast<std::size_t>(written);
-		position_ += static_cast<std::size_t>(written);
+		at += static_cast<std::size_t>(written);
 	}
+}
+
+void ArrayWriter::rewind(std::size_t mark)
+{
+	if (ftruncate(memory_, static_cast<off_t>(mark)) != 0)
+		throw std::system_error(errno, std::generic_category(), "shared memory");
+	start_ = position_ = mark;
 }
 
 nlohmann::json ArrayWriter::end(NumberType type)
 {
-	return {{"type", vp::grid::numberTypeName(type)}, {"offset", start_}, {"bytes", position_ - start_}};
+	return describe(type, start_, position_ - start_);
+}
+
+nlohmann::json ArrayWriter::describe(NumberType type, std::size_t at, std::size_t bytes)
+{
+	return {{"type", vp::grid::numberTypeName(type)}, {"offset", at}, {"bytes", bytes}};
 }
 
 nlohmann::json ArrayWriter::write(NumberType type, const void* data, std::size_t bytes)
@@ -67,4 +102,29 @@ nlohmann::json writeInt64(ArrayWriter& writer, std::span<const std::int32_t> val
 nlohmann::json writeInt64(ArrayWriter& writer, std::span<const std::int64_t> values)
 {
 	return writer.write(NumberType::int64, values.data(), values.size_bytes());
+}
+
+nlohmann::json writeIds(ArrayWriter& writer, std::span<const std::int32_t> ids)
+{
+	return writer.write(NumberType::int32, ids.data(), ids.size_bytes());
+}
+
+nlohmann::json writeIds(ArrayWriter& writer, std::span<const std::int64_t> ids)
+{
+	std::uint64_t high = 0;
+	for (const std::int64_t id : ids)
+		high |= static_cast<std::uint64_t>(id);
+	if (high > INT32_MAX)
+		return writeInt64(writer, ids);
+	std::array<std::int32_t, 16384> narrow;
+	writer.begin();
+	while (!ids.empty())
+	{
+		const std::size_t n = std::min(ids.size(), narrow.size());
+		std::transform(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(n), narrow.begin(),
+		               [](std::int64_t id) { return static_cast<std::int32_t>(id); });
+		writer.append(narrow.data(), n * sizeof narrow[0]);
+		ids = ids.subspan(n);
+	}
+	return writer.end(NumberType::int32);
 }

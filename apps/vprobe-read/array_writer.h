@@ -21,6 +21,14 @@ public:
 	void append(const void* data, std::size_t bytes);
 	nlohmann::json end(vp::grid::NumberType type);
 
+	// Room for an array whose bytes are put there in any order, by any thread.
+	std::size_t reserve(std::size_t bytes);
+	void put(std::size_t at, const void* data, std::size_t bytes) const;
+	static nlohmann::json describe(vp::grid::NumberType type, std::size_t at, std::size_t bytes);
+	// Where the next array comes behind, and as if nothing had been written from there on.
+	std::size_t mark() const { return position_; }
+	void rewind(std::size_t mark);
+
 private:
 	int memory_; // a file descriptor
 	std::size_t start_ = 0;
@@ -29,3 +37,6 @@ private:
 
 nlohmann::json writeInt64(ArrayWriter& writer, std::span<const std::int32_t> values);
 nlohmann::json writeInt64(ArrayWriter& writer, std::span<const std::int64_t> values);
+// Ids of 32 bits where all of them fit, else of 64.
+nlohmann::json writeIds(ArrayWriter& writer, std::span<const std::int32_t> ids);
+nlohmann::json writeIds(ArrayWriter& writer, std::span<const std::int64_t> ids);

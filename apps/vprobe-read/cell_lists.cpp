@@ -11,6 +11,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -94,6 +95,19 @@ bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUns
 	return left > 0;
 }
 
+// Whether the offsets say no more than the types do.
+template <class T>
+bool areAlike(std::span<const std::uint8_t> types, const Lists<T>& lists)
+{
+	const auto size = static_cast<T>(slicedCellSize(types[0]));
+	if (size == 0 || !std::equal(types.begin() + 1, types.end(), types.begin()))
+		return false;
+	T others = 0;
+	for (std::size_t c = 0; c < types.size(); ++c)
+		others |= lists.size(c) ^ size;
+	return others == 0;
+}
+
 // Offsets and connectivity without the points that a cell lists beyond those of its type, as some writers of mid-side
 // nodes leave them.
 template <class T>
@@ -112,7 +126,7 @@ void writeTrimmed(ArrayWriter& writer, std::span<const std::uint8_t> types, cons
 		offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
 	}
 	cells["offsets"] = writeInt64(writer, std::span<const std::int64_t>(offsets));
-	cells["connectivity"] = writeInt64(writer, std::span<const std::int64_t>(connectivity));
+	cells["connectivity"] = writeIds(writer, std::span<const std::int64_t>(connectivity));
 }
 
 // Per polyhedron: faces, then per face its size and points. VTK keeps them in one array and a location per cell.
@@ -153,8 +167,9 @@ json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& co
 		writeTrimmed(writer, types, lists, cells);
 	else
 	{
-		cells["offsets"] = writeInt64(writer, lists.offsets);
-		cells["connectivity"] = writeInt64(writer, lists.connectivity);
+		if (!areAlike(types, lists))
+			cells["offsets"] = writeInt64(writer, lists.offsets);
+		cells["connectivity"] = writeIds(writer, lists.connectivity);
 	}
 	if (std::find(types.begin(), types.end(), kPolyhedron) != types.end())
 		writeFaces(writer, types, grid, cells);

@@ -29,6 +29,9 @@ void readFoam(const Request& request, ManifestWriter& manifest);
 // The data set of one VTK XML file that is no index of blocks.
 vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string& type, ManifestWriter& manifest);
 
+// Adds the block of such a file: without VTK where that is possible.
+void addXml(const Request& request, const std::string& type, ManifestWriter& manifest);
+
 // The type its VTKFile element gives; empty where there is none.
 std::string xmlTypeOfFile(const std::string& file);
 

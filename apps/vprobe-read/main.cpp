@@ -6,12 +6,14 @@
 #include "read/protocol.h"
 #include "refusal.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -27,6 +29,25 @@ namespace
 	std::fprintf(stderr, "\n%s%s\n", vp::read::kReasonMark.data(), reason.c_str());
 	std::fflush(stderr);
 	_exit(vp::read::kRefusedExitCode);
+}
+
+ArrayWish parseWish(std::string_view text)
+{
+	ArrayWish wish;
+	wish.all = false;
+	while (!text.empty())
+	{
+		const std::size_t end = std::min(text.find('\n'), text.size());
+		const std::string_view line = text.substr(0, end);
+		text.remove_prefix(std::min(end + 1, text.size()));
+		if (line == "*")
+			wish.all = true;
+		else if (line == "^")
+			wish.first = true;
+		else if (line.starts_with('='))
+			wish.names.emplace_back(line.substr(1));
+	}
+	return wish;
 }
 
 Request parseRequest(char** arguments)
@@ -49,7 +70,9 @@ Request parseRequest(char** arguments)
 	request.refine = static_cast<int>(std::strtol(arguments[3], nullptr, 10));
 	request.displace = std::strtod(arguments[4], nullptr);
 	request.patches = std::string(arguments[5]) == "1";
-	request.file = arguments[6];
+	request.threads = static_cast<int>(std::strtol(arguments[6], nullptr, 10));
+	request.arrays = parseWish(arguments[7]);
+	request.file = arguments[8];
 	request.arguments = arguments;
 	return request;
 }
@@ -72,7 +95,7 @@ void sendManifest(const std::string& text)
 int main(int argc, char** argv)
 {
 	const auto is_open = [](int fd) { return fcntl(fd, F_GETFD) >= 0; };
-	if (argc != 7 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
+	if (argc != 9 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
 	{
 		std::fprintf(stderr, "vprobe-read is started by vprobe to read files; run vprobe info FILE instead\n");
 		return 1;
@@ -82,7 +105,7 @@ int main(int argc, char** argv)
 	{
 		installComplaints();
 		const Request request = parseRequest(argv);
-		ManifestWriter manifest(request.refine);
+		ManifestWriter manifest(request.refine, request.arrays);
 		readAnyFormat(request, manifest);
 		sendManifest(manifest.finish());
 	}

@@ -2,8 +2,10 @@
 
 #include "linearize.h"
 #include "patch_polygons.h"
+#include "quick_xml.h"
 #include "refusal.h"
 #include "structured_blocks.h"
+#include "time_choice.h"
 #include "visible_cells.h"
 
 #include <vtkCellData.h>
@@ -128,10 +130,14 @@ void ManifestWriter::addPatches(vtkDataObject* object)
 	}
 }
 
-void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* data)
+void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* given)
 {
-	if (!data || data->GetNumberOfCells() == 0)
+	if (!given || given->GetNumberOfCells() == 0)
 		return;
+	json left_out = json::array();
+	const vtkSmartPointer<vtkDataSet> wanted =
+	    wish_.all ? vtkSmartPointer<vtkDataSet>(given) : withWishedArrays(given, left_out);
+	vtkDataSet* data = wanted;
 	json block;
 	vtkDataSet* point_data = data;
 	std::optional<LinearCells> linear;
@@ -155,9 +161,27 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* data)
 	}
 	else if (!describeLattice(data, block))
 		return;
-	block["name"] = prefix_.empty() ? name : name.empty() ? prefix_ : prefix_ + "/" + name;
 	block["arrays"] = describeArrays(point_data, data);
+	for (json& array : left_out)
+		block["arrays"].push_back(std::move(array));
+	addBlock(name, std::move(block));
+}
+
+void ManifestWriter::addBlock(const std::string& name, json block)
+{
+	block["name"] = prefix_.empty() ? name : name.empty() ? prefix_ : prefix_ + "/" + name;
 	blocks_.push_back(std::move(block));
+}
+
+bool ManifestWriter::addQuickly(const std::string& file, int threads)
+{
+	std::optional<QuickBlock> quick = readQuickly(file, wish_, threads, writer_, cell_writer_);
+	if (!quick)
+		return false;
+	counts_.flat += quick->flat;
+	addBlock("", std::move(quick->block));
+	offerTimes(inOrder(std::move(quick->times)));
+	return true;
 }
 
 // False where there is nothing to show: for flat lattices, for kinds of data sets that never hold three-dimensional
@@ -192,6 +216,45 @@ bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
 	        : rectilinear ? describeRectilinear(writer_, rectilinear)
 	                      : describeCurvilinear(writer_, curvilinear);
 	return true;
+}
+
+// The same data set without the arrays that nobody asked for; these are described.
+vtkSmartPointer<vtkDataSet> ManifestWriter::withWishedArrays(vtkDataSet* given, json& left_out) const
+{
+	const auto data = vtkSmartPointer<vtkDataSet>::Take(given->NewInstance());
+	data->ShallowCopy(given);
+	bool has_shown = false;
+	const auto leaveOut = [&](vtkDataSetAttributes* fields, const char* association)
+	{
+		for (int i = 0; i < fields->GetNumberOfArrays();)
+		{
+			vtkDataArray* array = fields->GetArray(i);
+			const auto type = array ? numberTypeOf(array) : std::nullopt;
+			const bool is_mark = array && array->GetName() &&
+			                     std::string_view(array->GetName()) == vtkDataSetAttributes::GhostArrayName();
+			if (!type || is_mark || !array->GetName())
+			{
+				++i;
+				continue;
+			}
+			const std::string name = array->GetName();
+			if (wish_.wants(association, name, !has_shown))
+				++i;
+			else
+			{
+				left_out.push_back({{"name", name},
+				                    {"association", association},
+				                    {"type", vp::grid::numberTypeName(*type)},
+				                    {"components", array->GetNumberOfComponents()},
+				                    {"left_out", true}});
+				fields->RemoveArray(i);
+			}
+			has_shown = true;
+		}
+	};
+	leaveOut(data->GetPointData(), "point");
+	leaveOut(data->GetCellData(), "cell");
+	return data;
 }
 
 json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "array_wish.h"
 #include "array_writer.h"
 #include "cell_lists.h"
 #include "read/protocol.h"
 
 #include <nlohmann/json.hpp>
+#include <vtkSmartPointer.h>
 
 #include <string>
 #include <vector>
@@ -17,8 +19,11 @@ class ManifestWriter
 {
 public:
 	// `refine`: how many times the linear parts of curved cells are halved.
-	explicit ManifestWriter(int refine) : refine_(refine) {}
+	ManifestWriter(int refine, ArrayWish wish) : refine_(refine), wish_(std::move(wish)) {}
 
+	// Reads a file without VTK and adds its block. False, and nothing added, where it is left to VTK. Offers
+	// the file's times too.
+	bool addQuickly(const std::string& file, int threads);
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);
 	// The data sets of polygons in `object` become patches of the boundary, by their names. Any object, and none.
@@ -36,8 +41,11 @@ private:
 	void addDataSet(const std::string& name, vtkDataSet* data);
 	bool describeLattice(vtkDataSet* data, nlohmann::json& block);
 	nlohmann::json describeArrays(vtkDataSet* points, vtkDataSet* cells);
+	vtkSmartPointer<vtkDataSet> withWishedArrays(vtkDataSet* given, nlohmann::json& left_out) const;
+	void addBlock(const std::string& name, nlohmann::json block);
 
 	int refine_;
+	ArrayWish wish_;
 	ArrayWriter writer_{vp::read::kArraysFd};
 	ArrayWriter cell_writer_{vp::read::kCellsFd};
 	nlohmann::json blocks_ = nlohmann::json::array();

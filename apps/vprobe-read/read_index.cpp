@@ -50,14 +50,14 @@ std::string beside(const std::string& index, const std::string& file)
 	return (fs::path(index).parent_path() / file).string();
 }
 
-// A file that an index names, as a data set. It may not be an index itself, so that no circle is followed.
-vtkSmartPointer<vtkDataObject> loadPiece(const Request& request, const std::string& file, ManifestWriter& manifest)
+// A file that an index names. It may not be an index itself, so that no circle is followed.
+Request pieceOf(const Request& request, const std::string& file)
 {
 	Request piece = request;
 	piece.file = beside(request.file, file);
 	if (!fs::is_regular_file(piece.file))
 		throw Refusal(fmt::format("its piece {} cannot be opened; keep them together", piece.file));
-	return loadXml(piece, xmlTypeOfFile(piece.file), manifest);
+	return piece;
 }
 
 void readElements(const Request& request, vtkXMLDataElement* parent, const std::string& path, int depth,
@@ -79,9 +79,9 @@ void readElements(const Request& request, vtkXMLDataElement* parent, const std::
 			const std::string file = attributeOf(element, "file");
 			if (file.empty())
 				continue; // an empty leaf
-			const auto data = loadPiece(request, file, manifest);
 			manifest.setPrefix(full);
-			manifest.add(data);
+			const Request piece = pieceOf(request, file);
+			addXml(piece, xmlTypeOfFile(piece.file), manifest);
 		}
 		else if (kind == "Block" || kind == "Piece" || kind == "Partitions")
 			readElements(request, element, full, depth + 1, manifest);
@@ -151,7 +151,8 @@ void readAmr(const Request& request, const std::string& type, ManifestWriter& ma
 	for (std::size_t level = 0; level < levels.boxes.size(); ++level)
 		for (const AmrBox& box : levels.boxes[level])
 		{
-			const auto data = loadPiece(request, box.file, manifest);
+			const Request piece = pieceOf(request, box.file);
+			const auto data = loadXml(piece, xmlTypeOfFile(piece.file), manifest);
 			auto* image = vtkImageData::SafeDownCast(data);
 			if (!image || !hasCellsOf(box, image))
 				throw damaged(fmt::format("{} is no image of the size that its box has", box.file));

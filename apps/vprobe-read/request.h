@@ -1,5 +1,7 @@
 #pragma once
 
+#include "array_wish.h"
+
 #include <cstddef>
 #include <string>
 
@@ -20,5 +22,7 @@ struct Request
 	double displace = 0.0;      // what Exodus displacements are multiplied with; 0 leaves the points where they are
 	bool patches = false;       // whether the parts of the boundary that the file names are wanted
 	int refine = 0;             // how many times the linear parts of curved cells are halved
+	int threads = 1;            // the most to use
+	ArrayWish arrays;           // those to hand over
 	char** arguments = nullptr; // as the process was started with them
 };

@@ -125,7 +125,7 @@ json describeVisible(ArrayWriter& writer, vtkDataSet* data, const std::array<int
 	    });
 	json cells = {{"types", writer.write(NumberType::uint8, types.data(), types.size())},
 	              {"offsets", writeInt64(writer, std::span<const std::int64_t>(offsets))},
-	              {"connectivity", writeInt64(writer, std::span<const std::int64_t>(connectivity))}};
+	              {"connectivity", writeIds(writer, std::span<const std::int64_t>(connectivity))}};
 	return {{"kind", "unstructured"},
 	        {"points", points},
 	        {"coordinates", writePoints(writer, data)},

@@ -33,6 +33,8 @@ struct Block
 	// Of the file's coordinates and cells, where a file gave them: blocks of one input at two times have the same grid
 	// where this number is the same. 0: not known.
 	std::uint64_t geometry = 0;
+	// The arrays of the file that were not asked for, as "point:NAME" or "cell:NAME" (read::ArrayWish).
+	std::vector<std::string> arrays_left_out{};
 	// Where the grid is a lattice without its hidden cells, and so unstructured: that lattice, whose numbers
 	// sourceCell() and sourcePoint() give.
 	std::optional<Lattice> hidden_lattice;

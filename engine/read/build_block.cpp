@@ -5,13 +5,14 @@
 namespace vp::read
 {
 
-grid::Block buildBlock(CheckedBlock&& checked, std::string name)
+grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies_geometry)
 {
 	grid::Block block;
 	block.name = std::move(name);
 	block.fields = std::move(checked.fields);
 	block.length_units = std::move(checked.length_units);
-	block.geometry = geometryOf(checked);
+	block.geometry = identifies_geometry ? geometryOf(checked) : 0;
+	block.arrays_left_out = std::move(checked.arrays_left_out);
 	block.hidden_lattice = checked.hidden_lattice;
 	std::visit(
 	    [&](auto&& mesh)

@@ -9,7 +9,7 @@ namespace vp::read
 {
 
 // A checked block with its grid, finished (see finishBlock) but for its seams with others. Cells of an unstructured one
-// are listed.
-grid::Block buildBlock(CheckedBlock&& checked, std::string name);
+// are listed. `identifies_geometry`: see ReadOptions.
+grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies_geometry = true);
 
 } // namespace vp::read

@@ -8,8 +8,11 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 
 namespace vp::read
 {
@@ -20,7 +23,9 @@ namespace
 constexpr std::size_t kNone = ~std::size_t(0);
 constexpr std::size_t kGrain = 1 << 16;
 
-// The first i below n for which bad(i) holds, on all cores; kNone where there is none.
+// The first i below n for which bad(i) holds, on all cores; kNone where there is none. There mostly is none: so each
+// range is passed over once without a way out, as the compiler makes it several numbers at a time, and searched only
+// then.
 template <class Bad>
 std::size_t firstWhere(std::size_t n, Bad&& bad)
 {
@@ -28,9 +33,14 @@ std::size_t firstWhere(std::size_t n, Bad&& bad)
 	    tbb::blocked_range<std::size_t>(0, n, kGrain), kNone,
 	    [&](const tbb::blocked_range<std::size_t>& range, std::size_t found)
 	    {
-		    for (std::size_t i = range.begin(); i < range.end() && found == kNone; ++i)
-			    if (bad(i))
-				    found = i;
+		    if (found != kNone)
+			    return found;
+		    unsigned any = 0;
+		    for (std::size_t i = range.begin(); i < range.end(); ++i)
+			    any |= static_cast<unsigned>(bad(i));
+		    if (any)
+			    for (found = range.begin(); !bad(found);)
+				    ++found;
 		    return found;
 	    },
 	    [](std::size_t a, std::size_t b) { return std::min(a, b); });
@@ -41,7 +51,7 @@ void checkOffsets(const Array<std::int64_t>& offsets, std::size_t end, const cha
 	if (offsets[0] != 0 || offsets[offsets.size() - 1] != static_cast<std::int64_t>(end))
 		throw Unusable(fmt::format("the {} offsets do not match what they point into", what));
 	const std::size_t falls =
-	    firstWhere(offsets.size() - 1, [&](std::size_t c) { return offsets[c] > offsets[c + 1]; });
+	    firstWhere(offsets.size() - 1, [at = offsets.data()](std::size_t c) { return at[c] > at[c + 1]; });
 	if (falls != kNone)
 		throw Unusable(fmt::format("the {} offsets fall at cell {}", what, falls));
 }
@@ -69,13 +79,15 @@ bool isPolyhedron(std::span<const std::int64_t> stream, std::size_t points)
 
 void checkCoordinates(const grid::Points& points)
 {
-	const auto lies_nowhere = [&](std::size_t p)
+	std::size_t bad = kNone;
+	if (points.isDouble())
+		bad = firstWhere(3 * points.size(), [at = points.doubles()](std::size_t i) { return !isPlace(at[i]); });
+	else // all finite numbers of this type are places
+		bad = firstWhere(3 * points.size(), [at = points.floats()](std::size_t i)
+		                 { return !(std::abs(at[i]) <= std::numeric_limits<float>::max()); });
+	if (bad != kNone)
 	{
-		const Vec3 at = points[p];
-		return !isPlace(at.x) || !isPlace(at.y) || !isPlace(at.z);
-	};
-	if (const std::size_t bad = firstWhere(points.size(), lies_nowhere); bad != kNone)
-	{
+		bad /= 3;
 		const Vec3 at = points[bad];
 		const bool finite = std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z);
 		throw Unusable(
@@ -105,7 +117,8 @@ void checkAlike(const grid::CellList& cells)
 	if (wanted == 0 || cells.connectivity.size() / wanted != cells.size() || cells.connectivity.size() % wanted != 0)
 		throw Unusable(
 		    fmt::format("{} cells of type {} list {} points", cells.size(), type, cells.connectivity.size()));
-	if (const std::size_t bad = firstWhere(cells.size(), [&](std::size_t c) { return cells.types[c] != type; });
+	if (const std::size_t bad =
+	        firstWhere(cells.size(), [types = cells.types.data(), type](std::size_t c) { return types[c] != type; });
 	    bad != kNone)
 		throw Unusable(fmt::format("cell {} of type {} lists no points", bad, cells.types[bad]));
 }
@@ -113,12 +126,19 @@ void checkAlike(const grid::CellList& cells)
 void checkTypes(const grid::CellList& cells)
 {
 	checkOffsets(cells.offsets, cells.connectivity.size(), "cell");
-	const auto bad_type = [&](std::size_t c)
+	// Per type: how many points its cells list, 0 for any number, -1 where there may be no such cell.
+	std::array<int, 256> sizes;
+	for (std::size_t t = 0; t < sizes.size(); ++t)
 	{
-		const std::uint8_t type = cells.types[c];
-		const int wanted = slicedCellSize(type);
-		return wanted > 0 ? cells.offsets[c + 1] - cells.offsets[c] != wanted
-		                  : type != kPolyhedron && (cellDimension(type) < 0 || cellDimension(type) > 2);
+		const auto type = static_cast<std::uint8_t>(t);
+		const int dimension = cellDimension(type);
+		const bool may_be = canBeSliced(type) || (dimension >= 0 && dimension < 3);
+		sizes[t] = may_be ? slicedCellSize(type) : -1;
+	}
+	const auto bad_type = [&sizes, types = cells.types.data(), offsets = cells.offsets.data()](std::size_t c)
+	{
+		const int wanted = sizes[types[c]];
+		return (wanted != 0) & (offsets[c + 1] - offsets[c] != wanted);
 	};
 	if (const std::size_t bad = firstWhere(cells.types.size(), bad_type); bad != kNone)
 		throw Unusable(fmt::format("cell {} of type {} lists {} points", bad, cells.types[bad],
@@ -133,12 +153,14 @@ void checkCells(const grid::CellList& cells, std::size_t points)
 	cells.connectivity.as(
 	    [&](auto ids)
 	    {
-		    const auto outside = [&](std::size_t i) { return static_cast<std::uint64_t>(ids[i]) >= points; };
+		    using Id = std::make_unsigned_t<typename decltype(ids)::value_type>;
+		    const auto end = static_cast<Id>(points); // below 2^32
+		    const auto outside = [at = ids.data(), end](std::size_t i) { return static_cast<Id>(at[i]) >= end; };
 		    if (const std::size_t bad = firstWhere(ids.size(), outside); bad != kNone)
 			    throw Unusable(fmt::format("a cell lists point {} of {}", ids[bad], points));
 	    });
 
-	const auto is_polyhedron = [&](std::size_t c) { return cells.types[c] == kPolyhedron; };
+	const auto is_polyhedron = [types = cells.types.data()](std::size_t c) { return types[c] == kPolyhedron; };
 	if (cells.face_offsets.empty())
 	{
 		if (firstWhere(cells.types.size(), is_polyhedron) != kNone)

@@ -4,6 +4,7 @@
 #include "read/reader_process.h"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cctype>
@@ -80,6 +81,16 @@ std::string timeArgument(const TimeChoice& time)
 	}
 }
 
+std::string wishArgument(const ArrayWish& wish)
+{
+	if (wish.all)
+		return "*";
+	std::string lines = wish.first ? "^" : "";
+	for (const std::string& name : wish.names)
+		lines += "\n=" + name;
+	return lines;
+}
+
 rlimit limitOf(std::uint64_t value, int resource)
 {
 	rlimit limit = {};
@@ -118,8 +129,11 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	ChildSetup setup = {};
 	setup.program = program->c_str();
 	std::string patches = options.patches ? "1" : "0";
-	setup.arguments = {name.data(),     time.data(),    solution.data(), refine.data(),
-	                   displace.data(), patches.data(), path.data(),     nullptr};
+	std::string threads =
+	    std::to_string(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+	std::string wish = wishArgument(options.arrays);
+	setup.arguments = {name.data(),    time.data(),    solution.data(), refine.data(), displace.data(),
+	                   patches.data(), threads.data(), wish.data(),     path.data(),   nullptr};
 	setup.null = null.get();
 	setup.errors = errors.write_end.get();
 	setup.arrays = arrays.get();

@@ -1,15 +1,21 @@
 #include "read/geometry.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
+#include <span>
+#include <vector>
 
 namespace vp::read
 {
 
 namespace
 {
+
+constexpr std::size_t kChunkBytes = 1 << 20;
 
 // Multiplies and folds eight bytes at a time, four in step.
 class Mixer
@@ -18,7 +24,7 @@ public:
 	void add(std::uint64_t word)
 	{
 		std::uint64_t& lane = lanes_[next_++ & 3];
-		lane = std::rotl((lane ^ word) * 0x9E3779B97F4A7C15ull, 29) * 0xBF58476D1CE4E5B9ull;
+		lane = mixed(lane, word);
 	}
 	void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
 	void add(const Vec3& v)
@@ -26,18 +32,21 @@ public:
 		for (int axis = 0; axis < 3; ++axis)
 			add(v[axis]);
 	}
+	// Chunks on all cores, then what they came to.
 	template <class T>
 	void add(const T* numbers, std::size_t count)
 	{
 		add(std::uint64_t(count));
-		const auto* bytes = reinterpret_cast<const std::byte*>(numbers);
-		const std::size_t size = count * sizeof(T);
-		for (std::size_t at = 0; at < size; at += sizeof(std::uint64_t))
-		{
-			std::uint64_t word = 0;
-			std::memcpy(&word, bytes + at, std::min(sizeof(word), size - at));
-			add(word);
-		}
+		const std::span<const std::byte> bytes = std::as_bytes(std::span(numbers, count));
+		std::vector<std::uint64_t> values((bytes.size() + kChunkBytes - 1) / kChunkBytes);
+		tbb::parallel_for(std::size_t(0), values.size(),
+		                  [&](std::size_t chunk)
+		                  {
+			                  const auto rest = bytes.subspan(chunk * kChunkBytes);
+			                  values[chunk] = valueOf(rest.first(std::min(rest.size(), kChunkBytes)));
+		                  });
+		for (const std::uint64_t value : values)
+			add(value);
 	}
 	template <class T>
 	void add(const Array<T>& array)
@@ -59,6 +68,27 @@ public:
 	}
 
 private:
+	static std::uint64_t mixed(std::uint64_t lane, std::uint64_t word)
+	{
+		return std::rotl((lane ^ word) * 0x9E3779B97F4A7C15ull, 29) * 0xBF58476D1CE4E5B9ull;
+	}
+	static std::uint64_t valueOf(std::span<const std::byte> bytes)
+	{
+		Mixer mixer;
+		std::array<std::uint64_t, 4> words;
+		for (; bytes.size() >= sizeof words; bytes = bytes.subspan(sizeof words))
+		{
+			std::memcpy(words.data(), bytes.data(), sizeof words);
+			for (int lane = 0; lane < 4; ++lane)
+				mixer.lanes_[lane] = mixed(mixer.lanes_[lane], words[lane]);
+		}
+		words = {};
+		std::copy(bytes.begin(), bytes.end(), std::as_writable_bytes(std::span(words)).begin());
+		for (const std::uint64_t word : words)
+			mixer.add(word);
+		return mixer.value();
+	}
+
 	std::uint64_t lanes_[4] = {1, 2, 3, 4};
 	std::size_t next_ = 0;
 };

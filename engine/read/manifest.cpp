@@ -272,6 +272,11 @@ private:
 			const std::string association = array.at("association").get<std::string>();
 			if (association != "point" && association != "cell")
 				throw Unusable("an array belongs to neither points nor cells");
+			if (array.contains("left_out"))
+			{
+				checked.arrays_left_out.push_back(association + ":" + field.name);
+				continue;
+			}
 			field.association = association == "point" ? grid::Association::point : grid::Association::cell;
 			const std::uint64_t components = countOf(array.at("components"));
 			if (components < 1 || components > kMaxComponents)

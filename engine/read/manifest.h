@@ -33,6 +33,7 @@ struct CheckedBlock
 	std::vector<grid::Field> fields;
 	std::string length_units{};
 	std::optional<grid::Lattice> hidden_lattice; // see grid::Block
+	std::vector<std::string> arrays_left_out{};  // likewise
 };
 
 // What a child handed over, as far as it holds good.

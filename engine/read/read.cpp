@@ -57,7 +57,7 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	for (CheckedBlock& block : input->blocks)
 	{
 		std::string name = block.name.empty() ? stem : fmt::format("{}: {}", stem, block.name);
-		set.blocks.push_back(buildBlock(std::move(block), std::move(name)));
+		set.blocks.push_back(buildBlock(std::move(block), std::move(name), options.identifies_geometry));
 	}
 	if (!input->patches.empty())
 	{

@@ -37,6 +37,17 @@ std::size_t timeIndex(const std::vector<double>& times, const TimeChoice& choice
 // "last", "first", a number, or # and an index; a usage error otherwise.
 Result<TimeChoice> parseTime(const std::string& text);
 
+// Which arrays of points and cells are read. The others are named in grid::Block::arrays_left_out.
+struct ArrayWish
+{
+	bool all = true;
+	// Where not all: those with one of these names, which may have "point:" or "cell:" in front.
+	std::vector<std::string> names{};
+	// And the one that is shown where none is named: each block's first point array, or its first cell array where it
+	// has no point arrays.
+	bool first = false;
+};
+
 struct ReadOptions
 {
 	TimeChoice time;
@@ -49,17 +60,19 @@ struct ReadOptions
 	// and grid::buildNeighbors() is left to the caller. Not where patches are read, whose faces are looked for.
 	bool builds_neighbors = true;
 	std::stop_token stop{}; // asked to stop, reading ends with an error
+	ArrayWish arrays{};
+	// Finds Block::geometry, which readFields() and readValues() compare: where it is not known, they find that the
+	// grids are others.
+	bool identifies_geometry = true;
 };
 
 constexpr int kMaxRefine = 6;
 
 // Reads every input (a file, or demo:NAME[:N]) into one block set, finished (see finishBlock, matchInterfaces).
-// `builds_neighbors` says more. A file
-// is read by VTK in a child process (vprobe-read, beside the program or in its libexec folder) which hands its arrays
-// over in shared memory; sizes, types, offsets and ids are checked here before anything uses them. A file that is
-// missing, empty, truncated, foreign or damaged, or a child that crashes, runs out of memory or out of time, is an
-// input error that names the file. Sections "read", "build" and "adjacency" go
-// to the timeline.
+// `builds_neighbors` says more. A file is read in a child process (vprobe-read, beside the program or in its libexec
+// folder) which hands its arrays over in shared memory; sizes, types, offsets and ids are checked here before anything
+// uses them. A file that is missing, empty, truncated, foreign or damaged, or a child that crashes, runs out of memory
+// or out of time, is an input error that names the file. Sections "read", "build" and "adjacency" go to the timeline.
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,
                                   Timeline* timeline);
 

@@ -4,6 +4,7 @@
 #include "sample_files.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <chrono>
 #include <filesystem>
@@ -112,13 +113,15 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	options.solution = "some.q";
 	options.refine = 3;
 	options.patches = true;
+	options.arrays = {false, {"p", "cell:q"}, true};
+	const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
 	constexpr int leaked = 50;
 	ASSERT_EQ(dup2(STDERR_FILENO, leaked), leaked);
 	const auto handed =
-	    run("echo \"$1|$2|$3|$4|$5|$6\" >&4; [ -e /proc/$$/fd/50 ] && echo leaked >&4; exit 0", options);
+	    run("echo \"$1|$2|$3|$4|$5|$6|$7|$8\" >&4; [ -e /proc/$$/fd/50 ] && echo leaked >&4; exit 0", options);
 	close(leaked);
 	ASSERT_TRUE(handed) << handed.error().message;
-	EXPECT_EQ(handed->manifest, "2.5|some.q|3|0.5|1|" + input_ + "\n");
+	EXPECT_EQ(handed->manifest, "2.5|some.q|3|0.5|1|1|^\n=p\n=cell:q|" + input_ + "\n");
 }
 
 TEST(ReaderProgram, ThatIsMissingIsNoInputError)

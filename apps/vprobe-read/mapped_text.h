@@ -1,0 +1,45 @@
+#pragma once
+
+#include "refusal.h"
+
+#include <fmt/format.h>
+
+#include <new>
+#include <string>
+#include <string_view>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+// All of a file, mapped to be read.
+class MappedText
+{
+public:
+	explicit MappedText(const std::string& file)
+	{
+		struct stat about;
+		const int fd = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+		if (fd < 0 || fstat(fd, &about) != 0)
+			throw Refusal(fmt::format("its piece {} cannot be opened; keep them together", file));
+		size_ = static_cast<std::size_t>(about.st_size);
+		at_ = size_ ? mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, fd, 0) : nullptr;
+		close(fd);
+		if (at_ == MAP_FAILED)
+			throw std::bad_alloc();
+	}
+	~MappedText()
+	{
+		if (at_)
+			munmap(at_, size_);
+	}
+	MappedText(const MappedText&) = delete;
+	MappedText& operator=(const MappedText&) = delete;
+
+	std::string_view text() const { return {static_cast<const char*>(at_), size_}; }
+
+private:
+	void* at_ = nullptr;
+	std::size_t size_ = 0;
+};

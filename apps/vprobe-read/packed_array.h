@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+// Thrown where a file holds what the quick way does not take. VTK then reads it, or says what is wrong with it.
+struct NotQuick
+{
+};
+
+// Memory that a thread uses again and again.
+struct Scratch
+{
+	std::vector<std::byte> unpacked;
+	std::vector<std::byte> packed;
+	std::vector<char> letters;
+};
+
+// Bytes of a file, as they are or written as base64.
+class ByteSource
+{
+public:
+	ByteSource() = default;
+	ByteSource(int file, std::uint64_t begin, std::uint64_t end, bool is_base64)
+	    : file_(file), begin_(begin), end_(end), is_base64_(is_base64)
+	{
+	}
+
+	// No fewer than there are.
+	std::uint64_t size() const { return is_base64_ ? (end_ - begin_) / 4 * 3 : end_ - begin_; }
+	// What follows so many bytes of the file. Throws NotQuick past the end.
+	ByteSource from(std::uint64_t file_bytes) const;
+	// What follows bytes that were written as base64 by themselves.
+	ByteSource behind(std::uint64_t bytes) const { return from(is_base64_ ? (bytes + 2) / 3 * 4 : bytes); }
+	// Throws NotQuick where there are fewer bytes, or other letters than base64 has.
+	void read(std::uint64_t at, std::span<std::byte> to, Scratch& scratch) const;
+
+private:
+	void readFile(std::uint64_t at, std::span<std::byte> to) const;
+
+	int file_ = -1;
+	std::uint64_t begin_ = 0;
+	std::uint64_t end_ = 0;
+	bool is_base64_ = false;
+};
+
+enum class Codec
+{
+	none,
+	zlib,
+	lz4,
+	lzma
+};
+
+struct Packing
+{
+	Codec codec = Codec::none;
+	std::size_t word_bytes = 4; // of the numbers in front of an array
+};
+
+// One array of a VTK XML file: numbers that say how it is packed, then its bytes, in blocks where they are compressed.
+class PackedArray
+{
+public:
+	// Reads the numbers in front. Every size is held against that of the file. Throws NotQuick.
+	PackedArray(const ByteSource& source, const Packing& packing, Scratch& scratch);
+
+	std::uint64_t size() const { return size_; } // bytes, unpacked
+	// It comes apart into parts of this many bytes, unpacked, but for the last one.
+	std::size_t partBytes() const { return part_bytes_; }
+	std::size_t partCount() const { return static_cast<std::size_t>((size_ + part_bytes_ - 1) / part_bytes_); }
+	// The first bytes of a part, no more than `most`. They stay until the scratch memory is used again. Throws NotQuick
+	// for damaged data.
+	std::span<const std::byte> part(std::size_t index, std::uint64_t most, Scratch& scratch) const;
+
+private:
+	void readBlockSizes(const ByteSource& source, const Packing& packing, Scratch& scratch);
+
+	ByteSource bytes_;
+	Codec codec_ = Codec::none;
+	std::uint64_t size_ = 0;
+	std::size_t part_bytes_ = 1;
+	std::size_t block_bytes_ = 0;
+	std::size_t last_block_bytes_ = 0;
+	std::vector<std::uint64_t> block_starts_; // compressed; one more than blocks
+};

@@ -1,0 +1,6 @@
+#pragma once
+
+#include "packed_array.h"
+
+// Unpacks one block. False unless it fills `to` exactly.
+bool unpack(Codec codec, std::span<const std::byte> packed, std::span<std::byte> to);

@@ -1,0 +1,173 @@
+#include "xml_tree.h"
+
+#include <expat.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace
+{
+
+constexpr std::size_t kMaxXmlDepth = 16;
+constexpr std::size_t kMaxElements = 1 << 18;
+constexpr std::size_t kMaxShortText = 4096;
+constexpr std::size_t kMaxElementBytes = 64u << 20;
+
+// The elements of a file without the long texts between them, and where each rest of it came from.
+class Abridged
+{
+public:
+	explicit Abridged(std::string_view text)
+	{
+		for (std::size_t at = 0; at < text.size();)
+		{
+			const std::size_t tag = std::min(text.find('<', at), text.size());
+			if (tag - at > kMaxShortText)
+				at = tag;
+			const std::size_t end = std::min(text.find('>', tag), text.size() - 1) + 1;
+			take(text, at, std::max(end, tag));
+			at = std::max(end, tag);
+		}
+	}
+
+	const std::string& text() const { return text_; }
+	void append(std::string_view words) { text_ += words; }
+	std::uint64_t placeOf(std::uint64_t at) const
+	{
+		const auto above = std::upper_bound(cuts_.begin(), cuts_.end(), at,
+		                                    [](std::uint64_t wanted, const Cut& cut) { return wanted < cut.at; });
+		return above == cuts_.begin() ? at : above[-1].place + (at - above[-1].at);
+	}
+
+private:
+	struct Cut
+	{
+		std::uint64_t at;    // in the abridged text
+		std::uint64_t place; // in the file
+	};
+	void take(std::string_view text, std::size_t begin, std::size_t end)
+	{
+		if (begin != taken_)
+			cuts_.push_back({text_.size(), begin});
+		text_ += text.substr(begin, end - begin);
+		taken_ = end;
+	}
+
+	std::string text_;
+	std::vector<Cut> cuts_;
+	std::size_t taken_ = 0;
+};
+
+class TreeBuilder
+{
+public:
+	explicit TreeBuilder(const Abridged& text) : text_(text), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {}
+
+	bool build(XmlElement& root)
+	{
+		if (!parser_)
+			throw std::bad_alloc();
+		path_ = {&root};
+		XML_SetUserData(parser_.get(), this);
+		XML_SetElementHandler(parser_.get(), onStart, onEnd);
+		XML_SetCharacterDataHandler(parser_.get(), onText);
+		XML_SetStartDoctypeDeclHandler(parser_.get(), onDoctype);
+		const std::string& text = text_.text();
+		return XML_Parse(parser_.get(), text.data(), static_cast<int>(text.size()), XML_TRUE) == XML_STATUS_OK;
+	}
+
+private:
+	std::uint64_t place() const
+	{
+		return static_cast<std::uint64_t>(std::max<XML_Index>(XML_GetCurrentByteIndex(parser_.get()), 0));
+	}
+	void stop() { XML_StopParser(parser_.get(), XML_FALSE); }
+
+	static void onStart(void* self, const XML_Char* name, const XML_Char** attributes)
+	{
+		auto& builder = *static_cast<TreeBuilder*>(self);
+		if (builder.path_.size() > kMaxXmlDepth || ++builder.elements_ > kMaxElements)
+			return builder.stop();
+		// A parent's list grows only while none of its children is open, so the pointers in the path hold.
+		XmlElement& element = builder.path_.back()->children.emplace_back();
+		element.name = name;
+		for (; attributes[0]; attributes += 2)
+			element.attributes.emplace_back(attributes[0], attributes[1]);
+		const auto tag_bytes = static_cast<std::uint64_t>(XML_GetCurrentByteCount(builder.parser_.get()));
+		// The text behind a tag may have been left out, so the place is that of the tag's last byte and one more.
+		element.content_begin = builder.text_.placeOf(builder.place() + std::max<std::uint64_t>(tag_bytes, 1) - 1) + 1;
+		builder.path_.push_back(&element);
+	}
+	static void onEnd(void* self, const XML_Char*)
+	{
+		auto& builder = *static_cast<TreeBuilder*>(self);
+		builder.path_.back()->content_end = builder.text_.placeOf(builder.place());
+		builder.path_.pop_back();
+	}
+	static void onText(void* self, const XML_Char* text, int size)
+	{
+		std::string& kept = static_cast<TreeBuilder*>(self)->path_.back()->text;
+		if (kept.size() < kMaxShortText)
+			kept.append(text, static_cast<std::size_t>(size));
+	}
+	static void onDoctype(void* self, const XML_Char*, const XML_Char*, const XML_Char*, int)
+	{
+		static_cast<TreeBuilder*>(self)->stop();
+	}
+
+	const Abridged& text_;
+	std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
+	std::vector<XmlElement*> path_;
+	std::size_t elements_ = 0;
+};
+
+} // namespace
+
+std::string_view XmlElement::attribute(std::string_view wanted) const
+{
+	for (const auto& [key, value] : attributes)
+		if (key == wanted)
+			return value;
+	return {};
+}
+
+bool XmlElement::has(std::string_view wanted) const
+{
+	return std::any_of(attributes.begin(), attributes.end(), [&](const auto& each) { return each.first == wanted; });
+}
+
+std::optional<XmlFile> parseXml(std::string_view text)
+{
+	XmlFile file;
+	// What is appended need not be XML. VTK's parser also stops at the first such tag.
+	const std::size_t appended = text.find("<AppendedData");
+	std::string_view elements = text;
+	if (appended != text.npos)
+	{
+		const std::size_t tag_end = text.find('>', appended);
+		const std::size_t mark = tag_end == text.npos ? text.npos : text.find('_', tag_end);
+		const std::size_t end = text.rfind("</AppendedData");
+		if (mark == text.npos || end == text.npos || end <= mark)
+			return std::nullopt;
+		elements = text.substr(0, tag_end + 1);
+		file.appended_begin = mark + 1;
+		file.appended_end = end;
+	}
+	Abridged abridged(elements);
+	if (appended != text.npos)
+		abridged.append("</AppendedData></VTKFile>");
+	if (abridged.text().size() > kMaxElementBytes)
+		return std::nullopt;
+	XmlElement top;
+	if (!TreeBuilder(abridged).build(top) || top.children.size() != 1)
+		return std::nullopt;
+	file.root = std::move(top.children.front());
+	if (appended != text.npos)
+	{
+		const XmlElement& last = file.root.children.back();
+		if (last.name != "AppendedData")
+			return std::nullopt;
+		file.appended_encoding = last.attribute("encoding");
+	}
+	return file;
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+// An element of a VTK XML file, without the data of its arrays.
+struct XmlElement
+{
+	std::string name;
+	std::vector<std::pair<std::string, std::string>> attributes;
+	std::vector<XmlElement> children;
+	std::string text;                // where it is short
+	std::uint64_t content_begin = 0; // what stands between its tags, by its place in the file
+	std::uint64_t content_end = 0;
+
+	// Empty where the element has no such attribute.
+	std::string_view attribute(std::string_view wanted) const;
+	bool has(std::string_view wanted) const;
+};
+
+struct XmlFile
+{
+	XmlElement root;
+	// The bytes of <AppendedData>, from behind the underscore. None where the encoding is empty.
+	std::string appended_encoding;
+	std::uint64_t appended_begin = 0;
+	std::uint64_t appended_end = 0;
+};
+
+// Parses the elements of a file. The data of arrays, appended or not, are passed over. Nothing where the text is not
+// well formed, or has what no writer of these files makes: a document type, or elements that are nested deeply.
+std::optional<XmlFile> parseXml(std::string_view text);
