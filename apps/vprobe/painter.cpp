@@ -91,7 +91,9 @@ Status Painter::setLook(const ProbeOptions& options, LookChoice choice)
 Result<Painter> Painter::create(Session& session, const ProbeOptions& options, LookChoice choice)
 {
 	choice.window_rims = drawsRims(options);
-	Result<render::Renderer> renderer = render::Renderer::create(*session.device);
+	Result<render::Renderer> renderer =
+	    session.renderer ? std::move(*session.renderer) : render::Renderer::create(*session.device);
+	session.renderer.reset();
 	if (!renderer)
 		return renderer.error();
 	Painter painter(session, {session, options.inputs, std::move(choice)}, std::move(*renderer));

@@ -30,6 +30,8 @@ struct ProbeOptions
 	bool crinkle = false;               // the cells that are cut, whole
 	bool reads_patches = false;         // no option: another one needs them
 	bool may_scan = false;              // no option: the first cut may do without neighbors, see needsNeighbors()
+	bool reads_all_arrays = true;       // no option: not only those that are shown
+	bool reads_again = true;            // no option: the inputs may be read at other times
 	std::optional<int> vanes;
 	std::vector<double> offsets;
 	std::optional<int> sheets;

@@ -31,6 +31,8 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
 	options.saved.probe.may_scan = !needsNeighbors(options.saved.look);
+	options.saved.probe.reads_all_arrays = false;
+	options.saved.probe.reads_again = false;
 	if (options.saved.probe.explain)
 		return explain(options.saved.probe, options.saved.look.color_by == "generation");
 	if (Status place = checkWritable(options.stats); !place)

@@ -70,22 +70,6 @@ Status chooseSheetFields(const ProbeOptions& options, Session& session)
 	return Nothing{};
 }
 
-// The device, where one is wanted. None is an error where it is asked for by name, draws, or must classify; otherwise
-// the CPU does the work.
-Result<std::unique_ptr<gpu::Device>> openDevice(const ProbeOptions& options, DeviceUse use)
-{
-	const bool needed = use == DeviceUse::draw || options.classify == "gpu" || !options.device.empty();
-	const bool may_classify = options.classify == "auto" && !leavesDeviceIdle(options);
-	if (use == DeviceUse::classify && (options.classify == "cpu" || (!needed && !may_classify)))
-		return std::unique_ptr<gpu::Device>();
-	// A software device would share the CPU's cores, and is not worth the time that it takes to open.
-	Result<std::unique_ptr<gpu::Device>> device =
-	    gpu::Device::create({.name_or_index = options.device, .hardware_only = !needed});
-	if (device || needed)
-		return device;
-	return std::unique_ptr<gpu::Device>();
-}
-
 // auto takes what is faster on the fronts to come, which was measured on a part of the grid: all sheets go to the
 // device at once, and a plane cuts some N^(2/3) of N cells. Chosen once, since a device must be given the whole grid
 // first.
@@ -119,9 +103,36 @@ bool classifiesOnGpu(const ProbeOptions& options, Session& session)
 
 } // namespace
 
+namespace
+{
+
+// Those that are shown, where no others are wanted. Vectors have colors by any array, and start with the first that
+// fits.
+read::ArrayWish wishedArrays(const ProbeOptions& options)
+{
+	if (options.reads_all_arrays || options.vectors.on())
+		return {};
+	read::ArrayWish wish{.all = false, .names = {}, .first = options.array.empty()};
+	if (!options.array.empty())
+		wish.names.push_back(options.array);
+	if (!options.vectors.array.empty())
+		wish.names.push_back(options.vectors.array);
+	if (options.own_probe)
+		for (const probe::Sheet& sheet : options.own_probe->probe.sheets)
+			if (sheet.wishes.array)
+				wish.names.push_back(*sheet.wishes.array);
+	return wish;
+}
+
+} // namespace
+
 read::ReadOptions readOptions(const ProbeOptions& options, const read::TimeChoice& time)
 {
-	return {time, options.solution, options.refine, options.displace, options.reads_patches || namesPatch(options)};
+	read::ReadOptions reading{time, options.solution, options.refine, options.displace,
+	                          options.reads_patches || namesPatch(options)};
+	reading.arrays = wishedArrays(options);
+	reading.identifies_geometry = options.reads_again || options.vectors.path_lines;
+	return reading;
 }
 
 bool needsNeighbors(const ProbeOptions& options)
@@ -244,6 +255,9 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 		return fits.error();
 	if (auto threshold = parseThreshold(options.threshold); !threshold)
 		return threshold.error();
+	std::future<Result<OpenedDevice>> opening;
+	if (!device)
+		opening = openDevice(options, use);
 	Result<grid::BlockSet> blocks = [&]
 	{
 		const Progress progress(fmt::format("reading {}", fmt::join(options.inputs, ", ")));
@@ -259,12 +273,13 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 		return chosen.error();
 
 	session->device = std::move(device);
-	if (!session->device)
+	if (opening.valid())
 	{
-		Result<std::unique_ptr<gpu::Device>> opened = openDevice(options, use);
+		Result<OpenedDevice> opened = opening.get();
 		if (!opened)
 			return opened.error();
-		session->device = std::move(*opened);
+		session->device = std::move(opened->device);
+		session->renderer = std::move(opened->renderer);
 	}
 	// The device goes by generations, as the paper does, unless it is left to choose what is fastest.
 	if (options.classify == "gpu" && session->device && !leavesDeviceIdle(options))

@@ -8,6 +8,7 @@
 #include "grid/block.h"
 #include "grid/field_choice.h"
 #include "measure/finite_fields.h"
+#include "open_device.h"
 #include "probe/probe.h"
 #include "probe_options.h"
 #include "read/read.h"
@@ -48,17 +49,12 @@ struct Session
 	find::Finder finder = find::Finder::automatic;
 	std::optional<find::Strategy> strategy; // asked for by name
 	find::VisitedSet visited = find::VisitedSet::stamps;
-	std::shared_ptr<gpu::Device> device; // null where the CPU does without
+	std::shared_ptr<gpu::Device> device;      // null where the CPU does without
+	std::optional<render::Renderer> renderer; // for who draws first, where it was made beside reading
 	std::unique_ptr<cut::Cutter> cutter;
 	std::optional<classify::BreakEven> break_even; // measured where --classify auto has a device to choose
 	std::unique_ptr<measure::FiniteFields> finite_fields = std::make_unique<measure::FiniteFields>();
 	std::unique_ptr<Timeline> timeline;
-};
-
-enum class DeviceUse
-{
-	classify, // a device is wanted for the GPU classifier only
-	draw      // a device is needed in any case
 };
 
 // Reads the inputs and builds the rest. Nothing is written before this has succeeded. device: one that is open; null

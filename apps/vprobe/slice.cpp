@@ -103,6 +103,9 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 	if (Status one = requireOneSurface(options.saved.probe); !one)
 		return one.error();
 	options.saved.probe.may_scan = !needsNeighbors(options.saved.look);
+	// Polygons are written with every array; and where arrays jump between blocks, vertices are not joined.
+	options.saved.probe.reads_all_arrays = !namesPictures(options.output);
+	options.saved.probe.reads_again = false;
 	if (options.saved.probe.explain)
 		return explain(options.saved.probe);
 	if (options.output == "-" && options.stats == "-")

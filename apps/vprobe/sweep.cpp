@@ -121,6 +121,7 @@ Result<ExitCode> runSweep(SweepOptions& options)
 	if (Status ready = prepare(options.saved); !ready)
 		return ready.error();
 	options.saved.probe.may_scan = !needsNeighbors(options.saved.look);
+	options.saved.probe.reads_all_arrays = options.exports(); // polygons are written with every array
 	if (options.saved.probe.explain)
 		return explain(options.saved.probe, options.saved.look.color_by == "generation");
 	if (Status place = checkWritable(options.stats); !place)

@@ -46,13 +46,18 @@ const grid::Field* firstField(const grid::BlockSet& blocks)
 std::string listFields(const grid::BlockSet& blocks)
 {
 	std::vector<std::string> names;
+	const auto add = [&](std::string name)
+	{
+		if (std::find(names.begin(), names.end(), name) == names.end())
+			names.push_back(std::move(name));
+	};
 	for (const grid::Block& block : blocks.blocks)
+	{
 		for (const grid::Field& field : block.fields)
-		{
-			std::string name = fmt::format("{}:{}", grid::associationName(field.association), field.name);
-			if (std::find(names.begin(), names.end(), name) == names.end())
-				names.push_back(std::move(name));
-		}
+			add(fmt::format("{}:{}", grid::associationName(field.association), field.name));
+		for (const std::string& name : block.arrays_left_out)
+			add(name);
+	}
 	return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
