@@ -169,6 +169,19 @@ Status makeCutter(Session& session, const ProbeOptions& options)
 	return Nothing{};
 }
 
+namespace
+{
+
+// Whether seeds from every row serve as well as those that a search would have.
+bool isPlain(const ProbeOptions& options)
+{
+	return options.threshold.empty() && options.window.empty() && !options.own_probe && !options.surface &&
+	       options.seeds == "auto" && options.outside == "nearest" && options.visited.empty() &&
+	       options.classify != "gpu" && (options.strategy.empty() || options.strategy == "spans");
+}
+
+} // namespace
+
 Status choose(Session& session, const ProbeOptions& options)
 {
 	session.seeds = seedOptions(options);
@@ -264,6 +277,7 @@ Result<std::unique_ptr<Session>> openSession(const ProbeOptions& options, Device
 		read::ReadOptions reading = readOptions(options, *time);
 		reading.stop = stop;
 		reading.builds_neighbors = !options.may_scan || needsNeighbors(options);
+		reading.for_one_cut = !reading.builds_neighbors && !options.reads_again && isPlain(options);
 		return read::readInputs(options.inputs, reading, session->timeline.get());
 	}();
 	if (!blocks)

@@ -38,6 +38,11 @@ bool hasNeighbors(const BlockSet& blocks)
 	return std::ranges::all_of(blocks.blocks, [](const Block& block) { return hasNeighbors(block); });
 }
 
+bool knowsSeams(const BlockSet& blocks)
+{
+	return blocks.matches_seams && hasNeighbors(blocks);
+}
+
 const BlockTree& treeOf(const Block& block)
 {
 	return std::visit([&](const auto& grid) -> const BlockTree& { return block.tree->over(grid); }, block.grid);

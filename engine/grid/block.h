@@ -44,6 +44,7 @@ struct Block
 	BoundaryIndex boundary;
 	std::vector<CellId> vantage;  // cells from which fence hopping starts: side centers, or spread boundary cells
 	std::vector<CellId> inverted; // where the grid may be folded: they can close off a piece, so they seed (folds.h)
+	bool knows_folds = true;      // else a curvilinear grid: seeds come from every row (seed/row_seeds.h)
 	BlockTree inverted_tree;      // over those
 	std::shared_ptr<LazyBlockTree> tree;         // over all cells, for treeOf()
 	std::shared_ptr<LazyCellPlaces> cell_places; // of a hidden lattice, for latticeCellsOf()
@@ -51,7 +52,10 @@ struct Block
 
 // The order of a curvilinear grid's axes (lattice_axes.h), categorical fields, bounds, boundary index, vantage points
 // and inverted cells, on all cores. Of a listed grid, which has no neighbors, only categorical fields and bounds.
-void finishBlock(Block& block);
+//
+// for_one_cut: a curvilinear grid stays in the order of its file, and folds are not looked for. That takes longer than
+// a cut without either.
+void finishBlock(Block& block, bool for_one_cut = false);
 
 /// Whether the cells of the block know their neighbors: the grid is not a listed one (unstructured.h).
 bool hasNeighbors(const Block& block);
@@ -70,6 +74,7 @@ struct BlockSet
 	std::vector<double> times;  // that the input offers, ascending; empty where it knows no time
 	std::size_t left_out = 0;   // cells of dimension below three
 	Interfaces interfaces;      // built by matchInterfaces(), once all blocks are finished
+	bool matches_seams = true;  // else nobody will call that
 	std::vector<Patch> patches; // that the files name, where they were asked for
 
 	// Of the grids, which are what is walked and cut.
@@ -85,6 +90,10 @@ struct BlockSet
 
 /// Whether all blocks know their neighbors.
 bool hasNeighbors(const BlockSet& blocks);
+
+/// Whether interfaces have been looked for, or blocks are known to have none. Where not, a mesh finds the few that it
+/// needs (mesh/mesh_seams.h).
+bool knowsSeams(const BlockSet& blocks);
 
 /// Links the listed grids of a set (unstructured.h), finishes their blocks and matches interfaces, on all cores. Cells
 /// and points of these blocks get other ids: nothing that was found before holds any more. Nothing is done where all

@@ -46,8 +46,8 @@ void finishMesh(const grid::BlockSet& blocks, std::span<const ShownBlock> shown,
 
 	const bool joins = cleanup.at_points || mesh.boundary_polygons > 0 || blocks.blocks.size() > 1 ||
 	                   blocks.interfaces.of(0) != nullptr;
-	// Whether a block without neighbors meets itself is not known beforehand.
-	const bool joined = (joins || !grid::hasNeighbors(blocks)) && joinVertices(blocks, mesh);
+	// Where seams are not known, a block may meet itself.
+	const bool joined = (joins || !grid::knowsSeams(blocks)) && joinVertices(blocks, mesh);
 	if (joins || joined || cleanup.slivers)
 	{
 		tidyPolygons(mesh, normal);

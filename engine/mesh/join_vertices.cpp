@@ -71,7 +71,7 @@ private:
 
 	void joinAtSeams(bool by_place)
 	{
-		for (const VertexPair& pair : grid::hasNeighbors(blocks_)
+		for (const VertexPair& pair : grid::knowsSeams(blocks_)
 		                                  ? seamVertices(blocks_, blocks_.interfaces, mesh_)
 		                                  : seamVertices(blocks_, seamsOfMesh(blocks_, mesh_, joined_), mesh_))
 			if (by_place && !areOnePlace(pair.first, pair.second))

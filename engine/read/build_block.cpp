@@ -5,7 +5,7 @@
 namespace vp::read
 {
 
-grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies_geometry)
+grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies_geometry, bool for_one_cut)
 {
 	grid::Block block;
 	block.name = std::move(name);
@@ -23,7 +23,7 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies
 			    block.grid = std::move(mesh);
 	    },
 	    std::move(checked.mesh));
-	finishBlock(block);
+	finishBlock(block, for_one_cut);
 	return block;
 }
 

@@ -9,7 +9,8 @@ namespace vp::read
 {
 
 // A checked block with its grid, finished (see finishBlock) but for its seams with others. Cells of an unstructured one
-// are listed. `identifies_geometry`: see ReadOptions.
-grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies_geometry = true);
+// are listed. `identifies_geometry`: and `for_one_cut`: see ReadOptions.
+grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies_geometry = true,
+                       bool for_one_cut = false);
 
 } // namespace vp::read

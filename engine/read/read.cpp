@@ -57,7 +57,8 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	for (CheckedBlock& block : input->blocks)
 	{
 		std::string name = block.name.empty() ? stem : fmt::format("{}: {}", stem, block.name);
-		set.blocks.push_back(buildBlock(std::move(block), std::move(name), options.identifies_geometry));
+		set.blocks.push_back(
+		    buildBlock(std::move(block), std::move(name), options.identifies_geometry, options.for_one_cut));
 	}
 	if (!input->patches.empty())
 	{
@@ -140,6 +141,8 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 		return all;
 	if (!grid::hasNeighbors(all))
 		buildNeighbors(all, timeline);
+	else if (options.for_one_cut)
+		all.matches_seams = false;
 	else
 	{
 		TimedSection timed(timeline, "build");

@@ -59,6 +59,8 @@ struct ReadOptions
 	// Without: where all blocks are unstructured they stay listed (grid/unstructured.h), their seams are not matched,
 	// and grid::buildNeighbors() is left to the caller. Not where patches are read, whose faces are looked for.
 	bool builds_neighbors = true;
+	// One cut is all that is made: curvilinear grids are finished for it (see finishBlock), and seams are not matched.
+	bool for_one_cut = false;
 	std::stop_token stop{}; // asked to stop, reading ends with an error
 	ArrayWish arrays{};
 	// Finds Block::geometry, which readFields() and readValues() compare: where it is not known, they find that the

@@ -4,6 +4,7 @@
 #include "seed/boundary_cut.h"
 #include "seed/cut_cells.h"
 #include "seed/nearest_cut.h"
+#include "seed/row_seeds.h"
 
 #include <limits>
 #include <tuple>
@@ -28,10 +29,10 @@ bool isFlat(const grid::Block& block, const surface::Plane& plane, CellId cell, 
 }
 
 // Whether a face in the plane is shown by what lies on it at a seam: by a cut cell, or by a face that comes before it.
-bool isShownAcrossSeam(const grid::BlockSet& blocks, const surface::Plane& plane, std::size_t b,
-                       const grid::BoundaryIndex::Face& face)
+bool isShownAcrossSeam(const grid::BlockSet& blocks, const grid::Interfaces& interfaces, const surface::Plane& plane,
+                       std::size_t b, const grid::BoundaryIndex::Face& face)
 {
-	const grid::BlockSeams* seams = blocks.interfaces.of(b);
+	const grid::BlockSeams* seams = interfaces.of(b);
 	if (!seams)
 		return false;
 	for (const grid::SeamLink& link : seams->of(face.cell, face.face))
@@ -68,6 +69,22 @@ void seedHotSpot(const grid::BlockSet& blocks, const Vec3& hot_spot, const surfa
 		if (!everywhere)
 			return;
 	}
+}
+
+// Of the boundary faces in the plane, those that nothing else shows.
+void keepFacesToShow(const grid::BlockSet& blocks, const surface::Plane& plane,
+                     std::vector<std::vector<grid::BoundaryIndex::Face>>& faces)
+{
+	const grid::Interfaces among = grid::knowsSeams(blocks) ? grid::Interfaces() : grid::interfacesAmong(blocks, faces);
+	const grid::Interfaces& interfaces = grid::knowsSeams(blocks) ? blocks.interfaces : among;
+	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+		std::erase_if(faces[b],
+		              [&](const grid::BoundaryIndex::Face& face)
+		              {
+			              const auto isCutCell = [&](const auto& grid) { return isCut(grid, plane, face.cell); };
+			              return std::visit(isCutCell, blocks.blocks[b].grid) ||
+			                     isShownAcrossSeam(blocks, interfaces, plane, b, face);
+		              });
 }
 
 } // namespace
@@ -121,16 +138,22 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 			        },
 			        [&](const grid::BoundaryIndex::Face& face)
 			        {
-				        if (seeds_boundary && !isCut(grid, plane, face.cell) &&
-				            !isShownAcrossSeam(blocks, plane, b, face))
+				        if (seeds_boundary)
 					        seeds.faces_in_plane[b].push_back(face);
 			        });
+			    if constexpr (std::is_same_v<std::decay_t<decltype(grid)>, grid::CurvilinearGrid>)
+				    if (seeds_boundary && !block.knows_folds)
+				    {
+					    const std::vector<CellId> of_rows = rowSeeds(grid, plane);
+					    seeds.cells[b].insert(seeds.cells[b].end(), of_rows.begin(), of_rows.end());
+				    }
 			    if (seeds_boundary)
 				    visitCutCells(grid, block.inverted_tree, plane,
 				                  [&](CellId cell) { seeds.cells[b].push_back(cell); });
 		    },
 		    block.grid);
 	}
+	keepFacesToShow(blocks, plane, seeds.faces_in_plane);
 	if (nearest_cell != kNoCell && !seeds_boundary)
 		seeds.cells[nearest_block].push_back(nearest_cell);
 	for (const std::vector<CellId>& cells : seeds.cells)

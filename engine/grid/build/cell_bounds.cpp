@@ -72,14 +72,14 @@ Box boxOf(const Points& points, const Number* xyz, std::size_t begin, std::size_
 }
 
 /// Per part of so many points.
-std::vector<Box> boxesOf(const Points& points)
+std::vector<Box> boxesOf(const Points& points, std::size_t count)
 {
-	std::vector<Box> boxes((points.size() + kGrain - 1) / kGrain);
+	std::vector<Box> boxes((count + kGrain - 1) / kGrain);
 	tbb::parallel_for(std::size_t(0), boxes.size(),
 	                  [&](std::size_t part)
 	                  {
 		                  const std::size_t begin = part * kGrain;
-		                  const std::size_t end = std::min(begin + kGrain, points.size());
+		                  const std::size_t end = std::min(begin + kGrain, count);
 		                  boxes[part] = points.isDouble() ? boxOf(points, points.doubles(), begin, end)
 		                                                  : boxOf(points, points.floats(), begin, end);
 	                  });
@@ -139,9 +139,17 @@ HugeVector<std::uint8_t> usedPoints(const CellList& cells, std::size_t points)
 
 } // namespace
 
+Box boundsOfPoints(const Points& points, std::size_t count)
+{
+	Box all;
+	for (const Box& box : boxesOf(points, count))
+		all.include(box);
+	return all;
+}
+
 Box boundsOfCells(const Points& points, const CellList& cells)
 {
-	const std::vector<Box> boxes = boxesOf(points);
+	const std::vector<Box> boxes = boxesOf(points, points.size());
 	Box all;
 	for (const Box& box : boxes)
 		all.include(box);

@@ -13,4 +13,7 @@ namespace vp::grid
 /// is found at once in most lists; otherwise points of no cell stick out, and the points of the cells are marked.
 Box boundsOfCells(const Points& points, const CellList& cells);
 
+/// The bounds of the first `count` points, as far as they are finite numbers. On all cores.
+Box boundsOfPoints(const Points& points, std::size_t count);
+
 } // namespace vp::grid

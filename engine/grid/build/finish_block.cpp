@@ -3,9 +3,6 @@
 #include "grid/build/folds.h"
 #include "grid/build/lattice_axes.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,27 +14,27 @@ namespace
 
 constexpr std::size_t kBoundaryVantages = 16;
 
-// Of the points that are numbers.
-template <Grid G>
+// Of the points that are numbers. Those of a lattice with straight axes are its corners and what lies between.
+Box boundsOf(const UnstructuredGrid& grid)
+{
+	return boundsOfPoints(grid.coordinates(), grid.usedPointCount());
+}
+Box boundsOf(const CurvilinearGrid& grid)
+{
+	return boundsOfPoints(grid.coordinates(), grid.pointCount());
+}
+template <class G>
 Box boundsOf(const G& grid)
 {
-	return tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, grid.usedPointCount(), 65536), Box{},
-	    [&](const tbb::blocked_range<std::size_t>& range, Box box)
-	    {
-		    for (std::size_t p = range.begin(); p < range.end(); ++p)
-		    {
-			    const Vec3 x = grid.point(static_cast<PointId>(p));
-			    if (std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z))
-				    box.include(x);
-		    }
-		    return box;
-	    },
-	    [](Box a, const Box& b)
-	    {
-		    a.include(b);
-		    return a;
-	    });
+	Box box;
+	for (int axis = 0; axis < 3; ++axis)
+		for (std::uint32_t i = 0; i < grid.points()[axis]; ++i)
+			if (const double x = grid.coordinate(axis, i); std::isfinite(x))
+			{
+				box.lo[axis] = std::min(box.lo[axis], x);
+				box.hi[axis] = std::max(box.hi[axis], x);
+			}
+	return box;
 }
 
 std::vector<CellId> vantagesOf(const Lattice& lattice, const BoundaryIndex&)
@@ -78,7 +75,7 @@ std::vector<CellId> distinct(std::vector<CellId> cells)
 
 } // namespace
 
-void finishBlock(Block& block)
+void finishBlock(Block& block, bool for_one_cut)
 {
 	replaceFields(block, std::move(block.fields));
 	if (!hasNeighbors(block))
@@ -87,7 +84,9 @@ void finishBlock(Block& block)
 		block.bounds = boundsOfCells(listed.coordinates(), *listed.list());
 		return;
 	}
-	if (auto* curvilinear = std::get_if<CurvilinearGrid>(&block.grid))
+	auto* curvilinear = std::get_if<CurvilinearGrid>(&block.grid);
+	block.knows_folds = !curvilinear || !for_one_cut;
+	if (curvilinear && !for_one_cut)
 		*curvilinear = withShortestEdgesFirst(std::move(*curvilinear));
 	std::visit(
 	    [&](const auto& grid)
@@ -95,7 +94,8 @@ void finishBlock(Block& block)
 		    block.bounds = boundsOf(grid);
 		    block.boundary = buildBoundaryIndex(grid);
 		    block.vantage = distinct(vantagesOf(grid, block.boundary));
-		    block.inverted = foldedCells(grid);
+		    if (block.knows_folds)
+			    block.inverted = foldedCells(grid);
 		    block.inverted_tree = BlockTree(grid, block.inverted);
 		    block.tree = std::make_shared<LazyBlockTree>();
 		    block.cell_places = std::make_shared<LazyCellPlaces>();

@@ -54,6 +54,7 @@ void matchInterfaces(BlockSet& set)
 	for (const Block& block : set.blocks)
 		faces.emplace_back(block.boundary.faces);
 	set.interfaces = matched(set, faces);
+	set.matches_seams = true;
 }
 
 Interfaces interfacesAmong(const BlockSet& set, std::span<const std::vector<BoundaryIndex::Face>> faces)
