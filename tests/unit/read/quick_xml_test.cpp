@@ -27,7 +27,7 @@ namespace
 {
 
 // More than one part of an array for each thread, and many blocks of VTK's compressors.
-constexpr std::array<int, 3> kPoints = {41, 33, 29};
+constexpr std::array<int, 3> kPoints = {31, 27, 25};
 
 template <class Array>
 void addArray(vtkFieldData* to, const char* name, int components, vtkIdType tuples)
