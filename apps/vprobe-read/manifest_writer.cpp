@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 using nlohmann::json;
 using vp::grid::NumberType;
@@ -132,9 +133,9 @@ void ManifestWriter::addPatches(vtkDataObject* object)
 
 void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* given)
 {
+	json left_out = std::exchange(left_out_, json::array());
 	if (!given || given->GetNumberOfCells() == 0)
 		return;
-	json left_out = json::array();
 	const vtkSmartPointer<vtkDataSet> wanted =
 	    wish_.all ? vtkSmartPointer<vtkDataSet>(given) : withWishedArrays(given, left_out);
 	vtkDataSet* data = wanted;
@@ -218,6 +219,15 @@ bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
 	return true;
 }
 
+json describeLeftOut(const char* association, const std::string& name, NumberType type, int components)
+{
+	return {{"name", name},
+	        {"association", association},
+	        {"type", vp::grid::numberTypeName(type)},
+	        {"components", components},
+	        {"left_out", true}};
+}
+
 // The same data set without the arrays that nobody asked for; these are described.
 vtkSmartPointer<vtkDataSet> ManifestWriter::withWishedArrays(vtkDataSet* given, json& left_out) const
 {
@@ -242,11 +252,7 @@ vtkSmartPointer<vtkDataSet> ManifestWriter::withWishedArrays(vtkDataSet* given, 
 				++i;
 			else
 			{
-				left_out.push_back({{"name", name},
-				                    {"association", association},
-				                    {"type", vp::grid::numberTypeName(*type)},
-				                    {"components", array->GetNumberOfComponents()},
-				                    {"left_out", true}});
+				left_out.push_back(describeLeftOut(association, name, *type, array->GetNumberOfComponents()));
 				fields->RemoveArray(i);
 			}
 			has_shown = true;

@@ -14,6 +14,10 @@
 class vtkDataObject;
 class vtkDataSet;
 
+// An array that is not handed over.
+nlohmann::json describeLeftOut(const char* association, const std::string& name, vp::grid::NumberType type,
+                               int components);
+
 // Turns what a reader gave into blocks of the manifest, arrays and all.
 class ManifestWriter
 {
@@ -21,13 +25,15 @@ public:
 	// `refine`: how many times the linear parts of curved cells are halved.
 	ManifestWriter(int refine, ArrayWish wish) : refine_(refine), wish_(std::move(wish)) {}
 
-	// Reads a file without VTK and adds its block. False, and nothing added, where it is left to VTK. Offers
-	// the file's times too.
+	// Reads a file without VTK and adds its block. False, and nothing added, where it is left to VTK. Offers the
+	// file's times too.
 	bool addQuickly(const std::string& file, int threads);
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);
 	// The data sets of polygons in `object` become patches of the boundary, by their names. Any object, and none.
 	void addPatches(vtkDataObject* object);
+	// An array of the next data set that was not read, as describeLeftOut() says.
+	void noteLeftOut(nlohmann::json array) { left_out_.push_back(std::move(array)); }
 	// Goes before the names of the blocks added from now on.
 	void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
 	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
@@ -54,5 +60,6 @@ private:
 	std::vector<std::string> warnings_;
 	std::string length_units_;
 	CellCounts counts_;
+	nlohmann::json left_out_ = nlohmann::json::array();
 	std::string prefix_;
 };

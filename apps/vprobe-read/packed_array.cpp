@@ -19,6 +19,13 @@ constexpr std::uint64_t kMaxUnpackedBlock = 64u << 20;
 // More than deflate, LZ4 and LZMA make of what they cannot compress.
 constexpr std::uint64_t kMaxPackedBlock = 80u << 20;
 
+// Deflate makes up to 1032 bytes of one, LZ4 255, LZMA about 7000. So no file asks for more memory than its size
+// allows.
+constexpr std::uint64_t mostGrowth(Codec codec)
+{
+	return codec == Codec::lzma ? 8192 : 1032;
+}
+
 constexpr std::uint8_t kNoLetter = 64;
 constexpr std::array<std::uint8_t, 256> kSixBits = []
 {
@@ -163,7 +170,8 @@ void PackedArray::readBlockSizes(const ByteSource& source, const Packing& packin
 	for (std::uint64_t b = 0; b < blocks; ++b)
 	{
 		const std::uint64_t size = wordAt(words.data() + b * word, word);
-		if (size > kMaxPackedBlock || size > bytes_.size() - block_starts_[b])
+		const std::uint64_t unpacked = b + 1 == blocks ? last_block_bytes_ : block_bytes_;
+		if (size > kMaxPackedBlock || size > bytes_.size() - block_starts_[b] || unpacked / mostGrowth(codec_) > size)
 			throw NotQuick();
 		block_starts_[b + 1] = block_starts_[b] + size;
 	}

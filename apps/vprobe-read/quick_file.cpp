@@ -18,7 +18,7 @@ constexpr std::uint32_t kMostComponents = 1 << 16;
 Packing packingOf(const XmlElement& root)
 {
 	if (root.name != "VTKFile" || root.attribute("byte_order") != "LittleEndian" ||
-	    !isOneOf(root.attribute("version"), {"0.1", "1.0", "2.0", "2.1", "2.2"}))
+	    !isOneOf(root.attribute("version"), {"0.1", "1.0", "2.0", "2.1", "2.2", "2.3"}))
 		throw NotQuick();
 	Packing packing;
 	if (root.has("header_type"))

@@ -207,7 +207,12 @@ private:
 	{
 		std::vector<const XmlElement*> arrays;
 		for (const QuickPiece& piece : pieces_)
-			arrays.push_back(&onlyChild(onlyChild(*piece.element, "Points"), "DataArray"));
+		{
+			const XmlElement& points = onlyChild(*piece.element, "Points");
+			if (points.children.size() != 1)
+				throw NotQuick();
+			arrays.push_back(&points.children[0]);
+		}
 		const ArrayKind kind(*arrays[0]);
 		if (kind.components != 3 || (kind.type != NumberType::float32 && kind.type != NumberType::float64))
 			throw NotQuick();

@@ -1,3 +1,4 @@
+#include "array_choice.h"
 #include "formats.h"
 #include "is_one_of.h"
 #include "manifest_writer.h"
@@ -36,6 +37,7 @@ vtkSmartPointer<vtkDataObject> loadWith(const Request& request, ManifestWriter& 
 {
 	vtkNew<Reader> reader;
 	reader->SetFileName(request.file.c_str());
+	leaveOutArrays(*reader, request, manifest);
 	updateAtTime(*reader, request, manifest);
 	return reader->GetOutputDataObject(0);
 }
