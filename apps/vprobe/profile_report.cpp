@@ -146,26 +146,28 @@ nlohmann::json profileJson(const Profile& profile)
 	const Timeline& timeline = *profile.session.timeline;
 	const double ns = nsPerCutCell(log);
 	nlohmann::json json = subjectJson(profile);
-	json.update(
-	    {{"cut_ms", withFirst(log.msOf("cut"))},
-	     {"frame_ms", profile.picture ? withFirst(log.msOf("frame")) : nlohmann::json()},
-	     {"gpu_ms", withFirst(log.gpuMs())},
-	     {"setup_ms",
-	      {{"read", timeline.total("read")}, {"build", timeline.total("build")}, {"upload", timeline.total("upload")}}},
-	     {"cut_cells_mean", meanOf(log.cutCells())},
-	     {"cells_touched_mean", meanOf(log.touchedCells())},
-	     {"polygons_mean", meanOf(log.polygons())},
-	     {"vertices_mean", meanOf(log.vertices())},
-	     {"empty_planes", log.emptyPlanes()},
-	     {"generations_median", medianOf(log.generationCounts())},
-	     {"front_mean", frontMean(log)},
-	     {"front_max", frontMax(log)},
-	     {"ns_per_cut_cell", ns},
-	     {"cells_per_second", ns > 0.0 ? 1e9 / ns : 0.0},
-	     {"memory_bytes", memoryJson(profile.session)},
-	     {"stages", stagesJson(log, Timeline::Track::cpu)},
-	     {"gpu_stages", stagesJson(log, Timeline::Track::gpu)},
-	     {"generations", generationsJson(log)}});
+	json.update({{"cut_ms", withFirst(log.msOf("cut"))},
+	             {"frame_ms", profile.picture ? withFirst(log.msOf("frame")) : nlohmann::json()},
+	             {"gpu_ms", withFirst(log.gpuMs())},
+	             {"setup_ms",
+	              {{"read", timeline.total("read")},
+	               {"build", timeline.total("build")},
+	               {"adjacency", timeline.total("adjacency")},
+	               {"upload", timeline.total("upload")}}},
+	             {"cut_cells_mean", meanOf(log.cutCells())},
+	             {"cells_touched_mean", meanOf(log.touchedCells())},
+	             {"polygons_mean", meanOf(log.polygons())},
+	             {"vertices_mean", meanOf(log.vertices())},
+	             {"empty_planes", log.emptyPlanes()},
+	             {"generations_median", medianOf(log.generationCounts())},
+	             {"front_mean", frontMean(log)},
+	             {"front_max", frontMax(log)},
+	             {"ns_per_cut_cell", ns},
+	             {"cells_per_second", ns > 0.0 ? 1e9 / ns : 0.0},
+	             {"memory_bytes", memoryJson(profile.session)},
+	             {"stages", stagesJson(log, Timeline::Track::cpu)},
+	             {"gpu_stages", stagesJson(log, Timeline::Track::gpu)},
+	             {"generations", generationsJson(log)}});
 	return json;
 }
 

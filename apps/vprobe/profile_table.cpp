@@ -66,8 +66,9 @@ std::string work(const json& p)
 	std::string text = fmt::format("\nfirst cut {:.3f} ms", p["cut_ms"]["first"].get<double>());
 	if (!p["frame_ms"].is_null())
 		text += fmt::format(", first frame {:.3f} ms", p["frame_ms"]["first"].get<double>());
-	text += fmt::format("; read {:.3g} ms, build {:.3g} ms, upload {:.3g} ms\n", p["setup_ms"]["read"].get<double>(),
-	                    p["setup_ms"]["build"].get<double>(), p["setup_ms"]["upload"].get<double>());
+	text += fmt::format("; read {:.3g} ms, build {:.3g} ms, adjacency {:.3g} ms, upload {:.3g} ms\n",
+	                    p["setup_ms"]["read"].get<double>(), p["setup_ms"]["build"].get<double>(),
+	                    p["setup_ms"]["adjacency"].get<double>(), p["setup_ms"]["upload"].get<double>());
 	text +=
 	    fmt::format("{:.0f} cells cut a plane ({:.3g} % of all), {:.0f} touched, {:.0f} polygons, {:.0f} vertices\n",
 	                cut, 100.0 * cut / all, p["cells_touched_mean"].get<double>(), p["polygons_mean"].get<double>(),
