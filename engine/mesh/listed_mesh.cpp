@@ -78,7 +78,7 @@ private:
 			const Vec3 a = grid_.point(lower);
 			const Vec3 b = grid_.point(higher);
 			mesh_.edges.push_back({block_, lower, higher, t});
-			mesh_.positions.push_back(t == 1.0 ? b : a + t * (b - a));
+			mesh_.positions.push_back(placeOnEdge(a, b, t));
 		}
 		return number;
 	}

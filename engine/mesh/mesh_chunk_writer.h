@@ -59,7 +59,10 @@ private:
 			if constexpr (kCurved)
 				rises_[v] = da >= 0.0 ? a - b : b - a;
 			at_points |= t == 0.0 || t == 1.0;
-			positions[v] = placeOnEdge(a, b, t, da >= 0.0);
+			if constexpr (std::is_same_v<G, grid::UnstructuredGrid>)
+				positions[v] = placeOfAnyNumbering(a, b, t, da >= 0.0);
+			else
+				positions[v] = placeOnEdge(a, b, t);
 			if (foreign != part_.foreign.end() && foreign->first == v)
 			{
 				numbers[v] = foreign++->second;

@@ -24,9 +24,15 @@ struct EdgePoint
 	double t;
 };
 
-/// The place at t along the edge from a to b, of which `a_positive` tells on which side a lies: to the last bit the
-/// same however the ends are numbered.
-inline Vec3 placeOnEdge(const Vec3& a, const Vec3& b, double t, bool a_positive)
+/// The place at t along the edge from a to b.
+inline Vec3 placeOnEdge(const Vec3& a, const Vec3& b, double t)
+{
+	return t == 1.0 ? b : a + t * (b - a);
+}
+
+/// The same, to the last bit however the ends are numbered: `a_positive` tells on which side a lies. For grids whose
+/// points get other numbers once neighbors are built.
+inline Vec3 placeOfAnyNumbering(const Vec3& a, const Vec3& b, double t, bool a_positive)
 {
 	const Vec3 positive = a_positive ? a : b;
 	const Vec3 negative = a_positive ? b : a;

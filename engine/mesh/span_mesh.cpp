@@ -106,7 +106,7 @@ private:
 					const Vec3 b = grid_.pointAt(i + (axis == 0), j + (axis == 1), k + (axis == 2));
 					const double t = surface::Plane::crossing(da, plane_.signedDistance(b));
 					mesh_.edges[next] = {block_, p, higher, t};
-					mesh_.positions[next] = placeOnEdge(a, b, t, da >= 0.0);
+					mesh_.positions[next] = placeOnEdge(a, b, t);
 					at_points = at_points || t == 0.0 || t == 1.0;
 					++next;
 				}
