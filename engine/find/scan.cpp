@@ -106,7 +106,7 @@ public:
 		const grid::CellList* list = grid_.list();
 		const std::size_t cells = list ? list->size() : grid_.cellCount();
 		parts_.resize((cells + kCells - 1) / kCells);
-		if (list && list->offsets.empty())
+		if (list && list->offsets.empty() && cells > 0)
 			list->connectivity.as([&](auto ids)
 			                      { scanAlike(ids.data(), grid::topology(grid_.shape(0)).points, cells); });
 		else

@@ -71,7 +71,7 @@ void expectSamePolygons(std::vector<PolygonOfCell> found, std::vector<PolygonOfC
 	std::size_t missing = 0;
 	for (const PolygonOfCell& polygon : found)
 	{
-		const auto [first, last] = std::ranges::equal_range(expected, polygon, before);
+		const auto [first, last] = std::equal_range(expected.begin(), expected.end(), polygon, before);
 		// The nearest: linear parts of a curved cell may have polygons so thin that several are close.
 		auto nearest = last;
 		double least = tolerance;

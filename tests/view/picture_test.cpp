@@ -43,6 +43,24 @@ TEST_F(Picture, AnInputAppearsInTheColorsOfTheMap)
 	EXPECT_GE(stats["cut_ms"]["count"], 1) << stats.dump(1);
 }
 
+// The first picture is there before cells know their neighbors. Moved and put back, the sheet looks as it did.
+TEST_F(Picture, NeighborsComeUnseen)
+{
+	open({"demo:tets:24", "--normal", "0.3", "0.5", "0.8"});
+	const Area left{100, 100, 500, 450};
+	const vp::render::Picture first = rest(left);
+	EXPECT_GT(shareOf(viridis(), first), 0.1);
+	act("push_forward");
+	EXPECT_TRUE(eventually([&] { return difference(first, seen(left)) > 0.01; }));
+	act("undo");
+	EXPECT_TRUE(eventually([&] { return difference(first, seen(left)) < 0.001; }));
+	act("mesh"); // lines of the cut's polygons: the same, whichever way they were found
+	settle();
+	act("mesh");
+	EXPECT_LT(difference(first, rest(left)), 0.001);
+	close();
+}
+
 TEST_F(Picture, WithoutInputTheWindowWaitsForOne)
 {
 	open({});
