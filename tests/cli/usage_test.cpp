@@ -133,7 +133,7 @@ TEST_P(BadProbe, IsOneLineAndLeavesNothing)
 	     {Arguments{"slice", "demo:shell:8", "-o", path("out.vtp"), "--stats", path("out.json")},
 	      Arguments{"render", "demo:shell:8", "-o", path("out.png")}})
 	{
-		EXPECT_TRUE(isError(run(command + GetParam().arguments), 1, {GetParam().word})) << command.front();
+		EXPECT_TRUE(isError(run(command + GetParam().arguments, noDevice()), 1, {GetParam().word})) << command.front();
 		EXPECT_TRUE(files().empty());
 	}
 }

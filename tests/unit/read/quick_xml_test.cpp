@@ -37,7 +37,8 @@ void addArray(vtkFieldData* to, const char* name, int components, vtkIdType tupl
 	array->SetNumberOfComponents(components);
 	array->SetNumberOfTuples(tuples);
 	for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
-		array->SetValue(i, static_cast<typename Array::ValueType>(100.0 * std::sin(0.001 * static_cast<double>(i))));
+		array->SetValue(i,
+		                static_cast<typename Array::ValueType>(60.0 + 60.0 * std::sin(0.001 * static_cast<double>(i))));
 	to->AddArray(array);
 }
 
