@@ -169,9 +169,9 @@ void printFindings(const grid::BlockSet& blocks, const std::vector<Finding>& fin
 Result<ExitCode> runCheck(const CheckOptions& options)
 {
 	if (!options.output.empty() && options.output != "-" && !options.output.ends_with(".vtp"))
-		return Error{ExitCode::usage, fmt::format("-o {}: bad cells are written as .vtp", options.output)};
+		return Error{ErrorKind::usage, fmt::format("-o {}: bad cells are written as .vtp", options.output)};
 	if (options.output == "-" && options.json)
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             "-o - and --json: standard output takes one thing at a time; name a file for the cells"};
 	Result<std::unique_ptr<Session>> opened = openSession(options.input, DeviceUse::classify);
 	if (!opened)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "exit_code.h"
 
 #include <CLI/CLI.hpp>
 

@@ -26,7 +26,7 @@ constexpr double kPartOpacity = 0.3;
 
 Error wrong(const std::string& word, const std::string& what)
 {
-	return {ExitCode::usage, fmt::format("--context {}: {}", word, what)};
+	return {ErrorKind::usage, fmt::format("--context {}: {}", word, what)};
 }
 
 Result<mesh::SheetMesh> gridSurface(const grid::BlockSet& blocks, const ContextChoice& choice)
@@ -38,7 +38,7 @@ Result<mesh::SheetMesh> gridSurface(const grid::BlockSet& blocks, const ContextC
 	if (!range->isOne())
 		return wrong(choice.word, "stands still; give one index");
 	if (Status fits = find::checkGridIndex(blocks, *range); !fits)
-		return Error{fits.error().code, fmt::format("--context {}: {}", choice.word, fits.error().message)};
+		return Error{fits.error().kind, fmt::format("--context {}: {}", choice.word, fits.error().message)};
 	const surface::GridIndex at = range->at(0.0);
 	return mesh::gridIndexMesh(blocks, at, find::gridIndexCells(blocks, at));
 }
@@ -46,7 +46,7 @@ Result<mesh::SheetMesh> gridSurface(const grid::BlockSet& blocks, const ContextC
 Result<mesh::SheetMesh> patch(const grid::BlockSet& blocks, const ContextChoice& choice)
 {
 	if (Status known = find::checkPatch(blocks, choice.argument); !known)
-		return Error{known.error().code, fmt::format("--context {}: {}", choice.word, known.error().message)};
+		return Error{known.error().kind, fmt::format("--context {}: {}", choice.word, known.error().message)};
 	return mesh::patchMesh(blocks, choice.argument, find::patchCells(blocks, choice.argument));
 }
 

@@ -49,7 +49,7 @@ Status checkContours(const ContourOptions& options, const ProbeOptions& probe)
 	if (Status finite = requireFinite({&options.depth, 1}, "--contour-depth"); !finite)
 		return finite;
 	if (options.isGiven() && probe.surface)
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             fmt::format("{}: grows from planes, and {} is none; leave one of the two out",
 		                         options.values.empty() ? "--contour-at" : "--contour",
 		                         probe.surface->starts_with("iso:") ? "--iso " + probe.surface->substr(4)

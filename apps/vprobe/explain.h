@@ -1,5 +1,7 @@
 #pragma once
 
+#include "exit_code.h"
+
 #include "session.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,6 +1,6 @@
 #include "grown_contours.h"
 
-#include "base/log.h"
+#include "base/messages.h"
 #include "measure/sheet_lookup.h"
 
 #include <fmt/format.h>
@@ -23,10 +23,10 @@ const char* optionOf(const ContourOptions& options)
 Status checkSheet(const cut::SheetCut& sheet, const char* option)
 {
 	if (!sheet.isPlane())
-		return Error{ExitCode::usage, fmt::format("{}: grows from planes, and {} is none; leave one of the two out",
-		                                          option, cut::surfaceName(sheet))};
+		return Error{ErrorKind::usage, fmt::format("{}: grows from planes, and {} is none; leave one of the two out",
+		                                           option, cut::surfaceName(sheet))};
 	if (!sheet.field || sheet.field->association != grid::Association::point)
-		return Error{ExitCode::input,
+		return Error{ErrorKind::input,
 		             fmt::format("{}: needs values at points{}; choose an array of points with --array", option,
 		                         sheet.field ? ", and " + sheet.field->name + " has them in cells" : "")};
 	return Nothing{};
@@ -42,7 +42,7 @@ Result<double> valueAt(const contour::BoxContourer& contourer, const cut::SheetC
 	if (const auto place = lookup.at(uv))
 		if (const double value = lookup.value(*place, contourer.values()); std::isfinite(value))
 			return value;
-	return Error{ExitCode::usage,
+	return Error{ErrorKind::usage,
 	             fmt::format("--contour-at {} {}: the first sheet has no value there; choose a place that it shows",
 	                         at[0], at[1])};
 }

@@ -1,6 +1,6 @@
 #include "look_options.h"
 
-#include "base/log.h"
+#include "base/messages.h"
 #include "input_title.h"
 #include "render/color/color_map_file.h"
 #include "render/scene/least_positive.h"
@@ -24,15 +24,15 @@ constexpr double kLogReach = 1e-6;
 Status setRange(const LookOptions& options, render::Look& look)
 {
 	if (options.symmetric && options.logarithmic)
-		return Error{ExitCode::usage, "--symmetric: there is no logarithm below 0; leave it out, or --log"};
+		return Error{ErrorKind::usage, "--symmetric: there is no logarithm below 0; leave it out, or --log"};
 	if (options.range.empty())
 		return Nothing{};
 	const double lo = options.range[0];
 	const double hi = options.range[1];
 	if (!(lo < hi) || !std::isfinite(hi - lo))
-		return Error{ExitCode::usage, fmt::format("--range {} {}: the first number must be below the second", lo, hi)};
+		return Error{ErrorKind::usage, fmt::format("--range {} {}: the first number must be below the second", lo, hi)};
 	if (options.logarithmic && lo <= 0.0)
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             fmt::format("--range {} {}: --log needs a range above 0; raise the first number", lo, hi)};
 	look.range = {lo, hi};
 	return Nothing{};
@@ -51,8 +51,8 @@ Status checkCategories(const LookOptions& options, const render::Look& look)
 	                                              : nullptr;
 	if (!option)
 		return Nothing{};
-	return Error{ExitCode::usage, fmt::format("{}: means nothing to the categories of --colormap {}; leave it out",
-	                                          option, options.colormap)};
+	return Error{ErrorKind::usage, fmt::format("{}: means nothing to the categories of --colormap {}; leave it out",
+	                                           option, options.colormap)};
 }
 
 void addColorOptions(CLI::App& command, LookOptions& options, const char* group)
@@ -199,7 +199,7 @@ Result<LookChoice> parseLook(const LookOptions& options, const std::vector<std::
 			return set.error();
 	// Not a number passes every comparison with the ends of a range.
 	if (!std::isfinite(options.opacity))
-		return Error{ExitCode::usage, "--opacity: nan is no opacity; give a number from 0 to 1"};
+		return Error{ErrorKind::usage, "--opacity: nan is no opacity; give a number from 0 to 1"};
 	choice.opacity = options.opacity;
 	choice.range_of_slice = options.range_of == "slice";
 	choice.symmetric = options.symmetric;
@@ -248,7 +248,7 @@ Result<std::optional<render::ValueScale>> valueScale(const grid::BlockSet& block
 	if (!field)
 	{
 		if (needed)
-			return Error{ExitCode::input,
+			return Error{ErrorKind::input,
 			             fmt::format("{}: has no array for {} to show; leave the option out", inputs.front(), needed)};
 		return std::optional<render::ValueScale>();
 	}
@@ -266,9 +266,9 @@ Result<std::optional<render::ValueScale>> valueScale(const grid::BlockSet& block
 		return std::optional(scale);
 	scale.log_lo = render::leastPositive(blocks, *field);
 	if (!(scale.log_lo > 0.0))
-		return Error{ExitCode::input, fmt::format("--log: '{}' has no value above 0 and so no logarithm; leave the "
-		                                          "option out or show another --array",
-		                                          field->name)};
+		return Error{ErrorKind::input, fmt::format("--log: '{}' has no value above 0 and so no logarithm; leave the "
+		                                           "option out or show another --array",
+		                                           field->name)};
 	if (lo > 0.0)
 		return std::optional(scale);
 	// Rounding around 0 would stretch the scale over decades that hold nothing.

@@ -1,8 +1,9 @@
 #include "arguments.h"
-#include "base/log.h"
 #include "base/timeline.h"
 #include "commands.h"
+#include "console.h"
 #include "interrupt.h"
+#include "progress_line.h"
 #include "version.h"
 #include "write/atomic_file.h"
 
@@ -18,7 +19,7 @@
 namespace
 {
 
-int exitStatus(vp::ExitCode code)
+int exitStatus(vp::app::ExitCode code)
 {
 	return static_cast<int>(code);
 }
@@ -29,7 +30,7 @@ void endInterrupted(int)
 	if (vp::app::deferInterrupt())
 		return;
 	vp::write::removeUnfinishedFiles();
-	_exit(exitStatus(vp::ExitCode::interrupted));
+	_exit(exitStatus(vp::app::ExitCode::interrupted));
 }
 
 // CLI11's reasons, as one line that names the remedy.
@@ -40,8 +41,8 @@ int reportUsage(const CLI::App& program, const CLI::ParseError& error)
 	const auto commands = program.get_subcommands();
 	const std::string help =
 	    commands.empty() ? "vprobe --help" : fmt::format("vprobe {} --help", commands.front()->get_name());
-	vp::logError(fmt::format("{}; see {}", reason, help));
-	return exitStatus(vp::ExitCode::usage);
+	vp::app::printLine(fmt::format("{}; see {}", reason, help));
+	return exitStatus(vp::app::ExitCode::usage);
 }
 
 } // namespace
@@ -58,6 +59,8 @@ int main(int argc, char** argv)
 	    "shell.png");
 
 	vp::nameThreadRow("main");
+	const vp::MessageListener messages([](vp::Severity, std::string_view line) { vp::app::printLine(line); });
+	const vp::app::ProgressLine progress;
 	std::signal(SIGINT, endInterrupted);
 	std::signal(SIGTERM, endInterrupted);
 	vp::app::Run run;
@@ -75,8 +78,8 @@ int main(int argc, char** argv)
 	if (argc > 1 && argv[1][0] != '-' &&
 	    std::none_of(commands.begin(), commands.end(), [&](const CLI::App* c) { return c->get_name() == argv[1]; }))
 	{
-		vp::logError(fmt::format("{}: no such command; see vprobe --help", argv[1]));
-		return exitStatus(vp::ExitCode::usage);
+		vp::app::printLine(fmt::format("{}: no such command; see vprobe --help", argv[1]));
+		return exitStatus(vp::app::ExitCode::usage);
 	}
 	try
 	{
@@ -85,12 +88,12 @@ int main(int argc, char** argv)
 	catch (const CLI::CallForHelp&)
 	{
 		fmt::print("{}", program.help());
-		return exitStatus(vp::ExitCode::done);
+		return exitStatus(vp::app::ExitCode::done);
 	}
 	catch (const CLI::CallForVersion&)
 	{
 		fmt::print("vprobe {}\n", vp::app::kVersion);
-		return exitStatus(vp::ExitCode::done);
+		return exitStatus(vp::app::ExitCode::done);
 	}
 	catch (const CLI::ParseError& error)
 	{
@@ -99,18 +102,22 @@ int main(int argc, char** argv)
 
 	try
 	{
-		vp::Result<vp::ExitCode> done = run();
+		vp::Result<vp::app::ExitCode> done = run();
 		if (done && (std::fflush(stdout) != 0 || std::ferror(stdout)))
-			done = vp::Error{vp::ExitCode::output,
+			done = vp::Error{vp::ErrorKind::output,
 			                 "standard output: cannot be written; make room or choose another place"};
 		if (done)
 			return exitStatus(*done);
-		vp::logError(done.error().message);
-		return exitStatus(done.error().code);
+		vp::app::printLine(done.error().message);
+		return exitStatus(vp::app::exitCodeOf(done.error().kind));
 	}
 	catch (const std::bad_alloc&)
 	{
-		vp::logError("out of memory; use a smaller input or a machine with more memory");
-		return exitStatus(vp::ExitCode::output);
+		vp::app::printLine("out of memory; use a smaller input or a machine with more memory");
 	}
+	catch (const std::exception& error)
+	{
+		vp::app::printLine(error.what());
+	}
+	return exitStatus(vp::app::ExitCode::output);
 }

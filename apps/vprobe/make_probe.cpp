@@ -42,9 +42,9 @@ Result<Vec3> parseNormal(const std::string& text)
 	Vec3 normal;
 	std::string rest;
 	if (!(words >> normal.x >> normal.y >> normal.z) || words >> rest)
-		return Error{ExitCode::usage, fmt::format("--normal {}: takes x, y, z or three numbers", text)};
+		return Error{ErrorKind::usage, fmt::format("--normal {}: takes x, y, z or three numbers", text)};
 	if (normal == Vec3(0.0))
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             "--normal: a zero vector is no direction; give x, y, z or three numbers that are not all zero"};
 	return normal;
 }
@@ -53,7 +53,7 @@ Result<Vec3> parseNormal(const std::string& text)
 Status requireProbe(bool given, const char* option, const ProbeOptions& options, const char* probe)
 {
 	if (given && options.probe != probe)
-		return Error{ExitCode::usage, fmt::format("{}: goes with --probe {} only", option, probe)};
+		return Error{ErrorKind::usage, fmt::format("{}: goes with --probe {} only", option, probe)};
 	return Nothing{};
 }
 
@@ -61,17 +61,17 @@ Status checkSizes(const ProbeOptions& options)
 {
 	for (const double side : options.window)
 		if (!(side > 0.0) || !std::isfinite(side))
-			return Error{ExitCode::usage, fmt::format("--window {} {}: a window needs two sides above 0",
-			                                          options.window[0], options.window[1])};
+			return Error{ErrorKind::usage, fmt::format("--window {} {}: a window needs two sides above 0",
+			                                           options.window[0], options.window[1])};
 	if (!options.window.empty() && options.own_probe)
-		return Error{ExitCode::usage, fmt::format("--window: {} gives the windows; leave the option out",
-		                                          options.probe.empty() ? "the state's own probe" : options.probe)};
+		return Error{ErrorKind::usage, fmt::format("--window: {} gives the windows; leave the option out",
+		                                           options.probe.empty() ? "the state's own probe" : options.probe)};
 	if (options.corners && options.window.empty() && !options.own_probe && options.probe != "paddlewheel")
-		return Error{ExitCode::usage, "--corners: without a window there are none; add --window W H"};
+		return Error{ErrorKind::usage, "--corners: without a window there are none; add --window W H"};
 	if (options.offsets.size() > probe::kMaxSheets)
-		return Error{ExitCode::usage, fmt::format("--offsets: a probe has at most {} sheets", probe::kMaxSheets)};
+		return Error{ErrorKind::usage, fmt::format("--offsets: a probe has at most {} sheets", probe::kMaxSheets)};
 	if (!options.offsets.empty() && options.sheets)
-		return Error{ExitCode::usage, "--sheets: --offsets already says how many; give one of them"};
+		return Error{ErrorKind::usage, "--sheets: --offsets already says how many; give one of them"};
 	return Nothing{};
 }
 
@@ -81,7 +81,7 @@ Status requireFinite(std::span<const double> numbers, const char* option)
 {
 	for (const double number : numbers)
 		if (!std::isfinite(number))
-			return Error{ExitCode::usage, fmt::format("{}: {} is not a finite number", option, number)};
+			return Error{ErrorKind::usage, fmt::format("{}: {} is not a finite number", option, number)};
 	return Nothing{};
 }
 
@@ -93,7 +93,7 @@ Status readProbeFile(ProbeOptions& options)
 	if (isPreset(options.probe))
 		return Nothing{};
 	if (!options.probe.ends_with(".json"))
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             fmt::format("--probe {}: takes {} or a .json file", options.probe, fmt::join(kPresets, ", "))};
 	Result<probe::ProbeFile> file = probe::readProbe(options.probe);
 	if (!file)
@@ -109,7 +109,7 @@ Status checkProbeOptions(const ProbeOptions& options)
 		if (Status finite = requireFinite(*numbers, name); !finite)
 			return finite.error();
 	if (!options.up.empty() && vectorOf(options.up) == Vec3(0.0))
-		return Error{ExitCode::usage, "--up: a zero vector is no direction; give three numbers that are not all zero"};
+		return Error{ErrorKind::usage, "--up: a zero vector is no direction; give three numbers that are not all zero"};
 	if (options.normal)
 		if (Result<Vec3> normal = parseNormal(*options.normal); !normal)
 			return normal.error();

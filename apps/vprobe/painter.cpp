@@ -225,7 +225,7 @@ Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<
 	if (!camera_ || choice().camera.followsSheet())
 	{
 		if (choice().camera.followsSheet() && !has_plane)
-			return Error{ExitCode::usage,
+			return Error{ErrorKind::usage,
 			             "--camera sheet: a surface that is no plane has no front; choose another view"};
 		// Of several sheets none is the one to look at.
 		const bool by_sheet = slice.sheets.size() == 1 || choice().camera.followsSheet();

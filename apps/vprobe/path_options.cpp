@@ -42,10 +42,10 @@ Status readPathFile(PathOptions& options)
 	if (kind && kind != probe::PathKind::keyframes)
 		return Nothing{};
 	if (kind)
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             "--path keyframes: keys come from a file; give its name, FILE.json (docs/PROBES.md)"};
 	if (!options.path.ends_with(".json"))
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             fmt::format("--path {}: takes translate, rotate, spin, revolve, profile, times or a .json file",
 		                         options.path)};
 	Result<probe::Path> read = probe::readPath(options.path);
@@ -69,12 +69,12 @@ probe::Path pathOf(const PathOptions& options)
 Result<int> frameCount(const PathOptions& options, const probe::Path& path)
 {
 	if (!(options.per_second > 0.0) || !std::isfinite(options.per_second))
-		return Error{ExitCode::usage, "--fps: takes a number above 0"};
+		return Error{ErrorKind::usage, "--fps: takes a number above 0"};
 	if (options.overTimes())
 		return 0;
 	if (const std::optional<int> frames = options.frames ? options.frames : probe::framesOf(path, options.per_second))
 		return *frames;
-	return Error{ExitCode::usage,
+	return Error{ErrorKind::usage,
 	             fmt::format("--frames: the path {} does not say how many frames there are; give their number",
 	                         options.path.empty() ? probe::nameOf(path.kind) : options.path)};
 }

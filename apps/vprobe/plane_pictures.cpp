@@ -19,8 +19,8 @@ Status refuseLook(const CLI::App& command, const std::string& why, const char* r
 {
 	for (const CLI::Option* option : command.get_options())
 		if (option->get_group() == "Look" && option->count() > 0)
-			return Error{ExitCode::usage, fmt::format("{}: says how a picture looks, and {}; {}, or leave it out",
-			                                          option->get_name(), why, remedy)};
+			return Error{ErrorKind::usage, fmt::format("{}: says how a picture looks, and {}; {}, or leave it out",
+			                                           option->get_name(), why, remedy)};
 	return Nothing{};
 }
 

@@ -1,4 +1,4 @@
-#include "base/log.h"
+#include "base/messages.h"
 #include "base/progress.h"
 #include "commands.h"
 #include "explain.h"
@@ -39,7 +39,7 @@ Status requireAlone(const CLI::App& command)
 {
 	for (const CLI::Option* option : command.get_options())
 		if (option->count() > 0 && option->get_name() != "--compare")
-			return Error{ExitCode::usage,
+			return Error{ErrorKind::usage,
 			             fmt::format("{}: means nothing to --compare, which reads two profiles; leave one of the two "
 			                         "out",
 			                         option->get_name())};
@@ -64,12 +64,12 @@ Result<ExitCode> runCompare(const ProfileOptions& options, const CLI::App& comma
 Status checkProfileOptions(const ProfileOptions& options, const CLI::App& command)
 {
 	if (options.json == "-" && options.trace == "-")
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             "--json - and --trace -: standard output takes one thing at a time; name a file for the other"};
 	if (Status place = checkWritable(options.json); !place)
 		return place;
 	if (options.path.overTimes())
-		return Error{ExitCode::usage, "--path times: a profile moves a probe; choose another path"};
+		return Error{ErrorKind::usage, "--path times: a profile moves a probe; choose another path"};
 	if (!options.draw)
 		if (Status fits = refuseLook(command, "nothing is drawn", "add --draw"); !fits)
 			return fits;

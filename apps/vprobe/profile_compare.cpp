@@ -168,7 +168,7 @@ std::string subjectChanges(const json& a, const json& b)
 Result<json> readProfile(const std::string& file)
 {
 	const auto unusable = [&](const char* why) {
-		return Error{ExitCode::input, fmt::format("{}: {}; give a file that vprobe profile --json wrote", file, why)};
+		return Error{ErrorKind::input, fmt::format("{}: {}; give a file that vprobe profile --json wrote", file, why)};
 	};
 	std::error_code failed;
 	if (const std::uintmax_t bytes = std::filesystem::file_size(file, failed); !failed && bytes > kMaxBytes)

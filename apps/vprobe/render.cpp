@@ -38,13 +38,14 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (Status place = checkWritable(options.stats); !place)
 		return place.error();
 	if (options.output.empty())
-		return Error{ExitCode::usage, "-o: a picture needs a place; give the name of a .png file, or -"};
+		return Error{ErrorKind::usage, "-o: a picture needs a place; give the name of a .png file, or -"};
 	if (options.output == "-" && options.stats == "-")
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
 	if (options.output != "-" && std::filesystem::path(options.output).extension() != ".png")
-		return Error{ExitCode::usage, fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -",
-		                                          options.output)};
+		return Error{
+		    ErrorKind::usage,
+		    fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -", options.output)};
 	if (Status fits = checkVectorsOut(options.saved.probe.vectors, options.vectors_out,
 	                                  {{"-o", options.output}, {"--stats", options.stats}});
 	    !fits)

@@ -1,4 +1,4 @@
-#include "base/log.h"
+#include "base/messages.h"
 #include "base/progress.h"
 #include "commands.h"
 #include "grid/field_choice.h"
@@ -30,7 +30,7 @@ struct SampleOptions
 Result<std::vector<Vec3>> pointsOf(const SampleOptions& options)
 {
 	if (options.points.empty() == options.line.empty())
-		return Error{ExitCode::usage, "sample: takes points from one place; give either --points or --line"};
+		return Error{ErrorKind::usage, "sample: takes points from one place; give either --points or --line"};
 	return options.line.empty() ? readPoints(options.points) : pointsOnLine(options.line);
 }
 

@@ -68,12 +68,12 @@ Result<std::vector<Vec3>> parsePoints(std::istream& stream, const std::string& n
 		const std::optional<Vec3> point = parsePoint(line);
 		if (!point)
 			return Error{
-			    ExitCode::input,
+			    ErrorKind::input,
 			    fmt::format("{}, line {}: no point; write three numbers, parted by blanks or commas", name, number)};
 		points.push_back(*point);
 	}
 	if (stream.bad())
-		return Error{ExitCode::input, fmt::format("{}: cannot be read; name a text file of points", name)};
+		return Error{ErrorKind::input, fmt::format("{}: cannot be read; name a text file of points", name)};
 	return points;
 }
 
@@ -85,7 +85,7 @@ Result<std::vector<Vec3>> readPoints(const std::string& path)
 		return parsePoints(std::cin, "standard input");
 	std::ifstream file(path);
 	if (!file)
-		return Error{ExitCode::input, fmt::format("{}: cannot be opened; name a text file of points", path)};
+		return Error{ErrorKind::input, fmt::format("{}: cannot be opened; name a text file of points", path)};
 	return parsePoints(file, path);
 }
 
@@ -98,11 +98,11 @@ Result<std::vector<Vec3>> pointsOnLine(const std::vector<double>& numbers)
 	const Vec3 to(numbers[3], numbers[4], numbers[5]);
 	const double count = numbers[6];
 	if (!(count >= 2.0 && count <= kMaxPoints) || count != std::floor(count))
-		return Error{ExitCode::usage, fmt::format("--line: {} points cannot be; give a whole number from 2, both ends "
-		                                          "counted, to {:.0f}",
-		                                          count, kMaxPoints)};
+		return Error{ErrorKind::usage, fmt::format("--line: {} points cannot be; give a whole number from 2, both ends "
+		                                           "counted, to {:.0f}",
+		                                           count, kMaxPoints)};
 	if (from == to)
-		return Error{ExitCode::usage, "--line: begins where it ends; give it a length"};
+		return Error{ErrorKind::usage, "--line: begins where it ends; give it a length"};
 	std::vector<Vec3> points;
 	for (double i = 0.0; i < count; ++i)
 		points.push_back(glm::mix(from, to, i / (count - 1.0)));

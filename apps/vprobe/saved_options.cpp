@@ -124,7 +124,7 @@ Status checkAgainst(const CLI::App& command, const state::Sections& sections, co
 				continue;
 			const std::vector<std::string> values = state::valuesOf(setting);
 			const auto unfit = [&](const std::string& reason) {
-				return Error{ExitCode::input, fmt::format("{}: /{}/{}: {}", file, section.key, setting.key, reason)};
+				return Error{ErrorKind::input, fmt::format("{}: /{}/{}: {}", file, section.key, setting.key, reason)};
 			};
 			const int most = option->get_items_expected_max();
 			if (!values.empty() && (static_cast<int>(values.size()) < option->get_items_expected_min() ||
@@ -175,7 +175,7 @@ Status requirePlanes(const SavedOptions& options)
 	for (const auto& [given, name] :
 	     {std::pair{options.probe.surface.has_value(), "--surface"}, std::pair{options.probe.crinkle, "--crinkle"}})
 		if (given)
-			return Error{ExitCode::usage,
+			return Error{ErrorKind::usage,
 			             fmt::format("{}: is no plane to draw flat or to lay a line through; draw it with "
 			                         "vprobe render, or export it as a .vtp",
 			                         name)};
@@ -187,9 +187,10 @@ Status prepare(SavedOptions& options)
 	if (options.state_error)
 		return *options.state_error;
 	if (options.probe.inputs.empty())
-		return Error{ExitCode::usage, "INPUT is required: name a file, demo:NAME or --state FILE; see vprobe --help"};
+		return Error{ErrorKind::usage, "INPUT is required: name a file, demo:NAME or --state FILE; see vprobe --help"};
 	if (options.save == "-")
-		return Error{ExitCode::usage, "--save -: a state names files relative to its own place; give it a file's name"};
+		return Error{ErrorKind::usage,
+		             "--save -: a state names files relative to its own place; give it a file's name"};
 	if (Status place = checkWritable(options.save); !place)
 		return place;
 	if (Status fits = checkContours(options.look.contour, options.probe); !fits)

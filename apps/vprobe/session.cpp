@@ -1,6 +1,6 @@
 #include "session.h"
 
-#include "base/log.h"
+#include "base/messages.h"
 #include "base/progress.h"
 #include "make_probe.h"
 #include "sheet_traces.h"
@@ -32,8 +32,8 @@ Result<std::optional<find::Threshold>> parseThreshold(const std::vector<double>&
 	if (Status finite = requireFinite(numbers, "--threshold"); !finite)
 		return finite.error();
 	if (numbers[0] > numbers[1])
-		return Error{ExitCode::usage, fmt::format("--threshold {} {}: LO is above HI; give the lower value first",
-		                                          numbers[0], numbers[1])};
+		return Error{ErrorKind::usage, fmt::format("--threshold {} {}: LO is above HI; give the lower value first",
+		                                           numbers[0], numbers[1])};
 	return std::optional(find::Threshold{numbers[0], numbers[1]});
 }
 
@@ -204,8 +204,8 @@ Status choose(Session& session, const ProbeOptions& options)
 		if (Status fits = checkSurface(session.blocks, *session.surface, *options.surface); !fits)
 			return fits.error();
 	if (session.threshold && !session.field)
-		return Error{ExitCode::input, fmt::format("{}: has no array for --threshold to look at; leave the option out",
-		                                          options.inputs.front())};
+		return Error{ErrorKind::input, fmt::format("{}: has no array for --threshold to look at; leave the option out",
+		                                           options.inputs.front())};
 	Result<probe::Probe> probe = makeProbe(options, session.blocks.bounds());
 	if (!probe)
 		return probe.error();
@@ -325,7 +325,7 @@ Result<find::CutPlan> planOf(const Session& session)
 {
 	Result<find::CutPlan> plan = session.cutter->plan(requestOf(session));
 	if (!plan)
-		return Error{plan.error().code, fmt::format("--strategy {}", plan.error().message)};
+		return Error{plan.error().kind, fmt::format("--strategy {}", plan.error().message)};
 	return plan;
 }
 
@@ -347,7 +347,7 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 		const bool outside =
 		    sheet.isPlane() && session.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
 		if (outside && session.seeds.outside == seed::OutsidePolicy::refuse)
-			return Error{ExitCode::usage,
+			return Error{ErrorKind::usage,
 			             fmt::format("--origin {} {} {}: the hot spot lies outside the grid; choose one inside, or "
 			                         "--outside nearest",
 			                         at.x, at.y, at.z)};

@@ -173,7 +173,7 @@ Result<render::SheetDrawing> SheetLooks::drawing(const cut::SheetCut& sheet, con
 		{
 			Result<render::ColorMap> colors = render::chooseColorMap(*wishes.colormap);
 			if (!colors)
-				return Error{ExitCode::input, fmt::format("a sheet of the probe: {}", colors.error().message)};
+				return Error{ErrorKind::input, fmt::format("a sheet of the probe: {}", colors.error().message)};
 			known = colors_.emplace(*wishes.colormap, std::move(*colors)).first;
 		}
 		drawing.colors = known->second;

@@ -97,11 +97,11 @@ Status requireTimeToGo(const Session& session)
 	const std::vector<double>& times = session.stored->times;
 	const vectors::Direction direction = session.vectors->direction;
 	if (direction == vectors::Direction::forward && session.time >= times.back())
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             "--path-lines: after the last time nothing is known; launch at --time first, or go "
 		             "--vector-direction backward"};
 	if (direction == vectors::Direction::backward && session.time <= times.front())
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             "--path-lines: before the first time nothing is known; launch at --time last, or go "
 		             "--vector-direction forward"};
 	return Nothing{};
@@ -125,9 +125,9 @@ Status choosePathLines(const ProbeOptions& options, Session& session)
 Status checkVectors(const ProbeOptions& options)
 {
 	if (options.vectors.on() && options.surface)
-		return Error{ExitCode::usage, fmt::format("--vectors: are launched from planes, and --surface {} is none; "
-		                                          "leave one of the two out",
-		                                          *options.surface)};
+		return Error{ErrorKind::usage, fmt::format("--vectors: are launched from planes, and --surface {} is none; "
+		                                           "leave one of the two out",
+		                                           *options.surface)};
 	return checkVectorOptions(options.vectors);
 }
 

@@ -41,17 +41,17 @@ Status checkLine(const SliceOptions& options, const CLI::App& command)
 	if (options.line.empty())
 		return command.get_option("--sheet")->count() == 0
 		           ? Status(Nothing{})
-		           : Error{ExitCode::usage, "--sheet: says on which sheet a --line lies; give one, or leave it out"};
+		           : Error{ErrorKind::usage, "--sheet: says on which sheet a --line lies; give one, or leave it out"};
 	if (Status finite = requireFinite(options.line, "--line"); !finite)
 		return finite;
 	constexpr double kFarthest = 1e100; // as in files of probes
 	if (std::ranges::any_of(options.line, [](double x) { return std::abs(x) > kFarthest; }))
-		return Error{ExitCode::usage, "--line: places lie within 1e100; give smaller numbers"};
+		return Error{ErrorKind::usage, "--line: places lie within 1e100; give smaller numbers"};
 	if (options.line[0] == options.line[2] && options.line[1] == options.line[3])
-		return Error{ExitCode::usage, "--line: begins where it ends; give it a length"};
+		return Error{ErrorKind::usage, "--line: begins where it ends; give it a length"};
 	const bool fits = options.output == "-" || std::filesystem::path(options.output).extension() == ".csv";
 	return fits ? Status(Nothing{})
-	            : Error{ExitCode::usage,
+	            : Error{ErrorKind::usage,
 	                    "--line: the values along it are written as .csv; name such a file with -o, or -"};
 }
 
@@ -109,7 +109,7 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 	if (options.saved.probe.explain)
 		return explain(options.saved.probe);
 	if (options.output == "-" && options.stats == "-")
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
 	if (Status fits = checkVectorsOut(options.saved.probe.vectors, options.vectors_out,
 	                                  {{"-o", options.output}, {"--stats", options.stats}});
@@ -121,7 +121,7 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 	if (Status planes = pictures || !options.line.empty() ? requirePlanes(options.saved) : Nothing{}; !planes)
 		return planes.error();
 	if (pictures && options.saved.probe.vectors.on())
-		return Error{ExitCode::usage, "--vectors: flat pictures show none; draw them with vprobe render"};
+		return Error{ErrorKind::usage, "--vectors: flat pictures show none; draw them with vprobe render"};
 	const std::string why =
 	    options.output.empty() ? "no -o asks for one" : fmt::format("-o {} is none", options.output);
 	if (Status fits = pictures ? Nothing{} : refuseLook(command, why, "write a .png, .svg or .pdf"); !fits)
@@ -138,8 +138,8 @@ Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
 		return opened.error();
 	Session& session = **opened;
 	if (!options.line.empty() && static_cast<std::size_t>(options.line_sheet) >= session.probe.sheets.size())
-		return Error{ExitCode::usage, fmt::format("--sheet {}: there are {}, counted from 0", options.line_sheet,
-		                                          session.probe.sheets.size())};
+		return Error{ErrorKind::usage, fmt::format("--sheet {}: there are {}, counted from 0", options.line_sheet,
+		                                           session.probe.sheets.size())};
 	if (pictures)
 		if (auto names = pictureNames(options.output, session.probe.sheets.size()); !names)
 			return names.error();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exit_code.h"
 #include "measure/stats.h"
 #include "session.h"
 #include "vectors/traces.h"

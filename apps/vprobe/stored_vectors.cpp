@@ -28,7 +28,7 @@ Result<vectors::StoredVectors> storedVectors(const ProbeOptions& options, const 
 {
 	const std::string input = options.inputs.front();
 	if (session.blocks.times.size() < 2)
-		return Error{ExitCode::input,
+		return Error{ErrorKind::input,
 		             fmt::format("{}: has no several times for --path-lines; leave the option out", input)};
 	vectors::StoredVectors stored{session.blocks.times, {}};
 	stored.load = [options, input, array, times = stored.times, &blocks = session.blocks,
@@ -40,9 +40,9 @@ Result<vectors::StoredVectors> storedVectors(const ProbeOptions& options, const 
 		if (!read)
 			return read.error();
 		if (!*read)
-			return Error{ExitCode::input, fmt::format("{}: its grid moves with time, and --path-lines needs one that "
-			                                          "stays; leave the option out",
-			                                          input)};
+			return Error{ErrorKind::input, fmt::format("{}: its grid moves with time, and --path-lines needs one that "
+			                                           "stays; leave the option out",
+			                                           input)};
 		std::vector<grid::Field> fields;
 		for (std::vector<grid::Field>& of_block : **read)
 			fields.push_back(pick(of_block, array));

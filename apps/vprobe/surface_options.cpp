@@ -38,9 +38,9 @@ Error doesNotMove(const std::string& text, const SurfaceChoice& choice)
 {
 	const auto* range = std::get_if<surface::GridIndexRange>(&choice);
 	if (!range)
-		return {ExitCode::usage, fmt::format("--surface {}: does not move; take --path times", text)};
+		return {ErrorKind::usage, fmt::format("--surface {}: does not move; take --path times", text)};
 	return {
-	    ExitCode::usage,
+	    ErrorKind::usage,
 	    fmt::format("--surface {0}: does not move; give a range to sweep through, such as {1}=0..{2}, or --path times",
 	                text, surface::axisName(range->axis), range->first > 0.0 ? range->first : 1.0)};
 }
@@ -73,7 +73,7 @@ Result<std::optional<surface::ImplicitSurface>> formOf(const ProbeOptions& optio
 		return std::optional<surface::ImplicitSurface>();
 	Result<surface::ImplicitSurface> form = surface::ImplicitSurface::parse(*options.surface);
 	if (!form)
-		return Error{form.error().code, fmt::format("--surface {}: {}", *options.surface, form.error().message)};
+		return Error{form.error().kind, fmt::format("--surface {}: {}", *options.surface, form.error().message)};
 	return std::optional(*form);
 }
 
@@ -85,10 +85,10 @@ Status checkForms(const std::vector<probe::Sheet>& sheets, std::span<const std::
 			continue;
 		const std::optional<grid::FieldChoice>& field = fields[s];
 		if (!field || field->association != grid::Association::point)
-			return Error{ExitCode::input, fmt::format("--iso {}: needs values at points{}; choose an array of points "
-			                                          "with --array",
-			                                          sheets[s].form->isoValue()->value,
-			                                          field ? ", and " + field->name + " has them in cells" : "")};
+			return Error{ErrorKind::input, fmt::format("--iso {}: needs values at points{}; choose an array of points "
+			                                           "with --array",
+			                                           sheets[s].form->isoValue()->value,
+			                                           field ? ", and " + field->name + " has them in cells" : "")};
 	}
 	return Nothing{};
 }
@@ -98,14 +98,14 @@ Result<std::optional<SurfaceChoice>> surfaceOf(const ProbeOptions& options)
 	if (!replacesSheets(options))
 		return std::optional<SurfaceChoice>();
 	if (const char* option = planeOption(options))
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             fmt::format("{}: belongs to planes, and --surface {} is none; leave one of the two out", option,
 		                         *options.surface)};
 	if (namesPatch(options))
 		return std::optional<SurfaceChoice>(find::PatchName{options.surface->substr(kPatch.size())});
 	Result<surface::GridIndexRange> range = surface::parseGridIndex(*options.surface);
 	if (!range)
-		return Error{range.error().code, fmt::format("--surface {}: {}", *options.surface, range.error().message)};
+		return Error{range.error().kind, fmt::format("--surface {}: {}", *options.surface, range.error().message)};
 	return std::optional<SurfaceChoice>(*range);
 }
 
@@ -114,7 +114,7 @@ Status checkSurface(const grid::BlockSet& blocks, const SurfaceChoice& choice, c
 	const auto* patch = std::get_if<find::PatchName>(&choice);
 	const Status fits = patch ? find::checkPatch(blocks, patch->name)
 	                          : find::checkGridIndex(blocks, std::get<surface::GridIndexRange>(choice));
-	return fits ? fits : Error{fits.error().code, fmt::format("--surface {}: {}", text, fits.error().message)};
+	return fits ? fits : Error{fits.error().kind, fmt::format("--surface {}: {}", text, fits.error().message)};
 }
 
 find::ListedSurface surfaceAt(const SurfaceChoice& choice, double done)
@@ -128,9 +128,10 @@ Status refuseGenerations(const ProbeOptions& options, bool by_generation)
 {
 	if (!replacesSheets(options) || !by_generation)
 		return Nothing{};
-	return Error{ExitCode::usage, fmt::format("--color-by generation: --surface {} is found without a traversal, which "
-	                                          "has the generations; leave one of the two out",
-	                                          *options.surface)};
+	return Error{ErrorKind::usage,
+	             fmt::format("--color-by generation: --surface {} is found without a traversal, which "
+	                         "has the generations; leave one of the two out",
+	                         *options.surface)};
 }
 
 Status requireOneSurface(const ProbeOptions& options)
@@ -139,7 +140,7 @@ Status requireOneSurface(const ProbeOptions& options)
 	if (!choice)
 		return choice.error();
 	if (*choice && !isStill(**choice))
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             fmt::format("--surface {}: a range is for sweep; give one index", *options.surface)};
 	return Nothing{};
 }
@@ -154,8 +155,8 @@ Status requirePathOfSurface(const ProbeOptions& options, const PathOptions& path
 	if (path.overTimes())
 		return requireOneSurface(options);
 	if (pathOf(path).kind != probe::PathKind::translate)
-		return Error{ExitCode::usage, fmt::format("--path {}: moves planes; with --surface take translate or times",
-		                                          path.path.empty() ? probe::nameOf(pathOf(path).kind) : path.path)};
+		return Error{ErrorKind::usage, fmt::format("--path {}: moves planes; with --surface take translate or times",
+		                                           path.path.empty() ? probe::nameOf(pathOf(path).kind) : path.path)};
 	if (isStill(**choice))
 		return doesNotMove(*options.surface, **choice);
 	return Nothing{};

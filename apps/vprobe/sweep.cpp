@@ -1,4 +1,4 @@
-#include "base/log.h"
+#include "base/messages.h"
 #include "commands.h"
 #include "explain.h"
 #include "saved_options.h"
@@ -36,21 +36,21 @@ struct SweepOptions
 Status checkSweepOptions(const SweepOptions& options)
 {
 	if (options.output.empty() && options.exposure.empty())
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             "-o: a sweep needs a place; give frames/{frame:04}.png, a film's name, out.pvd, or --exposure"};
 	const bool pictures = std::filesystem::path(options.output).extension() == ".png";
 	if (!options.output.empty() && !pictures && !write::isFilm(options.output) && !options.exports())
-		return Error{ExitCode::usage, fmt::format("-o {}: frames are written as .png, films as .mp4, .mkv, .webm or "
-		                                          ".gif, polygons as .pvd",
-		                                          options.output)};
+		return Error{ErrorKind::usage, fmt::format("-o {}: frames are written as .png, films as .mp4, .mkv, .webm or "
+		                                           ".gif, polygons as .pvd",
+		                                           options.output)};
 	if (options.resume && !pictures)
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             "--resume: only pictures can be gone on with; write them: -o frames/{frame:04}.png"};
 	if (!options.exposure.empty() && std::filesystem::path(options.exposure).extension() != ".png")
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             fmt::format("--exposure {}: is a picture; give the name of a .png file", options.exposure)};
 	if (options.stats == "-" && options.trace == "-")
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             "--stats - and --trace -: standard output takes one thing at a time; name a file for the other"};
 	for (const std::string* place : {&options.stats, &options.saved.save})
 		if (!place->empty())
@@ -108,8 +108,8 @@ Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, SweepPlan pla
 	plan.frames = steps.count();
 	plan.cuts_ahead = false; // it changes what is drawn
 	if (steps.count() == 0)
-		return Error{ExitCode::input, fmt::format("{}: has no times to sweep over; choose another --path",
-		                                          options.saved.probe.inputs.front())};
+		return Error{ErrorKind::input, fmt::format("{}: has no times to sweep over; choose another --path",
+		                                           options.saved.probe.inputs.front())};
 	if (options.saved.look.range.empty() && options.draws())
 		warn("--path times: the colours follow the range of each time; --range LO HI holds them still");
 	const CutSlice cut_slice = [&](int frame, const std::shared_ptr<const cut::Cut>&) { return steps.cutAt(frame); };

@@ -1,6 +1,6 @@
 #include "sweep_line.h"
 
-#include "base/log.h"
+#include "base/messages.h"
 #include "base/progress.h"
 #include "remaining_time.h"
 

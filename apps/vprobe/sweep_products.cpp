@@ -23,7 +23,7 @@ Result<std::unique_ptr<SweepProducts>> SweepProducts::create(Session& session, s
 Status SweepProducts::add(int frame, const CutFrame& cut)
 {
 	if (interrupt_ && interrupt_->came())
-		return Error{ExitCode::interrupted, "interrupted; nothing is written"};
+		return Error{ErrorKind::cancelled, "interrupted; nothing is written"};
 	if (series_)
 	{
 		const TimedSection section(session_.timeline.get(), "write");

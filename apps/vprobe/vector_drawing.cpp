@@ -79,7 +79,7 @@ Result<VectorDrawing::Coloring> VectorDrawing::coloringOf(const VectorLook& look
 		return Coloring{*field};
 	if (const auto color = render::parseColor(look.color))
 		return Coloring{{}, *color};
-	return Error{field.error().code,
+	return Error{field.error().kind,
 	             fmt::format("{}; or a colour: white, black, grey, #RRGGBB", field.error().message)};
 }
 

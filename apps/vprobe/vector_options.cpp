@@ -110,14 +110,14 @@ Status checkVectorOptions(const VectorOptions& options)
 	constexpr double kMaxSteps = 1e6;
 	// Not a number passes every comparison with the ends of a range.
 	if (!(options.jitter >= 0.0 && options.jitter <= 1.0))
-		return Error{ExitCode::usage, fmt::format("--vector-jitter {}: give a number from 0 to 1", options.jitter)};
+		return Error{ErrorKind::usage, fmt::format("--vector-jitter {}: give a number from 0 to 1", options.jitter)};
 	if (options.steps && !(*options.steps >= 0.0 && *options.steps <= kMaxSteps))
-		return Error{ExitCode::usage, fmt::format("--vector-steps {}: give a number from 0 to {}; --vector-direction "
-		                                          "backward goes against the flow",
-		                                          *options.steps, kMaxSteps)};
+		return Error{ErrorKind::usage, fmt::format("--vector-steps {}: give a number from 0 to {}; --vector-direction "
+		                                           "backward goes against the flow",
+		                                           *options.steps, kMaxSteps)};
 	if (options.dt && !(*options.dt > 0.0 && std::isfinite(*options.dt)))
 		return Error{
-		    ExitCode::usage,
+		    ErrorKind::usage,
 		    fmt::format("--vector-dt {}: a step takes some time; give a number above 0, or leave the option out",
 		                *options.dt)};
 	return Nothing{};
@@ -130,14 +130,14 @@ Result<VectorLook> parseVectorLook(const VectorLookOptions& options)
 	{
 		Result<render::ColorMap> colors = render::chooseColorMap(options.colormap);
 		if (!colors)
-			return Error{colors.error().code, fmt::format("--vector-colormap: {}", colors.error().message)};
+			return Error{colors.error().kind, fmt::format("--vector-colormap: {}", colors.error().message)};
 		look.colors = std::move(*colors);
 	}
 	if (options.width && !(*options.width > 0.0 && std::isfinite(*options.width)))
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             fmt::format("--vector-width {}: give a number above 0, or leave the option out", *options.width)};
 	if (!std::isfinite(options.opacity))
-		return Error{ExitCode::usage, "--vector-opacity: nan is no opacity; give a number from 0 to 1"};
+		return Error{ErrorKind::usage, "--vector-opacity: nan is no opacity; give a number from 0 to 1"};
 	return look;
 }
 

@@ -24,16 +24,16 @@ Status checkVectorsOut(const VectorOptions& vectors, const std::string& file, co
 	if (file.empty())
 		return Nothing{};
 	if (!vectors.on())
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             fmt::format("--vectors-out {}: nothing is launched; add --vectors tufts, or lines", file)};
 	if (file != "-" && std::filesystem::path(file).extension() != ".vtp")
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             fmt::format("--vectors-out {}: paths are written as .vtp; give a name that ends so, or -", file)};
 	for (const OtherOutput& other : others)
 		if (file == "-" && other.file == "-")
-			return Error{ExitCode::usage, fmt::format("--vectors-out - and {} -: standard output takes one thing at a "
-			                                          "time; name a file for the other",
-			                                          other.option)};
+			return Error{ErrorKind::usage, fmt::format("--vectors-out - and {} -: standard output takes one thing at a "
+			                                           "time; name a file for the other",
+			                                           other.option)};
 	return checkWritable(file);
 }
 

@@ -1,56 +1,45 @@
 #include "base/progress.h"
 
-#include <fmt/format.h>
-
-#include <chrono>
-#include <cstdio>
-#include <unistd.h>
+#include <mutex>
+#include <utility>
 
 namespace vp
 {
 
-Progress::Progress(std::string what) : what_(std::move(what))
+namespace
 {
-	if (isatty(STDERR_FILENO))
-		thread_ = std::thread([this] { show(); });
+
+struct ProgressListening
+{
+	std::mutex mutex;
+	ProgressSink sink;
+};
+
+ProgressListening& progressListening()
+{
+	static ProgressListening one;
+	return one;
 }
 
-Progress::~Progress()
+} // namespace
+
+ProgressListener::ProgressListener(ProgressSink sink)
 {
-	if (!thread_.joinable())
-		return;
-	{
-		const std::lock_guard lock(mutex_);
-		done_ = true;
-	}
-	done_changed_.notify_one();
-	thread_.join();
+	const std::lock_guard lock(progressListening().mutex);
+	previous_ = std::exchange(progressListening().sink, std::move(sink));
 }
 
-void Progress::say(std::string what)
+ProgressListener::~ProgressListener()
 {
-	const std::lock_guard lock(mutex_);
-	what_ = std::move(what);
+	const std::lock_guard lock(progressListening().mutex);
+	progressListening().sink = std::move(previous_);
 }
 
-void Progress::show()
+void Progress::say(std::string_view what)
 {
-	using namespace std::chrono_literals;
-	const auto start = std::chrono::steady_clock::now();
-	bool shown = false;
-	std::unique_lock lock(mutex_);
-	while (!done_changed_.wait_for(lock, 500ms, [this] { return done_; }))
-	{
-		const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-		fmt::print(stderr, "\r\033[K{} … {:.0f} s", what_, elapsed.count());
-		std::fflush(stderr);
-		shown = true;
-	}
-	if (shown)
-	{
-		fmt::print(stderr, "\r\033[K");
-		std::fflush(stderr);
-	}
+	const std::lock_guard lock(progressListening().mutex);
+	if (progressListening().sink)
+		progressListening().sink(what);
 }
 
 } // namespace vp

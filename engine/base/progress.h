@@ -1,33 +1,39 @@
 #pragma once
 
-#include <condition_variable>
-#include <mutex>
+#include <functional>
 #include <string>
-#include <thread>
+#include <string_view>
 
 namespace vp
 {
 
-// Tells a terminal what takes its time: after half a second a line "reading FILE … 3 s" on standard error, renewed in
-// place and wiped at the end. Silent where standard error is no terminal.
+/// What the library is busy with, as "reading FILE"; called with an empty text when it ends. From any thread.
+using ProgressSink = std::function<void(std::string_view)>;
+
+/// While one lives, work that takes its time is told to its sink. The youngest one hears; without one nobody does.
+/// Listeners end in the reverse order of their beginning.
+class ProgressListener
+{
+public:
+	explicit ProgressListener(ProgressSink sink);
+	~ProgressListener();
+	ProgressListener(const ProgressListener&) = delete;
+	ProgressListener& operator=(const ProgressListener&) = delete;
+
+private:
+	ProgressSink previous_;
+};
+
+/// Work under way, told from beginning to end. One at a time.
 class Progress
 {
 public:
-	explicit Progress(std::string what);
-	~Progress();
+	explicit Progress(std::string_view what) { say(what); }
+	~Progress() { say({}); }
 	Progress(const Progress&) = delete;
 	Progress& operator=(const Progress&) = delete;
 
-	void say(std::string what); // from now on
-
-private:
-	void show();
-
-	std::string what_;
-	std::mutex mutex_;
-	std::condition_variable done_changed_;
-	bool done_ = false;
-	std::thread thread_;
+	void say(std::string_view what); // from now on
 };
 
 } // namespace vp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cassert>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
@@ -8,26 +9,28 @@
 namespace vp
 {
 
-// The program's exit codes; scripts rely on the numbers.
-enum class ExitCode
+/// Why something failed, for callers that act on it.
+enum class ErrorKind : std::uint8_t
 {
-	done = 0,
-	usage = 1,     // unknown option, a value that cannot be
-	input = 2,     // input that cannot be used
-	no_device = 3, // no usable Vulkan device
-	output = 4,    // output that cannot be written, and everything else
-	findings = 5,
-	interrupted = 130
+	usage,         // a setting or an argument that cannot be
+	input,         // input that cannot be used
+	device,        // no usable Vulkan device, or one that was lost; the next call may open another
+	output,        // output that cannot be written
+	found,         // what was looked for was found, where finding it is bad news
+	cancelled,     // the caller asked to stop
+	out_of_memory, // of the machine or of the device
+	internal       // a mistake of ours
 };
 
-// One line that names the file or option and the remedy.
+/// One line that names the file or the setting, and the remedy. Settings stand between backquotes as the keys of a
+/// state file, as in "`color_by` array": a program shows its own word for them.
 struct Error
 {
-	ExitCode code = ExitCode::output;
+	ErrorKind kind = ErrorKind::internal;
 	std::string message;
 };
 
-// A value, or the reason there is none. For bad input and Vulkan's recoverable failures; our own mistakes are asserts.
+/// A value, or the reason there is none. For bad input and Vulkan's recoverable failures; our own mistakes are asserts.
 template <class T>
 class [[nodiscard]] Result
 {

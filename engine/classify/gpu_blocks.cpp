@@ -56,7 +56,7 @@ Status GpuBlocks::uploadBlocks()
 			Result<std::unique_ptr<GpuBlock>> uploaded = uploadBlock(device_, block);
 			if (uploaded)
 				on_device = std::move(*uploaded);
-			else if (uploaded.error().code == ExitCode::no_device)
+			else if (uploaded.error().kind == ErrorKind::device)
 				return uploaded.error(); // lost
 			else
 				why = uploaded.error().message; // out of memory

@@ -58,7 +58,8 @@ Status ClassifyWorkspace::reserveAxes(gpu::Device& device, std::size_t texels)
 	constexpr std::size_t kTexelBytes = 16;
 	// Growing at most doubles it.
 	if (texels > device.limits().maxTexelBufferElements / 4)
-		return Error{ExitCode::output, "more blocks and sheets than the device can address; use --classify cpu"};
+		return Error{ErrorKind::out_of_memory,
+		             "more blocks and sheets than the device can address; use `classify` cpu"};
 	if (axes && axes.size() >= texels * kTexelBytes)
 		return Nothing{};
 	axis_texels = {};

@@ -1,7 +1,7 @@
 #include "find/listed.h"
 
 #include "base/key_numbers.h"
-#include "base/log.h"
+#include "base/messages.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -124,12 +124,12 @@ Status checkGridIndex(const grid::BlockSet& blocks, const surface::GridIndexRang
 		if (const auto lattice = grid::latticeCellsOf(block))
 			most = std::max(most, lattice->lattice().cells()[range.axis]);
 	if (most == 0)
-		return Error{ExitCode::input,
-		             "the grid has no subscripts, being unstructured; cut it by a plane, with --normal"};
+		return Error{ErrorKind::input,
+		             "the grid has no subscripts, being unstructured; cut it by a plane, with `normal`"};
 	for (const double index : {range.first, range.last})
 		if (!(index >= 0.0 && index <= most))
-			return Error{ExitCode::usage, fmt::format("{} runs from 0 to {} here; give an index within",
-			                                          surface::axisName(range.axis), most)};
+			return Error{ErrorKind::usage, fmt::format("{} runs from 0 to {} here; give an index within",
+			                                           surface::axisName(range.axis), most)};
 	return Nothing{};
 }
 
@@ -158,18 +158,20 @@ Status checkPatch(const grid::BlockSet& blocks, const std::string& name)
 		lost += patch.lost;
 	}
 	if (lost > 0 && faces == 0)
-		return Error{ExitCode::input, fmt::format("none of the {} faces of the patch {} is a boundary face of a linear "
-		                                          "cell; choose another patch",
-		                                          lost, name)};
+		return Error{ErrorKind::input,
+		             fmt::format("none of the {} faces of the patch {} is a boundary face of a linear "
+		                         "cell; choose another patch",
+		                         lost, name)};
 	if (lost > 0)
 		warn("{} of {} faces of the patch {} are no boundary faces of linear cells and left out", lost, lost + faces,
 		     name);
 	if (std::ranges::find(names, name) != names.end())
 		return Nothing{};
 	if (names.empty())
-		return Error{ExitCode::input, "the input names no parts of its boundary; OpenFOAM patches and Exodus side sets "
-		                              "are read"};
-	return Error{ExitCode::input, fmt::format("there is no patch of that name; there are {}", fmt::join(names, ", "))};
+		return Error{ErrorKind::input,
+		             "the input names no parts of its boundary; OpenFOAM patches and Exodus side sets "
+		             "are read"};
+	return Error{ErrorKind::input, fmt::format("there is no patch of that name; there are {}", fmt::join(names, ", "))};
 }
 
 std::vector<BlockCut> patchCells(const grid::BlockSet& blocks, const std::string& name,

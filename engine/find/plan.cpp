@@ -231,7 +231,7 @@ Result<CutPlan> planCut(const PlanRequest& request, const grid::BlockSet& blocks
 			                      unstructured,     lacks_neighbors};
 			if (request.strategy)
 				if (const char* why = whyNot(*request.strategy, at))
-					return Error{ExitCode::usage,
+					return Error{ErrorKind::usage,
 					             fmt::format("{}: not for sheet {} in block {}: {}; leave it out, or take {}",
 					                         nameOf(*request.strategy), s, blocks.blocks[b].name, why,
 					                         nameOf(choose(at)))};

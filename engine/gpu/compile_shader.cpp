@@ -23,8 +23,8 @@ struct Library
 
 Error compilerError(std::string_view log)
 {
-	return {ExitCode::output, fmt::format("a shader for the surface cannot be compiled ({}); use --classify cpu",
-	                                      log.substr(0, log.find('\n')))};
+	return {ErrorKind::internal, fmt::format("a shader for the surface cannot be compiled ({}); use `classify` cpu",
+	                                         log.substr(0, log.find('\n')))};
 }
 
 } // namespace

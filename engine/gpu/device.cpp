@@ -86,7 +86,7 @@ Device::Device() : private_(std::make_unique<Private>()) {}
 
 Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 {
-	const Error no_hardware{ExitCode::no_device, "no Vulkan device but software on the CPU"};
+	const Error no_hardware{ErrorKind::device, "no Vulkan device but software on the CPU"};
 	if (options.hardware_only && !mayHaveHardware())
 		return no_hardware;
 	std::unique_ptr<Device> device(new Device);
@@ -149,8 +149,8 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 	info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
 	info.ppEnabledExtensionNames = extensions.data();
 	if (const VkResult made = vkCreateDevice(device->physical_, &info, nullptr, &device->device_); made != VK_SUCCESS)
-		return Error{ExitCode::no_device, fmt::format("device {} cannot be used ({}); another one may do: --device",
-		                                              device->name_, resultName(made))};
+		return Error{ErrorKind::device, fmt::format("device {} cannot be used ({}); another one may do: `device`",
+		                                            device->name_, resultName(made))};
 	vkGetDeviceQueue(device->device_, device->queue_family_, 0, &device->queue_);
 	if (hidden.instance->debug_utils)
 	{
@@ -218,7 +218,7 @@ void Device::setName(VkObjectType type, std::uint64_t object, std::string_view n
 	const std::string text(name);
 	const VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT, nullptr, type, object,
 	                                         text.c_str()};
-	require(private_->set_name(device_, &info), "vkSetDebugUtilsObjectNameEXT");
+	private_->set_name(device_, &info); // names are for debuggers; nothing depends on them
 }
 
 void Device::beginLabel(VkCommandBuffer commands, const char* label) const

@@ -40,7 +40,7 @@ struct Submission
 class Device
 {
 public:
-	// No loader, no device or a device that lacks something: ExitCode::no_device, with a line that says what to
+	// No loader, no device or a device that lacks something: ErrorKind::device, with a line that says what to
 	// install. A name or index that matches nothing lists what there is.
 	static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
 	~Device(); // waits until the queue is idle

@@ -125,7 +125,7 @@ Result<Candidate> chooseDevice(VkInstance instance, const std::string& name_or_i
 	if (listed == VK_SUCCESS)
 		listed = vkEnumeratePhysicalDevices(instance, &count, devices.data());
 	if (listed < 0 || count == 0)
-		return Error{ExitCode::no_device,
+		return Error{ErrorKind::device,
 		             "no Vulkan device; install mesa-vulkan-drivers, or the driver of your graphics card"};
 	devices.resize(count);
 
@@ -139,20 +139,20 @@ Result<Candidate> chooseDevice(VkInstance instance, const std::string& name_or_i
 
 	const auto unusable = [](const Candidate& candidate)
 	{
-		return Error{ExitCode::no_device, fmt::format("device {} lacks {}; a newer driver may have it", candidate.name,
-		                                              fmt::join(candidate.lacks, ", "))};
+		return Error{ErrorKind::device, fmt::format("device {} lacks {}; a newer driver may have it", candidate.name,
+		                                            fmt::join(candidate.lacks, ", "))};
 	};
 	if (isIndex(name_or_index))
 	{
 		const std::size_t index = std::stoul(name_or_index);
 		if (index >= candidates.size())
-			return Error{ExitCode::no_device, fmt::format("no device {}; there are {}", index, list)};
+			return Error{ErrorKind::device, fmt::format("no device {}; there are {}", index, list)};
 		return candidates[index].lacks.empty() ? Result<Candidate>(candidates[index]) : unusable(candidates[index]);
 	}
 	std::erase_if(candidates, [&](const Candidate& candidate)
 	              { return lowered(candidate.name).find(lowered(name_or_index)) == std::string::npos; });
 	if (candidates.empty())
-		return Error{ExitCode::no_device, fmt::format("no device is named {}; there are {}", name_or_index, list)};
+		return Error{ErrorKind::device, fmt::format("no device is named {}; there are {}", name_or_index, list)};
 	std::stable_sort(candidates.begin(), candidates.end(),
 	                 [](const Candidate& a, const Candidate& b)
 	                 {

@@ -1,6 +1,6 @@
 #include "gpu/instance.h"
 
-#include "base/log.h"
+#include "base/messages.h"
 #include "gpu/vk_check.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* instance)
 {
 	static_cast<Instance*>(instance)->messages.fetch_add(1);
-	logError(data->pMessage);
+	report(Severity::error, data->pMessage);
 	return VK_FALSE;
 }
 
@@ -92,14 +92,16 @@ Result<std::unique_ptr<Instance>> createInstance(bool validation, const std::vec
 		info.ppEnabledLayerNames = &kValidationLayer;
 	}
 	if (const VkResult made = vkCreateInstance(&info, nullptr, &instance->handle); made != VK_SUCCESS)
-		return Error{ExitCode::no_device, fmt::format("Vulkan cannot be used ({}); install mesa-vulkan-drivers, or the "
-		                                              "driver of your graphics card",
-		                                              resultName(made))};
+		return Error{ErrorKind::device, fmt::format("Vulkan cannot be used ({}); install mesa-vulkan-drivers, or the "
+		                                            "driver of your graphics card",
+		                                            resultName(made))};
 	if (instance->validates)
 		if (const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
 		        vkGetInstanceProcAddr(instance->handle, "vkCreateDebugUtilsMessengerEXT")))
-			require(create(instance->handle, &messenger, nullptr, &instance->messenger),
-			        "vkCreateDebugUtilsMessengerEXT");
+			if (Status made = check(create(instance->handle, &messenger, nullptr, &instance->messenger),
+			                        "vkCreateDebugUtilsMessengerEXT");
+			    !made)
+				return made.error();
 	return instance;
 }
 

@@ -1,11 +1,12 @@
 #include "gpu/shader.h"
 
-#include "base/log.h"
 #include "embedded_shaders.h"
 #include "gpu/vk_check.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
-#include <cstdlib>
+#include <stdexcept>
 
 namespace vp::gpu
 {
@@ -36,10 +37,7 @@ private:
 	{
 		const std::span<const std::uint32_t> words = shaders::spirv(name);
 		if (words.empty())
-		{
-			logError(fmt::format("no shader {} was built in", name));
-			std::abort();
-		}
+			throw std::logic_error(fmt::format("no shader {} was built in", name));
 		return words;
 	}
 

@@ -1,8 +1,8 @@
 #include "gpu/vk_check.h"
 
-#include "base/log.h"
+#include <fmt/format.h>
 
-#include <cstdlib>
+#include <stdexcept>
 
 namespace vp::gpu
 {
@@ -36,16 +36,6 @@ const char* resultName(VkResult result)
 	}
 }
 
-namespace
-{
-[[noreturn]] void stop(VkResult result, const char* call)
-{
-	logError(fmt::format("{}: {} ({}); this is a mistake in the program, please report it", call, resultName(result),
-	                     static_cast<int>(result)));
-	std::abort();
-}
-} // namespace
-
 Status check(VkResult result, const char* call)
 {
 	if (result >= 0)
@@ -54,22 +44,23 @@ Status check(VkResult result, const char* call)
 	{
 	case VK_ERROR_OUT_OF_HOST_MEMORY:
 	case VK_ERROR_OUT_OF_DEVICE_MEMORY:
-		return Error{ExitCode::output,
-		             fmt::format("{} ({}); use --classify cpu or smaller data", resultName(result), call)};
+		return Error{ErrorKind::out_of_memory,
+		             fmt::format("{} ({}); use `classify` cpu or smaller data", resultName(result), call)};
 	case VK_ERROR_DEVICE_LOST:
 	case VK_ERROR_SURFACE_LOST_KHR:
-		return Error{ExitCode::no_device,
-		             fmt::format("{} ({}); the driver's log may say why, --classify cpu works without",
-		                         resultName(result), call)};
+		return Error{ErrorKind::device, fmt::format("{} ({}); the driver's log may say why, `classify` cpu works "
+		                                            "without",
+		                                            resultName(result), call)};
 	default:
-		stop(result, call);
+		return Error{ErrorKind::internal, fmt::format("{}: {} ({}); this is a mistake in the program, please report it",
+		                                              call, resultName(result), static_cast<int>(result))};
 	}
 }
 
 void require(VkResult result, const char* call)
 {
-	if (result < 0)
-		stop(result, call);
+	if (const Status done = check(result, call); !done)
+		throw std::runtime_error(done.error().message);
 }
 
 } // namespace vp::gpu

@@ -6,12 +6,11 @@
 namespace vp::gpu
 {
 
-// Out of memory and a lost device come back as an Error, since a caller can go on without; any other failure is our
-// mistake: it names the call and ends the program, in release too. Success codes (VK_NOT_READY, VK_SUBOPTIMAL_KHR …)
-// pass.
+/// The Error of a call that failed: out_of_memory, device where it is lost, and else internal, since any other failure
+/// is a mistake of ours. Success codes (VK_NOT_READY, VK_SUBOPTIMAL_KHR …) pass.
 Status check(VkResult result, const char* call);
 
-// For calls that can fail with our mistakes only.
+/// For calls whose callers have no way to hand an Error on: throws std::runtime_error with the same message.
 void require(VkResult result, const char* call);
 
 const char* resultName(VkResult result);

@@ -119,13 +119,13 @@ Result<BlockSet> makeDemo(std::string_view name, int n, bool builds_neighbors)
 {
 	const auto maker = std::ranges::find_if(kMakers, [&](const Maker& m) { return m.demo.name == name; });
 	if (maker == std::end(kMakers))
-		return Error{ExitCode::input, fmt::format("demo:{}: no such data set; there are {}", name, namesOfDemos())};
+		return Error{ErrorKind::input, fmt::format("demo:{}: no such data set; there are {}", name, namesOfDemos())};
 	int most = kMaxDemoCells;
 	while (maker->slots * most * most * most > static_cast<double>(UnstructuredGrid::kMaxFaceSlots))
 		--most;
 	if (n < 1 || n > most)
-		return Error{ExitCode::input, fmt::format("demo:{}:{}: N must be 1 to {} for {}; the data sets are {}", name, n,
-		                                          most, name, namesOfDemos())};
+		return Error{ErrorKind::input, fmt::format("demo:{}:{}: N must be 1 to {} for {}; the data sets are {}", name,
+		                                           n, most, name, namesOfDemos())};
 	try
 	{
 		BlockSet set;
@@ -139,7 +139,7 @@ Result<BlockSet> makeDemo(std::string_view name, int n, bool builds_neighbors)
 	}
 	catch (const std::bad_alloc&)
 	{
-		return Error{ExitCode::input, fmt::format("demo:{}:{}: not enough memory; choose a smaller N", name, n)};
+		return Error{ErrorKind::input, fmt::format("demo:{}:{}: not enough memory; choose a smaller N", name, n)};
 	}
 }
 
@@ -153,7 +153,7 @@ Result<BlockSet> parseDemo(std::string_view text, bool builds_neighbors)
 	int n = 0;
 	const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), n);
 	if (error != std::errc() || end != number.data() + number.size())
-		return Error{ExitCode::input,
+		return Error{ErrorKind::input,
 		             fmt::format("demo:{}: expected NAME or NAME:N with N 1 to {}; the data sets are {}", text,
 		                         kMaxDemoCells, namesOfDemos())};
 	return makeDemo(name, n, builds_neighbors);

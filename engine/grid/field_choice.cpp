@@ -88,12 +88,12 @@ Result<int> parseComponent(const grid::Field& field, const std::string& text)
 		component = text[0] - 'x';
 	else if (const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), component);
 	         error != std::errc() || end != text.data() + text.size() || component < 0)
-		return Error{ExitCode::usage,
-		             fmt::format("--component {}: not a component; use magnitude, x, y, z or a number from 0", text)};
+		return Error{ErrorKind::usage,
+		             fmt::format("`component` {}: not a component; use magnitude, x, y, z or a number from 0", text)};
 	if (component >= field.components)
 		return Error{
-		    ExitCode::usage,
-		    fmt::format("--component {}: array {} has {} component{}; use {}", text, field.name, field.components,
+		    ErrorKind::usage,
+		    fmt::format("`component` {}: array {} has {} component{}; use {}", text, field.name, field.components,
 		                field.components == 1 ? "" : "s",
 		                field.components == 1 ? "0" : fmt::format("0 to {} or magnitude", field.components - 1))};
 	return component;
@@ -144,11 +144,11 @@ Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, con
 	if (!field && array.empty())
 	{
 		if (!component.empty())
-			return Error{ExitCode::input, fmt::format("--component {}: the input has no array", component)};
+			return Error{ErrorKind::input, fmt::format("`component` {}: the input has no array", component)};
 		return std::optional<FieldChoice>{};
 	}
 	if (!field)
-		return Error{ExitCode::input,
+		return Error{ErrorKind::input,
 		             fmt::format("{} {}: no such array; there are: {}", option, array, listFields(blocks))};
 	Result<int> chosen = parseComponent(*field, component);
 	if (!chosen)

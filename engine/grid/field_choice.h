@@ -27,7 +27,7 @@ struct FieldChoice
 // is "", "magnitude", "x", "y", "z" or a number from 0. An array that no block has is an input error that lists those
 // there are. option: what the error calls it.
 Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, const std::string& array,
-                                               const std::string& component, const char* option = "--array");
+                                               const std::string& component, const char* option = "`array`");
 
 // Range of the chosen values over all blocks, NaN left out.
 std::pair<double, double> fieldRange(const grid::BlockSet& blocks, const FieldChoice& choice);

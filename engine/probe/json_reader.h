@@ -83,7 +83,7 @@ Result<T> readDocument(const nlohmann::json& document, const std::string& source
 	}
 	catch (const SchemaError& unfit)
 	{
-		return Error{ExitCode::input, source + ": " + unfit.message};
+		return Error{ErrorKind::input, source + ": " + unfit.message};
 	}
 }
 

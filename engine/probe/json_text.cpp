@@ -137,7 +137,7 @@ std::string pointerStep(std::string_view key)
 Result<json> parseJson(std::string_view text, const std::string& source)
 {
 	const auto unusable = [&](const std::string& reason) {
-		return Error{ExitCode::input, fmt::format("{}: {}", source, reason)};
+		return Error{ErrorKind::input, fmt::format("{}: {}", source, reason)};
 	};
 	Whereabouts at;
 	try
@@ -167,7 +167,7 @@ Result<json> parseJson(std::string_view text, const std::string& source)
 Result<std::string> readText(const std::string& file)
 {
 	const auto unusable = [&](const char* reason) {
-		return Error{ExitCode::input, fmt::format("{}: {}", file, reason)};
+		return Error{ErrorKind::input, fmt::format("{}: {}", file, reason)};
 	};
 	std::error_code error;
 	if (!std::filesystem::exists(file, error))

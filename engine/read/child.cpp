@@ -39,14 +39,14 @@ std::string lastLine(std::string_view text)
 
 Error notStarted(const std::string& why)
 {
-	return {ExitCode::output, fmt::format("vprobe-read cannot be started: {}", why)};
+	return {ErrorKind::internal, fmt::format("vprobe-read cannot be started: {}", why)};
 }
 
 // What the child's end means for the user.
 Error explain(const std::string& file, const Reader& reader, const InputLimits& limits)
 {
 	const auto input = [&](const std::string& reason) {
-		return Error{ExitCode::input, fmt::format("{}: {}", file, reason)};
+		return Error{ErrorKind::input, fmt::format("{}: {}", file, reason)};
 	};
 	const std::string line = lastLine(reader.errors);
 	if (WIFSIGNALED(reader.status))
@@ -103,7 +103,7 @@ rlimit limitOf(std::uint64_t value, int resource)
 
 Error stopped(const std::string& input)
 {
-	return {ExitCode::interrupted, fmt::format("{}: reading was cancelled", input)};
+	return {ErrorKind::cancelled, fmt::format("{}: reading was cancelled", input)};
 }
 
 Result<HandedOver> runReader(const std::string& file, const ReadOptions& options, const InputLimits& limits)
@@ -160,7 +160,7 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 			return stopped(file);
 		const char* reason =
 		    reader.wroteTooMuch() ? "describes more arrays than can be" : "the reader ran over its time limit of {} s";
-		return Error{ExitCode::input,
+		return Error{ErrorKind::input,
 		             fmt::format("{}: {}", file, fmt::format(fmt::runtime(reason), limits.time.count()))};
 	}
 	if (!WIFEXITED(reader.status) || WEXITSTATUS(reader.status) != 0)
@@ -168,7 +168,7 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 
 	HandedOver handed{std::move(reader.manifest), mapSealed(arrays), mapSealed(cells)};
 	if (!handed.arrays.owner || !handed.cells.owner)
-		return Error{ExitCode::input,
+		return Error{ErrorKind::input,
 		             fmt::format("{}: the reader's arrays cannot be mapped: {}", file, std::strerror(errno))};
 	return handed;
 }

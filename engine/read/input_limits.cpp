@@ -74,7 +74,7 @@ std::uint64_t bytesBeside(const fs::path& file)
 
 Error inputError(const std::string& file, const std::string& reason)
 {
-	return {ExitCode::input, fmt::format("{}: {}", file, reason)};
+	return {ErrorKind::input, fmt::format("{}: {}", file, reason)};
 }
 
 } // namespace

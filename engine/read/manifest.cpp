@@ -301,16 +301,16 @@ Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arr
 	{
 		const json manifest = json::parse(text);
 		if (manifest.at("version") != kProtocolVersion)
-			return Error{ExitCode::output, "vprobe-read is of another version; install both together"};
+			return Error{ErrorKind::internal, "vprobe-read is of another version; install both together"};
 		return Checker(arrays, cells).check(manifest);
 	}
 	catch (const Unusable& unusable)
 	{
-		return Error{ExitCode::input, unusable.what()};
+		return Error{ErrorKind::input, unusable.what()};
 	}
 	catch (const json::exception&)
 	{
-		return Error{ExitCode::input, "the manifest of its arrays cannot be read"};
+		return Error{ErrorKind::input, "the manifest of its arrays cannot be read"};
 	}
 }
 

@@ -1,6 +1,6 @@
 #include "read/read.h"
 
-#include "base/log.h"
+#include "base/messages.h"
 #include "base/timeline.h"
 #include "grid/demo.h"
 #include "read/build_block.h"
@@ -36,8 +36,8 @@ Result<CheckedInput> readChecked(const std::string& file, const ReadOptions& opt
 	if (!handed)
 		return handed.error();
 	Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays, handed->cells);
-	if (!checked && checked.error().code == ExitCode::input)
-		return Error{ExitCode::input, fmt::format("{}: truncated or damaged: {}", file, checked.error().message)};
+	if (!checked && checked.error().kind == ErrorKind::input)
+		return Error{ErrorKind::input, fmt::format("{}: truncated or damaged: {}", file, checked.error().message)};
 	return checked;
 }
 
@@ -110,7 +110,7 @@ Result<TimeChoice> parseTime(const std::string& text)
 	const auto [end, error] = is_index ? std::from_chars(text.data() + 1, stop, choice.index)
 	                                   : std::from_chars(text.data(), stop, choice.value);
 	if (error != std::errc() || end != stop || !std::isfinite(choice.value))
-		return Error{ExitCode::usage, fmt::format("--time {}: neither last, first, a number nor #INDEX", text)};
+		return Error{ErrorKind::usage, fmt::format("`time` {}: neither last, first, a number nor #INDEX", text)};
 	return choice;
 }
 

@@ -31,7 +31,7 @@ Result<std::string> readerProgram()
 		if (access(candidate.c_str(), X_OK) == 0)
 			return candidate.string();
 	return Error{
-	    ExitCode::output,
+	    ErrorKind::internal,
 	    fmt::format("vprobe-read is missing from {} and ../libexec/vprobe; install it beside vprobe", folder.string())};
 }
 

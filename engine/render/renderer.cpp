@@ -319,8 +319,8 @@ Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& 
 Result<Drawn> Renderer::Private::draw(const Scene& scene, const DrawTarget& target, Timeline* timeline)
 {
 	if (scene.sheets.size() > shared::kMaxLayers)
-		return Error{ExitCode::usage, fmt::format("{} sheets are more than a picture takes; show up to {}",
-		                                          scene.sheets.size(), shared::kMaxLayers)};
+		return Error{ErrorKind::usage, fmt::format("{} sheets are more than a picture takes; show up to {}",
+		                                           scene.sheets.size(), shared::kMaxLayers)};
 	if (Status made = makeTargets(scene); !made)
 		return made.error();
 	layers_drawn = 0;

@@ -58,7 +58,7 @@ public:
 		if (root == kNone)
 			return *error_;
 		if (tree_.isNumber(root))
-			return Error{ExitCode::usage, "column 1: the expression is constant: it needs x, y or z"};
+			return Error{ErrorKind::usage, "column 1: the expression is constant: it needs x, y or z"};
 		return ParsedExpression{std::move(tree_), root};
 	}
 
@@ -242,7 +242,7 @@ private:
 	int fail(std::size_t at, const std::string& reason)
 	{
 		if (!error_)
-			error_ = Error{ExitCode::usage, fmt::format("column {}: {}", column(at), reason)};
+			error_ = Error{ErrorKind::usage, fmt::format("column {}: {}", column(at), reason)};
 		return kNone;
 	}
 

@@ -34,7 +34,7 @@ std::string nameOf(const GridIndex& at)
 Result<GridIndexRange> parseGridIndex(const std::string& text)
 {
 	if (text.size() < 2 || text[0] < 'i' || text[0] > 'k' || text[1] != '=')
-		return Error{ExitCode::usage,
+		return Error{ErrorKind::usage,
 		             "takes i=, j= or k= and a point index from 0, such as i=12.5, or patch=NAME; other "
 		             "surfaces are not known"};
 	const std::string_view numbers = std::string_view(text).substr(2);
@@ -42,9 +42,10 @@ Result<GridIndexRange> parseGridIndex(const std::string& text)
 	const std::optional<double> first = numberOf(numbers.substr(0, dots));
 	const std::optional<double> last = dots == std::string_view::npos ? first : numberOf(numbers.substr(dots + 2));
 	if (!first || !last)
-		return Error{ExitCode::usage, fmt::format("after {}= goes a point index, such as 12.5, or for a sweep a range, "
-		                                          "such as 0..12.5",
-		                                          text[0])};
+		return Error{ErrorKind::usage,
+		             fmt::format("after {}= goes a point index, such as 12.5, or for a sweep a range, "
+		                         "such as 0..12.5",
+		                         text[0])};
 	return GridIndexRange{text[0] - 'i', *first, *last};
 }
 

@@ -36,28 +36,28 @@ using Numbers = std::vector<double>;
 Result<Quadric> makeSphere(const Numbers& n)
 {
 	if (n[0] <= 0.0)
-		return Error{ExitCode::usage, "a radius is above 0"};
+		return Error{ErrorKind::usage, "a radius is above 0"};
 	return Quadric::sphere(n[0]);
 }
 
 Result<Quadric> makeCylinder(const Numbers& n)
 {
 	if (n[0] <= 0.0)
-		return Error{ExitCode::usage, "a radius is above 0"};
+		return Error{ErrorKind::usage, "a radius is above 0"};
 	return Quadric::cylinder(n[0]);
 }
 
 Result<Quadric> makeCone(const Numbers& n)
 {
 	if (n[0] <= 0.0 || n[0] >= 90.0)
-		return Error{ExitCode::usage, "half a cone's opening angle lies between 0 and 90 degrees"};
+		return Error{ErrorKind::usage, "half a cone's opening angle lies between 0 and 90 degrees"};
 	return Quadric::cone(n[0]);
 }
 
 Result<Quadric> makeEllipsoid(const Numbers& n)
 {
 	if (n[0] <= 0.0 || n[1] <= 0.0 || n[2] <= 0.0)
-		return Error{ExitCode::usage, "half axes are above 0"};
+		return Error{ErrorKind::usage, "half axes are above 0"};
 	return Quadric::ellipsoid(n[0], n[1], n[2]);
 }
 
@@ -66,7 +66,7 @@ Result<Quadric> makeQuadric(const Numbers& n)
 	Quadric::Coefficients coefficients;
 	std::copy(n.begin(), n.end(), coefficients.begin());
 	if (std::all_of(n.begin(), n.end() - 1, [](double number) { return number == 0.0; }))
-		return Error{ExitCode::usage, "is constant; give one of the first nine numbers another value than 0"};
+		return Error{ErrorKind::usage, "is constant; give one of the first nine numbers another value than 0"};
 	return Quadric(coefficients);
 }
 
@@ -97,7 +97,7 @@ Result<ImplicitSurface> ImplicitSurface::parse(const std::string& text)
 	if (word == "iso")
 	{
 		if (!numbers || numbers->size() != 1)
-			return Error{ExitCode::usage, "after iso: goes a value, such as iso:0.5"};
+			return Error{ErrorKind::usage, "after iso: goes a value, such as iso:0.5"};
 		return ImplicitSurface(text, IsoValue{numbers->front()});
 	}
 	for (const QuadricWord& known : kWords)
@@ -105,13 +105,13 @@ Result<ImplicitSurface> ImplicitSurface::parse(const std::string& text)
 		if (word != known.word)
 			continue;
 		if (!numbers || numbers->size() != known.numbers)
-			return Error{ExitCode::usage, fmt::format("takes {}", known.takes)};
+			return Error{ErrorKind::usage, fmt::format("takes {}", known.takes)};
 		Result<Quadric> quadric = known.make(*numbers);
 		return quadric ? Result<ImplicitSurface>(ImplicitSurface(text, *quadric)) : quadric.error();
 	}
 	if (colon != std::string::npos)
-		return Error{ExitCode::usage, "is no surface; take sphere:R, cylinder:R, cone:DEGREES, ellipsoid:A,B,C, "
-		                              "quadric: and ten numbers, iso:VALUE, or an expression in x, y and z"};
+		return Error{ErrorKind::usage, "is no surface; take sphere:R, cylinder:R, cone:DEGREES, ellipsoid:A,B,C, "
+		                               "quadric: and ten numbers, iso:VALUE, or an expression in x, y and z"};
 	Result<Expression> expression = Expression::parse(text);
 	return expression ? Result<ImplicitSurface>(ImplicitSurface(text, *expression)) : expression.error();
 }

@@ -157,7 +157,7 @@ Status Flight::advance(std::span<const BlockTimes> vectors, double sense, const 
 				                  pilot.fly(particles_[i]);
 	                  });
 	if (stop.stop_requested())
-		return Error{ExitCode::interrupted, "tracing was cancelled"};
+		return Error{ErrorKind::cancelled, "tracing was cancelled"};
 	return Nothing{};
 }
 

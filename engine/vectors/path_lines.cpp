@@ -107,8 +107,9 @@ Result<Traces> tracePathLines(const grid::BlockSet& blocks, const StoredVectors&
 	if (Status sound = checkOptions(options, launches.size()); !sound)
 		return sound.error();
 	if (!(launch_time >= stored.times.front() && launch_time <= stored.times.back()))
-		return Error{ExitCode::usage, fmt::format("--time {}: path lines start between the stored times; give {} to {}",
-		                                          launch_time, stored.times.front(), stored.times.back())};
+		return Error{ErrorKind::usage,
+		             fmt::format("`time` {}: path lines start between the stored times; give {} to {}", launch_time,
+		                         stored.times.front(), stored.times.back())};
 	Flight flight(blocks, launches, options, false);
 	for (const double sense : {-1.0, 1.0})
 		if (Status flown = fly(flight, stored, launch_time, sense, stop); !flown)

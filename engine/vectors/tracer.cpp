@@ -12,16 +12,16 @@ namespace vp::vectors
 Status checkOptions(const TraceOptions& options, std::size_t launches)
 {
 	if (!(options.dt > 0.0) || !std::isfinite(options.dt))
-		return Error{ExitCode::usage, fmt::format("--vector-dt {}: not a step; give a number above 0", options.dt)};
+		return Error{ErrorKind::usage, fmt::format("`vector_dt` {}: not a step; give a number above 0", options.dt)};
 	if (!(options.steps >= 0.0) || !std::isfinite(options.steps * options.dt))
-		return Error{ExitCode::usage,
-		             fmt::format("--vector-steps {}: not a number of steps; give 0 or more", options.steps)};
+		return Error{ErrorKind::usage,
+		             fmt::format("`vector_steps` {}: not a number of steps; give 0 or more", options.steps)};
 	const double ways = options.direction == Direction::both ? 2.0 : 1.0;
 	const double points = static_cast<double>(launches) * (ways * (std::ceil(options.steps) + 1.0));
 	if (points > kMaxTracePoints)
-		return Error{ExitCode::usage, fmt::format("--vector-steps {}: of {} traces there would be {:.3g} points; "
-		                                          "take fewer steps, or fewer points in the lattice",
-		                                          options.steps, launches, points)};
+		return Error{ErrorKind::usage, fmt::format("`vector_steps` {}: of {} traces there would be {:.3g} points; "
+		                                           "take fewer steps, or fewer points in the lattice",
+		                                           options.steps, launches, points)};
 	return Nothing{};
 }
 

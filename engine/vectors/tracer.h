@@ -34,7 +34,7 @@ Status checkOptions(const TraceOptions& options, std::size_t launches);
 // the grid vectors are interpolated by the cells' shape functions (locate/cell_polynomial.h); vectors of cells are
 // constant in each. Particles cross from block to block where faces meet (grid::Interfaces), and where another cell
 // lies within kBeyond of a cell behind the boundary. Traces come in the launches' order, the same for any number of
-// threads. On all cores. Asked to stop it ends with ExitCode::interrupted.
+// threads. On all cores. Asked to stop it ends with ErrorKind::cancelled.
 Result<Traces> trace(const grid::BlockSet& blocks, const grid::FieldChoice& array, std::span<const Launch> launches,
                      const TraceOptions& options, std::stop_token stop = {});
 

@@ -50,20 +50,20 @@ Result<grid::FieldChoice> chooseVectors(const grid::BlockSet& blocks, const std:
 {
 	const std::vector<grid::FieldChoice> arrays = vectorArrays(blocks);
 	if (array.empty() && arrays.empty())
-		return Error{ExitCode::input, "--vectors: the input has no array of three components"};
+		return Error{ErrorKind::input, "`vectors`: the input has no array of three components"};
 	if (array.empty())
 		return arrays.front();
 	Result<std::optional<grid::FieldChoice>> chosen = grid::chooseField(blocks, array, "");
 	if (!chosen)
-		return Error{ExitCode::input, fmt::format("--vector-array {}: no such array; arrays of three components: {}",
-		                                          array, listed(arrays))};
+		return Error{ErrorKind::input, fmt::format("`vector_array` {}: no such array; arrays of three components: {}",
+		                                           array, listed(arrays))};
 	grid::FieldChoice choice = **chosen;
 	choice.component = grid::kMagnitude;
 	if (std::ranges::find(arrays, choice) != arrays.end())
 		return choice;
 	const int components = componentsOf(blocks, choice);
-	return Error{ExitCode::input,
-	             fmt::format("--vector-array {}: has {} component{}, a vector has three; arrays of three: {}", array,
+	return Error{ErrorKind::input,
+	             fmt::format("`vector_array` {}: has {} component{}, a vector has three; arrays of three: {}", array,
 	                         components, components == 1 ? "" : "s", listed(arrays))};
 }
 

@@ -60,8 +60,8 @@ const char* remedy(int error)
 
 Error cannotWrite(const std::string& path, int error)
 {
-	return {ExitCode::output, fmt::format("{}: cannot be written: {}; {}", path == "-" ? "standard output" : path,
-	                                      std::strerror(error), remedy(error))};
+	return {ErrorKind::output, fmt::format("{}: cannot be written: {}; {}", path == "-" ? "standard output" : path,
+	                                       std::strerror(error), remedy(error))};
 }
 
 // Names of the files being written, where a signal handler can read them. A file past the last place is only left

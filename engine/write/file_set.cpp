@@ -24,12 +24,12 @@ Result<FileSet> FileSet::create(const std::string& path)
 	set.path_ = path;
 	set.folder_ = (file.parent_path() / file.stem()).string();
 	if (fs::exists(set.folder_, failed) && !fs::is_directory(set.folder_, failed))
-		return Error{ExitCode::output, fmt::format("{}: its parts go to the folder {}, and that is a file; remove it "
-		                                           "or choose another name",
-		                                           path, set.folder_)};
+		return Error{ErrorKind::output, fmt::format("{}: its parts go to the folder {}, and that is a file; remove it "
+		                                            "or choose another name",
+		                                            path, set.folder_)};
 	std::string staging = (file.parent_path() / ".vprobe-XXXXXX").string();
 	if (!mkdtemp(staging.data()))
-		return Error{ExitCode::output, fmt::format("{}: no folder can be made beside it; choose another place", path)};
+		return Error{ErrorKind::output, fmt::format("{}: no folder can be made beside it; choose another place", path)};
 	set.staging_ = staging;
 	return set;
 }
@@ -73,7 +73,7 @@ Status FileSet::moveMembers()
 		if (!failed)
 			fs::rename(staging_ + "/" + name, target, failed);
 		if (failed)
-			return Error{ExitCode::output,
+			return Error{ErrorKind::output,
 			             fmt::format("{}: cannot be written: {}; choose another name", target, failed.message())};
 		if (fresh)
 			moved_.push_back(target);

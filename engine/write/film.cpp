@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -55,9 +56,9 @@ const Kind* kindOf(std::string_view path)
 
 Error noFfmpeg(const std::string& path)
 {
-	return {ExitCode::output, fmt::format("{}: films need the program ffmpeg, which is not installed; install it, or "
-	                                      "write pictures: -o frames/{{frame:04}}.png",
-	                                      path)};
+	return {ErrorKind::output, fmt::format("{}: films need the program ffmpeg, which is not installed; install it, or "
+	                                       "write pictures: -o frames/{{frame:04}}.png",
+	                                       path)};
 }
 
 } // namespace
@@ -87,12 +88,12 @@ Result<Film> Film::create(const std::string& path, std::uint32_t width, std::uin
 	words.insert(words.end(), {"-f", kind.format, target.c_str(), nullptr});
 
 	std::array<int, 2> ends;
-	if (pipe2(ends.data(), O_CLOEXEC) != 0)
-		return Error{ExitCode::output, fmt::format("{}: no pipe to ffmpeg can be made; close other programs", path)};
-	film.pipe_ = ends[1];
+	// A socket, not a pipe: send() can do without the signal of an end that ffmpeg closed, whatever the caller's
+	// program does with signals.
+	if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+		return Error{ErrorKind::output, fmt::format("{}: ffmpeg cannot be connected; close other programs", path)};
+	film.frames_ = ends[1];
 	film.said_ = memfd_create("ffmpeg", MFD_CLOEXEC);
-	// A pipe that ffmpeg closed is told by write().
-	std::signal(SIGPIPE, SIG_IGN);
 	posix_spawn_file_actions_t actions;
 	posix_spawn_file_actions_init(&actions);
 	posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
@@ -115,7 +116,7 @@ Result<Film> Film::create(const std::string& path, std::uint32_t width, std::uin
 }
 
 Film::Film(Film&& other) noexcept
-    : path_(std::move(other.path_)), file_(std::move(other.file_)), pipe_(std::exchange(other.pipe_, -1)),
+    : path_(std::move(other.path_)), file_(std::move(other.file_)), frames_(std::exchange(other.frames_, -1)),
       said_(std::exchange(other.said_, -1)), process_(std::exchange(other.process_, -1))
 {
 }
@@ -131,8 +132,8 @@ Film::~Film()
 
 bool Film::wait()
 {
-	if (pipe_ >= 0)
-		close(std::exchange(pipe_, -1));
+	if (frames_ >= 0)
+		close(std::exchange(frames_, -1));
 	if (process_ <= 0)
 		return false;
 	int status = 0;
@@ -148,15 +149,15 @@ Error Film::failure() const
 	const ssize_t bytes = pread(said_, said.data(), said.size(), 0);
 	said.resize(bytes > 0 ? static_cast<std::size_t>(bytes) : 0);
 	said = said.substr(0, said.find('\n'));
-	return {ExitCode::output, fmt::format("{}: ffmpeg failed: {}; write pictures instead: -o frames/{{frame:04}}.png",
-	                                      path_, said.empty() ? "it gave no reason" : said)};
+	return {ErrorKind::output, fmt::format("{}: ffmpeg failed: {}; write pictures instead: -o frames/{{frame:04}}.png",
+	                                       path_, said.empty() ? "it gave no reason" : said)};
 }
 
 Status Film::add(const render::Picture& picture)
 {
 	for (std::size_t done = 0; done < picture.rgba.size();)
 	{
-		const ssize_t bytes = ::write(pipe_, picture.rgba.data() + done, picture.rgba.size() - done);
+		const ssize_t bytes = ::send(frames_, picture.rgba.data() + done, picture.rgba.size() - done, MSG_NOSIGNAL);
 		if (bytes < 0 && errno == EINTR)
 			continue;
 		if (bytes < 0)

@@ -36,7 +36,7 @@ private:
 
 	std::string path_;
 	AtomicFile file_;
-	int pipe_ = -1;
+	int frames_ = -1;
 	int said_ = -1; // its standard error
 	int process_ = -1;
 };

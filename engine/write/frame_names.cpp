@@ -18,8 +18,8 @@ constexpr int kMaxDigits = 20;
 Result<FrameNames> FrameNames::create(const std::string& pattern, const std::string& example)
 {
 	const std::string word = example.substr(0, example.find_first_of(":}"));
-	const Error wrong{ExitCode::usage, fmt::format("-o {}: {}s need names of their own; put {} into it", pattern,
-	                                               word.substr(1), example)};
+	const Error wrong{ErrorKind::usage, fmt::format("-o {}: {}s need names of their own; put {} into it", pattern,
+	                                                word.substr(1), example)};
 	FrameNames names;
 	const std::size_t open = pattern.find(word);
 	const std::size_t close = pattern.find('}', open);
@@ -37,7 +37,7 @@ Result<FrameNames> FrameNames::create(const std::string& pattern, const std::str
 	names.after_ = pattern.substr(close + 1);
 	const std::filesystem::path folder = std::filesystem::path(names.of(0)).parent_path();
 	if (!folder.empty() && !std::filesystem::is_directory(folder))
-		return Error{ExitCode::output,
+		return Error{ErrorKind::output,
 		             fmt::format("-o {}: there is no folder {}; make it first", pattern, folder.string())};
 	return names;
 }

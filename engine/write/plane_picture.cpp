@@ -105,8 +105,8 @@ Status draw(const render::FlatScene& flat, const std::string& path, AtomicFile& 
 	if (status == CAIRO_STATUS_SUCCESS)
 		status = cairo_surface_status(surface.get());
 	if (status != CAIRO_STATUS_SUCCESS)
-		return Error{ExitCode::output, fmt::format("{}: cannot be drawn: {}; choose a smaller --size", path,
-		                                           cairo_status_to_string(status))};
+		return Error{ErrorKind::output, fmt::format("{}: cannot be drawn: {}; choose a smaller `size`", path,
+		                                            cairo_status_to_string(status))};
 	return Nothing{};
 }
 

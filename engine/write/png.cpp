@@ -76,7 +76,7 @@ Status encodePng(const render::Picture& picture, const std::string& path, Atomic
 	std::vector<std::uint8_t> row(std::size_t(4) * picture.width);
 	std::string reason;
 	if (!encode(picture, isOpaque(picture), row, file, reason))
-		return Error{ExitCode::output, fmt::format("{}: cannot be encoded as PNG: {}", path, reason)};
+		return Error{ErrorKind::output, fmt::format("{}: cannot be encoded as PNG: {}", path, reason)};
 	return Nothing{};
 }
 

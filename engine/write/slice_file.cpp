@@ -28,7 +28,7 @@ Result<SliceFormat> sliceFormatOf(const std::string& path)
 	if (path == "-" || (ending.empty() && std::filesystem::is_other(path, failed)))
 		return SliceFormat::vtp;
 	return Error{
-	    ExitCode::usage,
+	    ErrorKind::usage,
 	    fmt::format("{}: not a file a slice can be written to; use the ending .vtp, .vtm, .ply or .csv, or, for a "
 	                "picture, .png, .svg or .pdf",
 	                path)};

@@ -26,7 +26,7 @@ Status writePart(SliceTable table, const FileSet::Member& part, const std::strin
 		if (file->commit())
 			return Nothing{};
 	}
-	return Error{ExitCode::output,
+	return Error{ErrorKind::output,
 	             fmt::format("{}: its part {} cannot be written; make room or choose another place", set, part.name)};
 }
 

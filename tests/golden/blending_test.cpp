@@ -135,7 +135,7 @@ TEST_F(Blending, AsManySheetsAsThereAreLayers)
 	scene.sheets.push_back(scene.sheets.front());
 	const auto refused = renderer().draw(scene);
 	ASSERT_FALSE(refused);
-	EXPECT_EQ(refused.error().code, ExitCode::usage);
+	EXPECT_EQ(refused.error().kind, ErrorKind::usage);
 }
 
 TEST_F(Blending, AFarAwaySceneIsDrawnAsExactly)

@@ -308,7 +308,7 @@ TEST_F(Flat, AllPicturesOrNone)
 	const std::vector<std::string> paths{(folder_ / "a.png").string(), (folder_ / "none/b.png").string()};
 	const Status written = write::writePlanePictures(flats, paths);
 	ASSERT_FALSE(written);
-	EXPECT_EQ(written.error().code, ExitCode::output);
+	EXPECT_EQ(written.error().kind, ErrorKind::output);
 	EXPECT_NE(written.error().message.find("none/b.png"), std::string::npos);
 	EXPECT_EQ(files(), 0u);
 }

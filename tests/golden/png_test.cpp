@@ -67,7 +67,7 @@ TEST_F(Png, AFailureNamesTheFileAndLeavesNothing)
 {
 	const auto missing = write::writePng(gradient(255), in("no/such/folder.png"));
 	ASSERT_FALSE(missing);
-	EXPECT_EQ(missing.error().code, ExitCode::output);
+	EXPECT_EQ(missing.error().kind, ErrorKind::output);
 	EXPECT_NE(missing.error().message.find("no/such/folder.png"), std::string::npos);
 
 	// A folder is in the way: written beside it, but not put in its place.

@@ -254,7 +254,7 @@ TEST_F(SurfaceLook, LittleRoomForFragmentsGivesTheSamePicture)
 	ASSERT_TRUE(none);
 	const auto refused = none->draw(scene);
 	ASSERT_FALSE(refused);
-	EXPECT_NE(refused.error().message.find("--size"), std::string::npos) << refused.error().message;
+	EXPECT_NE(refused.error().message.find("`size`"), std::string::npos) << refused.error().message;
 }
 
 TEST_F(SurfaceLook, AFilmOfGrowingScenes)
@@ -280,7 +280,7 @@ TEST_F(SurfaceLook, TooManyAreRefused)
 	scene.surfaces.resize(vp::shared::kMaxSurfaces + 1);
 	const auto drawn = renderer().draw(scene);
 	ASSERT_FALSE(drawn);
-	EXPECT_EQ(drawn.error().code, ExitCode::usage);
+	EXPECT_EQ(drawn.error().kind, ErrorKind::usage);
 }
 
 } // namespace vp::render::test

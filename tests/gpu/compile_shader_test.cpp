@@ -29,7 +29,7 @@ TEST(CompileShader, SaysInOneLineWhatIsWrong)
 	{
 		const auto codes = gpu::compileComputeShader(source);
 		ASSERT_FALSE(codes) << source;
-		EXPECT_NE(codes.error().message.find("use --classify cpu"), std::string::npos);
+		EXPECT_NE(codes.error().message.find("use `classify` cpu"), std::string::npos);
 		EXPECT_EQ(codes.error().message.find('\n'), std::string::npos);
 	}
 }

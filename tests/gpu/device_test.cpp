@@ -36,7 +36,7 @@ TEST_F(GpuTest, UnknownNameListsWhatThereIs)
 	options.name_or_index = "no such device";
 	const auto made = gpu::Device::create(options);
 	ASSERT_FALSE(made);
-	EXPECT_EQ(made.error().code, ExitCode::no_device);
+	EXPECT_EQ(made.error().kind, ErrorKind::device);
 	EXPECT_NE(made.error().message.find(device().name()), std::string::npos) << made.error().message;
 	options.name_or_index = "999";
 	EXPECT_FALSE(gpu::Device::create(options));
@@ -109,7 +109,7 @@ TEST_F(GpuTest, BufferPastTheLimitIsAnError)
 	const auto made = gpu::Buffer::create(device(), ~VkDeviceSize(0) / 2, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
 	                                      gpu::Memory::device, "too large");
 	ASSERT_FALSE(made);
-	EXPECT_EQ(made.error().code, ExitCode::output);
+	EXPECT_EQ(made.error().kind, ErrorKind::out_of_memory);
 }
 
 TEST_F(UnvalidatedGpuTest, ThreadsShareTheQueue)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/messages.h"
 #include "gpu/device.h"
 
 #include <gtest/gtest.h>
@@ -36,6 +37,7 @@ protected:
 	gpu::Device& device() { return *device_; }
 
 private:
+	MessageListener messages_{[](Severity, std::string_view line) { fmt::print(stderr, "{}\n", line); }};
 	std::unique_ptr<gpu::Device> device_;
 };
 

@@ -1,6 +1,6 @@
 #include "view/commands.h"
 
-#include "base/log.h"
+#include "console.h"
 #include "write/png.h"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ std::vector<std::string> wordsOf(const std::string& line)
 
 Error unfit(const std::string& reason)
 {
-	return {ExitCode::usage, reason + "; see docs/VIEWER.md, Scripting"};
+	return {ErrorKind::usage, reason + "; see docs/VIEWER.md, Scripting"};
 }
 
 std::optional<int> numberOf(const std::string& word)
@@ -57,9 +57,9 @@ Result<std::shared_ptr<std::FILE>> Commands::open(const std::string& file)
 	const bool pipe = file != "-" && stat(file.c_str(), &kind) == 0 && S_ISFIFO(kind.st_mode);
 	std::FILE* opened = file == "-" ? fdopen(dup(STDIN_FILENO), "r") : std::fopen(file.c_str(), pipe ? "r+e" : "re");
 	if (!opened)
-		return Error{ExitCode::input, fmt::format("--commands {}: cannot be read ({}); name a file, a FIFO, or - for "
-		                                          "standard input",
-		                                          file, std::strerror(errno))};
+		return Error{ErrorKind::input, fmt::format("--commands {}: cannot be read ({}); name a file, a FIFO, or - for "
+		                                           "standard input",
+		                                           file, std::strerror(errno))};
 	return std::shared_ptr<std::FILE>(opened, std::fclose);
 }
 
@@ -135,7 +135,7 @@ bool Commands::run(const Stage& stage)
 			break;
 		busy = true;
 		if (Status done = carryOut(*line, stage); !done)
-			logError(fmt::format("--commands: {}: {}", *line, done.error().message));
+			printLine(fmt::format("--commands: {}: {}", *line, done.error().message));
 		tellErrors(stage.bench);
 	}
 	return busy;
@@ -149,7 +149,7 @@ bool Commands::isWaiting(const Stage& stage)
 		waiting_.reset();
 	else if (waiting_->until && std::chrono::steady_clock::now() > *waiting_->until)
 	{
-		logError(fmt::format("--commands: {}", waiting_->failure));
+		printLine(fmt::format("--commands: {}", waiting_->failure));
 		waiting_.reset();
 	}
 	return waiting_.has_value();
@@ -162,7 +162,7 @@ void Commands::tellErrors(const Document& bench)
 	for (const Notice& notice : bench.notices())
 		if (notice.is_error && notice.since > told_)
 		{
-			logError(notice.words);
+			printLine(notice.words);
 			newest = std::max(newest, notice.since);
 		}
 	told_ = newest;
@@ -187,7 +187,7 @@ Status Commands::act(const Words& words, const Stage& stage)
 	{
 		const auto action = interact::actionNamed(rest[0]);
 		if (!action)
-			return Error{ExitCode::usage, "no such action; vprobe view --list-bindings names them"};
+			return Error{ErrorKind::usage, "no such action; vprobe view --list-bindings names them"};
 		return stage.bench.perform(*action), Nothing{};
 	}
 	if (has("save-state", 1))
@@ -241,14 +241,14 @@ Status Commands::saveState(const std::string& file, const Stage& stage) const
 Status Commands::capture(const std::string& file, const Stage& stage)
 {
 	if (stage.window.minimized())
-		return Error{ExitCode::usage, "nothing is seen of a minimised window; restore comes first"};
+		return Error{ErrorKind::usage, "nothing is seen of a minimised window; restore comes first"};
 	captures_ = true;
 	stage.screen.capture(
 	    [this, file](const render::Picture& picture)
 	    {
 		    captures_ = false;
 		    if (Status written = write::writePng(picture, file); !written)
-			    logError(fmt::format("--commands: screenshot: {}", written.error().message));
+			    printLine(fmt::format("--commands: screenshot: {}", written.error().message));
 	    });
 	waiting_ = Waiting{[this](const Stage&) { return !captures_; }, {}, {}};
 	return Nothing{};

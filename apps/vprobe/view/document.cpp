@@ -1,5 +1,6 @@
 #include "view/document.h"
 
+#include "console.h"
 #include "make_probe.h"
 #include "view/mail.h"
 
@@ -21,9 +22,13 @@ constexpr std::chrono::seconds kErrorStays{15};
 Document::Document(ViewState state, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
                    ReadState read_state)
     : settings(readSettings()), history_(state), read_state_(std::move(read_state)), recovery_file_(recoveryFile()),
-      mail_(std::make_shared<Mail>()), warnings_(
-                                           [mail = mail_](std::string_view words) {
-	                                           mail->leave({std::string(words), false, {}});
+      mail_(std::make_shared<Mail>()), messages_(
+                                           [mail = mail_](Severity severity, std::string_view line)
+                                           {
+	                                           if (severity == Severity::warning)
+		                                           mail->leave({std::string(line), false, {}});
+	                                           else
+		                                           printLine(line);
                                            }),
       wake_(wake), loader_(device, wake), artist_(device, wake)
 {
@@ -185,7 +190,7 @@ bool Document::isShown() const
 void Document::notify(std::string words, bool is_error)
 {
 	dismiss(words);
-	notices_.push_back({std::move(words), is_error, std::chrono::steady_clock::now()});
+	notices_.push_back({withOptionNames(words), is_error, std::chrono::steady_clock::now()});
 }
 
 void Document::dismiss(const std::string& words)

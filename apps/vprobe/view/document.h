@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/log.h"
+#include "base/messages.h"
 #include "exposure.h"
 #include "interact/bindings.h"
 #include "interact/history.h"
@@ -223,7 +223,7 @@ private:
 	// What comes back from the render thread's thread.
 	struct Mail;
 	std::shared_ptr<Mail> mail_;
-	WarningListener warnings_;
+	MessageListener messages_;
 
 	std::function<void()> wake_;
 	Loader loader_;

@@ -52,7 +52,7 @@ double Document::seconds() const
 Status Document::followSweep()
 {
 	if (!facts_)
-		return Error{ExitCode::usage, "nothing is shown yet; open a file first"};
+		return Error{ErrorKind::usage, "nothing is shown yet; open a file first"};
 	return sweep_.follow(state(), *facts_, seconds());
 }
 

@@ -38,7 +38,8 @@ Status uploadFonts(gpu::Device& device)
 	bool made = false;
 	device.lendQueue([&] { made = ImGui_ImplVulkan_CreateFontsTexture(); });
 	if (!made)
-		return Error{ExitCode::output, "the fonts of the window do not fit into device memory; close other programs"};
+		return Error{ErrorKind::out_of_memory,
+		             "the fonts of the window do not fit into device memory; close other programs"};
 	return Nothing{};
 #else
 	Status uploaded =
@@ -57,7 +58,7 @@ Result<std::unique_ptr<Screen>> Screen::create(gpu::Device& device, VkSurfaceKHR
 	VkBool32 presents = VK_FALSE;
 	vkGetPhysicalDeviceSurfaceSupportKHR(device.physical(), device.queueFamily(), surface, &presents);
 	if (!presents)
-		return Error{ExitCode::no_device,
+		return Error{ErrorKind::device,
 		             device.name() + " cannot show pictures in this window; name another one with --device"};
 	for (const auto step : {&Screen::chooseFormat, &Screen::makeRenderPass, &Screen::makeFrames})
 		if (Status done = (screen.get()->*step)(); !done)

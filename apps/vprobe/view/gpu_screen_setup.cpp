@@ -19,8 +19,7 @@ Status Screen::chooseFormat()
 	{ return format.format == VK_FORMAT_B8G8R8A8_UNORM || format.format == VK_FORMAT_R8G8B8A8_UNORM; };
 	const auto found = std::ranges::find_if(formats, fits);
 	if (found == formats.end())
-		return Error{ExitCode::no_device,
-		             "the window takes no picture of eight bits a channel; draw with vprobe render"};
+		return Error{ErrorKind::device, "the window takes no picture of eight bits a channel; draw with vprobe render"};
 	format_ = *found;
 	return Nothing{};
 }

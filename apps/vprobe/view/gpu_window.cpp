@@ -49,7 +49,7 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, int wid
 {
 	preferX11WithoutWayland();
 	if (!glfwInit())
-		return Error{ExitCode::no_device,
+		return Error{ErrorKind::device,
 		             fmt::format("no window can be opened ({}); set DISPLAY to a screen, or draw with vprobe render",
 		                         lastComplaint())};
 	glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
@@ -59,7 +59,7 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, int wid
 	{
 		const std::string reason = lastComplaint();
 		glfwTerminate();
-		return Error{ExitCode::no_device, fmt::format("no window can be opened ({}); draw with vprobe render", reason)};
+		return Error{ErrorKind::device, fmt::format("no window can be opened ({}); draw with vprobe render", reason)};
 	}
 	glfwSetWindowSizeLimits(handle, kMinWindowWidth, kMinWindowHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
 	std::unique_ptr<Window> window(new Window(handle));
@@ -130,7 +130,7 @@ Result<VkSurfaceKHR> Window::makeSurface(VkInstance instance) const
 	VkSurfaceKHR surface = VK_NULL_HANDLE;
 	if (glfwCreateWindowSurface(instance, window_, nullptr, &surface) != VK_SUCCESS)
 		return Error{
-		    ExitCode::no_device,
+		    ErrorKind::device,
 		    fmt::format("the device cannot draw into a window ({}); draw with vprobe render", lastComplaint())};
 	return surface;
 }

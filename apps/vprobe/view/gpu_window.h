@@ -29,7 +29,7 @@ struct WindowEvents
 class Window
 {
 public:
-	// An error of ExitCode::no_device where there is no display.
+	// An error of ErrorKind::device where there is no display.
 	static Result<std::unique_ptr<Window>> create(const std::string& title, int width, int height);
 	~Window();
 	Window(const Window&) = delete;

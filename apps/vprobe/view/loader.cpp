@@ -44,9 +44,9 @@ void Loader::begin(ProbeOptions options)
 		    }
 		    catch (const std::bad_alloc&)
 		    {
-			    job->opened = Error{ExitCode::input, fmt::format("{}: does not fit into memory; close what is shown, "
-			                                                     "or use a machine with more memory",
-			                                                     job->options.inputs.front())};
+			    job->opened = Error{ErrorKind::input, fmt::format("{}: does not fit into memory; close what is shown, "
+			                                                      "or use a machine with more memory",
+			                                                      job->options.inputs.front())};
 		    }
 		    job->done = true;
 		    wake();

@@ -28,8 +28,8 @@ struct NeighborBuilder::Job
 			    catch (const std::exception&) // of memory, or of numbers for faces
 			    {
 				    blocks =
-				        Error{ExitCode::input, "the neighbors of the cells do not fit into memory; only sheets can "
-				                               "be shown, and nothing beside them"};
+				        Error{ErrorKind::input, "the neighbors of the cells do not fit into memory; only sheets can "
+				                                "be shown, and nothing beside them"};
 			    }
 			    done = true;
 		    });

@@ -203,14 +203,14 @@ template <class Work>
 auto RenderThread::tried(const Work& work) -> decltype(work())
 {
 	if (!session_)
-		return Error{ExitCode::input, "nothing is shown yet; open a file first"};
+		return Error{ErrorKind::input, "nothing is shown yet; open a file first"};
 	try
 	{
 		return work();
 	}
 	catch (const std::bad_alloc&)
 	{
-		return Error{ExitCode::output, "out of memory; show fewer sheets or a smaller input"};
+		return Error{ErrorKind::out_of_memory, "out of memory; show fewer sheets or a smaller input"};
 	}
 }
 

@@ -33,7 +33,7 @@ Status SweepPlayer::follow(const ViewState& state, const DatasetInfo& facts, dou
 	const probe::Path path = pathOf(options);
 	over_times_ = options.overTimes();
 	if (over_times_ && facts.times.empty())
-		return Error{ExitCode::usage, "the input has no times to play; choose another path"};
+		return Error{ErrorKind::usage, "the input has no times to play; choose another path"};
 	if (!options.frames && !over_times_ && !probe::framesOf(path, options.per_second))
 		options.frames = kFrames;
 	Result<int> frames = over_times_ ? static_cast<int>(facts.times.size()) : frameCount(options, path);

@@ -251,7 +251,7 @@ Result<ExitCode> Viewer::run()
 		if (Status shown = showFrame(); !shown)
 		{
 			bench_.keepState();
-			return Error{shown.error().code,
+			return Error{shown.error().kind,
 			             shown.error().message + "; what was set is kept: the next vprobe view brings it back"};
 		}
 	}

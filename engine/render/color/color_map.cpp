@@ -123,8 +123,8 @@ Result<ColorMap> makeColorMap(std::string_view name)
 		map.above = kMaroon;
 	}
 	else
-		return Error{ExitCode::usage,
-		             fmt::format("--colormap: there is no '{}'; take one of {}, or a FILE.json of ParaView's", name,
+		return Error{ErrorKind::usage,
+		             fmt::format("`colormap`: there is no '{}'; take one of {}, or a FILE.json of ParaView's", name,
 		                         fmt::join(colorMapNames(), ", "))};
 	return map;
 }

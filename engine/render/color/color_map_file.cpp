@@ -22,7 +22,7 @@ constexpr std::uintmax_t kLargestFile = std::uintmax_t(16) << 20;
 
 Error badColorMap(const std::string& file, const std::string& what)
 {
-	return {ExitCode::input, fmt::format("--colormap {}: {}", file, what)};
+	return {ErrorKind::input, fmt::format("`colormap` {}: {}", file, what)};
 }
 
 std::string nameOf(const json& preset)
@@ -110,7 +110,7 @@ Result<ColorMap> chooseColorMap(const std::string& text)
 		return as_it_stands;
 	auto forward = named(text.substr(0, text.size() - 2));
 	if (!forward)
-		return forward.error().code == ExitCode::usage ? as_it_stands.error() : forward.error();
+		return forward.error().kind == ErrorKind::usage ? as_it_stands.error() : forward.error();
 	ColorMap map = reversed(std::move(*forward));
 	map.name += "_r";
 	return map;

@@ -23,7 +23,7 @@ constexpr std::size_t kMaxCategories = 1024;
 
 Error badPreset(const std::string& what)
 {
-	return {ExitCode::input, what};
+	return {ErrorKind::input, what};
 }
 
 // The numbers of a list in groups of `group`; none where the preset lacks it.

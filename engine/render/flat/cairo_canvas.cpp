@@ -7,8 +7,8 @@
 #include <cairo.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
+#include <stdexcept>
 
 namespace vp::render
 {
@@ -31,7 +31,7 @@ cairo_font_face_t* makeFace()
 	const auto file = fontFile();
 	if (FT_Init_FreeType(&library) != 0 || FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(file.data()),
 	                                                          static_cast<FT_Long>(file.size()), 0, &face) != 0)
-		std::abort(); // the font is part of the program
+		throw std::logic_error("the font that is built in cannot be read");
 	return cairo_ft_font_face_create_for_ft_face(face, FT_LOAD_NO_HINTING);
 }
 

@@ -161,9 +161,9 @@ Result<bool> FragmentLists::complete()
 	if (strips_ >= rows)
 	{
 		strips_ = 1; // for another picture
-		return Error{ExitCode::output,
+		return Error{ErrorKind::out_of_memory,
 		             fmt::format("a row of the picture has {} surface fragments, more than the {} the device "
-		                         "has room for; make --size smaller, or leave --context out",
+		                         "has room for; make `size` smaller, or leave `context` out",
 		                         needed, capacity_)};
 	}
 	// Surfaces crowd in some strips: a fifth more than the mean asks for.

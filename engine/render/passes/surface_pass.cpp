@@ -114,12 +114,12 @@ Status SurfacePass::writeSets(const Scene& scene, const FragmentLists& lists)
 Status SurfacePass::prepare(const Scene& scene, const FragmentLists& lists)
 {
 	if (scene.surfaces.size() > shared::kMaxSurfaces)
-		return Error{ExitCode::usage, fmt::format("{} surfaces are more than a picture takes; show up to {}",
-		                                          scene.surfaces.size(), shared::kMaxSurfaces)};
+		return Error{ErrorKind::usage, fmt::format("{} surfaces are more than a picture takes; show up to {}",
+		                                           scene.surfaces.size(), shared::kMaxSurfaces)};
 	if (!device_->features().fragmentStoresAndAtomics)
-		return Error{ExitCode::no_device,
+		return Error{ErrorKind::device,
 		             fmt::format("device {} lacks fragmentStoresAndAtomics, which surfaces are drawn with; leave "
-		                         "--context out or take another --device",
+		                         "`context` out or take another `device`",
 		                         device_->name())};
 	if (Status put = putColors(scene); !put)
 		return put;

@@ -45,8 +45,8 @@ VkFormat sumFormat(gpu::Device& device)
 Result<Targets> Targets::create(gpu::Device& device, VkExtent2D extent, std::uint32_t layers, bool mesh)
 {
 	if (std::max(extent.width, extent.height) > device.limits().maxImageDimension2D)
-		return Error{ExitCode::usage, fmt::format("--size: {}x{} is more than this device draws; take up to {} a side",
-		                                          extent.width, extent.height, device.limits().maxImageDimension2D)};
+		return Error{ErrorKind::usage, fmt::format("`size`: {}x{} is more than this device draws; take up to {} a side",
+		                                           extent.width, extent.height, device.limits().maxImageDimension2D)};
 	Targets targets;
 	targets.device_ = &device;
 	const auto make = [&](gpu::Image& image, VkFormat format, VkImageUsageFlags usage, std::uint32_t count,

@@ -60,8 +60,8 @@ Result<Background> parseBackground(std::string_view text)
 	if (const auto color = parseColor(text))
 		return plain(*color);
 	return Error{
-	    ExitCode::usage,
-	    fmt::format("--background: '{}' is no colour; take gradient, white, grey, black, transparent, or #RRGGBB",
+	    ErrorKind::usage,
+	    fmt::format("`background`: '{}' is no colour; take gradient, white, grey, black, transparent, or #RRGGBB",
 	                text)};
 }
 
@@ -78,8 +78,8 @@ Result<std::pair<std::uint32_t, std::uint32_t>> parseSize(std::string_view text)
 		    height <= kMaxPictureSize)
 			return std::pair{width, height};
 	}
-	return Error{ExitCode::usage,
-	             fmt::format("--size: '{}' is no size; write WIDTHxHEIGHT in pixels, as 1280x720, up to {}", text,
+	return Error{ErrorKind::usage,
+	             fmt::format("`size`: '{}' is no size; write WIDTHxHEIGHT in pixels, as 1280x720, up to {}", text,
 	                         kMaxPictureSize)};
 }
 

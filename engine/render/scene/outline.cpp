@@ -89,7 +89,7 @@ Result<Outline> parseOutline(std::string_view name)
 		return Outline::box;
 	if (name == "edges")
 		return Outline::edges;
-	return Error{ExitCode::usage, fmt::format("--outline: there is no '{}'; take one of none, box, edges", name)};
+	return Error{ErrorKind::usage, fmt::format("`outline`: there is no '{}'; take one of none, box, edges", name)};
 }
 
 std::vector<Segment> outlineOf(const grid::BlockSet& blocks, Outline outline)

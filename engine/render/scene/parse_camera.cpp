@@ -95,13 +95,13 @@ Result<CameraChoice> parseCamera(std::string_view text)
 		choice.camera.focal_point = {n[3], n[4], n[5]};
 		choice.camera.up = {n[6], n[7], n[8]};
 		if (choice.camera.position == choice.camera.focal_point)
-			return Error{ExitCode::usage, "--camera: position and focal point are the same; move one of them"};
+			return Error{ErrorKind::usage, "`camera`: position and focal point are the same; move one of them"};
 		if (choice.camera.up == Vec3(0.0))
-			return Error{ExitCode::usage, "--camera: the up vector is zero; give one of any other length"};
+			return Error{ErrorKind::usage, "`camera`: the up vector is zero; give one of any other length"};
 		return choice;
 	}
-	return Error{ExitCode::usage,
-	             fmt::format("--camera: '{}' is no view; take auto, x, -x, y, -y, z, -z, iso, sheet, AZ,EL in "
+	return Error{ErrorKind::usage,
+	             fmt::format("`camera`: '{}' is no view; take auto, x, -x, y, -y, z, -z, iso, sheet, AZ,EL in "
 	                         "degrees, or nine numbers: position, focal point, up",
 	                         text)};
 }

@@ -22,9 +22,9 @@ TEST(Result, HoldsAValue)
 
 TEST(Result, HoldsAReason)
 {
-	const Result<int> result = Error{ExitCode::input, "file: damaged"};
+	const Result<int> result = Error{ErrorKind::input, "file: damaged"};
 	ASSERT_FALSE(result);
-	EXPECT_EQ(result.error().code, ExitCode::input);
+	EXPECT_EQ(result.error().kind, ErrorKind::input);
 	EXPECT_EQ(result.error().message, "file: damaged");
 }
 
@@ -39,20 +39,9 @@ TEST(Status, IsNothingOrAReason)
 {
 	const Status done = Nothing{};
 	EXPECT_TRUE(done);
-	const Status failed = Error{ExitCode::output, "full"};
+	const Status failed = Error{ErrorKind::output, "full"};
 	ASSERT_FALSE(failed);
 	EXPECT_EQ(failed.error().message, "full");
-}
-
-TEST(ExitCode, ScriptsRelyOnTheNumbers)
-{
-	EXPECT_EQ(static_cast<int>(ExitCode::done), 0);
-	EXPECT_EQ(static_cast<int>(ExitCode::usage), 1);
-	EXPECT_EQ(static_cast<int>(ExitCode::input), 2);
-	EXPECT_EQ(static_cast<int>(ExitCode::no_device), 3);
-	EXPECT_EQ(static_cast<int>(ExitCode::output), 4);
-	EXPECT_EQ(static_cast<int>(ExitCode::findings), 5);
-	EXPECT_EQ(static_cast<int>(ExitCode::interrupted), 130);
 }
 
 } // namespace vp::test

@@ -63,7 +63,7 @@ struct ByTable
 
 struct Fails
 {
-	Status classify(std::span<const find::Front>) { return Error{ExitCode::no_device, "device lost"}; }
+	Status classify(std::span<const find::Front>) { return Error{ErrorKind::device, "device lost"}; }
 };
 
 std::vector<CellId> seedsOf(const grid::Block& block, const TestPlane& plane)

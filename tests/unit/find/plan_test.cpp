@@ -162,7 +162,7 @@ TEST(CutPlan, NamesTheBlockThatCannotBeCutAsAsked)
 	asked.request.strategy = find::Strategy::rows;
 	const auto plan = planOf(asked.request, blocks, nullptr);
 	ASSERT_FALSE(plan);
-	EXPECT_EQ(plan.error().code, ExitCode::usage);
+	EXPECT_EQ(plan.error().kind, ErrorKind::usage);
 	EXPECT_EQ(plan.error().message, "rows: not for sheet 0 in block " + blocks.blocks[0].name +
 	                                    ": the block has no straight axes; leave it out, or take spans");
 }

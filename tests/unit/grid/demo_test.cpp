@@ -157,7 +157,7 @@ TEST(Demo, ParsesNames)
 	{
 		const Result<BlockSet> result = parseDemo(wrong);
 		ASSERT_FALSE(result) << wrong;
-		EXPECT_EQ(result.error().code, ExitCode::input) << wrong;
+		EXPECT_EQ(result.error().kind, ErrorKind::input) << wrong;
 		EXPECT_NE(result.error().message.find("graded"), std::string::npos) << wrong;
 		EXPECT_EQ(result.error().message.find('\n'), std::string::npos) << wrong;
 	}

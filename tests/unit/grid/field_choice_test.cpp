@@ -32,11 +32,11 @@ grid::BlockSet sample()
 	return set;
 }
 
-void expectError(const std::string& array, const std::string& component, ExitCode code, const std::string& word)
+void expectError(const std::string& array, const std::string& component, ErrorKind kind, const std::string& word)
 {
 	const auto chosen = grid::chooseField(sample(), array, component);
 	ASSERT_FALSE(chosen) << array << ' ' << component;
-	EXPECT_EQ(chosen.error().code, code);
+	EXPECT_EQ(chosen.error().kind, kind);
 	EXPECT_NE(chosen.error().message.find(word), std::string::npos) << chosen.error().message;
 	EXPECT_EQ(chosen.error().message.find('\n'), std::string::npos);
 }
@@ -65,7 +65,7 @@ TEST(FieldChoice, TakesACellArrayWhereThereIsNoPointArray)
 	EXPECT_FALSE(grid::chooseField(set, "", "").value().has_value());
 	const auto refused = grid::chooseField(set, "", "x");
 	ASSERT_FALSE(refused);
-	EXPECT_EQ(refused.error().code, ExitCode::input);
+	EXPECT_EQ(refused.error().kind, ErrorKind::input);
 }
 
 TEST(FieldChoice, NamesMayBePrefixed)
@@ -88,14 +88,14 @@ TEST(FieldChoice, KnowsItsComponents)
 
 TEST(FieldChoice, RefusesWhatCannotBe)
 {
-	expectError("none", "", ExitCode::input, "point:both");
-	expectError("cell:v", "", ExitCode::input, "point:v");
-	expectError("v", "3", ExitCode::usage, "--component 3");
-	expectError("v", "-1", ExitCode::usage, "--component -1");
-	expectError("v", "w", ExitCode::usage, "magnitude");
-	expectError("v", "1x", ExitCode::usage, "magnitude");
-	expectError("v", "99999999999", ExitCode::usage, "--component");
-	expectError("both", "y", ExitCode::usage, "both");
+	expectError("none", "", ErrorKind::input, "point:both");
+	expectError("cell:v", "", ErrorKind::input, "point:v");
+	expectError("v", "3", ErrorKind::usage, "`component` 3");
+	expectError("v", "-1", ErrorKind::usage, "`component` -1");
+	expectError("v", "w", ErrorKind::usage, "magnitude");
+	expectError("v", "1x", ErrorKind::usage, "magnitude");
+	expectError("v", "99999999999", ErrorKind::usage, "`component`");
+	expectError("both", "y", ErrorKind::usage, "both");
 }
 
 TEST(FieldChoice, IsFoundInTheBlocksThatHaveIt)

@@ -331,12 +331,12 @@ TEST(GridSurface, IsCheckedAgainstTheBlocks)
 		{
 			const Status fits = find::checkGridIndex(shell, range);
 			ASSERT_FALSE(fits);
-			EXPECT_EQ(fits.error().code, ExitCode::usage);
+			EXPECT_EQ(fits.error().kind, ErrorKind::usage);
 			EXPECT_NE(fits.error().message.find("j runs from 0 to 9"), std::string::npos) << fits.error().message;
 		}
 	const Status none = find::checkGridIndex(setOf(gridNamed("tets")), {0, 1.0, 1.0});
 	ASSERT_FALSE(none);
-	EXPECT_EQ(none.error().code, ExitCode::input);
+	EXPECT_EQ(none.error().kind, ErrorKind::input);
 	// A block that ends before the index has no part in the surface.
 	grid::BlockSet two = shell;
 	two.blocks.push_back(gridNamed("graded"));

@@ -61,7 +61,7 @@ TEST(PatchSurface, ANameThatThereIsNotIsTold)
 	EXPECT_TRUE(find::checkPatch(shellWithSphere(4), "sphere"));
 	const Status none = find::checkPatch(shellWithSphere(4), "wall");
 	ASSERT_FALSE(none);
-	EXPECT_EQ(none.error().code, ExitCode::input);
+	EXPECT_EQ(none.error().kind, ErrorKind::input);
 	EXPECT_NE(none.error().message.find("there are sphere, elsewhere"), std::string::npos) << none.error().message;
 	EXPECT_FALSE(find::checkPatch(setOf(gridNamed("shell")), "wall"));
 	EXPECT_EQ(

@@ -109,7 +109,7 @@ TEST(PathFile, SaysWhereAndWhatIsWrong)
 		const auto read = probe::parsePath(text, "path.json");
 		ASSERT_FALSE(read) << text;
 		EXPECT_EQ(read.error().message, "path.json: " + message) << text;
-		EXPECT_EQ(read.error().code, ExitCode::input);
+		EXPECT_EQ(read.error().kind, ErrorKind::input);
 	}
 }
 

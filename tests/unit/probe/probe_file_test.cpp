@@ -202,7 +202,7 @@ TEST(ProbeFile, SaysWhereAndWhatIsWrong)
 		const auto read = probe::parseProbe(malformed.text, "probe.json");
 		ASSERT_FALSE(read) << malformed.text;
 		EXPECT_EQ(read.error().message, "probe.json: " + malformed.message) << malformed.text;
-		EXPECT_EQ(read.error().code, ExitCode::input);
+		EXPECT_EQ(read.error().kind, ErrorKind::input);
 	}
 	EXPECT_TRUE(probe::parseProbe(manySheets(64), "probe.json"));
 	EXPECT_EQ(probe::parseProbe(std::string(1 << 20, '['), "probe.json").error().message,

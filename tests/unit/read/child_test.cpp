@@ -38,12 +38,12 @@ protected:
 		setReaderProgram(program);
 		return runReader(input_, options, limits_);
 	}
-	void expectError(const std::string& script, ExitCode code, const std::string& message)
+	void expectError(const std::string& script, ErrorKind kind, const std::string& message)
 	{
 		const auto start = std::chrono::steady_clock::now();
 		const auto handed = run(script);
 		ASSERT_FALSE(handed) << script;
-		EXPECT_EQ(handed.error().code, code) << script;
+		EXPECT_EQ(handed.error().kind, kind) << script;
 		EXPECT_EQ(handed.error().message, message) << script;
 		EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5)) << script;
 	}
@@ -57,31 +57,31 @@ protected:
 
 TEST_F(ScriptedReader, ThatCrashesIsAnInputError)
 {
-	expectError("kill -SEGV $$", ExitCode::input,
+	expectError("kill -SEGV $$", ErrorKind::input,
 	            input_ + ": the reader crashed (signal 11); the file is damaged or not what its ending says");
-	expectError("echo half >&4; kill -ABRT $$", ExitCode::input,
+	expectError("echo half >&4; kill -ABRT $$", ErrorKind::input,
 	            input_ + ": the reader crashed (signal 6); the file is damaged or not what its ending says");
 }
 
 TEST_F(ScriptedReader, ThatHangsIsEnded)
 {
 	const std::string message = input_ + ": the reader ran over its time limit of 1 s";
-	expectError("sleep 60", ExitCode::input, message);
-	expectError("exec 2>&- 3>&- 4>&- 5>&-; sleep 60", ExitCode::input, message);
-	expectError("sleep 60 & exit 0", ExitCode::input, message);
-	expectError("yes >&2", ExitCode::input, message);
+	expectError("sleep 60", ErrorKind::input, message);
+	expectError("exec 2>&- 3>&- 4>&- 5>&-; sleep 60", ErrorKind::input, message);
+	expectError("sleep 60 & exit 0", ErrorKind::input, message);
+	expectError("yes >&2", ErrorKind::input, message);
 }
 
 TEST_F(ScriptedReader, ThatGivesUpIsAnInputErrorWithItsReason)
 {
-	expectError("echo chatter >&2; echo 'vprobe-read: no such thing' >&2; exit 2", ExitCode::input,
+	expectError("echo chatter >&2; echo 'vprobe-read: no such thing' >&2; exit 2", ErrorKind::input,
 	            input_ + ": no such thing");
-	expectError("echo chatter >&2; exit 2", ExitCode::input,
+	expectError("echo chatter >&2; exit 2", ErrorKind::input,
 	            input_ + ": the reader gave up (exit code 2); the file is damaged or not what its ending says");
 	limits_.time = std::chrono::seconds(10);
 	const auto greedy = run("x=$(head -c 400000000 /dev/zero | tr '\\0' x); exit 3");
 	ASSERT_FALSE(greedy);
-	EXPECT_EQ(greedy.error().code, ExitCode::input);
+	EXPECT_EQ(greedy.error().kind, ErrorKind::input);
 }
 
 TEST_F(ScriptedReader, ThatWritesTooMuchIsEnded)
@@ -89,7 +89,7 @@ TEST_F(ScriptedReader, ThatWritesTooMuchIsEnded)
 	limits_.time = std::chrono::seconds(20);
 	const auto handed = run("cat /dev/zero >&4");
 	ASSERT_FALSE(handed);
-	EXPECT_EQ(handed.error().code, ExitCode::input);
+	EXPECT_EQ(handed.error().kind, ErrorKind::input);
 	EXPECT_EQ(handed.error().message, input_ + ": describes more arrays than can be");
 
 	// The arrays are held to the memory's limit.
@@ -102,7 +102,7 @@ TEST_F(ScriptedReader, ThatSaysNothingIsAnInputError)
 	ASSERT_TRUE(run("exit 0"));
 	const auto set = readInputs({input_}, {}, nullptr);
 	ASSERT_FALSE(set);
-	EXPECT_EQ(set.error().code, ExitCode::input);
+	EXPECT_EQ(set.error().kind, ErrorKind::input);
 }
 
 TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
@@ -132,7 +132,7 @@ TEST(ReaderProgram, ThatIsMissingIsNoInputError)
 	const auto set = readInputs({folder / "a.vti"}, {}, nullptr);
 	setReaderProgram({});
 	ASSERT_FALSE(set);
-	EXPECT_EQ(set.error().code, ExitCode::output);
+	EXPECT_EQ(set.error().kind, ErrorKind::internal);
 	EXPECT_EQ(set.error().message, "vprobe-read cannot be started: No such file or directory");
 }
 
@@ -143,7 +143,7 @@ TEST(InputPath, ThatIsNoReadableFileIsAnInputError)
 	{
 		const auto set = readInputs({folder / name}, {}, nullptr);
 		EXPECT_FALSE(set);
-		EXPECT_EQ(set.error().code, ExitCode::input);
+		EXPECT_EQ(set.error().kind, ErrorKind::input);
 		EXPECT_TRUE(set.error().message.starts_with(folder / name));
 		return set.error().message.substr((folder / name).size());
 	};

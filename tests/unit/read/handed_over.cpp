@@ -40,7 +40,7 @@ json handedOver(const std::string& file, const ReadOptions& options)
 		return {{"error", limits.error().message}};
 	const auto handed = runReader(file, options, *limits);
 	if (!handed)
-		return {{"error", handed.error().message}, {"code", handed.error().code}};
+		return {{"error", handed.error().message}, {"kind", handed.error().kind}};
 	json manifest = json::parse(handed->manifest);
 	for (json& block : manifest["blocks"])
 	{

@@ -123,7 +123,7 @@ void expectRefused(const Made& made, const char* what)
 	EXPECT_FALSE(checked) << what;
 	if (!checked)
 	{
-		EXPECT_EQ(checked.error().code, ExitCode::input) << what;
+		EXPECT_EQ(checked.error().kind, ErrorKind::input) << what;
 		EXPECT_FALSE(checked.error().message.empty()) << what;
 	}
 }
@@ -253,7 +253,7 @@ TEST(Manifest, WithWrongTypesOrWordsIsRefused)
 	Made made = makeManifest();
 	made.manifest()["version"] = kProtocolVersion + 1;
 	ASSERT_FALSE(made.check());
-	EXPECT_EQ(made.check().error().code, ExitCode::output); // not the file's fault
+	EXPECT_EQ(made.check().error().kind, ErrorKind::internal); // not the file's fault
 	for (const char* text : {"", "{", "[]", "null", "{}", "3", "\"\""})
 		EXPECT_FALSE(made.check(text)) << text;
 	EXPECT_FALSE(made.check(std::string(1 << 20, '[')));

@@ -28,7 +28,6 @@ TEST_P(EachFormatWithAWish, GivesTheArraysOfThatName)
 	const TemporaryFolder folder;
 	const std::string path = folder / sample.name;
 	sample.write(path);
-	testing::internal::CaptureStderr();
 	const auto whole = read::readInputs({path}, {}, nullptr);
 	read::ReadOptions options;
 	options.arrays.all = false;
@@ -38,7 +37,6 @@ TEST_P(EachFormatWithAWish, GivesTheArraysOfThatName)
 	const auto one = read::readInputs({path}, options, nullptr);
 	options.arrays = {false, {"cell:g"}, true};
 	const auto two = read::readInputs({path}, options, nullptr);
-	testing::internal::GetCapturedStderr();
 	ASSERT_TRUE(whole && none && one && two);
 	for (std::size_t b = 0; b < whole->blocks.size(); ++b)
 	{

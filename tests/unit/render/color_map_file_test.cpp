@@ -158,11 +158,11 @@ TEST(ColorMapFile, FilesOnDisk)
 
 	const auto missing = chooseColorMap(file);
 	ASSERT_FALSE(missing);
-	EXPECT_EQ(missing.error().code, ExitCode::input);
+	EXPECT_EQ(missing.error().kind, ErrorKind::input);
 	EXPECT_NE(missing.error().message.find(file), std::string::npos);
 	const auto unknown = chooseColorMap("jet_r");
 	ASSERT_FALSE(unknown);
-	EXPECT_EQ(unknown.error().code, ExitCode::usage);
+	EXPECT_EQ(unknown.error().kind, ErrorKind::usage);
 	EXPECT_NE(unknown.error().message.find("jet_r"), std::string::npos);
 }
 
@@ -203,8 +203,8 @@ TEST(ColorMapFile, WhatDoesNotServeIsToldInOneLine)
 		const auto made = parseColorMap(row.text, "map.json");
 		ASSERT_FALSE(made) << row.text;
 		const std::string& message = made.error().message;
-		EXPECT_EQ(made.error().code, ExitCode::input) << message;
-		EXPECT_TRUE(message.starts_with("--colormap map.json: ")) << message;
+		EXPECT_EQ(made.error().kind, ErrorKind::input) << message;
+		EXPECT_TRUE(message.starts_with("`colormap` map.json: ")) << message;
 		EXPECT_NE(message.find(row.word), std::string::npos) << message;
 		EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 	}

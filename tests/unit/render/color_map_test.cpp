@@ -75,7 +75,7 @@ TEST(ColorMap, AnUnknownNameListsThoseThereAre)
 {
 	const auto made = makeColorMap("jet");
 	ASSERT_FALSE(made);
-	EXPECT_EQ(made.error().code, ExitCode::usage);
+	EXPECT_EQ(made.error().kind, ErrorKind::usage);
 	EXPECT_NE(made.error().message.find("jet"), std::string::npos);
 	for (const std::string& name : colorMapNames())
 		EXPECT_NE(made.error().message.find(name), std::string::npos);

@@ -177,7 +177,7 @@ TEST_F(StateFile, WhatDoesNotFitIsOneLineThatSaysWhere)
 		Values values;
 		const Status loaded = state::load(values.sections(), path("s.json"));
 		ASSERT_FALSE(loaded) << text;
-		EXPECT_EQ(loaded.error().code, ExitCode::input);
+		EXPECT_EQ(loaded.error().kind, ErrorKind::input);
 		EXPECT_NE(loaded.error().message.find(path("s.json") + ": " + where), std::string::npos)
 		    << loaded.error().message;
 		EXPECT_EQ(loaded.error().message.find('\n'), std::string::npos);

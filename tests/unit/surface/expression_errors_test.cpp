@@ -14,7 +14,7 @@ std::string errorOf(const std::string& text)
 	EXPECT_FALSE(made) << text;
 	if (made)
 		return {};
-	EXPECT_EQ(made.error().code, ExitCode::usage);
+	EXPECT_EQ(made.error().kind, ErrorKind::usage);
 	EXPECT_EQ(made.error().message.find('\n'), std::string::npos);
 	return made.error().message;
 }

@@ -36,7 +36,7 @@ TEST(GridIndex, AnythingElseIsToldWhatBelongsThere)
 	{
 		const Result<GridIndexRange> read = parseGridIndex(text);
 		ASSERT_FALSE(read) << text;
-		EXPECT_EQ(read.error().code, ExitCode::usage);
+		EXPECT_EQ(read.error().kind, ErrorKind::usage);
 		EXPECT_NE(read.error().message.find("12.5"), std::string::npos) << text;
 	}
 }

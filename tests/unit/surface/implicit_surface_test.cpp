@@ -20,7 +20,7 @@ TEST(ImplicitSurface, TellsWhatIsWrong)
 	{
 		const Result<surface::ImplicitSurface> form = surface::ImplicitSurface::parse(text);
 		ASSERT_FALSE(form) << text;
-		EXPECT_EQ(form.error().code, ExitCode::usage);
+		EXPECT_EQ(form.error().kind, ErrorKind::usage);
 		EXPECT_NE(form.error().message.find(says), std::string::npos) << text << ": " << form.error().message;
 	}
 }

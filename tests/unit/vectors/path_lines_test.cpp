@@ -78,7 +78,7 @@ TEST(PathLines, EndWithTheStoredTimes)
 	const Result<Traces> late =
 	    vectors::tracePathLines(moving.blocks, moving.stored, 2.1, {}, forTime(1, 1, Direction::forward));
 	ASSERT_FALSE(late);
-	EXPECT_EQ(late.error().code, ExitCode::usage);
+	EXPECT_EQ(late.error().kind, ErrorKind::usage);
 	EXPECT_NE(late.error().message.find("give 0 to 2"), std::string::npos);
 }
 
@@ -104,7 +104,7 @@ TEST(PathLines, AFailureToLoadIsHandedOn)
 {
 	Moving moving;
 	moving.stored.load = [](std::size_t) -> Result<std::vector<grid::Field>> {
-		return Error{ExitCode::input, "gone"};
+		return Error{ErrorKind::input, "gone"};
 	};
 	const vectors::Launch launch{Vec3(0.1), 0, 0, 0};
 	const Result<Traces> traces = vectors::tracePathLines(moving.blocks, moving.stored, 0.1, std::span(&launch, 1),

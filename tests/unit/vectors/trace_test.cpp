@@ -127,11 +127,11 @@ TEST(Trace, PartsOfTheVector)
 
 TEST(Trace, BadOptionsAreToldWithTheRemedy)
 {
-	EXPECT_NE(errorOf(forTime(1, 0.0)).message.find("--vector-dt 0: not a step; give"), std::string::npos);
-	EXPECT_EQ(errorOf(forTime(1, 0.0)).code, ExitCode::usage);
-	EXPECT_EQ(errorOf(forTime(1, NAN)).code, ExitCode::usage);
-	EXPECT_EQ(errorOf(forTime(1, INFINITY)).code, ExitCode::usage);
-	EXPECT_NE(errorOf(forTime(-1, 0.1)).message.find("--vector-steps -1"), std::string::npos);
+	EXPECT_NE(errorOf(forTime(1, 0.0)).message.find("`vector_dt` 0: not a step; give"), std::string::npos);
+	EXPECT_EQ(errorOf(forTime(1, 0.0)).kind, ErrorKind::usage);
+	EXPECT_EQ(errorOf(forTime(1, NAN)).kind, ErrorKind::usage);
+	EXPECT_EQ(errorOf(forTime(1, INFINITY)).kind, ErrorKind::usage);
+	EXPECT_NE(errorOf(forTime(-1, 0.1)).message.find("`vector_steps` -1"), std::string::npos);
 	EXPECT_NE(errorOf(forTime(1e10, 0.1)).message.find("take fewer steps"), std::string::npos);
 }
 
@@ -144,7 +144,7 @@ TEST(Trace, EndsWhenAskedTo)
 	const Result<Traces> traces = vectors::trace(blocks, vectors::chooseVectors(blocks, "v").value(), lattice.launches,
 	                                             forTime(5, 0.1), stop.get_token());
 	ASSERT_FALSE(traces);
-	EXPECT_EQ(traces.error().code, ExitCode::interrupted);
+	EXPECT_EQ(traces.error().kind, ErrorKind::cancelled);
 }
 
 TEST(ChooseVectors, TakesArraysOfThreeComponents)
@@ -153,8 +153,8 @@ TEST(ChooseVectors, TakesArraysOfThreeComponents)
 	EXPECT_EQ(vectors::chooseVectors(blocks, "")->name, "v");
 	EXPECT_EQ(vectors::chooseVectors(blocks, "point:v")->association, grid::Association::point);
 	const Error scalar = vectors::chooseVectors(blocks, "s").error();
-	EXPECT_EQ(scalar.code, ExitCode::input);
-	EXPECT_EQ(scalar.message, "--vector-array s: has 1 component, a vector has three; arrays of three: point:v");
+	EXPECT_EQ(scalar.kind, ErrorKind::input);
+	EXPECT_EQ(scalar.message, "`vector_array` s: has 1 component, a vector has three; arrays of three: point:v");
 	EXPECT_NE(vectors::chooseVectors(blocks, "w").error().message.find("no such array; arrays of three"),
 	          std::string::npos);
 	blocks.blocks[0].fields.clear();

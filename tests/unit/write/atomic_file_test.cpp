@@ -34,7 +34,7 @@ Error failureOf(const std::string& path)
 	EXPECT_FALSE(status) << path;
 	if (status)
 		return {};
-	EXPECT_EQ(status.error().code, ExitCode::output);
+	EXPECT_EQ(status.error().kind, ErrorKind::output);
 	EXPECT_NE(status.error().message.find(path), std::string::npos) << status.error().message;
 	EXPECT_EQ(status.error().message.find('\n'), std::string::npos);
 	return status.error();
@@ -146,7 +146,7 @@ TEST(AtomicFile, AFullDiskIsAnError)
 	const SampleSlice sample = sampleSlice();
 	const Status status = write::writeSlice(sample.blocks, sample.meshes, "/dev/full");
 	ASSERT_FALSE(status);
-	EXPECT_EQ(status.error().code, ExitCode::output);
+	EXPECT_EQ(status.error().kind, ErrorKind::output);
 }
 
 TEST(AtomicFile, WritesThroughAPipe)
@@ -171,7 +171,7 @@ TEST(SliceFormat, FollowsTheEnding)
 	{
 		const Result<write::SliceFormat> format = write::sliceFormatOf(path);
 		ASSERT_FALSE(format) << path;
-		EXPECT_EQ(format.error().code, ExitCode::usage);
+		EXPECT_EQ(format.error().kind, ErrorKind::usage);
 		for (const char* ending : {".vtp", ".ply", ".csv"})
 			EXPECT_NE(format.error().message.find(ending), std::string::npos);
 	}

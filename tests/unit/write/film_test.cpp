@@ -75,7 +75,7 @@ TEST_F(FilmFile, WhatFfmpegSaysIsTold)
 		return added ? film->commit() : added;
 	}();
 	ASSERT_FALSE(status);
-	EXPECT_EQ(status.error().code, ExitCode::output);
+	EXPECT_EQ(status.error().kind, ErrorKind::output);
 	EXPECT_NE(status.error().message.find("ffmpeg failed: "), std::string::npos) << status.error().message;
 	EXPECT_EQ(status.error().message.find('\n'), std::string::npos);
 	EXPECT_EQ(status.error().message.find("it gave no reason"), std::string::npos);
@@ -86,7 +86,7 @@ TEST_F(FilmFile, NowhereToWriteIsToldBeforeTheWork)
 {
 	const Result<write::Film> film = write::Film::create(folder_ / "none/a.gif", kSide, kSide, 10.0);
 	ASSERT_FALSE(film);
-	EXPECT_EQ(film.error().code, ExitCode::output);
+	EXPECT_EQ(film.error().kind, ErrorKind::output);
 	EXPECT_NE(film.error().message.find("none/a.gif"), std::string::npos);
 }
 
@@ -98,7 +98,7 @@ TEST(FilmWithoutFfmpeg, IsRefused)
 	const Result<write::Film> film = write::Film::create(folder / "a.gif", 2, 2, 10.0);
 	setenv("PATH", search.c_str(), 1);
 	ASSERT_FALSE(film);
-	EXPECT_EQ(film.error().code, ExitCode::output);
+	EXPECT_EQ(film.error().kind, ErrorKind::output);
 	EXPECT_NE(film.error().message.find("not installed"), std::string::npos);
 	EXPECT_EQ(folder.files(), 0u);
 }

@@ -23,7 +23,7 @@ TEST(FrameNames, PatternsThatNameNoFrames)
 	{
 		const Result<write::FrameNames> names = write::FrameNames::create(pattern);
 		ASSERT_FALSE(names) << pattern;
-		EXPECT_EQ(names.error().code, ExitCode::usage) << pattern;
+		EXPECT_EQ(names.error().kind, ErrorKind::usage) << pattern;
 		EXPECT_NE(names.error().message.find(pattern), std::string::npos) << names.error().message;
 	}
 }
@@ -43,7 +43,7 @@ TEST(FrameNames, TheFolderMustBeThere)
 	const TemporaryFolder folder;
 	const Result<write::FrameNames> names = write::FrameNames::create(folder / "none/{frame}.png");
 	ASSERT_FALSE(names);
-	EXPECT_EQ(names.error().code, ExitCode::output);
+	EXPECT_EQ(names.error().kind, ErrorKind::output);
 	EXPECT_NE(names.error().message.find("none; make it first"), std::string::npos) << names.error().message;
 	// Frames would share a folder that does not follow from the number.
 	EXPECT_FALSE(write::FrameNames::create(folder / "{frame}/a.png"));

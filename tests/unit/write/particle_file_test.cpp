@@ -107,7 +107,7 @@ TEST(ParticleFile, SaysWhereItCannotBeWritten)
 {
 	const Status written = write::writeTraces(grid::BlockSet(), {}, "/nowhere/rake.vtp");
 	ASSERT_FALSE(written);
-	EXPECT_EQ(written.error().code, ExitCode::output);
+	EXPECT_EQ(written.error().kind, ErrorKind::output);
 	EXPECT_NE(written.error().message.find("/nowhere/rake.vtp"), std::string::npos);
 }
 

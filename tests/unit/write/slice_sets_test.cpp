@@ -106,7 +106,7 @@ TEST_F(SliceSets, AFailureAtTheEndIsUndone)
 		return series.commit();
 	}();
 	ASSERT_FALSE(committed);
-	EXPECT_EQ(committed.error().code, ExitCode::output);
+	EXPECT_EQ(committed.error().kind, ErrorKind::output);
 	EXPECT_NE(committed.error().message.find("frame_0001.vtp"), std::string::npos) << committed.error().message;
 	EXPECT_FALSE(std::filesystem::exists(folder_ / "out/frame_0000.vtp"));
 	EXPECT_FALSE(std::filesystem::exists(folder_ / "out.pvd"));
@@ -118,7 +118,7 @@ TEST_F(SliceSets, AFileInTheFoldersPlace)
 	writeText(folder_ / "out", "mine");
 	const Status written = write::writeSlice(sample_.blocks, sample_.meshes, folder_ / "out.vtm");
 	ASSERT_FALSE(written);
-	EXPECT_EQ(written.error().code, ExitCode::output);
+	EXPECT_EQ(written.error().kind, ErrorKind::output);
 	EXPECT_EQ(readText(folder_ / "out"), "mine");
 	EXPECT_EQ(folder_.files(), 1u);
 }
