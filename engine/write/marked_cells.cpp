@@ -1,35 +1,25 @@
 #include "write/marked_cells.h"
 
 #include "write/atomic_file.h"
-
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkTypeInt64Array.h>
-#include <vtkXMLPolyDataWriter.h>
+#include "write/poly_data.h"
 
 namespace vp::write
 {
 
 Status writeMarkedCells(const grid::BlockSet& blocks, std::span<const MarkedCells> marked, const std::string& path)
 {
+	using grid::NumberType;
+
 	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)
 		return file.error();
 
-	vtkNew<vtkPoints> points;
-	points->SetDataTypeToDouble();
-	vtkNew<vtkCellArray> polygons;
-	vtkNew<vtkStringArray> finding;
-	finding->SetName("vprobe:finding");
-	vtkNew<vtkTypeInt64Array> source;
-	source->SetName("vprobe:cell");
-	vtkNew<vtkTypeInt32Array> block;
-	block->SetName("vprobe:block");
+	std::vector<Vec3> points;
+	std::vector<std::int64_t> starts{0};
+	std::vector<std::int64_t> ids;
+	std::string finding;
+	std::vector<std::int64_t> source;
+	std::vector<std::int32_t> block;
 	grid::CellFaces faces;
 	for (const MarkedCells& group : marked)
 		for (const grid::SetCell& cell : group.cells)
@@ -39,35 +29,26 @@ Status writeMarkedCells(const grid::BlockSet& blocks, std::span<const MarkedCell
 				    grid.cellFaces(cell.cell, faces);
 				    for (int f = 0; f < faces.size(); ++f)
 				    {
-					    polygons->InsertNextCell(static_cast<int>(faces[f].size()));
 					    for (const PointId p : faces[f])
 					    {
-						    const Vec3 x = grid.point(p);
-						    polygons->InsertCellPoint(points->InsertNextPoint(x.x, x.y, x.z));
+						    ids.push_back(static_cast<std::int64_t>(points.size()));
+						    points.push_back(grid.point(p));
 					    }
-					    finding->InsertNextValue(group.mark);
-					    source->InsertNextValue(static_cast<std::int64_t>(grid.sourceCell(cell.cell)));
-					    block->InsertNextValue(static_cast<std::int32_t>(cell.block));
+					    starts.push_back(static_cast<std::int64_t>(ids.size()));
+					    (finding += group.mark) += '\0';
+					    source.push_back(static_cast<std::int64_t>(grid.sourceCell(cell.cell)));
+					    block.push_back(static_cast<std::int32_t>(cell.block));
 				    }
 			    },
 			    blocks.blocks[cell.block].grid);
 
-	vtkNew<vtkPolyData> shown;
-	shown->SetPoints(points);
-	shown->SetPolys(polygons);
-	shown->GetCellData()->AddArray(finding);
-	shown->GetCellData()->AddArray(source);
-	shown->GetCellData()->AddArray(block);
-	// To memory first, as in writeVtp().
-	vtkNew<vtkXMLPolyDataWriter> writer;
-	writer->SetInputData(shown);
-	writer->SetDataModeToAppended();
-	writer->EncodeAppendedDataOff();
-	writer->SetHeaderTypeToUInt64();
-	writer->SetCompressorTypeToNone();
-	writer->WriteToOutputStringOn();
-	writer->Write();
-	file->write(writer->GetOutputString());
+	PolyData data;
+	data.points = points;
+	data.polygons = {starts, ids};
+	data.cell_arrays.add(xmlTexts("vprobe:finding", finding));
+	data.cell_arrays.add(xmlArray("vprobe:cell", NumberType::int64, 1, source));
+	data.cell_arrays.add(xmlArray("vprobe:block", NumberType::int32, 1, block));
+	writePolyData(data, *file);
 	return file->commit();
 }
 

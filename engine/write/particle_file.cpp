@@ -5,15 +5,6 @@
 #include "write/poly_data.h"
 #include "write/set_arrays.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkFieldData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
-
 #include <limits>
 
 namespace vp::write
@@ -151,15 +142,6 @@ LineTable tabulate(const grid::BlockSet& blocks, std::span<const Traces> traces)
 	return table;
 }
 
-vtkNew<vtkStringArray> endWords()
-{
-	vtkNew<vtkStringArray> words;
-	words->SetName("vprobe:ends");
-	for (const char* word : vectors::kTraceEndWords)
-		words->InsertNextValue(word);
-	return words;
-}
-
 } // namespace
 
 Status writeTraces(const grid::BlockSet& blocks, std::span<const Traces> traces, const std::string& path)
@@ -167,29 +149,22 @@ Status writeTraces(const grid::BlockSet& blocks, std::span<const Traces> traces,
 	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)
 		return file.error();
-	LineTable table = tabulate(blocks, traces);
-	vtkNew<vtkPoints> points;
-	points->SetData(viewValues("Points", NumberType::float64, 3, table.places));
-	vtkNew<vtkCellArray> dots;
-	dots->SetData(viewValues("offsets", NumberType::int64, 1, table.dot_starts),
-	              viewValues("connectivity", NumberType::int64, 1, table.dots));
-	vtkNew<vtkCellArray> lines;
-	lines->SetData(viewValues("offsets", NumberType::int64, 1, table.line_starts),
-	               viewValues("connectivity", NumberType::int64, 1, table.lines));
-	vtkNew<vtkPolyData> data;
-	data->SetPoints(points);
-	data->SetVerts(dots);
-	data->SetLines(lines);
-	addColumns(table.columns, data->GetPointData());
-	data->GetPointData()->AddArray(viewValues("vprobe:time", NumberType::float64, 1, table.times));
-	data->GetPointData()->AddArray(viewValues("vprobe:vector", NumberType::float64, 3, table.vectors));
-	data->GetPointData()->AddArray(viewValues("vprobe:block", NumberType::int32, 1, table.block));
-	data->GetPointData()->AddArray(viewValues("vprobe:cell", NumberType::int64, 1, table.cell));
-	data->GetCellData()->AddArray(viewValues("vprobe:sheet", NumberType::int32, 1, table.sheet));
-	data->GetCellData()->AddArray(viewValues("vprobe:seed", NumberType::int64, 1, table.seed));
-	data->GetCellData()->AddArray(viewValues("vprobe:begin", NumberType::int32, 1, table.begin));
-	data->GetCellData()->AddArray(viewValues("vprobe:end", NumberType::int32, 1, table.end));
-	data->GetFieldData()->AddArray(endWords());
+	const LineTable table = tabulate(blocks, traces);
+	const std::string ends = joinTexts(vectors::kTraceEndWords);
+	PolyData data;
+	data.points = table.places;
+	data.dots = {table.dot_starts, table.dots};
+	data.lines = {table.line_starts, table.lines};
+	data.point_arrays.add(table.columns);
+	data.point_arrays.add(xmlArray("vprobe:time", NumberType::float64, 1, table.times));
+	data.point_arrays.add(xmlArray("vprobe:vector", NumberType::float64, 3, table.vectors));
+	data.point_arrays.add(xmlArray("vprobe:block", NumberType::int32, 1, table.block));
+	data.point_arrays.add(xmlArray("vprobe:cell", NumberType::int64, 1, table.cell));
+	data.cell_arrays.add(xmlArray("vprobe:sheet", NumberType::int32, 1, table.sheet));
+	data.cell_arrays.add(xmlArray("vprobe:seed", NumberType::int64, 1, table.seed));
+	data.cell_arrays.add(xmlArray("vprobe:begin", NumberType::int32, 1, table.begin));
+	data.cell_arrays.add(xmlArray("vprobe:end", NumberType::int32, 1, table.end));
+	data.file_arrays.add(xmlTexts("vprobe:ends", ends));
 	writePolyData(data, *file);
 	return file->commit();
 }

@@ -1,33 +1,37 @@
 #pragma once
 
+#include "base/vec.h"
 #include "write/atomic_file.h"
-#include "write/slice_table.h"
+#include "write/xml_array.h"
 
-#include <vtkDataArray.h>
-#include <vtkSmartPointer.h>
-
-#include <vector>
-
-class vtkDataSetAttributes;
-class vtkPolyData;
+#include <cstdint>
+#include <span>
 
 namespace vp::write
 {
 
-// What the .vtp writers have in common.
-
-// A VTK array over memory that stays ours.
-vtkSmartPointer<vtkDataArray> viewNumbers(const char* name, grid::NumberType type, int components, void* numbers,
-                                          std::size_t bytes);
-
-template <class Values>
-vtkSmartPointer<vtkDataArray> viewValues(const char* name, grid::NumberType type, int components, Values& values)
+// Cells of one kind: cell c has the points ids[starts[c]] .. ids[starts[c + 1]].
+struct XmlCells
 {
-	return viewNumbers(name, type, components, values.data(), values.size() * sizeof(values[0]));
-}
+	std::span<const std::int64_t> starts; // cells + 1, or none
+	std::span<const std::int64_t> ids;
 
-void addColumns(std::vector<Column>& columns, vtkDataSetAttributes* attributes);
+	std::size_t count() const { return starts.empty() ? 0 : starts.size() - 1; }
+};
 
-void writePolyData(vtkPolyData* data, AtomicFile& file);
+// What a .vtp file holds. Cell arrays hold values of the dots first, then of the lines, then of the polygons.
+struct PolyData
+{
+	std::span<const Vec3> points;
+	XmlCells dots;
+	XmlCells lines;
+	XmlCells polygons;
+	XmlArrays point_arrays;
+	XmlArrays cell_arrays;
+	XmlArrays file_arrays;
+};
+
+// Writes it as VTK's XML format with raw appended data. The file's commit() tells failures.
+void writePolyData(const PolyData& data, AtomicFile& file);
 
 } // namespace vp::write

@@ -45,7 +45,7 @@ Status writeSlice(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh>
 	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)
 		return file.error();
-	SliceTable table = tabulate(blocks, meshes, 0, contours);
+	const SliceTable table = tabulate(blocks, meshes, 0, contours);
 	switch (*format)
 	{
 	case SliceFormat::vtp:

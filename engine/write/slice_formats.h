@@ -7,7 +7,7 @@ namespace vp::write
 {
 
 // One a format; failures of the file are its commit()'s to tell.
-void writeVtp(SliceTable& table, AtomicFile& file); // VTK reads the table's arrays where they lie
+void writeVtp(const SliceTable& table, AtomicFile& file);
 void writePly(const SliceTable& table, AtomicFile& file);
 void writeCsv(const SliceTable& table, AtomicFile& file);
 

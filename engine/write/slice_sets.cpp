@@ -17,7 +17,7 @@ namespace
 {
 
 // Of `set`, which errors name: where a part lies until all are written is no place a user knows.
-Status writePart(SliceTable table, const FileSet::Member& part, const std::string& set)
+Status writePart(const SliceTable& table, const FileSet::Member& part, const std::string& set)
 {
 	Result<AtomicFile> file = AtomicFile::create(part.write_to);
 	if (file)
