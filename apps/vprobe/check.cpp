@@ -1,7 +1,8 @@
 #include "commands.h"
 #include "cut/integrity.h"
 #include "grid/check/quality.h"
-#include "session.h"
+#include "session/session.h"
+#include "spec_options.h"
 #include "write/marked_cells.h"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ constexpr std::size_t kCellsTold = 5;
 
 struct CheckOptions
 {
-	ProbeOptions input;
+	SpecOptions input;
 	bool json = false;
 	std::string output;
 };
@@ -168,15 +169,17 @@ void printFindings(const grid::BlockSet& blocks, const std::vector<Finding>& fin
 
 Result<ExitCode> runCheck(const CheckOptions& options)
 {
+	if (Status ready = prepare(options.input); !ready)
+		return ready.error();
 	if (!options.output.empty() && options.output != "-" && !options.output.ends_with(".vtp"))
 		return Error{ErrorKind::usage, fmt::format("-o {}: bad cells are written as .vtp", options.output)};
 	if (options.output == "-" && options.json)
 		return Error{ErrorKind::usage,
 		             "-o - and --json: standard output takes one thing at a time; name a file for the cells"};
-	Result<std::unique_ptr<Session>> opened = openSession(options.input, DeviceUse::classify);
+	Result<std::unique_ptr<session::Session>> opened = session::openSession(options.input.spec, {});
 	if (!opened)
 		return opened.error();
-	Session& session = **opened;
+	session::Session& session = **opened;
 
 	const grid::Quality quality = grid::checkQuality(session.blocks);
 	Result<cut::SweepFindings> sweep = cut::sweepForImpossibleCases(*session.cutter);
@@ -206,11 +209,12 @@ Result<ExitCode> runCheck(const CheckOptions& options)
 void addCheck(CLI::App& program, Run& run)
 {
 	auto options = std::make_shared<CheckOptions>();
-	options->input.classify = "cpu"; // a plane's cells are few: a device pays off for large grids only, when asked for
+	options->input.spec.machine.classify =
+	    view::Classify::cpu; // a plane's cells are few: a device pays off for large grids only, when asked for
 	CLI::App* command = program.add_subcommand(
 	    "check", "Look for faults of a grid: collapsed, inverted, twisted and overlapping cells, seams");
 	addInputs(*command, options->input);
-	addDeviceOptions(*command, options->input);
+	addMachineOptions(*command, options->input);
 	command->add_flag("--json", options->json, "Write JSON for scripts");
 	command->add_option("-o,--output", options->output, "Faces of the bad cells as .vtp, with the array vprobe:finding")
 	    ->type_name("FILE|-");

@@ -1,5 +1,5 @@
 #include "explain.h"
-#include "surface_options.h"
+#include "view/validate.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -23,16 +23,14 @@ void forEachBlockPlan(const find::CutPlan& plan, Visit&& visit)
 
 } // namespace
 
-Result<ExitCode> explain(const ProbeOptions& options, bool by_generation)
+Result<ExitCode> explain(const view::ViewSpec& spec, const session::OpenOptions& how)
 {
-	if (Status known = refuseGenerations(options, by_generation); !known)
+	if (Status known = view::refuseGenerations(spec.probe, spec.look.color_by); !known)
 		return known.error();
-	Result<std::unique_ptr<Session>> opened = openSession(options, DeviceUse::classify);
+	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
 	if (!opened)
 		return opened.error();
-	Session& session = **opened;
-	if (by_generation)
-		session.finder = find::Finder::traversal;
+	session::Session& session = **opened;
 	const Result<find::CutPlan> plan = planOf(session);
 	if (!plan)
 		return plan.error();
@@ -50,7 +48,7 @@ Result<ExitCode> explain(const ProbeOptions& options, bool by_generation)
 	return ExitCode::done;
 }
 
-nlohmann::json planJson(const Session& session)
+nlohmann::json planJson(const session::Session& session)
 {
 	nlohmann::json list = nlohmann::json::array();
 	if (const Result<find::CutPlan> plan = planOf(session))

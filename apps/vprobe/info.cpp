@@ -3,8 +3,8 @@
 #include "grid/check/quality.h"
 #include "grid/demo.h"
 #include "grid/field_choice.h"
-#include "probe_options.h"
 #include "read/read.h"
+#include "spec_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,7 +20,7 @@ namespace
 
 struct InfoOptions
 {
-	ProbeOptions input;
+	SpecOptions input;
 	bool json = false;
 };
 
@@ -167,18 +167,17 @@ void printInfo(const grid::BlockSet& blocks)
 
 Result<ExitCode> runInfo(const InfoOptions& options)
 {
-	const ProbeOptions& input = options.input;
-	if (input.inputs.size() == 1 && input.inputs.front() == "demo:")
+	if (Status ready = prepare(options.input); !ready)
+		return ready.error();
+	const view::InputSpec& input = options.input.spec.input;
+	if (input.files.size() == 1 && input.files.front() == "demo:")
 	{
 		for (const grid::Demo& demo : grid::demos())
 			fmt::print("demo:{:<8} {}\n", demo.name, demo.about);
 		return ExitCode::done;
 	}
-	Result<read::TimeChoice> time = read::parseTime(input.time);
-	if (!time)
-		return time.error();
 	Result<grid::BlockSet> blocks =
-	    read::readInputs(input.inputs, {*time, input.solution, input.refine, input.displace}, nullptr);
+	    read::readInputs(input.files, {input.time, input.solution, input.refine, input.displace}, nullptr);
 	if (!blocks)
 		return blocks.error();
 	if (options.json)

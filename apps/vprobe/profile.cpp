@@ -2,14 +2,14 @@
 #include "base/progress.h"
 #include "commands.h"
 #include "explain.h"
-#include "painter.h"
-#include "plane_pictures.h"
 #include "profile_compare.h"
 #include "profile_report.h"
 #include "remaining_time.h"
-#include "saved_options.h"
-#include "surface_options.h"
+#include "session/painter.h"
+#include "spec_options.h"
 #include "trace_option.h"
+#include "view/settings.h"
+#include "view/validate.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -26,8 +26,9 @@ constexpr int kMaxPlanes = 10'000; // a profile keeps some dozens of numbers for
 
 struct ProfileOptions
 {
-	SavedOptions saved;
-	PathOptions path{.path = "profile", .frames = probe::kProfilePlanes}; // not the sweep's that a state brings
+	SpecOptions common;
+	std::string path = "profile"; // not the sweep's that a state brings
+	int planes = probe::kProfilePlanes;
 	bool draw = false;
 	std::string json;
 	std::string trace;
@@ -68,26 +69,37 @@ Status checkProfileOptions(const ProfileOptions& options, const CLI::App& comman
 		             "--json - and --trace -: standard output takes one thing at a time; name a file for the other"};
 	if (Status place = checkWritable(options.json); !place)
 		return place;
-	if (options.path.overTimes())
+	if (options.planes < 1 || options.planes > kMaxPlanes)
+		return Error{ErrorKind::usage,
+		             fmt::format("--planes {}: give a number from 1 to {}", options.planes, kMaxPlanes)};
+	return options.draw ? Status(Nothing{}) : refuseLook(command, "nothing is drawn", "add --draw");
+}
+
+Result<probe::Path> pathOf(const ProfileOptions& options)
+{
+	view::SweepSpec sweep;
+	if (Status chosen = choosePath(sweep, options.path); !chosen)
+		return Error{chosen.error().kind, fmt::format("`path` {}: {}", options.path, chosen.error().message)};
+	if (sweep.over_times)
 		return Error{ErrorKind::usage, "--path times: a profile moves a probe; choose another path"};
-	if (!options.draw)
-		if (Status fits = refuseLook(command, "nothing is drawn", "add --draw"); !fits)
-			return fits;
-	return requirePathOfSurface(options.saved.probe, options.path);
+	if (Status fits = view::requirePathOfSurface(options.common.spec.probe, sweep); !fits)
+		return fits.error();
+	return view::pathOf(sweep);
 }
 
 // Measures plane after plane; nothing is cut before the first, so that it shows what a first cut takes.
 class Measurement
 {
 public:
-	Measurement(Session& session, std::optional<Painter> painter, std::optional<write::TraceFile>& trace)
+	Measurement(session::Session& session, std::optional<session::Painter> painter,
+	            std::optional<write::TraceFile>& trace)
 	    : session_(session), painter_(std::move(painter)), trace_(trace)
 	{
 	}
 
 	Status run(const std::vector<probe::Frame>& poses, const probe::Path& path)
 	{
-		const probe::Frame start = session_.probe.frame;
+		const probe::Frame start = session_.view.probe.frame;
 		const int planes = static_cast<int>(poses.size());
 		RemainingTime remaining(poses.size());
 		Progress progress(remaining.line());
@@ -95,7 +107,7 @@ public:
 		for (int k = 0; k < planes; ++k)
 		{
 			progress.say(remaining.line());
-			session_.probe.frame = poses[static_cast<std::size_t>(k)];
+			session_.view.probe.frame = poses[static_cast<std::size_t>(k)];
 			session_.swept = probe::progress(path, k, planes);
 			if (Status measured = plane(); !measured)
 				return measured;
@@ -104,7 +116,7 @@ public:
 			hand(std::move(sections));
 			remaining.done();
 		}
-		session_.probe.frame = start;
+		session_.view.probe.frame = start;
 		return Nothing{};
 	}
 
@@ -117,14 +129,14 @@ private:
 		const TimedSection frame(timeline, "frame");
 		{
 			const TimedSection section(timeline, "cut");
-			Result<cut::Cut> slice = cut(session_);
+			Result<cut::Cut> slice = session::cut(session_);
 			if (!slice)
 				return slice.error();
 			slice_ = std::move(*slice);
 			sheets_.clear();
 			for (std::size_t s = 0; s < slice_.sheets.size(); ++s)
 			{
-				Result<SheetStats> stats = sheetMesh(session_, slice_, s);
+				Result<session::SheetStats> stats = session::sheetMesh(session_, slice_, s);
 				if (!stats)
 					return stats.error();
 				sheets_.push_back(std::move(*stats));
@@ -133,7 +145,7 @@ private:
 		if (!painter_)
 			return Nothing{};
 		for (std::size_t s = 0; s < sheets_.size(); ++s)
-			measureForPicture(session_, slice_, s, sheets_[s]);
+			session::measureForPicture(session_, slice_, s, sheets_[s]);
 		const Result<render::Picture> picture = painter_->draw(slice_, sheets_);
 		return picture ? Status(Nothing{}) : picture.error();
 	}
@@ -144,12 +156,12 @@ private:
 			trace_->add(std::move(sections));
 	}
 
-	Session& session_;
-	std::optional<Painter> painter_;
+	session::Session& session_;
+	std::optional<session::Painter> painter_;
 	std::optional<write::TraceFile>& trace_;
 	ProfileLog log_;
 	cut::Cut slice_;
-	std::vector<SheetStats> sheets_;
+	std::vector<session::SheetStats> sheets_;
 };
 
 Status writeJson(const std::string& path, const nlohmann::json& document)
@@ -159,7 +171,7 @@ Status writeJson(const std::string& path, const nlohmann::json& document)
 	return written ? Status(Nothing{}) : written.error();
 }
 
-Status report(ProfileOptions& options, const Profile& profile, std::optional<write::TraceFile>& trace)
+Status report(const ProfileOptions& options, const Profile& profile, std::optional<write::TraceFile>& trace)
 {
 	const nlohmann::json document = profileJson(profile);
 	if (document["empty_planes"] > 0)
@@ -172,55 +184,55 @@ Status report(ProfileOptions& options, const Profile& profile, std::optional<wri
 	if (trace)
 		if (Status written = trace->commit(); !written)
 			return written;
-	return saveState(options.saved);
+	return saveSpec(options.common);
 }
 
-Result<ExitCode> runProfile(ProfileOptions& options, const CLI::App& command)
+Result<ExitCode> runProfile(const ProfileOptions& options, const CLI::App& command)
 {
 	if (!options.compare.empty())
 		return runCompare(options, command);
-	if (Status ready = prepare(options.saved); !ready)
+	view::ViewSpec spec = options.common.spec;
+	if (!options.draw)
+		spec.look = {}; // that a state brings: it has no say
+	if (Status ready = prepare(options.common); !ready)
 		return ready.error();
-	if (options.saved.probe.explain)
-		return explain(options.saved.probe, options.saved.look.color_by == "generation");
-	if (Status read = readPathFile(options.path); !read)
-		return read.error();
-	if (Status fits = checkProfileOptions(options, command); !fits)
-		return fits.error();
-	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
+	session::OpenOptions how{.use = options.draw ? session::DeviceUse::draw : session::DeviceUse::classify,
+	                         .keep = Timeline::Keep::sections};
+	if (options.common.explain)
+		return explain(options.common.spec, {});
+	const Result<probe::Path> path = pathOf(options);
+	if (!path)
+		return path.error();
+	for (const Status& fits :
+	     {checkProfileOptions(options, command), view::refuseGenerations(spec.probe, spec.look.color_by)})
+		if (!fits)
+			return fits.error();
+	Result<view::ResolvedLook> look = view::resolveLook(spec);
 	if (!look)
 		return look.error();
-	if (Status known = refuseGenerations(options.saved.probe, look->by_generation); !known)
-		return known.error();
-	options.saved.probe.reads_patches = options.draw && namesPatch(look->context);
+	const std::string picture =
+	    fmt::format("{}x{}, {} samples", look->look.width, look->look.height, look->look.samples);
 	Result<std::optional<write::TraceFile>> trace = openTrace(options.trace);
 	if (!trace)
 		return trace.error();
 
-	Result<std::unique_ptr<Session>> opened = openSession(
-	    options.saved.probe, options.draw ? DeviceUse::draw : DeviceUse::classify, Timeline::Keep::sections);
+	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
 	if (!opened)
 		return opened.error();
-	Session& session = **opened;
-	session.range_of_slice = look->range_of_slice;
-	if (options.draw && look->by_generation)
-		session.finder = find::Finder::traversal;
-	const std::string picture =
-	    fmt::format("{}x{}, {} samples", look->look.width, look->look.height, look->look.samples);
-	std::optional<Painter> painter;
+	session::Session& session = **opened;
+	std::optional<session::Painter> painter;
 	if (options.draw)
 	{
-		Result<Painter> made = Painter::create(session, options.saved.probe, std::move(*look));
+		Result<session::Painter> made = session::Painter::create(session, std::move(*look));
 		if (!made)
 			return made.error();
 		painter.emplace(std::move(*made));
 	}
-	const probe::Path path = pathOf(options.path);
 	Measurement measurement(session, std::move(painter), *trace);
-	const auto poses = probe::poses(path, session.probe, session.blocks.bounds(), *options.path.frames);
-	if (Status measured = measurement.run(poses, path); !measured)
+	const auto poses = probe::poses(*path, session.view.probe, session.blocks.bounds(), options.planes);
+	if (Status measured = measurement.run(poses, *path); !measured)
 		return measured.error();
-	const Profile profile{options.saved.probe, session, measurement.log(), options.path.path,
+	const Profile profile{session, measurement.log(), options.path,
 	                      options.draw ? std::optional(picture) : std::nullopt};
 	if (Status reported = report(options, profile, *trace); !reported)
 		return reported.error();
@@ -234,20 +246,19 @@ void addProfile(CLI::App& program, Run& run)
 	auto options = std::make_shared<ProfileOptions>();
 	CLI::App* command = program.add_subcommand(
 	    "profile", "Measure a sweep of a probe through an input: times of every stage, work, memory; compare two");
-	addInputs(*command, options->saved.probe)->required(false); // --state may name them
-	addProbeOptions(*command, options->saved.probe);
-	addExplain(*command, options->saved.probe);
-	addLookOptions(*command, options->saved.look);
-	addStateOptions(*command, options->saved);
+	addInputs(*command, options->common)->required(false); // --state may name them
+	addProbeOptions(*command, options->common);
+	addExplain(*command, options->common);
+	addLookOptions(*command, options->common);
+	addStateOptions(*command, options->common);
 	const char* group = "Profile";
 	command->add_flag("--draw", options->draw, "Measures whole frames: every plane is drawn as well")->group(group);
-	command->add_option("--planes", options->path.frames, "Number of planes")
-	    ->check(CLI::Range(1, kMaxPlanes))
+	command->add_option("--planes", options->planes, "Number of planes")
 	    ->capture_default_str()
 	    ->type_name("N")
 	    ->group(group);
 	command
-	    ->add_option("--path", options->path.path,
+	    ->add_option("--path", options->path,
 	                 "profile: planes that tilt through the middle of the bounds; or a path that sweep takes")
 	    ->capture_default_str()
 	    ->type_name("NAME|FILE.json")

@@ -39,7 +39,8 @@ const char* finderOf(const cut::SheetCut& sheet, std::size_t block)
 
 } // namespace
 
-void ProfileLog::add(const cut::Cut& slice, const std::vector<SheetStats>& sheets, const std::vector<Section>& sections)
+void ProfileLog::add(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
+                     const std::vector<Section>& sections)
 {
 	const std::vector<Section> ordered = inOrder(sections);
 	addStages(ordered);
@@ -47,7 +48,7 @@ void ProfileLog::add(const cut::Cut& slice, const std::vector<SheetStats>& sheet
 	addFigures(slice, sheets);
 }
 
-void ProfileLog::addFigures(const cut::Cut& slice, const std::vector<SheetStats>& sheets)
+void ProfileLog::addFigures(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets)
 {
 	std::size_t cut = 0, touched = 0, polygons = 0, vertices = 0;
 	for (std::size_t s = 0; s < slice.sheets.size(); ++s)

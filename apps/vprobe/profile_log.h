@@ -1,7 +1,6 @@
 #pragma once
 
 #include "base/timeline.h"
-#include "session.h"
 #include "stats_json.h"
 
 #include <cstddef>
@@ -35,7 +34,7 @@ class ProfileLog
 {
 public:
 	// sections: all that a plane's work put on the timeline.
-	void add(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
+	void add(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
 	         const std::vector<Timeline::Section>& sections);
 
 	std::size_t planes() const { return cut_cells_.size(); }
@@ -54,7 +53,7 @@ public:
 	std::string finder() const; // how the cells were found: "spans", "flood", "traversal", "subscripts", or several
 
 private:
-	void addFigures(const cut::Cut& slice, const std::vector<SheetStats>& sheets);
+	void addFigures(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets);
 	void addStages(const std::vector<Timeline::Section>& sections);
 	void addGenerations(const std::vector<Timeline::Section>& sections);
 	Stage& stageOf(const Timeline::Section& section);

@@ -3,6 +3,7 @@
 #include "grid/memory.h"
 #include "probe/probe_file.h"
 #include "spread.h"
+#include "view/words.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -99,7 +100,7 @@ std::size_t peakResident()
 	return static_cast<std::size_t>(usage.ru_maxrss) * 1024; // Linux tells KiB
 }
 
-nlohmann::json memoryJson(const Session& session)
+nlohmann::json memoryJson(const session::Session& session)
 {
 	const grid::Memory grid = grid::memoryOf(session.blocks);
 	const cut::Cutter::Memory cutter = session.cutter->memory();
@@ -121,16 +122,19 @@ nlohmann::json memoryJson(const Session& session)
 // What was measured: two profiles are of the same work where all this is the same.
 nlohmann::json subjectJson(const Profile& profile)
 {
-	const ProbeOptions& options = profile.options;
-	nlohmann::json json = inputJson(options, profile.session);
-	const bool has_planes = !replacesSheets(options);
+	const view::ProbeSpec& probe = profile.session.spec.probe;
+	const probe::Probe& placed = profile.session.view.probe;
+	nlohmann::json json = inputJson(profile.session);
+	const bool has_planes = !view::replacesSheets(probe.surface);
+	const std::string surface = view::surfaceText(probe.surface);
+	const auto& threshold = probe.threshold;
 	json.update({{"finder", profile.log.finder()},
-	             {"probe", has_planes ? probe::toJson(profile.session.probe) : nlohmann::json()},
-	             {"surface", options.surface ? nlohmann::json(*options.surface) : nlohmann::json()},
-	             {"threshold", options.threshold.empty() ? nlohmann::json() : nlohmann::json(options.threshold)},
-	             {"seeds", options.seeds},
-	             {"crinkle", options.crinkle},
-	             {"sheets", has_planes ? profile.session.probe.sheets.size() : 1},
+	             {"probe", has_planes ? probe::toJson(placed) : nlohmann::json()},
+	             {"surface", surface.empty() ? nlohmann::json() : nlohmann::json(surface)},
+	             {"threshold", threshold ? nlohmann::json{threshold->lo, threshold->hi} : nlohmann::json()},
+	             {"seeds", view::text(probe.seeds)},
+	             {"crinkle", probe.crinkle},
+	             {"sheets", has_planes ? placed.sheets.size() : 1},
 	             {"path", profile.path},
 	             {"planes", profile.log.planes()},
 	             {"picture", profile.picture ? nlohmann::json(*profile.picture) : nlohmann::json()},

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "look_options.h"
 #include "profile_log.h"
 
 #include <nlohmann/json.hpp>
@@ -14,8 +13,7 @@ namespace vp::app
 // A sweep that was measured, and what it was of.
 struct Profile
 {
-	const ProbeOptions& options;
-	const Session& session;
+	const session::Session& session;
 	const ProfileLog& log;
 	std::string path;                   // as the option says
 	std::optional<std::string> picture; // size and samples, where whole frames were drawn

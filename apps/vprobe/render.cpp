@@ -1,13 +1,14 @@
 #include "commands.h"
 #include "explain.h"
-#include "painter.h"
-#include "saved_options.h"
-#include "surface_options.h"
+#include "session/cut_frame.h"
+#include "session/painter.h"
+#include "spec_options.h"
+#include "stats_json.h"
 #include "vectors_out.h"
+#include "view/validate.h"
 #include "write/png.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -20,23 +21,18 @@ namespace
 
 struct RenderOptions
 {
-	SavedOptions saved;
+	SpecOptions common;
 	std::string output;
 	std::string stats;
 	std::string vectors_out;
 };
 
-Result<ExitCode> runRender(RenderOptions& options)
+// What can be wrong on the command line is told before a large file is read.
+Status check(const RenderOptions& options)
 {
-	if (Status ready = prepare(options.saved); !ready)
-		return ready.error();
-	options.saved.probe.may_scan = !needsNeighbors(options.saved.look);
-	options.saved.probe.reads_all_arrays = false;
-	options.saved.probe.reads_again = false;
-	if (options.saved.probe.explain)
-		return explain(options.saved.probe, options.saved.look.color_by == "generation");
+	const view::ViewSpec& spec = options.common.spec;
 	if (Status place = checkWritable(options.stats); !place)
-		return place.error();
+		return place;
 	if (options.output.empty())
 		return Error{ErrorKind::usage, "-o: a picture needs a place; give the name of a .png file, or -"};
 	if (options.output == "-" && options.stats == "-")
@@ -46,52 +42,50 @@ Result<ExitCode> runRender(RenderOptions& options)
 		return Error{
 		    ErrorKind::usage,
 		    fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -", options.output)};
-	if (Status fits = checkVectorsOut(options.saved.probe.vectors, options.vectors_out,
+	if (Status fits = checkVectorsOut(spec.probe.vectors, options.vectors_out,
 	                                  {{"-o", options.output}, {"--stats", options.stats}});
 	    !fits)
+		return fits;
+	if (Status one = view::requireOneSurface(spec.probe); !one)
+		return one;
+	return view::refuseGenerations(spec.probe, spec.look.color_by);
+}
+
+Result<ExitCode> runRender(const RenderOptions& options)
+{
+	const view::ViewSpec& spec = options.common.spec;
+	if (Status ready = prepare(options.common); !ready)
+		return ready.error();
+	session::OpenOptions how{.may_scan = true, .reads_all_arrays = false, .reads_again = false};
+	if (options.common.explain)
+		return explain(spec, how);
+	if (Status fits = check(options); !fits)
 		return fits.error();
-	if (Status one = requireOneSurface(options.saved.probe); !one)
-		return one.error();
-	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
+	Result<view::ResolvedLook> look = view::resolveLook(spec);
 	if (!look)
 		return look.error();
-	if (Status known = refuseGenerations(options.saved.probe, look->by_generation); !known)
-		return known.error();
-	options.saved.probe.reads_patches = namesPatch(look->context);
 
-	Result<std::unique_ptr<Session>> opened = openSession(options.saved.probe, DeviceUse::draw);
+	how.use = session::DeviceUse::draw;
+	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
 	if (!opened)
 		return opened.error();
-	Session& session = **opened;
-	if (look->by_generation)
-		session.finder = find::Finder::traversal;
-	Result<cut::Cut> slice = cut(session);
-	if (!slice)
-		return slice.error();
-	if (Status told = reportWarnings(session, *slice); !told)
-		return told.error();
-	Result<std::vector<SheetStats>> stats = sheetStats(session, *slice);
-	if (!stats)
-		return stats.error();
-	const std::vector<SheetStats>& sheets = *stats;
-	const Result<Contours> contours = growContours(session, *slice, sheets, options.saved.look.contour, Tell::all);
-	if (!contours)
-		return contours.error();
-	Result<Painter> painter = Painter::create(session, options.saved.probe, std::move(*look));
+	session::Session& session = **opened;
+	const Result<session::CutFrame> frame = session::cutFrame(session);
+	if (!frame)
+		return frame.error();
+	Result<session::Painter> painter = session::Painter::create(session, std::move(*look));
 	if (!painter)
 		return painter.error();
-	Result<render::Picture> picture = painter->draw(*slice, sheets, *contours);
+	Result<render::Picture> picture = painter->draw(frame->slice, frame->sheets, frame->contours);
 	if (!picture)
 		return picture.error();
 	if (Status written = write::writePng(*picture, options.output); !written)
 		return written.error();
-	if (Status written = writeVectors(session, sheets, options.vectors_out); !written)
+	if (Status written = writeVectors(session, frame->sheets, options.vectors_out); !written)
 		return written.error();
-	if (Status saved = saveState(options.saved); !saved)
+	if (Status saved = saveSpec(options.common); !saved)
 		return saved.error();
-	return writeStats(
-	    options.stats, {options.output, options.vectors_out},
-	    statsJson(options.saved.probe, session, *slice, sheets, {{"contours", contoursJson(session, *contours)}}));
+	return writeStats(options.stats, {options.output, options.vectors_out}, statsJson(session, *frame));
 }
 
 } // namespace
@@ -101,18 +95,18 @@ void addRender(CLI::App& program, Run& run)
 	auto options = std::make_shared<RenderOptions>();
 	CLI::App* command =
 	    program.add_subcommand("render", "Draw the cut of an input by a probe, with legend and axes, as a PNG");
-	addInputs(*command, options->saved.probe)->required(false); // --state may name them
-	addProbeOptions(*command, options->saved.probe);
-	addExplain(*command, options->saved.probe);
+	addInputs(*command, options->common)->required(false); // --state may name them
+	addProbeOptions(*command, options->common);
+	addExplain(*command, options->common);
 	command->add_option("-o,--output", options->output, "Picture; - writes it to standard output")
 	    ->type_name("FILE.png|-");
 	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
 
-	addLookOptions(*command, options->saved.look);
-	addVectorOptions(*command, options->saved.probe.vectors, &options->saved.look.vectors);
+	addLookOptions(*command, options->common);
+	addVectorOptions(*command, options->common);
 	addVectorsOut(*command, options->vectors_out);
-	addContourOptions(*command, options->saved.look.contour);
-	addStateOptions(*command, options->saved);
+	addContourOptions(*command, options->common);
+	addStateOptions(*command, options->common);
 	command->callback([&run, options] { run = [options] { return runRender(*options); }; });
 }
 

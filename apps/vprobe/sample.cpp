@@ -3,7 +3,8 @@
 #include "commands.h"
 #include "grid/field_choice.h"
 #include "sample_points.h"
-#include "session.h"
+#include "session/session.h"
+#include "spec_options.h"
 #include "write/atomic_file.h"
 #include "write/sample_file.h"
 
@@ -20,7 +21,7 @@ namespace
 
 struct SampleOptions
 {
-	ProbeOptions input;
+	SpecOptions input;
 	std::string points;
 	std::vector<double> line; // none, or where it begins, where it ends, and how many points
 	std::vector<std::string> arrays;
@@ -39,7 +40,7 @@ Result<std::vector<grid::FieldChoice>> chooseArrays(const SampleOptions& options
 	std::vector<grid::FieldChoice> chosen;
 	for (const std::string& array : options.arrays)
 	{
-		Result<std::optional<grid::FieldChoice>> choice = grid::chooseField(blocks, array, "");
+		Result<std::optional<grid::FieldChoice>> choice = grid::chooseField(blocks, array);
 		if (!choice)
 			return choice.error();
 		if (*choice)
@@ -51,9 +52,9 @@ Result<std::vector<grid::FieldChoice>> chooseArrays(const SampleOptions& options
 Result<ExitCode> runSample(const SampleOptions& options)
 {
 	// What can be wrong on the command line is told before a large file is read.
-	Result<read::TimeChoice> time = read::parseTime(options.input.time);
-	if (!time)
-		return time.error();
+	if (Status ready = prepare(options.input); !ready)
+		return ready.error();
+	const view::ViewSpec& spec = options.input.spec;
 	Result<std::vector<Vec3>> points = pointsOf(options);
 	if (!points)
 		return points.error();
@@ -61,8 +62,8 @@ Result<ExitCode> runSample(const SampleOptions& options)
 		return place.error();
 	Result<grid::BlockSet> blocks = [&]
 	{
-		const Progress progress(fmt::format("reading {}", fmt::join(options.input.inputs, ", ")));
-		return read::readInputs(options.input.inputs, readOptions(options.input, *time), nullptr);
+		const Progress progress(fmt::format("reading {}", fmt::join(spec.input.files, ", ")));
+		return read::readInputs(spec.input.files, session::readOptions(spec, spec.input.time), nullptr);
 	}();
 	if (!blocks)
 		return blocks.error();

@@ -1,7 +1,5 @@
 #include "sample_points.h"
 
-#include "make_probe.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -92,8 +90,9 @@ Result<std::vector<Vec3>> readPoints(const std::string& path)
 Result<std::vector<Vec3>> pointsOnLine(const std::vector<double>& numbers)
 {
 	constexpr double kMaxPoints = 1e7;
-	if (Status finite = requireFinite(numbers, "--line"); !finite)
-		return finite.error();
+	for (const double number : numbers)
+		if (!std::isfinite(number))
+			return Error{ErrorKind::usage, fmt::format("--line: {} is not a finite number", number)};
 	const Vec3 from(numbers[0], numbers[1], numbers[2]);
 	const Vec3 to(numbers[3], numbers[4], numbers[5]);
 	const double count = numbers[6];

@@ -1,18 +1,16 @@
 #include "commands.h"
 #include "explain.h"
-#include "grown_contours.h"
 #include "interrupt.h"
-#include "make_probe.h"
-#include "plane_pictures.h"
-#include "saved_options.h"
+#include "session/cut_frame.h"
+#include "session/plane_pictures.h"
+#include "spec_options.h"
 #include "stats_json.h"
-#include "surface_options.h"
 #include "vectors_out.h"
+#include "view/validate.h"
 #include "write/line_file.h"
 #include "write/slice_file.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +25,7 @@ namespace
 
 struct SliceOptions
 {
-	SavedOptions saved;
+	SpecOptions common;
 	std::string output;
 	std::string stats;
 	std::string vectors_out;
@@ -42,10 +40,8 @@ Status checkLine(const SliceOptions& options, const CLI::App& command)
 		return command.get_option("--sheet")->count() == 0
 		           ? Status(Nothing{})
 		           : Error{ErrorKind::usage, "--sheet: says on which sheet a --line lies; give one, or leave it out"};
-	if (Status finite = requireFinite(options.line, "--line"); !finite)
-		return finite;
 	constexpr double kFarthest = 1e100; // as in files of probes
-	if (std::ranges::any_of(options.line, [](double x) { return std::abs(x) > kFarthest; }))
+	if (std::ranges::any_of(options.line, [](double x) { return !(std::abs(x) <= kFarthest); }))
 		return Error{ErrorKind::usage, "--line: places lie within 1e100; give smaller numbers"};
 	if (options.line[0] == options.line[2] && options.line[1] == options.line[3])
 		return Error{ErrorKind::usage, "--line: begins where it ends; give it a length"};
@@ -55,126 +51,121 @@ Status checkLine(const SliceOptions& options, const CLI::App& command)
 	                    "--line: the values along it are written as .csv; name such a file with -o, or -"};
 }
 
-Status writeLineFile(const Session& session, const SliceOptions& options, const cut::Cut& slice,
-                     const std::vector<SheetStats>& sheets)
+Status writeLineFile(const session::Session& session, const SliceOptions& options, const session::CutFrame& frame)
 {
 	const auto sheet = static_cast<std::size_t>(options.line_sheet);
-	return write::writeLine(session.blocks, slice.sheets[sheet].sheet, sheets[sheet].mesh,
+	return write::writeLine(session.blocks, frame.slice.sheets[sheet].sheet, frame.sheets[sheet].mesh,
 	                        {{options.line[0], options.line[1]}, {options.line[2], options.line[3]}}, options.output);
 }
 
 // White paper, unless a background is asked for.
-Result<LookChoice> planeLook(const SliceOptions& options, const CLI::App& command)
+Result<view::ResolvedLook> planeLook(const SliceOptions& options, const CLI::App& command)
 {
-	LookOptions look = options.saved.look;
-	if (look.background == LookOptions().background && command.get_option("--background")->count() == 0)
-		look.background = "white";
-	return parseLook(look, options.saved.probe.inputs);
+	view::ViewSpec spec = options.common.spec;
+	if (spec.look.background == view::LookSpec().background && command.get_option("--background")->count() == 0)
+		spec.look.background = *render::parseBackground("white");
+	return view::resolveLook(spec);
 }
 
-// Of pictures, or of polygons; gives the files.
-Result<std::vector<std::string>> writeSlices(const Session& session, const SliceOptions& options,
-                                             const LookChoice& look, const cut::Cut& slice,
-                                             const std::vector<SheetStats>& sheets, const Contours& contours)
+// What can be wrong on the command line is told before a large file is read.
+Status check(const SliceOptions& options, const CLI::App& command)
 {
-	const TimedSection section(session.timeline.get(), "write");
-	const DeferredInterrupt writing; // the files of a .vtm appear together
-	if (namesPictures(options.output))
-		return writePictures(session, options.saved.probe.inputs, look, slice, sheets, options.output);
-	if (!options.line.empty())
-	{
-		if (Status written = writeLineFile(session, options, slice, sheets); !written)
-			return written.error();
-		return std::vector{options.output};
-	}
-	if (Status written =
-	        write::writeSlice(session.blocks, exportedMeshes(sheets), options.output, contourPieces(contours));
-	    !written)
-		return written.error();
-	return std::vector{options.output};
-}
-
-Result<ExitCode> runSlice(SliceOptions& options, const CLI::App& command)
-{
-	if (Status ready = prepare(options.saved); !ready)
-		return ready.error();
-	if (Status place = checkWritable(options.stats); !place)
-		return place.error();
-	if (Status one = requireOneSurface(options.saved.probe); !one)
-		return one.error();
-	options.saved.probe.may_scan = !needsNeighbors(options.saved.look);
-	// Polygons are written with every array; and where arrays jump between blocks, vertices are not joined.
-	options.saved.probe.reads_all_arrays = !namesPictures(options.output);
-	options.saved.probe.reads_again = false;
-	if (options.saved.probe.explain)
-		return explain(options.saved.probe);
+	const view::ProbeSpec& probe = options.common.spec.probe;
 	if (options.output == "-" && options.stats == "-")
 		return Error{ErrorKind::usage,
 		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
-	if (Status fits = checkVectorsOut(options.saved.probe.vectors, options.vectors_out,
-	                                  {{"-o", options.output}, {"--stats", options.stats}});
+	if (Status fits =
+	        checkVectorsOut(probe.vectors, options.vectors_out, {{"-o", options.output}, {"--stats", options.stats}});
 	    !fits)
-		return fits.error();
+		return fits;
 	if (Status fits = checkLine(options, command); !fits)
-		return fits.error();
-	const bool pictures = namesPictures(options.output);
-	if (Status planes = pictures || !options.line.empty() ? requirePlanes(options.saved) : Nothing{}; !planes)
-		return planes.error();
-	if (pictures && options.saved.probe.vectors.on())
+		return fits;
+	const bool pictures = session::namesPictures(options.output);
+	if (Status planes = pictures || !options.line.empty() ? view::requirePlanes(probe) : Nothing{}; !planes)
+		return planes;
+	if (pictures && probe.vectors.on())
 		return Error{ErrorKind::usage, "--vectors: flat pictures show none; draw them with vprobe render"};
+	if (pictures)
+		return Nothing{};
 	const std::string why =
 	    options.output.empty() ? "no -o asks for one" : fmt::format("-o {} is none", options.output);
-	if (Status fits = pictures ? Nothing{} : refuseLook(command, why, "write a .png, .svg or .pdf"); !fits)
-		return fits.error();
-	Result<LookChoice> look = pictures ? planeLook(options, command) : LookChoice{};
-	if (!look)
-		return look.error();
-	if (!options.output.empty() && !pictures)
+	if (Status fits = refuseLook(command, why, "write a .png, .svg or .pdf"); !fits)
+		return fits;
+	if (!options.output.empty())
 		if (Result<write::SliceFormat> format = write::sliceFormatOf(options.output); !format)
 			return format.error();
+	return Nothing{};
+}
 
-	Result<std::unique_ptr<Session>> opened = openSession(options.saved.probe, DeviceUse::classify);
+// What only the number of sheets tells.
+Status checkSheets(const SliceOptions& options, std::size_t sheets)
+{
+	if (!options.line.empty() && static_cast<std::size_t>(options.line_sheet) >= sheets)
+		return Error{ErrorKind::usage,
+		             fmt::format("--sheet {}: there are {}, counted from 0", options.line_sheet, sheets)};
+	if (session::namesPictures(options.output))
+		if (auto names = session::pictureNames(options.output, sheets); !names)
+			return names.error();
+	return Nothing{};
+}
+
+// Pictures, polygons or values along a line; gives the files.
+Result<std::vector<std::string>> writeFiles(const session::Session& session, const SliceOptions& options,
+                                            const view::ResolvedLook& look, const session::CutFrame& frame)
+{
+	if (options.output.empty())
+		return std::vector<std::string>();
+	const TimedSection section(session.timeline.get(), "write");
+	const DeferredInterrupt writing; // the files of a .vtm appear together
+	if (session::namesPictures(options.output))
+		return session::writePictures(session, look, frame.slice, frame.sheets, options.output);
+	const Status written = !options.line.empty()
+	                           ? writeLineFile(session, options, frame)
+	                           : write::writeSlice(session.blocks, session::exportedMeshes(frame.sheets),
+	                                               options.output, session::contourPieces(frame.contours));
+	return written ? Result<std::vector<std::string>>(std::vector{options.output}) : written.error();
+}
+
+Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
+{
+	const view::ViewSpec& spec = options.common.spec;
+	if (Status ready = prepare(options.common); !ready)
+		return ready.error();
+	if (Status place = checkWritable(options.stats); !place)
+		return place.error();
+	if (Status one = view::requireOneSurface(spec.probe); !one)
+		return one.error();
+	const bool pictures = session::namesPictures(options.output);
+	// Polygons are written with every array; and where arrays jump between blocks, vertices are not joined.
+	const session::OpenOptions how{.may_scan = true, .reads_all_arrays = !pictures, .reads_again = false};
+	if (options.common.explain)
+		return explain(spec, how);
+	if (Status fits = check(options, command); !fits)
+		return fits.error();
+	Result<view::ResolvedLook> look = pictures ? planeLook(options, command) : view::ResolvedLook{};
+	if (!look)
+		return look.error();
+
+	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
 	if (!opened)
 		return opened.error();
-	Session& session = **opened;
-	if (!options.line.empty() && static_cast<std::size_t>(options.line_sheet) >= session.probe.sheets.size())
-		return Error{ErrorKind::usage, fmt::format("--sheet {}: there are {}, counted from 0", options.line_sheet,
-		                                           session.probe.sheets.size())};
-	if (pictures)
-		if (auto names = pictureNames(options.output, session.probe.sheets.size()); !names)
-			return names.error();
-	Result<cut::Cut> slice = cut(session);
-	if (!slice)
-		return slice.error();
-	if (Status told = reportWarnings(session, *slice); !told)
-		return told.error();
-	Result<std::vector<SheetStats>> stats = sheetStats(session, *slice);
-	if (!stats)
-		return stats.error();
-	const std::vector<SheetStats>& sheets = *stats;
-
-	const Result<Contours> contours = growContours(session, *slice, sheets, options.saved.look.contour, Tell::all);
-	if (!contours)
-		return contours.error();
-
-	std::vector<std::string> written;
-	if (!options.output.empty())
-	{
-		Result<std::vector<std::string>> files = writeSlices(session, options, *look, *slice, sheets, *contours);
-		if (!files)
-			return files.error();
-		written = std::move(*files);
-	}
-	if (Status vectors = writeVectors(session, sheets, options.vectors_out); !vectors)
+	session::Session& session = **opened;
+	if (Status fits = checkSheets(options, session.view.probe.sheets.size()); !fits)
+		return fits.error();
+	const Result<session::CutFrame> frame = session::cutFrame(session);
+	if (!frame)
+		return frame.error();
+	Result<std::vector<std::string>> written = writeFiles(session, options, *look, *frame);
+	if (!written)
+		return written.error();
+	if (Status vectors = writeVectors(session, frame->sheets, options.vectors_out); !vectors)
 		return vectors.error();
-	written.push_back(options.vectors_out);
+	written->push_back(options.vectors_out);
 	if (options.output.empty() && options.stats.empty() && options.vectors_out.empty())
-		fmt::print("{}", statsTable(session, *slice, sheets));
-	if (Status saved = saveState(options.saved); !saved)
+		fmt::print("{}", statsTable(session, *frame));
+	if (Status saved = saveSpec(options.common); !saved)
 		return saved.error();
-	return writeStats(
-	    options.stats, written,
-	    statsJson(options.saved.probe, session, *slice, sheets, {{"contours", contoursJson(session, *contours)}}));
+	return writeStats(options.stats, *written, statsJson(session, *frame));
 }
 
 } // namespace
@@ -184,9 +175,9 @@ void addSlice(CLI::App& program, Run& run)
 	auto options = std::make_shared<SliceOptions>();
 	CLI::App* command = program.add_subcommand(
 	    "slice", "Cut an input by a plane: polygons with every array, a flat picture of each sheet, and figures");
-	addInputs(*command, options->saved.probe)->required(false); // --state may name them
-	addProbeOptions(*command, options->saved.probe);
-	addExplain(*command, options->saved.probe);
+	addInputs(*command, options->common)->required(false); // --state may name them
+	addProbeOptions(*command, options->common);
+	addExplain(*command, options->common);
 	command
 	    ->add_option("-o,--output", options->output,
 	                 "Polygons as .vtp, .vtm (a .vtp a sheet), .ply or .csv; - writes VTP to standard output. Or a "
@@ -205,11 +196,11 @@ void addSlice(CLI::App& program, Run& run)
 	    ->check(CLI::Range(0, static_cast<int>(probe::kMaxSheets) - 1))
 	    ->type_name("K");
 	command->footer("With neither -o, --stats nor --vectors-out a short table is printed.");
-	addLookOptions(*command, options->saved.look, LookScope::plane);
-	addVectorOptions(*command, options->saved.probe.vectors, nullptr);
+	addLookOptions(*command, options->common, LookScope::plane);
+	addVectorOptions(*command, options->common, LookScope::plane);
 	addVectorsOut(*command, options->vectors_out);
-	addContourOptions(*command, options->saved.look.contour);
-	addStateOptions(*command, options->saved);
+	addContourOptions(*command, options->common);
+	addStateOptions(*command, options->common);
 	command->callback([&run, options, command] { run = [options, command] { return runSlice(*options, *command); }; });
 }
 

@@ -1,11 +1,12 @@
 #include "stats_json.h"
 
 #include "explain.h"
-#include "sheet_traces.h"
+#include "vectors/traces.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <unordered_set>
 
 namespace vp::app
@@ -115,7 +116,29 @@ nlohmann::json crinkleJson(const grid::BlockSet& blocks, const std::optional<mes
 	        {"area", measure::measure(blocks, *crinkle, {}).area}};
 }
 
-nlohmann::json sheetJson(const Session& session, const cut::SheetCut& sheet, const SheetStats& stats)
+nlohmann::json tracesJson(const session::Session& session, const vectors::Traces& traces)
+{
+	std::array<std::size_t, vectors::kTraceEndWords.size()> counts{};
+	const auto count = [&](const std::vector<vectors::TraceEnd>& of_traces)
+	{
+		for (const vectors::TraceEnd end : of_traces)
+			++counts[static_cast<std::size_t>(end)];
+	};
+	if (session.view.launch->direction != vectors::Direction::forward)
+		count(traces.begins);
+	if (session.view.launch->direction != vectors::Direction::backward)
+		count(traces.ends);
+	nlohmann::json ends;
+	for (std::size_t i = 0; i < counts.size(); ++i)
+		ends[vectors::kTraceEndWords[i]] = counts[i];
+	return {{"array", session.view.vector_array->name},
+	        {"traces", traces.count()},
+	        {"points", traces.points.size()},
+	        {"dt", session.launch.dt},
+	        {"ends", ends}};
+}
+
+nlohmann::json sheetJson(const session::Session& session, const cut::SheetCut& sheet, const session::SheetStats& stats)
 {
 	const TraversalSums sums = sumUp(session.blocks, sheet);
 	nlohmann::json json = frameJson(sheet);
@@ -152,68 +175,8 @@ nlohmann::json sheetJson(const Session& session, const cut::SheetCut& sheet, con
 
 } // namespace
 
-Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std::size_t sheet)
-{
-	SheetStats stats;
-	{
-		const TimedSection section(session.timeline.get(), "emit");
-		stats.mesh = slice.mesh(session.blocks, sheet);
-		if (session.crinkle)
-			stats.crinkle = slice.crinkle(session.blocks, sheet);
-	}
-	Result<SharedTraces> traces = traceSheet(session, slice, sheet, stats.mesh);
-	if (!traces)
-		return traces.error();
-	stats.traces = std::move(*traces);
-	return stats;
-}
-
-void measureSheet(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
-{
-	const TimedSection section(session.timeline.get(), "measure");
-	stats.measure = measure::measure(session.blocks, stats.mesh, slice.sheets[sheet].field);
-	stats.flux = fluxThrough(session, slice.sheets[sheet], stats.mesh);
-}
-
-void measureForPicture(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
-{
-	if (session.range_of_slice)
-		return measureSheet(session, slice, sheet, stats);
-	const TimedSection section(session.timeline.get(), "measure");
-	stats.measure.nan_area =
-	    measure::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field, session.finite_fields.get());
-}
-
-Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice)
-{
-	std::vector<SheetStats> sheets;
-	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
-	{
-		Result<SheetStats> stats = sheetMesh(session, slice, s);
-		if (!stats)
-			return stats.error();
-		sheets.push_back(std::move(*stats));
-		measureSheet(session, slice, s, sheets.back());
-	}
-	return sheets;
-}
-
-std::vector<mesh::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets)
-{
-	std::vector<mesh::SheetMesh> meshes;
-	for (const SheetStats& sheet : sheets)
-		meshes.push_back(sheet.crinkle ? *sheet.crinkle : sheet.mesh);
-	return meshes;
-}
-
-const char* classifierName(const Session& session)
-{
-	return !session.cutter->usesGpu()                                     ? "cpu"
-	       : session.cutter->blocksOnGpu() < session.blocks.blocks.size() ? "mixed"
-	                                                                      : "gpu";
-}
-
-nlohmann::json sheetsJson(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets)
+nlohmann::json sheetsJson(const session::Session& session, const cut::Cut& slice,
+                          const std::vector<session::SheetStats>& sheets)
 {
 	nlohmann::json list = nlohmann::json::array();
 	for (std::size_t s = 0; s < sheets.size(); ++s)
@@ -221,31 +184,49 @@ nlohmann::json sheetsJson(const Session& session, const cut::Cut& slice, const s
 	return list;
 }
 
+nlohmann::json contoursJson(const session::Session& session, const session::Contours& contours)
+{
+	nlohmann::json list = nlohmann::json::array();
+	for (std::size_t s = 0; s < contours.size(); ++s)
+		for (const contour::Contour& contour : contours[s])
+			list.push_back({{"sheet", s},
+			                {"value", contour.value},
+			                {"cells", contour.cells},
+			                {"polygons", contour.mesh.polygons()},
+			                {"area", measure::measure(session.blocks, contour.mesh, {}).area},
+			                {"components", contour.components},
+			                {"seeds", contour.seeds},
+			                {"generations", contour.generations},
+			                {"cells_touched", contour.cells_touched}});
+	return list;
+}
+
 // From how many cells on `--classify auto` has the device do it; null where it was not asked, or is never faster.
-nlohmann::json breakEvenJson(const Session& session)
+nlohmann::json breakEvenJson(const session::Session& session)
 {
 	return session.break_even && session.break_even->cells ? nlohmann::json(*session.break_even->cells)
 	                                                       : nlohmann::json();
 }
 
-nlohmann::json inputJson(const ProbeOptions& options, const Session& session)
+nlohmann::json inputJson(const session::Session& session)
 {
-	return {{"input", fmt::format("{}", fmt::join(options.inputs, " "))},
-	        {"grid",
-	         {{"kind", session.blocks.kind()},
-	          {"cells", session.blocks.sourceCellCount()},
-	          {"points", session.blocks.sourcePointCount()},
-	          {"linear_cells", session.blocks.cellCount()},
-	          {"linear_points", session.blocks.pointCount()},
-	          {"blocks", session.blocks.blocks.size()}}},
-	        {"array", session.field ? nlohmann::json(session.field->title(session.blocks)) : nlohmann::json()},
-	        {"device", session.device ? session.device->name() : "none"},
-	        {"classifier", classifierName(session)},
-	        {"break_even_cells", breakEvenJson(session)},
-	        {"plan", planJson(session)}};
+	return {
+	    {"input", fmt::format("{}", fmt::join(session.spec.input.files, " "))},
+	    {"grid",
+	     {{"kind", session.blocks.kind()},
+	      {"cells", session.blocks.sourceCellCount()},
+	      {"points", session.blocks.sourcePointCount()},
+	      {"linear_cells", session.blocks.cellCount()},
+	      {"linear_points", session.blocks.pointCount()},
+	      {"blocks", session.blocks.blocks.size()}}},
+	    {"array", session.view.field ? nlohmann::json(session.view.field->title(session.blocks)) : nlohmann::json()},
+	    {"device", session.device ? session.device->name() : "none"},
+	    {"classifier", classifierName(session)},
+	    {"break_even_cells", breakEvenJson(session)},
+	    {"plan", planJson(session)}};
 }
 
-std::string statsDocument(const ProbeOptions& options, const Session& session, const nlohmann::json& what)
+std::string statsDocument(const session::Session& session, const nlohmann::json& what)
 {
 	const Timeline& timeline = *session.timeline;
 	nlohmann::json ms = {{"gpu", timeline.totalGpu()}, {"total", timeline.now()}};
@@ -253,21 +234,21 @@ std::string statsDocument(const ProbeOptions& options, const Session& session, c
 	                            "measure", "readback", "render", "write"})
 		ms[section] = timeline.total(section);
 
-	nlohmann::json document = inputJson(options, session);
+	nlohmann::json document = inputJson(session);
 	document.update(what);
 	document["ms"] = std::move(ms);
 	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string statsJson(const ProbeOptions& options, const Session& session, const cut::Cut& slice,
-                      const std::vector<SheetStats>& sheets, nlohmann::json more)
+std::string statsJson(const session::Session& session, const session::CutFrame& frame)
 {
-	more["sheets"] = sheetsJson(session, slice, sheets);
-	return statsDocument(options, session, more);
+	return statsDocument(session, {{"contours", contoursJson(session, frame.contours)},
+	                               {"sheets", sheetsJson(session, frame.slice, frame.sheets)}});
 }
 
-std::string statsTable(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets)
+std::string statsTable(const session::Session& session, const session::CutFrame& frame)
 {
+	const std::vector<session::SheetStats>& sheets = frame.sheets;
 	std::string table = fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13} {:>13} {:>13} {:>13}\n", "sheet", "cells",
 	                                "polygons", "vertices", "pieces", "area", "mean", "min", "max");
 	const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; };
@@ -275,14 +256,14 @@ std::string statsTable(const Session& session, const cut::Cut& slice, const std:
 	{
 		const measure::SheetMeasure& measure = sheets[s].measure;
 		table += fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13.6g} {:>13} {:>13} {:>13}\n", s,
-		                     sumUp(session.blocks, slice.sheets[s]).cut_cells, sheets[s].mesh.polygons(),
+		                     sumUp(session.blocks, frame.slice.sheets[s]).cut_cells, sheets[s].mesh.polygons(),
 		                     sheets[s].mesh.positions.size(), measure.components, measure.area, number(measure.mean),
 		                     number(measure.min), number(measure.max));
 	}
 	const Timeline& timeline = *session.timeline;
 	const double cut_ms = timeline.total("seed") + timeline.total("traverse") + timeline.total("emit");
 	table += fmt::format("{}classified on the {}, cut in {:.3g} ms of {:.3g} ms\n",
-	                     session.field ? fmt::format("array {}, ", session.field->title(session.blocks)) : "",
+	                     session.view.field ? fmt::format("array {}, ", session.view.field->title(session.blocks)) : "",
 	                     classifierName(session), cut_ms, timeline.now());
 	return table;
 }

@@ -1,11 +1,12 @@
 #include "base/messages.h"
 #include "commands.h"
 #include "explain.h"
-#include "saved_options.h"
-#include "surface_options.h"
+#include "session/time_steps.h"
+#include "spec_options.h"
+#include "stats_json.h"
 #include "sweep_line.h"
-#include "time_steps.h"
 #include "trace_option.h"
+#include "view/validate.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,7 +23,7 @@ namespace
 
 struct SweepOptions
 {
-	SavedOptions saved;
+	SpecOptions common;
 	std::string output;
 	std::string exposure;
 	std::string stats;
@@ -52,7 +53,7 @@ Status checkSweepOptions(const SweepOptions& options)
 	if (options.stats == "-" && options.trace == "-")
 		return Error{ErrorKind::usage,
 		             "--stats - and --trace -: standard output takes one thing at a time; name a file for the other"};
-	for (const std::string* place : {&options.stats, &options.saved.save})
+	for (const std::string* place : {&options.stats, &options.common.save})
 		if (!place->empty())
 			if (Status free = write::checkWritable(*place); !free)
 				return free;
@@ -69,13 +70,13 @@ FramePlaces placesOf(const SweepOptions& options)
 	return places;
 }
 
-Result<std::unique_ptr<SweepProducts>> productsOf(const SweepOptions& options, Session& session, LookChoice look,
-                                                  Frames frames)
+Result<std::unique_ptr<SweepProducts>> productsOf(const SweepOptions& options, session::Session& session,
+                                                  view::ResolvedLook look, Frames frames)
 {
-	std::optional<Painter> painter;
+	std::optional<session::Painter> painter;
 	if (options.draws())
 	{
-		Result<Painter> made = Painter::create(session, options.saved.probe, std::move(look));
+		Result<session::Painter> made = session::Painter::create(session, std::move(look));
 		if (!made)
 			return made.error();
 		painter.emplace(std::move(*made));
@@ -84,102 +85,95 @@ Result<std::unique_ptr<SweepProducts>> productsOf(const SweepOptions& options, S
 	                             options.exports() ? options.output : "");
 }
 
-Result<nlohmann::json> sweepAlong(const probe::Path& path, const ProbeOptions& options, SweepPlan plan,
-                                  Session& session, SweepProducts& products)
+Result<nlohmann::json> sweepAlong(const probe::Path& path, SweepPlan plan, session::Session& session,
+                                  SweepProducts& products)
 {
 	// The first picture is there as soon as can be. Only then is built what makes the others fast.
-	if (session.strategy != find::Strategy::scan)
-		plan.build_neighbors = [&] { return buildNeighbors(session, options); };
-	const std::vector<probe::Frame> poses = probe::poses(path, session.probe, session.blocks.bounds(), plan.frames);
+	if (session.spec.machine.strategy != find::Strategy::scan)
+		plan.build_neighbors = [&] { return session::buildNeighbors(session); };
+	const std::vector<probe::Frame> poses =
+	    probe::poses(path, session.view.probe, session.blocks.bounds(), plan.frames);
 	const CutSlice cut_slice = [&](int frame, std::shared_ptr<const cut::Cut> last)
 	{
-		session.probe.frame = poses[static_cast<std::size_t>(frame)];
+		session.view.probe.frame = poses[static_cast<std::size_t>(frame)];
 		session.swept = probe::progress(path, frame, plan.frames);
 		session.another_follows = frame > 0;
-		return cut(session, std::move(last));
+		return session::cut(session, std::move(last));
 	};
 	return sweepThrough(plan, cut_slice, session, products);
 }
 
-Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, SweepPlan plan, Session& session,
+Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, SweepPlan plan, session::Session& session,
                                       SweepProducts& products)
 {
-	TimeSteps steps(session, options.saved.probe, products.painter());
+	session::TimeSteps steps(session, products.painter());
 	plan.frames = steps.count();
 	plan.cuts_ahead = false; // it changes what is drawn
 	if (steps.count() == 0)
 		return Error{ErrorKind::input, fmt::format("{}: has no times to sweep over; choose another --path",
-		                                           options.saved.probe.inputs.front())};
-	if (options.saved.look.range.empty() && options.draws())
+		                                           session.spec.input.files.front())};
+	if (!session.spec.look.range && options.draws())
 		warn("--path times: the colours follow the range of each time; --range LO HI holds them still");
 	const CutSlice cut_slice = [&](int frame, const std::shared_ptr<const cut::Cut>&) { return steps.cutAt(frame); };
 	return sweepThrough(plan, cut_slice, session, products);
 }
 
-Result<ExitCode> runSweep(SweepOptions& options)
+Result<ExitCode> runSweep(const SweepOptions& options)
 {
-	if (Status ready = prepare(options.saved); !ready)
+	const view::ViewSpec& spec = options.common.spec;
+	if (Status ready = prepare(options.common); !ready)
 		return ready.error();
-	options.saved.probe.may_scan = !needsNeighbors(options.saved.look);
-	options.saved.probe.reads_all_arrays = options.exports(); // polygons are written with every array
-	if (options.saved.probe.explain)
-		return explain(options.saved.probe, options.saved.look.color_by == "generation");
-	if (Status place = checkWritable(options.stats); !place)
-		return place.error();
-	if (Status fits = checkSweepOptions(options); !fits)
-		return fits.error();
-	if (Status fits = requirePathOfSurface(options.saved.probe, options.saved.path); !fits)
-		return fits.error();
-	Result<LookChoice> look = parseLook(options.saved.look, options.saved.probe.inputs);
+	// Polygons are written with every array.
+	session::OpenOptions how{.may_scan = true, .reads_all_arrays = options.exports()};
+	if (options.common.explain)
+		return explain(spec, how);
+	for (const Status& fits :
+	     {checkWritable(options.stats), checkSweepOptions(options), view::requirePathOfSurface(spec.probe, spec.sweep),
+	      view::refuseGenerations(spec.probe, spec.look.color_by)})
+		if (!fits)
+			return fits.error();
+	Result<view::ResolvedLook> look = view::resolveLook(spec);
 	if (!look)
 		return look.error();
-	if (Status known = refuseGenerations(options.saved.probe, look->by_generation); !known)
-		return known.error();
-	options.saved.probe.reads_patches = namesPatch(look->context);
 	look->captions = options.exposure.empty(); // they would write over each other
-	const probe::Path path = pathOf(options.saved.path);
-	Result<int> count = frameCount(options.saved.path, path);
+	const Result<int> count = view::frameCount(spec.sweep);
 	if (!count)
 		return count.error();
 	if (options.exports())
 		if (Result<write::SliceSeries> tried = write::SliceSeries::create(options.output); !tried)
 			return tried.error();
 	Result<Frames> frames =
-	    Frames::create(placesOf(options), look->look.width, look->look.height, options.saved.path.per_second);
+	    Frames::create(placesOf(options), look->look.width, look->look.height, spec.sweep.frames_per_second);
 	if (!frames)
 		return frames.error();
-
 	Result<std::optional<write::TraceFile>> trace = openTrace(options.trace);
 	if (!trace)
 		return trace.error();
-	Result<std::unique_ptr<Session>> opened =
-	    openSession(options.saved.probe, options.draws() ? DeviceUse::draw : DeviceUse::classify,
-	                *trace ? Timeline::Keep::sections : Timeline::Keep::totals);
+
+	how.use = options.draws() ? session::DeviceUse::draw : session::DeviceUse::classify;
+	how.keep = *trace ? Timeline::Keep::sections : Timeline::Keep::totals;
+	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
 	if (!opened)
 		return opened.error();
-	Session& session = **opened;
-	session.range_of_slice = look->range_of_slice;
-	if (look->by_generation)
-		session.finder = find::Finder::traversal;
+	session::Session& session = **opened;
 	Result<std::unique_ptr<SweepProducts>> products =
 	    productsOf(options, session, std::move(*look), std::move(*frames));
 	if (!products)
 		return products.error();
-	const bool threads = options.saved.probe.threads != 1; // one thread is one
+	const bool threads = spec.machine.threads != 1; // one thread is one
 	const SweepPlan plan{
-	    *count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr, options.saved.look.contour, {}};
-	Result<nlohmann::json> figures = options.saved.path.overTimes()
+	    *count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr, spec.look.contour, {}};
+	Result<nlohmann::json> figures = spec.sweep.over_times
 	                                     ? sweepOverTimes(options, plan, session, **products)
-	                                     : sweepAlong(path, options.saved.probe, plan, session, **products);
+	                                     : sweepAlong(view::pathOf(spec.sweep), plan, session, **products);
 	if (!figures)
 		return figures.error();
 	if (*trace)
 		if (Status written = (*trace)->commit(); !written)
 			return written.error();
-	if (Status saved = saveState(options.saved); !saved)
+	if (Status saved = saveSpec(options.common); !saved)
 		return saved.error();
-	return writeStats(options.stats, {},
-	                  statsDocument(options.saved.probe, session, {{"frames", std::move(*figures)}}));
+	return writeStats(options.stats, {}, statsDocument(session, {{"frames", std::move(*figures)}}));
 }
 
 } // namespace
@@ -189,14 +183,14 @@ void addSweep(CLI::App& program, Run& run)
 	auto options = std::make_shared<SweepOptions>();
 	CLI::App* command =
 	    program.add_subcommand("sweep", "Sweep a probe through an input: numbered pictures, a film, or an exposure");
-	addInputs(*command, options->saved.probe)->required(false); // --state may name them
-	addProbeOptions(*command, options->saved.probe);
-	addExplain(*command, options->saved.probe);
-	addLookOptions(*command, options->saved.look);
-	addVectorOptions(*command, options->saved.probe.vectors, &options->saved.look.vectors);
-	addContourOptions(*command, options->saved.look.contour);
-	addPathOptions(*command, options->saved.path);
-	addStateOptions(*command, options->saved);
+	addInputs(*command, options->common)->required(false); // --state may name them
+	addProbeOptions(*command, options->common);
+	addExplain(*command, options->common);
+	addLookOptions(*command, options->common);
+	addVectorOptions(*command, options->common);
+	addContourOptions(*command, options->common);
+	addPathOptions(*command, options->common);
+	addStateOptions(*command, options->common);
 	const char* group = "Sweep";
 	command
 	    ->add_option("-o,--output", options->output,

@@ -3,6 +3,7 @@
 #include "base/messages.h"
 #include "base/progress.h"
 #include "remaining_time.h"
+#include "stats_json.h"
 
 #include <algorithm>
 #include <future>
@@ -15,7 +16,7 @@ namespace vp::app
 namespace
 {
 
-struct SweptFrame : CutFrame
+struct SweptFrame : session::CutFrame
 {
 	nlohmann::json figures; // of --stats, where they are wanted
 };
@@ -26,7 +27,7 @@ using CutFrameResult = Result<std::shared_ptr<const SweptFrame>>;
 class Cutter
 {
 public:
-	Cutter(const SweepPlan& plan, const CutSlice& cut_slice, const Session& session)
+	Cutter(const SweepPlan& plan, const CutSlice& cut_slice, const session::Session& session)
 	    : plan_(plan), cut_slice_(cut_slice), session_(session)
 	{
 		if (plan.cuts_ahead)
@@ -65,12 +66,13 @@ private:
 			if (!slice)
 				return slice.error();
 			made->slice = std::move(*slice);
-			Result<std::vector<SheetStats>> sheets =
-			    statsSince(session_, made->slice, last_.get(), plan_.wants_figures);
+			Result<std::vector<session::SheetStats>> sheets =
+			    session::statsSince(session_, made->slice, last_.get(), plan_.wants_figures);
 			if (!sheets)
 				return sheets.error();
 			made->sheets = std::move(*sheets);
-			Result<Contours> contours = growContours(session_, made->slice, made->sheets, plan_.contour, Tell::unfit);
+			Result<session::Contours> contours =
+			    session::growContours(session_, made->slice, made->sheets, plan_.contour, session::Tell::unfit);
 			if (!contours)
 				return contours.error();
 			made->contours = std::move(*contours);
@@ -84,7 +86,7 @@ private:
 
 	const SweepPlan& plan_;
 	const CutSlice& cut_slice_;
-	const Session& session_;
+	const session::Session& session_;
 	std::shared_ptr<Task> task_; // that nobody has begun
 	std::future<CutFrameResult> result_;
 	std::shared_ptr<const SweptFrame> last_; // of the thread that cuts
@@ -108,7 +110,7 @@ Error firstError(SweepProducts& products, const Error& error)
 
 } // namespace
 
-Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_slice, const Session& session,
+Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_slice, const session::Session& session,
                                     SweepProducts& products)
 {
 	nlohmann::json figures = nlohmann::json::array();
@@ -147,7 +149,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 			cutter.start(next);
 		}
 		remaining.done();
-		empty += std::ranges::all_of((*cut)->slice.sheets, isEmpty);
+		empty += std::ranges::all_of((*cut)->slice.sheets, session::isEmpty);
 		if (plan.wants_figures)
 		{
 			figures.push_back((*cut)->figures);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "session.h"
 #include "sweep_products.h"
 #include "write/trace_file.h"
 
@@ -22,7 +21,7 @@ struct SweepPlan
 	bool writes_beside;      // see SweepProducts
 	bool wants_figures;      // of every frame
 	write::TraceFile* trace; // or null
-	ContourOptions contour;
+	view::ContourSpec contour;
 	// Called after the first frame, and before any other, where the blocks lack neighbors: all frames but the first
 	// need them. Empty where none does.
 	std::function<Status()> build_neighbors;
@@ -31,7 +30,7 @@ struct SweepPlan
 // Cuts, draws and writes frame by frame. With both threads frame n + 1 is cut while n is drawn and n - 1 written: the
 // pictures, the figures and their order are as if one came after the other, and so is which error is told. In memory
 // are at most two frames that have been cut and three pictures. Gives the figures.
-Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_slice, const Session& session,
+Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_slice, const session::Session& session,
                                     SweepProducts& products);
 
 } // namespace vp::app

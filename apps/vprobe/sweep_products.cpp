@@ -5,8 +5,9 @@
 namespace vp::app
 {
 
-Result<std::unique_ptr<SweepProducts>> SweepProducts::create(Session& session, std::optional<Painter> painter,
-                                                             Frames frames, const std::string& series)
+Result<std::unique_ptr<SweepProducts>> SweepProducts::create(session::Session& session,
+                                                             std::optional<session::Painter> painter, Frames frames,
+                                                             const std::string& series)
 {
 	std::unique_ptr<SweepProducts> products(new SweepProducts(session, std::move(painter), std::move(frames)));
 	if (!series.empty())
@@ -20,7 +21,7 @@ Result<std::unique_ptr<SweepProducts>> SweepProducts::create(Session& session, s
 	return products;
 }
 
-Status SweepProducts::add(int frame, const CutFrame& cut)
+Status SweepProducts::add(int frame, const session::CutFrame& cut)
 {
 	if (interrupt_ && interrupt_->came())
 		return Error{ErrorKind::cancelled, "interrupted; nothing is written"};
@@ -28,14 +29,14 @@ Status SweepProducts::add(int frame, const CutFrame& cut)
 	{
 		const TimedSection section(session_.timeline.get(), "write");
 		if (Status written =
-		        series_->add(frame, session_.blocks, exportedMeshes(cut.sheets), contourPieces(cut.contours));
+		        series_->add(frame, session_.blocks, exportedMeshes(cut.sheets), session::contourPieces(cut.contours));
 		    !written)
 			return written;
 	}
 	return painter_ ? draw(frame, cut) : Nothing{};
 }
 
-Status SweepProducts::draw(int frame, const CutFrame& cut)
+Status SweepProducts::draw(int frame, const session::CutFrame& cut)
 {
 	if (frame == 0 && frames_.wantsExposure())
 	{

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "cut_frame.h"
 #include "frames.h"
 #include "interrupt.h"
-#include "painter.h"
+#include "session/cut_frame.h"
+#include "session/painter.h"
 #include "worker.h"
 #include "write/slice_sets.h"
 
@@ -22,31 +22,32 @@ class SweepProducts
 {
 public:
 	// series: the .pvd that polygons go to; empty: none.
-	static Result<std::unique_ptr<SweepProducts>> create(Session& session, std::optional<Painter> painter,
-	                                                     Frames frames, const std::string& series);
+	static Result<std::unique_ptr<SweepProducts>> create(session::Session& session,
+	                                                     std::optional<session::Painter> painter, Frames frames,
+	                                                     const std::string& series);
 
 	bool has(int frame) const { return frames_.has(frame); }
-	Painter* painter() { return painter_ ? &*painter_ : nullptr; }
+	session::Painter* painter() { return painter_ ? &*painter_ : nullptr; }
 
 	// Pictures go to a thread of their own from now on.
 	void writeBeside() { writer_.emplace("writer"); }
 
-	Status add(int frame, const CutFrame& cut);
+	Status add(int frame, const session::CutFrame& cut);
 	Status finish(); // waits until all is written that was added
 	Status commit(); // once it is: the film, the exposure or the series appears
 
 private:
-	SweepProducts(Session& session, std::optional<Painter> painter, Frames frames)
+	SweepProducts(session::Session& session, std::optional<session::Painter> painter, Frames frames)
 	    : session_(session), frames_(std::move(frames)), painter_(std::move(painter))
 	{
 	}
 
-	Status draw(int frame, const CutFrame& cut);
+	Status draw(int frame, const session::CutFrame& cut);
 	void write(int frame, const render::Picture& picture);
 
-	Session& session_;
+	session::Session& session_;
 	Frames frames_;
-	std::optional<Painter> painter_;
+	std::optional<session::Painter> painter_;
 	std::unique_ptr<DeferredInterrupt> interrupt_;
 	std::optional<write::SliceSeries> series_;
 	Status written_ = Nothing{};             // the writer's

@@ -19,7 +19,7 @@ void addVectorsOut(CLI::App& command, std::string& file)
 	    ->group("Vectors");
 }
 
-Status checkVectorsOut(const VectorOptions& vectors, const std::string& file, const std::vector<OtherOutput>& others)
+Status checkVectorsOut(const view::VectorSpec& vectors, const std::string& file, const std::vector<OtherOutput>& others)
 {
 	if (file.empty())
 		return Nothing{};
@@ -37,13 +37,14 @@ Status checkVectorsOut(const VectorOptions& vectors, const std::string& file, co
 	return checkWritable(file);
 }
 
-Status writeVectors(const Session& session, const std::vector<SheetStats>& sheets, const std::string& file)
+Status writeVectors(const session::Session& session, const std::vector<session::SheetStats>& sheets,
+                    const std::string& file)
 {
 	if (file.empty())
 		return Nothing{};
 	const TimedSection section(session.timeline.get(), "write");
 	std::vector<vectors::Traces> traces;
-	for (const SheetStats& sheet : sheets)
+	for (const session::SheetStats& sheet : sheets)
 		traces.push_back(*sheet.traces);
 	return write::writeTraces(session.blocks, traces, file);
 }

@@ -22,9 +22,11 @@ struct OtherOutput
 	const char* option;
 	const std::string& file;
 };
-Status checkVectorsOut(const VectorOptions& vectors, const std::string& file, const std::vector<OtherOutput>& others);
+Status checkVectorsOut(const view::VectorSpec& vectors, const std::string& file,
+                       const std::vector<OtherOutput>& others);
 
 // Section "write". "" does nothing.
-Status writeVectors(const Session& session, const std::vector<SheetStats>& sheets, const std::string& file);
+Status writeVectors(const session::Session& session, const std::vector<session::SheetStats>& sheets,
+                    const std::string& file);
 
 } // namespace vp::app

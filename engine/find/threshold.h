@@ -13,6 +13,8 @@ struct Threshold
 {
 	double lo;
 	double hi; // >= lo
+
+	bool operator==(const Threshold&) const = default;
 };
 
 // Whether a cell has a part in the range: its values do not all lie below lo, nor all above hi. NaN is left out; a

@@ -77,29 +77,40 @@ bool hasNumber(const grid::Field& field, int component)
 	return false;
 }
 
-Result<int> parseComponent(const grid::Field& field, const std::string& text)
+Result<int> chooseComponent(const grid::Field& field, std::optional<int> component)
 {
-	if (text.empty())
+	if (!component)
 		return field.components == 1 ? 0 : grid::kMagnitude;
-	if (text == "magnitude")
-		return grid::kMagnitude;
-	int component = -1;
-	if (text == "x" || text == "y" || text == "z")
-		component = text[0] - 'x';
-	else if (const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), component);
-	         error != std::errc() || end != text.data() + text.size() || component < 0)
+	if (*component >= field.components)
 		return Error{ErrorKind::usage,
-		             fmt::format("`component` {}: not a component; use magnitude, x, y, z or a number from 0", text)};
-	if (component >= field.components)
-		return Error{
-		    ErrorKind::usage,
-		    fmt::format("`component` {}: array {} has {} component{}; use {}", text, field.name, field.components,
-		                field.components == 1 ? "" : "s",
-		                field.components == 1 ? "0" : fmt::format("0 to {} or magnitude", field.components - 1))};
-	return component;
+		             fmt::format("`component` {}: array {} has {} component{}; use {}", componentText(*component),
+		                         field.name, field.components, field.components == 1 ? "" : "s",
+		                         field.components == 1 ? "0"
+		                                               : fmt::format("0 to {} or magnitude", field.components - 1))};
+	return *component;
 }
 
 } // namespace
+
+std::optional<int> parseComponent(std::string_view text)
+{
+	if (text == "magnitude")
+		return grid::kMagnitude;
+	if (text == "x" || text == "y" || text == "z")
+		return text[0] - 'x';
+	int component = -1;
+	const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), component);
+	if (error != std::errc() || end != text.data() + text.size() || component < 0)
+		return std::nullopt;
+	return component;
+}
+
+std::string componentText(int component)
+{
+	if (component == grid::kMagnitude)
+		return "magnitude";
+	return component < 3 ? std::string(1, "xyz"[component]) : fmt::to_string(component);
+}
 
 const grid::Field* FieldChoice::in(const grid::Block& block) const
 {
@@ -127,7 +138,7 @@ std::string FieldChoice::title(const grid::BlockSet& blocks) const
 }
 
 Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, const std::string& array,
-                                               const std::string& component, const char* option)
+                                               std::optional<int> component, const char* setting)
 {
 	std::optional<grid::Association> association;
 	std::string name = array;
@@ -143,14 +154,15 @@ Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, con
 	const grid::Field* field = array.empty() ? firstField(blocks) : findField(blocks, name, association);
 	if (!field && array.empty())
 	{
-		if (!component.empty())
-			return Error{ErrorKind::input, fmt::format("`component` {}: the input has no array", component)};
+		if (component)
+			return Error{ErrorKind::input,
+			             fmt::format("`component` {}: the input has no array", componentText(*component))};
 		return std::optional<FieldChoice>{};
 	}
 	if (!field)
 		return Error{ErrorKind::input,
-		             fmt::format("{} {}: no such array; there are: {}", option, array, listFields(blocks))};
-	Result<int> chosen = parseComponent(*field, component);
+		             fmt::format("{} {}: no such array; there are: {}", setting, array, listFields(blocks))};
+	Result<int> chosen = chooseComponent(*field, component);
 	if (!chosen)
 		return chosen.error();
 	return std::optional<FieldChoice>{{field->name, field->association, *chosen}};

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vp::grid
@@ -23,11 +24,15 @@ struct FieldChoice
 	std::string title(const grid::BlockSet& blocks) const; // "v magnitude", "v y", "s"
 };
 
-// `array` is "[point:|cell:]NAME"; empty takes the first point array, else the first cell array, else none. `component`
-// is "", "magnitude", "x", "y", "z" or a number from 0. An array that no block has is an input error that lists those
-// there are. option: what the error calls it.
+/// "magnitude", "x", "y", "z" or a number from 0, as a component's number or kMagnitude; none for another text.
+std::optional<int> parseComponent(std::string_view text);
+std::string componentText(int component);
+
+/// array: "[point:|cell:]NAME"; empty takes the first point array, else the first cell array, else none. component:
+/// none takes the magnitude of a vector. An array that no block has is an input error that lists those there are.
+/// setting: what the error calls it.
 Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, const std::string& array,
-                                               const std::string& component, const char* option = "`array`");
+                                               std::optional<int> component = {}, const char* setting = "`array`");
 
 // Range of the chosen values over all blocks, NaN left out.
 std::pair<double, double> fieldRange(const grid::BlockSet& blocks, const FieldChoice& choice);

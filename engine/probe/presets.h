@@ -16,6 +16,8 @@ struct WindowSize
 {
 	double width;
 	double height;
+
+	bool operator==(const WindowSize&) const = default;
 };
 
 // One sheet, the plane z = 0 of the probe: the paper's magnifying glass. A window is centered.

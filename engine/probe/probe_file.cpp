@@ -1,11 +1,11 @@
 #include "probe/probe_file.h"
 
+#include "grid/field_choice.h"
 #include "probe/json_reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace vp::probe
 {
@@ -66,17 +66,15 @@ Window windowOf(const JsonReader& reader)
 	return centeredWindow(sizeOf(reader.at(0)), sizeOf(reader.at(1)));
 }
 
-std::string componentOf(const JsonReader& reader)
+int componentOf(const JsonReader& reader)
 {
-	constexpr const char* kRemedy = "not a component; use \"magnitude\", \"x\", \"y\", \"z\" or a number from 0";
+	constexpr int kMaxComponent = (1 << 16) - 1;
 	if (!reader.isString())
-		return fmt::to_string(reader.whole(0, (1 << 16) - 1));
-	const std::string text = reader.text();
-	const bool is_number =
-	    text.size() <= 5 && std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c); });
-	if (!is_number && text != "magnitude" && text != "x" && text != "y" && text != "z")
-		reader.refuse(kRemedy);
-	return text;
+		return reader.whole(0, kMaxComponent);
+	const std::optional<int> component = grid::parseComponent(reader.text());
+	if (!component || *component > kMaxComponent)
+		reader.refuse("not a component; use \"magnitude\", \"x\", \"y\", \"z\" or a number from 0");
+	return *component;
 }
 
 SheetWishes wishesOf(const JsonReader& reader)
@@ -167,7 +165,8 @@ json sheetJson(const Sheet& sheet)
 	};
 	put("opacity", wishes.opacity);
 	put("array", wishes.array);
-	put("component", wishes.component);
+	if (wishes.component)
+		value["component"] = grid::componentText(*wishes.component);
 	put("colormap", wishes.colormap);
 	put("range", wishes.range);
 	put("lines", wishes.lines);

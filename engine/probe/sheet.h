@@ -46,7 +46,7 @@ struct SheetWishes
 {
 	std::optional<double> opacity;                  // 0 to 1
 	std::optional<std::string> array;               // "[point:|cell:]NAME"
-	std::optional<std::string> component;           // "x", "y", "z", "magnitude" or a number from 0
+	std::optional<int> component;                   // from 0, or grid::kMagnitude
 	std::optional<std::string> colormap;            // its name
 	std::optional<std::pair<double, double>> range; // of the colors, lower < higher
 	std::optional<int> lines;                       // contour lines, 0 or more

@@ -66,21 +66,6 @@ Error explain(const std::string& file, const Reader& reader, const InputLimits& 
 	    fmt::format("the reader gave up (exit code {}); the file is damaged or not what its ending says", code));
 }
 
-std::string timeArgument(const TimeChoice& time)
-{
-	switch (time.kind)
-	{
-	case TimeChoice::Kind::first:
-		return "first";
-	case TimeChoice::Kind::value:
-		return fmt::format("{:.17g}", time.value);
-	case TimeChoice::Kind::index:
-		return fmt::format("#{}", time.index);
-	default:
-		return "last";
-	}
-}
-
 std::string wishArgument(const ArrayWish& wish)
 {
 	if (wish.all)
@@ -121,7 +106,7 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 		return notStarted(std::strerror(errno));
 
 	std::string name = "vprobe-read";
-	std::string time = timeArgument(options.time);
+	std::string time = timeText(options.time);
 	std::string solution = options.solution;
 	std::string refine = std::to_string(options.refine);
 	std::string path = file;

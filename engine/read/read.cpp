@@ -110,8 +110,23 @@ Result<TimeChoice> parseTime(const std::string& text)
 	const auto [end, error] = is_index ? std::from_chars(text.data() + 1, stop, choice.index)
 	                                   : std::from_chars(text.data(), stop, choice.value);
 	if (error != std::errc() || end != stop || !std::isfinite(choice.value))
-		return Error{ErrorKind::usage, fmt::format("`time` {}: neither last, first, a number nor #INDEX", text)};
+		return Error{ErrorKind::usage, "neither last, first, a number nor #INDEX"};
 	return choice;
+}
+
+std::string timeText(const TimeChoice& time)
+{
+	switch (time.kind)
+	{
+	case TimeChoice::Kind::first:
+		return "first";
+	case TimeChoice::Kind::value:
+		return fmt::format("{}", time.value);
+	case TimeChoice::Kind::index:
+		return fmt::format("#{}", time.index);
+	default:
+		return "last";
+	}
 }
 
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,

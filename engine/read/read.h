@@ -29,13 +29,21 @@ struct TimeChoice
 	Kind kind = Kind::last;
 	double value = 0.0;
 	std::size_t index = 0;
+
+	bool operator==(const TimeChoice&) const = default;
 };
 
 // The number of the chosen one among times, which are ascending; 0 where there are none.
 std::size_t timeIndex(const std::vector<double>& times, const TimeChoice& choice);
 
-// "last", "first", a number, or # and an index; a usage error otherwise.
+// "last", "first", a number, or # and an index; a usage error otherwise, which does not name the setting.
 Result<TimeChoice> parseTime(const std::string& text);
+std::string timeText(const TimeChoice& time); // read again it is the same
+
+inline TimeChoice timeAt(std::size_t index)
+{
+	return {TimeChoice::Kind::index, 0.0, index};
+}
 
 // Which arrays of points and cells are read. The others are named in grid::Block::arrays_left_out.
 struct ArrayWish

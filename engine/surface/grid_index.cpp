@@ -31,6 +31,11 @@ std::string nameOf(const GridIndex& at)
 	return fmt::format("{}={}", axisName(at.axis), at.index);
 }
 
+std::string GridIndexRange::text() const
+{
+	return isOne() ? fmt::format("{}={}", axisName(axis), first) : fmt::format("{}={}..{}", axisName(axis), first, last);
+}
+
 Result<GridIndexRange> parseGridIndex(const std::string& text)
 {
 	if (text.size() < 2 || text[0] < 'i' || text[0] > 'k' || text[1] != '=')

@@ -44,6 +44,7 @@ struct GridIndexRange
 	double last = 0.0; // may be below `first`
 
 	bool isOne() const { return first == last; }
+	std::string text() const; // as parseGridIndex() takes it
 	GridIndex at(double done) const { return {axis, done == 1.0 ? last : first + done * (last - first)}; } // 0 to 1
 
 	bool operator==(const GridIndexRange&) const = default;

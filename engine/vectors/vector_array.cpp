@@ -53,7 +53,7 @@ Result<grid::FieldChoice> chooseVectors(const grid::BlockSet& blocks, const std:
 		return Error{ErrorKind::input, "`vectors`: the input has no array of three components"};
 	if (array.empty())
 		return arrays.front();
-	Result<std::optional<grid::FieldChoice>> chosen = grid::chooseField(blocks, array, "");
+	Result<std::optional<grid::FieldChoice>> chosen = grid::chooseField(blocks, array);
 	if (!chosen)
 		return Error{ErrorKind::input, fmt::format("`vector_array` {}: no such array; arrays of three components: {}",
 		                                           array, listed(arrays))};

@@ -185,7 +185,7 @@ TEST_F(Probe, FilesThatDoNotFit)
 	EXPECT_TRUE(isError(run({"slice", "demo:shell:4", "--probe", path("absent.json")}), 2, {"absent.json"}));
 	EXPECT_TRUE(isError(
 	    run({"slice", "demo:shell:4", "--probe", write("one.json", R"({"sheets": [{}]})"), "--window", "1", "1"}), 1,
-	    {"--window", "one.json"}));
+	    {"--window", "of its own"}));
 }
 
 } // namespace cli

@@ -33,7 +33,7 @@ TEST(ProbeLine, RealTetrahedraAsVtkProbesThem)
 	const grid::BlockSet blocks = read::readInputs({path}, {}, nullptr).value();
 	const Vec3 lo = blocks.bounds().lo;
 	const Vec3 size = blocks.bounds().hi - lo;
-	const grid::FieldChoice field = grid::chooseField(blocks, "", "").value().value();
+	const grid::FieldChoice field = grid::chooseField(blocks, "").value().value();
 	const auto [low, high] = grid::fieldRange(blocks, field);
 
 	cut::Cutter cutter(blocks);

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace vp::render
@@ -50,7 +51,7 @@ struct Camera
 	void fitNear(std::span<const Vec3> points);
 };
 
-// What --camera asked for.
+/// How the picture is looked at. Made by parseCamera() or fixedCamera(); a default one is automatic.
 struct CameraChoice
 {
 	enum class Kind
@@ -64,13 +65,19 @@ struct CameraChoice
 	Vec3 direction{0.0};
 	Vec3 up{0.0};
 	Camera camera; // of one that is fitted, the field of view
+	std::string text = "auto"; // as parseCamera() takes it
 
 	bool followsSheet() const { return kind == Kind::sheet; }
+	bool operator==(const CameraChoice& other) const { return text == other.text; }
 };
 
 // `auto`, `x|-x|y|-y|z|-z` (seen from there), `iso`, `sheet`, `AZ,EL` in degrees (azimuth from x towards y, elevation
-// from the xy plane towards z), or nine numbers: position, focal point, up. Anything else is a usage error.
+// from the xy plane towards z), or nine numbers: position, focal point, up. Anything else is a usage error, which does
+// not name the setting.
 Result<CameraChoice> parseCamera(std::string_view text);
+
+/// A camera that is not fitted to anything. Its text is read as the same camera again, to the last bit.
+CameraChoice fixedCamera(const Camera& camera);
 
 // A camera whose picture of the points just fills the frame's free area. `sheet` may be null where there is none.
 Camera makeCamera(const CameraChoice& choice, const probe::Sheet* sheet, std::span<const Vec3> points,

@@ -59,10 +59,16 @@ Result<Background> parseBackground(std::string_view text)
 		return plain({0, 0, 0, 0});
 	if (const auto color = parseColor(text))
 		return plain(*color);
-	return Error{
-	    ErrorKind::usage,
-	    fmt::format("`background`: '{}' is no colour; take gradient, white, grey, black, transparent, or #RRGGBB",
-	                text)};
+	return Error{ErrorKind::usage, "no colour; take gradient, white, grey, black, transparent, or #RRGGBB"};
+}
+
+std::string backgroundText(const Background& background)
+{
+	for (const char* name : {"gradient", "transparent", "white", "black", "grey"})
+		if (*parseBackground(name) == background)
+			return name;
+	const Color color = background.top;
+	return fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b);
 }
 
 Result<std::pair<std::uint32_t, std::uint32_t>> parseSize(std::string_view text)
@@ -79,8 +85,7 @@ Result<std::pair<std::uint32_t, std::uint32_t>> parseSize(std::string_view text)
 			return std::pair{width, height};
 	}
 	return Error{ErrorKind::usage,
-	             fmt::format("`size`: '{}' is no size; write WIDTHxHEIGHT in pixels, as 1280x720, up to {}", text,
-	                         kMaxPictureSize)};
+	             fmt::format("no size; write WIDTHxHEIGHT in pixels, as 1280x720, up to {}", kMaxPictureSize)};
 }
 
 } // namespace vp::render

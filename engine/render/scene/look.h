@@ -24,15 +24,18 @@ struct Background
 
 	bool transparent() const { return top.a == 0 && bottom.a == 0; }
 	bool dark() const; // lines and letters are light then
+	bool operator==(const Background&) const = default;
 };
 
 // `white`, `black`, `gray`, #RGB or #RRGGBB; none where the text is no color.
 std::optional<Color> parseColor(std::string_view text);
 
-// `gradient`, `white`, `black`, `gray`, `transparent`, #RGB or #RRGGBB; anything else is a usage error.
+// `gradient`, `white`, `black`, `gray`, `transparent`, #RGB or #RRGGBB; anything else is a usage error, which does not
+// name the setting.
 Result<Background> parseBackground(std::string_view text);
+std::string backgroundText(const Background& background); // read again it is the same
 
-// WxH in pixels.
+// WxH in pixels; the usage error does not name the setting.
 Result<std::pair<std::uint32_t, std::uint32_t>> parseSize(std::string_view text);
 
 // What a user sets about a picture.

@@ -81,17 +81,6 @@ Vec3 corner(const Box& box, int i)
 	return {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z};
 }
 
-Result<Outline> parseOutline(std::string_view name)
-{
-	if (name == "none")
-		return Outline::none;
-	if (name == "box")
-		return Outline::box;
-	if (name == "edges")
-		return Outline::edges;
-	return Error{ErrorKind::usage, fmt::format("`outline`: there is no '{}'; take one of none, box, edges", name)};
-}
-
 std::vector<Segment> outlineOf(const grid::BlockSet& blocks, Outline outline)
 {
 	std::vector<Segment> segments;

@@ -26,7 +26,6 @@ enum class Outline
 	edges // where boundary faces meet at more than 30 degrees, or other than in pairs
 };
 
-Result<Outline> parseOutline(std::string_view name); // none, box, edges
 
 std::vector<Segment> outlineOf(const grid::BlockSet& blocks, Outline outline);
 

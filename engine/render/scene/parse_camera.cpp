@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace vp::render
@@ -77,9 +78,7 @@ std::optional<CameraChoice> fromName(std::string_view name)
 	return std::nullopt;
 }
 
-} // namespace
-
-Result<CameraChoice> parseCamera(std::string_view text)
+Result<CameraChoice> choiceOf(std::string_view text)
 {
 	if (auto named = fromName(text))
 		return *named;
@@ -95,15 +94,34 @@ Result<CameraChoice> parseCamera(std::string_view text)
 		choice.camera.focal_point = {n[3], n[4], n[5]};
 		choice.camera.up = {n[6], n[7], n[8]};
 		if (choice.camera.position == choice.camera.focal_point)
-			return Error{ErrorKind::usage, "`camera`: position and focal point are the same; move one of them"};
+			return Error{ErrorKind::usage, "position and focal point are the same; move one of them"};
 		if (choice.camera.up == Vec3(0.0))
-			return Error{ErrorKind::usage, "`camera`: the up vector is zero; give one of any other length"};
+			return Error{ErrorKind::usage, "the up vector is zero; give one of any other length"};
 		return choice;
 	}
 	return Error{ErrorKind::usage,
-	             fmt::format("`camera`: '{}' is no view; take auto, x, -x, y, -y, z, -z, iso, sheet, AZ,EL in "
-	                         "degrees, or nine numbers: position, focal point, up",
-	                         text)};
+	             "no view; take auto, x, -x, y, -y, z, -z, iso, sheet, AZ,EL in degrees, or nine numbers: position, "
+	             "focal point, up"};
+}
+
+} // namespace
+
+Result<CameraChoice> parseCamera(std::string_view text)
+{
+	Result<CameraChoice> choice = choiceOf(text);
+	if (choice)
+		choice->text = text;
+	return choice;
+}
+
+CameraChoice fixedCamera(const Camera& camera)
+{
+	const auto& [p, f, u] = std::tie(camera.position, camera.focal_point, camera.up);
+	CameraChoice choice;
+	choice.kind = CameraChoice::Kind::fixed;
+	choice.camera = camera;
+	choice.text = fmt::format("{},{},{},{},{},{},{},{},{}", p.x, p.y, p.z, f.x, f.y, f.z, u.x, u.y, u.z);
+	return choice;
 }
 
 } // namespace vp::render

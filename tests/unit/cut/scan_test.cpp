@@ -146,7 +146,7 @@ TEST(ScanStrategy, OtherSurfaces)
 			{
 				cut::CutRequest request = requestOf(plane);
 				request.probe.sheets[0].form = surface::ImplicitSurface::parse(form).value();
-				request.field = grid::chooseField(pair.listed, "linear", "").value();
+				request.field = grid::chooseField(pair.listed, "linear").value();
 				SCOPED_TRACE(form);
 				compare(pair, request);
 			}

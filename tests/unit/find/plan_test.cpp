@@ -64,7 +64,7 @@ Case caseOf(const std::string& options, const grid::BlockSet& blocks)
 	Case made;
 	cut::CutRequest& request = made.request;
 	request.probe.sheets = {probe::makeSheet(blocks.bounds().center(), {0.0, 0.0, 1.0})};
-	request.field = grid::chooseField(blocks, "", "").value();
+	request.field = grid::chooseField(blocks, "").value();
 	request.finder = find::Finder::automatic;
 	std::string words = options;
 	std::erase(words, '`');

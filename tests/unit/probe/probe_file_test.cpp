@@ -27,7 +27,7 @@ probe::SheetWishes randomWishes(std::mt19937& random)
 	if (coin(random))
 		wishes.array = "point:\"T\"\\\n\t\xC3\xA4/~";
 	if (coin(random))
-		wishes.component = coin(random) ? "magnitude" : "12";
+		wishes.component = coin(random) ? grid::kMagnitude : 12;
 	if (coin(random))
 		wishes.colormap = "turbo";
 	if (coin(random))
@@ -105,7 +105,7 @@ TEST(ProbeFile, SaysWhatASheetIs)
 	EXPECT_EQ(probe.sheets[0].normal, Vec3(1.0, 0.0, 0.0));
 	expectNear(probe.sheets[0].up, {0.0, std::sqrt(0.5), std::sqrt(0.5)}, 1e-15);
 	EXPECT_EQ(probe.sheets[0].window, (probe::Window{-2.0, 2.0, -1.0, 1.0}));
-	EXPECT_EQ(probe.sheets[0].wishes, (probe::SheetWishes{0.5, "cell:p", "1", "turbo", std::pair{-1.0, 2.5}, 7, true}));
+	EXPECT_EQ(probe.sheets[0].wishes, (probe::SheetWishes{0.5, "cell:p", 1, "turbo", std::pair{-1.0, 2.5}, 7, true}));
 	EXPECT_EQ(probe.sheets[1].fx, (probe::Fx{3.0, {1.0, 0.0, 0.5}}));
 	EXPECT_EQ(probe.sheets[1].window, (probe::Window{0.0, 1.0, -2.0, 5.0}));
 }

@@ -96,13 +96,4 @@ TEST(Outline, TheExtentHoldsEveryPointClosely)
 	}
 }
 
-TEST(Outline, AnUnknownNameListsThoseThereAre)
-{
-	EXPECT_EQ(*parseOutline("edges"), Outline::edges);
-	const auto parsed = parseOutline("silhouette");
-	ASSERT_FALSE(parsed);
-	EXPECT_EQ(parsed.error().kind, ErrorKind::usage);
-	EXPECT_NE(parsed.error().message.find("none, box, edges"), std::string::npos);
-}
-
 } // namespace vp::render

@@ -1,0 +1,217 @@
+#include "view/state_file.h"
+#include "viewer/document.h"
+#include "viewer/mail.h"
+#include "write/png.h"
+#include "write/slice_file.h"
+#include "write/trace_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace vp::app
+{
+
+namespace
+{
+
+constexpr std::chrono::seconds kRecoveryPause{2};
+
+Notice told(const Status& status, std::string words)
+{
+	return status ? Notice{std::move(words), false, {}} : Notice{status.error().message, true, {}};
+}
+
+} // namespace
+
+void Document::open(std::vector<std::string> inputs)
+{
+	if (inputs.size() == 1 && inputs[0].ends_with(".json"))
+	{
+		Result<view::ViewSpec> read = read_state_(inputs[0]);
+		if (!read)
+			return notify(read.error());
+		state_file_ = inputs[0];
+		return load(std::move(*read));
+	}
+	// What belongs to other data goes: places, arrays, times. How it is looked at stays.
+	view::ViewSpec next = state();
+	next.probe = {};
+	next.input = {};
+	next.input.files = std::move(inputs);
+	next.look.camera = {};
+	next.look.range.reset();
+	next.look.title.reset();
+	load(std::move(next));
+}
+
+void Document::load(view::ViewSpec next)
+{
+	loader_.begin(next);
+	loading_ = std::move(next);
+}
+
+void Document::reload()
+{
+	if (facts_)
+		load(state());
+}
+
+void Document::cancelLoading()
+{
+	loader_.cancel();
+	loading_.reset();
+	notify("Loading was cancelled");
+}
+
+void Document::takeLoaded()
+{
+	std::optional<Loader::Loaded> loaded = loader_.take();
+	if (!loaded)
+		return;
+	view::ViewSpec next = std::move(*loading_);
+	loading_.reset();
+	if (!loaded->session)
+		return notify(loaded->session.error());
+	std::unique_ptr<session::Session> session = std::move(*loaded->session);
+	const bool again = facts_ && facts_->inputs == next.input.files;
+	facts_ = factsOf(*session, next.input.files);
+	watcher_.watch(next.input.files);
+	// Read again, it is looked at as it is by now.
+	if (again)
+		notify(fmt::format("{} was read again", fmt::join(next.input.files, ", ")));
+	else
+		history_ = interact::History<view::ViewSpec>(std::move(next));
+	sheet_ = 0;
+	film_.reset();
+	recording_.reset();
+	for (const std::string& input : facts_->inputs)
+		remember(settings, input);
+	artist_.replaceSession(std::move(session));
+	stateChanged();
+}
+
+void Document::saveState(const std::string& file)
+{
+	view::ViewSpec kept = state();
+	if (asked_size_.width > 0)
+		kept.look.size = {asked_size_.width, asked_size_.height};
+	if (Status written = view::saveState(kept, file); !written)
+		return notify(written.error());
+	state_file_ = file;
+	notify(fmt::format("Saved {}", file));
+}
+
+void Document::savePicture(const std::string& file, std::uint32_t width, std::uint32_t height)
+{
+	FrameRequest like = wish();
+	like.spec.look.size = {width, height};
+	artist_.order(PictureJob{like, false,
+	                         [file, mail = mail_](Result<render::Picture> picture)
+	                         {
+		                         const Status written = picture ? write::writePng(*picture, file) : picture.error();
+		                         mail->leave(told(written, fmt::format("Saved {}", file)));
+	                         }});
+}
+
+void Document::saveSlice(const std::string& file)
+{
+	if (Result<write::SliceFormat> format = write::sliceFormatOf(file); !format)
+		return notify(format.error());
+	artist_.order(CutJob{wish(), file, [file, mail = mail_](const Status& written) {
+		                     mail->leave(told(written, fmt::format("Saved {}", file)));
+	                     }});
+}
+
+void Document::saveTrace(const std::string& file)
+{
+	writeBeside(
+	    [file, sections = artist_.sections()]() mutable
+	    {
+		    Result<write::TraceFile> trace = write::TraceFile::create(file);
+		    if (!trace)
+			    return told(trace.error(), {});
+		    trace->add(std::move(sections));
+		    return told(trace->commit(), fmt::format("Saved {}", file));
+	    });
+}
+
+void Document::writeBeside(std::function<Notice()> write)
+{
+	written_.push_back(std::async(std::launch::async,
+	                              [write = std::move(write), wake = wake_]
+	                              {
+		                              Notice notice = write();
+		                              wake();
+		                              return notice;
+	                              }));
+}
+
+void Document::takeWritten()
+{
+	const auto take = [&](std::future<Notice>& task)
+	{
+		if (task.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+			return false;
+		const Notice notice = task.get();
+		notify(notice.words, notice.is_error);
+		return true;
+	};
+	std::erase_if(written_, take);
+	std::vector<Notice> notices;
+	{
+		const std::lock_guard lock(mail_->mutex);
+		notices.swap(mail_->notices);
+	}
+	for (const Notice& notice : notices)
+		notify(notice.words, notice.is_error);
+}
+
+void Document::keepState()
+{
+	keeps_state_ = facts_ && !recovery_file_.empty() && view::saveState(state(), recovery_file_);
+}
+
+// Every few seconds in which anything changed: what a crash would lose.
+void Document::keepForRecovery()
+{
+	const Moment now = std::chrono::steady_clock::now();
+	if (recovery_file_.empty() || !facts_ || recovery_version_ == version_ || now - recovery_time_ < kRecoveryPause)
+		return;
+	recovery_time_ = now;
+	recovery_version_ = version_;
+	if (Status kept = view::saveState(state(), recovery_file_); kept)
+		return;
+	notify("This window's state cannot be kept for recovery: there is no room in its folder", true);
+	recovery_file_.clear();
+}
+
+void Document::recover(bool wanted)
+{
+	question = Question::none;
+	const std::vector<std::string> left = leftRecoveryFiles();
+	if (wanted && !left.empty())
+	{
+		Result<view::ViewSpec> read = read_state_(left.front());
+		if (read)
+			load(std::move(*read));
+		else
+			notify(read.error());
+	}
+	for (const std::string& file : left)
+	{
+		std::error_code ignored;
+		std::filesystem::remove(file, ignored);
+	}
+}
+
+void Document::watchFiles()
+{
+	if (!watches || loader_.isBusy() || !watcher_.changed(std::chrono::steady_clock::now()))
+		return;
+	notify("The input was written anew; reading it again");
+	reload();
+}
+
+} // namespace vp::app

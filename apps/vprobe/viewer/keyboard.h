@@ -1,0 +1,27 @@
+#pragma once
+
+#include "viewer/document.h"
+#include "viewer/pointer_controller.h"
+
+namespace vp::app
+{
+
+// What keys do that are not meant for a text field or a menu.
+class Keyboard
+{
+public:
+	Keyboard(Document& bench, PointerController& hand) : bench_(bench), hand_(hand) {}
+
+	void press(int key, bool down, int modifiers); // as GLFW numbers them
+	// Right after its key: signs such as ? are typed by different keys on different keyboards.
+	void type(char32_t character);
+
+private:
+	bool closeQuestion();
+
+	Document& bench_;
+	PointerController& hand_;
+	bool served_ = false; // the last key that went down meant something
+};
+
+} // namespace vp::app

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "session/session.h"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace vp::app
+{
+
+// Opens sessions on a thread of its own, one at a time. Of the window's thread.
+class Loader
+{
+public:
+	// wake: called, on the loader's thread, when a session is ready or has failed.
+	Loader(std::shared_ptr<gpu::Device> device, std::function<void()> wake);
+	~Loader(); // cancels
+
+	// A loading under way is cancelled: the later wish counts.
+	void begin(view::ViewSpec spec);
+	void cancel();
+	bool isBusy() const { return job_ != nullptr; }
+	double seconds() const; // since it began
+	std::string what() const;
+
+	struct Loaded
+	{
+		view::ViewSpec spec; // that it was opened by
+		Result<std::unique_ptr<session::Session>> session;
+	};
+	std::optional<Loaded> take(); // once it is there
+
+private:
+	struct Job;
+
+	void drop();
+
+	std::shared_ptr<gpu::Device> device_;
+	std::function<void()> wake_;
+	std::unique_ptr<Job> job_;
+	std::vector<std::unique_ptr<Job>> cancelled_; // that have not come to their end yet
+};
+
+} // namespace vp::app

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "viewer/document.h"
+#include "viewer/meter.h"
+#include "viewer/pointer_controller.h"
+#include "viewer/theme.h"
+
+namespace vp::app
+{
+
+// What panels are drawn from.
+struct Desk
+{
+	Document& bench;
+	PointerController& hand;
+	const Meter& meter;
+	double scale; // of the screen
+};
+
+// Each draws one part of the user interface, with ImGui, from the bench's state and into it.
+
+// Where in the scene's part the pane of a sheet seen straight on lies.
+ScenePart paneOf(const ScenePart& scene, double scale);
+
+ScenePart showPanels(Desk& desk); // all of them; what they leave is the scene's
+void showMenu(Desk& desk);
+void showSidePanel(Desk& desk, const ScenePart& room);
+void showStatusLine(Desk& desk, const ScenePart& room);
+void showScene(Desk& desk, const ScenePart& part); // handles, what is under the pointer
+void followPointer(Desk& desk);                    // with a contour, where one is to
+void showPlanePane(Desk& desk, const ScenePart& part);
+void showNotices(Desk& desk, const ScenePart& part);
+void showProfile(Desk& desk, const ScenePart& part);
+void showHelp(Desk& desk);
+void showQuestions(Desk& desk);
+
+} // namespace vp::app

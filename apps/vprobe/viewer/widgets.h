@@ -1,0 +1,84 @@
+#pragma once
+
+#include "viewer/panels.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace vp::app
+{
+
+// What panels are made of: controls that tell what they are for, and whose changes are steps of the history.
+
+// A part of the window that stays where it is.
+void beginFixed(const char* name, const ScenePart& room, ImGuiWindowFlags more = 0);
+
+bool pointerRests(); // it has been still for a moment
+
+// For the last control, shown once the pointer has rested on it.
+void tip(std::string_view words);
+std::string tipOf(interact::Action action); // its words and keys: "Show the next array (A)"
+
+// Shown by `label`, done by the bench, explained by tipOf().
+bool actionButton(Desk& desk, interact::Action action, const char* label, float width = 0.0f);
+void actionItem(Desk& desk, interact::Action action); // of a menu; checked where it is on
+bool isOn(const Document& bench, interact::Action action);
+bool isPossible(const Document& bench, interact::Action action);
+
+// The width of each of `count` controls side by side in what is left of the line.
+float shareOfLine(int count);
+
+// A label on the left, the control that follows on the right of the line.
+void labeled(const char* label);
+
+// A check box for a part of the state.
+void toggle(Desk& desk, const char* label, bool now, std::string_view words, const Document::Edit& edit);
+
+// One of several words for an option, by names that a reader knows. The value may be none of them: then it is shown as
+// it is.
+struct Choice
+{
+	const char* word;
+	const char* name;
+};
+void showChoice(Desk& desk, const char* label, std::span<const Choice> choices, const std::string& now,
+                std::string_view words, const std::function<void(view::ViewSpec& state, const char* word)>& set);
+
+// A part of something, from `least` to `most`, by a slider.
+struct Slide
+{
+	const char* label;
+	double least = 0.0;
+	double most = 1.0;
+	const char* format = "%.2f";
+	bool logarithmic = false;
+};
+void showSlider(Desk& desk, const Slide& slide, double now, std::string_view words,
+                const std::function<void(view::ViewSpec& state, double value)>& set);
+
+// Numbers to be dragged, or typed after a click; `count` of them side by side. True while they change; when that ends,
+// so does the step of the history that they belong to.
+struct Drag
+{
+	const char* id;
+	double speed;       // a pixel
+	double least = 0.0; // where it is below `most`
+	double most = 0.0;
+	const char* format = "%.5g";
+	bool logarithmic = false;
+};
+bool dragNumbers(Desk& desk, const Drag& drag, double* numbers, int count, std::string_view words);
+
+// What a drag of lengths goes by a pixel, of the data's size.
+double lengthSpeed(const Desk& desk);
+
+// A text as long as there is room for, its end or middle left out; all of it in a tip.
+void clippedText(const std::string& text);
+
+// Whole numbers in groups of three: "16 777 216".
+std::string grouped(std::size_t number);
+std::string bytes(double count); // "1.8 GiB"
+
+} // namespace vp::app

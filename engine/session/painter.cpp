@@ -1,0 +1,261 @@
+#include "session/painter.h"
+
+#include "classify/gpu_records.h"
+#include "cut/polygon_generations.h"
+#include "measure/cell_steps.h"
+#include "measure/plane_triangles.h"
+#include "render/passes/surface_polygons.h"
+#include "render/scene/value_style.h"
+#include "session/context_mesh.h"
+#include "session/contour_drawing.h"
+#include "session/sheet_values.h"
+
+#include <algorithm>
+
+namespace vp::session
+{
+
+namespace
+{
+
+// Neutral: it takes no part in the colors of the values.
+constexpr render::Color kContextColor{194, 199, 206};
+
+// The corners of its window, where it is drawn.
+void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
+{
+	if (!sheet.window)
+		return;
+	const probe::Window& window = *sheet.window;
+	for (const double x : {window.x0, window.x1})
+		for (const double y : {window.y0, window.y1})
+			extent.push_back(sheet.origin + x * sheet.xAxis() + y * sheet.up);
+}
+
+} // namespace
+
+Painter::Painter(Session& session, SheetLooks looks, render::Renderer renderer)
+    : session_(session), looks_(std::move(looks)), vectors_(session), renderer_(std::move(renderer)),
+      pool_(classify::RecordPool::create(*session.device))
+{
+}
+
+Status Painter::takeBlocks()
+{
+	outline_ = render::outlineOf(session_.blocks, choice().look.outline);
+	extent_ = render::extentOf(session_.blocks);
+	if (choice().look.box_axes)
+		for (int i = 0; i < 8; ++i)
+			extent_.push_back(render::corner(session_.blocks.bounds(), i));
+	for (const render::Segment& line : outline_)
+		extent_.insert(extent_.end(), {line.a, line.b});
+	return makeContext();
+}
+
+Status Painter::makeContext()
+{
+	context_.clear();
+	for (const view::ContextSpec& context : choice().context)
+	{
+		Result<mesh::SheetMesh> mesh = contextMesh(session_.blocks, context);
+		if (!mesh)
+			return mesh.error();
+		auto polygons = render::surfacePolygons(*session_.device, *mesh);
+		if (!polygons)
+			return polygons.error();
+		render::Surface& surface = context_.emplace_back();
+		surface.polygons = std::move(*polygons);
+		surface.opacity = context.opacity;
+		surface.color = kContextColor;
+		surface.thick = true;
+	}
+	return Nothing{};
+}
+
+Status Painter::setLook(view::ResolvedLook look)
+{
+	const view::ResolvedLook& before = looks_.choice();
+	const bool same_around = look.look.outline == before.look.outline && look.look.box_axes == before.look.box_axes &&
+	                         look.context == before.context;
+	looks_.setChoice(std::move(look));
+	camera_.reset();
+	return same_around ? Status(Nothing{}) : takeBlocks();
+}
+
+Result<Painter> Painter::create(Session& session, view::ResolvedLook look)
+{
+	Result<render::Renderer> renderer =
+	    session.renderer ? std::move(*session.renderer) : render::Renderer::create(*session.device);
+	session.renderer.reset();
+	if (!renderer)
+		return renderer.error();
+	Painter painter(session, {session, std::move(look)}, std::move(*renderer));
+	if (Status taken = painter.takeBlocks(); !taken)
+		return taken.error();
+	return painter;
+}
+
+// What is no plane: a grid surface, a patch of the boundary, whole cells.
+Result<render::Surface> Painter::surfaceOf(const cut::SheetCut& sheet, const SheetStats& stats,
+                                           const render::SheetDrawing& drawing,
+                                           const std::optional<render::ValueScale>& scale) const
+{
+	const mesh::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
+	const render::SheetValues values = sheetValues(session_, sheet, mesh, choice().by_generation);
+	auto polygons = render::surfacePolygons(*session_.device, mesh, {values.of_vertices, values.of_polygons});
+	if (!polygons)
+		return polygons.error();
+	return render::Surface{.polygons = std::move(*polygons),
+	                       .opacity = drawing.opacity,
+	                       .mesh = choice().look.mesh,
+	                       .values = drawing.values ? drawing.values : scale,
+	                       .colors = drawing.colors,
+	                       .range = drawing.range || drawing.values ? drawing.range : choice().look.range,
+	                       .lines = drawing.lines};
+}
+
+// Lines are drawn from the layers of values; labels want to know where they run.
+void Painter::addContours(const cut::Cut& slice, const std::vector<SheetStats>& sheets, render::Scene& scene) const
+{
+	if (!choice().look.labels || !scene.values)
+		return;
+	for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+	{
+		render::SheetDrawing& drawing = scene.sheets[s];
+		const probe::Sheet& content = slice.sheets[s].sheet;
+		const std::vector<double> levels = render::valueStyle(scene, drawing).lines;
+		if (levels.empty())
+			continue;
+		const auto values = sheetValues(session_, slice.sheets[s], sheets[s].mesh, choice().by_generation);
+		drawing.contours = render::levelLines(sheets[s].mesh, content, values, levels);
+	}
+	// Any sheet may hide labels of another.
+	if (std::ranges::any_of(scene.sheets, [](const auto& sheet) { return !sheet.contours.empty(); }))
+		for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+			scene.sheets[s].rim_lines =
+			    measure::meshOutlines(sheets[s].mesh, measure::planePoints(sheets[s].mesh, slice.sheets[s].sheet));
+}
+
+// A sheet's polygons where they lie: records that the GPU classifier left in device memory, those of the last picture
+// where the sheet has not moved, or the CPU's mesh put there.
+Result<std::shared_ptr<const classify::SheetRecords>> Painter::recordsOf(const cut::SheetCut& sheet,
+                                                                         const SheetStats& stats)
+{
+	const bool by_generation = choice().by_generation;
+	if (sheet.records && !by_generation)
+		return std::shared_ptr<const classify::SheetRecords>(sheet.records);
+	if (const auto known = records_.find(sheet.number); known != records_.end())
+		return known->second;
+	const mesh::MeshRecords host =
+	    by_generation ? mesh::MeshRecords(sheet.sheet, stats.mesh, cut::polygonGenerations(sheet, stats.mesh))
+	                  : mesh::MeshRecords(session_.blocks, sheet.sheet, stats.mesh, sheet.field);
+	auto made = classify::recordsFromMesh(pool_, host);
+	if (!made)
+		return made.error();
+	(*made)->overlapping = (*made)->overlapping || classify::mayFold(session_.blocks);
+	return records_[sheet.number] = std::move(*made);
+}
+
+Status Painter::addSheets(const cut::Cut& slice, const std::vector<SheetStats>& sheets, const Contours& contours,
+                          render::Scene& scene)
+{
+	std::erase_if(records_,
+	              [&](const auto& kept) {
+		              return std::ranges::find(slice.sheets, kept.first, &cut::SheetCut::number) == slice.sheets.end();
+	              });
+	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
+	{
+		Result<render::SheetDrawing> made = looks_.drawing(slice.sheets[s], sheets[s]);
+		if (!made)
+			return made.error();
+		if (s < contours.size())
+			if (Status added = session::addContours(session_, slice.sheets[s], contours[s], *made, choice(), scene);
+			    !added)
+				return added;
+		if (!slice.sheets[s].isPlane() || sheets[s].crinkle)
+		{
+			Result<render::Surface> surface = surfaceOf(slice.sheets[s], sheets[s], *made, scene.values);
+			if (!surface)
+				return surface.error();
+			scene.surfaces.push_back(std::move(*surface));
+			continue;
+		}
+		auto records = recordsOf(slice.sheets[s], sheets[s]);
+		if (!records)
+			return records.error();
+		made->records = std::move(*records);
+		scene.sheets.push_back(std::move(*made));
+	}
+	return Nothing{};
+}
+
+Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
+                                       const Contours& contours)
+{
+	const TimedSection section(session_.timeline.get(), "scene");
+	render::Scene scene;
+	scene.look = choice().look;
+	scene.outline = outline_;
+	scene.surfaces = context_;
+	scene.bounds = session_.blocks.bounds();
+	scene.fitted = choice().camera.kind != render::CameraChoice::Kind::fixed;
+	auto scale = looks_.scaleOf(slice, sheets, std::ranges::any_of(sheets, hasNan));
+	if (!scale)
+		return scale.error();
+	scene.values = *scale;
+	if (Status added = addSheets(slice, sheets, contours, scene); !added)
+		return added.error();
+	auto launched = vectors_.surface(slice, sheets, scene.values, looks_);
+	if (!launched)
+		return launched.error();
+	if (*launched)
+		scene.surfaces.push_back(std::move(**launched));
+	addContours(slice, sheets, scene);
+	const bool has_plane = !slice.sheets.empty() && slice.sheets.front().isPlane();
+	const probe::Sheet* first = has_plane ? &slice.sheets.front().shown : nullptr;
+	if (!slice.sheets.empty() && choice().captions)
+		scene.look.caption =
+		    has_plane ? caption(*first, session_.blocks.bounds()) : cut::surfaceName(slice.sheets.front());
+	if (!camera_ || choice().camera.followsSheet())
+	{
+		if (choice().camera.followsSheet() && !has_plane)
+			return Error{ErrorKind::usage,
+			             "`camera` sheet: a surface that is no plane has no front; choose another view"};
+		// Of several sheets none is the one to look at.
+		const bool by_sheet = slice.sheets.size() == 1 || choice().camera.followsSheet();
+		std::vector<Vec3> extent = extent_;
+		if (choice().window_rims)
+			for (const cut::SheetCut& sheet : slice.sheets)
+				addRim(sheet.shown, extent);
+		camera_ = render::makeCamera(choice().camera, by_sheet ? first : nullptr, extent, render::pictureFrame(scene));
+	}
+	scene.camera = *camera_;
+	return scene;
+}
+
+Result<render::Picture> Painter::draw(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
+                                      const Contours& contours)
+{
+	const TimedSection section(session_.timeline.get(), "render");
+	Result<render::Scene> scene = sceneOf(slice, sheets, contours);
+	return scene ? renderer_.draw(*scene, session_.timeline.get()) : scene.error();
+}
+
+Result<render::Picture> Painter::drawEmpty(const cut::Cut& slice, const std::vector<SheetStats>& sheets)
+{
+	const TimedSection section(session_.timeline.get(), "render");
+	Result<render::Scene> scene = sceneOf(slice, sheets);
+	if (!scene)
+		return scene.error();
+	for (render::SheetDrawing& sheet : scene->sheets)
+	{
+		sheet.records = nullptr;
+		sheet.rim = false;
+		sheet.contours.clear();
+		sheet.rim_lines.clear();
+	}
+	scene->surfaces = context_;
+	return renderer_.draw(*scene, session_.timeline.get());
+}
+
+} // namespace vp::session

@@ -1,0 +1,325 @@
+#include "session/session.h"
+
+#include "base/messages.h"
+#include "base/progress.h"
+#include "session/sheet_traces.h"
+#include "view/validate.h"
+#include "view/words.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vp::session
+{
+
+namespace
+{
+
+// tbb's limit holds as long as its object lives, and the program needs it to the end.
+void limitThreads(int threads)
+{
+	static std::unique_ptr<tbb::global_control> limit;
+	if (threads > 0)
+		limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
+}
+
+// auto takes what is faster on the fronts to come, which was measured on a part of the grid: all sheets go to the
+// device at once, and a plane cuts some N^(2/3) of N cells. Chosen once, since a device must be given the whole grid
+// first.
+bool isWorthDevice(const Session& session)
+{
+	const double front = static_cast<double>(session.view.probe.sheets.size()) *
+	                     std::pow(static_cast<double>(session.blocks.cellCount()), 2.0 / 3.0);
+	const std::optional<std::size_t> from = session.break_even->cells;
+	return from && static_cast<double>(*from) <= front;
+}
+
+bool classifiesOnGpu(Session& session)
+{
+	const view::Classify asked = session.spec.machine.classify;
+	if (!session.device || asked == view::Classify::cpu || leavesDeviceIdle(session.spec.probe) ||
+	    !grid::hasNeighbors(session.blocks))
+		return false;
+	if (asked == view::Classify::gpu)
+		return true;
+	if (session.device->isSoftware())
+		return false;
+	if (!session.break_even)
+	{
+		const TimedSection section(session.timeline.get(), "upload");
+		const Result<classify::BreakEven> measured = classify::measureBreakEven(*session.device, session.blocks);
+		if (!measured)
+			warn("{}; the CPU classifies instead", measured.error().message);
+		session.break_even = measured ? *measured : classify::BreakEven{};
+	}
+	return isWorthDevice(session);
+}
+
+// Those that are shown, where no others are wanted. Vectors have colors by any array, and start with the first that
+// fits.
+read::ArrayWish wishedArrays(const view::ProbeSpec& probe)
+{
+	if (probe.vectors.on())
+		return {};
+	read::ArrayWish wish{.all = false, .names = {}, .first = probe.array.empty()};
+	if (!probe.array.empty())
+		wish.names.push_back(probe.array);
+	if (!probe.vectors.array.empty())
+		wish.names.push_back(probe.vectors.array);
+	if (probe.own)
+		for (const probe::Sheet& sheet : probe.own->probe.sheets)
+			if (sheet.wishes.array)
+				wish.names.push_back(*sheet.wishes.array);
+	return wish;
+}
+
+bool namesPatch(const view::ViewSpec& spec)
+{
+	return std::holds_alternative<find::PatchName>(spec.probe.surface) ||
+	       std::ranges::any_of(spec.look.context, [](const view::ContextSpec& context)
+	                           { return context.kind == view::ContextKind::patch; });
+}
+
+// Whether seeds from every row serve as well as those that a search would have.
+bool isPlain(const view::ViewSpec& spec)
+{
+	const view::ProbeSpec& probe = spec.probe;
+	const view::MachineSpec& machine = spec.machine;
+	return !probe.threshold && !probe.window && !probe.own && std::holds_alternative<std::monostate>(probe.surface) &&
+	       probe.seeds == seed::SeedMode::automatic && probe.outside == seed::OutsidePolicy::nearest &&
+	       !machine.visited && machine.classify != view::Classify::gpu &&
+	       (!machine.strategy || machine.strategy == find::Strategy::spans);
+}
+
+} // namespace
+
+read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice& time)
+{
+	const view::InputSpec& input = spec.input;
+	return {time, input.solution, input.refine, input.displace, namesPatch(spec)};
+}
+
+read::ReadOptions readOptions(const Session& session, const read::TimeChoice& time)
+{
+	read::ReadOptions reading = readOptions(session.spec, time);
+	if (!session.reads_all_arrays)
+		reading.arrays = wishedArrays(session.spec.probe);
+	return reading;
+}
+
+bool needsNeighbors(const view::ViewSpec& spec)
+{
+	const view::ProbeSpec& probe = spec.probe;
+	const view::LookSpec& look = spec.look;
+	return probe.crinkle || probe.vectors.on() || view::replacesSheets(probe.surface) ||
+	       look.color_by == view::ColorBy::generation || look.outline == render::Outline::edges ||
+	       !look.context.empty() || look.contour.isGiven();
+}
+
+Status buildNeighbors(Session& session)
+{
+	if (grid::hasNeighbors(session.blocks))
+		return Nothing{};
+	session.cutter.reset();
+	{
+		const Progress progress("finding neighbors");
+		read::buildNeighbors(session.blocks, session.timeline.get());
+	}
+	return makeCutter(session);
+}
+
+Status makeCutter(Session& session)
+{
+	if (!classifiesOnGpu(session))
+	{
+		session.cutter = std::make_unique<cut::Cutter>(session.blocks);
+		return Nothing{};
+	}
+	const Progress progress("uploading");
+	Result<std::unique_ptr<cut::Cutter>> cutter =
+	    cut::Cutter::onDevice(*session.device, session.blocks, session.view.field, session.timeline.get());
+	if (!cutter)
+		return cutter.error();
+	session.cutter = std::move(*cutter);
+	return Nothing{};
+}
+
+Status resolveAgain(Session& session, view::ViewSpec spec)
+{
+	Result<view::ResolvedView> view = view::resolve(spec, session.blocks);
+	if (!view)
+		return view.error();
+	session.spec = std::move(spec);
+	session.view = std::move(*view);
+	return prepareLaunch(session);
+}
+
+namespace
+{
+
+cut::CutRequest requestOf(const Session& session)
+{
+	const view::ResolvedView& view = session.view;
+	const view::MachineSpec& machine = session.spec.machine;
+	// For a device few generations are wanted; where the traversal is asked for by name it goes as the paper has it.
+	seed::SeedOptions seeds = view.seeds;
+	seeds.lattice = session.cutter->usesGpu() && session.finder != find::Finder::traversal &&
+	                machine.strategy != find::Strategy::generations;
+	return {.probe = view.probe,
+	        .corners = view.corners,
+	        .field = view.field,
+	        .sheet_fields = view.sheet_fields,
+	        .seeds = seeds,
+	        .threshold = view.threshold,
+	        .finder = session.finder,
+	        .strategy = machine.strategy,
+	        .another_follows = session.another_follows,
+	        .visited = machine.visited.value_or(find::VisitedSet::stamps),
+	        .surface = view::listedSurface(view.surface, session.swept),
+	        .last = nullptr,
+	        .timeline = session.timeline.get()};
+}
+
+// A traversal knows when it met a cell, and a device goes by generations, as the paper does, unless it is left to
+// choose what is fastest.
+find::Finder finderFor(const Session& session)
+{
+	const view::MachineSpec& machine = session.spec.machine;
+	if (machine.visited || session.spec.look.color_by == view::ColorBy::generation)
+		return find::Finder::traversal;
+	const bool on_device =
+	    machine.classify == view::Classify::gpu && session.device && !leavesDeviceIdle(session.spec.probe);
+	return on_device ? find::Finder::direct : find::Finder::automatic;
+}
+
+} // namespace
+
+Result<std::unique_ptr<Session>> openSession(view::ViewSpec spec, OpenOptions options)
+{
+	limitThreads(spec.machine.threads);
+	auto session = std::make_unique<Session>();
+	session->timeline = std::make_unique<Timeline>(options.keep);
+	session->reads_all_arrays = options.reads_all_arrays;
+	session->spec = std::move(spec);
+	// What can be wrong with the settings is told before a large file is read.
+	if (Status fits = view::validate(session->spec); !fits)
+		return fits.error();
+	std::future<Result<OpenedDevice>> opening;
+	if (!options.device)
+		opening = openDevice(session->spec, options.use);
+	Result<grid::BlockSet> blocks = [&]
+	{
+		const view::ViewSpec& asked = session->spec;
+		const Progress progress(fmt::format("reading {}", fmt::join(asked.input.files, ", ")));
+		read::ReadOptions reading = readOptions(*session, asked.input.time);
+		reading.identifies_geometry = options.reads_again || asked.probe.vectors.path_lines;
+		reading.stop = options.stop;
+		reading.builds_neighbors = !options.may_scan || needsNeighbors(asked);
+		reading.for_one_cut = !reading.builds_neighbors && !options.reads_again && isPlain(asked);
+		return read::readInputs(asked.input.files, reading, session->timeline.get());
+	}();
+	if (!blocks)
+		return blocks.error();
+	session->blocks = std::move(*blocks);
+	session->device = std::move(options.device);
+	if (Status resolved = resolveAgain(*session, session->spec); !resolved)
+		return resolved.error();
+	if (opening.valid())
+	{
+		Result<OpenedDevice> opened = opening.get();
+		if (!opened)
+			return opened.error();
+		session->device = std::move(opened->device);
+		session->renderer = std::move(opened->renderer);
+	}
+	session->finder = finderFor(*session);
+	if (Status made = makeCutter(*session); !made)
+		return made.error();
+	if (const auto plan = session->cutter->plan(requestOf(*session)); plan && plan->needs_neighbors)
+		if (Status built = buildNeighbors(*session); !built)
+			return built.error();
+	return session;
+}
+
+Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last)
+{
+	if (session.spec.machine.strategy)
+		if (const Result<find::CutPlan> plan = planOf(session); !plan)
+			return plan.error();
+	cut::CutRequest request = requestOf(session);
+	request.last = std::move(last);
+	return session.cutter->cut(request);
+}
+
+Result<find::CutPlan> planOf(const Session& session)
+{
+	Result<find::CutPlan> plan = session.cutter->plan(requestOf(session));
+	if (!plan)
+		return Error{plan.error().kind, fmt::format("`strategy` {}", plan.error().message)};
+	return plan;
+}
+
+const char* classifierName(const Session& session)
+{
+	return !session.cutter->usesGpu()                                     ? "cpu"
+	       : session.cutter->blocksOnGpu() < session.blocks.blocks.size() ? "mixed"
+	                                                                      : "gpu";
+}
+
+bool isEmpty(const cut::SheetCut& sheet)
+{
+	for (const find::BlockCut& cut : sheet.cuts)
+		if (cut.cutCells() > 0)
+			return false;
+	return std::ranges::all_of(sheet.seeds.faces_in_plane, [](const auto& faces) { return faces.empty(); });
+}
+
+Status reportWarnings(const Session& session, const cut::Cut& slice)
+{
+	for (const std::string& words : slice.warnings)
+		warn("{}", words);
+	for (const cut::SheetCut& sheet : slice.sheets)
+	{
+		const Vec3 at = sheet.sheet.origin;
+		const bool outside =
+		    sheet.isPlane() && session.view.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
+		if (outside && session.view.seeds.outside == seed::OutsidePolicy::refuse)
+			return Error{ErrorKind::usage,
+			             fmt::format("`origin` {} {} {}: the hot spot lies outside the grid; choose one inside, or "
+			                         "`outside` nearest",
+			                         at.x, at.y, at.z)};
+		if (outside && session.view.seeds.outside == seed::OutsidePolicy::report)
+			warn("`origin` {} {} {}: the hot spot lies outside the grid", at.x, at.y, at.z);
+		else if (outside && session.view.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.moved_to)
+			warn("`origin` {} {} {}: the hot spot lies outside the grid; {} {} {} takes its place", at.x, at.y, at.z,
+			     sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
+		if (!isEmpty(sheet))
+			continue;
+		const Box bounds = session.blocks.bounds();
+		const std::string what =
+		    slice.sheets.size() == 1 ? std::string("the slice") : fmt::format("sheet {}", &sheet - slice.sheets.data());
+		if (session.view.threshold)
+			warn("{} is empty: no cell that is reached has values between {} and {}; widen `threshold`", what,
+			     session.view.threshold->lo, session.view.threshold->hi);
+		else if (sheet.surface)
+			warn("{} is empty: {} shows no cells, or hidden ones only", what, find::nameOf(*sheet.surface));
+		else if (sheet.sheet.form && sheet.sheet.form->isoValue())
+			warn("{} is empty: no edge that is reached passes {}; the values of {} go from {:.6g} to {:.6g}", what,
+			     sheet.sheet.form->isoValue()->value, sheet.field->title(session.blocks),
+			     fieldRange(session.blocks, *sheet.field).first, fieldRange(session.blocks, *sheet.field).second);
+		else
+			warn("{} is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
+			     "{:.6g}",
+			     what,
+			     sheet.sheet.window ? "window"
+			     : sheet.sheet.form ? "surface"
+			                        : "plane",
+			     bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z);
+	}
+	return Nothing{};
+}
+
+} // namespace vp::session

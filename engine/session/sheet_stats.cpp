@@ -1,0 +1,62 @@
+#include "session/sheet_stats.h"
+
+#include "session/sheet_traces.h"
+
+namespace vp::session
+{
+
+Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std::size_t sheet)
+{
+	SheetStats stats;
+	{
+		const TimedSection section(session.timeline.get(), "emit");
+		stats.mesh = slice.mesh(session.blocks, sheet);
+		if (session.view.crinkle)
+			stats.crinkle = slice.crinkle(session.blocks, sheet);
+	}
+	Result<SharedTraces> traces = traceSheet(session, slice, sheet, stats.mesh);
+	if (!traces)
+		return traces.error();
+	stats.traces = std::move(*traces);
+	return stats;
+}
+
+void measureSheet(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
+{
+	const TimedSection section(session.timeline.get(), "measure");
+	stats.measure = measure::measure(session.blocks, stats.mesh, slice.sheets[sheet].field);
+	stats.flux = fluxThrough(session, slice.sheets[sheet], stats.mesh);
+}
+
+void measureForPicture(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
+{
+	if (session.spec.look.range_of == view::RangeOf::slice)
+		return measureSheet(session, slice, sheet, stats);
+	const TimedSection section(session.timeline.get(), "measure");
+	stats.measure.nan_area =
+	    measure::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field, session.finite_fields.get());
+}
+
+Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice)
+{
+	std::vector<SheetStats> sheets;
+	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
+	{
+		Result<SheetStats> stats = sheetMesh(session, slice, s);
+		if (!stats)
+			return stats.error();
+		sheets.push_back(std::move(*stats));
+		measureSheet(session, slice, s, sheets.back());
+	}
+	return sheets;
+}
+
+std::vector<mesh::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets)
+{
+	std::vector<mesh::SheetMesh> meshes;
+	for (const SheetStats& sheet : sheets)
+		meshes.push_back(sheet.crinkle ? *sheet.crinkle : sheet.mesh);
+	return meshes;
+}
+
+} // namespace vp::session

@@ -1,0 +1,73 @@
+#include "session/time_steps.h"
+
+#include "session/sheet_traces.h"
+
+namespace vp::session
+{
+
+namespace
+{
+
+Status buildAnew(Session& session, read::ReadOptions at, Painter* painter)
+{
+	at.builds_neighbors = grid::hasNeighbors(session.blocks); // for one cut a time, neighbors do not pay
+	Result<grid::BlockSet> blocks = read::readInputs(session.spec.input.files, at, session.timeline.get());
+	if (!blocks)
+		return blocks.error();
+	session.cutter.reset();
+	session.blocks = std::move(*blocks);
+	if (painter)
+		if (Status taken = painter->takeBlocks(); !taken)
+			return taken;
+	return makeCutter(session);
+}
+
+} // namespace
+
+Result<bool> moveToTime(Session& session, const read::TimeChoice& time, Painter* painter)
+{
+	const read::ReadOptions at = readOptions(session, time);
+	Result<bool> same_grid = read::readValues(session.spec.input.files, at, session.blocks, session.timeline.get());
+	if (!same_grid)
+		return same_grid;
+	if (painter)
+		painter->forgetScales();
+	if (*same_grid)
+		session.cutter->forgetValues();
+	else if (Status built = buildAnew(session, at, painter); !built)
+		return built.error();
+	takeValuesAt(time, session);
+	return same_grid;
+}
+
+namespace
+{
+
+bool cutsByValue(const probe::Probe& probe)
+{
+	return std::ranges::any_of(probe.sheets,
+	                           [](const probe::Sheet& sheet) { return sheet.form && sheet.form->isoValue(); });
+}
+
+} // namespace
+
+TimeSteps::TimeSteps(Session& session, Painter* painter)
+    : session_(session), painter_(painter), times_(session.blocks.times)
+{
+}
+
+Result<cut::Cut> TimeSteps::cutAt(int step)
+{
+	const read::TimeChoice time{read::TimeChoice::Kind::value, times_[static_cast<std::size_t>(step)]};
+	Result<bool> same_grid = moveToTime(session_, time, painter_);
+	if (!same_grid)
+		return same_grid.error();
+	Result<cut::Cut> slice = *same_grid && kept_ && !session_.view.threshold && !cutsByValue(session_.view.probe)
+	                             ? session_.cutter->regather(*kept_, session_.timeline.get())
+	                             : cut(session_);
+	if (slice)
+		kept_ = *slice;
+	return slice;
+}
+
+} // namespace vp::session

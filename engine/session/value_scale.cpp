@@ -1,0 +1,67 @@
+#include "session/value_scale.h"
+
+#include "base/messages.h"
+#include "render/scene/least_positive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vp::session
+{
+
+namespace
+{
+
+// Of the highest value: where a logarithmic scale begins in data that reach 0.
+constexpr double kLogReach = 1e-6;
+
+std::string inputName(const Session& session)
+{
+	const auto& files = session.spec.input.files;
+	return files.empty() ? "the input" : files.front();
+}
+
+} // namespace
+
+Result<std::optional<render::ValueScale>>
+valueScale(const Session& session, const std::optional<grid::FieldChoice>& field, const render::Look& look)
+{
+	const grid::BlockSet& blocks = session.blocks;
+	const char* needed = look.logarithmic ? "`log`" : look.lines > 0 ? "`lines`" : look.bands > 0 ? "`bands`" : nullptr;
+	if (!field)
+	{
+		if (needed)
+			return Error{ErrorKind::input, fmt::format("{}: has no array for {} to show; leave the setting out",
+			                                           inputName(session), needed)};
+		return std::optional<render::ValueScale>();
+	}
+	grid::ValueSpan span;
+	for (const grid::Field* of_block : field->inEach(blocks))
+		if (of_block)
+			span.include(grid::valueSpan(*of_block, field->component));
+	const auto [lo, hi] = span.range();
+	render::ValueScale scale{field->title(blocks), lo, hi};
+	scale.per_cell = field->association == grid::Association::cell;
+	scale.below = span.minus_infinity;
+	scale.above = span.plus_infinity;
+	scale.empty = span.empty();
+	if (!look.logarithmic)
+		return std::optional(scale);
+	scale.log_lo = render::leastPositive(blocks, *field);
+	if (!(scale.log_lo > 0.0))
+		return Error{ErrorKind::input, fmt::format("`log`: '{}' has no value above 0 and so no logarithm; leave the "
+		                                           "setting out or show another `array`",
+		                                           field->name)};
+	if (lo > 0.0)
+		return std::optional(scale);
+	// Rounding around 0 would stretch the scale over decades that hold nothing.
+	scale.log_lo = std::max(scale.log_lo, kLogReach * hi);
+	warn(
+	    "`log`: '{}' has values of 0 or below, which have no logarithm; they and all below {:.4g} get the colour below "
+	    "the range",
+	    field->name, look.range ? look.range->first : scale.log_lo);
+	return std::optional(scale);
+}
+
+} // namespace vp::session

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "render/scene/scene.h"
+#include "session/sheet_looks.h"
+#include "vectors/trace_mesh.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vp::session
+{
+
+// Draws what is launched from the sheets of a session, which outlives it.
+class VectorDrawing
+{
+public:
+	explicit VectorDrawing(const Session& session) : session_(&session) {}
+
+	// The arrays hold other values now.
+	void forget() { kept_.reset(); }
+
+	// All of it as one surface; none where nothing is launched. scale: of the array that the sheets show.
+	Result<std::optional<render::Surface>> surface(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
+	                                               const std::optional<render::ValueScale>& scale, SheetLooks& looks);
+
+private:
+	using SharedTraces = std::vector<std::shared_ptr<const vectors::Traces>>;
+
+	// What colors it: an array, or one color.
+	struct Coloring
+	{
+		std::optional<grid::FieldChoice> field;
+		render::Color color = render::kPlainColor;
+
+		bool operator==(const Coloring&) const = default;
+	};
+	// Polygons of the last picture, and what they were made of.
+	struct Kept
+	{
+		SharedTraces traces;
+		Coloring coloring;
+		std::optional<double> width;
+		std::shared_ptr<const render::SurfacePolygons> polygons;
+		bool has_nan = false;
+	};
+
+	Result<Coloring> coloringOf(const view::ResolvedVectorLook& look) const;
+	std::vector<double> valuesOf(const Coloring& coloring, const vectors::Traces& traces) const;
+	void addTraces(const vectors::Traces& traces, const Vec3& normal, const Coloring& coloring, double width,
+	               vectors::TraceMesh& made) const;
+	Status make(Kept& kept, const cut::Cut& slice) const;
+
+	const Session* session_;
+	std::optional<Kept> kept_;
+};
+
+} // namespace vp::session
