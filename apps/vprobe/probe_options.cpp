@@ -179,7 +179,6 @@ void addMachineOptions(CLI::App& command, SpecOptions& options)
 	    ->type_name("NAME|INDEX")
 	    ->group(kProbeGroup);
 	command.add_option("--threads", machine.threads, "Most threads to use (default: all cores)")
-	    ->check(CLI::Range(1, 4096))
 	    ->group(kProbeGroup);
 }
 

@@ -72,7 +72,8 @@ public:
 	Result<find::CutPlan> plan(const CutRequest& request) const;
 
 	CutTicket begin(CutRequest request);
-	Result<Cut> cut(const CutRequest& request) { return run(request, {}); }
+	/// Asked to stop, it gives what was found until then.
+	Result<Cut> cut(const CutRequest& request, std::stop_token stop = {}) { return run(request, std::move(stop)); }
 
 	// After the blocks' values changed, and nothing else: their copies on the device are dropped.
 	void forgetValues();

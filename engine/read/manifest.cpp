@@ -63,22 +63,6 @@ NumberType numberTypeOf(const std::string& name)
 	throw Unusable("an array has an unknown number type");
 }
 
-// Points along each axis of a lattice that has cells.
-std::array<std::uint32_t, 3> latticeOf(const std::array<std::uint64_t, 3>& points)
-{
-	std::uint64_t product = 1;
-	for (const std::uint64_t n : points)
-	{
-		if (n < 2)
-			throw Unusable("a lattice has no cells");
-		if (__builtin_mul_overflow(product, n, &product) || product >= kMaxBlockIds)
-			throw Unusable(
-			    fmt::format("a block of {} x {} x {} points is too large; split it", points[0], points[1], points[2]));
-	}
-	return {static_cast<std::uint32_t>(points[0]), static_cast<std::uint32_t>(points[1]),
-	        static_cast<std::uint32_t>(points[2])};
-}
-
 class Checker
 {
 public:
@@ -227,10 +211,7 @@ private:
 			lattice = latticeOfBlock(block);
 			const Vec3 origin = vectorOf(block.at("origin"));
 			const Vec3 spacing = vectorOf(block.at("spacing"));
-			for (int axis = 0; axis < 3; ++axis)
-				if (spacing[axis] == 0.0 || !isPlace(origin[axis]) ||
-				    !isPlace(origin[axis] + spacing[axis] * lattice[axis]))
-					throw Unusable("the spacing of an image is zero or too large, or its origin is");
+			checkImage(lattice, origin, spacing);
 			checked.mesh = grid::UniformGrid(lattice, origin, spacing);
 		}
 		else if (kind == "rectilinear")
@@ -294,6 +275,39 @@ private:
 };
 
 } // namespace
+
+std::array<std::uint32_t, 3> latticeOf(const std::array<std::uint64_t, 3>& points)
+{
+	std::uint64_t product = 1;
+	for (const std::uint64_t n : points)
+	{
+		if (n < 2)
+			throw Unusable("a lattice has no cells");
+		if (__builtin_mul_overflow(product, n, &product) || product >= kMaxBlockIds)
+			throw Unusable(
+			    fmt::format("a block of {} x {} x {} points is too large; split it", points[0], points[1], points[2]));
+	}
+	return {static_cast<std::uint32_t>(points[0]), static_cast<std::uint32_t>(points[1]),
+	        static_cast<std::uint32_t>(points[2])};
+}
+
+void checkImage(const std::array<std::uint32_t, 3>& points, const Vec3& origin, const Vec3& spacing)
+{
+	for (int axis = 0; axis < 3; ++axis)
+		if (spacing[axis] == 0.0 || !isPlace(origin[axis]) || !isPlace(origin[axis] + spacing[axis] * points[axis]))
+			throw Unusable("the spacing of an image is zero or too large, or its origin is");
+}
+
+void checkField(const grid::Field& field, std::uint64_t points, std::uint64_t cells)
+{
+	if (field.components < 1 || static_cast<std::uint64_t>(field.components) > kMaxComponents)
+		throw Unusable(fmt::format("the array {} has {} components", field.name, field.components));
+	const std::uint64_t tuples = field.association == grid::Association::point ? points : cells;
+	const std::size_t bytes_of_tuple = grid::byteSize(field.type) * static_cast<std::size_t>(field.components);
+	if (field.bytes.size() != tuples * bytes_of_tuple)
+		throw Unusable(fmt::format("the array {} has {} bytes where {} tuples of {} belong", field.name,
+		                           field.bytes.size(), tuples, bytes_of_tuple));
+}
 
 Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells)
 {

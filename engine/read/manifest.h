@@ -8,7 +8,9 @@
 #include "grid/unstructured.h"
 #include "read/mapping.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,6 +47,15 @@ struct CheckedInput
 	std::vector<std::string> warnings;
 	std::size_t left_out = 0;
 };
+
+// That an array has as many numbers as the points or the cells of its block need. Throws Unusable.
+void checkField(const grid::Field& field, std::uint64_t points, std::uint64_t cells);
+
+// Points along each axis of a lattice that has cells. Throws Unusable.
+std::array<std::uint32_t, 3> latticeOf(const std::array<std::uint64_t, 3>& points);
+
+// That an image's points are places. Throws Unusable.
+void checkImage(const std::array<std::uint32_t, 3>& points, const Vec3& origin, const Vec3& spacing);
 
 // Checks a manifest and every array it names against the bytes that were handed over. Nothing in either is trusted:
 // counts may overflow, arrays may lie outside, ids may point anywhere, coordinates may be no numbers. The error's

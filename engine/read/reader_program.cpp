@@ -1,9 +1,11 @@
 #include "read/child.h"
 
-#include <filesystem>
-
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <vector>
+
+#include <dlfcn.h>
 #include <unistd.h>
 
 namespace vp::read
@@ -12,7 +14,9 @@ namespace vp::read
 namespace
 {
 std::string override_path;
-}
+constexpr const char* kProgram = "vprobe-read";
+constexpr const char* kInLibexec = "libexec/vprobe/vprobe-read";
+} // namespace
 
 void setReaderProgram(std::string path)
 {
@@ -26,8 +30,19 @@ Result<std::string> readerProgram()
 		return override_path;
 	std::error_code error;
 	const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-	for (const fs::path& candidate :
-	     {folder / "vprobe-read", folder.parent_path() / "libexec" / "vprobe" / "vprobe-read"})
+	std::vector<fs::path> candidates{folder / kProgram, folder.parent_path() / kInLibexec};
+	// Of a library: beside it, or in the prefix that it is installed in, below lib or lib/TRIPLET.
+	if (Dl_info info{}; dladdr(reinterpret_cast<const void*>(&setReaderProgram), &info) != 0 && info.dli_fname)
+	{
+		const fs::path library = fs::absolute(info.dli_fname, error).parent_path();
+		candidates.push_back(library / kProgram);
+		for (const fs::path& prefix : {library.parent_path(), library.parent_path().parent_path()})
+		{
+			candidates.push_back(prefix / "bin" / kProgram);
+			candidates.push_back(prefix / kInLibexec);
+		}
+	}
+	for (const fs::path& candidate : candidates)
 		if (access(candidate.c_str(), X_OK) == 0)
 			return candidate.string();
 	return Error{

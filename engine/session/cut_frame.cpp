@@ -3,10 +3,10 @@
 namespace vp::session
 {
 
-Result<CutFrame> cutFrame(const Session& session)
+Result<CutFrame> cutFrame(const Session& session, std::stop_token stop)
 {
 	CutFrame frame;
-	Result<cut::Cut> slice = cut(session);
+	Result<cut::Cut> slice = cut(session, nullptr, stop);
 	if (!slice)
 		return slice.error();
 	frame.slice = std::move(*slice);
@@ -16,6 +16,8 @@ Result<CutFrame> cutFrame(const Session& session)
 	if (!sheets)
 		return sheets.error();
 	frame.sheets = std::move(*sheets);
+	if (stop.stop_requested())
+		return Error{ErrorKind::cancelled, "cutting was cancelled"};
 	Result<Contours> contours = growContours(session, frame.slice, frame.sheets, session.spec.look.contour, Tell::all);
 	if (!contours)
 		return contours.error();

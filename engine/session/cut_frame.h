@@ -2,6 +2,7 @@
 
 #include "session/grown_contours.h"
 
+#include <stop_token>
 #include <vector>
 
 namespace vp::session
@@ -16,7 +17,7 @@ struct CutFrame
 };
 
 /// The session's cut with all that is known of it: warnings are told, figures and contours are there.
-Result<CutFrame> cutFrame(const Session& session);
+Result<CutFrame> cutFrame(const Session& session, std::stop_token stop = {});
 
 // What a slice's sheets show: all figures where they are wanted, else what a picture needs. last: the frame before, by
 // the same wish, or null; a sheet that has not moved since shows what it showed.

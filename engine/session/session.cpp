@@ -197,7 +197,24 @@ find::Finder finderFor(const Session& session)
 
 } // namespace
 
-Result<std::unique_ptr<Session>> openSession(view::ViewSpec spec, OpenOptions options)
+namespace
+{
+
+Result<grid::BlockSet> readBlocks(const Session& session, const OpenOptions& options)
+{
+	const view::ViewSpec& spec = session.spec;
+	const Progress progress(fmt::format("reading {}", fmt::join(spec.input.files, ", ")));
+	read::ReadOptions reading = readOptions(session, spec.input.time);
+	reading.identifies_geometry = options.reads_again || spec.probe.vectors.path_lines;
+	reading.stop = options.stop;
+	reading.builds_neighbors = !options.may_scan || needsNeighbors(spec);
+	reading.for_one_cut = !reading.builds_neighbors && !options.reads_again && isPlain(spec);
+	return read::readInputs(spec.input.files, reading, session.timeline.get());
+}
+
+// The session with blocks by `take`, while the device opens.
+template <class Take>
+Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions options, Take&& take)
 {
 	limitThreads(spec.machine.threads);
 	auto session = std::make_unique<Session>();
@@ -210,17 +227,7 @@ Result<std::unique_ptr<Session>> openSession(view::ViewSpec spec, OpenOptions op
 	std::future<Result<OpenedDevice>> opening;
 	if (!options.device)
 		opening = openDevice(session->spec, options.use);
-	Result<grid::BlockSet> blocks = [&]
-	{
-		const view::ViewSpec& asked = session->spec;
-		const Progress progress(fmt::format("reading {}", fmt::join(asked.input.files, ", ")));
-		read::ReadOptions reading = readOptions(*session, asked.input.time);
-		reading.identifies_geometry = options.reads_again || asked.probe.vectors.path_lines;
-		reading.stop = options.stop;
-		reading.builds_neighbors = !options.may_scan || needsNeighbors(asked);
-		reading.for_one_cut = !reading.builds_neighbors && !options.reads_again && isPlain(asked);
-		return read::readInputs(asked.input.files, reading, session->timeline.get());
-	}();
+	Result<grid::BlockSet> blocks = take(*session);
 	if (!blocks)
 		return blocks.error();
 	session->blocks = std::move(*blocks);
@@ -244,14 +251,42 @@ Result<std::unique_ptr<Session>> openSession(view::ViewSpec spec, OpenOptions op
 	return session;
 }
 
-Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last)
+} // namespace
+
+Result<std::unique_ptr<Session>> openSession(view::ViewSpec spec, OpenOptions options)
+{
+	return makeSession(std::move(spec), options, [&](const Session& session) { return readBlocks(session, options); });
+}
+
+Result<std::unique_ptr<Session>> sessionOf(grid::BlockSet blocks, view::ViewSpec spec, OpenOptions options)
+{
+	return makeSession(std::move(spec), std::move(options),
+	                   [&](const Session&) -> Result<grid::BlockSet> { return std::move(blocks); });
+}
+
+Status drawOn(Session& session)
+{
+	if (session.device)
+		return Nothing{};
+	Result<OpenedDevice> opened = openDevice(session.spec, DeviceUse::draw).get();
+	if (!opened)
+		return opened.error();
+	session.device = std::move(opened->device);
+	session.renderer = std::move(opened->renderer);
+	return Nothing{};
+}
+
+Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last, std::stop_token stop)
 {
 	if (session.spec.machine.strategy)
 		if (const Result<find::CutPlan> plan = planOf(session); !plan)
 			return plan.error();
 	cut::CutRequest request = requestOf(session);
 	request.last = std::move(last);
-	return session.cutter->cut(request);
+	Result<cut::Cut> cut = session.cutter->cut(request, stop);
+	if (stop.stop_requested())
+		return Error{ErrorKind::cancelled, "cutting was cancelled"};
+	return cut;
 }
 
 Result<find::CutPlan> planOf(const Session& session)

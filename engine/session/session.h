@@ -79,6 +79,12 @@ struct OpenOptions
 /// Validates the settings, reads the inputs and makes the rest ready. Nothing is written before this has succeeded.
 Result<std::unique_ptr<Session>> openSession(view::ViewSpec spec, OpenOptions options);
 
+/// The same with blocks that the caller has; nothing is read, and the settings' input is a name at most.
+Result<std::unique_ptr<Session>> sessionOf(grid::BlockSet blocks, view::ViewSpec spec, OpenOptions options);
+
+/// Opens a device to draw on, where the session has none yet.
+Status drawOn(Session& session);
+
 /// Takes other settings for the blocks that the session has: all but those of input and machine.
 Status resolveAgain(Session& session, view::ViewSpec spec);
 
@@ -100,8 +106,8 @@ Status buildNeighbors(Session& session);
 Status makeCutter(Session& session);
 
 /// last: a cut of this session that differs in the probe's place alone; see CutRequest. The session has neighbors where
-/// the plan needs them.
-Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last = nullptr);
+/// the plan needs them. Asked to stop, it ends with ErrorKind::cancelled.
+Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last = nullptr, std::stop_token stop = {});
 
 /// How cut() goes. A usage error that names `strategy` where what it asks for cannot be had.
 Result<find::CutPlan> planOf(const Session& session);

@@ -93,6 +93,13 @@ struct Section
 /// All of it but what belongs to the machine. The places lie in `spec`.
 std::vector<Section> sectionsOf(ViewSpec& spec);
 
+/// What belongs to the machine, and is none of a state file. The places lie in `spec`.
+Section machineSection(ViewSpec& spec);
+
+/// Sets any setting by its key, to a value as a command line has it; several numbers or words stand with blanks between
+/// them. A usage error names the key, or the keys there are. The limits of numbers are for validate().
+Status setByKey(ViewSpec& spec, std::string_view key, const std::string& text);
+
 /// A name of a path: one of probe::PathKind's, or "times".
 Status setPathKind(SweepSpec& sweep, std::string_view name);
 std::string pathKindText(const SweepSpec& sweep);

@@ -33,12 +33,13 @@ std::string surfaceSetting(const SurfaceSpec& surface)
 Status checkNumbers(const ViewSpec& spec)
 {
 	// The places of the list are read only.
-	for (const Section& section : sectionsOf(const_cast<ViewSpec&>(spec)))
+	ViewSpec& places = const_cast<ViewSpec&>(spec);
+	std::vector<Section> sections = sectionsOf(places);
+	sections.push_back(machineSection(places));
+	for (const Section& section : sections)
 		for (const Setting& setting : section.settings)
 			if (const std::string why = refusal(setting); !why.empty())
 				return usage(fmt::format("`{}` {}", setting.key, why));
-	if (spec.machine.threads < 0)
-		return usage(fmt::format("`threads` {}: give a number above 0", spec.machine.threads));
 	return Nothing{};
 }
 

@@ -1,0 +1,227 @@
+#include "api/border.h"
+#include "api/states.h"
+#include "write/png.h"
+#include "write/slice_file.h"
+
+#include <vprobe/cut.h>
+
+#include <algorithm>
+
+namespace vprobe
+{
+
+namespace
+{
+
+void addArrays(const std::vector<vp::write::Column>& columns, Association association, std::size_t tuples,
+               std::vector<MeshArray>& arrays)
+{
+	for (const vp::write::Column& column : columns)
+	{
+		MeshArray array;
+		array.name = column.name;
+		array.association = association;
+		array.type = static_cast<NumberType>(column.type);
+		array.components = column.components;
+		array.data = column.bytes.data();
+		array.tuples = tuples;
+		arrays.push_back(std::move(array));
+	}
+}
+
+Vector3 asArray(const vp::Vec3& v)
+{
+	return {v.x, v.y, v.z};
+}
+
+static_assert(sizeof(vp::Vec3) == 3 * sizeof(double));
+
+} // namespace
+
+double MeshArray::value(std::size_t tuple, int component) const
+{
+	const auto number_type = static_cast<vp::grid::NumberType>(type);
+	const auto* bytes = static_cast<const std::byte*>(data);
+	const std::size_t number = tuple * static_cast<std::size_t>(components) + static_cast<std::size_t>(component);
+	return vp::grid::loadNumber(number_type, bytes + number * vp::grid::byteSize(number_type));
+}
+
+namespace
+{
+
+const vp::write::SliceTable& tabulated(const Mesh::State& mesh)
+{
+	std::call_once(mesh.once,
+	               [&]
+	               {
+		               mesh.table = vp::write::tabulate(*mesh.cut->blocks, {mesh.mesh, 1});
+		               addArrays(mesh.table.vertex_columns, Association::point, mesh.table.vertices(), mesh.arrays);
+		               addArrays(mesh.table.polygon_columns, Association::cell, mesh.table.polygons(), mesh.arrays);
+	               });
+	return mesh.table;
+}
+
+} // namespace
+
+std::size_t Mesh::pointCount() const
+{
+	return state_->mesh->positions.size();
+}
+
+std::size_t Mesh::polygonCount() const
+{
+	return state_->mesh->polygons();
+}
+
+std::span<const double> Mesh::points() const
+{
+	const auto& positions = state_->mesh->positions;
+	return {reinterpret_cast<const double*>(positions.data()), 3 * positions.size()};
+}
+
+std::span<const std::int64_t> Mesh::offsets() const
+{
+	return tabulated(*state_).polygon_starts;
+}
+
+std::span<const std::int64_t> Mesh::connectivity() const
+{
+	return tabulated(*state_).polygon_vertices;
+}
+
+std::span<const std::int64_t> Mesh::cells() const
+{
+	return tabulated(*state_).cell;
+}
+
+std::span<const std::int32_t> Mesh::blocks() const
+{
+	return tabulated(*state_).block;
+}
+
+std::span<const MeshArray> Mesh::arrays() const
+{
+	tabulated(*state_);
+	return state_->arrays;
+}
+
+const MeshArray* Mesh::array(std::string_view name) const
+{
+	const std::span<const MeshArray> all = arrays();
+	const auto found = std::ranges::find(all, name, &MeshArray::name);
+	return found == all.end() ? nullptr : &*found;
+}
+
+Cut::Cut() : state_(std::make_shared<State>()) {}
+
+std::size_t Cut::sheetCount() const
+{
+	return state_->frame.sheets.size();
+}
+
+Mesh Cut::mesh(std::size_t sheet) const
+{
+	const vp::session::SheetStats& stats = state_->frame.sheets[sheet];
+	auto mesh = std::make_shared<Mesh::State>();
+	mesh->cut = state_;
+	mesh->mesh = stats.crinkle ? &*stats.crinkle : &stats.mesh;
+	return Mesh(std::move(mesh));
+}
+
+Figures Cut::figures(std::size_t sheet) const
+{
+	const vp::session::SheetStats& stats = state_->frame.sheets[sheet];
+	const vp::measure::SheetMeasure& measure = stats.measure;
+	Figures figures{measure.area, measure.boundary_area, measure.nan_area,
+	                measure.mean, measure.min,           measure.max,
+	                stats.flux,   measure.components,    0};
+	for (const vp::find::BlockCut& cut : state_->frame.slice.sheets[sheet].cuts)
+		figures.cut_cells += cut.cutCells();
+	return figures;
+}
+
+Vector3 Cut::origin(std::size_t sheet) const
+{
+	return asArray(state_->frame.slice.sheets[sheet].shown.origin);
+}
+
+Vector3 Cut::normal(std::size_t sheet) const
+{
+	return asArray(state_->frame.slice.sheets[sheet].shown.normal);
+}
+
+Traces Cut::traces(std::size_t sheet) const
+{
+	const auto& launched = state_->frame.sheets[sheet].traces;
+	Traces traces;
+	if (!launched)
+		return traces;
+	traces.offsets.assign(launched->starts.begin(), launched->starts.end());
+	traces.times.assign(launched->times.begin(), launched->times.end());
+	for (const vp::Vec3& point : launched->points)
+		traces.points.insert(traces.points.end(), {point.x, point.y, point.z});
+	return traces;
+}
+
+std::size_t Cut::contourCount() const
+{
+	std::size_t count = 0;
+	for (const auto& of_sheet : state_->frame.contours)
+		count += of_sheet.size();
+	return count;
+}
+
+namespace
+{
+
+const vp::contour::Contour& contourOf(const vp::session::Contours& contours, std::size_t number)
+{
+	for (const auto& of_sheet : contours)
+	{
+		if (number < of_sheet.size())
+			return of_sheet[number];
+		number -= of_sheet.size();
+	}
+	return contours.back().back();
+}
+
+} // namespace
+
+double Cut::contourValue(std::size_t contour) const
+{
+	return contourOf(state_->frame.contours, contour).value;
+}
+
+Mesh Cut::contour(std::size_t contour) const
+{
+	auto mesh = std::make_shared<Mesh::State>();
+	mesh->cut = state_;
+	mesh->mesh = &contourOf(state_->frame.contours, contour).mesh;
+	return Mesh(std::move(mesh));
+}
+
+Status Cut::save(const std::string& file) const
+{
+	return guarded(
+	    [&]() -> Status
+	    {
+		    if (!state_->blocks)
+			    return Error{ErrorKind::usage, file + ": there is no cut to save; make one first"};
+		    return publicStatus(vp::write::writeSlice(*state_->blocks,
+		                                              vp::session::exportedMeshes(state_->frame.sheets), file,
+		                                              vp::session::contourPieces(state_->frame.contours)));
+	    });
+}
+
+Status Image::save(const std::string& file) const
+{
+	return guarded(
+	    [&]() -> Status
+	    {
+		    if (rgba.size() != std::size_t(4) * width * height || rgba.empty())
+			    return Error{ErrorKind::usage, file + ": the picture is empty; draw one first"};
+		    return publicStatus(vp::write::writePng({width, height, rgba}, file));
+	    });
+}
+
+} // namespace vprobe

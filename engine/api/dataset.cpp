@@ -1,0 +1,491 @@
+#include "api/border.h"
+#include "api/states.h"
+#include "grid/memory.h"
+#include "locate/place.h"
+#include "probe/path.h"
+#include "read/check_mesh.h"
+#include "view/validate.h"
+#include "view/words.h"
+#include "write/place_values.h"
+#include "write/set_arrays.h"
+
+#include <vprobe/dataset.h>
+
+#include <cmath>
+#include <limits>
+
+namespace vprobe
+{
+
+ArrayInfo infoOf(const vp::grid::Field& field)
+{
+	return {field.name, field.association == vp::grid::Association::point ? Association::point : Association::cell,
+	        static_cast<NumberType>(field.type), field.components, field.units};
+}
+
+namespace
+{
+
+vp::view::MachineSpec machineOf(Classify classify, const std::string& device)
+{
+	vp::view::MachineSpec machine;
+	machine.classify = static_cast<vp::view::Classify>(classify);
+	machine.device = device;
+	return machine;
+}
+
+Error cancelled()
+{
+	return {ErrorKind::cancelled, "the caller asked to stop"};
+}
+
+} // namespace
+
+Result<std::shared_ptr<DatasetState>> DatasetState::of(vp::Result<std::unique_ptr<vp::session::Session>> opened)
+{
+	if (!opened)
+		return publicError(opened.error());
+	auto state = std::make_shared<DatasetState>();
+	state->session = std::move(*opened);
+	return state;
+}
+
+std::shared_ptr<const vp::grid::BlockSet> DatasetState::blocks()
+{
+	// Once neighbors are known cells keep their numbers. Until then a copy is cheap, and stays as it is.
+	if (vp::grid::hasNeighbors(session->blocks))
+		return {shared_from_this(), &session->blocks};
+	return std::make_shared<const vp::grid::BlockSet>(session->blocks);
+}
+
+vp::Status DatasetState::take(const View& view)
+{
+	vp::view::ViewSpec spec = view.state_->spec;
+	spec.input = session->spec.input;
+	spec.machine.classify = session->spec.machine.classify;
+	spec.machine.device = session->spec.machine.device;
+	if (vp::Status fits = vp::view::validate(spec); !fits)
+		return fits;
+	if (vp::Status one = vp::view::requireOneSurface(spec.probe); !one && spec.sweep == vp::view::SweepSpec())
+		return one;
+	if (vp::Status known = vp::view::refuseGenerations(spec.probe, spec.look.color_by); !known)
+		return known;
+	if (vp::Status resolved = vp::session::resolveAgain(*session, std::move(spec)); !resolved)
+		return resolved;
+	session->finder = session->spec.machine.visited || session->spec.look.color_by == vp::view::ColorBy::generation
+	                      ? vp::find::Finder::traversal
+	                  : session->cutter->usesGpu() ? vp::find::Finder::direct
+	                                               : vp::find::Finder::automatic;
+	session->swept = 0.0;
+	return vp::Nothing{};
+}
+
+vp::Status DatasetState::link()
+{
+	if (vp::grid::hasNeighbors(session->blocks))
+		return vp::Nothing{};
+	session->another_follows = cuts > 0;
+	const vp::Result<vp::find::CutPlan> plan = vp::session::planOf(*session);
+	if (!plan)
+		return plan.error();
+	if (!plan->needs_neighbors && !vp::session::needsNeighbors(session->spec))
+		return vp::Nothing{};
+	if (vp::Status built = vp::session::buildNeighbors(*session); !built)
+		return built;
+	++linking;
+	return painter ? painter->takeBlocks() : vp::Nothing{};
+}
+
+vp::Result<Cut> DatasetState::cut(std::stop_token stop)
+{
+	if (vp::Status linked = link(); !linked)
+		return linked.error();
+	vp::Result<vp::session::CutFrame> frame = vp::session::cutFrame(*session, std::move(stop));
+	session->timeline->takeSections();
+	if (!frame)
+		return frame.error();
+	++cuts;
+	auto state = std::make_shared<Cut::State>();
+	state->blocks = blocks();
+	state->frame = std::move(*frame);
+	state->linking = linking;
+	return Cut(std::move(state));
+}
+
+vp::Result<Image> DatasetState::draw(const Cut& cut, const View& view)
+{
+	vp::Result<vp::view::ResolvedLook> look = vp::view::resolveLook(session->spec);
+	if (!look)
+		return look.error();
+	if (vp::Status opened = vp::session::drawOn(*session); !opened)
+		return opened.error();
+	if (painter)
+	{
+		if (vp::Status taken = painter->setLook(std::move(*look)); !taken)
+			return taken.error();
+	}
+	else
+	{
+		vp::Result<vp::session::Painter> made = vp::session::Painter::create(*session, std::move(*look));
+		if (!made)
+			return made.error();
+		painter.emplace(std::move(*made));
+	}
+	Cut drawn = cut;
+	if (cut.state_->linking != linking)
+	{
+		// Cells have other numbers now.
+		vp::Result<Cut> again = this->cut({});
+		if (!again)
+			return again.error();
+		drawn = std::move(*again);
+	}
+	static_cast<void>(view);
+	const vp::session::CutFrame& frame = drawn.state_->frame;
+	vp::Result<vp::render::Picture> picture = painter->draw(frame.slice, frame.sheets, frame.contours);
+	session->timeline->takeSections();
+	if (!picture)
+	{
+		if (picture.error().kind == vp::ErrorKind::device)
+		{
+			// It was lost; the next picture opens another. Cells are classified without one.
+			painter.reset();
+			session->cutter.reset();
+			session->device.reset();
+			if (vp::Status made = vp::session::makeCutter(*session); !made)
+				return made.error();
+		}
+		return picture.error();
+	}
+	return Image{picture->width, picture->height, std::move(picture->rgba)};
+}
+
+Result<Dataset> Dataset::open(const std::vector<std::string>& files, const OpenOptions& options)
+{
+	return guarded(
+	    [&]() -> Result<Dataset>
+	    {
+		    vp::view::ViewSpec spec;
+		    spec.input.files = files;
+		    const vp::Result<vp::read::TimeChoice> time = vp::read::parseTime(options.time);
+		    if (!time)
+			    return Error{ErrorKind::usage, "`time` " + options.time + ": " + time.error().message};
+		    if (files.empty())
+			    return Error{ErrorKind::usage, "there is no file to open; name one, or demo:NAME"};
+		    spec.input.time = *time;
+		    spec.input.solution = options.solution;
+		    spec.input.refine = options.refine;
+		    spec.input.displace = options.displace;
+		    spec.machine = machineOf(options.classify, options.device);
+		    Result<std::shared_ptr<DatasetState>> state =
+		        DatasetState::of(vp::session::openSession(std::move(spec), {.may_scan = true, .stop = options.stop}));
+		    return state ? Result<Dataset>(Dataset(std::move(*state))) : state.error();
+	    });
+}
+
+Result<Dataset> Dataset::open(const std::string& file, const OpenOptions& options)
+{
+	return open(std::vector{file}, options);
+}
+
+Result<Dataset> Dataset::wrap(std::vector<Block> blocks, Classify classify, const std::string& device)
+{
+	return guarded(
+	    [&]() -> Result<Dataset>
+	    {
+		    try
+		    {
+			    vp::view::ViewSpec spec;
+			    spec.machine = machineOf(classify, device);
+			    Result<std::shared_ptr<DatasetState>> state = DatasetState::of(
+			        vp::session::sessionOf(wrapped(std::move(blocks)), std::move(spec), {.may_scan = true}));
+			    return state ? Result<Dataset>(Dataset(std::move(*state))) : state.error();
+		    }
+		    catch (const vp::read::Unusable& unusable)
+		    {
+			    return Error{ErrorKind::input, unusable.what()};
+		    }
+	    });
+}
+
+const char* Dataset::kind() const
+{
+	return state_->session->blocks.kind();
+}
+
+std::size_t Dataset::cellCount() const
+{
+	const std::lock_guard lock(state_->mutex);
+	return state_->session->blocks.sourceCellCount();
+}
+
+std::size_t Dataset::pointCount() const
+{
+	const std::lock_guard lock(state_->mutex);
+	return state_->session->blocks.sourcePointCount();
+}
+
+std::size_t Dataset::blockCount() const
+{
+	return state_->session->blocks.blocks.size();
+}
+
+std::pair<Vector3, Vector3> Dataset::bounds() const
+{
+	const std::lock_guard lock(state_->mutex);
+	const vp::Box bounds = state_->session->blocks.bounds();
+	return {{bounds.lo.x, bounds.lo.y, bounds.lo.z}, {bounds.hi.x, bounds.hi.y, bounds.hi.z}};
+}
+
+std::vector<double> Dataset::times() const
+{
+	return state_->session->blocks.times;
+}
+
+std::vector<ArrayInfo> Dataset::arrays() const
+{
+	const std::lock_guard lock(state_->mutex);
+	std::vector<ArrayInfo> arrays;
+	const auto isKnown = [&](const ArrayInfo& info)
+	{
+		return std::ranges::any_of(arrays, [&](const ArrayInfo& known)
+		                           { return known.name == info.name && known.association == info.association; });
+	};
+	for (const vp::grid::Block& block : state_->session->blocks.blocks)
+		for (const vp::grid::Field& field : block.fields)
+			if (const ArrayInfo info = infoOf(field); !isKnown(info))
+				arrays.push_back(info);
+	return arrays;
+}
+
+MemoryUse Dataset::memory() const
+{
+	const std::lock_guard lock(state_->mutex);
+	const vp::grid::BlockSet& blocks = state_->session->blocks;
+	const vp::grid::Memory grid = vp::grid::memoryOf(blocks);
+	const vp::cut::Cutter::Memory cutter = state_->session->cutter->memory();
+	const bool copied = std::ranges::any_of(
+	    blocks.blocks, [](const vp::grid::Block& block)
+	    { return std::holds_alternative<vp::grid::UnstructuredGrid>(block.grid) && vp::grid::hasNeighbors(block); });
+	return {grid.geometry, grid.arrays, grid.built(), cutter.marks, cutter.device, copied};
+}
+
+void Dataset::modified()
+{
+	const std::lock_guard lock(state_->mutex);
+	state_->session->cutter->forgetValues();
+	state_->session->finite_fields = std::make_unique<vp::measure::FiniteFields>();
+	state_->session->launch.fastest.reset();
+	if (state_->painter)
+		state_->painter->forgetScales();
+}
+
+namespace
+{
+
+// Runs `work` with the state's lock, the view taken.
+template <class T, class Work>
+Result<T> withView(DatasetState& state, const View& view, Work&& work)
+{
+	return guarded(
+	    [&]() -> Result<T>
+	    {
+		    const std::lock_guard lock(state.mutex);
+		    if (vp::Status taken = state.take(view); !taken)
+			    return publicError(taken.error());
+		    vp::Result<T> done = work();
+		    return done ? Result<T>(std::move(*done)) : publicError(done.error());
+	    });
+}
+
+} // namespace
+
+Result<Cut> Dataset::cut(const View& view, std::stop_token stop) const
+{
+	return withView<Cut>(*state_, view, [&] { return state_->cut(stop); });
+}
+
+Result<std::vector<PlanRow>> Dataset::plan(const View& view) const
+{
+	const auto rows = [&]() -> vp::Result<std::vector<PlanRow>>
+	{
+		state_->session->another_follows = state_->cuts > 0;
+		const vp::Result<vp::find::CutPlan> plan = vp::session::planOf(*state_->session);
+		if (!plan)
+			return plan.error();
+		std::vector<PlanRow> found;
+		for (std::size_t s = 0; s < plan->sheets.size(); ++s)
+			for (std::size_t b = 0; b < plan->sheets[s].size(); ++b)
+			{
+				const vp::find::BlockPlan& way = plan->sheets[s][b];
+				found.push_back({s, b, nameOf(way.strategy), nameOf(way.classifier), way.reason()});
+			}
+		return found;
+	};
+	return withView<std::vector<PlanRow>>(*state_, view, rows);
+}
+
+namespace
+{
+
+// Fills one column at a point.
+struct SampleAt
+{
+	const vp::write::SetArray& array;
+	const vp::locate::Place& place;
+	std::vector<double>& values;
+
+	template <vp::grid::Grid G>
+	void operator()(const G& grid) const
+	{
+		const vp::grid::Field* field = array.per_block[place.block];
+		for (int c = 0; c < array.components; ++c)
+		{
+			double value = std::numeric_limits<double>::quiet_NaN();
+			if (field && c < field->components)
+				value = field->association == vp::grid::Association::point
+				            ? vp::write::valueAt(grid, *field, c, place.weights)
+				            : field->value(grid.sourceCell(place.cell), c);
+			values.push_back(value);
+		}
+	}
+};
+
+vp::Result<std::vector<vp::write::SetArray>> sampledArrays(const vp::grid::BlockSet& blocks,
+                                                           const std::vector<std::string>& names)
+{
+	std::vector<vp::write::SetArray> all = vp::write::arraysOf(blocks, vp::grid::Association::point);
+	for (vp::write::SetArray& array : vp::write::arraysOf(blocks, vp::grid::Association::cell))
+		all.push_back(std::move(array));
+	if (names.empty())
+		return all;
+	std::vector<vp::write::SetArray> chosen;
+	for (const std::string& name : names)
+	{
+		const auto choice = vp::grid::chooseField(blocks, name);
+		if (!choice)
+			return choice.error();
+		for (const vp::write::SetArray& array : all)
+			for (const vp::grid::Field* field : array.per_block)
+				if (field && *choice && array.name == (*choice)->name && field->association == (*choice)->association)
+				{
+					chosen.push_back(array);
+					break;
+				}
+	}
+	return chosen;
+}
+
+} // namespace
+
+Result<Samples> Dataset::sample(std::span<const Vector3> points, const std::vector<std::string>& names) const
+{
+	return guarded(
+	    [&]() -> Result<Samples>
+	    {
+		    const std::lock_guard lock(state_->mutex);
+		    if (!vp::grid::hasNeighbors(state_->session->blocks))
+		    {
+			    if (vp::Status built = vp::session::buildNeighbors(*state_->session); !built)
+				    return publicError(built.error());
+			    ++state_->linking;
+			    if (state_->painter)
+				    if (vp::Status taken = state_->painter->takeBlocks(); !taken)
+					    return publicError(taken.error());
+		    }
+		    const vp::grid::BlockSet& blocks = state_->session->blocks;
+		    const auto arrays = sampledArrays(blocks, names);
+		    if (!arrays)
+			    return publicError(arrays.error());
+		    Samples samples;
+		    for (const vp::write::SetArray& array : *arrays)
+			    for (const vp::grid::Field* field : array.per_block)
+				    if (field)
+				    {
+					    ArrayInfo info = infoOf(*field);
+					    info.components = array.components;
+					    samples.columns.push_back({std::move(info), {}});
+					    break;
+				    }
+		    vp::locate::PlaceFinder finder(blocks);
+		    for (const Vector3& point : points)
+		    {
+			    const vp::locate::Place& place = finder.find({point[0], point[1], point[2]});
+			    samples.blocks.push_back(place.found() ? static_cast<std::int32_t>(place.block) : -1);
+			    std::int64_t cell = -1;
+			    if (place.found())
+				    std::visit([&](const auto& grid) { cell = static_cast<std::int64_t>(grid.sourceCell(place.cell)); },
+				               blocks.blocks[place.block].grid);
+			    samples.cells.push_back(cell);
+			    for (std::size_t a = 0; a < arrays->size(); ++a)
+			    {
+				    std::vector<double>& values = samples.columns[a].values;
+				    if (place.found())
+					    std::visit(SampleAt{(*arrays)[a], place, values}, blocks.blocks[place.block].grid);
+				    else
+					    values.resize(values.size() + static_cast<std::size_t>((*arrays)[a].components),
+					                  std::numeric_limits<double>::quiet_NaN());
+			    }
+		    }
+		    return samples;
+	    });
+}
+
+Result<Image> Dataset::render(const Cut& cut, const View& view) const
+{
+	return withView<Image>(*state_, view, [&] { return state_->draw(cut, view); });
+}
+
+Result<Image> Dataset::render(const View& view) const
+{
+	return withView<Image>(*state_, view,
+	                       [&]() -> vp::Result<Image>
+	                       {
+		                       vp::Result<Cut> cut = state_->cut({});
+		                       return cut ? state_->draw(*cut, view) : cut.error();
+	                       });
+}
+
+Status Dataset::sweep(const View& view, const std::function<bool(const SweepFrame&)>& on_frame, bool draws,
+                      std::stop_token stop) const
+{
+	const auto frames = [&]() -> vp::Result<Nothing>
+	{
+		vp::session::Session& session = *state_->session;
+		const vp::view::SweepSpec& sweep = session.spec.sweep;
+		if (sweep.over_times)
+			return vp::Error{vp::ErrorKind::usage, "`path` times: open the data set at each time instead"};
+		if (vp::Status fits = vp::view::requirePathOfSurface(session.spec.probe, sweep); !fits)
+			return fits.error();
+		const vp::Result<int> count = vp::view::frameCount(sweep);
+		if (!count)
+			return count.error();
+		const vp::probe::Path path = vp::view::pathOf(sweep);
+		const std::vector<vp::probe::Frame> poses =
+		    vp::probe::poses(path, session.view.probe, session.blocks.bounds(), *count);
+		for (int k = 0; k < *count; ++k)
+		{
+			if (stop.stop_requested())
+				return vp::Error{vp::ErrorKind::cancelled, cancelled().message};
+			session.view.probe.frame = poses[static_cast<std::size_t>(k)];
+			session.swept = vp::probe::progress(path, k, *count);
+			vp::Result<Cut> cut = state_->cut(stop);
+			if (!cut)
+				return cut.error();
+			SweepFrame frame{k, *count, std::move(*cut), {}};
+			if (draws)
+			{
+				vp::Result<Image> image = state_->draw(frame.cut, view);
+				if (!image)
+					return image.error();
+				frame.image = std::move(*image);
+			}
+			if (!on_frame(frame))
+				break;
+		}
+		return Nothing{};
+	};
+	return withView<Nothing>(*state_, view, frames);
+}
+
+} // namespace vprobe

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vprobe/result.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vprobe
+{
+
+/// A picture: rows from the top, each pixel red, green, blue, alpha, 0 to 255, in sRGB.
+struct VPROBE_API Image
+{
+	std::uint32_t width = 0;
+	std::uint32_t height = 0;
+	std::vector<std::uint8_t> rgba{}; // 4 * width * height
+
+	/// As PNG. Whole or not at all.
+	Status save(const std::string& file) const;
+};
+
+} // namespace vprobe

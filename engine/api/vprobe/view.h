@@ -1,0 +1,84 @@
+#pragma once
+
+#include <vprobe/result.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace vprobe
+{
+
+using Vector3 = std::array<double, 3>;
+
+/// The built-in probes: sheets that move as one. One's own comes with read().
+enum class ProbeShape : std::uint8_t
+{
+	single,      // one sheet
+	trihedral,   // three at right angles
+	paddlewheel, // vanes about the up axis
+	stack        // parallel sheets
+};
+
+/// All that a user can set about a cut and its picture: where the probe stands, what it shows, how it looks, how it is
+/// swept. A value: copies are independent. What is not set has the default of the program's options.
+///
+/// The functions take values as they are; what cannot be is told by check(), and by every function that takes a View.
+/// Every setting has a key, by which docs/state.schema.json describes it; those without a function here are set by
+/// set(). Not thread safe; several threads may read one.
+class VPROBE_API View
+{
+public:
+	View();
+	View(const View& other);
+	View(View&& other) noexcept;
+	View& operator=(const View& other);
+	View& operator=(View&& other) noexcept;
+	~View();
+
+	// Where.
+	View& shape(ProbeShape shape);
+	View& origin(const Vector3& place);                  // of the hot spot; default: the center of the bounds
+	View& normal(const Vector3& normal);                 // not zero; default: z
+	View& up(const Vector3& up);                         // not zero, made perpendicular to the normal; default: y
+	View& window(double width, double height);           // along the sheets' x and y; default: the whole slice
+	View& vanes(int count);                              // of a paddlewheel, 1 to 64
+	View& sheets(int count);                             // of a stack, 1 to 64
+	View& offsets(std::span<const double> along_normal); // of a stack
+	View& crinkle(bool whole_cells);                     // the cells that are cut, whole
+
+	// What.
+	View& array(std::string_view name);            // "[point:|cell:]NAME"; default: the first
+	View& component(int component);                // from 0; -1 is the magnitude, the default
+	View& threshold(double lo, double hi);         // ends the search at cells outside
+	View& contour(std::span<const double> values); // surfaces that grow from the sheets
+
+	// How.
+	View& size(std::uint32_t width, std::uint32_t height); // of the picture, pixels
+	View& colorMap(std::string_view name);
+	View& range(double lo, double hi); // of the colors
+	View& opacity(double share);       // 0 to 1
+
+	/// Any setting by its key, as a command line has its value: set("surface", "sphere:1.5"), set("camera", "30,20").
+	/// Several numbers stand with blanks between them. A usage error names the key and what it takes.
+	Status set(std::string_view key, std::string_view value);
+	/// Takes the settings that a state has; the others stay. An input error names the place in the document.
+	Status read(std::string_view state);
+	/// A state file, which the program's --state takes too. What belongs to the machine is none of it.
+	std::string json() const;
+
+	/// A usage error where settings cannot be, or do not go together.
+	Status check() const;
+
+	struct State;
+
+private:
+	friend struct DatasetState;
+
+	std::unique_ptr<State> state_;
+};
+
+} // namespace vprobe

@@ -1,0 +1,180 @@
+#include "api/states.h"
+#include "read/build_block.h"
+#include "read/check_mesh.h"
+#include "read/manifest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vprobe
+{
+
+namespace
+{
+
+using vp::Array;
+using vp::read::Unusable;
+
+static_assert(static_cast<int>(NumberType::float64) == static_cast<int>(vp::grid::NumberType::float64));
+
+template <class T>
+Array<T> shared(const Numbers& numbers, const char* what)
+{
+	if (numbers.type != numberTypeOf<T>())
+		throw Unusable(fmt::format("{}: another number type than it should have", what));
+	if (numbers.size > 0 && !numbers.data)
+		throw Unusable(fmt::format("{}: has no memory", what));
+	if (reinterpret_cast<std::uintptr_t>(numbers.data) % alignof(T) != 0)
+		throw Unusable(fmt::format("{}: its memory is not aligned", what));
+	return {numbers.owner, static_cast<const T*>(numbers.data), numbers.size};
+}
+
+vp::grid::Points pointsOf(const Numbers& numbers)
+{
+	if (numbers.size % 3 != 0)
+		throw Unusable("coordinates: points without three coordinates");
+	const vp::grid::Points points = numbers.type == NumberType::float64
+	                                    ? vp::grid::Points(shared<double>(numbers, "coordinates"))
+	                                    : vp::grid::Points(shared<float>(numbers, "coordinates"));
+	if (points.size() >= vp::kMaxBlockIds)
+		throw Unusable(fmt::format("a block of {} points is too large; split it", points.size()));
+	vp::read::checkCoordinates(points);
+	return points;
+}
+
+// Ids of 32 or 64 bits, in 64.
+Array<std::int64_t> wide(const Numbers& numbers, const char* what)
+{
+	if (numbers.type != NumberType::int32)
+		return shared<std::int64_t>(numbers, what);
+	const Array<std::int32_t> narrow = shared<std::int32_t>(numbers, what);
+	return Array<std::int64_t>(std::vector<std::int64_t>(narrow.data(), narrow.data() + narrow.size()));
+}
+
+std::uint64_t product(const std::array<std::uint32_t, 3>& n, std::uint32_t less)
+{
+	return std::uint64_t(n[0] - less) * (n[1] - less) * (n[2] - less);
+}
+
+// Makes the grid of a block; `points` and `cells` are how many its arrays are over.
+struct Wrapper
+{
+	vp::read::CheckedBlock& block;
+	std::uint64_t points = 0;
+	std::uint64_t cells = 0;
+
+	void takeLattice(const std::array<std::uint32_t, 3>& lattice)
+	{
+		points = product(lattice, 0);
+		cells = product(lattice, 1);
+	}
+	static std::array<std::uint32_t, 3> latticeOf(const std::array<std::size_t, 3>& n)
+	{
+		return vp::read::latticeOf({n[0], n[1], n[2]});
+	}
+
+	void operator()(const Image3& image)
+	{
+		const auto lattice = latticeOf(image.points);
+		const vp::Vec3 origin(image.origin[0], image.origin[1], image.origin[2]);
+		const vp::Vec3 spacing(image.spacing[0], image.spacing[1], image.spacing[2]);
+		vp::read::checkImage(lattice, origin, spacing);
+		block.mesh = vp::grid::UniformGrid(lattice, origin, spacing);
+		takeLattice(lattice);
+	}
+	void operator()(const Rectilinear& grid)
+	{
+		const std::array axes{shared<double>(grid.x, "x"), shared<double>(grid.y, "y"), shared<double>(grid.z, "z")};
+		for (const Array<double>& axis : axes)
+			vp::read::checkAxis(axis);
+		takeLattice(latticeOf({axes[0].size(), axes[1].size(), axes[2].size()}));
+		block.mesh = vp::grid::RectilinearGrid(axes[0], axes[1], axes[2]);
+	}
+	void operator()(const Structured& grid)
+	{
+		const auto lattice = latticeOf(grid.points);
+		takeLattice(lattice);
+		const vp::grid::Points coordinates = pointsOf(grid.coordinates);
+		if (coordinates.size() != points)
+			throw Unusable(fmt::format("coordinates: {} points where {} belong", coordinates.size(), points));
+		block.mesh = vp::grid::CurvilinearGrid(lattice, coordinates);
+	}
+	void operator()(const Unstructured& grid)
+	{
+		vp::read::CellMesh mesh;
+		mesh.points = pointsOf(grid.coordinates);
+		mesh.cells.types = shared<std::uint8_t>(grid.types, "types");
+		cells = mesh.cells.types.size();
+		points = mesh.points.size();
+		if (cells == 0 || cells >= vp::kMaxBlockIds)
+			throw Unusable(fmt::format("a block of {} cells cannot be held", cells));
+		mesh.cells.offsets = wide(grid.offsets, "offsets");
+		if (mesh.cells.offsets.size() != cells + 1)
+			throw Unusable(fmt::format("offsets: {} where {} belong", mesh.cells.offsets.size(), cells + 1));
+		if (grid.connectivity.type == NumberType::int32)
+			mesh.cells.connectivity = shared<std::int32_t>(grid.connectivity, "connectivity");
+		else
+			mesh.cells.connectivity = shared<std::int64_t>(grid.connectivity, "connectivity");
+		if (grid.face_offsets.size > 0)
+		{
+			mesh.cells.face_offsets = shared<std::int64_t>(grid.face_offsets, "face_offsets");
+			mesh.cells.face_stream = shared<std::int64_t>(grid.face_stream, "face_stream");
+			if (mesh.cells.face_offsets.size() != cells + 1)
+				throw Unusable(
+				    fmt::format("face_offsets: {} where {} belong", mesh.cells.face_offsets.size(), cells + 1));
+		}
+		vp::read::checkCells(mesh.cells, mesh.points.size());
+		block.mesh = std::move(mesh);
+	}
+};
+
+vp::grid::Field fieldOf(const Field& field)
+{
+	const auto type = static_cast<vp::grid::NumberType>(field.values.type);
+	if (field.values.size > 0 && !field.values.data)
+		throw Unusable(fmt::format("the array {} has no memory", field.name));
+	vp::grid::Field made;
+	made.name = field.name;
+	made.association =
+	    field.association == Association::point ? vp::grid::Association::point : vp::grid::Association::cell;
+	made.components = field.components;
+	made.type = type;
+	made.units = field.units;
+	made.bytes = {field.values.owner, static_cast<const std::byte*>(field.values.data),
+	              field.values.size * vp::grid::byteSize(type)};
+	return made;
+}
+
+} // namespace
+
+vp::grid::BlockSet wrapped(std::vector<Block> blocks)
+{
+	if (blocks.empty())
+		throw Unusable("no blocks");
+	vp::grid::BlockSet set;
+	for (Block& block : blocks)
+	{
+		vp::read::CheckedBlock checked;
+		Wrapper wrapper{checked};
+		std::visit(wrapper, block.grid);
+		for (const Field& field : block.fields)
+		{
+			checked.fields.push_back(fieldOf(field));
+			vp::read::checkField(checked.fields.back(), wrapper.points, wrapper.cells);
+		}
+		checked.length_units = block.length_units;
+		set.blocks.push_back(vp::read::buildBlock(std::move(checked), block.name, false));
+	}
+	// As where a file is read: unstructured grids alone stay listed until something needs neighbors.
+	const auto isListed = [](const vp::grid::Block& block) { return !vp::grid::hasNeighbors(block); };
+	if (std::ranges::all_of(set.blocks, isListed))
+		return set;
+	if (vp::grid::hasNeighbors(set))
+		vp::grid::matchInterfaces(set);
+	else
+		vp::grid::buildNeighbors(set);
+	return set;
+}
+
+} // namespace vprobe

@@ -1,0 +1,211 @@
+#include "wrapped_grids.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+namespace face
+{
+
+namespace
+{
+
+using vprobe::Dataset;
+using vprobe::ErrorKind;
+using vprobe::View;
+
+View oblique()
+{
+	return View().origin({0.47, 0.52, 0.5}).normal({0.3, 0.5, 0.8}).array("value");
+}
+
+Dataset wrap(vprobe::Block block)
+{
+	auto data = Dataset::wrap({std::move(block)}, vprobe::Classify::cpu);
+	EXPECT_TRUE(data) << (data ? "" : data.error().message);
+	return *data;
+}
+
+void refused(vprobe::Block block, const std::string& word)
+{
+	const auto data = Dataset::wrap({std::move(block)}, vprobe::Classify::cpu);
+	ASSERT_FALSE(data) << word;
+	EXPECT_EQ(data.error().kind, ErrorKind::input);
+	EXPECT_NE(data.error().message.find(word), std::string::npos) << data.error().message;
+}
+
+} // namespace
+
+// The plane x + 2 y + 3 z = c cuts all kinds of the same box alike, and its values are those of the formula.
+TEST(Wrap, EveryKindOfGridGivesTheSameCut)
+{
+	Box box(9);
+	std::vector<std::pair<std::string, vprobe::Block>> kinds{
+	    {"image", box.image()},          {"rectilinear", box.rectilinear()},  {"structured", box.structured()},
+	    {"64 bits", box.unstructured()}, {"32 bits", box.unstructured(true)}, {"polyhedra", box.polyhedra()}};
+	std::optional<vprobe::Figures> first;
+	for (auto& [name, block] : kinds)
+	{
+		SCOPED_TRACE(name);
+		const Dataset data = wrap(std::move(block));
+		EXPECT_EQ(data.cellCount(), 729u);
+		EXPECT_EQ(data.pointCount(), 1000u);
+		for (int round = 0; round < 2; ++round) // the second cut of an unstructured grid is found otherwise
+		{
+			const auto cut = data.cut(oblique());
+			ASSERT_TRUE(cut) << cut.error().message;
+			const vprobe::Figures figures = cut->figures(0);
+			if (!first)
+				first = figures;
+			EXPECT_NEAR(figures.area, first->area, 1e-12);
+			EXPECT_NEAR(*figures.mean, *first->mean, 1e-12);
+			EXPECT_EQ(figures.cut_cells, first->cut_cells);
+			EXPECT_EQ(figures.components, 1u);
+			const vprobe::Mesh mesh = cut->mesh(0);
+			const vprobe::MeshArray* value = mesh.array("value");
+			ASSERT_TRUE(value);
+			ASSERT_EQ(value->tuples, mesh.pointCount());
+			for (std::size_t p = 0; p < mesh.pointCount(); ++p)
+			{
+				const double* at = mesh.points().data() + 3 * p;
+				EXPECT_NEAR(value->value(p), at[0] + 2.0 * at[1] + 3.0 * at[2], 1e-12);
+			}
+			const vprobe::MeshArray* number = mesh.array("number");
+			ASSERT_TRUE(number);
+			ASSERT_EQ(mesh.offsets().size(), mesh.polygonCount() + 1);
+			for (std::size_t i = 0; i < mesh.polygonCount(); ++i)
+				EXPECT_EQ(number->value(i), static_cast<double>(mesh.cells()[i]));
+		}
+	}
+}
+
+TEST(Wrap, ADemoWrappedAgainGivesTheDemosCut)
+{
+	const auto demo = Dataset::open("demo:shell:8", {.classify = vprobe::Classify::cpu});
+	ASSERT_TRUE(demo) << demo.error().message;
+	const auto cut = demo->cut(View().normal({0.3, 0.5, 0.8}));
+	ASSERT_TRUE(cut);
+	EXPECT_GT(cut->mesh(0).polygonCount(), 50u);
+	EXPECT_EQ(demo->arrays().empty(), false);
+	EXPECT_STREQ(demo->kind(), "curvilinear");
+}
+
+TEST(Wrap, BlocksThatAbutAreOneDataSet)
+{
+	const Box box(4);
+	std::vector<vprobe::Block> blocks;
+	for (const double x : {0.0, 1.0})
+		blocks.push_back({vprobe::Image3{.points = {5, 5, 5}, .origin = {x, 0.0, 0.0}, .spacing = {0.25, 0.25, 0.25}},
+		                  box.fields()});
+	const auto data = Dataset::wrap(blocks, vprobe::Classify::cpu);
+	ASSERT_TRUE(data);
+	EXPECT_EQ(data->blockCount(), 2u);
+	const auto cut = data->cut(View().normal({0.0, 0.0, 1.0}).origin({1.0, 0.5, 0.4}));
+	ASSERT_TRUE(cut);
+	EXPECT_NEAR(cut->figures(0).area, 2.0, 1e-12);
+	EXPECT_EQ(cut->figures(0).components, 1u);
+}
+
+TEST(Wrap, WhatDoesNotFitIsAnErrorThatSaysWhat)
+{
+	const Box box(3);
+	const auto spoiled = [&](const std::function<void(vprobe::Unstructured&)>& spoil)
+	{
+		vprobe::Block block = box.unstructured();
+		spoil(std::get<vprobe::Unstructured>(block.grid));
+		return block;
+	};
+	std::vector<std::int64_t> ids = box.connectivity;
+	ids[5] = 64;
+	refused(spoiled([&](vprobe::Unstructured& grid) { grid.connectivity = ids; }), "point");
+	ids[5] = -1;
+	refused(spoiled([&](vprobe::Unstructured& grid) { grid.connectivity = ids; }), "point");
+	std::vector<std::uint8_t> types = box.types;
+	types[3] = 200;
+	refused(spoiled([&](vprobe::Unstructured& grid) { grid.types = types; }), "type");
+	std::vector<std::int64_t> offsets = box.offsets;
+	offsets[2] = 1000;
+	refused(spoiled([&](vprobe::Unstructured& grid) { grid.offsets = offsets; }), "");
+	refused(spoiled([&](vprobe::Unstructured& grid) { grid.offsets = vprobe::Numbers(); }), "offsets");
+	refused(spoiled([&](vprobe::Unstructured& grid) { grid.types = box.connectivity; }), "types");
+	std::vector<double> coordinates = box.coordinates;
+	coordinates[7] = std::numeric_limits<double>::quiet_NaN();
+	refused(spoiled([&](vprobe::Unstructured& grid) { grid.coordinates = coordinates; }), "");
+	refused(spoiled([&](vprobe::Unstructured& grid)
+	                { grid.coordinates = std::span(box.coordinates).first(box.coordinates.size() - 1); }),
+	        "coordinates");
+
+	vprobe::Block image = box.image();
+	image.fields[0].components = 2;
+	refused(image, "value");
+	image = box.image();
+	image.fields[0].values = vprobe::Numbers(nullptr, 64, vprobe::NumberType::float64);
+	refused(image, "no memory");
+	std::get<vprobe::Image3>((image = box.image()).grid).spacing[1] = 0.0;
+	refused(image, "spacing");
+	std::get<vprobe::Image3>((image = box.image()).grid).points[2] = 1;
+	refused(image, "no cells");
+	vprobe::Block structured = box.structured();
+	std::get<vprobe::Structured>(structured.grid).points[0] = 5;
+	refused(structured, "coordinates");
+	EXPECT_EQ(Dataset::wrap({}).error().kind, ErrorKind::input);
+}
+
+TEST(Wrap, ArraysWithoutValuesAndWithNan)
+{
+	const Box box(3);
+	vprobe::Block block = box.image();
+	block.fields.clear();
+	const auto cut = wrap(block).cut(View());
+	ASSERT_TRUE(cut);
+	EXPECT_FALSE(cut->figures(0).mean);
+	EXPECT_NEAR(cut->figures(0).area, 1.0, 1e-12);
+
+	std::vector<double> nan(64, std::numeric_limits<double>::quiet_NaN());
+	block.fields = {{"nan", vprobe::Association::point, 1, nan}};
+	const auto of_nan = wrap(block).cut(View());
+	ASSERT_TRUE(of_nan);
+	EXPECT_FALSE(of_nan->figures(0).mean);
+	EXPECT_NEAR(of_nan->figures(0).nan_area, 1.0, 1e-12);
+}
+
+TEST(Wrap, SamplesAndTracesAndContours)
+{
+	const Box box(8);
+	std::vector<double> flow;
+	for (std::size_t p = 0; p < box.value.size(); ++p)
+		flow.insert(flow.end(), {0.0, 0.0, 1.0});
+	vprobe::Block block = box.unstructured();
+	block.fields.push_back({"flow", vprobe::Association::point, 3, flow});
+	const Dataset data = wrap(block);
+	const std::vector<vprobe::Vector3> points{{0.1, 0.2, 0.3}, {2.0, 0.0, 0.0}, {0.9, 0.95, 0.5}};
+	const auto samples = data.sample(points, {"value", "flow"});
+	ASSERT_TRUE(samples) << samples.error().message;
+	ASSERT_EQ(samples->columns.size(), 2u);
+	EXPECT_NEAR(samples->columns[0].values[0], 0.1 + 0.4 + 0.9, 1e-12);
+	EXPECT_EQ(samples->cells[1], -1);
+	EXPECT_TRUE(std::isnan(samples->columns[0].values[1]));
+	EXPECT_NEAR(samples->columns[1].values[8], 1.0, 1e-12);
+	EXPECT_FALSE(data.sample(points, {"none"}));
+
+	View view = View().origin({0.5, 0.5, 0.25}).array("value");
+	ASSERT_TRUE(view.set("vectors", "lines"));
+	ASSERT_TRUE(view.set("vector_steps", "3"));
+	const double values[] = {2.25};
+	view.contour(values);
+	const auto cut = data.cut(view);
+	ASSERT_TRUE(cut) << cut.error().message;
+	const vprobe::Traces traces = cut->traces(0);
+	ASSERT_GT(traces.offsets.size(), 100u);
+	EXPECT_EQ(traces.points.size(), 3 * traces.times.size());
+	EXPECT_NEAR(*cut->figures(0).flux, 1.0, 1e-12);
+	ASSERT_EQ(cut->contourCount(), 1u);
+	EXPECT_EQ(cut->contourValue(0), 2.25);
+	const vprobe::Mesh contour = cut->contour(0);
+	EXPECT_GT(contour.polygonCount(), 10u);
+	for (std::size_t p = 0; p < contour.pointCount(); ++p)
+		EXPECT_NEAR(contour.array("value")->value(p), 2.25, 1e-9);
+}
+
+} // namespace face
