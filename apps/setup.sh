@@ -8,7 +8,7 @@ system=$(. /etc/os-release 2>/dev/null && printf '%s%s' "${ID-}" "${VERSION_ID-}
 # ccache serves the second build, not the first; it is here so that both scripts compile with the same commands.
 build_packages=(
 	cmake ninja-build g++ ccache glslang-tools glslang-dev spirv-tools
-	libvulkan-dev libvtk9-dev libtbb-dev libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+	libvulkan-dev libvtk9-dev libtbb-dev libglm-dev libfmt-dev libutfcpp-dev libcli11-dev nlohmann-json3-dev
 	libteem-dev zlib1g-dev libdeflate-dev liblz4-dev liblzma-dev libexpat1-dev libpng-dev libcairo2-dev pkg-config libimgui-dev libstb-dev libglfw3-dev fonts-dejavu-core
 	mesa-vulkan-drivers # lavapipe draws where there is no GPU
 )

@@ -14,12 +14,31 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace fs = std::filesystem;
 
 namespace
 {
+
+struct CloseGzip
+{
+	void operator()(gzFile_s* file) const { gzclose_r(file); }
+};
+using Gzip = std::unique_ptr<gzFile_s, CloseGzip>;
+
+bool isWholeGzip(const fs::path& path)
+{
+	Gzip file(gzopen(path.c_str(), "rb"));
+	std::array<char, 1 << 16> buffer;
+	int got = 0;
+	while (file && (got = gzread(file.get(), buffer.data(), buffer.size())) > 0)
+	{
+	}
+	// Only closing tells whether the checksum at the end was there and right.
+	return file && got == 0 && gzclose_r(file.release()) == Z_OK;
+}
 
 // The reader leaves out a field whose compressed file ends early.
 void refuseShortGzips(const fs::path& folder)
@@ -29,14 +48,7 @@ void refuseShortGzips(const fs::path& folder)
 	{
 		if (entry.path().extension() != ".gz")
 			continue;
-		gzFile file = gzopen(entry.path().c_str(), "rb");
-		std::array<char, 1 << 16> buffer;
-		int got = 0;
-		while (file && (got = gzread(file, buffer.data(), buffer.size())) > 0)
-		{
-		}
-		const bool whole = file && got == 0 && gzclose_r(file) == Z_OK && entry.file_size() > 0;
-		if (!whole)
+		if (entry.file_size() == 0 || !isWholeGzip(entry.path()))
 			throw damaged(fmt::format("{} ends early", entry.path().string()));
 	}
 }

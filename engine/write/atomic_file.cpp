@@ -26,19 +26,13 @@ bool isStandardOutput(const std::string& path)
 	return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
 
-std::string folderOf(const std::string& path)
-{
-	const std::string folder = std::filesystem::path(path).parent_path().string();
-	return folder.empty() ? "." : folder;
-}
-
 const char* remedy(int error)
 {
 	switch (error)
 	{
 	case ENOENT:
 	case ENOTDIR:
-		return "create its folder or choose another path";
+		return "remove what stands in the place of its folder, or choose another path";
 	case EACCES:
 	case EPERM:
 	case EROFS:
@@ -126,7 +120,7 @@ int createBeside(const std::string& target, mode_t mode, std::string& name)
 	const Touching files;
 	for (;;)
 	{
-		name = fmt::format("{}/.vprobe-{}-{}", folderOf(target), getpid(), counter++);
+		name = fmt::format("{}/.vprobe-{}-{}", nearestFolder(target), getpid(), counter++);
 		remember(name); // first: a signal may come as soon as the file is there
 		const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
 		if (descriptor >= 0)
@@ -142,6 +136,15 @@ int createBeside(const std::string& target, mode_t mode, std::string& name)
 }
 
 } // namespace
+
+std::string nearestFolder(const std::string& path)
+{
+	std::filesystem::path folder = std::filesystem::path(path).parent_path();
+	std::error_code unknown;
+	while (!folder.empty() && folder != folder.root_path() && !std::filesystem::exists(folder, unknown))
+		folder = folder.parent_path();
+	return folder.empty() ? "." : folder.string();
+}
 
 Result<AtomicFile> AtomicFile::create(const std::string& path)
 {
@@ -232,6 +235,9 @@ Status AtomicFile::commit()
 		error_ = errno;
 	if (!error_ && !beside_.empty())
 	{
+		// Folders are made for output that is complete.
+		std::error_code failed;
+		std::filesystem::create_directories(std::filesystem::path(target_).parent_path(), failed);
 		const Touching files;
 		if (std::rename(beside_.c_str(), target_.c_str()) != 0)
 			error_ = errno;

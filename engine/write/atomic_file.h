@@ -8,8 +8,12 @@
 namespace vp::write
 {
 
+/// The folder of a file, or, where that is not there, the nearest one above it that is.
+std::string nearestFolder(const std::string& path);
+
 // A file that appears whole or not at all: bytes go to a new file beside `path`, which takes the name on commit();
-// without commit() nothing is left of it. Standard output ("-"), devices and pipes are written to directly.
+// without commit() nothing is left of it. Folders that are not there are made on commit() too: until then the new file
+// is in the nearest one that is. Standard output ("-"), devices and pipes are written to directly.
 class AtomicFile
 {
 public:

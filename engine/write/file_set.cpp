@@ -27,7 +27,7 @@ Result<FileSet> FileSet::create(const std::string& path)
 		return Error{ErrorKind::output, fmt::format("{}: its parts go to the folder {}, and that is a file; remove it "
 		                                            "or choose another name",
 		                                            path, set.folder_)};
-	std::string staging = (file.parent_path() / ".vprobe-XXXXXX").string();
+	std::string staging = nearestFolder(path) + "/.vprobe-XXXXXX";
 	if (!mkdtemp(staging.data()))
 		return Error{ErrorKind::output, fmt::format("{}: no folder can be made beside it; choose another place", path)};
 	set.staging_ = staging;
@@ -64,6 +64,7 @@ FileSet::Member FileSet::add(const std::string& name)
 Status FileSet::moveMembers()
 {
 	std::error_code failed;
+	fs::create_directories(fs::path(folder_).parent_path(), failed);
 	made_folder_ = fs::create_directory(folder_, failed);
 	for (const std::string& name : members_)
 	{

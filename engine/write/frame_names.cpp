@@ -36,9 +36,9 @@ Result<FrameNames> FrameNames::create(const std::string& pattern, const std::str
 	names.before_ = pattern.substr(0, open);
 	names.after_ = pattern.substr(close + 1);
 	const std::filesystem::path folder = std::filesystem::path(names.of(0)).parent_path();
-	if (!folder.empty() && !std::filesystem::is_directory(folder))
+	if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
 		return Error{ErrorKind::output,
-		             fmt::format("-o {}: there is no folder {}; make it first", pattern, folder.string())};
+		             fmt::format("{}: {} is no folder; choose another path", pattern, folder.string())};
 	return names;
 }
 

@@ -99,12 +99,27 @@ TEST_F(Output, ReplacesWhatWasThere)
 	EXPECT_TRUE(vtp.ends_with("</VTKFile>\n") || vtp.ends_with("</VTKFile>"));
 }
 
-TEST_F(Output, FolderIsMissing)
+TEST_F(Output, FoldersAreMadeForOutputThatIsComplete)
 {
-	for (const std::string output : {"absent/out.vtp", "absent/out.ply", "absent/out.csv"})
-		EXPECT_TRUE(isError(slice({"-o", path(output)}), 4, {path(output)}));
-	EXPECT_TRUE(isError(slice({"--stats", path("absent/out.json")}), 4, {path("absent/out.json")}));
-	EXPECT_TRUE(files().empty());
+	for (const std::string output : {"a/out.vtp", "a/b/out.ply", "c/d/e/out.csv"})
+	{
+		EXPECT_TRUE(isQuiet(slice({"-o", path(output)})));
+		EXPECT_TRUE(std::filesystem::is_regular_file(path(output))) << output;
+	}
+	EXPECT_TRUE(isQuiet(slice({"--stats", path("f/out.json")})));
+	EXPECT_EQ(files(), (Arguments{"a", "c", "f"}));
+	// Nothing is left of a command that fails before.
+	EXPECT_EQ(run({"slice", "demo:shell:4", "--array", "none", "-o", path("g/out.vtp")}).status, 2);
+	EXPECT_EQ(files(), (Arguments{"a", "c", "f"}));
+}
+
+TEST_F(Output, AFileStandsInTheFoldersPlace)
+{
+	write("taken", "x");
+	for (const std::string output : {"taken/out.vtp", "taken/a/out.ply"})
+		EXPECT_TRUE(isError(slice({"-o", path(output)}), 4, {path(output), "in the place of its folder"}));
+	EXPECT_TRUE(isError(slice({"--stats", path("taken/out.json")}), 4, {path("taken/out.json")}));
+	EXPECT_EQ(files(), Arguments{"taken"});
 }
 
 TEST_F(Output, IsAFolder)
@@ -117,9 +132,10 @@ TEST_F(Output, IsAFolder)
 // All outputs or none: the slice could be written, its stats could not.
 TEST_F(Output, OneOfTwoCannotBeWritten)
 {
+	write("taken", "x");
 	EXPECT_TRUE(
-	    isError(slice({"-o", path("out.vtp"), "--stats", path("absent/out.json")}), 4, {path("absent/out.json")}));
-	EXPECT_TRUE(files().empty());
+	    isError(slice({"-o", path("out.vtp"), "--stats", path("taken/out.json")}), 4, {path("taken/out.json")}));
+	EXPECT_EQ(files(), Arguments{"taken"});
 }
 
 TEST_F(Output, DiskIsFull)

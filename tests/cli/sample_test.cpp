@@ -221,10 +221,11 @@ TEST_F(Sample, WhatCannotBeIsRefused)
 	EXPECT_TRUE(isError(run(sample + Arguments{"--line", "0", "0", "0", "1", "1", "1"}), 1, {"--line"}));
 	const Arguments good = sample + Arguments{"--line", "0", "0", "0", "1", "1", "1", "5"};
 	EXPECT_TRUE(isError(run(good + Arguments{"--array", "none"}), 2, {"none", "point:s"}));
+	write("none", "a file where the folder would be");
 	EXPECT_TRUE(isError(run(good + Arguments{"-o", path("none/out.csv")}), 4, {"none/out.csv"}));
 	const Arguments many = sample + Arguments{"--line", "0", "0", "0", "1", "1", "1", "500", "-o", path("out.csv")};
 	EXPECT_TRUE(isError(run(many, {.file_size_limit = 3000}), 4, {"out.csv", "make room"}));
-	EXPECT_TRUE(files().empty());
+	EXPECT_EQ(files(), Arguments{"none"});
 }
 
 } // namespace cli

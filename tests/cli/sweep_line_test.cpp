@@ -185,6 +185,7 @@ TEST_F(SweepLine, TraceShowsEveryFrameOnceInEachRow)
 
 TEST_F(SweepLine, TracesThatCannotBe)
 {
+	write("none", "a file where the folder would be");
 	EXPECT_TRUE(
 	    isError(sweep("f", {"demo:shell:4", "--frames", "2", "--trace", path("none/t.json")}), 4, {"none/t.json"}));
 	EXPECT_TRUE(isError(sweep("f", {"demo:shell:4", "--frames", "2", "--trace", "-", "--stats", "-"}), 1,

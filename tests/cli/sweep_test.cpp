@@ -252,11 +252,12 @@ TEST_F(Sweep, FilmsWithoutFfmpegAreRefused)
 
 TEST_F(Sweep, PlacesThatCannotBeAreToldAtOnce)
 {
-	EXPECT_TRUE(isError(sweep({"--frames", "2", "-o", path("none/{frame}.png")}), 4, {"none", "make it first"}));
+	write("none", "a file where the folder would be");
+	EXPECT_TRUE(isError(sweep({"--frames", "2", "-o", path("none/{frame}.png")}), 4, {"none", "no folder"}));
 	EXPECT_TRUE(isError(sweep({"--frames", "2", "-o", pattern, "--exposure", path("none/e.png")}), 4, {"none/e.png"}));
 	EXPECT_TRUE(isError(sweep({"--frames", "2", "-o", pattern, "--stats", path("none/s.json")}), 4, {"none/s.json"}));
 	EXPECT_TRUE(isError(sweep({"--frames", "2", "-o", pattern, "--save", path("none/s.json")}), 4, {"none/s.json"}));
-	EXPECT_TRUE(files().empty());
+	EXPECT_EQ(files(), Arguments{"none"});
 }
 
 TEST_F(Sweep, FramesThatMissTheGridAreTold)

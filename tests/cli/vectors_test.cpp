@@ -167,6 +167,7 @@ TEST_F(Vectors, AreWrittenAsLinesThatSayWhyTheyEnd)
 	EXPECT_TRUE(
 	    isError(run(rake + Arguments{"--vectors-out", "-", "--stats", "-"}), 1, {"--vectors-out -", "--stats -"}));
 	EXPECT_TRUE(isError(run(rake + Arguments{"--vectors-out", path("a.csv")}), 1, {"a.csv", ".vtp"}));
+	write("none", "a file where the folder would be");
 	EXPECT_TRUE(isError(run(rake + Arguments{"--vectors-out", path("none/a.vtp")}), 4, {"none/a.vtp"}));
 	EXPECT_TRUE(isError(run({"slice", "demo:shell:12", "--vectors-out", path("b.vtp")}), 1,
 	                    {"--vectors-out", "--vectors tufts"}));

@@ -306,11 +306,12 @@ TEST_F(Flat, AllPicturesOrNone)
 	const FlatScene flat = sceneOf([](const Vec3& p) { return p.x; }, windowed(4.0, 2.0));
 	const std::vector<FlatScene> flats{flat, flat};
 	const std::vector<std::string> paths{(folder_ / "a.png").string(), (folder_ / "none/b.png").string()};
+	std::ofstream(folder_ / "none") << "a file where the folder would be";
 	const Status written = write::writePlanePictures(flats, paths);
 	ASSERT_FALSE(written);
 	EXPECT_EQ(written.error().kind, ErrorKind::output);
 	EXPECT_NE(written.error().message.find("none/b.png"), std::string::npos);
-	EXPECT_EQ(files(), 0u);
+	EXPECT_EQ(files(), 1u);
 }
 
 } // namespace vp::render::test

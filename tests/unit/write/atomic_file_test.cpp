@@ -112,12 +112,25 @@ TEST(AtomicFile, KeepsThePermissionsOfTheOldFile)
 	EXPECT_EQ(status.st_mode & 0777, 0666u);
 }
 
+TEST(AtomicFile, MakesFoldersWhenItIsComplete)
+{
+	const TemporaryFolder folder;
+	{
+		Result<write::AtomicFile> file = write::AtomicFile::create(folder / "a/b/out");
+		ASSERT_TRUE(file);
+		file->write("new");
+		EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+	}
+	EXPECT_EQ(folder.files(), 0u);
+	ASSERT_TRUE(writeTo(folder / "a/b/out"));
+	EXPECT_TRUE(std::filesystem::is_regular_file(folder / "a/b/out"));
+}
+
 TEST(AtomicFile, TellsWhatStandsInTheWay)
 {
 	const TemporaryFolder folder;
 	writeText(folder / "file", "old");
-	EXPECT_NE(failureOf(folder / "none/out").message.find("create its folder"), std::string::npos);
-	EXPECT_NE(failureOf(folder / "file/out").message.find("create its folder"), std::string::npos);
+	EXPECT_NE(failureOf(folder / "file/out").message.find("in the place of its folder"), std::string::npos);
 	EXPECT_NE(failureOf(folder.path()).message.find("name of a file"), std::string::npos);
 	EXPECT_NE(failureOf(folder / std::string(300, 'n')).message.find("shorter"), std::string::npos);
 	EXPECT_EQ(folder.files(), 1u);
@@ -181,9 +194,10 @@ TEST(SliceFile, AFailureLeavesNoOutput)
 {
 	const SampleSlice sample = sampleSlice();
 	const TemporaryFolder folder;
+	writeText(folder / "none", "a file where the folder would be");
 	for (const char* name : {"none/cut.vtp", "none/cut.ply", "none/cut.csv", "cut.stl"})
 		EXPECT_FALSE(write::writeSlice(sample.blocks, sample.meshes, folder / name));
-	EXPECT_EQ(folder.files(), 0u);
+	EXPECT_EQ(folder.files(), 1u);
 }
 
 } // namespace vp::test

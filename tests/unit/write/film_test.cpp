@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include <cstdlib>
 #include <filesystem>
 
@@ -84,6 +86,7 @@ TEST_F(FilmFile, WhatFfmpegSaysIsTold)
 
 TEST_F(FilmFile, NowhereToWriteIsToldBeforeTheWork)
 {
+	std::ofstream(folder_ / "none") << "a file where the folder would be";
 	const Result<write::Film> film = write::Film::create(folder_ / "none/a.gif", kSide, kSide, 10.0);
 	ASSERT_FALSE(film);
 	EXPECT_EQ(film.error().kind, ErrorKind::output);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace vp::test
 {
 
@@ -38,15 +40,15 @@ TEST(FrameNames, OfOtherThings)
 	    << names.error().message;
 }
 
-TEST(FrameNames, TheFolderMustBeThere)
+TEST(FrameNames, AFileIsNoFolder)
 {
 	const TemporaryFolder folder;
+	EXPECT_TRUE(write::FrameNames::create(folder / "none/{frame}.png"));
+	std::ofstream(folder / "none") << "a file";
 	const Result<write::FrameNames> names = write::FrameNames::create(folder / "none/{frame}.png");
 	ASSERT_FALSE(names);
 	EXPECT_EQ(names.error().kind, ErrorKind::output);
-	EXPECT_NE(names.error().message.find("none; make it first"), std::string::npos) << names.error().message;
-	// Frames would share a folder that does not follow from the number.
-	EXPECT_FALSE(write::FrameNames::create(folder / "{frame}/a.png"));
+	EXPECT_NE(names.error().message.find("none is no folder"), std::string::npos) << names.error().message;
 }
 
 } // namespace vp::test
