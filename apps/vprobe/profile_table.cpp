@@ -1,3 +1,4 @@
+#include "duration.h"
 #include "profile_report.h"
 
 #include <fmt/format.h>
@@ -63,12 +64,13 @@ std::string work(const json& p)
 {
 	const double all = std::max(1.0, p["grid"]["linear_cells"].get<double>());
 	const double cut = p["cut_cells_mean"].get<double>();
-	std::string text = fmt::format("\nfirst cut {:.3f} ms", p["cut_ms"]["first"].get<double>());
+	const auto time = [](const json& ms) { return durationText(ms.get<double>()); };
+	std::string text = fmt::format("\nfirst cut {}", time(p["cut_ms"]["first"]));
 	if (!p["frame_ms"].is_null())
-		text += fmt::format(", first frame {:.3f} ms", p["frame_ms"]["first"].get<double>());
-	text += fmt::format("; read {:.3g} ms, build {:.3g} ms, adjacency {:.3g} ms, upload {:.3g} ms\n",
-	                    p["setup_ms"]["read"].get<double>(), p["setup_ms"]["build"].get<double>(),
-	                    p["setup_ms"]["adjacency"].get<double>(), p["setup_ms"]["upload"].get<double>());
+		text += fmt::format(", first frame {}", time(p["frame_ms"]["first"]));
+	const json& setup = p["setup_ms"];
+	text += fmt::format("; read {}, build {}, adjacency {}, upload {}\n", time(setup["read"]), time(setup["build"]),
+	                    time(setup["adjacency"]), time(setup["upload"]));
 	text +=
 	    fmt::format("{:.0f} cells cut a plane ({:.3g} % of all), {:.0f} touched, {:.0f} polygons, {:.0f} vertices\n",
 	                cut, 100.0 * cut / all, p["cells_touched_mean"].get<double>(), p["polygons_mean"].get<double>(),

@@ -1,5 +1,6 @@
 #include "stats_json.h"
 
+#include "duration.h"
 #include "explain.h"
 #include "vectors/traces.h"
 
@@ -262,9 +263,9 @@ std::string statsTable(const session::Session& session, const session::CutFrame&
 	}
 	const Timeline& timeline = *session.timeline;
 	const double cut_ms = timeline.total("seed") + timeline.total("traverse") + timeline.total("emit");
-	table += fmt::format("{}classified on the {}, cut in {:.3g} ms of {:.3g} ms\n",
+	table += fmt::format("{}classified on the {}, cut in {} of {}\n",
 	                     session.view.field ? fmt::format("array {}, ", session.view.field->title(session.blocks)) : "",
-	                     classifierName(session), cut_ms, timeline.now());
+	                     classifierName(session), durationText(cut_ms), durationText(timeline.now()));
 	return table;
 }
 
