@@ -20,6 +20,8 @@ std::string threeDigits(double number, const char* unit)
 
 std::string durationText(double milliseconds)
 {
+	if (milliseconds == 0.0)
+		return "0 s";
 	if (milliseconds < 0.9995)
 		return threeDigits(1e3 * milliseconds, "µs");
 	if (milliseconds < 999.5)

@@ -8,7 +8,7 @@ namespace vp::test
 TEST(Duration, ReadsAsAPersonWouldWriteIt)
 {
 	using app::durationText;
-	EXPECT_EQ(durationText(0.0), "0.00 µs");
+	EXPECT_EQ(durationText(0.0), "0 s");
 	EXPECT_EQ(durationText(0.00234), "2.34 µs");
 	EXPECT_EQ(durationText(0.8915), "892 µs");
 	EXPECT_EQ(durationText(0.9996), "1.00 ms");
