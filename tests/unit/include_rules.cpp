@@ -18,9 +18,9 @@ namespace
 namespace fs = std::filesystem;
 
 // A folder may use only folders before it.
-const std::vector<std::string> kFolders{"base",    "grid",    "cases",  "read",  "surface",  "probe",   "locate",
-                                        "seed",    "find",    "mesh",   "gpu",   "classify", "measure", "cut",
-                                        "contour", "vectors", "render", "write", "interact", "view", "session", "api"};
+const std::vector<std::string> kFolders{
+    "base",     "grid",    "cases", "read",    "surface", "probe",  "locate", "seed",     "find", "mesh",    "gpu",
+    "classify", "measure", "cut",   "contour", "vectors", "render", "write",  "interact", "view", "session", "api"};
 
 // Rooms inside a folder, in the order in which they may use each other; "" are the files of the folder itself.
 struct Rooms
@@ -162,6 +162,27 @@ TEST(IncludeRules, ReadersStayInTheChildProcess)
 			{
 				EXPECT_TRUE(include.file.string().starts_with("apps/vprobe-read/")) << include.where();
 			}
+}
+
+// The engine is a library: its messages name settings by their keys, and it neither ends a program nor prints.
+TEST(IncludeRules, TheEngineDoesNotKnowItsProgram)
+{
+	static const std::regex kOption("\"[^\"\n]*--[a-z][^\"\n]*\"");
+	static const std::regex kProgram("std::(abort|exit|terminate|quick_exit|cout|cerr)\\b|\\bstderr\\b|\\bExitCode\\b");
+	for (const fs::path& file : filesUnder("engine"))
+	{
+		if (file.extension() != ".cpp" && file.extension() != ".h" && file.extension() != ".inl")
+			continue;
+		std::istringstream lines(textOf(kRoot / file));
+		for (std::string line; std::getline(lines, line);)
+		{
+			if (line.find_first_not_of(" \t") != std::string::npos &&
+			    line.substr(line.find_first_not_of(" \t")).starts_with("//"))
+				continue;
+			EXPECT_FALSE(std::regex_search(line, kOption)) << file << " names an option: " << line;
+			EXPECT_FALSE(std::regex_search(line, kProgram)) << file << " knows its program: " << line;
+		}
+	}
 }
 
 // A file must make sense to a reader who has nothing but the repository.
