@@ -112,7 +112,7 @@ vp::Result<Cut> DatasetState::cut(std::stop_token stop)
 	return Cut(std::move(state));
 }
 
-vp::Result<Image> DatasetState::draw(const Cut& cut, const View& view)
+vp::Result<Image> DatasetState::draw(const Cut& cut)
 {
 	vp::Result<vp::view::ResolvedLook> look = vp::view::resolveLook(session->spec);
 	if (!look)
@@ -140,7 +140,6 @@ vp::Result<Image> DatasetState::draw(const Cut& cut, const View& view)
 			return again.error();
 		drawn = std::move(*again);
 	}
-	static_cast<void>(view);
 	const vp::session::CutFrame& frame = drawn.state_->frame;
 	vp::Result<vp::render::Picture> picture = painter->draw(frame.slice, frame.sheets, frame.contours);
 	session->timeline->takeSections();
@@ -210,6 +209,7 @@ Result<Dataset> Dataset::wrap(std::vector<Block> blocks, Classify classify, cons
 
 const char* Dataset::kind() const
 {
+	const std::lock_guard lock(state_->mutex);
 	return state_->session->blocks.kind();
 }
 
@@ -227,6 +227,7 @@ std::size_t Dataset::pointCount() const
 
 std::size_t Dataset::blockCount() const
 {
+	const std::lock_guard lock(state_->mutex);
 	return state_->session->blocks.blocks.size();
 }
 
@@ -239,6 +240,7 @@ std::pair<Vector3, Vector3> Dataset::bounds() const
 
 std::vector<double> Dataset::times() const
 {
+	const std::lock_guard lock(state_->mutex);
 	return state_->session->blocks.times;
 }
 
@@ -433,7 +435,7 @@ Result<Samples> Dataset::sample(std::span<const Vector3> points, const std::vect
 
 Result<Image> Dataset::render(const Cut& cut, const View& view) const
 {
-	return withView<Image>(*state_, view, [&] { return state_->draw(cut, view); });
+	return withView<Image>(*state_, view, [&] { return state_->draw(cut); });
 }
 
 Result<Image> Dataset::render(const View& view) const
@@ -442,7 +444,7 @@ Result<Image> Dataset::render(const View& view) const
 	                       [&]() -> vp::Result<Image>
 	                       {
 		                       vp::Result<Cut> cut = state_->cut({});
-		                       return cut ? state_->draw(*cut, view) : cut.error();
+		                       return cut ? state_->draw(*cut) : cut.error();
 	                       });
 }
 
@@ -475,7 +477,7 @@ Status Dataset::sweep(const View& view, const std::function<bool(const SweepFram
 			SweepFrame frame{k, *count, std::move(*cut), {}};
 			if (draws)
 			{
-				vp::Result<Image> image = state_->draw(frame.cut, view);
+				vp::Result<Image> image = state_->draw(frame.cut);
 				if (!image)
 					return image.error();
 				frame.image = std::move(*image);

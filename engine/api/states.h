@@ -55,7 +55,7 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	vp::Status take(const View& view);         // the view's settings for the blocks there are
 	vp::Status link();                         // neighbors, where they are needed and not known
 	vp::Result<Cut> cut(std::stop_token stop); // as the session has it
-	vp::Result<Image> draw(const Cut& cut, const View& view);
+	vp::Result<Image> draw(const Cut& cut);    // by the settings that were taken last
 	std::shared_ptr<const vp::grid::BlockSet> blocks();
 };
 
