@@ -48,7 +48,7 @@ void refuseShortGzips(const fs::path& folder)
 	{
 		if (entry.path().extension() != ".gz")
 			continue;
-		if (entry.file_size() == 0 || !isWholeGzip(entry.path()))
+		if (!isWholeGzip(entry.path()) || entry.file_size() == 0)
 			throw damaged(fmt::format("{} ends early", entry.path().string()));
 	}
 }

@@ -10,6 +10,7 @@
 #include <ctime>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -135,6 +136,20 @@ int createBeside(const std::string& target, mode_t mode, std::string& name)
 	}
 }
 
+// Makes the folder of a file, for output that is complete. Gives those that were not there, the deepest first.
+std::vector<std::filesystem::path> makeFolders(const std::string& path)
+{
+	std::vector<std::filesystem::path> made;
+	std::error_code unknown;
+	for (std::filesystem::path folder = std::filesystem::path(path).parent_path();
+	     !folder.empty() && folder != folder.root_path() && !std::filesystem::exists(folder, unknown);
+	     folder = folder.parent_path())
+		made.push_back(folder);
+	if (!made.empty())
+		std::filesystem::create_directories(made.front(), unknown);
+	return made;
+}
+
 } // namespace
 
 std::string nearestFolder(const std::string& path)
@@ -176,9 +191,12 @@ Result<AtomicFile> AtomicFile::create(const std::string& path)
 	std::error_code failed;
 	const std::filesystem::path target = std::filesystem::weakly_canonical(path, failed);
 	file.target_ = failed ? path : target.string();
-	// The name itself is tried now: better than after the work.
-	if (std::filesystem::path(file.target_).filename().string().size() > 255)
-		return cannotWrite(path, ENAMETOOLONG);
+	// Names are tried now: better than after the work.
+	if (std::filesystem::path(path).filename().empty())
+		return cannotWrite(path, EISDIR);
+	for (const std::filesystem::path& name : std::filesystem::path(file.target_))
+		if (name.string().size() > 255)
+			return cannotWrite(path, ENAMETOOLONG);
 	file.descriptor_ = createBeside(file.target_, exists ? old.st_mode & 0777 : 0666, file.beside_);
 	if (file.descriptor_ < 0)
 	{
@@ -235,14 +253,17 @@ Status AtomicFile::commit()
 		error_ = errno;
 	if (!error_ && !beside_.empty())
 	{
-		// Folders are made for output that is complete.
-		std::error_code failed;
-		std::filesystem::create_directories(std::filesystem::path(target_).parent_path(), failed);
 		const Touching files;
-		if (std::rename(beside_.c_str(), target_.c_str()) != 0)
-			error_ = errno;
-		else
+		const std::vector<std::filesystem::path> made = makeFolders(target_);
+		if (std::rename(beside_.c_str(), target_.c_str()) == 0)
 			forget(std::exchange(beside_, {}));
+		else
+		{
+			error_ = errno;
+			std::error_code ignored;
+			for (const std::filesystem::path& folder : made)
+				std::filesystem::remove(folder, ignored);
+		}
 	}
 	discard();
 	if (error_)

@@ -133,6 +133,8 @@ TEST(AtomicFile, TellsWhatStandsInTheWay)
 	EXPECT_NE(failureOf(folder / "file/out").message.find("in the place of its folder"), std::string::npos);
 	EXPECT_NE(failureOf(folder.path()).message.find("name of a file"), std::string::npos);
 	EXPECT_NE(failureOf(folder / std::string(300, 'n')).message.find("shorter"), std::string::npos);
+	EXPECT_NE(failureOf(folder / ("new/" + std::string(300, 'n') + "/out")).message.find("shorter"), std::string::npos);
+	EXPECT_NE(failureOf(folder / "new/").message.find("name of a file"), std::string::npos);
 	EXPECT_EQ(folder.files(), 1u);
 }
 
