@@ -178,8 +178,7 @@ void addMachineOptions(CLI::App& command, SpecOptions& options)
 	command.add_option("--device", machine.device, "Vulkan device, by part of its name or by number")
 	    ->type_name("NAME|INDEX")
 	    ->group(kProbeGroup);
-	command.add_option("--threads", machine.threads, "Most threads to use (default: all cores)")
-	    ->group(kProbeGroup);
+	command.add_option("--threads", machine.threads, "Most threads to use (default: all cores)")->group(kProbeGroup);
 }
 
 void addExplain(CLI::App& command, SpecOptions& options)

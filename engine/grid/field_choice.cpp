@@ -82,11 +82,11 @@ Result<int> chooseComponent(const grid::Field& field, std::optional<int> compone
 	if (!component)
 		return field.components == 1 ? 0 : grid::kMagnitude;
 	if (*component >= field.components)
-		return Error{ErrorKind::usage,
-		             fmt::format("`component` {}: array {} has {} component{}; use {}", componentText(*component),
-		                         field.name, field.components, field.components == 1 ? "" : "s",
-		                         field.components == 1 ? "0"
-		                                               : fmt::format("0 to {} or magnitude", field.components - 1))};
+		return Error{
+		    ErrorKind::usage,
+		    fmt::format("`component` {}: array {} has {} component{}; use {}", componentText(*component), field.name,
+		                field.components, field.components == 1 ? "" : "s",
+		                field.components == 1 ? "0" : fmt::format("0 to {} or magnitude", field.components - 1))};
 	return *component;
 }
 

@@ -41,7 +41,7 @@ bool leavesDeviceIdle(const view::ProbeSpec& probe)
 std::future<Result<OpenedDevice>> openDevice(const view::ViewSpec& spec, DeviceUse use)
 {
 	return std::async(std::launch::async,
-	                  [&spec, use]
+	                  [spec, use]
 	                  {
 		                  nameThreadRow("device");
 		                  return open(spec, use);

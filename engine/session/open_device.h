@@ -26,7 +26,7 @@ struct OpenedDevice
 };
 
 // Opens the device that the settings ask for on a thread of its own, while inputs are read. None is an error where it
-// is asked for by name, draws, or must classify; otherwise the CPU does the work. The settings outlive it.
+// is asked for by name, draws, or must classify; otherwise the CPU does the work.
 std::future<Result<OpenedDevice>> openDevice(const view::ViewSpec& spec, DeviceUse use);
 
 /// Whether a cut leaves nothing for a device to classify: neither what replaces sheets nor an iso value does.

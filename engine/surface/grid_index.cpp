@@ -33,7 +33,8 @@ std::string nameOf(const GridIndex& at)
 
 std::string GridIndexRange::text() const
 {
-	return isOne() ? fmt::format("{}={}", axisName(axis), first) : fmt::format("{}={}..{}", axisName(axis), first, last);
+	return isOne() ? fmt::format("{}={}", axisName(axis), first)
+	               : fmt::format("{}={}..{}", axisName(axis), first, last);
 }
 
 Result<GridIndexRange> parseGridIndex(const std::string& text)

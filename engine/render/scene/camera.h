@@ -64,7 +64,7 @@ struct CameraChoice
 	Kind kind = Kind::automatic;
 	Vec3 direction{0.0};
 	Vec3 up{0.0};
-	Camera camera; // of one that is fitted, the field of view
+	Camera camera;             // of one that is fitted, the field of view
 	std::string text = "auto"; // as parseCamera() takes it
 
 	bool followsSheet() const { return kind == Kind::sheet; }

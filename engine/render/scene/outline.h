@@ -26,7 +26,6 @@ enum class Outline
 	edges // where boundary faces meet at more than 30 degrees, or other than in pairs
 };
 
-
 std::vector<Segment> outlineOf(const grid::BlockSet& blocks, Outline outline);
 
 // Points whose hull holds the blocks, close around them: what a camera fits into its picture.
