@@ -1,6 +1,5 @@
 #include "gpu/buffer.h"
 
-#include "gpu/memory.h"
 #include "gpu/vk_check.h"
 #include "gpu/workarounds.h"
 
@@ -25,14 +24,12 @@ Result<Buffer> Buffer::create(Device& device, VkDeviceSize size, VkBufferUsageFl
 
 	VkMemoryRequirements requirements;
 	vkGetBufferMemoryRequirements(device.handle(), buffer.handle_, &requirements);
-	Result<Allocation> allocation = allocate(device, requirements, memory, name);
-	if (!allocation)
-		return allocation.error();
-	buffer.memory_ = allocation->memory;
-	buffer.mapped_ = allocation->mapped;
-	buffer.coherent_ = allocation->coherent;
-	if (Status bound =
-	        check(vkBindBufferMemory(device.handle(), buffer.handle_, buffer.memory_, 0), "vkBindBufferMemory");
+	Result<Arena::Piece> piece = device.arena().take(requirements, memory);
+	if (!piece)
+		return piece.error();
+	buffer.piece_ = *piece;
+	if (Status bound = check(vkBindBufferMemory(device.handle(), buffer.handle_, piece->memory, piece->offset),
+	                         "vkBindBufferMemory");
 	    !bound)
 		return bound.error();
 	return buffer;
@@ -42,26 +39,27 @@ Buffer::~Buffer()
 {
 	if (handle_)
 		device_->retire(
-		    [handle = handle_, memory = memory_](VkDevice device)
+		    [handle = handle_, piece = piece_, &arena = device_->arena()](VkDevice device)
 		    {
 			    vkDestroyBuffer(device, handle, nullptr);
-			    vkFreeMemory(device, memory, nullptr);
+			    if (piece.page)
+				    arena.give(piece);
 		    });
 }
 
 void Buffer::flush() const
 {
-	if (coherent_)
+	if (piece_.coherent)
 		return;
-	const VkMappedMemoryRange range{VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE, nullptr, memory_, 0, VK_WHOLE_SIZE};
+	const VkMappedMemoryRange range = piece_.range();
 	require(vkFlushMappedMemoryRanges(device_->handle(), 1, &range), "vkFlushMappedMemoryRanges");
 }
 
 void Buffer::invalidate() const
 {
-	if (coherent_)
+	if (piece_.coherent)
 		return;
-	const VkMappedMemoryRange range{VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE, nullptr, memory_, 0, VK_WHOLE_SIZE};
+	const VkMappedMemoryRange range = piece_.range();
 	require(vkInvalidateMappedMemoryRanges(device_->handle(), 1, &range), "vkInvalidateMappedMemoryRanges");
 }
 
@@ -69,11 +67,9 @@ void Buffer::swap(Buffer& other) noexcept
 {
 	std::swap(device_, other.device_);
 	std::swap(handle_, other.handle_);
-	std::swap(memory_, other.memory_);
+	std::swap(piece_, other.piece_);
 	std::swap(size_, other.size_);
 	std::swap(usage_, other.usage_);
-	std::swap(mapped_, other.mapped_);
-	std::swap(coherent_, other.coherent_);
 }
 
 Result<TexelView> TexelView::create(const Buffer& buffer, VkFormat format, std::string_view name, VkDeviceSize offset,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/device.h"
+#include "gpu/memory.h"
 
 #include <cstddef>
 #include <utility>
@@ -8,14 +9,7 @@
 namespace vp::gpu
 {
 
-enum class Memory
-{
-	device,  // as fast as it gets for the GPU; mapped only where that costs nothing (software and integrated devices)
-	upload,  // written by the host, read by the GPU: coherent, device-local where there is such a thing
-	readback // written by the GPU, read by the host: cached; invalidate() before reading
-};
-
-// A buffer with memory of its own. Move-only; the destructor waits for nothing (see Device).
+// A buffer and its memory. Move-only; the destructor waits for nothing (see Device).
 class Buffer
 {
 public:
@@ -38,11 +32,11 @@ public:
 	Device& device() const { return *device_; }
 
 	// Null where the memory is not mapped; upload and readback memory always is.
-	void* mapped() const { return mapped_; }
+	void* mapped() const { return piece_.mapped; }
 	template <class T>
 	T* mappedAs() const
 	{
-		return static_cast<T*>(mapped_);
+		return static_cast<T*>(piece_.mapped);
 	}
 	void flush() const;      // host writes to the GPU; does nothing for coherent memory
 	void invalidate() const; // GPU writes to the host, after the wait; does nothing for coherent memory
@@ -52,11 +46,9 @@ private:
 
 	Device* device_ = nullptr;
 	VkBuffer handle_ = VK_NULL_HANDLE;
-	VkDeviceMemory memory_ = VK_NULL_HANDLE;
+	Arena::Piece piece_;
 	VkDeviceSize size_ = 0;
 	VkBufferUsageFlags usage_ = 0;
-	void* mapped_ = nullptr;
-	bool coherent_ = false;
 };
 
 // A buffer seen as an array of texels (the buffer's usage must say so); read with texelFetch in shaders.

@@ -101,7 +101,6 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 		return choice.error();
 	if (options.hardware_only && choice->type == VK_PHYSICAL_DEVICE_TYPE_CPU)
 		return no_hardware;
-	device->map_device_memory_ = options.map_device_memory;
 	device->physical_ = choice->handle;
 	device->name_ = choice->name;
 	device->type_ = choice->type;
@@ -152,6 +151,8 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 		return Error{ErrorKind::device, fmt::format("device {} cannot be used ({}); another one may do: `device`",
 		                                            device->name_, resultName(made))};
 	vkGetDeviceQueue(device->device_, device->queue_family_, 0, &device->queue_);
+	hidden.arena = std::make_unique<Arena>(device->device_,
+	                                       Arena::Needs{device->memory_, device->limits_, options.map_device_memory});
 	if (hidden.instance->debug_utils)
 	{
 		load(hidden.set_name, device->device_, "vkSetDebugUtilsObjectNameEXT");
@@ -186,6 +187,7 @@ Device::~Device()
 	vkDeviceWaitIdle(device_); // a lost device is idle too
 	for (const Private::Retired& retired : private_->retired)
 		retired.destroy(device_);
+	private_->arena.reset();
 	vkDestroyPipelineCache(device_, pipeline_cache_, nullptr);
 	vkDestroySemaphore(device_, timeline_, nullptr);
 	vkDestroyDevice(device_, nullptr);
@@ -205,10 +207,21 @@ VkDeviceSize Device::memoryLeft() const
 			continue;
 		VkDeviceSize left = memory_.memoryHeaps[i].size;
 		if (private_->has_memory_budget)
-			left = budget.heapBudget[i] - std::min(budget.heapBudget[i], budget.heapUsage[i]);
+			left =
+			    budget.heapBudget[i] - std::min(budget.heapBudget[i], budget.heapUsage[i]) + private_->arena->freeIn(i);
 		most = std::max(most, left);
 	}
 	return most;
+}
+
+Arena& Device::arena()
+{
+	return *private_->arena;
+}
+
+MemoryUse Device::memoryUse() const
+{
+	return private_->arena->use();
 }
 
 void Device::setName(VkObjectType type, std::uint64_t object, std::string_view name) const

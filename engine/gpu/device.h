@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "gpu/memory.h"
 #include "gpu/vulkan.h"
 
 #include <cstdint>
@@ -60,7 +61,8 @@ public:
 	VkQueue queue() const { return queue_; } // for libraries that ask for one; what is submitted goes through submit()
 	std::uint32_t queueFamily() const { return queue_family_; }
 	const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
-	bool mapsDeviceMemory() const { return map_device_memory_; }
+	Arena& arena(); // all memory of buffers and images
+	MemoryUse memoryUse() const;
 	VkPipelineCache pipelineCache() const { return pipeline_cache_; }
 
 	// Returns the number to wait for. Host writes made before are visible to the submission.
@@ -107,7 +109,6 @@ private:
 	VkPhysicalDeviceFeatures features_{};
 	VkPhysicalDeviceMemoryProperties memory_{};
 	VkDeviceSize max_buffer_size_ = 0;
-	bool map_device_memory_ = true;
 	std::uint32_t queue_family_ = 0;
 	std::uint32_t timestamp_bits_ = 0;
 	VkInstance instance_ = VK_NULL_HANDLE;

@@ -23,6 +23,7 @@ struct Device::Private
 	std::mutex retired_mutex;
 	std::deque<Retired> retired;
 	bool has_memory_budget = false;
+	std::unique_ptr<Arena> arena;
 
 	bool hasRetired();
 	// Takes out what nothing submitted uses any more, once `done` is done.

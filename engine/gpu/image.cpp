@@ -1,7 +1,6 @@
 #include "gpu/image.h"
 
 #include "gpu/commands.h"
-#include "gpu/memory.h"
 #include "gpu/upload.h"
 #include "gpu/vk_check.h"
 
@@ -46,11 +45,12 @@ Result<Image> Image::create(Device& device, const ImageInfo& info, std::string_v
 
 	VkMemoryRequirements requirements;
 	vkGetImageMemoryRequirements(device.handle(), image.handle_, &requirements);
-	Result<Allocation> allocation = allocate(device, requirements, Memory::device, name);
-	if (!allocation)
-		return allocation.error();
-	image.memory_ = allocation->memory;
-	if (Status bound = check(vkBindImageMemory(device.handle(), image.handle_, image.memory_, 0), "vkBindImageMemory");
+	Result<Arena::Piece> piece = device.arena().take(requirements, Memory::device);
+	if (!piece)
+		return piece.error();
+	image.piece_ = *piece;
+	if (Status bound =
+	        check(vkBindImageMemory(device.handle(), image.handle_, piece->memory, piece->offset), "vkBindImageMemory");
 	    !bound)
 		return bound.error();
 
@@ -75,11 +75,12 @@ Image::~Image()
 {
 	if (handle_)
 		device_->retire(
-		    [handle = handle_, memory = memory_, view = view_](VkDevice device)
+		    [handle = handle_, piece = piece_, view = view_, &arena = device_->arena()](VkDevice device)
 		    {
 			    vkDestroyImageView(device, view, nullptr);
 			    vkDestroyImage(device, handle, nullptr);
-			    vkFreeMemory(device, memory, nullptr);
+			    if (piece.page)
+				    arena.give(piece);
 		    });
 }
 
@@ -97,7 +98,7 @@ void Image::swap(Image& other) noexcept
 {
 	std::swap(device_, other.device_);
 	std::swap(handle_, other.handle_);
-	std::swap(memory_, other.memory_);
+	std::swap(piece_, other.piece_);
 	std::swap(view_, other.view_);
 	std::swap(info_, other.info_);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/device.h"
+#include "gpu/memory.h"
 
 #include <cstddef>
 #include <span>
@@ -78,7 +79,7 @@ private:
 
 	Device* device_ = nullptr;
 	VkImage handle_ = VK_NULL_HANDLE;
-	VkDeviceMemory memory_ = VK_NULL_HANDLE;
+	Arena::Piece piece_;
 	VkImageView view_ = VK_NULL_HANDLE;
 	ImageInfo info_;
 };

@@ -1,8 +1,11 @@
 #include "gpu/memory.h"
 
+#include "gpu/free_ranges.h"
 #include "gpu/vk_check.h"
 
+#include <algorithm>
 #include <bit>
+#include <cstddef>
 
 namespace vp::gpu
 {
@@ -61,48 +64,146 @@ int chooseType(const VkPhysicalDeviceMemoryProperties& memory, std::uint32_t all
 }
 } // namespace
 
-Result<Allocation> allocate(Device& device, const VkMemoryRequirements& requirements, Memory kind,
-                            std::string_view name)
+struct Arena::Page
 {
-	const VkPhysicalDeviceMemoryProperties& memory = device.memory();
-	const int type = chooseType(memory, requirements.memoryTypeBits, wishFor(kind), requirements.size);
+	std::uint32_t type;
+	VkDeviceMemory memory;
+	std::byte* mapped; // null where the host cannot see it
+	FreeRanges ranges;
+};
+
+Arena::Arena(VkDevice device, const Needs& needs)
+    : device_(device), memory_(needs.memory),
+      // With these as alignment and size of every piece, buffers and images may be neighbors, and what the host flushes
+      // of one piece is no part of another.
+      granule_(std::max(needs.limits.bufferImageGranularity, needs.limits.nonCoherentAtomSize)),
+      map_device_memory_(needs.map_device_memory)
+{
+}
+
+Arena::~Arena()
+{
+	for (const auto& page : pages_)
+		vkFreeMemory(device_, page->memory, nullptr);
+}
+
+Result<Arena::Piece> Arena::take(const VkMemoryRequirements& requirements, Memory kind)
+{
+	const MemoryPreference wish = wishFor(kind);
+	const int type = chooseType(memory_, requirements.memoryTypeBits, wish, requirements.size);
 	if (type < 0)
 		return check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "no memory type is large enough").error();
 
-	VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, nullptr, requirements.size,
-	                          static_cast<std::uint32_t>(type)};
-	Allocation made;
-	VkResult result = vkAllocateMemory(device.handle(), &info, nullptr, &made.memory);
-	if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY && kind == Memory::upload)
+	const std::lock_guard lock(mutex_);
+	const auto taken = [&](int of)
 	{
-		// The device-local window for the host may be full; memory of the host will do.
-		MemoryPreference plain = wishFor(kind);
-		plain.avoided |= plain.preferred;
-		plain.preferred = 0;
-		if (const int other = chooseType(memory, requirements.memoryTypeBits, plain, requirements.size); other != type)
-		{
-			info.memoryTypeIndex = static_cast<std::uint32_t>(other);
-			result = vkAllocateMemory(device.handle(), &info, nullptr, &made.memory);
-		}
-	}
-	if (Status allocated = check(result, "vkAllocateMemory"); !allocated)
-		return allocated.error();
-	device.setName(VK_OBJECT_TYPE_DEVICE_MEMORY, made.memory, name);
+		const VkMemoryPropertyFlags flags = memory_.memoryTypes[of].propertyFlags;
+		// Device memory is mapped only where writing it directly needs no flush.
+		const bool map =
+		    kind != Memory::device || (map_device_memory_ && (flags & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT));
+		return takeOfType(static_cast<std::uint32_t>(of), requirements.size, requirements.alignment, map);
+	};
+	Result<Piece> piece = taken(type);
+	if (piece || kind != Memory::upload || piece.error().kind != ErrorKind::out_of_memory)
+		return piece;
+	// The device-local window for the host may be full; memory of the host will do.
+	MemoryPreference plain = wish;
+	plain.avoided |= plain.preferred;
+	plain.preferred = 0;
+	const int other = chooseType(memory_, requirements.memoryTypeBits, plain, requirements.size);
+	return other == type ? piece : taken(other);
+}
 
-	const VkMemoryPropertyFlags flags = memory.memoryTypes[info.memoryTypeIndex].propertyFlags;
-	made.coherent = flags & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-	// Device memory is mapped only where writing it directly needs no flush.
-	const bool map = kind != Memory::device ||
-	                 (device.mapsDeviceMemory() && (flags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) && made.coherent);
-	if (map)
-		if (Status mapped =
-		        check(vkMapMemory(device.handle(), made.memory, 0, VK_WHOLE_SIZE, 0, &made.mapped), "vkMapMemory");
-		    !mapped)
+Result<Arena::Piece> Arena::takeOfType(std::uint32_t type, VkDeviceSize size, VkDeviceSize alignment, bool map)
+{
+	alignment = std::max(alignment, granule_);
+	size = (size + granule_ - 1) / granule_ * granule_;
+	const auto pieceOf = [&](Page& page, VkDeviceSize offset)
+	{
+		Piece piece{page.memory, offset, size, nullptr, false, &page};
+		piece.coherent = memory_.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+		if (map && page.mapped)
+			piece.mapped = page.mapped + offset;
+		return piece;
+	};
+	for (const auto& page : pages_)
+		if (page->type == type && page->ranges.free() >= size)
+			if (const auto offset = page->ranges.take(size, alignment))
+				return pieceOf(*page, *offset);
+
+	// A large piece has a page of its own, which goes back to the driver with it.
+	const VkDeviceSize shared = pageSize(type);
+	Result<Page*> page = addPage(type, size > shared / 2 ? size : shared);
+	if (!page && page.error().kind == ErrorKind::out_of_memory && size <= shared / 2)
+		page = addPage(type, size); // what is left may be less than a page
+	if (!page)
+		return page.error();
+	return pieceOf(**page, *(*page)->ranges.take(size, alignment));
+}
+
+Result<Arena::Page*> Arena::addPage(std::uint32_t type, VkDeviceSize size)
+{
+	const VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, nullptr, size, type};
+	VkDeviceMemory memory = VK_NULL_HANDLE;
+	if (Status allocated = check(vkAllocateMemory(device_, &info, nullptr, &memory), "vkAllocateMemory"); !allocated)
+		return allocated.error();
+	void* mapped = nullptr;
+	if (memory_.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT)
+		if (Status done = check(vkMapMemory(device_, memory, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory"); !done)
 		{
-			vkFreeMemory(device.handle(), made.memory, nullptr);
-			return mapped.error();
+			vkFreeMemory(device_, memory, nullptr);
+			return done.error();
 		}
-	return made;
+	pages_.push_back(std::make_unique<Page>(Page{type, memory, static_cast<std::byte*>(mapped), FreeRanges(size)}));
+	return pages_.back().get();
+}
+
+// A small page wastes little, and half a page is the least that is an allocation of its own: at most some two thousand
+// of them fit into a heap.
+VkDeviceSize Arena::pageSize(std::uint32_t type) const
+{
+	constexpr VkDeviceSize kLeast = VkDeviceSize(64) << 20;
+	const VkDeviceSize heap = memory_.memoryHeaps[memory_.memoryTypes[type].heapIndex].size;
+	return std::min(heap / 8, std::max(kLeast, heap / 1024));
+}
+
+void Arena::give(const Piece& piece)
+{
+	const std::lock_guard lock(mutex_);
+	piece.page->ranges.give(piece.offset, piece.size);
+	if (!piece.page->ranges.allFree())
+		return;
+	// One empty page of a type is kept, since what was needed is often needed again; not one of a single large piece.
+	const auto isSpare = [&](const auto& page)
+	{ return page.get() != piece.page && page->type == piece.page->type && page->ranges.allFree(); };
+	const bool is_shared = piece.page->ranges.bytes() == pageSize(piece.page->type);
+	if (is_shared && std::none_of(pages_.begin(), pages_.end(), isSpare))
+		return;
+	vkFreeMemory(device_, piece.memory, nullptr);
+	std::erase_if(pages_, [&](const auto& page) { return page.get() == piece.page; });
+}
+
+MemoryUse Arena::use() const
+{
+	const std::lock_guard lock(mutex_);
+	MemoryUse use;
+	use.pages = pages_.size();
+	for (const auto& page : pages_)
+	{
+		use.reserved += page->ranges.bytes();
+		use.used += page->ranges.bytes() - page->ranges.free();
+	}
+	return use;
+}
+
+VkDeviceSize Arena::freeIn(std::uint32_t heap) const
+{
+	const std::lock_guard lock(mutex_);
+	VkDeviceSize free = 0;
+	for (const auto& page : pages_)
+		if (memory_.memoryTypes[page->type].heapIndex == heap)
+			free += page->ranges.free();
+	return free;
 }
 
 } // namespace vp::gpu
