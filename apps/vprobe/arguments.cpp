@@ -1,50 +1,31 @@
 #include "arguments.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
-#include <array>
-#include <cstdlib>
-#include <string_view>
+#include <iterator>
+#include <map>
 
 namespace vp::app
 {
 
-namespace
+std::vector<std::string> joinNumbers(int argc, const char* const* argv)
 {
-
-struct Folded
-{
-	std::string_view option;
-	int numbers; // at most
-};
-constexpr std::array<Folded, 2> kFolded{{{"--normal", 3}, {"--camera", 9}}};
-
-bool isNumber(const std::string& text)
-{
-	char* end = nullptr;
-	std::strtod(text.c_str(), &end);
-	return !text.empty() && *end == '\0';
-}
-
-} // namespace
-
-std::vector<std::string> foldNumbers(int argc, const char* const* argv)
-{
+	static const std::map<std::string, std::ptrdiff_t> most{{"--normal", 3}, {"--camera", 9}};
+	const std::vector<std::string> given(argv + 1, argv + argc);
 	std::vector<std::string> arguments;
-	for (int i = 1; i < argc; ++i)
+	for (auto argument = given.begin(); argument != given.end();)
 	{
-		const std::string argument = argv[i];
-		const auto folded =
-		    std::find_if(kFolded.begin(), kFolded.end(), [&](const Folded& f) { return f.option == argument; });
-		if (folded == kFolded.end() || i + 1 == argc || std::string_view(argv[i + 1]).starts_with("--"))
-		{
-			arguments.push_back(argument);
+		arguments.push_back(*argument++);
+		const auto option = most.find(arguments.back());
+		if (option == most.end())
 			continue;
-		}
-		std::string values = argv[++i];
-		if (isNumber(values))
-			for (int taken = 1; taken < folded->numbers && i + 1 < argc && isNumber(argv[i + 1]); ++taken)
-				values += std::string(" ") + argv[++i];
-		arguments.push_back(argument + "=" + values);
+		const auto end = std::next(argument, std::min(option->second, std::distance(argument, given.end())));
+		const auto words = std::find_if(argument, end, [](const std::string& s) { return !CLI::Number(s).empty(); });
+		if (words == argument)
+			continue;
+		arguments.push_back(CLI::detail::join(std::vector(argument, words), " "));
+		argument = words;
 	}
 	std::reverse(arguments.begin(), arguments.end());
 	return arguments;

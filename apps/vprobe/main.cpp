@@ -83,7 +83,7 @@ int main(int argc, char** argv)
 	}
 	try
 	{
-		program.parse(vp::app::foldNumbers(argc, argv));
+		program.parse(vp::app::joinNumbers(argc, argv));
 	}
 	catch (const CLI::CallForHelp&)
 	{
