@@ -106,13 +106,27 @@ vp::Result<Cut> DatasetState::cut(std::stop_token stop)
 		return frame.error();
 	++cuts;
 	auto state = std::make_shared<Cut::State>();
+	state->device = session->device;
 	state->blocks = blocks();
 	state->frame = std::move(*frame);
 	state->linking = linking;
 	return Cut(std::move(state));
 }
 
-vp::Result<Image> DatasetState::draw(const Cut& cut)
+vp::Status DatasetState::takeDevice(std::shared_ptr<vp::gpu::Device> callers)
+{
+	target.reset();
+	painter.reset();
+	session->renderer.reset();
+	session->cutter.reset();
+	session->break_even.reset();
+	has_callers_device = callers != nullptr;
+	session->device = std::move(callers);
+	++linking; // cuts may have their polygons on the device before
+	return vp::session::makeCutter(*session);
+}
+
+vp::Result<Cut> DatasetState::readyToDraw(const Cut& cut)
 {
 	vp::Result<vp::view::ResolvedLook> look = vp::view::resolveLook(session->spec);
 	if (!look)
@@ -131,31 +145,28 @@ vp::Result<Image> DatasetState::draw(const Cut& cut)
 			return made.error();
 		painter.emplace(std::move(*made));
 	}
-	Cut drawn = cut;
-	if (cut.state_->linking != linking)
-	{
-		// Cells have other numbers now.
-		vp::Result<Cut> again = this->cut({});
-		if (!again)
-			return again.error();
-		drawn = std::move(*again);
-	}
-	const vp::session::CutFrame& frame = drawn.state_->frame;
+	return cut.state_->linking == linking ? vp::Result<Cut>(cut) : this->cut({});
+}
+
+vp::Error DatasetState::afterFailure(const vp::Error& error)
+{
+	// A device that was lost is replaced at the next picture. Cells are classified without one.
+	if (error.kind == vp::ErrorKind::device)
+		if (vp::Status left = takeDevice(nullptr); !left)
+			return left.error();
+	return error;
+}
+
+vp::Result<Image> DatasetState::draw(const Cut& cut)
+{
+	const vp::Result<Cut> drawn = readyToDraw(cut);
+	if (!drawn)
+		return drawn.error();
+	const vp::session::CutFrame& frame = drawn->state_->frame;
 	vp::Result<vp::render::Picture> picture = painter->draw(frame.slice, frame.sheets, frame.contours);
 	session->timeline->takeSections();
 	if (!picture)
-	{
-		if (picture.error().kind == vp::ErrorKind::device)
-		{
-			// It was lost; the next picture opens another. Cells are classified without one.
-			painter.reset();
-			session->cutter.reset();
-			session->device.reset();
-			if (vp::Status made = vp::session::makeCutter(*session); !made)
-				return made.error();
-		}
-		return picture.error();
-	}
+		return afterFailure(picture.error());
 	return Image{picture->width, picture->height, std::move(picture->rgba)};
 }
 
@@ -281,26 +292,6 @@ void Dataset::modified()
 	if (state_->painter)
 		state_->painter->forgetScales();
 }
-
-namespace
-{
-
-// Runs `work` with the state's lock, the view taken.
-template <class T, class Work>
-Result<T> withView(DatasetState& state, const View& view, Work&& work)
-{
-	return guarded(
-	    [&]() -> Result<T>
-	    {
-		    const std::lock_guard lock(state.mutex);
-		    if (vp::Status taken = state.take(view); !taken)
-			    return publicError(taken.error());
-		    vp::Result<T> done = work();
-		    return done ? Result<T>(std::move(*done)) : publicError(done.error());
-	    });
-}
-
-} // namespace
 
 Result<Cut> Dataset::cut(const View& view, std::stop_token stop) const
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "api/border.h"
+#include "gpu/image.h"
 #include "session/cut_frame.h"
 #include "session/painter.h"
 #include "session/session.h"
@@ -34,6 +36,7 @@ struct Mesh::State
 
 struct Cut::State
 {
+	std::shared_ptr<vp::gpu::Device> device; // polygons may lie in its memory
 	// The grids as the cut knows them: those of the data set, or, where that has got neighbors since, as they were.
 	std::shared_ptr<const vp::grid::BlockSet> blocks;
 	vp::session::CutFrame frame;
@@ -48,6 +51,8 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	std::optional<vp::session::Painter> painter;
 	std::uint64_t linking = 0; // rises when cells get other numbers
 	std::size_t cuts = 0;
+	bool has_callers_device = false;
+	std::optional<vp::gpu::Image> target; // the last picture for an image of the caller's
 
 	static Result<std::shared_ptr<DatasetState>> of(vp::Result<std::unique_ptr<vp::session::Session>> opened);
 
@@ -56,11 +61,37 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	vp::Status link();                         // neighbors, where they are needed and not known
 	vp::Result<Cut> cut(std::stop_token stop); // as the session has it
 	vp::Result<Image> draw(const Cut& cut);    // by the settings that were taken last
+	// Makes the painter ready for those settings. The cut to draw: another where cells have got other numbers.
+	vp::Result<Cut> readyToDraw(const Cut& cut);
+	// A caller's device draws and classifies from now on; null: one is opened for the next picture.
+	vp::Status takeDevice(std::shared_ptr<vp::gpu::Device> callers);
+	vp::Status drawForCaller(const Cut& cut, VkExtent2D extent); // into `target`
+	vp::Error afterFailure(const vp::Error& error);              // of drawing; leaves a device that was lost
 	std::shared_ptr<const vp::grid::BlockSet> blocks();
 };
 
+// Runs `work` with the data set's lock, the view taken.
+template <class T, class Work>
+Result<T> withView(DatasetState& state, const View& view, Work&& work)
+{
+	return guarded(
+	    [&]() -> Result<T>
+	    {
+		    const std::lock_guard lock(state.mutex);
+		    if (vp::Status taken = state.take(view); !taken)
+			    return publicError(taken.error());
+		    vp::Result<T> done = work();
+		    return done ? Result<T>(std::move(*done)) : publicError(done.error());
+	    });
+}
+
 // The session's blocks of what a caller has; throws read::Unusable.
 vp::grid::BlockSet wrapped(std::vector<Block> blocks);
+
+inline DatasetState& stateOf(const Dataset& data)
+{
+	return *data.state_;
+}
 
 ArrayInfo infoOf(const vp::grid::Field& field);
 

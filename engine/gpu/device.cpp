@@ -22,25 +22,6 @@ bool validationWanted(const DeviceOptions& options)
 	return options.validation.value_or(set && *set && std::string_view(set) != "0");
 }
 
-// What drawing uses where it is there; the rest stays off.
-VkPhysicalDeviceFeatures optionalFeatures(VkPhysicalDevice device)
-{
-	VkPhysicalDeviceFeatures present;
-	vkGetPhysicalDeviceFeatures(device, &present);
-	VkPhysicalDeviceFeatures wanted{};
-	wanted.fragmentStoresAndAtomics = present.fragmentStoresAndAtomics;
-	wanted.vertexPipelineStoresAndAtomics = present.vertexPipelineStoresAndAtomics;
-	wanted.independentBlend = present.independentBlend;
-	wanted.fillModeNonSolid = present.fillModeNonSolid;
-	wanted.wideLines = present.wideLines;
-	wanted.multiDrawIndirect = present.multiDrawIndirect;
-	wanted.shaderStorageImageExtendedFormats = present.shaderStorageImageExtendedFormats;
-	wanted.shaderStorageImageWriteWithoutFormat = present.shaderStorageImageWriteWithoutFormat;
-	wanted.shaderInt64 = present.shaderInt64;
-	wanted.shaderFloat64 = present.shaderFloat64;
-	return wanted;
-}
-
 // CLOCK_MONOTONIC, which is what the steady clock reads on Linux.
 bool calibratesToSteadyClock(VkInstance instance, VkPhysicalDevice device)
 {
@@ -101,29 +82,11 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 		return choice.error();
 	if (options.hardware_only && choice->type == VK_PHYSICAL_DEVICE_TYPE_CPU)
 		return no_hardware;
-	device->physical_ = choice->handle;
-	device->name_ = choice->name;
-	device->type_ = choice->type;
-	device->queue_family_ = choice->queue_family;
-
-	VkPhysicalDeviceMaintenance4Properties maintenance4{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
-	VkPhysicalDeviceMaintenance3Properties maintenance3{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES,
-	                                                    &maintenance4};
-	VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &maintenance3};
-	vkGetPhysicalDeviceProperties2(device->physical_, &properties);
-	device->limits_ = properties.properties.limits;
-	device->max_buffer_size_ = std::min(maintenance4.maxBufferSize, maintenance3.maxMemoryAllocationSize);
-	vkGetPhysicalDeviceMemoryProperties(device->physical_, &device->memory_);
-	std::uint32_t families = 0;
-	vkGetPhysicalDeviceQueueFamilyProperties(device->physical_, &families, nullptr);
-	std::vector<VkQueueFamilyProperties> family(families);
-	vkGetPhysicalDeviceQueueFamilyProperties(device->physical_, &families, family.data());
-	device->timestamp_bits_ = family[device->queue_family_].timestampValidBits;
+	device->examined(*choice);
 
 	std::vector<const char*> extensions;
 	if (options.swapchain)
 		extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
-	hidden.has_memory_budget = choice->has(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
 	if (hidden.has_memory_budget)
 		extensions.push_back(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
 	const bool calibrates = choice->has(VK_EXT_CALIBRATED_TIMESTAMPS_EXTENSION_NAME) &&
@@ -131,18 +94,14 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 	if (calibrates)
 		extensions.push_back(VK_EXT_CALIBRATED_TIMESTAMPS_EXTENSION_NAME);
 
-	VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
-	v13.synchronization2 = v13.dynamicRendering = v13.maintenance4 = VK_TRUE;
-	VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &v13};
-	v12.timelineSemaphore = v12.scalarBlockLayout = v12.hostQueryReset = VK_TRUE;
-	VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v12};
-	features.features = device->features_ = optionalFeatures(device->physical_);
+	const WantedFeatures features(device->physical_);
+	device->features_ = features.all().features;
 	const float priority = 1.0f;
 	VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
 	queue.queueFamilyIndex = device->queue_family_;
 	queue.queueCount = 1;
 	queue.pQueuePriorities = &priority;
-	VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
+	VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features.all()};
 	info.queueCreateInfoCount = 1;
 	info.pQueueCreateInfos = &queue;
 	info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
@@ -151,8 +110,6 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 		return Error{ErrorKind::device, fmt::format("device {} cannot be used ({}); another one may do: `device`",
 		                                            device->name_, resultName(made))};
 	vkGetDeviceQueue(device->device_, device->queue_family_, 0, &device->queue_);
-	hidden.arena = std::make_unique<Arena>(device->device_,
-	                                       Arena::Needs{device->memory_, device->limits_, options.map_device_memory});
 	if (hidden.instance->debug_utils)
 	{
 		load(hidden.set_name, device->device_, "vkSetDebugUtilsObjectNameEXT");
@@ -162,35 +119,88 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 	if (calibrates)
 		load(hidden.calibrated_timestamps, device->device_, "vkGetCalibratedTimestampsEXT");
 
+	device->owned_ = true;
+	if (Status ready = device->getReady(options.map_device_memory); !ready)
+		return ready.error();
+	return device;
+}
+
+Result<std::unique_ptr<Device>> Device::adopt(AdoptedDevice adopted)
+{
+	Candidate candidate = examine(adopted.physical, false);
+	if (!candidate.lacks.empty())
+		return unusable(candidate);
+	candidate.queue_family = adopted.queue_family;
+	std::unique_ptr<Device> device(new Device);
+	device->instance_ = adopted.instance;
+	device->examined(candidate);
+	device->features_ = WantedFeatures(adopted.physical).all().features;
+	device->device_ = adopted.device;
+	device->queue_ = adopted.queue;
+	device->private_->lock_queue = std::move(adopted.lock_queue);
+	device->private_->unlock_queue = std::move(adopted.unlock_queue);
+	if (Status ready = device->getReady(true); !ready)
+		return ready.error();
+	return device;
+}
+
+void Device::examined(const Candidate& candidate)
+{
+	physical_ = candidate.handle;
+	name_ = candidate.name;
+	type_ = candidate.type;
+	queue_family_ = candidate.queue_family;
+
+	VkPhysicalDeviceMaintenance4Properties maintenance4{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
+	VkPhysicalDeviceMaintenance3Properties maintenance3{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES,
+	                                                    &maintenance4};
+	VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &maintenance3};
+	vkGetPhysicalDeviceProperties2(physical_, &properties);
+	limits_ = properties.properties.limits;
+	max_buffer_size_ = std::min(maintenance4.maxBufferSize, maintenance3.maxMemoryAllocationSize);
+	vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
+	private_->has_memory_budget = candidate.has(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+	std::uint32_t families = 0;
+	vkGetPhysicalDeviceQueueFamilyProperties(physical_, &families, nullptr);
+	std::vector<VkQueueFamilyProperties> family(families);
+	vkGetPhysicalDeviceQueueFamilyProperties(physical_, &families, family.data());
+	timestamp_bits_ = family[queue_family_].timestampValidBits;
+}
+
+Status Device::getReady(bool map_device_memory)
+{
+	private_->arena = std::make_unique<Arena>(device_, Arena::Needs{memory_, limits_, map_device_memory});
 	VkSemaphoreTypeCreateInfo timeline{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO};
 	timeline.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
 	const VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &timeline, 0};
-	if (Status made =
-	        check(vkCreateSemaphore(device->device_, &semaphore, nullptr, &device->timeline_), "vkCreateSemaphore");
-	    !made)
-		return made.error();
+	if (Status made = check(vkCreateSemaphore(device_, &semaphore, nullptr, &timeline_), "vkCreateSemaphore"); !made)
+		return made;
 	const VkPipelineCacheCreateInfo cache{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
-	if (Status made = check(vkCreatePipelineCache(device->device_, &cache, nullptr, &device->pipeline_cache_),
-	                        "vkCreatePipelineCache");
+	if (Status made = check(vkCreatePipelineCache(device_, &cache, nullptr, &pipeline_cache_), "vkCreatePipelineCache");
 	    !made)
-		return made.error();
-	device->setName(VK_OBJECT_TYPE_QUEUE, device->queue_, "queue");
-	device->setName(VK_OBJECT_TYPE_SEMAPHORE, device->timeline_, "submissions");
-	device->setName(VK_OBJECT_TYPE_PIPELINE_CACHE, device->pipeline_cache_, "pipelines");
-	return device;
+		return made;
+	setName(VK_OBJECT_TYPE_QUEUE, queue_, "queue");
+	setName(VK_OBJECT_TYPE_SEMAPHORE, timeline_, "submissions");
+	setName(VK_OBJECT_TYPE_PIPELINE_CACHE, pipeline_cache_, "pipelines");
+	return Nothing{};
 }
 
 Device::~Device()
 {
 	if (!device_)
 		return;
-	vkDeviceWaitIdle(device_); // a lost device is idle too
+	// A lost device is idle too. Others may submit to one that is not ours.
+	if (owned_)
+		vkDeviceWaitIdle(device_);
+	else if (timeline_)
+		static_cast<void>(wait(private_->submitted)); // fails where the device is lost, and then all is done
 	for (const Private::Retired& retired : private_->retired)
 		retired.destroy(device_);
 	private_->arena.reset();
 	vkDestroyPipelineCache(device_, pipeline_cache_, nullptr);
 	vkDestroySemaphore(device_, timeline_, nullptr);
-	vkDestroyDevice(device_, nullptr);
+	if (owned_)
+		vkDestroyDevice(device_, nullptr);
 }
 
 VkDeviceSize Device::memoryLeft() const
@@ -250,12 +260,12 @@ void Device::endLabel(VkCommandBuffer commands) const
 
 bool Device::validates() const
 {
-	return private_->instance->validates;
+	return private_->instance && private_->instance->validates;
 }
 
 std::size_t Device::validationMessages() const
 {
-	return private_->instance->messages;
+	return private_->instance ? private_->instance->messages.load() : 0;
 }
 
 bool Device::calibrate(std::uint64_t& gpu_ticks, std::uint64_t& steady_ns) const

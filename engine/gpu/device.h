@@ -16,6 +16,8 @@
 namespace vp::gpu
 {
 
+struct Candidate; // device_choice.h
+
 struct DeviceOptions
 {
 	std::string name_or_index;                    // part of a device's name, or its index; empty takes the best one
@@ -24,6 +26,18 @@ struct DeviceOptions
 	bool swapchain = false;
 	bool hardware_only = false;    // software on the CPU is no device then
 	bool map_device_memory = true; // false: device memory is filled by copies even where it could be written directly
+};
+
+// A device of a caller's, created with WantedFeatures (device_choice.h), and a queue of it for graphics and compute.
+struct AdoptedDevice
+{
+	VkInstance instance = VK_NULL_HANDLE;
+	VkPhysicalDevice physical = VK_NULL_HANDLE;
+	VkDevice device = VK_NULL_HANDLE;
+	VkQueue queue = VK_NULL_HANDLE;
+	std::uint32_t queue_family = 0;
+	std::function<void()> lock_queue; // called around everything that is done with the queue; may be empty
+	std::function<void()> unlock_queue;
 };
 
 // Work for the queue. The semaphores are binary ones, as a swapchain needs them.
@@ -44,7 +58,10 @@ public:
 	// No loader, no device or a device that lacks something: ErrorKind::device, with a line that says what to
 	// install. A name or index that matches nothing lists what there is.
 	static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
-	~Device(); // waits until the queue is idle
+	// The device and what it was made from stay the caller's, and outlive this. ErrorKind::device where it lacks
+	// something.
+	static Result<std::unique_ptr<Device>> adopt(AdoptedDevice adopted);
+	~Device(); // waits for what was submitted
 	Device(const Device&) = delete;
 	Device& operator=(const Device&) = delete;
 
@@ -100,6 +117,8 @@ public:
 private:
 	struct Private;
 	Device();
+	void examined(const Candidate& candidate); // takes its properties
+	Status getReady(bool map_device_memory);   // once there is a device
 	void destroyRetired();
 
 	std::unique_ptr<Private> private_;
@@ -114,6 +133,7 @@ private:
 	VkInstance instance_ = VK_NULL_HANDLE;
 	VkPhysicalDevice physical_ = VK_NULL_HANDLE;
 	VkDevice device_ = VK_NULL_HANDLE;
+	bool owned_ = false;
 	VkQueue queue_ = VK_NULL_HANDLE;
 	VkSemaphore timeline_ = VK_NULL_HANDLE;
 	VkPipelineCache pipeline_cache_ = VK_NULL_HANDLE;

@@ -60,6 +60,27 @@ std::vector<std::string> missingFeatures(VkPhysicalDevice device)
 	return missing;
 }
 
+// What drawing uses where it is there; the rest stays off.
+VkPhysicalDeviceFeatures optionalFeatures(VkPhysicalDevice device)
+{
+	VkPhysicalDeviceFeatures present;
+	vkGetPhysicalDeviceFeatures(device, &present);
+	VkPhysicalDeviceFeatures wanted{};
+	wanted.fragmentStoresAndAtomics = present.fragmentStoresAndAtomics;
+	wanted.vertexPipelineStoresAndAtomics = present.vertexPipelineStoresAndAtomics;
+	wanted.independentBlend = present.independentBlend;
+	wanted.fillModeNonSolid = present.fillModeNonSolid;
+	wanted.wideLines = present.wideLines;
+	wanted.multiDrawIndirect = present.multiDrawIndirect;
+	wanted.shaderStorageImageExtendedFormats = present.shaderStorageImageExtendedFormats;
+	wanted.shaderStorageImageWriteWithoutFormat = present.shaderStorageImageWriteWithoutFormat;
+	wanted.shaderInt64 = present.shaderInt64;
+	wanted.shaderFloat64 = present.shaderFloat64;
+	return wanted;
+}
+
+} // namespace
+
 Candidate examine(VkPhysicalDevice device, bool swapchain)
 {
 	VkPhysicalDeviceProperties properties;
@@ -81,6 +102,9 @@ Candidate examine(VkPhysicalDevice device, bool swapchain)
 		candidate.lacks.push_back("windows (" VK_KHR_SWAPCHAIN_EXTENSION_NAME ")");
 	return candidate;
 }
+
+namespace
+{
 
 int rank(VkPhysicalDeviceType type)
 {
@@ -112,6 +136,19 @@ bool isIndex(const std::string& text)
 }
 } // namespace
 
+Error unusable(const Candidate& candidate)
+{
+	return Error{ErrorKind::device, fmt::format("device {} lacks {}; a newer driver may have it", candidate.name,
+	                                            fmt::join(candidate.lacks, ", "))};
+}
+
+WantedFeatures::WantedFeatures(VkPhysicalDevice device)
+{
+	v13_.synchronization2 = v13_.dynamicRendering = v13_.maintenance4 = VK_TRUE;
+	v12_.timelineSemaphore = v12_.scalarBlockLayout = v12_.hostQueryReset = VK_TRUE;
+	features_.features = optionalFeatures(device);
+}
+
 bool Candidate::has(const char* extension) const
 {
 	return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
@@ -137,11 +174,6 @@ Result<Candidate> chooseDevice(VkInstance instance, const std::string& name_or_i
 		list += fmt::format("{}{}: {}", list.empty() ? "" : ", ", candidates.size() - 1, candidates.back().name);
 	}
 
-	const auto unusable = [](const Candidate& candidate)
-	{
-		return Error{ErrorKind::device, fmt::format("device {} lacks {}; a newer driver may have it", candidate.name,
-		                                            fmt::join(candidate.lacks, ", "))};
-	};
 	if (isIndex(name_or_index))
 	{
 		const std::size_t index = std::stoul(name_or_index);

@@ -23,6 +23,28 @@ struct Candidate
 	bool has(const char* extension) const;
 };
 
+Candidate examine(VkPhysicalDevice device, bool swapchain);
+
+// A device error that names what the candidate lacks.
+Error unusable(const Candidate& candidate);
+
+// The features that a device is created with: those that the engine needs, and those that it uses where they are there.
+// vkCreateDevice takes all(), which refers to the rest.
+class WantedFeatures
+{
+public:
+	explicit WantedFeatures(VkPhysicalDevice device);
+	WantedFeatures(const WantedFeatures&) = delete;
+	WantedFeatures& operator=(const WantedFeatures&) = delete;
+
+	const VkPhysicalDeviceFeatures2& all() const { return features_; }
+
+private:
+	VkPhysicalDeviceVulkan13Features v13_{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+	VkPhysicalDeviceVulkan12Features v12_{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &v13_};
+	VkPhysicalDeviceFeatures2 features_{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v12_};
+};
+
 // The best device (discrete before integrated, virtual and CPU), or the one that `name_or_index` says.
 Result<Candidate> chooseDevice(VkInstance instance, const std::string& name_or_index, bool swapchain);
 

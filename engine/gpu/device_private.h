@@ -17,13 +17,17 @@ struct Device::Private
 		std::function<void(VkDevice)> destroy;
 	};
 
-	std::unique_ptr<Instance> instance;
-	std::mutex queue_mutex; // the queue and the number of its last submission
+	std::unique_ptr<Instance> instance; // null: a caller's
+	std::mutex queue_mutex;             // the queue and the number of its last submission
 	std::uint64_t submitted = 0;
 	std::mutex retired_mutex;
 	std::deque<Retired> retired;
 	bool has_memory_budget = false;
 	std::unique_ptr<Arena> arena;
+
+	// Of a caller's queue; empty for our own.
+	std::function<void()> lock_queue;
+	std::function<void()> unlock_queue;
 
 	bool hasRetired();
 	// Takes out what nothing submitted uses any more, once `done` is done.
@@ -33,6 +37,27 @@ struct Device::Private
 	PFN_vkCmdBeginDebugUtilsLabelEXT begin_label = nullptr;
 	PFN_vkCmdEndDebugUtilsLabelEXT end_label = nullptr;
 	PFN_vkGetCalibratedTimestampsEXT calibrated_timestamps = nullptr;
+};
+
+// Work with the queue itself; queue_mutex is held.
+class QueueTurn
+{
+public:
+	explicit QueueTurn(const std::function<void()>& lock, const std::function<void()>& unlock) : unlock_(unlock)
+	{
+		if (lock)
+			lock();
+	}
+	~QueueTurn()
+	{
+		if (unlock_)
+			unlock_();
+	}
+	QueueTurn(const QueueTurn&) = delete;
+	QueueTurn& operator=(const QueueTurn&) = delete;
+
+private:
+	const std::function<void()>& unlock_;
 };
 
 } // namespace vp::gpu

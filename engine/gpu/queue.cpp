@@ -38,6 +38,7 @@ Result<std::uint64_t> Device::submit(const Submission& submission)
 	submit.pCommandBufferInfos = commands.data();
 	submit.signalSemaphoreInfoCount = static_cast<std::uint32_t>(signal.size());
 	submit.pSignalSemaphoreInfos = signal.data();
+	const QueueTurn turn(private_->lock_queue, private_->unlock_queue);
 	if (Status submitted = check(vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2"); !submitted)
 		return submitted.error();
 	return ++private_->submitted;
@@ -80,6 +81,7 @@ Status Device::waitIdle()
 {
 	// Not only submissions: a presentation still waits for its semaphore.
 	const std::lock_guard lock(private_->queue_mutex);
+	const QueueTurn turn(private_->lock_queue, private_->unlock_queue);
 	return check(vkQueueWaitIdle(queue_), "vkQueueWaitIdle");
 }
 
@@ -88,6 +90,7 @@ VkResult Device::present(const VkPresentInfoKHR& info)
 	const auto queue_present =
 	    reinterpret_cast<PFN_vkQueuePresentKHR>(vkGetDeviceProcAddr(device_, "vkQueuePresentKHR"));
 	const std::lock_guard lock(private_->queue_mutex);
+	const QueueTurn turn(private_->lock_queue, private_->unlock_queue);
 	return queue_present(queue_, &info);
 }
 

@@ -241,6 +241,17 @@ Result<render::Picture> Painter::draw(const cut::Cut& slice, const std::vector<S
 	return scene ? renderer_.draw(*scene, session_.timeline.get()) : scene.error();
 }
 
+Status Painter::drawInto(const gpu::Image& image, const cut::Cut& slice, const std::vector<SheetStats>& sheets,
+                         const Contours& contours)
+{
+	const TimedSection section(session_.timeline.get(), "render");
+	Result<render::Scene> scene = sceneOf(slice, sheets, contours);
+	if (!scene)
+		return scene.error();
+	Result<bool> drawn = renderer_.drawInto(*scene, image, {}, session_.timeline.get());
+	return drawn ? Status(Nothing{}) : drawn.error();
+}
+
 Result<render::Picture> Painter::drawEmpty(const cut::Cut& slice, const std::vector<SheetStats>& sheets)
 {
 	const TimedSection section(session_.timeline.get(), "render");

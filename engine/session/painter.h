@@ -44,6 +44,10 @@ public:
 	                              const Contours& contours = {});
 	render::Renderer& renderer() { return renderer_; }
 
+	// The same into an image, as Renderer::drawInto() takes it.
+	Status drawInto(const gpu::Image& image, const cut::Cut& slice, const std::vector<SheetStats>& sheets,
+	                const Contours& contours);
+
 	// Section "render" on the session's timeline. sheets: sheetStats() of the slice.
 	Result<render::Picture> draw(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
 	                             const Contours& contours = {});

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -128,6 +129,14 @@ Status checkThreshold(const ProbeSpec& probe)
 	return Nothing{};
 }
 
+Status checkSize(const PictureSize& size)
+{
+	if (std::min(size.width, size.height) == 0 || std::max(size.width, size.height) > render::kMaxPictureSize)
+		return usage(fmt::format("`size` {}x{}: no size; write WIDTHxHEIGHT in pixels, as 1280x720, up to {}",
+		                         size.width, size.height, render::kMaxPictureSize));
+	return Nothing{};
+}
+
 Status checkRange(const LookSpec& look)
 {
 	if (look.symmetric && look.logarithmic)
@@ -165,7 +174,7 @@ Status validate(const ViewSpec& spec)
 {
 	for (const Status& fits : {checkPlace(spec.probe), checkNumbers(spec), checkShape(spec.probe), checkSurface(spec),
 	                           checkVectors(spec.probe), checkContours(spec.look.contour, spec.probe),
-	                           checkThreshold(spec.probe), checkRange(spec.look)})
+	                           checkThreshold(spec.probe), checkRange(spec.look), checkSize(spec.look.size)})
 		if (!fits)
 			return fits;
 	return Nothing{};

@@ -21,6 +21,10 @@ std::string xmlText(const std::string& name)
 			escaped +=
 			    static_cast<unsigned char>(c) < ' ' || (static_cast<unsigned char>(c) >= 0x80 && !is_utf8) ? '_' : c;
 	}
+	// U+FFFE and U+FFFF are characters of no XML document.
+	for (const char* forbidden : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
+		for (std::size_t at = 0; is_utf8 && (at = escaped.find(forbidden, at)) != std::string::npos;)
+			escaped.replace(at, 3, "_");
 	return escaped;
 }
 

@@ -28,15 +28,6 @@ std::size_t drawn(const vprobe::Image& image)
 	return count;
 }
 
-vprobe::View onWhite()
-{
-	vprobe::View view;
-	view.size(320, 200).normal({0.3, 0.5, 0.8});
-	EXPECT_TRUE(view.set("background", "white"));
-	EXPECT_TRUE(view.set("samples", "2"));
-	return view;
-}
-
 } // namespace
 
 TEST(Picture, TenDataSetsAreDrawnAndLeaveNothingOpen)

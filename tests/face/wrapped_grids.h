@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <vprobe/vprobe.h>
 
 #include <array>
@@ -96,5 +98,14 @@ struct Box
 	std::vector<std::int64_t> offsets, connectivity, face_offsets, stream;
 	std::vector<std::uint8_t> types, polyhedron_types;
 };
+
+inline vprobe::View onWhite()
+{
+	vprobe::View view;
+	view.size(320, 200).normal({0.3, 0.5, 0.8});
+	EXPECT_TRUE(view.set("background", "white"));
+	EXPECT_TRUE(view.set("samples", "2"));
+	return view;
+}
 
 } // namespace face

@@ -172,6 +172,7 @@ public:
 	             std::stop_token stop = {}) const;
 
 private:
+	friend DatasetState& stateOf(const Dataset& data);
 	explicit Dataset(std::shared_ptr<DatasetState> state) : state_(std::move(state)) {}
 
 	std::shared_ptr<DatasetState> state_;
