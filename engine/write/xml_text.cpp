@@ -24,7 +24,7 @@ std::string xmlText(const std::string& name)
 	// U+FFFE and U+FFFF are characters of no XML document.
 	for (const char* forbidden : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
 		for (std::size_t at = 0; is_utf8 && (at = escaped.find(forbidden, at)) != std::string::npos;)
-			escaped.replace(at, 3, "_");
+			escaped.replace(at, 3, 1, '_');
 	return escaped;
 }
 
