@@ -1,9 +1,9 @@
-#include "arguments.h"
 #include "base/timeline.h"
-#include "commands.h"
-#include "console.h"
+#include "commands/commands.h"
 #include "interrupt.h"
-#include "progress_line.h"
+#include "options/arguments.h"
+#include "report/console.h"
+#include "report/progress_line.h"
 #include "version.h"
 #include "write/atomic_file.h"
 
@@ -64,14 +64,9 @@ int main(int argc, char** argv)
 	std::signal(SIGINT, endInterrupted);
 	std::signal(SIGTERM, endInterrupted);
 	vp::app::Run run;
-	vp::app::addInfo(program, run);
-	vp::app::addSlice(program, run);
-	vp::app::addRender(program, run);
-	vp::app::addSweep(program, run);
-	vp::app::addProfile(program, run);
-	vp::app::addView(program, run);
-	vp::app::addCheck(program, run);
-	vp::app::addSample(program, run);
+#define VP_ADD(add) vp::app::add(program, run);
+	VP_COMMANDS(VP_ADD)
+#undef VP_ADD
 
 	// CLI11 would say that a command is missing, not that this one is none.
 	const auto commands = program.get_subcommands([](const CLI::App*) { return true; });

@@ -135,9 +135,9 @@ constexpr auto kBindings = std::to_array<Binding>({
 
     VP_BINDING(next_array, plain('a'), kLook, "Show the next array"),
     VP_BINDING(previous_array, shift('a'), kLook, "Show the array before"),
-    VP_BINDING(range_of_slice, plain('c'), kLook, "Fit the colours to the slice"),
+    VP_BINDING(range_of_slice, plain('c'), kLook, "Fit the colors to the slice"),
     VP_BINDING(lines, plain('l'), kLook, "Contour lines"),
-    VP_BINDING(bands, shift('b'), kLook, "Colours in bands"),
+    VP_BINDING(bands, shift('b'), kLook, "Colors in bands"),
     VP_BINDING(mesh, plain('e'), kLook, "Edges of the cells"),
     VP_BINDING(outline, shift('o'), kLook, "Outline of the grid"),
     VP_BINDING(legend, plain('k'), kLook, "Legend"),

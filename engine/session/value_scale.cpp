@@ -57,10 +57,9 @@ valueScale(const Session& session, const std::optional<grid::FieldChoice>& field
 		return std::optional(scale);
 	// Rounding around 0 would stretch the scale over decades that hold nothing.
 	scale.log_lo = std::max(scale.log_lo, kLogReach * hi);
-	warn(
-	    "`log`: '{}' has values of 0 or below, which have no logarithm; they and all below {:.4g} get the colour below "
-	    "the range",
-	    field->name, look.range ? look.range->first : scale.log_lo);
+	warn("`log`: '{}' has values of 0 or below, which have no logarithm; they and all below {:.4g} get the color below "
+	     "the range",
+	     field->name, look.range ? look.range->first : scale.log_lo);
 	return std::optional(scale);
 }
 

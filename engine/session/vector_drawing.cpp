@@ -79,8 +79,7 @@ Result<VectorDrawing::Coloring> VectorDrawing::coloringOf(const view::ResolvedVe
 		return Coloring{*field};
 	if (const auto color = render::parseColor(look.color))
 		return Coloring{{}, *color};
-	return Error{field.error().kind,
-	             fmt::format("{}; or a colour: white, black, grey, #RRGGBB", field.error().message)};
+	return Error{field.error().kind, fmt::format("{}; or a color: white, black, grey, #RRGGBB", field.error().message)};
 }
 
 std::vector<double> VectorDrawing::valuesOf(const Coloring& coloring, const vectors::Traces& traces) const

@@ -175,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair("{}", "\"version\" is missing"), std::pair(R"({"version": 2})", "/version"),
                     std::pair(R"({"version": 1, "input": 3})", "/input"),
                     std::pair(R"({"version": 1, "view": {}})", "/view: unknown key"),
-                    std::pair(R"({"version": 1, "look": {"colour": 1}})", "/look/colour: unknown key"),
+                    std::pair(R"({"version": 1, "look": {"color": 1}})", "/look/color: unknown key"),
                     std::pair(R"({"version": 1, "look": {"samples": 0}})", "/look/samples"),
                     std::pair(R"({"version": 1, "look": {"samples": 1.5}})", "/look/samples"),
                     std::pair(R"({"version": 1, "look": {"opacity": 1.5}})", "/look/opacity"),

@@ -201,7 +201,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadUsage{"axes", {"--axes", "round"}, "--axes"}, BadUsage{"samples", {"--samples", "0"}, "--samples"},
         BadUsage{"outline", {"--outline", "sphere"}, "--outline"},
         BadUsage{"reversedNothing", {"--colormap", "jet_r"}, "jet_r"},
-        BadUsage{"background", {"--background", "no-such-colour"}, "--background"}),
+        BadUsage{"background", {"--background", "no-such-color"}, "--background"}),
     name);
 
 } // namespace cli

@@ -46,7 +46,7 @@ TEST(View, WhatCannotBeNamesTheKey)
 		EXPECT_EQ(set.error().kind, ErrorKind::usage);
 		EXPECT_NE(set.error().message.find(words), std::string::npos) << set.error().message;
 	};
-	refused("colour", "red", "there is no setting 'colour'; there are files");
+	refused("color", "red", "there is no setting 'color'; there are files");
 	refused("lines", "many", "`lines` many: not a number");
 	refused("origin", "1 2", "`origin` 1 2: takes 3 numbers");
 	refused("axes", "all", "`axes` all: takes corner, box or none");

@@ -32,7 +32,7 @@ void previewLastItem(const std::string& word, float from)
 
 void chooseMap(Desk& desk, const std::string& word)
 {
-	desk.bench.change(fmt::format("Colour map {}", shortName(word)),
+	desk.bench.change(fmt::format("Color map {}", shortName(word)),
 	                  [&](view::ViewSpec& state) { state.look.colormap = word; });
 }
 
@@ -63,7 +63,7 @@ void showColorMapChoice(Desk& desk)
 		ImGui::EndCombo();
 	}
 	ImGui::PopStyleVar();
-	tip(fmt::format("Colour map: {}. A ParaView preset comes from a file with --colormap FILE.json", shortName(now)));
+	tip(fmt::format("Color map: {}. A ParaView preset comes from a file with --colormap FILE.json", shortName(now)));
 	const float inset = 0.22f * height;
 	if (const render::ColorMap* map = colorMapOf(now))
 		drawGradient(*ImGui::GetWindowDrawList(), *map, {at.x + inset, at.y + inset},
@@ -71,7 +71,7 @@ void showColorMapChoice(Desk& desk)
 	bool reversed = isReversed(now);
 	if (ImGui::Checkbox("Reversed", &reversed))
 		chooseMap(desk, otherWay(now));
-	tip("The colours of high and low values change places");
+	tip("The colors of high and low values change places");
 }
 
 } // namespace vp::app

@@ -43,7 +43,7 @@ void showArrays(Desk& desk, const DatasetInfo::Array* now)
 			if (ImGui::Selectable(titleOf(array).c_str(), !by_generation && &array == now))
 				chooseArray(desk, array);
 		if (ImGui::Selectable("Generation", by_generation))
-			desk.bench.change("Colours by generation",
+			desk.bench.change("Colors by generation",
 			                  [](view::ViewSpec& state)
 			                  {
 				                  state.look.color_by = view::ColorBy::generation;

@@ -1,6 +1,6 @@
 #include "viewer/commands.h"
 
-#include "console.h"
+#include "report/console.h"
 #include "view/state_file.h"
 #include "write/png.h"
 

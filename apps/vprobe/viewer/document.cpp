@@ -1,6 +1,6 @@
 #include "viewer/document.h"
 
-#include "console.h"
+#include "report/console.h"
 #include "view/resolve.h"
 #include "viewer/mail.h"
 

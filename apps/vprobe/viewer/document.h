@@ -1,10 +1,10 @@
 #pragma once
 
 #include "base/messages.h"
-#include "exposure.h"
 #include "interact/bindings.h"
 #include "interact/history.h"
 #include "interact/view.h"
+#include "report/exposure.h"
 #include "viewer/dataset_info.h"
 #include "viewer/film_loop.h"
 #include "viewer/loader.h"

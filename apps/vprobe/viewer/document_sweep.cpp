@@ -1,4 +1,4 @@
-#include "frames.h"
+#include "report/frames.h"
 #include "viewer/document.h"
 #include "viewer/mail.h"
 #include "write/png.h"

@@ -94,7 +94,7 @@ void showMemory(const Desk& desk, const PresentedFrame& shown)
 {
 	const grid::Memory& memory = desk.bench.facts()->memory;
 	cutFact("Grid", bytes(static_cast<double>(memory.read())), "Coordinates, cells and arrays");
-	cutFact("Built", bytes(static_cast<double>(memory.built())), "Neighbours, boundary, trees");
+	cutFact("Built", bytes(static_cast<double>(memory.built())), "Neighbors, boundary, trees");
 	cutFact("Marks", bytes(static_cast<double>(shown.memory.marks)), "Kept from slice to slice");
 	cutFact("Device", bytes(static_cast<double>(shown.memory.device)), "Blocks, values and polygons in device memory");
 }

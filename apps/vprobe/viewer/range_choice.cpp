@@ -17,7 +17,7 @@ enum class Ends
 	fixed
 };
 constexpr std::array kEnds{"Whole data", "This slice", "Fixed"};
-constexpr std::array kEndsTips{"The colours' ends are the lowest and highest value of the whole array",
+constexpr std::array kEndsTips{"The colors' ends are the lowest and highest value of the whole array",
                                "Those of what the sheets show, at every moment",
                                "Two numbers of yours; values beyond them get tints of their own"};
 
@@ -42,7 +42,7 @@ void chooseEnds(Desk& desk, Ends ends)
 {
 	const std::array<double, 2> shown = shownEnds(desk.bench);
 	desk.bench.change(
-	    "Range of the colours",
+	    "Range of the colors",
 	    [&](view::ViewSpec& state)
 	    {
 		    view::LookSpec& look = state.look;
@@ -64,13 +64,13 @@ void showEnds(Desk& desk)
 	ImGui::SetNextItemWidth(-1.0f);
 	const double speed = std::max(1e-300, 0.004 * std::abs(ends[1] - ends[0]));
 	const bool changed = dragNumbers(desk, {"##ends", speed}, ends.data(), 2,
-	                                 fixed ? "Values at the low and the high end of the colour map"
-	                                       : "Values at the ends of the colour map; choose Fixed to set them");
+	                                 fixed ? "Values at the low and the high end of the color map"
+	                                       : "Values at the ends of the color map; choose Fixed to set them");
 	ImGui::EndDisabled();
 	if (!fixed || !changed || !(ends[0] < ends[1]) || (desk.bench.state().look.logarithmic && ends[0] <= 0.0))
 		return;
 	desk.bench.change(
-	    "Range of the colours",
+	    "Range of the colors",
 	    [&](view::ViewSpec& state) {
 		    state.look.range = std::pair{ends[0], ends[1]};
 	    },
@@ -81,11 +81,11 @@ void showScaling(Desk& desk)
 {
 	const view::LookSpec& look = desk.bench.state().look;
 	ImGui::BeginDisabled(look.logarithmic || look.range);
-	toggle(desk, "Symmetric about 0", look.symmetric, "The ends lie alike about 0, which has the middle colour",
+	toggle(desk, "Symmetric about 0", look.symmetric, "The ends lie alike about 0, which has the middle color",
 	       [](view::ViewSpec& state) { state.look.symmetric = !state.look.symmetric; });
 	ImGui::EndDisabled();
 	toggle(desk, "Logarithmic", look.logarithmic,
-	       "Colours follow the values' logarithm; values of 0 and below have none",
+	       "Colors follow the values' logarithm; values of 0 and below have none",
 	       [](view::ViewSpec& state)
 	       {
 		       view::LookSpec& next = state.look;

@@ -12,33 +12,30 @@ namespace
 struct Section
 {
 	const char* name;
-	const char* words;
+	const char* tip;
 	void (*show)(Desk& desk);
+	ShownWhen when;
 	bool unfolded;
 };
 
-constexpr std::array kSections{
-    Section{"Data", "What is loaded", showDataSection, true},
-    Section{"Probe", "The sheets, where they stand, their windows", showProbeSection, true},
-    Section{"Colours", "What array the sheets show, and how", showColorSection, true},
-    Section{"Vectors", "Arrows, and paths of particles, launched from the sheets", showVectorSection, false},
-    Section{"Contours", "Surfaces of one value, grown from the sheets", showContourSection, false},
-    Section{"Time", "The input's time steps", showTimeSection, true},
-    Section{"Sweep", "The probe moved along a path, as a film", showSweepSection, false},
-    Section{"Magnifier", "What a sheet shows, magnified", showMagnifierSection, false},
-    Section{"Scene", "What is drawn around the sheets", showSceneSection, false},
-    Section{"Camera", "Where the scene is seen from", showCameraSection, false},
-};
+#define VP_ENTRY(name, tip, show, when, unfolded) Section{name, tip, show, ShownWhen::when, unfolded},
+constexpr std::array kSections{VP_SECTIONS(VP_ENTRY)};
+#undef VP_ENTRY
 
-bool isOfUse(const Section& section, const Document& bench)
+bool isShown(const Section& section, const std::optional<DatasetInfo>& data)
 {
-	if (section.show == showDataSection)
+	switch (section.when)
+	{
+	case ShownWhen::always:
 		return true;
-	if (section.show == showTimeSection)
-		return bench.facts() && bench.facts()->times.size() > 1;
-	if (section.show == showVectorSection)
-		return bench.facts() && std::ranges::any_of(bench.facts()->arrays, DatasetInfo::isVector);
-	return bench.facts().has_value();
+	case ShownWhen::loaded:
+		return data.has_value();
+	case ShownWhen::times:
+		return data && data->times.size() > 1;
+	case ShownWhen::vectors:
+		return data && std::ranges::any_of(data->arrays, DatasetInfo::isVector);
+	}
+	return false;
 }
 
 } // namespace
@@ -48,10 +45,10 @@ void showSidePanel(Desk& desk, const ScenePart& room)
 	beginFixed("side", room, ImGuiWindowFlags_AlwaysVerticalScrollbar);
 	for (const Section& section : kSections)
 	{
-		if (!isOfUse(section, desk.bench))
+		if (!isShown(section, desk.bench.facts()))
 			continue;
 		const bool open = ImGui::CollapsingHeader(section.name, section.unfolded ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-		tip(section.words);
+		tip(section.tip);
 		if (!open)
 			continue;
 		ImGui::PushID(section.name);

@@ -53,7 +53,7 @@ void showColor(Desk& desk)
 	addArrays(*desk.bench.facts(), false, choices);
 	for (const Choice& color : {Choice{"black", "Black"}, Choice{"grey", "Grey"}, Choice{"white", "White"}})
 		choices.push_back(color);
-	showChoice(desk, "Colour", choices, desk.bench.state().look.vectors.color, "By an array, or one colour",
+	showChoice(desk, "Color", choices, desk.bench.state().look.vectors.color, "By an array, or one color",
 	           [](view::ViewSpec& state, const char* word) { state.look.vectors.color = word; });
 }
 

@@ -1,6 +1,6 @@
 #include "viewer/viewer.h"
 
-#include "stats_json.h"
+#include "report/stats_json.h"
 #include "viewer/commands.h"
 #include "viewer/gpu_film_screen.h"
 #include "viewer/gpu_screen.h"

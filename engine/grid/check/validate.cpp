@@ -60,12 +60,12 @@ void checkCell(const G& grid, CellId c, const Box& bounds, CellFaces& faces)
 		grid.forEachNeighbor(c, f,
 		                     [&](CellId n)
 		                     {
-			                     require(n < grid.cellCount(), "cell {} face {}: neighbour {} out of range", c, f, n);
-			                     require(n != c, "cell {} face {}: neighbour of itself", c, f);
+			                     require(n < grid.cellCount(), "cell {} face {}: neighbor {} out of range", c, f, n);
+			                     require(n != c, "cell {} face {}: neighbor of itself", c, f);
 			                     bool known = false;
 			                     for (int g = 0; g < grid.faceCount(n); ++g)
 				                     grid.forEachNeighbor(n, g, [&](CellId back) { known = known || back == c; });
-			                     require(known, "cell {} face {}: neighbour {} does not know it", c, f, n);
+			                     require(known, "cell {} face {}: neighbor {} does not know it", c, f, n);
 		                     });
 }
 
@@ -164,8 +164,7 @@ void checkBoundaryComplete(const G& grid, const BoundaryIndex& index)
 				expected.emplace_back(cell, static_cast<std::uint32_t>(f));
 		}
 	}
-	require(listed == expected, "boundary index: {} faces listed, {} have no neighbour", listed.size(),
-	        expected.size());
+	require(listed == expected, "boundary index: {} faces listed, {} have no neighbor", listed.size(), expected.size());
 }
 
 } // namespace

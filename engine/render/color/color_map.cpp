@@ -1,12 +1,12 @@
 #include "render/color/color_map.h"
 
-#include "render/color/color_spaces.h"
-#include "render/color/color_tables.h"
+#include "render/color/color_map_list.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vp::render
@@ -15,60 +15,34 @@ namespace vp::render
 namespace
 {
 
-using Table = std::array<Color, kColorMapSize>;
+struct NamedMap
+{
+	const char* name;
+	ColorMap (*make)();
+};
+
+#define VP_ENTRY(name, make) NamedMap{name, make},
+const std::array kMaps{VP_COLOR_MAPS(VP_ENTRY)};
+#undef VP_ENTRY
 
 int hexDigit(char c)
 {
 	return c <= '9' ? c - '0' : c - 'a' + 10;
 }
 
-Table tableFromHex(const char* text)
-{
-	Table table;
-	for (Color& color : table)
-	{
-		const auto next = [&text]
-		{
-			const int value = 16 * hexDigit(text[0]) + hexDigit(text[1]);
-			text += 2;
-			return static_cast<std::uint8_t>(value);
-		};
-		color.r = next();
-		color.g = next();
-		color.b = next();
-	}
-	return table;
-}
-
-Table gray()
-{
-	Table table;
-	for (int i = 0; i < kColorMapSize; ++i)
-	{
-		const auto level = static_cast<std::uint8_t>(i);
-		table[i] = {level, level, level};
-	}
-	return table;
-}
-
-Rgb fractions(Color c)
-{
-	return Rgb(c.r, c.g, c.b) / 255.0;
-}
-
-Table coolWarm()
-{
-	Table table;
-	for (int i = 0; i < kColorMapSize; ++i)
-		table[i] = colorOf(between(fractions({59, 76, 192}), fractions({180, 4, 38}),
-		                           static_cast<double>(i) / (kColorMapSize - 1), ColorSpace::diverging));
-	return table;
-}
-
-constexpr Color kNavy{16, 24, 74};
-constexpr Color kMaroon{74, 4, 14};
-
 } // namespace
+
+ColorMap mapFromHex(const char* digits)
+{
+	ColorMap map;
+	for (Color& color : map.colors)
+		for (std::uint8_t* part : {&color.r, &color.g, &color.b})
+		{
+			*part = static_cast<std::uint8_t>(16 * hexDigit(digits[0]) + hexDigit(digits[1]));
+			digits += 2;
+		}
+	return map;
+}
 
 Color colorOf(const Vec3& rgb, double alpha)
 {
@@ -99,33 +73,25 @@ Color ColorMap::at(double t) const
 
 const std::vector<std::string>& colorMapNames()
 {
-	static const std::vector<std::string> names{"viridis", "cividis", "turbo", "cool-warm", "grey"};
+	static const std::vector<std::string> names = []
+	{
+		std::vector<std::string> all;
+		for (const NamedMap& map : kMaps)
+			all.emplace_back(map.name);
+		return all;
+	}();
 	return names;
 }
 
 Result<ColorMap> makeColorMap(std::string_view name)
 {
-	ColorMap map;
-	map.name = name;
-	if (name == "viridis")
-		map.colors = tableFromHex(kViridis);
-	else if (name == "cividis")
-		map.colors = tableFromHex(kCividis);
-	else if (name == "turbo")
-		map.colors = tableFromHex(kTurbo);
-	else if (name == "grey")
-		map.colors = gray();
-	else if (name == "cool-warm")
-	{
-		map.colors = coolWarm();
-		// Its own middle is pale.
-		map.below = kNavy;
-		map.above = kMaroon;
-	}
-	else
+	const auto found = std::ranges::find(kMaps, name, &NamedMap::name);
+	if (found == kMaps.end())
 		return Error{ErrorKind::usage,
 		             fmt::format("`colormap`: there is no '{}'; take one of {}, or a FILE.json of ParaView's", name,
 		                         fmt::join(colorMapNames(), ", "))};
+	ColorMap map = found->make();
+	map.name = name;
 	return map;
 }
 

@@ -146,7 +146,7 @@ Status setColors(const json& preset, ColorMap& map)
 		return points.error();
 	if (points->size() < 8 || !ascending(*points, 4) || !colorsAreParts(*points, 4, 1, 3) ||
 	    !((*points)[points->size() - 4] > points->front()))
-		return badPreset("RGBPoints must be two or more points x, r, g, b, with ascending x and colours from 0 to 1");
+		return badPreset("RGBPoints must be two or more points x, r, g, b, with ascending x and colors from 0 to 1");
 	auto space = spaceOf(preset);
 	if (!space)
 		return space.error();
@@ -191,7 +191,7 @@ Status setCategories(const json& preset, ColorMap& map)
 	if (!colors)
 		return colors.error();
 	if (colors->empty() || !colorsAreParts(*colors, 3, 0, 3))
-		return badPreset("IndexedColors must be one or more colours r, g, b from 0 to 1");
+		return badPreset("IndexedColors must be one or more colors r, g, b from 0 to 1");
 	const std::size_t count = colors->size() / 3;
 	const auto color = [&](std::size_t i)
 	{

@@ -124,11 +124,11 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets, const Fr
 		return room;
 	*params_.mappedAs<shared::ComposeParams>() = made.params;
 	params_.flush();
-	if (Status put = tables_.put(*device_, std::as_bytes(std::span(made.tables)), VK_FORMAT_R32_UINT, "colour tables");
+	if (Status put = tables_.put(*device_, std::as_bytes(std::span(made.tables)), VK_FORMAT_R32_UINT, "color tables");
 	    !put)
 		return put;
 	if (Status put = colors_.put(*device_, std::as_bytes(std::span(made.colors)), VK_FORMAT_R16G16B16A16_UNORM,
-	                             "layers' colours");
+	                             "layers' colors");
 	    !put)
 		return put;
 	const std::uint32_t features = made.features | (composesWhole(scene) ? shared::kComposeWhole : 0u);

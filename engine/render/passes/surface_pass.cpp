@@ -59,7 +59,7 @@ Status SurfacePass::putColors(const Scene& scene)
 	}
 	params_.flush();
 	const std::vector<std::uint32_t> words = tables.take();
-	return tables_.put(*device_, std::as_bytes(std::span(words)), VK_FORMAT_R32_UINT, "surface colour tables");
+	return tables_.put(*device_, std::as_bytes(std::span(words)), VK_FORMAT_R32_UINT, "surface color tables");
 }
 
 Result<const gpu::Pipeline*> SurfacePass::pipelineFor(std::uint32_t features)

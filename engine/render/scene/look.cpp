@@ -59,7 +59,7 @@ Result<Background> parseBackground(std::string_view text)
 		return plain({0, 0, 0, 0});
 	if (const auto color = parseColor(text))
 		return plain(*color);
-	return Error{ErrorKind::usage, "no colour; take gradient, white, grey, black, transparent, or #RRGGBB"};
+	return Error{ErrorKind::usage, "no color; take gradient, white, grey, black, transparent, or #RRGGBB"};
 }
 
 std::string backgroundText(const Background& background)

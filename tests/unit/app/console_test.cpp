@@ -1,5 +1,5 @@
-#include "console.h"
 #include "exit_code.h"
+#include "report/console.h"
 
 #include <gtest/gtest.h>
 

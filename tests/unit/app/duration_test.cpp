@@ -1,4 +1,4 @@
-#include "duration.h"
+#include "report/duration.h"
 
 #include <gtest/gtest.h>
 

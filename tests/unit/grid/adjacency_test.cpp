@@ -26,7 +26,7 @@ Neighbors neighborsOf(const UnstructuredGrid& grid)
 		all[c].resize(grid.faceCount(c));
 		for (int f = 0; f < grid.faceCount(c); ++f)
 			grid.forEachNeighbor(c, f,
-			                     [&](CellId n) { EXPECT_TRUE(all[c][f].insert(n).second) << "neighbour told twice"; });
+			                     [&](CellId n) { EXPECT_TRUE(all[c][f].insert(n).second) << "neighbor told twice"; });
 	}
 	return all;
 }

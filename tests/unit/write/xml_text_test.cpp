@@ -17,10 +17,10 @@ TEST(XmlText, WhatIsNoUtf8IsReplaced)
 {
 	EXPECT_EQ(write::xmlText("caf\xe9"), "caf_");
 	EXPECT_EQ(write::xmlText("a\xEF\xBF\xBE\xEF\xBF\xBF z"), "a__ z"); // characters of no XML document
-	EXPECT_EQ(write::xmlText("\xc0\xaf"), "__");           // longer than need be
-	EXPECT_EQ(write::xmlText("\xe0\x9f\xbf"), "___");      // likewise
-	EXPECT_EQ(write::xmlText("\xed\xa0\x80x"), "___x");    // half a pair
-	EXPECT_EQ(write::xmlText("\xf4\x90\x80\x80"), "____"); // above U+10FFFF
+	EXPECT_EQ(write::xmlText("\xc0\xaf"), "__");                       // longer than need be
+	EXPECT_EQ(write::xmlText("\xe0\x9f\xbf"), "___");                  // likewise
+	EXPECT_EQ(write::xmlText("\xed\xa0\x80x"), "___x");                // half a pair
+	EXPECT_EQ(write::xmlText("\xf4\x90\x80\x80"), "____");             // above U+10FFFF
 	EXPECT_EQ(write::xmlText("\xc3"), "_");
 }
 

@@ -1,0 +1,201 @@
+#include "base/timeline.h"
+#include "commands/commands.h"
+#include "grid/check/quality.h"
+#include "grid/demo.h"
+#include "grid/field_choice.h"
+#include "options/spec_options.h"
+#include "read/read.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace vp::app
+{
+
+namespace
+{
+
+struct InfoOptions
+{
+	SpecOptions input;
+	bool json = false;
+};
+
+// The arrays of all blocks, each once, with the range over all blocks.
+struct ArrayInfo
+{
+	const grid::Field* field;
+	std::pair<double, double> range;
+};
+
+std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
+{
+	std::vector<ArrayInfo> arrays;
+	for (const grid::Block& block : blocks.blocks)
+		for (const grid::Field& field : block.fields)
+		{
+			const bool known =
+			    std::any_of(arrays.begin(), arrays.end(),
+			                [&](const ArrayInfo& a)
+			                { return a.field->name == field.name && a.field->association == field.association; });
+			if (known)
+				continue;
+			const int component = field.components == 1 ? 0 : grid::kMagnitude;
+			arrays.push_back({&field, grid::fieldRange(blocks, {field.name, field.association, component})});
+		}
+	return arrays;
+}
+
+nlohmann::json infoJson(const grid::BlockSet& blocks)
+{
+	nlohmann::json arrays = nlohmann::json::array();
+	for (const auto& [field, range] : listArrays(blocks))
+		arrays.push_back({{"name", field->name},
+		                  {"association", grid::associationName(field->association)},
+		                  {"components", field->components},
+		                  {"type", grid::numberTypeName(field->type)},
+		                  {"range", {range.first, range.second}}});
+	nlohmann::json block_list = nlohmann::json::array();
+	for (const grid::Block& block : blocks.blocks)
+	{
+		const auto [cells, points] = std::visit(
+		    [](const auto& grid) { return std::pair<std::size_t, std::size_t>(grid.cellCount(), grid.pointCount()); },
+		    block.grid);
+		block_list.push_back({{"name", block.name}, {"cells", cells}, {"points", points}});
+	}
+	nlohmann::json interfaces = nlohmann::json::array();
+	for (const grid::Interface& interface : blocks.interfaces.interfaces)
+		interfaces.push_back({{"blocks", {interface.a, interface.b}}, {"faces", interface.faces}});
+	nlohmann::json overlaps = nlohmann::json::array();
+	for (const grid::BlockOverlap& overlap : grid::findBlockOverlaps(blocks))
+		overlaps.push_back(
+		    {{"blocks", {overlap.a, overlap.b}}, {"cells", overlap.cells}, {"samples", overlap.samples}});
+	const Box bounds = blocks.bounds();
+	return {{"grid",
+	         {{"kind", blocks.kind()},
+	          {"cells", blocks.sourceCellCount()},
+	          {"points", blocks.sourcePointCount()},
+	          {"linear_cells", blocks.cellCount()},
+	          {"linear_points", blocks.pointCount()},
+	          {"blocks", blocks.blocks.size()},
+	          {"cells_left_out", blocks.left_out}}},
+	        {"blocks", block_list},
+	        {"interfaces", interfaces},
+	        {"overlaps", overlaps},
+	        {"seam_faces", blocks.interfaces.seam_faces},
+	        {"boundary_faces", blocks.interfaces.boundary_faces},
+	        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
+	        {"times", blocks.times},
+	        {"arrays", arrays}};
+}
+
+// All of them, or, of many, those that tell how they go on.
+std::string timesAsWords(const std::vector<double>& times)
+{
+	constexpr std::size_t most = 30;
+	if (times.size() <= most)
+		return fmt::format("{:.6g}", fmt::join(times, " "));
+	return fmt::format("{:.6g} {:.6g} {:.6g} ... {:.6g}", times[0], times[1], times[2], times.back());
+}
+
+// Of many blocks, or pairs of them, the first tell enough.
+constexpr std::size_t kMaxLines = 12;
+
+void printMore(std::size_t all)
+{
+	if (all > kMaxLines)
+		fmt::print("        and {} more; --json lists all\n", all - kMaxLines);
+}
+
+void printBlocks(const grid::BlockSet& blocks)
+{
+	if (blocks.blocks.size() == 1)
+		return;
+	for (std::size_t b = 0; b < std::min(kMaxLines, blocks.blocks.size()); ++b)
+		fmt::print("block   {}: {}, {} cells\n", b, blocks.blocks[b].name,
+		           std::visit([](const auto& grid) { return grid.cellCount(); }, blocks.blocks[b].grid));
+	printMore(blocks.blocks.size());
+}
+
+void printMeetings(const grid::BlockSet& blocks)
+{
+	const grid::Interfaces& seams = blocks.interfaces;
+	if (seams.seam_faces)
+		fmt::print("seams   {} boundary faces lie on another, in {} interface{}; {} bound the domain\n",
+		           seams.seam_faces, seams.interfaces.size(), seams.interfaces.size() == 1 ? "" : "s",
+		           seams.boundary_faces);
+	for (std::size_t i = 0; i < std::min(kMaxLines, seams.interfaces.size()); ++i)
+	{
+		const grid::Interface& interface = seams.interfaces[i];
+		const std::string meets = interface.a == interface.b ? "itself" : fmt::format("block {}", interface.b);
+		fmt::print("        block {} meets {} in {} faces\n", interface.a, meets, interface.faces);
+	}
+	printMore(seams.interfaces.size());
+	const std::vector<grid::BlockOverlap> overlaps = grid::findBlockOverlaps(blocks);
+	for (std::size_t i = 0; i < std::min(kMaxLines, overlaps.size()); ++i)
+		fmt::print("overlap blocks {} and {} have room in common: {} of {} cells looked at\n", overlaps[i].a,
+		           overlaps[i].b, overlaps[i].cells, overlaps[i].samples);
+	printMore(overlaps.size());
+}
+
+void printInfo(const grid::BlockSet& blocks)
+{
+	const Box bounds = blocks.bounds();
+	fmt::print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.sourceCellCount(),
+	           blocks.sourcePointCount(), blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
+	if (blocks.cellCount() != blocks.sourceCellCount())
+		fmt::print("        cut into {} linear cells with {} points\n", blocks.cellCount(), blocks.pointCount());
+	if (blocks.left_out)
+		fmt::print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
+	printBlocks(blocks);
+	printMeetings(blocks);
+	fmt::print("bounds  x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n", bounds.lo.x, bounds.hi.x,
+	           bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z);
+	if (!blocks.times.empty())
+		fmt::print("times   {}: {}\n", blocks.times.size(), timesAsWords(blocks.times));
+	const auto arrays = listArrays(blocks);
+	if (arrays.empty())
+		fmt::print("arrays  none\n");
+	for (const auto& [field, range] : arrays)
+		fmt::print("array   {}:{}  {} x {}, {}{:.6g} to {:.6g}\n", grid::associationName(field->association),
+		           field->name, field->components, grid::numberTypeName(field->type),
+		           field->components == 1 ? "" : "magnitude ", range.first, range.second);
+}
+
+Result<ExitCode> runInfo(const InfoOptions& options)
+{
+	if (Status ready = prepare(options.input); !ready)
+		return ready.error();
+	const view::InputSpec& input = options.input.spec.input;
+	if (input.files.size() == 1 && input.files.front() == "demo:")
+	{
+		for (const grid::Demo& demo : grid::demos())
+			fmt::print("demo:{:<8} {}\n", demo.name, demo.about);
+		return ExitCode::done;
+	}
+	Result<grid::BlockSet> blocks =
+	    read::readInputs(input.files, {input.time, input.solution, input.refine, input.displace}, nullptr);
+	if (!blocks)
+		return blocks.error();
+	if (options.json)
+		fmt::print("{}\n", infoJson(*blocks).dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
+	else
+		printInfo(*blocks);
+	return ExitCode::done;
+}
+
+} // namespace
+
+void addInfo(CLI::App& program, Run& run)
+{
+	auto options = std::make_shared<InfoOptions>();
+	CLI::App* command = program.add_subcommand("info", "Tell what an input holds: grid, bounds, times, arrays");
+	addInputs(*command, options->input);
+	command->add_flag("--json", options->json, "Write JSON for scripts");
+	command->callback([&run, options] { run = [options] { return runInfo(*options); }; });
+}
+
+} // namespace vp::app

@@ -1,0 +1,113 @@
+#include "commands/commands.h"
+#include "options/spec_options.h"
+#include "report/explain.h"
+#include "report/stats_json.h"
+#include "report/vectors_out.h"
+#include "session/cut_frame.h"
+#include "session/painter.h"
+#include "view/validate.h"
+#include "write/png.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace vp::app
+{
+
+namespace
+{
+
+struct RenderOptions
+{
+	SpecOptions common;
+	std::string output;
+	std::string stats;
+	std::string vectors_out;
+};
+
+// What can be wrong on the command line is told before a large file is read.
+Status check(const RenderOptions& options)
+{
+	const view::ViewSpec& spec = options.common.spec;
+	if (Status place = checkWritable(options.stats); !place)
+		return place;
+	if (options.output.empty())
+		return Error{ErrorKind::usage, "-o: a picture needs a place; give the name of a .png file, or -"};
+	if (options.output == "-" && options.stats == "-")
+		return Error{ErrorKind::usage,
+		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
+	if (options.output != "-" && std::filesystem::path(options.output).extension() != ".png")
+		return Error{
+		    ErrorKind::usage,
+		    fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -", options.output)};
+	if (Status fits = checkVectorsOut(spec.probe.vectors, options.vectors_out,
+	                                  {{"-o", options.output}, {"--stats", options.stats}});
+	    !fits)
+		return fits;
+	if (Status one = view::requireOneSurface(spec.probe); !one)
+		return one;
+	return view::refuseGenerations(spec.probe, spec.look.color_by);
+}
+
+Result<ExitCode> runRender(const RenderOptions& options)
+{
+	const view::ViewSpec& spec = options.common.spec;
+	if (Status ready = prepare(options.common); !ready)
+		return ready.error();
+	session::OpenOptions how{.may_scan = true, .reads_all_arrays = false, .reads_again = false};
+	if (options.common.explain)
+		return explain(spec, how);
+	if (Status fits = check(options); !fits)
+		return fits.error();
+	Result<view::ResolvedLook> look = view::resolveLook(spec);
+	if (!look)
+		return look.error();
+
+	how.use = session::DeviceUse::draw;
+	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
+	if (!opened)
+		return opened.error();
+	session::Session& session = **opened;
+	const Result<session::CutFrame> frame = session::cutFrame(session);
+	if (!frame)
+		return frame.error();
+	Result<session::Painter> painter = session::Painter::create(session, std::move(*look));
+	if (!painter)
+		return painter.error();
+	Result<render::Picture> picture = painter->draw(frame->slice, frame->sheets, frame->contours);
+	if (!picture)
+		return picture.error();
+	if (Status written = write::writePng(*picture, options.output); !written)
+		return written.error();
+	if (Status written = writeVectors(session, frame->sheets, options.vectors_out); !written)
+		return written.error();
+	if (Status saved = saveSpec(options.common); !saved)
+		return saved.error();
+	return writeStats(options.stats, {options.output, options.vectors_out}, statsJson(session, *frame));
+}
+
+} // namespace
+
+void addRender(CLI::App& program, Run& run)
+{
+	auto options = std::make_shared<RenderOptions>();
+	CLI::App* command =
+	    program.add_subcommand("render", "Draw the cut of an input by a probe, with legend and axes, as a PNG");
+	addInputs(*command, options->common)->required(false); // --state may name them
+	addProbeOptions(*command, options->common);
+	addExplain(*command, options->common);
+	command->add_option("-o,--output", options->output, "Picture; - writes it to standard output")
+	    ->type_name("FILE.png|-");
+	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
+
+	addLookOptions(*command, options->common);
+	addVectorOptions(*command, options->common);
+	addVectorsOut(*command, options->vectors_out);
+	addContourOptions(*command, options->common);
+	addStateOptions(*command, options->common);
+	command->callback([&run, options] { run = [options] { return runRender(*options); }; });
+}
+
+} // namespace vp::app

@@ -1,0 +1,207 @@
+#include "commands/commands.h"
+#include "interrupt.h"
+#include "options/spec_options.h"
+#include "report/explain.h"
+#include "report/stats_json.h"
+#include "report/vectors_out.h"
+#include "session/cut_frame.h"
+#include "session/plane_pictures.h"
+#include "view/validate.h"
+#include "write/line_file.h"
+#include "write/slice_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+namespace vp::app
+{
+
+namespace
+{
+
+struct SliceOptions
+{
+	SpecOptions common;
+	std::string output;
+	std::string stats;
+	std::string vectors_out;
+	std::vector<double> line; // none, or where it begins and ends on the sheet
+	int line_sheet = 0;
+};
+
+// Told before a large file is read: what does not go with --line.
+Status checkLine(const SliceOptions& options, const CLI::App& command)
+{
+	if (options.line.empty())
+		return command.get_option("--sheet")->count() == 0
+		           ? Status(Nothing{})
+		           : Error{ErrorKind::usage, "--sheet: says on which sheet a --line lies; give one, or leave it out"};
+	constexpr double kFarthest = 1e100; // as in files of probes
+	if (std::ranges::any_of(options.line, [](double x) { return !(std::abs(x) <= kFarthest); }))
+		return Error{ErrorKind::usage, "--line: places lie within 1e100; give smaller numbers"};
+	if (options.line[0] == options.line[2] && options.line[1] == options.line[3])
+		return Error{ErrorKind::usage, "--line: begins where it ends; give it a length"};
+	const bool fits = options.output == "-" || std::filesystem::path(options.output).extension() == ".csv";
+	return fits ? Status(Nothing{})
+	            : Error{ErrorKind::usage,
+	                    "--line: the values along it are written as .csv; name such a file with -o, or -"};
+}
+
+Status writeLineFile(const session::Session& session, const SliceOptions& options, const session::CutFrame& frame)
+{
+	const auto sheet = static_cast<std::size_t>(options.line_sheet);
+	return write::writeLine(session.blocks, frame.slice.sheets[sheet].sheet, frame.sheets[sheet].mesh,
+	                        {{options.line[0], options.line[1]}, {options.line[2], options.line[3]}}, options.output);
+}
+
+// White paper, unless a background is asked for.
+Result<view::ResolvedLook> planeLook(const SliceOptions& options, const CLI::App& command)
+{
+	view::ViewSpec spec = options.common.spec;
+	if (spec.look.background == view::LookSpec().background && command.get_option("--background")->count() == 0)
+		spec.look.background = *render::parseBackground("white");
+	return view::resolveLook(spec);
+}
+
+// What can be wrong on the command line is told before a large file is read.
+Status check(const SliceOptions& options, const CLI::App& command)
+{
+	const view::ProbeSpec& probe = options.common.spec.probe;
+	if (options.output == "-" && options.stats == "-")
+		return Error{ErrorKind::usage,
+		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
+	if (Status fits =
+	        checkVectorsOut(probe.vectors, options.vectors_out, {{"-o", options.output}, {"--stats", options.stats}});
+	    !fits)
+		return fits;
+	if (Status fits = checkLine(options, command); !fits)
+		return fits;
+	const bool pictures = session::namesPictures(options.output);
+	if (Status planes = pictures || !options.line.empty() ? view::requirePlanes(probe) : Nothing{}; !planes)
+		return planes;
+	if (pictures && probe.vectors.on())
+		return Error{ErrorKind::usage, "--vectors: flat pictures show none; draw them with vprobe render"};
+	if (pictures)
+		return Nothing{};
+	const std::string why =
+	    options.output.empty() ? "no -o asks for one" : fmt::format("-o {} is none", options.output);
+	if (Status fits = refuseLook(command, why, "write a .png, .svg or .pdf"); !fits)
+		return fits;
+	if (!options.output.empty())
+		if (Result<write::SliceFormat> format = write::sliceFormatOf(options.output); !format)
+			return format.error();
+	return Nothing{};
+}
+
+// What only the number of sheets tells.
+Status checkSheets(const SliceOptions& options, std::size_t sheets)
+{
+	if (!options.line.empty() && static_cast<std::size_t>(options.line_sheet) >= sheets)
+		return Error{ErrorKind::usage,
+		             fmt::format("--sheet {}: there are {}, counted from 0", options.line_sheet, sheets)};
+	if (session::namesPictures(options.output))
+		if (auto names = session::pictureNames(options.output, sheets); !names)
+			return names.error();
+	return Nothing{};
+}
+
+// Pictures, polygons or values along a line; gives the files.
+Result<std::vector<std::string>> writeFiles(const session::Session& session, const SliceOptions& options,
+                                            const view::ResolvedLook& look, const session::CutFrame& frame)
+{
+	if (options.output.empty())
+		return std::vector<std::string>();
+	const TimedSection section(session.timeline.get(), "write");
+	const DeferredInterrupt writing; // the files of a .vtm appear together
+	if (session::namesPictures(options.output))
+		return session::writePictures(session, look, frame.slice, frame.sheets, options.output);
+	const Status written = !options.line.empty()
+	                           ? writeLineFile(session, options, frame)
+	                           : write::writeSlice(session.blocks, session::exportedMeshes(frame.sheets),
+	                                               options.output, session::contourPieces(frame.contours));
+	return written ? Result<std::vector<std::string>>(std::vector{options.output}) : written.error();
+}
+
+Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
+{
+	const view::ViewSpec& spec = options.common.spec;
+	if (Status ready = prepare(options.common); !ready)
+		return ready.error();
+	if (Status place = checkWritable(options.stats); !place)
+		return place.error();
+	if (Status one = view::requireOneSurface(spec.probe); !one)
+		return one.error();
+	const bool pictures = session::namesPictures(options.output);
+	// Polygons are written with every array; and where arrays jump between blocks, vertices are not joined.
+	const session::OpenOptions how{.may_scan = true, .reads_all_arrays = !pictures, .reads_again = false};
+	if (options.common.explain)
+		return explain(spec, how);
+	if (Status fits = check(options, command); !fits)
+		return fits.error();
+	Result<view::ResolvedLook> look = pictures ? planeLook(options, command) : view::ResolvedLook{};
+	if (!look)
+		return look.error();
+
+	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
+	if (!opened)
+		return opened.error();
+	session::Session& session = **opened;
+	if (Status fits = checkSheets(options, session.view.probe.sheets.size()); !fits)
+		return fits.error();
+	const Result<session::CutFrame> frame = session::cutFrame(session);
+	if (!frame)
+		return frame.error();
+	Result<std::vector<std::string>> written = writeFiles(session, options, *look, *frame);
+	if (!written)
+		return written.error();
+	if (Status vectors = writeVectors(session, frame->sheets, options.vectors_out); !vectors)
+		return vectors.error();
+	written->push_back(options.vectors_out);
+	if (options.output.empty() && options.stats.empty() && options.vectors_out.empty())
+		fmt::print("{}", statsTable(session, *frame));
+	if (Status saved = saveSpec(options.common); !saved)
+		return saved.error();
+	return writeStats(options.stats, *written, statsJson(session, *frame));
+}
+
+} // namespace
+
+void addSlice(CLI::App& program, Run& run)
+{
+	auto options = std::make_shared<SliceOptions>();
+	CLI::App* command = program.add_subcommand(
+	    "slice", "Cut an input by a plane: polygons with every array, a flat picture of each sheet, and figures");
+	addInputs(*command, options->common)->required(false); // --state may name them
+	addProbeOptions(*command, options->common);
+	addExplain(*command, options->common);
+	command
+	    ->add_option("-o,--output", options->output,
+	                 "Polygons as .vtp, .vtm (a .vtp a sheet), .ply or .csv; - writes VTP to standard output. Or a "
+	                 "flat picture of "
+	                 "each sheet as .png, .svg or .pdf, with {sheet} in the name where there are several")
+	    ->type_name("FILE|-");
+	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
+	command
+	    ->add_option("--line", options->line,
+	                 "Writes the values along a line through a sheet as .csv instead: from U0 V0 to U1 V1, along the "
+	                 "sheet's x and y axes from its origin")
+	    ->expected(4)
+	    ->allow_extra_args(false)
+	    ->type_name("U0 V0 U1 V1");
+	command->add_option("--sheet", options->line_sheet, "The sheet of --line, from 0")
+	    ->check(CLI::Range(0, static_cast<int>(probe::kMaxSheets) - 1))
+	    ->type_name("K");
+	command->footer("With neither -o, --stats nor --vectors-out a short table is printed.");
+	addLookOptions(*command, options->common, LookScope::plane);
+	addVectorOptions(*command, options->common, LookScope::plane);
+	addVectorsOut(*command, options->vectors_out);
+	addContourOptions(*command, options->common);
+	addStateOptions(*command, options->common);
+	command->callback([&run, options, command] { run = [options, command] { return runSlice(*options, *command); }; });
+}
+
+} // namespace vp::app

@@ -1,0 +1,211 @@
+#include "base/messages.h"
+#include "commands/commands.h"
+#include "options/spec_options.h"
+#include "options/trace_option.h"
+#include "report/explain.h"
+#include "report/stats_json.h"
+#include "report/sweep_line.h"
+#include "session/time_steps.h"
+#include "view/validate.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace vp::app
+{
+
+namespace
+{
+
+struct SweepOptions
+{
+	SpecOptions common;
+	std::string output;
+	std::string exposure;
+	std::string stats;
+	std::string trace;
+	bool resume = false;
+
+	bool exports() const { return output.ends_with(".pvd"); }
+	bool draws() const { return !exports() || !exposure.empty(); }
+};
+
+Status checkSweepOptions(const SweepOptions& options)
+{
+	if (options.output.empty() && options.exposure.empty())
+		return Error{ErrorKind::usage,
+		             "-o: a sweep needs a place; give frames/{frame:04}.png, a film's name, out.pvd, or --exposure"};
+	const bool pictures = std::filesystem::path(options.output).extension() == ".png";
+	if (!options.output.empty() && !pictures && !write::isFilm(options.output) && !options.exports())
+		return Error{ErrorKind::usage, fmt::format("-o {}: frames are written as .png, films as .mp4, .mkv, .webm or "
+		                                           ".gif, polygons as .pvd",
+		                                           options.output)};
+	if (options.resume && !pictures)
+		return Error{ErrorKind::usage,
+		             "--resume: only pictures can be gone on with; write them: -o frames/{frame:04}.png"};
+	if (!options.exposure.empty() && std::filesystem::path(options.exposure).extension() != ".png")
+		return Error{ErrorKind::usage,
+		             fmt::format("--exposure {}: is a picture; give the name of a .png file", options.exposure)};
+	if (options.stats == "-" && options.trace == "-")
+		return Error{ErrorKind::usage,
+		             "--stats - and --trace -: standard output takes one thing at a time; name a file for the other"};
+	for (const std::string* place : {&options.stats, &options.common.save})
+		if (!place->empty())
+			if (Status free = write::checkWritable(*place); !free)
+				return free;
+	return Nothing{};
+}
+
+FramePlaces placesOf(const SweepOptions& options)
+{
+	FramePlaces places{.exposure = options.exposure, .resume = options.resume};
+	if (write::isFilm(options.output))
+		places.film = options.output;
+	else if (!options.exports())
+		places.pictures = options.output;
+	return places;
+}
+
+Result<std::unique_ptr<SweepProducts>> productsOf(const SweepOptions& options, session::Session& session,
+                                                  view::ResolvedLook look, Frames frames)
+{
+	std::optional<session::Painter> painter;
+	if (options.draws())
+	{
+		Result<session::Painter> made = session::Painter::create(session, std::move(look));
+		if (!made)
+			return made.error();
+		painter.emplace(std::move(*made));
+	}
+	return SweepProducts::create(session, std::move(painter), std::move(frames),
+	                             options.exports() ? options.output : "");
+}
+
+Result<nlohmann::json> sweepAlong(const probe::Path& path, SweepPlan plan, session::Session& session,
+                                  SweepProducts& products)
+{
+	// The first picture is there as soon as can be. Only then is built what makes the others fast.
+	if (session.spec.machine.strategy != find::Strategy::scan)
+		plan.build_neighbors = [&] { return session::buildNeighbors(session); };
+	const std::vector<probe::Frame> poses =
+	    probe::poses(path, session.view.probe, session.blocks.bounds(), plan.frames);
+	const CutSlice cut_slice = [&](int frame, std::shared_ptr<const cut::Cut> last)
+	{
+		session.view.probe.frame = poses[static_cast<std::size_t>(frame)];
+		session.swept = probe::progress(path, frame, plan.frames);
+		session.another_follows = frame > 0;
+		return session::cut(session, std::move(last));
+	};
+	return sweepThrough(plan, cut_slice, session, products);
+}
+
+Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, SweepPlan plan, session::Session& session,
+                                      SweepProducts& products)
+{
+	session::TimeSteps steps(session, products.painter());
+	plan.frames = steps.count();
+	plan.cuts_ahead = false; // it changes what is drawn
+	if (steps.count() == 0)
+		return Error{ErrorKind::input, fmt::format("{}: has no times to sweep over; choose another --path",
+		                                           session.spec.input.files.front())};
+	if (!session.spec.look.range && options.draws())
+		warn("--path times: the colors follow the range of each time; --range LO HI holds them still");
+	const CutSlice cut_slice = [&](int frame, const std::shared_ptr<const cut::Cut>&) { return steps.cutAt(frame); };
+	return sweepThrough(plan, cut_slice, session, products);
+}
+
+Result<ExitCode> runSweep(const SweepOptions& options)
+{
+	const view::ViewSpec& spec = options.common.spec;
+	if (Status ready = prepare(options.common); !ready)
+		return ready.error();
+	// Polygons are written with every array.
+	session::OpenOptions how{.may_scan = true, .reads_all_arrays = options.exports()};
+	if (options.common.explain)
+		return explain(spec, how);
+	for (const Status& fits :
+	     {checkWritable(options.stats), checkSweepOptions(options), view::requirePathOfSurface(spec.probe, spec.sweep),
+	      view::refuseGenerations(spec.probe, spec.look.color_by)})
+		if (!fits)
+			return fits.error();
+	Result<view::ResolvedLook> look = view::resolveLook(spec);
+	if (!look)
+		return look.error();
+	look->captions = options.exposure.empty(); // they would write over each other
+	const Result<int> count = view::frameCount(spec.sweep);
+	if (!count)
+		return count.error();
+	if (options.exports())
+		if (Result<write::SliceSeries> tried = write::SliceSeries::create(options.output); !tried)
+			return tried.error();
+	Result<Frames> frames =
+	    Frames::create(placesOf(options), look->look.width, look->look.height, spec.sweep.frames_per_second);
+	if (!frames)
+		return frames.error();
+	Result<std::optional<write::TraceFile>> trace = openTrace(options.trace);
+	if (!trace)
+		return trace.error();
+
+	how.use = options.draws() ? session::DeviceUse::draw : session::DeviceUse::classify;
+	how.keep = *trace ? Timeline::Keep::sections : Timeline::Keep::totals;
+	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
+	if (!opened)
+		return opened.error();
+	session::Session& session = **opened;
+	Result<std::unique_ptr<SweepProducts>> products =
+	    productsOf(options, session, std::move(*look), std::move(*frames));
+	if (!products)
+		return products.error();
+	const bool threads = spec.machine.threads != 1; // one thread is one
+	const SweepPlan plan{
+	    *count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr, spec.look.contour, {}};
+	Result<nlohmann::json> figures = spec.sweep.over_times
+	                                     ? sweepOverTimes(options, plan, session, **products)
+	                                     : sweepAlong(view::pathOf(spec.sweep), plan, session, **products);
+	if (!figures)
+		return figures.error();
+	if (*trace)
+		if (Status written = (*trace)->commit(); !written)
+			return written.error();
+	if (Status saved = saveSpec(options.common); !saved)
+		return saved.error();
+	return writeStats(options.stats, {}, statsDocument(session, {{"frames", std::move(*figures)}}));
+}
+
+} // namespace
+
+void addSweep(CLI::App& program, Run& run)
+{
+	auto options = std::make_shared<SweepOptions>();
+	CLI::App* command =
+	    program.add_subcommand("sweep", "Sweep a probe through an input: numbered pictures, a film, or an exposure");
+	addInputs(*command, options->common)->required(false); // --state may name them
+	addProbeOptions(*command, options->common);
+	addExplain(*command, options->common);
+	addLookOptions(*command, options->common);
+	addVectorOptions(*command, options->common);
+	addContourOptions(*command, options->common);
+	addPathOptions(*command, options->common);
+	addStateOptions(*command, options->common);
+	const char* group = "Sweep";
+	command
+	    ->add_option("-o,--output", options->output,
+	                 "frames/{frame:04}.png, a film: .mp4, .mkv, .webm or .gif (through ffmpeg), or polygons: .pvd")
+	    ->type_name("PATTERN|FILM|FILE.pvd")
+	    ->group(group);
+	command->add_option("--exposure", options->exposure, "All frames in one picture, as the eye keeps them")
+	    ->type_name("FILE.png")
+	    ->group(group);
+	command->add_flag("--resume", options->resume, "Leaves pictures that are there, draws the others")->group(group);
+	command->add_option("--stats", options->stats, "Figures of every frame, and times, as JSON")
+	    ->type_name("FILE|-")
+	    ->group(group);
+	addTraceOption(*command, options->trace, group);
+	command->callback([&run, options] { run = [options] { return runSweep(*options); }; });
+}
+
+} // namespace vp::app

@@ -1,0 +1,38 @@
+#include "report/stats_json.h"
+#include "write/atomic_file.h"
+
+#include <filesystem>
+
+namespace vp::app
+{
+
+Status checkWritable(const std::string& path)
+{
+	if (path.empty() || path == "-")
+		return Nothing{};
+	const Result<write::AtomicFile> tried = write::AtomicFile::create(path);
+	return tried ? Status(Nothing{}) : tried.error();
+}
+
+Result<ExitCode> writeStats(const std::string& path, const std::vector<std::string>& outputs,
+                            const std::string& document)
+{
+	if (path.empty())
+		return ExitCode::done;
+	Status written = [&]() -> Status
+	{
+		Result<write::AtomicFile> file = write::AtomicFile::create(path);
+		if (!file)
+			return file.error();
+		file->write(document);
+		return file->commit();
+	}();
+	if (written)
+		return ExitCode::done;
+	for (const std::string& output : outputs)
+		if (std::filesystem::is_regular_file(output))
+			std::filesystem::remove(output);
+	return written.error();
+}
+
+} // namespace vp::app

@@ -1,0 +1,272 @@
+#include "report/stats_json.h"
+
+#include "report/duration.h"
+#include "report/explain.h"
+#include "vectors/traces.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <unordered_set>
+
+namespace vp::app
+{
+
+namespace
+{
+
+nlohmann::json orNull(const std::optional<double>& value)
+{
+	return value ? nlohmann::json(*value) : nlohmann::json();
+}
+
+nlohmann::json asJson(const Vec3& v)
+{
+	return {v.x, v.y, v.z};
+}
+
+// In the sheet's x and y, from its origin.
+nlohmann::json asJson(const std::optional<probe::Window>& window)
+{
+	if (!window)
+		return {};
+	return {window->x0, window->x1, window->y0, window->y1};
+}
+
+// Traversal figures of a sheet, over its blocks.
+struct TraversalSums
+{
+	std::size_t cut_cells = 0;        // of the file
+	std::size_t linear_cut_cells = 0; // of the grids: the same but where curved cells were cut into linear ones
+	std::size_t touched = 0;
+	std::size_t scanned = 0; // where no cell was searched for
+	std::size_t walked = 0;
+	std::size_t generations = 0; // 0 where all were found at once, without a device
+	std::size_t front_max = 0;
+	std::size_t boundary_faces = 0;
+};
+
+// The file's cells among those a lane cuts.
+std::size_t sourceCutCells(const grid::Block& block, const find::CellCut& cut)
+{
+	const auto* grid = std::get_if<grid::UnstructuredGrid>(&block.grid);
+	if (!grid || !grid->splitsCells())
+		return cut.cut_cells;
+	std::unordered_set<std::size_t> sources;
+	for (std::size_t i = 0; i < cut.cells.size(); ++i)
+		if (cut.codes[i] & shared::kCodeCut)
+			sources.insert(grid->sourceCell(cut.cells[i]));
+	return sources.size();
+}
+
+void addCells(const grid::Block& block, const find::CellCut& cut, TraversalSums& sums)
+{
+	sums.cut_cells += sourceCutCells(block, cut);
+	sums.linear_cut_cells += cut.cut_cells;
+	for (const std::uint32_t code : cut.codes)
+		sums.walked += (code & shared::kCodeWalk) != 0;
+}
+
+void addCells(const grid::Block&, const find::SpanCut& cut, TraversalSums& sums)
+{
+	sums.cut_cells += cut.cells.cut;
+	sums.linear_cut_cells += cut.cells.cut;
+	sums.walked += cut.cells.walked;
+}
+
+TraversalSums sumUp(const grid::BlockSet& blocks, const cut::SheetCut& sheet)
+{
+	TraversalSums sums;
+	for (std::size_t b = 0; b < sheet.cuts.size(); ++b)
+	{
+		const find::BlockCut& cut = sheet.cuts[b];
+		std::visit([&](const auto& found) { addCells(blocks.blocks[b], found, sums); }, cut.found);
+		sums.touched += cut.touchedCells();
+		sums.scanned += cut.scannedCells();
+		sums.generations = std::max(sums.generations, cut.steps());
+		sums.front_max = std::max(sums.front_max, cut.frontMax());
+	}
+	for (const auto& faces : sheet.seeds.faces_in_plane)
+		sums.boundary_faces += faces.size();
+	return sums;
+}
+
+// A surface of another kind has no frame: null.
+nlohmann::json frameJson(const cut::SheetCut& sheet)
+{
+	if (sheet.surface)
+		return {{"surface", find::nameOf(*sheet.surface)},
+		        {"origin", nullptr},
+		        {"normal", nullptr},
+		        {"up", nullptr},
+		        {"window", nullptr}};
+	return {{"surface", sheet.sheet.form ? nlohmann::json(sheet.sheet.form->text()) : nlohmann::json()},
+	        {"origin", asJson(sheet.sheet.origin)},
+	        {"normal", asJson(sheet.sheet.normal)},
+	        {"up", asJson(sheet.sheet.up)},
+	        {"window", asJson(sheet.sheet.window)}};
+}
+
+nlohmann::json crinkleJson(const grid::BlockSet& blocks, const std::optional<mesh::SheetMesh>& crinkle)
+{
+	if (!crinkle)
+		return {};
+	return {{"faces", crinkle->polygons()},
+	        {"vertices", crinkle->positions.size()},
+	        {"area", measure::measure(blocks, *crinkle, {}).area}};
+}
+
+nlohmann::json tracesJson(const session::Session& session, const vectors::Traces& traces)
+{
+	std::array<std::size_t, vectors::kTraceEndWords.size()> counts{};
+	const auto count = [&](const std::vector<vectors::TraceEnd>& of_traces)
+	{
+		for (const vectors::TraceEnd end : of_traces)
+			++counts[static_cast<std::size_t>(end)];
+	};
+	if (session.view.launch->direction != vectors::Direction::forward)
+		count(traces.begins);
+	if (session.view.launch->direction != vectors::Direction::backward)
+		count(traces.ends);
+	nlohmann::json ends;
+	for (std::size_t i = 0; i < counts.size(); ++i)
+		ends[vectors::kTraceEndWords[i]] = counts[i];
+	return {{"array", session.view.vector_array->name},
+	        {"traces", traces.count()},
+	        {"points", traces.points.size()},
+	        {"dt", session.launch.dt},
+	        {"ends", ends}};
+}
+
+nlohmann::json sheetJson(const session::Session& session, const cut::SheetCut& sheet, const session::SheetStats& stats)
+{
+	const TraversalSums sums = sumUp(session.blocks, sheet);
+	nlohmann::json json = frameJson(sheet);
+	json.update({{"array", sheet.field ? nlohmann::json(sheet.field->title(session.blocks)) : nlohmann::json()},
+	             {"cut_cells", sums.cut_cells},
+	             {"linear_cut_cells", sums.linear_cut_cells},
+	             {"polygons", stats.mesh.polygons()},
+	             {"vertices", stats.mesh.positions.size()},
+	             {"components", stats.measure.components},
+	             {"area", stats.measure.area},
+	             {"mean", orNull(stats.measure.mean)},
+	             {"min", orNull(stats.measure.min)},
+	             {"max", orNull(stats.measure.max)},
+	             {"seeds", sheet.seeds.count},
+	             {"hops", sheet.seeds.hops},
+	             {"boundary_tests", sheet.seeds.boundary_tests},
+	             {"tree_tests", sheet.seeds.tree_tests},
+	             {"hot_spot_inside", sheet.seeds.hot_spot_inside},
+	             {"generations", sums.generations},
+	             {"front_max", sums.front_max},
+	             {"cells_touched", sums.touched},
+	             {"cells_scanned", sums.scanned},
+	             {"cells_walked", sums.walked},
+	             {"cells_twisted", stats.mesh.cells_twisted},
+	             {"boundary_faces", sums.boundary_faces},
+	             {"boundary_area", stats.measure.boundary_area},
+	             {"nan_area", stats.measure.nan_area},
+	             {"flux", orNull(stats.flux)},
+	             {"crinkle", crinkleJson(session.blocks, stats.crinkle)}});
+	if (stats.traces)
+		json["vectors"] = tracesJson(session, *stats.traces);
+	return json;
+}
+
+} // namespace
+
+nlohmann::json sheetsJson(const session::Session& session, const cut::Cut& slice,
+                          const std::vector<session::SheetStats>& sheets)
+{
+	nlohmann::json list = nlohmann::json::array();
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+		list.push_back(sheetJson(session, slice.sheets[s], sheets[s]));
+	return list;
+}
+
+nlohmann::json contoursJson(const session::Session& session, const session::Contours& contours)
+{
+	nlohmann::json list = nlohmann::json::array();
+	for (std::size_t s = 0; s < contours.size(); ++s)
+		for (const contour::Contour& contour : contours[s])
+			list.push_back({{"sheet", s},
+			                {"value", contour.value},
+			                {"cells", contour.cells},
+			                {"polygons", contour.mesh.polygons()},
+			                {"area", measure::measure(session.blocks, contour.mesh, {}).area},
+			                {"components", contour.components},
+			                {"seeds", contour.seeds},
+			                {"generations", contour.generations},
+			                {"cells_touched", contour.cells_touched}});
+	return list;
+}
+
+// From how many cells on `--classify auto` has the device do it; null where it was not asked, or is never faster.
+nlohmann::json breakEvenJson(const session::Session& session)
+{
+	return session.break_even && session.break_even->cells ? nlohmann::json(*session.break_even->cells)
+	                                                       : nlohmann::json();
+}
+
+nlohmann::json inputJson(const session::Session& session)
+{
+	return {
+	    {"input", fmt::format("{}", fmt::join(session.spec.input.files, " "))},
+	    {"grid",
+	     {{"kind", session.blocks.kind()},
+	      {"cells", session.blocks.sourceCellCount()},
+	      {"points", session.blocks.sourcePointCount()},
+	      {"linear_cells", session.blocks.cellCount()},
+	      {"linear_points", session.blocks.pointCount()},
+	      {"blocks", session.blocks.blocks.size()}}},
+	    {"array", session.view.field ? nlohmann::json(session.view.field->title(session.blocks)) : nlohmann::json()},
+	    {"device", session.device ? session.device->name() : "none"},
+	    {"classifier", classifierName(session)},
+	    {"break_even_cells", breakEvenJson(session)},
+	    {"plan", planJson(session)}};
+}
+
+std::string statsDocument(const session::Session& session, const nlohmann::json& what)
+{
+	const Timeline& timeline = *session.timeline;
+	nlohmann::json ms = {{"gpu", timeline.totalGpu()}, {"total", timeline.now()}};
+	for (const char* section : {"read", "build", "adjacency", "upload", "seed", "traverse", "emit", "contour", "trace",
+	                            "measure", "readback", "render", "write"})
+		ms[section] = timeline.total(section);
+
+	nlohmann::json document = inputJson(session);
+	document.update(what);
+	document["ms"] = std::move(ms);
+	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string statsJson(const session::Session& session, const session::CutFrame& frame)
+{
+	return statsDocument(session, {{"contours", contoursJson(session, frame.contours)},
+	                               {"sheets", sheetsJson(session, frame.slice, frame.sheets)}});
+}
+
+std::string statsTable(const session::Session& session, const session::CutFrame& frame)
+{
+	const std::vector<session::SheetStats>& sheets = frame.sheets;
+	std::string table = fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13} {:>13} {:>13} {:>13}\n", "sheet", "cells",
+	                                "polygons", "vertices", "pieces", "area", "mean", "min", "max");
+	const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; };
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+	{
+		const measure::SheetMeasure& measure = sheets[s].measure;
+		table += fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13.6g} {:>13} {:>13} {:>13}\n", s,
+		                     sumUp(session.blocks, frame.slice.sheets[s]).cut_cells, sheets[s].mesh.polygons(),
+		                     sheets[s].mesh.positions.size(), measure.components, measure.area, number(measure.mean),
+		                     number(measure.min), number(measure.max));
+	}
+	const Timeline& timeline = *session.timeline;
+	const double cut_ms = timeline.total("seed") + timeline.total("traverse") + timeline.total("emit");
+	table += fmt::format("{}classified on the {}, cut in {} of {}\n",
+	                     session.view.field ? fmt::format("array {}, ", session.view.field->title(session.blocks)) : "",
+	                     classifierName(session), durationText(cut_ms), durationText(timeline.now()));
+	return table;
+}
+
+} // namespace vp::app

@@ -1,0 +1,86 @@
+#include "report/sweep_products.h"
+
+#include <utility>
+
+namespace vp::app
+{
+
+Result<std::unique_ptr<SweepProducts>> SweepProducts::create(session::Session& session,
+                                                             std::optional<session::Painter> painter, Frames frames,
+                                                             const std::string& series)
+{
+	std::unique_ptr<SweepProducts> products(new SweepProducts(session, std::move(painter), std::move(frames)));
+	if (!series.empty())
+	{
+		products->interrupt_ = std::make_unique<DeferredInterrupt>();
+		Result<write::SliceSeries> made = write::SliceSeries::create(series);
+		if (!made)
+			return made.error();
+		products->series_.emplace(std::move(*made));
+	}
+	return products;
+}
+
+Status SweepProducts::add(int frame, const session::CutFrame& cut)
+{
+	if (interrupt_ && interrupt_->came())
+		return Error{ErrorKind::cancelled, "interrupted; nothing is written"};
+	if (series_)
+	{
+		const TimedSection section(session_.timeline.get(), "write");
+		if (Status written =
+		        series_->add(frame, session_.blocks, exportedMeshes(cut.sheets), session::contourPieces(cut.contours));
+		    !written)
+			return written;
+	}
+	return painter_ ? draw(frame, cut) : Nothing{};
+}
+
+Status SweepProducts::draw(int frame, const session::CutFrame& cut)
+{
+	if (frame == 0 && frames_.wantsExposure())
+	{
+		Result<render::Picture> empty = painter_->drawEmpty(cut.slice, cut.sheets);
+		if (!empty)
+			return empty.error();
+		frames_.beginExposure(std::move(*empty));
+	}
+	Result<render::Picture> picture = painter_->draw(cut.slice, cut.sheets, cut.contours);
+	if (!picture)
+		return picture.error();
+	if (writer_)
+	{
+		const TimedSection section(session_.timeline.get(), "await writer");
+		writer_->give([this, frame, picture = std::move(*picture)] { write(frame, picture); });
+	}
+	else
+		write(frame, *picture);
+	return write_failed_ ? finish() : Nothing{};
+}
+
+void SweepProducts::write(int frame, const render::Picture& picture)
+{
+	if (write_failed_)
+		return;
+	const TimedSection section(session_.timeline.get(), "write");
+	written_ = frames_.add(frame, picture);
+	write_failed_ = !written_;
+}
+
+Status SweepProducts::finish()
+{
+	if (writer_)
+		writer_->finish();
+	return written_;
+}
+
+Status SweepProducts::commit()
+{
+	if (Status all = finish(); !all)
+		return all;
+	if (Status written = frames_.commit(); !written)
+		return written;
+	return series_ ? series_->commit() : Nothing{};
+}
+
+} // namespace vp::app
