@@ -4,7 +4,7 @@
 # N skipped.
 # usage: tests/run.sh [--release|--long]
 #   --release: the release build and its tests, nothing else
-#   --long: also the tests labelled long, every file compiled alone, and Debian 13
+#   --long: also the tests labelled long, every file compiled alone, Debian 13, and the packages installed
 # What --long downloads is kept in $VPROBE_CACHE, else in ~/.cache/vprobe.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -191,6 +191,11 @@ test_at_length()
 		check "Debian 13" bash tests/debian13.sh
 	else
 		skipped+=("Debian 13: $why_not")
+	fi
+	if why_not=$(bash tests/package/installed.sh --can-run); then
+		check "Packages installed" bash tests/package/installed.sh
+	else
+		skipped+=("packages installed: $why_not")
 	fi
 }
 

@@ -23,7 +23,8 @@ using Run = std::function<Result<ExitCode>()>;
 	X(addProfile)                                                                                                      \
 	X(addView)                                                                                                         \
 	X(addCheck)                                                                                                        \
-	X(addSample)
+	X(addSample)                                                                                                       \
+	X(addManual)
 
 #define VP_DECLARE(add) void add(CLI::App& program, Run& run);
 VP_COMMANDS(VP_DECLARE)

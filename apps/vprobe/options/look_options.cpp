@@ -94,7 +94,7 @@ void addLookOptions(CLI::App& command, SpecOptions& options, LookScope scope)
 	addColorOptions(command, options);
 	addText(command, options, "--background", look.background, render::parseBackground,
 	        "gradient, white, black, grey, transparent, #RGB or #RRGGBB")
-	    ->type_name("COLOUR")
+	    ->type_name("COLOR")
 	    ->default_str(render::backgroundText(look.background))
 	    ->group(kLookGroup);
 	addText(command, options, "--camera", look.camera, render::parseCamera,

@@ -14,7 +14,7 @@ void addDrawnOptions(CLI::App& command, view::VectorLookSpec& look)
 	    .add_option("--vector-color", look.color,
 	                "What they are colored by: an array, or one color: white, black, grey, #RRGGBB (default: the "
 	                "vector's length)")
-	    ->type_name("[point:|cell:]NAME|COLOUR")
+	    ->type_name("[point:|cell:]NAME|COLOR")
 	    ->group(kVectorGroup);
 	command
 	    .add_option("--vector-colormap", look.colormap,
