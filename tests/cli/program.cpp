@@ -52,6 +52,8 @@ void redirect(int descriptor, const std::string& file)
 		const rlimit limits{limit, limit};
 		setrlimit(RLIMIT_FSIZE, &limits);
 	}
+	if (!surroundings.folder.empty() && chdir(surroundings.folder.c_str()) != 0)
+		_exit(97);
 	alarm(kSecondsToLive);
 	std::vector<char*> argv{const_cast<char*>("vprobe")};
 	for (const std::string& argument : arguments)

@@ -24,6 +24,20 @@ TEST_F(Render, Picture)
 	EXPECT_EQ(sizeOf(contents(path("out.png"))), (PictureSize{200, 120}));
 }
 
+TEST_F(Render, WithoutANameThePictureHasTheInputs)
+{
+	Surroundings here;
+	here.folder = path("");
+	const Outcome drawn = render({"--size", "64x64"}, here);
+	EXPECT_EQ(drawn.status, 0) << drawn.err;
+	EXPECT_EQ(drawn.out, "demo-shell-16.png\n");
+	EXPECT_EQ(sizeOf(contents(path("demo-shell-16.png"))), (PictureSize{64, 64}));
+	// What is there stays.
+	EXPECT_TRUE(isError(render({"--size", "32x32"}, here), 1, {"demo-shell-16.png", "-o"}));
+	EXPECT_EQ(sizeOf(contents(path("demo-shell-16.png"))), (PictureSize{64, 64}));
+	EXPECT_EQ(files(), Arguments{"demo-shell-16.png"});
+}
+
 TEST_F(Render, TimesAddUp)
 {
 	const Outcome outcome = render({"-o", path("out.png"), "--size", "200x120", "--stats", "-"});

@@ -122,11 +122,6 @@ TEST_F(Usage, PictureOfAnUnknownKind)
 	EXPECT_TRUE(files().empty());
 }
 
-TEST_F(Usage, PictureWithoutAName)
-{
-	EXPECT_TRUE(isError(run({"render", "demo:shell:8"}), 1, {"-o"}));
-}
-
 TEST_P(BadProbe, IsOneLineAndLeavesNothing)
 {
 	for (const Arguments& command :

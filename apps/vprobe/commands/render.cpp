@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -27,14 +28,35 @@ struct RenderOptions
 	std::string vectors_out;
 };
 
+// The picture's name where the user gives none: the input's, in the folder where the program runs.
+std::string defaultOutput(const view::InputSpec& input)
+{
+	std::string name = input.files.empty() ? "picture" : std::filesystem::path(input.files.front()).filename().string();
+	if (name.starts_with("demo:"))
+		std::ranges::replace(name, ':', '-');
+	else
+		name = std::filesystem::path(name).stem().string();
+	return name + ".png";
+}
+
+// A file that is there already is not overwritten without being asked for.
+Status takeDefaultOutput(RenderOptions& options)
+{
+	if (!options.output.empty())
+		return Nothing{};
+	options.output = defaultOutput(options.common.spec.input);
+	if (!std::filesystem::exists(options.output))
+		return Nothing{};
+	return Error{ErrorKind::usage,
+	             fmt::format("{}: is there already; name the picture by -o, which replaces it", options.output)};
+}
+
 // What can be wrong on the command line is told before a large file is read.
 Status check(const RenderOptions& options)
 {
 	const view::ViewSpec& spec = options.common.spec;
 	if (Status place = checkWritable(options.stats); !place)
 		return place;
-	if (options.output.empty())
-		return Error{ErrorKind::usage, "-o: a picture needs a place; give the name of a .png file, or -"};
 	if (options.output == "-" && options.stats == "-")
 		return Error{ErrorKind::usage,
 		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
@@ -51,7 +73,7 @@ Status check(const RenderOptions& options)
 	return view::refuseGenerations(spec.probe, spec.look.color_by);
 }
 
-Result<ExitCode> runRender(const RenderOptions& options)
+Result<ExitCode> runRender(RenderOptions& options)
 {
 	const view::ViewSpec& spec = options.common.spec;
 	if (Status ready = prepare(options.common); !ready)
@@ -59,6 +81,9 @@ Result<ExitCode> runRender(const RenderOptions& options)
 	session::OpenOptions how{.may_scan = true, .reads_all_arrays = false, .reads_again = false};
 	if (options.common.explain)
 		return explain(spec, how);
+	const bool tells_place = options.output.empty() && options.stats != "-";
+	if (Status free = takeDefaultOutput(options); !free)
+		return free.error();
 	if (Status fits = check(options); !fits)
 		return fits.error();
 	Result<view::ResolvedLook> look = view::resolveLook(spec);
@@ -81,6 +106,8 @@ Result<ExitCode> runRender(const RenderOptions& options)
 		return picture.error();
 	if (Status written = write::writePng(*picture, options.output); !written)
 		return written.error();
+	if (tells_place)
+		fmt::print("{}\n", options.output);
 	if (Status written = writeVectors(session, frame->sheets, options.vectors_out); !written)
 		return written.error();
 	if (Status saved = saveSpec(options.common); !saved)
@@ -98,7 +125,9 @@ void addRender(CLI::App& program, Run& run)
 	addInputs(*command, options->common)->required(false); // --state may name them
 	addProbeOptions(*command, options->common);
 	addExplain(*command, options->common);
-	command->add_option("-o,--output", options->output, "Picture; - writes it to standard output")
+	command
+	    ->add_option("-o,--output", options->output,
+	                 "Picture; - writes it to standard output (default: the input's name, in the current folder)")
 	    ->type_name("FILE.png|-");
 	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
 
