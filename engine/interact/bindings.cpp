@@ -150,6 +150,11 @@ constexpr auto kBindings = std::to_array<Binding>({
     VP_BINDING(panels, plain(Key::f9), kWindow, "Panels"),
     VP_BINDING(profile_overlay, plain(Key::f2), kWindow, "What a frame's time is spent on"),
     VP_BINDING(full_screen, plain(Key::f11), kWindow, "Full screen"),
+    VP_BINDING(text_larger, ctrl('='), kWindow, "Larger text"),
+    VP_BINDING(text_larger, ctrl('+'), kWindow, "Larger text"),
+    VP_BINDING(text_smaller, ctrl('-'), kWindow, "Smaller text"),
+    VP_BINDING(find_command, ctrl('k'), kWindow, "Find a command by its name"),
+    VP_BINDING(hints, shift(Key::f1), kWindow, "Hints for the first steps"),
     VP_BINDING(help, plain('?'), kWindow, "This list"),
     VP_BINDING(help, plain(Key::f1), kWindow, "This list"),
 });

@@ -95,6 +95,10 @@ enum class Action
 	panels,
 	profile_overlay,
 	full_screen,
+	text_larger,
+	text_smaller,
+	find_command,
+	hints,
 	help
 };
 constexpr int kActions = static_cast<int>(Action::help) + 1;

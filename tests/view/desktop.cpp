@@ -96,6 +96,9 @@ void Desktop::startManager()
 	write("openbox.xml", kManagerSettings);
 	for (const char* folder : {"home", "config", "state"})
 		std::filesystem::create_directory(path(folder));
+	// Somebody who knows the window: hints would lie over the picture.
+	std::filesystem::create_directory(path("config/volume-probes"));
+	write("config/volume-probes/view.json", R"({"hints": false})");
 	manager_ = std::make_unique<Process>(std::vector<std::string>{"openbox", "--config-file", path("openbox.xml")},
 	                                     Process::Setting{.environment = surroundings()});
 	const auto answers = [this]
@@ -266,6 +269,14 @@ void Desktop::keepPicture(const std::string& name) const
 {
 	const vp::Status written = vp::write::writePng(screen(), std::string(VPROBE_VIEW_OUTPUT "/") + name + ".png");
 	EXPECT_TRUE(written) << (written ? std::string() : written.error().message);
+}
+
+void Desktop::keepWindow(const std::string& name) const
+{
+	const std::string file = VPROBE_VIEW_OUTPUT "/" + name + ".png";
+	std::filesystem::remove(file);
+	command("screenshot " + file);
+	EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << file;
 }
 
 } // namespace view

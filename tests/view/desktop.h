@@ -53,6 +53,7 @@ protected:
 	vp::render::Picture rest(const Area& area) const; // when it no longer changes
 	Area scene() const;                               // the window below the menu, while panels are off
 	void keepPicture(const std::string& name) const;  // in the build folder: NAME.png
+	void keepWindow(const std::string& name) const;   // the same, of the window alone
 
 	static constexpr int kScreenWidth = 1400;
 	static constexpr int kScreenHeight = 900;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Copies the pictures that Picture.TheManualsAreTaken took of the window into docs/viewer.
+# Copies the pictures that the tests took of the window into docs/viewer.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-for name in shell trihedral plane; do
+for name in shell trihedral plane start hint find_command; do
 	cp "build/release/tests/view/pictures/$name.png" docs/viewer/
 done

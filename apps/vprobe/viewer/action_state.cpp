@@ -26,6 +26,10 @@ bool needsData(Action action)
 	case Action::panels:
 	case Action::profile_overlay:
 	case Action::full_screen:
+	case Action::text_larger:
+	case Action::text_smaller:
+	case Action::find_command:
+	case Action::hints:
 	case Action::help:
 	case Action::magnifier:
 		return false;
@@ -64,6 +68,10 @@ bool isOn(const Document& bench, Action action)
 		return parts.full_screen;
 	case Action::magnifier:
 		return parts.magnifier;
+	case Action::find_command:
+		return parts.command_search;
+	case Action::hints:
+		return bench.settings.hint.has_value();
 	case Action::help:
 		return parts.help;
 	case Action::play:

@@ -42,6 +42,11 @@ struct OpenParts
 	bool plane_pane = false;
 	bool profile = false;
 	bool help = false;
+	bool command_search = false;
+	// What keys have said to the search since its last frame: ImGui sees a key only while it is down, and a quick one
+	// may go up again between two frames.
+	int search_steps = 0; // downwards
+	bool search_enters = false;
 	bool full_screen = false;
 	bool contour = false;  // one follows the pointer over the sheets
 	bool exposure = false; // in place of the film loop, all its frames in one picture

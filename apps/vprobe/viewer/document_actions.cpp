@@ -97,6 +97,17 @@ bool Document::performOnWindow(Action action)
 		return toggle(parts.own);
 	case Action::magnifier:
 		return toggle(parts.magnifier);
+	case Action::text_larger:
+		settings.text_size = std::min(settings.text_size * kTextStep, kMaxTextSize);
+		return true;
+	case Action::text_smaller:
+		settings.text_size = std::max(settings.text_size / kTextStep, kMinTextSize);
+		return true;
+	case Action::find_command:
+		return toggle(parts.command_search);
+	case Action::hints:
+		settings.hint = settings.hint ? std::nullopt : std::optional<std::size_t>(0);
+		return true;
 	case Action::help:
 		return toggle(parts.help);
 	default:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace vp::app
 {
@@ -31,13 +30,6 @@ constexpr std::array kHand{
     HandWords{"Click a number", "Type it; drag it to change it"},
 };
 
-bool has(std::string_view text, std::string_view wanted)
-{
-	return std::search(text.begin(), text.end(), wanted.begin(), wanted.end(),
-	                   [](unsigned char a, unsigned char b)
-	                   { return std::tolower(a) == std::tolower(b); }) != text.end();
-}
-
 void row(std::string_view keys, std::string_view words)
 {
 	ImGui::TableNextRow();
@@ -59,7 +51,7 @@ void listHand(std::string_view wanted)
 	bool headed = false;
 	for (const HandWords& words : kHand)
 	{
-		if (!has(words.what, wanted) && !has(words.does, wanted))
+		if (!containsText(words.what, wanted) && !containsText(words.does, wanted))
 			continue;
 		if (!headed)
 			groupHeading("Mouse");
@@ -74,7 +66,8 @@ void listKeys(std::string_view wanted)
 	for (const Binding& binding : interact::bindings())
 	{
 		const std::string keys = interact::keysOf(binding.action);
-		if ((last && last->action == binding.action) || !(has(binding.words, wanted) || has(keys, wanted)))
+		if ((last && last->action == binding.action) ||
+		    !(containsText(binding.words, wanted) || containsText(keys, wanted)))
 			continue;
 		if (!last || last->group != binding.group)
 			groupHeading(binding.group);

@@ -13,9 +13,11 @@ namespace vp::app
 namespace
 {
 
-bool isForInterface()
+// What is typed right after Ctrl+K is for the search, also before it has the focus.
+bool isForInterface(const Document& bench)
 {
-	return ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+	return bench.parts.command_search || ImGui::GetIO().WantTextInput ||
+	       ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
 }
 
 } // namespace
@@ -29,7 +31,11 @@ void Keyboard::press(int key, bool down, int modifiers)
 	// Also where a text is being typed.
 	if (chord == interact::Chord{interact::Key::escape} && closeQuestion())
 		return;
-	const auto action = chord && !isForInterface() ? interact::actionOf(*chord) : std::nullopt;
+	if (chord && bench_.parts.command_search && searches(chord->key))
+		return;
+	const auto meant = chord ? interact::actionOf(*chord) : std::nullopt;
+	const bool closes = meant == interact::Action::find_command && bench_.parts.command_search;
+	const auto action = closes || !isForInterface(bench_) ? meant : std::nullopt;
 	served_ = action.has_value();
 	if (action)
 		bench_.perform(*action);
@@ -38,10 +44,24 @@ void Keyboard::press(int key, bool down, int modifiers)
 void Keyboard::type(char32_t character)
 {
 	const bool is_sign = character > U' ' && character < 0x7f && !std::isalnum(static_cast<unsigned char>(character));
-	if (!is_sign || served_ || isForInterface())
+	if (!is_sign || served_ || isForInterface(bench_))
 		return;
 	if (const auto action = interact::actionOf({interact::key(character)}))
 		bench_.perform(*action);
+}
+
+bool Keyboard::searches(interact::Key key)
+{
+	OpenParts& parts = bench_.parts;
+	if (key == interact::Key::down)
+		++parts.search_steps;
+	else if (key == interact::Key::up)
+		--parts.search_steps;
+	else if (key == interact::Key::enter)
+		parts.search_enters = true;
+	else
+		return false;
+	return true;
 }
 
 // What was left to be recovered wants an answer.
@@ -50,7 +70,8 @@ bool Keyboard::closeQuestion()
 	const bool asks = bench_.question != Question::none && bench_.question != Question::recover;
 	if (asks)
 		bench_.question = Question::none;
-	return std::exchange(bench_.parts.help, false) || asks;
+	const bool searches = std::exchange(bench_.parts.command_search, false);
+	return std::exchange(bench_.parts.help, false) || searches || asks;
 }
 
 } // namespace vp::app

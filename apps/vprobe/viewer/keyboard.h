@@ -18,6 +18,7 @@ public:
 
 private:
 	bool closeQuestion();
+	bool searches(interact::Key key); // what a key means to the search for commands; false for nothing
 
 	Document& bench_;
 	PointerController& hand_;

@@ -37,8 +37,11 @@ ScenePart showPanels(Desk& desk)
 	showNotices(desk, desk.bench.parts.plane_pane ? abovePane(scene, desk.scale) : scene);
 	if (desk.bench.parts.profile)
 		showProfile(desk, scene);
+	showHints(desk, scene);
 	if (desk.bench.parts.help)
 		showHelp(desk);
+	if (desk.bench.parts.command_search)
+		showCommandSearch(desk);
 	showQuestions(desk);
 	return scene;
 }

@@ -31,7 +31,10 @@ void followPointer(Desk& desk);                    // with a contour, where one 
 void showPlanePane(Desk& desk, const ScenePart& part);
 void showNotices(Desk& desk, const ScenePart& part);
 void showProfile(Desk& desk, const ScenePart& part);
+void showStartPage(Desk& desk, const ScenePart& part); // before anything is loaded
+void showHints(Desk& desk, const ScenePart& part);     // the first steps, one at a time
 void showHelp(Desk& desk);
+void showCommandSearch(Desk& desk);
 void showQuestions(Desk& desk);
 
 } // namespace vp::app

@@ -1,8 +1,6 @@
 #include "viewer/pointer_words.h"
 #include "viewer/sections.h"
 
-#include <fmt/format.h>
-
 namespace vp::app
 {
 
@@ -67,20 +65,15 @@ void showEmptyScene(Desk& desk, const ScenePart& part)
 {
 	ImDrawList& list = *ImGui::GetBackgroundDrawList();
 	list.AddRectFilled(onScreen({0.0, 0.0}, part), onScreen(part.size, part), ImGui::GetColorU32(ImGuiCol_FrameBg));
+	if (!desk.bench.loader().isBusy() && !desk.bench.facts())
+		return showStartPage(desk, part);
 	const auto width = static_cast<float>(std::min(360.0 * desk.scale, 0.9 * part.size.x));
 	ImGui::SetNextWindowPos(onScreen(0.5 * part.size, part), ImGuiCond_Always, {0.5f, 0.5f});
 	ImGui::SetNextWindowSize({width, 0.0f});
 	ImGui::Begin("empty", nullptr,
 	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
 	                 ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus);
-	if (desk.bench.loader().isBusy() || desk.bench.facts())
-		showLoading(desk);
-	else
-	{
-		const std::string hint = fmt::format("Drop a file here, or press {}", interact::keysOf(interact::Action::open));
-		ImGui::SetCursorPosX(0.5f * (width - ImGui::CalcTextSize(hint.c_str()).x));
-		ImGui::TextUnformatted(hint.c_str());
-	}
+	showLoading(desk);
 	ImGui::End();
 }
 

@@ -74,6 +74,10 @@ Settings readSettings()
 		return settings;
 	if (const auto dark = json.find("dark"); dark != json.end() && dark->is_boolean())
 		settings.dark = *dark;
+	if (const auto size = json.find("text_size"); size != json.end() && size->is_number())
+		settings.text_size = std::clamp(size->get<double>(), kMinTextSize, kMaxTextSize);
+	if (const auto hints = json.find("hints"); hints != json.end() && hints->is_boolean() && !hints->get<bool>())
+		settings.hint.reset();
 	if (const auto recent = json.find("recent"); recent != json.end() && recent->is_array())
 		for (const nlohmann::json& name : *recent)
 			if (name.is_string() && settings.recent.size() < kMaxRecent)
@@ -88,7 +92,10 @@ bool writeSettings(const Settings& settings)
 	auto file = write::AtomicFile::create(settingsFile());
 	if (!file)
 		return false;
-	const nlohmann::json json{{"dark", settings.dark}, {"recent", settings.recent}};
+	const nlohmann::json json{{"dark", settings.dark},
+	                          {"text_size", settings.text_size},
+	                          {"hints", settings.hint.has_value()},
+	                          {"recent", settings.recent}};
 	file->write(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 	return bool(file->commit());
 }

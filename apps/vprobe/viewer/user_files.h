@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,15 @@ namespace vp::app
 struct Settings
 {
 	bool dark = true;
-	std::vector<std::string> recent; // inputs, the last one first; as absolute paths
+	double text_size = 1.0;              // times the size that suits the screen, kMinTextSize to kMaxTextSize
+	std::optional<std::size_t> hint = 0; // the one that is shown; none once they have been dismissed
+	std::vector<std::string> recent;     // inputs, the last one first; as absolute paths
 };
 
 constexpr std::size_t kMaxRecent = 12;
+constexpr double kMinTextSize = 0.7;
+constexpr double kMaxTextSize = 2.5;
+constexpr double kTextStep = 1.1;
 
 // Defaults where there are none, or they cannot be read.
 Settings readSettings();

@@ -166,9 +166,9 @@ double Viewer::secondsToNextFrame() const
 
 Status Viewer::followScale()
 {
-	if (window_.scale() != scale_)
+	if (const double scale = window_.scale() * bench_.settings.text_size; scale != scale_)
 	{
-		scale_ = window_.scale();
+		scale_ = scale;
 		applyTheme(bench_.settings.dark, scale_);
 		makeFonts(scale_);
 		if (Status taken = screen_.takeFonts(); !taken)

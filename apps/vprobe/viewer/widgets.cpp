@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace vp::app
 {
@@ -169,6 +170,13 @@ void clippedText(const std::string& text)
 	} while (from < text.size() && ImGui::CalcTextSize(shown.c_str()).x > room);
 	ImGui::TextUnformatted(shown.c_str());
 	tip(text);
+}
+
+bool containsText(std::string_view text, std::string_view wanted)
+{
+	return std::search(text.begin(), text.end(), wanted.begin(), wanted.end(),
+	                   [](unsigned char a, unsigned char b)
+	                   { return std::tolower(a) == std::tolower(b); }) != text.end();
 }
 
 std::string grouped(std::size_t number)

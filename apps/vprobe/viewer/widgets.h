@@ -77,6 +77,9 @@ double lengthSpeed(const Desk& desk);
 // A text as long as there is room for, its end or middle left out; all of it in a tip.
 void clippedText(const std::string& text);
 
+// Whatever the case of its letters.
+bool containsText(std::string_view text, std::string_view wanted);
+
 // Whole numbers in groups of three: "16 777 216".
 std::string grouped(std::size_t number);
 std::string bytes(double count); // "1.8 GiB"
