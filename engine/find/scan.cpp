@@ -1,6 +1,7 @@
 #include "find/scan.h"
 
 #include "base/huge_vector.h"
+#include "base/raw_vector.h"
 #include "find/cell_signs.h"
 #include "grid/lone_faces.h"
 #include "seed/boundary_cut.h"

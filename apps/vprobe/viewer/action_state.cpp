@@ -45,15 +45,15 @@ bool isProbe(const view::ProbeSpec& probe, view::ProbeShape shape)
 
 } // namespace
 
-bool isOn(const Document& bench, Action action)
+bool isOn(const Document& document, Action action)
 {
-	const OpenParts& parts = bench.parts;
-	const view::LookSpec& look = bench.state().look;
-	const view::ProbeSpec& probe = bench.state().probe;
+	const OpenParts& parts = document.parts;
+	const view::LookSpec& look = document.state().look;
+	const view::ProbeSpec& probe = document.state().probe;
 	switch (action)
 	{
 	case Action::dark_theme:
-		return bench.settings.dark;
+		return document.settings.dark;
 	case Action::handles:
 		return parts.handles;
 	case Action::contour:
@@ -71,15 +71,15 @@ bool isOn(const Document& bench, Action action)
 	case Action::find_command:
 		return parts.command_search;
 	case Action::hints:
-		return bench.settings.hint.has_value();
+		return document.settings.hint.has_value();
 	case Action::help:
 		return parts.help;
 	case Action::play:
-		return bench.isPlaying();
+		return document.playback().isPlaying();
 	case Action::loop:
-		return bench.loops();
+		return document.playback().loops();
 	case Action::there_and_back:
-		return bench.state().sweep.there_and_back;
+		return document.state().sweep.there_and_back;
 	case Action::sheet_alone:
 		return parts.own;
 	case Action::lines:
@@ -109,23 +109,23 @@ bool isOn(const Document& bench, Action action)
 	}
 }
 
-bool isPossible(const Document& bench, Action action)
+bool isPossible(const Document& document, Action action)
 {
 	switch (action)
 	{
 	case Action::undo:
-		return bench.history().canUndo();
+		return document.history().canUndo();
 	case Action::redo:
-		return bench.history().canRedo();
+		return document.history().canRedo();
 	case Action::cancel:
-		return bench.loader().isBusy() || bench.recording();
+		return document.loader().isBusy() || document.playback().recording();
 	case Action::save_film:
-		return bench.film() != nullptr;
+		return document.playback().film() != nullptr;
 	case Action::next_time:
 	case Action::previous_time:
-		return bench.facts() && bench.facts()->times.size() > 1;
+		return document.facts() && document.facts()->times.size() > 1;
 	default:
-		return !needsData(action) || bench.facts().has_value();
+		return !needsData(action) || document.facts().has_value();
 	}
 }
 

@@ -32,8 +32,8 @@ void previewLastItem(const std::string& word, float from)
 
 void chooseMap(Desk& desk, const std::string& word)
 {
-	desk.bench.change(fmt::format("Color map {}", shortName(word)),
-	                  [&](view::ViewSpec& state) { state.look.colormap = word; });
+	desk.document.change(fmt::format("Color map {}", shortName(word)),
+	                     [&](view::ViewSpec& state) { state.look.colormap = word; });
 }
 
 void item(Desk& desk, const std::string& word, const std::string& now)
@@ -48,7 +48,7 @@ void item(Desk& desk, const std::string& word, const std::string& now)
 
 void showColorMapChoice(Desk& desk)
 {
-	const std::string now = desk.bench.state().look.colormap;
+	const std::string now = desk.document.state().look.colormap;
 	labeled("Map");
 	const ImVec2 at = ImGui::GetCursorScreenPos();
 	const float width = ImGui::CalcItemWidth();

@@ -15,13 +15,13 @@ using interact::Action;
 using interact::Binding;
 
 // What can be done now and has the text in its name, in the order of the menus.
-std::vector<const Binding*> matchingCommands(const Document& bench, std::string_view wanted)
+std::vector<const Binding*> matchingCommands(const Document& document, std::string_view wanted)
 {
 	std::vector<const Binding*> found;
 	for (const Binding& binding : interact::bindings())
 	{
 		const bool is_known = !found.empty() && found.back()->action == binding.action;
-		if (!is_known && binding.action != Action::find_command && isPossible(bench, binding.action) &&
+		if (!is_known && binding.action != Action::find_command && isPossible(document, binding.action) &&
 		    containsText(binding.words, wanted))
 			found.push_back(&binding);
 	}
@@ -30,8 +30,8 @@ std::vector<const Binding*> matchingCommands(const Document& bench, std::string_
 
 void perform(Desk& desk, Action action)
 {
-	desk.bench.parts.command_search = false;
-	desk.bench.perform(action);
+	desk.document.parts.command_search = false;
+	desk.document.perform(action);
 }
 
 } // namespace
@@ -44,7 +44,7 @@ void showCommandSearch(Desk& desk)
 	const auto scale = static_cast<float>(desk.scale);
 	ImGui::SetNextWindowPos({all.GetWorkCenter().x, all.WorkPos.y + 40.0f * scale}, ImGuiCond_Always, {0.5f, 0.0f});
 	ImGui::SetNextWindowSize({std::min(440.0f * scale, 0.94f * all.WorkSize.x), 0.6f * all.WorkSize.y});
-	if (ImGui::Begin("Find a command", &desk.bench.parts.command_search,
+	if (ImGui::Begin("Find a command", &desk.document.parts.command_search,
 	                 ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
 	                     ImGuiWindowFlags_NoNav))
 	{
@@ -58,9 +58,9 @@ void showCommandSearch(Desk& desk)
 		ImGui::InputTextWithHint("##wanted", "What do you want to do?", wanted.data(), wanted.size());
 		if (ImGui::IsItemEdited())
 			chosen = 0;
-		const std::vector<const Binding*> found = matchingCommands(desk.bench, wanted.data());
+		const std::vector<const Binding*> found = matchingCommands(desk.document, wanted.data());
 		const int last = static_cast<int>(found.size()) - 1;
-		OpenParts& parts = desk.bench.parts;
+		OpenParts& parts = desk.document.parts;
 		chosen = std::clamp(chosen + std::exchange(parts.search_steps, 0), 0, std::max(last, 0));
 		ImGui::BeginChild("commands");
 		for (int i = 0; i <= last; ++i)

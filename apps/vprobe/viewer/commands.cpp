@@ -124,12 +124,12 @@ std::optional<std::string> Commands::next()
 
 bool Commands::run(const Stage& stage)
 {
-	tellErrors(stage.bench);
+	tellErrors(stage.document);
 	if (isWaiting(stage))
 		return true;
 	bool busy = false;
 	// What is waited for is looked at in a later round: input that came before the command counts too.
-	while (!waiting_ && !stage.bench.wantsToQuit())
+	while (!waiting_ && !stage.document.wantsToQuit())
 	{
 		const std::optional<std::string> line = next();
 		if (!line)
@@ -137,7 +137,7 @@ bool Commands::run(const Stage& stage)
 		busy = true;
 		if (Status done = carryOut(*line, stage); !done)
 			printLine(fmt::format("--commands: {}: {}", *line, done.error().message));
-		tellErrors(stage.bench);
+		tellErrors(stage.document);
 	}
 	return busy;
 }
@@ -157,10 +157,10 @@ bool Commands::isWaiting(const Stage& stage)
 }
 
 // What a script asks for may fail later, as loading does: a window tells that in a notice, which no script reads.
-void Commands::tellErrors(const Document& bench)
+void Commands::tellErrors(const Document& document)
 {
 	Moment newest = told_;
-	for (const Notice& notice : bench.notices())
+	for (const Notice& notice : document.notices())
 		if (notice.is_error && notice.since > told_)
 		{
 			printLine(notice.words);
@@ -181,7 +181,7 @@ Status Commands::act(const Words& words, const Stage& stage)
 	const Words rest(words.begin() + 1, words.end());
 	const auto has = [&](const char* wanted, std::size_t count) { return name == wanted && rest.size() == count; };
 	if (name == "open" && !rest.empty())
-		return stage.bench.open(rest), Nothing{};
+		return stage.document.open(rest), Nothing{};
 	if (name == "drop" && !rest.empty())
 		return stage.window.drop(rest), Nothing{};
 	if (has("do", 1))
@@ -189,18 +189,18 @@ Status Commands::act(const Words& words, const Stage& stage)
 		const auto action = interact::actionNamed(rest[0]);
 		if (!action)
 			return Error{ErrorKind::usage, "no such action; vprobe view --list-bindings names them"};
-		return stage.bench.perform(*action), Nothing{};
+		return stage.document.perform(*action), Nothing{};
 	}
 	if (has("save-state", 1))
 		return saveState(rest[0], stage);
 	if (has("save-picture", 3))
 		return savePicture(rest, stage);
 	if (has("save-film", 1))
-		return stage.bench.saveFilm(rest[0]), Nothing{};
+		return stage.document.playback().saveFilm(rest[0]), Nothing{};
 	if (has("save-slice", 1))
-		return stage.bench.saveSlice(rest[0]), Nothing{};
+		return stage.document.saveSlice(rest[0]), Nothing{};
 	if (has("save-trace", 1))
-		return stage.bench.saveTrace(rest[0]), Nothing{};
+		return stage.document.saveTrace(rest[0]), Nothing{};
 	if (has("screenshot", 1))
 		return capture(rest[0], stage);
 	if (has("size", 2))
@@ -218,7 +218,7 @@ Status Commands::act(const Words& words, const Stage& stage)
 		waitFor([](const Stage& now) { return !now.window.minimized(); }, "restore: the window stayed as it was");
 	}
 	else if (has("quit", 0))
-		stage.bench.quit();
+		stage.document.quit();
 	else
 		return unfit("no such command, or not with so many words");
 	return Nothing{};
@@ -229,13 +229,13 @@ void Commands::waitForPicture(const Stage& stage)
 {
 	constexpr std::uint64_t kFrames = 2;
 	const auto done = [enough = stage.frames + kFrames](const Stage& now)
-	{ return now.bench.isIdle() && (now.window.minimized() || (now.shows_newest && now.frames >= enough)); };
+	{ return now.document.isIdle() && (now.window.minimized() || (now.shows_newest && now.frames >= enough)); };
 	waiting_ = Waiting{done, {}, {}};
 }
 
 Status Commands::saveState(const std::string& file, const Stage& stage) const
 {
-	return view::saveState(stage.bench.state(), file);
+	return view::saveState(stage.document.state(), file);
 }
 
 Status Commands::capture(const std::string& file, const Stage& stage)
@@ -261,7 +261,7 @@ Status Commands::savePicture(const Words& words, const Stage& stage)
 	constexpr int kMax = static_cast<int>(render::kMaxPictureSize);
 	if (!width || !height || *width < 1 || *height < 1 || *width > kMax || *height > kMax)
 		return unfit("needs a width and a height in pixels, and a file's name");
-	stage.bench.savePicture(words[2], static_cast<std::uint32_t>(*width), static_cast<std::uint32_t>(*height));
+	stage.document.savePicture(words[2], static_cast<std::uint32_t>(*width), static_cast<std::uint32_t>(*height));
 	return Nothing{};
 }
 

@@ -36,10 +36,10 @@ public:
 
 	struct Stage
 	{
-		Document& bench;
+		Document& document;
 		Window& window;
 		Screen& screen;
-		bool shows_newest;    // the window shows the bench's picture
+		bool shows_newest;    // the window shows the document's picture
 		std::uint64_t frames; // of the window, shown so far
 	};
 	// Carries out what has come, up to what has to wait. True where anything was done or is waited for.
@@ -60,7 +60,7 @@ private:
 	void take(std::string_view bytes, std::string& line);
 	std::optional<std::string> next();
 	bool isWaiting(const Stage& stage);
-	void tellErrors(const Document& bench);
+	void tellErrors(const Document& document);
 
 	void waitForPicture(const Stage& stage);
 	Status carryOut(const std::string& line, const Stage& stage);

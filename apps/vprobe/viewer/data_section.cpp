@@ -35,7 +35,7 @@ void showGridFacts(const DatasetInfo& facts)
 // How much is still to be read nobody knows beforehand: a part of the bar that wanders.
 void showLoading(Desk& desk)
 {
-	const Loader& loader = desk.bench.loader();
+	const Loader& loader = desk.document.loader();
 	clippedText(loader.isBusy() ? fmt::format("Loading {}", loader.what()) : "Drawing the first picture");
 	const float width = ImGui::GetContentRegionAvail().x;
 	const float height = std::round(static_cast<float>(4.0 * desk.scale));
@@ -56,24 +56,24 @@ void showLoading(Desk& desk)
 	ImGui::Text("%.0f s", std::floor(loader.seconds()));
 	ImGui::SameLine();
 	if (ImGui::Button("Cancel"))
-		desk.bench.cancelLoading();
-	tip(desk.bench.facts() ? "Stops loading; what is shown stays" : "Stops loading");
+		desk.document.cancelLoading();
+	tip(desk.document.facts() ? "Stops loading; what is shown stays" : "Stops loading");
 }
 
 void showDataSection(Desk& desk)
 {
-	if (desk.bench.facts())
-		showGridFacts(*desk.bench.facts());
-	if (desk.bench.loader().isBusy())
+	if (desk.document.facts())
+		showGridFacts(*desk.document.facts());
+	if (desk.document.loader().isBusy())
 		return showLoading(desk);
-	if (!desk.bench.facts())
+	if (!desk.document.facts())
 		ImGui::TextDisabled("Nothing is loaded");
 	actionButton(desk, Action::open, "Open\u2026", shareOfLine(2));
-	if (!desk.bench.facts())
+	if (!desk.document.facts())
 		return;
 	ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
 	if (ImGui::Button("Reload", {shareOfLine(1), 0.0f}))
-		desk.bench.reload();
+		desk.document.reload();
 	tip("Reads the files again, as after they were written anew");
 }
 

@@ -11,14 +11,6 @@
 namespace vp::app
 {
 
-namespace
-{
-
-constexpr std::chrono::seconds kNoticeStays{6};
-constexpr std::chrono::seconds kErrorStays{15};
-
-} // namespace
-
 Document::Document(view::ViewSpec state, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
                    ReadState read_state)
     : settings(readSettings()), history_(state), read_state_(std::move(read_state)), recovery_file_(recoveryFile()),
@@ -30,7 +22,7 @@ Document::Document(view::ViewSpec state, std::shared_ptr<gpu::Device> device, st
 	                                           else
 		                                           printLine(line);
                                            }),
-      wake_(wake), loader_(device, wake), artist_(device, wake)
+      loader_(device, wake), jobs_(wake), render_thread_(device, wake), playback_(*this, render_thread_, jobs_, wake)
 {
 	if (!leftRecoveryFiles().empty())
 		question = Question::recover;
@@ -40,8 +32,6 @@ Document::Document(view::ViewSpec state, std::shared_ptr<gpu::Device> device, st
 
 Document::~Document()
 {
-	for (std::future<Notice>& task : written_)
-		task.wait();
 	writeSettings(settings);
 	std::error_code ignored;
 	if (!keeps_state_)
@@ -98,8 +88,8 @@ std::optional<interact::View> Document::view() const
 
 void Document::takePicture()
 {
-	std::shared_ptr<const PresentedFrame> newest = artist_.shown();
-	if (std::optional<Error> error = artist_.takeError())
+	std::shared_ptr<const PresentedFrame> newest = render_thread_.shown();
+	if (std::optional<Error> error = render_thread_.takeError())
 		notify(*error);
 	if (newest == shown_)
 		return;
@@ -124,11 +114,10 @@ void Document::update(PixelSize size)
 	takeLoaded();
 	takePicture();
 	takeWritten();
-	forgetOldNotices();
+	notices_.forgetOld(std::chrono::steady_clock::now());
 	watchFiles();
 	keepForRecovery();
-	playSweep();
-	orderFrames();
+	playback_.update();
 	if (facts_ && size.width > 0 && size.height > 0)
 		ask(size);
 	input_.reset();
@@ -161,13 +150,13 @@ void Document::ask(PixelSize size)
 		++version_;
 	asked_ = version_;
 	asked_size_ = size;
-	FrameRequest next = wish();
+	FrameRequest next = frameRequest();
 	next.pane = pane_;
-	artist_.ask(std::move(next));
+	render_thread_.ask(std::move(next));
 }
 
 // What the state is to look like, in the size that was last asked for.
-FrameRequest Document::wish() const
+FrameRequest Document::frameRequest() const
 {
 	FrameRequest wish{version_, state(), input_.value_or(std::chrono::steady_clock::now())};
 	wish.spec.look.size = {asked_size_.width, asked_size_.height};
@@ -178,31 +167,13 @@ FrameRequest Document::wish() const
 bool Document::isIdle() const
 {
 	// A picture that cannot be made leaves the one before it.
-	return !loader_.isBusy() && !isPlaying() && !recording_ && written_.empty() &&
-	       (!facts_ || (asked_ == version_ && artist_.isIdle() && shown_ == artist_.shown()));
+	return !loader_.isBusy() && !playback_.isPlaying() && !playback_.recording() && jobs_.isIdle() &&
+	       (!facts_ || (asked_ == version_ && render_thread_.isIdle() && shown_ == render_thread_.shown()));
 }
 
 bool Document::isShown() const
 {
 	return shown_ && asked_ == version_ && shown_->wish.number == asked_;
-}
-
-void Document::notify(std::string words, bool is_error)
-{
-	dismiss(words);
-	notices_.push_back({withOptionNames(words), is_error, std::chrono::steady_clock::now()});
-}
-
-void Document::dismiss(const std::string& words)
-{
-	std::erase_if(notices_, [&](const Notice& notice) { return notice.words == words; });
-}
-
-void Document::forgetOldNotices()
-{
-	const Moment now = std::chrono::steady_clock::now();
-	std::erase_if(notices_, [&](const Notice& notice)
-	              { return now - notice.since > (notice.is_error ? kErrorStays : kNoticeStays); });
 }
 
 } // namespace vp::app

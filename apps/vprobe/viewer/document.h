@@ -4,18 +4,17 @@
 #include "interact/bindings.h"
 #include "interact/history.h"
 #include "interact/view.h"
-#include "report/exposure.h"
 #include "viewer/dataset_info.h"
-#include "viewer/film_loop.h"
+#include "viewer/file_jobs.h"
 #include "viewer/loader.h"
+#include "viewer/notice.h"
+#include "viewer/playback.h"
 #include "viewer/render_thread.h"
 #include "viewer/spec_edits.h"
-#include "viewer/sweep_player.h"
 #include "viewer/user_files.h"
 #include "viewer/watcher.h"
 
 #include <functional>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,14 +22,6 @@
 
 namespace vp::app
 {
-
-// A line for the user, shown for a while.
-struct Notice
-{
-	std::string words;
-	bool is_error = false;
-	Moment since{};
-};
 
 // What of the window is open. None of it is the state's: it says nothing about the picture.
 struct OpenParts
@@ -65,14 +56,6 @@ enum class Question
 	recover // what a window that ended unexpectedly has left
 };
 
-// Pictures of a sweep under way into a film loop.
-struct Recording
-{
-	std::shared_ptr<FilmLoop> film;
-	int ordered = 0;
-	FrameRequest like; // the size and the look of its pictures
-};
-
 using ReadState = std::function<Result<view::ViewSpec>(const std::string& file)>;
 
 // All of a viewer but its window: the state and its history, the data, the render thread. Panels and the hand read it
@@ -83,7 +66,7 @@ public:
 	// read_state: of a file that --save or the window has written.
 	Document(view::ViewSpec state, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
 	         ReadState read_state);
-	~Document(); // waits until what is being written is there
+	~Document();
 
 	// --- The state. Each change is a step of the history; those with the same key, until endMerge(), are one.
 	const view::ViewSpec& state() const { return history_.state(); }
@@ -120,19 +103,8 @@ public:
 	void saveTrace(const std::string& file);
 	void recover(bool wanted); // the answer to Question::recover
 
-	// --- The sweep.
-	bool isPlaying() const { return sweep_.player.playing(seconds()); }
-	int frame() const { return sweep_.player.frameAt(seconds()); }
-	int frames() const { return sweep_.player.frames(); }
-	void seek(int frame);
-	bool loops() const { return sweep_.player.loops(); }
-	bool hasExposure() const { return exposure_ != nullptr; }
-	const std::optional<Recording>& recording() const { return recording_; }
-	const std::shared_ptr<const FilmLoop>& film() const { return film_; } // whole, or null
-	// The film loop's picture to be shown in place of the scene's; null where the scene is to be seen.
-	std::shared_ptr<const render::Picture> filmPicture() const;
-	void saveFilm(const std::string& file); // a film, or pictures by a pattern with {frame} in it
-	void saveExposure(const std::string& file);
+	Playback& playback() { return playback_; }
+	const Playback& playback() const { return playback_; }
 
 	// --- The picture.
 	// Once a frame, and after input: hands on what has changed. size: of the part of the window that shows the scene.
@@ -144,6 +116,7 @@ public:
 	void pointContour(const std::optional<session::PointedValue>& pointed);
 	const std::optional<session::PointedValue>& pointedContour() const { return pointed_contour_; }
 	const std::shared_ptr<const PresentedFrame>& shown() const { return shown_; }
+	FrameRequest frameRequest() const; // what the state is to look like, in the size that was last asked for
 	bool isIdle() const;
 	bool isShown() const; // what is shown is of the state as it is
 
@@ -152,11 +125,11 @@ public:
 	Question question = Question::none;
 	Settings settings;
 	bool watches = true; // for files to be written anew
-	const std::vector<Notice>& notices() const { return notices_; }
-	void notify(std::string words, bool is_error = false);
+	const std::vector<Notice>& notices() const { return notices_.all(); }
+	void notify(std::string words, bool is_error = false) { notices_.add(std::move(words), is_error); }
 	void notify(const Error& error) { notify(error.message, true); }
-	void dismiss(const std::string& words);
-	// What was set stays to be recovered when the bench goes: it ends by a fault.
+	void dismiss(const std::string& words) { notices_.dismiss(words); }
+	// What was set stays to be recovered when the document goes: it ends by a fault.
 	void keepState();
 	bool wantsToQuit() const { return quits_; }
 	void quit() { quits_ = true; }
@@ -167,15 +140,12 @@ private:
 	void takeLoaded();
 	void takePicture();
 	void ask(PixelSize size);
-	FrameRequest wish() const;
-	void forgetOldNotices();
 	void takeWritten();
 	void keepForRecovery();
 	void watchFiles();
 
 	// One group of actions each; false where it is none of theirs.
 	bool performOnWindow(interact::Action action);
-	bool performOnSweep(interact::Action action);
 	bool performOnProbe(interact::Action action);
 	bool performOnSheets(interact::Action action);
 	bool performOnView(interact::Action action);
@@ -184,24 +154,13 @@ private:
 	void stepArray(int by);
 	void stepTime(int by);
 
-	double seconds() const; // the sweep's clock
-	Status followSweep();
-	bool canSweep();
-	void playSweep();
-	void setSpeed(double factor);
-	void record();
-	void orderFrames();
-	bool filmIsGood() const;
-	// Does it on a thread of its own, and tells what came of it.
-	void writeBeside(std::function<Notice()> write);
-
 	interact::History<view::ViewSpec> history_;
 	ReadState read_state_;
 	std::size_t sheet_ = 0;
 	std::optional<DatasetInfo> facts_;
 	std::optional<view::ViewSpec> loading_; // the state that what is being loaded is for
 	std::shared_ptr<const PresentedFrame> shown_;
-	std::vector<Notice> notices_;
+	NoticeList notices_;
 	bool quits_ = false;
 
 	std::uint64_t version_ = 1; // of all that a picture depends on
@@ -218,22 +177,16 @@ private:
 	Moment recovery_time_{};
 	bool keeps_state_ = false; // when it ends
 	Watcher watcher_;
-	std::vector<std::future<Notice>> written_; // under way
 
-	SweepPlayer sweep_;
-	std::optional<Recording> recording_;
-	std::shared_ptr<const FilmLoop> film_;
-	FrameRequest film_like_;
-	std::shared_ptr<const render::Picture> exposure_;
-
-	// What comes back from the render thread's thread.
+	// What comes back from the render thread.
 	struct Mail;
 	std::shared_ptr<Mail> mail_;
 	MessageListener messages_;
 
-	std::function<void()> wake_;
 	Loader loader_;
-	RenderThread artist_;
+	FileJobs jobs_;
+	RenderThread render_thread_;
+	Playback playback_;
 };
 
 } // namespace vp::app

@@ -34,8 +34,10 @@ T after(T value, const std::array<T, Count>& values)
 
 void Document::perform(Action action)
 {
-	for (const auto part : {&Document::performOnWindow, &Document::performOnSweep, &Document::performOnSheets,
-	                        &Document::performOnProbe, &Document::performOnView, &Document::performOnLook})
+	if (performOnWindow(action) || playback_.perform(action))
+		return;
+	for (const auto part :
+	     {&Document::performOnSheets, &Document::performOnProbe, &Document::performOnView, &Document::performOnLook})
 		if ((this->*part)(action))
 			return;
 }

@@ -18,11 +18,6 @@ namespace
 
 constexpr std::chrono::seconds kRecoveryPause{2};
 
-Notice told(const Status& status, std::string words)
-{
-	return status ? Notice{std::move(words), false, {}} : Notice{status.error().message, true, {}};
-}
-
 } // namespace
 
 void Document::open(std::vector<std::string> inputs)
@@ -84,11 +79,10 @@ void Document::takeLoaded()
 	else
 		history_ = interact::History<view::ViewSpec>(std::move(next));
 	sheet_ = 0;
-	film_.reset();
-	recording_.reset();
+	playback_.forgetFilm();
 	for (const std::string& input : facts_->inputs)
 		remember(settings, input);
-	artist_.replaceSession(std::move(session));
+	render_thread_.replaceSession(std::move(session));
 	stateChanged();
 }
 
@@ -105,64 +99,46 @@ void Document::saveState(const std::string& file)
 
 void Document::savePicture(const std::string& file, std::uint32_t width, std::uint32_t height)
 {
-	FrameRequest like = wish();
+	FrameRequest like = frameRequest();
 	like.spec.look.size = {width, height};
-	artist_.order(PictureJob{like, false,
-	                         [file, mail = mail_](Result<render::Picture> picture)
-	                         {
-		                         const Status written = picture ? write::writePng(*picture, file) : picture.error();
-		                         mail->leave(told(written, fmt::format("Saved {}", file)));
-	                         }});
+	render_thread_.order(PictureJob{like, false,
+	                                [file, mail = mail_](Result<render::Picture> picture)
+	                                {
+		                                const Status written =
+		                                    picture ? write::writePng(*picture, file) : picture.error();
+		                                mail->leave(noticeOf(written, fmt::format("Saved {}", file)));
+	                                }});
 }
 
 void Document::saveSlice(const std::string& file)
 {
 	if (Result<write::SliceFormat> format = write::sliceFormatOf(file); !format)
 		return notify(format.error());
-	artist_.order(CutJob{wish(), file, [file, mail = mail_](const Status& written) {
-		                     mail->leave(told(written, fmt::format("Saved {}", file)));
-	                     }});
+	render_thread_.order(CutJob{frameRequest(), file, [file, mail = mail_](const Status& written) {
+		                            mail->leave(noticeOf(written, fmt::format("Saved {}", file)));
+	                            }});
 }
 
 void Document::saveTrace(const std::string& file)
 {
-	writeBeside(
-	    [file, sections = artist_.sections()]() mutable
+	jobs_.run(
+	    [file, sections = render_thread_.sections()]() mutable
 	    {
 		    Result<write::TraceFile> trace = write::TraceFile::create(file);
 		    if (!trace)
-			    return told(trace.error(), {});
+			    return noticeOf(trace.error(), {});
 		    trace->add(std::move(sections));
-		    return told(trace->commit(), fmt::format("Saved {}", file));
+		    return noticeOf(trace->commit(), fmt::format("Saved {}", file));
 	    });
-}
-
-void Document::writeBeside(std::function<Notice()> write)
-{
-	written_.push_back(std::async(std::launch::async,
-	                              [write = std::move(write), wake = wake_]
-	                              {
-		                              Notice notice = write();
-		                              wake();
-		                              return notice;
-	                              }));
 }
 
 void Document::takeWritten()
 {
-	const auto take = [&](std::future<Notice>& task)
-	{
-		if (task.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-			return false;
-		const Notice notice = task.get();
-		notify(notice.words, notice.is_error);
-		return true;
-	};
-	std::erase_if(written_, take);
-	std::vector<Notice> notices;
+	std::vector<Notice> notices = jobs_.takeDone();
 	{
 		const std::lock_guard lock(mail_->mutex);
-		notices.swap(mail_->notices);
+		notices.insert(notices.end(), mail_->notices.begin(), mail_->notices.end());
+		mail_->notices.clear();
 	}
 	for (const Notice& notice : notices)
 		notify(notice.words, notice.is_error);

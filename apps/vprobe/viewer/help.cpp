@@ -85,7 +85,7 @@ void showHelp(Desk& desk)
 	const auto scale = static_cast<float>(desk.scale);
 	ImGui::SetNextWindowPos(all.GetWorkCenter(), ImGuiCond_Always, {0.5f, 0.5f});
 	ImGui::SetNextWindowSize({std::min(600.0f * scale, 0.94f * all.WorkSize.x), 0.88f * all.WorkSize.y});
-	if (ImGui::Begin("Keys and mouse", &desk.bench.parts.help,
+	if (ImGui::Begin("Keys and mouse", &desk.document.parts.help,
 	                 ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize))
 	{
 		if (ImGui::IsWindowAppearing())

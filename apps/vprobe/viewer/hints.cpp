@@ -22,8 +22,8 @@ constexpr std::array kHints{
 
 void showHints(Desk& desk, const ScenePart& part)
 {
-	std::optional<std::size_t>& hint = desk.bench.settings.hint;
-	if (!hint || !desk.bench.view())
+	std::optional<std::size_t>& hint = desk.document.settings.hint;
+	if (!hint || !desk.document.view())
 		return;
 	const std::size_t now = std::min(*hint, kHints.size() - 1);
 	const auto width = static_cast<float>(std::min(400.0 * desk.scale, 0.9 * part.size.x));
@@ -31,7 +31,7 @@ void showHints(Desk& desk, const ScenePart& part)
 	    {static_cast<float>(part.lo.x + 0.5 * part.size.x), static_cast<float>(part.lo.y + 12.0 * desk.scale)},
 	    ImGuiCond_Always, {0.5f, 0.0f});
 	ImGui::SetNextWindowSize({width, 0.0f});
-	ImGui::PushStyleColor(ImGuiCol_WindowBg, theme(desk.bench.settings.dark).note);
+	ImGui::PushStyleColor(ImGuiCol_WindowBg, theme(desk.document.settings.dark).note);
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding);
 	ImGui::Begin("hint", nullptr,
 	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |

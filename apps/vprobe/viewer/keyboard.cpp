@@ -14,9 +14,9 @@ namespace
 {
 
 // What is typed right after Ctrl+K is for the search, also before it has the focus.
-bool isForInterface(const Document& bench)
+bool isForInterface(const Document& document)
 {
-	return bench.parts.command_search || ImGui::GetIO().WantTextInput ||
+	return document.parts.command_search || ImGui::GetIO().WantTextInput ||
 	       ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
 }
 
@@ -31,28 +31,28 @@ void Keyboard::press(int key, bool down, int modifiers)
 	// Also where a text is being typed.
 	if (chord == interact::Chord{interact::Key::escape} && closeQuestion())
 		return;
-	if (chord && bench_.parts.command_search && searches(chord->key))
+	if (chord && document_.parts.command_search && searches(chord->key))
 		return;
 	const auto meant = chord ? interact::actionOf(*chord) : std::nullopt;
-	const bool closes = meant == interact::Action::find_command && bench_.parts.command_search;
-	const auto action = closes || !isForInterface(bench_) ? meant : std::nullopt;
+	const bool closes = meant == interact::Action::find_command && document_.parts.command_search;
+	const auto action = closes || !isForInterface(document_) ? meant : std::nullopt;
 	served_ = action.has_value();
 	if (action)
-		bench_.perform(*action);
+		document_.perform(*action);
 }
 
 void Keyboard::type(char32_t character)
 {
 	const bool is_sign = character > U' ' && character < 0x7f && !std::isalnum(static_cast<unsigned char>(character));
-	if (!is_sign || served_ || isForInterface(bench_))
+	if (!is_sign || served_ || isForInterface(document_))
 		return;
 	if (const auto action = interact::actionOf({interact::key(character)}))
-		bench_.perform(*action);
+		document_.perform(*action);
 }
 
 bool Keyboard::searches(interact::Key key)
 {
-	OpenParts& parts = bench_.parts;
+	OpenParts& parts = document_.parts;
 	if (key == interact::Key::down)
 		++parts.search_steps;
 	else if (key == interact::Key::up)
@@ -67,11 +67,11 @@ bool Keyboard::searches(interact::Key key)
 // What was left to be recovered wants an answer.
 bool Keyboard::closeQuestion()
 {
-	const bool asks = bench_.question != Question::none && bench_.question != Question::recover;
+	const bool asks = document_.question != Question::none && document_.question != Question::recover;
 	if (asks)
-		bench_.question = Question::none;
-	const bool searches = std::exchange(bench_.parts.command_search, false);
-	return std::exchange(bench_.parts.help, false) || searches || asks;
+		document_.question = Question::none;
+	const bool searches = std::exchange(document_.parts.command_search, false);
+	return std::exchange(document_.parts.help, false) || searches || asks;
 }
 
 } // namespace vp::app

@@ -10,7 +10,7 @@ namespace vp::app
 class Keyboard
 {
 public:
-	Keyboard(Document& bench, PointerController& hand) : bench_(bench), hand_(hand) {}
+	Keyboard(Document& document, PointerController& hand) : document_(document), hand_(hand) {}
 
 	void press(int key, bool down, int modifiers); // as GLFW numbers them
 	// Right after its key: signs such as ? are typed by different keys on different keyboards.
@@ -20,7 +20,7 @@ private:
 	bool closeQuestion();
 	bool searches(interact::Key key); // what a key means to the search for commands; false for nothing
 
-	Document& bench_;
+	Document& document_;
 	PointerController& hand_;
 	bool served_ = false; // the last key that went down meant something
 };

@@ -17,7 +17,7 @@ constexpr std::size_t kMax = 4; // at once, the newest
 // Gives the height that it takes.
 float showNotice(Desk& desk, const Notice& notice, const ImVec2& lower_left, float width)
 {
-	const Theme& colors = theme(desk.bench.settings.dark);
+	const Theme& colors = theme(desk.document.settings.dark);
 	ImGui::SetNextWindowPos(lower_left, ImGuiCond_Always, {0.0f, 1.0f});
 	ImGui::PushStyleColor(ImGuiCol_WindowBg, notice.is_error ? colors.error : colors.note);
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding);
@@ -35,7 +35,7 @@ float showNotice(Desk& desk, const Notice& notice, const ImVec2& lower_left, flo
 	ImGui::EndGroup();
 	ImGui::SameLine();
 	if (ImGui::Button("\u00d7", {button, button}))
-		desk.bench.dismiss(notice.words);
+		desk.document.dismiss(notice.words);
 	tip("Takes this away");
 	const float height = ImGui::GetWindowHeight();
 	ImGui::End();
@@ -48,7 +48,7 @@ float showNotice(Desk& desk, const Notice& notice, const ImVec2& lower_left, flo
 
 void showNotices(Desk& desk, const ScenePart& part)
 {
-	const std::vector<Notice> notices = desk.bench.notices(); // a copy: one may be dismissed meanwhile
+	const std::vector<Notice> notices = desk.document.notices(); // a copy: one may be dismissed meanwhile
 	const auto margin = static_cast<float>(10.0 * desk.scale);
 	const auto width = static_cast<float>(std::clamp(part.size.x - 20.0 * desk.scale, kMin, kWidest * desk.scale));
 	ImVec2 at{static_cast<float>(part.lo.x) + margin, static_cast<float>(part.lo.y + part.size.y) - margin};

@@ -23,7 +23,7 @@ ScenePart showPanels(Desk& desk)
 	showMenu(desk);
 	const ImGuiViewport& all = *ImGui::GetMainViewport();
 	ScenePart scene{{all.WorkPos.x, all.WorkPos.y}, {all.WorkSize.x, all.WorkSize.y}};
-	if (desk.bench.parts.panels)
+	if (desk.document.parts.panels)
 	{
 		const double line = kLineHeight * desk.scale;
 		scene.size.y -= line;
@@ -34,13 +34,13 @@ ScenePart showPanels(Desk& desk)
 	}
 	showScene(desk, scene);
 	showPlanePane(desk, scene);
-	showNotices(desk, desk.bench.parts.plane_pane ? abovePane(scene, desk.scale) : scene);
-	if (desk.bench.parts.profile)
+	showNotices(desk, desk.document.parts.plane_pane ? abovePane(scene, desk.scale) : scene);
+	if (desk.document.parts.profile)
 		showProfile(desk, scene);
 	showHints(desk, scene);
-	if (desk.bench.parts.help)
+	if (desk.document.parts.help)
 		showHelp(desk);
-	if (desk.bench.parts.command_search)
+	if (desk.document.parts.command_search)
 		showCommandSearch(desk);
 	showQuestions(desk);
 	return scene;

@@ -11,13 +11,13 @@ namespace vp::app
 // What panels are drawn from.
 struct Desk
 {
-	Document& bench;
+	Document& document;
 	PointerController& hand;
 	const Meter& meter;
 	double scale; // of the screen
 };
 
-// Each draws one part of the user interface, with ImGui, from the bench's state and into it.
+// Each draws one part of the user interface, with ImGui, from the document's state and into it.
 
 // Where in the scene's part the pane of a sheet seen straight on lies.
 ScenePart paneOf(const ScenePart& scene, double scale);

@@ -28,7 +28,7 @@ struct Place
 
 void change(Desk& desk, const Place& place, const char* label, const probe::Frame& frame)
 {
-	desk.bench.setProbe(label, interact::withFrame(desk.bench.probe(), place.part, frame), label);
+	desk.document.setProbe(label, interact::withFrame(desk.document.probe(), place.part, frame), label);
 }
 
 void fieldHeading(const char* words)
@@ -70,7 +70,7 @@ void showPart(Desk& desk, const probe::Probe& probe, bool& own)
 	if (probe.sheets.size() < 2)
 		return;
 	labeled("Place of");
-	const std::string sheet = fmt::format("Sheet {} alone", desk.bench.sheet() + 1);
+	const std::string sheet = fmt::format("Sheet {} alone", desk.document.sheet() + 1);
 	if (ImGui::BeginCombo("##part", own ? sheet.c_str() : "The whole probe"))
 	{
 		if (ImGui::Selectable("The whole probe", !own))
@@ -85,7 +85,7 @@ void showPart(Desk& desk, const probe::Probe& probe, bool& own)
 void showWindowSize(Desk& desk, const probe::Probe& probe, std::size_t sheet)
 {
 	const probe::Window& window = *probe.sheets[sheet].window;
-	const double size = interact::sizeOf(desk.bench.facts()->bounds);
+	const double size = interact::sizeOf(desk.document.facts()->bounds);
 	double sides[2] = {window.width(), window.height()};
 	ImGui::SetNextItemWidth(-1.0f);
 	if (!dragNumbers(desk,
@@ -96,20 +96,20 @@ void showWindowSize(Desk& desk, const probe::Probe& probe, std::size_t sheet)
 	const double along = 0.5 * (window.y0 + window.y1);
 	const probe::Window next{across - 0.5 * sides[0], across + 0.5 * sides[0], along - 0.5 * sides[1],
 	                         along + 0.5 * sides[1]};
-	desk.bench.setProbe("Window", interact::withWindow(probe, sheet, next, false), "Window");
+	desk.document.setProbe("Window", interact::withWindow(probe, sheet, next, false), "Window");
 }
 
 void showWindow(Desk& desk, const probe::Probe& probe)
 {
-	const std::size_t sheet = std::min(desk.bench.sheet(), probe.sheets.size() - 1);
+	const std::size_t sheet = std::min(desk.document.sheet(), probe.sheets.size() - 1);
 	bool has = probe.sheets[sheet].window.has_value();
 	if (ImGui::Checkbox("Window", &has))
 	{
 		probe::Probe next = probe;
-		const double side = kFirstWindow * interact::sizeOf(desk.bench.facts()->bounds);
+		const double side = kFirstWindow * interact::sizeOf(desk.document.facts()->bounds);
 		for (probe::Sheet& each : next.sheets)
 			each.window = has ? std::optional(probe::centeredWindow(side, side)) : std::nullopt;
-		desk.bench.setProbe("Window", next);
+		desk.document.setProbe("Window", next);
 		return;
 	}
 	tip("Sheets end at a rectangle, which is cut and drawn alone; else they reach through the whole grid");
@@ -140,30 +140,30 @@ void showButtons(Desk& desk)
 void showPlaceFields(Desk& desk)
 {
 	static bool own = false;
-	const probe::Probe probe = desk.bench.probe();
+	const probe::Probe probe = desk.document.probe();
 	if (probe.sheets.empty())
 		return;
 	own = own && probe.sheets.size() > 1;
 	showPart(desk, probe, own);
 	const interact::Part part =
-	    own ? interact::Part(std::min(desk.bench.sheet(), probe.sheets.size() - 1)) : std::nullopt;
+	    own ? interact::Part(std::min(desk.document.sheet(), probe.sheets.size() - 1)) : std::nullopt;
 	const Place place{part, interact::frameOf(probe, part)};
 	showOrigin(desk, place);
 	showNormal(desk, place);
 	showUp(desk, place);
-	showWindow(desk, desk.bench.probe());
+	showWindow(desk, desk.document.probe());
 	showButtons(desk);
 }
 
 void showMagnifierSection(Desk& desk)
 {
-	bool& on = desk.bench.parts.magnifier;
+	bool& on = desk.document.parts.magnifier;
 	ImGui::Checkbox("Wheel and drag magnify", &on);
 	tip(tipOf(Action::magnifier));
-	const probe::Probe probe = desk.bench.probe();
+	const probe::Probe probe = desk.document.probe();
 	if (probe.sheets.empty())
 		return;
-	const std::size_t sheet = std::min(desk.bench.sheet(), probe.sheets.size() - 1);
+	const std::size_t sheet = std::min(desk.document.sheet(), probe.sheets.size() - 1);
 	const double now = probe.sheets[sheet].fx.magnification;
 	double next = now;
 	labeled("Factor");
@@ -175,7 +175,7 @@ void showMagnifierSection(Desk& desk)
 	                 .format = "%.4g\u00d7",
 	                 .logarithmic = true},
 	                &next, 1, "How many times larger the chosen sheet shows what it cuts"))
-		desk.bench.setProbe("Magnify", interact::magnified(probe, sheet, next / now, {0.0, 0.0}), "Magnify");
+		desk.document.setProbe("Magnify", interact::magnified(probe, sheet, next / now, {0.0, 0.0}), "Magnify");
 	actionButton(desk, Action::reset_magnifier, "Reset", shareOfLine(1));
 }
 

@@ -29,7 +29,7 @@ void hearWheel(Desk& desk)
 	const float wheel = ImGui::GetIO().MouseWheel;
 	if (wheel == 0.0f || !ImGui::IsWindowHovered())
 		return;
-	desk.bench.perform(wheel > 0.0f ? interact::Action::push_forward : interact::Action::push_back);
+	desk.document.perform(wheel > 0.0f ? interact::Action::push_forward : interact::Action::push_back);
 }
 
 } // namespace
@@ -49,11 +49,11 @@ ScenePart paneOf(const ScenePart& scene, double scale)
 void showPlanePane(Desk& desk, const ScenePart& part)
 {
 	const ScenePart pane = paneOf(part, desk.scale);
-	const bool open = desk.bench.parts.plane_pane && desk.bench.shown();
-	desk.bench.setPane(open
-	                       ? PixelSize{static_cast<std::uint32_t>(pane.size.x), static_cast<std::uint32_t>(pane.size.y)}
-	                       : PixelSize{});
-	if (!open || !desk.bench.shown()->pane)
+	const bool open = desk.document.parts.plane_pane && desk.document.shown();
+	desk.document.setPane(
+	    open ? PixelSize{static_cast<std::uint32_t>(pane.size.x), static_cast<std::uint32_t>(pane.size.y)}
+	         : PixelSize{});
+	if (!open || !desk.document.shown()->pane)
 		return;
 	ImGui::SetNextWindowPos(asImVec(pane.lo));
 	ImGui::SetNextWindowSize(asImVec(pane.size));
@@ -70,7 +70,7 @@ void showPlanePane(Desk& desk, const ScenePart& part)
 	const float button = ImGui::GetFrameHeight();
 	ImGui::SetCursorPos({static_cast<float>(pane.size.x) - button - 2.0f, 2.0f});
 	if (ImGui::Button("\u00d7", {button, button}))
-		desk.bench.parts.plane_pane = false;
+		desk.document.parts.plane_pane = false;
 	tip(tipOf(interact::Action::plane_pane));
 	hearWheel(desk);
 	ImGui::End();

@@ -36,7 +36,7 @@ enum class Button
 class PointerController
 {
 public:
-	explicit PointerController(Document& bench) : bench_(bench) {}
+	explicit PointerController(Document& document) : document_(document) {}
 
 	void place(const ScenePart& part, double ui_scale)
 	{
@@ -84,7 +84,7 @@ private:
 	interact::Modifiers keysFor(const interact::Drag& drag) const;
 	std::optional<interact::SheetHit> sheetAt(const glm::dvec2& pixel) const;
 
-	Document& bench_;
+	Document& document_;
 	ScenePart part_;
 	double ui_scale_ = 1.0;
 	glm::dvec2 at_{-1.0};

@@ -33,9 +33,9 @@ std::string place(const Vec3& at, const Box& bounds)
 
 std::optional<Pointed> pointedInPane(const Desk& desk)
 {
-	const PresentedFrame& shown = *desk.bench.shown();
+	const PresentedFrame& shown = *desk.document.shown();
 	const ScenePart pane = paneOf(desk.hand.part(), desk.scale);
-	if (!desk.bench.parts.plane_pane || !shown.pane || !shown.lookups || !pane.holds(desk.hand.at()))
+	if (!desk.document.parts.plane_pane || !shown.pane || !shown.lookups || !pane.holds(desk.hand.at()))
 		return std::nullopt;
 	const std::size_t sheet = shown.pane->sheet;
 	const auto hit = interact::hitOf(probe::placed(shown.probe).sheets[sheet], sheet,
@@ -50,15 +50,15 @@ std::optional<Pointed> pointedInPane(const Desk& desk)
 
 std::optional<Pointed> pointedAt(const Desk& desk)
 {
-	const auto& shown = desk.bench.shown();
-	const auto view = desk.bench.view();
+	const auto& shown = desk.document.shown();
+	const auto view = desk.document.view();
 	if (shown && !desk.hand.isBusy())
 		if (auto in_pane = pointedInPane(desk))
 			return in_pane;
 	if (!shown || !view || !desk.hand.isInScene() || desk.hand.isBusy() || ImGui::GetIO().WantCaptureMouse)
 		return std::nullopt;
 	for (const interact::SheetHit& hit :
-	     interact::pickSheets(shown->probe, *view, desk.hand.inScene(), desk.bench.facts()->bounds))
+	     interact::pickSheets(shown->probe, *view, desk.hand.inScene(), desk.document.facts()->bounds))
 	{
 		if (!shown->lookups)
 			return Pointed{hit, std::nullopt};
@@ -73,14 +73,14 @@ std::optional<session::PointedValue> valueOf(const Desk& desk, const Pointed& po
 {
 	if (!pointed.found || pointed.found->array.empty() || !std::isfinite(pointed.found->value))
 		return std::nullopt;
-	return session::PointedValue{sheetOfCut(desk.bench.shown()->probe, pointed.hit.sheet), pointed.found->value};
+	return session::PointedValue{sheetOfCut(desk.document.shown()->probe, pointed.hit.sheet), pointed.found->value};
 }
 
 std::string valueWords(const Desk& desk, const Pointed& pointed)
 {
 	if (!pointed.found || pointed.found->array.empty())
 		return {};
-	const auto& shown = desk.bench.shown();
+	const auto& shown = desk.document.shown();
 	const bool own = shown->probe.sheets[pointed.hit.sheet].wishes.array.has_value();
 	// The legend's title has the units.
 	const std::string& title = own || !shown->values ? pointed.found->array : shown->values->title;
@@ -97,7 +97,7 @@ std::string cellWords(const Pointed& pointed)
 
 std::string pointerLine(const Desk& desk)
 {
-	const Box& bounds = desk.bench.facts()->bounds;
+	const Box& bounds = desk.document.facts()->bounds;
 	if (const auto pointed = pointedAt(desk))
 	{
 		std::string line = valueWords(desk, *pointed);
@@ -110,7 +110,7 @@ std::string pointerLine(const Desk& desk)
 		add(fmt::format("at {}", place(pointed->hit.content, bounds)));
 		return line;
 	}
-	const probe::Frame& frame = desk.bench.shown()->probe.frame;
+	const probe::Frame& frame = desk.document.shown()->probe.frame;
 	probe::Sheet standing;
 	static_cast<probe::Frame&>(standing) = frame;
 	return session::caption(standing, bounds);

@@ -23,15 +23,15 @@ constexpr std::array kPresetNames{"Single", "Trihedral", "Paddlewheel", "Stack"}
 
 void showPresets(Desk& desk)
 {
-	const auto chosen = std::ranges::find_if(kPresets, [&](Action action) { return isOn(desk.bench, action); });
+	const auto chosen = std::ranges::find_if(kPresets, [&](Action action) { return isOn(desk.document, action); });
 	const bool own = chosen == kPresets.end();
 	labeled("Preset");
 	if (ImGui::BeginCombo("##preset", own ? "Of your own" : kPresetNames[chosen - kPresets.begin()]))
 	{
 		for (std::size_t i = 0; i < kPresets.size(); ++i)
 		{
-			if (ImGui::Selectable(kPresetNames[i], isOn(desk.bench, kPresets[i])))
-				desk.bench.perform(kPresets[i]);
+			if (ImGui::Selectable(kPresetNames[i], isOn(desk.document, kPresets[i])))
+				desk.document.perform(kPresets[i]);
 			tip(tipOf(kPresets[i]));
 		}
 		ImGui::EndCombo();
@@ -45,21 +45,21 @@ void showSheetCount(Desk& desk, const char* label, int now, int least, int most,
 {
 	labeled(label);
 	if (ImGui::SliderInt("##count", &now, least, most, "%d", ImGuiSliderFlags_AlwaysClamp))
-		desk.bench.change(
+		desk.document.change(
 		    label, [&](view::ViewSpec& state) { state.probe.*option = now; }, label);
 	if (ImGui::IsItemDeactivated())
-		desk.bench.endMerge();
+		desk.document.endMerge();
 	tip(words);
 }
 
 void showCounts(Desk& desk)
 {
 	constexpr int kMax = 16; // as many sheets as a picture shows
-	const view::ProbeSpec& options = desk.bench.state().probe;
-	if (isOn(desk.bench, Action::preset_paddlewheel))
+	const view::ProbeSpec& options = desk.document.state().probe;
+	if (isOn(desk.document, Action::preset_paddlewheel))
 		showSheetCount(desk, "Vanes", options.vanes.value_or(3), 1, kMax, "How many sheets turn about the axis",
 		               &view::ProbeSpec::vanes);
-	if (isOn(desk.bench, Action::preset_stack) && options.offsets.empty())
+	if (isOn(desk.document, Action::preset_stack) && options.offsets.empty())
 		showSheetCount(desk, "Sheets", options.sheets.value_or(5), 1, kMax, "How many sheets lie in the stack",
 		               &view::ProbeSpec::sheets);
 }
@@ -87,10 +87,10 @@ bool eyeButton(const char* id, bool open)
 	return clicked;
 }
 
-std::string nameOf(const Document& bench, const probe::Probe& probe, std::size_t sheet)
+std::string nameOf(const Document& document, const probe::Probe& probe, std::size_t sheet)
 {
 	const auto& array = probe.sheets[sheet].wishes.array;
-	const auto& shown = bench.shown();
+	const auto& shown = document.shown();
 	std::string name = fmt::format("Sheet {}", sheet + 1);
 	if (array)
 		name += fmt::format("  {}", *array);
@@ -109,8 +109,8 @@ void showSheet(Desk& desk, const probe::Probe& probe, std::size_t sheet)
 	const bool hidden = probe.sheets[sheet].wishes.hidden;
 	if (eyeButton("eye", !hidden))
 	{
-		desk.bench.chooseSheet(sheet);
-		desk.bench.perform(Action::hide_sheet);
+		desk.document.chooseSheet(sheet);
+		desk.document.perform(Action::hide_sheet);
 	}
 	tip(hidden ? "Shows the sheet" : "Hides the sheet: it is neither cut nor drawn");
 	ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -119,9 +119,9 @@ void showSheet(Desk& desk, const probe::Probe& probe, std::size_t sheet)
 	chosen.w = 0.35f;
 	ImGui::PushStyleColor(ImGuiCol_Header, chosen);
 	ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
-	const std::string name = fmt::format("{}##sheet", nameOf(desk.bench, probe, sheet));
-	if (ImGui::Selectable(name.c_str(), desk.bench.sheet() == sheet, 0, {0.0f, ImGui::GetFrameHeight()}))
-		desk.bench.chooseSheet(sheet);
+	const std::string name = fmt::format("{}##sheet", nameOf(desk.document, probe, sheet));
+	if (ImGui::Selectable(name.c_str(), desk.document.sheet() == sheet, 0, {0.0f, ImGui::GetFrameHeight()}))
+		desk.document.chooseSheet(sheet);
 	ImGui::PopStyleVar();
 	ImGui::PopStyleColor(2);
 	tip(fmt::format("Chooses the sheet that keys and fields mean ({})", interact::keysOf(Action::next_sheet)));
@@ -130,7 +130,7 @@ void showSheet(Desk& desk, const probe::Probe& probe, std::size_t sheet)
 
 void showSheets(Desk& desk)
 {
-	const probe::Probe probe = desk.bench.probe();
+	const probe::Probe probe = desk.document.probe();
 	const ImGuiStyle& style = ImGui::GetStyle();
 	const auto rows = static_cast<float>(probe.sheets.size());
 	const float height = std::min(rows, kMaxRows) * (ImGui::GetFrameHeight() + style.ItemSpacing.y);
@@ -152,10 +152,10 @@ void showSheets(Desk& desk)
 
 void showSurface(Desk& desk)
 {
-	std::string text = view::surfaceText(desk.bench.state().probe.surface);
+	std::string text = view::surfaceText(desk.document.state().probe.surface);
 	labeled("Surface");
 	if (ImGui::InputTextWithHint("##surface", "planes", &text, ImGuiInputTextFlags_EnterReturnsTrue))
-		desk.bench.setSurface(text);
+		desk.document.setSurface(text);
 	tip("What sheets cut by: nothing for planes, sphere:R, cylinder:R, cone:DEGREES, iso:VALUE, or an expression in "
 	    "x, y and z. Enter takes it");
 }
@@ -166,7 +166,7 @@ void showProbeSection(Desk& desk)
 {
 	showPresets(desk);
 	showSurface(desk);
-	if (view::replacesSheets(desk.bench.state().probe.surface))
+	if (view::replacesSheets(desk.document.state().probe.surface))
 		return ImGui::TextWrapped("A part of the grid is shown, which has no sheets to move.");
 	showCounts(desk);
 	showSheets(desk);

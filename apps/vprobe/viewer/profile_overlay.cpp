@@ -92,7 +92,7 @@ void showCut(const Desk& desk, const PresentedFrame& shown)
 
 void showMemory(const Desk& desk, const PresentedFrame& shown)
 {
-	const grid::Memory& memory = desk.bench.facts()->memory;
+	const grid::Memory& memory = desk.document.facts()->memory;
 	cutFact("Grid", bytes(static_cast<double>(memory.read())), "Coordinates, cells and arrays");
 	cutFact("Built", bytes(static_cast<double>(memory.built())), "Neighbors, boundary, trees");
 	cutFact("Marks", bytes(static_cast<double>(shown.memory.marks)), "Kept from slice to slice");
@@ -101,8 +101,8 @@ void showMemory(const Desk& desk, const PresentedFrame& shown)
 
 void showCutFacts(const Desk& desk)
 {
-	const auto& shown = desk.bench.shown();
-	if (!shown || !desk.bench.facts() || !ImGui::BeginTable("facts", 4))
+	const auto& shown = desk.document.shown();
+	if (!shown || !desk.document.facts() || !ImGui::BeginTable("facts", 4))
 		return;
 	showCut(desk, *shown);
 	showMemory(desk, *shown);
@@ -121,13 +121,13 @@ void showProfile(Desk& desk, const ScenePart& part)
 	ImGui::Begin("profile", nullptr,
 	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
 	                 ImGuiWindowFlags_NoFocusOnAppearing);
-	const Theme& colors = theme(desk.bench.settings.dark);
+	const Theme& colors = theme(desk.document.settings.dark);
 	for (std::size_t i = 0; i < kRows.size(); ++i)
 		showRow(desk, kRows[i], colors.graph[i]);
 	showCutFacts(desk);
-	ImGui::BeginDisabled(!desk.bench.shown());
+	ImGui::BeginDisabled(!desk.document.shown());
 	if (ImGui::Button("Write a trace\u2026"))
-		desk.bench.question = Question::save_trace;
+		desk.document.question = Question::save_trace;
 	ImGui::EndDisabled();
 	tip("Where the time of the last minute went, on the processor and on the device");
 	ImGui::End();

@@ -62,18 +62,18 @@ std::vector<std::string> words(const std::string& text)
 	return {std::istream_iterator<std::string>(stream), {}};
 }
 
-void begin(const FileQuestion& asked, const Document& bench)
+void begin(const FileQuestion& asked, const Document& document)
 {
 	Answer& now = answer();
 	now.overwrites = false;
 	std::vector<std::string> endings = words(asked.endings ? asked.endings : read::readableEndings() + " .json");
 	std::string name = asked.name;
-	if (asked.question == Question::save_state && !bench.stateFile().empty())
-		name = std::filesystem::path(bench.stateFile()).filename().string();
-	if (bench.shown())
+	if (asked.question == Question::save_state && !document.stateFile().empty())
+		name = std::filesystem::path(document.stateFile()).filename().string();
+	if (document.shown())
 	{
-		now.size[0] = static_cast<int>(bench.shown()->image->extent().width);
-		now.size[1] = static_cast<int>(bench.shown()->image->extent().height);
+		now.size[0] = static_cast<int>(document.shown()->image->extent().width);
+		now.size[1] = static_cast<int>(document.shown()->image->extent().height);
 	}
 	now.browser.begin(now.folder, std::move(endings), std::move(name));
 }
@@ -81,35 +81,35 @@ void begin(const FileQuestion& asked, const Document& bench)
 void take(Desk& desk, const FileQuestion& asked)
 {
 	Answer& now = answer();
-	Document& bench = desk.bench;
+	Document& document = desk.document;
 	const std::string file = now.browser.path();
 	now.folder = now.browser.folder();
 	switch (asked.question)
 	{
 	case Question::open:
-		bench.open({file});
+		document.open({file});
 		break;
 	case Question::save_state:
-		bench.saveState(file);
+		document.saveState(file);
 		break;
 	case Question::save_picture:
-		bench.savePicture(file, static_cast<std::uint32_t>(now.size[0]), static_cast<std::uint32_t>(now.size[1]));
+		document.savePicture(file, static_cast<std::uint32_t>(now.size[0]), static_cast<std::uint32_t>(now.size[1]));
 		break;
 	case Question::save_film:
-		bench.saveFilm(file);
+		document.playback().saveFilm(file);
 		break;
 	case Question::save_trace:
-		bench.saveTrace(file);
+		document.saveTrace(file);
 		break;
 	default:
-		bench.saveSlice(file);
+		document.saveSlice(file);
 	}
-	bench.question = Question::none;
+	document.question = Question::none;
 }
 
 void showRecent(Desk& desk)
 {
-	const std::vector<std::string> recent = desk.bench.settings.recent; // a copy: opening one changes them
+	const std::vector<std::string> recent = desk.document.settings.recent; // a copy: opening one changes them
 	if (recent.empty())
 		return;
 	ImGui::SetNextItemWidth(-1.0f);
@@ -118,8 +118,8 @@ void showRecent(Desk& desk)
 	for (const std::string& input : recent)
 		if (ImGui::Selectable(input.c_str()))
 		{
-			desk.bench.open({input});
-			desk.bench.question = Question::none;
+			desk.document.open({input});
+			desk.document.question = Question::none;
 		}
 	ImGui::EndCombo();
 }
@@ -161,7 +161,7 @@ void showAnswers(Desk& desk, const FileQuestion& asked, bool chosen)
 	ImGui::EndDisabled();
 	ImGui::SameLine();
 	if (ImGui::Button("Cancel"))
-		desk.bench.question = Question::none;
+		desk.document.question = Question::none;
 	else if ((pressed || chosen) && !now.browser.path().empty())
 	{
 		now.overwrites = !opens && now.browser.exists();
@@ -189,17 +189,17 @@ void showRecovery(Desk& desk)
 	ImGui::TextWrapped("A window that ended unexpectedly has left what was set in it.");
 	ImGui::Spacing();
 	if (ImGui::Button("Bring it back"))
-		desk.bench.recover(true);
+		desk.document.recover(true);
 	ImGui::SameLine();
 	if (ImGui::Button("Forget it"))
-		desk.bench.recover(false);
+		desk.document.recover(false);
 }
 
 } // namespace
 
 void showQuestions(Desk& desk)
 {
-	const Question now = desk.bench.question;
+	const Question now = desk.document.question;
 	const auto asked = std::ranges::find(kFileQuestions, now, &FileQuestion::question);
 	const bool files = asked != kFileQuestions.end();
 	const std::string title = fmt::format("{}###question", files ? asked->title : "Volume Probes");
@@ -207,7 +207,7 @@ void showQuestions(Desk& desk)
 	{
 		answer().question = now;
 		if (files)
-			begin(*asked, desk.bench);
+			begin(*asked, desk.document);
 	}
 	if (now != Question::none && !ImGui::IsPopupOpen("###question"))
 		ImGui::OpenPopup("###question");
@@ -223,7 +223,7 @@ void showQuestions(Desk& desk)
 		showFileQuestion(desk, *asked);
 	else if (now == Question::recover)
 		showRecovery(desk);
-	if (desk.bench.question == Question::none)
+	if (desk.document.question == Question::none)
 		ImGui::CloseCurrentPopup();
 	ImGui::EndPopup();
 }

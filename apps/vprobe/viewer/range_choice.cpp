@@ -27,21 +27,21 @@ Ends endsOf(const view::LookSpec& look)
 }
 
 // What the picture's colors go from and to.
-std::array<double, 2> shownEnds(const Document& bench)
+std::array<double, 2> shownEnds(const Document& document)
 {
-	const view::LookSpec& look = bench.state().look;
+	const view::LookSpec& look = document.state().look;
 	if (look.range)
 		return {look.range->first, look.range->second};
-	if (!bench.shown() || !bench.shown()->values)
+	if (!document.shown() || !document.shown()->values)
 		return {0.0, 1.0};
-	const render::ValueScale& values = *bench.shown()->values;
+	const render::ValueScale& values = *document.shown()->values;
 	return {look.logarithmic ? values.log_lo : values.lo, values.hi};
 }
 
 void chooseEnds(Desk& desk, Ends ends)
 {
-	const std::array<double, 2> shown = shownEnds(desk.bench);
-	desk.bench.change(
+	const std::array<double, 2> shown = shownEnds(desk.document);
+	desk.document.change(
 	    "Range of the colors",
 	    [&](view::ViewSpec& state)
 	    {
@@ -58,8 +58,8 @@ void chooseEnds(Desk& desk, Ends ends)
 
 void showEnds(Desk& desk)
 {
-	std::array<double, 2> ends = shownEnds(desk.bench);
-	const bool fixed = endsOf(desk.bench.state().look) == Ends::fixed;
+	std::array<double, 2> ends = shownEnds(desk.document);
+	const bool fixed = endsOf(desk.document.state().look) == Ends::fixed;
 	ImGui::BeginDisabled(!fixed);
 	ImGui::SetNextItemWidth(-1.0f);
 	const double speed = std::max(1e-300, 0.004 * std::abs(ends[1] - ends[0]));
@@ -67,9 +67,9 @@ void showEnds(Desk& desk)
 	                                 fixed ? "Values at the low and the high end of the color map"
 	                                       : "Values at the ends of the color map; choose Fixed to set them");
 	ImGui::EndDisabled();
-	if (!fixed || !changed || !(ends[0] < ends[1]) || (desk.bench.state().look.logarithmic && ends[0] <= 0.0))
+	if (!fixed || !changed || !(ends[0] < ends[1]) || (desk.document.state().look.logarithmic && ends[0] <= 0.0))
 		return;
-	desk.bench.change(
+	desk.document.change(
 	    "Range of the colors",
 	    [&](view::ViewSpec& state) {
 		    state.look.range = std::pair{ends[0], ends[1]};
@@ -79,7 +79,7 @@ void showEnds(Desk& desk)
 
 void showScaling(Desk& desk)
 {
-	const view::LookSpec& look = desk.bench.state().look;
+	const view::LookSpec& look = desk.document.state().look;
 	ImGui::BeginDisabled(look.logarithmic || look.range);
 	toggle(desk, "Symmetric about 0", look.symmetric, "The ends lie alike about 0, which has the middle color",
 	       [](view::ViewSpec& state) { state.look.symmetric = !state.look.symmetric; });
@@ -102,7 +102,7 @@ void showScaling(Desk& desk)
 
 void showRangeChoice(Desk& desk)
 {
-	const Ends now = endsOf(desk.bench.state().look);
+	const Ends now = endsOf(desk.document.state().look);
 	labeled("Range");
 	if (ImGui::BeginCombo("##range", kEnds[static_cast<std::size_t>(now)]))
 	{

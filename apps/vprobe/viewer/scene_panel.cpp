@@ -51,8 +51,8 @@ void drawShape(const interact::HandleShape& shape, const interact::View& view, I
 // The scene without its pane, which handles would be drawn over: what is above it, and what is beside it.
 std::vector<ScenePart> freeParts(const Desk& desk, const ScenePart& part)
 {
-	const auto& shown = desk.bench.shown();
-	if (!desk.bench.parts.plane_pane || !shown->pane)
+	const auto& shown = desk.document.shown();
+	if (!desk.document.parts.plane_pane || !shown->pane)
 		return {part};
 	const ScenePart pane = paneOf(part, desk.scale);
 	const glm::dvec2 hi = part.lo + part.size;
@@ -65,7 +65,7 @@ void showEmptyScene(Desk& desk, const ScenePart& part)
 {
 	ImDrawList& list = *ImGui::GetBackgroundDrawList();
 	list.AddRectFilled(onScreen({0.0, 0.0}, part), onScreen(part.size, part), ImGui::GetColorU32(ImGuiCol_FrameBg));
-	if (!desk.bench.loader().isBusy() && !desk.bench.facts())
+	if (!desk.document.loader().isBusy() && !desk.document.facts())
 		return showStartPage(desk, part);
 	const auto width = static_cast<float>(std::min(360.0 * desk.scale, 0.9 * part.size.x));
 	ImGui::SetNextWindowPos(onScreen(0.5 * part.size, part), ImGuiCond_Always, {0.5f, 0.5f});
@@ -96,11 +96,11 @@ void showPointed(const Desk& desk)
 
 void showScene(Desk& desk, const ScenePart& part)
 {
-	const auto view = desk.bench.view();
+	const auto view = desk.document.view();
 	if (!view)
 		return showEmptyScene(desk, part);
 	const Theme& colors =
-	    theme(desk.bench.state().look.background.dark()); // to be seen on the picture, whatever the panels' theme
+	    theme(desk.document.state().look.background.dark()); // to be seen on the picture, whatever the panels' theme
 	ImDrawList& list = *ImGui::GetBackgroundDrawList();
 	const std::vector<interact::HandleShape> shapes = desk.hand.shapes();
 	for (const ScenePart& free : freeParts(desk, part))

@@ -45,7 +45,7 @@ void showSidePanel(Desk& desk, const ScenePart& room)
 	beginFixed("side", room, ImGuiWindowFlags_AlwaysVerticalScrollbar);
 	for (const Section& section : kSections)
 	{
-		if (!isShown(section, desk.bench.facts()))
+		if (!isShown(section, desk.document.facts()))
 			continue;
 		const bool open = ImGui::CollapsingHeader(section.name, section.unfolded ? ImGuiTreeNodeFlags_DefaultOpen : 0);
 		tip(section.tip);

@@ -25,7 +25,7 @@ void showHeading(const char* words)
 
 void showRecentFiles(Desk& desk)
 {
-	const std::vector<std::string> recent = desk.bench.settings.recent; // a copy: opening one changes them
+	const std::vector<std::string> recent = desk.document.settings.recent; // a copy: opening one changes them
 	if (recent.empty())
 		return;
 	showHeading("Recent files");
@@ -33,7 +33,7 @@ void showRecentFiles(Desk& desk)
 	{
 		const std::string name = std::filesystem::path(recent[i]).filename().string();
 		if (ImGui::Selectable(fmt::format("{}##{}", name, i).c_str()))
-			desk.bench.open({recent[i]});
+			desk.document.open({recent[i]});
 		tip(recent[i]);
 	}
 }
@@ -56,7 +56,7 @@ void showDemo(Desk& desk, const grid::Demo& demo, const ImVec2& size)
 	const std::string name = demo.name;
 	const ImVec2 lo = ImGui::GetCursorScreenPos();
 	if (ImGui::Button(("##" + name).c_str(), size))
-		desk.bench.open({"demo:" + name});
+		desk.document.open({"demo:" + name});
 	tip(fmt::format("demo:{}: {}", name, demo.about));
 	ImDrawList& list = *ImGui::GetWindowDrawList();
 	const float line = ImGui::GetTextLineHeightWithSpacing();

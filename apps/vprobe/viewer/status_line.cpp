@@ -24,10 +24,10 @@ void showStatusLine(Desk& desk, const ScenePart& room)
 	beginFixed("status", room, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
 	ImGui::PopStyleVar();
 	ImGui::SetCursorPosY(0.5f * (static_cast<float>(room.size.y) - ImGui::GetTextLineHeight()));
-	const auto& shown = desk.bench.shown();
+	const auto& shown = desk.document.shown();
 	if (!shown)
 	{
-		ImGui::TextDisabled("%s", desk.bench.loader().isBusy() ? "Loading" : "Nothing is loaded");
+		ImGui::TextDisabled("%s", desk.document.loader().isBusy() ? "Loading" : "Nothing is loaded");
 		ImGui::End();
 		return;
 	}

@@ -33,20 +33,20 @@ constexpr int kMaxFrames = 1000; // that a drag reaches; more can be typed
 
 void showPath(Desk& desk)
 {
-	const view::SweepSpec& options = desk.bench.state().sweep;
+	const view::SweepSpec& options = desk.document.state().sweep;
 	const std::string word = view::pathKindText(options);
 	const auto now = std::ranges::find_if(kPaths, [&](const PathName& path) { return path.word == word; });
 	labeled("Path");
 	if (ImGui::BeginCombo("##path", options.own || now == kPaths.end() ? "Of your own" : now->name))
 	{
-		const bool has_times = desk.bench.facts()->times.size() > 1;
+		const bool has_times = desk.document.facts()->times.size() > 1;
 		for (const PathName& path : kPaths)
 		{
 			if (std::string_view(path.word) == "times" && !has_times)
 				continue;
 			if (ImGui::Selectable(path.name, !options.own && path.word == word))
-				desk.bench.change(fmt::format("Path {}", path.name), [&](view::ViewSpec& state)
-				                  { static_cast<void>(view::setPathKind(state.sweep, path.word)); });
+				desk.document.change(fmt::format("Path {}", path.name), [&](view::ViewSpec& state)
+				                     { static_cast<void>(view::setPathKind(state.sweep, path.word)); });
 			tip(path.words);
 		}
 		ImGui::EndCombo();
@@ -56,23 +56,23 @@ void showPath(Desk& desk)
 
 void showFrameCount(Desk& desk)
 {
-	const view::SweepSpec& options = desk.bench.state().sweep;
+	const view::SweepSpec& options = desk.document.state().sweep;
 	if (options.over_times)
 		return;
-	int frames = options.frames.value_or(desk.bench.frames());
+	int frames = options.frames.value_or(desk.document.playback().frames());
 	labeled("Frames");
 	if (ImGui::DragInt("##frames", &frames, 0.5f, 1, kMaxFrames))
-		desk.bench.change(
+		desk.document.change(
 		    "Frames", [&](view::ViewSpec& state) { state.sweep.frames = std::clamp(frames, 1, probe::kMaxFrames); },
 		    "frames");
 	if (ImGui::IsItemDeactivated())
-		desk.bench.endMerge();
+		desk.document.endMerge();
 	tip("How many pictures the sweep has. Drag, or click and type");
 }
 
 void showSpeed(Desk& desk)
 {
-	double speed = desk.bench.state().sweep.frames_per_second;
+	double speed = desk.document.state().sweep.frames_per_second;
 	labeled("Speed");
 	if (dragNumbers(desk,
 	                {.id = "##speed",
@@ -82,35 +82,35 @@ void showSpeed(Desk& desk)
 	                 .format = "%.3g a second",
 	                 .logarithmic = true},
 	                &speed, 1, "Frames a second; what cannot be drawn in time is left out"))
-		desk.bench.change(
+		desk.document.change(
 		    "Speed", [&](view::ViewSpec& state) { state.sweep.frames_per_second = speed; }, "speed");
 }
 
 void showPlayer(Desk& desk)
 {
-	Document& bench = desk.bench;
+	Document& document = desk.document;
 	const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-	int frame = bench.frame();
+	int frame = document.playback().frame();
 	ImGui::SetNextItemWidth(-1.0f);
-	if (ImGui::SliderInt("##frame", &frame, 0, std::max(0, bench.frames() - 1),
-	                     fmt::format("{} of {}", frame + 1, bench.frames()).c_str(),
+	if (ImGui::SliderInt("##frame", &frame, 0, std::max(0, document.playback().frames() - 1),
+	                     fmt::format("{} of {}", frame + 1, document.playback().frames()).c_str(),
 	                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
-		bench.seek(frame);
+		document.playback().seek(frame);
 	if (ImGui::IsItemDeactivated())
-		bench.endMerge();
+		document.endMerge();
 	tip("The sweep's frame");
 	actionButton(desk, Action::previous_frame, "Back", shareOfLine(3));
 	ImGui::SameLine(0.0f, gap);
-	actionButton(desk, Action::play, bench.isPlaying() ? "Pause" : "Play", shareOfLine(2));
+	actionButton(desk, Action::play, document.playback().isPlaying() ? "Pause" : "Play", shareOfLine(2));
 	ImGui::SameLine(0.0f, gap);
 	actionButton(desk, Action::next_frame, "On", shareOfLine(1));
 }
 
 void showFilm(Desk& desk)
 {
-	Document& bench = desk.bench;
+	Document& document = desk.document;
 	const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-	if (const auto& recording = bench.recording())
+	if (const auto& recording = document.playback().recording())
 	{
 		const int done = recording->film->recorded();
 		const int all = recording->film->frames();
@@ -118,11 +118,11 @@ void showFilm(Desk& desk)
 		                   fmt::format("{} of {}", done, all).c_str());
 		tip("Frames that are recorded");
 	}
-	actionButton(desk, Action::record, bench.recording() ? "Cancel" : "Record", shareOfLine(2));
+	actionButton(desk, Action::record, document.playback().recording() ? "Cancel" : "Record", shareOfLine(2));
 	ImGui::SameLine(0.0f, gap);
 	actionButton(desk, Action::save_film, "Save film\u2026", shareOfLine(1));
-	ImGui::BeginDisabled(!bench.hasExposure());
-	ImGui::Checkbox("All frames in one picture", &bench.parts.exposure);
+	ImGui::BeginDisabled(!document.playback().hasExposure());
+	ImGui::Checkbox("All frames in one picture", &document.parts.exposure);
 	ImGui::EndDisabled();
 	tip("As the eye keeps them: their light is added up. Record the sweep first");
 }
@@ -134,12 +134,12 @@ void showSweepSection(Desk& desk)
 	showPath(desk);
 	showFrameCount(desk);
 	showSpeed(desk);
-	toggle(desk, "There and back", desk.bench.state().sweep.there_and_back, tipOf(Action::there_and_back),
+	toggle(desk, "There and back", desk.document.state().sweep.there_and_back, tipOf(Action::there_and_back),
 	       [](view::ViewSpec& state) { state.sweep.there_and_back = !state.sweep.there_and_back; });
 	ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().ItemSpacing.x);
-	bool loops = desk.bench.loops();
+	bool loops = desk.document.playback().loops();
 	if (ImGui::Checkbox("Loop", &loops))
-		desk.bench.perform(Action::loop);
+		desk.document.perform(Action::loop);
 	tip(tipOf(Action::loop));
 	showPlayer(desk);
 	showFilm(desk);

@@ -14,41 +14,41 @@ using interact::Action;
 
 constexpr const char* kMerge = "time";
 
-void playTimes(Document& bench)
+void playTimes(Document& document)
 {
-	if (!bench.state().sweep.over_times)
-		bench.change("Path through time",
-		             [](view::ViewSpec& state)
-		             {
-			             state.sweep.over_times = true;
-			             state.sweep.own.reset();
-			             state.sweep.frames.reset();
-		             });
-	bench.perform(Action::play);
+	if (!document.state().sweep.over_times)
+		document.change("Path through time",
+		                [](view::ViewSpec& state)
+		                {
+			                state.sweep.over_times = true;
+			                state.sweep.own.reset();
+			                state.sweep.frames.reset();
+		                });
+	document.perform(Action::play);
 }
 
 } // namespace
 
 void showTimeSection(Desk& desk)
 {
-	Document& bench = desk.bench;
-	const auto& times = bench.facts()->times;
+	Document& document = desk.document;
+	const auto& times = document.facts()->times;
 	const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-	int step = bench.timeStep();
+	int step = document.timeStep();
 	const std::string words =
 	    fmt::format("t = {:.6g}   ({} of {})", times[static_cast<std::size_t>(step)], step + 1, times.size());
 	ImGui::SetNextItemWidth(-1.0f);
 	if (ImGui::SliderInt("##time", &step, 0, static_cast<int>(times.size()) - 1, words.c_str(),
 	                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
-		bench.showTime(step, kMerge);
+		document.showTime(step, kMerge);
 	if (ImGui::IsItemDeactivated())
-		bench.endMerge();
+		document.endMerge();
 	tip("The time that is shown");
 	actionButton(desk, Action::previous_time, "Earlier", shareOfLine(3));
 	ImGui::SameLine(0.0f, gap);
-	const bool plays = bench.isPlaying() && bench.state().sweep.over_times;
+	const bool plays = document.playback().isPlaying() && document.state().sweep.over_times;
 	if (ImGui::Button(plays ? "Pause##play" : "Play##play", {shareOfLine(2), 0.0f}))
-		playTimes(bench);
+		playTimes(document);
 	tip("Shows one time after the other: the sweep's path leads through time");
 	ImGui::SameLine(0.0f, gap);
 	actionButton(desk, Action::next_time, "Later", shareOfLine(1));

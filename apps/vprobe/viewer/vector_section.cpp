@@ -26,7 +26,7 @@ template <class T>
 void showVectorChoice(Desk& desk, const char* label, std::span<const Choice> choices, T view::VectorSpec::*option,
                       std::string_view words)
 {
-	showChoice(desk, label, choices, view::text(desk.bench.state().probe.vectors.*option), words,
+	showChoice(desk, label, choices, view::text(desk.document.state().probe.vectors.*option), words,
 	           [&](view::ViewSpec& state, const char* word) { state.probe.vectors.*option = *view::parse<T>(word); });
 }
 
@@ -40,8 +40,8 @@ void addArrays(const DatasetInfo& facts, bool only_vectors, std::vector<Choice>&
 void showArray(Desk& desk)
 {
 	std::vector<Choice> choices;
-	addArrays(*desk.bench.facts(), true, choices);
-	const std::string& array = desk.bench.state().probe.vectors.array;
+	addArrays(*desk.document.facts(), true, choices);
+	const std::string& array = desk.document.state().probe.vectors.array;
 	showChoice(desk, "Array", choices, array.empty() ? choices.front().word : array,
 	           "The vectors that move the particles",
 	           [](view::ViewSpec& state, const char* word) { state.probe.vectors.array = word; });
@@ -50,24 +50,24 @@ void showArray(Desk& desk)
 void showColor(Desk& desk)
 {
 	std::vector<Choice> choices{{"", "The vector's length"}};
-	addArrays(*desk.bench.facts(), false, choices);
+	addArrays(*desk.document.facts(), false, choices);
 	for (const Choice& color : {Choice{"black", "Black"}, Choice{"grey", "Grey"}, Choice{"white", "White"}})
 		choices.push_back(color);
-	showChoice(desk, "Color", choices, desk.bench.state().look.vectors.color, "By an array, or one color",
+	showChoice(desk, "Color", choices, desk.document.state().look.vectors.color, "By an array, or one color",
 	           [](view::ViewSpec& state, const char* word) { state.look.vectors.color = word; });
 }
 
 void showDensity(Desk& desk)
 {
-	int along = desk.bench.state().probe.vectors.lattice;
+	int along = desk.document.state().probe.vectors.lattice;
 	labeled("Density");
 	if (ImGui::SliderInt("##density", &along, 1, kMaxAlong, "%d along the side"))
-		desk.bench.change(
+		desk.document.change(
 		    "Density", [&](view::ViewSpec& state) { state.probe.vectors.lattice = std::max(1, along); }, "density");
 	if (ImGui::IsItemDeactivated())
-		desk.bench.endMerge();
+		desk.document.endMerge();
 	tip("Points on the longer side of a window, or of the cut");
-	showSlider(desk, {.label = "Jitter"}, desk.bench.state().probe.vectors.jitter,
+	showSlider(desk, {.label = "Jitter"}, desk.document.state().probe.vectors.jitter,
 	           "How far the points stray from their lattice",
 	           [](view::ViewSpec& state, double jitter) { state.probe.vectors.jitter = jitter; });
 }
@@ -75,8 +75,8 @@ void showDensity(Desk& desk)
 // Without one of its own the step follows from the lattice and the fastest particle.
 void showStep(Desk& desk)
 {
-	const view::VectorSpec& options = desk.bench.state().probe.vectors;
-	const double shown = desk.bench.shown() ? desk.bench.shown()->vector_dt : 0.0;
+	const view::VectorSpec& options = desk.document.state().probe.vectors;
+	const double shown = desk.document.shown() ? desk.document.shown()->vector_dt : 0.0;
 	double dt = options.dt.value_or(shown);
 	if (!(dt > 0.0))
 		return;
@@ -85,13 +85,13 @@ void showStep(Desk& desk)
 	ImGui::SetNextItemWidth(-button - 1.0f);
 	if (dragNumbers(desk, {.id = "##dt", .speed = 0.01 * dt, .least = 1e-3 * dt, .most = 1e3 * dt, .format = "%.4g"},
 	                &dt, 1, "The time of a step: how long tufts are. Drag, or double-click and type"))
-		desk.bench.change(
+		desk.document.change(
 		    "Time step", [&](view::ViewSpec& state) { state.probe.vectors.dt = dt; }, "dt");
 	if (!options.dt)
 		return;
 	ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
 	if (ImGui::Button("Auto"))
-		desk.bench.change("Time step", [](view::ViewSpec& state) { state.probe.vectors.dt.reset(); });
+		desk.document.change("Time step", [](view::ViewSpec& state) { state.probe.vectors.dt.reset(); });
 	tip("The fastest particle goes as far as the points are apart");
 }
 
@@ -101,7 +101,7 @@ void showVectorSection(Desk& desk)
 {
 	showVectorChoice(desk, "Show", kKinds, &view::VectorSpec::kind,
 	                 "Tufts are arrows, one step long; the others follow particles a long way");
-	const view::VectorSpec& options = desk.bench.state().probe.vectors;
+	const view::VectorSpec& options = desk.document.state().probe.vectors;
 	if (!options.on())
 		return;
 	showArray(desk);
@@ -111,14 +111,14 @@ void showVectorSection(Desk& desk)
 	           "How many steps a particle goes",
 	           [](view::ViewSpec& state, double steps) { state.probe.vectors.steps = steps; });
 	showStep(desk);
-	if (desk.bench.facts()->times.size() > 1)
+	if (desk.document.facts()->times.size() > 1)
 		toggle(desk, "Path lines", options.path_lines,
 		       "Particles go while the field changes from time to time, launched at the one that is shown",
 		       [](view::ViewSpec& state) { state.probe.vectors.path_lines = !state.probe.vectors.path_lines; });
 	showVectorChoice(desk, "Direction", kDirections, &view::VectorSpec::direction,
 	                 "With the flow, against it, or both");
 	showVectorChoice(desk, "Part", kParts, &view::VectorSpec::part, "What of the vector moves the particles");
-	showSlider(desk, {.label = "Opacity"}, desk.bench.state().look.vectors.opacity, "Of what is launched",
+	showSlider(desk, {.label = "Opacity"}, desk.document.state().look.vectors.opacity, "Of what is launched",
 	           [](view::ViewSpec& state, double opacity) { state.look.vectors.opacity = opacity; });
 }
 

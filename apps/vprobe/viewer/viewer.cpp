@@ -74,10 +74,10 @@ private:
 	Window& window_;
 	Screen& screen_;
 	gpu::Device& device_;
-	Document bench_;
+	Document document_;
 	std::optional<Commands> commands_;
-	PointerController hand_{bench_};
-	Keyboard keyboard_{bench_, hand_};
+	PointerController hand_{document_};
+	Keyboard keyboard_{document_, hand_};
 	Meter meter_;
 	double frame_seconds_;
 	double scale_;
@@ -94,9 +94,9 @@ private:
 Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewerOptions& options,
                std::shared_ptr<std::FILE> commands)
     : window_(window), screen_(screen), device_(*device),
-      bench_(options.state, device, Window::wake, options.read_state),
+      document_(options.state, device, Window::wake, options.read_state),
       frame_seconds_(1.0 / (device->isSoftware() ? kSoftwareFrameRate : window.refreshRate())), scale_(window.scale()),
-      dark_(bench_.settings.dark)
+      dark_(document_.settings.dark)
 {
 	if (commands)
 		commands_.emplace(std::move(commands), Window::wake);
@@ -107,7 +107,7 @@ Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> devi
 void Viewer::heard()
 {
 	last_event_ = Clock::now();
-	bench_.noteInput(last_event_);
+	document_.noteInput(last_event_);
 }
 
 void Viewer::listen()
@@ -141,20 +141,20 @@ void Viewer::listen()
 	events.drop = [this](std::vector<std::string> files)
 	{
 		heard();
-		bench_.open(std::move(files));
+		document_.open(std::move(files));
 	};
 	window_.listen(std::move(events));
 }
 
 void Viewer::obey()
 {
-	if (commands_ && commands_->run({bench_, window_, screen_, bench_.shown() == drawn_, frames_}))
+	if (commands_ && commands_->run({document_, window_, screen_, document_.shown() == drawn_, frames_}))
 		heard();
 }
 
 bool Viewer::isAwake() const
 {
-	return !bench_.isIdle() || Clock::now() - last_event_ < kStaysAwake;
+	return !document_.isIdle() || Clock::now() - last_event_ < kStaysAwake;
 }
 
 double Viewer::secondsToNextFrame() const
@@ -166,17 +166,17 @@ double Viewer::secondsToNextFrame() const
 
 Status Viewer::followScale()
 {
-	if (const double scale = window_.scale() * bench_.settings.text_size; scale != scale_)
+	if (const double scale = window_.scale() * document_.settings.text_size; scale != scale_)
 	{
 		scale_ = scale;
-		applyTheme(bench_.settings.dark, scale_);
+		applyTheme(document_.settings.dark, scale_);
 		makeFonts(scale_);
 		if (Status taken = screen_.takeFonts(); !taken)
 			return taken;
 	}
-	if (dark_ != bench_.settings.dark)
-		applyTheme(dark_ = bench_.settings.dark, scale_);
-	window_.setFullScreen(bench_.parts.full_screen);
+	if (dark_ != document_.settings.dark)
+		applyTheme(dark_ = document_.settings.dark, scale_);
+	window_.setFullScreen(document_.parts.full_screen);
 	return Nothing{};
 }
 
@@ -198,21 +198,21 @@ Status Viewer::showFrame()
 	ImGui_ImplGlfw_NewFrame();
 	followKeyboard();
 	ImGui::NewFrame();
-	Desk desk{bench_, hand_, meter_, scale_};
+	Desk desk{document_, hand_, meter_, scale_};
 	scene_ = showPanels(desk);
 	hand_.place(scene_, scale_);
 	ImGui::Render();
 
-	const std::shared_ptr<const PresentedFrame> shown = bench_.shown();
+	const std::shared_ptr<const PresentedFrame> shown = document_.shown();
 	std::vector<Placement> pictures;
-	const std::shared_ptr<const render::Picture> film = bench_.filmPicture();
+	const std::shared_ptr<const render::Picture> film = document_.playback().filmPicture();
 	Result<std::shared_ptr<const gpu::Image>> frame =
 	    film ? film_screen_.image(film) : Result<std::shared_ptr<const gpu::Image>>(shown ? shown->image : nullptr);
 	if (!frame)
 		return frame.error();
 	if (*frame)
 		pictures.push_back({*frame, glm::ivec2(scene_.lo), glm::ivec2(scene_.size)});
-	if (bench_.parts.plane_pane && shown && shown->pane && !film)
+	if (document_.parts.plane_pane && shown && shown->pane && !film)
 	{
 		const ScenePart pane = paneOf(scene_, scale_);
 		pictures.push_back({shown->pane->image, glm::ivec2(pane.lo), glm::ivec2(pane.size)});
@@ -232,25 +232,25 @@ Status Viewer::showFrame()
 
 Result<ExitCode> Viewer::run()
 {
-	while (!window_.closes() && !bench_.wantsToQuit())
+	while (!window_.closes() && !document_.wantsToQuit())
 	{
 		window_.hear(secondsToNextFrame());
 		obey();
 		// What was heard goes to the render thread at once; the window's next frame need not be waited for.
-		bench_.update({static_cast<std::uint32_t>(scene_.size.x), static_cast<std::uint32_t>(scene_.size.y)});
+		document_.update({static_cast<std::uint32_t>(scene_.size.x), static_cast<std::uint32_t>(scene_.size.y)});
 		if (window_.minimized() || window_.pixels().width == 0)
 		{
 			frame_begin_ = last_frame_ = Clock::now();
 			continue;
 		}
-		const bool new_picture = bench_.shown() != drawn_;
+		const bool new_picture = document_.shown() != drawn_;
 		const bool captures = commands_ && commands_->wantsFrame();
 		if (secondsToNextFrame() > 0.0 && !new_picture && !captures)
 			continue;
-		drawn_ = bench_.shown();
+		drawn_ = document_.shown();
 		if (Status shown = showFrame(); !shown)
 		{
-			bench_.keepState();
+			document_.keepState();
 			return Error{shown.error().kind,
 			             shown.error().message + "; what was set is kept: the next vprobe view brings it back"};
 		}

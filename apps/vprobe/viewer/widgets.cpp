@@ -62,20 +62,20 @@ std::string tipOf(interact::Action action)
 
 bool actionButton(Desk& desk, interact::Action action, const char* label, float width)
 {
-	ImGui::BeginDisabled(!isPossible(desk.bench, action));
+	ImGui::BeginDisabled(!isPossible(desk.document, action));
 	const bool pressed = ImGui::Button(label, {width, 0.0f});
 	ImGui::EndDisabled();
 	tip(tipOf(action));
 	if (pressed)
-		desk.bench.perform(action);
+		desk.document.perform(action);
 	return pressed;
 }
 
 void actionItem(Desk& desk, interact::Action action)
 {
 	if (ImGui::MenuItem(std::string(interact::wordsOf(action)).c_str(), interact::keysOf(action).c_str(),
-	                    isOn(desk.bench, action), isPossible(desk.bench, action)))
-		desk.bench.perform(action);
+	                    isOn(desk.document, action), isPossible(desk.document, action)))
+		desk.document.perform(action);
 }
 
 float shareOfLine(int count)
@@ -97,7 +97,7 @@ void labeled(const char* label)
 void toggle(Desk& desk, const char* label, bool now, std::string_view words, const Document::Edit& edit)
 {
 	if (ImGui::Checkbox(label, &now))
-		desk.bench.change(label, edit);
+		desk.document.change(label, edit);
 	tip(words);
 }
 
@@ -112,7 +112,7 @@ void showChoice(Desk& desk, const char* label, std::span<const Choice> choices, 
 		{
 			ImGui::PushID(choice.word); // names may be alike
 			if (ImGui::Selectable(choice.name, now == choice.word))
-				desk.bench.change(label, [&](view::ViewSpec& state) { set(state, choice.word); });
+				desk.document.change(label, [&](view::ViewSpec& state) { set(state, choice.word); });
 			ImGui::PopID();
 		}
 		ImGui::EndCombo();
@@ -128,10 +128,10 @@ void showSlider(Desk& desk, const Slide& slide, double now, std::string_view wor
 	if (ImGui::SliderFloat(fmt::format("##{}", slide.label).c_str(), &value, static_cast<float>(slide.least),
 	                       static_cast<float>(slide.most), slide.format,
 	                       ImGuiSliderFlags_AlwaysClamp | (slide.logarithmic ? ImGuiSliderFlags_Logarithmic : 0)))
-		desk.bench.change(
+		desk.document.change(
 		    slide.label, [&](view::ViewSpec& state) { set(state, value); }, slide.label);
 	if (ImGui::IsItemDeactivated())
-		desk.bench.endMerge();
+		desk.document.endMerge();
 	tip(words);
 }
 
@@ -144,13 +144,13 @@ bool dragNumbers(Desk& desk, const Drag& drag, double* numbers, int count, std::
 	                       ImGuiSliderFlags_AlwaysClamp | (drag.logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
 	tip(words);
 	if (ImGui::IsItemDeactivated() && !changed)
-		desk.bench.endMerge();
+		desk.document.endMerge();
 	return changed;
 }
 
 double lengthSpeed(const Desk& desk)
 {
-	return desk.bench.facts() ? interact::sizeOf(desk.bench.facts()->bounds) / kPixelsAcross : 0.01;
+	return desk.document.facts() ? interact::sizeOf(desk.document.facts()->bounds) / kPixelsAcross : 0.01;
 }
 
 void clippedText(const std::string& text)

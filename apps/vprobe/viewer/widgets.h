@@ -21,11 +21,11 @@ bool pointerRests(); // it has been still for a moment
 void tip(std::string_view words);
 std::string tipOf(interact::Action action); // its words and keys: "Show the next array (A)"
 
-// Shown by `label`, done by the bench, explained by tipOf().
+// Shown by `label`, done by the document, explained by tipOf().
 bool actionButton(Desk& desk, interact::Action action, const char* label, float width = 0.0f);
 void actionItem(Desk& desk, interact::Action action); // of a menu; checked where it is on
-bool isOn(const Document& bench, interact::Action action);
-bool isPossible(const Document& bench, interact::Action action);
+bool isOn(const Document& document, interact::Action action);
+bool isPossible(const Document& document, interact::Action action);
 
 // The width of each of `count` controls side by side in what is left of the line.
 float shareOfLine(int count);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "viewer/meter.h"
+
+#include <string>
+#include <vector>
+
+namespace vp::app
+{
+
+// A line for the user, shown for a while.
+struct Notice
+{
+	std::string words;
+	bool is_error = false;
+	Moment since{};
+};
+
+// Those that are shown. Of the window's thread.
+class NoticeList
+{
+public:
+	void add(std::string words, bool is_error); // in place of an equal one
+	void dismiss(const std::string& words);
+	void forgetOld(Moment now);
+	const std::vector<Notice>& all() const { return notices_; }
+
+private:
+	std::vector<Notice> notices_;
+};
+
+} // namespace vp::app

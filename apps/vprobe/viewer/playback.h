@@ -1,0 +1,78 @@
+#pragma once
+
+#include "interact/bindings.h"
+#include "report/exposure.h"
+#include "viewer/file_jobs.h"
+#include "viewer/film_loop.h"
+#include "viewer/render_thread.h"
+#include "viewer/sweep_player.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace vp::app
+{
+
+class Document;
+
+// The sweep as a window plays it, and the film loop that is recorded of it. It moves the document's probe from frame to
+// frame. Of the window's thread.
+class Playback
+{
+public:
+	// Pictures of a sweep under way into a film loop.
+	struct Recording
+	{
+		std::shared_ptr<FilmLoop> film;
+		int ordered = 0;
+		FrameRequest like; // the size and the look of its pictures
+	};
+
+	// All outlive it.
+	Playback(Document& document, RenderThread& render_thread, FileJobs& jobs, std::function<void()> wake);
+
+	bool perform(interact::Action action); // false where it is none of a sweep's
+	void update();                         // once a frame
+	void forgetFilm();                     // the data are others
+
+	bool isPlaying() const { return path_.player.playing(seconds()); }
+	int frame() const { return path_.player.frameAt(seconds()); }
+	int frames() const { return path_.player.frames(); }
+	void seek(int frame);
+	bool loops() const { return path_.player.loops(); }
+	bool hasExposure() const { return exposure_ != nullptr; }
+	const std::optional<Recording>& recording() const { return recording_; }
+	const std::shared_ptr<const FilmLoop>& film() const { return film_; } // whole, or null
+	// The film loop's picture to be shown in place of the scene's; null where the scene is to be seen.
+	std::shared_ptr<const render::Picture> filmPicture() const;
+	void saveFilm(const std::string& file); // a film, or pictures by a pattern with {frame} in it
+	void saveExposure(const std::string& file);
+
+private:
+	struct Mail;
+
+	double seconds() const; // the sweep's clock
+	Status followSweep();
+	bool canSweep();
+	void play();
+	void setSpeed(double factor);
+	void record();
+	void cancelRecording();
+	void orderFrames();
+	bool filmIsGood() const;
+
+	Document& document_;
+	RenderThread& render_thread_;
+	FileJobs& jobs_;
+	std::function<void()> wake_;
+	std::shared_ptr<Mail> mail_;
+	SweepPlayer path_;
+	std::optional<Recording> recording_;
+	std::shared_ptr<const FilmLoop> film_;
+	FrameRequest film_like_;
+	std::shared_ptr<const render::Picture> exposure_;
+};
+
+} // namespace vp::app
