@@ -216,7 +216,9 @@ void addCheck(CLI::App& program, Run& run)
 	addInputs(*command, options->input);
 	addMachineOptions(*command, options->input);
 	command->add_flag("--json", options->json, "Write JSON for scripts");
-	command->add_option("-o,--output", options->output, "Faces of the bad cells as .vtp, with the array vprobe:finding")
+	command
+	    ->add_option("-o,--output", options->output,
+	                 "Write the faces of the bad cells as .vtp, with the array vprobe:finding")
 	    ->type_name("FILE|-");
 	command->footer("Exit code 5 when a fault was found. Blocks that meet are told, as a note.");
 	command->callback([&run, options] { run = [options] { return runCheck(*options); }; });

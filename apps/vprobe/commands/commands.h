@@ -10,7 +10,7 @@
 namespace vp::app
 {
 
-// A subcommand's work, run once the command line has been read. Errors are told by main.
+// The work of a subcommand. main() runs it after the command line has been read, and reports its error.
 using Run = std::function<Result<ExitCode>()>;
 
 // All subcommands, in the order of the help. Each function is in a file of its own, and adds its subcommand, with its

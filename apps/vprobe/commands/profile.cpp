@@ -252,14 +252,15 @@ void addProfile(CLI::App& program, Run& run)
 	addLookOptions(*command, options->common);
 	addStateOptions(*command, options->common);
 	const char* group = "Profile";
-	command->add_flag("--draw", options->draw, "Measures whole frames: every plane is drawn as well")->group(group);
+	command->add_flag("--draw", options->draw, "Measure whole frames: draw every plane as well")->group(group);
 	command->add_option("--planes", options->planes, "Number of planes")
 	    ->capture_default_str()
 	    ->type_name("N")
 	    ->group(group);
 	command
 	    ->add_option("--path", options->path,
-	                 "profile: planes that tilt through the middle of the bounds; or a path that sweep takes")
+	                 "Path of the probe: profile (planes that tilt through the middle of the bounds), or any path that "
+	                 "sweep takes")
 	    ->capture_default_str()
 	    ->type_name("NAME|FILE.json")
 	    ->group(group);
@@ -267,7 +268,9 @@ void addProfile(CLI::App& program, Run& run)
 	    ->type_name("FILE|-")
 	    ->group(group);
 	addTraceOption(*command, options->trace, group);
-	command->add_option("--compare", options->compare, "Measures nothing: what changed between two files of --json")
+	command
+	    ->add_option("--compare", options->compare,
+	                 "Measure nothing, and print what changed between two files that --json wrote")
 	    ->expected(2)
 	    ->allow_extra_args(false)
 	    ->type_name("A.json B.json")

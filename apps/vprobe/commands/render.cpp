@@ -51,7 +51,7 @@ Status takeDefaultOutput(RenderOptions& options)
 	             fmt::format("{}: is there already; name the picture by -o, which replaces it", options.output)};
 }
 
-// What can be wrong on the command line is told before a large file is read.
+// Checks the command line before a large file is read.
 Status check(const RenderOptions& options)
 {
 	const view::ViewSpec& spec = options.common.spec;
@@ -127,9 +127,9 @@ void addRender(CLI::App& program, Run& run)
 	addExplain(*command, options->common);
 	command
 	    ->add_option("-o,--output", options->output,
-	                 "Picture; - writes it to standard output (default: the input's name, in the current folder)")
+	                 "Where the picture goes; - is standard output (default: the input's name, in the current folder)")
 	    ->type_name("FILE.png|-");
-	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
+	command->add_option("--stats", options->stats, "Write figures and times as JSON")->type_name("FILE|-");
 
 	addLookOptions(*command, options->common);
 	addVectorOptions(*command, options->common);

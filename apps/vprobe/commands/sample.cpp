@@ -51,7 +51,7 @@ Result<std::vector<grid::FieldChoice>> chooseArrays(const SampleOptions& options
 
 Result<ExitCode> runSample(const SampleOptions& options)
 {
-	// What can be wrong on the command line is told before a large file is read.
+	// Checks the command line before a large file is read.
 	if (Status ready = prepare(options.input); !ready)
 		return ready.error();
 	const view::ViewSpec& spec = options.input.spec;
@@ -93,14 +93,14 @@ void addSample(CLI::App& program, Run& run)
 	addInputs(*command, options->input);
 	command
 	    ->add_option("--points", options->points,
-	                 "Text of three numbers a line, parted by blanks or commas; - reads standard input")
+	                 "Text file with three numbers per line, separated by blanks or commas; - reads standard input")
 	    ->type_name("FILE|-");
 	command
 	    ->add_option("--line", options->line, "N points from X0 Y0 Z0 to X1 Y1 Z1, evenly spread, both ends among them")
 	    ->expected(7)
 	    ->allow_extra_args(false)
 	    ->type_name("X0 Y0 Z0 X1 Y1 Z1 N");
-	command->add_option("--array", options->arrays, "Only this one; may be given several times (default: all)")
+	command->add_option("--array", options->arrays, "Array to write. May be given several times (default: all arrays)")
 	    ->allow_extra_args(false)
 	    ->type_name("[point:|cell:]NAME");
 	command->add_option("-o,--output", options->output, "CSV")->type_name("FILE|-")->capture_default_str();

@@ -67,7 +67,7 @@ Result<view::ResolvedLook> planeLook(const SliceOptions& options, const CLI::App
 	return view::resolveLook(spec);
 }
 
-// What can be wrong on the command line is told before a large file is read.
+// Checks the command line before a large file is read.
 Status check(const SliceOptions& options, const CLI::App& command)
 {
 	const view::ProbeSpec& probe = options.common.spec.probe;
@@ -179,16 +179,16 @@ void addSlice(CLI::App& program, Run& run)
 	addProbeOptions(*command, options->common);
 	addExplain(*command, options->common);
 	command
-	    ->add_option("-o,--output", options->output,
-	                 "Polygons as .vtp, .vtm (a .vtp a sheet), .ply or .csv; - writes VTP to standard output. Or a "
-	                 "flat picture of "
-	                 "each sheet as .png, .svg or .pdf, with {sheet} in the name where there are several")
+	    ->add_option(
+	        "-o,--output", options->output,
+	        "Where the polygons go: .vtp, .vtm (one .vtp per sheet), .ply or .csv; - writes VTP to standard output. Or "
+	        "a flat picture of each sheet: .png, .svg or .pdf, with {sheet} in the name if there are several sheets")
 	    ->type_name("FILE|-");
-	command->add_option("--stats", options->stats, "Figures and times as JSON")->type_name("FILE|-");
+	command->add_option("--stats", options->stats, "Write figures and times as JSON")->type_name("FILE|-");
 	command
 	    ->add_option("--line", options->line,
-	                 "Writes the values along a line through a sheet as .csv instead: from U0 V0 to U1 V1, along the "
-	                 "sheet's x and y axes from its origin")
+	                 "Write the values along a line through a sheet as .csv instead. The line goes from U0 V0 to U1 "
+	                 "V1, measured along the sheet's x and y axes from its origin")
 	    ->expected(4)
 	    ->allow_extra_args(false)
 	    ->type_name("U0 V0 U1 V1");

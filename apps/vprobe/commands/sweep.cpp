@@ -194,14 +194,17 @@ void addSweep(CLI::App& program, Run& run)
 	const char* group = "Sweep";
 	command
 	    ->add_option("-o,--output", options->output,
-	                 "frames/{frame:04}.png, a film: .mp4, .mkv, .webm or .gif (through ffmpeg), or polygons: .pvd")
+	                 "Where the frames go: pictures (frames/{frame:04}.png), a film (.mp4, .mkv, .webm or .gif, "
+	                 "through ffmpeg), or polygons (.pvd)")
 	    ->type_name("PATTERN|FILM|FILE.pvd")
 	    ->group(group);
-	command->add_option("--exposure", options->exposure, "All frames in one picture, as the eye keeps them")
+	command
+	    ->add_option("--exposure", options->exposure, "Write one picture of all frames together, as the eye keeps them")
 	    ->type_name("FILE.png")
 	    ->group(group);
-	command->add_flag("--resume", options->resume, "Leaves pictures that are there, draws the others")->group(group);
-	command->add_option("--stats", options->stats, "Figures of every frame, and times, as JSON")
+	command->add_flag("--resume", options->resume, "Keep the pictures that are there already, and draw the others")
+	    ->group(group);
+	command->add_option("--stats", options->stats, "Write the figures of every frame, and times, as JSON")
 	    ->type_name("FILE|-")
 	    ->group(group);
 	addTraceOption(*command, options->trace, group);

@@ -33,7 +33,7 @@ Result<ExitCode> runView(const ViewOptions& options)
 		return ExitCode::done;
 	}
 	const view::ViewSpec& spec = options.common.spec;
-	// What can be wrong on the command line is told before a window opens.
+	// Errors on the command line are reported before a window opens.
 	if (options.common.wrong)
 		return *options.common.wrong;
 	if (!spec.input.files.empty())
@@ -70,14 +70,14 @@ void addView(CLI::App& program, Run& run)
 	addContourOptions(*command, options->common);
 	addPathOptions(*command, options->common);
 	addStateOptions(*command, options->common);
-	command->add_flag("--list-bindings", options->list_bindings, "Prints what the keys do, and opens no window");
+	command->add_flag("--list-bindings", options->list_bindings, "Print what the keys do; open no window");
 	command
 	    ->add_option("--stats", options->stats,
-	                 "When the window closes: how fast it was, as JSON (frames, cuts, from input to picture)")
+	                 "Write how fast the window was, as JSON, when it closes: frames, cuts, time from input to picture")
 	    ->type_name("FILE|-");
 	command
 	    ->add_option("--commands", options->commands,
-	                 "Carries out the lines of a file while the window runs: docs/VIEWER.md, Scripting")
+	                 "Carry out the lines of a file while the window runs (docs/VIEWER.md, Scripting)")
 	    ->type_name("FILE|-");
 	command->callback([&run, options] { run = [options] { return runView(*options); }; });
 }

@@ -24,27 +24,28 @@ void addColorOptions(CLI::App& command, SpecOptions& options)
 	    ->capture_default_str()
 	    ->group(kLookGroup);
 	addWord(command, "--color-by", look.color_by,
-	        "array, or generation: when the traversal met a polygon's cell (--seeds hotspot shows the front)")
+	        "Color the polygons by the array, or by the generation in which the traversal met their cells (--seeds "
+	        "hotspot shows the front)")
 	    ->group(kLookGroup);
 	addNumbers(command, "--range", 2, look.range, pairOf<std::pair<double, double>>,
 	           "Values at the ends of the color map (default: those of the whole array)")
 	    ->type_name("LO HI")
 	    ->group(kLookGroup);
 	addWord(command, "--range-of", look.range_of,
-	        "Whose lowest and highest value are at the ends: data (the whole array) or slice (what the sheets show)")
+	        "Range of the color map: the values of the whole array (data), or those that the sheets show (slice)")
 	    ->group(kLookGroup);
-	command.add_flag("--symmetric", look.symmetric, "The ends lie alike about 0, so 0 has the middle color")
+	command.add_flag("--symmetric", look.symmetric, "Make the range symmetric about 0, so that 0 has the middle color")
 	    ->group(kLookGroup);
-	command.add_flag("--log", look.logarithmic, "Colors follow the values' logarithm")->group(kLookGroup);
-	command.add_option("--lines", look.lines, "About N contour lines, at round values")
+	command.add_flag("--log", look.logarithmic, "Color by the logarithm of the values")->group(kLookGroup);
+	command.add_option("--lines", look.lines, "Draw about N contour lines, at round values")
 	    ->type_name("N")
 	    ->group(kLookGroup);
-	command.add_flag("--no-legend", look.no_legend, "Leaves the legend out")->group(kLookGroup);
-	command.add_flag("--no-labels", look.no_labels, "Contour lines without their values")->group(kLookGroup);
-	command.add_option("--bands", look.bands, "Bands of one color, parted at about N round values")
+	command.add_flag("--no-legend", look.no_legend, "Draw no legend")->group(kLookGroup);
+	command.add_flag("--no-labels", look.no_labels, "Draw contour lines without their values")->group(kLookGroup);
+	command.add_option("--bands", look.bands, "Draw bands of one color each, with about N round values between them")
 	    ->type_name("N")
 	    ->group(kLookGroup);
-	command.add_flag("--mesh", look.mesh, "Draws the edges of the cut's polygons")->group(kLookGroup);
+	command.add_flag("--mesh", look.mesh, "Draw the edges of the cut's polygons")->group(kLookGroup);
 }
 
 // Of what has a depth.
@@ -55,12 +56,15 @@ void addSpaceOptions(CLI::App& command, SpecOptions& options)
 	    ->capture_default_str()
 	    ->group(kLookGroup);
 	command
-	    .add_option("--opacity", look.opacity, "Of every sheet, 0 to 1; a color map with opacities is a factor on it")
+	    .add_option("--opacity", look.opacity,
+	                "Opacity of every sheet, 0 to 1. Opacities of the color map are multiplied by it")
 	    ->capture_default_str()
 	    ->group(kLookGroup);
-	command.add_flag("--lit", look.lit, "Sheets are darker the more they are turned from the light")->group(kLookGroup);
+	command
+	    .add_flag("--lit", look.lit, "Shade the sheets: the more a sheet turns away from the light, the darker it is")
+	    ->group(kLookGroup);
 	addWord(command, "--axes", look.axes,
-	        "corner (where x, y and z point), box (numbers along edges of the bounds) or none")
+	        "Axes: corner (arrows in a corner of the picture), box (numbers along the edges of the bounds) or none")
 	    ->group(kLookGroup);
 	command
 	    .add_option_function<std::vector<std::string>>(
@@ -75,8 +79,8 @@ void addSpaceOptions(CLI::App& command, SpecOptions& options)
 				        options.wrong =
 				            Error{ErrorKind::usage, fmt::format("`context` {}: {}", word, context.error().message)};
 	        },
-	        "A translucent surface around the sheets; may be given several times. boundary: that of the domain; i, "
-	        "j, k: a grid surface; patch: a part of the boundary that the file names")
+	        "Draw a translucent surface around the sheets. May be given several times. boundary: the boundary of the "
+	        "domain; i, j, k: a grid surface; patch: a part of the boundary that the file names")
 	    ->allow_extra_args(false)
 	    ->type_name(view::contextForms())
 	    ->group(kLookGroup);
@@ -87,36 +91,36 @@ void addSpaceOptions(CLI::App& command, SpecOptions& options)
 void addLookOptions(CLI::App& command, SpecOptions& options, LookScope scope)
 {
 	view::LookSpec& look = options.spec.look;
-	addText(command, options, "--size", look.size, view::parseSize, "Of the picture in pixels")
+	addText(command, options, "--size", look.size, view::parseSize, "Size of the picture in pixels")
 	    ->type_name("WxH")
 	    ->default_str(view::sizeText(look.size))
 	    ->group(kLookGroup);
 	addColorOptions(command, options);
 	addText(command, options, "--background", look.background, render::parseBackground,
-	        "gradient, white, black, grey, transparent, #RGB or #RRGGBB")
+	        "Background of the picture: gradient, white, black, grey, transparent, #RGB or #RRGGBB")
 	    ->type_name("COLOR")
 	    ->default_str(render::backgroundText(look.background))
 	    ->group(kLookGroup);
 	addText(command, options, "--camera", look.camera, render::parseCamera,
-	        "auto (obliquely onto the sheet), x, -x, y, -y, z, -z, iso, sheet, azimuth and elevation in "
-	        "degrees, or position, focal point and up as nine numbers")
+	        "The camera: auto (obliquely onto the sheet), x, -x, y, -y, z, -z, iso, sheet, azimuth and elevation in "
+	        "degrees, or nine numbers for position, focal point and up")
 	    ->type_name("VIEW|AZ,EL|9 NUMBERS")
 	    ->default_str(look.camera.text)
 	    ->group(kLookGroup);
 	addWord(command, "--outline", look.outline,
-	        "What orients the sheet: box, edges (the boundary's feature edges) or none")
+	        "Lines around the sheets: the box of the data, the feature edges of its boundary, or none")
 	    ->group(kLookGroup);
 	command
 	    .add_option("--units", look.units,
-	                "Of the array, told behind its name (default: the file's, where it names them)")
+	                "Units of the array, shown behind its name (default: those that the file names)")
 	    ->type_name("TEXT")
 	    ->group(kLookGroup);
 	command
 	    .add_option("--length-units", look.length_units,
-	                "Of the grid's coordinates, told on axes (default: the file's, where it names them)")
+	                "Units of the grid's coordinates, shown on the axes (default: those that the file names)")
 	    ->type_name("TEXT")
 	    ->group(kLookGroup);
-	command.add_option("--title", look.title, "Above the picture (default: the input's name; \"\" for none)")
+	command.add_option("--title", look.title, "Title above the picture (default: the input's name; \"\" for none)")
 	    ->type_name("TEXT")
 	    ->group(kLookGroup);
 	if (scope == LookScope::space)

@@ -15,7 +15,7 @@
 namespace vp::app
 {
 
-// How options fill the typed values of a ViewSpec.
+// These functions add options that fill the typed values of a ViewSpec.
 
 // The key of an option's setting: "--color-by" is `color_by`.
 inline std::string keyOf(const char* option)
@@ -25,7 +25,8 @@ inline std::string keyOf(const char* option)
 	return key;
 }
 
-// A value of one word. `set` gives a usage error that names neither the setting nor the word.
+// Adds an option that takes one word. An error of `set` needs to name neither the setting nor the word; both are added
+// here.
 inline CLI::Option* addText(CLI::App& command, SpecOptions& options, const char* name,
                             std::function<Status(const std::string&)> set, const std::string& help)
 {
@@ -40,7 +41,7 @@ inline CLI::Option* addText(CLI::App& command, SpecOptions& options, const char*
 	    help);
 }
 
-// The same, where a function reads the word.
+// The same, with a function that parses the word into `value`.
 template <class T, class Parse>
 CLI::Option* addText(CLI::App& command, SpecOptions& options, const char* name, T& value, Parse parse,
                      const std::string& help)
@@ -56,7 +57,7 @@ CLI::Option* addText(CLI::App& command, SpecOptions& options, const char* name, 
 	return addText(command, options, name, set, help);
 }
 
-// One of a few words; CLI11 refuses others.
+// Adds an option that takes one of a few words. CLI11 refuses other words.
 template <class T>
 CLI::Option* addWord(CLI::App& command, const char* name, T& value, const std::string& help)
 {
@@ -73,7 +74,7 @@ CLI::Option* addWord(CLI::App& command, const char* name, T& value, const std::s
 		    ->check(CLI::IsMember(view::wordsOf<typename T::value_type>()));
 }
 
-// So many numbers, as `make` takes them.
+// Adds an option that takes `count` numbers. `make` turns them into the value.
 template <class T, class Make>
 CLI::Option* addNumbers(CLI::App& command, const char* name, int count, std::optional<T>& value, Make make,
                         const std::string& help)

@@ -18,10 +18,12 @@ void addPathOptions(CLI::App& command, SpecOptions& options)
 	    ->default_str(view::pathKindText(sweep))
 	    ->group(group);
 	command.add_option("--frames", sweep.frames, "Number of frames")->type_name("N")->group(group);
-	command.add_option("--fps", sweep.frames_per_second, "Frames a second, of films and of paths in seconds")
+	command
+	    .add_option("--fps", sweep.frames_per_second,
+	                "Frames per second, for films and for paths whose times are in seconds")
 	    ->capture_default_str()
 	    ->group(group);
-	command.add_flag("--there-and-back", sweep.there_and_back, "And back again")->group(group);
+	command.add_flag("--there-and-back", sweep.there_and_back, "Go back to the start at the end")->group(group);
 }
 
 Status choosePath(view::SweepSpec& sweep, const std::string& name)

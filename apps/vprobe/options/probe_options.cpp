@@ -34,7 +34,7 @@ void addPlaceOptions(CLI::App& command, SpecOptions& options)
 {
 	view::ProbeSpec& probe = options.spec.probe;
 	addNumbers(command, "--origin", 3, probe.origin, vectorOf,
-	           "Where the probe stands, its hot spot (default: center of the bounds)")
+	           "Place of the probe's hot spot (default: the center of the bounds)")
 	    ->type_name("X Y Z")
 	    ->group(kProbeGroup);
 	addText(command, options, "--normal", probe.normal, view::parseDirection,
@@ -46,14 +46,17 @@ void addPlaceOptions(CLI::App& command, SpecOptions& options)
 	    ->type_name("X Y Z")
 	    ->group(kProbeGroup);
 	addNumbers(command, "--window", 2, probe.window, pairOf<probe::WindowSize>,
-	           "Size of the windows, along the sheets' x and y axes (default: sheets cover the whole slice)")
+	           "Size of the sheets' windows along their x and y axes (default: the sheets cover the whole cut)")
 	    ->type_name("W H")
 	    ->group(kProbeGroup);
-	command.add_option("--vanes", probe.vanes, "Of a paddlewheel (default: 3)")->type_name("N")->group(kProbeGroup);
-	command.add_option("--offsets", probe.offsets, "Of a stack: where its sheets lie along the normal")
+	command.add_option("--vanes", probe.vanes, "Number of a paddlewheel's vanes (default: 3)")
+	    ->type_name("N")
+	    ->group(kProbeGroup);
+	command.add_option("--offsets", probe.offsets, "Places of a stack's sheets along the normal")
 	    ->type_name("D...")
 	    ->group(kProbeGroup);
-	command.add_option("--sheets", probe.sheets, "Of a stack: so many, spread evenly over the bounds (default: 5)")
+	command
+	    .add_option("--sheets", probe.sheets, "Number of a stack's sheets, spread evenly over the bounds (default: 5)")
 	    ->type_name("N")
 	    ->group(kProbeGroup);
 }
@@ -63,22 +66,22 @@ void addSurfaceOptions(CLI::App& command, SpecOptions& options)
 	view::ProbeSpec& probe = options.spec.probe;
 	CLI::Option* surface =
 	    addText(command, options, "--surface", probe.surface, view::parseSurface,
-	            "In place of a plane: a surface about the origin and the normal (half angle of a cone; "
-	            "ellipsoid:A,B,C and quadric: with ten numbers too). Or a grid surface of structured blocks, i, j "
-	            "or k=INDEX of its points from 0, between two with a fraction; a sweep goes from FIRST to LAST. Or "
-	            "a part of the boundary that the file names")
+	            "Cut by another surface instead of a plane: a sphere, cylinder or cone (by its half angle) about the "
+	            "origin and the normal, ellipsoid:A,B,C, quadric: with ten numbers, or an expression of x, y and z. Or "
+	            "show a grid surface of structured blocks: i, j or k=INDEX counts its points from 0, a fraction lies "
+	            "between two; a sweep goes from FIRST to LAST. Or show a part of the boundary that the file names")
 	        ->type_name("EXPR|sphere:R|cylinder:R|cone:DEGREES|i=INDEX|i=FIRST..LAST|patch=NAME")
 	        ->group(kProbeGroup);
 	addText(
 	    command, options, "--iso", probe.surface,
 	    [](const std::string& value) { return view::parseSurface("iso:" + value); },
-	    "In place of a plane: the surface where the array, of points, has this value")
+	    "Cut by the surface where a point array has this value, instead of by a plane")
 	    ->excludes(surface)
 	    ->type_name("VALUE")
 	    ->group(kProbeGroup);
 	command
 	    .add_flag("--crinkle", probe.crinkle,
-	              "The cells that are cut, whole: their faces, but for those between two of them, in place of the cut")
+	              "Show the cut cells whole instead of the cut: all their faces except those between two cut cells")
 	    ->group(kProbeGroup);
 }
 
@@ -94,7 +97,7 @@ void addSearchOptions(CLI::App& command, SpecOptions& options)
 	view::ProbeSpec& probe = options.spec.probe;
 	view::MachineSpec& machine = options.spec.machine;
 	addNumbers(command, "--threshold", 2, probe.threshold, pairOf<find::Threshold>,
-	           "Ends the traversal at cells whose values all lie below LO, or all above HI")
+	           "Stop the traversal at cells whose values all lie below LO, or all above HI")
 	    ->type_name("LO HI")
 	    ->group(kProbeGroup);
 	addWord(command, "--seeds", probe.seeds,
@@ -102,15 +105,16 @@ void addSearchOptions(CLI::App& command, SpecOptions& options)
 	        "holds the hot spot")
 	    ->group(kProbeGroup);
 	addWord(command, "--outside", probe.outside,
-	        "A hot spot outside the grid: nearest moves it to the nearest point of the sheet inside, refuse is "
-	        "an error, report only says so")
+	        "What happens when the hot spot lies outside the grid. nearest: it moves to the nearest point of the sheet "
+	        "inside; refuse: an error; report: only a warning")
 	    ->group(kProbeGroup);
 	addWord(command, "--visited", machine.visited,
-	        "Traverses by generations, and knows queued cells by stamps, a byte a cell, or by a search of the queue's "
-	        "octants, without memory over the grid. Without the option the CPU finds cells in whatever way is fastest")
+	        "Traverse by generations, and remember the cells in the queue by stamps (one byte per cell of the grid) or "
+	        "by octants (a search of the queue, without memory over the grid). Without this option the CPU finds cells "
+	        "in the fastest way")
 	    ->group(kProbeGroup);
 	addWord(command, "--strategy", machine.strategy,
-	        "How cut cells are found, in place of the best way for each block; --explain shows that one")
+	        "How cut cells are found, instead of the best way for each block, which --explain shows")
 	    ->group(kProbeGroup);
 }
 
@@ -122,22 +126,23 @@ CLI::Option* addInputs(CLI::App& command, SpecOptions& options)
 	CLI::Option* inputs =
 	    command
 	        .add_option("INPUT", input.files,
-	                    "File, or demo:NAME[:N]; several make one block set. Reads " + read::readableEndings())
+	                    "A file, or demo:NAME[:N]. Several inputs make one data set. Reads " + read::readableEndings())
 	        ->required();
 	addText(command, options, "--time", input.time, read::parseTime,
-	        "last, first, a time (the nearest there is is taken), or #INDEX, from 0")
+	        "Time to read: last, first, a time (the nearest one that the file has), or #INDEX from 0")
 	    ->default_str(read::timeText(input.time));
 	command.add_option("--solution", input.solution,
-	                   "PLOT3D solution (q) file, where its name does not follow from the grid's");
+	                   "PLOT3D solution (q) file, if its name does not follow from the grid's name");
 	command
 	    .add_option("--refine", input.refine,
-	                fmt::format("Curved (quadratic, Lagrange, Bezier) cells: halve their linear parts so many times "
-	                            "more, up to {}, along the cell's shape",
+	                fmt::format("Cut curved cells (quadratic, Lagrange, Bezier) into finer linear parts: halve the "
+	                            "parts this many times more, 0 to {}",
 	                            read::kMaxRefine))
 	    ->type_name("LEVEL")
 	    ->capture_default_str();
 	command
-	    .add_option("--displace", input.displace, "Moves the points of Exodus files by their displacements, times this")
+	    .add_option("--displace", input.displace,
+	                "Move the points of Exodus files by their displacements times this factor")
 	    ->type_name("SCALE");
 	return inputs;
 }
@@ -147,7 +152,7 @@ void addProbeOptions(CLI::App& command, SpecOptions& options)
 	view::ProbeSpec& probe = options.spec.probe;
 	addText(
 	    command, options, "--probe", [&probe](const std::string& name) { return chooseProbe(probe, name); },
-	    "Sheets that move as one: single, trihedral, paddlewheel, stack, or a file (docs/PROBES.md)")
+	    "The probe: single, trihedral, paddlewheel, stack, or a file (docs/PROBES.md)")
 	    ->type_name("NAME|FILE.json")
 	    ->default_str(view::text(probe.shape))
 	    ->group(kProbeGroup);
@@ -161,7 +166,7 @@ void addProbeOptions(CLI::App& command, SpecOptions& options)
 	    ->type_name("[point:|cell:]NAME")
 	    ->group(kProbeGroup);
 	addText(command, options, "--component", probe.component, parseComponent,
-	        "Of a vector: a number from 0, x, y, z or magnitude (the default)")
+	        "Component of a vector to show: a number from 0, x, y, z or magnitude (the default)")
 	    ->type_name("N|x|y|z|magnitude")
 	    ->group(kProbeGroup);
 	addSearchOptions(command, options);
@@ -175,16 +180,17 @@ void addMachineOptions(CLI::App& command, SpecOptions& options)
 	        "Where cells are classified. auto: where it is faster, which is the CPU unless there is a hardware "
 	        "device; gpu: on the Vulkan device; cpu: on the CPU")
 	    ->group(kProbeGroup);
-	command.add_option("--device", machine.device, "Vulkan device, by part of its name or by number")
+	command.add_option("--device", machine.device, "The Vulkan device: a part of its name, or its number")
 	    ->type_name("NAME|INDEX")
 	    ->group(kProbeGroup);
-	command.add_option("--threads", machine.threads, "Most threads to use (default: all cores)")->group(kProbeGroup);
+	command.add_option("--threads", machine.threads, "Largest number of threads (default: all cores)")
+	    ->group(kProbeGroup);
 }
 
 void addExplain(CLI::App& command, SpecOptions& options)
 {
 	command
-	    .add_flag("--explain", options.explain, "Prints how each sheet will be cut in each block, and why, and ends")
+	    .add_flag("--explain", options.explain, "Print how each sheet will be cut in each block, and why; cut nothing")
 	    ->group(kProbeGroup);
 }
 

@@ -15,7 +15,7 @@ void addStateOptions(CLI::App& command, SpecOptions& options)
 	const char* group = "State";
 	command
 	    .add_option("--save", options.save,
-	                "Keeps input, probe, look and path, as the command line says them, in a file")
+	                "Save input, probe, look and path, as the command line gives them, in a file")
 	    ->type_name("FILE.json")
 	    ->group(group);
 	// Before any other option is looked at, so that those go before what the file says.
@@ -27,7 +27,7 @@ void addStateOptions(CLI::App& command, SpecOptions& options)
 		        if (Status loaded = view::loadState(options.spec, file); !loaded)
 			        options.wrong = loaded.error();
 	        },
-	        "Brings them back; other options go before what it says, and INPUT may be left out")
+	        "Use the settings of a saved file. Other options take precedence, and INPUT may be left out")
 	    ->trigger_on_parse()
 	    ->type_name("FILE.json")
 	    ->group(group);

@@ -6,7 +6,8 @@ namespace vp::app
 void addTraceOption(CLI::App& command, std::string& path, const char* group)
 {
 	command
-	    .add_option("--trace", path, "Every section of work on one time axis, for chrome://tracing or ui.perfetto.dev")
+	    .add_option("--trace", path,
+	                "Write every section of work on one time axis, for chrome://tracing or ui.perfetto.dev")
 	    ->type_name("FILE.json|-")
 	    ->group(group);
 }

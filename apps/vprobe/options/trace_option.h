@@ -12,7 +12,7 @@ namespace vp::app
 
 void addTraceOption(CLI::App& command, std::string& path, const char* group);
 
-// None where none is wanted.
+// Returns no trace if the option was not given.
 Result<std::optional<write::TraceFile>> openTrace(const std::string& path);
 
 } // namespace vp::app

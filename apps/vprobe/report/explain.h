@@ -8,11 +8,11 @@
 namespace vp::app
 {
 
-// --explain: opens the input as the command would, prints which way the first cut goes, a line for each sheet in each
-// block, and cuts nothing.
+// Carries out --explain: opens the input as the command would, and prints how the first cut would be made, one line for
+// each sheet in each block. Cuts nothing.
 Result<ExitCode> explain(const view::ViewSpec& spec, const session::OpenOptions& how);
 
-// The same in a document: [{"block", "sheet", "strategy", "classifier", "reason"}].
+// Returns the same as JSON: [{"block", "sheet", "strategy", "classifier", "reason"}].
 nlohmann::json planJson(const session::Session& session);
 
 } // namespace vp::app

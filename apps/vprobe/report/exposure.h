@@ -8,16 +8,17 @@
 namespace vp::app
 {
 
-// The frames of a sweep in one picture, as the eye keeps them: their light is added up over the empty scene's.
+// Puts the frames of a sweep into one picture, as the eye keeps them: the light of the frames is added to the light of
+// the empty scene.
 class Exposure
 {
 public:
-	// The empty scene, of the frames' size.
+	// empty: the empty scene, in the size of the frames.
 	explicit Exposure(render::Picture empty);
 
 	void add(const render::Picture& frame);
-	// Pixels that at least as many frames show as show the median of all shown pixels have their frames' mean; the
-	// fewer show a pixel, the fainter it is.
+	// A pixel that many frames touch gets the mean of these frames; "many" is the median over all pixels that any frame
+	// touches. A pixel that fewer frames touch is fainter in proportion.
 	render::Picture picture() const;
 
 private:

@@ -14,31 +14,31 @@
 namespace vp::app
 {
 
-// Where the drawn frames of a sweep are to go. Empty names: nowhere.
+// Says where the drawn frames of a sweep go. An empty name means nowhere.
 struct FramePlaces
 {
-	std::string pictures; // a pattern with {frame}
+	std::string pictures; // a pattern that contains {frame}
 	std::string film;
 	std::string exposure;
-	bool resume = false; // pictures that are there stay
+	bool resume = false; // keep pictures that exist already
 };
 
-// Pictures, a film or an exposure made of a sweep's frames.
+// Writes the frames of a sweep as pictures, a film or an exposure.
 class Frames
 {
 public:
-	// Every place is tried: better than after the work. All pictures are of this size.
+	// Checks at once that every place can be written to, before the work begins. All pictures have the given size.
 	static Result<Frames> create(const FramePlaces& places, std::uint32_t width, std::uint32_t height,
 	                             double per_second);
 
-	// The frame need not be drawn. An exposure needs them all.
+	// Returns true if the frame need not be drawn. An exposure needs every frame.
 	bool has(int frame) const;
 	Status add(int frame, const render::Picture& picture);
 
 	bool wantsExposure() const { return !places_.exposure.empty(); }
 	void beginExposure(render::Picture empty) { exposure_.emplace(std::move(empty)); }
 
-	// The film and the exposure appear.
+	// Puts the film and the exposure in their places.
 	Status commit();
 
 private:

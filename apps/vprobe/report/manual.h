@@ -13,15 +13,15 @@ class App;
 namespace vp::app
 {
 
-// What documents the command line, made from the options themselves, as --help is.
+// Makes the documents of the command line from the options themselves, as --help does.
 
 // The subcommands that a user sees.
 std::vector<const CLI::App*> shownCommands(const CLI::App& program);
 
-// A page in roff for man. command: the program itself, or one of its subcommands.
+// Returns a manual page in roff. command: the program itself, or one of its subcommands.
 std::string manPage(const CLI::App& program, const CLI::App& command);
 
-// A script for bash or zsh that completes subcommands, options, their values, names of arrays, and files.
+// Return a script for bash or zsh that completes subcommands, options, their values, names of arrays, and files.
 std::string bashCompletion(const CLI::App& program);
 std::string zshCompletion(const CLI::App& program);
 

@@ -9,11 +9,12 @@
 namespace vp::app
 {
 
-// What `vprobe profile --json` wrote; an input error names the file and what is wrong with it.
+// Reads a file that `vprobe profile --json` wrote. An input error names the file and what is wrong with it.
 Result<nlohmann::json> readProfile(const std::string& file);
 
-// What differs between two profiles, largest first: both values of each figure and their ratio. Differences that chance
-// explains are marked; so is where the two are not of the same work. file_a, file_b: their names.
+// Lists the differences between two profiles, largest first: both values of each figure and their ratio. Marks
+// differences that may be chance, and says where the profiles measured different work. file_a and file_b are the names
+// of the files.
 std::string compareProfiles(const nlohmann::json& a, const nlohmann::json& b, const std::string& file_a,
                             const std::string& file_b);
 

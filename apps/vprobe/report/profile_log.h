@@ -11,46 +11,47 @@
 namespace vp::app
 {
 
-// How long a part of the work took on each plane of a sweep.
+// Holds the time that one part of the work took on each plane of a sweep.
 struct Stage
 {
 	std::string name;
 	Timeline::Track track;
-	std::uint32_t depth; // of stages that it is a part of; of the GPU's 0
+	std::uint32_t depth; // number of stages that contain it; 0 for stages on the GPU
 	std::vector<double> ms;
 };
 
-// Generation k of the traversals on those planes that have one: an entry a plane.
+// Holds the figures of generation k, one entry for each plane whose traversal has this generation.
 struct GenerationLog
 {
 	std::vector<double> cells; // in the front, over all sheets
 	std::vector<double> classify_ms;
 	std::vector<double> expand_ms;
-	std::vector<double> gpu_ms; // empty where the device classified nothing, or keeps no time
+	std::vector<double> gpu_ms; // empty if the device classified nothing, or has no timers
 };
 
-// What a profile gathers, plane by plane. Memory: some dozens of numbers a plane.
+// Collects the figures of a profile, plane by plane. It needs some dozens of numbers per plane.
 class ProfileLog
 {
 public:
-	// sections: all that a plane's work put on the timeline.
+	// sections: everything that the work of this plane put on the timeline.
 	void add(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
 	         const std::vector<Timeline::Section>& sections);
 
 	std::size_t planes() const { return cut_cells_.size(); }
-	const std::vector<Stage>& stages() const { return stages_; } // in the order of their beginnings
-	std::vector<double> msOf(const std::string& stage) const;    // of the CPU's, per plane
-	std::vector<double> gpuMs() const;                           // of all the GPU's together, per plane
+	const std::vector<Stage>& stages() const { return stages_; } // in the order in which they begin
+	std::vector<double> msOf(const std::string& stage) const;    // per plane, for a stage of the CPU
+	std::vector<double> gpuMs() const;                           // per plane, all stages of the GPU together
 	const std::vector<GenerationLog>& generations() const { return generations_; }
 	const std::vector<double>& generationCounts() const { return generation_counts_; } // per plane
 
-	// Per plane, over all sheets. Cells are those of the grid: where curved cells were cut into linear ones, these.
+	// Per plane, summed over all sheets. Where curved cells were cut into linear ones, the linear cells count.
 	const std::vector<double>& cutCells() const { return cut_cells_; }
 	const std::vector<double>& touchedCells() const { return touched_cells_; }
 	const std::vector<double>& polygons() const { return polygons_; }
 	const std::vector<double>& vertices() const { return vertices_; }
 	std::size_t emptyPlanes() const;
-	std::string finder() const; // how the cells were found: "spans", "flood", "traversal", "subscripts", or several
+	std::string
+	finder() const; // how the cells were found: "spans", "flood", "traversal", "subscripts", or several of these
 
 private:
 	void addFigures(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets);

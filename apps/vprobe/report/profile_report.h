@@ -10,19 +10,19 @@
 namespace vp::app
 {
 
-// A sweep that was measured, and what it was of.
+// Holds a measured sweep and what was swept.
 struct Profile
 {
 	const session::Session& session;
 	const ProfileLog& log;
-	std::string path;                   // as the option says
-	std::optional<std::string> picture; // size and samples, where whole frames were drawn
+	std::string path;                   // as the option gives it
+	std::optional<std::string> picture; // size and samples, if whole frames were drawn
 };
 
-// docs/PROFILE.md explains the keys; scripts rely on them: add to them, never rename one.
+// Returns the profile as JSON. docs/PROFILE.md explains the keys. Scripts rely on them: add keys, but never rename one.
 nlohmann::json profileJson(const Profile& profile);
 
-// The same for people, from the same document.
+// Returns the same as a table for people.
 std::string profileTable(const nlohmann::json& document);
 
 } // namespace vp::app

@@ -11,8 +11,8 @@
 namespace vp::app
 {
 
-// Tells a terminal what takes its time: after half a second a line "reading FILE … 3 s" on standard error, renewed in
-// place and wiped at the end. Silent where standard error is no terminal.
+// Shows on a terminal what takes long: after half a second it prints a line "reading FILE … 3 s" on standard error,
+// renews it in place, and wipes it at the end. It prints nothing if standard error is not a terminal.
 class ProgressLine
 {
 public:
@@ -22,7 +22,7 @@ public:
 	ProgressLine& operator=(const ProgressLine&) = delete;
 
 private:
-	void say(std::string_view what); // empty: nothing
+	void say(std::string_view what); // an empty text shows nothing
 	void show();
 	void wipe();
 
@@ -32,7 +32,7 @@ private:
 	std::condition_variable changed_;
 	bool done_ = false;
 	bool shown_ = false;
-	std::thread thread_; // none where nobody watches
+	std::thread thread_; // not started if standard error is not a terminal
 	ProgressListener listener_;
 };
 

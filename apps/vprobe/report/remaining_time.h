@@ -7,14 +7,14 @@
 namespace vp::app
 {
 
-// How far frames are, for people, and how long the rest takes if it goes on like this.
+// Tells people how many frames are done, and how long the rest takes at the same speed.
 class RemainingTime
 {
 public:
 	explicit RemainingTime(std::size_t frames) : frames_(frames) {}
 
 	void done() { ++drawn_; }
-	void skip() { ++skipped_; } // takes no time
+	void skip() { ++skipped_; } // counts a frame that took no time
 	std::string line() const;   // "frame 3 of 10, 12 s left"
 
 private:

@@ -9,13 +9,12 @@
 namespace vp::app
 {
 
-// Points of a text file, a line of three finite numbers each, parted by blanks or commas; empty lines count for
-// nothing.
-// "-" is standard input. Another line is an input error that names file and line.
+// Reads points from a text file. Each line has three finite numbers, separated by blanks or commas; empty lines are
+// skipped. The name "-" means standard input. Any other line is an input error, which names the file and the line.
 Result<std::vector<Vec3>> readPoints(const std::string& path);
 
-// So many points, evenly spread, both ends among them. numbers: x0 y0 z0 x1 y1 z1 N, as of --line; a usage error where
-// they cannot be.
+// Returns N points that are evenly spread along a line, both ends included. numbers: x0 y0 z0 x1 y1 z1 N, as --line
+// takes them. Returns a usage error if they cannot be a line.
 Result<std::vector<Vec3>> pointsOnLine(const std::vector<double>& numbers);
 
 } // namespace vp::app

@@ -7,21 +7,21 @@
 namespace vp::app
 {
 
-// What was measured again and again, once on each plane of a sweep.
+// Summarizes a figure that was measured once on each plane of a sweep.
 struct Spread
 {
 	double median = 0.0;
-	double p95 = 0.0; // 95 of 100 are not above it
+	double p95 = 0.0; // 95 of 100 measurements are not above it
 	// How much one measurement is off by chance: the standard deviation about the mean of its two neighbors, by the
 	// median of the distances from it, since along a sweep the work itself changes slowly (Gasser, Sroka and
 	// Jennen-Steinmetz, "Residual variance and residual pattern in nonlinear regression", 1986). 0 of fewer than three.
 	double noise = 0.0;
 };
 
-// In the order in which they were measured; zeros of none.
+// values: in the order in which they were measured. Without values, every figure is 0.
 Spread spreadOf(const std::vector<double>& values);
 
-double medianOf(const std::vector<double>& values); // 0 of none
+double medianOf(const std::vector<double>& values); // 0 without values
 
 nlohmann::json asJson(const Spread& spread);
 

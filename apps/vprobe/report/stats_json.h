@@ -11,30 +11,31 @@
 namespace vp::app
 {
 
-// What the --stats document says of sheets.
+// Returns what the --stats document says about the sheets.
 nlohmann::json sheetsJson(const session::Session& session, const cut::Cut& slice,
                           const std::vector<session::SheetStats>& sheets);
 
-// What a document says first: input, grid, array, device and classifier.
+// Returns the first part of a document: input, grid, array, device and classifier.
 nlohmann::json inputJson(const session::Session& session);
 
-// A --stats document that says `what`, key by key: input, grid, device and times are told in any.
+// Returns a --stats document with the keys of `what`. Every document also has input, grid, device and times.
 std::string statsDocument(const session::Session& session, const nlohmann::json& what);
 
-// The --stats document of a slice. Scripts rely on its keys: add to them, never rename one.
+// Returns the --stats document of a cut. Scripts rely on its keys: add keys, but never rename one.
 std::string statsJson(const session::Session& session, const session::CutFrame& frame);
 
-// The same for people.
+// Returns the same as text for people.
 std::string statsTable(const session::Session& session, const session::CutFrame& frame);
 
-// What it says of contours.
+// Returns what the document says about contours.
 nlohmann::json contoursJson(const session::Session& session, const session::Contours& contours);
 
-// Whether a file can be written there, told before long work; nothing is left of the try. "" and - always fit.
+// Checks before long work whether a file can be written to this path, and leaves nothing behind. An empty path and "-"
+// always pass.
 Status checkWritable(const std::string& path);
 
-// The end of a command: writes the document to `path` ("-" is standard output, "" does nothing). When that fails the
-// command leaves nothing behind: those of `outputs` that are files are removed.
+// Ends a command: writes the document to `path` ("-" is standard output; an empty path does nothing). If this fails,
+// the files among `outputs` are removed, so that a failed command leaves nothing behind.
 Result<ExitCode> writeStats(const std::string& path, const std::vector<std::string>& outputs,
                             const std::string& document);
 

@@ -90,7 +90,7 @@ private:
 	std::shared_ptr<Task> task_; // that nobody has begun
 	std::future<CutFrameResult> result_;
 	std::shared_ptr<const SweptFrame> last_; // of the thread that cuts
-	std::optional<Worker> worker_;           // the last to be made: it uses the others
+	std::optional<Worker> worker_;           // must be the last member, since it uses the others
 };
 
 // The first frame from `frame` on that is not there yet, or the number of frames.

@@ -16,12 +16,12 @@
 namespace vp::app
 {
 
-// What a sweep makes of its frames, one after the other. A picture is written on a thread of its own while the next
-// one is drawn; what goes wrong there is told before what goes wrong with any later frame.
+// Writes what a sweep makes of its frames, in order. A picture is written on a thread of its own while the next one is
+// drawn. An error in writing is reported before any error of a later frame.
 class SweepProducts
 {
 public:
-	// series: the .pvd that polygons go to; empty: none.
+	// series: the .pvd file that the polygons go to, or empty.
 	static Result<std::unique_ptr<SweepProducts>> create(session::Session& session,
 	                                                     std::optional<session::Painter> painter, Frames frames,
 	                                                     const std::string& series);
@@ -29,12 +29,12 @@ public:
 	bool has(int frame) const { return frames_.has(frame); }
 	session::Painter* painter() { return painter_ ? &*painter_ : nullptr; }
 
-	// Pictures go to a thread of their own from now on.
+	// From now on a thread of its own writes the pictures.
 	void writeBeside() { writer_.emplace("writer"); }
 
 	Status add(int frame, const session::CutFrame& cut);
-	Status finish(); // waits until all is written that was added
-	Status commit(); // once it is: the film, the exposure or the series appears
+	Status finish(); // waits until everything that was added is written
+	Status commit(); // puts the film, the exposure or the series in its place; call finish() first
 
 private:
 	SweepProducts(session::Session& session, std::optional<session::Painter> painter, Frames frames)
@@ -50,9 +50,9 @@ private:
 	std::optional<session::Painter> painter_;
 	std::unique_ptr<DeferredInterrupt> interrupt_;
 	std::optional<write::SliceSeries> series_;
-	Status written_ = Nothing{};             // the writer's
-	std::atomic<bool> write_failed_ = false; // so that no more is drawn
-	std::optional<Worker> writer_;           // the last to be made: it uses the others
+	Status written_ = Nothing{};             // of the writing thread
+	std::atomic<bool> write_failed_ = false; // stops the drawing
+	std::optional<Worker> writer_;           // must be the last member, since it uses the others
 };
 
 } // namespace vp::app

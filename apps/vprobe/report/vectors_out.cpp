@@ -13,8 +13,9 @@ namespace vp::app
 void addVectorsOut(CLI::App& command, std::string& file)
 {
 	command
-	    .add_option("--vectors-out", file,
-	                "Paths of what --vectors launches, as poly lines with every array, the time, and why they end")
+	    .add_option(
+	        "--vectors-out", file,
+	        "Write the paths of the particles as polylines with every array, the time, and the reason why each ends")
 	    ->type_name("FILE.vtp|-")
 	    ->group("Vectors");
 }

@@ -13,10 +13,11 @@ class App;
 namespace vp::app
 {
 
-// --vectors-out: what is launched from the sheets, as .vtp.
+// Carries out --vectors-out: writes the paths of the launched particles as .vtp.
 void addVectorsOut(CLI::App& command, std::string& file);
 
-// Told before a large file is read. others: what else may go to standard output, as their options name it ("-o").
+// Checks the option before a large file is read. others: other options that may write to standard output, and their
+// values.
 struct OtherOutput
 {
 	const char* option;
@@ -25,7 +26,7 @@ struct OtherOutput
 Status checkVectorsOut(const view::VectorSpec& vectors, const std::string& file,
                        const std::vector<OtherOutput>& others);
 
-// Section "write". "" does nothing.
+// Section "write" on the timeline. An empty path does nothing.
 Status writeVectors(const session::Session& session, const std::vector<session::SheetStats>& sheets,
                     const std::string& file);
 

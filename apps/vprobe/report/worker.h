@@ -10,18 +10,18 @@
 namespace vp::app
 {
 
-// A thread that does one job after the other, in the order they are given. One may wait while another is being done.
-// What a job throws comes out of a later give(), or of finish(), and the jobs after it are dropped.
+// Runs jobs on a thread, one after the other, in the order in which they are given. At most one job waits while another
+// runs. An exception of a job is thrown again by a later give() or by finish(), and the jobs after it are dropped.
 class Worker
 {
 public:
-	explicit Worker(std::string name); // in traces
-	~Worker();                         // after the jobs that were given
+	explicit Worker(std::string name); // name: of the thread in traces
+	~Worker();                         // waits for the jobs that were given
 	Worker(const Worker&) = delete;
 	Worker& operator=(const Worker&) = delete;
 
-	void give(std::function<void()> job); // waits while there is one waiting
-	void finish();                        // waits until all are done
+	void give(std::function<void()> job); // waits until no other job waits
+	void finish();                        // waits until all jobs are done
 
 private:
 	void work();
@@ -34,7 +34,7 @@ private:
 	bool busy_ = false;
 	bool ends_ = false;
 	std::exception_ptr failure_;
-	std::thread thread_; // the last to be made
+	std::thread thread_; // must be the last member
 };
 
 } // namespace vp::app

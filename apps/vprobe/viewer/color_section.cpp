@@ -123,7 +123,7 @@ void showColorSection(Desk& desk)
 	toggle(desk, "Cell edges", look.mesh, tipOf(Action::mesh),
 	       [](view::ViewSpec& state) { state.look.mesh = !state.look.mesh; });
 	ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().ItemSpacing.x);
-	toggle(desk, "Lit", look.lit, "Sheets are darker the more they are turned from the light",
+	toggle(desk, "Lit", look.lit, "Shade the sheets: the more a sheet turns away from the light, the darker it is",
 	       [](view::ViewSpec& state) { state.look.lit = !state.look.lit; });
 }
 

@@ -82,7 +82,7 @@ private:
 
 	std::mutex mutex_;
 	std::deque<std::string> lines_;
-	std::thread thread_; // the last to be made
+	std::thread thread_; // must be the last member
 };
 
 } // namespace vp::app

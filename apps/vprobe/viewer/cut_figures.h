@@ -7,7 +7,7 @@
 namespace vp::app
 {
 
-// What a cut took, of a sheet or of several.
+// Holds the cost of a cut, for one sheet or several.
 struct CutFigures
 {
 	std::size_t cut_cells = 0;
@@ -18,6 +18,6 @@ struct CutFigures
 };
 
 CutFigures figuresOf(const session::CutFrame& cut, std::size_t sheet);
-CutFigures figuresOf(const session::CutFrame& cut); // sums, and the largest of generations and fronts
+CutFigures figuresOf(const session::CutFrame& cut); // sums over the sheets; for generations and fronts, the largest
 
 } // namespace vp::app

@@ -10,7 +10,7 @@
 namespace vp::app
 {
 
-// What a window tells of the data that it shows. A copy: the session itself belongs to the thread that cuts.
+// Describes the data that a window shows. It is a copy, because the session belongs to the thread that cuts.
 struct DatasetInfo
 {
 	struct Array
@@ -23,19 +23,19 @@ struct DatasetInfo
 	static bool isVector(const Array& array) { return array.components == 3; }
 
 	std::vector<std::string> inputs;
-	std::string kind; // of the grid, as info tells it
+	std::string kind; // kind of the grid, in the words of `vprobe info`
 	std::size_t cells = 0;
 	std::size_t points = 0;
 	std::size_t blocks = 0;
 	Box bounds;
-	std::vector<Vec3> extent; // close around the data: what a camera is to hold
+	std::vector<Vec3> extent; // points close around the data, which a fitted camera must show
 	std::vector<Array> arrays;
-	std::vector<double> times; // ascending; empty where the input knows none
+	std::vector<double> times; // ascending; empty if the input has none
 	std::vector<std::string> patches;
-	grid::Memory memory; // of the blocks, when they had been loaded
+	grid::Memory memory; // memory of the blocks right after loading
 	std::string device;
 	std::string classifier;  // gpu or cpu
-	bool structured = false; // has subscripts i, j, k
+	bool structured = false; // cells have subscripts i, j, k
 };
 
 DatasetInfo factsOf(const session::Session& session, const std::vector<std::string>& inputs);

@@ -23,24 +23,24 @@
 namespace vp::app
 {
 
-// What of the window is open. None of it is the state's: it says nothing about the picture.
+// Says which parts of the window are open. It is not part of the state, since it does not change the picture.
 struct OpenParts
 {
 	bool panels = true;
 	bool handles = true;
 	bool magnifier = false;
-	bool own = false; // the sheet that is chosen moves alone, not the whole probe
+	bool own = false; // the chosen sheet moves alone, not the whole probe
 	bool plane_pane = false;
 	bool profile = false;
 	bool help = false;
 	bool command_search = false;
-	// What keys have said to the search since its last frame: ImGui sees a key only while it is down, and a quick one
-	// may go up again between two frames.
+	// Keys pressed for the search since its last frame. ImGui sees a key only while it is down, and a quick one may be
+	// up again between two frames.
 	int search_steps = 0; // downwards
 	bool search_enters = false;
 	bool full_screen = false;
-	bool contour = false;  // one follows the pointer over the sheets
-	bool exposure = false; // in place of the film loop, all its frames in one picture
+	bool contour = false;  // a contour follows the pointer over the sheets
+	bool exposure = false; // show all frames of the film loop in one picture
 };
 
 // A question that waits for its answer.
@@ -53,83 +53,88 @@ enum class Question
 	save_film,
 	save_slice,
 	save_trace,
-	recover // what a window that ended unexpectedly has left
+	recover // offer the state that a window left when it ended unexpectedly
 };
 
 using ReadState = std::function<Result<view::ViewSpec>(const std::string& file)>;
 
-// All of a viewer but its window: the state and its history, the data, the render thread. Panels and the hand read it
-// and call it, on the window's thread.
+// Holds everything of a viewer except its window: the state and its history, the data, the render thread. The panels
+// and the pointer use it on the window's thread.
 class Document
 {
 public:
-	// read_state: of a file that --save or the window has written.
+	// read_state: reads a state file that --save or the window has written.
 	Document(view::ViewSpec state, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
 	         ReadState read_state);
 	~Document();
 
-	// --- The state. Each change is a step of the history; those with the same key, until endMerge(), are one.
+	// --- The state. Each change is a step of the history. Changes with the same merge key form one step until
+	// endMerge().
 	const view::ViewSpec& state() const { return history_.state(); }
 	using Edit = std::function<void(view::ViewSpec&)>;
 	void change(const std::string& label, const Edit& edit, const std::string& merge = {});
 	void endMerge() { history_.endMerge(); }
 	const interact::History<view::ViewSpec>& history() const { return history_; }
 
-	probe::Probe probe() const; // as the state has it; without sheets before anything is loaded
-	// As --surface has it; empty for planes. What is none is told.
+	probe::Probe probe() const; // the probe of the state; it has no sheets before data are loaded
+	// Takes a surface as --surface does, or an empty text for planes. Reports a text that is not a surface.
 	void setSurface(const std::string& text);
 	void setProbe(const std::string& label, const probe::Probe& probe, const std::string& merge = {});
-	std::size_t sheet() const { return sheet_; } // the one that keys and panels mean
+	std::size_t sheet() const { return sheet_; } // the chosen sheet, which keys and panels change
 	void chooseSheet(std::size_t sheet);
 	void setCamera(const std::string& label, const render::Camera& camera, const std::string& merge = {});
-	std::optional<interact::View> view() const; // what is seen: the last picture's
+	std::optional<interact::View> view() const; // of the last picture
 
 	void perform(interact::Action action);
 
-	// --- Files. What fails is told by a notice, and leaves all as it was.
-	// Loads them beside what is shown. One .json file is a state.
+	// --- Files. A failure shows a notice and changes nothing.
+	// Loads files while the window goes on showing the old data. A single .json file is a state.
 	void open(std::vector<std::string> inputs);
 	void reload();
 	const Loader& loader() const { return loader_; }
 	void cancelLoading();
 	void showTime(int step, const std::string& merge = {});
-	const DatasetInfo::Array* shownArray() const; // the state's; null without arrays
+	const DatasetInfo::Array* shownArray() const; // the array that the state shows; null without arrays
 	const std::optional<DatasetInfo>& facts() const { return facts_; }
-	int timeStep() const; // the one of the input's times that the state means
+	int timeStep() const; // index of the state's time among the times of the input
 	void saveState(const std::string& file);
-	const std::string& stateFile() const { return state_file_; } // that it was last read from or saved to, or empty
+	const std::string& stateFile() const
+	{
+		return state_file_;
+	} // the file that the state was last read from or saved to, or empty
 	void savePicture(const std::string& file, std::uint32_t width, std::uint32_t height);
 	void saveSlice(const std::string& file);
 	void saveTrace(const std::string& file);
-	void recover(bool wanted); // the answer to Question::recover
+	void recover(bool wanted); // answers Question::recover
 
 	Playback& playback() { return playback_; }
 	const Playback& playback() const { return playback_; }
 
 	// --- The picture.
-	// Once a frame, and after input: hands on what has changed. size: of the part of the window that shows the scene.
+	// Call this once a frame and after input: it sends changes to the render thread. size: of the part of the window
+	// that shows the scene.
 	void update(PixelSize size);
-	void noteInput(Moment when); // what follows answers it
-	// From the next picture on, the chosen sheet in a pane of this size; none of 0 x 0.
+	void noteInput(Moment when); // the next request answers this input
+	// From the next picture on, shows the chosen sheet in a pane of this size. 0 x 0 shows no pane.
 	void setPane(PixelSize size);
-	// From the next picture on, a contour of this value; sheet: of the cut.
+	// From the next picture on, draws a contour of this value. The sheet is an index of the cut.
 	void pointContour(const std::optional<session::PointedValue>& pointed);
 	const std::optional<session::PointedValue>& pointedContour() const { return pointed_contour_; }
 	const std::shared_ptr<const PresentedFrame>& shown() const { return shown_; }
-	FrameRequest frameRequest() const; // what the state is to look like, in the size that was last asked for
+	FrameRequest frameRequest() const; // a request for the state as it is, in the size that was last asked for
 	bool isIdle() const;
-	bool isShown() const; // what is shown is of the state as it is
+	bool isShown() const; // the picture shows the state as it is
 
 	// --- The window.
 	OpenParts parts;
 	Question question = Question::none;
 	Settings settings;
-	bool watches = true; // for files to be written anew
+	bool watches = true; // looks for files that are written anew
 	const std::vector<Notice>& notices() const { return notices_.all(); }
 	void notify(std::string words, bool is_error = false) { notices_.add(std::move(words), is_error); }
 	void notify(const Error& error) { notify(error.message, true); }
 	void dismiss(const std::string& words) { notices_.dismiss(words); }
-	// What was set stays to be recovered when the document goes: it ends by a fault.
+	// Keeps the state for recovery when the document ends, because it ends by a fault.
 	void keepState();
 	bool wantsToQuit() const { return quits_; }
 	void quit() { quits_ = true; }
@@ -144,7 +149,7 @@ private:
 	void keepForRecovery();
 	void watchFiles();
 
-	// One group of actions each; false where it is none of theirs.
+	// Each function handles one group of actions, and returns false for any other action.
 	bool performOnWindow(interact::Action action);
 	bool performOnProbe(interact::Action action);
 	bool performOnSheets(interact::Action action);
@@ -158,27 +163,27 @@ private:
 	ReadState read_state_;
 	std::size_t sheet_ = 0;
 	std::optional<DatasetInfo> facts_;
-	std::optional<view::ViewSpec> loading_; // the state that what is being loaded is for
+	std::optional<view::ViewSpec> loading_; // the state for the data that are being loaded
 	std::shared_ptr<const PresentedFrame> shown_;
 	NoticeList notices_;
 	bool quits_ = false;
 
-	std::uint64_t version_ = 1; // of all that a picture depends on
-	std::uint64_t asked_ = 0;   // the version that was asked for last
+	std::uint64_t version_ = 1; // counts changes of everything that a picture depends on
+	std::uint64_t asked_ = 0;   // the version of the last request
 	PixelSize asked_size_{};
 	std::optional<PaneWish> pane_;
 	std::optional<session::PointedValue> pointed_contour_;
-	std::optional<Moment> input_; // the oldest that was not asked for yet
-	bool takes_camera_ = true;    // the state's camera is to become the next picture's
+	std::optional<Moment> input_; // time of the oldest input that no request has answered yet
+	bool takes_camera_ = true;    // the state takes over the camera of the next picture
 
 	std::string state_file_;
 	std::string recovery_file_;
-	std::uint64_t recovery_version_ = 1; // that the recovery file holds
+	std::uint64_t recovery_version_ = 1; // the version that the recovery file holds
 	Moment recovery_time_{};
-	bool keeps_state_ = false; // when it ends
+	bool keeps_state_ = false; // keep the recovery file at the end
 	Watcher watcher_;
 
-	// What comes back from the render thread.
+	// Messages from the render thread.
 	struct Mail;
 	std::shared_ptr<Mail> mail_;
 	MessageListener messages_;

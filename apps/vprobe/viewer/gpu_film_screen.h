@@ -10,13 +10,13 @@
 namespace vp::app
 {
 
-// Puts pictures of a film loop onto the device, to be placed on the screen. Of the window's thread.
+// Copies pictures of a film loop to the device for the screen. Used by the window's thread only.
 class FilmScreen
 {
 public:
 	explicit FilmScreen(gpu::Device& device) : device_(device) {}
 
-	// gpu::kCopyFrom. The same picture twice is put there once.
+	// Returns an image in the use gpu::kCopyFrom. The same picture is copied only once.
 	Result<std::shared_ptr<const gpu::Image>> image(const std::shared_ptr<const render::Picture>& picture);
 
 private:

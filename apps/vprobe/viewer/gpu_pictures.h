@@ -10,12 +10,12 @@
 namespace vp::app
 {
 
-// Images that pictures are drawn into, handed on and taken again once nobody shows them. Of one thread, but whoever
-// shows one may let go of it on another.
+// A pool of images to draw pictures into. An image is reused when nobody shows it any more. Only one thread may take
+// images; any thread may release one.
 class Pictures
 {
 public:
-	// render::kPictureFormat, to be copied to and from.
+	// Returns an image of format render::kPictureFormat that can be copied to and from.
 	Result<std::shared_ptr<gpu::Image>> take(gpu::Device& device, VkExtent2D extent);
 
 private:

@@ -28,7 +28,7 @@ struct Placement
 	glm::ivec2 size{0};
 };
 
-// What a window shows: pictures, and over them the user interface. Of the window's thread.
+// Shows pictures in a window, and the user interface over them. Used by the window's thread only.
 class Screen
 {
 public:

@@ -14,7 +14,7 @@ struct Loader::Job
 	std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 	std::optional<Result<std::unique_ptr<session::Session>>> opened;
 	std::atomic<bool> done = false; // `opened` is there
-	std::jthread thread;            // the last to be made
+	std::jthread thread;            // must be the last member
 };
 
 Loader::Loader(std::shared_ptr<gpu::Device> device, std::function<void()> wake)

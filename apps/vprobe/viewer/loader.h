@@ -12,27 +12,27 @@
 namespace vp::app
 {
 
-// Opens sessions on a thread of its own, one at a time. Of the window's thread.
+// Opens sessions on a thread of its own, one at a time. Used by the window's thread only.
 class Loader
 {
 public:
-	// wake: called, on the loader's thread, when a session is ready or has failed.
+	// wake: called on the loader's thread when a session is ready or has failed.
 	Loader(std::shared_ptr<gpu::Device> device, std::function<void()> wake);
 	~Loader(); // cancels
 
-	// A loading under way is cancelled: the later wish counts.
+	// Cancels a loading that is under way.
 	void begin(view::ViewSpec spec);
 	void cancel();
 	bool isBusy() const { return job_ != nullptr; }
-	double seconds() const; // since it began
+	double seconds() const; // since the loading began
 	std::string what() const;
 
 	struct Loaded
 	{
-		view::ViewSpec spec; // that it was opened by
+		view::ViewSpec spec; // the settings of the session
 		Result<std::unique_ptr<session::Session>> session;
 	};
-	std::optional<Loaded> take(); // once it is there
+	std::optional<Loaded> take(); // the session, once, when it is ready
 
 private:
 	struct Job;
@@ -42,7 +42,7 @@ private:
 	std::shared_ptr<gpu::Device> device_;
 	std::function<void()> wake_;
 	std::unique_ptr<Job> job_;
-	std::vector<std::unique_ptr<Job>> cancelled_; // that have not come to their end yet
+	std::vector<std::unique_ptr<Job>> cancelled_; // cancelled, but not at their end yet
 };
 
 } // namespace vp::app

@@ -8,7 +8,7 @@
 namespace vp::app
 {
 
-// What other threads leave for the window's. It outlives the document where they are slower.
+// Holds messages from other threads for the window's thread. It outlives the document if those threads are slower.
 struct Document::Mail
 {
 	std::mutex mutex;

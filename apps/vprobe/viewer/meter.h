@@ -11,7 +11,7 @@
 namespace vp::app
 {
 
-// The last values of a figure, and all of them in a histogram of tenths of a millisecond.
+// Keeps the last values of a figure, and a histogram of all values in tenths of a millisecond.
 class Figure
 {
 public:
@@ -35,13 +35,13 @@ private:
 	double most_ = 0.0;
 };
 
-// How fast the window is: what F2 shows, and --stats writes.
+// Measures how fast the window is. F2 shows these figures, and --stats writes them.
 class Meter
 {
 public:
-	// A frame of the window was presented. active: it followed the one before as soon as it could.
+	// Call this when a frame of the window was presented. active: it followed the frame before without waiting.
 	void frame(Moment now, bool active);
-	// With a picture that was not seen before, if `shown` is another than the last.
+	// Call this with the picture of the frame; a new picture is counted.
 	void picture(const std::shared_ptr<const PresentedFrame>& shown, Moment now);
 
 	const Figure& frames() const { return frames_; } // from frame to frame, of active ones

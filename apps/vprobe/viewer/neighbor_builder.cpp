@@ -13,7 +13,7 @@ struct NeighborBuilder::Job
 {
 	Result<grid::BlockSet> blocks;
 	std::atomic<bool> done = false;
-	std::jthread thread; // the last to be made
+	std::jthread thread; // must be the last member
 
 	explicit Job(const grid::BlockSet& listed) : blocks(listed)
 	{

@@ -30,7 +30,7 @@ private:
 
 	std::unique_ptr<Job> job_;
 	std::optional<Error> failure_;
-	std::vector<std::unique_ptr<Job>> dropped_; // that have not come to their end yet
+	std::vector<std::unique_ptr<Job>> dropped_; // cancelled, but not at their end yet
 };
 
 } // namespace vp::app

@@ -16,11 +16,11 @@ struct Notice
 	Moment since{};
 };
 
-// Those that are shown. Of the window's thread.
+// Holds the notices that are shown. Used by the window's thread only.
 class NoticeList
 {
 public:
-	void add(std::string words, bool is_error); // in place of an equal one
+	void add(std::string words, bool is_error); // replaces a notice with the same text
 	void dismiss(const std::string& words);
 	void forgetOld(Moment now);
 	const std::vector<Notice>& all() const { return notices_; }

@@ -8,7 +8,7 @@
 namespace vp::app
 {
 
-// What panels are drawn from.
+// Everything that panels are drawn from.
 struct Desk
 {
 	Document& document;
@@ -22,12 +22,12 @@ struct Desk
 // Where in the scene's part the pane of a sheet seen straight on lies.
 ScenePart paneOf(const ScenePart& scene, double scale);
 
-ScenePart showPanels(Desk& desk); // all of them; what they leave is the scene's
+ScenePart showPanels(Desk& desk); // draws all panels, and returns the part of the window that is left for the scene
 void showMenu(Desk& desk);
 void showSidePanel(Desk& desk, const ScenePart& room);
 void showStatusLine(Desk& desk, const ScenePart& room);
 void showScene(Desk& desk, const ScenePart& part); // handles, what is under the pointer
-void followPointer(Desk& desk);                    // with a contour, where one is to
+void followPointer(Desk& desk);                    // moves the contour that follows the pointer
 void showPlanePane(Desk& desk, const ScenePart& part);
 void showNotices(Desk& desk, const ScenePart& part);
 void showProfile(Desk& desk, const ScenePart& part);

@@ -17,12 +17,12 @@ namespace vp::app
 
 class Document;
 
-// The sweep as a window plays it, and the film loop that is recorded of it. It moves the document's probe from frame to
-// frame. Of the window's thread.
+// Plays the sweep in a window, and records a film loop of it. It moves the document's probe from frame to frame. Used
+// by the window's thread only.
 class Playback
 {
 public:
-	// Pictures of a sweep under way into a film loop.
+	// A film loop that is being recorded.
 	struct Recording
 	{
 		std::shared_ptr<FilmLoop> film;
@@ -30,12 +30,12 @@ public:
 		FrameRequest like; // the size and the look of its pictures
 	};
 
-	// All outlive it.
+	// All arguments outlive this object.
 	Playback(Document& document, RenderThread& render_thread, FileJobs& jobs, std::function<void()> wake);
 
-	bool perform(interact::Action action); // false where it is none of a sweep's
+	bool perform(interact::Action action); // returns false for an action that does not belong to a sweep
 	void update();                         // once a frame
-	void forgetFilm();                     // the data are others
+	void forgetFilm();                     // call this when the data change
 
 	bool isPlaying() const { return path_.player.playing(seconds()); }
 	int frame() const { return path_.player.frameAt(seconds()); }
@@ -44,10 +44,10 @@ public:
 	bool loops() const { return path_.player.loops(); }
 	bool hasExposure() const { return exposure_ != nullptr; }
 	const std::optional<Recording>& recording() const { return recording_; }
-	const std::shared_ptr<const FilmLoop>& film() const { return film_; } // whole, or null
-	// The film loop's picture to be shown in place of the scene's; null where the scene is to be seen.
+	const std::shared_ptr<const FilmLoop>& film() const { return film_; } // a complete film loop, or null
+	// The picture of the film loop to show instead of the scene, or null to show the scene.
 	std::shared_ptr<const render::Picture> filmPicture() const;
-	void saveFilm(const std::string& file); // a film, or pictures by a pattern with {frame} in it
+	void saveFilm(const std::string& file); // a film, or pictures if the name contains {frame}
 	void saveExposure(const std::string& file);
 
 private:

@@ -39,7 +39,7 @@ inline double millisecondsSince(Moment start)
 	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-// A second picture: a sheet of the probe alone, seen straight on.
+// Asks for a second picture: one sheet of the probe alone, seen straight on.
 struct PaneWish
 {
 	std::size_t sheet = 0;
@@ -51,22 +51,22 @@ struct PaneWish
 	}
 };
 
-// What is to be seen, or kept.
+// Asks for a picture to show or to save.
 struct FrameRequest
 {
-	std::uint64_t number = 0; // rising
-	view::ViewSpec spec;      // its size is the picture's
+	std::uint64_t number = 0; // rises from request to request
+	view::ViewSpec spec;      // its size is the size of the picture
 	Moment since{};           // the oldest input that has not been answered by a picture
 	std::optional<PaneWish> pane{};
-	std::optional<session::PointedValue> contour{}; // one more besides those of the look
+	std::optional<session::PointedValue> contour{}; // one contour more than those of the look
 };
 
-// A picture, and all that it was made of.
+// A picture, and everything that it was made from.
 struct PresentedFrame
 {
 	std::shared_ptr<const gpu::Image> image; // gpu::kCopyFrom
 	FrameRequest wish;
-	probe::Probe probe; // as it stands in the picture, hidden sheets included
+	probe::Probe probe; // as the picture shows it, with hidden sheets included
 	std::shared_ptr<const session::CutFrame> cut;
 	render::Camera camera;
 	render::Frame frame;
@@ -78,26 +78,26 @@ struct PresentedFrame
 		render::Camera camera;
 		render::Frame frame;
 	};
-	std::optional<Pane> pane;                    // where one is wished, and its sheet is seen
-	bool smooth = false;                         // all samples are in it
+	std::optional<Pane> pane;                    // if one was requested and its sheet is visible
+	bool smooth = false;                         // the picture has all its samples
 	bool empty = false;                          // no sheet cuts anything
-	double vector_dt = 0.0;                      // of a step of what is launched from the sheets, 0 without
-	std::shared_ptr<const SheetLookups> lookups; // of the cut, once it has been still; or null
-	double cut_ms = 0.0;                         // 0 where the cut before was still good
+	double vector_dt = 0.0;                      // time of a particle's step, 0 without particles
+	std::shared_ptr<const SheetLookups> lookups; // values of the cut, once the probe has rested; or null
+	double cut_ms = 0.0;                         // 0 if the cut before was reused
 	double draw_ms = 0.0;
 	std::uint64_t cuts = 0;     // made so far
-	cut::Cutter::Memory memory; // that the cutter keeps
+	cut::Cutter::Memory memory; // of the cutter
 };
 
-// A picture to be kept: all samples, at the wish's size, apart from what is shown.
+// Asks for a picture to save, with all samples and in the size of the request. What is shown does not change.
 struct PictureJob
 {
 	FrameRequest wish;
-	bool empty = false; // without the sheets, as the ground of an exposure
+	bool empty = false; // without the sheets, as the background of an exposure
 	std::function<void(Result<render::Picture>)> take;
 };
 
-// Polygons of the sheets, or the faces of their whole cells, to be written.
+// Asks for a file with the polygons of the sheets, or with the faces of their whole cells.
 struct CutJob
 {
 	FrameRequest wish;
@@ -105,29 +105,29 @@ struct CutJob
 	std::function<void(Status)> done;
 };
 
-// Answered on the render thread's thread, one after the other between pictures.
+// A job is answered on the render thread, between two pictures, in the order of the jobs.
 using Job = std::variant<PictureJob, CutJob>;
 
-// Cuts and draws on a thread of its own what was wished last. The last picture stays until the next is ready, and what
-// cannot be done leaves it as it was. Thread safe.
+// Cuts and draws the last request on a thread of its own. The last picture stays until the next one is ready, and also
+// if a request fails. Thread safe.
 class RenderThread
 {
 public:
-	// wake: called, on the render thread's thread, when there is something new to be had.
+	// wake: called on the render thread when something new is ready.
 	RenderThread(std::shared_ptr<gpu::Device> device, std::function<void()> wake);
 	~RenderThread();
 	RenderThread(const RenderThread&) = delete;
 	RenderThread& operator=(const RenderThread&) = delete;
 
-	void ask(FrameRequest wish); // takes the place of what waits
+	void ask(FrameRequest wish); // replaces a request that waits
 	void order(Job order);
-	// The next wish is for this one; what waits was for the session before.
+	// The next request is for this session. A request that waits was for the session before, and is dropped.
 	void replaceSession(std::unique_ptr<session::Session> session);
 
 	std::shared_ptr<const PresentedFrame> shown() const; // null before the first picture
-	std::optional<Error> takeError();                    // why the last wish is not shown
-	bool isIdle() const;                                 // nothing waits and nothing is being done
-	std::vector<Timeline::Section> sections() const;     // of the last minute or so, for a trace
+	std::optional<Error> takeError();                    // why the last request failed
+	bool isIdle() const;                                 // nothing waits and nothing is under way
+	std::vector<Timeline::Section> sections() const;     // of about the last minute, for a trace
 
 private:
 	// The contours of a cut, and what they were grown for.
@@ -145,20 +145,19 @@ private:
 	void install(std::unique_ptr<session::Session> session);
 	template <class Work>
 	auto tried(const Work& work) -> decltype(work());
-	// Takes the neighbors of cells, where the session has none, once they are built. Waits for them where they are
-	// needed.
+	// Gives the session the neighbors of cells once they are built. Waits for them only if they are needed.
 	Status takeNeighbors(bool needed);
 	Status follow(const FrameRequest& wish);
 	Status followAll(const FrameRequest& wish);
 	Status followLook(const FrameRequest& wish);
 	Status followTime(const read::TimeChoice& time);
-	Result<double> cutAsWished(); // ms; 0 where the last cut is still good
+	Result<double> cutAsWished(); // returns milliseconds; 0 if the last cut was reused
 	Status growAsWished(const FrameRequest& wish);
 	void answer(Job& order);
 	Result<render::Picture> picture(const PictureJob& order);
 	Status writeSlice(const CutJob& order);
 	Result<bool> draw(PresentedFrame& shown, bool smooth);
-	Status refine(); // what is shown, while nothing else is wished
+	Status refine(); // adds samples to the picture while no request waits
 	void addLookups();
 	Status drawPane(PresentedFrame& shown, const render::Scene& scene);
 	static const render::SheetDrawing* sheetOfPane(const PresentedFrame& shown, const render::Scene& scene);
@@ -169,17 +168,17 @@ private:
 	std::shared_ptr<gpu::Device> device_;
 	std::function<void()> wake_;
 
-	// Of the render thread's thread.
+	// Used by the render thread only.
 	std::unique_ptr<session::Session> session_;
 	std::optional<session::Painter> painter_;
-	std::optional<FrameRequest> followed_; // what session and painter stand at
+	std::optional<FrameRequest> followed_; // the request that session and painter follow
 	std::shared_ptr<const session::CutFrame> cut_;
 	std::uint64_t cuts_ = 0;
 	bool cut_is_old_ = true;
 	NeighborBuilder neighbors_;
 	Grown grown_;
 	bool only_moved_ = false;
-	std::atomic<bool> rough_ = false; // what is shown is to be refined once it has been still
+	std::atomic<bool> rough_ = false; // the picture gets all its samples once the probe has rested
 	Pictures pictures_;
 	Pictures pane_pictures_;
 	std::optional<render::Renderer> pane_renderer_;
@@ -194,10 +193,10 @@ private:
 	std::deque<Timeline::Section> sections_;
 	bool busy_ = false;
 	bool ends_ = false;
-	std::thread thread_; // the last to be made
+	std::thread thread_; // must be the last member
 };
 
-// Of what works with all that memory has.
+// Runs `work`; an allocation failure becomes an error, so the window stays open.
 template <class Work>
 auto RenderThread::tried(const Work& work) -> decltype(work())
 {

@@ -5,13 +5,13 @@
 namespace vp::app
 {
 
-// Whether a section has something to show.
+// Says when a section has something to show.
 enum class ShownWhen
 {
 	always,
 	loaded,
-	times,  // the input has several
-	vectors // it has arrays of vectors
+	times,  // the input has several times
+	vectors // the input has arrays of vectors
 };
 
 // The sections of the side panel, in order: X(heading, what the tooltip says, function, when it is there, unfolded at

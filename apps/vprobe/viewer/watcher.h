@@ -10,14 +10,14 @@
 namespace vp::app
 {
 
-// Looks after the files that are shown: a solver may write them anew.
+// Watches the files that are shown, because a solver may write them anew.
 class Watcher
 {
 public:
-	// From now on these; built-in data never change.
+	// Watches these files from now on. Built-in data never change.
 	void watch(const std::vector<std::string>& inputs);
-	// True once after they have changed, when they have rested for a second: a file half written is no use. Looks at
-	// most once a second.
+	// Returns true once after the files changed and then rested for a second, since a half-written file is useless.
+	// Looks at the files at most once a second.
 	bool changed(Moment now);
 
 private:
@@ -29,7 +29,7 @@ private:
 		bool operator==(const Stamp&) const = default;
 	};
 
-	std::vector<std::optional<Stamp>> stamps() const; // none of a file that is not there just now
+	std::vector<std::optional<Stamp>> stamps() const; // no stamp for a file that does not exist at the moment
 
 	std::vector<std::string> files_;
 	std::vector<std::optional<Stamp>> known_; // when they were read

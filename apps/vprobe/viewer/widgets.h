@@ -10,30 +10,30 @@
 namespace vp::app
 {
 
-// What panels are made of: controls that tell what they are for, and whose changes are steps of the history.
+// Controls for panels. Each has a tooltip, and each change is a step of the history.
 
 // A part of the window that stays where it is.
 void beginFixed(const char* name, const ScenePart& room, ImGuiWindowFlags more = 0);
 
-bool pointerRests(); // it has been still for a moment
+bool pointerRests(); // returns true if the pointer has been still for a moment
 
-// For the last control, shown once the pointer has rested on it.
+// Shows a tooltip for the last control when the pointer rests on it.
 void tip(std::string_view words);
-std::string tipOf(interact::Action action); // its words and keys: "Show the next array (A)"
+std::string tipOf(interact::Action action); // what it does, and its keys: "Show the next array (A)"
 
-// Shown by `label`, done by the document, explained by tipOf().
+// A button with `label` that performs the action. Its tooltip is tipOf().
 bool actionButton(Desk& desk, interact::Action action, const char* label, float width = 0.0f);
-void actionItem(Desk& desk, interact::Action action); // of a menu; checked where it is on
+void actionItem(Desk& desk, interact::Action action); // an item of a menu, with a check mark if it is on
 bool isOn(const Document& document, interact::Action action);
 bool isPossible(const Document& document, interact::Action action);
 
-// The width of each of `count` controls side by side in what is left of the line.
+// Returns the width of one of `count` controls that share the rest of the line.
 float shareOfLine(int count);
 
 // A label on the left, the control that follows on the right of the line.
 void labeled(const char* label);
 
-// A check box for a part of the state.
+// A check box that changes the state.
 void toggle(Desk& desk, const char* label, bool now, std::string_view words, const Document::Edit& edit);
 
 // One of several words for an option, by names that a reader knows. The value may be none of them: then it is shown as
@@ -46,7 +46,7 @@ struct Choice
 void showChoice(Desk& desk, const char* label, std::span<const Choice> choices, const std::string& now,
                 std::string_view words, const std::function<void(view::ViewSpec& state, const char* word)>& set);
 
-// A part of something, from `least` to `most`, by a slider.
+// A slider from `least` to `most`.
 struct Slide
 {
 	const char* label;
@@ -71,13 +71,13 @@ struct Drag
 };
 bool dragNumbers(Desk& desk, const Drag& drag, double* numbers, int count, std::string_view words);
 
-// What a drag of lengths goes by a pixel, of the data's size.
+// Returns how far a length changes per dragged pixel, by the size of the data.
 double lengthSpeed(const Desk& desk);
 
-// A text as long as there is room for, its end or middle left out; all of it in a tip.
+// Shows the end of a text that is too long for the line, and the whole text in a tooltip.
 void clippedText(const std::string& text);
 
-// Whatever the case of its letters.
+// Returns true if `text` contains `wanted`; upper and lower case are the same.
 bool containsText(std::string_view text, std::string_view wanted);
 
 // Whole numbers in groups of three: "16 777 216".
