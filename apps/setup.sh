@@ -15,6 +15,7 @@ build_packages=(
 test_packages=(
 	libgtest-dev libgmock-dev libbenchmark-dev libmuparser-dev vulkan-validationlayers
 	xvfb xdotool openbox
+	python3 dpkg-dev file # documents are checked, packages are made
 	ffmpeg # films are tested where they can be made
 )
 # The second compiler. clang-format's output depends on its version, so the format is checked where version 14 is.

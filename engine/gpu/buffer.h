@@ -38,8 +38,8 @@ public:
 	{
 		return static_cast<T*>(piece_.mapped);
 	}
-	void flush() const;      // host writes to the GPU; does nothing for coherent memory
-	void invalidate() const; // GPU writes to the host, after the wait; does nothing for coherent memory
+	void flush() const;      // makes host writes visible to the GPU; does nothing for coherent memory
+	void invalidate() const; // makes GPU writes visible to the host, after the wait; does nothing for coherent memory
 
 private:
 	void swap(Buffer& other) noexcept;

@@ -21,14 +21,15 @@ struct Candidate; // device_choice.h
 struct DeviceOptions
 {
 	std::string name_or_index;                    // part of a device's name, or its index; empty takes the best one
-	std::optional<bool> validation;               // unset: where VPROBE_VALIDATION=1 asks for it
-	std::vector<const char*> instance_extensions; // those a window needs; none to work headless
+	std::optional<bool> validation;               // if unset, VPROBE_VALIDATION=1 turns it on
+	std::vector<const char*> instance_extensions; // those that a window needs; empty without a window
 	bool swapchain = false;
-	bool hardware_only = false;    // software on the CPU is no device then
+	bool hardware_only = false;    // refuse software devices, which run on the CPU
 	bool map_device_memory = true; // false: device memory is filled by copies even where it could be written directly
 };
 
-// A device of a caller's, created with WantedFeatures (device_choice.h), and a queue of it for graphics and compute.
+// A device of the caller, created with WantedFeatures (device_choice.h), and one of its queues for graphics and
+// compute.
 struct AdoptedDevice
 {
 	VkInstance instance = VK_NULL_HANDLE;
@@ -36,7 +37,7 @@ struct AdoptedDevice
 	VkDevice device = VK_NULL_HANDLE;
 	VkQueue queue = VK_NULL_HANDLE;
 	std::uint32_t queue_family = 0;
-	std::function<void()> lock_queue; // called around everything that is done with the queue; may be empty
+	std::function<void()> lock_queue; // called before every use of the queue; may be empty
 	std::function<void()> unlock_queue;
 };
 
@@ -58,18 +59,21 @@ public:
 	// No loader, no device or a device that lacks something: ErrorKind::device, with a line that says what to
 	// install. A name or index that matches nothing lists what there is.
 	static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
-	// The device and what it was made from stay the caller's, and outlive this. ErrorKind::device where it lacks
-	// something.
+	// Works with a device that belongs to the caller and outlives this object. Returns ErrorKind::device if the device
+	// lacks something.
 	static Result<std::unique_ptr<Device>> adopt(AdoptedDevice adopted);
-	~Device(); // waits for what was submitted
+	~Device(); // waits for all submissions
 	Device(const Device&) = delete;
 	Device& operator=(const Device&) = delete;
 
 	const std::string& name() const { return name_; }
 	bool isSoftware() const { return type_ == VK_PHYSICAL_DEVICE_TYPE_CPU; }
 	const VkPhysicalDeviceLimits& limits() const { return limits_; }
-	const VkPhysicalDeviceFeatures& features() const { return features_; } // those enabled; optional ones may be off
-	VkDeviceSize maxBufferSize() const { return max_buffer_size_; }        // of one buffer and its allocation
+	const VkPhysicalDeviceFeatures& features() const
+	{
+		return features_;
+	}                                                               // the enabled features; optional ones may be off
+	VkDeviceSize maxBufferSize() const { return max_buffer_size_; } // limit of one buffer and its allocation
 	VkDeviceSize memoryLeft() const; // on the largest device-local heap, as far as the driver tells
 
 	VkInstance instance() const { return instance_; }
@@ -90,7 +94,7 @@ public:
 	std::uint64_t lastSubmission() const;
 	Status waitIdle();
 	VkResult present(const VkPresentInfoKHR& info);
-	// Keeps everyone else off the queue while `use` runs: for libraries that submit by themselves.
+	// Runs `use` while nobody else uses the queue, for libraries that submit by themselves.
 	void lendQueue(const std::function<void()>& use);
 
 	// Runs `destroy` as soon as everything submitted so far is done.
@@ -117,8 +121,8 @@ public:
 private:
 	struct Private;
 	Device();
-	void examined(const Candidate& candidate); // takes its properties
-	Status getReady(bool map_device_memory);   // once there is a device
+	void examined(const Candidate& candidate); // stores the properties of a candidate
+	Status getReady(bool map_device_memory);   // call this once device_ and queue_ are set
 	void destroyRetired();
 
 	std::unique_ptr<Private> private_;

@@ -10,7 +10,7 @@
 namespace vp::gpu
 {
 
-// A device found, with what it lacks for our work.
+// A device that was found, and what it lacks.
 struct Candidate
 {
 	VkPhysicalDevice handle = VK_NULL_HANDLE;
@@ -25,11 +25,11 @@ struct Candidate
 
 Candidate examine(VkPhysicalDevice device, bool swapchain);
 
-// A device error that names what the candidate lacks.
+// Returns a device error that names what the candidate lacks.
 Error unusable(const Candidate& candidate);
 
-// The features that a device is created with: those that the engine needs, and those that it uses where they are there.
-// vkCreateDevice takes all(), which refers to the rest.
+// The features for creating a device: those that the engine needs, and those that it uses if the device has them. all()
+// is for vkCreateDevice, and refers to the other members.
 class WantedFeatures
 {
 public:

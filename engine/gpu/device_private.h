@@ -17,7 +17,7 @@ struct Device::Private
 		std::function<void(VkDevice)> destroy;
 	};
 
-	std::unique_ptr<Instance> instance; // null: a caller's
+	std::unique_ptr<Instance> instance; // null for a device of the caller
 	std::mutex queue_mutex;             // the queue and the number of its last submission
 	std::uint64_t submitted = 0;
 	std::mutex retired_mutex;

@@ -8,8 +8,8 @@
 namespace vp::session
 {
 
-/// The polygons of what is drawn around the sheets, in world coordinates. An error names the context and the remedy
-/// where the blocks do not have it.
+/// Returns the polygons of a surface around the sheets, in world coordinates. If the blocks do not have this surface,
+/// the error names it and the remedy.
 Result<mesh::SheetMesh> contextMesh(const grid::BlockSet& blocks, const view::ContextSpec& context);
 
 } // namespace vp::session

@@ -8,19 +8,19 @@
 namespace vp::session
 {
 
-// A frame of a sweep, or of a window, that has been cut.
+// A frame of a sweep or of a window, after the cut.
 struct CutFrame
 {
 	cut::Cut slice;
 	std::vector<SheetStats> sheets;
-	Contours contours{}; // where they are grown once for the frame
+	Contours contours{}; // filled if contours were asked for
 };
 
-/// The session's cut with all that is known of it: warnings are told, figures and contours are there.
+/// Cuts, measures and grows contours by the session's settings, and reports warnings.
 Result<CutFrame> cutFrame(const Session& session, std::stop_token stop = {});
 
-// What a slice's sheets show: all figures where they are wanted, else what a picture needs. last: the frame before, by
-// the same wish, or null; a sheet that has not moved since shows what it showed.
+// Returns what the sheets of a cut show: all figures if `wants_figures`, otherwise what a picture needs. last: the
+// frame before, made with the same settings, or null. A sheet that did not move since then keeps its figures.
 Result<std::vector<SheetStats>> statsSince(const Session& session, const cut::Cut& slice, const CutFrame* last,
                                            bool wants_figures);
 

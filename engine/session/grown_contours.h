@@ -14,7 +14,7 @@ namespace vp::session
 // The contours of a slice, per sheet.
 using Contours = std::vector<std::vector<contour::Contour>>;
 
-// A value on one sheet of a slice, as a pointer has found it.
+// A value that a pointer found on one sheet of a cut.
 struct PointedValue
 {
 	std::size_t sheet = 0;
@@ -23,21 +23,22 @@ struct PointedValue
 	bool operator==(const PointedValue&) const = default;
 };
 
-// What is told of contours that cannot be grown; else they are left out.
+// Which contours that cannot be grown are reported. The others are left out without a word.
 enum class Tell
 {
-	all,   // values that are not on a sheet in a word, a place that is not cut as an error
-	unfit, // of a frame among many: sheets that can have none, as an error
+	all,   // warns of values that no sheet has; a place that is not cut is an error
+	unfit, // for one frame of many: only sheets that can have no contours are an error
 	nothing
 };
 
-// sheets: sheetStats() of the slice. pointed: one more, which is never told of. None where none is asked for. Sheets
-// that are no planes are a usage error, sheets without values at points an input error. Section "contour".
+// Grows the contours that the settings ask for. sheets: sheetStats() of the cut. pointed: one more contour, which is
+// never reported. Sheets that are not planes are a usage error; sheets without point values are an input error. Section
+// "contour" on the timeline.
 Result<Contours> growContours(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets,
                               const view::ContourSpec& spec, Tell tell,
                               const std::optional<PointedValue>& pointed = {});
 
-// For files; the contours must outlive them.
+// Returns the contours as files need them. The contours must outlive the result.
 std::vector<write::ContourPiece> contourPieces(const Contours& contours);
 
 } // namespace vp::session

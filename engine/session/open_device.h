@@ -18,18 +18,18 @@ enum class DeviceUse
 	draw      // a device is needed in any case
 };
 
-// A device, null where the CPU does without, and for drawing what draws on it.
+// An open device, or null if the CPU needs none. For drawing, it comes with a renderer.
 struct OpenedDevice
 {
 	std::shared_ptr<gpu::Device> device;
 	std::optional<render::Renderer> renderer;
 };
 
-// Opens the device that the settings ask for on a thread of its own, while inputs are read. None is an error where it
-// is asked for by name, draws, or must classify; otherwise the CPU does the work.
+// Opens the device of the settings on a thread of its own, while inputs are read. A missing device is an error if the
+// settings name one, if it must draw, or if it must classify. Otherwise the CPU does the work.
 std::future<Result<OpenedDevice>> openDevice(const view::ViewSpec& spec, DeviceUse use);
 
-/// Whether a cut leaves nothing for a device to classify: neither what replaces sheets nor an iso value does.
+/// Returns true if a cut leaves nothing for a device to classify: a surface that replaces the sheets, or an iso value.
 bool leavesDeviceIdle(const view::ProbeSpec& probe);
 
 } // namespace vp::session

@@ -20,38 +20,38 @@ class RecordPool; // gpu_records.h
 namespace vp::session
 {
 
-// Draws slices of a session, which outlives it. What does not change from picture to picture is worked out once; the
+// Draws cuts of a session. The session outlives it. Whatever does not change between pictures is computed once. The
 // camera stands still, unless it is bound to the sheet.
 class Painter
 {
 public:
 	static Result<Painter> create(Session& session, view::ResolvedLook look);
 
-	// The arrays hold other values now.
+	// Call this when the values of the arrays have changed.
 	void forgetScales()
 	{
 		looks_.forgetScales();
 		vectors_.forget();
 		records_.clear();
 	}
-	// The session's blocks are others now.
+	// Call this when the session has other blocks.
 	Status takeBlocks();
-	// From the next picture on. A camera that is chosen and not given is fitted anew.
+	// Sets the look from the next picture on. A camera that the look does not fix is fitted again.
 	Status setLook(view::ResolvedLook look);
 
-	// What is to be drawn, for renderer(). sheets: sheetStats() of the slice. Section "scene".
+	// Returns the scene for renderer(). sheets: sheetStats() of the cut. Section "scene" on the timeline.
 	Result<render::Scene> sceneOf(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
 	                              const Contours& contours = {});
 	render::Renderer& renderer() { return renderer_; }
 
-	// The same into an image, as Renderer::drawInto() takes it.
+	// Draws into an image, which must be as Renderer::drawInto() asks for it.
 	Status drawInto(const gpu::Image& image, const cut::Cut& slice, const std::vector<SheetStats>& sheets,
 	                const Contours& contours);
 
-	// Section "render" on the session's timeline. sheets: sheetStats() of the slice.
+	// Draws a picture. sheets: sheetStats() of the cut. Section "render" on the timeline.
 	Result<render::Picture> draw(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
 	                             const Contours& contours = {});
-	// The scene without the sheets and the lines around them.
+	// Draws the scene without the sheets and without the lines around them.
 	Result<render::Picture> drawEmpty(const cut::Cut& slice, const std::vector<SheetStats>& sheets);
 
 private:
@@ -73,12 +73,12 @@ private:
 	SheetLooks looks_;
 	VectorDrawing vectors_;
 	render::Renderer renderer_;
-	std::shared_ptr<classify::RecordPool> pool_; // its pages serve picture after picture
+	std::shared_ptr<classify::RecordPool> pool_; // its pages are reused from picture to picture
 	std::vector<render::Segment> outline_;
 	std::vector<render::Surface> context_;
-	std::vector<Vec3> extent_; // what the picture holds: the blocks and the lines around them
+	std::vector<Vec3> extent_; // what a fitted camera must show: the blocks and the lines around them
 	std::optional<render::Camera> camera_;
-	// Polygons of the last picture that were put onto the device for it, by the number of their sheet.
+	// Polygons that were copied to the device for the last picture, by the number of their sheet.
 	std::map<std::uint64_t, std::shared_ptr<const classify::SheetRecords>> records_;
 };
 

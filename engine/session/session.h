@@ -30,94 +30,97 @@ namespace vp::session
 //     Painter       draws                                                                    painter.h
 //     write         polygons, flat pictures, pictures, films                                 plane_pictures.h, write/
 //
-// resolveAgain() takes other settings, moveToTime() other values, buildNeighbors() the neighbors of cells.
+// resolveAgain() changes the settings, moveToTime() the values, and buildNeighbors() adds the neighbors of cells.
 //
-// One thread at a time works with a session; cut(), planOf() and what takes a const Session may run beside each other
-// where each has a Timeline of its own.
+// Only one thread at a time may use a session. cut(), planOf() and other functions with a const Session may run at the
+// same time if each has a Timeline of its own.
 
-/// What belongs to particles that are launched, beside what the settings say.
+/// What launching particles needs besides the settings.
 struct LaunchState
 {
-	double dt = 1.0;                                             // of a step
-	std::optional<vectors::StoredVectors> stored{};              // where particles go through times
-	double time = 0.0;                                           // that the blocks have values of
-	std::optional<std::pair<grid::FieldChoice, double>> fastest; // the greatest length in an array of vectors
+	double dt = 1.0;                                             // time of a step
+	std::optional<vectors::StoredVectors> stored{};              // filled if particles move through the input's times
+	double time = 0.0;                                           // the time of the values in the blocks
+	std::optional<std::pair<grid::FieldChoice, double>> fastest; // the greatest length in the array of vectors
 };
 
-/// A data set with what is cut and by what. The cutter refers to the blocks, the device serves cutter and drawing.
+/// A data set, its settings, and what cuts and draws it. The cutter refers to the blocks. The device serves the cutter
+/// and the drawing.
 struct Session
 {
 	view::ViewSpec spec;
 	view::ResolvedView view;
 	grid::BlockSet blocks;
 	LaunchState launch;
-	double swept = 0.0;           // how far along its range a surface of the grid lies in the next cut, 0 to 1
-	bool reads_all_arrays = true; // whenever the inputs are read
-	bool another_follows = false; // so that a cut builds neighbors where they are not known
+	double swept = 0.0;           // place of a grid surface in its range for the next cut, 0 to 1
+	bool reads_all_arrays = true; // read all arrays whenever the inputs are read
+	bool another_follows = false; // another cut will follow, so a plan may build neighbors
 	find::Finder finder = find::Finder::automatic;
-	std::shared_ptr<gpu::Device> device;           // null where the CPU does without
-	std::optional<render::Renderer> renderer;      // for who draws first, where it was made beside reading
-	std::optional<classify::BreakEven> break_even; // measured where a device may classify
+	std::shared_ptr<gpu::Device> device;           // null if the CPU needs no device
+	std::optional<render::Renderer> renderer;      // made while the inputs were read; the first painter takes it
+	std::optional<classify::BreakEven> break_even; // measured if a device may classify
 	std::unique_ptr<cut::Cutter> cutter;
 	std::unique_ptr<measure::FiniteFields> finite_fields = std::make_unique<measure::FiniteFields>();
 	std::unique_ptr<Timeline> timeline;
 };
 
-/// How a session is opened, beside the settings.
+/// How to open a session, besides the settings.
 struct OpenOptions
 {
 	DeviceUse use = DeviceUse::classify;
-	// The first cut may do without neighbors, see cuts that scan. Else they are built while the inputs are read.
+	// The first cut may do without neighbors, by a scan. If false, neighbors are built while the inputs are read.
 	bool may_scan = false;
-	bool reads_all_arrays = true; // not only those that are shown
-	bool reads_again = true;      // the inputs may be read at other times
+	bool reads_all_arrays = true; // read all arrays, not only those that are shown
+	bool reads_again = true;      // the inputs may be read again at other times
 	Timeline::Keep keep = Timeline::Keep::totals;
-	std::shared_ptr<gpu::Device> device{}; // one that is open; null opens the one that the settings say
-	std::stop_token stop{};                // asked to stop, reading ends with ErrorKind::cancelled
+	std::shared_ptr<gpu::Device> device{}; // an open device; null opens the device of the settings
+	std::stop_token stop{};                // a stop request ends the reading with ErrorKind::cancelled
 };
 
-/// Validates the settings, reads the inputs and makes the rest ready. Nothing is written before this has succeeded.
+/// Validates the settings, reads the inputs and prepares the rest. A caller writes nothing before this has succeeded.
 Result<std::unique_ptr<Session>> openSession(view::ViewSpec spec, OpenOptions options);
 
-/// The same with blocks that the caller has; nothing is read, and the settings' input is a name at most.
+/// The same for blocks that the caller has. Nothing is read; the input in the settings is only a name.
 Result<std::unique_ptr<Session>> sessionOf(grid::BlockSet blocks, view::ViewSpec spec, OpenOptions options);
 
-/// Opens a device to draw on, where the session has none yet.
+/// Opens a device to draw with, unless the session has one.
 Status drawOn(Session& session);
 
-/// Takes other settings for the blocks that the session has: all but those of input and machine.
+/// Takes other settings for the same blocks: all settings except those of input and machine.
 Status resolveAgain(Session& session, view::ViewSpec spec);
 
-/// How inputs are read at one of their times, with all arrays.
+/// Returns the options that read the inputs at a time, with all arrays.
 read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice& time);
 
-/// How those of a session are read at another time.
+/// Returns the options that read the inputs of a session at another time.
 read::ReadOptions readOptions(const Session& session, const read::TimeChoice& time);
 
-/// Whether what is cut or drawn asks for neighbors before a plan can say so: whole cells, vectors, grid surfaces,
-/// contours, what is drawn around the sheets.
+/// Returns true if the settings need neighbors, whatever a plan says: for whole cells, vectors, grid surfaces,
+/// contours, or surfaces around the sheets.
 bool needsNeighbors(const view::ViewSpec& spec);
 
-/// Builds the neighbors of cells where the session has been opened without, and a cutter for them. Cuts that were made
-/// before, and what was made of them, hold no more.
+/// Builds the neighbors of cells if the session has none, and a new cutter. Cuts that were made before become invalid,
+/// and so does everything made from them.
 Status buildNeighbors(Session& session);
 
-/// A cutter for the blocks that the session has now.
+/// Makes a cutter for the blocks that the session has now.
 Status makeCutter(Session& session);
 
-/// last: a cut of this session that differs in the probe's place alone; see CutRequest. The session has neighbors where
-/// the plan needs them. Asked to stop, it ends with ErrorKind::cancelled.
+/// Cuts by the session's settings. last: a cut of this session that differs only in the place of the probe, see
+/// CutRequest. The session must have neighbors if the plan needs them. A stop request ends it with
+/// ErrorKind::cancelled.
 Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last = nullptr, std::stop_token stop = {});
 
-/// How cut() goes. A usage error that names `strategy` where what it asks for cannot be had.
+/// Returns the plan of cut(). If the strategy of the settings is impossible, returns a usage error that names
+/// `strategy`.
 Result<find::CutPlan> planOf(const Session& session);
 
-/// "gpu", "cpu", or "mixed" where a block stayed with the CPU for a limit of the device.
+/// Returns "gpu", "cpu", or "mixed" if the CPU classifies a block because of a limit of the device.
 const char* classifierName(const Session& session);
 
 bool isEmpty(const cut::SheetCut& sheet);
 
-/// Warns of what is empty or was moved; an error where a hot spot outside is to be one.
+/// Warns of empty sheets and moved hot spots. Returns an error if a hot spot lies outside and `outside` is refuse.
 Status reportWarnings(const Session& session, const cut::Cut& slice);
 
 } // namespace vp::session

@@ -13,7 +13,7 @@
 namespace vp::session
 {
 
-// How the sheets of a session are to look. What does not change from picture to picture is worked out once.
+// Computes how the sheets of a session look. Whatever does not change between pictures is computed once.
 class SheetLooks
 {
 public:
@@ -21,19 +21,19 @@ public:
 
 	const view::ResolvedLook& choice() const { return choice_; }
 	void setChoice(view::ResolvedLook choice);
-	// The arrays hold other values now.
+	// Call this when the values of the arrays have changed.
 	void forgetScales() { scales_.clear(); }
 
-	// Of the array that the sheets show, or of generations. sheets: all of the slice's.
+	// Returns the scale of the shown array, or of generations. sheets: all sheets of the cut.
 	Result<std::optional<render::ValueScale>> scaleOf(const cut::Cut& slice, std::span<const SheetStats> sheets,
 	                                                  bool has_nan);
-	// Of an array.
+	// Returns the scale of an array.
 	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<grid::FieldChoice>& field, bool has_nan);
-	// Without records.
+	// Returns the drawing of a sheet, without its records.
 	Result<render::SheetDrawing> drawing(const cut::SheetCut& sheet, const SheetStats& stats);
 
 private:
-	// The array's scale with the ends that the look asks for. sheets: those that show it.
+	// Returns the scale of an array, with the ends that the look asks for. sheets: the sheets that show the array.
 	void chooseEnds(render::ValueScale& scale, std::span<const SheetStats* const> sheets) const;
 	void takeLengthUnits();
 	std::string unitsOf(const std::optional<grid::FieldChoice>& field) const;
@@ -41,11 +41,11 @@ private:
 	const Session& session_;
 	view::ResolvedLook choice_;
 	std::vector<std::pair<std::optional<grid::FieldChoice>, std::optional<render::ValueScale>>> scales_;
-	std::map<std::string, render::ColorMap> colors_; // of sheets that wish for one
+	std::map<std::string, render::ColorMap> colors_; // maps that single sheets ask for
 };
 
-// Where a sheet is, in words. Coordinates that are rounding beside the largest of the grid's bounds, or of the
-// others, are 0.
+// Describes the place of a sheet in a caption. A coordinate that is only rounding, compared with the largest of the
+// bounds or of the others, becomes 0.
 std::string caption(const probe::Sheet& sheet, const Box& bounds = {});
 
 bool hasNan(const SheetStats& sheet);

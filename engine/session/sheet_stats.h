@@ -11,25 +11,25 @@
 namespace vp::session
 {
 
-// A sheet's figures: what was cut, and what it shows.
+// The polygons of a sheet and their figures.
 struct SheetStats
 {
 	mesh::SheetMesh mesh;
 	measure::SheetMeasure measure;
-	std::optional<mesh::SheetMesh> crinkle{};        // where whole cells are wanted
-	std::shared_ptr<const vectors::Traces> traces{}; // launched from it; null where nothing is
-	std::optional<double> flux{};                    // of vectors, through it
+	std::optional<mesh::SheetMesh> crinkle{};        // filled if whole cells are shown
+	std::shared_ptr<const vectors::Traces> traces{}; // particles launched from the sheet; or null
+	std::optional<double> flux{};                    // flux of vectors through the sheet
 };
 
 Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice);
-// Of one sheet, in two halves: its polygons, section "emit", and what is launched from them; what they show, section
-// "measure".
+// The same for one sheet in two steps. sheetMesh() builds the polygons (section "emit") and launches particles.
+// measureSheet() computes the figures (section "measure").
 Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std::size_t sheet);
 void measureSheet(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats);
-// In place of the second where only a picture is wanted: it tells whether values are missing.
+// Replaces the second step if only a picture is needed: finds out whether values are missing.
 void measureForPicture(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats);
 
-// What a slice's export holds: its polygons, or the faces of its whole cells.
+// Returns what an export of the cut contains: its polygons, or the faces of its whole cells.
 std::vector<mesh::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets);
 
 } // namespace vp::session

@@ -9,21 +9,22 @@
 namespace vp::session
 {
 
-/// What launching needs beside the settings: the time of a step, which follows the fastest particle, and vectors of
-/// other times. The fastest particle is looked up once for an array, until takeValuesAt().
+/// Prepares launching: finds the time of a step, which follows from the fastest particle, and opens vectors of other
+/// times. The fastest particle of an array is looked up once, until takeValuesAt().
 Status prepareLaunch(Session& session);
 
-// The arrays hold the values of a time now: the step of a session that chooses its own follows them.
+// Call this when the arrays hold the values of another time. If the settings give no step, the step follows the new
+// values.
 void takeValuesAt(const read::TimeChoice& time, Session& session);
 
-// Of the particles launched from a sheet, section "trace". mesh: its polygons. Null where nothing is to be launched.
-// Fails where vectors of other times cannot be read.
+// Traces the particles that start on a sheet. mesh: the polygons of the sheet. Returns null if nothing is launched.
+// Fails if vectors of other times cannot be read. Section "trace" on the timeline.
 using SharedTraces = std::shared_ptr<const vectors::Traces>;
 Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, std::size_t sheet,
                                 const mesh::SheetMesh& mesh);
 
-// Through a sheet's polygons, along its normal: of the array that moves particles, else of the shown one where that is
-// a vector; else none.
+// Returns the flux through the polygons of a sheet, along its normal: of the array that moves particles, or of the
+// shown array if it is a vector array, or nothing.
 std::optional<double> fluxThrough(const Session& session, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh);
 
 } // namespace vp::session

@@ -6,7 +6,7 @@
 namespace vp::session
 {
 
-// What a sheet shows at its mesh's vertices or on its polygons: its array, or generations.
+// Returns what a sheet shows at the vertices or on the polygons of its mesh: its array, or generations.
 render::SheetValues sheetValues(const Session& session, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
                                 bool by_generation);
 

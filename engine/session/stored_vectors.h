@@ -5,8 +5,8 @@
 namespace vp::session
 {
 
-// An array of the session's blocks at each of its inputs' times, read when it is asked for; blocks and timeline outlive
-// it. An input error where there is one time only; where the grid moves, loading is one.
+// Returns an array of the blocks at every time of the inputs. Values are read when they are needed. Blocks and timeline
+// outlive it. An input with only one time is an input error; a grid that moves is an input error when values are read.
 Result<vectors::StoredVectors> storedVectors(const Session& session, const grid::FieldChoice& array);
 
 } // namespace vp::session

@@ -9,16 +9,16 @@
 namespace vp::session
 {
 
-// Takes a session to a time of its inputs. True: the grid is the same, and a cut of it needs other values only. False:
-// it was read and built anew. painter: told of what changes; null where nothing is drawn.
+// Moves a session to a time of its inputs. Returns true if the grid is the same, so that a cut only needs other values;
+// false if the grid was read and built again. painter: gets the changes, or null.
 Result<bool> moveToTime(Session& session, const read::TimeChoice& time, Painter* painter);
 
-// Takes a session from one of its inputs' times to another. Where only values differ the cut is kept and gathers them;
-// where the grid moves it is read and cut anew. All it is made of outlives it.
+// Moves a session from one time of its inputs to another. If only values differ, the cut is kept and gathers the new
+// values. If the grid moves, it is read and cut again. All arguments outlive this object.
 class TimeSteps
 {
 public:
-	// painter: told of what changes; null where nothing is drawn.
+	// painter: gets the changes, or null.
 	TimeSteps(Session& session, Painter* painter);
 
 	int count() const { return static_cast<int>(times_.size()); }

@@ -8,8 +8,8 @@
 namespace vp::session
 {
 
-/// The scale of an array, none without one. Settings that need values are an input error where there are none that
-/// serve; values that a logarithm leaves out are a warning.
+/// Returns the scale of an array, or nothing without an array. If the settings need values and the array has no
+/// suitable ones, returns an input error. Warns of values that a logarithm leaves out.
 Result<std::optional<render::ValueScale>>
 valueScale(const Session& session, const std::optional<grid::FieldChoice>& field, const render::Look& look);
 

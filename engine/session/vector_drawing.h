@@ -12,23 +12,23 @@
 namespace vp::session
 {
 
-// Draws what is launched from the sheets of a session, which outlives it.
+// Draws the particles that start on the sheets of a session. The session outlives it.
 class VectorDrawing
 {
 public:
 	explicit VectorDrawing(const Session& session) : session_(&session) {}
 
-	// The arrays hold other values now.
+	// Call this when the values of the arrays have changed.
 	void forget() { kept_.reset(); }
 
-	// All of it as one surface; none where nothing is launched. scale: of the array that the sheets show.
+	// Returns all paths as one surface, or nothing. scale: of the array that the sheets show.
 	Result<std::optional<render::Surface>> surface(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
 	                                               const std::optional<render::ValueScale>& scale, SheetLooks& looks);
 
 private:
 	using SharedTraces = std::vector<std::shared_ptr<const vectors::Traces>>;
 
-	// What colors it: an array, or one color.
+	// The color of the particles: an array, or one color.
 	struct Coloring
 	{
 		std::optional<grid::FieldChoice> field;
@@ -36,7 +36,7 @@ private:
 
 		bool operator==(const Coloring&) const = default;
 	};
-	// Polygons of the last picture, and what they were made of.
+	// Polygons of the last picture, and what they were made from.
 	struct Kept
 	{
 		SharedTraces traces;

@@ -11,31 +11,31 @@ namespace vp::view
 
 enum class ContextKind : std::uint8_t
 {
-	boundary, // that of the domain
-	i,        // grid surfaces
+	boundary, // the boundary of the domain
+	i,        // a grid surface
 	j,
 	k,
 	patch // a part of the boundary that the file names
 };
 
-/// A translucent surface that is drawn around the sheets, written KIND[=ARGUMENT][:OPACITY].
+/// A translucent surface around the sheets. As text: KIND[=ARGUMENT][:OPACITY].
 struct ContextSpec
 {
 	ContextKind kind = ContextKind::boundary;
-	std::string argument{}; // an index of points for i, j and k, the name of a patch; else empty
+	std::string argument{}; // index of points for i, j and k; name of a patch; otherwise empty
 	double opacity = 0.15;  // 0 to 1
 
 	bool operator==(const ContextSpec&) const = default;
 };
 
-/// One of that kind with the opacity that it has where none is given.
+/// Returns a surface of this kind with the default opacity.
 ContextSpec contextOf(ContextKind kind);
 
-/// For a help text: boundary[:OPACITY], ...
+/// Returns the forms for a help text: boundary[:OPACITY], ...
 std::string contextForms();
 
-/// A usage error, which does not name the setting.
+/// Parses the text. The usage error does not name the setting.
 Result<ContextSpec> parseContext(std::string_view text);
-std::string contextText(const ContextSpec& context); // read again it is the same
+std::string contextText(const ContextSpec& context); // parse() gives the same value again
 
 } // namespace vp::view

@@ -5,11 +5,11 @@
 namespace vp::view
 {
 
-// The name of an input as the state beside it keeps it: relative to the state's folder. Links in folders are followed,
-// a link that is the input itself keeps its name. demo:NAME stays as it is.
+// Returns the name of an input as a state file keeps it: relative to the folder of the state. Links in folders are
+// followed; if the input itself is a link, it keeps its name. demo:NAME does not change.
 std::string relativeTo(const std::string& state, const std::string& input);
 
-// And back: as seen from the working folder.
+// The reverse: returns the name as seen from the working folder.
 std::string fromState(const std::string& state, const std::string& input);
 
 } // namespace vp::view

@@ -6,7 +6,7 @@
 namespace vp::view
 {
 
-// What inputs are called in a word: the first one's name without its folder; empty without inputs.
+// Returns a short title for inputs: the name of the first one without its folder. Empty without inputs.
 std::string inputTitle(const std::vector<std::string>& inputs);
 
 } // namespace vp::view

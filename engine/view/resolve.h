@@ -15,21 +15,21 @@
 namespace vp::view
 {
 
-/// What is launched from the sheets.
+/// The particles that start on the sheets, resolved.
 struct LaunchChoice
 {
-	grid::FieldChoice array; // that moves the particles
+	grid::FieldChoice array; // the array that moves the particles
 	TraceKind kind = TraceKind::tufts;
 	vectors::LatticeChoice lattice;
 	double steps = 1.0;
-	std::optional<double> dt; // of a step; none: it follows from the fastest vector and `spacing`
-	double spacing = 1.0;     // about how far the lattice's points are apart, in the grid's units: for widths
+	std::optional<double> dt; // time of a step; if empty, it follows from the fastest vector and `spacing`
+	double spacing = 1.0;     // approximate distance of the lattice's points in the grid's units; widths follow from it
 	vectors::Direction direction = vectors::Direction::forward;
 	vectors::VectorPart part = vectors::VectorPart::whole;
 	bool path_lines = false;
 };
 
-/// What a ViewSpec comes to in a data set: everything is found and placed, and no word is left to be looked up.
+/// A ViewSpec applied to a data set: every name has been looked up, and everything has its place.
 struct ResolvedView
 {
 	std::optional<grid::FieldChoice> field;
@@ -37,58 +37,61 @@ struct ResolvedView
 	std::vector<std::optional<grid::FieldChoice>> sheet_fields;
 	mesh::Corners corners = mesh::Corners::keep;
 	seed::SeedOptions seeds;
-	SurfaceSpec surface; // where it replaces the sheets, else planes: what cuts is in the sheets
+	SurfaceSpec surface; // the surface that replaces the sheets, or planes; the sheets hold any other surface
 	bool crinkle = false;
 	std::optional<find::Threshold> threshold;
-	std::optional<grid::FieldChoice> vector_array; // where one is asked for, or needed
+	std::optional<grid::FieldChoice> vector_array; // filled if the settings ask for it or need it
 	std::optional<LaunchChoice> launch;
 	read::TimeChoice time;
 };
 
-/// Places what the settings say in a data set: arrays are looked up, the probe is built in the bounds. The spec passes
-/// validate(). An input error where the data set has not what is asked for, a usage error where that cannot be.
+/// Applies the settings to a data set: looks up the arrays, and builds the probe in the bounds. The spec must pass
+/// validate(). Returns an input error if the data set lacks something, and a usage error if a setting is impossible for
+/// it.
 Result<ResolvedView> resolve(const ViewSpec& spec, const grid::BlockSet& blocks);
 
-/// The probe where the settings put it in the bounds, hidden sheets included. The spec passes validate().
+/// Builds the probe in the bounds, hidden sheets included. The spec must pass validate().
 probe::Probe makeProbe(const ProbeSpec& spec, const Box& bounds);
 
-/// The surface that replaces the sheets, so much of its way along, 0 to 1; none where there are sheets.
+/// Returns the surface that replaces the sheets, at a place in its range from 0 to 1. Returns nothing if there are
+/// sheets.
 std::optional<find::ListedSurface> listedSurface(const SurfaceSpec& surface, double done);
 
-/// How particles look, the color map read.
+/// The look of particles, with the color map read.
 struct ResolvedVectorLook
 {
-	std::string color;                      // as VectorLookSpec has it
-	std::optional<render::ColorMap> colors; // else see VectorLookSpec
+	std::string color;                      // as in VectorLookSpec
+	std::optional<render::ColorMap> colors; // if empty, see VectorLookSpec
 	std::optional<double> width;
 	double opacity = 1.0;
 };
 
-/// A LookSpec, its color maps read.
+/// A LookSpec with its color maps read.
 struct ResolvedLook
 {
 	render::Look look;
 	render::CameraChoice camera;
 	std::vector<ContextSpec> context;
 	ContourSpec contour;
-	double opacity = 1.0;        // of every sheet
-	bool range_of_slice = false; // without a range: the colors' ends are those of what the sheets show
-	bool symmetric = false;      // and lie alike about 0
-	bool by_generation = false;  // colors tell when the traversal met a cell, instead of the array
-	std::string units;           // of the array, told behind its name
-	bool captions = true;        // where the first sheet is
-	bool window_rims = true;     // lines around windows
+	double opacity = 1.0;        // for every sheet
+	bool range_of_slice = false; // without a range, the colors span the values that the sheets show
+	bool symmetric = false;      // the range is symmetric about 0
+	bool by_generation = false;  // color by generation instead of by the array
+	std::string units;           // units of the array, shown behind its name
+	bool captions = true;        // show the place of the first sheet
+	bool window_rims = true;     // draw lines around windows
 	ResolvedVectorLook vectors;
 };
 
-/// Needs no data set, so it can be done before a large file is read. Reads color maps: an input error where a file does
-/// not serve. The spec passes validate().
+/// Resolves the look, which needs no data set, so it can run before a large file is read. Reads color maps; a file that
+/// is not a color map is an input error. The spec must pass validate().
 Result<ResolvedLook> resolveLook(const ViewSpec& spec);
 
-/// The path of a sweep.
+/// Returns the path of a sweep.
 probe::Path pathOf(const SweepSpec& sweep);
 
-/// How many frames the spec or the path says; a usage error where neither does. 0 over the input's times.
+/// Returns the number of frames that the spec or the path gives, or a usage error if neither does. Returns 0 for a
+/// sweep over the input's times.
 Result<int> frameCount(const SweepSpec& sweep);
 
 } // namespace vp::view

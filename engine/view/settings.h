@@ -13,47 +13,47 @@ namespace vp::view
 
 // The one list of what a state file holds. A new setting is one line in settings.cpp, and a member of ViewSpec.
 
-/// Names of inputs. In the file they are relative to its own folder; demo:NAME stays as it is.
+/// Names of inputs. In the file they are relative to its folder; demo:NAME does not change.
 struct Files
 {
 	std::vector<std::string>* names;
 };
 
-/// One file's name, kept in the same way; empty for none.
+/// The name of one file, kept in the same way; empty for none.
 struct File
 {
 	std::string* name;
 };
 
-/// A built-in one's name, or a .json file's, which is kept in the same way.
+/// The name of a built-in map, or of a .json file, which is kept in the same way.
 struct NameOrFile
 {
 	std::string* name;
 };
 
-/// A value that has a text of its own (words.h). None where it is not set.
+/// A value that is written as text (words.h); empty if it is not set.
 struct Text
 {
 	std::function<std::optional<std::string>()> get;
 	std::function<Status(const std::string&)> set; // the error names neither the setting nor the text
 };
 
-/// Several of them.
+/// Several values of this kind.
 struct Texts
 {
 	std::function<std::vector<std::string>()> get;
 	std::function<Status(const std::vector<std::string>&)> set;
 };
 
-/// So many finite numbers, none where it is not set.
+/// This number of finite numbers; empty if it is not set.
 struct Numbers
 {
-	std::size_t count; // 0: any
+	std::size_t count; // 0 means any number
 	std::function<std::vector<double>()> get;
 	std::function<void(const std::vector<double>&)> set;
 };
 
-/// A built-in one by its name, or one of the user's making, which stands in the state whole.
+/// A built-in thing by its name, or one that the user made, which the state contains as a whole.
 struct ProbeChoice
 {
 	ProbeSpec* probe;
@@ -63,25 +63,25 @@ struct PathChoice
 	SweepSpec* sweep;
 };
 
-/// Where a setting's value lies. An empty string and an absent optional are not written; a key that is left out leaves
-/// the value as it is.
+/// Points to the value of a setting. An empty string or optional is not written. A key that the file lacks does not
+/// change the value.
 using Place =
     std::variant<std::string*, std::optional<std::string>*, int*, std::optional<int>*, double*, std::optional<double>*,
                  bool*, Text, Texts, Numbers, Files, File, NameOrFile, ProbeChoice, PathChoice>;
 
-/// What a number may be; both ends belong to it.
+/// The range of a number, ends included.
 struct Limits
 {
 	double lo;
 	double hi;
-	const char* instead = ""; // what a number below `lo` may have meant
+	const char* instead = ""; // what the user may have meant by a number below `lo`
 };
 
 struct Setting
 {
-	const char* key; // the option's name, _ for -
+	const char* key; // the name of the option, with _ for -
 	Place place;
-	std::optional<Limits> limits{}; // of numbers
+	std::optional<Limits> limits{}; // for numbers
 };
 
 struct Section
@@ -90,21 +90,21 @@ struct Section
 	std::vector<Setting> settings;
 };
 
-/// All of it but what belongs to the machine. The places lie in `spec`.
+/// Returns all settings except those of the machine. They point into `spec`.
 std::vector<Section> sectionsOf(ViewSpec& spec);
 
-/// What belongs to the machine, and is none of a state file. The places lie in `spec`.
+/// Returns the settings of the machine, which no state file holds. They point into `spec`.
 Section machineSection(ViewSpec& spec);
 
-/// Sets any setting by its key, to a value as a command line has it; several numbers or words stand with blanks between
-/// them. A usage error names the key, or the keys there are. The limits of numbers are for validate().
+/// Sets a setting by its key to a value as on a command line; several numbers or words have blanks between them. A
+/// usage error names the key, or lists the known keys. validate() checks the limits of numbers.
 Status setByKey(ViewSpec& spec, std::string_view key, const std::string& text);
 
-/// A name of a path: one of probe::PathKind's, or "times".
+/// The name of a path: one of probe::PathKind, or "times".
 Status setPathKind(SweepSpec& sweep, std::string_view name);
 std::string pathKindText(const SweepSpec& sweep);
 
-/// The reason why a setting's number cannot be; empty where it can.
+/// Returns the reason why a number is impossible for a setting; empty if it is possible.
 std::string refusal(const Setting& setting);
 
 } // namespace vp::view

@@ -5,20 +5,20 @@
 namespace vp::view
 {
 
-/// Tells what cannot be, before any input is read: a usage error that names the setting and the remedy. Numbers out of
-/// their limits, settings that do not go together. A data set may still lack what is asked for; resolve() tells that.
+/// Checks the settings before any input is read: numbers within their limits, settings that fit together. A usage error
+/// names the setting and the remedy. Whether a data set has what the settings ask for is checked by resolve().
 Status validate(const ViewSpec& spec);
 
-/// Of what shows one surface: a usage error where a range of grid surfaces is given.
+/// For commands that show one surface: returns a usage error for a range of grid surfaces.
 Status requireOneSurface(const ProbeSpec& probe);
 
-/// Of a sweep: a usage error where the path is none for a surface.
+/// For sweeps: returns a usage error if the path does not move the surface.
 Status requirePathOfSurface(const ProbeSpec& probe, const SweepSpec& sweep);
 
-/// Colors by generation are of traversals, and a grid surface is found without: a usage error.
+/// Returns a usage error for colors by generation on a grid surface, which is found without a traversal.
 Status refuseGenerations(const ProbeSpec& probe, ColorBy color_by);
 
-/// Of what needs planes: flat pictures, lines through a sheet. A usage error.
+/// For flat pictures and lines through a sheet: returns a usage error if the sheets are not planes.
 Status requirePlanes(const ProbeSpec& probe);
 
 } // namespace vp::view

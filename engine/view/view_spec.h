@@ -29,18 +29,18 @@ namespace vp::view
 {
 
 // Everything that a user can set, as typed values. A command line, the panels of a window, a state file and a program
-// that embeds the library all make a ViewSpec. A default is what holds where nothing is set.
+// that embeds the library all make a ViewSpec. The defaults apply to what is not set.
 //
-// validate() (validate.h) tells what cannot be; settings.h says how each value is written as text; resolve() places
-// it all in a data set.
+// validate() (validate.h) checks the values; settings.h says how each value is written as text; resolve() applies them
+// to a data set.
 
 struct InputSpec
 {
 	std::vector<std::string> files; // or demo:NAME[:N]; several make one block set
 	read::TimeChoice time{};
-	std::string solution;  // of PLOT3D, where its name does not follow from the grid's
+	std::string solution;  // PLOT3D solution file, if its name does not follow from the grid's name
 	int refine = 0;        // 0 to read::kMaxRefine: how often the linear parts of curved cells are halved
-	double displace = 0.0; // points of Exodus files move by their displacements, times this
+	double displace = 0.0; // factor for the displacements of points in Exodus files
 
 	bool operator==(const InputSpec&) const = default;
 };
@@ -54,62 +54,63 @@ enum class ProbeShape : std::uint8_t
 	own // ProbeSpec::own
 };
 
-/// What takes the place of a probe's planes: nothing, a surface about each sheet's frame, grid surfaces from one index
-/// to another, or patches of the boundary. The last two take the place of the sheets too.
+/// What replaces the planes of a probe: nothing, a surface about the frame of each sheet, grid surfaces from one index
+/// to another, or patches of the boundary. The last two replace the sheets as well.
 using SurfaceSpec = std::variant<std::monostate, surface::ImplicitSurface, surface::GridIndexRange, find::PatchName>;
 
-/// Whether the surface takes the place of the sheets, which then are not cut at all.
+/// Returns true if the surface replaces the sheets, so that no sheet is cut.
 bool replacesSheets(const SurfaceSpec& surface);
 
-/// Null where it is none.
+/// Returns the implicit surface, or null.
 const surface::ImplicitSurface* implicitSurface(const SurfaceSpec& surface);
 
 enum class TraceKind : std::uint8_t
 {
-	tufts, // arrows, one step long
+	tufts, // arrows of one step
 	lines,
-	ribbons, // turned with the flow
+	ribbons, // they turn with the flow
 	tubes
 };
 
 /// The particles that start on the sheets.
 struct VectorSpec
 {
-	std::optional<TraceKind> kind; // none: nothing is launched
-	std::string array;             // of three components, "[point:|cell:]NAME"; empty: the first there is
+	std::optional<TraceKind> kind; // empty: nothing is launched
+	std::string array;             // of three components, "[point:|cell:]NAME"; empty: the first such array
 	int lattice = 20;              // points along the longer side of a window, 1 to kMaxLattice
-	double jitter = 0.0;           // 0 to 1: how far points stray within their squares
-	std::optional<double> steps;   // 0 or more; else by the kind
-	std::optional<double> dt;      // time of a step, above 0; else from the fastest and the lattice's spacing
+	double jitter = 0.0;           // 0 to 1: random shift of the points within their squares
+	std::optional<double> steps;   // 0 or more; if empty, it depends on the kind
+	std::optional<double>
+	    dt; // time of a step, above 0; if empty, it follows from the fastest particle and the lattice's spacing
 	vectors::Direction direction = vectors::Direction::forward;
 	vectors::VectorPart part = vectors::VectorPart::whole;
-	bool path_lines = false; // the field changes while particles go
+	bool path_lines = false; // the field changes while particles move
 
 	bool on() const { return kind.has_value(); }
-	/// A tuft shows one step; what else there is follows particles a long way.
+	/// A tuft shows one step; the other kinds follow particles a long way.
 	double stepsOrDefault() const { return steps.value_or(kind == TraceKind::tufts ? 1.0 : 200.0); }
 	bool operator==(const VectorSpec&) const = default;
 };
 
-constexpr int kMaxLattice = 1000; // more would be more points than a screen has pixels
+constexpr int kMaxLattice = 1000; // a screen has fewer pixels than points beyond this
 
-/// What is cut, and what of it is shown.
+/// What is cut, and which values are shown.
 struct ProbeSpec
 {
 	ProbeShape shape = ProbeShape::single;
-	std::optional<probe::ProbeFile> own{};   // where the shape is `own`
-	std::optional<Vec3> origin;              // where the hot spot stands; none: the center of the bounds
-	std::optional<Vec3> normal;              // not zero; none: z
-	std::optional<Vec3> up;                  // not zero, made perpendicular to the normal; none: y
-	std::optional<probe::WindowSize> window; // none: sheets cover the whole slice
+	std::optional<probe::ProbeFile> own{};   // filled if the shape is `own`
+	std::optional<Vec3> origin;              // place of the hot spot; empty: the center of the bounds
+	std::optional<Vec3> normal;              // not zero; empty: z
+	std::optional<Vec3> up;                  // not zero, made perpendicular to the normal; empty: y
+	std::optional<probe::WindowSize> window; // empty: sheets cover the whole cut
 	SurfaceSpec surface{};
-	bool crinkle = false;                 // the whole cells that are cut
-	std::optional<int> vanes;             // of a paddlewheel, 1 to kMaxSheets
-	std::vector<double> offsets;          // of a stack, along the normal
-	std::optional<int> sheets;            // of a stack: so many, spread evenly over the bounds
-	std::optional<mesh::Corners> corners; // none: keep
-	std::string array;                    // that is shown, "[point:|cell:]NAME"; empty: the first there is
-	std::optional<int> component;         // from 0, or grid::kMagnitude; none: the magnitude of a vector
+	bool crinkle = false;                 // show the cut cells whole
+	std::optional<int> vanes;             // for a paddlewheel, 1 to kMaxSheets
+	std::vector<double> offsets;          // for a stack, along the normal
+	std::optional<int> sheets;            // for a stack: number of sheets, spread evenly over the bounds
+	std::optional<mesh::Corners> corners; // empty: keep
+	std::string array;                    // the shown array, "[point:|cell:]NAME"; empty: the first array
+	std::optional<int> component;         // from 0, or grid::kMagnitude; empty: the magnitude of a vector
 	std::optional<find::Threshold> threshold;
 	seed::SeedMode seeds = seed::SeedMode::automatic;
 	seed::OutsidePolicy outside = seed::OutsidePolicy::nearest;
@@ -125,14 +126,14 @@ enum class Classify : std::uint8_t
 	cpu
 };
 
-/// What belongs to the machine, and is none of a state file.
+/// Settings of the machine, which no state file holds.
 struct MachineSpec
 {
 	Classify classify = Classify::automatic;
 	std::string device;                        // a part of its name, or its number; empty: the best
-	int threads = 0;                           // at most; 0: one a core
-	std::optional<find::Strategy> strategy{};  // none: the plan's own choice
-	std::optional<find::VisitedSet> visited{}; // given, cells are found by generations
+	int threads = 0;                           // largest number of threads; 0: one per core
+	std::optional<find::Strategy> strategy{};  // empty: the plan chooses
+	std::optional<find::VisitedSet> visited{}; // if given, cells are found by generations
 
 	bool operator==(const MachineSpec&) const = default;
 };
@@ -148,7 +149,7 @@ struct PictureSize
 enum class ColorBy : std::uint8_t
 {
 	array,
-	generation // when the traversal met a polygon's cell
+	generation // the generation in which the traversal met the cell
 };
 
 enum class RangeOf : std::uint8_t
@@ -159,72 +160,73 @@ enum class RangeOf : std::uint8_t
 
 enum class AxesStyle : std::uint8_t
 {
-	corner, // where x, y and z point
-	box,    // numbers along edges of the bounds
+	corner, // arrows of x, y and z in a corner
+	box,    // numbers along the edges of the bounds
 	none
 };
 
-/// How what is launched looks.
+/// The look of particles.
 struct VectorLookSpec
 {
-	std::string color;           // an array's name, or a color; empty: the vector's length
-	std::string colormap;        // as LookSpec::colormap; empty: that of the sheets for their array, else another
-	std::optional<double> width; // in the grid's units, above 0; none: a share of the lattice's spacing
+	std::string color; // name of an array, or a color; empty: the length of the vector
+	std::string
+	    colormap; // like LookSpec::colormap; empty: the map of the sheets for the same array, otherwise another map
+	std::optional<double> width; // in the grid's units, above 0; empty: a share of the lattice's spacing
 	double opacity = 1.0;        // 0 to 1
 
 	bool operator==(const VectorLookSpec&) const = default;
 };
 
-/// Surfaces that grow from the sheets.
+/// Surfaces of one value that grow from the sheets.
 struct ContourSpec
 {
-	std::vector<double> values;                  // of every sheet
-	std::optional<std::pair<double, double>> at; // U and V on the first sheet, whose value there is taken
-	double depth = 0.0;                          // of the box, in the grid's units; 0: it follows from the window
+	std::vector<double> values;                  // for every sheet
+	std::optional<std::pair<double, double>> at; // U and V on the first sheet; the value at this place is used
+	double depth = 0.0;                          // depth of the box in the grid's units; 0: it follows from the window
 	double opacity = 1.0;                        // 0 to 1
 
 	bool isGiven() const { return !values.empty() || at; }
 	bool operator==(const ContourSpec&) const = default;
 };
 
-/// How it looks.
+/// The look of the picture.
 struct LookSpec
 {
 	PictureSize size{};
-	int samples = 8;                  // a pixel, 1 to render::kMaxSamples
-	std::string colormap = "viridis"; // a name, or FILE.json[:PRESET]; with _r behind it reversed
+	int samples = 8;                  // per pixel, 1 to render::kMaxSamples
+	std::string colormap = "viridis"; // a name, or FILE.json[:PRESET]; a following _r reverses it
 	ColorBy color_by = ColorBy::array;
-	std::optional<std::pair<double, double>> range; // of the colors, lower below higher
+	std::optional<std::pair<double, double>> range; // range of the colors, lower value first
 	RangeOf range_of = RangeOf::data;
-	bool symmetric = false; // the ends of the colors lie alike about 0
+	bool symmetric = false; // the range of the colors is symmetric about 0
 	bool logarithmic = false;
-	double opacity = 1.0; // 0 to 1, of every sheet
-	int lines = 0;        // about so many contour lines, 0 to render::kMaxLevels
-	int bands = 0;        // about so many bounds between bands
-	bool mesh = false;    // the edges of polygons
+	double opacity = 1.0; // 0 to 1, for every sheet
+	int lines = 0;        // approximate number of contour lines, 0 to render::kMaxLevels
+	int bands = 0;        // approximate number of bounds between bands
+	bool mesh = false;    // draw the edges of polygons
 	bool lit = false;
 	render::Background background{};
 	render::CameraChoice camera{};
 	render::Outline outline = render::Outline::box;
-	std::vector<ContextSpec> context{}; // drawn around the sheets
+	std::vector<ContextSpec> context{}; // surfaces around the sheets
 	AxesStyle axes = AxesStyle::corner;
 	bool no_legend = false;
 	bool no_labels = false;
-	std::string units{};                // of the array; empty: the file's
-	std::string length_units{};         // of the coordinates; empty: the file's
-	std::optional<std::string> title{}; // none: the input's name
+	std::string units{};                // units of the array; empty: those of the file
+	std::string length_units{};         // units of the coordinates; empty: those of the file
+	std::optional<std::string> title{}; // empty: the name of the input
 	VectorLookSpec vectors{};
 	ContourSpec contour{};
 
 	bool operator==(const LookSpec&) const = default;
 };
 
-/// How a probe is swept.
+/// The sweep of a probe.
 struct SweepSpec
 {
-	std::optional<probe::Path> own{}; // goes before `kind`
+	std::optional<probe::Path> own{}; // takes precedence over `kind`
 	probe::PathKind kind = probe::PathKind::translate;
-	bool over_times = false; // the probe stands still, and the input's times go by
+	bool over_times = false; // the probe stands still while the input's times go by
 	std::optional<int> frames{};
 	double frames_per_second = 25.0; // above 0
 	bool there_and_back = false;

@@ -17,7 +17,7 @@ namespace vp::view
 //     Result<T> parse(std::string_view text, T* = nullptr)   a usage error that names neither the setting nor the text
 //     std::string text(const T& value)                       read again it is the same value
 
-/// The words of an enumeration, as pairs of a value and its word.
+/// The words of an enumeration: pairs of a value and its word.
 template <class Enum>
 struct Names;
 
@@ -61,7 +61,7 @@ struct Names<Classify>
 	                                   std::pair{Classify::cpu, "cpu"}};
 };
 template <>
-struct Names<ProbeShape> // one's own has no word
+struct Names<ProbeShape> // an own probe has no word
 {
 	static constexpr std::array kWords{
 	    std::pair{ProbeShape::single, "single"}, std::pair{ProbeShape::trihedral, "trihedral"},
@@ -138,7 +138,7 @@ const char* text(const T& value)
 	return "";
 }
 
-/// A usage error: "takes A, B or C".
+/// Returns a usage error: "takes A, B or C".
 Error noneOf(const std::vector<std::string>& words);
 
 template <Named T>
@@ -150,13 +150,13 @@ Result<T> parse(std::string_view text, T* = nullptr)
 	return noneOf(wordsOf<T>());
 }
 
-/// Three numbers, or x, y or z: not zero.
+/// Three numbers that are not all zero, or x, y or z.
 Result<Vec3> parseDirection(std::string_view text);
-std::string directionText(const Vec3& direction); // three numbers, for programs that read them
+std::string directionText(const Vec3& direction); // three numbers, so that programs can read them
 
-/// Anything but planes, see implicit_surface.h, grid_index.h: "patch=NAME".
+/// A surface other than planes (implicit_surface.h, grid_index.h), or "patch=NAME".
 Result<SurfaceSpec> parseSurface(const std::string& text);
-std::string surfaceText(const SurfaceSpec& surface); // empty: planes
+std::string surfaceText(const SurfaceSpec& surface); // empty for planes
 
 Result<PictureSize> parseSize(std::string_view text); // WxH
 std::string sizeText(const PictureSize& size);

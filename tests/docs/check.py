@@ -54,8 +54,11 @@ def check(path, root):
 
 def main():
     root = pathlib.Path(__file__).resolve().parents[2]
-    listed = subprocess.run(['git', '-C', root, 'ls-files', '*.md'], capture_output=True, text=True)
-    if listed.returncode:
+    try:
+        listed = subprocess.run(['git', '-C', root, 'ls-files', '*.md'], capture_output=True, text=True)
+    except FileNotFoundError:
+        listed = None
+    if listed is None or listed.returncode:
         print('no version control here, so nobody knows which documents belong to the project')
         return 77
     findings = 0

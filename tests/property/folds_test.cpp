@@ -1,5 +1,6 @@
 #include "lattice_sets.h"
 #include "sliced_sheet.h"
+#include "test_grids.h"
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,55 @@ TEST(Folds, OnlyCellsAboutThePeakAreListed)
 		const grid::BlockSet set = build(peaked(kind, {0.0, 0.0, 1.4}));
 		EXPECT_GE(set.blocks[0].inverted.size(), 4u);
 		EXPECT_LE(set.blocks[0].inverted.size(), kind == LatticeKind::polyhedra ? 32u : 8u);
+	}
+}
+
+// Five tetrahedra in each box of a lattice, as programs write them: the middle one, or every one of some boxes, runs
+// the other way round. A point that is pulled through the opposite side of its cells folds the grid there.
+TEST(Folds, AreFoundAmongCellsNumberedBothWays)
+{
+	constexpr int n = 4;
+	const auto build = [&](bool folded)
+	{
+		CellListMaker maker;
+		for (int k = 0; k <= n; ++k)
+			for (int j = 0; j <= n; ++j)
+				for (int i = 0; i <= n; ++i)
+					maker.point(folded && i == 2 && j == 2 && k == 2 ? Vec3(2.0, 2.0, 3.4) : Vec3(i, j, k));
+		const auto id = [=](int i, int j, int k) { return static_cast<std::int64_t>((k * (n + 1) + j) * (n + 1) + i); };
+		int cell = 0;
+		for (int k = 0; k < n; ++k)
+			for (int j = 0; j < n; ++j)
+				for (int i = 0; i < n; ++i)
+				{
+					const std::array<std::int64_t, 8> p{
+					    id(i, j, k),     id(i + 1, j, k),     id(i + 1, j + 1, k),     id(i, j + 1, k),
+					    id(i, j, k + 1), id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1)};
+					constexpr int kEven[5][4] = {{0, 1, 3, 4}, {1, 2, 3, 6}, {1, 4, 5, 6}, {3, 4, 6, 7}, {1, 3, 4, 6}};
+					constexpr int kOdd[5][4] = {{0, 1, 2, 5}, {0, 2, 3, 7}, {0, 4, 5, 7}, {2, 5, 6, 7}, {0, 2, 5, 7}};
+					for (const auto& corners : (i + j + k) % 2 ? kOdd : kEven)
+					{
+						std::vector<std::int64_t> points;
+						for (const int corner : corners)
+							points.push_back(p[corner]);
+						if (++cell % 3 == 0)
+							std::swap(points[0], points[1]);
+						maker.cell(10, points);
+					}
+				}
+		return maker.block("tetrahedra");
+	};
+	EXPECT_TRUE(build(false).inverted.empty());
+	const grid::Block folded = build(true);
+	EXPECT_FALSE(folded.inverted.empty());
+	EXPECT_LE(folded.inverted.size(), 32u);
+	grid::BlockSet set;
+	set.blocks.push_back(folded);
+	cut::Cutter cutter(set);
+	for (int step = 1; step < 40; ++step)
+	{
+		const TestPlane plane{{2.5, 2.5, 0.1 * step + 0.01}, {0.02, 0.03, 1}};
+		EXPECT_EQ(cut(cutter, plane).cutCells(), scanCutCells(folded, plane)) << plane.origin.z;
 	}
 }
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace vp::grid
@@ -28,6 +29,7 @@ public:
 	explicit Turns(std::size_t cells) : turns_(new Turn[cells]), cells_(cells) {}
 
 	Turn& operator[](std::size_t cell) { return turns_[cell]; }
+	Turn operator[](std::size_t cell) const { return turns_[cell]; }
 
 	// The cells that are not turned as most are, ascending. Mixed ones have no voice.
 	std::vector<CellId> minority() const
@@ -159,6 +161,56 @@ bool isSteady(const RectilinearGrid& grid)
 	return true;
 }
 
+// Whether one of two cells of table shapes lies on each side of the face that they share: face f of `cell`. False where
+// their faces do not have the same points. A cell's faces run counter-clockwise seen from outside if it is turned
+// positively, and clockwise otherwise. So on opposite sides of a face two cells that are turned alike run around it in
+// opposite senses, and two cells that are turned otherwise in the same sense.
+bool lieOnOppositeSides(const UnstructuredGrid& grid, const Turns& turns, CellId cell, int f, CellId other)
+{
+	if (turns[other] == Turn::mixed || grid.shape(other) == CellShape::polyhedron)
+		return false;
+	const CellPoints points = grid.cellPoints(cell);
+	const auto corners = topology(grid.shape(cell)).facePoints(f);
+	const CellPoints other_points = grid.cellPoints(other);
+	const ShapeTopology& shape = topology(grid.shape(other));
+	const auto has = [&](std::span<const std::uint8_t> face, PointId point)
+	{ return std::ranges::any_of(face, [&](std::uint8_t v) { return other_points.id[v] == point; }); };
+	for (int g = 0; g < shape.faces; ++g)
+	{
+		const auto face = shape.facePoints(g);
+		if (face.size() != corners.size() ||
+		    !std::ranges::all_of(corners, [&](std::uint8_t v) { return has(face, points.id[v]); }))
+			continue;
+		// Around the other's face, what follows the first point: the second point, or what comes before the first?
+		const PointId first = points.id[corners[0]];
+		const PointId second = points.id[corners[1]];
+		for (std::size_t i = 0; i < face.size(); ++i)
+		{
+			const PointId a = other_points.id[face[i]];
+			const PointId b = other_points.id[face[(i + 1) % face.size()]];
+			if (first != second && ((a == first && b == second) || (a == second && b == first)))
+				return (a == first) == (turns[cell] != turns[other]);
+		}
+	}
+	return false;
+}
+
+// Whether a cell of a table shape is turned one way, and lies across from the neighbors of all its faces.
+bool isSoundAmongNeighbors(const UnstructuredGrid& grid, const Turns& turns, CellId cell)
+{
+	if (turns[cell] == Turn::mixed)
+		return false;
+	bool sound = true;
+	for (int f = 0; f < grid.faceCount(cell); ++f)
+	{
+		int across = 0;
+		grid.forEachNeighbor(cell, f,
+		                     [&](CellId other)
+		                     { sound = sound && ++across == 1 && lieOnOppositeSides(grid, turns, cell, f, other); });
+	}
+	return sound;
+}
+
 // Sees how the polyhedra of a grid lie among their neighbors.
 class PolyhedronTurns
 {
@@ -284,22 +336,24 @@ std::vector<CellId> foldedCells(const UnstructuredGrid& grid)
 	            });
 	std::vector<CellId> cells = turns.minority();
 	const auto isPolyhedron = [&](CellId c) { return grid.shape(c) == CellShape::polyhedron; };
-	if (std::ranges::none_of(cells, isPolyhedron))
-		return cells;
-	const PolyhedronTurns polyhedra(grid);
+	std::optional<PolyhedronTurns> polyhedra;
+	if (std::ranges::any_of(cells, isPolyhedron))
+		polyhedra.emplace(grid);
 	std::vector<std::uint8_t> sound(cells.size(), 0);
 	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells.size(), 256),
 	                  [&](const auto& range)
 	                  {
 		                  PolyhedronTurns::Work work;
 		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-			                  sound[i] = isPolyhedron(cells[i]) && polyhedra.isSound(cells[i], work);
+			                  sound[i] = isPolyhedron(cells[i]) ? polyhedra->isSound(cells[i], work)
+			                                                    : isSoundAmongNeighbors(grid, turns, cells[i]);
 	                  });
 	std::size_t kept = 0;
 	for (std::size_t i = 0; i < cells.size(); ++i)
 		if (!sound[i])
 			cells[kept++] = cells[i];
 	cells.resize(kept);
+	cells.shrink_to_fit();
 	return cells;
 }
 

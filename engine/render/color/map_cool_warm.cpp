@@ -1,5 +1,5 @@
-#include "render/color/color_spaces.h"
 #include "render/color/color_map_list.h"
+#include "render/color/color_spaces.h"
 
 namespace vp::render
 {

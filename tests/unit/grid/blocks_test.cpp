@@ -75,14 +75,17 @@ TEST(Blocks, SoundGridsHaveNoInvertedCells)
 		EXPECT_TRUE(test::gridNamed(name).inverted.empty()) << name;
 }
 
-TEST(Blocks, InvertedCellsAreTheFew)
+// Some cells list their points the other way round. They lie where they would lie otherwise: nothing is folded.
+TEST(Blocks, CellsNumberedTheOtherWayAreNoFolds)
 {
 	const Block& block = test::gridNamed("inverted");
 	const auto& grid = std::get<UnstructuredGrid>(block.grid);
-	EXPECT_GT(block.inverted.size(), 5u);
+	EXPECT_TRUE(block.inverted.empty());
 	CellFaces faces;
+	std::size_t negative = 0;
 	for (CellId c = 0; c < grid.cellCount(); ++c)
-		EXPECT_EQ(std::ranges::binary_search(block.inverted, c), signedVolume(grid, c, faces) < 0.0) << c;
+		negative += signedVolume(grid, c, faces) < 0.0;
+	EXPECT_GT(negative, 5u);
 }
 
 TEST(Blocks, VantagePointsSpread)

@@ -210,10 +210,11 @@ TEST(Seeds, FacesInThePlaneAreThoseNoCutCellShows)
 	}
 }
 
-TEST(Seeds, InvertedCellsSeed)
+TEST(Seeds, CellsAtFoldsSeed)
 {
-	const grid::Block& block = gridNamed("inverted");
-	ASSERT_FALSE(block.inverted.empty());
+	grid::Block block = gridNamed("inverted");
+	block.inverted = {3, 9, 17, 40}; // as if the grid were folded there
+	std::visit([&](const auto& grid) { block.inverted_tree = grid::BlockTree(grid, block.inverted); }, block.grid);
 	const grid::BlockSet set = setOf(block);
 	for (const TestPlane& plane : randomPlanes(block.bounds, 20, 84))
 	{
