@@ -18,13 +18,13 @@ class Timeline;
 namespace vp::contour
 {
 
-// The iso surface of one value within a sheet's clip box: those of its pieces there that touch the sheet. Linear along
-// the grid's edges, as every iso surface here.
+// The iso surface of one value within the box of a sheet: the pieces that touch the sheet. It is linear along the
+// grid's edges, like every iso surface here.
 struct Contour
 {
 	double value = 0.0;
-	mesh::SheetMesh mesh;        // winds to where the values rise
-	std::size_t components = 0;  // pieces, see measure/components.h
+	mesh::SheetMesh mesh;        // polygons face the side where the values rise
+	std::size_t components = 0;  // number of pieces, see measure/components.h
 	std::size_t cells = 0;       // that the mesh has polygons of
 	std::size_t seeds = 0;       // cells of generation 0
 	std::size_t generations = 0; // of the growth

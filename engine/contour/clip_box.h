@@ -18,7 +18,7 @@ public:
 	// From `lo` to `hi` along the frame's x and y axes and its normal, from its origin, in the grid's units.
 	ClipBox(const probe::Frame& frame, const Vec3& lo, const Vec3& hi);
 
-	// Whether a face is cut within the box.
+	// Returns true if a face is cut within the box.
 	template <class G, class Surface>
 	bool meetsFace(const G& grid, const Surface& surface, std::span<const PointId> face) const
 	{
@@ -60,7 +60,7 @@ public:
 	const probe::Frame& frame() const { return frame_; }
 	const Vec3& lo() const { return box_.lo; }
 	const Vec3& hi() const { return box_.hi; }
-	// Along the box's axes from the frame's origin.
+	// Coordinates along the axes of the box, from the origin of the frame.
 	Vec3 inBox(const Vec3& p) const
 	{
 		const Vec3 from = p - frame_.origin;
@@ -78,7 +78,7 @@ private:
 		return seed::findCuts(
 		    grid, surface, face, [this](const Vec3& p) { return inBox(p); }, cuts);
 	}
-	bool holdsPartOf(const Box& section) const; // in the box's coordinates
+	bool holdsPartOf(const Box& section) const; // in the coordinates of the box
 	// By more than rounding.
 	bool holds(const Vec3& place) const
 	{

@@ -11,7 +11,7 @@
 namespace vp::find
 {
 
-/// What a strategy found of a sheet in one block: cells with their case codes, or runs of cells.
+/// What a strategy found for a sheet in one block: cells with their case codes, or runs of cells.
 struct BlockCut
 {
 	std::variant<CellCut, SpanCut> found;
@@ -21,19 +21,18 @@ struct BlockCut
 	const SpanCut& spans() const { return std::get<SpanCut>(found); } // where it has them
 
 	std::size_t cutCells() const { return hasSpans() ? spans().cells.cut : cells().cut_cells; }
-	/// Those that a search looked at, whether they turned out to be cut or not. 0 where there was no search, but a
-	/// scan.
+	/// Number of cells that a search looked at, cut or not. 0 after a scan.
 	std::size_t touchedCells() const
 	{
 		if (hasSpans())
 			return spans().cells.looked_at;
 		return cells().scanned > 0 ? 0 : cells().cells.size();
 	}
-	/// Those that a scan looked at: all of the block. 0 where there was no scan.
+	/// Number of cells that a scan looked at: all cells of the block. 0 without a scan.
 	std::size_t scannedCells() const { return hasSpans() ? 0 : cells().scanned; }
-	/// Generations until the last cell of the block was found; 0 where none were needed.
+	/// Number of generations until the last cell of the block was found; 0 without generations.
 	std::size_t steps() const { return hasSpans() ? spans().classified_at_once : cells().steps; }
-	/// Cells of the widest generation.
+	/// Number of cells in the widest generation.
 	std::size_t frontMax() const
 	{
 		return hasSpans() ? spans().classified_at_once * spans().cells.cut : cells().frontMax();
@@ -54,7 +53,8 @@ void forEachCutCell(const grid::Block& block, const BlockCut& cut, Visit&& visit
 	std::visit([&](const auto& found) { forEachCutCell(block, found, visit); }, cut.found);
 }
 
-/// The cut cells as one generation, for a device: of cells beside a window it would say that they are cut.
+/// Returns the cut cells as one generation for a device, without cells beside the window, which a device would count as
+/// cut.
 inline CellCut asOneFront(const grid::Block& block, const BlockCut& cut)
 {
 	std::vector<CellId> cells;

@@ -12,23 +12,24 @@
 namespace vp::find
 {
 
-// Which cells a flood has met, one bit each, and which words of 64 bits are not empty: so they are listed in ascending
-// order without a sort, and cleared, in time that follows their number and N / 4096.
+// Remembers which cells a flood has met: one bit per cell, and one bit for each word of 64 bits that is not empty. So
+// the cells can be listed in ascending order without a sort, and cleared, in time that depends on their number and on N
+// / 4096.
 class CellMarks
 {
 public:
 	explicit CellMarks(std::size_t cells);
 
-	// What a thread marks with; to be kept by value.
+	// A thread marks cells with a pen, which it keeps by value.
 	class Pen
 	{
 	public:
 		explicit Pen(CellMarks& marks) : words_(marks.words_.get()), groups_(marks.groups_.get()) {}
 
-		// True where the cell had no mark yet. Not exact among threads, since no bus is locked (a locked exchange takes
-		// longer than all else that is done to a cell): it may be true for several callers, and one may undo the
-		// other's mark of another cell. So cells met are to be kept besides, and given to settle() when all have come
-		// to rest.
+		// Marks a cell. Returns true if the cell had no mark. This is not exact between threads, because nothing is
+		// locked (a locked exchange would take longer than all other work for a cell): several callers may get true,
+		// and one may undo the mark of another cell. So keep the cells that were met, and give them to settle() when
+		// all threads are done.
 		bool mark(CellId cell) const
 		{
 			const std::uint64_t bit = 1ull << cell % 64;
@@ -50,14 +51,14 @@ public:
 		std::atomic<std::uint64_t>* groups_;
 	};
 
-	// Makes certain that a cell is marked. Thread safe beside itself, not beside pens.
+	// Makes sure that a cell is marked. Several threads may call it, but not while pens are in use.
 	void settle(CellId cell)
 	{
 		setBit(words_[cell / 64], 1ull << cell % 64);
 		setBit(groups_[cell / 4096], 1ull << cell / 64 % 64);
 	}
 
-	// Once all are settled: the cells in ascending order. Makes rank() known.
+	// Call this when all cells are settled: returns them in ascending order, and prepares rank().
 	std::vector<CellId> list();
 	// The place of a marked cell in the list.
 	std::uint32_t rank(CellId cell) const
@@ -65,12 +66,12 @@ public:
 		const std::uint64_t below = (1ull << cell % 64) - 1;
 		return ranks_[cell / 64] + countBits(words_[cell / 64].load(std::memory_order_relaxed) & below);
 	}
-	void clear(); // of what list() gave
+	void clear(); // number of cells that list() returned
 
 	std::size_t bytes() const { return ranks_.size() * (8 + 4) + group_count_ * 8; }
 
 private:
-	// In sums of ever wider fields. std::popcount calls a function where the machine is not known to have the
+	// Counts bits in sums of wider and wider fields. std::popcount would call a function on machines that may lack the
 	// instruction.
 	static std::uint32_t countBits(std::uint64_t word)
 	{
@@ -92,7 +93,7 @@ private:
 
 	std::unique_ptr<std::atomic<std::uint64_t>[]> words_;
 	std::unique_ptr<std::atomic<std::uint64_t>[]> groups_;
-	RawVector<std::uint32_t> ranks_; // of the first cell of a word that is not empty
+	RawVector<std::uint32_t> ranks_; // rank of the first cell in a word that is not empty
 	std::size_t group_count_;
 };
 

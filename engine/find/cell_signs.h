@@ -11,10 +11,10 @@
 namespace vp::find
 {
 
-// The code of each case of a table shape, kCodeWalk set where the table has no entry for it.
+// Returns the code of each case of a table shape. kCodeWalk is set if the table has no entry for the case.
 const std::uint32_t* caseCodes(grid::CellShape shape);
 
-// The code of a cell of a table shape, kCodeWalk set where the table has no entry for its case.
+// Returns the code of a cell of a table shape. kCodeWalk is set if the table has no entry for its case.
 template <class G, class Surface>
 std::uint32_t classifyByTable(const G& grid, const Surface& surface, CellId cell, grid::CellShape shape)
 {

@@ -10,15 +10,15 @@
 namespace vp::find
 {
 
-// The traversal of cells of any shape in no generations: a cell is classified, and its neighbors queued, whenever a
-// core is free, with what comes next fetched from memory in advance. Cells and codes are those of breadthFirst(), in
-// ascending order of the cells: the same for any number of threads.
+// Traverses cells of any shape without generations: whenever a core is free, it classifies a cell and queues its
+// neighbors. Memory for the next cells is fetched in advance. Finds the same cells and codes as breadthFirst(), in
+// ascending order of the cells. The result does not depend on the number of threads.
 //
-// With a window (or null) only cells whose section reaches into it count as cut and are left; those beside them are in
-// the list, not cut.
+// window: or null. With a window, only cells whose section reaches into it count as cut, and the traversal goes on from
+// them. Cells beside them are in the list, but not cut.
 //
-// bounds: of the points that cells have. seeds: any cells; those that are not cut do no harm. marks: for the cells of
-// this grid, and empty.
+// bounds: of the points that cells use. seeds: any cells; cells that are not cut do no harm. marks: empty, for the
+// cells of this grid.
 CellCut floodCells(const grid::UnstructuredGrid& grid, const surface::Plane& plane, const Box& bounds,
                    const seed::SheetWindow* window, std::span<const CellId> seeds, CellMarks& marks);
 

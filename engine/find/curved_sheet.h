@@ -16,7 +16,8 @@
 namespace vp::find
 {
 
-// The ranges of arrays in the leaves of block trees, kept from cut to cut: the last array of each block. Thread safe.
+// Keeps the ranges of an array in the leaves of the block trees from cut to cut, for the last array of each block.
+// Thread safe.
 class ValueRanges
 {
 public:
@@ -24,7 +25,7 @@ public:
 
 	std::shared_ptr<const surface::LeafValues> of(std::size_t number, const grid::Block& block,
 	                                              const grid::Field& field, int component);
-	void forget(); // the arrays hold other values now
+	void forget(); // call this when the values of the arrays change
 	std::size_t bytes() const;
 
 private:
@@ -49,7 +50,8 @@ std::vector<surface::BlockSurface> isoSurfaces(const grid::BlockSet& blocks, dou
                                                const std::optional<grid::FieldChoice>& field,
                                                ValueRanges* ranges = nullptr);
 
-// Turns down cells with a value that is NaN or infinite; empty where there are none, or the surface is not of values.
+// Returns a filter that rejects cells with a NaN or infinite value. It is empty if there are no such values, or if the
+// surface does not depend on values.
 grid::CellFilter finiteCells(const grid::Block& block, const surface::BlockSurface& surface);
 
 } // namespace vp::find

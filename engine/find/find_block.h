@@ -15,7 +15,7 @@
 namespace vp::find
 {
 
-/// What the cuts of a block borrow and give back, kept from cut to cut. Thread safe.
+/// Memory that cuts of a block borrow and give back, kept from cut to cut. Thread safe.
 struct BlockStores
 {
 	explicit BlockStores(const grid::Block& block);
@@ -24,13 +24,13 @@ struct BlockStores
 	Pool<SpanStore> rows;  // for spans, of curvilinear grids
 	Pool<CellMarks> marks; // for cells, of unstructured grids
 
-	std::size_t bytes() const; // while nothing is borrowed
+	std::size_t bytes() const; // call this only while nothing is borrowed
 };
 
-/// The cut of a plane sheet in a block by a strategy that needs no generations: rows, spans or cells, which the block's
-/// plan has chosen. Every block is searched from seeds of its own, so that nothing has to be followed across seams.
+/// Cuts a plane sheet in a block by a strategy without generations, as the plan of the block says: rows, spans or
+/// cells. Every block has its own seeds, so the search does not cross seams.
 ///
-/// seeds: as of seed::findSeeds(); rows need none.
+/// seeds: from seed::findSeeds(); rows need none.
 BlockCut findInBlock(Strategy strategy, const grid::Block& block, const probe::Sheet& sheet,
                      std::span<const CellId> seeds, BlockStores& stores);
 

@@ -13,13 +13,13 @@
 namespace vp::find
 {
 
-// The entries that one thread of a flood has before it. What it finds it appends; when others have nothing to do, it
-// gives away from the end.
+// The entries that one thread of a flood has to look at. It appends what it finds. If other threads have nothing to do,
+// it gives away entries from the end.
 template <class Entry>
 class FloodQueue
 {
 public:
-	static constexpr std::size_t kBatch = 64; // entries that are worth another thread's while
+	static constexpr std::size_t kBatch = 64; // smallest number of entries that is worth giving away
 
 	using Batch = std::vector<Entry>;
 
@@ -29,7 +29,7 @@ public:
 	{
 	}
 
-	// follow(entries, at): looks at an entry, and may append others.
+	// follow(entries, at) looks at an entry, and may append more.
 	template <class Follow>
 	void run(Follow&& follow)
 	{
@@ -51,8 +51,8 @@ private:
 	int others_;
 };
 
-// Floods from the seeds on all cores; returns when nothing is left. work(FloodQueue<Entry>&) is called for each part
-// of the work and runs the queue.
+// Floods from the seeds on all cores, and returns when no entry is left. It calls work(FloodQueue<Entry>&) for each
+// part of the work, which must run the queue.
 template <class Entry, class Work>
 void shareFlood(std::span<const Entry> seeds, Work&& work)
 {

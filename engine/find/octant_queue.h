@@ -11,21 +11,21 @@
 namespace vp::find
 {
 
-// The paper's lean way to know which cells are queued, without a list over the grid: the queue itself is searched. It
-// is split by the octants about the seed cell, and by generations: a neighbor of a cell of G(k) is in G(k-1), G(k) or
-// G(k+1), since faces lead both ways; the cells before are forgotten. (The paper marks faces instead and so can do
-// without G(k-1).) The search begins at the end of the next generation, where a neighbor is most likely to be.
+// Knows which cells are queued without a list over the grid, as the paper suggests: it searches the queue itself. The
+// queue is split by the octants about the seed cell, and by generations. A neighbor of a cell of G(k) is in G(k-1),
+// G(k) or G(k+1), because faces lead both ways; earlier cells are forgotten. (The paper marks faces instead, and so
+// needs no G(k-1).) The search begins at the end of the next generation, where a neighbor most likely is.
 //
-// Memory follows the widest generations, time is that of a linear search: for few cells, or little memory.
+// Memory depends on the widest generations, and time on a linear search. Use it for few cells, or with little memory.
 class OctantQueue
 {
 public:
-	// seed: whose first point divides space; any cell of the block.
+	// seed: any cell of the block; its first point is the center of the octants.
 	OctantQueue(const grid::Block& block, CellId seed) : block_(&block), center_(placeOf(seed)) {}
 
-	// True when the cell is not among the last three generations; it then belongs to the next.
+	// Returns true if the cell is not among the last three generations. It then belongs to the next one.
 	bool mark(CellId cell);
-	// What is marked from here on belongs to the generation after the one before.
+	// From now on, marked cells belong to the next generation.
 	void beginGeneration();
 
 	std::size_t bytes() const;

@@ -16,7 +16,7 @@
 namespace vp::find
 {
 
-/// How the cut cells of a sheet in a block are found. All strategies find the same cells.
+/// How to find the cut cells of a sheet in a block. All strategies find the same cells.
 enum class Strategy
 {
 	rows,        // straight axes: the plane's equation gives each row's cells, without a search (rows.h)
@@ -34,7 +34,7 @@ enum class Processor
 	gpu
 };
 
-/// The strategy that a name stands for; none for other words.
+/// Returns the strategy with this name, or nothing.
 std::optional<Strategy> strategyNamed(std::string_view name);
 const char* nameOf(Strategy strategy);
 const char* nameOf(Processor classifier);
@@ -44,54 +44,54 @@ const char* nameOf(Processor classifier);
 enum class Finder
 {
 	traversal, // generations alone
-	direct,    // rows where they can be had, else generations
-	automatic  // the fastest that can be had
+	direct,    // rows if possible, otherwise generations
+	automatic  // the fastest strategy that is possible
 };
 
-/// What a plan has to know of a request.
+/// What a plan needs to know about a request.
 struct PlanRequest
 {
-	std::span<const probe::Sheet> sheets;   // the plan keeps none
-	const ListedSurface* surface = nullptr; // in place of the sheets, or null
-	bool has_threshold = false;             // of values: cells outside end the search
+	std::span<const probe::Sheet> sheets;   // the plan does not keep it
+	const ListedSurface* surface = nullptr; // replaces the sheets, or null
+	bool has_threshold = false;             // range of values: the search does not continue past cells outside
 	seed::SeedMode seed_mode = seed::SeedMode::boundary;
-	bool looks_for_hot_spot = false; // whether the hot spot lies in the grid has to be known
-	bool another_follows = false;    // so that it pays to build neighbors, where they are not known
+	bool looks_for_hot_spot = false; // the cut must know whether the hot spot lies in the grid
+	bool another_follows = false;    // more cuts will follow, so it pays to build neighbors
 	Finder finder = Finder::traversal;
-	std::optional<Strategy> strategy; // for all sheets and blocks; an error where it cannot be had
+	std::optional<Strategy> strategy; // for all sheets and blocks; an error if it is impossible
 };
 
-/// The way of one sheet in one block.
+/// How one sheet is cut in one block.
 struct BlockPlan
 {
 	Strategy strategy = Strategy::generations;
 	Processor classifier = Processor::cpu;
 	const char* why_strategy = "";
-	const char* why_classifier = ""; // empty where nothing needs to be said
+	const char* why_classifier = ""; // empty if there is nothing to say
 
-	/// A few words: why this strategy, and, where a device is left out, why.
+	/// Returns a few words: why this strategy, and why no device if one is left out.
 	std::string reason() const;
 };
 
-/// The way of every sheet in every block: sheets[s][b]. What takes the place of the sheets counts as one sheet.
+/// How every sheet is cut in every block: sheets[s][b]. A surface that replaces the sheets counts as one sheet.
 struct CutPlan
 {
 	std::vector<std::vector<BlockPlan>> sheets;
 
-	/// Whether grid::buildNeighbors() is to be called before the plan can be carried out.
+	/// If true, call grid::buildNeighbors() before carrying out the plan.
 	bool needs_neighbors = false;
 };
 
-/// What a plan has to know of a device that classifies.
+/// What a plan needs to know about a device that classifies.
 struct DeviceProfile
 {
-	std::vector<bool> holds; // per block: whether it is in device memory; otherwise it passed a limit of the device
+	std::vector<bool> holds; // per block: true if it is in device memory; false if it exceeds a limit of the device
 };
 
-/// How a request will be cut. A pure function that looks at no cell: the time goes by sheets times blocks, and the axes
-/// of rectilinear blocks. What is built already is in the blocks (grid::hasNeighbors). device: null where the CPU works
-/// alone. A usage error, without an option's name, says why a strategy that the request asks for cannot be had.
-/// Threads: any.
+/// Plans a cut. A pure function that looks at no cell: its time depends on the number of sheets and blocks, and on the
+/// axes of rectilinear blocks. The blocks say what has been built (grid::hasNeighbors). device: null if the CPU works
+/// alone. If the request asks for an impossible strategy, a usage error says why, without the name of an option. Any
+/// thread may call it.
 Result<CutPlan> planCut(const PlanRequest& request, const grid::BlockSet& blocks, const DeviceProfile* device);
 
 } // namespace vp::find

@@ -9,9 +9,9 @@
 namespace vp::measure
 {
 
-// Polygons that each have one value: lines run along their edges.
+// Polygons with one value each. Lines run along their edges.
 
-// What bounds all polygons.
+// Returns the outlines of all polygons.
 std::vector<PlaneLine> meshOutlines(const mesh::SheetMesh& mesh, std::span<const glm::dvec2> points);
 
 // Of each group the outlines, as Contours::area(). groups: per polygon, from 0 to `count` - 1.

@@ -8,7 +8,7 @@
 namespace vp::measure
 {
 
-// The pieces of a sheet: polygons that share a vertex are of one piece, and so are those on either side of a seam.
+// The pieces of a sheet. Polygons that share a vertex belong to one piece, and so do polygons on both sides of a seam.
 std::size_t countComponents(const mesh::SheetMesh& mesh);
 
 // The vertices, joined where they are of one piece.

@@ -24,7 +24,7 @@ public:
 private:
 	struct Known
 	{
-		std::weak_ptr<const void> owner; // of the array's memory
+		std::weak_ptr<const void> owner; // memory of the array
 		const std::byte* data;
 		std::size_t lookups = 0;
 		std::optional<bool> finite;
@@ -35,7 +35,7 @@ private:
 	std::vector<Known> known_;
 };
 
-// Goes through the array, on all cores; one of integers is ordinary anyway.
+// Looks at all values of the array, on all cores. Integers are always ordinary numbers.
 bool hasOrdinaryNumbersOnly(const grid::Field& field);
 
 } // namespace vp::measure

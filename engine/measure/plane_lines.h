@@ -9,14 +9,14 @@
 namespace vp::measure
 {
 
-// A line in a sheet's plane; a closed one ends where it begins without telling that point twice.
+// A line in the plane of a sheet. A closed line ends where it begins, and does not repeat this point.
 struct PlaneLine
 {
 	std::vector<glm::dvec2> points;
 	bool closed = false;
 };
 
-// A piece of a line, from one named place to another.
+// A piece of a line between two named places.
 struct PlaneStep
 {
 	std::uint64_t from;

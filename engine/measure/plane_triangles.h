@@ -28,10 +28,10 @@ struct PlaneTriangles
 // A place along the frame's x and y axes, from its origin, in the grid's units.
 glm::dvec2 planePoint(const Vec3& position, const probe::Frame& frame);
 
-// Places of the mesh's vertices.
+// Returns the places of the mesh's vertices.
 std::vector<glm::dvec2> planePoints(const mesh::SheetMesh& mesh, const probe::Frame& frame);
 
-// values: one per vertex of the mesh.
+// values: one for each vertex of the mesh.
 PlaneTriangles planeTriangles(const mesh::SheetMesh& mesh, const probe::Frame& frame, std::span<const double> values);
 
 } // namespace vp::measure

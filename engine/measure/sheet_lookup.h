@@ -20,8 +20,8 @@ struct SheetPlace
 {
 	std::uint32_t polygon;
 	mesh::BlockCell cell;                // the block's own numbering; grid::Block knows those of the file
-	std::array<std::uint32_t, 2> corner; // vertices of the mesh, in the polygon's order
-	std::array<double, 3> weight;        // of the corners and of the mean: 0 to 1, together 1
+	std::array<std::uint32_t, 2> corner; // vertices of the mesh, in the order of the polygon
+	std::array<double, 3> weight;        // weights of the corners and of the mean: 0 to 1, with the sum 1
 
 	std::uint32_t nearestVertex() const; // of the corners: what holds for arrays of ids and categories
 };
@@ -42,7 +42,7 @@ public:
 	// help: polygon_values[place.polygon].
 	double value(const SheetPlace& place, std::span<const double> vertex_values) const;
 
-	std::size_t bytes() const; // held, without the mesh
+	std::size_t bytes() const; // bytes of the lookup, without the mesh
 
 private:
 	using Bins = glm::uvec2;

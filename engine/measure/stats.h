@@ -18,10 +18,10 @@ namespace vp::measure
 struct SheetMeasure
 {
 	double area = 0.0;
-	double boundary_area = 0.0; // of the boundary faces in the plane
-	double nan_area = 0.0;      // part of the area whose value is NaN or infinite; it stays out of the rest
-	std::optional<double> mean; // area-weighted; none without an array or without area
-	std::optional<double> min;  // of the values at the vertices (point data) or of the polygons (cell data)
+	double boundary_area = 0.0; // area of the boundary faces in the plane
+	double nan_area = 0.0;      // area where the value is NaN or infinite; the other figures leave it out
+	std::optional<double> mean; // weighted by area; empty without an array or without area
+	std::optional<double> min;  // range of the values at the vertices (point arrays) or of the polygons (cell arrays)
 	std::optional<double> max;
 	std::size_t components = 0; // see components.h
 };

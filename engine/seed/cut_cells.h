@@ -15,7 +15,7 @@ bool isPositive(const G& grid, const Surface& surface, PointId p)
 	return surface::heightAt(grid, surface, p) >= 0.0;
 }
 
-// Whether a face has points on both sides.
+// Returns true if a face has points on both sides.
 template <class G, class Surface>
 bool isFaceCut(const G& grid, const Surface& surface, std::span<const PointId> face)
 {
@@ -26,7 +26,7 @@ bool isFaceCut(const G& grid, const Surface& surface, std::span<const PointId> f
 	return positive && negative;
 }
 
-// Whether a cell has points on both sides of a cutting surface.
+// Returns true if a cell has points on both sides of a surface.
 template <grid::Grid G, class Surface>
 bool isCut(const G& grid, const Surface& surface, CellId cell)
 {
@@ -46,7 +46,7 @@ bool isCut(const G& grid, const Surface& surface, CellId cell)
 	return positive && negative;
 }
 
-// Calls visit(cell) for the cut cells of a tree over a grid's cells, each once. Returns the boxes asked.
+// Calls visit(cell) once for each cut cell in a tree over cells of a grid. Returns the number of boxes that were asked.
 template <grid::Grid G, class Visit>
 std::size_t visitCutCells(const G& grid, const grid::BlockTree& tree, const surface::Plane& plane, Visit&& visit)
 {

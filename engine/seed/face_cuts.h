@@ -10,12 +10,12 @@
 namespace vp::seed
 {
 
-// Where a cutting surface crosses the edges of a face, in coordinates of N axes: those of a window or of a box.
+// The places where a surface crosses the edges of a face, in coordinates of N axes: those of a window or of a box.
 template <int N>
 struct FaceCuts
 {
 	using Place = glm::vec<N, double>;
-	static constexpr int kMax = 16; // of one cut more often the rest does not matter
+	static constexpr int kMax = 16; // of a face that is cut more often, only these matter
 
 	std::array<Place, kMax> at;
 	int count = 0;

@@ -11,10 +11,10 @@
 namespace vp::seed
 {
 
-// Cells found along the lines of a lattice over a sheet.
+// Cells that were found along the lines of a lattice over a sheet.
 struct HotSpots
 {
-	std::vector<CellId> cells; // all are cut; some may come twice
+	std::vector<CellId> cells; // all are cut; a cell may come twice
 	std::size_t hops = 0;      // cells passed
 };
 

@@ -15,17 +15,17 @@ namespace vp::seed
 
 enum class SeedMode
 {
-	automatic, // the hot spot, then the boundary: every piece
-	hotspot,   // the paper's single piece
+	automatic, // the hot spot and the boundary: finds every piece
+	hotspot,   // only the hot spot: finds the single piece of the paper
 	boundary
 };
 
-// What becomes of a hot spot outside the grid.
+// What happens with a hot spot outside the grid.
 enum class OutsidePolicy
 {
-	nearest, // the nearest point of the sheet inside the grid takes its place
+	nearest, // it moves to the nearest point of the sheet inside the grid
 	refuse,  // an error
-	report   // no seed from it, and a word
+	report   // it gives no seed, and a warning says so
 };
 
 struct SeedOptions
@@ -46,12 +46,13 @@ struct SheetSeeds
 	// Per block: boundary faces that lie in the plane and whose cell is not cut, so that nothing else shows them. Of
 	// faces that coincide at a seam one at most, and none where a cell on either side is cut.
 	std::vector<std::vector<grid::BoundaryIndex::Face>> faces_in_plane;
-	std::size_t count = 0;          // of seeds in all blocks
-	std::size_t hops = 0;           // cells that fence hops passed
-	std::size_t boundary_tests = 0; // boxes and faces of the boundary index that were asked
-	std::size_t tree_tests = 0;     // boxes of the block tree and cells in them, of curved surfaces (curved_seeds.h)
+	std::size_t count = 0;          // number of seeds in all blocks
+	std::size_t hops = 0;           // number of cells that fence hops passed
+	std::size_t boundary_tests = 0; // number of boxes and faces of the boundary index that were asked
+	std::size_t tree_tests =
+	    0; // for curved surfaces, number of boxes of the block tree and cells in them that were asked (curved_seeds.h)
 	bool hot_spot_inside = false;
-	std::optional<Vec3> moved_to; // the hot spot that took the place of one outside
+	std::optional<Vec3> moved_to; // the new hot spot, if the hot spot was outside
 };
 
 // The sheet is placed in the world and has no fx (see probe::content()). Of one with a window the seeds reach every

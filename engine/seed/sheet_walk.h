@@ -29,7 +29,7 @@ struct Range
 	Range within(const Range& other) const { return {std::max(lo, other.lo), std::min(hi, other.hi)}; }
 };
 
-// A sheet's own axes: u along axis 0, v along axis 1, from its origin, in the grid's units.
+// The axes of a sheet: u along axis 0 and v along axis 1, from its origin, in the grid's units.
 struct SheetAxes
 {
 	Vec3 origin;
@@ -84,12 +84,12 @@ Section sectionOf(const G& grid, const surface::Plane& plane, const SheetAxes& a
 	return section;
 }
 
-// A straight line in the sheet, along one of its axes.
+// A straight line in a sheet, along one of its axes.
 struct SheetLine
 {
 	int axis;  // that it runs along
 	double at; // on the other axis
-	int sense; // +1 or -1: the way it is walked
+	int sense; // direction of the walk, +1 or -1
 };
 
 // Where a line meets the sides of a section, and the faces they lie on.
@@ -124,7 +124,7 @@ inline Crossings crossingsOf(const Section& section, const SheetLine& line)
 	return crossings;
 }
 
-// A cell that a walk passed.
+// A cell that a walk passed through.
 struct PassedCell
 {
 	CellId cell;

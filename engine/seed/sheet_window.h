@@ -16,9 +16,9 @@ class SheetWindow
 public:
 	explicit SheetWindow(const probe::Sheet& content); // has a window and no fx, see probe::content()
 
-	// Whether the window may reach into a box.
+	// Returns true if the window may reach into a box.
 	bool meets(const Box& box) const;
-	// Whether a segment in the plane reaches into the window.
+	// Returns true if a segment in the plane reaches into the window.
 	bool meets(const Vec3& from, const Vec3& to) const;
 
 	// Whether a face is cut within the window. Of a twisted face, cut more than twice, any two cuts count as joined, so
@@ -30,7 +30,7 @@ public:
 		return findCuts(grid, surface, face, cuts) && anyMeets(cuts);
 	}
 
-	// Whether the section of a cut cell reaches into the window, which may lie within it.
+	// Returns true if the section of a cut cell reaches into the window. The window may lie inside the section.
 	template <class G, class Surface>
 	bool meetsCell(const G& grid, const Surface& surface, const grid::CellFaces& faces) const
 	{
@@ -70,7 +70,8 @@ public:
 	const glm::dvec2& lo() const { return lo_; }
 	const glm::dvec2& hi() const { return hi_; }
 
-	// A point of the window to start from: the sheet's origin where it is inside, else the window's center.
+	// Returns a point of the window to start from: the origin of the sheet if it is inside, otherwise the center of the
+	// window.
 	const Vec3& hotSpot() const { return hot_spot_; }
 
 private:
