@@ -1,7 +1,8 @@
 # shellcheck shell=bash
 # Makes a root file system of Debian, new by debootstrap, in $root, and inside() to run a command in it. It goes when the
-# script that sources this ends. Needs $suite, and the script's arguments. Needs root and debootstrap. Downloads and
-# compiled objects are kept in $VPROBE_CACHE, else in ~/.cache/vprobe.
+# script that sources this ends, unless $kept_root names it: then it stays in the cache and is used again. Needs $suite,
+# and the script's arguments. Needs root and debootstrap. Downloads and compiled objects are kept in $VPROBE_CACHE, else
+# in ~/.cache/vprobe.
 
 mirror=http://deb.debian.org/debian
 keys=/usr/share/keyrings/debian-archive-keyring.gpg
@@ -23,12 +24,25 @@ fi
 
 mkdir -p "$cache"/{packages,archives/partial,ccache}
 cache=$(cd "$cache" && pwd)
-root=$(mktemp -d -p "$cache" root.XXXX)
+if [[ -n ${kept_root-} ]]; then
+	root=$cache/$kept_root
+	mkdir -p "$root"
+	[[ -e $root/made ]] || rm -rf --one-file-system "${root:?}"/* # a root that was not finished
+else
+	root=$(mktemp -d -p "$cache" root.XXXX)
+fi
 chmod 755 "$root" # tests that drop root's rights still reach their files
 mount --bind "$root" "$root"
-trap 'umount -lR "$root"; rm -rf --one-file-system "$root"' EXIT
+if [[ -n ${kept_root-} ]]; then
+	trap 'umount -lR "$root"' EXIT
+else
+	trap 'umount -lR "$root"; rm -rf --one-file-system "$root"' EXIT
+fi
 
-debootstrap --variant=minbase --cache-dir="$cache/packages" --keyring="$keys" "$suite" "$root" "$mirror"
+if [[ ! -e $root/made ]]; then
+	debootstrap --variant=minbase --cache-dir="$cache/packages" --keyring="$keys" "$suite" "$root" "$mirror"
+	touch "$root/made"
+fi
 cp /etc/resolv.conf "$root/etc/"
 # Whatever the host needs to reach its mirror.
 find /etc/apt/apt.conf.d -maxdepth 1 -name '*proxy*' -exec cp {} "$root/etc/apt/apt.conf.d/" \;

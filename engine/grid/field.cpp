@@ -1,5 +1,7 @@
 #include "grid/field.h"
 
+#include "grid/number_types.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
@@ -16,36 +18,6 @@ namespace vp::grid
 namespace
 {
 
-// Calls visit(T{}) with T the number type.
-template <class Visit>
-auto withType(NumberType type, Visit&& visit)
-{
-	switch (type)
-	{
-	case NumberType::int8:
-		return visit(std::int8_t{});
-	case NumberType::uint8:
-		return visit(std::uint8_t{});
-	case NumberType::int16:
-		return visit(std::int16_t{});
-	case NumberType::uint16:
-		return visit(std::uint16_t{});
-	case NumberType::int32:
-		return visit(std::int32_t{});
-	case NumberType::uint32:
-		return visit(std::uint32_t{});
-	case NumberType::int64:
-		return visit(std::int64_t{});
-	case NumberType::uint64:
-		return visit(std::uint64_t{});
-	case NumberType::float32:
-		return visit(float{});
-	case NumberType::float64:
-		break;
-	}
-	return visit(double{});
-}
-
 template <class T>
 constexpr NumberType numberTypeOf()
 {
@@ -58,15 +30,6 @@ constexpr NumberType numberTypeOf()
 		constexpr int base = sizeof(T) == 1 ? 0 : sizeof(T) == 2 ? 2 : sizeof(T) == 4 ? 4 : 6;
 		return static_cast<NumberType>(base + (std::is_unsigned_v<T> ? 1 : 0));
 	}
-}
-
-// Mapped files give no promise about alignment.
-template <class T>
-double load(const std::byte* bytes, std::size_t index)
-{
-	T number;
-	std::memcpy(&number, bytes + index * sizeof(T), sizeof(T));
-	return static_cast<double>(number);
 }
 
 bool isLower(char c)
@@ -99,7 +62,7 @@ std::vector<std::string> wordsOf(const std::string& name)
 
 std::size_t byteSize(NumberType type)
 {
-	return withType(type, [](auto number) { return sizeof(number); });
+	return withNumberType(type, [](auto number) { return sizeof(number); });
 }
 
 const char* numberTypeName(NumberType type)
@@ -122,7 +85,7 @@ std::size_t Field::tuples() const
 double Field::value(std::size_t tuple, int component) const
 {
 	const std::size_t index = tuple * components + component;
-	return withType(type, [&](auto number) { return load<decltype(number)>(bytes.data(), index); });
+	return withNumberType(type, [&](auto number) { return numberAt<decltype(number)>(bytes.data(), index); });
 }
 
 bool namesCategories(const Field& field)
@@ -138,19 +101,19 @@ bool namesCategories(const Field& field)
 
 double loadNumber(NumberType type, const std::byte* at)
 {
-	return withType(type, [&](auto number) { return load<decltype(number)>(at, 0); });
+	return withNumberType(type, [&](auto number) { return numberAt<decltype(number)>(at, 0); });
 }
 
 void storeNumber(NumberType type, double value, std::byte* at)
 {
-	withType(type,
-	         [&](auto number)
-	         {
-		         using T = decltype(number);
-		         number = std::is_integral_v<T> && std::isnan(value) ? T{} : static_cast<T>(value);
-		         std::memcpy(at, &number, sizeof(T));
-		         return 0;
-	         });
+	withNumberType(type,
+	               [&](auto number)
+	               {
+		               using T = decltype(number);
+		               number = std::is_integral_v<T> && std::isnan(value) ? T{} : static_cast<T>(value);
+		               std::memcpy(at, &number, sizeof(T));
+		               return 0;
+	               });
 }
 
 template <class T>
@@ -210,13 +173,13 @@ ValueSpan valueSpan(const Field& field, int component)
 			{
 				if (component != kMagnitude)
 				{
-					result.include(load<T>(bytes, t * width + component));
+					result.include(numberAt<T>(bytes, t * width + component));
 					continue;
 				}
 				double square = 0.0;
 				for (std::size_t c = 0; c < width; ++c)
 				{
-					const double value = load<T>(bytes, t * width + c);
+					const double value = numberAt<T>(bytes, t * width + c);
 					square += value * value;
 				}
 				result.include(std::sqrt(square));
@@ -232,7 +195,7 @@ ValueSpan valueSpan(const Field& field, int component)
 		return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, field.tuples(), 65536),
 		                                          ValueSpan{}, scan, join);
 	};
-	return withType(field.type, range);
+	return withNumberType(field.type, range);
 }
 
 std::pair<double, double> fieldRange(const Field& field, int component)

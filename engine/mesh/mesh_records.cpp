@@ -55,8 +55,10 @@ MeshRecords::MeshRecords(const grid::BlockSet& blocks, const probe::Sheet& sheet
 	if (!field)
 		std::fill(values_.begin(), values_.end(), 0.0f);
 	else if (of_vertices_)
-		forAll(values_.size(),
-		       [&](std::size_t v) { values_[v] = drawnValue(vertexValue(blocks, mesh, v, fields, field->component)); });
+	{
+		const RawVector<double> values = vertexValues(blocks, mesh, fields, field->component);
+		forAll(values.size(), [&](std::size_t v) { values_[v] = drawnValue(values[v]); });
+	}
 	else
 		forAll(values_.size(),
 		       [&](std::size_t p)

@@ -1,6 +1,10 @@
 #include "mesh/mesh_values.h"
 
+#include "grid/number_types.h"
 #include "grid/shown_value.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +13,40 @@
 namespace vp::mesh
 {
 
+namespace
+{
+
+// The value at t along an edge from the values at its ends.
+double alongEdge(double a, double b, double t, bool categorical)
+{
+	// An end that has no part in the vertex does not bring its NaN to it.
+	if (t == 0.0)
+		return a;
+	if (categorical)
+		return t < 0.5 ? a : t > 0.5 ? b : std::min(a, b);
+	// Between two equal infinities there is no difference to take a part of.
+	return t == 1.0 || a == b ? b : a + t * (b - a);
+}
+
+// One component at vertices on the edges of one block, without a decision for each vertex that is the same for all.
+void interpolateAll(const grid::Block& block, const grid::Field& field, int component, std::span<const EdgePoint> edges,
+                    double* values)
+{
+	const auto as = [&]<class Number>(const auto& grid, Number)
+	{
+		const std::byte* numbers = field.bytes.data();
+		const std::size_t components = field.components;
+		const auto at = [&](PointId p)
+		{ return grid::numberAt<Number>(numbers, grid.sourcePoint(p) * components + component); };
+		for (std::size_t v = 0; v < edges.size(); ++v)
+			values[v] = alongEdge(at(edges[v].lower), at(edges[v].higher), edges[v].t, field.categorical);
+	};
+	std::visit([&](const auto& grid) { grid::withNumberType(field.type, [&](auto number) { as(grid, number); }); },
+	           block.grid);
+}
+
+} // namespace
+
 double interpolate(const grid::Block& block, const grid::Field& field, int component, const EdgePoint& at)
 {
 	const auto sources = std::visit(
@@ -16,19 +54,10 @@ double interpolate(const grid::Block& block, const grid::Field& field, int compo
 		    return std::pair{grid.sourcePoint(at.lower), grid.sourcePoint(at.higher)};
 	    },
 	    block.grid);
-	return grid::shownValue(field.components, component,
-	                        [&](int c)
-	                        {
-		                        const double a = field.value(sources.first, c);
-		                        // An end that has no part in the vertex does not bring its NaN to it.
-		                        if (at.t == 0.0)
-			                        return a;
-		                        const double b = field.value(sources.second, c);
-		                        if (field.categorical)
-			                        return at.t < 0.5 ? a : at.t > 0.5 ? b : std::min(a, b);
-		                        // Between two equal infinities there is no difference to take a part of.
-		                        return at.t == 1.0 || a == b ? b : a + at.t * (b - a);
-	                        });
+	return grid::shownValue(
+	    field.components, component,
+	    [&](int c)
+	    { return alongEdge(field.value(sources.first, c), field.value(sources.second, c), at.t, field.categorical); });
 }
 
 double vertexValue(const grid::BlockSet& blocks, const SheetMesh& mesh, std::size_t vertex,
@@ -69,6 +98,36 @@ double vertexValue(const grid::BlockSet& blocks, const SheetMesh& mesh, std::siz
 	const double first = componentAt(std::max(component, 0));
 	return component != grid::kMagnitude || std::isnan(first) ? first
 	                                                          : grid::shownValue(components, component, componentAt);
+}
+
+RawVector<double> vertexValues(const grid::BlockSet& blocks, const SheetMesh& mesh,
+                               std::span<const grid::Field* const> fields, int component)
+{
+	RawVector<double> values;
+	values.resize(mesh.positions.size());
+	constexpr std::size_t kGrain = 4096;
+	const auto fill = [&](const tbb::blocked_range<std::size_t>& part)
+	{
+		for (std::size_t v = part.begin(); v < part.end();)
+		{
+			const std::size_t on_edges = std::min(part.end(), mesh.edges.size());
+			std::size_t end = v + 1;
+			const grid::Field* field = v < on_edges ? fields[mesh.edges[v].block] : nullptr;
+			if (!field || component < 0 || component >= field->components)
+				values[v] = vertexValue(blocks, mesh, v, fields, component);
+			else
+			{
+				const std::uint32_t block = mesh.edges[v].block;
+				while (end < on_edges && mesh.edges[end].block == block)
+					++end;
+				interpolateAll(blocks.blocks[block], *field, component, std::span(mesh.edges).subspan(v, end - v),
+				               &values[v]);
+			}
+			v = end;
+		}
+	};
+	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), kGrain), fill);
+	return values;
 }
 
 double cellValue(const grid::Block& block, const grid::Field& field, int component, CellId cell)

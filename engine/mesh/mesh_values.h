@@ -19,6 +19,10 @@ double interpolate(const grid::Block& block, const grid::Field& field, int compo
 double vertexValue(const grid::BlockSet& blocks, const SheetMesh& mesh, std::size_t vertex,
                    std::span<const grid::Field* const> fields, int component);
 
+// Returns vertexValue() of every vertex, computed on all cores.
+RawVector<double> vertexValues(const grid::BlockSet& blocks, const SheetMesh& mesh,
+                               std::span<const grid::Field* const> fields, int component);
+
 double cellValue(const grid::Block& block, const grid::Field& field, int component, CellId cell);
 
 } // namespace vp::mesh

@@ -11,17 +11,6 @@ namespace vp::session
 namespace
 {
 
-std::vector<double> vertexValues(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
-                                 const grid::FieldChoice& field)
-{
-	const std::vector<const grid::Field*> fields = field.inEach(blocks);
-	std::vector<double> values;
-	values.reserve(mesh.positions.size());
-	for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-		values.push_back(mesh::vertexValue(blocks, mesh, v, fields, field.component));
-	return values;
-}
-
 std::vector<double> polygonValues(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
                                   const grid::FieldChoice& field)
 {
@@ -47,7 +36,9 @@ render::SheetValues sheetValues(const Session& session, const cut::SheetCut& she
 		return {};
 	if (sheet.field->association == grid::Association::cell)
 		return {{}, polygonValues(session.blocks, mesh, *sheet.field)};
-	return {vertexValues(session.blocks, mesh, *sheet.field), {}};
+	const RawVector<double> values =
+	    mesh::vertexValues(session.blocks, mesh, sheet.field->inEach(session.blocks), sheet.field->component);
+	return {{values.begin(), values.end()}, {}};
 }
 
 } // namespace vp::session

@@ -7,21 +7,11 @@ usage: compare_builds.py OLD_BENCH_CUT NEW_BENCH_CUT FILTER [PAIRS]
 FILTER is a regular expression, as --benchmark_filter takes it. PAIRS: 20. Ends with a line for each row; exit code 1:
 some row's interval begins above 1.02.
 """
-import json
 import math
 import statistics
-import subprocess
 import sys
-import tempfile
 
-
-def times(program, pattern):
-    """Milliseconds of each row."""
-    with tempfile.NamedTemporaryFile(suffix='.json') as file:
-        subprocess.run([program, '--benchmark_filter=' + pattern, '--benchmark_out=' + file.name,
-                        '--benchmark_out_format=json'], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
-        rows = json.load(file)['benchmarks']
-    return {row['name'].split('/min_time')[0]: row['real_time'] for row in rows}
+from turns import times
 
 
 def interval(ratios):
@@ -39,7 +29,7 @@ def main():
     old, new, pattern = sys.argv[1:4]
     pairs = []
     for pair in range(int(sys.argv[4]) if len(sys.argv) == 5 else 20):
-        pairs.append((times(old, pattern), times(new, pattern)))
+        pairs.append((times([old], pattern), times([new], pattern)))
         print(f'pair {pair + 1} done', file=sys.stderr)
     slower = False
     for row in pairs[0][0]:

@@ -1,6 +1,6 @@
 // Times this program's cuts beside VTK's cutters on the same grid in the same run, since only the ratio means something
 // on a noisy machine, and holds the ratios against what the program aims at. Planes are those of the sweep in
-// `vprobe profile`; a cut is seeds, cells, and the mesh with shared vertices.
+// `vprobe profile`; a cut is seeds, cells, the mesh with shared vertices, and the values of the grid's array there.
 //
 //   build/release/bin/bench_cut --benchmark_filter='shell:256|targets'
 //
@@ -9,6 +9,7 @@
 #include "contours.h"
 #include "grids.h"
 #include "our_cuts.h"
+#include "prototypes.h"
 #include "targets.h"
 #include "traces.h"
 #include "vtk_cuts.h"
@@ -60,14 +61,29 @@ void addCuts(const std::string& name)
 	const auto moved = [&](const char* way, auto function) { add(name, way, function)->MinTime(kSeconds); };
 	moved("cpu", [=](auto& state) { bench::cpuCut(state, name, find::Finder::automatic); });
 	moved("cpu, traversal", [=](auto& state) { bench::cpuCut(state, name, find::Finder::traversal); });
+	if (const auto prototype = bench::prototypeOf(name))
+		benchmark::RegisterBenchmark((name + "/prototype").c_str(),
+		                             [=](auto& state) { bench::prototypeCut(state, name, *prototype); })
+		    ->Unit(benchmark::kMillisecond)
+		    ->UseManualTime()
+		    ->Iterations(1);
 	moved("gpu", [=](auto& state) { bench::gpuCut(state, name, find::Finder::traversal, 1); });
 	moved("gpu, one front", [=](auto& state) { bench::gpuCut(state, name, find::Finder::automatic, 1); });
 	moved("window", [=](auto& state) { bench::windowCut(state, name); });
+	const auto rival = [&](const char* way, VtkCut kind)
+	{ moved(way, [=](auto& state) { vtkCut(state, name, kind, 1); }); };
 	if (name.starts_with("blob"))
-		moved("vtkFlyingEdgesPlaneCutter", [=](auto& state) { vtkCut(state, name, VtkCut::flying_edges_cutter, 1); });
+		rival("vtkFlyingEdgesPlaneCutter", VtkCut::flying_edges_cutter);
 	else
-		moved("vtkPlaneCutter", [=](auto& state) { vtkCut(state, name, VtkCut::plane_cutter, 1); });
-	moved("vtkCutter", [=](auto& state) { vtkCut(state, name, VtkCut::cutter, 1); });
+	{
+		rival("vtkPlaneCutter", VtkCut::plane_cutter);
+		rival("vtkPlaneCutter without tree", VtkCut::treeless_cutter);
+	}
+	if (name.starts_with("shell") && bench::kHasStructuredCutter)
+		rival("vtkStructuredDataPlaneCutter", VtkCut::structured_cutter);
+	if (name.starts_with("hexes") || name.starts_with("tets"))
+		rival("vtk3DLinearGridPlaneCutter", VtkCut::linear_grid_cutter);
+	rival("vtkCutter", VtkCut::cutter);
 }
 
 void addFirstCuts(const std::string& name)

@@ -1,13 +1,14 @@
 #include "our_cuts.h"
 
+#include "command_output.h"
 #include "gpu/device.h"
 #include "grids.h"
+#include "mesh/mesh_values.h"
 #include "probe/path.h"
 #include "probe/presets.h"
 
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <numbers>
 #include <optional>
 
@@ -38,6 +39,9 @@ void sweep(benchmark::State& state, cut::Cutter& cutter, find::Finder finder, in
 	std::size_t k = 0;
 	std::size_t cells = 0;
 	std::size_t generations = 0;
+	std::vector<const grid::Field*> fields; // the first array of each block
+	for (const grid::Block& block : cutter.blocks().blocks)
+		fields.push_back(block.fields.empty() ? nullptr : &block.fields[0]);
 	for (auto _ : state)
 	{
 		cut::CutRequest request;
@@ -54,7 +58,9 @@ void sweep(benchmark::State& state, cut::Cutter& cutter, find::Finder finder, in
 			if (cutter.usesGpu())
 				continue;
 			const mesh::SheetMesh mesh = slice->mesh(cutter.blocks(), s);
+			const auto values = mesh::vertexValues(cutter.blocks(), mesh, fields, 0);
 			benchmark::DoNotOptimize(mesh.positions.data());
+			benchmark::DoNotOptimize(values.data());
 		}
 		k = (k + 1) % planes.size();
 	}
@@ -96,16 +102,10 @@ void cutOnce(const grid::BlockSet& blocks)
 
 std::optional<nlohmann::json> profile(const std::string& command)
 {
-	std::FILE* pipe = ::popen(command.c_str(), "r");
-	if (!pipe)
+	const std::optional<std::string> text = outputOf(command);
+	if (!text)
 		return std::nullopt;
-	std::string text;
-	char part[4096];
-	while (const std::size_t read = std::fread(part, 1, sizeof(part), pipe))
-		text.append(part, read);
-	if (::pclose(pipe) != 0)
-		return std::nullopt;
-	return nlohmann::json::parse(text);
+	return nlohmann::json::parse(*text);
 }
 
 } // namespace
@@ -121,6 +121,21 @@ std::vector<probe::Frame> fanOf(const probe::Frame& frame, int planes)
 		turned.normal = glm::normalize(std::cos(angle) * frame.normal + std::sin(angle) * x_axis);
 	}
 	return fan;
+}
+
+double cutCellsOfPlane(const std::string& name)
+{
+	cut::Cutter cutter(gridNamed(name));
+	const std::vector<probe::Frame> planes = sweepOf(cutter.blocks().bounds());
+	std::size_t cells = 0;
+	for (const probe::Frame& plane : planes)
+	{
+		cut::CutRequest request;
+		request.finder = find::Finder::automatic;
+		request.probe.sheets = sheetsAt(plane, 1);
+		cells += cutter.cut(request)->sheets[0].cuts[0].cutCells();
+	}
+	return static_cast<double>(cells) / static_cast<double>(planes.size());
 }
 
 void cpuCut(benchmark::State& state, const std::string& name, find::Finder finder)

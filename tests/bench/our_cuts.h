@@ -14,7 +14,10 @@ namespace vp::bench
 // As many planes, turned about the frame's up axis by equal angles within half a turn, the frame's own the first.
 std::vector<probe::Frame> fanOf(const probe::Frame& frame, int planes);
 
-// Moved planes.
+// The number of cells that a plane of the sweep cuts, on the mean.
+double cutCellsOfPlane(const std::string& name);
+
+// Moved planes: seeds, cells, the mesh, and the values of the grid's first array at its vertices.
 void cpuCut(benchmark::State& state, const std::string& name, find::Finder finder);
 // Counter "generations", on the mean. The polygons stay in device memory.
 void gpuCut(benchmark::State& state, const std::string& name, find::Finder finder, int sheets);

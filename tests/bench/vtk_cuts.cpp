@@ -14,6 +14,9 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkRectilinearGrid.h>
+#if __has_include(<vtkStructuredDataPlaneCutter.h>)
+#include <vtkStructuredDataPlaneCutter.h>
+#endif
 #include <vtkStructuredGrid.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -97,6 +100,14 @@ vtkSmartPointer<vtkDataSet> asVtk(const grid::UnstructuredGrid& grid)
 	return made;
 }
 
+// One vertex for each cut edge, as this program has. VTK can do that from version 9.3 on.
+template <class Cutter>
+void mergePoints(Cutter& cutter)
+{
+	if constexpr (requires { cutter.MergePointsOn(); })
+		cutter.MergePointsOn();
+}
+
 } // namespace
 
 std::uint8_t vtkType(grid::CellShape shape)
@@ -126,7 +137,7 @@ vtkSmartPointer<vtkDataSet> asVtk(const grid::Block& block)
 
 VtkCutter::VtkCutter(VtkCut kind, vtkDataSet* input) : plane_(vtkSmartPointer<vtkPlane>::New())
 {
-	const auto take = [&]<class T>(vtkSmartPointer<T> cutter)
+	const auto take = [&](auto cutter)
 	{
 		cutter->SetInputDataObject(input);
 		cutter_ = cutter;
@@ -147,6 +158,7 @@ VtkCutter::VtkCutter(VtkCut kind, vtkDataSet* input) : plane_(vtkSmartPointer<vt
 		const auto cutter = take(vtkSmartPointer<vtkPlaneCutter>::New());
 		cutter->SetPlane(plane_);
 		cutter->SetBuildTree(kind == VtkCut::plane_cutter);
+		mergePoints(*cutter);
 		cutter->ComputeNormalsOff();
 		break;
 	}
@@ -155,6 +167,15 @@ VtkCutter::VtkCutter(VtkCut kind, vtkDataSet* input) : plane_(vtkSmartPointer<vt
 		const auto cutter = take(vtkSmartPointer<vtk3DLinearGridPlaneCutter>::New());
 		cutter->SetPlane(plane_);
 		cutter->ComputeNormalsOff();
+		break;
+	}
+	case VtkCut::structured_cutter:
+	{
+#if __has_include(<vtkStructuredDataPlaneCutter.h>)
+		const auto cutter = take(vtkSmartPointer<vtkStructuredDataPlaneCutter>::New());
+		cutter->SetPlane(plane_);
+		cutter->ComputeNormalsOff();
+#endif
 		break;
 	}
 	case VtkCut::flying_edges_cutter:

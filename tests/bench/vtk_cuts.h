@@ -24,8 +24,17 @@ enum class VtkCut
 	plane_cutter,       // vtkPlaneCutter with its sphere tree, built at the first cut
 	treeless_cutter,    // vtkPlaneCutter without
 	linear_grid_cutter, // vtk3DLinearGridPlaneCutter: linear cells of unstructured grids only
+	structured_cutter,  // vtkStructuredDataPlaneCutter: structured grids, from VTK 9.3 on
 	flying_edges_cutter // vtkFlyingEdgesPlaneCutter: images only
 };
+
+// Whether this VTK has vtkStructuredDataPlaneCutter.
+constexpr bool kHasStructuredCutter =
+#if __has_include(<vtkStructuredDataPlaneCutter.h>)
+    true;
+#else
+    false;
+#endif
 
 // A cutter of VTK's and the plane that it cuts by; moved and cut again for each measurement.
 class VtkCutter
