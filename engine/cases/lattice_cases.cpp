@@ -35,6 +35,8 @@ LatticeCase latticeCase(unsigned corners)
 	found.row_faces = entry.faces >> 2; // VTK's faces 2 to 5 of a hexahedron are -j, +j, -k, +k
 	for (int e = 0; e < entry.edges; ++e)
 		found.edge[e] = latticeEdge(kCornerOf[entry.edge[e][0]], kCornerOf[entry.edge[e][1]]);
+	for (int e = entry.edges; e < kMaxLatticeEdges; ++e)
+		found.edge[e] = found.edge[0];
 	for (int bit = 0; bit < 3; ++bit)
 		if ((corners & 1) != (corners >> (1 << bit) & 1))
 		{

@@ -42,7 +42,9 @@ struct LatticeCase
 	// Of the lowest point: bit a: the edge that it owns along axis a is cut.
 	std::uint8_t owned = 0;
 	std::uint8_t owned_count = 0;
-	std::array<LatticeEdge, kMaxLatticeEdges> edge{}; // counter-clockwise seen from the positive side, as in Case
+	// The edges of the polygon, counter-clockwise seen from the positive side, as in Case. Behind them the first edge
+	// is repeated, so that all can be read without asking for their number.
+	std::array<LatticeEdge, kMaxLatticeEdges> edge{};
 };
 
 // By case index; caseIndex(last, last) for the last column of a row, whose point owns no edge along i.

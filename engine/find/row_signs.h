@@ -34,6 +34,17 @@ public:
 		return bits == SignFilter::kInDoubt ? few(p, 4) : bits;
 	}
 
+	// Of the points rows[r] to rows[r] + 3, bits[r] as four() gives them.
+	std::array<unsigned, 4> sixteen(const std::array<PointId, 4>& rows) const
+	{
+		const auto load = [&](PointId p) { return loadFour(xyz_ + 3 * std::size_t(p)); };
+		std::array<unsigned, 4> bits;
+		if (!filter_.sixteen({load(rows[0]), load(rows[1]), load(rows[2]), load(rows[3])}, bits))
+			for (std::size_t r = 0; r < rows.size(); ++r)
+				bits[r] = four(rows[r]);
+		return bits;
+	}
+
 	void prefetch(PointId from, PointId to) const { points_.prefetch(from, to); }
 
 private:

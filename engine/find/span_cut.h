@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/ids.h"
+#include "base/raw_vector.h"
 #include "cases/lattice_cases.h"
 #include "grid/block.h"
 #include "grid/structured.h"
@@ -9,7 +10,6 @@
 #include <cstdint>
 #include <type_traits>
 #include <variant>
-#include <vector>
 
 namespace vp::find
 {
@@ -62,8 +62,8 @@ struct Span
 // The cut cells of a sheet in a structured block.
 struct SpanCut
 {
-	std::vector<Span> spans; // ascending by row, then begin
-	std::vector<cases::Column> columns;
+	RawVector<Span> spans; // ascending by row, then begin
+	RawVector<cases::Column> columns;
 	SpanCounts counts; // of all
 	SpanCells cells;
 	bool classified_at_once = false; // by a device too, as one front

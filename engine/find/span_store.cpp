@@ -1,5 +1,7 @@
 #include "find/span_store.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <bit>
 #include <stdexcept>
@@ -50,7 +52,7 @@ bool SpanStore::insert(std::size_t thread, const Span& span, std::span<const cas
 	return true;
 }
 
-// In the row's order, each with the columns of its thread.
+// The row's spans in their order, each with its columns.
 void SpanStore::takeRow(std::uint32_t row, SpanCut& cut)
 {
 	const std::size_t first = cut.spans.size();
@@ -73,37 +75,89 @@ void SpanStore::takeRow(std::uint32_t row, SpanCut& cut)
 	}
 }
 
-SpanCut SpanStore::collect()
+// The spans of the rows from 64 * begin up to 64 * end.
+SpanCut SpanStore::takeRows(std::size_t begin, std::size_t end, std::span<Found* const> finders)
 {
-	std::vector<Found*> finders;
-	for (const std::unique_ptr<Found>& of_thread : found_)
-		if (of_thread)
-			finders.push_back(of_thread.get());
 	SpanCut cut;
-	std::size_t spans = 0;
-	std::size_t columns = 0;
-	for (const Found* of_thread : finders)
-	{
-		spans += of_thread->records;
-		columns += of_thread->columns.size();
-		cut.cells += of_thread->cells;
-	}
-	cut.spans.reserve(spans);
-	cut.columns.reserve(columns);
-	for (std::size_t code = 0; code < (rows_ + 63) / 64; ++code)
+	for (std::size_t word = begin; word < end; ++word)
 	{
 		std::uint64_t rows = 0;
 		for (Found* of_thread : finders)
-			rows |= std::exchange(of_thread->touched[code], 0);
+			rows |= std::exchange(of_thread->touched[word], 0);
 		for (; rows; rows &= rows - 1)
-			takeRow(static_cast<std::uint32_t>(code * 64 + static_cast<std::size_t>(std::countr_zero(rows))), cut);
+			takeRow(static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(rows))), cut);
 	}
+	return cut;
+}
+
+void SpanStore::clear(std::span<Found* const> finders)
+{
 	for (Found* of_thread : finders)
 	{
 		of_thread->records = 0;
 		of_thread->columns.clear();
 		of_thread->cells = {};
 	}
+}
+
+SpanCut SpanStore::collect()
+{
+	std::vector<Found*> finders;
+	SpanCut cut;
+	std::size_t spans = 0;
+	for (const std::unique_ptr<Found>& of_thread : found_)
+		if (of_thread)
+		{
+			finders.push_back(of_thread.get());
+			spans += of_thread->records;
+			cut.cells += of_thread->cells;
+		}
+	// Ranges of rows are taken side by side, then put behind each other.
+	constexpr std::size_t kSpansInPart = 2048;
+	const std::size_t words = (rows_ + 63) / 64;
+	std::vector<SpanCut> parts(std::clamp<std::size_t>(spans / kSpansInPart, 1, 64));
+	const auto forParts = [&](auto&& act) { tbb::parallel_for(std::size_t(0), parts.size(), act); };
+	forParts([&](std::size_t p)
+	         { parts[p] = takeRows(words * p / parts.size(), words * (p + 1) / parts.size(), finders); });
+	if (parts.size() == 1)
+	{
+		parts[0].cells = cut.cells;
+		cut = std::move(parts[0]);
+		clear(finders);
+		return cut;
+	}
+	struct Place
+	{
+		std::size_t span;
+		std::size_t column;
+		SpanCounts counts;
+	};
+	std::vector<Place> places;
+	std::size_t columns = 0;
+	spans = 0;
+	for (const SpanCut& part : parts)
+	{
+		places.push_back({spans, columns, cut.counts});
+		spans += part.spans.size();
+		columns += part.columns.size();
+		cut.counts += part.counts;
+	}
+	cut.spans.resize(spans);
+	cut.columns.resize(columns);
+	forParts(
+	    [&](std::size_t p)
+	    {
+		    const Place& place = places[p];
+		    std::ranges::copy(parts[p].columns, cut.columns.begin() + static_cast<std::ptrdiff_t>(place.column));
+		    Span* to = cut.spans.data() + place.span;
+		    for (Span span : parts[p].spans)
+		    {
+			    span.columns += static_cast<std::uint32_t>(place.column);
+			    span.counts += place.counts;
+			    *to++ = span;
+		    }
+	    });
+	clear(finders);
 	return cut;
 }
 

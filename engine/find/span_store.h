@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/prefetch.h"
 #include "find/span_cut.h"
 
 #include <array>
@@ -31,7 +32,7 @@ public:
 				return true;
 		return false;
 	}
-	void prefetch(std::uint32_t row) const { __builtin_prefetch(&heads_[row]); }
+	void prefetch(std::uint32_t row) const { vp::prefetch(&heads_[row]); }
 
 	// Adds a span of a thread, 0 <= thread < kMaxThreads, `span.columns` aside. False when another thread has found it
 	// in the meantime.
@@ -78,6 +79,8 @@ private:
 
 	Found& found(std::size_t thread);
 	void takeRow(std::uint32_t row, SpanCut& cut);
+	SpanCut takeRows(std::size_t begin, std::size_t end, std::span<Found* const> finders);
+	static void clear(std::span<Found* const> finders);
 
 	std::size_t rows_;
 	std::unique_ptr<std::atomic<std::uint64_t>[]> heads_;

@@ -4,6 +4,7 @@
 #include "find/row_nibbles.h"
 #include "find/row_signs.h"
 #include "find/row_window.h"
+#include "find/short_run.h"
 
 #include <algorithm>
 #include <bit>
@@ -44,7 +45,7 @@ public:
 	Flooder(const grid::Lattice& lattice, const Signs& signs, const Extent& extent, SpanStore& store)
 	    : signs_(signs), extent_(extent), store_(store),
 	      thread_(static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())), points_(lattice.points()),
-	      cells_(lattice.cells()), columns_(points_[0] + 8)
+	      cells_(lattice.cells()), columns_(points_[0] + 16)
 	{
 	}
 
@@ -54,8 +55,13 @@ public:
 		if (const std::optional<Run> run = findRun(entry))
 		{
 			extent_.leaveOut(run->row, run->begin, run->end, columns_);
-			add(*run);
-			enterNeighbors(*run, queue);
+			if (!Extent::kLimits && run->end - run->begin <= ShortRun::kMaxCells)
+				takeShort(*run, queue);
+			else
+			{
+				add(*run);
+				enterNeighbors(*run, queue);
+			}
 			if constexpr (Extent::kLimits)
 				enterOwners(*run, queue);
 		}
@@ -68,18 +74,18 @@ private:
 		const std::uint32_t at = 4 * quad;
 		const PointId p = row_start + at;
 		const PointId layer = points_[0] * points_[1];
-		const PointId rows[4] = {p, p + points_[0], p + layer, p + layer + points_[0]};
+		const std::array<PointId, 4> rows = {p, p + points_[0], p + layer, p + layer + points_[0]};
 		const unsigned count = std::min(4u, points_[0] - at);
-		std::uint32_t columns = 0;
-		unsigned any = 0;
-		unsigned all = 15;
-		for (unsigned r = 0; r < 4; ++r)
-		{
-			const unsigned bits = count == 4 ? signs_.four(rows[r]) : signs_.few(rows[r], count);
-			any |= bits;
-			all &= bits;
-			columns |= kNibbleBytes[bits] << r;
-		}
+		std::array<unsigned, 4> bits;
+		if (count == 4)
+			bits = signs_.sixteen(rows);
+		else
+			for (std::size_t r = 0; r < rows.size(); ++r)
+				bits[r] = signs_.few(rows[r], count);
+		const std::uint32_t columns = kNibbleBytes[bits[0]] | kNibbleBytes[bits[1]] << 1 | kNibbleBytes[bits[2]] << 2 |
+		                              kNibbleBytes[bits[3]] << 3;
+		const unsigned any = bits[0] | bits[1] | bits[2] | bits[3];
+		const unsigned all = bits[0] & bits[1] & bits[2] & bits[3];
 		std::memcpy(&columns_[at], &columns, 4);
 		return ~(any & ~all) & ((1u << count) - 1);
 	}
@@ -134,6 +140,35 @@ private:
 			cells.walked += entry.needs_walk;
 		}
 		span.counts.vertices += table_[cases::caseIndex(columns_[run.end], columns_[run.end])].owned_count;
+		insert(run, span, cells);
+	}
+
+	// add() and enterNeighbors() of a short run of which no cell is left out.
+	void takeShort(const Run& run, std::vector<Entry>& queue)
+	{
+		const std::uint32_t length = run.end - run.begin;
+		const ShortRun bits(&columns_[run.begin], length);
+		const RunSums sums = bits.sums();
+		insert(run, {run.row, run.begin, run.end, 0, {sums.vertices(), sums.polygons(), sums.corners()}},
+		       {length, length, sums.walked()});
+		const bool exists[4] = {run.j > 0, run.j + 1 < cells_[1], run.k > 0, run.k + 1 < cells_[2]};
+		const std::uint32_t rows[4] = {run.row - 1, run.row + 1, run.row - points_[1], run.row + points_[1]};
+		for (unsigned side = 0; side < 4; ++side)
+		{
+			if (!exists[side])
+				continue;
+			const std::uint64_t mixed = bits.mixedColumns(side);
+			const std::uint64_t cut = bits.cutFaces(side, mixed);
+			std::uint64_t begins = cut & ~(cut << 4 & mixed);
+			std::uint64_t ends = cut & ~(cut >> 4 & mixed >> 4);
+			for (; begins; begins &= begins - 1, ends &= ends - 1)
+				enter(rows[side], run.begin + std::countr_zero(begins) / 4, run.begin + std::countr_zero(ends) / 4,
+				      side, queue);
+		}
+	}
+
+	void insert(const Run& run, const Span& span, const SpanCells& cells)
+	{
 		store_.insert(thread_, span, {&columns_[run.begin], run.end - run.begin + 1}, cells);
 		const unsigned last_j = run.j + 1 == cells_[1] ? 1 : 0;
 		const unsigned last_k = run.k + 1 == cells_[2] ? 2 : 0;

@@ -79,8 +79,9 @@ public:
 			visit(list_.empty() ? i : list_[i]);
 	}
 
-private:
-	// Lowest and highest cell index of a leaf, the latter one past the last.
+	// Whether leaves are cubes of lattice cells.
+	bool inCubes() const { return in_cubes_; }
+	// The lowest and the highest cell index of a leaf that is a cube, the latter one past the last.
 	std::pair<std::array<std::uint32_t, 3>, std::array<std::uint32_t, 3>> cube(const Node& leaf) const
 	{
 		const std::array<std::uint32_t, 3> lo = lattice_.cellIndex(leaf.begin);
@@ -89,6 +90,8 @@ private:
 			hi[axis] = std::min(lo[axis] + kLeafEdge, lattice_.cells()[axis]);
 		return {lo, hi};
 	}
+
+private:
 	template <class Visit>
 	void forEachInCube(const Node& leaf, Visit&& visit) const
 	{

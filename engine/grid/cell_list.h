@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/array.h"
+#include "base/prefetch.h"
 #include "grid/cell_shape.h"
 
 #include <array>
@@ -36,9 +37,9 @@ public:
 	void prefetch(std::size_t i) const
 	{
 		if (is_wide_)
-			__builtin_prefetch(wide_.data() + i);
+			vp::prefetch(wide_.data() + i);
 		else
-			__builtin_prefetch(narrow_.data() + i);
+			vp::prefetch(narrow_.data() + i);
 	}
 
 private:

@@ -86,12 +86,16 @@ struct Maker
 	double slots;
 };
 
-const Maker kMakers[] = {{{"shell", "curvilinear: half a spherical shell, radius 1 to 3"}, makeShell, 0.0},
-                         {{"hexes", "the shell as explicit hexahedra"}, makeHexes, 6.0},
-                         {{"tets", "the shell in five tetrahedra a cell"}, makeTets, 20.0},
-                         {{"blob", "image over -3..3"}, makeBlob, 0.0},
-                         {{"graded", "rectilinear over -3..3, cells growing along each axis"}, makeGraded, 0.0},
-                         {{"mixed", "hexahedra, wedges, pyramids and tetrahedra in a box"}, makeMixed, 32.0}};
+const Maker kMakers[] = {
+    {{"shell", "curvilinear: half a spherical shell, radius 1 to 3"}, makeShell, 0.0},
+    {{"hexes", "the shell as explicit hexahedra"}, makeHexes, 6.0},
+    {{"tets", "the shell in five tetrahedra a cell"}, makeTets, 20.0},
+    {{"blob", "image over -3..3"}, makeBlob, 0.0},
+    {{"graded", "rectilinear over -3..3, cells growing along each axis"}, makeGraded, 0.0},
+    {{"mixed", "hexahedra, wedges, pyramids and tetrahedra in a box"}, makeMixed, 32.0},
+    {{"layer", "the boundary layer of a wing: hexahedra and prisms, up to 10 000 times as long as thick"},
+     makeLayer,
+     10.0}};
 
 std::string namesOfDemos()
 {

@@ -54,6 +54,32 @@ Block makeUnstructured(const Filled<float>& xyz, const CellList& cells)
 	return block;
 }
 
+// A list of cells of several shapes, made one after the other.
+class CellListMaker
+{
+public:
+	void add(std::uint8_t vtk_type, std::span<const std::int64_t> ids)
+	{
+		types_.push_back(vtk_type);
+		ids_.insert(ids_.end(), ids.begin(), ids.end());
+		offsets_.push_back(static_cast<std::int64_t>(ids_.size()));
+	}
+
+	CellList take()
+	{
+		CellList cells;
+		cells.types = std::move(types_);
+		cells.offsets = std::move(offsets_);
+		cells.connectivity = std::move(ids_);
+		return cells;
+	}
+
+private:
+	std::vector<std::uint8_t> types_;
+	std::vector<std::int64_t> offsets_{0};
+	std::vector<std::int64_t> ids_;
+};
+
 // The cells of `mixed`, written one after the other.
 class MixedCells
 {
@@ -62,7 +88,6 @@ public:
 
 	CellList list()
 	{
-		offsets_.push_back(0);
 		const std::size_t first_wedge = side_ / 3;
 		const std::size_t first_split = 2 * side_ / 3;
 		for (std::size_t k = 0; k < side_; ++k)
@@ -77,22 +102,13 @@ public:
 					else
 						addSplit(corners, i == first_split && first_split > first_wedge);
 				}
-		CellList cells;
-		cells.types = std::move(types_);
-		cells.offsets = std::move(offsets_);
-		cells.connectivity = std::move(ids_);
-		return cells;
+		return cells_.take();
 	}
 
 	std::size_t splitCells() const { return (side_ - 2 * side_ / 3) * side_ * side_; }
 
 private:
-	void add(std::uint8_t vtk_type, std::span<const std::int64_t> ids)
-	{
-		types_.push_back(vtk_type);
-		ids_.insert(ids_.end(), ids.begin(), ids.end());
-		offsets_.push_back(static_cast<std::int64_t>(ids_.size()));
-	}
+	void add(std::uint8_t vtk_type, std::span<const std::int64_t> ids) { cells_.add(vtk_type, ids); }
 
 	void addWedges(const HexahedronIds& c)
 	{
@@ -127,9 +143,7 @@ private:
 	std::size_t side_;
 	LatticePoints points_;
 	std::int64_t center_; // the next center point, in the order of the cells
-	std::vector<std::uint8_t> types_;
-	std::vector<std::int64_t> offsets_;
-	std::vector<std::int64_t> ids_;
+	CellListMaker cells_;
 };
 
 } // namespace
@@ -199,6 +213,29 @@ Block makeMixed(int n)
 			for (std::size_t i = 2 * side / 3; i < side; ++i)
 				place(center++, i + 0.5, j + 0.5, k + 0.5);
 	return makeUnstructured(xyz, cells.list());
+}
+
+// Lattice axes: i runs along the profile from the leading edge's upper side to the trailing edge, j away from the wall,
+// k along the span. The front half are hexahedra, the rear half prisms that stand on the wall.
+Block makeLayer(int n)
+{
+	const LatticePoints points(n);
+	const std::size_t side = n;
+	CellListMaker cells;
+	for (std::size_t k = 0; k < side; ++k)
+		for (std::size_t j = 0; j < side; ++j)
+			for (std::size_t i = 0; i < side; ++i)
+			{
+				const HexahedronIds c = hexahedronAt(points, i, j, k);
+				if (2 * i < side)
+					cells.add(12, c);
+				else
+				{
+					cells.add(13, std::array{c[0], c[1], c[5], c[3], c[2], c[6]});
+					cells.add(13, std::array{c[0], c[5], c[4], c[3], c[6], c[7]});
+				}
+			}
+	return makeUnstructured(layerPoints(n), cells.take());
 }
 
 } // namespace vp::grid::demo

@@ -53,4 +53,40 @@ Filled<float> shellPoints(int n)
 	return xyz;
 }
 
+Filled<float> layerPoints(int n)
+{
+	constexpr double kHalfChord = 1.0;
+	constexpr double kHalfThickness = 0.12;
+	constexpr double kSpan = 2.0;
+	constexpr double kSweep = 0.3;     // of x, per unit of the span
+	constexpr double kFlattest = 1e-4; // height of a cell at the wall as a part of its length; 1 at the outside
+	const LatticePoints points(n);
+	const double length = 2.0 * kHalfChord / n; // of a cell, along the chord
+	std::vector<double> height{0.0};            // of the points of a column above the wall
+	for (int j = 0; j < n; ++j)
+		height.push_back(height.back() +
+		                 length * std::pow(kFlattest, n > 1 ? 1.0 - static_cast<double>(j) / (n - 1) : 0.0));
+	Filled<float> xyz(3 * points.count());
+	forRows(points.side,
+	        [&](std::size_t j, std::size_t k)
+	        {
+		        float* row = &xyz[3 * points(0, j, k)];
+		        const double z = kSpan * static_cast<double>(k) / n;
+		        for (std::size_t i = 0; i < points.side; ++i, row += 3)
+		        {
+			        // Half an ellipse, and the normal there.
+			        const double angle = std::numbers::pi * (1.0 - static_cast<double>(i) / n);
+			        const double x = kHalfChord * std::cos(angle);
+			        const double y = kHalfThickness * std::sin(angle);
+			        const double across = x / (kHalfChord * kHalfChord);
+			        const double up = y / (kHalfThickness * kHalfThickness);
+			        const double away = height[j] / std::hypot(across, up);
+			        row[0] = static_cast<float>(x + away * across + kSweep * z);
+			        row[1] = static_cast<float>(y + away * up);
+			        row[2] = static_cast<float>(z);
+		        }
+	        });
+	return xyz;
+}
+
 } // namespace vp::grid::demo

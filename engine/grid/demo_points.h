@@ -79,8 +79,12 @@ std::vector<Field> fieldsAt(const Filled<float>& xyz);
 
 // Of n cells each way.
 Filled<float> shellPoints(int n);
+// The boundary layer on the upper side of a swept wing: cells at the wall are ten thousand times as long as high, those
+// at the outside as high as long.
+Filled<float> layerPoints(int n);
 Block makeHexes(int n);
 Block makeTets(int n);
 Block makeMixed(int n);
+Block makeLayer(int n);
 
 } // namespace vp::grid::demo

@@ -1,13 +1,34 @@
 #pragma once
 
 #include "base/array.h"
+#include "base/prefetch.h"
 #include "base/vec.h"
 
 #include <cstddef>
 #include <type_traits>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 namespace vp::grid
 {
+
+/// Returns the point whose coordinates are x, y, z at `xyz`.
+inline Vec3 loadPoint(const double* xyz)
+{
+	return {xyz[0], xyz[1], xyz[2]};
+}
+inline Vec3 loadPoint(const float* xyz)
+{
+#ifdef __SSE2__
+	// The scalar conversion keeps the upper half of its register, and so waits for whoever wrote that.
+	const auto convert = [](const float* number) { return _mm_cvtsd_f64(_mm_cvtps_pd(_mm_load_ss(number))); };
+	return {convert(xyz), convert(xyz + 1), convert(xyz + 2)};
+#else
+	return {xyz[0], xyz[1], xyz[2]};
+#endif
+}
 
 // Coordinates x, y, z per point, kept as float or double as they came: no precision is lost, no memory spent on it.
 class Points
@@ -35,16 +56,16 @@ public:
 	{
 		// The branch goes the same way for a whole cut and costs next to nothing beside the cache miss.
 		if (is_double_)
-			return {double_[3 * i], double_[3 * i + 1], double_[3 * i + 2]};
-		return {float_[3 * i], float_[3 * i + 1], float_[3 * i + 2]};
+			return loadPoint(&double_[3 * i]);
+		return loadPoint(&float_[3 * i]);
 	}
 	// Asks for a point ahead of its use.
 	void prefetch(std::size_t i) const
 	{
 		if (is_double_)
-			__builtin_prefetch(&double_[3 * i]);
+			vp::prefetch(&double_[3 * i]);
 		else
-			__builtin_prefetch(&float_[3 * i]);
+			vp::prefetch(&float_[3 * i]);
 	}
 	// The same for the points from .. to.
 	void prefetch(std::size_t from, std::size_t to) const
@@ -54,8 +75,8 @@ public:
 		    is_double_ ? reinterpret_cast<const char*>(double_.data()) : reinterpret_cast<const char*>(float_.data());
 		constexpr std::size_t kLine = 64;
 		for (const char* at = base + from * size; at < base + (to + 1) * size; at += kLine)
-			__builtin_prefetch(at);
-		__builtin_prefetch(base + (to + 1) * size - 1);
+			vp::prefetch(at);
+		vp::prefetch(base + (to + 1) * size - 1);
 	}
 
 private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/prefetch.h"
 #include "grid/unstructured.h"
 
 namespace vp::grid
@@ -33,20 +34,20 @@ public:
 		}
 	}
 	const Number* xyz(PointId p) const { return xyz_ + 3 * std::size_t(p); }
-	Vec3 point(PointId p) const { return {xyz(p)[0], xyz(p)[1], xyz(p)[2]}; }
+	Vec3 point(PointId p) const { return loadPoint(xyz(p)); }
 
 	// Asks for what reading a cell will need: first for its record, some time later for the points that it names.
 	void prefetchCell(CellId c) const
 	{
-		__builtin_prefetch(record(c));
+		vp::prefetch(record(c));
 		if constexpr (kWidth == 8) // most records reach into a second cache line
-			__builtin_prefetch(record(c) + kStride - 1);
+			vp::prefetch(record(c) + kStride - 1);
 	}
 	void prefetchPoints(CellId c) const
 	{
 		const std::uint32_t* ids = record(c);
 		for (int v = 0; v < kWidth; ++v)
-			__builtin_prefetch(xyz(ids[v])); // a mark in place of an id: any address does no harm
+			vp::prefetch(xyz(ids[v])); // a mark in place of an id: any address does no harm
 	}
 
 private:

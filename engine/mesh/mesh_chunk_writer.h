@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/prefetch.h"
 #include "mesh/mesh_chunk.h"
 #include "mesh/tidy_polygons.h"
 
@@ -29,6 +30,18 @@ public:
 private:
 	static constexpr bool kCurved = surface::kIsCurved<Surface>;
 
+	static constexpr std::uint32_t kAhead = 16; // vertices, whose edges' ends are fetched in advance
+
+	void prefetchEnds(std::uint32_t vertex) const
+	{
+		if constexpr (requires { reader_.xyz(PointId{}); })
+			if (vertex < part_.edges.size())
+			{
+				prefetch(reader_.xyz(lowerOf(part_.edges[vertex])));
+				prefetch(reader_.xyz(higherOf(part_.edges[vertex])));
+			}
+	}
+
 	double heightAt(const Surface& surface, PointId p, const Vec3& place) const
 	{
 		if constexpr (kCurved)
@@ -50,6 +63,7 @@ private:
 		bool at_points = false;
 		for (std::uint32_t v = 0; v < part_.edges.size(); ++v)
 		{
+			prefetchEnds(v + kAhead);
 			const PointId lower = lowerOf(part_.edges[v]);
 			const PointId higher = higherOf(part_.edges[v]);
 			const Vec3 a = reader.point(lower);

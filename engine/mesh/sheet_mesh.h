@@ -2,6 +2,7 @@
 
 #include "base/ids.h"
 #include "base/raw_vector.h"
+#include "base/select.h"
 #include "base/vec.h"
 
 #include <cmath>
@@ -34,9 +35,9 @@ inline Vec3 placeOnEdge(const Vec3& a, const Vec3& b, double t)
 /// points get other numbers once neighbors are built.
 inline Vec3 placeOfAnyNumbering(const Vec3& a, const Vec3& b, double t, bool a_positive)
 {
-	const Vec3 positive = a_positive ? a : b;
-	const Vec3 negative = a_positive ? b : a;
-	const double s = a_positive ? t : 1.0 - t;
+	const Vec3 positive = select(a_positive, a, b);
+	const Vec3 negative = select(a_positive, b, a);
+	const double s = select(a_positive, t, 1.0 - t);
 	return s == 1.0 ? negative : positive + s * (negative - positive);
 }
 

@@ -20,24 +20,47 @@ using cases::LatticeEdge;
 using find::Span;
 using find::SpanCut;
 
-// The numbers of the up to three vertices that a point owns: that of the first, and two bits that tell whether it has
-// one along i and one along j.
-class OwnedVertices
+// The numbers of the up to three vertices that a point owns, along i, j and k. A vertex that is not there has the
+// number of the next one.
+struct OwnedVertices
 {
-public:
 	OwnedVertices() = default;
-	OwnedVertices(std::uint32_t first, unsigned owned) : packed_(first << 2 | (owned & 3)) {}
-
-	std::uint32_t along(unsigned axis) const
+	OwnedVertices(std::uint32_t first, unsigned owned)
+	    : along{first, first + (owned & 1), first + (owned & 1) + (owned >> 1 & 1), 0}
 	{
-		constexpr std::uint32_t kBefore[3] = {0, 1, 3};
-		const std::uint32_t before = packed_ & kBefore[axis];
-		return (packed_ >> 2) + (before & 1) + (before >> 1);
 	}
 
-private:
-	std::uint32_t packed_;
+	std::uint32_t along[4]; // the fourth is not used: a power of two is found by a shift
 };
+
+// Where the corners of a cell's polygon stand: in the vertices of one of the four rows of points along the cell,
+// counted from the column where the cell begins.
+struct CornerPlaces
+{
+	std::array<std::uint8_t, cases::kMaxLatticeEdges> row;
+	std::array<std::uint8_t, cases::kMaxLatticeEdges> number;
+	std::uint8_t corners; // 0: the cell has no polygon by the table
+};
+
+const std::array<CornerPlaces, 256>& cornerPlaces()
+{
+	static const std::array<CornerPlaces, 256> table = []
+	{
+		std::array<CornerPlaces, 256> made{};
+		for (std::size_t c = 0; c < made.size(); ++c)
+		{
+			const LatticeCase& entry = cases::latticeCases()[c];
+			made[c].corners = entry.edges;
+			for (std::size_t e = 0; e < entry.edge.size(); ++e)
+			{
+				made[c].row[e] = entry.edge[e].row;
+				made[c].number[e] = static_cast<std::uint8_t>(4 * entry.edge[e].at + entry.edge[e].axis);
+			}
+		}
+		return made;
+	}();
+	return table;
+}
 
 template <class G>
 class SpanMesh
@@ -78,42 +101,92 @@ private:
 
 	void addVertices(std::size_t begin, std::size_t end)
 	{
+		constexpr std::size_t kPart = 12; // spans, whose edges stay in a core's first cache until they are placed
 		bool at_points = false;
-		for (std::size_t s = begin; s < end; ++s)
+		for (std::size_t from = begin; from < end; from += kPart)
 		{
-			const Span& span = cut_.spans[s];
-			prefetchRows(std::min(s + kAhead, end - 1));
-			std::uint32_t next = first_vertex_ + span.counts.vertices;
-			const Column* columns = &cut_.columns[span.columns];
-			const std::uint32_t last = span.end - span.begin;
-			const std::uint32_t k = span.row / points_[1];
-			const std::uint32_t j = span.row - k * points_[1];
-			PointId p = span.row * points_[0] + span.begin;
-			for (std::uint32_t x = 0; x <= last; ++x, ++p)
+			const std::size_t to = std::min(from + kPart, end);
+			for (std::size_t s = from; s < to; ++s)
 			{
-				const unsigned owned = ownedAt(columns, x, last);
-				owned_[span.columns + x] = OwnedVertices(next, owned);
-				if (!owned)
-					continue;
-				const std::uint32_t i = span.begin + x;
-				const Vec3 a = grid_.pointAt(i, j, k);
-				const double da = plane_.signedDistance(a);
-				for (int axis = 0; axis < 3; ++axis)
-				{
-					if (!(owned >> axis & 1))
-						continue;
-					const PointId higher = p + strides_[axis];
-					const Vec3 b = grid_.pointAt(i + (axis == 0), j + (axis == 1), k + (axis == 2));
-					const double t = surface::Plane::crossing(da, plane_.signedDistance(b));
-					mesh_.edges[next] = {block_, p, higher, t};
-					mesh_.positions[next] = placeOnEdge(a, b, t);
-					at_points = at_points || t == 0.0 || t == 1.0;
-					++next;
-				}
+				prefetchRows(std::min(s + kAhead, end - 1));
+				numberVertices(cut_.spans[s], firstVertexOf(s + 1) == firstVertexOf(end));
 			}
+			if constexpr (std::is_same_v<G, grid::CurvilinearGrid>)
+				at_points |=
+				    placeVertices(firstVertexOf(from), firstVertexOf(to), [&](PointId p) { return grid_.point(p); });
+			else
+				for (std::size_t s = from; s < to; ++s)
+					at_points |= placeVertices(firstVertexOf(s), firstVertexOf(s + 1), pointsAlong(cut_.spans[s]));
 		}
 		if (at_points)
 			at_points_ = true;
+	}
+
+	std::uint32_t firstVertexOf(std::size_t span) const
+	{
+		return first_vertex_ + (span < cut_.spans.size() ? cut_.spans[span].counts.vertices : cut_.counts.vertices);
+	}
+
+	// Names the edges of the vertices that the points of a span own. Which of its three edges a point owns cannot be
+	// foreseen. So all are written, and the next one begins behind those that count; `last`: the vertex behind the span
+	// is another thread's, or none.
+	void numberVertices(const Span& span, bool last)
+	{
+		std::uint32_t next = first_vertex_ + span.counts.vertices;
+		const Column* columns = &cut_.columns[span.columns];
+		const std::uint32_t length = span.end - span.begin;
+		PointId p = span.row * points_[0] + span.begin;
+		for (std::uint32_t x = 0; x <= length; ++x, ++p)
+		{
+			const unsigned owned = ownedAt(columns, x, length);
+			const OwnedVertices vertices(next, owned);
+			owned_[span.columns + x] = vertices;
+			for (unsigned axis = 0; axis < 3; ++axis)
+			{
+				if (last && !(owned >> axis & 1))
+					continue;
+				EdgePoint& edge = mesh_.edges[vertices.along[axis]];
+				edge.block = block_;
+				edge.lower = p;
+				edge.higher = p + strides_[axis];
+			}
+			next = vertices.along[2] + (owned >> 2);
+		}
+	}
+
+	// Finds where the vertices [begin, end) lie on their edges. Returns whether one is at a grid point.
+	template <class PointAt>
+	bool placeVertices(std::uint32_t begin, std::uint32_t end, PointAt&& point_at)
+	{
+		const surface::Plane plane = plane_; // a copy: what is written cannot be thought to change it
+		bool at_points = false;
+		for (std::uint32_t v = begin; v < end; ++v)
+		{
+			EdgePoint& edge = mesh_.edges[v];
+			const Vec3 a = point_at(edge.lower);
+			const Vec3 b = point_at(edge.higher);
+			const double t = surface::Plane::crossing(plane.signedDistance(a), plane.signedDistance(b));
+			edge.t = t;
+			mesh_.positions[v] = placeOnEdge(a, b, t);
+			at_points |= (t == 0.0) | (t == 1.0);
+		}
+		return at_points;
+	}
+
+	// The points of a span's edges, without a division for each.
+	auto pointsAlong(const Span& span) const
+	{
+		const std::uint32_t k = span.row / points_[1];
+		const std::uint32_t j = span.row - k * points_[1];
+		const PointId row = span.row * points_[0];
+		return [this, j, k, row](PointId p)
+		{
+			const PointId from = p - row;
+			if (from < points_[0])
+				return grid_.pointAt(from, j, k);
+			return from >= strides_[2] ? grid_.pointAt(from - strides_[2], j, k + 1)
+			                           : grid_.pointAt(from - strides_[1], j + 1, k);
+		};
 	}
 
 	void prefetchRows(std::size_t s) const
@@ -133,27 +206,37 @@ private:
 	{
 		std::size_t at;
 
-		// The owned vertices from column i on; of a span that does not hold the cell i nothing is asked.
-		const OwnedVertices* from(const SpanMesh& mesh, std::uint32_t row, std::uint32_t i)
+		// The vertices that the points of the row own, from the cell i on; null if the row has none there. That holds
+		// up to the cell `stop`, which is lowered where needed.
+		const std::uint32_t* from(const SpanMesh& mesh, std::uint32_t row, std::uint32_t i, std::uint32_t& stop)
 		{
-			const std::vector<Span>& spans = mesh.cut_.spans;
+			const RawVector<Span>& spans = mesh.cut_.spans;
 			while (at < spans.size() && (spans[at].row < row || (spans[at].row == row && spans[at].end <= i)))
 				++at;
-			if (at == spans.size() || spans[at].row != row || spans[at].begin > i)
-				return kNone.data();
-			return &mesh.owned_[spans[at].columns + (i - spans[at].begin)];
+			if (at == spans.size() || spans[at].row != row || spans[at].begin >= stop)
+				return nullptr;
+			if (spans[at].begin > i)
+			{
+				stop = spans[at].begin;
+				return nullptr;
+			}
+			stop = std::min(stop, spans[at].end);
+			return mesh.owned_[spans[at].columns + (i - spans[at].begin)].along;
 		}
 	};
 
 	void addPolygons(std::size_t begin, std::size_t end)
 	{
-		bool slivers = false;
 		const std::uint32_t steps[3] = {1, points_[1], points_[1] + 1};
 		Beside beside[3];
 		for (int r = 0; r < 3; ++r)
 			beside[r].at = static_cast<std::size_t>(
 			    std::ranges::lower_bound(cut_.spans, cut_.spans[begin].row + steps[r], {}, &Span::row) -
 			    cut_.spans.begin());
+		const std::uint32_t last_corner =
+		    first_corner_ + (end < cut_.spans.size() ? cut_.spans[end].counts.corners : cut_.counts.corners);
+		const Facing facing(normal_);
+		bool slivers = false;
 		for (std::size_t s = begin; s < end; ++s)
 		{
 			const Span& span = cut_.spans[s];
@@ -164,25 +247,38 @@ private:
 			std::uint32_t polygon = first_polygon_ + span.counts.polygons;
 			std::uint32_t corner = first_corner_ + span.counts.corners;
 			CellId cell = grid_.cell(span.begin, j, k);
-			const OwnedVertices* rows[4] = {&owned_[span.columns]};
 			const Column* columns = &cut_.columns[span.columns];
-			for (std::uint32_t i = span.begin; i < span.end; ++i, ++cell, ++columns, ++rows[0])
+			const std::uint32_t* own = owned_[span.columns].along;
+			for (std::uint32_t i = span.begin; i < span.end;)
 			{
-				const LatticeCase& entry = table_[cases::caseIndex(columns[0], columns[1])];
-				if (!entry.edges || (columns[0] & cases::kLeftOut))
-					continue;
+				std::uint32_t stop = span.end;
+				const std::uint32_t* rows[4] = {own};
 				for (int r = 0; r < 3; ++r)
-					rows[r + 1] = beside[r].from(*this, span.row + steps[r], i);
-				std::uint32_t* corners = &mesh_.polygon_vertices[corner];
-				for (int e = 0; e < entry.edges; ++e)
 				{
-					const LatticeEdge& edge = entry.edge[e];
-					corners[e] = rows[edge.row][edge.at].along(edge.axis);
+					// A cell has no corners in a row without vertices.
+					const std::uint32_t* found = beside[r].from(*this, span.row + steps[r], i, stop);
+					rows[r + 1] = found ? found : own;
 				}
-				slivers = !turnPolygon(mesh_, normal_, {corners, entry.edges}) || slivers;
-				mesh_.polygon_cells[polygon] = {block_, cell};
-				corner += entry.edges;
-				mesh_.polygon_starts[++polygon] = corner;
+				own += 4 * (stop - i);
+				for (std::size_t column = 0; i < stop; ++i, ++cell, ++columns, column += 4)
+				{
+					const CornerPlaces& places = places_[cases::caseIndex(columns[0], columns[1])];
+					if (!places.corners || (columns[0] & cases::kLeftOut))
+						continue;
+					std::uint32_t corners[cases::kMaxLatticeEdges];
+					for (int e = 0; e < cases::kMaxLatticeEdges; ++e)
+						corners[e] = rows[places.row[e]][column + places.number[e]];
+					slivers |= !facing.turnFan(mesh_.positions.data(), corners, places.corners);
+					// What is written behind a polygon belongs to the next one.
+					std::uint32_t* to = &mesh_.polygon_vertices[corner];
+					if (corner + cases::kMaxLatticeEdges <= last_corner)
+						std::copy_n(corners, cases::kMaxLatticeEdges, to);
+					else
+						std::copy_n(corners, places.corners, to);
+					mesh_.polygon_cells[polygon] = {block_, cell};
+					corner += places.corners;
+					mesh_.polygon_starts[++polygon] = corner;
+				}
 			}
 		}
 		if (slivers)
@@ -229,11 +325,10 @@ private:
 		const Span& span = *std::prev(after);
 		const std::uint32_t stride = higher - lower;
 		const unsigned axis = stride == strides_[2] ? 2 : stride == strides_[1] ? 1 : 0;
-		return owned_[span.columns + (i - span.begin)].along(axis);
+		return owned_[span.columns + (i - span.begin)].along[axis];
 	}
 
 	static constexpr std::size_t kAhead = 8; // spans, whose points are fetched in advance
-	static inline const std::array<OwnedVertices, 2> kNone{};
 
 	const G& grid_;
 	std::uint32_t block_;
@@ -245,6 +340,7 @@ private:
 	std::array<std::uint32_t, 3> cells_;
 	std::array<std::uint32_t, 3> strides_;
 	const std::array<LatticeCase, 256>& table_ = cases::latticeCases();
+	const std::array<CornerPlaces, 256>& places_ = cornerPlaces();
 	std::uint32_t first_vertex_;
 	std::uint32_t first_polygon_;
 	std::uint32_t first_corner_;

@@ -9,7 +9,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <optional>
+#include <type_traits>
 
 namespace vp::seed
 {
@@ -39,7 +43,147 @@ std::vector<std::uint32_t> leavesThatMeet(const grid::BlockTree& tree, const sur
 	return leaves;
 }
 
-// The pieces of a surface within one leaf.
+// The pieces of a surface within a leaf that is a cube of lattice cells. The heights of its points are asked once each,
+// and all else is done with their signs, a bit each in rows along i.
+template <class G>
+class CubePieces
+{
+public:
+	CubePieces(const G& grid, const surface::BlockSurface& surface, const grid::CellFilter& filter)
+	    : grid_(grid), surface_(surface), filter_(filter)
+	{
+	}
+
+	// Returns a cell of each piece: the one with the lowest number, in the order of the numbers.
+	std::vector<CellId> seedsOf(const grid::BlockTree& tree, std::uint32_t leaf)
+	{
+		const auto [lo, hi] = tree.cube(tree.leaves()[leaf]);
+		lo_ = lo;
+		for (int axis = 0; axis < 3; ++axis)
+			size_[axis] = hi[axis] - lo[axis];
+		asked_ += std::size_t(size_[0]) * size_[1] * size_[2];
+		takeSigns();
+		std::vector<CellId> seeds;
+		if (!takeCells())
+			return seeds;
+		for (std::uint32_t k = 0; k < size_[2]; ++k)
+			for (std::uint32_t j = 0; j < size_[1]; ++j)
+				while (const Row row = left_[k][j])
+				{
+					const auto i = static_cast<std::uint32_t>(std::countr_zero(row));
+					seeds.push_back(cellAt({i, j, k}));
+					flood({i, j, k});
+				}
+		return seeds;
+	}
+	std::size_t asked() const { return asked_; } // cells
+
+private:
+	using Row = std::uint32_t;
+	using Index = std::array<std::uint32_t, 3>;
+	static constexpr std::uint32_t kEdge = grid::BlockTree::kLeafEdge;
+
+	CellId cellAt(const Index& at) const { return grid_.cell(lo_[0] + at[0], lo_[1] + at[1], lo_[2] + at[2]); }
+
+	void takeSigns()
+	{
+		std::array<PointId, kEdge + 1> points;
+		std::array<double, kEdge + 1> heights;
+		for (std::uint32_t k = 0; k <= size_[2]; ++k)
+			for (std::uint32_t j = 0; j <= size_[1]; ++j)
+			{
+				for (std::uint32_t i = 0; i <= size_[0]; ++i)
+					points[i] = grid_.pointId(lo_[0] + i, lo_[1] + j, lo_[2] + k);
+				surface_.heights(grid_, std::span(points).first(size_[0] + 1), heights.data());
+				Row row = 0;
+				for (std::uint32_t i = 0; i <= size_[0]; ++i)
+					row |= Row(heights[i] >= 0.0) << i;
+				signs_[k][j] = row;
+			}
+	}
+
+	// Bit i: whether the points i and i + 1 of the rows have different signs.
+	static Row mixed(Row any, Row all) { return (any | any >> 1) & ~(all & all >> 1); }
+
+	// Takes the cells that are cut. Returns false if there are none.
+	bool takeCells()
+	{
+		const Row every = (Row(1) << size_[0]) - 1;
+		Row some = 0;
+		for (std::uint32_t k = 0; k < size_[2]; ++k)
+			for (std::uint32_t j = 0; j < size_[1]; ++j)
+			{
+				const Row a = signs_[k][j], b = signs_[k][j + 1], c = signs_[k + 1][j], d = signs_[k + 1][j + 1];
+				Row cut = mixed(a | b | c | d, a & b & c & d) & every;
+				if (filter_)
+					for (Row cells = cut; cells; cells &= cells - 1)
+						if (const auto i = static_cast<std::uint32_t>(std::countr_zero(cells));
+						    !filter_(cellAt({i, j, k})))
+							cut &= ~(Row(1) << i);
+				left_[k][j] = cut;
+				some |= cut;
+			}
+		return some != 0;
+	}
+
+	// Whether the face of a cell towards lower numbers along an axis is cut.
+	bool isFaceCut(const Index& at, int axis) const
+	{
+		const auto [i, j, k] = at;
+		const Row a = signs_[k][j];
+		if (axis == 0)
+		{
+			const Row b = signs_[k][j + 1], c = signs_[k + 1][j], d = signs_[k + 1][j + 1];
+			return ((a | b | c | d) & ~(a & b & c & d)) >> i & 1;
+		}
+		const Row b = axis == 1 ? signs_[k + 1][j] : signs_[k][j + 1];
+		return mixed(a | b, a & b) >> i & 1;
+	}
+
+	void flood(const Index& first)
+	{
+		queue_.clear();
+		enter(first);
+		while (!queue_.empty())
+		{
+			const Index at = queue_.back();
+			queue_.pop_back();
+			for (int axis = 0; axis < 3; ++axis)
+			{
+				Index next = at;
+				if (at[axis] > 0 && isFaceCut(at, axis))
+				{
+					--next[axis];
+					enter(next);
+				}
+				next = at;
+				++next[axis];
+				if (next[axis] < size_[axis] && isFaceCut(next, axis))
+					enter(next);
+			}
+		}
+	}
+	void enter(const Index& at)
+	{
+		Row& row = left_[at[2]][at[1]];
+		if (!(row >> at[0] & 1))
+			return;
+		row &= ~(Row(1) << at[0]);
+		queue_.push_back(at);
+	}
+
+	const G& grid_;
+	const surface::BlockSurface& surface_;
+	const grid::CellFilter& filter_;
+	Index lo_{};                      // of the leaf
+	Index size_{};                    // in cells
+	Row signs_[kEdge + 1][kEdge + 1]; // of the points, by k and j
+	Row left_[kEdge][kEdge];          // cut cells that no piece has yet, by k and j
+	std::vector<Index> queue_;
+	std::size_t asked_ = 0;
+};
+
+// The pieces of a surface within any leaf.
 template <grid::Grid G>
 class LeafPieces
 {
@@ -50,7 +194,7 @@ public:
 	{
 	}
 
-	// A cell of each.
+	// Returns a cell of each piece, as CubePieces does.
 	std::vector<CellId> seedsOf(const grid::BlockTree& tree, std::uint32_t leaf)
 	{
 		cells_.clear();
@@ -132,15 +276,21 @@ void seedTree(const grid::Block& block, const surface::BlockSurface& surface, co
 		std::size_t asked = 0;
 	};
 	std::vector<Part> parts((leaves.size() + kLeaves - 1) / kLeaves);
-	const auto search = [&](const auto& grid, std::size_t p)
+	const auto searchBy = [&](auto pieces, std::size_t p)
 	{
-		LeafPieces pieces(grid, surface, window, filters);
 		for (std::size_t i = p * kLeaves; i < std::min((p + 1) * kLeaves, leaves.size()); ++i)
 		{
 			const std::vector<CellId> seeds = pieces.seedsOf(tree, leaves[i]);
 			parts[p].seeds.insert(parts[p].seeds.end(), seeds.begin(), seeds.end());
 		}
 		parts[p].asked = pieces.asked();
+	};
+	const auto search = [&](const auto& grid, std::size_t p)
+	{
+		if constexpr (std::is_base_of_v<grid::Lattice, std::decay_t<decltype(grid)>>)
+			if (tree.inCubes() && !window)
+				return searchBy(CubePieces(grid, surface, filters), p);
+		searchBy(LeafPieces(grid, surface, window, filters), p);
 	};
 	std::visit([&](const auto& grid)
 	           { tbb::parallel_for(std::size_t(0), parts.size(), [&](std::size_t p) { search(grid, p); }); },

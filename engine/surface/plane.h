@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/select.h"
 #include "base/vec.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ public:
 	{
 		const double positive = std::max(distance_a, distance_b);
 		const double rest = 1.0 - positive / (positive - std::min(distance_a, distance_b)); // from the negative end
-		return distance_a >= distance_b ? 1.0 - rest : rest;
+		return select(distance_a >= distance_b, 1.0 - rest, rest);
 	}
 
 private:

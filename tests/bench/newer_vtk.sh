@@ -21,7 +21,7 @@ fi
 
 inside apt-get -qq update
 inside env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends \
-	"${build_packages[@]}" libbenchmark-dev >/dev/null
+	"${build_packages[@]}" libbenchmark-dev libgtest-dev libgmock-dev libmuparser-dev >/dev/null
 mount --bind -o ro "$project" "$root/source"
 mkdir -p "$root/build"
 inside cmake -S /source -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release -DVPROBE_TESTS=ON -DVPROBE_BENCH=ON \

@@ -11,14 +11,18 @@ import shlex
 import statistics
 import subprocess
 import sys
+import tempfile
 
 
 def times(command, pattern):
     """Milliseconds of each row of one run. command: a list."""
-    run = subprocess.run([*command, '--benchmark_filter=' + pattern, '--benchmark_format=json'],
-                         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True)
-    # The program prints its aims after the figures.
-    rows = json.JSONDecoder().raw_decode(run.stdout.decode())[0]['benchmarks']
+    # A descriptor, not a name: a command in another root has other names.
+    with tempfile.TemporaryFile() as file:
+        subprocess.run([*command, '--benchmark_filter=' + pattern, '--benchmark_out_format=json',
+                        f'--benchmark_out=/proc/self/fd/{file.fileno()}'], pass_fds=[file.fileno()],
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
+        file.seek(0)
+        rows = json.load(file)['benchmarks']
     return {row['name'].split('/min_time')[0].split('/iterations')[0]: row['real_time']
             for row in rows if 'error_occurred' not in row and 'skipped' not in row}
 

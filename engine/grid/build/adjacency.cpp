@@ -1,5 +1,6 @@
 #include "grid/build/adjacency.h"
 
+#include "base/prefetch.h"
 #include "grid/build/face_crowds.h"
 #include "grid/build/face_meetings.h"
 
@@ -179,8 +180,7 @@ private:
 			return;
 		const auto at = reinterpret_cast<std::intptr_t>(&across(slot));
 		for (int line = -2; line <= 3; ++line)
-			__builtin_prefetch(
-			    reinterpret_cast<const void*>(at + line * kLine)); // outside the records there is no harm
+			vp::prefetch(reinterpret_cast<const void*>(at + line * kLine)); // outside the records there is no harm
 	}
 
 	// All faces with one lowest point. Nothing else reads or writes their slots.

@@ -1,3 +1,4 @@
+#include "base/prefetch.h"
 #include "grid/build/adjacency.h"
 #include "grid/build/cell_order.h"
 #include "grid/build/for_ranges.h"
@@ -145,7 +146,7 @@ private:
 	void prefetchStart(std::size_t source) const
 	{
 		if (!cells_.offsets.empty())
-			__builtin_prefetch(&cells_.offsets[source]);
+			vp::prefetch(&cells_.offsets[source]);
 	}
 
 	void matchCells(const std::vector<FaceLink>& links)
