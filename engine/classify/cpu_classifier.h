@@ -2,6 +2,9 @@
 
 #include "find/generations.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <span>
@@ -9,7 +12,8 @@
 namespace vp::classify
 {
 
-// Classifies in double precision on the calling thread: the oracle that the GPU is held against.
+// Classifies in double precision: the oracle that the GPU is held against. Planes are classified on the calling thread,
+// since the CPU finds their cells in other ways. Other surfaces are classified on all cores.
 template <class Surface, class Window = seed::SheetWindow>
 class CpuClassifier
 {
@@ -32,11 +36,19 @@ private:
 		if constexpr (surface::kIsCurved<Surface>)
 		{
 			constexpr std::size_t kCells = Surface::kMaxPoints / grid::kMaxShapePoints;
-			for (std::size_t begin = 0; begin < front.cells.size(); begin += kCells)
+			constexpr std::size_t kGrain = 64; // times kCells
+			const auto classifyPart = [&](const tbb::blocked_range<std::size_t>& part)
 			{
-				const std::size_t count = std::min(kCells, front.cells.size() - begin);
-				classifyTogether(grid, surface, front.cells.subspan(begin, count), front.codes.subspan(begin, count));
-			}
+				for (std::size_t i = part.begin(); i < part.end(); ++i)
+				{
+					const std::size_t begin = i * kCells;
+					const std::size_t count = std::min(kCells, front.cells.size() - begin);
+					classifyTogether(grid, surface, front.cells.subspan(begin, count),
+					                 front.codes.subspan(begin, count));
+				}
+			};
+			tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (front.cells.size() + kCells - 1) / kCells, kGrain),
+			                  classifyPart);
 		}
 		else
 			for (std::size_t i = 0; i < front.cells.size(); ++i)

@@ -89,6 +89,13 @@ private:
 	{
 		std::array<PointId, kEdge + 1> points;
 		std::array<double, kEdge + 1> heights;
+		if constexpr (requires { grid_.prefetch(PointId{}, PointId{}); })
+			for (std::uint32_t k = 0; k <= size_[2]; ++k)
+				for (std::uint32_t j = 0; j <= size_[1]; ++j)
+				{
+					const PointId row = grid_.pointId(lo_[0], lo_[1] + j, lo_[2] + k);
+					grid_.prefetch(row, row + size_[0]);
+				}
 		for (std::uint32_t k = 0; k <= size_[2]; ++k)
 			for (std::uint32_t j = 0; j <= size_[1]; ++j)
 			{

@@ -61,15 +61,20 @@ public:
 	template <class G>
 	void heights(const G& grid, std::span<const PointId> points, double* heights) const
 	{
-		const PlacedExpression* placed = expression();
+		if (const BlockValues* of_values = values())
+		{
+			for (std::size_t i = 0; i < points.size(); ++i)
+				heights[i] = of_values->height(grid, points[i]);
+			return;
+		}
 		std::array<Vec3, kMaxPoints> places;
 		for (std::size_t i = 0; i < points.size(); ++i)
-			if (placed)
-				places[i] = grid.point(points[i]);
-			else
-				heights[i] = height(grid, points[i]);
-		if (placed)
-			placed->heightsAt({places.data(), points.size()}, heights);
+			places[i] = grid.point(points[i]);
+		if (const Quadric* form = quadric())
+			for (std::size_t i = 0; i < points.size(); ++i)
+				heights[i] = form->height(places[i]);
+		else
+			expression()->heightsAt({places.data(), points.size()}, heights);
 	}
 	// How far from a to b the surface lies, 0 to 1: the root of what has a place, by linear interpolation for values.
 	// The heights have different signs.

@@ -58,13 +58,6 @@ Vec3 Quadric::times(const Vec3& q) const
 	        square_.z * q.z + 0.5 * (mixed_.y * q.x + mixed_.z * q.y)};
 }
 
-double Quadric::height(const Vec3& p) const
-{
-	const Vec3 q = p - origin_;
-	return q.x * (square_.x * q.x + mixed_.x * q.y + mixed_.y * q.z + linear_.x) +
-	       q.y * (square_.y * q.y + mixed_.z * q.z + linear_.y) + q.z * (square_.z * q.z + linear_.z) + constant_;
-}
-
 Vec3 Quadric::gradient(const Vec3& p) const
 {
 	return 2.0 * times(p - origin_) + linear_;

@@ -26,7 +26,12 @@ public:
 	// Given in a frame's coordinates, in those of the world.
 	Quadric placed(const Axes& axes) const;
 
-	double height(const Vec3& p) const;
+	double height(const Vec3& p) const
+	{
+		const Vec3 q = p - origin_;
+		return q.x * (square_.x * q.x + mixed_.x * q.y + mixed_.y * q.z + linear_.x) +
+		       q.y * (square_.y * q.y + mixed_.z * q.z + linear_.y) + q.z * (square_.z * q.z + linear_.z) + constant_;
+	}
 	// Along which the height rises, not a unit vector; zero where there is no one direction.
 	Vec3 gradient(const Vec3& p) const;
 	// How far from a to b the surface lies, 0 to 1: the root of the quadratic that the height is along an edge. Their

@@ -153,7 +153,7 @@ int main(int argc, char** argv)
 		    grid == "tets:184")
 			addFirstCuts(grid);
 	}
-	for (const char* name : {"shell:256 jki", "shell:256 kij"})
+	for (const char* name : {"shell:256 jki", "shell:256 kij", "layer:112", "layer:112 shuffled"})
 		add(name, "cpu", [=](auto& state) { bench::cpuCut(state, name, find::Finder::automatic); })->MinTime(1.0);
 	for (const char* name : {"shell:256", "tets:128", "hexes:192"})
 		add(name, "memory", [=](auto& state) { bench::memory(state, program, name); })->Iterations(1);

@@ -51,6 +51,13 @@ grid::BlockSet makeGrid(const std::string& name, bool builds_neighbors)
 	if (space == std::string::npos)
 		return made;
 	grid::Block& block = made.blocks[0];
+	if (name.ends_with(" shuffled"))
+	{
+		const ReadCells read = readCells(std::get<grid::UnstructuredGrid>(block.grid), true);
+		block.grid = grid::UnstructuredGrid::build(read.points, read.cells);
+		grid::finishBlock(block);
+		return made;
+	}
 	block.grid = withFirstAxis(std::get<grid::CurvilinearGrid>(block.grid), name[space + 1] - 'i');
 	block.fields.clear(); // they are in the old order
 	grid::finishBlock(block);

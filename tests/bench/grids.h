@@ -12,8 +12,8 @@
 namespace vp::bench
 {
 
-// A built-in data set, NAME:N. "shell:256 jki" and "shell:256 kij" are the shell with its axes in another order as
-// read.
+// A built-in data set, NAME:N. "layer:112 shuffled" has its cells in random order. "shell:256 jki" and "shell:256 kij"
+// are the shell with its axes in another order as read.
 const grid::BlockSet& gridNamed(const std::string& name);
 
 // The same, cells listed as a file would list them: no neighbors built. Of this too the last is kept.

@@ -89,6 +89,14 @@ Number worstOrientation(const Figures& figures)
 	return worst / best;
 }
 
+// Time of a cut cell of long thin cells against that of cells that are nearly cubes.
+Target thinCells(const std::string& layer)
+{
+	const auto measure = [=](const Figures& f)
+	{ return quotient(f.counter(layer + "/cpu", "per_cell"), f.counter("hexes:128/cpu", "per_cell")); };
+	return {"a cut cell of " + layer + " against one of hexes:128", "times", 1.5, false, measure};
+}
+
 std::vector<Target> targets()
 {
 	return {
@@ -113,6 +121,8 @@ std::vector<Target> targets()
 	     [](const Figures& f) { return f.ms("tets:184/build shuffled"); }},
 	    faster("window of 1/5 x 1/5 of the slice against all of it, shell:256", 12, "shell:256/window",
 	           "shell:256/cpu"),
+	    thinCells("layer:112"),
+	    thinCells("layer:112 shuffled"),
 	    faster("contour in a box of 1/10 each side, and its sheet, to vtkContourFilter", 50,
 	           "shell:256/sheet and contour in a box", "shell:256/vtkContourFilter"),
 	    counted("generations of a device's cut, shell:256", "", 24, "shell:256/gpu", "generations"),

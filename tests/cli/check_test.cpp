@@ -28,8 +28,8 @@ protected:
 
 TEST_F(Check, CleanGridsGiveZero)
 {
-	for (const char* demo :
-	     {"demo:shell:8", "demo:hexes:8", "demo:tets:4", "demo:mixed:6", "demo:blob:8", "demo:graded:8"})
+	for (const char* demo : {"demo:shell:8", "demo:hexes:8", "demo:tets:4", "demo:mixed:6", "demo:blob:8",
+	                         "demo:graded:8", "demo:layer:8"})
 	{
 		const Outcome outcome = run({"check", demo, "--json"});
 		ASSERT_TRUE(isQuiet(outcome)) << demo << outcome.out;

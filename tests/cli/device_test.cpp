@@ -34,7 +34,7 @@ TEST_F(Device, StatsNameIt)
 
 TEST_F(Device, GivesWhatTheCpuGives)
 {
-	for (const std::string demo : {"shell", "hexes", "tets", "blob", "graded", "mixed"})
+	for (const std::string demo : {"shell", "hexes", "tets", "blob", "graded", "mixed", "layer"})
 	{
 		const Arguments probe{"slice", "demo:" + demo + ":8", "--normal", "0.3", "0.5", "0.81", "--stats", "-"};
 		const nlohmann::json gpu = run(probe + Arguments{"--classify", "gpu"}).json()["sheets"][0];

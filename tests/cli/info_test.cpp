@@ -48,9 +48,9 @@ TEST_F(Info, JsonKeepsItsKeys)
 
 TEST_F(Info, KindOfEveryDemo)
 {
-	const std::pair<const char*, const char*> kinds[] = {{"shell", "curvilinear"},  {"hexes", "unstructured"},
-	                                                     {"tets", "unstructured"},  {"blob", "image"},
-	                                                     {"graded", "rectilinear"}, {"mixed", "unstructured"}};
+	const std::pair<const char*, const char*> kinds[] = {
+	    {"shell", "curvilinear"},  {"hexes", "unstructured"}, {"tets", "unstructured"}, {"blob", "image"},
+	    {"graded", "rectilinear"}, {"mixed", "unstructured"}, {"layer", "unstructured"}};
 	for (const auto& [demo, kind] : kinds)
 		EXPECT_EQ(run({"info", std::string("demo:") + demo + ":4", "--json"}).json()["grid"]["kind"], kind) << demo;
 }
@@ -59,7 +59,7 @@ TEST_F(Info, DemoWithoutANameListsThem)
 {
 	const Outcome outcome = run({"info", "demo:"});
 	ASSERT_TRUE(isQuiet(outcome));
-	for (const char* name : {"shell", "hexes", "tets", "blob", "graded", "mixed"})
+	for (const char* name : {"shell", "hexes", "tets", "blob", "graded", "mixed", "layer"})
 		EXPECT_TRUE(contains(outcome.out, name)) << name;
 }
 

@@ -135,7 +135,7 @@ TEST_F(Input, OneBadFileAmongGoodOnes)
 TEST_F(Input, UnknownDemo)
 {
 	for (const std::string demo : {"demo:cheese", "demo:cheese:8"})
-		expectRefused(demo, {"cheese", "shell", "hexes", "tets", "blob", "graded", "mixed"});
+		expectRefused(demo, {"cheese", "shell", "hexes", "tets", "blob", "graded", "mixed", "layer"});
 }
 
 TEST_F(Input, DemoOfAnImpossibleSize)

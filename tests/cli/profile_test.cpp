@@ -45,7 +45,7 @@ nlohmann::json stageOf(const nlohmann::json& profile, const std::string& name)
 
 TEST_F(Profile, PromisedKeys)
 {
-	for (const std::string demo : {"shell", "hexes", "tets", "blob", "graded", "mixed"})
+	for (const std::string demo : {"shell", "hexes", "tets", "blob", "graded", "mixed", "layer"})
 	{
 		const nlohmann::json told = profile({"demo:" + demo + ":6"});
 		expectSpread(told.at("cut_ms"), demo);

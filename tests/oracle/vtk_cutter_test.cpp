@@ -114,7 +114,8 @@ TEST_P(VtkCutterTest, FindsTheSame)
 
 INSTANTIATE_TEST_SUITE_P(Demos, VtkCutterTest,
                          testing::Values(std::pair("shell", 18), std::pair("hexes", 15), std::pair("tets", 12),
-                                         std::pair("blob", 16), std::pair("graded", 17), std::pair("mixed", 12)),
+                                         std::pair("blob", 16), std::pair("graded", 17), std::pair("mixed", 12),
+                                         std::pair("layer", 14)),
                          [](const auto& info) { return info.param.first; });
 
 } // namespace vp::test

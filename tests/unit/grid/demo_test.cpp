@@ -79,6 +79,33 @@ TEST(Demo, ConformsWhereItIsSplit)
 	}
 }
 
+TEST(Demo, LayerIsThinAtTheWallAndCloses)
+{
+	constexpr int n = 12;
+	const Block block = demo("layer", n);
+	validate(block);
+	EXPECT_GT(volume(block), 0.0); // each cell's is
+	EXPECT_EQ(cellCount(block), std::size_t(n / 2 * n * n + n / 2 * n * n * 2));
+	// A prism has two triangles on the wall and the outside, and on one of the two ends of the span nothing more.
+	EXPECT_EQ(block.boundary.faces.size(), std::size_t(2 * n * n + 2 * (n / 2 * n + n / 2 * n * 2) + 2 * n * n));
+	const auto& grid = std::get<UnstructuredGrid>(block.grid);
+	double least = INFINITY;
+	double most = 0.0;
+	for (CellId c = 0; c < grid.cellCount(); ++c)
+	{
+		if (grid.shape(c) != CellShape::hexahedron)
+			continue;
+		const CellPoints points = grid.cellPoints(c);
+		const auto length = [&](int a, int b)
+		{ return glm::length(grid.point(points.id[b]) - grid.point(points.id[a])); };
+		const double aspect = length(0, 4) / length(0, 3);
+		least = std::min(least, aspect);
+		most = std::max(most, aspect);
+	}
+	EXPECT_NEAR(least, 1.0, 0.1);
+	EXPECT_NEAR(most, 10000.0, 1000.0);
+}
+
 TEST(Demo, MixedHasEveryShape)
 {
 	const Block block = demo("mixed", 9);

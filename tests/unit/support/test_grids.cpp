@@ -322,6 +322,7 @@ std::vector<Block> makeAll()
 	all.push_back(warpedHexahedra());
 	all.push_back(renamed(explicitHexahedra(6, [](int i, int j, int) { return j < 2 || i < 2 || i >= 4; }), "u_shape"));
 	all.push_back(renamed(explicitHexahedra(6, [](int i, int, int) { return i < 2 || i >= 4; }), "two_pieces"));
+	all.push_back(demoGrid("layer", 6));
 	return all;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string_view>
 
 namespace vp::test
 {
@@ -57,7 +58,8 @@ TEST(Lattice, OnlyWhatIsCutAndInTheCellThatIsTold)
 		const grid::BlockSet blocks = demo(kind.name, 9);
 		const Cut cut = cutOf(blocks, {0.0, 0.0, 0.35}, probe::centeredWindow(7.0, 7.0));
 		const SheetLattice lattice = vectors::launchLattice(cut.mesh, cut.sheet, {30, 1.0});
-		EXPECT_GT(lattice.launches.size(), 200u) << kind.name;
+		const bool thin = std::string_view(kind.name) == "layer"; // which meets few of the lattice's places
+		EXPECT_GT(lattice.launches.size(), thin ? 10u : 200u) << kind.name;
 		EXPECT_LT(lattice.launches.size(), 900u) << kind.name;
 		std::set<std::uint32_t> seeds;
 		for (const Launch& launch : lattice.launches)
