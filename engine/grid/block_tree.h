@@ -15,32 +15,31 @@
 namespace vp::grid
 {
 
-// Boxes over groups of cells: cubes of 8^3 cells of a lattice, runs of 512 cells of an unstructured grid (along its
-// Morton curve) or of a list, and boxes over 64 of those (4^3 cubes). Finds the cells whose box a surface may meet
-// without a traversal: a witness beside it, and the seeds of surfaces that touch no boundary. Built in one parallel
-// pass over the cells; 64 bytes for 512 cells, and 4 bytes for each cell of a list.
+// Boxes around groups of cells. A leaf is a cube of 8^3 cells of a lattice, or a run of 512 cells of an unstructured
+// grid (along its Morton curve) or of a list. A group is 64 leaves (4^3 cubes). The tree finds the cells that a surface
+// may meet without a traversal. It gives the seeds of surfaces that touch no boundary, and it checks the traversal. It
+// is built in one parallel pass over the cells, and takes 64 bytes for 512 cells and 4 bytes for each cell of a list.
 class BlockTree
 {
 public:
 	struct Node
 	{
-		Box box; // of all points below
-		std::uint32_t
-		    begin;         // of a leaf: its first cell (place in the list) or lowest lattice cell; else its first leaf
-		std::uint32_t end; // of a run or group: one past the last
+		Box box;             // around all points of its cells
+		std::uint32_t begin; // leaf: its first cell (place in the list) or lowest lattice cell; group: its first leaf
+		std::uint32_t end;   // run or group: one past the last
 	};
 
 	BlockTree() = default;
-	// Over all cells of one of the four grids of block.h.
+	// Builds the tree of all cells of one of the four grids of block.h.
 	template <Grid G>
 	explicit BlockTree(const G& grid);
-	// Over some cells.
+	// Builds the tree of some cells.
 	template <Grid G>
 	BlockTree(const G& grid, std::span<const CellId> cells);
 
-	// Calls visit(cell) for every cell of the leaves for which meets(box) holds, each once: a superset of the cells
-	// that meet what meets() asks about. meets() must hold for a box that contains one for which it holds. Returns how
-	// many boxes were asked.
+	// Calls visit(cell) once for every cell of the leaves whose box passes meets(box). These are all cells that meet
+	// the surface, and some more. If meets() is true for a box, it must be true for every box around it. Returns the
+	// number of boxes that were asked.
 	template <class Meets, class Visit>
 	std::size_t visitWhere(Meets&& meets, Visit&& visit) const
 	{
@@ -113,7 +112,7 @@ private:
 	std::vector<Node> groups_;
 };
 
-// A tree that is built when it is first wanted.
+// A tree that is built at its first use.
 class LazyBlockTree
 {
 public:

@@ -11,9 +11,9 @@
 namespace vp::grid
 {
 
-// The faces of a block that have no neighbor, in groups of patches of faces that lie together, each with its box: what
-// a surface cuts of the boundary is found in time that follows the cut. A patch holds up to 16 faces (4 x 4 on the side
-// of a lattice), a group up to 64 patches (32 x 32 faces).
+// The faces of a block that have no neighbor. Faces that lie together form a patch, patches form a group, and each has
+// a box. So the time to find the faces that a surface cuts depends on their number. A patch has up to 16 faces (4 x 4
+// on the side of a lattice), a group has up to 64 patches (32 x 32 faces).
 struct BoundaryIndex
 {
 	struct Face
@@ -23,7 +23,7 @@ struct BoundaryIndex
 	};
 	struct Range
 	{
-		Box box;             // of all points below
+		Box box;             // around all points of its faces
 		std::uint32_t begin; // of faces (a patch) or of patches (a group)
 		std::uint32_t end;
 	};
@@ -31,8 +31,8 @@ struct BoundaryIndex
 	std::vector<Range> patches;
 	std::vector<Range> groups;
 
-	// Calls visit(faces of a patch) for every patch of the groups [begin, end) for which meets(box) holds. Returns how
-	// many boxes were asked.
+	// Calls visit(faces of a patch) for every patch of the groups [begin, end) whose box passes meets(box). Returns the
+	// number of boxes that were asked.
 	template <class Meets, class Visit>
 	std::size_t visitWhere(std::size_t begin, std::size_t end, Meets&& meets, Visit&& visit) const
 	{
@@ -49,7 +49,7 @@ struct BoundaryIndex
 		}
 		return tests;
 	}
-	// The same for every face of a patch of any group.
+	// The same for every face of every patch in all groups.
 	template <class Meets, class Visit>
 	std::size_t visitWhere(Meets&& meets, Visit&& visit) const
 	{
@@ -62,8 +62,9 @@ struct BoundaryIndex
 	}
 };
 
-// Lattice: every cell side on the border, also one without area. Unstructured: every face that no cell is across,
-// except faces of fewer than three distinct points. For the four grids of block.h.
+// Builds the index of one of the four grids of block.h. In a lattice, every side of a cell on the border is a boundary
+// face, even one without area. In an unstructured grid, every face without a cell across is one, except faces with
+// fewer than three different points.
 template <Grid G>
 BoundaryIndex buildBoundaryIndex(const G& grid);
 

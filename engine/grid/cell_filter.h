@@ -7,10 +7,10 @@
 namespace vp::grid
 {
 
-/// Whether a cell may be part of a cut; an empty function says that every cell may.
+/// Returns true if a cell may be part of a cut. An empty function admits every cell.
 using CellFilter = std::function<bool(CellId)>;
 
-/// Cells that pass both.
+/// Returns a filter for the cells that pass both.
 inline CellFilter both(CellFilter a, CellFilter b)
 {
 	if (!a || !b)

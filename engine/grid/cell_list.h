@@ -14,7 +14,7 @@
 namespace vp::grid
 {
 
-/// Ids of 32 or 64 bits, kept as they came. A copy shares the memory.
+/// Ids of 32 or 64 bits, stored as they came from the file. A copy shares the memory.
 class IdArray
 {
 public:
@@ -56,15 +56,15 @@ inline constexpr std::uint8_t kWedge = 13;
 inline constexpr std::uint8_t kPyramid = 14;
 inline constexpr std::uint8_t kPolyhedron = 42;
 
-/// 0 to 3, or -1 for a type VTK does not know.
+/// Returns the dimension of a cell type: 0 to 3, or -1 for a type that VTK does not know.
 int vtkDimension(std::uint8_t vtk_type);
 
-/// The types that UnstructuredGrid::build() takes: tetrahedron, voxel, hexahedron, wedge, pyramid, polyhedron. Other
-/// three-dimensional types (quadratic and higher cells, prisms over pentagons and hexagons) it skips, and does not
-/// count them as left out: the reader rewrites them to these types first, refuses them or warns.
+/// Returns true for the types that UnstructuredGrid::build() takes: tetrahedron, voxel, hexahedron, wedge, pyramid,
+/// polyhedron. It skips other three-dimensional types (quadratic and higher cells, prisms over pentagons and hexagons)
+/// and does not count them as left out. The reader rewrites those to the types above, refuses them or warns.
 bool isSliceable(std::uint8_t vtk_type);
 
-/// Of a type that isSliceable().
+/// Returns the shape of a type for which isSliceable() is true.
 constexpr CellShape shapeOf(std::uint8_t vtk_type)
 {
 	switch (vtk_type)
@@ -82,32 +82,33 @@ constexpr CellShape shapeOf(std::uint8_t vtk_type)
 	}
 }
 
-/// Where the points of a hexahedron are in the list of a voxel, whose points lie in lattice order.
+/// Places of a hexahedron's points in the list of a voxel, whose points are in lattice order.
 inline constexpr std::array<std::uint8_t, 8> kVoxelOrder{0, 1, 3, 2, 4, 5, 7, 6};
 
 /// Cells as a file lists them: VTK cell types and point ids, in VTK's point order. A copy shares the arrays.
 struct CellList
 {
 	Array<std::uint8_t> types; // VTK cell type numbers
-	// cells + 1 offsets into connectivity. Empty where all cells are of one type other than polyhedra, and their points
-	// lie one cell after the other.
+	// cells + 1 offsets into connectivity. Empty if all cells have one type, which is not polyhedron, and their points
+	// follow each other cell by cell.
 	Array<std::int64_t> offsets;
 	IdArray connectivity;             // point ids
 	Array<std::int64_t> face_offsets; // polyhedra: cells + 1 offsets into face_stream, or empty
 	Array<std::int64_t> face_stream;  // per polyhedron: faces, then per face its size and point ids
-	// Per cell: the file's cell it is part of, for fields and ids. Empty: each its own.
+	// Per cell: the cell of the file that it is part of, for fields and ids. Empty: the cells are those of the file.
 	Array<std::int64_t> source_cells;
-	std::size_t source_points = 0; // points the file has, where the reader added some behind them; 0: all are its own
+	std::size_t source_points =
+	    0; // number of points in the file, if the reader added more behind them; 0: it added none
 
 	std::size_t size() const { return types.size(); }
 	bool isPolyhedron(std::size_t cell) const { return types[cell] == kPolyhedron; }
-	/// Where the points of a cell that isSliceable() begin in the connectivity.
+	/// Returns the place in the connectivity where the points of a cell begin. isSliceable() must be true for its type.
 	std::size_t start(std::size_t cell) const
 	{
 		return offsets.empty() ? cell * topology(shapeOf(types[cell])).points : static_cast<std::size_t>(offsets[cell]);
 	}
-	/// Writes the ids of the points of a cell of a table shape, in the order of its shape: a voxel's as those of a
-	/// hexahedron. Id: as many bits as the ids need.
+	/// Writes the ids of the points of a cell of a table shape, in the order of its shape. A voxel's points are written
+	/// as those of a hexahedron. Id: a type with enough bits for the ids.
 	template <class Id>
 	void points(std::size_t cell, int count, Id* points) const
 	{
@@ -124,7 +125,7 @@ struct CellList
 			std::swap(points[6], points[7]);
 		}
 	}
-	/// The id of one of them.
+	/// Returns the id of one of these points.
 	std::int64_t point(std::size_t cell, int v) const
 	{
 		return connectivity[start(cell) + (types[cell] == kVoxel ? kVoxelOrder[v] : v)];
@@ -143,7 +144,8 @@ struct CellList
 			stream += 1 + *stream;
 		}
 	}
-	/// Calls visit(point id) for the points of a cell that isSliceable(), of a polyhedron once per face.
+	/// Calls visit(point id) for the points of a cell. A point of a polyhedron is visited once for each of its faces.
+	/// isSliceable() must be true for the type of the cell.
 	template <class Visit>
 	void forEachPoint(std::size_t cell, Visit&& visit) const
 	{

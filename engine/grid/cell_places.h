@@ -26,11 +26,11 @@ struct CellPlaces
 	}
 };
 
-// Whether the point lies, deeper than contact, in one of the tetrahedra from the center to the fans of the faces, away
-// from the face. Cells that share a face share its fan.
+// Returns true if the point lies inside the cell, deeper than mere contact. The cell is taken as the tetrahedra between
+// its center and the fans of its faces. Cells that share a face share its fan.
 inline bool liesInside(const CellPlaces& cell, const Vec3& point)
 {
-	// Deeper than contact, as a share of the way from a face to the cell's center.
+	// The depth of contact, as a part of the way from a face to the center of the cell.
 	constexpr double kDepth = 1e-2;
 	constexpr double kRim = 1e-9; // between the tetrahedra
 	for (int f = 0; f < cell.faces.size(); ++f)

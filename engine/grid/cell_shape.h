@@ -8,8 +8,8 @@
 namespace vp::grid
 {
 
-// The shapes with a case table, and the polyhedron, whose faces are listed cell by cell. A VTK voxel is stored as a
-// hexahedron.
+// The shapes that have a case table, and the polyhedron, whose faces are listed for each cell. A VTK voxel is stored as
+// a hexahedron.
 enum class CellShape : std::uint8_t
 {
 	tetrahedron,
@@ -36,12 +36,12 @@ struct ShapeTopology
 	std::array<std::array<std::uint8_t, 2>, kMaxShapeEdges> edge{};
 
 	std::span<const std::uint8_t> facePoints(int f) const { return {face[f].data(), face_size[f]}; }
-	int edgeBetween(int a, int b) const; // its number, -1 where a and b share no edge
+	int edgeBetween(int a, int b) const; // number of the edge; -1 if there is none between a and b
 };
 
 extern const std::array<ShapeTopology, kTableShapes> kTopologies;
 
-// Of a shape with a case table.
+// Returns the topology of a shape that has a case table.
 inline const ShapeTopology& topology(CellShape shape)
 {
 	return kTopologies[static_cast<std::size_t>(shape)];

@@ -10,7 +10,7 @@
 namespace vp::grid
 {
 
-// The built-in data sets, each with scalar s = sin(3x) cos(2y) + z/2 and vector v = (-y, x, 0.3) on its points.
+// The built-in data sets. Each has the scalar s = sin(3x) cos(2y) + z/2 and the vector v = (-y, x, 0.3) on its points.
 struct Demo
 {
 	const char* name;
@@ -19,13 +19,14 @@ struct Demo
 
 const std::vector<Demo>& demos();
 
-// n cells each way, 1 <= n <= kMaxDemoCells. An unknown name, or an n out of range, is an input error that lists what
-// there is.
+// Returns a data set with n cells each way, 1 <= n <= kMaxDemoCells. If the name is unknown or n is out of range,
+// returns an input error that lists the data sets.
 constexpr int kMaxDemoCells = 1024;
-// builds_neighbors: else unstructured cells are listed (unstructured.h).
+// builds_neighbors: if false, unstructured cells are only listed (unstructured.h).
 Result<BlockSet> makeDemo(std::string_view name, int n, bool builds_neighbors = true);
 
-// "NAME" or "NAME:N" (64 cells when N is left out), as after demo: on the command line.
+// The same from a text "NAME" or "NAME:N", as it follows demo: on the command line. Without N there are 64 cells each
+// way.
 Result<BlockSet> parseDemo(std::string_view text, bool builds_neighbors = true);
 
 } // namespace vp::grid

@@ -9,14 +9,14 @@
 #include <memory>
 #include <vector>
 
-// What the built-in data sets are made with.
+// Tools to make the built-in data sets.
 namespace vp::grid::demo
 {
 
 // Half the edge of the boxes of blob, graded and mixed.
 constexpr double kHalf = 3.0;
 
-// Memory that is first touched by the threads that fill it.
+// Memory that is not touched before the threads that fill it do so.
 template <class T>
 struct Filled
 {
@@ -74,10 +74,10 @@ struct FieldsOfPoints
 	}
 };
 
-// At the coordinates as they are stored.
+// Returns the arrays at the coordinates as they are stored.
 std::vector<Field> fieldsAt(const Filled<float>& xyz);
 
-// Of n cells each way.
+// The points and the data sets have n cells each way.
 Filled<float> shellPoints(int n);
 // The boundary layer on the upper side of a swept wing: cells at the wall are ten thousand times as long as high, those
 // at the outside as high as long.

@@ -47,19 +47,20 @@ struct Field
 	int components = 1;
 	NumberType type = NumberType::float32;
 	Array<std::byte> bytes;
-	bool categorical = false; // see namesCategories(); set where a block takes its fields
-	std::string units{};      // as the file names them, mostly empty
+	bool categorical = false; // see namesCategories(); set when a block takes its fields
+	std::string units{};      // as in the file, mostly empty
 
 	std::size_t tuples() const;
-	double value(std::size_t tuple, int component) const; // bounds are the caller's
+	double value(std::size_t tuple, int component) const; // the caller checks the bounds
 };
 
-// Whether the numbers of an array are names, with nothing in between: of integer type, and called so. One of the words
-// of its name (parted by signs, digits and capitals) is id, ids, material, materials, label, labels,
-// region, regions, zone, zones, category, categories, segment, segmentation, partition, flag, flags or type.
+// Returns true if the numbers of an array are names of categories, with nothing between two of them. Such an array has
+// an integer type, and one word of its name is id, ids, material, materials, label, labels, region, regions, zone,
+// zones, category, categories, segment, segmentation, partition, flag, flags or type. Signs, digits and capitals
+// separate words.
 bool namesCategories(const Field& field);
 
-// Writes a number of the type; integers are rounded towards zero, and NaN as an integer is 0.
+// Writes a number in the given type. Integers are rounded towards zero, and NaN becomes 0.
 void storeNumber(NumberType type, double value, std::byte* at);
 
 double loadNumber(NumberType type, const std::byte* at);
@@ -67,10 +68,10 @@ double loadNumber(NumberType type, const std::byte* at);
 template <class T>
 Field makeField(std::string name, Association association, int components, std::vector<T> values);
 
-// Which number of a tuple is shown: one component, or the length of the tuple.
+// The number of a tuple that is shown is one component, or, with this, the length of the tuple.
 constexpr int kMagnitude = -1;
 
-// Smallest and largest of finite values, and whether infinite ones are beside them; NaN counts as none.
+// The smallest and the largest finite value, and whether there are infinite ones. NaN is ignored.
 struct ValueSpan
 {
 	double lo = std::numeric_limits<double>::infinity();
@@ -84,10 +85,10 @@ struct ValueSpan
 	void include(const ValueSpan& other);
 };
 
-// Of the shown values. component: 0.. or kMagnitude.
+// Returns the span of the shown values. component: 0.. or kMagnitude.
 ValueSpan valueSpan(const Field& field, int component);
 
-// Its range(): {0, 0} where no value is finite.
+// Returns the range() of that span: {0, 0} if no value is finite.
 std::pair<double, double> fieldRange(const Field& field, int component);
 
 } // namespace vp::grid

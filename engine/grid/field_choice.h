@@ -11,30 +11,32 @@
 namespace vp::grid
 {
 
-// The array that is shown, by name: a block set's blocks may hold their arrays in different places, or lack some.
+// The array that is shown. It is known by its name, since the blocks of a set may hold their arrays in different
+// orders, or lack some.
 struct FieldChoice
 {
 	std::string name;
 	grid::Association association = grid::Association::point;
 	int component = 0; // or grid::kMagnitude
 
-	const grid::Field* in(const grid::Block& block) const; // null where the block lacks it
+	const grid::Field* in(const grid::Block& block) const; // null if the block does not have it
 	std::vector<const grid::Field*> inEach(const grid::BlockSet& blocks) const;
 	bool operator==(const FieldChoice&) const = default;
 	std::string title(const grid::BlockSet& blocks) const; // "v magnitude", "v y", "s"
 };
 
-/// "magnitude", "x", "y", "z" or a number from 0, as a component's number or kMagnitude; none for another text.
+/// Returns the component that a text names: "magnitude", "x", "y", "z" or a number from 0. Returns nothing for any
+/// other text.
 std::optional<int> parseComponent(std::string_view text);
 std::string componentText(int component);
 
-/// array: "[point:|cell:]NAME"; empty takes the first point array, else the first cell array, else none. component:
-/// none takes the magnitude of a vector. An array that no block has is an input error that lists those there are.
-/// setting: what the error calls it.
+/// Returns the array with the given name. array: "[point:|cell:]NAME". An empty name means the first point array, else
+/// the first cell array, else none. component: nothing means the magnitude of a vector. If no block has the array,
+/// returns an input error that lists the arrays. setting: the name of the setting in the error.
 Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, const std::string& array,
                                                std::optional<int> component = {}, const char* setting = "`array`");
 
-// Range of the chosen values over all blocks, NaN left out.
+// Returns the range of the chosen values over all blocks. NaN is ignored.
 std::pair<double, double> fieldRange(const grid::BlockSet& blocks, const FieldChoice& choice);
 
 } // namespace vp::grid

@@ -14,9 +14,9 @@
 namespace vp::grid
 {
 
-// The contract between a grid and everything that walks it. A cell has any number of faces, a face any number of points
-// and any number of neighbors: none on the domain's boundary, several at a 2:1 interface or a non-manifold face.
-// Grids are concrete types behind this concept; std::visit picks one per cut, never per cell.
+// The contract between a grid and all code that walks it. A cell has any number of faces. A face has any number of
+// points and any number of neighbors: none on the boundary of the domain, several at a 2:1 interface or a non-manifold
+// face. Grids are concrete types behind this concept. std::visit chooses one for each cut, never for each cell.
 
 // The points of a cell of a table shape, in VTK's order. Points may repeat (collapsed cells).
 struct CellPoints
@@ -28,7 +28,7 @@ struct CellPoints
 	const PointId* end() const { return id.data() + size; }
 };
 
-// All faces of a cell as lists of point ids; reused from cell to cell to save allocations.
+// All faces of a cell as lists of point ids. Use one object for many cells, to save allocations.
 struct CellFaces
 {
 	std::vector<PointId> points;       // of all faces, one after the other
@@ -79,10 +79,10 @@ concept Grid = requires(const G& g, CellId c, PointId p, int f, CellFaces& faces
 		} -> std::convertible_to<std::size_t>; // index into cell fields
 };
 
-// Faces of a table shape as point ids; the common part of every grid's cellFaces().
+// Writes the faces of a table shape as point ids: the common part of cellFaces() of all grids.
 void shapeFaces(CellShape shape, const CellPoints& points, CellFaces& faces);
 
-// Mean of the points of a cell of any shape (each point of a table shape once; of a polyhedron once per face it is in).
+// Returns the mean of the points of a cell of any shape. A point of a polyhedron counts once for each of its faces.
 template <Grid G>
 Vec3 cellCenter(const G& grid, CellId cell)
 {

@@ -13,8 +13,9 @@ namespace vp::grid
 
 struct BlockSet;
 
-// A boundary face and a face that lies on it without sharing its points: of another block, or of the same one where
-// points are not merged, as at the wrap of an O- or C-grid. Faces that lie on several are linked to each.
+// A boundary face, and another face at the same place that does not share its points. The other face belongs to another
+// block, or to the same block where points are not merged, such as at the wrap of an O- or C-grid. A face that lies on
+// several others is linked to each.
 struct SeamLink
 {
 	CellId cell;
@@ -26,7 +27,7 @@ struct SeamLink
 	auto operator<=>(const SeamLink&) const = default;
 };
 
-// The seams of one block, from its side.
+// The seams of one block, seen from this block.
 class BlockSeams
 {
 public:
@@ -42,7 +43,7 @@ private:
 	std::vector<SeamLink> links_;
 };
 
-// Two blocks that meet, or one that meets itself (a == b).
+// Two blocks that meet, or one block that meets itself (a == b).
 struct Interface
 {
 	std::uint32_t a;
@@ -50,15 +51,15 @@ struct Interface
 	std::size_t faces; // pairs of faces
 };
 
-// Where the blocks of a set meet. Empty until matchInterfaces().
+// The places where the blocks of a set meet. Empty before matchInterfaces().
 struct Interfaces
 {
 	std::vector<BlockSeams> blocks;    // one per block
 	std::vector<Interface> interfaces; // in ascending order
-	std::size_t seam_faces = 0;        // boundary faces that lie on another
+	std::size_t seam_faces = 0;        // boundary faces that lie on another face
 	std::size_t boundary_faces = 0;    // the others: the boundary of the domain
 
-	// Null where the block meets nothing.
+	// Returns null if the block meets nothing.
 	const BlockSeams* of(std::size_t block) const
 	{
 		return block < blocks.size() && !blocks[block].empty() ? &blocks[block] : nullptr;
@@ -72,7 +73,7 @@ struct Interfaces
 // number of threads.
 void matchInterfaces(BlockSet& blocks);
 
-/// The same for some of the boundary faces, where no more of them are known: faces[b] of block b. Counts are of these.
+/// The same for some of the boundary faces: faces[b] of block b. Only these are counted.
 Interfaces interfacesAmong(const BlockSet& blocks, std::span<const std::vector<BoundaryIndex::Face>> faces);
 
 } // namespace vp::grid

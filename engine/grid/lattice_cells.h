@@ -16,7 +16,7 @@ namespace vp::grid
 
 struct Block;
 
-// The cells of a block by their subscripts (i, j, k), hidden ones too.
+// The cells of a block by their subscripts (i, j, k), hidden cells included.
 class LatticeCells
 {
 public:
@@ -30,9 +30,9 @@ public:
 	}
 
 	const Lattice& lattice() const { return lattice_; } // its cells and points have the numbers of the file
-	// The axis of a cell's points along which the file's axis runs.
+	// Returns the axis of a cell's points that runs along the given axis of the file.
 	int axisInCells(int axis) const { return static_cast<int>(std::ranges::find(axes_, axis) - axes_.begin()); }
-	// kNoCell where the cell is hidden.
+	// Returns kNoCell if the cell is hidden.
 	CellId at(const std::array<std::uint32_t, 3>& index) const
 	{
 		if (turned_)
@@ -43,12 +43,12 @@ public:
 
 private:
 	Lattice lattice_;
-	std::span<const CellId> stored_; // per cell of the lattice; empty: each is its own
-	std::optional<Lattice> turned_;  // as the grid stores it, where its axes are in another order
+	std::span<const CellId> stored_; // per cell of the lattice; empty: the numbers are the same
+	std::optional<Lattice> turned_;  // as the grid stores it, if its axes have another order
 	std::array<std::uint8_t, 3> axes_{0, 1, 2};
 };
 
-// Where the cells of a lattice are in a grid that leaves the hidden ones out; filled when it is first wanted, in one
+// The numbers of the cells of a lattice in a grid that leaves out hidden cells. They are found at the first use, in one
 // pass over the cells.
 class LazyCellPlaces
 {
@@ -61,7 +61,7 @@ private:
 	std::vector<CellId> stored_;
 };
 
-// None where a block's cells have no subscripts. Thread safe; the block must outlive what it gives.
+// Returns nothing if the cells of the block have no subscripts. Thread safe. The block must outlive the result.
 std::optional<LatticeCells> latticeCellsOf(const Block& block);
 
 } // namespace vp::grid

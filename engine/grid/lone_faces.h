@@ -12,14 +12,14 @@
 namespace vp::grid
 {
 
-/// Finds out which of some faces of a block one cell alone has, where neighbors are not known. Two cells have the same
-/// face where their sets of distinct points are equal, as in matchFaces() of grid/build/adjacency.h.
-/// Face: what stands for a face, such as BoundaryIndex::Face.
+/// Finds which of some faces of a block belong to one cell only, without knowing neighbors. Two cells have the same
+/// face if the sets of its different points are equal, as in matchFaces() of grid/build/adjacency.h. Face: a type that
+/// names a face, such as BoundaryIndex::Face.
 template <class Face>
 class LoneFaces
 {
 public:
-	/// Faces of fewer than three distinct points have no area, and are left out.
+	/// Adds a face. A face with fewer than three different points has no area and is left out.
 	void add(std::span<const PointId> points, const Face& face)
 	{
 		points_.assign(points.begin(), points.end());
@@ -33,7 +33,7 @@ public:
 	}
 	void add(const LoneFaces& more) { entries_.insert(entries_.end(), more.entries_.begin(), more.entries_.end()); }
 
-	/// In no order.
+	/// Returns these faces in no particular order.
 	std::vector<Face> find()
 	{
 		std::ranges::sort(entries_, [](const Entry& a, const Entry& b) { return a.key() < b.key(); });
@@ -50,7 +50,8 @@ public:
 	}
 
 private:
-	/// Faces of more points are told by their lowest ones and their number: no two of a cell complex have those alike.
+	/// A face with more points is known by its lowest points and their number. No two faces of a cell complex agree in
+	/// these.
 	struct Entry
 	{
 		std::array<PointId, 4> lowest;

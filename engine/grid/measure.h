@@ -5,8 +5,8 @@
 namespace vp::grid
 {
 
-// Area vector of a polygon given as points, along its normal by the right-hand rule; a warped one as the fan about its
-// mean.
+// Returns the area vector of a polygon that is given by its points. It points along the normal by the right-hand rule.
+// A warped polygon counts as the fan about the mean of its points.
 template <class PointAt>
 Vec3 polygonArea(std::size_t size, PointAt&& point_at)
 {
@@ -24,8 +24,8 @@ Vec3 polygonArea(std::size_t size, PointAt&& point_at)
 	return 0.5 * twice;
 }
 
-// Volume enclosed by the faces of a cell, each as the fan about the mean of its points: positive where faces run
-// counter-clockwise seen from outside. `faces` is scratch for polyhedra.
+// Returns the volume that the faces of a cell enclose. Each face counts as the fan about the mean of its points. The
+// volume is positive if faces run counter-clockwise seen from outside. `faces` is working memory for polyhedra.
 template <Grid G>
 double signedVolume(const G& grid, CellId cell, CellFaces& faces)
 {
@@ -43,7 +43,7 @@ double signedVolume(const G& grid, CellId cell, CellFaces& faces)
 			Vec3 mean(0.0);
 			for (std::size_t i = 0; i < faces[f].size(); ++i)
 				mean += point_at(i) / static_cast<double>(faces[f].size());
-			// A fan about m encloses with the origin a third of m . A.
+			// The fan about m encloses a third of m . A with the origin.
 			sum += glm::dot(mean, polygonArea(faces[f].size(), point_at));
 		}
 		return sum / 3.0;

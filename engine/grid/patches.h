@@ -15,7 +15,7 @@ namespace vp::grid
 
 struct BlockSet;
 
-// A part of the boundary that a file names, such as an inlet or a wall: an OpenFOAM patch, an Exodus side set.
+// A named part of the boundary in a file, such as an inlet or a wall: an OpenFOAM patch or an Exodus side set.
 struct Patch
 {
 	struct Face
@@ -26,10 +26,11 @@ struct Patch
 	};
 	std::string name;
 	std::vector<Face> faces;
-	std::size_t lost = 0; // faces in the file that no boundary face lies on: within a block, or of curved cells
+	std::size_t lost =
+	    0; // faces in the file without a boundary face at their place: inside a block, or faces of curved cells
 };
 
-// A patch as a file lists it: polygons over points of its own.
+// A patch as a file lists it: polygons with their own points.
 struct PatchPolygons
 {
 	std::string name;
@@ -40,11 +41,12 @@ struct PatchPolygons
 	std::size_t polygons() const { return starts.size() - 1; }
 };
 
-// The boundary faces of the blocks that lie on the polygons: with their corners at exactly the same places, in whatever
-// order. Of two that coincide, as on a seam, the first block's. Time follows the boundary.
+// Returns the boundary faces of the blocks that lie on the polygons: their corners have exactly the same places, in any
+// order. If two faces coincide, as on a seam, it is the face of the first block. The time depends on the size of the
+// boundary.
 std::vector<Patch> findPatches(const BlockSet& blocks, std::span<const PatchPolygons> polygons);
 
-/// The faces of all patches of a name in one block, in their order.
+/// Returns the faces of all patches with a name in one block, in their order.
 std::vector<Patch::Face> facesOfPatches(const BlockSet& blocks, const std::string& name, std::uint32_t block);
 
 } // namespace vp::grid

@@ -30,7 +30,7 @@ inline Vec3 loadPoint(const float* xyz)
 #endif
 }
 
-// Coordinates x, y, z per point, kept as float or double as they came: no precision is lost, no memory spent on it.
+// Coordinates x, y, z of points, stored as float or double as they came. So no precision is lost and no memory wasted.
 class Points
 {
 public:
@@ -41,7 +41,7 @@ public:
 	std::size_t size() const { return count_; }
 	bool isDouble() const { return is_double_; }
 	std::size_t bytes() const { return float_.size() * sizeof(float) + double_.size() * sizeof(double); }
-	// The numbers as they are kept, x y z of the first point first; null of the other type.
+	// Return the stored numbers, starting with x y z of the first point, or null if they have the other type.
 	const float* floats() const { return is_double_ ? nullptr : float_.data(); }
 	const double* doubles() const { return is_double_ ? double_.data() : nullptr; }
 	template <class Number>
@@ -54,12 +54,12 @@ public:
 	}
 	Vec3 operator[](std::size_t i) const
 	{
-		// The branch goes the same way for a whole cut and costs next to nothing beside the cache miss.
+		// This branch goes the same way during a whole cut, and costs little beside the cache miss.
 		if (is_double_)
 			return loadPoint(&double_[3 * i]);
 		return loadPoint(&float_[3 * i]);
 	}
-	// Asks for a point ahead of its use.
+	// Fetches a point before its use.
 	void prefetch(std::size_t i) const
 	{
 		if (is_double_)
@@ -67,7 +67,7 @@ public:
 		else
 			vp::prefetch(&float_[3 * i]);
 	}
-	// The same for the points from .. to.
+	// The same for the points `from` to `to`.
 	void prefetch(std::size_t from, std::size_t to) const
 	{
 		const std::size_t size = 3 * (is_double_ ? sizeof(double) : sizeof(float));

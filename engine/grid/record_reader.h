@@ -6,8 +6,8 @@
 namespace vp::grid
 {
 
-// Reads an unstructured grid in a loop over cells, with what is the same for all of them known to the compiler: ids per
-// record, and what coordinates are kept as. See readRecords().
+// Reads an unstructured grid in a loop over cells. The compiler knows what is the same for all cells: the number of ids
+// in a record, and the type of the coordinates. See readRecords().
 template <int kWidth, class Number>
 class RecordReader
 {
@@ -19,7 +19,7 @@ public:
 	{
 	}
 
-	// The ids of a cell's points and, behind kWidth of them, what is across its faces.
+	// Returns the ids of a cell's points, kWidth of them, and behind them what is across its faces.
 	const std::uint32_t* record(CellId c) const { return records_ + std::size_t(c) * kStride; }
 	static const std::uint32_t* across(const std::uint32_t* record) { return record + kWidth; }
 	static CellShape shape(const std::uint32_t* record)
@@ -36,7 +36,7 @@ public:
 	const Number* xyz(PointId p) const { return xyz_ + 3 * std::size_t(p); }
 	Vec3 point(PointId p) const { return loadPoint(xyz(p)); }
 
-	// Asks for what reading a cell will need: first for its record, some time later for the points that it names.
+	// Fetch what reading a cell will need: first its record, and some time later the points in it.
 	void prefetchCell(CellId c) const
 	{
 		vp::prefetch(record(c));
@@ -47,7 +47,7 @@ public:
 	{
 		const std::uint32_t* ids = record(c);
 		for (int v = 0; v < kWidth; ++v)
-			vp::prefetch(xyz(ids[v])); // a mark in place of an id: any address does no harm
+			vp::prefetch(xyz(ids[v])); // an entry may be a mark, not an id: any address does no harm
 	}
 
 private:

@@ -7,7 +7,7 @@
 namespace vp::grid
 {
 
-// The shown number of a tuple whose components `at(c)` gives. component: 0.. or kMagnitude.
+// Returns the shown number of a tuple. at(c) returns its components. component: 0.. or kMagnitude.
 template <class At>
 double shownValue(int components, int component, At&& at)
 {

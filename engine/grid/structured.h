@@ -10,8 +10,8 @@
 namespace vp::grid
 {
 
-// The connectivity of an image, a rectilinear or a curvilinear grid: cell (i, j, k) of a lattice, i running fastest.
-// Face f of a cell is VTK's: -i, +i, -j, +j, -k, +k. Fewer than two points along an axis leave no (three-dimensional)
+// The connectivity of an image, a rectilinear or a curvilinear grid: cells (i, j, k) of a lattice, where i runs
+// fastest. Faces are numbered as in VTK: -i, +i, -j, +j, -k, +k. With fewer than two points along an axis there is no
 // cell.
 class Lattice
 {
@@ -56,7 +56,7 @@ public:
 		faces.clear();
 		shapeFaces(CellShape::hexahedron, cellPoints(c), faces);
 	}
-	// The one cell across face f, kNoCell on the boundary.
+	// Returns the cell across face f, kNoCell on the boundary.
 	CellId neighbor(CellId c, int f) const
 	{
 		const auto index = cellIndex(c);
@@ -132,13 +132,14 @@ private:
 	std::array<Array<double>, 3> axis_;
 };
 
-// Points anywhere, in lattice order. The source's axes may stand in another order here (lattice_axes.h): then
-// sourcePoint() and sourceCell() give its numbers.
+// Points anywhere, in lattice order. The axes may have another order than in the source (lattice_axes.h). sourcePoint()
+// and sourceCell() return the numbers of the source.
 class CurvilinearGrid : public Lattice
 {
 public:
 	CurvilinearGrid() = default;
-	// axes[a]: the source's axis that runs along a here; a cyclic order, so that cells keep their sense.
+	// axes[a]: the axis of the source that runs along axis a. The order is cyclic, so that cells keep their
+	// orientation.
 	CurvilinearGrid(std::array<std::uint32_t, 3> points, Points coordinates,
 	                std::array<std::uint8_t, 3> axes = {0, 1, 2});
 

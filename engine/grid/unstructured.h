@@ -12,7 +12,8 @@
 namespace vp::grid
 {
 
-// Cells that meet without sharing a face's points, as at a 2:1 interface; each link is entered both ways.
+// Two cells that meet without sharing the points of a face, such as at a 2:1 interface. A link works in both
+// directions.
 struct FaceLink
 {
 	std::size_t cell_a; // index into the CellList
@@ -23,17 +24,19 @@ struct FaceLink
 
 /// Cells of any shape, in one of two states.
 ///
-/// *Listed*: the arrays as they came, nothing copied, nothing built. A cell's id is its place in the list, a point's id
-/// its place among the points. The list may hold cells that are not three-dimensional: their ids stand for no cell.
-/// Every cell can be looked at, but none knows its neighbors: what asks for neighbors or records needs the other state.
+/// *Listed*: the arrays as they came. Nothing is copied or built. The id of a cell is its place in the list, the id of
+/// a point its place among the points. The list may contain cells that are not three-dimensional; their ids are not
+/// cells here. Every cell can be read, but no cell knows its neighbors. Code that needs neighbors or records needs the
+/// other state.
 ///
-/// *Linked*: what build() makes. Faces are matched, and cells and points are renumbered along a Morton curve, so that
-/// what is near in space is near in memory. sourceCell() and sourcePoint() give the numbers the cells came with.
+/// *Linked*: the result of build(). Faces are matched, and cells and points are renumbered along a Morton curve, so
+/// that neighbors in space are close in memory. sourceCell() and sourcePoint() return the numbers of the source.
 //
-// A linked cell is one record, so that a traversal finds all it asks of it in one or two cache lines. First 4 ids (all
-// tetrahedra) or 8 ids: its points, and in a cell of fewer than 8 points the last id is kShapeMark + shape. A
-// polyhedron's first id is its number in the face lists. The GPU reads the same ids. Behind them 4 or 6 numbers of what
-// is across each face: a cell, kNoCell, or kMaxBlockIds + a place in a list of several; a polyhedron's are kept apart.
+// A linked cell is one record, so a traversal finds everything about it in one or two cache lines. The record begins
+// with the ids of its points: 4 ids if all cells are tetrahedra, else 8. In a cell with fewer than 8 points the last id
+// is kShapeMark + shape. The first id of a polyhedron is its number in the face lists. The GPU reads the same ids.
+// Behind them are 4 or 6 numbers that say what is across each face: a cell, kNoCell, or kMaxBlockIds + a place in a
+// list of several cells. Those of polyhedra are stored elsewhere.
 class UnstructuredGrid
 {
 public:
@@ -44,12 +47,12 @@ public:
 
 	UnstructuredGrid() = default;
 
-	/// A listed grid, which shares the arrays. The preconditions are those of build(). Throws std::length_error where
-	/// build() would for want of numbers for cells or points. One pass over the types.
+	/// Returns a listed grid, which shares the arrays. The preconditions are those of build(). Throws std::length_error
+	/// if there are too many cells or points, as build() does. Makes one pass over the types.
 	static UnstructuredGrid listed(Points points, CellList cells);
-	/// The list of a listed grid; null where the grid is linked.
+	/// Returns the list of a listed grid, null if the grid is linked.
 	const CellList* list() const { return list_.get(); }
-	/// Whether neighbors are known: the grid is linked.
+	/// Returns true if neighbors are known, that is, if the grid is linked.
 	bool hasNeighbors() const { return !list_; }
 
 	// Preconditions (the reader checks them): ids within the points, types known, sizes right. Cells of dimension below
@@ -58,10 +61,10 @@ public:
 
 	std::size_t cellCount() const { return cell_count_; }
 	std::size_t pointCount() const { return points_.size(); }
-	// Of a linked grid: points from here on belong to no cell. Of a listed one: all.
+	// Linked grid: points from this number on belong to no cell. Listed grid: the number of all points.
 	std::size_t usedPointCount() const { return used_points_; }
 	std::size_t leftOut() const { return left_out_; } // cells of dimension below three
-	// The file's own: curved cells come as several linear ones with added points (see CellList::source_cells).
+	// Counts of the file. Curved cells come as several linear ones with added points (see CellList::source_cells).
 	std::size_t sourceCellCount() const { return source_cell_count_; }
 	std::size_t sourcePointCount() const { return source_point_count_; }
 	bool splitsCells() const { return source_cell_count_ < cell_count_; } // several cells have one sourceCell()
@@ -100,15 +103,15 @@ public:
 			for (const CellId other : several_[n - kMaxBlockIds])
 				visit(other);
 	}
-	// The cell across a face of a table shape; kMaxBlockIds or more where there is none or several.
+	// Returns the cell across a face of a table shape; kMaxBlockIds or more if there is none or there are several.
 	std::uint32_t soleNeighbor(CellId c, int f) const { return record(c)[width_ + f]; }
-	// Whether every face of a cell of any shape has another cell across.
+	// Returns true if every face of a cell of any shape has another cell across.
 	bool hasAllNeighbors(CellId c) const
 	{
 		const std::uint32_t* numbers = across(c);
 		return std::find(numbers, numbers + faceCount(c), kNoCell) == numbers + faceCount(c);
 	}
-	// Whether cells were linked that do not share a face's points.
+	// Returns true if there are links between cells that do not share the points of a face.
 	bool hasLinks() const { return has_links_; }
 	std::size_t sourcePoint(PointId p) const { return list_ ? p : source_points_[p]; }
 	std::size_t sourceCell(CellId c) const
@@ -136,7 +139,7 @@ private:
 		return record(c) + width_;
 	}
 
-	std::shared_ptr<const CellList> list_; // of a listed grid, which has nothing below but points and counts
+	std::shared_ptr<const CellList> list_; // of a listed grid, which has only this, points and counts
 	std::size_t cell_count_ = 0;
 	std::size_t left_out_ = 0;
 	std::size_t source_cell_count_ = 0;
@@ -150,7 +153,7 @@ private:
 	std::vector<std::vector<CellId>> several_;
 	HugeVector<std::uint32_t> source_points_;
 	HugeVector<std::uint32_t> source_cells_;
-	// Polyhedra, by the number in their record: faces, their points, and where their neighbors start.
+	// Polyhedra by the number in their record: their faces, the points of these, and where their neighbors start.
 	std::vector<std::uint32_t> polyhedron_faces_; // polyhedra + 1 offsets into face_points_start_
 	std::vector<std::uint32_t> face_points_start_;
 	std::vector<PointId> face_points_;
