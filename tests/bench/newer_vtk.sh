@@ -26,7 +26,7 @@ mount --bind -o ro "$project" "$root/source"
 mkdir -p "$root/build"
 inside cmake -S /source -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release -DVPROBE_TESTS=ON -DVPROBE_BENCH=ON \
 	-DCMAKE_CXX_COMPILER_LAUNCHER=ccache >/dev/null
-inside ninja -C /build bench_cut vprobe | tail -n 1
+step build/log/newer-vtk "Building the benchmark with VTK 9.3" inside ninja -C /build bench_cut vprobe
 
 python3 tests/bench/turns.py "${2:-20}" "${1:-.}" "VTK 9.1=$here" \
 	"VTK 9.3=chroot $root env -i HOME=/root PATH=/usr/bin:/bin /build/bin/bench_cut"
