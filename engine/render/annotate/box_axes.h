@@ -8,7 +8,7 @@
 namespace vp::render
 {
 
-// The edge of a box along x, y or z that carries the numbers, in pixels.
+// The edge of a box along x, y or z that gets numbers, in pixels.
 struct AxisEdge
 {
 	Vec3 from; // at the axis' low end
@@ -16,15 +16,15 @@ struct AxisEdge
 	glm::dvec2 outward; // unit, away from the box
 };
 
-// For each axis the edge on the box' contour in the picture that lies farthest to the left and below; none where the
-// axis is seen end on, or the box is not all in front of the eye.
+// Returns for each axis the edge on the outline of the box that lies farthest to the left and below. Returns nothing
+// for an axis that is seen end on, or if a part of the box is behind the eye.
 std::array<std::optional<AxisEdge>, 3> axisEdges(const Box& box, const Camera& camera, const Frame& frame);
 
-// Whether the eye sees the outside of the face of the box at the low or high end of an axis.
+// Returns true if the eye sees the outside of the box face at the low or high end of an axis.
 bool facesEye(const Box& box, const Vec3& eye, int axis, bool high);
 
-// Round numbers along these edges, the axes' names with their units and, where numbers are long, their power of ten.
-// Numbers that would lie on each other or on what else is written are left out.
+// Writes round numbers along these edges, the names of the axes with units and, for long numbers, their power of ten.
+// Numbers that would cover each other or other text are left out.
 void writeBoxAxes(const Box& box, const Camera& camera, const Layout& layout, const std::string& units, Canvas& pen);
 
 } // namespace vp::render

@@ -10,7 +10,7 @@
 namespace vp::render
 {
 
-// Dark on light, light on dark.
+// Colors of text: dark on a light ground, light on a dark one.
 struct Inks
 {
 	Color text;
@@ -23,15 +23,15 @@ Inks inksOn(const Background& background);
 
 double luminance(const Color& color); // 0 to 1
 
-Color groundOf(const Background& background); // its middle; white where it is transparent
+Color groundOf(const Background& background); // its middle; white if it is transparent
 
-// Of lines on a color: dark on light, light on dark.
+// Returns the color of lines on a ground: dark on a light one, light on a dark one.
 Color inkOver(const Color& under);
 
-// Width of the halo about letters, in em.
+// Width of the halo around letters, in em.
 constexpr double kHalo = 0.16;
 
-// Writes and draws in pixels; y runs down.
+// A surface for text and lines, in pixels with y down.
 class Canvas
 {
 public:
@@ -45,18 +45,18 @@ public:
 	double em() const { return em_; }
 
 	virtual void text(const glm::dvec2& top_left, double size, Color color, const std::string& words) = 0;
-	// Turned clockwise by an angle in radians about its middle, with a halo that parts it from what is below; one of
-	// alpha 0 is left out.
+	// Writes text that is turned clockwise about its middle by an angle in radians. A halo separates it from what is
+	// below; a halo with alpha 0 is left out.
 	virtual void turnedText(const glm::dvec2& center, double angle, double size, Color color, Color halo,
 	                        const std::string& words) = 0;
 	virtual void line(const glm::dvec2& a, const glm::dvec2& b, Color color, double width) = 0;
 	virtual void closedLine(const std::vector<glm::dvec2>& corners, Color color, double width) = 0;
 	virtual void filled(const std::vector<glm::dvec2>& convex, Color color) = 0;
-	virtual void filled(const Area& area, Color color) = 0; // areas side by side leave no gap
+	virtual void filled(const Area& area, Color color) = 0; // no gap remains between areas that touch
 	virtual void dot(const glm::dvec2& center, double radius, Color color) = 0;
-	virtual void colorBar(const Area& bar, const ColorMap& colors) = 0; // its low end below
+	virtual void colorBar(const Area& bar, const ColorMap& colors) = 0; // the low end is below
 
-	// Text beside a mark: vertically centered on it.
+	// Writes text beside a mark, vertically centered on it.
 	void label(double x, double y, const std::string& words);
 	void line(const glm::dvec2& a, const glm::dvec2& b); // thin
 	void framed(const std::vector<glm::dvec2>& corners); // a thin line around

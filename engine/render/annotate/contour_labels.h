@@ -6,11 +6,11 @@
 namespace vp::render
 {
 
-// Below a label: what is seen of a sheet of this color and opacity (0 to 1) before the background, as opaque as the
-// sheet, 0.3 at the least.
+// Returns the color below a label: a sheet of this color and opacity (0 to 1) in front of the background. It is as
+// opaque as the sheet, but at least 0.3.
 Color labelGround(const Color& of_sheet, double opacity, const Background& background);
 
-// Values on the contour lines of the scene's sheets, where they are not behind a nearer sheet that hides them.
+// Writes values on the contour lines of the scene's sheets, except where a nearer sheet hides them.
 void writeContourLabels(const Scene& scene, const Layout& layout, Canvas& pen);
 
 } // namespace vp::render

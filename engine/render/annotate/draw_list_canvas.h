@@ -5,7 +5,7 @@
 namespace vp::render
 {
 
-// A pen whose strokes are triangles in one of ImGui's draw lists.
+// A canvas that writes triangles into a draw list of ImGui.
 class DrawListCanvas final : public Canvas
 {
 public:

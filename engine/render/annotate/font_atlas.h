@@ -16,22 +16,22 @@ struct ImDrawListSharedData;
 namespace vp::render
 {
 
-// The font at a few sizes, with the letters of given texts only, and ImGui's draw lists without an ImGui context:
-// pictures are made on any thread, beside a window or without one.
+// The font at a few sizes, with only the letters of given texts, and draw lists of ImGui without an ImGui context. So
+// pictures can be made on any thread, with or without a window.
 class FontAtlas
 {
 public:
-	// `texts` is all that will be written, UTF-8; digits, ASCII letters and the ellipsis are there anyway.
+	// texts: everything that will be written, in UTF-8. Digits, ASCII letters and the ellipsis are always there.
 	FontAtlas(const std::vector<double>& sizes, const std::vector<std::string>& texts);
 	~FontAtlas();
 	FontAtlas(const FontAtlas&) = delete;
 	FontAtlas& operator=(const FontAtlas&) = delete;
 
 	double width(std::string_view text, double size) const;
-	// The text, or its beginning and an ellipsis where it is too wide.
+	// Returns the text, or its beginning and an ellipsis if it is too wide.
 	std::string elided(std::string_view text, double size, double most) const;
-	// Lines no wider than `most`, broken after blanks and punctuation where there are any; the last of `lines` is
-	// elided.
+	// Returns lines no wider than `most`, broken after blanks and punctuation if there are any. If more than `lines`
+	// are needed, the last one ends with an ellipsis.
 	std::vector<std::string> wrapped(std::string_view text, double size, double most, std::size_t lines) const;
 
 	ImDrawListSharedData* shared() const { return shared_.get(); }
@@ -54,16 +54,16 @@ private:
 	glm::ivec2 texel_size_{0};
 };
 
-// The lettering that was asked for last, for pictures that are written with the same letters.
+// Keeps the last lettering, for pictures that need the same letters.
 class KeptLettering
 {
 public:
-	// As FontAtlas's.
+	// The parameters are those of FontAtlas.
 	std::shared_ptr<const FontAtlas> get(const std::vector<double>& sizes, const std::vector<std::string>& texts);
 
 private:
 	std::vector<int> pixels_;
-	std::set<unsigned> letters_; // beside those that are there anyway
+	std::set<unsigned> letters_; // besides those that are always there
 	std::shared_ptr<const FontAtlas> kept_;
 };
 

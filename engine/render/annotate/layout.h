@@ -26,21 +26,22 @@ struct Area
 	}
 };
 
-// A legend's column, and its parts from top to bottom.
+// The column of a legend, and its parts from top to bottom.
 struct LegendLayout
 {
 	Area column;
 	Area title;
 	Area factor;
-	Area bar; // without the caps; of categories, the column of their colors
+	Area bar; // without the caps; for categories, the column of their colors
 	Area nan;
-	double cap; // height of the pointed ends for values beyond the range, 0 without
+	double cap; // height of the pointed ends for values beyond the range, 0 if there are none
 	Ticks ticks;
-	std::size_t categories; // that fit; below them it is told how many are left out
+	std::size_t categories; // number of categories that fit; a line below says how many are left out
 	double entry;           // height of a category's line
 };
 
-// Where everything that is written into a picture goes, in pixels from the top left. What is switched off has no area.
+// The places of everything that is written into a picture, in pixels from the top left. An item that is off has no
+// area.
 struct Layout
 {
 	double em;       // size of plain text
@@ -51,8 +52,7 @@ struct Layout
 	Area title;
 	Area caption;
 	Area axes;
-	std::vector<LegendLayout>
-	    legends; // of the first contents, as many as there is room for, maybe none; from top to bottom
+	std::vector<LegendLayout> legends; // of the first contents, as many as fit, maybe none; from top to bottom
 
 	Frame frame;
 };

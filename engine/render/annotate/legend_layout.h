@@ -5,7 +5,8 @@
 namespace vp::render
 {
 
-// Fills layout.legends, whose sizes of text and margin are known. None where a picture is too small for one.
+// Fills layout.legends. The text sizes and the margin of the layout must be set. A picture that is too small gets no
+// legend.
 void layOutLegends(const Look& look, const std::vector<LegendContent>& contents, Layout& layout);
 
 } // namespace vp::render

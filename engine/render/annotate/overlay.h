@@ -11,15 +11,15 @@
 namespace vp::render
 {
 
-// What is written over a picture as triangles, in pixels: the legend, the axes, title and caption.
+// Everything that is written over a picture, as triangles in pixels: the legend, the axes, title and caption.
 struct Overlay
 {
-	std::shared_ptr<const FontAtlas> lettering; // its coverage is the triangles' texture
+	std::shared_ptr<const FontAtlas> lettering; // its coverage is the texture of the triangles
 	std::vector<ImDrawVert> vertices;
 	std::vector<std::uint32_t> indices;
 };
 
-// kept: from picture to picture; null makes a lettering for this one.
+// kept: used from picture to picture; null: makes a lettering for this picture only.
 Overlay makeOverlay(const Scene& scene, KeptLettering* kept = nullptr);
 
 } // namespace vp::render

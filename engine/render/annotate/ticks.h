@@ -12,28 +12,28 @@ struct Tick
 	std::string label;
 };
 
-// Marks at round values (1, 2 or 5 times a power of ten) within [lo, hi], and their labels. Where plain digits would be
-// long, the labels share a power of ten that is told once: "×10⁶".
+// Marks at round values (1, 2 or 5 times a power of ten) in [lo, hi], and their labels. If plain digits would be long,
+// the labels share a power of ten that is written once: "×10⁶".
 struct Ticks
 {
-	std::vector<Tick> marks; // ascending; one, at the value, where lo and hi agree
-	std::string factor;      // empty where the labels are the values
+	std::vector<Tick> marks; // ascending; one, at the value, if lo and hi are equal
+	std::string factor;      // empty if the labels are the values
 };
 
-// At most `most` marks (>= 2). lo and hi are finite; lo > hi is taken as hi, lo.
+// Returns at most `most` marks (>= 2). lo and hi must be finite; if lo > hi, they are exchanged.
 Ticks makeTicks(double lo, double hi, int most);
 
-// Marks of a logarithmic scale, 0 < lo <= hi: powers of ten, and of narrow ranges parts of them too.
+// Returns marks of a logarithmic scale, 0 < lo <= hi: powers of ten, and for narrow ranges also parts of them.
 Ticks makeLogTicks(double lo, double hi, int most);
 
-// Marks at given values, ascending: every second, third … of them where there are more than `most`.
+// Returns marks at given ascending values. If there are more than `most`, only every second, third … of them.
 Ticks ticksAt(const std::vector<double>& values, int most, bool logarithmic);
 
-// A number for a caption: so many significant digits, a true minus sign, no negative zero.
+// Returns a number for a caption, with the given number of significant digits, a true minus sign and no negative zero.
 std::string shortNumber(double value, int significant = 4);
 
-// Significant digits, four at the least, that leave each of some round values, ascending, within a thousandth of their
-// least distance from where it was.
+// Returns the number of significant digits, at least four, that moves none of some ascending round values by more than
+// a thousandth of their least distance.
 int digitsApart(const std::vector<double>& values);
 
 } // namespace vp::render

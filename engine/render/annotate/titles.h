@@ -8,10 +8,10 @@
 namespace vp::render
 {
 
-// Title and caption, where the layout has room for them.
+// Writes title and caption, if the layout has room for them.
 void writeTitles(const Look& look, const Layout& layout, Canvas& pen);
 
-// All that titles and legends may say, for FontAtlas.
+// Returns all text that titles and legends may contain, for FontAtlas.
 std::vector<std::string> writtenTexts(const Look& look, const std::vector<LegendContent>& legends);
 
 } // namespace vp::render

@@ -6,8 +6,8 @@
 namespace vp::render
 {
 
-// Names in files may be in any encoding: a byte that is no part of a letter becomes U+FFFD. What is a letter follows
-// the Unicode standard, table 3-7: neither longer than need be nor of half a pair.
+// Returns a text in which each byte that is not part of a letter is U+FFFD, since names in files may have any encoding.
+// Table 3-7 of the Unicode standard says what a letter is: overlong forms and halves of surrogate pairs are none.
 std::string validUtf8(std::string_view text);
 
 } // namespace vp::render

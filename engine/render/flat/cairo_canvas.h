@@ -7,17 +7,17 @@ typedef struct _cairo cairo_t;
 namespace vp::render
 {
 
-// A pen on any of cairo's surfaces, with the font of FontAtlas.
+// A canvas on any surface of cairo, with the font of FontAtlas.
 class CairoCanvas final : public Canvas
 {
 public:
-	// The context outlives it.
+	// The context must outlive the canvas.
 	CairoCanvas(cairo_t* context, const FontAtlas& lettering, const Inks& inks, double em);
 
 	cairo_t* context() const { return context_; }
 	void setColor(Color color);
-	void path(const std::vector<glm::dvec2>& points, bool closed); // adds to cairo's
-	void stroke(Color color, double width);                        // of cairo's path, with round joins and ends
+	void path(const std::vector<glm::dvec2>& points, bool closed); // adds to cairo's path
+	void stroke(Color color, double width);                        // strokes cairo's path, with round joins and ends
 
 	using Canvas::line;
 	void text(const glm::dvec2& top_left, double size, Color color, const std::string& words) override;

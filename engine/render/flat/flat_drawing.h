@@ -11,13 +11,13 @@ namespace vp::render
 
 void paintBackground(const Look& look, cairo_t* context);
 
-// The sheet's colors, mesh and contour lines, within the plot.
+// Draws the sheet's colors, mesh and contour lines inside the plot.
 void drawFlatSheet(const FlatScene& flat, const FlatLayout& layout, CairoCanvas& pen);
 
-// A frame around the plot, with numbers and the axes' names.
+// Draws a frame around the plot, with numbers and the names of the axes.
 void drawFlatAxes(const FlatLayout& layout, CairoCanvas& pen);
 
-// Where the sheet lies in the grid.
+// Draws the small view: where the sheet lies in the grid.
 void drawSmallView(const FlatScene& flat, const FlatLayout& layout, CairoCanvas& pen);
 
 } // namespace vp::render

@@ -10,8 +10,8 @@
 namespace vp::render
 {
 
-// What the numbers along an axis of a sheet tell: of a sheet whose axis is along x, y or z that coordinate, else the
-// distance from the sheet's origin. At the sheet's coordinate c it is at_origin + sign c.
+// The meaning of the numbers along an axis of a sheet. If the axis is parallel to x, y or z, they are that coordinate,
+// else the distance from the sheet's origin. At the sheet's coordinate c the number is at_origin + sign * c.
 struct PlaneAxis
 {
 	std::string title;
@@ -22,18 +22,18 @@ struct PlaneAxis
 	double coordinate(double value) const { return sign * (value - at_origin); }
 };
 
-// Without ticks. direction: unit, the sheet's x axis or up; units: of length, or empty.
+// Returns the axis without ticks. direction: the sheet's x axis or up, a unit vector. units: of length, or empty.
 PlaneAxis planeAxis(const Vec3& origin, const Vec3& direction, const std::string& units);
 
 struct FlatLayout
 {
 	Layout text;  // title, caption, legends
 	Area plot;    // pixels
-	Area shown;   // the sheet's coordinates there, y up
+	Area shown;   // the sheet's coordinates in the plot, y up
 	double scale; // pixels to a unit, along both axes
 	std::array<PlaneAxis, 2> axes;
-	double widest_number; // along the upright axis, pixels
-	Area small;           // the view of the grid
+	double widest_number; // of the upright axis, pixels
+	Area small;           // the small view of the grid
 
 	glm::dvec2 pixel(const glm::dvec2& uv) const
 	{
@@ -44,7 +44,7 @@ struct FlatLayout
 constexpr double kFlatTick = 0.35; // em, outwards
 constexpr double kFlatGap = 0.3;   // em, between ticks, numbers and titles
 
-// Text sizes of the layout are those of makeLayout(); `lettering` has them.
+// The layout has the text sizes of makeLayout(). `lettering` must have them.
 FlatLayout makeFlatLayout(const FlatScene& flat, const std::vector<LegendContent>& legends, const Layout& text,
                           const FontAtlas& lettering);
 

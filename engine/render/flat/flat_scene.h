@@ -10,23 +10,23 @@ typedef struct _cairo cairo_t;
 namespace vp::render
 {
 
-// A sheet seen straight on, true to scale, with axes, and beside it where it lies in the grid.
+// A sheet seen straight on and true to scale, with axes. Beside it a small view shows where the sheet lies in the grid.
 struct FlatScene
 {
-	Scene scene;         // of this sheet alone; its records are not looked at, nor is the camera
+	Scene scene;         // of this sheet alone; its records and its camera are not used
 	CameraChoice camera; // of the small view
 	probe::Sheet content;
 	const mesh::SheetMesh* mesh = nullptr; // of the content
 	SheetValues values;
-	// Steps of color from the range's low end to its high one, where bands are not asked for. The color map holds
-	// no more than 256; a file of polygons grows with them.
+	// The number of color steps over the range, if the look has no bands. At most 256, as in a color map. A file of
+	// polygons grows with it.
 	int color_steps = kColorMapSize;
 
 	const SheetDrawing& sheet() const { return scene.sheets.front(); }
 	bool hasValues() const { return scene.values || sheet().values; }
 };
 
-// Draws it in the units of the look's size, y down. Nothing in it needs a device.
+// Draws the scene in the units of the look's size, with y down. It needs no device.
 void drawFlat(const FlatScene& flat, cairo_t* context);
 
 } // namespace vp::render

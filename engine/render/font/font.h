@@ -6,7 +6,7 @@
 namespace vp::render
 {
 
-// The TrueType file of DejaVu Sans.
+// Returns the TrueType file of DejaVu Sans.
 std::span<const std::byte> fontFile();
 
 } // namespace vp::render

@@ -13,9 +13,9 @@
 namespace vp::render
 {
 
-// Draws small polygons into layers of values with a compute shader (render_raster.comp), and lists those that are too
-// large for it, or reach the near plane, for the hardware's rasterizer. Where polygons are about a pixel large the
-// hardware's way costs several times as much, on a software device at least.
+// Draws small polygons into layers of values with a compute shader (render_raster.comp). Polygons that are too large
+// for it, or reach the near plane, are listed for the rasterizer of the hardware. For polygons of about a pixel the
+// rasterizer takes several times as long, at least on a software device.
 class RasterPass
 {
 public:

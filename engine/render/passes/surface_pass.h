@@ -19,8 +19,8 @@ class SurfacePass
 public:
 	explicit SurfacePass(gpu::Device& device) : device_(&device) {}
 
-	// `lists` are prepared. Not called for a scene without surfaces: then nothing is ever made. More than
-	// shared::kMaxSurfaces are a usage error; a device without fragmentStoresAndAtomics is told.
+	// `lists` must be prepared. A scene without surfaces does not call this, and then nothing is made. More surfaces
+	// than shared::kMaxSurfaces are a usage error, and so is a device without fragmentStoresAndAtomics.
 	Status prepare(const Scene& scene, const FragmentLists& lists);
 	void record(VkCommandBuffer commands, const Scene& scene, const FragmentLists& lists, const glm::dvec2& jitter,
 	            std::size_t sample, std::uint32_t strip) const;

@@ -15,7 +15,8 @@ struct ColorSteps
 	bool opaque() const;
 };
 
-// Of a style: its bands or categories, else `steps` equal parts of the color map; and what lies beyond its range.
+// Returns the color steps of a style: its bands or categories, else `steps` equal parts of the color map. The colors
+// for values beyond its range are added.
 ColorSteps colorSteps(const ValueStyle& style, int steps);
 
 } // namespace vp::render

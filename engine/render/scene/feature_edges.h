@@ -8,11 +8,11 @@
 namespace vp::render
 {
 
-// Dihedral angle between boundary faces above which their edge is drawn.
+// If the dihedral angle between two boundary faces is larger, their edge is drawn.
 constexpr double kFeatureAngle = 30.0; // degrees
 
-// Appends the edges of the block's boundary that are sharp or not shared by exactly two faces. Faces are matched by
-// sorting their edges: n log n in the boundary, whatever the grid.
+// Appends the edges of the block's boundary that are sharp or do not belong to exactly two faces. Faces are matched by
+// sorting their edges, which takes n log n time in the size of the boundary.
 void addFeatureEdges(const grid::Block& block, std::vector<Segment>& segments);
 
 } // namespace vp::render

@@ -6,7 +6,7 @@
 namespace vp::render
 {
 
-// The smallest finite shown value above 0 over all blocks. 0 where there is none.
+// Returns the smallest finite shown value above 0 over all blocks, 0 if there is none.
 double leastPositive(const grid::BlockSet& blocks, const grid::FieldChoice& choice);
 
 } // namespace vp::render

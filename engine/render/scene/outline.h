@@ -15,20 +15,20 @@ struct Segment
 	Vec3 b;
 };
 
-// One of eight: bit 0 of i takes the high end of x, bit 1 of y, bit 2 of z.
+// Returns one of the eight corners. Bit 0 of i is the high end of x, bit 1 of y, bit 2 of z.
 Vec3 corner(const Box& box, int i);
 
-// The lines that tell where in the grid a sheet lies.
+// The lines that show where a sheet lies in the grid.
 enum class Outline
 {
 	none,
-	box,  // of a curvilinear block the twelve curved edges of its index box, of any other its bounds
+	box,  // the twelve curved edges of a curvilinear block, the bounds of any other
 	edges // where boundary faces meet at more than 30 degrees, or other than in pairs
 };
 
 std::vector<Segment> outlineOf(const grid::BlockSet& blocks, Outline outline);
 
-// Points whose hull holds the blocks, close around them: what a camera fits into its picture.
+// Returns points whose hull contains the blocks and lies close around them. A camera fits them into its picture.
 std::vector<Vec3> extentOf(const grid::BlockSet& blocks);
 
 } // namespace vp::render

@@ -5,16 +5,16 @@
 namespace vp::render
 {
 
-// Ranges narrower than this part of their values are constant: the layers hold single precision.
+// A range narrower than this part of its values counts as constant, since layers have single precision.
 constexpr double kNarrowestRange = 1e-7;
 
-// e of value = m 10^e, 1 <= m < 10; for value > 0.
+// Returns e of value = m 10^e with 1 <= m < 10, for value > 0.
 inline int decimalExponent(double value)
 {
 	return static_cast<int>(std::floor(std::log10(value) + 1e-9));
 }
 
-// m times 10^e, rounded once: dividing by an exact power is better than multiplying with an inexact one.
+// Returns m times 10^e, rounded once. Division by an exact power is better than multiplication by an inexact one.
 inline double timesPowerOfTen(double m, int e)
 {
 	return e >= 0 ? m * std::pow(10.0, e) : m / std::pow(10.0, -e);

@@ -28,12 +28,12 @@ struct ValueScale
 	std::string title; // above the legend: name and component
 	double lo = 0.0;   // of the data
 	double hi = 1.0;
-	bool has_nan = false;  // puts a swatch into the legend
-	bool per_cell = false; // constant in each polygon: contour lines go between polygons
-	double log_lo = 0.0;   // low end of a logarithmic scale, > 0; 0: no value is above 0
-	bool below = false;    // there is minus infinity
-	bool above = false;    // and infinity; lo and hi are finite
-	bool empty = false;    // no value is finite: lo and hi say nothing
+	bool has_nan = false;  // the legend gets a swatch for NaN
+	bool per_cell = false; // constant in each polygon; contour lines run between polygons
+	double log_lo = 0.0;   // low end of a logarithmic scale, above 0; 0: no value is above 0
+	bool below = false;    // minus infinity occurs
+	bool above = false;    // infinity occurs; lo and hi are finite
+	bool empty = false;    // no value is finite, so lo and hi mean nothing
 };
 
 // x0 < x1 along a sheet's u, y0 < y1 along its v.
@@ -45,20 +45,20 @@ struct WindowRect
 	double y1 = 0.5;
 };
 
-// A sheet, and where it is to look other than the scene says.
+// A sheet, and settings of its own in place of the scene's.
 struct SheetDrawing
 {
-	probe::Sheet sheet;                                    // where it is drawn: the frame of the records' uv
+	probe::Sheet sheet;                                    // its place: the frame of the records' uv
 	std::shared_ptr<const classify::SheetRecords> records; // polygons in device memory; null: an empty sheet
 	double opacity = 1.0;                                  // 0 to 1
 	std::optional<WindowRect> window{};                    // in the records' uv; nothing outside of it is drawn
-	double magnification = 1.0;                            // > 0: uv are drawn so many times larger (fx of the paper)
+	double magnification = 1.0;                            // > 0: uv are enlarged by this factor (fx of the paper)
 	bool rim = true;                                       // a line around the window
-	std::optional<ValueScale> values{};                    // of an array of its own
+	std::optional<ValueScale> values{};                    // if it has its own array
 	std::optional<ColorMap> colors{};
 	std::optional<std::pair<double, double>> range{};
 	std::optional<int> lines{}; // about so many contour lines
-	// Lines that are to bear their values, and what bounds the polygons; where they are seen, in the records' uv.
+	// Lines that get labels, the rim of the polygons, and where both are visible, in the records' uv.
 	std::vector<LevelLine> contours{};
 	std::vector<measure::PlaneLine> rim_lines{};
 
@@ -73,23 +73,23 @@ struct SheetDrawing
 	}
 };
 
-constexpr Color kPlainColor{142, 168, 195}; // where there is no array to show
+constexpr Color kPlainColor{142, 168, 195}; // without an array
 
-// A surface of any form. It may be closed, bent and cut itself; sheets and surfaces are drawn in their order at every
-// pixel, and where a sheet lies in a surface the sheet is in front.
+// A surface of any form. It may be closed or bent, and may cross itself. Sheets and surfaces are sorted by depth at
+// every pixel. If a sheet lies in a surface, the sheet is in front.
 struct Surface
 {
 	std::shared_ptr<const SurfacePolygons> polygons; // surface_polygons.h; null: nothing
 	double opacity = 1.0;                            // 0 to 1; 1 hides what is behind
-	Color color = kPlainColor;                       // where there are no values
-	bool lit = true;                                 // shaded smoothly; both sides alike
-	bool thick = false;                              // like glass: the more opaque the more it is seen from the side
+	Color color = kPlainColor;                       // without values
+	bool lit = true;                                 // smooth shading, the same on both sides
+	bool thick = false;                              // like glass: more opaque if it is seen from the side
 	bool mesh = false;                               // the polygons' edges
-	std::optional<ValueScale> values{};              // of the array that `polygons` has values of
+	std::optional<ValueScale> values{};              // of the array whose values `polygons` has
 	std::optional<ColorMap> colors{};
 	std::optional<std::pair<double, double>> range{};
 	std::optional<int> lines{}; // about so many contour lines
-	std::string name{};         // what a legend calls it where it calls it anything; else by its number
+	std::string name{};         // its name in a legend; empty: its number
 };
 
 struct Scene
@@ -99,13 +99,13 @@ struct Scene
 	std::optional<ValueScale> values; // none: the sheets have one plain color
 	std::span<const Segment> outline;
 	std::optional<Box> bounds{}; // of the blocks, for numbered axes
-	Camera camera;               // made for pictureFrame() of the same scene
-	bool fitted = true;          // the camera keeps the scene off what is written; else words over it get a ground
+	Camera camera;               // fitted to pictureFrame() of the same scene
+	bool fitted = true; // the camera keeps the scene away from text; if false, text over the scene gets a ground
 	Look look;
 };
 
-// The picture and the part of it that legends, title, caption and axes leave: for makeCamera(). The scene's camera
-// takes no part.
+// Returns the picture, and the part of it without legends, title, caption and axes, for makeCamera(). The scene's
+// camera is not used.
 Frame pictureFrame(const Scene& scene);
 
 } // namespace vp::render

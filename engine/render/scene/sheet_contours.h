@@ -11,24 +11,25 @@
 namespace vp::render
 {
 
-// What a sheet's mesh shows: a value per vertex, or per polygon; neither without an array.
+// The values that a sheet's mesh shows: one for each vertex, or one for each polygon. Both are empty without an array.
 struct SheetValues
 {
 	std::vector<double> of_vertices;
 	std::vector<double> of_polygons;
 };
 
-// What lies between the corners of a polygon: towards an infinite one nothing can be interpolated, unless all are.
+// What can be shown between the corners of a polygon. Nothing can be interpolated toward an infinite value, unless all
+// corners have it.
 enum class Interpolated
 {
 	values,
-	nothing, // some corner is NaN, or not all are infinite alike
+	nothing, // a corner is NaN, or some but not all have the same infinite value
 	minus_infinity,
 	plus_infinity
 };
 Interpolated interpolated(std::span<const std::uint32_t> polygon, std::span<const double> of_vertices);
 
-// With NaN for what is infinite, which measure::planeTriangles() leaves out.
+// Infinite values become NaN, which measure::planeTriangles() leaves out.
 std::vector<double> finiteOnly(std::span<const double> values);
 
 struct LevelLine
@@ -37,7 +38,8 @@ struct LevelLine
 	measure::PlaneLine line; // in the frame, grid units
 };
 
-// The contour lines of a sheet at ascending levels; of values per polygon along the polygons' edges.
+// Returns the contour lines of a sheet at ascending levels. If the values belong to polygons, the lines run along their
+// edges.
 std::vector<LevelLine> levelLines(const mesh::SheetMesh& mesh, const probe::Frame& frame, const SheetValues& values,
                                   std::span<const double> levels);
 

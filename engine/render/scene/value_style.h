@@ -9,10 +9,10 @@
 namespace vp::render
 {
 
-constexpr Color kPlainSheet{142, 168, 195}; // where there is no array to show
+constexpr Color kPlainSheet{142, 168, 195}; // without an array
 
-// How values are shown, once data, look and a sheet's own wishes are known: what the legend tells and the composing
-// pass does.
+// How values are shown. It follows from the data, the look and the settings of a sheet. The legend and the composing
+// pass use it.
 struct ValueStyle
 {
 	const ColorMap* colors = nullptr; // of the scene or the sheet
@@ -20,14 +20,14 @@ struct ValueStyle
 	double hi = 1.0;
 	bool logarithmic = false;
 	bool per_cell = false;     // values are constant in each polygon
-	bool below = false;        // values below lo get a color of their own
-	bool above = false;        // and those above hi
-	bool empty = false;        // lo and hi say nothing: there is no value
+	bool below = false;        // values below lo have their own color
+	bool above = false;        // values above hi have their own color
+	bool empty = false;        // there is no value, so lo and hi mean nothing
 	std::vector<double> lines; // values of the contour lines, ascending
 	std::vector<double> bands; // values between bands of color, ascending; empty: colors are continuous
 
 	double scaled(double value) const { return logarithmic ? std::log10(value) : value; }
-	// 0 at lo, 1 at hi; a constant has the map's middle.
+	// Returns 0 at lo and 1 at hi. A constant gets the middle of the map.
 	double part(double value) const { return hi > lo ? (scaled(value) - scaled(lo)) / (scaled(hi) - scaled(lo)) : 0.5; }
 	Color bandColor(std::size_t band) const; // of the band below bands[band], or above the last: that of its middle
 };
@@ -37,7 +37,7 @@ ValueStyle valueStyle(const Scene& scene, const SheetDrawing& sheet); // of a sc
 
 ValueStyle valueStyle(const Scene& scene, const Surface& surface); // of a surface with values
 
-// What a legend tells.
+// The content of a legend.
 struct LegendContent
 {
 	std::string title;
@@ -45,13 +45,13 @@ struct LegendContent
 	ValueStyle style;
 };
 
-// The scene's, if any sheet goes by it (or there are none), then those of sheets with values, colors or a range of
-// their own and of surfaces with values, each once. Legends of the same array are told apart by the sheets' or
-// surfaces' numbers.
+// Returns the contents of all legends, each once: that of the scene, if a sheet uses it or there are no sheets, then
+// those of sheets with their own values, colors or range, and of surfaces with values. Numbers of sheets or surfaces
+// distinguish legends of the same array.
 std::vector<LegendContent> legendContents(const Scene& scene);
 
-// Bounds between the colors of categories, and those colors, one more: a value has the category that is nearest, no
-// farther than half the way to the next one and 1/2; others have the NaN's color.
+// Returns the colors of categories and the bounds between them. A value belongs to the nearest category if it is at
+// most 1/2, and half of the way to the next one, away. Other values have the color of NaN.
 struct CategorySteps
 {
 	std::vector<double> bounds;
