@@ -14,16 +14,16 @@ class Device;
 namespace vp::classify
 {
 
-// From how many cells on a front is classified faster by a device than by a thread of the CPU; none where it never is,
-// as on software devices, which share the CPU's cores.
+// Returns the number of cells from which a device classifies a front faster than one thread of the CPU. Returns nothing
+// if it never does, as for software devices, which share the cores of the CPU.
 struct BreakEven
 {
 	std::optional<std::size_t> cells;
 };
 
-// Measured: fronts of several widths are classified by both, on cells from the middle of the largest block. What the
-// device does on top, writing polygons, is to its disadvantage. Takes some 20 ms besides what the driver needs to make
-// a pipeline; nothing of it is kept. An error where the device is lost.
+// It measures: both classify fronts of several widths, with cells from the middle of the largest block. The device also
+// writes polygons, which counts against it. This takes some 20 ms, and the time that the driver needs to make a
+// pipeline. Nothing is kept. Returns an error if the device is lost.
 Result<BreakEven> measureBreakEven(gpu::Device& device, const grid::BlockSet& blocks);
 
 } // namespace vp::classify

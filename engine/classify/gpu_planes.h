@@ -13,15 +13,15 @@
 namespace vp::classify
 {
 
-/// Planes as the device classifies them: it decides each cell, looks its case up and writes its polygon to the sheet's
-/// records.
+/// Planes that the device classifies. It decides each cell, looks up its case and writes its polygon to the records of
+/// the sheet.
 struct PlanesOnGpu
 {
 	std::vector<GpuSheetInBlock> sheets;                // sheet s in block b: number s * blocks + b
 	std::vector<std::shared_ptr<SheetRecords>> records; // per sheet
 };
 
-/// fields: one a sheet. Uploads the arrays that are not on the device yet.
+/// fields: one for each sheet. Uploads the arrays that are not on the device yet.
 Result<PlanesOnGpu> planesOnGpu(GpuBlocks& blocks, std::span<const probe::Sheet> sheets,
                                 std::span<const std::optional<grid::FieldChoice>> fields);
 

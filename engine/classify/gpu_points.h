@@ -10,9 +10,9 @@
 namespace vp::classify
 {
 
-// Points in three signed numbers of 41 bits about the middle of their bounds: one texel of sixteen bytes, where
-// doubles take two. The unit is a power of two, and 2^-40 of the half size at most: 3e-11 in a domain of 30, with
-// near-wall cells of 1e-6. A coordinate that a multiple of the unit does not hit exactly is flagged.
+// Points as three signed numbers of 41 bits, relative to the middle of their bounds. They fit into one texel of sixteen
+// bytes, while doubles need two. The unit is a power of two and at most 2^-40 of the half size: 3e-11 in a domain of 30
+// with cells of 1e-6 at the wall. A coordinate that is not a multiple of the unit is flagged.
 class FixedPoints
 {
 public:
@@ -26,9 +26,10 @@ public:
 			const double half = 0.5 * bounds.size()[axis];
 			int exponent = 0;
 			std::frexp(half, &exponent); // half < 2^exponent
-			// The shader holds the unit in a float.
+			// The unit is a float in the shader.
 			unit_[axis] = std::ldexp(1.0, std::max(exponent - (kBits - 2), -126));
-			// On a multiple of the unit, so that round coordinates stay exact; past 2^52 units every double is one.
+			// The center is a multiple of the unit, so that round coordinates stay exact. From 2^52 units on, every
+			// double is one.
 			if (std::abs(center_[axis] / unit_[axis]) < 0x1p52)
 				center_[axis] = std::round(center_[axis] / unit_[axis]) * unit_[axis];
 		}
@@ -46,7 +47,7 @@ public:
 			packed[axis] = static_cast<std::uint32_t>(number >> shared::kFixedLowBits);
 			const auto low = static_cast<std::uint32_t>(number & ((1 << shared::kFixedLowBits) - 1));
 			packed[3] |= low << (shared::kFixedLowBits * axis);
-			// The shader's own expression.
+			// The same expression as in the shader.
 			const double unpacked = center_[axis] + static_cast<double>(number) * unit_[axis];
 			if (unpacked != point[axis])
 				packed[3] |= 1u << (shared::kFixedInexactShift + axis);

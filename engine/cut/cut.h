@@ -24,35 +24,36 @@ struct SheetRecords; // a sheet's polygons in device memory (gpu_records.h)
 namespace vp::cut
 {
 
-/// One sheet's share of a cut.
+/// The part of a cut that belongs to one sheet.
 struct SheetCut
 {
-	probe::Sheet shown; // as the probe places it in the world
-	probe::Sheet sheet; // what it shows: where fx does nothing the same, see probe::content()
+	probe::Sheet shown; // at its place in the world
+	probe::Sheet sheet; // the place that it shows; the same unless fx magnifies, see probe::content()
 	mesh::Corners corners = mesh::Corners::keep;
 	std::optional<grid::FieldChoice> field;
 	seed::SheetSeeds seeds;
 	std::vector<find::BlockCut> cuts;                // per block
-	std::shared_ptr<classify::SheetRecords> records; // planes on a device only: the polygons as they are drawn
-	std::optional<find::ListedSurface> surface;      // shown in place of the sheet, whose frame means nothing then
-	// Of the cut: sheets of two cuts with one number are the same, and over the same values so are their meshes.
+	std::shared_ptr<classify::SheetRecords> records; // only for planes on a device: the polygons as they are drawn
+	std::optional<find::ListedSurface> surface; // shown in place of the sheet; then the sheet's frame means nothing
+	// Number of the cut. Sheets of two cuts with the same number are the same, and with the same values so are their
+	// meshes.
 	std::uint64_t number = 0;
 
 	bool isPlane() const { return !surface && !sheet.form; }
 };
 
-/// Of a sheet that is no plane: "i=12.5", "sphere:2".
+/// Returns the name of a sheet that is not a plane, such as "i=12.5" or "sphere:2".
 std::string surfaceName(const SheetCut& sheet);
 
-/// What a Cutter gives for a request.
+/// The result of a Cutter for a request.
 struct Cut
 {
 	std::vector<SheetCut> sheets;
 	std::vector<std::string> warnings; // for the user, such as why cells were left to the CPU
 
-	/// The indexed mesh of a sheet within its window, built on the CPU.
+	/// Builds the indexed mesh of a sheet inside its window, on the CPU.
 	mesh::SheetMesh mesh(const grid::BlockSet& blocks, std::size_t sheet) const;
-	/// The whole cells that a sheet shows in its window, see mesh/crinkle.h.
+	/// Builds the mesh of the whole cells that a sheet shows in its window, see mesh/crinkle.h.
 	mesh::SheetMesh crinkle(const grid::BlockSet& blocks, std::size_t sheet) const;
 };
 

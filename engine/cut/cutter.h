@@ -36,7 +36,7 @@ namespace vp::cut
 template <class Surface>
 struct SheetGroup; // sheets that are searched together (sheet_group.h)
 
-/// A cut under way. Destroying the ticket cancels it and waits.
+/// A running cut. The destructor cancels it and waits.
 class CutTicket
 {
 public:
@@ -56,47 +56,47 @@ private:
 	std::future<Result<Cut>> result_;
 };
 
-/// Cuts a block set by probes, in the steps of docs/CUTTING.md. Holds what cuts share: marks and, with a device, the
-/// blocks in device memory. Thread safe; several cuts may be under way.
+/// Cuts a block set with probes, in the steps of docs/CUTTING.md. It keeps what cuts share: marks and, with a device,
+/// the blocks in device memory. Thread safe. Several cuts may run at the same time.
 class Cutter
 {
 public:
 	explicit Cutter(const grid::BlockSet& blocks); // CPU classifier
-	// GPU classifier; uploads the blocks (section "upload"). Blocks past a limit of the device stay with the CPU: see
-	// Cut::warnings.
+	// Uses the GPU classifier, and uploads the blocks (section "upload"). The CPU classifies blocks that exceed a limit
+	// of the device, see Cut::warnings.
 	static Result<std::unique_ptr<Cutter>> onDevice(gpu::Device& device, const grid::BlockSet& blocks,
 	                                                const std::optional<grid::FieldChoice>& field, Timeline* timeline);
 	~Cutter();
 
-	// The way that begin() and cut() go with a request. Its origins and normals make no difference.
+	// Returns the plan by which begin() and cut() work on a request. It does not depend on origins and normals.
 	Result<find::CutPlan> plan(const CutRequest& request) const;
 
 	CutTicket begin(CutRequest request);
-	/// Asked to stop, it gives what was found until then.
+	/// If it is asked to stop, it returns what it has found.
 	Result<Cut> cut(const CutRequest& request, std::stop_token stop = {}) { return run(request, std::move(stop)); }
 
-	// After the blocks' values changed, and nothing else: their copies on the device are dropped.
+	// Call this if only the values of the blocks have changed. It drops their copies on the device.
 	void forgetValues();
-	// The same cut over the values there are now: what was cut is kept, nothing is traversed.
+	// Returns the same cut with the present values. The cells of the cut are kept, and nothing is traversed.
 	Result<Cut> regather(const Cut& kept, Timeline* timeline);
 
-	// Marks of a block's cells for another search than a cut, such as what is grown from a sheet.
+	// Returns marks of a block's cells for a search that is not a cut, such as one that grows a contour from a sheet.
 	find::VisitedPool::Loan borrowMarks(std::size_t block) { return stores_[block]->visited.borrow(); }
 
 	const grid::BlockSet& blocks() const { return blocks_; }
 	bool usesGpu() const { return gpu_ != nullptr; }
-	std::size_t blocksOnGpu() const; // the others passed a limit of the device, and are classified by the CPU
+	std::size_t blocksOnGpu() const; // the CPU classifies the others, which exceed a limit of the device
 
-	// Bytes kept from cut to cut; while none is under way.
+	// Returns the bytes that are kept from cut to cut. Do not call this during a cut.
 	struct Memory
 	{
-		std::size_t marks = 0;  // of the host: visited marks, rows of spans
+		std::size_t marks = 0;  // in host memory: visited marks, rows of spans
 		std::size_t device = 0; // blocks, values and records, see GpuBlocks
 	};
 	Memory memory() const;
 
 private:
-	using Previous = std::vector<const SheetCut*>; // per sheet, as it was, null where it is new; or none at all
+	using Previous = std::vector<const SheetCut*>; // per sheet: the earlier one, null if it is new; or empty
 
 	Result<Cut> run(const CutRequest& request, std::stop_token stop);
 	Result<Cut> cutAll(const CutRequest& request, const Previous& previous, std::stop_token stop);

@@ -10,17 +10,17 @@
 namespace vp::cut
 {
 
-// Speray and Kennon's test of a grid: a plane is swept through it in three directions, and cells whose vertices lie on
-// its sides in a way that no plane can part a sound cell are told.
+// Speray and Kennon's test of a grid: a plane is swept through it in three directions. A cell is reported if its
+// vertices lie on the two sides of the plane in a way that is impossible for a sound cell.
 struct SweepFindings
 {
-	std::vector<grid::SetCell> impossible; // ascending; cells with a case that has no entry in the tables
+	std::vector<grid::SetCell> impossible; // ascending; cells whose case has no entry in the tables
 	std::size_t planes = 0;
-	std::size_t cells = 0; // classified, each time
+	std::size_t cells = 0; // number of classified cells, each time counted
 };
 
-// Along x, y and z in N^(1/3) planes each (16 to 128), so that a cell is met about once a direction, between the
-// lattice planes of regular grids. Cells of polyhedra have no cases and are not asked.
+// There are N^(1/3) planes (16 to 128) along each of x, y and z, so each cell is cut about once in each direction.
+// They lie between the lattice planes of regular grids. Polyhedra have no cases and are not tested.
 Result<SweepFindings> sweepForImpossibleCases(Cutter& slicer);
 
 } // namespace vp::cut

@@ -19,22 +19,22 @@ class Timeline;
 namespace vp::cut
 {
 
-/// The device's part in a cut of plane sheets: it classifies all their cells, and keeps their polygons for drawing.
+/// The work of the device in a cut of plane sheets: it classifies all cells, and keeps the polygons for drawing.
 class PlanesOnDevice
 {
 public:
-	/// sheets: planes, with their fields; in the order of what is traversed. They outlive it.
+	/// sheets: planes with their fields, in the order of the traversal. They must outlive this.
 	static Result<std::unique_ptr<PlanesOnDevice>> create(classify::GpuBlocks& blocks, std::span<SheetCut> sheets,
 	                                                      Timeline* timeline);
 
 	classify::GpuClassifier& classifier() { return *classifier_; }
 
-	/// Classifies what is known already, in SheetCut::cuts: all cells of a sheet in a block as one front. Where these
-	/// are cells, they get the device's codes.
+	/// Classifies the cells in SheetCut::cuts: all cells of a sheet in a block as one front. A list of cells gets the
+	/// codes of the device.
 	Status classifyKnown();
 
-	/// After the last generation, when SheetCut::cuts is complete: the sheets get their records, with what the device
-	/// did not emit added: cells that were walked, blocks that it does not hold, boundary faces in the plane.
+	/// Call this after the last generation, when SheetCut::cuts is complete. Gives the sheets their records. Adds what
+	/// the device did not emit: cells that were walked, blocks that are not on the device, boundary faces in the plane.
 	Status finish();
 
 private:

@@ -8,8 +8,8 @@
 namespace vp::cut
 {
 
-/// The generation of the traversal, from 0, in which the cell of each polygon of a sheet's mesh was met; NaN for faces
-/// that lie in the surface, whose cells are not cut, and for cells that were found in no generations.
+/// Returns for each polygon of a sheet's mesh the generation of the traversal, from 0, in which its cell was found. NaN
+/// for faces that lie in the surface, since their cells are not cut, and for cells that were found without generations.
 std::vector<double> polygonGenerations(const SheetCut& sheet, const mesh::SheetMesh& mesh);
 
 } // namespace vp::cut

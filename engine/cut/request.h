@@ -23,33 +23,33 @@ namespace vp::cut
 
 struct Cut; // cut.h
 
-/// What is to be cut.
+/// What to cut, and how.
 struct CutRequest
 {
 	probe::Probe probe;
 	mesh::Corners corners = mesh::Corners::keep; // of windows
 	std::optional<grid::FieldChoice> field;
-	std::vector<std::optional<grid::FieldChoice>> sheet_fields; // per sheet, in place of `field`; or empty
+	std::vector<std::optional<grid::FieldChoice>> sheet_fields; // per sheet, replaces `field`; or empty
 	seed::SeedOptions seeds;
-	std::optional<find::Threshold> threshold; // of the field's values: the search ends at cells outside
+	std::optional<find::Threshold> threshold; // of the field's values; the search does not pass cells outside
 	find::Finder finder = find::Finder::traversal;
-	std::optional<find::Strategy> strategy; // for all sheets and blocks; an error where it cannot be had
-	// Other cuts of these blocks will follow, so that it pays to build neighbors where a first cut would do without.
+	std::optional<find::Strategy> strategy; // for all sheets and blocks; an error if it is not possible
+	// Other cuts of these blocks will follow, so it pays to build neighbors, which one cut would not need.
 	bool another_follows = false;
 	find::VisitedSet visited = find::VisitedSet::stamps;
-	// Takes the place of the probe's sheets. It needs no search, and windows and seeds mean nothing to it.
+	// Replaces the sheets of the probe. It needs no search, so windows and seeds have no effect.
 	std::optional<find::ListedSurface> surface;
-	// A cut by a request that differed from this one in the probe alone, over the same blocks and values; or null.
-	// Its sheets that stand where they stood, to the last bit, are taken from it and not cut again.
+	// A cut of the same blocks and values by a request that differed only in the probe, or null. Sheets with exactly
+	// the same place are taken from it and not cut again.
 	std::shared_ptr<const Cut> last;
-	// Sections "seed", "traverse" with "classify" and "expand" of each generation, "emit". Must outlive the cutting.
+	// Sections "seed", "traverse" with "classify" and "expand" of each generation, "emit". It must outlive the cut.
 	Timeline* timeline = nullptr;
 
 	const std::optional<grid::FieldChoice>& fieldOf(std::size_t sheet) const
 	{
 		return sheet_fields.empty() ? field : sheet_fields[sheet];
 	}
-	/// What a plan has to know. It refers to this request.
+	/// Returns what a plan needs to know. The result refers to this request.
 	find::PlanRequest forPlan() const
 	{
 		return {.sheets = probe.sheets,

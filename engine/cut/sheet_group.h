@@ -17,31 +17,31 @@
 namespace vp::cut
 {
 
-/// Sheets that are searched together: the planes of a request, of which a device classifies a generation at a time, or
-/// one curved sheet.
+/// Sheets that are searched together: all planes of a request, since a device classifies one generation of all of them
+/// at a time, or one curved sheet.
 template <class Surface>
 struct SheetGroup
 {
 	const CutRequest& request;
 	std::vector<std::size_t> numbers; // of the sheets in the request
-	std::vector<SheetCut> sheets;     // what is found goes to their cuts
-	// Sheet s in block b has number s * blocks + b in what follows.
+	std::vector<SheetCut> sheets;     // results are added to their cuts
+	// Below, sheet s in block b has number s * blocks + b.
 	std::vector<find::BlockPlan> plan;
 	std::vector<Surface> surfaces;
 	std::vector<grid::CellFilter> filters;
 
 	bool needsGenerations(std::size_t i) const { return plan[i].strategy == find::Strategy::generations; }
-	/// Whether every cell is looked at once. Then it is so for all sheets and blocks: a plan takes a scan where all
-	/// blocks are unstructured, for reasons that are the same for all sheets.
+	/// Returns true if the plan scans all cells. Then it does so for all sheets and blocks: it needs unstructured
+	/// blocks only, and its reasons are the same for all sheets.
 	bool isScanned() const { return !plan.empty() && plan.front().strategy == find::Strategy::scan; }
 };
 
-/// The part of a group that is found in generations.
+/// The search in generations of a group.
 template <class Surface>
 class GenerationSearch
 {
 public:
-	/// The group is seeded; it, and the stores (per block), outlive the search.
+	/// The group must have its seeds. It and the stores (per block) must outlive the search.
 	GenerationSearch(SheetGroup<Surface>& group, const grid::BlockSet& blocks,
 	                 const std::vector<std::unique_ptr<find::BlockStores>>& stores)
 	    : group_(group), block_count_(blocks.blocks.size())
@@ -68,7 +68,7 @@ public:
 
 	std::span<const find::SheetInBlock<Surface>> sheets() const { return sheets_; }
 
-	/// Puts what is found into the group's sheets.
+	/// Adds the results to the sheets of the group.
 	template <find::Classifier C>
 	Status run(C& classifier, std::stop_token stop)
 	{

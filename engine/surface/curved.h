@@ -20,13 +20,13 @@ namespace vp::surface
 
 class LeafValues;
 
-// A cutting surface that is no plane and has a place in the world.
+// A cutting surface that is not a plane and has a place in the world.
 using Curved = std::variant<Quadric, PlacedExpression>;
 
-// A surface of one value of a block's array.
+// The surface where an array of a block has one value.
 struct BlockValues
 {
-	const grid::Field* field; // of points; it outlives this
+	const grid::Field* field; // of points; it must outlive this
 	int component;            // 0.. or grid::kMagnitude
 	double value;
 	std::shared_ptr<const LeafValues> leaves; // of the block's tree; or null
@@ -38,8 +38,8 @@ struct BlockValues
 	}
 };
 
-// A cutting surface that is no plane, as one block sees it. S = 1 at a point where the height is not negative; NaN
-// counts as negative. The height of a point is one expression in double, the same for every cell around it.
+// A cutting surface that is not a plane, for one block. S = 1 at a point if the height is not negative. NaN counts as
+// negative. The height of a point is one expression in double, the same for every cell around it.
 class BlockSurface
 {
 public:
@@ -56,7 +56,7 @@ public:
 			return quadric->height(grid.point(p));
 		return std::get<PlacedExpression>(kind_).height(grid.point(p));
 	}
-	// Of each point; for as many as kMaxPoints. `heights` has as many.
+	// Writes the height of each point, of at most kMaxPoints. `heights` must have room for them.
 	static constexpr std::size_t kMaxPoints = 64;
 	template <class G>
 	void heights(const G& grid, std::span<const PointId> points, double* heights) const
@@ -76,13 +76,13 @@ public:
 		else
 			expression()->heightsAt({places.data(), points.size()}, heights);
 	}
-	// How far from a to b the surface lies, 0 to 1: the root of what has a place, by linear interpolation for values.
-	// The heights have different signs.
+	// Returns the place of the surface on the way from a to b, 0 to 1. It is the root for a surface with a place, and
+	// is found by linear interpolation for values. The heights must have different signs.
 	double crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) const;
-	// Whether it may pass through the box, its rim included; of values nothing is known.
+	// Returns true if the surface may pass through the box, its rim included. Always true for values.
 	bool meets(const Box& box) const;
 
-	// Of any place; of values nothing is known.
+	// Returns the height of any place, nothing for values.
 	std::optional<double> heightAt(const Vec3& place) const;
 
 	const BlockValues* values() const { return std::get_if<BlockValues>(&kind_); }
@@ -93,7 +93,7 @@ private:
 	Kind kind_;
 };
 
-// The height of a point over a cutting surface of any kind, and how far from a to b an edge meets it.
+// The height of a point over a cutting surface of any kind, and the place where an edge from a to b meets the surface.
 template <class G>
 double heightAt(const G& grid, const Plane& plane, PointId p)
 {
@@ -114,7 +114,7 @@ inline double crossingOf(const BlockSurface& surface, const Vec3& a, const Vec3&
 	return surface.crossing(a, b, height_a, height_b);
 }
 
-// Whether polygons in it may bend.
+// True if polygons in the surface may be bent.
 template <class Surface>
 constexpr bool kIsCurved = !std::is_same_v<Surface, Plane>;
 

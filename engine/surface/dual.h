@@ -13,7 +13,7 @@ struct Dual
 	Vec3 slope{0.0};
 };
 
-// Where an operation has no derivative it is that of one side (abs, min, max), or not finite (the root of 0).
+// At a place without a derivative it is that of one side (abs, min, max), or not finite (the root of 0).
 Dual applied(Operation operation, int exponent, const Dual& a, const Dual& b);
 
 } // namespace vp::surface

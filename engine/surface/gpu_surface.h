@@ -7,8 +7,8 @@
 namespace vp::surface
 {
 
-/// The surface, where the device can classify it: values are the CPU's, and so are expressions that a driver would take
-/// long to compile.
+/// Returns the surface for the device. Returns nothing if the CPU must classify it: iso values, and expressions that a
+/// driver would take long to compile.
 std::optional<Curved> gpuSurfaceOf(const BlockSurface& surface);
 
 } // namespace vp::surface

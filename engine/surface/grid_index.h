@@ -9,9 +9,9 @@
 namespace vp::surface
 {
 
-// A grid surface, the "IJK" of CFD that Speray and Kennon set slicing against: in structured blocks, all places with
-// one subscript held fixed. The subscript is a point's, from 0; a fraction lies between two such surfaces, along the
-// edges of the cells there.
+// A grid surface, the "IJK" of CFD that Speray and Kennon compare slicing with: all places of structured blocks with
+// one fixed subscript. The subscript counts points from 0. With a fraction the surface lies between two such surfaces,
+// along the edges of the cells there.
 struct GridIndex
 {
 	int axis = 0;       // 0, 1, 2: i, j, k
@@ -23,20 +23,20 @@ struct GridIndex
 // The layers of cells along the axis of a block that show a grid surface.
 struct GridLayers
 {
-	std::uint32_t cell;          // the one it lies in; between two the one on the low side, at index 0 the one above
-	bool has_other_side = false; // it lies between that one and the next
+	std::uint32_t cell;          // the layer it lies in; between two layers the lower one, at index 0 the one above
+	bool has_other_side = false; // it lies between this layer and the next
 };
 
-// cells: along the axis, 1 or more. The index is 0 to `cells`.
+// cells: number along the axis, at least 1. The index must be 0 to `cells`.
 GridLayers layersOf(double index, std::uint32_t cells);
 
-// How far along its edges the surface lies in a layer that shows it: 0 to 1.
+// Returns the place of the surface along the edges of a layer that shows it: 0 to 1.
 inline double placeIn(std::uint32_t layer, double index)
 {
 	return std::clamp(index - layer, 0.0, 1.0);
 }
 
-// From one surface to another, for sweeps.
+// A range from one surface to another, for sweeps.
 struct GridIndexRange
 {
 	int axis = 0;
@@ -53,8 +53,8 @@ struct GridIndexRange
 char axisName(int axis);                 // 'i', 'j', 'k'
 std::string nameOf(const GridIndex& at); // "i=12.5"
 
-// "i=12.5", or "i=2..30" for a range. A usage error without the option's name says what is wrong; numbers are finite
-// but may lie outside of any grid.
+// Reads "i=12.5", or "i=2..30" for a range. A usage error says what is wrong, without the name of the option. Numbers
+// are finite but may lie outside any grid.
 Result<GridIndexRange> parseGridIndex(const std::string& text);
 
 } // namespace vp::surface

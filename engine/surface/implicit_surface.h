@@ -11,7 +11,7 @@
 namespace vp::surface
 {
 
-// Where the values of the shown array, which is of points, pass this one; linear along edges.
+// The surface where the shown array, which must be an array of points, has this value. It is linear along edges.
 struct IsoValue
 {
 	double value = 0.0;
@@ -19,21 +19,22 @@ struct IsoValue
 	bool operator==(const IsoValue&) const = default;
 };
 
-// What a sheet cuts by where that is no plane, in the sheet's own coordinates: x along its x axis, y along up, z along
-// its normal.
+// The cutting surface of a sheet that is not a plane, in the coordinates of the sheet: x along its x axis, y along up,
+// z along its normal.
 class ImplicitSurface
 {
 public:
 	// sphere:R, cylinder:R (about z), cone:DEGREES (about z, half its opening angle), ellipsoid:A,B,C, quadric: and the
-	// ten coefficients of Quadric, iso:VALUE; anything else is an expression in x, y and z (expression.h), cut where it
-	// is 0. A usage error, without the option's name, tells what is wrong.
+	// ten coefficients of Quadric, iso:VALUE. Any other text is an expression in x, y and z (expression.h); the surface
+	// is where it is 0. A usage error says what is wrong, without the name of the option.
 	static Result<ImplicitSurface> parse(const std::string& text);
 
 	const std::string& text() const { return text_; }
 	const IsoValue* isoValue() const { return std::get_if<IsoValue>(&kind_); }
-	// Whether it is about the sheet's origin: an expression is in the grid's coordinates unless it is placed.
+	// Returns true if it is relative to the sheet's origin. An expression has the coordinates of the grid unless it is
+	// placed.
 	bool isAboutOrigin() const;
-	// Not of an iso value, which has no place.
+	// Do not call this for an iso value, which has no place.
 	Curved placed(const Axes& axes) const;
 
 	bool operator==(const ImplicitSurface&) const = default;

@@ -7,7 +7,7 @@
 namespace vp::surface
 {
 
-// All that a value may be, ends included: both finite, or the whole line where that is not known.
+// All possible values, ends included. Both ends are finite, or nothing is known and the interval is the whole line.
 struct Interval
 {
 	double lo = -std::numeric_limits<double>::infinity();
@@ -17,17 +17,17 @@ struct Interval
 
 	bool isBounded() const { return lo > -std::numeric_limits<double>::infinity(); }
 	bool contains(double value) const { return lo <= value && value <= hi; }
-	// False: all of it lies on one side of 0, 0 being with the positive.
+	// Returns false if the whole interval lies on one side of 0. 0 counts as positive.
 	bool hasBothSides() const { return lo < 0.0 && hi >= 0.0; }
 	double magnitude() const { return hi > -lo ? hi : -lo; }              // the largest of |value|
 	double least() const { return lo > 0.0 ? lo : hi < 0.0 ? -hi : 0.0; } // and the least
 };
 
-// The operation on all values of a and b (a alone for operations of one operand). Holds the exact results and what
-// doubles make of them: ends are moved outwards by 2^-51 of their size for each operation that IEEE 754 rounds
-// correctly, and by 2^-47 for what the C library computes, which is wrong by a few ulps of 2^-53 at most. The whole
-// line stands for what may be unbounded or not a number (a pole, a root of what may be negative, an overflow), and
-// nothing that is computed from it is bounded again: NaN counts as not positive, so a sign may change there too.
+// Applies an operation to all values of a and b (only a for operations with one operand). The result contains the exact
+// results and those in double. For this, its ends are moved outward by 2^-51 of their size for operations that IEEE 754
+// rounds correctly, and by 2^-47 for functions of the C library, whose error is at most a few ulps of 2^-53. If a
+// result may be unbounded or NaN (a pole, a root of a negative number, an overflow), the result is the whole line.
+// Everything computed from it is the whole line too: NaN counts as not positive, so the sign may change there.
 Interval applied(Operation operation, int exponent, const Interval& a, const Interval& b);
 
 } // namespace vp::surface

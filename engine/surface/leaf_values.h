@@ -9,19 +9,19 @@
 namespace vp::surface
 {
 
-// The least and the greatest of an array's shown values in each leaf of a block's tree over all cells, and in each
-// group of leaves: what boxes are to surfaces with a place. One pass over all cells, on all cores; 8 bytes a leaf of
-// 512.
+// The least and the greatest shown value of an array in each leaf of a block's tree over all cells, and in each group
+// of leaves. They serve iso surfaces as boxes serve surfaces with a place. Making them is one pass over all cells, on
+// all cores. They take 8 bytes for a leaf of 512 cells.
 class LeafValues
 {
 public:
 	// field: of points. component: 0.. or grid::kMagnitude.
 	LeafValues(const grid::Block& block, const grid::Field& field, int component);
 
-	// Whether values on both sides of this one, or it, are there.
+	// Return true if the values include this one, or lie on both sides of it.
 	bool groupHolds(std::size_t group, double value) const { return holds(groups_[group], value); }
 	bool leafHolds(std::size_t leaf, double value) const { return holds(leaves_[leaf], value); }
-	// Whether no shown value is NaN or infinite.
+	// Returns true if all shown values are finite.
 	bool allFinite() const { return all_finite_; }
 	std::size_t bytes() const { return (leaves_.capacity() + groups_.capacity()) * sizeof(Span); }
 

@@ -8,7 +8,7 @@
 namespace vp::surface
 {
 
-// The finite number that a text is, whole; in any locale.
+// Returns the finite number that the whole text is, independent of the locale.
 inline std::optional<double> numberOf(std::string_view text)
 {
 	double number = 0.0;

@@ -8,19 +8,19 @@
 namespace vp::surface
 {
 
-// An expression of the coordinates in a frame, in the world.
+// An expression of the coordinates in a frame, placed in the world.
 class PlacedExpression
 {
 public:
 	PlacedExpression(Expression expression, const Axes& axes);
 
 	double height(const Vec3& p) const { return expression_.value(local(p)); }
-	// height() of each place, some times faster; `heights` has as many.
+	// Writes height() of each place, several times faster. `heights` must have room for them.
 	void heightsAt(std::span<const Vec3> places, double* heights) const;
-	// How far from a to b the surface lies, 0 to 1: the heights have different signs, one of which may be NaN. The root
-	// is bracketed to the last bit but a few; towards what is no number it ends where the numbers do.
+	// Returns the place of the surface on the way from a to b, 0 to 1. The heights must have different signs; one may
+	// be NaN. The root is exact but for the last few bits. Toward NaN it is the place where the numbers end.
 	double crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) const;
-	// Whether the surface may pass through the box, its rim included.
+	// Returns true if the surface may pass through the box, its rim included.
 	bool meets(const Box& box) const;
 
 	const Expression& expression() const { return expression_; }

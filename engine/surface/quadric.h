@@ -8,8 +8,8 @@
 namespace vp::surface
 {
 
-// height(p) = q A q + b q + c with q = p - origin and A symmetric; S(x) = 1 where it is not negative. A sphere, a
-// cylinder, a cone and an ellipsoid are negative within.
+// height(p) = q A q + b q + c with q = p - origin and A symmetric; S(x) = 1 if it is not negative. It is
+// negative inside a sphere, a cylinder, a cone and an ellipsoid.
 class Quadric
 {
 public:
@@ -20,10 +20,10 @@ public:
 
 	static Quadric sphere(double radius);                   // about the origin
 	static Quadric cylinder(double radius);                 // about the z axis
-	static Quadric cone(double degrees);                    // about the z axis, both halves; half its opening angle
+	static Quadric cone(double degrees);                    // about the z axis, both halves; half of the opening angle
 	static Quadric ellipsoid(double x, double y, double z); // its half axes
 
-	// Given in a frame's coordinates, in those of the world.
+	// Returns the quadric in world coordinates. This one is given in the coordinates of a frame.
 	Quadric placed(const Axes& axes) const;
 
 	double height(const Vec3& p) const
@@ -32,12 +32,13 @@ public:
 		return q.x * (square_.x * q.x + mixed_.x * q.y + mixed_.y * q.z + linear_.x) +
 		       q.y * (square_.y * q.y + mixed_.z * q.z + linear_.y) + q.z * (square_.z * q.z + linear_.z) + constant_;
 	}
-	// Along which the height rises, not a unit vector; zero where there is no one direction.
+	// Returns the direction in which the height rises. It is not a unit vector, and zero if there is no single
+	// direction.
 	Vec3 gradient(const Vec3& p) const;
-	// How far from a to b the surface lies, 0 to 1: the root of the quadratic that the height is along an edge. Their
-	// heights have different signs.
+	// Returns the place of the surface on the way from a to b, 0 to 1. The height along an edge is quadratic, and this
+	// is its root. The heights of a and b must have different signs.
 	double crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) const;
-	// Whether it may pass through the box, its rim included.
+	// Returns true if the surface may pass through the box, its rim included.
 	bool meets(const Box& box) const;
 
 	const Vec3& origin() const { return origin_; }
