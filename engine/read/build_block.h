@@ -8,8 +8,8 @@
 namespace vp::read
 {
 
-// A checked block with its grid, finished (see finishBlock) but for its seams with others. Cells of an unstructured one
-// are listed. `identifies_geometry`: and `for_one_cut`: see ReadOptions.
+// Builds the grid of a checked block and finishes it (see finishBlock), without its seams to other blocks. Cells of an
+// unstructured block are listed. `identifies_geometry`, `for_one_cut`: see ReadOptions.
 grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies_geometry = true,
                        bool for_one_cut = false);
 

@@ -5,7 +5,7 @@
 namespace vp::read
 {
 
-// VTK's cell type numbers, as far as reading must tell them apart.
+// The cell type numbers of VTK that reading must distinguish.
 constexpr std::uint8_t kEmptyCell = 0;
 constexpr std::uint8_t kTetra = 10;
 constexpr std::uint8_t kVoxel = 11;
@@ -14,7 +14,7 @@ constexpr std::uint8_t kWedge = 13;
 constexpr std::uint8_t kPyramid = 14;
 constexpr std::uint8_t kPolyhedron = 42;
 
-// Dimension of a cell type, -1 where VTK 9 knows no such type.
+// Returns the dimension of a cell type, -1 if VTK 9 does not know the type.
 constexpr int cellDimension(std::uint8_t type)
 {
 	switch (type)
@@ -64,8 +64,8 @@ constexpr int cellDimension(std::uint8_t type)
 	return linear || quadratic || free_form || high_order ? 3 : -1;
 }
 
-// Points of a three-dimensional cell that can be sliced; 0 for a polyhedron, which has any number, and for all other
-// types.
+// Returns the number of points of a three-dimensional cell that can be cut. Returns 0 for a polyhedron, which can have
+// any number, and for all other types.
 constexpr int slicedCellSize(std::uint8_t type)
 {
 	switch (type)

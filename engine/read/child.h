@@ -10,7 +10,7 @@
 namespace vp::read
 {
 
-// What the child handed over. No part of it is checked yet.
+// The data from the child. Nothing is checked yet.
 struct HandedOver
 {
 	std::string manifest;
@@ -18,16 +18,16 @@ struct HandedOver
 	SharedBytes cells;
 };
 
-// Runs vprobe-read on one file, within its limits. Whatever goes wrong with the child is an error that names the file.
+// Runs vprobe-read on one file, within its limits. Every failure of the child is an error that names the file.
 Result<HandedOver> runReader(const std::string& file, const ReadOptions& options, const InputLimits& limits);
 
-// What reading ends with when it was asked to stop.
+// Returns the error of a reading that was asked to stop.
 Error stopped(const std::string& input);
 
-// The program that is run: beside this one, or ../libexec/vprobe/ from there.
+// Returns the path of the program to run: beside this one, or in ../libexec/vprobe/ from there.
 Result<std::string> readerProgram();
 
-// For tests: the program to run instead; empty restores the search.
+// For tests: sets the program to run instead. An empty path restores the search.
 void setReaderProgram(std::string path);
 
 } // namespace vp::read

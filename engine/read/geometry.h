@@ -7,8 +7,8 @@
 namespace vp::read
 {
 
-// A number that is the same for the same grid and, with a chance of error of 2^-64, for no other: of the mesh's kind,
-// coordinates and cells. Never 0.
+// Returns a number that is the same for the same grid. It depends on the kind, the coordinates and the cells, and
+// differs for another grid, with a chance of error of 2^-64. It is never 0.
 std::uint64_t geometryOf(const CheckedBlock& block);
 
 } // namespace vp::read

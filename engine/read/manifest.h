@@ -25,7 +25,7 @@ struct CellMesh
 {
 	grid::Points points;
 	grid::CellList cells;
-	std::size_t source_cell_count = 0; // where cells.source_cells says which they are part of
+	std::size_t source_cell_count = 0; // if cells.source_cells says of which they are part
 };
 
 struct CheckedBlock
@@ -38,7 +38,7 @@ struct CheckedBlock
 	std::vector<std::string> arrays_left_out{};  // likewise
 };
 
-// What a child handed over, as far as it holds good.
+// The checked data from a child.
 struct CheckedInput
 {
 	std::vector<CheckedBlock> blocks;
@@ -48,18 +48,17 @@ struct CheckedInput
 	std::size_t left_out = 0;
 };
 
-// That an array has as many numbers as the points or the cells of its block need. Throws Unusable.
+// Checks that an array has as many numbers as its block has points or cells. Throws Unusable.
 void checkField(const grid::Field& field, std::uint64_t points, std::uint64_t cells);
 
-// Points along each axis of a lattice that has cells. Throws Unusable.
+// Returns the number of points along each axis of a lattice that has cells. Throws Unusable.
 std::array<std::uint32_t, 3> latticeOf(const std::array<std::uint64_t, 3>& points);
 
-// That an image's points are places. Throws Unusable.
+// Checks that the points of an image are finite. Throws Unusable.
 void checkImage(const std::array<std::uint32_t, 3>& points, const Vec3& origin, const Vec3& spacing);
 
-// Checks a manifest and every array it names against the bytes that were handed over. Nothing in either is trusted:
-// counts may overflow, arrays may lie outside, ids may point anywhere, coordinates may be no numbers. The error's
-// message is the reason alone.
+// Checks a manifest and every array in it against the bytes from the child. Nothing is trusted: counts may overflow,
+// arrays may lie outside, ids may point anywhere, coordinates may be NaN. The message of the error is only the reason.
 Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells);
 
 } // namespace vp::read

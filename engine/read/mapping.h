@@ -7,14 +7,14 @@
 namespace vp::read
 {
 
-// Bytes that nobody will change, and what keeps them there.
+// Bytes that nobody will change, and their owner.
 struct SharedBytes
 {
 	std::shared_ptr<const void> owner;
 	std::span<const std::byte> bytes;
 };
 
-// A file descriptor that is closed with its holder.
+// A file descriptor that its owner closes.
 class Descriptor
 {
 public:
@@ -42,8 +42,8 @@ private:
 	int fd_ = -1;
 };
 
-// Maps all of a memfd, after sealing it against any change. No owner if that fails; an empty one has an owner and no
-// bytes.
+// Seals a memfd against any change and maps all of it. The result has no owner if that fails. An empty memfd has an
+// owner and no bytes.
 SharedBytes mapSealed(const Descriptor& memory);
 
 } // namespace vp::read

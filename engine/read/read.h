@@ -16,7 +16,8 @@ class Timeline;
 namespace vp::read
 {
 
-// Which of the input's times: last, first, the one nearest to a value, or the one of an index that counts from 0.
+// A choice among the times of an input: the last, the first, the one nearest to a value, or the one with an index from
+// 0.
 struct TimeChoice
 {
 	enum class Kind
@@ -33,12 +34,12 @@ struct TimeChoice
 	bool operator==(const TimeChoice&) const = default;
 };
 
-// The number of the chosen one among times, which are ascending; 0 where there are none.
+// Returns the index of the chosen time among ascending times, 0 if there are none.
 std::size_t timeIndex(const std::vector<double>& times, const TimeChoice& choice);
 
-// "last", "first", a number, or # and an index; a usage error otherwise, which does not name the setting.
+// Reads "last", "first", a number, or # and an index. Any other text is a usage error, which does not name the setting.
 Result<TimeChoice> parseTime(const std::string& text);
-std::string timeText(const TimeChoice& time); // read again it is the same
+std::string timeText(const TimeChoice& time); // parseTime() returns the same choice again
 
 inline TimeChoice timeAt(std::size_t index)
 {
@@ -49,39 +50,38 @@ inline TimeChoice timeAt(std::size_t index)
 struct ArrayWish
 {
 	bool all = true;
-	// Where not all: those with one of these names, which may have "point:" or "cell:" in front.
+	// If not all: the arrays with one of these names, which may begin with "point:" or "cell:".
 	std::vector<std::string> names{};
-	// And the one that is shown where none is named: each block's first point array, or its first cell array where it
-	// has no point arrays.
+	// And the default array: the first point array of each block, or its first cell array if it has no point arrays.
 	bool first = false;
 };
 
 struct ReadOptions
 {
 	TimeChoice time;
-	std::string solution; // PLOT3D q file, where its name does not follow from the grid's
-	// Curved cells are cut into linear ones over their own points; each level halves the edges of those once more.
+	std::string solution; // PLOT3D q file, if its name does not follow from that of the grid
+	// Curved cells are cut into linear ones over their own points. Each level halves the edges of these once more.
 	int refine = 0;
-	double displace = 0.0; // moves the points of Exodus files by their displacements, times this
-	bool patches = false;  // reads what the files name of the boundary: OpenFOAM patches, Exodus side sets
-	// Without: where all blocks are unstructured they stay listed (grid/unstructured.h), their seams are not matched,
-	// and grid::buildNeighbors() is left to the caller. Not where patches are read, whose faces are looked for.
+	double displace = 0.0; // moves the points of Exodus files by their displacements times this factor
+	bool patches = false;  // reads named parts of the boundary: OpenFOAM patches, Exodus side sets
+	// If false and all blocks are unstructured, they stay listed (grid/unstructured.h), their seams are not matched,
+	// and the caller may call grid::buildNeighbors(). It has no effect with patches, which need boundary faces.
 	bool builds_neighbors = true;
-	// One cut is all that is made: curvilinear grids are finished for it (see finishBlock), and seams are not matched.
+	// There will be only one cut: curvilinear grids are finished for that (see finishBlock), and seams are not matched.
 	bool for_one_cut = false;
-	std::stop_token stop{}; // asked to stop, reading ends with an error
+	std::stop_token stop{}; // on a stop request, reading ends with an error
 	ArrayWish arrays{};
-	// Finds Block::geometry, which readFields() and readValues() compare: where it is not known, they find that the
-	// grids are others.
+	// Computes Block::geometry, which readFields() and readValues() compare. Without it they take the grids for
+	// different.
 	bool identifies_geometry = true;
 };
 
 constexpr int kMaxRefine = 6;
 
-// Reads every input (a file, or demo:NAME[:N]) into one block set, finished (see finishBlock, matchInterfaces).
-// `builds_neighbors` says more. A file is read in a child process (vprobe-read, beside the program or in its libexec
-// folder) which hands its arrays over in shared memory; sizes, types, offsets and ids are checked here before anything
-// uses them. A file that is missing, empty, truncated, foreign or damaged, or a child that crashes, runs out of memory
+// Reads all inputs (files, or demo:NAME[:N]) into one block set and finishes it (see finishBlock, matchInterfaces, and
+// `builds_neighbors`). A file is read in a child process (vprobe-read, beside the program or in its libexec
+// folder) which passes its arrays in shared memory. Sizes, types, offsets and ids are checked here before they
+// are used. A file that is missing, empty, truncated, foreign or damaged, or a child that crashes, runs out of memory
 // or out of time, is an input error that names the file. Sections "read", "build" and "adjacency" go to the timeline.
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,
                                   Timeline* timeline);
@@ -89,14 +89,14 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 // grid::buildNeighbors(), as section "adjacency" of the timeline.
 void buildNeighbors(grid::BlockSet& set, Timeline* timeline);
 
-// The arrays of each block of a set that readInputs made of the inputs, read once more, at another time say; none where
-// the grids are others.
+// Reads the arrays again, for example at another time, for the blocks of a set that readInputs() made. Returns nothing
+// if the grids differ.
 using BlockFields = std::vector<std::vector<grid::Field>>;
 Result<std::optional<BlockFields>> readFields(const std::vector<std::string>& inputs, const ReadOptions& options,
                                               const grid::BlockSet& set, Timeline* timeline);
 
-// Reads the inputs once more, at another time say, into a set that readInputs made of them, and takes their values over
-// where the grids are the same. False, and the set as it was, where they are not: readInputs builds them anew.
+// Reads the inputs again, for example at another time, into a set that readInputs() made from them. If the grids are
+// the same, takes over the values. Else returns false and leaves the set as it is; then use readInputs().
 Result<bool> readValues(const std::vector<std::string>& inputs, const ReadOptions& options, grid::BlockSet& set,
                         Timeline* timeline);
 

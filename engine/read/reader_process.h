@@ -19,12 +19,12 @@ struct Pipe
 	Descriptor write_end;
 };
 
-// Descriptors above those the child is to find its own under, so that handing them down overwrites none. `lifted` takes
-// the descriptor it is given; neither holds anything where the system refuses.
+// Duplicates of descriptors, with numbers above those that the child expects. So passing them on overwrites none.
+// `lifted` takes over its argument. Both are empty if the system refuses.
 Descriptor lifted(int fd);
 Pipe makePipe();
 
-// All that a child needs between fork and exec, where nothing may be allocated.
+// Everything that a child needs between fork and exec, since it must not allocate there.
 struct ChildSetup
 {
 	const char* program;
@@ -39,7 +39,8 @@ struct ChildSetup
 	rlimit time;
 };
 
-// In the child, after fork. Ends with exit code 127, and why on standard error, where the program cannot be started.
+// Runs in the child after fork. If the program cannot be started, writes the reason to standard error and ends with
+// exit code 127.
 [[noreturn]] void becomeReader(const ChildSetup& setup);
 
 // The child and its two pipes, until it has ended.
@@ -58,14 +59,14 @@ public:
 	Reader(const Reader&) = delete;
 	Reader& operator=(const Reader&) = delete;
 
-	// Takes in what the child writes until both pipes are closed and it has ended; false, with the child killed, when
-	// the time is over, it writes too much or it is asked to stop.
+	// Reads what the child writes until both pipes are closed and it has ended. Kills the child and returns false if
+	// the time is over, if it writes too much, or if somebody asks it to stop.
 	bool finish(std::chrono::steady_clock::time_point deadline, const std::stop_token& stop = {});
 	bool wroteTooMuch() const;
 
 	std::string manifest;
-	std::string errors; // the last of them
-	int status = 0;     // as waitpid() gives it
+	std::string errors; // the end of its standard error
+	int status = 0;     // from waitpid()
 
 private:
 	bool hasEnded() const;

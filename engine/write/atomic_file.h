@@ -8,12 +8,12 @@
 namespace vp::write
 {
 
-/// The folder of a file, or, where that is not there, the nearest one above it that is.
+/// Returns the folder of a file or, if it does not exist, the nearest folder above it that does.
 std::string nearestFolder(const std::string& path);
 
-// A file that appears whole or not at all: bytes go to a new file beside `path`, which takes the name on commit();
-// without commit() nothing is left of it. Folders that are not there are made on commit() too: until then the new file
-// is in the nearest one that is. Standard output ("-"), devices and pipes are written to directly.
+// A file that appears whole or not at all. Bytes go to a new file beside `path`, which gets the name on commit().
+// Without commit() nothing remains. commit() also makes missing folders; until then the new file is in the nearest
+// folder that exists. Standard output ("-"), devices and pipes are written directly.
 class AtomicFile
 {
 public:
@@ -22,30 +22,30 @@ public:
 	AtomicFile& operator=(AtomicFile&&) = delete;
 	~AtomicFile();
 
-	void write(std::string_view bytes); // a failure is kept for commit(); what follows it is ignored
+	void write(std::string_view bytes); // commit() reports a failure; later bytes are ignored
 	Status commit();
 
-	// Where the bytes go until then, for a program that writes them in our place; empty for a target written to
-	// directly.
+	// Returns the path where the bytes go until commit(), for another program that writes them. Empty for a target that
+	// is written directly.
 	const std::string& beside() const { return beside_; }
 
 private:
 	AtomicFile() = default;
 	void discard();
 
-	std::string path_;   // as the user named it
-	std::string target_; // what takes its place: links followed
-	std::string beside_; // being written; empty for a target written to directly
+	std::string path_;   // as the user wrote it
+	std::string target_; // the same with links followed
+	std::string beside_; // the new file; empty for a target that is written directly
 	int descriptor_ = -1;
 	bool owns_descriptor_ = true;
 	int error_ = 0; // errno of the first failure
 };
 
-// Whether a file can be written there, which is told before long work.
+// Checks that a file can be written there. Call it before long work.
 Status checkWritable(const std::string& path);
 
-// For a signal handler that ends the program: removes what is being written beside its place, by whatever thread; no
-// thread begins or finishes a file after it. Async-signal-safe.
+// For a signal handler that ends the program: removes the unfinished files of all threads. After it, no thread can
+// begin or finish a file. Async-signal-safe.
 void removeUnfinishedFiles() noexcept;
 
 } // namespace vp::write

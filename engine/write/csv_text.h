@@ -8,7 +8,8 @@
 namespace vp::write
 {
 
-// A field of a CSV file, RFC 4180: one with a comma, a quote or a line end stands in quotes, its quotes doubled.
+// Returns a field of a CSV file (RFC 4180). A field with a comma, a quote or a line end is put in quotes, and its
+// quotes are doubled.
 inline std::string quoted(const std::string& text)
 {
 	if (text.find_first_of(",\"\r\n") == std::string::npos)
@@ -23,7 +24,7 @@ inline std::string quoted(const std::string& text)
 	return result + '"';
 }
 
-// A comma and a number for each component, in the fewest digits that give the same number back.
+// Appends a comma and a number for each component, with the fewest digits that are read as the same number.
 void appendNumbers(std::string& row, grid::NumberType type, const std::byte* at, int components);
 
 } // namespace vp::write

@@ -11,15 +11,15 @@
 namespace vp::write
 {
 
-// Whether a name ends like a film's: .mp4, .mkv, .webm or .gif.
+// Returns true if a name has the ending of a film: .mp4, .mkv, .webm or .gif.
 bool isFilm(std::string_view path);
 
-// A film, put together by the program ffmpeg, which gets the pictures through a pipe. The file appears whole or not at
-// all. Where ffmpeg is not installed that is told at once.
+// A film. The program ffmpeg makes it from pictures that it gets through a pipe. The file appears whole or not at all.
+// If ffmpeg is not installed, there is an error at once.
 class Film
 {
 public:
-	// All pictures are of this size; per_second > 0.
+	// All pictures must have this size. per_second > 0.
 	static Result<Film> create(const std::string& path, std::uint32_t width, std::uint32_t height, double per_second);
 	Film(Film&& other) noexcept;
 	Film& operator=(Film&&) = delete;
@@ -31,8 +31,8 @@ public:
 private:
 	explicit Film(AtomicFile file) : file_(std::move(file)) {}
 
-	Error failure() const; // what ffmpeg said
-	bool wait();           // true where ffmpeg ended well
+	Error failure() const; // the message of ffmpeg
+	bool wait();           // returns true if ffmpeg succeeded
 
 	std::string path_;
 	AtomicFile file_;

@@ -9,7 +9,8 @@
 namespace vp::write
 {
 
-// A component of a point array where a cell's points weigh so much; of a categorical one what the heaviest has.
+// Returns a component of a point array at a place, from the weights of the cell's points. For a categorical array it is
+// the value of the point with the largest weight.
 template <grid::Grid G>
 double valueAt(const G& grid, const grid::Field& field, int component, const locate::CellWeights& place)
 {

@@ -8,7 +8,7 @@
 namespace vp::write
 {
 
-// Names of columns or properties, no two alike: a second "s" becomes "s_2".
+// Makes names of columns or properties different: a second "s" becomes "s_2".
 class UniqueNames
 {
 public:
