@@ -7,8 +7,8 @@ namespace vp
 inline void prefetch(const void* at)
 {
 	__builtin_prefetch(at);
-	// GCC takes a function that only prefetches for one without effect, and deletes its calls. This has no instructions,
-	// but counts as an effect.
+	// GCC takes a function that only prefetches for one without effect, and deletes its calls. This has no
+	// instructions, but counts as an effect.
 	asm volatile("");
 }
 
