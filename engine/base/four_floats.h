@@ -10,8 +10,8 @@
 namespace vp
 {
 
-// Four floats in one step by SSE2, or one by one: the same numbers either way. Bit v of a comparison is that of the
-// v-th pair; what is not a number is at least nothing.
+// Four floats, computed in one step by SSE2 or one by one, with the same results. Bit v of a comparison belongs to pair
+// v. Comparisons with NaN are false.
 class FourFloats
 {
 public:

@@ -12,8 +12,8 @@
 namespace vp
 {
 
-// Memory in huge pages where the system has them to give: what is read here and there in an array of gigabytes then
-// finds its page without a walk through the page tables. What resize() adds is uninitialized, as in a RawVector.
+// Memory in huge pages, if the system gives them. Reads all over an array of gigabytes then find their page without a
+// walk through the page tables. resize() does not initialize new elements, as in a RawVector.
 template <class T>
 struct HugeAllocator
 {
@@ -36,7 +36,7 @@ struct HugeAllocator
 		void* memory = ::operator new(bytes, alignment(bytes));
 #ifdef __linux__
 		if (bytes >= kPage)
-			madvise(memory, bytes, MADV_HUGEPAGE); // refused: small pages do as well
+			madvise(memory, bytes, MADV_HUGEPAGE); // if it is refused, small pages work too
 #endif
 		return static_cast<T*>(memory);
 	}

@@ -8,7 +8,8 @@
 namespace vp
 {
 
-// The same number for the same place. Places with the same key are hardly ever two; whoever uses it compares them.
+// Returns a number that is the same for the same place. Different places hardly ever have the same key, but callers
+// must compare them.
 inline std::uint64_t placeKey(const Vec3& place)
 {
 	std::uint64_t key = 0;

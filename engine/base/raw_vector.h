@@ -8,7 +8,7 @@
 namespace vp
 {
 
-// Leaves what resize() adds uninitialized, for what is filled by several threads at once.
+// resize() does not initialize new elements. Use it for arrays that several threads fill.
 template <class T>
 struct RawAllocator : std::allocator<T>
 {

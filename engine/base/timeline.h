@@ -10,8 +10,8 @@
 namespace vp
 {
 
-// Sections of work on one clock, CPU and GPU alike; thread safe. Times are milliseconds since the timeline was made.
-// Sums are kept always, the sections themselves where they are asked for: then somebody is to take them now and again.
+// Sections of work of CPU and GPU on one clock. Thread safe. Times are milliseconds since the timeline was made.
+// It always keeps sums. It keeps the sections too on request; then somebody must take them from time to time.
 class Timeline
 {
 public:
@@ -31,9 +31,9 @@ public:
 		Track track;
 		double start_ms;
 		double duration_ms;
-		std::uint32_t row = 0;   // who worked, see threadRow(); of one row sections are nested or apart
-		std::uint32_t depth = 0; // sections of the same row that it lies in
-		std::uint64_t cells = 0; // worked on, where that is told
+		std::uint32_t row = 0;   // who worked, see threadRow(); sections of one row are nested or separate
+		std::uint32_t depth = 0; // number of sections of the same row around it
+		std::uint64_t cells = 0; // number of cells, if known
 	};
 
 	explicit Timeline(Keep keep = Keep::totals) : keep_(keep) {}
@@ -43,7 +43,8 @@ public:
 	void add(std::string_view name, Track track, double start_ms, double duration_ms);
 	double total(std::string_view name, Track track = Track::cpu) const; // sum of the sections of that name
 	double totalGpu() const;                                             // sum of all GPU sections
-	// Those that ended since the last call, in the order of their ends; none where only totals are kept.
+	// Returns the sections that ended since the last call, in the order of their ends. Returns none if only totals are
+	// kept.
 	std::vector<Section> takeSections();
 
 private:
@@ -62,13 +63,13 @@ private:
 	std::vector<Section> sections_;
 };
 
-// Rows that sections stand in: one for each thread, from the first that asks, and others for work elsewhere.
+// The rows of sections: one for each thread that asks, and others for work elsewhere.
 std::uint32_t threadRow();
 void nameThreadRow(std::string name); // of the calling thread
 std::uint32_t addRow(std::string name);
-std::string rowName(std::uint32_t row); // "thread 3" where it was given none
+std::string rowName(std::uint32_t row); // "thread 3" if it has no name
 
-// Adds the time from its making to its end. A null timeline measures nothing.
+// Adds the time between its constructor and its destructor. A null timeline measures nothing.
 class TimedSection
 {
 public:

@@ -10,13 +10,13 @@
 namespace vp::locate
 {
 
-// What VTK's shape functions make of the corners' values (places, vectors), sorted by powers of the cell's own
-// coordinates (shape_place.h): the shapes differ in which powers they have. For who asks for many places of one cell;
-// interpolate.h does for one.
+// The interpolation of corner values (places, vectors) by VTK's shape functions, sorted by powers of the cell's own
+// coordinates (shape_place.h). The shapes differ in the powers that they have. Use it for many places in one cell, and
+// interpolate.h for one place.
 //
 //   value(u, v, w) = constant + x u + y v + z w + xy u v + xz u w + yz v w + xyz u v w
 //
-// of a pyramid with u v / (1 - w) in place of u v.
+// For a pyramid u v / (1 - w) replaces u v.
 struct CellPolynomial
 {
 	Vec3 constant{0.0}, x{0.0}, y{0.0}, z{0.0}, xy{0.0}, xz{0.0}, yz{0.0}, xyz{0.0};
@@ -42,7 +42,7 @@ struct CellPolynomial
 		        z + u.x * xz + u.y * (yz + u.x * xyz)};
 	}
 
-	// Linear but for rounding: the slopes are the same everywhere.
+	// Returns true if it is linear up to rounding, so that the slopes are the same everywhere.
 	bool isAffine() const
 	{
 		constexpr double kRounding = 1e-12;
@@ -89,8 +89,8 @@ inline CellPolynomial cellPolynomial(grid::CellShape shape, std::span<const Vec3
 	return of;
 }
 
-// m with m[a] . slopes[b] = 1 where a is b, else 0: takes steps in space to steps in the cell's own coordinates. Not
-// finite where the slopes lie in a plane.
+// Returns m with m[a] . slopes[b] = 1 for a = b, else 0. It turns steps in space into steps in the cell's own
+// coordinates. It is not finite if the slopes lie in a plane.
 inline std::array<Vec3, 3> inverseOf(const std::array<Vec3, 3>& slopes)
 {
 	const Vec3 across = glm::cross(slopes[1], slopes[2]);
@@ -103,8 +103,8 @@ inline std::array<Vec3, 3> inverseOf(const std::array<Vec3, 3>& slopes)
 	return {glm::dot(inverse[0], step), glm::dot(inverse[1], step), glm::dot(inverse[2], step)};
 }
 
-// Newton's method from a guess at u; `place` in the units and from the origin that the polynomial has. False where it
-// does not end, as in cells without volume, and far outside: then u means nothing.
+// Improves the guess u by Newton's method. `place` has the units and the origin of the polynomial. Returns false if the
+// method does not converge, as in cells without volume and far outside. Then u means nothing.
 inline bool findPlace(const CellPolynomial& places, grid::CellShape shape, const Vec3& place, Vec3& u)
 {
 	constexpr int kMaxSteps = 16;

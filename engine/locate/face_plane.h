@@ -8,8 +8,8 @@
 namespace vp::locate
 {
 
-// The plane that fits a face: through the mean of its points, its normal the vector area (half the sum of the cross
-// products about the mean), zero for a collapsed face.
+// The plane that fits a face. It passes through the mean of the points. Its normal is the vector area, which is half
+// the sum of the cross products about the mean, and is zero for a collapsed face.
 struct FacePlane
 {
 	Vec3 center;

@@ -10,7 +10,7 @@
 namespace vp::locate
 {
 
-// x with x0 a0 + x1 a1 + x2 a2 = b, by Cramer's rule; not finite where the three lie in a plane.
+// Returns x with x0 a0 + x1 a1 + x2 a2 = b, by Cramer's rule. It is not finite if the three lie in a plane.
 inline Vec3 solve(const std::array<Vec3, 3>& a, const Vec3& b)
 {
 	const Vec3 across = glm::cross(a[1], a[2]);
@@ -18,7 +18,7 @@ inline Vec3 solve(const std::array<Vec3, 3>& a, const Vec3& b)
 	return Vec3(glm::dot(b, across), glm::dot(a[2], turned), -glm::dot(a[1], turned)) / glm::dot(a[0], across);
 }
 
-// Whether it did: where the three lie in a plane but for rounding, what comes out is finite and means nothing.
+// Returns true if x is a solution. If the three lie in a plane up to rounding, x may be finite and mean nothing.
 inline bool solves(const std::array<Vec3, 3>& a, const Vec3& x, const Vec3& b)
 {
 	constexpr double kRounding = 1e-11;
@@ -30,11 +30,11 @@ inline bool solves(const std::array<Vec3, 3>& a, const Vec3& x, const Vec3& b)
 struct FanPart
 {
 	int face = -1;
-	std::size_t edge = 0;                                    // from that point of the face to the next
-	std::array<double, 4> weight{};                          // of cell, face, edge's begin and end
+	std::size_t edge = 0;                                    // from this point of the face to the next
+	std::array<double, 4> weight{};                          // of the cell, the face, the begin and the end of the edge
 	double least = -std::numeric_limits<double>::infinity(); // of the weights
 
-	// How deep within the cell, not within the part: a place where two parts meet may be far inside.
+	// Returns the depth in the cell, not in the part: a place between two parts may be far inside the cell.
 	double depth() const
 	{
 		const double rim = std::min({weight[1], weight[2], weight[3]});
@@ -42,7 +42,7 @@ struct FanPart
 	}
 };
 
-// Means and places relative to a point of the cell.
+// Means and places are relative to a point of the cell.
 template <grid::Grid G>
 FanPart deepestPart(const G& grid, const grid::CellFaces& faces, const Vec3& origin, const Vec3& center,
                     const Vec3& place)
@@ -68,8 +68,8 @@ FanPart deepestPart(const G& grid, const grid::CellFaces& faces, const Vec3& ori
 	return deepest;
 }
 
-// weighCellByTetrahedra() of interpolate.h. Of parts that both hold a place, as in concave cells, the deeper one
-// counts.
+// Does the work of weighCellByTetrahedra() (interpolate.h). If two parts contain a place, as in concave cells, the
+// deeper one is used.
 template <grid::Grid G>
 void weighFan(const G& grid, CellId cell, const Vec3& place, CellWeights& found)
 {

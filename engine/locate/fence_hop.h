@@ -11,27 +11,27 @@
 namespace vp::locate
 {
 
-// How a hop ended, and in which cell.
+// The end of a hop, and the cell where it ended.
 struct Hop
 {
 	enum class End
 	{
-		found,     // every t > 1: the target lies in `cell`
-		left_grid, // the line went out through a boundary face of `cell`
+		found,     // every t > 1, so the target lies in `cell`
+		left_grid, // the line left through a boundary face of `cell`
 		looped     // went in a circle: the cells are too warped for faces of infinite extent
 	};
 	End end;
 	CellId cell;
-	int face = -1;        // left_grid: the face it left by
+	int face = -1;        // left_grid: the face through which it left
 	std::size_t hops = 0; // cells entered after the first
 };
 
 // Speray and Kennon's fence hopping: from a point in `start` along the line to `target`, with t = 0 at the start point
-// and t = 1 at the target. Each face counts as the infinite plane that fits it; the line leaves by the face of the
-// least positive t, and where every t > 1 the target is in the cell. In each further cell the start point is moved from
-// the point of entry towards the middle of the entry face, and a little into the cell, away from edges and vertices.
+// and t = 1 at the target. Each face counts as the infinite plane that fits it. The line leaves through the face
+// with the least positive t. If every t > 1, the target is in the cell. In each further cell the start point is moved
+// from the point of entry toward the middle of the entry face and a little into the cell, away from edges and vertices.
 //
-// Stops as looped after max_hops, or earlier when a cell comes round again (Brent's cycle detection).
+// Ends as `looped` after max_hops, or earlier if a cell is met again (Brent's cycle detection).
 template <grid::Grid G>
 Hop fenceHop(const G& grid, CellId start, const Vec3& target, std::size_t max_hops)
 {
@@ -60,7 +60,7 @@ Hop fenceHop(const G& grid, CellId start, const Vec3& target, std::size_t max_ho
 			const FacePlane plane = facePlane(grid, faces[f]);
 			if (plane.normal == Vec3(0.0))
 				continue; // a collapsed face has no area to leave through
-			// Positive towards the outside, whichever way the cell is turned.
+			// Positive toward the outside, for either orientation of the cell.
 			const double side = glm::dot(plane.normal, plane.center - center) < 0.0 ? -1.0 : 1.0;
 			const double approach = side * glm::dot(plane.normal, along);
 			if (approach <= 0.0)

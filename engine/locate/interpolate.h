@@ -12,37 +12,38 @@
 namespace vp::locate
 {
 
-// Interpolation in a cell, which Speray and Kennon leave to the analysis code: whoever knows better replaces this file.
+// Interpolation in a cell. Speray and Kennon leave it to the analysis code; replace this file to interpolate in another
+// way.
 
-// What the points of a cell of a table shape contribute to a place, in VTK's order; beyond the shape's points zero.
-// They add up to 1.
+// The weights of the points of a cell of a table shape at a place, in VTK's order. Entries beyond the shape's points
+// are zero. The weights add up to 1.
 struct ShapeWeights
 {
 	std::array<double, grid::kMaxShapePoints> weight{};
-	// How far inside the cell, in its own coordinates, which run from 0 to 1: 0 on its faces, negative outside.
+	// The depth in the cell, in its own coordinates from 0 to 1. It is 0 on the faces and negative outside.
 	double depth;
 };
 
-// By VTK's shape functions (vtkTetra, vtkPyramid, vtkWedge, vtkHexahedron): linear on triangles, bilinear on quads, so
-// that neighbors agree on their face. Newton's method finds the place in the cell's own coordinates. points: of a
-// table shape, in VTK's order, in any units, wherever they lie. None where the method does not end, as in cells
-// without volume, in very warped ones, and far outside.
+// Returns the weights by VTK's shape functions (vtkTetra, vtkPyramid, vtkWedge, vtkHexahedron). They are linear on
+// triangles and bilinear on quads, so neighbors agree on their face. Newton's method finds the place in the cell's own
+// coordinates. points: of a table shape, in VTK's order, in any units. Returns nothing if the method does not converge,
+// as in cells without volume, in very warped cells, and far outside.
 std::optional<ShapeWeights> shapeWeights(grid::CellShape shape, std::span<const Vec3> points, const Vec3& place);
 
-// Points of a cell and what they contribute to a place. The weights add up to 1. In a collapsed cell points may repeat.
+// Points of a cell and their weights at a place. The weights add up to 1. In a collapsed cell points may repeat.
 struct CellWeights
 {
 	std::vector<PointId> points;
-	std::vector<double> weights; // as many
-	double depth;                // as of ShapeWeights; minus infinity, and no points, where a cell has no volume
+	std::vector<double> weights; // one for each point
+	double depth;                // as in ShapeWeights; minus infinity, and no points, for a cell without volume
 };
 
-// In a cell of any shape; `found` is written over. A linear field is reproduced to rounding, outside the cell too.
-// Polyhedra, and cells where shapeWeights() gives none, are taken as tetrahedra.
+// Finds the weights in a cell of any shape and writes them to `found`. A linear field is reproduced up to rounding,
+// also outside the cell. Polyhedra, and cells for which shapeWeights() returns nothing, are taken as tetrahedra.
 void weighCell(const grid::Block& block, CellId cell, const Vec3& place, CellWeights& found);
 
-// As tetrahedra between the mean of the cell's points and the fans of its faces about their means: continuous across
-// faces, linear in each tetrahedron, and without a gap between cells of any two shapes.
+// Takes the cell as tetrahedra between the mean of its points and the fans of its faces about their means. The result
+// is continuous across faces, linear in each tetrahedron, and has no gap between cells of any two shapes.
 void weighCellByTetrahedra(const grid::Block& block, CellId cell, const Vec3& place, CellWeights& found);
 
 } // namespace vp::locate

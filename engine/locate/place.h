@@ -10,7 +10,7 @@
 namespace vp::locate
 {
 
-// A cell that holds a point, and what its points contribute there.
+// A cell that contains a point, and the weights of the cell's points there.
 struct Place
 {
 	std::uint32_t block = 0;
@@ -20,10 +20,10 @@ struct Place
 	bool found() const { return cell != kNoCell; }
 };
 
-// Finds the cells of points that mostly lie near each other. Blocks are asked in their order. A point that several
-// cells of a block hold, as on a face, belongs to the one that the file lists first, whatever was asked before. Each
-// search is a fence hop from the last cell; the block tree decides where that finds none, or one that does not hold the
-// point, as happens where faces are warped. Not thread safe; refers to the blocks.
+// Finds the cells of points that mostly lie near each other. Blocks are asked in their order. If several cells of a
+// block contain a point, as on a face, it belongs to the one that the file lists first. Each search is a fence hop from
+// the last cell. If the hop finds no cell, or a cell that does not contain the point, as may happen with warped faces,
+// the block tree decides. Not thread safe. It refers to the blocks.
 class PlaceFinder
 {
 public:
@@ -32,11 +32,11 @@ public:
 	// Valid until the next call.
 	const Place& find(const Vec3& point);
 
-	// In one block and without a hop: for points that mostly lie outside of it, where hops would wander.
+	// Searches one block without a hop. Use it for points that mostly lie outside the block, where hops would wander.
 	const Place& findByTree(std::uint32_t block, const Vec3& point);
 
-	// The same in time that does not grow with the block's cells, in cells behind its boundary: at least in those whose
-	// boundary face's box is no farther than `reach`. Not in the cell `besides`.
+	// The same for cells behind the boundary, in time that does not depend on the number of cells. It asks at least the
+	// cells whose boundary face has its box within `reach`, but not the cell `besides`.
 	const Place& findAtBoundary(std::uint32_t block, const Vec3& point, double reach, CellId besides);
 
 private:
@@ -46,7 +46,7 @@ private:
 	void searchTree(const Vec3& point);
 
 	const grid::BlockSet& blocks_;
-	std::vector<CellId> last_; // found in each block
+	std::vector<CellId> last_; // the last cell in each block
 	Place place_;
 };
 

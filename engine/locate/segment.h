@@ -13,9 +13,9 @@ struct Segment
 	Vec3 to;
 };
 
-constexpr double kNoCrossing = 2.0; // beyond the segment's end, where t = 1
+constexpr double kNoCrossing = 2.0; // beyond the end of the segment at t = 1
 
-// Whether the segment touches the box (slabs, with a slack for rounding).
+// Returns true if the segment touches the box (by slabs, with a slack for rounding).
 inline bool crossesBox(const Segment& segment, const Box& box)
 {
 	const Vec3 along = segment.to - segment.from;
@@ -40,9 +40,9 @@ inline bool crossesBox(const Segment& segment, const Box& box)
 	return enter <= leave;
 }
 
-// t in 0..1 where the segment meets the triangle, kNoCrossing otherwise. Moeller and Trumbore, "Fast, Minimum Storage
-// Ray/Triangle Intersection" (1997); the rim counts, with a slack of 1e-9, so that a line through a shared edge meets
-// one of the two.
+// Returns t in 0..1 where the segment meets the triangle, or kNoCrossing. See Moeller and Trumbore, "Fast, Minimum
+// Storage Ray/Triangle Intersection" (1997). The rim belongs to the triangle, with a slack of 1e-9, so a line through a
+// shared edge meets one of the two triangles.
 inline double crossTriangle(const Segment& segment, const Vec3& a, const Vec3& b, const Vec3& c)
 {
 	const Vec3 along = segment.to - segment.from;

@@ -10,8 +10,8 @@
 namespace vp::locate
 {
 
-// Places in the own coordinates of a table shape, as VTK's shape functions have them, each from 0 to 1; but a pyramid's
-// are a = r (1 - t), b = s (1 - t), t (see interpolate.cpp).
+// Places in the own coordinates of a table shape, each from 0 to 1, as in VTK's shape functions. A pyramid has
+// a = r (1 - t), b = s (1 - t), t instead (see interpolate.cpp).
 
 inline Vec3 middleOf(grid::CellShape shape)
 {
@@ -28,7 +28,8 @@ inline Vec3 middleOf(grid::CellShape shape)
 	}
 }
 
-// How far a place lies behind each face of grid::topology(shape), negative beyond it; infinite past the shape's faces.
+// The depth of a place behind each face of grid::topology(shape), negative outside. Entries beyond the shape's faces
+// are infinite.
 struct FaceDepths
 {
 	std::array<double, grid::kMaxShapeFaces> of;

@@ -12,8 +12,8 @@
 namespace vp::probe
 {
 
-// A sweep's path as JSON. docs/PROBES.md explains the file, docs/path.schema.json describes it to programs. Whatever
-// does not fit is an input error: one line that names the file, where in it (a JSON pointer) and the remedy.
+// A sweep's path as JSON. docs/PROBES.md explains the file, docs/path.schema.json describes it to programs. Anything
+// else is an input error: one line with the file, the place in it (a JSON pointer) and the remedy.
 
 std::string_view nameOf(PathKind kind); // "translate", as on the command line
 std::optional<PathKind> pathKind(std::string_view name);
@@ -21,10 +21,10 @@ std::optional<PathKind> pathKind(std::string_view name);
 Result<Path> readPath(const std::string& file);
 Result<Path> parsePath(std::string_view text, const std::string& source);
 
-// A path within a larger document; `path` is the pointer to it, for errors.
+// Reads a path inside a larger document. `path` is the pointer to it, for errors.
 Result<Path> pathFromJson(const nlohmann::json& value, const std::string& source, const std::string& path);
 
-// Read again it is the same path to the last bit.
+// Writes a path. Reading it gives the same path to the last bit.
 nlohmann::json toJson(const Path& path);
 std::string pathText(const Path& path);
 

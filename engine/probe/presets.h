@@ -9,7 +9,7 @@
 namespace vp::probe
 {
 
-// The built-in probes. `frame` is where the probe stands in the world.
+// The built-in probes. `frame` is the place of the probe in the world.
 
 // W along a sheet's x axis, H along its y axis, both > 0 and in the grid's units.
 struct WindowSize
@@ -24,19 +24,20 @@ struct WindowSize
 Probe single(const Frame& frame, const std::optional<WindowSize>& size = {});
 
 // Three sheets at right angles: normal to the probe's x axis, y axis (up) and z axis (normal), in this order. Their
-// own up is the probe's, x for the one normal to it. Windows are centered.
+// up is that of the probe; the sheet normal to it has x as its up. Windows are centered.
 Probe trihedral(const Frame& frame, const std::optional<WindowSize>& size = {});
 
 // Vanes (1 to kMaxSheets) that touch along the probe's up axis; vane k is the plane z = 0 turned by 360 k / vanes
-// degrees about it, and reaches from the axis outward: window [0, W] x [-H/2, H/2]. Without a size it reaches
-// everything when the axis passes through the center of the bounds: [0, 2R] x [-R, R], R half their diagonal.
+// degrees about it, and reaches from the axis outward: window [0, W] x [-H/2, H/2]. Without a size it is [0, 2R] x
+// [-R, R], where R is half of the bounds' diagonal. That covers everything if the axis passes through the center of the
+// bounds.
 Probe paddlewheel(const Frame& frame, const Box& bounds, int vanes = 3, const std::optional<WindowSize>& size = {});
 
-// Parallel sheets, at these distances along the probe's normal. Windows are centered.
+// Parallel sheets at these distances along the probe's normal. Windows are centered.
 Probe stack(const Frame& frame, std::span<const double> offsets, const std::optional<WindowSize>& size = {});
 
-// The offsets of `sheets` sheets spread evenly over the bounds along the frame's normal: each in the middle of one of
-// as many slabs of equal thickness, so that none only touches the bounds.
+// Returns the offsets of `sheets` sheets that are spread evenly over the bounds along the frame's normal. Each is in
+// the middle of one of `sheets` slabs of equal thickness, so none only touches the bounds.
 std::vector<double> evenOffsets(const Frame& frame, const Box& bounds, int sheets = 5);
 
 } // namespace vp::probe

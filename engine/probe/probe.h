@@ -11,7 +11,7 @@ namespace vp::probe
 // More than a picture shows at once (16 layers); each sheet of a slice keeps a byte a cell of visited marks.
 constexpr std::size_t kMaxSheets = 64;
 
-// Sheets moved as one: they are given in the probe's coordinates, and nothing but the frame, which is to_probe, drives
+// Sheets that move together. They are given in the probe's coordinates, and only the frame, which is to_probe, moves
 // them.
 struct Probe
 {
@@ -27,7 +27,8 @@ inline Transform toProbe(const Probe& probe)
 	return toFrame(probe.frame);
 }
 
-// The same probe with its sheets in world coordinates and its frame the world's: what slices take. Hidden sheets stay.
+// Returns the same probe with its sheets in world coordinates and the world as its frame, as cuts need it. Hidden
+// sheets stay.
 Probe placed(const Probe& probe);
 
 } // namespace vp::probe

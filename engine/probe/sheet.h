@@ -12,7 +12,8 @@ namespace vp::probe
 {
 
 // The special effects of a sheet, fx: x' = magnification (x - pan) in the sheet's coordinates. The point `pan` of the
-// sheet is shown at its origin, the rest magnified about it; pan.z shows what lies so far along the normal.
+// sheet is shown at its origin, and the rest is magnified about it. pan.z shows what lies at that distance along the
+// normal.
 struct Fx
 {
 	double magnification = 1.0; // > 0
@@ -35,13 +36,13 @@ struct Window
 	bool operator==(const Window&) const = default;
 };
 
-// Centered on the sheet's origin.
+// Returns a window that is centered on the sheet's origin.
 inline Window centeredWindow(double width, double height)
 {
 	return {-0.5 * width, 0.5 * width, -0.5 * height, 0.5 * height};
 }
 
-// How a sheet is to be shown where it differs from what holds for all; words as on the command line.
+// The settings of one sheet that replace those for all. Words are the same as on the command line.
 struct SheetWishes
 {
 	std::optional<double> opacity;                  // 0 to 1
@@ -55,13 +56,13 @@ struct SheetWishes
 	bool operator==(const SheetWishes&) const = default;
 };
 
-// A cutting surface with a frame of its own: the plane z = 0 there, whose hot spot is the origin, or another form. The
-// frame is given in the probe's coordinates as it is designed, in the world once placed (probe.h).
+// A cutting surface with its own frame: the plane z = 0 of the frame, whose hot spot is the origin, or another form.
+// The frame is given in the probe's coordinates, and in the world after placing (probe.h).
 struct Sheet : Frame
 {
 	Fx fx;
-	std::optional<Window> window; // else the sheet covers the whole slice; through a form it reaches along z
-	std::optional<surface::ImplicitSurface> form{}; // none: the plane. No fx then
+	std::optional<Window> window; // without one the sheet covers the whole slice; through a form it extends along z
+	std::optional<surface::ImplicitSurface> form{}; // nothing: the plane; with a form there is no fx
 	SheetWishes wishes{};
 
 	surface::Plane plane() const { return {origin, normal}; } // where it is drawn; fx may cut another: content()
@@ -82,24 +83,25 @@ Transform toCube(const Window& window);
 // The functions below are for a sheet placed in the world.
 
 // The paper's to_probe * to_sheet * fx * to_cube: world coordinates to the window's, where the unit square clips and
-// z = 0 cuts. Without a window, without to_cube.
+// z = 0 cuts. Without a window there is no to_cube.
 Transform worldToSheet(const Sheet& sheet);
 
 // (to_probe * to_sheet * to_cube)^-1: fx takes no part, so that its effects remain when the sheet is drawn.
 Transform sheetToWorld(const Sheet& sheet);
 
-// World position of what is shown at the sheet's origin.
+// Returns the world position that is shown at the sheet's origin.
 Vec3 contentHotSpot(const Sheet& sheet);
 
-// The sheet without fx that cuts, clips and seeds what this one shows: its origin is the content's hot spot, its window
-// the part of the world that comes to lie in the window. The sheet itself where fx does nothing.
+// Returns the sheet without fx that cuts, clips and seeds what this one shows. Its origin is the hot spot of the
+// content, and its window is the part of the world that appears in the window. If fx does nothing, it is the sheet
+// itself.
 Sheet content(const Sheet& sheet);
 
-// From a point of the cut (of content()) to where it is drawn, worldToSheet then sheetToWorld; the identity where fx
-// does nothing. Its inverse gives the true position of what is seen under a pointer.
+// Returns the map from a point of the cut (of content()) to the place where it is drawn: worldToSheet, then
+// sheetToWorld. It is the identity if fx does nothing. Its inverse maps the place under a pointer to the true position.
 Transform displayTransform(const Sheet& sheet);
 
-// (u, v) of a point of the cut; the window is [0, 1]^2, both rims included. The sheet must have a window.
+// Returns (u, v) of a point of the cut. The window is [0, 1]^2, including both rims. The sheet must have a window.
 glm::dvec2 worldToWindow(const Sheet& sheet, const Vec3& point);
 
 } // namespace vp::probe

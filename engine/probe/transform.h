@@ -25,14 +25,14 @@ struct Transform
 	bool operator==(const Transform&) const = default;
 };
 
-// First a, then b.
+// Applies a first, then b.
 Transform operator*(const Transform& a, const Transform& b);
 
-// Of a map that flattens nothing.
+// Returns the inverse. The map must be invertible.
 Transform inverse(const Transform& transform);
 
-// Where a rigid thing stands in the coordinates of what holds it: its origin, its z axis (normal) and y axis (up). Its
-// x axis is up x normal. A probe's frame is given in the world, a sheet's in its probe.
+// The place of a rigid object in the coordinates of its holder: its origin, its z axis (normal) and its y axis (up).
+// Its x axis is up x normal. The holder of a probe is the world, the holder of a sheet is its probe.
 struct Frame
 {
 	Vec3 origin{0.0};
@@ -44,22 +44,22 @@ struct Frame
 	bool operator==(const Frame&) const = default;
 };
 
-// normal of any length but zero; up is made perpendicular to it, and x (or y) stands in where the two are parallel. A
-// normal and an up that already are unit vectors at right angles are kept to the last bit.
+// Makes a frame. normal may have any length but zero. up is made perpendicular to it; if the two are parallel, x (or y)
+// replaces up. Unit vectors at right angles are kept to the last bit.
 Frame makeFrame(const Vec3& origin, const Vec3& normal, const Vec3& up = {0.0, 1.0, 0.0});
 
-// From the holder's coordinates to the frame's: to_probe of a probe's frame, to_sheet of a sheet's.
+// Returns the map from the holder's coordinates to those of the frame: to_probe for a probe, to_sheet for a sheet.
 Transform toFrame(const Frame& frame);
 Transform fromFrame(const Frame& frame); // the inverse; its bottom row is the frame's origin, to the last bit
 
-// A frame given in `holder`'s coordinates, in those of what holds `holder`.
+// Returns a frame that is given in `holder`'s coordinates in the coordinates of the holder of `holder`.
 Frame placed(const Frame& frame, const Frame& holder);
 
-// Turned by an angle about the axis through a point, counter-clockwise seen against the axis. axis of any length but
-// zero. Quarter turns about x, y and z are exact, so that a vane that should lie in the grid's planes does.
+// Returns a frame turned by an angle about the axis through a point, counter-clockwise seen against the axis. axis may
+// have any length but zero. Quarter turns about x, y and z are exact, so that vanes lie exactly in planes of the grid.
 Frame turned(const Frame& frame, const Vec3& through, const Vec3& axis, double degrees);
 
-// Of any length but zero, squares beyond the range of double included.
+// Returns the unit vector. The length may be anything but zero, even if its square is beyond the range of double.
 Vec3 unitVector(const Vec3& v);
 
 } // namespace vp::probe
