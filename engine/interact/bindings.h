@@ -8,7 +8,7 @@
 namespace vp::interact
 {
 
-// What a user can ask for by a key.
+// The actions that have keys.
 enum class Action
 {
 	open,
@@ -103,7 +103,8 @@ enum class Action
 };
 constexpr int kActions = static_cast<int>(Action::help) + 1;
 
-// A key by what is printed on it without Shift, as a small letter; those that print nothing lie beyond Unicode.
+// A key, named by the character on it without Shift, as a small letter. Keys without a character have numbers beyond
+// Unicode.
 enum class Key : char32_t
 {
 	none = 0,
@@ -137,7 +138,7 @@ enum class Key : char32_t
 	f12
 };
 
-// Of a printable character other than a capital letter.
+// Returns the key of a printable character that is not a capital letter.
 constexpr Key key(char32_t character)
 {
 	return static_cast<Key>(character);
@@ -156,16 +157,17 @@ struct Chord
 struct Binding
 {
 	Action action;
-	std::string_view name; // for scripts: the enumerator's
+	std::string_view name; // for scripts: the name of the enumerator
 	Chord chord;
 	std::string_view group; // heading of the list
-	std::string_view words; // what it does, for tooltips too
+	std::string_view words; // what it does; also used for tooltips
 };
 
-// In the order of the list. An action may have several chords, in a row; no two have the same.
+// The bindings in the order of the list. An action may have several chords, which follow each other. No two actions
+// have the same chord.
 std::span<const Binding> bindings();
 
-// For a sign that needs Shift on some keyboards, such as ?, the character typed may be given as well as the key.
+// For a character that needs Shift on some keyboards, such as ?, give the typed character or the key.
 std::optional<Action> actionOf(const Chord& chord);
 
 std::string nameOf(const Chord& chord); // "Ctrl+Shift+Z"
@@ -174,7 +176,8 @@ std::string_view wordsOf(Action action);
 
 std::optional<Action> actionNamed(std::string_view name);
 
-// The table as text, a line an action: its keys, name and words in columns, under the headings of the groups.
+// Returns the table as text with one line for each action: its keys, name and words in columns, below the headings of
+// the groups.
 std::string bindingsText();
 
 } // namespace vp::interact

@@ -15,20 +15,20 @@ enum class HandleKind
 {
 	move,   // an arrow: along the axis
 	turn,   // a ring: about the axis
-	center, // freely, parallel to the picture
-	sheet,  // the sheet itself, wherever it is taken: along its normal
+	center, // moves freely, parallel to the picture
+	sheet,  // the sheet itself, at any place: moves along its normal
 	edge,   // a side of a sheet's window
 	corner  // of a sheet's window
 };
 
-// What of a probe can be taken hold of.
+// The parts of a probe that the user can drag.
 struct Handle
 {
 	HandleKind kind = HandleKind::center;
 	int axis = 0;          // move, turn: 0, 1, 2 for x, up and normal of the frame it stands at
 	std::size_t sheet = 0; // of the probe; with move, turn and center where `own`
 	int part = 0;          // edge: 0 to 3 for the sides at x0, x1, y0, y1; corner: see cornerSides()
-	bool own = false;      // stands at the sheet's frame in place of the probe's, and moves that sheet alone
+	bool own = false;      // at the sheet's frame, not the probe's; moves only this sheet
 
 	bool operator==(const Handle&) const = default;
 };
@@ -36,20 +36,22 @@ struct Handle
 // The two sides that meet at a corner, as an edge's parts: at x0 y0, x1 y0, x1 y1, x0 y1.
 std::array<int, 2> cornerSides(int corner);
 
-// A handle as it is drawn.
+// A handle for drawing.
 struct HandleShape
 {
 	Handle handle;
-	std::vector<std::vector<Vec3>> lines; // in world coordinates; a closed one tells its first point again at the end
+	std::vector<std::vector<Vec3>> lines; // in world coordinates; a closed line repeats its first point at the end
 	double alpha = 1.0;                   // 0 to 1: arrows that point at the eye and rings seen edge on fade
-	// Whether lines can be taken: not those that have faded, nor a sheet's, of which any place can be (pickSheets).
+	// Returns true if its lines can be picked. Faded lines cannot, and a sheet is picked at any place of it
+	// (pickSheets).
 	bool pickable = true;
 };
 
 struct HandleOptions
 {
-	double ui_scale = 1.0; // > 0; on a display with twice the usual density 2
-	// The sheet at whose own frame arrows and rings stand, to move it alone; else they stand at the probe's.
+	double ui_scale = 1.0; // > 0; 2 on a display with twice the usual density
+	// The sheet whose frame has the arrows and rings, to move only this sheet. Without it they are at the probe's
+	// frame.
 	std::optional<std::size_t> own;
 };
 
@@ -63,25 +65,26 @@ constexpr double kRingPixels = 66.0;
 constexpr double kAtEye = 0.25;
 constexpr double kEdgeOn = 0.1;
 
-// The frame, in the world, that a handle stands at: its sheet's for sheet, edge, corner and what is `own`, else the
-// probe's.
+// Returns the frame of a handle in the world: that of its sheet for sheet, edge, corner and `own`, else that of the
+// probe.
 probe::Frame standOf(const probe::Probe& probe, const Handle& handle);
 
-// What dragging it does, for tooltips and the steps of a history: "Turn about the normal".
+// Returns what dragging does, for tooltips and the history: "Turn about the normal".
 std::string_view wordsOf(const Handle& handle);
 
 // x, up or normal.
 Vec3 axisOf(const probe::Frame& frame, int axis);
 
-// Where a point of a placed sheet is drawn, given along its x and y axes.
+// Returns the drawn place of a point of a placed sheet, which is given along its x and y axes.
 Vec3 pointOn(const probe::Sheet& placed, const glm::dvec2& uv);
 
-// Of the window of a placed sheet that has one, counter-clockwise from x0 y0: see cornerSides().
+// Returns the corners of the window of a placed sheet, counter-clockwise from x0 y0, see cornerSides(). The sheet must
+// have a window.
 std::array<Vec3, 4> windowCorners(const probe::Sheet& placed);
 
-// All handles of a probe's visible sheets: arrows and rings of the same size on screen wherever they stand; none where
-// that is behind the eye. A sheet's shape is the outline of its window; without a window it has no line, and is left
-// out where its plane misses the bounds.
+// Returns all handles of a probe's visible sheets. Arrows and rings have the same size on screen everywhere, and are
+// left out behind the eye. The shape of a sheet is the outline of its window. A sheet without a window has no line, and
+// is left out if its plane misses the bounds.
 std::vector<HandleShape> handlesOf(const probe::Probe& probe, const View& view, const Box& bounds,
                                    const HandleOptions& options = {});
 

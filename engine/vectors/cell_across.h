@@ -7,8 +7,8 @@
 namespace vp::vectors
 {
 
-// The cell across a face; of several the one whose center is nearest to a place, as fence hopping chooses. kNoCell on
-// the boundary.
+// Returns the cell across a face. If there are several, it is the one whose center is nearest to a place, as in fence
+// hopping. Returns kNoCell on the boundary.
 template <grid::Grid G>
 CellId cellAcross(const G& grid, CellId cell, int face, const Vec3& place)
 {

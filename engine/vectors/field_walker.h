@@ -14,25 +14,25 @@ namespace vp::vectors
 // The vector at a place.
 struct Sample
 {
-	Vec3 vector;   // the cell's own, continued beyond its faces where the place is outside; NaN where nothing is known
-	double depth;  // in the cell, in its own coordinates: negative outside
-	int face = -1; // that it is nearest to, or farthest beyond
-	bool outside = false; // of the block, or of the cell for a walker that stays in it
+	Vec3 vector;          // from the cell, extrapolated if the place is outside; NaN if nothing is known
+	double depth;         // in the cell, in its own coordinates: negative outside
+	int face = -1;        // the face that it is nearest to, or farthest beyond
+	bool outside = false; // outside the block, or outside the cell if the walker stays in it
 };
 
-// Gives the vectors at places in one block that lie near each other, as along a path. A place is looked for in the cell
-// of the last one, by Newton's method from where that was; while it lies beyond a face, in the cell across. That is
-// fence hopping with the cell's own coordinates in place of planes: exact on warped faces. It ends outside where no
-// face that the place lies beyond has a cell across. The last cells are kept ready, since the stages of a step come and
-// go.
+// Finds the vectors at places in one block that lie near each other, as along a path. The search begins in the cell of
+// the last place, with Newton's method. While the place lies beyond a face, it goes on in the cell across. This is
+// fence hopping with the cell's own coordinates in place of planes, so it is exact on warped faces. If no face that the
+// place lies beyond has a cell across, the place is outside. The last cells are kept, since the stages of a step go
+// back and forth.
 //
-// Not thread safe; refers to the grid and its vectors. Allocates only for polyhedra and what Newton's method fails in,
-// and then only while buffers grow.
+// Not thread safe. It refers to the grid and its vectors. It allocates only for polyhedra and for cells where Newton's
+// method fails, and only while buffers grow.
 template <grid::Grid G>
 class FieldWalker
 {
 public:
-	// Where a walk may start again.
+	// A state from which a walk can start again.
 	struct Cursor
 	{
 		CellId cell;
@@ -40,9 +40,9 @@ public:
 		Vec3 place;
 	};
 
-	static constexpr double kHeld = -1e-9; // rounding: so far beyond its face a cell still holds a place
+	static constexpr double kHeld = -1e-9; // rounding: a cell still contains a place that is so far beyond its face
 
-	// stays: places are taken in the cell of the last one wherever they lie, for arrays on cells.
+	// stays: takes all places in the cell of the last one, for arrays on cells.
 	FieldWalker(const CellLoader<G>& loader, bool stays) : loader_(loader), stays_(stays) {}
 
 	void startIn(CellId cell)
@@ -95,7 +95,8 @@ public:
 		}
 	}
 
-	// Where the place of the last call lies behind a face of its cell; none where the cell is taken as tetrahedra.
+	// Returns the depth of the last place behind a face of its cell. Returns nothing if the cell is taken as
+	// tetrahedra.
 	std::optional<double> depthBehind(int face) const
 	{
 		if (part_)
@@ -103,11 +104,11 @@ public:
 		return locate::faceDepths(here().shape, u_).of[face];
 	}
 
-	// Whether places are found to rounding, or to what a step needs.
+	// The precision of places: up to rounding, or what a step needs.
 	void beExact(bool exact) { exact_ = exact; }
 
-	// Takes steps in space to steps in the coordinates of the cell, about the place of the last call. From then on it
-	// tells where to look for places first.
+	// Returns the map from steps in space to steps in the coordinates of the cell, at the last place. From then on it
+	// predicts where to look for places first.
 	const std::array<Vec3, 3>& measureCell()
 	{
 		inverse_ = inverseHere();
@@ -116,7 +117,7 @@ public:
 		return inverse_;
 	}
 
-	// The cell across a face of the present one, kNoCell on the boundary.
+	// Returns the cell across a face of the present cell, kNoCell on the boundary.
 	CellId across(int face) const { return cellAcross(loader_.grid(), here().cell, face, place_); }
 
 private:
@@ -217,7 +218,7 @@ private:
 		return {static_cast<int>(least - depths.of.begin()), *least};
 	}
 
-	// Across the face that the place is farthest beyond, of those with a cell across.
+	// Goes across the face that the place is farthest beyond, among the faces with a cell across.
 	std::optional<Crossing> wayOut(const Nearest& nearest) const
 	{
 		if (const CellId next = across(nearest.face); next != kNoCell)

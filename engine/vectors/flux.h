@@ -7,11 +7,11 @@
 namespace vp::vectors
 {
 
-// What flows through a sheet, in the unit of the vectors times that of an area.
+// The flow through a sheet, in the unit of the vectors times that of an area.
 struct Flux
 {
-	double through = 0.0;  // integral of vector times unit normal; positive towards the side the normal points to
-	double nan_area = 0.0; // of the sheet where the vector is NaN, infinite or not known; it is left out
+	double through = 0.0;  // integral of vector times unit normal; positive toward the side of the normal
+	double nan_area = 0.0; // the part of the sheet where the vector is NaN, infinite or unknown; it is left out
 };
 
 // array: of three components (chooseVectors()). Through the polygons of a mesh, which a window has clipped, each as the

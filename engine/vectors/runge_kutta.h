@@ -8,7 +8,8 @@
 namespace vp::vectors
 {
 
-// A step of an embedded pair: two results of different order from the same stages, whose difference tells the error.
+// A step of an embedded pair: two results of different order from the same stages. Their difference estimates the
+// error.
 struct RungeKuttaStep
 {
 	Vec3 move;     // to the end of the step, by the higher order
@@ -58,14 +59,14 @@ struct BogackiShampine
 	}
 };
 
-// Which pair takes the next step. Within a cell a field mostly bends little, and a step that may not be longer than a
-// cell is taken by the low order with half the work; where the error asks for shorter ones, by the high order.
+// Chooses the pair for the next step. Inside a cell a field is mostly nearly straight, and steps are not longer than a
+// cell, so the low order does it with half of the work. If the error demands shorter steps, the high order is used.
 class PairChoice
 {
 public:
 	bool low() const { return low_; }
 
-	// Of the next step, by the error of this one over what is allowed.
+	// Returns the factor for the next step, from the error of this one divided by the allowed error.
 	double growth(double error) const
 	{
 		constexpr double kMax = 5.0;

@@ -13,17 +13,17 @@
 namespace vp::vectors
 {
 
-// Why a trace ends where it does.
+// The reason why a trace ends.
 enum class TraceEnd : std::uint8_t
 {
 	steps,       // all its steps are done
 	left_grid,   // the next place lies outside the grid, or in a hidden cell
 	zero_vector, // nothing moves there
-	no_vector,   // NaN or infinite, or the block there lacks the array; of path lines also beyond the stored times
+	no_vector,   // NaN or infinite, or the block lacks the array; for path lines also beyond the stored times
 	gave_up      // a step took more substeps than a step may: its dt reaches over thousands of cells
 };
 
-// As they stand in files and figures.
+// Their names in files and figures.
 constexpr std::array<const char*, 5> kTraceEndWords{"steps", "left_grid", "zero_vector", "no_vector", "gave_up"};
 
 constexpr const char* traceEndWord(TraceEnd end)
@@ -35,16 +35,16 @@ constexpr const char* traceEndWord(TraceEnd end)
 struct Traces
 {
 	std::vector<std::uint32_t> starts{0}; // traces + 1 offsets into the points
-	std::vector<std::uint32_t> seeds;     // per trace: which of the lattice's points it was launched from
-	std::vector<std::uint32_t> launches;  // per trace: the point, among all, where it was launched
-	std::vector<TraceEnd> begins;         // per trace: why it goes back no farther
-	std::vector<TraceEnd> ends;           // and on no farther
+	std::vector<std::uint32_t> seeds;     // per trace: its place in the lattice of launches
+	std::vector<std::uint32_t> launches;  // per trace: the number of its launch among all points
+	std::vector<TraceEnd> begins;         // per trace: why it begins there
+	std::vector<TraceEnd> ends;           // per trace: why it ends there
 
 	// Per point of all traces.
 	RawVector<Vec3> points;
 	RawVector<double> times;         // from the launch, negative before it
 	RawVector<Vec3> vectors;         // the field there, whole
-	RawVector<std::uint32_t> blocks; // the cell that holds it
+	RawVector<std::uint32_t> blocks; // of the cell that contains it
 	RawVector<CellId> cells;
 
 	std::size_t count() const { return starts.size() - 1; }
