@@ -5,7 +5,7 @@
 #include "shared/render_types.h"
 #include "render_whole.glsl"
 
-// A corner of a surface's triangle, found by its number: no index buffer.
+// A corner of a triangle of a surface. It is found by its number, without an index buffer.
 layout(binding = 0) uniform usamplerBuffer triangles;
 layout(binding = 1) uniform samplerBuffer vertices;
 layout(binding = 7) uniform samplerBuffer across_edges; // of each triangle; with kSurfacePolygonValues

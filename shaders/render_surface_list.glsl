@@ -1,17 +1,17 @@
-// A pixel's list of surface fragments, blended nearest first. They are taken from the list in batches, each the nearest of those
-// behind the batch before: so a list of any length comes in its order. Elements of equal depth go by their surface's number, and
-// then by color: the order in which the device made them plays no part.
+// Blends a pixel's list of surface fragments, the nearest first. Fragments are taken from the list in batches. A batch has the
+// nearest fragments behind the batch before, so a list of any length is sorted. Fragments of equal depth are sorted by the number
+// of their surface and then by color. So the order in which the device made them has no effect.
 
 const uint kBatch = 4u;
 const float kOpaque = 1.0 - 1.0 / 4096.0; // nothing behind can be seen
 
-// Of a fragment: its place, and its depth's bits, which are in order as positive floats are; color; order. Where there is none
-// its depth is 0.
+// A fragment: its place and the bits of its depth, which sort like positive floats; its color; its order. Without a fragment the
+// depth is 0.
 uvec4 batch[kBatch];
 uint batch_left;
 uint list_head;
 
-// Without branches: software takes both ways of every one.
+// There are no branches, since software executes both sides.
 bool isBefore(uvec4 a, uvec4 b)
 {
 	const uint by_color = uint(a.z < b.z) | (uint(a.z == b.z) & uint(a.x < b.x));
@@ -31,7 +31,7 @@ void fetchBatch(uvec4 last)
 		const uvec4 f = texelFetch(fragments, int(place - 1u));
 		uvec4 found = uvec4(place, f.yzw);
 		place = f.x;
-		// What is blended already takes no part.
+		// Fragments that are blended already are skipped.
 		found = isBefore(last, found) ? found : uvec4(0u);
 		for (uint i = 0u; i < kBatch; ++i)
 		{
@@ -49,7 +49,7 @@ void beginList(ivec2 pixel)
 	fetchBatch(uvec4(0u, 0xFFFFFFFFu, 0u, 0u)); // nearer than all
 }
 
-// Blends what is nearer than `depth`, the line where it comes.
+// Blends fragments that are nearer than `depth`, and the line at its place.
 void surfacesDownTo(float depth)
 {
 	while (front.a < kOpaque)

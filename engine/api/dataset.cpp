@@ -52,7 +52,7 @@ Result<std::shared_ptr<DatasetState>> DatasetState::of(vp::Result<std::unique_pt
 
 std::shared_ptr<const vp::grid::BlockSet> DatasetState::blocks()
 {
-	// Once neighbors are known cells keep their numbers. Until then a copy is cheap, and stays as it is.
+	// When neighbors are known, cells keep their numbers. Before that a copy is cheap, and nothing changes it.
 	if (vp::grid::hasNeighbors(session->blocks))
 		return {shared_from_this(), &session->blocks};
 	return std::make_shared<const vp::grid::BlockSet>(session->blocks);
@@ -150,7 +150,7 @@ vp::Result<Cut> DatasetState::readyToDraw(const Cut& cut)
 
 vp::Error DatasetState::afterFailure(const vp::Error& error)
 {
-	// A device that was lost is replaced at the next picture. Cells are classified without one.
+	// A lost device is replaced for the next picture. Cells are classified without a device.
 	if (error.kind == vp::ErrorKind::device)
 		if (vp::Status left = takeDevice(nullptr); !left)
 			return left.error();

@@ -43,7 +43,7 @@ vp::grid::Points pointsOf(const Numbers& numbers)
 	return points;
 }
 
-// Ids of 32 or 64 bits, in 64.
+// Returns ids of 32 or 64 bits as 64 bits.
 Array<std::int64_t> wide(const Numbers& numbers, const char* what)
 {
 	if (numbers.type != NumberType::int32)
@@ -57,7 +57,7 @@ std::uint64_t product(const std::array<std::uint32_t, 3>& n, std::uint32_t less)
 	return std::uint64_t(n[0] - less) * (n[1] - less) * (n[2] - less);
 }
 
-// Makes the grid of a block; `points` and `cells` are how many its arrays are over.
+// Makes the grid of a block. `points` and `cells` get the number of values that its arrays need.
 struct Wrapper
 {
 	vp::read::CheckedBlock& block;
@@ -166,7 +166,7 @@ vp::grid::BlockSet wrapped(std::vector<Block> blocks)
 		checked.length_units = block.length_units;
 		set.blocks.push_back(vp::read::buildBlock(std::move(checked), block.name, false));
 	}
-	// As where a file is read: unstructured grids alone stay listed until something needs neighbors.
+	// As for files: if all grids are unstructured, they stay listed until something needs neighbors.
 	const auto isListed = [](const vp::grid::Block& block) { return !vp::grid::hasNeighbors(block); };
 	if (std::ranges::all_of(set.blocks, isListed))
 		return set;

@@ -16,7 +16,7 @@ GpuBlocks::GpuBlocks(gpu::Device& device, const grid::BlockSet& set, const GpuBl
       doubles_(options.doubles && device.features().shaderFloat64),
       records_(RecordPool::create(device, options.page_records)), surface_pipelines_(device)
 {
-	// A texel buffer may come a little larger than asked for.
+	// A texel buffer may be a little larger than requested.
 	constexpr std::uint64_t kSlack = 256;
 	if (!limits_.texels)
 		limits_.texels = device.limits().maxTexelBufferElements - kSlack;
@@ -90,7 +90,7 @@ std::size_t GpuBlocks::bytes() const
 Result<GpuBlocks::Fields> GpuBlocks::fields(std::span<const std::optional<grid::FieldChoice>> choices)
 {
 	const std::lock_guard lock(mutex_);
-	// What is not asked for goes first, unless a slice still uses it: both may not fit.
+	// Unused arrays are dropped first, unless a slice still needs them, since old and new may not fit together.
 	std::erase_if(fields_,
 	              [&](const auto& field) { return std::ranges::find(choices, field->choice) == choices.end(); });
 	Fields asked;

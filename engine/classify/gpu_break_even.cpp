@@ -18,11 +18,11 @@ namespace
 {
 
 constexpr std::size_t kPartSide = 24; // 14 thousand cells: more than fit the nearest cache, and built in some ms
-// The widest first: a device that loses there, where its round trip counts least, loses everywhere.
+// The widest front comes first. The round trip matters least there, so a device that loses there loses everywhere.
 constexpr std::array<std::size_t, 3> kFronts{32768, 8192, 2048};
 constexpr int kRuns = 2;
 
-// The cut cells, over and over.
+// The cut cells, repeated.
 std::vector<CellId> frontOf(const grid::Block& block, const surface::Plane& plane, std::size_t width)
 {
 	std::vector<CellId> front;
@@ -41,7 +41,7 @@ std::vector<CellId> frontOf(const grid::Block& block, const surface::Plane& plan
 	return front;
 }
 
-// The best of some runs, in seconds.
+// Returns the best time of some runs, in seconds.
 template <class Classifier>
 Result<double> timeOf(Classifier& classifier, std::span<const CellId> cells)
 {
@@ -106,7 +106,7 @@ Result<BreakEven> measureBreakEven(gpu::Device& device, const grid::BlockSet& bl
 	part.blocks.push_back(grid::middlePart(*largest, kPartSide));
 	if (part.cellCount() == 0) // polyhedra alone, which are the CPU's anyway
 		return BreakEven{};
-	// Askew to all axes, as most planes are.
+	// Oblique to all axes, like most planes.
 	const probe::Sheet sheet = probe::makeSheet(part.blocks[0].bounds.center(), {0.3, 0.5, 0.81});
 	return measureOn(device, part, sheet);
 }

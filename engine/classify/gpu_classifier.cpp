@@ -14,7 +14,7 @@ namespace vp::classify
 namespace
 {
 
-// Cells of a dispatch without records: 2^14 groups, where a device takes 65 535 at least.
+// Cells in a dispatch without records: 2^14 groups. Every device takes at least 65 535.
 constexpr std::size_t kMaxRun = std::size_t(shared::kClassifyGroupSize) << 14;
 
 } // namespace
@@ -91,7 +91,7 @@ Status GpuClassifier::classify(std::span<const find::Front> fronts)
 	if (!runs_.empty())
 		if (Status submitted = submit(); !submitted)
 			return submitted;
-	// While the device works.
+	// Done while the device works.
 	if (!cpu_fronts_.empty())
 		if (Status done = on_cpu_(cpu_fronts_); !done)
 			return done;
@@ -178,7 +178,7 @@ Status GpuClassifier::record(VkCommandBuffer commands)
 		timed.emplace(workspace_->timers, commands, "classify");
 	else
 		label.emplace(blocks_.device(), commands, "classify");
-	// The pages may still be drawn from by work submitted before.
+	// Earlier submissions may still draw from these pages.
 	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_NONE,
 	                   VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_NONE);
 	for (std::size_t i = 0; i < runs_.size(); ++i)
@@ -188,7 +188,7 @@ Status GpuClassifier::record(VkCommandBuffer commands)
 			return set.error();
 		recordRun(commands, runs_[i], *set);
 	}
-	// Codes to the host, records to whatever draws them.
+	// Makes codes visible to the host, and records to drawing.
 	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
 	                   VK_PIPELINE_STAGE_2_HOST_BIT | VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
 	                   VK_ACCESS_2_HOST_READ_BIT | VK_ACCESS_2_MEMORY_READ_BIT);
@@ -201,7 +201,7 @@ void GpuClassifier::recordRun(VkCommandBuffer commands, const Run& run, VkDescri
 	const GpuBlock& block = blocks_.block(sheet.block);
 	const auto orCases = [&](const GpuTexels& texels) { return texels ? texels.view.handle() : blocks_.caseTexels(); };
 
-	// Descriptors cover what the run touches and no more, so runs of a generation need no barrier between them.
+	// Descriptors cover only what the run touches, so runs of a generation need no barrier between them.
 	gpu::DescriptorWriter writer;
 	writer.texels(shared::kBindPoints, orCases(block.points))
 	    .texels(shared::kBindCells, orCases(block.cells))

@@ -34,7 +34,7 @@ using Tuple = std::array<float, 4>;
 // Points per task: some 100 us of work.
 constexpr std::size_t kGrain = 16384;
 
-// `count` texels, texel i written by write(i, destination).
+// Makes `count` texels. write(i, destination) writes texel i.
 template <class Element, class Write>
 Result<GpuTexels> makeTexels(gpu::Device& device, std::size_t count, VkFormat format, std::string_view name,
                              Write&& write)
@@ -134,7 +134,7 @@ std::string whyNotOnDevice(const gpu::Device& device, const GpuLimits& limits, c
 		count(points->size());
 	if (const auto* grid = std::get_if<grid::UnstructuredGrid>(&block.grid))
 		count(grid->cellCount() * grid->recordWidth() / 4);
-	// Any array may be asked for later.
+	// Any array may be needed later.
 	std::uint64_t values = 0;
 	for (const grid::Field& field : block.fields)
 		values = std::max<std::uint64_t>(values, field.tuples() * tupleTexels(field.components));
@@ -157,7 +157,7 @@ Result<std::unique_ptr<GpuBlock>> uploadBlock(gpu::Device& device, const grid::B
 	made->bounds = block.bounds;
 	if (const grid::Points* points = coordinatesOf(block.grid))
 	{
-		// Not the block's bounds, which leave out points of no cell.
+		// The block's bounds would not do: they leave out points without a cell.
 		made->bounds = pointBounds(*points);
 		made->points_kind = points->isDouble() ? shared::kPointsFixed : shared::kPointsFloat;
 		const FixedPoints fixed(made->bounds.empty() ? Box{Vec3(0.0), Vec3(0.0)} : made->bounds);

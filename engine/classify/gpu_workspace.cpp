@@ -9,7 +9,7 @@ namespace vp::classify
 namespace
 {
 
-// Replaces the buffer by one of at least `bytes`, and twice as much as it had.
+// Replaces the buffer by one with at least `bytes`, and at least twice its size.
 Status grow(gpu::Device& device, gpu::Buffer& buffer, std::size_t bytes, VkBufferUsageFlags usage, gpu::Memory memory,
             std::string_view name)
 {

@@ -22,7 +22,7 @@ namespace
 
 using ClippedSurface = find::SheetInBlock<surface::BlockSurface, ClipBox>;
 
-// Of the sheet's window in its frame, else of what it cuts.
+// The bounds of the sheet's window in its frame, without a window those of its cut.
 Box rectOf(const cut::SheetCut& sheet, const mesh::SheetMesh& mesh)
 {
 	Box rect;
@@ -50,7 +50,7 @@ ClipBox boxOf(const cut::SheetCut& sheet, const mesh::SheetMesh& mesh, std::opti
 	return {sheet.sheet, box.lo, box.hi};
 }
 
-// Polygons of a cell stand one after the other.
+// Polygons of a cell follow each other.
 std::size_t cellsOf(const mesh::SheetMesh& mesh)
 {
 	std::size_t cells = 0;
@@ -60,7 +60,7 @@ std::size_t cellsOf(const mesh::SheetMesh& mesh)
 	return cells;
 }
 
-// The whole of it, not clipped.
+// The whole mesh, not clipped.
 mesh::SheetMesh meshOf(const grid::BlockSet& blocks, const std::vector<surface::BlockSurface>& surfaces,
                        const std::vector<find::CellCut>& cuts)
 {
@@ -80,8 +80,8 @@ BoxContourer::BoxContourer(cut::Cutter& slicer, const cut::SheetCut& sheet, cons
 	findValues();
 }
 
-// What the iso surface goes by: the shown numbers of the points, linear between them. Of the length of a vector that is
-// another number than mesh::vertexValue() has.
+// The iso surface depends on the shown numbers of the points, and is linear between them. For the length of a vector
+// this is not the number of mesh::vertexValue().
 void BoxContourer::findValues()
 {
 	const grid::BlockSet& blocks = slicer_.blocks();
@@ -116,9 +116,9 @@ void BoxContourer::findValues()
 			                : std::pair(value, value);
 }
 
-// Cells in whose polygon the value is crossed. Of polygons on the window's rim all are taken: what a bent iso surface
-// and a polygon have in common may lie a little aside of where the polygon's sides have the value. Cells that are not
-// cut by the iso surface within the box do no harm.
+// Returns the cells whose polygon has the value. Polygons on the rim of the window are all taken, since a bent iso
+// surface may meet a polygon a little beside the place where the polygon's sides have the value. Cells that the iso
+// surface does not cut inside the box do no harm.
 std::vector<std::vector<CellId>> BoxContourer::seedsOf(double value) const
 {
 	std::vector<std::vector<CellId>> seeds(slicer_.blocks().blocks.size());

@@ -14,7 +14,7 @@ namespace
 
 constexpr double kRounding = 1e-12; // of the box's size: what only just touches the sheet does
 
-// Joins what meets across faces that have several neighbors.
+// Joins pieces that meet across faces with several neighbors.
 void joinAcrossLinks(const grid::UnstructuredGrid& grid, std::uint32_t block, const surface::BlockSurface& surface,
                      const ClipBox& box, const mesh::SheetMesh& mesh, mesh::UnionFind& joined)
 {
@@ -42,7 +42,7 @@ void joinAcrossLinks(const grid::UnstructuredGrid& grid, std::uint32_t block, co
 	}
 }
 
-// Per vertex the one that stands for its piece.
+// Returns for each vertex the one that represents its piece.
 std::vector<std::uint32_t> piecesOf(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
                                     const ClipBox& box, const mesh::SheetMesh& mesh)
 {

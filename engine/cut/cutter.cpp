@@ -238,7 +238,7 @@ void Cutter::scan(SheetGroup<Surface>& group) const
 	}
 }
 
-// What needs no generations.
+// Finds what needs no generations.
 void Cutter::findKnown(SheetGroup<surface::Plane>& group)
 {
 	std::optional<TimedSection> section;
@@ -246,7 +246,7 @@ void Cutter::findKnown(SheetGroup<surface::Plane>& group)
 	{
 		SheetCut& sheet = group.sheets[i / blocks_.blocks.size()];
 		const std::size_t b = i % blocks_.blocks.size();
-		// Without a seed there the piece at the hot spot lies in another block.
+		// If a block has no seed, the piece at the hot spot lies in another block.
 		if (group.needsGenerations(i) ||
 		    (group.request.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.cells[b].empty()))
 			continue;
@@ -259,7 +259,7 @@ void Cutter::findKnown(SheetGroup<surface::Plane>& group)
 	}
 }
 
-// More of generation 0, where it is asked for and a traversal is to come.
+// Adds seeds, if they are requested and a traversal follows.
 void Cutter::addSeeds(SheetGroup<surface::Plane>& group, const Previous& previous) const
 {
 	const CutRequest& request = group.request;

@@ -20,7 +20,7 @@ std::vector<find::SheetInBlock<surface::Plane>> planesInBlocks(const grid::Block
 	return planes;
 }
 
-// What the device has left to the CPU, as the traversal does.
+// Classifies what the device leaves to the CPU, as the traversal does.
 void walk(const find::SheetInBlock<surface::Plane>& plane, find::CellCut& cut)
 {
 	grid::CellFaces faces;
@@ -100,7 +100,7 @@ Status PlanesOnDevice::finish()
 	return addHostRecords();
 }
 
-// The cells of a cut that the CPU walked: those whose records the device left empty.
+// Returns the cells of a cut that the CPU walked. The device left their records empty.
 find::CellCut PlanesOnDevice::walkedCells(std::size_t sheet, std::size_t block) const
 {
 	const find::BlockCut& known = sheets_[sheet].cuts[block];

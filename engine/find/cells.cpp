@@ -25,7 +25,7 @@ struct CodedCell
 	std::uint32_t code;
 };
 
-// The part of a flood that one thread does.
+// The part of one thread in a flood.
 template <int kWidth, class Number>
 class CellFlooder
 {
@@ -86,11 +86,11 @@ private:
 				                      queue.push_back(across);
 		                      });
 	}
-	// As the traversal marks a cell of generation 0 whose section lies outside.
+	// Marks a cell whose section lies outside, as the traversal does with cells of generation 0.
 	void leaveOut(CellId cell, std::uint32_t code) { found_.push_back({cell, code & (0xFFu | shared::kCodeWalk)}); }
 
-	// Where the section of a cell, if it has one, lies. The box of its points decides about most; faces_ are filled for
-	// those on the rim.
+	// Where the section of a cell lies. For most cells the box of the points decides. For cells on the rim faces_ is
+	// filled.
 	enum class Reach
 	{
 		outside,
@@ -120,7 +120,7 @@ private:
 		return window_->meetsCell(grid_, plane_, faces_) ? Reach::rim : Reach::outside;
 	}
 
-	// A cell that no table knows.
+	// Handles a cell without an entry in the tables.
 	void walk(std::vector<CellId>& queue, CellId cell)
 	{
 		const std::uint32_t code = classifyByWalk(grid_, plane_, cell, faces_);

@@ -11,7 +11,7 @@ namespace vp::find
 namespace
 {
 
-// One that cuts nothing: above it everywhere.
+// A surface that cuts nothing, since every point is above it.
 const surface::BlockSurface kNowhere(surface::Quadric({0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}));
 
 surface::BlockSurface isoSurface(std::size_t number, const grid::Block& block, double value,

@@ -32,7 +32,7 @@ std::size_t OctantQueue::bytes() const
 	return bytes;
 }
 
-// A cell is where its first point is; of a polyhedron the first of its faces.
+// The place of a cell is its first point, for a polyhedron the first point of its faces.
 Vec3 OctantQueue::placeOf(CellId cell) const
 {
 	return std::visit(

@@ -23,7 +23,7 @@ namespace
 constexpr std::size_t kPoints = 1 << 16; // at a time
 constexpr std::size_t kCells = 1 << 16;
 
-// The side of a point.
+// The sides of points.
 constexpr std::uint8_t kPositive = 1;
 constexpr std::uint8_t kInSurface = 2;
 
@@ -72,7 +72,7 @@ std::pair<CellId, std::uint32_t> placeOf(const FlatFace& flat)
 	return {flat.face.cell, flat.face.face};
 }
 
-/// What the points of a cell have in common.
+/// The sides of all points of a cell.
 struct CellSides
 {
 	unsigned any = 0;
@@ -125,7 +125,7 @@ private:
 		grid::CellFaces faces; // for several uses
 	};
 
-	/// Calls act(begin, end, part) for parts of so many numbers, on all cores.
+	/// Calls act(begin, end, part) for parts of a range, on all cores.
 	template <class Act>
 	static void forParts(std::size_t count, std::size_t grain, Act&& act)
 	{
@@ -133,7 +133,7 @@ private:
 		                  [&](std::size_t part) { act(part * grain, std::min((part + 1) * grain, count), part); });
 	}
 
-	/// Cells of one shape, whose ids lie one after the other.
+	/// Cells of one shape, whose ids follow each other.
 	template <class Id>
 	void scanAlike(const Id* ids, int points, std::size_t cells)
 	{

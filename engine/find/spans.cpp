@@ -21,7 +21,7 @@ namespace
 using cases::Column;
 using cases::LatticeCase;
 
-// A cell of a row that is cut.
+// A cut cell of a row.
 struct Entry
 {
 	std::uint32_t row;
@@ -68,7 +68,7 @@ public:
 	}
 
 private:
-	// The four columns from 4 * quad on.
+	// Computes the four columns from 4 * quad on. Returns a bit for each that is uniform.
 	unsigned takeColumns(std::uint32_t quad, PointId row_start)
 	{
 		const std::uint32_t at = 4 * quad;
@@ -90,7 +90,7 @@ private:
 		return ~(any & ~all) & ((1u << count) - 1);
 	}
 
-	// None where it is known already, or a seed is not cut.
+	// Returns the run of an entry, nothing if it is known already or a seed is not cut.
 	std::optional<Run> findRun(const Entry& entry)
 	{
 		if (store_.covers(entry.row, entry.cell))
@@ -107,7 +107,8 @@ private:
 			return std::nullopt;
 		return run;
 	}
-	// The last uniform column up to a quad, of which `uniform` tells those that count; 0 where the row begins.
+	// Returns the last uniform column up to a quad, 0 if there is none. `uniform` says which columns of the quad are
+	// candidates.
 	std::uint32_t lastUniform(std::uint32_t quad, unsigned uniform, PointId row_start)
 	{
 		for (; !uniform; uniform = takeColumns(--quad, row_start))
@@ -115,7 +116,7 @@ private:
 				return 0;
 		return 4 * quad + static_cast<std::uint32_t>(std::bit_width(uniform)) - 1;
 	}
-	// The first one from there on; the last column of all where the row ends.
+	// Returns the first uniform column from a quad on, the last column of the row if there is none.
 	std::uint32_t firstUniform(std::uint32_t quad, unsigned uniform, PointId row_start)
 	{
 		for (; !uniform; uniform = takeColumns(++quad, row_start))
@@ -143,7 +144,7 @@ private:
 		insert(run, span, cells);
 	}
 
-	// add() and enterNeighbors() of a short run of which no cell is left out.
+	// Does add() and enterNeighbors() for a short run without cells that are left out.
 	void takeShort(const Run& run, std::vector<Entry>& queue)
 	{
 		const std::uint32_t length = run.end - run.begin;
@@ -177,15 +178,15 @@ private:
 				addBeyond(run, beyond);
 	}
 
-	// The points of the cells' far rows, where no cells follow that would stand for them; bit 0 of `beyond`: of j + 1,
-	// bit 1: of k + 1.
+	// Adds a span for the far points of the last cells, since no cells follow that would own their edges. Bit 0 of
+	// `beyond`: the points at j + 1, bit 1: those at k + 1.
 	void addBeyond(const Run& run, unsigned beyond)
 	{
 		Span span{run.row + (beyond & 1) + (beyond >> 1) * points_[1], run.begin, run.end, 0, {}};
 		beyond_.clear();
 		for (std::uint32_t i = run.begin; i <= run.end; ++i)
 		{
-			// A column of points that the grid has not: they take the bits of those before them.
+			// The grid has no points there. They get the bits of the points before them.
 			Column column = 0;
 			for (unsigned r = 0; r < 4; ++r)
 				column |= static_cast<Column>((columns_[i] >> (r | beyond) & 1) << r);
@@ -197,8 +198,8 @@ private:
 		store_.insert(thread_, span, beyond_, {});
 	}
 
-	// One entry for every run of cut faces that belongs to one run of cells across: it ends where the two points shared
-	// with the next face have the same sign, since the column there may be uniform.
+	// Queues one entry for every sequence of cut faces that leads to one run of cells across. A sequence ends where the
+	// two points that it shares with the next face have the same sign, since the column there may be uniform.
 	void enterNeighbors(const Run& run, std::vector<Entry>& queue)
 	{
 		struct Side
@@ -237,8 +238,8 @@ private:
 		}
 	}
 
-	// The rows diagonally across, where a cell's points own an edge that no neighbor across a face would bring: with a
-	// window not every cell around an edge is there.
+	// Queues rows diagonally across, if a cell has an edge there whose owner would be missing: with a window not every
+	// cell around an edge is found.
 	void enterOwners(const Run& run, std::vector<Entry>& queue)
 	{
 		if (run.j + 1 == cells_[1] || run.k + 1 == cells_[2])
@@ -256,7 +257,7 @@ private:
 	{
 		if (store_.covers(row, from))
 			return;
-		// Of the row's four rows of points, the two that are new.
+		// The two rows of points that the row does not share with this one.
 		const PointId layer = points_[0] * points_[1];
 		const PointId far = (side == 1 ? points_[0] : side == 3 ? layer : 0) + row * points_[0];
 		const PointId also = side < 2 ? layer : points_[0];

@@ -14,7 +14,7 @@ namespace vp::gpu
 namespace
 {
 
-// The library's tables, from first use to the end of the program.
+// The tables of the library live from the first use to the end of the program.
 struct Library
 {
 	Library() { glslang::InitializeProcess(); }
@@ -31,7 +31,7 @@ Error compilerError(std::string_view log)
 
 Result<std::vector<std::uint32_t>> compileComputeShader(const std::string& source)
 {
-	// Expressions change by hand: nothing is lost by compiling one at a time.
+	// A user types expressions, so compiling one at a time loses nothing.
 	static std::mutex mutex;
 	const std::lock_guard lock(mutex);
 	static const Library library;

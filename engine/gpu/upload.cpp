@@ -76,7 +76,7 @@ Status download(const Buffer& buffer, VkDeviceSize offset, std::span<std::byte> 
 		return Nothing{};
 	if (buffer.mapped())
 	{
-		// Whoever wrote the buffer on the GPU waits for it, with a barrier to the host, before calling this.
+		// Before this call, the code that wrote the buffer on the GPU must wait for it, with a barrier to the host.
 		buffer.invalidate();
 		std::memcpy(bytes.data(), buffer.mappedAs<std::byte>() + offset, bytes.size());
 		return Nothing{};

@@ -1,4 +1,4 @@
-// What lets one header serve C++ and GLSL.
+// Lets one header serve C++ and GLSL.
 #ifdef __cplusplus
 #pragma once
 #include <cstdint>
