@@ -13,7 +13,7 @@ namespace vprobe
 namespace
 {
 
-// All that the caller submitted before, or will submit after.
+// Covers everything that the caller submitted before, or will submit later.
 vp::gpu::ImageUse anyUse(VkImageLayout layout)
 {
 	return {layout, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
@@ -42,7 +42,7 @@ vp::Status checkTarget(const DatasetState& state, const VulkanTarget& target)
 	return vp::Nothing{};
 }
 
-// An image of the library's own for the picture, kept from call to call.
+// The library's own image for the picture. It is kept from call to call.
 vp::Status prepareImage(DatasetState& state, VkExtent2D extent)
 {
 	if (state.target && state.target->extent().width == extent.width && state.target->extent().height == extent.height)
@@ -74,7 +74,7 @@ vp::Status copyTo(vp::gpu::Device& device, const vp::gpu::Image& picture, const 
 		}
 		else
 		{
-			// Bytes as they are: the picture's are sRGB already.
+			// The bytes are copied as they are, since those of the picture are sRGB already.
 			const VkImageCopy all{layer, {}, layer, {}, {target.width, target.height, 1}};
 			vkCmdCopyImage(commands, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image,
 			               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &all);

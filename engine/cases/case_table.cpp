@@ -27,7 +27,7 @@ WalkFaces facesOf(const ShapeTopology& shape)
 	return faces;
 }
 
-// The face on which two edges lie that follow each other in a polygon.
+// Returns the face with two edges that follow each other in a polygon.
 std::uint8_t faceThrough(const ShapeTopology& shape, const CutEdge& edge, const CutEdge& next)
 {
 	for (int f = 0; f < shape.faces; ++f)

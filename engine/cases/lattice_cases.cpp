@@ -10,8 +10,8 @@ namespace vp::cases
 namespace
 {
 
-// Bits of a lattice corner: 0 is j + 1, 1 is k + 1, 2 is i + 1. VTK's points of a hexahedron run around the face at k,
-// then around the one at k + 1.
+// Bits of a lattice corner: 0 is j + 1, 1 is k + 1, 2 is i + 1. VTK numbers the points of a hexahedron around the face
+// at k, then around the face at k + 1.
 constexpr std::array<std::uint8_t, 8> kCornerOf = {0, 4, 5, 1, 2, 6, 7, 3};
 
 constexpr int kAxisOfBit[3] = {1, 2, 0}; // of the bits of a lattice corner

@@ -58,7 +58,7 @@ Status warmUp(gpu::Device& device, const gpu::Pipeline& pipeline, const Pipeline
 	return gpu::runOnce(device, "warm-up",
 	                    [&](VkCommandBuffer commands)
 	                    {
-		                    // No cells: the shader is compiled, and returns at once.
+		                    // There are no cells: the shader is compiled and returns at once.
 		                    pipeline.bind(commands, *set);
 		                    pipeline.push(commands, shared::ClassifyPush{0, 0});
 		                    vkCmdDispatch(commands, 1, 1, 1);

@@ -14,10 +14,10 @@ namespace
 constexpr int kMinPlanes = 16;
 constexpr int kMaxPlanes = 128;
 
-// Sheets that go through the grid in lock step: wide fronts for the GPU, few marks to hold.
+// Number of sheets that move through the grid together: fronts are wide for the GPU, and there are few marks.
 constexpr int kSheetsAtOnce = 8;
 
-// Cells of boxes are cut by a plane in the cases of the tables only.
+// A plane cuts cells that are boxes only in cases that the tables have.
 bool hasCellsOfAnyForm(const grid::BlockSet& blocks)
 {
 	return std::ranges::any_of(blocks.blocks,
@@ -36,7 +36,7 @@ void collect(const grid::Block& block, std::uint32_t number, const find::CellCut
 	    {
 		    for (std::size_t i = 0; i < cut.cells.size(); ++i)
 		    {
-			    // Every case without an entry is walked.
+			    // Cases without an entry are walked.
 			    if (!(cut.codes[i] & shared::kCodeWalk))
 				    continue;
 			    const grid::CellShape shape = grid.shape(cut.cells[i]);
@@ -67,7 +67,7 @@ Result<SweepFindings> sweepForImpossibleCases(Cutter& slicer)
 			normal[axis] = 1.0;
 			for (int k = first; k < std::min(planes, first + kSheetsAtOnce); ++k)
 			{
-				// A little off the middles, which lattices often hold too.
+				// A little beside the middles, where lattices often have points too.
 				Vec3 origin = bounds.center();
 				origin[axis] = bounds.lo[axis] + (k + 0.4903) / planes * bounds.size()[axis];
 				request.probe.sheets.push_back(probe::makeSheet(origin, normal));

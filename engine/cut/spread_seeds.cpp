@@ -11,7 +11,7 @@ namespace vp::cut
 namespace
 {
 
-// Whether nearly all of the cells that a sheet cut before are cut where it stands now, as a sample has it.
+// Returns true if nearly all cells of a sheet's earlier cut are still cut at its new place, judged by a sample.
 bool staysIn(const grid::Block& block, const probe::Sheet& sheet, std::span<const CellId> cells)
 {
 	constexpr std::size_t kSample = 128;
@@ -56,7 +56,7 @@ void spreadSeeds(const grid::Block& block, std::size_t number, const SheetCut* w
 	const seed::HotSpots spots =
 	    seed::spreadHotSpots(block, sheet.sheet, sheet.seeds.rim[number], sheet.seeds.cells[number]);
 	add(spots.cells, number, sheet.seeds);
-	// As they lie in memory, for their points.
+	// In the order of memory, for their points.
 	std::ranges::sort(sheet.seeds.cells[number]);
 	sheet.seeds.hops += spots.hops;
 }

@@ -49,7 +49,7 @@ public:
 			return oneGeneration({});
 		const std::array<std::uint32_t, 3> cells = lattices_[block]->lattice().cells();
 		const surface::GridLayers layers = surface::layersOf(at_.index, cells[at_.axis]);
-		// The axis whose cells lie nearest in memory runs fastest.
+		// The axis whose cells are closest in memory runs fastest.
 		const int fast = at_.axis == 0 ? 1 : 0;
 		const int slow = at_.axis == 2 ? 1 : 2;
 		std::vector<CellId> shown;
@@ -82,7 +82,7 @@ private:
 		return filters_.empty() || !filters_[block] || filters_[block](cell);
 	}
 
-	// Whether the cell shows a face on a seam, and a cell before it shows what lies across.
+	// Returns true if the cell shows a face on a seam, and an earlier cell shows the face across.
 	bool isShownAcross(std::uint32_t block, CellId cell) const
 	{
 		const grid::BlockSeams* seams = blocks_.interfaces.of(block);

@@ -20,7 +20,7 @@ constexpr std::array kStrategies{std::pair(Strategy::rows, "rows"),     std::pai
                                  std::pair(Strategy::cells, "cells"),   std::pair(Strategy::generations, "generations"),
                                  std::pair(Strategy::listed, "listed"), std::pair(Strategy::scan, "scan")};
 
-/// One sheet in one block. sheet: null where something else takes the place of the sheets.
+/// One sheet in one block. sheet: null if something else replaces the sheets.
 struct PlannedSheet
 {
 	const PlanRequest& request;
@@ -31,7 +31,7 @@ struct PlannedSheet
 	bool lacks_neighbors; // some block does
 };
 
-/// Why the cells have to be followed from one to the next in generations, whatever the grid; null where they do not.
+/// Returns the reason why cells must be followed in generations in any grid, null if they need not.
 const char* needsGenerations(const PlannedSheet& at)
 {
 	if (at.sheet->form)
@@ -67,7 +67,7 @@ const char* whyNotCells(const PlannedSheet& at)
 	const auto* unstructured = std::get_if<grid::UnstructuredGrid>(&at.block.grid);
 	if (!unstructured)
 		return "the block is not unstructured";
-	// Where cells are linked the traversal enters all behind a large face that the window holds a part of.
+	// With linked cells, the traversal enters all cells behind a large face that is partly in the window.
 	return at.sheet->window && unstructured->hasLinks() ? "a window over faces that meet several smaller ones"
 	                                                    : nullptr;
 }
@@ -83,7 +83,7 @@ const char* whyNotScan(const PlannedSheet& at)
 	return nullptr;
 }
 
-/// Why a strategy cannot be had; null where it can.
+/// Returns the reason why a strategy is not possible, null if it is.
 const char* whyNot(Strategy strategy, const PlannedSheet& at)
 {
 	if (!at.sheet)
@@ -109,7 +109,7 @@ const char* whyGenerations(const PlannedSheet& at)
 		return why;
 	if (at.request.finder == Finder::traversal)
 		return "asked for";
-	// The strategy of the block's kind could not be had, or was not to be taken.
+	// The usual strategy for this kind of block is not possible, or not wanted.
 	const char* why = std::holds_alternative<grid::RectilinearGrid>(at.block.grid)   ? whyNotRows(at)
 	                  : std::holds_alternative<grid::CurvilinearGrid>(at.block.grid) ? whyNotSpans(at)
 	                                                                                 : whyNotCells(at);
@@ -139,14 +139,14 @@ const char* whyTaken(Strategy strategy, const PlannedSheet& at)
 	return whyGenerations(at);
 }
 
-/// Whether neighbors would have to be built for this cut alone.
+/// Returns true if neighbors would have to be built for this cut only.
 bool isOneOff(const PlannedSheet& at)
 {
 	return at.lacks_neighbors && !at.request.another_follows && at.request.finder == Finder::automatic;
 }
 
-/// The first that can be had, in the order of their speed. A device is given generations rather than a search on the
-/// CPU, unless the fastest way is wanted.
+/// Returns the first possible strategy, in the order of their speed. A device gets generations instead of a search on
+/// the CPU, unless the fastest way is wanted.
 Strategy choose(const PlannedSheet& at)
 {
 	if (isOneOff(at) && !whyNot(Strategy::scan, at))
@@ -160,7 +160,7 @@ Strategy choose(const PlannedSheet& at)
 	return Strategy::generations;
 }
 
-/// Why the CPU classifies although there is a device; null where the device does.
+/// Returns the reason why the CPU classifies although there is a device, null if the device does.
 const char* whyNotOnDevice(const PlannedSheet& at, Strategy strategy, bool holds)
 {
 	if (!at.sheet)

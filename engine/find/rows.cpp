@@ -47,7 +47,7 @@ public:
 		}
 		const CellRange k_range = range_[2];
 		changes_.resize(std::size_t(points_[1]) * points_[2]);
-		// A row of cells lies between rows of points up to two beyond the last: points there own edges of its cells.
+		// Besides its own rows of points, a row of cells has the rows just beyond, whose points own edges of its cells.
 		forLayers(k_range.begin, std::min(k_range.end + 2, points_[2]), [&](std::uint32_t k) { findChanges(k); });
 		std::vector<SpanCut> layers(points_[2]);
 		forLayers(k_range.begin, k_range.end + 1, [&](std::uint32_t k) { addLayer(k, layers[k]); });
@@ -66,12 +66,13 @@ private:
 		                  });
 	}
 
-	// Plane::signedDistance() of a point, of the same terms added in the same order.
+	// The same as Plane::signedDistance() of a point: the same terms, added in the same order.
 	double distance(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
 	{
 		return (terms_[0][i] + terms_[1][j]) + terms_[2][k];
 	}
-	// Per row of points of a layer: the first point on the side of the row's end, points_[0] where none is.
+	// For each row of points of a layer: the first point on the same side as the row's end, points_[0] if there is
+	// none.
 	void findChanges(std::uint32_t k)
 	{
 		std::uint32_t* changes = &changes_[std::size_t(k) * points_[1]];
@@ -88,7 +89,7 @@ private:
 			return 0;
 		if (!isBehind(behind))
 			return points_[0];
-		// Where the points are evenly spaced it is one of two beside the guess.
+		// If the points are evenly spaced, it is one of the two beside the guess.
 		const double guess = -distance(0, j, k) * points_per_distance_;
 		for (std::uint32_t i = static_cast<std::uint32_t>(std::clamp(guess, 0.0, double(cells_[0])));
 		     behind - before > 1; i = (before + behind) / 2)
@@ -100,8 +101,8 @@ private:
 		return behind;
 	}
 
-	// The spans of the rows of points (j, k) for all j. Rows beyond the last cells take the span of those before them,
-	// and of the points that are not there the signs of those that are.
+	// Adds the spans of the rows of points (j, k) for all j. Rows beyond the last cells take the span of the rows
+	// before them. Points that do not exist take the signs of those before them.
 	void addLayer(std::uint32_t k, SpanCut& cut) const
 	{
 		const std::uint32_t cell_k = std::min(k, cells_[2] - 1);
@@ -163,7 +164,7 @@ private:
 
 	static SpanCut join(const std::vector<SpanCut>& layers)
 	{
-		// Where each layer's share begins.
+		// The begin of each layer's part.
 		std::vector<SpanCounts> counts(layers.size());
 		std::vector<std::uint32_t> spans(layers.size());
 		std::vector<std::uint32_t> columns(layers.size());

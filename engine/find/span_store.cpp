@@ -52,7 +52,7 @@ bool SpanStore::insert(std::size_t thread, const Span& span, std::span<const cas
 	return true;
 }
 
-// The row's spans in their order, each with its columns.
+// Appends the spans of a row in their order, each with its columns.
 void SpanStore::takeRow(std::uint32_t row, SpanCut& cut)
 {
 	const std::size_t first = cut.spans.size();
@@ -75,7 +75,7 @@ void SpanStore::takeRow(std::uint32_t row, SpanCut& cut)
 	}
 }
 
-// The spans of the rows from 64 * begin up to 64 * end.
+// Returns the spans of the rows from 64 * begin up to 64 * end.
 SpanCut SpanStore::takeRows(std::size_t begin, std::size_t end, std::span<Found* const> finders)
 {
 	SpanCut cut;
@@ -112,7 +112,7 @@ SpanCut SpanStore::collect()
 			spans += of_thread->records;
 			cut.cells += of_thread->cells;
 		}
-	// Ranges of rows are taken side by side, then put behind each other.
+	// All cores take ranges of rows, which are then put one behind the other.
 	constexpr std::size_t kSpansInPart = 2048;
 	const std::size_t words = (rows_ + 63) / 64;
 	std::vector<SpanCut> parts(std::clamp<std::size_t>(spans / kSpansInPart, 1, 64));

@@ -4,7 +4,7 @@
 namespace vp::gpu
 {
 
-// Sets per pool: a handful of lanes and pages; more pools follow when they do not do.
+// Sets in a pool: enough for some lanes and pages. If they are not enough, more pools are made.
 constexpr std::uint32_t kSetsPerPool = 32;
 
 DescriptorSets::DescriptorSets(Device& device, const Pipeline& pipeline, std::string_view name)

@@ -22,7 +22,7 @@ bool validationWanted(const DeviceOptions& options)
 	return options.validation.value_or(set && *set && std::string_view(set) != "0");
 }
 
-// CLOCK_MONOTONIC, which is what the steady clock reads on Linux.
+// CLOCK_MONOTONIC, which is the steady clock on Linux.
 bool calibratesToSteadyClock(VkInstance instance, VkPhysicalDevice device)
 {
 	const auto domains_of = reinterpret_cast<PFN_vkGetPhysicalDeviceCalibrateableTimeDomainsEXT>(
@@ -44,8 +44,8 @@ void load(Function& function, VkDevice device, const char* name)
 	function = reinterpret_cast<Function>(vkGetDeviceProcAddr(device, name));
 }
 
-// Whether the kernel has a file for any graphics device: a moment's look, where loading the drivers takes tens of
-// milliseconds. Elsewhere than on Linux the drivers have to be asked.
+// Returns true if the kernel has a file for a graphics device. This takes a moment, while loading the drivers takes
+// tens of milliseconds. On systems other than Linux the drivers must be asked.
 bool mayHaveHardware()
 {
 #ifdef __linux__
@@ -189,7 +189,7 @@ Device::~Device()
 {
 	if (!device_)
 		return;
-	// A lost device is idle too. Others may submit to one that is not ours.
+	// A lost device is idle too. The caller may submit to a device that is not ours.
 	if (owned_)
 		vkDeviceWaitIdle(device_);
 	else if (timeline_)

@@ -60,7 +60,7 @@ std::vector<std::string> missingFeatures(VkPhysicalDevice device)
 	return missing;
 }
 
-// What drawing uses where it is there; the rest stays off.
+// Features that drawing uses if they exist. All others stay off.
 VkPhysicalDeviceFeatures optionalFeatures(VkPhysicalDevice device)
 {
 	VkPhysicalDeviceFeatures present;

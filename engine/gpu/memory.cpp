@@ -33,7 +33,7 @@ MemoryPreference wishFor(Memory kind)
 	case Memory::device:
 		break;
 	}
-	// A discrete device's window of host-visible memory may be small: leave it to uploads.
+	// The host-visible memory of a discrete device may be small, so it is left to uploads.
 	return {0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT};
 }
 
@@ -98,7 +98,7 @@ Result<Arena::Piece> Arena::take(const VkMemoryRequirements& requirements, Memor
 	const auto taken = [&](int of)
 	{
 		const VkMemoryPropertyFlags flags = memory_.memoryTypes[of].propertyFlags;
-		// Device memory is mapped only where writing it directly needs no flush.
+		// Device memory is mapped only if direct writes need no flush.
 		const bool map =
 		    kind != Memory::device || (map_device_memory_ && (flags & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT));
 		return takeOfType(static_cast<std::uint32_t>(of), requirements.size, requirements.alignment, map);
@@ -106,7 +106,7 @@ Result<Arena::Piece> Arena::take(const VkMemoryRequirements& requirements, Memor
 	Result<Piece> piece = taken(type);
 	if (piece || kind != Memory::upload || piece.error().kind != ErrorKind::out_of_memory)
 		return piece;
-	// The device-local window for the host may be full; memory of the host will do.
+	// The device memory that the host can write may be full. Then host memory is used.
 	MemoryPreference plain = wish;
 	plain.avoided |= plain.preferred;
 	plain.preferred = 0;
@@ -131,7 +131,7 @@ Result<Arena::Piece> Arena::takeOfType(std::uint32_t type, VkDeviceSize size, Vk
 			if (const auto offset = page->ranges.take(size, alignment))
 				return pieceOf(*page, *offset);
 
-	// A large piece has a page of its own, which goes back to the driver with it.
+	// A large piece has its own page, which is freed with it.
 	const VkDeviceSize shared = pageSize(type);
 	Result<Page*> page = addPage(type, size > shared / 2 ? size : shared);
 	if (!page && page.error().kind == ErrorKind::out_of_memory && size <= shared / 2)
@@ -158,8 +158,8 @@ Result<Arena::Page*> Arena::addPage(std::uint32_t type, VkDeviceSize size)
 	return pages_.back().get();
 }
 
-// A small page wastes little, and half a page is the least that is an allocation of its own: at most some two thousand
-// of them fit into a heap.
+// A small page wastes little. A piece of half a page or more is its own allocation, and at most some two thousand of
+// these fit into a heap.
 VkDeviceSize Arena::pageSize(std::uint32_t type) const
 {
 	constexpr VkDeviceSize kLeast = VkDeviceSize(64) << 20;
@@ -173,7 +173,7 @@ void Arena::give(const Piece& piece)
 	piece.page->ranges.give(piece.offset, piece.size);
 	if (!piece.page->ranges.allFree())
 		return;
-	// One empty page of a type is kept, since what was needed is often needed again; not one of a single large piece.
+	// One empty page of each type is kept, since it is often needed again. Pages of a single large piece are not kept.
 	const auto isSpare = [&](const auto& page)
 	{ return page.get() != piece.page && page->type == piece.page->type && page->ranges.allFree(); };
 	const bool is_shared = piece.page->ranges.bytes() == pageSize(piece.page->type);

@@ -46,7 +46,7 @@ private:
 	VkResult result_;
 };
 
-// Specialisation constants in the layout Vulkan wants.
+// Specialization constants in Vulkan's layout.
 struct Specialisation
 {
 	explicit Specialisation(std::span<const SpecialisationConstant> constants)
