@@ -58,6 +58,25 @@ private:
 	std::size_t taken_ = 0;
 };
 
+// The place of the current event in the text, -1 on an error, and its length. Expat 2.9 deprecates the functions that
+// all versions have.
+std::int64_t byteIndex(XML_Parser parser)
+{
+#if XML_MAJOR_VERSION * 100 + XML_MINOR_VERSION >= 209
+	return XML_GetCurrentByteIndex64(parser);
+#else
+	return XML_GetCurrentByteIndex(parser);
+#endif
+}
+std::uint64_t byteCount(XML_Parser parser)
+{
+#if XML_MAJOR_VERSION * 100 + XML_MINOR_VERSION >= 209
+	return XML_GetCurrentByteCount64(parser);
+#else
+	return static_cast<std::uint64_t>(XML_GetCurrentByteCount(parser));
+#endif
+}
+
 class TreeBuilder
 {
 public:
@@ -79,7 +98,7 @@ public:
 private:
 	std::uint64_t place() const
 	{
-		return static_cast<std::uint64_t>(std::max<XML_Index>(XML_GetCurrentByteIndex(parser_.get()), 0));
+		return static_cast<std::uint64_t>(std::max<std::int64_t>(byteIndex(parser_.get()), 0));
 	}
 	void stop() { XML_StopParser(parser_.get(), XML_FALSE); }
 
@@ -93,7 +112,7 @@ private:
 		element.name = name;
 		for (; attributes[0]; attributes += 2)
 			element.attributes.emplace_back(attributes[0], attributes[1]);
-		const auto tag_bytes = static_cast<std::uint64_t>(XML_GetCurrentByteCount(builder.parser_.get()));
+		const auto tag_bytes = byteCount(builder.parser_.get());
 		// The text behind a tag may have been left out, so the place is that of the tag's last byte and one more.
 		element.content_begin = builder.text_.placeOf(builder.place() + std::max<std::uint64_t>(tag_bytes, 1) - 1) + 1;
 		builder.path_.push_back(&element);
