@@ -9,13 +9,18 @@ system=$(. /etc/os-release 2>/dev/null && printf '%s%s' "${ID-}" "${VERSION_ID-}
 build_packages=(
 	cmake ninja-build g++ ccache glslang-tools glslang-dev spirv-tools
 	libvulkan-dev libvtk9-dev libtbb-dev libglm-dev libfmt-dev libutfcpp-dev libcli11-dev nlohmann-json3-dev
-	libteem-dev zlib1g-dev libdeflate-dev liblz4-dev liblzma-dev libexpat1-dev libpng-dev libcairo2-dev pkg-config libimgui-dev libstb-dev libglfw3-dev fonts-dejavu-core
+	libteem-dev libtiff-dev libhdf5-dev libgdcm-dev zlib1g-dev libdeflate-dev liblz4-dev liblzma-dev libexpat1-dev libpng-dev libcairo2-dev pkg-config libimgui-dev libstb-dev libglfw3-dev fonts-dejavu-core
 	mesa-vulkan-drivers # lavapipe draws where there is no GPU
 )
+# What the Python module is built with. A program without one needs none of it.
+python_packages=(python3-dev python3-numpy pybind11-dev)
 test_packages=(
+	"${python_packages[@]}" python3-pytest python3-vtk9 mypy python3-ipywidgets python3-nbclient python3-ipykernel
+	python3-build python3-venv python3-setuptools python3-wheel
 	libgtest-dev libgmock-dev libbenchmark-dev libmuparser-dev vulkan-validationlayers
 	xvfb xdotool openbox
 	python3 dpkg-dev file # documents are checked, packages are made
+	python3-meshio python3-h5py gmsh python3-netcdf4 python3-tifffile python3-mrcfile python3-pydicom # they write files of other formats
 	ffmpeg # films are tested where they can be made
 )
 # The second compiler. clang-format's output depends on its version, so the format is checked where version 14 is.

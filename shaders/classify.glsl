@@ -12,6 +12,7 @@
 
 #include "shared/classify_types.h"
 #include "shared/slice_types.h"
+#include "arrays.glsl"
 
 layout(local_size_x = kClassifyGroupSize) in;
 
@@ -21,11 +22,11 @@ layout(constant_id = kConstantValues) const uint kValues = kValuesNone;
 
 const uint kMaxEdges = kCells == kCellsRecord4 ? 4u : kMaxRecordVertices; // of a polygon
 
-layout(binding = kBindPoints) uniform usamplerBuffer points;
-layout(binding = kBindCells) uniform usamplerBuffer cells;
-layout(binding = kBindCases) uniform usamplerBuffer cases;
-layout(binding = kBindValues) uniform samplerBuffer values;
-layout(binding = kBindAxes) uniform usamplerBuffer axes;
+VP_ARRAY(kBindPoints, points);
+VP_ARRAY(kBindCells, cells);
+VP_ARRAY(kBindCases, cases);
+VP_NUMBERS(kBindValues, values);
+VP_ARRAY(kBindAxes, axes);
 layout(binding = kBindFront, scalar) readonly buffer Front { uint front[]; };
 layout(binding = kBindCodes, scalar) writeonly buffer Codes { uint codes[]; };
 layout(binding = kBindRecords, scalar) writeonly buffer Records { PolygonRecord records[]; };
@@ -47,7 +48,7 @@ void setVertex(uint v, uint id, VP_REAL distance, bool exact, vec2 uv)
 	vertex_distance[v] = float(distance);
 	vertex_uv[v] = uv;
 	if (kValues == kValuesPoint)
-		vertex_value[v] = texelFetch(values, int(id)).x;
+		vertex_value[v] = VP_NUMBER(values, id);
 	positive_mask |= uint(distance >= 0.0) << v;
 	exact_mask |= uint(exact) << v;
 	near_mask |= uint(abs(vertex_distance[v]) <= sheet.error) << v;
@@ -70,7 +71,7 @@ double fromHalves(uint low, uint high)
 // Sets distance and uv of a vertex from its point.
 void fetchPoint(uint v, uint id)
 {
-	const uvec4 stored = texelFetch(points, int(id));
+	const uvec4 stored = VP_WORDS(points, id);
 	precise VP_REAL3 from_origin;
 	bool exact = VP_DOUBLES != 0;
 #if VP_DOUBLES
@@ -114,7 +115,7 @@ struct AxisShare
 
 AxisShare fetchShare(uint axis, uint index)
 {
-	const uvec4 stored = texelFetch(axes, int(sheet.axis_start[axis] + index));
+	const uvec4 stored = VP_WORDS(axes, sheet.axis_start[axis] + index);
 	AxisShare share;
 #if VP_DOUBLES
 	share.distance = packDouble2x32(stored.xy);
@@ -150,8 +151,8 @@ float tupleAlongEdge(uint from, uint to, float t)
 	float largest = 0.0;
 	for (uint c = 0u; c < sheet.tuple_texels; ++c)
 	{
-		const vec4 a = texelFetch(values, int(from * sheet.tuple_texels + c));
-		const vec4 b = texelFetch(values, int(to * sheet.tuple_texels + c));
+		const vec4 a = VP_FOUR(values, from * sheet.tuple_texels + c);
+		const vec4 b = VP_FOUR(values, to * sheet.tuple_texels + c);
 		const vec4 value =
 			vec4(alongEdge(a.x, b.x, t), alongEdge(a.y, b.y, t), alongEdge(a.z, b.z, t), alongEdge(a.w, b.w, t));
 		largest = max(largest, max(max(value.x, value.y), max(value.z, value.w)));
@@ -163,7 +164,7 @@ float tupleAlongEdge(uint from, uint to, float t)
 float cellValue(uint cell)
 {
 	if (kValues == kValuesCell)
-		return texelFetch(values, int(cell)).x;
+		return VP_NUMBER(values, cell);
 	if (kValues == kValuesCellTuple)
 		return tupleAlongEdge(cell, cell, 0.0);
 	return sheet.no_value;
@@ -196,7 +197,7 @@ void main()
 		return;
 	}
 
-	const uvec4 entry = texelFetch(cases, int(case_start + positive_mask));
+	const uvec4 entry = VP_WORDS(cases, case_start + positive_mask);
 	const uint edges = entry.x & 0xFFu;
 	bool walk = (entry.x >> 16) != 0u;
 

@@ -1,4 +1,4 @@
-// The vertices of a cell of any kind. What includes this has kCells, the texels `cells`, a `sheet` with the lattice and the
+// The vertices of a cell of any kind. What includes this has kCells, the array `cells`, a `sheet` with the lattice and the
 // starts of the case tables, and says what a vertex is:
 //   void fetchPoint(uint v, uint id)                                     vertex v of the cell is point `id`
 //   AxisShare fetchShare(uint axis, uint index)                          of a coordinate of an axis (kCellsAxes)
@@ -54,7 +54,7 @@ uint fetchCell(uint cell, out uint case_start)
 	}
 	if (kCells == kCellsRecord4)
 	{
-		const uvec4 ids = texelFetch(cells, int(cell));
+		const uvec4 ids = VP_WORDS(cells, cell);
 		case_start = sheet.table_start[0];
 		fetchPoint(0u, ids.x);
 		fetchPoint(1u, ids.y);
@@ -62,8 +62,8 @@ uint fetchCell(uint cell, out uint case_start)
 		fetchPoint(3u, ids.w);
 		return 4u;
 	}
-	const uvec4 first = texelFetch(cells, int(2u * cell));
-	const uvec4 second = texelFetch(cells, int(2u * cell + 1u));
+	const uvec4 first = VP_WORDS(cells, 2u * cell);
+	const uvec4 second = VP_WORDS(cells, 2u * cell + 1u);
 	const uint shape = second.w >= kShapeMark ? second.w - kShapeMark : 3u;
 	if (shape > 3u)
 		return 0u;

@@ -8,6 +8,7 @@
 
 #include "shared/slice_types.h"
 #include "shared/surface_types.h"
+#include "arrays.glsl"
 #include "bounded.glsl"
 #include "classify_common.glsl"
 
@@ -16,10 +17,10 @@ layout(local_size_x = kClassifyGroupSize) in;
 layout(constant_id = kConstantCells) const uint kCells = kCellsLattice;
 layout(constant_id = kConstantPoints) const uint kPoints = kPointsFloat;
 
-layout(binding = kBindPoints) uniform usamplerBuffer points;
-layout(binding = kBindCells) uniform usamplerBuffer cells;
-layout(binding = kBindCases) uniform usamplerBuffer cases;
-layout(binding = kBindAxes) uniform usamplerBuffer axes;
+VP_ARRAY(kBindPoints, points);
+VP_ARRAY(kBindCells, cells);
+VP_ARRAY(kBindCases, cases);
+VP_ARRAY(kBindAxes, axes);
 layout(binding = kBindFront, scalar) readonly buffer Front { uint front[]; };
 layout(binding = kBindCodes, scalar) writeonly buffer Codes { uint codes[]; };
 layout(binding = kBindSheet, scalar) uniform Sheet { ClassifySurface sheet; };
@@ -33,7 +34,7 @@ VP_PICK(vec3)
 
 void fetchPoint(uint v, uint id)
 {
-	const uvec4 stored = texelFetch(points, int(id));
+	const uvec4 stored = VP_WORDS(points, id);
 	precise vec3 place;
 	if (kPoints == kPointsFloat)
 		place = uintBitsToFloat(stored.xyz);
@@ -50,7 +51,7 @@ struct AxisShare
 
 AxisShare fetchShare(uint axis, uint index)
 {
-	return AxisShare(uintBitsToFloat(texelFetch(axes, int(sheet.axis_start[axis] + index)).x));
+	return AxisShare(uintBitsToFloat(VP_WORDS(axes, sheet.axis_start[axis] + index).x));
 }
 
 void setCorner(uint v, uint id, AxisShare x, AxisShare y, AxisShare z)
@@ -99,7 +100,7 @@ void main()
 		certain = certain && !unknown && abs(value.value) > 1.0625 * value.error;
 		positive_mask |= uint(value.value > 0.0) << v;
 	}
-	const uvec4 entry = texelFetch(cases, int(case_start + positive_mask));
+	const uvec4 entry = VP_WORDS(cases, case_start + positive_mask);
 	const bool walk = !certain || (entry.x >> 16) != 0u;
 	codes[i] = walk ? kCodeWalk
 					: positive_mask | (entry.x & 0xFF00u) << (kCodeFacesShift - 8u) |

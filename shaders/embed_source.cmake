@@ -1,5 +1,5 @@
-# cmake -D GLSLANG=... -D FOLDER=... -D SOURCE=... -D OUTPUT=... -P: writes a shader with all that it includes as one C++ string.
-execute_process(COMMAND ${GLSLANG} -E -S comp -I${FOLDER} ${SOURCE} OUTPUT_VARIABLE text RESULT_VARIABLE status)
+# cmake -D GLSLANG=... -D FOLDER=... -D SOURCE=... -D OUTPUT=... -D DEFINE=... -P: writes a shader with all that it includes as one C++ string.
+execute_process(COMMAND ${GLSLANG} -E -S comp ${DEFINE} -I${FOLDER} ${SOURCE} OUTPUT_VARIABLE text RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
 	message(FATAL_ERROR "${SOURCE}: ${text}")
 endif()

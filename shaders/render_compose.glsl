@@ -12,10 +12,12 @@ layout(binding = 0, scalar) uniform Params
 layout(binding = 1) uniform sampler2DArray layers;
 layout(binding = 2) uniform sampler2D lines;
 layout(binding = 3) uniform usamplerBuffer tables; // of the values where colors change, and of levels
-layout(binding = 4) uniform samplerBuffer colors;  // of layers
+layout(binding = 4) uniform usamplerBuffer colors; // of layers, 16 bits a channel
 #ifdef SURFACES
 layout(binding = 5, r32ui) uniform readonly uimage2D heads; // of the lists of surface fragments
 layout(binding = 6) uniform usamplerBuffer fragments; // SurfaceFragment each, which software reads faster as texels
+layout(binding = 7) uniform usampler2D opaque; // the nearest fragment of opaque surfaces (render_surface_opaque.frag)
+layout(binding = 8) uniform sampler2D opaque_depths;
 #endif
 layout(push_constant, scalar) uniform Push
 {
@@ -103,7 +105,7 @@ void composeLayers(ivec2 pixel)
 		surfacesDownTo(depth);
 #endif
 		lineDownTo(depth);
-		const vec4 color = withLines(texelFetch(colors, int(color_place)), texel, layer, pixel);
+		const vec4 color = withLines(layerColor(color_place), texel, layer, pixel);
 		under(color.rgb, depth > kBehindAll ? color.a : 0.0);
 	} while (left);
 }

@@ -62,3 +62,9 @@ uint colorPlace(float value, uint layer)
 	place = y > params.sheets[layer].above_from ? table + kLayerAbove : place;
 	return value >= kNanFrom ? table + kLayerNan : place;
 }
+
+vec4 layerColor(uint place)
+{
+	const uvec2 channels = texelFetch(colors, int(place)).xy;
+	return vec4(unpackUnorm2x16(channels.x), unpackUnorm2x16(channels.y));
+}

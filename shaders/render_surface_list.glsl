@@ -10,6 +10,7 @@ const float kOpaque = 1.0 - 1.0 / 4096.0; // nothing behind can be seen
 uvec4 batch[kBatch];
 uint batch_left;
 uint list_head;
+uvec4 list_end; // of opaque surfaces
 
 // There are no branches, since software executes both sides.
 bool isBefore(uvec4 a, uvec4 b)
@@ -19,8 +20,19 @@ bool isBefore(uvec4 a, uvec4 b)
 	return (uint(a.y > b.y) | (uint(a.y == b.y) & by_order)) != 0u;
 }
 
-// The nearest fragments behind `last`. Each found one moves the farther ones back; indices are constant, so the batch is
-// registers.
+// Moves the farther ones back. Indices are constant, so the batch is registers.
+void insert(uvec4 found)
+{
+	for (uint i = 0u; i < kBatch; ++i)
+	{
+		const bool swap = isBefore(found, batch[i]);
+		const uvec4 farther = swap ? batch[i] : found;
+		batch[i] = swap ? found : batch[i];
+		found = farther;
+	}
+}
+
+// The nearest fragments behind `last`: those before it are blended already.
 void fetchBatch(uvec4 last)
 {
 	for (uint i = 0u; i < kBatch; ++i)
@@ -29,23 +41,23 @@ void fetchBatch(uvec4 last)
 	for (uint place = list_head; place != 0u;)
 	{
 		const uvec4 f = texelFetch(fragments, int(place - 1u));
-		uvec4 found = uvec4(place, f.yzw);
+		const uvec4 found = uvec4(place, f.yzw);
 		place = f.x;
-		// Fragments that are blended already are skipped.
-		found = isBefore(last, found) ? found : uvec4(0u);
-		for (uint i = 0u; i < kBatch; ++i)
-		{
-			const bool swap = isBefore(found, batch[i]);
-			const uvec4 farther = swap ? batch[i] : found;
-			batch[i] = swap ? found : batch[i];
-			found = farther;
-		}
+		insert(isBefore(last, found) ? found : uvec4(0u));
 	}
+	if ((kFeatures & kComposeOpaque) != 0u)
+		insert(isBefore(last, list_end) ? list_end : uvec4(0u));
 }
 
 void beginList(ivec2 pixel)
 {
 	list_head = imageLoad(heads, pixel).x;
+	list_end = uvec4(0u);
+	if ((kFeatures & kComposeOpaque) != 0u)
+	{
+		const uvec2 nearest = texelFetch(opaque, pixel, 0).xy;
+		list_end = uvec4(0u, floatBitsToUint(texelFetch(opaque_depths, pixel, 0).x), nearest.x, nearest.y << 16 | 0xFFFFu);
+	}
 	fetchBatch(uvec4(0u, 0xFFFFFFFFu, 0u, 0u)); // nearer than all
 }
 

@@ -5,7 +5,7 @@
 # usage: tests/run.sh [--release|--long]
 #   --release: the release build and its tests, nothing else
 #   --long: also the tests labelled long, every file compiled alone, Debian 13, and the packages installed
-# What --long downloads is kept in $VPROBE_CACHE, else in ~/.cache/vprobe.
+# What --long downloads is kept in $VPROBE_CACHE, else in ~/.cache/vprobe; so is SwiftShader, a second Vulkan driver (31 MB).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source apps/setup.sh
@@ -207,6 +207,9 @@ test_format()
 		skipped+=("format: no clang-format-14")
 	fi
 }
+
+# Without it its tests are skipped, by name.
+bash tests/devices/swiftshader.sh --fetch || true
 
 rm -f build/*/tests.txt
 test_release

@@ -68,7 +68,10 @@ void leaveOutArrays(vtkXMLReader& reader, const Request& request, ManifestWriter
 			const std::optional<ArrayKind> kind = kindOf(array);
 			if (!kind || isOneOf(name, {"", "vtkGhostType", "vtkGhostLevels"}))
 				continue;
-			if (!request.arrays.wants(association, name, !has_shown))
+			const bool shapes_cells =
+			    isOneOf(name, {"HigherOrderDegrees", "RationalWeights", arrays->attribute("HigherOrderDegrees"),
+			                   arrays->attribute("RationalWeights")});
+			if (!shapes_cells && !request.arrays.wants(association, name, !has_shown))
 			{
 				selection->DisableArray(name.c_str());
 				manifest.noteLeftOut(

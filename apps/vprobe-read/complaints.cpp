@@ -7,15 +7,39 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <iostream>
+#include <streambuf>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace
 {
 
 std::string first_complaint;
+std::vector<std::string> notes;
+std::size_t more_notes = 0;
 bool warnings_too = false;
+
+constexpr std::size_t kMaxNotes = 4;
+constexpr std::size_t kMaxNoteLength = 160;
+
+// Readers report these as mere warnings, or print them, and go on with values that were never read. docs/FORMATS.md
+// lists them by reader.
+constexpr std::array<std::string_view, 8> kLosesValues = {
+    "Error reading binary data",    // legacy VTK
+    "Error reading ascii data",     // legacy VTK
+    "File operation failed",        // images
+    "Unknown data type",            // images
+    "cgio_read",                    // CGNS
+    "Unexpected data type for dim", // CGNS: the cells of a section
+    "Error in cgio_get_data_type",  // CGNS
+    "may lose precision",           // OpenFOAM: ids that are cut to 32 bits
+};
 
 // "ERROR: In file.cxx, line 12\nvtkReader (0x1234): Words\n\n" leaves "Words".
 std::string wordsOf(std::string_view text)
@@ -42,6 +66,24 @@ void keep(const char* text)
 		first_complaint = "the reader reported an error";
 }
 
+void note(const char* text)
+{
+	std::string words = text ? wordsOf(text) : std::string();
+	if (words.empty())
+		return;
+	const auto is_in_words = [&](std::string_view sign) { return words.find(sign) != words.npos; };
+	if (warnings_too || std::any_of(kLosesValues.begin(), kLosesValues.end(), is_in_words))
+		return keep(text);
+	if (words.size() > kMaxNoteLength)
+		words.replace(kMaxNoteLength, words.npos, "...");
+	if (std::find(notes.begin(), notes.end(), words) != notes.end())
+		return;
+	if (notes.size() == kMaxNotes)
+		++more_notes;
+	else
+		notes.push_back(std::move(words));
+}
+
 class ComplaintWindow : public vtkOutputWindow
 {
 public:
@@ -50,17 +92,32 @@ public:
 
 	void DisplayText(const char*) override {}
 	void DisplayErrorText(const char* text) override { keep(text); }
-	// "Error reading binary data!" of the legacy readers comes as a generic warning.
-	void DisplayGenericWarningText(const char* text) override { keep(text); }
-	void DisplayWarningText(const char* text) override
-	{
-		if (warnings_too)
-			keep(text);
-	}
+	void DisplayGenericWarningText(const char* text) override { note(text); }
+	void DisplayWarningText(const char* text) override { note(text); }
 	void DisplayDebugText(const char*) override {}
 };
 
 vtkStandardNewMacro(ComplaintWindow);
+
+// Takes the lines that readers print on std::cerr for warnings.
+class NoteBuffer : public std::streambuf
+{
+protected:
+	int_type overflow(int_type c) override
+	{
+		if (c == traits_type::eof() || c == '\n')
+		{
+			note(line_.c_str());
+			line_.clear();
+		}
+		else if (line_.size() < 2 * kMaxNoteLength)
+			line_ += static_cast<char>(c);
+		return traits_type::not_eof(c);
+	}
+
+private:
+	std::string line_;
+};
 
 } // namespace
 
@@ -69,6 +126,8 @@ void installComplaints()
 	vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 	vtkNew<ComplaintWindow> window;
 	vtkOutputWindow::SetInstance(window);
+	static NoteBuffer printed;
+	std::cerr.rdbuf(&printed);
 }
 
 void takeWarningsToo()
@@ -80,4 +139,17 @@ void refuseOnComplaint()
 {
 	if (!first_complaint.empty())
 		throw damaged(first_complaint);
+}
+
+bool wasNoted(std::string_view words)
+{
+	return std::any_of(notes.begin(), notes.end(), [&](const std::string& n) { return n.find(words) != n.npos; });
+}
+
+std::vector<std::string> takeNotes()
+{
+	if (more_notes > 0)
+		notes.push_back(fmt::format("the reader warned {} more times", more_notes));
+	more_notes = 0;
+	return std::exchange(notes, {});
 }

@@ -9,22 +9,18 @@
 
 class ManifestWriter;
 
-// One function a family of formats: reads the file and adds what it holds. They throw a Refusal.
+// One function a format: reads the file and adds what it holds. They throw a Refusal. Where another program reads the
+// format, the process becomes that program.
+#define VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, FUNCTION)                                       \
+	void read##FUNCTION(const Request& request, ManifestWriter& manifest);
+#include "read/format_table.inl"
+#undef VP_FORMAT
+
+// VTK XML, by the type that its VTKFile element gives.
 void readXml(const Request& request, const std::string& type, ManifestWriter& manifest);
 void readMultiBlock(const Request& request, const std::string& type, ManifestWriter& manifest);
 void readAmr(const Request& request, const std::string& type, ManifestWriter& manifest);
 void readCollection(const Request& request, ManifestWriter& manifest);
-void readSeries(const Request& request, ManifestWriter& manifest);
-void readLegacy(const Request& request, ManifestWriter& manifest);
-void readMetaImage(const Request& request, ManifestWriter& manifest);
-void readPlot3d(const Request& request, ManifestWriter& manifest);
-void readNrrd(const Request& request, ManifestWriter& manifest);
-void readNifti(const Request& request, ManifestWriter& manifest);
-void readExodus(const Request& request, ManifestWriter& manifest);
-void readHdf(const Request& request, ManifestWriter& manifest);
-void readCgns(const Request& request, ManifestWriter& manifest);
-void readEnSight(const Request& request, ManifestWriter& manifest);
-void readFoam(const Request& request, ManifestWriter& manifest);
 
 // The data set of one VTK XML file that is no index of blocks.
 vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string& type, ManifestWriter& manifest);
@@ -35,5 +31,8 @@ void addXml(const Request& request, const std::string& type, ManifestWriter& man
 // The type its VTKFile element gives; empty where there is none.
 std::string xmlTypeOfFile(const std::string& file);
 
-// Finds out what a file is, by its first bytes where they tell and by its ending where they do not, and reads it.
+// HDF5 files are told apart by what they hold, for which vprobe-read becomes vprobe-read-more.
+void needHdf5(const Request& request);
+
+// Finds out what a file is, where the request does not say it, and reads it.
 void readAnyFormat(const Request& request, ManifestWriter& manifest);

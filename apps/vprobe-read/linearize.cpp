@@ -12,6 +12,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
+#include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
@@ -40,6 +41,19 @@ bool isPrism(std::uint8_t type)
 	return type == VTK_PENTAGONAL_PRISM || type == VTK_HEXAGONAL_PRISM;
 }
 
+// Some writers give these arrays their names, and do not say what they are for.
+void findShapeArrays(vtkUnstructuredGrid* grid)
+{
+	vtkCellData* cells = grid->GetCellData();
+	if (vtkDataArray* degrees = cells->GetArray("HigherOrderDegrees");
+	    degrees && degrees->GetNumberOfComponents() == 3 && !cells->GetHigherOrderDegrees())
+		cells->SetHigherOrderDegrees(degrees);
+	vtkPointData* points = grid->GetPointData();
+	if (vtkDataArray* weights = points->GetArray("RationalWeights");
+	    weights && weights->GetNumberOfComponents() == 1 && !points->GetRationalWeights())
+		points->SetRationalWeights(weights);
+}
+
 bool isRewritten(std::uint8_t type)
 {
 	return isCurved(type) || isPrism(type) || type == VTK_CONVEX_POINT_SET;
@@ -55,7 +69,7 @@ public:
 
 	LinearCells run()
 	{
-		refuseTooMany();
+		lookAtCells();
 		for (vtkIdType c = 0; c < grid_->GetNumberOfCells(); ++c)
 		{
 			const std::uint8_t type = loadCell(c);
@@ -88,16 +102,52 @@ private:
 
 	bool isShown(vtkIdType cell) const { return !ghosts_ || (ghosts_->GetValue(cell) & kHiddenCellBits) == 0; }
 
-	void refuseTooMany()
+	// Counts the parts before any is made, and finds the order of the nodes.
+	void lookAtCells()
 	{
 		double cells = 0.0;
+		bool is_doubtful = false;
+		std::vector<Vec3> nodes;
 		for (vtkIdType c = 0; c < grid_->GetNumberOfCells(); ++c)
-			if (const std::uint8_t type = loadCell(c); isShown(c) && isCurved(type))
-				cells += countParts(source_.enter(c, type, ids_).split, level_);
+		{
+			const std::uint8_t type = loadCell(c);
+			if (!isShown(c) || !isCurved(type))
+				continue;
+			CellKind& kind = source_.enter(c, type, ids_);
+			cells += countParts(kind.split, level_);
+			if (!kind.order.isDoubtful())
+				continue;
+			is_doubtful = true;
+			nodes.clear();
+			for (vtkIdType n = 0; n < ids_->GetNumberOfIds(); ++n)
+				nodes.push_back(nodes_.at(ids_->GetId(n)));
+			kind.order.weigh(nodes);
+		}
 		if (level_ > 0 && cells > kMaxRefinedCells)
 			throw Refusal(
 			    fmt::format("--refine {} makes {:.0f} linear cells of it, more than {:.0f}; give a lower level", level_,
 			                cells, kMaxRefinedCells));
+		if (is_doubtful)
+			putNodesInOrder();
+	}
+
+	// VTK's shape functions take the nodes, and their rational weights, from the grid.
+	void putNodesInOrder()
+	{
+		vtkNew<vtkIdList> ordered;
+		for (vtkIdType c = 0; c < grid_->GetNumberOfCells(); ++c)
+		{
+			const std::uint8_t type = loadCell(c);
+			if (!isShown(c) || !isCurved(type))
+				continue;
+			const NodeOrder& order = source_.enter(c, type, ids_).order;
+			if (!order.isDoubtful() || order.isVtk())
+				continue;
+			ordered->SetNumberOfIds(ids_->GetNumberOfIds());
+			for (vtkIdType n = 0; n < ids_->GetNumberOfIds(); ++n)
+				ordered->SetId(n, ids_->GetId(order.best()[static_cast<std::size_t>(n)]));
+			grid_->GetCells()->ReplaceCellAtId(c, ordered);
+		}
 	}
 
 	void addCurved(std::uint8_t type)
@@ -227,5 +277,6 @@ std::optional<LinearCells> linearize(vtkUnstructuredGrid* grid, int level)
 		any = isRewritten(types->GetValue(c));
 	if (!any)
 		return std::nullopt;
+	findShapeArrays(grid);
 	return Linearizer(grid, level).run();
 }

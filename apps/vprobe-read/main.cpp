@@ -1,6 +1,7 @@
 // Reads one file with VTK and hands its arrays over in shared memory; see read/protocol.h. A reader that crashes, hangs
 // or swallows memory over a damaged file takes only this process with it.
 #include "complaints.h"
+#include "convert.h"
 #include "formats.h"
 #include "manifest_writer.h"
 #include "read/protocol.h"
@@ -72,7 +73,11 @@ Request parseRequest(char** arguments)
 	request.patches = std::string(arguments[5]) == "1";
 	request.threads = static_cast<int>(std::strtol(arguments[6], nullptr, 10));
 	request.arrays = parseWish(arguments[7]);
-	request.file = arguments[8];
+	request.format = arguments[8];
+	request.raw = arguments[9];
+	request.convert_to = arguments[10];
+	request.convert_beside = arguments[11];
+	request.file = arguments[12];
 	request.arguments = arguments;
 	return request;
 }
@@ -95,7 +100,7 @@ void sendManifest(const std::string& text)
 int main(int argc, char** argv)
 {
 	const auto is_open = [](int fd) { return fcntl(fd, F_GETFD) >= 0; };
-	if (argc != 9 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
+	if (argc != 13 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
 	{
 		std::fprintf(stderr, "vprobe-read is started by vprobe to read files; run vprobe info FILE instead\n");
 		return 1;
@@ -105,8 +110,12 @@ int main(int argc, char** argv)
 	{
 		installComplaints();
 		const Request request = parseRequest(argv);
-		ManifestWriter manifest(request.refine, request.arrays);
+		ManifestWriter manifest(request.refine, request.arrays, !request.convert_to.empty());
+		if (request.convert_to.ends_with(".vtkhdf"))
+			needHdf5(request);
 		readAnyFormat(request, manifest);
+		if (!request.convert_to.empty())
+			writeConverted(manifest.kept(), request);
 		sendManifest(manifest.finish());
 	}
 	catch (const Refusal& refusal)

@@ -1,5 +1,7 @@
 #include "manifest_writer.h"
 
+#include "complaints.h"
+#include "is_one_of.h"
 #include "linearize.h"
 #include "patch_polygons.h"
 #include "quick_xml.h"
@@ -166,11 +168,26 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* given)
 	for (json& array : left_out)
 		block["arrays"].push_back(std::move(array));
 	addBlock(name, std::move(block));
+	if (keeps_)
+		keep(name, wanted);
+}
+
+// A reader may use its data set again for the next file.
+void ManifestWriter::keep(const std::string& name, vtkDataSet* data)
+{
+	const auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
+	copy->ShallowCopy(data);
+	kept_.push_back({fullName(name), copy});
+}
+
+std::string ManifestWriter::fullName(const std::string& name) const
+{
+	return prefix_.empty() ? name : name.empty() ? prefix_ : prefix_ + "/" + name;
 }
 
 void ManifestWriter::addBlock(const std::string& name, json block)
 {
-	block["name"] = prefix_.empty() ? name : name.empty() ? prefix_ : prefix_ + "/" + name;
+	block["name"] = fullName(name);
 	blocks_.push_back(std::move(block));
 }
 
@@ -248,7 +265,10 @@ vtkSmartPointer<vtkDataSet> ManifestWriter::withWishedArrays(vtkDataSet* given, 
 				continue;
 			}
 			const std::string name = array->GetName();
-			if (wish_.wants(association, name, !has_shown))
+			const bool shapes_cells = array == fields->GetHigherOrderDegrees() ||
+			                          array == fields->GetRationalWeights() ||
+			                          isOneOf(name, {"HigherOrderDegrees", "RationalWeights"});
+			if (shapes_cells || wish_.wants(association, name, !has_shown))
 				++i;
 			else
 			{
@@ -310,6 +330,8 @@ std::string ManifestWriter::finish()
 			                typeName(counts_.not_sliced.begin()->first)));
 		throw Refusal("nothing to slice: it holds no three-dimensional cells");
 	}
+	for (std::string& note : takeNotes())
+		warnings_.push_back(std::move(note));
 	json manifest = {{"version", vp::read::kProtocolVersion},
 	                 {"times", times_},
 	                 {"left_out", counts_.flat},

@@ -3,6 +3,7 @@
 #include "array_wish.h"
 #include "array_writer.h"
 #include "cell_lists.h"
+#include "convert.h"
 #include "read/protocol.h"
 
 #include <nlohmann/json.hpp>
@@ -22,8 +23,8 @@ nlohmann::json describeLeftOut(const char* association, const std::string& name,
 class ManifestWriter
 {
 public:
-	// `refine`: how many times the linear parts of curved cells are halved.
-	ManifestWriter(int refine, ArrayWish wish) : refine_(refine), wish_(std::move(wish)) {}
+	// `refine`: how many times the linear parts of curved cells are halved. `keeps`: whether kept() is wanted.
+	ManifestWriter(int refine, ArrayWish wish, bool keeps) : refine_(refine), wish_(std::move(wish)), keeps_(keeps) {}
 
 	// Reads a file without VTK and adds its block. False, and nothing added, where it is left to VTK. Offers the
 	// file's times too.
@@ -40,6 +41,9 @@ public:
 	void setLengthUnits(std::string units) { length_units_ = std::move(units); }
 	void warn(std::string line) { warnings_.push_back(std::move(line)); }
 
+	// The data sets that became blocks.
+	const std::vector<KeptBlock>& kept() const { return kept_; }
+
 	// The manifest. Throws a Refusal if there is nothing to slice.
 	std::string finish();
 
@@ -48,10 +52,15 @@ private:
 	bool describeLattice(vtkDataSet* data, nlohmann::json& block);
 	nlohmann::json describeArrays(vtkDataSet* points, vtkDataSet* cells);
 	vtkSmartPointer<vtkDataSet> withWishedArrays(vtkDataSet* given, nlohmann::json& left_out) const;
+	std::string fullName(const std::string& name) const;
 	void addBlock(const std::string& name, nlohmann::json block);
+
+	void keep(const std::string& name, vtkDataSet* data);
 
 	int refine_;
 	ArrayWish wish_;
+	bool keeps_;
+	std::vector<KeptBlock> kept_;
 	ArrayWriter writer_{vp::read::kArraysFd};
 	ArrayWriter cell_writer_{vp::read::kCellsFd};
 	nlohmann::json blocks_ = nlohmann::json::array();

@@ -1,7 +1,13 @@
 #include "netcdf_size.h"
 
+#include "refusal.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 namespace
@@ -26,10 +32,10 @@ public:
 		std::vector<std::uint64_t> dimensions;
 		for (std::uint64_t left = list(); left > 0 && in_; --left)
 		{
-			name();
+			names_.insert(name());
 			dimensions.push_back(count()); // 0: the record dimension
 		}
-		attributes();
+		attributes(true);
 
 		std::uint64_t end = 0;
 		std::vector<Variable> of_records;
@@ -53,7 +59,11 @@ public:
 		return end;
 	}
 
+	const std::set<std::string>& names() const { return names_; }
+
 private:
+	static constexpr std::uint64_t kMaxNameLength = 256;
+
 	struct Variable
 	{
 		std::uint64_t begin = 0;
@@ -74,7 +84,14 @@ private:
 	{
 		in_.ignore(static_cast<std::streamsize>(std::min<std::uint64_t>(bytes, 1u << 30)));
 	}
-	void name() { skip((count() + 3) / 4 * 4); }
+	std::string name()
+	{
+		const std::uint64_t length = count();
+		std::string text(std::min(length, kMaxNameLength), '\0');
+		in_.read(text.data(), static_cast<std::streamsize>(text.size()));
+		skip((length + 3) / 4 * 4 - text.size());
+		return text;
+	}
 	std::uint64_t list() // a tag, and how many entries follow
 	{
 		number(4);
@@ -85,11 +102,12 @@ private:
 		constexpr std::uint64_t sizes[] = {0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8}; // byte char short int float double ...
 		return type < std::size(sizes) ? sizes[type] : 0;
 	}
-	void attributes()
+	void attributes(bool global)
 	{
 		for (std::uint64_t left = list(); left > 0 && in_; --left)
 		{
-			name();
+			if (std::string text = name(); global)
+				names_.insert(std::move(text));
 			const std::uint64_t type = number(4);
 			skip((count() * typeSize(type) + 3) / 4 * 4);
 		}
@@ -97,7 +115,7 @@ private:
 	Variable readVariable(const std::vector<std::uint64_t>& dimensions)
 	{
 		Variable variable;
-		name();
+		names_.insert(name());
 		std::uint64_t values = 1;
 		const std::uint64_t rank = count();
 		for (std::uint64_t i = 0; i < rank && in_; ++i)
@@ -109,7 +127,7 @@ private:
 			else
 				values *= length;
 		}
-		attributes();
+		attributes(false);
 		variable.bytes = values * typeSize(number(4));
 		count(); // vsize, which overflows for large variables and is not to be relied on
 		variable.begin = number(version_ == 1 ? 4 : 8);
@@ -118,6 +136,7 @@ private:
 
 	std::ifstream in_;
 	int version_ = 0;
+	std::set<std::string> names_;
 };
 
 } // namespace
@@ -125,4 +144,25 @@ private:
 std::optional<std::uint64_t> netcdfSize(const std::string& file)
 {
 	return Header(file).size();
+}
+
+void refuseShortNetcdf(const std::string& file)
+{
+	char magic[3] = {};
+	std::ifstream(file, std::ios::binary).read(magic, 3);
+	if (std::string_view(magic, 3) != "CDF")
+		return;
+	const auto wanted = netcdfSize(file);
+	const auto bytes = std::filesystem::file_size(file);
+	if (!wanted)
+		throw damaged("its header cannot be followed");
+	if (bytes < *wanted)
+		throw damaged(fmt::format("{} bytes where its header asks for {}", bytes, *wanted));
+}
+
+std::set<std::string> netcdfNames(const std::string& file)
+{
+	Header header(file);
+	header.size();
+	return header.names();
 }

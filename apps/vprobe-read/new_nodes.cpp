@@ -16,14 +16,14 @@ using vp::Vec3;
 namespace
 {
 
-// The finite values of each component, {0, 0} where there is none.
-std::vector<std::pair<double, double>> rangesOf(vtkDataArray* array)
+// Of each component.
+NewNodes::Ranges rangesOf(vtkDataArray* array)
 {
-	std::vector<std::pair<double, double>> ranges;
+	NewNodes::Ranges ranges;
 	for (int c = 0; c < array->GetNumberOfComponents(); ++c)
 	{
 		double range[2];
-		array->GetFiniteRange(range, c);
+		array->GetRange(range, c);
 		ranges.push_back(range[0] <= range[1] ? std::pair{range[0], range[1]} : std::pair{0.0, 0.0});
 	}
 	return ranges;
@@ -33,10 +33,10 @@ std::vector<std::pair<double, double>> rangesOf(vtkDataArray* array)
 
 double NewNodes::Values::kept(double value, int component) const
 {
-	if (!std::isfinite(value))
-		return whole ? 0.0 : value;
+	if (!whole)
+		return value;
 	const auto [lo, hi] = range[static_cast<std::size_t>(component)];
-	return std::clamp(whole ? std::round(value) : value, lo, hi);
+	return std::isfinite(value) ? std::clamp(std::round(value), lo, hi) : 0.0;
 }
 
 NewNodes::NewNodes(vtkUnstructuredGrid* grid)
@@ -57,7 +57,7 @@ NewNodes::NewNodes(vtkUnstructuredGrid* grid)
 		grown->DeepCopy(array);
 		data_->AddArray(grown);
 		const bool whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
-		arrays_.push_back({array, grown, whole, rangesOf(array)});
+		arrays_.push_back({array, grown, whole, whole ? rangesOf(array) : Ranges()});
 		width_ += static_cast<std::size_t>(array->GetNumberOfComponents());
 	}
 	sum_.resize(width_);

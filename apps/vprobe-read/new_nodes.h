@@ -18,12 +18,14 @@ class vtkPoints;
 class vtkUnstructuredGrid;
 
 // The points of a grid and those added to it, with their arrays. A point in the middle of an edge or a face is known by
-// the points about it, so that cells on both sides share it. New values are weighted sums in double, kept within the
-// range of their array's component, which a polynomial through the nodes may leave; floating-point arrays keep their
-// type, and integers are rounded to the nearest.
+// the points about it, so that cells on both sides share it. New values are weighted sums in double, and so polynomials
+// of the cell's degree come out exact. Arrays keep their type: integers are rounded to the nearest, within the range of
+// their component.
 class NewNodes
 {
 public:
+	using Ranges = std::vector<std::pair<double, double>>; // per component
+
 	explicit NewNodes(vtkUnstructuredGrid* grid);
 
 	// The cell of the file whose nodes the next ones are interpolated from.
@@ -61,8 +63,8 @@ private:
 	{
 		vtkDataArray* given;
 		vtkDataArray* grown;
-		bool whole;                                   // integers
-		std::vector<std::pair<double, double>> range; // per component
+		bool whole;   // integers
+		Ranges range; // of integers
 
 		double kept(double value, int component) const;
 	};

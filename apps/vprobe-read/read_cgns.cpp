@@ -1,3 +1,4 @@
+#include "complaints.h"
 #include "formats.h"
 #include "manifest_writer.h"
 #include "refusal.h"
@@ -67,5 +68,13 @@ void readCgns(const Request& request, ManifestWriter& manifest)
 	reader->SetLoadBndPatch(false);
 	reader->SetDoublePrecisionMesh(1);
 	updateAtTime(*reader, request, manifest);
+	if (wasNoted("refer to invalid solution nodes"))
+	{
+		// The reader would show the first solution at each time.
+		reader->SetUseUnsteadyPattern(true);
+		updateAtTime(*reader, request, manifest);
+		manifest.warn("solutions belong to times by the number at the end of their names; where none fits, the first "
+		              "one is shown");
+	}
 	manifest.add(reader->GetOutputDataObject(0));
 }

@@ -9,33 +9,11 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 
-#include <fmt/format.h>
-
-#include <filesystem>
-#include <fstream>
-
-namespace
-{
-
-void refuseShortFile(const std::string& file)
-{
-	char magic[3] = {};
-	std::ifstream(file, std::ios::binary).read(magic, 3);
-	if (std::string_view(magic, 3) != "CDF")
-		return; // HDF5 checks its own end
-	const auto wanted = netcdfSize(file);
-	const auto bytes = std::filesystem::file_size(file);
-	if (!wanted)
-		throw damaged("its header cannot be followed");
-	if (bytes < *wanted)
-		throw damaged(fmt::format("{} bytes where its header asks for {}", bytes, *wanted));
-}
-
-} // namespace
+#include <string_view>
 
 void readExodus(const Request& request, ManifestWriter& manifest)
 {
-	refuseShortFile(request.file);
+	refuseShortNetcdf(request.file);
 	vtkNew<vtkExodusIIReader> reader;
 	if (!reader->CanReadFile(request.file.c_str()))
 		throw Refusal("not an Exodus II file, though its first bytes are netCDF's or HDF5's");

@@ -54,6 +54,7 @@ std::string beside(const std::string& index, const std::string& file)
 Request pieceOf(const Request& request, const std::string& file)
 {
 	Request piece = request;
+	piece.format.clear();
 	piece.file = beside(request.file, file);
 	if (!fs::is_regular_file(piece.file))
 		throw Refusal(fmt::format("its piece {} cannot be opened; keep them together", piece.file));
@@ -94,6 +95,7 @@ void readStep(const Request& request, const std::string& file, ManifestWriter& m
 	Request step = request;
 	step.file = beside(request.file, file);
 	step.time = Request::Time::last;
+	step.format.clear();
 	const std::string ending = fs::path(step.file).extension().string();
 	if (ending == ".pvd" || ending == ".series")
 		throw damaged("it names a file that is a list of files itself");

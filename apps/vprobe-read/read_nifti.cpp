@@ -12,8 +12,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,13 +73,8 @@ void readNifti(const Request& request, ManifestWriter& manifest)
 	for (int i = 0; steps > 1 && i < steps; ++i)
 		times.push_back(i * (std::isfinite(step) && step > 0.0 ? step : 1.0));
 	int chosen = 0;
-	if (!times.empty())
-	{
-		const double time = chooseTime(times, request);
-		chosen = static_cast<int>(std::find(times.begin(), times.end(), time) - times.begin());
-	}
-	else if (request.time == Request::Time::index && request.time_index > 0)
-		throw Refusal(fmt::format("--time #{}: it has no times", request.time_index));
+	if (const std::optional<double> time = chooseIfAny(times, request))
+		chosen = static_cast<int>(std::find(times.begin(), times.end(), *time) - times.begin());
 	const auto values =
 	    valuesAt(all, chosen * components, components, reader->GetRescaleSlope(), reader->GetRescaleIntercept());
 	image->GetPointData()->Initialize();

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <utility>
 
 #include <teem/nrrd.h>
 
@@ -166,7 +167,9 @@ void readNrrd(const Request& request, ManifestWriter& manifest)
 	const std::size_t samples = nrrdElementNumber(nrrd.get());
 	const auto values = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtkTypeOf(nrrd->type)));
 	values->SetNumberOfComponents(static_cast<int>(samples / static_cast<std::size_t>(image->GetNumberOfPoints())));
-	values->SetVoidArray(nrrd->data, static_cast<vtkIdType>(samples), 1);
+	// From now on they belong to the array, which may be kept for longer. teem has them from malloc().
+	values->SetVoidArray(std::exchange(nrrd->data, nullptr), static_cast<vtkIdType>(samples), 0,
+	                     vtkAbstractArray::VTK_DATA_ARRAY_FREE);
 	values->SetName(nrrd->content && *nrrd->content ? nrrd->content : "NRRD");
 	image->GetPointData()->SetScalars(values);
 	manifest.setLengthUnits(lengthUnitsOfAxes(*nrrd, axes));

@@ -102,7 +102,7 @@ void addXml(const Request& request, const std::string& type, ManifestWriter& man
 	const bool is_quick = !std::getenv("VPROBE_READ_WITH_VTK") &&
 	                      isOneOf(type, {"ImageData", "RectilinearGrid", "StructuredGrid", "UnstructuredGrid"}) &&
 	                      !(request.time == Request::Time::index && request.time_index > 0);
-	if (is_quick)
+	if (is_quick && request.convert_to.empty())
 	{
 		refuseShortXml(request.file);
 		if (manifest.addQuickly(request.file, request.threads))

@@ -9,6 +9,8 @@
 struct Request
 {
 	std::string file;
+	std::string format;   // its name in format_table.inl; empty where the file tells
+	std::string raw;      // how the values of a raw volume are laid out, see read/raw_layout.h; may be empty
 	std::string solution; // PLOT3D q file; may be empty
 	enum class Time
 	{
@@ -23,6 +25,8 @@ struct Request
 	bool patches = false;       // whether the parts of the boundary that the file names are wanted
 	int refine = 0;             // how many times the linear parts of curved cells are halved
 	int threads = 1;            // the most to use
+	std::string convert_to;     // the file that is to be written; mostly empty
+	std::string convert_beside; // where its bytes go until it is whole
 	ArrayWish arrays;           // those to hand over
 	char** arguments = nullptr; // as the process was started with them
 };

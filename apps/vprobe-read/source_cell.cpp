@@ -1,6 +1,7 @@
 #include "source_cell.h"
 
 #include "refusal.h"
+#include "shape_functions.h"
 
 #include <vtkCell.h>
 #include <vtkCellData.h>
@@ -8,10 +9,12 @@
 #include <vtkDataArray.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
+#include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 using vp::Vec3;
@@ -102,7 +105,11 @@ CellSplit splitOf(std::uint8_t type, const std::array<int, 3>& degrees, std::spa
 		return splitHexahedron(degrees, at);
 	if (isTetrahedron(type))
 		return at.size() == 15 ? splitTetrahedron15() : splitTetrahedron(degrees[0], at);
-	return at.size() == 21 ? splitWedge21() : splitWedge(degrees[0], degrees[2], at);
+	CellSplit split = at.size() == 21 ? splitWedge21() : splitWedge(degrees[0], degrees[2], at);
+	// The first triangle of these cells faces the second. In VTK's linear wedges it faces outward.
+	for (CellSplit::Part& part : split.parts)
+		std::rotate(part.nodes.begin(), part.nodes.begin() + 3, part.nodes.begin() + 6);
+	return split;
 }
 
 } // namespace
@@ -120,8 +127,9 @@ std::array<int, 3> SourceCells::degreesOf(vtkIdType cell, std::uint8_t type, vtk
 {
 	std::array<int, 3> degrees = {0, 0, 0};
 	vtkDataArray* given = grid_->GetCellData()->GetHigherOrderDegrees();
-	// Points in the middle of faces take part in neither degree.
-	const bool with_middles = isTetrahedron(type) ? points == 15 : !isHexahedron(type) && points == 21;
+	// Lagrange cells with points in the middle of faces, which take part in neither degree.
+	const bool with_middles =
+	    type == VTK_LAGRANGE_TETRAHEDRON ? points == 15 : type == VTK_LAGRANGE_WEDGE && points == 21;
 	if (with_middles)
 		return {2, 2, 2};
 	if (given && !isTetrahedron(type))
@@ -159,10 +167,11 @@ vtkCell* SourceCells::prototype(std::uint8_t type)
 	return made;
 }
 
-const CellKind& SourceCells::enter(vtkIdType cell, std::uint8_t type, vtkIdList* points)
+CellKind& SourceCells::enter(vtkIdType cell, std::uint8_t type, vtkIdList* points)
 {
 	entered_ = cell;
 	type_ = type;
+	points_ = points;
 	shape_ = nullptr;
 	const vtkIdType fixed = fixedPoints(type);
 	if (fixed > 0 && points->GetNumberOfIds() < fixed)
@@ -176,6 +185,7 @@ const CellKind& SourceCells::enter(vtkIdType cell, std::uint8_t type, vtkIdList*
 
 	const auto [known, is_new] = kinds_.try_emplace(key);
 	CellKind& kind = known->second;
+	kind_ = &kind;
 	if (!is_new)
 		return kind;
 	vtkCell* shape = fixed > 0 ? prototype(type) : grid_->GetCell(cell);
@@ -188,18 +198,40 @@ const CellKind& SourceCells::enter(vtkIdType cell, std::uint8_t type, vtkIdList*
 		else
 			kind.at.emplace_back(coordinates[0], coordinates[1], up);
 	}
+	kind.degrees = key.degrees;
 	kind.split = splitOf(type, key.degrees, kind.at);
 	kind.handles = type >= VTK_BEZIER_TETRAHEDRON && type <= VTK_BEZIER_WEDGE;
+	kind.order = NodeOrder(type, key.degrees, kind.at);
 	return kind;
+}
+
+void SourceCells::makeRational(vtkDataArray* rational)
+{
+	double sum = 0.0;
+	for (std::size_t node = 0; node < weights_.size(); ++node)
+		sum += weights_[node] *= rational->GetComponent(points_->GetId(static_cast<vtkIdType>(node)), 0);
+	for (double& weight : weights_)
+		weight /= sum;
 }
 
 std::span<const double> SourceCells::weights(const Vec3& at)
 {
+	if (kind_->handles)
+	{
+		const int simplex = isTetrahedron(type_) ? 3 : isHexahedron(type_) ? 0 : 2;
+		weighBezier(simplex, kind_->degrees, kind_->at, at, weights_);
+		if (vtkDataArray* rational = grid_->GetPointData()->GetRationalWeights())
+			makeRational(rational);
+		return weights_;
+	}
+	if (type_ == VTK_QUADRATIC_PYRAMID)
+	{
+		weighQuadraticPyramid(at, weights_);
+		return weights_;
+	}
 	if (!shape_)
 		shape_ = hasDegrees(type_) ? grid_->GetCell(entered_) : prototype(type_);
 	Vec3 place = at;
-	if (type_ == VTK_QUADRATIC_PYRAMID && at.z < 1.0)
-		place = Vec3((at.x - 0.5 * at.z) / (1.0 - at.z), (at.y - 0.5 * at.z) / (1.0 - at.z), at.z);
 	shape_->InterpolateFunctions(&place.x, weights_.data());
 	return weights_;
 }

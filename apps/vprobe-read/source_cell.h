@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cell_split.h"
+#include "node_order.h"
 
 #include <vtkSmartPointer.h>
 
@@ -10,6 +11,7 @@
 #include <vector>
 
 class vtkCell;
+class vtkDataArray;
 class vtkIdList;
 class vtkUnstructuredGrid;
 
@@ -21,8 +23,10 @@ bool isCurved(std::uint8_t type);
 struct CellKind
 {
 	CellSplit split;
+	std::array<int, 3> degrees;
 	std::vector<vp::Vec3> at;
 	bool handles = false; // its points are not places (Bézier)
+	NodeOrder order;      // of the file, while the cells are looked at
 };
 
 // Takes the curved cells of a grid one after the other.
@@ -32,8 +36,9 @@ public:
 	explicit SourceCells(vtkUnstructuredGrid* grid);
 	~SourceCells();
 
-	// Throws a Refusal where a cell's points or degrees do not fit its type.
-	const CellKind& enter(vtkIdType cell, std::uint8_t type, vtkIdList* points);
+	// `points` must live as long as the cell is looked at. Throws a Refusal where they, or the degrees, do not fit its
+	// type.
+	CellKind& enter(vtkIdType cell, std::uint8_t type, vtkIdList* points);
 
 	// The shape functions of the cell entered last.
 	std::span<const double> weights(const vp::Vec3& at);
@@ -49,12 +54,15 @@ private:
 
 	std::array<int, 3> degreesOf(vtkIdType cell, std::uint8_t type, vtkIdType points) const;
 	vtkCell* prototype(std::uint8_t type);
+	void makeRational(vtkDataArray* rational);
 
 	vtkUnstructuredGrid* grid_;
 	std::map<KindKey, CellKind> kinds_;
 	std::map<std::uint8_t, vtkSmartPointer<vtkCell>> prototypes_;
 	vtkIdType entered_ = -1;
 	std::uint8_t type_ = 0;
+	const CellKind* kind_ = nullptr;
+	vtkIdList* points_ = nullptr;
 	vtkCell* shape_ = nullptr; // of the cell entered; null until it is needed
 	std::vector<double> weights_;
 };

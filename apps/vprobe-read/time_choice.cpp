@@ -57,6 +57,15 @@ double chooseTime(const std::vector<double>& times, const Request& request)
 	}
 }
 
+std::optional<double> chooseIfAny(const std::vector<double>& times, const Request& request)
+{
+	if (!times.empty())
+		return chooseTime(times, request);
+	if (request.time == Request::Time::index && request.time_index > 0)
+		throw Refusal(fmt::format("--time #{}: it has no times", request.time_index));
+	return std::nullopt;
+}
+
 std::optional<double> updateAtTime(vtkAlgorithm& reader, const Request& request, ManifestWriter& manifest)
 {
 	reader.UpdateInformation();
@@ -71,11 +80,9 @@ std::optional<double> updateAtTime(vtkAlgorithm& reader, const Request& request,
 	if (times.size() == 1 && times[0] == 0.0 && reader.IsA("vtkSimpleReader"))
 		times.clear(); // the legacy readers make up a time 0
 
-	std::optional<double> chosen;
-	if (!times.empty())
-		reader.UpdateTimeStep(chosen.emplace(chooseTime(times, request)));
-	else if (request.time == Request::Time::index && request.time_index > 0)
-		throw Refusal(fmt::format("--time #{}: it has no times", request.time_index));
+	const std::optional<double> chosen = chooseIfAny(times, request);
+	if (chosen)
+		reader.UpdateTimeStep(*chosen);
 	else
 		reader.Update();
 	refuseOnComplaint();

@@ -14,7 +14,13 @@
 #include <cstdio>
 #include <new>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace
 {
@@ -31,6 +37,17 @@ void endInterrupted(int)
 		return;
 	vp::write::removeUnfinishedFiles();
 	_exit(exitStatus(vp::app::ExitCode::interrupted));
+}
+
+// A mesh is freed and made again for every cut, and a software device does the same with some megabytes for every draw.
+// The C library gives such memory back to the system, or keeps it, as its thresholds happen to stand. If it goes back,
+// each page is cleared and mapped again, which can take longer than the cut, and ten times as long as the draw.
+void keepFreedMemory()
+{
+#ifdef __GLIBC__
+	mallopt(M_MMAP_THRESHOLD, 32 << 20); // the largest that is allowed
+	mallopt(M_TRIM_THRESHOLD, 256 << 20);
+#endif
 }
 
 // CLI11's reasons, as one line that names the remedy.
@@ -58,6 +75,7 @@ int main(int argc, char** argv)
 	    "vprobe info demo: lists the built-in data sets. Try: vprobe render demo:shell --normal 0.3 0.5 0.8 -o "
 	    "shell.png");
 
+	keepFreedMemory();
 	vp::nameThreadRow("main");
 	const vp::MessageListener messages([](vp::Severity, std::string_view line) { vp::app::printLine(line); });
 	const vp::app::ProgressLine progress;

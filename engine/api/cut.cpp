@@ -54,7 +54,8 @@ const vp::write::SliceTable& tabulated(const Mesh::State& mesh)
 	std::call_once(mesh.once,
 	               [&]
 	               {
-		               mesh.table = vp::write::tabulate(*mesh.cut->blocks, {mesh.mesh, 1});
+		               const std::shared_lock lock(mesh.cut->blocks->mutex);
+		               mesh.table = vp::write::tabulate(*mesh.cut->blocks->blocks, {mesh.mesh, 1});
 		               addArrays(mesh.table.vertex_columns, Association::point, mesh.table.vertices(), mesh.arrays);
 		               addArrays(mesh.table.polygon_columns, Association::cell, mesh.table.polygons(), mesh.arrays);
 	               });
@@ -128,10 +129,28 @@ Mesh Cut::mesh(std::size_t sheet) const
 	return Mesh(std::move(mesh));
 }
 
+namespace
+{
+
+const vp::measure::SheetMeasure& measured(const Cut::State& cut, std::size_t sheet)
+{
+	const std::lock_guard lock(cut.measuring);
+	std::optional<vp::measure::SheetMeasure>& figures = cut.figures[sheet];
+	if (!figures)
+	{
+		const std::shared_lock reading(cut.blocks->mutex);
+		figures = vp::measure::measure(*cut.blocks->blocks, cut.frame.sheets[sheet].mesh,
+		                               cut.frame.slice.sheets[sheet].field);
+	}
+	return *figures;
+}
+
+} // namespace
+
 Figures Cut::figures(std::size_t sheet) const
 {
 	const vp::session::SheetStats& stats = state_->frame.sheets[sheet];
-	const vp::measure::SheetMeasure& measure = stats.measure;
+	const vp::measure::SheetMeasure& measure = measured(*state_, sheet);
 	Figures figures{measure.area, measure.boundary_area, measure.nan_area,
 	                measure.mean, measure.min,           measure.max,
 	                stats.flux,   measure.components,    0};
@@ -207,20 +226,45 @@ Status Cut::save(const std::string& file) const
 	    {
 		    if (!state_->blocks)
 			    return Error{ErrorKind::usage, file + ": there is no cut to save; make one first"};
-		    return publicStatus(vp::write::writeSlice(*state_->blocks,
+		    const std::shared_lock lock(state_->blocks->mutex);
+		    return publicStatus(vp::write::writeSlice(*state_->blocks->blocks,
 		                                              vp::session::exportedMeshes(state_->frame.sheets), file,
 		                                              vp::session::contourPieces(state_->frame.contours)));
 	    });
 }
+
+namespace
+{
+
+Result<vp::render::Picture> pictureOf(const Image& image, const std::string& name)
+{
+	if (image.rgba.size() != std::size_t(4) * image.width * image.height || image.rgba.empty())
+		return Error{ErrorKind::usage, name + ": the picture is empty; draw one first"};
+	return vp::render::Picture{image.width, image.height, image.rgba};
+}
+
+} // namespace
 
 Status Image::save(const std::string& file) const
 {
 	return guarded(
 	    [&]() -> Status
 	    {
-		    if (rgba.size() != std::size_t(4) * width * height || rgba.empty())
-			    return Error{ErrorKind::usage, file + ": the picture is empty; draw one first"};
-		    return publicStatus(vp::write::writePng({width, height, rgba}, file));
+		    const Result<vp::render::Picture> picture = pictureOf(*this, file);
+		    return picture ? publicStatus(vp::write::writePng(*picture, file)) : picture.error();
+	    });
+}
+
+Result<std::string> Image::png() const
+{
+	return guarded(
+	    [&]() -> Result<std::string>
+	    {
+		    const Result<vp::render::Picture> picture = pictureOf(*this, "png");
+		    if (!picture)
+			    return picture.error();
+		    vp::Result<std::string> bytes = vp::write::pngBytes(*picture);
+		    return bytes ? Result<std::string>(std::move(*bytes)) : publicError(bytes.error());
 	    });
 }
 

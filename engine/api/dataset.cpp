@@ -2,8 +2,9 @@
 #include "api/states.h"
 #include "grid/memory.h"
 #include "locate/place.h"
-#include "probe/path.h"
+#include "probe/probe_file.h"
 #include "read/check_mesh.h"
+#include "session/time_steps.h"
 #include "view/validate.h"
 #include "view/words.h"
 #include "write/place_values.h"
@@ -34,11 +35,6 @@ vp::view::MachineSpec machineOf(Classify classify, const std::string& device)
 	return machine;
 }
 
-Error cancelled()
-{
-	return {ErrorKind::cancelled, "the caller asked to stop"};
-}
-
 } // namespace
 
 Result<std::shared_ptr<DatasetState>> DatasetState::of(vp::Result<std::unique_ptr<vp::session::Session>> opened)
@@ -50,16 +46,57 @@ Result<std::shared_ptr<DatasetState>> DatasetState::of(vp::Result<std::unique_pt
 	return state;
 }
 
-std::shared_ptr<const vp::grid::BlockSet> DatasetState::blocks()
+std::shared_ptr<CutBlocks> DatasetState::blocksOfCut()
 {
 	// When neighbors are known, cells keep their numbers. Before that a copy is cheap, and nothing changes it.
-	if (vp::grid::hasNeighbors(session->blocks))
-		return {shared_from_this(), &session->blocks};
-	return std::make_shared<const vp::grid::BlockSet>(session->blocks);
+	if (!vp::grid::hasNeighbors(session->blocks))
+		return std::make_shared<CutBlocks>(std::make_shared<const vp::grid::BlockSet>(session->blocks));
+	std::shared_ptr<CutBlocks> shared = blocks_of_cuts.lock();
+	if (!shared)
+	{
+		shared = std::make_shared<CutBlocks>(
+		    std::shared_ptr<const vp::grid::BlockSet>(shared_from_this(), &session->blocks));
+		blocks_of_cuts = shared;
+	}
+	return shared;
 }
 
-vp::Status DatasetState::take(const View& view)
+void DatasetState::keepBlocksOfCuts()
 {
+	if (const std::shared_ptr<CutBlocks> shared = blocks_of_cuts.lock())
+	{
+		const std::lock_guard lock(shared->mutex); // nobody reads them now
+		shared->blocks = std::make_shared<const vp::grid::BlockSet>(session->blocks);
+	}
+	blocks_of_cuts.reset();
+	++linking; // such a cut cannot be drawn on the blocks to come
+}
+
+vp::Status DatasetState::moveTo(const vp::read::TimeChoice& time)
+{
+	keepBlocksOfCuts();
+	const vp::Result<bool> moved = vp::session::moveToTime(*session, time, painter ? &*painter : nullptr);
+	if (!moved)
+		return moved.error();
+	forgetValues();
+	return vp::Nothing{};
+}
+
+vp::Status DatasetState::returnToItsTime()
+{
+	if (!moved_to)
+		return vp::Nothing{};
+	if (vp::Status moved = moveTo(session->spec.input.time); !moved)
+		return moved;
+	moved_to.reset();
+	return vp::Nothing{};
+}
+
+vp::Status DatasetState::take(const View& view, bool sweeps)
+{
+	if (!sweeps || !view.state_->spec.sweep.over_times)
+		if (vp::Status returned = returnToItsTime(); !returned)
+			return returned;
 	vp::view::ViewSpec spec = view.state_->spec;
 	spec.input = session->spec.input;
 	spec.machine.classify = session->spec.machine.classify;
@@ -96,20 +133,55 @@ vp::Status DatasetState::link()
 	return painter ? painter->takeBlocks() : vp::Nothing{};
 }
 
+namespace
+{
+
+// As session::cutFrame(), but for the figures: a sheet that is shown or exported needs none. wants_figures: it does.
+vp::Result<vp::session::CutFrame> cutFrame(const vp::session::Session& session, const std::stop_token& stop,
+                                           bool wants_figures)
+{
+	vp::Result<vp::cut::Cut> slice = vp::session::cut(session, nullptr, stop);
+	if (!slice)
+		return slice.error();
+	if (vp::Status told = vp::session::reportWarnings(session, *slice); !told)
+		return told.error();
+	auto sheets = vp::session::statsSince(session, *slice, nullptr, wants_figures);
+	if (!sheets)
+		return sheets.error();
+	if (stop.stop_requested())
+		return vp::Error{vp::ErrorKind::cancelled, "cutting was cancelled"};
+	auto contours =
+	    vp::session::growContours(session, *slice, *sheets, session.spec.look.contour, vp::session::Tell::all);
+	if (!contours)
+		return contours.error();
+	return vp::session::CutFrame{std::move(*slice), std::move(*sheets), std::move(*contours)};
+}
+
+} // namespace
+
 vp::Result<Cut> DatasetState::cut(std::stop_token stop)
 {
 	if (vp::Status linked = link(); !linked)
 		return linked.error();
-	vp::Result<vp::session::CutFrame> frame = vp::session::cutFrame(*session, std::move(stop));
+	const bool wants_figures = session->spec.probe.vectors.on(); // the flux depends on settings
+	vp::Result<vp::session::CutFrame> frame = cutFrame(*session, stop, wants_figures);
 	session->timeline->takeSections();
 	if (!frame)
 		return frame.error();
 	++cuts;
 	auto state = std::make_shared<Cut::State>();
 	state->device = session->device;
-	state->blocks = blocks();
+	state->blocks = blocksOfCut();
 	state->frame = std::move(*frame);
+	state->figures.resize(state->frame.sheets.size());
+	if (wants_figures)
+		for (std::size_t s = 0; s < state->figures.size(); ++s)
+			state->figures[s] = state->frame.sheets[s].measure;
+	state->made_by = this;
 	state->linking = linking;
+	state->probe = session->spec.probe;
+	state->contour = session->spec.look.contour;
+	state->color_by = session->spec.look.color_by;
 	return Cut(std::move(state));
 }
 
@@ -124,6 +196,13 @@ vp::Status DatasetState::takeDevice(std::shared_ptr<vp::gpu::Device> callers)
 	session->device = std::move(callers);
 	++linking; // cuts may have their polygons on the device before
 	return vp::session::makeCutter(*session);
+}
+
+bool DatasetState::fits(const Cut& cut) const
+{
+	const Cut::State& state = *cut.state_;
+	return state.made_by == this && state.linking == linking && state.probe == session->spec.probe &&
+	       state.contour == session->spec.look.contour && state.color_by == session->spec.look.color_by;
 }
 
 vp::Result<Cut> DatasetState::readyToDraw(const Cut& cut)
@@ -145,7 +224,7 @@ vp::Result<Cut> DatasetState::readyToDraw(const Cut& cut)
 			return made.error();
 		painter.emplace(std::move(*made));
 	}
-	return cut.state_->linking == linking ? vp::Result<Cut>(cut) : this->cut({});
+	return fits(cut) ? vp::Result<Cut>(cut) : this->cut({});
 }
 
 vp::Error DatasetState::afterFailure(const vp::Error& error)
@@ -186,6 +265,7 @@ Result<Dataset> Dataset::open(const std::vector<std::string>& files, const OpenO
 		    spec.input.solution = options.solution;
 		    spec.input.refine = options.refine;
 		    spec.input.displace = options.displace;
+		    spec.input.format = options.format;
 		    spec.machine = machineOf(options.classify, options.device);
 		    Result<std::shared_ptr<DatasetState>> state =
 		        DatasetState::of(vp::session::openSession(std::move(spec), {.may_scan = true, .stop = options.stop}));
@@ -271,6 +351,12 @@ std::vector<ArrayInfo> Dataset::arrays() const
 	return arrays;
 }
 
+HeldBlock Dataset::block(std::size_t index) const
+{
+	const std::lock_guard lock(state_->mutex);
+	return heldBlock(state_->session->blocks.blocks[index]);
+}
+
 MemoryUse Dataset::memory() const
 {
 	const std::lock_guard lock(state_->mutex);
@@ -283,14 +369,42 @@ MemoryUse Dataset::memory() const
 	return {grid.geometry, grid.arrays, grid.built(), cutter.marks, cutter.device, copied};
 }
 
+void DatasetState::forgetValues()
+{
+	session->cutter->forgetValues();
+	session->finite_fields = std::make_unique<vp::measure::FiniteFields>();
+	session->launch.fastest.reset();
+	if (painter)
+		painter->forgetScales();
+}
+
 void Dataset::modified()
 {
 	const std::lock_guard lock(state_->mutex);
-	state_->session->cutter->forgetValues();
-	state_->session->finite_fields = std::make_unique<vp::measure::FiniteFields>();
-	state_->session->launch.fastest.reset();
-	if (state_->painter)
-		state_->painter->forgetScales();
+	state_->forgetValues();
+}
+
+Status Dataset::setFields(std::vector<std::vector<Field>> fields)
+{
+	return guarded(
+	    [&]() -> Status
+	    {
+		    const std::lock_guard lock(state_->mutex);
+		    vp::session::Session& session = *state_->session;
+		    vp::Result<std::vector<std::vector<vp::grid::Field>>> checked = checkedFields(session.blocks, fields);
+		    if (!checked)
+			    return publicError(checked.error());
+		    state_->keepBlocksOfCuts();
+		    for (std::size_t b = 0; b < checked->size(); ++b)
+			    vp::grid::replaceFields(session.blocks.blocks[b], std::move((*checked)[b]));
+		    // What was resolved may name fields that are gone.
+		    if (vp::Status resolved =
+		            vp::session::resolveAgain(session, {.input = session.spec.input, .machine = session.spec.machine});
+		        !resolved)
+			    return publicError(resolved.error());
+		    state_->forgetValues();
+		    return Nothing{};
+	    });
 }
 
 Result<Cut> Dataset::cut(const View& view, std::stop_token stop) const
@@ -371,12 +485,20 @@ vp::Result<std::vector<vp::write::SetArray>> sampledArrays(const vp::grid::Block
 
 } // namespace
 
+Result<std::string> Dataset::probeText(const View& view) const
+{
+	return withView<std::string>(
+	    *state_, view, [&]() -> vp::Result<std::string> { return vp::probe::probeText(state_->session->view.probe); });
+}
+
 Result<Samples> Dataset::sample(std::span<const Vector3> points, const std::vector<std::string>& names) const
 {
 	return guarded(
 	    [&]() -> Result<Samples>
 	    {
 		    const std::lock_guard lock(state_->mutex);
+		    if (vp::Status returned = state_->returnToItsTime(); !returned)
+			    return publicError(returned.error());
 		    if (!vp::grid::hasNeighbors(state_->session->blocks))
 		    {
 			    if (vp::Status built = vp::session::buildNeighbors(*state_->session); !built)
@@ -437,48 +559,6 @@ Result<Image> Dataset::render(const View& view) const
 		                       vp::Result<Cut> cut = state_->cut({});
 		                       return cut ? state_->draw(*cut) : cut.error();
 	                       });
-}
-
-Status Dataset::sweep(const View& view, const std::function<bool(const SweepFrame&)>& on_frame, bool draws,
-                      std::stop_token stop) const
-{
-	const auto frames = [&]() -> vp::Result<Nothing>
-	{
-		vp::session::Session& session = *state_->session;
-		const vp::view::SweepSpec& sweep = session.spec.sweep;
-		if (sweep.over_times)
-			return vp::Error{vp::ErrorKind::usage, "`path` times: open the data set at each time instead"};
-		if (vp::Status fits = vp::view::requirePathOfSurface(session.spec.probe, sweep); !fits)
-			return fits.error();
-		const vp::Result<int> count = vp::view::frameCount(sweep);
-		if (!count)
-			return count.error();
-		const vp::probe::Path path = vp::view::pathOf(sweep);
-		const std::vector<vp::probe::Frame> poses =
-		    vp::probe::poses(path, session.view.probe, session.blocks.bounds(), *count);
-		for (int k = 0; k < *count; ++k)
-		{
-			if (stop.stop_requested())
-				return vp::Error{vp::ErrorKind::cancelled, cancelled().message};
-			session.view.probe.frame = poses[static_cast<std::size_t>(k)];
-			session.swept = vp::probe::progress(path, k, *count);
-			vp::Result<Cut> cut = state_->cut(stop);
-			if (!cut)
-				return cut.error();
-			SweepFrame frame{k, *count, std::move(*cut), {}};
-			if (draws)
-			{
-				vp::Result<Image> image = state_->draw(frame.cut);
-				if (!image)
-					return image.error();
-				frame.image = std::move(*image);
-			}
-			if (!on_frame(frame))
-				break;
-		}
-		return Nothing{};
-	};
-	return withView<Nothing>(*state_, view, frames);
 }
 
 } // namespace vprobe

@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <shared_mutex>
 #include <vector>
 
 namespace vprobe
@@ -34,13 +35,30 @@ struct Mesh::State
 	mutable std::vector<MeshArray> arrays;
 };
 
+// The grids as cuts know them: those of the data set, or, where that has got neighbors or other arrays since, as they
+// were.
+struct CutBlocks
+{
+	explicit CutBlocks(std::shared_ptr<const vp::grid::BlockSet> blocks) : blocks(std::move(blocks)) {}
+
+	std::shared_mutex mutex; // shared by those who read the blocks
+	std::shared_ptr<const vp::grid::BlockSet> blocks;
+};
+
 struct Cut::State
 {
 	std::shared_ptr<vp::gpu::Device> device; // polygons may lie in its memory
-	// The grids as the cut knows them: those of the data set, or, where that has got neighbors since, as they were.
-	std::shared_ptr<const vp::grid::BlockSet> blocks;
+	std::shared_ptr<CutBlocks> blocks;
 	vp::session::CutFrame frame;
-	std::uint64_t linking = 0; // of the data set when the cut was made
+	// The figures of each sheet, measured when somebody asks for them.
+	mutable std::mutex measuring;
+	mutable std::vector<std::optional<vp::measure::SheetMeasure>> figures;
+	// By what it was made.
+	const DatasetState* made_by = nullptr;
+	std::uint64_t linking = 0;
+	vp::view::ProbeSpec probe;
+	vp::view::ContourSpec contour;
+	vp::view::ColorBy color_by = vp::view::ColorBy::array;
 };
 
 // A session and what is kept for it. `mutex` guards all of it.
@@ -51,34 +69,42 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	std::optional<vp::session::Painter> painter;
 	std::uint64_t linking = 0; // rises when cells get other numbers
 	std::size_t cuts = 0;
+	std::weak_ptr<CutBlocks> blocks_of_cuts; // that share the session's blocks
+	std::optional<double> moved_to;          // a sweep through the times has left the values of this one
 	bool has_callers_device = false;
 	std::optional<vp::gpu::Image> target; // the last picture for an image of the caller's
 
 	static Result<std::shared_ptr<DatasetState>> of(vp::Result<std::unique_ptr<vp::session::Session>> opened);
 
 	// The mutex is held.
-	vp::Status take(const View& view);         // the view's settings for the blocks there are
+	// The view's settings for the blocks there are. sweeps: frames of a sweep follow, which may go through the times.
+	vp::Status take(const View& view, bool sweeps = false);
 	vp::Status link();                         // neighbors, where they are needed and not known
 	vp::Result<Cut> cut(std::stop_token stop); // as the session has it
 	vp::Result<Image> draw(const Cut& cut);    // by the settings that were taken last
-	// Makes the painter ready for those settings. The cut to draw: another where cells have got other numbers.
+	bool fits(const Cut& cut) const;           // it is what the settings would cut now
+	// Makes the painter ready for those settings. The cut to draw: another where this one does not fit.
 	vp::Result<Cut> readyToDraw(const Cut& cut);
 	// A caller's device draws and classifies from now on; null: one is opened for the next picture.
 	vp::Status takeDevice(std::shared_ptr<vp::gpu::Device> callers);
 	vp::Status drawForCaller(const Cut& cut, VkExtent2D extent); // into `target`
 	vp::Error afterFailure(const vp::Error& error);              // of drawing; leaves a device that was lost
-	std::shared_ptr<const vp::grid::BlockSet> blocks();
+	std::shared_ptr<CutBlocks> blocksOfCut();                    // for a cut that is made now
+	void keepBlocksOfCuts(); // before arrays change: cuts keep the blocks as they are
+	void forgetValues();
+	vp::Status moveTo(const vp::read::TimeChoice& time);
+	vp::Status returnToItsTime(); // time at which the data set was opened
 };
 
 // Runs `work` with the data set's lock, the view taken.
 template <class T, class Work>
-Result<T> withView(DatasetState& state, const View& view, Work&& work)
+Result<T> withView(DatasetState& state, const View& view, Work&& work, bool sweeps = false)
 {
 	return guarded(
 	    [&]() -> Result<T>
 	    {
 		    const std::lock_guard lock(state.mutex);
-		    if (vp::Status taken = state.take(view); !taken)
+		    if (vp::Status taken = state.take(view, sweeps); !taken)
 			    return publicError(taken.error());
 		    vp::Result<T> done = work();
 		    return done ? Result<T>(std::move(*done)) : publicError(done.error());
@@ -87,12 +113,16 @@ Result<T> withView(DatasetState& state, const View& view, Work&& work)
 
 // The session's blocks of what a caller has; throws read::Unusable.
 vp::grid::BlockSet wrapped(std::vector<Block> blocks);
+// The same for arrays of blocks that there are.
+vp::Result<std::vector<std::vector<vp::grid::Field>>> checkedFields(const vp::grid::BlockSet& blocks,
+                                                                    const std::vector<std::vector<Field>>& fields);
 
 inline DatasetState& stateOf(const Dataset& data)
 {
 	return *data.state_;
 }
 
+HeldBlock heldBlock(const vp::grid::Block& block);
 ArrayInfo infoOf(const vp::grid::Field& field);
 
 } // namespace vprobe

@@ -1,11 +1,13 @@
 #include "api/states.h"
 #include "read/build_block.h"
+#include "read/cell_types.h"
 #include "read/check_mesh.h"
 #include "read/manifest.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace vprobe
 {
@@ -125,6 +127,11 @@ struct Wrapper
 				    fmt::format("face_offsets: {} where {} belong", mesh.cells.face_offsets.size(), cells + 1));
 		}
 		vp::read::checkCells(mesh.cells, mesh.points.size());
+		// Of cells of one type, the offsets say nothing more, and a search need not read them.
+		const std::uint8_t* types = mesh.cells.types.data();
+		if (vp::read::slicedCellSize(types[0]) > 0 &&
+		    std::all_of(types, types + cells, std::bind_front(std::equal_to(), types[0])))
+			mesh.cells.offsets = {};
 		block.mesh = std::move(mesh);
 	}
 };
@@ -175,6 +182,89 @@ vp::grid::BlockSet wrapped(std::vector<Block> blocks)
 	else
 		vp::grid::buildNeighbors(set);
 	return set;
+}
+
+namespace
+{
+
+// Adds what a grid holds.
+struct Holder
+{
+	HeldBlock& held;
+
+	void add(const vp::grid::Points& points) const
+	{
+		const void* data = points.isDouble() ? static_cast<const void*>(points.doubles()) : points.floats();
+		held.coordinates.emplace_back(data, 3 * points.size(),
+		                              points.isDouble() ? NumberType::float64 : NumberType::float32, points.owner());
+	}
+	void operator()(const vp::grid::UniformGrid&) const {}
+	void operator()(const vp::grid::RectilinearGrid& grid) const
+	{
+		for (int a = 0; a < 3; ++a)
+			held.coordinates.emplace_back(grid.axis(a).span(), grid.axis(a).owner());
+	}
+	void operator()(const vp::grid::CurvilinearGrid& grid) const { add(grid.coordinates()); }
+	void operator()(const vp::grid::UnstructuredGrid& grid) const
+	{
+		add(grid.coordinates());
+		if (const vp::grid::CellList* list = grid.list())
+			list->connectivity.as([&](auto ids) { held.connectivity = {ids, list->connectivity.owner()}; });
+	}
+};
+
+// Points and cells as the caller numbers them.
+std::pair<std::uint64_t, std::uint64_t> sourceCounts(const vp::grid::AnyGrid& grid)
+{
+	const auto counts = [](const auto& g) -> std::pair<std::uint64_t, std::uint64_t>
+	{
+		if constexpr (requires { g.sourceCellCount(); })
+			return {g.sourcePointCount(), g.sourceCellCount()};
+		else
+			return {g.pointCount(), g.cellCount()};
+	};
+	return std::visit(counts, grid);
+}
+
+} // namespace
+
+vp::Result<std::vector<std::vector<vp::grid::Field>>> checkedFields(const vp::grid::BlockSet& blocks,
+                                                                    const std::vector<std::vector<Field>>& fields)
+{
+	if (fields.size() != blocks.blocks.size())
+		return vp::Error{vp::ErrorKind::input,
+		                 fmt::format("arrays of {} blocks where there are {}", fields.size(), blocks.blocks.size())};
+	std::vector<std::vector<vp::grid::Field>> checked(fields.size());
+	try
+	{
+		for (std::size_t b = 0; b < fields.size(); ++b)
+			for (const Field& field : fields[b])
+			{
+				const auto [points, cells] = sourceCounts(blocks.blocks[b].grid);
+				checked[b].push_back(fieldOf(field));
+				vp::read::checkField(checked[b].back(), points, cells);
+			}
+	}
+	catch (const Unusable& unusable)
+	{
+		return vp::Error{vp::ErrorKind::input, unusable.what()};
+	}
+	return checked;
+}
+
+HeldBlock heldBlock(const vp::grid::Block& block)
+{
+	HeldBlock held{block.name, {}, {}, {}};
+	std::visit(Holder{held}, block.grid);
+	for (const vp::grid::Field& field : block.fields)
+	{
+		const ArrayInfo info = infoOf(field);
+		held.fields.push_back({info.name, info.association, info.components,
+		                       Numbers(field.bytes.data(), field.bytes.size() / vp::grid::byteSize(field.type),
+		                               info.type, field.bytes.owner()),
+		                       info.units});
+	}
+	return held;
 }
 
 } // namespace vprobe

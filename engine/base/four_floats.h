@@ -47,6 +47,16 @@ public:
 	{
 		return static_cast<unsigned>(_mm_movemask_ps(_mm_cmpge_ps(a.v_, b.v_)));
 	}
+	// Of four times four numbers: bit 4 v + r is that of number v of a[r].
+	friend unsigned bitsAtLeast(const std::array<FourFloats, 4>& a, FourFloats b)
+	{
+		const auto mask = [&](int r) { return _mm_castps_si128(_mm_cmpge_ps(a[r].v_, b.v_)); };
+		// A byte each, by r, then v; two steps exchange the two.
+		__m128i bytes = _mm_packs_epi16(_mm_packs_epi32(mask(0), mask(1)), _mm_packs_epi32(mask(2), mask(3)));
+		bytes = _mm_unpacklo_epi8(bytes, _mm_srli_si128(bytes, 8));
+		bytes = _mm_unpacklo_epi8(bytes, _mm_srli_si128(bytes, 8));
+		return static_cast<unsigned>(_mm_movemask_epi8(bytes));
+	}
 
 private:
 	__m128 v_;
@@ -83,6 +93,14 @@ private:
 		unsigned bits = 0;
 		for (unsigned v = 0; v < 4; ++v)
 			bits |= static_cast<unsigned>(a.v_[v] >= b.v_[v]) << v;
+		return bits;
+	}
+	friend unsigned bitsAtLeast(const std::array<FourFloats, 4>& a, FourFloats b)
+	{
+		unsigned bits = 0;
+		for (unsigned r = 0; r < 4; ++r)
+			for (unsigned v = 0; v < 4; ++v)
+				bits |= static_cast<unsigned>(a[r].v_[v] >= b.v_[v]) << (4 * v + r);
 		return bits;
 	}
 

@@ -32,7 +32,6 @@ LatticeCase latticeCase(unsigned corners)
 	LatticeCase found;
 	found.edges = entry.edges;
 	found.needs_walk = entry.needs_walk;
-	found.row_faces = entry.faces >> 2; // VTK's faces 2 to 5 of a hexahedron are -j, +j, -k, +k
 	for (int e = 0; e < entry.edges; ++e)
 		found.edge[e] = latticeEdge(kCornerOf[entry.edge[e][0]], kCornerOf[entry.edge[e][1]]);
 	for (int e = entry.edges; e < kMaxLatticeEdges; ++e)

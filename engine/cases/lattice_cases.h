@@ -1,27 +1,19 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace vp::cases
 {
 
-// A column of a lattice at i: the S bits of the points (j, k), (j+1, k), (j, k+1), (j+1, k+1) in bits 0 to 3. The cell
-// (i, j, k) lies between the columns at i and i + 1, which make its case index.
-using Column = std::uint8_t;
+// The case of the cell (i, j, k) of a lattice: S at the points (j, k), (j+1, k), (j, k+1), (j+1, k+1) at i in bits 0 to
+// 3, the same at i + 1 in bits 4 to 7. For the last column of a run of cells, both are those of the column.
+using ColumnCase = std::uint16_t;
 
-// Bit 4 of a column: the cell that begins there is cut, but does not count as such, since a window leaves it out.
-constexpr Column kLeftOut = 1 << 4;
-
-constexpr bool isUniform(Column column)
-{
-	return column == 0 || column == 15;
-}
-
-constexpr unsigned caseIndex(Column at, Column next)
-{
-	return (at & 15u) | (next & 15u) << 4;
-}
+// Bit 8: the cell is cut, but does not count as such, since a window leaves it out.
+constexpr ColumnCase kLeftOut = 1 << 8;
+constexpr std::size_t kColumnCases = 2 * kLeftOut;
 
 // A lattice edge starts at its lower point and runs along i, j or k; that point owns it.
 struct LatticeEdge
@@ -36,9 +28,8 @@ constexpr int kMaxLatticeEdges = 6; // of one polygon
 // The cut of a lattice cell, from the case table of the hexahedron.
 struct LatticeCase
 {
-	std::uint8_t edges = 0;     // of its polygon; 0: nothing is cut, or the walk is needed
-	bool needs_walk = false;    // as in Case
-	std::uint8_t row_faces = 0; // bits 0 to 3: the faces -j, +j, -k, +k are cut
+	std::uint8_t edges = 0;  // of its polygon; 0: nothing is cut, or the walk is needed
+	bool needs_walk = false; // as in Case
 	// Of the lowest point: bit a: the edge that it owns along axis a is cut.
 	std::uint8_t owned = 0;
 	std::uint8_t owned_count = 0;
@@ -47,7 +38,7 @@ struct LatticeCase
 	std::array<LatticeEdge, kMaxLatticeEdges> edge{};
 };
 
-// By case index; caseIndex(last, last) for the last column of a row, whose point owns no edge along i.
+// By case, kLeftOut aside. The point of the last column of a run owns no edge along i.
 const std::array<LatticeCase, 256>& latticeCases();
 
 } // namespace vp::cases

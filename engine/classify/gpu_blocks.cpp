@@ -12,16 +12,16 @@ namespace vp::classify
 {
 
 GpuBlocks::GpuBlocks(gpu::Device& device, const grid::BlockSet& set, const GpuBlocksOptions& options)
-    : device_(device), set_(set), limits_{options.max_texels, options.max_bytes},
-      doubles_(options.doubles && device.features().shaderFloat64),
-      records_(RecordPool::create(device, options.page_records)), surface_pipelines_(device)
+    : device_(device), set_(set), limits_{options.max_elements, options.max_bytes},
+      doubles_(options.doubles && device.hasExactDoubles()), records_(RecordPool::create(device, options.page_records)),
+      surface_pipelines_(device)
 {
-	// A texel buffer may be a little larger than requested.
+	// A buffer may be a little larger than requested.
 	constexpr std::uint64_t kSlack = 256;
-	if (!limits_.texels)
-		limits_.texels = device.limits().maxTexelBufferElements - kSlack;
+	if (!limits_.elements)
+		limits_.elements = gpu::ShaderArray::maxElements(device) - kSlack;
 	// Shaders index texels with an int.
-	limits_.texels = std::min<std::uint64_t>(limits_.texels, 0x7FFFFFFFu);
+	limits_.elements = std::min<std::uint64_t>(limits_.elements, 0x7FFFFFFFu);
 	if (!limits_.bytes)
 		limits_.bytes = device.maxBufferSize() - kSlack;
 }
@@ -32,11 +32,11 @@ Result<std::unique_ptr<GpuBlocks>> GpuBlocks::create(gpu::Device& device, const 
                                                      const GpuBlocksOptions& options)
 {
 	std::unique_ptr<GpuBlocks> made(new GpuBlocks(device, blocks, options));
-	Result<GpuTexels> cases = uploadCaseTables(device);
+	Result<gpu::ShaderArray> cases = uploadCaseTables(device);
 	if (!cases)
 		return cases.error();
 	made->cases_ = std::move(*cases);
-	Result<GpuTexels> no_values = uploadNoValues(device);
+	Result<gpu::ShaderArray> no_values = uploadNoValues(device);
 	if (!no_values)
 		return no_values.error();
 	made->no_values_ = std::move(*no_values);
@@ -79,11 +79,11 @@ std::size_t GpuBlocks::bytes() const
 	std::size_t sum = records_->bytes();
 	for (const auto& block : blocks_)
 		if (block)
-			sum += block->points.buffer.size() + block->cells.buffer.size();
+			sum += block->points.buffer().size() + block->cells.buffer().size();
 	const std::lock_guard lock(mutex_);
 	for (const auto& field : fields_)
 		for (const GpuValues& values : field->blocks)
-			sum += values.texels.buffer.size();
+			sum += values.array.buffer().size();
 	return sum;
 }
 
@@ -153,12 +153,16 @@ Status GpuBlocks::makePipeline(const PipelineKinds& kinds)
 {
 	if (pipelines_.count(kinds))
 		return Nothing{};
-	gpu::ComputePipelineInfo info = classifyPipelineInfo(kinds);
-	info.shader = doubles_ ? "classify_double.comp" : "classify_single.comp";
+	gpu::ComputePipelineInfo info = classifyPipelineInfo(device_, kinds);
+	const bool storage = gpu::ShaderArray::usesStorage(device_);
+	if (doubles_)
+		info.shader = storage ? "classify_double.comp.storage" : "classify_double.comp";
+	else
+		info.shader = storage ? "classify_single.comp.storage" : "classify_single.comp";
 	Result<gpu::Pipeline> made = gpu::Pipeline::create(device_, info, "classify");
 	if (!made)
 		return made.error();
-	if (Status warm = warmUp(device_, *made, kinds, caseTexels()); !warm)
+	if (Status warm = warmUp(device_, *made, kinds, cases()); !warm)
 		return warm;
 	pipelines_.emplace(kinds, std::make_shared<const gpu::Pipeline>(std::move(*made)));
 	return Nothing{};

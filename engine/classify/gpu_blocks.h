@@ -22,9 +22,9 @@ struct ClassifyWorkspace; // gpu_workspace.h
 // Limits that tests tighten; 0 leaves the device's own.
 struct GpuBlocksOptions
 {
-	bool doubles = true; // where the device has them
+	bool doubles = true; // where the device has exact ones
 	std::uint32_t page_records = RecordPool::kPageRecords;
-	std::uint64_t max_texels = 0;
+	std::uint64_t max_elements = 0; // of an array
 	std::uint64_t max_bytes = 0;
 };
 
@@ -72,8 +72,8 @@ public:
 	// Any that stays: the descriptor sets of all are alike. Some pipeline has been asked for.
 	const gpu::Pipeline& lastingPipeline() const;
 	SurfacePipelines& surfacePipelines() { return surface_pipelines_; }
-	VkBufferView caseTexels() const { return cases_.view.handle(); }
-	VkBufferView noValueTexels() const { return no_values_.view.handle(); } // stands in where there are no values
+	gpu::ShaderArray::Place cases() const { return cases_.place(); }
+	gpu::ShaderArray::Place noValues() const { return no_values_.place(); } // stands in where there are no values
 	std::unique_ptr<ClassifyWorkspace> borrowWorkspace();
 	void giveBack(std::unique_ptr<ClassifyWorkspace> workspace);
 
@@ -90,8 +90,8 @@ private:
 	bool doubles_;
 	std::vector<std::unique_ptr<GpuBlock>> blocks_; // null where left to the CPU
 	std::vector<std::string> warnings_;
-	GpuTexels cases_;
-	GpuTexels no_values_;
+	gpu::ShaderArray cases_;
+	gpu::ShaderArray no_values_;
 	std::shared_ptr<RecordPool> records_;
 	SurfacePipelines surface_pipelines_;
 

@@ -70,7 +70,7 @@ Status GpuClassifier::prepare()
 	if (Status done = workspace_->reserveAxes(device, axis_texels); !done)
 		return done;
 
-	const std::span<AxisTexel> axes(workspace_->axes.mappedAs<AxisTexel>(), axis_texels);
+	const std::span<AxisTexel> axes(workspace_->axes.buffer().mappedAs<AxisTexel>(), axis_texels);
 	std::size_t axis_start = 0;
 	for (std::size_t i = 0; i < sheets_.size(); ++i)
 	{
@@ -199,15 +199,15 @@ void GpuClassifier::recordRun(VkCommandBuffer commands, const Run& run, VkDescri
 {
 	const GpuSheetInBlock& sheet = sheets_[run.front->sheet];
 	const GpuBlock& block = blocks_.block(sheet.block);
-	const auto orCases = [&](const GpuTexels& texels) { return texels ? texels.view.handle() : blocks_.caseTexels(); };
+	const auto orCases = [&](const gpu::ShaderArray& array) { return array ? array.place() : blocks_.cases(); };
 
 	// Descriptors cover only what the run touches, so runs of a generation need no barrier between them.
 	gpu::DescriptorWriter writer;
-	writer.texels(shared::kBindPoints, orCases(block.points))
-	    .texels(shared::kBindCells, orCases(block.cells))
-	    .texels(shared::kBindCases, blocks_.caseTexels())
-	    .texels(shared::kBindValues, sheet.values ? sheet.values : blocks_.noValueTexels())
-	    .texels(shared::kBindAxes, workspace_->axis_texels.handle())
+	writer.array(shared::kBindPoints, orCases(block.points))
+	    .array(shared::kBindCells, orCases(block.cells))
+	    .array(shared::kBindCases, blocks_.cases())
+	    .array(shared::kBindValues, sheet.values ? sheet.values : blocks_.noValues())
+	    .array(shared::kBindAxes, workspace_->axes.place())
 	    .storageBuffer(shared::kBindFront, workspace_->front.handle(), 4 * run.offset, 4 * run.count)
 	    .storageBuffer(shared::kBindCodes, workspace_->codes.handle(), 4 * run.offset, 4 * run.count)
 	    .uniformBuffer(shared::kBindSheet, workspace_->sheets.handle(), run.front->sheet * told_stride_,

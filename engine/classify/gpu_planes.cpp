@@ -32,16 +32,18 @@ void setSingle(float* single, const Vec3& v)
 }
 
 // A bound of |d_here - d_cpu| at a point whose distance d is not exactly the CPU's, d = sum n_i (p_i - o_i). With c the
-// center and h the half size of the points, r_i = |c_i - o_i| + h_i bounds |p_i - o_i|, and e the rounding of one
-// operation:
+// center and h the half size of the points, r_i = |c_i - o_i| + h_i bounds |p_i - o_i|. e is the rounding of one
+// operation. Vulkan promises that a sum, a product or a conversion is one of the two nearest numbers, not which of
+// them ("Precision and Operation of SPIR-V Instructions"):
 //
-// Doubles, e = 2^-53, fixed-point numbers of unit u: the number is off by at most u_i / 2, unpacking adds e |p_i|, and
-// packing e h_i. On each side the difference, the product and two sums round once, in all 8 e r_i; twice that is
-// granted.
+// Doubles, e = 2^-53 since only exact ones are used (Device::hasExactDoubles), fixed-point numbers of unit u: the
+// number is off by at most u_i / 2, unpacking adds e |p_i|, and packing e h_i. On each side the difference, the product
+// and two sums round once, in all 8 e r_i; twice that is granted.
 //
-// Floats, e = 2^-24: the number is off by 2^9 u_i <= 2^-29 h_i, its conversion by e h_i, the difference (its two steps
-// for float points) by 2 e r_i, normal, product and sums by 4 e r_i, and the low part of the origin by e^2 |o_i|: less
-// than 8 e r_i + 2^-47 |o_i|; twice that is granted.
+// Floats, e = 2^-23: the number is off by 2^9 u_i <= 2^-29 h_i, its conversion by e h_i, the difference (its two steps
+// for float points) by 2 e r_i, the normal by e r_i / 2, product and two sums by 3 e r_i, and the low part of the
+// origin by e^2 |o_i| at most: less than 7 e r_i + 2^-46 |o_i|. 8 e r_i is granted, for products of roundings and for
+// numbers below 2^-126, which may become 0.
 double distanceError(const GpuBlock& block, const Vec3& normal, const Vec3& origin, bool doubles)
 {
 	double bound = 0.0;
@@ -84,7 +86,8 @@ double fillPlaneAxes(const Lattice& grid, const surface::Plane& plane, const pro
 			                std::bit_cast<std::uint32_t>(static_cast<float>(x_axis[axis] * from_origin)),
 			                std::bit_cast<std::uint32_t>(static_cast<float>(sheet.up[axis] * from_origin))};
 		}
-		// Floats: a rounding of the share and of two sums, and the CPU's own; twice that is granted.
+		// Floats: the share's rounding on the CPU, 2^-24, and those of two sums on the device, 2^-23 each. 2^-21 is
+		// granted.
 		error += 0x1p-21 * largest;
 	}
 	return error;
@@ -142,8 +145,7 @@ GpuSheetInBlock planeInBlock(GpuBlocks& blocks, std::size_t b, const probe::Shee
 		return made;
 	const GpuValues& values = field->blocks[b];
 	made.pipeline = blocks.pipeline(blocks.block(b), values);
-	if (values.texels)
-		made.values = values.texels.view.handle();
+	made.values = values.array.place();
 	made.keeps = field;
 	made.records = records;
 	made.describe = [&blocks, b, sheet, field](std::size_t axis_start, std::span<AxisTexel> axes, std::byte* told)

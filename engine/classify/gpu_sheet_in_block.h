@@ -27,7 +27,7 @@ struct GpuSheetInBlock
 {
 	std::size_t block = 0;
 	std::shared_ptr<const gpu::Pipeline> pipeline; // null: the CPU classifies its cells
-	VkBufferView values = VK_NULL_HANDLE;          // of the shown array; null: there are none
+	gpu::ShaderArray::Place values;                // of the shown array; null: there are none
 	std::shared_ptr<const void> keeps;             // what `values` needs to stay alive
 	std::shared_ptr<SheetRecords> records;         // gets the polygons; null: only the codes come back
 	/// Writes what the shader is told, kMaxTold bytes at most, to `told`, and axisTexels() texels to `axes`, of which

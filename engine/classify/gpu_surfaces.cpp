@@ -142,7 +142,7 @@ Result<std::vector<GpuSheetInBlock>> surfaceOnGpu(GpuBlocks& blocks, std::span<c
 		const GpuBlock& block = blocks.block(b);
 		const auto* placed = std::get_if<surface::PlacedExpression>(&*surface);
 		auto pipeline = blocks.surfacePipelines().get(block.cells_kind, block.points_kind,
-		                                              placed ? &placed->expression() : nullptr, blocks.caseTexels());
+		                                              placed ? &placed->expression() : nullptr, blocks.cases());
 		if (!pipeline)
 			return pipeline.error();
 		made[b].pipeline = std::move(*pipeline);

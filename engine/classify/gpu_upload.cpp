@@ -34,16 +34,16 @@ using Tuple = std::array<float, 4>;
 // Points per task: some 100 us of work.
 constexpr std::size_t kGrain = 16384;
 
-// Makes `count` texels. write(i, destination) writes texel i.
+// Makes an array of `count` elements. write(i, destination) writes element i.
 template <class Element, class Write>
-Result<GpuTexels> makeTexels(gpu::Device& device, std::size_t count, VkFormat format, std::string_view name,
-                             Write&& write)
+Result<gpu::ShaderArray> makeArray(gpu::Device& device, std::size_t count, VkFormat format, std::string_view name,
+                                   Write&& write)
 {
-	constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 	const std::size_t bytes = std::max<std::size_t>(count, 1) * sizeof(Element);
-	Result<gpu::Buffer> buffer = gpu::Buffer::create(device, bytes, kUsage, gpu::Memory::device, name);
-	if (!buffer)
-		return buffer.error();
+	Result<gpu::ShaderArray> array =
+	    gpu::ShaderArray::create(device, bytes, format, gpu::Memory::device, name, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+	if (!array)
+		return array.error();
 	const auto fill = [&](std::byte* destination, std::size_t first, std::size_t run)
 	{
 		auto* elements = reinterpret_cast<Element*>(destination);
@@ -54,12 +54,9 @@ Result<GpuTexels> makeTexels(gpu::Device& device, std::size_t count, VkFormat fo
 				                  write(first + i, elements[i]);
 		                  });
 	};
-	if (Status filled = gpu::fillBuffer(*buffer, count, sizeof(Element), fill); !filled)
+	if (Status filled = gpu::fillBuffer(array->buffer(), count, sizeof(Element), fill); !filled)
 		return filled.error();
-	Result<gpu::TexelView> view = gpu::TexelView::create(*buffer, format, name);
-	if (!view)
-		return view.error();
-	return GpuTexels{std::move(*buffer), std::move(*view)};
+	return array;
 }
 
 Box pointBounds(const grid::Points& points)
@@ -96,22 +93,22 @@ const grid::Points* coordinatesOf(const grid::AnyGrid& grid)
 	return nullptr;
 }
 
-Result<GpuTexels> uploadPoints(gpu::Device& device, const grid::Points& points, const FixedPoints& fixed,
-                               const std::string& name)
+Result<gpu::ShaderArray> uploadPoints(gpu::Device& device, const grid::Points& points, const FixedPoints& fixed,
+                                      const std::string& name)
 {
-	return makeTexels<Texel>(device, points.size(), VK_FORMAT_R32G32B32A32_UINT, name,
-	                         [&](std::size_t i, Texel& texel)
-	                         {
-		                         const Vec3 point = points[i];
-		                         if (points.isDouble())
-		                         {
-			                         texel = fixed.pack(point);
-			                         return;
-		                         }
-		                         for (int axis = 0; axis < 3; ++axis)
-			                         texel[axis] = std::bit_cast<std::uint32_t>(static_cast<float>(point[axis]));
-		                         texel[3] = 0;
-	                         });
+	return makeArray<Texel>(device, points.size(), VK_FORMAT_R32G32B32A32_UINT, name,
+	                        [&](std::size_t i, Texel& texel)
+	                        {
+		                        const Vec3 point = points[i];
+		                        if (points.isDouble())
+		                        {
+			                        texel = fixed.pack(point);
+			                        return;
+		                        }
+		                        for (int axis = 0; axis < 3; ++axis)
+			                        texel[axis] = std::bit_cast<std::uint32_t>(static_cast<float>(point[axis]));
+		                        texel[3] = 0;
+	                        });
 }
 
 std::uint32_t tupleTexels(int components)
@@ -123,7 +120,7 @@ std::uint32_t tupleTexels(int components)
 
 std::string whyNotOnDevice(const gpu::Device& device, const GpuLimits& limits, const grid::Block& block)
 {
-	std::uint64_t most = 0; // texels of one array
+	std::uint64_t most = 0; // elements of one array
 	std::uint64_t sum = 0;
 	const auto count = [&](std::uint64_t texels)
 	{
@@ -141,8 +138,8 @@ std::string whyNotOnDevice(const gpu::Device& device, const GpuLimits& limits, c
 	count(values);
 
 	constexpr std::uint64_t kTexelBytes = sizeof(Texel);
-	if (most > limits.texels)
-		return fmt::format("{} texels where the device takes {}", most, limits.texels);
+	if (most > limits.elements)
+		return fmt::format("an array of {} elements where the device takes {}", most, limits.elements);
 	if (kTexelBytes * most > limits.bytes)
 		return fmt::format("{} bytes where a buffer of the device holds {}", kTexelBytes * most, limits.bytes);
 	if (kTexelBytes * sum > device.memoryLeft())
@@ -163,21 +160,21 @@ Result<std::unique_ptr<GpuBlock>> uploadBlock(gpu::Device& device, const grid::B
 		const FixedPoints fixed(made->bounds.empty() ? Box{Vec3(0.0), Vec3(0.0)} : made->bounds);
 		made->center = fixed.center();
 		made->unit = fixed.unit();
-		Result<GpuTexels> texels = uploadPoints(device, *points, fixed, block.name + " points");
-		if (!texels)
-			return texels.error();
-		made->points = std::move(*texels);
+		Result<gpu::ShaderArray> array = uploadPoints(device, *points, fixed, block.name + " points");
+		if (!array)
+			return array.error();
+		made->points = std::move(*array);
 	}
 	if (const auto* grid = std::get_if<grid::UnstructuredGrid>(&block.grid))
 	{
 		const std::size_t parts = grid->recordWidth() / 4;
 		const auto part = [&](std::size_t i) { return grid->record(static_cast<CellId>(i / parts)) + 4 * (i % parts); };
-		Result<GpuTexels> texels =
-		    makeTexels<Texel>(device, grid->cellCount() * parts, VK_FORMAT_R32G32B32A32_UINT, block.name + " cells",
-		                      [&](std::size_t i, Texel& texel) { std::memcpy(texel.data(), part(i), sizeof(Texel)); });
-		if (!texels)
-			return texels.error();
-		made->cells = std::move(*texels);
+		Result<gpu::ShaderArray> array =
+		    makeArray<Texel>(device, grid->cellCount() * parts, VK_FORMAT_R32G32B32A32_UINT, block.name + " cells",
+		                     [&](std::size_t i, Texel& texel) { std::memcpy(texel.data(), part(i), sizeof(Texel)); });
+		if (!array)
+			return array.error();
+		made->cells = std::move(*array);
 	}
 	return made;
 }
@@ -204,40 +201,40 @@ Result<GpuValues> uploadValues(gpu::Device& device, const grid::Block& block, co
 		{ return on_points ? grid.sourcePoint(static_cast<PointId>(i)) : grid.sourceCell(static_cast<CellId>(i)); };
 		const std::string name = block.name + " values";
 		if (!tuple)
-			return makeTexels<float>(device, count, VK_FORMAT_R32_SFLOAT, name,
-			                         [&](std::size_t i, float& texel)
-			                         { texel = mesh::drawnValue(field->value(source(i), choice.component)); });
+			return makeArray<float>(device, count, VK_FORMAT_R32_SFLOAT, name,
+			                        [&](std::size_t i, float& texel)
+			                        { texel = mesh::drawnValue(field->value(source(i), choice.component)); });
 		const std::size_t width = made.tuple_texels;
-		return makeTexels<Tuple>(device, count * width, VK_FORMAT_R32G32B32A32_SFLOAT, name,
-		                         [&](std::size_t i, Tuple& texel)
-		                         {
-			                         const std::size_t at = source(i / width);
-			                         const int first = static_cast<int>(i % width) * 4;
-			                         for (int c = 0; c < 4; ++c)
-				                         texel[c] = first + c < field->components
-				                                        ? mesh::drawnValue(field->value(at, first + c))
-				                                        : 0.0f;
-		                         });
+		return makeArray<Tuple>(device, count * width, VK_FORMAT_R32G32B32A32_SFLOAT, name,
+		                        [&](std::size_t i, Tuple& texel)
+		                        {
+			                        const std::size_t at = source(i / width);
+			                        const int first = static_cast<int>(i % width) * 4;
+			                        for (int c = 0; c < 4; ++c)
+				                        texel[c] = first + c < field->components
+				                                       ? mesh::drawnValue(field->value(at, first + c))
+				                                       : 0.0f;
+		                        });
 	};
-	Result<GpuTexels> texels = std::visit(upload, block.grid);
-	if (!texels)
-		return texels.error();
-	made.texels = std::move(*texels);
+	Result<gpu::ShaderArray> array = std::visit(upload, block.grid);
+	if (!array)
+		return array.error();
+	made.array = std::move(*array);
 	return made;
 }
 
-Result<GpuTexels> uploadCaseTables(gpu::Device& device)
+Result<gpu::ShaderArray> uploadCaseTables(gpu::Device& device)
 {
 	const std::vector<std::uint32_t> cases = cases::packedCaseTables();
-	return makeTexels<Texel>(device, cases.size() / 4, VK_FORMAT_R32G32B32A32_UINT, "case tables",
-	                         [&](std::size_t i, Texel& texel)
-	                         { std::memcpy(texel.data(), &cases[4 * i], sizeof(Texel)); });
+	return makeArray<Texel>(device, cases.size() / 4, VK_FORMAT_R32G32B32A32_UINT, "case tables",
+	                        [&](std::size_t i, Texel& texel)
+	                        { std::memcpy(texel.data(), &cases[4 * i], sizeof(Texel)); });
 }
 
-Result<GpuTexels> uploadNoValues(gpu::Device& device)
+Result<gpu::ShaderArray> uploadNoValues(gpu::Device& device)
 {
-	return makeTexels<float>(device, 1, VK_FORMAT_R32_SFLOAT, "no values",
-	                         [](std::size_t, float& texel) { texel = 0.0f; });
+	return makeArray<float>(device, 1, VK_FORMAT_R32_SFLOAT, "no values",
+	                        [](std::size_t, float& texel) { texel = 0.0f; });
 }
 
 } // namespace vp::classify

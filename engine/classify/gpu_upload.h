@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/buffer.h"
+#include "gpu/shader_array.h"
 #include "grid/block.h"
 #include "grid/field_choice.h"
 
@@ -11,22 +11,13 @@
 namespace vp::classify
 {
 
-// A buffer read as texels.
-struct GpuTexels
-{
-	gpu::Buffer buffer;
-	gpu::TexelView view;
-
-	explicit operator bool() const { return static_cast<bool>(view); }
-};
-
 // How a block lies in device memory; see shared/classify_types.h for the formats.
 struct GpuBlock
 {
 	std::uint32_t cells_kind = 0;  // kCellsAxes …
 	std::uint32_t points_kind = 0; // kPointsFloat …
-	GpuTexels points;
-	GpuTexels cells;
+	gpu::ShaderArray points;
+	gpu::ShaderArray cells;
 	// Of the points; for fixed-point numbers the center and unit they count from.
 	Box bounds;
 	Vec3 center{0.0};
@@ -37,15 +28,15 @@ struct GpuBlock
 struct GpuValues
 {
 	std::uint32_t kind = 0;         // kValuesNone …
-	std::uint32_t tuple_texels = 0; // a tuple takes so many texels of four numbers
+	std::uint32_t tuple_texels = 0; // a tuple takes so many fours of numbers
 	bool nearest = false;           // categorical
-	GpuTexels texels;
+	gpu::ShaderArray array;
 };
 
 // What one array may take.
 struct GpuLimits
 {
-	std::uint64_t texels;
+	std::uint64_t elements; // of 16 bytes
 	std::uint64_t bytes;
 };
 
@@ -55,8 +46,8 @@ std::string whyNotOnDevice(const gpu::Device& device, const GpuLimits& limits, c
 Result<std::unique_ptr<GpuBlock>> uploadBlock(gpu::Device& device, const grid::Block& block);
 // None where the block lacks the array.
 Result<GpuValues> uploadValues(gpu::Device& device, const grid::Block& block, const grid::FieldChoice& choice);
-Result<GpuTexels> uploadCaseTables(gpu::Device& device);
-// One texel, for a shader that has no values to read.
-Result<GpuTexels> uploadNoValues(gpu::Device& device);
+Result<gpu::ShaderArray> uploadCaseTables(gpu::Device& device);
+// One number, for a shader that has no values to read.
+Result<gpu::ShaderArray> uploadNoValues(gpu::Device& device);
 
 } // namespace vp::classify

@@ -9,17 +9,21 @@ namespace vp::classify
 namespace
 {
 
+// 16 KiB hold the fronts of a small cut; doubling from there takes few steps to any other.
+std::size_t grownSize(std::size_t bytes)
+{
+	constexpr std::size_t kSmallest = 16384;
+	return std::bit_ceil(std::max(bytes, kSmallest));
+}
+
 // Replaces the buffer by one with at least `bytes`, and at least twice its size.
 Status grow(gpu::Device& device, gpu::Buffer& buffer, std::size_t bytes, VkBufferUsageFlags usage, gpu::Memory memory,
             std::string_view name)
 {
-	// 16 KiB hold the fronts of a small cut; doubling from there takes few steps to any other.
-	constexpr std::size_t kSmallest = 16384;
 	if (buffer && buffer.size() >= bytes)
 		return Nothing{};
 	buffer = {};
-	Result<gpu::Buffer> larger =
-	    gpu::Buffer::create(device, std::bit_ceil(std::max(bytes, kSmallest)), usage, memory, name);
+	Result<gpu::Buffer> larger = gpu::Buffer::create(device, grownSize(bytes), usage, memory, name);
 	if (!larger)
 		return larger.error();
 	buffer = std::move(*larger);
@@ -57,20 +61,17 @@ Status ClassifyWorkspace::reserveAxes(gpu::Device& device, std::size_t texels)
 {
 	constexpr std::size_t kTexelBytes = 16;
 	// Growing at most doubles it.
-	if (texels > device.limits().maxTexelBufferElements / 4)
+	if (texels > gpu::ShaderArray::maxElements(device) / 4)
 		return Error{ErrorKind::out_of_memory,
 		             "more blocks and sheets than the device can address; use `classify` cpu"};
-	if (axes && axes.size() >= texels * kTexelBytes)
+	if (axes && axes.buffer().size() >= texels * kTexelBytes)
 		return Nothing{};
-	axis_texels = {};
-	if (Status grown = grow(device, axes, texels * kTexelBytes, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
-	                        gpu::Memory::upload, "axes");
-	    !grown)
-		return grown;
-	Result<gpu::TexelView> view = gpu::TexelView::create(axes, VK_FORMAT_R32G32B32A32_UINT, "axes");
-	if (!view)
-		return view.error();
-	axis_texels = std::move(*view);
+	axes = {};
+	Result<gpu::ShaderArray> larger = gpu::ShaderArray::create(
+	    device, grownSize(texels * kTexelBytes), VK_FORMAT_R32G32B32A32_UINT, gpu::Memory::upload, "axes");
+	if (!larger)
+		return larger.error();
+	axes = std::move(*larger);
 	return Nothing{};
 }
 

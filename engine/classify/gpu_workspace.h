@@ -3,6 +3,7 @@
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/shader.h"
+#include "gpu/shader_array.h"
 #include "gpu/timers.h"
 
 #include <cstddef>
@@ -52,8 +53,7 @@ struct ClassifyWorkspace
 	gpu::Buffer front;  // cell ids, written by the host
 	gpu::Buffer codes;  // read by the host
 	gpu::Buffer sheets; // ClassifyPlane each, at offsets that the device can bind
-	gpu::Buffer axes;
-	gpu::TexelView axis_texels;
+	gpu::ShaderArray axes;
 };
 
 } // namespace vp::classify

@@ -31,10 +31,10 @@ mesh::SheetMesh Cut::mesh(const grid::BlockSet& blocks, std::size_t number) cons
 	const SheetCut& sheet = sheets[number];
 	if (sheet.surface)
 		return mesh::listedMesh(blocks, *sheet.surface, sheet.cuts);
-	mesh::SheetMesh mesh =
-	    sheet.sheet.form
-	        ? mesh::buildMesh(blocks, find::surfacesOf(blocks, sheet.sheet, sheet.field), shownBlocks(sheet))
-	        : mesh::buildMesh(blocks, sheet.sheet, shownBlocks(sheet));
+	mesh::SheetMesh mesh = sheet.sheet.form
+	                           ? mesh::buildMesh(blocks, find::surfacesOf(blocks, sheet.sheet, sheet.field),
+	                                             shownBlocks(sheet), sheet.hanging)
+	                           : mesh::buildMesh(blocks, sheet.sheet, shownBlocks(sheet), sheet.hanging);
 	if (sheet.sheet.window)
 		mesh::clipToWindow(sheet.sheet, sheet.corners, mesh);
 	return mesh;

@@ -5,6 +5,7 @@
 #include "grid/block.h"
 #include "grid/field_choice.h"
 #include "mesh/clip.h"
+#include "mesh/hanging_vertices.h"
 #include "mesh/sheet_mesh.h"
 #include "probe/sheet.h"
 #include "seed/seeds.h"
@@ -30,6 +31,7 @@ struct SheetCut
 	probe::Sheet shown; // at its place in the world
 	probe::Sheet sheet; // the place that it shows; the same unless fx magnifies, see probe::content()
 	mesh::Corners corners = mesh::Corners::keep;
+	mesh::Hanging hanging = mesh::Hanging::keep;
 	std::optional<grid::FieldChoice> field;
 	seed::SheetSeeds seeds;
 	std::vector<find::BlockCut> cuts;                // per block

@@ -174,6 +174,7 @@ SheetGroup<Surface> Cutter::groupOf(const CutRequest& request, const find::CutPl
 		sheet.shown = placed[s];
 		sheet.sheet = probe::content(placed[s]);
 		sheet.corners = request.corners;
+		sheet.hanging = request.hanging;
 		sheet.field = request.fieldOf(s);
 		sheet.cuts.resize(blocks_.blocks.size());
 		group.plan.insert(group.plan.end(), plan.sheets[s].begin(), plan.sheets[s].end());

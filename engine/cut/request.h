@@ -6,6 +6,7 @@
 #include "find/visited.h"
 #include "grid/field_choice.h"
 #include "mesh/clip.h"
+#include "mesh/hanging_vertices.h"
 #include "probe/probe.h"
 #include "seed/seeds.h"
 
@@ -28,6 +29,7 @@ struct CutRequest
 {
 	probe::Probe probe;
 	mesh::Corners corners = mesh::Corners::keep; // of windows
+	mesh::Hanging hanging = mesh::Hanging::keep;
 	std::optional<grid::FieldChoice> field;
 	std::vector<std::optional<grid::FieldChoice>> sheet_fields; // per sheet, replaces `field`; or empty
 	seed::SeedOptions seeds;

@@ -18,7 +18,8 @@ std::vector<bool> restingSheets(const CutRequest& request)
 	std::vector<bool> rests;
 	for (std::size_t s = 0; s < sheets.size(); ++s)
 		rests.push_back(s < last.size() && !last[s].surface && last[s].shown == sheets[s] &&
-		                last[s].corners == request.corners && last[s].field == request.fieldOf(s));
+		                last[s].corners == request.corners && last[s].hanging == request.hanging &&
+		                last[s].field == request.fieldOf(s));
 	return rests;
 }
 

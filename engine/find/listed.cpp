@@ -95,7 +95,8 @@ private:
 		const auto face = static_cast<std::uint32_t>(2 * lattices_[block]->axisInCells(at_.axis) + (place == 1.0));
 		return std::ranges::any_of(seams->of(cell, face),
 		                           [&](const grid::SeamLink& link) {
-			                           return std::tie(link.block, link.other) < std::tie(block, cell) && isShown(link);
+			                           return link.hang == grid::Hang::none &&
+			                                  std::tie(link.block, link.other) < std::tie(block, cell) && isShown(link);
 		                           });
 	}
 

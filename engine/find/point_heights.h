@@ -2,6 +2,7 @@
 
 #include "base/four_floats.h"
 #include "base/ids.h"
+#include "base/vec.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/prefetch.h"
 #include "find/sign_filter.h"
 #include "grid/points.h"
 #include "surface/plane.h"
@@ -19,35 +20,40 @@ public:
 	{
 	}
 
-	// Bit v: S at point p + v, for v < count <= 4. Bits from count on are 0.
-	unsigned few(PointId p, unsigned count) const
+	// S at `count` points of each row from rows[r] on, at most four: bit 4 v + r is that of point rows[r] + v. Bits of
+	// further points are 0.
+	unsigned columns(const std::array<PointId, 4>& rows, unsigned count) const
+	{
+		if (count == 4)
+		{
+			const auto load = [&](PointId p) { return loadFour(xyz_ + 3 * std::size_t(p)); };
+			const unsigned bits = filter_.sixteen({load(rows[0]), load(rows[1]), load(rows[2]), load(rows[3])});
+			if (bits != SignFilter::kInDoubt) [[likely]]
+				return bits;
+		}
+		return inDouble(rows, count);
+	}
+
+	// Fetches the points `from` to `to` in advance.
+	void prefetch(PointId from, PointId to) const
+	{
+		constexpr std::size_t kLine = 64 / sizeof(Number);
+		const Number* end = xyz_ + 3 * std::size_t(to) + 2;
+		for (const Number* at = xyz_ + 3 * std::size_t(from); at < end; at += kLine)
+			vp::prefetch(at);
+		vp::prefetch(end);
+	}
+
+private:
+	[[gnu::noinline]] unsigned inDouble(const std::array<PointId, 4>& rows, unsigned count) const
 	{
 		unsigned bits = 0;
 		for (unsigned v = 0; v < count; ++v)
-			bits |= static_cast<unsigned>(plane_.signedDistance(points_[p + v]) >= 0.0) << v;
-		return bits;
-	}
-	// Of the points p to p + 3, which all exist.
-	unsigned four(PointId p) const
-	{
-		const unsigned bits = filter_.four(loadFour(xyz_ + 3 * std::size_t(p)));
-		return bits == SignFilter::kInDoubt ? few(p, 4) : bits;
-	}
-
-	// Of the points rows[r] to rows[r] + 3, bits[r] as four() gives them.
-	std::array<unsigned, 4> sixteen(const std::array<PointId, 4>& rows) const
-	{
-		const auto load = [&](PointId p) { return loadFour(xyz_ + 3 * std::size_t(p)); };
-		std::array<unsigned, 4> bits;
-		if (!filter_.sixteen({load(rows[0]), load(rows[1]), load(rows[2]), load(rows[3])}, bits))
-			for (std::size_t r = 0; r < rows.size(); ++r)
-				bits[r] = four(rows[r]);
+			for (unsigned r = 0; r < 4; ++r)
+				bits |= static_cast<unsigned>(plane_.signedDistance(points_[rows[r] + v]) >= 0.0) << (4 * v + r);
 		return bits;
 	}
 
-	void prefetch(PointId from, PointId to) const { points_.prefetch(from, to); }
-
-private:
 	const grid::Points& points_;
 	const surface::Plane& plane_;
 	const Number* xyz_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "cases/lattice_cases.h"
 #include "find/point_heights.h"
 #include "find/row_nibbles.h"
 #include "grid/structured.h"
@@ -22,7 +21,7 @@ struct WholeSheet
 {
 	static constexpr bool kLimits = false;
 
-	void leaveOut(std::uint32_t, std::uint32_t, std::uint32_t, std::vector<cases::Column>&) {}
+	const std::uint8_t* leftOut(std::uint32_t, std::uint32_t, std::uint32_t) { return nullptr; }
 };
 
 // The same for a window: those whose section reaches into it. Boxes in float decide about most, the others are asked
@@ -53,8 +52,8 @@ public:
 		}
 	}
 
-	// Marks those of the cut cells [begin, end) of the row of cells at `row`, as in Span, that do not count.
-	void leaveOut(std::uint32_t row, std::uint32_t begin, std::uint32_t end, std::vector<cases::Column>& columns)
+	// Tells, at each of the cut cells [begin, end) of the row of cells at `row`, as in Span, whether it is left out.
+	const std::uint8_t* leftOut(std::uint32_t row, std::uint32_t begin, std::uint32_t end)
 	{
 		const PointId row_start = row * grid_.points()[0];
 		for (std::uint32_t quad = begin / 4; quad <= end / 4; ++quad)
@@ -64,9 +63,9 @@ public:
 		for (std::uint32_t i = begin; i < end; ++i)
 		{
 			const std::uint8_t code = codes_[i] & codes_[i + 1];
-			if (code & kBeyond || (!(code & kWithin) && !meets(grid_.cell(i, j, k))))
-				columns[i] |= cases::kLeftOut;
+			codes_[i] = code & kBeyond || (!(code & kWithin) && !meets(grid_.cell(i, j, k)));
 		}
+		return codes_.data();
 	}
 
 private:

@@ -1,6 +1,7 @@
 #include "find/rows.h"
 
 #include "base/raw_vector.h"
+#include "find/column_word.h"
 #include "find/straight_window.h"
 
 #include <tbb/blocked_range.h>
@@ -15,9 +16,6 @@ namespace vp::find
 
 namespace
 {
-
-using cases::Column;
-using cases::LatticeCase;
 
 // Finds the spans layer by layer, on all cores.
 template <class G>
@@ -130,35 +128,34 @@ private:
 
 	void addSpan(Span span, const std::array<std::uint32_t, 4>& changes, bool has_cells, SpanCut& cut) const
 	{
+		const std::uint32_t count = span.end - span.begin;
 		span.columns = static_cast<std::uint32_t>(cut.columns.size());
 		span.counts = cut.counts;
-		const auto columnAt = [&](std::uint32_t i)
+		cut.columns.resize(span.columns + count + ColumnWord::kColumns);
+		cases::ColumnCase* columns = &cut.columns[span.columns];
+		for (std::uint32_t x = 0; x < count; x += ColumnWord::kMaxCells)
+			ColumnWord::ofRows(changes, rises_, span.begin + x).writeCases(columns + x);
+		const unsigned last = ColumnWord::ofRows(changes, rises_, span.end).column(0);
+		columns[count] = static_cast<cases::ColumnCase>(last | last << 4);
+		std::size_t left_out = 0;
+		if (has_cells && window_)
+			for (std::uint32_t x = 0; x < count; ++x)
+				if (!window_->meets(span.begin + x, span.row))
+				{
+					columns[x] |= cases::kLeftOut;
+					++left_out;
+				}
+		for (std::uint32_t x = 0; x < count; ++x)
 		{
-			Column column = 0;
-			for (unsigned r = 0; r < 4; ++r)
-				column |= static_cast<Column>((i >= changes[r]) == rises_) << r;
-			return column;
-		};
-		Column column = columnAt(span.begin);
-		for (std::uint32_t i = span.begin; i <= span.end; ++i)
-		{
-			cut.columns.push_back(column);
-			const Column next = i < span.end ? columnAt(i + 1) : column;
-			const LatticeCase& entry = table_[cases::caseIndex(column, next)];
-			cut.counts.vertices += entry.owned_count;
-			column = next;
-			if (!has_cells || i == span.end)
-				continue;
-			++cut.cells.looked_at;
-			if (window_ && !window_->meets(i, span.row))
-				cut.columns.back() |= cases::kLeftOut;
-			else
-			{
-				cut.counts.polygons += entry.edges != 0;
-				cut.counts.corners += entry.edges;
-				++cut.cells.cut;
-			}
+			const CellSums sums = sums_[columns[x]];
+			cut.counts.vertices += sums.vertices();
+			if (has_cells)
+				cut.counts += {0, sums.polygons(), sums.corners()};
 		}
+		cut.counts.vertices += sums_[columns[count]].vertices();
+		if (has_cells)
+			cut.cells += {count, count - left_out, 0};
+		cut.columns.resize(span.columns + count + 1);
 		cut.spans.push_back(span);
 	}
 
@@ -202,7 +199,7 @@ private:
 	std::array<std::uint32_t, 3> cells_;
 	std::optional<StraightWindow<G>> window_;
 	std::array<CellRange, 3> range_; // of the cells that may be cut where it counts
-	const std::array<LatticeCase, 256>& table_ = cases::latticeCases();
+	const std::array<CellSums, cases::kColumnCases>& sums_ = cellSums();
 	std::array<std::vector<double>, 3> terms_; // of the distance, per axis
 	bool rises_ = true;                        // the distance along i
 	double points_per_distance_ = 0.0;         // along i, on the mean

@@ -307,9 +307,13 @@ std::vector<std::vector<grid::BoundaryIndex::Face>> facesToShow(const grid::Bloc
 			bool is_left = !flat.shown;
 			if (const grid::BlockSeams* of_block = seams.of(b); is_left && of_block)
 				for (const grid::SeamLink& link : of_block->of(flat.face.cell, flat.face.face))
-					is_left =
-					    is_left && !isShown(link) &&
-					    std::tie(b, flat.face.cell, flat.face.face) < std::tie(link.block, link.other, link.other_face);
+				{
+					const bool comes_first = link.hang != grid::Hang::none
+					                             ? link.hang == grid::Hang::small
+					                             : std::tie(b, flat.face.cell, flat.face.face) <
+					                                   std::tie(link.block, link.other, link.other_face);
+					is_left = is_left && !isShown(link) && comes_first;
+				}
 			if (is_left)
 				left[b].push_back(flat.face);
 		}

@@ -25,18 +25,18 @@ public:
 		return bitsAtLeast(height, FourFloats(0.0f));
 	}
 
-	// S at four times four points: bit v of number r is that of point v of points[r]. False where one of them is to be
+	// S at four times four points: bit 4 v + r is that of point v of points[r]. kInDoubt where one of them is to be
 	// asked in double.
-	bool sixteen(const std::array<FourPoints, 4>& points, std::array<unsigned, 4>& bits) const
+	unsigned sixteen(const std::array<FourPoints, 4>& points) const
 	{
 		const std::array height = {heights_.at(points[0]), heights_.at(points[1]), heights_.at(points[2]),
 		                           heights_.at(points[3])};
 		// What is not a number may get lost here. In double it is not positive either.
 		const FourFloats least = lesser(lesser(magnitude(height[0]), magnitude(height[1])),
 		                                lesser(magnitude(height[2]), magnitude(height[3])));
-		for (std::size_t r = 0; r < height.size(); ++r)
-			bits[r] = bitsAtLeast(height[r], FourFloats(0.0f));
-		return bitsAtLeast(least, FourFloats(heights_.doubt())) == 15;
+		if (bitsAtLeast(least, FourFloats(heights_.doubt())) != 15)
+			return kInDoubt;
+		return bitsAtLeast(height, FourFloats(0.0f));
 	}
 
 private:

@@ -45,8 +45,9 @@ struct SpanCells
 	}
 };
 
-// A run of cut cells [begin, end) along i, bounded by uniform columns or the grid's sides. Its row is that of its
-// lowest points, k * points_j + j; its end - begin + 1 columns tell its cells' cases, and which of them are left out.
+// A run of cut cells [begin, end) along i, bounded by columns of four points that agree or by the grid's sides. Its row
+// is that of its lowest points, k * points_j + j; its end - begin + 1 columns tell its cells' cases, and which of them
+// are left out.
 //
 // Rows of the last j or k hold no cells. Spans there stand beside those of the cells before them, with columns of their
 // own: for the edges that the points of the row own.
@@ -63,7 +64,7 @@ struct Span
 struct SpanCut
 {
 	RawVector<Span> spans; // ascending by row, then begin
-	RawVector<cases::Column> columns;
+	RawVector<cases::ColumnCase> columns;
 	SpanCounts counts; // of all
 	SpanCells cells;
 	bool classified_at_once = false; // by a device too, as one front
@@ -81,7 +82,7 @@ void forEachCutCell(const grid::Lattice& lattice, const SpanCut& cut, Visit&& vi
 		const std::uint32_t j = span.row - k * points_j;
 		if (j + 1 == points_j || k + 1 == points_k)
 			continue;
-		const cases::Column* columns = &cut.columns[span.columns];
+		const cases::ColumnCase* columns = &cut.columns[span.columns];
 		for (std::uint32_t i = span.begin; i < span.end; ++i)
 			if (!(columns[i - span.begin] & cases::kLeftOut))
 				visit(lattice.cell(i, j, k));

@@ -20,48 +20,43 @@ SpanStore::Found& SpanStore::found(std::size_t thread)
 	return *found_[thread];
 }
 
-bool SpanStore::insert(std::size_t thread, const Span& span, std::span<const cases::Column> columns,
-                       const SpanCells& cells)
+void SpanStore::Writer::insert(Span span, const SpanCells& cells)
 {
-	Found& mine = found(thread);
-	const std::size_t number = mine.records;
+	const std::size_t number = mine_.records;
 	if (number % kChunk == 0)
 	{
 		if (number / kChunk == kChunks)
 			throw std::length_error("a slice of more than 16 million spans");
-		if (!mine.chunks[number / kChunk])
-			mine.chunks[number / kChunk] = std::make_unique<Record[]>(kChunk);
+		if (!mine_.chunks[number / kChunk])
+			mine_.chunks[number / kChunk] = std::make_unique<Record[]>(kChunk);
 	}
-	Record& record = mine[number];
+	Record& record = mine_[number];
+	span.columns = static_cast<std::uint32_t>(mine_.used_columns);
 	record.span = span;
-	record.span.columns = static_cast<std::uint32_t>(mine.columns.size());
-	const std::uint64_t head = makeHead(span, thread, number);
-	record.older = heads_[span.row].load(std::memory_order_acquire);
+	const std::uint64_t head = makeHead(span, thread_, number);
+	std::atomic<std::uint64_t>& row = store_.heads_[span.row];
+	record.older = row.load(std::memory_order_acquire);
 	do
 	{
-		for (std::uint64_t other = record.older; other; other = olderThan(other))
+		for (std::uint64_t other = record.older; other; other = store_.olderThan(other))
 			if (firstOf(other) == span.begin)
-				return false;
-	} while (!heads_[span.row].compare_exchange_weak(record.older, head, std::memory_order_acq_rel,
-	                                                 std::memory_order_acquire));
+				return;
+	} while (!row.compare_exchange_weak(record.older, head, std::memory_order_acq_rel, std::memory_order_acquire));
 	if (!record.older)
-		mine.touched[span.row / 64] |= 1ull << span.row % 64;
-	++mine.records;
-	mine.columns.insert(mine.columns.end(), columns.begin(), columns.end());
-	mine.cells += cells;
-	return true;
+		mine_.touched[span.row / 64] |= 1ull << span.row % 64;
+	++mine_.records;
+	mine_.used_columns += span.end - span.begin + 1;
+	mine_.cells += cells;
 }
 
-// Appends the spans of a row in their order, each with its columns.
+// Appends the spans of a row in their order.
 void SpanStore::takeRow(std::uint32_t row, SpanCut& cut)
 {
 	const std::size_t first = cut.spans.size();
 	for (std::uint64_t head = heads_[row].load(std::memory_order_relaxed); head; head = olderThan(head))
 	{
 		Span span = recordOf(head).span;
-		const cases::Column* columns = found_[head >> 32 & 0x7F]->columns.data() + span.columns;
-		span.columns = static_cast<std::uint32_t>(cut.columns.size());
-		cut.columns.insert(cut.columns.end(), columns, columns + (span.end - span.begin + 1));
+		span.columns += static_cast<std::uint32_t>(foundOf(head).first_column);
 		cut.spans.push_back(span);
 	}
 	heads_[row].store(0, std::memory_order_relaxed);
@@ -95,7 +90,7 @@ void SpanStore::clear(std::span<Found* const> finders)
 	for (Found* of_thread : finders)
 	{
 		of_thread->records = 0;
-		of_thread->columns.clear();
+		of_thread->used_columns = 0;
 		of_thread->cells = {};
 	}
 }
@@ -103,14 +98,17 @@ void SpanStore::clear(std::span<Found* const> finders)
 SpanCut SpanStore::collect()
 {
 	std::vector<Found*> finders;
-	SpanCut cut;
+	SpanCells cells;
 	std::size_t spans = 0;
+	std::size_t columns = 0;
 	for (const std::unique_ptr<Found>& of_thread : found_)
 		if (of_thread)
 		{
 			finders.push_back(of_thread.get());
+			of_thread->first_column = columns;
 			spans += of_thread->records;
-			cut.cells += of_thread->cells;
+			columns += of_thread->used_columns;
+			cells += of_thread->cells;
 		}
 	// All cores take ranges of rows, which are then put one behind the other.
 	constexpr std::size_t kSpansInPart = 2048;
@@ -119,45 +117,44 @@ SpanCut SpanStore::collect()
 	const auto forParts = [&](auto&& act) { tbb::parallel_for(std::size_t(0), parts.size(), act); };
 	forParts([&](std::size_t p)
 	         { parts[p] = takeRows(words * p / parts.size(), words * (p + 1) / parts.size(), finders); });
-	if (parts.size() == 1)
-	{
-		parts[0].cells = cut.cells;
-		cut = std::move(parts[0]);
-		clear(finders);
-		return cut;
-	}
+	SpanCut cut = parts.size() == 1 ? std::move(parts[0]) : join(parts);
+	cut.cells = cells;
+	// Columns stay in the order in which the threads found them.
+	cut.columns.resize(columns);
+	for (const Found* of_thread : finders)
+		std::copy_n(of_thread->columns.begin(), of_thread->used_columns,
+		            cut.columns.begin() + static_cast<std::ptrdiff_t>(of_thread->first_column));
+	clear(finders);
+	return cut;
+}
+
+SpanCut SpanStore::join(std::span<const SpanCut> parts)
+{
 	struct Place
 	{
 		std::size_t span;
-		std::size_t column;
 		SpanCounts counts;
 	};
 	std::vector<Place> places;
-	std::size_t columns = 0;
-	spans = 0;
+	SpanCut cut;
+	std::size_t spans = 0;
 	for (const SpanCut& part : parts)
 	{
-		places.push_back({spans, columns, cut.counts});
+		places.push_back({spans, cut.counts});
 		spans += part.spans.size();
-		columns += part.columns.size();
 		cut.counts += part.counts;
 	}
 	cut.spans.resize(spans);
-	cut.columns.resize(columns);
-	forParts(
-	    [&](std::size_t p)
-	    {
-		    const Place& place = places[p];
-		    std::ranges::copy(parts[p].columns, cut.columns.begin() + static_cast<std::ptrdiff_t>(place.column));
-		    Span* to = cut.spans.data() + place.span;
-		    for (Span span : parts[p].spans)
-		    {
-			    span.columns += static_cast<std::uint32_t>(place.column);
-			    span.counts += place.counts;
-			    *to++ = span;
-		    }
-	    });
-	clear(finders);
+	tbb::parallel_for(std::size_t(0), parts.size(),
+	                  [&](std::size_t p)
+	                  {
+		                  Span* to = cut.spans.data() + places[p].span;
+		                  for (Span span : parts[p].spans)
+		                  {
+			                  span.counts += places[p].counts;
+			                  *to++ = span;
+		                  }
+	                  });
 	return cut;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/prefetch.h"
+#include "find/column_word.h"
 #include "find/span_cut.h"
 
 #include <array>
@@ -18,6 +19,8 @@ namespace vp::find
 // of the visited marks, in 8 bytes a row instead of one a cell.
 class SpanStore
 {
+	struct Found;
+
 public:
 	static constexpr std::size_t kMaxThreads = 127;
 	static constexpr std::size_t kMaxRowCells = 0xFFFF; // a head of a row keeps cells in 16 bits
@@ -34,9 +37,30 @@ public:
 	}
 	void prefetch(std::uint32_t row) const { vp::prefetch(&heads_[row]); }
 
-	// Adds a span of a thread, 0 <= thread < kMaxThreads, `span.columns` aside. False when another thread has found it
-	// in the meantime.
-	bool insert(std::size_t thread, const Span& span, std::span<const cases::Column> columns, const SpanCells& cells);
+	// What one thread adds, 0 <= thread < kMaxThreads.
+	class Writer
+	{
+	public:
+		Writer(SpanStore& store, std::size_t thread) : store_(store), thread_(thread), mine_(store.found(thread)) {}
+
+		// Where the columns of the next span are to be written. There is room behind them for what a ColumnWord writes
+		// too much.
+		cases::ColumnCase* room(std::size_t columns)
+		{
+			if (const std::size_t needed = mine_.used_columns + columns + ColumnWord::kColumns;
+			    needed > mine_.columns.size())
+				mine_.columns.resize(2 * needed);
+			return &mine_.columns[mine_.used_columns];
+		}
+		// Adds the span whose columns have been written. `span.columns` is not used. Nothing happens if another thread
+		// has found it in the meantime.
+		void insert(Span span, const SpanCells& cells);
+
+	private:
+		SpanStore& store_;
+		std::size_t thread_;
+		Found& mine_;
+	};
 
 	// All that was inserted; leaves the store empty.
 	SpanCut collect();
@@ -57,7 +81,9 @@ private:
 	{
 		std::array<std::unique_ptr<Record[]>, kChunks> chunks;
 		std::size_t records = 0;
-		std::vector<cases::Column> columns;
+		RawVector<cases::ColumnCase> columns;
+		std::size_t used_columns = 0;
+		std::size_t first_column = 0;       // its place in the cut, once that is collected
 		std::vector<std::uint64_t> touched; // rows, a bit each, of which this thread found the first span
 		SpanCells cells;
 
@@ -69,7 +95,8 @@ private:
 	// tells a row with spans from one without.
 	static std::uint32_t firstOf(std::uint64_t head) { return head & 0xFFFF; }
 	static std::uint32_t lastOf(std::uint64_t head) { return head >> 16 & 0xFFFF; }
-	const Record& recordOf(std::uint64_t head) const { return (*found_[head >> 32 & 0x7F])[head >> 39 & 0xFFFFFF]; }
+	const Found& foundOf(std::uint64_t head) const { return *found_[head >> 32 & 0x7F]; }
+	const Record& recordOf(std::uint64_t head) const { return foundOf(head)[head >> 39 & 0xFFFFFF]; }
 	std::uint64_t olderThan(std::uint64_t head) const { return recordOf(head).older; }
 	static std::uint64_t makeHead(const Span& span, std::size_t thread, std::size_t record)
 	{
@@ -80,6 +107,7 @@ private:
 	Found& found(std::size_t thread);
 	void takeRow(std::uint32_t row, SpanCut& cut);
 	SpanCut takeRows(std::size_t begin, std::size_t end, std::span<Found* const> finders);
+	static SpanCut join(std::span<const SpanCut> parts);
 	static void clear(std::span<Found* const> finders);
 
 	std::size_t rows_;

@@ -45,6 +45,10 @@ private:
 // Records, submits and waits, for work outside the hot path.
 Status runOnce(Device& device, const char* name, const std::function<void(VkCommandBuffer)>& record);
 
+// The stage of vkCmdUpdateBuffer is CLEAR, as it is one of the clear commands. Validation layers before 1.3.280 expect
+// COPY.
+constexpr VkPipelineStageFlags2 kUpdateStages = VK_PIPELINE_STAGE_2_CLEAR_BIT | VK_PIPELINE_STAGE_2_COPY_BIT;
+
 // One global memory barrier.
 void memoryBarrier(VkCommandBuffer commands, VkPipelineStageFlags2 before_stages, VkAccessFlags2 before_access,
                    VkPipelineStageFlags2 after_stages, VkAccessFlags2 after_access);

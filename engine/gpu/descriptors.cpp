@@ -85,6 +85,11 @@ DescriptorWriter& DescriptorWriter::texels(std::uint32_t binding, VkBufferView v
 	return *this;
 }
 
+DescriptorWriter& DescriptorWriter::array(std::uint32_t binding, const ShaderArray::Place& place)
+{
+	return place.texels ? texels(binding, place.texels) : storageBuffer(binding, place.buffer);
+}
+
 DescriptorWriter& DescriptorWriter::storageImage(std::uint32_t binding, VkImageView view)
 {
 	images_.push_back({VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL});
@@ -93,10 +98,10 @@ DescriptorWriter& DescriptorWriter::storageImage(std::uint32_t binding, VkImageV
 }
 
 DescriptorWriter& DescriptorWriter::sampledImage(std::uint32_t binding, VkImageView view, VkSampler sampler,
-                                                 std::uint32_t element)
+                                                 VkImageLayout layout)
 {
-	images_.push_back({sampler, view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
-	add(binding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, element).pImageInfo = &images_.back();
+	images_.push_back({sampler, view, layout});
+	add(binding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 0).pImageInfo = &images_.back();
 	return *this;
 }
 

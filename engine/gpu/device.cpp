@@ -77,11 +77,12 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 		return instance.error();
 	hidden.instance = std::move(*instance);
 	device->instance_ = hidden.instance->handle;
-	Result<Candidate> choice = chooseDevice(device->instance_, options.name_or_index, options.swapchain);
+	Result<Candidate> choice = chooseDevice(device->instance_, options);
 	if (!choice)
 		return choice.error();
 	if (options.hardware_only && choice->type == VK_PHYSICAL_DEVICE_TYPE_CPU)
 		return no_hardware;
+	device->memory_asked_ = options.memory;
 	device->examined(*choice);
 
 	std::vector<const char*> extensions;
@@ -152,13 +153,23 @@ void Device::examined(const Candidate& candidate)
 	queue_family_ = candidate.queue_family;
 
 	VkPhysicalDeviceMaintenance4Properties maintenance4{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
+	VkPhysicalDeviceFloatControlsProperties floats{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FLOAT_CONTROLS_PROPERTIES,
+	                                               &maintenance4};
 	VkPhysicalDeviceMaintenance3Properties maintenance3{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES,
-	                                                    &maintenance4};
+	                                                    &floats};
 	VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &maintenance3};
 	vkGetPhysicalDeviceProperties2(physical_, &properties);
 	limits_ = properties.properties.limits;
 	max_buffer_size_ = std::min(maintenance4.maxBufferSize, maintenance3.maxMemoryAllocationSize);
+	VkPhysicalDeviceFeatures features;
+	vkGetPhysicalDeviceFeatures(physical_, &features);
+	has_exact_doubles_ = features.shaderFloat64 && floats.shaderRoundingModeRTEFloat64;
 	vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
+	VkDeviceSize largest = 0;
+	for (std::uint32_t i = 0; i < memory_.memoryHeapCount; ++i)
+		if (memory_.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)
+			largest = std::max(largest, memory_.memoryHeaps[i].size);
+	memory_budget_ = memory_asked_ > 0 ? std::min(memory_asked_, largest) : largest / 2;
 	private_->has_memory_budget = candidate.has(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
 	std::uint32_t families = 0;
 	vkGetPhysicalDeviceQueueFamilyProperties(physical_, &families, nullptr);
@@ -191,7 +202,7 @@ Device::~Device()
 		return;
 	// A lost device is idle too. The caller may submit to a device that is not ours.
 	if (owned_)
-		vkDeviceWaitIdle(device_);
+		patiently([this] { return vkDeviceWaitIdle(device_); });
 	else if (timeline_)
 		static_cast<void>(wait(private_->submitted)); // fails where the device is lost, and then all is done
 	for (const Private::Retired& retired : private_->retired)
@@ -221,6 +232,8 @@ VkDeviceSize Device::memoryLeft() const
 			    budget.heapBudget[i] - std::min(budget.heapBudget[i], budget.heapUsage[i]) + private_->arena->freeIn(i);
 		most = std::max(most, left);
 	}
+	if (memory_asked_ > 0)
+		most = std::min(most, memory_asked_ - std::min(memory_asked_, memoryUse().used));
 	return most;
 }
 

@@ -24,8 +24,10 @@ struct DeviceOptions
 	std::optional<bool> validation;               // if unset, VPROBE_VALIDATION=1 turns it on
 	std::vector<const char*> instance_extensions; // those that a window needs; empty without a window
 	bool swapchain = false;
+	std::string avoid;             // the name of a device that is taken only if there is no other
 	bool hardware_only = false;    // refuse software devices, which run on the CPU
 	bool map_device_memory = true; // false: device memory is filled by copies even where it could be written directly
+	VkDeviceSize memory = 0;       // bytes of the device that may be used; 0: half of what it has
 };
 
 // A device of the caller, created with WantedFeatures (device_choice.h), and one of its queues for graphics and
@@ -72,9 +74,13 @@ public:
 	const VkPhysicalDeviceFeatures& features() const
 	{
 		return features_;
-	}                                                               // the enabled features; optional ones may be off
+	} // the enabled features; optional ones may be off
+	// Doubles that are rounded as those of the CPU are. Vulkan alone lets a device round either way.
+	bool hasExactDoubles() const { return has_exact_doubles_; }
 	VkDeviceSize maxBufferSize() const { return max_buffer_size_; } // limit of one buffer and its allocation
-	VkDeviceSize memoryLeft() const; // on the largest device-local heap, as far as the driver tells
+	// On the largest device-local heap, as far as the driver tells, and of what may be used.
+	VkDeviceSize memoryLeft() const;
+	VkDeviceSize memoryBudget() const { return memory_budget_; } // that pictures keep to, with their polygons
 
 	VkInstance instance() const { return instance_; }
 	VkPhysicalDevice physical() const { return physical_; }
@@ -124,6 +130,7 @@ private:
 	void examined(const Candidate& candidate); // stores the properties of a candidate
 	Status getReady(bool map_device_memory);   // call this once device_ and queue_ are set
 	void destroyRetired();
+	VkResult counted(std::uint64_t& number) const;
 
 	std::unique_ptr<Private> private_;
 	std::string name_;
@@ -132,6 +139,9 @@ private:
 	VkPhysicalDeviceFeatures features_{};
 	VkPhysicalDeviceMemoryProperties memory_{};
 	VkDeviceSize max_buffer_size_ = 0;
+	VkDeviceSize memory_asked_ = 0; // DeviceOptions::memory
+	VkDeviceSize memory_budget_ = 0;
+	bool has_exact_doubles_ = false;
 	std::uint32_t queue_family_ = 0;
 	std::uint32_t timestamp_bits_ = 0;
 	VkInstance instance_ = VK_NULL_HANDLE;

@@ -51,6 +51,7 @@ std::vector<std::string> missingFeatures(VkPhysicalDevice device)
 		if (!present)
 			missing.emplace_back(name);
 	};
+	need(features.features.fragmentStoresAndAtomics, "fragmentStoresAndAtomics");
 	need(v13.synchronization2, "synchronization2");
 	need(v13.dynamicRendering, "dynamicRendering");
 	need(v13.maintenance4, "maintenance4");
@@ -60,23 +61,15 @@ std::vector<std::string> missingFeatures(VkPhysicalDevice device)
 	return missing;
 }
 
-// Features that drawing uses if they exist. All others stay off.
-VkPhysicalDeviceFeatures optionalFeatures(VkPhysicalDevice device)
+// A format that drawing uses in a way that Vulkan does not promise.
+void requireFormats(VkPhysicalDevice device, std::vector<std::string>& missing)
 {
-	VkPhysicalDeviceFeatures present;
-	vkGetPhysicalDeviceFeatures(device, &present);
-	VkPhysicalDeviceFeatures wanted{};
-	wanted.fragmentStoresAndAtomics = present.fragmentStoresAndAtomics;
-	wanted.vertexPipelineStoresAndAtomics = present.vertexPipelineStoresAndAtomics;
-	wanted.independentBlend = present.independentBlend;
-	wanted.fillModeNonSolid = present.fillModeNonSolid;
-	wanted.wideLines = present.wideLines;
-	wanted.multiDrawIndirect = present.multiDrawIndirect;
-	wanted.shaderStorageImageExtendedFormats = present.shaderStorageImageExtendedFormats;
-	wanted.shaderStorageImageWriteWithoutFormat = present.shaderStorageImageWriteWithoutFormat;
-	wanted.shaderInt64 = present.shaderInt64;
-	wanted.shaderFloat64 = present.shaderFloat64;
-	return wanted;
+	VkFormatProperties depth{};
+	vkGetPhysicalDeviceFormatProperties(device, VK_FORMAT_D32_SFLOAT, &depth);
+	constexpr VkFormatFeatureFlags kNeeded =
+	    VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
+	if ((depth.optimalTilingFeatures & kNeeded) != kNeeded)
+		missing.emplace_back("depth of 32 bits (D32_SFLOAT)");
 }
 
 } // namespace
@@ -93,7 +86,10 @@ Candidate examine(VkPhysicalDevice device, bool swapchain)
 	if (properties.apiVersion < VK_API_VERSION_1_3)
 		candidate.lacks.push_back("Vulkan 1.3");
 	else
+	{
 		candidate.lacks = missingFeatures(device);
+		requireFormats(device, candidate.lacks);
+	}
 	if (const auto family = graphicsAndComputeFamily(device))
 		candidate.queue_family = *family;
 	else
@@ -146,7 +142,10 @@ WantedFeatures::WantedFeatures(VkPhysicalDevice device)
 {
 	v13_.synchronization2 = v13_.dynamicRendering = v13_.maintenance4 = VK_TRUE;
 	v12_.timelineSemaphore = v12_.scalarBlockLayout = v12_.hostQueryReset = VK_TRUE;
-	features_.features = optionalFeatures(device);
+	VkPhysicalDeviceFeatures present;
+	vkGetPhysicalDeviceFeatures(device, &present);
+	features_.features.fragmentStoresAndAtomics = present.fragmentStoresAndAtomics; // surfaces are drawn with it
+	features_.features.shaderFloat64 = present.shaderFloat64;
 }
 
 bool Candidate::has(const char* extension) const
@@ -154,8 +153,9 @@ bool Candidate::has(const char* extension) const
 	return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-Result<Candidate> chooseDevice(VkInstance instance, const std::string& name_or_index, bool swapchain)
+Result<Candidate> chooseDevice(VkInstance instance, const DeviceOptions& options)
 {
+	const std::string& name_or_index = options.name_or_index;
 	std::uint32_t count = 0;
 	VkResult listed = vkEnumeratePhysicalDevices(instance, &count, nullptr);
 	std::vector<VkPhysicalDevice> devices(count);
@@ -170,7 +170,7 @@ Result<Candidate> chooseDevice(VkInstance instance, const std::string& name_or_i
 	std::string list;
 	for (const VkPhysicalDevice device : devices)
 	{
-		candidates.push_back(examine(device, swapchain));
+		candidates.push_back(examine(device, options.swapchain));
 		list += fmt::format("{}{}: {}", list.empty() ? "" : ", ", candidates.size() - 1, candidates.back().name);
 	}
 
@@ -186,10 +186,12 @@ Result<Candidate> chooseDevice(VkInstance instance, const std::string& name_or_i
 	if (candidates.empty())
 		return Error{ErrorKind::device, fmt::format("no device is named {}; there are {}", name_or_index, list)};
 	std::stable_sort(candidates.begin(), candidates.end(),
-	                 [](const Candidate& a, const Candidate& b)
+	                 [&](const Candidate& a, const Candidate& b)
 	                 {
 		                 if (a.lacks.empty() != b.lacks.empty())
 			                 return a.lacks.empty();
+		                 if ((a.name == options.avoid) != (b.name == options.avoid))
+			                 return b.name == options.avoid;
 		                 return rank(a.type) < rank(b.type);
 	                 });
 	return candidates.front().lacks.empty() ? Result<Candidate>(candidates.front()) : unusable(candidates.front());

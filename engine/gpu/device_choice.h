@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "gpu/device.h"
 #include "gpu/vulkan.h"
 
 #include <cstdint>
@@ -46,6 +47,6 @@ private:
 };
 
 // The best device (discrete before integrated, virtual and CPU), or the one that `name_or_index` says.
-Result<Candidate> chooseDevice(VkInstance instance, const std::string& name_or_index, bool swapchain);
+Result<Candidate> chooseDevice(VkInstance instance, const DeviceOptions& options);
 
 } // namespace vp::gpu

@@ -44,10 +44,16 @@ Result<std::uint64_t> Device::submit(const Submission& submission)
 	return ++private_->submitted;
 }
 
+// How many submissions are done.
+VkResult Device::counted(std::uint64_t& number) const
+{
+	return patiently([&] { return vkGetSemaphoreCounterValue(device_, timeline_, &number); });
+}
+
 bool Device::isDone(std::uint64_t number) const
 {
 	std::uint64_t value = 0;
-	return vkGetSemaphoreCounterValue(device_, timeline_, &value) == VK_SUCCESS && value >= number;
+	return counted(value) == VK_SUCCESS && value >= number;
 }
 
 Status Device::wait(std::uint64_t number)
@@ -56,8 +62,7 @@ Status Device::wait(std::uint64_t number)
 	do
 	{
 		std::uint64_t value = 0;
-		if (Status asked = check(vkGetSemaphoreCounterValue(device_, timeline_, &value), "vkGetSemaphoreCounterValue");
-		    !asked)
+		if (Status asked = check(counted(value), "vkGetSemaphoreCounterValue"); !asked)
 			return asked;
 		if (value >= number)
 			return Nothing{};
@@ -68,7 +73,7 @@ Status Device::wait(std::uint64_t number)
 	info.semaphoreCount = 1;
 	info.pSemaphores = &timeline_;
 	info.pValues = &number;
-	return check(vkWaitSemaphores(device_, &info, ~std::uint64_t(0)), "vkWaitSemaphores");
+	return check(patiently([&] { return vkWaitSemaphores(device_, &info, ~std::uint64_t(0)); }), "vkWaitSemaphores");
 }
 
 std::uint64_t Device::lastSubmission() const
@@ -82,7 +87,7 @@ Status Device::waitIdle()
 	// Not only submissions: a presentation still waits for its semaphore.
 	const std::lock_guard lock(private_->queue_mutex);
 	const QueueTurn turn(private_->lock_queue, private_->unlock_queue);
-	return check(vkQueueWaitIdle(queue_), "vkQueueWaitIdle");
+	return check(patiently([this] { return vkQueueWaitIdle(queue_); }), "vkQueueWaitIdle");
 }
 
 VkResult Device::present(const VkPresentInfoKHR& info)
@@ -131,7 +136,7 @@ void Device::retire(std::function<void(VkDevice)> destroy)
 void Device::destroyRetired()
 {
 	std::uint64_t done = 0;
-	if (vkGetSemaphoreCounterValue(device_, timeline_, &done) != VK_SUCCESS)
+	if (counted(done) != VK_SUCCESS)
 		return; // a lost device: they go with it
 	for (const auto& destroy : private_->takeDue(done))
 		destroy(device_);

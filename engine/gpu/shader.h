@@ -2,6 +2,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/image.h"
+#include "gpu/shader_array.h"
 
 #include <array>
 #include <deque>
@@ -153,9 +154,10 @@ public:
 	}
 	DescriptorWriter& texels(std::uint32_t binding, VkBufferView view,
 	                         VkDescriptorType type = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
+	DescriptorWriter& array(std::uint32_t binding, const ShaderArray::Place& place);
 	DescriptorWriter& storageImage(std::uint32_t binding, VkImageView view);
 	DescriptorWriter& sampledImage(std::uint32_t binding, VkImageView view, VkSampler sampler,
-	                               std::uint32_t element = 0);
+	                               VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 	void write(const Device& device, VkDescriptorSet set);
 
 private:

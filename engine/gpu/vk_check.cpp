@@ -45,11 +45,12 @@ Status check(VkResult result, const char* call)
 	case VK_ERROR_OUT_OF_HOST_MEMORY:
 	case VK_ERROR_OUT_OF_DEVICE_MEMORY:
 		return Error{ErrorKind::out_of_memory,
-		             fmt::format("{} ({}); use `classify` cpu or smaller data", resultName(result), call)};
+		             fmt::format("{} ({}); `classify` cpu, a smaller `size` or another `device` may do",
+		                         resultName(result), call)};
 	case VK_ERROR_DEVICE_LOST:
 	case VK_ERROR_SURFACE_LOST_KHR:
-		return Error{ErrorKind::device, fmt::format("{} ({}); the driver's log may say why, `classify` cpu works "
-		                                            "without",
+		return Error{ErrorKind::device, fmt::format("{} ({}); the driver's log may say why; try again, or with "
+		                                            "another `device`",
 		                                            resultName(result), call)};
 	default:
 		return Error{ErrorKind::internal, fmt::format("{}: {} ({}); this is a mistake in the program, please report it",

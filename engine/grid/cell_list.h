@@ -25,6 +25,7 @@ public:
 	IdArray(std::vector<std::int64_t> ids) : IdArray(Array<std::int64_t>(std::move(ids))) {}
 
 	std::size_t size() const { return is_wide_ ? wide_.size() : narrow_.size(); }
+	const std::shared_ptr<const void>& owner() const { return is_wide_ ? wide_.owner() : narrow_.owner(); }
 	std::size_t bytes() const { return is_wide_ ? 8 * wide_.size() : 4 * narrow_.size(); }
 	std::int64_t operator[](std::size_t i) const { return is_wide_ ? wide_[i] : narrow_[i]; }
 

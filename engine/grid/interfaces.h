@@ -13,9 +13,17 @@ namespace vp::grid
 
 struct BlockSet;
 
+// What a face is to the face across a seam.
+enum class Hang : std::uint8_t
+{
+	none,  // its like
+	small, // a part of it, as at the edge of a finer level
+	large  // the other is a part of this face
+};
+
 // A boundary face, and another face at the same place that does not share its points. The other face belongs to another
-// block, or to the same block where points are not merged, such as at the wrap of an O- or C-grid. A face that lies on
-// several others is linked to each.
+// block, or to the same block where points are not merged, such as at the wrap of an O- or C-grid, or where one cell
+// meets several smaller ones (hanging nodes). A face that lies on several others is linked to each.
 struct SeamLink
 {
 	CellId cell;
@@ -23,6 +31,7 @@ struct SeamLink
 	std::uint32_t block; // of the cell across
 	CellId other;
 	std::uint32_t other_face;
+	Hang hang = Hang::none;
 
 	auto operator<=>(const SeamLink&) const = default;
 };
@@ -69,7 +78,8 @@ struct Interfaces
 // Matches the boundary faces of all blocks by their corners and fills blocks.interfaces. Two faces match when each
 // corner of one lies on a corner of the other, within 1e-6 of the face's shortest edge or 4 ulps of the coordinates as
 // they are stored, but never more than a quarter of the cell's shortest edge. Repeated corners count once; faces with
-// fewer than three match nothing. Near-linear in the number of boundary faces, on all cores, the same result for any
+// fewer than three match nothing. A face without a match that lies within a larger one, with the cells on either side,
+// is linked to it as well (Hang). Near-linear in the number of boundary faces, on all cores, the same result for any
 // number of threads.
 void matchInterfaces(BlockSet& blocks);
 

@@ -44,6 +44,7 @@ public:
 	// Return the stored numbers, starting with x y z of the first point, or null if they have the other type.
 	const float* floats() const { return is_double_ ? nullptr : float_.data(); }
 	const double* doubles() const { return is_double_ ? double_.data() : nullptr; }
+	const std::shared_ptr<const void>& owner() const { return is_double_ ? double_.owner() : float_.owner(); }
 	template <class Number>
 	const Number* numbers() const
 	{

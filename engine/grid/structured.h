@@ -127,6 +127,7 @@ public:
 		return {axis_[0][i], axis_[1][j], axis_[2][k]};
 	}
 	double coordinate(int axis, std::uint32_t index) const { return axis_[axis][index]; }
+	const Array<double>& axis(int number) const { return axis_[number]; }
 
 private:
 	std::array<Array<double>, 3> axis_;

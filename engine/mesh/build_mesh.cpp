@@ -39,7 +39,7 @@ void addFacesInPlane(const G& grid, const ShownBlock& block, SheetMesh& mesh)
 
 // What is left to do once the polygons of all cut cells are there. normal: of a flat mesh.
 void finishMesh(const grid::BlockSet& blocks, std::span<const ShownBlock> shown, MeshCleanup cleanup,
-                const Vec3& normal, SheetMesh& mesh)
+                const Vec3& normal, Hanging hanging, SheetMesh& mesh)
 {
 	for (const ShownBlock& block : shown)
 		std::visit([&](const auto& grid) { addFacesInPlane(grid, block, mesh); }, blocks.blocks[block.block].grid);
@@ -47,7 +47,7 @@ void finishMesh(const grid::BlockSet& blocks, std::span<const ShownBlock> shown,
 	const bool joins = cleanup.at_points || mesh.boundary_polygons > 0 || blocks.blocks.size() > 1 ||
 	                   blocks.interfaces.of(0) != nullptr;
 	// Where seams are not known, a block may meet itself.
-	const bool joined = (joins || !grid::knowsSeams(blocks)) && joinVertices(blocks, mesh);
+	const bool joined = (joins || !grid::knowsSeams(blocks)) && joinVertices(blocks, mesh, false, hanging);
 	if (joins || joined || cleanup.slivers)
 	{
 		tidyPolygons(mesh, normal);
@@ -65,7 +65,8 @@ ShownBlock shownBlock(std::uint32_t block, const find::BlockCut& cut,
 	return shown;
 }
 
-SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const ShownBlock> shown)
+SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const ShownBlock> shown,
+                    Hanging hanging)
 {
 	SheetMesh mesh;
 	mesh.polygon_starts.push_back(0);
@@ -78,12 +79,12 @@ SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std
 	for (const ShownBlock& block : shown)
 		if (const auto* cells = std::get_if<const find::CellCut*>(&block.found))
 			cleanup = cleanup | addCells(blocks.blocks[block.block], block.block, plane, sheet.normal, **cells, mesh);
-	finishMesh(blocks, shown, cleanup, sheet.normal, mesh);
+	finishMesh(blocks, shown, cleanup, sheet.normal, hanging, mesh);
 	return mesh;
 }
 
 SheetMesh buildMesh(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
-                    std::span<const ShownBlock> shown)
+                    std::span<const ShownBlock> shown, Hanging hanging)
 {
 	SheetMesh mesh;
 	mesh.polygon_starts.push_back(0);
@@ -92,7 +93,7 @@ SheetMesh buildMesh(const grid::BlockSet& blocks, std::span<const surface::Block
 	for (const ShownBlock& block : shown)
 		cleanup = cleanup | addCells(blocks.blocks[block.block], block.block, surfaces[block.block], Vec3(0.0),
 		                             *std::get<const find::CellCut*>(block.found), mesh);
-	finishMesh(blocks, shown, cleanup, Vec3(0.0), mesh);
+	finishMesh(blocks, shown, cleanup, Vec3(0.0), hanging, mesh);
 	return mesh;
 }
 

@@ -139,7 +139,8 @@ MeshCleanup addCells(const grid::Block& block, std::uint32_t number, const Surfa
 		    [&](std::size_t p)
 		    {
 			    const MeshChunk part = std::move(parts[p]); // freed here, not one after the other
-			    doubts[p] = MeshChunkWriter(grid, reader, number, surface, normal, part, mesh).write();
+			    doubts[p] =
+			        MeshChunkWriter(grid, block.bounds.size(), reader, number, surface, normal, part, mesh).write();
 		    });
 	};
 	std::visit([&](const auto& grid) { withReader(grid, [&](const auto& reader) { add(grid, reader); }); }, block.grid);

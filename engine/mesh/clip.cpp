@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cassert>
 #include <tuple>
@@ -22,7 +23,7 @@ class Clipper
 {
 public:
 	Clipper(const Vec3& origin, std::span<const ClipSide> sides, Corners corners, SheetMesh& mesh)
-	    : origin_(origin), sides_(sides), corners_(corners), mesh_(mesh)
+	    : origin_(origin), sides_(sides), corners_(corners), mesh_(mesh), first_made_(mesh.positions.size())
 	{
 		assert(sides.size() <= kMaxClipSides);
 		for (std::size_t side = 0; side < sides.size(); ++side)
@@ -63,27 +64,41 @@ private:
 		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, outside_.size(), kGrain),
 		                  [&](const auto& range)
 		                  {
-			                  unsigned found = 0;
-			                  for (std::size_t v = range.begin(); v < range.end(); ++v)
-			                  {
-				                  outside_[v] = 0;
-				                  for (unsigned side = 0; side < sides_.size(); ++side)
-					                  if (within(static_cast<std::uint32_t>(v), side) < 0.0)
-						                  outside_[v] |= static_cast<std::uint8_t>(1 << side);
-				                  found |= outside_[v];
-			                  }
-			                  if (found)
+			                  if (findOutside(range.begin(), range.end()))
 				                  any = true;
 		                  });
 		return any;
 	}
+	bool findOutside(std::size_t begin, std::size_t end)
+	{
+		// Copies, that what is written cannot be thought to change what is read.
+		std::array<ClipSide, kMaxClipSides> sides;
+		std::ranges::copy(sides_, sides.begin());
+		const std::size_t count = sides_.size();
+		const Vec3 origin = origin_;
+		const Vec3* positions = mesh_.positions.data();
+		std::uint8_t* outside = outside_.data();
+		unsigned found = 0;
+		for (std::size_t v = begin; v < end; ++v)
+		{
+			const Vec3 way = positions[v] - origin;
+			unsigned of_vertex = 0;
+			for (std::size_t side = 0; side < count; ++side)
+				of_vertex |= static_cast<unsigned>(glm::dot(way, sides[side].axis) - sides[side].least < 0.0) << side;
+			outside[v] = static_cast<std::uint8_t>(of_vertex);
+			found |= of_vertex;
+		}
+		return found != 0;
+	}
 
 	void takePolygons()
 	{
-		RawVector<std::uint32_t> starts{0};
+		RawVector<std::uint32_t> starts;
 		RawVector<std::uint32_t> vertices;
-		starts.reserve(mesh_.polygon_starts.size());
-		vertices.reserve(mesh_.polygon_vertices.size());
+		starts.resize(mesh_.polygon_starts.size());
+		starts[0] = 0;
+		vertices.resize(mesh_.polygon_vertices.size());
+		std::size_t corners = 0;
 		std::size_t kept = 0;
 		const std::size_t of_cells = mesh_.polygons() - mesh_.boundary_polygons;
 		for (std::size_t p = 0; p < mesh_.polygons(); ++p)
@@ -94,10 +109,15 @@ private:
 				mesh_.boundary_polygons -= p >= of_cells;
 				continue;
 			}
-			vertices.insert(vertices.end(), part.begin(), part.end());
-			starts.push_back(static_cast<std::uint32_t>(vertices.size()));
+			if (corners + part.size() > vertices.size()) // a polygon may get corners on the rim
+				vertices.resize(2 * (corners + part.size()));
+			for (const std::uint32_t v : part)
+				vertices[corners++] = v;
 			mesh_.polygon_cells[kept++] = mesh_.polygon_cells[p];
+			starts[kept] = static_cast<std::uint32_t>(corners);
 		}
+		vertices.resize(corners);
+		starts.resize(kept + 1);
 		mesh_.polygon_cells.resize(kept);
 		mesh_.polygon_starts = std::move(starts);
 		mesh_.polygon_vertices = std::move(vertices);
@@ -159,7 +179,7 @@ private:
 		return has_corner;
 	}
 
-	bool isOnRim(std::uint32_t v) const { return v >= mesh_.edges.size(); }
+	bool isOnRim(std::uint32_t v) const { return v >= first_made_; }
 
 	static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b)
 	{
@@ -184,34 +204,13 @@ private:
 			const double t = within(a, side) / (within(a, side) - within(b, side));
 			const Vec3 place = mesh_.positions[a] + t * (mesh_.positions[b] - mesh_.positions[a]);
 			mesh_.positions.push_back(place);
-			addShares(a, 1.0 - t);
-			addShares(b, t);
+			addShares(mesh_, a, 1.0 - t, mesh_.rim_shares);
+			addShares(mesh_, b, t, mesh_.rim_shares);
 			mesh_.rim_starts.push_back(static_cast<std::uint32_t>(mesh_.rim_shares.size()));
 			made_.push_back({a, b, side});
 		}
 		return number;
 	}
-	void addShares(std::uint32_t v, double weight)
-	{
-		if (!isOnRim(v))
-		{
-			const EdgePoint& edge = mesh_.edges[v];
-			// An end without a part does not bring its NaN.
-			if (edge.t != 1.0)
-				mesh_.rim_shares.push_back({edge.block, edge.lower, weight * (1.0 - edge.t)});
-			if (edge.t != 0.0)
-				mesh_.rim_shares.push_back({edge.block, edge.higher, weight * edge.t});
-			return;
-		}
-		const std::size_t rim = v - mesh_.edges.size();
-		for (std::uint32_t s = mesh_.rim_starts[rim]; s < mesh_.rim_starts[rim + 1]; ++s)
-		{
-			PointShare share = mesh_.rim_shares[s];
-			share.weight *= weight;
-			mesh_.rim_shares.push_back(share);
-		}
-	}
-
 	// Where an edge lies on another across a seam, and both are cut at the side, the cuts are a pair as their ends are.
 	void pairAcrossSeams(unsigned side)
 	{
@@ -229,7 +228,7 @@ private:
 			const Cut& cut = made_[m];
 			if (cut.side != side)
 				continue;
-			const auto v = static_cast<std::uint32_t>(mesh_.edges.size() + m);
+			const auto v = static_cast<std::uint32_t>(first_made_ + m);
 			const auto [a_begin, a_end] = partners.equal_range(cut.from);
 			const auto [b_begin, b_end] = partners.equal_range(cut.to);
 			for (auto other_a = a_begin; other_a != a_end; ++other_a)
@@ -246,9 +245,10 @@ private:
 	std::span<const ClipSide> sides_;
 	Corners corners_;
 	SheetMesh& mesh_;
+	std::size_t first_made_; // vertex
 	RawVector<std::uint8_t> outside_;
 	std::vector<KeyNumbers> numbers_; // per side
-	std::vector<Cut> made_;           // per rim vertex
+	std::vector<Cut> made_;           // per vertex from first_made_
 	std::vector<std::uint32_t> part_;
 	std::vector<std::uint32_t> whole_; // what part_ is clipped from
 };

@@ -49,16 +49,22 @@ inline NumberedEdges numberEdges(std::span<const std::uint64_t> asked)
 	std::uint32_t* slot = slots.data();
 	std::uint64_t* edges = found.edges.data();
 	std::uint32_t count = 0;
+	// The number in a slot, or the next one where it is empty. Bits in place of a choice: the compiler would branch.
+	const auto numberIn = [&](std::size_t at)
+	{
+		const std::uint32_t mask = 0u - static_cast<std::uint32_t>(slot[at] < count);
+		return count ^ ((count ^ slot[at]) & mask);
+	};
 	for (std::size_t i = 0; i < asked.size(); ++i)
 	{
 		const std::uint64_t edge = asked[i];
 		std::size_t at = (edge * kGolden) >> shift;
 		edges[count] = edge; // to stay, should it be new
-		std::uint32_t number = std::min(slot[at], count);
+		std::uint32_t number = numberIn(at);
 		while (edges[number] != edge)
 		{
 			at = (at + 1) & (slots.size() - 1);
-			number = std::min(slot[at], count);
+			number = numberIn(at);
 		}
 		slot[at] = number;
 		found.numbers[i] = number;

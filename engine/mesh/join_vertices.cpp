@@ -36,7 +36,7 @@ public:
 	{
 	}
 
-	bool join(bool by_place)
+	bool join(bool by_place, Hanging hanging)
 	{
 		joinAtGridPoints();
 		joinAtSeams(by_place);
@@ -46,7 +46,8 @@ public:
 		if (any)
 			for (std::uint32_t& v : mesh_.polygon_vertices)
 				v = joined_.root(v);
-		return any || !mesh_.seam_pairs.empty();
+		linkHanging(blocks_, hanging_, hanging, joined_, mesh_);
+		return any || !hanging_.empty() || !mesh_.seam_pairs.empty();
 	}
 
 private:
@@ -71,15 +72,27 @@ private:
 
 	void joinAtSeams(bool by_place)
 	{
-		for (const VertexPair& pair : grid::knowsSeams(blocks_)
-		                                  ? seamVertices(blocks_, blocks_.interfaces, mesh_)
-		                                  : seamVertices(blocks_, seamsOfMesh(blocks_, mesh_, joined_), mesh_))
+		const SeamVertices found = grid::knowsSeams(blocks_)
+		                               ? seamVertices(blocks_, blocks_.interfaces, mesh_)
+		                               : seamVertices(blocks_, seamsOfMesh(blocks_, mesh_, joined_), mesh_);
+		for (const VertexPair& pair : found.pairs)
 			if (by_place && !areOnePlace(pair.first, pair.second))
 				continue;
 			else if (haveSameData(pair.first, pair.second))
 				joined_.join(pair.first, pair.second);
 			else
 				mesh_.seam_pairs.push_back(pair);
+		if (by_place)
+			return;
+		for (const HangingVertex& h : found.hanging)
+			if (!haveSameArrays(h.vertex, h.from))
+				mesh_.seam_pairs.emplace_back(h.vertex, h.at < 0.5 ? h.from : h.to);
+			else
+			{
+				hanging_.push_back(h);
+				if (h.isAtEnd())
+					joined_.join(h.vertex, h.end());
+			}
 	}
 
 	bool ofSeveralBlocks() const
@@ -135,6 +148,23 @@ private:
 		return true;
 	}
 
+	bool haveSameArrays(std::uint32_t v, std::uint32_t w) const
+	{
+		const std::vector<grid::Field>& fields = blocks_.blocks[mesh_.edges[v].block].fields;
+		const std::vector<grid::Field>& others = blocks_.blocks[mesh_.edges[w].block].fields;
+		return std::ranges::count_if(fields, isPointField) == std::ranges::count_if(others, isPointField) &&
+		       std::ranges::all_of(fields,
+		                           [&](const grid::Field& field)
+		                           {
+			                           return !isPointField(field) ||
+			                                  std::ranges::any_of(others,
+			                                                      [&](const grid::Field& o) {
+				                                                      return isPointField(o) && o.name == field.name &&
+				                                                             o.components == field.components;
+			                                                      });
+		                           });
+	}
+
 	double valueAt(const grid::Field& field, int component, std::uint32_t v) const
 	{
 		return interpolate(blocks_.blocks[mesh_.edges[v].block], field, component, mesh_.edges[v]);
@@ -161,13 +191,14 @@ private:
 	const grid::BlockSet& blocks_;
 	SheetMesh& mesh_;
 	UnionFind joined_;
+	std::vector<HangingVertex> hanging_;
 };
 
 } // namespace
 
-bool joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place)
+bool joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place, Hanging hanging)
 {
-	return VertexJoiner(blocks, mesh).join(by_place);
+	return VertexJoiner(blocks, mesh).join(by_place, hanging);
 }
 
 } // namespace vp::mesh

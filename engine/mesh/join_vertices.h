@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grid/block.h"
+#include "mesh/hanging_vertices.h"
 #include "mesh/sheet_mesh.h"
 
 namespace vp::mesh
@@ -14,7 +15,11 @@ namespace vp::mesh
 // A plane cuts an edge of a seam once, whatever rounding and tolerance make of the place. What is given `by_place`
 // lies, as grid surfaces of two blocks do, at places of its own along such an edge, and is joined at equal ones only.
 //
-// Returns whether vertices were joined, or put into mesh.seam_pairs.
-bool joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place = false);
+// Where a cell meets several smaller ones, both sides have the same vertices afterwards, if both have the same point
+// arrays (hanging_vertices.h). Else the sides are listed in mesh.seam_pairs alone. By place, nothing hangs.
+//
+// Returns whether vertices were joined, linked, or put into mesh.seam_pairs.
+bool joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place = false,
+                  Hanging hanging = Hanging::keep);
 
 } // namespace vp::mesh

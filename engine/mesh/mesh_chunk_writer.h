@@ -1,6 +1,8 @@
 #pragma once
 
 #include "base/prefetch.h"
+#include "mesh/edge_places.h"
+#include "mesh/fan_sense.h"
 #include "mesh/mesh_chunk.h"
 #include "mesh/tidy_polygons.h"
 
@@ -12,11 +14,13 @@ template <grid::Grid G, class Reader, class Surface>
 class MeshChunkWriter
 {
 public:
-	// normal: of a plane; curved surfaces have their polygons turned to where the heights rise.
-	MeshChunkWriter(const G& grid, const Reader& reader, std::uint32_t block, const Surface& surface,
-	                const Vec3& normal, const MeshChunk& part, SheetMesh& mesh)
-	    : grid_(grid), reader_(reader), block_(block), surface_(surface), facing_(normal), part_(part), mesh_(mesh),
-	      positions_(part.edges.size()), numbers_(part.edges.size()), rises_(kCurved ? part.edges.size() : 0)
+	// extent: of the grid's points. normal: of a plane; curved surfaces have their polygons turned to where the heights
+	// rise.
+	MeshChunkWriter(const G& grid, const Vec3& extent, const Reader& reader, std::uint32_t block,
+	                const Surface& surface, const Vec3& normal, const MeshChunk& part, SheetMesh& mesh)
+	    : grid_(grid), extent_(extent), reader_(reader), block_(block), surface_(surface), normal_(normal),
+	      facing_(normal), part_(part), mesh_(mesh), positions_(part.edges.size()), parts_(part.edges.size()),
+	      numbers_(part.edges.size()), rises_(kCurved ? part.edges.size() : 0)
 	{
 	}
 
@@ -29,6 +33,7 @@ public:
 
 private:
 	static constexpr bool kCurved = surface::kIsCurved<Surface>;
+	static constexpr int kMaxCorners = Reader::kTetrahedra ? 4 : cases::kMaxPolygon; // of a shape's polygon
 
 	static constexpr std::uint32_t kAhead = 16; // vertices, whose edges' ends are fetched in advance
 
@@ -53,13 +58,66 @@ private:
 	// Also places the vertices that another part writes: their polygons here are to be looked at.
 	void writeVertices()
 	{
+		if constexpr (!kCurved && std::is_same_v<G, grid::UnstructuredGrid>)
+			doubts_.at_points = grid_.coordinates().isDouble() ? placeInPlane<double>() : placeInPlane<float>();
+		else
+			doubts_.at_points = placeEach();
+		std::uint32_t next = part_.first_vertex;
+		std::uint32_t begin = 0;
+		for (const auto& [vertex, number] : part_.foreign)
+		{
+			next = writeVertices(begin, vertex, next);
+			numbers_[vertex] = number;
+			begin = vertex + 1;
+		}
+		writeVertices(begin, static_cast<std::uint32_t>(part_.edges.size()), next);
+	}
+	// Writes the vertices [begin, end), which are this part's. Returns the number after theirs.
+	std::uint32_t writeVertices(std::uint32_t begin, std::uint32_t end, std::uint32_t next)
+	{
+		const std::uint64_t* edges = part_.edges.data();
+		const double* parts = parts_.data();
+		EdgePoint* to = mesh_.edges.data() + next;
+		std::uint32_t* numbers = numbers_.data();
+		for (std::uint32_t v = begin; v < end; ++v)
+		{
+			*to++ = {block_, lowerOf(edges[v]), higherOf(edges[v]), parts[v]};
+			numbers[v] = next + (v - begin);
+		}
+		std::copy_n(positions_.begin() + begin, end - begin, mesh_.positions.begin() + next);
+		return next + (end - begin);
+	}
+
+	template <class Number>
+	bool placeInPlane()
+	{
+		const Number* xyz = grid_.coordinates().template numbers<Number>();
+		const std::uint64_t* edges = part_.edges.data();
+		const std::size_t last = part_.edges.size() - 1;
+		double* parts = parts_.data();
+		Vec3* positions = positions_.data();
+		return EdgePlaces<PlacedFrom::positive>(surface_).place(
+		    part_.edges.size(),
+		    [=](std::size_t v)
+		    {
+			    const std::uint64_t ahead = edges[std::min(v + kAhead, last)];
+			    prefetch(xyz + 3 * std::size_t(lowerOf(ahead)));
+			    prefetch(xyz + 3 * std::size_t(higherOf(ahead)));
+			    return edgeEnds(xyz, lowerOf(edges[v]), higherOf(edges[v]));
+		    },
+		    [=](std::size_t v, double t, TwoDoubles xy, double z)
+		    {
+			    parts[v] = t;
+			    storeTwo(&positions[v].x, xy);
+			    positions[v].z = z;
+		    });
+	}
+
+	bool placeEach()
+	{
 		// Copies, that what is written cannot be thought to change what is read.
 		const Reader reader = reader_;
 		const Surface surface = surface_;
-		Vec3* positions = positions_.data();
-		std::uint32_t* numbers = numbers_.data();
-		auto foreign = part_.foreign.begin();
-		std::uint32_t next = part_.first_vertex;
 		bool at_points = false;
 		for (std::uint32_t v = 0; v < part_.edges.size(); ++v)
 		{
@@ -74,42 +132,74 @@ private:
 				rises_[v] = da >= 0.0 ? a - b : b - a;
 			at_points |= t == 0.0 || t == 1.0;
 			if constexpr (std::is_same_v<G, grid::UnstructuredGrid>)
-				positions[v] = placeOfAnyNumbering(a, b, t, da >= 0.0);
+				positions_[v] = placeOfAnyNumbering(a, b, t, da >= 0.0);
 			else
-				positions[v] = placeOnEdge(a, b, t);
-			if (foreign != part_.foreign.end() && foreign->first == v)
-			{
-				numbers[v] = foreign++->second;
-				continue;
-			}
-			mesh_.edges[next] = {block_, lower, higher, t};
-			mesh_.positions[next] = positions[v];
-			numbers[v] = next++;
+				positions_[v] = placeOnEdge(a, b, t);
+			parts_[v] = t;
 		}
-		doubts_.at_points = at_points;
+		return at_points;
 	}
 
 	void writePolygons()
 	{
-		const Facing facing = facing_;
-		const Vec3* positions = positions_.data();
+		const FanSense<kMaxCorners> sense(normal_, extent_, positions_.data());
+		const std::uint32_t* ends = part_.ends.data();
+		const std::uint32_t* corners = part_.corners.data();
+		std::uint32_t* to = mesh_.polygon_vertices.data() + part_.first_corner;
+		std::uint32_t* starts = mesh_.polygon_starts.data() + part_.first_polygon + 1;
+		BlockCell* cells = mesh_.polygon_cells.data() + part_.first_polygon;
+		const std::size_t polygons = part_.cells.size();
+		// What is written behind a polygon belongs to the next one, if this part has room for it.
+		const std::size_t room = part_.corners.size();
 		bool slivers = false;
 		std::uint32_t begin = 0;
-		std::uint32_t* corners = mesh_.polygon_vertices.data() + part_.first_corner;
-		for (std::size_t i = 0; i < part_.cells.size(); ++i)
+		for (std::size_t i = 0; i < polygons; ++i)
 		{
-			const std::uint32_t end = part_.ends[i];
-			for (std::uint32_t c = begin; c < end; ++c)
-				corners[c] = part_.corners[c];
-			const std::span polygon(corners + begin, end - begin);
-			slivers = !(kCurved ? Facing(riseOf(polygon)) : facing).turn(positions, polygon) || slivers;
-			mesh_.polygon_starts[part_.first_polygon + i + 1] = part_.first_corner + end;
-			mesh_.polygon_cells[part_.first_polygon + i] = {block_, part_.cells[i]};
+			const std::uint32_t end = ends[i];
+			if (kCurved || begin + kMaxCorners > room || !writeClear(sense, corners + begin, end - begin, to + begin))
+				slivers |= !write(std::span(corners + begin, end - begin), to + begin);
+			starts[i] = part_.first_corner + end;
+			cells[i] = {block_, part_.cells[i]};
 			begin = end;
 		}
-		for (std::uint32_t c = 0; c < begin; ++c)
-			corners[c] = numbers_[corners[c]];
 		doubts_.slivers = slivers;
+	}
+
+	// Writes a polygon in the plane that is certain to be no sliver and not to repeat a vertex, so that it runs
+	// counter-clockwise. Returns false of others. kMaxCorners numbers are written, however many corners there are.
+	bool writeClear(const FanSense<kMaxCorners>& sense, const std::uint32_t* corners, std::uint32_t count,
+	                std::uint32_t* to) const
+	{
+		if (count - 3 > kMaxCorners - 3)
+			return false;
+		std::uint32_t fan[kMaxCorners];
+		for (std::uint32_t c = 0; c < kMaxCorners; ++c)
+			fan[c] = corners[c < count ? c : 0];
+		bool repeats = corners[count - 1] == fan[0];
+		for (std::uint32_t c = 1; c < kMaxCorners; ++c)
+			repeats |= (fan[c] == fan[c - 1]) & (c < count);
+		const double area = sense.areaOf(fan);
+		if (repeats | !sense.isClear(std::abs(area)))
+			return false;
+		const std::uint32_t* numbers = numbers_.data();
+		if (area > 0.0)
+			for (std::uint32_t c = 0; c < kMaxCorners; ++c)
+				to[c] = numbers[fan[c]];
+		else
+			for (std::uint32_t c = 0; c < kMaxCorners; ++c)
+				to[c] = numbers[corners[c < count ? count - 1 - c : 0]];
+		return true;
+	}
+
+	// Writes any polygon. Returns whether it needs no tidying.
+	bool write(std::span<const std::uint32_t> corners, std::uint32_t* to) const
+	{
+		std::ranges::copy(corners, to);
+		const std::span polygon(to, corners.size());
+		const bool clear = (kCurved ? Facing(riseOf(polygon)) : facing_).turn(positions_.data(), polygon);
+		for (std::uint32_t& v : polygon)
+			v = numbers_[v];
+		return clear;
 	}
 
 	// Where the heights rise about a polygon: from its cell's points below to those above.
@@ -122,13 +212,16 @@ private:
 	}
 
 	const G& grid_;
+	const Vec3 extent_;
 	const Reader& reader_;
 	std::uint32_t block_;
 	const Surface& surface_;
+	const Vec3 normal_;
 	const Facing facing_;
 	const MeshChunk& part_;
 	SheetMesh& mesh_;
 	RawVector<Vec3> positions_;        // per vertex of the part
+	RawVector<double> parts_;          // the same: t
 	RawVector<std::uint32_t> numbers_; // the same, in the mesh
 	RawVector<Vec3> rises_;            // per vertex, of a curved surface: along its edge, to the point above
 	MeshCleanup doubts_;

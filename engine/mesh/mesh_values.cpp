@@ -1,6 +1,7 @@
 #include "mesh/mesh_values.h"
 
 #include "base/prefetch.h"
+#include "base/two_doubles.h"
 #include "grid/number_types.h"
 #include "grid/shown_value.h"
 
@@ -29,28 +30,70 @@ double alongEdge(double a, double b, double t, bool categorical)
 	return t == 1.0 || a == b ? b : a + t * (b - a);
 }
 
+// One component at vertices on edges. source_of(p): the number of a point in the field.
+template <class Number, class SourceOf>
+void interpolateEach(std::span<const EdgePoint> edges, const grid::Field& field, int component, SourceOf source_of,
+                     double* values)
+{
+	const std::byte* numbers = field.bytes.data() + static_cast<std::size_t>(component) * sizeof(Number);
+	const std::size_t stride = static_cast<std::size_t>(field.components) * sizeof(Number);
+	const auto at = [=](PointId p) { return grid::numberAt<Number>(numbers + source_of(p) * stride, 0); };
+	// What an edge's ends have in the array is far apart: it is fetched in advance.
+	constexpr std::size_t kAhead = 24;
+	const auto prefetchEnds = [=](const EdgePoint& edge)
+	{
+		prefetch(numbers + source_of(edge.lower) * stride);
+		prefetch(numbers + source_of(edge.higher) * stride);
+	};
+	std::size_t v = 0;
+	if (!field.categorical)
+		for (; v + 1 + kAhead < edges.size(); v += 2)
+		{
+			prefetchEnds(edges[v + kAhead]);
+			prefetchEnds(edges[v + kAhead + 1]);
+			const TwoDoubles a{at(edges[v].lower), at(edges[v + 1].lower)};
+			const TwoDoubles b{at(edges[v].higher), at(edges[v + 1].higher)};
+			const TwoDoubles t{edges[v].t, edges[v + 1].t};
+			// alongEdge() has more to say about these. Sums, since one branch is faster than three.
+			if (int(isAnyEqual(a, b)) + int(isAnyEqual(t, bothOf(0.0))) + int(isAnyEqual(t, bothOf(1.0))) > 0)
+			    [[unlikely]]
+			{
+				values[v] = alongEdge(a[0], b[0], t[0], false);
+				values[v + 1] = alongEdge(a[1], b[1], t[1], false);
+			}
+			else
+				storeTwo(&values[v], a + t * (b - a));
+		}
+	for (; v < edges.size(); ++v)
+	{
+		prefetchEnds(edges[std::min(v + kAhead, edges.size() - 1)]);
+		values[v] = alongEdge(at(edges[v].lower), at(edges[v].higher), edges[v].t, field.categorical);
+	}
+}
+
 // One component at vertices on the edges of one block, without a decision for each vertex that is the same for all.
 void interpolateAll(const grid::Block& block, const grid::Field& field, int component, std::span<const EdgePoint> edges,
                     double* values)
 {
-	const auto as = [&]<class Number>(const auto& grid, Number)
+	const auto from = [&](auto source_of)
 	{
-		const std::byte* numbers = field.bytes.data();
-		const std::size_t components = field.components;
-		const auto at = [&](PointId p)
-		{ return grid::numberAt<Number>(numbers, grid.sourcePoint(p) * components + component); };
-		// What an edge's ends have in the array is far apart: it is fetched in advance.
-		constexpr std::size_t kAhead = 24;
-		for (std::size_t v = 0; v < edges.size(); ++v)
-		{
-			const EdgePoint& ahead = edges[std::min(v + kAhead, edges.size() - 1)];
-			for (const PointId p : {ahead.lower, ahead.higher})
-				vp::prefetch(numbers + (grid.sourcePoint(p) * components + component) * sizeof(Number));
-			values[v] = alongEdge(at(edges[v].lower), at(edges[v].higher), edges[v].t, field.categorical);
-		}
+		grid::withNumberType(field.type, [&](auto number)
+		                     { interpolateEach<decltype(number)>(edges, field, component, source_of, values); });
 	};
-	std::visit([&](const auto& grid) { grid::withNumberType(field.type, [&](auto number) { as(grid, number); }); },
-	           block.grid);
+	const auto same = [](PointId p) { return std::size_t(p); };
+	std::visit(
+	    [&](const auto& grid)
+	    {
+		    using G = std::decay_t<decltype(grid)>;
+		    const auto source_of = [&grid](PointId p) { return std::size_t(grid.sourcePoint(p)); };
+		    if constexpr (std::is_same_v<G, grid::UnstructuredGrid>)
+			    from(source_of);
+		    else if constexpr (std::is_same_v<G, grid::CurvilinearGrid>)
+			    grid.axes()[0] == 0 ? from(same) : from(source_of);
+		    else
+			    from(same);
+	    },
+	    block.grid);
 }
 
 } // namespace

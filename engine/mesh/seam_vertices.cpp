@@ -1,6 +1,8 @@
 #include "mesh/seam_vertices.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace vp::mesh
@@ -27,15 +29,15 @@ struct Corner
 	Vec3 position;
 };
 
-class SeamVertices
+class SeamFinder
 {
 public:
-	SeamVertices(const grid::BlockSet& blocks, const grid::Interfaces& interfaces, const SheetMesh& mesh)
+	SeamFinder(const grid::BlockSet& blocks, const grid::Interfaces& interfaces, const SheetMesh& mesh)
 	    : blocks_(blocks), interfaces_(interfaces), mesh_(mesh)
 	{
 	}
 
-	std::vector<VertexPair> pairs()
+	SeamVertices find()
 	{
 		for (std::size_t p = 0; p < mesh_.polygons(); ++p)
 			if (const grid::BlockSeams* seams = seamsOf(p);
@@ -44,9 +46,11 @@ public:
 		std::ranges::stable_sort(at_seams_, before, &CellPolygon::cell);
 		for (const CellPolygon& polygon : at_seams_)
 			for (const grid::SeamLink& link : seamsOf(polygon.polygon)->ofCell(polygon.cell.cell))
-				if (before(polygon.cell, {link.block, link.other}))
+				if (link.hang == grid::Hang::large)
+					addHanging(polygon, link);
+				else if (link.hang == grid::Hang::none && before(polygon.cell, {link.block, link.other}))
 					addAcross(polygon, link);
-		return std::move(pairs_);
+		return std::move(found_);
 	}
 
 private:
@@ -57,10 +61,7 @@ private:
 
 	void addAcross(const CellPolygon& polygon, const grid::SeamLink& link)
 	{
-		const BlockCell other_cell{link.block, link.other};
-		const std::span<const CellPolygon> others(
-		    std::ranges::lower_bound(at_seams_, other_cell, before, &CellPolygon::cell),
-		    std::ranges::upper_bound(at_seams_, other_cell, before, &CellPolygon::cell));
+		const std::span<const CellPolygon> others = polygonsAcross(link);
 		if (others.empty())
 			return;
 		const std::vector<Corner> face = corners(polygon.cell.block, link.cell, link.face);
@@ -69,7 +70,93 @@ private:
 			for (const std::uint32_t v : mesh_.polygon(polygon.polygon))
 				for (const std::uint32_t w : mesh_.polygon(other.polygon))
 					if (coincide(mesh_.edges[v], face, mesh_.edges[w], other_face))
-						pairs_.emplace_back(v, w);
+						found_.pairs.emplace_back(v, w);
+	}
+
+	std::span<const CellPolygon> polygonsAcross(const grid::SeamLink& link) const
+	{
+		const BlockCell other_cell{link.block, link.other};
+		return {std::ranges::lower_bound(at_seams_, other_cell, before, &CellPolygon::cell),
+		        std::ranges::upper_bound(at_seams_, other_cell, before, &CellPolygon::cell)};
+	}
+
+	// The vertices of the small cell's polygons that lie on the seam, each on the nearest edge that the large cell's
+	// polygon has there.
+	void addHanging(const CellPolygon& polygon, const grid::SeamLink& link)
+	{
+		const std::span<const CellPolygon> others = polygonsAcross(link);
+		if (others.empty())
+			return;
+		const std::vector<Corner> face = corners(polygon.cell.block, link.cell, link.face);
+		const std::vector<Corner> small_face = corners(link.block, link.other, link.other_face);
+		edges_.clear();
+		const std::span<const std::uint32_t> vertices = mesh_.polygon(polygon.polygon);
+		for (std::size_t i = 0; i < vertices.size(); ++i)
+		{
+			const std::uint32_t from = vertices[i];
+			const std::uint32_t to = vertices[(i + 1) % vertices.size()];
+			if (liesOn(mesh_.edges[from], face) && liesOn(mesh_.edges[to], face))
+				edges_.emplace_back(from, to);
+		}
+		for (const CellPolygon& other : others)
+			for (const std::uint32_t w : mesh_.polygon(other.polygon))
+				if (!edges_.empty() && liesOn(mesh_.edges[w], small_face))
+					addToNearest(polygon.polygon, w);
+	}
+
+	void addToNearest(std::size_t polygon, std::uint32_t w)
+	{
+		const Vec3 place = mesh_.positions[w];
+		double nearest = std::numeric_limits<double>::infinity();
+		HangingVertex best{w, polygon, 0, 0, 0.0};
+		for (const auto& [from, to] : edges_)
+		{
+			const Vec3 start = mesh_.positions[from];
+			const Vec3 along = mesh_.positions[to] - start;
+			const double square = glm::dot(along, along);
+			const double at = square > 0.0 ? std::clamp(glm::dot(place - start, along) / square, 0.0, 1.0) : 0.0;
+			const double distance = glm::length(start + at * along - place);
+			if (!(distance < nearest))
+				continue;
+			nearest = distance;
+			best = {w, polygon, from, to, areOnePlace(from, w) ? 0.0 : areOnePlace(to, w) ? 1.0 : at};
+		}
+		found_.hanging.push_back(best);
+	}
+
+	// Whether a vertex of the large cell and one of the small cell cut one edge, of which the small cell has a part.
+	// Where it cuts is uncertain if the sheet runs along it. Or whether they lie on one point.
+	bool areOnePlace(std::uint32_t v, std::uint32_t w) const
+	{
+		constexpr double kApart = 1e-6; // of the edge
+		const EdgePoint& large = mesh_.edges[v];
+		const EdgePoint& small = mesh_.edges[w];
+		const Vec3 a = pointOf(large.block, large.lower);
+		const Vec3 along = pointOf(large.block, large.higher) - a;
+		const double square = glm::dot(along, along);
+		const double slack = kApart * std::sqrt(square);
+		if (glm::length(mesh_.positions[v] - mesh_.positions[w]) <= slack)
+			return true;
+		if (!(square > 0.0) || large.t == 0.0 || large.t == 1.0 || small.t == 0.0 || small.t == 1.0)
+			return false;
+		const auto isOn = [&](const Vec3& p)
+		{
+			const double at = std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0);
+			return glm::length(a + at * along - p) <= slack;
+		};
+		return isOn(pointOf(small.block, small.lower)) && isOn(pointOf(small.block, small.higher));
+	}
+
+	Vec3 pointOf(std::uint32_t block, PointId point) const
+	{
+		return std::visit([&](const auto& grid) { return grid.point(point); }, blocks_.blocks[block].grid);
+	}
+
+	// Whether a vertex lies on a face of the cell that it is of: its edge, or the grid point at which it is.
+	static bool liesOn(const EdgePoint& vertex, const std::vector<Corner>& face)
+	{
+		const auto has = [&](PointId p) { return std::ranges::find(face, p, &Corner::id) != face.end(); };
+		return (vertex.t == 1.0 || has(vertex.lower)) && (vertex.t == 0.0 || has(vertex.higher));
 	}
 
 	std::vector<Corner> corners(std::uint32_t block, CellId cell, std::uint32_t face) const
@@ -121,15 +208,15 @@ private:
 	const grid::Interfaces& interfaces_;
 	const SheetMesh& mesh_;
 	std::vector<CellPolygon> at_seams_; // ascending by cell
-	std::vector<VertexPair> pairs_;
+	std::vector<VertexPair> edges_;     // of the large polygon at hand
+	SeamVertices found_;
 };
 
 } // namespace
 
-std::vector<VertexPair> seamVertices(const grid::BlockSet& blocks, const grid::Interfaces& interfaces,
-                                     const SheetMesh& mesh)
+SeamVertices seamVertices(const grid::BlockSet& blocks, const grid::Interfaces& interfaces, const SheetMesh& mesh)
 {
-	return SeamVertices(blocks, interfaces, mesh).pairs();
+	return SeamFinder(blocks, interfaces, mesh).find();
 }
 
 } // namespace vp::mesh

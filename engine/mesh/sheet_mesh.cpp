@@ -12,6 +12,27 @@ Vec3 doubleArea(const SheetMesh& mesh, std::span<const std::uint32_t> polygon)
 	return sum;
 }
 
+void addShares(const SheetMesh& mesh, std::uint32_t vertex, double weight, std::vector<PointShare>& shares)
+{
+	if (vertex < mesh.edges.size())
+	{
+		const EdgePoint& edge = mesh.edges[vertex];
+		// An end without a part does not bring its NaN.
+		if (edge.t != 1.0)
+			shares.push_back({edge.block, edge.lower, weight * (1.0 - edge.t)});
+		if (edge.t != 0.0)
+			shares.push_back({edge.block, edge.higher, weight * edge.t});
+		return;
+	}
+	const std::size_t rim = vertex - mesh.edges.size();
+	for (std::uint32_t s = mesh.rim_starts[rim]; s < mesh.rim_starts[rim + 1]; ++s)
+	{
+		PointShare share = mesh.rim_shares[s];
+		share.weight *= weight;
+		shares.push_back(share);
+	}
+}
+
 void dropUnusedVertices(SheetMesh& mesh)
 {
 	constexpr std::uint32_t kUnused = 0xFFFFFFFFu;

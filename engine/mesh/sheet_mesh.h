@@ -41,7 +41,7 @@ inline Vec3 placeOfAnyNumbering(const Vec3& a, const Vec3& b, double t, bool a_p
 	return s == 1.0 ? negative : positive + s * (negative - positive);
 }
 
-// A grid point's part in a vertex on the rim of a window.
+// A grid point's part in a vertex that lies on no edge, such as on the rim of a window.
 struct PointShare
 {
 	std::uint32_t block;
@@ -62,8 +62,9 @@ struct SheetMesh
 {
 	RawVector<Vec3> positions;
 	RawVector<EdgePoint> edges; // per vertex that lies on a cell edge; they come first
-	std::vector<std::uint32_t> rim_starts{
-	    0};                                  // per vertex after them, on a window's rim, and 1: offsets into rim_shares
+	// Per vertex after them, on a window's rim or hanging on a larger cell (hanging_vertices.h), and 1: offsets into
+	// rim_shares.
+	std::vector<std::uint32_t> rim_starts{0};
 	std::vector<PointShare> rim_shares;      // what the vertex is the weighted mean of
 	RawVector<std::uint32_t> polygon_starts; // polygons + 1 offsets into polygon_vertices
 	RawVector<std::uint32_t> polygon_vertices;
@@ -112,6 +113,9 @@ void forFan(const SheetMesh& mesh, std::span<const std::uint32_t> polygon, Visit
 		previous = v;
 	}
 }
+
+// Adds what a vertex is the weighted mean of to `shares`, which may be those of the mesh itself.
+void addShares(const SheetMesh& mesh, std::uint32_t vertex, double weight, std::vector<PointShare>& shares);
 
 // Drops the vertices that no polygon uses.
 void dropUnusedVertices(SheetMesh& mesh);

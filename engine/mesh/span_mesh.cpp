@@ -1,12 +1,16 @@
 #include "mesh/span_mesh.h"
 
 #include "mesh/cell_polygons.h"
+#include "mesh/edge_places.h"
+#include "mesh/span_polygons.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstring>
 
 namespace vp::mesh
 {
@@ -14,62 +18,19 @@ namespace vp::mesh
 namespace
 {
 
-using cases::Column;
-using cases::LatticeCase;
-using cases::LatticeEdge;
+using cases::ColumnCase;
 using find::Span;
 using find::SpanCut;
-
-// The numbers of the up to three vertices that a point owns, along i, j and k. A vertex that is not there has the
-// number of the next one.
-struct OwnedVertices
-{
-	OwnedVertices() = default;
-	OwnedVertices(std::uint32_t first, unsigned owned)
-	    : along{first, first + (owned & 1), first + (owned & 1) + (owned >> 1 & 1), 0}
-	{
-	}
-
-	std::uint32_t along[4]; // the fourth is not used: a power of two is found by a shift
-};
-
-// Where the corners of a cell's polygon stand: in the vertices of one of the four rows of points along the cell,
-// counted from the column where the cell begins.
-struct CornerPlaces
-{
-	std::array<std::uint8_t, cases::kMaxLatticeEdges> row;
-	std::array<std::uint8_t, cases::kMaxLatticeEdges> number;
-	std::uint8_t corners; // 0: the cell has no polygon by the table
-};
-
-const std::array<CornerPlaces, 256>& cornerPlaces()
-{
-	static const std::array<CornerPlaces, 256> table = []
-	{
-		std::array<CornerPlaces, 256> made{};
-		for (std::size_t c = 0; c < made.size(); ++c)
-		{
-			const LatticeCase& entry = cases::latticeCases()[c];
-			made[c].corners = entry.edges;
-			for (std::size_t e = 0; e < entry.edge.size(); ++e)
-			{
-				made[c].row[e] = entry.edge[e].row;
-				made[c].number[e] = static_cast<std::uint8_t>(4 * entry.edge[e].at + entry.edge[e].axis);
-			}
-		}
-		return made;
-	}();
-	return table;
-}
 
 template <class G>
 class SpanMesh
 {
 public:
-	SpanMesh(const G& grid, std::uint32_t block, const surface::Plane& plane, const Vec3& normal, const SpanCut& cut,
-	         SheetMesh& mesh)
-	    : grid_(grid), block_(block), plane_(plane), normal_(normal), cut_(cut), mesh_(mesh), points_(grid.points()),
-	      cells_(grid.cells()), strides_{1, points_[0], points_[0] * points_[1]},
+	// extent: of the grid's points.
+	SpanMesh(const G& grid, const Vec3& extent, std::uint32_t block, const surface::Plane& plane, const Vec3& normal,
+	         const SpanCut& cut, SheetMesh& mesh)
+	    : grid_(grid), extent_(extent), block_(block), plane_(plane), normal_(normal), cut_(cut), mesh_(mesh),
+	      points_(grid.points()), cells_(grid.cells()), strides_{1, points_[0], points_[0] * points_[1]},
 	      first_vertex_(static_cast<std::uint32_t>(mesh.positions.size())),
 	      first_polygon_(static_cast<std::uint32_t>(mesh.polygons())),
 	      first_corner_(static_cast<std::uint32_t>(mesh.polygon_vertices.size()))
@@ -78,6 +39,10 @@ public:
 
 	MeshCleanup add()
 	{
+		if constexpr (!std::is_same_v<G, grid::CurvilinearGrid>)
+			for (int axis = 0; axis < 3; ++axis)
+				for (std::uint32_t i = 0; i < points_[axis]; ++i)
+					coordinates_[axis].push_back(grid_.coordinate(axis, i));
 		mesh_.positions.resize(first_vertex_ + cut_.counts.vertices);
 		mesh_.edges.resize(first_vertex_ + cut_.counts.vertices);
 		mesh_.polygon_starts.resize(first_polygon_ + cut_.counts.polygons + 1);
@@ -94,11 +59,6 @@ public:
 	}
 
 private:
-	unsigned ownedAt(const Column* columns, std::uint32_t x, std::uint32_t last) const
-	{
-		return table_[cases::caseIndex(columns[x], columns[std::min(x + 1, last)])].owned;
-	}
-
 	void addVertices(std::size_t begin, std::size_t end)
 	{
 		constexpr std::size_t kPart = 12; // spans, whose edges stay in a core's first cache until they are placed
@@ -109,14 +69,12 @@ private:
 			for (std::size_t s = from; s < to; ++s)
 			{
 				prefetchRows(std::min(s + kAhead, end - 1));
-				numberVertices(cut_.spans[s], firstVertexOf(s + 1) == firstVertexOf(end));
+				if (firstVertexOf(s + 1) == firstVertexOf(end))
+					numberVertices<true>(cut_.spans[s]);
+				else
+					numberVertices<false>(cut_.spans[s]);
 			}
-			if constexpr (std::is_same_v<G, grid::CurvilinearGrid>)
-				at_points |=
-				    placeVertices(firstVertexOf(from), firstVertexOf(to), [&](PointId p) { return grid_.point(p); });
-			else
-				for (std::size_t s = from; s < to; ++s)
-					at_points |= placeVertices(firstVertexOf(s), firstVertexOf(s + 1), pointsAlong(cut_.spans[s]));
+			at_points |= placeVertices(from, to);
 		}
 		if (at_points)
 			at_points_ = true;
@@ -128,65 +86,96 @@ private:
 	}
 
 	// Names the edges of the vertices that the points of a span own. Which of its three edges a point owns cannot be
-	// foreseen. So all are written, and the next one begins behind those that count; `last`: the vertex behind the span
+	// foreseen. So all are written, and the next one begins behind those that count. kLast: the vertex behind the span
 	// is another thread's, or none.
-	void numberVertices(const Span& span, bool last)
+	template <bool kLast>
+	void numberVertices(const Span& span)
 	{
-		std::uint32_t next = first_vertex_ + span.counts.vertices;
-		const Column* columns = &cut_.columns[span.columns];
+		const ColumnCase* columns = &cut_.columns[span.columns];
 		const std::uint32_t length = span.end - span.begin;
-		PointId p = span.row * points_[0] + span.begin;
-		for (std::uint32_t x = 0; x <= length; ++x, ++p)
+		const OwnedEdges* owned_by = ownedTable().data();
+		const std::uint32_t first = first_vertex_ + span.counts.vertices;
+		FourNumbers next{first, first, first, first};
+		OwnedVertices* numbers = &owned_[span.columns];
+		auto* edge = reinterpret_cast<std::byte*>(mesh_.edges.data() + first);
+		const PointId p = span.row * points_[0] + span.begin;
+		FourNumbers name[3]; // what an EdgePoint begins with, and the gap before its t
+		for (unsigned axis = 0; axis < 3; ++axis)
+			name[axis] = FourNumbers{block_, p, p + strides_[axis], 0};
+		for (std::uint32_t x = 0; x <= length; ++x)
 		{
-			const unsigned owned = ownedAt(columns, x, length);
-			const OwnedVertices vertices(next, owned);
-			owned_[span.columns + x] = vertices;
+			const OwnedEdges& owned = owned_by[columns[x]];
+			const FourNumbers along = next + owned.up_to;
+			std::memcpy(&numbers[x], &along, sizeof(along));
+			next += __builtin_shufflevector(owned.up_to, owned.up_to, 3, 3, 3, 3);
 			for (unsigned axis = 0; axis < 3; ++axis)
 			{
-				if (last && !(owned >> axis & 1))
-					continue;
-				EdgePoint& edge = mesh_.edges[vertices.along[axis]];
-				edge.block = block_;
-				edge.lower = p;
-				edge.higher = p + strides_[axis];
+				if (!kLast || owned.bytes[axis + 1] != owned.bytes[axis])
+					std::memcpy(edge + owned.bytes[axis], &name[axis], sizeof(name[axis]));
+				name[axis] += FourNumbers{0, 1, 1, 0};
 			}
-			next = vertices.along[2] + (owned >> 2);
+			edge += owned.bytes[3];
 		}
 	}
+	static_assert(offsetof(EdgePoint, block) == 0 && offsetof(EdgePoint, lower) == 4 &&
+	              offsetof(EdgePoint, higher) == 8 && offsetof(EdgePoint, t) == sizeof(FourNumbers));
 
-	// Finds where the vertices [begin, end) lie on their edges. Returns whether one is at a grid point.
-	template <class PointAt>
-	bool placeVertices(std::uint32_t begin, std::uint32_t end, PointAt&& point_at)
+	// Finds where the vertices of spans lie on their edges. Returns whether one is at a grid point.
+	bool placeVertices(std::size_t from, std::size_t to)
 	{
-		const surface::Plane plane = plane_; // a copy: what is written cannot be thought to change it
+		if constexpr (std::is_same_v<G, grid::CurvilinearGrid>)
+			return grid_.coordinates().isDouble() ? placeAmongPoints<double>(from, to)
+			                                      : placeAmongPoints<float>(from, to);
 		bool at_points = false;
-		for (std::uint32_t v = begin; v < end; ++v)
-		{
-			EdgePoint& edge = mesh_.edges[v];
-			const Vec3 a = point_at(edge.lower);
-			const Vec3 b = point_at(edge.higher);
-			const double t = surface::Plane::crossing(plane.signedDistance(a), plane.signedDistance(b));
-			edge.t = t;
-			mesh_.positions[v] = placeOnEdge(a, b, t);
-			at_points |= (t == 0.0) | (t == 1.0);
-		}
+		for (std::size_t s = from; s < to; ++s)
+			at_points |= placeOnAxes(s);
 		return at_points;
 	}
 
-	// The points of a span's edges, without a division for each.
-	auto pointsAlong(const Span& span) const
+	template <class Number>
+	bool placeAmongPoints(std::size_t from, std::size_t to)
 	{
-		const std::uint32_t k = span.row / points_[1];
-		const std::uint32_t j = span.row - k * points_[1];
-		const PointId row = span.row * points_[0];
-		return [this, j, k, row](PointId p)
-		{
-			const PointId from = p - row;
-			if (from < points_[0])
-				return grid_.pointAt(from, j, k);
-			return from >= strides_[2] ? grid_.pointAt(from - strides_[2], j, k + 1)
-			                           : grid_.pointAt(from - strides_[1], j + 1, k);
-		};
+		const Number* xyz = grid_.coordinates().template numbers<Number>();
+		return placeVertices(firstVertexOf(from), firstVertexOf(to),
+		                     [=](const EdgePoint& edge) { return edgeEnds(xyz, edge.lower, edge.higher); });
+	}
+
+	// Of a grid with straight axes, where points have the coordinates of their rows.
+	bool placeOnAxes(std::size_t span)
+	{
+		const std::uint32_t row = cut_.spans[span].row;
+		const std::uint32_t k = row / points_[1];
+		const double* x = coordinates_[0].data();
+		const double* y = coordinates_[1].data() + (row - k * points_[1]);
+		const double* z = coordinates_[2].data() + k;
+		const PointId first = row * points_[0];
+		const std::uint32_t layer = strides_[2];
+		return placeVertices(
+		    firstVertexOf(span), firstVertexOf(span + 1),
+		    [=](const EdgePoint& edge)
+		    {
+			    const std::uint32_t step = edge.higher - edge.lower;
+			    const std::uint32_t i = edge.lower - first;
+			    const bool along_i = step == 1;
+			    const bool along_k = step == layer;
+			    return EdgeEnds{{x[i], *y}, {x[i + along_i], y[!along_i && !along_k]}, {*z, z[along_k]}};
+		    });
+	}
+
+	// Of the vertices [begin, end).
+	template <class EndsOf>
+	bool placeVertices(std::uint32_t begin, std::uint32_t end, EndsOf endsOf)
+	{
+		EdgePoint* edges = mesh_.edges.data() + begin;
+		Vec3* positions = mesh_.positions.data() + begin;
+		return EdgePlaces<PlacedFrom::lower>(plane_).place(
+		    end - begin, [=](std::size_t v) { return endsOf(edges[v]); },
+		    [=](std::size_t v, double t, TwoDoubles xy, double z)
+		    {
+			    edges[v].t = t;
+			    storeTwo(&positions[v].x, xy);
+			    positions[v].z = z;
+		    });
 	}
 
 	void prefetchRows(std::size_t s) const
@@ -206,22 +195,20 @@ private:
 	{
 		std::size_t at;
 
-		// The vertices that the points of the row own, from the cell i on; null if the row has none there. That holds
-		// up to the cell `stop`, which is lowered where needed.
-		const std::uint32_t* from(const SpanMesh& mesh, std::uint32_t row, std::uint32_t i, std::uint32_t& stop)
+		// Where the vertices of the row's points stand for the column i, in numbers of owned_. It may be asked for
+		// columns from i up to `stop`, which is lowered to where the row's next span begins. The span at hand is the
+		// row's first that ends behind i, since cells have no corners in this row before it begins or behind its end.
+		std::ptrdiff_t from(const SpanMesh& mesh, std::uint32_t row, std::uint32_t i, std::uint32_t& stop)
 		{
-			const RawVector<Span>& spans = mesh.cut_.spans;
-			while (at < spans.size() && (spans[at].row < row || (spans[at].row == row && spans[at].end <= i)))
+			const Span* spans = mesh.cut_.spans.data();
+			const std::size_t count = mesh.cut_.spans.size();
+			while (at < count && (spans[at].row < row || (spans[at].row == row && spans[at].end <= i)))
 				++at;
-			if (at == spans.size() || spans[at].row != row || spans[at].begin >= stop)
-				return nullptr;
-			if (spans[at].begin > i)
-			{
-				stop = spans[at].begin;
-				return nullptr;
-			}
-			stop = std::min(stop, spans[at].end);
-			return mesh.owned_[spans[at].columns + (i - spans[at].begin)].along;
+			if (at == count || spans[at].row != row)
+				return 0;
+			if (at + 1 < count && spans[at + 1].row == row)
+				stop = std::min(stop, spans[at + 1].begin);
+			return 4 * (std::ptrdiff_t(spans[at].columns) + i - spans[at].begin);
 		}
 	};
 
@@ -233,55 +220,30 @@ private:
 			beside[r].at = static_cast<std::size_t>(
 			    std::ranges::lower_bound(cut_.spans, cut_.spans[begin].row + steps[r], {}, &Span::row) -
 			    cut_.spans.begin());
-		const std::uint32_t last_corner =
-		    first_corner_ + (end < cut_.spans.size() ? cut_.spans[end].counts.corners : cut_.counts.corners);
-		const Facing facing(normal_);
-		bool slivers = false;
+		SpanPolygonWriter writer({cut_, owned_.data(), block_, first_polygon_, first_corner_},
+		                         FanSense<cases::kMaxLatticeEdges>(normal_, extent_, mesh_.positions.data()), end,
+		                         mesh_);
+		std::uint32_t k = cut_.spans[begin].row / points_[1];
 		for (std::size_t s = begin; s < end; ++s)
 		{
 			const Span& span = cut_.spans[s];
-			const std::uint32_t k = span.row / points_[1];
+			while (span.row - k * points_[1] >= points_[1]) // rows ascend
+				++k;
 			const std::uint32_t j = span.row - k * points_[1];
 			if (j >= cells_[1] || k >= cells_[2])
 				continue;
-			std::uint32_t polygon = first_polygon_ + span.counts.polygons;
-			std::uint32_t corner = first_corner_ + span.counts.corners;
-			CellId cell = grid_.cell(span.begin, j, k);
-			const Column* columns = &cut_.columns[span.columns];
-			const std::uint32_t* own = owned_[span.columns].along;
+			writer.startSpan(s, grid_.cell(span.begin, j, k));
 			for (std::uint32_t i = span.begin; i < span.end;)
 			{
 				std::uint32_t stop = span.end;
-				const std::uint32_t* rows[4] = {own};
+				std::ptrdiff_t rows[4] = {4 * (std::ptrdiff_t(span.columns) + i - span.begin)};
 				for (int r = 0; r < 3; ++r)
-				{
-					// A cell has no corners in a row without vertices.
-					const std::uint32_t* found = beside[r].from(*this, span.row + steps[r], i, stop);
-					rows[r + 1] = found ? found : own;
-				}
-				own += 4 * (stop - i);
-				for (std::size_t column = 0; i < stop; ++i, ++cell, ++columns, column += 4)
-				{
-					const CornerPlaces& places = places_[cases::caseIndex(columns[0], columns[1])];
-					if (!places.corners || (columns[0] & cases::kLeftOut))
-						continue;
-					std::uint32_t corners[cases::kMaxLatticeEdges];
-					for (int e = 0; e < cases::kMaxLatticeEdges; ++e)
-						corners[e] = rows[places.row[e]][column + places.number[e]];
-					slivers |= !facing.turnFan(mesh_.positions.data(), corners, places.corners);
-					// What is written behind a polygon belongs to the next one.
-					std::uint32_t* to = &mesh_.polygon_vertices[corner];
-					if (corner + cases::kMaxLatticeEdges <= last_corner)
-						std::copy_n(corners, cases::kMaxLatticeEdges, to);
-					else
-						std::copy_n(corners, places.corners, to);
-					mesh_.polygon_cells[polygon] = {block_, cell};
-					corner += places.corners;
-					mesh_.polygon_starts[++polygon] = corner;
-				}
+					rows[r + 1] = beside[r].from(*this, span.row + steps[r], i, stop);
+				writer.add(stop - i, rows);
+				i = stop;
 			}
 		}
-		if (slivers)
+		if (writer.hasSlivers())
 			slivers_ = true;
 	}
 
@@ -295,9 +257,9 @@ private:
 			const std::uint32_t j = span.row - k * points_[1];
 			if (j >= cells_[1] || k >= cells_[2])
 				continue;
-			const Column* columns = &cut_.columns[span.columns];
+			const ColumnCase* columns = &cut_.columns[span.columns];
 			for (std::uint32_t x = 0; x < span.end - span.begin; ++x)
-				if (table_[cases::caseIndex(columns[x], columns[x + 1])].needs_walk && !(columns[x] & cases::kLeftOut))
+				if (!(columns[x] & cases::kLeftOut) && cases::latticeCases()[columns[x]].needs_walk)
 					addWalkedCell(polygons, grid_.cell(span.begin + x, j, k));
 		}
 	}
@@ -331,6 +293,7 @@ private:
 	static constexpr std::size_t kAhead = 8; // spans, whose points are fetched in advance
 
 	const G& grid_;
+	const Vec3 extent_;
 	std::uint32_t block_;
 	const surface::Plane& plane_;
 	const Vec3 normal_;
@@ -339,12 +302,11 @@ private:
 	std::array<std::uint32_t, 3> points_;
 	std::array<std::uint32_t, 3> cells_;
 	std::array<std::uint32_t, 3> strides_;
-	const std::array<LatticeCase, 256>& table_ = cases::latticeCases();
-	const std::array<CornerPlaces, 256>& places_ = cornerPlaces();
 	std::uint32_t first_vertex_;
 	std::uint32_t first_polygon_;
 	std::uint32_t first_corner_;
-	RawVector<OwnedVertices> owned_; // per column
+	RawVector<OwnedVertices> owned_;                 // per column
+	std::array<std::vector<double>, 3> coordinates_; // per axis, of a grid with straight ones
 	std::atomic<bool> at_points_{false};
 	std::atomic<bool> slivers_{false};
 };
@@ -361,7 +323,7 @@ MeshCleanup addSpans(const grid::Block& block, std::uint32_t number, const surfa
 	    {
 		    using G = std::decay_t<decltype(grid)>;
 		    if constexpr (std::is_base_of_v<grid::Lattice, G>)
-			    return SpanMesh<G>(grid, number, plane, normal, cut, mesh).add();
+			    return SpanMesh<G>(grid, block.bounds.size(), number, plane, normal, cut, mesh).add();
 		    else
 			    return {};
 	    },

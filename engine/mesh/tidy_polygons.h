@@ -43,9 +43,6 @@ public:
 	// it is, and the result is false. positions: of the vertices that it names.
 	bool turn(const Vec3* positions, std::span<std::uint32_t> polygon) const;
 
-	// The same for polygons of 3 to 6 different vertices. Places behind `corners` repeat the first one.
-	bool turnFan(const Vec3* positions, std::uint32_t (&polygon)[6], unsigned corners) const;
-
 private:
 	// Well above what tidyPolygons() takes for no area; seen along the axis areas and distances are within a factor
 	// of 2.
@@ -82,29 +79,6 @@ inline bool Facing::turn(const Vec3* positions, std::span<std::uint32_t> polygon
 		return false;
 	if (sense_ * area < 0.0)
 		std::reverse(polygon.begin(), polygon.end());
-	return true;
-}
-
-inline bool Facing::turnFan(const Vec3* positions, std::uint32_t (&polygon)[6], unsigned corners) const
-{
-	const double* first = glm::value_ptr(positions[polygon[0]]);
-	double x[5];
-	double y[5];
-	double square = 0.0;
-	for (int v = 0; v < 5; ++v)
-	{
-		const double* xyz = glm::value_ptr(positions[polygon[v + 1]]);
-		x[v] = xyz[u_] - first[u_];
-		y[v] = xyz[v_] - first[v_];
-		square = std::max(square, x[v] * x[v] + y[v] * y[v]);
-	}
-	double area = 0.0;
-	for (int v = 0; v < 4; ++v)
-		area += x[v] * y[v + 1] - y[v] * x[v + 1];
-	if (std::abs(area) <= kThin * square)
-		return false;
-	if (sense_ * area < 0.0)
-		std::reverse(polygon, polygon + corners);
 	return true;
 }
 

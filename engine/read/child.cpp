@@ -110,6 +110,10 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	std::string solution = options.solution;
 	std::string refine = std::to_string(options.refine);
 	std::string path = file;
+	std::string format = options.format;
+	std::string target = options.convert_to;
+	std::string beside = options.convert_beside;
+	std::string raw = rawText(options.raw);
 	std::string displace = fmt::format("{:.17g}", options.displace);
 	ChildSetup setup = {};
 	setup.program = program->c_str();
@@ -118,7 +122,8 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	    std::to_string(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 	std::string wish = wishArgument(options.arrays);
 	setup.arguments = {name.data(),    time.data(),    solution.data(), refine.data(), displace.data(),
-	                   patches.data(), threads.data(), wish.data(),     path.data(),   nullptr};
+	                   patches.data(), threads.data(), wish.data(),     format.data(), raw.data(),
+	                   target.data(),  beside.data(),  path.data(),     nullptr};
 	setup.null = null.get();
 	setup.errors = errors.write_end.get();
 	setup.arrays = arrays.get();

@@ -1,11 +1,11 @@
 #include "read/input_limits.h"
 
+#include "read/formats.h"
+
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -38,23 +38,16 @@ std::uint64_t physicalMemory()
 	return pages > 0 && page > 0 ? std::uint64_t(pages) * std::uint64_t(page) : ~std::uint64_t(0);
 }
 
-bool refersToOthers(const fs::path& file)
+// The files that belong to an input of this format, or, if there is none, to one of this name.
+FormatFiles filesOf(const std::string& file, const std::string& name)
 {
-	const std::string ending = file.extension().string();
-	constexpr std::array<std::string_view, 10> others = {".mhd", ".vtm",  ".vthb",  ".series", ".nhdr",
-	                                                     ".hdr", ".case", ".encas", ".foam",   ".openfoam"};
-	return ending.starts_with(".p") || std::find(others.begin(), others.end(), ending) != others.end();
+	const Format* format = name.empty() ? formatOfEnding(file) : findFormat(name);
+	return format ? format->files : FormatFiles::alone;
 }
 
-// A case of OpenFOAM is its folder; the file that names it is often left empty.
-bool standsForItsFolder(const fs::path& file)
+std::uint64_t bytesBeside(const fs::path& file, FormatFiles files)
 {
-	return file.extension() == ".foam" || file.extension() == ".openfoam";
-}
-
-std::uint64_t bytesBeside(const fs::path& file)
-{
-	const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+	const fs::path folder = fs::is_directory(file) ? file : file.has_parent_path() ? file.parent_path() : fs::path(".");
 	std::uint64_t bytes = 0;
 	std::error_code error;
 	int left = kMaxFilesBeside;
@@ -63,7 +56,7 @@ std::uint64_t bytesBeside(const fs::path& file)
 	     !error && entry != fs::recursive_directory_iterator() && left > 0; entry.increment(error), --left)
 	{
 		// Pieces lie beside the file or one folder below; those of a case up to REGION/polyMesh in constant.
-		if (entry.depth() > (standsForItsFolder(file) ? 2 : 0))
+		if (entry.depth() > (files == FormatFiles::folder ? 2 : 0))
 			entry.disable_recursion_pending();
 		std::error_code ignored;
 		if (entry->is_regular_file(ignored))
@@ -79,26 +72,26 @@ Error inputError(const std::string& file, const std::string& reason)
 
 } // namespace
 
-Result<InputLimits> inputLimits(const std::string& file, const std::string& solution)
+Result<InputLimits> inputLimits(const std::string& file, const std::string& solution, const std::string& format)
 {
+	const FormatFiles files = filesOf(file, format);
 	std::error_code error;
 	const fs::file_status status = fs::status(file, error);
 	if (status.type() == fs::file_type::not_found)
 		return inputError(file, "no such file; check the path");
 	if (error)
 		return inputError(file, fmt::format("cannot be opened: {}", error.message()));
-	if (fs::is_directory(status))
-		return inputError(file, "a folder; name a file in it");
-	if (!fs::is_regular_file(status))
+	const bool is_folder = fs::is_directory(status); // of a DICOM series
+	if (!is_folder && !fs::is_regular_file(status))
 		return inputError(file, "not a regular file; copy its contents to one");
 	if (access(file.c_str(), R_OK) != 0)
 		return inputError(file, fmt::format("cannot be opened: {}", std::strerror(errno)));
-	std::uint64_t bytes = fs::file_size(file, error);
-	if (bytes == 0 && !standsForItsFolder(file))
+	std::uint64_t bytes = is_folder ? bytesBeside(file, FormatFiles::beside) : fs::file_size(file, error);
+	if (bytes == 0 && !is_folder && files != FormatFiles::folder)
 		return inputError(file, "the file is empty");
 
-	if (refersToOthers(file))
-		bytes = std::max(bytes, bytesBeside(file));
+	if (files != FormatFiles::alone && !is_folder)
+		bytes = std::max(bytes, bytesBeside(file, files));
 	if (const std::uint64_t more = solution.empty() ? 0 : fs::file_size(solution, error); !error)
 		bytes += more;
 

@@ -16,9 +16,10 @@ struct InputLimits
 	std::chrono::seconds time{0};
 };
 
-// Returns the limits. They follow from the size of the input and of the files beside it, which it may refer to. Returns
-// an error for a path that needs no reader: missing, a folder, unreadable or empty.
-Result<InputLimits> inputLimits(const std::string& file, const std::string& solution);
+// Returns the limits. They follow from the size of the input and of the files beside it, which it may refer to by its
+// `format`, or, if that is empty, by its name. Returns an error for a path that needs no reader: missing, a folder,
+// unreadable or empty.
+Result<InputLimits> inputLimits(const std::string& file, const std::string& solution, const std::string& format = {});
 
 // The same for a reader that refines this number of levels. Each level makes eight cells of one.
 InputLimits refinedLimits(InputLimits limits, int refine);

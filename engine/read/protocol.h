@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -8,13 +7,15 @@ namespace vp::read
 {
 
 // The protocol between vprobe-read and its parent. The child is started as
-//   vprobe-read TIME SOLUTION REFINE DISPLACE PATCHES THREADS ARRAYS FILE
+//   vprobe-read TIME SOLUTION REFINE DISPLACE PATCHES THREADS ARRAYS FORMAT RAW TARGET BESIDE FILE
 // TIME: last, first, a number, or # and an index. SOLUTION: empty or a PLOT3D q file. REFINE: how many times the linear
 // parts of curved cells are halved. DISPLACE: factor for Exodus displacements, 0 for none. PATCHES: 1 to read named
 // parts of the boundary, else 0. THREADS: the maximum number of threads. ARRAYS: the wanted arrays, one a line: "*" for
-// all, "^" for the default array, "=" and a name for one. The child writes arrays into two shared memories, each array
-// at a multiple of kArrayAlignment. kCellsFd gets the points and cells of unstructured blocks, which nobody needs after
-// the grid is built, kArraysFd everything else. A JSON manifest that describes them goes to kManifestFd:
+// all, "^" for the default array, "=" and a name for one. FORMAT: a name of format_table.inl, or empty. RAW: the layout
+// of a raw volume (rawText()), or empty. TARGET and BESIDE: of convert(), or empty. The child writes arrays into two
+// shared memories, each array at a multiple of kArrayAlignment. kCellsFd gets the points and cells of unstructured
+// blocks, which nobody needs after the grid is built, kArraysFd everything else. A JSON manifest that describes them
+// goes to kManifestFd:
 //
 //   {"version", "times": [..], "left_out": cells, "warnings": [..], "blocks": [{"name", "kind", "arrays": [..], ..}],
 //    "patches": [{"name", "coordinates": array, "starts": array, "corners": array}]},
@@ -30,7 +31,7 @@ namespace vp::read
 // An array is {"type": "float32" ..., "offset", "bytes"}. In "arrays" it also has "name", "association", "components"
 // and, if the file has them, "units". An array that nobody asked for has "left_out": true and no place. The manifest
 // has "length_units" if the file has them.
-constexpr int kProtocolVersion = 5;
+constexpr int kProtocolVersion = 6;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;
@@ -39,10 +40,5 @@ constexpr std::size_t kArrayAlignment = 64;
 // If a child refuses its input, it ends with this exit code, and its last line on standard error starts with this mark.
 constexpr int kRefusedExitCode = 2;
 constexpr std::string_view kReasonMark = "vprobe-read: ";
-
-constexpr std::array<std::string_view, 35> kEndings = {
-    ".vti", ".vtr",    ".vts", ".vtu",    ".pvti", ".pvtr",  ".pvts", ".pvtu", ".htg", ".vtm",    ".vthb", ".vtk",
-    ".pvd", ".series", ".hdf", ".vtkhdf", ".mhd",  ".mha",   ".nrrd", ".nhdr", ".nii", ".nii.gz", ".xyz",  ".x",
-    ".g",   ".p3d",    ".bin", ".cgns",   ".case", ".encas", ".foam", ".ex2",  ".e",   ".exo",    ".exii"};
 
 } // namespace vp::read

@@ -7,10 +7,8 @@
 #include "read/child.h"
 #include "read/geometry.h"
 #include "read/input_limits.h"
-#include "read/protocol.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -28,7 +26,7 @@ constexpr std::string_view kDemoPrefix = "demo:";
 Result<CheckedInput> readChecked(const std::string& file, const ReadOptions& options, Timeline* timeline)
 {
 	TimedSection timed(timeline, "read");
-	Result<InputLimits> limits = inputLimits(file, options.solution);
+	Result<InputLimits> limits = inputLimits(file, options.solution, options.format);
 	if (!limits)
 		return limits.error();
 	*limits = refinedLimits(*limits, options.refine);
@@ -199,11 +197,6 @@ Result<bool> readValues(const std::vector<std::string>& inputs, const ReadOption
 	for (std::size_t b = 0; b < (*fields)->size(); ++b)
 		grid::replaceFields(set.blocks[b], std::move((**fields)[b]));
 	return true;
-}
-
-std::string readableEndings()
-{
-	return fmt::format("{}", fmt::join(kEndings, " "));
 }
 
 } // namespace vp::read

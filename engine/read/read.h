@@ -2,6 +2,7 @@
 
 #include "base/result.h"
 #include "grid/block.h"
+#include "read/raw_layout.h"
 
 #include <optional>
 #include <stop_token>
@@ -71,6 +72,11 @@ struct ReadOptions
 	bool for_one_cut = false;
 	std::stop_token stop{}; // on a stop request, reading ends with an error
 	ArrayWish arrays{};
+	std::string format{}; // a name in formats(); if empty, the file's contents and name tell
+	RawLayout raw{};      // of files that hold nothing but values; they need one
+	// Of convert(): the file that is written as well, and where its bytes go until it is whole.
+	std::string convert_to{};
+	std::string convert_beside{};
 	// Computes Block::geometry, which readFields() and readValues() compare. Without it they take the grids for
 	// different.
 	bool identifies_geometry = true;
@@ -99,8 +105,5 @@ Result<std::optional<BlockFields>> readFields(const std::vector<std::string>& in
 // the same, takes over the values. Else returns false and leaves the set as it is; then use readInputs().
 Result<bool> readValues(const std::vector<std::string>& inputs, const ReadOptions& options, grid::BlockSet& set,
                         Timeline* timeline);
-
-// File name endings that can be read, for --help and error messages.
-std::string readableEndings();
 
 } // namespace vp::read

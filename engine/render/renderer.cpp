@@ -2,14 +2,17 @@
 
 #include "render/renderer.h"
 
+#include "base/messages.h"
 #include "base/timeline.h"
 #include "gpu/commands.h"
 #include "gpu/timers.h"
 #include "render/passes/compose_pass.h"
+#include "render/passes/edge_mask.h"
 #include "render/passes/layer_pass.h"
 #include "render/passes/line_pass.h"
 #include "render/passes/overlay_pass.h"
 #include "render/passes/picture_geometry.h"
+#include "render/passes/picture_memory.h"
 #include "render/passes/raster_side.h"
 #include "render/passes/surface_pass.h"
 
@@ -65,11 +68,14 @@ struct Renderer::Private
 	LinePass lines;
 	SurfacePass surfaces;
 	FragmentLists lists;
+	EdgeMask edges;
 	ComposePass compose;
 	OverlayPass overlay;
 	gpu::Commands commands;
 	gpu::Timers timers;
 	Targets targets;
+	std::uint64_t most_fragment_bytes;
+	PicturePlan plan{};
 	std::size_t layers_drawn = 0;
 	KeptLettering lettering{};
 
@@ -82,11 +88,11 @@ struct Renderer::Private
 	Status makeTargets(const Scene& scene);
 	Status prepare(const Scene& scene);
 	Result<Drawn> draw(const Scene& scene, const DrawTarget& target, Timeline* timeline);
-	Result<Drawn> drawOnce(const Scene& scene, const DrawTarget& target, Timeline* timeline);
+	Result<Drawn> drawOnce(const Scene& scene, const DrawTarget& target, std::uint32_t part, Timeline* timeline);
 	Result<Drawn> finish(bool has_surfaces, Timeline* timeline);
 	void recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	void recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
-	void recordPicture(VkCommandBuffer to, bool from_layers);
+	void recordPicture(VkCommandBuffer to, bool from_layers, std::uint32_t part);
 	void recordCopy(VkCommandBuffer to, const gpu::Image* into);
 };
 
@@ -107,6 +113,9 @@ Result<Renderer> Renderer::create(gpu::Device& device, std::uint64_t most_fragme
 	auto lines = LinePass::create(device);
 	if (!lines)
 		return lines.error();
+	auto edges = EdgeMask::create(device);
+	if (!edges)
+		return edges.error();
 	auto compose = ComposePass::create(device);
 	if (!compose)
 		return compose.error();
@@ -118,18 +127,26 @@ Result<Renderer> Renderer::create(gpu::Device& device, std::uint64_t most_fragme
 		return commands.error();
 	return Renderer(std::unique_ptr<Private>(new Private{
 	    device, std::move(*layers), std::move(*lines), SurfacePass(device), FragmentLists(device, most_fragment_bytes),
-	    std::move(*compose), std::move(*overlay), std::move(*commands), gpu::Timers(device, "GPU draw"), Targets()}));
+	    std::move(*edges), std::move(*compose), std::move(*overlay), std::move(*commands),
+	    gpu::Timers(device, "GPU draw"), Targets(), most_fragment_bytes}));
 }
 
 Status Renderer::Private::makeTargets(const Scene& scene)
 {
-	const VkExtent2D extent{scene.look.width, scene.look.height};
+	const std::uint64_t for_lists = std::min<std::uint64_t>(most_fragment_bytes, device.memoryBudget() / 4);
+	auto planned = planPicture(device, scene, for_lists);
+	if (!planned)
+		return planned.error();
+	plan = *planned;
+	lists.limit(for_lists);
 	const auto count = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.sheets.size()));
-	if (targets.holds(extent, count, scene.look.mesh))
+	if (targets.holds(plan.first, count, scene.look.mesh))
 		return Nothing{};
+	if (!plan.first.isWhole())
+		warn("{}", describe(plan, device, scene));
 	forget();
 	targets = {}; // before its successor, that both need not fit into memory
-	auto made = Targets::create(device, extent, count, scene.look.mesh);
+	auto made = Targets::create(device, plan.first, count, scene.look.mesh);
 	if (!made)
 		return made.error();
 	targets = std::move(*made);
@@ -146,9 +163,15 @@ Status Renderer::Private::prepare(const Scene& scene)
 		if (Status ready = surfaces.prepare(scene, lists); !ready)
 			return ready;
 	}
+	const EdgeMask* mask = samplePattern(scene.look.samples).size() > 1 ? &edges : nullptr;
+	if (mask)
+		if (Status ready = edges.prepare(targets, contourReach(scene.look)); !ready)
+			return ready;
 	const Overlay over = makeOverlay(scene, &lettering);
-	for (Status ready : {layers.prepare(scene, targets), lines.prepare(scene),
-	                     compose.prepare(scene, targets, has_surfaces ? &lists : nullptr), overlay.prepare(over)})
+	const ComposePass::SurfaceTargets drawn_surfaces{lists, surfaces.opaque(), surfaces.hasOpaque()};
+	for (Status ready :
+	     {layers.prepare(scene, targets, mask), lines.prepare(scene),
+	      compose.prepare(scene, targets, has_surfaces ? &drawn_surfaces : nullptr, mask), overlay.prepare(over)})
 		if (!ready)
 			return ready;
 	return Nothing{};
@@ -157,45 +180,52 @@ Status Renderer::Private::prepare(const Scene& scene)
 void Renderer::Private::recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter,
                                      std::size_t sample)
 {
+	const EdgeMask* later = sample > 0 ? &edges : nullptr;
 	{
 		// Every sheet into its own layer of values, the outline into its depths.
 		gpu::TimedPass timed(timers, to, "layers");
-		layers_drawn += layers.record(to, scene, targets, jitter);
+		layers_drawn += layers.record(to, scene, targets, jitter, later);
 		lines.record(to, scene, targets, jitter);
 	}
-	if (composesWhole(scene))
+	if (composesWhole(scene, targets.part()))
 		return;
 	if (!scene.surfaces.empty())
 		return recordSurfaces(to, scene, jitter, sample);
 	// The layers in their order at each pixel, colored, blended and added to the samples before.
 	gpu::TimedPass timed(timers, to, "compose");
-	compose.record(to, targets, jitter, {{0, 0}, targets.extent()}, sample == 0, true);
+	compose.record(to, targets, jitter, {{0, 0}, targets.extent()}, later, true);
 }
 
 void Renderer::Private::recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter,
                                        std::size_t sample)
 {
+	const EdgeMask* later = sample > 0 ? &edges : nullptr;
 	lists.recordSample(to);
+	{
+		// Opaque surfaces, the nearest at each pixel.
+		gpu::TimedPass timed(timers, to, "surfaces");
+		surfaces.recordOpaque(to, scene, targets.part(), jitter, later);
+	}
 	for (std::uint32_t strip = 0; strip < lists.strips(); ++strip)
 	{
 		{
-			// Every surface into the lists of its pixels.
+			// The others into the lists of their pixels.
 			gpu::TimedPass timed(timers, to, "surfaces");
 			lists.recordBarrier(to);
-			surfaces.record(to, scene, lists, jitter, sample, strip);
+			surfaces.recordLists(to, scene, targets.part(), lists, jitter, sample, strip);
 			lists.recordBarrier(to);
 		}
 		// Layers and lists in their order at each pixel, blended and added to the samples before.
 		gpu::TimedPass timed(timers, to, "compose");
-		compose.record(to, targets, jitter, lists.strip(strip), sample == 0, strip == 0);
+		compose.record(to, targets, jitter, lists.strip(strip), later, strip == 0);
 	}
 }
 
-// From the sum of samples, or the layers of the only one, to pixels for the host.
-void Renderer::Private::recordPicture(VkCommandBuffer to, bool from_layers)
+// From the sum of samples, or the layers of the only one, to pixels of the picture. The words come with the last part.
+void Renderer::Private::recordPicture(VkCommandBuffer to, bool from_layers, std::uint32_t part)
 {
-	const VkExtent2D extent = targets.extent();
-	targets.picture.transition(to, gpu::kDiscard, gpu::kColorTarget);
+	const bool is_last = part + 1 == plan.count();
+	targets.picture.transition(to, part == 0 ? gpu::kDiscard : gpu::kColorTarget, gpu::kColorTarget);
 	if (from_layers)
 	{
 		// The layers in their order at each pixel, colored and blended over the background.
@@ -211,25 +241,27 @@ void Renderer::Private::recordPicture(VkCommandBuffer to, bool from_layers)
 		VkRenderingAttachmentInfo picture{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
 		picture.imageView = targets.picture.view();
 		picture.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-		picture.loadOp = from_layers ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+		picture.loadOp = from_layers || part > 0 ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
 		picture.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
 		VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
-		rendering.renderArea.extent = extent;
+		rendering.renderArea.extent = plan.first.picture;
 		rendering.layerCount = 1;
 		rendering.colorAttachmentCount = 1;
 		rendering.pColorAttachments = &picture;
 		vkCmdBeginRendering(to, &rendering);
 		if (!from_layers)
-			compose.recordResolve(to, targets);
-		overlay.record(to, targets);
+			compose.recordResolve(to, targets, plan.shown(part));
+		if (is_last)
+			overlay.record(to, targets);
 		vkCmdEndRendering(to);
-		targets.picture.transition(to, gpu::kColorTarget, gpu::kCopyFrom);
 	}
+	if (is_last)
+		targets.picture.transition(to, gpu::kColorTarget, gpu::kCopyFrom);
 }
 
 void Renderer::Private::recordCopy(VkCommandBuffer to, const gpu::Image* into)
 {
-	const VkExtent2D extent = targets.extent();
+	const VkExtent2D extent = plan.first.picture;
 	gpu::TimedPass timed(timers, to, "copy");
 	if (into)
 	{
@@ -274,7 +306,8 @@ Result<Drawn> Renderer::Private::finish(bool has_surfaces, Timeline* timeline)
 	return *complete ? Drawn::whole : Drawn::cramped;
 }
 
-Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& target, Timeline* timeline)
+Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& target, std::uint32_t part,
+                                          Timeline* timeline)
 {
 	const bool has_surfaces = !scene.surfaces.empty();
 	{
@@ -308,11 +341,18 @@ Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& 
 				return begun.error();
 		}
 		recordSample(*begun, scene, pattern[sample], sample);
+		if (sample == 0 && pattern.size() > 1)
+		{
+			// Where the other samples are needed.
+			gpu::TimedPass timed(timers, *begun, "edges");
+			edges.record(*begun, targets);
+		}
 	}
 	if (has_surfaces)
 		lists.recordEnd(*begun);
-	recordPicture(*begun, composesWhole(scene));
-	recordCopy(*begun, target.image);
+	recordPicture(*begun, composesWhole(scene, targets.part()), part);
+	if (part + 1 == plan.count())
+		recordCopy(*begun, target.image);
 	return finish(has_surfaces, timeline);
 }
 
@@ -324,9 +364,16 @@ Result<Drawn> Renderer::Private::draw(const Scene& scene, const DrawTarget& targ
 	if (Status made = makeTargets(scene); !made)
 		return made.error();
 	layers_drawn = 0;
-	for (;;)
-		if (Result<Drawn> drawn = drawOnce(scene, target, timeline); !drawn || *drawn != Drawn::cramped)
+	for (std::uint32_t part = 0; part < plan.count(); ++part)
+	{
+		targets.setFirstRow(plan.firstRow(part));
+		Result<Drawn> drawn = Drawn::cramped;
+		while (drawn && *drawn == Drawn::cramped)
+			drawn = drawOnce(scene, target, part, timeline);
+		if (!drawn || *drawn != Drawn::whole)
 			return drawn;
+	}
+	return Drawn::whole;
 }
 
 std::size_t Renderer::layersDrawn() const

@@ -28,19 +28,21 @@ class Renderer
 {
 public:
 	// The device must outlive the renderer. most_fragment_bytes: the limit for the lists of surface fragments; a
-	// picture that needs more is drawn in strips. raster_side: polygons of sheets of up to this number of pixels a side
-	// (at most shared::kMaxRasterSide) are drawn by a compute shader, larger ones by the rasterizer of the hardware. 0:
-	// all by the rasterizer. Unset: whichever is faster on the device.
+	// picture that needs more is drawn in strips. raster_side: sheets are drawn by a compute shader, in which one
+	// thread draws a polygon of up to this number of pixels a side (at most shared::kMaxRasterSide). 0: all is drawn by
+	// the device's own rasterizer. Unset: whichever is faster on the device.
 	static Result<Renderer> create(gpu::Device& device, std::uint64_t most_fragment_bytes = kMaxFragmentBytes,
 	                               std::optional<std::uint32_t> raster_side = {});
 	~Renderer();
 	Renderer(Renderer&&) noexcept;
 	Renderer& operator=(Renderer&&) noexcept;
 
-	// Draws each sheet into a layer of values and surfaces into lists of fragments. Then layers, lists and outline
-	// become colors, and the overlay is drawn over them. Adds section "draw" with "prepare", "wait" and "pixels" in it,
-	// and GPU sections "layers", "surfaces" (where there are any), "compose", "overlay" and "copy" to the timeline, if
-	// there is one. More sheets than shared::kMaxLayers or surfaces than shared::kMaxSurfaces are a usage error.
+	// Draws each sheet into a layer of values, opaque surfaces with a depth test, and others into lists of fragments.
+	// Then layers, surfaces and outline become colors, and the overlay is drawn over them. All samples but the first
+	// are drawn near edges only. Adds section "draw" with "prepare", "wait" and "pixels" in it, and GPU sections
+	// "layers", "surfaces" (where there are any), "compose", "edges" (with samples), "overlay" and "copy" to the
+	// timeline, if there is one. More sheets than shared::kMaxLayers or surfaces than shared::kMaxSurfaces are a usage
+	// error.
 	Result<Picture> draw(const Scene& scene, Timeline* timeline = nullptr);
 
 	// The same into an image of the scene's size in kPictureFormat, made with TRANSFER_DST usage. No submitted work may

@@ -40,8 +40,11 @@ bool isShownAcrossSeam(const grid::BlockSet& blocks, const grid::Interfaces& int
 		const grid::Block& across = blocks.blocks[link.block];
 		if (std::visit([&](const auto& grid) { return isCut(grid, plane, link.other); }, across.grid))
 			return true;
-		const bool before = std::tuple<std::size_t, CellId, std::uint32_t>(link.block, link.other, link.other_face) <
-		                    std::tuple<std::size_t, CellId, std::uint32_t>(b, face.cell, face.face);
+		const bool before =
+		    link.hang != grid::Hang::none
+		        ? link.hang == grid::Hang::large // its parts are shown
+		        : std::tuple<std::size_t, CellId, std::uint32_t>(link.block, link.other, link.other_face) <
+		              std::tuple<std::size_t, CellId, std::uint32_t>(b, face.cell, face.face);
 		if (before && isFlat(across, plane, link.other, link.other_face))
 			return true;
 	}

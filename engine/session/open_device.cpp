@@ -17,7 +17,9 @@ Result<OpenedDevice> open(const view::ViewSpec& spec, DeviceUse use)
 		return OpenedDevice{};
 	// A software device would share the CPU's cores, and is not worth the time that it takes to open.
 	Result<std::unique_ptr<gpu::Device>> device =
-	    gpu::Device::create({.name_or_index = spec.machine.device, .hardware_only = !needed});
+	    gpu::Device::create({.name_or_index = spec.machine.device,
+	                         .hardware_only = !needed,
+	                         .memory = static_cast<std::uint64_t>(spec.machine.device_memory)});
 	if (!device)
 		return needed ? Result<OpenedDevice>(device.error()) : OpenedDevice{};
 	OpenedDevice opened{std::move(*device), {}};

@@ -99,7 +99,13 @@ bool isPlain(const view::ViewSpec& spec)
 read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice& time)
 {
 	const view::InputSpec& input = spec.input;
-	return {time, input.solution, input.refine, input.displace, namesPatch(spec)};
+	return {.time = time,
+	        .solution = input.solution,
+	        .refine = input.refine,
+	        .displace = input.displace,
+	        .patches = namesPatch(spec),
+	        .format = input.format,
+	        .raw = input.raw};
 }
 
 read::ReadOptions readOptions(const Session& session, const read::TimeChoice& time)
@@ -170,6 +176,7 @@ cut::CutRequest requestOf(const Session& session)
 	                machine.strategy != find::Strategy::generations;
 	return {.probe = view.probe,
 	        .corners = view.corners,
+	        .hanging = view.hanging,
 	        .field = view.field,
 	        .sheet_fields = view.sheet_fields,
 	        .seeds = seeds,

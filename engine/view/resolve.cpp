@@ -160,6 +160,7 @@ Result<ResolvedView> resolve(const ViewSpec& spec, const grid::BlockSet& blocks)
 	view.seeds.mode = probe.seeds;
 	view.seeds.outside = probe.outside;
 	view.corners = probe.corners.value_or(mesh::Corners::keep);
+	view.hanging = probe.hanging;
 	view.crinkle = probe.crinkle;
 	view.threshold = probe.threshold;
 	Result<std::optional<grid::FieldChoice>> field = grid::chooseField(blocks, probe.array, probe.component);

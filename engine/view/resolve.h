@@ -36,6 +36,7 @@ struct ResolvedView
 	probe::Probe probe; // without its hidden sheets
 	std::vector<std::optional<grid::FieldChoice>> sheet_fields;
 	mesh::Corners corners = mesh::Corners::keep;
+	mesh::Hanging hanging = mesh::Hanging::keep;
 	seed::SeedOptions seeds;
 	SurfaceSpec surface; // the surface that replaces the sheets, or planes; the sheets hold any other surface
 	bool crinkle = false;

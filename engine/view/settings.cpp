@@ -2,6 +2,7 @@
 
 #include "grid/field_choice.h"
 #include "probe/path_file.h"
+#include "read/formats.h"
 #include "render/scene/levels.h"
 #include "view/words.h"
 
@@ -58,6 +59,27 @@ Text written(T* value, Parse parse, Write write)
 		        *value = std::move(*parsed);
 		        return Nothing{};
 	        }};
+}
+
+Text format(std::string* name)
+{
+	return {[name] { return name->empty() ? std::nullopt : std::optional(*name); },
+	        [name](const std::string& words) -> Status
+	        {
+		        if (!read::findFormat(words))
+			        return Error{ErrorKind::usage, "no such format; use one of " + read::formatNames()};
+		        *name = words;
+		        return Nothing{};
+	        }};
+}
+
+// Set where the size is.
+template <class T, class Parse, class Write>
+Text ofRaw(const InputSpec& input, T* value, Parse parse, Write write)
+{
+	Text text = written(value, parse, write);
+	text.get = [&raw = input.raw, get = text.get] { return raw.size[0] == 0 ? std::nullopt : get(); };
+	return text;
 }
 
 Text direction(std::optional<Vec3>* value)
@@ -172,7 +194,12 @@ std::vector<Section> sectionsOf(ViewSpec& spec)
 	          {"time", written(&input.time, read::parseTime, read::timeText)},
 	          {"solution", File{&input.solution}},
 	          {"refine", &input.refine, Limits{0, read::kMaxRefine}},
-	          {"displace", &input.displace}}},
+	          {"displace", &input.displace},
+	          {"format", format(&input.format)},
+	          {"raw_size", ofRaw(input, &input.raw.size, read::parseRawSize, read::rawSizeText)},
+	          {"raw_type", ofRaw(input, &input.raw.type, read::parseRawType, read::rawTypeText)},
+	          {"raw_spacing", ofRaw(input, &input.raw.spacing, read::parseRawSpacing, read::rawSpacingText)},
+	          {"raw_order", ofRaw(input, &input.raw.is_big_endian, read::parseRawOrder, read::rawOrderText)}}},
 	        {"probe",
 	         {{"probe", ProbeChoice{&probe}},
 	          {"origin", vector(&probe.origin)},
@@ -185,6 +212,7 @@ std::vector<Section> sectionsOf(ViewSpec& spec)
 	          {"offsets", list(&probe.offsets)},
 	          {"sheets", &probe.sheets, kSheets},
 	          {"corners", word(&probe.corners)},
+	          {"hanging", word(&probe.hanging)},
 	          {"array", &probe.array},
 	          {"component", component(&probe.component)},
 	          {"threshold", pair(&probe.threshold)},
@@ -247,6 +275,7 @@ Section machineSection(ViewSpec& spec)
 	return {"machine",
 	        {{"classify", word(&machine.classify)},
 	         {"device", &machine.device},
+	         {"device_memory", &machine.device_memory, Limits{0.0, kAny}},
 	         {"threads", &machine.threads, Limits{0, 4096}},
 	         {"strategy", word(&machine.strategy)},
 	         {"visited", word(&machine.visited)}}};

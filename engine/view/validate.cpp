@@ -1,6 +1,7 @@
 #include "view/validate.h"
 
 #include "probe/path_file.h"
+#include "read/formats.h"
 #include "view/resolve.h"
 #include "view/settings.h"
 #include "view/words.h"
@@ -41,6 +42,19 @@ Status checkNumbers(const ViewSpec& spec)
 		for (const Setting& setting : section.settings)
 			if (const std::string why = refusal(setting); !why.empty())
 				return usage(fmt::format("`{}` {}", setting.key, why));
+	return Nothing{};
+}
+
+// A raw volume needs its size, and what else is said of one needs a raw volume.
+Status checkInput(const InputSpec& input)
+{
+	if (!input.format.empty() && !read::findFormat(input.format))
+		return usage(fmt::format("`format` {}: no such format; use one of {}", input.format, read::formatNames()));
+	const bool has_size = input.raw.size[0] != 0;
+	if (!has_size && (input.raw != read::RawLayout{} || input.format == "raw"))
+		return usage("`raw_size`: a raw volume does not say how large it is; add `raw_size` NXxNYxNZ");
+	if (has_size && !input.format.empty() && input.format != "raw")
+		return usage(fmt::format("`raw_size`: `format` {} is no raw volume; leave one of the two out", input.format));
 	return Nothing{};
 }
 
@@ -172,9 +186,10 @@ Error doesNotMove(const SurfaceSpec& surface)
 
 Status validate(const ViewSpec& spec)
 {
-	for (const Status& fits : {checkPlace(spec.probe), checkNumbers(spec), checkShape(spec.probe), checkSurface(spec),
-	                           checkVectors(spec.probe), checkContours(spec.look.contour, spec.probe),
-	                           checkThreshold(spec.probe), checkRange(spec.look), checkSize(spec.look.size)})
+	for (const Status& fits :
+	     {checkInput(spec.input), checkPlace(spec.probe), checkNumbers(spec), checkShape(spec.probe),
+	      checkSurface(spec), checkVectors(spec.probe), checkContours(spec.look.contour, spec.probe),
+	      checkThreshold(spec.probe), checkRange(spec.look), checkSize(spec.look.size)})
 		if (!fits)
 			return fits;
 	return Nothing{};

@@ -6,6 +6,7 @@
 #include "find/threshold.h"
 #include "find/visited.h"
 #include "mesh/clip.h"
+#include "mesh/hanging_vertices.h"
 #include "probe/path.h"
 #include "probe/presets.h"
 #include "probe/probe_file.h"
@@ -41,6 +42,8 @@ struct InputSpec
 	std::string solution;  // PLOT3D solution file, if its name does not follow from the grid's name
 	int refine = 0;        // 0 to read::kMaxRefine: how often the linear parts of curved cells are halved
 	double displace = 0.0; // factor for the displacements of points in Exodus files
+	std::string format;    // a name in read::formats(); if empty, the file tells
+	read::RawLayout raw{}; // of raw volumes
 
 	bool operator==(const InputSpec&) const = default;
 };
@@ -109,8 +112,9 @@ struct ProbeSpec
 	std::vector<double> offsets;          // for a stack, along the normal
 	std::optional<int> sheets;            // for a stack: number of sheets, spread evenly over the bounds
 	std::optional<mesh::Corners> corners; // empty: keep
-	std::string array;                    // the shown array, "[point:|cell:]NAME"; empty: the first array
-	std::optional<int> component;         // from 0, or grid::kMagnitude; empty: the magnitude of a vector
+	mesh::Hanging hanging = mesh::Hanging::keep;
+	std::string array;            // the shown array, "[point:|cell:]NAME"; empty: the first array
+	std::optional<int> component; // from 0, or grid::kMagnitude; empty: the magnitude of a vector
 	std::optional<find::Threshold> threshold;
 	seed::SeedMode seeds = seed::SeedMode::automatic;
 	seed::OutsidePolicy outside = seed::OutsidePolicy::nearest;
@@ -131,6 +135,7 @@ struct MachineSpec
 {
 	Classify classify = Classify::automatic;
 	std::string device;                        // a part of its name, or its number; empty: the best
+	double device_memory = 0.0;                // bytes of the device that may be used; 0: half of what it has
 	int threads = 0;                           // largest number of threads; 0: one per core
 	std::optional<find::Strategy> strategy{};  // empty: the plan chooses
 	std::optional<find::VisitedSet> visited{}; // if given, cells are found by generations

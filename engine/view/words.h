@@ -41,6 +41,12 @@ struct Names<mesh::Corners>
 	static constexpr std::array kWords{std::pair{mesh::Corners::keep, "keep"}, std::pair{mesh::Corners::skip, "skip"}};
 };
 template <>
+struct Names<mesh::Hanging>
+{
+	static constexpr std::array kWords{std::pair{mesh::Hanging::keep, "keep"},
+	                                   std::pair{mesh::Hanging::interpolate, "interpolate"}};
+};
+template <>
 struct Names<find::VisitedSet>
 {
 	static constexpr std::array kWords{std::pair{find::VisitedSet::stamps, "stamps"},

@@ -5,7 +5,9 @@
 
 #include <csetjmp>
 #include <cstring>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vp::write
@@ -13,6 +15,8 @@ namespace vp::write
 
 namespace
 {
+
+using ByteSink = std::function<void(std::string_view)>;
 
 bool isOpaque(const render::Picture& picture)
 {
@@ -32,13 +36,13 @@ void dropMessage(png_structp, png_const_charp) {}
 
 void writePngBytes(png_structp png, png_bytep bytes, png_size_t size)
 {
-	static_cast<AtomicFile*>(png_get_io_ptr(png))->write({reinterpret_cast<const char*>(bytes), size});
+	(*static_cast<const ByteSink*>(png_get_io_ptr(png)))({reinterpret_cast<const char*>(bytes), size});
 }
 
 void flushNothing(png_structp) {}
 
 // False and the reason where libpng refuses. Objects with destructors stay outside: its errors jump over this frame.
-bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_t>& row, AtomicFile& file,
+bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_t>& row, ByteSink& sink,
             std::string& error)
 {
 	png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &error, keepMessage, dropMessage);
@@ -48,7 +52,7 @@ bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_
 		png_destroy_write_struct(&png, &info);
 		return false;
 	}
-	png_set_write_fn(png, &file, writePngBytes, flushNothing);
+	png_set_write_fn(png, &sink, writePngBytes, flushNothing);
 	png_set_IHDR(png, info, picture.width, picture.height, 8, opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
 	             PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
 	png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -71,13 +75,31 @@ bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_
 
 } // namespace
 
-Status encodePng(const render::Picture& picture, const std::string& path, AtomicFile& file)
+namespace
+{
+
+Status encodeInto(const render::Picture& picture, const std::string& path, ByteSink sink)
 {
 	std::vector<std::uint8_t> row(std::size_t(4) * picture.width);
 	std::string reason;
-	if (!encode(picture, isOpaque(picture), row, file, reason))
+	if (!encode(picture, isOpaque(picture), row, sink, reason))
 		return Error{ErrorKind::output, fmt::format("{}: cannot be encoded as PNG: {}", path, reason)};
 	return Nothing{};
+}
+
+} // namespace
+
+Status encodePng(const render::Picture& picture, const std::string& path, AtomicFile& file)
+{
+	return encodeInto(picture, path, [&](std::string_view bytes) { file.write(bytes); });
+}
+
+Result<std::string> pngBytes(const render::Picture& picture)
+{
+	std::string all;
+	if (Status encoded = encodeInto(picture, "the picture", [&](std::string_view bytes) { all += bytes; }); !encoded)
+		return encoded.error();
+	return all;
 }
 
 Status writePng(const render::Picture& picture, const std::string& path)

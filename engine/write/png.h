@@ -13,6 +13,9 @@ namespace vp::write
 // renamed. Opaque pictures are stored without alpha.
 Status writePng(const render::Picture& picture, const std::string& path);
 
+// The bytes of such a file.
+Result<std::string> pngBytes(const render::Picture& picture);
+
 // The same into a file that is committed later; errors name the path.
 Status encodePng(const render::Picture& picture, const std::string& path, AtomicFile& file);
 

@@ -3,6 +3,9 @@
 #include "mesh/mesh_values.h"
 #include "write/set_arrays.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -35,11 +38,21 @@ Column vertexColumn(const grid::BlockSet& blocks, Meshes meshes, const SetArray&
 {
 	Column column{source.name, source.components, interpolatedType(source), {}};
 	column.bytes.resize(vertices * source.components * grid::byteSize(column.type));
-	std::byte* at = column.bytes.data();
+	std::byte* begin = column.bytes.data();
+	const std::size_t tuple = source.components * grid::byteSize(column.type);
 	for (const mesh::SheetMesh* mesh : meshes)
-		for (std::size_t v = 0; v < mesh->positions.size(); ++v)
-			for (int c = 0; c < source.components; ++c)
-				at = put(at, column.type, mesh::vertexValue(blocks, *mesh, v, source.per_block, c));
+	{
+		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh->positions.size(), 4096),
+		                  [&](const tbb::blocked_range<std::size_t>& some)
+		                  {
+			                  std::byte* at = begin + some.begin() * tuple;
+			                  for (std::size_t v = some.begin(); v < some.end(); ++v)
+				                  for (int c = 0; c < source.components; ++c)
+					                  at = put(at, column.type,
+					                           mesh::vertexValue(blocks, *mesh, v, source.per_block, c));
+		                  });
+		begin += mesh->positions.size() * tuple;
+	}
 	return column;
 }
 

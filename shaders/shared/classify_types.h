@@ -10,11 +10,11 @@ VP_SHARED_BEGIN
 VP_CONST uint kClassifyGroupSize = 64u; // one thread per cell of the front
 
 // Bindings of the classify shader.
-VP_CONST uint kBindPoints = 0u;  // texels, one a point
-VP_CONST uint kBindCells = 1u;   // texels, one (4 ids) or two (8 ids) a cell of an unstructured grid
-VP_CONST uint kBindCases = 2u;   // texels, one a case
-VP_CONST uint kBindValues = 3u;  // texels, see kValuesNone
-VP_CONST uint kBindAxes = 4u;    // texels, see kCellsAxes
+VP_CONST uint kBindPoints = 0u;  // array, four words a point
+VP_CONST uint kBindCells = 1u;   // array, four or eight ids a cell of an unstructured grid
+VP_CONST uint kBindCases = 2u;   // array, four words a case
+VP_CONST uint kBindValues = 3u;  // array of floats, see kValuesNone
+VP_CONST uint kBindAxes = 4u;    // array, see kCellsAxes
 VP_CONST uint kBindFront = 5u;   // cell ids in
 VP_CONST uint kBindCodes = 6u;   // codes out
 VP_CONST uint kBindRecords = 7u; // polygon records out
@@ -26,8 +26,8 @@ VP_CONST uint kConstantPoints = 1u;
 VP_CONST uint kConstantValues = 2u;
 
 // How a cell finds its points.
-VP_CONST uint kCellsAxes = 0u;    // image and rectilinear grids: one texel per coordinate of each axis and sheet, that
-                                  // holds the coordinate's share in the distance (double), in u and in v
+VP_CONST uint kCellsAxes = 0u;    // image and rectilinear grids: four words per coordinate of each axis and sheet, that
+                                  // hold the coordinate's share in the distance (double), in u and in v
 VP_CONST uint kCellsLattice = 1u; // curvilinear grids
 VP_CONST uint kCellsRecord4 = 2u; // unstructured grids of tetrahedra
 VP_CONST uint kCellsRecord8 = 3u; // other unstructured grids
@@ -41,8 +41,7 @@ VP_CONST uint kPointsFixed = 1u; // three signed numbers of 41 bits, from the bl
 VP_CONST uint kFixedLowBits = 9u;
 VP_CONST uint kFixedInexactShift = 27u; // bit 27 + axis: the source is not exactly this number
 
-// What the values belong to: one texel of one number each, or, to show the length of a tuple, as many of four numbers
-// as hold it.
+// What the values belong to: one number each, or, to show the length of a tuple, as many fours of numbers as hold it.
 VP_CONST uint kValuesNone = 0u; // `no_value` everywhere
 VP_CONST uint kValuesPoint = 1u;
 VP_CONST uint kValuesCell = 2u;

@@ -13,8 +13,8 @@ VP_CONST uint kMaxSurfaces = 64u; // and surfaces
 VP_CONST uint kRecordTriangles = 4u;
 VP_CONST uint kRecordCorners = 3u * kRecordTriangles;
 
-// From a sheet's (u, v) to clip space: u * u_axis + v * v_axis + origin; with kLayerListed x and y are those of
-// RasterPush. What of it is drawn beyond the values is known when the pipeline is made (kLayer bits).
+// From a sheet's (u, v) to clip space: u * u_axis + v * v_axis + origin. What of it is drawn beyond the values is known
+// when the pipeline is made (kLayer bits).
 struct LayerPush
 {
 	float u_axis[4];
@@ -22,45 +22,67 @@ struct LayerPush
 	float origin[4];
 	float window[4];       // u from, to, v from, to; with kLayerWindow
 	float mesh_half_width; // pixels; with kLayerMesh
-	float size[2];         // of the picture, pixels; with kLayerListed, as the next
-	uint listed_from;      // place of the first drawn record's number in the list
 };
 
 VP_CONST uint kLayerWindow = 1u; // what lies outside of the window is left out
 VP_CONST uint kLayerMesh = 2u;   // how much of a line along the polygons' edges is at a pixel goes beside the values
-VP_CONST uint kLayerListed = 4u; // of the records those are drawn that the compute rasterizer listed
 
-// The compute rasterizer of small polygons. Pixels are numbered from 0, and their centers lie at whole numbers.
-VP_CONST uint kRasterGroupSize = 64u; // one thread a record
+// The compute rasterizer. Pixels are numbered from 0, and their centers lie at whole numbers.
+VP_CONST uint kRasterGroupSize = 64u; // threads
+VP_CONST uint kRasterRows = 8u;       // threads of a group that work on the rows of one large polygon
+VP_CONST uint kRasterBands = 8u;      // groups that share the rows of a huge polygon
 VP_CONST uint kSubpixels = 256u;      // a pixel's side has so many places for corners: as many as hardware has
 VP_CONST uint kMaxRasterSide = 64u;   // pixels; of larger polygons the edges would not fit into 32 bits
+
+// Its stages: each takes what the first one left to it.
+VP_CONST uint kRasterSmall = 0u;
+VP_CONST uint kRasterLarge = 1u;
+VP_CONST uint kRasterHuge = 2u;  // or reaching the near plane, or far outside of the picture
+VP_CONST uint kRasterLists = 2u; // of a run, for the stages after the first one
+// Where a picture has more samples than one: the polygons near edges are listed, and take the place of all in the first
+// stage.
+VP_CONST uint kRasterKeep = 3u;
+VP_CONST uint kRasterKept = 4u;
+VP_CONST uint kRasterStages = 5u;
 
 struct RasterPush
 {
 	float u_axis[3]; // from (u, v) to a place in subpixels times w, and w: u * u_axis + v * v_axis + origin
 	float v_axis[3];
 	float origin[3];
-	float u_of_pixel[3]; // from a pixel (x, y, 1) to (u, v, 1) times a factor; with kLayerWindow
+	float u_of_pixel[3]; // from a pixel (x, y, 1) to (u, v, 1) times a factor
 	float v_of_pixel[3];
 	float w_of_pixel[3];
-	float window[4]; // u from, to, v from, to
+	float window[4]; // u from, to, v from, to; with kLayerWindow
 	float near_w;    // w of the near plane
-	float largest;   // side of a polygon that is drawn here, subpixels
+	float largest;   // side of a small polygon, subpixels
 	float last_pixel[2];
 	uint first;       // record of the page
 	uint count;       // of records
-	uint draw;        // number of the run's draw
+	uint lists;       // place of the run's first RasterList
 	uint listed_from; // place of the run's first number in the list
+	uint kept_list;   // place of the RasterList of what it keeps
+	uint kept_from;   // place of the first number that it keeps
 };
 
-// VkDrawIndexedIndirectCommand: the records that a run leaves to the hardware.
-struct RasterDraw
+// What a run leaves to a later stage.
+struct RasterList
 {
-	uint corners;
-	uint instances;
-	uint first_index;
-	int vertex_offset;
-	uint first_instance;
+	uint groups[3]; // VkDispatchIndirectCommand
+	uint count;     // polygons
+};
+
+// Pixels at which a picture needs more samples than its first one: where a channel departs by more than this from the
+// line between the pixels on both sides. A step of this height is off by at most its half.
+VP_CONST float kEdgeFrom = 2.0f / 255.0f;
+VP_CONST uint kEdgeTile = 16u; // pixels a side of the squares that are drawn again where they hold an edge
+VP_CONST uint kEdgeGroupSize = 64u;
+
+struct EdgePush
+{
+	uint tiles_across;
+	uint tiles_down;
+	uint reach; // pixels around it that a pixel's color depends on
 };
 
 struct LineSegment
@@ -86,13 +108,19 @@ struct ComposePush
 	float jitter[2]; // pixels by which this sample's picture is moved
 };
 
+struct ResolvePush
+{
+	int first_row; // of the picture that is the first of the part that was drawn
+};
+
 // Features of the composing pass, known when its pipeline is made: what a picture does not use costs nothing.
 VP_CONST uint kComposeLines = 1u;
 VP_CONST uint kComposeSteps = 2u; // bands or categories
 VP_CONST uint kComposeLog = 4u;
 VP_CONST uint kComposeMesh = 8u;
-VP_CONST uint kComposeGround = 64u; // a part of the picture in which no layer has anything
-VP_CONST uint kComposeWhole = 128u; // the one sample of a picture, over its background
+VP_CONST uint kComposeGround = 64u;  // a part of the picture in which no layer has anything
+VP_CONST uint kComposeWhole = 128u;  // the one sample of a picture, over its background
+VP_CONST uint kComposeOpaque = 256u; // some surfaces hide all that is behind them
 
 // A layer's plane, and how its values become colors. Values are scaled first: y is the value, or its log10. Places are
 // those in the buffer of tables, four-byte words; colors are encoded (sRGB), not multiplied by alpha, red in the

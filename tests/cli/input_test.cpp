@@ -72,7 +72,8 @@ TEST_F(Input, Prose)
 TEST_F(Input, UnknownEnding)
 {
 	for (const std::string name : {"prose.txt", "prose"})
-		expectRefused(write(name, "It was a dark and stormy night.\nThe rain fell in torrents.\n"), {name, ".vtu"});
+		expectRefused(write(name, "It was a dark and stormy night.\nThe rain fell in torrents.\n"),
+		              {name, "vprobe info --formats"});
 }
 
 // The contents tell what a file is, its name only where they do not.

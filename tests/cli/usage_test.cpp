@@ -40,7 +40,7 @@ std::string name(const testing::TestParamInfo<BadUsage>& info)
 TEST_F(Usage, HelpOfEveryCommand)
 {
 	EXPECT_TRUE(isQuiet(run({"--help"})));
-	for (const std::string command : {"info", "slice", "render", "sweep", "profile", "check", "sample"})
+	for (const std::string command : {"info", "slice", "render", "sweep", "profile", "check", "sample", "convert"})
 	{
 		EXPECT_TRUE(contains(run({"--help"}).out, command));
 		const Outcome help = run({command, "--help"});

@@ -74,6 +74,14 @@ TEST(Picture, ACutIsDrawnAsItsOwnPicture)
 	ASSERT_TRUE(second) << second.error().message;
 	EXPECT_EQ(first->rgba, second->rgba);
 	EXPECT_EQ(data->render(view)->rgba, first->rgba);
+	// A cut of another view, or of another data set, is not what is drawn.
+	vprobe::View other = view;
+	other.crinkle(true);
+	EXPECT_EQ(data->render(*cut, other)->rgba, data->render(other)->rgba);
+	const auto stranger = vprobe::Dataset::wrap({Box(2).image()});
+	EXPECT_FALSE(vprobe::Image().png());
+	EXPECT_EQ(data->render(*stranger->cut(view), view)->rgba, first->rgba);
+	EXPECT_EQ(first->png()->substr(1, 3), "PNG");
 
 	vprobe::View sweep = view;
 	ASSERT_TRUE(sweep.set("frames", "3"));

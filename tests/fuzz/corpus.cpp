@@ -1,7 +1,7 @@
 #include "corpus.h"
 
 #include "format_samples.h"
-#include "read/protocol.h"
+#include "read/formats.h"
 #include "sample_files.h"
 
 #include <algorithm>
@@ -17,9 +17,7 @@ namespace fs = std::filesystem;
 
 bool canBeOpened(const fs::path& file)
 {
-	const std::string name = file.filename().string();
-	return std::any_of(vp::read::kEndings.begin(), vp::read::kEndings.end(),
-	                   [&](std::string_view ending) { return name.ends_with(ending); });
+	return vp::read::formatOfEnding(file.filename().string()) != nullptr;
 }
 
 DataSet describe(const std::string& name, const fs::path& folder)

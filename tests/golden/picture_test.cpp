@@ -72,8 +72,11 @@ TEST_F(Pictures, OneSheet)
 	auto drawn = renderer().draw(scene, &timeline);
 	ASSERT_TRUE(drawn);
 	EXPECT_TRUE(looksLike(*drawn, "one_sheet"));
-	for (const char* pass : {"layers", "compose", "overlay", "copy"})
-		EXPECT_GT(timeline.total(pass, Timeline::Track::gpu), 0.0) << pass;
+	if (device().timestampBits() > 0)
+	{
+		for (const char* pass : {"layers", "compose", "overlay", "copy"})
+			EXPECT_GT(timeline.total(pass, Timeline::Track::gpu), 0.0) << pass;
+	}
 }
 
 TEST_F(Pictures, ThreeTranslucentSheetsOnBlack)

@@ -1,4 +1,8 @@
+#include "gpu/vulkan.h"
+
 #include "pixel_lists.h"
+
+#include "render/passes/picture_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +15,7 @@ namespace
 
 using vp::shared::PolygonRecord;
 
-// Hardware snaps corners to 1/256 pixel and takes float depths: nearer than this nobody can tell the sides of an edge.
-constexpr double kEdgeReach = 0.02;     // pixels
+// Depths are floats: nearer than this nobody can tell which is in front.
 constexpr double kCrossingReach = 1e-5; // of near / w
 
 glm::dvec2 place(const PolygonRecord& record, std::uint32_t k)
@@ -55,13 +58,15 @@ struct Fragment
 	double depth;       // near / w
 	std::size_t number; // of the sheet, or behind all sheets of the surface
 	double value;
+	glm::dvec2 slope; // of the depth, a pixel
 };
 
 class Rasterizer
 {
 public:
-	explicit Rasterizer(const Scene& scene)
-	    : scene_(scene), frame_{double(scene.look.width), double(scene.look.height), {}, {}, {}},
+	Rasterizer(const Scene& scene, double edge_reach)
+	    : scene_(scene),
+	      edge_reach_(edge_reach), frame_{double(scene.look.width), double(scene.look.height), {}, {}, {}},
 	      fragments_(std::size_t(scene.look.width) * scene.look.height), on_edge_(fragments_.size())
 	{
 	}
@@ -130,7 +135,7 @@ private:
 		forPixels(glm::min(a, b), glm::max(a, b),
 		          [&](std::size_t i, const glm::dvec2& center)
 		          {
-			          if (distanceToSegment(center, a, b) < kEdgeReach)
+			          if (distanceToSegment(center, a, b) < edge_reach_)
 				          on_edge_[i] = true;
 		          });
 	}
@@ -146,10 +151,13 @@ private:
 			lo = glm::min(lo, corners.back());
 			hi = glm::max(hi, corners.back());
 		}
+		const auto whole = PicturePart::whole({scene_.look.width, scene_.look.height});
+		const auto [rise_x, rise_y, start] = planeDepth(known.drawing.sheet, scene_.camera, whole);
+		const glm::dvec2 slope(rise_x, rise_y);
 		for (std::size_t k = 0; k < corners.size(); ++k)
 			markEdge(corners[k], corners[(k + 1) % corners.size()]);
 		forPixels(lo, hi,
-		          [&](std::size_t i, const glm::dvec2& center)
+		          [&, slope](std::size_t i, const glm::dvec2& center)
 		          {
 			          const auto found = hit(scene_, known.drawing.sheet, 1e9, center.x, center.y);
 			          if (!found)
@@ -159,7 +167,7 @@ private:
 			          if (at.x < w.x0 || at.x > w.x1 || at.y < w.y0 || at.y > w.y1)
 				          return;
 			          if (const auto value = valueAt(record, at))
-				          fragments_[i].push_back({scene_.camera.near / found->distance, number, *value});
+				          fragments_[i].push_back({scene_.camera.near / found->distance, number, *value, slope});
 		          });
 	}
 
@@ -179,6 +187,13 @@ private:
 		return number < sheets ? scene_.sheets[number].opacity : scene_.surfaces[number - sheets].opacity;
 	}
 
+	// Whether they lie so near to each other that a place that is a little off changes their order.
+	bool mayCross(const Fragment& a, const Fragment& b) const
+	{
+		const double reach = kCrossingReach + edge_reach_ * glm::length(a.slope - b.slope);
+		return std::abs(a.depth - b.depth) < reach && !inOnePlane(a.number, b.number);
+	}
+
 	PixelList blend(std::vector<Fragment> list, bool on_edge) const
 	{
 		std::sort(list.begin(), list.end(),
@@ -188,8 +203,7 @@ private:
 		for (std::size_t i = list.size(); i-- > 0;)
 		{
 			const Fragment& f = list[i];
-			if (i > 0 && std::abs(list[i - 1].depth - f.depth) < kCrossingReach &&
-			    !inOnePlane(list[i - 1].number, f.number))
+			if (i > 0 && mayCross(list[i - 1], f))
 				pixel.on_edge = true;
 			pixel.color = over(rgb(scene_.look.colors.at(f.value)), opacity(f.number), pixel.color);
 		}
@@ -197,6 +211,7 @@ private:
 	}
 
 	const Scene& scene_;
+	double edge_reach_;
 	Frame frame_;
 	std::vector<std::vector<Fragment>> fragments_;
 	std::vector<bool> on_edge_;
@@ -205,9 +220,9 @@ private:
 } // namespace
 
 std::vector<PixelList> blendedLists(const Scene& scene, const std::vector<KnownSheet>& sheets,
-                                    const std::vector<KnownSurface>& surfaces)
+                                    const std::vector<KnownSurface>& surfaces, double edge_reach)
 {
-	Rasterizer rasterizer(scene);
+	Rasterizer rasterizer(scene, edge_reach);
 	for (std::size_t i = 0; i < sheets.size(); ++i)
 		rasterizer.add(i, sheets[i]);
 	for (std::size_t i = 0; i < surfaces.size(); ++i)

@@ -16,8 +16,16 @@ struct PixelList
 	std::size_t fragments = 0; // of sheets and surfaces, at the pixel's center
 	bool on_edge = false; // an edge of a polygon or a window, or a crossing of two of them, is too near to tell sides
 };
+// A place in the picture may be off by so much, in pixels, where corners are put on a grid of 1 / 2^bits.
+constexpr double edgeReach(std::uint32_t bits)
+{
+	return 0.015 + 1.5 / static_cast<double>(1u << bits);
+}
+constexpr double kEdgeReach = edgeReach(8); // of the compute rasterizer
+
+// edge_reach: pixels so near to an edge are on it.
 std::vector<PixelList> blendedLists(const Scene& scene, const std::vector<KnownSheet>& sheets,
-                                    const std::vector<KnownSurface>& surfaces = {});
+                                    const std::vector<KnownSurface>& surfaces = {}, double edge_reach = kEdgeReach);
 
 struct ListComparison
 {

@@ -1,8 +1,11 @@
 #include "pixel_lists.h"
 #include "tiling.h"
+#include "uniform.h"
 
 #include "classify/gpu_records.h"
 #include "render/passes/raster_side.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +85,27 @@ protected:
 		return covered;
 	}
 
+	// Parts the polygons in two by each bit of their number. Each pixel that all of them cover must be covered by one
+	// half and not by the other: any two polygons differ in some bit. Returns what all cover.
+	std::vector<bool> expectOneOwner(std::uint32_t side, const View& view, const std::vector<PolygonRecord>& all)
+	{
+		Renderer renderer = rendererOf(side);
+		const std::vector<bool> whole = coverage(renderer, view, all);
+		for (std::size_t bit = 1; bit < all.size(); bit *= 2)
+		{
+			std::vector<PolygonRecord> halves[2];
+			for (std::size_t p = 0; p < all.size(); ++p)
+				halves[(p & bit) != 0].push_back(all[p]);
+			const std::vector<bool> first = coverage(renderer, view, halves[0]);
+			const std::vector<bool> second = coverage(renderer, view, halves[1]);
+			std::size_t wrong = 0;
+			for (std::size_t i = 0; i < first.size(); ++i)
+				wrong += whole[i] ? first[i] == second[i] : first[i] || second[i];
+			EXPECT_EQ(wrong, 0u) << "bit " << bit;
+		}
+		return whole;
+	}
+
 	const std::shared_ptr<classify::RecordPool>& pool()
 	{
 		if (!pool_)
@@ -93,34 +117,62 @@ private:
 	std::shared_ptr<classify::RecordPool> pool_;
 };
 
-// Polygons are parted in two by each bit of their number. If the halves cover every pixel once, then so do all
-// polygons: any two of them differ in some bit.
+// Polygons of about 20, 7 and 2 pixels, in every share of the stages.
 TEST_F(Raster, EveryPixelBelongsToOnePolygon)
 {
 	std::mt19937 random(71);
-	// Polygons of about 20, 7 and 2 pixels; all by the compute shader, then shared with the hardware at various
-	// sizes.
 	for (const int cells : {36, 100, 300})
 		for (const std::uint32_t side : {64u, 8u, 2u})
 		{
-			Renderer renderer = rendererOf(side);
-			// Of a polygon that snapping bends inwards the hardware's triangles cover more.
-			const std::vector<PolygonRecord> all = Tiling(random, cells, 4.5, side == 64).records();
+			SCOPED_TRACE(fmt::format("{} cells, side {}", cells, side));
 			const View view = obliqueView(random);
-			const std::vector<bool> whole = coverage(renderer, view, all);
-			EXPECT_EQ(std::ranges::count(whole, false), 0) << cells << " cells, side " << side;
-			for (std::size_t bit = 1; bit < all.size(); bit *= 2)
-			{
-				std::vector<PolygonRecord> halves[2];
-				for (std::size_t p = 0; p < all.size(); ++p)
-					halves[(p & bit) != 0].push_back(all[p]);
-				const std::vector<bool> first = coverage(renderer, view, halves[0]);
-				const std::vector<bool> second = coverage(renderer, view, halves[1]);
-				std::size_t wrong = 0;
-				for (std::size_t i = 0; i < first.size(); ++i)
-					wrong += first[i] == second[i];
-				EXPECT_EQ(wrong, 0u) << cells << " cells, side " << side << ", bit " << bit;
-			}
+			const std::vector<bool> whole = expectOneOwner(side, view, Tiling(random, cells, 4.5, true).records());
+			EXPECT_EQ(std::ranges::count(whole, false), 0);
+		}
+}
+
+// From a thousandth of a pixel to more than the picture.
+TEST_F(Raster, SoDoPolygonsOfAnySize)
+{
+	std::mt19937 random(72);
+	const View facing = obliqueView(random);
+	for (const int cells : {1, 2, 5, 12})
+	{
+		SCOPED_TRACE(cells);
+		const std::vector<bool> whole = expectOneOwner(16, facing, Tiling(random, cells, 9.0, true).records());
+		EXPECT_EQ(std::ranges::count(whole, false), 0);
+	}
+	for (const double half : {0.006, 0.05})
+	{
+		SCOPED_TRACE(half);
+		const std::vector<bool> whole = expectOneOwner(16, facing, Tiling(random, 300, half, true).records());
+		EXPECT_TRUE(whole[75 * 203 + 101]) << "the middle";
+	}
+}
+
+TEST_F(Raster, SoDoSlivers)
+{
+	std::mt19937 random(73);
+	for (const glm::ivec2& sides : {glm::ivec2(2, 2000), {2000, 2}, {7, 400}, {1500, 20}})
+	{
+		SCOPED_TRACE(fmt::format("{} x {}", sides.x, sides.y));
+		const View view = obliqueView(random);
+		const std::vector<bool> whole = expectOneOwner(16, view, Tiling(random, sides, 9.0, true).records());
+		EXPECT_EQ(std::ranges::count(whole, false), 0);
+	}
+}
+
+// Polygons that reach the near plane, and out of all bounds.
+TEST_F(Raster, SoDoThoseAboutTheEye)
+{
+	std::mt19937 random(74);
+	for (const int cells : {2, 9, 40})
+		for (int i = 0; i < 2; ++i)
+		{
+			SCOPED_TRACE(cells);
+			const View view = grazingView(random);
+			const std::vector<bool> whole = expectOneOwner(16, view, Tiling(random, cells, 30.0, true).records());
+			EXPECT_GT(std::ranges::count(whole, true), 5'000);
 		}
 }
 
@@ -129,6 +181,7 @@ TEST_F(Raster, BothWaysAgreeOnRandomProbes)
 {
 	Renderer hardware = rendererOf(0);
 	Renderer compute = rendererOf(64);
+	const double reach = edgeReach(device().limits().subPixelPrecisionBits);
 	std::size_t pixels = 0;
 	std::size_t edges_off = 0;
 	for (unsigned seed = 0; seed < 12; ++seed)
@@ -149,7 +202,7 @@ TEST_F(Raster, BothWaysAgreeOnRandomProbes)
 		const auto a = hardware.draw(scene);
 		const auto b = compute.draw(scene);
 		ASSERT_TRUE(a && b);
-		const std::vector<PixelList> lists = blendedLists(scene, sheets);
+		const std::vector<PixelList> lists = blendedLists(scene, sheets, {}, reach);
 		for (std::size_t i = 0; i < lists.size(); ++i)
 		{
 			const std::uint8_t* p = &b->rgba[4 * i];
@@ -164,7 +217,7 @@ TEST_F(Raster, BothWaysAgreeOnRandomProbes)
 			}
 		}
 	}
-	EXPECT_LE(2'000 * edges_off, pixels);
+	EXPECT_LE(2'000 * edges_off, reach / kEdgeReach * pixels);
 }
 
 TEST_F(Raster, BothWaysAgreeWhereTheEyeIsInTheSheet)

@@ -9,16 +9,16 @@
 namespace vp::render::test
 {
 
-Tiling::Tiling(std::mt19937& random, int side, double half, bool bends)
+Tiling::Tiling(std::mt19937& random, const glm::ivec2& sides, double half, bool bends)
 {
-	const double step = 2.0 * half / side;
-	for (int j = 0; j <= side; ++j)
-		for (int i = 0; i <= side; ++i)
+	const glm::dvec2 step = 2.0 * half / glm::dvec2(sides);
+	for (int j = 0; j <= sides.y; ++j)
+		for (int i = 0; i <= sides.x; ++i)
 			points_.push_back(step * glm::dvec2(i, j) - half +
 			                  step * glm::dvec2(uniform(random, -0.2, 0.2), uniform(random, -0.2, 0.2)));
-	for (int j = 0; j < side; ++j)
-		for (int i = 0; i < side; ++i)
-			addCell(random, static_cast<std::uint32_t>(j * (side + 1) + i), static_cast<std::uint32_t>(side + 1),
+	for (int j = 0; j < sides.y; ++j)
+		for (int i = 0; i < sides.x; ++i)
+			addCell(random, static_cast<std::uint32_t>(j * (sides.x + 1) + i), static_cast<std::uint32_t>(sides.x + 1),
 			        bends ? 3 : 2);
 }
 

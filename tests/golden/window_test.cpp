@@ -65,7 +65,13 @@ TEST_F(Windows, InsideThePixelsAreThoseOfTheWholeSheetAndOutsideThereAreNone)
 					if (all_in)
 					{
 						inside += whole.pixel(x, y)[3] != 0;
-						ASSERT_EQ(clipped.pixel(x, y), whole.pixel(x, y)) << x << " " << y;
+						// At an edge there are all samples, elsewhere one.
+						const auto whole_pixel = whole.pixel(x, y);
+						ASSERT_LE(difference({double(whole_pixel[0]), double(whole_pixel[1]), double(whole_pixel[2])},
+						                     clipped.pixel(x, y)),
+						          samples == 1 ? 0.0 : 2.0)
+						    << x << " " << y;
+						ASSERT_EQ(clipped.pixel(x, y)[3], whole_pixel[3]) << x << " " << y;
 					}
 					// Of a strip narrower than a pixel all corners may be outside.
 					else if (all_out && window.x1 - window.x0 > 0.1)
@@ -127,7 +133,7 @@ TEST_F(Windows, ARimIsDrawnAroundTheWindow)
 			const Pixel before = without.pixel(x, y);
 			EXPECT_GE(difference({double(before[0]), double(before[1]), double(before[2])}, with.pixel(x, y)), 30.0);
 		}
-	// Nothing else changed: what differs lies within two pixels of a side.
+	// Nothing else changed: what differs lies near a side. An edge gives samples to two pixels on each side of it.
 	for (std::uint32_t y = 0; y < 160; ++y)
 		for (std::uint32_t x = 0; x < 200; ++x)
 			if (with.pixel(x, y) != without.pixel(x, y))
@@ -136,7 +142,7 @@ TEST_F(Windows, ARimIsDrawnAroundTheWindow)
 				for (const Segment& side : rim)
 					for (int i = 0; i <= 400; ++i)
 						nearest = std::min(nearest, glm::length(line(side, i / 400.0) - glm::dvec2(x + 0.5, y + 0.5)));
-				ASSERT_LE(nearest, 2.5) << x << " " << y;
+				ASSERT_LE(nearest, 3.5) << x << " " << y;
 			}
 	scene.sheets[0].window.reset();
 	EXPECT_TRUE(windowRim(scene.sheets[0]).empty());

@@ -44,7 +44,7 @@ void cutAllGrids(gpu::Device& device, const classify::GpuBlocksOptions& options,
 		grid::BlockSet set;
 		set.blocks.push_back(block);
 		const auto blocks = upload(device, set, options);
-		EXPECT_EQ(blocks->usesDoubles(), !singles && device.features().shaderFloat64);
+		EXPECT_EQ(blocks->usesDoubles(), !singles && device.hasExactDoubles());
 		std::vector<TestPlane> planes = randomPlanes(block.bounds, 10, 3);
 		const std::vector<TestPlane> hard = degeneratePlanes(block, 5);
 		planes.insert(planes.end(), hard.begin(), hard.end());
@@ -53,7 +53,7 @@ void cutAllGrids(gpu::Device& device, const classify::GpuBlocksOptions& options,
 			const probe::Sheet sheet = sheetOf(plane);
 			const CutBothWays cut = cutBothWays(*blocks, std::span(&sheet, 1), pointField("linear"));
 			expectSameCells(cut);
-			expectRecords(set, std::span(&sheet, 1), pointField("linear"), cut, singles || !blocks->usesDoubles());
+			expectRecords(set, std::span(&sheet, 1), pointField("linear"), cut);
 			if (testing::Test::HasFailure())
 			{
 				ADD_FAILURE() << "plane at " << plane.origin.x << ' ' << plane.origin.y << ' ' << plane.origin.z
@@ -222,10 +222,10 @@ TEST_F(GpuClassifier, BlockPastALimitStaysWithTheCpu)
 	const grid::BlockSet set = setNamed({"shell", "tets"});
 	classify::GpuBlocksOptions options;
 	// tets has fewer points but more cells than shell has points.
-	options.max_texels = visitGrid(set.blocks[0], [](const auto& grid) { return grid.pointCount(); });
+	options.max_elements = visitGrid(set.blocks[0], [](const auto& grid) { return grid.pointCount(); });
 	auto cells = visitGrid(set.blocks[1], [](const auto& grid) { return grid.cellCount(); });
-	if (cells <= options.max_texels)
-		options.max_texels = cells - 1;
+	if (cells <= options.max_elements)
+		options.max_elements = cells - 1;
 	const auto blocks = upload(device(), set, options);
 	ASSERT_EQ(blocks->warnings().size(), 2u - blocks->heldCount());
 	EXPECT_LT(blocks->heldCount(), 2u);

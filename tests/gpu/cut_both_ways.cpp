@@ -158,6 +158,7 @@ CutBothWays cutBothWays(classify::GpuBlocks& blocks, std::span<const probe::Shee
 	};
 
 	CutBothWays cut;
+	cut.singles = !blocks.usesDoubles();
 	classify::CpuClassifier<surface::Plane> cpu(lanes);
 	cut.cpu = traverse(cpu);
 	const std::vector<std::optional<grid::FieldChoice>> fields(sheets.size(), field);
@@ -200,7 +201,7 @@ void expectSameCells(const CutBothWays& cut)
 }
 
 void expectRecords(const grid::BlockSet& blocks, std::span<const probe::Sheet> sheets,
-                   const std::optional<grid::FieldChoice>& field, const CutBothWays& cut, bool singles)
+                   const std::optional<grid::FieldChoice>& field, const CutBothWays& cut)
 {
 	ASSERT_EQ(cut.records.size(), sheets.size());
 	for (std::size_t s = 0; s < sheets.size(); ++s)
@@ -213,7 +214,7 @@ void expectRecords(const grid::BlockSet& blocks, std::span<const probe::Sheet> s
 			pages.push_back(download(page));
 			covered.emplace_back(page.count, false);
 		}
-		RecordChecker checker(blocks, field, singles);
+		RecordChecker checker(blocks, field, cut.singles);
 		std::map<std::uint32_t, std::size_t> next_cell; // per block
 		for (const classify::SheetRecords::Run& run : records.runs)
 		{

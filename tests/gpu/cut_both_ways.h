@@ -22,6 +22,7 @@ struct CutBothWays
 	std::vector<std::shared_ptr<classify::SheetRecords>> records; // per sheet
 	std::size_t walked = 0;                                       // cells that only the GPU left to the walk
 	std::size_t cells = 0;
+	bool singles = false; // the device computed in floats
 };
 
 CutBothWays cutBothWays(classify::GpuBlocks& blocks, std::span<const probe::Sheet> sheets,
@@ -31,8 +32,8 @@ CutBothWays cutBothWays(classify::GpuBlocks& blocks, std::span<const probe::Shee
 void expectSameCells(const CutBothWays& cut);
 
 // Every record of the GPU is the polygon of its cell, recomputed here in double, or empty where the cell is walked or
-// not cut. singles: the device computed in floats.
+// not cut.
 void expectRecords(const grid::BlockSet& blocks, std::span<const probe::Sheet> sheets,
-                   const std::optional<grid::FieldChoice>& field, const CutBothWays& cut, bool singles = false);
+                   const std::optional<grid::FieldChoice>& field, const CutBothWays& cut);
 
 } // namespace vp::test

@@ -5,8 +5,10 @@
 #include "gpu/timers.h"
 #include "gpu/upload.h"
 
+#include <cstdlib>
 #include <cstring>
 #include <numeric>
+#include <string>
 #include <thread>
 
 namespace vp::test
@@ -28,6 +30,25 @@ TEST_F(GpuTest, TellsItsName)
 {
 	EXPECT_FALSE(device().name().empty());
 	EXPECT_GT(device().memoryLeft(), 0u);
+}
+
+// If the loader left the layer out, tests on restricted devices would show nothing.
+TEST_F(GpuTest, RestrictionsAreThere)
+{
+	const char* set = std::getenv("VPROBE_LAYER_RESTRICT");
+	const std::string restrictions = set ? set : "";
+	if (restrictions.find("small-texels") != std::string::npos)
+	{
+		EXPECT_EQ(device().limits().maxTexelBufferElements, 65536u);
+	}
+	if (restrictions.find("few-descriptors") != std::string::npos)
+	{
+		EXPECT_EQ(device().limits().maxPerStageDescriptorStorageBuffers, 4u);
+	}
+	if (restrictions.find("no-float64") != std::string::npos)
+	{
+		EXPECT_FALSE(device().hasExactDoubles());
+	}
 }
 
 TEST_F(GpuTest, UnknownNameListsWhatThereIs)

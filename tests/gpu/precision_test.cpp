@@ -87,7 +87,7 @@ TEST_F(GpuPrecision, FineCellsFarAwayGiveTheSameMesh)
 			const probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
 			const CutBothWays both = cutBothWays(**blocks, std::span(&sheet, 1), {});
 			expectSameCells(both);
-			expectRecords(set, std::span(&sheet, 1), {}, both, !(*blocks)->usesDoubles());
+			expectRecords(set, std::span(&sheet, 1), {}, both);
 			walked += both.walked;
 			cells += both.cells;
 		}

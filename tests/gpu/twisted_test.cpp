@@ -105,7 +105,7 @@ void cutMasks(gpu::Device& device, LatticeKind kind, std::uint32_t step)
 	const grid::FieldChoice linear{"linear", grid::Association::point, 0};
 	const CutBothWays cut = cutBothWays(**blocks, std::span(&sheet, 1), linear);
 	expectSameCells(cut);
-	expectRecords(set, std::span(&sheet, 1), linear, cut, !(*blocks)->usesDoubles());
+	expectRecords(set, std::span(&sheet, 1), linear, cut);
 	sliceBothWays(device, set, plane);
 }
 
@@ -141,7 +141,7 @@ TEST_F(GpuTwisted, RandomSetsAndPlanes)
 			const probe::Sheet sheet = probe::makeSheet(plane.origin, plane.normal);
 			const CutBothWays cut = cutBothWays(**blocks, std::span(&sheet, 1), {});
 			expectSameCells(cut);
-			expectRecords(set, std::span(&sheet, 1), {}, cut, !(*blocks)->usesDoubles());
+			expectRecords(set, std::span(&sheet, 1), {}, cut);
 		}
 		if (testing::Test::HasFailure())
 			return;

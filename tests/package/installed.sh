@@ -17,10 +17,17 @@ packages=("$root"/packages/*.deb)
 inside "${install[@]}" "${packages[@]#"$root"}" >/dev/null
 inside vprobe render demo:shell:32 --normal 0.3 0.5 0.8 -o /tmp/picture.png
 inside test -s /tmp/picture.png
+cat >"$root/tmp/cut.vti" <<'END'
+<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
+<ImageData WholeExtent="0 1 0 1 0 1" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 1 0 1 0 1">
+<PointData><DataArray type="Float32" Name="p" format="ascii">1 2 3 4 5 6 7 8</DataArray></PointData>
+</Piece></ImageData></VTKFile>
+END
 inside man vprobe-render | grep -q 'vprobe-render'
 inside sh -c 'g++ /packages/slice_own_grid.cpp -o /tmp/slice $(pkg-config --cflags --libs vprobe) && /tmp/slice' |
 	grep -q '^[1-9][0-9]* polygons'
-inside apt-get -qq -y purge vprobe libvprobe0 libvprobe-dev >/dev/null
+inside python3 -c 'import vprobe; s = vprobe.open("/tmp/cut.vti").slice(); assert s.area > 0; print(s)'
+inside apt-get -qq -y purge vprobe libvprobe0 libvprobe-dev python3-vprobe >/dev/null
 left=$(inside sh -c 'find / -xdev -path /proc -prune -o -name "*vprobe*" -print' | grep -vE '^/(packages|tmp|source|var)' || true)
 [[ -z $left ]] || { echo "left after removal: $left"; exit 1; }
 echo "installed, used and removed"

@@ -117,8 +117,8 @@ std::map<std::string, std::string> Desktop::surroundings() const
 	                                       {"XDG_STATE_HOME", path("state")},
 	                                       {"XDG_RUNTIME_DIR", path("home")},
 	                                       {"MESA_SHADER_CACHE_DIR", VPROBE_VIEW_OUTPUT "/shaders"},
-	                                       {"VPROBE_VALIDATION", "1"},
 	                                       {"LC_ALL", "C.UTF-8"}};
+	all["VPROBE_VALIDATION"] = std::getenv("VPROBE_LAYER_FAULT") ? "0" : "1";
 	if (!std::getenv("VK_DRIVER_FILES"))
 		all["VK_DRIVER_FILES"] = all["VK_ICD_FILENAMES"] = lavapipe();
 	return all;

@@ -48,7 +48,7 @@ std::size_t unmergedFaces(const grid::BlockSet& blocks, std::vector<grid::SetCel
 		std::pair<CellId, std::uint32_t> last{kNoCell, 0};
 		for (const grid::SeamLink& link : seams->all())
 		{
-			if (link.block != b || last == std::pair(link.cell, link.face))
+			if (link.block != b || link.hang != grid::Hang::none || last == std::pair(link.cell, link.face))
 				continue;
 			last = {link.cell, link.face};
 			++count;

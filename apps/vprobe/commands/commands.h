@@ -24,6 +24,7 @@ using Run = std::function<Result<ExitCode>()>;
 	X(addView)                                                                                                         \
 	X(addCheck)                                                                                                        \
 	X(addSample)                                                                                                       \
+	X(addConvert)                                                                                                      \
 	X(addManual)
 
 #define VP_DECLARE(add) void add(CLI::App& program, Run& run);

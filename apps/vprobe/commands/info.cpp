@@ -4,7 +4,9 @@
 #include "grid/demo.h"
 #include "grid/field_choice.h"
 #include "options/spec_options.h"
+#include "read/formats.h"
 #include "read/read.h"
+#include "session/session.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,6 +24,7 @@ struct InfoOptions
 {
 	SpecOptions input;
 	bool json = false;
+	bool formats = false;
 };
 
 // The arrays of all blocks, each once, with the range over all blocks.
@@ -165,8 +168,31 @@ void printInfo(const grid::BlockSet& blocks)
 		           field->components == 1 ? "" : "magnitude ", range.first, range.second);
 }
 
+void listFormats(bool as_json)
+{
+	nlohmann::json list = nlohmann::json::array();
+	for (const read::Format& format : read::formats())
+		if (as_json)
+			list.push_back({{"name", format.name},
+			                {"endings", format.endings},
+			                {"what", format.what},
+			                {"read", format.read},
+			                {"by", format.by}});
+		else
+			fmt::print("{:<13} {}\n{:13} {}\n{:13} read: {}; by {}\n", format.name,
+			           format.endings.empty() ? "any ending" : format.endings, "", format.what, "", format.read,
+			           format.by);
+	if (as_json)
+		fmt::print("{}\n", list.dump(1, '\t'));
+}
+
 Result<ExitCode> runInfo(const InfoOptions& options)
 {
+	if (options.formats)
+	{
+		listFormats(options.json);
+		return ExitCode::done;
+	}
 	if (Status ready = prepare(options.input); !ready)
 		return ready.error();
 	const view::InputSpec& input = options.input.spec.input;
@@ -177,7 +203,7 @@ Result<ExitCode> runInfo(const InfoOptions& options)
 		return ExitCode::done;
 	}
 	Result<grid::BlockSet> blocks =
-	    read::readInputs(input.files, {input.time, input.solution, input.refine, input.displace}, nullptr);
+	    read::readInputs(input.files, session::readOptions(options.input.spec, input.time), nullptr);
 	if (!blocks)
 		return blocks.error();
 	if (options.json)
@@ -193,7 +219,8 @@ void addInfo(CLI::App& program, Run& run)
 {
 	auto options = std::make_shared<InfoOptions>();
 	CLI::App* command = program.add_subcommand("info", "Tell what an input holds: grid, bounds, times, arrays");
-	addInputs(*command, options->input);
+	addInputs(*command, options->input)->required(false);
+	command->add_flag("--formats", options->formats, "List the formats that can be read, and what is read of each");
 	command->add_flag("--json", options->json, "Write JSON for scripts");
 	command->callback([&run, options] { run = [options] { return runInfo(*options); }; });
 }

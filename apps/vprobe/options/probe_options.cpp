@@ -1,5 +1,6 @@
 #include "grid/field_choice.h"
 #include "options/option_values.h"
+#include "read/formats.h"
 #include "read/read.h"
 
 namespace vp::app
@@ -144,6 +145,22 @@ CLI::Option* addInputs(CLI::App& command, SpecOptions& options)
 	    .add_option("--displace", input.displace,
 	                "Move the points of Exodus files by their displacements times this factor")
 	    ->type_name("SCALE");
+	command
+	    .add_option("--format", input.format,
+	                "Read INPUT as this format, which vprobe info --formats lists; otherwise the file tells")
+	    ->type_name("NAME");
+	addText(command, options, "--raw-size", input.raw.size, read::parseRawSize,
+	        "Read INPUT as a raw volume of so many values; x runs fastest, and what precedes them is skipped")
+	    ->type_name("NXxNYxNZ");
+	addText(command, options, "--raw-type", input.raw.type, read::parseRawType, "Type of the values of a raw volume")
+	    ->default_str(read::rawTypeText(input.raw.type));
+	addText(command, options, "--raw-spacing", input.raw.spacing, read::parseRawSpacing,
+	        "Distances of the values of a raw volume")
+	    ->type_name("DXxDYxDZ")
+	    ->default_str(read::rawSpacingText(input.raw.spacing));
+	addText(command, options, "--raw-order", input.raw.is_big_endian, read::parseRawOrder,
+	        "Byte order of a raw volume, little or big")
+	    ->default_str(read::rawOrderText(input.raw.is_big_endian));
 	return inputs;
 }
 
@@ -160,6 +177,10 @@ void addProbeOptions(CLI::App& command, SpecOptions& options)
 	addSurfaceOptions(command, options);
 	addWord(command, "--corners", probe.corners,
 	        "Polygons that hold a corner of a window: keep (the default) or skip them")
+	    ->group(kProbeGroup);
+	addWord(command, "--hanging", probe.hanging,
+	        "Value where a cell meets several smaller ones, as between levels of refinement. keep: that of the smaller "
+	        "cells' points; interpolate: linear along the polygon of the larger cell")
 	    ->group(kProbeGroup);
 	command
 	    .add_option("--array", probe.array, "Array to show (default: the first point array, else the first cell array)")
@@ -182,6 +203,14 @@ void addMachineOptions(CLI::App& command, SpecOptions& options)
 	    ->group(kProbeGroup);
 	command.add_option("--device", machine.device, "The Vulkan device: a part of its name, or its number")
 	    ->type_name("NAME|INDEX")
+	    ->group(kProbeGroup);
+	command
+	    .add_option(
+	        "--device-memory", machine.device_memory,
+	        "Memory of the device that may be used, in bytes or as 1G, 512M. A picture that needs more is drawn "
+	        "in parts (default: half of what the device has)")
+	    ->type_name("BYTES")
+	    ->transform(CLI::AsSizeValue(false))
 	    ->group(kProbeGroup);
 	command.add_option("--threads", machine.threads, "Largest number of threads (default: all cores)")
 	    ->group(kProbeGroup);

@@ -11,23 +11,24 @@
 namespace vp::app
 {
 
-Document::Document(view::ViewSpec state, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
-                   ReadState read_state)
-    : settings(readSettings()), history_(state), read_state_(std::move(read_state)), recovery_file_(recoveryFile()),
-      mail_(std::make_shared<Mail>()), messages_(
-                                           [mail = mail_](Severity severity, std::string_view line)
-                                           {
-	                                           if (severity == Severity::warning)
-		                                           mail->leave({std::string(line), false, {}});
-	                                           else
-		                                           printLine(line);
-                                           }),
+Document::Document(interact::History<view::ViewSpec> history, std::shared_ptr<gpu::Device> device,
+                   std::function<void()> wake, ReadState read_state)
+    : settings(readSettings()), history_(std::move(history)), read_state_(std::move(read_state)),
+      recovery_file_(recoveryFile()), mail_(std::make_shared<Mail>()),
+      messages_(
+          [mail = mail_](Severity severity, std::string_view line)
+          {
+	          if (severity == Severity::warning)
+		          mail->leave({std::string(line), false, {}});
+	          else
+		          printLine(line);
+          }),
       loader_(device, wake), jobs_(wake), render_thread_(device, wake), playback_(*this, render_thread_, jobs_, wake)
 {
 	if (!leftRecoveryFiles().empty())
 		question = Question::recover;
-	if (!state.input.files.empty())
-		load(std::move(state));
+	if (!state().input.files.empty())
+		load(state());
 }
 
 Document::~Document()
@@ -90,7 +91,12 @@ void Document::takePicture()
 {
 	std::shared_ptr<const PresentedFrame> newest = render_thread_.shown();
 	if (std::optional<Error> error = render_thread_.takeError())
-		notify(*error);
+	{
+		if (error->kind == ErrorKind::device)
+			lost_device_ = std::move(error);
+		else
+			notify(*error);
+	}
 	if (newest == shown_)
 		return;
 	shown_ = std::move(newest);

@@ -63,8 +63,9 @@ using ReadState = std::function<Result<view::ViewSpec>(const std::string& file)>
 class Document
 {
 public:
-	// read_state: reads a state file that --save or the window has written.
-	Document(view::ViewSpec state, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
+	// history: of a document before, on a device that was lost, or a first state. read_state: reads a state file that
+	// --save or the window has written.
+	Document(interact::History<view::ViewSpec> history, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
 	         ReadState read_state);
 	~Document();
 
@@ -136,6 +137,9 @@ public:
 	void dismiss(const std::string& words) { notices_.dismiss(words); }
 	// Keeps the state for recovery when the document ends, because it ends by a fault.
 	void keepState();
+	// The history, as another document is to take it up. What is being loaded is its last step.
+	interact::History<view::ViewSpec> historyToKeep() const;
+	const std::optional<Error>& lostDevice() const { return lost_device_; } // the device draws no more
 	bool wantsToQuit() const { return quits_; }
 	void quit() { quits_ = true; }
 
@@ -166,6 +170,7 @@ private:
 	std::optional<view::ViewSpec> loading_; // the state for the data that are being loaded
 	std::shared_ptr<const PresentedFrame> shown_;
 	NoticeList notices_;
+	std::optional<Error> lost_device_;
 	bool quits_ = false;
 
 	std::uint64_t version_ = 1; // counts changes of everything that a picture depends on

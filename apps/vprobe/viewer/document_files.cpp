@@ -76,7 +76,7 @@ void Document::takeLoaded()
 	// Read again, it is looked at as it is by now.
 	if (again)
 		notify(fmt::format("{} was read again", fmt::join(next.input.files, ", ")));
-	else
+	else if (!(state() == next)) // equal: the first state, or one that has outlived its device
 		history_ = interact::History<view::ViewSpec>(std::move(next));
 	sheet_ = 0;
 	playback_.forgetFilm();
@@ -147,6 +147,14 @@ void Document::takeWritten()
 void Document::keepState()
 {
 	keeps_state_ = facts_ && !recovery_file_.empty() && view::saveState(state(), recovery_file_);
+}
+
+interact::History<view::ViewSpec> Document::historyToKeep() const
+{
+	interact::History<view::ViewSpec> kept = history_;
+	if (loading_)
+		kept.commit(*loading_, "Open");
+	return kept;
 }
 
 // Every few seconds in which anything changed: what a crash would lose.

@@ -21,6 +21,31 @@ VkOffset3D corner(const glm::ivec2& at, int depth)
 	return {at.x, at.y, depth};
 }
 
+// Dear ImGui goes on after a call of Vulkan that failed, with handles that are none. This ends its work.
+struct InterfaceFault
+{
+	Error error;
+};
+
+void endOnFault(VkResult result)
+{
+	if (const Status done = gpu::check(result, "a call of the user interface"); !done)
+		throw InterfaceFault{done.error()};
+}
+
+template <class Work>
+Status guarded(const Work& work)
+{
+	try
+	{
+		return work();
+	}
+	catch (const InterfaceFault& fault)
+	{
+		return fault.error;
+	}
+}
+
 // Dear ImGui 1.90 uploads fonts by itself, 1.90.4 takes the render pass with the rest.
 void beginInterface(ImGui_ImplVulkan_InitInfo& info, VkRenderPass pass)
 {
@@ -104,11 +129,14 @@ Status Screen::takeFonts()
 	info.DescriptorPool = descriptors_;
 	info.MinImageCount = info.ImageCount = static_cast<std::uint32_t>(kFramesInFlight);
 	info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
-	info.CheckVkResultFn = [](VkResult result)
-	{ [[maybe_unused]] const Status told = gpu::check(result, "a call of the user interface"); };
-	beginInterface(info, render_pass_);
+	info.CheckVkResultFn = endOnFault;
 	interface_started_ = true;
-	return uploadFonts(device_);
+	return guarded(
+	    [&]
+	    {
+		    beginInterface(info, render_pass_);
+		    return uploadFonts(device_);
+	    });
 }
 
 Result<bool> Screen::show(std::span<const Placement> pictures, ImDrawData& interface, VkExtent2D extent)
@@ -135,7 +163,13 @@ Result<bool> Screen::show(std::span<const Placement> pictures, ImDrawData& inter
 	if (Status got = gpu::check(acquired, "vkAcquireNextImageKHR"); !got)
 		return got.error();
 	const Target& target = targets_[index];
-	record(*recording, target, pictures, interface);
+	const auto recordAll = [&]() -> Status
+	{
+		record(*recording, target, pictures, interface);
+		return Nothing{};
+	};
+	if (Status recorded = guarded(recordAll); !recorded)
+		return recorded.error();
 	for (const Placement& placed : pictures)
 		frame.holds.push_back(placed.image);
 	Result<std::uint64_t> submitted = frame.commands.submit({&frame.acquired, 1}, {&target.drawn, 1});

@@ -43,6 +43,7 @@ public:
 	void frame(Moment now, bool active);
 	// Call this with the picture of the frame; a new picture is counted.
 	void picture(const std::shared_ptr<const PresentedFrame>& shown, Moment now);
+	void forgetPicture() { last_.reset(); } // call this before the picture's device goes
 
 	const Figure& frames() const { return frames_; } // from frame to frame, of active ones
 	const Figure& cuts() const { return cuts_; }

@@ -1,3 +1,4 @@
+#include "read/formats.h"
 #include "read/read.h"
 #include "viewer/file_browser.h"
 #include "viewer/widgets.h"

@@ -9,11 +9,14 @@
 #include "viewer/keyboard.h"
 #include "viewer/panels.h"
 
+#include <fmt/format.h>
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_vulkan.h>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <optional>
+#include <utility>
 
 namespace vp::app
 {
@@ -51,15 +54,29 @@ struct WindowBackend
 	WindowBackend& operator=(const WindowBackend&) = delete;
 };
 
+// What outlives a device that is lost.
+struct Lasting
+{
+	interact::History<view::ViewSpec> history;
+	OpenParts parts;
+	std::optional<Commands> commands;
+	Meter meter;
+	std::uint64_t frames = 0; // shown so far
+	std::string notice;       // what the user is told first
+};
+
+// The window on one device.
 class Viewer
 {
 public:
-	// commands: null where there are none.
-	Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewerOptions& options,
-	       std::shared_ptr<std::FILE> commands);
+	Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ReadState& read_state,
+	       Lasting& lasting);
+	~Viewer();
+	Viewer(const Viewer&) = delete;
+	Viewer& operator=(const Viewer&) = delete;
 
-	Result<ExitCode> run();
-	const Meter& meter() const { return meter_; }
+	// An error where the device draws no more; what was set is in `lasting`, and in the file for recovery.
+	Status run();
 
 private:
 	void listen();
@@ -74,16 +91,14 @@ private:
 	Window& window_;
 	Screen& screen_;
 	gpu::Device& device_;
+	Lasting& lasting_;
 	Document document_;
-	std::optional<Commands> commands_;
 	PointerController hand_{document_};
 	Keyboard keyboard_{document_, hand_};
-	Meter meter_;
 	double frame_seconds_;
 	double scale_;
 	bool dark_;
 	ScenePart scene_;
-	std::uint64_t frames_ = 0;          // shown so far
 	Moment frame_begin_ = Clock::now(); // of the last frame
 	Moment last_frame_ = Clock::now();  // when it had been presented
 	Moment last_event_ = Clock::now();
@@ -91,17 +106,24 @@ private:
 	FilmScreen film_screen_{device_};
 };
 
-Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ViewerOptions& options,
-               std::shared_ptr<std::FILE> commands)
-    : window_(window), screen_(screen), device_(*device),
-      document_(options.state, device, Window::wake, options.read_state),
+Viewer::Viewer(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ReadState& read_state,
+               Lasting& lasting)
+    : window_(window), screen_(screen), device_(*device), lasting_(lasting),
+      document_(lasting.history, device, Window::wake, read_state),
       frame_seconds_(1.0 / (device->isSoftware() ? kSoftwareFrameRate : window.refreshRate())), scale_(window.scale()),
       dark_(document_.settings.dark)
 {
-	if (commands)
-		commands_.emplace(std::move(commands), Window::wake);
+	document_.parts = lasting.parts;
+	if (!lasting.notice.empty())
+		document_.notify(std::exchange(lasting.notice, {}), true);
 	applyTheme(dark_, scale_);
 	listen();
+}
+
+Viewer::~Viewer()
+{
+	window_.listen({});
+	lasting_.meter.forgetPicture();
 }
 
 void Viewer::heard()
@@ -148,7 +170,8 @@ void Viewer::listen()
 
 void Viewer::obey()
 {
-	if (commands_ && commands_->run({document_, window_, screen_, document_.shown() == drawn_, frames_}))
+	if (lasting_.commands &&
+	    lasting_.commands->run({document_, window_, screen_, document_.shown() == drawn_, lasting_.frames}))
 		heard();
 }
 
@@ -198,7 +221,7 @@ Status Viewer::showFrame()
 	ImGui_ImplGlfw_NewFrame();
 	followKeyboard();
 	ImGui::NewFrame();
-	Desk desk{document_, hand_, meter_, scale_};
+	Desk desk{document_, hand_, lasting_.meter, scale_};
 	scene_ = showPanels(desk);
 	hand_.place(scene_, scale_);
 	ImGui::Render();
@@ -224,13 +247,13 @@ Status Viewer::showFrame()
 	last_frame_ = Clock::now();
 	if (!*presented)
 		return Nothing{};
-	++frames_;
-	meter_.frame(last_frame_, was_awake);
-	meter_.picture(shown, last_frame_);
+	++lasting_.frames;
+	lasting_.meter.frame(last_frame_, was_awake);
+	lasting_.meter.picture(shown, last_frame_);
 	return Nothing{};
 }
 
-Result<ExitCode> Viewer::run()
+Status Viewer::run()
 {
 	while (!window_.closes() && !document_.wantsToQuit())
 	{
@@ -244,18 +267,53 @@ Result<ExitCode> Viewer::run()
 			continue;
 		}
 		const bool new_picture = document_.shown() != drawn_;
-		const bool captures = commands_ && commands_->wantsFrame();
+		const bool captures = lasting_.commands && lasting_.commands->wantsFrame();
 		if (secondsToNextFrame() > 0.0 && !new_picture && !captures)
 			continue;
 		drawn_ = document_.shown();
-		if (Status shown = showFrame(); !shown)
+		const Status shown = document_.lostDevice() ? Status(*document_.lostDevice()) : showFrame();
+		if (!shown)
 		{
 			document_.keepState();
-			return Error{shown.error().kind,
-			             shown.error().message + "; what was set is kept: the next vprobe view brings it back"};
+			lasting_.history = document_.historyToKeep();
+			lasting_.parts = document_.parts;
+			return shown;
 		}
 	}
-	return ExitCode::done;
+	return Nothing{};
+}
+
+// A device may be lost now and then. One that is lost so soon after it was opened is not tried a third time.
+constexpr std::chrono::seconds kLastsAtLeast{10};
+
+// Runs the window on a device. figures: of the device, once it has opened.
+Status runOnDevice(Window& window, const ViewerOptions& options, const std::string& avoid, Lasting& lasting,
+                   nlohmann::json& figures)
+{
+	Result<std::unique_ptr<gpu::Device>> made =
+	    gpu::Device::create({.name_or_index = options.state.machine.device,
+	                         .validation = {},
+	                         .instance_extensions = Window::instanceExtensions(),
+	                         .swapchain = true,
+	                         .avoid = avoid,
+	                         .memory = static_cast<std::uint64_t>(options.state.machine.device_memory)});
+	if (!made)
+		return made.error();
+	const std::shared_ptr<gpu::Device> device = std::move(*made);
+	figures["device"] = device->name();
+	const auto surface = window.makeSurface(device->instance());
+	if (!surface)
+		return surface.error();
+	makeFonts(window.scale());
+	Result<std::unique_ptr<Screen>> screen = Screen::create(*device, *surface, window.pixels());
+	if (!screen)
+		return screen.error();
+	if (!lasting.notice.empty())
+		lasting.notice += fmt::format("; the window goes on with {}", device->name());
+	Viewer viewer(window, **screen, device, options.read_state, lasting);
+	Status ended = viewer.run();
+	figures["validation_messages"] = device->validationMessages();
+	return ended;
 }
 
 } // namespace
@@ -275,31 +333,35 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 	    Window::create("Volume Probes", static_cast<int>(size.width), static_cast<int>(size.height));
 	if (!window)
 		return window.error();
-	Result<std::unique_ptr<gpu::Device>> made =
-	    gpu::Device::create({.name_or_index = options.state.machine.device,
-	                         .validation = {},
-	                         .instance_extensions = Window::instanceExtensions(),
-	                         .swapchain = true});
-	if (!made)
-		return made.error();
-	const std::shared_ptr<gpu::Device> device = std::move(*made);
-	const auto surface = (*window)->makeSurface(device->instance());
-	if (!surface)
-		return surface.error();
 	const InterfaceContext context;
 	const WindowBackend backend(**window);
-	makeFonts((*window)->scale());
-	Result<std::unique_ptr<Screen>> screen = Screen::create(*device, *surface, (*window)->pixels());
-	if (!screen)
-		return screen.error();
-	Viewer viewer(**window, **screen, device, options, std::move(commands));
-	Result<ExitCode> ended = viewer.run();
-	if (!ended)
-		return ended;
-	nlohmann::json figures = viewer.meter().json();
-	figures["device"] = device->name();
-	figures["validation_messages"] = device->validationMessages();
-	return writeStats(options.stats, {}, figures.dump(2) + "\n");
+	Lasting lasting{interact::History(options.state), {}, {}, {}, 0, {}};
+	if (commands)
+		lasting.commands.emplace(std::move(commands), Window::wake);
+	nlohmann::json figures;
+	std::string avoid;
+	std::optional<Moment> lost;
+	for (;;)
+	{
+		Status ended = runOnDevice(**window, options, avoid, lasting, figures);
+		if (ended)
+			break;
+		if (figures.is_null())
+			return ended.error(); // there was no device to begin with
+		const bool soon = lost && Clock::now() - *lost < kLastsAtLeast;
+		if (soon && !avoid.empty())
+		{
+			const char* kept = "; what was set is kept: the next vprobe view brings it back";
+			return Error{ended.error().kind, ended.error().message + (lasting.frames > 0 ? kept : "")};
+		}
+		// A second time so soon: another device, if there is one.
+		avoid = soon ? std::string(figures["device"]) : std::string();
+		lost = Clock::now();
+		lasting.notice = ended.error().message;
+	}
+	nlohmann::json told = lasting.meter.json();
+	told.update(figures);
+	return writeStats(options.stats, {}, told.dump(2) + "\n");
 }
 
 } // namespace vp::app

@@ -81,6 +81,7 @@ public:
 	std::size_t sheetCount() const;
 	/// sheet < sheetCount(). The polygons of a sheet; with `crinkle` the faces of the cells that are cut.
 	Mesh mesh(std::size_t sheet) const;
+	/// Measured when they are asked for first.
 	Figures figures(std::size_t sheet) const;
 	/// Where the sheet stands.
 	Vector3 origin(std::size_t sheet) const;

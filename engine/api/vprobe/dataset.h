@@ -64,6 +64,16 @@ struct Block
 	std::string length_units{};
 };
 
+/// The arrays that a data set holds of a block. Where they are shared, they are the caller's. They stay valid as long
+/// as their owners.
+struct HeldBlock
+{
+	std::string name;
+	std::vector<Numbers> coordinates; // of the points; of a rectilinear grid the axes x, y and z; of an image none
+	Numbers connectivity;             // of an unstructured grid, as long as it has no neighbors
+	std::vector<Field> fields;
+};
+
 /// Bytes that a data set holds.
 struct MemoryUse
 {
@@ -90,6 +100,7 @@ struct OpenOptions
 	std::string solution{};    // PLOT3D solution file, where its name does not follow from the grid's
 	int refine = 0;            // curved cells: how often their linear parts are halved, 0 to 6
 	double displace = 0.0;     // points of Exodus files move by their displacements, times this
+	std::string format{};      // a name that vprobe info --formats lists; empty: the file tells
 	Classify classify = Classify::automatic;
 	std::string device{};   // for classifying and drawing: a part of its name, or its number; empty: the best
 	std::stop_token stop{}; // asked to stop, reading ends with ErrorKind::cancelled
@@ -123,6 +134,7 @@ struct SweepFrame
 {
 	int index = 0;
 	int count = 0;
+	std::optional<double> time{}; // of the values, in a sweep through the times
 	Cut cut;
 	Image image; // empty where none is drawn
 };
@@ -151,25 +163,35 @@ public:
 	std::pair<Vector3, Vector3> bounds() const; // low and high corner
 	std::vector<double> times() const;          // that the files offer, ascending
 	std::vector<ArrayInfo> arrays() const;
+	/// index < blockCount().
+	HeldBlock block(std::size_t index) const;
 	MemoryUse memory() const;
 
 	/// The caller has changed values of wrapped arrays in place. Cuts that were made before may show either.
 	void modified();
+	/// Other arrays for a wrapped data set, a list for each block. The grid and what was built to find its cells stay.
+	/// Cuts that were made before keep the arrays that they had.
+	Status setFields(std::vector<std::vector<Field>> fields);
 
 	Result<Cut> cut(const View& view, std::stop_token stop = {}) const;
 	/// How cut() would go, and why.
 	Result<std::vector<PlanRow>> plan(const View& view) const;
+	/// The probe as it stands in this data set, as the JSON of a probe file (docs/PROBES.md).
+	Result<std::string> probeText(const View& view) const;
 	/// Interpolated as docs/SAMPLING.md says. arrays: "[point:|cell:]NAME"; none: all.
 	Result<Samples> sample(std::span<const Vector3> points, const std::vector<std::string>& arrays = {}) const;
 
-	/// Draws a cut of this data set, made by the same View. Opens a Vulkan device at first.
+	/// Draws a cut of this data set. Where the View would cut otherwise, it cuts anew. Opens a Vulkan device at first.
 	Result<Image> render(const Cut& cut, const View& view) const;
 	Result<Image> render(const View& view) const;
 
 	/// Cuts frame by frame along the View's path, and draws where `draws`. on_frame returns false to stop early, which
-	/// is no error.
+	/// is no error. With the path `times` the probe stands still, and each frame has the values of one time of the
+	/// files.
 	Status sweep(const View& view, const std::function<bool(const SweepFrame&)>& on_frame, bool draws = false,
 	             std::stop_token stop = {}) const;
+	/// One frame of that sweep, from 0; the frame tells how many there are. A usage error past the last.
+	Result<SweepFrame> frame(const View& view, int index, bool draws = false, std::stop_token stop = {}) const;
 
 private:
 	friend DatasetState& stateOf(const Dataset& data);

@@ -18,6 +18,8 @@ struct VPROBE_API Image
 
 	/// As PNG. Whole or not at all.
 	Status save(const std::string& file) const;
+	/// The bytes of such a file.
+	Result<std::string> png() const;
 };
 
 } // namespace vprobe

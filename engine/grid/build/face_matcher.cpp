@@ -1,5 +1,8 @@
 #include "grid/build/face_matcher.h"
 
+#include "grid/build/face_corners.h"
+#include "grid/build/hanging_faces.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
@@ -46,25 +49,6 @@ double storedUlp(const G& grid)
 	                                     : std::numeric_limits<float>::epsilon();
 }
 
-// Points of these lie apart by construction.
-bool meetsItself(const AnyGrid& grid)
-{
-	return !std::holds_alternative<UniformGrid>(grid) && !std::holds_alternative<RectilinearGrid>(grid);
-}
-
-// The corners of a face, each place once: neighbors around the face that coincide are one.
-template <Grid G>
-void corners(const G& grid, const BoundaryIndex::Face& face, CellFaces& faces, std::vector<Vec3>& found)
-{
-	grid.cellFaces(face.cell, faces);
-	found.clear();
-	for (const PointId p : faces[static_cast<int>(face.face)])
-		if (const Vec3 x = grid.point(p); found.empty() || x != found.back())
-			found.push_back(x);
-	while (found.size() > 1 && found.back() == found.front())
-		found.pop_back();
-}
-
 // The shortest edge of the cell whose faces these are; edges without length left out. Infinite where it has none.
 template <Grid G>
 double shortestEdge(const G& grid, const CellFaces& faces)
@@ -88,7 +72,7 @@ template <Grid G>
 bool describe(const G& grid, std::uint32_t block, const BoundaryIndex::Face& face, CellFaces& faces,
               std::vector<Vec3>& points, Candidate& candidate)
 {
-	corners(grid, face, faces, points);
+	faceCorners(grid, face, faces, points);
 	if (points.size() < 3)
 		return false;
 	Vec3 sum(0.0);
@@ -108,20 +92,7 @@ bool describe(const G& grid, std::uint32_t block, const BoundaryIndex::Face& fac
 	       std::isfinite(candidate.center.z) && edge > 0.0;
 }
 
-// A bucket holds the faces whose shortest edge and center are alike: cubes as wide as the edge, rounded down to a power
-// of two. So near-wall faces do not crowd in one bucket.
-std::uint64_t bucketOf(int level, const Vec3& center)
-{
-	std::uint64_t hash = static_cast<std::uint64_t>(level) * 0x9E3779B97F4A7C15u;
-	for (int axis = 0; axis < 3; ++axis)
-	{
-		const double at = std::clamp(std::floor(std::ldexp(center[axis], -level)), -9e18, 9e18);
-		hash = (hash ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(at))) * 0xBF58476D1CE4E5B9u;
-		hash ^= hash >> 29;
-	}
-	return hash;
-}
-
+// Faces whose shortest edge and center are alike share a bucket, so near-wall faces do not crowd in one.
 int levelOf(double edge)
 {
 	return std::ilogb(edge);
@@ -146,16 +117,30 @@ public:
 				                  matchOne(i, scratch, mine);
 		                  });
 		std::vector<std::vector<SeamLink>> links(set_.blocks.size());
+		// A candidate finds the matches that come after it, so it may not know that it has one.
+		std::vector<std::vector<BoundaryIndex::Face>> matched(set_.blocks.size());
 		found.combine_each(
 		    [&](const auto& some)
 		    {
 			    for (const auto& [block, link] : some)
+			    {
 				    links[block].push_back(link);
+				    matched[block].push_back({link.cell, link.face});
+			    }
 		    });
+		for (auto& of_block : matched)
+			std::ranges::sort(of_block, {}, placeOf);
+		std::vector<LooseFace> loose;
+		for (const Candidate& c : candidates_)
+			if (!std::ranges::binary_search(matched[c.block], placeOf(c.face), {}, placeOf))
+				loose.push_back({c.block, c.face, c.tolerance, c.most});
+		linkHangingFaces(set_, loose, links);
 		return links;
 	}
 
 private:
+	static std::pair<CellId, std::uint32_t> placeOf(const BoundaryIndex::Face& face) { return {face.cell, face.face}; }
+
 	struct Scratch
 	{
 		CellFaces faces;
@@ -283,7 +268,7 @@ private:
 
 	void cornersOf(const Candidate& c, CellFaces& faces, std::vector<Vec3>& points) const
 	{
-		std::visit([&](const auto& grid) { corners(grid, c.face, faces, points); }, set_.blocks[c.block].grid);
+		std::visit([&](const auto& grid) { faceCorners(grid, c.face, faces, points); }, set_.blocks[c.block].grid);
 	}
 
 	static bool coincide(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double tolerance)

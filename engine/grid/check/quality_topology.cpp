@@ -75,11 +75,12 @@ void coincidentFaces(const BlockSet& blocks, std::uint32_t block, Quality& quali
 	{
 		const std::span<const SeamLink> face = seams->of(links[begin].cell, links[begin].face);
 		begin += face.size();
-		if (face.size() < 2)
-			continue;
 		std::vector<SetCell> cells{{block, face[0].cell}};
 		for (const SeamLink& link : face)
-			cells.push_back({link.block, link.other});
+			if (link.hang == Hang::none)
+				cells.push_back({link.block, link.other});
+		if (cells.size() < 3)
+			continue;
 		if (cells[0] != *std::ranges::min_element(cells))
 			continue;
 		std::ranges::sort(cells);

@@ -36,13 +36,13 @@ float shade(const probe::Sheet& sheet, const Camera& camera)
 
 } // namespace
 
-std::vector<std::array<double, 3>> planeDepths(const Scene& scene, VkExtent2D extent)
+std::vector<std::array<double, 3>> planeDepths(const Scene& scene, const PicturePart& part)
 {
 	std::vector<std::array<double, 3>> depths;
 	for (std::size_t i = 0; i < scene.sheets.size(); ++i)
 	{
 		const probe::Sheet& sheet = scene.sheets[i].sheet;
-		depths.push_back(planeDepth(sheet, scene.camera, extent));
+		depths.push_back(planeDepth(sheet, scene.camera, part));
 		for (std::size_t j = 0; j < i; ++j)
 		{
 			const probe::Sheet& other = scene.sheets[j].sheet;
@@ -59,12 +59,12 @@ std::vector<std::array<double, 3>> planeDepths(const Scene& scene, VkExtent2D ex
 	return depths;
 }
 
-ComposeParams composeParams(const Scene& scene, VkExtent2D extent)
+ComposeParams composeParams(const Scene& scene, const PicturePart& part)
 {
 	ComposeParams made{};
 	shared::ComposeParams& params = made.params;
 	const Look& look = scene.look;
-	params.height = static_cast<float>(extent.height);
+	params.height = static_cast<float>(part.picture.height);
 	params.sample_weight = 1.0f / static_cast<float>(samplePattern(look.samples).size());
 	params.last_layer = static_cast<std::uint32_t>(scene.sheets.empty() ? 0 : scene.sheets.size() - 1);
 	params.contour_half_width = 0.5f * lineWidth(look);
@@ -72,7 +72,7 @@ ComposeParams composeParams(const Scene& scene, VkExtent2D extent)
 	storeColor(params.top_color, look.background.top);
 	storeColor(params.bottom_color, look.background.bottom);
 	ColorTables tables;
-	const auto depths = planeDepths(scene, extent);
+	const auto depths = planeDepths(scene, part);
 	for (std::size_t i = 0; i < scene.sheets.size(); ++i)
 	{
 		const SheetDrawing& drawing = scene.sheets[i];

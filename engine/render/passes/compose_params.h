@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/passes/layer_colors.h"
+#include "render/passes/picture_part.h"
 #include "render/scene/scene.h"
 #include "shared/render_types.h"
 
@@ -23,10 +24,10 @@ struct ComposeParams
 	std::uint32_t features = 0;
 };
 
-ComposeParams composeParams(const Scene& scene, VkExtent2D extent);
+ComposeParams composeParams(const Scene& scene, const PicturePart& part);
 
 // The planes of the scene's sheets as planeDepth() gives them, the same numbers for sheets that lie in one plane:
 // rounding must not part what the order of the probe decides.
-std::vector<std::array<double, 3>> planeDepths(const Scene& scene, VkExtent2D extent);
+std::vector<std::array<double, 3>> planeDepths(const Scene& scene, const PicturePart& part);
 
 } // namespace vp::render

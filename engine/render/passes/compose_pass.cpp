@@ -33,9 +33,9 @@ std::array<VkRect2D, 4> around(const VkRect2D& part, VkExtent2D extent)
 
 } // namespace
 
-bool composesWhole(const Scene& scene)
+bool composesWhole(const Scene& scene, const PicturePart& part)
 {
-	return scene.surfaces.empty() && samplePattern(scene.look.samples).size() == 1;
+	return part.isWhole() && scene.surfaces.empty() && samplePattern(scene.look.samples).size() == 1;
 }
 
 Result<ComposePass> ComposePass::create(gpu::Device& device)
@@ -43,14 +43,17 @@ Result<ComposePass> ComposePass::create(gpu::Device& device)
 	ComposePass pass;
 	pass.device_ = &device;
 	// The layouts of pipelines without surfaces are alike, so a set of the first fits them all.
-	auto first = pass.pipelineFor(1, 0, false);
+	auto first = pass.pipelinesFor(1, 0, false, false);
 	if (!first)
 		return first.error();
-	pass.sets_ = gpu::DescriptorSets(device, **first, "compose");
+	pass.sets_ = gpu::DescriptorSets(device, (*first)->everywhere, "compose");
 	gpu::GraphicsPipelineInfo resolve;
 	resolve.vertex_shader = "render_full.vert";
 	resolve.fragment_shader = "render_resolve.frag";
-	resolve.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}, {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
+	resolve.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
+	                    {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+	                    {2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
+	resolve.push_bytes = sizeof(shared::ResolvePush);
 	resolve.color_formats = {kPictureFormat};
 	auto resolve_pipeline = gpu::Pipeline::create(device, resolve, "resolve");
 	if (!resolve_pipeline)
@@ -64,12 +67,27 @@ Result<ComposePass> ComposePass::create(gpu::Device& device)
 	return pass;
 }
 
-Result<const gpu::Pipeline*> ComposePass::pipelineFor(std::size_t layers, std::uint32_t features, bool surfaces)
+Result<const ComposePass::Pipelines*> ComposePass::pipelinesFor(std::size_t layers, std::uint32_t features,
+                                                                bool surfaces, bool with_mask)
 {
 	const std::uint32_t slots = *std::find_if(kSlots.begin(), kSlots.end(), [&](auto s) { return s >= layers; });
-	gpu::Pipeline& pipeline = pipelines_[{slots, features, surfaces}];
-	if (pipeline)
-		return &pipeline;
+	Pipelines& pipelines = pipelines_[{slots, features, surfaces}];
+	for (const bool at_edges : {false, true})
+	{
+		gpu::Pipeline& pipeline = at_edges ? pipelines.at_edges : pipelines.everywhere;
+		if (pipeline || (at_edges && !with_mask))
+			continue;
+		auto made = makePipeline(slots, features, surfaces, at_edges);
+		if (!made)
+			return made.error();
+		pipeline = std::move(*made);
+	}
+	return &pipelines;
+}
+
+Result<gpu::Pipeline> ComposePass::makePipeline(std::uint32_t slots, std::uint32_t features, bool surfaces,
+                                                bool at_edges) const
+{
 	gpu::GraphicsPipelineInfo info;
 	info.vertex_shader = "render_full.vert";
 	info.fragment_shader = surfaces ? "render_compose_surfaces.frag" : "render_compose.frag";
@@ -82,6 +100,8 @@ Result<const gpu::Pipeline*> ComposePass::pipelineFor(std::size_t layers, std::u
 	{
 		info.bindings.push_back({5, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE});
 		info.bindings.push_back({6, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER});
+		info.bindings.push_back({7, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER});
+		info.bindings.push_back({8, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER});
 	}
 	info.push_bytes = sizeof(shared::ComposePush);
 	const bool whole = (features & shared::kComposeWhole) != 0;
@@ -89,18 +109,20 @@ Result<const gpu::Pipeline*> ComposePass::pipelineFor(std::size_t layers, std::u
 	if (!whole)
 		info.blends = {summing()};
 	info.constants = {{0, slots}, {1, features}};
-	auto made = gpu::Pipeline::create(*device_, info, "compose");
-	if (!made)
-		return made.error();
-	pipeline = std::move(*made);
-	return &pipeline;
+	if (at_edges)
+	{
+		info.depth_format = kDepthFormat;
+		info.depth_test = true;
+		info.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL; // of render_full.vert's 0 and the mask
+	}
+	return gpu::Pipeline::create(*device_, info, "compose");
 }
 
-Result<VkDescriptorSet> ComposePass::compositionSet(const Targets& targets, const FragmentLists* lists)
+Result<VkDescriptorSet> ComposePass::compositionSet(const Targets& targets, const SurfaceTargets* surfaces)
 {
-	if (lists && !surface_sets_)
-		surface_sets_.emplace(*device_, *pipeline_, "compose surfaces");
-	auto set = lists ? surface_sets_->get(0) : sets_.get(0);
+	if (surfaces && !surface_sets_)
+		surface_sets_.emplace(*device_, pipelines_in_use_->everywhere, "compose surfaces");
+	auto set = surfaces ? surface_sets_->get(0) : sets_.get(0);
 	if (!set)
 		return set;
 	gpu::DescriptorWriter writer;
@@ -109,15 +131,19 @@ Result<VkDescriptorSet> ComposePass::compositionSet(const Targets& targets, cons
 	    .sampledImage(2, targets.lines.view(), sampler_.handle())
 	    .texels(3, tables_.texels.handle())
 	    .texels(4, colors_.texels.handle());
-	if (lists)
-		writer.storageImage(5, lists->heads().view()).texels(6, lists->fragmentTexels());
+	if (surfaces)
+		writer.storageImage(5, surfaces->lists.heads().view())
+		    .texels(6, surfaces->lists.fragmentTexels())
+		    .sampledImage(7, surfaces->opaque.nearest().view(), sampler_.handle())
+		    .sampledImage(8, surfaces->opaque.depth().view(), sampler_.handle(), OpaqueTarget::kDepthLayout);
 	writer.write(*device_, *set);
 	return set;
 }
 
-Status ComposePass::prepare(const Scene& scene, const Targets& targets, const FragmentLists* lists)
+Status ComposePass::prepare(const Scene& scene, const Targets& targets, const SurfaceTargets* surfaces,
+                            const EdgeMask* edges)
 {
-	const ComposeParams made = composeParams(scene, targets.extent());
+	const ComposeParams made = composeParams(scene, targets.part());
 	if (Status room = makeRoom(*device_, params_, sizeof(shared::ComposeParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
 	                           "compose parameters");
 	    !room)
@@ -127,25 +153,28 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets, const Fr
 	if (Status put = tables_.put(*device_, std::as_bytes(std::span(made.tables)), VK_FORMAT_R32_UINT, "color tables");
 	    !put)
 		return put;
-	if (Status put = colors_.put(*device_, std::as_bytes(std::span(made.colors)), VK_FORMAT_R16G16B16A16_UNORM,
-	                             "layers' colors");
+	if (Status put =
+	        colors_.put(*device_, std::as_bytes(std::span(made.colors)), VK_FORMAT_R32G32_UINT, "layers' colors");
 	    !put)
 		return put;
-	const std::uint32_t features = made.features | (composesWhole(scene) ? shared::kComposeWhole : 0u);
-	auto pipeline = pipelineFor(std::max<std::size_t>(1, scene.sheets.size()), features, lists != nullptr);
-	if (!pipeline)
-		return pipeline.error();
-	pipeline_ = *pipeline;
+	const std::uint32_t features = made.features | (composesWhole(scene, targets.part()) ? shared::kComposeWhole : 0u) |
+	                               (surfaces && surfaces->has_opaque ? shared::kComposeOpaque : 0u);
+	auto pipelines =
+	    pipelinesFor(std::max<std::size_t>(1, scene.sheets.size()), features, surfaces != nullptr, edges != nullptr);
+	if (!pipelines)
+		return pipelines.error();
+	pipelines_in_use_ = *pipelines;
 	ground_ = nullptr;
-	sheets_part_ = sheetsPart(scene, targets.extent());
-	if (!lists)
+	sheets_part_ = sheetsPart(scene, targets.part());
+	if (!surfaces)
 	{
-		auto ground = pipelineFor(1, (features & shared::kComposeWhole) | shared::kComposeGround, false);
+		auto ground =
+		    pipelinesFor(1, (features & shared::kComposeWhole) | shared::kComposeGround, false, edges != nullptr);
 		if (!ground)
 			return ground.error();
 		ground_ = *ground;
 	}
-	auto set = compositionSet(targets, lists);
+	auto set = compositionSet(targets, surfaces);
 	if (!set)
 		return set.error();
 	set_ = *set;
@@ -153,48 +182,56 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets, const Fr
 	if (!resolve_set)
 		return resolve_set.error();
 	resolve_set_ = *resolve_set;
-	gpu::DescriptorWriter()
-	    .uniformBuffer(0, params_.handle())
-	    .sampledImage(1, targets.sum.view(), sampler_.handle())
-	    .write(*device_, resolve_set_);
+	gpu::DescriptorWriter writer;
+	writer.uniformBuffer(0, params_.handle()).sampledImage(1, targets.sum.view(), sampler_.handle());
+	if (edges)
+		writer.sampledImage(2, edges->image().view(), sampler_.handle(), EdgeMask::kLayout);
+	else
+		writer.sampledImage(2, targets.lines.view(), sampler_.handle()); // of one sample: its weight is 1 either way
+	writer.write(*device_, resolve_set_);
 	return Nothing{};
 }
 
 void ComposePass::record(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter,
-                         const VkRect2D& part, bool first_sample, bool first_part) const
+                         const VkRect2D& part, const EdgeMask* edges, bool first_part) const
 {
-	targets.sum.transition(commands, first_sample && first_part ? gpu::kDiscard : gpu::kColorTarget, gpu::kColorTarget);
+	targets.sum.transition(commands, !edges && first_part ? gpu::kDiscard : gpu::kColorTarget, gpu::kColorTarget);
 	recordInto(commands, targets, targets.sum.view(), jitter, part,
-	           first_sample ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD);
+	           edges ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR, edges);
 }
 
 void ComposePass::recordWhole(VkCommandBuffer commands, const Targets& targets) const
 {
 	recordInto(commands, targets, targets.picture.view(), {0.0, 0.0}, {{0, 0}, targets.extent()},
-	           VK_ATTACHMENT_LOAD_OP_DONT_CARE);
+	           VK_ATTACHMENT_LOAD_OP_DONT_CARE, nullptr);
 }
 
 void ComposePass::recordInto(VkCommandBuffer commands, const Targets& targets, VkImageView view,
-                             const glm::dvec2& jitter, const VkRect2D& part, VkAttachmentLoadOp load) const
+                             const glm::dvec2& jitter, const VkRect2D& part, VkAttachmentLoadOp load,
+                             const EdgeMask* edges) const
 {
 	VkRenderingAttachmentInfo target{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
 	target.imageView = view;
 	target.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
 	target.loadOp = load;
 	target.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+	const VkRenderingAttachmentInfo mask = edges ? edges->asDepth() : VkRenderingAttachmentInfo{};
 	VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
 	rendering.renderArea = part;
 	rendering.layerCount = 1;
 	rendering.colorAttachmentCount = 1;
 	rendering.pColorAttachments = &target;
+	rendering.pDepthAttachment = edges ? &mask : nullptr;
 	vkCmdBeginRendering(commands, &rendering);
+	const auto pipeline = [&](const Pipelines& of) -> const gpu::Pipeline&
+	{ return edges ? of.at_edges : of.everywhere; };
 	if (!ground_)
-		recordPart(commands, targets, *pipeline_, jitter, part);
+		recordPart(commands, targets, pipeline(*pipelines_in_use_), jitter, part);
 	else
 	{
-		recordPart(commands, targets, *pipeline_, jitter, sheets_part_);
+		recordPart(commands, targets, pipeline(*pipelines_in_use_), jitter, sheets_part_);
 		for (const VkRect2D& beside : around(sheets_part_, targets.extent()))
-			recordPart(commands, targets, *ground_, jitter, beside);
+			recordPart(commands, targets, pipeline(*ground_), jitter, beside);
 	}
 	vkCmdEndRendering(commands);
 }
@@ -210,10 +247,11 @@ void ComposePass::recordPart(VkCommandBuffer commands, const Targets& targets, c
 	vkCmdDraw(commands, 3, 1, 0, 0);
 }
 
-void ComposePass::recordResolve(VkCommandBuffer commands, const Targets& targets) const
+void ComposePass::recordResolve(VkCommandBuffer commands, const Targets& targets, const VkRect2D& rows) const
 {
-	coverAll(commands, targets.extent());
+	coverPart(commands, targets.part().picture, rows);
 	resolve_.bind(commands, resolve_set_);
+	resolve_.push(commands, shared::ResolvePush{static_cast<std::int32_t>(targets.part().first_row)});
 	vkCmdDraw(commands, 3, 1, 0, 0);
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "gpu/shader.h"
+#include "render/passes/edge_mask.h"
 #include "render/passes/fragment_lists.h"
 #include "render/passes/host_buffer.h"
+#include "render/passes/opaque_target.h"
 #include "render/passes/targets.h"
 #include "render/scene/scene.h"
 #include "shared/render_types.h"
@@ -15,8 +17,8 @@
 namespace vp::render
 {
 
-// Whether its picture is one sample, without lists that may run over: it needs no sum.
-bool composesWhole(const Scene& scene);
+// Whether its picture is one sample in one part, without lists that may run over: it needs no sum.
+bool composesWhole(const Scene& scene, const PicturePart& part);
 
 // Orders the layers at each pixel, and the surfaces' fragments where there are surfaces, colors and blends them, and
 // sums up the samples (render_compose.glsl); at last puts their mean over the background (render_resolve.frag).
@@ -25,16 +27,24 @@ class ComposePass
 public:
 	static Result<ComposePass> create(gpu::Device& device);
 
-	// lists: prepared for the scene's surfaces; null where it has none.
-	Status prepare(const Scene& scene, const Targets& targets, const FragmentLists* lists);
-	// A part of the picture, all of it or a strip, of which the first sample and the first part of it begin anew.
+	// Where the scene's surfaces are drawn into.
+	struct SurfaceTargets
+	{
+		const FragmentLists& lists;
+		const OpaqueTarget& opaque;
+		bool has_opaque;
+	};
+	// surfaces: prepared for the scene's surfaces; null where it has none. edges: null for a picture of one sample.
+	Status prepare(const Scene& scene, const Targets& targets, const SurfaceTargets* surfaces, const EdgeMask* edges);
+	// A part of the picture, all of it or a strip. edges: null for the first sample, which begins anew with its first
+	// part; the others are drawn at edges only.
 	void record(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter, const VkRect2D& part,
-	            bool first_sample, bool first_part) const;
+	            const EdgeMask* edges, bool first_part) const;
 	// In place of samples and their sum: straight into the picture, which is a color target. The scene is one that
 	// composesWhole().
 	void recordWhole(VkCommandBuffer commands, const Targets& targets) const;
-	// Within a rendering into the picture, after the last sample.
-	void recordResolve(VkCommandBuffer commands, const Targets& targets) const;
+	// Within a rendering into the picture, after the last sample of a part: these rows of the picture.
+	void recordResolve(VkCommandBuffer commands, const Targets& targets, const VkRect2D& rows) const;
 
 private:
 	gpu::Device* device_ = nullptr;
@@ -42,18 +52,25 @@ private:
 	// more a pixel for four than for one).
 	static constexpr std::array<std::uint32_t, 6> kSlots{1, 2, 3, 4, 8, shared::kMaxLayers};
 
+	// Draws everywhere, or at edges only.
+	struct Pipelines
+	{
+		gpu::Pipeline everywhere;
+		gpu::Pipeline at_edges; // if there is a mask
+	};
 	// Made on first use; the pointer stays valid.
-	Result<const gpu::Pipeline*> pipelineFor(std::size_t layers, std::uint32_t features, bool surfaces);
+	Result<const Pipelines*> pipelinesFor(std::size_t layers, std::uint32_t features, bool surfaces, bool with_mask);
+	Result<gpu::Pipeline> makePipeline(std::uint32_t slots, std::uint32_t features, bool surfaces, bool at_edges) const;
 	void recordInto(VkCommandBuffer commands, const Targets& targets, VkImageView view, const glm::dvec2& jitter,
-	                const VkRect2D& part, VkAttachmentLoadOp load) const;
+	                const VkRect2D& part, VkAttachmentLoadOp load, const EdgeMask* edges) const;
 	void recordPart(VkCommandBuffer commands, const Targets& targets, const gpu::Pipeline& pipeline,
 	                const glm::dvec2& jitter, const VkRect2D& part) const;
-	Result<VkDescriptorSet> compositionSet(const Targets& targets, const FragmentLists* lists);
+	Result<VkDescriptorSet> compositionSet(const Targets& targets, const SurfaceTargets* surfaces);
 
-	std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, gpu::Pipeline> pipelines_; // by slots, features, surfaces
+	std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, Pipelines> pipelines_; // by slots, features, surfaces
 	// Of the scene prepared last. Where it has no surfaces, sheets are in a part of the picture only.
-	const gpu::Pipeline* pipeline_ = nullptr;
-	const gpu::Pipeline* ground_ = nullptr;
+	const Pipelines* pipelines_in_use_ = nullptr;
+	const Pipelines* ground_ = nullptr;
 	VkRect2D sheets_part_{};
 	gpu::Pipeline resolve_;
 	gpu::DescriptorSets sets_;

@@ -20,6 +20,9 @@ class FragmentLists
 public:
 	FragmentLists(gpu::Device& device, std::uint64_t most_bytes) : device_(&device), most_bytes_(most_bytes) {}
 
+	// Takes no more bytes than these from now on.
+	void limit(std::uint64_t most_bytes) { most_bytes_ = most_bytes; }
+
 	// For pictures of this size, of so many samples. While no submission draws.
 	Status prepare(VkExtent2D extent, std::size_t samples);
 

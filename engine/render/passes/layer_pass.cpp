@@ -11,11 +11,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 namespace vp::render
 {
 
-static_assert(sizeof(shared::LayerPush) == 80 && offsetof(shared::PolygonRecord, uv) == 8 &&
+static_assert(sizeof(shared::LayerPush) == 68 && offsetof(shared::PolygonRecord, uv) == 8 &&
               offsetof(shared::PolygonRecord, value) == 56 && sizeof(shared::PolygonRecord) == 80);
 
 namespace
@@ -27,9 +28,6 @@ constexpr gpu::ImageUse kClearedLayers{VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAG
                                        VK_ACCESS_2_TRANSFER_WRITE_BIT};
 constexpr gpu::ImageUse kComputedLayers{VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                                         VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
-// The stage of vkCmdUpdateBuffer is CLEAR, as it is one of the clear commands. Validation layers before 1.3.280 expect
-// COPY.
-constexpr VkPipelineStageFlags2 kUpdateStages = VK_PIPELINE_STAGE_2_CLEAR_BIT | VK_PIPELINE_STAGE_2_COPY_BIT;
 
 std::uint32_t layerFeatures(const Scene& scene, const SheetDrawing& sheet)
 {
@@ -40,7 +38,7 @@ std::uint32_t layerFeatures(const Scene& scene, const SheetDrawing& sheet)
 
 bool LayerPass::Drawn::operator==(const Drawn& other) const
 {
-	return record_count == other.record_count && features == other.features &&
+	return !only_edges && !other.only_edges && record_count == other.record_count && features == other.features &&
 	       (record_count == 0 || (records.lock() == other.records.lock() && !records.expired() &&
 	                              std::memcmp(&push, &other.push, sizeof(push)) == 0));
 }
@@ -69,7 +67,7 @@ Result<const gpu::Pipeline*> LayerPass::pipelineFor(std::uint32_t features)
 	gpu::GraphicsPipelineInfo info;
 	info.vertex_shader = "render_layer.vert";
 	info.fragment_shader = "render_layer.frag";
-	info.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}, {1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
+	info.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER}};
 	info.push_bytes = sizeof(shared::LayerPush);
 	info.color_formats = {layerFormat((features & shared::kLayerMesh) != 0)};
 	info.constants = {{0, features}};
@@ -85,38 +83,74 @@ bool LayerPass::computes(const Scene& scene, const SheetDrawing& sheet) const
 	return raster_side_ > 0 && !scene.look.mesh && sheet.records && !sheet.records->overlapping;
 }
 
-Status LayerPass::prepare(const Scene& scene, const Targets& targets)
+Status LayerPass::prepare(const Scene& scene, const Targets& targets, const EdgeMask* edges)
 {
+	knows_edges_ = false;
 	page_sets_.clear();
 	sheet_pipelines_.clear();
 	computed_.clear();
 	first_sets_.clear();
 	for (const SheetDrawing& sheet : scene.sheets)
 		computed_.push_back(computes(scene, sheet));
-	if (Status ready = raster_.prepare(scene, targets, computed_); !ready)
+	if (Status ready = raster_.prepare(scene, targets, computed_, edges); !ready)
 		return ready;
 	std::uint32_t largest = 0;
 	for (std::size_t s = 0; s < scene.sheets.size(); ++s)
 	{
 		const SheetDrawing& sheet = scene.sheets[s];
-		auto pipeline = pipelineFor(layerFeatures(scene, sheet) | (computed_[s] ? shared::kLayerListed : 0u));
+		sheet_pipelines_.push_back(nullptr);
+		first_sets_.push_back(page_sets_.size());
+		if (!sheet.records || computed_[s])
+			continue;
+		auto pipeline = pipelineFor(layerFeatures(scene, sheet));
 		if (!pipeline)
 			return pipeline.error();
-		sheet_pipelines_.push_back(*pipeline);
-		first_sets_.push_back(page_sets_.size());
-		if (!sheet.records)
-			continue;
+		sheet_pipelines_.back() = *pipeline;
 		for (const auto& page : sheet.records->pages)
 		{
 			auto set = sets_.get(page_sets_.size());
 			if (!set)
 				return set.error();
-			gpu::DescriptorWriter().texels(0, page.texels()).storageBuffer(1, raster_.list()).write(*device_, *set);
+			gpu::DescriptorWriter().texels(0, page.texels()).write(*device_, *set);
 			page_sets_.push_back(*set);
 			largest = std::max(largest, page.count);
 		}
 	}
+	layer_clear_sets_.assign(scene.sheets.size(), VK_NULL_HANDLE);
+	if (edges)
+		if (Status made = makeClearSets(scene.sheets.size(), targets, *edges); !made)
+			return made;
 	return makeIndices(largest);
+}
+
+Status LayerPass::makeClearSets(std::size_t layers, const Targets& targets, const EdgeMask& edges)
+{
+	if (!clear_)
+	{
+		gpu::ComputePipelineInfo info;
+		info.shader = "render_clear_tiles.comp";
+		info.bindings = {{0, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}, {1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
+		info.push_bytes = sizeof(shared::EdgePush);
+		auto made = gpu::Pipeline::create(*device_, info, "clear near edges");
+		if (!made)
+			return made.error();
+		clear_ = std::move(*made);
+		clear_sets_ = gpu::DescriptorSets(*device_, clear_, "clear near edges");
+	}
+	for (std::size_t i = 0; i < layers; ++i)
+	{
+		if (!isComputed(i))
+			continue;
+		auto set = clear_sets_.get(i);
+		if (!set)
+			return set.error();
+		gpu::DescriptorWriter()
+		    .storageImage(0, targets.layer(i))
+		    .storageBuffer(1, edges.listed().handle())
+		    .write(*device_, *set);
+		layer_clear_sets_[i] = *set;
+	}
+	return Nothing{};
 }
 
 Status LayerPass::makeIndices(std::uint32_t records)
@@ -138,7 +172,8 @@ Status LayerPass::makeIndices(std::uint32_t records)
 }
 
 // What each layer is to be drawn from.
-std::vector<LayerPass::Drawn> LayerPass::wanted(const Scene& scene, VkExtent2D extent, const glm::dvec2& jitter) const
+std::vector<LayerPass::Drawn> LayerPass::wanted(const Scene& scene, const PicturePart& part, const glm::dvec2& jitter,
+                                                bool only_edges) const
 {
 	// Without sheets there is one layer, and it is empty.
 	std::vector<Drawn> layers(std::max<std::size_t>(1, scene.sheets.size()));
@@ -148,16 +183,17 @@ std::vector<LayerPass::Drawn> LayerPass::wanted(const Scene& scene, VkExtent2D e
 		layers[i].records = sheet.records;
 		layers[i].record_count = sheet.records ? sheet.records->count() : 0;
 		layers[i].features = layerFeatures(scene, sheet);
-		layers[i].push = layerPush(sheet, scene.camera, extent, jitter);
+		layers[i].only_edges = only_edges && isComputed(i);
+		layers[i].push = layerPush(sheet, scene.camera, part, jitter);
 		layers[i].push.mesh_half_width = 0.5f * lineWidth(scene.look);
 	}
 	return layers;
 }
 
 std::size_t LayerPass::record(VkCommandBuffer commands, const Scene& scene, const Targets& targets,
-                              const glm::dvec2& jitter)
+                              const glm::dvec2& jitter, const EdgeMask* edges)
 {
-	std::vector<Drawn> layers = wanted(scene, targets.extent(), jitter);
+	std::vector<Drawn> layers = wanted(scene, targets.part(), jitter, edges != nullptr);
 	std::vector<std::size_t> changed;
 	std::vector<std::size_t> computed;
 	for (std::size_t i = 0; i < layers.size(); ++i)
@@ -169,49 +205,72 @@ std::size_t LayerPass::record(VkCommandBuffer commands, const Scene& scene, cons
 		}
 	if (changed.empty())
 		return 0;
-	const gpu::ImageUse before =
-	    drawn_.empty() ? gpu::ImageUse{VK_IMAGE_LAYOUT_UNDEFINED, kSampledLayers.stages, kSampledLayers.access}
-	                   : kSampledLayers;
-	if (computed.empty())
-		targets.values.transition(commands, before, gpu::kColorTarget);
-	else
-		recordComputed(commands, scene, targets, jitter, before, computed);
-	for (const std::size_t i : changed)
-		recordLayer(commands, scene, targets, i,
-		            isComputed(i) ? listedPush(scene.sheets[i], scene.camera, targets.extent(), jitter)
-		                          : layers[i].push);
-	targets.values.transition(commands, gpu::kColorTarget, kSampledLayers);
+	gpu::ImageUse use = drawn_.empty()
+	                        ? gpu::ImageUse{VK_IMAGE_LAYOUT_UNDEFINED, kSampledLayers.stages, kSampledLayers.access}
+	                        : kSampledLayers;
+	if (!computed.empty())
+	{
+		recordComputed(commands, scene, targets, jitter, edges, use, computed);
+		use = kComputedLayers;
+	}
+	if (changed.size() > computed.size())
+	{
+		targets.values.transition(commands, use, gpu::kColorTarget);
+		for (const std::size_t i : changed)
+			if (!isComputed(i))
+				recordLayer(commands, scene, targets, i, layers[i].push);
+		use = gpu::kColorTarget;
+	}
+	targets.values.transition(commands, use, kSampledLayers);
 	// Layers behind those of this scene keep what they hold.
 	drawn_.resize(std::max(drawn_.size(), layers.size()));
 	std::move(layers.begin(), layers.end(), drawn_.begin());
 	return changed.size();
 }
 
-// Small polygons of those layers; leaves all layers ready to be drawn into.
-void LayerPass::recordComputed(VkCommandBuffer commands, const Scene& scene, const Targets& targets,
-                               const glm::dvec2& jitter, const gpu::ImageUse& before,
+void LayerPass::recordClearAll(VkCommandBuffer commands, const Targets& targets,
                                std::span<const std::size_t> layers) const
 {
-	// The sample before has read its lists.
-	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
-	                   VK_ACCESS_2_NONE, kUpdateStages | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_NONE);
-	targets.values.transition(commands, before, kClearedLayers);
-	raster_.recordStart(commands);
 	const VkClearColorValue empty{{shared::kEmptyValue, 0.0f, 0.0f, 0.0f}};
 	for (const std::size_t i : layers)
 	{
 		const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, static_cast<std::uint32_t>(i), 1};
 		vkCmdClearColorImage(commands, targets.values.handle(), VK_IMAGE_LAYOUT_GENERAL, &empty, 1, &range);
 	}
-	gpu::memoryBarrier(commands, kUpdateStages, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-	                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
-	targets.values.transition(commands, kClearedLayers, kComputedLayers);
+}
+
+void LayerPass::recordClearTiles(VkCommandBuffer commands, const EdgeMask& edges,
+                                 std::span<const std::size_t> layers) const
+{
 	for (const std::size_t i : layers)
-		raster_.record(commands, scene, i, targets.extent(), jitter, raster_side_);
-	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
-	                   VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
-	                   VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT);
-	targets.values.transition(commands, kComputedLayers, gpu::kColorTarget);
+	{
+		clear_.bind(commands, layer_clear_sets_[i]);
+		clear_.push(commands, edges.edgePush());
+		vkCmdDispatchIndirect(commands, edges.listed().handle(), 0);
+	}
+}
+
+// Leaves all layers as kComputedLayers.
+void LayerPass::recordComputed(VkCommandBuffer commands, const Scene& scene, const Targets& targets,
+                               const glm::dvec2& jitter, const EdgeMask* edges, const gpu::ImageUse& before,
+                               std::span<const std::size_t> layers)
+{
+	targets.values.transition(commands, before, edges ? kComputedLayers : kClearedLayers);
+	if (edges && !std::exchange(knows_edges_, true))
+		raster_.recordKept(commands, scene, targets.part());
+	// The sample before has read its lists.
+	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+	                   VK_ACCESS_2_NONE, gpu::kUpdateStages, VK_ACCESS_2_NONE);
+	raster_.recordStart(commands);
+	if (edges)
+		recordClearTiles(commands, *edges, layers);
+	else
+		recordClearAll(commands, targets, layers);
+	gpu::memoryBarrier(commands, gpu::kUpdateStages, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+	                   VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+	                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+	targets.values.transition(commands, edges ? kComputedLayers : kClearedLayers, kComputedLayers);
+	raster_.record(commands, scene, layers, {targets.part(), jitter, raster_side_, edges != nullptr});
 }
 
 void LayerPass::drawPages(VkCommandBuffer commands, const classify::SheetRecords& records, std::size_t i,
@@ -225,26 +284,13 @@ void LayerPass::drawPages(VkCommandBuffer commands, const classify::SheetRecords
 	}
 }
 
-void LayerPass::drawListed(VkCommandBuffer commands, std::size_t i, shared::LayerPush push) const
-{
-	for (const RasterPass::Run& run : raster_.runs(i))
-	{
-		push.listed_from = run.listed_from;
-		sheet_pipelines_[i]->bind(commands, page_sets_[first_sets_[i] + run.page]);
-		sheet_pipelines_[i]->push(commands, push);
-		vkCmdDrawIndexedIndirect(commands, raster_.draws(), sizeof(shared::RasterDraw) * run.draw, 1, 0);
-	}
-}
-
-// A layer's polygons, or those of them that the compute shader left.
 void LayerPass::recordLayer(VkCommandBuffer commands, const Scene& scene, const Targets& targets, std::size_t i,
-                            shared::LayerPush push) const
+                            const shared::LayerPush& push) const
 {
-	const bool computed = isComputed(i);
 	VkRenderingAttachmentInfo layer{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
 	layer.imageView = targets.layer(i);
 	layer.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-	layer.loadOp = computed ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
+	layer.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
 	layer.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
 	layer.clearValue.color.float32[0] = shared::kEmptyValue;
 	VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
@@ -258,10 +304,7 @@ void LayerPass::recordLayer(VkCommandBuffer commands, const Scene& scene, const 
 		coverAll(commands, targets.extent());
 		if (indices_)
 			vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
-		if (computed)
-			drawListed(commands, i, push);
-		else
-			drawPages(commands, *scene.sheets[i].records, i, push);
+		drawPages(commands, *scene.sheets[i].records, i, push);
 	}
 	vkCmdEndRendering(commands);
 }

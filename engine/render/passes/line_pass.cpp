@@ -91,14 +91,14 @@ Status LinePass::prepare(const Scene& scene)
 	return Nothing{};
 }
 
-shared::LinePush LinePass::linePush(const Scene& scene, VkExtent2D extent, const glm::dvec2& jitter) const
+shared::LinePush LinePass::linePush(const Scene& scene, const PicturePart& part, const glm::dvec2& jitter) const
 {
-	const glm::dmat4 clip = clipMatrix(scene.camera, extent, center_, jitter);
+	const glm::dmat4 clip = clipMatrix(scene.camera, part, center_, jitter);
 	shared::LinePush push{};
 	for (int i = 0; i < 16; ++i)
 		push.clip[i] = static_cast<float>(clip[i / 4][i % 4]);
-	push.half_size[0] = 0.5f * static_cast<float>(extent.width);
-	push.half_size[1] = 0.5f * static_cast<float>(extent.height);
+	push.half_size[0] = 0.5f * static_cast<float>(part.extent.width);
+	push.half_size[1] = 0.5f * static_cast<float>(part.extent.height);
 	push.half_width = 0.5f * lineWidth(scene.look);
 	push.near_w = static_cast<float>(scene.camera.near);
 	push.depth_bias = kDepthBias;
@@ -107,7 +107,7 @@ shared::LinePush LinePass::linePush(const Scene& scene, VkExtent2D extent, const
 
 void LinePass::record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter)
 {
-	const Drawn wanted{count_, linePush(scene, targets.extent(), jitter)};
+	const Drawn wanted{count_, linePush(scene, targets.part(), jitter)};
 	if (drawn_ && drawn_->count == count_ && std::memcmp(&drawn_->push, &wanted.push, sizeof(wanted.push)) == 0)
 		return;
 	drawn_ = wanted;

@@ -34,7 +34,7 @@ private:
 		shared::LinePush push;
 	};
 
-	shared::LinePush linePush(const Scene& scene, VkExtent2D extent, const glm::dvec2& jitter) const;
+	shared::LinePush linePush(const Scene& scene, const PicturePart& part, const glm::dvec2& jitter) const;
 
 	gpu::Device* device_ = nullptr;
 	gpu::Pipeline pipeline_;

@@ -94,7 +94,7 @@ void OverlayPass::record(VkCommandBuffer commands, const Targets& targets) const
 {
 	if (count_ == 0)
 		return;
-	const VkExtent2D extent = targets.extent();
+	const VkExtent2D extent = targets.part().picture;
 	coverAll(commands, extent);
 	pipeline_.bind(commands, set_);
 	pipeline_.push(commands, shared::OverlayPush{

@@ -24,16 +24,22 @@ std::vector<glm::dvec2> samplePattern(int samples)
 	for (int i = 0; i < samples; ++i)
 		pattern.push_back(
 		    {(i + 0.5) / samples - 0.5, (static_cast<long>(i) * generator % samples + 0.5) / samples - 0.5});
+	// The first sample stands for all where no edge is (EdgeMask).
+	std::iter_swap(pattern.begin(), std::min_element(pattern.begin(), pattern.end(),
+	                                                 [](const glm::dvec2& a, const glm::dvec2& b)
+	                                                 { return glm::dot(a, a) < glm::dot(b, b); }));
 	return pattern;
 }
 
-glm::dmat4 clipMatrix(const Camera& camera, VkExtent2D extent, const Vec3& center, const glm::dvec2& jitter)
+glm::dmat4 clipMatrix(const Camera& camera, const PicturePart& part, const Vec3& center, const glm::dvec2& jitter)
 {
-	const glm::dvec2 size(extent.width, extent.height);
-	glm::dmat4 shift(1.0);
-	shift[3][0] = 2.0 * jitter.x / size.x;
-	shift[3][1] = 2.0 * jitter.y / size.y;
-	return shift * camera.projection(size.x / size.y) * glm::translate(camera.view(), center);
+	const glm::dvec2 size(part.picture.width, part.picture.height);
+	const double rows = part.extent.height;
+	glm::dmat4 to_part(1.0);
+	to_part[1][1] = size.y / rows;
+	to_part[3][0] = 2.0 * jitter.x / size.x;
+	to_part[3][1] = (size.y - 2.0 * part.first_row + 2.0 * jitter.y) / rows - 1.0;
+	return to_part * camera.projection(size.x / size.y) * glm::translate(camera.view(), center);
 }
 
 Vec3 lightDirection(const Camera& camera)
@@ -46,6 +52,11 @@ float lineWidth(const Look& look)
 	return static_cast<float>(std::max(1.2, 1.5 * std::min(look.height / 720.0, look.width / 960.0)));
 }
 
+std::uint32_t contourReach(const Look& look)
+{
+	return std::max(1u, static_cast<std::uint32_t>(0.5f * lineWidth(look) + 0.5f));
+}
+
 namespace
 {
 
@@ -56,10 +67,10 @@ struct ClipFrame
 	glm::dvec4 v;
 	glm::dvec4 origin;
 
-	ClipFrame(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent, const glm::dvec2& jitter)
+	ClipFrame(const SheetDrawing& drawing, const Camera& camera, const PicturePart& part, const glm::dvec2& jitter)
 	{
 		const probe::Sheet& sheet = drawing.sheet;
-		const glm::dmat4 clip = clipMatrix(camera, extent, sheet.origin, jitter);
+		const glm::dmat4 clip = clipMatrix(camera, part, sheet.origin, jitter);
 		u = clip * glm::dvec4(drawing.magnification * sheet.xAxis(), 0.0);
 		v = clip * glm::dvec4(drawing.magnification * sheet.up, 0.0);
 		origin = clip[3];
@@ -81,10 +92,10 @@ void storeWindow(float (&to)[4], const std::optional<WindowRect>& window)
 
 } // namespace
 
-shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, const PicturePart& part,
                             const glm::dvec2& jitter)
 {
-	const ClipFrame frame(drawing, camera, extent, jitter);
+	const ClipFrame frame(drawing, camera, part, jitter);
 	shared::LayerPush push{};
 	storeFloats(push.u_axis, &frame.u[0]);
 	storeFloats(push.v_axis, &frame.v[0]);
@@ -93,11 +104,11 @@ shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, V
 	return push;
 }
 
-shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera, const PicturePart& part,
                               const glm::dvec2& jitter)
 {
-	const ClipFrame frame(drawing, camera, extent, jitter);
-	const glm::dvec2 half = 0.5 * glm::dvec2(extent.width, extent.height);
+	const ClipFrame frame(drawing, camera, part, jitter);
+	const glm::dvec2 half = 0.5 * glm::dvec2(part.extent.width, part.extent.height);
 	const auto inPixels = [&](const glm::dvec4& clip) {
 		return glm::dvec3(half.x * clip.x + (half.x - 0.5) * clip.w, half.y * clip.y + (half.y - 0.5) * clip.w, clip.w);
 	};
@@ -113,27 +124,8 @@ shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera,
 	storeFloats(push.w_of_pixel, &back[2][0]);
 	storeWindow(push.window, drawing.window);
 	push.near_w = static_cast<float>(camera.near);
-	push.last_pixel[0] = static_cast<float>(extent.width - 1);
-	push.last_pixel[1] = static_cast<float>(extent.height - 1);
-	return push;
-}
-
-shared::LayerPush listedPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
-                             const glm::dvec2& jitter)
-{
-	const shared::RasterPush from = rasterPush(drawing, camera, extent, jitter);
-	shared::LayerPush push{};
-	for (int i = 0; i < 3; ++i)
-	{
-		const int to = i < 2 ? i : 3; // x, y, w
-		push.u_axis[to] = from.u_axis[i];
-		push.v_axis[to] = from.v_axis[i];
-		push.origin[to] = from.origin[i];
-	}
-	push.origin[2] = from.near_w;
-	std::copy(std::begin(from.window), std::end(from.window), push.window);
-	push.size[0] = static_cast<float>(extent.width);
-	push.size[1] = static_cast<float>(extent.height);
+	push.last_pixel[0] = static_cast<float>(part.extent.width - 1);
+	push.last_pixel[1] = static_cast<float>(part.extent.height - 1);
 	return push;
 }
 
@@ -154,11 +146,12 @@ std::optional<mesh::UvBounds> shownBounds(const SheetDrawing& drawing)
 
 } // namespace
 
-VkRect2D sheetsPart(const Scene& scene, VkExtent2D extent)
+VkRect2D sheetsPart(const Scene& scene, const PicturePart& part)
 {
 	constexpr double kPad = 2.0; // pixels, for samples beside the middle and for rounding
-	const VkRect2D whole{{0, 0}, extent};
-	const glm::dvec2 size(extent.width, extent.height);
+	const VkRect2D whole{{0, 0}, part.extent};
+	const glm::dvec2 size(part.picture.width, part.picture.height);
+	const glm::dvec2 end(part.extent.width, part.extent.height);
 	const Frame frame{size.x, size.y, {}, {}, {}};
 	glm::dvec2 lo = size;
 	glm::dvec2 hi(0.0);
@@ -175,13 +168,13 @@ VkRect2D sheetsPart(const Scene& scene, VkExtent2D extent)
 				const Vec3 at = drawing.inWorld({u, v});
 				if (!(glm::dot(at - scene.camera.position, scene.camera.forward()) > scene.camera.near))
 					return whole;
-				const glm::dvec2 pixel = scene.camera.project(at, frame);
+				const glm::dvec2 pixel = scene.camera.project(at, frame) - glm::dvec2(0.0, part.first_row);
 				lo = glm::min(lo, pixel);
 				hi = glm::max(hi, pixel);
 			}
 	}
-	lo = glm::clamp(glm::floor(lo - kPad), glm::dvec2(0.0), size);
-	hi = glm::clamp(glm::ceil(hi + kPad), lo, size);
+	lo = glm::clamp(glm::floor(lo - kPad), glm::dvec2(0.0), end);
+	hi = glm::clamp(glm::ceil(hi + kPad), lo, end);
 	return {{static_cast<std::int32_t>(lo.x), static_cast<std::int32_t>(lo.y)},
 	        {static_cast<std::uint32_t>(hi.x - lo.x), static_cast<std::uint32_t>(hi.y - lo.y)}};
 }
@@ -200,7 +193,7 @@ std::vector<Segment> windowRim(const SheetDrawing& drawing)
 	return rim;
 }
 
-std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera, VkExtent2D extent)
+std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera, const PicturePart& part)
 {
 	const Vec3 to_sheet = sheet.origin - camera.position;
 	const double distance = glm::dot(sheet.normal, to_sheet);
@@ -208,11 +201,12 @@ std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera
 		return {0.0, 0.0, 0.0};
 	// The point of the plane seen at a pixel is eye + w ray, ray = forward + x right + y up linear in the pixel.
 	const double tangent = std::tan(0.5 * camera.vertical_field * std::numbers::pi / 180.0);
-	const double right = glm::dot(sheet.normal, camera.right()) * tangent * extent.width / extent.height;
+	const double right = glm::dot(sheet.normal, camera.right()) * tangent * part.picture.width / part.picture.height;
 	const double up = glm::dot(sheet.normal, camera.trueUp()) * tangent;
 	const double forward = glm::dot(sheet.normal, camera.forward());
 	const double scale = camera.near / distance;
-	return {scale * right * 2.0 / extent.width, -scale * up * 2.0 / extent.height, scale * (forward - right + up)};
+	const double down = -scale * up * 2.0 / part.picture.height; // from row to row
+	return {scale * right * 2.0 / part.picture.width, down, scale * (forward - right + up) + down * part.first_row};
 }
 
 } // namespace vp::render

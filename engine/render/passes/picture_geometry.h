@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/passes/picture_part.h"
 #include "render/scene/scene.h"
 #include "shared/render_types.h"
 
@@ -7,6 +8,7 @@
 #include <vulkan/vulkan.h>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace vp::render
@@ -19,26 +21,25 @@ std::vector<glm::dvec2> samplePattern(int samples);
 // Of lines, pixels: about 1.5 at a height of 720, and lines of large pictures keep their share.
 float lineWidth(const Look& look);
 
+// How far from a pixel its color depends on others: contour lines look at neighbors (render_layer_colors.glsl).
+std::uint32_t contourReach(const Look& look);
+
 // The sheet's frame in clip space, moved by `jitter` pixels, and its window. Formed in double and about the sheet's
 // origin, so that a scene far from the coordinates' origin loses nothing.
-shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, const PicturePart& part,
                             const glm::dvec2& jitter);
 
 // The same for the compute rasterizer: frame, window, near plane and picture. Of a sheet seen edge on the way back from
 // pixels is not finite.
-shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
+shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera, const PicturePart& part,
                               const glm::dvec2& jitter);
 
-// For polygons that the compute rasterizer left (shared::kLayerListed), whose corners are put where it would put them.
-shared::LayerPush listedPush(const SheetDrawing& drawing, const Camera& camera, VkExtent2D extent,
-                             const glm::dvec2& jitter);
-
-// A part of the picture outside of which no sheet is seen, wherever in their pixels samples lie.
-VkRect2D sheetsPart(const Scene& scene, VkExtent2D extent);
+// The pixels of the part outside of which no sheet is seen, wherever in their pixels samples lie.
+VkRect2D sheetsPart(const Scene& scene, const PicturePart& part);
 
 // a, b, c: near / w = a x + b y + c at pixel (x, y) of the sheet's plane, for 1 / w is linear in the picture. All zero
 // for a sheet seen edge on.
-std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera, VkExtent2D extent);
+std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera, const PicturePart& part);
 
 // The window's four sides where they are drawn; none without a window.
 std::vector<Segment> windowRim(const SheetDrawing& drawing);
@@ -47,6 +48,6 @@ std::vector<Segment> windowRim(const SheetDrawing& drawing);
 Vec3 lightDirection(const Camera& camera);
 
 // From offsets about `center` to clip space.
-glm::dmat4 clipMatrix(const Camera& camera, VkExtent2D extent, const Vec3& center, const glm::dvec2& jitter);
+glm::dmat4 clipMatrix(const Camera& camera, const PicturePart& part, const Vec3& center, const glm::dvec2& jitter);
 
 } // namespace vp::render

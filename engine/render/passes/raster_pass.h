@@ -2,10 +2,12 @@
 
 #include "gpu/buffer.h"
 #include "gpu/shader.h"
+#include "render/passes/edge_mask.h"
 #include "render/passes/targets.h"
 #include "render/scene/scene.h"
 #include "shared/render_types.h"
 
+#include <array>
 #include <map>
 #include <span>
 #include <vector>
@@ -13,56 +15,71 @@
 namespace vp::render
 {
 
-// Draws small polygons into layers of values with a compute shader (render_raster.comp). Polygons that are too large
-// for it, or reach the near plane, are listed for the rasterizer of the hardware. For polygons of about a pixel the
-// rasterizer takes several times as long, at least on a software device.
+// Draws polygons into layers of values with a compute shader (render_raster.comp), in its three stages. For polygons of
+// about a pixel, and for long thin ones, the rasterizer of a software device takes many times as long.
 class RasterPass
 {
 public:
 	static Result<RasterPass> create(gpu::Device& device);
 
-	// Room for the pages of those sheets; before recording, while no submission draws.
-	Status prepare(const Scene& scene, const Targets& targets, const std::vector<bool>& computed);
+	// Room for the pages of those sheets; before recording, while no submission draws. edges: null for a picture of one
+	// sample.
+	Status prepare(const Scene& scene, const Targets& targets, const std::vector<bool>& computed,
+	               const EdgeMask* edges);
 	// Empty lists; transfers, to be seen by what record() does.
 	void recordStart(VkCommandBuffer commands) const;
-	// A sheet's polygons of up to `side` pixels into its layer, which is empty, in the general layout.
-	void record(VkCommandBuffer commands, const Scene& scene, std::size_t sheet, VkExtent2D extent,
-	            const glm::dvec2& jitter, std::uint32_t side) const;
+	// The polygons of those sheets into their layers, which are empty, in the general layout. One thread draws a
+	// polygon of up to `side` pixels. only_kept: draws the polygons that recordKept() has listed, and no others.
+	struct Drawing
+	{
+		PicturePart part;
+		glm::dvec2 jitter;
+		std::uint32_t side;
+		bool only_kept;
+	};
+	void record(VkCommandBuffer commands, const Scene& scene, std::span<const std::size_t> sheets,
+	            const Drawing& drawing) const;
+	// Lists the polygons near the edges of a picture whose first sample was drawn.
+	void recordKept(VkCommandBuffer commands, const Scene& scene, const PicturePart& part) const;
 
+private:
 	// What is drawn at once: records of one page and one part (SheetRecords::parts).
 	struct Run
 	{
 		std::size_t page;
 		std::uint32_t first;
 		std::uint32_t count;
-		std::uint32_t listed_from; // where in the list the numbers of its large polygons begin
-		std::uint32_t draw;        // which of the draws is theirs
-		bool begins_part;          // after the first one
+		std::uint32_t listed_from; // where in the list the numbers of its polygons begin
+		std::uint32_t lists;       // which of the RasterLists are its own, one a later stage
+		std::uint32_t kept_list;   // and which is that of the polygons near edges
+		std::uint32_t kept_from;   // where in the list their numbers begin
+		std::size_t part;          // from 0 on for each sheet
 		VkDescriptorSet set;
 	};
-	// For the hardware.
-	VkBuffer list() const { return list_.handle(); }
-	VkBuffer draws() const { return draws_.handle(); }
+	using Stages = std::array<const gpu::Pipeline*, shared::kRasterStages>;
+
+	void addRuns(const classify::SheetRecords& records);
+	Status makeSets(const Scene& scene, const Targets& targets, const EdgeMask* edges);
 	std::span<const Run> runs(std::size_t sheet) const
 	{
 		return std::span(runs_).subspan(first_runs_[sheet], first_runs_[sheet + 1] - first_runs_[sheet]);
 	}
+	void recordEmpty(VkCommandBuffer commands, std::size_t first, const std::vector<shared::RasterList>& lists) const;
+	void recordRun(VkCommandBuffer commands, const Run& run, const Stages& pipelines, std::uint32_t stage,
+	               shared::RasterPush& push) const;
 
-private:
-	void addRuns(const classify::SheetRecords& records);
-	Status makeSets(const Scene& scene, const Targets& targets);
-
-	Result<const gpu::Pipeline*> pipelineFor(std::uint32_t features); // made on first use
+	// Made on first use. keeps: with the stages of later samples.
+	Result<Stages> pipelinesFor(std::uint32_t features, bool keeps);
 
 	gpu::Device* device_ = nullptr;
-	std::map<std::uint32_t, gpu::Pipeline> pipelines_;
+	std::map<std::uint32_t, std::array<gpu::Pipeline, shared::kRasterStages>> pipelines_; // by their features
 	gpu::DescriptorSets sets_;
-	gpu::Buffer list_;  // numbers of records, a stretch a run
-	gpu::Buffer draws_; // shared::RasterDraw a run
+	gpu::Buffer list_;  // numbers of records, a stretch a run; then those near edges
+	gpu::Buffer lists_; // shared::RasterList, two a run; then those of the polygons near edges
 	// Of the scene prepared last.
 	std::vector<Run> runs_;
-	std::vector<std::size_t> first_runs_;               // per sheet, and the end
-	std::vector<const gpu::Pipeline*> sheet_pipelines_; // per sheet; null where it is not drawn here
+	std::vector<std::size_t> first_runs_; // per sheet, and the end
+	std::vector<Stages> sheet_pipelines_; // per sheet; null where it is not drawn here
 };
 
 } // namespace vp::render

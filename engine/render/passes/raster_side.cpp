@@ -42,7 +42,7 @@ Result<Scene> sceneOfSquares(gpu::Device& device)
 // The best of some runs, in seconds.
 Result<double> timeOf(gpu::Device& device, const Scene& scene, std::uint32_t side)
 {
-	auto targets = Targets::create(device, {scene.look.width, scene.look.height}, 1, false);
+	auto targets = Targets::create(device, PicturePart::whole({scene.look.width, scene.look.height}), 1, false);
 	if (!targets)
 		return targets.error();
 	auto pass = LayerPass::create(device, side);
@@ -87,7 +87,7 @@ Result<std::uint32_t> measuredRasterSide(gpu::Device& device)
 
 Result<std::uint32_t> suitableRasterSide(gpu::Device& device)
 {
-	return device.isSoftware() ? Result<std::uint32_t>(kRasterSide) : measuredRasterSide(device);
+	return device.isSoftware() ? Result<std::uint32_t>(kSoftwareRasterSide) : measuredRasterSide(device);
 }
 
 } // namespace vp::render

@@ -42,18 +42,20 @@ VkFormat sumFormat(gpu::Device& device)
 	                                                             : VK_FORMAT_R16G16B16A16_SFLOAT;
 }
 
-Result<Targets> Targets::create(gpu::Device& device, VkExtent2D extent, std::uint32_t layers, bool mesh)
+Result<Targets> Targets::create(gpu::Device& device, const PicturePart& first, std::uint32_t layers, bool mesh)
 {
+	const VkExtent2D extent = first.picture;
 	if (std::max(extent.width, extent.height) > device.limits().maxImageDimension2D)
 		return Error{ErrorKind::usage, fmt::format("`size`: {}x{} is more than this device draws; take up to {} a side",
 		                                           extent.width, extent.height, device.limits().maxImageDimension2D)};
 	Targets targets;
 	targets.device_ = &device;
+	targets.part_ = first;
 	const auto make = [&](gpu::Image& image, VkFormat format, VkImageUsageFlags usage, std::uint32_t count,
 	                      const char* name) -> Status
 	{
 		gpu::ImageInfo info;
-		info.extent = extent;
+		info.extent = format == kPictureFormat ? extent : first.extent;
 		info.format = format;
 		info.usage = usage;
 		info.layers = count;
@@ -117,9 +119,10 @@ Targets::~Targets()
 	    });
 }
 
-bool Targets::holds(VkExtent2D extent, std::uint32_t layers, bool mesh) const
+bool Targets::holds(const PicturePart& part, std::uint32_t layers, bool mesh) const
 {
-	return values && values.extent().width == extent.width && values.extent().height == extent.height &&
+	const auto same = [](VkExtent2D a, VkExtent2D b) { return a.width == b.width && a.height == b.height; };
+	return values && same(part_.picture, part.picture) && same(part_.extent, part.extent) &&
 	       layers <= values.layers() && values.format() == layerFormat(mesh);
 }
 
@@ -131,6 +134,7 @@ void Targets::swap(Targets& other) noexcept
 	std::swap(picture, other.picture);
 	std::swap(pixels, other.pixels);
 	std::swap(device_, other.device_);
+	std::swap(part_, other.part_);
 	std::swap(layer_views_, other.layer_views_);
 	std::swap(layers_view_, other.layers_view_);
 }

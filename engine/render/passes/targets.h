@@ -2,6 +2,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/image.h"
+#include "render/passes/picture_part.h"
 
 #include <vector>
 
@@ -19,12 +20,13 @@ constexpr VkFormat kPictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
 // Samples are summed by blending: in single precision where the device blends it, else in half, as every device does.
 VkFormat sumFormat(gpu::Device& device);
 
-// The images of one picture size: what is drawn into, summed up and handed out. Kept from picture to picture.
+// The images of one picture size: what is drawn into, summed up and handed out. Kept from picture to picture. All but
+// the picture itself are as high as the part that is drawn at once.
 class Targets
 {
 public:
 	Targets() = default;
-	static Result<Targets> create(gpu::Device& device, VkExtent2D extent, std::uint32_t layers, bool mesh);
+	static Result<Targets> create(gpu::Device& device, const PicturePart& first, std::uint32_t layers, bool mesh);
 	~Targets();
 	Targets(Targets&& other) noexcept { swap(other); }
 	Targets& operator=(Targets&& other) noexcept
@@ -34,8 +36,11 @@ public:
 		return *this;
 	}
 
-	bool holds(VkExtent2D extent, std::uint32_t layers, bool mesh) const;
-	VkExtent2D extent() const { return values.extent(); }
+	bool holds(const PicturePart& part, std::uint32_t layers, bool mesh) const;
+	// Goes on to another part of the same size.
+	void setFirstRow(std::uint32_t row) { part_.first_row = row; }
+	const PicturePart& part() const { return part_; }
+	VkExtent2D extent() const { return part_.extent; }
 	VkImageView layer(std::size_t i) const { return layer_views_[i]; } // to draw into
 	VkImageView layers() const { return layers_view_; }                // all, as an array
 
@@ -49,6 +54,7 @@ private:
 	void swap(Targets& other) noexcept;
 
 	gpu::Device* device_ = nullptr;
+	PicturePart part_;
 	std::vector<VkImageView> layer_views_;
 	VkImageView layers_view_ = VK_NULL_HANDLE;
 };

@@ -114,14 +114,20 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	options.refine = 3;
 	options.patches = true;
 	options.arrays = {false, {"p", "cell:q"}, true};
+	options.format = "raw";
+	options.raw.size = {8, 4, 2};
+	options.convert_to = "out.vti";
+	options.convert_beside = "out.new";
 	const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
 	constexpr int leaked = 50;
 	ASSERT_EQ(dup2(STDERR_FILENO, leaked), leaked);
-	const auto handed =
-	    run("echo \"$1|$2|$3|$4|$5|$6|$7|$8\" >&4; [ -e /proc/$$/fd/50 ] && echo leaked >&4; exit 0", options);
+	const auto handed = run(
+	    "echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}\" >&4; [ -e /proc/$$/fd/50 ] && echo leaked >&4; exit 0",
+	    options);
 	close(leaked);
 	ASSERT_TRUE(handed) << handed.error().message;
-	EXPECT_EQ(handed->manifest, "2.5|some.q|3|0.5|1|1|^\n=p\n=cell:q|" + input_ + "\n");
+	EXPECT_EQ(handed->manifest,
+	          "2.5|some.q|3|0.5|1|1|^\n=p\n=cell:q|raw|8x4x2 uint8 1x1x1 little|out.vti|out.new|" + input_ + "\n");
 }
 
 TEST(ReaderProgram, ThatIsMissingIsNoInputError)
@@ -152,7 +158,7 @@ TEST(InputPath, ThatIsNoReadableFileIsAnInputError)
 	writeContents(folder / "empty.vtu", "");
 	EXPECT_EQ(reason("empty.vtu"), ": the file is empty");
 	writeContents(folder / "notes.txt", "no grid");
-	EXPECT_EQ(reason("notes.txt"), ": not a format that can be read (" + readableEndings() + ")");
+	EXPECT_EQ(reason("notes.txt"), ": not a format that can be read; vprobe info --formats lists those that can");
 	writeContents(folder / "notes.vtu", "no grid");
 	EXPECT_EQ(reason("notes.vtu"), ": truncated or damaged: its first bytes are not those of a .vtu file");
 	ASSERT_EQ(mkfifo((folder / "pipe.vti").c_str(), 0600), 0);

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 using namespace vp;
 
 namespace
@@ -15,10 +18,11 @@ class EachFormat : public testing::TestWithParam<std::size_t>
 // The formats with arrays of fixed names.
 void renameArrays(grid::BlockSet& set)
 {
+	static const std::set<std::string> kNames = {"MetaImage", "NIFTI", "Density", "density", "values", "DICOM"};
 	const std::string given_name = "f";
 	for (grid::Block& block : set.blocks)
 		for (grid::Field& field : block.fields)
-			if (field.name == "MetaImage" || field.name == "NIFTI" || field.name == "Density")
+			if (kNames.contains(field.name))
 				field.name = given_name;
 }
 

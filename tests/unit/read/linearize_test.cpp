@@ -41,8 +41,8 @@ const grid::Field& fieldOf(const grid::BlockSet& set, std::string_view name)
 	throw std::runtime_error("no array " + std::string(name));
 }
 
-// The volume of the parts of each cell; none of them inside out. A wedge's own coordinates turn against the order VTK
-// gives its points, so that all wedges of a mesh may read negative.
+// The volume of the parts of each cell; none of them inside out. The coordinates of VTK's quadratic wedges turn against
+// the order of their points, so that all wedges of a mesh may read negative.
 std::vector<double> volumes(const grid::BlockSet& set)
 {
 	const grid::UnstructuredGrid& grid = cellsOfSet(set);

@@ -1,6 +1,7 @@
 #include "sample_files.h"
 
 #include "more_samples.h"
+#include "own_samples.h"
 #include "plot3d_samples.h"
 #include "vtk_samples.h"
 
@@ -89,6 +90,8 @@ const std::vector<SampleFile>& sampleFiles()
 		all.insert(all.end(), more.begin(), more.end());
 		const std::vector<SampleFile> further = moreSamples(all);
 		all.insert(all.end(), further.begin(), further.end());
+		const std::vector<SampleFile> own = ownSamples();
+		all.insert(all.end(), own.begin(), own.end());
 		return all;
 	}();
 	return files;

@@ -107,6 +107,7 @@ view::ViewSpec anySpec(std::mt19937_64& random)
 	probe.offsets.assign(random() % 5, number());
 	probe.sheets = static_cast<int>(1 + random() % 8);
 	probe.corners = coin() ? mesh::Corners::skip : mesh::Corners::keep;
+	probe.hanging = coin() ? mesh::Hanging::interpolate : mesh::Hanging::keep;
 	probe.array = "point:\"é\n\\";
 	probe.component = static_cast<int>(random() % 9) - 1;
 	probe.threshold = find::Threshold{number(), number()};

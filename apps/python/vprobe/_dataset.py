@@ -1,0 +1,536 @@
+"""Data sets: grids with arrays, and what makes cuts of them fast."""
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+import sys
+from typing import (TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple,
+                    Union)
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._errors import InputError, UsageError
+from ._picture import Image
+from ._probe import Probe, Vector
+from ._settings import put, text_of, view_of
+from ._slice import Array, Cut, Slice, Traces
+
+if TYPE_CHECKING:
+    from ._notebook import Viewer
+
+Progress = Union[bool, Callable[[str], Any], None]
+Direction = Union[str, Vector]
+File = Union[str, 'os.PathLike[str]']
+
+
+class ArrayInfo(NamedTuple):
+    """An array of a data set. `place` is ``point`` or ``cell``."""
+
+    name: str
+    place: str
+    components: int
+    dtype: np.dtype[Any]
+    units: str
+
+
+class Block(NamedTuple):
+    """What a data set holds of a block.
+
+    `coordinates` are the points, (n, 3); of a rectilinear grid its three axes; of an image none. `connectivity` is that
+    of an unstructured grid, until it is copied. `arrays` have names such as ``point:p``.
+    """
+
+    name: str
+    coordinates: List[Array]
+    connectivity: Optional[Array]
+    arrays: Dict[str, Array]
+
+
+class Memory(NamedTuple):
+    """Bytes that a data set holds.
+
+    `geometry` and `arrays` are shared with the caller where they were wrapped, and `geometry` only until `copied`.
+    `built` is what finds cells: neighbors, boundary, trees. `cutter` is what cuts share, `device` lies on the device.
+    """
+
+    geometry: int
+    arrays: int
+    built: int
+    cutter: int
+    device: int
+    copied: bool
+
+
+class PlanRow(NamedTuple):
+    """The way of one sheet in one block."""
+
+    sheet: int
+    block: int
+    strategy: str
+    classifier: str
+    reason: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Frame:
+    """A frame of a sweep. `image` is None where none is drawn, `time` where the path is not ``times``."""
+
+    index: int
+    count: int
+    cut: Cut
+    image: Optional[Image]
+    time: Optional[float]
+
+
+class Samples(Mapping[str, npt.NDArray[np.float64]]):
+    """Values of arrays at points, by the names of the arrays: (n,) or (n, components) float64, NaN outside.
+
+    Attributes
+    ----------
+    cells : (n,) int64
+        The cell that holds each point, as the input numbers it; -1 outside.
+    blocks : (n,) int32
+        Its block; -1 outside.
+    """
+
+    def __init__(self, cells: npt.NDArray[np.int64], blocks: npt.NDArray[np.int32],
+                 arrays: Dict[str, npt.NDArray[np.float64]]) -> None:
+        self.cells, self.blocks, self._arrays = cells, blocks, arrays
+
+    def __getitem__(self, name: str) -> npt.NDArray[np.float64]:
+        return self._arrays[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._arrays)
+
+    def __len__(self) -> int:
+        return len(self._arrays)
+
+    def __repr__(self) -> str:
+        inside = int((self.cells >= 0).sum())
+        return f'<vprobe.Samples: {", ".join(self) or "no arrays"} at {len(self.cells)} points, {inside} inside>'
+
+
+def _listener(progress: Progress) -> Optional[Callable[[str], Any]]:
+    if progress is True:
+        return lambda line: print(f'vprobe: {line}', file=sys.stderr)
+    return progress or None
+
+
+class Dataset:
+    """Grids with arrays. Make one by `vprobe.open`, `vprobe.wrap`, or from numpy arrays by `vprobe.structured` and others.
+
+    Several threads may use one: their calls wait for each other. All calls that take their time let other threads of
+    Python run, and end soon after Ctrl-C.
+
+    Any setting of the program is a keyword argument here, by the name of its option with ``_`` for ``-``; the page
+    docs/PYTHON.md lists them. A setting that cannot be raises UsageError.
+    """
+
+    def __init__(self, core: _core.Dataset, source: Any = None) -> None:
+        self._core = core
+        self._source = source
+
+    # What it is.
+
+    @property
+    def kind(self) -> str:
+        """``image``, ``rectilinear``, ``curvilinear``, ``unstructured``, ``block-structured`` or ``hybrid``."""
+        return self._core.kind
+
+    @property
+    def n_cells(self) -> int:
+        """Cells, as the input counts them."""
+        return self._core.cell_count
+
+    @property
+    def n_points(self) -> int:
+        """Points, as the input counts them."""
+        return self._core.point_count
+
+    @property
+    def n_blocks(self) -> int:
+        """Grids that it is made of."""
+        return self._core.block_count
+
+    @property
+    def bounds(self) -> Tuple[float, float, float, float, float, float]:
+        """Low and high of x, y and z, in the grid's units, in VTK's order."""
+        low, high = self._core.bounds
+        return low[0], high[0], low[1], high[1], low[2], high[2]
+
+    @property
+    def times(self) -> Tuple[float, ...]:
+        """The times that the files offer, ascending."""
+        return tuple(self._core.times)
+
+    @property
+    def arrays(self) -> Tuple[ArrayInfo, ...]:
+        """What arrays there are."""
+        return tuple(ArrayInfo(*row) for row in self._core.arrays())
+
+    def block(self, index: int = 0) -> Block:
+        """The arrays that it holds of a block, as read-only views. Where they are shared, they are the caller's."""
+        return Block(*self._core.block(index))
+
+    def memory(self) -> Memory:
+        """What it holds, in bytes, and whether points and cells are still shared."""
+        return Memory(**self._core.memory())
+
+    def modified(self) -> None:
+        """Values of wrapped arrays were changed in place. Slices that were made before may show either."""
+        self._core.modified()
+
+    # Cuts.
+
+    def _view(self, probe: Optional[Probe], settings: Mapping[str, Any]) -> _core.View:
+        return view_of(probe, settings)
+
+    def cut(self, probe: Optional[Probe] = None, *, progress: Progress = None, **settings: Any) -> Cut:
+        """Cuts by a probe.
+
+        Parameters
+        ----------
+        probe : Probe, optional
+            By default one sheet, the plane through the center of the bounds whose normal is z.
+        progress : bool or callable, optional
+            True prints what takes its time; a callable is given each such line.
+        **settings
+            Any setting of the program.
+
+        Returns
+        -------
+        Cut
+            A `Slice` for each sheet.
+
+        Raises
+        ------
+        UsageError, InputError
+            A setting that cannot be, or an array that is not there.
+
+        Examples
+        --------
+        >>> import vprobe
+        >>> data = vprobe.open('demo:shell:16')
+        >>> len(data.cut(vprobe.Probe.trihedral()))
+        3
+        """
+        view = self._view(probe, settings)
+        return Cut(self._core.cut(view, _listener(progress)), self, view)
+
+    def slice(self, surface: Optional[str] = None, *, normal: Optional[Direction] = None,
+              origin: Union[str, Vector] = 'center', up: Optional[Direction] = None, array: Optional[str] = None,
+              component: Union[int, str, None] = None, window: Optional[Tuple[float, float]] = None,
+              threshold: Optional[Tuple[float, float]] = None, crinkle: bool = False, progress: Progress = None,
+              **settings: Any) -> Slice:
+        """Cuts by one sheet: a plane, or a surface about its place.
+
+        Parameters
+        ----------
+        surface : str, optional
+            Instead of the plane: ``"sphere:R"``, ``"cylinder:R"``, ``"z = sin(x)"`` or any other expression, a grid
+            surface such as ``"k=3"``, or ``"patch=NAME"``.
+        normal, up : sequence of 3 floats or str, optional
+            Directions of any length, or ``"x"``, ``"-z"`` and the like. By default z and y.
+        origin : sequence of 3 floats or "center"
+            In the grid's units.
+        array : str, optional
+            What the figures are of: ``"p"``, or ``"cell:p"`` where points and cells have one of the name. By default
+            the first array. Every array comes with the slice.
+        component : int or str, optional
+            Of vectors: ``"x"``, a number from 0, or ``"magnitude"``, which is the default.
+        window : (float, float), optional
+            Width and height of the sheet. By default it covers the whole cut.
+        threshold : (float, float), optional
+            The search ends at cells with values outside.
+        crinkle : bool
+            The cells that are cut, whole.
+        progress : bool or callable, optional
+            True prints what takes its time; a callable is given each such line.
+        **settings
+            Any other setting of the program.
+
+        Returns
+        -------
+        Slice
+            Polygons with arrays and figures.
+
+        Raises
+        ------
+        UsageError, InputError
+            A setting that cannot be, or an array that is not there.
+
+        Examples
+        --------
+        >>> import vprobe
+        >>> data = vprobe.open('demo:shell:16')
+        >>> s = data.slice(normal=(.3, .5, .8))
+        >>> s.points.shape[1], s.points.flags.writeable
+        (3, False)
+        """
+        known: Dict[str, Any] = dict(
+            surface=surface, normal=normal, origin=origin, up=up, array=array, component=component, window=window,
+            threshold=threshold, crinkle=crinkle or None)
+        return self.cut(progress=progress, **known, **settings)[0]
+
+    def slice_orthogonal(self, **settings: Any) -> Cut:
+        """Three slices at right angles to x, y and z, in this order, through `origin` (the center of the bounds)."""
+        return self.cut(Probe.trihedral(), **settings)
+
+    def slice_along_axis(self, n: int = 5, axis: Direction = 'z', **settings: Any) -> Cut:
+        """Parallel slices, each in the middle of one of `n` equal slabs of the bounds along `axis`.
+
+        Parameters
+        ----------
+        n : int
+            How many, 1 to 64.
+        axis : str or sequence of 3 floats
+            The normal of the slices.
+        **settings
+            As of `cut`.
+        """
+        return self.cut(Probe.stack(n, normal=axis), **settings)
+
+    def isosurface(self, value: float, array: Optional[str] = None, **settings: Any) -> Slice:
+        """The surface on which a point array has a value.
+
+        Parameters
+        ----------
+        value : float
+            In the array's units.
+        array : str, optional
+            By default the first array. Of vectors, their length.
+        **settings
+            As of `cut`.
+        """
+        return self.cut(surface=f'iso:{float(value)!r}', array=array, **settings)[0]
+
+    def _view_of(self, piece: Slice, what: str) -> _core.View:
+        """The view of this one sheet."""
+        if piece._data is not self or piece._view is None or piece._cut is None or piece.value is not None:
+            raise UsageError(f'{what}: takes a slice of this data set, as slice() and cut() give it')
+        view = _core.View(piece._view)
+        if piece._cut.sheet_count > 1:
+            sheets = json.loads(self._core.probe_text(view))
+            sheets['sheets'] = [sheets['sheets'][piece._sheet]]
+            state = json.loads(view.json())
+            probe = {key: state['probe'][key] for key in ('array', 'component', 'threshold', 'crinkle')
+                     if key in state.get('probe', {})}
+            view = _core.View()
+            view.read(json.dumps({**state, 'probe': {**probe, 'probe': sheets}}))
+        return view
+
+    def grow_contour(self, piece: Slice, value: float, *, depth: Optional[float] = None,
+                     progress: Progress = None) -> Slice:
+        """Grows the surface of one value from a slice, on both sides of it.
+
+        Parameters
+        ----------
+        piece : Slice
+            A plane sheet of this data set, which shows a point array.
+        value : float
+            That the slice has somewhere.
+        depth : float, optional
+            How far the surface goes, in the grid's units. By default it follows from the window.
+
+        Returns
+        -------
+        Slice
+            The surface, with all arrays. `value` tells its value.
+
+        Raises
+        ------
+        UsageError
+            Where the slice does not have the value, or is no plane.
+        """
+        view = self._view_of(piece, 'grow_contour')
+        view.set('contour', repr(float(value)))
+        if depth is not None:
+            view.set('contour_depth', repr(float(depth)))
+        cut = self._core.cut(view, _listener(progress))
+        if cut.contour_count == 0 or cut.contour(0).polygon_count == 0:
+            raise UsageError(f'grow_contour: the slice has no value {value:g}; it has {piece.min} to {piece.max}')
+        return Slice(cut, 0, self, view, contour=0)
+
+    def trace(self, piece: Slice, array: Optional[str] = None, *, kind: str = 'lines', progress: Progress = None,
+              **settings: Any) -> Traces:
+        """Launches particles from a slice, and follows them through a field of vectors.
+
+        Parameters
+        ----------
+        piece : Slice
+            A plane sheet of this data set.
+        array : str, optional
+            Of three components. By default the first such array.
+        kind : str
+            ``lines``, ``tufts``, ``ribbons`` or ``tubes``: how far they go, and how a picture draws them.
+        **settings
+            ``vector_lattice``, ``vector_steps``, ``vector_dt``, ``vector_direction`` and others.
+        """
+        view = self._view_of(piece, 'trace')
+        for key, setting in dict(vectors=kind, vector_array=array, **settings).items():
+            if setting is not None:
+                view.set(key, text_of(setting))
+        return Traces(*self._core.cut(view, _listener(progress)).traces(0))
+
+    def plan(self, probe: Optional[Probe] = None, **settings: Any) -> List[PlanRow]:
+        """Why a cut goes the way it goes: the strategy of each sheet in each block, with the reason.
+
+        Parameters are those of `cut`. Nothing is cut.
+        """
+        return [PlanRow(*row) for row in self._core.plan(self._view(probe, settings))]
+
+    def sample(self, points: npt.ArrayLike, arrays: Sequence[str] = ()) -> Samples:
+        """Values at points, interpolated in the cells that hold them.
+
+        Parameters
+        ----------
+        points : array_like of shape (n, 3)
+            In the grid's units.
+        arrays : sequence of str
+            By default all.
+
+        Returns
+        -------
+        Samples
+            Arrays by name; NaN outside the grid.
+        """
+        places = np.asarray(points, dtype=np.float64)
+        if places.ndim != 2 or places.shape[1] != 3:
+            raise InputError(f'points of the shape {places.shape}; it has to be (n, 3)')
+        names = [arrays] if isinstance(arrays, str) else list(arrays)
+        cells, blocks, columns = self._core.sample(places, names)
+        return Samples(cells, blocks, {
+            name: values if components == 1 else values.reshape(-1, components)
+            for name, components, values in columns})
+
+    # Pictures.
+
+    def render(self, probe: Union[Probe, Slice, None] = None, *, size: Tuple[int, int] = (1280, 720),
+               progress: Progress = None, **settings: Any) -> Image:
+        """Draws a cut, on a Vulkan device that opens for the first picture.
+
+        Parameters
+        ----------
+        probe : Probe or Slice, optional
+            A slice is drawn with the settings that it was made with.
+        size : (int, int)
+            Width and height, in pixels.
+        progress : bool or callable, optional
+            True prints what takes its time; a callable is given each such line.
+        **settings
+            As of `cut`, and those of the look: ``colormap``, ``camera``, ``opacity``, ``background`` and others.
+
+        Returns
+        -------
+        Image
+            A uint8 array of the shape (height, width, 4).
+
+        Raises
+        ------
+        DeviceError
+            No usable device, or one that was lost. The next picture may open another.
+        """
+        if isinstance(probe, Slice):
+            view = self._view_of(probe, 'render')
+            for key, setting in dict(size=size, **settings).items():
+                put(view, key, setting)
+            return Image._of(self._core.render(view, probe._cut, _listener(progress)))
+        view = self._view(probe, dict(size=size, **settings))
+        return Image._of(self._core.render(view, None, _listener(progress)))
+
+    def sweep(self, probe: Optional[Probe] = None, *, path: Optional[str] = None, frames: Optional[int] = None,
+              draws: bool = True, progress: Progress = None, **settings: Any) -> Iterator[Frame]:
+        """Moves a probe along a path, and cuts and draws it frame by frame.
+
+        Parameters
+        ----------
+        probe : Probe, optional
+            As of `cut`.
+        path : str, optional
+            ``translate`` (the default), ``rotate``, ``spin``, ``revolve`` or ``times``, which shows the times of the
+            files one by one.
+        frames : int, optional
+            How many. Not together with ``times``.
+        draws : bool
+            False: frames have no pictures, and no device is needed.
+        progress : bool or callable, optional
+            True prints what takes its time; a callable is given each such line.
+        **settings
+            As of `render`.
+
+        Yields
+        ------
+        Frame
+            Each with its cut and its picture.
+        """
+        view = self._view(probe, dict(path=path, frames=frames, **settings))
+        index, count = 0, 1
+        while index < count:
+            count, time, cut, pixels = self._core.frame(view, index, draws, _listener(progress))
+            yield Frame(index, count, Cut(cut, self), Image._of(pixels) if draws else None, time)
+            index += 1
+
+    def view(self, probe: Optional[Probe] = None, **settings: Any) -> Viewer:
+        """Shows the cut in a notebook; with ipywidgets there are sliders for position, normal, array and opacity.
+
+        Parameters are those of `render`.
+        """
+        from ._notebook import Viewer
+        return Viewer(self, probe, settings)
+
+    def __repr__(self) -> str:
+        names = ', '.join(dict.fromkeys(array.name for array in self.arrays)) or 'no arrays'
+        source = '' if self._source is None else f' {self._source}'
+        blocks = '' if self.n_blocks == 1 else f' in {self.n_blocks} blocks'
+        return f'<vprobe.Dataset{source}: {self.kind}, {self.n_cells} cells{blocks}, {names}>'
+
+
+def open(files: Union[File, Sequence[File]], *, time: Union[str, float, None] = None, solution: str = '',
+         refine: int = 0, displace: float = 0.0, format: str = '', classify: str = 'auto', device: str = '',
+         progress: Progress = None) -> Dataset:
+    """Reads files, or makes a built-in data set.
+
+    Parameters
+    ----------
+    files : path or sequence of paths
+        Any input of the program, or ``"demo:NAME"``. Several make one data set of several blocks.
+    time : float or str, optional
+        A time (the nearest there is), ``"first"``, ``"last"`` or ``"#INDEX"``. By default the last.
+    solution : str
+        PLOT3D solution file, where its name does not follow from the grid's.
+    refine : int
+        How often the linear parts of curved cells are halved, 0 to 6.
+    displace : float
+        Points of Exodus files move by their displacements, times this.
+    format : str
+        A name that ``vprobe info --formats`` lists. By default the file tells.
+    classify : str
+        ``auto``, ``cpu`` or ``gpu``: where cells are classified.
+    device : str
+        A part of the device's name, or its number. By default the best.
+    progress : bool or callable, optional
+        True prints what takes its time; a callable is given each such line.
+
+    Returns
+    -------
+    Dataset
+
+    Raises
+    ------
+    InputError
+        Where a file cannot be used.
+
+    Examples
+    --------
+    >>> import vprobe
+    >>> vprobe.open('demo:shell:16')
+    <vprobe.Dataset demo:shell:16: curvilinear, 4096 cells, s, v>
+    """
+    names = [os.fspath(files)] if isinstance(files, (str, os.PathLike)) else [os.fspath(each) for each in files]
+    core = _core.Dataset.open(names, 'last' if time is None else str(time), solution, refine, displace, format,
+                              classify, device, _listener(progress))
+    return Dataset(core, ' '.join(names))

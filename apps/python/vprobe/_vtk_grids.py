@@ -1,0 +1,249 @@
+"""Data sets that share the arrays of VTK's."""
+from __future__ import annotations
+
+from typing import Any, Dict, Iterator, List, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._dataset import Dataset
+from ._errors import InputError
+from ._grids import CELL_SIZES
+
+Array = npt.NDArray[Any]
+
+
+class NoVolume(InputError):
+    """Surfaces and lines: of a composite they are left out."""
+
+
+# Bits of vtkGhostType: of cells that are not to be shown (duplicate, refined, hidden), and of blanked points.
+HIDDEN_CELL = 1 | 8 | 32
+HIDDEN_POINT = 2
+GHOSTS = 'vtkGhostType'
+EMPTY_CELL, HEXAHEDRON, POLYHEDRON = 0, 12, 42
+FLAT_TYPES = (*range(0, 10), 21, 22, 23, 28, 30, 34, 35, 36, *range(51, 55), *range(60, 64), 68, 69, 70, 75, 76, 77)
+
+
+def numpy_of(array: Any, copy: bool, what: str) -> Array:
+    """The numbers of a vtkDataArray, shared where they lie side by side."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    if not array.HasStandardMemoryLayout() or array.GetDataType() == 1:  # VTK_BIT
+        if not copy:
+            raise InputError(f'{what}: a {array.GetClassName()} keeps its values in another way than side by side; '
+                             'use copy=True')
+        number = 3 if array.GetDataType() == 1 else array.GetDataType()  # VTK_UNSIGNED_CHAR for bits
+        plain = array.CreateDataArray(number)
+        plain.DeepCopy(array)
+        array = plain
+    return vtk_to_numpy(array)  # type: ignore[no-any-return]
+
+
+def fields_of(data: Any, copy: bool) -> List[Tuple[Any, ...]]:
+    """What the library takes of the numeric arrays of a data set. Strings are left out."""
+    fields: List[Tuple[Any, ...]] = []
+    for place, attributes, count in (('point', data.GetPointData(), data.GetNumberOfPoints()),
+                                     ('cell', data.GetCellData(), data.GetNumberOfCells())):
+        for i in range(attributes.GetNumberOfArrays()):
+            array = attributes.GetArray(i)
+            if array is None or array.GetName() == GHOSTS:
+                continue
+            name = array.GetName() or f'array {i}'
+            if array.GetNumberOfTuples() != count:
+                raise InputError(f'the {place} array {name} has {array.GetNumberOfTuples()} tuples for {count} {place}s')
+            fields.append((name, place, array.GetNumberOfComponents(), numpy_of(array, copy, f'the array {name}'),
+                           _units_of(array)))
+    return fields
+
+
+def _units_of(array: Any) -> str:
+    information = array.GetInformation() if array.HasInformation() else None
+    key = array.UNITS_LABEL() if information is not None else None
+    return information.Get(key) or '' if information is not None and information.Has(key) else ''
+
+
+def _hidden_cells(data: Any, lattice: Optional[Tuple[int, ...]]) -> Optional[Array]:
+    """A mark for each cell: whether it is hidden, by itself or by a point of a lattice. None where none is."""
+    hidden = None
+    marks = data.GetCellData().GetArray(GHOSTS)
+    if marks is not None:
+        hidden = (numpy_of(marks, True, GHOSTS) & HIDDEN_CELL) != 0
+    marks = data.GetPointData().GetArray(GHOSTS)
+    if marks is not None and lattice is not None:
+        blank = ((numpy_of(marks, True, GHOSTS) & HIDDEN_POINT) != 0).reshape(lattice[::-1])
+        of_points = np.zeros(tuple(n - 1 for n in blank.shape), bool)
+        for k in (slice(None, -1), slice(1, None)):
+            for j in (slice(None, -1), slice(1, None)):
+                for i in (slice(None, -1), slice(1, None)):
+                    of_points |= blank[k, j, i]
+        hidden = of_points.ravel() if hidden is None else hidden | of_points.ravel()
+    return hidden if hidden is not None and hidden.any() else None
+
+
+def _hexahedra(lattice: Tuple[int, ...]) -> Array:
+    """The points of each cell of a lattice, in the order of a hexahedron."""
+    ids = np.arange(int(np.prod(lattice)), dtype=np.int64).reshape(lattice[::-1])
+    low, high = ids[:-1], ids[1:]
+    corners: List[Array] = []
+    for layer in (low, high):
+        corners += [layer[:, :-1, :-1], layer[:, :-1, 1:], layer[:, 1:, 1:], layer[:, 1:, :-1]]
+    return np.stack([corner.ravel() for corner in corners], axis=1)
+
+
+def _points_of(data: Any) -> Array:
+    """The points of an image or a rectilinear grid, made."""
+    x, y, z = _axes_of(data)
+    points = np.empty((len(z), len(y), len(x), 3))
+    points[..., 0], points[..., 1], points[..., 2] = x, y[:, None], z[:, None, None]
+    points = points.reshape(-1, 3)
+    if data.IsA('vtkImageData'):
+        turn = np.array([[data.GetDirectionMatrix().GetElement(i, j) for j in range(3)] for i in range(3)])
+        origin = np.array(data.GetOrigin())
+        points = (points - origin) @ turn.T + origin
+    return points
+
+
+def _axes_of(data: Any) -> Tuple[Array, Array, Array]:
+    if data.IsA('vtkImageData'):
+        extent = data.GetExtent()
+        axes = [data.GetOrigin()[a] + data.GetSpacing()[a] * np.arange(extent[2 * a], extent[2 * a + 1] + 1)
+                for a in range(3)]
+    else:
+        axes = [numpy_of(array, True, 'an axis').astype(np.float64, copy=False) for array in (
+            data.GetXCoordinates(), data.GetYCoordinates(), data.GetZCoordinates())]
+    return axes[0], axes[1], axes[2]
+
+
+def _places_of(data: Any, copy: bool) -> Array:
+    """The points that a data set lists."""
+    if data.GetPoints() is None:
+        raise NoVolume(f'a {data.GetClassName()} without points; there is nothing to cut')
+    return numpy_of(data.GetPoints().GetData(), copy, 'points')
+
+
+def _lattice_block(data: Any, copy: bool) -> Dict[str, Any]:
+    """An image, a rectilinear or a structured grid."""
+    lattice = tuple(data.GetDimensions())
+    if min(lattice) < 2:
+        raise NoVolume(f'a {data.GetClassName()} of {" x ".join(map(str, lattice))} points is flat; there is no volume '
+                         'to cut')
+    hidden = _hidden_cells(data, lattice)
+    is_image = data.IsA('vtkImageData')
+    is_turned = is_image and not data.GetDirectionMatrix().IsIdentity()
+    if is_turned and not copy:
+        raise InputError('an image with a direction matrix: its points have to be made; use copy=True')
+    if hidden is not None:
+        points = _places_of(data, copy) if data.IsA('vtkStructuredGrid') else _points_of(data)
+        types = np.where(hidden, EMPTY_CELL, HEXAHEDRON).astype(np.uint8)
+        return {'kind': 'unstructured', 'coordinates': points, 'types': types,
+                'offsets': np.arange(0, 8 * len(types) + 1, 8, dtype=np.int64),
+                'connectivity': _hexahedra(lattice).ravel()}
+    if is_turned:
+        return {'kind': 'structured', 'points': lattice, 'coordinates': _points_of(data)}
+    if is_image:
+        extent, spacing = data.GetExtent(), data.GetSpacing()
+        origin = tuple(data.GetOrigin()[a] + spacing[a] * extent[2 * a] for a in range(3))
+        return {'kind': 'image', 'points': lattice, 'origin': origin, 'spacing': spacing}
+    if data.IsA('vtkRectilinearGrid'):
+        x, y, z = _axes_of(data)
+        return {'kind': 'rectilinear', 'x': x, 'y': y, 'z': z}
+    return {'kind': 'structured', 'points': lattice,
+            'coordinates': _places_of(data, copy)}
+
+
+def _faces_of(data: Any) -> Dict[str, Array]:
+    """The faces of polyhedra, as a stream with offsets for all cells."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    if data.GetFaces() is None:
+        raise InputError('polyhedra without faces')
+    stream = vtk_to_numpy(data.GetFaces()).astype(np.int64, copy=False)
+    starts = vtk_to_numpy(data.GetFaceLocations())
+    # Other cells have -1; their faces begin, and end, where those of the next polyhedron begin.
+    offsets = np.append(np.where(starts < 0, len(stream), starts), len(stream)).astype(np.int64)
+    return {'face_offsets': np.minimum.accumulate(offsets[::-1])[::-1].copy(), 'face_stream': stream}
+
+
+def _cells_block(data: Any, copy: bool) -> Dict[str, Any]:
+    """An unstructured or an explicit structured grid."""
+    count = data.GetNumberOfCells()
+    if count == 0:
+        raise NoVolume(f'a {data.GetClassName()} without cells; there is nothing to cut')
+    if data.IsA('vtkUnstructuredGrid'):
+        types = numpy_of(data.GetCellTypesArray(), copy, 'cell types')
+    else:
+        types = np.full(count, HEXAHEDRON, np.uint8)
+    # Mostly all cells are of one type, which two passes tell in no time.
+    present = [int(types[0])] if types.min() == types.max() else np.flatnonzero(np.bincount(types)).tolist()
+    curved = [each for each in present if each not in CELL_SIZES and each not in (*FLAT_TYPES, POLYHEDRON)]
+    if curved:
+        raise InputError(f'cells of type {", ".join(map(str, curved))} are curved, or have other faces than cells that '
+                         'can be cut; write the grid to a file, and use vprobe.open, which makes linear cells of them')
+    if all(each in FLAT_TYPES for each in present):
+        raise NoVolume(f'a {data.GetClassName()} without cells that have a volume; there is nothing to cut')
+    hidden = _hidden_cells(data, None)
+    if hidden is not None:
+        types = np.where(hidden, EMPTY_CELL, types).astype(np.uint8)
+    cells = data.GetCells()
+    return {'kind': 'unstructured', 'coordinates': _places_of(data, copy), 'types': types,
+            'offsets': numpy_of(cells.GetOffsetsArray(), copy, 'offsets'),
+            'connectivity': numpy_of(cells.GetConnectivityArray(), copy, 'connectivity'), **(_faces_of(data) if POLYHEDRON in present else {})}
+
+
+def grid_of(data: Any, copy: bool) -> Dict[str, Any]:
+    """What the library takes of the grid of a vtkDataSet; InputError says what it cannot take."""
+    if data.IsA('vtkImageData') or data.IsA('vtkRectilinearGrid') or data.IsA('vtkStructuredGrid'):
+        return _lattice_block(data, copy)
+    if data.IsA('vtkUnstructuredGrid') or data.IsA('vtkExplicitStructuredGrid'):
+        return _cells_block(data, copy)
+    if data.IsA('vtkHyperTreeGrid'):
+        raise InputError('a vtkHyperTreeGrid shares no arrays; make an unstructured grid of it by '
+                         'vtkHyperTreeGridToUnstructuredGrid, or use vprobe.open')
+    raise NoVolume(f'a {data.GetClassName()} has no volume to cut; an image, or a rectilinear, structured or '
+                     'unstructured grid has')
+
+
+def leaves_of(mesh: Any) -> Iterator[Tuple[str, Any]]:
+    """The data sets of a composite with their names; of a data set itself."""
+    if not mesh.IsA('vtkCompositeDataSet'):
+        yield '', mesh
+        return
+    if mesh.IsA('vtkUniformGridAMR'):
+        raise InputError(f'a {mesh.GetClassName()} has coarse cells beneath finer ones; write it to a file, and use '
+                         'vprobe.open, which hides them')
+    iterator = mesh.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        information = iterator.GetCurrentMetaData() if iterator.HasCurrentMetaData() else None
+        name = information.Get(mesh.NAME()) if information is not None and information.Has(mesh.NAME()) else ''
+        yield name or '', iterator.GetCurrentDataObject()
+        iterator.GoToNextItem()
+
+
+def blocks_of(mesh: Any, copy: bool) -> List[Tuple[Any, Dict[str, Any]]]:
+    """The parts of a mesh that have a volume, with what the library takes of each."""
+    if not hasattr(mesh, 'IsA') or not (mesh.IsA('vtkDataSet') or mesh.IsA('vtkCompositeDataSet')
+                                        or mesh.IsA('vtkHyperTreeGrid')):
+        raise InputError(f'{type(mesh).__name__} is no data set of VTK or PyVista; for numpy arrays there are '
+                         'vprobe.image, rectilinear, structured, unstructured and polyhedra')
+    blocks, refused = [], ''
+    for name, data in leaves_of(mesh):
+        try:
+            block = grid_of(data, copy)
+        except InputError as error:
+            if not mesh.IsA('vtkCompositeDataSet') or not isinstance(error, NoVolume):
+                raise
+            refused = f'; {error}'
+            continue
+        block['fields'] = fields_of(data, copy)
+        block['name'] = name
+        blocks.append((data, block))
+    if not blocks:
+        raise InputError(f'a {mesh.GetClassName()} without a data set that has a volume{refused}')
+    return blocks
+
+
+def wrap_vtk(mesh: Any, copy: bool, classify: str, device: str) -> Dataset:
+    """See `vprobe.wrap`."""
+    blocks = [block for _, block in blocks_of(mesh, copy)]
+    return Dataset(_core.Dataset.wrap(blocks, classify, device))

@@ -1,0 +1,88 @@
+#include "convert.h"
+
+#include "complaints.h"
+#include "refusal.h"
+#include "request.h"
+
+#include <vtkDataSet.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLDataSetWriter.h>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+std::string endingOf(vtkDataSet* data)
+{
+	return vtkImageData::SafeDownCast(data)         ? ".vti"
+	       : vtkRectilinearGrid::SafeDownCast(data) ? ".vtr"
+	       : vtkStructuredGrid::SafeDownCast(data)  ? ".vts"
+	                                                : ".vtu";
+}
+
+void writeXml(vtkDataSet* data, const std::string& file)
+{
+	vtkNew<vtkXMLDataSetWriter> writer;
+	writer->SetFileName(file.c_str());
+	writer->SetInputData(data);
+	writer->SetHeaderTypeToUInt64();
+	writer->EncodeAppendedDataOff();
+	if (!writer->Write())
+		throw Refusal(fmt::format("{} cannot be written", file));
+	refuseOnComplaint();
+}
+
+std::string escaped(const std::string& text)
+{
+	std::string words;
+	for (const char c : text)
+		words += c == '&' ? "&amp;" : c == '"' ? "&quot;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+	return words;
+}
+
+// Pieces lie in a folder with the name of the index.
+void writeBlocks(const std::vector<KeptBlock>& blocks, const Request& request)
+{
+	const fs::path target = request.convert_to;
+	const std::string stem = target.stem().string();
+	const fs::path folder = target.parent_path() / stem;
+	fs::create_directories(folder);
+	std::string index = "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">\n"
+	                    "<vtkMultiBlockDataSet>\n";
+	for (std::size_t b = 0; b < blocks.size(); ++b)
+	{
+		const std::string piece = fmt::format("{}_{}{}", stem, b, endingOf(blocks[b].data));
+		writeXml(blocks[b].data, (folder / piece).string());
+		index += fmt::format("<DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", b,
+		                     escaped(blocks[b].name.empty() ? fmt::format("block {}", b) : blocks[b].name),
+		                     escaped(stem + "/" + piece));
+	}
+	std::ofstream(request.convert_beside, std::ios::binary) << index << "</vtkMultiBlockDataSet>\n</VTKFile>\n";
+}
+
+} // namespace
+
+void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request)
+{
+	const std::string ending = fs::path(request.convert_to).extension().string();
+	if (ending == ".vtm")
+		return writeBlocks(blocks, request);
+	if (blocks.size() != 1)
+		throw Refusal(fmt::format("has {} blocks, and a {} file holds one; write a .vtm", blocks.size(), ending));
+	vtkDataSet* data = blocks[0].data;
+	if (ending == ".vtkhdf")
+		return writeVtkHdf(data, request.convert_beside);
+	if (ending != endingOf(data))
+		throw Refusal(fmt::format("is written as {} or .vtm, not as {}", endingOf(data), ending));
+	writeXml(data, request.convert_beside);
+}

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+// What a format is recognized by: the first bytes of a file, its name, and what HDF5 and netCDF files hold.
+class FileHead
+{
+public:
+	explicit FileHead(const std::string& file);
+
+	std::string_view text() const { return head_; }
+	const std::string& file() const { return file_; }
+	bool starts(std::string_view with) const { return text().starts_with(with); }
+	bool has(std::string_view words) const { return text().find(words) != head_.npos; }
+	bool at(std::size_t place, std::string_view bytes) const
+	{
+		return place < head_.size() && text().substr(place, bytes.size()) == bytes;
+	}
+	bool isBefore(std::string_view words, std::size_t place) const { return text().find(words) < place; }
+	// Endings of the file's name, in small letters.
+	bool ends(std::initializer_list<std::string_view> endings) const;
+
+	bool isText() const;
+	bool isHdf5() const { return starts("\x89HDF\r\n"); }
+	bool isNetcdf() const { return starts("CDF\1") || starts("CDF\2") || starts("CDF\5"); }
+	bool isNifti() const;
+	bool isFolder() const;
+	bool isTecplot() const; // text
+	bool isUcd() const;     // text
+	bool isXmlOfVtk() const { return has("<VTKFile"); }
+	bool namesFiles() const; // VTK XML that is an index of other files
+
+	// Whether an HDF5 file has a group, data set or attribute of this name at its root, or a netCDF file a dimension,
+	// variable or attribute. False for other files.
+	bool holds(const std::string& name) const;
+
+private:
+	std::string file_;
+	std::string name_; // in small letters, without folders
+	std::string head_;
+	mutable std::optional<std::set<std::string>> names_;
+};
+
+// The names of everything at the root of an HDF5 file; empty if HDF5 cannot open it. Only vprobe-read-more has HDF5:
+// vprobe-read becomes that program.
+std::set<std::string> hdf5Names(const std::string& file);
+
+// The value of type="..." in the VTKFile element; empty where there is none.
+std::string xmlTypeOf(std::string_view head);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+// How VTK has an element of Gmsh. Its corner i is the element's node order[i]; without an order they are the same.
+struct GmshElement
+{
+	int nodes = 0;   // in the file; 0 for a type that is not known
+	int corners = 0; // of VTK's cell
+	std::uint8_t type = 0;
+	std::span<const std::uint8_t> order{};
+};
+
+GmshElement gmshElement(std::int64_t type);

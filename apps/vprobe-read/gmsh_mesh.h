@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+// Data over nodes or elements at one time, as a post-processing section of a Gmsh file has them.
+struct GmshData
+{
+	std::string name;
+	bool of_nodes = true;
+	double time = 0.0;
+	std::int64_t step = 0;
+	int components = 1;
+	std::vector<std::int64_t> tags;
+	std::vector<double> values;
+};
+
+// A Gmsh file of version 2 or 4, text or binary.
+struct GmshMesh
+{
+	std::vector<double> coordinates;
+	std::unordered_map<std::int64_t, std::int64_t> point_of_tag;
+
+	// By element, in the order of the file; corners are points.
+	std::vector<std::uint8_t> types; // VTK's
+	std::vector<std::int64_t> offsets{0};
+	std::vector<std::int64_t> corners;
+	std::vector<std::int64_t> tags;
+	std::vector<std::int32_t> physical; // 0 for none
+	std::vector<std::int32_t> entity;
+	std::map<int, std::size_t> unknown_types; // Gmsh's, and how many elements have them
+
+	std::vector<GmshData> data;
+	bool has_other_data = false;
+};
+
+// Throws a Refusal for a file that is damaged, or of another version.
+GmshMesh parseGmsh(std::string_view file);

@@ -1,0 +1,55 @@
+// NumPy's arrays, one (.npy) or several (.npz). They say nothing of places: values are 1 apart.
+#include "formats.h"
+#include "manifest_writer.h"
+#include "mapped_text.h"
+#include "npy_header.h"
+#include "refusal.h"
+#include "zip_file.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+void readNpy(const Request& request, ManifestWriter& manifest)
+{
+	const MappedText file(request.file);
+	const std::optional<NpyArray> array = parseNpy(file.text());
+	if (!array)
+		throw Refusal("nothing to slice: an array without three axes");
+	const std::string name = std::filesystem::path(request.file).stem().string();
+	manifest.add(imageOf(arrayOf(array->values, array->layout, name), array->layout.points));
+}
+
+// Volumes of one shape are arrays of one block.
+void readNpz(const Request& request, ManifestWriter& manifest)
+{
+	const MappedText file(request.file);
+	vtkSmartPointer<vtkImageData> image;
+	std::array<std::uint32_t, 3> points = {0, 0, 0};
+	for (const ZipEntry& entry : zipEntries(file.text()))
+	{
+		if (!entry.name.ends_with(".npy"))
+			continue;
+		const std::string name = entry.name.substr(0, entry.name.size() - 4);
+		const std::string bytes = unpackEntry(entry);
+		const std::optional<NpyArray> array = parseNpy(bytes);
+		if (!array || (image && array->layout.points != points))
+		{
+			manifest.warn(fmt::format("the array {} is left out: {}", name,
+			                          array ? "its shape is not that of the first volume" : "not three axes"));
+			continue;
+		}
+		const auto values = arrayOf(array->values, array->layout, name);
+		if (image)
+			image->GetPointData()->AddArray(values);
+		else
+			image = imageOf(values, points = array->layout.points);
+	}
+	if (!image)
+		throw Refusal("nothing to slice: no array with three axes");
+	manifest.add(image);
+}

@@ -1,0 +1,156 @@
+// AVS UCD in text, by a parser of our own: VTK's makes up values where a file ends early.
+#include "formats.h"
+#include "manifest_writer.h"
+#include "mapped_text.h"
+#include "refusal.h"
+#include "text_cursor.h"
+#include "text_end.h"
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkInformation.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <unordered_map>
+
+namespace
+{
+
+struct UcdCell
+{
+	std::string_view name;
+	int type;
+	vtkIdType corners;
+};
+
+constexpr UcdCell kCells[] = {{"pt", VTK_VERTEX, 1},   {"line", VTK_LINE, 2},     {"tri", VTK_TRIANGLE, 3},
+                              {"quad", VTK_QUAD, 4},   {"tet", VTK_TETRA, 4},     {"pyr", VTK_PYRAMID, 5},
+                              {"prism", VTK_WEDGE, 6}, {"hex", VTK_HEXAHEDRON, 8}};
+
+using Ids = std::unordered_map<std::int64_t, vtkIdType>;
+
+// AVS has the tip of a pyramid first, and the upper face of prisms and hexahedra before the lower one.
+void turn(int type, std::array<vtkIdType, 8>& corners)
+{
+	const std::array<vtkIdType, 8> c = corners;
+	if (type == VTK_PYRAMID)
+		corners = {c[1], c[2], c[3], c[4], c[0], 0, 0, 0};
+	else if (type == VTK_WEDGE)
+		corners = {c[3], c[4], c[5], c[0], c[1], c[2], 0, 0};
+	else if (type == VTK_HEXAHEDRON)
+		corners = {c[4], c[5], c[6], c[7], c[0], c[1], c[2], c[3]};
+}
+
+void readCells(TextCursor& at, std::size_t count, const Ids& points, vtkUnstructuredGrid* grid, Ids& cells)
+{
+	vtkNew<vtkIntArray> material;
+	material->SetName("material");
+	grid->Allocate(static_cast<vtkIdType>(count));
+	for (std::size_t c = 0; c < count; ++c)
+	{
+		cells.emplace(at.integer(), static_cast<vtkIdType>(c));
+		material->InsertNextValue(static_cast<int>(at.integer()));
+		const std::string_view name = at.word();
+		const auto kind = std::ranges::find(kCells, name, &UcdCell::name);
+		if (kind == std::end(kCells))
+			throw Refusal(fmt::format("a cell of type \"{}\", which is not read", name.substr(0, 20)));
+		std::array<vtkIdType, 8> corners = {};
+		for (vtkIdType i = 0; i < kind->corners; ++i)
+		{
+			const auto found = points.find(at.integer());
+			if (found == points.end())
+				throw damaged(fmt::format("cell {} has a node that is not there", c));
+			corners[static_cast<std::size_t>(i)] = found->second;
+		}
+		turn(kind->type, corners);
+		grid->InsertNextCell(kind->type, kind->corners, corners.data());
+	}
+	grid->GetCellData()->AddArray(material);
+}
+
+// How many arrays of how many components, a line with name and units for each, then a line of values for each point or
+// cell.
+void readArrays(TextCursor& at, const Ids& ids, vtkDataSetAttributes* fields)
+{
+	std::vector<vtkSmartPointer<vtkDoubleArray>> arrays(at.count(2));
+	for (auto& array : arrays)
+	{
+		const std::int64_t components = at.integer();
+		if (components < 1 || components > 64)
+			throw damaged(fmt::format("an array of {} components", components));
+		array = vtkSmartPointer<vtkDoubleArray>::New();
+		array->SetNumberOfComponents(static_cast<int>(components));
+	}
+	at.line();
+	for (const auto& array : arrays)
+	{
+		const std::string_view line = at.line();
+		const auto comma = line.find(',');
+		std::string_view units = comma == line.npos ? "" : line.substr(comma + 1);
+		while (units.starts_with(' '))
+			units.remove_prefix(1);
+		array->SetName(std::string(line.substr(0, comma)).c_str());
+		if (!units.empty() && units != "none" && units != "unknown")
+			array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), std::string(units).c_str());
+		array->SetNumberOfTuples(static_cast<vtkIdType>(ids.size()));
+		array->Fill(std::numeric_limits<double>::quiet_NaN());
+	}
+	for (std::size_t i = 0; i < ids.size(); ++i)
+	{
+		const auto found = ids.find(at.integer());
+		if (found == ids.end())
+			throw damaged("values of a node or cell that is not there");
+		for (const auto& array : arrays)
+			for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+				array->SetComponent(found->second, c, at.real());
+	}
+	for (const auto& array : arrays)
+		fields->AddArray(array);
+}
+
+} // namespace
+
+void readUcd(const Request& request, ManifestWriter& manifest)
+{
+	const MappedText file(request.file);
+	TextCursor at(file.text());
+	while (at.peekLine().starts_with('#'))
+		at.line();
+	const std::size_t nodes = at.count(7);
+	const std::size_t cells = at.count(6);
+	const std::int64_t node_values = at.integer();
+	const std::int64_t cell_values = at.integer();
+	at.integer(); // of the model
+	vtkNew<vtkPoints> points;
+	points->SetDataTypeToDouble();
+	Ids point_ids, cell_ids;
+	for (std::size_t n = 0; n < nodes; ++n)
+	{
+		if (!point_ids.emplace(at.integer(), static_cast<vtkIdType>(n)).second)
+			throw damaged("a node occurs twice");
+		const double x = at.real();
+		const double y = at.real();
+		points->InsertNextPoint(x, y, at.real());
+	}
+	vtkNew<vtkUnstructuredGrid> grid;
+	grid->SetPoints(points);
+	readCells(at, cells, point_ids, grid, cell_ids);
+	if (cell_ids.size() != cells)
+		throw damaged("a cell occurs twice");
+	if (node_values > 0)
+		readArrays(at, point_ids, grid->GetPointData());
+	if (cell_values > 0)
+		readArrays(at, cell_ids, grid->GetCellData());
+	if (endsInsideALine(request.file))
+		manifest.warn(kCutTextWarning);
+	manifest.add(grid);
+}

@@ -1,0 +1,431 @@
+// XDMF 2 and 3 by a parser of our own: Debian's VTK has no reader, and libxdmf brings another HDF5 and MPI.
+#include "formats.h"
+#include "manifest_writer.h"
+#include "mapped_text.h"
+#include "refusal.h"
+#include "time_choice.h"
+#include "xdmf_document.h"
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdList.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace
+{
+
+struct XdmfCell
+{
+	std::string_view name; // in small letters
+	int number;            // in a mixed topology
+	int type;
+	vtkIdType corners; // 0 where the file says it
+};
+
+constexpr XdmfCell kCells[] = {
+    {"polyvertex", 1, VTK_POLY_VERTEX, 0},
+    {"polyline", 2, VTK_POLY_LINE, 0},
+    {"polygon", 3, VTK_POLYGON, 0},
+    {"triangle", 4, VTK_TRIANGLE, 3},
+    {"quadrilateral", 5, VTK_QUAD, 4},
+    {"tetrahedron", 6, VTK_TETRA, 4},
+    {"pyramid", 7, VTK_PYRAMID, 5},
+    {"wedge", 8, VTK_WEDGE, 6},
+    {"hexahedron", 9, VTK_HEXAHEDRON, 8},
+    {"edge_3", 34, VTK_QUADRATIC_EDGE, 3},
+    {"quadrilateral_9", 35, VTK_BIQUADRATIC_QUAD, 9},
+    {"triangle_6", 36, VTK_QUADRATIC_TRIANGLE, 6},
+    {"quadrilateral_8", 37, VTK_QUADRATIC_QUAD, 8},
+    {"tetrahedron_10", 38, VTK_QUADRATIC_TETRA, 10},
+    {"pyramid_13", 39, VTK_QUADRATIC_PYRAMID, 13},
+    {"wedge_15", 40, VTK_QUADRATIC_WEDGE, 15},
+    {"wedge_18", 41, VTK_BIQUADRATIC_QUADRATIC_WEDGE, 18},
+    {"hexahedron_20", 48, VTK_QUADRATIC_HEXAHEDRON, 20},
+    {"hexahedron_24", 49, VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, 24},
+    {"hexahedron_27", 50, VTK_TRIQUADRATIC_HEXAHEDRON, 27},
+};
+constexpr std::int64_t kPolyhedron = 16;
+
+std::string small(std::string_view text)
+{
+	std::string words(text);
+	std::transform(words.begin(), words.end(), words.begin(), [](unsigned char c) { return std::tolower(c); });
+	return words;
+}
+
+std::string typeOf(const XmlElement& element, std::string_view key)
+{
+	const std::string_view type = element.attribute(key);
+	return small(type.empty() ? element.attribute("Type") : type);
+}
+
+class Grids
+{
+public:
+	Grids(const XdmfDocument& document, const Request& request, ManifestWriter& manifest)
+	    : document_(document), request_(request), manifest_(manifest)
+	{
+	}
+
+	void add()
+	{
+		const XmlElement* domain = document_.child(document_.root(), "Domain");
+		if (!domain)
+			throw damaged("it has no Domain");
+		collectTimes(*domain);
+		times_ = inOrder(std::move(times_));
+		time_ = chooseIfAny(times_, request_);
+		addChildren(*domain, "");
+		manifest_.offerTimes(times_);
+	}
+
+private:
+	static bool isTemporal(const XmlElement& grid)
+	{
+		return typeOf(grid, "GridType") == "collection" && small(grid.attribute("CollectionType")) == "temporal";
+	}
+
+	// Of the grids of a temporal collection, one by one.
+	std::vector<double> timesOf(const XmlElement& collection) const
+	{
+		const std::vector<const XmlElement*> grids = document_.children(collection, "Grid");
+		std::vector<double> times;
+		const XmlElement* all = document_.child(collection, "Time");
+		const XmlElement* item = all ? document_.child(*all, "DataItem") : nullptr;
+		std::vector<double> given;
+		if (item)
+		{
+			const XdmfValues values = document_.values(*item);
+			for (std::uint64_t i = 0; i < values.count(); ++i)
+				given.push_back(values.array->GetTuple1(static_cast<vtkIdType>(i)));
+			if (small(all->attribute("TimeType")) == "hyperslab" && given.size() == 3)
+			{
+				const std::vector<double> slab = std::exchange(given, {});
+				for (std::size_t i = 0; i < grids.size(); ++i)
+					given.push_back(slab[0] + slab[1] * static_cast<double>(i));
+			}
+		}
+		for (std::size_t i = 0; i < grids.size(); ++i)
+		{
+			const XmlElement* own = document_.child(*grids[i], "Time");
+			const auto value = own ? xdmfNumbers(own->attribute("Value")) : std::vector<double>();
+			times.push_back(!value.empty() ? value[0] : i < given.size() ? given[i] : static_cast<double>(i));
+		}
+		return times;
+	}
+
+	void collectTimes(const XmlElement& from)
+	{
+		for (const XmlElement* grid : document_.children(from, "Grid"))
+			if (isTemporal(*grid))
+			{
+				const auto times = timesOf(*grid);
+				times_.insert(times_.end(), times.begin(), times.end());
+			}
+			else
+				collectTimes(*grid);
+	}
+
+	void addChildren(const XmlElement& of, const std::string& path)
+	{
+		std::size_t number = 0;
+		for (const XmlElement* grid : document_.children(of, "Grid"))
+		{
+			std::string name(grid->attribute("Name"));
+			if (name.empty())
+				name = fmt::format("grid {}", number);
+			++number;
+			addGrid(*grid, path.empty() ? name : path + "/" + name);
+		}
+	}
+
+	void addGrid(const XmlElement& grid, const std::string& path)
+	{
+		if (isTemporal(grid))
+		{
+			const std::vector<double> times = timesOf(grid);
+			const auto grids = document_.children(grid, "Grid");
+			for (std::size_t i = 0; i < grids.size(); ++i)
+				if (times[i] == time_)
+					addGrid(*grids[i], path);
+			return;
+		}
+		const std::string type = typeOf(grid, "GridType");
+		if (type == "collection" || type == "tree")
+			return addChildren(grid, path);
+		if (type == "subset")
+			return manifest_.warn(fmt::format("the subset {} is left out", path));
+		// A mesh that the grids of a series share.
+		if (document_.isTakenOver(grid) && document_.children(grid, "Attribute").empty())
+			return;
+		const XmlElement* topology = document_.child(grid, "Topology");
+		const XmlElement* geometry = document_.child(grid, "Geometry");
+		if (!topology || !geometry)
+		{
+			// dolfin writes a mesh once, and its values in a grid for each time.
+			manifest_.warn(fmt::format("the grid {} has no mesh and is left out", path));
+			return;
+		}
+		const vtkSmartPointer<vtkDataSet> data = meshOf(*topology, *geometry);
+		addAttributes(grid, data);
+		manifest_.setPrefix(path);
+		manifest_.add(data);
+	}
+
+	const XmlElement& itemOf(const XmlElement& element, std::size_t which) const
+	{
+		const auto items = document_.children(element, "DataItem");
+		if (which >= items.size())
+			throw damaged(fmt::format("a {} without its DataItem", element.name));
+		return *items[which];
+	}
+
+	// Points of a lattice, x first.
+	static std::array<int, 3> lattice(const XmlElement& topology)
+	{
+		const std::vector<double> sides = xdmfNumbers(
+		    topology.has("Dimensions") ? topology.attribute("Dimensions") : topology.attribute("NumberOfElements"));
+		if (sides.size() != 3)
+			throw Refusal("nothing to slice: a lattice of two dimensions");
+		std::array<int, 3> points;
+		for (std::size_t a = 0; a < 3; ++a)
+		{
+			if (!(sides[a] >= 1.0) || sides[a] > 1e9)
+				throw damaged("a lattice of impossible size");
+			points[2 - a] = static_cast<int>(sides[a]);
+		}
+		return points;
+	}
+
+	vtkSmartPointer<vtkDataSet> meshOf(const XmlElement& topology, const XmlElement& geometry) const
+	{
+		const std::string type = typeOf(topology, "TopologyType");
+		if (type == "3dcorectmesh")
+			return image(topology, geometry);
+		if (type == "3drectmesh")
+			return rectilinear(topology, geometry);
+		if (type == "3dsmesh")
+		{
+			const auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+			grid->SetDimensions(lattice(topology).data());
+			grid->SetPoints(points(geometry));
+			return grid;
+		}
+		if (type.starts_with("2d"))
+			throw Refusal("nothing to slice: a lattice of two dimensions");
+		return unstructured(topology, geometry, type);
+	}
+
+	vtkSmartPointer<vtkDataSet> image(const XmlElement& topology, const XmlElement& geometry) const
+	{
+		const XdmfValues origin = document_.values(itemOf(geometry, 0));
+		const XdmfValues step = document_.values(itemOf(geometry, 1));
+		if (origin.count() != 3 || step.count() != 3)
+			throw damaged("an origin or distances without three numbers");
+		const auto grid = vtkSmartPointer<vtkImageData>::New();
+		grid->SetDimensions(lattice(topology).data());
+		// As the sides, z comes first.
+		grid->SetOrigin(origin.array->GetTuple1(2), origin.array->GetTuple1(1), origin.array->GetTuple1(0));
+		grid->SetSpacing(step.array->GetTuple1(2), step.array->GetTuple1(1), step.array->GetTuple1(0));
+		return grid;
+	}
+
+	vtkSmartPointer<vtkDataSet> rectilinear(const XmlElement& topology, const XmlElement& geometry) const
+	{
+		const auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+		grid->SetDimensions(lattice(topology).data());
+		grid->SetXCoordinates(document_.values(itemOf(geometry, 0)).array);
+		grid->SetYCoordinates(document_.values(itemOf(geometry, 1)).array);
+		grid->SetZCoordinates(document_.values(itemOf(geometry, 2)).array);
+		return grid;
+	}
+
+	vtkSmartPointer<vtkPoints> points(const XmlElement& geometry) const
+	{
+		const std::string type = typeOf(geometry, "GeometryType");
+		const auto places = vtkSmartPointer<vtkPoints>::New();
+		places->SetDataTypeToDouble();
+		if (type.empty() || type == "xyz")
+		{
+			const XdmfValues values = document_.values(itemOf(geometry, 0));
+			if (values.count() % 3 != 0)
+				throw damaged("points without three coordinates");
+			for (std::uint64_t i = 0; i < values.count(); i += 3)
+			{
+				const auto at = static_cast<vtkIdType>(i);
+				places->InsertNextPoint(values.array->GetTuple1(at), values.array->GetTuple1(at + 1),
+				                        values.array->GetTuple1(at + 2));
+			}
+		}
+		else if (type == "x_y_z")
+		{
+			std::array<XdmfValues, 3> axes;
+			for (std::size_t a = 0; a < 3; ++a)
+			{
+				axes[a] = document_.values(itemOf(geometry, a));
+				if (axes[a].count() != axes[0].count())
+					throw damaged("points without three coordinates");
+			}
+			for (vtkIdType i = 0; i < axes[0].array->GetNumberOfTuples(); ++i)
+				places->InsertNextPoint(axes[0].array->GetTuple1(i), axes[1].array->GetTuple1(i),
+				                        axes[2].array->GetTuple1(i));
+		}
+		else if (type == "xy" || type == "x_y")
+			throw Refusal("nothing to slice: points of two dimensions");
+		else
+			throw Refusal(fmt::format("a geometry of type {}, which is not read", type.substr(0, 20)));
+		return places;
+	}
+
+	vtkSmartPointer<vtkDataSet> unstructured(const XmlElement& topology, const XmlElement& geometry,
+	                                         const std::string& type) const
+	{
+		const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+		grid->SetPoints(points(geometry));
+		const XdmfValues ids = document_.values(itemOf(topology, 0));
+		std::vector<vtkIdType> stream(ids.count());
+		const auto base = xdmfNumbers(topology.attribute("BaseOffset"));
+		const auto first = base.empty() ? 0 : static_cast<vtkIdType>(base[0]);
+		for (std::size_t i = 0; i < stream.size(); ++i)
+			stream[i] = static_cast<vtkIdType>(ids.array->GetTuple1(static_cast<vtkIdType>(i)));
+		if (type == "mixed")
+			insertMixed(stream, first, grid);
+		else
+			insertAlike(stream, first, type, topology, grid);
+		return grid;
+	}
+
+	static void insert(vtkUnstructuredGrid* grid, int type, const vtkIdType* ids, vtkIdType count, vtkIdType first)
+	{
+		std::vector<vtkIdType> corners(ids, ids + count);
+		for (vtkIdType& corner : corners)
+		{
+			corner -= first;
+			if (corner < 0 || corner >= grid->GetNumberOfPoints())
+				throw damaged(fmt::format("a cell lists point {} of {}", corner, grid->GetNumberOfPoints()));
+		}
+		grid->InsertNextCell(type, count, corners.data());
+	}
+
+	static void insertAlike(const std::vector<vtkIdType>& stream, vtkIdType first, const std::string& type,
+	                        const XmlElement& topology, vtkUnstructuredGrid* grid)
+	{
+		const auto cell = std::ranges::find(kCells, type, &XdmfCell::name);
+		if (cell == std::end(kCells))
+			throw Refusal(fmt::format("a topology of type {}, which is not read", type.substr(0, 20)));
+		const auto given = xdmfNumbers(topology.attribute("NodesPerElement"));
+		const vtkIdType corners = cell->corners ? cell->corners : given.empty() ? 1 : static_cast<vtkIdType>(given[0]);
+		if (corners < 1 || stream.size() % static_cast<std::size_t>(corners) != 0)
+			throw damaged("its cells do not fill their list");
+		for (std::size_t at = 0; at < stream.size(); at += static_cast<std::size_t>(corners))
+			insert(grid, cell->type, stream.data() + at, corners, first);
+	}
+
+	static void insertMixed(const std::vector<vtkIdType>& stream, vtkIdType first, vtkUnstructuredGrid* grid)
+	{
+		std::size_t at = 0;
+		const auto next = [&]
+		{
+			if (at >= stream.size())
+				throw damaged("its cells run past the end of their list");
+			return stream[at++];
+		};
+		const auto run = [&](vtkIdType count)
+		{
+			if (count < 0 || static_cast<std::size_t>(count) > stream.size() - at)
+				throw damaged("its cells run past the end of their list");
+			at += static_cast<std::size_t>(count);
+			return stream.data() + at - count;
+		};
+		while (at < stream.size())
+		{
+			const vtkIdType number = next();
+			if (number == kPolyhedron)
+			{
+				insertPolyhedron(next, run, first, grid);
+				continue;
+			}
+			const auto cell = std::ranges::find(kCells, number, &XdmfCell::number);
+			if (cell == std::end(kCells))
+				throw damaged(fmt::format("a cell of type {}", number));
+			const vtkIdType corners = cell->corners ? cell->corners : next();
+			insert(grid, cell->type, run(corners), corners, first);
+		}
+	}
+
+	template <class Next, class Run>
+	static void insertPolyhedron(Next& next, Run& run, vtkIdType first, vtkUnstructuredGrid* grid)
+	{
+		vtkNew<vtkIdList> faces;
+		const vtkIdType count = next();
+		faces->InsertNextId(count);
+		for (vtkIdType f = 0; f < count; ++f)
+		{
+			const vtkIdType corners = next();
+			faces->InsertNextId(corners);
+			const vtkIdType* ids = run(corners);
+			for (vtkIdType c = 0; c < corners; ++c)
+			{
+				if (ids[c] - first < 0 || ids[c] - first >= grid->GetNumberOfPoints())
+					throw damaged("a face lists a point that is not there");
+				faces->InsertNextId(ids[c] - first);
+			}
+		}
+		grid->InsertNextCell(VTK_POLYHEDRON, faces);
+	}
+
+	void addAttributes(const XmlElement& grid, vtkDataSet* data) const
+	{
+		for (const XmlElement* attribute : document_.children(grid, "Attribute"))
+		{
+			const std::string center = small(attribute->attribute("Center"));
+			const bool at_points = center.empty() || center == "node";
+			if (!at_points && center != "cell")
+				continue; // of the grid, its faces or edges
+			const std::string name(attribute->attribute("Name"));
+			const XdmfValues values = document_.values(itemOf(*attribute, 0));
+			const auto tuples =
+			    static_cast<std::uint64_t>(at_points ? data->GetNumberOfPoints() : data->GetNumberOfCells());
+			if (tuples == 0 || values.count() % tuples != 0 || values.count() / tuples > 64)
+				throw damaged(fmt::format("{} has {} values for {} {}s", name, values.count(), tuples,
+				                          at_points ? "point" : "cell"));
+			// The values lie as VTK wants them, but are one component so far.
+			const auto array = vtkSmartPointer<vtkDataArray>::Take(values.array->NewInstance());
+			array->SetNumberOfComponents(static_cast<int>(values.count() / tuples));
+			array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+			std::copy_n(static_cast<const char*>(values.array->GetVoidPointer(0)),
+			            values.count() * static_cast<std::size_t>(values.array->GetDataTypeSize()),
+			            static_cast<char*>(array->GetVoidPointer(0)));
+			array->SetName(name.c_str());
+			at_points ? data->GetPointData()->AddArray(array) : data->GetCellData()->AddArray(array);
+		}
+	}
+
+	const XdmfDocument& document_;
+	const Request& request_;
+	ManifestWriter& manifest_;
+	std::vector<double> times_;
+	std::optional<double> time_;
+};
+
+} // namespace
+
+void readXdmf(const Request& request, ManifestWriter& manifest)
+{
+	const MappedText file(request.file);
+	const XdmfDocument document(request.file, file.text());
+	Grids(document, request, manifest).add();
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "grid/field.h"
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+class vtkDataArray;
+class vtkImageData;
+
+// How plain values lie in bytes: components run fastest, then x, y, z.
+struct ValueLayout
+{
+	std::array<std::uint32_t, 3> points{0, 0, 0};
+	std::uint32_t components = 1;
+	vp::grid::NumberType type = vp::grid::NumberType::uint8;
+	bool is_big_endian = false;
+
+	std::uint64_t valueCount() const;
+	// Throws a Refusal where the product is more than can be.
+	std::uint64_t byteCount() const;
+};
+
+// Throws a Refusal unless `bytes` are as many as the layout says.
+vtkSmartPointer<vtkDataArray> arrayOf(std::string_view bytes, const ValueLayout& layout, const std::string& name);
+
+// An image with the array as its values, of distance 1 from the origin.
+vtkSmartPointer<vtkImageData> imageOf(vtkDataArray* array, const std::array<std::uint32_t, 3>& points);

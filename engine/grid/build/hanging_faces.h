@@ -1,0 +1,25 @@
+#pragma once
+
+#include "grid/block.h"
+
+#include <span>
+#include <vector>
+
+namespace vp::grid
+{
+
+/// A boundary face that lies on no other of its size.
+struct LooseFace
+{
+	std::uint32_t block;
+	BoundaryIndex::Face face;
+	double tolerance; // of a corner
+	double most;      // what no tolerance may pass
+};
+
+/// Links faces that lie within a larger one, as where a cell meets several smaller ones: links[b] of block b grows. In
+/// the larger face's plane, within the tolerance and what the face is warped, and with the cells on either side of it.
+void linkHangingFaces(const BlockSet& blocks, std::span<const LooseFace> faces,
+                      std::vector<std::vector<SeamLink>>& links);
+
+} // namespace vp::grid

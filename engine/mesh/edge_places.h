@@ -1,0 +1,140 @@
+#pragma once
+
+#include "base/ids.h"
+#include "base/two_doubles.h"
+#include "mesh/sheet_mesh.h"
+#include "surface/plane.h"
+
+#include <cstddef>
+
+namespace vp::mesh
+{
+
+// The end of an edge from which a vertex's place is computed. The results differ in rounding only.
+enum class PlacedFrom
+{
+	lower,   // point, as placeOnEdge() does
+	positive // as placeOfAnyNumbering() does
+};
+
+// The ends of an edge, a and b.
+struct EdgeEnds
+{
+	TwoDoubles xy_a;
+	TwoDoubles xy_b;
+	TwoDoubles z; // of both
+};
+
+// The same of an edge between points that are kept as numbers.
+template <class Number>
+EdgeEnds edgeEnds(const Number* xyz, PointId lower, PointId higher)
+{
+	const Number* a = xyz + 3 * std::size_t(lower);
+	const Number* b = xyz + 3 * std::size_t(higher);
+	return {loadTwo(a), loadTwo(b), loadTwo(a + 2, b + 2)};
+}
+
+// Where a plane cuts edges. Takes two edges at a time, with the same bits as Plane::crossing() and then placeOnEdge()
+// or placeOfAnyNumbering() give.
+template <PlacedFrom kFrom>
+class EdgePlaces
+{
+public:
+	explicit EdgePlaces(const surface::Plane& plane)
+	    : origin_xy_{plane.origin().x, plane.origin().y}, normal_xy_{plane.normal().x, plane.normal().y},
+	      origin_z_(bothOf(plane.origin().z)), normal_z_(bothOf(plane.normal().z))
+	{
+	}
+
+	// Places `count` vertices. endsOf(v): the EdgeEnds of vertex v, a the lower point; their signs differ. take(v, t,
+	// xy, z) gets what is found. Returns whether one of them is at a grid point.
+	template <class EndsOf, class Take>
+	bool place(std::size_t count, EndsOf&& endsOf, Take&& take) const
+	{
+		bool at_points = false;
+		std::size_t v = 0;
+		for (; v + 1 < count; v += 2)
+		{
+			const Pair pair = placePair(Edge(*this, endsOf(v)), Edge(*this, endsOf(v + 1)));
+			take(v, pair.t[0], pair.first_xy, pair.z[0]);
+			take(v + 1, pair.t[1], pair.second_xy, pair.z[1]);
+			at_points |= pair.at_point;
+		}
+		if (v < count)
+		{
+			const Edge last(*this, endsOf(v));
+			const Pair pair = placePair(last, last);
+			take(v, pair.t[0], pair.first_xy, pair.z[0]);
+			at_points |= pair.at_point;
+		}
+		return at_points;
+	}
+
+private:
+	struct Edge : EdgeEnds
+	{
+		[[gnu::always_inline]] inline Edge(const EdgePlaces& places, const EdgeEnds& ends) : EdgeEnds(ends)
+		{
+			const TwoDoubles along_a = (xy_a - places.origin_xy_) * places.normal_xy_;
+			const TwoDoubles along_b = (xy_b - places.origin_xy_) * places.normal_xy_;
+			heights =
+			    firstsOf(along_a, along_b) + secondsOf(along_a, along_b) + (z - places.origin_z_) * places.normal_z_;
+		}
+
+		TwoDoubles heights; // of both
+	};
+
+	// The places of two vertices.
+	struct Pair
+	{
+		TwoDoubles t;
+		TwoDoubles first_xy;
+		TwoDoubles second_xy;
+		TwoDoubles z;
+		bool at_point; // one of them
+	};
+	[[gnu::always_inline]] static inline Pair placePair(const Edge& first, const Edge& second)
+	{
+		const TwoDoubles height_a = firstsOf(first.heights, second.heights);
+		const TwoDoubles height_b = secondsOf(first.heights, second.heights);
+		const TwoDoubles positive = greater(height_a, height_b);
+		const TwoDoubles from_negative = 1.0 - positive / (positive - lesser(height_a, height_b));
+		const TwoDoubles from_positive = 1.0 - from_negative;
+		const TwoMasks b_positive = height_a < height_b;
+		Pair pair;
+		pair.t = b_positive ? from_negative : from_positive;
+		pair.at_point = isAnyEqual(lesser(from_negative, from_positive), bothOf(0.0));
+		const TwoDoubles part = kFrom == PlacedFrom::lower ? pair.t : from_positive;
+		pair.first_xy =
+		    between(first.xy_a, first.xy_b, firstsOf(part, part), firstsOf(b_positive, b_positive), pair.at_point);
+		pair.second_xy =
+		    between(second.xy_a, second.xy_b, secondsOf(part, part), secondsOf(b_positive, b_positive), pair.at_point);
+		pair.z = between(firstsOf(first.z, second.z), secondsOf(first.z, second.z), part, b_positive, pair.at_point);
+		return pair;
+	}
+
+	// The coordinate of places from those of the ends. part: from a, or from the positive end.
+	[[gnu::always_inline]] static inline TwoDoubles between(TwoDoubles a, TwoDoubles b, TwoDoubles part,
+	                                                        TwoMasks b_positive, bool at_point)
+	{
+		TwoDoubles near = a;
+		TwoDoubles far = b;
+		TwoDoubles way = b - a;
+		if constexpr (kFrom == PlacedFrom::positive)
+		{
+			near = b_positive ? b : a;
+			far = b_positive ? a : b;
+			// a - b is b - a with the other sign, to the last bit.
+			way = TwoDoubles(TwoMasks(way) ^ (b_positive & TwoMasks(bothOf(-0.0))));
+		}
+		const TwoDoubles place = near + part * way;
+		return at_point ? (part == 1.0 ? far : place) : place;
+	}
+
+	TwoDoubles origin_xy_;
+	TwoDoubles normal_xy_;
+	TwoDoubles origin_z_;
+	TwoDoubles normal_z_;
+};
+
+} // namespace vp::mesh

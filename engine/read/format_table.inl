@@ -1,0 +1,61 @@
+// All formats, in the order in which they are recognized. Each row is one format:
+//
+// VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, FUNCTION)
+//
+// NAME is what --format takes. WHAT it is, what is READ of it, and BY what, stand in vprobe info --formats. FILES:
+// alone, or with files beside it, or all of its folder. SIGN says whether a FileHead (apps/vprobe-read/file_head.h) is
+// one of the format. PROGRAM reads it by read FUNCTION(): base is vprobe-read, more is vprobe-read-more.
+
+VP_FORMAT("raw", "", "raw volume, of the size and type that you give", "one array", "vprobe", alone, false, base, Raw)
+VP_FORMAT("vtk-legacy", ".vtk", "VTK legacy, text and binary", "every kind of grid", "VTK", alone,
+          head.starts("# vtk DataFile"), base, Legacy)
+VP_FORMAT("vtk-xml", ".vti .vtr .vts .vtu .htg", "VTK XML", "every kind of grid; hidden cells; times; units",
+          "vprobe, VTK", alone, head.isXmlOfVtk() && !head.namesFiles(), base, AnyXml)
+VP_FORMAT("vtk-xml-index", ".pvti .pvtr .pvts .pvtu .vtm .vthb .vth .pvd", "VTK XML that names other files",
+          "pieces, blocks, AMR levels, times", "VTK", beside, head.isXmlOfVtk(), base, AnyXml)
+VP_FORMAT("openfoam", ".foam .openfoam", "OpenFOAM case, by a file in its folder", "regions; polyhedra; patches; times",
+          "VTK", folder, head.ends({".foam", ".openfoam"}), more, Foam)
+VP_FORMAT("nrrd", ".nrrd .nhdr", "NRRD", "orientation; components; units", "teem", beside, head.starts("NRRD"), base,
+          Nrrd)
+VP_FORMAT("nifti", ".nii .nii.gz .hdr", "NIfTI-1 and -2", "orientation; times; units; rescaled values", "VTK", beside,
+          head.isNifti(), base, Nifti)
+VP_FORMAT("series", ".series", "ParaView's JSON list of files over time", "times", "vprobe", beside,
+          head.ends({".series"}) && head.has("{"), base, Series)
+VP_FORMAT("ensight", ".case .encas", "EnSight 6 and Gold, text and binary", "parts; polyhedra; times", "VTK", beside,
+          head.has("GEOMETRY") && head.has("FORMAT"), base, EnSight)
+VP_FORMAT("cgns", ".cgns", "CGNS, ADF and HDF5", "bases and zones; polyhedra; times", "VTK", alone,
+          head.isBefore("ADF Database", 32) || head.holds("CGNSLibraryVersion"), more, Cgns)
+VP_FORMAT("vtkhdf", ".vtkhdf .hdf", "VTKHDF 1.0", "image data and unstructured grids", "VTK", alone,
+          head.holds("VTKHDF"), more, Hdf)
+VP_FORMAT("exodus", ".ex2 .e .exo .exii .g", "Exodus II, netCDF and HDF5",
+          "element blocks; side sets; displacements; times", "VTK", alone,
+          head.holds("num_nodes") && head.holds("num_dim"), more, Exodus)
+VP_FORMAT("metaimage", ".mhd .mha", "MetaImage, raw and compressed", "orientation; components", "VTK", beside,
+          head.ends({".mhd", ".mha"}) && head.has("NDims"), base, MetaImage)
+VP_FORMAT("plot3d", ".xyz .x .p3d .bin", "PLOT3D, text and binary, with its solution",
+          "grids; iblank; solution and function files", "VTK", beside, head.ends({".xyz", ".x", ".g", ".p3d", ".bin"}),
+          more, Plot3d)
+VP_FORMAT("npy", ".npy", "NumPy array of three axes, or four with components", "one array", "vprobe", alone,
+          head.starts("\x93NUMPY"), base, Npy)
+VP_FORMAT("npz", ".npz", "NumPy archive, stored or deflated", "arrays of one shape", "vprobe", alone,
+          head.ends({".npz"}) && head.starts("PK"), base, Npz)
+VP_FORMAT("gmsh", ".msh", "Gmsh mesh, versions 2 and 4, text and binary",
+          "elements up to order 2; physical groups; node and element data; times", "vprobe", alone,
+          head.starts("$MeshFormat"), base, Gmsh)
+// Before TIFF: a file may be both, with a TIFF header in the room that DICOM leaves.
+VP_FORMAT("dicom", ".dcm .ima", "DICOM: a file of many frames, or a series, by its folder or one file",
+          "orientation; rescaled values; times", "GDCM", beside, head.at(128, "DICM") || head.isFolder(), more, Dicom)
+VP_FORMAT("mrc", ".mrc .map .ccp4 .rec .st", "MRC and CCP4 map", "order of axes; origin; units", "vprobe", alone,
+          head.at(208, "MAP"), base, Mrc)
+VP_FORMAT("tiff", ".tif .tiff", "TIFF stack, also of ImageJ and OME-TIFF", "channels; times; spacing; units", "libtiff",
+          alone, head.starts("II*") || head.starts(std::string_view("MM\0*", 4)) || head.starts("II+"), base, Tiff)
+VP_FORMAT("netcdf", ".nc .nc4 .cdf", "netCDF, classic and netCDF-4, of the CF conventions",
+          "the variables of most dimensions; missing values; times; units", "VTK", alone,
+          head.isNetcdf() || head.holds("_NCProperties") || head.holds("Conventions"), more, Netcdf)
+VP_FORMAT("tecplot", ".tec .tp .plt .dat", "Tecplot, text", "ordered and finite-element zones; values at cells; times",
+          "vprobe", alone, head.isTecplot(), base, Tecplot)
+VP_FORMAT("avs-ucd", ".inp .avs .ucd", "AVS UCD, text", "linear cells; node and cell data; units", "vprobe", alone,
+          head.isUcd(), base, Ucd)
+VP_FORMAT("xdmf", ".xdmf .xmf", "XDMF 2 and 3, with HDF5, binary and inline data",
+          "lattices and unstructured grids; polyhedra; collections in space and time", "vprobe, HDF5", beside,
+          head.has("<Xdmf"), more, Xdmf)

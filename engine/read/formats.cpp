@@ -1,0 +1,83 @@
+#include "read/formats.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <set>
+
+namespace vp::read
+{
+
+namespace
+{
+
+constexpr auto alone = FormatFiles::alone;
+constexpr auto beside = FormatFiles::beside;
+constexpr auto folder = FormatFiles::folder;
+
+constexpr Format kFormats[] = {
+#define VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, ...) {NAME, ENDINGS, WHAT, READ, BY, FILES},
+#include "read/format_table.inl"
+#undef VP_FORMAT
+};
+
+// Calls `use` with each ending until it returns true; returns whether it did.
+template <class Use>
+bool anyEnding(std::string_view endings, Use&& use)
+{
+	while (!endings.empty())
+	{
+		const std::size_t end = std::min(endings.find(' '), endings.size());
+		if (use(endings.substr(0, end)))
+			return true;
+		endings.remove_prefix(std::min(end + 1, endings.size()));
+	}
+	return false;
+}
+
+} // namespace
+
+std::span<const Format> formats()
+{
+	return kFormats;
+}
+
+const Format* findFormat(std::string_view name)
+{
+	const auto found = std::ranges::find(kFormats, name, &Format::name);
+	return found == std::end(kFormats) ? nullptr : found;
+}
+
+const Format* formatOfEnding(std::string_view file)
+{
+	std::string name(file);
+	std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+	const auto suits = [&](std::string_view ending) { return name.ends_with(ending); };
+	const auto found = std::ranges::find_if(kFormats, [&](const Format& f) { return anyEnding(f.endings, suits); });
+	return found == std::end(kFormats) ? nullptr : found;
+}
+
+std::string formatNames()
+{
+	std::string names;
+	for (const Format& format : kFormats)
+		names.append(names.empty() ? "" : " ").append(format.name);
+	return names;
+}
+
+std::string readableEndings()
+{
+	std::set<std::string_view> known;
+	std::string endings;
+	for (const Format& format : kFormats)
+		anyEnding(format.endings,
+		          [&](std::string_view ending)
+		          {
+			          if (known.insert(ending).second)
+				          endings.append(endings.empty() ? "" : " ").append(ending);
+			          return false;
+		          });
+	return endings;
+}
+
+} // namespace vp::read

@@ -1,0 +1,134 @@
+"""Interrupts, threads, memory."""
+import gc
+import os
+import resource
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import vprobe
+
+PLANE = dict(normal=(.3, .5, .8))
+
+
+def interrupted_after(seconds, work):
+    """How long after Ctrl-C the work ends with KeyboardInterrupt."""
+    sent = []
+
+    def press():
+        sent.append(time.perf_counter())
+        os.kill(os.getpid(), signal.SIGINT)
+    timer = threading.Timer(seconds, press)
+    timer.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            work()
+            time.sleep(2)  # it was faster
+            pytest.skip('the work was done before Ctrl-C')
+        return time.perf_counter() - sent[0]
+    finally:
+        timer.cancel()
+        timer.join()
+
+
+def test_ctrl_c_ends_reading_and_cutting_within_a_fifth_of_a_second():
+    late = interrupted_after(.15, lambda: vprobe.open('demo:tets:160', classify='cpu'))
+    assert late < .2
+    data = vprobe.open('demo:tets:64', classify='cpu')
+
+    def cut_on():
+        for _ in range(200):
+            data.cut(vprobe.Probe.stack(64))
+    late = interrupted_after(.4, cut_on)
+    assert late < .2
+    assert data.slice(**PLANE).area > 0  # the data set serves on
+
+
+def test_ctrl_c_ends_what_cannot_be_stopped():
+    """Neighbors are built to the end, but nobody waits for them."""
+    n = 90
+    from conftest import hexahedra, lattice
+    points, values = lattice(n, n, n)
+    data = vprobe.unstructured(points.reshape(-1, 3), hexahedra(n, n, n), 'hexahedron', {'p': values.ravel()},
+                               classify='cpu')
+    first = data.slice(**PLANE)
+    late = interrupted_after(.05, lambda: data.slice(**PLANE))
+    assert late < .2
+    late = interrupted_after(.05, lambda: repr(data))  # waits for it
+    assert late < .2
+    assert data.slice(**PLANE).area == pytest.approx(first.area)
+
+
+def test_other_threads_run_meanwhile():
+    """The GIL is free: a thread of Python counts while the library reads."""
+    count, stop = [0], threading.Event()
+
+    def go():
+        while not stop.is_set():
+            count[0] += 1
+    thread = threading.Thread(target=go)
+    thread.start()
+    try:
+        count[0] = 0
+        vprobe.open('demo:tets:48', classify='cpu')
+        assert count[0] > 1000
+    finally:
+        stop.set()
+        thread.join()
+
+
+def test_two_threads_cut_one_data_set():
+    data = vprobe.open('demo:tets:8', classify='cpu')
+    normals = [(.3, .5, .1 * (i % 10)) for i in range(40)]
+    expected = [data.slice(normal=normal).area for normal in normals]
+    found = [None] * len(normals)
+
+    def cut(first):
+        for i in range(first, len(normals), 2):
+            piece = data.slice(normal=normals[i])
+            assert piece['s'].shape == (piece.n_points,)
+            found[i] = piece.area
+    threads = [threading.Thread(target=cut, args=(first,)) for first in (0, 1)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == pytest.approx(expected, rel=1e-12)
+
+
+def resident():
+    with open('/proc/self/statm', encoding='ascii') as file:
+        return int(file.read().split()[1]) * resource.getpagesize()
+
+
+def test_a_thousand_opens_and_closes_leave_nothing():
+    def once():
+        data = vprobe.open('demo:shell:8', classify='cpu')
+        data.slice(**PLANE)['s']
+    for _ in range(100):
+        once()
+    gc.collect()
+    before = resident()
+    for _ in range(1000):
+        once()
+    gc.collect()
+    assert resident() - before <= 5e6
+
+
+def test_work_that_was_left_alone_ends_with_the_interpreter(tmp_path):
+    import subprocess
+    import sys
+    code = '''
+import os, signal, threading, vprobe
+threading.Timer(.1, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+try:
+    vprobe.open("demo:tets:110", classify="cpu").slice()
+    raise SystemExit(3)
+except KeyboardInterrupt:
+    print("interrupted")
+'''
+    done = subprocess.run([sys.executable, '-c', code], capture_output=True, text=True, timeout=60, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (0, 'interrupted\n', '')
