@@ -26,25 +26,6 @@ namespace vp::render
 namespace
 {
 
-// The device's picture is multiplied by alpha, as blending wants it; a file's is not.
-void copyPixels(const gpu::Buffer& pixels, bool opaque, Picture& picture)
-{
-	pixels.invalidate();
-	const auto* from = pixels.mappedAs<std::uint8_t>();
-	picture.rgba.assign(from, from + std::size_t(4) * picture.width * picture.height);
-	if (opaque)
-		return;
-	for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
-	{
-		const int alpha = picture.rgba[i + 3];
-		if (alpha == 0 || alpha == 255)
-			continue;
-		for (int c = 0; c < 3; ++c)
-			picture.rgba[i + c] =
-			    static_cast<std::uint8_t>(std::min(255, (picture.rgba[i + c] * 255 + alpha / 2) / alpha));
-	}
-}
-
 // Where a picture goes to: an image, or the host.
 struct DrawTarget
 {
@@ -387,10 +368,9 @@ Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
 	if (Result<Drawn> drawn = private_->draw(scene, {}, timeline); !drawn)
 		return drawn.error();
 	const TimedSection reading(timeline, "pixels");
-	Picture picture{scene.look.width, scene.look.height, {}};
 	const Background& background = scene.look.background;
-	copyPixels(private_->targets.pixels, background.top.a == 255 && background.bottom.a == 255, picture);
-	return picture;
+	const bool is_opaque = background.top.a == 255 && background.bottom.a == 255;
+	return Picture{scene.look.width, scene.look.height, private_->targets.readPixels(is_opaque)};
 }
 
 Result<bool> Renderer::drawInto(const Scene& scene, const gpu::Image& into, const std::function<bool()>& goes_on,

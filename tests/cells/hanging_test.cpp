@@ -1,5 +1,6 @@
 // Where cells meet several smaller ones, the sheet goes on: one piece, no gap, no T-junction, and one value on both
 // sides.
+#include "hyper_tree_samples.h"
 #include "numbered_cells.h"
 
 #include "mesh/mesh_values.h"
@@ -16,8 +17,6 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkRandomHyperTreeGridSource.h>
-#include <vtkXMLHyperTreeGridWriter.h>
 #include <vtkXMLImageDataWriter.h>
 
 #include <cmath>
@@ -292,16 +291,7 @@ TEST(Hanging, TreesAreOneSheet)
 {
 	const TemporaryFolder folder;
 	const std::string path = folder / "trees.htg";
-	vtkNew<vtkRandomHyperTreeGridSource> source;
-	source->SetDimensions(4, 3, 5);
-	source->SetOutputBounds(0.0, 3.0, 0.0, 2.0, 0.0, 4.0);
-	source->SetSeed(7);
-	source->SetMaxDepth(4);
-	source->SetSplitFraction(0.4);
-	vtkNew<vtkXMLHyperTreeGridWriter> writer;
-	writer->SetInputConnection(source->GetOutputPort());
-	writer->SetFileName(path.c_str());
-	writer->Write();
+	writeTrees(path);
 	const auto set = read::readInputs({path}, {}, nullptr);
 	ASSERT_TRUE(set) << set.error().message;
 	Box box;

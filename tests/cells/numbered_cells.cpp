@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 using vp::Vec3;
 
@@ -113,33 +112,6 @@ std::string nameOf(Family family, const std::string& shape, std::initializer_lis
 	for (const int degree : degrees)
 		name += fmt::format("{}", degree);
 	return name;
-}
-
-using Frame = std::array<Vec3, 4>; // origin and three edges
-
-// The cells of a unit cube. Wedges and tetrahedra part its sides alike in every cube.
-std::vector<Frame> framesOf(ParentShape shape)
-{
-	const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), zero(0, 0, 0);
-	switch (shape)
-	{
-	case ParentShape::hexahedron:
-		return {{zero, x, y, z}};
-	case ParentShape::wedge:
-		return {{zero, x, x + y, z}, {zero, x + y, y, z}};
-	case ParentShape::pyramid:
-	{
-		std::vector<Frame> frames;
-		for (const auto& [origin, a, b, up] : std::initializer_list<Frame>{
-		         {zero, x, y, z}, {z, y, x, -z}, {zero, y, z, x}, {x, z, y, -x}, {zero, z, x, y}, {y, x, z, -y}})
-			frames.push_back({origin, a, b, 0.5 * up});
-		return frames;
-	}
-	case ParentShape::tetrahedron:
-		return {{zero, x, x + y, x + y + z}, {zero, x + y, y, x + y + z}, {zero, y, y + z, x + y + z},
-		        {zero, y + z, z, x + y + z}, {zero, z, x + z, x + y + z}, {zero, x + z, x, x + y + z}};
-	}
-	throw std::logic_error("no such shape");
 }
 
 } // namespace
@@ -274,7 +246,7 @@ CubeMesh cubeOf(const NumberedCell& cell, int count)
 	for (int k = 0; k < count; ++k)
 		for (int j = 0; j < count; ++j)
 			for (int i = 0; i < count; ++i)
-				for (const Frame& frame : framesOf(cell.shape))
+				for (const CellFrame& frame : unitCubeCells(cell.shape))
 				{
 					std::vector<std::size_t> ids;
 					for (const Vec3& r : cell.nodes)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "unit_cube.h"
 
 #include <array>
 #include <cstdint>
@@ -10,14 +11,6 @@
 #include <vector>
 
 // Cells whose nodes are numbered here, by what the format's description says, and not by the library that is tested.
-
-enum class ParentShape
-{
-	tetrahedron,
-	pyramid,
-	wedge,
-	hexahedron
-};
 
 struct NumberedCell
 {

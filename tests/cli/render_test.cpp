@@ -54,6 +54,20 @@ TEST_F(Render, IsTheSameTwice)
 	EXPECT_EQ(contents(path("a.png")), contents(path("b.png")));
 }
 
+TEST_F(Render, PictureInParts)
+{
+	const Arguments size{"--size", "640x480", "--samples", "8"};
+	ASSERT_TRUE(isQuiet(render(Arguments{"-o", path("whole.png")} + size)));
+	const Outcome parts = render(Arguments{"-o", path("parts.png"), "--device-memory", "8M"} + size);
+	EXPECT_EQ(parts.status, 0);
+	EXPECT_TRUE(contains(parts.err, "parts")) << parts.err;
+	EXPECT_TRUE(contains(parts.err, "--device-memory")) << parts.err;
+	EXPECT_EQ(contents(path("whole.png")), contents(path("parts.png")));
+	EXPECT_TRUE(isError(render(Arguments{"-o", path("none.png"), "--device-memory", "1M"} + size), 4,
+	                    {"--size", "--device-memory"}));
+	EXPECT_EQ(files(), (Arguments{"parts.png", "whole.png"}));
+}
+
 TEST_F(Render, Cameras)
 {
 	for (const Arguments& camera : {Arguments{"x"}, Arguments{"-x"}, Arguments{"y"}, Arguments{"-y"}, Arguments{"z"},

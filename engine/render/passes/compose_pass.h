@@ -1,9 +1,9 @@
 #pragma once
 
 #include "gpu/shader.h"
+#include "render/passes/buffers.h"
 #include "render/passes/edge_mask.h"
 #include "render/passes/fragment_lists.h"
-#include "render/passes/host_buffer.h"
 #include "render/passes/opaque_target.h"
 #include "render/passes/targets.h"
 #include "render/scene/scene.h"

@@ -3,7 +3,10 @@
 #include "render/passes/edge_mask.h"
 
 #include "gpu/commands.h"
+#include "render/passes/buffers.h"
 #include "shared/render_types.h"
+
+#include <algorithm>
 
 namespace vp::render
 {
@@ -17,24 +20,6 @@ constexpr VkPipelineStageFlags2 kTests =
     VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
 constexpr gpu::ImageUse kRead{EdgeMask::kLayout, kTests | gpu::kSampled.stages,
                               VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | gpu::kSampled.access};
-
-std::uint32_t tilesOver(std::uint32_t pixels)
-{
-	return (pixels + shared::kEdgeTile - 1) / shared::kEdgeTile;
-}
-
-Status makeBuffer(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, VkBufferUsageFlags usage,
-                  const char* name)
-{
-	if (buffer && buffer.size() >= bytes)
-		return Nothing{};
-	auto made =
-	    gpu::Buffer::create(device, bytes, usage | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Memory::device, name);
-	if (!made)
-		return made.error();
-	buffer = std::move(*made);
-	return Nothing{};
-}
 
 } // namespace
 
@@ -90,22 +75,26 @@ Status EdgeMask::prepare(const Targets& targets, std::uint32_t reach)
 			return made.error();
 		image_ = std::move(*made);
 	}
-	const VkDeviceSize tiles = VkDeviceSize(tilesOver(extent.width)) * tilesOver(extent.height);
+	const VkDeviceSize tiles = VkDeviceSize(edgeTilesOver(extent.width)) * edgeTilesOver(extent.height);
 	const bool had_room = tiles_ && tiles_.size() >= sizeof(std::uint32_t) * tiles;
-	if (Status made = makeBuffer(*device_, tiles_, sizeof(std::uint32_t) * tiles,
-	                             VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, "edge tiles");
+	if (Status made = makeRoom(*device_, tiles_, sizeof(std::uint32_t) * tiles,
+	                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
+	                           "edge tiles", gpu::Memory::device);
 	    !made)
 		return made;
 	if (!had_room)
 	{
-		auto texels = gpu::TexelView::create(tiles_, VK_FORMAT_R32_UINT, "edge tiles");
+		const VkDeviceSize texel_bytes = sizeof(std::uint32_t) * VkDeviceSize(device_->limits().maxTexelBufferElements);
+		auto texels =
+		    gpu::TexelView::create(tiles_, VK_FORMAT_R32_UINT, "edge tiles", 0, std::min(tiles_.size(), texel_bytes));
 		if (!texels)
 			return texels.error();
 		tile_texels_ = std::move(*texels);
 	}
-	if (Status made =
-	        makeBuffer(*device_, listed_, sizeof(shared::RasterList) + sizeof(std::uint32_t) * tiles,
-	                   VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT, "listed edge tiles");
+	if (Status made = makeRoom(*device_, listed_, sizeof(shared::RasterList) + sizeof(std::uint32_t) * tiles,
+	                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+	                               VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+	                           "listed edge tiles", gpu::Memory::device);
 	    !made)
 		return made;
 	auto find_set = find_sets_.get(0);
@@ -166,7 +155,7 @@ void EdgeMask::record(VkCommandBuffer commands, const Targets& targets) const
 
 shared::EdgePush EdgeMask::edgePush() const
 {
-	return {tilesOver(image_.extent().width), tilesOver(image_.extent().height), reach_};
+	return {edgeTilesOver(image_.extent().width), edgeTilesOver(image_.extent().height), reach_};
 }
 
 VkRenderingAttachmentInfo EdgeMask::asDepth() const

@@ -11,6 +11,12 @@
 namespace vp::render
 {
 
+// Squares of shared::kEdgeTile pixels along a side.
+constexpr std::uint32_t edgeTilesOver(std::uint32_t pixels)
+{
+	return (pixels + shared::kEdgeTile - 1) / shared::kEdgeTile;
+}
+
 // Where a picture needs more samples than its first: at pixels whose color departs from the line between those on both
 // sides (render_edges.frag). Elsewhere the first sample stands for all of them. Its place is near the pixel's middle,
 // so along a slope it has their mean.
@@ -19,7 +25,8 @@ class EdgeMask
 public:
 	static Result<EdgeMask> create(gpu::Device& device);
 
-	// Before recording, while no submission draws. reach: pixels around it that the color of a pixel depends on.
+	// Before recording, while no submission draws. reach: pixels around it that the color of a pixel depends on. The
+	// targets have at most maxTexelBufferElements squares.
 	Status prepare(const Targets& targets, std::uint32_t reach);
 	// After the first sample is in the sum, which stays a color target.
 	void record(VkCommandBuffer commands, const Targets& targets) const;

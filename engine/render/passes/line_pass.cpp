@@ -2,7 +2,7 @@
 
 #include "render/passes/line_pass.h"
 
-#include "render/passes/host_buffer.h"
+#include "render/passes/buffers.h"
 #include "render/passes/picture_geometry.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "render/passes/overlay_pass.h"
 
-#include "render/passes/host_buffer.h"
+#include "render/passes/buffers.h"
 #include "shared/render_types.h"
 
 #include <cstddef>

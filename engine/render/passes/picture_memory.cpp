@@ -67,6 +67,15 @@ Needs needsOf(const Scene& scene)
 	return needs;
 }
 
+// So many rows have their squares near edges in a buffer of texels (EdgeMask).
+std::uint64_t rowsOfTexels(const gpu::Device& device, const Scene& scene)
+{
+	if (samplePattern(scene.look.samples).size() == 1)
+		return scene.look.height;
+	const std::uint64_t lines = device.limits().maxTexelBufferElements / edgeTilesOver(scene.look.width);
+	return lines * shared::kEdgeTile;
+}
+
 } // namespace
 
 std::uint32_t PicturePlan::count() const
@@ -96,7 +105,8 @@ Result<PicturePlan> planPicture(const gpu::Device& device, const Scene& scene, s
 	const Needs needs = needsOf(scene);
 	const std::uint64_t kept = needs.picture + needs.polygons + (scene.surfaces.empty() ? 0 : fragment_bytes);
 	const std::uint64_t budget = device.memoryBudget();
-	const std::uint64_t rows = budget > kept ? (budget - kept) / (needs.layers + needs.others) : 0;
+	const std::uint64_t rows_held = budget > kept ? (budget - kept) / (needs.layers + needs.others) : 0;
+	const std::uint64_t rows = std::min(rows_held, rowsOfTexels(device, scene));
 	if (rows >= picture.height)
 		return PicturePlan{PicturePart::whole(picture), 0};
 	const std::uint32_t margin = contourReach(scene.look) + 2;
@@ -112,6 +122,9 @@ std::string describe(const PicturePlan& plan, const gpu::Device& device, const S
 {
 	const Needs needs = needsOf(scene);
 	const double rows = plan.first.picture.height;
+	if (plan.first.extent.height == rowsOfTexels(device, scene))
+		return fmt::format("the picture is drawn in {} parts, since a buffer of this device holds {} texels",
+		                   plan.count(), device.limits().maxTexelBufferElements);
 	return fmt::format("the picture is drawn in {} parts: {} sheets take {:.0f} MiB, sums and depths {:.0f} MiB, "
 	                   "polygons {:.0f} MiB, of {:.0f} MiB of device memory (`device_memory`)",
 	                   plan.count(), scene.sheets.size(), needs.layers * rows / kMiB, needs.others * rows / kMiB,

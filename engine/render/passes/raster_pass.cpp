@@ -4,6 +4,7 @@
 
 #include "classify/gpu_records.h"
 #include "gpu/commands.h"
+#include "render/passes/buffers.h"
 #include "render/passes/picture_geometry.h"
 
 #include <algorithm>
@@ -24,19 +25,6 @@ constexpr std::uint32_t kLists = shared::kRasterLists;
 
 constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
 constexpr VkAccessFlags2 kWrites = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
-
-Status makeDeviceRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, VkBufferUsageFlags usage,
-                      const char* name)
-{
-	if (buffer && buffer.size() >= bytes)
-		return Nothing{};
-	auto made =
-	    gpu::Buffer::create(device, std::max<VkDeviceSize>(bytes + bytes / 2, 1024), usage, gpu::Memory::device, name);
-	if (!made)
-		return made.error();
-	buffer = std::move(*made);
-	return Nothing{};
-}
 
 } // namespace
 
@@ -129,14 +117,14 @@ Status RasterPass::prepare(const Scene& scene, const Targets& targets, const std
 		runs_[r].kept_list = static_cast<std::uint32_t>(kLists * runs_.size() + r);
 		runs_[r].kept_from = listed + runs_[r].listed_from;
 	}
-	if (Status room = makeDeviceRoom(*device_, list_, sizeof(std::uint32_t) * 2 * VkDeviceSize(listed),
-	                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "polygons of later stages");
+	if (Status room = makeRoom(*device_, list_, sizeof(std::uint32_t) * 2 * VkDeviceSize(listed),
+	                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "polygons of later stages", gpu::Memory::device);
 	    !room)
 		return room;
-	if (Status room = makeDeviceRoom(*device_, lists_, sizeof(shared::RasterList) * (kLists + 1) * runs_.size(),
-	                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
-	                                     VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-	                                 "lists of later stages");
+	if (Status room = makeRoom(*device_, lists_, sizeof(shared::RasterList) * (kLists + 1) * runs_.size(),
+	                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+	                               VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+	                           "lists of later stages", gpu::Memory::device);
 	    !room)
 		return room;
 	return makeSets(scene, targets, edges);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gpu/shader.h"
+#include "render/passes/buffers.h"
 #include "render/passes/fragment_lists.h"
-#include "render/passes/host_buffer.h"
 #include "render/passes/opaque_target.h"
 #include "render/scene/scene.h"
 #include "shared/render_types.h"

@@ -139,6 +139,24 @@ void Targets::swap(Targets& other) noexcept
 	std::swap(layers_view_, other.layers_view_);
 }
 
+std::vector<std::uint8_t> Targets::readPixels(bool is_opaque) const
+{
+	pixels.invalidate();
+	const auto* from = pixels.mappedAs<std::uint8_t>();
+	std::vector<std::uint8_t> rgba(from, from + std::size_t(4) * part_.picture.width * part_.picture.height);
+	if (is_opaque)
+		return rgba;
+	for (std::size_t i = 0; i < rgba.size(); i += 4)
+	{
+		const int alpha = rgba[i + 3];
+		if (alpha == 0 || alpha == 255)
+			continue;
+		for (int c = 0; c < 3; ++c)
+			rgba[i + c] = static_cast<std::uint8_t>(std::min(255, (rgba[i + c] * 255 + alpha / 2) / alpha));
+	}
+	return rgba;
+}
+
 void coverAll(VkCommandBuffer commands, VkExtent2D extent)
 {
 	coverPart(commands, extent, {{0, 0}, extent});

@@ -4,6 +4,7 @@
 #include "gpu/image.h"
 #include "render/passes/picture_part.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace vp::render
@@ -43,6 +44,9 @@ public:
 	VkExtent2D extent() const { return part_.extent; }
 	VkImageView layer(std::size_t i) const { return layer_views_[i]; } // to draw into
 	VkImageView layers() const { return layers_view_; }                // all, as an array
+	// The picture's RGBA bytes as in a file, whose colors are not multiplied by alpha. After `pixels` was written and
+	// waited for.
+	std::vector<std::uint8_t> readPixels(bool is_opaque) const;
 
 	gpu::Image values; // a layer a sheet
 	gpu::Image lines;

@@ -1,6 +1,7 @@
 #include "curved_samples.h"
 
 #include "sample_files.h"
+#include "unit_cube.h"
 
 #include <vtkCell.h>
 #include <vtkCellData.h>
@@ -22,15 +23,7 @@ using vp::Vec3;
 namespace
 {
 
-enum class ParentShape
-{
-	hexahedron,
-	wedge,
-	pyramid,
-	tetrahedron
-};
-
-ParentShape formOf(std::uint8_t type)
+ParentShape shapeOf(std::uint8_t type)
 {
 	switch (type)
 	{
@@ -100,33 +93,6 @@ std::vector<Vec3> referencePoints(const CurvedKind& kind)
 	return places;
 }
 
-using Frame = std::array<Vec3, 4>; // origin and three edges
-
-// The cells of a unit cube. Wedges and tetrahedra part its sides alike in every cube.
-std::vector<Frame> framesOf(ParentShape form)
-{
-	const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), zero(0, 0, 0);
-	switch (form)
-	{
-	case ParentShape::hexahedron:
-		return {{zero, x, y, z}};
-	case ParentShape::wedge:
-		return {{zero, x, x + y, z}, {zero, x + y, y, z}};
-	case ParentShape::pyramid:
-	{
-		std::vector<Frame> frames;
-		// The third edge runs so that (1/2, 1/2, 1) comes to the cube's middle.
-		for (const auto& [origin, a, b, up] : std::initializer_list<Frame>{
-		         {zero, x, y, z}, {z, y, x, -z}, {zero, y, z, x}, {x, z, y, -x}, {zero, z, x, y}, {y, x, z, -y}})
-			frames.push_back({origin, a, b, 0.5 * up});
-		return frames;
-	}
-	default:
-		return {{zero, x, x + y, x + y + z}, {zero, x + y, y, x + y + z}, {zero, y, y + z, x + y + z},
-		        {zero, y + z, z, x + y + z}, {zero, z, x + z, x + y + z}, {zero, x + z, x, x + y + z}};
-	}
-}
-
 void addArrays(vtkUnstructuredGrid* grid)
 {
 	vtkNew<vtkDoubleArray> f;
@@ -194,7 +160,7 @@ vtkSmartPointer<vtkUnstructuredGrid> curvedMesh(const CurvedKind& kind, const st
 	std::map<std::array<long, 3>, vtkIdType> known;
 	grid->Allocate(1);
 	for (int block = 0; block < 8; ++block)
-		for (const Frame& frame : framesOf(formOf(kind.type)))
+		for (const CellFrame& frame : unitCubeCells(shapeOf(kind.type)))
 		{
 			const Vec3 corner(block % 2, block / 2 % 2, block / 4);
 			std::vector<vtkIdType> ids;

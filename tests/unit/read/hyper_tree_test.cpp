@@ -1,38 +1,12 @@
+#include "hyper_tree_samples.h"
 #include "read/read.h"
 #include "sample_files.h"
 
 #include <gtest/gtest.h>
 
-#include <vtkHyperTreeGrid.h>
-#include <vtkNew.h>
-#include <vtkRandomHyperTreeGridSource.h>
-#include <vtkXMLHyperTreeGridWriter.h>
-
 #include <cmath>
 
 using namespace vp;
-
-namespace
-{
-
-// Trees on a lattice of 3 x 2 x 4 unit cells, split at random down to three levels. Returns the number of leaves.
-std::size_t writeTrees(const std::string& path)
-{
-	vtkNew<vtkRandomHyperTreeGridSource> source;
-	source->SetDimensions(4, 3, 5);
-	source->SetOutputBounds(0.0, 3.0, 0.0, 2.0, 0.0, 4.0);
-	source->SetSeed(7);
-	source->SetMaxDepth(4);
-	source->SetSplitFraction(0.4);
-	vtkNew<vtkXMLHyperTreeGridWriter> writer;
-	writer->SetInputConnection(source->GetOutputPort());
-	writer->SetFileName(path.c_str());
-	writer->Write();
-	return static_cast<std::size_t>(
-	    vtkHyperTreeGrid::SafeDownCast(source->GetOutputDataObject(0))->GetNumberOfLeaves());
-}
-
-} // namespace
 
 TEST(HyperTreeGrid, GivesItsLeavesWithoutGaps)
 {

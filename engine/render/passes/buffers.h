@@ -9,9 +9,9 @@
 namespace vp::render
 {
 
-// Makes `buffer` one that the host writes and that holds at least `bytes`; keeps it where it does already.
+// Makes `buffer` one that holds at least `bytes`; keeps it where it does already. By default the host writes it.
 Status makeRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, VkBufferUsageFlags usage,
-                std::string_view name);
+                std::string_view name, gpu::Memory memory = gpu::Memory::upload);
 
 // What the host writes and shaders read as texels.
 struct HostTexels

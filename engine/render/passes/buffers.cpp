@@ -1,4 +1,4 @@
-#include "render/passes/host_buffer.h"
+#include "render/passes/buffers.h"
 
 #include <algorithm>
 #include <cstring>
@@ -7,13 +7,13 @@ namespace vp::render
 {
 
 Status makeRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, VkBufferUsageFlags usage,
-                std::string_view name)
+                std::string_view name, gpu::Memory memory)
 {
 	if (buffer && buffer.size() >= bytes)
 		return Nothing{};
 	// Half as much again: a scene that grows a little does not allocate each time. In whole texels of any format.
 	const VkDeviceSize room = std::max<VkDeviceSize>((bytes + bytes / 2 + 15) / 16 * 16, 1024);
-	auto made = gpu::Buffer::create(device, room, usage, gpu::Memory::upload, name);
+	auto made = gpu::Buffer::create(device, room, usage, memory, name);
 	if (!made)
 		return made.error();
 	buffer = std::move(*made);
