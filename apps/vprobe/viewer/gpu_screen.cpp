@@ -7,14 +7,13 @@
 #include <imgui/backends/imgui_impl_vulkan.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace vp::app
 {
 
 namespace
 {
-
-constexpr gpu::ImageUse kShown = gpu::kPresented;
 
 VkOffset3D corner(const glm::ivec2& at, int depth)
 {
@@ -77,18 +76,16 @@ Status uploadFonts(gpu::Device& device)
 
 } // namespace
 
-Result<std::unique_ptr<Screen>> Screen::create(gpu::Device& device, VkSurfaceKHR surface, VkExtent2D extent)
+Result<std::unique_ptr<Screen>> Screen::create(gpu::Device& device, const Window& window)
 {
-	std::unique_ptr<Screen> screen(new Screen(device, surface));
-	VkBool32 presents = VK_FALSE;
-	vkGetPhysicalDeviceSurfaceSupportKHR(device.physical(), device.queueFamily(), surface, &presents);
-	if (!presents)
-		return Error{ErrorKind::device,
-		             device.name() + " cannot show pictures in this window; name another one with --device"};
-	for (const auto step : {&Screen::chooseFormat, &Screen::makeRenderPass, &Screen::makeFrames})
+	const auto surface = window.makeSurface(device.instance());
+	if (!surface)
+		return surface.error();
+	std::unique_ptr<Screen> screen(new Screen(device, window, *surface));
+	for (const auto step : {&Screen::chooseWay, &Screen::chooseFormat, &Screen::makeRenderPass, &Screen::makeFrames})
 		if (Status done = (screen.get()->*step)(); !done)
 			return done.error();
-	if (Status made = screen->makeSwapchain(extent); !made)
+	if (Status made = screen->makeTargets(window.pixels()); !made)
 		return made.error();
 	if (Status started = screen->takeFonts(); !started)
 		return started.error();
@@ -142,7 +139,7 @@ Status Screen::takeFonts()
 Result<bool> Screen::show(std::span<const Placement> pictures, ImDrawData& interface, VkExtent2D extent)
 {
 	if (!fits_ || extent.width != extent_.width || extent.height != extent_.height)
-		if (Status made = makeSwapchain(extent); !made)
+		if (Status made = makeTargets(extent); !made)
 			return made.error();
 	if (!fits_)
 		return false;
@@ -152,17 +149,12 @@ Result<bool> Screen::show(std::span<const Placement> pictures, ImDrawData& inter
 	if (!recording)
 		return recording.error();
 	frame.holds.clear();
-	std::uint32_t index = 0;
-	const VkResult acquired =
-	    vkAcquireNextImageKHR(device_.handle(), swapchain_, ~std::uint64_t(0), frame.acquired, VK_NULL_HANDLE, &index);
-	if (acquired == VK_ERROR_OUT_OF_DATE_KHR)
-	{
-		fits_ = false;
+	const Result<std::optional<std::uint32_t>> index = acquire(frame);
+	if (!index)
+		return index.error();
+	if (!*index)
 		return false;
-	}
-	if (Status got = gpu::check(acquired, "vkAcquireNextImageKHR"); !got)
-		return got.error();
-	const Target& target = targets_[index];
+	const Target& target = targets_[**index];
 	const auto recordAll = [&]() -> Status
 	{
 		record(*recording, target, pictures, interface);
@@ -172,13 +164,51 @@ Result<bool> Screen::show(std::span<const Placement> pictures, ImDrawData& inter
 		return recorded.error();
 	for (const Placement& placed : pictures)
 		frame.holds.push_back(placed.image);
-	Result<std::uint64_t> submitted = frame.commands.submit({&frame.acquired, 1}, {&target.drawn, 1});
-	if (!submitted)
+	return finish(frame, **index);
+}
+
+Result<std::optional<std::uint32_t>> Screen::acquire(const Frame& frame)
+{
+	std::uint32_t index = 0;
+	if (rows_)
+		return std::optional(index);
+	const VkResult acquired =
+	    vkAcquireNextImageKHR(device_.handle(), swapchain_, ~std::uint64_t(0), frame.acquired, VK_NULL_HANDLE, &index);
+	if (acquired == VK_ERROR_OUT_OF_DATE_KHR)
+	{
+		fits_ = false;
+		return std::optional<std::uint32_t>();
+	}
+	if (Status got = gpu::check(acquired, "vkAcquireNextImageKHR"); !got)
+		return got.error();
+	return std::optional(index);
+}
+
+Result<bool> Screen::finish(Frame& frame, std::uint32_t index)
+{
+	const Target& target = targets_[index];
+	if (rows_)
+	{
+		if (Status drawn = frame.commands.submitAndWait(); !drawn)
+			return drawn.error();
+	}
+	else if (auto submitted = frame.commands.submit({&frame.acquired, 1}, {&target.drawn, 1}); !submitted)
 		return submitted.error();
 	if (capture_)
 		if (Status captured = finishCapture(target); !captured)
 			return captured.error();
-	return present(index);
+	if (!rows_)
+		return present(index);
+	own_pixels_.invalidate();
+	const std::size_t bytes = std::size_t(4) * extent_.width * extent_.height;
+	rows_->send({own_pixels_.mappedAs<std::byte>(), bytes}, extent_.width, extent_.height,
+	            std::exchange(exposures_, window_.exposures()) != window_.exposures());
+	return true;
+}
+
+std::optional<std::uint64_t> Screen::rowsSent() const
+{
+	return rows_ ? std::optional(rows_->rowsSent()) : std::nullopt;
 }
 
 void Screen::record(VkCommandBuffer to, const Target& target, std::span<const Placement> pictures,
@@ -195,7 +225,22 @@ void Screen::record(VkCommandBuffer to, const Target& target, std::span<const Pl
 	vkCmdBeginRenderPass(to, &begin, VK_SUBPASS_CONTENTS_INLINE);
 	ImGui_ImplVulkan_RenderDrawData(&interface, to);
 	vkCmdEndRenderPass(to);
-	gpu::imageBarrier(to, target.image, color, gpu::kColorTarget, kShown);
+	gpu::imageBarrier(to, target.image, color, gpu::kColorTarget, finishedUse());
+	if (rows_)
+		recordPixels(to, target.image, finishedUse(), own_pixels_);
+}
+
+// For the host, which waits for it.
+void Screen::recordPixels(VkCommandBuffer to, VkImage from, const gpu::ImageUse& use, const gpu::Buffer& pixels) const
+{
+	gpu::imageBarrier(to, from, VK_IMAGE_ASPECT_COLOR_BIT, use, gpu::kCopyFrom);
+	VkBufferImageCopy copy{};
+	copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+	copy.imageExtent = {extent_.width, extent_.height, 1};
+	vkCmdCopyImageToBuffer(to, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels.handle(), 1, &copy);
+	gpu::memoryBarrier(to, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT,
+	                   VK_ACCESS_2_HOST_READ_BIT);
+	gpu::imageBarrier(to, from, VK_IMAGE_ASPECT_COLOR_BIT, gpu::kCopyFrom, use);
 }
 
 void Screen::recordPictures(VkCommandBuffer to, const Target& target, std::span<const Placement> pictures) const
@@ -234,18 +279,7 @@ Status Screen::finishCapture(const Target& target)
 	if (!pixels)
 		return pixels.error();
 	const Status copied = gpu::runOnce(
-	    device_, "capture",
-	    [&](VkCommandBuffer to)
-	    {
-		    gpu::imageBarrier(to, target.image, VK_IMAGE_ASPECT_COLOR_BIT, kShown, gpu::kCopyFrom);
-		    VkBufferImageCopy copy{};
-		    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-		    copy.imageExtent = {extent_.width, extent_.height, 1};
-		    vkCmdCopyImageToBuffer(to, target.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels->handle(), 1, &copy);
-		    gpu::memoryBarrier(to, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-		                       VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
-		    gpu::imageBarrier(to, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::kCopyFrom, kShown);
-	    });
+	    device_, "capture", [&](VkCommandBuffer to) { recordPixels(to, target.image, finishedUse(), *pixels); });
 	if (!copied)
 		return copied;
 	pixels->invalidate();

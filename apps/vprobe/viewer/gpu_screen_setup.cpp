@@ -6,11 +6,39 @@
 namespace vp::app
 {
 
-// What a screen is made of: formats, frames, the images of the swapchain.
+namespace
+{
+
+constexpr VkImageUsageFlags kTargetUsage =
+    VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+
+} // namespace
+
+// What a screen is made of: formats, frames, and the images that frames are drawn into.
+
+Status Screen::chooseWay()
+{
+	VkBool32 presents = VK_FALSE;
+	vkGetPhysicalDeviceSurfaceSupportKHR(device_.physical(), device_.queueFamily(), surface_, &presents);
+	if (presents && !RowSender::isRemote())
+		return Nothing{};
+	auto rows = RowSender::create(window_.handle());
+	if (rows)
+		rows_ = std::move(*rows);
+	else if (!presents)
+		return Error{ErrorKind::device,
+		             device_.name() + " cannot show pictures in this window; name another one with --device"};
+	return Nothing{};
+}
 
 // Eight bits a channel, taken as they are: pictures are sRGB already.
 Status Screen::chooseFormat()
 {
+	if (rows_)
+	{
+		format_.format = VK_FORMAT_B8G8R8A8_UNORM;
+		return Nothing{};
+	}
 	std::uint32_t count = 0;
 	vkGetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface_, &count, nullptr);
 	std::vector<VkSurfaceFormatKHR> formats(count);
@@ -76,6 +104,32 @@ Status Screen::makeFrames()
 	return Nothing{};
 }
 
+Status Screen::makeTargets(VkExtent2D extent)
+{
+	return rows_ ? makeOwnTarget(extent) : makeSwapchain(extent);
+}
+
+Status Screen::makeOwnTarget(VkExtent2D extent)
+{
+	if (extent.width == 0 || extent.height == 0)
+		return Nothing{}; // minimized: later
+	if (Status idle = device_.waitIdle(); !idle)
+		return idle;
+	dropTargets();
+	auto made = gpu::Image::create(device_, {extent, format_.format, kTargetUsage}, "window");
+	if (!made)
+		return made.error();
+	auto pixels = gpu::Buffer::create(device_, VkDeviceSize(4) * extent.width * extent.height,
+	                                  VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::Memory::readback, "rows of the window");
+	if (!pixels)
+		return pixels.error();
+	own_ = std::move(*made);
+	own_pixels_ = std::move(*pixels);
+	extent_ = extent;
+	fits_ = true;
+	return addTarget(own_.handle());
+}
+
 Status Screen::makeSwapchain(VkExtent2D extent)
 {
 	VkSurfaceCapabilitiesKHR can{};
@@ -98,8 +152,7 @@ Status Screen::makeSwapchain(VkExtent2D extent)
 	info.imageColorSpace = format_.colorSpace;
 	info.imageExtent = extent;
 	info.imageArrayLayers = 1;
-	info.imageUsage =
-	    VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+	info.imageUsage = kTargetUsage;
 	info.preTransform = can.currentTransform;
 	info.compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR)
 	                          ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR

@@ -105,6 +105,7 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, int wid
 	                    });
 	glfwSetCursorEnterCallback(handle, ImGui_ImplGlfw_CursorEnterCallback);
 	glfwSetWindowFocusCallback(handle, ImGui_ImplGlfw_WindowFocusCallback);
+	glfwSetWindowRefreshCallback(handle, [](GLFWwindow* of) { ++windowOf(of).exposures_; });
 	glfwSetDropCallback(handle,
 	                    [](GLFWwindow* of, int count, const char** names) {
 		                    windowOf(of).drop({names, names + count});

@@ -3,6 +3,7 @@
 #include "base/result.h"
 #include "gpu/vulkan.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -46,8 +47,9 @@ public:
 	void hear(double seconds);
 	static void wake(); // from any thread: ends a wait
 
-	VkExtent2D pixels() const; // of the content; 0 x 0 while minimized
-	double scale() const;      // of the screen: 2 where letters are to have twice the pixels
+	std::uint64_t exposures() const { return exposures_; } // how often the desktop has lost what the window showed
+	VkExtent2D pixels() const;                             // of the content; 0 x 0 while minimized
+	double scale() const; // of the screen: 2 where letters are to have twice the pixels
 	double refreshRate() const;
 	bool minimized() const;
 	void minimize();
@@ -66,6 +68,7 @@ private:
 	GLFWwindow* window_;
 	WindowEvents events_;
 	int modifiers_ = 0;
+	std::uint64_t exposures_ = 0;
 	int place_[4] = {}; // where the window was before it was full screen: x, y, width, height
 };
 

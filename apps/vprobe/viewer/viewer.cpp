@@ -301,11 +301,8 @@ Status runOnDevice(Window& window, const ViewerOptions& options, const std::stri
 		return made.error();
 	const std::shared_ptr<gpu::Device> device = std::move(*made);
 	figures["device"] = device->name();
-	const auto surface = window.makeSurface(device->instance());
-	if (!surface)
-		return surface.error();
 	makeFonts(window.scale());
-	Result<std::unique_ptr<Screen>> screen = Screen::create(*device, *surface, window.pixels());
+	Result<std::unique_ptr<Screen>> screen = Screen::create(*device, window);
 	if (!screen)
 		return screen.error();
 	if (!lasting.notice.empty())
@@ -313,6 +310,8 @@ Status runOnDevice(Window& window, const ViewerOptions& options, const std::stri
 	Viewer viewer(window, **screen, device, options.read_state, lasting);
 	Status ended = viewer.run();
 	figures["validation_messages"] = device->validationMessages();
+	if (const auto rows = (*screen)->rowsSent())
+		figures["rows_sent"] = *rows;
 	return ended;
 }
 

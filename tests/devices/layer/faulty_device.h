@@ -18,4 +18,13 @@ inline std::map<std::string, std::string> faultyDevice(const std::string& fault,
 	        {"VPROBE_LAYER_COUNT", count}};
 }
 
+/// The environment of a program whose device lacks something (restrictions.h says what). Validation holds the program
+/// to what the layer tells.
+inline std::map<std::string, std::string> restrictedDevice(const std::string& restrictions)
+{
+	return {{"VK_LAYER_PATH", VPROBE_TEST_LAYERS},
+	        {"VK_INSTANCE_LAYERS", "VK_LAYER_KHRONOS_validation:VK_LAYER_VPROBE_test"},
+	        {"VPROBE_LAYER_RESTRICT", restrictions}};
+}
+
 } // namespace vp::layer

@@ -104,7 +104,8 @@ enum Slot : std::size_t
 	X(vkGetPhysicalDeviceMemoryProperties)                                                                             \
 	X(vkGetPhysicalDeviceMemoryProperties2)                                                                            \
 	X(vkGetPhysicalDeviceQueueFamilyProperties)                                                                        \
-	X(vkEnumerateDeviceExtensionProperties)
+	X(vkEnumerateDeviceExtensionProperties)                                                                            \
+	X(vkGetPhysicalDeviceSurfaceSupportKHR)
 
 // Asked for while the instance is made: later the loader may give this layer's own functions back.
 struct NextInstance
@@ -370,6 +371,15 @@ VKAPI_ATTR VkResult VKAPI_CALL deviceExtensions(VkPhysicalDevice device, const c
 	return given < extensions.size() ? VK_INCOMPLETE : VK_SUCCESS;
 }
 
+VKAPI_ATTR VkResult VKAPI_CALL surfaceSupport(VkPhysicalDevice device, std::uint32_t family, VkSurfaceKHR surface,
+                                              VkBool32* told)
+{
+	const VkResult asked = instanceOf(device).vkGetPhysicalDeviceSurfaceSupportKHR(device, family, surface, told);
+	if (!restrictions().windows)
+		*told = VK_FALSE;
+	return asked;
+}
+
 PFN_vkVoidFunction VKAPI_CALL deviceFunction(VkDevice device, const char* name);
 PFN_vkVoidFunction VKAPI_CALL instanceFunction(VkInstance instance, const char* name);
 
@@ -398,6 +408,7 @@ const Entry kInstanceFunctions[] = {
     entry("vkGetPhysicalDeviceMemoryProperties2", memory2),
     entry("vkGetPhysicalDeviceQueueFamilyProperties", queueFamilies),
     entry("vkEnumerateDeviceExtensionProperties", deviceExtensions),
+    entry("vkGetPhysicalDeviceSurfaceSupportKHR", surfaceSupport),
 };
 
 // The first of a name counts.

@@ -18,7 +18,7 @@ Restrictions Restrictions::fromEnvironment()
 	    {"no-timestamps", &has.timestamps},    {"one-queue", &has.queues},
 	    {"split-memory", &has.mapped_memory},  {"few-descriptors", &has.descriptors},
 	    {"few-allocations", &has.allocations}, {"no-extensions", &has.extensions},
-	    {"no-options", &has.options}};
+	    {"no-options", &has.options},          {"no-windows", &has.windows}};
 	const char* set = std::getenv("VPROBE_LAYER_RESTRICT");
 	std::istringstream words(set ? set : "");
 	for (std::string word; std::getline(words, word, ',');)

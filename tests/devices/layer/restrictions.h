@@ -20,6 +20,7 @@ namespace vp::layer
 ///   few-allocations    32 allocations of memory
 ///   no-extensions      only the extensions that windows need
 ///   no-options         no features but those that the program requires
+///   no-windows         no pictures presented in windows
 struct Restrictions
 {
 	bool float64 = true;
@@ -33,6 +34,7 @@ struct Restrictions
 	bool allocations = true;
 	bool extensions = true;
 	bool options = true;
+	bool windows = true;
 
 	/// A name that is not known ends the program: a test that restricts nothing would pass.
 	static Restrictions fromEnvironment();
