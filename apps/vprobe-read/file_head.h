@@ -32,6 +32,11 @@ public:
 	bool isFolder() const;
 	bool isTecplot() const; // text
 	bool isUcd() const;     // text
+	bool isBinaryUcd() const;
+	bool isFluent() const;
+	bool isSlc() const;
+	bool isSegy() const;
+	bool isD3plot() const;
 	bool isXmlOfVtk() const { return has("<VTKFile"); }
 	bool namesFiles() const; // VTK XML that is an index of other files
 
