@@ -53,6 +53,12 @@ bool FileHead::isFolder() const
 	return std::filesystem::is_directory(file_);
 }
 
+bool FileHead::holdsFile(const std::string& name) const
+{
+	std::error_code ignored;
+	return std::filesystem::is_regular_file(std::filesystem::path(file_) / name, ignored);
+}
+
 bool FileHead::isTecplot() const
 {
 	if (!isText())

@@ -30,6 +30,7 @@ public:
 	bool isNetcdf() const { return starts("CDF\1") || starts("CDF\2") || starts("CDF\5"); }
 	bool isNifti() const;
 	bool isFolder() const;
+	bool holdsFile(const std::string& name) const; // a folder
 	bool isTecplot() const; // text
 	bool isUcd() const;     // text
 	bool isBinaryUcd() const;

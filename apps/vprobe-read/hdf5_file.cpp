@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <cmath>
 
 namespace
 {
@@ -109,6 +109,25 @@ std::vector<double> Hdf5File::reals(const std::string& path) const
 std::vector<std::int64_t> Hdf5File::integers(const std::string& path) const
 {
 	return values<std::int64_t>(path, H5T_NATIVE_INT64);
+}
+
+bool Hdf5File::isFloat(const std::string& path) const
+{
+	const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
+	const Hdf5Handle type(set < 0 ? -1 : H5Dget_type(set), H5Tclose);
+	return type >= 0 && H5Tget_class(type) == H5T_FLOAT;
+}
+
+std::array<double, 2> Hdf5File::limitsOfType(const std::string& path) const
+{
+	const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
+	const Hdf5Handle type(set < 0 ? -1 : H5Dget_type(set), H5Tclose);
+	if (type < 0 || H5Tget_class(type) != H5T_INTEGER)
+		return {0.0, 0.0};
+	const int bits = static_cast<int>(8 * H5Tget_size(type));
+	if (H5Tget_sign(type) == H5T_SGN_NONE)
+		return {0.0, std::ldexp(1.0, bits) - 1.0};
+	return {-std::ldexp(1.0, bits - 1), std::ldexp(1.0, bits - 1) - 1.0};
 }
 
 std::vector<double> Hdf5File::realsOr(const std::string& object, const char* attribute) const

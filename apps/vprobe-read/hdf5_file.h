@@ -1,7 +1,7 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +24,10 @@ public:
 	std::vector<double> reals(const std::string& path) const;
 	std::vector<std::int64_t> integers(const std::string& path) const;
 	std::vector<std::uint64_t> sidesOf(const std::string& path) const;
+
+	bool isFloat(const std::string& path) const;
+	// The least and the greatest number that a data set of whole numbers can hold.
+	std::array<double, 2> limitsOfType(const std::string& path) const;
 
 	double realOr(const std::string& object, const char* attribute, double otherwise) const;
 	std::vector<double> realsOr(const std::string& object, const char* attribute) const;

@@ -42,6 +42,9 @@ VP_FORMAT("npz", ".npz", "NumPy archive, stored or deflated", "arrays of one sha
 VP_FORMAT("gmsh", ".msh", "Gmsh mesh, versions 2 and 4, text and binary",
           "elements up to order 2; physical groups; node and element data; times", "vprobe", alone,
           head.starts("$MeshFormat"), base, Gmsh)
+VP_FORMAT("zarr", ".zarr", "Zarr version 2, a folder, of the CF conventions",
+          "the variables of most dimensions; missing values; times; units", "VTK, netCDF", folder,
+          head.isFolder() && head.holdsFile(".zgroup"), more, Zarr)
 // Before TIFF: a file may be both, with a TIFF header in the room that DICOM leaves.
 VP_FORMAT("dicom", ".dcm .ima", "DICOM: a file of many frames, or a series, by its folder or one file",
           "orientation; rescaled values; times", "GDCM", beside, head.at(128, "DICM") || head.isFolder(), more, Dicom)
@@ -49,6 +52,8 @@ VP_FORMAT("mrc", ".mrc .map .ccp4 .rec .st", "MRC and CCP4 map", "order of axes;
           head.at(208, "MAP"), base, Mrc)
 VP_FORMAT("tiff", ".tif .tiff", "TIFF stack, also of ImageJ and OME-TIFF", "channels; times; spacing; units", "libtiff",
           alone, head.starts("II*") || head.starts(std::string_view("MM\0*", 4)) || head.starts("II+"), base, Tiff)
+VP_FORMAT("minc", ".mnc", "MINC 1 and 2", "orientation; rescaled values; times; units", "vprobe, HDF5, netCDF", alone,
+          head.holds("minc-2.0") || (head.isNetcdf() && head.holds("image") && head.holds("zspace")), more, Minc)
 VP_FORMAT("netcdf", ".nc .nc4 .cdf", "netCDF, classic and netCDF-4, of the CF conventions",
           "the variables of most dimensions; missing values; times; units", "VTK", alone,
           head.isNetcdf() || head.holds("_NCProperties") || head.holds("Conventions"), more, Netcdf)
