@@ -221,6 +221,68 @@ void writeFluent(const std::string& path, bool binary)
 	                  section(300, 3300, "1 2 1 0 0 1 60", values));
 }
 
+// Words of 8 bytes: control words, a mesh of solids, and two states of which the later one is not moved.
+void writeD3plot(const std::string& path)
+{
+	std::string control(64 * 8, '\0');
+	const auto set = [&](std::size_t word, auto number)
+	{
+		std::string bytes;
+		addBytes(bytes, number);
+		control.replace(8 * word, 8, bytes);
+	};
+	const auto setWhole = [&](std::size_t word, std::int64_t number) { set(word, number); };
+	control.replace(0, 5, "a box");
+	setWhole(11, 1);
+	set(14, 971.0);
+	for (const auto& [word, number] :
+	     {std::pair{15, 4}, {16, 120}, {17, 6}, {18, 6}, {19, 1}, {20, 1}, {21, 1}, {23, 60}, {24, 1}, {27, 7}})
+		setWhole(static_cast<std::size_t>(word), number);
+	std::string places, solids;
+	eachSamplePoint(
+	    [&](const Vec3& at, int)
+	    {
+		    for (int axis = 0; axis < 3; ++axis)
+			    addBytes(places, static_cast<double>(at[axis]));
+	    });
+	eachSampleCell(
+	    [&](const Vec3&, const std::array<int, 8>& corners, int)
+	    {
+		    for (const int corner : corners)
+			    addBytes(solids, std::int64_t(corner) + 1);
+		    addBytes(solids, std::int64_t(1));
+	    });
+	std::string bytes = control + places + solids;
+	for (const double time : {0.5, 1.5})
+	{
+		addBytes(bytes, time);
+		for (int global = 0; global < 6; ++global)
+			addBytes(bytes, 1.0);
+		eachSamplePoint([&](const Vec3& at, int) { addBytes(bytes, time == 1.5 ? sampleValue(at) : 0.0); });
+		eachSamplePoint(
+		    [&](const Vec3& at, int)
+		    {
+			    for (int axis = 0; axis < 3; ++axis)
+				    addBytes(bytes, static_cast<double>(at[axis]) + (time == 1.5 ? 0.0 : 1.0));
+		    });
+		eachSamplePoint(
+		    [&](const Vec3&, int)
+		    {
+			    for (const double velocity : {1.0, 2.0, 3.0})
+				    addBytes(bytes, velocity);
+		    });
+		eachSampleCell(
+		    [&](const Vec3& middle, const std::array<int, 8>&, int)
+		    {
+			    for (int stress = 0; stress < 6; ++stress)
+				    addBytes(bytes, 1.0 * stress);
+			    addBytes(bytes, sampleValue(middle));
+		    });
+	}
+	addBytes(bytes, -999999.0);
+	writeContents(path, bytes);
+}
+
 } // namespace
 
 std::vector<SampleFile> codeSamples()
@@ -232,6 +294,7 @@ std::vector<SampleFile> codeSamples()
 	    {"packed.slc", [](const std::string& p) { writeSlc(p, true); }, "image", kSampleCellCount, kSamplePointCount,
 	     false, ""},
 	    {"survey.sgy", writeSegy, "curvilinear", kSampleCellCount, kSamplePointCount, false, ""},
+	    {"d3plot", writeD3plot, "unstructured", kSampleCellCount, kSamplePointCount, true, ""},
 	    {"binary_ucd.inp", writeBinaryUcd, "unstructured", kSampleCellCount, kSamplePointCount, true, ""},
 	    {"ascii_fluent.cas", [](const std::string& p) { writeFluent(p, false); }, "unstructured", kSampleCellCount,
 	     kSamplePointCount, true, "", false},

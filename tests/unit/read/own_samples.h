@@ -10,3 +10,6 @@ std::vector<SampleFile> scanSamples();
 
 // The same, of codes for flow and structures, and of surveys.
 std::vector<SampleFile> codeSamples();
+
+// The same, of formats that are kept in HDF5, netCDF and Zarr.
+std::vector<SampleFile> containerSamples();
