@@ -31,8 +31,8 @@ public:
 	bool isNifti() const;
 	bool isFolder() const;
 	bool holdsFile(const std::string& name) const; // a folder
-	bool isTecplot() const; // text
-	bool isUcd() const;     // text
+	bool isTecplot() const;                        // text
+	bool isUcd() const;                            // text
 	bool isBinaryUcd() const;
 	bool isFluent() const;
 	bool isSlc() const;

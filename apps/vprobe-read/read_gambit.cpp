@@ -77,7 +77,6 @@ GambitCounts readGambitCounts(TextCursor& at)
 	while (!at.peekLine().starts_with("NUMNP"))
 		at.line();
 	at.line();
-	at.line();
 	GambitCounts counts = {};
 	counts.nodes = at.count(4);
 	counts.elements = at.count(6);

@@ -172,7 +172,7 @@ void writeFluent(const std::string& path, bool binary)
 	const auto section = [binary](int number, int binary_number, const std::string& head, const std::string& body)
 	{
 		const int shown = binary ? binary_number : number;
-		return fmt::format("({} ({})(\n{}", shown, head, body) +
+		return fmt::format("({} ({})({}{}", shown, head, binary ? "" : "\n", body) +
 		       (binary ? fmt::format("\n)\nEnd of Binary Section   {})\n", shown) : std::string("))\n"));
 	};
 	const auto addReal = [binary](std::string& body, double number)

@@ -220,7 +220,7 @@ std::vector<SampleFile> containerSamples()
 	return {
 	    {"fields.med", writeMed, "unstructured", kSampleCellCount, kSamplePointCount, true, ""},
 	    {"two.mnc", writeMinc2, "image", kSampleCellCount, kSamplePointCount, false, ""},
-	    {"one.mnc", writeMinc1, "curvilinear", kSampleCellCount, kSamplePointCount, false, ""},
+	    {"one.mnc", writeMinc1, "image", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"group.zarr", writeZarr, "image", kSampleCellCount, kSamplePointCount, false, "group.zarr/f/1.0.0"},
 	};
 }
