@@ -8,6 +8,7 @@
 #include <vtk_netcdf.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace
@@ -145,6 +146,9 @@ MincVolume readMinc1(const std::string& name)
 	MincNetcdf::check(nc_inq_vartype(file.id(), image, &type));
 	volume.is_float = type == NC_FLOAT || type == NC_DOUBLE;
 	volume.values = file.values(image);
+	if (volume.is_float) // what nobody wrote
+		std::replace(volume.values.begin(), volume.values.end(), NC_FILL_DOUBLE,
+		             std::numeric_limits<double>::quiet_NaN());
 	if (const std::vector<double> range = file.numbers(image, "valid_range"); range.size() == 2)
 		volume.valid = {range[0], range[1]};
 	takeSign(volume, type, file.text(image, "signtype"));
