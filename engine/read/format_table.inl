@@ -54,6 +54,9 @@ VP_FORMAT("tiff", ".tif .tiff", "TIFF stack, also of ImageJ and OME-TIFF", "chan
           alone, head.starts("II*") || head.starts(std::string_view("MM\0*", 4)) || head.starts("II+"), base, Tiff)
 VP_FORMAT("minc", ".mnc", "MINC 1 and 2", "orientation; rescaled values; times; units", "vprobe, HDF5, netCDF", alone,
           head.holds("minc-2.0") || (head.isNetcdf() && head.holds("image") && head.holds("zspace")), more, Minc)
+VP_FORMAT("cam", "", "netCDF of the atmosphere model CAM, with the file of its quads",
+          "layers between quads; times", "VTK", beside, head.holds("ncol") && head.holds("lev") && head.holds("lat"), more,
+          Cam)
 VP_FORMAT("netcdf", ".nc .nc4 .cdf", "netCDF, classic and netCDF-4, of the CF conventions",
           "the variables of most dimensions; missing values; times; units", "VTK", alone,
           head.isNetcdf() || head.holds("_NCProperties") || head.holds("Conventions"), more, Netcdf)

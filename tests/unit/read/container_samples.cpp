@@ -181,6 +181,52 @@ void writeMinc1(const std::string& path)
 	nc_close(file);
 }
 
+// Columns whose levels go down, at two times, and beside them the quads between the columns.
+void writeCam(const std::string& path)
+{
+	int file = 0, time = 0, columns = 0, levels = 0, values = 0;
+	nc_create(path.c_str(), NC_CLOBBER, &file);
+	nc_def_dim(file, "time", 2, &time);
+	nc_def_dim(file, "lev", 6, &levels);
+	nc_def_dim(file, "ncol", 20, &columns);
+	std::array<int, 4> axes = {};
+	nc_def_var(file, "time", NC_DOUBLE, 1, &time, &axes[0]);
+	nc_def_var(file, "lev", NC_DOUBLE, 1, &levels, &axes[1]);
+	nc_def_var(file, "lon", NC_DOUBLE, 1, &columns, &axes[2]);
+	nc_def_var(file, "lat", NC_DOUBLE, 1, &columns, &axes[3]);
+	const std::array<int, 3> dimensions = {time, levels, columns};
+	nc_def_var(file, "f", NC_FLOAT, 3, dimensions.data(), &values);
+	nc_enddef(file);
+	std::vector<double> times = {0.0, 0.5}, pressures, east, north;
+	std::vector<float> f(120, 0.0f);
+	for (int level = 0; level < 6; ++level)
+	{
+		pressures.push_back(100.0 * level);
+		for (int column = 0; column < 20; ++column)
+			f.push_back(static_cast<float>(sampleValue(Vec3(column % 5, column / 5, 5 - level))));
+	}
+	for (int column = 0; column < 20; ++column)
+		east.push_back(column % 5), north.push_back(column / 5);
+	nc_put_var_double(file, axes[0], times.data());
+	nc_put_var_double(file, axes[1], pressures.data());
+	nc_put_var_double(file, axes[2], east.data());
+	nc_put_var_double(file, axes[3], north.data());
+	nc_put_var_float(file, values, f.data());
+	nc_close(file);
+
+	std::vector<int> corners;
+	for (const int corner : {0, 5, 6, 1})
+		for (int quad = 0; quad < 12; ++quad)
+			corners.push_back(quad % 4 + 5 * (quad / 4) + corner + 1);
+	nc_create((std::filesystem::path(path).parent_path() / "quads.nc").c_str(), NC_CLOBBER, &file);
+	nc_def_dim(file, "ncorners", 4, &axes[0]);
+	nc_def_dim(file, "ncells", 12, &axes[1]);
+	nc_def_var(file, "element_corners", NC_INT, 2, axes.data(), &values);
+	nc_enddef(file);
+	nc_put_var_int(file, values, corners.data());
+	nc_close(file);
+}
+
 // A folder for each array, with a file for each half of the values.
 void writeZarr(const std::string& path)
 {
@@ -221,6 +267,7 @@ std::vector<SampleFile> containerSamples()
 	    {"fields.med", writeMed, "unstructured", kSampleCellCount, kSamplePointCount, true, ""},
 	    {"two.mnc", writeMinc2, "image", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"one.mnc", writeMinc1, "image", kSampleCellCount, kSamplePointCount, false, ""},
+	    {"columns.nc", writeCam, "unstructured", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"group.zarr", writeZarr, "image", kSampleCellCount, kSamplePointCount, false, "group.zarr/f/1.0.0"},
 	};
 }
