@@ -2,14 +2,13 @@
 #include "minc_volume.h"
 
 #include "hdf5_file.h"
+#include "netcdf_file.h"
 #include "refusal.h"
 
 #include <fmt/format.h>
-#include <vtk_netcdf.h>
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 namespace
 {
@@ -26,80 +25,6 @@ void setDirection(MincAxis& axis, const std::vector<double>& cosines)
 	if (cosines.size() == 3)
 		std::copy(cosines.begin(), cosines.end(), axis.direction.begin());
 }
-
-// Closes a netCDF file; what fails is a Refusal.
-class MincNetcdf
-{
-public:
-	explicit MincNetcdf(const std::string& file) { check(nc_open(file.c_str(), NC_NOWRITE, &id_)); }
-	~MincNetcdf() { nc_close(id_); }
-	MincNetcdf(const MincNetcdf&) = delete;
-	MincNetcdf& operator=(const MincNetcdf&) = delete;
-
-	static void check(int status)
-	{
-		if (status != NC_NOERR)
-			throw damaged(fmt::format("netCDF says: {}", nc_strerror(status)));
-	}
-	int id() const { return id_; }
-	int variable(const char* name) const
-	{
-		int variable = -1;
-		return nc_inq_varid(id_, name, &variable) == NC_NOERR ? variable : -1;
-	}
-	std::vector<double> numbers(int variable, const char* attribute) const
-	{
-		std::size_t count = 0;
-		nc_type type = NC_NAT;
-		if (variable < 0 || nc_inq_att(id_, variable, attribute, &type, &count) != NC_NOERR || type == NC_CHAR ||
-		    count > 64)
-			return {};
-		std::vector<double> values(count);
-		check(nc_get_att_double(id_, variable, attribute, values.data()));
-		return values;
-	}
-	std::string text(int variable, const char* attribute) const
-	{
-		std::size_t count = 0;
-		nc_type type = NC_NAT;
-		if (variable < 0 || nc_inq_att(id_, variable, attribute, &type, &count) != NC_NOERR || type != NC_CHAR ||
-		    count > 4096)
-			return {};
-		std::string words(count, '\0');
-		check(nc_get_att_text(id_, variable, attribute, words.data()));
-		words.resize(std::min(words.find('\0'), words.size()));
-		return words;
-	}
-	std::vector<std::pair<std::string, std::size_t>> dimensions(int variable) const
-	{
-		int count = 0;
-		std::array<int, NC_MAX_VAR_DIMS> ids;
-		check(nc_inq_varndims(id_, variable, &count));
-		check(nc_inq_vardimid(id_, variable, ids.data()));
-		std::vector<std::pair<std::string, std::size_t>> all;
-		for (int d = 0; d < count; ++d)
-		{
-			std::array<char, NC_MAX_NAME + 1> name = {};
-			std::size_t length = 0;
-			check(nc_inq_dim(id_, ids[static_cast<std::size_t>(d)], name.data(), &length));
-			all.emplace_back(name.data(), length);
-		}
-		return all;
-	}
-	std::vector<double> values(int variable) const
-	{
-		std::size_t count = 1;
-		for (const auto& [name, length] : dimensions(variable))
-			if (__builtin_mul_overflow(count, length, &count) || count > std::size_t(1) << 36)
-				throw damaged("it has more values than there can be");
-		std::vector<double> all(count);
-		check(nc_get_var_double(id_, variable, all.data()));
-		return all;
-	}
-
-private:
-	int id_ = -1;
-};
 
 // Version 1 stores bytes and words without their sign.
 void takeSign(MincVolume& volume, nc_type type, const std::string& sign)
@@ -120,7 +45,7 @@ void takeSign(MincVolume& volume, nc_type type, const std::string& sign)
 
 MincVolume readMinc1(const std::string& name)
 {
-	const MincNetcdf file(name);
+	const NetcdfFile file(name);
 	const int image = file.variable("image");
 	if (image < 0)
 		throw damaged("it has no image");
@@ -143,7 +68,7 @@ MincVolume readMinc1(const std::string& name)
 		volume.axes.push_back(axis);
 	}
 	nc_type type = NC_NAT;
-	MincNetcdf::check(nc_inq_vartype(file.id(), image, &type));
+	NetcdfFile::check(nc_inq_vartype(file.id(), image, &type));
 	volume.is_float = type == NC_FLOAT || type == NC_DOUBLE;
 	volume.values = file.values(image);
 	if (volume.is_float) // what nobody wrote

@@ -57,6 +57,8 @@ VP_FORMAT("minc", ".mnc", "MINC 1 and 2", "orientation; rescaled values; times; 
 VP_FORMAT("cam", "", "netCDF of the atmosphere model CAM, with the file of its quads",
           "layers between quads; times", "VTK", beside, head.holds("ncol") && head.holds("lev") && head.holds("lat"), more,
           Cam)
+VP_FORMAT("mpas", "", "netCDF of the models MPAS, over the cells of their mesh", "layers of prisms; times", "vprobe, netCDF",
+          alone, head.holds("nCells") && head.holds("verticesOnCell") && head.holds("nVertLevels"), more, Mpas)
 VP_FORMAT("netcdf", ".nc .nc4 .cdf", "netCDF, classic and netCDF-4, of the CF conventions",
           "the variables of most dimensions; missing values; times; units", "VTK", alone,
           head.isNetcdf() || head.holds("_NCProperties") || head.holds("Conventions"), more, Netcdf)

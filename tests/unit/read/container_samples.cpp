@@ -227,6 +227,50 @@ void writeCam(const std::string& path)
 	nc_close(file);
 }
 
+// Quads on a plane and five layers below them, at two times.
+void writeMpas(const std::string& path)
+{
+	int file = 0;
+	nc_create(path.c_str(), NC_CLOBBER, &file);
+	std::array<int, 5> sides = {};
+	const std::array<std::pair<const char*, std::size_t>, 5> dimensions = {
+	    {{"Time", 2}, {"nCells", 12}, {"nVertLevels", 5}, {"nVertices", 20}, {"maxEdges", 4}}};
+	for (std::size_t d = 0; d < 5; ++d)
+		nc_def_dim(file, dimensions[d].first, dimensions[d].second, &sides[d]);
+	std::array<int, 3> axes = {};
+	int edges = 0, lists = 0, g = 0;
+	for (std::size_t axis = 0; axis < 3; ++axis)
+		nc_def_var(file, (std::string(1, "xyz"[axis]) + "Vertex").c_str(), NC_DOUBLE, 1, &sides[3], &axes[axis]);
+	nc_def_var(file, "nEdgesOnCell", NC_INT, 1, &sides[1], &edges);
+	const std::array<int, 2> of_lists = {sides[1], sides[4]};
+	nc_def_var(file, "verticesOnCell", NC_INT, 2, of_lists.data(), &lists);
+	nc_def_var(file, "g", NC_DOUBLE, 3, sides.data(), &g);
+	nc_put_att_text(file, NC_GLOBAL, "on_a_sphere", 3, "NO ");
+	nc_enddef(file);
+	std::array<std::vector<double>, 3> places;
+	for (int vertex = 0; vertex < 20; ++vertex)
+	{
+		places[0].push_back(vertex % 5);
+		places[1].push_back(vertex / 5);
+		places[2].push_back(0.0);
+	}
+	for (std::size_t axis = 0; axis < 3; ++axis)
+		nc_put_var_double(file, axes[axis], places[axis].data());
+	std::vector<int> counts(12, 4), corners;
+	std::vector<double> values(60, 0.0);
+	for (int cell = 0; cell < 12; ++cell)
+	{
+		for (const int corner : {0, 1, 6, 5})
+			corners.push_back(cell % 4 + 5 * (cell / 4) + corner + 1);
+		for (int layer = 0; layer < 5; ++layer)
+			values.push_back(sampleValue(Vec3(cell % 4 + 0.5, cell / 4 + 0.5, -10000.0 * (layer + 0.5))));
+	}
+	nc_put_var_int(file, edges, counts.data());
+	nc_put_var_int(file, lists, corners.data());
+	nc_put_var_double(file, g, values.data());
+	nc_close(file);
+}
+
 // A folder for each array, with a file for each half of the values.
 void writeZarr(const std::string& path)
 {
@@ -268,6 +312,7 @@ std::vector<SampleFile> containerSamples()
 	    {"two.mnc", writeMinc2, "image", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"one.mnc", writeMinc1, "image", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"columns.nc", writeCam, "unstructured", kSampleCellCount, kSamplePointCount, false, ""},
+	    {"prisms.nc", writeMpas, "unstructured", kSampleCellCount, kSamplePointCount, true, "", false},
 	    {"group.zarr", writeZarr, "image", kSampleCellCount, kSamplePointCount, false, "group.zarr/f/1.0.0"},
 	};
 }
