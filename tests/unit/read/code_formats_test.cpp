@@ -20,14 +20,14 @@ std::string bytesOfSample(const std::string& name)
 	return contentsOf(folder / name);
 }
 
-grid::BlockSet readAll(const std::string& path)
+grid::BlockSet readWhole(const std::string& path)
 {
 	auto set = read::readInputs({path}, {}, nullptr);
 	EXPECT_TRUE(set) << (set ? "" : set.error().message);
 	return set ? std::move(*set) : grid::BlockSet{};
 }
 
-const grid::Field& fieldOf(const grid::BlockSet& set, const std::string& name)
+const grid::Field& namedField(const grid::BlockSet& set, const std::string& name)
 {
 	const auto& fields = set.blocks.at(0).fields;
 	const auto found = std::ranges::find(fields, name, &grid::Field::name);
@@ -38,7 +38,7 @@ const grid::Field& fieldOf(const grid::BlockSet& set, const std::string& name)
 constexpr std::size_t kMeshBytes = 8 * (64 + 3 * kSamplePointCount + 9 * kSampleCellCount);
 constexpr std::size_t kStateBytes = 8 * (1 + 6 + 7 * kSamplePointCount + 7 * kSampleCellCount);
 
-std::string doubles(std::size_t count, double value)
+std::string repeatedWords(std::size_t count, double value)
 {
 	std::string bytes;
 	for (std::size_t i = 0; i < count; ++i)
@@ -54,14 +54,14 @@ TEST(CodeFormats, StatesOfLsdynaInFilesBesideTheMesh)
 	const std::string bytes = bytesOfSample("d3plot");
 	ASSERT_GE(bytes.size(), kMeshBytes + 2 * kStateBytes);
 	const TemporaryFolder folder;
-	const std::string mark = doubles(1, -999999.0);
+	const std::string mark = repeatedWords(1, -999999.0);
 	writeContents(folder / "d3plot", bytes.substr(0, kMeshBytes) + mark);
 	writeContents(folder / "d3plot01", bytes.substr(kMeshBytes, kStateBytes) + mark + std::string(512, '\0'));
 	writeContents(folder / "d3plot02", bytes.substr(kMeshBytes + kStateBytes, kStateBytes) + mark);
-	const grid::BlockSet set = readAll(folder / "d3plot");
+	const grid::BlockSet set = readWhole(folder / "d3plot");
 	EXPECT_EQ(set.times, (std::vector<double>{0.5, 1.5}));
-	EXPECT_EQ(fieldOf(set, "temperature").value(119, 0), sampleValue(Vec3(4, 3, 5)));
-	EXPECT_EQ(fieldOf(set, "displacement").value(119, 0), 0.0);
+	EXPECT_EQ(namedField(set, "temperature").value(119, 0), sampleValue(Vec3(4, 3, 5)));
+	EXPECT_EQ(namedField(set, "displacement").value(119, 0), 0.0);
 }
 
 TEST(CodeFormats, DeletedElementsOfLsdynaAreHidden)
@@ -71,10 +71,11 @@ TEST(CodeFormats, DeletedElementsOfLsdynaAreHidden)
 	addBytes(all_there, std::int64_t(-10001));
 	mesh.replace(8 * 36, 8, all_there);
 	const TemporaryFolder folder;
-	writeContents(folder / "d3plot", mesh + bytes.substr(kMeshBytes, kStateBytes) + doubles(kSampleCellCount, 1.0) +
-	                                     bytes.substr(kMeshBytes + kStateBytes, kStateBytes) + doubles(2, 0.0) +
-	                                     doubles(kSampleCellCount - 2, 1.0));
-	EXPECT_EQ(readAll(folder / "d3plot").cellCount(), kSampleCellCount - 2);
+	writeContents(folder / "d3plot", mesh + bytes.substr(kMeshBytes, kStateBytes) +
+	                                     repeatedWords(kSampleCellCount, 1.0) +
+	                                     bytes.substr(kMeshBytes + kStateBytes, kStateBytes) + repeatedWords(2, 0.0) +
+	                                     repeatedWords(kSampleCellCount - 2, 1.0));
+	EXPECT_EQ(readWhole(folder / "d3plot").cellCount(), kSampleCellCount - 2);
 }
 
 // The trace at a corner: the five cells below each other there are gone.
@@ -84,7 +85,7 @@ TEST(CodeFormats, CellsAboutMissingTracesOfSegyAreHidden)
 	constexpr std::size_t trace = 240 + 4 * 6;
 	const TemporaryFolder folder;
 	writeContents(folder / "a.sgy", bytes.substr(0, 3600) + bytes.substr(3600 + trace)); // the first has i = j = 0
-	const grid::BlockSet set = readAll(folder / "a.sgy");
+	const grid::BlockSet set = readWhole(folder / "a.sgy");
 	EXPECT_EQ(set.cellCount(), kSampleCellCount - 5);
 	EXPECT_EQ(set.blocks.at(0).bounds.lo.x, 0.0);
 	writeContents(folder / "b.sgy", bytes + bytes.substr(3600, trace));
@@ -103,7 +104,7 @@ TEST(CodeFormats, CellsOfFluentByTheirFaces)
 	                                "(13 (4 2 b 3 0)(\n4 1 2 3 4 1 0\n3 5 7 6 1 0\n3 5 8 7 1 0\n4 1 5 6 2 1 0\n"
 	                                "4 4 3 7 8 1 0\n4 1 4 8 5 1 0\n3 2 3 9 2 0\n3 3 7 9 2 0\n3 7 6 9 2 0\n"
 	                                "3 6 2 9 2 0\n))\n");
-	const grid::BlockSet set = readAll(folder / "a.cas");
+	const grid::BlockSet set = readWhole(folder / "a.cas");
 	ASSERT_EQ(set.blocks.size(), 1u);
 	EXPECT_EQ(set.blocks[0].name, "a: zone 2");
 	const auto& grid = std::get<grid::UnstructuredGrid>(set.blocks[0].grid);
