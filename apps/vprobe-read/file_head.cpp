@@ -1,6 +1,7 @@
 #include "file_head.h"
 
 #include "is_one_of.h"
+#include "lsdyna_words.h"
 #include "netcdf_size.h"
 
 #include <algorithm>
@@ -52,6 +53,12 @@ bool FileHead::isFolder() const
 	return std::filesystem::is_directory(file_);
 }
 
+bool FileHead::holdsFile(const std::string& name) const
+{
+	std::error_code ignored;
+	return std::filesystem::is_regular_file(std::filesystem::path(file_) / name, ignored);
+}
+
 bool FileHead::isTecplot() const
 {
 	if (!isText())
@@ -81,6 +88,48 @@ bool FileHead::isUcd() const
 		return words.eof() ? count : 0;
 	};
 	return numbersIn(line) == 5 && line.find('.') == line.npos && std::getline(lines, line) && numbersIn(line) == 4;
+}
+
+// A 7, then counts whose bytes, in the one order or the other, are as many as the file has: see read_ucd_binary.cpp.
+bool FileHead::isBinaryUcd() const
+{
+	return starts("\7") && head_.size() >= 25 && ends({".inp", ".avs", ".ucd", ".dat"});
+}
+
+// "(0 "a comment")", "(1 "...")" or "(2 3)", and at some place nodes.
+bool FileHead::isFluent() const
+{
+	const auto first = text().find_first_not_of(" \t\r\n");
+	if (first == head_.npos || head_[first] != '(')
+		return false;
+	const std::string_view rest = text().substr(first + 1, 3);
+	return isOneOf(rest, {"0 \"", "1 \"", "2 3", "2 2"}) || rest.starts_with("10 ") ||
+	       (ends({".cas"}) && !rest.empty() && std::isdigit(static_cast<unsigned char>(rest[0])));
+}
+
+bool FileHead::isSlc() const
+{
+	return starts("11111") && head_.size() > 5 && std::isspace(static_cast<unsigned char>(head_[5]));
+}
+
+// 40 lines that begin with C, in EBCDIC or ASCII, then numbers: of these a known format of samples, and how many.
+bool FileHead::isSegy() const
+{
+	constexpr std::size_t samples_at = 3220, format_at = 3224;
+	if (head_.size() < 3600 || !(starts("C") || starts("\xC3") || ends({".sgy", ".segy"})))
+		return false;
+	const auto isPossible = [&](std::size_t high, std::size_t low)
+	{
+		const auto number = [&](std::size_t at)
+		{ return static_cast<unsigned char>(head_[at + high]) * 256 + static_cast<unsigned char>(head_[at + low]); };
+		return number(samples_at) > 1 && number(format_at) >= 1 && number(format_at) <= 16;
+	};
+	return isPossible(0, 1) || isPossible(1, 0);
+}
+
+bool FileHead::isD3plot() const
+{
+	return !isText() && LsdynaWords::isHead(text());
 }
 
 bool FileHead::namesFiles() const

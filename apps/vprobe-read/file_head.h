@@ -30,8 +30,14 @@ public:
 	bool isNetcdf() const { return starts("CDF\1") || starts("CDF\2") || starts("CDF\5"); }
 	bool isNifti() const;
 	bool isFolder() const;
-	bool isTecplot() const; // text
-	bool isUcd() const;     // text
+	bool holdsFile(const std::string& name) const; // a folder
+	bool isTecplot() const;                        // text
+	bool isUcd() const;                            // text
+	bool isBinaryUcd() const;
+	bool isFluent() const;
+	bool isSlc() const;
+	bool isSegy() const;
+	bool isD3plot() const;
 	bool isXmlOfVtk() const { return has("<VTKFile"); }
 	bool namesFiles() const; // VTK XML that is an index of other files
 

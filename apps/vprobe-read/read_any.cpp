@@ -32,8 +32,6 @@ Refusal notRecognized(const FileHead& head)
 		return Refusal("a PLOT3D solution; give the grid file, and this one as --solution");
 	if (head.starts("#!TDV") || head.starts("#!SZPLT"))
 		return Refusal("a binary Tecplot file, which no free library reads; save it as text (.dat)");
-	if (head.holds("minc-2.0"))
-		return Refusal("a MINC file, which is not read; convert it to NIfTI with mnc2nii");
 	if (head.isHdf5() || head.isNetcdf())
 		return Refusal(fmt::format("{} data of another program or damaged ones; see vprobe info --formats",
 		                           head.isHdf5() ? "HDF5" : "netCDF"));

@@ -1,11 +1,11 @@
 // netCDF of the climate and forecast conventions, and any netCDF file with arrays of three axes.
 #include "complaints.h"
-#include "file_head.h"
 #include "formats.h"
 #include "manifest_writer.h"
 #include "netcdf_size.h"
 #include "refusal.h"
 #include "time_choice.h"
+#include "zarr_check.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 
 namespace
@@ -72,18 +73,13 @@ void addUnits(vtkNetCDFCFReader& reader, vtkFieldData* fields)
 				array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), units.c_str());
 }
 
-} // namespace
-
-void readNetcdf(const Request& request, ManifestWriter& manifest)
+// `name`: of a file, or an address that the netCDF library opens.
+void readByConventions(const std::string& name, const Request& request, ManifestWriter& manifest)
 {
-	const FileHead head(request.file);
-	if (head.holds("zspace") && head.holds("image"))
-		throw Refusal("a MINC file, whose places and ranges are not read; convert it to NIfTI with mnc2nii");
-	refuseShortNetcdf(request.file);
 	vtkNew<vtkNetCDFCFReader> reader;
-	if (!reader->CanReadFile(request.file.c_str()))
-		throw damaged("not a netCDF file that can be opened");
-	reader->SetFileName(request.file.c_str());
+	if (!reader->CanReadFile(name.c_str()))
+		throw damaged("netCDF cannot open it");
+	reader->SetFileName(name.c_str());
 	reader->SphericalCoordinatesOff(); // longitude, latitude and height as they are, not on a globe
 	reader->ReplaceFillValueWithNanOn();
 	reader->UpdateMetaData();
@@ -98,4 +94,22 @@ void readNetcdf(const Request& request, ManifestWriter& manifest)
 	addUnits(*reader, data->GetPointData());
 	addUnits(*reader, data->GetCellData());
 	manifest.add(data);
+}
+
+} // namespace
+
+void readNetcdf(const Request& request, ManifestWriter& manifest)
+{
+	refuseShortNetcdf(request.file);
+	readByConventions(request.file, request, manifest);
+}
+
+// Zarr version 2 through netCDF, where a group is what a file is elsewhere.
+void readZarr(const Request& request, ManifestWriter& manifest)
+{
+	const std::string folder = std::filesystem::absolute(request.file).lexically_normal().string();
+	if (folder.find_first_of("#?%[]&") != folder.npos)
+		throw Refusal("its path has one of # ? % [ ] &, which netCDF takes for something else; rename it");
+	refuseShortChunks(folder);
+	readByConventions("file://" + folder + "#mode=zarr,file", request, manifest);
 }

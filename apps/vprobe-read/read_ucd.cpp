@@ -5,6 +5,7 @@
 #include "refusal.h"
 #include "text_cursor.h"
 #include "text_end.h"
+#include "ucd_cells.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -25,30 +26,7 @@
 namespace
 {
 
-struct UcdCell
-{
-	std::string_view name;
-	int type;
-	vtkIdType corners;
-};
-
-constexpr UcdCell kCells[] = {{"pt", VTK_VERTEX, 1},   {"line", VTK_LINE, 2},     {"tri", VTK_TRIANGLE, 3},
-                              {"quad", VTK_QUAD, 4},   {"tet", VTK_TETRA, 4},     {"pyr", VTK_PYRAMID, 5},
-                              {"prism", VTK_WEDGE, 6}, {"hex", VTK_HEXAHEDRON, 8}};
-
 using Ids = std::unordered_map<std::int64_t, vtkIdType>;
-
-// AVS has the tip of a pyramid first, and the upper face of prisms and hexahedra before the lower one.
-void turn(int type, std::array<vtkIdType, 8>& corners)
-{
-	const std::array<vtkIdType, 8> c = corners;
-	if (type == VTK_PYRAMID)
-		corners = {c[1], c[2], c[3], c[4], c[0], 0, 0, 0};
-	else if (type == VTK_WEDGE)
-		corners = {c[3], c[4], c[5], c[0], c[1], c[2], 0, 0};
-	else if (type == VTK_HEXAHEDRON)
-		corners = {c[4], c[5], c[6], c[7], c[0], c[1], c[2], c[3]};
-}
 
 void readCells(TextCursor& at, std::size_t count, const Ids& points, vtkUnstructuredGrid* grid, Ids& cells)
 {
@@ -60,8 +38,8 @@ void readCells(TextCursor& at, std::size_t count, const Ids& points, vtkUnstruct
 		cells.emplace(at.integer(), static_cast<vtkIdType>(c));
 		material->InsertNextValue(static_cast<int>(at.integer()));
 		const std::string_view name = at.word();
-		const auto kind = std::ranges::find(kCells, name, &UcdCell::name);
-		if (kind == std::end(kCells))
+		const auto kind = std::ranges::find(ucdCells(), name, &UcdCell::name);
+		if (kind == ucdCells().end())
 			throw Refusal(fmt::format("a cell of type \"{}\", which is not read", name.substr(0, 20)));
 		std::array<vtkIdType, 8> corners = {};
 		for (vtkIdType i = 0; i < kind->corners; ++i)
@@ -71,7 +49,7 @@ void readCells(TextCursor& at, std::size_t count, const Ids& points, vtkUnstruct
 				throw damaged(fmt::format("cell {} has a node that is not there", c));
 			corners[static_cast<std::size_t>(i)] = found->second;
 		}
-		turn(kind->type, corners);
+		turnUcdCell(kind->type, corners);
 		grid->InsertNextCell(kind->type, kind->corners, corners.data());
 	}
 	grid->GetCellData()->AddArray(material);

@@ -42,6 +42,9 @@ VP_FORMAT("npz", ".npz", "NumPy archive, stored or deflated", "arrays of one sha
 VP_FORMAT("gmsh", ".msh", "Gmsh mesh, versions 2 and 4, text and binary",
           "elements up to order 2; physical groups; node and element data; times", "vprobe", alone,
           head.starts("$MeshFormat"), base, Gmsh)
+VP_FORMAT("zarr", ".zarr", "Zarr version 2, a folder, of the CF conventions",
+          "the variables of most dimensions; missing values; times; units", "VTK, netCDF", folder,
+          head.isFolder() && head.holdsFile(".zgroup"), more, Zarr)
 // Before TIFF: a file may be both, with a TIFF header in the room that DICOM leaves.
 VP_FORMAT("dicom", ".dcm .ima", "DICOM: a file of many frames, or a series, by its folder or one file",
           "orientation; rescaled values; times", "GDCM", beside, head.at(128, "DICM") || head.isFolder(), more, Dicom)
@@ -49,13 +52,34 @@ VP_FORMAT("mrc", ".mrc .map .ccp4 .rec .st", "MRC and CCP4 map", "order of axes;
           head.at(208, "MAP"), base, Mrc)
 VP_FORMAT("tiff", ".tif .tiff", "TIFF stack, also of ImageJ and OME-TIFF", "channels; times; spacing; units", "libtiff",
           alone, head.starts("II*") || head.starts(std::string_view("MM\0*", 4)) || head.starts("II+"), base, Tiff)
+VP_FORMAT("minc", ".mnc", "MINC 1 and 2", "orientation; rescaled values; times; units", "vprobe, HDF5, netCDF", alone,
+          head.holds("minc-2.0") || (head.isNetcdf() && head.holds("image") && head.holds("zspace")), more, Minc)
+VP_FORMAT("cam", "", "netCDF of the atmosphere model CAM, with the file of its quads",
+          "layers between quads; times", "VTK", beside, head.holds("ncol") && head.holds("lev") && head.holds("lat"), more,
+          Cam)
+VP_FORMAT("mpas", "", "netCDF of the models MPAS, over the cells of their mesh", "layers of prisms; times", "vprobe, netCDF",
+          alone, head.holds("nCells") && head.holds("verticesOnCell") && head.holds("nVertLevels"), more, Mpas)
 VP_FORMAT("netcdf", ".nc .nc4 .cdf", "netCDF, classic and netCDF-4, of the CF conventions",
           "the variables of most dimensions; missing values; times; units", "VTK", alone,
           head.isNetcdf() || head.holds("_NCProperties") || head.holds("Conventions"), more, Netcdf)
+VP_FORMAT("med", ".med .rmed", "MED 3 and 4 (Salome, Code_Aster)",
+          "meshes of linear cells; fields at nodes and cells; families; times; units", "vprobe, HDF5", alone,
+          head.holds("ENS_MAA"), more, Med)
 VP_FORMAT("tecplot", ".tec .tp .plt .dat", "Tecplot, text", "ordered and finite-element zones; values at cells; times",
           "vprobe", alone, head.isTecplot(), base, Tecplot)
 VP_FORMAT("avs-ucd", ".inp .avs .ucd", "AVS UCD, text", "linear cells; node and cell data; units", "vprobe", alone,
           head.isUcd(), base, Ucd)
+VP_FORMAT("avs-ucd-binary", ".inp .avs .ucd", "AVS UCD, binary", "linear cells; node and cell data; units", "vprobe", alone,
+          head.isBinaryUcd(), base, UcdBinary)
+VP_FORMAT("gambit", ".neu", "GAMBIT neutral file", "linear elements; groups", "vprobe", alone,
+          head.has("** GAMBIT NEUTRAL FILE") || (head.has("CONTROL INFO") && head.has("NUMNP")), base, Gambit)
+VP_FORMAT("fluent", ".cas .msh", "Fluent case and mesh, text and binary, with its data file",
+          "cell zones; polyhedra; values at cells", "vprobe", beside, head.isFluent(), base, Fluent)
+VP_FORMAT("slc", ".slc", "VolVis volume, plain and packed", "one array; units", "vprobe", alone, head.isSlc(), base, Slc)
+VP_FORMAT("segy", ".sgy .segy", "SEG-Y, revisions 0 to 2", "inlines and crosslines; missing traces hidden", "vprobe",
+          alone, head.isSegy(), base, Segy)
+VP_FORMAT("ls-dyna", "d3plot", "LS-DYNA d3plot, with the files of its states",
+          "solids and thick shells; deleted elements hidden; times", "vprobe", beside, head.isD3plot(), base, Lsdyna)
 VP_FORMAT("xdmf", ".xdmf .xmf", "XDMF 2 and 3, with HDF5, binary and inline data",
           "lattices and unstructured grids; polyhedra; collections in space and time", "vprobe, HDF5", beside,
           head.has("<Xdmf"), more, Xdmf)

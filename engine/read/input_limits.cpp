@@ -81,12 +81,12 @@ Result<InputLimits> inputLimits(const std::string& file, const std::string& solu
 		return inputError(file, "no such file; check the path");
 	if (error)
 		return inputError(file, fmt::format("cannot be opened: {}", error.message()));
-	const bool is_folder = fs::is_directory(status); // of a DICOM series
+	const bool is_folder = fs::is_directory(status); // of a DICOM series, or Zarr
 	if (!is_folder && !fs::is_regular_file(status))
 		return inputError(file, "not a regular file; copy its contents to one");
 	if (access(file.c_str(), R_OK) != 0)
 		return inputError(file, fmt::format("cannot be opened: {}", std::strerror(errno)));
-	std::uint64_t bytes = is_folder ? bytesBeside(file, FormatFiles::beside) : fs::file_size(file, error);
+	std::uint64_t bytes = is_folder ? bytesBeside(file, FormatFiles::folder) : fs::file_size(file, error);
 	if (bytes == 0 && !is_folder && files != FormatFiles::folder)
 		return inputError(file, "the file is empty");
 

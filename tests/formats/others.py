@@ -235,6 +235,88 @@ def avs_ucd(folder):
     by_meshio(folder, 'mesh.avs', mesh=mixed_mesh(meshio, numpy))
 
 
+def med(folder):
+    need('h5py')
+    by_meshio(folder, 'mesh.med')
+
+
+# The tetrahedra of the mixed mesh alone, with the points that they use.
+def tetrahedra(meshio, numpy):
+    mesh = mixed_mesh(meshio, numpy)
+    used, lists = numpy.unique(mesh.cells[1].data, return_inverse=True)
+    return meshio.Mesh(mesh.points[used], [('tetra', lists.reshape(-1, 4))],
+                       point_data={'f': mesh.point_data['f'][used]}, cell_data={'g': [mesh.cell_data['g'][1]]})
+
+
+def gambit(folder):
+    """After the GAMBIT User's Guide, appendix C."""
+    meshio, numpy = need('meshio'), need('numpy')
+    mesh = tetrahedra(meshio, numpy)
+    meshio.write(folder / 'reference.vtu', mesh)
+    cells = mesh.cells[0].data
+    lines = ['        CONTROL INFO 2.4.6', '** GAMBIT NEUTRAL FILE', 'tetrahedra',
+             'PROGRAM:                Gambit     VERSION:  2.4.6', ' 1 Jan 2020    12:00:00',
+             '     NUMNP     NELEM     NGRPS    NBSETS     NDFCD     NDFVL',
+             f'{len(mesh.points):10}{len(cells):10}         2         0         3         3', 'ENDOFSECTION',
+             '   NODAL COORDINATES 2.4.6']
+    lines += [f'{i + 1:10}{x:20.11e}{y:20.11e}{z:20.11e}' for i, (x, y, z) in enumerate(mesh.points)]
+    lines += ['ENDOFSECTION', '      ELEMENTS/CELLS 2.4.6']
+    lines += [f'{i + 1:8}  6  4 ' + ''.join(f'{n + 1:8}' for n in cell) for i, cell in enumerate(cells)]
+    lines.append('ENDOFSECTION')
+    half = len(cells) // 2
+    for group, elements in ((1, range(half)), (2, range(half, len(cells)))):
+        lines += ['       ELEMENT GROUP 2.4.6',
+                  f'GROUP:{group:11} ELEMENTS:{len(elements):11} MATERIAL:{group + 3:11} NFLAGS:          1',
+                  f'group {group}', '       0', *(f'{e + 1:8}' for e in elements), 'ENDOFSECTION']
+    path = folder / 'mesh.neu'
+    path.write_text('\n'.join(lines) + '\n')
+    compare(path, folder / 'reference.vtu', [])
+    a, b = cut(path, 'cell:Material Type'), cut(folder / 'reference.vtu', 'cell:g')
+    assert near(a['area'], b['area'], 1e-6) and (a['min'], a['max']) == (4, 5), (a, b)
+
+
+def fluent(folder):
+    """After the Fluent User's Guide, appendix B: each face once, its corners turning right about the way into c0."""
+    meshio, numpy = need('meshio'), need('numpy')
+    mesh = tetrahedra(meshio, numpy)
+    meshio.write(folder / 'reference.vtu', mesh)
+    faces = {}
+    for c, cell in enumerate(mesh.cells[0].data):
+        a, b, e, tip = mesh.points[cell]
+        if numpy.dot(numpy.cross(b - a, e - a), tip - a) < 0:
+            cell = cell[[0, 2, 1, 3]]
+        for inward in ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)):
+            corners = [int(cell[i]) for i in inward]
+            faces.setdefault(tuple(sorted(corners)), [corners]).append(c)
+    inside = [f for f in faces.values() if len(f) == 3]
+    outside = [f for f in faces.values() if len(f) == 2]
+    cells = len(mesh.cells[0].data)
+
+    def listed(some):
+        return '\n'.join(' '.join(f'{n + 1:x}' for n in f[0]) + f' {f[1] + 1:x} {f[2] + 1 if len(f) == 3 else 0:x}'
+                         for f in some)
+    nodes = '\n'.join(' '.join(repr(float(x)) for x in point) for point in mesh.points)
+    count = len(mesh.points)
+    (folder / 'run.cas').write_text(
+        f'(0 "tetrahedra")\n(2 3)\n(10 (0 1 {count:x} 0 3))\n(10 (1 1 {count:x} 1 3)(\n{nodes}))\n'
+        f'(12 (0 1 {cells:x} 0))\n(12 (2 1 {cells:x} 1 2))\n(13 (0 1 {len(faces):x} 0))\n'
+        f'(13 (3 1 {len(inside):x} 2 3)(\n{listed(inside)}))\n'
+        f'(13 (4 {len(inside) + 1:x} {len(faces):x} 3 3)(\n{listed(outside)}))\n')
+    values = '\n'.join(repr(float(x)) for x in mesh.cell_data['g'][0])
+    (folder / 'run.dat').write_text(f'(0 "values")\n(33 ({cells} {len(faces)} {count}))\n'
+                                    f'(300 (3 2 1 0 0 1 {cells})(\n{values}))\n')
+    compare(folder / 'run.cas', folder / 'reference.vtu', [('cell:TEMPERATURE', 'cell:g')])
+    vtk = need('vtkmodules.vtkIOGeometry')  # VTK's reader agrees where it can
+    reader = vtk.vtkFLUENTReader()
+    reader.SetFileName(str(folder / 'run.cas'))
+    reader.Update()
+    block = reader.GetOutput().GetBlock(0)
+    assert block.GetNumberOfCells() == cells, block
+    ours = [a for a in info(folder / 'run.cas')['arrays'] if a['name'] == 'TEMPERATURE'][0]['range']
+    theirs = block.GetCellData().GetArray('TEMPERATURE').GetRange()
+    assert near(ours[0], theirs[0]) and near(ours[1], theirs[1]), (ours, theirs)
+
+
 def lattice(numpy):
     z, y, x = numpy.mgrid[0:6, 0:4, 0:5].astype(float)
     return x + 10.0 * y + 100.0 * z
@@ -310,6 +392,52 @@ def netcdf_fill(folder):
         values[:] = numpy.ma.masked_greater(lattice(numpy), 400)
     found = info(path)['arrays'][0]['range']
     assert found == [0.0, 400.0], found
+
+
+def zarr(folder):
+    netcdf4, numpy = need('netCDF4'), need('numpy')
+    values = lattice(numpy)
+    reference = nrrd(folder, values, 'spacings: 0.5 1 2\naxis mins: 10 20 30\n')
+    for mode, packed in (('zarr', False), ('nczarr', True)):
+        path = folder / f'{mode}.zarr'
+        try:
+            file = netcdf4.Dataset(f'file://{path}#mode={mode},file', 'w')
+        except OSError:
+            raise Missing('netCDF with Zarr') from None
+        for name, places in (('z', 30 + 2.0 * numpy.arange(6)), ('y', 20 + 1.0 * numpy.arange(4)),
+                             ('x', 10 + 0.5 * numpy.arange(5))):
+            file.createDimension(name, len(places))
+            file.createVariable(name, 'f8', (name,))[:] = places
+        f = file.createVariable('f', 'f8', ('z', 'y', 'x'), zlib=packed, chunksizes=(3, 4, 5))
+        f[:] = values
+        f.units = 'K'
+        file.close()
+        compare(path, reference, [('point:f', 'point:f')])
+
+
+def netcdf_pop(folder):
+    """As the ocean model POP writes: places by longitude and latitude of two dimensions, depths of one."""
+    netcdf4, numpy = need('netCDF4'), need('numpy')
+    path = folder / 'ocean.pop.nc'
+    with netcdf4.Dataset(path, 'w') as file:
+        file.Conventions = 'CF-1.0'
+        for name, count in (('z_t', 6), ('nlat', 4), ('nlon', 5)):
+            file.createDimension(name, count)
+        depth = file.createVariable('z_t', 'f4', ('z_t',))
+        depth[:], depth.units, depth.positive, depth.axis = 500.0 * numpy.arange(6), 'centimeters', 'down', 'Z'
+        j, i = numpy.mgrid[0:4, 0:5].astype(float)
+        for name, places, units in (('TLONG', 10 + i + 0.1 * j, 'degrees_east'),
+                                    ('TLAT', 50 + j + 0.2 * i, 'degrees_north')):
+            axis = file.createVariable(name, 'f8', ('nlat', 'nlon'))
+            axis[:], axis.units = places, units
+        values = file.createVariable('TEMP', 'f4', ('z_t', 'nlat', 'nlon'), fill_value=9.96921e36)
+        values[:] = numpy.ma.masked_greater(lattice(numpy), 500)
+        values.coordinates, values.units = 'TLONG TLAT', 'degC'
+    found = info(path)
+    assert found['grid']['kind'] in ('curvilinear', 'unstructured'), found['grid']
+    assert near(found['bounds'][0], 10.0) and near(found['bounds'][1], 14.3), found['bounds']
+    temp = [a for a in found['arrays'] if a['name'] == 'TEMP'][0]
+    assert temp['range'] == [0.0, 500.0], temp
 
 
 def tiff(folder):
@@ -438,8 +566,8 @@ def convert_reference_sets(folder):
             raise AssertionError(f'{name}: {error}') from None
 
 
-CASES = [gmsh_22_text, gmsh_22_binary, gmsh_41_text, gmsh_41_binary, gmsh_own, tecplot, avs_ucd, xdmf, xdmf_series, xdmf_lattice, numpy_arrays, raw, netcdf,
-         netcdf_fill, tiff, mrc, dicom, convert, convert_reference_sets]
+CASES = [gmsh_22_text, gmsh_22_binary, gmsh_41_text, gmsh_41_binary, gmsh_own, tecplot, avs_ucd, med,
+         gambit, fluent, xdmf, xdmf_series, xdmf_lattice, numpy_arrays, raw, netcdf, netcdf_fill, netcdf_pop, zarr, tiff, mrc, dicom, convert, convert_reference_sets]
 
 
 def main():

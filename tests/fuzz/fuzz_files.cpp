@@ -86,7 +86,8 @@ private:
 std::string makeDamagedCopy(const DataSet& set, const fs::path& folder, const fs::path& input, Random& random)
 {
 	// The file that is opened says what the others hold.
-	const fs::path& victim = random.oneIn(2) ? input : set.files[random.below(set.files.size())];
+	const bool takes_input = random.oneIn(2) && fs::is_regular_file(set.folder / input);
+	const fs::path& victim = takes_input ? input : set.files[random.below(set.files.size())];
 	std::string contents = contentsOf((set.folder / victim).string());
 	const std::string what = damage(contents, random);
 	for (const fs::path& file : set.files)

@@ -132,8 +132,9 @@ CLI::Option* addInputs(CLI::App& command, SpecOptions& options)
 	addText(command, options, "--time", input.time, read::parseTime,
 	        "Time to read: last, first, a time (the nearest one that the file has), or #INDEX from 0")
 	    ->default_str(read::timeText(input.time));
-	command.add_option("--solution", input.solution,
-	                   "PLOT3D solution (q) file, if its name does not follow from the grid's name");
+	command.add_option(
+	    "--solution", input.solution,
+	    "File with the values, if its name does not follow: PLOT3D's q, Fluent's .dat, the quads of CAM");
 	command
 	    .add_option("--refine", input.refine,
 	                fmt::format("Cut curved cells (quadratic, Lagrange, Bezier) into finer linear parts: halve the "

@@ -18,12 +18,13 @@ class EachFormat : public testing::TestWithParam<std::size_t>
 // The formats with arrays of fixed names.
 void renameArrays(grid::BlockSet& set)
 {
-	static const std::set<std::string> kNames = {"MetaImage", "NIFTI", "Density", "density", "values", "DICOM"};
-	const std::string given_name = "f";
+	static const std::set<std::string> kNames = {"MetaImage", "NIFTI",    "Density",     "density",
+	                                             "values",    "DICOM",    "MINC",        "trace",
+	                                             "SLCImage",  "PRESSURE", "temperature", "plastic strain"};
 	for (grid::Block& block : set.blocks)
 		for (grid::Field& field : block.fields)
 			if (kNames.contains(field.name))
-				field.name = given_name;
+				field.name = field.association == grid::Association::point ? "f" : "g";
 }
 
 } // namespace
@@ -45,7 +46,7 @@ TEST_P(EachFormat, GivesCountsAndValues)
 	for (const grid::Block& block : set->blocks)
 	{
 		EXPECT_NO_THROW(grid::validate(block));
-		expectSampleValues(block, sample.cell_array);
+		expectSampleValues(block, sample.cell_array, sample.point_array);
 	}
 }
 

@@ -4,3 +4,12 @@
 
 // Files of formats that vprobe reads by itself, written here after their published descriptions.
 std::vector<SampleFile> ownSamples();
+
+// The same, of scanners and microscopes.
+std::vector<SampleFile> scanSamples();
+
+// The same, of codes for flow and structures, and of surveys.
+std::vector<SampleFile> codeSamples();
+
+// The same, of formats that are kept in HDF5, netCDF and Zarr.
+std::vector<SampleFile> containerSamples();

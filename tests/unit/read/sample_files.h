@@ -35,6 +35,7 @@ struct SampleFile
 	std::size_t points;
 	bool cell_array = true;
 	std::string beside; // the file that holds the data, where it is not this one; cut in its place
+	bool point_array = true;
 };
 
 const std::vector<SampleFile>& sampleFiles();
@@ -44,7 +45,7 @@ constexpr std::array<int, 3> kSamplePoints = {5, 4, 6}; // along the axes of the
 double sampleValue(const vp::Vec3& point);
 
 // EXPECTs that f and g have their values all over the block.
-void expectSampleValues(const vp::grid::Block& block, bool cell_array);
+void expectSampleValues(const vp::grid::Block& block, bool cell_array, bool point_array = true);
 
 std::string contentsOf(const std::string& path);
 void writeContents(const std::string& path, const std::string& contents);

@@ -89,3 +89,26 @@ TEST(Units, OfLengthsComeFromNifti)
 		EXPECT_EQ(onlyBlockOf(path).length_units, name);
 	}
 }
+
+TEST(Units, OfOtherFormats)
+{
+	const auto& samples = sampleFiles();
+	// The array that has them, or none where they are those of lengths.
+	for (const auto& [name, array, units] : {std::array{"fields.med", "f", "K"},
+	                                         {"binary_ucd.inp", "f", "K"},
+	                                         {"two.mnc", "", "mm"},
+	                                         {"packed.slc", "", "mm"},
+	                                         {"four.nc", "f", "K"}})
+	{
+		const TemporaryFolder folder;
+		const auto sample = std::ranges::find(samples, name, &SampleFile::name);
+		ASSERT_NE(sample, samples.end()) << name;
+		sample->write(folder / name);
+		const grid::Block block = onlyBlockOf(folder / name);
+		if (*array == '\0')
+			EXPECT_EQ(block.length_units, units) << name;
+		for (const grid::Field& field : block.fields)
+			if (field.name == array)
+				EXPECT_EQ(field.units, units) << name;
+	}
+}

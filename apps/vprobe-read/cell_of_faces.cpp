@@ -1,0 +1,105 @@
+#include "cell_of_faces.h"
+
+#include "grown_cells.h"
+#include "read/cell_types.h"
+
+#include <vtkCellType.h>
+
+#include <algorithm>
+#include <set>
+
+namespace
+{
+
+bool holdsCorner(const FaceCorners& face, vtkIdType corner)
+{
+	return std::find(face.begin(), face.end(), corner) != face.end();
+}
+
+// The corner at the other end of the edge that leaves `base` at its corner; -1 where there is no one such.
+vtkIdType cornerOver(std::span<const FaceCorners> faces, const FaceCorners& base, vtkIdType corner)
+{
+	vtkIdType found = -1;
+	for (const FaceCorners& face : faces)
+	{
+		const auto at = std::find(face.begin(), face.end(), corner);
+		if (&face == &base || at == face.end())
+			continue;
+		const auto after = at + 1 == face.end() ? face.begin() : at + 1;
+		const auto before = at == face.begin() ? face.end() - 1 : at - 1;
+		for (const vtkIdType other : {*after, *before})
+			if (!holdsCorner(base, other))
+			{
+				if (found >= 0 && found != other)
+					return -1;
+				found = other;
+			}
+	}
+	return found;
+}
+
+// VTK's type for so many corners and for faces of three and of four; 0 for none.
+int solidTypeOf(std::size_t corners, std::size_t triangles, std::size_t quads, std::size_t faces)
+{
+	if (triangles + quads != faces)
+		return 0;
+	if (corners == 4 && triangles == 4 && quads == 0)
+		return VTK_TETRA;
+	if (corners == 5 && triangles == 4 && quads == 1)
+		return VTK_PYRAMID;
+	if (corners == 6 && triangles == 2 && quads == 3)
+		return VTK_WEDGE;
+	return corners == 8 && triangles == 0 && quads == 6 ? VTK_HEXAHEDRON : 0;
+}
+
+// Corners in VTK's order: a base, seen from inside, and what lies over it. Empty where that does not come out.
+std::vector<vtkIdType> cornersInOrder(int type, std::span<const FaceCorners> faces, const std::set<vtkIdType>& all)
+{
+	const std::size_t wanted = type == VTK_PYRAMID || type == VTK_HEXAHEDRON ? 4 : 3;
+	const auto base = std::ranges::find_if(faces, [&](const FaceCorners& f) { return f.size() == wanted; });
+	std::vector<vtkIdType> corners(base->rbegin(), base->rend());
+	if (type == VTK_TETRA || type == VTK_PYRAMID)
+	{
+		for (const vtkIdType corner : all)
+			if (!holdsCorner(*base, corner))
+				corners.push_back(corner);
+	}
+	else
+		for (std::size_t i = 0; i < wanted; ++i)
+			corners.push_back(cornerOver(faces, *base, corners[i]));
+	if (std::set<vtkIdType>(corners.begin(), corners.end()) != all || corners.size() != all.size())
+		corners.clear();
+	return corners;
+}
+
+} // namespace
+
+void addCellOfFaces(GrownCells& cells, std::span<const FaceCorners> faces)
+{
+	std::set<vtkIdType> all;
+	std::size_t triangles = 0, quads = 0;
+	for (const FaceCorners& face : faces)
+	{
+		all.insert(face.begin(), face.end());
+		triangles += face.size() == 3;
+		quads += face.size() == 4;
+	}
+	if (const int type = solidTypeOf(all.size(), triangles, quads, faces.size()))
+		if (const std::vector<vtkIdType> corners = cornersInOrder(type, faces, all); !corners.empty())
+		{
+			for (const vtkIdType corner : corners)
+				cells.addPoint(corner);
+			cells.endCell(static_cast<std::uint8_t>(type));
+			return;
+		}
+	std::vector<vtkIdType> stream = {static_cast<vtkIdType>(faces.size())};
+	for (const FaceCorners& face : faces)
+	{
+		stream.push_back(static_cast<vtkIdType>(face.size()));
+		stream.insert(stream.end(), face.begin(), face.end());
+	}
+	for (const vtkIdType corner : all)
+		cells.addPoint(corner);
+	cells.addFaces(stream);
+	cells.endCell(vp::read::kPolyhedron);
+}

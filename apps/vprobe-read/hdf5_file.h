@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <hdf5.h>
+
+// An HDF5 file that is read by paths. What is not there, or cannot be read, is a Refusal, but for the "Or" functions.
+class Hdf5File
+{
+public:
+	explicit Hdf5File(const std::string& file);
+	~Hdf5File();
+	Hdf5File(const Hdf5File&) = delete;
+	Hdf5File& operator=(const Hdf5File&) = delete;
+
+	bool has(const std::string& path) const;
+	// The names in a group, in the order of the alphabet; none where there is no group.
+	std::vector<std::string> namesIn(const std::string& group) const;
+
+	// All values of a data set, as many as it has.
+	std::vector<double> reals(const std::string& path) const;
+	std::vector<std::int64_t> integers(const std::string& path) const;
+	std::vector<std::uint64_t> sidesOf(const std::string& path) const;
+
+	bool isFloat(const std::string& path) const;
+	// The least and the greatest number that a data set of whole numbers can hold.
+	std::array<double, 2> limitsOfType(const std::string& path) const;
+
+	double realOr(const std::string& object, const char* attribute, double otherwise) const;
+	std::vector<double> realsOr(const std::string& object, const char* attribute) const;
+	std::string textOr(const std::string& object, const char* attribute) const;
+
+private:
+	template <class Number>
+	std::vector<Number> values(const std::string& path, hid_t type) const;
+
+	hid_t file_;
+};

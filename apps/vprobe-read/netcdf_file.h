@@ -1,0 +1,105 @@
+#pragma once
+
+#include "refusal.h"
+
+#include <fmt/format.h>
+#include <vtk_netcdf.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+// A netCDF file that is read by the library. What fails is a Refusal.
+class NetcdfFile
+{
+public:
+	explicit NetcdfFile(const std::string& file) { check(nc_open(file.c_str(), NC_NOWRITE, &id_)); }
+	~NetcdfFile() { nc_close(id_); }
+	NetcdfFile(const NetcdfFile&) = delete;
+	NetcdfFile& operator=(const NetcdfFile&) = delete;
+
+	static void check(int status)
+	{
+		if (status != NC_NOERR)
+			throw damaged(fmt::format("netCDF says: {}", nc_strerror(status)));
+	}
+	int id() const { return id_; }
+	// Of a dimension; 0 where there is none.
+	std::size_t length(const char* dimension) const
+	{
+		int found = -1;
+		std::size_t length = 0;
+		if (nc_inq_dimid(id_, dimension, &found) == NC_NOERR)
+			check(nc_inq_dimlen(id_, found, &length));
+		return length;
+	}
+	// -1 where there is none.
+	int variable(const char* name) const
+	{
+		int variable = -1;
+		return nc_inq_varid(id_, name, &variable) == NC_NOERR ? variable : -1;
+	}
+	std::vector<double> numbers(int variable, const char* attribute) const
+	{
+		std::size_t count = 0;
+		nc_type type = NC_NAT;
+		if ((variable < 0 && variable != NC_GLOBAL) ||
+		    nc_inq_att(id_, variable, attribute, &type, &count) != NC_NOERR || type == NC_CHAR || count > 64)
+			return {};
+		std::vector<double> values(count);
+		check(nc_get_att_double(id_, variable, attribute, values.data()));
+		return values;
+	}
+	std::string text(int variable, const char* attribute) const
+	{
+		std::size_t count = 0;
+		nc_type type = NC_NAT;
+		if ((variable < 0 && variable != NC_GLOBAL) ||
+		    nc_inq_att(id_, variable, attribute, &type, &count) != NC_NOERR || type != NC_CHAR || count > 4096)
+			return {};
+		std::string words(count, '\0');
+		check(nc_get_att_text(id_, variable, attribute, words.data()));
+		words.resize(std::min(words.find('\0'), words.size()));
+		return words;
+	}
+	std::vector<std::pair<std::string, std::size_t>> dimensions(int variable) const
+	{
+		int count = 0;
+		std::array<int, NC_MAX_VAR_DIMS> ids;
+		check(nc_inq_varndims(id_, variable, &count));
+		check(nc_inq_vardimid(id_, variable, ids.data()));
+		std::vector<std::pair<std::string, std::size_t>> all;
+		for (int d = 0; d < count; ++d)
+		{
+			std::array<char, NC_MAX_NAME + 1> name = {};
+			std::size_t length = 0;
+			check(nc_inq_dim(id_, ids[static_cast<std::size_t>(d)], name.data(), &length));
+			all.emplace_back(name.data(), length);
+		}
+		return all;
+	}
+	// All of a variable, or what it has at one index of its first dimension.
+	std::vector<double> values(int variable, std::optional<std::size_t> at = std::nullopt) const
+	{
+		const auto sides = dimensions(variable);
+		std::vector<std::size_t> starts, counts;
+		for (const auto& [name, length] : sides)
+		{
+			starts.push_back(starts.empty() && at ? *at : 0);
+			counts.push_back(counts.empty() && at ? 1 : length);
+		}
+		std::size_t count = 1;
+		for (const std::size_t length : counts)
+			if (__builtin_mul_overflow(count, length, &count) || count > std::size_t(1) << 36)
+				throw damaged("it has more values than there can be");
+		std::vector<double> all(count);
+		check(nc_get_vara_double(id_, variable, starts.data(), counts.data(), all.data()));
+		return all;
+	}
+
+private:
+	int id_ = -1;
+};

@@ -1,0 +1,238 @@
+// MED 3 and 4, the meshes and fields of Salome and Code_Aster, through HDF5 alone: Debian's libmedc brings an HDF5
+// with MPI, which cannot be in one process with that of VTK.
+#include "formats.h"
+#include "hdf5_file.h"
+#include "manifest_writer.h"
+#include "refusal.h"
+#include "time_choice.h"
+
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkInformation.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace
+{
+
+struct MedKind
+{
+	const char* name;
+	int type;
+	std::size_t corners;
+	std::array<std::size_t, 8> turned; // the corners of a cell that is seen in a mirror
+};
+
+constexpr MedKind kMedKinds[] = {{"TE4", VTK_TETRA, 4, {0, 2, 1, 3}},
+                                 {"PY5", VTK_PYRAMID, 5, {0, 3, 2, 1, 4}},
+                                 {"PE6", VTK_WEDGE, 6, {0, 2, 1, 3, 5, 4}},
+                                 {"HE8", VTK_HEXAHEDRON, 8, {0, 3, 2, 1, 4, 7, 6, 5}}};
+
+// Cells of one kind, behind each other in the grid.
+struct MedCells
+{
+	std::string kind;
+	vtkIdType first;
+	vtkIdType count;
+};
+
+struct MedMesh
+{
+	std::string name;
+	vtkNew<vtkUnstructuredGrid> grid;
+	vtkIdType nodes = 0;
+	std::vector<MedCells> cells;
+};
+
+// Positive where the tip lies on the side of the base from which its corners are counterclockwise.
+double medVolume(vtkPoints* points, vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType tip)
+{
+	double at[4][3];
+	points->GetPoint(a, at[0]);
+	points->GetPoint(b, at[1]);
+	points->GetPoint(c, at[2]);
+	points->GetPoint(tip, at[3]);
+	for (int i = 1; i < 4; ++i)
+		vtkMath::Subtract(at[i], at[0], at[i]);
+	return vtkMath::Determinant3x3(at[1], at[2], at[3]);
+}
+
+// MED's cells are mirrored by its description; not all programs do that, so their volumes tell.
+void addMedCells(const Hdf5File& file, const std::string& group, const MedKind& kind, MedMesh& mesh)
+{
+	const std::vector<std::int64_t> nodes = file.integers(group + "/NOD");
+	const std::size_t count = nodes.size() / kind.corners;
+	if (count * kind.corners != nodes.size())
+		throw damaged(fmt::format("{} has {} corners", group, nodes.size()));
+	mesh.cells.push_back({kind.name, mesh.grid->GetNumberOfCells(), static_cast<vtkIdType>(count)});
+	const std::size_t tip = kind.type == VTK_TETRA || kind.type == VTK_WEDGE ? 3 : 4;
+	for (std::size_t cell = 0; cell < count; ++cell)
+	{
+		std::array<vtkIdType, 8> corners = {};
+		for (std::size_t i = 0; i < kind.corners; ++i)
+		{
+			corners[i] = nodes[i * count + cell] - 1; // all first corners, then all second ones
+			if (corners[i] < 0 || corners[i] >= mesh.nodes)
+				throw damaged(fmt::format("{} has a node that is not there", group));
+		}
+		std::array<vtkIdType, 8> turned = corners;
+		if (medVolume(mesh.grid->GetPoints(), corners[0], corners[1], corners[2], corners[tip]) < 0.0)
+			for (std::size_t i = 0; i < kind.corners; ++i)
+				turned[i] = corners[kind.turned[i]];
+		mesh.grid->InsertNextCell(kind.type, static_cast<vtkIdType>(kind.corners), turned.data());
+	}
+}
+
+void readMedPoints(const Hdf5File& file, const std::string& group, MedMesh& mesh)
+{
+	const std::vector<double> places = file.reals(group + "/NOE/COO"); // all x, all y, all z
+	if (places.size() % 3 != 0)
+		throw damaged(fmt::format("{} coordinates in three dimensions", places.size()));
+	mesh.nodes = static_cast<vtkIdType>(places.size() / 3);
+	const auto count = static_cast<std::size_t>(mesh.nodes);
+	vtkNew<vtkPoints> points;
+	points->SetDataTypeToDouble();
+	points->SetNumberOfPoints(mesh.nodes);
+	for (std::size_t n = 0; n < count; ++n)
+		points->SetPoint(static_cast<vtkIdType>(n), places[n], places[count + n], places[2 * count + n]);
+	mesh.grid->SetPoints(points);
+}
+
+void readMedMesh(const Hdf5File& file, MedMesh& mesh, ManifestWriter& manifest)
+{
+	const std::string root = "/ENS_MAA/" + mesh.name;
+	if (file.realOr(root, "ESP", 3) != 3)
+		throw Refusal("nothing to slice: a mesh of fewer than three dimensions");
+	const std::vector<std::string> steps = file.namesIn(root);
+	if (steps.empty() || !file.has(root + "/" + steps[0] + "/MAI"))
+		throw Refusal("a MED mesh without a list of cells, which is not read");
+	const std::string group = root + "/" + steps[0];
+	if (steps.size() > 1)
+		manifest.warn(fmt::format("the mesh {} changes over time; its first state is shown", mesh.name));
+	readMedPoints(file, group, mesh);
+	std::vector<double> families;
+	for (const MedKind& kind : kMedKinds)
+		if (const std::string cells = group + "/MAI/" + kind.name; file.has(cells))
+		{
+			addMedCells(file, cells, kind, mesh);
+			if (file.has(cells + "/FAM"))
+				for (const std::int64_t family : file.integers(cells + "/FAM"))
+					families.push_back(static_cast<double>(family));
+			families.resize(static_cast<std::size_t>(mesh.grid->GetNumberOfCells()), 0.0);
+		}
+	vtkNew<vtkDoubleArray> family;
+	family->SetName("family");
+	for (const double number : families)
+		family->InsertNextValue(number);
+	mesh.grid->GetCellData()->AddArray(family);
+	for (const char* curved : {"T10", "P13", "P15", "P18", "H20", "H27", "POE"})
+		if (file.has(group + "/MAI/" + curved))
+			manifest.warn(fmt::format("cells of MED's kind {} are not shown", curved));
+}
+
+// Copies values that lie component by component into a stretch of an array.
+void fillMed(const Hdf5File& file, const std::string& group, vtkDoubleArray* array, vtkIdType first, vtkIdType count,
+             ManifestWriter& manifest)
+{
+	const std::vector<std::string> profiles = file.namesIn(group);
+	if (profiles.size() != 1 || profiles[0] != "MED_NO_PROFILE_INTERNAL")
+		return manifest.warn(fmt::format("{} has values of a part alone, which are left out", array->GetName()));
+	const std::vector<double> values = file.reals(group + "/" + profiles[0] + "/CO");
+	const auto tuples = static_cast<std::size_t>(count);
+	const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
+	if (values.size() != tuples * components)
+	{
+		if (components * tuples != 0 && values.size() % (components * tuples) == 0)
+			return manifest.warn(fmt::format("{} has several values in a cell, which are left out", array->GetName()));
+		throw damaged(fmt::format("{} has {} values for {}", group, values.size(), tuples * components));
+	}
+	for (std::size_t i = 0; i < tuples; ++i)
+		for (std::size_t c = 0; c < components; ++c)
+			array->SetTypedComponent(first + static_cast<vtkIdType>(i), static_cast<int>(c), values[c * tuples + i]);
+}
+
+vtkSmartPointer<vtkDoubleArray> medArray(const Hdf5File& file, const std::string& field, vtkIdType tuples)
+{
+	const double components = file.realOr("/CHA/" + field, "NCO", 1);
+	if (!(components >= 1 && components <= 64))
+		throw damaged(fmt::format("{} has {} components", field, components));
+	auto array = vtkSmartPointer<vtkDoubleArray>::New();
+	array->SetName(field.c_str());
+	array->SetNumberOfComponents(static_cast<int>(components));
+	array->SetNumberOfTuples(tuples);
+	array->Fill(std::numeric_limits<double>::quiet_NaN());
+	std::string units = file.textOr("/CHA/" + field, "UNI").substr(0, 16); // of the first component
+	units.erase(units.find_last_not_of(' ') + 1);
+	if (!units.empty())
+		array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), units.c_str());
+	return array;
+}
+
+void addMedField(const Hdf5File& file, const std::string& field, const std::string& step, MedMesh& mesh,
+                 ManifestWriter& manifest)
+{
+	const std::string group = "/CHA/" + field + "/" + step + "/";
+	if (file.has(group + "NOE"))
+	{
+		const auto array = medArray(file, field, mesh.nodes);
+		fillMed(file, group + "NOE", array, 0, mesh.nodes, manifest);
+		mesh.grid->GetPointData()->AddArray(array);
+	}
+	vtkSmartPointer<vtkDoubleArray> of_cells;
+	for (const MedCells& cells : mesh.cells)
+		if (const std::string part = group + "MAI." + cells.kind; file.has(part))
+		{
+			if (!of_cells)
+				of_cells = medArray(file, field, mesh.grid->GetNumberOfCells());
+			fillMed(file, part, of_cells, cells.first, cells.count, manifest);
+		}
+	if (of_cells)
+		mesh.grid->GetCellData()->AddArray(of_cells);
+}
+
+} // namespace
+
+void readMed(const Request& request, ManifestWriter& manifest)
+{
+	const Hdf5File file(request.file);
+	std::vector<double> times;
+	const std::vector<std::string> fields = file.namesIn("/CHA");
+	const auto timeOf = [&](const std::string& field, const std::string& step)
+	{ return file.realOr("/CHA/" + field + "/" + step, "PDT", 0.0); };
+	for (const std::string& field : fields)
+		for (const std::string& step : file.namesIn("/CHA/" + field))
+			times.push_back(timeOf(field, step));
+	times = inOrder(std::move(times));
+	if (times.size() == 1)
+		times.clear();
+	const std::optional<double> time = chooseIfAny(times, request);
+	for (const std::string& name : file.namesIn("/ENS_MAA"))
+	{
+		MedMesh mesh;
+		mesh.name = name;
+		readMedMesh(file, mesh, manifest);
+		for (const std::string& field : fields)
+		{
+			std::string of = file.textOr("/CHA/" + field, "MAI");
+			of.erase(of.find_last_not_of(' ') + 1);
+			if (!of.empty() && of != name)
+				continue;
+			for (const std::string& step : file.namesIn("/CHA/" + field))
+				if (!time || timeOf(field, step) == *time)
+					addMedField(file, field, step, mesh, manifest);
+		}
+		manifest.setPrefix(name);
+		manifest.add(mesh.grid);
+	}
+	manifest.offerTimes(std::move(times));
+}

@@ -1,0 +1,157 @@
+// The places of numbers are those of "SEG-Y r2.0: SEG-Y Data Exchange format" (SEG, 2017), which counts bytes from 1.
+#include "segy_file.h"
+
+#include "refusal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+
+constexpr std::size_t kSegyTextBytes = 3200;
+constexpr std::size_t kSegyBinaryBytes = 400;
+constexpr std::size_t kSegyTraceHeaderBytes = 240;
+
+// IBM's System/360: a sign, a power of 16 less 64, and 24 bits behind the point.
+float ibmFloat(std::uint32_t bits)
+{
+	const int exponent = static_cast<int>(bits >> 24 & 0x7F) - 64;
+	const double value = std::ldexp(static_cast<double>(bits & 0xFFFFFF), 4 * exponent - 24);
+	return static_cast<float>(bits >> 31 ? -value : value);
+}
+
+} // namespace
+
+template <class Number>
+Number SegyFile::number(std::size_t at) const
+{
+	std::array<char, sizeof(Number)> bytes;
+	if (at > bytes_.size() || bytes_.size() - at < bytes.size())
+		throw damaged("it ends within a trace");
+	std::memcpy(bytes.data(), bytes_.data() + at, bytes.size());
+	if (!little_)
+		std::reverse(bytes.begin(), bytes.end());
+	Number value;
+	std::memcpy(&value, bytes.data(), bytes.size());
+	return value;
+}
+
+// Revision 2 may have little endian numbers.
+void SegyFile::chooseOrder()
+{
+	const auto is_format = [this]
+	{
+		const int format = number<std::int16_t>(3224);
+		return format >= 1 && format <= 16;
+	};
+	if (is_format())
+		return;
+	little_ = true;
+	if (!is_format())
+		throw damaged("no code of a format of samples");
+}
+
+void SegyFile::chooseWidth(int format)
+{
+	switch (format)
+	{
+	case 1:
+	case 2:
+	case 5:
+		width_ = 4;
+		break;
+	case 3:
+		width_ = 2;
+		break;
+	case 6:
+		width_ = 8;
+		break;
+	case 8:
+		width_ = 1;
+		break;
+	default:
+		throw Refusal(fmt::format("samples of SEG-Y format {}, which are not read; convert them to format 5", format));
+	}
+	format_ = format;
+}
+
+void SegyFile::checkLengths() const
+{
+	for (std::size_t t = 0; t < traces_; ++t)
+		if (const auto samples = number<std::uint16_t>(placeOf(t) + 114); samples != 0 && samples != samples_)
+			throw Refusal(fmt::format("trace {} has {} samples where others have {}; give all the same length", t,
+			                          samples, samples_));
+}
+
+SegyFile::SegyFile(std::string_view bytes) : bytes_(bytes)
+{
+	if (bytes_.size() <= kSegyTextBytes + kSegyBinaryBytes + kSegyTraceHeaderBytes)
+		throw damaged("it ends within its headers");
+	chooseOrder();
+	chooseWidth(number<std::int16_t>(3224));
+	samples_ = number<std::uint16_t>(3220);
+	if (samples_ < 2)
+		throw damaged(fmt::format("its traces have {} samples", samples_));
+	const double microseconds = number<std::uint16_t>(3216);
+	if (microseconds <= 0.0)
+		throw damaged("its samples have no interval");
+	interval_ = microseconds / 1000.0;
+	// Further headers in text; a count below 0 leaves their end to a mark in them.
+	const int texts = number<std::uint8_t>(3500) > 0 ? number<std::int16_t>(3504) : 0;
+	if (texts < 0)
+		throw Refusal("an unknown number of text headers, which is not read");
+	start_ = kSegyTextBytes + kSegyBinaryBytes + static_cast<std::size_t>(texts) * kSegyTextBytes;
+	trace_bytes_ = kSegyTraceHeaderBytes + samples_ * width_;
+	if (bytes_.size() <= start_ || (bytes_.size() - start_) % trace_bytes_ != 0)
+		throw damaged("it ends within a trace, or its traces have different lengths");
+	traces_ = (bytes_.size() - start_) / trace_bytes_;
+	checkLengths();
+	for (std::size_t t = 0; t < traces_ && !has_cdp_; ++t)
+		has_cdp_ = number<std::int32_t>(placeOf(t) + 180) != 0 || number<std::int32_t>(placeOf(t) + 184) != 0;
+}
+
+SegyTrace SegyFile::trace(std::size_t index) const
+{
+	const std::size_t at = placeOf(index);
+	const auto scaled = [&](std::size_t place)
+	{
+		const double value = number<std::int32_t>(place);
+		const double scale = number<std::int16_t>(at + 70);
+		return scale < 0.0 ? value / -scale : scale > 0.0 ? value * scale : value;
+	};
+	// The middle of source and receiver, or else the source.
+	const std::size_t x = has_cdp_ ? 180 : 72;
+	SegyTrace trace;
+	trace.in_line = number<std::int32_t>(at + 188);
+	trace.cross_line = number<std::int32_t>(at + 192);
+	trace.x = scaled(at + x);
+	trace.y = scaled(at + x + 4);
+	trace.delay = number<std::int16_t>(at + 108);
+	return trace;
+}
+
+float SegyFile::sample(std::size_t trace, std::size_t index) const
+{
+	const std::size_t at = placeOf(trace) + kSegyTraceHeaderBytes + index * width_;
+	switch (format_)
+	{
+	case 1:
+		return ibmFloat(number<std::uint32_t>(at));
+	case 2:
+		return static_cast<float>(number<std::int32_t>(at));
+	case 3:
+		return number<std::int16_t>(at);
+	case 6:
+		return static_cast<float>(number<double>(at));
+	case 8:
+		return number<std::int8_t>(at);
+	default:
+		return number<float>(at);
+	}
+}

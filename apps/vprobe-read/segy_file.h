@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+// What the header of a trace says.
+struct SegyTrace
+{
+	int in_line;
+	int cross_line;
+	double x;
+	double y;
+	double delay; // ms, of the first sample
+};
+
+// The traces of a SEG-Y file, all of one length. The bytes must outlive it.
+class SegyFile
+{
+public:
+	// Throws a Refusal unless it has traces, and ends behind one.
+	explicit SegyFile(std::string_view bytes);
+
+	std::size_t traceCount() const { return traces_; }
+	std::size_t sampleCount() const { return samples_; }
+	double interval() const { return interval_; } // ms
+	SegyTrace trace(std::size_t index) const;
+	float sample(std::size_t trace, std::size_t index) const;
+
+private:
+	template <class Number>
+	Number number(std::size_t at) const;
+	std::size_t placeOf(std::size_t trace) const { return start_ + trace * trace_bytes_; }
+	void chooseOrder();
+	void chooseWidth(int format);
+	void checkLengths() const;
+
+	std::string_view bytes_;
+	bool little_ = false;
+	int format_ = 0;
+	std::size_t width_ = 4;
+	std::size_t samples_ = 0;
+	double interval_ = 0.0;
+	std::size_t start_ = 0;
+	std::size_t trace_bytes_ = 0;
+	std::size_t traces_ = 0;
+	bool has_cdp_ = false;
+};

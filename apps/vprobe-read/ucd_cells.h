@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vtkType.h>
+
+#include <array>
+#include <span>
+#include <string_view>
+
+// A kind of cell of AVS UCD. Its place in ucdCells() is its number in binary files.
+struct UcdCell
+{
+	std::string_view name;
+	int type;
+	vtkIdType corners;
+};
+
+std::span<const UcdCell> ucdCells();
+
+// From AVS's order of corners to VTK's: AVS has the tip of a pyramid first, and the upper face of prisms and hexahedra
+// before the lower one.
+void turnUcdCell(int type, std::array<vtkIdType, 8>& corners);
