@@ -55,8 +55,8 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	for (CheckedBlock& block : input->blocks)
 	{
 		std::string name = block.name.empty() ? stem : fmt::format("{}: {}", stem, block.name);
-		set.blocks.push_back(
-		    buildBlock(std::move(block), std::move(name), options.identifies_geometry, options.for_one_cut));
+		set.blocks.push_back(buildBlock(std::move(block), std::move(name), options.identifies_geometry,
+		                                options.for_one_cut, options.refine));
 	}
 	if (!input->patches.empty())
 	{
