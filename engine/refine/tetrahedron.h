@@ -28,7 +28,7 @@ struct Node
 {
 	std::array<double, 3 + Values> at; // x, y, z and the values
 	Vec3 place;                        // in the cell's own coordinates
-	double priority = -1.0;            // of a node on an edge that has to be halved: the edge's squared length
+	double priority = -1.0;            // of a node on an edge that has to be halved: how far it is off
 	std::uint32_t number = 0;          // of a corner, in the list of parts
 	std::uint8_t support = 0;          // a bit for each corner of the cell that the place depends on
 
@@ -132,10 +132,10 @@ void TetrahedronRefiner<Values>::prioritize(Node<Values>& middle, const Node<Val
 	for (std::size_t i = 3; i < 3 + Values; ++i)
 		values += off(i) * off(i);
 	// Halving what is infinite would have no end.
-	const bool has_to_be = (geometry > allowed_[middle.support] && std::isfinite(geometry)) ||
-	                       (values > kShareOfEdge * kShareOfEdge && std::isfinite(values));
-	const Vec3 edge = a.position() - b.position();
-	middle.priority = has_to_be ? glm::dot(edge, edge) : -1.0;
+	const auto share = [](double square, double allowed)
+	{ return std::isfinite(square / allowed) ? square / allowed : 0.0; };
+	const double most = std::max(share(geometry, allowed_[middle.support]), share(values, kShareOfEdge * kShareOfEdge));
+	middle.priority = most > 1.0 ? most : -1.0;
 }
 
 /// False where the planes miss the control points, and so all that the tetrahedron holds.
