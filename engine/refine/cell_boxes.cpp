@@ -15,7 +15,7 @@ namespace vp::refine
 namespace
 {
 
-constexpr std::size_t kCells = 64;
+constexpr std::size_t kCells = 16;
 
 /// Of the control points of a cell: they hold all of it. nodes: of its nodes.
 Box boxOf(const grid::CurvedCells& curved, std::size_t cell, Box& nodes)

@@ -11,7 +11,7 @@
 namespace vp::refine
 {
 
-/// Cells in boxes of 64 that lie close together. The boxes hold all of the cells, however these are curved.
+/// Cells in boxes of 16 that lie close together. The boxes hold all of the cells, however these are curved.
 class CellBoxes
 {
 public:

@@ -51,13 +51,13 @@ class RangeRefiner
 public:
 	RangeRefiner(const grid::CurvedCells& curved, const CellBoxes& boxes, std::span<const surface::Plane> planes,
 	             std::span<const ShownArray> shown)
-	    : curved_(curved), planes_(planes), shown_(shown), least_(1e-14 * boxes.reach())
+	    : curved_(curved), planes_(planes), shown_(shown), reach_(boxes.reach())
 	{
 	}
 
 	void run(std::span<const std::uint32_t> cells, BlockParts& made) const
 	{
-		TetrahedronRefiner<Values> refiner(planes_, curved_.tolerance, least_, made.parts);
+		TetrahedronRefiner<Values> refiner(planes_, curved_.tolerance, reach_, made.parts);
 		for (const std::uint32_t cell : cells)
 		{
 			if (!curved_.isCut(cell))
@@ -69,15 +69,14 @@ public:
 			}
 			++made.looked_at;
 			std::array<std::uint32_t, grid::kQuadraticTetraNodes> ids;
-			Nodes<Values> nodes;
+			Positions at;
 			const std::size_t first = curved_.start(cell);
 			for (std::size_t n = 0; n < ids.size(); ++n)
 			{
 				ids[n] = static_cast<std::uint32_t>(curved_.cells.connectivity[first + n]);
-				const Vec3 at = curved_.points[ids[n]];
-				nodes[n].at = {at.x, at.y, at.z};
+				at[n] = curved_.points[ids[n]];
 			}
-			made.cells += refiner.refine(cell, nodes, ids, [&](std::uint32_t id, auto& node) { addValues(id, node); });
+			made.cells += refiner.refine(cell, at, ids, [&](std::uint32_t id, auto& node) { addValues(id, node); });
 		}
 	}
 
@@ -94,7 +93,7 @@ private:
 	const grid::CurvedCells& curved_;
 	std::span<const surface::Plane> planes_;
 	std::span<const ShownArray> shown_;
-	double least_;
+	double reach_;
 };
 
 template <int Values>

@@ -26,17 +26,38 @@ inline constexpr std::array<std::array<std::uint8_t, 2>, 6> kAcross{{{2, 3}, {0,
 template <int Values>
 struct Node
 {
-	std::array<double, 3 + Values> at; // x, y, z and the values
-	Vec3 place;                        // in the cell's own coordinates
-	double priority = -1.0;            // of a node on an edge that has to be halved: how far it is off
-	std::uint32_t number = 0;          // of a corner, in the list of parts
-	std::uint8_t support = 0;          // a bit for each corner of the cell that the place depends on
+	std::array<double, 3 + Values> at{}; // x, y, z and the values
+	Vec3 place;                          // in the cell's own coordinates
+	double priority = -1.0;              // of a node on an edge that has to be halved: how far it is off
+	std::uint32_t number = 0;            // of a corner, in the list of parts
+	std::uint8_t support = 0;            // a bit for each corner of the cell that the place depends on
 
 	Vec3 position() const { return {at[0], at[1], at[2]}; }
 };
 
-template <int Values>
-using Nodes = std::array<Node<Values>, grid::kQuadraticTetraNodes>;
+/// The positions of a cell's nodes.
+using Positions = std::array<Vec3, grid::kQuadraticTetraNodes>;
+
+/// False where a plane misses the control points of a tetrahedron, and so all that it holds. slack: what counts as met
+/// beside the plane, since control points are rounded. at(node): its position.
+template <class At>
+bool mayMeetPlane(const surface::Plane& plane, double slack, At&& at)
+{
+	std::array<double, 4> corner;
+	for (int i = 0; i < 4; ++i)
+		corner[i] = plane.signedDistance(at(i));
+	double lo = std::min({corner[0], corner[1], corner[2], corner[3]});
+	double hi = std::max({corner[0], corner[1], corner[2], corner[3]});
+	const auto isMet = [&] { return lo <= slack && hi >= -slack; };
+	for (int e = 0; e < 6 && !isMet(); ++e)
+	{
+		const double control =
+		    2.0 * plane.signedDistance(at(4 + e)) - 0.5 * (corner[kEdges[e][0]] + corner[kEdges[e][1]]);
+		lo = std::min(lo, control);
+		hi = std::max(hi, control);
+	}
+	return isMet();
+}
 
 /// Refines quadratic tetrahedra where planes meet them. An edge is halved as long as its middle is off by more than the
 /// tolerance: first the longest of a tetrahedron's edges that have to be. Both questions depend on nothing but the
@@ -46,16 +67,19 @@ template <int Values>
 class TetrahedronRefiner
 {
 public:
-	/// geometry: what a part may be off, as a share of the cell's size. least: what rounding may be, as a length.
-	TetrahedronRefiner(std::span<const surface::Plane> planes, double geometry, double least, PartList& parts)
-	    : planes_(planes), geometry_(geometry), least_(least), parts_(parts)
+	/// tolerance: what a part may be off, as a share of the cell's size. reach: the largest absolute coordinate.
+	TetrahedronRefiner(std::span<const surface::Plane> planes, double tolerance, double reach, PartList& parts)
+	    : planes_(planes), tolerance_(tolerance), least_(1e-14 * reach), parts_(parts)
 	{
+		for (const surface::Plane& plane : planes)
+			reach = std::max(reach, glm::length(plane.origin()));
+		slack_ = 1e-12 * reach;
 	}
 
-	/// Returns false if the planes miss the cell. The nodes have their positions. ids: in the file. addValues(id,
-	/// node): called for the nodes of a cell that is met.
+	/// Returns false if the planes miss the cell. ids: of its nodes, in the file. addValues(id, node): called for the
+	/// nodes of a cell that is met.
 	template <class AddValues>
-	bool refine(std::uint32_t cell, const Nodes<Values>& nodes,
+	bool refine(std::uint32_t cell, const Positions& at,
 	            const std::array<std::uint32_t, grid::kQuadraticTetraNodes>& ids, AddValues&& addValues);
 
 private:
@@ -65,7 +89,6 @@ private:
 	// Six steps halve all edges, and each halving leaves a quarter of what is off.
 	static constexpr int kMaxDepth = 400;
 
-	void findSlack();
 	void measureCell();
 	void prioritize(Node<Values>& middle, const Node<Values>& a, const Node<Values>& b) const;
 	bool mayMeet(const Tetrahedron& tetrahedron) const;
@@ -76,30 +99,18 @@ private:
 	void refine(const Tetrahedron& tetrahedron, int depth);
 
 	std::span<const surface::Plane> planes_;
-	double geometry_;
-	double least_;
+	double tolerance_;
+	double least_; // allowed where the tolerance is less than rounding
 	PartList& parts_;
 
 	std::uint32_t cell_ = 0;
 	std::vector<Node<Values>> nodes_;
 	std::array<double, 16> allowed_{}; // by support: the square of what an edge's middle may be off
-	double slack_ = 0.0;
+	double slack_;
 };
 
 // For a quadratic function the error within a tetrahedron is at most 3/2 of the largest error of a middle.
 inline constexpr double kShareOfEdge = 2.0 / 3.0;
-
-/// Of rounding, when a question is put to control points.
-template <int Values>
-void TetrahedronRefiner<Values>::findSlack()
-{
-	double reach = 0.0;
-	for (const Node<Values>& node : nodes_)
-		reach = std::max({reach, std::abs(node.at[0]), std::abs(node.at[1]), std::abs(node.at[2])});
-	for (const surface::Plane& plane : planes_)
-		reach = std::max(reach, glm::length(plane.origin()));
-	slack_ = 1e-12 * reach;
-}
 
 template <int Values>
 void TetrahedronRefiner<Values>::measureCell()
@@ -118,7 +129,7 @@ void TetrahedronRefiner<Values>::measureCell()
 		for (std::size_t e = 0; e < 6; ++e)
 			if ((support >> kEdges[e][0] & 1) && (support >> kEdges[e][1] & 1))
 				size = std::max(size, sizes[e]);
-		const double allowed = std::max(kShareOfEdge * geometry_ * size, least_);
+		const double allowed = std::max(kShareOfEdge * tolerance_ * size, least_);
 		allowed_[support] = allowed * allowed;
 	}
 }
@@ -138,28 +149,12 @@ void TetrahedronRefiner<Values>::prioritize(Node<Values>& middle, const Node<Val
 	middle.priority = most > 1.0 ? most : -1.0;
 }
 
-/// False where the planes miss the control points, and so all that the tetrahedron holds.
 template <int Values>
 bool TetrahedronRefiner<Values>::mayMeet(const Tetrahedron& t) const
 {
-	for (const surface::Plane& plane : planes_)
-	{
-		std::array<double, 4> corner;
-		for (std::size_t i = 0; i < 4; ++i)
-			corner[i] = plane.signedDistance(nodes_[t[i]].position());
-		double lo = std::min({corner[0], corner[1], corner[2], corner[3]});
-		double hi = std::max({corner[0], corner[1], corner[2], corner[3]});
-		for (std::size_t e = 0; e < 6 && !(lo <= slack_ && hi >= -slack_); ++e)
-		{
-			const double middle = plane.signedDistance(nodes_[t[4 + e]].position());
-			const double control = 2.0 * middle - 0.5 * (corner[kEdges[e][0]] + corner[kEdges[e][1]]);
-			lo = std::min(lo, control);
-			hi = std::max(hi, control);
-		}
-		if (lo <= slack_ && hi >= -slack_)
-			return true;
-	}
-	return false;
+	return std::ranges::any_of(
+	    planes_, [&](const surface::Plane& plane)
+	    { return mayMeetPlane(plane, slack_, [&](int node) { return nodes_[t[node]].position(); }); });
 }
 
 /// Of the linear part. Parts that touch a plane count, so both cells of a face in the plane are there.
@@ -280,25 +275,28 @@ void TetrahedronRefiner<Values>::refine(const Tetrahedron& t, int depth)
 
 template <int Values>
 template <class AddValues>
-bool TetrahedronRefiner<Values>::refine(std::uint32_t cell, const Nodes<Values>& nodes,
+bool TetrahedronRefiner<Values>::refine(std::uint32_t cell, const Positions& at,
                                         const std::array<std::uint32_t, grid::kQuadraticTetraNodes>& ids,
                                         AddValues&& addValues)
 {
 	static constexpr std::array<Vec3, 4> kCorners{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
-	static constexpr Tetrahedron kWhole{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
-	cell_ = cell;
-	nodes_.assign(nodes.begin(), nodes.end());
-	findSlack();
-	if (!mayMeet(kWhole))
+	if (std::ranges::none_of(planes_, [&](const surface::Plane& plane)
+	                         { return mayMeetPlane(plane, slack_, [&](int node) { return at[node]; }); }))
 		return false;
-	measureCell();
-	for (std::size_t n = 0; n < ids.size(); ++n)
+	cell_ = cell;
+	nodes_.resize(at.size());
+	for (std::size_t n = 0; n < at.size(); ++n)
+	{
+		nodes_[n] = {};
+		std::copy_n(&at[n].x, 3, nodes_[n].at.begin());
 		addValues(ids[n], nodes_[n]);
+	}
+	measureCell();
 	for (std::size_t i = 0; i < 4; ++i)
 	{
 		nodes_[i].place = kCorners[i];
 		nodes_[i].support = static_cast<std::uint8_t>(1 << i);
-		nodes_[i].number = parts_.node(ids[i], nodes_[i].position());
+		nodes_[i].number = parts_.node(ids[i], at[i]);
 	}
 	for (std::size_t e = 0; e < 6; ++e)
 	{
@@ -308,7 +306,7 @@ bool TetrahedronRefiner<Values>::refine(std::uint32_t cell, const Nodes<Values>&
 		nodes_[4 + e].support = static_cast<std::uint8_t>(a.support | b.support);
 		prioritize(nodes_[4 + e], a, b);
 	}
-	refine(kWhole, 0);
+	refine({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, 0);
 	return true;
 }
 
