@@ -210,15 +210,16 @@ const char* needsLinearCells(const PlanRequest& request)
 Result<CutPlan> planRefined(const PlanRequest& request, const grid::BlockSet& blocks)
 {
 	if (const char* what = needsLinearCells(request))
-		return Error{ErrorKind::usage,
-		             fmt::format("{} goes with linear cells, and a tolerance keeps them curved; give `refine` a level, "
-		                         "such as 1",
-		                         what)};
+		return Error{
+		    ErrorKind::usage,
+		    fmt::format("{}: not for curved cells, which a tolerance keeps; leave it out, or read the file with "
+		                "`refine` 1",
+		                what)};
 	for (const grid::Block& block : blocks.blocks)
 		if (!std::holds_alternative<grid::UnstructuredGrid>(block.grid))
 			return Error{ErrorKind::usage,
-			             fmt::format("block {} is structured, and `refine` has a tolerance, which blocks of "
-			                         "unstructured cells have alone; give it a level, such as 1",
+			             fmt::format("block {} is structured, and other blocks have curved cells, which a tolerance "
+			                         "keeps; read the files with `refine` 1",
 			                         block.name)};
 	const BlockPlan refined{Strategy::scan, Processor::cpu,
 	                        "curved cells: those that the plane may meet are refined, and their parts looked at once",

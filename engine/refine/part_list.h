@@ -14,7 +14,7 @@ namespace vp::refine
 {
 
 /// More parts than this are an error.
-inline constexpr std::size_t kMaxParts = 100'000'000;
+inline constexpr std::size_t kMaxParts = 20'000'000;
 
 /// The tolerance asks for more parts than can be made.
 class TooManyParts : public std::length_error

@@ -168,10 +168,11 @@ Status refuseCurved(const ViewSpec& spec, const grid::BlockSet& blocks)
 	      std::pair{spec.look.outline == render::Outline::edges, "outline"},
 	      std::pair{spec.look.color_by == ColorBy::generation, "color_by"}})
 		if (given)
-			return Error{ErrorKind::usage,
-			             fmt::format("`{}`: needs linear cells, and a tolerance keeps them curved but for planes; "
-			                         "leave it out, or give `refine` a level, such as 1",
-			                         key)};
+			return Error{
+			    ErrorKind::usage,
+			    fmt::format("`{}`: not for curved cells, which a tolerance keeps; leave it out, or read the file "
+			                "with `refine` 1",
+			                key)};
 	return Nothing{};
 }
 

@@ -4,6 +4,7 @@
 #include "grid/curved_cells.h"
 #include "measure/stats.h"
 #include "mesh/mesh_values.h"
+#include "sliced_sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -74,13 +75,6 @@ grid::Block quadraticCube(int count, double tolerance, const Map& map, const Val
 		block.fields = {grid::makeField("f", grid::Association::point, 1, std::move(values))};
 	takeCurvedCells(block, std::move(curved));
 	return block;
-}
-
-grid::BlockSet setOf(grid::Block block)
-{
-	grid::BlockSet set;
-	set.blocks.push_back(std::move(block));
-	return set;
 }
 
 Vec3 still(Vec3 p)
@@ -375,7 +369,7 @@ TEST(RefinedCut, SaysWhatNeedsLinearCells)
 		const Result<cut::Cut> cut = cutter.cut(of);
 		ASSERT_FALSE(cut) << what;
 		EXPECT_EQ(cut.error().message.find(what), 0u) << cut.error().message;
-		EXPECT_NE(cut.error().message.find("give `refine` a level"), std::string::npos);
+		EXPECT_NE(cut.error().message.find("with `refine` 1"), std::string::npos);
 	};
 	EXPECT_TRUE(cutter.cut(request));
 	cut::CutRequest of = request;
