@@ -4,6 +4,8 @@
 #include "cut/cutter.h"
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 namespace vp::cut
 {

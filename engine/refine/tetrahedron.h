@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vp::refine
@@ -60,7 +61,7 @@ bool mayMeetPlane(const surface::Plane& plane, double slack, At&& at)
 }
 
 /// Refines quadratic tetrahedra where planes meet them. An edge is halved as long as its middle is off by more than the
-/// tolerance: first the longest of a tetrahedron's edges that have to be. Both questions depend on nothing but the
+/// tolerance: first the one of a tetrahedron's edges that is off most. Both questions depend on nothing but the
 /// edge's own nodes, and new nodes in a face on nothing but the face's nodes, to the last bit. So cells that share a
 /// face or an edge cut it alike, though neither looks at the other.
 template <int Values>
@@ -86,7 +87,7 @@ private:
 	// Places in nodes_.
 	using Tetrahedron = std::array<std::uint32_t, grid::kQuadraticTetraNodes>;
 
-	// Six steps halve all edges, and each halving leaves a quarter of what is off.
+	// Six steps halve all edges, which leaves a quarter of what is off. So this is never reached.
 	static constexpr int kMaxDepth = 400;
 
 	void measureCell();
@@ -176,8 +177,7 @@ bool TetrahedronRefiner<Values>::meets(const Tetrahedron& t) const
 	                           });
 }
 
-/// The longest one that has to be halved, and of several of one length the first by the place of its middle; -1 if none
-/// has to be.
+/// The one that is off most, and of several the first by the place of its middle; -1 if none has to be halved.
 template <int Values>
 int TetrahedronRefiner<Values>::edgeToHalve(const Tetrahedron& t) const
 {
