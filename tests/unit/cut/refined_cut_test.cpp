@@ -253,6 +253,52 @@ TEST(RefinedCut, ValuesKeepToTheTolerance)
 	}
 }
 
+// A vector's components are off together, as its length would be. Other arrays come along, integers rounded.
+TEST(RefinedCut, VectorsKeepToTheTolerance)
+{
+	grid::Block block = quadraticCube(3, 0.002, still);
+	const grid::Points& points = block.curved->points;
+	for (const int components : {3, 9, 10})
+	{
+		std::vector<float> values;
+		for (std::size_t p = 0; p < points.size(); ++p)
+			for (int c = 0; c < components; ++c)
+				values.push_back(static_cast<float>(c == 0 ? 2.0 * points[p].x * points[p].x : points[p].y));
+		block.fields.push_back(
+		    grid::makeField("v" + std::to_string(components), grid::Association::point, components, std::move(values)));
+	}
+	std::vector<std::uint64_t> numbers(points.size(), std::numeric_limits<std::uint64_t>::max());
+	block.fields.push_back(grid::makeField("n", grid::Association::point, 1, std::move(numbers)));
+	const grid::BlockSet set = setOf(block);
+	cut::Cutter cutter(set);
+	cut::CutRequest request;
+	request.probe.sheets = {probe::makeSheet(Vec3(0.05, 0.02, 0.01), Vec3(0.3, 0.5, 0.8))};
+	request.finder = find::Finder::automatic;
+	for (const int components : {3, 9})
+	{
+		request.field = grid::FieldChoice{"v" + std::to_string(components), grid::Association::point, grid::kMagnitude};
+		const cut::Cut cut = std::move(cutter.cut(request).value());
+		const mesh::SheetMesh mesh = cut.mesh(set, 0);
+		const auto [lo, hi] = grid::fieldRange(set, *request.field);
+		const auto first = mesh::vertexValues(*cut.refined, mesh, request.field->inEach(*cut.refined), 0);
+		double worst = 0.0;
+		for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+			worst = std::max(worst, std::abs(first[v] - 2.0 * mesh.positions[v].x * mesh.positions[v].x));
+		EXPECT_LE(worst, 0.002 * (hi - lo) + 1e-6) << components;
+		EXPECT_GT(worst, 0.0002 * (hi - lo)) << components;
+		const grid::Field& n = cut.refined->blocks[0].fields.back();
+		ASSERT_EQ(n.name, "n");
+		ASSERT_EQ(n.type, grid::NumberType::uint64);
+		EXPECT_GT(n.value(n.tuples() - 1, 0), 1e19);
+	}
+	request.field = grid::FieldChoice{"v10", grid::Association::point, grid::kMagnitude};
+	const Result<cut::Cut> refused = cutter.cut(request);
+	ASSERT_FALSE(refused);
+	EXPECT_NE(refused.error().message.find("9 numbers of a point at most"), std::string::npos);
+	request.field->component = 7;
+	EXPECT_TRUE(cutter.cut(request));
+}
+
 TEST(RefinedCut, CellsThatTheSheetMissesAreLeftAlone)
 {
 	const grid::BlockSet set = setOf(quadraticCube(12, 0.001, ball));
