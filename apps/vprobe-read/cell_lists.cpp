@@ -2,6 +2,7 @@
 
 #include "read/cell_types.h"
 #include "refusal.h"
+#include "source_cell.h"
 #include "visible_cells.h"
 
 #include <vtkCellArray.h>
@@ -58,7 +59,7 @@ void refuseBadOffsets(const Lists<T>& lists, std::size_t cells)
 // left.
 template <class T>
 bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUnsignedCharArray* ghosts,
-                 CellCounts& counts)
+                 CellCounts& counts, bool curved)
 {
 	std::size_t left = 0;
 	for (std::size_t c = 0; c < types.size(); ++c)
@@ -78,7 +79,7 @@ bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUns
 			++counts.hidden;
 			types[c] = kEmptyCell;
 		}
-		else if (!canBeSliced(type))
+		else if (!canBeSliced(type) && !(curved && isCurved(type)))
 		{
 			++counts.not_sliced[type];
 			types[c] = kEmptyCell;
@@ -150,7 +151,7 @@ void writeFaces(ArrayWriter& writer, std::span<const std::uint8_t> types, vtkUns
 }
 
 template <class T>
-json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts)
+json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts, bool curved)
 {
 	const auto given = spanOf<std::uint8_t>(grid->GetCellTypesArray());
 	const auto lists = listsOf<T>(grid->GetCells());
@@ -160,14 +161,16 @@ json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& co
 	vtkUnsignedCharArray* ghosts = ghostMarks(grid);
 
 	const std::size_t trimmed_before = counts.trimmed;
-	if (!chooseTypes(types, lists, ghosts, counts))
+	if (!chooseTypes(types, lists, ghosts, counts, curved))
 		return nullptr;
 	json cells = {{"types", writer.write(NumberType::uint8, types.data(), types.size())}};
+	if (curved)
+		cells["curved"] = true;
 	if (counts.trimmed > trimmed_before)
 		writeTrimmed(writer, types, lists, cells);
 	else
 	{
-		if (!areAlike(types, lists))
+		if (curved || !areAlike(types, lists))
 			cells["offsets"] = writeInt64(writer, lists.offsets);
 		cells["connectivity"] = writeIds(writer, lists.connectivity);
 	}
@@ -178,7 +181,7 @@ json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& co
 
 } // namespace
 
-json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts)
+json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts, bool curved)
 {
 	vtkCellArray* cells = grid->GetCells();
 	if (!cells || !grid->GetCellTypesArray() || grid->GetNumberOfCells() == 0)
@@ -186,8 +189,8 @@ json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& coun
 	if (!grid->GetPoints())
 		throw damaged("cells without points");
 	if (cells->IsStorage64Bit())
-		return writeCellsAs<std::int64_t>(writer, grid, counts);
-	return writeCellsAs<std::int32_t>(writer, grid, counts);
+		return writeCellsAs<std::int64_t>(writer, grid, counts, curved);
+	return writeCellsAs<std::int32_t>(writer, grid, counts, curved);
 }
 
 vtkUnsignedCharArray* ghostMarks(vtkUnstructuredGrid* grid)

@@ -22,8 +22,8 @@ struct CellCounts
 };
 
 // Writes the cell lists of a grid. A cell that is not to be shown stays in the list as an empty cell, so that cell
-// arrays keep their numbering. Returns null, and writes nothing, if no cell is left.
-nlohmann::json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts);
+// arrays keep their numbering. Returns null, and writes nothing, if no cell is left. curved: keepsCurved() is true.
+nlohmann::json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts, bool curved = false);
 
 // The marks of a grid's cells, null where it has none. Throws a Refusal where there are more or fewer than cells.
 vtkUnsignedCharArray* ghostMarks(vtkUnstructuredGrid* grid);

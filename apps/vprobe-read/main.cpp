@@ -68,7 +68,7 @@ Request parseRequest(char** arguments)
 		request.time_value = std::strtod(time.c_str(), nullptr);
 	}
 	request.solution = arguments[2];
-	request.refine = static_cast<int>(std::strtol(arguments[3], nullptr, 10));
+	request.refine = std::strtod(arguments[3], nullptr);
 	request.displace = std::strtod(arguments[4], nullptr);
 	request.patches = std::string(arguments[5]) == "1";
 	request.threads = static_cast<int>(std::strtol(arguments[6], nullptr, 10));

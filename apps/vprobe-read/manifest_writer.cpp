@@ -1,10 +1,12 @@
 #include "manifest_writer.h"
 
 #include "complaints.h"
+#include "curved_cells.h"
 #include "is_one_of.h"
 #include "linearize.h"
 #include "patch_polygons.h"
 #include "quick_xml.h"
+#include "read/tolerance.h"
 #include "refusal.h"
 #include "structured_blocks.h"
 #include "time_choice.h"
@@ -147,10 +149,12 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* given)
 	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
 	{
 		const vtkIdType file_points = grid->GetNumberOfPoints();
-		linear = linearize(grid, refine_);
+		const bool curved = vp::read::isTolerance(refine_) && keepsCurved(grid, refine_);
+		if (!curved)
+			linear = linearize(grid, static_cast<int>(refine_));
 		if (linear)
 			point_data = grid = linear->grid;
-		json cells = writeCells(cell_writer_, grid, counts_);
+		json cells = writeCells(cell_writer_, grid, counts_, curved);
 		if (cells.is_null())
 			return;
 		if (linear)

@@ -23,8 +23,11 @@ nlohmann::json describeLeftOut(const char* association, const std::string& name,
 class ManifestWriter
 {
 public:
-	// `refine`: how many times the linear parts of curved cells are halved. `keeps`: whether kept() is wanted.
-	ManifestWriter(int refine, ArrayWish wish, bool keeps) : refine_(refine), wish_(std::move(wish)), keeps_(keeps) {}
+	// `refine`: how many times the linear parts of curved cells are halved, or a tolerance. `keeps`: whether kept() is
+	// wanted.
+	ManifestWriter(double refine, ArrayWish wish, bool keeps) : refine_(refine), wish_(std::move(wish)), keeps_(keeps)
+	{
+	}
 
 	// Reads a file without VTK and adds its block. False, and nothing added, where it is left to VTK. Offers the
 	// file's times too.
@@ -57,7 +60,7 @@ private:
 
 	void keep(const std::string& name, vtkDataSet* data);
 
-	int refine_;
+	double refine_;
 	ArrayWish wish_;
 	bool keeps_;
 	std::vector<KeptBlock> kept_;

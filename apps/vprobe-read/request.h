@@ -23,7 +23,7 @@ struct Request
 	std::size_t time_index = 0;
 	double displace = 0.0;      // what Exodus displacements are multiplied with; 0 leaves the points where they are
 	bool patches = false;       // whether the parts of the boundary that the file names are wanted
-	int refine = 0;             // how many times the linear parts of curved cells are halved
+	double refine = 0.0;        // how often the linear parts of curved cells are halved, or a tolerance
 	int threads = 1;            // the most to use
 	std::string convert_to;     // the file that is to be written; mostly empty
 	std::string convert_beside; // where its bytes go until it is whole

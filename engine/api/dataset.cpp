@@ -171,7 +171,7 @@ vp::Result<Cut> DatasetState::cut(std::stop_token stop)
 	++cuts;
 	auto state = std::make_shared<Cut::State>();
 	state->device = session->device;
-	state->blocks = blocksOfCut();
+	state->blocks = frame->slice.refined ? std::make_shared<CutBlocks>(frame->slice.refined) : blocksOfCut();
 	state->frame = std::move(*frame);
 	state->figures.resize(state->frame.sheets.size());
 	if (wants_figures)

@@ -1,8 +1,10 @@
 #include "api/states.h"
+#include "grid/curved_cells.h"
 #include "read/build_block.h"
 #include "read/cell_types.h"
 #include "read/check_mesh.h"
 #include "read/manifest.h"
+#include "read/tolerance.h"
 
 #include <fmt/format.h>
 
@@ -59,12 +61,29 @@ std::uint64_t product(const std::array<std::uint32_t, 3>& n, std::uint32_t less)
 	return std::uint64_t(n[0] - less) * (n[1] - less) * (n[2] - less);
 }
 
+// Whether there are quadratic tetrahedra, which need a tolerance.
+bool takesCurved(const vp::grid::CellList& cells, double tolerance)
+{
+	const auto curved =
+	    std::ranges::find_if(cells.types.span(), [](std::uint8_t type)
+	                         { return type == vp::grid::kQuadraticTetra || type == vp::grid::kLagrangeTetra; });
+	if (curved == cells.types.span().end())
+		return false;
+	if (!vp::read::isTolerance(tolerance) || tolerance < vp::read::kMinTolerance)
+		throw Unusable(
+		    fmt::format("cell {} is a quadratic tetrahedron, and `tolerance` is {}; give one from {} to below "
+		                "1, or cells of linear types",
+		                curved - cells.types.span().begin(), tolerance, vp::read::kMinTolerance));
+	return true;
+}
+
 // Makes the grid of a block. `points` and `cells` get the number of values that its arrays need.
 struct Wrapper
 {
 	vp::read::CheckedBlock& block;
 	std::uint64_t points = 0;
 	std::uint64_t cells = 0;
+	double tolerance = 0.0; // of curved cells
 
 	void takeLattice(const std::array<std::uint32_t, 3>& lattice)
 	{
@@ -126,13 +145,15 @@ struct Wrapper
 				throw Unusable(
 				    fmt::format("face_offsets: {} where {} belong", mesh.cells.face_offsets.size(), cells + 1));
 		}
-		vp::read::checkCells(mesh.cells, mesh.points.size());
+		mesh.curved = takesCurved(mesh.cells, grid.tolerance);
+		vp::read::checkCells(mesh.cells, mesh.points.size(), mesh.curved);
 		// Of cells of one type, the offsets say nothing more, and a search need not read them.
 		const std::uint8_t* types = mesh.cells.types.data();
-		if (vp::read::slicedCellSize(types[0]) > 0 &&
+		if (!mesh.curved && vp::read::slicedCellSize(types[0]) > 0 &&
 		    std::all_of(types, types + cells, std::bind_front(std::equal_to(), types[0])))
 			mesh.cells.offsets = {};
 		block.mesh = std::move(mesh);
+		tolerance = grid.tolerance;
 	}
 };
 
@@ -171,7 +192,7 @@ vp::grid::BlockSet wrapped(std::vector<Block> blocks)
 			vp::read::checkField(checked.fields.back(), wrapper.points, wrapper.cells);
 		}
 		checked.length_units = block.length_units;
-		set.blocks.push_back(vp::read::buildBlock(std::move(checked), block.name, false));
+		set.blocks.push_back(vp::read::buildBlock(std::move(checked), block.name, false, false, wrapper.tolerance));
 	}
 	// As for files: if all grids are unstructured, they stay listed until something needs neighbors.
 	const auto isListed = [](const vp::grid::Block& block) { return !vp::grid::hasNeighbors(block); };

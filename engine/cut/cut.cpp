@@ -26,8 +26,9 @@ std::string surfaceName(const SheetCut& sheet)
 	return sheet.surface ? find::nameOf(*sheet.surface) : sheet.sheet.form->text();
 }
 
-mesh::SheetMesh Cut::mesh(const grid::BlockSet& blocks, std::size_t number) const
+mesh::SheetMesh Cut::mesh(const grid::BlockSet& whole, std::size_t number) const
 {
+	const grid::BlockSet& blocks = blocksOf(whole);
 	const SheetCut& sheet = sheets[number];
 	if (sheet.surface)
 		return mesh::listedMesh(blocks, *sheet.surface, sheet.cuts);
@@ -42,7 +43,7 @@ mesh::SheetMesh Cut::mesh(const grid::BlockSet& blocks, std::size_t number) cons
 
 mesh::SheetMesh Cut::crinkle(const grid::BlockSet& blocks, std::size_t number) const
 {
-	return mesh::crinkleMesh(blocks, shownBlocks(sheets[number]));
+	return mesh::crinkleMesh(blocksOf(blocks), shownBlocks(sheets[number]));
 }
 
 } // namespace vp::cut

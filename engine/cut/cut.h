@@ -47,11 +47,26 @@ struct SheetCut
 /// Returns the name of a sheet that is not a plane, such as "i=12.5" or "sphere:2".
 std::string surfaceName(const SheetCut& sheet);
 
+/// What was refined for a cut (refine/refiner.h).
+struct RefinedCounts
+{
+	std::size_t looked_at = 0; // curved cells whose nodes were looked at
+	std::size_t cells = 0;     // curved cells that the sheets may meet, which were refined
+	std::size_t parts = 0;     // linear cells that they were refined to, where the sheets meet them
+};
+
 /// The result of a Cutter for a request.
 struct Cut
 {
 	std::vector<SheetCut> sheets;
+	// Where curved cells were refined: their linear parts where the sheets meet them. The sheets refer to these blocks
+	// in place of those that were cut.
+	std::shared_ptr<const grid::BlockSet> refined{};
+	RefinedCounts refined_counts{};
 	std::vector<std::string> warnings; // for the user, such as why cells were left to the CPU
+
+	/// Returns the blocks that the sheets refer to. blocks: those that were cut.
+	const grid::BlockSet& blocksOf(const grid::BlockSet& blocks) const { return refined ? *refined : blocks; }
 
 	/// Builds the indexed mesh of a sheet inside its window, on the CPU.
 	mesh::SheetMesh mesh(const grid::BlockSet& blocks, std::size_t sheet) const;

@@ -6,6 +6,7 @@
 #include "classify/gpu_classifier.h"
 #include "classify/gpu_surfaces.h"
 #include "cut/planes_on_device.h"
+#include "cut/refined_cut.h"
 #include "cut/reuse.h"
 #include "cut/sheet_group.h"
 #include "cut/spread_seeds.h"
@@ -32,6 +33,8 @@ Cutter::Cutter(const grid::BlockSet& blocks) : blocks_(blocks), ranges_(blocks.b
 {
 	for (const grid::Block& block : blocks.blocks)
 		stores_.push_back(std::make_unique<find::BlockStores>(block));
+	if (refine::hasCurvedCells(blocks))
+		refiner_ = std::make_unique<refine::Refiner>(blocks);
 }
 
 Result<std::unique_ptr<Cutter>> Cutter::onDevice(gpu::Device& device, const grid::BlockSet& blocks,
@@ -60,7 +63,7 @@ Cutter::Memory Cutter::memory() const
 	Memory memory;
 	for (const auto& stores : stores_)
 		memory.marks += stores->bytes();
-	memory.marks += ranges_.bytes();
+	memory.marks += ranges_.bytes() + (refiner_ ? refiner_->bytes() : 0);
 	memory.device = gpu_ ? gpu_->bytes() : 0;
 	return memory;
 }
@@ -83,9 +86,9 @@ CutTicket Cutter::begin(CutRequest request)
 
 Result<Cut> Cutter::run(const CutRequest& request, std::stop_token stop)
 {
-	if (!request.last)
+	if (!request.last || refiner_)
 	{
-		Result<Cut> cut = cutAll(request, {}, stop);
+		Result<Cut> cut = refiner_ ? cutRefined(*refiner_, blocks_, request, stop) : cutAll(request, {}, stop);
 		if (cut)
 			numberSheets(*cut);
 		return cut;
@@ -328,6 +331,8 @@ Status Cutter::search(SheetGroup<surface::BlockSurface>& group, std::stop_token 
 void Cutter::forgetValues()
 {
 	ranges_.forget();
+	if (refiner_)
+		refiner_->forgetValues();
 	if (gpu_)
 		gpu_->forgetFields();
 }

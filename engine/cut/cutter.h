@@ -8,6 +8,7 @@
 #include "find/plan.h"
 #include "grid/block.h"
 #include "grid/cell_filter.h"
+#include "refine/refiner.h"
 #include "surface/curved.h"
 #include "surface/plane.h"
 
@@ -120,6 +121,7 @@ private:
 	const grid::BlockSet& blocks_;
 	std::vector<std::unique_ptr<find::BlockStores>> stores_; // per block
 	find::ValueRanges ranges_;                               // for iso values
+	std::unique_ptr<refine::Refiner> refiner_;               // null if no block has curved cells
 	std::shared_ptr<classify::GpuBlocks> gpu_;
 };
 

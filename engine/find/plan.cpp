@@ -189,6 +189,44 @@ BlockPlan planBlock(const PlannedSheet& at, bool has_device, bool holds)
 	return plan;
 }
 
+/// Returns what of a request goes with linear cells alone, null if there is nothing.
+const char* needsLinearCells(const PlanRequest& request)
+{
+	if (request.surface ||
+	    std::ranges::any_of(request.sheets, [](const probe::Sheet& s) { return s.form.has_value(); }))
+		return "a surface that is no plane";
+	if (request.has_threshold)
+		return "a threshold";
+	if (request.seed_mode != seed::SeedMode::automatic || request.looks_for_hot_spot)
+		return "seeds";
+	if (request.finder == Finder::traversal)
+		return "generations";
+	if (request.strategy && *request.strategy != Strategy::scan)
+		return nameOf(*request.strategy);
+	return nullptr;
+}
+
+/// Planes alone cut curved cells, whose parts have no neighbors.
+Result<CutPlan> planRefined(const PlanRequest& request, const grid::BlockSet& blocks)
+{
+	if (const char* what = needsLinearCells(request))
+		return Error{
+		    ErrorKind::usage,
+		    fmt::format("{}: not for curved cells, which a tolerance keeps; leave it out, or read the file with "
+		                "`refine` 1",
+		                what)};
+	for (const grid::Block& block : blocks.blocks)
+		if (!std::holds_alternative<grid::UnstructuredGrid>(block.grid))
+			return Error{ErrorKind::usage,
+			             fmt::format("block {} is structured, and other blocks have curved cells, which a tolerance "
+			                         "keeps; read the files with `refine` 1",
+			                         block.name)};
+	const BlockPlan refined{Strategy::scan, Processor::cpu,
+	                        "curved cells: those that the plane may meet are refined, and their parts looked at once",
+	                        ""};
+	return CutPlan{{request.sheets.size(), std::vector(blocks.blocks.size(), refined)}, false};
+}
+
 } // namespace
 
 std::optional<Strategy> strategyNamed(std::string_view name)
@@ -216,6 +254,8 @@ std::string BlockPlan::reason() const
 
 Result<CutPlan> planCut(const PlanRequest& request, const grid::BlockSet& blocks, const DeviceProfile* device)
 {
+	if (std::ranges::any_of(blocks.blocks, [](const grid::Block& block) { return block.curved != nullptr; }))
+		return planRefined(request, blocks);
 	CutPlan plan;
 	const std::size_t sheets = request.surface ? 1 : request.sheets.size();
 	const bool lacks_neighbors = !grid::hasNeighbors(blocks);

@@ -21,6 +21,8 @@
 namespace vp::grid
 {
 
+struct CurvedCells; // curved_cells.h
+
 using AnyGrid = std::variant<UniformGrid, RectilinearGrid, CurvilinearGrid, UnstructuredGrid>;
 
 // A grid with the arrays that live on it.
@@ -38,6 +40,8 @@ struct Block
 	// If the grid is a lattice without its hidden cells, it is unstructured. Then this is that lattice; sourceCell()
 	// and sourcePoint() give numbers in it.
 	std::optional<Lattice> hidden_lattice;
+	// Set if curved cells are refined where they are cut. Then `grid` has only the corners of these cells.
+	std::shared_ptr<const CurvedCells> curved{};
 
 	// Built by finishBlock().
 	Box bounds;

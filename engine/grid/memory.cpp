@@ -1,5 +1,7 @@
 #include "grid/memory.h"
 
+#include "grid/curved_cells.h"
+
 namespace vp::grid
 {
 
@@ -47,6 +49,8 @@ void add(const Block& block, Memory& memory)
 {
 	memory.geometry += std::visit([](const auto& grid) { return geometryOf(grid); }, block.grid);
 	memory.adjacency += std::visit([](const auto& grid) { return adjacencyOf(grid); }, block.grid);
+	if (block.curved) // the grid has the points
+		memory.geometry += block.curved->cells.bytes();
 	for (const Field& field : block.fields)
 		memory.arrays += field.bytes.size();
 	memory.boundary += bytesOf(block.boundary.faces) + bytesOf(block.boundary.patches) +

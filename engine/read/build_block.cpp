@@ -1,11 +1,13 @@
 #include "read/build_block.h"
 
+#include "grid/curved_cells.h"
 #include "read/geometry.h"
 
 namespace vp::read
 {
 
-grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies_geometry, bool for_one_cut)
+grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies_geometry, bool for_one_cut,
+                       double tolerance)
 {
 	grid::Block block;
 	block.name = std::move(name);
@@ -18,12 +20,16 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies
 	    [&](auto&& mesh)
 	    {
 		    if constexpr (std::is_same_v<std::decay_t<decltype(mesh)>, CellMesh>)
+		    {
+			    if (mesh.curved)
+				    return takeCurvedCells(block, {std::move(mesh.points), std::move(mesh.cells), tolerance});
 			    block.grid = grid::UnstructuredGrid::listed(std::move(mesh.points), std::move(mesh.cells));
+		    }
 		    else
 			    block.grid = std::move(mesh);
+		    finishBlock(block, for_one_cut);
 	    },
 	    std::move(checked.mesh));
-	finishBlock(block, for_one_cut);
 	return block;
 }
 

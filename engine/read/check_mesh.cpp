@@ -1,5 +1,6 @@
 #include "read/check_mesh.h"
 
+#include "grid/curved_cells.h"
 #include "read/cell_types.h"
 
 #include <fmt/format.h>
@@ -48,6 +49,8 @@ std::size_t firstWhere(std::size_t n, Bad&& bad)
 
 void checkOffsets(const Array<std::int64_t>& offsets, std::size_t end, const char* what)
 {
+	if (offsets.empty())
+		throw Unusable(fmt::format("there are no {} offsets", what));
 	if (offsets[0] != 0 || offsets[offsets.size() - 1] != static_cast<std::int64_t>(end))
 		throw Unusable(fmt::format("the {} offsets do not match what they point into", what));
 	const std::size_t falls =
@@ -123,7 +126,7 @@ void checkAlike(const grid::CellList& cells)
 		throw Unusable(fmt::format("cell {} of type {} lists no points", bad, cells.types[bad]));
 }
 
-void checkTypes(const grid::CellList& cells)
+void checkTypes(const grid::CellList& cells, bool curved)
 {
 	checkOffsets(cells.offsets, cells.connectivity.size(), "cell");
 	// Per type: how many points its cells list, 0 for any number, -1 where there may be no such cell.
@@ -134,6 +137,11 @@ void checkTypes(const grid::CellList& cells)
 		const int dimension = cellDimension(type);
 		const bool may_be = canBeSliced(type) || (dimension >= 0 && dimension < 3);
 		sizes[t] = may_be ? slicedCellSize(type) : -1;
+	}
+	if (curved)
+	{
+		sizes[grid::kQuadraticTetra] = sizes[grid::kLagrangeTetra] = grid::kQuadraticTetraNodes;
+		sizes[kPolyhedron] = -1;
 	}
 	const auto bad_type = [&sizes, types = cells.types.data(), offsets = cells.offsets.data()](std::size_t c)
 	{
@@ -147,9 +155,9 @@ void checkTypes(const grid::CellList& cells)
 
 } // namespace
 
-void checkCells(const grid::CellList& cells, std::size_t points)
+void checkCells(const grid::CellList& cells, std::size_t points, bool curved)
 {
-	cells.offsets.empty() ? checkAlike(cells) : checkTypes(cells);
+	cells.offsets.empty() && !curved ? checkAlike(cells) : checkTypes(cells, curved);
 	cells.connectivity.as(
 	    [&](auto ids)
 	    {

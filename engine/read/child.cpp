@@ -108,7 +108,7 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	std::string name = "vprobe-read";
 	std::string time = timeText(options.time);
 	std::string solution = options.solution;
-	std::string refine = std::to_string(options.refine);
+	std::string refine = fmt::format("{}", options.refine);
 	std::string path = file;
 	std::string format = options.format;
 	std::string target = options.convert_to;

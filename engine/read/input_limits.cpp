@@ -102,9 +102,9 @@ Result<InputLimits> inputLimits(const std::string& file, const std::string& solu
 	return limits;
 }
 
-InputLimits refinedLimits(InputLimits limits, int refine)
+InputLimits refinedLimits(InputLimits limits, double refine)
 {
-	const std::uint64_t growth = std::uint64_t(1) << (3 * std::clamp(refine, 0, 10));
+	const std::uint64_t growth = std::uint64_t(1) << (3 * static_cast<int>(std::clamp(refine, 0.0, 10.0)));
 	const std::uint64_t most = std::max(physicalMemory(), kBaseMemory);
 	limits.memory = limits.memory > most / growth ? most : limits.memory * growth;
 	limits.time = std::min(limits.time * static_cast<std::int64_t>(growth), std::max(limits.time, kMaxRefineTime));

@@ -22,6 +22,6 @@ struct InputLimits
 Result<InputLimits> inputLimits(const std::string& file, const std::string& solution, const std::string& format = {});
 
 // The same for a reader that refines this number of levels. Each level makes eight cells of one.
-InputLimits refinedLimits(InputLimits limits, int refine);
+InputLimits refinedLimits(InputLimits limits, double refine);
 
 } // namespace vp::read

@@ -164,7 +164,8 @@ private:
 			    numbersOf<std::int64_t>(cells_, lists.at("face_offsets"), NumberType::int64, cells + 1);
 			mesh.cells.face_stream = numbersOf<std::int64_t>(cells_, lists.at("face_stream"), NumberType::int64);
 		}
-		checkCells(mesh.cells, mesh.points.size());
+		mesh.curved = lists.contains("curved");
+		checkCells(mesh.cells, mesh.points.size(), mesh.curved);
 		if (lists.contains("source_cells"))
 			checkSources(lists, mesh);
 		return mesh;

@@ -26,6 +26,7 @@ struct CellMesh
 	grid::Points points;
 	grid::CellList cells;
 	std::size_t source_cell_count = 0; // if cells.source_cells says of which they are part
+	bool curved = false;               // quadratic tetrahedra may stand among the cells (grid/curved_cells.h)
 };
 
 struct CheckedBlock

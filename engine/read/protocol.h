@@ -9,13 +9,13 @@ namespace vp::read
 // The protocol between vprobe-read and its parent. The child is started as
 //   vprobe-read TIME SOLUTION REFINE DISPLACE PATCHES THREADS ARRAYS FORMAT RAW TARGET BESIDE FILE
 // TIME: last, first, a number, or # and an index. SOLUTION: empty or a PLOT3D q file. REFINE: how many times the linear
-// parts of curved cells are halved. DISPLACE: factor for Exodus displacements, 0 for none. PATCHES: 1 to read named
-// parts of the boundary, else 0. THREADS: the maximum number of threads. ARRAYS: the wanted arrays, one a line: "*" for
-// all, "^" for the default array, "=" and a name for one. FORMAT: a name of format_table.inl, or empty. RAW: the layout
-// of a raw volume (rawText()), or empty. TARGET and BESIDE: of convert(), or empty. The child writes arrays into two
-// shared memories, each array at a multiple of kArrayAlignment. kCellsFd gets the points and cells of unstructured
-// blocks, which nobody needs after the grid is built, kArraysFd everything else. A JSON manifest that describes them
-// goes to kManifestFd:
+// parts of curved cells are halved, or a tolerance, which leaves these cells curved. DISPLACE: factor for Exodus
+// displacements, 0 for none. PATCHES: 1 to read named parts of the boundary, else 0. THREADS: the maximum number of
+// threads. ARRAYS: the wanted arrays, one a line: "*" for all, "^" for the default array, "=" and a name for one.
+// FORMAT: a name of format_table.inl, or empty. RAW: the layout of a raw volume (rawText()), or empty. TARGET and
+// BESIDE: of convert(), or empty. The child writes arrays into two shared memories, each array at a multiple of
+// kArrayAlignment. kCellsFd gets the points and cells of unstructured blocks, which nobody needs after the grid is
+// built, kArraysFd everything else. A JSON manifest that describes them goes to kManifestFd:
 //
 //   {"version", "times": [..], "left_out": cells, "warnings": [..], "blocks": [{"name", "kind", "arrays": [..], ..}],
 //    "patches": [{"name", "coordinates": array, "starts": array, "corners": array}]},
@@ -24,7 +24,7 @@ namespace vp::read
 //   rectilinear   "axes": [array, array, array] of float64
 //   curvilinear   "points": [nx, ny, nz], "coordinates": array
 //   unstructured  "coordinates": array, "cells": {"types", "offsets", "connectivity", "face_offsets", "face_stream",
-//                 "source_cells", "source_cell_count", "source_point_count"}; the last five only if needed,
+//                 "source_cells", "source_cell_count", "source_point_count", "curved"}; the last six only if needed,
 //                 offsets unless all cells are of one type and lie one after the other, connectivity of int32 or int64;
 //                 "points": [nx, ny, nz] where points and cells, hidden ones too, are those of a lattice
 //

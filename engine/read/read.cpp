@@ -55,8 +55,8 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	for (CheckedBlock& block : input->blocks)
 	{
 		std::string name = block.name.empty() ? stem : fmt::format("{}: {}", stem, block.name);
-		set.blocks.push_back(
-		    buildBlock(std::move(block), std::move(name), options.identifies_geometry, options.for_one_cut));
+		set.blocks.push_back(buildBlock(std::move(block), std::move(name), options.identifies_geometry,
+		                                options.for_one_cut, options.refine));
 	}
 	if (!input->patches.empty())
 	{
@@ -150,7 +150,8 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 	all.times.erase(std::unique(all.times.begin(), all.times.end()), all.times.end());
 	const bool all_listed =
 	    std::ranges::none_of(all.blocks, [](const grid::Block& block) { return grid::hasNeighbors(block); });
-	if (all_listed && !options.builds_neighbors)
+	const bool refines = std::ranges::any_of(all.blocks, [](const grid::Block& b) { return b.curved != nullptr; });
+	if (all_listed && (refines || !options.builds_neighbors))
 		return all;
 	if (!grid::hasNeighbors(all))
 		buildNeighbors(all, timeline);

@@ -3,6 +3,7 @@
 #include "base/result.h"
 #include "grid/block.h"
 #include "read/raw_layout.h"
+#include "read/tolerance.h"
 
 #include <optional>
 #include <stop_token>
@@ -61,8 +62,9 @@ struct ReadOptions
 {
 	TimeChoice time;
 	std::string solution; // PLOT3D q file, if its name does not follow from that of the grid
-	// Curved cells are cut into linear ones over their own points. Each level halves the edges of these once more.
-	int refine = 0;
+	// Curved cells are cut into linear ones over their own points. Each level halves the edges of these once more. A
+	// tolerance (isTolerance()) keeps them as they are, and cuts refine them (grid/curved_cells.h).
+	double refine = 0.0;
 	double displace = 0.0; // moves the points of Exodus files by their displacements times this factor
 	bool patches = false;  // reads named parts of the boundary: OpenFOAM patches, Exodus side sets
 	// If false and all blocks are unstructured, they stay listed (grid/unstructured.h), their seams are not matched,
@@ -83,7 +85,6 @@ struct ReadOptions
 };
 
 constexpr int kMaxRefine = 6;
-
 // Reads all inputs (files, or demo:NAME[:N]) into one block set and finishes it (see finishBlock, matchInterfaces, and
 // `builds_neighbors`). A file is read in a child process (vprobe-read, beside the program or in its libexec
 // folder) which passes its arrays in shared memory. Sizes, types, offsets and ids are checked here before they

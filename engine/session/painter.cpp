@@ -96,12 +96,13 @@ Result<Painter> Painter::create(Session& session, view::ResolvedLook look)
 }
 
 // What is no plane: a grid surface, a patch of the boundary, whole cells.
-Result<render::Surface> Painter::surfaceOf(const cut::SheetCut& sheet, const SheetStats& stats,
+Result<render::Surface> Painter::surfaceOf(const cut::Cut& slice, std::size_t sheet, const SheetStats& stats,
                                            const render::SheetDrawing& drawing,
                                            const std::optional<render::ValueScale>& scale) const
 {
 	const mesh::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
-	const render::SheetValues values = sheetValues(session_, sheet, mesh, choice().by_generation);
+	const render::SheetValues values =
+	    sheetValues(slice.blocksOf(session_.blocks), slice.sheets[sheet], mesh, choice().by_generation);
 	auto polygons = render::surfacePolygons(*session_.device, mesh, {values.of_vertices, values.of_polygons});
 	if (!polygons)
 		return polygons.error();
@@ -126,7 +127,8 @@ void Painter::addContours(const cut::Cut& slice, const std::vector<SheetStats>& 
 		const std::vector<double> levels = render::valueStyle(scene, drawing).lines;
 		if (levels.empty())
 			continue;
-		const auto values = sheetValues(session_, slice.sheets[s], sheets[s].mesh, choice().by_generation);
+		const auto values =
+		    sheetValues(slice.blocksOf(session_.blocks), slice.sheets[s], sheets[s].mesh, choice().by_generation);
 		drawing.contours = render::levelLines(sheets[s].mesh, content, values, levels);
 	}
 	// Any sheet may hide labels of another.
@@ -138,9 +140,10 @@ void Painter::addContours(const cut::Cut& slice, const std::vector<SheetStats>& 
 
 // A sheet's polygons where they lie: records that the GPU classifier left in device memory, those of the last picture
 // where the sheet has not moved, or the CPU's mesh put there.
-Result<std::shared_ptr<const classify::SheetRecords>> Painter::recordsOf(const cut::SheetCut& sheet,
+Result<std::shared_ptr<const classify::SheetRecords>> Painter::recordsOf(const cut::Cut& slice, std::size_t number,
                                                                          const SheetStats& stats)
 {
+	const cut::SheetCut& sheet = slice.sheets[number];
 	const bool by_generation = choice().by_generation;
 	if (sheet.records && !by_generation)
 		return std::shared_ptr<const classify::SheetRecords>(sheet.records);
@@ -148,7 +151,7 @@ Result<std::shared_ptr<const classify::SheetRecords>> Painter::recordsOf(const c
 		return known->second;
 	const mesh::MeshRecords host =
 	    by_generation ? mesh::MeshRecords(sheet.sheet, stats.mesh, cut::polygonGenerations(sheet, stats.mesh))
-	                  : mesh::MeshRecords(session_.blocks, sheet.sheet, stats.mesh, sheet.field);
+	                  : mesh::MeshRecords(slice.blocksOf(session_.blocks), sheet.sheet, stats.mesh, sheet.field);
 	auto made = classify::recordsFromMesh(pool_, host);
 	if (!made)
 		return made.error();
@@ -174,13 +177,13 @@ Status Painter::addSheets(const cut::Cut& slice, const std::vector<SheetStats>& 
 				return added;
 		if (!slice.sheets[s].isPlane() || sheets[s].crinkle)
 		{
-			Result<render::Surface> surface = surfaceOf(slice.sheets[s], sheets[s], *made, scene.values);
+			Result<render::Surface> surface = surfaceOf(slice, s, sheets[s], *made, scene.values);
 			if (!surface)
 				return surface.error();
 			scene.surfaces.push_back(std::move(*surface));
 			continue;
 		}
-		auto records = recordsOf(slice.sheets[s], sheets[s]);
+		auto records = recordsOf(slice, s, sheets[s]);
 		if (!records)
 			return records.error();
 		made->records = std::move(*records);

@@ -57,11 +57,11 @@ public:
 private:
 	Painter(Session& session, SheetLooks looks, render::Renderer renderer);
 	Status makeContext();
-	Result<std::shared_ptr<const classify::SheetRecords>> recordsOf(const cut::SheetCut& sheet,
+	Result<std::shared_ptr<const classify::SheetRecords>> recordsOf(const cut::Cut& slice, std::size_t sheet,
 	                                                                const SheetStats& stats);
 	Status addSheets(const cut::Cut& slice, const std::vector<SheetStats>& sheets, const Contours& contours,
 	                 render::Scene& scene);
-	Result<render::Surface> surfaceOf(const cut::SheetCut& sheet, const SheetStats& stats,
+	Result<render::Surface> surfaceOf(const cut::Cut& slice, std::size_t sheet, const SheetStats& stats,
 	                                  const render::SheetDrawing& drawing,
 	                                  const std::optional<render::ValueScale>& scale) const;
 

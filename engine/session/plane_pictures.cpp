@@ -57,7 +57,7 @@ Result<std::vector<std::string>> writePictures(const Session& session, const vie
 		flat.content = slice.sheets[s].sheet;
 		flat.mesh = &sheets[s].mesh;
 		flat.color_steps = write::colorSteps(*write::pictureFormatOf(output));
-		flat.values = sheetValues(session, slice.sheets[s], sheets[s].mesh, look.by_generation);
+		flat.values = sheetValues(slice.blocksOf(session.blocks), slice.sheets[s], sheets[s].mesh, look.by_generation);
 	}
 	if (Status written = write::writePlanePictures(flats, *paths); !written)
 		return written.error();

@@ -24,8 +24,8 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 void measureSheet(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
 {
 	const TimedSection section(session.timeline.get(), "measure");
-	stats.measure = measure::measure(session.blocks, stats.mesh, slice.sheets[sheet].field);
-	stats.flux = fluxThrough(session, slice.sheets[sheet], stats.mesh);
+	stats.measure = measure::measure(slice.blocksOf(session.blocks), stats.mesh, slice.sheets[sheet].field);
+	stats.flux = fluxThrough(session, slice, sheet, stats.mesh);
 }
 
 void measureForPicture(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
@@ -33,8 +33,10 @@ void measureForPicture(const Session& session, const cut::Cut& slice, std::size_
 	if (session.spec.look.range_of == view::RangeOf::slice)
 		return measureSheet(session, slice, sheet, stats);
 	const TimedSection section(session.timeline.get(), "measure");
+	// Arrays of refined cells are new in each cut.
+	measure::FiniteFields* known = slice.refined ? nullptr : session.finite_fields.get();
 	stats.measure.nan_area =
-	    measure::nanArea(session.blocks, stats.mesh, slice.sheets[sheet].field, session.finite_fields.get());
+	    measure::nanArea(slice.blocksOf(session.blocks), stats.mesh, slice.sheets[sheet].field, known);
 }
 
 Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice)

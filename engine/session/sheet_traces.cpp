@@ -123,14 +123,16 @@ Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, s
 	return std::make_shared<const vectors::Traces>(std::move(*traces));
 }
 
-std::optional<double> fluxThrough(const Session& session, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh)
+std::optional<double> fluxThrough(const Session& session, const cut::Cut& slice, std::size_t number,
+                                  const mesh::SheetMesh& mesh)
 {
+	const cut::SheetCut& sheet = slice.sheets[number];
 	std::optional<grid::FieldChoice> array = session.view.vector_array;
 	if (!array && sheet.field && hasVectors(session.blocks, *sheet.field))
 		array = sheet.field;
 	if (!array || sheet.surface)
 		return std::nullopt;
-	return vectors::fluxThrough(session.blocks, mesh, *array).through;
+	return vectors::fluxThrough(slice.blocksOf(session.blocks), mesh, *array).through;
 }
 
 } // namespace vp::session

@@ -25,6 +25,7 @@ Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, s
 
 // Returns the flux through the polygons of a sheet, along its normal: of the array that moves particles, or of the
 // shown array if it is a vector array, or nothing.
-std::optional<double> fluxThrough(const Session& session, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh);
+std::optional<double> fluxThrough(const Session& session, const cut::Cut& slice, std::size_t sheet,
+                                  const mesh::SheetMesh& mesh);
 
 } // namespace vp::session

@@ -27,7 +27,7 @@ std::vector<double> polygonValues(const grid::BlockSet& blocks, const mesh::Shee
 
 } // namespace
 
-render::SheetValues sheetValues(const Session& session, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
+render::SheetValues sheetValues(const grid::BlockSet& blocks, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
                                 bool by_generation)
 {
 	if (by_generation)
@@ -35,9 +35,9 @@ render::SheetValues sheetValues(const Session& session, const cut::SheetCut& she
 	if (!sheet.field)
 		return {};
 	if (sheet.field->association == grid::Association::cell)
-		return {{}, polygonValues(session.blocks, mesh, *sheet.field)};
+		return {{}, polygonValues(blocks, mesh, *sheet.field)};
 	const RawVector<double> values =
-	    mesh::vertexValues(session.blocks, mesh, sheet.field->inEach(session.blocks), sheet.field->component);
+	    mesh::vertexValues(blocks, mesh, sheet.field->inEach(blocks), sheet.field->component);
 	return {{values.begin(), values.end()}, {}};
 }
 

@@ -6,8 +6,9 @@
 namespace vp::session
 {
 
-// Returns what a sheet shows at the vertices or on the polygons of its mesh: its array, or generations.
-render::SheetValues sheetValues(const Session& session, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
+// Returns what a sheet shows at the vertices or on the polygons of its mesh: its array, or generations. blocks: those
+// that the cut refers to, cut::Cut::blocksOf().
+render::SheetValues sheetValues(const grid::BlockSet& blocks, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
                                 bool by_generation);
 
 } // namespace vp::session

@@ -62,9 +62,10 @@ Result<cut::Cut> TimeSteps::cutAt(int step)
 	Result<bool> same_grid = moveToTime(session_, time, painter_);
 	if (!same_grid)
 		return same_grid.error();
-	Result<cut::Cut> slice = *same_grid && kept_ && !session_.view.threshold && !cutsByValue(session_.view.probe)
-	                             ? session_.cutter->regather(*kept_, session_.timeline.get())
-	                             : cut(session_);
+	Result<cut::Cut> slice =
+	    *same_grid && kept_ && !kept_->refined && !session_.view.threshold && !cutsByValue(session_.view.probe)
+	        ? session_.cutter->regather(*kept_, session_.timeline.get())
+	        : cut(session_);
 	if (slice)
 		kept_ = *slice;
 	return slice;

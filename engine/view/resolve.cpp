@@ -152,8 +152,36 @@ probe::Probe makeProbe(const ProbeSpec& spec, const Box& bounds)
 	return probe;
 }
 
+namespace
+{
+
+// Curved cells are refined where planes cut them, and nowhere else.
+Status refuseCurved(const ViewSpec& spec, const grid::BlockSet& blocks)
+{
+	if (std::ranges::none_of(blocks.blocks, [](const grid::Block& block) { return block.curved != nullptr; }))
+		return Nothing{};
+	for (const auto& [given, key] :
+	     {std::pair{!std::holds_alternative<std::monostate>(spec.probe.surface), "surface"},
+	      std::pair{spec.probe.crinkle, "crinkle"}, std::pair{spec.probe.threshold.has_value(), "threshold"},
+	      std::pair{spec.probe.vectors.on(), "vectors"}, std::pair{spec.look.contour.isGiven(), "contour"},
+	      std::pair{!spec.look.context.empty(), "context"},
+	      std::pair{spec.look.outline == render::Outline::edges, "outline"},
+	      std::pair{spec.look.color_by == ColorBy::generation, "color_by"}})
+		if (given)
+			return Error{
+			    ErrorKind::usage,
+			    fmt::format("`{}`: not for curved cells, which a tolerance keeps; leave it out, or read the file "
+			                "with `refine` 1",
+			                key)};
+	return Nothing{};
+}
+
+} // namespace
+
 Result<ResolvedView> resolve(const ViewSpec& spec, const grid::BlockSet& blocks)
 {
+	if (Status fits = refuseCurved(spec, blocks); !fits)
+		return fits.error();
 	const ProbeSpec& probe = spec.probe;
 	ResolvedView view;
 	view.time = spec.input.time;

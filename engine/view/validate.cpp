@@ -50,6 +50,14 @@ Status checkInput(const InputSpec& input)
 {
 	if (!input.format.empty() && !read::findFormat(input.format))
 		return usage(fmt::format("`format` {}: no such format; use one of {}", input.format, read::formatNames()));
+	if (input.refine != std::floor(input.refine) && !(read::isTolerance(input.refine)))
+		return usage(
+		    fmt::format("`refine` {}: a level is a whole number, and a tolerance lies between 0 and 1; give one "
+		                "of them",
+		                input.refine));
+	if (read::isTolerance(input.refine) && input.refine < read::kMinTolerance)
+		return usage(fmt::format("`refine` {}: rounding would be seen; give a tolerance of at least {}", input.refine,
+		                         read::kMinTolerance));
 	const bool has_size = input.raw.size[0] != 0;
 	if (!has_size && (input.raw != read::RawLayout{} || input.format == "raw"))
 		return usage("`raw_size`: a raw volume does not say how large it is; add `raw_size` NXxNYxNZ");
@@ -221,6 +229,16 @@ Status refuseGenerations(const ProbeSpec& probe, ColorBy color_by)
 	return usage(fmt::format("`color_by` generation: {} is found without a traversal, which has the generations; leave "
 	                         "one of the two out",
 	                         surfaceSetting(probe.surface)));
+}
+
+Status requireLevel(const InputSpec& input, const char* who)
+{
+	if (!read::isTolerance(input.refine))
+		return Nothing{};
+	return usage(
+	    fmt::format("`refine` {}: a tolerance is for cuts, and {} looks at linear cells; give a level, such as "
+	                "1",
+	                input.refine, who));
 }
 
 Status requirePlanes(const ProbeSpec& probe)

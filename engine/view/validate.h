@@ -18,6 +18,9 @@ Status requirePathOfSurface(const ProbeSpec& probe, const SweepSpec& sweep);
 /// Returns a usage error for colors by generation on a grid surface, which is found without a traversal.
 Status refuseGenerations(const ProbeSpec& probe, ColorBy color_by);
 
+/// For commands that look at linear cells: returns a usage error if `refine` is a tolerance. who: "vprobe check".
+Status requireLevel(const InputSpec& input, const char* who);
+
 /// For flat pictures and lines through a sheet: returns a usage error if the sheets are not planes.
 Status requirePlanes(const ProbeSpec& probe);
 

@@ -39,8 +39,9 @@ struct InputSpec
 {
 	std::vector<std::string> files; // or demo:NAME[:N]; several make one block set
 	read::TimeChoice time{};
-	std::string solution;  // PLOT3D solution file, if its name does not follow from the grid's name
-	int refine = 0;        // 0 to read::kMaxRefine: how often the linear parts of curved cells are halved
+	std::string solution; // PLOT3D solution file, if its name does not follow from the grid's name
+	// How often the linear parts of curved cells are halved, 0 to read::kMaxRefine; or a tolerance, read::isTolerance()
+	double refine = 0.0;
 	double displace = 0.0; // factor for the displacements of points in Exodus files
 	std::string format;    // a name in read::formats(); if empty, the file tells
 	read::RawLayout raw{}; // of raw volumes

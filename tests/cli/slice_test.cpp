@@ -201,4 +201,55 @@ TEST_F(Slice, RealData)
 	          stats({both, "--array", "point:scalars"})["sheets"][0]["mean"]);
 }
 
+namespace
+{
+
+// The corner of a ball as one quadratic tetrahedron, with x as its array.
+std::string ballCorner()
+{
+	return "# vtk DataFile Version 3.0\nball\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 10 double\n"
+	       "0 0 0 1 0 0 0 1 0 0 0 1 .5 0 0 .707106781 .707106781 0 0 .5 0 0 0 .5 .707106781 0 .707106781 "
+	       "0 .707106781 .707106781\nCELLS 1 11\n10 0 1 2 3 4 5 6 7 8 9\nCELL_TYPES 1\n24\n"
+	       "POINT_DATA 10\nSCALARS x double 1\nLOOKUP_TABLE default\n0 1 0 0 .5 .707106781 0 0 .707106781 0\n";
+}
+
+} // namespace
+
+TEST_F(Slice, ATolerantCutRefinesWhatItMeets)
+{
+	const std::string file = write("ball.vtk", ballCorner());
+	const Arguments cut{file, "--origin", "0", "0", "0.3"};
+	const nlohmann::json coarse = stats(cut + Arguments{"--refine", "0.5"});
+	const nlohmann::json fine = stats(cut + Arguments{"--refine", "0.001"});
+	EXPECT_EQ(coarse["refined"], (nlohmann::json{{"cells_looked_at", 1}, {"cells", 1}, {"parts", 1}}));
+	EXPECT_GT(fine["refined"]["parts"], 50);
+	EXPECT_EQ(fine["refined"]["parts"], fine["sheets"][0]["cells_scanned"]);
+	EXPECT_EQ(fine["sheets"][0]["cut_cells"], 1);
+	EXPECT_GT(fine["sheets"][0]["area"], 1.5 * coarse["sheets"][0]["area"].get<double>());
+	EXPECT_EQ(fine["plan"][0]["strategy"], "scan");
+	EXPECT_TRUE(stats({file, "--origin", "0", "0", "0.3", "--refine", "1"})["refined"].is_null());
+	EXPECT_TRUE(isQuiet(run({"slice", file, "--refine", "0.01", "--normal", "1", "1", "1", "-o", path("cut.vtp")})));
+	EXPECT_TRUE(contains(contents(path("cut.vtp")), "Name=\"x\""));
+	EXPECT_TRUE(isQuiet(run({"profile", file, "--refine", "0.01", "--planes", "3"})) ||
+	            isDoneWithAWord(run({"profile", file, "--refine", "0.01", "--planes", "3"}), {"empty"}));
+}
+
+TEST_F(Slice, WhatAToleranceDoesNotServeIsAUsageError)
+{
+	const std::string file = write("ball.vtk", ballCorner());
+	for (const auto& [options, word] :
+	     std::vector<std::pair<Arguments, std::string>>{{{"--threshold", "0", "1"}, "threshold"},
+	                                                    {{"--surface", "sphere:0.5"}, "surface"},
+	                                                    {{"--crinkle"}, "crinkle"},
+	                                                    {{"--contour", "0.5"}, "contour"},
+	                                                    {{"--seeds", "hotspot"}, "seeds"},
+	                                                    {{"--strategy", "cells"}, "cells"}})
+		EXPECT_TRUE(isError(run(Arguments{"slice", file, "--refine", "0.01"} + options), 1, {word, "--refine 1"}))
+		    << word;
+	EXPECT_TRUE(isError(run({"slice", file, "--refine", "1.5"}), 1, {"refine", "1.5", "between 0 and 1"}));
+	EXPECT_TRUE(isError(run({"slice", file, "--refine", "1e-9"}), 1, {"refine", "at least"}));
+	EXPECT_TRUE(isError(run({"check", file, "--refine", "0.01"}), 1, {"refine", "level"}));
+	EXPECT_TRUE(isError(run({"sample", file, "--refine", "0.01", "--points", "-"}), 1, {"refine", "level"}));
+}
+
 } // namespace cli

@@ -208,4 +208,92 @@ TEST(Wrap, SamplesAndTracesAndContours)
 		EXPECT_NEAR(contour.array("value")->value(p), 2.25, 1e-9);
 }
 
+namespace
+{
+
+// The corner of a ball of radius 1 as one quadratic tetrahedron. Its middles lie on the sphere, so a section at z is
+// close to a quarter of a circle.
+struct BallCorner
+{
+	std::vector<double> coordinates;
+	std::vector<std::uint8_t> types{24};
+	std::vector<std::int64_t> offsets{0, 10};
+	std::vector<std::int32_t> nodes{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+	std::vector<double> value; // x x
+
+	BallCorner()
+	{
+		const double h = std::sqrt(0.5);
+		coordinates = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, .5, 0, 0, h, h, 0, 0, .5, 0, 0, 0, .5, h, 0, h, 0, h, h};
+		for (std::size_t p = 0; p < 10; ++p)
+			value.push_back(coordinates[3 * p] * coordinates[3 * p]);
+	}
+	vprobe::Block block(double tolerance) const
+	{
+		vprobe::Unstructured grid{coordinates, types, offsets, nodes, {}, {}};
+		grid.tolerance = tolerance;
+		return {grid, {{"value", vprobe::Association::point, 1, value}}};
+	}
+};
+
+} // namespace
+
+TEST(Wrap, QuadraticTetrahedraAreRefinedToATolerance)
+{
+	const BallCorner corner;
+	double area = 0.0;
+	std::size_t polygons = 0;
+	for (const double tolerance : {0.5, 0.01, 0.0005})
+	{
+		const Dataset data = wrap(corner.block(tolerance));
+		EXPECT_EQ(data.cellCount(), 1u);
+		EXPECT_EQ(data.pointCount(), 10u);
+		std::optional<vprobe::Figures> first;
+		for (int round = 0; round < 2; ++round)
+		{
+			const auto cut = data.cut(View().origin({0, 0, 0.3}).normal({0, 0, 1}).array("value"));
+			ASSERT_TRUE(cut) << cut.error().message;
+			const vprobe::Figures figures = cut->figures(0);
+			const vprobe::Mesh mesh = cut->mesh(0);
+			EXPECT_GT(mesh.polygonCount(), polygons);
+			ASSERT_TRUE(mesh.array("value"));
+			for (const std::int64_t cell : mesh.cells())
+				EXPECT_EQ(cell, 0);
+			if (!first)
+				first = figures;
+			EXPECT_EQ(figures.area, first->area);
+			EXPECT_EQ(figures.mean, first->mean);
+		}
+		EXPECT_GT(first->area, area);
+		area = first->area;
+		polygons = data.cut(View().origin({0, 0, 0.3}).normal({0, 0, 1}))->mesh(0).polygonCount();
+		const auto plan = data.plan(View());
+		ASSERT_TRUE(plan);
+		EXPECT_EQ(plan->front().strategy, "scan");
+	}
+	EXPECT_NEAR(area, 0.25 * 3.14159265 * (1.0 - 0.09), 0.15); // four points of an arc are no circle
+	EXPECT_GT(polygons, 100u);
+}
+
+TEST(Wrap, WhatAToleranceDoesNotServeIsRefused)
+{
+	const BallCorner corner;
+	refused(corner.block(0.0), "cell 0 is a quadratic tetrahedron, and `tolerance` is 0");
+	refused(corner.block(1.5), "`tolerance` is 1.5");
+	BallCorner short_of_nodes;
+	short_of_nodes.offsets = {0, 9};
+	short_of_nodes.nodes.pop_back();
+	refused(short_of_nodes.block(0.01), "lists 9 points");
+	BallCorner wild;
+	wild.nodes[9] = 10;
+	refused(wild.block(0.01), "point 10 of 10");
+	BallCorner hexahedron;
+	hexahedron.types = {25};
+	refused(hexahedron.block(0.01), "type 25");
+	const auto cut = wrap(corner.block(0.01)).cut(View().threshold(0.0, 1.0));
+	ASSERT_FALSE(cut);
+	EXPECT_EQ(cut.error().kind, ErrorKind::usage);
+	EXPECT_NE(cut.error().message.find("`threshold`"), std::string::npos) << cut.error().message;
+}
+
 } // namespace face

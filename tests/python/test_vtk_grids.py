@@ -331,3 +331,25 @@ def test_results_go_back_to_vtk():
     assert shell.slice_orthogonal().to_vtk().GetNumberOfBlocks() == 3
     lines = shell.trace(shell.slice(), vector_lattice=5).to_vtk()
     assert lines.GetNumberOfLines() > 0 and lines.GetPointData().GetArray('time')
+
+
+def test_quadratic_tetrahedra_are_refined_to_a_tolerance():
+    h = np.sqrt(.5)  # the corner of a ball
+    points = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (.5, 0, 0), (h, h, 0), (0, .5, 0), (0, 0, .5),
+                       (h, 0, h), (0, h, h)])
+    mesh = model.vtkUnstructuredGrid()
+    mesh.SetPoints(vtk_points(points))
+    mesh.InsertNextCell(24, 10, list(range(10)))
+    mesh.GetPointData().AddArray(named(points[:, 0] ** 2, 'xx'))
+    areas = []
+    for tolerance in (.5, .01, .001):
+        piece = vprobe.wrap(mesh, tolerance=tolerance, classify='cpu').slice(origin=(0, 0, .3), normal=(0, 0, 1))
+        plain = vprobe.unstructured(points, np.arange(10).reshape(1, 10), 'quadratic_tetra', {'xx': points[:, 0] ** 2},
+                                    tolerance=tolerance, classify='cpu').slice(origin=(0, 0, .3), normal=(0, 0, 1))
+        assert piece.area == plain.area and np.array_equal(piece['xx'], plain['xx'])
+        areas.append(piece.area)
+    assert areas == sorted(areas) and areas[2] - areas[1] < .02 < areas[1] - areas[0]
+    with pytest.raises(vprobe.InputError, match='give a tolerance'):
+        vprobe.wrap(mesh)
+    with pytest.raises(vprobe.Error, match='threshold'):
+        vprobe.wrap(mesh, tolerance=.01, classify='cpu').slice(threshold=(0, 1))

@@ -18,9 +18,10 @@ namespace
 namespace fs = std::filesystem;
 
 // A folder may use only folders before it.
-const std::vector<std::string> kFolders{
-    "base",     "grid",    "cases", "read",    "surface", "probe",  "locate", "seed",     "find", "mesh",    "gpu",
-    "classify", "measure", "cut",   "contour", "vectors", "render", "write",  "interact", "view", "session", "api"};
+const std::vector<std::string> kFolders{"base",     "grid",     "cases", "read",    "surface", "refine",
+                                        "probe",    "locate",   "seed",  "find",    "mesh",    "gpu",
+                                        "classify", "measure",  "cut",   "contour", "vectors", "render",
+                                        "write",    "interact", "view",  "session", "api"};
 
 // Rooms inside a folder, in the order in which they may use each other; "" are the files of the folder itself.
 struct Rooms

@@ -40,8 +40,9 @@ vprobe::Classify classifyOf(const std::string& word)
 	raise({vprobe::ErrorKind::usage, "`classify` " + word + ": takes auto, gpu or cpu"});
 }
 
-Dataset openFiles(std::vector<std::string> files, std::string time, std::string solution, int refine, double displace,
-                  std::string format, const std::string& classify, std::string device, const py::object& progress)
+Dataset openFiles(std::vector<std::string> files, std::string time, std::string solution, double refine,
+                  double displace, std::string format, const std::string& classify, std::string device,
+                  const py::object& progress)
 {
 	vprobe::OpenOptions options{.time = std::move(time),
 	                            .solution = std::move(solution),

@@ -26,7 +26,8 @@ __all__ = [
     'rectilinear', 'structured', 'unstructured', 'wrap']
 
 
-def wrap(mesh: Any, *, copy: bool = False, classify: str = 'auto', device: str = '') -> Dataset:
+def wrap(mesh: Any, *, copy: bool = False, tolerance: float = 0.0, classify: str = 'auto',
+         device: str = '') -> Dataset:
     """A data set that shares the arrays of a VTK data set or a PyVista mesh.
 
     Parameters
@@ -35,6 +36,9 @@ def wrap(mesh: Any, *, copy: bool = False, classify: str = 'auto', device: str =
         What holds no volume, such as a vtkPolyData, is refused, or left out of a composite.
     copy : bool
         Arrays that cannot be shared are copied. If False, they raise InputError.
+    tolerance : float, optional
+        Between 0 and 1, of quadratic tetrahedra: slices refine those that they meet, until they are off by no more than
+        this share of their size, and of the range of the array that is shown.
     classify, device : str
         As of `open`.
 
@@ -53,4 +57,4 @@ def wrap(mesh: Any, *, copy: bool = False, classify: str = 'auto', device: str =
     `Dataset.modified`.
     """
     from ._vtk_grids import wrap_vtk
-    return wrap_vtk(mesh, copy, classify, device)
+    return wrap_vtk(mesh, copy, tolerance, classify, device)

@@ -48,7 +48,7 @@ class Cut:
 
 class Dataset:
     @staticmethod
-    def open(files: List[str], time: str, solution: str, refine: int, displace: float, format: str, classify: str,
+    def open(files: List[str], time: str, solution: str, refine: float, displace: float, format: str, classify: str,
              device: str, progress: _Listener) -> Dataset: ...
     @staticmethod
     def wrap(blocks: List[Dict[str, Any]], classify: str, device: str) -> Dataset: ...

@@ -490,7 +490,7 @@ class Dataset:
 
 
 def open(files: Union[File, Sequence[File]], *, time: Union[str, float, None] = None, solution: str = '',
-         refine: int = 0, displace: float = 0.0, format: str = '', classify: str = 'auto', device: str = '',
+         refine: float = 0, displace: float = 0.0, format: str = '', classify: str = 'auto', device: str = '',
          progress: Progress = None) -> Dataset:
     """Reads files, or makes a built-in data set.
 
@@ -502,8 +502,10 @@ def open(files: Union[File, Sequence[File]], *, time: Union[str, float, None] = 
         A time (the nearest there is), ``"first"``, ``"last"`` or ``"#INDEX"``. By default the last.
     solution : str
         PLOT3D solution file, where its name does not follow from the grid's.
-    refine : int
-        How often the linear parts of curved cells are halved, 0 to 6.
+    refine : int or float
+        How often the linear parts of curved cells are halved, 0 to 6. Between 0 and 1 a tolerance: slices refine the
+        quadratic tetrahedra that they meet, until they are off by no more than this share of their size and of the
+        range of the array that is shown.
     displace : float
         Points of Exodus files move by their displacements, times this.
     format : str

@@ -14,7 +14,7 @@ Arrays = Optional[Mapping[str, npt.NDArray[Any]]]
 Lattice = Tuple[int, int, int]
 
 # VTK's numbers of the cells that can be cut, and how many points they have.
-CELL_TYPES = {'tetra': 10, 'voxel': 11, 'hexahedron': 12, 'wedge': 13, 'pyramid': 14, 'polyhedron': 42}
+CELL_TYPES = {'tetra': 10, 'quadratic_tetra': 24, 'voxel': 11, 'hexahedron': 12, 'wedge': 13, 'pyramid': 14, 'polyhedron': 42}
 CELL_SIZES = {10: 4, 11: 8, 12: 8, 13: 6, 14: 5}
 
 
@@ -177,7 +177,7 @@ def _points_of(points: Any, copy: bool) -> npt.NDArray[Any]:
 
 def unstructured(points: npt.NDArray[Any], cells: Union[npt.NDArray[Any], Tuple[npt.NDArray[Any], npt.NDArray[Any]]],
                  types: Union[str, int, npt.NDArray[Any]], point_data: Arrays = None, cell_data: Arrays = None, *,
-                 copy: bool = False, **options: str) -> Dataset:
+                 tolerance: float = 0.0, copy: bool = False, **options: str) -> Dataset:
     """Cells of any shape, in VTK's order of points.
 
     Parameters
@@ -187,8 +187,11 @@ def unstructured(points: npt.NDArray[Any], cells: Union[npt.NDArray[Any], Tuple[
     cells : ndarray of shape (n, k), or (offsets, connectivity)
         Numbers of points, int32 or int64, in rows of k, or one after the other with n + 1 offsets.
     types : str, int or ndarray of shape (n,)
-        ``"tetra"``, ``"hexahedron"``, ``"wedge"``, ``"pyramid"``, ``"voxel"``, or VTK's numbers, for all cells or for
-        each.
+        ``"tetra"``, ``"hexahedron"``, ``"wedge"``, ``"pyramid"``, ``"voxel"``, ``"quadratic_tetra"``, or VTK's numbers,
+        for all cells or for each.
+    tolerance : float, optional
+        Of quadratic tetrahedra, VTK's type 24 with 10 nodes each: slices refine those that they meet, until they are
+        off by no more than this share of their size, and of the range of the array that is shown.
     point_data, cell_data, copy, **options
         As of `image`; arrays have the shape (n,) or (n, components).
 
@@ -215,7 +218,7 @@ def unstructured(points: npt.NDArray[Any], cells: Union[npt.NDArray[Any], Tuple[
         count, size = connectivity.shape
         offsets = np.arange(0, count * size + 1, size, dtype=np.int64) if size else np.zeros(count + 1, np.int64)
     block = {'kind': 'unstructured', 'coordinates': places, 'types': _types_of(types, count), 'offsets': offsets,
-             'connectivity': connectivity}
+             'connectivity': connectivity, 'tolerance': float(tolerance)}
     return _dataset(block, point_data, cell_data, len(places), count, None, copy, options)
 
 

@@ -23,6 +23,8 @@ HIDDEN_CELL = 1 | 8 | 32
 HIDDEN_POINT = 2
 GHOSTS = 'vtkGhostType'
 EMPTY_CELL, HEXAHEDRON, POLYHEDRON = 0, 12, 42
+# Curved cells that a tolerance refines, by VTK's type; they have 10 nodes.
+QUADRATIC_TETRAHEDRA = (24, 71)
 FLAT_TYPES = (*range(0, 10), 21, 22, 23, 28, 30, 34, 35, 36, *range(51, 55), *range(60, 64), 68, 69, 70, 75, 76, 77)
 
 
@@ -164,7 +166,7 @@ def _faces_of(data: Any) -> Dict[str, Array]:
     return {'face_offsets': np.minimum.accumulate(offsets[::-1])[::-1].copy(), 'face_stream': stream}
 
 
-def _cells_block(data: Any, copy: bool) -> Dict[str, Any]:
+def _cells_block(data: Any, copy: bool, tolerance: float) -> Dict[str, Any]:
     """An unstructured or an explicit structured grid."""
     count = data.GetNumberOfCells()
     if count == 0:
@@ -175,10 +177,13 @@ def _cells_block(data: Any, copy: bool) -> Dict[str, Any]:
         types = np.full(count, HEXAHEDRON, np.uint8)
     # Mostly all cells are of one type, which two passes tell in no time.
     present = [int(types[0])] if types.min() == types.max() else np.flatnonzero(np.bincount(types)).tolist()
-    curved = [each for each in present if each not in CELL_SIZES and each not in (*FLAT_TYPES, POLYHEDRON)]
+    refined = QUADRATIC_TETRAHEDRA if tolerance else ()
+    curved = [each for each in present if each not in CELL_SIZES and each not in (*FLAT_TYPES, *refined, POLYHEDRON)]
     if curved:
+        remedy = 'give a tolerance, or ' if all(each in QUADRATIC_TETRAHEDRA for each in curved) else ''
         raise InputError(f'cells of type {", ".join(map(str, curved))} are curved, or have other faces than cells that '
-                         'can be cut; write the grid to a file, and use vprobe.open, which makes linear cells of them')
+                         f'can be cut; {remedy}write the grid to a file, and use vprobe.open, which makes linear cells '
+                         'of them')
     if all(each in FLAT_TYPES for each in present):
         raise NoVolume(f'a {data.GetClassName()} without cells that have a volume; there is nothing to cut')
     hidden = _hidden_cells(data, None)
@@ -187,15 +192,16 @@ def _cells_block(data: Any, copy: bool) -> Dict[str, Any]:
     cells = data.GetCells()
     return {'kind': 'unstructured', 'coordinates': _places_of(data, copy), 'types': types,
             'offsets': numpy_of(cells.GetOffsetsArray(), copy, 'offsets'),
-            'connectivity': numpy_of(cells.GetConnectivityArray(), copy, 'connectivity'), **(_faces_of(data) if POLYHEDRON in present else {})}
+            'connectivity': numpy_of(cells.GetConnectivityArray(), copy, 'connectivity'),
+            'tolerance': float(tolerance), **(_faces_of(data) if POLYHEDRON in present else {})}
 
 
-def grid_of(data: Any, copy: bool) -> Dict[str, Any]:
+def grid_of(data: Any, copy: bool, tolerance: float = 0.0) -> Dict[str, Any]:
     """What the library takes of the grid of a vtkDataSet; InputError says what it cannot take."""
     if data.IsA('vtkImageData') or data.IsA('vtkRectilinearGrid') or data.IsA('vtkStructuredGrid'):
         return _lattice_block(data, copy)
     if data.IsA('vtkUnstructuredGrid') or data.IsA('vtkExplicitStructuredGrid'):
-        return _cells_block(data, copy)
+        return _cells_block(data, copy, tolerance)
     if data.IsA('vtkHyperTreeGrid'):
         raise InputError('a vtkHyperTreeGrid shares no arrays; make an unstructured grid of it by '
                          'vtkHyperTreeGridToUnstructuredGrid, or use vprobe.open')
@@ -220,7 +226,7 @@ def leaves_of(mesh: Any) -> Iterator[Tuple[str, Any]]:
         iterator.GoToNextItem()
 
 
-def blocks_of(mesh: Any, copy: bool) -> List[Tuple[Any, Dict[str, Any]]]:
+def blocks_of(mesh: Any, copy: bool, tolerance: float = 0.0) -> List[Tuple[Any, Dict[str, Any]]]:
     """The parts of a mesh that have a volume, with what the library takes of each."""
     if not hasattr(mesh, 'IsA') or not (mesh.IsA('vtkDataSet') or mesh.IsA('vtkCompositeDataSet')
                                         or mesh.IsA('vtkHyperTreeGrid')):
@@ -229,7 +235,7 @@ def blocks_of(mesh: Any, copy: bool) -> List[Tuple[Any, Dict[str, Any]]]:
     blocks, refused = [], ''
     for name, data in leaves_of(mesh):
         try:
-            block = grid_of(data, copy)
+            block = grid_of(data, copy, tolerance)
         except InputError as error:
             if not mesh.IsA('vtkCompositeDataSet') or not isinstance(error, NoVolume):
                 raise
@@ -243,7 +249,7 @@ def blocks_of(mesh: Any, copy: bool) -> List[Tuple[Any, Dict[str, Any]]]:
     return blocks
 
 
-def wrap_vtk(mesh: Any, copy: bool, classify: str, device: str) -> Dataset:
+def wrap_vtk(mesh: Any, copy: bool, tolerance: float, classify: str, device: str) -> Dataset:
     """See `vprobe.wrap`."""
-    blocks = [block for _, block in blocks_of(mesh, copy)]
+    blocks = [block for _, block in blocks_of(mesh, copy, tolerance)]
     return Dataset(_core.Dataset.wrap(blocks, classify, device))

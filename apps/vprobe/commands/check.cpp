@@ -3,6 +3,7 @@
 #include "grid/check/quality.h"
 #include "options/spec_options.h"
 #include "session/session.h"
+#include "view/validate.h"
 #include "write/marked_cells.h"
 
 #include <fmt/format.h>
@@ -171,6 +172,8 @@ Result<ExitCode> runCheck(const CheckOptions& options)
 {
 	if (Status ready = prepare(options.input); !ready)
 		return ready.error();
+	if (Status level = view::requireLevel(options.input.spec.input, "vprobe check"); !level)
+		return level.error();
 	if (!options.output.empty() && options.output != "-" && !options.output.ends_with(".vtp"))
 		return Error{ErrorKind::usage, fmt::format("-o {}: bad cells are written as .vtp", options.output)};
 	if (options.output == "-" && options.json)

@@ -5,6 +5,7 @@
 #include "options/spec_options.h"
 #include "report/sample_points.h"
 #include "session/session.h"
+#include "view/validate.h"
 #include "write/atomic_file.h"
 #include "write/sample_file.h"
 
@@ -55,6 +56,8 @@ Result<ExitCode> runSample(const SampleOptions& options)
 	if (Status ready = prepare(options.input); !ready)
 		return ready.error();
 	const view::ViewSpec& spec = options.input.spec;
+	if (Status level = view::requireLevel(spec.input, "vprobe sample"); !level)
+		return level.error();
 	Result<std::vector<Vec3>> points = pointsOf(options);
 	if (!points)
 		return points.error();

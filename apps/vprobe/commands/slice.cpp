@@ -54,7 +54,8 @@ Status checkLine(const SliceOptions& options, const CLI::App& command)
 Status writeLineFile(const session::Session& session, const SliceOptions& options, const session::CutFrame& frame)
 {
 	const auto sheet = static_cast<std::size_t>(options.line_sheet);
-	return write::writeLine(session.blocks, frame.slice.sheets[sheet].sheet, frame.sheets[sheet].mesh,
+	return write::writeLine(frame.slice.blocksOf(session.blocks), frame.slice.sheets[sheet].sheet,
+	                        frame.sheets[sheet].mesh,
 	                        {{options.line[0], options.line[1]}, {options.line[2], options.line[3]}}, options.output);
 }
 
@@ -119,10 +120,11 @@ Result<std::vector<std::string>> writeFiles(const session::Session& session, con
 	const DeferredInterrupt writing; // the files of a .vtm appear together
 	if (session::namesPictures(options.output))
 		return session::writePictures(session, look, frame.slice, frame.sheets, options.output);
-	const Status written = !options.line.empty()
-	                           ? writeLineFile(session, options, frame)
-	                           : write::writeSlice(session.blocks, session::exportedMeshes(frame.sheets),
-	                                               options.output, session::contourPieces(frame.contours));
+	const Status written =
+	    !options.line.empty()
+	        ? writeLineFile(session, options, frame)
+	        : write::writeSlice(frame.slice.blocksOf(session.blocks), session::exportedMeshes(frame.sheets),
+	                            options.output, session::contourPieces(frame.contours));
 	return written ? Result<std::vector<std::string>>(std::vector{options.output}) : written.error();
 }
 

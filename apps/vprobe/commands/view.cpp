@@ -39,7 +39,8 @@ Result<ExitCode> runView(const ViewOptions& options)
 	if (!spec.input.files.empty())
 		if (Status ready = prepare(options.common); !ready)
 			return ready.error();
-	for (const Status& fits : {checkWritable(options.stats), view::validate(spec)})
+	for (const Status& fits :
+	     {checkWritable(options.stats), view::validate(spec), view::requireLevel(spec.input, "vprobe view")})
 		if (!fits)
 			return fits.error();
 	if (Result<view::ResolvedLook> look = view::resolveLook(spec); !look)
@@ -50,8 +51,9 @@ Result<ExitCode> runView(const ViewOptions& options)
 		read.machine = machine;
 		if (Status loaded = view::loadState(read, file); !loaded)
 			return loaded.error();
-		if (Status fits = view::validate(read); !fits)
-			return fits.error();
+		for (const Status& fits : {view::validate(read), view::requireLevel(read.input, "vprobe view")})
+			if (!fits)
+				return fits.error();
 		return read;
 	};
 	return runViewer({spec, read_state, options.stats, options.commands});

@@ -139,9 +139,11 @@ nlohmann::json tracesJson(const session::Session& session, const vectors::Traces
 	        {"ends", ends}};
 }
 
-nlohmann::json sheetJson(const session::Session& session, const cut::SheetCut& sheet, const session::SheetStats& stats)
+nlohmann::json sheetJson(const session::Session& session, const cut::Cut& slice, std::size_t number,
+                         const session::SheetStats& stats)
 {
-	const TraversalSums sums = sumUp(session.blocks, sheet);
+	const cut::SheetCut& sheet = slice.sheets[number];
+	const TraversalSums sums = sumUp(slice.blocksOf(session.blocks), sheet);
 	nlohmann::json json = frameJson(sheet);
 	json.update({{"array", sheet.field ? nlohmann::json(sheet.field->title(session.blocks)) : nlohmann::json()},
 	             {"cut_cells", sums.cut_cells},
@@ -181,7 +183,7 @@ nlohmann::json sheetsJson(const session::Session& session, const cut::Cut& slice
 {
 	nlohmann::json list = nlohmann::json::array();
 	for (std::size_t s = 0; s < sheets.size(); ++s)
-		list.push_back(sheetJson(session, slice.sheets[s], sheets[s]));
+		list.push_back(sheetJson(session, slice, s, sheets[s]));
 	return list;
 }
 
@@ -231,8 +233,8 @@ std::string statsDocument(const session::Session& session, const nlohmann::json&
 {
 	const Timeline& timeline = *session.timeline;
 	nlohmann::json ms = {{"gpu", timeline.totalGpu()}, {"total", timeline.now()}};
-	for (const char* section : {"read", "build", "adjacency", "upload", "seed", "traverse", "emit", "contour", "trace",
-	                            "measure", "readback", "render", "write"})
+	for (const char* section : {"read", "build", "adjacency", "upload", "seed", "refine", "traverse", "emit", "contour",
+	                            "trace", "measure", "readback", "render", "write"})
 		ms[section] = timeline.total(section);
 
 	nlohmann::json document = inputJson(session);
@@ -241,9 +243,19 @@ std::string statsDocument(const session::Session& session, const nlohmann::json&
 	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
+// What a tolerance has refined; null where there are no curved cells.
+nlohmann::json refinedJson(const cut::Cut& slice)
+{
+	if (!slice.refined)
+		return {};
+	const cut::RefinedCounts& counts = slice.refined_counts;
+	return {{"cells_looked_at", counts.looked_at}, {"cells", counts.cells}, {"parts", counts.parts}};
+}
+
 std::string statsJson(const session::Session& session, const session::CutFrame& frame)
 {
 	return statsDocument(session, {{"contours", contoursJson(session, frame.contours)},
+	                               {"refined", refinedJson(frame.slice)},
 	                               {"sheets", sheetsJson(session, frame.slice, frame.sheets)}});
 }
 
@@ -257,12 +269,13 @@ std::string statsTable(const session::Session& session, const session::CutFrame&
 	{
 		const measure::SheetMeasure& measure = sheets[s].measure;
 		table += fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13.6g} {:>13} {:>13} {:>13}\n", s,
-		                     sumUp(session.blocks, frame.slice.sheets[s]).cut_cells, sheets[s].mesh.polygons(),
-		                     sheets[s].mesh.positions.size(), measure.components, measure.area, number(measure.mean),
-		                     number(measure.min), number(measure.max));
+		                     sumUp(frame.slice.blocksOf(session.blocks), frame.slice.sheets[s]).cut_cells,
+		                     sheets[s].mesh.polygons(), sheets[s].mesh.positions.size(), measure.components,
+		                     measure.area, number(measure.mean), number(measure.min), number(measure.max));
 	}
 	const Timeline& timeline = *session.timeline;
-	const double cut_ms = timeline.total("seed") + timeline.total("traverse") + timeline.total("emit");
+	const double cut_ms =
+	    timeline.total("seed") + timeline.total("refine") + timeline.total("traverse") + timeline.total("emit");
 	table += fmt::format("{}classified on the {}, cut in {} of {}\n",
 	                     session.view.field ? fmt::format("array {}, ", session.view.field->title(session.blocks)) : "",
 	                     classifierName(session), durationText(cut_ms), durationText(timeline.now()));

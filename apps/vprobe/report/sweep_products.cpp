@@ -28,8 +28,8 @@ Status SweepProducts::add(int frame, const session::CutFrame& cut)
 	if (series_)
 	{
 		const TimedSection section(session_.timeline.get(), "write");
-		if (Status written =
-		        series_->add(frame, session_.blocks, exportedMeshes(cut.sheets), session::contourPieces(cut.contours));
+		if (Status written = series_->add(frame, cut.slice.blocksOf(session_.blocks), exportedMeshes(cut.sheets),
+		                                  session::contourPieces(cut.contours));
 		    !written)
 			return written;
 	}

@@ -116,7 +116,7 @@ DemoPicture makeDemoPicture(std::string_view name)
 	{
 		const mesh::SheetMesh& mesh = frame->sheets[s].mesh;
 		addSheet(picture, depths, projection, mesh,
-		         session::sheetValues(session, frame->slice.sheets[s], mesh, false).of_vertices);
+		         session::sheetValues(session.blocks, frame->slice.sheets[s], mesh, false).of_vertices);
 	}
 	std::vector<std::size_t> order(depths.size());
 	std::iota(order.begin(), order.end(), std::size_t(0));

@@ -53,6 +53,9 @@ struct Unstructured
 	Numbers connectivity; // int32 or int64 ids of points
 	Numbers face_offsets; // of polyhedra: int64, cells + 1 into the stream; empty without
 	Numbers face_stream;  // int64: per polyhedron faces, then per face its size and its points
+	/// Quadratic tetrahedra need one: the tolerance, between 0 and 1, to which cuts refine the cells that they meet.
+	/// Their nodes are shared and never copied, and cells of linear types may stand among them, polyhedra apart.
+	double tolerance = 0.0;
 };
 
 /// A grid of the caller's with its arrays.
@@ -98,9 +101,11 @@ struct OpenOptions
 {
 	std::string time = "last"; // last, first, a time (the nearest there is), or #INDEX
 	std::string solution{};    // PLOT3D solution file, where its name does not follow from the grid's
-	int refine = 0;            // curved cells: how often their linear parts are halved, 0 to 6
-	double displace = 0.0;     // points of Exodus files move by their displacements, times this
-	std::string format{};      // a name that vprobe info --formats lists; empty: the file tells
+	// Curved cells: how often their linear parts are halved, 0 to 6; or, between 0 and 1, a tolerance to which cuts
+	// refine the cells that they meet (docs/FORMATS.md)
+	double refine = 0.0;
+	double displace = 0.0; // points of Exodus files move by their displacements, times this
+	std::string format{};  // a name that vprobe info --formats lists; empty: the file tells
 	Classify classify = Classify::automatic;
 	std::string device{};   // for classifying and drawing: a part of its name, or its number; empty: the best
 	std::stop_token stop{}; // asked to stop, reading ends with ErrorKind::cancelled

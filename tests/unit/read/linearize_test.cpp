@@ -21,7 +21,7 @@ using namespace vp;
 namespace
 {
 
-Result<grid::BlockSet> readGrid(vtkUnstructuredGrid* grid, int refine = 0)
+Result<grid::BlockSet> readGrid(vtkUnstructuredGrid* grid, double refine = 0.0)
 {
 	const TemporaryFolder folder;
 	writeGrid(grid, folder / "grid.vtu");
@@ -285,7 +285,7 @@ TEST(Linearize, LinearCellsStayAsTheyAre)
 
 TEST(Linearize, DamagedAndEndlessCellsAreRefused)
 {
-	const auto refusalOf = [](const CurvedKind& kind, vtkIdType points, vtkIdType first, int refine)
+	const auto refusalOf = [](const CurvedKind& kind, vtkIdType points, vtkIdType first, double refine)
 	{
 		const auto source = curvedMesh(kind);
 		std::vector<vtkIdType> ids;

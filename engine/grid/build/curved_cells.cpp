@@ -1,0 +1,77 @@
+#include "grid/curved_cells.h"
+
+#include "grid/build/for_ranges.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace vp::grid
+{
+
+namespace
+{
+
+/// The same cells without the nodes on their edges.
+template <class Id>
+CellList cornersOf(const CurvedCells& curved, std::span<const Id> nodes)
+{
+	const std::size_t count = curved.cells.size();
+	std::vector<std::uint8_t> types(count);
+	std::vector<std::int64_t> offsets(count + 1);
+	for (std::size_t c = 0; c < count; ++c)
+	{
+		types[c] = curved.isQuadratic(c) ? kTetra : curved.cells.types[c];
+		offsets[c + 1] = offsets[c] + (isSliceable(types[c]) ? topology(shapeOf(types[c])).points : 0);
+	}
+	std::vector<Id> corners(static_cast<std::size_t>(offsets[count]));
+	forRanges(count,
+	          [&](std::size_t c)
+	          {
+		          std::copy_n(nodes.begin() + static_cast<std::ptrdiff_t>(curved.start(c)), offsets[c + 1] - offsets[c],
+		                      corners.begin() + offsets[c]);
+	          });
+	CellList list;
+	list.types = Array(std::move(types));
+	list.offsets = Array(std::move(offsets));
+	list.connectivity = std::move(corners);
+	return list;
+}
+
+/// Of the nodes on edges.
+Box boundsOfMiddles(const CurvedCells& curved)
+{
+	return tbb::parallel_reduce(
+	    tbb::blocked_range<std::size_t>(0, curved.cells.size(), 4096), Box(),
+	    [&](const tbb::blocked_range<std::size_t>& range, Box box)
+	    {
+		    for (std::size_t c = range.begin(); c < range.end(); ++c)
+			    if (curved.isQuadratic(c))
+				    for (int n = 4; n < kQuadraticTetraNodes; ++n)
+					    box.include(
+					        curved.points[static_cast<std::size_t>(curved.cells.connectivity[curved.start(c) + n])]);
+		    return box;
+	    },
+	    [](Box a, const Box& b)
+	    {
+		    a.include(b);
+		    return a;
+	    });
+}
+
+} // namespace
+
+void takeCurvedCells(Block& block, CurvedCells curved)
+{
+	CellList corners = curved.cells.connectivity.as([&](auto nodes) { return cornersOf(curved, nodes); });
+	block.grid = UnstructuredGrid::listed(curved.points, std::move(corners));
+	finishBlock(block);
+	block.bounds.include(boundsOfMiddles(curved));
+	block.curved = std::make_shared<const CurvedCells>(std::move(curved));
+}
+
+} // namespace vp::grid

@@ -1,0 +1,381 @@
+// Quadratic tetrahedra refined to a tolerance where a sheet meets them: sections against formulas, closed between cells
+// that are refined differently, and no work beside the sheet.
+#include "cut/cutter.h"
+#include "grid/curved_cells.h"
+#include "measure/stats.h"
+#include "mesh/mesh_values.h"
+#include "quadratic_cube.h"
+#include "sliced_sheet.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+namespace vp::test
+{
+
+namespace
+{
+
+Vec3 still(Vec3 p)
+{
+	return p;
+}
+
+// The cube as a ball of radius 1.
+Vec3 ball(Vec3 p)
+{
+	const Vec3 s = p * p;
+	return {p.x * std::sqrt(1 - s.y / 2 - s.z / 2 + s.y * s.z / 3),
+	        p.y * std::sqrt(1 - s.z / 2 - s.x / 2 + s.z * s.x / 3),
+	        p.z * std::sqrt(1 - s.x / 2 - s.y / 2 + s.x * s.y / 3)};
+}
+
+// Curved about the middle, straight elsewhere, and a cube as a whole.
+Vec3 bulge(Vec3 p)
+{
+	const double r = glm::dot(p, p);
+	return r < 0.49 ? p + 0.3 * (0.49 - r) * Vec3(p.y, p.z, p.x) : p;
+}
+
+struct Section
+{
+	cut::Cut cut;
+	mesh::SheetMesh mesh;
+	measure::SheetMeasure figures;
+
+	const grid::BlockSet& blocks() const { return *cut.refined; }
+};
+
+Section section(cut::Cutter& cutter, const Vec3& origin, const Vec3& normal, bool shows_values = false)
+{
+	cut::CutRequest request;
+	request.probe.sheets = {probe::makeSheet(origin, normal)};
+	request.finder = find::Finder::automatic;
+	if (shows_values)
+		request.field = grid::FieldChoice{"f"};
+	Section made;
+	Result<cut::Cut> cut = cutter.cut(request);
+	if (!cut)
+		throw std::runtime_error(cut.error().message);
+	made.cut = std::move(*cut);
+	made.mesh = made.cut.mesh(cutter.blocks(), 0);
+	made.figures = measure::measure(made.blocks(), made.mesh, request.field);
+	return made;
+}
+
+// The middles of edges that one polygon has alone. Vertices within rounding of each other are one: a plane that passes
+// a point by less than that has several there.
+std::vector<Vec3> openEdges(const mesh::SheetMesh& mesh)
+{
+	std::map<std::array<std::int64_t, 3>, std::uint32_t> numbers;
+	std::vector<std::uint32_t> number;
+	for (const Vec3& at : mesh.positions)
+	{
+		const auto rounded = [](double x) { return std::llround((x + 0.1234567) * 1e9); };
+		number.push_back(
+		    numbers.try_emplace({rounded(at.x), rounded(at.y), rounded(at.z)}, numbers.size()).first->second);
+	}
+	std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, Vec3>> edges;
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		const auto polygon = mesh.polygon(p);
+		for (std::size_t i = 0; i < polygon.size(); ++i)
+		{
+			const std::uint32_t a = polygon[i];
+			const std::uint32_t b = polygon[(i + 1) % polygon.size()];
+			if (number[a] == number[b])
+				continue;
+			auto& [sides, middle] = edges[std::minmax(number[a], number[b])];
+			++sides;
+			middle = 0.5 * (mesh.positions[a] + mesh.positions[b]);
+		}
+	}
+	std::vector<Vec3> open;
+	for (const auto& [edge, found] : edges)
+		if (found.first % 2 == 1)
+			open.push_back(found.second);
+	return open;
+}
+
+const std::vector<Vec3> kNormals{{0.3, 0.5, 0.8}, {1, 0.02, 0.03}, {-0.4, 1, 0.7}, {0, 0, 1}};
+
+} // namespace
+
+TEST(RefinedCut, AreasOfABallComeClose)
+{
+	double before = 1.0;
+	for (const double tolerance : {0.1, 0.01, 0.001})
+	{
+		const grid::BlockSet set = setOf(quadraticCube(12, tolerance, ball));
+		cut::Cutter cutter(set);
+		double worst = 0.0;
+		for (const Vec3& normal : kNormals)
+			for (const double distance : {0.0, 0.31, 0.62})
+			{
+				const Section ball_cut = section(cutter, distance * glm::normalize(normal), normal);
+				const double exact = std::numbers::pi * (1.0 - distance * distance);
+				worst = std::max(worst, std::abs(ball_cut.figures.area / exact - 1.0));
+				EXPECT_EQ(ball_cut.figures.components, 1u);
+			}
+		// Cells are about 1/6 large, and the rim of a circle is off by as much all around. The nodes leave an error.
+		EXPECT_LT(worst, 0.4 * tolerance + 1e-4) << tolerance;
+		EXPECT_LT(worst, 0.3 * before) << tolerance;
+		before = worst;
+	}
+}
+
+TEST(RefinedCut, SectionsAreClosedBetweenCellsThatAreRefinedDifferently)
+{
+	const grid::BlockSet set = setOf(quadraticCube(7, 0.002, bulge));
+	cut::Cutter cutter(set);
+	for (const Vec3& normal : kNormals)
+		for (const double distance : {0.0, 0.05, 0.21, 2.0 / 7.0, 0.4})
+		{
+			const Section cut = section(cutter, distance * glm::normalize(normal), normal);
+			std::map<std::size_t, int> parts;
+			const auto& grid = std::get<grid::UnstructuredGrid>(cut.blocks().blocks[0].grid);
+			for (CellId c = 0; c < grid.cellCount(); ++c)
+				++parts[grid.sourceCell(c)];
+			int most = 0;
+			int least = 1000000;
+			for (const auto& [cell, count] : parts)
+			{
+				most = std::max(most, count);
+				least = std::min(least, count);
+			}
+			EXPECT_EQ(least, 1);
+			EXPECT_GT(most, 8);
+			for (const Vec3& at : openEdges(cut.mesh))
+				EXPECT_NEAR(std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}), 1.0, 1e-9);
+			// A plane through nodes passes some of them by rounding, with vertices beside each other.
+			if (distance == 0.05 || distance == 0.21 || distance == 0.4)
+			{
+				EXPECT_EQ(cut.figures.components, 1u);
+			}
+		}
+}
+
+// Values alone may have cells refined: then the area is exact, and so it shows a gap.
+TEST(RefinedCut, AreasAreExactWhereValuesAloneAreCurved)
+{
+	const auto peak = [](Vec3 p) { return std::exp(-8.0 * glm::dot(p, p)); };
+	const grid::BlockSet set = setOf(quadraticCube(6, 0.002, still, peak));
+	cut::Cutter cutter(set);
+	for (const double at : {0.0, 1.0 / 3.0, 0.1234, -0.77, 1.0, -1.0})
+	{
+		const Section cut = section(cutter, Vec3(0, 0, at), Vec3(0, 0, 1), true);
+		EXPECT_NEAR(cut.figures.area + cut.figures.boundary_area, 4.0, 1e-12) << at;
+		for (const Vec3& open : openEdges(cut.mesh))
+			EXPECT_NEAR(std::max(std::abs(open.x), std::abs(open.y)), 1.0, 1e-12);
+	}
+	EXPECT_GT(section(cutter, Vec3(0.0), Vec3(0, 0, 1), true).mesh.polygons(),
+	          4 * section(cutter, Vec3(0.0), Vec3(0, 0, 1)).mesh.polygons());
+}
+
+// The shape functions hold a quadratic field, so only the parts are off.
+TEST(RefinedCut, ValuesKeepToTheTolerance)
+{
+	const auto value = [](Vec3 p) { return 1.0 + p.x * p.x - 2.0 * p.y * p.z + p.z; };
+	const auto [lo, hi] = std::pair{-3.0, 6.0};
+	double before = 1e9;
+	for (const double tolerance : {0.02, 0.004, 0.0008})
+	{
+		const grid::BlockSet set = setOf(quadraticCube(3, tolerance, still, value));
+		cut::Cutter cutter(set);
+		const Section cut = section(cutter, Vec3(0.05, 0.02, 0.01), Vec3(0.3, 0.5, 0.8), true);
+		const grid::FieldChoice field{"f"};
+		const auto values = mesh::vertexValues(cut.blocks(), cut.mesh, field.inEach(cut.blocks()), 0);
+		double worst = 0.0;
+		for (std::size_t v = 0; v < values.size(); ++v)
+			worst = std::max(worst, std::abs(values[v] - value(cut.mesh.positions[v])));
+		EXPECT_LE(worst, tolerance * (hi - lo));
+		EXPECT_LT(worst, before);
+		before = worst;
+	}
+}
+
+// A vector's components are off together, as its length would be. Other arrays come along, integers rounded.
+TEST(RefinedCut, VectorsKeepToTheTolerance)
+{
+	grid::Block block = quadraticCube(3, 0.002, still);
+	const grid::Points& points = block.curved->points;
+	for (const int components : {3, 9, 10})
+	{
+		std::vector<float> values;
+		for (std::size_t p = 0; p < points.size(); ++p)
+			for (int c = 0; c < components; ++c)
+				values.push_back(static_cast<float>(c == 0 ? 2.0 * points[p].x * points[p].x : points[p].y));
+		block.fields.push_back(
+		    grid::makeField("v" + std::to_string(components), grid::Association::point, components, std::move(values)));
+	}
+	std::vector<std::uint64_t> numbers(points.size(), std::numeric_limits<std::uint64_t>::max());
+	block.fields.push_back(grid::makeField("n", grid::Association::point, 1, std::move(numbers)));
+	const grid::BlockSet set = setOf(block);
+	cut::Cutter cutter(set);
+	cut::CutRequest request;
+	request.probe.sheets = {probe::makeSheet(Vec3(0.05, 0.02, 0.01), Vec3(0.3, 0.5, 0.8))};
+	request.finder = find::Finder::automatic;
+	for (const int components : {3, 9})
+	{
+		request.field = grid::FieldChoice{"v" + std::to_string(components), grid::Association::point, grid::kMagnitude};
+		const cut::Cut cut = std::move(cutter.cut(request).value());
+		const mesh::SheetMesh mesh = cut.mesh(set, 0);
+		const auto [lo, hi] = grid::fieldRange(set, *request.field);
+		const auto first = mesh::vertexValues(*cut.refined, mesh, request.field->inEach(*cut.refined), 0);
+		double worst = 0.0;
+		for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+			worst = std::max(worst, std::abs(first[v] - 2.0 * mesh.positions[v].x * mesh.positions[v].x));
+		EXPECT_LE(worst, 0.002 * (hi - lo) + 1e-6) << components;
+		EXPECT_GT(worst, 0.0002 * (hi - lo)) << components;
+		const grid::Field& n = cut.refined->blocks[0].fields.back();
+		ASSERT_EQ(n.name, "n");
+		ASSERT_EQ(n.type, grid::NumberType::uint64);
+		EXPECT_GT(n.value(n.tuples() - 1, 0), 1e19);
+	}
+	request.field = grid::FieldChoice{"v10", grid::Association::point, grid::kMagnitude};
+	const Result<cut::Cut> refused = cutter.cut(request);
+	ASSERT_FALSE(refused);
+	EXPECT_NE(refused.error().message.find("9 numbers of a point at most"), std::string::npos);
+	request.field->component = 7;
+	EXPECT_TRUE(cutter.cut(request));
+}
+
+TEST(RefinedCut, CellsThatTheSheetMissesAreLeftAlone)
+{
+	const grid::BlockSet set = setOf(quadraticCube(12, 0.001, ball));
+	const grid::CurvedCells& curved = *set.blocks[0].curved;
+	cut::Cutter cutter(set);
+	for (const Vec3& normal : kNormals)
+	{
+		const Vec3 origin = 0.4 * glm::normalize(normal);
+		const Section cut = section(cutter, origin, normal);
+		// Those with a control point on either side, and no others.
+		const surface::Plane plane(origin, normal);
+		std::size_t met = 0;
+		for (std::size_t c = 0; c < curved.cells.size(); ++c)
+		{
+			constexpr std::array<std::array<int, 2>, 6> edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+			std::array<double, 10> height;
+			for (std::size_t n = 0; n < 10; ++n)
+				height[n] = plane.signedDistance(
+				    curved.points[static_cast<std::size_t>(curved.cells.connectivity[10 * c + n])]);
+			for (std::size_t e = 0; e < 6; ++e)
+				height[4 + e] = 2.0 * height[4 + e] - 0.5 * (height[edges[e][0]] + height[edges[e][1]]);
+			met += *std::ranges::min_element(height) <= 1e-12 && *std::ranges::max_element(height) >= -1e-12;
+		}
+		EXPECT_EQ(cut.cut.refined_counts.cells, met);
+		EXPECT_LT(cut.cut.refined_counts.looked_at, curved.cells.size() / 2);
+		EXPECT_LT(met, curved.cells.size() / 4);
+		EXPECT_EQ(cut.cut.refined_counts.parts, cut.blocks().cellCount());
+		// Every part is cut, or touches the plane.
+		EXPECT_GE(cut.cut.sheets[0].cuts[0].cutCells() + 10, cut.blocks().cellCount() / 2);
+	}
+}
+
+TEST(RefinedCut, SeveralSheetsAreCutAsEachAlone)
+{
+	const grid::BlockSet set = setOf(quadraticCube(5, 0.003, ball));
+	cut::Cutter cutter(set);
+	cut::CutRequest request;
+	request.finder = find::Finder::automatic;
+	for (const Vec3& normal : kNormals)
+		request.probe.sheets.push_back(probe::makeSheet(0.2 * normal, normal));
+	const cut::Cut all = std::move(cutter.cut(request).value());
+	for (std::size_t s = 0; s < kNormals.size(); ++s)
+	{
+		const mesh::SheetMesh mesh = all.mesh(set, s);
+		const Section alone = section(cutter, 0.2 * kNormals[s], kNormals[s]);
+		EXPECT_EQ(mesh.polygons(), alone.mesh.polygons());
+		EXPECT_NEAR(measure::measure(*all.refined, mesh, {}).area, alone.figures.area, 1e-12);
+	}
+}
+
+TEST(RefinedCut, LinearCellsMayStandAmongThem)
+{
+	// Straight cells: every second one is listed without the nodes on its edges.
+	grid::Block block = quadraticCube(4, 0.01, still);
+	const grid::CurvedCells& given = *block.curved;
+	grid::CurvedCells mixed;
+	mixed.points = given.points;
+	mixed.tolerance = given.tolerance;
+	std::vector<std::uint8_t> types;
+	std::vector<std::int64_t> offsets{0};
+	std::vector<std::int32_t> nodes;
+	for (std::size_t c = 0; c < given.cells.size(); ++c)
+	{
+		types.push_back(c % 2 ? grid::kTetra : grid::kLagrangeTetra);
+		for (std::size_t n = 0; n < (c % 2 ? 4 : 10); ++n)
+			nodes.push_back(static_cast<std::int32_t>(given.cells.connectivity[10 * c + n]));
+		offsets.push_back(static_cast<std::int64_t>(nodes.size()));
+	}
+	mixed.cells.types = std::move(types);
+	mixed.cells.offsets = std::move(offsets);
+	mixed.cells.connectivity = std::move(nodes);
+	grid::Block of_both;
+	takeCurvedCells(of_both, std::move(mixed));
+	const grid::BlockSet set = setOf(std::move(of_both));
+	cut::Cutter cutter(set);
+	for (const double at : {0.0, 0.5, 0.3})
+		EXPECT_NEAR(section(cutter, Vec3(0, 0, at), Vec3(0, 0, 1)).figures.area, 4.0, 1e-12);
+}
+
+TEST(RefinedCut, NodesAnywhereGiveAnEndAndNoGap)
+{
+	std::mt19937 random(7);
+	std::uniform_real_distribution<double> shift(-0.15, 0.15);
+	const Map shaken = [&](Vec3 p)
+	{
+		for (int axis = 0; axis < 3; ++axis)
+			if (std::abs(p[axis]) < 0.999)
+				p[axis] += shift(random);
+		return p;
+	};
+	const grid::BlockSet set = setOf(quadraticCube(2, 0.01, shaken));
+	cut::Cutter cutter(set);
+	for (const Vec3& normal : kNormals)
+		for (const Vec3& at : openEdges(section(cutter, Vec3(0.03, 0.01, 0.02), normal).mesh))
+			EXPECT_NEAR(std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}), 1.0, 1e-9);
+	const double nan = std::numeric_limits<double>::quiet_NaN();
+	const grid::BlockSet bare = setOf(quadraticCube(2, 0.01, ball, [&](Vec3 p) { return p.x > 0.2 ? nan : p.x; }));
+	cut::Cutter bare_cutter(bare);
+	const Section cut = section(bare_cutter, Vec3(0.0), Vec3(0, 0, 1), true);
+	EXPECT_GT(cut.figures.nan_area, 0.5);
+	EXPECT_GT(cut.figures.area, 3.0);
+}
+
+TEST(RefinedCut, SaysWhatNeedsLinearCells)
+{
+	const grid::BlockSet set = setOf(quadraticCube(2, 0.01, ball, [](Vec3 p) { return p.x; }));
+	cut::Cutter cutter(set);
+	cut::CutRequest request;
+	request.probe.sheets = {probe::makeSheet(Vec3(0.0), Vec3(0, 0, 1))};
+	request.finder = find::Finder::automatic;
+	request.field = grid::FieldChoice{"f"};
+	const auto refused = [&](const cut::CutRequest& of, const char* what)
+	{
+		const Result<cut::Cut> cut = cutter.cut(of);
+		ASSERT_FALSE(cut) << what;
+		EXPECT_EQ(cut.error().message.find(what), 0u) << cut.error().message;
+		EXPECT_NE(cut.error().message.find("with `refine` 1"), std::string::npos);
+	};
+	EXPECT_TRUE(cutter.cut(request));
+	cut::CutRequest of = request;
+	of.threshold = find::Threshold{0.0, 1.0};
+	refused(of, "a threshold");
+	of = request;
+	of.strategy = find::Strategy::cells;
+	refused(of, "cells");
+	of = request;
+	of.seeds.mode = seed::SeedMode::hotspot;
+	refused(of, "seeds");
+	EXPECT_TRUE(cutter.plan(request));
+	EXPECT_FALSE(cutter.plan(request)->needs_neighbors);
+}
+
+} // namespace vp::test
