@@ -11,8 +11,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <numeric>
 #include <tuple>
+#include <type_traits>
 
 namespace vp::find
 {
@@ -26,6 +28,8 @@ constexpr std::size_t kCells = 1 << 16;
 // The sides of points.
 constexpr std::uint8_t kPositive = 1;
 constexpr std::uint8_t kInSurface = 2;
+// Of no point: a cell that names it is looked at closer, as one with a point in the surface.
+constexpr std::uint8_t kNoPoint = 4 | kInSurface;
 
 std::uint8_t sideOf(double height)
 {
@@ -85,6 +89,7 @@ struct CellSides
 	}
 	bool isCut() const { return (any ^ all) & kPositive; }
 	bool mayBeFlat() const { return any & kInSurface; }
+	bool namesNoPoint() const { return (any & kNoPoint) == kNoPoint; }
 };
 
 template <class Surface>
@@ -93,7 +98,9 @@ class Scanner
 public:
 	Scanner(const grid::UnstructuredGrid& grid, const Surface& surface, const seed::SheetWindow* window,
 	        const grid::CellFilter& filter)
-	    : grid_(grid), surface_(surface), window_(window), filter_(filter), sides_(grid.pointCount())
+	    : grid_(grid), surface_(surface), window_(window), filter_(filter),
+	      checks_ids_(grid.list() && !grid.list()->has_checked_ids),
+	      sides_(checks_ids_ ? std::bit_ceil(grid.pointCount()) : grid.pointCount())
 	{
 		for (int s = 0; s < grid::kTableShapes; ++s)
 			codes_of_[s] = caseCodes(static_cast<grid::CellShape>(s));
@@ -101,7 +108,8 @@ public:
 
 	Scan scan()
 	{
-		forParts(sides_.size(), kPoints,
+		std::fill(sides_.begin() + static_cast<std::ptrdiff_t>(grid_.pointCount()), sides_.end(), kNoPoint);
+		forParts(grid_.pointCount(), kPoints,
 		         [&](std::size_t begin, std::size_t end, std::size_t)
 		         { takeSides(grid_, surface_, begin, end, sides_.data()); });
 		const grid::CellList* list = grid_.list();
@@ -151,16 +159,42 @@ private:
 	template <int kCount, class Id>
 	void scanAlike(const Id* ids, std::size_t begin, std::size_t end, Part& part) const
 	{
+		if (checks_ids_)
+			scanAlike<kCount, true>(ids, begin, end, part);
+		else
+			scanAlike<kCount, false>(ids, begin, end, part);
+	}
+	/// kChecks: there is a power of two of sides. So whatever an id is, its lower bits name one, and the upper bits of
+	/// all ids together tell whether one of them is too great.
+	template <int kCount, bool kChecks, class Id>
+	void scanAlike(const Id* ids, std::size_t begin, std::size_t end, Part& part) const
+	{
+		using Bits = std::make_unsigned_t<Id>;
 		const std::uint8_t* of = sides_.data();
+		const auto mask = static_cast<Bits>(sides_.size() - 1);
+		Bits bits = 0;
 		for (std::size_t c = begin; c < end; ++c)
 		{
 			CellSides sides;
 			for (int v = 0; v < kCount; ++v)
-				sides.add(of[ids[c * kCount + v]]);
+			{
+				const auto id = static_cast<Bits>(ids[c * kCount + v]);
+				if constexpr (kChecks)
+					bits |= id;
+				sides.add(of[kChecks ? id & mask : id]);
+			}
 			if (sides.isCut() || sides.mayBeFlat())
+			{
+				if (kChecks && bits > mask)
+					refuseIds();
 				take(static_cast<CellId>(c), sides, part);
+			}
 		}
+		if (kChecks && bits > mask)
+			refuseIds();
 	}
+	/// One of them names no point.
+	void refuseIds() const { grid::checkIds(grid_.list()->connectivity, grid_.pointCount()); }
 
 	/// Cells of any shape, in either state of the grid.
 	void scanAny(std::size_t begin, std::size_t end, Part& part) const
@@ -188,6 +222,8 @@ private:
 
 	void take(CellId cell, const CellSides& sides, Part& part) const
 	{
+		if (sides.namesNoPoint())
+			refuseIds();
 		if (filter_ && !filter_(cell))
 			return;
 		if (sides.mayBeFlat())
@@ -269,6 +305,7 @@ private:
 	const Surface& surface_;
 	const seed::SheetWindow* window_;
 	const grid::CellFilter& filter_;
+	bool checks_ids_;
 	Sides sides_;
 	std::array<const std::uint32_t*, grid::kTableShapes> codes_of_;
 	std::vector<Part> parts_;

@@ -29,7 +29,8 @@ inline bool isPlace(double coordinate)
 // These throw Unusable. The sizes of the arrays are checked already; their contents are not trusted.
 void checkCoordinates(const grid::Points& points);
 void checkAxis(const Array<double>& axis);
-void checkCells(const grid::CellList& cells, std::size_t points);
+// Where has_checked_ids is false, and the cells are alike, ids are left to the first pass over the cells.
+void checkCells(grid::CellList& cells, std::size_t points);
 // Checks that the cells can be those of a lattice, where hidden cells are empty.
 void checkLattice(const grid::Lattice& lattice, std::size_t points, const grid::CellList& cells);
 void checkPolygons(const grid::PatchPolygons& polygons);

@@ -87,18 +87,33 @@ void addMesh(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, std::int
 {
 	const auto base = static_cast<std::int64_t>(table.positions.size());
 	table.positions.insert(table.positions.end(), mesh.positions.begin(), mesh.positions.end());
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-	{
-		for (const std::uint32_t v : mesh.polygon(p))
-			table.polygon_vertices.push_back(base + v);
-		table.polygon_starts.push_back(static_cast<std::int64_t>(table.polygon_vertices.size()));
-		const mesh::BlockCell& from = mesh.polygon_cells[p];
-		table.cell.push_back(std::visit([&](const auto& grid)
-		                                { return static_cast<std::int64_t>(grid.sourceCell(from.cell)); },
-		                                blocks.blocks[from.block].grid));
-		table.block.push_back(static_cast<std::int32_t>(from.block));
-		table.sheet.push_back(sheet);
-	}
+	const std::size_t polygons = mesh.polygons();
+	if (polygons == 0)
+		return;
+	const std::size_t first = table.polygons();
+	const std::size_t corners = table.polygon_vertices.size(); // before those of this mesh
+	const std::size_t begin = mesh.polygon_starts[0];
+	table.polygon_vertices.resize(corners + mesh.polygon_starts[polygons] - begin);
+	table.polygon_starts.resize(first + polygons + 1);
+	table.cell.resize(first + polygons);
+	table.block.resize(first + polygons);
+	table.sheet.resize(first + polygons, sheet);
+	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, polygons, 4096),
+	                  [&](const tbb::blocked_range<std::size_t>& some)
+	                  {
+		                  for (std::size_t p = some.begin(); p < some.end(); ++p)
+		                  {
+			                  std::size_t corner = corners + mesh.polygon_starts[p] - begin;
+			                  for (const std::uint32_t v : mesh.polygon(p))
+				                  table.polygon_vertices[corner++] = base + v;
+			                  table.polygon_starts[first + p + 1] = static_cast<std::int64_t>(corner);
+			                  const mesh::BlockCell& from = mesh.polygon_cells[p];
+			                  const auto sourceOf = [&](const auto& grid)
+			                  { return static_cast<std::int64_t>(grid.sourceCell(from.cell)); };
+			                  table.cell[first + p] = std::visit(sourceOf, blocks.blocks[from.block].grid);
+			                  table.block[first + p] = static_cast<std::int32_t>(from.block);
+		                  }
+	                  });
 }
 
 } // namespace

@@ -31,8 +31,10 @@ decltype(vprobe::Block::grid) gridOf(const py::dict& block)
 		return vprobe::Rectilinear{take(block, "x"), take(block, "y"), take(block, "z")};
 	if (kind == "structured")
 		return vprobe::Structured{block["points"].cast<Points3>(), take(block, "coordinates")};
-	return vprobe::Unstructured{take(block, "coordinates"),  take(block, "types"),        take(block, "offsets"),
-	                            take(block, "connectivity"), take(block, "face_offsets"), take(block, "face_stream")};
+	return vprobe::Unstructured{
+	    take(block, "coordinates"),        take(block, "types"),        take(block, "offsets"),
+	    take(block, "connectivity"),       take(block, "face_offsets"), take(block, "face_stream"),
+	    block.contains("checks_ids_later")};
 }
 
 } // namespace
