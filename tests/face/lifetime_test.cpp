@@ -187,7 +187,9 @@ TEST(Lifetime, NeighborsAndSamplesEndOnRequest)
 		const auto cut = data->cut(View(), stop.get_token()); // which needs neighbors
 		asks.join();
 		if (!cut)
+		{
 			EXPECT_EQ(cut.error().kind, vprobe::ErrorKind::cancelled);
+		}
 		const auto samples = data->sample(places, {}, stop.get_token());
 		ASSERT_FALSE(samples);
 		EXPECT_EQ(samples.error().kind, vprobe::ErrorKind::cancelled);

@@ -104,7 +104,9 @@ def test_other_threads_run_meanwhile():
     thread.start()
     try:
         count[0] = 0
-        vprobe.open('demo:tets:48', classify='cpu')
+        data = vprobe.open('demo:tets:64', classify='cpu')
+        data.slice(**PLANE)
+        data.slice(**PLANE)  # which builds neighbors
         assert count[0] > 1000
     finally:
         stop.set()
