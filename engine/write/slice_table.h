@@ -59,4 +59,7 @@ struct ContourPiece
 SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, std::size_t first_sheet = 0,
                     std::span<const ContourPiece> contours = {});
 
+// The same of one mesh, without positions: these the mesh has.
+SliceTable tabulateAllButPlaces(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh);
+
 } // namespace vp::write

@@ -114,8 +114,8 @@ def test_ctrl_c_ends_drawing(shell):
             data.render(vprobe.Probe.stack(16), size=(2000, 2000))
     assert interrupted_after(.3, draw_on) < .2
     begin = time.perf_counter()
-    repr(data)  # waits for the sample that is being drawn, not for the picture
-    assert time.perf_counter() - begin < 1
+    repr(data)  # waits for the sample that is being drawn, not for the rest of a hundred pictures
+    assert time.perf_counter() - begin < 5
     used = time.process_time()
     time.sleep(.3)
     assert time.process_time() - used < .1
