@@ -237,11 +237,6 @@ find::Finder finderFor(const Session& session)
 	return on_device ? find::Finder::direct : find::Finder::automatic;
 }
 
-} // namespace
-
-namespace
-{
-
 Result<grid::BlockSet> readBlocks(const Session& session, const OpenOptions& options)
 {
 	const view::ViewSpec& spec = session.spec;
