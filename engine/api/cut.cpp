@@ -55,8 +55,9 @@ const vp::write::SliceTable& tabulated(const Mesh::State& mesh)
 	               [&]
 	               {
 		               const std::shared_lock lock(mesh.cut->blocks->mutex);
-		               mesh.table = vp::write::tabulate(*mesh.cut->blocks->blocks, {mesh.mesh, 1});
-		               addArrays(mesh.table.vertex_columns, Association::point, mesh.table.vertices(), mesh.arrays);
+		               mesh.table = vp::write::tabulateAllButPlaces(*mesh.cut->blocks->blocks, *mesh.mesh);
+		               addArrays(mesh.table.vertex_columns, Association::point, mesh.mesh->positions.size(),
+		                         mesh.arrays);
 		               addArrays(mesh.table.polygon_columns, Association::cell, mesh.table.polygons(), mesh.arrays);
 	               });
 	return mesh.table;

@@ -69,6 +69,7 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	std::optional<vp::session::Painter> painter;
 	std::uint64_t linking = 0; // rises when cells get other numbers
 	std::size_t cuts = 0;
+	bool sweeps = false;                     // the cut is a frame of a sweep, so others follow
 	std::weak_ptr<CutBlocks> blocks_of_cuts; // that share the session's blocks
 	std::optional<double> moved_to;          // a sweep through the times has left the values of this one
 	bool has_callers_device = false;
@@ -77,14 +78,17 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	static Result<std::shared_ptr<DatasetState>> of(vp::Result<std::unique_ptr<vp::session::Session>> opened);
 
 	// The mutex is held.
-	// The view's settings for the blocks there are. sweeps: frames of a sweep follow, which may go through the times.
-	vp::Status take(const View& view, bool sweeps = false);
-	vp::Status link();                         // neighbors, where they are needed and not known
-	vp::Result<Cut> cut(std::stop_token stop); // as the session has it
-	vp::Result<Image> draw(const Cut& cut);    // by the settings that were taken last
-	bool fits(const Cut& cut) const;           // it is what the settings would cut now
+	// The view's settings for the blocks there are. for_sweep: frames of a sweep follow, which may go through the
+	// times.
+	vp::Status take(const View& view, bool for_sweep = false);
+	// Completes the blocks, with the neighbors of cells: always, or where the next cut needs it.
+	vp::Status link(const std::stop_token& stop);
+	vp::Status linkForCut(const std::stop_token& stop);
+	vp::Result<Cut> cut(std::stop_token stop);                           // as the session has it
+	vp::Result<Image> draw(const Cut& cut, const std::stop_token& stop); // by the settings that were taken last
+	bool fits(const Cut& cut) const;                                     // it is what the settings would cut now
 	// Makes the painter ready for those settings. The cut to draw: another where this one does not fit.
-	vp::Result<Cut> readyToDraw(const Cut& cut);
+	vp::Result<Cut> readyToDraw(const Cut& cut, const std::stop_token& stop);
 	// A caller's device draws and classifies from now on; null: one is opened for the next picture.
 	vp::Status takeDevice(std::shared_ptr<vp::gpu::Device> callers);
 	vp::Status drawForCaller(const Cut& cut, VkExtent2D extent); // into `target`
@@ -98,13 +102,13 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 
 // Runs `work` with the data set's lock, the view taken.
 template <class T, class Work>
-Result<T> withView(DatasetState& state, const View& view, Work&& work, bool sweeps = false)
+Result<T> withView(DatasetState& state, const View& view, Work&& work, bool for_sweep = false)
 {
 	return guarded(
 	    [&]() -> Result<T>
 	    {
 		    const std::lock_guard lock(state.mutex);
-		    if (vp::Status taken = state.take(view, sweeps); !taken)
+		    if (vp::Status taken = state.take(view, for_sweep); !taken)
 			    return publicError(taken.error());
 		    vp::Result<T> done = work();
 		    return done ? Result<T>(std::move(*done)) : publicError(done.error());

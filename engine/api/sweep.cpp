@@ -56,7 +56,7 @@ public:
 		frame.cut = std::move(*cut);
 		if (draws)
 		{
-			vp::Result<Image> image = state_.draw(frame.cut);
+			vp::Result<Image> image = state_.draw(frame.cut, stop);
 			if (!image)
 				return image.error();
 			frame.image = std::move(*image);

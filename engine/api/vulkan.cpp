@@ -89,7 +89,7 @@ vp::Status copyTo(vp::gpu::Device& device, const vp::gpu::Image& picture, const 
 
 vp::Status DatasetState::drawForCaller(const Cut& cut, VkExtent2D extent)
 {
-	const vp::Result<Cut> drawn = readyToDraw(cut);
+	const vp::Result<Cut> drawn = readyToDraw(cut, {});
 	if (!drawn)
 		return drawn.error();
 	if (vp::Status ready = prepareImage(*this, extent); !ready)

@@ -1,7 +1,6 @@
 #include "api/states.h"
 #include "grid/curved_cells.h"
 #include "read/build_block.h"
-#include "read/cell_types.h"
 #include "read/check_mesh.h"
 #include "read/manifest.h"
 #include "read/tolerance.h"
@@ -9,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace vprobe
 {
@@ -145,13 +143,9 @@ struct Wrapper
 				throw Unusable(
 				    fmt::format("face_offsets: {} where {} belong", mesh.cells.face_offsets.size(), cells + 1));
 		}
+		mesh.cells.has_checked_ids = !grid.checks_ids_later;
 		mesh.curved = takesCurved(mesh.cells, grid.tolerance);
 		vp::read::checkCells(mesh.cells, mesh.points.size(), mesh.curved);
-		// Of cells of one type, the offsets say nothing more, and a search need not read them.
-		const std::uint8_t* types = mesh.cells.types.data();
-		if (!mesh.curved && vp::read::slicedCellSize(types[0]) > 0 &&
-		    std::all_of(types, types + cells, std::bind_front(std::equal_to(), types[0])))
-			mesh.cells.offsets = {};
 		block.mesh = std::move(mesh);
 		tolerance = grid.tolerance;
 	}
@@ -177,6 +171,7 @@ vp::grid::Field fieldOf(const Field& field)
 } // namespace
 
 vp::grid::BlockSet wrapped(std::vector<Block> blocks)
+try
 {
 	if (blocks.empty())
 		throw Unusable("no blocks");
@@ -192,17 +187,19 @@ vp::grid::BlockSet wrapped(std::vector<Block> blocks)
 			vp::read::checkField(checked.fields.back(), wrapper.points, wrapper.cells);
 		}
 		checked.length_units = block.length_units;
-		set.blocks.push_back(vp::read::buildBlock(std::move(checked), block.name, false, false, wrapper.tolerance));
+		set.blocks.push_back(vp::read::buildBlock(std::move(checked), block.name, false, true, wrapper.tolerance));
 	}
-	// As for files: if all grids are unstructured, they stay listed until something needs neighbors.
+	// As for files: what further cuts need waits for them. A mixture of listed and other grids does not wait.
 	const auto isListed = [](const vp::grid::Block& block) { return !vp::grid::hasNeighbors(block); };
-	if (std::ranges::all_of(set.blocks, isListed))
-		return set;
-	if (vp::grid::hasNeighbors(set))
-		vp::grid::matchInterfaces(set);
-	else
+	if (std::ranges::none_of(set.blocks, isListed))
+		set.matches_seams = false;
+	else if (!std::ranges::all_of(set.blocks, isListed))
 		vp::grid::buildNeighbors(set);
 	return set;
+}
+catch (const vp::grid::WrongPoint& wrong)
+{
+	throw Unusable(wrong.what());
 }
 
 namespace

@@ -221,7 +221,8 @@ SheetGroup<surface::BlockSurface> Cutter::curvedSheetOf(const CutRequest& reques
 }
 
 template <class Surface>
-void Cutter::scan(SheetGroup<Surface>& group) const
+Status Cutter::scan(SheetGroup<Surface>& group) const
+try
 {
 	const TimedSection section(group.request.timeline, "traverse");
 	const std::size_t blocks = blocks_.blocks.size();
@@ -240,6 +241,11 @@ void Cutter::scan(SheetGroup<Surface>& group) const
 		for (std::size_t b = 0; b < blocks; ++b)
 			sheet.cuts[b].found = std::move(scans[b].cut);
 	}
+	return Nothing{};
+}
+catch (const grid::WrongPoint& wrong)
+{
+	return Error{ErrorKind::input, wrong.what()};
 }
 
 // Finds what needs no generations.
@@ -283,10 +289,7 @@ void Cutter::addSeeds(SheetGroup<surface::Plane>& group, const Previous& previou
 Status Cutter::search(SheetGroup<surface::Plane>& group, const Previous& previous, std::stop_token stop)
 {
 	if (group.isScanned())
-	{
-		scan(group);
-		return Nothing{};
-	}
+		return scan(group);
 	findKnown(group);
 	addSeeds(group, previous);
 	GenerationSearch<surface::Plane> generations(group, blocks_, stores_);
@@ -311,10 +314,7 @@ Status Cutter::search(SheetGroup<surface::Plane>& group, const Previous& previou
 Status Cutter::search(SheetGroup<surface::BlockSurface>& group, std::stop_token stop)
 {
 	if (group.isScanned())
-	{
-		scan(group);
-		return Nothing{};
-	}
+		return scan(group);
 	const TimedSection section(group.request.timeline, "traverse");
 	GenerationSearch<surface::BlockSurface> generations(group, blocks_, stores_);
 	classify::CpuClassifier<surface::BlockSurface> cpu(generations.sheets());

@@ -112,7 +112,7 @@ private:
 	SheetGroup<surface::BlockSurface> curvedSheetOf(const CutRequest& request, const find::CutPlan& plan,
 	                                                std::size_t number);
 	template <class Surface>
-	void scan(SheetGroup<Surface>& group) const;
+	Status scan(SheetGroup<Surface>& group) const;
 	void findKnown(SheetGroup<surface::Plane>& group);
 	void addSeeds(SheetGroup<surface::Plane>& group, const Previous& previous) const;
 	Status search(SheetGroup<surface::Plane>& group, const Previous& previous, std::stop_token stop);

@@ -3,6 +3,7 @@
 #include "base/huge_vector.h"
 #include "base/raw_vector.h"
 #include "find/cell_signs.h"
+#include "find/sign_filter.h"
 #include "grid/lone_faces.h"
 #include "seed/boundary_cut.h"
 
@@ -11,8 +12,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <numeric>
 #include <tuple>
+#include <type_traits>
 
 namespace vp::find
 {
@@ -23,35 +26,59 @@ namespace
 constexpr std::size_t kPoints = 1 << 16; // at a time
 constexpr std::size_t kCells = 1 << 16;
 
-// The sides of points.
+// The sides of points: bits, so that those of a cell are joined by one operation for each point.
 constexpr std::uint8_t kPositive = 1;
-constexpr std::uint8_t kInSurface = 2;
+constexpr std::uint8_t kNegative = 2;
+constexpr std::uint8_t kInSurface = 4; // and positive
+constexpr std::uint8_t kNoPoint = 8;   // what a wrong id names
 
 std::uint8_t sideOf(double height)
 {
-	return static_cast<std::uint8_t>((height >= 0.0 ? kPositive : 0) | (height == 0.0 ? kInSurface : 0));
+	return static_cast<std::uint8_t>((height >= 0.0 ? kPositive : kNegative) | (height == 0.0 ? kInSurface : 0));
 }
 
 using Sides = HugeVector<std::uint8_t>;
 
-template <class Number>
-void takeSides(const Number* xyz, const surface::Plane& plane, std::size_t begin, std::size_t end, std::uint8_t* sides)
+/// Of four points, by whether each is positive.
+constexpr std::array<std::array<std::uint8_t, 4>, 16> kSidesOfFour = []
 {
-	for (std::size_t p = begin; p < end; ++p)
-		sides[p] = sideOf(plane.signedDistance({xyz[3 * p], xyz[3 * p + 1], xyz[3 * p + 2]}));
+	std::array<std::array<std::uint8_t, 4>, 16> sides{};
+	for (unsigned bits = 0; bits < 16; ++bits)
+		for (unsigned v = 0; v < 4; ++v)
+			sides[bits][v] = bits >> v & 1 ? kPositive : kNegative;
+	return sides;
+}();
+
+/// Four at a time in float, where that is certain. Beyond the bounds nothing is, but no cell has points there.
+template <class Number>
+void takeSides(const Number* xyz, const surface::Plane& plane, const Box& bounds, std::size_t begin, std::size_t end,
+               std::uint8_t* sides)
+{
+	const SignFilter filter(plane, bounds);
+	for (std::size_t p = begin; p < end;)
+	{
+		const std::size_t last = std::min<std::size_t>(p + 4, end);
+		const unsigned bits = last - p == 4 ? filter.four(loadFour(xyz + 3 * p)) : SignFilter::kInDoubt;
+		if (bits != SignFilter::kInDoubt) [[likely]]
+			std::ranges::copy(kSidesOfFour[bits], sides + p);
+		else
+			for (std::size_t i = p; i < last; ++i)
+				sides[i] = sideOf(plane.signedDistance({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}));
+		p = last;
+	}
 }
 
-void takeSides(const grid::UnstructuredGrid& grid, const surface::Plane& plane, std::size_t begin, std::size_t end,
-               std::uint8_t* sides)
+void takeSides(const grid::UnstructuredGrid& grid, const surface::Plane& plane, const Box& bounds, std::size_t begin,
+               std::size_t end, std::uint8_t* sides)
 {
 	const grid::Points& points = grid.coordinates();
 	if (points.isDouble())
-		takeSides(points.doubles(), plane, begin, end, sides);
+		takeSides(points.doubles(), plane, bounds, begin, end, sides);
 	else
-		takeSides(points.floats(), plane, begin, end, sides);
+		takeSides(points.floats(), plane, bounds, begin, end, sides);
 }
 
-void takeSides(const grid::UnstructuredGrid& grid, const surface::BlockSurface& surface, std::size_t begin,
+void takeSides(const grid::UnstructuredGrid& grid, const surface::BlockSurface& surface, const Box&, std::size_t begin,
                std::size_t end, std::uint8_t* sides)
 {
 	constexpr std::size_t kMax = surface::BlockSurface::kMaxPoints;
@@ -76,24 +103,23 @@ std::pair<CellId, std::uint32_t> placeOf(const FlatFace& flat)
 struct CellSides
 {
 	unsigned any = 0;
-	unsigned all = kPositive | kInSurface;
 
-	void add(unsigned side)
-	{
-		any |= side;
-		all &= side;
-	}
-	bool isCut() const { return (any ^ all) & kPositive; }
+	void add(unsigned side) { any |= side; }
+	bool isOnOneSide() const { return any == kPositive || any == kNegative; }
+	bool isCut() const { return (any & (kPositive | kNegative)) == (kPositive | kNegative); }
 	bool mayBeFlat() const { return any & kInSurface; }
+	bool namesNoPoint() const { return any & kNoPoint; }
 };
 
 template <class Surface>
 class Scanner
 {
 public:
-	Scanner(const grid::UnstructuredGrid& grid, const Surface& surface, const seed::SheetWindow* window,
-	        const grid::CellFilter& filter)
-	    : grid_(grid), surface_(surface), window_(window), filter_(filter), sides_(grid.pointCount())
+	Scanner(const grid::UnstructuredGrid& grid, const Box& bounds, const Surface& surface,
+	        const seed::SheetWindow* window, const grid::CellFilter& filter)
+	    : grid_(grid), bounds_(bounds), surface_(surface), window_(window), filter_(filter),
+	      checks_ids_(grid.list() && !grid.list()->has_checked_ids),
+	      sides_(checks_ids_ ? std::bit_ceil(grid.pointCount()) : grid.pointCount())
 	{
 		for (int s = 0; s < grid::kTableShapes; ++s)
 			codes_of_[s] = caseCodes(static_cast<grid::CellShape>(s));
@@ -101,9 +127,10 @@ public:
 
 	Scan scan()
 	{
-		forParts(sides_.size(), kPoints,
+		std::fill(sides_.begin() + static_cast<std::ptrdiff_t>(grid_.pointCount()), sides_.end(), kNoPoint);
+		forParts(grid_.pointCount(), kPoints,
 		         [&](std::size_t begin, std::size_t end, std::size_t)
-		         { takeSides(grid_, surface_, begin, end, sides_.data()); });
+		         { takeSides(grid_, surface_, bounds_, begin, end, sides_.data()); });
 		const grid::CellList* list = grid_.list();
 		const std::size_t cells = list ? list->size() : grid_.cellCount();
 		parts_.resize((cells + kCells - 1) / kCells);
@@ -151,16 +178,51 @@ private:
 	template <int kCount, class Id>
 	void scanAlike(const Id* ids, std::size_t begin, std::size_t end, Part& part) const
 	{
+		if (checks_ids_)
+			scanAlike<kCount, true>(ids, begin, end, part);
+		else
+			scanAlike<kCount, false>(ids, begin, end, part);
+	}
+	/// kChecks: there is a power of two of sides. So whatever an id is, its lower bits name one, and the upper bits of
+	/// all ids together tell whether one of them is too great.
+	template <int kCount, bool kChecks, class Id>
+	void scanAlike(const Id* ids, std::size_t begin, std::size_t end, Part& part) const
+	{
+		using Bits = std::make_unsigned_t<Id>;
 		const std::uint8_t* of = sides_.data();
+		const auto mask = static_cast<Bits>(sides_.size() - 1);
+		const bool is_voxel = grid_.list()->types[0] == grid::kVoxel;
+		const std::uint32_t* codes = codes_of_[static_cast<std::size_t>(grid_.shape(0))];
+		Bits bits = 0;
 		for (std::size_t c = begin; c < end; ++c)
 		{
+			const Id* cell_ids = ids + c * kCount;
 			CellSides sides;
 			for (int v = 0; v < kCount; ++v)
-				sides.add(of[ids[c * kCount + v]]);
-			if (sides.isCut() || sides.mayBeFlat())
-				take(static_cast<CellId>(c), sides, part);
+			{
+				const auto id = static_cast<Bits>(cell_ids[v]);
+				if constexpr (kChecks)
+					bits |= id;
+				sides.add(of[kChecks ? id & mask : id]);
+			}
+			if (sides.isOnOneSide()) [[likely]]
+				continue;
+			if (kChecks && bits > mask)
+				refuseIds();
+			const auto code = [&]
+			{
+				unsigned index = 0;
+				for (int v = 0; v < kCount; ++v)
+					index |= (of[cell_ids[is_voxel ? grid::kVoxelOrder[v] : v]] & kPositive) << v;
+				return codes[index];
+			};
+			take(static_cast<CellId>(c), sides, code, part);
 		}
+		if (kChecks && bits > mask)
+			refuseIds();
 	}
+	/// One of them names no point.
+	void refuseIds() const { grid::checkIds(grid_.list()->connectivity, grid_.pointCount()); }
 
 	/// Cells of any shape, in either state of the grid.
 	void scanAny(std::size_t begin, std::size_t end, Part& part) const
@@ -181,13 +243,17 @@ private:
 				for (const PointId p : part.faces.points)
 					sides.add(sides_[p]);
 			}
-			if (sides.isCut() || sides.mayBeFlat())
-				take(cell, sides, part);
+			if (!sides.isOnOneSide())
+				take(
+				    cell, sides, [&] { return codeOf(cell); }, part);
 		}
 	}
 
-	void take(CellId cell, const CellSides& sides, Part& part) const
+	template <class Code>
+	void take(CellId cell, const CellSides& sides, const Code& code, Part& part) const
 	{
+		if (sides.namesNoPoint())
+			refuseIds();
 		if (filter_ && !filter_(cell))
 			return;
 		if (sides.mayBeFlat())
@@ -195,7 +261,7 @@ private:
 		if (!sides.isCut() || (window_ && !isInWindow(cell, part.faces)))
 			return;
 		part.cells.push_back(cell);
-		part.codes.push_back(codeOf(cell));
+		part.codes.push_back(code());
 	}
 
 	std::uint32_t codeOf(CellId cell) const
@@ -266,9 +332,11 @@ private:
 	}
 
 	const grid::UnstructuredGrid& grid_;
+	const Box& bounds_;
 	const Surface& surface_;
 	const seed::SheetWindow* window_;
 	const grid::CellFilter& filter_;
+	bool checks_ids_;
 	Sides sides_;
 	std::array<const std::uint32_t*, grid::kTableShapes> codes_of_;
 	std::vector<Part> parts_;
@@ -280,7 +348,7 @@ template <class Surface>
 Scan scanCells(const grid::Block& block, const Surface& surface, const seed::SheetWindow* window,
                const grid::CellFilter& filter)
 {
-	return Scanner(std::get<grid::UnstructuredGrid>(block.grid), surface, window, filter).scan();
+	return Scanner(std::get<grid::UnstructuredGrid>(block.grid), block.bounds, surface, window, filter).scan();
 }
 
 template Scan scanCells(const grid::Block&, const surface::Plane&, const seed::SheetWindow*, const grid::CellFilter&);

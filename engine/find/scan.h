@@ -32,6 +32,8 @@ struct Scan
 /// and codes are those of breadthFirst(), without generations; cells that the filter rejects or that lie beside the
 /// window are left out of the list. The same result for any number of threads. Memory: a byte a point.
 ///
+/// Throws grid::WrongPoint if the ids of the cells have not been checked, and one names no point.
+///
 /// window, filter: null and empty where there is none. Surface: surface::Plane or surface::BlockSurface.
 template <class Surface>
 Scan scanCells(const grid::Block& block, const Surface& surface, const seed::SheetWindow* window,

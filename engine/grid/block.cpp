@@ -43,6 +43,11 @@ bool knowsSeams(const BlockSet& blocks)
 	return blocks.matches_seams && hasNeighbors(blocks);
 }
 
+bool isComplete(const BlockSet& blocks)
+{
+	return knowsSeams(blocks) && std::ranges::all_of(blocks.blocks, &Block::knows_folds);
+}
+
 const BlockTree& treeOf(const Block& block)
 {
 	return std::visit([&](const auto& grid) -> const BlockTree& { return block.tree->over(grid); }, block.grid);

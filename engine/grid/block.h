@@ -82,7 +82,7 @@ struct BlockSet
 	std::vector<double> times;  // in the input, ascending; empty if it has no times
 	std::size_t left_out = 0;   // cells of dimension below three
 	Interfaces interfaces;      // set by matchInterfaces() when all blocks are finished
-	bool matches_seams = true;  // false: nobody will call matchInterfaces()
+	bool matches_seams = true;  // false: nobody has called matchInterfaces(), since there is to be one cut
 	std::vector<Patch> patches; // named in the files, if somebody asked for them
 
 	// Counts of the grids, which are walked and cut.
@@ -104,10 +104,14 @@ bool hasNeighbors(const BlockSet& blocks);
 /// the few interfaces that it needs (mesh/mesh_seams.h).
 bool knowsSeams(const BlockSet& blocks);
 
-/// Links the listed grids of a set (unstructured.h), finishes their blocks and matches interfaces, on all cores. The
-/// cells and points of these blocks get other ids, so earlier results are no longer valid. Does nothing if all blocks
-/// know their neighbors. Throws like UnstructuredGrid::build().
-void buildNeighbors(BlockSet& blocks);
+/// Returns true if nothing has been left out for the sake of one cut: neighbors, seams, folds, the order of axes.
+bool isComplete(const BlockSet& blocks);
+
+/// Links the listed grids of a set (unstructured.h), finishes their blocks and matches interfaces, on all cores. Also
+/// finishes those that were finished for one cut, unless there is to be one cut. The cells and points of these blocks
+/// get other ids, so earlier results are no longer valid. Does nothing if the set is complete. Throws like
+/// UnstructuredGrid::build().
+void buildNeighbors(BlockSet& blocks, bool for_one_cut = false);
 
 // Throws std::logic_error if an invariant is broken: neighbors that do not know each other, ids out of range, boxes
 // that do not contain their faces. For tests.

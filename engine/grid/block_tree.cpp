@@ -1,9 +1,9 @@
 #include "grid/block_tree.h"
 
+#include "base/parallel_for.h"
 #include "grid/unstructured.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <type_traits>
 
@@ -120,13 +120,13 @@ void BlockTree::fillBoxes(const G& grid)
 			}
 		forEachCell(leaf, [&](CellId cell) { includeCell(grid, cell, faces, leaf.box); });
 	};
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, leaves_.size(), 8),
-	                  [&](const auto& range)
-	                  {
-		                  CellFaces faces;
-		                  for (std::size_t leaf = range.begin(); leaf < range.end(); ++leaf)
-			                  fill(leaves_[leaf], faces);
-	                  });
+	parallelFor(tbb::blocked_range<std::size_t>(0, leaves_.size(), 8),
+	            [&](const auto& range)
+	            {
+		            CellFaces faces;
+		            for (std::size_t leaf = range.begin(); leaf < range.end(); ++leaf)
+			            fill(leaves_[leaf], faces);
+	            });
 	for (Node& group : groups_)
 		for (std::uint32_t leaf = group.begin; leaf < group.end; ++leaf)
 			group.box.include(leaves_[leaf].box);

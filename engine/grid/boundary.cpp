@@ -1,10 +1,10 @@
 #include "grid/boundary.h"
 
+#include "base/parallel_for.h"
 #include "grid/structured.h"
 #include "grid/unstructured.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -83,31 +83,31 @@ void addFaces(const UnstructuredGrid& grid, BoundaryIndex& index)
 {
 	constexpr std::size_t chunk = 16384;
 	std::vector<std::vector<BoundaryIndex::Face>> found((grid.cellCount() + chunk - 1) / chunk);
-	tbb::parallel_for(std::size_t(0), found.size(),
-	                  [&](std::size_t n)
-	                  {
-		                  CellFaces faces;
-		                  const std::size_t end = std::min(grid.cellCount(), (n + 1) * chunk);
-		                  for (std::size_t c = n * chunk; c < end; ++c)
-		                  {
-			                  const CellId cell = static_cast<CellId>(c);
-			                  if (grid.hasAllNeighbors(cell))
-				                  continue;
-			                  bool listed = false;
-			                  for (int f = 0; f < grid.faceCount(cell); ++f)
-			                  {
-				                  bool alone = true;
-				                  grid.forEachNeighbor(cell, f, [&](CellId) { alone = false; });
-				                  if (!alone)
-					                  continue;
-				                  if (!listed)
-					                  grid.cellFaces(cell, faces);
-				                  listed = true;
-				                  if (hasArea(faces[f]))
-					                  found[n].push_back({cell, static_cast<std::uint32_t>(f)});
-			                  }
-		                  }
-	                  });
+	parallelFor(std::size_t(0), found.size(),
+	            [&](std::size_t n)
+	            {
+		            CellFaces faces;
+		            const std::size_t end = std::min(grid.cellCount(), (n + 1) * chunk);
+		            for (std::size_t c = n * chunk; c < end; ++c)
+		            {
+			            const CellId cell = static_cast<CellId>(c);
+			            if (grid.hasAllNeighbors(cell))
+				            continue;
+			            bool listed = false;
+			            for (int f = 0; f < grid.faceCount(cell); ++f)
+			            {
+				            bool alone = true;
+				            grid.forEachNeighbor(cell, f, [&](CellId) { alone = false; });
+				            if (!alone)
+					            continue;
+				            if (!listed)
+					            grid.cellFaces(cell, faces);
+				            listed = true;
+				            if (hasArea(faces[f]))
+					            found[n].push_back({cell, static_cast<std::uint32_t>(f)});
+			            }
+		            }
+	            });
 	std::size_t count = 0;
 	for (const auto& faces : found)
 		count += faces.size();
@@ -128,21 +128,21 @@ void addFaces(const UnstructuredGrid& grid, BoundaryIndex& index)
 template <Grid G>
 void fillBoxes(const G& grid, BoundaryIndex& index)
 {
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, index.patches.size(), 64),
-	                  [&](const auto& range)
-	                  {
-		                  CellFaces faces;
-		                  for (std::size_t p = range.begin(); p < range.end(); ++p)
-		                  {
-			                  BoundaryIndex::Range& patch = index.patches[p];
-			                  for (std::uint32_t i = patch.begin; i < patch.end; ++i)
-			                  {
-				                  grid.cellFaces(index.faces[i].cell, faces);
-				                  for (const PointId point : faces[index.faces[i].face])
-					                  patch.box.include(grid.point(point));
-			                  }
-		                  }
-	                  });
+	parallelFor(tbb::blocked_range<std::size_t>(0, index.patches.size(), 64),
+	            [&](const auto& range)
+	            {
+		            CellFaces faces;
+		            for (std::size_t p = range.begin(); p < range.end(); ++p)
+		            {
+			            BoundaryIndex::Range& patch = index.patches[p];
+			            for (std::uint32_t i = patch.begin; i < patch.end; ++i)
+			            {
+				            grid.cellFaces(index.faces[i].cell, faces);
+				            for (const PointId point : faces[index.faces[i].face])
+					            patch.box.include(grid.point(point));
+			            }
+		            }
+	            });
 	for (BoundaryIndex::Range& group : index.groups)
 		for (std::uint32_t p = group.begin; p < group.end; ++p)
 			group.box.include(index.patches[p].box);

@@ -1,7 +1,56 @@
 #include "grid/cell_list.h"
 
+#include "base/parallel_for.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <type_traits>
+
 namespace vp::grid
 {
+
+namespace
+{
+
+/// Of an id that names no point the number is negative; last: the greatest id that names one. Bits tell it, since many
+/// machines compare no numbers of 64 bits side by side. The difference wraps where the id is negative, but then the id
+/// tells.
+template <class Id>
+Id signOf(Id id, Id last)
+{
+	using Bits = std::make_unsigned_t<Id>;
+	return static_cast<Id>((static_cast<Bits>(last) - static_cast<Bits>(id)) | static_cast<Bits>(id));
+}
+
+} // namespace
+
+void checkIds(const IdArray& all, std::size_t points)
+{
+	constexpr std::size_t kGrain = 1 << 16;
+	const auto check = [&]<class Id>(std::span<const Id> ids)
+	{
+		constexpr auto kMaxId = static_cast<std::size_t>(std::numeric_limits<Id>::max());
+		const auto last = static_cast<Id>(points > kMaxId ? kMaxId : points - 1); // -1 without points
+		std::atomic<bool> fits = true;
+		parallelFor(tbb::blocked_range<std::size_t>(0, ids.size(), kGrain),
+		            [&, last](const tbb::blocked_range<std::size_t>& range)
+		            {
+			            Id signs = 0;
+			            for (std::size_t i = range.begin(); i < range.end(); ++i)
+				            signs |= signOf(ids[i], last);
+			            if (signs < 0)
+				            fits = false;
+		            });
+		if (fits)
+			return;
+		const auto bad = std::ranges::find_if(ids, [&](Id id) { return signOf(id, last) < 0; });
+		throw WrongPoint(fmt::format("a cell lists point {} of {}", *bad, points));
+	};
+	all.as(check);
+}
 
 int vtkDimension(std::uint8_t vtk_type)
 {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -86,6 +87,16 @@ constexpr CellShape shapeOf(std::uint8_t vtk_type)
 /// Places of a hexahedron's points in the list of a voxel, whose points are in lattice order.
 inline constexpr std::array<std::uint8_t, 8> kVoxelOrder{0, 1, 3, 2, 4, 5, 7, 6};
 
+/// A cell names a point that there is not.
+class WrongPoint : public std::runtime_error
+{
+public:
+	using std::runtime_error::runtime_error;
+};
+
+/// Throws WrongPoint if an id is not below the number of points.
+void checkIds(const IdArray& ids, std::size_t points);
+
 /// Cells as a file lists them: VTK cell types and point ids, in VTK's point order. A copy shares the arrays.
 struct CellList
 {
@@ -100,6 +111,9 @@ struct CellList
 	Array<std::int64_t> source_cells;
 	std::size_t source_points =
 	    0; // number of points in the file, if the reader added more behind them; 0: it added none
+	// False: the ids may name points that there are not. The first pass over all cells checks them, since a pass of its
+	// own takes as long as a scan. Only of cells that are alike, so without offsets.
+	bool has_checked_ids = true;
 
 	std::size_t size() const { return types.size(); }
 	bool isPolyhedron(std::size_t cell) const { return types[cell] == kPolyhedron; }

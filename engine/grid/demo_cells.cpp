@@ -1,3 +1,4 @@
+#include "base/parallel_for.h"
 #include "grid/demo_points.h"
 
 #include <algorithm>
@@ -30,16 +31,16 @@ struct CellsOfOneShape
 	{
 		const Filled<std::int64_t> offsets(count + 1);
 		const Filled<std::uint8_t> types(count);
-		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count + 1, 65536),
-		                  [&](const tbb::blocked_range<std::size_t>& range)
-		                  {
-			                  for (std::size_t c = range.begin(); c < range.end(); ++c)
-			                  {
-				                  offsets[c] = static_cast<std::int64_t>(c * points);
-				                  if (c < count)
-					                  types[c] = vtk_type;
-			                  }
-		                  });
+		parallelFor(tbb::blocked_range<std::size_t>(0, count + 1, 65536),
+		            [&](const tbb::blocked_range<std::size_t>& range)
+		            {
+			            for (std::size_t c = range.begin(); c < range.end(); ++c)
+			            {
+				            offsets[c] = static_cast<std::int64_t>(c * points);
+				            if (c < count)
+					            types[c] = vtk_type;
+			            }
+		            });
 		list.types = types.array();
 		list.offsets = offsets.array();
 		list.connectivity = ids.array();

@@ -1,5 +1,7 @@
 #include "grid/demo_points.h"
 
+#include "base/parallel_for.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -10,15 +12,15 @@ std::vector<Field> fieldsAt(const Filled<float>& xyz)
 {
 	const std::size_t count = xyz.size / 3;
 	const FieldsOfPoints fields(count);
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
-	                  [&](const tbb::blocked_range<std::size_t>& range)
-	                  {
-		                  for (std::size_t p = range.begin(); p < range.end(); ++p)
-		                  {
-			                  const Vec3 at(xyz[3 * p], xyz[3 * p + 1], xyz[3 * p + 2]);
-			                  fields.set(p, std::sin(3.0 * at.x), std::cos(2.0 * at.y), at);
-		                  }
-	                  });
+	parallelFor(tbb::blocked_range<std::size_t>(0, count, 4096),
+	            [&](const tbb::blocked_range<std::size_t>& range)
+	            {
+		            for (std::size_t p = range.begin(); p < range.end(); ++p)
+		            {
+			            const Vec3 at(xyz[3 * p], xyz[3 * p + 1], xyz[3 * p + 2]);
+			            fields.set(p, std::sin(3.0 * at.x), std::cos(2.0 * at.y), at);
+		            }
+	            });
 	return fields.fields();
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "base/parallel_for.h"
 #include "grid/block.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <cstddef>
 #include <memory>
@@ -46,12 +46,12 @@ struct LatticePoints
 template <class Body>
 void forRows(std::size_t side, Body&& body)
 {
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, side * side, 16),
-	                  [&](const tbb::blocked_range<std::size_t>& rows)
-	                  {
-		                  for (std::size_t row = rows.begin(); row < rows.end(); ++row)
-			                  body(row % side, row / side);
-	                  });
+	parallelFor(tbb::blocked_range<std::size_t>(0, side * side, 16),
+	            [&](const tbb::blocked_range<std::size_t>& rows)
+	            {
+		            for (std::size_t row = rows.begin(); row < rows.end(); ++row)
+			            body(row % side, row / side);
+	            });
 }
 
 struct FieldsOfPoints

@@ -106,14 +106,7 @@ double loadNumber(NumberType type, const std::byte* at)
 
 void storeNumber(NumberType type, double value, std::byte* at)
 {
-	withNumberType(type,
-	               [&](auto number)
-	               {
-		               using T = decltype(number);
-		               number = std::is_integral_v<T> && std::isnan(value) ? T{} : static_cast<T>(value);
-		               std::memcpy(at, &number, sizeof(T));
-		               return 0;
-	               });
+	withNumberType(type, [&](auto number) { storeAs<decltype(number)>(value, at); });
 }
 
 template <class T>

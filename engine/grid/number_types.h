@@ -2,9 +2,11 @@
 
 #include "grid/field.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace vp::grid
 {
@@ -46,6 +48,14 @@ double numberAt(const std::byte* bytes, std::size_t index)
 	T number;
 	std::memcpy(&number, bytes + index * sizeof(T), sizeof(T));
 	return static_cast<double>(number);
+}
+
+// Writes a number as T. Integers are rounded towards zero, and NaN becomes 0.
+template <class T>
+void storeAs(double value, std::byte* at)
+{
+	const T number = std::is_integral_v<T> && std::isnan(value) ? T{} : static_cast<T>(value);
+	std::memcpy(at, &number, sizeof(T));
 }
 
 } // namespace vp::grid

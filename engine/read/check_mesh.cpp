@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <type_traits>
 
@@ -126,9 +127,37 @@ void checkAlike(const grid::CellList& cells)
 		throw Unusable(fmt::format("cell {} of type {} lists no points", bad, cells.types[bad]));
 }
 
-void checkTypes(const grid::CellList& cells, bool curved)
+// Returns true if all cells are of one type, and the offsets are those of so many points each. sizes: as below.
+bool areAlike(const grid::CellList& cells, const std::array<int, 256>& sizes)
 {
-	checkOffsets(cells.offsets, cells.connectivity.size(), "cell");
+	const std::uint8_t* types = cells.types.data();
+	const std::int64_t* offsets = cells.offsets.data();
+	const std::int64_t size = sizes[types[0]];
+	if (size <= 0 || offsets[0] != 0)
+		return false;
+	const auto alikeIn = [=, type = types[0]](const tbb::blocked_range<std::size_t>& range, bool so_far)
+	{
+		unsigned other_types = 0;
+		for (std::size_t c = range.begin(); c < range.end(); ++c)
+			other_types |= types[c] ^ type;
+		std::int64_t others = 0;
+		for (std::size_t c = range.begin(); c < range.end(); ++c)
+			others |= (offsets[c + 1] - offsets[c]) ^ size;
+		return so_far && other_types == 0 && others == 0;
+	};
+	return cells.connectivity.size() == cells.types.size() * static_cast<std::size_t>(size) &&
+	       tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, cells.types.size(), kGrain), true, alikeIn,
+	                            std::logical_and<>());
+}
+
+// Returns true if all cells are of one type with a table.
+bool checkTypes(const grid::CellList& cells, bool curved)
+{
+	if (cells.offsets.empty() && !curved)
+	{
+		checkAlike(cells);
+		return true;
+	}
 	// Per type: how many points its cells list, 0 for any number, -1 where there may be no such cell.
 	std::array<int, 256> sizes;
 	for (std::size_t t = 0; t < sizes.size(); ++t)
@@ -143,6 +172,9 @@ void checkTypes(const grid::CellList& cells, bool curved)
 		sizes[grid::kQuadraticTetra] = sizes[grid::kLagrangeTetra] = grid::kQuadraticTetraNodes;
 		sizes[kPolyhedron] = -1;
 	}
+	if (areAlike(cells, sizes))
+		return true;
+	checkOffsets(cells.offsets, cells.connectivity.size(), "cell");
 	const auto bad_type = [&sizes, types = cells.types.data(), offsets = cells.offsets.data()](std::size_t c)
 	{
 		const int wanted = sizes[types[c]];
@@ -151,22 +183,27 @@ void checkTypes(const grid::CellList& cells, bool curved)
 	if (const std::size_t bad = firstWhere(cells.types.size(), bad_type); bad != kNone)
 		throw Unusable(fmt::format("cell {} of type {} lists {} points", bad, cells.types[bad],
 		                           cells.offsets[bad + 1] - cells.offsets[bad]));
+	return false;
 }
 
 } // namespace
 
-void checkCells(const grid::CellList& cells, std::size_t points, bool curved)
+void checkCells(grid::CellList& cells, std::size_t points, bool curved)
 {
-	cells.offsets.empty() && !curved ? checkAlike(cells) : checkTypes(cells, curved);
-	cells.connectivity.as(
-	    [&](auto ids)
-	    {
-		    using Id = std::make_unsigned_t<typename decltype(ids)::value_type>;
-		    const auto end = static_cast<Id>(points); // below 2^32
-		    const auto outside = [at = ids.data(), end](std::size_t i) { return static_cast<Id>(at[i]) >= end; };
-		    if (const std::size_t bad = firstWhere(ids.size(), outside); bad != kNone)
-			    throw Unusable(fmt::format("a cell lists point {} of {}", ids[bad], points));
-	    });
+	const bool alike = checkTypes(cells, curved);
+	if (!cells.has_checked_ids && alike && !curved)
+		return;
+	try
+	{
+		grid::checkIds(cells.connectivity, points);
+	}
+	catch (const grid::WrongPoint& wrong)
+	{
+		throw Unusable(wrong.what());
+	}
+	cells.has_checked_ids = true;
+	if (alike && cells.face_offsets.empty())
+		return;
 
 	const auto is_polyhedron = [types = cells.types.data()](std::size_t c) { return types[c] == kPolyhedron; };
 	if (cells.face_offsets.empty())

@@ -60,7 +60,7 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	}
 	if (!input->patches.empty())
 	{
-		buildNeighbors(set, timeline);
+		buildNeighbors(set, timeline, options.for_one_cut);
 		set.patches = grid::findPatches(set, input->patches);
 	}
 	return set;
@@ -76,10 +76,10 @@ Result<grid::BlockSet> readInput(const std::string& input, const ReadOptions& op
 
 } // namespace
 
-void buildNeighbors(grid::BlockSet& set, Timeline* timeline)
+void buildNeighbors(grid::BlockSet& set, Timeline* timeline, bool for_one_cut)
 {
 	const TimedSection timed(timeline, "adjacency");
-	grid::buildNeighbors(set);
+	grid::buildNeighbors(set, for_one_cut);
 }
 
 std::size_t timeIndex(const std::vector<double>& times, const TimeChoice& choice)
@@ -154,7 +154,7 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 	if (all_listed && (refines || !options.builds_neighbors))
 		return all;
 	if (!grid::hasNeighbors(all))
-		buildNeighbors(all, timeline);
+		buildNeighbors(all, timeline, options.for_one_cut);
 	else if (options.for_one_cut)
 		all.matches_seams = false;
 	else

@@ -71,6 +71,7 @@ struct ReadOptions
 	// and the caller may call grid::buildNeighbors(). It has no effect with patches, which need boundary faces.
 	bool builds_neighbors = true;
 	// There will be only one cut: curvilinear grids are finished for that (see finishBlock), and seams are not matched.
+	// Where others follow after all, the caller calls grid::buildNeighbors().
 	bool for_one_cut = false;
 	std::stop_token stop{}; // on a stop request, reading ends with an error
 	ArrayWish arrays{};
@@ -94,7 +95,7 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
                                   Timeline* timeline);
 
 // grid::buildNeighbors(), as section "adjacency" of the timeline.
-void buildNeighbors(grid::BlockSet& set, Timeline* timeline);
+void buildNeighbors(grid::BlockSet& set, Timeline* timeline, bool for_one_cut = false);
 
 // Reads the arrays again, for example at another time, for the blocks of a set that readInputs() made. Returns nothing
 // if the grids differ.

@@ -347,6 +347,8 @@ Result<Drawn> Renderer::Private::draw(const Scene& scene, const DrawTarget& targ
 	layers_drawn = 0;
 	for (std::uint32_t part = 0; part < plan.count(); ++part)
 	{
+		if (target.goes_on && *target.goes_on && !(*target.goes_on)())
+			return Drawn::given_up;
 		targets.setFirstRow(plan.firstRow(part));
 		Result<Drawn> drawn = Drawn::cramped;
 		while (drawn && *drawn == Drawn::cramped)
@@ -362,11 +364,14 @@ std::size_t Renderer::layersDrawn() const
 	return private_->layers_drawn;
 }
 
-Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline)
+Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline, const std::function<bool()>& goes_on)
 {
 	const TimedSection section(timeline, "draw");
-	if (Result<Drawn> drawn = private_->draw(scene, {}, timeline); !drawn)
+	Result<Drawn> drawn = private_->draw(scene, {nullptr, goes_on ? &goes_on : nullptr}, timeline);
+	if (!drawn)
 		return drawn.error();
+	if (*drawn == Drawn::given_up)
+		return Error{ErrorKind::cancelled, "drawing was cancelled"};
 	const TimedSection reading(timeline, "pixels");
 	const Background& background = scene.look.background;
 	const bool is_opaque = background.top.a == 255 && background.bottom.a == 255;

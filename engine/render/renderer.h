@@ -42,8 +42,9 @@ public:
 	// are drawn near edges only. Adds section "draw" with "prepare", "wait" and "pixels" in it, and GPU sections
 	// "layers", "surfaces" (where there are any), "compose", "edges" (with samples), "overlay" and "copy" to the
 	// timeline, if there is one. More sheets than shared::kMaxLayers or surfaces than shared::kMaxSurfaces are a usage
-	// error.
-	Result<Picture> draw(const Scene& scene, Timeline* timeline = nullptr);
+	// error. goes_on: if it is not empty, each sample is submitted alone, and it is asked in between. If it returns
+	// false, draw() ends with ErrorKind::cancelled.
+	Result<Picture> draw(const Scene& scene, Timeline* timeline = nullptr, const std::function<bool()>& goes_on = {});
 
 	// The same into an image of the scene's size in kPictureFormat, made with TRANSFER_DST usage. No submitted work may
 	// still use it. It is left in layout gpu::kCopyFrom. Colors are multiplied by alpha. Each sample is submitted

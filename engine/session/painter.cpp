@@ -237,11 +237,16 @@ Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<
 }
 
 Result<render::Picture> Painter::draw(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
-                                      const Contours& contours)
+                                      const Contours& contours, const std::stop_token& stop)
 {
 	const TimedSection section(session_.timeline.get(), "render");
 	Result<render::Scene> scene = sceneOf(slice, sheets, contours);
-	return scene ? renderer_.draw(*scene, session_.timeline.get()) : scene.error();
+	if (!scene)
+		return scene.error();
+	std::function<bool()> goes_on;
+	if (stop.stop_possible())
+		goes_on = [&] { return !stop.stop_requested(); };
+	return renderer_.draw(*scene, session_.timeline.get(), goes_on);
 }
 
 Status Painter::drawInto(const gpu::Image& image, const cut::Cut& slice, const std::vector<SheetStats>& sheets,

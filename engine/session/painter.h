@@ -48,9 +48,10 @@ public:
 	Status drawInto(const gpu::Image& image, const cut::Cut& slice, const std::vector<SheetStats>& sheets,
 	                const Contours& contours);
 
-	// Draws a picture. sheets: sheetStats() of the cut. Section "render" on the timeline.
+	// Draws a picture. sheets: sheetStats() of the cut. Section "render" on the timeline. A stop request ends it with
+	// ErrorKind::cancelled.
 	Result<render::Picture> draw(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
-	                             const Contours& contours = {});
+	                             const Contours& contours = {}, const std::stop_token& stop = {});
 	// Draws the scene without the sheets and without the lines around them.
 	Result<render::Picture> drawEmpty(const cut::Cut& slice, const std::vector<SheetStats>& sheets);
 

@@ -2,6 +2,7 @@
 
 #include "base/messages.h"
 #include "base/progress.h"
+#include "base/stop_scope.h"
 #include "session/sheet_traces.h"
 #include "view/validate.h"
 #include "view/words.h"
@@ -83,8 +84,9 @@ bool namesPatch(const view::ViewSpec& spec)
 	                           { return context.kind == view::ContextKind::patch; });
 }
 
-// Whether seeds from every row serve as well as those that a search would have.
-bool isPlain(const view::ViewSpec& spec)
+} // namespace
+
+bool servesOneCut(const view::ViewSpec& spec)
 {
 	const view::ProbeSpec& probe = spec.probe;
 	const view::MachineSpec& machine = spec.machine;
@@ -93,8 +95,6 @@ bool isPlain(const view::ViewSpec& spec)
 	       !machine.visited && machine.classify != view::Classify::gpu &&
 	       (!machine.strategy || machine.strategy == find::Strategy::spans);
 }
-
-} // namespace
 
 read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice& time)
 {
@@ -125,16 +125,51 @@ bool needsNeighbors(const view::ViewSpec& spec)
 	       !look.context.empty() || look.contour.isGiven();
 }
 
-Status buildNeighbors(Session& session)
+namespace
 {
-	if (grid::hasNeighbors(session.blocks))
-		return Nothing{};
+
+bool hasCheckedIds(const grid::Block& block)
+{
+	const auto* cells = std::get_if<grid::UnstructuredGrid>(&block.grid);
+	return !cells || !cells->list() || cells->list()->has_checked_ids;
+}
+
+// Replaces the blocks when all of them are complete. They share what does not change.
+Status buildNeighborsOfCopy(Session& session)
+{
+	grid::BlockSet blocks = session.blocks;
+	read::buildNeighbors(blocks, session.timeline.get());
 	session.cutter.reset();
+	session.blocks = std::move(blocks);
+	return Nothing{};
+}
+
+} // namespace
+
+Status buildNeighbors(Session& session, const std::stop_token& stop)
+try
+{
+	if (grid::isComplete(session.blocks))
+		return Nothing{};
 	{
 		const Progress progress("finding neighbors");
-		read::buildNeighbors(session.blocks, session.timeline.get());
+		if (stop.stop_possible() || !std::ranges::all_of(session.blocks.blocks, hasCheckedIds)) // it may fail
+		{
+			const auto build = [&] { return buildNeighborsOfCopy(session); };
+			if (Status built = endingOnRequest(stop, "finding neighbors", build); !built)
+				return built;
+		}
+		else
+		{
+			session.cutter.reset();
+			read::buildNeighbors(session.blocks, session.timeline.get());
+		}
 	}
 	return makeCutter(session);
+}
+catch (const grid::WrongPoint& wrong)
+{
+	return Error{ErrorKind::input, wrong.what()};
 }
 
 Status makeCutter(Session& session)
@@ -202,11 +237,6 @@ find::Finder finderFor(const Session& session)
 	return on_device ? find::Finder::direct : find::Finder::automatic;
 }
 
-} // namespace
-
-namespace
-{
-
 Result<grid::BlockSet> readBlocks(const Session& session, const OpenOptions& options)
 {
 	const view::ViewSpec& spec = session.spec;
@@ -215,7 +245,8 @@ Result<grid::BlockSet> readBlocks(const Session& session, const OpenOptions& opt
 	reading.identifies_geometry = options.reads_again || spec.probe.vectors.path_lines;
 	reading.stop = options.stop;
 	reading.builds_neighbors = !options.may_scan || needsNeighbors(spec);
-	reading.for_one_cut = !reading.builds_neighbors && !options.reads_again && isPlain(spec);
+	reading.for_one_cut =
+	    !reading.builds_neighbors && (!options.reads_again || options.completes_later) && servesOneCut(spec);
 	return read::readInputs(spec.input.files, reading, session.timeline.get());
 }
 
@@ -234,7 +265,7 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 	std::future<Result<OpenedDevice>> opening;
 	if (!options.device)
 		opening = openDevice(session->spec, options.use);
-	Result<grid::BlockSet> blocks = take(*session);
+	Result<grid::BlockSet> blocks = endingOnRequest(options.stop, "opening", [&] { return take(*session); });
 	if (!blocks)
 		return blocks.error();
 	session->blocks = std::move(*blocks);
@@ -253,7 +284,7 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 	if (Status made = makeCutter(*session); !made)
 		return made.error();
 	if (const auto plan = session->cutter->plan(requestOf(*session)); plan && plan->needs_neighbors)
-		if (Status built = buildNeighbors(*session); !built)
+		if (Status built = buildNeighbors(*session, options.stop); !built)
 			return built.error();
 	return session;
 }

@@ -72,9 +72,11 @@ struct OpenOptions
 	bool may_scan = false;
 	bool reads_all_arrays = true; // read all arrays, not only those that are shown
 	bool reads_again = true;      // the inputs may be read again at other times
+	// The caller calls buildNeighbors() before a second cut, and before one that servesOneCut() does not hold for.
+	bool completes_later = false;
 	Timeline::Keep keep = Timeline::Keep::totals;
 	std::shared_ptr<gpu::Device> device{}; // an open device; null opens the device of the settings
-	std::stop_token stop{};                // a stop request ends the reading with ErrorKind::cancelled
+	std::stop_token stop{};                // a stop request ends the opening with ErrorKind::cancelled
 };
 
 /// Validates the settings, reads the inputs and prepares the rest. A caller writes nothing before this has succeeded.
@@ -99,9 +101,13 @@ read::ReadOptions readOptions(const Session& session, const read::TimeChoice& ti
 /// contours, or surfaces around the sheets.
 bool needsNeighbors(const view::ViewSpec& spec);
 
-/// Builds the neighbors of cells if the session has none, and a new cutter. Cuts that were made before become invalid,
-/// and so does everything made from them.
-Status buildNeighbors(Session& session);
+/// Returns true if blocks that were read for one cut serve the settings: seeds from every row do as well as others.
+bool servesOneCut(const view::ViewSpec& spec);
+
+/// Builds what the blocks lack for further cuts (grid::isComplete), such as neighbors of cells, and a new cutter. Cuts
+/// that were made before become invalid, and so does everything made from them. A stop request ends it with
+/// ErrorKind::cancelled, and leaves all as it was.
+Status buildNeighbors(Session& session, const std::stop_token& stop = {});
 
 /// Makes a cutter for the blocks that the session has now.
 Status makeCutter(Session& session);

@@ -10,7 +10,7 @@ namespace
 
 Status buildAnew(Session& session, read::ReadOptions at, Painter* painter)
 {
-	at.builds_neighbors = grid::hasNeighbors(session.blocks); // for one cut a time, neighbors do not pay
+	at.builds_neighbors = grid::isComplete(session.blocks); // for one cut a time, neighbors do not pay
 	Result<grid::BlockSet> blocks = read::readInputs(session.spec.input.files, at, session.timeline.get());
 	if (!blocks)
 		return blocks.error();

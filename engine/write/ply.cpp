@@ -85,8 +85,8 @@ Property makeProperty(const Column& column, UniqueNames& taken)
 	return makeProperty(std::move(names), column.type, column.bytes, column.components);
 }
 
-template <class T>
-Property makeProperty(const char* name, NumberType type, const std::vector<T>& values, UniqueNames& taken)
+template <class Values>
+Property makeProperty(const char* name, NumberType type, const Values& values, UniqueNames& taken)
 {
 	return makeProperty({taken.add(name)}, type, std::as_bytes(std::span(values)), 1);
 }

@@ -1,5 +1,6 @@
 #include "write/slice_table.h"
 
+#include "grid/number_types.h"
 #include "mesh/mesh_values.h"
 #include "write/set_arrays.h"
 
@@ -34,23 +35,37 @@ std::byte* put(std::byte* at, NumberType type, double value)
 
 using Meshes = std::span<const mesh::SheetMesh* const>;
 
-Column vertexColumn(const grid::BlockSet& blocks, Meshes meshes, const SetArray& source, std::size_t vertices)
+// One component of a mesh's vertices, as `Number`, where each has so many.
+template <class Number>
+void storeComponent(std::span<const double> values, int component, int components, std::byte* begin)
+{
+	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), 16384),
+	                  [&](const tbb::blocked_range<std::size_t>& some)
+	                  {
+		                  for (std::size_t v = some.begin(); v < some.end(); ++v)
+			                  grid::storeAs<Number>(values[v],
+			                                        begin + (v * static_cast<std::size_t>(components) + component) *
+			                                                    sizeof(Number));
+	                  });
+}
+
+Column vertexColumn(const grid::BlockSet& blocks, Meshes meshes, const SetArray& source)
 {
 	Column column{source.name, source.components, interpolatedType(source), {}};
-	column.bytes.resize(vertices * source.components * grid::byteSize(column.type));
-	std::byte* begin = column.bytes.data();
 	const std::size_t tuple = source.components * grid::byteSize(column.type);
+	std::size_t vertices = 0;
+	for (const mesh::SheetMesh* mesh : meshes)
+		vertices += mesh->positions.size();
+	column.bytes.resize(vertices * tuple);
+	std::byte* begin = column.bytes.data();
 	for (const mesh::SheetMesh* mesh : meshes)
 	{
-		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh->positions.size(), 4096),
-		                  [&](const tbb::blocked_range<std::size_t>& some)
-		                  {
-			                  std::byte* at = begin + some.begin() * tuple;
-			                  for (std::size_t v = some.begin(); v < some.end(); ++v)
-				                  for (int c = 0; c < source.components; ++c)
-					                  at = put(at, column.type,
-					                           mesh::vertexValue(blocks, *mesh, v, source.per_block, c));
-		                  });
+		for (int c = 0; c < source.components; ++c)
+		{
+			const RawVector<double> values = mesh::vertexValues(blocks, *mesh, source.per_block, c);
+			grid::withNumberType(column.type, [&](auto number)
+			                     { storeComponent<decltype(number)>(values, c, source.components, begin); });
+		}
 		begin += mesh->positions.size() * tuple;
 	}
 	return column;
@@ -83,22 +98,51 @@ Column polygonColumn(Meshes meshes, const SliceTable& table, const SetArray& sou
 	return column;
 }
 
+// base: vertices before those of the mesh.
+void addPolygons(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, std::int64_t base, std::int32_t sheet,
+                 SliceTable& table)
+{
+	const std::size_t polygons = mesh.polygons();
+	if (polygons == 0)
+		return;
+	const std::size_t first = table.polygons();
+	const std::size_t corners = table.polygon_vertices.size(); // before those of this mesh
+	const std::size_t begin = mesh.polygon_starts[0];
+	table.polygon_vertices.resize(corners + mesh.polygon_starts[polygons] - begin);
+	table.polygon_starts.resize(first + polygons + 1);
+	table.cell.resize(first + polygons);
+	table.block.resize(first + polygons);
+	table.sheet.resize(first + polygons, sheet);
+	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, polygons, 4096),
+	                  [&](const tbb::blocked_range<std::size_t>& some)
+	                  {
+		                  for (std::size_t p = some.begin(); p < some.end(); ++p)
+		                  {
+			                  std::size_t corner = corners + mesh.polygon_starts[p] - begin;
+			                  for (const std::uint32_t v : mesh.polygon(p))
+				                  table.polygon_vertices[corner++] = base + v;
+			                  table.polygon_starts[first + p + 1] = static_cast<std::int64_t>(corner);
+			                  const mesh::BlockCell& from = mesh.polygon_cells[p];
+			                  const auto sourceOf = [&](const auto& grid)
+			                  { return static_cast<std::int64_t>(grid.sourceCell(from.cell)); };
+			                  table.cell[first + p] = std::visit(sourceOf, blocks.blocks[from.block].grid);
+			                  table.block[first + p] = static_cast<std::int32_t>(from.block);
+		                  }
+	                  });
+}
+
 void addMesh(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, std::int32_t sheet, SliceTable& table)
 {
-	const auto base = static_cast<std::int64_t>(table.positions.size());
+	addPolygons(blocks, mesh, static_cast<std::int64_t>(table.positions.size()), sheet, table);
 	table.positions.insert(table.positions.end(), mesh.positions.begin(), mesh.positions.end());
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-	{
-		for (const std::uint32_t v : mesh.polygon(p))
-			table.polygon_vertices.push_back(base + v);
-		table.polygon_starts.push_back(static_cast<std::int64_t>(table.polygon_vertices.size()));
-		const mesh::BlockCell& from = mesh.polygon_cells[p];
-		table.cell.push_back(std::visit([&](const auto& grid)
-		                                { return static_cast<std::int64_t>(grid.sourceCell(from.cell)); },
-		                                blocks.blocks[from.block].grid));
-		table.block.push_back(static_cast<std::int32_t>(from.block));
-		table.sheet.push_back(sheet);
-	}
+}
+
+void addArrays(const grid::BlockSet& blocks, Meshes meshes, SliceTable& table)
+{
+	for (const SetArray& source : arraysOf(blocks, Association::point))
+		table.vertex_columns.push_back(vertexColumn(blocks, meshes, source));
+	for (const SetArray& source : arraysOf(blocks, Association::cell))
+		table.polygon_columns.push_back(polygonColumn(meshes, table, source));
 }
 
 } // namespace
@@ -132,10 +176,17 @@ SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMes
 		table.contour.resize(table.polygons(), contour.value);
 		all.push_back(contour.mesh);
 	}
-	for (const SetArray& source : arraysOf(blocks, Association::point))
-		table.vertex_columns.push_back(vertexColumn(blocks, all, source, table.vertices()));
-	for (const SetArray& source : arraysOf(blocks, Association::cell))
-		table.polygon_columns.push_back(polygonColumn(all, table, source));
+	addArrays(blocks, all, table);
+	return table;
+}
+
+SliceTable tabulateAllButPlaces(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh)
+{
+	SliceTable table;
+	table.polygon_starts.push_back(0);
+	addPolygons(blocks, mesh, 0, 0, table);
+	const mesh::SheetMesh* const all = &mesh;
+	addArrays(blocks, {&all, 1}, table);
 	return table;
 }
 

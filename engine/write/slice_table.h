@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/raw_vector.h"
 #include "base/vec.h"
 #include "grid/block.h"
 #include "grid/field.h"
@@ -30,12 +31,12 @@ struct Column
 struct SliceTable
 {
 	std::vector<Vec3> positions;
-	std::vector<std::int64_t> polygon_starts; // polygons + 1 offsets into polygon_vertices
-	std::vector<std::int64_t> polygon_vertices;
+	RawVector<std::int64_t> polygon_starts; // polygons + 1 offsets into polygon_vertices
+	RawVector<std::int64_t> polygon_vertices;
 	// Per polygon: where it comes from.
-	std::vector<std::int64_t> cell; // source id
-	std::vector<std::int32_t> block;
-	std::vector<std::int32_t> sheet;
+	RawVector<std::int64_t> cell; // source id
+	RawVector<std::int32_t> block;
+	RawVector<std::int32_t> sheet;
 	std::vector<double> contour; // the value of its contour, NaN of a sheet's own polygons; empty without contours
 	std::vector<Column> vertex_columns;
 	std::vector<Column> polygon_columns;
@@ -58,5 +59,8 @@ struct ContourPiece
 // contours follow behind them all.
 SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, std::size_t first_sheet = 0,
                     std::span<const ContourPiece> contours = {});
+
+// The same of one mesh, without positions: these the mesh has.
+SliceTable tabulateAllButPlaces(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh);
 
 } // namespace vp::write

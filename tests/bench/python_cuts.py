@@ -3,10 +3,10 @@
 
 usage: python_cuts.py [--tets N] [--rounds N] [--cpp FILE]
     --tets: cells along an edge of a box that is cut into six tetrahedra each; 118 makes 10 million (default 118)
-    --rounds: how often a moved slice is measured, and a third of that each first one (default 9); the least time is told
+    --rounds: how often a slice is measured, the first one and a moved one (default 9); medians are told
     --cpp: the program bench_call of the build, for the same call from C++
 
-Prints a table of Markdown. Load on the machine changes the times, less so the ratios: all filters take turns.
+Prints a table of Markdown. All filters take turns. Run it while nothing else runs.
 """
 import argparse
 import statistics
@@ -94,7 +94,7 @@ def large(n, rounds):
     kinds = (vtkCutter, vtkPlaneCutter, vtk3DLinearGridPlaneCutter)
     center = np.array((.5, .5, .5))
     first = {'vprobe': [], **{kind.__name__: [] for kind in kinds}}
-    for _ in range(max(1, rounds // 3)):  # each time anew, as a script that cuts once
+    for _ in range(rounds):  # each time anew, as a script that cuts once
         for kind in kinds:
             filter_ = Vtk(kind, mesh)
             first[kind.__name__].append(seconds(lambda: filter_.cut(center)))
@@ -110,12 +110,12 @@ def large(n, rounds):
         for cutter in cutters:
             origin = center + (.02 * k - .07) * NORMAL
             moved[cutter.name].append(seconds(lambda: cutter.cut(origin)))
-    first, moved = ({name: min(times) for name, times in each.items()} for each in (first, moved))
+    first, moved = ({name: statistics.median(times) for name, times in each.items()} for each in (first, moved))
     print(f'A vtkUnstructuredGrid of {mesh.GetNumberOfCells():,} tetrahedra:\n')
     print('| filter | first slice, wrapping included | vprobe is faster | moved slice | vprobe is faster |')
     print('| --- | --- | --- | --- | --- |')
     for name in first:
-        ratios = [f'{times[name] / times["vprobe"]:.1f}x' for times in (first, moved)] if name != 'vprobe' else ['', '']
+        ratios = [f'{times[name] / times["vprobe"]:.2f}x' for times in (first, moved)] if name != 'vprobe' else ['', '']
         print(f'| `{name}` | {1e3 * first[name]:.0f} ms | {ratios[0]} | {1e3 * moved[name]:.1f} ms | {ratios[1]} |')
     print(f'\nThe second slice of vprobe builds what tells the neighbors of cells: {building:.1f} s, once.\n')
 

@@ -168,6 +168,38 @@ TEST(Lifetime, WhatIsStoppedIsCancelled)
 	EXPECT_EQ(frames, 3);
 }
 
+TEST(Lifetime, NeighborsAndSamplesEndOnRequest)
+{
+	const face::Box box(24);
+	std::stop_source stopped;
+	stopped.request_stop();
+	const auto wrapped = Dataset::wrap({box.unstructured()}, vprobe::Classify::cpu, {}, stopped.get_token());
+	ASSERT_FALSE(wrapped);
+	EXPECT_EQ(wrapped.error().kind, vprobe::ErrorKind::cancelled);
+	const auto data = Dataset::wrap({box.unstructured()}, vprobe::Classify::cpu);
+	ASSERT_TRUE(data);
+	const std::vector<vprobe::Vector3> places(1000, {0.5, 0.5, 0.5});
+	ASSERT_TRUE(data->cut(View()));
+	for (int i = 0; i < 20; ++i)
+	{
+		std::stop_source stop;
+		std::thread asks([&] { stop.request_stop(); });
+		const auto cut = data->cut(View(), stop.get_token()); // which needs neighbors
+		asks.join();
+		if (!cut)
+		{
+			EXPECT_EQ(cut.error().kind, vprobe::ErrorKind::cancelled);
+		}
+		const auto samples = data->sample(places, {}, stop.get_token());
+		ASSERT_FALSE(samples);
+		EXPECT_EQ(samples.error().kind, vprobe::ErrorKind::cancelled);
+	}
+	const auto samples = data->sample(places);
+	ASSERT_TRUE(samples);
+	EXPECT_NEAR(samples->columns[0].values[7], 3.0, 1e-12);
+	EXPECT_NEAR(data->cut(View())->figures(0).area, 1.0, 1e-12);
+}
+
 TEST(Lifetime, NothingIsPrintedAndMessagesAreHeard)
 {
 	testing::internal::CaptureStdout();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <stop_token>
 
 namespace face
 {
@@ -55,6 +56,30 @@ TEST(Picture, TenDataSetsAreDrawnAndLeaveNothingOpen)
 	}
 	EXPECT_LE(entriesOf("/proc/self/fd"), descriptors);
 	EXPECT_LE(entriesOf("/proc/self/task"), tasks + 1);
+}
+
+TEST(Picture, DrawingEndsOnRequest)
+{
+	const Box box(6);
+	const auto data = vprobe::Dataset::wrap({box.structured()});
+	ASSERT_TRUE(data);
+	const auto cut = data->cut(onWhite());
+	ASSERT_TRUE(cut);
+	const auto before = data->render(*cut, onWhite());
+	if (!before && before.error().kind == vprobe::ErrorKind::device)
+		GTEST_SKIP() << before.error().message;
+	ASSERT_TRUE(before) << before.error().message;
+	std::stop_source stop;
+	const auto undisturbed = data->render(*cut, onWhite(), stop.get_token()); // sample by sample
+	ASSERT_TRUE(undisturbed);
+	EXPECT_EQ(undisturbed->rgba, before->rgba);
+	stop.request_stop();
+	const auto stopped = data->render(*cut, onWhite(), stop.get_token());
+	ASSERT_FALSE(stopped);
+	EXPECT_EQ(stopped.error().kind, vprobe::ErrorKind::cancelled);
+	const auto after = data->render(*cut, onWhite());
+	ASSERT_TRUE(after);
+	EXPECT_EQ(after->rgba, before->rgba);
 }
 
 TEST(Picture, ACutIsDrawnAsItsOwnPicture)

@@ -152,6 +152,42 @@ TEST(Wrap, WhatDoesNotFitIsAnErrorThatSaysWhat)
 	EXPECT_EQ(Dataset::wrap({}).error().kind, ErrorKind::input);
 }
 
+// The ids of cells of one type may wait for the first cut. Those of others do not.
+TEST(Wrap, AWrongIdMayBeAnErrorOfTheFirstCut)
+{
+	const Box box(3);
+	for (const std::int64_t bad : {std::int64_t(-1), std::int64_t(64), std::int64_t(1) << 40})
+	{
+		std::vector<std::int64_t> ids = box.connectivity;
+		ids[100] = bad;
+		vprobe::Block block = box.unstructured();
+		auto& grid = std::get<vprobe::Unstructured>(block.grid);
+		grid.connectivity = ids;
+		grid.checks_ids_later = true;
+		const auto data = Dataset::wrap({block}, vprobe::Classify::cpu);
+		ASSERT_TRUE(data) << data.error().message;
+		for (int i = 0; i < 2; ++i)
+		{
+			const auto cut = data->cut(View());
+			ASSERT_FALSE(cut);
+			EXPECT_EQ(cut.error().kind, ErrorKind::input);
+			EXPECT_EQ(cut.error().message, "a cell lists point " + std::to_string(bad) + " of 64");
+			const std::vector<vprobe::Vector3> places{{0.5, 0.5, 0.5}};
+			const auto samples = data->sample(places);
+			ASSERT_FALSE(samples);
+			EXPECT_EQ(samples.error().message, cut.error().message);
+		}
+	}
+	Box others(3);
+	std::vector<std::int64_t> ids = box.connectivity;
+	ids[5] = 64;
+	vprobe::Block mixed = others.polyhedra();
+	auto& grid = std::get<vprobe::Unstructured>(mixed.grid);
+	grid.connectivity = ids;
+	grid.checks_ids_later = true;
+	refused(mixed, "point");
+}
+
 TEST(Wrap, ArraysWithoutValuesAndWithNan)
 {
 	const Box box(3);

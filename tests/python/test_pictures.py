@@ -3,6 +3,7 @@ import glob
 import os
 import subprocess
 import sys
+import time
 import zlib
 
 import numpy as np
@@ -106,12 +107,19 @@ def test_sweeps_give_pictures(shell):
 def test_ctrl_c_ends_drawing(shell):
     from test_work import interrupted_after
     data = vprobe.open('demo:tets:32')
-    render(data)
+    before = render(data)
 
     def draw_on():
         for _ in range(100):
             data.render(vprobe.Probe.stack(16), size=(2000, 2000))
     assert interrupted_after(.3, draw_on) < .2
+    begin = time.perf_counter()
+    repr(data)  # waits for the sample that is being drawn, not for the rest of a hundred pictures
+    assert time.perf_counter() - begin < 5
+    used = time.process_time()
+    time.sleep(.3)
+    assert time.process_time() - used < .1
+    assert np.array_equal(render(data), before)
 
 
 def test_a_lost_device_raises_and_another_follows(tmp_path):

@@ -114,6 +114,14 @@ def polyhedra():
     return with_arrays(mesh)
 
 
+def elongated():
+    """A structured grid with its shortest edges along the last axis: for many cuts the library turns the axes."""
+    mesh = model.vtkStructuredGrid()
+    mesh.SetDimensions(7, 8, 40)
+    mesh.SetPoints(vtk_points(bent(lattice(7, 8, 40)[0])))
+    return with_arrays(mesh)
+
+
 KINDS = image, rectilinear, structured, explicit, unstructured, tetrahedra, polyhedra
 
 
@@ -169,6 +177,55 @@ def test_arrays_are_shared(make):
         assert address(held.coordinates[0]) == address(vtk_to_numpy(mesh.GetPoints().GetData()))
     if make in (unstructured, tetrahedra, explicit):
         assert address(held.connectivity) == address(vtk_to_numpy(mesh.GetCells().GetConnectivityArray()))
+
+
+def test_points_of_a_structured_grid_are_shared_until_the_second_cut_turns_its_axes():
+    mesh = elongated()
+    places = address(vtk_to_numpy(mesh.GetPoints().GetData()))
+    data = vprobe.wrap(mesh, classify='cpu')
+    first = data.slice(**PLANE, array='p')
+    assert address(data.block().coordinates[0]) == places
+    second = data.slice(**PLANE, array='p')
+    assert address(data.block().coordinates[0]) != places
+    assert second.area == pytest.approx(first.area, rel=1e-12) and second.mean == pytest.approx(first.mean, rel=1e-12)
+    for piece in (first, second):  # the first still shows the grid as it was
+        assert np.array_equal(piece['number'], piece.cells) and piece.components == 1
+
+
+@pytest.mark.parametrize('make, ending', [(image, 'ImageData'), (rectilinear, 'RectilinearGrid'), (structured, 'StructuredGrid'),
+                                          (elongated, 'StructuredGrid'), (unstructured, 'UnstructuredGrid'),
+                                          (tetrahedra, 'UnstructuredGrid'), (polyhedra, 'UnstructuredGrid')])
+@pytest.mark.parametrize('normal', [(.3, .5, .8), (1, 0, 0), (-.7, .1, .2)])
+def test_figures_are_those_of_the_program_to_the_last_bit(make, ending, normal, tmp_path, sheet_of):
+    xml = pytest.importorskip('vtkmodules.vtkIOXML', reason='no writers of VTK')
+    mesh = make()
+    writer = getattr(xml, f'vtkXML{ending}Writer')()
+    file = tmp_path / f'mesh.{writer.GetDefaultFileExtension()}'
+    writer.SetFileName(str(file))
+    writer.SetInputData(mesh)
+    assert writer.Write() == 1
+    of_program = sheet_of(file, '--normal', *normal)
+    for data in (vprobe.open(file, classify='cpu'), vprobe.wrap(mesh, classify='cpu')):
+        piece = data.slice(normal=normal)
+        for figure in ('area', 'mean', 'min', 'max'):
+            assert getattr(piece, figure) == of_program[figure], (data, figure)
+
+
+@pytest.mark.parametrize('wide', [True, False])
+@pytest.mark.parametrize('bad', [-1, 990, 1023, 1024, 2 ** 31 - 1])
+@pytest.mark.parametrize('make', [unstructured, tetrahedra])
+def test_a_point_that_is_not_there_is_an_error_of_the_first_cut(make, bad, wide):
+    mesh = make()
+    cells = mesh.GetCells()
+    if not wide:
+        cells.ConvertTo32BitStorage()
+    assert mesh.GetNumberOfPoints() == 990
+    vtk_to_numpy(cells.GetConnectivityArray())[-2] = bad
+    data = vprobe.wrap(mesh, classify='cpu')
+    for call in (lambda: data.slice(**PLANE), lambda: data.slice(normal='x'), lambda: data.sample([[.5, .5, .5]]),
+                 lambda: data.slice(**PLANE, crinkle=True), lambda: data.isosurface(1.0)):
+        with pytest.raises(vprobe.InputError, match=f'a cell lists point {bad} of 990'):
+            call()
 
 
 @pytest.mark.parametrize('make', KINDS)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import vprobe
+from conftest import hexahedra, lattice
 
 PLANE = dict(normal=(.3, .5, .8))
 
@@ -47,19 +48,49 @@ def test_ctrl_c_ends_reading_and_cutting_within_a_fifth_of_a_second():
     assert data.slice(**PLANE).area > 0  # the data set serves on
 
 
-def test_ctrl_c_ends_what_cannot_be_stopped():
-    """Neighbors are built to the end, but nobody waits for them."""
-    n = 90
-    from conftest import hexahedra, lattice
+def assert_nothing_goes_on(data):
+    """What was interrupted has ended: another call need not wait for it, and no processor works."""
+    begin = time.perf_counter()
+    repr(data)
+    assert time.perf_counter() - begin < .1
+    used = time.process_time()
+    time.sleep(.3)
+    assert time.process_time() - used < .1
+
+
+def cubes(n):
     points, values = lattice(n, n, n)
-    data = vprobe.unstructured(points.reshape(-1, 3), hexahedra(n, n, n), 'hexahedron', {'p': values.ravel()},
+    return vprobe.unstructured(points.reshape(-1, 3), hexahedra(n, n, n), 'hexahedron', {'p': values.ravel()},
                                classify='cpu')
+
+
+@pytest.mark.parametrize('seconds', [.03, .15, .4, .8])
+def test_ctrl_c_ends_the_search_for_neighbors(seconds):
+    data = cubes(110)
     first = data.slice(**PLANE)
-    late = interrupted_after(.05, lambda: data.slice(**PLANE))
-    assert late < .2
-    late = interrupted_after(.05, lambda: repr(data))  # waits for it
-    assert late < .2
+    assert interrupted_after(seconds, lambda: data.slice(**PLANE)) < .2
+    assert_nothing_goes_on(data)
+    assert not data.memory().copied  # as if nobody had asked
+    assert interrupted_after(.05, lambda: data.sample([[.5, .5, .5]])) < .2
+    assert_nothing_goes_on(data)
     assert data.slice(**PLANE).area == pytest.approx(first.area)
+    assert data.memory().copied
+
+
+def test_ctrl_c_ends_sampling():
+    data = cubes(40)
+    points = np.random.default_rng(1).random((10 ** 7, 3))
+    data.sample(points[:10])
+    assert interrupted_after(.3, lambda: data.sample(points)) < .3  # they are copied first
+    assert_nothing_goes_on(data)
+    assert data.sample(points[:10])['p'].shape == (10,)
+
+
+def test_ctrl_c_ends_opening():
+    assert interrupted_after(.15, lambda: vprobe.open('demo:tets:200', classify='cpu')) < .2
+    used = time.process_time()
+    time.sleep(.3)
+    assert time.process_time() - used < .1
 
 
 def test_other_threads_run_meanwhile():
@@ -73,7 +104,9 @@ def test_other_threads_run_meanwhile():
     thread.start()
     try:
         count[0] = 0
-        vprobe.open('demo:tets:48', classify='cpu')
+        data = vprobe.open('demo:tets:64', classify='cpu')
+        data.slice(**PLANE)
+        data.slice(**PLANE)  # which builds neighbors
         assert count[0] > 1000
     finally:
         stop.set()

@@ -62,8 +62,9 @@ Dataset openFiles(std::vector<std::string> files, std::string time, std::string 
 
 Dataset wrapBlocks(const py::list& blocks, const std::string& classify, std::string device)
 {
-	return run([given = blocksOf(blocks), way = classifyOf(classify), device = std::move(device)](
-	               std::stop_token) mutable { return Dataset::wrap(std::move(given), way, device); });
+	return run(
+	    [given = blocksOf(blocks), way = classifyOf(classify), device = std::move(device)](std::stop_token stop) mutable
+	    { return Dataset::wrap(std::move(given), way, device, std::move(stop)); });
 }
 
 py::list arraysOfData(const Dataset& data)
@@ -135,8 +136,9 @@ py::tuple sampleAt(const Dataset& data, const py::array_t<double, py::array::c_s
 {
 	std::vector<vprobe::Vector3> places(static_cast<std::size_t>(points.shape(0)));
 	std::copy_n(points.data(), points.size(), places.empty() ? nullptr : places[0].data());
-	const vprobe::Samples samples = run([data, places = std::move(places), names = std::move(names)](std::stop_token)
-	                                    { return data.sample(places, names); });
+	const vprobe::Samples samples =
+	    run([data, places = std::move(places), names = std::move(names)](std::stop_token stop)
+	        { return data.sample(places, names, std::move(stop)); });
 	py::list columns;
 	for (const vprobe::Samples::Column& column : samples.columns)
 		columns.append(py::make_tuple(column.array.name, column.array.components, arrayOf(column.values)));
@@ -161,8 +163,8 @@ vprobe::Image imageOf(const py::array_t<std::uint8_t, py::array::c_style>& pixel
 py::array render(const Dataset& data, const View& view, const Cut* cut, const py::object& progress)
 {
 	const bool has_cut = cut != nullptr;
-	return pixelsOf(run([data, view, has_cut, kept = has_cut ? *cut : Cut()](std::stop_token)
-	                    { return has_cut ? data.render(kept, view) : data.render(view); },
+	return pixelsOf(run([data, view, has_cut, kept = has_cut ? *cut : Cut()](std::stop_token stop)
+	                    { return has_cut ? data.render(kept, view, stop) : data.render(view, stop); },
 	                    progress));
 }
 

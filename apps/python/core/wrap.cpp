@@ -37,7 +37,8 @@ decltype(vprobe::Block::grid) gridOf(const py::dict& block)
 	                            take(block, "connectivity"),
 	                            take(block, "face_offsets"),
 	                            take(block, "face_stream"),
-	                            block.contains("tolerance") ? block["tolerance"].cast<double>() : 0.0};
+	                            block.contains("tolerance") ? block["tolerance"].cast<double>() : 0.0,
+	                            block.contains("checks_ids_later")};
 }
 
 } // namespace

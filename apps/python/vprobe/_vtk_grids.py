@@ -190,7 +190,8 @@ def _cells_block(data: Any, copy: bool, tolerance: float) -> Dict[str, Any]:
     if hidden is not None:
         types = np.where(hidden, EMPTY_CELL, types).astype(np.uint8)
     cells = data.GetCells()
-    return {'kind': 'unstructured', 'coordinates': _places_of(data, copy), 'types': types,
+    # VTK's own filters trust the point numbers; the first cut looks at them in passing.
+    return {'kind': 'unstructured', 'checks_ids_later': True, 'coordinates': _places_of(data, copy), 'types': types,
             'offsets': numpy_of(cells.GetOffsetsArray(), copy, 'offsets'),
             'connectivity': numpy_of(cells.GetConnectivityArray(), copy, 'connectivity'),
             'tolerance': float(tolerance), **(_faces_of(data) if POLYHEDRON in present else {})}

@@ -33,6 +33,9 @@ class Accessor:
         """The mesh as a data set, which has everything else: figures, plans, sweeps and pictures."""
         return self._kept.data_of(self._mesh)
 
+    def __repr__(self) -> str:
+        return f'<vprobe.pyvista.Accessor of {self.data!r}>'
+
     def slice(self, surface: Optional[str] = None, **settings: Any) -> Any:
         """As `Dataset.slice`; a ``pyvista.PolyData``."""
         return self.data.slice(surface, **settings).to_pyvista()

@@ -56,6 +56,9 @@ struct Unstructured
 	/// Quadratic tetrahedra need one: the tolerance, between 0 and 1, to which cuts refine the cells that they meet.
 	/// Their nodes are shared and never copied, and cells of linear types may stand among them, polyhedra apart.
 	double tolerance = 0.0;
+	/// Cells of one linear type: whether their ids name points is seen by the first cut, in passing, which then is an
+	/// error.
+	bool checks_ids_later = false;
 };
 
 /// A grid of the caller's with its arrays.
@@ -159,7 +162,7 @@ public:
 	/// Shares the caller's arrays. Field arrays are never copied, nor are points of images, rectilinear and curvilinear
 	/// grids but for what is said there. An input error says what does not fit: a size, an id, a type.
 	static Result<Dataset> wrap(std::vector<Block> blocks, Classify classify = Classify::automatic,
-	                            const std::string& device = {});
+	                            const std::string& device = {}, std::stop_token stop = {});
 
 	const char* kind() const; // image, rectilinear, curvilinear, unstructured, block-structured, hybrid
 	std::size_t cellCount() const;
@@ -178,17 +181,19 @@ public:
 	/// Cuts that were made before keep the arrays that they had.
 	Status setFields(std::vector<std::vector<Field>> fields);
 
+	/// Here and below: asked to stop, a call ends soon, with ErrorKind::cancelled, and the data set serves on.
 	Result<Cut> cut(const View& view, std::stop_token stop = {}) const;
 	/// How cut() would go, and why.
 	Result<std::vector<PlanRow>> plan(const View& view) const;
 	/// The probe as it stands in this data set, as the JSON of a probe file (docs/PROBES.md).
 	Result<std::string> probeText(const View& view) const;
 	/// Interpolated as docs/SAMPLING.md says. arrays: "[point:|cell:]NAME"; none: all.
-	Result<Samples> sample(std::span<const Vector3> points, const std::vector<std::string>& arrays = {}) const;
+	Result<Samples> sample(std::span<const Vector3> points, const std::vector<std::string>& arrays = {},
+	                       std::stop_token stop = {}) const;
 
 	/// Draws a cut of this data set. Where the View would cut otherwise, it cuts anew. Opens a Vulkan device at first.
-	Result<Image> render(const Cut& cut, const View& view) const;
-	Result<Image> render(const View& view) const;
+	Result<Image> render(const Cut& cut, const View& view, std::stop_token stop = {}) const;
+	Result<Image> render(const View& view, std::stop_token stop = {}) const;
 
 	/// Cuts frame by frame along the View's path, and draws where `draws`. on_frame returns false to stop early, which
 	/// is no error. With the path `times` the probe stands still, and each frame has the values of one time of the

@@ -1,12 +1,12 @@
 #include "grid/build/adjacency.h"
 
+#include "base/parallel_for.h"
 #include "base/prefetch.h"
 #include "grid/build/face_crowds.h"
 #include "grid/build/face_meetings.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -49,25 +49,25 @@ public:
 		// A face is pushed on the chain of its lowest point; the chain runs through the slots that will hold the
 		// neighbors, so that matching takes four bytes a point and no copy of the faces.
 		heads_ = std::vector<std::atomic<std::uint32_t>>(faces_.points);
-		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.points, 65536),
-		                  [&](const auto& range)
-		                  {
-			                  for (std::size_t p = range.begin(); p < range.end(); ++p)
-				                  heads_[p].store(kNoSlot, std::memory_order_relaxed);
-		                  });
+		parallelFor(tbb::blocked_range<std::size_t>(0, faces_.points, 65536),
+		            [&](const auto& range)
+		            {
+			            for (std::size_t p = range.begin(); p < range.end(); ++p)
+				            heads_[p].store(kNoSlot, std::memory_order_relaxed);
+		            });
 		listPolyhedronOwners();
-		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.cells, 4096),
-		                  [&](const auto& range) { chainFaces(range.begin(), range.end()); });
-		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.points, 2048),
-		                  [&](const auto& range)
-		                  {
-			                  Workspace& work = workspaces_.local();
-			                  for (std::size_t p = range.begin(); p < range.end(); ++p)
-			                  {
-				                  fetchAhead(p);
-				                  matchChain(heads_[p].load(std::memory_order_relaxed), work);
-			                  }
-		                  });
+		parallelFor(tbb::blocked_range<std::size_t>(0, faces_.cells, 4096),
+		            [&](const auto& range) { chainFaces(range.begin(), range.end()); });
+		parallelFor(tbb::blocked_range<std::size_t>(0, faces_.points, 2048),
+		            [&](const auto& range)
+		            {
+			            Workspace& work = workspaces_.local();
+			            for (std::size_t p = range.begin(); p < range.end(); ++p)
+			            {
+				            fetchAhead(p);
+				            matchChain(heads_[p].load(std::memory_order_relaxed), work);
+			            }
+		            });
 		std::vector<std::vector<std::uint32_t>> crowds;
 		for (Workspace& work : workspaces_)
 			std::ranges::move(work.crowds, std::back_inserter(crowds));

@@ -1,9 +1,8 @@
 #include "grid/build/cell_bounds.h"
 
 #include "base/huge_vector.h"
+#include "base/parallel_for.h"
 #include "grid/build/for_ranges.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -75,14 +74,14 @@ Box boxOf(const Points& points, const Number* xyz, std::size_t begin, std::size_
 std::vector<Box> boxesOf(const Points& points, std::size_t count)
 {
 	std::vector<Box> boxes((count + kGrain - 1) / kGrain);
-	tbb::parallel_for(std::size_t(0), boxes.size(),
-	                  [&](std::size_t part)
-	                  {
-		                  const std::size_t begin = part * kGrain;
-		                  const std::size_t end = std::min(begin + kGrain, count);
-		                  boxes[part] = points.isDouble() ? boxOf(points, points.doubles(), begin, end)
-		                                                  : boxOf(points, points.floats(), begin, end);
-	                  });
+	parallelFor(std::size_t(0), boxes.size(),
+	            [&](std::size_t part)
+	            {
+		            const std::size_t begin = part * kGrain;
+		            const std::size_t end = std::min(begin + kGrain, count);
+		            boxes[part] = points.isDouble() ? boxOf(points, points.doubles(), begin, end)
+		                                            : boxOf(points, points.floats(), begin, end);
+	            });
 	return boxes;
 }
 
@@ -162,6 +161,8 @@ Box boundsOfCells(const Points& points, const CellList& cells)
 	}
 	if (is_right)
 		return all;
+	if (!cells.has_checked_ids)
+		checkIds(cells.connectivity, points.size());
 	const HugeVector<std::uint8_t> used = usedPoints(cells, points.size());
 	return boxOf(points, 0, points.size(), [&](std::size_t p) { return used[p] != 0; });
 }

@@ -1,11 +1,11 @@
 #include "grid/build/face_matcher.h"
 
+#include "base/parallel_for.h"
 #include "grid/build/face_corners.h"
 #include "grid/build/hanging_faces.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -108,14 +108,14 @@ public:
 		collect();
 		sortIntoBuckets();
 		tbb::combinable<std::vector<std::pair<std::uint32_t, SeamLink>>> found;
-		tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(candidates_.size()), 1024),
-		                  [&](const auto& range)
-		                  {
-			                  Scratch scratch;
-			                  auto& mine = found.local();
-			                  for (std::uint32_t i = range.begin(); i < range.end(); ++i)
-				                  matchOne(i, scratch, mine);
-		                  });
+		parallelFor(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(candidates_.size()), 1024),
+		            [&](const auto& range)
+		            {
+			            Scratch scratch;
+			            auto& mine = found.local();
+			            for (std::uint32_t i = range.begin(); i < range.end(); ++i)
+				            matchOne(i, scratch, mine);
+		            });
 		std::vector<std::vector<SeamLink>> links(set_.blocks.size());
 		// A candidate finds the matches that come after it, so it may not know that it has one.
 		std::vector<std::vector<BoundaryIndex::Face>> matched(set_.blocks.size());
@@ -171,15 +171,14 @@ private:
 			std::visit(
 			    [&](const auto& grid)
 			    {
-				    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces.size(), 1024),
-				                      [&](const auto& range)
-				                      {
-					                      Scratch scratch;
-					                      for (std::size_t i = range.begin(); i < range.end(); ++i)
-						                      kept[i] =
-						                          describe(grid, b, faces[i], scratch.faces, scratch.mine, all[i]) &&
+				    parallelFor(tbb::blocked_range<std::size_t>(0, faces.size(), 1024),
+				                [&](const auto& range)
+				                {
+					                Scratch scratch;
+					                for (std::size_t i = range.begin(); i < range.end(); ++i)
+						                kept[i] = describe(grid, b, faces[i], scratch.faces, scratch.mine, all[i]) &&
 						                          (others.empty() || nearAny(others, all[i]));
-				                      });
+				                });
 			    },
 			    block.grid);
 			for (std::size_t i = 0; i < faces.size(); ++i)
@@ -206,12 +205,12 @@ private:
 	void sortIntoBuckets()
 	{
 		sorted_.resize(candidates_.size());
-		tbb::parallel_for(std::size_t(0), candidates_.size(),
-		                  [&](std::size_t i)
-		                  {
-			                  const Candidate& c = candidates_[i];
-			                  sorted_[i] = {bucketOf(levelOf(c.edge), c.center), static_cast<std::uint32_t>(i)};
-		                  });
+		parallelFor(std::size_t(0), candidates_.size(),
+		            [&](std::size_t i)
+		            {
+			            const Candidate& c = candidates_[i];
+			            sorted_[i] = {bucketOf(levelOf(c.edge), c.center), static_cast<std::uint32_t>(i)};
+		            });
 		tbb::parallel_sort(sorted_);
 	}
 

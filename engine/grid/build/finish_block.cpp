@@ -103,17 +103,20 @@ void finishBlock(Block& block, bool for_one_cut)
 	    block.grid);
 }
 
-void buildNeighbors(BlockSet& blocks)
+void buildNeighbors(BlockSet& blocks, bool for_one_cut)
 {
-	if (hasNeighbors(blocks))
+	if (for_one_cut ? hasNeighbors(blocks) : isComplete(blocks))
 		return;
 	for (Block& block : blocks.blocks)
 	{
-		if (hasNeighbors(block))
-			continue;
-		const auto& listed = std::get<UnstructuredGrid>(block.grid);
-		block.grid = UnstructuredGrid::build(listed.coordinates(), *listed.list());
-		finishBlock(block);
+		const bool is_listed = !hasNeighbors(block);
+		if (is_listed)
+		{
+			const auto& listed = std::get<UnstructuredGrid>(block.grid);
+			block.grid = UnstructuredGrid::build(listed.coordinates(), *listed.list());
+		}
+		if (is_listed || (!for_one_cut && !block.knows_folds))
+			finishBlock(block);
 	}
 	matchInterfaces(blocks);
 }

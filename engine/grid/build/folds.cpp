@@ -1,5 +1,6 @@
 #include "grid/build/folds.h"
 
+#include "base/parallel_for.h"
 #include "grid/build/edge_boxes.h"
 #include "grid/cell_turn.h"
 #include "grid/record_reader.h"
@@ -7,7 +8,6 @@
 #include "grid/unstructured.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <memory>
@@ -67,14 +67,14 @@ private:
 	std::vector<Count> countChunks() const
 	{
 		std::vector<Count> counts((cells_ + kFoldChunk - 1) / kFoldChunk);
-		tbb::parallel_for(std::size_t(0), counts.size(),
-		                  [&](std::size_t n)
-		                  {
-			                  const auto [begin, end] = chunk(n);
-			                  const Turn* turns = turns_.get();
-			                  counts[n] = {std::count(turns + begin, turns + end, Turn::positive),
-			                               std::count(turns + begin, turns + end, Turn::negative)};
-		                  });
+		parallelFor(std::size_t(0), counts.size(),
+		            [&](std::size_t n)
+		            {
+			            const auto [begin, end] = chunk(n);
+			            const Turn* turns = turns_.get();
+			            counts[n] = {std::count(turns + begin, turns + end, Turn::positive),
+			                         std::count(turns + begin, turns + end, Turn::negative)};
+		            });
 		return counts;
 	}
 
@@ -217,12 +217,12 @@ class PolyhedronTurns
 public:
 	explicit PolyhedronTurns(const UnstructuredGrid& grid) : grid_(grid), centers_(grid.cellCount())
 	{
-		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, centers_.size(), 1024),
-		                  [&](const auto& range)
-		                  {
-			                  for (std::size_t c = range.begin(); c < range.end(); ++c)
-				                  centers_[c] = cellCenter(grid_, static_cast<CellId>(c));
-		                  });
+		parallelFor(tbb::blocked_range<std::size_t>(0, centers_.size(), 1024),
+		            [&](const auto& range)
+		            {
+			            for (std::size_t c = range.begin(); c < range.end(); ++c)
+				            centers_[c] = cellCenter(grid_, static_cast<CellId>(c));
+		            });
 	}
 
 	// Scratch of one thread.
@@ -311,7 +311,7 @@ std::vector<CellId> foldedCells(const CurvilinearGrid& grid)
 {
 	const auto bricks = [&](int axis) { return (grid.cells()[axis] + kBrick[axis] - 1) / kBrick[axis]; };
 	Turns turns(grid.cellCount());
-	tbb::parallel_for(
+	parallelFor(
 	    std::uint32_t(0), bricks(1) * bricks(2),
 	    [&](std::uint32_t row)
 	    {
@@ -327,12 +327,12 @@ std::vector<CellId> foldedCells(const UnstructuredGrid& grid)
 	readRecords(grid,
 	            [&](const auto& reader)
 	            {
-		            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.cellCount(), 4096),
-		                              [&](const auto& range)
-		                              {
-			                              for (std::size_t c = range.begin(); c < range.end(); ++c)
-				                              turns[c] = turnOfRecord(reader, static_cast<CellId>(c));
-		                              });
+		            parallelFor(tbb::blocked_range<std::size_t>(0, grid.cellCount(), 4096),
+		                        [&](const auto& range)
+		                        {
+			                        for (std::size_t c = range.begin(); c < range.end(); ++c)
+				                        turns[c] = turnOfRecord(reader, static_cast<CellId>(c));
+		                        });
 	            });
 	std::vector<CellId> cells = turns.minority();
 	const auto isPolyhedron = [&](CellId c) { return grid.shape(c) == CellShape::polyhedron; };
@@ -340,14 +340,14 @@ std::vector<CellId> foldedCells(const UnstructuredGrid& grid)
 	if (std::ranges::any_of(cells, isPolyhedron))
 		polyhedra.emplace(grid);
 	std::vector<std::uint8_t> sound(cells.size(), 0);
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells.size(), 256),
-	                  [&](const auto& range)
-	                  {
-		                  PolyhedronTurns::Work work;
-		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-			                  sound[i] = isPolyhedron(cells[i]) ? polyhedra->isSound(cells[i], work)
-			                                                    : isSoundAmongNeighbors(grid, turns, cells[i]);
-	                  });
+	parallelFor(tbb::blocked_range<std::size_t>(0, cells.size(), 256),
+	            [&](const auto& range)
+	            {
+		            PolyhedronTurns::Work work;
+		            for (std::size_t i = range.begin(); i < range.end(); ++i)
+			            sound[i] = isPolyhedron(cells[i]) ? polyhedra->isSound(cells[i], work)
+			                                              : isSoundAmongNeighbors(grid, turns, cells[i]);
+	            });
 	std::size_t kept = 0;
 	for (std::size_t i = 0; i < cells.size(); ++i)
 		if (!sound[i])

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "base/parallel_for.h"
+
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <cstddef>
 
@@ -12,12 +13,12 @@ namespace vp::grid
 template <class Body>
 void forRanges(std::size_t count, Body&& body)
 {
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
-	                  [&](const tbb::blocked_range<std::size_t>& range)
-	                  {
-		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-			                  body(i);
-	                  });
+	parallelFor(tbb::blocked_range<std::size_t>(0, count, 4096),
+	            [&](const tbb::blocked_range<std::size_t>& range)
+	            {
+		            for (std::size_t i = range.begin(); i < range.end(); ++i)
+			            body(i);
+	            });
 }
 
 } // namespace vp::grid

@@ -1,11 +1,11 @@
 #include "grid/build/hanging_faces.h"
 
+#include "base/parallel_for.h"
 #include "grid/build/face_corners.h"
 #include "grid/measure.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -36,14 +36,14 @@ public:
 		outline();
 		sortIntoBuckets();
 		tbb::combinable<std::vector<std::pair<std::uint32_t, SeamLink>>> found;
-		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.size(), 1024),
-		                  [&](const auto& range)
-		                  {
-			                  Scratch scratch;
-			                  auto& mine = found.local();
-			                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-				                  matchOne(static_cast<std::uint32_t>(i), scratch, mine);
-		                  });
+		parallelFor(tbb::blocked_range<std::size_t>(0, faces_.size(), 1024),
+		            [&](const auto& range)
+		            {
+			            Scratch scratch;
+			            auto& mine = found.local();
+			            for (std::size_t i = range.begin(); i < range.end(); ++i)
+				            matchOne(static_cast<std::uint32_t>(i), scratch, mine);
+		            });
 		found.combine_each(
 		    [&](const auto& some)
 		    {
@@ -68,19 +68,19 @@ private:
 	void outline()
 	{
 		outlines_.resize(faces_.size());
-		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.size(), 1024),
-		                  [&](const auto& range)
-		                  {
-			                  Scratch scratch;
-			                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-			                  {
-				                  corners(faces_[i], scratch.faces, scratch.small);
-				                  for (const Vec3& corner : scratch.small)
-					                  outlines_[i].box.include(corner);
-				                  const Vec3 size = outlines_[i].box.size();
-				                  outlines_[i].extent = std::max({size.x, size.y, size.z});
-			                  }
-		                  });
+		parallelFor(tbb::blocked_range<std::size_t>(0, faces_.size(), 1024),
+		            [&](const auto& range)
+		            {
+			            Scratch scratch;
+			            for (std::size_t i = range.begin(); i < range.end(); ++i)
+			            {
+				            corners(faces_[i], scratch.faces, scratch.small);
+				            for (const Vec3& corner : scratch.small)
+					            outlines_[i].box.include(corner);
+				            const Vec3 size = outlines_[i].box.size();
+				            outlines_[i].extent = std::max({size.x, size.y, size.z});
+			            }
+		            });
 	}
 
 	// The width of the cubes for faces of this extent: more than it, so that a face lies in two along each axis at

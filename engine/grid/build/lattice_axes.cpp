@@ -1,7 +1,8 @@
 #include "grid/build/lattice_axes.h"
 
+#include "base/parallel_for.h"
+
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <vector>
@@ -33,18 +34,17 @@ Points turned(const CurvilinearGrid& grid, const Number* from, const std::array<
               const std::array<std::size_t, 3>& strides)
 {
 	std::vector<Number> numbers(3 * grid.pointCount());
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, std::size_t(points[1]) * points[2]),
-	                  [&](const auto& range)
-	                  {
-		                  for (std::size_t row = range.begin(); row < range.end(); ++row)
-		                  {
-			                  const Number* at =
-			                      from + 3 * (row % points[1] * strides[1] + row / points[1] * strides[2]);
-			                  Number* to = numbers.data() + 3 * row * points[0];
-			                  for (std::uint32_t i = 0; i < points[0]; ++i, at += 3 * strides[0], to += 3)
-				                  std::copy_n(at, 3, to);
-		                  }
-	                  });
+	parallelFor(tbb::blocked_range<std::size_t>(0, std::size_t(points[1]) * points[2]),
+	            [&](const auto& range)
+	            {
+		            for (std::size_t row = range.begin(); row < range.end(); ++row)
+		            {
+			            const Number* at = from + 3 * (row % points[1] * strides[1] + row / points[1] * strides[2]);
+			            Number* to = numbers.data() + 3 * row * points[0];
+			            for (std::uint32_t i = 0; i < points[0]; ++i, at += 3 * strides[0], to += 3)
+				            std::copy_n(at, 3, to);
+		            }
+	            });
 	return Points(Array<Number>(std::move(numbers)));
 }
 

@@ -1,7 +1,8 @@
 #include "grid/build/morton.h"
 
+#include "base/parallel_for.h"
+
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -50,23 +51,23 @@ void sortDigits(KeyedIds& items, std::uint64_t used, int first)
 		if ((used >> shift & (kDigits - 1)) == 0)
 			continue;
 		const auto digit = [shift](const KeyedId& item) { return item.key >> shift & (kDigits - 1); };
-		tbb::parallel_for(std::size_t(0), chunks,
-		                  [&](std::size_t c)
-		                  {
-			                  places[c].fill(0);
-			                  for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
-				                  ++places[c][digit(items[i])];
-		                  });
+		parallelFor(std::size_t(0), chunks,
+		            [&](std::size_t c)
+		            {
+			            places[c].fill(0);
+			            for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
+				            ++places[c][digit(items[i])];
+		            });
 		std::uint32_t place = 0;
 		for (std::size_t d = 0; d < kDigits; ++d)
 			for (std::size_t c = 0; c < chunks; ++c)
 				place += std::exchange(places[c][d], place);
-		tbb::parallel_for(std::size_t(0), chunks,
-		                  [&](std::size_t c)
-		                  {
-			                  for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
-				                  other[places[c][digit(items[i])]++] = items[i];
-		                  });
+		parallelFor(std::size_t(0), chunks,
+		            [&](std::size_t c)
+		            {
+			            for (std::size_t i = c * chunk; i < std::min(count, (c + 1) * chunk); ++i)
+				            other[places[c][digit(items[i])]++] = items[i];
+		            });
 		std::swap(items, other);
 	}
 }
@@ -88,23 +89,23 @@ bool sortEqualRuns(std::span<KeyedId> items, int first)
 	};
 	const std::size_t chunks = (count + kLongRun - 1) / kLongRun;
 	std::vector<std::size_t> starts(chunks + 1, count); // of runs; found before any is touched
-	tbb::parallel_for(std::size_t(0), chunks,
-	                  [&](std::size_t c) { starts[c] = c == 0 ? 0 : endOfRun(c * kLongRun - 1, count); });
+	parallelFor(std::size_t(0), chunks,
+	            [&](std::size_t c) { starts[c] = c == 0 ? 0 : endOfRun(c * kLongRun - 1, count); });
 	std::atomic<bool> all_short{true};
-	tbb::parallel_for(std::size_t(0), chunks,
-	                  [&](std::size_t c)
-	                  {
-		                  for (std::size_t begin = starts[c]; begin < starts[c + 1];)
-		                  {
-			                  const std::size_t end = endOfRun(begin, starts[c + 1]);
-			                  if (end - begin > kLongRun)
-				                  all_short = false;
-			                  else if (end - begin > 1)
-				                  std::stable_sort(items.begin() + begin, items.begin() + end,
-				                                   [](const KeyedId& a, const KeyedId& b) { return a.key < b.key; });
-			                  begin = end;
-		                  }
-	                  });
+	parallelFor(std::size_t(0), chunks,
+	            [&](std::size_t c)
+	            {
+		            for (std::size_t begin = starts[c]; begin < starts[c + 1];)
+		            {
+			            const std::size_t end = endOfRun(begin, starts[c + 1]);
+			            if (end - begin > kLongRun)
+				            all_short = false;
+			            else if (end - begin > 1)
+				            std::stable_sort(items.begin() + begin, items.begin() + end,
+				                             [](const KeyedId& a, const KeyedId& b) { return a.key < b.key; });
+			            begin = end;
+		            }
+	            });
 	return all_short;
 }
 

@@ -231,6 +231,8 @@ UnstructuredGrid UnstructuredGrid::listed(Points points, CellList cells)
 
 UnstructuredGrid UnstructuredGrid::build(const Points& points, const CellList& cells, std::vector<FaceLink> links)
 {
+	if (!cells.has_checked_ids)
+		checkIds(cells.connectivity, points.size());
 	return UnstructuredBuilder(points, cells).build(links);
 }
 

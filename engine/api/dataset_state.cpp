@@ -1,0 +1,243 @@
+#include "api/border.h"
+#include "api/states.h"
+#include "session/time_steps.h"
+#include "view/validate.h"
+
+#include <algorithm>
+
+namespace vprobe
+{
+
+Result<std::shared_ptr<DatasetState>> DatasetState::of(vp::Result<std::unique_ptr<vp::session::Session>> opened)
+{
+	if (!opened)
+		return publicError(opened.error());
+	auto state = std::make_shared<DatasetState>();
+	state->session = std::move(*opened);
+	return state;
+}
+
+std::shared_ptr<CutBlocks> DatasetState::blocksOfCut()
+{
+	// When the blocks are complete, cells keep their numbers. Before that a copy is cheap, and nothing changes it.
+	if (!vp::grid::isComplete(session->blocks))
+		return std::make_shared<CutBlocks>(std::make_shared<const vp::grid::BlockSet>(session->blocks));
+	std::shared_ptr<CutBlocks> shared = blocks_of_cuts.lock();
+	if (!shared)
+	{
+		shared = std::make_shared<CutBlocks>(
+		    std::shared_ptr<const vp::grid::BlockSet>(shared_from_this(), &session->blocks));
+		blocks_of_cuts = shared;
+	}
+	return shared;
+}
+
+void DatasetState::keepBlocksOfCuts()
+{
+	if (const std::shared_ptr<CutBlocks> shared = blocks_of_cuts.lock())
+	{
+		const std::lock_guard lock(shared->mutex); // nobody reads them now
+		shared->blocks = std::make_shared<const vp::grid::BlockSet>(session->blocks);
+	}
+	blocks_of_cuts.reset();
+	++linking; // such a cut cannot be drawn on the blocks to come
+}
+
+vp::Status DatasetState::moveTo(const vp::read::TimeChoice& time)
+{
+	keepBlocksOfCuts();
+	const vp::Result<bool> moved = vp::session::moveToTime(*session, time, painter ? &*painter : nullptr);
+	if (!moved)
+		return moved.error();
+	forgetValues();
+	return vp::Nothing{};
+}
+
+vp::Status DatasetState::returnToItsTime()
+{
+	if (!moved_to)
+		return vp::Nothing{};
+	if (vp::Status moved = moveTo(session->spec.input.time); !moved)
+		return moved;
+	moved_to.reset();
+	return vp::Nothing{};
+}
+
+vp::Status DatasetState::take(const View& view, bool for_sweep)
+{
+	sweeps = for_sweep;
+	if (!for_sweep || !view.state_->spec.sweep.over_times)
+		if (vp::Status returned = returnToItsTime(); !returned)
+			return returned;
+	vp::view::ViewSpec spec = view.state_->spec;
+	spec.input = session->spec.input;
+	spec.machine.classify = session->spec.machine.classify;
+	spec.machine.device = session->spec.machine.device;
+	if (vp::Status fits = vp::view::validate(spec); !fits)
+		return fits;
+	if (vp::Status one = vp::view::requireOneSurface(spec.probe); !one && spec.sweep == vp::view::SweepSpec())
+		return one;
+	if (vp::Status known = vp::view::refuseGenerations(spec.probe, spec.look.color_by); !known)
+		return known;
+	if (vp::Status resolved = vp::session::resolveAgain(*session, std::move(spec)); !resolved)
+		return resolved;
+	session->finder = session->spec.machine.visited || session->spec.look.color_by == vp::view::ColorBy::generation
+	                      ? vp::find::Finder::traversal
+	                  : session->cutter->usesGpu() ? vp::find::Finder::direct
+	                                               : vp::find::Finder::automatic;
+	session->swept = 0.0;
+	return vp::Nothing{};
+}
+
+vp::Status DatasetState::link(const std::stop_token& stop)
+{
+	if (vp::grid::isComplete(session->blocks))
+		return vp::Nothing{};
+	if (vp::Status built = vp::session::buildNeighbors(*session, stop); !built)
+		return built;
+	++linking;
+	return painter ? painter->takeBlocks() : vp::Nothing{};
+}
+
+vp::Status DatasetState::linkForCut(const std::stop_token& stop)
+{
+	if (vp::grid::isComplete(session->blocks))
+		return vp::Nothing{};
+	session->another_follows = cuts > 0;
+	const vp::Result<vp::find::CutPlan> plan = vp::session::planOf(*session);
+	if (!plan)
+		return plan.error();
+	const bool does_without = vp::grid::hasNeighbors(session->blocks)
+	                              ? cuts == 0 && !sweeps && vp::session::servesOneCut(session->spec)
+	                              : !plan->needs_neighbors;
+	if (does_without && !vp::session::needsNeighbors(session->spec))
+		return vp::Nothing{};
+	return link(stop);
+}
+
+namespace
+{
+
+// As session::cutFrame(), but for the figures: a sheet that is shown or exported needs none. wants_figures: it does.
+vp::Result<vp::session::CutFrame> cutFrame(const vp::session::Session& session, const std::stop_token& stop,
+                                           bool wants_figures)
+{
+	vp::Result<vp::cut::Cut> slice = vp::session::cut(session, nullptr, stop);
+	if (!slice)
+		return slice.error();
+	if (vp::Status told = vp::session::reportWarnings(session, *slice); !told)
+		return told.error();
+	auto sheets = vp::session::statsSince(session, *slice, nullptr, wants_figures);
+	if (!sheets)
+		return sheets.error();
+	if (stop.stop_requested())
+		return vp::Error{vp::ErrorKind::cancelled, "cutting was cancelled"};
+	auto contours =
+	    vp::session::growContours(session, *slice, *sheets, session.spec.look.contour, vp::session::Tell::all);
+	if (!contours)
+		return contours.error();
+	return vp::session::CutFrame{std::move(*slice), std::move(*sheets), std::move(*contours)};
+}
+
+} // namespace
+
+vp::Result<Cut> DatasetState::cut(std::stop_token stop)
+{
+	if (vp::Status linked = linkForCut(stop); !linked)
+		return linked.error();
+	const bool wants_figures = session->spec.probe.vectors.on(); // the flux depends on settings
+	vp::Result<vp::session::CutFrame> frame = cutFrame(*session, stop, wants_figures);
+	session->timeline->takeSections();
+	if (!frame)
+		return frame.error();
+	++cuts;
+	auto state = std::make_shared<Cut::State>();
+	state->device = session->device;
+	state->blocks = frame->slice.refined ? std::make_shared<CutBlocks>(frame->slice.refined) : blocksOfCut();
+	state->frame = std::move(*frame);
+	state->figures.resize(state->frame.sheets.size());
+	if (wants_figures)
+		for (std::size_t s = 0; s < state->figures.size(); ++s)
+			state->figures[s] = state->frame.sheets[s].measure;
+	state->made_by = this;
+	state->linking = linking;
+	state->probe = session->spec.probe;
+	state->contour = session->spec.look.contour;
+	state->color_by = session->spec.look.color_by;
+	return Cut(std::move(state));
+}
+
+vp::Status DatasetState::takeDevice(std::shared_ptr<vp::gpu::Device> callers)
+{
+	target.reset();
+	painter.reset();
+	session->renderer.reset();
+	session->cutter.reset();
+	session->break_even.reset();
+	has_callers_device = callers != nullptr;
+	session->device = std::move(callers);
+	++linking; // cuts may have their polygons on the device before
+	return vp::session::makeCutter(*session);
+}
+
+bool DatasetState::fits(const Cut& cut) const
+{
+	const Cut::State& state = *cut.state_;
+	return state.made_by == this && state.linking == linking && state.probe == session->spec.probe &&
+	       state.contour == session->spec.look.contour && state.color_by == session->spec.look.color_by;
+}
+
+vp::Result<Cut> DatasetState::readyToDraw(const Cut& cut, const std::stop_token& stop)
+{
+	vp::Result<vp::view::ResolvedLook> look = vp::view::resolveLook(session->spec);
+	if (!look)
+		return look.error();
+	if (vp::Status opened = vp::session::drawOn(*session); !opened)
+		return opened.error();
+	if (painter)
+	{
+		if (vp::Status taken = painter->setLook(std::move(*look)); !taken)
+			return taken.error();
+	}
+	else
+	{
+		vp::Result<vp::session::Painter> made = vp::session::Painter::create(*session, std::move(*look));
+		if (!made)
+			return made.error();
+		painter.emplace(std::move(*made));
+	}
+	return fits(cut) ? vp::Result<Cut>(cut) : this->cut(stop);
+}
+
+vp::Error DatasetState::afterFailure(const vp::Error& error)
+{
+	// A lost device is replaced for the next picture. Cells are classified without a device.
+	if (error.kind == vp::ErrorKind::device)
+		if (vp::Status left = takeDevice(nullptr); !left)
+			return left.error();
+	return error;
+}
+
+vp::Result<Image> DatasetState::draw(const Cut& cut, const std::stop_token& stop)
+{
+	const vp::Result<Cut> drawn = readyToDraw(cut, stop);
+	if (!drawn)
+		return drawn.error();
+	const vp::session::CutFrame& frame = drawn->state_->frame;
+	vp::Result<vp::render::Picture> picture = painter->draw(frame.slice, frame.sheets, frame.contours, stop);
+	session->timeline->takeSections();
+	if (!picture)
+		return afterFailure(picture.error());
+	return Image{picture->width, picture->height, std::move(picture->rgba)};
+}
+
+void DatasetState::forgetValues()
+{
+	session->cutter->forgetValues();
+	session->finite_fields = std::make_unique<vp::measure::FiniteFields>();
+	session->launch.fastest.reset();
+	if (painter)
+		painter->forgetScales();
+}
+
+} // namespace vprobe
