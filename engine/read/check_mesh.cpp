@@ -172,7 +172,7 @@ bool checkTypes(const grid::CellList& cells, bool curved)
 		sizes[grid::kQuadraticTetra] = sizes[grid::kLagrangeTetra] = grid::kQuadraticTetraNodes;
 		sizes[kPolyhedron] = -1;
 	}
-	if (areAlike(cells, sizes))
+	if (!cells.offsets.empty() && areAlike(cells, sizes))
 		return true;
 	checkOffsets(cells.offsets, cells.connectivity.size(), "cell");
 	const auto bad_type = [&sizes, types = cells.types.data(), offsets = cells.offsets.data()](std::size_t c)
