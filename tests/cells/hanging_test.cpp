@@ -1,5 +1,6 @@
 // Where cells meet several smaller ones, the sheet goes on: one piece, no gap, no T-junction, and one value on both
 // sides.
+#include "curved_samples.h"
 #include "hyper_tree_samples.h"
 #include "numbered_cells.h"
 
@@ -17,6 +18,8 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLImageDataWriter.h>
 
 #include <cmath>
@@ -304,6 +307,43 @@ TEST(Hanging, TreesAreOneSheet)
 	{
 		const Whole whole = cutWhole(cutter, plane);
 		EXPECT_NEAR(whole.figures.area, 6.0 * glm::length(plane.normal), 1e-12);
+		EXPECT_EQ(whole.figures.components, 1u);
+		expectClosed(whole.mesh, box);
+	}
+}
+
+// The side of a hexahedron that two tetrahedra share is not flat: the hexahedron's polygon takes their vertex on the
+// diagonal, so nothing overlaps and nothing is missing.
+TEST(Hanging, AWarpedSideMeetsTwoTriangles)
+{
+	vtkNew<vtkPoints> points;
+	points->SetDataType(VTK_DOUBLE);
+	for (const double layer : {0.0, 1.0, 2.0})
+		for (int corner = 0; corner < 4; ++corner)
+			points->InsertNextPoint(corner == 1 || corner == 2, corner / 2,
+			                        layer == 1.0 ? 1.0 + (corner % 2 ? -0.2 : 0.2) : layer);
+	vtkNew<vtkUnstructuredGrid> grid;
+	grid->SetPoints(points);
+	grid->Allocate(7);
+	constexpr vtkIdType kBelow[] = {0, 1, 2, 3, 4, 5, 6, 7};
+	grid->InsertNextCell(VTK_HEXAHEDRON, 8, kBelow);
+	constexpr vtkIdType kAbove[][4] = {{4, 5, 6, 10},  {4, 9, 5, 10}, {4, 6, 7, 10},
+	                                   {4, 7, 11, 10}, {4, 8, 9, 10}, {4, 11, 8, 10}};
+	for (const auto& tetrahedron : kAbove)
+		grid->InsertNextCell(VTK_TETRA, 4, tetrahedron);
+	const TemporaryFolder folder;
+	writeGrid(grid, folder / "warped.vtu");
+	const auto set = read::readInputs({folder / "warped.vtu"}, {}, nullptr);
+	ASSERT_TRUE(set) << set.error().message;
+	Box box;
+	box.include(Vec3(0.0));
+	box.include(Vec3(1.0, 1.0, 2.0));
+	cut::Cutter cutter(*set);
+	for (const TestPlane& plane : {TestPlane{{0.5, 0.5, 1.0}, {0, 0, 1}}, TestPlane{{0.5, 0.5, 1.03}, {0.1, 0.05, 1}},
+	                               TestPlane{{0.5, 0.5, 0.97}, {-0.2, 0.15, 1}}})
+	{
+		const Whole whole = cutWhole(cutter, plane);
+		EXPECT_NEAR(whole.figures.area, glm::length(plane.normal), 1e-12);
 		EXPECT_EQ(whole.figures.components, 1u);
 		expectClosed(whole.mesh, box);
 	}
