@@ -106,9 +106,13 @@ TEST(Units, OfOtherFormats)
 		sample->write(folder / name);
 		const grid::Block block = onlyBlockOf(folder / name);
 		if (*array == '\0')
+		{
 			EXPECT_EQ(block.length_units, units) << name;
+		}
 		for (const grid::Field& field : block.fields)
 			if (field.name == array)
+			{
 				EXPECT_EQ(field.units, units) << name;
+			}
 	}
 }
