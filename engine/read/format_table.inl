@@ -54,11 +54,11 @@ VP_FORMAT("tiff", ".tif .tiff", "TIFF stack, also of ImageJ and OME-TIFF", "chan
           alone, head.starts("II*") || head.starts(std::string_view("MM\0*", 4)) || head.starts("II+"), base, Tiff)
 VP_FORMAT("minc", ".mnc", "MINC 1 and 2", "orientation; rescaled values; times; units", "vprobe, HDF5, netCDF", alone,
           head.holds("minc-2.0") || (head.isNetcdf() && head.holds("image") && head.holds("zspace")), more, Minc)
-VP_FORMAT("cam", "", "netCDF of the atmosphere model CAM, with the file of its quads",
-          "layers between quads; times", "VTK", beside, head.holds("ncol") && head.holds("lev") && head.holds("lat"), more,
-          Cam)
-VP_FORMAT("mpas", "", "netCDF of the models MPAS, over the cells of their mesh", "layers of prisms; times", "vprobe, netCDF",
-          alone, head.holds("nCells") && head.holds("verticesOnCell") && head.holds("nVertLevels"), more, Mpas)
+VP_FORMAT("cam", "", "netCDF of the atmosphere model CAM, with the file of its quads", "layers between quads; times",
+          "VTK", beside, head.holds("ncol") && head.holds("lev") && head.holds("lat"), more, Cam)
+VP_FORMAT("mpas", "", "netCDF of the models MPAS, over the cells of their mesh", "layers of prisms; times",
+          "vprobe, netCDF", alone, head.holds("nCells") && head.holds("verticesOnCell") && head.holds("nVertLevels"),
+          more, Mpas)
 VP_FORMAT("netcdf", ".nc .nc4 .cdf", "netCDF, classic and netCDF-4, of the CF conventions",
           "the variables of most dimensions; missing values; times; units", "VTK", alone,
           head.isNetcdf() || head.holds("_NCProperties") || head.holds("Conventions"), more, Netcdf)
@@ -69,13 +69,14 @@ VP_FORMAT("tecplot", ".tec .tp .plt .dat", "Tecplot, text", "ordered and finite-
           "vprobe", alone, head.isTecplot(), base, Tecplot)
 VP_FORMAT("avs-ucd", ".inp .avs .ucd", "AVS UCD, text", "linear cells; node and cell data; units", "vprobe", alone,
           head.isUcd(), base, Ucd)
-VP_FORMAT("avs-ucd-binary", ".inp .avs .ucd", "AVS UCD, binary", "linear cells; node and cell data; units", "vprobe", alone,
-          head.isBinaryUcd(), base, UcdBinary)
+VP_FORMAT("avs-ucd-binary", ".inp .avs .ucd", "AVS UCD, binary", "linear cells; node and cell data; units", "vprobe",
+          alone, head.isBinaryUcd(), base, UcdBinary)
 VP_FORMAT("gambit", ".neu", "GAMBIT neutral file", "linear elements; groups", "vprobe", alone,
           head.has("** GAMBIT NEUTRAL FILE") || (head.has("CONTROL INFO") && head.has("NUMNP")), base, Gambit)
 VP_FORMAT("fluent", ".cas .msh", "Fluent case and mesh, text and binary, with its data file",
           "cell zones; polyhedra; values at cells", "vprobe", beside, head.isFluent(), base, Fluent)
-VP_FORMAT("slc", ".slc", "VolVis volume, plain and packed", "one array; units", "vprobe", alone, head.isSlc(), base, Slc)
+VP_FORMAT("slc", ".slc", "VolVis volume, plain and packed", "one array; units", "vprobe", alone, head.isSlc(), base,
+          Slc)
 VP_FORMAT("segy", ".sgy .segy", "SEG-Y, revisions 0 to 2", "inlines and crosslines; missing traces hidden", "vprobe",
           alone, head.isSegy(), base, Segy)
 VP_FORMAT("ls-dyna", "d3plot", "LS-DYNA d3plot, with the files of its states",
