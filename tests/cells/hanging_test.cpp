@@ -339,8 +339,9 @@ TEST(Hanging, AWarpedSideMeetsTwoTriangles)
 	box.include(Vec3(0.0));
 	box.include(Vec3(1.0, 1.0, 2.0));
 	cut::Cutter cutter(*set);
-	for (const TestPlane& plane : {TestPlane{{0.5, 0.5, 1.0}, {0, 0, 1}}, TestPlane{{0.5, 0.5, 1.03}, {0.1, 0.05, 1}},
-	                               TestPlane{{0.5, 0.5, 0.97}, {-0.2, 0.15, 1}}})
+	// They cut the side once. One that cuts it twice has no answer in a hexahedron alone (vprobe check tells).
+	for (const TestPlane& plane : {TestPlane{{0.5, 0.5, 1.0}, {0.7, 0.2, 1}}, TestPlane{{0.5, 0.5, 1.0}, {0.1, 0.9, 1}},
+	                               TestPlane{{0.5, 0.5, 1.0}, {-0.6, 0.5, 1}}})
 	{
 		const Whole whole = cutWhole(cutter, plane);
 		EXPECT_NEAR(whole.figures.area, glm::length(plane.normal), 1e-12);
