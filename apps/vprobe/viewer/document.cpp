@@ -28,7 +28,10 @@ Document::Document(interact::History<view::ViewSpec> history, std::shared_ptr<gp
 	if (!leftRecoveryFiles().empty())
 		question = Question::recover;
 	if (!state().input.files.empty())
+	{
 		load(state());
+		loads_own_data_ = true;
+	}
 }
 
 Document::~Document()

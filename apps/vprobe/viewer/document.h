@@ -168,6 +168,7 @@ private:
 	std::size_t sheet_ = 0;
 	std::optional<DatasetInfo> facts_;
 	std::optional<view::ViewSpec> loading_; // the state for the data that are being loaded
+	bool loads_own_data_ = false;           // the data of state(), which may change meanwhile
 	std::shared_ptr<const PresentedFrame> shown_;
 	NoticeList notices_;
 	std::optional<Error> lost_device_;

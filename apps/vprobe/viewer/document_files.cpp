@@ -45,6 +45,7 @@ void Document::load(view::ViewSpec next)
 {
 	loader_.begin(next);
 	loading_ = std::move(next);
+	loads_own_data_ = false;
 }
 
 void Document::reload()
@@ -76,7 +77,7 @@ void Document::takeLoaded()
 	// Read again, it is looked at as it is by now.
 	if (again)
 		notify(fmt::format("{} was read again", fmt::join(next.input.files, ", ")));
-	else if (!(state() == next)) // equal: the first state, or one that has outlived its device
+	else if (!loads_own_data_) // those of the first state, or of one that has outlived its device: it goes on
 		history_ = interact::History<view::ViewSpec>(std::move(next));
 	sheet_ = 0;
 	playback_.forgetFilm();
@@ -152,7 +153,7 @@ void Document::keepState()
 interact::History<view::ViewSpec> Document::historyToKeep() const
 {
 	interact::History<view::ViewSpec> kept = history_;
-	if (loading_)
+	if (loading_ && !loads_own_data_)
 		kept.commit(*loading_, "Open");
 	return kept;
 }
