@@ -45,7 +45,7 @@ void writeSlc(const std::string& path, bool packed)
 		std::string plane;
 		for (int j = 0; j < kSamplePoints[1]; ++j)
 			for (int i = 0; i < kSamplePoints[0]; ++i)
-				plane += static_cast<char>(sampleValue(Vec3(i, j, 0.25 * k)));
+				plane += static_cast<char>(static_cast<int>(sampleValue(Vec3(i, j, 0.25 * k))));
 		if (packed)
 			bytes += fmt::format("{} X", plane.size() + 2) + static_cast<char>(0x80 | plane.size()) + plane + '\0';
 		else
