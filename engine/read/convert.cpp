@@ -3,6 +3,7 @@
 #include "base/messages.h"
 #include "read/child.h"
 #include "read/input_limits.h"
+#include "read/manifest.h"
 
 #include <fmt/format.h>
 
