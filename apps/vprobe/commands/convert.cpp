@@ -26,7 +26,10 @@ Result<ExitCode> runConvert(const ConvertOptions& options)
 	if (Status ready = prepare(options.input); !ready)
 		return ready.error();
 	const view::InputSpec& input = options.input.spec.input;
-	if (input.files.size() != 1 || input.files[0].starts_with("demo:"))
+	if (input.files.size() == 1 && input.files[0].starts_with("demo:"))
+		return Error{ErrorKind::usage,
+		             fmt::format("{}: a built-in data set is not converted; name a file", input.files[0])};
+	if (input.files.size() != 1)
 		return Error{ErrorKind::usage, "INPUT: convert takes one file; run it once for each"};
 	if (!read::canConvertTo(options.output))
 		return Error{ErrorKind::usage,
