@@ -22,6 +22,13 @@ bool before(const BlockCell& a, const BlockCell& b)
 	return std::tie(a.block, a.cell) < std::tie(b.block, b.cell);
 }
 
+struct PolygonEdge
+{
+	std::size_t polygon;
+	std::uint32_t from;
+	std::uint32_t to;
+};
+
 // A point of a face and where it lies.
 struct Corner
 {
@@ -44,12 +51,13 @@ public:
 			    seams && !seams->ofCell(mesh_.polygon_cells[p].cell).empty())
 				at_seams_.push_back({mesh_.polygon_cells[p], p});
 		std::ranges::stable_sort(at_seams_, before, &CellPolygon::cell);
-		for (const CellPolygon& polygon : at_seams_)
-			for (const grid::SeamLink& link : seamsOf(polygon.polygon)->ofCell(polygon.cell.cell))
-				if (link.hang == grid::Hang::large)
-					addHanging(polygon, link);
-				else if (link.hang == grid::Hang::none && before(polygon.cell, {link.block, link.other}))
-					addAcross(polygon, link);
+		for (auto first = at_seams_.begin(); first != at_seams_.end();)
+		{
+			const auto last = std::upper_bound(first, at_seams_.end(), *first,
+			                                   [](const auto& a, const auto& b) { return before(a.cell, b.cell); });
+			addCell({first, last});
+			first = last;
+		}
 		return std::move(found_);
 	}
 
@@ -57,6 +65,17 @@ private:
 	const grid::BlockSeams* seamsOf(std::size_t polygon) const
 	{
 		return interfaces_.of(mesh_.polygon_cells[polygon].block);
+	}
+
+	void addCell(std::span<const CellPolygon> polygons)
+	{
+		const BlockCell cell = polygons.front().cell;
+		for (const grid::SeamLink& link : interfaces_.of(cell.block)->ofCell(cell.cell))
+			if (link.hang == grid::Hang::large)
+				addHanging(polygons, link);
+			else if (link.hang == grid::Hang::none && before(cell, {link.block, link.other}))
+				for (const CellPolygon& polygon : polygons)
+					addAcross(polygon, link);
 	}
 
 	void addAcross(const CellPolygon& polygon, const grid::SeamLink& link)
@@ -81,45 +100,53 @@ private:
 	}
 
 	// The vertices of the small cell's polygons that lie on the seam, each on the nearest edge that the large cell's
-	// polygon has there.
-	void addHanging(const CellPolygon& polygon, const grid::SeamLink& link)
+	// polygons have there.
+	void addHanging(std::span<const CellPolygon> polygons, const grid::SeamLink& link)
 	{
 		const std::span<const CellPolygon> others = polygonsAcross(link);
 		if (others.empty())
 			return;
-		const std::vector<Corner> face = corners(polygon.cell.block, link.cell, link.face);
+		const std::vector<Corner> face = corners(polygons.front().cell.block, link.cell, link.face);
 		const std::vector<Corner> small_face = corners(link.block, link.other, link.other_face);
 		edges_.clear();
-		const std::span<const std::uint32_t> vertices = mesh_.polygon(polygon.polygon);
-		for (std::size_t i = 0; i < vertices.size(); ++i)
+		for (const CellPolygon& polygon : polygons)
 		{
-			const std::uint32_t from = vertices[i];
-			const std::uint32_t to = vertices[(i + 1) % vertices.size()];
-			if (liesOn(mesh_.edges[from], face) && liesOn(mesh_.edges[to], face))
-				edges_.emplace_back(from, to);
+			const std::span<const std::uint32_t> vertices = mesh_.polygon(polygon.polygon);
+			for (std::size_t i = 0; i < vertices.size(); ++i)
+			{
+				const std::uint32_t from = vertices[i];
+				const std::uint32_t to = vertices[(i + 1) % vertices.size()];
+				if (liesOn(mesh_.edges[from], face) && liesOn(mesh_.edges[to], face))
+					edges_.push_back({polygon.polygon, from, to});
+			}
 		}
 		for (const CellPolygon& other : others)
 			for (const std::uint32_t w : mesh_.polygon(other.polygon))
 				if (!edges_.empty() && liesOn(mesh_.edges[w], small_face))
-					addToNearest(polygon.polygon, w);
+					addToNearest(w);
 	}
 
-	void addToNearest(std::size_t polygon, std::uint32_t w)
+	void addToNearest(std::uint32_t w)
 	{
+		// A warped side may have vertices beyond the ends of the polygon's edge. They are not these ends.
+		constexpr double kInside = 1e-9;
 		const Vec3 place = mesh_.positions[w];
 		double nearest = std::numeric_limits<double>::infinity();
-		HangingVertex best{w, polygon, 0, 0, 0.0};
-		for (const auto& [from, to] : edges_)
+		HangingVertex best{};
+		for (const PolygonEdge& edge : edges_)
 		{
-			const Vec3 start = mesh_.positions[from];
-			const Vec3 along = mesh_.positions[to] - start;
+			const Vec3 start = mesh_.positions[edge.from];
+			const Vec3 along = mesh_.positions[edge.to] - start;
 			const double square = glm::dot(along, along);
-			const double at = square > 0.0 ? std::clamp(glm::dot(place - start, along) / square, 0.0, 1.0) : 0.0;
-			const double distance = glm::length(start + at * along - place);
+			const double at = square > 0.0 ? glm::dot(place - start, along) / square : 0.0;
+			const double distance = glm::length(start + std::clamp(at, 0.0, 1.0) * along - place);
 			if (!(distance < nearest))
 				continue;
 			nearest = distance;
-			best = {w, polygon, from, to, areOnePlace(from, w) ? 0.0 : areOnePlace(to, w) ? 1.0 : at};
+			best = {w, edge.polygon, edge.from, edge.to,
+			        areOnePlace(edge.from, w) ? 0.0
+			        : areOnePlace(edge.to, w) ? 1.0
+			                                  : std::clamp(at, kInside, 1.0 - kInside)};
 		}
 		found_.hanging.push_back(best);
 	}
@@ -208,7 +235,7 @@ private:
 	const grid::Interfaces& interfaces_;
 	const SheetMesh& mesh_;
 	std::vector<CellPolygon> at_seams_; // ascending by cell
-	std::vector<VertexPair> edges_;     // of the large polygon at hand
+	std::vector<PolygonEdge> edges_;    // of the large cell at hand, on the side at hand
 	SeamVertices found_;
 };
 

@@ -312,9 +312,18 @@ TEST(Hanging, TreesAreOneSheet)
 	}
 }
 
-// The side of a hexahedron that two tetrahedra share is not flat: the hexahedron's polygon takes their vertex on the
-// diagonal, so nothing overlaps and nothing is missing.
-TEST(Hanging, AWarpedSideMeetsTwoTriangles)
+namespace
+{
+
+enum class Cells
+{
+	both,
+	hexahedron,
+	tetrahedra
+};
+
+// A side of a hexahedron is not flat, and two of six tetrahedra share it.
+grid::BlockSet warpedSide(Cells cells = Cells::both)
 {
 	vtkNew<vtkPoints> points;
 	points->SetDataType(VTK_DOUBLE);
@@ -326,20 +335,29 @@ TEST(Hanging, AWarpedSideMeetsTwoTriangles)
 	grid->SetPoints(points);
 	grid->Allocate(7);
 	constexpr vtkIdType kBelow[] = {0, 1, 2, 3, 4, 5, 6, 7};
-	grid->InsertNextCell(VTK_HEXAHEDRON, 8, kBelow);
+	if (cells != Cells::tetrahedra)
+		grid->InsertNextCell(VTK_HEXAHEDRON, 8, kBelow);
 	constexpr vtkIdType kAbove[][4] = {{4, 5, 6, 10},  {4, 9, 5, 10}, {4, 6, 7, 10},
 	                                   {4, 7, 11, 10}, {4, 8, 9, 10}, {4, 11, 8, 10}};
-	for (const auto& tetrahedron : kAbove)
-		grid->InsertNextCell(VTK_TETRA, 4, tetrahedron);
+	if (cells != Cells::hexahedron)
+		for (const auto& tetrahedron : kAbove)
+			grid->InsertNextCell(VTK_TETRA, 4, tetrahedron);
 	const TemporaryFolder folder;
 	writeGrid(grid, folder / "warped.vtu");
-	const auto set = read::readInputs({folder / "warped.vtu"}, {}, nullptr);
-	ASSERT_TRUE(set) << set.error().message;
+	return std::move(*read::readInputs({folder / "warped.vtu"}, {}, nullptr));
+}
+
+} // namespace
+
+// The hexahedron's polygon takes the vertex that the tetrahedra have on the diagonal, so nothing overlaps and nothing
+// is missing.
+TEST(Hanging, AWarpedSideMeetsTwoTriangles)
+{
+	const grid::BlockSet set = warpedSide();
 	Box box;
 	box.include(Vec3(0.0));
 	box.include(Vec3(1.0, 1.0, 2.0));
-	cut::Cutter cutter(*set);
-	// They cut the side once. One that cuts it twice has no answer in a hexahedron alone (vprobe check tells).
+	cut::Cutter cutter(set);
 	for (const TestPlane& plane : {TestPlane{{0.5, 0.5, 1.0}, {0.7, 0.2, 1}}, TestPlane{{0.5, 0.5, 1.0}, {0.1, 0.9, 1}},
 	                               TestPlane{{0.5, 0.5, 1.0}, {-0.6, 0.5, 1}}})
 	{
@@ -347,6 +365,31 @@ TEST(Hanging, AWarpedSideMeetsTwoTriangles)
 		EXPECT_NEAR(whole.figures.area, glm::length(plane.normal), 1e-12);
 		EXPECT_EQ(whole.figures.components, 1u);
 		expectClosed(whole.mesh, box);
+	}
+}
+
+// The hexahedron and the tetrahedra may join the four vertices of a side that is cut twice in different pairs. Each
+// polygon is that of its cell all the same.
+TEST(Hanging, AWarpedSideThatIsCutTwiceLosesNothing)
+{
+	std::vector<grid::BlockSet> sets;
+	for (const Cells cells : {Cells::both, Cells::hexahedron, Cells::tetrahedra})
+		sets.push_back(warpedSide(cells));
+	for (const TestPlane& plane : {TestPlane{{0.5, 0.5, 1.03}, {0.1, 0.05, 1}}, TestPlane{{0.5, 0.5, 1.0}, {0, 0, 1}},
+	                               TestPlane{{0.5, 0.5, 0.95}, {-0.1, 0.02, 1}}})
+	{
+		std::vector<double> areas;
+		std::vector<std::size_t> polygons;
+		for (const grid::BlockSet& set : sets)
+		{
+			cut::Cutter cutter(set);
+			const Whole whole = cutWhole(cutter, plane);
+			areas.push_back(whole.figures.area);
+			polygons.push_back(whole.mesh.polygons());
+		}
+		EXPECT_GT(std::min(areas[1], areas[2]), 0.1);
+		EXPECT_NEAR(areas[0], areas[1] + areas[2], 1e-12);
+		EXPECT_EQ(polygons[0], polygons[1] + polygons[2]);
 	}
 }
 
