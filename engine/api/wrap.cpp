@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace vprobe
 {
@@ -60,23 +59,17 @@ std::uint64_t product(const std::array<std::uint32_t, 3>& n, std::uint32_t less)
 	return std::uint64_t(n[0] - less) * (n[1] - less) * (n[2] - less);
 }
 
-// Whether there are quadratic tetrahedra, which need a tolerance.
-bool takesCurved(const vp::grid::CellList& cells, double tolerance)
+void checkTolerance(const vp::grid::CellList& cells, double tolerance)
 {
-	// By memchr, since a loop over ten million bytes takes as long as half a cut.
-	const std::uint8_t* types = cells.types.data();
-	const void* curved = nullptr;
-	for (const std::uint8_t type : {vp::grid::kQuadraticTetra, vp::grid::kLagrangeTetra})
-		if (!curved)
-			curved = std::memchr(types, type, cells.types.size());
-	if (!curved)
-		return false;
-	if (!vp::read::isTolerance(tolerance) || tolerance < vp::read::kMinTolerance)
-		throw Unusable(
-		    fmt::format("cell {} is a quadratic tetrahedron, and `tolerance` is {}; give one from {} to below "
-		                "1, or cells of linear types",
-		                static_cast<const std::uint8_t*>(curved) - types, tolerance, vp::read::kMinTolerance));
-	return true;
+	if (vp::read::isTolerance(tolerance) && tolerance >= vp::read::kMinTolerance)
+		return;
+	const auto types = cells.types.span();
+	const auto curved = std::ranges::find_if(
+	    types, [](std::uint8_t type) { return type == vp::grid::kQuadraticTetra || type == vp::grid::kLagrangeTetra; });
+	throw Unusable(
+	    fmt::format("cell {} is a quadratic tetrahedron, and `tolerance` is {}; give one from {} to below 1, "
+	                "or cells of linear types",
+	                curved - types.begin(), tolerance, vp::read::kMinTolerance));
 }
 
 // Makes the grid of a block. `points` and `cells` get the number of values that its arrays need.
@@ -148,8 +141,9 @@ struct Wrapper
 				    fmt::format("face_offsets: {} where {} belong", mesh.cells.face_offsets.size(), cells + 1));
 		}
 		mesh.cells.has_checked_ids = !grid.checks_ids_later;
-		mesh.curved = takesCurved(mesh.cells, grid.tolerance);
-		vp::read::checkCells(mesh.cells, mesh.points.size(), mesh.curved);
+		mesh.curved = vp::read::checkCells(mesh.cells, mesh.points.size(), true);
+		if (mesh.curved)
+			checkTolerance(mesh.cells, grid.tolerance);
 		block.mesh = std::move(mesh);
 		tolerance = grid.tolerance;
 	}

@@ -150,13 +150,23 @@ bool areAlike(const grid::CellList& cells, const std::array<int, 256>& sizes)
 	                            std::logical_and<>());
 }
 
-// Returns true if all cells are of one type with a table.
-bool checkTypes(const grid::CellList& cells, bool curved)
+bool isCurvedType(std::uint8_t type)
 {
-	if (cells.offsets.empty() && !curved)
+	return type == grid::kQuadraticTetra || type == grid::kLagrangeTetra;
+}
+
+struct Types
+{
+	bool alike = false; // all of one type with a table
+	bool curved = false;
+};
+
+Types checkTypes(const grid::CellList& cells, bool may_be_curved)
+{
+	if (cells.offsets.empty() && !may_be_curved)
 	{
 		checkAlike(cells);
-		return true;
+		return {true, false};
 	}
 	// Per type: how many points its cells list, 0 for any number, -1 where there may be no such cell.
 	std::array<int, 256> sizes;
@@ -165,17 +175,19 @@ bool checkTypes(const grid::CellList& cells, bool curved)
 		const auto type = static_cast<std::uint8_t>(t);
 		const int dimension = cellDimension(type);
 		const bool may_be = canBeSliced(type) || (dimension >= 0 && dimension < 3);
-		sizes[t] = may_be ? slicedCellSize(type) : -1;
+		sizes[t] = may_be_curved && isCurvedType(type) ? grid::kQuadraticTetraNodes
+		           : may_be                            ? slicedCellSize(type)
+		                                               : -1;
 	}
-	if (curved)
-	{
-		sizes[grid::kQuadraticTetra] = sizes[grid::kLagrangeTetra] = grid::kQuadraticTetraNodes;
-		sizes[kPolyhedron] = -1;
-	}
+	const std::uint8_t* types = cells.types.data();
 	if (!cells.offsets.empty() && areAlike(cells, sizes))
-		return true;
+		return {true, isCurvedType(types[0])};
+	const bool curved =
+	    may_be_curved && firstWhere(cells.size(), [=](std::size_t c) { return isCurvedType(types[c]); }) != kNone;
+	if (curved)
+		sizes[kPolyhedron] = -1;
 	checkOffsets(cells.offsets, cells.connectivity.size(), "cell");
-	const auto bad_type = [&sizes, types = cells.types.data(), offsets = cells.offsets.data()](std::size_t c)
+	const auto bad_type = [&sizes, types, offsets = cells.offsets.data()](std::size_t c)
 	{
 		const int wanted = sizes[types[c]];
 		return (wanted != 0) & (offsets[c + 1] - offsets[c] != wanted);
@@ -183,16 +195,16 @@ bool checkTypes(const grid::CellList& cells, bool curved)
 	if (const std::size_t bad = firstWhere(cells.types.size(), bad_type); bad != kNone)
 		throw Unusable(fmt::format("cell {} of type {} lists {} points", bad, cells.types[bad],
 		                           cells.offsets[bad + 1] - cells.offsets[bad]));
-	return false;
+	return {false, curved};
 }
 
 } // namespace
 
-void checkCells(grid::CellList& cells, std::size_t points, bool curved)
+bool checkCells(grid::CellList& cells, std::size_t points, bool may_be_curved)
 {
-	const bool alike = checkTypes(cells, curved);
+	const auto [alike, curved] = checkTypes(cells, may_be_curved);
 	if (!cells.has_checked_ids && alike && !curved)
-		return;
+		return false;
 	try
 	{
 		grid::checkIds(cells.connectivity, points);
@@ -203,14 +215,14 @@ void checkCells(grid::CellList& cells, std::size_t points, bool curved)
 	}
 	cells.has_checked_ids = true;
 	if (alike && cells.face_offsets.empty())
-		return;
+		return curved;
 
 	const auto is_polyhedron = [types = cells.types.data()](std::size_t c) { return types[c] == kPolyhedron; };
 	if (cells.face_offsets.empty())
 	{
 		if (firstWhere(cells.types.size(), is_polyhedron) != kNone)
 			throw Unusable("polyhedra without faces");
-		return;
+		return curved;
 	}
 	checkOffsets(cells.face_offsets, cells.face_stream.size(), "face");
 	const auto bad_faces = [&](std::size_t c)
@@ -221,6 +233,7 @@ void checkCells(grid::CellList& cells, std::size_t points, bool curved)
 	};
 	if (const std::size_t bad = firstWhere(cells.types.size(), bad_faces); bad != kNone)
 		throw Unusable(fmt::format("the faces of polyhedron {} do not make sense", bad));
+	return curved;
 }
 
 void checkLattice(const grid::Lattice& lattice, std::size_t points, const grid::CellList& cells)

@@ -29,9 +29,9 @@ inline bool isPlace(double coordinate)
 // These throw Unusable. The sizes of the arrays are checked already; their contents are not trusted.
 void checkCoordinates(const grid::Points& points);
 void checkAxis(const Array<double>& axis);
-// curved: cells may be those of grid::CurvedCells. Where has_checked_ids is false, and the cells are alike and not
-// curved, ids are left to the first pass over the cells.
-void checkCells(grid::CellList& cells, std::size_t points, bool curved = false);
+// may_be_curved: cells may be those of grid::CurvedCells. Returns whether some are curved. Where has_checked_ids is
+// false, and the cells are alike and not curved, ids are left to the first pass over the cells.
+bool checkCells(grid::CellList& cells, std::size_t points, bool may_be_curved = false);
 // Checks that the cells can be those of a lattice, where hidden cells are empty.
 void checkLattice(const grid::Lattice& lattice, std::size_t points, const grid::CellList& cells);
 void checkPolygons(const grid::PatchPolygons& polygons);
