@@ -67,8 +67,11 @@ TEST(OneCut, FindsWhatATraversalFindsInCurvilinearGrids)
 // Rows longer than a word of 64 bits, and exactly as long.
 TEST(OneCut, ASeedForEveryRun)
 {
-	for (const int n : {63, 64, 65, 130})
+	Taken taken;
+	for (const int n : {64, 63, 65, 130})
 	{
+		if (!taken.next())
+			continue;
 		const grid::BlockSet set = std::move(*grid::makeDemo("shell", n));
 		const auto& grid = std::get<grid::CurvilinearGrid>(set.blocks[0].grid);
 		const TestPlane asked{set.bounds().center(), {0.3, 0.5, 0.81}};

@@ -1,6 +1,7 @@
 // Plain VTK XML files are read without VTK: to the same blocks, bit by bit, as with it.
 #include "handed_over.h"
 #include "sample_files.h"
+#include "tries.h"
 
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
@@ -168,6 +169,7 @@ TEST_P(QuickXml, GivesWhatVtkGives)
 {
 	using Writer = vtkXMLWriterBase;
 	const vtkSmartPointer<vtkDataSet> data = dataOf(GetParam());
+	Taken taken;
 	for (const Way& way : {Way{Writer::Appended, false, Writer::NONE, Writer::UInt32, Writer::Int64},
 	                       Way{Writer::Appended, false, Writer::NONE, Writer::UInt64, Writer::Int32},
 	                       Way{Writer::Appended, false, Writer::ZLIB, Writer::UInt64, Writer::Int32},
@@ -180,6 +182,8 @@ TEST_P(QuickXml, GivesWhatVtkGives)
 	                       Way{Writer::Binary, false, Writer::ZLIB, Writer::UInt32, Writer::Int32},
 	                       Way{Writer::Binary, false, Writer::LZ4, Writer::UInt64, Writer::Int64}})
 	{
+		if (!taken.next())
+			continue;
 		SCOPED_TRACE(testing::Message() << "mode " << way.mode << way.encoded << ", compressor " << way.compressor
 		                                << ", header " << way.header << ", ids " << way.ids);
 		const std::string path = folder_ / "a.vtx";
@@ -245,7 +249,7 @@ TEST_P(QuickXml, IsRefusedAsByVtkWhereItIsDamaged)
 		writeXml(data, path, {vtkXMLWriterBase::Appended, false, compressor, 32, 64});
 		const std::string whole = contentsOf(path);
 		const std::size_t head = whole.find("<AppendedData");
-		for (int i = 0; i < 8; ++i)
+		for (int i = 8 - tries(8); i < 8; ++i)
 		{
 			std::string text = whole;
 			const bool in_head = i % 2 == 0;

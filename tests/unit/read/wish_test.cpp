@@ -1,5 +1,6 @@
 #include "name_of_sample.h"
 #include "read/read.h"
+#include "tries.h"
 
 #include <gtest/gtest.h>
 
@@ -60,4 +61,6 @@ TEST_P(EachFormatWithAWish, GivesTheArraysOfThatName)
 	}
 }
 
-INSTANTIATE_TEST_SUITE_P(Read, EachFormatWithAWish, testing::Range(std::size_t(0), sampleFiles().size()), nameOfSample);
+INSTANTIATE_TEST_SUITE_P(Read, EachFormatWithAWish,
+                         testing::Range(std::size_t(0), sampleFiles().size(), std::size_t(takeParameterEvery())),
+                         nameOfSample);

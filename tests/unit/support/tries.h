@@ -23,4 +23,20 @@ inline int tries(int full)
 	return (full + tryEvery() - 1) / tryEvery();
 }
 
+/// Of cases that are counted in a test: whether the next one is tried.
+class Taken
+{
+public:
+	bool next() { return count_++ % tryEvery() == 0; }
+
+private:
+	int count_ = 0;
+};
+
+/// For tests that are made of many parameters, of which each takes long: every one, or every third with sanitizers.
+inline int takeParameterEvery()
+{
+	return tryEvery() == 1 ? 1 : 3;
+}
+
 } // namespace vp::test
