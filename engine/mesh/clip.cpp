@@ -71,70 +71,137 @@ private:
 	}
 	bool findOutside(std::size_t begin, std::size_t end)
 	{
-		// Copies, that what is written cannot be thought to change what is read.
+		// Those of a window are two pairs that face each other: one product tells of both.
+		const auto faceEachOther = [&](std::size_t a, std::size_t b) { return sides_[a].axis == -sides_[b].axis; };
+		if (sides_.size() == 4 && faceEachOther(0, 1) && faceEachOther(2, 3))
+			return findOutside(begin, end,
+			                   [x = sides_[0].axis, y = sides_[2].axis, x0 = sides_[0].least, x1 = -sides_[1].least,
+			                    y0 = sides_[2].least, y1 = -sides_[3].least](const Vec3& way)
+			                   {
+				                   const double along_x = glm::dot(way, x);
+				                   const double along_y = glm::dot(way, y);
+				                   return static_cast<unsigned>(along_x < x0) |
+				                          static_cast<unsigned>(along_x > x1) << 1 |
+				                          static_cast<unsigned>(along_y < y0) << 2 |
+				                          static_cast<unsigned>(along_y > y1) << 3;
+			                   });
 		std::array<ClipSide, kMaxClipSides> sides;
 		std::ranges::copy(sides_, sides.begin());
-		const std::size_t count = sides_.size();
+		return findOutside(begin, end,
+		                   [sides, count = sides_.size()](const Vec3& way)
+		                   {
+			                   unsigned outside = 0;
+			                   for (std::size_t side = 0; side < count; ++side)
+				                   outside |= static_cast<unsigned>(glm::dot(way, sides[side].axis) < sides[side].least)
+				                              << side;
+			                   return outside;
+		                   });
+	}
+	// outsideOf(way from the origin): the bits.
+	template <class OutsideOf>
+	bool findOutside(std::size_t begin, std::size_t end, OutsideOf outsideOf)
+	{
+		// Copies, that what is written cannot be thought to change what is read.
 		const Vec3 origin = origin_;
 		const Vec3* positions = mesh_.positions.data();
 		std::uint8_t* outside = outside_.data();
 		unsigned found = 0;
 		for (std::size_t v = begin; v < end; ++v)
 		{
-			const Vec3 way = positions[v] - origin;
-			unsigned of_vertex = 0;
-			for (std::size_t side = 0; side < count; ++side)
-				of_vertex |= static_cast<unsigned>(glm::dot(way, sides[side].axis) - sides[side].least < 0.0) << side;
+			const unsigned of_vertex = outsideOf(positions[v] - origin);
 			outside[v] = static_cast<std::uint8_t>(of_vertex);
 			found |= of_vertex;
 		}
 		return found != 0;
 	}
 
+	// Polygons that lie within all sides move down as they are, all between two others at once.
 	void takePolygons()
 	{
-		RawVector<std::uint32_t> starts;
-		RawVector<std::uint32_t> vertices;
-		starts.resize(mesh_.polygon_starts.size());
-		starts[0] = 0;
-		vertices.resize(mesh_.polygon_vertices.size());
-		std::size_t corners = 0;
-		std::size_t kept = 0;
-		const std::size_t of_cells = mesh_.polygons() - mesh_.boundary_polygons;
-		for (std::size_t p = 0; p < mesh_.polygons(); ++p)
+		RawVector<std::uint32_t> starts = std::move(mesh_.polygon_starts);
+		RawVector<std::uint32_t> vertices = std::move(mesh_.polygon_vertices);
+		const std::size_t count = mesh_.polygons();
+		const std::size_t of_cells = count - mesh_.boundary_polygons;
+		mesh_.polygon_starts.resize(count + 1);
+		mesh_.polygon_starts[0] = 0;
+		mesh_.polygon_vertices.resize(vertices.size());
+		for (std::size_t p = 0; p < count;)
 		{
-			const std::span<const std::uint32_t> part = partOf(mesh_.polygon(p));
-			if (part.empty())
-			{
-				mesh_.boundary_polygons -= p >= of_cells;
-				continue;
-			}
-			if (corners + part.size() > vertices.size()) // a polygon may get corners on the rim
-				vertices.resize(2 * (corners + part.size()));
-			for (const std::uint32_t v : part)
-				vertices[corners++] = v;
-			mesh_.polygon_cells[kept++] = mesh_.polygon_cells[p];
-			starts[kept] = static_cast<std::uint32_t>(corners);
+			const std::size_t next = firstOutside(vertices, starts, p);
+			keep(starts, vertices, p, next);
+			for (p = next; p < count && isAnyOutside(vertices, starts[p], starts[p + 1]); ++p)
+				if (!takePart(std::span(vertices).subspan(starts[p], starts[p + 1] - starts[p]), p))
+					mesh_.boundary_polygons -= p >= of_cells;
 		}
-		vertices.resize(corners);
-		starts.resize(kept + 1);
-		mesh_.polygon_cells.resize(kept);
-		mesh_.polygon_starts = std::move(starts);
-		mesh_.polygon_vertices = std::move(vertices);
+		mesh_.polygon_vertices.resize(corners_kept_);
+		mesh_.polygon_starts.resize(kept_ + 1);
+		mesh_.polygon_cells.resize(kept_);
 	}
 
-	// What is left of a polygon; nothing where that is no polygon.
-	std::span<const std::uint32_t> partOf(std::span<const std::uint32_t> polygon)
+	bool isAnyOutside(const RawVector<std::uint32_t>& vertices, std::size_t begin, std::size_t end) const
 	{
 		unsigned any = 0;
+		for (std::size_t corner = begin; corner < end; ++corner)
+			any |= outside_[vertices[corner]];
+		return any != 0;
+	}
+	// Returns the first polygon from `p` on that has a vertex outside, or how many there are.
+	std::size_t firstOutside(const RawVector<std::uint32_t>& vertices, const RawVector<std::uint32_t>& starts,
+	                         std::size_t p) const
+	{
+		constexpr std::size_t kAtOnce = 8; // polygons
+		const std::size_t count = mesh_.polygons();
+		while (p + kAtOnce <= count && !isAnyOutside(vertices, starts[p], starts[p + kAtOnce]))
+			p += kAtOnce;
+		while (p < count && !isAnyOutside(vertices, starts[p], starts[p + 1]))
+			++p;
+		return p;
+	}
+
+	// Takes the polygons [begin, end) whole.
+	void keep(const RawVector<std::uint32_t>& starts, const RawVector<std::uint32_t>& vertices, std::size_t begin,
+	          std::size_t end)
+	{
+		const std::size_t first = starts[begin];
+		const std::size_t corners = starts[end] - first;
+		makeRoom(corners);
+		std::copy_n(vertices.begin() + static_cast<std::ptrdiff_t>(first), corners,
+		            mesh_.polygon_vertices.begin() + static_cast<std::ptrdiff_t>(corners_kept_));
+		std::uint32_t* to = mesh_.polygon_starts.data() + kept_;
+		const auto moved = static_cast<std::uint32_t>(corners_kept_ - first); // modulo 2^32
+		for (std::size_t p = begin; p < end; ++p)
+			*++to = starts[p + 1] + moved;
+		std::copy_n(mesh_.polygon_cells.begin() + static_cast<std::ptrdiff_t>(begin), end - begin,
+		            mesh_.polygon_cells.begin() + static_cast<std::ptrdiff_t>(kept_));
+		kept_ += end - begin;
+		corners_kept_ += corners;
+	}
+	// Takes what is left of a polygon. Returns false where that is nothing.
+	bool takePart(std::span<const std::uint32_t> polygon, std::size_t p)
+	{
+		const std::span<const std::uint32_t> part = partOf(polygon);
+		if (part.empty())
+			return false;
+		makeRoom(part.size());
+		std::ranges::copy(part, mesh_.polygon_vertices.begin() + static_cast<std::ptrdiff_t>(corners_kept_));
+		corners_kept_ += part.size();
+		mesh_.polygon_cells[kept_++] = mesh_.polygon_cells[p];
+		mesh_.polygon_starts[kept_] = static_cast<std::uint32_t>(corners_kept_);
+		return true;
+	}
+	// A polygon may get corners on the rim.
+	void makeRoom(std::size_t corners)
+	{
+		if (corners_kept_ + corners > mesh_.polygon_vertices.size())
+			mesh_.polygon_vertices.resize(2 * (corners_kept_ + corners));
+	}
+
+	// What is left of a polygon with vertices outside; nothing where that is no polygon.
+	std::span<const std::uint32_t> partOf(std::span<const std::uint32_t> polygon)
+	{
 		unsigned all = ~0u;
 		for (const std::uint32_t v : polygon)
-		{
-			any |= outside_[v];
 			all &= outside_[v];
-		}
-		if (any == 0)
-			return polygon;
 		if (all != 0)
 			return {};
 		part_.assign(polygon.begin(), polygon.end());
@@ -251,6 +318,8 @@ private:
 	std::vector<Cut> made_;           // per vertex from first_made_
 	std::vector<std::uint32_t> part_;
 	std::vector<std::uint32_t> whole_; // what part_ is clipped from
+	std::size_t kept_ = 0;             // polygons that are there so far
+	std::size_t corners_kept_ = 0;
 };
 
 } // namespace

@@ -1,5 +1,8 @@
 #include "mesh/sheet_mesh.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace vp::mesh
 {
 
@@ -36,27 +39,35 @@ void addShares(const SheetMesh& mesh, std::uint32_t vertex, double weight, std::
 void dropUnusedVertices(SheetMesh& mesh)
 {
 	constexpr std::uint32_t kUnused = 0xFFFFFFFFu;
-	std::vector<std::uint32_t> number(mesh.positions.size(), kUnused);
+	const std::size_t vertices = mesh.positions.size();
+	std::vector<char> is_used(vertices, 0);
 	for (const std::uint32_t v : mesh.polygon_vertices)
-		number[v] = 0;
+		is_used[v] = 1;
+	std::vector<std::uint32_t> number(vertices, kUnused);
 	std::uint32_t used = 0;
-	std::uint32_t used_edges = 0;
+	std::size_t used_edges = 0;
 	std::vector<std::uint32_t> rim_starts{0};
 	std::vector<PointShare> rim_shares;
-	for (std::size_t v = 0; v < number.size(); ++v)
+	// Most are used, so runs of them move at once.
+	for (auto begin = is_used.begin(); (begin = std::find(begin, is_used.end(), 1)) != is_used.end();)
 	{
-		if (number[v] == kUnused)
-			continue;
-		mesh.positions[used] = mesh.positions[v];
-		if (v < mesh.edges.size())
-			mesh.edges[used_edges++] = mesh.edges[v];
-		else
+		const auto end = std::find(begin, is_used.end(), 0);
+		const auto from = static_cast<std::size_t>(begin - is_used.begin());
+		const auto to = static_cast<std::size_t>(end - is_used.begin());
+		std::iota(number.begin() + (begin - is_used.begin()), number.begin() + (end - is_used.begin()), used);
+		std::copy_n(mesh.positions.data() + from, to - from, mesh.positions.data() + used);
+		used += static_cast<std::uint32_t>(to - from);
+		const std::size_t first_edge = std::min(from, mesh.edges.size());
+		const std::size_t edges = std::min(to, mesh.edges.size()) - first_edge;
+		std::copy_n(mesh.edges.data() + first_edge, edges, mesh.edges.data() + used_edges);
+		used_edges += edges;
+		for (std::size_t v = from + edges; v < to; ++v)
 		{
 			const auto shares = mesh.rimShares(v);
 			rim_shares.insert(rim_shares.end(), shares.begin(), shares.end());
 			rim_starts.push_back(static_cast<std::uint32_t>(rim_shares.size()));
 		}
-		number[v] = used++;
+		begin = end;
 	}
 	mesh.positions.resize(used);
 	mesh.edges.resize(used_edges);
