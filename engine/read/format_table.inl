@@ -59,6 +59,9 @@ VP_FORMAT("cam", "", "netCDF of the atmosphere model CAM, with the file of its q
 VP_FORMAT("mpas", "", "netCDF of the models MPAS, over the cells of their mesh", "layers of prisms; times",
           "vprobe, netCDF", alone, head.holds("nCells") && head.holds("verticesOnCell") && head.holds("nVertLevels"),
           more, Mpas)
+VP_FORMAT("slac", ".ncdf", "SLAC meshes of accelerators (netCDF), with a file of modes",
+          "volumes of tetrahedra; modes at points; time", "vprobe, netCDF", beside,
+          head.holds("tetrahedron_exterior") || head.holds("tetrahedron_interior"), more, Slac)
 VP_FORMAT("netcdf", ".nc .nc4 .cdf", "netCDF, classic and netCDF-4, of the CF conventions",
           "the variables of most dimensions; missing values; times; units", "VTK", alone,
           head.isNetcdf() || head.holds("_NCProperties") || head.holds("Conventions"), more, Netcdf)
@@ -73,14 +76,27 @@ VP_FORMAT("avs-ucd-binary", ".inp .avs .ucd", "AVS UCD, binary", "linear cells; 
           alone, head.isBinaryUcd(), base, UcdBinary)
 VP_FORMAT("gambit", ".neu", "GAMBIT neutral file", "linear elements; groups", "vprobe", alone,
           head.has("** GAMBIT NEUTRAL FILE") || (head.has("CONTROL INFO") && head.has("NUMNP")), base, Gambit)
-VP_FORMAT("fluent", ".cas .msh", "Fluent case and mesh, text and binary, with its data file",
-          "cell zones; polyhedra; values at cells", "vprobe", beside, head.isFluent(), base, Fluent)
+VP_FORMAT("fluent", ".cas .cas.gz .msh", "Fluent case and mesh, text and binary, with its data file",
+          "cell zones; polyhedra; values at cells", "vprobe", beside,
+          head.isFluent() || (head.starts("\x1f\x8b") && head.ends({".cas.gz", ".msh.gz"})), base, Fluent)
 VP_FORMAT("slc", ".slc", "VolVis volume, plain and packed", "one array; units", "vprobe", alone, head.isSlc(), base,
           Slc)
 VP_FORMAT("segy", ".sgy .segy", "SEG-Y, revisions 0 to 2", "inlines and crosslines; missing traces hidden", "vprobe",
           alone, head.isSegy(), base, Segy)
 VP_FORMAT("ls-dyna", "d3plot", "LS-DYNA d3plot, with the files of its states",
           "solids and thick shells; deleted elements hidden; times", "vprobe", beside, head.isD3plot(), base, Lsdyna)
+VP_FORMAT("fluent-hdf5", ".cas.h5", "Fluent case in HDF5, with its data file", "cell zones; polyhedra; values at cells",
+          "vprobe, HDF5", beside, head.holds("meshes") && head.holds("settings"), more, FluentHdf5)
+VP_FORMAT("converge", ".h5", "CONVERGE CFD results (HDF5)", "streams; polyhedra; values at cells; time", "vprobe, HDF5",
+          alone, head.holds("BOUNDARIES") && head.holdsLike("STREAM_"), more, Converge)
+VP_FORMAT("flash", "", "FLASH plot and checkpoint files (HDF5)", "leaf blocks of AMR; values at cells; time",
+          "vprobe, HDF5", alone, head.holds("gid") && head.holds("unknown names"), more, Flash)
+VP_FORMAT("velodyne", ".xamr", "Velodyne results (HDF5)", "leaf boxes of AMR; values at cells; time", "vprobe, HDF5",
+          alone, head.holds("AMR"), more, Velodyne)
+VP_FORMAT("enzo", ".hierarchy", "Enzo data, with the HDF5 files of its grids", "AMR levels; values at cells; time",
+          "vprobe, HDF5", beside, head.has("GridStartIndex") && head.has("GridLeftEdge"), more, Enzo)
+VP_FORMAT("mfix", ".res", "MFIX case, with its files of values", "boxes and sectors; blanked cells; times; units",
+          "vprobe", beside, head.starts("RES = "), base, Mfix)
 VP_FORMAT("xdmf", ".xdmf .xmf", "XDMF 2 and 3, with HDF5, binary and inline data",
           "lattices and unstructured grids; polyhedra; collections in space and time", "vprobe, HDF5", beside,
           head.has("<Xdmf"), more, Xdmf)
