@@ -1,5 +1,5 @@
-// Files of the code FLASH, by a parser of our own: VTK's takes the sides of arrays as they come, and shows the coarse
-// blocks below the fine ones too. Leaves of the tree of blocks are read; they do not overlap.
+// Files of the code FLASH, by a parser of our own: VTK's takes the sides of arrays as they come. Leaves of the tree of
+// blocks are read; they do not overlap.
 #include "cell_boxes.h"
 #include "formats.h"
 #include "hdf5_file.h"

@@ -3,6 +3,7 @@
 #include "formats.h"
 #include "manifest_writer.h"
 #include "netcdf_size.h"
+#include "netcdf_volumes.h"
 #include "refusal.h"
 #include "time_choice.h"
 #include "zarr_check.h"
@@ -27,7 +28,7 @@ namespace
 
 // The dimensions of variables, as VTK writes them "(time, z, y, x)": the longest list has the volumes. Variables of
 // other dimensions would be a second grid in the same place.
-std::string mostDimensions(vtkNetCDFCFReader& reader, ManifestWriter& manifest)
+std::string mostDimensions(vtkNetCDFCFReader& reader, bool has_groups, ManifestWriter& manifest)
 {
 	std::string most;
 	const auto lengthOf = [](const std::string& list) { return std::count(list.begin(), list.end(), ','); };
@@ -36,7 +37,10 @@ std::string mostDimensions(vtkNetCDFCFReader& reader, ManifestWriter& manifest)
 		if (const std::string list = lists->GetValue(i); most.empty() || lengthOf(list) > lengthOf(most))
 			most = list;
 	if (lengthOf(most) < 2)
-		throw Refusal("nothing to slice: no variable with three dimensions");
+		throw Refusal(has_groups
+		                  ? "nothing to slice: no variable with three dimensions at its root; groups of netCDF-4 "
+		                    "are not read, ncks -G : takes them there"
+		                  : "nothing to slice: no variable with three dimensions");
 	for (vtkIdType i = 0; i < lists->GetNumberOfValues(); ++i)
 		if (const std::string list = lists->GetValue(i); list != most && lengthOf(list) == lengthOf(most))
 			manifest.warn(fmt::format("variables over {} are left out; those over {} are read", list, most));
@@ -76,6 +80,7 @@ void addUnits(vtkNetCDFCFReader& reader, vtkFieldData* fields)
 // `name`: of a file, or an address that the netCDF library opens.
 void readByConventions(const std::string& name, const Request& request, ManifestWriter& manifest)
 {
+	NetcdfVolumes volumes = netcdfVolumes(name);
 	vtkNew<vtkNetCDFCFReader> reader;
 	if (!reader->CanReadFile(name.c_str()))
 		throw damaged("netCDF cannot open it");
@@ -84,8 +89,29 @@ void readByConventions(const std::string& name, const Request& request, Manifest
 	reader->ReplaceFillValueWithNanOn();
 	reader->UpdateMetaData();
 	refuseOnComplaint();
-	reader->SetDimensions(mostDimensions(*reader, manifest).c_str());
-	updateAtTime(*reader, request, manifest);
+	const std::string most = mostDimensions(*reader, volumes.has_groups, manifest);
+	const auto isElsewhere = [&](const NetcdfVolume& volume) { return volume.dimensions != most; };
+	std::erase_if(volumes.unread, isElsewhere);
+	std::erase_if(volumes.whole, isElsewhere);
+	reader->SetDimensions(most.c_str());
+	for (const NetcdfVolume& variable : volumes.unread)
+	{
+		reader->SetVariableArrayStatus(variable.name.c_str(), 0);
+		manifest.warn(fmt::format("{} holds no numbers and is left out", variable.name));
+	}
+	for (const NetcdfVolume& variable : volumes.whole)
+		reader->SetVariableArrayStatus(variable.name.c_str(), 0);
+	std::optional<double> time;
+	try
+	{
+		time = updateAtTime(*reader, request, manifest);
+	}
+	catch (const Refusal& refusal)
+	{
+		if (std::string_view(refusal.what()).find("More than 3 dims without time") != std::string_view::npos)
+			throw Refusal("a variable of four dimensions of which the first is no time; ncpdq -a puts that first");
+		throw;
+	}
 	auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
 	if (!data)
 		throw damaged("no data set was found");
@@ -93,6 +119,7 @@ void readByConventions(const std::string& name, const Request& request, Manifest
 	markMissing(data->GetCellData());
 	addUnits(*reader, data->GetPointData());
 	addUnits(*reader, data->GetCellData());
+	addWholeNumbers(name, volumes.whole, time, data);
 	manifest.add(data);
 }
 

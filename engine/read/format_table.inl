@@ -41,17 +41,21 @@ VP_FORMAT("npz", ".npz", "NumPy archive, stored or deflated", "arrays of one sha
           head.ends({".npz"}) && head.starts("PK"), base, Npz)
 VP_FORMAT("gmsh", ".msh", "Gmsh mesh, versions 2 and 4, text and binary",
           "elements up to order 2; physical groups; node and element data; times", "vprobe", alone,
-          head.starts("$MeshFormat"), base, Gmsh)
+          head.starts("$MeshFormat") || (head.starts("$Comments") && head.has("$MeshFormat")), base, Gmsh)
 VP_FORMAT("zarr", ".zarr", "Zarr version 2, a folder, of the CF conventions",
           "the variables of most dimensions; missing values; times; units", "VTK, netCDF", folder,
           head.isFolder() && head.holdsFile(".zgroup"), more, Zarr)
+VP_FORMAT("amrex", "", "AMReX and BoxLib plot files, a folder", "AMR levels; values at cells; time", "vprobe", folder,
+          head.isFolder() && head.holdsFile("Header") && head.holdsFile("Level_0/Cell_H"), base, Amrex)
 // Before TIFF: a file may be both, with a TIFF header in the room that DICOM leaves.
 VP_FORMAT("dicom", ".dcm .ima", "DICOM: a file of many frames, or a series, by its folder or one file",
           "orientation; rescaled values; times", "GDCM", beside, head.at(128, "DICM") || head.isFolder(), more, Dicom)
 VP_FORMAT("mrc", ".mrc .map .ccp4 .rec .st", "MRC and CCP4 map", "order of axes; origin; units", "vprobe", alone,
           head.at(208, "MAP"), base, Mrc)
 VP_FORMAT("tiff", ".tif .tiff", "TIFF stack, also of ImageJ and OME-TIFF", "channels; times; spacing; units", "libtiff",
-          alone, head.starts("II*") || head.starts(std::string_view("MM\0*", 4)) || head.starts("II+"), base, Tiff)
+          alone, head.starts("II*") || head.starts(std::string_view("MM\0*", 4)) || head.starts("II+") ||
+              head.starts(std::string_view("MM\0+", 4)),
+          base, Tiff)
 VP_FORMAT("minc", ".mnc", "MINC 1 and 2", "orientation; rescaled values; times; units", "vprobe, HDF5, netCDF", alone,
           head.holds("minc-2.0") || (head.isNetcdf() && head.holds("image") && head.holds("zspace")), more, Minc)
 VP_FORMAT("cam", "", "netCDF of the atmosphere model CAM, with the file of its quads", "layers between quads; times",

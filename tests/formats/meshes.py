@@ -206,5 +206,5 @@ def fluent(folder):
     assert near(ours[0], theirs[0]) and near(ours[1], theirs[1]), (ours, theirs)
 
 
-CASES = [gmsh_22_text, gmsh_22_binary, gmsh_41_text, gmsh_41_binary, gmsh_own, tecplot, avs_ucd, med, gambit, fluent, xdmf,
-         xdmf_series, xdmf_lattice]
+CASES = [gmsh_22_text, gmsh_22_binary, gmsh_41_text, gmsh_41_binary, gmsh_own, tecplot, avs_ucd, med, gambit, fluent,
+         xdmf, xdmf_series, xdmf_lattice]

@@ -11,6 +11,7 @@ import tempfile
 import traceback
 
 import against
+import boxes
 import codes
 import conversion
 import meshes
@@ -20,7 +21,7 @@ import volumes
 
 def main():
     failed = done = 0
-    for case in meshes.CASES + volumes.CASES + codes.CASES + odd.CASES + conversion.CASES:
+    for case in meshes.CASES + volumes.CASES + boxes.CASES + codes.CASES + odd.CASES + conversion.CASES:
         wanted = sys.argv[2] if len(sys.argv) > 2 else ''
         if wanted not in case.__name__ or case is conversion.convert_reference_sets and wanted != case.__name__:
             continue

@@ -101,6 +101,30 @@ void writeEnzo(const std::string& path)
 	              "#DataCGSConversionFactor[0] = 4\n");
 }
 
+// A folder: two boxes of one level in a file, big-endian floats and little-endian doubles.
+void writeAmrex(const std::string& path)
+{
+	std::filesystem::create_directories(path + "/Level_0");
+	writeContents(path + "/Header", "HyperCLaw-V1.1\n1\ng\n3\n0.5\n0\n0 0 0\n4 3 5\n\n((0,0,0) (3,2,4) (0,0,0))\n7\n"
+	                                "1 1 1\n0\n0\n0 2 0.5\n7\n0 2\n0 3\n0 5\n2 4\n0 3\n0 5\nLevel_0/Cell\n");
+	std::string values;
+	std::array<std::size_t, 2> offsets = {};
+	for (const int half : {0, 1})
+	{
+		offsets[static_cast<std::size_t>(half)] = values.size();
+		values += fmt::format("FAB ((8, ({})),({}))(({},0,0) ({},2,4) (0,0,0)) 1\n",
+		                      half == 0 ? "32 8 23 0 1 9 0 127" : "64 11 52 0 1 12 0 1023",
+		                      half == 0 ? "4, (1 2 3 4)" : "8, (8 7 6 5 4 3 2 1)", 2 * half, 2 * half + 1);
+		for (const double value : valuesOfHalf(half))
+			half == 0 ? addBigEndian(values, static_cast<float>(value)) : addBytes(values, value);
+	}
+	writeContents(path + "/Level_0/Cell_D_00000", values);
+	writeContents(path + "/Level_0/Cell_H",
+	              fmt::format("1\n1\n1\n0\n(2 0\n((0,0,0) (1,2,4) (0,0,0))\n((2,0,0) (3,2,4) (0,0,0))\n)\n2\n"
+	                          "FabOnDisk: Cell_D_00000 {}\nFabOnDisk: Cell_D_00000 {}\n",
+	                          offsets[0], offsets[1]));
+}
+
 } // namespace
 
 std::vector<SampleFile> boxSamples()
@@ -110,5 +134,7 @@ std::vector<SampleFile> boxSamples()
 	    {"leaves.xamr", writeVelodyne, "block-structured", kSampleCellCount, kHalvesPoints, true, "", false},
 	    {"DD0001.hierarchy", writeEnzo, "block-structured", kSampleCellCount, kHalvesPoints, true, "DD0001.cpu0000",
 	     false},
+	    {"plt00001", writeAmrex, "block-structured", kSampleCellCount, kHalvesPoints, true,
+	     "plt00001/Level_0/Cell_D_00000", false},
 	};
 }
