@@ -14,6 +14,7 @@
 #include <vtkInformation.h>
 #include <vtkNetCDFCFReader.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <set>
 
 namespace
 {
@@ -77,11 +79,36 @@ void addUnits(vtkNetCDFCFReader& reader, vtkFieldData* fields)
 				array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), units.c_str());
 }
 
+// Leaves out variables that VTK's own would fail on; it loads all of the chosen dimensions, whatever their status.
+class NumbersReader : public vtkNetCDFCFReader
+{
+public:
+	static NumbersReader* New();
+	vtkTypeMacro(NumbersReader, vtkNetCDFCFReader);
+
+	void leaveOut(const std::vector<NetcdfVolume>& variables)
+	{
+		for (const NetcdfVolume& variable : variables)
+			left_out_.insert(variable.name);
+	}
+
+protected:
+	int LoadVariable(int file, const char* name, double time, vtkDataSet* output) override
+	{
+		return left_out_.contains(name) ? 1 : vtkNetCDFCFReader::LoadVariable(file, name, time, output);
+	}
+
+private:
+	std::set<std::string> left_out_;
+};
+
+vtkStandardNewMacro(NumbersReader);
+
 // `name`: of a file, or an address that the netCDF library opens.
 void readByConventions(const std::string& name, const Request& request, ManifestWriter& manifest)
 {
 	NetcdfVolumes volumes = netcdfVolumes(name);
-	vtkNew<vtkNetCDFCFReader> reader;
+	vtkNew<NumbersReader> reader;
 	if (!reader->CanReadFile(name.c_str()))
 		throw damaged("netCDF cannot open it");
 	reader->SetFileName(name.c_str());
@@ -95,12 +122,9 @@ void readByConventions(const std::string& name, const Request& request, Manifest
 	std::erase_if(volumes.whole, isElsewhere);
 	reader->SetDimensions(most.c_str());
 	for (const NetcdfVolume& variable : volumes.unread)
-	{
-		reader->SetVariableArrayStatus(variable.name.c_str(), 0);
 		manifest.warn(fmt::format("{} holds no numbers and is left out", variable.name));
-	}
-	for (const NetcdfVolume& variable : volumes.whole)
-		reader->SetVariableArrayStatus(variable.name.c_str(), 0);
+	reader->leaveOut(volumes.unread);
+	reader->leaveOut(volumes.whole);
 	std::optional<double> time;
 	try
 	{
@@ -109,7 +133,9 @@ void readByConventions(const std::string& name, const Request& request, Manifest
 	catch (const Refusal& refusal)
 	{
 		if (std::string_view(refusal.what()).find("More than 3 dims without time") != std::string_view::npos)
-			throw Refusal("a variable of four dimensions of which the first is no time; ncpdq -a puts that first");
+			throw Refusal(
+			    "a variable of four dimensions whose first has no times (a variable of its name, with units such "
+			    "as \"days since 2000-01-01\"); ncpdq -a puts another first");
 		throw;
 	}
 	auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));

@@ -82,8 +82,9 @@ def netcdf_sides(folder):
         assert near(cut(folder / 'types.nc', kind)['mean'], cut(folder / 'types.nc', 'f8')['mean']), kind
     # Bytes are signed, unless the file says otherwise; whole numbers may be packed, and have times.
     with new('bytes.nc', time=2) as file:
-        axis = file.createVariable('z', 'f4', ('z',))
-        axis[:] = numpy.arange(6)[::-1]
+        file.createVariable('z', 'f4', ('z',))[:] = numpy.arange(6)[::-1]
+        axis = file.createVariable('time', 'f8', ('time',))
+        axis.units, axis[:] = 'hours since 2001-01-01', [6, 12]
         file.createVariable('signed', 'i1', ('time', 'z', 'y', 'x'))[:] = [values / 10 - 50, values / 5 - 100]
         packed = file.createVariable('packed', 'u2', ('time', 'z', 'y', 'x'), fill_value=534)
         packed.set_auto_maskandscale(False)
@@ -167,6 +168,15 @@ def vtk_images(folder):
             assert info(path)['times'] == [7.5]
 
 
+def vtk_without_cells(folder):
+    vtk, core = need('vtkmodules.vtkIOXML'), need('vtkmodules.vtkCommonDataModel')
+    writer = vtk.vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(str(folder / 'empty.vtu'))
+    writer.SetInputData(core.vtkUnstructuredGrid())
+    writer.Write()
+    refused(folder / 'empty.vtu', 'nothing to slice')
+
+
 def gmsh_comments(folder):
     """Comments before all sections, and sizes of 32 bits."""
     meshio, numpy = need('meshio'), need('numpy')
@@ -198,5 +208,5 @@ def other_codes(folder):
     refused(folder / 'mesh.inp', 'Abaqus')
 
 
-CASES = [exodus_by_meshio, exodus_without_values, numpy_types, netcdf_sides, xdmf_types, vtk_images, gmsh_comments,
-         tiff_orders, other_codes]
+CASES = [exodus_by_meshio, exodus_without_values, numpy_types, netcdf_sides, xdmf_types, vtk_images, vtk_without_cells,
+         gmsh_comments, tiff_orders, other_codes]
