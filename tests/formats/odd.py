@@ -192,6 +192,22 @@ def gmsh_comments(folder):
     assert near(cut(folder / 'narrow.msh', None, '--normal', '0', '0', '1', '--origin', '0', '0', '3')['area'], 0.125)
 
 
+def wedges(folder):
+    """Their first three corners are seen from inside in Gmsh and GAMBIT, from outside in VTK: none is inside out."""
+    nodes = ['0 0 0', '1 0 0', '0 1 0', '0 0 1', '1 0 1', '0 1 1']
+    listed = '\n'.join(f'{i} {node}' for i, node in enumerate(nodes, 1))
+    (folder / 'wedge.msh').write_text(f'$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n{listed}\n$EndNodes\n'
+                                      '$Elements\n1\n1 6 2 1 1 1 2 3 4 5 6\n$EndElements\n')
+    (folder / 'wedge.neu').write_text(
+        '        CONTROL INFO 1.2.1\n** GAMBIT NEUTRAL FILE\nwedge\nPROGRAM: Gambit VERSION: 1.2.1\n4 Jan 2000\n'
+        '     NUMNP     NELEM     NGRPS    NBSETS     NDFCD     NDFVL\n 6 1 0 0 3 3\nENDOFSECTION\n'
+        f'   NODAL COORDINATES 1.2.1\n{listed}\nENDOFSECTION\n      ELEMENTS/CELLS 1.2.1\n 1 5 6 1 2 3 4 5 6\n'
+        'ENDOFSECTION\n')
+    for name in ('wedge.msh', 'wedge.neu'):
+        done = subprocess.run([VPROBE, 'check', folder / name], capture_output=True, text=True)
+        assert done.returncode == 0 and 'no fault' in done.stdout, done
+
+
 def tiff_orders(folder):
     tifffile, numpy = need('tifffile'), need('numpy')
     values = lattice(numpy)
@@ -209,4 +225,4 @@ def other_codes(folder):
 
 
 CASES = [exodus_by_meshio, exodus_without_values, numpy_types, netcdf_sides, xdmf_types, vtk_images, vtk_without_cells,
-         gmsh_comments, tiff_orders, other_codes]
+         gmsh_comments, wedges, tiff_orders, other_codes]
