@@ -12,7 +12,6 @@
 #include <vtkPointData.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -101,31 +100,28 @@ NetcdfVolumes netcdfVolumes(const std::string& name)
 		const auto sides = file.dimensions(variable);
 		if (sides.size() < 3)
 			continue;
-		std::vector<std::string> names;
 		for (const auto& [side, length] : sides)
 		{
 			if (length == 0) // VTK's reader crashes
 				throw Refusal(
 				    fmt::format("nothing to slice: {} has no values, since its dimension {} is 0", words.data(), side));
-			names.push_back(side);
 		}
-		const NetcdfVolume volume = {words.data(), fmt::format("({})", fmt::join(names, ", "))};
 		const nc_type type = typeOfVariable(file, variable);
 		if (type == NC_CHAR || type >= NC_STRING)
-			volumes.unread.push_back(volume);
+			volumes.unread.emplace_back(words.data());
 		else if (wholeTypeOf(file, variable, type) != 0)
-			volumes.whole.push_back(volume);
+			volumes.whole.emplace_back(words.data());
 	}
 	return volumes;
 }
 
-void addWholeNumbers(const std::string& name, const std::vector<NetcdfVolume>& variables, std::optional<double> time,
+void addWholeNumbers(const std::string& name, const std::vector<std::string>& variables, std::optional<double> time,
                      vtkDataSet* data)
 {
 	const NetcdfFile file(name);
-	for (const NetcdfVolume& each : variables)
+	for (const std::string& each : variables)
 	{
-		const int variable = file.variable(each.name.c_str());
+		const int variable = file.variable(each.c_str());
 		const auto sides = file.dimensions(variable);
 		std::vector<std::size_t> starts(sides.size(), 0), counts;
 		std::size_t count = 1;
@@ -141,14 +137,14 @@ void addWholeNumbers(const std::string& name, const std::vector<NetcdfVolume>& v
 				throw damaged("it has more values than there can be");
 		const bool at_points = static_cast<vtkIdType>(count) == data->GetNumberOfPoints();
 		if (!at_points && static_cast<vtkIdType>(count) != data->GetNumberOfCells())
-			throw damaged(fmt::format("{} has {} values for {} points and {} cells", each.name, count,
+			throw damaged(fmt::format("{} has {} values for {} points and {} cells", each, count,
 			                          data->GetNumberOfPoints(), data->GetNumberOfCells()));
 		const int type = wholeTypeOf(file, variable, typeOfVariable(file, variable));
 		const auto plain = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
 		plain->SetNumberOfTuples(static_cast<vtkIdType>(count));
 		NetcdfFile::check(nc_get_vara(file.id(), variable, starts.data(), counts.data(), plain->GetVoidPointer(0)));
 		const vtkSmartPointer<vtkDataArray> array = unpacked(file, variable, plain);
-		array->SetName(each.name.c_str());
+		array->SetName(each.c_str());
 		if (const std::string units = file.text(variable, "units"); !units.empty())
 			array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), units.c_str());
 		at_points ? data->GetPointData()->AddArray(array) : data->GetCellData()->AddArray(array);

@@ -6,24 +6,17 @@
 
 class vtkDataSet;
 
-// A variable of three or more dimensions.
-struct NetcdfVolume
-{
-	std::string name;
-	std::string dimensions; // as VTK writes them: "(time, z, y, x)"
-};
-
-// What a netCDF file has that VTK's reader fails on, or takes for something else.
+// Variables of three or more dimensions that VTK's reader fails on, or takes for something else.
 struct NetcdfVolumes
 {
 	bool has_groups = false;
-	std::vector<NetcdfVolume> unread; // whose values are texts or of a type of the file's own
-	std::vector<NetcdfVolume> whole;  // of types of whole numbers that VTK lacks, or takes for unsigned
+	std::vector<std::string> unread; // whose values are texts or of a type of the file's own
+	std::vector<std::string> whole;  // of types of whole numbers that VTK lacks, or takes for unsigned
 };
 
 // Throws a Refusal for variables without values. `name`: of a file, or an address that the netCDF library opens.
 NetcdfVolumes netcdfVolumes(const std::string& name);
 
 // Adds variables of whole numbers to the points or cells of a grid, at a time.
-void addWholeNumbers(const std::string& name, const std::vector<NetcdfVolume>& variables, std::optional<double> time,
+void addWholeNumbers(const std::string& name, const std::vector<std::string>& variables, std::optional<double> time,
                      vtkDataSet* data);

@@ -49,6 +49,17 @@ std::string mostDimensions(vtkNetCDFCFReader& reader, bool has_groups, ManifestW
 	return most;
 }
 
+std::set<std::string> variablesOver(vtkNetCDFCFReader& reader, const std::string& dimensions)
+{
+	std::set<std::string> names;
+	vtkStringArray* lists = reader.GetVariableDimensions();
+	vtkStringArray* all = reader.GetAllVariableArrayNames();
+	for (vtkIdType i = 0; i < std::min(lists->GetNumberOfValues(), all->GetNumberOfValues()); ++i)
+		if (lists->GetValue(i) == dimensions)
+			names.insert(all->GetValue(i));
+	return names;
+}
+
 // What the netCDF library fills variables with that nobody wrote: VTK knows only the value that a file declares.
 template <class Number>
 void replaceDefaultFill(vtkDataArray* array)
@@ -86,11 +97,7 @@ public:
 	static NumbersReader* New();
 	vtkTypeMacro(NumbersReader, vtkNetCDFCFReader);
 
-	void leaveOut(const std::vector<NetcdfVolume>& variables)
-	{
-		for (const NetcdfVolume& variable : variables)
-			left_out_.insert(variable.name);
-	}
+	void leaveOut(const std::vector<std::string>& variables) { left_out_.insert(variables.begin(), variables.end()); }
 
 protected:
 	int LoadVariable(int file, const char* name, double time, vtkDataSet* output) override
@@ -117,12 +124,13 @@ void readByConventions(const std::string& name, const Request& request, Manifest
 	reader->UpdateMetaData();
 	refuseOnComplaint();
 	const std::string most = mostDimensions(*reader, volumes.has_groups, manifest);
-	const auto isElsewhere = [&](const NetcdfVolume& volume) { return volume.dimensions != most; };
+	const std::set<std::string> chosen = variablesOver(*reader, most);
+	const auto isElsewhere = [&](const std::string& variable) { return !chosen.contains(variable); };
 	std::erase_if(volumes.unread, isElsewhere);
 	std::erase_if(volumes.whole, isElsewhere);
 	reader->SetDimensions(most.c_str());
-	for (const NetcdfVolume& variable : volumes.unread)
-		manifest.warn(fmt::format("{} holds no numbers and is left out", variable.name));
+	for (const std::string& variable : volumes.unread)
+		manifest.warn(fmt::format("{} holds no numbers and is left out", variable));
 	reader->leaveOut(volumes.unread);
 	reader->leaveOut(volumes.whole);
 	std::optional<double> time;
