@@ -102,9 +102,8 @@ NetcdfVolumes netcdfVolumes(const std::string& name)
 			continue;
 		for (const auto& [side, length] : sides)
 		{
-			if (length == 0) // VTK's reader crashes
-				throw Refusal(
-				    fmt::format("nothing to slice: {} has no values, since its dimension {} is 0", words.data(), side));
+			if (length == 0)
+				volumes.empty[words.data()] = side;
 		}
 		const nc_type type = typeOfVariable(file, variable);
 		if (type == NC_CHAR || type >= NC_STRING)

@@ -126,6 +126,10 @@ void readByConventions(const std::string& name, const Request& request, Manifest
 	const std::string most = mostDimensions(*reader, volumes.has_groups, manifest);
 	const std::set<std::string> chosen = variablesOver(*reader, most);
 	const auto isElsewhere = [&](const std::string& variable) { return !chosen.contains(variable); };
+	for (const auto& [variable, dimension] : volumes.empty)
+		if (chosen.contains(variable))
+			throw Refusal(
+			    fmt::format("nothing to slice: {} has no values, since its dimension {} is 0", variable, dimension));
 	std::erase_if(volumes.unread, isElsewhere);
 	std::erase_if(volumes.whole, isElsewhere);
 	reader->SetDimensions(most.c_str());

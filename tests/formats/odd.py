@@ -68,6 +68,10 @@ def netcdf_sides(folder):
     with new('no_times.nc', time=None) as file:
         file.createVariable('f', 'f4', ('time', 'z', 'y', 'x'))
     refused(folder / 'no_times.nc', 'dimension time is 0')
+    with new('static.nc', time=None) as file:
+        file.createVariable('surface', 'f4', ('time', 'y', 'x'))
+        file.createVariable('f', 'f4', ('z', 'y', 'x'))[:] = values
+    compare(folder / 'static.nc', nrrd(folder, values), [('point:f', 'point:f')])
     with new('records.nc', form='NETCDF3_CLASSIC', z=None) as file:
         file.createVariable('f', 'f4', ('z', 'y', 'x'))[:] = values
     compare(folder / 'records.nc', nrrd(folder, values), [('point:f', 'point:f')])
