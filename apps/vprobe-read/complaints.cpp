@@ -137,6 +137,8 @@ void takeWarningsToo()
 
 void refuseOnComplaint()
 {
+	if (first_complaint.find("No Points element available") != std::string::npos) // as writers leave it without any
+		throw Refusal("nothing to slice: it has no points");
 	if (!first_complaint.empty())
 		throw damaged(first_complaint);
 }

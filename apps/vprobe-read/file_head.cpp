@@ -146,6 +146,13 @@ bool FileHead::holds(const std::string& name) const
 	return names_->contains(name);
 }
 
+bool FileHead::holdsLike(const std::string& start) const
+{
+	holds(start);
+	const auto name = names_->lower_bound(start);
+	return name != names_->end() && name->starts_with(start);
+}
+
 std::string xmlTypeOf(std::string_view head)
 {
 	const auto element = head.find("<VTKFile");

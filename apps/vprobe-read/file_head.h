@@ -44,6 +44,7 @@ public:
 	// Whether an HDF5 file has a group, data set or attribute of this name at its root, or a netCDF file a dimension,
 	// variable or attribute. False for other files.
 	bool holds(const std::string& name) const;
+	bool holdsLike(const std::string& start) const; // a name that begins so
 
 private:
 	std::string file_;

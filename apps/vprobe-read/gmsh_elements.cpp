@@ -6,6 +6,7 @@
 namespace
 {
 
+constexpr std::uint8_t kWedge6[] = {3, 4, 5, 0, 1, 2}; // VTK's base is seen from outside
 constexpr std::uint8_t kTetra10[] = {0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
 constexpr std::uint8_t kHexahedron27[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  11, 13, 9,  16, 18,
                                           19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26};
@@ -19,7 +20,7 @@ constexpr GmshElement kElements[] = {
     {4, 4, VTK_QUAD},
     {4, 4, VTK_TETRA},
     {8, 8, VTK_HEXAHEDRON},
-    {6, 6, VTK_WEDGE},
+    {6, 6, VTK_WEDGE, kWedge6},
     {5, 5, VTK_PYRAMID},
     {3, 3, VTK_QUADRATIC_EDGE},
     {6, 6, VTK_QUADRATIC_TRIANGLE},

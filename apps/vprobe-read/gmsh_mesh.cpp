@@ -17,12 +17,13 @@ using Tag = std::int64_t;
 class Section
 {
 public:
-	Section(TextCursor& at, bool binary) : at_(at), binary_(binary) {}
+	// `narrow`: where the program that wrote the file counts in 32 bits.
+	Section(TextCursor& at, bool binary, bool narrow) : at_(at), binary_(binary), narrow_(narrow) {}
 
 	// 32 bits in a binary file.
 	Tag integer() { return binary_ ? at_.binary<std::int32_t>() : at_.integer(); }
-	// 64 bits.
-	Tag size() { return binary_ ? at_.binary<std::int64_t>() : at_.integer(); }
+	// 64 bits, mostly.
+	Tag size() { return !binary_ ? at_.integer() : narrow_ ? at_.binary<std::uint32_t>() : at_.binary<std::int64_t>(); }
 	double real() { return binary_ ? at_.binary<double>() : at_.real(); }
 	std::size_t checked(Tag count, std::size_t least_bytes) const { return at_.checkedCount(count, least_bytes); }
 	bool binary() const { return binary_; }
@@ -30,6 +31,7 @@ public:
 private:
 	TextCursor& at_;
 	bool binary_;
+	bool narrow_;
 };
 
 class Parser
@@ -56,7 +58,14 @@ public:
 private:
 	void readFormat()
 	{
-		if (at_.line() != "$MeshFormat")
+		std::string first(at_.line());
+		if (first == "$Comments")
+		{
+			at_.skipPast("$EndComments");
+			at_.line(); // the rest of that
+			first = at_.line();
+		}
+		if (first != "$MeshFormat")
 			throw damaged("it does not begin with $MeshFormat");
 		version_ = at_.real();
 		binary_ = at_.integer() == 1;
@@ -70,14 +79,16 @@ private:
 				throw damaged("its byte order cannot be told");
 		}
 		const bool is_known = (version_ >= 2.0 && version_ < 3.0) || version_ == 4.0 || version_ == 4.1;
-		if (!is_known || width != 8)
-			throw Refusal(fmt::format("Gmsh format {}; save it as version 4.1 or 2.2", version_));
+		narrow_ = width == 4 && version_ == 4.1;
+		if (!is_known || (width != 8 && !narrow_))
+			throw Refusal(
+			    fmt::format("Gmsh format {} with numbers of {} bytes; save it as version 4.1 or 2.2", version_, width));
 		at_.skipPast("$EndMeshFormat");
 	}
 
 	void readSection(const std::string& name)
 	{
-		Section section(at_, binary_);
+		Section section(at_, binary_, narrow_);
 		const bool is_new = version_ >= 4.0;
 		if (name == "$Nodes")
 			is_new ? readNodeBlocks(section) : readNodes();
@@ -104,7 +115,7 @@ private:
 	{
 		const std::size_t nodes = at_.count(7);
 		at_.line();
-		Section section(at_, binary_);
+		Section section(at_, binary_, narrow_);
 		reserveNodes(nodes);
 		for (std::size_t i = 0; i < nodes; ++i)
 			readNode(section);
@@ -203,7 +214,7 @@ private:
 	{
 		const std::size_t elements = at_.count(4);
 		at_.line();
-		Section section(at_, binary_);
+		Section section(at_, binary_, narrow_);
 		for (std::size_t done = 0; done < elements;)
 		{
 			Tag tag = binary_ ? 0 : section.integer();
@@ -334,6 +345,7 @@ private:
 	GmshMesh mesh_;
 	double version_ = 0.0;
 	bool binary_ = false;
+	bool narrow_ = false;
 	std::array<Tag, 64> nodes_ = {};
 	std::map<std::pair<Tag, Tag>, Tag> physical_of_;
 };

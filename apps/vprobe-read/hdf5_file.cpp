@@ -1,5 +1,6 @@
 #include "hdf5_file.h"
 
+#include "hdf5_handle.h"
 #include "refusal.h"
 
 #include <fmt/format.h>
@@ -9,25 +10,6 @@
 
 namespace
 {
-
-// Closes what HDF5 has opened. Less than 0 where it has not.
-class Hdf5Handle
-{
-public:
-	Hdf5Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-	~Hdf5Handle()
-	{
-		if (id_ >= 0)
-			close_(id_);
-	}
-	Hdf5Handle(const Hdf5Handle&) = delete;
-	Hdf5Handle& operator=(const Hdf5Handle&) = delete;
-	operator hid_t() const { return id_; }
-
-private:
-	hid_t id_;
-	herr_t (*close_)(hid_t);
-};
 
 herr_t addName(hid_t, const char* name, const H5L_info_t*, void* names)
 {
@@ -52,10 +34,19 @@ Hdf5File::~Hdf5File()
 
 bool Hdf5File::has(const std::string& path) const
 {
+	if (path == "/")
+		return true;
 	for (std::size_t end = path.find('/', 1); end != path.npos; end = path.find('/', end + 1))
 		if (H5Lexists(file_, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0)
 			return false;
 	return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0;
+}
+
+bool Hdf5File::isSet(const std::string& path) const
+{
+	H5O_info_t about;
+	return has(path) && H5Oget_info_by_name2(file_, path.c_str(), &about, H5O_INFO_BASIC, H5P_DEFAULT) >= 0 &&
+	       about.type == H5O_TYPE_DATASET;
 }
 
 std::vector<std::string> Hdf5File::namesIn(const std::string& group) const

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ public:
 	Hdf5File& operator=(const Hdf5File&) = delete;
 
 	bool has(const std::string& path) const;
+	bool isSet(const std::string& path) const; // and no group
 	// The names in a group, in the order of the alphabet; none where there is no group.
 	std::vector<std::string> namesIn(const std::string& group) const;
 
@@ -24,6 +26,15 @@ public:
 	std::vector<double> reals(const std::string& path) const;
 	std::vector<std::int64_t> integers(const std::string& path) const;
 	std::vector<std::uint64_t> sidesOf(const std::string& path) const;
+
+	// A data set of texts, without the blanks at their ends; none where there is no such set.
+	std::vector<std::string> texts(const std::string& path) const;
+	// A table with the columns "name" and "value", of numbers; empty where there is none.
+	std::map<std::string, double> namedNumbers(const std::string& path) const;
+	// The same, of texts.
+	std::map<std::string, std::string> namedTexts(const std::string& path) const;
+	// One column of the first row of a table.
+	double columnOr(const std::string& path, const char* column, double otherwise) const;
 
 	bool isFloat(const std::string& path) const;
 	// The least and the greatest number that a data set of whole numbers can hold.

@@ -43,8 +43,8 @@ NumberType typeOf(std::string_view description)
 		return NumberType::uint8;
 	const auto found = std::ranges::find(names, description);
 	if (found == std::end(names))
-		throw Refusal(fmt::format("an array of type {}, which is not read; convert it with astype('float32')",
-		                          description.substr(0, 8)));
+		throw UnreadNpyType(fmt::format("an array of type {}, which is not read; convert it with astype('float32')",
+		                                description.substr(0, 8)));
 	return static_cast<NumberType>(found - std::begin(names));
 }
 
@@ -84,7 +84,7 @@ std::optional<NpyArray> parseNpy(std::string_view file)
 	const std::string_view header = file.substr(start, length);
 	const std::string_view description = valueOf(header, "descr");
 	if (description.size() < 5 || description[0] != '\'')
-		throw Refusal("an array of records, which is not read; save one field of it");
+		throw UnreadNpyType("an array of records, which is not read; save one field of it");
 	const auto close = description.find('\'', 1);
 	std::vector<std::uint32_t> shape = shapeOf(valueOf(header, "shape"));
 	if (!valueOf(header, "fortran_order").starts_with("True"))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "refusal.h"
 #include "value_image.h"
 
 #include <optional>
@@ -12,7 +13,14 @@ struct NpyArray
 	std::string_view values;
 };
 
+// Of an array whose values are no plain numbers.
+class UnreadNpyType : public Refusal
+{
+public:
+	using Refusal::Refusal;
+};
+
 // Null for an array that is no volume: of fewer than three axes. With four, the one that runs fastest is the
 // components. C order, NumPy's own, has z first and x last; Fortran order the other way round. Throws a Refusal for
-// what is damaged or has no numbers.
+// what is damaged, and an UnreadNpyType.
 std::optional<NpyArray> parseNpy(std::string_view file);

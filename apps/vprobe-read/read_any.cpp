@@ -32,6 +32,8 @@ Refusal notRecognized(const FileHead& head)
 		return Refusal("a PLOT3D solution; give the grid file, and this one as --solution");
 	if (head.starts("#!TDV") || head.starts("#!SZPLT"))
 		return Refusal("a binary Tecplot file, which no free library reads; save it as text (.dat)");
+	if (head.ends({".inp"}) && head.starts("*"))
+		return Refusal("an Abaqus input file, which is not read; meshio convert makes a .vtu of it");
 	if (head.isHdf5() || head.isNetcdf())
 		return Refusal(fmt::format("{} data of another program or damaged ones; see vprobe info --formats",
 		                           head.isHdf5() ? "HDF5" : "netCDF"));

@@ -19,9 +19,12 @@
 namespace
 {
 
-// An ADF file's header says at byte 146 where its last byte is: a block of 4096 bytes in 8 hexadecimal digits and an
-// offset in 4 (ADF_internals.c of the CGNS library). Reads past the end come back as zeros or old buffers.
+// An ADF file's header says at byte 146 where its last byte is: a block of 4096 bytes and an offset, in 8 and 4 bytes
+// (ADF_internals.c of the CGNS library). In files of format A they are hexadecimal digits, in those of format B
+// numbers. Reads past the end come back as zeros or old buffers.
 constexpr std::size_t kAdfEndAt = 146;
+constexpr std::size_t kAdfVersionAt = 25;
+constexpr std::size_t kAdfOrderAt = 100;
 constexpr std::uint64_t kAdfBlock = 4096;
 
 std::optional<std::uint64_t> hexadecimal(std::string_view digits)
@@ -33,6 +36,14 @@ std::optional<std::uint64_t> hexadecimal(std::string_view digits)
 	return value;
 }
 
+std::uint64_t wholeOf(std::string_view bytes, bool is_big_endian)
+{
+	std::uint64_t value = 0;
+	for (std::size_t b = 0; b < bytes.size(); ++b)
+		value = value << 8 | static_cast<unsigned char>(bytes[is_big_endian ? b : bytes.size() - 1 - b]);
+	return value;
+}
+
 void refuseShortAdf(const std::string& file)
 {
 	std::array<char, kAdfEndAt + 12> head = {};
@@ -41,9 +52,15 @@ void refuseShortAdf(const std::string& file)
 	const std::string_view text(head.data(), head.size());
 	if (text.starts_with("\x89HDF"))
 		return; // HDF5 checks its own end
-	const auto block = hexadecimal(text.substr(kAdfEndAt, 8));
-	const auto offset = hexadecimal(text.substr(kAdfEndAt + 8, 4));
-	if (!in || !block || !offset)
+	auto block = hexadecimal(text.substr(kAdfEndAt, 8));
+	auto offset = hexadecimal(text.substr(kAdfEndAt + 8, 4));
+	if (text[kAdfVersionAt] != 'A')
+	{
+		const bool is_big_endian = text[kAdfOrderAt] == 'B';
+		block = wholeOf(text.substr(kAdfEndAt, 8), is_big_endian);
+		offset = wholeOf(text.substr(kAdfEndAt + 8, 4), is_big_endian);
+	}
+	if (!in || !block || !offset || *block > std::uint64_t(1) << 50)
 		throw damaged("its header cannot be followed");
 	const std::uint64_t wanted = *block * kAdfBlock + *offset + 1;
 	const auto bytes = std::filesystem::file_size(file);

@@ -1,15 +1,55 @@
+#include "exodus_nodal.h"
 #include "formats.h"
 #include "manifest_writer.h"
 #include "netcdf_size.h"
 #include "refusal.h"
 #include "time_choice.h"
 
+#include <vtkCompositeDataIterator.h>
+#include <vtkDoubleArray.h>
 #include <vtkExodusIIReader.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <string_view>
+
+namespace
+{
+
+// Adds variables of the file's nodes to the blocks, which know the nodes of their points.
+void addOddNodes(const std::vector<vtkSmartPointer<vtkDoubleArray>>& arrays, vtkMultiBlockDataSet* objects)
+{
+	const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(objects->NewIterator());
+	for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+	{
+		auto* grid = vtkUnstructuredGrid::SafeDownCast(leaf->GetCurrentDataObject());
+		vtkDataArray* ids =
+		    grid ? grid->GetPointData()->GetArray(vtkExodusIIReader::GetImplicitNodeIdArrayName()) : nullptr;
+		if (!ids)
+			continue;
+		for (const auto& array : arrays)
+		{
+			vtkNew<vtkDoubleArray> part;
+			part->SetName(array->GetName());
+			part->SetNumberOfComponents(array->GetNumberOfComponents());
+			part->SetNumberOfTuples(ids->GetNumberOfTuples());
+			for (vtkIdType p = 0; p < ids->GetNumberOfTuples(); ++p)
+			{
+				const auto node = static_cast<vtkIdType>(ids->GetTuple1(p)) - 1;
+				if (node < 0 || node >= array->GetNumberOfTuples())
+					throw damaged("a point is none of its nodes");
+				part->SetTuple(p, node, array);
+			}
+			grid->GetPointData()->AddArray(part);
+		}
+		grid->GetPointData()->RemoveArray(vtkExodusIIReader::GetImplicitNodeIdArrayName());
+	}
+}
+
+} // namespace
 
 void readExodus(const Request& request, ManifestWriter& manifest)
 {
@@ -21,15 +61,20 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	reader->SetApplyDisplacements(request.displace != 0.0);
 	reader->SetDisplacementMagnitude(static_cast<float>(request.displace));
 	reader->UpdateInformation();
-	reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+	refuseMissingExodus(request.file);
+	const bool is_odd = hasOddExodusNodes(request.file);
+	reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, is_odd ? 0 : 1);
+	reader->SetGenerateImplicitNodeIdArray(is_odd);
 	reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
 	for (int block = 0; block < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++block)
 		reader->SetObjectStatus(vtkExodusIIReader::ELEM_BLOCK, block, 1);
 	for (int set = 0; request.patches && set < reader->GetNumberOfObjects(vtkExodusIIReader::SIDE_SET); ++set)
 		reader->SetObjectStatus(vtkExodusIIReader::SIDE_SET, set, 1);
-	updateAtTime(*reader, request, manifest);
+	const std::optional<double> time = updateAtTime(*reader, request, manifest);
 	// Cells and what else they have, by kind of object.
 	auto* objects = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+	if (is_odd && objects)
+		addOddNodes(oddExodusNodes(request.file, time ? exodusStepOf(request.file, *time) : 0), objects);
 	for (unsigned int kind = 0; objects && kind < objects->GetNumberOfBlocks(); ++kind)
 	{
 		const char* name =

@@ -4,8 +4,8 @@
 #include "fluent_names.h"
 #include "fluent_sections.h"
 #include "formats.h"
+#include "gzip_text.h"
 #include "manifest_writer.h"
-#include "mapped_text.h"
 #include "refusal.h"
 
 #include <vtkCellData.h>
@@ -70,8 +70,8 @@ void readFluentValues(const FluentSection& section, FluentSections& sections, co
 
 std::map<std::int64_t, FluentValues> parseFluentData(const std::string& file, const FluentCase& mesh)
 {
-	const MappedText mapped(file);
-	FluentSections sections(mapped.text());
+	const MaybeGzip contents(file);
+	FluentSections sections(contents.text());
 	std::map<std::int64_t, FluentValues> of_zones;
 	for (FluentSection section; sections.next(section);)
 		if (section.kind() == 300)
@@ -89,20 +89,26 @@ std::map<std::int64_t, FluentValues> parseFluentData(const std::string& file, co
 	return of_zones;
 }
 
-// run.cas has run.dat beside it. Empty where there is none.
+// run.cas has run.dat beside it, or run.dat.gz; so has run.cas.gz. Empty where there is none.
 std::string fluentDataBeside(const std::string& file)
 {
 	namespace fs = std::filesystem;
-	const fs::path data = fs::path(file).replace_extension(".dat");
-	std::error_code ignored;
-	return data != fs::path(file) && fs::is_regular_file(data, ignored) ? data.string() : std::string();
+	const fs::path plain = file.ends_with(".gz") ? fs::path(file).replace_extension("") : fs::path(file);
+	for (const char* ending : {".dat", ".dat.gz"})
+	{
+		const fs::path data = fs::path(plain).replace_extension(ending);
+		std::error_code ignored;
+		if (data != plain && fs::is_regular_file(data, ignored))
+			return data.string();
+	}
+	return {};
 }
 
 } // namespace
 
 void readFluent(const Request& request, ManifestWriter& manifest)
 {
-	const MappedText file(request.file);
+	const MaybeGzip file(request.file);
 	const FluentCase mesh = parseFluentCase(file.text());
 	const std::string data = request.solution.empty() ? fluentDataBeside(request.file) : request.solution;
 	std::map<std::int64_t, FluentValues> values;

@@ -58,9 +58,12 @@ double gambitFaceArea(vtkPoints* points, vtkIdType a, vtkIdType b, vtkIdType c, 
 }
 
 // The description numbers the corners of a brick and of a pyramid's base row by row; other programs write them around
-// the face, as VTK has them. Whichever gives a face that does not cross itself.
+// the face, as VTK has them. Whichever gives a face that does not cross itself. A wedge's base is seen from inside,
+// where VTK has the one that is seen from outside first.
 void goAroundFaces(vtkPoints* points, int type, std::array<vtkIdType, 8>& corners)
 {
+	if (type == VTK_WEDGE)
+		std::swap_ranges(corners.begin(), corners.begin() + 3, corners.begin() + 3);
 	if (type != VTK_HEXAHEDRON && type != VTK_PYRAMID)
 		return;
 	const double around = gambitFaceArea(points, corners[0], corners[1], corners[2], corners[3]);

@@ -3,6 +3,7 @@
 #include "formats.h"
 #include "manifest_writer.h"
 #include "netcdf_size.h"
+#include "netcdf_volumes.h"
 #include "refusal.h"
 #include "time_choice.h"
 #include "zarr_check.h"
@@ -13,6 +14,7 @@
 #include <vtkInformation.h>
 #include <vtkNetCDFCFReader.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 
@@ -21,13 +23,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <set>
 
 namespace
 {
 
 // The dimensions of variables, as VTK writes them "(time, z, y, x)": the longest list has the volumes. Variables of
 // other dimensions would be a second grid in the same place.
-std::string mostDimensions(vtkNetCDFCFReader& reader, ManifestWriter& manifest)
+std::string mostDimensions(vtkNetCDFCFReader& reader, bool has_groups, ManifestWriter& manifest)
 {
 	std::string most;
 	const auto lengthOf = [](const std::string& list) { return std::count(list.begin(), list.end(), ','); };
@@ -36,11 +39,25 @@ std::string mostDimensions(vtkNetCDFCFReader& reader, ManifestWriter& manifest)
 		if (const std::string list = lists->GetValue(i); most.empty() || lengthOf(list) > lengthOf(most))
 			most = list;
 	if (lengthOf(most) < 2)
-		throw Refusal("nothing to slice: no variable with three dimensions");
+		throw Refusal(has_groups
+		                  ? "nothing to slice: no variable with three dimensions at its root; groups of netCDF-4 "
+		                    "are not read, ncks -G : takes them there"
+		                  : "nothing to slice: no variable with three dimensions");
 	for (vtkIdType i = 0; i < lists->GetNumberOfValues(); ++i)
 		if (const std::string list = lists->GetValue(i); list != most && lengthOf(list) == lengthOf(most))
 			manifest.warn(fmt::format("variables over {} are left out; those over {} are read", list, most));
 	return most;
+}
+
+std::set<std::string> variablesOver(vtkNetCDFCFReader& reader, const std::string& dimensions)
+{
+	std::set<std::string> names;
+	vtkStringArray* lists = reader.GetVariableDimensions();
+	vtkStringArray* all = reader.GetAllVariableArrayNames();
+	for (vtkIdType i = 0; i < std::min(lists->GetNumberOfValues(), all->GetNumberOfValues()); ++i)
+		if (lists->GetValue(i) == dimensions)
+			names.insert(all->GetValue(i));
+	return names;
 }
 
 // What the netCDF library fills variables with that nobody wrote: VTK knows only the value that a file declares.
@@ -73,10 +90,32 @@ void addUnits(vtkNetCDFCFReader& reader, vtkFieldData* fields)
 				array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), units.c_str());
 }
 
+// Leaves out variables that VTK's own would fail on; it loads all of the chosen dimensions, whatever their status.
+class NumbersReader : public vtkNetCDFCFReader
+{
+public:
+	static NumbersReader* New();
+	vtkTypeMacro(NumbersReader, vtkNetCDFCFReader);
+
+	void leaveOut(const std::vector<std::string>& variables) { left_out_.insert(variables.begin(), variables.end()); }
+
+protected:
+	int LoadVariable(int file, const char* name, double time, vtkDataSet* output) override
+	{
+		return left_out_.contains(name) ? 1 : vtkNetCDFCFReader::LoadVariable(file, name, time, output);
+	}
+
+private:
+	std::set<std::string> left_out_;
+};
+
+vtkStandardNewMacro(NumbersReader);
+
 // `name`: of a file, or an address that the netCDF library opens.
 void readByConventions(const std::string& name, const Request& request, ManifestWriter& manifest)
 {
-	vtkNew<vtkNetCDFCFReader> reader;
+	NetcdfVolumes volumes = netcdfVolumes(name);
+	vtkNew<NumbersReader> reader;
 	if (!reader->CanReadFile(name.c_str()))
 		throw damaged("netCDF cannot open it");
 	reader->SetFileName(name.c_str());
@@ -84,8 +123,33 @@ void readByConventions(const std::string& name, const Request& request, Manifest
 	reader->ReplaceFillValueWithNanOn();
 	reader->UpdateMetaData();
 	refuseOnComplaint();
-	reader->SetDimensions(mostDimensions(*reader, manifest).c_str());
-	updateAtTime(*reader, request, manifest);
+	const std::string most = mostDimensions(*reader, volumes.has_groups, manifest);
+	const std::set<std::string> chosen = variablesOver(*reader, most);
+	const auto isElsewhere = [&](const std::string& variable) { return !chosen.contains(variable); };
+	for (const auto& [variable, dimension] : volumes.empty)
+		if (chosen.contains(variable))
+			throw Refusal(
+			    fmt::format("nothing to slice: {} has no values, since its dimension {} is 0", variable, dimension));
+	std::erase_if(volumes.unread, isElsewhere);
+	std::erase_if(volumes.whole, isElsewhere);
+	reader->SetDimensions(most.c_str());
+	for (const std::string& variable : volumes.unread)
+		manifest.warn(fmt::format("{} holds no numbers and is left out", variable));
+	reader->leaveOut(volumes.unread);
+	reader->leaveOut(volumes.whole);
+	std::optional<double> time;
+	try
+	{
+		time = updateAtTime(*reader, request, manifest);
+	}
+	catch (const Refusal& refusal)
+	{
+		if (std::string_view(refusal.what()).find("More than 3 dims without time") != std::string_view::npos)
+			throw Refusal(
+			    "a variable of four dimensions whose first has no times (a variable of its name, with units such "
+			    "as \"days since 2000-01-01\"); ncpdq -a puts another first");
+		throw;
+	}
 	auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
 	if (!data)
 		throw damaged("no data set was found");
@@ -93,6 +157,7 @@ void readByConventions(const std::string& name, const Request& request, Manifest
 	markMissing(data->GetCellData());
 	addUnits(*reader, data->GetPointData());
 	addUnits(*reader, data->GetCellData());
+	addWholeNumbers(name, volumes.whole, time, data);
 	manifest.add(data);
 }
 

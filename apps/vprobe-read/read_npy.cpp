@@ -12,7 +12,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+
+namespace
+{
+
+// A volume of an archive. Nothing, and `why`, for what others beside it do not need.
+std::optional<NpyArray> parseMember(std::string_view bytes, std::string& why)
+{
+	try
+	{
+		std::optional<NpyArray> array = parseNpy(bytes);
+		const bool is_volume = array && std::ranges::min(array->layout.points) > 1;
+		why = array ? "it has no cells" : "not three axes";
+		return is_volume ? array : std::nullopt;
+	}
+	catch (const UnreadNpyType& type)
+	{
+		why = type.what();
+		return std::nullopt;
+	}
+}
+
+} // namespace
 
 void readNpy(const Request& request, ManifestWriter& manifest)
 {
@@ -36,11 +59,12 @@ void readNpz(const Request& request, ManifestWriter& manifest)
 			continue;
 		const std::string name = entry.name.substr(0, entry.name.size() - 4);
 		const std::string bytes = unpackEntry(entry);
-		const std::optional<NpyArray> array = parseNpy(bytes);
+		std::string why;
+		const std::optional<NpyArray> array = parseMember(bytes, why);
 		if (!array || (image && array->layout.points != points))
 		{
 			manifest.warn(fmt::format("the array {} is left out: {}", name,
-			                          array ? "its shape is not that of the first volume" : "not three axes"));
+			                          array ? "its shape is not that of the first volume" : why));
 			continue;
 		}
 		const auto values = arrayOf(array->values, array->layout, name);

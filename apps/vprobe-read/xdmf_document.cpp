@@ -117,6 +117,10 @@ std::string hdf5Bytes(const std::string& file, const std::string& path, std::uin
 		throw damaged(fmt::format("{} is missing", about));
 	if (static_cast<std::uint64_t>(points) != count)
 		throw damaged(fmt::format("{} has {} values where {} are wanted", about, points, count));
+	// A set that was never written would read as zeros.
+	H5D_space_status_t written = H5D_SPACE_STATUS_ERROR;
+	if (H5Dget_space_status(set, &written) < 0 || (written == H5D_SPACE_STATUS_NOT_ALLOCATED && count > 0))
+		throw damaged(fmt::format("{} was never written", about));
 	std::string bytes(count * byteSize(type), '\0');
 	if (H5Dread(set, nativeType(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0)
 		throw damaged(fmt::format("{} cannot be read", about));

@@ -41,17 +41,21 @@ VP_FORMAT("npz", ".npz", "NumPy archive, stored or deflated", "arrays of one sha
           head.ends({".npz"}) && head.starts("PK"), base, Npz)
 VP_FORMAT("gmsh", ".msh", "Gmsh mesh, versions 2 and 4, text and binary",
           "elements up to order 2; physical groups; node and element data; times", "vprobe", alone,
-          head.starts("$MeshFormat"), base, Gmsh)
+          head.starts("$MeshFormat") || (head.starts("$Comments") && head.has("$MeshFormat")), base, Gmsh)
 VP_FORMAT("zarr", ".zarr", "Zarr version 2, a folder, of the CF conventions",
           "the variables of most dimensions; missing values; times; units", "VTK, netCDF", folder,
           head.isFolder() && head.holdsFile(".zgroup"), more, Zarr)
+VP_FORMAT("amrex", "", "AMReX and BoxLib plot files, a folder", "AMR levels; values at cells; time", "vprobe", folder,
+          head.isFolder() && head.holdsFile("Header") && head.holdsFile("Level_0/Cell_H"), base, Amrex)
 // Before TIFF: a file may be both, with a TIFF header in the room that DICOM leaves.
 VP_FORMAT("dicom", ".dcm .ima", "DICOM: a file of many frames, or a series, by its folder or one file",
           "orientation; rescaled values; times", "GDCM", beside, head.at(128, "DICM") || head.isFolder(), more, Dicom)
 VP_FORMAT("mrc", ".mrc .map .ccp4 .rec .st", "MRC and CCP4 map", "order of axes; origin; units", "vprobe", alone,
           head.at(208, "MAP"), base, Mrc)
 VP_FORMAT("tiff", ".tif .tiff", "TIFF stack, also of ImageJ and OME-TIFF", "channels; times; spacing; units", "libtiff",
-          alone, head.starts("II*") || head.starts(std::string_view("MM\0*", 4)) || head.starts("II+"), base, Tiff)
+          alone, head.starts("II*") || head.starts(std::string_view("MM\0*", 4)) || head.starts("II+") ||
+              head.starts(std::string_view("MM\0+", 4)),
+          base, Tiff)
 VP_FORMAT("minc", ".mnc", "MINC 1 and 2", "orientation; rescaled values; times; units", "vprobe, HDF5, netCDF", alone,
           head.holds("minc-2.0") || (head.isNetcdf() && head.holds("image") && head.holds("zspace")), more, Minc)
 VP_FORMAT("cam", "", "netCDF of the atmosphere model CAM, with the file of its quads", "layers between quads; times",
@@ -59,6 +63,9 @@ VP_FORMAT("cam", "", "netCDF of the atmosphere model CAM, with the file of its q
 VP_FORMAT("mpas", "", "netCDF of the models MPAS, over the cells of their mesh", "layers of prisms; times",
           "vprobe, netCDF", alone, head.holds("nCells") && head.holds("verticesOnCell") && head.holds("nVertLevels"),
           more, Mpas)
+VP_FORMAT("slac", ".ncdf", "SLAC meshes of accelerators (netCDF), with a file of modes",
+          "volumes of tetrahedra; modes at points; time", "vprobe, netCDF", beside,
+          head.holds("tetrahedron_exterior") || head.holds("tetrahedron_interior"), more, Slac)
 VP_FORMAT("netcdf", ".nc .nc4 .cdf", "netCDF, classic and netCDF-4, of the CF conventions",
           "the variables of most dimensions; missing values; times; units", "VTK", alone,
           head.isNetcdf() || head.holds("_NCProperties") || head.holds("Conventions"), more, Netcdf)
@@ -73,14 +80,27 @@ VP_FORMAT("avs-ucd-binary", ".inp .avs .ucd", "AVS UCD, binary", "linear cells; 
           alone, head.isBinaryUcd(), base, UcdBinary)
 VP_FORMAT("gambit", ".neu", "GAMBIT neutral file", "linear elements; groups", "vprobe", alone,
           head.has("** GAMBIT NEUTRAL FILE") || (head.has("CONTROL INFO") && head.has("NUMNP")), base, Gambit)
-VP_FORMAT("fluent", ".cas .msh", "Fluent case and mesh, text and binary, with its data file",
-          "cell zones; polyhedra; values at cells", "vprobe", beside, head.isFluent(), base, Fluent)
+VP_FORMAT("fluent", ".cas .cas.gz .msh", "Fluent case and mesh, text and binary, with its data file",
+          "cell zones; polyhedra; values at cells", "vprobe", beside,
+          head.isFluent() || (head.starts("\x1f\x8b") && head.ends({".cas.gz", ".msh.gz"})), base, Fluent)
 VP_FORMAT("slc", ".slc", "VolVis volume, plain and packed", "one array; units", "vprobe", alone, head.isSlc(), base,
           Slc)
 VP_FORMAT("segy", ".sgy .segy", "SEG-Y, revisions 0 to 2", "inlines and crosslines; missing traces hidden", "vprobe",
           alone, head.isSegy(), base, Segy)
 VP_FORMAT("ls-dyna", "d3plot", "LS-DYNA d3plot, with the files of its states",
           "solids and thick shells; deleted elements hidden; times", "vprobe", beside, head.isD3plot(), base, Lsdyna)
+VP_FORMAT("fluent-hdf5", ".cas.h5", "Fluent case in HDF5, with its data file", "cell zones; polyhedra; values at cells",
+          "vprobe, HDF5", beside, head.holds("meshes") && head.holds("settings"), more, FluentHdf5)
+VP_FORMAT("converge", ".h5", "CONVERGE CFD results (HDF5)", "streams; polyhedra; values at cells; time", "vprobe, HDF5",
+          alone, head.holds("BOUNDARIES") && head.holdsLike("STREAM_"), more, Converge)
+VP_FORMAT("flash", "", "FLASH plot and checkpoint files (HDF5)", "leaf blocks of AMR; values at cells; time",
+          "vprobe, HDF5", alone, head.holds("gid") && head.holds("unknown names"), more, Flash)
+VP_FORMAT("velodyne", ".xamr", "Velodyne results (HDF5)", "leaf boxes of AMR; values at cells; time", "vprobe, HDF5",
+          alone, head.holds("AMR"), more, Velodyne)
+VP_FORMAT("enzo", ".hierarchy", "Enzo data, with the HDF5 files of its grids", "AMR levels; values at cells; time",
+          "vprobe, HDF5", beside, head.has("GridStartIndex") && head.has("GridLeftEdge"), more, Enzo)
+VP_FORMAT("mfix", ".res", "MFIX case, with its files of values", "boxes and sectors; blanked cells; times; units",
+          "vprobe", beside, head.starts("RES = "), base, Mfix)
 VP_FORMAT("xdmf", ".xdmf .xmf", "XDMF 2 and 3, with HDF5, binary and inline data",
           "lattices and unstructured grids; polyhedra; collections in space and time", "vprobe, HDF5", beside,
           head.has("<Xdmf"), more, Xdmf)

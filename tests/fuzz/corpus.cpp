@@ -41,11 +41,13 @@ DataSet describe(const std::string& name, const fs::path& folder)
 
 } // namespace
 
-std::vector<DataSet> writeSamples(const fs::path& folder)
+std::vector<DataSet> writeSamples(const fs::path& folder, bool with_large)
 {
 	std::vector<SampleFile> samples = sampleFiles();
 	const std::vector<SampleFile> more = formatSamples();
 	samples.insert(samples.end(), more.begin(), more.end());
+	const std::vector<SampleFile> large = with_large ? largeSamples() : std::vector<SampleFile>();
+	samples.insert(samples.end(), large.begin(), large.end());
 	std::vector<DataSet> sets;
 	for (const SampleFile& sample : samples)
 	{

@@ -29,11 +29,17 @@ using namespace fuzz;
 // What docs/FORMATS.md promises of small files; more than any has taken by far.
 constexpr std::uint64_t kBaseMemory = std::uint64_t(2) << 30;
 constexpr std::uint64_t kMemoryPerByte = 1032;
-// A reader of so small files is ended after 15 s.
+// A reader is ended after 15 s, and 1 s for each 4 MiB; cutting and checking take as long for each.
 constexpr std::chrono::seconds kTimeLimit{20};
+constexpr std::uint64_t kBytesPerSecond = 2u << 20;
 // Larger data sets take seconds a case.
 constexpr std::uint64_t kMaxBytes = 1u << 20;
 constexpr std::uint64_t kMaxBytesLong = 30u << 20;
+
+std::chrono::seconds timeLimitOf(const DataSet& set)
+{
+	return kTimeLimit + std::chrono::seconds(set.bytes / kBytesPerSecond);
+}
 
 struct Options
 {
@@ -161,7 +167,7 @@ void runCase(const Options& options, const std::vector<DataSet>& sets, std::size
 	const Command command = random.oneIn(4) ? (random.oneIn(2) ? Command::info : Command::check) : Command::slice;
 	const std::string file = (place / "in" / input).string();
 	const auto line = commandLine(options.program, command, file, place / "out");
-	const ProgramRun run = runProgram(line, (place / "said").string(), kTimeLimit);
+	const ProgramRun run = runProgram(line, (place / "said").string(), timeLimitOf(set));
 	const std::string wrong = judge(command, run, file, place / "out", kBaseMemory + kMemoryPerByte * set.bytes);
 
 	const std::lock_guard lock(tally.mutex);
@@ -189,7 +195,7 @@ std::size_t countUnreadable(const Options& options, const std::vector<DataSet>& 
 		for (const fs::path& input : set.inputs)
 		{
 			const auto line = commandLine(options.program, Command::info, (set.folder / input).string(), place);
-			const ProgramRun run = runProgram(line, place.string(), kTimeLimit);
+			const ProgramRun run = runProgram(line, place.string(), timeLimitOf(set));
 			unreadable += run.exit_code != 0;
 			if (run.exit_code != 0)
 				fmt::print("FAILED: {} is not read undamaged: {}", set.name, run.err);
@@ -200,7 +206,7 @@ std::size_t countUnreadable(const Options& options, const std::vector<DataSet>& 
 int runAll(const Options& options)
 {
 	const TemporaryPlace place;
-	std::vector<DataSet> sets = writeSamples(place.path() / "samples");
+	std::vector<DataSet> sets = writeSamples(place.path() / "samples", options.is_long);
 	if (options.only_case && options.keep)
 		fmt::print("{} sets\n", sets.size());
 	Tally tally;

@@ -31,7 +31,7 @@ struct InfoOptions
 struct ArrayInfo
 {
 	const grid::Field* field;
-	std::pair<double, double> range;
+	grid::ValueSpan range; // empty where no value is finite
 };
 
 std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
@@ -47,7 +47,11 @@ std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
 			if (known)
 				continue;
 			const int component = field.components == 1 ? 0 : grid::kMagnitude;
-			arrays.push_back({&field, grid::fieldRange(blocks, {field.name, field.association, component})});
+			ArrayInfo info = {&field, {}};
+			for (const grid::Block& each : blocks.blocks)
+				if (const grid::Field* same = grid::FieldChoice{field.name, field.association, component}.in(each))
+					info.range.include(grid::valueSpan(*same, component));
+			arrays.push_back(info);
 		}
 	return arrays;
 }
@@ -56,11 +60,12 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 {
 	nlohmann::json arrays = nlohmann::json::array();
 	for (const auto& [field, range] : listArrays(blocks))
-		arrays.push_back({{"name", field->name},
-		                  {"association", grid::associationName(field->association)},
-		                  {"components", field->components},
-		                  {"type", grid::numberTypeName(field->type)},
-		                  {"range", {range.first, range.second}}});
+		arrays.push_back(
+		    {{"name", field->name},
+		     {"association", grid::associationName(field->association)},
+		     {"components", field->components},
+		     {"type", grid::numberTypeName(field->type)},
+		     {"range", range.empty() ? nlohmann::json{nullptr, nullptr} : nlohmann::json{range.lo, range.hi}}});
 	nlohmann::json block_list = nlohmann::json::array();
 	for (const grid::Block& block : blocks.blocks)
 	{
@@ -163,9 +168,9 @@ void printInfo(const grid::BlockSet& blocks)
 	if (arrays.empty())
 		fmt::print("arrays  none\n");
 	for (const auto& [field, range] : arrays)
-		fmt::print("array   {}:{}  {} x {}, {}{:.6g} to {:.6g}\n", grid::associationName(field->association),
-		           field->name, field->components, grid::numberTypeName(field->type),
-		           field->components == 1 ? "" : "magnitude ", range.first, range.second);
+		fmt::print("array   {}:{}  {} x {}, {}{}\n", grid::associationName(field->association), field->name,
+		           field->components, grid::numberTypeName(field->type), field->components == 1 ? "" : "magnitude ",
+		           range.empty() ? "no finite value" : fmt::format("{:.6g} to {:.6g}", range.lo, range.hi));
 }
 
 void listFormats(bool as_json)

@@ -1,9 +1,8 @@
+#include "box_faces.h"
 #include "own_samples.h"
 #include "sample_bytes.h"
 
 #include <fmt/format.h>
-
-#include <map>
 
 namespace
 {
@@ -130,40 +129,6 @@ void writeBinaryUcd(const std::string& path)
 		addBigEndian(bytes, number);
 	writeContents(path, bytes + heads + lists + places[0] + places[1] + places[2] + arrays("f.", "K.", f) +
 	                        arrays("g.", "none.", g));
-}
-
-struct BoxFace
-{
-	std::array<int, 4> corners;
-	std::array<int, 2> cells = {-1, -1};
-};
-
-// Each face of the box's cells once. Its corners turn right about the way into its first cell.
-std::vector<BoxFace> facesOfBox()
-{
-	constexpr std::array<std::array<int, 4>, 6> kInward = {
-	    {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1}, {3, 2, 6, 7}, {0, 3, 7, 4}, {1, 5, 6, 2}}};
-	std::map<std::array<int, 4>, BoxFace> faces;
-	eachSampleCell(
-	    [&](const Vec3&, const std::array<int, 8>& corners, int cell)
-	    {
-		    for (const auto& inward : kInward)
-		    {
-			    BoxFace face;
-			    for (std::size_t i = 0; i < 4; ++i)
-				    face.corners[i] = corners[static_cast<std::size_t>(inward[i])];
-			    std::array<int, 4> key = face.corners;
-			    std::sort(key.begin(), key.end());
-			    BoxFace& known = faces.emplace(key, face).first->second;
-			    known.cells[known.cells[0] < 0 ? 0 : 1] = cell;
-		    }
-	    });
-	std::vector<BoxFace> all;
-	for (const bool inside : {true, false})
-		for (const auto& [key, face] : faces)
-			if ((face.cells[1] >= 0) == inside)
-				all.push_back(face);
-	return all;
 }
 
 // A case with its data file, in text or in binary.

@@ -1,67 +1,15 @@
 #include "own_samples.h"
 #include "sample_bytes.h"
+#include "sample_hdf5.h"
 
 #include <fmt/format.h>
 
-#include <hdf5.h>
 #include <netcdf.h>
 
 namespace
 {
 
 using vp::Vec3;
-
-// Writes data sets and attributes by paths; groups on the way are made.
-class SampleHdf5
-{
-public:
-	explicit SampleHdf5(const std::string& path)
-	    : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)), links_(H5Pcreate(H5P_LINK_CREATE))
-	{
-		H5Pset_create_intermediate_group(links_, 1);
-	}
-	~SampleHdf5()
-	{
-		H5Pclose(links_);
-		H5Fclose(file_);
-	}
-
-	void group(const std::string& path) { H5Gclose(H5Gcreate2(file_, path.c_str(), links_, H5P_DEFAULT, H5P_DEFAULT)); }
-	void set(const std::string& path, const std::vector<hsize_t>& sides, hid_t type, const void* values)
-	{
-		const hid_t space = H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr);
-		const hid_t made = H5Dcreate2(file_, path.c_str(), type, space, links_, H5P_DEFAULT, H5P_DEFAULT);
-		H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
-		H5Dclose(made);
-		H5Sclose(space);
-	}
-	void attribute(const std::string& object, const char* name, const std::vector<double>& values)
-	{
-		const hsize_t count = values.size();
-		const hid_t space = H5Screate_simple(1, &count, nullptr);
-		put(object, name, H5T_NATIVE_DOUBLE, space, values.data());
-	}
-	void attribute(const std::string& object, const char* name, const std::string& text)
-	{
-		const hid_t type = H5Tcopy(H5T_C_S1);
-		H5Tset_size(type, text.size() + 1);
-		put(object, name, type, H5Screate(H5S_SCALAR), text.c_str());
-		H5Tclose(type);
-	}
-
-private:
-	void put(const std::string& object, const char* name, hid_t type, hid_t space, const void* values)
-	{
-		const hid_t made =
-		    H5Acreate_by_name(file_, object.c_str(), name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-		H5Awrite(made, type, values);
-		H5Aclose(made);
-		H5Sclose(space);
-	}
-
-	hid_t file_;
-	hid_t links_;
-};
 
 // A mesh with its fields at an earlier and a later time. Cells are mirrored, as the description has them.
 void writeMed(const std::string& path)

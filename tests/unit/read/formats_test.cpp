@@ -18,9 +18,9 @@ class EachFormat : public testing::TestWithParam<std::size_t>
 // The formats with arrays of fixed names.
 void renameArrays(grid::BlockSet& set)
 {
-	static const std::set<std::string> kNames = {"MetaImage", "NIFTI",    "Density",     "density",
-	                                             "values",    "DICOM",    "MINC",        "trace",
-	                                             "SLCImage",  "PRESSURE", "temperature", "plastic strain"};
+	static const std::set<std::string> kNames = {"MetaImage",   "NIFTI",          "Density", "density",  "values",
+	                                             "DICOM",       "MINC",           "trace",   "SLCImage", "PRESSURE",
+	                                             "temperature", "plastic strain", "EP_g",    "SV_T"};
 	for (grid::Block& block : set.blocks)
 		for (grid::Field& field : block.fields)
 			if (kNames.contains(field.name))

@@ -13,3 +13,9 @@ std::vector<SampleFile> codeSamples();
 
 // The same, of formats that are kept in HDF5, netCDF and Zarr.
 std::vector<SampleFile> containerSamples();
+
+// The same, of codes that refine by boxes.
+std::vector<SampleFile> boxSamples();
+
+// The same, of further codes for flow and fields.
+std::vector<SampleFile> flowSamples();

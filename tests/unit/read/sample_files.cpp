@@ -90,7 +90,8 @@ const std::vector<SampleFile>& sampleFiles()
 		all.insert(all.end(), more.begin(), more.end());
 		const std::vector<SampleFile> further = moreSamples(all);
 		all.insert(all.end(), further.begin(), further.end());
-		for (const std::vector<SampleFile>& own : {ownSamples(), scanSamples(), codeSamples(), containerSamples()})
+		for (const std::vector<SampleFile>& own :
+		     {ownSamples(), scanSamples(), codeSamples(), containerSamples(), boxSamples(), flowSamples()})
 			all.insert(all.end(), own.begin(), own.end());
 		return all;
 	}();

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkDoubleArray;
+
+// Looks for what VTK's reader takes for there and fills with nothing: variables of elements that the file's table
+// names and that are missing. Throws a Refusal for them.
+void refuseMissingExodus(const std::string& file);
+
+// Variables of nodes that lie one by one in a file that is not of the kind of large ones, as meshio writes it: VTK's
+// reader would not find them, and leave their values as the memory has them.
+bool hasOddExodusNodes(const std::string& file);
+
+// Those variables at a step, with a value for each node of the file.
+std::vector<vtkSmartPointer<vtkDoubleArray>> oddExodusNodes(const std::string& file, std::size_t step);
+
+// The step of a time.
+std::size_t exodusStepOf(const std::string& file, double time);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <hdf5.h>
+
+// Closes what HDF5 has opened. Less than 0 where it has not.
+class Hdf5Handle
+{
+public:
+	Hdf5Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+	~Hdf5Handle()
+	{
+		if (id_ >= 0)
+			close_(id_);
+	}
+	Hdf5Handle(const Hdf5Handle&) = delete;
+	Hdf5Handle& operator=(const Hdf5Handle&) = delete;
+	operator hid_t() const { return id_; }
+
+private:
+	hid_t id_;
+	herr_t (*close_)(hid_t);
+};

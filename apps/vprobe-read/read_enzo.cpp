@@ -1,0 +1,101 @@
+// Data of the code Enzo: a text that lists boxes (.hierarchy), and HDF5 files with their values. By a parser of our
+// own: VTK's loops for ever where the text ends early.
+#include "amr_cover.h"
+#include "cell_boxes.h"
+#include "enzo_hierarchy.h"
+#include "formats.h"
+#include "hdf5_file.h"
+#include "manifest_writer.h"
+#include "mapped_text.h"
+#include "refusal.h"
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+// The files of values, each opened when a box of it is first met; the last one stays open.
+class EnzoFiles
+{
+public:
+	explicit EnzoFiles(const std::string& hierarchy) : folder_(fs::path(hierarchy).parent_path()) {}
+
+	const Hdf5File& operator[](const std::string& name)
+	{
+		if (name != name_ || !file_)
+		{
+			// Files are named from the folder that the code ran in; they lie beside the text.
+			const std::string path = (folder_ / fs::path(name).filename()).string();
+			if (!fs::is_regular_file(path))
+				throw Refusal(fmt::format("its file {} cannot be opened; keep them together", path));
+			file_ = std::make_unique<Hdf5File>(path);
+			name_ = name;
+		}
+		return *file_;
+	}
+
+private:
+	fs::path folder_;
+	std::string name_;
+	std::unique_ptr<Hdf5File> file_;
+};
+
+// Packed files have a group for each box.
+std::string enzoGroup(const Hdf5File& file, std::size_t number)
+{
+	const std::string group = fmt::format("/Grid{:08}", number);
+	return file.has(group) ? group + "/" : "/";
+}
+
+// The variables that a box has at its cells; particles have one dimension.
+std::vector<CellArrayName> enzoVariables(const Hdf5File& file, const std::string& group, const CellBox& box)
+{
+	std::vector<CellArrayName> names;
+	const std::vector<std::uint64_t> wanted = {box.cells[2], box.cells[1], box.cells[0]};
+	for (const std::string& name : file.namesIn(group == "/" ? group : group.substr(0, group.size() - 1)))
+		if (file.isSet(group + name) && file.sidesOf(group + name) == wanted)
+			names.push_back({name});
+	return names;
+}
+
+} // namespace
+
+void readEnzo(const Request& request, ManifestWriter& manifest)
+{
+	const MappedText text(request.file);
+	const EnzoHierarchy hierarchy = parseEnzoHierarchy(text.text());
+	const std::map<std::string, double> factors = enzoFactors(request.file);
+	const AmrLevels levels = enzoLevels(hierarchy);
+	offerOnlyTime(hierarchy.time, request, manifest);
+	EnzoFiles files(request.file);
+	for (std::size_t level = 0; level < levels.boxes.size(); ++level)
+		for (const AmrBox& at : levels.boxes[level])
+		{
+			const EnzoGrid& grid = hierarchy.grids[at.number];
+			const Hdf5File& file = files[at.file];
+			const std::string group = enzoGroup(file, grid.number);
+			const CellArrayChoice choice(request, enzoVariables(file, group, grid.box));
+			const auto image = imageOfBox(grid.box);
+			for (const std::string& name : choice.wanted())
+			{
+				std::vector<double> values = file.reals(group + name);
+				if (const auto factor = factors.find(name); factor != factors.end())
+					for (double& value : values)
+						value *= factor->second;
+				addCellArray(image, name, values);
+			}
+			markCovered(levels, level, at, image);
+			choice.noteLeftOut(manifest);
+			manifest.setPrefix(fmt::format("level {}, grid {}", level, grid.number));
+			manifest.add(image);
+		}
+}

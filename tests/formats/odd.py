@@ -1,0 +1,232 @@
+"""Odd files that are valid: each gives the right figures, or one line that says why not."""
+import subprocess
+
+from against import VPROBE, compare, cut, info, lattice, mixed_mesh, near, need, nrrd
+
+
+def refused(path, *words):
+    done = subprocess.run([VPROBE, 'info', path], capture_output=True, text=True)
+    assert done.returncode == 2 and done.stderr.count('\n') == 1, done
+    for word in words:
+        assert word in done.stderr, (word, done.stderr)
+    assert 'damaged' not in done.stderr, done.stderr
+
+
+def exodus_by_meshio(folder):
+    """Without the mark of large files, but with variables as these have them; a vector as one of them."""
+    meshio, numpy = need('meshio'), need('numpy')
+    need('netCDF4')
+    mesh = mixed_mesh(meshio, numpy)
+    mesh.cell_data.clear()
+    meshio.write(folder / 'reference.vtu', mesh)
+    meshio.write(folder / 'mesh.e', mesh)
+    compare(folder / 'mesh.e', folder / 'reference.vtu', [(a, a) for a in ('point:f', 'point:v')], counts=('cells',))
+
+
+def exodus_without_values(folder):
+    """The table of variables says that one is there."""
+    netcdf4, numpy, meshio = need('netCDF4'), need('numpy'), need('meshio')
+    mesh = mixed_mesh(meshio, numpy)
+    mesh.cell_data.clear()
+    mesh.point_data.clear()
+    path = folder / 'mesh.e'
+    meshio.write(path, mesh)
+    with netcdf4.Dataset(path, 'a') as file:
+        file.createDimension('num_elem_var', 1)
+        file.createVariable('name_elem_var', 'S1', ('num_elem_var', 'len_string'))[0, 0] = b'p'
+        file.createVariable('elem_var_tab', 'i4', ('num_el_blk', 'num_elem_var'))[:] = 1
+    done = subprocess.run([VPROBE, 'info', path], capture_output=True, text=True)
+    assert done.returncode == 2 and 'it has no vals_elem_var1eb1' in done.stderr, done
+
+
+def numpy_types(folder):
+    numpy = need('numpy')
+    values = lattice(numpy)
+    reference = nrrd(folder, values)
+    numpy.savez(folder / 'mixed.npz', empty=numpy.zeros((0, 4, 5)), f=values.astype('>f4'), c=values.astype('c8'),
+                objects=numpy.array([None]), mask=values > 100)
+    compare(folder / 'mixed.npz', reference, [('point:f', 'point:f')])
+    assert {a['name'] for a in info(folder / 'mixed.npz')['arrays']} == {'f', 'mask'}
+    numpy.save(folder / 'half.npy', values.astype('f2'))
+    refused(folder / 'half.npy', "astype('float32')")
+    numpy.save(folder / 'empty.npy', numpy.zeros((0, 4, 5)))
+    refused(folder / 'empty.npy', 'nothing to slice')
+    numpy.save(folder / 'nan.npy', numpy.full((3, 3, 3), numpy.nan))
+    assert info(folder / 'nan.npy')['arrays'][0]['range'] == [None, None]
+
+
+def netcdf_sides(folder):
+    netcdf4, numpy = need('netCDF4'), need('numpy')
+    values = lattice(numpy)
+
+    def new(name, form='NETCDF4', **sides):
+        file = netcdf4.Dataset(folder / name, 'w', format=form)
+        for side, count in ({'z': 6, 'y': 4, 'x': 5} | sides).items():
+            file.createDimension(side, count)
+        return file
+
+    with new('no_times.nc', time=None) as file:
+        file.createVariable('f', 'f4', ('time', 'z', 'y', 'x'))
+    refused(folder / 'no_times.nc', 'dimension time is 0')
+    with new('static.nc', time=None) as file:
+        file.createVariable('surface', 'f4', ('time', 'y', 'x'))
+        file.createVariable('f', 'f4', ('z', 'y', 'x'))[:] = values
+    compare(folder / 'static.nc', nrrd(folder, values), [('point:f', 'point:f')])
+    with new('records.nc', form='NETCDF3_CLASSIC', z=None) as file:
+        file.createVariable('f', 'f4', ('z', 'y', 'x'))[:] = values
+    compare(folder / 'records.nc', nrrd(folder, values), [('point:f', 'point:f')])
+    with new('types.nc') as file:
+        kinds = ('i1', 'u1', 'i2', 'u2', 'i4', 'u4', 'i8', 'u8', 'f4', 'f8')
+        for kind in kinds:
+            file.createVariable(kind, kind, ('z', 'y', 'x'), zlib=True, shuffle=True, endian='big')[:] = values % 100
+        file.createVariable('words', str, ('z', 'y', 'x'))[0, 0, 0] = 'a word'
+    found = {a['name']: a['range'] for a in info(folder / 'types.nc')['arrays']}
+    assert found == {kind: [0.0, 34.0] for kind in kinds}, found
+    for kind in kinds:
+        assert near(cut(folder / 'types.nc', kind)['mean'], cut(folder / 'types.nc', 'f8')['mean']), kind
+    # Bytes are signed, unless the file says otherwise; whole numbers may be packed, and have times.
+    with new('bytes.nc', time=2) as file:
+        file.createVariable('z', 'f4', ('z',))[:] = numpy.arange(6)[::-1]
+        axis = file.createVariable('time', 'f8', ('time',))
+        axis.units, axis[:] = 'hours since 2001-01-01', [6, 12]
+        file.createVariable('signed', 'i1', ('time', 'z', 'y', 'x'))[:] = [values / 10 - 50, values / 5 - 100]
+        packed = file.createVariable('packed', 'u2', ('time', 'z', 'y', 'x'), fill_value=534)
+        packed.set_auto_maskandscale(False)
+        packed.scale_factor, packed.add_offset = 0.5, -3.0
+        packed[:] = [values, values]
+        packed.units = 'K'
+        odd = file.createVariable('odd', 'i1', ('time', 'z', 'y', 'x'))
+        odd.set_auto_maskandscale(False)
+        odd._Unsigned = 'true'
+        odd[:] = numpy.stack([values / 2.5] * 2).astype('u1').view('i1')
+        file.createVariable('f', 'f4', ('time', 'z', 'y', 'x'))[:] = [values, 2 * values]
+    found = {a['name']: a['range'] for a in info(folder / 'bytes.nc')['arrays']}
+    assert found == {'signed': [-100.0, 6.0], 'packed': [-3.0, 263.5], 'odd': [0.0, 213.0], 'f': [0.0, 1068.0]}, found
+    a, b = cut(folder / 'bytes.nc', 'signed', '--time', 'first'), cut(folder / 'bytes.nc', 'f', '--time', 'first')
+    assert abs(a['mean'] - (b['mean'] / 10 - 50)) < 1.0, (a, b)
+    with new('late.nc', t=3) as file:
+        axis = file.createVariable('t', 'i4', ('t',))
+        axis.units, axis[:] = 'days since 2001-01-01', [5, 10, 20]
+        file.createVariable('f', 'f4', ('z', 't', 'y', 'x'))[:] = 0
+    refused(folder / 'late.nc', 'ncpdq')
+    with netcdf4.Dataset(folder / 'groups.nc', 'w') as file:
+        group = file.createGroup('run')
+        for side, count in (('z', 6), ('y', 4), ('x', 5)):
+            group.createDimension(side, count)
+        group.createVariable('f', 'f4', ('z', 'y', 'x'))[:] = values
+    refused(folder / 'groups.nc', 'groups of netCDF-4')
+
+
+def xdmf_types(folder):
+    h5py, numpy = need('h5py'), need('numpy')
+    values = lattice(numpy)
+    reference = nrrd(folder, values)
+    with h5py.File(folder / 'data.h5', 'w') as file:
+        file.create_dataset('big', data=values.astype('>f4'), chunks=(3, 2, 5), compression='gzip', shuffle=True)
+        file['half'] = values.astype('f2')
+        file['short'] = values.astype('>i2')
+        file.create_dataset('never', shape=values.shape, dtype='f4')
+    for name in ('big', 'half', 'short', 'never'):
+        (folder / f'{name}.xmf').write_text(
+            '<Xdmf Version="3.0"><Domain><Grid><Topology TopologyType="3DCoRectMesh" Dimensions="6 4 5"/>'
+            '<Geometry GeometryType="ORIGIN_DXDYDZ"><DataItem Dimensions="3">0 0 0</DataItem>'
+            '<DataItem Dimensions="3">1 1 1</DataItem></Geometry><Attribute Name="f" Center="Node">'
+            f'<DataItem Dimensions="6 4 5" Format="HDF">data.h5:/{name}</DataItem></Attribute></Grid></Domain></Xdmf>')
+        if name != 'never':
+            compare(folder / f'{name}.xmf', reference, [('point:f', 'point:f')])
+    done = subprocess.run([VPROBE, 'info', folder / 'never.xmf'], capture_output=True, text=True)
+    assert done.returncode == 2 and 'was never written' in done.stderr, done
+
+
+def vtk_images(folder):
+    """Big-endian, packed in many blocks, cells counted from any index, a time among the field data."""
+    numpy, vtk, core = need('numpy'), need('vtkmodules.vtkIOXML'), need('vtkmodules.vtkCommonDataModel')
+    support, kinds = need('vtkmodules.util.numpy_support'), need('vtkmodules.vtkCommonCore')
+    values = lattice(numpy)
+    reference = nrrd(folder, values, 'spacings: 0.5 1 2\naxis mins: 0 5 23\n')
+    image = core.vtkImageData()
+    image.SetExtent(-2, 2, 3, 6, 10, 15)
+    image.SetSpacing(0.5, 1, 2)
+    image.SetOrigin(1, 2, 3)
+    array = support.numpy_to_vtk(values.ravel(), deep=True)
+    array.SetName('f')
+    image.GetPointData().AddArray(array)
+    time = kinds.vtkDoubleArray()
+    time.SetName('TimeValue')
+    time.InsertNextValue(7.5)
+    image.GetFieldData().AddArray(time)
+    for packing in ('ZLib', 'LZ4', 'LZMA'):
+        for mode in ('Appended', 'Binary'):
+            path = folder / f'{packing}{mode}.vti'
+            writer = vtk.vtkXMLImageDataWriter()
+            writer.SetFileName(str(path))
+            writer.SetInputData(image)
+            getattr(writer, f'SetCompressorTypeTo{packing}')()
+            getattr(writer, f'SetDataModeTo{mode}')()
+            writer.SetByteOrderToBigEndian()
+            writer.SetHeaderTypeToUInt64()
+            writer.SetBlockSize(128)
+            writer.EncodeAppendedDataOff()
+            writer.Write()
+            compare(path, reference, [('point:f', 'point:f')])
+            assert info(path)['times'] == [7.5]
+
+
+def vtk_without_cells(folder):
+    vtk, core = need('vtkmodules.vtkIOXML'), need('vtkmodules.vtkCommonDataModel')
+    writer = vtk.vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(str(folder / 'empty.vtu'))
+    writer.SetInputData(core.vtkUnstructuredGrid())
+    writer.Write()
+    refused(folder / 'empty.vtu', 'nothing to slice')
+
+
+def gmsh_comments(folder):
+    """Comments before all sections, and sizes of 32 bits."""
+    meshio, numpy = need('meshio'), need('numpy')
+    mesh = mixed_mesh(meshio, numpy)
+    meshio.write(folder / 'reference.vtu', mesh)
+    meshio.write(folder / 'plain.msh', mesh, file_format='gmsh22', binary=False)
+    text = (folder / 'plain.msh').read_text()
+    (folder / 'mesh.msh').write_text('$Comments\nby a program\n$EndComments\n' + text)
+    compare(folder / 'mesh.msh', folder / 'reference.vtu', [('point:f', 'point:f')])
+    (folder / 'narrow.msh').write_text(
+        '$MeshFormat\n4.1 0 4\n$EndMeshFormat\n$Nodes\n1 4 1 4\n3 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 6\n'
+        '$EndNodes\n$Elements\n1 1 1 1\n3 1 4 1\n1 1 2 3 4\n$EndElements\n')
+    assert near(cut(folder / 'narrow.msh', None, '--normal', '0', '0', '1', '--origin', '0', '0', '3')['area'], 0.125)
+
+
+def wedges(folder):
+    """Their first three corners are seen from inside in Gmsh and GAMBIT, from outside in VTK: none is inside out."""
+    nodes = ['0 0 0', '1 0 0', '0 1 0', '0 0 1', '1 0 1', '0 1 1']
+    listed = '\n'.join(f'{i} {node}' for i, node in enumerate(nodes, 1))
+    (folder / 'wedge.msh').write_text(f'$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n{listed}\n$EndNodes\n'
+                                      '$Elements\n1\n1 6 2 1 1 1 2 3 4 5 6\n$EndElements\n')
+    (folder / 'wedge.neu').write_text(
+        '        CONTROL INFO 1.2.1\n** GAMBIT NEUTRAL FILE\nwedge\nPROGRAM: Gambit VERSION: 1.2.1\n4 Jan 2000\n'
+        '     NUMNP     NELEM     NGRPS    NBSETS     NDFCD     NDFVL\n 6 1 0 0 3 3\nENDOFSECTION\n'
+        f'   NODAL COORDINATES 1.2.1\n{listed}\nENDOFSECTION\n      ELEMENTS/CELLS 1.2.1\n 1 5 6 1 2 3 4 5 6\n'
+        'ENDOFSECTION\n')
+    for name in ('wedge.msh', 'wedge.neu'):
+        done = subprocess.run([VPROBE, 'check', folder / name], capture_output=True, text=True)
+        assert done.returncode == 0 and 'no fault' in done.stdout, done
+
+
+def tiff_orders(folder):
+    tifffile, numpy = need('tifffile'), need('numpy')
+    values = lattice(numpy)
+    reference = nrrd(folder, values)
+    for name, options in (('big', {'byteorder': '>'}), ('bigtiff', {'bigtiff': True}),
+                          ('both', {'byteorder': '>', 'bigtiff': True})):
+        tifffile.imwrite(folder / f'{name}.tif', values.astype('u2'), **options)
+        compare(folder / f'{name}.tif', reference, [('point:values', 'point:f')])
+
+
+def other_codes(folder):
+    meshio, numpy = need('meshio'), need('numpy')
+    meshio.write(folder / 'mesh.inp', mixed_mesh(meshio, numpy), file_format='abaqus')
+    refused(folder / 'mesh.inp', 'Abaqus')
+
+
+CASES = [exodus_by_meshio, exodus_without_values, numpy_types, netcdf_sides, xdmf_types, vtk_images, vtk_without_cells,
+         gmsh_comments, wedges, tiff_orders, other_codes]
