@@ -50,8 +50,7 @@ vtkSmartPointer<vtkDoubleArray> shownValues(vtkPolyData& sheet, const Settings& 
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> contourLines(vtkPolyData& sheet, const Settings& settings,
-                                          const std::vector<double>& values)
+vtkSmartPointer<vtkPolyData> contourLines(vtkPolyData& sheet, const Settings& settings)
 {
 	auto lines = vtkSmartPointer<vtkPolyData>::New();
 	if (sheet.GetNumberOfCells() == 0)
@@ -68,8 +67,8 @@ vtkSmartPointer<vtkPolyData> contourLines(vtkPolyData& sheet, const Settings& se
 	filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "vprobe:shown");
 	filter->SetComputeNormals(false);
 	filter->SetComputeScalars(false);
-	for (std::size_t i = 0; i < values.size(); ++i)
-		filter->SetValue(static_cast<int>(i), values[i]);
+	for (std::size_t i = 0; i < settings.line_values.size(); ++i)
+		filter->SetValue(static_cast<int>(i), settings.line_values[i]);
 	filter->Update();
 	lines->ShallowCopy(filter->GetOutput());
 	lines->GetPointData()->RemoveArray("vprobe:shown");

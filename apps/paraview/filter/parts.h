@@ -17,8 +17,7 @@ namespace vprobe_paraview
 vtkSmartPointer<vtkPolyData> polygonsOf(const vprobe::Mesh& mesh, const KeptGrid& grid);
 
 // The lines on the polygons where the array has these values.
-vtkSmartPointer<vtkPolyData> contourLines(vtkPolyData& sheet, const Settings& settings,
-                                          const std::vector<double>& values);
+vtkSmartPointer<vtkPolyData> contourLines(vtkPolyData& sheet, const Settings& settings);
 
 // The paths of particles from all sheets, tufts with heads, with every array of the input at their points. Throws
 // Refused.

@@ -53,12 +53,6 @@ void requireArray(const std::vector<Leaf>& leaves, const std::string& setting)
 
 } // namespace
 
-bool hasParts(const Settings& settings, const std::vector<double>& line_values)
-{
-	return settings.probe != Probe::single || !line_values.empty() || !settings.contours.empty() ||
-	       settings.vectors != Vectors::none;
-}
-
 void Request::watch(double progress, const std::function<void(std::stop_token)>& work)
 {
 	const std::vector<std::string> heard = runWatched(filter, progress, work);
@@ -76,7 +70,7 @@ Whole Request::whole(const std::vector<Leaf>& leaves)
 			whole.bounds[2 * a] = std::min(whole.bounds[2 * a], bounds[2 * a]);
 			whole.bounds[2 * a + 1] = std::max(whole.bounds[2 * a + 1], bounds[2 * a + 1]);
 		}
-		if (settings.vectors != Vectors::none && settings.vector_dt <= 0.0)
+		if (settings.launches() && settings.vector_dt <= 0.0)
 			whole.fastest = std::max(whole.fastest, longestVector(*leaf.data, settings.vector_array));
 	}
 	whole.bounds = ranks.unionOf(whole.bounds);
@@ -94,9 +88,9 @@ vprobe::Cut Request::cut(vtkDataObject& input)
 		grid.forget();
 		return {};
 	}
-	if (settings.needsArray() || !line_values.empty())
+	if (settings.needsArray() || settings.drawsLines())
 		requireArray(leaves, settings.array);
-	if (settings.vectors != Vectors::none)
+	if (settings.launches())
 		requireArray(leaves, settings.vector_array);
 	const vprobe::Result<vprobe::View> view = viewOf(settings, whole_input);
 	if (!view)
@@ -167,11 +161,11 @@ std::string Request::fill(const vprobe::Cut& cut, vtkDataObject& output)
 	{
 		for (std::size_t s = 0; s < cut.sheetCount(); ++s)
 			sheets.push_back(polygonsOf(cut.mesh(s), grid));
-		for (std::size_t s = 0; !line_values.empty() && s < sheets.size(); ++s)
-			appendTo(lines, contourLines(*sheets[s], settings, line_values));
+		for (std::size_t s = 0; settings.drawsLines() && s < sheets.size(); ++s)
+			appendTo(lines, contourLines(*sheets[s], settings));
 		for (std::size_t c = 0; c < cut.contourCount(); ++c)
 			appendTo(contours, polygonsOf(cut.contour(c), grid));
-		if (settings.vectors != Vectors::none)
+		if (settings.launches())
 			paths = pathsOf(cut, grid, settings);
 	}
 	catch (const std::exception& failure)
@@ -185,11 +179,11 @@ std::string Request::fill(const vprobe::Cut& cut, vtkDataObject& output)
 	{
 		for (std::size_t s = 0; s < count; ++s)
 			addPart(*parts, "Sheet " + std::to_string(s), sheets[s]);
-		if (!line_values.empty())
+		if (settings.drawsLines())
 			addPart(*parts, "Contour Lines", lines);
-		if (!settings.contours.empty())
+		if (settings.growsContours())
 			addPart(*parts, "Contours", contours);
-		if (settings.vectors != Vectors::none)
+		if (settings.launches())
 			addPart(*parts, "Vectors", paths);
 	}
 	else if (!sheets.empty())

@@ -20,7 +20,6 @@ struct Request
 {
 	vtkAlgorithm& filter;
 	Settings settings; // with the arrays' names
-	std::vector<double> line_values;
 	double tolerance = 0.0;
 	KeptGrid& grid;
 	Ranks ranks;
@@ -36,8 +35,5 @@ private:
 	vprobe::Cut cut(vtkDataObject& input); // throws Refused, Cancelled
 	std::string fill(const vprobe::Cut& cut, vtkDataObject& output);
 };
-
-// Whether the output is more than one sheet.
-bool hasParts(const Settings& settings, const std::vector<double>& line_values);
 
 } // namespace vprobe_paraview

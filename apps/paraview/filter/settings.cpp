@@ -83,7 +83,7 @@ void placeProbe(const Settings& settings, const Whole& whole, View& view)
 				farthest += end * end;
 		view.window(std::sqrt(farthest), 2.0 * std::sqrt(farthest));
 	}
-	else if (settings.vectors != Vectors::none && whole.ranks > 1 && settings.probe != Probe::file)
+	else if (settings.launches() && whole.ranks > 1 && settings.probe != Probe::file)
 	{
 		const std::array<double, 2> window = windowAround(settings, whole);
 		view.window(window[0], window[1]);
@@ -129,7 +129,7 @@ vprobe::Status setSurface(const Settings& settings, View& view)
 
 vprobe::Status setVectors(const Settings& settings, const Whole& whole, View& view)
 {
-	if (settings.vectors == Vectors::none)
+	if (!settings.launches())
 		return vprobe::Nothing{};
 	const bool are_tufts = settings.vectors == Vectors::tufts;
 	double dt = settings.vector_dt;
@@ -176,7 +176,7 @@ vprobe::Result<View> viewOf(const Settings& settings, const Whole& whole)
 	view.component(settings.component);
 	if (settings.has_threshold)
 		view.threshold(settings.threshold[0], settings.threshold[1]);
-	if (!settings.contours.empty())
+	if (settings.growsContours())
 		view.contour(settings.contours);
 	if (settings.contour_depth > 0.0)
 		if (const vprobe::Status set = view.set("contour_depth", textOf(settings.contour_depth)); !set)

@@ -60,6 +60,9 @@ struct Settings
 	std::array<double, 2> threshold{0.0, 1.0};
 	std::string array; // "point:NAME" or "cell:NAME"; empty: the first
 	int component = -1;
+	bool has_contour_lines = false;
+	std::vector<double> line_values{}; // of contour lines
+	bool has_contours = false;
 	std::vector<double> contours{}; // values of surfaces that grow from the sheets
 	double contour_depth = 0.0;
 	Vectors vectors = Vectors::none;
@@ -70,8 +73,13 @@ struct Settings
 	int vector_direction = 0;
 	int threads = 0;
 
-	// The array is used for more than for coloring, so it has to be there.
-	bool needsArray() const { return has_threshold || !contours.empty() || surface == Surface::iso; }
+	bool growsContours() const { return has_contours && !contours.empty(); }
+	bool drawsLines() const { return has_contour_lines && !line_values.empty(); }
+	bool launches() const { return vectors != Vectors::none; }
+	// The array decides what is cut, so it has to be there.
+	bool needsArray() const { return has_threshold || growsContours() || surface == Surface::iso; }
+	// Whether the output is more than one sheet.
+	bool hasParts() const { return probe != Probe::single || drawsLines() || growsContours() || launches(); }
 };
 
 // What all ranks have together, where a setting follows from it.

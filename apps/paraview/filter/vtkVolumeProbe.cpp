@@ -22,7 +22,6 @@ vtkStandardNewMacro(vtkVolumeProbe);
 struct vtkVolumeProbe::State
 {
 	Settings settings;
-	std::vector<double> line_values;
 	double tolerance = 0.0;
 	KeptGrid grid;
 	vtkSmartPointer<vtkMultiProcessController> controller;
@@ -167,14 +166,24 @@ void vtkVolumeProbe::SetComponent(int component)
 	State::set(*this, State_->settings.component, component);
 }
 
+void vtkVolumeProbe::SetUseContourLines(bool use)
+{
+	State::set(*this, State_->settings.has_contour_lines, use);
+}
+
 void vtkVolumeProbe::SetNumberOfContourLines(int count)
 {
-	State::resize(*this, State_->line_values, count);
+	State::resize(*this, State_->settings.line_values, count);
 }
 
 void vtkVolumeProbe::SetContourLine(int index, double value)
 {
-	State::setAt(*this, State_->line_values, index, value);
+	State::setAt(*this, State_->settings.line_values, index, value);
+}
+
+void vtkVolumeProbe::SetUseContours(bool use)
+{
+	State::set(*this, State_->settings.has_contours, use);
 }
 
 void vtkVolumeProbe::SetNumberOfContours(int count)
@@ -259,7 +268,7 @@ int vtkVolumeProbe::RequestDataObject(vtkInformation*, vtkInformationVector**, v
 	vtkInformation* info = outputs->GetInformationObject(0);
 	vtkDataObject* there = vtkDataObject::GetData(info);
 	vtkSmartPointer<vtkDataObject> wanted = vtkSmartPointer<vtkPolyData>::New();
-	if (hasParts(State_->settings, State_->line_values))
+	if (State_->settings.hasParts())
 		wanted = vtkSmartPointer<vtkMultiBlockDataSet>::New();
 	if (!there || there->GetDataObjectType() != wanted->GetDataObjectType())
 		info->Set(vtkDataObject::DATA_OBJECT(), wanted);
@@ -297,8 +306,7 @@ int vtkVolumeProbe::RequestData(vtkInformation*, vtkInformationVector** inputs, 
 {
 	vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
 	vtkDataObject* output = vtkDataObject::GetData(outputs);
-	Request request{*this,        State_->settings,         State_->line_values, State_->tolerance,
-	                State_->grid, Ranks(State_->controller)};
+	Request request{*this, State_->settings, State_->tolerance, State_->grid, Ranks(State_->controller)};
 	request.settings.array = arraySetting(*this, 0);
 	request.settings.vector_array = arraySetting(*this, 1);
 	if (request.settings.probe == Probe::file)

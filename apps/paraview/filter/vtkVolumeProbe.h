@@ -95,8 +95,10 @@ public:
 	/**
 	 * Lines on the sheets on which the array has these values, and surfaces that grow from the sheets.
 	 */
+	void SetUseContourLines(bool use);
 	void SetNumberOfContourLines(int count);
 	void SetContourLine(int index, double value);
+	void SetUseContours(bool use);
 	void SetNumberOfContours(int count);
 	void SetContour(int index, double value);
 	void SetContourDepth(double depth);
