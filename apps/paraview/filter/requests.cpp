@@ -172,6 +172,12 @@ std::string Request::fill(const vprobe::Cut& cut, vtkDataObject& output)
 	{
 		failed = failure.what();
 	}
+	std::uint64_t polygons = 0;
+	for (const vtkSmartPointer<vtkPolyData>& sheet : sheets)
+		polygons += static_cast<std::uint64_t>(sheet->GetNumberOfCells());
+	// What one rank lacks, another may have.
+	if (ranks.sum(polygons) > 0 && ranks.count() > 1)
+		warnings.clear();
 	const auto count = static_cast<std::size_t>(ranks.largest(static_cast<double>(sheets.size())));
 	while (sheets.size() < count)
 		sheets.push_back(vtkSmartPointer<vtkPolyData>::New());
