@@ -64,7 +64,8 @@ std::string Ranks::first(const std::string& text) const
 	if (controller_->GetLocalProcessId() == speaker)
 		told = text;
 	controller_->Broadcast(told.data(), length, speaker);
-	return "rank " + std::to_string(speaker) + ": " + told;
+	const bool is_everywhere = sum(text.empty() ? 0 : 1) == static_cast<std::uint64_t>(count());
+	return (is_everywhere ? "" : "rank " + std::to_string(speaker) + ": ") + told;
 }
 
 } // namespace vprobe_paraview

@@ -22,7 +22,7 @@ public:
 	double largest(double value) const;
 	// low x, high x, low y ...; of nothing the low is above the high.
 	std::array<double, 6> unionOf(std::array<double, 6> bounds) const;
-	// The text of the first rank that has one.
+	// The text of the first rank that has one, with its number where not all have one.
 	std::string first(const std::string& text) const;
 
 private:

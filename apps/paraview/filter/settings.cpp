@@ -25,11 +25,6 @@ double dot(const Vector3& a, const Vector3& b)
 	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-Vector3 cross(const Vector3& a, const Vector3& b)
-{
-	return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 Vector3 unit(const Vector3& v)
 {
 	const double length = std::sqrt(dot(v, v));
@@ -50,19 +45,39 @@ std::array<double, 2> reach(const Settings& settings, const Whole& whole, const 
 	return reach;
 }
 
-// A window about the origin that nothing reaches out of, so that all ranks launch from one lattice.
-std::array<double, 2> windowAround(const Settings& settings, const Whole& whole)
+// The distance of the farthest corner of the bounds from the origin, or a little more.
+double farthest(const Settings& settings, const Whole& whole)
 {
-	const Vector3 normal = unit(settings.normal);
-	const Vector3 side = cross(settings.up, normal);
-	const bool is_parallel = dot(side, side) <= 1e-24 * dot(settings.up, settings.up);
-	const Vector3 x = unit(is_parallel ? cross(Vector3{1.0, 0.0, 0.0}, normal) : side);
-	const auto size = [&](const Vector3& direction)
+	double sum = 0.0;
+	for (const Vector3& axis : {Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0}, Vector3{0.0, 0.0, 1.0}})
 	{
-		const std::array<double, 2> ends = reach(settings, whole, direction);
-		return 2.0 * std::max(std::abs(ends[0]), std::abs(ends[1]));
-	};
-	return {size(x), size(cross(normal, x))};
+		const std::array<double, 2> ends = reach(settings, whole, axis);
+		sum += std::pow(std::max(std::abs(ends[0]), std::abs(ends[1])), 2);
+	}
+	return 1.001 * std::sqrt(sum);
+}
+
+// From where particles start: points of one lattice on all ranks, whatever part of a sheet each has.
+struct Launch
+{
+	double spacing = 0.0;
+	int points = 0;                 // along the longer side of the window
+	std::array<double, 2> window{}; // of each sheet
+};
+
+Launch launchOf(const Settings& settings, const Whole& whole)
+{
+	constexpr int kMostPoints = 1000;
+	const int wanted = std::clamp(settings.vector_lattice, 1, kMostPoints);
+	if (settings.has_window)
+		return {std::max(settings.window[0], settings.window[1]) / wanted, wanted, settings.window};
+	double longest = 0.0;
+	for (unsigned a = 0; a < 3; ++a)
+		longest = std::max(longest, whole.bounds[2 * a + 1] - whole.bounds[2 * a]);
+	// The window is as large as nothing reaches out of it, and a whole number of spacings.
+	const double spacing = longest / wanted, side = 2.0 * farthest(settings, whole);
+	const int points = static_cast<int>(std::min(std::ceil(side / spacing), double(kMostPoints)));
+	return {spacing, points, {spacing * points, spacing * points}};
 }
 
 void placeProbe(const Settings& settings, const Whole& whole, View& view)
@@ -74,20 +89,13 @@ void placeProbe(const Settings& settings, const Whole& whole, View& view)
 		view.origin(settings.origin).normal(settings.normal).up(settings.up);
 	if (settings.has_window)
 		view.window(settings.window[0], settings.window[1]);
-	else if (settings.probe == Probe::paddlewheel)
+	else if (settings.launches() && settings.probe != Probe::file)
 	{
-		// Vanes that reach as far as the bounds of all ranks do, wherever the axis stands.
-		double farthest = 0.0;
-		for (const Vector3& axis : {Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0}, Vector3{0.0, 0.0, 1.0}})
-			for (const double end : reach(settings, whole, axis))
-				farthest += end * end;
-		view.window(std::sqrt(farthest), 2.0 * std::sqrt(farthest));
+		const Launch launch = launchOf(settings, whole);
+		view.window(launch.window[0], launch.window[1]);
 	}
-	else if (settings.launches() && whole.ranks > 1 && settings.probe != Probe::file)
-	{
-		const std::array<double, 2> window = windowAround(settings, whole);
-		view.window(window[0], window[1]);
-	}
+	else if (settings.probe == Probe::paddlewheel) // vanes that reach as far as the bounds of all ranks
+		view.window(farthest(settings, whole), 2.0 * farthest(settings, whole));
 	if (settings.probe == Probe::paddlewheel)
 		view.vanes(settings.vanes);
 	if (settings.probe != Probe::stack)
@@ -101,10 +109,17 @@ void placeProbe(const Settings& settings, const Whole& whole, View& view)
 
 vprobe::Status readProbe(const Settings& settings, View& view)
 {
-	const vprobe::Status read = view.read(R"({"version": 1, "probe": {"probe": )" + settings.probe_text + "}}");
+	if (settings.probe_text.empty())
+		return vprobe::Error{vprobe::ErrorKind::input,
+		                     "Probe File \"" + settings.probe_file + "\" cannot be read on the server; choose another"};
+	vprobe::Status read = view.read(R"({"version": 1, "probe": {"probe": )" + settings.probe_text + "}}");
 	if (read)
 		return read;
-	return vprobe::Error{read.error().kind, settings.probe_file + ": " + read.error().message};
+	std::string message = read.error().message;
+	// The library names what it reads as a state.
+	if (const std::string_view state = "state.json: "; message.starts_with(state))
+		message.erase(0, state.size());
+	return vprobe::Error{read.error().kind, settings.probe_file + ": " + message};
 }
 
 vprobe::Status setSurface(const Settings& settings, View& view)
@@ -132,17 +147,15 @@ vprobe::Status setVectors(const Settings& settings, const Whole& whole, View& vi
 	if (!settings.launches())
 		return vprobe::Nothing{};
 	const bool are_tufts = settings.vectors == Vectors::tufts;
+	const Launch launch = launchOf(settings, whole);
 	double dt = settings.vector_dt;
 	if (dt <= 0.0 && whole.fastest > 0.0)
-	{
-		const std::array<double, 2> window = settings.has_window ? settings.window : windowAround(settings, whole);
-		dt = std::max(window[0], window[1]) / settings.vector_lattice / whole.fastest;
-	}
+		dt = launch.spacing / whole.fastest;
 	constexpr std::array<const char*, 3> kDirections{"forward", "backward", "both"};
 	const auto direction = static_cast<std::size_t>(std::clamp(settings.vector_direction, 0, 2));
 	std::vector<std::pair<const char*, std::string>> set{
 	    {"vectors", are_tufts ? "tufts" : "lines"},
-	    {"vector_lattice", std::to_string(settings.vector_lattice)},
+	    {"vector_lattice", std::to_string(launch.points)},
 	    {"vector_direction", kDirections[direction]},
 	};
 	if (!are_tufts)
