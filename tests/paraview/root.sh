@@ -6,7 +6,10 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-packages=(paraview paraview-dev libopenmpi-dev openmpi-bin)
+packages=(
+	paraview paraview-dev libopenmpi-dev openmpi-bin xvfb
+	qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools # the icon, and the help
+)
 root=${VPROBE_CACHE:-$HOME/.cache/vprobe}/paraview/root
 installed=/usr/lib/python3/dist-packages/paraview/simple.py
 
