@@ -21,7 +21,7 @@ install_library()
 step build/log/paraview-library "Installing the library for ParaView" install_library
 build_plugin()
 {
-	cmake -S apps/paraview -B build/paraview -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "${strict[@]}" \
+	cmake -S apps/paraview -B build/paraview -G Ninja -DCMAKE_INSTALL_PREFIX=/usr -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "${strict[@]}" \
 		-DCMAKE_PREFIX_PATH="$prefix" -DParaView_DIR="$root/lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)/cmake/paraview-5.11" &&
 		cmake --build build/paraview
 }

@@ -14,19 +14,37 @@ done
 [[ ${1-} != --can-run ]] || exit 0
 
 source apps/setup.sh
-prefix=$project/build/paraview-prefix
 build=$project/build/paraview
-bash apps/paraview/build.sh "$root"
+bash apps/paraview/package.sh build/paraview-package "$root" >/dev/null
+
+failed=0
+
+# The package: what is in it, and what it is bound to.
+deb=$(echo build/paraview-package/paraview-vprobe_*.deb)
+contents=$(dpkg-deb -c "$deb" | sed -nE 's#.* \./(usr/[^ ]*[^/ ])$#\1#p' | sed "s#$(dpkg-architecture -qDEB_HOST_MULTIARCH)#TRIPLET#" | sort)
+if diff <(echo "$contents") tests/paraview/contents.txt &&
+	dpkg-deb -f "$deb" Depends | grep -qE '^libvprobe0 \(= .*\), paraview \(>= 5\.11.*\), paraview \(<< 5\.12\)'; then
+	echo "ok: the package $(basename "$deb")"
+else
+	echo "FAILED: the package $(basename "$deb")"
+	failed=1
+fi
+# Neither Debian's VTK nor HDF5 comes with it.
+libraries=$(objdump -p "$build"/lib/*/paraview-5.11/plugins/VolumeProbes/*.so | sed -n 's/ *NEEDED *//p' | sort -u)
+if grep -qE 'hdf5|-9\.[0-9]+\.so' <<<"$libraries" || ! grep -q 'libvprobe\.so\.0' <<<"$libraries"; then
+	echo "FAILED: the plugin links ${libraries//$'\n'/ }"
+	failed=1
+fi
 
 # Processes of one machine may run as root here, which containers do, and more of them than there are cores.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 export VPROBE_SCRATCH=$project/build/paraview-test
-export VPROBE_PLUGIN=$build/lib/paraview-5.11/plugins/VolumeProbes/VolumeProbes.so
+export VPROBE_PLUGIN
+VPROBE_PLUGIN=$(echo "$build"/lib/*/paraview-5.11/plugins/VolumeProbes/VolumeProbes.so)
 [[ $root == /usr ]] || export PYTHONPATH=$root/lib/python3/dist-packages
 rm -rf "$VPROBE_SCRATCH"
 mkdir -p "$VPROBE_SCRATCH"
 scripts=$project/tests/paraview
-failed=0
 
 # batch RANKS SCRIPT: what it prints is kept.
 batch()
@@ -42,6 +60,7 @@ batch 1 make_data.py
 batch 2 make_data.py
 for ranks in 1 2 3; do batch "$ranks" slice.py; done
 for ranks in 1 2; do batch "$ranks" options.py; done
+batch 1 kinds.py
 batch 1 progress.py
 
 # Errors of the filter, after each heading that says how many there are to be.
@@ -75,10 +94,10 @@ grep -q 'misses' "$VPROBE_SCRATCH/drag.txt" || { echo "FAILED: the client did no
 serve --leave-at-once
 
 # A program of its own, as a simulation is. ParaView's CMake files look for none of what these libraries link.
-libraries=(sys PythonInterpreter PVCatalyst PVPythonCatalyst CommonCore CommonDataModel)
-libraries=("${libraries[@]/#/-lvtk}")
+linked=(sys PythonInterpreter PVCatalyst PVPythonCatalyst CommonCore CommonDataModel)
+linked=("${linked[@]/#/-lvtk}")
 mpicxx -std=c++20 -O1 -Wall -Wextra -Werror -DOMPI_SKIP_MPICXX -isystem /usr/include/paraview-5.11 "$scripts/steps.cpp" \
-	-o "$VPROBE_SCRATCH/steps" "${libraries[@]/%/-pv5.11}" "$(echo /usr/lib/*/libpython3.11.so.1.0)"
+	-o "$VPROBE_SCRATCH/steps" "${linked[@]/%/-pv5.11}" "$(echo /usr/lib/*/libpython3.11.so.1.0)"
 timeout 200 xvfb-run -a mpiexec -n 2 "$VPROBE_SCRATCH/steps" "$scripts/catalyst.py" 6 >"$VPROBE_SCRATCH/catalyst.txt" 2>&1 ||
 	failed=1
 for rank in 0 1; do

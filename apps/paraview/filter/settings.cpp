@@ -186,7 +186,8 @@ vprobe::Result<View> viewOf(const Settings& settings, const Whole& whole)
 	view.crinkle(settings.crinkle);
 	if (!settings.array.empty() && settings.needsArray())
 		view.array(settings.array);
-	view.component(settings.component);
+	if (settings.needsArray())
+		view.component(settings.component);
 	if (settings.has_threshold)
 		view.threshold(settings.threshold[0], settings.threshold[1]);
 	if (settings.growsContours())
