@@ -6,10 +6,6 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-packages=(
-	paraview paraview-dev libopenmpi-dev openmpi-bin xvfb
-	qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools # the icon, and the help
-)
 root=${VPROBE_CACHE:-$HOME/.cache/vprobe}/paraview/root
 installed=/usr/lib/python3/dist-packages/paraview/simple.py
 
@@ -31,7 +27,7 @@ fill_root()
 if [[ ${1-} == --fetch ]]; then
 	source apps/setup.sh
 	[[ $system == debian12 ]] || { say "ParaView is fetched on Debian 12 only"; exit 1; }
-	install_packages "${packages[@]}"
+	install_packages "${paraview_packages[@]}"
 	if [[ ! -d $root && ! -e $installed ]]; then
 		step build/log/paraview-root "Unpacking python3-paraview" fill_root
 	fi
