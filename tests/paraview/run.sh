@@ -39,11 +39,14 @@ fi
 # Processes of one machine may run as root here, which containers do, and more of them than there are cores.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 export VPROBE_SCRATCH=$project/build/paraview-test
-export VPROBE_PLUGIN
-VPROBE_PLUGIN=$(echo "$build"/lib/*/paraview-5.11/plugins/VolumeProbes/VolumeProbes.so)
-[[ $root == /usr ]] || export PYTHONPATH=$root/lib/python3/dist-packages
+# The plugin of the package, as it would be installed, with the library beside it.
 rm -rf "$VPROBE_SCRATCH"
-mkdir -p "$VPROBE_SCRATCH"
+mkdir -p "$VPROBE_SCRATCH/installed"
+dpkg -x "$deb" "$VPROBE_SCRATCH/installed"
+cp -P build/paraview-prefix/lib*/libvprobe.so.* "$(echo "$VPROBE_SCRATCH"/installed/usr/lib/*/paraview-5.11)/.."
+export VPROBE_PLUGIN
+VPROBE_PLUGIN=$(echo "$VPROBE_SCRATCH"/installed/usr/lib/*/paraview-5.11/plugins/VolumeProbes/VolumeProbes.so)
+[[ $root == /usr ]] || export PYTHONPATH=$root/lib/python3/dist-packages
 scripts=$project/tests/paraview
 
 # batch RANKS SCRIPT: what it prints is kept.

@@ -1,6 +1,5 @@
-// A small simulation on several ranks: hexahedra that stay where they are, with a new field at each step. Catalyst runs a
-// script on them, step by step.
-// usage: steps SCRIPT STEPS
+// A small simulation on several ranks: hexahedra that stay where they are, with a new field at each step. Catalyst runs
+// a script on them, step by step. usage: steps SCRIPT STEPS
 #include <vtkCPDataDescription.h>
 #include <vtkCPInputDataDescription.h>
 #include <vtkCPProcessor.h>
@@ -41,7 +40,8 @@ vtkSmartPointer<vtkUnstructuredGrid> cubeOf(int rank)
 			for (vtkIdType i = 0; i < kCells; ++i)
 			{
 				const vtkIdType low = (k * n + j) * n + i, high = low + n * n;
-				const vtkIdType corners[] = {low, low + 1, low + n + 1, low + n, high, high + 1, high + n + 1, high + n};
+				const vtkIdType corners[] = {low,  low + 1,  low + n + 1,  low + n,
+				                             high, high + 1, high + n + 1, high + n};
 				grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners);
 			}
 	return grid;

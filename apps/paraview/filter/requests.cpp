@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace vprobe_paraview
 {
@@ -211,6 +212,10 @@ std::string Request::run(vtkDataObject& input, vtkDataObject& output)
 	catch (const NoVolume& none)
 	{
 		no_volume = none.what();
+	}
+	catch (const std::bad_alloc&)
+	{
+		error = "out of memory; use more ranks, or a smaller input";
 	}
 	catch (const std::exception& failure)
 	{
