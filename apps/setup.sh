@@ -23,6 +23,11 @@ test_packages=(
 	python3-meshio python3-h5py gmsh python3-netcdf4 python3-tifffile python3-mrcfile python3-pydicom # they write files of other formats
 	ffmpeg # films are tested where they can be made
 )
+# The plugin for ParaView 5.11, which Debian 12 has: its icon and help want Qt's tools.
+paraview_packages=(
+	paraview paraview-dev libopenmpi-dev openmpi-bin xvfb dpkg-dev file
+	qtbase5-dev qttools5-dev qttools5-dev-tools qtxmlpatterns5-dev-tools
+)
 # The second compiler. clang-format's output depends on its version, so the format is checked where version 14 is.
 case $system in
 debian13) test_packages+=(clang) ;;

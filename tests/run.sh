@@ -4,7 +4,7 @@
 # N skipped.
 # usage: tests/run.sh [--release|--long]
 #   --release: the release build and its tests, nothing else
-#   --long: also the tests labelled long, every file compiled alone, Debian 13, and the packages installed
+#   --long: also the tests labelled long, every file compiled alone, Debian 13, ParaView, and the packages installed
 # What --long downloads is kept in $VPROBE_CACHE, else in ~/.cache/vprobe; so is SwiftShader, a second Vulkan driver (31 MB).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -191,6 +191,12 @@ test_at_length()
 		check "Debian 13" bash tests/debian13.sh
 	else
 		skipped+=("Debian 13: $why_not")
+	fi
+	bash tests/paraview/root.sh --fetch >/dev/null 2>&1 || true
+	if why_not=$(bash tests/paraview/run.sh --can-run); then
+		check "ParaView" bash tests/paraview/run.sh
+	else
+		skipped+=("ParaView: $why_not")
 	fi
 	if why_not=$(bash tests/package/installed.sh --can-run); then
 		check "Packages installed" bash tests/package/installed.sh

@@ -71,14 +71,18 @@ Result<Dataset> Dataset::wrap(std::vector<Block> blocks, Classify classify, cons
 		    {
 			    vp::view::ViewSpec spec;
 			    spec.machine = machineOf(classify, device);
-			    const auto take = [&] { return vp::Result<vp::grid::BlockSet>(wrapped(std::move(blocks))); };
+			    std::vector<ArraySizes> sizes;
+			    const auto take = [&] { return vp::Result<vp::grid::BlockSet>(wrapped(std::move(blocks), sizes)); };
 			    vp::Result<vp::grid::BlockSet> taken = vp::endingOnRequest(stop, "wrapping", take);
 			    if (!taken)
 				    return publicError(taken.error());
 			    Result<std::shared_ptr<DatasetState>> state = DatasetState::of(
 			        vp::session::sessionOf(std::move(*taken), std::move(spec),
 			                               {.may_scan = true, .completes_later = true, .stop = std::move(stop)}));
-			    return state ? Result<Dataset>(Dataset(std::move(*state))) : state.error();
+			    if (!state)
+				    return state.error();
+			    (*state)->array_sizes = std::move(sizes);
+			    return Dataset(std::move(*state));
 		    }
 		    catch (const vp::read::Unusable& unusable)
 		    {
@@ -171,7 +175,9 @@ Status Dataset::setFields(std::vector<std::vector<Field>> fields)
 	    {
 		    const std::lock_guard lock(state_->mutex);
 		    vp::session::Session& session = *state_->session;
-		    vp::Result<std::vector<std::vector<vp::grid::Field>>> checked = checkedFields(session.blocks, fields);
+		    const bool is_wrapped = !state_->array_sizes.empty();
+		    vp::Result<std::vector<std::vector<vp::grid::Field>>> checked =
+		        checkedFields(is_wrapped ? state_->array_sizes : arraySizes(session.blocks), fields);
 		    if (!checked)
 			    return publicError(checked.error());
 		    state_->keepBlocksOfCuts();

@@ -61,6 +61,13 @@ struct Cut::State
 	vp::view::ColorBy color_by = vp::view::ColorBy::array;
 };
 
+// How many tuples the arrays of a block have.
+struct ArraySizes
+{
+	std::uint64_t points = 0;
+	std::uint64_t cells = 0;
+};
+
 // A session and what is kept for it. `mutex` guards all of it.
 struct DatasetState : std::enable_shared_from_this<DatasetState>
 {
@@ -72,6 +79,9 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	bool sweeps = false;                     // the cut is a frame of a sweep, so others follow
 	std::weak_ptr<CutBlocks> blocks_of_cuts; // that share the session's blocks
 	std::optional<double> moved_to;          // a sweep through the times has left the values of this one
+	// Of a wrapped data set, for each block: points and cells as the caller's arrays count them. Cells without a volume
+	// are among them.
+	std::vector<ArraySizes> array_sizes;
 	bool has_callers_device = false;
 	std::optional<vp::gpu::Image> target; // the last picture for an image of the caller's
 
@@ -115,11 +125,13 @@ Result<T> withView(DatasetState& state, const View& view, Work&& work, bool for_
 	    });
 }
 
-// The session's blocks of what a caller has; throws read::Unusable.
-vp::grid::BlockSet wrapped(std::vector<Block> blocks);
+// The session's blocks of what a caller has, and the sizes of their arrays; throws read::Unusable.
+vp::grid::BlockSet wrapped(std::vector<Block> blocks, std::vector<ArraySizes>& sizes);
 // The same for arrays of blocks that there are.
-vp::Result<std::vector<std::vector<vp::grid::Field>>> checkedFields(const vp::grid::BlockSet& blocks,
+vp::Result<std::vector<std::vector<vp::grid::Field>>> checkedFields(const std::vector<ArraySizes>& sizes,
                                                                     const std::vector<std::vector<Field>>& fields);
+// The sizes where nobody wrapped the blocks.
+std::vector<ArraySizes> arraySizes(const vp::grid::BlockSet& blocks);
 
 inline DatasetState& stateOf(const Dataset& data)
 {

@@ -168,7 +168,7 @@ vp::grid::Field fieldOf(const Field& field)
 
 } // namespace
 
-vp::grid::BlockSet wrapped(std::vector<Block> blocks)
+vp::grid::BlockSet wrapped(std::vector<Block> blocks, std::vector<ArraySizes>& sizes)
 try
 {
 	if (blocks.empty())
@@ -184,6 +184,7 @@ try
 			checked.fields.push_back(fieldOf(field));
 			vp::read::checkField(checked.fields.back(), wrapper.points, wrapper.cells);
 		}
+		sizes.push_back({wrapper.points, wrapper.cells});
 		checked.length_units = block.length_units;
 		set.blocks.push_back(vp::read::buildBlock(std::move(checked), block.name, false, true, wrapper.tolerance));
 	}
@@ -229,36 +230,37 @@ struct Holder
 	}
 };
 
-// Points and cells as the caller numbers them.
-std::pair<std::uint64_t, std::uint64_t> sourceCounts(const vp::grid::AnyGrid& grid)
-{
-	const auto counts = [](const auto& g) -> std::pair<std::uint64_t, std::uint64_t>
-	{
-		if constexpr (requires { g.sourceCellCount(); })
-			return {g.sourcePointCount(), g.sourceCellCount()};
-		else
-			return {g.pointCount(), g.cellCount()};
-	};
-	return std::visit(counts, grid);
-}
-
 } // namespace
 
-vp::Result<std::vector<std::vector<vp::grid::Field>>> checkedFields(const vp::grid::BlockSet& blocks,
+std::vector<ArraySizes> arraySizes(const vp::grid::BlockSet& blocks)
+{
+	std::vector<ArraySizes> sizes;
+	const auto counts = [](const auto& grid) -> ArraySizes
+	{
+		if constexpr (requires { grid.sourceCellCount(); })
+			return {grid.sourcePointCount(), grid.sourceCellCount()};
+		else
+			return {grid.pointCount(), grid.cellCount()};
+	};
+	for (const vp::grid::Block& block : blocks.blocks)
+		sizes.push_back(std::visit(counts, block.grid));
+	return sizes;
+}
+
+vp::Result<std::vector<std::vector<vp::grid::Field>>> checkedFields(const std::vector<ArraySizes>& sizes,
                                                                     const std::vector<std::vector<Field>>& fields)
 {
-	if (fields.size() != blocks.blocks.size())
+	if (fields.size() != sizes.size())
 		return vp::Error{vp::ErrorKind::input,
-		                 fmt::format("arrays of {} blocks where there are {}", fields.size(), blocks.blocks.size())};
+		                 fmt::format("arrays of {} blocks where there are {}", fields.size(), sizes.size())};
 	std::vector<std::vector<vp::grid::Field>> checked(fields.size());
 	try
 	{
 		for (std::size_t b = 0; b < fields.size(); ++b)
 			for (const Field& field : fields[b])
 			{
-				const auto [points, cells] = sourceCounts(blocks.blocks[b].grid);
 				checked[b].push_back(fieldOf(field));
-				vp::read::checkField(checked[b].back(), points, cells);
+				vp::read::checkField(checked[b].back(), sizes[b].points, sizes[b].cells);
 			}
 	}
 	catch (const Unusable& unusable)

@@ -68,6 +68,35 @@ TEST(Fields, OthersOnTheSameGridKeepItsNeighborsAndOlderCuts)
 	EXPECT_TRUE(data->cut(View()));
 }
 
+TEST(Fields, CellsWithoutAVolumeHaveValuesToo)
+{
+	Box box(5);
+	vprobe::Block block = box.unstructured();
+	auto& grid = std::get<vprobe::Unstructured>(block.grid);
+	const auto* types = static_cast<const std::uint8_t*>(grid.types.data);
+	std::vector<std::uint8_t> shown(types, types + grid.types.size);
+	std::fill(shown.begin(), shown.begin() + 20, std::uint8_t(0)); // VTK's empty cell
+	grid.types = vprobe::Numbers(shown);
+	auto data = Dataset::wrap({block}, vprobe::Classify::cpu);
+	ASSERT_TRUE(data);
+	for (int cut = 0; cut < 2; ++cut)
+	{
+		std::vector<double> twice;
+		for (const std::int32_t number : box.number)
+			twice.push_back(2.0 * number);
+		ASSERT_TRUE(data->setFields({{{"twice", vprobe::Association::cell, 1, twice}}}));
+		const auto made = data->cut(View().normal({0.3, 0.5, 0.8}));
+		ASSERT_TRUE(made);
+		const vprobe::Mesh mesh = made->mesh(0);
+		ASSERT_GT(mesh.polygonCount(), 0u);
+		for (std::size_t i = 0; i < mesh.polygonCount(); ++i)
+		{
+			ASSERT_GE(mesh.cells()[i], 20);
+			EXPECT_EQ(mesh.array("twice")->value(i), 2.0 * box.number[static_cast<std::size_t>(mesh.cells()[i])]);
+		}
+	}
+}
+
 TEST(Fields, WhatIsHeldIsTheCallers)
 {
 	Box box(4);

@@ -1,0 +1,359 @@
+#include "wrap_data.h"
+#include "wrap_lattice.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkExplicitStructuredGrid.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+
+namespace vprobe_paraview
+{
+
+namespace
+{
+
+using vprobe::Numbers;
+using vprobe::NumberType;
+
+constexpr unsigned char kHidden =
+    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+
+NumberType typeOf(int vtk_type)
+{
+	switch (vtk_type)
+	{
+	case VTK_CHAR:
+	case VTK_SIGNED_CHAR:
+		return NumberType::int8;
+	case VTK_UNSIGNED_CHAR:
+		return NumberType::uint8;
+	case VTK_SHORT:
+		return NumberType::int16;
+	case VTK_UNSIGNED_SHORT:
+		return NumberType::uint16;
+	case VTK_INT:
+		return NumberType::int32;
+	case VTK_UNSIGNED_INT:
+		return NumberType::uint32;
+	case VTK_LONG:
+	case VTK_LONG_LONG:
+	case VTK_ID_TYPE:
+		return NumberType::int64;
+	case VTK_UNSIGNED_LONG:
+	case VTK_UNSIGNED_LONG_LONG:
+		return NumberType::uint64;
+	case VTK_FLOAT:
+		return NumberType::float32;
+	default:
+		return NumberType::float64;
+	}
+}
+
+// An array of the same values in one piece of memory, of whole bytes.
+vtkSmartPointer<vtkDataArray> inOnePiece(vtkDataArray& array)
+{
+	if (array.HasStandardMemoryLayout() && array.GetDataType() != VTK_BIT)
+		return &array;
+	const int type = array.GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : array.GetDataType();
+	auto copy = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+	copy->DeepCopy(&array);
+	return copy;
+}
+
+void addStamp(vtkObject* object, Stamps& stamps)
+{
+	stamps.push_back(reinterpret_cast<std::uint64_t>(object));
+	stamps.push_back(object ? object->GetMTime() : 0);
+}
+
+vtkUnsignedCharArray* ghostMarks(vtkDataSetAttributes& attributes)
+{
+	return vtkUnsignedCharArray::SafeDownCast(attributes.GetArray(vtkDataSetAttributes::GhostArrayName()));
+}
+
+} // namespace
+
+Numbers numbersOf(vtkDataArray& array)
+{
+	const auto kept = std::make_shared<vtkSmartPointer<vtkDataArray>>(inOnePiece(array));
+	vtkDataArray& values = **kept;
+	const auto size = static_cast<std::size_t>(values.GetNumberOfValues());
+	return {values.GetVoidPointer(0), size, typeOf(values.GetDataType()), kept};
+}
+
+std::vector<Leaf> leavesOf(vtkDataObject& input)
+{
+	std::vector<Leaf> leaves;
+	const auto add = [&](std::uint32_t index, const char* name, vtkDataObject* object)
+	{
+		auto* data = vtkDataSet::SafeDownCast(object);
+		if (data && data->GetNumberOfPoints() > 0 && data->GetNumberOfCells() > 0)
+			leaves.push_back({index, name ? name : "", data});
+	};
+	if (auto* composite = vtkCompositeDataSet::SafeDownCast(&input))
+	{
+		const auto parts = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+		for (parts->InitTraversal(); !parts->IsDoneWithTraversal(); parts->GoToNextItem())
+		{
+			vtkInformation* about = parts->HasCurrentMetaData() ? parts->GetCurrentMetaData() : nullptr;
+			add(parts->GetCurrentFlatIndex(), about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr,
+			    parts->GetCurrentDataObject());
+		}
+	}
+	else
+		add(0, nullptr, &input);
+	return leaves;
+}
+
+void addGridStamps(const Leaf& leaf, Stamps& stamps)
+{
+	vtkDataSet& data = *leaf.data;
+	stamps.push_back(leaf.index);
+	stamps.push_back(static_cast<std::uint64_t>(data.GetDataObjectType()));
+	if (auto* set = vtkPointSet::SafeDownCast(&data))
+	{
+		addStamp(set->GetPoints() ? set->GetPoints()->GetData() : nullptr, stamps);
+		stamps.push_back(set->GetPoints() ? set->GetPoints()->GetMTime() : 0);
+	}
+	addLatticeStamps(data, stamps);
+	const auto add_cells = [&](vtkCellArray* cells)
+	{
+		addStamp(cells ? cells->GetConnectivityArray() : nullptr, stamps);
+		addStamp(cells ? cells->GetOffsetsArray() : nullptr, stamps);
+		stamps.push_back(cells ? cells->GetMTime() : 0);
+	};
+	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data))
+	{
+		add_cells(grid->GetCells());
+		addStamp(grid->GetCellTypesArray(), stamps);
+		addStamp(grid->GetFaces(), stamps);
+	}
+	else if (auto* explicit_grid = vtkExplicitStructuredGrid::SafeDownCast(&data))
+		add_cells(explicit_grid->GetCells());
+	addStamp(ghostMarks(*data.GetCellData()), stamps);
+	addStamp(ghostMarks(*data.GetPointData()), stamps);
+}
+
+void addFieldStamps(const Leaf& leaf, Stamps& stamps)
+{
+	for (vtkDataSetAttributes* attributes : {static_cast<vtkDataSetAttributes*>(leaf.data->GetPointData()),
+	                                         static_cast<vtkDataSetAttributes*>(leaf.data->GetCellData())})
+	{
+		stamps.push_back(static_cast<std::uint64_t>(attributes->GetNumberOfArrays()));
+		for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+			addStamp(attributes->GetAbstractArray(i), stamps);
+	}
+}
+
+std::optional<std::vector<bool>> hiddenCells(vtkDataSet& data, const int* lattice)
+{
+	std::vector<bool> hidden(static_cast<std::size_t>(data.GetNumberOfCells()));
+	bool any = false;
+	if (const vtkUnsignedCharArray* marks = ghostMarks(*data.GetCellData()))
+		for (std::size_t c = 0; c < hidden.size(); ++c)
+			if (marks->GetValue(static_cast<vtkIdType>(c)) & kHidden)
+				hidden[c] = any = true;
+	const vtkUnsignedCharArray* marks = lattice ? ghostMarks(*data.GetPointData()) : nullptr;
+	if (marks)
+	{
+		const std::array<vtkIdType, 3> cells{lattice[0] - 1, lattice[1] - 1, lattice[2] - 1};
+		for (vtkIdType p = 0; p < data.GetNumberOfPoints(); ++p)
+		{
+			if (!(marks->GetValue(p) & vtkDataSetAttributes::HIDDENPOINT))
+				continue;
+			const std::array<vtkIdType, 3> at{p % lattice[0], p / lattice[0] % lattice[1], p / lattice[0] / lattice[1]};
+			for (int corner = 0; corner < 8; ++corner)
+			{
+				const vtkIdType i = at[0] - (corner & 1), j = at[1] - (corner >> 1 & 1), k = at[2] - (corner >> 2);
+				if (i >= 0 && j >= 0 && k >= 0 && i < cells[0] && j < cells[1] && k < cells[2])
+					hidden[static_cast<std::size_t>((k * cells[1] + j) * cells[0] + i)] = any = true;
+			}
+		}
+	}
+	return any ? std::optional(std::move(hidden)) : std::nullopt;
+}
+
+std::vector<vprobe::Field> fieldsOf(vtkDataSet& data)
+{
+	std::vector<vprobe::Field> fields;
+	const auto add = [&](vtkDataSetAttributes& attributes, vprobe::Association association, vtkIdType count)
+	{
+		for (int i = 0; i < attributes.GetNumberOfArrays(); ++i)
+		{
+			vtkDataArray* array = attributes.GetArray(i); // null for strings
+			// Ids of points mean nothing between the points.
+			const bool are_ids = association == vprobe::Association::point && array == attributes.GetGlobalIds();
+			if (!array || are_ids || array->GetNumberOfComponents() < 1 ||
+			    array->GetName() == std::string_view(vtkDataSetAttributes::GhostArrayName()))
+				continue;
+			const std::string name = array->GetName() ? array->GetName() : "array " + std::to_string(i);
+			if (array->GetNumberOfTuples() != count)
+				throw Refused("the array " + name + " has " + std::to_string(array->GetNumberOfTuples()) +
+				              " tuples where " + std::to_string(count) + " belong; remove it with Pass Arrays");
+			fields.push_back({name, association, array->GetNumberOfComponents(), numbersOf(*array)});
+		}
+	};
+	add(*data.GetPointData(), vprobe::Association::point, data.GetNumberOfPoints());
+	add(*data.GetCellData(), vprobe::Association::cell, data.GetNumberOfCells());
+	return fields;
+}
+
+namespace
+{
+
+bool isVolume(int type)
+{
+	switch (type)
+	{
+	case VTK_TETRA:
+	case VTK_VOXEL:
+	case VTK_HEXAHEDRON:
+	case VTK_WEDGE:
+	case VTK_PYRAMID:
+	case VTK_PENTAGONAL_PRISM:
+	case VTK_HEXAGONAL_PRISM:
+	case VTK_POLYHEDRON:
+		return true;
+	default:
+		return false;
+	}
+}
+
+// Cells of points, lines and surfaces, straight or curved.
+bool isFlat(int type)
+{
+	constexpr std::array<std::array<int, 2>, 9> kFlat{{{VTK_EMPTY_CELL, VTK_QUAD},
+	                                                   {VTK_QUADRATIC_EDGE, VTK_QUADRATIC_QUAD},
+	                                                   {VTK_BIQUADRATIC_QUAD, VTK_BIQUADRATIC_QUAD},
+	                                                   {VTK_QUADRATIC_LINEAR_QUAD, VTK_QUADRATIC_LINEAR_QUAD},
+	                                                   {VTK_BIQUADRATIC_TRIANGLE, VTK_QUADRATIC_POLYGON},
+	                                                   {VTK_PARAMETRIC_CURVE, VTK_PARAMETRIC_QUAD_SURFACE},
+	                                                   {VTK_HIGHER_ORDER_EDGE, VTK_HIGHER_ORDER_POLYGON},
+	                                                   {VTK_LAGRANGE_CURVE, VTK_LAGRANGE_QUADRILATERAL},
+	                                                   {VTK_BEZIER_CURVE, VTK_BEZIER_QUADRILATERAL}}};
+	return std::ranges::any_of(kFlat, [&](const auto& range) { return type >= range[0] && type <= range[1]; });
+}
+
+std::bitset<256> typesIn(const vprobe::Numbers& types)
+{
+	const auto* begin = static_cast<const unsigned char*>(types.data);
+	// Mostly all cells are of one type, which one pass tells in no time.
+	std::bitset<256> present;
+	if (std::all_of(begin, begin + types.size, [&](unsigned char type) { return type == *begin; }))
+		return present.set(*begin);
+	std::array<bool, 256> seen{};
+	for (std::size_t c = 0; c < types.size; ++c)
+		seen[begin[c]] = true;
+	for (std::size_t type = 0; type < seen.size(); ++type)
+		present[type] = seen[type];
+	return present;
+}
+
+void refuseOtherTypes(vtkDataSet& data, const std::bitset<256>& present, double tolerance)
+{
+	bool has_volume = false, is_quadratic_tetra = true;
+	std::string others;
+	for (int type = 0; type < 256; ++type)
+	{
+		if (!present[static_cast<std::size_t>(type)] || isFlat(type))
+			continue;
+		has_volume = true;
+		const bool is_refined = type == VTK_QUADRATIC_TETRA || type == VTK_LAGRANGE_TETRAHEDRON;
+		if (isVolume(type) || (is_refined && tolerance > 0.0))
+			continue;
+		is_quadratic_tetra = is_quadratic_tetra && is_refined;
+		others += (others.empty() ? "" : ", ") + std::to_string(type);
+	}
+	if (!others.empty())
+		throw Refused("cells of type " + others + " are curved; " + (is_quadratic_tetra ? "set Tolerance, or " : "") +
+		              "apply the filter Tessellate first");
+	if (!has_volume)
+		throw NoVolume(std::string("a ") + data.GetClassName() +
+		               " without cells that have a volume; apply Slice to it");
+}
+
+// The faces of polyhedra, as a stream with offsets for all cells.
+void addFaces(vtkUnstructuredGrid& grid, vprobe::Unstructured& cells)
+{
+	if (!grid.GetFaces() || !grid.GetFaceLocations())
+		throw Refused("polyhedra without faces; write the file anew with a program that keeps them");
+	cells.face_stream = numbersOf(*grid.GetFaces());
+	const auto end = static_cast<std::int64_t>(cells.face_stream.size);
+	const auto count = static_cast<std::size_t>(grid.GetNumberOfCells());
+	auto offsets = std::make_shared<std::vector<std::int64_t>>(count + 1, end);
+	// Other cells have -1. Their faces begin, and end, where those of the next polyhedron begin.
+	for (std::size_t c = count; c-- > 0;)
+	{
+		const vtkIdType at = grid.GetFaceLocations()->GetValue(static_cast<vtkIdType>(c));
+		(*offsets)[c] = at < 0 ? (*offsets)[c + 1] : at;
+	}
+	cells.face_offsets = Numbers(std::shared_ptr<const std::vector<std::int64_t>>(std::move(offsets)));
+}
+
+vprobe::Unstructured cellsOf(vtkPointSet& data, vtkCellArray* cells, double tolerance)
+{
+	if (!data.GetPoints() || !cells)
+		throw NoVolume(std::string("a ") + data.GetClassName() + " without points or cells");
+	const auto count = static_cast<std::size_t>(data.GetNumberOfCells());
+	vprobe::Unstructured grid;
+	grid.coordinates = numbersOf(*data.GetPoints()->GetData());
+	grid.offsets = numbersOf(*cells->GetOffsetsArray());
+	grid.connectivity = numbersOf(*cells->GetConnectivityArray());
+	grid.tolerance = tolerance;
+	grid.checks_ids_later = true; // the first cut looks in passing
+	auto* unstructured = vtkUnstructuredGrid::SafeDownCast(&data);
+	if (unstructured)
+		grid.types = numbersOf(*unstructured->GetCellTypesArray());
+	else
+		grid.types = Numbers(std::make_shared<const std::vector<unsigned char>>(count, VTK_HEXAHEDRON));
+	const std::bitset<256> present = typesIn(grid.types);
+	refuseOtherTypes(data, present, tolerance);
+	if (unstructured && present[VTK_POLYHEDRON])
+		addFaces(*unstructured, grid);
+	if (const auto hidden = hiddenCells(data, nullptr))
+	{
+		const auto* types = static_cast<const unsigned char*>(grid.types.data);
+		auto shown = std::make_shared<std::vector<unsigned char>>(types, types + count);
+		for (std::size_t c = 0; c < count; ++c)
+			if ((*hidden)[c])
+				(*shown)[c] = VTK_EMPTY_CELL;
+		grid.types = Numbers(std::shared_ptr<const std::vector<unsigned char>>(std::move(shown)));
+	}
+	return grid;
+}
+
+decltype(vprobe::Block::grid) gridOf(vtkDataSet& data, double tolerance)
+{
+	if (auto lattice = latticeOf(data))
+		return std::move(*lattice);
+	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data))
+		return cellsOf(*grid, grid->GetCells(), tolerance);
+	if (auto* grid = vtkExplicitStructuredGrid::SafeDownCast(&data))
+		return cellsOf(*grid, grid->GetCells(), tolerance);
+	throw NoVolume(std::string("a ") + data.GetClassName() +
+	               " has no volume; an image, or a rectilinear, structured or unstructured grid has");
+}
+
+} // namespace
+
+vprobe::Block blockOf(const Leaf& leaf, double tolerance)
+{
+	return {gridOf(*leaf.data, tolerance), fieldsOf(*leaf.data), leaf.name};
+}
+
+} // namespace vprobe_paraview

@@ -1,0 +1,108 @@
+"""Cuts every kind of data set, and composites of them: areas are those of ParaView's Slice.
+usage: pvbatch kinds.py"""
+import os
+
+import paraview.simple as simple
+from shared import FOLDER, area_of, check, close, finish, load
+
+load(globals())
+NORMAL = (0.3, 0.5, 0.8)
+
+
+def image(**more):
+    return simple.Wavelet(WholeExtent=[0, 12] * 3, **more)
+
+
+def turned(source):
+    """An image with a direction matrix."""
+    turn = simple.ProgrammableFilter(Input=source)
+    turn.Script = 'output.ShallowCopy(inputs[0].VTKObject); output.SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1)'
+    return turn
+
+
+def blanked(source):
+    """A third of the cells hidden, as readers do it."""
+    hide = simple.ProgrammableFilter(Input=source)
+    hide.Script = '''
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+output.ShallowCopy(inputs[0].VTKObject)
+marks = vtkUnsignedCharArray()
+marks.SetName('vtkGhostType')
+for cell in range(output.GetNumberOfCells()):
+    marks.InsertNextValue(32 if cell % 3 == 0 else 0)
+output.GetCellData().AddArray(marks)
+'''
+    return hide
+
+
+def voxels(source):
+    """An unstructured grid of all cells."""
+    return simple.Threshold(Input=source, Scalars=['POINTS', 'RTData'], LowerThreshold=-1e9, UpperThreshold=1e9)
+
+
+def rectilinear():
+    source = simple.ProgrammableSource(OutputDataSetType='vtkRectilinearGrid')
+    source.Script = '''
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+axis = numpy_to_vtk(np.array([0, 1, 1.5, 3, 5, 5.5, 7, 12.0], np.float32), deep=True)
+output.SetDimensions(8, 8, 8)
+output.SetXCoordinates(axis)
+output.SetYCoordinates(axis)
+output.SetZCoordinates(axis)
+'''
+    return source
+
+
+def polyhedra(source):
+    """Every voxel as a polyhedron."""
+    convert = simple.ProgrammableFilter(Input=source)
+    convert.Script = '''
+from vtkmodules.vtkCommonCore import vtkIdList
+taken = inputs[0].VTKObject
+output.Initialize()
+output.SetPoints(taken.GetPoints())
+output.Allocate(taken.GetNumberOfCells())
+for cell in range(taken.GetNumberOfCells()):
+    ids = taken.GetCell(cell).GetPointIds()
+    p = [ids.GetId(i) for i in range(8)]
+    stream = vtkIdList()
+    stream.InsertNextId(6)
+    for face in ((0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)):
+        stream.InsertNextId(4)
+        for corner in face:
+            stream.InsertNextId(p[corner])
+    output.InsertNextCell(42, stream)
+'''
+    return convert
+
+
+shell = simple.OpenDataFile(os.path.join(FOLDER, 'shell.vts'))
+refined = simple.AMRGaussianPulseSource()
+KINDS = {
+    'an image': image(),
+    'a turned image': turned(image()),
+    'an image with hidden cells': blanked(image()),
+    'a rectilinear grid': rectilinear(),
+    'voxels': voxels(image()),
+    'polyhedra': polyhedra(voxels(image())),
+    'a structured grid': shell,
+    'a group with a surface': simple.GroupDatasets(Input=[image(), shell, simple.Sphere()]),
+    'groups in a group': simple.GroupDatasets(Input=[simple.GroupDatasets(Input=[rectilinear(), shell]), image()]),
+    'a grid that is refined in places': refined,
+}
+# Slice cuts coarse cells beneath finer ones, too.
+REFERENCES = {'a grid that is refined in places': simple.ResampleToImage(Input=refined, SamplingDimensions=[9, 9, 9])}
+for kind, data in KINDS.items():
+    data.UpdatePipeline()
+    bounds = data.GetDataInformation().DataInformation.GetBounds()
+    origin = [low + share * (high - low) for low, high, share in zip(bounds[::2], bounds[1::2], (0.37, 0.61, 0.43))]
+    probe = VolumeProbe(Input=data)  # noqa: F821, from the plugin
+    cutter = simple.Slice(Input=REFERENCES.get(kind, data), Triangulatetheslice=0)
+    probe.Origin, probe.Normal = origin, NORMAL
+    cutter.SliceType.Origin, cutter.SliceType.Normal = origin, NORMAL
+    probe.UpdatePipeline()
+    cutter.UpdatePipeline()
+    area, other = area_of(probe), area_of(cutter)
+    check(area > 0 and close(area, other, 2e-5), f'{kind}: {area:.6f}, Slice {other:.6f}')
+finish()
