@@ -1,4 +1,4 @@
-// The composing pass, with or without surfaces (SURFACES).
+// The composing pass: of all pixels or those at edges (QUADS), with or without surfaces (SURFACES).
 #include "shared/slice_types.h"
 #include "shared/render_types.h"
 
@@ -23,7 +23,12 @@ layout(push_constant, scalar) uniform Push
 {
 	ComposePush push;
 };
-layout(location = 0) out vec4 front; // multiplied by alpha
+// Multiplied by alpha.
+#ifdef QUADS
+vec4 front;
+#else
+layout(location = 0) out vec4 front;
+#endif
 
 // Room for the layers at a pixel: the smallest of ComposePass::kSlots that takes them all.
 layout(constant_id = 0) const uint kSlots = 1u;
@@ -63,7 +68,7 @@ void lineDownTo(float depth)
 // The layers at a pixel, and what is between them.
 void composeLayers(ivec2 pixel)
 {
-	const vec2 place = gl_FragCoord.xy - vec2(push.jitter[0], push.jitter[1]);
+	const vec2 place = vec2(pixel) + 0.5 - vec2(push.jitter[0], push.jitter[1]);
 
 	// What is here; an empty slot lies behind all. Indices are constant once kSlots is, so the arrays are registers.
 	float depths[kSlots];
@@ -110,9 +115,8 @@ void composeLayers(ivec2 pixel)
 	} while (left);
 }
 
-void main()
+void compose(ivec2 pixel)
 {
-	const ivec2 pixel = ivec2(gl_FragCoord.xy);
 	front = vec4(0.0);
 	line_depth = texelFetch(lines, pixel, 0).x;
 	line_left = line_depth > 0.0 ? params.line_color[3] : 0.0;
@@ -126,5 +130,12 @@ void main()
 #endif
 	lineDownTo(kBehindAll);
 	if ((kFeatures & kComposeWhole) != 0u)
-		front = overBackground(front, gl_FragCoord.y);
+		front = overBackground(front, float(pixel.y) + 0.5);
 }
+
+#ifndef QUADS
+void main()
+{
+	compose(ivec2(gl_FragCoord.xy));
+}
+#endif
