@@ -65,6 +65,13 @@ void lineDownTo(float depth)
 #include "render_surface_list.glsl"
 #endif
 
+// Of the layers that may be here, a slot each. What lies behind the last is one of them again.
+uint layerIn(uint slot)
+{
+	const uint shown = slot < push.layers ? slot : 0u;
+	return (push.slots[shown >> 3] >> (4u * (shown & 7u))) & 0xFu;
+}
+
 // The layers at a pixel, and what is between them.
 void composeLayers(ivec2 pixel)
 {
@@ -76,11 +83,12 @@ void composeLayers(ivec2 pixel)
 	uint places[kSlots];
 	for (uint i = 0u; i < kSlots; ++i)
 	{
-		texels[i] = texelFetch(layers, ivec3(pixel, int(min(i, params.last_layer))), 0).xy;
-		const float depth =
-			params.sheets[i].plane[0] * place.x + params.sheets[i].plane[1] * place.y + params.sheets[i].plane[2];
-		depths[i] = i <= params.last_layer && texels[i].x > kEmptyUpTo ? max(depth, 0.0) : kBehindAll;
-		places[i] = colorPlace(texels[i].x, i);
+		const uint layer = layerIn(i);
+		texels[i] = texelFetch(layers, ivec3(pixel, int(layer)), 0).xy;
+		const float depth = params.sheets[layer].plane[0] * place.x + params.sheets[layer].plane[1] * place.y +
+							params.sheets[layer].plane[2];
+		depths[i] = i < push.layers && texels[i].x > kEmptyUpTo ? max(depth, 0.0) : kBehindAll;
+		places[i] = colorPlace(texels[i].x, layer);
 	}
 
 	// The nearest layer that is left, round by round; of equal depths the first, as sheets in one plane have them. Software ends
@@ -88,14 +96,14 @@ void composeLayers(ivec2 pixel)
 	bool left;
 	do
 	{
-		uint layer = 0u;
+		uint slot = 0u;
 		float depth = depths[0];
 		vec2 texel = texels[0];
 		uint color_place = places[0];
 		for (uint i = 1u; i < kSlots; ++i)
 		{
 			const bool nearer = depths[i] > depth;
-			layer = nearer ? i : layer;
+			slot = nearer ? i : slot;
 			depth = nearer ? depths[i] : depth;
 			texel = nearer ? texels[i] : texel;
 			color_place = nearer ? places[i] : color_place;
@@ -103,14 +111,14 @@ void composeLayers(ivec2 pixel)
 		left = false;
 		for (uint i = 0u; i < kSlots; ++i)
 		{
-			depths[i] = i == layer ? kBehindAll : depths[i];
+			depths[i] = i == slot ? kBehindAll : depths[i];
 			left = left || depths[i] > kBehindAll;
 		}
 #ifdef SURFACES
 		surfacesDownTo(depth);
 #endif
 		lineDownTo(depth);
-		const vec4 color = withLines(layerColor(color_place), texel, layer, pixel);
+		const vec4 color = withLines(layerColor(color_place), texel, layerIn(slot), pixel);
 		under(color.rgb, depth > kBehindAll ? color.a : 0.0);
 	} while (left);
 }

@@ -136,6 +136,8 @@ struct ComposePush
 	float jitter[2]; // pixels by which this sample's picture is moved
 	uint number;     // of the sample, from 1 on; at edges only
 	uint last_number;
+	uint layers;   // that may be here, in the order of their numbers
+	uint slots[2]; // which: four bits each
 };
 
 struct ResolvePush
@@ -193,7 +195,6 @@ struct ComposeParams
 {
 	float height;
 	float sample_weight; // 1 / samples
-	uint last_layer;
 	float contour_half_width; // pixels
 	float line_color[4];
 	float top_color[4]; // of the background

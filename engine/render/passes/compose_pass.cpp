@@ -4,8 +4,11 @@
 
 #include "render/passes/compose_params.h"
 #include "render/passes/picture_geometry.h"
+#include "render/passes/sheet_regions.h"
 
 #include <algorithm>
+#include <numeric>
+#include <span>
 
 namespace vp::render
 {
@@ -20,15 +23,13 @@ VkPipelineColorBlendAttachmentState summing()
 	return state;
 }
 
-// What is left of a picture: above, below, left and right of a part of it.
-std::array<VkRect2D, 4> around(const VkRect2D& part, VkExtent2D extent)
+shared::ComposePush showing(std::span<const std::uint32_t> sheets)
 {
-	const std::int32_t right = part.offset.x + static_cast<std::int32_t>(part.extent.width);
-	const std::int32_t below = part.offset.y + static_cast<std::int32_t>(part.extent.height);
-	return {VkRect2D{{0, 0}, {extent.width, static_cast<std::uint32_t>(part.offset.y)}},
-	        VkRect2D{{0, below}, {extent.width, extent.height - static_cast<std::uint32_t>(below)}},
-	        VkRect2D{{0, part.offset.y}, {static_cast<std::uint32_t>(part.offset.x), part.extent.height}},
-	        VkRect2D{{right, part.offset.y}, {extent.width - static_cast<std::uint32_t>(right), part.extent.height}}};
+	shared::ComposePush push{};
+	push.layers = static_cast<std::uint32_t>(sheets.size());
+	for (std::size_t slot = 0; slot < sheets.size(); ++slot)
+		push.slots[slot / 8] |= sheets[slot] << 4 * (slot % 8);
+	return push;
 }
 
 } // namespace
@@ -185,16 +186,13 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets, const Su
 	if (!pipelines)
 		return pipelines.error();
 	pipelines_in_use_ = *pipelines;
-	ground_ = nullptr;
-	sheets_part_ = sheetsPart(scene, targets.part());
+	std::vector<std::uint32_t> all(scene.sheets.size());
+	std::iota(all.begin(), all.end(), 0u);
+	all_sheets_ = showing(all);
+	regions_.clear();
 	if (!surfaces)
-	{
-		auto ground =
-		    pipelinesFor(1, (features & shared::kComposeWhole) | shared::kComposeGround, false, {edges.mask, nullptr});
-		if (!ground)
-			return ground.error();
-		ground_ = *ground;
-	}
+		if (Status ready = prepareRegions(scene, targets, features, edges); !ready)
+			return ready;
 	auto set = compositionSet(targets, surfaces);
 	if (!set)
 		return set.error();
@@ -202,6 +200,22 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets, const Su
 	if (edges.quads)
 		return writeQuadsSet(targets, *edges.quads);
 	return (features & shared::kComposeWhole) != 0 ? Status(Nothing{}) : writeResolveSet(targets, edges.mask);
+}
+
+Status ComposePass::prepareRegions(const Scene& scene, const Targets& targets, std::uint32_t features,
+                                   const Edges& edges)
+{
+	for (const SheetRegion& region : sheetRegions(scene, targets.part()))
+	{
+		const bool ground = region.sheets.empty();
+		auto pipelines = pipelinesFor(std::max<std::size_t>(1, region.sheets.size()),
+		                              ground ? (features & shared::kComposeWhole) | shared::kComposeGround : features,
+		                              false, {edges.mask, nullptr});
+		if (!pipelines)
+			return pipelines.error();
+		regions_.push_back({region.pixels, *pipelines, showing(region.sheets)});
+	}
+	return Nothing{};
 }
 
 Status ComposePass::writeQuadsSet(const Targets& targets, const EdgeQuads& quads)
@@ -260,9 +274,12 @@ void ComposePass::recordQuads(VkCommandBuffer commands, const EdgeQuads& quads, 
 {
 	const gpu::Pipeline& pipeline = pipelines_in_use_->quads;
 	pipeline.bind(commands, quads_set_);
-	pipeline.push(commands, shared::ComposePush{{static_cast<float>(jitter.x), static_cast<float>(jitter.y)},
-	                                            static_cast<std::uint32_t>(sample),
-	                                            static_cast<std::uint32_t>(samples - 1)});
+	shared::ComposePush push = all_sheets_;
+	push.jitter[0] = static_cast<float>(jitter.x);
+	push.jitter[1] = static_cast<float>(jitter.y);
+	push.number = static_cast<std::uint32_t>(sample);
+	push.last_number = static_cast<std::uint32_t>(samples - 1);
+	pipeline.push(commands, push);
 	vkCmdDispatchIndirect(commands, quads.listed().handle(), 0);
 	EdgeQuads::recordBarrier(commands);
 }
@@ -284,28 +301,21 @@ void ComposePass::recordInto(VkCommandBuffer commands, const Targets& targets, V
 	rendering.pColorAttachments = &target;
 	rendering.pDepthAttachment = edges ? &mask : nullptr;
 	vkCmdBeginRendering(commands, &rendering);
-	const auto pipeline = [&](const Pipelines& of) -> const gpu::Pipeline&
-	{ return edges ? of.at_edges : of.everywhere; };
-	if (!ground_)
-		recordPart(commands, targets, pipeline(*pipelines_in_use_), jitter, part);
-	else
+	const auto draw = [&](const VkRect2D& pixels, const Pipelines& pipelines, shared::ComposePush push)
 	{
-		recordPart(commands, targets, pipeline(*pipelines_in_use_), jitter, sheets_part_);
-		for (const VkRect2D& beside : around(sheets_part_, targets.extent()))
-			recordPart(commands, targets, pipeline(*ground_), jitter, beside);
-	}
+		const gpu::Pipeline& pipeline = edges ? pipelines.at_edges : pipelines.everywhere;
+		coverPart(commands, targets.extent(), pixels);
+		pipeline.bind(commands, set_);
+		push.jitter[0] = static_cast<float>(jitter.x);
+		push.jitter[1] = static_cast<float>(jitter.y);
+		pipeline.push(commands, push);
+		vkCmdDraw(commands, 3, 1, 0, 0);
+	};
+	if (regions_.empty())
+		draw(part, *pipelines_in_use_, all_sheets_);
+	for (const Region& region : regions_)
+		draw(region.pixels, *region.pipelines, region.push);
 	vkCmdEndRendering(commands);
-}
-
-void ComposePass::recordPart(VkCommandBuffer commands, const Targets& targets, const gpu::Pipeline& pipeline,
-                             const glm::dvec2& jitter, const VkRect2D& part) const
-{
-	if (part.extent.width == 0 || part.extent.height == 0)
-		return;
-	coverPart(commands, targets.extent(), part);
-	pipeline.bind(commands, set_);
-	pipeline.push(commands, shared::ComposePush{{static_cast<float>(jitter.x), static_cast<float>(jitter.y)}, 0, 0});
-	vkCmdDraw(commands, 3, 1, 0, 0);
 }
 
 void ComposePass::recordResolve(VkCommandBuffer commands, const Targets& targets, const VkRect2D& rows) const

@@ -75,19 +75,24 @@ private:
 	                                      const Edges& edges);
 	Result<gpu::Pipeline> makePipeline(std::uint32_t slots, std::uint32_t features, bool surfaces, bool at_edges) const;
 	Result<gpu::Pipeline> makeQuadsPipeline(std::uint32_t slots, std::uint32_t features) const;
+	Status prepareRegions(const Scene& scene, const Targets& targets, std::uint32_t features, const Edges& edges);
 	Status writeQuadsSet(const Targets& targets, const EdgeQuads& quads);
 	Status writeResolveSet(const Targets& targets, const EdgeMask* mask);
 	void recordInto(VkCommandBuffer commands, const Targets& targets, VkImageView view, const glm::dvec2& jitter,
 	                const VkRect2D& part, VkAttachmentLoadOp load, const EdgeMask* edges) const;
-	void recordPart(VkCommandBuffer commands, const Targets& targets, const gpu::Pipeline& pipeline,
-	                const glm::dvec2& jitter, const VkRect2D& part) const;
 	Result<VkDescriptorSet> compositionSet(const Targets& targets, const SurfaceTargets* surfaces);
 
 	std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, Pipelines> pipelines_; // by slots, features, surfaces
-	// Of the scene prepared last. Where it has no surfaces, sheets are in a part of the picture only.
+	// Of the scene prepared last: what draws all its sheets, and its regions.
+	struct Region
+	{
+		VkRect2D pixels;
+		const Pipelines* pipelines;
+		shared::ComposePush push;
+	};
 	const Pipelines* pipelines_in_use_ = nullptr;
-	const Pipelines* ground_ = nullptr;
-	VkRect2D sheets_part_{};
+	shared::ComposePush all_sheets_{};
+	std::vector<Region> regions_;
 	gpu::Pipeline resolve_;
 	gpu::DescriptorSets sets_;
 	std::optional<gpu::DescriptorSets> surface_sets_; // made on first use
