@@ -115,6 +115,7 @@ protected:
 	// Drags what the options open, and tells the figures.
 	void measure(std::vector<std::string> options, const Aims& aims)
 	{
+		validates_ = false; // as users run it
 		double load = 0.0;
 		getloadavg(&load, 1);
 		const char* input = std::getenv("VPROBE_BENCH_INPUT");
