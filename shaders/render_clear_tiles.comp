@@ -9,7 +9,7 @@ layout(local_size_x = kEdgeTile) in;
 layout(binding = 0, r32f) uniform writeonly image2D layer;
 layout(binding = 1, scalar) readonly buffer Listed
 {
-	RasterList list;
+	TileList list;
 	uint listed[];
 };
 layout(push_constant, scalar) uniform Push

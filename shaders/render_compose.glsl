@@ -1,4 +1,4 @@
-// The composing pass, with or without surfaces (SURFACES).
+// The composing pass: of all pixels or those at edges (QUADS), with or without surfaces (SURFACES).
 #include "shared/slice_types.h"
 #include "shared/render_types.h"
 
@@ -23,7 +23,12 @@ layout(push_constant, scalar) uniform Push
 {
 	ComposePush push;
 };
-layout(location = 0) out vec4 front; // multiplied by alpha
+// Multiplied by alpha.
+#ifdef QUADS
+vec4 front;
+#else
+layout(location = 0) out vec4 front;
+#endif
 
 // Room for the layers at a pixel: the smallest of ComposePass::kSlots that takes them all.
 layout(constant_id = 0) const uint kSlots = 1u;
@@ -60,10 +65,17 @@ void lineDownTo(float depth)
 #include "render_surface_list.glsl"
 #endif
 
+// Of the layers that may be here, a slot each. What lies behind the last is one of them again.
+uint layerIn(uint slot)
+{
+	const uint shown = slot < push.layers ? slot : 0u;
+	return (push.slots[shown >> 3] >> (4u * (shown & 7u))) & 0xFu;
+}
+
 // The layers at a pixel, and what is between them.
 void composeLayers(ivec2 pixel)
 {
-	const vec2 place = gl_FragCoord.xy - vec2(push.jitter[0], push.jitter[1]);
+	const vec2 place = vec2(pixel) + 0.5 - vec2(push.jitter[0], push.jitter[1]);
 
 	// What is here; an empty slot lies behind all. Indices are constant once kSlots is, so the arrays are registers.
 	float depths[kSlots];
@@ -71,11 +83,12 @@ void composeLayers(ivec2 pixel)
 	uint places[kSlots];
 	for (uint i = 0u; i < kSlots; ++i)
 	{
-		texels[i] = texelFetch(layers, ivec3(pixel, int(min(i, params.last_layer))), 0).xy;
-		const float depth =
-			params.sheets[i].plane[0] * place.x + params.sheets[i].plane[1] * place.y + params.sheets[i].plane[2];
-		depths[i] = i <= params.last_layer && texels[i].x > kEmptyUpTo ? max(depth, 0.0) : kBehindAll;
-		places[i] = colorPlace(texels[i].x, i);
+		const uint layer = layerIn(i);
+		texels[i] = texelFetch(layers, ivec3(pixel, int(layer)), 0).xy;
+		const float depth = params.sheets[layer].plane[0] * place.x + params.sheets[layer].plane[1] * place.y +
+							params.sheets[layer].plane[2];
+		depths[i] = i < push.layers && texels[i].x > kEmptyUpTo ? max(depth, 0.0) : kBehindAll;
+		places[i] = colorPlace(texels[i].x, layer);
 	}
 
 	// The nearest layer that is left, round by round; of equal depths the first, as sheets in one plane have them. Software ends
@@ -83,14 +96,14 @@ void composeLayers(ivec2 pixel)
 	bool left;
 	do
 	{
-		uint layer = 0u;
+		uint slot = 0u;
 		float depth = depths[0];
 		vec2 texel = texels[0];
 		uint color_place = places[0];
 		for (uint i = 1u; i < kSlots; ++i)
 		{
 			const bool nearer = depths[i] > depth;
-			layer = nearer ? i : layer;
+			slot = nearer ? i : slot;
 			depth = nearer ? depths[i] : depth;
 			texel = nearer ? texels[i] : texel;
 			color_place = nearer ? places[i] : color_place;
@@ -98,21 +111,20 @@ void composeLayers(ivec2 pixel)
 		left = false;
 		for (uint i = 0u; i < kSlots; ++i)
 		{
-			depths[i] = i == layer ? kBehindAll : depths[i];
+			depths[i] = i == slot ? kBehindAll : depths[i];
 			left = left || depths[i] > kBehindAll;
 		}
 #ifdef SURFACES
 		surfacesDownTo(depth);
 #endif
 		lineDownTo(depth);
-		const vec4 color = withLines(layerColor(color_place), texel, layer, pixel);
+		const vec4 color = withLines(layerColor(color_place), texel, layerIn(slot), pixel);
 		under(color.rgb, depth > kBehindAll ? color.a : 0.0);
 	} while (left);
 }
 
-void main()
+void compose(ivec2 pixel)
 {
-	const ivec2 pixel = ivec2(gl_FragCoord.xy);
 	front = vec4(0.0);
 	line_depth = texelFetch(lines, pixel, 0).x;
 	line_left = line_depth > 0.0 ? params.line_color[3] : 0.0;
@@ -126,5 +138,12 @@ void main()
 #endif
 	lineDownTo(kBehindAll);
 	if ((kFeatures & kComposeWhole) != 0u)
-		front = overBackground(front, gl_FragCoord.y);
+		front = overBackground(front, float(pixel.y) + 0.5);
 }
+
+#ifndef QUADS
+void main()
+{
+	compose(ivec2(gl_FragCoord.xy));
+}
+#endif

@@ -12,7 +12,7 @@ layout(binding = 1, scalar) writeonly buffer Tiles
 };
 layout(binding = 2, scalar) buffer Listed
 {
-	RasterList list;
+	TileList list;
 	uint listed[];
 };
 layout(push_constant, scalar) uniform Push
@@ -43,5 +43,8 @@ void main()
 	} while (y <= last.y && !found);
 	tiles[tile] = uint(found);
 	if (found)
+	{
 		listed[atomicAdd(list.groups[0], 1u)] = tile;
+		atomicAdd(list.corners, kTileCorners);
+	}
 }

@@ -8,6 +8,7 @@
 #include "gpu/timers.h"
 #include "render/passes/compose_pass.h"
 #include "render/passes/edge_mask.h"
+#include "render/passes/edge_quads.h"
 #include "render/passes/layer_pass.h"
 #include "render/passes/line_pass.h"
 #include "render/passes/overlay_pass.h"
@@ -49,7 +50,8 @@ struct Renderer::Private
 	LinePass lines;
 	SurfacePass surfaces;
 	FragmentLists lists;
-	EdgeMask edges;
+	EdgeMask mask;
+	EdgeQuads quads;
 	ComposePass compose;
 	OverlayPass overlay;
 	gpu::Commands commands;
@@ -57,6 +59,7 @@ struct Renderer::Private
 	Targets targets;
 	std::uint64_t most_fragment_bytes;
 	PicturePlan plan{};
+	bool whole = false; // composesWhole()
 	std::size_t layers_drawn = 0;
 	KeptLettering lettering{};
 
@@ -73,7 +76,8 @@ struct Renderer::Private
 	Result<Drawn> finish(bool has_surfaces, Timeline* timeline);
 	void recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	void recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
-	void recordPicture(VkCommandBuffer to, bool from_layers, std::uint32_t part);
+	void recordWhole(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
+	void recordPicture(VkCommandBuffer to, bool has_edges, std::uint32_t part);
 	void recordCopy(VkCommandBuffer to, const gpu::Image* into);
 };
 
@@ -94,9 +98,12 @@ Result<Renderer> Renderer::create(gpu::Device& device, std::uint64_t most_fragme
 	auto lines = LinePass::create(device);
 	if (!lines)
 		return lines.error();
-	auto edges = EdgeMask::create(device);
-	if (!edges)
-		return edges.error();
+	auto mask = EdgeMask::create(device);
+	if (!mask)
+		return mask.error();
+	auto quads = EdgeQuads::create(device);
+	if (!quads)
+		return quads.error();
 	auto compose = ComposePass::create(device);
 	if (!compose)
 		return compose.error();
@@ -108,7 +115,7 @@ Result<Renderer> Renderer::create(gpu::Device& device, std::uint64_t most_fragme
 		return commands.error();
 	return Renderer(std::unique_ptr<Private>(new Private{
 	    device, std::move(*layers), std::move(*lines), SurfacePass(device), FragmentLists(device, most_fragment_bytes),
-	    std::move(*edges), std::move(*compose), std::move(*overlay), std::move(*commands),
+	    std::move(*mask), std::move(*quads), std::move(*compose), std::move(*overlay), std::move(*commands),
 	    gpu::Timers(device, "GPU draw"), Targets(), most_fragment_bytes}));
 }
 
@@ -121,13 +128,16 @@ Status Renderer::Private::makeTargets(const Scene& scene)
 	plan = *planned;
 	lists.limit(for_lists);
 	const auto count = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.sheets.size()));
-	if (targets.holds(plan.first, count, scene.look.mesh))
+	const bool sum = !composesWhole(device, scene, plan.first);
+	if (targets.holds(plan.first, count, scene.look.mesh, sum))
 		return Nothing{};
 	if (!plan.first.isWhole())
 		warn("{}", describe(plan, device, scene));
 	forget();
 	targets = {}; // before its successor, that both need not fit into memory
-	auto made = Targets::create(device, plan.first, count, scene.look.mesh);
+	if (sum)
+		quads.release();
+	auto made = Targets::create(device, plan.first, count, scene.look.mesh, sum);
 	if (!made)
 		return made.error();
 	targets = std::move(*made);
@@ -144,15 +154,22 @@ Status Renderer::Private::prepare(const Scene& scene)
 		if (Status ready = surfaces.prepare(scene, lists); !ready)
 			return ready;
 	}
-	const EdgeMask* mask = samplePattern(scene.look.samples).size() > 1 ? &edges : nullptr;
-	if (mask)
-		if (Status ready = edges.prepare(targets, contourReach(scene.look)); !ready)
+	const bool has_edges = samplePattern(scene.look.samples).size() > 1;
+	whole = composesWhole(device, scene, targets.part());
+	const EdgeTiles* edges = !has_edges ? nullptr : whole ? &quads.tiles() : &mask.tiles();
+	if (has_edges)
+	{
+		const std::uint32_t reach = contourReach(scene.look);
+		if (Status ready = whole ? quads.prepare(targets, reach) : mask.prepare(targets, reach); !ready)
 			return ready;
+	}
 	const Overlay over = makeOverlay(scene, &lettering);
 	const ComposePass::SurfaceTargets drawn_surfaces{lists, surfaces.opaque(), surfaces.hasOpaque()};
 	for (Status ready :
-	     {layers.prepare(scene, targets, mask), lines.prepare(scene),
-	      compose.prepare(scene, targets, has_surfaces ? &drawn_surfaces : nullptr, mask), overlay.prepare(over)})
+	     {layers.prepare(scene, targets, edges), lines.prepare(scene, whole ? edges : nullptr),
+	      compose.prepare(scene, targets, has_surfaces ? &drawn_surfaces : nullptr,
+	                      {has_edges && !whole ? &mask : nullptr, has_edges && whole ? &quads : nullptr}),
+	      overlay.prepare(over)})
 		if (!ready)
 			return ready;
 	return Nothing{};
@@ -161,26 +178,37 @@ Status Renderer::Private::prepare(const Scene& scene)
 void Renderer::Private::recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter,
                                      std::size_t sample)
 {
-	const EdgeMask* later = sample > 0 ? &edges : nullptr;
+	const EdgeTiles* later = sample == 0 ? nullptr : whole ? &quads.tiles() : &mask.tiles();
 	{
 		// Every sheet into its own layer of values, the outline into its depths.
 		gpu::TimedPass timed(timers, to, "layers");
 		layers_drawn += layers.record(to, scene, targets, jitter, later);
-		lines.record(to, scene, targets, jitter);
+		lines.record(to, scene, targets, jitter, whole ? later : nullptr);
 	}
-	if (composesWhole(scene, targets.part()))
-		return;
+	if (whole)
+		return recordWhole(to, scene, jitter, sample);
 	if (!scene.surfaces.empty())
 		return recordSurfaces(to, scene, jitter, sample);
 	// The layers in their order at each pixel, colored, blended and added to the samples before.
 	gpu::TimedPass timed(timers, to, "compose");
-	compose.record(to, targets, jitter, {{0, 0}, targets.extent()}, later, true);
+	compose.record(to, targets, jitter, {{0, 0}, targets.extent()}, sample > 0 ? &mask : nullptr, true);
+}
+
+// The layers in their order at each pixel, colored and blended over the background: straight into the picture.
+void Renderer::Private::recordWhole(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter,
+                                    std::size_t sample)
+{
+	gpu::TimedPass timed(timers, to, "compose");
+	if (sample > 0)
+		return compose.recordQuads(to, quads, jitter, sample, samplePattern(scene.look.samples).size());
+	targets.picture.transition(to, gpu::kDiscard, gpu::kColorTarget);
+	compose.recordWhole(to, targets, jitter);
 }
 
 void Renderer::Private::recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter,
                                        std::size_t sample)
 {
-	const EdgeMask* later = sample > 0 ? &edges : nullptr;
+	const EdgeMask* later = sample > 0 ? &mask : nullptr;
 	lists.recordSample(to);
 	{
 		// Opaque surfaces, the nearest at each pixel.
@@ -202,27 +230,24 @@ void Renderer::Private::recordSurfaces(VkCommandBuffer to, const Scene& scene, c
 	}
 }
 
-// From the sum of samples, or the layers of the only one, to pixels of the picture. The words come with the last part.
-void Renderer::Private::recordPicture(VkCommandBuffer to, bool from_layers, std::uint32_t part)
+// From the sum of samples to pixels of the picture, unless they are there already. The words come with the last part.
+void Renderer::Private::recordPicture(VkCommandBuffer to, bool has_edges, std::uint32_t part)
 {
 	const bool is_last = part + 1 == plan.count();
-	targets.picture.transition(to, part == 0 ? gpu::kDiscard : gpu::kColorTarget, gpu::kColorTarget);
-	if (from_layers)
-	{
-		// The layers in their order at each pixel, colored and blended over the background.
-		gpu::TimedPass timed(timers, to, "compose");
-		compose.recordWhole(to, targets);
-		targets.picture.transition(to, gpu::kColorTarget, gpu::kColorTarget);
-	}
+	targets.picture.transition(to,
+	                           whole && has_edges  ? gpu::kStorage
+	                           : whole || part > 0 ? gpu::kColorTarget
+	                                               : gpu::kDiscard,
+	                           gpu::kColorTarget);
 	{
 		// The samples' mean over the background, then legend, axes and words over the finished picture.
 		gpu::TimedPass timed(timers, to, "overlay");
-		if (!from_layers)
+		if (!whole)
 			targets.sum.transition(to, gpu::kColorTarget, gpu::kSampled);
 		VkRenderingAttachmentInfo picture{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
 		picture.imageView = targets.picture.view();
 		picture.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-		picture.loadOp = from_layers || part > 0 ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+		picture.loadOp = whole || part > 0 ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
 		picture.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
 		VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
 		rendering.renderArea.extent = plan.first.picture;
@@ -230,7 +255,7 @@ void Renderer::Private::recordPicture(VkCommandBuffer to, bool from_layers, std:
 		rendering.colorAttachmentCount = 1;
 		rendering.pColorAttachments = &picture;
 		vkCmdBeginRendering(to, &rendering);
-		if (!from_layers)
+		if (!whole)
 			compose.recordResolve(to, targets, plan.shown(part));
 		if (is_last)
 			overlay.record(to, targets);
@@ -326,12 +351,15 @@ Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& 
 		{
 			// Where the other samples are needed.
 			gpu::TimedPass timed(timers, *begun, "edges");
-			edges.record(*begun, targets);
+			if (whole)
+				quads.record(*begun, targets);
+			else
+				mask.record(*begun, targets);
 		}
 	}
 	if (has_surfaces)
 		lists.recordEnd(*begun);
-	recordPicture(*begun, composesWhole(scene, targets.part()), part);
+	recordPicture(*begun, pattern.size() > 1, part);
 	if (part + 1 == plan.count())
 		recordCopy(*begun, target.image);
 	return finish(has_surfaces, timeline);

@@ -75,6 +75,7 @@ struct RasterList
 // Pixels at which a picture needs more samples than its first one: where a channel departs by more than this from the
 // line between the pixels on both sides. A step of this height is off by at most its half.
 VP_CONST float kEdgeFrom = 2.0f / 255.0f;
+VP_CONST float kPictureEdgeFrom = 2.5f / 255.0f; // the same between colors of 8 bits: three steps are above it
 VP_CONST uint kEdgeTile = 16u; // pixels a side of the squares that are drawn again where they hold an edge
 VP_CONST uint kEdgeGroupSize = 64u;
 
@@ -84,6 +85,33 @@ struct EdgePush
 	uint tiles_down;
 	uint reach; // pixels around it that a pixel's color depends on
 };
+
+// The squares of pixels near edges: a VkDispatchIndirectCommand of a group each, and a VkDrawIndirectCommand of their
+// corners. Their numbers follow.
+struct TileList
+{
+	uint groups[3];
+	uint corners;
+	uint instances;
+	uint firsts[2];
+};
+VP_CONST uint kTileCorners = 6u; // two triangles
+
+struct TilesPush
+{
+	float to_clip[2]; // 2 / size of the picture
+	uint across;      // squares
+};
+
+// Pixels at edges, two by two as the device colors them together: a VkDispatchIndirectCommand, and their number. What
+// follows is a word each, x / 2 and above it y / 2.
+struct QuadList
+{
+	uint groups[3];
+	uint count;
+};
+VP_CONST uint kQuadGroupSize = 64u;      // threads, one a pixel
+VP_CONST uint kQuadGroupsAcross = 4096u; // of a dispatch; then the next row of groups begins
 
 struct LineSegment
 {
@@ -106,6 +134,10 @@ struct LinePush
 struct ComposePush
 {
 	float jitter[2]; // pixels by which this sample's picture is moved
+	uint number;     // of the sample, from 1 on; at edges only
+	uint last_number;
+	uint layers;   // that may be here, in the order of their numbers
+	uint slots[2]; // which: four bits each
 };
 
 struct ResolvePush
@@ -163,7 +195,6 @@ struct ComposeParams
 {
 	float height;
 	float sample_weight; // 1 / samples
-	uint last_layer;
 	float contour_half_width; // pixels
 	float line_color[4];
 	float top_color[4]; // of the background

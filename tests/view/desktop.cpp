@@ -118,7 +118,7 @@ std::map<std::string, std::string> Desktop::surroundings() const
 	                                       {"XDG_RUNTIME_DIR", path("home")},
 	                                       {"MESA_SHADER_CACHE_DIR", VPROBE_VIEW_OUTPUT "/shaders"},
 	                                       {"LC_ALL", "C.UTF-8"}};
-	all["VPROBE_VALIDATION"] = std::getenv("VPROBE_LAYER_FAULT") ? "0" : "1";
+	all["VPROBE_VALIDATION"] = validates_ && !std::getenv("VPROBE_LAYER_FAULT") ? "1" : "0";
 	if (!std::getenv("VK_DRIVER_FILES"))
 		all["VK_DRIVER_FILES"] = all["VK_ICD_FILENAMES"] = lavapipe();
 	return all;

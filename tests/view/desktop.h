@@ -55,6 +55,8 @@ protected:
 	void keepPicture(const std::string& name) const;  // in the build folder: NAME.png
 	void keepWindow(const std::string& name) const;   // the same, of the window alone
 
+	bool validates_ = true; // by the layers of Vulkan, unless faults are made; before open()
+
 	static constexpr int kScreenWidth = 1400;
 	static constexpr int kScreenHeight = 900;
 	static constexpr int kWidth = 1000; // of the window, until it gets another size

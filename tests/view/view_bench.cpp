@@ -44,6 +44,13 @@ private:
 	int descriptor_;
 };
 
+struct Aims
+{
+	double cuts_per_second;
+	double input_to_picture_ms; // 95th percentile
+	double frame_ms;            // 99th
+};
+
 double milliseconds(std::chrono::steady_clock::duration time)
 {
 	return std::chrono::duration<double, std::milli>(time).count();
@@ -104,32 +111,47 @@ protected:
 		XCloseDisplay(display);
 		return times;
 	}
+
+	// Drags what the options open, and tells the figures.
+	void measure(std::vector<std::string> options, const Aims& aims)
+	{
+		validates_ = false; // as users run it
+		double load = 0.0;
+		getloadavg(&load, 1);
+		const char* input = std::getenv("VPROBE_BENCH_INPUT");
+		options.insert(options.begin(), input ? input : "demo:shell:256");
+		options.insert(options.end(), {"--size", "1280x720"});
+		open(options);
+		constexpr int kSteps = 30;
+		const std::vector<double> seen = latencies(kSteps);
+		constexpr int kTenSeconds = 1250;
+		xdotool(dragScript(kOnTheSheet, kTenSeconds));
+		settle();
+		const nlohmann::json stats = close();
+		std::printf("load %.1f, %s\n", load, stats["device"].get<std::string>().c_str());
+		tell("new cuts a second", stats["new_cuts_per_second"], aims.cuts_per_second, ">=");
+		tell("input to picture, p95 [ms]", stats["input_to_picture_ms"]["p95"], aims.input_to_picture_ms, "<=");
+		tell("frame of the window, p99 [ms]", stats["window_frame_ms"]["p99"], aims.frame_ms, "<=");
+		tell("frame of the window, p95 [ms]", stats["window_frame_ms"]["p95"], 33, "<=");
+		tell("frame of the window, slowest [ms]", stats["window_frame_ms"]["max"], 33, "<=");
+		tell("seen from outside, from rest, median [ms]", percentile(seen, 0.5), 120, "<=");
+		tell("seen from outside, from rest, p95 [ms]", percentile(seen, 0.95), 120, "<=");
+		std::printf("cut %.1f ms, drawing %.1f ms (medians), %d cuts\n", stats["cut_ms"]["median"].get<double>(),
+		            stats["draw_ms"]["median"].get<double>(), stats["cut_ms"]["count"].get<int>());
+		EXPECT_GT(stats["cut_ms"]["count"].get<int>(), kSteps / 2) << "the drag did not move the sheet";
+	}
 };
 
 } // namespace
 
 TEST_F(ViewBench, DragOfASheet)
 {
-	double load = 0.0;
-	getloadavg(&load, 1);
-	const char* input = std::getenv("VPROBE_BENCH_INPUT");
-	open({input ? input : "demo:shell:256", "--normal", "0.3", "0.5", "0.8", "--size", "1280x720"});
-	constexpr int kSteps = 30;
-	const std::vector<double> seen = latencies(kSteps);
-	constexpr int kTenSeconds = 1250;
-	xdotool(dragScript(kOnTheSheet, kTenSeconds));
-	settle();
-	const nlohmann::json stats = close();
-	std::printf("load %.1f, %s\n", load, stats["device"].get<std::string>().c_str());
-	tell("new cuts a second", stats["new_cuts_per_second"], 20, ">=");
-	tell("input to picture, p95 [ms]", stats["input_to_picture_ms"]["p95"], 120, "<=");
-	tell("frame of the window, p95 [ms]", stats["window_frame_ms"]["p95"], 33, "<=");
-	tell("frame of the window, slowest [ms]", stats["window_frame_ms"]["max"], 33, "<=");
-	tell("seen from outside, from rest, median [ms]", percentile(seen, 0.5), 120, "<=");
-	tell("seen from outside, from rest, p95 [ms]", percentile(seen, 0.95), 120, "<=");
-	std::printf("cut %.1f ms, drawing %.1f ms (medians), %d cuts\n", stats["cut_ms"]["median"].get<double>(),
-	            stats["draw_ms"]["median"].get<double>(), stats["cut_ms"]["count"].get<int>());
-	EXPECT_GT(stats["cut_ms"]["count"].get<int>(), kSteps / 2) << "the drag did not move the sheet";
+	measure({"--normal", "0.3", "0.5", "0.8"}, {20, 120, 33});
+}
+
+TEST_F(ViewBench, DragOfThreeVanes)
+{
+	measure({"--probe", "paddlewheel", "--opacity", "0.6"}, {40, 60, 50});
 }
 
 } // namespace view

@@ -23,6 +23,7 @@ nlohmann::json summary(const Figure& figure)
 	        {"mean", figure.mean()},
 	        {"median", figure.percentile(0.5)},
 	        {"p95", figure.percentile(0.95)},
+	        {"p99", figure.percentile(0.99)},
 	        {"max", figure.most()}};
 }
 

@@ -12,7 +12,7 @@ namespace vp::render
 namespace
 {
 
-static_assert(sizeof(shared::ComposeParams) == 4 * (16 + 22 * shared::kMaxLayers));
+static_assert(sizeof(shared::ComposeParams) == 4 * (15 + 22 * shared::kMaxLayers));
 
 constexpr Color kLineOnLight{66, 72, 82, 225};
 constexpr Color kLineOnDark{206, 211, 218, 225};
@@ -66,7 +66,6 @@ ComposeParams composeParams(const Scene& scene, const PicturePart& part)
 	const Look& look = scene.look;
 	params.height = static_cast<float>(part.picture.height);
 	params.sample_weight = 1.0f / static_cast<float>(samplePattern(look.samples).size());
-	params.last_layer = static_cast<std::uint32_t>(scene.sheets.empty() ? 0 : scene.sheets.size() - 1);
 	params.contour_half_width = 0.5f * lineWidth(look);
 	storeColor(params.line_color, look.background.dark() ? kLineOnDark : kLineOnLight);
 	storeColor(params.top_color, look.background.top);

@@ -4,8 +4,11 @@
 
 #include "render/passes/compose_params.h"
 #include "render/passes/picture_geometry.h"
+#include "render/passes/sheet_regions.h"
 
 #include <algorithm>
+#include <numeric>
+#include <span>
 
 namespace vp::render
 {
@@ -20,22 +23,21 @@ VkPipelineColorBlendAttachmentState summing()
 	return state;
 }
 
-// What is left of a picture: above, below, left and right of a part of it.
-std::array<VkRect2D, 4> around(const VkRect2D& part, VkExtent2D extent)
+shared::ComposePush showing(std::span<const std::uint32_t> sheets)
 {
-	const std::int32_t right = part.offset.x + static_cast<std::int32_t>(part.extent.width);
-	const std::int32_t below = part.offset.y + static_cast<std::int32_t>(part.extent.height);
-	return {VkRect2D{{0, 0}, {extent.width, static_cast<std::uint32_t>(part.offset.y)}},
-	        VkRect2D{{0, below}, {extent.width, extent.height - static_cast<std::uint32_t>(below)}},
-	        VkRect2D{{0, part.offset.y}, {static_cast<std::uint32_t>(part.offset.x), part.extent.height}},
-	        VkRect2D{{right, part.offset.y}, {extent.width - static_cast<std::uint32_t>(right), part.extent.height}}};
+	shared::ComposePush push{};
+	push.layers = static_cast<std::uint32_t>(sheets.size());
+	for (std::size_t slot = 0; slot < sheets.size(); ++slot)
+		push.slots[slot / 8] |= sheets[slot] << 4 * (slot % 8);
+	return push;
 }
 
 } // namespace
 
-bool composesWhole(const Scene& scene, const PicturePart& part)
+bool composesWhole(const gpu::Device& device, const Scene& scene, const PicturePart& part)
 {
-	return part.isWhole() && scene.surfaces.empty() && samplePattern(scene.look.samples).size() == 1;
+	return part.isWhole() && scene.surfaces.empty() &&
+	       (samplePattern(scene.look.samples).size() == 1 || EdgeQuads::fits(device, part.extent));
 }
 
 Result<ComposePass> ComposePass::create(gpu::Device& device)
@@ -43,7 +45,7 @@ Result<ComposePass> ComposePass::create(gpu::Device& device)
 	ComposePass pass;
 	pass.device_ = &device;
 	// The layouts of pipelines without surfaces are alike, so a set of the first fits them all.
-	auto first = pass.pipelinesFor(1, 0, false, false);
+	auto first = pass.pipelinesFor(1, 0, false, {});
 	if (!first)
 		return first.error();
 	pass.sets_ = gpu::DescriptorSets(device, (*first)->everywhere, "compose");
@@ -68,21 +70,41 @@ Result<ComposePass> ComposePass::create(gpu::Device& device)
 }
 
 Result<const ComposePass::Pipelines*> ComposePass::pipelinesFor(std::size_t layers, std::uint32_t features,
-                                                                bool surfaces, bool with_mask)
+                                                                bool surfaces, const Edges& edges)
 {
 	const std::uint32_t slots = *std::find_if(kSlots.begin(), kSlots.end(), [&](auto s) { return s >= layers; });
 	Pipelines& pipelines = pipelines_[{slots, features, surfaces}];
 	for (const bool at_edges : {false, true})
 	{
 		gpu::Pipeline& pipeline = at_edges ? pipelines.at_edges : pipelines.everywhere;
-		if (pipeline || (at_edges && !with_mask))
+		if (pipeline || (at_edges && !edges.mask))
 			continue;
 		auto made = makePipeline(slots, features, surfaces, at_edges);
 		if (!made)
 			return made.error();
 		pipeline = std::move(*made);
 	}
+	if (edges.quads && !pipelines.quads)
+	{
+		auto made = makeQuadsPipeline(slots, features);
+		if (!made)
+			return made.error();
+		pipelines.quads = std::move(*made);
+	}
 	return &pipelines;
+}
+
+Result<gpu::Pipeline> ComposePass::makeQuadsPipeline(std::uint32_t slots, std::uint32_t features) const
+{
+	gpu::ComputePipelineInfo info;
+	info.shader = "render_compose_quads.comp";
+	info.bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},         {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+	                 {2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, {3, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER},
+	                 {4, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER},   {5, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+	                 {6, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},         {7, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}};
+	info.push_bytes = sizeof(shared::ComposePush);
+	info.constants = {{0, slots}, {1, features}};
+	return gpu::Pipeline::create(*device_, info, "compose at edges");
 }
 
 Result<gpu::Pipeline> ComposePass::makePipeline(std::uint32_t slots, std::uint32_t features, bool surfaces,
@@ -141,7 +163,7 @@ Result<VkDescriptorSet> ComposePass::compositionSet(const Targets& targets, cons
 }
 
 Status ComposePass::prepare(const Scene& scene, const Targets& targets, const SurfaceTargets* surfaces,
-                            const EdgeMask* edges)
+                            const Edges& edges)
 {
 	const ComposeParams made = composeParams(scene, targets.part());
 	if (Status room = makeRoom(*device_, params_, sizeof(shared::ComposeParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
@@ -157,35 +179,76 @@ Status ComposePass::prepare(const Scene& scene, const Targets& targets, const Su
 	        colors_.put(*device_, std::as_bytes(std::span(made.colors)), VK_FORMAT_R32G32_UINT, "layers' colors");
 	    !put)
 		return put;
-	const std::uint32_t features = made.features | (composesWhole(scene, targets.part()) ? shared::kComposeWhole : 0u) |
+	const std::uint32_t features = made.features |
+	                               (composesWhole(*device_, scene, targets.part()) ? shared::kComposeWhole : 0u) |
 	                               (surfaces && surfaces->has_opaque ? shared::kComposeOpaque : 0u);
-	auto pipelines =
-	    pipelinesFor(std::max<std::size_t>(1, scene.sheets.size()), features, surfaces != nullptr, edges != nullptr);
+	auto pipelines = pipelinesFor(std::max<std::size_t>(1, scene.sheets.size()), features, surfaces != nullptr, edges);
 	if (!pipelines)
 		return pipelines.error();
 	pipelines_in_use_ = *pipelines;
-	ground_ = nullptr;
-	sheets_part_ = sheetsPart(scene, targets.part());
+	std::vector<std::uint32_t> all(scene.sheets.size());
+	std::iota(all.begin(), all.end(), 0u);
+	all_sheets_ = showing(all);
+	regions_.clear();
 	if (!surfaces)
-	{
-		auto ground =
-		    pipelinesFor(1, (features & shared::kComposeWhole) | shared::kComposeGround, false, edges != nullptr);
-		if (!ground)
-			return ground.error();
-		ground_ = *ground;
-	}
+		if (Status ready = prepareRegions(scene, targets, features, edges); !ready)
+			return ready;
 	auto set = compositionSet(targets, surfaces);
 	if (!set)
 		return set.error();
 	set_ = *set;
+	if (edges.quads)
+		return writeQuadsSet(targets, *edges.quads);
+	return (features & shared::kComposeWhole) != 0 ? Status(Nothing{}) : writeResolveSet(targets, edges.mask);
+}
+
+Status ComposePass::prepareRegions(const Scene& scene, const Targets& targets, std::uint32_t features,
+                                   const Edges& edges)
+{
+	for (const SheetRegion& region : sheetRegions(scene, targets.part()))
+	{
+		const bool ground = region.sheets.empty();
+		auto pipelines = pipelinesFor(std::max<std::size_t>(1, region.sheets.size()),
+		                              ground ? (features & shared::kComposeWhole) | shared::kComposeGround : features,
+		                              false, {edges.mask, nullptr});
+		if (!pipelines)
+			return pipelines.error();
+		regions_.push_back({region.pixels, *pipelines, showing(region.sheets)});
+	}
+	return Nothing{};
+}
+
+Status ComposePass::writeQuadsSet(const Targets& targets, const EdgeQuads& quads)
+{
+	if (!quads_sets_)
+		quads_sets_.emplace(*device_, pipelines_in_use_->quads, "compose at edges");
+	auto set = quads_sets_->get(0);
+	if (!set)
+		return set.error();
+	quads_set_ = *set;
+	gpu::DescriptorWriter()
+	    .uniformBuffer(0, params_.handle())
+	    .sampledImage(1, targets.layers(), sampler_.handle())
+	    .sampledImage(2, targets.lines.view(), sampler_.handle())
+	    .texels(3, tables_.texels.handle())
+	    .texels(4, colors_.texels.handle())
+	    .storageBuffer(5, quads.listed().handle())
+	    .storageBuffer(6, quads.sums().handle())
+	    .storageImage(7, targets.picture.view())
+	    .write(*device_, quads_set_);
+	return Nothing{};
+}
+
+Status ComposePass::writeResolveSet(const Targets& targets, const EdgeMask* mask)
+{
 	auto resolve_set = resolve_sets_.get(0);
 	if (!resolve_set)
 		return resolve_set.error();
 	resolve_set_ = *resolve_set;
 	gpu::DescriptorWriter writer;
 	writer.uniformBuffer(0, params_.handle()).sampledImage(1, targets.sum.view(), sampler_.handle());
-	if (edges)
-		writer.sampledImage(2, edges->image().view(), sampler_.handle(), EdgeMask::kLayout);
+	if (mask)
+		writer.sampledImage(2, mask->image().view(), sampler_.handle(), EdgeMask::kLayout);
 	else
 		writer.sampledImage(2, targets.lines.view(), sampler_.handle()); // of one sample: its weight is 1 either way
 	writer.write(*device_, resolve_set_);
@@ -200,10 +263,25 @@ void ComposePass::record(VkCommandBuffer commands, const Targets& targets, const
 	           edges ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR, edges);
 }
 
-void ComposePass::recordWhole(VkCommandBuffer commands, const Targets& targets) const
+void ComposePass::recordWhole(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter) const
 {
-	recordInto(commands, targets, targets.picture.view(), {0.0, 0.0}, {{0, 0}, targets.extent()},
+	recordInto(commands, targets, targets.picture.view(), jitter, {{0, 0}, targets.extent()},
 	           VK_ATTACHMENT_LOAD_OP_DONT_CARE, nullptr);
+}
+
+void ComposePass::recordQuads(VkCommandBuffer commands, const EdgeQuads& quads, const glm::dvec2& jitter,
+                              std::size_t sample, std::size_t samples) const
+{
+	const gpu::Pipeline& pipeline = pipelines_in_use_->quads;
+	pipeline.bind(commands, quads_set_);
+	shared::ComposePush push = all_sheets_;
+	push.jitter[0] = static_cast<float>(jitter.x);
+	push.jitter[1] = static_cast<float>(jitter.y);
+	push.number = static_cast<std::uint32_t>(sample);
+	push.last_number = static_cast<std::uint32_t>(samples - 1);
+	pipeline.push(commands, push);
+	vkCmdDispatchIndirect(commands, quads.listed().handle(), 0);
+	EdgeQuads::recordBarrier(commands);
 }
 
 void ComposePass::recordInto(VkCommandBuffer commands, const Targets& targets, VkImageView view,
@@ -223,28 +301,21 @@ void ComposePass::recordInto(VkCommandBuffer commands, const Targets& targets, V
 	rendering.pColorAttachments = &target;
 	rendering.pDepthAttachment = edges ? &mask : nullptr;
 	vkCmdBeginRendering(commands, &rendering);
-	const auto pipeline = [&](const Pipelines& of) -> const gpu::Pipeline&
-	{ return edges ? of.at_edges : of.everywhere; };
-	if (!ground_)
-		recordPart(commands, targets, pipeline(*pipelines_in_use_), jitter, part);
-	else
+	const auto draw = [&](const VkRect2D& pixels, const Pipelines& pipelines, shared::ComposePush push)
 	{
-		recordPart(commands, targets, pipeline(*pipelines_in_use_), jitter, sheets_part_);
-		for (const VkRect2D& beside : around(sheets_part_, targets.extent()))
-			recordPart(commands, targets, pipeline(*ground_), jitter, beside);
-	}
+		const gpu::Pipeline& pipeline = edges ? pipelines.at_edges : pipelines.everywhere;
+		coverPart(commands, targets.extent(), pixels);
+		pipeline.bind(commands, set_);
+		push.jitter[0] = static_cast<float>(jitter.x);
+		push.jitter[1] = static_cast<float>(jitter.y);
+		pipeline.push(commands, push);
+		vkCmdDraw(commands, 3, 1, 0, 0);
+	};
+	if (regions_.empty())
+		draw(part, *pipelines_in_use_, all_sheets_);
+	for (const Region& region : regions_)
+		draw(region.pixels, *region.pipelines, region.push);
 	vkCmdEndRendering(commands);
-}
-
-void ComposePass::recordPart(VkCommandBuffer commands, const Targets& targets, const gpu::Pipeline& pipeline,
-                             const glm::dvec2& jitter, const VkRect2D& part) const
-{
-	if (part.extent.width == 0 || part.extent.height == 0)
-		return;
-	coverPart(commands, targets.extent(), part);
-	pipeline.bind(commands, set_);
-	pipeline.push(commands, shared::ComposePush{{static_cast<float>(jitter.x), static_cast<float>(jitter.y)}});
-	vkCmdDraw(commands, 3, 1, 0, 0);
 }
 
 void ComposePass::recordResolve(VkCommandBuffer commands, const Targets& targets, const VkRect2D& rows) const

@@ -3,6 +3,7 @@
 #include "gpu/shader.h"
 #include "render/passes/buffers.h"
 #include "render/passes/edge_mask.h"
+#include "render/passes/edge_quads.h"
 #include "render/passes/fragment_lists.h"
 #include "render/passes/opaque_target.h"
 #include "render/passes/targets.h"
@@ -17,11 +18,13 @@
 namespace vp::render
 {
 
-// Whether its picture is one sample in one part, without lists that may run over: it needs no sum.
-bool composesWhole(const Scene& scene, const PicturePart& part);
+// Whether its first sample goes straight into the picture, and others are added at edges only: in one part, without
+// lists that may run over.
+bool composesWhole(const gpu::Device& device, const Scene& scene, const PicturePart& part);
 
-// Orders the layers at each pixel, and the surfaces' fragments where there are surfaces, colors and blends them, and
-// sums up the samples (render_compose.glsl); at last puts their mean over the background (render_resolve.frag).
+// Orders the layers at each pixel, and the surfaces' fragments where there are surfaces, colors and blends them
+// (render_compose.glsl). If not composesWhole(), samples are summed up, and at last their mean comes over the
+// background (render_resolve.frag).
 class ComposePass
 {
 public:
@@ -34,15 +37,23 @@ public:
 		const OpaqueTarget& opaque;
 		bool has_opaque;
 	};
-	// surfaces: prepared for the scene's surfaces; null where it has none. edges: null for a picture of one sample.
-	Status prepare(const Scene& scene, const Targets& targets, const SurfaceTargets* surfaces, const EdgeMask* edges);
+	// Where later samples are drawn: one of both, or none for a picture of one sample.
+	struct Edges
+	{
+		const EdgeMask* mask = nullptr;
+		const EdgeQuads* quads = nullptr; // if composesWhole()
+	};
+	// surfaces: prepared for the scene's surfaces; null where it has none.
+	Status prepare(const Scene& scene, const Targets& targets, const SurfaceTargets* surfaces, const Edges& edges);
 	// A part of the picture, all of it or a strip. edges: null for the first sample, which begins anew with its first
 	// part; the others are drawn at edges only.
 	void record(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter, const VkRect2D& part,
 	            const EdgeMask* edges, bool first_part) const;
-	// In place of samples and their sum: straight into the picture, which is a color target. The scene is one that
-	// composesWhole().
-	void recordWhole(VkCommandBuffer commands, const Targets& targets) const;
+	// If composesWhole(): the first sample into the picture, which is a color target.
+	void recordWhole(VkCommandBuffer commands, const Targets& targets, const glm::dvec2& jitter) const;
+	// And the others at edges; the last one puts them into the picture, which is storage.
+	void recordQuads(VkCommandBuffer commands, const EdgeQuads& quads, const glm::dvec2& jitter, std::size_t sample,
+	                 std::size_t samples) const;
 	// Within a rendering into the picture, after the last sample of a part: these rows of the picture.
 	void recordResolve(VkCommandBuffer commands, const Targets& targets, const VkRect2D& rows) const;
 
@@ -57,30 +68,42 @@ private:
 	{
 		gpu::Pipeline everywhere;
 		gpu::Pipeline at_edges; // if there is a mask
+		gpu::Pipeline quads;    // or quads
 	};
 	// Made on first use; the pointer stays valid.
-	Result<const Pipelines*> pipelinesFor(std::size_t layers, std::uint32_t features, bool surfaces, bool with_mask);
+	Result<const Pipelines*> pipelinesFor(std::size_t layers, std::uint32_t features, bool surfaces,
+	                                      const Edges& edges);
 	Result<gpu::Pipeline> makePipeline(std::uint32_t slots, std::uint32_t features, bool surfaces, bool at_edges) const;
+	Result<gpu::Pipeline> makeQuadsPipeline(std::uint32_t slots, std::uint32_t features) const;
+	Status prepareRegions(const Scene& scene, const Targets& targets, std::uint32_t features, const Edges& edges);
+	Status writeQuadsSet(const Targets& targets, const EdgeQuads& quads);
+	Status writeResolveSet(const Targets& targets, const EdgeMask* mask);
 	void recordInto(VkCommandBuffer commands, const Targets& targets, VkImageView view, const glm::dvec2& jitter,
 	                const VkRect2D& part, VkAttachmentLoadOp load, const EdgeMask* edges) const;
-	void recordPart(VkCommandBuffer commands, const Targets& targets, const gpu::Pipeline& pipeline,
-	                const glm::dvec2& jitter, const VkRect2D& part) const;
 	Result<VkDescriptorSet> compositionSet(const Targets& targets, const SurfaceTargets* surfaces);
 
 	std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, Pipelines> pipelines_; // by slots, features, surfaces
-	// Of the scene prepared last. Where it has no surfaces, sheets are in a part of the picture only.
+	// Of the scene prepared last: what draws all its sheets, and its regions.
+	struct Region
+	{
+		VkRect2D pixels;
+		const Pipelines* pipelines;
+		shared::ComposePush push;
+	};
 	const Pipelines* pipelines_in_use_ = nullptr;
-	const Pipelines* ground_ = nullptr;
-	VkRect2D sheets_part_{};
+	shared::ComposePush all_sheets_{};
+	std::vector<Region> regions_;
 	gpu::Pipeline resolve_;
 	gpu::DescriptorSets sets_;
 	std::optional<gpu::DescriptorSets> surface_sets_; // made on first use
+	std::optional<gpu::DescriptorSets> quads_sets_;   // made on first use
 	gpu::DescriptorSets resolve_sets_;
 	gpu::Sampler sampler_;
 	gpu::Buffer params_;
 	HostTexels tables_;
 	HostTexels colors_; // of layers
 	VkDescriptorSet set_ = VK_NULL_HANDLE;
+	VkDescriptorSet quads_set_ = VK_NULL_HANDLE;
 	VkDescriptorSet resolve_set_ = VK_NULL_HANDLE;
 };
 

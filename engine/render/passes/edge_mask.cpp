@@ -2,19 +2,13 @@
 
 #include "render/passes/edge_mask.h"
 
-#include "gpu/commands.h"
-#include "render/passes/buffers.h"
 #include "shared/render_types.h"
-
-#include <algorithm>
 
 namespace vp::render
 {
 
 namespace
 {
-
-static_assert(sizeof(shared::EdgePush) == 12);
 
 constexpr VkPipelineStageFlags2 kTests =
     VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
@@ -61,7 +55,6 @@ Result<EdgeMask> EdgeMask::create(gpu::Device& device)
 Status EdgeMask::prepare(const Targets& targets, std::uint32_t reach)
 {
 	const VkExtent2D extent = targets.extent();
-	reach_ = reach;
 	if (!image_ || image_.extent().width != extent.width || image_.extent().height != extent.height)
 	{
 		image_ = {}; // before its successor, that both need not fit into memory
@@ -75,28 +68,8 @@ Status EdgeMask::prepare(const Targets& targets, std::uint32_t reach)
 			return made.error();
 		image_ = std::move(*made);
 	}
-	const VkDeviceSize tiles = VkDeviceSize(edgeTilesOver(extent.width)) * edgeTilesOver(extent.height);
-	const bool had_room = tiles_ && tiles_.size() >= sizeof(std::uint32_t) * tiles;
-	if (Status made = makeRoom(*device_, tiles_, sizeof(std::uint32_t) * tiles,
-	                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
-	                           "edge tiles", gpu::Memory::device);
-	    !made)
-		return made;
-	if (!had_room)
-	{
-		const VkDeviceSize texel_bytes = sizeof(std::uint32_t) * VkDeviceSize(device_->limits().maxTexelBufferElements);
-		auto texels =
-		    gpu::TexelView::create(tiles_, VK_FORMAT_R32_UINT, "edge tiles", 0, std::min(tiles_.size(), texel_bytes));
-		if (!texels)
-			return texels.error();
-		tile_texels_ = std::move(*texels);
-	}
-	if (Status made = makeRoom(*device_, listed_, sizeof(shared::RasterList) + sizeof(std::uint32_t) * tiles,
-	                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
-	                               VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-	                           "listed edge tiles", gpu::Memory::device);
-	    !made)
-		return made;
+	if (Status ready = tiles_.prepare(*device_, extent, reach); !ready)
+		return ready;
 	auto find_set = find_sets_.get(0);
 	if (!find_set)
 		return find_set.error();
@@ -108,8 +81,8 @@ Status EdgeMask::prepare(const Targets& targets, std::uint32_t reach)
 	list_set_ = *list_set;
 	gpu::DescriptorWriter()
 	    .sampledImage(0, image_.view(), sampler_.handle(), kLayout)
-	    .storageBuffer(1, tiles_.handle())
-	    .storageBuffer(2, listed_.handle())
+	    .storageBuffer(1, tiles_.tiles().handle())
+	    .storageBuffer(2, tiles_.listed().handle())
 	    .write(*device_, list_set_);
 	return Nothing{};
 }
@@ -136,26 +109,11 @@ void EdgeMask::record(VkCommandBuffer commands, const Targets& targets) const
 	targets.sum.transition(commands, gpu::kSampled, gpu::kColorTarget);
 	image_.transition(commands, gpu::kDepthTarget, kRead);
 
-	constexpr VkPipelineStageFlags2 kUsers =
-	    VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-	constexpr VkAccessFlags2 kUses = VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT |
-	                                 VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
-	gpu::memoryBarrier(commands, kUsers, VK_ACCESS_2_NONE, gpu::kUpdateStages, VK_ACCESS_2_NONE);
-	const shared::RasterList none{{0, 1, 1}, 0};
-	vkCmdUpdateBuffer(commands, listed_.handle(), 0, sizeof(none), &none);
-	gpu::memoryBarrier(commands, gpu::kUpdateStages, VK_ACCESS_2_TRANSFER_WRITE_BIT, kUsers, kUses);
-	const shared::EdgePush push = edgePush();
-	const std::uint32_t tiles = push.tiles_across * push.tiles_down;
+	tiles_.recordEmpty(commands);
 	list_.bind(commands, list_set_);
-	list_.push(commands, push);
-	vkCmdDispatch(commands, (tiles + shared::kEdgeGroupSize - 1) / shared::kEdgeGroupSize, 1, 1);
-	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, kUsers,
-	                   kUses);
-}
-
-shared::EdgePush EdgeMask::edgePush() const
-{
-	return {edgeTilesOver(image_.extent().width), edgeTilesOver(image_.extent().height), reach_};
+	list_.push(commands, tiles_.push());
+	vkCmdDispatch(commands, (tiles_.count() + shared::kEdgeGroupSize - 1) / shared::kEdgeGroupSize, 1, 1);
+	EdgeTiles::recordListed(commands);
 }
 
 VkRenderingAttachmentInfo EdgeMask::asDepth() const

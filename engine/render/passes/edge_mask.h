@@ -3,19 +3,13 @@
 #include "gpu/buffer.h"
 #include "gpu/image.h"
 #include "gpu/shader.h"
+#include "render/passes/edge_tiles.h"
 #include "render/passes/targets.h"
-#include "shared/render_types.h"
 
 #include <cstdint>
 
 namespace vp::render
 {
-
-// Squares of shared::kEdgeTile pixels along a side.
-constexpr std::uint32_t edgeTilesOver(std::uint32_t pixels)
-{
-	return (pixels + shared::kEdgeTile - 1) / shared::kEdgeTile;
-}
 
 // Where a picture needs more samples than its first: at pixels whose color departs from the line between those on both
 // sides (render_edges.frag). Elsewhere the first sample stands for all of them. Its place is near the pixel's middle,
@@ -38,11 +32,7 @@ public:
 	static constexpr VkImageLayout kLayout = VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL; // after record()
 	void recordCopy(VkCommandBuffer commands, const gpu::Image& to) const;            // `to` is in gpu::kCopyTo
 
-	// Of the squares of shared::kEdgeTile pixels, row by row: not 0 where a pixel at an edge depends on the square.
-	VkBufferView tiles() const { return tile_texels_.handle(); }
-	// A shared::RasterList with a group for each of those squares, and their numbers.
-	const gpu::Buffer& listed() const { return listed_; }
-	shared::EdgePush edgePush() const;
+	const EdgeTiles& tiles() const { return tiles_; }
 
 private:
 	gpu::Device* device_ = nullptr;
@@ -52,10 +42,7 @@ private:
 	gpu::DescriptorSets list_sets_;
 	gpu::Sampler sampler_;
 	gpu::Image image_;
-	gpu::Buffer tiles_;
-	gpu::TexelView tile_texels_;
-	gpu::Buffer listed_;
-	std::uint32_t reach_ = 1;
+	EdgeTiles tiles_;
 	VkDescriptorSet find_set_ = VK_NULL_HANDLE;
 	VkDescriptorSet list_set_ = VK_NULL_HANDLE;
 };

@@ -23,7 +23,8 @@ namespace
 {
 
 constexpr gpu::ImageUse kSampledLayers{VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
-                                       VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
+                                       VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                                       VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
 constexpr gpu::ImageUse kClearedLayers{VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAGE_2_CLEAR_BIT,
                                        VK_ACCESS_2_TRANSFER_WRITE_BIT};
 constexpr gpu::ImageUse kComputedLayers{VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
@@ -83,7 +84,7 @@ bool LayerPass::computes(const Scene& scene, const SheetDrawing& sheet) const
 	return raster_side_ > 0 && !scene.look.mesh && sheet.records && !sheet.records->overlapping;
 }
 
-Status LayerPass::prepare(const Scene& scene, const Targets& targets, const EdgeMask* edges)
+Status LayerPass::prepare(const Scene& scene, const Targets& targets, const EdgeTiles* edges)
 {
 	knows_edges_ = false;
 	page_sets_.clear();
@@ -123,7 +124,7 @@ Status LayerPass::prepare(const Scene& scene, const Targets& targets, const Edge
 	return makeIndices(largest);
 }
 
-Status LayerPass::makeClearSets(std::size_t layers, const Targets& targets, const EdgeMask& edges)
+Status LayerPass::makeClearSets(std::size_t layers, const Targets& targets, const EdgeTiles& edges)
 {
 	if (!clear_)
 	{
@@ -191,7 +192,7 @@ std::vector<LayerPass::Drawn> LayerPass::wanted(const Scene& scene, const Pictur
 }
 
 std::size_t LayerPass::record(VkCommandBuffer commands, const Scene& scene, const Targets& targets,
-                              const glm::dvec2& jitter, const EdgeMask* edges)
+                              const glm::dvec2& jitter, const EdgeTiles* edges)
 {
 	std::vector<Drawn> layers = wanted(scene, targets.part(), jitter, edges != nullptr);
 	std::vector<std::size_t> changed;
@@ -239,20 +240,20 @@ void LayerPass::recordClearAll(VkCommandBuffer commands, const Targets& targets,
 	}
 }
 
-void LayerPass::recordClearTiles(VkCommandBuffer commands, const EdgeMask& edges,
+void LayerPass::recordClearTiles(VkCommandBuffer commands, const EdgeTiles& edges,
                                  std::span<const std::size_t> layers) const
 {
 	for (const std::size_t i : layers)
 	{
 		clear_.bind(commands, layer_clear_sets_[i]);
-		clear_.push(commands, edges.edgePush());
+		clear_.push(commands, edges.push());
 		vkCmdDispatchIndirect(commands, edges.listed().handle(), 0);
 	}
 }
 
 // Leaves all layers as kComputedLayers.
 void LayerPass::recordComputed(VkCommandBuffer commands, const Scene& scene, const Targets& targets,
-                               const glm::dvec2& jitter, const EdgeMask* edges, const gpu::ImageUse& before,
+                               const glm::dvec2& jitter, const EdgeTiles* edges, const gpu::ImageUse& before,
                                std::span<const std::size_t> layers)
 {
 	targets.values.transition(commands, before, edges ? kComputedLayers : kClearedLayers);

@@ -2,7 +2,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/shader.h"
-#include "render/passes/edge_mask.h"
+#include "render/passes/edge_tiles.h"
 #include "render/passes/raster_pass.h"
 #include "render/passes/targets.h"
 #include "render/scene/scene.h"
@@ -26,11 +26,11 @@ public:
 
 	// Descriptors for the scene's records; before record(), while no submission draws. edges: null for a picture of one
 	// sample.
-	Status prepare(const Scene& scene, const Targets& targets, const EdgeMask* edges = nullptr);
+	Status prepare(const Scene& scene, const Targets& targets, const EdgeTiles* edges = nullptr);
 	// Leaves the layers ready to be sampled. How many were drawn. edges: of the picture's first sample; then no more
 	// than what is near them is sure to be drawn. Null: all is.
 	std::size_t record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter,
-	                   const EdgeMask* edges = nullptr);
+	                   const EdgeTiles* edges = nullptr);
 	// What was recorded did not run, or the layers are others.
 	void forget() { drawn_.clear(); }
 
@@ -54,10 +54,10 @@ private:
 	std::vector<Drawn> wanted(const Scene& scene, const PicturePart& part, const glm::dvec2& jitter,
 	                          bool only_edges) const;
 	void recordComputed(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter,
-	                    const EdgeMask* edges, const gpu::ImageUse& before, std::span<const std::size_t> layers);
-	Status makeClearSets(std::size_t layers, const Targets& targets, const EdgeMask& edges);
+	                    const EdgeTiles* edges, const gpu::ImageUse& before, std::span<const std::size_t> layers);
+	Status makeClearSets(std::size_t layers, const Targets& targets, const EdgeTiles& edges);
 	void recordClearAll(VkCommandBuffer commands, const Targets& targets, std::span<const std::size_t> layers) const;
-	void recordClearTiles(VkCommandBuffer commands, const EdgeMask& edges, std::span<const std::size_t> layers) const;
+	void recordClearTiles(VkCommandBuffer commands, const EdgeTiles& edges, std::span<const std::size_t> layers) const;
 	void drawPages(VkCommandBuffer commands, const classify::SheetRecords& records, std::size_t i,
 	               const shared::LayerPush& push) const;
 	void recordLayer(VkCommandBuffer commands, const Scene& scene, const Targets& targets, std::size_t i,

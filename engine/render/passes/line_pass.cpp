@@ -6,6 +6,7 @@
 #include "render/passes/picture_geometry.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 namespace vp::render
@@ -14,7 +15,7 @@ namespace vp::render
 namespace
 {
 
-static_assert(sizeof(shared::LineSegment) == 24 && sizeof(shared::LinePush) == 84);
+static_assert(sizeof(shared::LineSegment) == 24 && sizeof(shared::LinePush) == 84 && sizeof(shared::TilesPush) == 12);
 
 // Of the nearer half of a line's width, so that edges within a sheet's plane are not eaten by rounding.
 constexpr float kDepthBias = 1.0005f;
@@ -48,8 +49,38 @@ Result<LinePass> LinePass::create(gpu::Device& device)
 	return pass;
 }
 
-Status LinePass::prepare(const Scene& scene)
+Status LinePass::prepareClearing(const EdgeTiles& edges)
 {
+	if (!clear_)
+	{
+		gpu::GraphicsPipelineInfo info;
+		info.vertex_shader = "render_tiles.vert";
+		info.fragment_shader = "render_line.frag";
+		info.bindings = {{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
+		info.push_bytes = sizeof(shared::TilesPush);
+		info.depth_format = kDepthFormat;
+		info.depth_test = true;
+		info.depth_write = true;
+		info.depth_compare = VK_COMPARE_OP_ALWAYS;
+		auto made = gpu::Pipeline::create(*device_, info, "clear near edges");
+		if (!made)
+			return made.error();
+		clear_ = std::move(*made);
+		clear_sets_ = gpu::DescriptorSets(*device_, clear_, "clear near edges");
+	}
+	auto set = clear_sets_.get(0);
+	if (!set)
+		return set.error();
+	gpu::DescriptorWriter().storageBuffer(0, edges.listed().handle()).write(*device_, *set);
+	clear_set_ = *set;
+	return Nothing{};
+}
+
+Status LinePass::prepare(const Scene& scene, const EdgeTiles* edges)
+{
+	if (edges)
+		if (Status ready = prepareClearing(*edges); !ready)
+			return ready;
 	std::vector<Segment> lines(scene.outline.begin(), scene.outline.end());
 	for (const SheetDrawing& sheet : scene.sheets)
 		if (sheet.rim)
@@ -105,19 +136,34 @@ shared::LinePush LinePass::linePush(const Scene& scene, const PicturePart& part,
 	return push;
 }
 
-void LinePass::record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter)
+// Within a rendering into the depths.
+void LinePass::recordClearTiles(VkCommandBuffer commands, const Targets& targets, const EdgeTiles& edges) const
 {
-	const Drawn wanted{count_, linePush(scene, targets.part(), jitter)};
-	if (drawn_ && drawn_->count == count_ && std::memcmp(&drawn_->push, &wanted.push, sizeof(wanted.push)) == 0)
+	const VkExtent2D extent = targets.extent();
+	const shared::TilesPush push{{2.0f / static_cast<float>(extent.width), 2.0f / static_cast<float>(extent.height)},
+	                             edges.push().tiles_across};
+	coverAll(commands, extent);
+	clear_.bind(commands, clear_set_);
+	clear_.push(commands, push);
+	vkCmdDrawIndirect(commands, edges.listed().handle(), offsetof(shared::TileList, corners), 1, 0);
+}
+
+void LinePass::record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter,
+                      const EdgeTiles* edges)
+{
+	const Drawn wanted{count_, linePush(scene, targets.part(), jitter), edges != nullptr};
+	if (drawn_ && !drawn_->only_edges && !wanted.only_edges && drawn_->count == count_ &&
+	    std::memcmp(&drawn_->push, &wanted.push, sizeof(wanted.push)) == 0)
 		return;
 	drawn_ = wanted;
-	const gpu::ImageUse sampled{VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-	                            VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
-	targets.lines.transition(commands, {VK_IMAGE_LAYOUT_UNDEFINED, sampled.stages, sampled.access}, gpu::kDepthTarget);
+	const gpu::ImageUse& sampled = gpu::kSampled;
+	targets.lines.transition(commands,
+	                         {edges ? sampled.layout : VK_IMAGE_LAYOUT_UNDEFINED, sampled.stages, sampled.access},
+	                         gpu::kDepthTarget);
 	VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
 	depth.imageView = targets.lines.view();
 	depth.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
-	depth.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+	depth.loadOp = edges ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
 	depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
 	depth.clearValue.depthStencil.depth = 0.0f;
 	VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
@@ -125,6 +171,8 @@ void LinePass::record(VkCommandBuffer commands, const Scene& scene, const Target
 	rendering.layerCount = 1;
 	rendering.pDepthAttachment = &depth;
 	vkCmdBeginRendering(commands, &rendering);
+	if (edges)
+		recordClearTiles(commands, targets, *edges);
 	if (count_ > 0)
 	{
 		coverAll(commands, targets.extent());

@@ -2,6 +2,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/shader.h"
+#include "render/passes/edge_tiles.h"
 #include "render/passes/targets.h"
 #include "render/scene/scene.h"
 #include "shared/render_types.h"
@@ -20,9 +21,12 @@ class LinePass
 public:
 	static Result<LinePass> create(gpu::Device& device);
 
-	Status prepare(const Scene& scene);
-	// Lines that would come out as they are already are left as they are.
-	void record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter);
+	// edges: null where all samples are drawn everywhere.
+	Status prepare(const Scene& scene, const EdgeTiles* edges);
+	// Lines that would come out as they are already are left as they are. edges: of the picture's first sample; then
+	// what is not near them is not sure to be right. Null: all is.
+	void record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter,
+	            const EdgeTiles* edges = nullptr);
 	// What was recorded did not run, or the depths are others.
 	void forget() { drawn_.reset(); }
 
@@ -32,15 +36,21 @@ private:
 	{
 		std::uint32_t count;
 		shared::LinePush push;
+		bool only_edges;
 	};
+	Status prepareClearing(const EdgeTiles& edges);
+	void recordClearTiles(VkCommandBuffer commands, const Targets& targets, const EdgeTiles& edges) const;
 
 	shared::LinePush linePush(const Scene& scene, const PicturePart& part, const glm::dvec2& jitter) const;
 
 	gpu::Device* device_ = nullptr;
 	gpu::Pipeline pipeline_;
 	gpu::DescriptorSets sets_;
+	gpu::Pipeline clear_; // of the surroundings of edges; made on first use
+	gpu::DescriptorSets clear_sets_;
 	gpu::Buffer segments_;
 	VkDescriptorSet set_ = VK_NULL_HANDLE;
+	VkDescriptorSet clear_set_ = VK_NULL_HANDLE;
 	Vec3 center_{0.0}; // that the segments are relative to
 	std::uint32_t count_ = 0;
 	std::vector<shared::LineSegment> kept_; // those on the device

@@ -129,56 +129,6 @@ shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera,
 	return push;
 }
 
-namespace
-{
-
-// Where a sheet has something to show, in its records' uv; none: anywhere.
-std::optional<mesh::UvBounds> shownBounds(const SheetDrawing& drawing)
-{
-	std::optional<mesh::UvBounds> bounds = drawing.records->bounds;
-	if (const auto& window = drawing.window)
-	{
-		const mesh::UvBounds all = bounds.value_or(mesh::UvBounds{glm::dvec2(-1e300), glm::dvec2(1e300)});
-		bounds = mesh::UvBounds{glm::max(all.lo, {window->x0, window->y0}), glm::min(all.hi, {window->x1, window->y1})};
-	}
-	return bounds;
-}
-
-} // namespace
-
-VkRect2D sheetsPart(const Scene& scene, const PicturePart& part)
-{
-	constexpr double kPad = 2.0; // pixels, for samples beside the middle and for rounding
-	const VkRect2D whole{{0, 0}, part.extent};
-	const glm::dvec2 size(part.picture.width, part.picture.height);
-	const glm::dvec2 end(part.extent.width, part.extent.height);
-	const Frame frame{size.x, size.y, {}, {}, {}};
-	glm::dvec2 lo = size;
-	glm::dvec2 hi(0.0);
-	for (const SheetDrawing& drawing : scene.sheets)
-	{
-		if (!drawing.records || drawing.records->pages.empty())
-			continue;
-		const auto bounds = shownBounds(drawing);
-		if (!bounds)
-			return whole;
-		for (const double u : {bounds->lo.x, bounds->hi.x})
-			for (const double v : {bounds->lo.y, bounds->hi.y})
-			{
-				const Vec3 at = drawing.inWorld({u, v});
-				if (!(glm::dot(at - scene.camera.position, scene.camera.forward()) > scene.camera.near))
-					return whole;
-				const glm::dvec2 pixel = scene.camera.project(at, frame) - glm::dvec2(0.0, part.first_row);
-				lo = glm::min(lo, pixel);
-				hi = glm::max(hi, pixel);
-			}
-	}
-	lo = glm::clamp(glm::floor(lo - kPad), glm::dvec2(0.0), end);
-	hi = glm::clamp(glm::ceil(hi + kPad), lo, end);
-	return {{static_cast<std::int32_t>(lo.x), static_cast<std::int32_t>(lo.y)},
-	        {static_cast<std::uint32_t>(hi.x - lo.x), static_cast<std::uint32_t>(hi.y - lo.y)}};
-}
-
 std::vector<Segment> windowRim(const SheetDrawing& drawing)
 {
 	if (!drawing.window)

@@ -34,9 +34,6 @@ shared::LayerPush layerPush(const SheetDrawing& drawing, const Camera& camera, c
 shared::RasterPush rasterPush(const SheetDrawing& drawing, const Camera& camera, const PicturePart& part,
                               const glm::dvec2& jitter);
 
-// The pixels of the part outside of which no sheet is seen, wherever in their pixels samples lie.
-VkRect2D sheetsPart(const Scene& scene, const PicturePart& part);
-
 // a, b, c: near / w = a x + b y + c at pixel (x, y) of the sheet's plane, for 1 / w is linear in the picture. All zero
 // for a sheet seen edge on.
 std::array<double, 3> planeDepth(const probe::Sheet& sheet, const Camera& camera, const PicturePart& part);

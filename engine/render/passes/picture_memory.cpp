@@ -3,7 +3,7 @@
 #include "render/passes/picture_memory.h"
 
 #include "classify/gpu_records.h"
-#include "render/passes/edge_mask.h"
+#include "render/passes/edge_tiles.h"
 #include "render/passes/opaque_target.h"
 #include "render/passes/picture_geometry.h"
 #include "render/passes/surface_polygons.h"
@@ -50,7 +50,7 @@ std::uint64_t polygonBytes(const Scene& scene)
 
 Needs needsOf(const Scene& scene)
 {
-	constexpr std::uint64_t kSum = 16;
+	constexpr std::uint64_t kSum = 16; // or EdgeQuads, which take less
 	constexpr std::uint64_t kDepth = 4;
 	constexpr std::uint64_t kNearest = 8; // OpaqueTarget::kFormat
 	constexpr std::uint64_t kHead = 4;    // FragmentLists

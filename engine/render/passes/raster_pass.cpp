@@ -93,7 +93,7 @@ void RasterPass::addRuns(const classify::SheetRecords& records)
 }
 
 Status RasterPass::prepare(const Scene& scene, const Targets& targets, const std::vector<bool>& computed,
-                           const EdgeMask* edges)
+                           const EdgeTiles* edges)
 {
 	runs_.clear();
 	first_runs_.assign(1, 0);
@@ -130,7 +130,7 @@ Status RasterPass::prepare(const Scene& scene, const Targets& targets, const std
 	return makeSets(scene, targets, edges);
 }
 
-Status RasterPass::makeSets(const Scene& scene, const Targets& targets, const EdgeMask* edges)
+Status RasterPass::makeSets(const Scene& scene, const Targets& targets, const EdgeTiles* edges)
 {
 	for (std::size_t s = 0; s < scene.sheets.size(); ++s)
 		for (std::size_t r = first_runs_[s]; r < first_runs_[s + 1]; ++r)
@@ -151,7 +151,7 @@ Status RasterPass::makeSets(const Scene& scene, const Targets& targets, const Ed
 			    .storageImage(1, targets.layer(s))
 			    .storageBuffer(2, list_.handle())
 			    .storageBuffer(3, lists_.handle())
-			    .texels(4, edges ? edges->tiles() : records)
+			    .texels(4, edges ? edges->texels() : records)
 			    .write(*device_, *set);
 		}
 	return Nothing{};

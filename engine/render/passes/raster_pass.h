@@ -2,7 +2,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/shader.h"
-#include "render/passes/edge_mask.h"
+#include "render/passes/edge_tiles.h"
 #include "render/passes/targets.h"
 #include "render/scene/scene.h"
 #include "shared/render_types.h"
@@ -25,7 +25,7 @@ public:
 	// Room for the pages of those sheets; before recording, while no submission draws. edges: null for a picture of one
 	// sample.
 	Status prepare(const Scene& scene, const Targets& targets, const std::vector<bool>& computed,
-	               const EdgeMask* edges);
+	               const EdgeTiles* edges);
 	// Empty lists; transfers, to be seen by what record() does.
 	void recordStart(VkCommandBuffer commands) const;
 	// The polygons of those sheets into their layers, which are empty, in the general layout. One thread draws a
@@ -59,7 +59,7 @@ private:
 	using Stages = std::array<const gpu::Pipeline*, shared::kRasterStages>;
 
 	void addRuns(const classify::SheetRecords& records);
-	Status makeSets(const Scene& scene, const Targets& targets, const EdgeMask* edges);
+	Status makeSets(const Scene& scene, const Targets& targets, const EdgeTiles* edges);
 	std::span<const Run> runs(std::size_t sheet) const
 	{
 		return std::span(runs_).subspan(first_runs_[sheet], first_runs_[sheet + 1] - first_runs_[sheet]);

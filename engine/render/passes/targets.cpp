@@ -42,7 +42,8 @@ VkFormat sumFormat(gpu::Device& device)
 	                                                             : VK_FORMAT_R16G16B16A16_SFLOAT;
 }
 
-Result<Targets> Targets::create(gpu::Device& device, const PicturePart& first, std::uint32_t layers, bool mesh)
+Result<Targets> Targets::create(gpu::Device& device, const PicturePart& first, std::uint32_t layers, bool mesh,
+                                bool sum)
 {
 	const VkExtent2D extent = first.picture;
 	if (std::max(extent.width, extent.height) > device.limits().maxImageDimension2D)
@@ -78,12 +79,15 @@ Result<Targets> Targets::create(gpu::Device& device, const PicturePart& first, s
 	             1, "outline's depth");
 	    !made)
 		return made.error();
-	if (Status made = make(targets.sum, sumFormat(device),
-	                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, 1, "sum of samples");
-	    !made)
-		return made.error();
+	if (sum)
+		if (Status made = make(targets.sum, sumFormat(device),
+		                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, 1, "sum of samples");
+		    !made)
+			return made.error();
 	if (Status made = make(targets.picture, kPictureFormat,
-	                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, 1, "picture");
+	                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+	                           VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+	                       1, "picture");
 	    !made)
 		return made.error();
 	auto pixels = gpu::Buffer::create(device, VkDeviceSize(4) * extent.width * extent.height,
@@ -119,11 +123,11 @@ Targets::~Targets()
 	    });
 }
 
-bool Targets::holds(const PicturePart& part, std::uint32_t layers, bool mesh) const
+bool Targets::holds(const PicturePart& part, std::uint32_t layers, bool mesh, bool sum) const
 {
 	const auto same = [](VkExtent2D a, VkExtent2D b) { return a.width == b.width && a.height == b.height; };
 	return values && same(part_.picture, part.picture) && same(part_.extent, part.extent) &&
-	       layers <= values.layers() && values.format() == layerFormat(mesh);
+	       layers <= values.layers() && values.format() == layerFormat(mesh) && (!sum || this->sum);
 }
 
 void Targets::swap(Targets& other) noexcept

@@ -27,7 +27,9 @@ class Targets
 {
 public:
 	Targets() = default;
-	static Result<Targets> create(gpu::Device& device, const PicturePart& first, std::uint32_t layers, bool mesh);
+	// sum: whether samples are summed up for all pixels at once (ComposePass::record()).
+	static Result<Targets> create(gpu::Device& device, const PicturePart& first, std::uint32_t layers, bool mesh,
+	                              bool sum = false);
 	~Targets();
 	Targets(Targets&& other) noexcept { swap(other); }
 	Targets& operator=(Targets&& other) noexcept
@@ -37,7 +39,7 @@ public:
 		return *this;
 	}
 
-	bool holds(const PicturePart& part, std::uint32_t layers, bool mesh) const;
+	bool holds(const PicturePart& part, std::uint32_t layers, bool mesh, bool sum) const;
 	// Goes on to another part of the same size.
 	void setFirstRow(std::uint32_t row) { part_.first_row = row; }
 	const PicturePart& part() const { return part_; }
@@ -50,7 +52,7 @@ public:
 
 	gpu::Image values; // a layer a sheet
 	gpu::Image lines;
-	gpu::Image sum;
+	gpu::Image sum;     // where it is needed
 	gpu::Image picture; // colors multiplied by alpha
 	gpu::Buffer pixels; // the picture, for the host
 
