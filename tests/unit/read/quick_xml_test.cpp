@@ -169,7 +169,7 @@ TEST_P(QuickXml, GivesWhatVtkGives)
 {
 	using Writer = vtkXMLWriterBase;
 	const vtkSmartPointer<vtkDataSet> data = dataOf(GetParam());
-	Taken taken;
+	test::Taken taken;
 	for (const Way& way : {Way{Writer::Appended, false, Writer::NONE, Writer::UInt32, Writer::Int64},
 	                       Way{Writer::Appended, false, Writer::NONE, Writer::UInt64, Writer::Int32},
 	                       Way{Writer::Appended, false, Writer::ZLIB, Writer::UInt64, Writer::Int32},
@@ -249,7 +249,7 @@ TEST_P(QuickXml, IsRefusedAsByVtkWhereItIsDamaged)
 		writeXml(data, path, {vtkXMLWriterBase::Appended, false, compressor, 32, 64});
 		const std::string whole = contentsOf(path);
 		const std::size_t head = whole.find("<AppendedData");
-		for (int i = 8 - tries(8); i < 8; ++i)
+		for (int i = 8 - test::tries(8); i < 8; ++i)
 		{
 			std::string text = whole;
 			const bool in_head = i % 2 == 0;

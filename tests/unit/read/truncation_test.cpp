@@ -27,7 +27,7 @@ std::vector<std::size_t> lengths(std::size_t size)
 	for (std::size_t i = 1; i < kSpread; ++i)
 		all.push_back(size * i / kSpread);
 	std::erase_if(all, [size](std::size_t length) { return length == 0 || length >= size; });
-	if (tryEvery() > 1)
+	if (test::tryEvery() > 1)
 		all = {all[1 % all.size()], all.back()};
 	return all;
 }
@@ -95,7 +95,7 @@ TEST_P(EachFormatCutShort, IsRefusedOrRight)
 			EXPECT_EQ(part.error().message.find('\n'), std::string::npos);
 		}
 	}
-	EXPECT_GE(refused, tryEvery() > 1 ? 1 : kSpread / 2);
+	EXPECT_GE(refused, test::tryEvery() > 1 ? 1 : kSpread / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Read, EachFormatCutShort, testing::Range(std::size_t(0), sampleFiles().size()), nameOfSample);

@@ -54,7 +54,7 @@ TEST(Values, AreLeftWhereAPointMoved)
 // Every format that is written here, read once more.
 TEST(Values, EveryFormatIsTheSameGridTwice)
 {
-	Taken taken;
+	test::Taken taken;
 	for (const SampleFile& sample : sampleFiles())
 	{
 		if (!taken.next())

@@ -62,5 +62,5 @@ TEST_P(EachFormatWithAWish, GivesTheArraysOfThatName)
 }
 
 INSTANTIATE_TEST_SUITE_P(Read, EachFormatWithAWish,
-                         testing::Range(std::size_t(0), sampleFiles().size(), std::size_t(takeParameterEvery())),
+                         testing::Range(std::size_t(0), sampleFiles().size(), std::size_t(test::takeParameterEvery())),
                          nameOfSample);
