@@ -80,7 +80,7 @@ def enzo(folder):
 
 
 def flash(folder):
-    h5py, numpy, vtk = need('h5py'), need('numpy'), need('vtkmodules.vtkIOAMR')
+    h5py, numpy = need('h5py'), need('numpy')
     coarse, _, whole = refined(numpy)
     # One parent, and its eight children of 4 x 4 x 4 cells, in single precision.
     boxes = [(0, 2, 0, 2, 0, 2)] + [(i, i + 1, j, j + 1, k, k + 1) for k in (0, 1) for j in (0, 1) for i in (0, 1)]
