@@ -78,7 +78,6 @@ struct Renderer::Private
 	void recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	void recordWhole(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	void recordPicture(VkCommandBuffer to, bool has_edges, std::uint32_t part);
-	void recordCopy(VkCommandBuffer to, const gpu::Image* into);
 };
 
 Renderer::Renderer(std::unique_ptr<Private> made) : private_(std::move(made)) {}
@@ -265,29 +264,6 @@ void Renderer::Private::recordPicture(VkCommandBuffer to, bool has_edges, std::u
 		targets.picture.transition(to, gpu::kColorTarget, gpu::kCopyFrom);
 }
 
-void Renderer::Private::recordCopy(VkCommandBuffer to, const gpu::Image* into)
-{
-	const VkExtent2D extent = plan.first.picture;
-	gpu::TimedPass timed(timers, to, "copy");
-	if (into)
-	{
-		VkImageCopy copy{};
-		copy.srcSubresource = copy.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-		copy.extent = {extent.width, extent.height, 1};
-		into->transition(to, gpu::kDiscard, gpu::kCopyTo);
-		vkCmdCopyImage(to, targets.picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, into->handle(),
-		               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
-		return into->transition(to, gpu::kCopyTo, gpu::kCopyFrom);
-	}
-	VkBufferImageCopy copy{};
-	copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-	copy.imageExtent = {extent.width, extent.height, 1};
-	vkCmdCopyImageToBuffer(to, targets.picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, targets.pixels.handle(),
-	                       1, &copy);
-	gpu::memoryBarrier(to, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT,
-	                   VK_ACCESS_2_HOST_READ_BIT);
-}
-
 // What is recorded, done.
 Result<Drawn> Renderer::Private::finish(bool has_surfaces, Timeline* timeline)
 {
@@ -361,7 +337,10 @@ Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& 
 		lists.recordEnd(*begun);
 	recordPicture(*begun, pattern.size() > 1, part);
 	if (part + 1 == plan.count())
-		recordCopy(*begun, target.image);
+	{
+		gpu::TimedPass timed(timers, *begun, "copy");
+		targets.recordCopy(*begun, target.image);
+	}
 	return finish(has_surfaces, timeline);
 }
 

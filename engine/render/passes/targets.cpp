@@ -2,6 +2,7 @@
 
 #include "render/passes/targets.h"
 
+#include "gpu/commands.h"
 #include "gpu/device.h"
 #include "gpu/vk_check.h"
 
@@ -141,6 +142,28 @@ void Targets::swap(Targets& other) noexcept
 	std::swap(part_, other.part_);
 	std::swap(layer_views_, other.layer_views_);
 	std::swap(layers_view_, other.layers_view_);
+}
+
+void Targets::recordCopy(VkCommandBuffer commands, const gpu::Image* into) const
+{
+	const VkExtent3D extent{part_.picture.width, part_.picture.height, 1};
+	constexpr VkImageSubresourceLayers color{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+	if (into)
+	{
+		VkImageCopy copy{};
+		copy.srcSubresource = copy.dstSubresource = color;
+		copy.extent = extent;
+		into->transition(commands, gpu::kDiscard, gpu::kCopyTo);
+		vkCmdCopyImage(commands, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, into->handle(),
+		               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+		return into->transition(commands, gpu::kCopyTo, gpu::kCopyFrom);
+	}
+	VkBufferImageCopy copy{};
+	copy.imageSubresource = color;
+	copy.imageExtent = extent;
+	vkCmdCopyImageToBuffer(commands, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels.handle(), 1, &copy);
+	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+	                   VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
 }
 
 std::vector<std::uint8_t> Targets::readPixels(bool is_opaque) const
