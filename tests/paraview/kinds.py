@@ -2,8 +2,10 @@
 usage: pvbatch kinds.py"""
 import os
 
+import paraview.servermanager as servermanager
 import paraview.simple as simple
-from shared import FOLDER, area_of, check, close, finish, load
+from shared import FOLDER, area_of, check, close, finish, load, parts_of
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 load(globals())
 NORMAL = (0.3, 0.5, 0.8)
@@ -20,17 +22,20 @@ def turned(source):
     return turn
 
 
-def blanked(source):
-    """A third of the cells hidden, as readers do it."""
+def hidden(source, where, mark, of='Cell'):
+    """Cells or points hidden, as readers do it, and the number of each cell."""
     hide = simple.ProgrammableFilter(Input=source)
-    hide.Script = '''
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+    hide.Script = f'''
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
 output.ShallowCopy(inputs[0].VTKObject)
-marks = vtkUnsignedCharArray()
-marks.SetName('vtkGhostType')
-for cell in range(output.GetNumberOfCells()):
-    marks.InsertNextValue(32 if cell % 3 == 0 else 0)
-output.GetCellData().AddArray(marks)
+def add(values, name, attributes):
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    attributes.AddArray(array)
+add(np.arange(output.GetNumberOfCells()), 'id', output.GetCellData())
+number = np.arange(output.GetNumberOf{of}s())
+add(np.where({where}, {mark}, 0).astype(np.uint8), 'vtkGhostType', output.Get{of}Data())
 '''
     return hide
 
@@ -82,7 +87,10 @@ refined = simple.AMRGaussianPulseSource()
 KINDS = {
     'an image': image(),
     'a turned image': turned(image()),
-    'an image with hidden cells': blanked(image()),
+    'an image with hidden cells': hidden(image(), 'number % 3 == 0', 32),
+    'an image with hidden points': hidden(image(), 'number == 6 * 169 + 6 * 13 + 6', 2, 'Point'),
+    'an image with a layer of ghost cells': hidden(image(), 'number % 12 == 0', 1),
+    'a structured grid with a layer of ghost cells': hidden(shell, 'number >= 27 * 32 * 40', 1),
     'a rectilinear grid': rectilinear(),
     'voxels': voxels(image()),
     'polyhedra': polyhedra(voxels(image())),
@@ -91,8 +99,12 @@ KINDS = {
     'groups in a group': simple.GroupDatasets(Input=[simple.GroupDatasets(Input=[rectilinear(), shell]), image()]),
     'a grid that is refined in places': refined,
 }
-# Slice cuts coarse cells beneath finer ones, too.
-REFERENCES = {'a grid that is refined in places': simple.ResampleToImage(Input=refined, SamplingDimensions=[9, 9, 9])}
+# Slice cuts ghost cells, and coarse cells beneath finer ones, too.
+REFERENCES = {
+    'an image with a layer of ghost cells': simple.ExtractSubset(Input=image(), VOI=[1, 12, 0, 12, 0, 12]),
+    'a structured grid with a layer of ghost cells': simple.ExtractSubset(Input=shell, VOI=[0, 32, 0, 40, 0, 27]),
+    'a grid that is refined in places': simple.ResampleToImage(Input=refined, SamplingDimensions=[9, 9, 9]),
+}
 for kind, data in KINDS.items():
     data.UpdatePipeline()
     bounds = data.GetDataInformation().DataInformation.GetBounds()
@@ -105,4 +117,8 @@ for kind, data in KINDS.items():
     cutter.UpdatePipeline()
     area, other = area_of(probe), area_of(cutter)
     check(area > 0 and close(area, other, 2e-5), f'{kind}: {area:.6f}, Slice {other:.6f}')
+    if 'id' in data.CellData.keys() and 'group' not in kind:
+        parts = [part for part in parts_of(servermanager.Fetch(probe)) if part.GetNumberOfCells()]
+        numbers, ids = (vtk_to_numpy(parts[0].GetCellData().GetArray(name)) for name in ('vprobe:cell', 'id'))
+        check((numbers == ids).all(), f'{kind}: cells have the numbers of the input')
 finish()

@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 project=$PWD
 
 root=$(tests/paraview/root.sh 2>&1) || { echo "${root##*$'\n'}"; exit 1; }
-for tool in xvfb-run rcc qhelpgenerator xmlpatterns mpicxx; do
+for tool in Xvfb rcc qhelpgenerator xmlpatterns mpicxx; do
 	command -v "$tool" >/dev/null || { echo "no $tool; tests/paraview/root.sh --fetch installs it"; exit 1; }
 done
 [[ ${1-} != --can-run ]] || exit 0
@@ -49,12 +49,20 @@ VPROBE_PLUGIN=$(echo "$VPROBE_SCRATCH"/installed/usr/lib/*/paraview-5.11/plugins
 [[ $root == /usr ]] || export PYTHONPATH=$root/lib/python3/dist-packages
 scripts=$project/tests/paraview
 
+# One X server, which finds a free number itself: xvfb-run can meet another that starts at the same time.
+Xvfb -displayfd 1 -screen 0 1280x1024x24 -nolisten tcp >"$VPROBE_SCRATCH/display.txt" 2>/dev/null &
+server=$!
+trap 'kill "$server" 2>/dev/null' EXIT
+timeout 20 bash -c "until [[ -s '$VPROBE_SCRATCH/display.txt' ]]; do sleep .1; done"
+DISPLAY=:$(<"$VPROBE_SCRATCH/display.txt")
+export DISPLAY
+
 # batch RANKS SCRIPT: what it prints is kept.
 batch()
 {
 	local log=$VPROBE_SCRATCH/${2%.py}-$1.txt
 	local status=0
-	timeout 300 xvfb-run -a mpiexec -n "$1" pvbatch "$scripts/$2" >"$log" 2>&1 || status=$?
+	timeout 300 mpiexec -n "$1" pvbatch "$scripts/$2" >"$log" 2>&1 || status=$?
 	grep -E '^(ok|FAILED|case|Traceback|[A-Z][a-zA-Z]*Error)|cells, ' "$log" || true
 	((status == 0)) || { echo "FAILED: $2 on $1 ranks ended with $status"; failed=1; }
 }
@@ -75,17 +83,17 @@ awk '/^case: /{ if (wanted != "" && told != wanted) bad = 1; wanted = $(NF - 1);
 # serve OPTION...: a server of two ranks, and a client that drags; the server ends with its client.
 serve()
 {
-	local log=$VPROBE_SCRATCH/server.txt port=$((20000 + RANDOM % 20000)) server
-	xvfb-run -a mpiexec -n 2 pvserver --server-port="$port" >"$log" 2>&1 &
-	server=$!
+	local log=$VPROBE_SCRATCH/server.txt port=$((20000 + RANDOM % 20000)) pvserver
+	mpiexec -n 2 pvserver --server-port="$port" >"$log" 2>&1 &
+	pvserver=$!
 	timeout 60 bash -c "until grep -q 'Accepting connection' '$log'; do sleep .1; done" || failed=1
-	timeout 200 xvfb-run -a "$root/bin/pvpython" "$scripts/drag.py" "$port" "$@" 2>&1 |
+	timeout 200 "$root/bin/pvpython" "$scripts/drag.py" "$port" "$@" 2>&1 |
 		grep -E '^(ok|FAILED|Traceback|[A-Z][a-zA-Z]*Error)' || true
-	if timeout 30 tail --pid="$server" -f /dev/null; then
+	if timeout 30 tail --pid="$pvserver" -f /dev/null; then
 		echo "ok: the server ends with its client ($*)"
 	else
 		echo "FAILED: the server hangs ($*)"
-		kill "$server"
+		kill "$pvserver"
 		failed=1
 	fi
 }
@@ -101,7 +109,7 @@ linked=(sys PythonInterpreter PVCatalyst PVPythonCatalyst CommonCore CommonDataM
 linked=("${linked[@]/#/-lvtk}")
 mpicxx -std=c++20 -O1 -Wall -Wextra -Werror -DOMPI_SKIP_MPICXX -isystem /usr/include/paraview-5.11 "$scripts/steps.cpp" \
 	-o "$VPROBE_SCRATCH/steps" "${linked[@]/%/-pv5.11}" "$(echo /usr/lib/*/libpython3.11.so.1.0)"
-timeout 200 xvfb-run -a mpiexec -n 2 "$VPROBE_SCRATCH/steps" "$scripts/catalyst.py" 6 >"$VPROBE_SCRATCH/catalyst.txt" 2>&1 ||
+timeout 200 mpiexec -n 2 "$VPROBE_SCRATCH/steps" "$scripts/catalyst.py" 6 >"$VPROBE_SCRATCH/catalyst.txt" 2>&1 ||
 	failed=1
 for rank in 0 1; do
 	read -r step grids neighbors cuts _ < <(tail -n 1 "$VPROBE_SCRATCH/steps-$rank.txt") || true

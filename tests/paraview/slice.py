@@ -21,8 +21,12 @@ def figures_of(source):
 
 
 # Slice counts ghost cells, so it gets the tetrahedra before they were parted.
-for name, reference in (('tetrahedra.pvtu', 'whole.vtu'), ('shell.vts', 'shell.vts')):
-    probe = VolumeProbe(Input=simple.OpenDataFile(os.path.join(FOLDER, name)))  # noqa: F821, from the plugin
+for name, reference in (('tetrahedra.pvtu', 'whole.vtu'), ('shell.vts', 'shell.vts'),
+                        ('shell.vts with ghosts', 'shell.vts')):
+    data = simple.OpenDataFile(os.path.join(FOLDER, name.split(' ')[0]))
+    if 'ghosts' in name:
+        data = simple.GhostCellsGenerator(Input=data)
+    probe = VolumeProbe(Input=data)  # noqa: F821, from the plugin
     cutter = simple.Slice(Input=simple.OpenDataFile(os.path.join(FOLDER, reference)), Triangulatetheslice=0)
     for number, (origin, normal) in enumerate(PLANES):
         probe.Origin, probe.Normal = origin, normal

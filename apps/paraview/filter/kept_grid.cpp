@@ -12,6 +12,7 @@ void KeptGrid::forget()
 	grid_stamps_.clear();
 	field_stamps_.clear();
 	leaf_of_block_.clear();
+	crops_.clear();
 	has_neighbors_ = false;
 }
 
@@ -44,6 +45,7 @@ void KeptGrid::wrap(const std::vector<Leaf>& leaves, double tolerance, std::stop
 		{
 			blocks.push_back(blockOf(leaf, tolerance));
 			leaf_of_block_.push_back(leaf.index);
+			crops_.push_back(cropOf(*leaf.data));
 		}
 		catch (const NoVolume& none)
 		{

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "wrap_data.h"
+#include "wrap_lattice.h"
 
 #include <optional>
 #include <stop_token>
@@ -26,6 +26,11 @@ public:
 
 	const vprobe::Dataset* data() const { return data_ ? &*data_ : nullptr; }
 	const std::vector<std::uint32_t>& leafOfBlock() const { return leaf_of_block_; }
+	// The cell of the leaf that a cell of a block is.
+	std::int64_t sourceCell(std::size_t block, std::int64_t cell) const
+	{
+		return crops_[block] ? crops_[block]->sourceCell(cell) : cell;
+	}
 	const Counts& counts() const { return counts_; }
 	void forget();
 
@@ -37,6 +42,7 @@ private:
 	Stamps grid_stamps_;
 	Stamps field_stamps_;
 	std::vector<std::uint32_t> leaf_of_block_; // flat indices
+	std::vector<std::optional<Crop>> crops_;   // of the blocks
 	bool has_neighbors_ = false;
 	Counts counts_;
 };

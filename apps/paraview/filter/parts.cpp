@@ -71,11 +71,15 @@ vtkSmartPointer<vtkPolyData> polygonsOf(const vprobe::Mesh& mesh, const KeptGrid
 	}
 	const auto cells = copyOf<vtkIdTypeArray>(mesh.cells());
 	cells->SetName("vprobe:cell");
-	part->GetCellData()->AddArray(cells);
 	const auto blocks = copyOf<vtkIntArray>(mesh.blocks());
 	blocks->SetName("vprobe:block");
 	for (vtkIdType i = 0; i < blocks->GetNumberOfTuples(); ++i)
-		blocks->SetValue(i, static_cast<int>(grid.leafOfBlock()[static_cast<std::size_t>(blocks->GetValue(i))]));
+	{
+		const auto block = static_cast<std::size_t>(blocks->GetValue(i));
+		cells->SetValue(i, grid.sourceCell(block, cells->GetValue(i)));
+		blocks->SetValue(i, static_cast<int>(grid.leafOfBlock()[block]));
+	}
+	part->GetCellData()->AddArray(cells);
 	part->GetCellData()->AddArray(blocks);
 	return part;
 }

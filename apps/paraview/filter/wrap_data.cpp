@@ -86,6 +86,24 @@ vtkUnsignedCharArray* ghostMarks(vtkDataSetAttributes& attributes)
 	return vtkUnsignedCharArray::SafeDownCast(attributes.GetArray(vtkDataSetAttributes::GhostArrayName()));
 }
 
+// Hides the cells of a lattice that have a hidden point.
+void hideAtPoints(const vtkUnsignedCharArray& marks, const int* lattice, std::vector<bool>& hidden)
+{
+	const std::array<vtkIdType, 3> cells{lattice[0] - 1, lattice[1] - 1, lattice[2] - 1};
+	vtkIdType point = 0;
+	for (vtkIdType k = 0; k < lattice[2]; ++k)
+		for (vtkIdType j = 0; j < lattice[1]; ++j)
+			for (vtkIdType i = 0; i < lattice[0]; ++i)
+			{
+				if (!(marks.GetValue(point++) & vtkDataSetAttributes::HIDDENPOINT))
+					continue;
+				for (vtkIdType w = std::max<vtkIdType>(k - 1, 0); w <= std::min(k, cells[2] - 1); ++w)
+					for (vtkIdType v = std::max<vtkIdType>(j - 1, 0); v <= std::min(j, cells[1] - 1); ++v)
+						for (vtkIdType u = std::max<vtkIdType>(i - 1, 0); u <= std::min(i, cells[0] - 1); ++u)
+							hidden[static_cast<std::size_t>((w * cells[1] + v) * cells[0] + u)] = true;
+			}
+}
+
 } // namespace
 
 Numbers numbersOf(vtkDataArray& array)
@@ -162,35 +180,26 @@ void addFieldStamps(const Leaf& leaf, Stamps& stamps)
 
 std::optional<std::vector<bool>> hiddenCells(vtkDataSet& data, const int* lattice)
 {
+	const vtkUnsignedCharArray* of_cells = ghostMarks(*data.GetCellData());
+	const vtkUnsignedCharArray* of_points = lattice ? ghostMarks(*data.GetPointData()) : nullptr;
+	if (!of_cells && !of_points)
+		return std::nullopt;
 	std::vector<bool> hidden(static_cast<std::size_t>(data.GetNumberOfCells()));
-	bool any = false;
-	if (const vtkUnsignedCharArray* marks = ghostMarks(*data.GetCellData()))
+	if (of_cells)
 		for (std::size_t c = 0; c < hidden.size(); ++c)
-			if (marks->GetValue(static_cast<vtkIdType>(c)) & kHidden)
-				hidden[c] = any = true;
-	const vtkUnsignedCharArray* marks = lattice ? ghostMarks(*data.GetPointData()) : nullptr;
-	if (marks)
-	{
-		const std::array<vtkIdType, 3> cells{lattice[0] - 1, lattice[1] - 1, lattice[2] - 1};
-		for (vtkIdType p = 0; p < data.GetNumberOfPoints(); ++p)
-		{
-			if (!(marks->GetValue(p) & vtkDataSetAttributes::HIDDENPOINT))
-				continue;
-			const std::array<vtkIdType, 3> at{p % lattice[0], p / lattice[0] % lattice[1], p / lattice[0] / lattice[1]};
-			for (int corner = 0; corner < 8; ++corner)
-			{
-				const vtkIdType i = at[0] - (corner & 1), j = at[1] - (corner >> 1 & 1), k = at[2] - (corner >> 2);
-				if (i >= 0 && j >= 0 && k >= 0 && i < cells[0] && j < cells[1] && k < cells[2])
-					hidden[static_cast<std::size_t>((k * cells[1] + j) * cells[0] + i)] = any = true;
-			}
-		}
-	}
-	return any ? std::optional(std::move(hidden)) : std::nullopt;
+			hidden[c] = of_cells->GetValue(static_cast<vtkIdType>(c)) & kHidden;
+	if (of_points)
+		hideAtPoints(*of_points, lattice, hidden);
+	const auto count = std::ranges::count(hidden, true);
+	if (count == static_cast<std::ptrdiff_t>(hidden.size()))
+		throw NoVolume(std::string("a ") + data.GetClassName() + " of ghost cells alone, or of hidden ones");
+	return count > 0 ? std::optional(std::move(hidden)) : std::nullopt;
 }
 
 std::vector<vprobe::Field> fieldsOf(vtkDataSet& data)
 {
 	std::vector<vprobe::Field> fields;
+	const std::optional<Crop> crop = cropOf(data);
 	const auto add = [&](vtkDataSetAttributes& attributes, vprobe::Association association, vtkIdType count)
 	{
 		for (int i = 0; i < attributes.GetNumberOfArrays(); ++i)
@@ -205,7 +214,12 @@ std::vector<vprobe::Field> fieldsOf(vtkDataSet& data)
 			if (array->GetNumberOfTuples() != count)
 				throw Refused("the array " + name + " has " + std::to_string(array->GetNumberOfTuples()) +
 				              " tuples where " + std::to_string(count) + " belong; remove it with Pass Arrays");
-			fields.push_back({name, association, array->GetNumberOfComponents(), numbersOf(*array)});
+			vprobe::Numbers values = numbersOf(*array);
+			const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
+			if (crop)
+				values = association == vprobe::Association::point ? crop->ofPoints(values, components)
+				                                                   : crop->ofCells(values, components);
+			fields.push_back({name, association, array->GetNumberOfComponents(), std::move(values)});
 		}
 	};
 	add(*data.GetPointData(), vprobe::Association::point, data.GetNumberOfPoints());

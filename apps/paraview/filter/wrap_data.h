@@ -58,7 +58,7 @@ std::vector<vprobe::Field> fieldsOf(vtkDataSet& data);
 vprobe::Numbers numbersOf(vtkDataArray& array);
 
 // A mark for each cell that is not to be shown: a ghost, refined or hidden; of a lattice also cells at hidden points.
-// Nothing where all are shown.
+// Nothing where all are shown; throws NoVolume where none is.
 std::optional<std::vector<bool>> hiddenCells(vtkDataSet& data, const int* lattice);
 
 } // namespace vprobe_paraview

@@ -7,6 +7,7 @@
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -82,6 +83,14 @@ Numbers axisOf(vtkDataArray& array)
 	return owned(std::move(axis));
 }
 
+// The part of an axis that lies in the box.
+Numbers partOf(const Numbers& axis, const Crop& box, std::size_t a)
+{
+	return {static_cast<const double*>(axis.data) + box.low[a], box.points[a], axis.type, axis.owner};
+}
+
+} // namespace
+
 bool dimensionsOf(vtkDataSet& data, int* lattice)
 {
 	if (auto* image = vtkImageData::SafeDownCast(&data))
@@ -95,8 +104,6 @@ bool dimensionsOf(vtkDataSet& data, int* lattice)
 	return true;
 }
 
-} // namespace
-
 std::optional<decltype(vprobe::Block::grid)> latticeOf(vtkDataSet& data)
 {
 	std::array<int, 3> lattice{};
@@ -104,20 +111,24 @@ std::optional<decltype(vprobe::Block::grid)> latticeOf(vtkDataSet& data)
 		return std::nullopt;
 	if (lattice[0] < 2 || lattice[1] < 2 || lattice[2] < 2)
 		throw NoVolume(std::string("a ") + data.GetClassName() + " that is flat; apply Slice to it");
-	if (const auto hidden = hiddenCells(data, lattice.data()))
+	const auto hidden = hiddenCells(data, lattice.data());
+	const std::optional<Crop> crop = cropOf(data);
+	if (hidden && !crop)
 		return hexahedra(data, lattice.data(), *hidden);
+	const Crop box = crop.value_or(Crop{sizesOf(lattice.data()), {}, sizesOf(lattice.data())});
 	if (auto* grid = vtkRectilinearGrid::SafeDownCast(&data))
-		return vprobe::Rectilinear{axisOf(*grid->GetXCoordinates()), axisOf(*grid->GetYCoordinates()),
-		                           axisOf(*grid->GetZCoordinates())};
+		return vprobe::Rectilinear{partOf(axisOf(*grid->GetXCoordinates()), box, 0),
+		                           partOf(axisOf(*grid->GetYCoordinates()), box, 1),
+		                           partOf(axisOf(*grid->GetZCoordinates()), box, 2)};
 	auto* image = vtkImageData::SafeDownCast(&data);
 	if (!image || !image->GetDirectionMatrix()->IsIdentity())
-		return vprobe::Structured{sizesOf(lattice.data()), pointsOf(data)};
-	vprobe::Image3 made{.points = sizesOf(lattice.data())};
+		return vprobe::Structured{box.points, crop ? box.ofPoints(pointsOf(data), 3) : pointsOf(data)};
+	vprobe::Image3 made{.points = box.points};
 	const int* extent = image->GetExtent();
-	for (int a = 0; a < 3; ++a)
+	for (std::size_t a = 0; a < 3; ++a)
 	{
-		made.spacing[static_cast<std::size_t>(a)] = image->GetSpacing()[a];
-		made.origin[static_cast<std::size_t>(a)] = image->GetOrigin()[a] + image->GetSpacing()[a] * extent[2 * a];
+		made.spacing[a] = image->GetSpacing()[a];
+		made.origin[a] = image->GetOrigin()[a] + made.spacing[a] * (extent[2 * a] + static_cast<double>(box.low[a]));
 	}
 	return made;
 }
