@@ -151,51 +151,51 @@ void addPart(vtkMultiBlockDataSet& parts, const std::string& name, vtkPolyData* 
 
 } // namespace
 
-std::string Request::fill(const vprobe::Cut& cut, vtkDataObject& output)
+std::string Request::build(const vprobe::Cut& cut, Parts& parts) const
+try
 {
-	std::vector<vtkSmartPointer<vtkPolyData>> sheets;
-	auto lines = vtkSmartPointer<vtkPolyData>::New();
-	auto contours = vtkSmartPointer<vtkPolyData>::New();
-	auto paths = vtkSmartPointer<vtkPolyData>::New();
-	std::string failed;
-	try
-	{
-		for (std::size_t s = 0; s < cut.sheetCount(); ++s)
-			sheets.push_back(polygonsOf(cut.mesh(s), grid));
-		for (std::size_t s = 0; settings.drawsLines() && s < sheets.size(); ++s)
-			appendTo(lines, contourLines(*sheets[s], settings));
-		for (std::size_t c = 0; c < cut.contourCount(); ++c)
-			appendTo(contours, polygonsOf(cut.contour(c), grid));
-		if (settings.launches())
-			paths = pathsOf(cut, grid, settings);
-	}
-	catch (const std::exception& failure)
-	{
-		failed = failure.what();
-	}
+	for (std::size_t s = 0; s < cut.sheetCount(); ++s)
+		parts.sheets.push_back(polygonsOf(cut.mesh(s), grid));
+	for (std::size_t s = 0; settings.drawsLines() && s < parts.sheets.size(); ++s)
+		appendTo(parts.lines, contourLines(*parts.sheets[s], settings));
+	for (std::size_t c = 0; c < cut.contourCount(); ++c)
+		appendTo(parts.contours, polygonsOf(cut.contour(c), grid));
+	if (settings.launches())
+		parts.paths = pathsOf(cut, grid, settings);
+	return {};
+}
+catch (const std::exception& failure)
+{
+	return failure.what();
+}
+
+void Request::fill(Parts parts, vtkDataObject& output)
+{
 	std::uint64_t polygons = 0;
-	for (const vtkSmartPointer<vtkPolyData>& sheet : sheets)
+	for (const vtkSmartPointer<vtkPolyData>& sheet : parts.sheets)
 		polygons += static_cast<std::uint64_t>(sheet->GetNumberOfCells());
 	// What one rank lacks, another may have.
 	if (ranks.sum(polygons) > 0 && ranks.count() > 1)
 		warnings.clear();
-	const auto count = static_cast<std::size_t>(ranks.largest(static_cast<double>(sheets.size())));
-	while (sheets.size() < count)
-		sheets.push_back(vtkSmartPointer<vtkPolyData>::New());
-	if (auto* parts = vtkMultiBlockDataSet::SafeDownCast(&output))
+	// All ranks have the same parts, some of them empty.
+	parts.sheets.resize(static_cast<std::size_t>(ranks.largest(static_cast<double>(parts.sheets.size()))));
+	const auto filled = [](const vtkSmartPointer<vtkPolyData>& part)
+	{ return part ? part : vtkSmartPointer<vtkPolyData>::New(); };
+	auto* blocks = vtkMultiBlockDataSet::SafeDownCast(&output);
+	if (!blocks)
 	{
-		for (std::size_t s = 0; s < count; ++s)
-			addPart(*parts, "Sheet " + std::to_string(s), sheets[s]);
-		if (settings.drawsLines())
-			addPart(*parts, "Contour Lines", lines);
-		if (settings.growsContours())
-			addPart(*parts, "Contours", contours);
-		if (settings.launches())
-			addPart(*parts, "Vectors", paths);
+		if (!parts.sheets.empty())
+			output.ShallowCopy(filled(parts.sheets.front()));
+		return;
 	}
-	else if (!sheets.empty())
-		output.ShallowCopy(sheets.front());
-	return failed;
+	for (std::size_t s = 0; s < parts.sheets.size(); ++s)
+		addPart(*blocks, "Sheet " + std::to_string(s), filled(parts.sheets[s]));
+	if (settings.drawsLines())
+		addPart(*blocks, "Contour Lines", filled(parts.lines));
+	if (settings.growsContours())
+		addPart(*blocks, "Contours", filled(parts.contours));
+	if (settings.launches())
+		addPart(*blocks, "Vectors", filled(parts.paths));
 }
 
 std::string Request::run(vtkDataObject& input, vtkDataObject& output)
@@ -225,7 +225,9 @@ std::string Request::run(vtkDataObject& input, vtkDataObject& output)
 	if (ranks.sum(grid.data() ? 1 : 0) == 0 && error.empty())
 		error = no_volume;
 	const std::string cutting = ranks.first(error);
-	const std::string filling = ranks.first(fill(made, output));
+	Parts parts;
+	const std::string filling = ranks.first(build(made, parts));
+	fill(std::move(parts), output);
 	if (output.GetFieldData() && input.GetFieldData())
 		output.GetFieldData()->PassData(input.GetFieldData());
 	return cutting.empty() ? filling : cutting;

@@ -10,10 +10,19 @@
 
 class vtkAlgorithm;
 class vtkDataObject;
-class vtkMultiProcessController;
+class vtkPolyData;
 
 namespace vprobe_paraview
 {
+
+// What this rank has of the output. What is null is empty.
+struct Parts
+{
+	std::vector<vtkSmartPointer<vtkPolyData>> sheets{};
+	vtkSmartPointer<vtkPolyData> lines{};
+	vtkSmartPointer<vtkPolyData> contours{};
+	vtkSmartPointer<vtkPolyData> paths{};
+};
 
 // One cut of the filter, on this rank and together with the others.
 struct Request
@@ -32,8 +41,9 @@ struct Request
 private:
 	void watch(double progress, const std::function<void(std::stop_token)>& work);
 	Whole whole(const std::vector<Leaf>& leaves);
-	vprobe::Cut cut(vtkDataObject& input); // throws Refused, Cancelled
-	std::string fill(const vprobe::Cut& cut, vtkDataObject& output);
+	vprobe::Cut cut(vtkDataObject& input);                         // throws Refused, Cancelled
+	std::string build(const vprobe::Cut& cut, Parts& parts) const; // what failed, or an empty text
+	void fill(Parts parts, vtkDataObject& output);
 };
 
 } // namespace vprobe_paraview
