@@ -1,6 +1,7 @@
 #include "render/passes/sheet_regions.h"
 
 #include "classify/gpu_records.h"
+#include "shared/render_types.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
