@@ -1,6 +1,7 @@
 #include "api/states.h"
 #include "grid/curved_cells.h"
 #include "read/build_block.h"
+#include "read/check_curved.h"
 #include "read/check_mesh.h"
 #include "read/manifest.h"
 #include "read/tolerance.h"
@@ -60,22 +61,25 @@ std::uint64_t product(const std::array<std::uint32_t, 3>& n, std::uint32_t less)
 	return std::uint64_t(n[0] - less) * (n[1] - less) * (n[2] - less);
 }
 
-// Whether there are quadratic tetrahedra, which need a tolerance.
+// Whether there are curved cells, which need a tolerance.
 bool takesCurved(const vp::grid::CellList& cells, double tolerance)
 {
-	// By memchr, since a loop over ten million bytes takes as long as half a cut.
+	// A branch for each of ten million cells takes as long as half a cut. Mostly all are of one type.
 	const std::uint8_t* types = cells.types.data();
-	const void* curved = nullptr;
-	for (const std::uint8_t type : {vp::grid::kQuadraticTetra, vp::grid::kLagrangeTetra})
-		if (!curved)
-			curved = std::memchr(types, type, cells.types.size());
-	if (!curved)
+	const std::size_t count = cells.types.size();
+	if (!vp::grid::isCurved(types[0]) && std::memcmp(types, types + 1, count - 1) == 0)
+		return false;
+	unsigned high = 0; // types that are neither linear nor polyhedra
+	for (std::size_t c = 0; c < count; ++c)
+		high |= unsigned(types[c] >= vp::grid::kQuadraticTetra) & unsigned(types[c] != vp::grid::kPolyhedron);
+	const std::uint8_t* curved = high ? std::find_if(types, types + count, vp::grid::isCurved) : types + count;
+	if (curved == types + count)
 		return false;
 	if (!vp::read::isTolerance(tolerance) || tolerance < vp::read::kMinTolerance)
 		throw Unusable(
-		    fmt::format("cell {} is a quadratic tetrahedron, and `tolerance` is {}; give one from {} to below "
-		                "1, or cells of linear types",
-		                static_cast<const std::uint8_t*>(curved) - types, tolerance, vp::read::kMinTolerance));
+		    fmt::format("cell {} of type {} is curved, and `tolerance` is {}; give one from {} to below 1, or cells of "
+		                "linear types",
+		                curved - types, *curved, tolerance, vp::read::kMinTolerance));
 	return true;
 }
 
@@ -172,6 +176,39 @@ vp::grid::Field fieldOf(const Field& field)
 	return made;
 }
 
+// Takes the arrays that say of what degrees Lagrange and Bezier cells are, and how rational, by the names that VTK's
+// files give them.
+void takeShapeArrays(vp::read::CheckedBlock& block)
+{
+	auto* mesh = std::get_if<vp::read::CellMesh>(&block.mesh);
+	if (!mesh || !mesh->curved)
+		return;
+	for (const vp::grid::Field& field : block.fields)
+	{
+		const bool is_point = field.association == vp::grid::Association::point;
+		if (!is_point && field.name == "HigherOrderDegrees" && field.components == 3)
+		{
+			std::vector<std::int32_t> degrees;
+			for (std::size_t c = 0; c < field.tuples(); ++c)
+				for (int axis = 0; axis < 3; ++axis)
+				{
+					const double degree = field.value(c, axis);
+					const bool is_one = degree >= 1.0 && degree <= vp::grid::kMaxDegree;
+					degrees.push_back(is_one ? static_cast<std::int32_t>(degree) : 0);
+				}
+			mesh->degrees = std::move(degrees);
+		}
+		if (is_point && field.name == "RationalWeights" && field.components == 1)
+		{
+			std::vector<double> weights;
+			for (std::size_t p = 0; p < field.tuples(); ++p)
+				weights.push_back(field.value(p, 0));
+			mesh->weights = std::move(weights);
+		}
+	}
+	vp::read::checkCurvedCells(*mesh);
+}
+
 } // namespace
 
 vp::grid::BlockSet wrapped(std::vector<Block> blocks)
@@ -190,6 +227,7 @@ try
 			checked.fields.push_back(fieldOf(field));
 			vp::read::checkField(checked.fields.back(), wrapper.points, wrapper.cells);
 		}
+		takeShapeArrays(checked);
 		checked.length_units = block.length_units;
 		set.blocks.push_back(vp::read::buildBlock(std::move(checked), block.name, false, true, wrapper.tolerance));
 	}

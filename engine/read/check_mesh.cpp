@@ -169,7 +169,9 @@ bool checkTypes(const grid::CellList& cells, bool curved)
 	}
 	if (curved)
 	{
-		sizes[grid::kQuadraticTetra] = sizes[grid::kLagrangeTetra] = grid::kQuadraticTetraNodes;
+		for (std::size_t t = 0; t < sizes.size(); ++t)
+			if (const auto type = static_cast<std::uint8_t>(t); grid::isCurved(type))
+				sizes[t] = grid::fixedNodes(type);
 		sizes[kPolyhedron] = -1;
 	}
 	if (!cells.offsets.empty() && areAlike(cells, sizes))

@@ -1,0 +1,512 @@
+#include "refine/cell_kind.h"
+
+#include "grid/lattice_nodes.h"
+#include "refine/pyramid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vp::refine
+{
+
+using grid::CellShape;
+
+namespace
+{
+
+/// The degrees of the lattice.
+std::array<int, 3> latticeDegrees(std::uint8_t type, std::size_t nodes, const std::array<int, 3>& degrees)
+{
+	if (grid::hasMiddles(type, nodes)) // bubbles in faces are cubic, the one inside is quartic
+		return type == grid::kLagrangeTetra ? std::array{4, 4, 4} : std::array{3, 3, 2};
+	if (grid::hasDegrees(type))
+		return degrees;
+	if (grid::isSliceable(type))
+		return {1, 1, 1};
+	return type == grid::kQuadraticLinearWedge ? std::array{2, 2, 1} : std::array{2, 2, 2};
+}
+
+} // namespace
+
+CellKind::CellKind(std::uint8_t type, std::size_t nodes, const std::array<int, 3>& degrees)
+    : shape_(grid::cornerShape(type)), bezier_(grid::isBezier(type)), voxel_(type == grid::kVoxel),
+      mirrored_(type == grid::kWedge || type == grid::kQuadraticWedge || type == grid::kQuadraticLinearWedge ||
+                type == grid::kBiQuadraticQuadraticWedge),
+      nodes_(nodes)
+{
+	makeCorners();
+	makeFactors(type, latticeDegrees(type, nodes, degrees));
+	if (isPyramid())
+		makePyramid();
+	else if (grid::hasMiddles(type, nodes))
+		fillMiddles(type);
+	else
+	{
+		placeNodes(latticeDegrees(type, nodes, degrees));
+		fillFaces(type);
+	}
+	makeLinear();
+	if (!isPyramid())
+		makeStencils();
+	chooseLevels();
+}
+
+void CellKind::makeCorners()
+{
+	static const std::array<Vec3, 8> cube = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0),
+	                                         Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(1, 1, 1), Vec3(0, 1, 1)};
+	switch (shape_)
+	{
+	case CellShape::tetrahedron:
+		corner_places_ = {cube[0], cube[1], cube[3], cube[4]};
+		break;
+	case CellShape::wedge:
+		corner_places_ = {cube[0], cube[1], cube[3], cube[4], cube[5], cube[7]};
+		break;
+	case CellShape::pyramid:
+		corner_places_ = {cube[0], cube[1], cube[2], cube[3], Vec3(0.5, 0.5, 1)};
+		break;
+	default:
+		corner_places_.assign(cube.begin(), cube.end());
+	}
+}
+
+void CellKind::makeFactors(std::uint8_t type, const std::array<int, 3>& degrees)
+{
+	if (shape_ == CellShape::tetrahedron)
+		factors_ = {Factor(0, 3, degrees[0])};
+	else if (shape_ == CellShape::wedge)
+		factors_ = {Factor(0, 2, degrees[0]), Factor(2, 1, degrees[2])};
+	else
+		for (int axis = 0; axis < 3; ++axis)
+			factors_.emplace_back(axis, 1, type == grid::kPyramid ? 1 : degrees[static_cast<std::size_t>(axis)]);
+	const std::size_t values =
+	    std::accumulate(factors_.begin(), factors_.end(), std::size_t(1),
+	                    [](std::size_t product, const Factor& factor) { return product * factor.size(); });
+	(isPyramid() ? collapsed_ : rows_).resize(values);
+}
+
+std::size_t CellKind::numberOf(const std::array<int, 3>& place) const
+{
+	std::size_t number = 0;
+	std::size_t stride = 1;
+	for (const Factor& factor : factors_)
+	{
+		std::array<int, 3> own{};
+		for (int a = 0; a < factor.axes(); ++a)
+			own[static_cast<std::size_t>(a)] = place[static_cast<std::size_t>(factor.first() + a)];
+		number += stride * factor.numberOf(own);
+		stride *= factor.size();
+	}
+	return number;
+}
+
+std::array<int, 3> CellKind::placeOf(std::size_t value) const
+{
+	std::array<int, 3> place{};
+	for (const Factor& factor : factors_)
+	{
+		const std::array<int, 3>& own = factor.places()[value % factor.size()];
+		for (int a = 0; a < factor.axes(); ++a)
+			place[static_cast<std::size_t>(factor.first() + a)] = own[static_cast<std::size_t>(a)];
+		value /= factor.size();
+	}
+	return place;
+}
+
+Vec3 CellKind::atValue(std::size_t value) const
+{
+	const std::array<int, 3> place = placeOf(value);
+	Vec3 at(0.0);
+	for (const Factor& factor : factors_)
+		for (int axis = factor.first(); axis < factor.first() + factor.axes(); ++axis)
+			at[axis] = place[static_cast<std::size_t>(axis)] / double(factor.degree());
+	return at;
+}
+
+/// The nodes that lie in the lattice.
+void CellKind::placeNodes(const std::array<int, 3>& degrees)
+{
+	std::vector<grid::LatticePlace> places = shape_ == CellShape::tetrahedron ? grid::tetrahedronNodes(degrees[0])
+	                                         : shape_ == CellShape::wedge ? grid::wedgeNodes(degrees[0], degrees[2])
+	                                                                      : grid::hexahedronNodes(degrees);
+	places.resize(nodes_);
+	for (std::uint32_t n = 0; n < nodes_; ++n)
+		rows_[numberOf(places[voxel_ ? grid::kVoxelOrder[n] : n])] = {{n, 1.0}};
+}
+
+/// Values of the lattice where cells of fewer nodes have none: in the middle of faces, and inside.
+void CellKind::fillFaces(std::uint8_t type)
+{
+	const auto add = [&](Row& row, std::initializer_list<std::uint32_t> nodes, double weight)
+	{
+		for (const std::uint32_t n : nodes)
+			row.emplace_back(n, weight);
+	};
+	const auto fill = [&](const std::array<int, 3>& place, std::initializer_list<std::uint32_t> corners,
+	                      std::initializer_list<std::uint32_t> middles)
+	{
+		Row& row = rows_[numberOf(place)];
+		add(row, corners, -0.25);
+		add(row, middles, 0.5);
+	};
+	if (type == grid::kQuadraticHexahedron)
+	{
+		fill({0, 1, 1}, {0, 3, 4, 7}, {11, 15, 16, 19});
+		fill({2, 1, 1}, {1, 2, 5, 6}, {9, 13, 17, 18});
+		fill({1, 0, 1}, {0, 1, 4, 5}, {8, 12, 16, 17});
+		fill({1, 2, 1}, {2, 3, 6, 7}, {10, 14, 18, 19});
+	}
+	if (type == grid::kQuadraticHexahedron || type == grid::kBiQuadraticQuadraticHexahedron)
+	{
+		fill({1, 1, 0}, {0, 1, 2, 3}, {8, 9, 10, 11});
+		fill({1, 1, 2}, {4, 5, 6, 7}, {12, 13, 14, 15});
+	}
+	if (type == grid::kQuadraticWedge)
+	{
+		fill({1, 0, 1}, {0, 1, 3, 4}, {6, 9, 12, 13});
+		fill({1, 1, 1}, {1, 2, 4, 5}, {7, 10, 13, 14});
+		fill({0, 1, 1}, {2, 0, 5, 3}, {8, 11, 14, 12});
+		return;
+	}
+	if (type != grid::kQuadraticHexahedron && type != grid::kBiQuadraticQuadraticHexahedron)
+		return;
+	Row& inside = rows_[numberOf({1, 1, 1})];
+	if (type == grid::kQuadraticHexahedron)
+	{
+		add(inside, {0, 1, 2, 3, 4, 5, 6, 7}, -0.25);
+		add(inside, {8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19}, 0.25);
+	}
+	if (type == grid::kBiQuadraticQuadraticHexahedron)
+	{
+		add(inside, {16, 17, 18, 19}, -0.25);
+		add(inside, {20, 21, 22, 23}, 0.5);
+	}
+}
+
+/// Of the 15 nodes of a tetrahedron and the 21 of a wedge: quadratic functions, and bubbles that bring the faces and
+/// the inside to their nodes.
+void CellKind::fillMiddles(std::uint8_t type)
+{
+	const bool is_tetrahedron = type == grid::kLagrangeTetra;
+	const CellKind quadratic = is_tetrahedron ? CellKind(grid::kQuadraticTetra, 10, {}) : CellKind(grid::kLagrangeWedge, 18, {2, 2, 2});
+	const auto dense = [&](const Vec3& at)
+	{
+		std::vector<double> weights(nodes_, 0.0);
+		quadratic.weighNodes(at, {}, weights.data());
+		if (!is_tetrahedron)
+		{
+			// The middles of the triangles are nodes 15, 16 and 20; those of the quadrilaterals come between.
+			std::rotate(weights.begin() + 15, weights.begin() + 18, weights.begin() + 20);
+		}
+		return weights;
+	};
+	// Adds what a bubble with this height at the place gives, where it brings the functions to a node.
+	const auto addBubble = [&](std::vector<double>& weights, const std::vector<double>& at_node, std::uint32_t node,
+	                           double height)
+	{
+		for (std::size_t n = 0; n < nodes_; ++n)
+			weights[n] -= height * at_node[n];
+		weights[node] += height;
+	};
+	const double third = 1.0 / 3.0;
+	for (std::size_t value = 0; value < rows_.size(); ++value)
+	{
+		const Vec3 at = atValue(value);
+		std::vector<double> weights = dense(at);
+		if (is_tetrahedron)
+		{
+			const std::array<double, 4> corner{1.0 - at.x - at.y - at.z, at.x, at.y, at.z};
+			constexpr std::array<std::array<std::size_t, 3>, 4> faces{{{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}}};
+			const auto withFaces = [&](const Vec3& place, const std::array<double, 4>& by)
+			{
+				std::vector<double> made = dense(place);
+				for (std::uint32_t f = 0; f < 4; ++f)
+				{
+					Vec3 middle(0.0);
+					for (const std::size_t c : faces[f])
+						middle += third * corner_places_[c];
+					addBubble(made, dense(middle), 10 + f, 27.0 * by[faces[f][0]] * by[faces[f][1]] * by[faces[f][2]]);
+				}
+				return made;
+			};
+			weights = withFaces(at, corner);
+			addBubble(weights, withFaces(Vec3(0.25), {0.25, 0.25, 0.25, 0.25}), 14,
+			          256.0 * corner[0] * corner[1] * corner[2] * corner[3]);
+		}
+		else
+		{
+			const double bubble = 27.0 * (1.0 - at.x - at.y) * at.x * at.y;
+			const std::array<double, 3> along{(1.0 - at.z) * (1.0 - 2.0 * at.z), 4.0 * at.z * (1.0 - at.z),
+			                                  at.z * (2.0 * at.z - 1.0)};
+			constexpr std::array<std::uint32_t, 3> middles{15, 20, 16}; // at the heights 0, 1/2 and 1
+			for (std::size_t k = 0; k < 3; ++k)
+				addBubble(weights, dense(Vec3(third, third, 0.5 * double(k))), middles[k], bubble * along[k]);
+		}
+		for (std::uint32_t n = 0; n < nodes_; ++n)
+			if (std::abs(weights[n]) > 1e-14)
+				rows_[value].emplace_back(n, weights[n]);
+	}
+}
+
+/// A pyramid is what it is; a cube that collapses to it gives control points.
+void CellKind::makePyramid()
+{
+	rows_.resize(nodes_);
+	for (std::uint32_t n = 0; n < nodes_; ++n)
+		rows_[n] = {{n, 1.0}};
+	std::vector<double> weights(nodes_);
+	for (std::size_t value = 0; value < collapsed_.size(); ++value)
+	{
+		const Vec3 at = atValue(value);
+		weighPyramid({at.x * (1.0 - at.z) + 0.5 * at.z, at.y * (1.0 - at.z) + 0.5 * at.z, at.z}, weights);
+		for (std::uint32_t n = 0; n < nodes_; ++n)
+			if (weights[n] != 0.0)
+				collapsed_[value].emplace_back(n, weights[n]);
+	}
+}
+
+void CellKind::makeLinear()
+{
+	linear_.resize(lattice() * corners());
+	static constexpr std::array<std::array<int, 2>, 8> kPyramidEdges{
+	    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
+	for (std::size_t value = 0; value < lattice(); ++value)
+	{
+		const std::span<double> weights = std::span(linear_).subspan(value * corners(), corners());
+		if (isPyramid())
+		{
+			const Vec3 at = value < 5 ? corner_places_[value]
+			                          : 0.5 * (corner_places_[static_cast<std::size_t>(kPyramidEdges[value - 5][0])] +
+			                                   corner_places_[static_cast<std::size_t>(kPyramidEdges[value - 5][1])]);
+			weighPyramid(at, weights);
+			if (value < 5)
+				corner_values_[value] = value;
+			continue;
+		}
+		const Vec3 at = atValue(value);
+		for (std::size_t c = 0; c < corners(); ++c)
+		{
+			const Vec3& corner = corner_places_[c];
+			double weight = 1.0;
+			for (const Factor& factor : factors_)
+			{
+				double rest = 1.0;
+				double own = -1.0;
+				for (int axis = factor.first(); axis < factor.first() + factor.axes(); ++axis)
+				{
+					rest -= at[axis];
+					own = corner[axis] > 0.5 ? at[axis] : own;
+				}
+				weight *= own >= 0.0 ? own : rest;
+			}
+			weights[c] = weight;
+			if (weight == 1.0)
+				corner_values_[c] = value;
+		}
+	}
+}
+
+void CellKind::makeStencils()
+{
+	const auto degreeAlong = [&](std::size_t axis)
+	{
+		for (const Factor& factor : factors_)
+			if (static_cast<int>(axis) >= factor.first() && static_cast<int>(axis) < factor.first() + factor.axes())
+				return std::pair(&factor, factor.degree());
+		return std::pair<const Factor*, int>(nullptr, 0);
+	};
+	// A place and what steps from it along one or two axes give, if it is in the lattice.
+	const auto isInside = [&](const std::array<int, 3>& place)
+	{
+		return std::ranges::all_of(factors_,
+		                           [&](const Factor& factor)
+		                           {
+			                           int sum = 0;
+			                           for (int a = 0; a < factor.axes(); ++a)
+				                           sum += place[static_cast<std::size_t>(factor.first() + a)];
+			                           return sum <= factor.degree();
+		                           });
+	};
+	constexpr std::array<std::array<std::size_t, 2>, 6> pairs{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+	for (std::size_t value = 0; value < lattice(); ++value)
+	{
+		const std::array<int, 3> place = placeOf(value);
+		const auto moved = [&](std::size_t j, std::size_t k)
+		{
+			std::array<int, 3> to = place;
+			++to[j];
+			if (k < 3)
+				++to[k];
+			return to;
+		};
+		const auto number = [&](const std::array<int, 3>& at) { return static_cast<std::uint32_t>(numberOf(at)); };
+		for (std::size_t axis = 0; axis < 3; ++axis)
+			if (isInside(moved(axis, 3)))
+				first_[axis].points.push_back({number(moved(axis, 3)), number(place), 0, 0});
+		for (std::size_t p = 0; p < 6; ++p)
+		{
+			const auto [j, k] = pairs[p];
+			if (isInside(moved(j, k)))
+				second_[p].points.push_back(
+				    {number(moved(j, k)), number(moved(j, 3)), number(moved(k, 3)), number(place)});
+		}
+	}
+	for (std::size_t axis = 0; axis < 3; ++axis)
+		first_[axis].factor = degreeAlong(axis).second;
+	for (std::size_t p = 0; p < 6; ++p)
+	{
+		const auto [of_j, degree_j] = degreeAlong(pairs[p][0]);
+		const auto [of_k, degree_k] = degreeAlong(pairs[p][1]);
+		second_[p].factor = of_j == of_k ? degree_j * (degree_j - 1.0) : double(degree_j) * degree_k;
+	}
+}
+
+/// The middles of edges that were halved so often tell all of the polynomials along them, or nearly.
+void CellKind::chooseLevels()
+{
+	if (isPyramid())
+	{
+		degree_ = nodes_ > 5 ? 2 : 1;
+		least_levels_ = degree_ - 1;
+		return;
+	}
+	int bent = 0; // factors that are not linear
+	int highest = 1;
+	for (const Factor& factor : factors_)
+	{
+		bent += factor.degree() > 1;
+		highest = std::max(highest, factor.degree());
+	}
+	degree_ = highest;
+	if (highest <= 2)
+		least_levels_ = bent > 1 ? 1 : 0;
+	else
+		least_levels_ = highest <= 3 || (highest == 4 && bent == 1) ? 1 : highest <= 8 ? 2 : 3;
+}
+
+unsigned CellKind::supportOf(const Vec3f& place) const
+{
+	unsigned support = 0;
+	if (isPyramid())
+	{
+		if (place.z >= 1.0f)
+			return 1u << 4;
+		const float inset = 0.5f * place.z;
+		const std::array<bool, 2> low{place.x < 1.0f - inset, place.y < 1.0f - inset};
+		const std::array<bool, 2> high{place.x > inset, place.y > inset};
+		constexpr std::array<std::array<bool, 2>, 4> is_high{{{false, false}, {true, false}, {true, true}, {false, true}}};
+		for (unsigned c = 0; c < 4; ++c)
+			if ((is_high[c][0] ? high[0] : low[0]) && (is_high[c][1] ? high[1] : low[1]))
+				support |= 1u << c;
+		return place.z > 0.0f ? support | 1u << 4 : support;
+	}
+	for (unsigned c = 0; c < corners(); ++c)
+	{
+		const Vec3& corner = corner_places_[c];
+		bool depends = true;
+		for (const Factor& factor : factors_)
+		{
+			float rest = 1.0f;
+			float own = -1.0f;
+			for (int axis = factor.first(); axis < factor.first() + factor.axes(); ++axis)
+			{
+				rest -= place[axis];
+				own = corner[axis] > 0.5 ? place[axis] : own;
+			}
+			depends = depends && (own >= 0.0f ? own : rest) > 0.0f;
+		}
+		support |= depends ? 1u << c : 0u;
+	}
+	return support;
+}
+
+void CellKind::toLattice(const double* nodes, std::size_t width, double* lattice) const
+{
+	for (const Row& row : rows_)
+	{
+		for (std::size_t i = 0; i < width; ++i)
+			lattice[i] = 0.0;
+		for (const auto& [node, weight] : row)
+			for (std::size_t i = 0; i < width; ++i)
+				lattice[i] += weight * nodes[node * width + i];
+		lattice += width;
+	}
+}
+
+void CellKind::weigh(const Vec3& at, double* weights) const
+{
+	if (isPyramid())
+		return weighPyramid(at, {weights, nodes_});
+	std::array<double, kMaxLattice> own;
+	std::size_t done = 1;
+	weights[0] = 1.0;
+	for (const Factor& factor : factors_)
+	{
+		if (bezier_)
+			factor.weighBernstein(at, own.data());
+		else
+			factor.weighLagrange(at, own.data());
+		for (std::size_t i = factor.size(); i-- > 0;)
+			for (std::size_t n = 0; n < done; ++n)
+				weights[i * done + n] = own[i] * weights[n];
+		done *= factor.size();
+	}
+}
+
+void CellKind::weighNodes(const Vec3& at, std::span<const double> rational, double* weights) const
+{
+	std::array<double, kMaxLattice> own;
+	weigh(at, own.data());
+	std::fill_n(weights, nodes_, 0.0);
+	for (std::size_t value = 0; value < lattice(); ++value)
+		for (const auto& [node, weight] : rows_[value])
+			weights[node] += weight * own[value];
+	if (rational.empty())
+		return;
+	double sum = 0.0;
+	for (std::size_t n = 0; n < nodes_; ++n)
+		sum += weights[n] *= rational[n];
+	for (std::size_t n = 0; n < nodes_; ++n)
+		weights[n] /= sum;
+}
+
+void CellKind::controlPoints(std::span<const Vec3> lattice, std::vector<Vec3>& control) const
+{
+	if (isPyramid())
+	{
+		control.assign(collapsed_.size(), Vec3(0.0));
+		for (std::size_t value = 0; value < collapsed_.size(); ++value)
+			for (const auto& [node, weight] : collapsed_[value])
+				control[value] += weight * lattice[node];
+	}
+	else
+		control.assign(lattice.begin(), lattice.end());
+	if (bezier_)
+		return;
+	std::array<Vec3, 286> line; // the most values of a factor: of a tetrahedron
+	std::size_t stride = 1;
+	for (const Factor& factor : factors_)
+	{
+		const std::size_t n = factor.size();
+		const std::span<const double> matrix = factor.toBernstein();
+		for (std::size_t first = 0; first < control.size() && !matrix.empty(); ++first)
+		{
+			if (first / stride % n != 0)
+				continue;
+			for (std::size_t i = 0; i < n; ++i)
+				line[i] = control[first + i * stride];
+			for (std::size_t row = 0; row < n; ++row)
+			{
+				Vec3 sum(0.0);
+				for (std::size_t i = 0; i < n; ++i)
+					sum += matrix[row * n + i] * line[i];
+				control[first + row * stride] = sum;
+			}
+		}
+		stride *= n;
+	}
+}
+
+} // namespace vp::refine
