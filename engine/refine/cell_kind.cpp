@@ -386,6 +386,19 @@ void CellKind::chooseLevels()
 		least_levels_ = highest <= 3 || (highest == 4 && bent == 1) ? 1 : highest <= 8 ? 2 : 3;
 }
 
+int CellKind::degreeAlong(const Vec3f& a, const Vec3f& b) const
+{
+	int degree = 0;
+	for (const Factor& factor : factors_)
+	{
+		bool moves = false;
+		for (int axis = factor.first(); axis < factor.first() + factor.axes(); ++axis)
+			moves |= a[axis] != b[axis];
+		degree += moves ? factor.degree() : 0;
+	}
+	return degree;
+}
+
 unsigned CellKind::supportOf(const Vec3f& place) const
 {
 	unsigned support = 0;

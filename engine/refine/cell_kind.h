@@ -36,8 +36,10 @@ public:
 	bool isMirrored() const { return mirrored_; }
 	std::size_t nodes() const { return nodes_; }
 	std::size_t lattice() const { return rows_.size(); }
-	/// The highest degree along an axis. Edges may bend both ways if it is above 2.
+	/// The highest degree along an axis.
 	int degree() const { return degree_; }
+	/// Returns the degree along the line between two places: edges may bend both ways if it is above 2.
+	int degreeAlong(const Vec3f& a, const Vec3f& b) const;
 	/// How often edges are halved whatever the middles say, since the middles alone do not tell how a cell bends.
 	int leastLevels() const { return least_levels_; }
 

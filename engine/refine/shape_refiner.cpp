@@ -20,6 +20,12 @@ constexpr std::size_t kPartsAtOnce = 2048; // whatever the number of threads
 // A few steps halve all edges of a part, which leaves a quarter of what is off. So this is never reached.
 constexpr int kMaxLevels = 400;
 
+// Edges that were halved so often are left, whatever they are off.
+constexpr int kMaxEdgeLevel = 40;
+
+// By how many levels the edges of a part may differ before it counts as thin.
+constexpr int kMostLevels = 2;
+
 template <class Body>
 void forEachRange(std::size_t count, Body&& body)
 {
@@ -181,18 +187,24 @@ void ShapeRefiner::gather(std::size_t begin, std::size_t end, Requests& requests
 	{
 		const Part& part = parts_[p];
 		const NearCell& near = cells_[part.near];
+		// A part with one edge of a much lower level is thin: that edge is not off, and so the others are off by little
+		// more than they may. Halving those would make thinner ones, and find no end.
+		int lowest = static_cast<int>(part.level);
+		for (const std::uint32_t edge : part.edges)
+			if (edge != EdgeTable::kUnknown)
+				lowest = std::min<int>(lowest, edges_[edge].level);
+		const double relaxed = std::exp2(2 * std::max(0, static_cast<int>(part.level) - lowest - kMostLevels));
 		for (std::uint8_t e = 0; e < 6; ++e)
 		{
 			if (part.edges[e] != EdgeTable::kUnknown)
 				continue;
 			const auto [a, b] = kEdges[e];
 			const std::uint64_t key = EdgeTable::keyOf(part.points[a], part.points[b]);
-			const double size =
-			    near.sizeOf(near.kind->supportOf(part.places[a]) | near.kind->supportOf(part.places[b]));
+			const double size = near.sizeOf(near.kind->supportOf(0.5f * (part.places[a] + part.places[b])));
 			requests[EdgeTable::shardOf(key)].push_back(
 			    {key, static_cast<std::uint32_t>(p), e,
 			     !near.is_flat && static_cast<int>(part.level) < near.kind->leastLevels(),
-			     std::max(kShareOfEdge * curved_.tolerance * size, least_)});
+			     std::max(kShareOfEdge * curved_.tolerance * size, least_), relaxed});
 		}
 	}
 }
@@ -222,6 +234,7 @@ void ShapeRefiner::number(std::size_t s, const std::vector<Requests>& requests)
 				                      {part.places[a], part.places[b]},
 				                      request.allowed,
 				                      request.is_forced,
+				                      request.relaxed,
 				                      EdgeTable::kUnknown});
 			}
 			else if (number >= known)
@@ -229,6 +242,7 @@ void ShapeRefiner::number(std::size_t s, const std::vector<Requests>& requests)
 				EdgeTable::NewEdge& made = shard.made[number - known];
 				made.allowed = std::min(made.allowed, request.allowed);
 				made.is_forced |= request.is_forced;
+				made.relaxed = std::max(made.relaxed, request.relaxed);
 			}
 		}
 }
@@ -240,11 +254,27 @@ void ShapeRefiner::evaluate(std::size_t s, std::vector<double>& middles)
 	const std::size_t width = cells_.width();
 	std::array<double, kMaxLattice> weights;
 	std::array<double, 3 + kMaxShownNumbers> middle;
-	std::array<double, 3 + kMaxShownNumbers> other;
+	std::array<double, 3 + kMaxShownNumbers> first;
+	std::array<double, 3 + kMaxShownNumbers> second;
+	// Whether both ends are where this cell has them.
+	const auto isOwn = [&](const EdgeTable::NewEdge& edge)
+	{
+		const std::uint32_t cell = cells_[edge.near].cell;
+		return points_[edge.ends[0]].cell == cell && points_[edge.ends[1]].cell == cell;
+	};
 	for (EdgeTable::NewEdge& edge : shard.made)
 	{
 		cells_.evaluate(edge.near, 0.5 * (Vec3(edge.places[0]) + Vec3(edge.places[1])), weights.data(), middle.data());
-		const double off = priorityOf(edge, middle.data(), weights.data(), other.data());
+		if (shard.edges[edge.number].level >= kMaxEdgeLevel)
+			continue;
+		double off = offOf(edge, numbersOf(edge.ends[0]), numbersOf(edge.ends[1]), middle.data(), weights.data());
+		if (off > 1.0 && !isOwn(edge))
+		{
+			// Cells that disagree about a face would halve it without end: only what the cell itself is off counts.
+			cells_.evaluate(edge.near, Vec3(edge.places[0]), weights.data(), first.data());
+			cells_.evaluate(edge.near, Vec3(edge.places[1]), weights.data(), second.data());
+			off = std::min(off, offOf(edge, first.data(), second.data(), middle.data(), weights.data()));
+		}
 		if (off <= 1.0 && !edge.is_forced)
 			continue;
 		// Edges that are halved in any case come after those that are off.
@@ -254,13 +284,11 @@ void ShapeRefiner::evaluate(std::size_t s, std::vector<double>& middles)
 	}
 }
 
-/// How far an edge is off at its middle, and where it may bend both ways at its quarters: the square, as a share of
-/// what it may.
-double ShapeRefiner::priorityOf(const EdgeTable::NewEdge& edge, const double* middle, double* weights,
-                                double* other) const
+/// How far an edge between these ends is off at its middle, and where it may bend both ways at its quarters: the
+/// square, as a share of what it may.
+double ShapeRefiner::offOf(const EdgeTable::NewEdge& edge, const double* a, const double* b, const double* middle,
+                           double* weights) const
 {
-	const double* a = numbersOf(edge.ends[0]);
-	const double* b = numbersOf(edge.ends[1]);
 	const auto share = [&](double along, const double* numbers)
 	{
 		const auto off = [&](std::size_t i) { return numbers[i] - ((1.0 - along) * a[i] + along * b[i]); };
@@ -273,14 +301,17 @@ double ShapeRefiner::priorityOf(const EdgeTable::NewEdge& edge, const double* mi
 		return std::max(std::isfinite(geometry) ? geometry : 0.0, std::isfinite(values) ? values : 0.0);
 	};
 	double most = share(0.5, middle);
-	if (cells_[edge.near].kind->degree() > 2)
-		for (const double along : {0.25, 0.75})
+	// Where the cell may bend both ways along it, the middle alone does not tell.
+	const int degree = cells_[edge.near].kind->degreeAlong(edge.places[0], edge.places[1]);
+	for (const double along : {0.25, 0.75})
+		if (most <= 1.0 && degree > (along < 0.5 ? 2 : 4))
 		{
+			std::array<double, 3 + kMaxShownNumbers> other;
 			cells_.evaluate(edge.near, (1.0 - along) * Vec3(edge.places[0]) + along * Vec3(edge.places[1]), weights,
-			                other);
-			most = std::max(most, share(along, other));
+			                other.data());
+			most = std::max(most, share(along, other.data()));
 		}
-	return most;
+	return most / edge.relaxed;
 }
 
 void ShapeRefiner::halveParts()

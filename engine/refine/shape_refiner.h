@@ -46,6 +46,7 @@ private:
 		std::uint8_t edge;
 		bool is_forced;
 		double allowed;
+		double relaxed; // divides what it is off
 	};
 	using Requests = std::array<std::vector<Request>, EdgeTable::kShards>; // of a range of parts
 
@@ -54,7 +55,8 @@ private:
 	void gather(std::size_t begin, std::size_t end, Requests& requests) const;
 	void number(std::size_t shard, const std::vector<Requests>& requests);
 	void evaluate(std::size_t shard, std::vector<double>& middles);
-	double priorityOf(const EdgeTable::NewEdge& edge, const double* middle, double* weights, double* other) const;
+	double offOf(const EdgeTable::NewEdge& edge, const double* a, const double* b, const double* middle,
+	             double* weights) const;
 	void halveParts();
 	void halve(const Part& part, std::vector<Part>& halves, std::vector<DonePart>& done) const;
 	bool mayMeet(const Part& part) const;
