@@ -42,7 +42,8 @@ constexpr bool hasDegrees(std::uint8_t type)
 constexpr bool isCurved(std::uint8_t type)
 {
 	return hasDegrees(type) || (type >= kQuadraticTetra && type <= kQuadraticPyramid) ||
-	       type == kTriQuadraticHexahedron || (type >= kQuadraticLinearWedge && type <= kBiQuadraticQuadraticHexahedron);
+	       type == kTriQuadraticHexahedron ||
+	       (type >= kQuadraticLinearWedge && type <= kBiQuadraticQuadraticHexahedron);
 }
 
 /// Returns the shape that the corners have. isCurved() or isSliceable() must be true.

@@ -46,8 +46,8 @@ void checkCurvedCells(const CellMesh& mesh)
 	const auto bad = [](double weight) { return !(weight > 0.0) || !std::isfinite(weight); };
 	if (const auto* at = std::find_if(mesh.weights.data(), mesh.weights.data() + mesh.weights.size(), bad);
 	    at != mesh.weights.data() + mesh.weights.size())
-		throw Unusable(fmt::format("point {} has the rational weight {}; they have to be above 0",
-		                           at - mesh.weights.data(), *at));
+		throw Unusable(
+		    fmt::format("point {} has the rational weight {}; they have to be above 0", at - mesh.weights.data(), *at));
 }
 
 } // namespace vp::read

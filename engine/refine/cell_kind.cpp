@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace vp::refine
@@ -81,6 +82,18 @@ void CellKind::makeFactors(std::uint8_t type, const std::array<int, 3>& degrees)
 	else
 		for (int axis = 0; axis < 3; ++axis)
 			factors_.emplace_back(axis, 1, type == grid::kPyramid ? 1 : degrees[static_cast<std::size_t>(axis)]);
+	for (unsigned c = 0; c < corners(); ++c)
+		for (const Factor& factor : factors_)
+		{
+			bool at_zero = true;
+			for (int axis = factor.first(); axis < factor.first() + factor.axes(); ++axis)
+				if (corner_places_[c][axis] == 1.0)
+				{
+					corners_along_[static_cast<std::size_t>(axis)] |= 1u << c;
+					at_zero = false;
+				}
+			corners_at_zero_[static_cast<std::size_t>(factor.first())] |= at_zero ? 1u << c : 0u;
+		}
 	const std::size_t values =
 	    std::accumulate(factors_.begin(), factors_.end(), std::size_t(1),
 	                    [](std::size_t product, const Factor& factor) { return product * factor.size(); });
@@ -129,8 +142,8 @@ Vec3 CellKind::atValue(std::size_t value) const
 void CellKind::placeNodes(const std::array<int, 3>& degrees)
 {
 	std::vector<grid::LatticePlace> places = shape_ == CellShape::tetrahedron ? grid::tetrahedronNodes(degrees[0])
-	                                         : shape_ == CellShape::wedge ? grid::wedgeNodes(degrees[0], degrees[2])
-	                                                                      : grid::hexahedronNodes(degrees);
+	                                         : shape_ == CellShape::wedge     ? grid::wedgeNodes(degrees[0], degrees[2])
+	                                                                          : grid::hexahedronNodes(degrees);
 	places.resize(nodes_);
 	for (std::uint32_t n = 0; n < nodes_; ++n)
 		rows_[numberOf(places[voxel_ ? grid::kVoxelOrder[n] : n])] = {{n, 1.0}};
@@ -190,7 +203,8 @@ void CellKind::fillFaces(std::uint8_t type)
 void CellKind::fillMiddles(std::uint8_t type)
 {
 	const bool is_tetrahedron = type == grid::kLagrangeTetra;
-	const CellKind quadratic = is_tetrahedron ? CellKind(grid::kQuadraticTetra, 10, {}) : CellKind(grid::kLagrangeWedge, 18, {2, 2, 2});
+	const CellKind quadratic =
+	    is_tetrahedron ? CellKind(grid::kQuadraticTetra, 10, {}) : CellKind(grid::kLagrangeWedge, 18, {2, 2, 2});
 	const auto dense = [&](const Vec3& at)
 	{
 		std::vector<double> weights(nodes_, 0.0);
@@ -203,8 +217,8 @@ void CellKind::fillMiddles(std::uint8_t type)
 		return weights;
 	};
 	// Adds what a bubble with this height at the place gives, where it brings the functions to a node.
-	const auto addBubble = [&](std::vector<double>& weights, const std::vector<double>& at_node, std::uint32_t node,
-	                           double height)
+	const auto addBubble =
+	    [&](std::vector<double>& weights, const std::vector<double>& at_node, std::uint32_t node, double height)
 	{
 		for (std::size_t n = 0; n < nodes_; ++n)
 			weights[n] -= height * at_node[n];
@@ -388,6 +402,8 @@ void CellKind::chooseLevels()
 
 int CellKind::degreeAlong(const Vec3f& a, const Vec3f& b) const
 {
+	if (isPyramid() || bezier_)
+		return std::numeric_limits<int>::max(); // they may be rational
 	int degree = 0;
 	for (const Factor& factor : factors_)
 	{
@@ -409,28 +425,27 @@ unsigned CellKind::supportOf(const Vec3f& place) const
 		const float inset = 0.5f * place.z;
 		const std::array<bool, 2> low{place.x < 1.0f - inset, place.y < 1.0f - inset};
 		const std::array<bool, 2> high{place.x > inset, place.y > inset};
-		constexpr std::array<std::array<bool, 2>, 4> is_high{{{false, false}, {true, false}, {true, true}, {false, true}}};
+		constexpr std::array<std::array<bool, 2>, 4> is_high{
+		    {{false, false}, {true, false}, {true, true}, {false, true}}};
 		for (unsigned c = 0; c < 4; ++c)
 			if ((is_high[c][0] ? high[0] : low[0]) && (is_high[c][1] ? high[1] : low[1]))
 				support |= 1u << c;
 		return place.z > 0.0f ? support | 1u << 4 : support;
 	}
-	for (unsigned c = 0; c < corners(); ++c)
+	// Each coordinate that is not 0 leaves the corners that have it.
+	support = (1u << corners()) - 1u;
+	for (const Factor& factor : factors_)
 	{
-		const Vec3& corner = corner_places_[c];
-		bool depends = true;
-		for (const Factor& factor : factors_)
+		float rest = 1.0f;
+		unsigned of_factor = 0;
+		for (int axis = factor.first(); axis < factor.first() + factor.axes(); ++axis)
 		{
-			float rest = 1.0f;
-			float own = -1.0f;
-			for (int axis = factor.first(); axis < factor.first() + factor.axes(); ++axis)
-			{
-				rest -= place[axis];
-				own = corner[axis] > 0.5 ? place[axis] : own;
-			}
-			depends = depends && (own >= 0.0f ? own : rest) > 0.0f;
+			rest -= place[axis];
+			of_factor |= place[axis] > 0.0f ? corners_along_[static_cast<std::size_t>(axis)] : 0u;
 		}
-		support |= depends ? 1u << c : 0u;
+		if (rest > 0.0f)
+			of_factor |= corners_at_zero_[static_cast<std::size_t>(factor.first())];
+		support &= of_factor;
 	}
 	return support;
 }

@@ -16,9 +16,9 @@ namespace vp::refine
 /// The most numbers that describe a cell: a hexahedron of the highest degree.
 inline constexpr std::size_t kMaxLattice = 11 * 11 * 11;
 
-/// One kind of cell, linear ones too: its shape functions, and how to bound what they make. A place is in the cell's own
-/// coordinates: the unit cube, its half below x + y = 1, its corner below x + y + z = 1, or the pyramid over the unit
-/// square with its top at (1/2, 1/2, 1).
+/// One kind of cell, linear ones too: its shape functions, and how to bound what they make. A place is in the cell's
+/// own coordinates: the unit cube, its half below x + y = 1, its corner below x + y + z = 1, or the pyramid over the
+/// unit square with its top at (1/2, 1/2, 1).
 ///
 /// Nodes become values of a lattice, and all is computed from those: of Lagrange's polynomials, or of Bernstein's for
 /// Bezier cells. Cells that lack nodes of the lattice, as quadratic hexahedra of 20 nodes, get them by their shape
@@ -103,8 +103,10 @@ private:
 	std::size_t nodes_;
 	std::vector<Vec3> corner_places_;
 	std::array<std::size_t, grid::kMaxShapePoints> corner_values_{};
+	std::array<unsigned, 3> corners_along_{};   // per axis, a bit for each corner at its end
+	std::array<unsigned, 3> corners_at_zero_{}; // per first axis of a factor, for each at the begin of all its axes
 	std::vector<Factor> factors_;
-	std::vector<Row> rows_;   // per value of the lattice
+	std::vector<Row> rows_;      // per value of the lattice
 	std::vector<Row> collapsed_; // of a pyramid, per value of the cube's lattice
 	std::vector<double> linear_;
 	std::array<Stencils, 6> second_;

@@ -39,8 +39,8 @@ CellKinds::CellKinds(const grid::CurvedCells& curved) : curved_(curved)
 		}
 		only_quadratic_ &= curved.isQuadratic(c);
 		const std::array<int, 3> degrees = curved.degreesOf(c);
-		const auto [kind, is_new] = known.try_emplace(std::tuple(type, degrees, curved.nodes(c)),
-		                                              static_cast<std::uint16_t>(kinds_.size()));
+		const auto [kind, is_new] =
+		    known.try_emplace(std::tuple(type, degrees, curved.nodes(c)), static_cast<std::uint16_t>(kinds_.size()));
 		if (is_new)
 			kinds_.push_back(std::make_unique<CellKind>(type, curved.nodes(c), degrees));
 		numbers_[c] = kind->second;

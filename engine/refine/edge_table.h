@@ -34,7 +34,6 @@ public:
 		std::array<Vec3f, 2> places; // of the ends, in the cell's coordinates
 		double allowed;              // what the middle may be off
 		bool is_forced;              // is halved in any case
-		double relaxed;              // divides what it is off
 		std::uint32_t point;         // of its middle, in the shard's list
 	};
 	struct Shard

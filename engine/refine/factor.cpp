@@ -114,8 +114,7 @@ void Factor::invert()
 		for (std::size_t row = c + 1; row < n; ++row)
 			if (std::abs(matrix[row * n + c]) > std::abs(matrix[pivot * n + c]))
 				pivot = row;
-		const auto rowOf = [n](std::vector<double>& of, std::size_t row)
-		{ return std::span(of).subspan(row * n, n); };
+		const auto rowOf = [n](std::vector<double>& of, std::size_t row) { return std::span(of).subspan(row * n, n); };
 		std::ranges::swap_ranges(rowOf(matrix, c), rowOf(matrix, pivot));
 		std::ranges::swap_ranges(rowOf(to_bernstein_, c), rowOf(to_bernstein_, pivot));
 		const double scale = 1.0 / matrix[c * n + c];

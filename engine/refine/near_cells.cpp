@@ -62,8 +62,8 @@ void NearCells::add(std::span<const std::uint32_t> cells)
 	                  [&](std::size_t r)
 	                  {
 		                  Scratch scratch;
-		                  for (const std::uint32_t cell : cells.subspan(
-		                           r * kNearAtOnce, std::min(kNearAtOnce, cells.size() - r * kNearAtOnce)))
+		                  for (const std::uint32_t cell :
+		                       cells.subspan(r * kNearAtOnce, std::min(kNearAtOnce, cells.size() - r * kNearAtOnce)))
 			                  if (curved_.isCut(cell))
 				                  look(cell, ranges_[r], scratch);
 	                  });

@@ -20,8 +20,8 @@ struct NearCell
 {
 	std::uint32_t cell = 0;
 	const CellKind* kind = nullptr;
-	std::size_t lattice = 0; // where its numbers begin
-	bool is_flat = false;    // its nodes are where a linear cell has them, or nearly
+	std::size_t lattice = 0;        // where its numbers begin
+	bool is_flat = false;           // its nodes are where a linear cell has them, or nearly
 	std::array<double, 6> second{}; // bounds of the second derivatives: 00, 11, 22, 01, 02, 12
 	std::optional<PyramidBend> pyramid;
 	std::array<float, grid::kMaxShapeEdges> edge_sizes{};

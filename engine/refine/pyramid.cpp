@@ -115,7 +115,8 @@ double PyramidBend::within(const Vec3& lo, const Vec3& hi) const
 	const double z = hi.z - lo.z;
 	double bend = second_[0] * x * x + second_[1] * y * y + second_[2] * z * z +
 	              2.0 * (second_[3] * x * y + second_[4] * x * z + second_[5] * y * z);
-	// |x| and |y| are at most h. So the second derivatives of the last two are bounded, and those of the first by 2 / h.
+	// |x| and |y| are at most h. So the second derivatives of the last two are bounded, and those of the first by 2 /
+	// h.
 	bend += rational_[1] * 2.0 * (x * x + z * z + 2.0 * x * y + 2.0 * x * z + y * z);
 	bend += rational_[2] * 2.0 * (y * y + z * z + 2.0 * x * y + 2.0 * y * z + x * z);
 	bend /= 8.0;

@@ -42,8 +42,8 @@ grid::Block blockOf(const grid::Block& block, const CellKinds& kinds, const Part
 	made.arrays_left_out = block.arrays_left_out;
 	made.grid = gridOf(parts, block.curved->points.size());
 	for (const grid::Field& field : block.fields)
-		made.fields.push_back(field.association == grid::Association::cell ? field
-		                                                                   : fieldOfParts(*block.curved, kinds, parts, field));
+		made.fields.push_back(
+		    field.association == grid::Association::cell ? field : fieldOfParts(*block.curved, kinds, parts, field));
 	finishBlock(made);
 	return made;
 }

@@ -40,8 +40,7 @@ public:
 
 	/// shown: the arrays to whose range the tolerance applies. A usage error where these have too many components, or
 	/// where there would be too many parts. A stop request ends it with ErrorKind::cancelled.
-	Result<Refined> refine(const Sheets& sheets, std::span<const grid::FieldChoice> shown,
-	                       const std::stop_token& stop);
+	Result<Refined> refine(const Sheets& sheets, std::span<const grid::FieldChoice> shown, const std::stop_token& stop);
 
 	/// Call this if the values of the blocks have changed.
 	void forgetValues();

@@ -20,18 +20,23 @@ constexpr std::size_t kPartsAtOnce = 2048; // whatever the number of threads
 // A few steps halve all edges of a part, which leaves a quarter of what is off. So this is never reached.
 constexpr int kMaxLevels = 400;
 
-// Edges that were halved so often are left, whatever they are off.
-constexpr int kMaxEdgeLevel = 40;
+/// Edges that were halved so often are left, whatever they are off. Two levels, mostly one, halve the length, and so
+/// leave a quarter of what is off.
+int maxLevel(double tolerance)
+{
+	return 6 + static_cast<int>(std::ceil(-std::log2(tolerance)));
+}
 
-// By how many levels the edges of a part may differ before it counts as thin.
-constexpr int kMostLevels = 2;
+/// The share of what an edge may be off that is left for how unlike a parabola it is. What an edge of the first two
+/// thirds of another is off is at most 4/9 of the parabola, and twice the rest. So an edge beside one that is not off
+/// is not off either. Else halving such edges would make parts that get thinner without end.
+constexpr double kUnlike = 0.25;
 
 template <class Body>
 void forEachRange(std::size_t count, Body&& body)
 {
 	tbb::parallel_for(std::size_t(0), (count + kPartsAtOnce - 1) / kPartsAtOnce,
-	                  [&](std::size_t r)
-	                  { body(r, r * kPartsAtOnce, std::min((r + 1) * kPartsAtOnce, count)); });
+	                  [&](std::size_t r) { body(r, r * kPartsAtOnce, std::min((r + 1) * kPartsAtOnce, count)); });
 }
 
 /// Appends lists one after the other.
@@ -165,8 +170,8 @@ void ShapeRefiner::findEdges()
 	tbb::parallel_for(std::size_t(0), EdgeTable::kShards,
 	                  [&](std::size_t s)
 	                  {
-		                  std::ranges::copy(middles[s], numbers_.begin() +
-		                                                    static_cast<std::ptrdiff_t>(starts[s] * cells_.width()));
+		                  std::ranges::copy(middles[s],
+		                                    numbers_.begin() + static_cast<std::ptrdiff_t>(starts[s] * cells_.width()));
 		                  EdgeTable::Shard& shard = edges_.shard(s);
 		                  for (const EdgeTable::NewEdge& edge : shard.made)
 		                  {
@@ -187,13 +192,6 @@ void ShapeRefiner::gather(std::size_t begin, std::size_t end, Requests& requests
 	{
 		const Part& part = parts_[p];
 		const NearCell& near = cells_[part.near];
-		// A part with one edge of a much lower level is thin: that edge is not off, and so the others are off by little
-		// more than they may. Halving those would make thinner ones, and find no end.
-		int lowest = static_cast<int>(part.level);
-		for (const std::uint32_t edge : part.edges)
-			if (edge != EdgeTable::kUnknown)
-				lowest = std::min<int>(lowest, edges_[edge].level);
-		const double relaxed = std::exp2(2 * std::max(0, static_cast<int>(part.level) - lowest - kMostLevels));
 		for (std::uint8_t e = 0; e < 6; ++e)
 		{
 			if (part.edges[e] != EdgeTable::kUnknown)
@@ -204,7 +202,7 @@ void ShapeRefiner::gather(std::size_t begin, std::size_t end, Requests& requests
 			requests[EdgeTable::shardOf(key)].push_back(
 			    {key, static_cast<std::uint32_t>(p), e,
 			     !near.is_flat && static_cast<int>(part.level) < near.kind->leastLevels(),
-			     std::max(kShareOfEdge * curved_.tolerance * size, least_), relaxed});
+			     std::max(kShareOfEdge * curved_.tolerance * size, least_)});
 		}
 	}
 }
@@ -234,7 +232,6 @@ void ShapeRefiner::number(std::size_t s, const std::vector<Requests>& requests)
 				                      {part.places[a], part.places[b]},
 				                      request.allowed,
 				                      request.is_forced,
-				                      request.relaxed,
 				                      EdgeTable::kUnknown});
 			}
 			else if (number >= known)
@@ -242,7 +239,6 @@ void ShapeRefiner::number(std::size_t s, const std::vector<Requests>& requests)
 				EdgeTable::NewEdge& made = shard.made[number - known];
 				made.allowed = std::min(made.allowed, request.allowed);
 				made.is_forced |= request.is_forced;
-				made.relaxed = std::max(made.relaxed, request.relaxed);
 			}
 		}
 }
@@ -265,7 +261,7 @@ void ShapeRefiner::evaluate(std::size_t s, std::vector<double>& middles)
 	for (EdgeTable::NewEdge& edge : shard.made)
 	{
 		cells_.evaluate(edge.near, 0.5 * (Vec3(edge.places[0]) + Vec3(edge.places[1])), weights.data(), middle.data());
-		if (shard.edges[edge.number].level >= kMaxEdgeLevel)
+		if (shard.edges[edge.number].level >= maxLevel(curved_.tolerance))
 			continue;
 		double off = offOf(edge, numbersOf(edge.ends[0]), numbersOf(edge.ends[1]), middle.data(), weights.data());
 		if (off > 1.0 && !isOwn(edge))
@@ -289,9 +285,8 @@ void ShapeRefiner::evaluate(std::size_t s, std::vector<double>& middles)
 double ShapeRefiner::offOf(const EdgeTable::NewEdge& edge, const double* a, const double* b, const double* middle,
                            double* weights) const
 {
-	const auto share = [&](double along, const double* numbers)
+	const auto share = [&](auto&& off)
 	{
-		const auto off = [&](std::size_t i) { return numbers[i] - ((1.0 - along) * a[i] + along * b[i]); };
 		const double geometry = (off(0) * off(0) + off(1) * off(1) + off(2) * off(2)) / (edge.allowed * edge.allowed);
 		double values = 0.0;
 		for (std::size_t i = 3; i < cells_.width(); ++i)
@@ -300,7 +295,8 @@ double ShapeRefiner::offOf(const EdgeTable::NewEdge& edge, const double* a, cons
 		// Halving what is infinite would have no end.
 		return std::max(std::isfinite(geometry) ? geometry : 0.0, std::isfinite(values) ? values : 0.0);
 	};
-	double most = share(0.5, middle);
+	const auto at_middle = [&](std::size_t i) { return middle[i] - 0.5 * (a[i] + b[i]); };
+	double most = share(at_middle);
 	// Where the cell may bend both ways along it, the middle alone does not tell.
 	const int degree = cells_[edge.near].kind->degreeAlong(edge.places[0], edge.places[1]);
 	for (const double along : {0.25, 0.75})
@@ -309,9 +305,11 @@ double ShapeRefiner::offOf(const EdgeTable::NewEdge& edge, const double* a, cons
 			std::array<double, 3 + kMaxShownNumbers> other;
 			cells_.evaluate(edge.near, (1.0 - along) * Vec3(edge.places[0]) + along * Vec3(edge.places[1]), weights,
 			                other.data());
-			most = std::max(most, share(along, other.data()));
+			const auto off = [&](std::size_t i) { return other[i] - ((1.0 - along) * a[i] + along * b[i]); };
+			const auto unlike = [&](std::size_t i) { return off(i) - 0.75 * at_middle(i); };
+			most = std::max({most, share(off), share(unlike) / (kUnlike * kUnlike)});
 		}
-	return most / edge.relaxed;
+	return most;
 }
 
 void ShapeRefiner::halveParts()

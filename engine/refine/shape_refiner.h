@@ -46,7 +46,6 @@ private:
 		std::uint8_t edge;
 		bool is_forced;
 		double allowed;
-		double relaxed; // divides what it is off
 	};
 	using Requests = std::array<std::vector<Request>, EdgeTable::kShards>; // of a range of parts
 

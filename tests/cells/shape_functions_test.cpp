@@ -1,9 +1,9 @@
-// The shape functions that a tolerance refines by: they are 1 at their own node and 0 at the others, in the numbering of
-// the tests, and agree with VTK's. What bounds a cell holds all of it.
+// The shape functions that a tolerance refines by: they are 1 at their own node and 0 at the others, in the numbering
+// of the tests, and agree with VTK's. What bounds a cell holds all of it.
 #include "numbered_cells.h"
 
-#include "refine/cell_kind.h"
 #include "refine/cell_boxes.h"
+#include "refine/cell_kind.h"
 #include "refine/near_cells.h"
 
 #include <gtest/gtest.h>

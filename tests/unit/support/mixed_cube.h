@@ -113,7 +113,8 @@ private:
 	void addHexahedron(const Place& at, bool full, bool linear)
 	{
 		const std::vector<Place> corners = cornersAt(at);
-		const Edges edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+		const Edges edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+		                  {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
 		if (linear)
 			return add(grid::kHexahedron, corners, {});
 		std::vector<Place> middles;
