@@ -1,6 +1,5 @@
 #include "refine/shape_refiner.h"
 
-#include "grid/build/for_ranges.h"
 #include "refine/corner_tetrahedra.h"
 #include "refine/tetrahedron.h"
 
