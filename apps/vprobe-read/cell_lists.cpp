@@ -1,5 +1,6 @@
 #include "cell_lists.h"
 
+#include "curved_cells.h"
 #include "read/cell_types.h"
 #include "refusal.h"
 #include "source_cell.h"
@@ -165,7 +166,10 @@ json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& co
 		return nullptr;
 	json cells = {{"types", writer.write(NumberType::uint8, types.data(), types.size())}};
 	if (curved)
+	{
 		cells["curved"] = true;
+		writeShapeArrays(writer, grid, cells);
+	}
 	if (counts.trimmed > trimmed_before)
 		writeTrimmed(writer, types, lists, cells);
 	else

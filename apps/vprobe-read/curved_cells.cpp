@@ -1,19 +1,27 @@
 #include "curved_cells.h"
 
 #include "cell_lists.h"
-#include "grid/curved_cells.h"
+#include "cells_in_order.h"
+#include "grid/curved_types.h"
 #include "read/cell_types.h"
 #include "refusal.h"
 #include "source_cell.h"
 #include "visible_cells.h"
 
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCellTypes.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <string_view>
+#include <vector>
 
 using namespace vp::read;
 
@@ -26,6 +34,13 @@ std::string_view shortName(std::uint8_t type)
 	if (name.starts_with("vtk"))
 		name.remove_prefix(3);
 	return name;
+}
+
+void checkPoints(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids)
+{
+	for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+		if (ids->GetId(i) < 0 || ids->GetId(i) >= grid->GetNumberOfPoints())
+			throw damaged(fmt::format("cell {} lists point {} of {}", cell, ids->GetId(i), grid->GetNumberOfPoints()));
 }
 
 } // namespace
@@ -42,21 +57,56 @@ bool keepsCurved(vtkUnstructuredGrid* grid, double tolerance)
 		any = isCurved(types->GetValue(c));
 	if (!any)
 		return false;
+	findShapeArrays(grid);
 	vtkUnsignedCharArray* ghosts = ghostMarks(grid);
+	SourceCells source(grid);
+	CellsInOrder order(grid, source);
+	vtkNew<vtkIdList> ids;
 	for (vtkIdType c = 0; c < count; ++c)
 	{
 		const std::uint8_t type = types->GetValue(c);
 		if (cellDimension(type) < 3 || (ghosts && (ghosts->GetValue(c) & kHiddenCellBits)))
 			continue;
 		const vtkIdType points = grid->GetCells()->GetCellSize(c);
-		const bool tetrahedron = type == vp::grid::kQuadraticTetra || type == vp::grid::kLagrangeTetra;
-		if (tetrahedron ? points == vp::grid::kQuadraticTetraNodes : slicedCellSize(type) > 0)
+		if (slicedCellSize(type) > 0)
 			continue;
-		if (type == vp::grid::kQuadraticTetra)
+		if (!vp::grid::isCurved(type))
+			throw Refusal(fmt::format("--refine {}: cell {} is a {} of {} points, which a tolerance does not refine; "
+			                          "give a level, such as --refine 1",
+			                          tolerance, c, shortName(type), points));
+		if (const int fixed = vp::grid::fixedNodes(type); fixed > 0 && points != fixed)
 			throw damaged(fmt::format("cell {} of type {} lists {} points", c, type, points));
-		throw Refusal(fmt::format("--refine {}: a tolerance refines quadratic tetrahedra, and cell {} is a {} of {} "
-		                          "points; give a level, such as --refine 1",
-		                          tolerance, c, shortName(type), points));
+		if (!vp::grid::hasDegrees(type))
+			continue;
+		grid->GetCells()->GetCellAtId(c, ids);
+		checkPoints(grid, c, ids);
+		order.add(c, type, source.enter(c, type, ids), ids);
 	}
+	order.apply();
 	return true;
+}
+
+void writeShapeArrays(ArrayWriter& writer, vtkUnstructuredGrid* grid, nlohmann::json& cells)
+{
+	vtkDataArray* degrees = grid->GetCellData()->GetHigherOrderDegrees();
+	if (degrees && degrees->GetNumberOfComponents() == 3 && degrees->GetNumberOfTuples() == grid->GetNumberOfCells())
+	{
+		std::vector<std::int32_t> numbers;
+		for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+			for (int axis = 0; axis < 3; ++axis)
+			{
+				const double degree = degrees->GetComponent(c, axis);
+				numbers.push_back(degree >= 1.0 && degree <= vp::grid::kMaxDegree ? static_cast<std::int32_t>(degree)
+				                                                                  : 0);
+			}
+		cells["degrees"] = writer.write(vp::grid::NumberType::int32, numbers.data(), 4 * numbers.size());
+	}
+	vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
+	if (weights && weights->GetNumberOfComponents() == 1 && weights->GetNumberOfTuples() == grid->GetNumberOfPoints())
+	{
+		std::vector<double> numbers;
+		for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+			numbers.push_back(weights->GetComponent(p, 0));
+		cells["weights"] = writer.write(vp::grid::NumberType::float64, numbers.data(), 8 * numbers.size());
+	}
 }

@@ -1,6 +1,7 @@
 #include "linearize.h"
 
 #include "cell_lists.h"
+#include "cells_in_order.h"
 #include "grown_cells.h"
 #include "linear_parts.h"
 #include "new_nodes.h"
@@ -39,19 +40,6 @@ constexpr double kMaxRefinedCells = 1e8;
 bool isPrism(std::uint8_t type)
 {
 	return type == VTK_PENTAGONAL_PRISM || type == VTK_HEXAGONAL_PRISM;
-}
-
-// Some writers give these arrays their names, and do not say what they are for.
-void findShapeArrays(vtkUnstructuredGrid* grid)
-{
-	vtkCellData* cells = grid->GetCellData();
-	if (vtkDataArray* degrees = cells->GetArray("HigherOrderDegrees");
-	    degrees && degrees->GetNumberOfComponents() == 3 && !cells->GetHigherOrderDegrees())
-		cells->SetHigherOrderDegrees(degrees);
-	vtkPointData* points = grid->GetPointData();
-	if (vtkDataArray* weights = points->GetArray("RationalWeights");
-	    weights && weights->GetNumberOfComponents() == 1 && !points->GetRationalWeights())
-		points->SetRationalWeights(weights);
 }
 
 bool isRewritten(std::uint8_t type)
@@ -102,12 +90,11 @@ private:
 
 	bool isShown(vtkIdType cell) const { return !ghosts_ || (ghosts_->GetValue(cell) & kHiddenCellBits) == 0; }
 
-	// Counts the parts before any is made, and finds the order of the nodes.
+	// Counts the parts before any is made, and brings the nodes into VTK's order.
 	void lookAtCells()
 	{
 		double cells = 0.0;
-		bool is_doubtful = false;
-		std::vector<Vec3> nodes;
+		CellsInOrder order(grid_, source_);
 		for (vtkIdType c = 0; c < grid_->GetNumberOfCells(); ++c)
 		{
 			const std::uint8_t type = loadCell(c);
@@ -115,39 +102,13 @@ private:
 				continue;
 			CellKind& kind = source_.enter(c, type, ids_);
 			cells += countParts(kind.split, level_);
-			if (!kind.order.isDoubtful())
-				continue;
-			is_doubtful = true;
-			nodes.clear();
-			for (vtkIdType n = 0; n < ids_->GetNumberOfIds(); ++n)
-				nodes.push_back(nodes_.at(ids_->GetId(n)));
-			kind.order.weigh(nodes);
+			order.add(c, type, kind, ids_);
 		}
 		if (level_ > 0 && cells > kMaxRefinedCells)
 			throw Refusal(
 			    fmt::format("--refine {} makes {:.0f} linear cells of it, more than {:.0f}; give a lower level", level_,
 			                cells, kMaxRefinedCells));
-		if (is_doubtful)
-			putNodesInOrder();
-	}
-
-	// VTK's shape functions take the nodes, and their rational weights, from the grid.
-	void putNodesInOrder()
-	{
-		vtkNew<vtkIdList> ordered;
-		for (vtkIdType c = 0; c < grid_->GetNumberOfCells(); ++c)
-		{
-			const std::uint8_t type = loadCell(c);
-			if (!isShown(c) || !isCurved(type))
-				continue;
-			const NodeOrder& order = source_.enter(c, type, ids_).order;
-			if (!order.isDoubtful() || order.isVtk())
-				continue;
-			ordered->SetNumberOfIds(ids_->GetNumberOfIds());
-			for (vtkIdType n = 0; n < ids_->GetNumberOfIds(); ++n)
-				ordered->SetId(n, ids_->GetId(order.best()[static_cast<std::size_t>(n)]));
-			grid_->GetCells()->ReplaceCellAtId(c, ordered);
-		}
+		order.apply();
 	}
 
 	void addCurved(std::uint8_t type)

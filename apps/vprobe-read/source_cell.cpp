@@ -119,6 +119,18 @@ bool isCurved(std::uint8_t type)
 	return fixedPoints(type) > 0 || hasDegrees(type);
 }
 
+void findShapeArrays(vtkUnstructuredGrid* grid)
+{
+	vtkCellData* cells = grid->GetCellData();
+	if (vtkDataArray* degrees = cells->GetArray("HigherOrderDegrees");
+	    degrees && degrees->GetNumberOfComponents() == 3 && !cells->GetHigherOrderDegrees())
+		cells->SetHigherOrderDegrees(degrees);
+	vtkPointData* points = grid->GetPointData();
+	if (vtkDataArray* weights = points->GetArray("RationalWeights");
+	    weights && weights->GetNumberOfComponents() == 1 && !points->GetRationalWeights())
+		points->SetRationalWeights(weights);
+}
+
 SourceCells::SourceCells(vtkUnstructuredGrid* grid) : grid_(grid) {}
 
 SourceCells::~SourceCells() = default;

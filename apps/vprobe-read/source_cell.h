@@ -13,10 +13,14 @@
 class vtkCell;
 class vtkDataArray;
 class vtkIdList;
+class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 
 // Cells whose shape functions are not linear: quadratic, Lagrange and Bézier.
 bool isCurved(std::uint8_t type);
+
+// Some writers give the arrays of degrees and of rational weights their names, and do not say what they are for.
+void findShapeArrays(vtkUnstructuredGrid* grid);
 
 // One kind of curved cell: how it is cut, and where its points lie in the cell's own coordinates. Those of a pyramid
 // run from its base square to (1/2, 1/2, 1), so that the middle of two places is the middle of the edge between them.
@@ -40,6 +44,9 @@ public:
 	// type.
 	CellKind& enter(vtkIdType cell, std::uint8_t type, vtkIdList* points);
 
+	// The degrees of a Lagrange or Bezier cell, as enter() checks them.
+	std::array<int, 3> degreesOf(vtkIdType cell, std::uint8_t type, vtkIdType points) const;
+
 	// The shape functions of the cell entered last.
 	std::span<const double> weights(const vp::Vec3& at);
 
@@ -52,7 +59,6 @@ private:
 		auto operator<=>(const KindKey&) const = default;
 	};
 
-	std::array<int, 3> degreesOf(vtkIdType cell, std::uint8_t type, vtkIdType points) const;
 	vtkCell* prototype(std::uint8_t type);
 	void makeRational(vtkDataArray* rational);
 

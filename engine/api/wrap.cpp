@@ -1,6 +1,7 @@
 #include "api/states.h"
 #include "grid/curved_cells.h"
 #include "read/build_block.h"
+#include "read/check_curved.h"
 #include "read/check_mesh.h"
 #include "read/manifest.h"
 #include "read/tolerance.h"
@@ -64,12 +65,11 @@ void checkTolerance(const vp::grid::CellList& cells, double tolerance)
 	if (vp::read::isTolerance(tolerance) && tolerance >= vp::read::kMinTolerance)
 		return;
 	const auto types = cells.types.span();
-	const auto curved = std::ranges::find_if(
-	    types, [](std::uint8_t type) { return type == vp::grid::kQuadraticTetra || type == vp::grid::kLagrangeTetra; });
+	const auto curved = std::ranges::find_if(types, vp::grid::isCurved);
 	throw Unusable(
-	    fmt::format("cell {} is a quadratic tetrahedron, and `tolerance` is {}; give one from {} to below 1, "
-	                "or cells of linear types",
-	                curved - types.begin(), tolerance, vp::read::kMinTolerance));
+	    fmt::format("cell {} of type {} is curved, and `tolerance` is {}; give one from {} to below 1, or cells "
+	                "of linear types",
+	                curved - types.begin(), *curved, tolerance, vp::read::kMinTolerance));
 }
 
 // Makes the grid of a block. `points` and `cells` get the number of values that its arrays need.
@@ -166,6 +166,39 @@ vp::grid::Field fieldOf(const Field& field)
 	return made;
 }
 
+// Takes the arrays that say of what degrees Lagrange and Bezier cells are, and how rational, by the names that VTK's
+// files give them.
+void takeShapeArrays(vp::read::CheckedBlock& block)
+{
+	auto* mesh = std::get_if<vp::read::CellMesh>(&block.mesh);
+	if (!mesh || !mesh->curved)
+		return;
+	for (const vp::grid::Field& field : block.fields)
+	{
+		const bool is_point = field.association == vp::grid::Association::point;
+		if (!is_point && field.name == "HigherOrderDegrees" && field.components == 3)
+		{
+			std::vector<std::int32_t> degrees;
+			for (std::size_t c = 0; c < field.tuples(); ++c)
+				for (int axis = 0; axis < 3; ++axis)
+				{
+					const double degree = field.value(c, axis);
+					const bool is_one = degree >= 1.0 && degree <= vp::grid::kMaxDegree;
+					degrees.push_back(is_one ? static_cast<std::int32_t>(degree) : 0);
+				}
+			mesh->degrees = std::move(degrees);
+		}
+		if (is_point && field.name == "RationalWeights" && field.components == 1)
+		{
+			std::vector<double> weights;
+			for (std::size_t p = 0; p < field.tuples(); ++p)
+				weights.push_back(field.value(p, 0));
+			mesh->weights = std::move(weights);
+		}
+	}
+	vp::read::checkCurvedCells(*mesh);
+}
+
 } // namespace
 
 vp::grid::BlockSet wrapped(std::vector<Block> blocks, std::vector<ArraySizes>& sizes)
@@ -185,6 +218,7 @@ try
 			vp::read::checkField(checked.fields.back(), wrapper.points, wrapper.cells);
 		}
 		sizes.push_back({wrapper.points, wrapper.cells});
+		takeShapeArrays(checked);
 		checked.length_units = block.length_units;
 		set.blocks.push_back(vp::read::buildBlock(std::move(checked), block.name, false, true, wrapper.tolerance));
 	}

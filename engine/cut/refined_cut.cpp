@@ -13,12 +13,16 @@ namespace vp::cut
 namespace
 {
 
-std::vector<surface::Plane> planesOf(const probe::Probe& probe)
+refine::Sheets sheetsOf(const probe::Probe& probe)
 {
-	std::vector<surface::Plane> planes;
+	refine::Sheets sheets;
 	for (const probe::Sheet& sheet : probe::placed(probe).sheets)
-		planes.push_back(probe::content(sheet).plane());
-	return planes;
+		if (sheet.form)
+			sheets.others.push_back(std::visit([](auto&& placed) { return surface::BlockSurface(placed); },
+			                                   sheet.form->placed(sheet.axes())));
+		else
+			sheets.planes.push_back(probe::content(sheet).plane());
+	return sheets;
 }
 
 std::vector<grid::FieldChoice> shownFields(const CutRequest& request)
@@ -38,7 +42,7 @@ Result<Cut> cutRefined(refine::Refiner& refiner, const grid::BlockSet& blocks, c
 	if (const Result<find::CutPlan> plan = find::planCut(request.forPlan(), blocks, nullptr); !plan)
 		return plan.error();
 	std::optional<TimedSection> section(std::in_place, request.timeline, "refine");
-	Result<refine::Refined> refined = refiner.refine(planesOf(request.probe), shownFields(request), stop);
+	Result<refine::Refined> refined = refiner.refine(sheetsOf(request.probe), shownFields(request), stop);
 	if (!refined)
 		return refined.error();
 	section.reset();

@@ -192,9 +192,10 @@ BlockPlan planBlock(const PlannedSheet& at, bool has_device, bool holds)
 /// Returns what of a request goes with linear cells alone, null if there is nothing.
 const char* needsLinearCells(const PlanRequest& request)
 {
-	if (request.surface ||
-	    std::ranges::any_of(request.sheets, [](const probe::Sheet& s) { return s.form.has_value(); }))
-		return "a surface that is no plane";
+	if (request.surface)
+		return "a surface of the grid";
+	if (std::ranges::any_of(request.sheets, [](const probe::Sheet& s) { return s.form && s.form->isoValue(); }))
+		return "the surface of one value";
 	if (request.has_threshold)
 		return "a threshold";
 	if (request.seed_mode != seed::SeedMode::automatic || request.looks_for_hot_spot)
@@ -206,7 +207,7 @@ const char* needsLinearCells(const PlanRequest& request)
 	return nullptr;
 }
 
-/// Planes alone cut curved cells, whose parts have no neighbors.
+/// The parts of curved cells have no neighbors.
 Result<CutPlan> planRefined(const PlanRequest& request, const grid::BlockSet& blocks)
 {
 	if (const char* what = needsLinearCells(request))
@@ -222,7 +223,7 @@ Result<CutPlan> planRefined(const PlanRequest& request, const grid::BlockSet& bl
 			                         "keeps; read the files with `refine` 1",
 			                         block.name)};
 	const BlockPlan refined{Strategy::scan, Processor::cpu,
-	                        "curved cells: those that the plane may meet are refined, and their parts looked at once",
+	                        "curved cells: those that the sheet may meet are refined, and their parts looked at once",
 	                        ""};
 	return CutPlan{{request.sheets.size(), std::vector(blocks.blocks.size(), refined)}, false};
 }

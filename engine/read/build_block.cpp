@@ -22,7 +22,8 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies
 		    if constexpr (std::is_same_v<std::decay_t<decltype(mesh)>, CellMesh>)
 		    {
 			    if (mesh.curved)
-				    return takeCurvedCells(block, {std::move(mesh.points), std::move(mesh.cells), tolerance});
+				    return takeCurvedCells(block, {std::move(mesh.points), std::move(mesh.cells), tolerance,
+				                                   std::move(mesh.degrees), std::move(mesh.weights)});
 			    block.grid = grid::UnstructuredGrid::listed(std::move(mesh.points), std::move(mesh.cells));
 		    }
 		    else

@@ -150,11 +150,6 @@ bool areAlike(const grid::CellList& cells, const std::array<int, 256>& sizes)
 	                            std::logical_and<>());
 }
 
-bool isCurvedType(std::uint8_t type)
-{
-	return type == grid::kQuadraticTetra || type == grid::kLagrangeTetra;
-}
-
 struct Types
 {
 	bool alike = false; // all of one type with a table
@@ -175,15 +170,13 @@ Types checkTypes(const grid::CellList& cells, bool may_be_curved)
 		const auto type = static_cast<std::uint8_t>(t);
 		const int dimension = cellDimension(type);
 		const bool may_be = canBeSliced(type) || (dimension >= 0 && dimension < 3);
-		sizes[t] = may_be_curved && isCurvedType(type) ? grid::kQuadraticTetraNodes
-		           : may_be                            ? slicedCellSize(type)
-		                                               : -1;
+		sizes[t] = may_be_curved && grid::isCurved(type) ? grid::fixedNodes(type) : may_be ? slicedCellSize(type) : -1;
 	}
 	const std::uint8_t* types = cells.types.data();
 	if (!cells.offsets.empty() && areAlike(cells, sizes))
-		return {true, isCurvedType(types[0])};
+		return {true, grid::isCurved(types[0])};
 	const bool curved =
-	    may_be_curved && firstWhere(cells.size(), [=](std::size_t c) { return isCurvedType(types[c]); }) != kNone;
+	    may_be_curved && firstWhere(cells.size(), [=](std::size_t c) { return grid::isCurved(types[c]); }) != kNone;
 	if (curved)
 		sizes[kPolyhedron] = -1;
 	checkOffsets(cells.offsets, cells.connectivity.size(), "cell");

@@ -1,6 +1,7 @@
 #include "read/manifest.h"
 
 #include "base/ids.h"
+#include "read/check_curved.h"
 #include "read/check_mesh.h"
 #include "read/protocol.h"
 
@@ -166,6 +167,12 @@ private:
 		}
 		mesh.curved = lists.contains("curved");
 		checkCells(mesh.cells, mesh.points.size(), mesh.curved);
+		if (lists.contains("degrees"))
+			mesh.degrees = numbersOf<std::int32_t>(cells_, lists.at("degrees"), NumberType::int32, 3 * cells);
+		if (lists.contains("weights"))
+			mesh.weights = numbersOf<double>(cells_, lists.at("weights"), NumberType::float64, mesh.points.size());
+		if (mesh.curved)
+			checkCurvedCells(mesh);
 		if (lists.contains("source_cells"))
 			checkSources(lists, mesh);
 		return mesh;

@@ -26,7 +26,9 @@ struct CellMesh
 	grid::Points points;
 	grid::CellList cells;
 	std::size_t source_cell_count = 0; // if cells.source_cells says of which they are part
-	bool curved = false;               // quadratic tetrahedra may stand among the cells (grid/curved_cells.h)
+	bool curved = false;               // curved cells may stand among them (grid/curved_cells.h)
+	Array<std::int32_t> degrees{};     // see grid::CurvedCells
+	Array<double> weights{};           // likewise
 };
 
 struct CheckedBlock

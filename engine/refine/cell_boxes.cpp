@@ -18,7 +18,26 @@ namespace
 constexpr std::size_t kCells = 16;
 
 /// Of the control points of a cell: they hold all of it. nodes: of its nodes.
-Box boxOf(const grid::CurvedCells& curved, std::size_t cell, Box& nodes)
+Box boxOf(const grid::CurvedCells& curved, std::size_t cell, const CellKind& kind, Box& nodes)
+{
+	std::vector<double> at(3 * kind.nodes());
+	for (std::size_t n = 0; n < kind.nodes(); ++n)
+	{
+		const Vec3 node = curved.points[curved.node(cell, n)];
+		nodes.include(node);
+		std::copy_n(&node.x, 3, &at[3 * n]);
+	}
+	std::vector<Vec3> lattice(kind.lattice());
+	kind.toLattice(at.data(), 3, &lattice.data()->x);
+	std::vector<Vec3> control;
+	kind.controlPoints(lattice, control);
+	Box box;
+	for (const Vec3& point : control)
+		box.include(point);
+	return box;
+}
+
+Box boxOf(const grid::CurvedCells& curved, const CellKinds& kinds, std::size_t cell, Box& nodes)
 {
 	Box box;
 	const std::uint8_t type = curved.cells.types[cell];
@@ -29,8 +48,10 @@ Box boxOf(const grid::CurvedCells& curved, std::size_t cell, Box& nodes)
 		nodes.include(box);
 		return box;
 	}
-	if (type != grid::kQuadraticTetra && type != grid::kLagrangeTetra)
+	if (!curved.isCurved(cell))
 		return box;
+	if (!curved.isQuadratic(cell))
+		return boxOf(curved, cell, kinds.of(cell), nodes);
 	std::array<Vec3, grid::kQuadraticTetraNodes> at;
 	const std::size_t first = curved.start(cell);
 	for (std::size_t n = 0; n < at.size(); ++n)
@@ -50,7 +71,7 @@ Vec3 firstPoint(const grid::CurvedCells& curved, std::size_t cell)
 
 } // namespace
 
-CellBoxes::CellBoxes(const grid::CurvedCells& curved)
+CellBoxes::CellBoxes(const grid::CurvedCells& curved, const CellKinds& kinds)
 {
 	const std::size_t count = curved.cells.size();
 	Box corners;
@@ -75,7 +96,7 @@ CellBoxes::CellBoxes(const grid::CurvedCells& curved)
 		                  for (std::size_t i = b * kCells; i < std::min((b + 1) * kCells, count); ++i)
 		                  {
 			                  cells_[i] = keys[i].id;
-			                  boxes_[b].include(boxOf(curved, cells_[i], nodes[b]));
+			                  boxes_[b].include(boxOf(curved, kinds, cells_[i], nodes[b]));
 		                  }
 	                  });
 	Box bounds;
@@ -86,11 +107,11 @@ CellBoxes::CellBoxes(const grid::CurvedCells& curved)
 			reach_ = std::max({reach_, std::abs(bounds.lo[axis]), std::abs(bounds.hi[axis])});
 }
 
-std::vector<std::uint32_t> CellBoxes::cellsNear(std::span<const surface::Plane> planes) const
+std::vector<std::uint32_t> CellBoxes::cellsNear(const Sheets& sheets) const
 {
 	std::vector<std::uint32_t> near;
 	for (std::size_t b = 0; b < boxes_.size(); ++b)
-		if (std::ranges::any_of(planes, [&](const surface::Plane& plane) { return plane.meets(boxes_[b]); }))
+		if (sheets.meet(boxes_[b]))
 			near.insert(near.end(), cells_.begin() + static_cast<std::ptrdiff_t>(b * kCells),
 			            cells_.begin() + static_cast<std::ptrdiff_t>(std::min((b + 1) * kCells, cells_.size())));
 	return near;

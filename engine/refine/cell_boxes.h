@@ -2,10 +2,10 @@
 
 #include "base/vec.h"
 #include "grid/curved_cells.h"
-#include "surface/plane.h"
+#include "refine/cell_kinds.h"
+#include "refine/sheets.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace vp::refine
@@ -16,10 +16,10 @@ class CellBoxes
 {
 public:
 	/// Looks at every cell once, on all cores.
-	explicit CellBoxes(const grid::CurvedCells& cells);
+	CellBoxes(const grid::CurvedCells& cells, const CellKinds& kinds);
 
-	/// Returns the cells in the boxes that one of the planes meets, box by box.
-	std::vector<std::uint32_t> cellsNear(std::span<const surface::Plane> planes) const;
+	/// Returns the cells in the boxes that one of the sheets may meet, box by box.
+	std::vector<std::uint32_t> cellsNear(const Sheets& sheets) const;
 
 	/// Returns the largest absolute coordinate of a node.
 	double reach() const { return reach_; }

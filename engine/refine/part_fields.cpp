@@ -8,7 +8,9 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <span>
 #include <type_traits>
+#include <vector>
 
 namespace vp::refine
 {
@@ -28,6 +30,33 @@ std::array<double, grid::kQuadraticTetraNodes> weightsAt(const Vec3& place)
 	return weights;
 }
 
+/// The weights of the nodes of a point's cell.
+class Weights
+{
+public:
+	std::span<const double> at(const grid::CurvedCells& curved, const CellKinds& kinds, const PartPoint& point)
+	{
+		if (curved.isQuadratic(point.cell))
+		{
+			few_ = weightsAt(point.place);
+			return few_;
+		}
+		const CellKind& kind = kinds.of(point.cell);
+		many_.resize(2 * kind.nodes());
+		const std::span<double> weights = std::span(many_).first(kind.nodes());
+		const std::span<double> rational = std::span(many_).subspan(kind.nodes());
+		const bool is_rational = kind.isBezier() && !curved.weights.empty();
+		for (std::size_t n = 0; n < kind.nodes() && is_rational; ++n)
+			rational[n] = curved.weights[curved.node(point.cell, n)];
+		kind.weighNodes(point.place, is_rational ? rational : std::span<double>(), weights.data());
+		return weights;
+	}
+
+private:
+	std::array<double, grid::kQuadraticTetraNodes> few_;
+	std::vector<double> many_;
+};
+
 template <class T>
 const double kHighest = std::nextafter(std::ldexp(1.0, std::numeric_limits<T>::digits), 0.0);
 
@@ -43,7 +72,7 @@ T storedAs(double value, double lo, double hi)
 
 /// The values of one point. at(node): the values of a node of the cell.
 template <class T, class At>
-void interpolate(const std::array<double, grid::kQuadraticTetraNodes>& weights, int components, const At& at, T* values)
+void interpolate(std::span<const double> weights, int components, const At& at, T* values)
 {
 	for (int c = 0; c < components; ++c)
 	{
@@ -64,7 +93,8 @@ void interpolate(const std::array<double, grid::kQuadraticTetraNodes>& weights, 
 
 } // namespace
 
-grid::Field fieldOfParts(const grid::CurvedCells& curved, const PartList& parts, const grid::Field& field)
+grid::Field fieldOfParts(const grid::CurvedCells& curved, const CellKinds& kinds, const PartList& parts,
+                         const grid::Field& field)
 {
 	grid::Field made = field;
 	const auto width = static_cast<std::size_t>(field.components);
@@ -84,8 +114,9 @@ grid::Field fieldOfParts(const grid::CurvedCells& curved, const PartList& parts,
 				                return;
 			                }
 			                const std::size_t first = curved.start(point.cell);
+			                Weights weights;
 			                interpolate(
-			                    weightsAt(point.place), field.components,
+			                    weights.at(curved, kinds, point), field.components,
 			                    [&](std::size_t n, int c)
 			                    {
 				                    const auto node = static_cast<std::size_t>(curved.cells.connectivity[first + n]);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace vp::refine
 {
@@ -40,6 +41,13 @@ class PartList
 {
 public:
 	explicit PartList(std::size_t expected_points) : numbers_(expected_points) {}
+	/// Parts that are listed already. Nothing can be added.
+	PartList(RawVector<PartPoint> points, RawVector<std::uint32_t> corners, RawVector<std::uint8_t> types,
+	         RawVector<std::uint32_t> cells)
+	    : numbers_(0), points_(std::move(points)), corners_(std::move(corners)), types_(std::move(types)),
+	      cells_(std::move(cells))
+	{
+	}
 
 	std::uint32_t node(std::uint32_t file_node, const Vec3& position)
 	{

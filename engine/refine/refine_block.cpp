@@ -1,5 +1,6 @@
 #include "refine/refine_block.h"
 
+#include "refine/shape_refiner.h"
 #include "refine/tetrahedron.h"
 
 #include <tbb/parallel_for.h>
@@ -128,15 +129,31 @@ BlockParts refineRanges(const RangeRefiner<Values>& refiner, std::span<const std
 	return all;
 }
 
+/// Cells of any kind, along surfaces of any kind.
+BlockParts refineShapes(const grid::CurvedCells& curved, const CellKinds& kinds, const CellBoxes& boxes,
+                        const Sheets& sheets, std::span<const ShownArray> shown, const std::stop_token& stop)
+{
+	const double slack = 1e-12 * std::max(boxes.reach(), sheets.reach());
+	NearCells cells(curved, kinds, sheets, slack, shown);
+	cells.add(boxes.cellsNear(sheets));
+	BlockParts made{ShapeRefiner(curved, cells, sheets, boxes.reach()).refine(stop)};
+	made.looked_at = cells.curvedLookedAt();
+	made.cells = cells.curvedMet();
+	return made;
+}
+
 } // namespace
 
-BlockParts refineBlock(const grid::CurvedCells& curved, const CellBoxes& boxes, std::span<const surface::Plane> planes,
-                       std::span<const ShownArray> shown, const std::stop_token& stop)
+BlockParts refineBlock(const grid::CurvedCells& curved, const CellKinds& kinds, const CellBoxes& boxes,
+                       const Sheets& sheets, std::span<const ShownArray> shown, const std::stop_token& stop)
 {
+	if (!kinds.areQuadraticTetrahedra() || !sheets.others.empty())
+		return refineShapes(curved, kinds, boxes, sheets, shown, stop);
+	const std::span<const surface::Plane> planes = sheets.planes;
 	int width = 0;
 	for (const ShownArray& array : shown)
 		width += array.width();
-	const std::vector<std::uint32_t> near = boxes.cellsNear(planes);
+	const std::vector<std::uint32_t> near = boxes.cellsNear(sheets);
 	const auto run = [&]<int Values>()
 	{ return refineRanges(RangeRefiner<Values>(curved, boxes, planes, shown), near, stop); };
 	if (width == 0)

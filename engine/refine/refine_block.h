@@ -3,8 +3,9 @@
 #include "grid/curved_cells.h"
 #include "grid/field.h"
 #include "refine/cell_boxes.h"
+#include "refine/cell_kinds.h"
 #include "refine/part_list.h"
-#include "surface/plane.h"
+#include "refine/sheets.h"
 
 #include <cstddef>
 #include <span>
@@ -34,13 +35,14 @@ struct BlockParts
 	std::size_t cells = 0;
 };
 
-/// Refines the cells of a block that the planes meet, on all cores; the result is the same for any number of them.
+/// Refines the cells of a block that the sheets meet, on all cores; the result is the same for any number of them.
 /// Throws TooManyParts. On a stop request it returns what it has.
-BlockParts refineBlock(const grid::CurvedCells& curved, const CellBoxes& boxes, std::span<const surface::Plane> planes,
-                       std::span<const ShownArray> shown, const std::stop_token& stop);
+BlockParts refineBlock(const grid::CurvedCells& curved, const CellKinds& kinds, const CellBoxes& boxes,
+                       const Sheets& sheets, std::span<const ShownArray> shown, const std::stop_token& stop);
 
 /// Returns a point array at the points of the parts: by the shape functions of the cells. Integers are rounded, and
 /// stay between those of the cell's nodes.
-grid::Field fieldOfParts(const grid::CurvedCells& curved, const PartList& parts, const grid::Field& field);
+grid::Field fieldOfParts(const grid::CurvedCells& curved, const CellKinds& kinds, const PartList& parts,
+                         const grid::Field& field);
 
 } // namespace vp::refine

@@ -34,7 +34,7 @@ grid::UnstructuredGrid gridOf(const PartList& parts, std::size_t source_points)
 	return grid::UnstructuredGrid::listed(grid::Points(Array<double>(std::move(coordinates))), std::move(cells));
 }
 
-grid::Block blockOf(const grid::Block& block, const PartList& parts)
+grid::Block blockOf(const grid::Block& block, const CellKinds& kinds, const PartList& parts)
 {
 	grid::Block made;
 	made.name = block.name;
@@ -42,8 +42,8 @@ grid::Block blockOf(const grid::Block& block, const PartList& parts)
 	made.arrays_left_out = block.arrays_left_out;
 	made.grid = gridOf(parts, block.curved->points.size());
 	for (const grid::Field& field : block.fields)
-		made.fields.push_back(field.association == grid::Association::cell ? field
-		                                                                   : fieldOfParts(*block.curved, parts, field));
+		made.fields.push_back(
+		    field.association == grid::Association::cell ? field : fieldOfParts(*block.curved, kinds, parts, field));
 	finishBlock(made);
 	return made;
 }
@@ -57,15 +57,15 @@ Error tooMany(const grid::Block& block)
 
 } // namespace
 
-Refiner::Refiner(const grid::BlockSet& blocks) : blocks_(blocks), boxes_(blocks.blocks.size()) {}
+Refiner::Refiner(const grid::BlockSet& blocks) : blocks_(blocks), known_(blocks.blocks.size()) {}
 
 Refiner::~Refiner() = default;
 
-const CellBoxes& Refiner::boxesOf(std::size_t block)
+const Refiner::Known& Refiner::knownOf(std::size_t block)
 {
-	if (!boxes_[block])
-		boxes_[block] = std::make_unique<CellBoxes>(*blocks_.blocks[block].curved);
-	return *boxes_[block];
+	if (!known_[block])
+		known_[block] = std::make_unique<Known>(*blocks_.blocks[block].curved);
+	return *known_[block];
 }
 
 double Refiner::rangeOf(const grid::FieldChoice& choice)
@@ -80,7 +80,7 @@ double Refiner::rangeOf(const grid::FieldChoice& choice)
 	return range;
 }
 
-Result<Refined> Refiner::refine(std::span<const surface::Plane> planes, std::span<const grid::FieldChoice> shown,
+Result<Refined> Refiner::refine(const Sheets& sheets, std::span<const grid::FieldChoice> shown,
                                 const std::stop_token& stop)
 {
 	const std::lock_guard lock(mutex_);
@@ -113,13 +113,14 @@ Result<Refined> Refiner::refine(std::span<const surface::Plane> planes, std::spa
 			                         block.curved->tolerance, kMaxShownNumbers, width)};
 		try
 		{
-			const BlockParts made = refineBlock(*block.curved, boxesOf(b), planes, arrays, stop);
+			const Known& known = knownOf(b);
+			const BlockParts made = refineBlock(*block.curved, known.kinds, known.boxes, sheets, arrays, stop);
 			if (stop.stop_requested())
 				return Error{ErrorKind::cancelled, "cutting was cancelled"};
 			refined.looked_at += made.looked_at;
 			refined.cells += made.cells;
 			refined.parts += made.parts.types().size();
-			set->blocks.push_back(blockOf(block, made.parts));
+			set->blocks.push_back(blockOf(block, known.kinds, made.parts));
 		}
 		catch (const TooManyParts&)
 		{
@@ -140,8 +141,8 @@ std::size_t Refiner::bytes() const
 {
 	const std::lock_guard lock(mutex_);
 	std::size_t sum = 0;
-	for (const auto& boxes : boxes_)
-		sum += boxes ? boxes->bytes() : 0;
+	for (const auto& known : known_)
+		sum += known ? known->kinds.bytes() + known->boxes.bytes() : 0;
 	return sum;
 }
 

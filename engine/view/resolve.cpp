@@ -155,13 +155,15 @@ probe::Probe makeProbe(const ProbeSpec& spec, const Box& bounds)
 namespace
 {
 
-// Curved cells are refined where planes cut them, and nowhere else.
+// Curved cells are refined where sheets cut them, and nowhere else.
 Status refuseCurved(const ViewSpec& spec, const grid::BlockSet& blocks)
 {
 	if (std::ranges::none_of(blocks.blocks, [](const grid::Block& block) { return block.curved != nullptr; }))
 		return Nothing{};
+	const surface::ImplicitSurface* form = implicitSurface(spec.probe.surface);
 	for (const auto& [given, key] :
-	     {std::pair{!std::holds_alternative<std::monostate>(spec.probe.surface), "surface"},
+	     {std::pair{!std::holds_alternative<std::monostate>(spec.probe.surface) && (!form || form->isoValue()),
+	                "surface"},
 	      std::pair{spec.probe.crinkle, "crinkle"}, std::pair{spec.probe.threshold.has_value(), "threshold"},
 	      std::pair{spec.probe.vectors.on(), "vectors"}, std::pair{spec.look.contour.isGiven(), "contour"},
 	      std::pair{!spec.look.context.empty(), "context"},

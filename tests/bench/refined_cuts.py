@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Cuts of quadratic tetrahedra refined to a tolerance, beside VTK's tessellator and plane cutter, in one process.
+"""Cuts of quadratic cells refined to a tolerance, beside VTK's tessellator and plane cutter, in one process.
 
-usage: refined_cuts.py [--cubes N] [--chord LENGTH] [--rounds N] [--vtk-rounds N] [--write FILE]
-    --cubes: along an edge of a box that is cut into six tetrahedra each; 55 makes 1 million (default 55)
+usage: refined_cuts.py [--shape SHAPE] [--cubes N] [--chord LENGTH] [--rounds N] [--vtk-rounds N] [--write FILE]
+    --shape: tetrahedra, six of a cube, or hexahedra of 20 nodes, one of a cube (default tetrahedra)
+    --cubes: along an edge of the box; 55 makes 1 million tetrahedra (default 55)
     --chord: how far VTK's parts may be off (vtkTessellatorFilter's ChordError; default 2e-5)
     --rounds: how often cuts are measured; the least time is told (default 9)
     --vtk-rounds: the same for the tessellator (default 1)
@@ -18,7 +19,8 @@ import time
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, vtkCellArray, vtkPlane, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import (VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_TETRA, vtkCellArray, vtkPlane,
+                                          vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkPlaneCutter
 from vtkmodules.vtkFiltersGeneral import vtkTessellatorFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
@@ -26,6 +28,9 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 # Six tetrahedra about the diagonal of a cube, and the corners that the middles of their edges lie between.
 STEPS = ((0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (2, 1, 0), (1, 0, 2))
 EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
+# Corners of a cube, and of which of them a hexahedron has an edge.
+CORNERS = ((0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2))
+CUBE_EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
 NORMAL = np.array((.3, .5, .8)) / np.linalg.norm((.3, .5, .8))
 
 
@@ -39,8 +44,15 @@ def corners_of(steps):
     return corners
 
 
-def ball(n):
-    """A ball of 6 n^3 quadratic tetrahedra."""
+def cells_of_cube(shape):
+    """The corners of each cell of a cube, and its edges."""
+    if shape == 'hexahedra':
+        return [[np.array(corner) for corner in CORNERS]], CUBE_EDGES
+    return [corners_of(steps) for steps in STEPS], EDGES
+
+
+def ball(n, shape):
+    """A ball of 6 n^3 quadratic tetrahedra, or of n^3 quadratic hexahedra."""
     axis = np.linspace(-1, 1, 2 * n + 1)
     z, y, x = np.meshgrid(axis, axis, axis, indexing='ij')
     xx, yy, zz = x * x, y * y, z * z
@@ -50,19 +62,20 @@ def ball(n):
     k, j, i = np.meshgrid(*3 * [np.arange(0, 2 * n, 2)], indexing='ij')
     base = (i + width * (j + width * k)).ravel()
     shifts = []
-    for steps in STEPS:
-        corners = corners_of(steps)
-        nodes = corners + [(corners[a] + corners[b]) // 2 for a, b in EDGES]
+    cells_of, edges = cells_of_cube(shape)
+    for corners in cells_of:
+        nodes = corners + [(corners[a] + corners[b]) // 2 for a, b in edges]
         shifts.append([node[0] + width * (node[1] + width * node[2]) for node in nodes])
-    cells = (base[:, None, None] + np.array(shifts)).reshape(-1, 10)
+    size = len(shifts[0])
+    cells = (base[:, None, None] + np.array(shifts)).reshape(-1, size)
     mesh = vtkUnstructuredGrid()
     places = vtkPoints()
     places.SetData(numpy_to_vtk(points, deep=True))
     mesh.SetPoints(places)
     listed = vtkCellArray()
-    listed.SetData(numpy_to_vtkIdTypeArray(np.arange(0, cells.size + 1, 10), deep=True),
+    listed.SetData(numpy_to_vtkIdTypeArray(np.arange(0, cells.size + 1, size), deep=True),
                    numpy_to_vtkIdTypeArray(cells.ravel(), deep=True))
-    mesh.SetCells(VTK_QUADRATIC_TETRA, listed)
+    mesh.SetCells(VTK_QUADRATIC_HEXAHEDRON if shape == 'hexahedra' else VTK_QUADRATIC_TETRA, listed)
     return mesh
 
 
@@ -167,13 +180,14 @@ def write(mesh, name):
 
 def main():
     parser = argparse.ArgumentParser(usage=__doc__)
+    parser.add_argument('--shape', choices=('tetrahedra', 'hexahedra'), default='tetrahedra')
     parser.add_argument('--cubes', type=int, default=55)
     parser.add_argument('--chord', type=float, default=2e-5)
     parser.add_argument('--rounds', type=int, default=9)
     parser.add_argument('--vtk-rounds', type=int, default=1)
     parser.add_argument('--write')
     options = parser.parse_args()
-    mesh = ball(options.cubes)
+    mesh = ball(options.cubes, options.shape)
     if options.write:
         write(mesh, options.write)
         return
@@ -191,7 +205,7 @@ def main():
     ours.moved(.1)
     moved = least(lambda: ours.moved(next(places)), options.rounds)
     vtk_moved = least(lambda: vtk.cut(next(places)), options.rounds)
-    print(f'{mesh.GetNumberOfCells()} quadratic tetrahedra; VTK makes {vtk.parts.GetNumberOfCells()} parts with chords '
+    print(f'{mesh.GetNumberOfCells()} quadratic {options.shape}; VTK makes {vtk.parts.GetNumberOfCells()} parts with chords '
           f'off by {options.chord:g}, and our tolerance is {tolerance:g}\n')
     print('| | vprobe | VTK | ratio | vprobe, all cores | VTK, all cores | ratio |')
     print('| --- | --- | --- | --- | --- | --- | --- |')

@@ -228,6 +228,10 @@ TEST_F(Slice, ATolerantCutRefinesWhatItMeets)
 	EXPECT_GT(fine["sheets"][0]["area"], 1.5 * coarse["sheets"][0]["area"].get<double>());
 	EXPECT_EQ(fine["plan"][0]["strategy"], "scan");
 	EXPECT_TRUE(stats({file, "--origin", "0", "0", "0.3", "--refine", "1"})["refined"].is_null());
+	// An eighth of a sphere within the ball.
+	const nlohmann::json sphere =
+	    stats({file, "--origin", "0", "0", "0", "--surface", "sphere:0.5", "--refine", "1e-3"});
+	EXPECT_GT(sphere["sheets"][0]["area"], 0.1);
 	EXPECT_TRUE(isQuiet(run({"slice", file, "--refine", "0.01", "--normal", "1", "1", "1", "-o", path("cut.vtp")})));
 	EXPECT_TRUE(contains(contents(path("cut.vtp")), "Name=\"x\""));
 	EXPECT_TRUE(isQuiet(run({"profile", file, "--refine", "0.01", "--planes", "3"})) ||
@@ -239,7 +243,7 @@ TEST_F(Slice, WhatAToleranceDoesNotServeIsAUsageError)
 	const std::string file = write("ball.vtk", ballCorner());
 	for (const auto& [options, word] :
 	     std::vector<std::pair<Arguments, std::string>>{{{"--threshold", "0", "1"}, "threshold"},
-	                                                    {{"--surface", "sphere:0.5"}, "surface"},
+	                                                    {{"--surface", "iso:0.5"}, "surface"},
 	                                                    {{"--crinkle"}, "crinkle"},
 	                                                    {{"--contour", "0.5"}, "contour"},
 	                                                    {{"--seeds", "hotspot"}, "seeds"},

@@ -314,7 +314,7 @@ TEST(Wrap, QuadraticTetrahedraAreRefinedToATolerance)
 TEST(Wrap, WhatAToleranceDoesNotServeIsRefused)
 {
 	const BallCorner corner;
-	refused(corner.block(0.0), "cell 0 is a quadratic tetrahedron, and `tolerance` is 0");
+	refused(corner.block(0.0), "cell 0 of type 24 is curved, and `tolerance` is 0");
 	refused(corner.block(1.5), "`tolerance` is 1.5");
 	BallCorner short_of_nodes;
 	short_of_nodes.offsets = {0, 9};
@@ -325,7 +325,13 @@ TEST(Wrap, WhatAToleranceDoesNotServeIsRefused)
 	refused(wild.block(0.01), "point 10 of 10");
 	BallCorner hexahedron;
 	hexahedron.types = {25};
-	refused(hexahedron.block(0.01), "type 25");
+	refused(hexahedron.block(0.01), "cell 0 of type 25 lists 10 points");
+	BallCorner lagrange;
+	lagrange.types = {72};
+	refused(lagrange.block(0.01), "no cell of degrees up to 10");
+	BallCorner pyramid;
+	pyramid.types = {37};
+	refused(pyramid.block(0.01), "type 37");
 	const auto cut = wrap(corner.block(0.01)).cut(View().threshold(0.0, 1.0));
 	ASSERT_FALSE(cut);
 	EXPECT_EQ(cut.error().kind, ErrorKind::usage);

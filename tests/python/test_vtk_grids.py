@@ -390,6 +390,30 @@ def test_results_go_back_to_vtk():
     assert lines.GetNumberOfLines() > 0 and lines.GetPointData().GetArray('time')
 
 
+@pytest.mark.parametrize('kind, count', ((25, 20), (29, 27), (72, 27), (79, 27)))
+def test_curved_hexahedra_are_refined_to_a_tolerance(kind, count):
+    step = {0: (0, 0, 0), 1: (1, 0, 0), 2: (1, 1, 0), 3: (0, 1, 0)}
+    corners = [np.array(step[i % 4]) + (0, 0, i // 4) for i in range(8)]
+    edges = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]
+    faces = [(0, 3, 7, 4), (1, 2, 6, 5), (0, 1, 5, 4), (3, 2, 6, 7), (0, 1, 2, 3), (4, 5, 6, 7), tuple(range(8))]
+    places = corners + [np.mean([corners[i] for i in group], axis=0) for group in edges + faces]
+    x, y, z = np.array(places[:count], float).T
+    middle = (y == .5) if kind == 79 else np.zeros(count, bool)  # handles, which lie where tangents meet
+    points = np.column_stack(((1 + x) * np.where(middle, 1, np.cos(y * np.pi / 2)),
+                              (1 + x) * np.where(middle, 1, np.sin(y * np.pi / 2)), z))
+    mesh = model.vtkUnstructuredGrid()
+    mesh.SetPoints(vtk_points(points))
+    mesh.InsertNextCell(kind, count, list(range(count)))
+    weights = named(np.where(middle, np.sqrt(.5), 1.0), 'w')
+    mesh.GetPointData().AddArray(weights)
+    mesh.GetPointData().SetRationalWeights(weights)
+    off = [abs(vprobe.wrap(mesh, tolerance=each, classify='cpu').slice(origin=(0, 0, .3), normal=(0, 0, 1)).area
+               / (.75 * np.pi) - 1) for each in (.3, .01, .0005)]
+    assert off[2] < (1e-3 if kind == 79 else .03) and off[0] > off[1]
+    with pytest.raises(vprobe.InputError, match='give a tolerance'):
+        vprobe.wrap(mesh)
+
+
 def test_quadratic_tetrahedra_are_refined_to_a_tolerance():
     h = np.sqrt(.5)  # the corner of a ball
     points = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (.5, 0, 0), (h, h, 0), (0, .5, 0), (0, 0, .5),

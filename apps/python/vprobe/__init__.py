@@ -37,8 +37,8 @@ def wrap(mesh: Any, *, copy: bool = False, tolerance: float = 0.0, classify: str
     copy : bool
         Arrays that cannot be shared are copied. If False, they raise InputError.
     tolerance : float, optional
-        Between 0 and 1, of quadratic tetrahedra: slices refine those that they meet, until they are off by no more than
-        this share of their size, and of the range of the array that is shown.
+        Between 0 and 1, of curved cells (quadratic, Lagrange, Bezier): slices refine those that they meet, until they
+        are off by no more than this share of their size, and of the range of the array that is shown.
     classify, device : str
         As of `open`.
 

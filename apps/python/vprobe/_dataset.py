@@ -504,7 +504,7 @@ def open(files: Union[File, Sequence[File]], *, time: Union[str, float, None] = 
         PLOT3D solution file, where its name does not follow from the grid's.
     refine : int or float
         How often the linear parts of curved cells are halved, 0 to 6. Between 0 and 1 a tolerance: slices refine the
-        quadratic tetrahedra that they meet, until they are off by no more than this share of their size and of the
+        curved cells that they meet, until they are off by no more than this share of their size and of the
         range of the array that is shown.
     displace : float
         Points of Exodus files move by their displacements, times this.

@@ -14,7 +14,8 @@ Arrays = Optional[Mapping[str, npt.NDArray[Any]]]
 Lattice = Tuple[int, int, int]
 
 # VTK's numbers of the cells that can be cut, and how many points they have.
-CELL_TYPES = {'tetra': 10, 'quadratic_tetra': 24, 'voxel': 11, 'hexahedron': 12, 'wedge': 13, 'pyramid': 14, 'polyhedron': 42}
+CELL_TYPES = {'tetra': 10, 'voxel': 11, 'hexahedron': 12, 'wedge': 13, 'pyramid': 14, 'quadratic_tetra': 24,
+              'quadratic_hexahedron': 25, 'quadratic_wedge': 26, 'quadratic_pyramid': 27, 'polyhedron': 42}
 CELL_SIZES = {10: 4, 11: 8, 12: 8, 13: 6, 14: 5}
 
 
@@ -187,11 +188,12 @@ def unstructured(points: npt.NDArray[Any], cells: Union[npt.NDArray[Any], Tuple[
     cells : ndarray of shape (n, k), or (offsets, connectivity)
         Numbers of points, int32 or int64, in rows of k, or one after the other with n + 1 offsets.
     types : str, int or ndarray of shape (n,)
-        ``"tetra"``, ``"hexahedron"``, ``"wedge"``, ``"pyramid"``, ``"voxel"``, ``"quadratic_tetra"``, or VTK's numbers,
-        for all cells or for each.
+        ``"tetra"``, ``"hexahedron"``, ``"wedge"``, ``"pyramid"``, ``"voxel"``, ``"quadratic_tetra"``,
+        ``"quadratic_hexahedron"``, ``"quadratic_wedge"``, ``"quadratic_pyramid"``, or VTK's numbers, for all cells or
+        for each.
     tolerance : float, optional
-        Of quadratic tetrahedra, VTK's type 24 with 10 nodes each: slices refine those that they meet, until they are
-        off by no more than this share of their size, and of the range of the array that is shown.
+        Of curved cells, quadratic, Lagrange and Bezier ones: slices refine those that they meet, until they are off by
+        no more than this share of their size, and of the range of the array that is shown.
     point_data, cell_data, copy, **options
         As of `image`; arrays have the shape (n,) or (n, components).
 

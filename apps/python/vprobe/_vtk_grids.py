@@ -23,8 +23,8 @@ HIDDEN_CELL = 1 | 8 | 32
 HIDDEN_POINT = 2
 GHOSTS = 'vtkGhostType'
 EMPTY_CELL, HEXAHEDRON, POLYHEDRON = 0, 12, 42
-# Curved cells that a tolerance refines, by VTK's type; they have 10 nodes.
-QUADRATIC_TETRAHEDRA = (24, 71)
+# Curved cells that a tolerance refines, by VTK's type: quadratic, Lagrange and Bezier ones.
+CURVED_TYPES = (24, 25, 26, 27, 29, 31, 32, 33, 71, 72, 73, 78, 79, 80)
 FLAT_TYPES = (*range(0, 10), 21, 22, 23, 28, 30, 34, 35, 36, *range(51, 55), *range(60, 64), 68, 69, 70, 75, 76, 77)
 
 
@@ -57,6 +57,17 @@ def fields_of(data: Any, copy: bool) -> List[Tuple[Any, ...]]:
             fields.append((name, place, array.GetNumberOfComponents(), numpy_of(array, copy, f'the array {name}'),
                            _units_of(array)))
     return fields
+
+
+def _shape_arrays(data: Any, copy: bool) -> List[Tuple[Any, ...]]:
+    """The degrees and rational weights of curved cells that are marked as such and have another name."""
+    arrays: List[Tuple[Any, ...]] = []
+    for place, attributes, name, array in (
+            ('cell', data.GetCellData(), 'HigherOrderDegrees', data.GetCellData().GetHigherOrderDegrees()),
+            ('point', data.GetPointData(), 'RationalWeights', data.GetPointData().GetRationalWeights())):
+        if array is not None and attributes.GetArray(name) is None:
+            arrays.append((name, place, array.GetNumberOfComponents(), numpy_of(array, copy, f'the array {name}'), ''))
+    return arrays
 
 
 def _units_of(array: Any) -> str:
@@ -177,10 +188,10 @@ def _cells_block(data: Any, copy: bool, tolerance: float) -> Dict[str, Any]:
         types = np.full(count, HEXAHEDRON, np.uint8)
     # Mostly all cells are of one type, which two passes tell in no time.
     present = [int(types[0])] if types.min() == types.max() else np.flatnonzero(np.bincount(types)).tolist()
-    refined = QUADRATIC_TETRAHEDRA if tolerance else ()
+    refined = CURVED_TYPES if tolerance else ()
     curved = [each for each in present if each not in CELL_SIZES and each not in (*FLAT_TYPES, *refined, POLYHEDRON)]
     if curved:
-        remedy = 'give a tolerance, or ' if all(each in QUADRATIC_TETRAHEDRA for each in curved) else ''
+        remedy = 'give a tolerance, or ' if all(each in CURVED_TYPES for each in curved) else ''
         raise InputError(f'cells of type {", ".join(map(str, curved))} are curved, or have other faces than cells that '
                          f'can be cut; {remedy}write the grid to a file, and use vprobe.open, which makes linear cells '
                          'of them')
@@ -243,6 +254,8 @@ def blocks_of(mesh: Any, copy: bool, tolerance: float = 0.0) -> List[Tuple[Any, 
             refused = f'; {error}'
             continue
         block['fields'] = fields_of(data, copy)
+        if tolerance:
+            block['fields'] += _shape_arrays(data, copy)
         block['name'] = name
         blocks.append((data, block))
     if not blocks:

@@ -138,8 +138,8 @@ CLI::Option* addInputs(CLI::App& command, SpecOptions& options)
 	command
 	    .add_option("--refine", input.refine,
 	                fmt::format("Cut curved cells (quadratic, Lagrange, Bezier) into finer linear parts: halve the "
-	                            "parts this many times more, 0 to {}. Or, between 0 and 1, refine quadratic "
-	                            "tetrahedra where a sheet meets them, until they are off by no more than this share of "
+	                            "parts this many times more, 0 to {}. Or, between 0 and 1, refine curved cells "
+	                            "where a sheet meets them, until they are off by no more than this share of "
 	                            "their size and of the array's range",
 	                            read::kMaxRefine))
 	    ->type_name("LEVEL|TOL")

@@ -53,7 +53,9 @@ struct Unstructured
 	Numbers connectivity; // int32 or int64 ids of points
 	Numbers face_offsets; // of polyhedra: int64, cells + 1 into the stream; empty without
 	Numbers face_stream;  // int64: per polyhedron faces, then per face its size and its points
-	/// Quadratic tetrahedra need one: the tolerance, between 0 and 1, to which cuts refine the cells that they meet.
+	/// Curved cells need one: the tolerance, between 0 and 1, to which cuts refine the cells that they meet. Nodes are
+	/// in VTK's order since 9.1. Lagrange and Bezier cells have the same degree along all axes unless there is a cell
+	/// array "HigherOrderDegrees" of three components; a point array "RationalWeights" makes Bezier cells rational.
 	/// Their nodes are shared and never copied, and cells of linear types may stand among them, polyhedra apart.
 	double tolerance = 0.0;
 	/// Cells of one linear type: whether their ids name points is seen by the first cut, in passing, which then is an

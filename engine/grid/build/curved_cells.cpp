@@ -16,7 +16,7 @@ namespace vp::grid
 namespace
 {
 
-/// The same cells without the nodes on their edges.
+/// The same cells without the nodes between their corners.
 template <class Id>
 CellList cornersOf(const CurvedCells& curved, std::span<const Id> nodes)
 {
@@ -25,7 +25,7 @@ CellList cornersOf(const CurvedCells& curved, std::span<const Id> nodes)
 	std::vector<std::int64_t> offsets(count + 1);
 	for (std::size_t c = 0; c < count; ++c)
 	{
-		types[c] = curved.isQuadratic(c) ? kTetra : curved.cells.types[c];
+		types[c] = curved.isCurved(c) ? linearType(cornerShape(curved.cells.types[c])) : curved.cells.types[c];
 		offsets[c + 1] = offsets[c] + (isSliceable(types[c]) ? topology(shapeOf(types[c])).points : 0);
 	}
 	std::vector<Id> corners(static_cast<std::size_t>(offsets[count]));
@@ -42,7 +42,7 @@ CellList cornersOf(const CurvedCells& curved, std::span<const Id> nodes)
 	return list;
 }
 
-/// Of the nodes on edges.
+/// Of the nodes between corners.
 Box boundsOfMiddles(const CurvedCells& curved)
 {
 	return tbb::parallel_reduce(
@@ -50,10 +50,9 @@ Box boundsOfMiddles(const CurvedCells& curved)
 	    [&](const tbb::blocked_range<std::size_t>& range, Box box)
 	    {
 		    for (std::size_t c = range.begin(); c < range.end(); ++c)
-			    if (curved.isQuadratic(c))
-				    for (int n = 4; n < kQuadraticTetraNodes; ++n)
-					    box.include(
-					        curved.points[static_cast<std::size_t>(curved.cells.connectivity[curved.start(c) + n])]);
+			    if (curved.isCurved(c))
+				    for (std::size_t n = 4; n < curved.nodes(c); ++n)
+					    box.include(curved.points[curved.node(c, n)]);
 		    return box;
 	    },
 	    [](Box a, const Box& b)
@@ -64,6 +63,18 @@ Box boundsOfMiddles(const CurvedCells& curved)
 }
 
 } // namespace
+
+std::array<int, 3> CurvedCells::degreesOf(std::size_t cell) const
+{
+	const std::uint8_t type = cells.types[cell];
+	const bool is_tetrahedron = cornerShape(type) == CellShape::tetrahedron;
+	if (hasMiddles(type, nodes(cell)))
+		return {2, 2, 2};
+	if (!degrees.empty() && !is_tetrahedron)
+		return {degrees[3 * cell], degrees[3 * cell + 1], degrees[3 * cell + 2]};
+	const int degree = degreeOf(type, nodes(cell)).value_or(0);
+	return {degree, degree, degree};
+}
 
 void takeCurvedCells(Block& block, CurvedCells curved)
 {

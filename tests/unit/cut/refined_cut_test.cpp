@@ -5,6 +5,7 @@
 #include "measure/stats.h"
 #include "mesh/mesh_values.h"
 #include "quadratic_cube.h"
+#include "refined_section.h"
 #include "sliced_sheet.h"
 
 #include <gtest/gtest.h>
@@ -14,94 +15,12 @@
 #include <map>
 #include <numbers>
 #include <random>
-#include <stdexcept>
 
 namespace vp::test
 {
 
 namespace
 {
-
-Vec3 still(Vec3 p)
-{
-	return p;
-}
-
-// The cube as a ball of radius 1.
-Vec3 ball(Vec3 p)
-{
-	const Vec3 s = p * p;
-	return {p.x * std::sqrt(1 - s.y / 2 - s.z / 2 + s.y * s.z / 3),
-	        p.y * std::sqrt(1 - s.z / 2 - s.x / 2 + s.z * s.x / 3),
-	        p.z * std::sqrt(1 - s.x / 2 - s.y / 2 + s.x * s.y / 3)};
-}
-
-// Curved about the middle, straight elsewhere, and a cube as a whole.
-Vec3 bulge(Vec3 p)
-{
-	const double r = glm::dot(p, p);
-	return r < 0.49 ? p + 0.3 * (0.49 - r) * Vec3(p.y, p.z, p.x) : p;
-}
-
-struct Section
-{
-	cut::Cut cut;
-	mesh::SheetMesh mesh;
-	measure::SheetMeasure figures;
-
-	const grid::BlockSet& blocks() const { return *cut.refined; }
-};
-
-Section section(cut::Cutter& cutter, const Vec3& origin, const Vec3& normal, bool shows_values = false)
-{
-	cut::CutRequest request;
-	request.probe.sheets = {probe::makeSheet(origin, normal)};
-	request.finder = find::Finder::automatic;
-	if (shows_values)
-		request.field = grid::FieldChoice{"f"};
-	Section made;
-	Result<cut::Cut> cut = cutter.cut(request);
-	if (!cut)
-		throw std::runtime_error(cut.error().message);
-	made.cut = std::move(*cut);
-	made.mesh = made.cut.mesh(cutter.blocks(), 0);
-	made.figures = measure::measure(made.blocks(), made.mesh, request.field);
-	return made;
-}
-
-// The middles of edges that one polygon has alone. Vertices within rounding of each other are one: a plane that passes
-// a point by less than that has several there.
-std::vector<Vec3> openEdges(const mesh::SheetMesh& mesh)
-{
-	std::map<std::array<std::int64_t, 3>, std::uint32_t> numbers;
-	std::vector<std::uint32_t> number;
-	for (const Vec3& at : mesh.positions)
-	{
-		const auto rounded = [](double x) { return std::llround((x + 0.1234567) * 1e9); };
-		number.push_back(
-		    numbers.try_emplace({rounded(at.x), rounded(at.y), rounded(at.z)}, numbers.size()).first->second);
-	}
-	std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, Vec3>> edges;
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-	{
-		const auto polygon = mesh.polygon(p);
-		for (std::size_t i = 0; i < polygon.size(); ++i)
-		{
-			const std::uint32_t a = polygon[i];
-			const std::uint32_t b = polygon[(i + 1) % polygon.size()];
-			if (number[a] == number[b])
-				continue;
-			auto& [sides, middle] = edges[std::minmax(number[a], number[b])];
-			++sides;
-			middle = 0.5 * (mesh.positions[a] + mesh.positions[b]);
-		}
-	}
-	std::vector<Vec3> open;
-	for (const auto& [edge, found] : edges)
-		if (found.first % 2 == 1)
-			open.push_back(found.second);
-	return open;
-}
 
 const std::vector<Vec3> kNormals{{0.3, 0.5, 0.8}, {1, 0.02, 0.03}, {-0.4, 1, 0.7}, {0, 0, 1}};
 
