@@ -8,6 +8,7 @@
 #include "gpu/timers.h"
 #include "render/passes/compose_pass.h"
 #include "render/passes/edge_mask.h"
+#include "render/passes/layer_merge.h"
 #include "render/passes/layer_pass.h"
 #include "render/passes/line_pass.h"
 #include "render/passes/overlay_pass.h"
@@ -31,6 +32,7 @@ struct DrawTarget
 {
 	const gpu::Image* image = nullptr;
 	const std::function<bool()>* goes_on = nullptr; // asked between samples, which are submitted one by one then
+	const MergeLayers* merge = nullptr;             // takes in what others have drawn of each layer
 };
 
 enum class Drawn
@@ -59,6 +61,7 @@ struct Renderer::Private
 	PicturePlan plan{};
 	std::size_t layers_drawn = 0;
 	KeptLettering lettering{};
+	LayerMerge merger{};
 
 	// The targets hold nothing that can be left as it is.
 	void forget()
@@ -74,7 +77,10 @@ struct Renderer::Private
 	void recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	void recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	void recordPicture(VkCommandBuffer to, bool from_layers, std::uint32_t part);
-	void recordCopy(VkCommandBuffer to, const gpu::Image* into);
+	void recordColors(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
+	Result<bool> mergeSample(const Scene& scene, const glm::dvec2& jitter, std::size_t sample,
+	                         const MergeLayers& merge);
+	Picture pictureOf(const Look& look, Timeline* timeline) const;
 };
 
 Renderer::Renderer(std::unique_ptr<Private> made) : private_(std::move(made)) {}
@@ -168,6 +174,30 @@ void Renderer::Private::recordSample(VkCommandBuffer to, const Scene& scene, con
 		layers_drawn += layers.record(to, scene, targets, jitter, later);
 		lines.record(to, scene, targets, jitter);
 	}
+	recordColors(to, scene, jitter, sample);
+}
+
+// The same with what others have drawn. Returns false if another process goes on.
+Result<bool> Renderer::Private::mergeSample(const Scene& scene, const glm::dvec2& jitter, std::size_t sample,
+                                            const MergeLayers& merge)
+{
+	layers.forget(); // what they hold came from others too
+	layers_drawn += layers.record(commands.handle(), scene, targets, jitter);
+	const auto count = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.sheets.size()));
+	auto merged = merger.run(device, commands, targets, count, merge);
+	if (!merged)
+		return merged.error();
+	if (*merged == VK_NULL_HANDLE)
+		return false;
+	lines.record(*merged, scene, targets, jitter);
+	recordColors(*merged, scene, jitter, sample);
+	return true;
+}
+
+void Renderer::Private::recordColors(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter,
+                                     std::size_t sample)
+{
+	const EdgeMask* later = sample > 0 ? &edges : nullptr;
 	if (composesWhole(scene, targets.part()))
 		return;
 	if (!scene.surfaces.empty())
@@ -240,29 +270,6 @@ void Renderer::Private::recordPicture(VkCommandBuffer to, bool from_layers, std:
 		targets.picture.transition(to, gpu::kColorTarget, gpu::kCopyFrom);
 }
 
-void Renderer::Private::recordCopy(VkCommandBuffer to, const gpu::Image* into)
-{
-	const VkExtent2D extent = plan.first.picture;
-	gpu::TimedPass timed(timers, to, "copy");
-	if (into)
-	{
-		VkImageCopy copy{};
-		copy.srcSubresource = copy.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-		copy.extent = {extent.width, extent.height, 1};
-		into->transition(to, gpu::kDiscard, gpu::kCopyTo);
-		vkCmdCopyImage(to, targets.picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, into->handle(),
-		               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
-		return into->transition(to, gpu::kCopyTo, gpu::kCopyFrom);
-	}
-	VkBufferImageCopy copy{};
-	copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-	copy.imageExtent = {extent.width, extent.height, 1};
-	vkCmdCopyImageToBuffer(to, targets.picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, targets.pixels.handle(),
-	                       1, &copy);
-	gpu::memoryBarrier(to, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT,
-	                   VK_ACCESS_2_HOST_READ_BIT);
-}
-
 // What is recorded, done.
 Result<Drawn> Renderer::Private::finish(bool has_surfaces, Timeline* timeline)
 {
@@ -321,7 +328,21 @@ Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& 
 			if (!begun)
 				return begun.error();
 		}
-		recordSample(*begun, scene, pattern[sample], sample);
+		if (target.merge)
+		{
+			const Result<bool> goes_on = mergeSample(scene, pattern[sample], sample, *target.merge);
+			if (!goes_on)
+				forget();
+			if (!goes_on || (!*goes_on && sample + 1 == pattern.size()))
+			{
+				timers.forget();
+				return goes_on ? Result<Drawn>(Drawn::given_up) : goes_on.error();
+			}
+			if (!*goes_on)
+				continue;
+		}
+		else
+			recordSample(*begun, scene, pattern[sample], sample);
 		if (sample == 0 && pattern.size() > 1)
 		{
 			// Where the other samples are needed.
@@ -333,7 +354,10 @@ Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& 
 		lists.recordEnd(*begun);
 	recordPicture(*begun, composesWhole(scene, targets.part()), part);
 	if (part + 1 == plan.count())
-		recordCopy(*begun, target.image);
+	{
+		gpu::TimedPass timed(timers, *begun, "copy");
+		targets.recordCopy(*begun, target.image);
+	}
 	return finish(has_surfaces, timeline);
 }
 
@@ -345,6 +369,9 @@ Result<Drawn> Renderer::Private::draw(const Scene& scene, const DrawTarget& targ
 	if (Status made = makeTargets(scene); !made)
 		return made.error();
 	layers_drawn = 0;
+	if (target.merge && (plan.count() > 1 || !scene.surfaces.empty()))
+		return Error{ErrorKind::usage, "`size`: pictures of several processes show sheets alone, and are drawn in one "
+		                               "part; make it smaller, or use vprobe"};
 	for (std::uint32_t part = 0; part < plan.count(); ++part)
 	{
 		if (target.goes_on && *target.goes_on && !(*target.goes_on)())
@@ -357,6 +384,13 @@ Result<Drawn> Renderer::Private::draw(const Scene& scene, const DrawTarget& targ
 			return drawn;
 	}
 	return Drawn::whole;
+}
+
+Picture Renderer::Private::pictureOf(const Look& look, Timeline* timeline) const
+{
+	const TimedSection reading(timeline, "pixels");
+	const bool is_opaque = look.background.top.a == 255 && look.background.bottom.a == 255;
+	return {look.width, look.height, targets.readPixels(is_opaque)};
 }
 
 std::size_t Renderer::layersDrawn() const
@@ -372,10 +406,16 @@ Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline, const std
 		return drawn.error();
 	if (*drawn == Drawn::given_up)
 		return Error{ErrorKind::cancelled, "drawing was cancelled"};
-	const TimedSection reading(timeline, "pixels");
-	const Background& background = scene.look.background;
-	const bool is_opaque = background.top.a == 255 && background.bottom.a == 255;
-	return Picture{scene.look.width, scene.look.height, private_->targets.readPixels(is_opaque)};
+	return private_->pictureOf(scene.look, timeline);
+}
+
+Result<std::optional<Picture>> Renderer::drawMerged(const Scene& scene, const MergeLayers& merge, Timeline* timeline)
+{
+	const TimedSection section(timeline, "draw");
+	Result<Drawn> drawn = private_->draw(scene, {nullptr, nullptr, &merge}, timeline);
+	if (!drawn)
+		return drawn.error();
+	return *drawn == Drawn::whole ? std::optional(private_->pictureOf(scene.look, timeline)) : std::nullopt;
 }
 
 Result<bool> Renderer::drawInto(const Scene& scene, const gpu::Image& into, const std::function<bool()>& goes_on,

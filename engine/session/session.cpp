@@ -3,7 +3,9 @@
 #include "base/messages.h"
 #include "base/progress.h"
 #include "base/stop_scope.h"
+#include "session/share.h"
 #include "session/sheet_traces.h"
+#include "session/team.h"
 #include "view/validate.h"
 #include "view/words.h"
 
@@ -41,7 +43,7 @@ bool isWorthDevice(const Session& session)
 bool classifiesOnGpu(Session& session)
 {
 	const view::Classify asked = session.spec.machine.classify;
-	if (!session.device || asked == view::Classify::cpu || leavesDeviceIdle(session.spec.probe) ||
+	if (session.team || !session.device || asked == view::Classify::cpu || leavesDeviceIdle(session.spec.probe) ||
 	    !grid::hasNeighbors(session.blocks))
 		return false;
 	if (asked == view::Classify::gpu)
@@ -237,7 +239,7 @@ find::Finder finderFor(const Session& session)
 	return on_device ? find::Finder::direct : find::Finder::automatic;
 }
 
-Result<grid::BlockSet> readBlocks(const Session& session, const OpenOptions& options)
+Result<grid::BlockSet> readBlocks(Session& session, const OpenOptions& options)
 {
 	const view::ViewSpec& spec = session.spec;
 	const Progress progress(fmt::format("reading {}", fmt::join(spec.input.files, ", ")));
@@ -247,7 +249,13 @@ Result<grid::BlockSet> readBlocks(const Session& session, const OpenOptions& opt
 	reading.builds_neighbors = !options.may_scan || needsNeighbors(spec);
 	reading.for_one_cut =
 	    !reading.builds_neighbors && (!options.reads_again || options.completes_later) && servesOneCut(spec);
-	return read::readInputs(spec.input.files, reading, session.timeline.get());
+	if (!options.team)
+		return read::readInputs(spec.input.files, reading, session.timeline.get());
+	auto share = std::make_shared<Share>();
+	Result<grid::BlockSet> blocks =
+	    readShare(*options.team, spec.input.files, reading, session.timeline.get(), *share);
+	session.share = std::move(share);
+	return blocks;
 }
 
 // The session with blocks by `take`, while the device opens.
@@ -261,6 +269,9 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 	session->spec = std::move(spec);
 	// What can be wrong with the settings is told before a large file is read.
 	if (Status fits = view::validate(session->spec); !fits)
+		return fits.error();
+	session->team = options.team;
+	if (Status fits = options.team ? fitsTeam(session->spec) : Nothing{}; !fits)
 		return fits.error();
 	std::future<Result<OpenedDevice>> opening;
 	if (!options.device)
@@ -293,7 +304,7 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 
 Result<std::unique_ptr<Session>> openSession(view::ViewSpec spec, OpenOptions options)
 {
-	return makeSession(std::move(spec), options, [&](const Session& session) { return readBlocks(session, options); });
+	return makeSession(std::move(spec), options, [&](Session& session) { return readBlocks(session, options); });
 }
 
 Result<std::unique_ptr<Session>> sessionOf(grid::BlockSet blocks, view::ViewSpec spec, OpenOptions options)
@@ -369,7 +380,8 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 		else if (outside && session.view.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.moved_to)
 			warn("`origin` {} {} {}: the hot spot lies outside the grid; {} {} {} takes its place", at.x, at.y, at.z,
 			     sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
-		if (!isEmpty(sheet))
+		const bool is_shown = !isEmpty(sheet);
+		if (session.team ? anyOf(*session.team, is_shown) : is_shown)
 			continue;
 		const Box bounds = session.blocks.bounds();
 		const std::string what =

@@ -135,7 +135,7 @@ namespace
 // Where a sheet has something to show, in its records' uv; none: anywhere.
 std::optional<mesh::UvBounds> shownBounds(const SheetDrawing& drawing)
 {
-	std::optional<mesh::UvBounds> bounds = drawing.records->bounds;
+	std::optional<mesh::UvBounds> bounds = drawing.bounds ? drawing.bounds : drawing.records->bounds;
 	if (const auto& window = drawing.window)
 	{
 		const mesh::UvBounds all = bounds.value_or(mesh::UvBounds{glm::dvec2(-1e300), glm::dvec2(1e300)});
@@ -157,7 +157,7 @@ VkRect2D sheetsPart(const Scene& scene, const PicturePart& part)
 	glm::dvec2 hi(0.0);
 	for (const SheetDrawing& drawing : scene.sheets)
 	{
-		if (!drawing.records || drawing.records->pages.empty())
+		if (!drawing.bounds && (!drawing.records || drawing.records->pages.empty()))
 			continue;
 		const auto bounds = shownBounds(drawing);
 		if (!bounds)

@@ -2,6 +2,7 @@
 
 #include "render/passes/targets.h"
 
+#include "gpu/commands.h"
 #include "gpu/device.h"
 #include "gpu/vk_check.h"
 
@@ -67,10 +68,12 @@ Result<Targets> Targets::create(gpu::Device& device, const PicturePart& first, s
 	};
 	// Mesh lines are drawn by the hardware's rasterizer alone.
 	const VkImageUsageFlags computed =
-	    mesh ? 0 : VkImageUsageFlags(VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+	    mesh ? 0 : VkImageUsageFlags(VK_IMAGE_USAGE_STORAGE_BIT);
 	if (Status made =
 	        make(targets.values, layerFormat(mesh),
-	             VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | computed, layers, "value layers");
+	             VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+	                 VK_IMAGE_USAGE_TRANSFER_DST_BIT | computed,
+	             layers, "value layers");
 	    !made)
 		return made.error();
 	if (Status made =
@@ -137,6 +140,28 @@ void Targets::swap(Targets& other) noexcept
 	std::swap(part_, other.part_);
 	std::swap(layer_views_, other.layer_views_);
 	std::swap(layers_view_, other.layers_view_);
+}
+
+void Targets::recordCopy(VkCommandBuffer to, const gpu::Image* into) const
+{
+	const VkExtent2D extent = part_.picture;
+	if (into)
+	{
+		VkImageCopy copy{};
+		copy.srcSubresource = copy.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+		copy.extent = {extent.width, extent.height, 1};
+		into->transition(to, gpu::kDiscard, gpu::kCopyTo);
+		vkCmdCopyImage(to, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, into->handle(),
+		               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+		return into->transition(to, gpu::kCopyTo, gpu::kCopyFrom);
+	}
+	VkBufferImageCopy copy{};
+	copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+	copy.imageExtent = {extent.width, extent.height, 1};
+	vkCmdCopyImageToBuffer(to, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels.handle(),
+	                       1, &copy);
+	gpu::memoryBarrier(to, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT,
+	                   VK_ACCESS_2_HOST_READ_BIT);
 }
 
 std::vector<std::uint8_t> Targets::readPixels(bool is_opaque) const

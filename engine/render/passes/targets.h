@@ -44,6 +44,8 @@ public:
 	VkExtent2D extent() const { return part_.extent; }
 	VkImageView layer(std::size_t i) const { return layer_views_[i]; } // to draw into
 	VkImageView layers() const { return layers_view_; }                // all, as an array
+	// The finished picture into an image, or, if there is none, to where readPixels() finds it.
+	void recordCopy(VkCommandBuffer commands, const gpu::Image* into) const;
 	// The picture's RGBA bytes as in a file, whose colors are not multiplied by alpha. After `pixels` was written and
 	// waited for.
 	std::vector<std::uint8_t> readPixels(bool is_opaque) const;

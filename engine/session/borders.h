@@ -1,0 +1,25 @@
+#pragma once
+
+#include "grid/block.h"
+#include "mesh/sheet_mesh.h"
+#include "session/team.h"
+
+#include <cstddef>
+
+namespace vp::session
+{
+
+/// What a sheet's mesh has in common with those of other ranks.
+struct Borders
+{
+	std::size_t vertices_elsewhere = 0; // of this mesh, counted with the mesh of another rank
+	std::size_t faces_elsewhere = 0;    // boundary polygons that were dropped, since another rank shows them
+	std::size_t components = 0;         // of the meshes of all ranks together
+};
+
+/// Joins the meshes of a sheet that the ranks have: a face in the plane that two of them show is dropped at one, and
+/// vertices at one place with the same values are counted once. Places must be equal to the last bit. What lies on the
+/// rim of a mesh is sent to the rank that its place belongs to, so traffic follows the rim alone.
+Borders joinBorders(Team& team, const grid::BlockSet& blocks, mesh::SheetMesh& mesh);
+
+} // namespace vp::session
