@@ -168,7 +168,8 @@ bool readPieces(const Request& request, const std::string& type, ManifestWriter&
 	if (!manifest.parts().filters() || manifest.parts().isInside() ||
 	    (type != "PUnstructuredGrid" && !isLattice(type)))
 		return false;
-	refuseShortXml(request.file);
+	if (manifest.parts().lists()) // of chosen ones each is looked at as it is read
+		refuseShortXml(request.file);
 	const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(request.file.c_str()));
 	vtkXMLDataElement* whole = root ? root->FindNestedElementWithName(type.c_str()) : nullptr;
 	if (!whole)

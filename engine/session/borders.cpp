@@ -2,14 +2,14 @@
 
 #include "base/place_key.h"
 #include "measure/components.h"
-#include "mesh/mesh_values.h"
-#include "mesh/open_vertices.h"
 #include "mesh/union_find.h"
+#include "session/rim_vertices.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
-#include <tuple>
+#include <set>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -25,16 +25,6 @@ int ownerOf(std::uint64_t key, const Team& team)
 	return static_cast<int>((key ^ key >> 32) % static_cast<std::uint64_t>(team.size()));
 }
 
-/// A face by its corners, in whatever order.
-struct FaceKey
-{
-	std::uint64_t sum = 0;
-	std::uint64_t mixed = 0;
-	std::uint64_t corners = 0;
-
-	auto operator<=>(const FaceKey&) const = default;
-};
-
 struct SentFace
 {
 	FaceKey key;
@@ -46,12 +36,7 @@ FaceKey faceKey(const mesh::SheetMesh& mesh, std::size_t polygon)
 {
 	FaceKey key;
 	for (const std::uint32_t v : mesh.polygon(polygon))
-	{
-		const std::uint64_t place = placeKey(mesh.positions[v]);
-		key.sum += place;
-		key.mixed ^= (place >> 7) * 0xD1B54A32D192ED03ull;
-		++key.corners;
-	}
+		addCorner(mesh.positions[v], key);
 	return key;
 }
 
@@ -60,21 +45,6 @@ bool hasOnlyGridPoints(const mesh::SheetMesh& mesh, std::size_t polygon)
 	return std::ranges::all_of(mesh.polygon(polygon),
 	                           [&](std::uint32_t v)
 	                           { return v >= mesh.edges.size() || mesh.edges[v].t == 0.0 || mesh.edges[v].t == 1.0; });
-}
-
-std::vector<std::uint8_t> rimOf(const mesh::SheetMesh& mesh)
-{
-	mesh::OpenVertices open(mesh.positions.size());
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-	{
-		std::uint32_t before = mesh.polygon(p).back();
-		for (const std::uint32_t v : mesh.polygon(p))
-			open.add(std::exchange(before, v), v);
-	}
-	std::vector<std::uint8_t> rim(mesh.positions.size());
-	for (std::uint32_t v = 0; v < rim.size(); ++v)
-		rim[v] = open.isOpen(v);
-	return rim;
 }
 
 void dropPolygons(const std::vector<std::uint32_t>& dropped, mesh::SheetMesh& mesh)
@@ -154,88 +124,6 @@ std::size_t dropFacesShownElsewhere(Team& team, mesh::SheetMesh& mesh)
 	return dropped.size();
 }
 
-/// A component of a point array at a vertex, and how large the numbers are that it was interpolated from.
-struct ValueAt
-{
-	double value;
-	double scale;
-
-	bool isSame(const ValueAt& other) const // as where vertices are joined in one process (mesh/join_vertices.cpp)
-	{
-		return std::abs(value - other.value) <= 1e-5 * scale || (std::isnan(value) && std::isnan(other.value));
-	}
-};
-
-bool isId(const grid::Field& field)
-{
-	using enum grid::NumberType;
-	return field.type == int32 || field.type == uint32 || field.type == int64 || field.type == uint64;
-}
-
-struct RimVertex
-{
-	int rank = 0;
-	Vec3 place{};
-	std::uint32_t component = 0;
-	std::vector<std::pair<std::string, std::vector<ValueAt>>> arrays{}; // by name
-
-	bool hasDataOf(const RimVertex& other) const
-	{
-		return std::ranges::equal(arrays, other.arrays,
-		                          [](const auto& a, const auto& b) {
-			                          return a.first == b.first &&
-			                                 std::ranges::equal(a.second, b.second, [](const ValueAt& x, const ValueAt& y)
-			                                                    { return x.isSame(y); });
-		                          });
-	}
-};
-
-/// The names of the arrays go once for each block.
-void putVertex(MessageWriter& to, const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, std::uint32_t v,
-               std::uint32_t component)
-{
-	to.put(mesh.positions[v]);
-	to.put(component);
-	std::vector<const grid::Field*> fields;
-	if (v < mesh.edges.size())
-		for (const grid::Field& field : blocks.blocks[mesh.edges[v].block].fields)
-			if (field.association == grid::Association::point)
-				fields.push_back(&field);
-	std::ranges::sort(fields, {}, &grid::Field::name);
-	to.put(fields.size());
-	for (const grid::Field* field : fields)
-	{
-		to.put(field->name);
-		std::vector<ValueAt> values;
-		for (int c = 0; c < field->components && !isId(*field); ++c)
-		{
-			mesh::EdgePoint at = mesh.edges[v];
-			const grid::Block& block = blocks.blocks[at.block];
-			ValueAt value{mesh::interpolate(block, *field, c, at), 0.0};
-			for (const double t : {0.0, 1.0})
-			{
-				at.t = t;
-				value.scale = std::max(value.scale, std::abs(mesh::interpolate(block, *field, c, at)));
-			}
-			values.push_back(value);
-		}
-		to.putAll(values);
-	}
-}
-
-RimVertex vertexOf(MessageReader& from, int rank)
-{
-	RimVertex vertex{rank};
-	vertex.place = from.get<Vec3>();
-	vertex.component = from.get<std::uint32_t>();
-	for (auto left = from.get<std::size_t>(); left > 0; --left)
-	{
-		std::string name = from.getText();
-		vertex.arrays.emplace_back(std::move(name), from.getAll<ValueAt>());
-	}
-	return vertex;
-}
-
 /// Pieces of two ranks that hang together.
 struct Link
 {
@@ -246,23 +134,6 @@ struct Link
 
 	auto operator<=>(const Link&) const = default;
 };
-
-/// Vertices of several ranks at one place. counted: gets how many of each rank count with those of another.
-void joinAtPlace(const std::vector<RimVertex>& vertices, std::vector<Link>& links, std::vector<std::size_t>& counted)
-{
-	std::vector<const RimVertex*> kept;
-	for (const RimVertex& vertex : vertices)
-	{
-		const auto same = std::ranges::find_if(kept, [&](const RimVertex* other)
-		                                       { return other->rank != vertex.rank && other->hasDataOf(vertex); });
-		if (same == kept.end())
-			kept.push_back(&vertex);
-		else
-			++counted[static_cast<std::size_t>(vertex.rank)];
-		if (const RimVertex& first = vertices.front(); first.rank != vertex.rank)
-			links.push_back({first.rank, first.component, vertex.rank, vertex.component});
-	}
-}
 
 std::size_t countTogether(Team& team, std::size_t own, const std::vector<Link>& links)
 {
@@ -287,47 +158,160 @@ std::size_t countTogether(Team& team, std::size_t own, const std::vector<Link>& 
 	return pieces.count();
 }
 
-} // namespace
-
-Borders joinBorders(Team& team, const grid::BlockSet& blocks, mesh::SheetMesh& mesh)
+/// What the owners of places find.
+struct Found
 {
-	Borders borders;
-	borders.faces_elsewhere = dropFacesShownElsewhere(team, mesh);
-	mesh::UnionFind pieces = measure::joinedVertices(mesh);
-	std::unordered_map<std::uint32_t, std::uint32_t> components; // by the vertex that stands for one
-	std::vector<MessageWriter> messages(static_cast<std::size_t>(team.size()));
-	const std::vector<std::uint8_t> rim = rimOf(mesh);
-	for (std::uint32_t v = 0; v < rim.size(); ++v)
-	{
-		const auto number = static_cast<std::uint32_t>(components.size());
-		const std::uint32_t component = components.try_emplace(pieces.root(v), number).first->second;
-		if (rim[v])
-			putVertex(messages[static_cast<std::size_t>(ownerOf(placeKey(mesh.positions[v]), team))], blocks, mesh, v,
-			          component);
-	}
+	std::vector<Link> links;
+	std::vector<std::vector<std::uint32_t>> counted; // per rank, its vertices that count with one of another rank
+};
+
+/// Joins vertices that may be one. isPlace(a, b): whether they are at one place; isSeam(a, b): whether faces meet there.
+template <class IsPlace, class IsSeam>
+void joinAmong(std::span<const RimVertex> vertices, const IsPlace& isPlace, const IsSeam& isSeam, Found& found)
+{
+	mesh::UnionFind joined(vertices.size());
+	for (std::uint32_t i = 0; i < vertices.size(); ++i)
+		for (std::uint32_t j = 0; j < i; ++j)
+		{
+			const RimVertex& a = vertices[j];
+			const RimVertex& b = vertices[i];
+			if (a.rank == b.rank || !isPlace(a, b))
+				continue;
+			const bool is_seam = isSeam(a, b);
+			const bool is_one = (is_seam || a.whole != b.whole) && a.hasDataOf(b);
+			if (is_one)
+				joined.join(j, i);
+			if (is_one || is_seam)
+				found.links.push_back({a.rank, a.component, b.rank, b.component});
+		}
+	for (std::uint32_t i = 0; i < vertices.size(); ++i)
+		if (joined.root(i) != i)
+			found.counted[static_cast<std::size_t>(vertices[i].rank)].push_back(vertices[i].vertex);
+}
+
+/// Sends vertices to the owners of the bins that they lie in, joins those of each bin, and drops the vertices that are
+/// counted elsewhere. binsOf(vertex): a key for each of its bins.
+template <class BinsOf, class Join>
+void joinInBins(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links, const BinsOf& binsOf,
+                const Join& join)
+{
+	const auto ranks = static_cast<std::size_t>(team.size());
+	std::vector<MessageWriter> messages(ranks);
+	for (const RimVertex& vertex : own)
+		for (const std::uint64_t bin : binsOf(vertex))
+		{
+			MessageWriter& message = messages[static_cast<std::size_t>(ownerOf(bin, team))];
+			message.put(bin);
+			put(message, vertex);
+		}
+	std::map<std::uint64_t, std::vector<RimVertex>> bins;
 	const std::vector<Bytes> came = team.exchange(taken(messages));
-	std::map<std::tuple<double, double, double>, std::vector<RimVertex>> places;
 	for (int rank = 0; rank < team.size(); ++rank)
 		for (MessageReader reader(came[static_cast<std::size_t>(rank)]); !reader.atEnd();)
 		{
-			RimVertex vertex = vertexOf(reader, rank);
-			const Vec3 at = vertex.place + 0.0; // no -0
-			places[{at.x, at.y, at.z}].push_back(std::move(vertex));
+			const auto bin = reader.get<std::uint64_t>();
+			bins[bin].push_back(takeVertex(reader, rank));
 		}
+	Found found;
+	found.counted.resize(ranks);
+	for (const auto& [bin, vertices] : bins)
+		join(bin, vertices, found);
+	links.insert(links.end(), found.links.begin(), found.links.end());
+	std::vector<MessageWriter> answers(ranks);
+	for (std::size_t rank = 0; rank < ranks; ++rank)
+		answers[rank].putAll(found.counted[rank]);
+	std::set<std::uint32_t> counted;
+	for (const Bytes& answer : team.exchange(taken(answers)))
+		for (const std::uint32_t vertex : MessageReader(answer).getAll<std::uint32_t>())
+			counted.insert(vertex);
+	std::erase_if(own, [&](const RimVertex& vertex) { return counted.contains(vertex.vertex); });
+}
+
+void joinAtSamePlace(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links)
+{
+	joinInBins(
+	    team, own, links, [](const RimVertex& vertex) { return std::array{placeKey(vertex.place)}; },
+	    [](std::uint64_t, const std::vector<RimVertex>& vertices, Found& found)
+	    {
+		    joinAmong(
+		        vertices, [](const RimVertex& a, const RimVertex& b) { return a.place == b.place; },
+		        [](const RimVertex& a, const RimVertex& b) { return a.isAcross(b) || !(a.on_edge || b.on_edge); },
+		        found);
+	    });
+}
+
+/// Of a lattice over space whose cells have this side.
+std::uint64_t binAt(const Vec3& place, double side)
+{
+	return placeKey({std::floor(place.x / side), std::floor(place.y / side), std::floor(place.z / side)});
+}
+
+/// Places that only rounding has parted, as the coordinates of abutting blocks often are.
+void joinNear(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links)
+{
+	double side = 0.0;
+	for (const RimVertex& vertex : own)
+		side = std::max(side, 4.0 * vertex.near);
+	sumOverAll(team, side, [](double& greatest, double other) { greatest = std::max(greatest, other); });
+	if (!(side > 0.0))
+		return;
+	joinInBins(
+	    team, own, links,
+	    [side](const RimVertex& vertex)
+	    {
+		    std::set<std::uint64_t> bins;
+		    for (int corner = 0; corner < 8; ++corner)
+		    {
+			    const Vec3 way(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
+			    bins.insert(binAt(vertex.place + vertex.near * way, side));
+		    }
+		    return bins;
+	    },
+	    [side](std::uint64_t bin, const std::vector<RimVertex>& vertices, Found& found)
+	    {
+		    joinAmong(
+		        vertices,
+		        // Equal ones have been compared. A pair that several bins hold counts in one of them.
+		        [&](const RimVertex& a, const RimVertex& b)
+		        {
+			        return a.place != b.place && glm::length(a.place - b.place) <= std::min(a.near, b.near) &&
+			               binAt(0.5 * (a.place + b.place), side) == bin;
+		        },
+		        [](const RimVertex& a, const RimVertex& b) { return a.on_edge && b.on_edge; }, found);
+	    });
+}
+
+/// Numbers the pieces of a mesh: per vertex.
+std::vector<std::uint32_t> componentsOf(const mesh::SheetMesh& mesh, std::size_t& count)
+{
+	mesh::UnionFind pieces = measure::joinedVertices(mesh);
+	std::unordered_map<std::uint32_t, std::uint32_t> numbers; // by the vertex that stands for a piece
+	std::vector<std::uint32_t> components(mesh.positions.size());
+	for (std::uint32_t v = 0; v < components.size(); ++v)
+		components[v] = numbers.try_emplace(pieces.root(v), static_cast<std::uint32_t>(numbers.size())).first->second;
+	count = numbers.size();
+	return components;
+}
+
+} // namespace
+
+Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
+                    mesh::SheetMesh& mesh)
+{
+	Borders borders;
+	borders.faces_elsewhere = dropFacesShownElsewhere(team, mesh);
+	std::size_t count = 0;
+	const std::vector<std::uint32_t> components = componentsOf(mesh, count);
+	std::vector<RimVertex> rim = rimVertices(blocks, whole, components, mesh);
+	const std::size_t all = rim.size();
 	std::vector<Link> links;
-	std::vector<std::size_t> counted(static_cast<std::size_t>(team.size()));
-	for (const auto& [place, vertices] : places)
-		joinAtPlace(vertices, links, counted);
+	joinAtSamePlace(team, rim, links);
+	joinNear(team, rim, links);
+	borders.vertices_elsewhere = all - rim.size();
 	std::ranges::sort(links);
 	const auto repeated = std::ranges::unique(links);
 	links.erase(repeated.begin(), repeated.end());
-
-	std::vector<MessageWriter> answers(static_cast<std::size_t>(team.size()));
-	for (std::size_t rank = 0; rank < answers.size(); ++rank)
-		answers[rank].put(counted[rank]);
-	for (const Bytes& answer : team.exchange(taken(answers)))
-		borders.vertices_elsewhere += MessageReader(answer).get<std::size_t>();
-	borders.components = countTogether(team, components.size(), links);
+	borders.components = countTogether(team, count, links);
 	return borders;
 }
 

@@ -5,6 +5,8 @@
 #include "session/team.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 namespace vp::session
 {
@@ -20,6 +22,10 @@ struct Borders
 /// Joins the meshes of a sheet that the ranks have: a face in the plane that two of them show is dropped at one, and
 /// vertices at one place with the same values are counted once. Places must be equal to the last bit. What lies on the
 /// rim of a mesh is sent to the rank that its place belongs to, so traffic follows the rim alone.
-Borders joinBorders(Team& team, const grid::BlockSet& blocks, mesh::SheetMesh& mesh);
+///
+/// whole: per block, the block that one process would have in its place. Within one of those, vertices are joined only
+/// where the faces of cells lie on each other, as in one process (mesh/join_vertices.h).
+Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
+                    mesh::SheetMesh& mesh);
 
 } // namespace vp::session

@@ -1,7 +1,7 @@
 #include "session/share.h"
 
 #include "grid/cell_places.h"
-#include "view/words.h"
+#include "session/join_pieces.h"
 
 #include <fmt/format.h>
 
@@ -292,6 +292,14 @@ Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inp
 	Result<read::PartBlocks> read = read::readParts(inputs, own, options, timeline);
 	if (!read)
 		return read.error();
+	try
+	{
+		joinPieces(*read, list);
+	}
+	catch (const grid::WrongPoint& wrong)
+	{
+		return Error{ErrorKind::input, fmt::format("{}: {}", fmt::join(inputs, ", "), wrong.what())};
+	}
 	const bool has_interfaces = !read->set.interfaces.blocks.empty();
 	share.own_parts = own.size();
 	grid::BlockSet all = withOthers(team, std::move(*read), list, share);

@@ -1,5 +1,6 @@
 #include "session/sheet_stats.h"
 
+#include "session/share.h"
 #include "session/sheet_traces.h"
 #include "session/team.h"
 
@@ -15,7 +16,7 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 		if (session.view.crinkle)
 			stats.crinkle = slice.crinkle(session.blocks, sheet);
 		if (session.team)
-			stats.borders = joinBorders(*session.team, slice.blocksOf(session.blocks), stats.mesh);
+			stats.borders = joinBorders(*session.team, slice.blocksOf(session.blocks), session.share->whole, stats.mesh);
 	}
 	Result<SharedTraces> traces = traceSheet(session, slice, sheet, stats.mesh);
 	if (!traces)
