@@ -66,8 +66,7 @@ session::Bytes MpiTeam::sendReceive(int to, const session::Bytes& bytes, int fro
 		MPI_Irecv(&coming, 1, MPI_UINT64_T, from, 0, MPI_COMM_WORLD, &requests.emplace_back());
 	waitFor(requests);
 	session::Bytes received(coming);
-	forMessages(to >= 0 ? bytes.size() : 0,
-	            [&](std::size_t at, int count)
+	forMessages(to >= 0 ? bytes.size() : 0, [&](std::size_t at, int count)
 	            { MPI_Isend(bytes.data() + at, count, MPI_BYTE, to, 0, MPI_COMM_WORLD, &requests.emplace_back()); });
 	forMessages(received.size(),
 	            [&](std::size_t at, int count) {

@@ -138,8 +138,7 @@ void ManifestWriter::addPatches(vtkDataObject* object)
 void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* given)
 {
 	json left_out = std::exchange(left_out_, json::array());
-	if (!given || given->GetNumberOfCells() == 0 ||
-	    !parts_.begin(static_cast<std::size_t>(given->GetNumberOfCells())))
+	if (!given || given->GetNumberOfCells() == 0 || !parts_.begin(static_cast<std::size_t>(given->GetNumberOfCells())))
 		return;
 	const vtkSmartPointer<vtkDataSet> wanted =
 	    wish_.all ? vtkSmartPointer<vtkDataSet>(given) : withWishedArrays(given, left_out);

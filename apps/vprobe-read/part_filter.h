@@ -27,8 +27,8 @@ public:
 	// Goes on to the next part, of about so many cells. False where it is not asked for. A part within a part belongs
 	// to it.
 	bool begin(std::size_t cells);
-	// The parts from here to end() belong to one block that is cut as a whole where all parts are in one process. facts:
-	// what is known of the whole, such as its kind and its points; or null.
+	// The parts from here to end() belong to one block that is cut as a whole where all parts are in one process.
+	// facts: what is known of the whole, such as its kind and its points; or null.
 	void beginBlock(nlohmann::json facts);
 	void endBlock() { in_block_ = false; }
 	// What lies between belongs to the part begun last.

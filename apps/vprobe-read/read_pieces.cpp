@@ -165,12 +165,12 @@ std::size_t cellsOfXml(const std::string& file)
 
 bool readPieces(const Request& request, const std::string& type, ManifestWriter& manifest)
 {
-	if (!manifest.parts().filters() || manifest.parts().isInside() ||
-	    (type != "PUnstructuredGrid" && !isLattice(type)))
+	if (!manifest.parts().filters() || manifest.parts().isInside() || (type != "PUnstructuredGrid" && !isLattice(type)))
 		return false;
 	if (manifest.parts().lists()) // of chosen ones each is looked at as it is read
 		refuseShortXml(request.file);
-	const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(request.file.c_str()));
+	const auto root =
+	    vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(request.file.c_str()));
 	vtkXMLDataElement* whole = root ? root->FindNestedElementWithName(type.c_str()) : nullptr;
 	if (!whole)
 		throw damaged(fmt::format("it has no {} element", type));
@@ -181,8 +181,8 @@ bool readPieces(const Request& request, const std::string& type, ManifestWriter&
 		const bool is_known = extent && std::ranges::all_of(pieces, [](const Piece& piece) { return !!piece.extent; });
 		if (!is_known || !areApart(pieces))
 			return false;
-		manifest.parts().beginBlock({{"kind", type == "PImageData" ? "image" : "rectilinear"},
-		                             {"points", pointsOf(*extent)}});
+		manifest.parts().beginBlock(
+		    {{"kind", type == "PImageData" ? "image" : "rectilinear"}, {"points", pointsOf(*extent)}});
 	}
 	else
 		manifest.parts().beginBlock({{"kind", "unstructured"}, {"points", 0u}});

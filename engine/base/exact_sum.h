@@ -27,7 +27,7 @@ private:
 	void carry();
 
 	std::array<std::int64_t, kDigits> digits_{};
-	std::int64_t added_ = 0;   // numbers since digits were last carried
+	std::int64_t added_ = 0;  // numbers since digits were last carried
 	double not_finite_ = 0.0; // the sum of the others
 };
 

@@ -148,28 +148,29 @@ SheetSums sumUp(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
 	const SheetSums of_vertices = on_points ? takeVertexValues(blocks, mesh, *field, vertex_values) : SheetSums();
 	const auto fields = field ? field->inEach(blocks) : std::vector<const grid::Field*>(blocks.blocks.size());
 	const std::size_t of_cells = mesh.polygons() - mesh.boundary_polygons;
-	SheetSums sums = orderedSum<SheetSums>(
-	    mesh.polygons(),
-	    [&](SheetSums& part, std::size_t p)
-	    {
-		    const auto polygon = mesh.polygon(p);
-		    const auto [b, cell] = mesh.polygon_cells[p];
-		    double polygon_value = kNan;
-		    if (field && !on_points)
-		    {
-			    if (fields[b])
-				    polygon_value = mesh::cellValue(blocks.blocks[b], *fields[b], field->component, cell);
-			    addValue(part, polygon_value);
-		    }
-		    if (p < of_cells)
-		    {
-			    PolygonSums of_polygon;
-			    of_polygon.addPolygon(mesh, polygon, vertex_values, polygon_value);
-			    of_polygon.addTo(part);
-		    }
-		    else
-			    part.boundary_area += 0.5 * glm::length(mesh::doubleArea(mesh, polygon));
-	    });
+	SheetSums sums =
+	    orderedSum<SheetSums>(mesh.polygons(),
+	                          [&](SheetSums& part, std::size_t p)
+	                          {
+		                          const auto polygon = mesh.polygon(p);
+		                          const auto [b, cell] = mesh.polygon_cells[p];
+		                          double polygon_value = kNan;
+		                          if (field && !on_points)
+		                          {
+			                          if (fields[b])
+				                          polygon_value =
+				                              mesh::cellValue(blocks.blocks[b], *fields[b], field->component, cell);
+			                          addValue(part, polygon_value);
+		                          }
+		                          if (p < of_cells)
+		                          {
+			                          PolygonSums of_polygon;
+			                          of_polygon.addPolygon(mesh, polygon, vertex_values, polygon_value);
+			                          of_polygon.addTo(part);
+		                          }
+		                          else
+			                          part.boundary_area += 0.5 * glm::length(mesh::doubleArea(mesh, polygon));
+	                          });
 	sums.add(of_vertices);
 	return sums;
 }

@@ -28,8 +28,8 @@ struct SheetMeasure
 	std::size_t components = 0; // see components.h
 };
 
-// The figures of a part of a sheet, which may be added to those of other parts. Sums are exact, so they do not depend on
-// how a sheet is parted. A plain struct, which may be sent as bytes.
+// The figures of a part of a sheet, which may be added to those of other parts. Sums are exact, so they do not depend
+// on how a sheet is parted. A plain struct, which may be sent as bytes.
 struct SheetSums
 {
 	ExactSum area;

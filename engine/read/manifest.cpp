@@ -98,8 +98,9 @@ private:
 		if (!manifest.contains("parts"))
 			return;
 		for (const json& whole : manifest.at("wholes"))
-			input.wholes.push_back(whole.is_null() ? WholeLattice{}
-			                                       : WholeLattice{wordsOf(whole.at("kind")), countOf(whole.at("points"))});
+			input.wholes.push_back(whole.is_null()
+			                           ? WholeLattice{}
+			                           : WholeLattice{wordsOf(whole.at("kind")), countOf(whole.at("points"))});
 		for (const json& part : manifest.at("parts"))
 		{
 			input.parts.push_back({countOf(part.at("cells")), countOf(part.at("block"))});
@@ -113,7 +114,8 @@ private:
 		for (std::size_t b = 0; b < input.blocks.size(); ++b)
 		{
 			input.blocks[b].part = countOf(blocks.at(b).at("part"));
-			if (input.blocks[b].part >= input.parts.size() || (b > 0 && input.blocks[b].part < input.blocks[b - 1].part))
+			if (input.blocks[b].part >= input.parts.size() ||
+			    (b > 0 && input.blocks[b].part < input.blocks[b - 1].part))
 				throw Unusable("the parts of blocks are out of order");
 		}
 	}

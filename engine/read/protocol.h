@@ -13,9 +13,10 @@ namespace vp::read
 // displacements, 0 for none. PATCHES: 1 to read named parts of the boundary, else 0. THREADS: the maximum number of
 // threads. ARRAYS: the wanted arrays, one a line: "*" for all, "^" for the default array, "=" and a name for one.
 // FORMAT: a name of format_table.inl, or empty. RAW: the layout of a raw volume (rawText()), or empty. TARGET and
-// BESIDE: of convert(), or empty. PARTS: empty for all, "?" to list them, or their numbers with commas between. The child writes arrays into two shared memories, each array at a multiple of
-// kArrayAlignment. kCellsFd gets the points and cells of unstructured blocks, which nobody needs after the grid is
-// built, kArraysFd everything else. A JSON manifest that describes them goes to kManifestFd:
+// BESIDE: of convert(), or empty. PARTS: empty for all, "?" to list them, or their numbers with commas between. The
+// child writes arrays into two shared memories, each array at a multiple of kArrayAlignment. kCellsFd gets the points
+// and cells of unstructured blocks, which nobody needs after the grid is built, kArraysFd everything else. A JSON
+// manifest that describes them goes to kManifestFd:
 //
 //   {"version", "times": [..], "left_out": cells, "warnings": [..], "blocks": [{"name", "kind", "arrays": [..], ..}],
 //    "patches": [{"name", "coordinates": array, "starts": array, "corners": array}]},

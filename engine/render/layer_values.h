@@ -7,8 +7,9 @@
 namespace vp::render
 {
 
-/// What the sheets of a picture show at each pixel in one sample, before they have colors. The layers follow each other,
-/// each with its rows from the top. A value is followed by how much of a mesh line is there, if there are two channels.
+/// What the sheets of a picture show at each pixel in one sample, before they have colors. The layers follow each
+/// other, each with its rows from the top. A value is followed by how much of a mesh line is there, if there are two
+/// channels.
 struct LayerValues
 {
 	std::uint32_t width = 0;

@@ -3,6 +3,7 @@
 #include "base/place_key.h"
 #include "measure/components.h"
 #include "mesh/union_find.h"
+#include "session/hanging_borders.h"
 #include "session/rim_vertices.h"
 
 #include <algorithm>
@@ -42,8 +43,7 @@ FaceKey faceKey(const mesh::SheetMesh& mesh, std::size_t polygon)
 
 bool hasOnlyGridPoints(const mesh::SheetMesh& mesh, std::size_t polygon)
 {
-	return std::ranges::all_of(mesh.polygon(polygon),
-	                           [&](std::uint32_t v)
+	return std::ranges::all_of(mesh.polygon(polygon), [&](std::uint32_t v)
 	                           { return v >= mesh.edges.size() || mesh.edges[v].t == 0.0 || mesh.edges[v].t == 1.0; });
 }
 
@@ -165,7 +165,8 @@ struct Found
 	std::vector<std::vector<std::uint32_t>> counted; // per rank, its vertices that count with one of another rank
 };
 
-/// Joins vertices that may be one. isPlace(a, b): whether they are at one place; isSeam(a, b): whether faces meet there.
+/// Joins vertices that may be one. isPlace(a, b): whether they are at one place; isSeam(a, b): whether faces meet
+/// there.
 template <class IsPlace, class IsSeam>
 void joinAmong(std::span<const RimVertex> vertices, const IsPlace& isPlace, const IsSeam& isSeam, Found& found)
 {
@@ -311,6 +312,7 @@ Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const st
 	std::ranges::sort(links);
 	const auto repeated = std::ranges::unique(links);
 	links.erase(repeated.begin(), repeated.end());
+	borders.hangs = hangsBetweenRanks(team, mesh, rim);
 	borders.components = countTogether(team, count, links);
 	return borders;
 }

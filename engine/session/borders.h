@@ -17,6 +17,7 @@ struct Borders
 	std::size_t vertices_elsewhere = 0; // of this mesh, counted with the mesh of another rank
 	std::size_t faces_elsewhere = 0;    // boundary polygons that were dropped, since another rank shows them
 	std::size_t components = 0;         // of the meshes of all ranks together
+	bool hangs = false; // a cell of one rank meets several smaller ones of another: then nothing here holds
 };
 
 /// Joins the meshes of a sheet that the ranks have: a face in the plane that two of them show is dropped at one, and

@@ -32,8 +32,7 @@ bool isListed(const grid::Block& block)
 bool haveSameArrays(const grid::Block& a, const grid::Block& b)
 {
 	return std::ranges::equal(a.fields, b.fields,
-	                          [](const grid::Field& x, const grid::Field& y)
-	                          {
+	                          [](const grid::Field& x, const grid::Field& y) {
 		                          return x.name == y.name && x.association == y.association &&
 		                                 x.components == y.components && x.type == y.type;
 	                          });
@@ -136,8 +135,8 @@ void joinSources(Pieces pieces, grid::CellList& joined)
 	{
 		const grid::CellList& list = listOf(piece);
 		for (std::size_t cell = 0; cell < list.size(); ++cell)
-			sources.push_back(before + (list.source_cells.empty() ? static_cast<std::int64_t>(cell)
-			                                                      : list.source_cells[cell]));
+			sources.push_back(before +
+			                  (list.source_cells.empty() ? static_cast<std::int64_t>(cell) : list.source_cells[cell]));
 		before += static_cast<std::int64_t>(list.source_cells.empty() ? list.size() : gridOf(piece).sourceCellCount());
 		joined.source_points += gridOf(piece).sourcePointCount();
 	}
@@ -193,8 +192,8 @@ grid::Block joinedBlock(Pieces pieces)
 	joined.name = pieces[0].name;
 	joined.length_units = pieces[0].length_units;
 	joined.arrays_left_out = pieces[0].arrays_left_out;
-	joined.grid = grid::UnstructuredGrid::listed(is_double ? pointsOf<double>(pieces) : pointsOf<float>(pieces),
-	                                             cellsOf(pieces));
+	joined.grid =
+	    grid::UnstructuredGrid::listed(is_double ? pointsOf<double>(pieces) : pointsOf<float>(pieces), cellsOf(pieces));
 	for (std::size_t f = 0; f < pieces[0].fields.size(); ++f)
 		joined.fields.push_back(fieldOf(pieces, f));
 	for (const grid::Block& piece : pieces)

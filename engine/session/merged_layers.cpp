@@ -29,8 +29,8 @@ Bytes runsOf(const render::LayerValues& layers)
 		while (end < pixels && !isEmpty(end))
 			++end;
 		message.put(pixel);
-		message.putAll(std::span<const float>(layers.values).subspan(pixel * layers.channels,
-		                                                             (end - pixel) * layers.channels));
+		message.putAll(
+		    std::span<const float>(layers.values).subspan(pixel * layers.channels, (end - pixel) * layers.channels));
 		pixel = end;
 	}
 	return message.take();

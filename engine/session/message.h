@@ -18,13 +18,10 @@ class MessageWriter
 {
 public:
 	template <class T>
-	    requires std::is_trivially_copyable_v<T>
-	void put(const T& value)
-	{
-		append(&value, sizeof(T));
-	}
+	requires std::is_trivially_copyable_v<T>
+	void put(const T& value) { append(&value, sizeof(T)); }
 	template <class T>
-	    requires std::is_trivially_copyable_v<T>
+	requires std::is_trivially_copyable_v<T>
 	void putAll(std::span<const T> values)
 	{
 		put(values.size());
@@ -60,8 +57,7 @@ public:
 
 	bool atEnd() const { return rest_.empty(); }
 	template <class T>
-	    requires std::is_trivially_copyable_v<T>
-	T get()
+	requires std::is_trivially_copyable_v<T> T get()
 	{
 		T value;
 		copyTo(&value, sizeof(T));

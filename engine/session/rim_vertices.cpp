@@ -33,8 +33,8 @@ bool RimVertex::hasDataOf(const RimVertex& other) const
 {
 	const auto areSame = [](const auto& a, const auto& b)
 	{
-		return a.first == b.first && std::ranges::equal(a.second, b.second, [](const ValueAt& x, const ValueAt& y)
-		                                                { return x.isSame(y); });
+		return a.first == b.first &&
+		       std::ranges::equal(a.second, b.second, [](const ValueAt& x, const ValueAt& y) { return x.isSame(y); });
 	};
 	return std::ranges::equal(arrays, other.arrays, areSame);
 }

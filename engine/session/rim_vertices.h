@@ -44,9 +44,9 @@ struct RimVertex
 	Vec3 place{};
 	double near = 0.0; // so far apart two places may be that are meant to be one
 	std::uint32_t component = 0;
-	std::uint32_t whole = 0;      // the block that one process would have
-	bool on_edge = true;          // of a cell; else on the rim of a window
-	std::vector<FaceKey> faces{}; // of cells, on which it lies; ascending
+	std::uint32_t whole = 0;                                            // the block that one process would have
+	bool on_edge = true;                                                // of a cell; else on the rim of a window
+	std::vector<FaceKey> faces{};                                       // of cells, on which it lies; ascending
 	std::vector<std::pair<std::string, std::vector<ValueAt>>> arrays{}; // by name
 
 	bool isAcross(const RimVertex& other) const; // a seam

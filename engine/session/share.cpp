@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <string_view>
 
 namespace vp::session
 {
@@ -247,8 +248,13 @@ Status fitsTeam(const view::ViewSpec& spec)
 {
 	const view::ProbeSpec& probe = spec.probe;
 	const view::LookSpec& look = spec.look;
-	const bool has_forms =
-	    probe.own && std::ranges::any_of(probe.own->probe.sheets, [](const probe::Sheet& s) { return s.form.has_value(); });
+	const bool has_forms = probe.own && std::ranges::any_of(probe.own->probe.sheets,
+	                                                        [](const probe::Sheet& s) { return s.form.has_value(); });
+	// Their places follow from whole lines.
+	const bool has_labels =
+	    !look.no_labels &&
+	    (look.lines > 0 || (probe.own && std::ranges::any_of(probe.own->probe.sheets, [](const auto& s)
+	                                                         { return s.wishes.lines.has_value(); })));
 	const std::pair<bool, const char*> refused[] = {
 	    {!std::holds_alternative<std::monostate>(probe.surface) || has_forms, "surface"},
 	    {probe.threshold.has_value(), "threshold"},
@@ -257,6 +263,7 @@ Status fitsTeam(const view::ViewSpec& spec)
 	    {probe.seeds != seed::SeedMode::automatic, "seeds"},
 	    {probe.outside != seed::OutsidePolicy::nearest, "outside"},
 	    {look.contour.isGiven(), "contour"},
+	    {has_labels, "lines"},
 	    {!look.context.empty(), "context"},
 	    {look.outline == render::Outline::edges, "outline"},
 	    {look.color_by == view::ColorBy::generation, "color_by"},
@@ -265,7 +272,11 @@ Status fitsTeam(const view::ViewSpec& spec)
 	    {spec.machine.classify == view::Classify::gpu, "classify"},
 	    {read::isTolerance(spec.input.refine), "refine"}};
 	for (const auto& [given, key] : refused)
-		if (given)
+		if (given && key == std::string_view("lines"))
+			return Error{ErrorKind::usage,
+			             "`lines`: values on lines that run through the parts of several processes are "
+			             "not drawn; add `no_labels`, or use vprobe in place of vprobe-mpi"};
+		else if (given)
 			return Error{ErrorKind::usage, fmt::format("`{}`: processes with a part of the data each cannot do this; "
 			                                           "leave it out, or use vprobe in place of vprobe-mpi",
 			                                           key)};
@@ -304,8 +315,8 @@ Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inp
 	share.own_parts = own.size();
 	grid::BlockSet all = withOthers(team, std::move(*read), list, share);
 	if (all.blocks.empty())
-		return Error{ErrorKind::input, fmt::format("{}: nothing to slice: it holds no three-dimensional cells",
-		                                           fmt::join(inputs, ", "))};
+		return Error{ErrorKind::input,
+		             fmt::format("{}: nothing to slice: it holds no three-dimensional cells", fmt::join(inputs, ", "))};
 	if (has_interfaces) // their numbers are those of this rank's blocks alone
 		grid::matchInterfaces(all);
 	return all;

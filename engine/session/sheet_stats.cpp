@@ -16,8 +16,13 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 		if (session.view.crinkle)
 			stats.crinkle = slice.crinkle(session.blocks, sheet);
 		if (session.team)
-			stats.borders = joinBorders(*session.team, slice.blocksOf(session.blocks), session.share->whole, stats.mesh);
+			stats.borders =
+			    joinBorders(*session.team, slice.blocksOf(session.blocks), session.share->whole, stats.mesh);
 	}
+	if (stats.borders.hangs)
+		return Error{ErrorKind::input,
+		             "cells of different sizes meet between two processes; give each such group of blocks "
+		             "to one of them by fewer processes, or use vprobe"};
 	Result<SharedTraces> traces = traceSheet(session, slice, sheet, stats.mesh);
 	if (!traces)
 		return traces.error();

@@ -90,16 +90,21 @@ Surroundings surroundingsOf(const Session& session, render::Outline outline)
 	if (outline == render::Outline::box)
 	{
 		around.outline = boxOutlines(session);
-		const auto curved = ofAllRanks<render::Segment>(
-		    session, [](const grid::Block& block)
-		    { return isCurvilinear(block) ? render::outlineOf(alone(block), render::Outline::box)
-			                              : std::vector<render::Segment>(); });
+		const auto curved =
+		    ofAllRanks<render::Segment>(session,
+		                                [](const grid::Block& block)
+		                                {
+			                                return isCurvilinear(block)
+			                                           ? render::outlineOf(alone(block), render::Outline::box)
+			                                           : std::vector<render::Segment>();
+		                                });
 		around.outline.insert(around.outline.end(), curved.begin(), curved.end());
 	}
 	if (std::ranges::any_of(session.blocks.blocks, isUnstructured))
 		around.extent = farthestOfAll(session);
-	const auto structured = ofAllRanks<Vec3>(session, [](const grid::Block& block)
-	                                         { return isUnstructured(block) ? std::vector<Vec3>() : render::extentOf(alone(block)); });
+	const auto structured =
+	    ofAllRanks<Vec3>(session, [](const grid::Block& block)
+	                     { return isUnstructured(block) ? std::vector<Vec3>() : render::extentOf(alone(block)); });
 	around.extent.insert(around.extent.end(), structured.begin(), structured.end());
 	return around;
 }

@@ -43,7 +43,7 @@ public:
 
 /// Gives every rank the sum of what all have, by add(into, other).
 template <class T, class Add>
-    requires std::is_trivially_copyable_v<T>
+requires std::is_trivially_copyable_v<T>
 void sumOverAll(Team& team, T& value, const Add& add)
 {
 	const auto bytesOf = [](const T& of)

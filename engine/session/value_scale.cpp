@@ -42,8 +42,7 @@ valueScale(const Session& session, const std::optional<grid::FieldChoice>& field
 		if (of_block)
 			span.include(grid::valueSpan(*of_block, field->component));
 	if (session.team)
-		sumOverAll(*session.team, span,
-		           [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
+		sumOverAll(*session.team, span, [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
 	const auto [lo, hi] = span.range();
 	render::ValueScale scale{field->title(blocks), lo, hi};
 	scale.per_cell = field->association == grid::Association::cell;

@@ -59,6 +59,10 @@ def test_what_is_refused_names_the_remedy(programs, case, asked):
     assert 'vprobe' in fails(programs, 2, 'slice', case, *asked).removeprefix('vprobe-mpi: ')
 
 
+def test_labels_on_lines_are_refused(programs, case):
+    assert 'add --no-labels' in fails(programs, 2, 'render', case, '--lines', 8, '-o', 'out.png')
+
+
 def test_an_unknown_option(programs, case):
     assert 'see vprobe-mpi slice --help' in fails(programs, 3, 'slice', case, '--nonsense')
 

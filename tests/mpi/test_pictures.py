@@ -31,7 +31,7 @@ def test_structured_blocks(same_pictures, tmp_path):
     same_pictures([4], case, '--probe', 'trihedral', '--opacity', 0.5, *SMALL)
 
 
-@pytest.mark.parametrize('look', [('--mesh',), ('--lines', 8), ('--bands', 5), ('--range-of', 'slice'),
+@pytest.mark.parametrize('look', [('--mesh',), ('--lines', 8, '--no-labels'), ('--bands', 5), ('--range-of', 'slice'),
                                   ('--samples', 1), ('--array', 'cell:c'), ('--log', '--array', 'cell:c'),
                                   ('--camera', 'sheet')])
 def test_looks(same_pictures, tmp_path, look):

@@ -148,8 +148,8 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	if (options.common.explain)
 		return explain(spec, how);
 	for (const Status& fits :
-	     {checkWritable(options.stats), checkSweepOptions(options), checkTeam(options), view::requirePathOfSurface(spec.probe, spec.sweep),
-	      view::refuseGenerations(spec.probe, spec.look.color_by)})
+	     {checkWritable(options.stats), checkSweepOptions(options), checkTeam(options),
+	      view::requirePathOfSurface(spec.probe, spec.sweep), view::refuseGenerations(spec.probe, spec.look.color_by)})
 		if (!fits)
 			return fits.error();
 	Result<view::ResolvedLook> look = view::resolveLook(spec);
@@ -180,7 +180,8 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	    productsOf(options, session, std::move(*look), std::move(*frames));
 	if (!products)
 		return products.error();
-	const bool threads = spec.machine.threads != 1 && !team(); // one thread is one, and the calls of a team have an order
+	const bool threads =
+	    spec.machine.threads != 1 && !team(); // one thread is one, and the calls of a team have an order
 	const SweepPlan plan{
 	    *count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr, spec.look.contour, {}};
 	Result<nlohmann::json> figures = spec.sweep.over_times

@@ -21,8 +21,8 @@ using nlohmann::json;
 
 // Counts of a sheet that each rank has of its own cells.
 constexpr std::array<std::string_view, 12> kSummed = {
-    "cut_cells",      "linear_cut_cells", "polygons",      "vertices",      "seeds",         "hops",
-    "boundary_tests", "tree_tests",       "cells_touched", "cells_scanned", "cells_walked",  "boundary_faces"};
+    "cut_cells",      "linear_cut_cells", "polygons",      "vertices",      "seeds",        "hops",
+    "boundary_tests", "tree_tests",       "cells_touched", "cells_scanned", "cells_walked", "boundary_faces"};
 constexpr std::array<std::string_view, 2> kGreatest = {"generations", "front_max"};
 // Of these, what is told for each rank.
 constexpr std::array<std::string_view, 8> kOfRank = {"cut_cells",  "seeds",         "hops",          "boundary_tests",

@@ -67,13 +67,11 @@ Result<Targets> Targets::create(gpu::Device& device, const PicturePart& first, s
 		return Nothing{};
 	};
 	// Mesh lines are drawn by the hardware's rasterizer alone.
-	const VkImageUsageFlags computed =
-	    mesh ? 0 : VkImageUsageFlags(VK_IMAGE_USAGE_STORAGE_BIT);
-	if (Status made =
-	        make(targets.values, layerFormat(mesh),
-	             VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-	                 VK_IMAGE_USAGE_TRANSFER_DST_BIT | computed,
-	             layers, "value layers");
+	const VkImageUsageFlags computed = mesh ? 0 : VkImageUsageFlags(VK_IMAGE_USAGE_STORAGE_BIT);
+	if (Status made = make(targets.values, layerFormat(mesh),
+	                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+	                           VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | computed,
+	                       layers, "value layers");
 	    !made)
 		return made.error();
 	if (Status made =
@@ -158,8 +156,7 @@ void Targets::recordCopy(VkCommandBuffer to, const gpu::Image* into) const
 	VkBufferImageCopy copy{};
 	copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
 	copy.imageExtent = {extent.width, extent.height, 1};
-	vkCmdCopyImageToBuffer(to, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels.handle(),
-	                       1, &copy);
+	vkCmdCopyImageToBuffer(to, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels.handle(), 1, &copy);
 	gpu::memoryBarrier(to, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT,
 	                   VK_ACCESS_2_HOST_READ_BIT);
 }

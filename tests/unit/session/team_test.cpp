@@ -129,8 +129,9 @@ TEST(MergedLayers, TakeTheHighestRankThatHasAValue)
 	constexpr float none = shared::kEmptyValue;
 	constexpr float nan = shared::kNanValue;
 	// Two layers of 3 x 1 pixels, of each rank.
-	const std::vector<std::vector<float>> of_rank = {
-	    {1.0f, 1.0f, 1.0f, none, none, 1.0f}, {none, 2.0f, none, 2.0f, none, 2.0f}, {none, none, 3.0f, none, none, nan}};
+	const std::vector<std::vector<float>> of_rank = {{1.0f, 1.0f, 1.0f, none, none, 1.0f},
+	                                                 {none, 2.0f, none, 2.0f, none, 2.0f},
+	                                                 {none, none, 3.0f, none, none, nan}};
 	withTeam(3,
 	         [&](Team& team)
 	         {
