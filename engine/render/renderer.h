@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/result.h"
-#include "render/layer_values.h"
 #include "render/passes/fragment_lists.h"
 #include "render/picture.h"
+#include "render/scene/layer_values.h"
 #include "render/scene/scene.h"
 
 #include <cstdint>

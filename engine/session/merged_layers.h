@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/layer_values.h"
+#include "render/scene/layer_values.h"
 #include "session/team.h"
 
 #include <cstdint>

@@ -63,6 +63,18 @@ def test_labels_on_lines_are_refused(programs, case):
     assert 'add --no-labels' in fails(programs, 2, 'render', case, '--lines', 8, '-o', 'out.png')
 
 
+def test_cells_of_different_sizes_between_ranks(programs, tmp_path):
+    for number, (spacing, origin) in enumerate([(0.25, 0.0), (0.5, 1.0)]):
+        image = pieces.vtk.vtkImageData()
+        image.SetDimensions(*[round(1 / spacing) + 1] * 3)
+        image.SetSpacing(spacing, spacing, spacing)
+        image.SetOrigin(origin, 0.0, 0.0)
+        pieces.write(pieces.vtk.vtkXMLImageDataWriter(), image, tmp_path / f'block{number}.vti')
+    blocks = [tmp_path / f'block{number}.vti' for number in range(2)]
+    programs.mpi(1, 'slice', *blocks, '--normal', 0.1, 0.2, 0.9)
+    assert 'cells of different sizes meet' in fails(programs, 2, 'slice', *blocks, '--normal', 0.1, 0.2, 0.9)
+
+
 def test_an_unknown_option(programs, case):
     assert 'see vprobe-mpi slice --help' in fails(programs, 3, 'slice', case, '--nonsense')
 

@@ -2,8 +2,8 @@
 
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
-#include "render/layer_values.h"
 #include "render/passes/targets.h"
+#include "render/scene/layer_values.h"
 
 namespace vp::render
 {

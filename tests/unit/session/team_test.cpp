@@ -141,7 +141,9 @@ TEST(MergedLayers, TakeTheHighestRankThatHasAValue)
 		         EXPECT_EQ(goes_on, team.isFirst());
 		         EXPECT_EQ(sent > 0, !team.isFirst());
 		         if (team.isFirst())
+		         {
 			         EXPECT_EQ(values, (std::vector<float>{1.0f, 2.0f, 3.0f, 2.0f, none, nan}));
+		         }
 	         });
 }
 
@@ -155,6 +157,8 @@ TEST(MergedLayers, TakeAllChannelsFromOneRank)
 		                                                    : std::vector<float>{2.0f, 0.0f, none, 1.0f};
 		         std::uint64_t sent = 0;
 		         if (mergeLayers(team, {2, 1, 1, 2, values}, sent))
+		         {
 			         EXPECT_EQ(values, (std::vector<float>{2.0f, 0.0f, 1.0f, 0.25f}));
+		         }
 	         });
 }
