@@ -310,8 +310,7 @@ Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const st
 	joinNear(team, rim, links);
 	borders.vertices_elsewhere = all - rim.size();
 	std::ranges::sort(links);
-	const auto repeated = std::ranges::unique(links);
-	links.erase(repeated.begin(), repeated.end());
+	links.erase(std::unique(links.begin(), links.end()), links.end());
 	borders.hangs = hangsBetweenRanks(team, mesh, rim);
 	borders.components = countTogether(team, count, links);
 	return borders;

@@ -112,8 +112,7 @@ std::vector<std::vector<FaceKey>> facesAtRim(const grid::BlockSet& blocks, const
 	for (std::vector<FaceKey>& keys : of_vertex)
 	{
 		std::ranges::sort(keys);
-		const auto repeated = std::ranges::unique(keys);
-		keys.erase(repeated.begin(), repeated.end());
+		keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 	}
 	return of_vertex;
 }
