@@ -25,6 +25,9 @@ Result<VkCommandBuffer> LayerMerge::run(gpu::Device& device, gpu::Commands& comm
 	VkBufferImageCopy copy{};
 	copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, layers};
 	copy.imageExtent = {all.width, all.height, 1};
+	// The sample before has read the buffer.
+	gpu::memoryBarrier(commands.handle(), VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_NONE, VK_PIPELINE_STAGE_2_COPY_BIT,
+	                   VK_ACCESS_2_TRANSFER_WRITE_BIT);
 	targets.values.transition(commands.handle(), gpu::kSampled, gpu::kCopyFrom);
 	vkCmdCopyImageToBuffer(commands.handle(), targets.values.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
 	                       values_.handle(), 1, &copy);
