@@ -14,8 +14,10 @@ build_packages=(
 )
 # What the Python module is built with. A program without one needs none of it.
 python_packages=(python3-dev python3-numpy pybind11-dev)
+# What vprobe-mpi is built with and run by. The other programs need none of it.
+cluster_packages=(libopenmpi-dev openmpi-bin)
 test_packages=(
-	"${python_packages[@]}" python3-pytest python3-vtk9 mypy python3-ipywidgets python3-nbclient python3-ipykernel
+	"${python_packages[@]}" "${cluster_packages[@]}" python3-pytest python3-vtk9 mypy python3-ipywidgets python3-nbclient python3-ipykernel
 	python3-build python3-venv python3-setuptools python3-wheel
 	libgtest-dev libgmock-dev libbenchmark-dev libmuparser-dev vulkan-validationlayers
 	xvfb xdotool openbox

@@ -28,6 +28,13 @@ vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string
 // Adds the block of such a file: without VTK where that is possible.
 void addXml(const Request& request, const std::string& type, ManifestWriter& manifest);
 
+// Where parts are asked for, reads the pieces of a parallel file that can be cut on their own, each as a block. False,
+// and nothing read, for other types, and where pieces lie on each other.
+bool readPieces(const Request& request, const std::string& type, ManifestWriter& manifest);
+
+// About how many cells a VTK XML file has, from its first bytes.
+std::size_t cellsOfXml(const std::string& file);
+
 // The type its VTKFile element gives; empty where there is none.
 std::string xmlTypeOfFile(const std::string& file);
 

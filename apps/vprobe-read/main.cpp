@@ -77,7 +77,8 @@ Request parseRequest(char** arguments)
 	request.raw = arguments[9];
 	request.convert_to = arguments[10];
 	request.convert_beside = arguments[11];
-	request.file = arguments[12];
+	request.parts = arguments[12];
+	request.file = arguments[13];
 	request.arguments = arguments;
 	return request;
 }
@@ -100,7 +101,7 @@ void sendManifest(const std::string& text)
 int main(int argc, char** argv)
 {
 	const auto is_open = [](int fd) { return fcntl(fd, F_GETFD) >= 0; };
-	if (argc != 13 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
+	if (argc != 14 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
 	{
 		std::fprintf(stderr, "vprobe-read is started by vprobe to read files; run vprobe info FILE instead\n");
 		return 1;
@@ -110,7 +111,7 @@ int main(int argc, char** argv)
 	{
 		installComplaints();
 		const Request request = parseRequest(argv);
-		ManifestWriter manifest(request.refine, request.arrays, !request.convert_to.empty());
+		ManifestWriter manifest(request.refine, request.arrays, !request.convert_to.empty(), PartFilter(request.parts));
 		if (request.convert_to.ends_with(".vtkhdf"))
 			needHdf5(request);
 		readAnyFormat(request, manifest);

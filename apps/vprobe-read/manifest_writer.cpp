@@ -138,7 +138,7 @@ void ManifestWriter::addPatches(vtkDataObject* object)
 void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* given)
 {
 	json left_out = std::exchange(left_out_, json::array());
-	if (!given || given->GetNumberOfCells() == 0)
+	if (!given || given->GetNumberOfCells() == 0 || !parts_.begin(static_cast<std::size_t>(given->GetNumberOfCells())))
 		return;
 	const vtkSmartPointer<vtkDataSet> wanted =
 	    wish_.all ? vtkSmartPointer<vtkDataSet>(given) : withWishedArrays(given, left_out);
@@ -176,6 +176,20 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* given)
 		keep(name, wanted);
 }
 
+void ManifestWriter::addImageOf(vtkImageData* piece, const std::array<int, 3>& first)
+{
+	json block;
+	const json left_out = std::exchange(left_out_, json::array());
+	if (piece->GetNumberOfCells() == 0 || !describeLattice(piece, block))
+		return;
+	if (block["kind"] == "image")
+		block = describeImageOf(writer_, piece, first);
+	block["arrays"] = describeArrays(piece, piece);
+	for (const json& array : left_out)
+		block["arrays"].push_back(array);
+	addBlock("", std::move(block));
+}
+
 // A reader may use its data set again for the next file.
 void ManifestWriter::keep(const std::string& name, vtkDataSet* data)
 {
@@ -192,6 +206,8 @@ std::string ManifestWriter::fullName(const std::string& name) const
 void ManifestWriter::addBlock(const std::string& name, json block)
 {
 	block["name"] = fullName(name);
+	if (parts_.filters())
+		block["part"] = parts_.number();
 	blocks_.push_back(std::move(block));
 }
 
@@ -326,7 +342,7 @@ std::string ManifestWriter::finish()
 	if (counts_.trimmed > 0)
 		warnings_.push_back(
 		    fmt::format("{} cells list more points than their type has; the first ones are used", counts_.trimmed));
-	if (blocks_.empty())
+	if (blocks_.empty() && !parts_.filters())
 	{
 		if (!counts_.not_sliced.empty())
 			throw Refusal(
@@ -342,6 +358,13 @@ std::string ManifestWriter::finish()
 	                 {"warnings", warnings_},
 	                 {"blocks", blocks_},
 	                 {"patches", patches_}};
+	if (parts_.filters())
+	{
+		if (parts_.parts().empty())
+			throw Refusal("nothing to slice: it holds no three-dimensional cells");
+		manifest["parts"] = parts_.parts();
+		manifest["wholes"] = parts_.blocks();
+	}
 	if (!length_units_.empty())
 		manifest["length_units"] = length_units_;
 	// Names in files need not be UTF-8.

@@ -4,16 +4,19 @@
 #include "array_writer.h"
 #include "cell_lists.h"
 #include "convert.h"
+#include "part_filter.h"
 #include "read/protocol.h"
 
 #include <nlohmann/json.hpp>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
 class vtkDataObject;
 class vtkDataSet;
+class vtkImageData;
 
 // An array that is not handed over.
 nlohmann::json describeLeftOut(const char* association, const std::string& name, vp::grid::NumberType type,
@@ -24,8 +27,9 @@ class ManifestWriter
 {
 public:
 	// `refine`: how many times the linear parts of curved cells are halved, or a tolerance. `keeps`: whether kept() is
-	// wanted.
-	ManifestWriter(double refine, ArrayWish wish, bool keeps) : refine_(refine), wish_(std::move(wish)), keeps_(keeps)
+	// wanted. `parts`: those to hand over.
+	ManifestWriter(double refine, ArrayWish wish, bool keeps, PartFilter parts = {})
+	    : refine_(refine), wish_(std::move(wish)), keeps_(keeps), parts_(std::move(parts))
 	{
 	}
 
@@ -34,6 +38,10 @@ public:
 	bool addQuickly(const std::string& file, int threads);
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);
+	// A piece of an image whose subscripts begin with `first`, as a rectilinear block: its points have the places that
+	// they have in the whole, to the last bit.
+	void addImageOf(vtkImageData* piece, const std::array<int, 3>& first);
+	PartFilter& parts() { return parts_; }
 	// The data sets of polygons in `object` become patches of the boundary, by their names. Any object, and none.
 	void addPatches(vtkDataObject* object);
 	// An array of the next data set that was not read, as describeLeftOut() says.
@@ -74,4 +82,5 @@ private:
 	CellCounts counts_;
 	nlohmann::json left_out_ = nlohmann::json::array();
 	std::string prefix_;
+	PartFilter parts_;
 };

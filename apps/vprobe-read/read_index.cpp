@@ -82,6 +82,9 @@ void readElements(const Request& request, vtkXMLDataElement* parent, const std::
 				continue; // an empty leaf
 			manifest.setPrefix(full);
 			const Request piece = pieceOf(request, file);
+			if (!manifest.parts().begin(cellsOfXml(piece.file)))
+				continue;
+			const InsidePart inside(manifest.parts());
 			addXml(piece, xmlTypeOfFile(piece.file), manifest);
 		}
 		else if (kind == "Block" || kind == "Piece" || kind == "Partitions")
@@ -148,6 +151,14 @@ void readAmr(const Request& request, const std::string& type, ManifestWriter& ma
 	if (!index)
 		throw damaged(fmt::format("it has no {} element", type));
 	AmrLevels levels = readAmrLevels(index);
+	// Finer levels hide parts of coarser ones and meet them at hanging points, so they stay together.
+	std::size_t cells = 0;
+	for (const auto& boxes : levels.boxes)
+		for (const AmrBox& box : boxes)
+			cells += cellsOfXml(pieceOf(request, box.file).file);
+	if (!manifest.parts().begin(cells))
+		return;
+	const InsidePart inside(manifest.parts());
 	if (type == "vtkNonOverlappingAMR")
 		levels.ratios.clear();
 	for (std::size_t level = 0; level < levels.boxes.size(); ++level)

@@ -105,8 +105,12 @@ void addXml(const Request& request, const std::string& type, ManifestWriter& man
 	if (is_quick && request.convert_to.empty())
 	{
 		refuseShortXml(request.file);
+		if (!manifest.parts().begin(cellsOfXml(request.file)))
+			return;
+		const InsidePart inside(manifest.parts());
 		if (manifest.addQuickly(request.file, request.threads))
 			return;
+		return manifest.add(loadXml(request, type, manifest));
 	}
 	manifest.add(loadXml(request, type, manifest));
 }
@@ -122,7 +126,8 @@ void readXml(const Request& request, const std::string& type, ManifestWriter& ma
 		return readMultiBlock(request, type, manifest);
 	if (isOneOf(type, {"vtkHierarchicalBoxDataSet", "vtkOverlappingAMR", "vtkNonOverlappingAMR"}))
 		return readAmr(request, type, manifest);
-	addXml(request, type, manifest);
+	if (!readPieces(request, type, manifest))
+		addXml(request, type, manifest);
 }
 
 void readLegacy(const Request& request, ManifestWriter& manifest)

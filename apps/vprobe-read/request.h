@@ -28,5 +28,6 @@ struct Request
 	std::string convert_to;     // the file that is to be written; mostly empty
 	std::string convert_beside; // where its bytes go until it is whole
 	ArrayWish arrays;           // those to hand over
+	std::string parts;          // those to hand over, see PartFilter; mostly empty
 	char** arguments = nullptr; // as the process was started with them
 };

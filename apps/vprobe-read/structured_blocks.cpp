@@ -93,6 +93,23 @@ json describeImage(ArrayWriter& writer, vtkImageData* image)
 	return {{"kind", "image"}, {"points", points}, {"origin", origin}, {"spacing", spacing}};
 }
 
+json describeImageOf(ArrayWriter& writer, vtkImageData* piece, const std::array<int, 3>& first)
+{
+	json axes = json::array();
+	const int* extent = piece->GetExtent();
+	for (int axis = 0; axis < 3; ++axis)
+	{
+		const double spacing =
+		    std::copysign(1.0, piece->GetDirectionMatrix()->GetElement(axis, axis)) * piece->GetSpacing()[axis];
+		const double origin = piece->GetOrigin()[axis] + first[axis] * spacing;
+		std::vector<double> places;
+		for (int i = extent[2 * axis]; i <= extent[2 * axis + 1]; ++i)
+			places.push_back(origin + static_cast<std::uint32_t>(i - first[axis]) * spacing);
+		axes.push_back(writer.write(NumberType::float64, places.data(), places.size() * sizeof(double)));
+	}
+	return {{"kind", "rectilinear"}, {"axes", axes}};
+}
+
 json describeRectilinear(ArrayWriter& writer, vtkRectilinearGrid* grid)
 {
 	const std::array<vtkDataArray*, 3> axes = {grid->GetXCoordinates(), grid->GetYCoordinates(),

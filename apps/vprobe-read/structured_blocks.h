@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+
 class vtkDataArray;
 class vtkImageData;
 class vtkRectilinearGrid;
@@ -12,6 +14,8 @@ class vtkPoints;
 
 // The part of a block's description that places its points.
 nlohmann::json describeImage(ArrayWriter& writer, vtkImageData* image);
+// Of a piece of an image whose subscripts begin with `first`: the axes of a rectilinear grid.
+nlohmann::json describeImageOf(ArrayWriter& writer, vtkImageData* piece, const std::array<int, 3>& first);
 nlohmann::json describeRectilinear(ArrayWriter& writer, vtkRectilinearGrid* grid);
 nlohmann::json describeCurvilinear(ArrayWriter& writer, vtkStructuredGrid* grid);
 

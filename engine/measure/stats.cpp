@@ -18,14 +18,12 @@ namespace vp::measure
 namespace
 {
 
-struct Sums
+// The figures of one polygon. They are added up as they come, which is the same wherever the polygon is measured.
+struct PolygonSums
 {
 	double area = 0.0;
-	double boundary_area = 0.0;
 	double nan_area = 0.0;
-	double value_area = 0.0; // integral of the values over the area that is not NaN
-	double min = std::numeric_limits<double>::infinity();
-	double max = -std::numeric_limits<double>::infinity();
+	double value_area = 0.0;
 
 	// A polygon with a value of its own, or, where vertex_values are given, as the fan about the mean of its vertices.
 	void addPolygon(const mesh::SheetMesh& mesh, std::span<const std::uint32_t> polygon,
@@ -55,36 +53,36 @@ struct Sums
 		else
 			value_area += area_part * mean_value;
 	}
-	void addValue(double value)
+	void addTo(SheetSums& sums) const
 	{
-		if (!std::isfinite(value))
-			return;
-		min = std::min(min, value);
-		max = std::max(max, value);
-	}
-	void add(const Sums& other)
-	{
-		area += other.area;
-		boundary_area += other.boundary_area;
-		nan_area += other.nan_area;
-		value_area += other.value_area;
-		min = std::min(min, other.min);
-		max = std::max(max, other.max);
+		sums.area += area;
+		if (nan_area != 0.0)
+			sums.nan_area += nan_area;
+		if (value_area != 0.0)
+			sums.value_area += value_area;
 	}
 };
 
+void addValue(SheetSums& sums, double value)
+{
+	if (!std::isfinite(value))
+		return;
+	sums.min = std::min(sums.min, value);
+	sums.max = std::max(sums.max, value);
+}
+
 // Values of vertices, with their range.
-Sums takeVertexValues(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const grid::FieldChoice& field,
-                      std::vector<double>& values)
+SheetSums takeVertexValues(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const grid::FieldChoice& field,
+                           std::vector<double>& values)
 {
 	values.resize(mesh.positions.size());
 	const std::vector<const grid::Field*> fields = field.inEach(blocks);
-	return orderedSum<Sums>(values.size(),
-	                        [&](Sums& sums, std::size_t v)
-	                        {
-		                        values[v] = mesh::vertexValue(blocks, mesh, v, fields, field.component);
-		                        sums.addValue(values[v]);
-	                        });
+	return orderedSum<SheetSums>(values.size(),
+	                             [&](SheetSums& sums, std::size_t v)
+	                             {
+		                             values[v] = mesh::vertexValue(blocks, mesh, v, fields, field.component);
+		                             addValue(sums, values[v]);
+	                             });
 }
 
 // Whether is_finite(i) holds for each of so many, asked on all cores.
@@ -131,49 +129,75 @@ double nanArea(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const 
 	return finite ? 0.0 : measure(blocks, mesh, field).nan_area;
 }
 
-SheetMeasure measure(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
-                     const std::optional<grid::FieldChoice>& field)
+void SheetSums::add(const SheetSums& other)
+{
+	area += other.area;
+	boundary_area += other.boundary_area;
+	nan_area += other.nan_area;
+	value_area += other.value_area;
+	min = std::min(min, other.min);
+	max = std::max(max, other.max);
+}
+
+SheetSums sumUp(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
+                const std::optional<grid::FieldChoice>& field)
 {
 	const bool on_points = field && field->association == grid::Association::point;
 	constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 	std::vector<double> vertex_values;
-	const Sums of_vertices = on_points ? takeVertexValues(blocks, mesh, *field, vertex_values) : Sums();
+	const SheetSums of_vertices = on_points ? takeVertexValues(blocks, mesh, *field, vertex_values) : SheetSums();
 	const auto fields = field ? field->inEach(blocks) : std::vector<const grid::Field*>(blocks.blocks.size());
 	const std::size_t of_cells = mesh.polygons() - mesh.boundary_polygons;
-	Sums sums = orderedSum<Sums>(mesh.polygons(),
-	                             [&](Sums& part, std::size_t p)
-	                             {
-		                             const auto polygon = mesh.polygon(p);
-		                             const auto [b, cell] = mesh.polygon_cells[p];
-		                             double polygon_value = kNan;
-		                             if (field && !on_points)
-		                             {
-			                             if (fields[b])
-				                             polygon_value =
-				                                 mesh::cellValue(blocks.blocks[b], *fields[b], field->component, cell);
-			                             part.addValue(polygon_value);
-		                             }
-		                             if (p < of_cells)
-			                             part.addPolygon(mesh, polygon, vertex_values, polygon_value);
-		                             else
-			                             part.boundary_area += 0.5 * glm::length(mesh::doubleArea(mesh, polygon));
-	                             });
+	SheetSums sums =
+	    orderedSum<SheetSums>(mesh.polygons(),
+	                          [&](SheetSums& part, std::size_t p)
+	                          {
+		                          const auto polygon = mesh.polygon(p);
+		                          const auto [b, cell] = mesh.polygon_cells[p];
+		                          double polygon_value = kNan;
+		                          if (field && !on_points)
+		                          {
+			                          if (fields[b])
+				                          polygon_value =
+				                              mesh::cellValue(blocks.blocks[b], *fields[b], field->component, cell);
+			                          addValue(part, polygon_value);
+		                          }
+		                          if (p < of_cells)
+		                          {
+			                          PolygonSums of_polygon;
+			                          of_polygon.addPolygon(mesh, polygon, vertex_values, polygon_value);
+			                          of_polygon.addTo(part);
+		                          }
+		                          else
+			                          part.boundary_area += 0.5 * glm::length(mesh::doubleArea(mesh, polygon));
+	                          });
 	sums.add(of_vertices);
+	return sums;
+}
 
+SheetMeasure measureOf(const SheetSums& sums, bool has_field)
+{
 	SheetMeasure result;
-	result.area = sums.area;
-	result.boundary_area = sums.boundary_area;
-	result.components = countComponents(mesh);
-	if (!field)
+	result.area = sums.area.value();
+	result.boundary_area = sums.boundary_area.value();
+	if (!has_field)
 		return result;
-	result.nan_area = sums.nan_area;
-	if (const double valued = sums.area - sums.nan_area; valued > 0.0)
-		result.mean = sums.value_area / valued;
+	result.nan_area = sums.nan_area.value();
+	if (const double valued = result.area - result.nan_area; valued > 0.0)
+		result.mean = sums.value_area.value() / valued;
 	if (sums.min <= sums.max)
 	{
 		result.min = sums.min;
 		result.max = sums.max;
 	}
+	return result;
+}
+
+SheetMeasure measure(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
+                     const std::optional<grid::FieldChoice>& field)
+{
+	SheetMeasure result = measureOf(sumUp(blocks, mesh, field), field.has_value());
+	result.components = countComponents(mesh);
 	return result;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "base/exact_sum.h"
 #include "grid/block.h"
 #include "grid/field_choice.h"
 #include "measure/finite_fields.h"
 #include "mesh/sheet_mesh.h"
 
+#include <limits>
 #include <optional>
 
 namespace vp::measure
@@ -25,6 +27,25 @@ struct SheetMeasure
 	std::optional<double> max;
 	std::size_t components = 0; // see components.h
 };
+
+// The figures of a part of a sheet, which may be added to those of other parts. Sums are exact, so they do not depend
+// on how a sheet is parted. A plain struct, which may be sent as bytes.
+struct SheetSums
+{
+	ExactSum area;
+	ExactSum boundary_area;
+	ExactSum nan_area;
+	ExactSum value_area; // integral of the values over the area that is not NaN
+	double min = std::numeric_limits<double>::infinity();
+	double max = -std::numeric_limits<double>::infinity();
+
+	void add(const SheetSums& other);
+};
+
+SheetSums sumUp(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
+                const std::optional<grid::FieldChoice>& field);
+// The measure of all parts together, but for its components. has_field: whether they show an array.
+SheetMeasure measureOf(const SheetSums& sums, bool has_field);
 
 // The nan_area of measure() alone: where all values are finite, as mostly, nothing else is looked at. known: what is
 // known of the blocks' arrays from other meshes, so that not even values are; or null.

@@ -121,9 +121,10 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	std::string threads =
 	    std::to_string(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 	std::string wish = wishArgument(options.arrays);
+	std::string parts = options.parts;
 	setup.arguments = {name.data(),    time.data(),    solution.data(), refine.data(), displace.data(),
 	                   patches.data(), threads.data(), wish.data(),     format.data(), raw.data(),
-	                   target.data(),  beside.data(),  path.data(),     nullptr};
+	                   target.data(),  beside.data(),  parts.data(),    path.data(),   nullptr};
 	setup.null = null.get();
 	setup.errors = errors.write_end.get();
 	setup.arrays = arrays.get();

@@ -82,7 +82,10 @@ public:
 			input.blocks.push_back(checkBlock(block));
 		for (CheckedBlock& block : input.blocks)
 			block.length_units = wordsOf(manifest.value("length_units", json("")));
-		if (input.blocks.empty())
+		checkParts(manifest, input);
+		if (!input.parts.empty())
+			takeParts(manifest.at("blocks"), input);
+		if (input.blocks.empty() && input.parts.empty())
 			throw Unusable("no blocks");
 		if (manifest.contains("patches"))
 			for (const json& patch : manifest.at("patches"))
@@ -91,6 +94,33 @@ public:
 	}
 
 private:
+	static void checkParts(const json& manifest, CheckedInput& input)
+	{
+		if (!manifest.contains("parts"))
+			return;
+		for (const json& whole : manifest.at("wholes"))
+			input.wholes.push_back(whole.is_null()
+			                           ? WholeLattice{}
+			                           : WholeLattice{wordsOf(whole.at("kind")), countOf(whole.at("points"))});
+		for (const json& part : manifest.at("parts"))
+		{
+			input.parts.push_back({countOf(part.at("cells")), countOf(part.at("block"))});
+			if (input.parts.back().block >= input.wholes.size())
+				throw Unusable("a part is of no block");
+		}
+	}
+
+	static void takeParts(const json& blocks, CheckedInput& input)
+	{
+		for (std::size_t b = 0; b < input.blocks.size(); ++b)
+		{
+			input.blocks[b].part = countOf(blocks.at(b).at("part"));
+			if (input.blocks[b].part >= input.parts.size() ||
+			    (b > 0 && input.blocks[b].part < input.blocks[b - 1].part))
+				throw Unusable("the parts of blocks are out of order");
+		}
+	}
+
 	// The bytes of an array that holds so many numbers of its type.
 	static Array<std::byte> bytesOf(const SharedBytes& memory, const json& array, NumberType type,
 	                                std::uint64_t numbers)

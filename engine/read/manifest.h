@@ -39,6 +39,21 @@ struct CheckedBlock
 	std::string length_units{};
 	std::optional<grid::Lattice> hidden_lattice; // see grid::Block
 	std::vector<std::string> arrays_left_out{};  // likewise
+	std::size_t part = 0;                        // of the input, where parts were asked for
+};
+
+// A part of an input, which can be cut on its own.
+struct InputPart
+{
+	std::size_t cells = 0; // about
+	std::size_t block = 0; // which it is of, where all parts are read at once
+};
+
+// What is known of a block whose parts are read on their own. kind: empty where each part is a block or several.
+struct WholeLattice
+{
+	std::string kind;
+	std::size_t points = 0;
 };
 
 // The checked data from a child.
@@ -49,6 +64,8 @@ struct CheckedInput
 	std::vector<double> times;
 	std::vector<std::string> warnings;
 	std::size_t left_out = 0;
+	std::vector<InputPart> parts{}; // if they were asked for
+	std::vector<WholeLattice> wholes{};
 };
 
 // Checks that an array has as many numbers as its block has points or cells. Throws Unusable.

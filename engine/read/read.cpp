@@ -39,7 +39,9 @@ Result<CheckedInput> readChecked(const std::string& file, const ReadOptions& opt
 	return checked;
 }
 
-Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& options, Timeline* timeline)
+// parts: gets the number of the part that each block is of; or null.
+Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& options, Timeline* timeline,
+                                std::vector<std::size_t>* parts)
 {
 	Result<CheckedInput> input = readChecked(file, options, timeline);
 	if (!input)
@@ -54,6 +56,8 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	set.left_out = input->left_out;
 	for (CheckedBlock& block : input->blocks)
 	{
+		if (parts)
+			parts->push_back(block.part);
 		std::string name = block.name.empty() ? stem : fmt::format("{}: {}", stem, block.name);
 		set.blocks.push_back(buildBlock(std::move(block), std::move(name), options.identifies_geometry,
 		                                options.for_one_cut, options.refine));
@@ -66,10 +70,11 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	return set;
 }
 
-Result<grid::BlockSet> readInput(const std::string& input, const ReadOptions& options, Timeline* timeline)
+Result<grid::BlockSet> readInput(const std::string& input, const ReadOptions& options, Timeline* timeline,
+                                 std::vector<std::size_t>* parts = nullptr)
 {
 	if (!input.starts_with(kDemoPrefix))
-		return readFile(input, options, timeline);
+		return readFile(input, options, timeline, parts);
 	TimedSection timed(timeline, "build");
 	return grid::parseDemo(std::string_view(input).substr(kDemoPrefix.size()), false);
 }
@@ -127,6 +132,48 @@ std::string timeText(const TimeChoice& time)
 	}
 }
 
+namespace
+{
+
+void addSet(grid::BlockSet set, grid::BlockSet& all)
+{
+	for (grid::Patch& patch : set.patches)
+		for (grid::Patch::Face& face : patch.faces)
+			face.block += static_cast<std::uint32_t>(all.blocks.size());
+	std::move(set.patches.begin(), set.patches.end(), std::back_inserter(all.patches));
+	std::move(set.blocks.begin(), set.blocks.end(), std::back_inserter(all.blocks));
+	all.times.insert(all.times.end(), set.times.begin(), set.times.end());
+	all.left_out += set.left_out;
+}
+
+void keepEachOnce(std::vector<double>& times)
+{
+	std::sort(times.begin(), times.end());
+	times.erase(std::unique(times.begin(), times.end()), times.end());
+}
+
+// What a set of several inputs still lacks: neighbors and seams, where they are wanted.
+void completeSet(grid::BlockSet& all, const ReadOptions& options, Timeline* timeline)
+{
+	keepEachOnce(all.times);
+	const bool all_listed =
+	    std::ranges::none_of(all.blocks, [](const grid::Block& block) { return grid::hasNeighbors(block); });
+	const bool refines = std::ranges::any_of(all.blocks, [](const grid::Block& b) { return b.curved != nullptr; });
+	if (all_listed && (refines || !options.builds_neighbors))
+		return;
+	if (!grid::hasNeighbors(all))
+		buildNeighbors(all, timeline, options.for_one_cut);
+	else if (options.for_one_cut)
+		all.matches_seams = false;
+	else
+	{
+		TimedSection timed(timeline, "build");
+		grid::matchInterfaces(all);
+	}
+}
+
+} // namespace
+
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,
                                   Timeline* timeline)
 {
@@ -138,31 +185,70 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 			return set.error();
 		if (options.stop.stop_requested())
 			return stopped(input);
-		for (grid::Patch& patch : set->patches)
-			for (grid::Patch::Face& face : patch.faces)
-				face.block += static_cast<std::uint32_t>(all.blocks.size());
-		std::move(set->patches.begin(), set->patches.end(), std::back_inserter(all.patches));
-		std::move(set->blocks.begin(), set->blocks.end(), std::back_inserter(all.blocks));
-		all.times.insert(all.times.end(), set->times.begin(), set->times.end());
-		all.left_out += set->left_out;
+		addSet(std::move(*set), all);
 	}
-	std::sort(all.times.begin(), all.times.end());
-	all.times.erase(std::unique(all.times.begin(), all.times.end()), all.times.end());
-	const bool all_listed =
-	    std::ranges::none_of(all.blocks, [](const grid::Block& block) { return grid::hasNeighbors(block); });
-	const bool refines = std::ranges::any_of(all.blocks, [](const grid::Block& b) { return b.curved != nullptr; });
-	if (all_listed && (refines || !options.builds_neighbors))
-		return all;
-	if (!grid::hasNeighbors(all))
-		buildNeighbors(all, timeline, options.for_one_cut);
-	else if (options.for_one_cut)
-		all.matches_seams = false;
-	else
-	{
-		TimedSection timed(timeline, "build");
-		grid::matchInterfaces(all);
-	}
+	completeSet(all, options, timeline);
 	return all;
+}
+
+Result<PartList> listParts(const std::vector<std::string>& inputs, const ReadOptions& options, Timeline* timeline)
+{
+	PartList list;
+	ReadOptions listing = options;
+	listing.parts = "?";
+	for (std::size_t i = 0; i < inputs.size(); ++i)
+	{
+		if (inputs[i].starts_with(kDemoPrefix))
+		{
+			const Result<grid::BlockSet> set = readInput(inputs[i], options, timeline);
+			if (!set)
+				return set.error();
+			list.parts.push_back({i, 0, set->cellCount(), list.blocks.size()});
+			list.blocks.emplace_back();
+			continue;
+		}
+		const Result<CheckedInput> input = readChecked(inputs[i], listing, timeline);
+		if (!input)
+			return input.error();
+		for (std::size_t p = 0; p < input->parts.size(); ++p)
+			list.parts.push_back({i, p, input->parts[p].cells, list.blocks.size() + input->parts[p].block});
+		for (const WholeLattice& whole : input->wholes)
+			list.blocks.push_back({whole.kind, whole.points});
+		list.times.insert(list.times.end(), input->times.begin(), input->times.end());
+	}
+	keepEachOnce(list.times);
+	return list;
+}
+
+Result<PartBlocks> readParts(const std::vector<std::string>& inputs, const std::vector<Part>& parts,
+                             const ReadOptions& options, Timeline* timeline)
+{
+	PartBlocks read;
+	for (std::size_t i = 0; i < inputs.size(); ++i)
+	{
+		ReadOptions reading = options;
+		std::vector<std::size_t> numbers;
+		std::vector<Part> of_input;
+		for (const Part& part : parts)
+			if (part.input == i)
+			{
+				numbers.push_back(part.number);
+				of_input.push_back(part);
+			}
+		if (numbers.empty())
+			continue;
+		reading.parts = fmt::format("{}", fmt::join(numbers, ","));
+		std::vector<std::size_t> of_block;
+		Result<grid::BlockSet> set = readInput(inputs[i], reading, timeline, &of_block);
+		if (!set)
+			return set.error();
+		of_block.resize(set->blocks.size(), 0); // those of a built-in data set
+		for (const std::size_t number : of_block)
+			read.of_block.push_back(*std::ranges::find(of_input, number, &Part::number));
+		addSet(std::move(*set), read.set);
+	}
+	completeSet(read.set, options, timeline);
+	return read;
 }
 
 Result<std::optional<BlockFields>> readFields(const std::vector<std::string>& inputs, const ReadOptions& options,

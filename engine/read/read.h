@@ -77,6 +77,9 @@ struct ReadOptions
 	ArrayWish arrays{};
 	std::string format{}; // a name in formats(); if empty, the file's contents and name tell
 	RawLayout raw{};      // of files that hold nothing but values; they need one
+	// Which parts of a file are read, as its numbers in PartList with commas between; empty: all. "?": none, they are
+	// only listed.
+	std::string parts{};
 	// Of convert(): the file that is written as well, and where its bytes go until it is whole.
 	std::string convert_to{};
 	std::string convert_beside{};
@@ -93,6 +96,44 @@ constexpr int kMaxRefine = 6;
 // or out of time, is an input error that names the file. Sections "read", "build" and "adjacency" go to the timeline.
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,
                                   Timeline* timeline);
+
+// A part of the inputs that can be cut on its own: a piece of a parallel file, or a block.
+struct Part
+{
+	std::size_t input = 0;  // which of the inputs
+	std::size_t number = 0; // of the parts of that input
+	std::size_t cells = 0;  // about
+	std::size_t block = 0;  // which it is of, where all parts are read at once
+};
+
+// The parts of all inputs in their order, and what is known of the blocks that they are of.
+struct PartList
+{
+	struct Whole
+	{
+		std::string kind{};     // empty where each part is a block or several
+		std::size_t points = 0; // of a lattice, whose parts share some; else 0
+	};
+	std::vector<Part> parts;
+	std::vector<Whole> blocks;
+	std::vector<double> times;
+};
+
+// Lists what can be read in parts. Files that name their pieces are not read for that; of others the reader reads all
+// and hands nothing over.
+Result<PartList> listParts(const std::vector<std::string>& inputs, const ReadOptions& options, Timeline* timeline);
+
+// Blocks that were read, and for each of them the part that it is of.
+struct PartBlocks
+{
+	grid::BlockSet set;
+	std::vector<Part> of_block;
+};
+
+// Reads some of the parts, as readInputs() does. The blocks of the parts come in the order of the list; a part without
+// three-dimensional cells has none.
+Result<PartBlocks> readParts(const std::vector<std::string>& inputs, const std::vector<Part>& parts,
+                             const ReadOptions& options, Timeline* timeline);
 
 // grid::buildNeighbors(), as section "adjacency" of the timeline.
 void buildNeighbors(grid::BlockSet& set, Timeline* timeline, bool for_one_cut = false);

@@ -28,7 +28,7 @@ Pipe makePipe();
 struct ChildSetup
 {
 	const char* program;
-	std::array<char*, 14> arguments; // ends with null
+	std::array<char*, 15> arguments; // ends with null
 	int null;
 	int errors;
 	int arrays;

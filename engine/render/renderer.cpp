@@ -1,21 +1,11 @@
 #include "gpu/vulkan.h"
 
-#include "render/renderer.h"
+#include "render/renderer_parts.h"
 
 #include "base/messages.h"
 #include "base/timeline.h"
-#include "gpu/commands.h"
-#include "gpu/timers.h"
-#include "render/passes/compose_pass.h"
-#include "render/passes/edge_mask.h"
-#include "render/passes/edge_quads.h"
-#include "render/passes/layer_pass.h"
-#include "render/passes/line_pass.h"
-#include "render/passes/overlay_pass.h"
 #include "render/passes/picture_geometry.h"
-#include "render/passes/picture_memory.h"
 #include "render/passes/raster_side.h"
-#include "render/passes/surface_pass.h"
 
 #include <fmt/format.h>
 
@@ -23,62 +13,6 @@
 
 namespace vp::render
 {
-
-namespace
-{
-
-// Where a picture goes to: an image, or the host.
-struct DrawTarget
-{
-	const gpu::Image* image = nullptr;
-	const std::function<bool()>* goes_on = nullptr; // asked between samples, which are submitted one by one then
-};
-
-enum class Drawn
-{
-	whole,
-	cramped, // fragments found no room; to be drawn again
-	given_up
-};
-
-} // namespace
-
-struct Renderer::Private
-{
-	gpu::Device& device;
-	LayerPass layers;
-	LinePass lines;
-	SurfacePass surfaces;
-	FragmentLists lists;
-	EdgeMask mask;
-	EdgeQuads quads;
-	ComposePass compose;
-	OverlayPass overlay;
-	gpu::Commands commands;
-	gpu::Timers timers;
-	Targets targets;
-	std::uint64_t most_fragment_bytes;
-	PicturePlan plan{};
-	bool whole = false; // composesWhole()
-	std::size_t layers_drawn = 0;
-	KeptLettering lettering{};
-
-	// The targets hold nothing that can be left as it is.
-	void forget()
-	{
-		layers.forget();
-		lines.forget();
-	}
-	Status makeTargets(const Scene& scene);
-	Status prepare(const Scene& scene);
-	Result<Drawn> draw(const Scene& scene, const DrawTarget& target, Timeline* timeline);
-	Result<Drawn> drawOnce(const Scene& scene, const DrawTarget& target, std::uint32_t part, Timeline* timeline);
-	Result<Drawn> finish(bool has_surfaces, Timeline* timeline);
-	void recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
-	void recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
-	void recordWhole(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
-	void recordPicture(VkCommandBuffer to, bool has_edges, std::uint32_t part);
-};
 
 Renderer::Renderer(std::unique_ptr<Private> made) : private_(std::move(made)) {}
 Renderer::~Renderer() = default;
@@ -184,6 +118,29 @@ void Renderer::Private::recordSample(VkCommandBuffer to, const Scene& scene, con
 		layers_drawn += layers.record(to, scene, targets, jitter, later);
 		lines.record(to, scene, targets, jitter, whole ? later : nullptr);
 	}
+	recordColors(to, scene, jitter, sample);
+}
+
+// The same with what others have drawn. Returns false if another process goes on.
+Result<bool> Renderer::Private::mergeSample(const Scene& scene, const glm::dvec2& jitter, std::size_t sample,
+                                            const MergeLayers& merge)
+{
+	layers.forget(); // what they hold came from others too
+	layers_drawn += layers.record(commands.handle(), scene, targets, jitter);
+	const auto count = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.sheets.size()));
+	auto merged = merger.run(device, commands, targets, count, merge);
+	if (!merged)
+		return merged.error();
+	if (*merged == VK_NULL_HANDLE)
+		return false;
+	lines.record(*merged, scene, targets, jitter, sample > 0 && whole ? &quads.tiles() : nullptr);
+	recordColors(*merged, scene, jitter, sample);
+	return true;
+}
+
+void Renderer::Private::recordColors(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter,
+                                     std::size_t sample)
+{
 	if (whole)
 		return recordWhole(to, scene, jitter, sample);
 	if (!scene.surfaces.empty())
@@ -322,7 +279,21 @@ Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& 
 			if (!begun)
 				return begun.error();
 		}
-		recordSample(*begun, scene, pattern[sample], sample);
+		if (target.merge)
+		{
+			const Result<bool> goes_on = mergeSample(scene, pattern[sample], sample, *target.merge);
+			if (!goes_on)
+				forget();
+			if (!goes_on || (!*goes_on && sample + 1 == pattern.size()))
+			{
+				timers.forget();
+				return goes_on ? Result<Drawn>(Drawn::given_up) : goes_on.error();
+			}
+			if (!*goes_on)
+				continue;
+		}
+		else
+			recordSample(*begun, scene, pattern[sample], sample);
 		if (sample == 0 && pattern.size() > 1)
 		{
 			// Where the other samples are needed.
@@ -352,6 +323,9 @@ Result<Drawn> Renderer::Private::draw(const Scene& scene, const DrawTarget& targ
 	if (Status made = makeTargets(scene); !made)
 		return made.error();
 	layers_drawn = 0;
+	if (target.merge && (plan.count() > 1 || !scene.surfaces.empty()))
+		return Error{ErrorKind::usage, "`size`: pictures of several processes show sheets alone, and are drawn in one "
+		                               "part; make it smaller, or use vprobe"};
 	for (std::uint32_t part = 0; part < plan.count(); ++part)
 	{
 		if (target.goes_on && *target.goes_on && !(*target.goes_on)())
@@ -364,6 +338,13 @@ Result<Drawn> Renderer::Private::draw(const Scene& scene, const DrawTarget& targ
 			return drawn;
 	}
 	return Drawn::whole;
+}
+
+Picture Renderer::Private::pictureOf(const Look& look, Timeline* timeline) const
+{
+	const TimedSection reading(timeline, "pixels");
+	const bool is_opaque = look.background.top.a == 255 && look.background.bottom.a == 255;
+	return {look.width, look.height, targets.readPixels(is_opaque)};
 }
 
 std::size_t Renderer::layersDrawn() const
@@ -379,10 +360,16 @@ Result<Picture> Renderer::draw(const Scene& scene, Timeline* timeline, const std
 		return drawn.error();
 	if (*drawn == Drawn::given_up)
 		return Error{ErrorKind::cancelled, "drawing was cancelled"};
-	const TimedSection reading(timeline, "pixels");
-	const Background& background = scene.look.background;
-	const bool is_opaque = background.top.a == 255 && background.bottom.a == 255;
-	return Picture{scene.look.width, scene.look.height, private_->targets.readPixels(is_opaque)};
+	return private_->pictureOf(scene.look, timeline);
+}
+
+Result<std::optional<Picture>> Renderer::drawMerged(const Scene& scene, const MergeLayers& merge, Timeline* timeline)
+{
+	const TimedSection section(timeline, "draw");
+	Result<Drawn> drawn = private_->draw(scene, {nullptr, nullptr, &merge}, timeline);
+	if (!drawn)
+		return drawn.error();
+	return *drawn == Drawn::whole ? std::optional(private_->pictureOf(scene.look, timeline)) : std::nullopt;
 }
 
 Result<bool> Renderer::drawInto(const Scene& scene, const gpu::Image& into, const std::function<bool()>& goes_on,

@@ -3,6 +3,7 @@
 #include "base/result.h"
 #include "render/passes/fragment_lists.h"
 #include "render/picture.h"
+#include "render/scene/layer_values.h"
 #include "render/scene/scene.h"
 
 #include <cstdint>
@@ -45,6 +46,12 @@ public:
 	// error. goes_on: if it is not empty, each sample is submitted alone, and it is asked in between. If it returns
 	// false, draw() ends with ErrorKind::cancelled.
 	Result<Picture> draw(const Scene& scene, Timeline* timeline = nullptr, const std::function<bool()>& goes_on = {});
+
+	// The same with layers that others draw a part of. merge is called for each sample, of which every layer is drawn
+	// as a whole. Returns nothing if merge says that another process goes on. For scenes of sheets alone, in pictures
+	// that are drawn in one part.
+	Result<std::optional<Picture>> drawMerged(const Scene& scene, const MergeLayers& merge,
+	                                          Timeline* timeline = nullptr);
 
 	// The same into an image of the scene's size in kPictureFormat, made with TRANSFER_DST usage. No submitted work may
 	// still use it. It is left in layout gpu::kCopyFrom. Colors are multiplied by alpha. Each sample is submitted

@@ -8,7 +8,10 @@
 #include "render/scene/value_style.h"
 #include "session/context_mesh.h"
 #include "session/contour_drawing.h"
+#include "session/merged_layers.h"
 #include "session/sheet_values.h"
+#include "session/surroundings.h"
+#include "session/team.h"
 
 #include <algorithm>
 
@@ -42,8 +45,9 @@ Painter::Painter(Session& session, SheetLooks looks, render::Renderer renderer)
 
 Status Painter::takeBlocks()
 {
-	outline_ = render::outlineOf(session_.blocks, choice().look.outline);
-	extent_ = render::extentOf(session_.blocks);
+	Surroundings around = surroundingsOf(session_, choice().look.outline);
+	outline_ = std::move(around.outline);
+	extent_ = std::move(around.extent);
 	if (choice().look.box_axes)
 		for (int i = 0; i < 8; ++i)
 			extent_.push_back(render::corner(session_.blocks.bounds(), i));
@@ -156,6 +160,8 @@ Result<std::shared_ptr<const classify::SheetRecords>> Painter::recordsOf(const c
 	if (!made)
 		return made.error();
 	(*made)->overlapping = (*made)->overlapping || classify::mayFold(session_.blocks);
+	if (session_.team) // so that all are drawn in one way
+		(*made)->overlapping = anyOf(*session_.team, (*made)->overlapping);
 	return records_[sheet.number] = std::move(*made);
 }
 
@@ -187,6 +193,13 @@ Status Painter::addSheets(const cut::Cut& slice, const std::vector<SheetStats>& 
 		if (!records)
 			return records.error();
 		made->records = std::move(*records);
+		if (session_.team)
+		{
+			mesh::UvBounds bounds = made->records->bounds.value_or(mesh::UvBounds());
+			sumOverAll(*session_.team, bounds, [](auto& all, const auto& other) { all = all.with(other); });
+			if (bounds.lo.x <= bounds.hi.x)
+				made->bounds = bounds;
+		}
 		scene.sheets.push_back(std::move(*made));
 	}
 	return Nothing{};
@@ -243,6 +256,15 @@ Result<render::Picture> Painter::draw(const cut::Cut& slice, const std::vector<S
 	Result<render::Scene> scene = sceneOf(slice, sheets, contours);
 	if (!scene)
 		return scene.error();
+	if (session_.team)
+	{
+		const auto merge = [&](const render::LayerValues& layers)
+		{ return mergeLayers(*session_.team, layers, session_.layer_bytes); };
+		auto drawn = renderer_.drawMerged(*scene, merge, session_.timeline.get());
+		if (!drawn)
+			return drawn.error();
+		return drawn->value_or(render::Picture());
+	}
 	std::function<bool()> goes_on;
 	if (stop.stop_possible())
 		goes_on = [&] { return !stop.stop_requested(); };

@@ -49,7 +49,7 @@ public:
 	                const Contours& contours);
 
 	// Draws a picture. sheets: sheetStats() of the cut. Section "render" on the timeline. A stop request ends it with
-	// ErrorKind::cancelled.
+	// ErrorKind::cancelled. With a team, all ranks call it, and only the first one gets a picture, others an empty one.
 	Result<render::Picture> draw(const cut::Cut& slice, const std::vector<SheetStats>& sheets,
 	                             const Contours& contours = {}, const std::stop_token& stop = {});
 	// Draws the scene without the sheets and without the lines around them.

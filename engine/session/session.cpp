@@ -3,7 +3,9 @@
 #include "base/messages.h"
 #include "base/progress.h"
 #include "base/stop_scope.h"
+#include "session/share.h"
 #include "session/sheet_traces.h"
+#include "session/team.h"
 #include "view/validate.h"
 #include "view/words.h"
 
@@ -41,7 +43,7 @@ bool isWorthDevice(const Session& session)
 bool classifiesOnGpu(Session& session)
 {
 	const view::Classify asked = session.spec.machine.classify;
-	if (!session.device || asked == view::Classify::cpu || leavesDeviceIdle(session.spec.probe) ||
+	if (session.team || !session.device || asked == view::Classify::cpu || leavesDeviceIdle(session.spec.probe) ||
 	    !grid::hasNeighbors(session.blocks))
 		return false;
 	if (asked == view::Classify::gpu)
@@ -237,7 +239,7 @@ find::Finder finderFor(const Session& session)
 	return on_device ? find::Finder::direct : find::Finder::automatic;
 }
 
-Result<grid::BlockSet> readBlocks(const Session& session, const OpenOptions& options)
+Result<grid::BlockSet> readBlocks(Session& session, const OpenOptions& options)
 {
 	const view::ViewSpec& spec = session.spec;
 	const Progress progress(fmt::format("reading {}", fmt::join(spec.input.files, ", ")));
@@ -247,7 +249,12 @@ Result<grid::BlockSet> readBlocks(const Session& session, const OpenOptions& opt
 	reading.builds_neighbors = !options.may_scan || needsNeighbors(spec);
 	reading.for_one_cut =
 	    !reading.builds_neighbors && (!options.reads_again || options.completes_later) && servesOneCut(spec);
-	return read::readInputs(spec.input.files, reading, session.timeline.get());
+	if (!options.team)
+		return read::readInputs(spec.input.files, reading, session.timeline.get());
+	auto share = std::make_shared<Share>();
+	Result<grid::BlockSet> blocks = readShare(*options.team, spec.input.files, reading, session.timeline.get(), *share);
+	session.share = std::move(share);
+	return blocks;
 }
 
 // The session with blocks by `take`, while the device opens.
@@ -261,6 +268,9 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 	session->spec = std::move(spec);
 	// What can be wrong with the settings is told before a large file is read.
 	if (Status fits = view::validate(session->spec); !fits)
+		return fits.error();
+	session->team = options.team;
+	if (Status fits = options.team ? fitsTeam(session->spec) : Nothing{}; !fits)
 		return fits.error();
 	std::future<Result<OpenedDevice>> opening;
 	if (!options.device)
@@ -293,7 +303,7 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 
 Result<std::unique_ptr<Session>> openSession(view::ViewSpec spec, OpenOptions options)
 {
-	return makeSession(std::move(spec), options, [&](const Session& session) { return readBlocks(session, options); });
+	return makeSession(std::move(spec), options, [&](Session& session) { return readBlocks(session, options); });
 }
 
 Result<std::unique_ptr<Session>> sessionOf(grid::BlockSet blocks, view::ViewSpec spec, OpenOptions options)
@@ -340,59 +350,6 @@ const char* classifierName(const Session& session)
 	return !session.cutter->usesGpu()                                     ? "cpu"
 	       : session.cutter->blocksOnGpu() < session.blocks.blocks.size() ? "mixed"
 	                                                                      : "gpu";
-}
-
-bool isEmpty(const cut::SheetCut& sheet)
-{
-	for (const find::BlockCut& cut : sheet.cuts)
-		if (cut.cutCells() > 0)
-			return false;
-	return std::ranges::all_of(sheet.seeds.faces_in_plane, [](const auto& faces) { return faces.empty(); });
-}
-
-Status reportWarnings(const Session& session, const cut::Cut& slice)
-{
-	for (const std::string& words : slice.warnings)
-		warn("{}", words);
-	for (const cut::SheetCut& sheet : slice.sheets)
-	{
-		const Vec3 at = sheet.sheet.origin;
-		const bool outside =
-		    sheet.isPlane() && session.view.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
-		if (outside && session.view.seeds.outside == seed::OutsidePolicy::refuse)
-			return Error{ErrorKind::usage,
-			             fmt::format("`origin` {} {} {}: the hot spot lies outside the grid; choose one inside, or "
-			                         "`outside` nearest",
-			                         at.x, at.y, at.z)};
-		if (outside && session.view.seeds.outside == seed::OutsidePolicy::report)
-			warn("`origin` {} {} {}: the hot spot lies outside the grid", at.x, at.y, at.z);
-		else if (outside && session.view.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.moved_to)
-			warn("`origin` {} {} {}: the hot spot lies outside the grid; {} {} {} takes its place", at.x, at.y, at.z,
-			     sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
-		if (!isEmpty(sheet))
-			continue;
-		const Box bounds = session.blocks.bounds();
-		const std::string what =
-		    slice.sheets.size() == 1 ? std::string("the slice") : fmt::format("sheet {}", &sheet - slice.sheets.data());
-		if (session.view.threshold)
-			warn("{} is empty: no cell that is reached has values between {} and {}; widen `threshold`", what,
-			     session.view.threshold->lo, session.view.threshold->hi);
-		else if (sheet.surface)
-			warn("{} is empty: {} shows no cells, or hidden ones only", what, find::nameOf(*sheet.surface));
-		else if (sheet.sheet.form && sheet.sheet.form->isoValue())
-			warn("{} is empty: no edge that is reached passes {}; the values of {} go from {:.6g} to {:.6g}", what,
-			     sheet.sheet.form->isoValue()->value, sheet.field->title(session.blocks),
-			     fieldRange(session.blocks, *sheet.field).first, fieldRange(session.blocks, *sheet.field).second);
-		else
-			warn("{} is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
-			     "{:.6g}",
-			     what,
-			     sheet.sheet.window ? "window"
-			     : sheet.sheet.form ? "surface"
-			                        : "plane",
-			     bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z);
-	}
-	return Nothing{};
 }
 
 } // namespace vp::session

@@ -21,6 +21,9 @@
 namespace vp::session
 {
 
+class Team;   // team.h
+struct Share; // share.h
+
 // A session is a pipeline, and a caller may stop after any stage:
 //
 //     openSession   validates the settings, reads the inputs, opens a device, resolves, makes a cutter
@@ -62,6 +65,11 @@ struct Session
 	std::unique_ptr<cut::Cutter> cutter;
 	std::unique_ptr<measure::FiniteFields> finite_fields = std::make_unique<measure::FiniteFields>();
 	std::unique_ptr<Timeline> timeline;
+	// If several processes hold the blocks together: the blocks of others have no cells here. Functions that say so
+	// must then be called by all of them.
+	Team* team = nullptr;
+	std::shared_ptr<const Share> share{}; // with a team
+	std::uint64_t layer_bytes = 0;        // of pictures, sent to others
 };
 
 /// How to open a session, besides the settings.
@@ -77,6 +85,7 @@ struct OpenOptions
 	Timeline::Keep keep = Timeline::Keep::totals;
 	std::shared_ptr<gpu::Device> device{}; // an open device; null opens the device of the settings
 	std::stop_token stop{};                // a stop request ends the opening with ErrorKind::cancelled
+	Team* team = nullptr;                  // the processes that hold the inputs together; it outlives the session
 };
 
 /// Validates the settings, reads the inputs and prepares the rest. A caller writes nothing before this has succeeded.

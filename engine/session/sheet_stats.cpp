@@ -1,6 +1,8 @@
 #include "session/sheet_stats.h"
 
+#include "session/share.h"
 #include "session/sheet_traces.h"
+#include "session/team.h"
 
 namespace vp::session
 {
@@ -13,7 +15,14 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 		stats.mesh = slice.mesh(session.blocks, sheet);
 		if (session.view.crinkle)
 			stats.crinkle = slice.crinkle(session.blocks, sheet);
+		if (session.team)
+			stats.borders =
+			    joinBorders(*session.team, slice.blocksOf(session.blocks), session.share->whole, stats.mesh);
 	}
+	if (stats.borders.hangs)
+		return Error{ErrorKind::input,
+		             "cells of different sizes meet between two processes; give each such group of blocks "
+		             "to one of them by fewer processes, or use vprobe"};
 	Result<SharedTraces> traces = traceSheet(session, slice, sheet, stats.mesh);
 	if (!traces)
 		return traces.error();
@@ -24,7 +33,16 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 void measureSheet(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
 {
 	const TimedSection section(session.timeline.get(), "measure");
-	stats.measure = measure::measure(slice.blocksOf(session.blocks), stats.mesh, slice.sheets[sheet].field);
+	const std::optional<grid::FieldChoice>& field = slice.sheets[sheet].field;
+	if (session.team)
+	{
+		measure::SheetSums sums = measure::sumUp(slice.blocksOf(session.blocks), stats.mesh, field);
+		sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
+		stats.measure = measure::measureOf(sums, field.has_value());
+		stats.measure.components = stats.borders.components;
+	}
+	else
+		stats.measure = measure::measure(slice.blocksOf(session.blocks), stats.mesh, field);
 	stats.flux = fluxThrough(session, slice, sheet, stats.mesh);
 }
 
@@ -37,6 +55,8 @@ void measureForPicture(const Session& session, const cut::Cut& slice, std::size_
 	measure::FiniteFields* known = slice.refined ? nullptr : session.finite_fields.get();
 	stats.measure.nan_area =
 	    measure::nanArea(slice.blocksOf(session.blocks), stats.mesh, slice.sheets[sheet].field, known);
+	if (session.team)
+		sumOverAll(*session.team, stats.measure.nan_area, [](double& sum, double other) { sum += other; });
 }
 
 Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice)

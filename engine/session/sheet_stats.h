@@ -1,6 +1,7 @@
 #pragma once
 
 #include "measure/stats.h"
+#include "session/borders.h"
 #include "session/session.h"
 #include "vectors/traces.h"
 
@@ -19,9 +20,12 @@ struct SheetStats
 	std::optional<mesh::SheetMesh> crinkle{};        // filled if whole cells are shown
 	std::shared_ptr<const vectors::Traces> traces{}; // particles launched from the sheet; or null
 	std::optional<double> flux{};                    // flux of vectors through the sheet
+	Borders borders{};                               // with a team: what the mesh shares with those of others
 };
 
 Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice);
+// With a team, all of these are called by all ranks, and the figures are those of all meshes together.
+//
 // The same for one sheet in two steps. sheetMesh() builds the polygons (section "emit") and launches particles.
 // measureSheet() computes the figures (section "measure").
 Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std::size_t sheet);

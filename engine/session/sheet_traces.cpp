@@ -1,5 +1,7 @@
 #include "session/sheet_traces.h"
 
+#include "session/team.h"
+
 #include "session/stored_vectors.h"
 #include "vectors/flux.h"
 #include "vectors/tracer.h"
@@ -132,7 +134,10 @@ std::optional<double> fluxThrough(const Session& session, const cut::Cut& slice,
 		array = sheet.field;
 	if (!array || sheet.surface)
 		return std::nullopt;
-	return vectors::fluxThrough(slice.blocksOf(session.blocks), mesh, *array).through;
+	vectors::FluxSums sums = vectors::fluxSums(slice.blocksOf(session.blocks), mesh, *array);
+	if (session.team)
+		sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
+	return sums.flux().through;
 }
 
 } // namespace vp::session

@@ -2,6 +2,7 @@
 
 #include "base/messages.h"
 #include "render/scene/least_positive.h"
+#include "session/team.h"
 
 #include <fmt/format.h>
 
@@ -40,6 +41,8 @@ valueScale(const Session& session, const std::optional<grid::FieldChoice>& field
 	for (const grid::Field* of_block : field->inEach(blocks))
 		if (of_block)
 			span.include(grid::valueSpan(*of_block, field->component));
+	if (session.team)
+		sumOverAll(*session.team, span, [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
 	const auto [lo, hi] = span.range();
 	render::ValueScale scale{field->title(blocks), lo, hi};
 	scale.per_cell = field->association == grid::Association::cell;
@@ -49,6 +52,13 @@ valueScale(const Session& session, const std::optional<grid::FieldChoice>& field
 	if (!look.logarithmic)
 		return std::optional(scale);
 	scale.log_lo = render::leastPositive(blocks, *field);
+	if (session.team)
+		sumOverAll(*session.team, scale.log_lo,
+		           [](double& least, double other)
+		           {
+			           if (other > 0.0 && !(least > 0.0 && least < other))
+				           least = other;
+		           });
 	if (!(scale.log_lo > 0.0))
 		return Error{ErrorKind::input, fmt::format("`log`: '{}' has no value above 0 and so no logarithm; leave the "
 		                                           "setting out or show another `array`",

@@ -15,12 +15,14 @@ namespace vp::vectors
 namespace
 {
 
-struct FluxSum : Flux
+// The flow through one polygon.
+struct PolygonFlux : Flux
 {
-	void add(const FluxSum& other)
+	void addTo(FluxSums& sums) const
 	{
-		through += other.through;
-		nan_area += other.nan_area;
+		sums.through += through;
+		if (nan_area != 0.0)
+			sums.nan_area += nan_area;
 	}
 	void addPart(const Vec3& area, const Vec3& vector)
 	{
@@ -57,7 +59,7 @@ Vec3 polygonVector(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, co
 
 // The area of a triangle stands along the normal about which its polygon winds.
 void addFan(const mesh::SheetMesh& mesh, std::span<const std::uint32_t> polygon, const std::vector<Vec3>& vectors,
-            FluxSum& sum)
+            PolygonFlux& sum)
 {
 	Vec3 center(0.0);
 	Vec3 mean(0.0);
@@ -77,7 +79,18 @@ void addFan(const mesh::SheetMesh& mesh, std::span<const std::uint32_t> polygon,
 
 } // namespace
 
+void FluxSums::add(const FluxSums& other)
+{
+	through += other.through;
+	nan_area += other.nan_area;
+}
+
 Flux fluxThrough(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const grid::FieldChoice& array)
+{
+	return fluxSums(blocks, mesh, array).flux();
+}
+
+FluxSums fluxSums(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const grid::FieldChoice& array)
 {
 	Fields fields = array.inEach(blocks);
 	for (const grid::Field*& field : fields)
@@ -85,15 +98,17 @@ Flux fluxThrough(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, cons
 			field = nullptr;
 	const bool on_points = array.association == grid::Association::point;
 	const std::vector<Vec3> vectors = on_points ? vertexVectors(blocks, mesh, fields) : std::vector<Vec3>();
-	return orderedSum<FluxSum>(mesh.polygons() - mesh.boundary_polygons,
-	                           [&](FluxSum& sum, std::size_t p)
-	                           {
-		                           if (on_points)
-			                           addFan(mesh, mesh.polygon(p), vectors, sum);
-		                           else
-			                           sum.addPart(0.5 * mesh::doubleArea(mesh, mesh.polygon(p)),
-			                                       polygonVector(blocks, mesh, fields, p));
-	                           });
+	return orderedSum<FluxSums>(mesh.polygons() - mesh.boundary_polygons,
+	                            [&](FluxSums& sums, std::size_t p)
+	                            {
+		                            PolygonFlux flux;
+		                            if (on_points)
+			                            addFan(mesh, mesh.polygon(p), vectors, flux);
+		                            else
+			                            flux.addPart(0.5 * mesh::doubleArea(mesh, mesh.polygon(p)),
+			                                         polygonVector(blocks, mesh, fields, p));
+		                            flux.addTo(sums);
+	                            });
 }
 
 } // namespace vp::vectors

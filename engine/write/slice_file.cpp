@@ -40,12 +40,18 @@ Status writeSlice(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh>
 	const Result<SliceFormat> format = sliceFormatOf(path);
 	if (!format)
 		return format.error();
-	if (*format == SliceFormat::vtm)
-		return writeVtm(blocks, meshes, path, contours);
+	return *format == SliceFormat::vtm ? writeVtm(blocks, meshes, path, contours)
+	                                   : writeTable(tabulate(blocks, meshes, 0, contours), path);
+}
+
+Status writeTable(const SliceTable& table, const std::string& path)
+{
+	const Result<SliceFormat> format = sliceFormatOf(path);
+	if (!format)
+		return format.error();
 	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)
 		return file.error();
-	const SliceTable table = tabulate(blocks, meshes, 0, contours);
 	switch (*format)
 	{
 	case SliceFormat::vtp:
@@ -58,7 +64,7 @@ Status writeSlice(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh>
 		writeCsv(table, *file);
 		break;
 	case SliceFormat::vtm:
-		break;
+		return Error{ErrorKind::usage, fmt::format("{}: a table is one file; give a .vtp", path)};
 	}
 	return file->commit();
 }

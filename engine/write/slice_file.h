@@ -31,4 +31,7 @@ Result<SliceFormat> sliceFormatOf(const std::string& path);
 Status writeSlice(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, const std::string& path,
                   std::span<const ContourPiece> contours = {});
 
+// Writes a table as .vtp, .ply or .csv, by the path's ending, as writeSlice() does.
+Status writeTable(const SliceTable& table, const std::string& path);
+
 } // namespace vp::write

@@ -190,4 +190,43 @@ SliceTable tabulateAllButPlaces(const grid::BlockSet& blocks, const mesh::SheetM
 	return table;
 }
 
+namespace
+{
+
+template <class Numbers>
+void appendAll(const Numbers& from, Numbers& to)
+{
+	const std::size_t before = to.size();
+	to.resize(before + from.size());
+	std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(before));
+}
+
+void appendColumns(const std::vector<Column>& from, std::vector<Column>& to)
+{
+	for (std::size_t c = 0; c < to.size(); ++c)
+		appendAll(from[c].bytes, to[c].bytes);
+}
+
+} // namespace
+
+void append(SliceTable&& other, SliceTable& table)
+{
+	const auto vertices = static_cast<std::int64_t>(table.vertices());
+	const auto corners = static_cast<std::int64_t>(table.polygon_vertices.size());
+	for (std::int64_t& vertex : other.polygon_vertices)
+		vertex += vertices;
+	if (table.polygon_starts.empty())
+		table.polygon_starts.push_back(0);
+	for (std::size_t p = 1; p < other.polygon_starts.size(); ++p)
+		table.polygon_starts.push_back(other.polygon_starts[p] + corners);
+	appendAll(other.positions, table.positions);
+	appendAll(other.polygon_vertices, table.polygon_vertices);
+	appendAll(other.cell, table.cell);
+	appendAll(other.block, table.block);
+	appendAll(other.sheet, table.sheet);
+	appendAll(other.contour, table.contour);
+	appendColumns(other.vertex_columns, table.vertex_columns);
+	appendColumns(other.polygon_columns, table.polygon_columns);
+}
+
 } // namespace vp::write

@@ -60,6 +60,9 @@ struct ContourPiece
 SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, std::size_t first_sheet = 0,
                     std::span<const ContourPiece> contours = {});
 
+// Puts the polygons of another table behind those of `table`. Both have the same columns.
+void append(SliceTable&& other, SliceTable& table);
+
 // The same of one mesh, without positions: these the mesh has.
 SliceTable tabulateAllButPlaces(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh);
 

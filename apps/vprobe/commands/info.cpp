@@ -110,19 +110,19 @@ std::string timesAsWords(const std::vector<double>& times)
 }
 
 // Of many blocks, or pairs of them, the first tell enough.
-constexpr std::size_t kMaxLines = 12;
+constexpr std::size_t kMaxPrinted = 12;
 
 void printMore(std::size_t all)
 {
-	if (all > kMaxLines)
-		fmt::print("        and {} more; --json lists all\n", all - kMaxLines);
+	if (all > kMaxPrinted)
+		fmt::print("        and {} more; --json lists all\n", all - kMaxPrinted);
 }
 
 void printBlocks(const grid::BlockSet& blocks)
 {
 	if (blocks.blocks.size() == 1)
 		return;
-	for (std::size_t b = 0; b < std::min(kMaxLines, blocks.blocks.size()); ++b)
+	for (std::size_t b = 0; b < std::min(kMaxPrinted, blocks.blocks.size()); ++b)
 		fmt::print("block   {}: {}, {} cells\n", b, blocks.blocks[b].name,
 		           std::visit([](const auto& grid) { return grid.cellCount(); }, blocks.blocks[b].grid));
 	printMore(blocks.blocks.size());
@@ -135,7 +135,7 @@ void printMeetings(const grid::BlockSet& blocks)
 		fmt::print("seams   {} boundary faces lie on another, in {} interface{}; {} bound the domain\n",
 		           seams.seam_faces, seams.interfaces.size(), seams.interfaces.size() == 1 ? "" : "s",
 		           seams.boundary_faces);
-	for (std::size_t i = 0; i < std::min(kMaxLines, seams.interfaces.size()); ++i)
+	for (std::size_t i = 0; i < std::min(kMaxPrinted, seams.interfaces.size()); ++i)
 	{
 		const grid::Interface& interface = seams.interfaces[i];
 		const std::string meets = interface.a == interface.b ? "itself" : fmt::format("block {}", interface.b);
@@ -143,7 +143,7 @@ void printMeetings(const grid::BlockSet& blocks)
 	}
 	printMore(seams.interfaces.size());
 	const std::vector<grid::BlockOverlap> overlaps = grid::findBlockOverlaps(blocks);
-	for (std::size_t i = 0; i < std::min(kMaxLines, overlaps.size()); ++i)
+	for (std::size_t i = 0; i < std::min(kMaxPrinted, overlaps.size()); ++i)
 		fmt::print("overlap blocks {} and {} have room in common: {} of {} cells looked at\n", overlaps[i].a,
 		           overlaps[i].b, overlaps[i].cells, overlaps[i].samples);
 	printMore(overlaps.size());

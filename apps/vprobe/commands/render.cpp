@@ -5,6 +5,7 @@
 #include "report/vectors_out.h"
 #include "session/cut_frame.h"
 #include "session/painter.h"
+#include "team.h"
 #include "view/validate.h"
 #include "write/png.h"
 
@@ -91,6 +92,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 		return look.error();
 
 	how.use = session::DeviceUse::draw;
+	how.team = team();
 	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
 	if (!opened)
 		return opened.error();
@@ -104,9 +106,9 @@ Result<ExitCode> runRender(RenderOptions& options)
 	Result<render::Picture> picture = painter->draw(frame->slice, frame->sheets, frame->contours);
 	if (!picture)
 		return picture.error();
-	if (Status written = write::writePng(*picture, options.output); !written)
+	if (Status written = isFirst() ? write::writePng(*picture, options.output) : Nothing{}; !written)
 		return written.error();
-	if (tells_place)
+	if (tells_place && isFirst())
 		fmt::print("{}\n", options.output);
 	if (Status written = writeVectors(session, frame->sheets, options.vectors_out); !written)
 		return written.error();

@@ -3,9 +3,11 @@
 #include "options/spec_options.h"
 #include "report/explain.h"
 #include "report/stats_json.h"
+#include "report/team_slice.h"
 #include "report/vectors_out.h"
 #include "session/cut_frame.h"
 #include "session/plane_pictures.h"
+#include "team.h"
 #include "view/validate.h"
 #include "write/line_file.h"
 #include "write/slice_file.h"
@@ -98,6 +100,20 @@ Status check(const SliceOptions& options, const CLI::App& command)
 	return Nothing{};
 }
 
+// What processes with a part of the data each do not write.
+Status checkTeam(const SliceOptions& options)
+{
+	if (!team())
+		return Nothing{};
+	if (!options.line.empty())
+		return Error{ErrorKind::usage, "--line: a line may pass through the parts of several processes; use vprobe"};
+	if (session::namesPictures(options.output))
+		return Error{ErrorKind::usage, fmt::format("-o {}: flat pictures are drawn by one process; use vprobe, or draw "
+		                                           "the cut in space by vprobe-mpi render",
+		                                           options.output)};
+	return checkWritableTogether(options.output);
+}
+
 // What only the number of sheets tells.
 Status checkSheets(const SliceOptions& options, std::size_t sheets)
 {
@@ -116,6 +132,11 @@ Result<std::vector<std::string>> writeFiles(const session::Session& session, con
 {
 	if (options.output.empty())
 		return std::vector<std::string>();
+	if (session.team)
+	{
+		const Status written = writeTogether(session, frame, options.output);
+		return written ? Result<std::vector<std::string>>(std::vector{options.output}) : written.error();
+	}
 	const TimedSection section(session.timeline.get(), "write");
 	const DeferredInterrupt writing; // the files of a .vtm appear together
 	if (session::namesPictures(options.output))
@@ -139,7 +160,10 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 		return one.error();
 	const bool pictures = session::namesPictures(options.output);
 	// Polygons are written with every array; and where arrays jump between blocks, vertices are not joined.
-	const session::OpenOptions how{.may_scan = true, .reads_all_arrays = !pictures, .reads_again = false};
+	const session::OpenOptions how{
+	    .may_scan = true, .reads_all_arrays = !pictures, .reads_again = false, .team = team()};
+	if (Status fits = checkTeam(options); !fits)
+		return fits.error();
 	if (options.common.explain)
 		return explain(spec, how);
 	if (Status fits = check(options, command); !fits)
@@ -164,7 +188,11 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 		return vectors.error();
 	written->push_back(options.vectors_out);
 	if (options.output.empty() && options.stats.empty() && options.vectors_out.empty())
-		fmt::print("{}", statsTable(session, *frame));
+	{
+		const std::string table = statsTable(session, *frame);
+		if (isFirst())
+			fmt::print("{}", table);
+	}
 	if (Status saved = saveSpec(options.common); !saved)
 		return saved.error();
 	return writeStats(options.stats, *written, statsJson(session, *frame));

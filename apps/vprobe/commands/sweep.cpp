@@ -6,6 +6,7 @@
 #include "report/stats_json.h"
 #include "report/sweep_line.h"
 #include "session/time_steps.h"
+#include "team.h"
 #include "view/validate.h"
 
 #include <fmt/format.h>
@@ -60,8 +61,26 @@ Status checkSweepOptions(const SweepOptions& options)
 	return Nothing{};
 }
 
+// What processes with a part of the data each do not do.
+Status checkTeam(const SweepOptions& options)
+{
+	const std::pair<bool, const char*> refused[] = {{options.exports(), "-o .pvd"},
+	                                                {!options.exposure.empty(), "--exposure"},
+	                                                {options.resume, "--resume"},
+	                                                {!options.trace.empty(), "--trace"},
+	                                                {options.common.spec.sweep.over_times, "--path times"}};
+	for (const auto& [given, name] : refused)
+		if (team() && given)
+			return Error{ErrorKind::usage, fmt::format("{}: processes with a part of the data each cannot do this; "
+			                                           "leave it out, or use vprobe in place of vprobe-mpi",
+			                                           name)};
+	return Nothing{};
+}
+
 FramePlaces placesOf(const SweepOptions& options)
 {
+	if (!isFirst()) // which writes
+		return {};
 	FramePlaces places{.exposure = options.exposure, .resume = options.resume};
 	if (write::isFilm(options.output))
 		places.film = options.output;
@@ -125,11 +144,12 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 		return ready.error();
 	// Polygons are written with every array.
 	session::OpenOptions how{.may_scan = true, .reads_all_arrays = options.exports()};
+	how.team = team();
 	if (options.common.explain)
 		return explain(spec, how);
 	for (const Status& fits :
-	     {checkWritable(options.stats), checkSweepOptions(options), view::requirePathOfSurface(spec.probe, spec.sweep),
-	      view::refuseGenerations(spec.probe, spec.look.color_by)})
+	     {checkWritable(options.stats), checkSweepOptions(options), checkTeam(options),
+	      view::requirePathOfSurface(spec.probe, spec.sweep), view::refuseGenerations(spec.probe, spec.look.color_by)})
 		if (!fits)
 			return fits.error();
 	Result<view::ResolvedLook> look = view::resolveLook(spec);
@@ -160,7 +180,8 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	    productsOf(options, session, std::move(*look), std::move(*frames));
 	if (!products)
 		return products.error();
-	const bool threads = spec.machine.threads != 1; // one thread is one
+	const bool threads =
+	    spec.machine.threads != 1 && !team(); // one thread is one, and the calls of a team have an order
 	const SweepPlan plan{
 	    *count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr, spec.look.contour, {}};
 	Result<nlohmann::json> figures = spec.sweep.over_times

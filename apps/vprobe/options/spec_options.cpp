@@ -1,5 +1,7 @@
 #include "options/spec_options.h"
 
+#include "team.h"
+
 #include "view/state_file.h"
 #include "view/validate.h"
 #include "write/atomic_file.h"
@@ -42,7 +44,10 @@ Status prepare(const SpecOptions& options)
 	if (options.save == "-")
 		return Error{ErrorKind::usage,
 		             "--save -: a state names files relative to its own place; give it a file's name"};
-	if (!options.save.empty())
+	if (team() && options.explain)
+		return Error{ErrorKind::usage,
+		             "--explain: the plan does not depend on how many processes there are; use vprobe"};
+	if (!options.save.empty() && isFirst())
 		if (Status place = write::checkWritable(options.save); !place)
 			return place;
 	return view::validate(options.spec);
@@ -50,7 +55,7 @@ Status prepare(const SpecOptions& options)
 
 Status saveSpec(const SpecOptions& options)
 {
-	return options.save.empty() ? Nothing{} : view::saveState(options.spec, options.save);
+	return options.save.empty() || !isFirst() ? Nothing{} : view::saveState(options.spec, options.save);
 }
 
 Status refuseLook(const CLI::App& command, const std::string& why, const char* remedy)

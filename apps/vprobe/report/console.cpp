@@ -9,6 +9,8 @@ namespace vp::app
 namespace
 {
 
+std::string program_name = "vprobe";
+
 // A key of settings: what else stands between backquotes, as a part of a file's name, is none.
 bool isKey(std::string_view text)
 {
@@ -42,9 +44,15 @@ std::string withOptionNames(std::string_view message)
 	}
 }
 
+void setProgramName(std::string name)
+{
+	program_name = std::move(name);
+}
+
 void printLine(std::string_view line)
 {
-	fmt::print(stderr, "vprobe: {}\n", withOptionNames(line)); // standard error has no buffer: one write
+	// Standard error has no buffer: one write.
+	fmt::print(stderr, "{}: {}\n", program_name, withOptionNames(line));
 }
 
 } // namespace vp::app

@@ -12,6 +12,9 @@ namespace vp::app
 // options: "--color-by array".
 std::string withOptionNames(std::string_view message);
 
+// The name that stands before lines; "vprobe" where nothing else is set.
+void setProgramName(std::string name);
+
 // A line on standard error, "vprobe: LINE", with the names of options. Standard output belongs to results. Any thread.
 void printLine(std::string_view line);
 

@@ -1,4 +1,5 @@
 #include "report/stats_json.h"
+#include "team.h"
 #include "write/atomic_file.h"
 
 #include <filesystem>
@@ -8,7 +9,7 @@ namespace vp::app
 
 Status checkWritable(const std::string& path)
 {
-	if (path.empty() || path == "-")
+	if (path.empty() || path == "-" || !isFirst())
 		return Nothing{};
 	const Result<write::AtomicFile> tried = write::AtomicFile::create(path);
 	return tried ? Status(Nothing{}) : tried.error();
@@ -17,7 +18,7 @@ Status checkWritable(const std::string& path)
 Result<ExitCode> writeStats(const std::string& path, const std::vector<std::string>& outputs,
                             const std::string& document)
 {
-	if (path.empty())
+	if (path.empty() || !isFirst())
 		return ExitCode::done;
 	Status written = [&]() -> Status
 	{

@@ -2,6 +2,8 @@
 
 #include "report/duration.h"
 #include "report/explain.h"
+#include "report/team_stats.h"
+#include "session/share.h"
 #include "vectors/traces.h"
 
 #include <fmt/format.h>
@@ -149,7 +151,7 @@ nlohmann::json sheetJson(const session::Session& session, const cut::Cut& slice,
 	             {"cut_cells", sums.cut_cells},
 	             {"linear_cut_cells", sums.linear_cut_cells},
 	             {"polygons", stats.mesh.polygons()},
-	             {"vertices", stats.mesh.positions.size()},
+	             {"vertices", stats.mesh.positions.size() - stats.borders.vertices_elsewhere},
 	             {"components", stats.measure.components},
 	             {"area", stats.measure.area},
 	             {"mean", orNull(stats.measure.mean)},
@@ -166,7 +168,7 @@ nlohmann::json sheetJson(const session::Session& session, const cut::Cut& slice,
 	             {"cells_scanned", sums.scanned},
 	             {"cells_walked", sums.walked},
 	             {"cells_twisted", stats.mesh.cells_twisted},
-	             {"boundary_faces", sums.boundary_faces},
+	             {"boundary_faces", sums.boundary_faces - stats.borders.faces_elsewhere},
 	             {"boundary_area", stats.measure.boundary_area},
 	             {"nan_area", stats.measure.nan_area},
 	             {"flux", orNull(stats.flux)},
@@ -211,17 +213,28 @@ nlohmann::json breakEvenJson(const session::Session& session)
 	                                                       : nlohmann::json();
 }
 
+// Of all blocks, whoever holds them.
+session::Share::Counts countsOf(const session::Session& session)
+{
+	if (session.share)
+		return session.share->counts;
+	const grid::BlockSet& blocks = session.blocks;
+	return {blocks.kind(),      blocks.sourceCellCount(), blocks.sourcePointCount(),
+	        blocks.cellCount(), blocks.pointCount(),      blocks.blocks.size()};
+}
+
 nlohmann::json inputJson(const session::Session& session)
 {
+	const session::Share::Counts counts = countsOf(session);
 	return {
 	    {"input", fmt::format("{}", fmt::join(session.spec.input.files, " "))},
 	    {"grid",
-	     {{"kind", session.blocks.kind()},
-	      {"cells", session.blocks.sourceCellCount()},
-	      {"points", session.blocks.sourcePointCount()},
-	      {"linear_cells", session.blocks.cellCount()},
-	      {"linear_points", session.blocks.pointCount()},
-	      {"blocks", session.blocks.blocks.size()}}},
+	     {{"kind", counts.kind},
+	      {"cells", counts.cells},
+	      {"points", counts.points},
+	      {"linear_cells", counts.linear_cells},
+	      {"linear_points", counts.linear_points},
+	      {"blocks", counts.blocks}}},
 	    {"array", session.view.field ? nlohmann::json(session.view.field->title(session.blocks)) : nlohmann::json()},
 	    {"device", session.device ? session.device->name() : "none"},
 	    {"classifier", classifierName(session)},
@@ -240,6 +253,8 @@ std::string statsDocument(const session::Session& session, const nlohmann::json&
 	nlohmann::json document = inputJson(session);
 	document.update(what);
 	document["ms"] = std::move(ms);
+	if (session.team)
+		document = ofTeam(session, std::move(document));
 	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -261,18 +276,20 @@ std::string statsJson(const session::Session& session, const session::CutFrame& 
 
 std::string statsTable(const session::Session& session, const session::CutFrame& frame)
 {
-	const std::vector<session::SheetStats>& sheets = frame.sheets;
+	nlohmann::json sheets = {{"sheets", sheetsJson(session, frame.slice, frame.sheets)}};
+	if (session.team)
+		sheets = ofTeam(session, std::move(sheets));
 	std::string table = fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13} {:>13} {:>13} {:>13}\n", "sheet", "cells",
 	                                "polygons", "vertices", "pieces", "area", "mean", "min", "max");
-	const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; };
-	for (std::size_t s = 0; s < sheets.size(); ++s)
-	{
-		const measure::SheetMeasure& measure = sheets[s].measure;
-		table += fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13.6g} {:>13} {:>13} {:>13}\n", s,
-		                     sumUp(frame.slice.blocksOf(session.blocks), frame.slice.sheets[s]).cut_cells,
-		                     sheets[s].mesh.polygons(), sheets[s].mesh.positions.size(), measure.components,
-		                     measure.area, number(measure.mean), number(measure.min), number(measure.max));
-	}
+	const auto count = [](const nlohmann::json& value) { return value.get<std::size_t>(); };
+	const auto number = [](const nlohmann::json& value)
+	{ return value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : "-"; };
+	std::size_t s = 0;
+	for (const nlohmann::json& sheet : sheets["sheets"])
+		table += fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13} {:>13} {:>13} {:>13}\n", s++,
+		                     count(sheet["cut_cells"]), count(sheet["polygons"]), count(sheet["vertices"]),
+		                     count(sheet["components"]), number(sheet["area"]), number(sheet["mean"]),
+		                     number(sheet["min"]), number(sheet["max"]));
 	const Timeline& timeline = *session.timeline;
 	const double cut_ms =
 	    timeline.total("seed") + timeline.total("refine") + timeline.total("traverse") + timeline.total("emit");

@@ -29,7 +29,7 @@ static_assert(shared::kMaxLayers <= 32);
 // Where a sheet has something to show, in its records' uv; none: anywhere.
 std::optional<mesh::UvBounds> shownBounds(const SheetDrawing& drawing)
 {
-	std::optional<mesh::UvBounds> bounds = drawing.records->bounds;
+	std::optional<mesh::UvBounds> bounds = drawing.bounds ? drawing.bounds : drawing.records->bounds;
 	if (const auto& window = drawing.window)
 	{
 		const mesh::UvBounds all = bounds.value_or(mesh::UvBounds{glm::dvec2(-1e300), glm::dvec2(1e300)});
@@ -103,7 +103,7 @@ Cells maskedCells(const Scene& scene, const PicturePart& part)
 	for (std::size_t s = 0; s < scene.sheets.size(); ++s)
 	{
 		const SheetDrawing& drawing = scene.sheets[s];
-		if (!drawing.records || drawing.records->pages.empty())
+		if (!drawing.bounds && (!drawing.records || drawing.records->pages.empty()))
 			continue;
 		const auto corners = seenCorners(drawing, scene.camera, part);
 		for (std::uint32_t y = 0; y < cells.down; ++y)

@@ -68,11 +68,11 @@ Result<Targets> Targets::create(gpu::Device& device, const PicturePart& first, s
 		return Nothing{};
 	};
 	// Mesh lines are drawn by the hardware's rasterizer alone.
-	const VkImageUsageFlags computed =
-	    mesh ? 0 : VkImageUsageFlags(VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
-	if (Status made =
-	        make(targets.values, layerFormat(mesh),
-	             VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | computed, layers, "value layers");
+	const VkImageUsageFlags computed = mesh ? 0 : VkImageUsageFlags(VK_IMAGE_USAGE_STORAGE_BIT);
+	if (Status made = make(targets.values, layerFormat(mesh),
+	                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+	                           VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | computed,
+	                       layers, "value layers");
 	    !made)
 		return made.error();
 	if (Status made =

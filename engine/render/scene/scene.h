@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/mesh_records.h"
 #include "probe/sheet.h"
 #include "render/scene/camera.h"
 #include "render/scene/look.h"
@@ -61,6 +62,7 @@ struct SheetDrawing
 	// Lines that get labels, the rim of the polygons, and where both are visible, in the records' uv.
 	std::vector<LevelLine> contours{};
 	std::vector<measure::PlaneLine> rim_lines{};
+	std::optional<mesh::UvBounds> bounds{}; // of all its polygons, if others draw a part of them
 
 	Vec3 inWorld(const glm::dvec2& uv) const
 	{

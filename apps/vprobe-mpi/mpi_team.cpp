@@ -1,0 +1,85 @@
+#include "mpi_team.h"
+
+#define OMPI_SKIP_MPICXX 1
+#include <mpi.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <thread>
+#include <vector>
+
+namespace vp::app
+{
+
+namespace
+{
+
+constexpr std::size_t kMostAtOnce = std::size_t(1) << 30; // MPI counts bytes in an int
+
+// MPI's own wait takes a whole core. Ranks share cores with the threads of others that still work.
+void waitFor(std::vector<MPI_Request>& requests)
+{
+	std::chrono::microseconds nap(20);
+	for (int done = 0;;)
+	{
+		MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE);
+		if (done)
+			return requests.clear();
+		std::this_thread::sleep_for(nap);
+		nap = std::min(2 * nap, std::chrono::microseconds(1000));
+	}
+}
+
+// visit(offset, bytes) for each message.
+template <class Visit>
+void forMessages(std::size_t size, const Visit& visit)
+{
+	for (std::size_t at = 0; at < size; at += kMostAtOnce)
+		visit(at, static_cast<int>(std::min(kMostAtOnce, size - at)));
+}
+
+} // namespace
+
+MpiTeam::MpiTeam(int* argc, char*** argv)
+{
+	int provided = 0;
+	MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);
+	MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+	MPI_Comm_size(MPI_COMM_WORLD, &size_);
+}
+
+MpiTeam::~MpiTeam()
+{
+	MPI_Finalize();
+}
+
+session::Bytes MpiTeam::sendReceive(int to, const session::Bytes& bytes, int from)
+{
+	std::vector<MPI_Request> requests;
+	const std::uint64_t sent = bytes.size();
+	std::uint64_t coming = 0;
+	if (to >= 0)
+		MPI_Isend(&sent, 1, MPI_UINT64_T, to, 0, MPI_COMM_WORLD, &requests.emplace_back());
+	if (from >= 0)
+		MPI_Irecv(&coming, 1, MPI_UINT64_T, from, 0, MPI_COMM_WORLD, &requests.emplace_back());
+	waitFor(requests);
+	session::Bytes received(coming);
+	forMessages(to >= 0 ? bytes.size() : 0, [&](std::size_t at, int count)
+	            { MPI_Isend(bytes.data() + at, count, MPI_BYTE, to, 0, MPI_COMM_WORLD, &requests.emplace_back()); });
+	forMessages(received.size(),
+	            [&](std::size_t at, int count) {
+		            MPI_Irecv(received.data() + at, count, MPI_BYTE, from, 0, MPI_COMM_WORLD, &requests.emplace_back());
+	            });
+	waitFor(requests);
+	return received;
+}
+
+void MpiTeam::abort(int status)
+{
+	MPI_Abort(MPI_COMM_WORLD, status);
+	std::abort();
+}
+
+} // namespace vp::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "session/team.h"
+
+namespace vp::app
+{
+
+// The processes that mpiexec has started. One lives at a time; only the thread that made it uses it.
+class MpiTeam : public session::Team
+{
+public:
+	MpiTeam(int* argc, char*** argv);
+	~MpiTeam() override; // all ranks come to their end together
+
+	int rank() const override { return rank_; }
+	int size() const override { return size_; }
+	session::Bytes sendReceive(int to, const session::Bytes& bytes, int from) override;
+
+	// Ends all ranks at once, with an exit status.
+	[[noreturn]] static void abort(int status);
+
+private:
+	int rank_ = 0;
+	int size_ = 1;
+};
+
+} // namespace vp::app

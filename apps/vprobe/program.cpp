@@ -1,0 +1,148 @@
+#include "program.h"
+
+#include "base/timeline.h"
+#include "interrupt.h"
+#include "options/arguments.h"
+#include "report/console.h"
+#include "report/progress_line.h"
+#include "team.h"
+#include "version.h"
+#include "write/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <new>
+#include <string_view>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+#include <unistd.h>
+
+namespace vp::app
+{
+
+namespace
+{
+
+int exitStatus(ExitCode code)
+{
+	return static_cast<int>(code);
+}
+
+// Ctrl-C leaves no half-written file.
+void endInterrupted(int)
+{
+	if (deferInterrupt())
+		return;
+	write::removeUnfinishedFiles();
+	_exit(exitStatus(ExitCode::interrupted));
+}
+
+// A mesh is freed and made again for every cut, and a software device does the same with some megabytes for every draw.
+// The C library gives such memory back to the system, or keeps it, as its thresholds happen to stand. If it goes back,
+// each page is cleared and mapped again, which can take longer than the cut, and ten times as long as the draw.
+void keepFreedMemory()
+{
+#ifdef __GLIBC__
+	mallopt(M_MMAP_THRESHOLD, 32 << 20); // the largest that is allowed
+	mallopt(M_TRIM_THRESHOLD, 256 << 20);
+#endif
+}
+
+// CLI11's reasons, as one line that names the remedy.
+std::string usageLine(const std::string& name, const CLI::App& program, const CLI::ParseError& error)
+{
+	std::string reason = error.what();
+	std::replace(reason.begin(), reason.end(), '\n', ' ');
+	const auto commands = program.get_subcommands();
+	return commands.empty() ? fmt::format("{}; see {} --help", reason, name)
+	                        : fmt::format("{}; see {} {} --help", reason, name, commands.front()->get_name());
+}
+
+int failed(const Program& program, const std::string& line, ExitCode code)
+{
+	program.fail(line, code);
+	return exitStatus(code);
+}
+
+int carryOut(const Program& program, const Run& run)
+{
+	try
+	{
+		Result<ExitCode> done = run();
+		if (done && (std::fflush(stdout) != 0 || std::ferror(stdout)))
+			done = Error{ErrorKind::output, "standard output: cannot be written; make room or choose another place"};
+		if (done)
+			return exitStatus(*done);
+		return failed(program, done.error().message, exitCodeOf(done.error().kind));
+	}
+	catch (const std::bad_alloc&)
+	{
+		return failed(program, "out of memory; use a smaller input or a machine with more memory", ExitCode::output);
+	}
+	catch (const std::exception& error)
+	{
+		return failed(program, error.what(), ExitCode::output);
+	}
+}
+
+} // namespace
+
+int runProgram(const Program& program, int argc, char** argv)
+{
+	CLI::App app{program.about, program.name};
+	app.set_version_flag("--version", kVersion);
+	app.require_subcommand(1);
+	app.footer(program.footer);
+
+	keepFreedMemory();
+	nameThreadRow("main");
+	setProgramName(program.name);
+	const MessageListener messages(
+	    [](Severity, std::string_view line)
+	    {
+		    if (isFirst())
+			    printLine(line);
+	    });
+	const auto progress = isFirst() ? std::make_unique<ProgressLine>() : nullptr;
+	std::signal(SIGINT, endInterrupted);
+	std::signal(SIGTERM, endInterrupted);
+	Run run;
+	for (const auto add : program.commands)
+		add(app, run);
+
+	// CLI11 would say that a command is missing, not that this one is none.
+	const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+	if (argc > 1 && argv[1][0] != '-' &&
+	    std::none_of(commands.begin(), commands.end(), [&](const CLI::App* c) { return c->get_name() == argv[1]; }))
+		return failed(program, fmt::format("{}: no such command; see {} --help", argv[1], program.name),
+		              ExitCode::usage);
+	try
+	{
+		app.parse(joinNumbers(argc, argv));
+	}
+	catch (const CLI::CallForHelp&)
+	{
+		if (isFirst())
+			fmt::print("{}", app.help());
+		return exitStatus(ExitCode::done);
+	}
+	catch (const CLI::CallForVersion&)
+	{
+		if (isFirst())
+			fmt::print("{} {}\n", program.name, kVersion);
+		return exitStatus(ExitCode::done);
+	}
+	catch (const CLI::ParseError& error)
+	{
+		return failed(program, usageLine(program.name, app, error), ExitCode::usage);
+	}
+	return carryOut(program, run);
+}
+
+} // namespace vp::app

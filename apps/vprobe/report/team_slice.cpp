@@ -1,0 +1,121 @@
+#include "report/team_slice.h"
+
+#include "session/share.h"
+#include "session/team.h"
+#include "write/slice_file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <span>
+#include <utility>
+
+namespace vp::app
+{
+
+namespace
+{
+
+template <class T>
+void putNumbers(session::MessageWriter& to, const T& numbers)
+{
+	to.putAll(std::span(numbers.data(), numbers.size()));
+}
+
+template <class T>
+void takeNumbers(session::MessageReader& from, T& numbers)
+{
+	const auto all = from.getAll<typename T::value_type>();
+	numbers.resize(all.size());
+	std::copy(all.begin(), all.end(), numbers.begin());
+}
+
+void putColumns(session::MessageWriter& to, const std::vector<write::Column>& columns)
+{
+	for (const write::Column& column : columns)
+		to.putAll(column.bytes);
+}
+
+// Names and types are the same at all ranks, since each knows the arrays of all blocks.
+session::Bytes messageOf(const write::SliceTable& table)
+{
+	session::MessageWriter message;
+	putNumbers(message, table.positions);
+	putNumbers(message, table.polygon_starts);
+	putNumbers(message, table.polygon_vertices);
+	putNumbers(message, table.cell);
+	putNumbers(message, table.block);
+	putNumbers(message, table.sheet);
+	putColumns(message, table.vertex_columns);
+	putColumns(message, table.polygon_columns);
+	return message.take();
+}
+
+write::SliceTable tableOf(const session::Bytes& bytes, const write::SliceTable& like)
+{
+	session::MessageReader reader(bytes);
+	write::SliceTable table;
+	takeNumbers(reader, table.positions);
+	takeNumbers(reader, table.polygon_starts);
+	takeNumbers(reader, table.polygon_vertices);
+	takeNumbers(reader, table.cell);
+	takeNumbers(reader, table.block);
+	takeNumbers(reader, table.sheet);
+	for (const auto& [columns, like_columns] : {std::pair(&table.vertex_columns, &like.vertex_columns),
+	                                            std::pair(&table.polygon_columns, &like.polygon_columns)})
+		for (const write::Column& column : *like_columns)
+			columns->push_back({column.name, column.components, column.type, reader.getAll<std::byte>()});
+	return table;
+}
+
+// The table of a sheet with the rows of all ranks; at the first rank alone.
+write::SliceTable gathered(session::Team& team, write::SliceTable own)
+{
+	// Along the tree, tables come together in the order of ranks.
+	session::Bytes bytes = messageOf(own);
+	team.reduce(bytes,
+	            [&](session::Bytes& into, const session::Bytes& other)
+	            {
+		            write::SliceTable table = tableOf(into, own);
+		            write::append(tableOf(other, own), table);
+		            into = messageOf(table);
+	            });
+	return tableOf(bytes, own);
+}
+
+} // namespace
+
+Status checkWritableTogether(const std::string& path)
+{
+	if (path.empty() || path == "-")
+		return Nothing{};
+	const Result<write::SliceFormat> format = write::sliceFormatOf(path);
+	if (!format)
+		return format.error();
+	if (*format == write::SliceFormat::vtm)
+		return Error{ErrorKind::usage,
+		             fmt::format("-o {}: several processes write one file; give a .vtp, or use vprobe", path)};
+	return Nothing{};
+}
+
+Status writeTogether(const session::Session& session, const session::CutFrame& frame, const std::string& path)
+{
+	const TimedSection section(session.timeline.get(), "write");
+	const std::vector<mesh::SheetMesh> meshes = session::exportedMeshes(frame.sheets);
+	write::SliceTable all;
+	for (std::size_t s = 0; s < meshes.size(); ++s)
+	{
+		write::SliceTable own =
+		    write::tabulate(frame.slice.blocksOf(session.blocks), std::span(meshes).subspan(s, 1), s);
+		for (std::int32_t& block : own.block)
+			block = static_cast<std::int32_t>(session.share->whole[static_cast<std::size_t>(block)]);
+		write::SliceTable of_sheet = gathered(*session.team, std::move(own));
+		if (s == 0)
+			all = std::move(of_sheet);
+		else
+			write::append(std::move(of_sheet), all);
+	}
+	return session.team->isFirst() ? write::writeTable(all, path) : Nothing{};
+}
+
+} // namespace vp::app

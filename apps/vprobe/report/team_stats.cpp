@@ -1,0 +1,106 @@
+#include "report/team_stats.h"
+
+#include "session/share.h"
+#include "session/team.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <sys/resource.h>
+
+namespace vp::app
+{
+
+namespace
+{
+
+using nlohmann::json;
+
+// Counts of a sheet that each rank has of its own cells.
+constexpr std::array<std::string_view, 12> kSummed = {
+    "cut_cells",      "linear_cut_cells", "polygons",      "vertices",      "seeds",        "hops",
+    "boundary_tests", "tree_tests",       "cells_touched", "cells_scanned", "cells_walked", "boundary_faces"};
+constexpr std::array<std::string_view, 2> kGreatest = {"generations", "front_max"};
+// Of these, what is told for each rank.
+constexpr std::array<std::string_view, 8> kOfRank = {"cut_cells",  "seeds",         "hops",          "boundary_tests",
+                                                     "tree_tests", "cells_touched", "cells_scanned", "generations"};
+
+void addSheet(json& sheet, const json& other)
+{
+	for (const std::string_view key : kSummed)
+		sheet[key] = sheet[key].get<std::size_t>() + other[key].get<std::size_t>();
+	sheet["cells_twisted"] = sheet["cells_twisted"].get<std::size_t>() + other["cells_twisted"].get<std::size_t>();
+	for (const std::string_view key : kGreatest)
+		sheet[key] = std::max(sheet[key].get<std::size_t>(), other[key].get<std::size_t>());
+	sheet["hot_spot_inside"] = sheet["hot_spot_inside"].get<bool>() || other["hot_spot_inside"].get<bool>();
+}
+
+void addSheets(json& document, const json& other)
+{
+	for (std::size_t s = 0; document.contains("sheets") && s < document["sheets"].size(); ++s)
+		addSheet(document["sheets"][s], other["sheets"][s]);
+}
+
+json sheetsOfRank(const json& document)
+{
+	json sheets = json::array();
+	for (const json& sheet : document.value("sheets", json::array()))
+	{
+		json& told = sheets.emplace_back();
+		for (const std::string_view key : kOfRank)
+			told[key] = sheet[key];
+	}
+	return sheets;
+}
+
+json rankJson(const session::Session& session, const json& own)
+{
+	rusage used{};
+	getrusage(RUSAGE_SELF, &used);
+	rusage reader{};
+	getrusage(RUSAGE_CHILDREN, &reader);
+	const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * time.tv_usec; };
+	const auto cpu = [&](const rusage& of) { return seconds(of.ru_utime) + seconds(of.ru_stime); };
+	std::size_t cells = 0;
+	for (std::uint32_t b = session.share->first_own; b < session.share->end_own; ++b)
+		cells += std::visit([](const auto& grid) { return grid.cellCount(); }, session.blocks.blocks[b].grid);
+	return {{"parts", session.share->own_parts},
+	        {"cells", cells},
+	        {"layer_bytes", session.layer_bytes},
+	        {"peak_mib", used.ru_maxrss / 1024},
+	        {"cpu_s", cpu(used)},
+	        {"reader_cpu_s", cpu(reader)},
+	        {"ms", own.value("ms", json())},
+	        {"sheets", sheetsOfRank(own)}};
+}
+
+} // namespace
+
+nlohmann::json ofTeam(const session::Session& session, nlohmann::json own)
+{
+	json mine = {{"document", own}, {"rank", rankJson(session, own)}};
+	session::MessageWriter message;
+	message.put(mine.dump(-1, ' ', false, json::error_handler_t::replace));
+	json whole = std::move(own);
+	json ranks = json::array();
+	for (const session::Bytes& bytes : session.team->gatherAll(message.take()))
+	{
+		json of_rank = json::parse(session::MessageReader(bytes).getText());
+		if (ranks.empty())
+			whole = of_rank["document"];
+		else
+		{
+			addSheets(whole, of_rank["document"]);
+			for (std::size_t f = 0; whole.contains("frames") && f < whole["frames"].size(); ++f)
+				addSheets(whole["frames"][f], of_rank["document"]["frames"][f]);
+		}
+		ranks.push_back(std::move(of_rank["rank"]));
+	}
+	whole["ranks"] = std::move(ranks);
+	return whole;
+}
+
+} // namespace vp::app

@@ -1,0 +1,18 @@
+#pragma once
+
+namespace vp::session
+{
+class Team;
+}
+
+namespace vp::app
+{
+
+// The processes that carry out a command together, or null for one process alone. vprobe-mpi sets it.
+session::Team* team();
+void setTeam(session::Team* team);
+
+// True for the process that writes and prints: the only one, or the first of a team.
+bool isFirst();
+
+} // namespace vp::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "grid/block.h"
+#include "mesh/sheet_mesh.h"
+#include "session/team.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace vp::session
+{
+
+/// What a sheet's mesh has in common with those of other ranks.
+struct Borders
+{
+	std::size_t vertices_elsewhere = 0; // of this mesh, counted with the mesh of another rank
+	std::size_t faces_elsewhere = 0;    // boundary polygons that were dropped, since another rank shows them
+	std::size_t components = 0;         // of the meshes of all ranks together
+	bool hangs = false; // a cell of one rank meets several smaller ones of another: then nothing here holds
+};
+
+/// Joins the meshes of a sheet that the ranks have: a face in the plane that two of them show is dropped at one, and
+/// vertices at one place with the same values are counted once. Places must be equal to the last bit. What lies on the
+/// rim of a mesh is sent to the rank that its place belongs to, so traffic follows the rim alone.
+///
+/// whole: per block, the block that one process would have in its place. Within one of those, vertices are joined only
+/// where the faces of cells lie on each other, as in one process (mesh/join_vertices.h).
+Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
+                    mesh::SheetMesh& mesh);
+
+} // namespace vp::session

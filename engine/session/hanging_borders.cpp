@@ -1,0 +1,158 @@
+#include "session/hanging_borders.h"
+
+#include "base/place_key.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace vp::session
+{
+
+namespace
+{
+
+struct Side
+{
+	Vec3 from;
+	Vec3 to;
+};
+
+struct Point
+{
+	Vec3 place;
+	double near;
+};
+
+/// The sides of polygons that no other polygon of the mesh has.
+std::vector<Side> loneSides(const mesh::SheetMesh& mesh)
+{
+	std::unordered_map<std::uint64_t, int> uses;
+	const auto keyOf = [](std::uint32_t v, std::uint32_t w)
+	{ return std::uint64_t(std::min(v, w)) << 32 | std::max(v, w); };
+	const auto forSides = [&](const auto& visit)
+	{
+		for (std::size_t p = 0; p < mesh.polygons(); ++p)
+		{
+			std::uint32_t before = mesh.polygon(p).back();
+			for (const std::uint32_t v : mesh.polygon(p))
+				visit(std::exchange(before, v), v);
+		}
+	};
+	forSides([&](std::uint32_t v, std::uint32_t w) { ++uses[keyOf(v, w)]; });
+	std::vector<Side> sides;
+	forSides(
+	    [&](std::uint32_t v, std::uint32_t w)
+	    {
+		    if (uses[keyOf(v, w)] == 1)
+			    sides.push_back({mesh.positions[v], mesh.positions[w]});
+	    });
+	return sides;
+}
+
+bool liesAmid(const Point& point, const Side& side)
+{
+	const Vec3 way = side.to - side.from;
+	const double square = glm::dot(way, way);
+	if (!(square > 0.0))
+		return false;
+	const double t = glm::dot(point.place - side.from, way) / square;
+	const double end = 2.0 * point.near / std::sqrt(square);
+	return t > end && t < 1.0 - end && glm::length(point.place - (side.from + t * way)) <= point.near;
+}
+
+/// Bins of a lattice over space, whose side is as long as the longest side of a polygon: so each of those is in a few.
+class Bins
+{
+public:
+	explicit Bins(double side) : side_(side) {}
+
+	std::set<std::uint64_t> of(const Vec3& a, const Vec3& b) const
+	{
+		std::set<std::uint64_t> keys;
+		for (int corner = 0; corner < 8; ++corner)
+			keys.insert(at({corner & 1 ? a.x : b.x, corner & 2 ? a.y : b.y, corner & 4 ? a.z : b.z}));
+		return keys;
+	}
+	std::uint64_t at(const Vec3& place) const
+	{
+		return placeKey({std::floor(place.x / side_), std::floor(place.y / side_), std::floor(place.z / side_)});
+	}
+
+private:
+	double side_;
+};
+
+/// What came to the owner of a bin.
+struct Bin
+{
+	std::vector<std::pair<int, Side>> sides; // with their ranks
+	std::vector<std::pair<int, Point>> points;
+
+	bool hasHanging() const
+	{
+		return std::ranges::any_of(points,
+		                           [&](const auto& point)
+		                           {
+			                           return std::ranges::any_of(sides,
+			                                                      [&](const auto& side) {
+				                                                      return side.first != point.first &&
+				                                                             liesAmid(point.second, side.second);
+			                                                      });
+		                           });
+	}
+};
+
+} // namespace
+
+bool hangsBetweenRanks(Team& team, const mesh::SheetMesh& mesh, std::span<const RimVertex> rim)
+{
+	const std::vector<Side> sides = team.size() > 1 ? loneSides(mesh) : std::vector<Side>();
+	double longest = 0.0;
+	for (const Side& side : sides)
+		longest = std::max(longest, glm::length(side.to - side.from));
+	sumOverAll(team, longest, [](double& greatest, double other) { greatest = std::max(greatest, other); });
+	if (!(longest > 0.0))
+		return false;
+	const Bins bins(longest);
+	std::vector<MessageWriter> messages(static_cast<std::size_t>(team.size()));
+	const auto messageFor = [&](std::uint64_t bin) -> MessageWriter&
+	{
+		MessageWriter& message = messages[(bin ^ bin >> 32) % messages.size()];
+		message.put(bin);
+		return message;
+	};
+	const auto send = [&](std::uint64_t bin, bool is_side, const auto& what)
+	{
+		MessageWriter& message = messageFor(bin);
+		message.put(is_side);
+		message.put(what);
+	};
+	for (const Side& side : sides)
+		for (const std::uint64_t bin : bins.of(side.from, side.to))
+			send(bin, true, side);
+	for (const RimVertex& vertex : rim)
+		if (vertex.on_edge)
+			send(bins.at(vertex.place), false, Point{vertex.place, vertex.near});
+	std::vector<Bytes> bytes;
+	for (MessageWriter& message : messages)
+		bytes.push_back(message.take());
+	std::map<std::uint64_t, Bin> found;
+	const std::vector<Bytes> came = team.exchange(std::move(bytes));
+	for (int rank = 0; rank < team.size(); ++rank)
+		for (MessageReader reader(came[static_cast<std::size_t>(rank)]); !reader.atEnd();)
+		{
+			Bin& bin = found[reader.get<std::uint64_t>()];
+			if (reader.get<bool>())
+				bin.sides.emplace_back(rank, reader.get<Side>());
+			else
+				bin.points.emplace_back(rank, reader.get<Point>());
+		}
+	return anyOf(team, std::ranges::any_of(found, [](const auto& bin) { return bin.second.hasHanging(); }));
+}
+
+} // namespace vp::session

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "render/scene/layer_values.h"
+#include "session/team.h"
+
+#include <cstdint>
+
+namespace vp::session
+{
+
+/// Merges layers of values along a tree of ranks. At each pixel of a layer the highest rank that has a value wins, with
+/// all channels; so does the highest block, since ranks hold blocks in order. NaN is a value. Only what is not empty
+/// travels. Returns true at the first rank, which has the layers of all then. sent: bytes of layers that this rank has
+/// sent are added to it.
+bool mergeLayers(Team& team, const render::LayerValues& layers, std::uint64_t& sent);
+
+} // namespace vp::session

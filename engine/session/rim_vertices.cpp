@@ -1,0 +1,229 @@
+#include "session/rim_vertices.h"
+
+#include "base/place_key.h"
+#include "mesh/mesh_values.h"
+#include "mesh/open_vertices.h"
+
+#include <cmath>
+#include <limits>
+
+namespace vp::session
+{
+
+void addCorner(const Vec3& corner, FaceKey& key)
+{
+	const std::uint64_t place = placeKey(corner);
+	key.sum += place;
+	key.mixed ^= (place >> 7) * 0xD1B54A32D192ED03ull;
+	++key.corners;
+}
+
+bool ValueAt::isSame(const ValueAt& other) const
+{
+	return std::abs(value - other.value) <= 1e-5 * scale || (std::isnan(value) && std::isnan(other.value));
+}
+
+bool RimVertex::isAcross(const RimVertex& other) const
+{
+	return std::ranges::any_of(faces,
+	                           [&](const FaceKey& face) { return std::ranges::binary_search(other.faces, face); });
+}
+
+bool RimVertex::hasDataOf(const RimVertex& other) const
+{
+	const auto areSame = [](const auto& a, const auto& b)
+	{
+		return a.first == b.first &&
+		       std::ranges::equal(a.second, b.second, [](const ValueAt& x, const ValueAt& y) { return x.isSame(y); });
+	};
+	return std::ranges::equal(arrays, other.arrays, areSame);
+}
+
+namespace
+{
+
+std::vector<std::uint8_t> rimOf(const mesh::SheetMesh& mesh)
+{
+	mesh::OpenVertices open(mesh.positions.size());
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		std::uint32_t before = mesh.polygon(p).back();
+		for (const std::uint32_t v : mesh.polygon(p))
+			open.add(std::exchange(before, v), v);
+	}
+	std::vector<std::uint8_t> rim(mesh.positions.size());
+	for (std::uint32_t v = 0; v < rim.size(); ++v)
+		rim[v] = open.isOpen(v);
+	return rim;
+}
+
+bool isId(const grid::Field& field)
+{
+	using enum grid::NumberType;
+	return field.type == int32 || field.type == uint32 || field.type == int64 || field.type == uint64;
+}
+
+/// Whether a vertex lies on a face with these corners: its edge, or the grid point at which it is. By places, since a
+/// vertex has the name of one edge alone where several cells with points of their own meet.
+bool liesOn(const grid::BlockSet& blocks, const mesh::EdgePoint& vertex, std::span<const Vec3> corners)
+{
+	return std::visit(
+	    [&](const auto& grid)
+	    {
+		    const auto has = [&](PointId p) { return std::ranges::find(corners, grid.point(p)) != corners.end(); };
+		    return (vertex.t == 1.0 || has(vertex.lower)) && (vertex.t == 0.0 || has(vertex.higher));
+	    },
+	    blocks.blocks[vertex.block].grid);
+}
+
+/// The faces of cells on which the vertices of the rim lie; of others none.
+std::vector<std::vector<FaceKey>> facesAtRim(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
+                                             const std::vector<std::uint8_t>& rim)
+{
+	std::vector<std::vector<FaceKey>> of_vertex(rim.size());
+	grid::CellFaces faces;
+	std::vector<Vec3> corners;
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		const auto polygon = mesh.polygon(p);
+		const auto takesPart = [&](std::uint32_t v) { return rim[v] && v < mesh.edges.size(); };
+		if (std::ranges::none_of(polygon, takesPart))
+			continue;
+		const auto [block, cell] = mesh.polygon_cells[p];
+		std::visit(
+		    [&, cell = cell](const auto& grid)
+		    {
+			    grid.cellFaces(cell, faces);
+			    for (int f = 0; f < faces.size(); ++f)
+			    {
+				    FaceKey key;
+				    corners.clear();
+				    for (const PointId point : faces[f])
+					    corners.push_back(grid.point(point));
+				    for (const Vec3& corner : corners)
+					    addCorner(corner, key);
+				    for (const std::uint32_t v : polygon)
+					    if (takesPart(v) && liesOn(blocks, mesh.edges[v], corners))
+						    of_vertex[v].push_back(key);
+			    }
+		    },
+		    blocks.blocks[block].grid);
+	}
+	for (std::vector<FaceKey>& keys : of_vertex)
+	{
+		std::ranges::sort(keys);
+		keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+	}
+	return of_vertex;
+}
+
+/// As the faces of two blocks that meet (grid/interfaces.h), seen from the length of the edge.
+double nearOf(const grid::Block& block, const mesh::EdgePoint& at)
+{
+	constexpr double kOfEdge = 1e-6;
+	return std::visit(
+	    [&](const auto& grid)
+	    {
+		    double of_place = 4.0 * std::numeric_limits<double>::epsilon();
+		    if constexpr (requires { grid.coordinates(); })
+			    if (!grid.coordinates().isDouble())
+				    of_place = 4.0 * std::numeric_limits<float>::epsilon();
+		    const Vec3 a = grid.point(at.lower);
+		    const Vec3 b = grid.point(at.higher);
+		    const double edge = glm::length(b - a);
+		    const double largest = std::max(glm::length(a), glm::length(b));
+		    return std::min(std::max(kOfEdge * edge, of_place * largest), 0.01 * edge);
+	    },
+	    block.grid);
+}
+
+std::vector<std::pair<std::string, std::vector<ValueAt>>> valuesAt(const grid::Block& block, mesh::EdgePoint at)
+{
+	std::vector<std::pair<std::string, std::vector<ValueAt>>> arrays;
+	const double t = at.t;
+	for (const grid::Field& field : block.fields)
+	{
+		if (field.association != grid::Association::point)
+			continue;
+		std::vector<ValueAt>& values = arrays.emplace_back(field.name, std::vector<ValueAt>()).second;
+		for (int c = 0; c < field.components && !isId(field); ++c)
+		{
+			at.t = t;
+			ValueAt value{mesh::interpolate(block, field, c, at), 0.0};
+			for (const double end : {0.0, 1.0})
+			{
+				at.t = end;
+				value.scale = std::max(value.scale, std::abs(mesh::interpolate(block, field, c, at)));
+			}
+			values.push_back(value);
+		}
+	}
+	std::ranges::sort(arrays, {}, [](const auto& array) -> const std::string& { return array.first; });
+	return arrays;
+}
+
+} // namespace
+
+std::vector<RimVertex> rimVertices(const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
+                                   std::span<const std::uint32_t> components, const mesh::SheetMesh& mesh)
+{
+	const std::vector<std::uint8_t> rim = rimOf(mesh);
+	std::vector<std::vector<FaceKey>> faces = facesAtRim(blocks, mesh, rim);
+	std::vector<RimVertex> vertices;
+	for (std::uint32_t v = 0; v < rim.size(); ++v)
+	{
+		if (!rim[v])
+			continue;
+		RimVertex& vertex = vertices.emplace_back();
+		vertex.vertex = v;
+		vertex.place = mesh.positions[v] + 0.0; // no -0
+		vertex.component = components[v];
+		vertex.faces = std::move(faces[v]);
+		vertex.on_edge = v < mesh.edges.size();
+		const std::uint32_t block = vertex.on_edge ? mesh.edges[v].block : mesh.rimShares(v)[0].block;
+		vertex.whole = whole[block];
+		if (!vertex.on_edge)
+			continue;
+		vertex.near = nearOf(blocks.blocks[block], mesh.edges[v]);
+		vertex.arrays = valuesAt(blocks.blocks[block], mesh.edges[v]);
+	}
+	return vertices;
+}
+
+void put(MessageWriter& to, const RimVertex& vertex)
+{
+	to.put(vertex.vertex);
+	to.put(vertex.place);
+	to.put(vertex.near);
+	to.put(vertex.component);
+	to.put(vertex.whole);
+	to.put(vertex.on_edge);
+	to.putAll(vertex.faces);
+	to.put(vertex.arrays.size());
+	for (const auto& [name, values] : vertex.arrays)
+	{
+		to.put(name);
+		to.putAll(values);
+	}
+}
+
+RimVertex takeVertex(MessageReader& from, int rank)
+{
+	RimVertex vertex;
+	vertex.rank = rank;
+	vertex.vertex = from.get<std::uint32_t>();
+	vertex.place = from.get<Vec3>();
+	vertex.near = from.get<double>();
+	vertex.component = from.get<std::uint32_t>();
+	vertex.whole = from.get<std::uint32_t>();
+	vertex.on_edge = from.get<bool>();
+	vertex.faces = from.getAll<FaceKey>();
+	for (auto left = from.get<std::size_t>(); left > 0; --left)
+	{
+		std::string name = from.getText();
+		vertex.arrays.emplace_back(std::move(name), from.getAll<ValueAt>());
+	}
+	return vertex;
+}
+
+} // namespace vp::session

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "grid/block.h"
+#include "mesh/sheet_mesh.h"
+#include "session/team.h"
+
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vp::session
+{
+
+/// A face by its corners, in whatever order.
+struct FaceKey
+{
+	std::uint64_t sum = 0;
+	std::uint64_t mixed = 0;
+	std::uint64_t corners = 0;
+
+	auto operator<=>(const FaceKey&) const = default;
+};
+
+void addCorner(const Vec3& corner, FaceKey& key);
+
+/// A component of a point array at a vertex, and how large the numbers are that it was interpolated from.
+struct ValueAt
+{
+	double value;
+	double scale;
+
+	bool isSame(const ValueAt& other) const; // as where vertices are joined in one process (mesh/join_vertices.cpp)
+};
+
+/// A vertex on the rim of a rank's mesh, with what tells whether it is one with a vertex of another rank.
+struct RimVertex
+{
+	int rank = 0;
+	std::uint32_t vertex = 0;
+	Vec3 place{};
+	double near = 0.0; // so far apart two places may be that are meant to be one
+	std::uint32_t component = 0;
+	std::uint32_t whole = 0;                                            // the block that one process would have
+	bool on_edge = true;                                                // of a cell; else on the rim of a window
+	std::vector<FaceKey> faces{};                                       // of cells, on which it lies; ascending
+	std::vector<std::pair<std::string, std::vector<ValueAt>>> arrays{}; // by name
+
+	bool isAcross(const RimVertex& other) const; // a seam
+	bool hasDataOf(const RimVertex& other) const;
+};
+
+/// The vertices around which the polygons of the mesh close no ring. components: per vertex, its piece of the mesh.
+std::vector<RimVertex> rimVertices(const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
+                                   std::span<const std::uint32_t> components, const mesh::SheetMesh& mesh);
+
+void put(MessageWriter& to, const RimVertex& vertex);
+RimVertex takeVertex(MessageReader& from, int rank);
+
+} // namespace vp::session

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "render/scene/outline.h"
+#include "session/session.h"
+
+#include <vector>
+
+namespace vp::session
+{
+
+/// What a picture shows around the sheets.
+struct Surroundings
+{
+	std::vector<render::Segment> outline;
+	std::vector<Vec3> extent; // what a fitted camera must show of the blocks
+};
+
+/// Of the blocks of a session; with a team, of those of all ranks, as one process that holds them all would have it.
+Surroundings surroundingsOf(const Session& session, render::Outline outline);
+
+} // namespace vp::session

@@ -1,0 +1,66 @@
+#include "base/messages.h"
+#include "session/session.h"
+#include "session/team.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vp::session
+{
+
+bool isEmpty(const cut::SheetCut& sheet)
+{
+	for (const find::BlockCut& cut : sheet.cuts)
+		if (cut.cutCells() > 0)
+			return false;
+	return std::ranges::all_of(sheet.seeds.faces_in_plane, [](const auto& faces) { return faces.empty(); });
+}
+
+Status reportWarnings(const Session& session, const cut::Cut& slice)
+{
+	for (const std::string& words : slice.warnings)
+		warn("{}", words);
+	for (const cut::SheetCut& sheet : slice.sheets)
+	{
+		const Vec3 at = sheet.sheet.origin;
+		const bool outside =
+		    sheet.isPlane() && session.view.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
+		if (outside && session.view.seeds.outside == seed::OutsidePolicy::refuse)
+			return Error{ErrorKind::usage,
+			             fmt::format("`origin` {} {} {}: the hot spot lies outside the grid; choose one inside, or "
+			                         "`outside` nearest",
+			                         at.x, at.y, at.z)};
+		if (outside && session.view.seeds.outside == seed::OutsidePolicy::report)
+			warn("`origin` {} {} {}: the hot spot lies outside the grid", at.x, at.y, at.z);
+		else if (outside && session.view.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.moved_to)
+			warn("`origin` {} {} {}: the hot spot lies outside the grid; {} {} {} takes its place", at.x, at.y, at.z,
+			     sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
+		const bool is_shown = !isEmpty(sheet);
+		if (session.team ? anyOf(*session.team, is_shown) : is_shown)
+			continue;
+		const Box bounds = session.blocks.bounds();
+		const std::string what =
+		    slice.sheets.size() == 1 ? std::string("the slice") : fmt::format("sheet {}", &sheet - slice.sheets.data());
+		if (session.view.threshold)
+			warn("{} is empty: no cell that is reached has values between {} and {}; widen `threshold`", what,
+			     session.view.threshold->lo, session.view.threshold->hi);
+		else if (sheet.surface)
+			warn("{} is empty: {} shows no cells, or hidden ones only", what, find::nameOf(*sheet.surface));
+		else if (sheet.sheet.form && sheet.sheet.form->isoValue())
+			warn("{} is empty: no edge that is reached passes {}; the values of {} go from {:.6g} to {:.6g}", what,
+			     sheet.sheet.form->isoValue()->value, sheet.field->title(session.blocks),
+			     fieldRange(session.blocks, *sheet.field).first, fieldRange(session.blocks, *sheet.field).second);
+		else
+			warn("{} is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
+			     "{:.6g}",
+			     what,
+			     sheet.sheet.window ? "window"
+			     : sheet.sheet.form ? "surface"
+			                        : "plane",
+			     bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z);
+	}
+	return Nothing{};
+}
+
+} // namespace vp::session

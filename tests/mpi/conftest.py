@@ -1,0 +1,103 @@
+"""What the tests of vprobe-mpi share: runs of both programs, and data sets in pieces."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+
+import pytest
+
+# What docs/CLUSTER.md lists as dependent on how blocks were dealt out; and times, and what only one program tells.
+DEPENDENT = {'ms', 'ranks', 'plan', 'device', 'seeds', 'hops', 'boundary_tests', 'tree_tests', 'hot_spot_inside',
+             'generations', 'front_max', 'cells_touched'}
+
+
+def pytest_configure(config):
+    config.addinivalue_line('markers', 'gpu: needs a Vulkan device')
+
+
+class Programs:
+    """vprobe, and vprobe-mpi under mpiexec."""
+
+    def __init__(self):
+        self.program = os.environ.get('VPROBE_PROGRAM')
+        self.mpi_program = os.environ.get('VPROBE_MPI_PROGRAM')
+        self.mpiexec = os.environ.get('VPROBE_MPIEXEC') or shutil.which('mpiexec')
+        if not (self.program and self.mpi_program and self.mpiexec and shutil.which(self.mpiexec)):
+            pytest.skip('needs vprobe, vprobe-mpi and mpiexec (openmpi-bin)')
+        self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
+
+    def plain(self, *arguments):
+        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+        assert done.returncode == 0, done.stderr
+        return done
+
+    def start(self, ranks, *arguments):
+        command = [self.mpiexec, '-n', str(ranks), '--oversubscribe', self.mpi_program, *map(str, arguments)]
+        return subprocess.Popen(command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def run(self, ranks, *arguments):
+        process = self.start(ranks, *arguments)
+        out, errors = process.communicate(timeout=120)
+        return subprocess.CompletedProcess(arguments, process.returncode, out, errors)
+
+    def mpi(self, ranks, *arguments):
+        done = self.run(ranks, *arguments)
+        assert done.returncode == 0, done.stderr
+        return done
+
+
+def own_lines(errors):
+    """The lines of the program itself, without mpiexec's."""
+    return [line for line in errors.splitlines() if line.startswith('vprobe-mpi: ')]
+
+
+def without_dependent(document):
+    if isinstance(document, dict):
+        return {key: without_dependent(value) for key, value in document.items() if key not in DEPENDENT}
+    if isinstance(document, list):
+        return [without_dependent(value) for value in document]
+    return document
+
+
+@pytest.fixture(scope='session')
+def programs():
+    return Programs()
+
+
+@pytest.fixture
+def same_figures(programs, tmp_path):
+    """Asserts that both programs tell the same figures, to the last digit. Gives the document of vprobe-mpi."""
+
+    def compare(ranks, *arguments):
+        programs.plain('slice', *arguments, '--stats', tmp_path / 'plain.json')
+        programs.mpi(ranks, 'slice', *arguments, '--stats', tmp_path / 'mpi.json')
+        plain = json.loads((tmp_path / 'plain.json').read_text())
+        mpi = json.loads((tmp_path / 'mpi.json').read_text())
+        assert without_dependent(mpi) == without_dependent(plain)
+        assert len(mpi['ranks']) == ranks
+        return mpi
+
+    return compare
+
+
+@pytest.fixture
+def same_pictures(programs, tmp_path):
+    """Asserts that both programs draw the same picture, byte by byte."""
+
+    def compare(rank_counts, *arguments):
+        programs.plain('render', *arguments, '-o', tmp_path / 'plain.png')
+        for ranks in rank_counts:
+            programs.mpi(ranks, 'render', *arguments, '-o', tmp_path / f'{ranks}.png')
+            assert (tmp_path / f'{ranks}.png').read_bytes() == (tmp_path / 'plain.png').read_bytes(), ranks
+
+    return compare
+
+
+@pytest.fixture(scope='session')
+def shared_data():
+    """The folder of data sets that VPROBE_DATA names."""
+    folder = os.environ.get('VPROBE_DATA')
+    if not folder or not pathlib.Path(folder).is_dir():
+        pytest.skip('VPROBE_DATA names no folder of data sets')
+    return pathlib.Path(folder)

@@ -1,0 +1,120 @@
+"""A rank that fails ends all soon, with one line, and leaves nothing half-written."""
+import os
+import pathlib
+import signal
+import time
+
+import pytest
+
+import pieces
+from conftest import own_lines
+
+
+@pytest.fixture
+def case(tmp_path):
+    grid = pieces.tetrahedra(5)
+    return pieces.write_pvtu(tmp_path, grid, pieces.slabs(grid, 4))
+
+
+def fails(programs, ranks, *arguments):
+    began = time.monotonic()
+    done = programs.run(ranks, *arguments)
+    assert time.monotonic() - began < 10
+    assert done.returncode != 0
+    lines = own_lines(done.stderr)
+    assert len(lines) == 1, done.stderr
+    return lines[0]
+
+
+def test_a_missing_piece(programs, case, tmp_path):
+    (tmp_path / 'piece2.vtu').unlink()
+    assert 'piece2.vtu cannot be opened; keep them together' in fails(programs, 4, 'slice', case)
+
+
+def test_a_damaged_piece_names_the_rank_that_reads_it(programs, case, tmp_path):
+    piece = tmp_path / 'piece2.vtu'
+    held = bytearray(piece.read_bytes())
+    held[len(held) // 2:len(held) // 2 + 64] = bytes(64)  # amid compressed arrays; its head and its end are whole
+    piece.write_bytes(held)
+    out = tmp_path / 'out.vtp'
+    assert 'rank 2: ' in fails(programs, 4, 'slice', case, '-o', out)
+    assert not out.exists()
+
+
+def test_an_array_that_no_block_has(programs, case):
+    line = fails(programs, 3, 'slice', case, '--array', 'nothing')
+    assert 'nothing: no such array; there are: point:s, point:v, cell:c' in line
+
+
+def test_a_place_that_cannot_be_written(programs, case, tmp_path):
+    blocked = tmp_path / 'file'
+    blocked.write_text('')
+    fails(programs, 3, 'slice', case, '-o', blocked / 'out.vtp')
+
+
+@pytest.mark.parametrize('asked', [('--crinkle',), ('--surface', 'sphere:0.5'), ('--threshold', 0, 1),
+                                   ('--seeds', 'hotspot'), ('--vectors', 'tufts'), ('--contour', 0.5),
+                                   ('-o', 'flat.png'), ('-o', 'out.vtm'), ('--line', 0, 0, 1, 1, '-o', 'line.csv')])
+def test_what_is_refused_names_the_remedy(programs, case, asked):
+    assert 'vprobe' in fails(programs, 2, 'slice', case, *asked).removeprefix('vprobe-mpi: ')
+
+
+def test_labels_on_lines_are_refused(programs, case):
+    assert 'add --no-labels' in fails(programs, 2, 'render', case, '--lines', 8, '-o', 'out.png')
+
+
+def test_cells_of_different_sizes_between_ranks(programs, tmp_path):
+    for number, (spacing, origin) in enumerate([(0.25, 0.0), (0.5, 1.0)]):
+        image = pieces.vtk.vtkImageData()
+        image.SetDimensions(*[round(1 / spacing) + 1] * 3)
+        image.SetSpacing(spacing, spacing, spacing)
+        image.SetOrigin(origin, 0.0, 0.0)
+        pieces.write(pieces.vtk.vtkXMLImageDataWriter(), image, tmp_path / f'block{number}.vti')
+    blocks = [tmp_path / f'block{number}.vti' for number in range(2)]
+    programs.mpi(1, 'slice', *blocks, '--normal', 0.1, 0.2, 0.9)
+    assert 'cells of different sizes meet' in fails(programs, 2, 'slice', *blocks, '--normal', 0.1, 0.2, 0.9)
+
+
+def test_an_unknown_option(programs, case):
+    assert 'see vprobe-mpi slice --help' in fails(programs, 3, 'slice', case, '--nonsense')
+
+
+def children_of(process):
+    """The ranks that mpiexec has started."""
+    ranks = []
+    for entry in pathlib.Path('/proc').iterdir():
+        if not entry.name.isdigit():
+            continue
+        try:
+            status = (entry / 'stat').read_text().rsplit(')', 1)
+            name = status[0].split('(', 1)[1]
+            parent = int(status[1].split()[1])
+        except (OSError, IndexError):
+            continue
+        if parent == process.pid and name == 'vprobe-mpi':
+            ranks.append(int(entry.name))
+    return sorted(ranks)
+
+
+@pytest.mark.gpu
+@pytest.mark.parametrize('delay', [0.3, 0.6, 1.0, 2.0])
+def test_a_rank_that_is_killed_ends_all(programs, tmp_path, delay):
+    grid = pieces.tetrahedra(16)
+    case = pieces.write_pvtu(tmp_path, grid, pieces.slabs(grid, 4))
+    out = tmp_path / 'frames'
+    process = programs.start(4, 'sweep', case, '--path', 'rotate', '--frames', 200, '--size', '640x360', '-o',
+                             out / '{frame}.png')
+    for _ in range(400):
+        ranks = children_of(process)
+        if len(ranks) == 4:
+            break
+        time.sleep(0.01)
+    assert len(ranks) == 4
+    time.sleep(delay)
+    os.kill(ranks[2], signal.SIGKILL)
+    began = time.monotonic()
+    process.communicate(timeout=20)
+    assert time.monotonic() - began < 10
+    assert process.returncode != 0
+    for picture in out.glob('*') if out.exists() else []:
+        assert picture.suffix == '.png' and picture.read_bytes()[-8:-4] == b'IEND'
