@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 using vp::grid::NumberType;
 
@@ -58,7 +57,7 @@ vtkSmartPointer<vtkDataArray> arrayOf(std::string_view bytes, const ValueLayout&
 	array->SetNumberOfComponents(static_cast<int>(layout.components));
 	array->SetNumberOfTuples(static_cast<vtkIdType>(layout.valueCount() / layout.components));
 	char* at = static_cast<char*>(array->GetVoidPointer(0));
-	std::memcpy(at, bytes.data(), bytes.size());
+	bytes.copy(at, bytes.size()); // there may be none, and no place for them
 	if (layout.is_big_endian && byteSize(layout.type) > 1)
 		swapBytes(at, layout.valueCount(), byteSize(layout.type));
 	return array;
