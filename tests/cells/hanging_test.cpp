@@ -1,5 +1,6 @@
 // Where cells meet several smaller ones, the sheet goes on: one piece, no gap, no T-junction, and one value on both
 // sides.
+#include "closed_sheet.h"
 #include "curved_samples.h"
 #include "hyper_tree_samples.h"
 #include "numbered_cells.h"
@@ -7,7 +8,6 @@
 #include "mesh/mesh_values.h"
 #include "read/read.h"
 #include "sample_files.h"
-#include "sliced_sheet.h"
 
 #include <fmt/format.h>
 
@@ -18,12 +18,9 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkUnstructuredGrid.h>
 #include <vtkXMLImageDataWriter.h>
 
 #include <cmath>
-#include <map>
 
 namespace vp::test
 {
@@ -111,49 +108,6 @@ CubeMesh threeToOne()
 	mesh.values.resize(mesh.points.size());
 	setValues(mesh, [](Vec3 p) { return linear(p, 0); });
 	return mesh;
-}
-
-// Every edge has two polygons that run along it in opposite senses, or one and lies in a side of the box.
-void expectClosed(const mesh::SheetMesh& mesh, const Box& box)
-{
-	std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-	{
-		const auto polygon = mesh.polygon(p);
-		for (std::size_t i = 0; i < polygon.size(); ++i)
-			++uses[{polygon[i], polygon[(i + 1) % polygon.size()]}];
-	}
-	for (const auto& [edge, count] : uses)
-	{
-		EXPECT_EQ(count, 1);
-		if (uses.contains({edge.second, edge.first}))
-			continue;
-		bool in_side = false;
-		for (int axis = 0; axis < 3; ++axis)
-			for (const double side : {box.lo[axis], box.hi[axis]})
-				in_side |= std::abs(mesh.positions[edge.first][axis] - side) < 1e-9 &&
-				           std::abs(mesh.positions[edge.second][axis] - side) < 1e-9;
-		EXPECT_TRUE(in_side) << edge.first << " - " << edge.second;
-	}
-}
-
-// The figures of one sheet, which must be closed and in one piece. Its area is that of a section of the box, and the
-// mean is that of a linear field.
-struct Whole
-{
-	cut::Cut cut;
-	mesh::SheetMesh mesh;
-	measure::SheetMeasure figures;
-};
-
-Whole cutWhole(cut::Cutter& cutter, const TestPlane& plane, cut::CutRequest request = {})
-{
-	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
-	Whole whole;
-	whole.cut = std::move(cutter.cut(std::move(request)).value());
-	whole.mesh = whole.cut.mesh(cutter.blocks(), 0);
-	whole.figures = measure::measure(cutter.blocks(), whole.mesh, grid::FieldChoice{"f"});
-	return whole;
 }
 
 std::size_t cutCells(const Whole& whole)
@@ -309,87 +263,6 @@ TEST(Hanging, TreesAreOneSheet)
 		EXPECT_NEAR(whole.figures.area, 6.0 * glm::length(plane.normal), 1e-12);
 		EXPECT_EQ(whole.figures.components, 1u);
 		expectClosed(whole.mesh, box);
-	}
-}
-
-namespace
-{
-
-enum class Cells
-{
-	both,
-	hexahedron,
-	tetrahedra
-};
-
-// A side of a hexahedron is not flat, and two of six tetrahedra share it.
-grid::BlockSet warpedSide(Cells cells = Cells::both)
-{
-	vtkNew<vtkPoints> points;
-	points->SetDataType(VTK_DOUBLE);
-	for (const double layer : {0.0, 1.0, 2.0})
-		for (int corner = 0; corner < 4; ++corner)
-			points->InsertNextPoint(corner == 1 || corner == 2, corner / 2,
-			                        layer == 1.0 ? 1.0 + (corner % 2 ? -0.2 : 0.2) : layer);
-	vtkNew<vtkUnstructuredGrid> grid;
-	grid->SetPoints(points);
-	grid->Allocate(7);
-	constexpr vtkIdType kBelow[] = {0, 1, 2, 3, 4, 5, 6, 7};
-	if (cells != Cells::tetrahedra)
-		grid->InsertNextCell(VTK_HEXAHEDRON, 8, kBelow);
-	constexpr vtkIdType kAbove[][4] = {{4, 5, 6, 10},  {4, 9, 5, 10}, {4, 6, 7, 10},
-	                                   {4, 7, 11, 10}, {4, 8, 9, 10}, {4, 11, 8, 10}};
-	if (cells != Cells::hexahedron)
-		for (const auto& tetrahedron : kAbove)
-			grid->InsertNextCell(VTK_TETRA, 4, tetrahedron);
-	const TemporaryFolder folder;
-	writeGrid(grid, folder / "warped.vtu");
-	return std::move(*read::readInputs({folder / "warped.vtu"}, {}, nullptr));
-}
-
-} // namespace
-
-// The hexahedron's polygon takes the vertex that the tetrahedra have on the diagonal, so nothing overlaps and nothing
-// is missing.
-TEST(Hanging, AWarpedSideMeetsTwoTriangles)
-{
-	const grid::BlockSet set = warpedSide();
-	Box box;
-	box.include(Vec3(0.0));
-	box.include(Vec3(1.0, 1.0, 2.0));
-	cut::Cutter cutter(set);
-	for (const TestPlane& plane : {TestPlane{{0.5, 0.5, 1.0}, {0.7, 0.2, 1}}, TestPlane{{0.5, 0.5, 1.0}, {0.1, 0.9, 1}},
-	                               TestPlane{{0.5, 0.5, 1.0}, {-0.6, 0.5, 1}}})
-	{
-		const Whole whole = cutWhole(cutter, plane);
-		EXPECT_NEAR(whole.figures.area, glm::length(plane.normal), 1e-12);
-		EXPECT_EQ(whole.figures.components, 1u);
-		expectClosed(whole.mesh, box);
-	}
-}
-
-// The hexahedron and the tetrahedra may join the four vertices of a side that is cut twice in different pairs. Each
-// polygon is that of its cell all the same.
-TEST(Hanging, AWarpedSideThatIsCutTwiceLosesNothing)
-{
-	std::vector<grid::BlockSet> sets;
-	for (const Cells cells : {Cells::both, Cells::hexahedron, Cells::tetrahedra})
-		sets.push_back(warpedSide(cells));
-	for (const TestPlane& plane : {TestPlane{{0.5, 0.5, 1.03}, {0.1, 0.05, 1}}, TestPlane{{0.5, 0.5, 1.0}, {0, 0, 1}},
-	                               TestPlane{{0.5, 0.5, 0.95}, {-0.1, 0.02, 1}}})
-	{
-		std::vector<double> areas;
-		std::vector<std::size_t> polygons;
-		for (const grid::BlockSet& set : sets)
-		{
-			cut::Cutter cutter(set);
-			const Whole whole = cutWhole(cutter, plane);
-			areas.push_back(whole.figures.area);
-			polygons.push_back(whole.mesh.polygons());
-		}
-		EXPECT_GT(std::min(areas[1], areas[2]), 0.1);
-		EXPECT_NEAR(areas[0], areas[1] + areas[2], 1e-12);
-		EXPECT_EQ(polygons[0], polygons[1] + polygons[2]);
 	}
 }
 

@@ -12,7 +12,8 @@ import pytest
 import vprobe
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2] / 'apps/python'
-MODULES = ['vprobe', 'vprobe._dataset', 'vprobe._grids', 'vprobe._picture', 'vprobe._probe', 'vprobe._slice', 'vprobe.vtk']
+MODULES = ['vprobe', 'vprobe._answers', 'vprobe._dataset', 'vprobe._grids', 'vprobe._open', 'vprobe._picture',
+           'vprobe._probe', 'vprobe._slice', 'vprobe.vtk']
 
 # What a user writes. The first ten lines are right; of each of the others mypy has to find the mistake.
 RIGHT = '''import numpy as np

@@ -10,11 +10,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from ._answers import ArrayInfo, Block, Frame, Memory, PlanRow, Samples
 from ._core import __version__
-from ._dataset import ArrayInfo, Block, Dataset, Frame, Memory, PlanRow, Samples, open
+from ._dataset import Dataset
 from ._errors import (CancelledError, DeviceError, Error, FoundError, InputError, InternalError, OutOfMemoryError,
                       OutputError, UsageError, VprobeWarning)
 from ._grids import image, polyhedra, rectilinear, structured, unstructured
+from ._open import open
 from ._picture import Image
 from ._probe import Probe, Sheet
 from ._slice import Cut, Polygons, Slice, Traces

@@ -1,123 +1,24 @@
 """Data sets: grids with arrays, and what makes cuts of them fast."""
 from __future__ import annotations
 
-import dataclasses
 import json
-import os
-import sys
-from typing import (TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple,
-                    Union)
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._answers import ArrayInfo, Block, Frame, Memory, PlanRow, Samples
 from ._errors import InputError, UsageError
 from ._picture import Image
 from ._probe import Probe, Vector
-from ._settings import put, text_of, view_of
-from ._slice import Array, Cut, Slice, Traces
+from ._settings import Progress, listener, put, text_of, view_of
+from ._slice import Cut, Slice, Traces
 
 if TYPE_CHECKING:
     from ._notebook import Viewer
 
-Progress = Union[bool, Callable[[str], Any], None]
 Direction = Union[str, Vector]
-File = Union[str, 'os.PathLike[str]']
-
-
-class ArrayInfo(NamedTuple):
-    """An array of a data set. `place` is ``point`` or ``cell``."""
-
-    name: str
-    place: str
-    components: int
-    dtype: np.dtype[Any]
-    units: str
-
-
-class Block(NamedTuple):
-    """What a data set holds of a block.
-
-    `coordinates` are the points, (n, 3); of a rectilinear grid its three axes; of an image none. `connectivity` is that
-    of an unstructured grid, until it is copied. `arrays` have names such as ``point:p``.
-    """
-
-    name: str
-    coordinates: List[Array]
-    connectivity: Optional[Array]
-    arrays: Dict[str, Array]
-
-
-class Memory(NamedTuple):
-    """Bytes that a data set holds.
-
-    `geometry` and `arrays` are shared with the caller where they were wrapped, and `geometry` only until `copied`.
-    `built` is what finds cells: neighbors, boundary, trees. `cutter` is what cuts share, `device` lies on the device.
-    """
-
-    geometry: int
-    arrays: int
-    built: int
-    cutter: int
-    device: int
-    copied: bool
-
-
-class PlanRow(NamedTuple):
-    """The way of one sheet in one block."""
-
-    sheet: int
-    block: int
-    strategy: str
-    classifier: str
-    reason: str
-
-
-@dataclasses.dataclass(frozen=True)
-class Frame:
-    """A frame of a sweep. `image` is None where none is drawn, `time` where the path is not ``times``."""
-
-    index: int
-    count: int
-    cut: Cut
-    image: Optional[Image]
-    time: Optional[float]
-
-
-class Samples(Mapping[str, npt.NDArray[np.float64]]):
-    """Values of arrays at points, by the names of the arrays: (n,) or (n, components) float64, NaN outside.
-
-    Attributes
-    ----------
-    cells : (n,) int64
-        The cell that holds each point, as the input numbers it; -1 outside.
-    blocks : (n,) int32
-        Its block; -1 outside.
-    """
-
-    def __init__(self, cells: npt.NDArray[np.int64], blocks: npt.NDArray[np.int32],
-                 arrays: Dict[str, npt.NDArray[np.float64]]) -> None:
-        self.cells, self.blocks, self._arrays = cells, blocks, arrays
-
-    def __getitem__(self, name: str) -> npt.NDArray[np.float64]:
-        return self._arrays[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._arrays)
-
-    def __len__(self) -> int:
-        return len(self._arrays)
-
-    def __repr__(self) -> str:
-        inside = int((self.cells >= 0).sum())
-        return f'<vprobe.Samples: {", ".join(self) or "no arrays"} at {len(self.cells)} points, {inside} inside>'
-
-
-def _listener(progress: Progress) -> Optional[Callable[[str], Any]]:
-    if progress is True:
-        return lambda line: print(f'vprobe: {line}', file=sys.stderr)
-    return progress or None
 
 
 class Dataset:
@@ -219,7 +120,7 @@ class Dataset:
         3
         """
         view = self._view(probe, settings)
-        return Cut(self._core.cut(view, _listener(progress)), self, view)
+        return Cut(self._core.cut(view, listener(progress)), self, view)
 
     def slice(self, surface: Optional[str] = None, *, normal: Optional[Direction] = None,
               origin: Union[str, Vector] = 'center', up: Optional[Direction] = None, array: Optional[str] = None,
@@ -350,7 +251,7 @@ class Dataset:
         view.set('contour', repr(float(value)))
         if depth is not None:
             view.set('contour_depth', repr(float(depth)))
-        cut = self._core.cut(view, _listener(progress))
+        cut = self._core.cut(view, listener(progress))
         if cut.contour_count == 0 or cut.contour(0).polygon_count == 0:
             raise UsageError(f'grow_contour: the slice has no value {value:g}; it has {piece.min} to {piece.max}')
         return Slice(cut, 0, self, view, contour=0)
@@ -374,7 +275,7 @@ class Dataset:
         for key, setting in dict(vectors=kind, vector_array=array, **settings).items():
             if setting is not None:
                 view.set(key, text_of(setting))
-        return Traces(*self._core.cut(view, _listener(progress)).traces(0))
+        return Traces(*self._core.cut(view, listener(progress)).traces(0))
 
     def plan(self, probe: Optional[Probe] = None, **settings: Any) -> List[PlanRow]:
         """Why a cut goes the way it goes: the strategy of each sheet in each block, with the reason.
@@ -438,9 +339,9 @@ class Dataset:
             view = self._view_of(probe, 'render')
             for key, setting in dict(size=size, **settings).items():
                 put(view, key, setting)
-            return Image._of(self._core.render(view, probe._cut, _listener(progress)))
+            return Image._of(self._core.render(view, probe._cut, listener(progress)))
         view = self._view(probe, dict(size=size, **settings))
-        return Image._of(self._core.render(view, None, _listener(progress)))
+        return Image._of(self._core.render(view, None, listener(progress)))
 
     def sweep(self, probe: Optional[Probe] = None, *, path: Optional[str] = None, frames: Optional[int] = None,
               draws: bool = True, progress: Progress = None, **settings: Any) -> Iterator[Frame]:
@@ -470,7 +371,7 @@ class Dataset:
         view = self._view(probe, dict(path=path, frames=frames, **settings))
         index, count = 0, 1
         while index < count:
-            count, time, cut, pixels = self._core.frame(view, index, draws, _listener(progress))
+            count, time, cut, pixels = self._core.frame(view, index, draws, listener(progress))
             yield Frame(index, count, Cut(cut, self), Image._of(pixels) if draws else None, time)
             index += 1
 
@@ -487,52 +388,3 @@ class Dataset:
         source = '' if self._source is None else f' {self._source}'
         blocks = '' if self.n_blocks == 1 else f' in {self.n_blocks} blocks'
         return f'<vprobe.Dataset{source}: {self.kind}, {self.n_cells} cells{blocks}, {names}>'
-
-
-def open(files: Union[File, Sequence[File]], *, time: Union[str, float, None] = None, solution: str = '',
-         refine: float = 0, displace: float = 0.0, format: str = '', classify: str = 'auto', device: str = '',
-         progress: Progress = None) -> Dataset:
-    """Reads files, or makes a built-in data set.
-
-    Parameters
-    ----------
-    files : path or sequence of paths
-        Any input of the program, or ``"demo:NAME"``. Several make one data set of several blocks.
-    time : float or str, optional
-        A time (the nearest there is), ``"first"``, ``"last"`` or ``"#INDEX"``. By default the last.
-    solution : str
-        PLOT3D solution file, where its name does not follow from the grid's.
-    refine : int or float
-        How often the linear parts of curved cells are halved, 0 to 6. Between 0 and 1 a tolerance: slices refine the
-        curved cells that they meet, until they are off by no more than this share of their size and of the
-        range of the array that is shown.
-    displace : float
-        Points of Exodus files move by their displacements, times this.
-    format : str
-        A name that ``vprobe info --formats`` lists. By default the file tells.
-    classify : str
-        ``auto``, ``cpu`` or ``gpu``: where cells are classified.
-    device : str
-        A part of the device's name, or its number. By default the best.
-    progress : bool or callable, optional
-        True prints what takes its time; a callable is given each such line.
-
-    Returns
-    -------
-    Dataset
-
-    Raises
-    ------
-    InputError
-        Where a file cannot be used.
-
-    Examples
-    --------
-    >>> import vprobe
-    >>> vprobe.open('demo:shell:16')
-    <vprobe.Dataset demo:shell:16: curvilinear, 4096 cells, s, v>
-    """
-    names = [os.fspath(files)] if isinstance(files, (str, os.PathLike)) else [os.fspath(each) for each in files]
-    core = _core.Dataset.open(names, 'last' if time is None else str(time), solution, refine, displace, format,
-                              classify, device, _listener(progress))
-    return Dataset(core, ' '.join(names))

@@ -2,13 +2,16 @@
 from __future__ import annotations
 
 import numbers
-from typing import Any, Dict, Mapping, Optional
+import sys
+from typing import Any, Callable, Dict, Mapping, Optional, Union
 
 import numpy as np
 
 from . import _core
 from ._errors import UsageError
 from ._probe import Probe
+
+Progress = Union[bool, Callable[[str], Any], None]
 
 
 def text_of(value: Any) -> str:
@@ -46,3 +49,10 @@ def view_of(probe: Optional[Probe] = None, settings: Optional[Mapping[str, Any]]
     for key, value in given.items():
         put(view, key, value)
     return view
+
+
+def listener(progress: Progress) -> Optional[Callable[[str], Any]]:
+    """What is called with each line of progress, if anything."""
+    if progress is True:
+        return lambda line: print(f'vprobe: {line}', file=sys.stderr)
+    return progress or None

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Mapping
 import numpy as np
 
 if TYPE_CHECKING:
-    from ._slice import Array, Cut, Ints, Slice, Traces
+    from ._slice import Array, Ints, Slice, Traces
 
 
 def _array(values: Array, name: str) -> Any:

@@ -8,7 +8,8 @@ from typing import Any, Optional
 
 import pyvista
 
-from ._dataset import Dataset, Samples
+from ._answers import Samples
+from ._dataset import Dataset
 from ._kept import Kept
 from ._picture import Image
 from ._probe import Probe
