@@ -92,10 +92,17 @@ void composeLayers(ivec2 pixel)
 	}
 
 	// The nearest layer that is left, round by round; of equal depths the first, as sheets in one plane have them. Software ends
-	// the rounds as soon as all its pixels have done: most have one layer or none.
+	// the rounds as soon as all its pixels have done: most have one layer or none. Of quads from anywhere few have done at once.
+	// Besides, lavapipe (Mesa 22.3) leaves such a loop too early in some of them, and in others when the list is in another order.
+#ifdef QUADS
+	for (uint round = 0u; round < kSlots; ++round)
+	{
+		bool left;
+#else
 	bool left;
 	do
 	{
+#endif
 		uint slot = 0u;
 		float depth = depths[0];
 		vec2 texel = texels[0];
@@ -120,7 +127,10 @@ void composeLayers(ivec2 pixel)
 		lineDownTo(depth);
 		const vec4 color = withLines(layerColor(color_place), texel, layerIn(slot), pixel);
 		under(color.rgb, depth > kBehindAll ? color.a : 0.0);
-	} while (left);
+	}
+#ifndef QUADS
+	while (left);
+#endif
 }
 
 void compose(ivec2 pixel)

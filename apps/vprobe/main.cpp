@@ -1,3 +1,4 @@
+#include "commands/commands.h"
 #include "program.h"
 #include "report/console.h"
 

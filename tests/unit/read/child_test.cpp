@@ -122,12 +122,12 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	constexpr int leaked = 50;
 	ASSERT_EQ(dup2(STDERR_FILENO, leaked), leaked);
 	const auto handed = run(
-	    "echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}\" >&4; [ -e /proc/$$/fd/50 ] && echo leaked >&4; exit 0",
+	    "echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}|${13}\" >&4; [ -e /proc/$$/fd/50 ] && echo leaked >&4; exit 0",
 	    options);
 	close(leaked);
 	ASSERT_TRUE(handed) << handed.error().message;
 	EXPECT_EQ(handed->manifest,
-	          "2.5|some.q|3|0.5|1|1|^\n=p\n=cell:q|raw|8x4x2 uint8 1x1x1 little|out.vti|out.new|" + input_ + "\n");
+	          "2.5|some.q|3|0.5|1|1|^\n=p\n=cell:q|raw|8x4x2 uint8 1x1x1 little|out.vti|out.new||" + input_ + "\n");
 }
 
 TEST(ReaderProgram, ThatIsMissingIsNoInputError)
