@@ -53,7 +53,8 @@ VP_FORMAT("dicom", ".dcm .ima", "DICOM: a file of many frames, or a series, by i
 VP_FORMAT("mrc", ".mrc .map .ccp4 .rec .st", "MRC and CCP4 map", "order of axes; origin; units", "vprobe", alone,
           head.at(208, "MAP"), base, Mrc)
 VP_FORMAT("tiff", ".tif .tiff", "TIFF stack, also of ImageJ and OME-TIFF", "channels; times; spacing; units", "libtiff",
-          alone, head.starts("II*") || head.starts(std::string_view("MM\0*", 4)) || head.starts("II+") ||
+          alone,
+          head.starts("II*") || head.starts(std::string_view("MM\0*", 4)) || head.starts("II+") ||
               head.starts(std::string_view("MM\0+", 4)),
           base, Tiff)
 VP_FORMAT("minc", ".mnc", "MINC 1 and 2", "orientation; rescaled values; times; units", "vprobe, HDF5, netCDF", alone,

@@ -14,6 +14,7 @@ data = simple.OpenDataFile(os.path.join(FOLDER, 'tetrahedra.pvtu'))
 field = simple.Calculator(Input=data, Function='2*pressure', ResultArrayName='other')
 probe = VolumeProbe(Input=field)  # noqa: F821, from the plugin
 view = simple.CreateRenderView(ViewSize=[200, 150])
+probe.UpdatePipeline()  # what it gives is known then
 simple.Show(probe, view)
 if '--leave-at-once' in sys.argv:
     simple.Render(view)

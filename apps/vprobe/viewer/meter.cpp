@@ -19,12 +19,8 @@ double milliseconds(std::chrono::steady_clock::duration time)
 
 nlohmann::json summary(const Figure& figure)
 {
-	return {{"count", figure.count()},
-	        {"mean", figure.mean()},
-	        {"median", figure.percentile(0.5)},
-	        {"p95", figure.percentile(0.95)},
-	        {"p99", figure.percentile(0.99)},
-	        {"max", figure.most()}};
+	return {{"count", figure.count()},        {"mean", figure.mean()},          {"median", figure.percentile(0.5)},
+	        {"p95", figure.percentile(0.95)}, {"p99", figure.percentile(0.99)}, {"max", figure.most()}};
 }
 
 } // namespace
