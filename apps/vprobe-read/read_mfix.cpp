@@ -1,4 +1,5 @@
-// Cases of MFIX, by a parser of our own: VTK's goes on with old values where a file ends early. Its ghosts are left out.
+// Cases of MFIX, by a parser of our own: VTK's goes on with old values where a file ends early. Its ghosts are left
+// out.
 #include "formats.h"
 #include "grown_cells.h"
 #include "manifest_writer.h"

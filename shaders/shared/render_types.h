@@ -194,7 +194,7 @@ VP_CONST uint kLayerRangeColors = 1024u;
 struct ComposeParams
 {
 	float height;
-	float sample_weight; // 1 / samples
+	float sample_weight;      // 1 / samples
 	float contour_half_width; // pixels
 	float line_color[4];
 	float top_color[4]; // of the background

@@ -18,8 +18,8 @@ struct DataSet
 	std::uint64_t bytes = 0;                   // all of them
 };
 
-// Writes one small file of every format that can be written here into folders of its own below `folder`, and a few larger
-// ones if those are wanted.
+// Writes one small file of every format that can be written here into folders of its own below `folder`, and a few
+// larger ones if those are wanted.
 std::vector<DataSet> writeSamples(const std::filesystem::path& folder, bool with_large);
 
 // Sets of real data in the folders of `data`, one for each folder two levels down, of no more than so many bytes.

@@ -121,9 +121,9 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
 	constexpr int leaked = 50;
 	ASSERT_EQ(dup2(STDERR_FILENO, leaked), leaked);
-	const auto handed = run(
-	    "echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}|${13}\" >&4; [ -e /proc/$$/fd/50 ] && echo leaked >&4; exit 0",
-	    options);
+	const auto handed = run("echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}|${13}\" >&4; [ -e /proc/$$/fd/50 ] && "
+	                        "echo leaked >&4; exit 0",
+	                        options);
 	close(leaked);
 	ASSERT_TRUE(handed) << handed.error().message;
 	EXPECT_EQ(handed->manifest,
