@@ -39,6 +39,7 @@ layout(constant_id = 1) const uint kFeatures = 0u;
 #include "render_background.glsl"
 
 const float kBehindAll = -1.0; // as the depth of an empty slot
+const float kBeforeAll = 1e30;
 
 vec4 rgba(float c[4])
 {
@@ -92,17 +93,11 @@ void composeLayers(ivec2 pixel)
 	}
 
 	// The nearest layer that is left, round by round; of equal depths the first, as sheets in one plane have them. Software ends
-	// the rounds as soon as all its pixels have done: most have one layer or none. Of quads from anywhere few have done at once.
-	// Besides, lavapipe (Mesa 22.3) leaves such a loop too early in some of them, and in others when the list is in another order.
-#ifdef QUADS
-	for (uint round = 0u; round < kSlots; ++round)
-	{
-		bool left;
-#else
+	// the rounds as soon as all its pixels have done: most have one layer or none. Lavapipe (Mesa 22.3) then keeps some of what a
+	// further round does to a pixel that has done, and drew its line twice. So such a round must do nothing.
 	bool left;
 	do
 	{
-#endif
 		uint slot = 0u;
 		float depth = depths[0];
 		vec2 texel = texels[0];
@@ -121,16 +116,14 @@ void composeLayers(ivec2 pixel)
 			depths[i] = i == slot ? kBehindAll : depths[i];
 			left = left || depths[i] > kBehindAll;
 		}
+		const float down_to = depth > kBehindAll ? depth : kBeforeAll;
 #ifdef SURFACES
-		surfacesDownTo(depth);
+		surfacesDownTo(down_to);
 #endif
-		lineDownTo(depth);
+		lineDownTo(down_to);
 		const vec4 color = withLines(layerColor(color_place), texel, layerIn(slot), pixel);
 		under(color.rgb, depth > kBehindAll ? color.a : 0.0);
-	}
-#ifndef QUADS
-	while (left);
-#endif
+	} while (left);
 }
 
 void compose(ivec2 pixel)

@@ -160,6 +160,38 @@ TEST_F(Blending, AFarAwaySceneIsDrawnAsExactly)
 	EXPECT_LE(different, near.rgba.size() / 1000);
 }
 
+// Software colors several pixels at a time, round by round, as long as one of them has a layer left. A line behind a
+// sheet does not depend on whether the pixels beside have another sheet behind it.
+TEST_F(Blending, ALineIsDrawnOnceWhateverIsBeside)
+{
+	Scene scene = bareScene(200, 160, 1);
+	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.5}, {0.0, 0.0, 1.0}), kHalf, 0.6, ramp));
+	std::vector<Segment> outline;
+	for (double at = -1.0; at <= 1.0; at += 0.05)
+		outline.push_back({{-1.0, at, -0.2}, {1.0, at + 0.1, -0.2}});
+	scene.outline = outline;
+	const Picture alone = draw(scene);
+	const probe::Sheet behind = probe::makeSheet({1.2, 0.3, -1.0}, {0.1, 0.2, 1.0});
+	scene.sheets.push_back(square(behind, kHalf, 0.6, ramp));
+	const Picture together = draw(scene);
+	std::size_t compared = 0;
+	std::size_t hidden = 0; // where the other sheet is behind
+	for (std::uint32_t y = 0; y < alone.height; ++y)
+		for (std::uint32_t x = 0; x < alone.width; ++x)
+		{
+			if (hit(scene, behind, kHalf, x + 0.5, y + 0.5))
+			{
+				++hidden;
+				continue;
+			}
+			const auto pixel = alone.pixel(x, y);
+			EXPECT_LE(difference({double(pixel[0]), double(pixel[1]), double(pixel[2])}, together.pixel(x, y)), 1.0)
+			    << x << ", " << y;
+			++compared;
+		}
+	EXPECT_GE(std::min(compared, hidden), 8000u);
+}
+
 TEST_F(Blending, AConstantHasTheMiddleOfTheMap)
 {
 	Scene scene = bareScene(64, 64, 1);
