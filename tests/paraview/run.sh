@@ -49,8 +49,9 @@ VPROBE_PLUGIN=$(echo "$VPROBE_SCRATCH"/installed/usr/lib/*/paraview-5.11/plugins
 [[ $root == /usr ]] || export PYTHONPATH=$root/lib/python3/dist-packages
 scripts=$project/tests/paraview
 
-# One X server, which finds a free number itself: xvfb-run can meet another that starts at the same time.
-Xvfb -displayfd 1 -screen 0 1280x1024x24 -nolisten tcp >"$VPROBE_SCRATCH/display.txt" 2>/dev/null &
+# One X server, which finds a free number itself: xvfb-run can meet another that starts at the same time. It does not start
+# anew when its last client leaves: the next one would meet it then.
+Xvfb -displayfd 1 -screen 0 1280x1024x24 -nolisten tcp -noreset >"$VPROBE_SCRATCH/display.txt" 2>/dev/null &
 server=$!
 trap 'kill "$server" 2>/dev/null' EXIT
 timeout 20 bash -c "until [[ -s '$VPROBE_SCRATCH/display.txt' ]]; do sleep .1; done"
