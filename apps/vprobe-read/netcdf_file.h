@@ -36,6 +36,26 @@ public:
 			check(nc_inq_dimlen(id_, found, &length));
 		return length;
 	}
+	struct Variable
+	{
+		int id;
+		std::string name;
+		nc_type type;
+	};
+	std::vector<Variable> variables() const
+	{
+		int count = 0;
+		check(nc_inq_nvars(id_, &count));
+		std::vector<Variable> all;
+		for (int variable = 0; variable < count; ++variable)
+		{
+			std::array<char, NC_MAX_NAME + 1> name = {};
+			nc_type type = NC_NAT;
+			check(nc_inq_var(id_, variable, name.data(), &type, nullptr, nullptr, nullptr));
+			all.push_back({variable, name.data(), type});
+		}
+		return all;
+	}
 	// -1 where there is none.
 	int variable(const char* name) const
 	{

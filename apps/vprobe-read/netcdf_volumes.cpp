@@ -86,30 +86,26 @@ vtkSmartPointer<vtkDataArray> unpacked(const NetcdfFile& file, int variable, vtk
 
 } // namespace
 
-NetcdfVolumes netcdfVolumes(const std::string& name)
+NetcdfVolumes netcdfVolumes(const std::string& path)
 {
-	const NetcdfFile file(name);
+	const NetcdfFile file(path);
 	NetcdfVolumes volumes;
 	int count = 0;
 	volumes.has_groups = nc_inq_grps(file.id(), &count, nullptr) == NC_NOERR && count > 0;
-	NetcdfFile::check(nc_inq_nvars(file.id(), &count));
-	for (int variable = 0; variable < count; ++variable)
+	for (const auto& [variable, name, type] : file.variables())
 	{
-		std::array<char, NC_MAX_NAME + 1> words = {};
-		NetcdfFile::check(nc_inq_varname(file.id(), variable, words.data()));
 		const auto sides = file.dimensions(variable);
 		if (sides.size() < 3)
 			continue;
 		for (const auto& [side, length] : sides)
 		{
 			if (length == 0)
-				volumes.empty[words.data()] = side;
+				volumes.empty[name] = side;
 		}
-		const nc_type type = typeOfVariable(file, variable);
 		if (type == NC_CHAR || type >= NC_STRING)
-			volumes.unread.emplace_back(words.data());
+			volumes.unread.push_back(name);
 		else if (wholeTypeOf(file, variable, type) != 0)
-			volumes.whole.emplace_back(words.data());
+			volumes.whole.push_back(name);
 	}
 	return volumes;
 }

@@ -108,13 +108,8 @@ vtkSmartPointer<vtkUnstructuredGrid> mpasGrid(const NetcdfFile& file, const Mpas
 // Variables of [Time], nCells and nVertLevels.
 void addMpasArrays(const NetcdfFile& file, const MpasMesh& mesh, std::size_t step, vtkUnstructuredGrid* grid)
 {
-	int count = 0;
-	NetcdfFile::check(nc_inq_nvars(file.id(), &count));
-	for (int variable = 0; variable < count; ++variable)
+	for (const auto& [variable, name, type] : file.variables())
 	{
-		std::array<char, NC_MAX_NAME + 1> name = {};
-		nc_type type = NC_NAT;
-		NetcdfFile::check(nc_inq_var(file.id(), variable, name.data(), &type, nullptr, nullptr, nullptr));
 		const MpasSides sides = file.dimensions(variable);
 		const bool has_time = !sides.empty() && sides[0].first == "Time";
 		const std::size_t first = has_time ? 1 : 0;
@@ -123,7 +118,7 @@ void addMpasArrays(const NetcdfFile& file, const MpasMesh& mesh, std::size_t ste
 			continue;
 		const std::vector<double> values = file.values(variable, has_time ? std::optional(step) : std::nullopt);
 		vtkNew<vtkDoubleArray> array;
-		array->SetName(name.data());
+		array->SetName(name.c_str());
 		for (std::size_t cell = 0; cell < mesh.cells; ++cell)
 			for (std::size_t layer = 0; layer < mesh.tops[cell]; ++layer)
 				array->InsertNextValue(values[cell * mesh.layers + layer]);

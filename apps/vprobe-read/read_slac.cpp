@@ -101,16 +101,11 @@ std::vector<vtkSmartPointer<vtkDoubleArray>> slacModes(const std::string& path, 
 			if (const std::vector<double> numbers = file.values(variable); numbers.size() == 1)
 				time = numbers[0];
 	std::vector<vtkSmartPointer<vtkDoubleArray>> arrays;
-	int count = 0;
-	NetcdfFile::check(nc_inq_nvars(file.id(), &count));
-	for (int variable = 0; variable < count; ++variable)
+	for (const auto& [variable, name, type] : file.variables())
 	{
-		std::array<char, NC_MAX_NAME + 1> name = {};
-		nc_type type = NC_NAT;
-		NetcdfFile::check(nc_inq_var(file.id(), variable, name.data(), &type, nullptr, nullptr, nullptr));
 		const auto sides = file.dimensions(variable);
-		if (type == NC_CHAR || sides.empty() || sides.size() > 2 || sides[0].first != "ncoord" ||
-		    std::string_view(name.data()) == "coords" || (sides.size() == 2 && sides[1].second > 64))
+		if (type == NC_CHAR || sides.empty() || sides.size() > 2 || sides[0].first != "ncoord" || name == "coords" ||
+		    (sides.size() == 2 && sides[1].second > 64))
 			continue;
 		const std::vector<double> values = file.values(variable);
 		if (sides[0].second != points || values.empty())
@@ -118,7 +113,7 @@ std::vector<vtkSmartPointer<vtkDoubleArray>> slacModes(const std::string& path, 
 			                          "--solution",
 			                          path, sides[0].second, points));
 		const auto array = vtkSmartPointer<vtkDoubleArray>::New();
-		array->SetName(name.data());
+		array->SetName(name.c_str());
 		array->SetNumberOfComponents(static_cast<int>(values.size() / points));
 		array->SetNumberOfTuples(static_cast<vtkIdType>(points));
 		std::copy(values.begin(), values.end(), array->GetPointer(0));

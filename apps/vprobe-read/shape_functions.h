@@ -5,10 +5,6 @@
 #include <array>
 #include <span>
 
-// Bedrosian's functions of a pyramid's 13 nodes, at a place over the unit square below (1/2, 1/2, 1). They hold all
-// quadratic polynomials, and VTK's do not.
-void weighQuadraticPyramid(const vp::Vec3& at, std::span<double> weights);
-
 // Bernstein's polynomials of each node of a Bezier cell. `simplex`: so many of its axes span a triangle or a
 // tetrahedron, 0 of a hexahedron. `nodes`: their places, from 0 to 1. VTK's functions take seconds for some cells of
 // degree 8.

@@ -1,5 +1,6 @@
 #include "source_cell.h"
 
+#include "grid/pyramid_weights.h"
 #include "refusal.h"
 #include "shape_functions.h"
 
@@ -238,7 +239,7 @@ std::span<const double> SourceCells::weights(const Vec3& at)
 	}
 	if (type_ == VTK_QUADRATIC_PYRAMID)
 	{
-		weighQuadraticPyramid(at, weights_);
+		vp::grid::weighPyramid(at, weights_);
 		return weights_;
 	}
 	if (!shape_)

@@ -150,7 +150,7 @@ void CellKind::makeLinear()
 			const Vec3 at = value < 5 ? corner_places_[value]
 			                          : 0.5 * (corner_places_[static_cast<std::size_t>(kPyramidEdges[value - 5][0])] +
 			                                   corner_places_[static_cast<std::size_t>(kPyramidEdges[value - 5][1])]);
-			weighPyramid(at, weights);
+			grid::weighPyramid(at, weights);
 			if (value < 5)
 				corner_values_[value] = value;
 			continue;
@@ -267,7 +267,7 @@ void CellKind::toLattice(const double* nodes, std::size_t width, double* lattice
 void CellKind::weigh(const Vec3& at, double* weights) const
 {
 	if (isPyramid())
-		return weighPyramid(at, {weights, nodes_});
+		return grid::weighPyramid(at, {weights, nodes_});
 	std::array<double, kMaxLattice> own;
 	std::size_t done = 1;
 	weights[0] = 1.0;

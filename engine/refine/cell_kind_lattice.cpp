@@ -147,7 +147,7 @@ void CellKind::makePyramid()
 	for (std::size_t value = 0; value < collapsed_.size(); ++value)
 	{
 		const Vec3 at = atValue(value);
-		weighPyramid({at.x * (1.0 - at.z) + 0.5 * at.z, at.y * (1.0 - at.z) + 0.5 * at.z, at.z}, weights);
+		grid::weighPyramid({at.x * (1.0 - at.z) + 0.5 * at.z, at.y * (1.0 - at.z) + 0.5 * at.z, at.z}, weights);
 		for (std::uint32_t n = 0; n < nodes_; ++n)
 			if (weights[n] != 0.0)
 				collapsed_[value].emplace_back(n, weights[n]);

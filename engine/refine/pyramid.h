@@ -1,21 +1,13 @@
 #pragma once
 
-#include "base/vec.h"
+#include "grid/pyramid_weights.h"
 
 #include <span>
 
 namespace vp::refine
 {
 
-// Pyramids over the unit square with their top at (1/2, 1/2, 1). Their shape functions are rational: Bedrosian's
-// ("Shape functions and integration formulas for three-dimensional finite element analysis", 1992), which hold all
-// quadratic polynomials. Corners are in VTK's order, then the middles of the edges of the base, then of those to the
-// top.
-
-/// Writes the shape functions of 5 or of 13 nodes.
-void weighPyramid(const Vec3& at, std::span<double> weights);
-
-/// How far from linear the cell is within a part: a bound by the largest second derivatives.
+/// How far from linear a pyramid (grid/pyramid_weights.h) is within a part: a bound by the largest second derivatives.
 class PyramidBend
 {
 public:

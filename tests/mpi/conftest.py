@@ -12,10 +12,6 @@ DEPENDENT = {'ms', 'ranks', 'plan', 'device', 'seeds', 'hops', 'boundary_tests',
              'generations', 'front_max', 'cells_touched'}
 
 
-def pytest_configure(config):
-    config.addinivalue_line('markers', 'gpu: needs a Vulkan device')
-
-
 class Programs:
     """vprobe, and vprobe-mpi under mpiexec."""
 

@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <random>
 
 namespace vp::test
@@ -28,25 +27,7 @@ const std::vector<Vec3> kNormals{{0.3, 0.5, 0.8}, {1, 0.02, 0.03}, {-0.4, 1, 0.7
 
 TEST(RefinedCut, AreasOfABallComeClose)
 {
-	double before = 1.0;
-	for (const double tolerance : {0.1, 0.01, 0.001})
-	{
-		const grid::BlockSet set = setOf(quadraticCube(12, tolerance, ball));
-		cut::Cutter cutter(set);
-		double worst = 0.0;
-		for (const Vec3& normal : kNormals)
-			for (const double distance : {0.0, 0.31, 0.62})
-			{
-				const Section ball_cut = section(cutter, distance * glm::normalize(normal), normal);
-				const double exact = std::numbers::pi * (1.0 - distance * distance);
-				worst = std::max(worst, std::abs(ball_cut.figures.area / exact - 1.0));
-				EXPECT_EQ(ball_cut.figures.components, 1u);
-			}
-		// Cells are about 1/6 large, and the rim of a circle is off by as much all around. The nodes leave an error.
-		EXPECT_LT(worst, 0.4 * tolerance + 1e-4) << tolerance;
-		EXPECT_LT(worst, 0.3 * before) << tolerance;
-		before = worst;
-	}
+	expectAreasOfABall([](double tolerance) { return setOf(quadraticCube(12, tolerance, ball)); }, 0.3);
 }
 
 TEST(RefinedCut, SectionsAreClosedBetweenCellsThatAreRefinedDifferently)

@@ -38,24 +38,7 @@ std::size_t gapsIn(const mesh::SheetMesh& mesh)
 
 TEST(RefinedShapes, AreasOfABallComeClose)
 {
-	double before = 1.0;
-	for (const double tolerance : {0.1, 0.01, 0.001})
-	{
-		const grid::BlockSet set = setOf(mixedCube(12, tolerance, ball));
-		cut::Cutter cutter(set);
-		double worst = 0.0;
-		for (const Vec3& normal : kDirections)
-			for (const double distance : {0.0, 0.31, 0.62})
-			{
-				const Section cut = section(cutter, distance * glm::normalize(normal), normal);
-				worst = std::max(worst,
-				                 std::abs(cut.figures.area / (std::numbers::pi * (1.0 - distance * distance)) - 1.0));
-				EXPECT_EQ(cut.figures.components, 1u);
-			}
-		EXPECT_LT(worst, 0.4 * tolerance + 1e-4) << tolerance;
-		EXPECT_LT(worst, 0.5 * before) << tolerance;
-		before = worst;
-	}
+	expectAreasOfABall([](double tolerance) { return setOf(mixedCube(12, tolerance, ball)); }, 0.5);
 }
 
 TEST(RefinedShapes, SectionsAreClosedBetweenThem)
