@@ -1,7 +1,7 @@
 #pragma once
 
-#include "find/sign_filter.h"
 #include "grid/record_reader.h"
+#include "surface/sign_filter.h"
 
 namespace vp::find
 {
@@ -24,11 +24,11 @@ public:
 	{
 		const unsigned low = four(record[0], record[1], record[2], record[3]);
 		if constexpr (kWidth == 4)
-			return low != SignFilter::kInDoubt ? low : inDouble(record, 4);
+			return low != surface::SignFilter::kInDoubt ? low : inDouble(record, 4);
 		// A shape of fewer points has ids to spare, but for the last one, which is a mark.
 		const bool full = shape == grid::CellShape::hexahedron;
 		const unsigned high = four(record[4], record[5], record[6], full ? record[7] : record[6]);
-		if (low != SignFilter::kInDoubt && high != SignFilter::kInDoubt)
+		if (low != surface::SignFilter::kInDoubt && high != surface::SignFilter::kInDoubt)
 			return (low | high << 4) & ((1u << grid::topology(shape).points) - 1);
 		return inDouble(record, grid::topology(shape).points);
 	}
@@ -44,12 +44,12 @@ private:
 
 	unsigned four(PointId a, PointId b, PointId c, PointId d) const
 	{
-		return filter_.four(gatherFour({reader_.xyz(a), reader_.xyz(b), reader_.xyz(c), reader_.xyz(d)}));
+		return filter_.four(surface::gatherFour({reader_.xyz(a), reader_.xyz(b), reader_.xyz(c), reader_.xyz(d)}));
 	}
 
 	const Reader& reader_;
 	const surface::Plane& plane_;
-	SignFilter filter_;
+	surface::SignFilter filter_;
 };
 
 } // namespace vp::find

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/prefetch.h"
-#include "find/sign_filter.h"
 #include "grid/points.h"
 #include "surface/plane.h"
+#include "surface/sign_filter.h"
 
 namespace vp::find
 {
@@ -26,9 +26,9 @@ public:
 	{
 		if (count == 4)
 		{
-			const auto load = [&](PointId p) { return loadFour(xyz_ + 3 * std::size_t(p)); };
+			const auto load = [&](PointId p) { return surface::loadFour(xyz_ + 3 * std::size_t(p)); };
 			const unsigned bits = filter_.sixteen({load(rows[0]), load(rows[1]), load(rows[2]), load(rows[3])});
-			if (bits != SignFilter::kInDoubt) [[likely]]
+			if (bits != surface::SignFilter::kInDoubt) [[likely]]
 				return bits;
 		}
 		return inDouble(rows, count);
@@ -57,7 +57,7 @@ private:
 	const grid::Points& points_;
 	const surface::Plane& plane_;
 	const Number* xyz_;
-	SignFilter filter_;
+	surface::SignFilter filter_;
 };
 
 } // namespace vp::find

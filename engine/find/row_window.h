@@ -1,10 +1,10 @@
 #pragma once
 
-#include "find/point_heights.h"
 #include "find/row_nibbles.h"
 #include "grid/structured.h"
 #include "seed/sheet_window.h"
 #include "surface/plane.h"
+#include "surface/point_heights.h"
 
 #include <algorithm>
 #include <array>
@@ -36,8 +36,10 @@ public:
 	RowWindow(const grid::CurvilinearGrid& grid, const surface::Plane& plane, const seed::SheetWindow& window,
 	          const Box& bounds)
 	    : grid_(grid), plane_(plane), window_(window),
-	      xyz_(grid.coordinates().numbers<Number>()), heights_{PointHeights(window.axis(0), window.origin(), bounds),
-	                                                           PointHeights(window.axis(1), window.origin(), bounds)},
+	      xyz_(grid.coordinates().numbers<Number>()), heights_{surface::PointHeights(window.axis(0), window.origin(),
+	                                                                                 bounds),
+	                                                           surface::PointHeights(window.axis(1), window.origin(),
+	                                                                                 bounds)},
 	      codes_(grid.points()[0] + 8)
 	{
 		for (int axis = 0; axis < 2; ++axis)
@@ -85,12 +87,12 @@ private:
 		const PointId p = row_start + 4 * quad;
 		const PointId layer = points[0] * points[1];
 		const unsigned count = std::min(4u, points[0] - 4 * quad);
-		const FourPoints four = load(p, count);
+		const surface::FourPoints four = load(p, count);
 		std::array<FourFloats, 2> least{heights_[0].at(four), heights_[1].at(four)};
 		std::array<FourFloats, 2> most = least;
 		for (const PointId first : {p + points[0], p + layer, p + layer + points[0]})
 		{
-			const FourPoints more = load(first, count);
+			const surface::FourPoints more = load(first, count);
 			for (int axis = 0; axis < 2; ++axis)
 			{
 				const FourFloats along = heights_[axis].at(more);
@@ -111,14 +113,14 @@ private:
 		std::memcpy(&codes_[4 * quad], &codes, 4);
 	}
 	// Of fewer than four points the last ones mean nothing.
-	FourPoints load(PointId first, unsigned count) const
+	surface::FourPoints load(PointId first, unsigned count) const
 	{
 		const Number* from = xyz_ + 3 * std::size_t(first);
 		if (count == 4)
-			return loadFour(from);
+			return surface::loadFour(from);
 		std::array<Number, 12> some{};
 		std::copy_n(from, 3 * count, some.begin());
-		return loadFour(some.data());
+		return surface::loadFour(some.data());
 	}
 
 	bool meets(CellId cell)
@@ -131,7 +133,7 @@ private:
 	const surface::Plane& plane_;
 	const seed::SheetWindow& window_;
 	const Number* xyz_;
-	std::array<PointHeights, 2> heights_;
+	std::array<surface::PointHeights, 2> heights_;
 	std::vector<FourFloats> far_;  // per side: further out nothing is within
 	std::vector<FourFloats> near_; // per side: further in everything is
 	std::vector<std::uint8_t> codes_;

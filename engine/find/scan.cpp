@@ -3,9 +3,9 @@
 #include "base/huge_vector.h"
 #include "base/raw_vector.h"
 #include "find/cell_signs.h"
-#include "find/sign_filter.h"
 #include "grid/lone_faces.h"
 #include "seed/boundary_cut.h"
+#include "surface/sign_filter.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -54,12 +54,13 @@ template <class Number>
 void takeSides(const Number* xyz, const surface::Plane& plane, const Box& bounds, std::size_t begin, std::size_t end,
                std::uint8_t* sides)
 {
-	const SignFilter filter(plane, bounds);
+	const surface::SignFilter filter(plane, bounds);
 	for (std::size_t p = begin; p < end;)
 	{
 		const std::size_t last = std::min<std::size_t>(p + 4, end);
-		const unsigned bits = last - p == 4 ? filter.four(loadFour(xyz + 3 * p)) : SignFilter::kInDoubt;
-		if (bits != SignFilter::kInDoubt) [[likely]]
+		const unsigned bits =
+		    last - p == 4 ? filter.four(surface::loadFour(xyz + 3 * p)) : surface::SignFilter::kInDoubt;
+		if (bits != surface::SignFilter::kInDoubt) [[likely]]
 			std::ranges::copy(kSidesOfFour[bits], sides + p);
 		else
 			for (std::size_t i = p; i < last; ++i)

@@ -7,6 +7,8 @@
 #include <tbb/blocked_range.h>
 
 #include <algorithm>
+#include <atomic>
+#include <span>
 #include <type_traits>
 
 namespace vp::grid
@@ -128,6 +130,13 @@ void addFaces(const UnstructuredGrid& grid, BoundaryIndex& index)
 template <Grid G>
 void fillBoxes(const G& grid, BoundaryIndex& index)
 {
+	constexpr bool kKeepsCoordinates = requires
+	{
+		grid.coordinates();
+	};
+	if constexpr (kKeepsCoordinates)
+		index.corners.resize(index.faces.size());
+	std::atomic<bool> has_large_faces = false;
 	parallelFor(tbb::blocked_range<std::size_t>(0, index.patches.size(), 64),
 	            [&](const auto& range)
 	            {
@@ -138,11 +147,19 @@ void fillBoxes(const G& grid, BoundaryIndex& index)
 			            for (std::uint32_t i = patch.begin; i < patch.end; ++i)
 			            {
 				            grid.cellFaces(index.faces[i].cell, faces);
-				            for (const PointId point : faces[index.faces[i].face])
+				            const std::span<const PointId> points = faces[index.faces[i].face];
+				            for (const PointId point : points)
 					            patch.box.include(grid.point(point));
+				            if (points.size() > 4)
+					            has_large_faces = true;
+				            else if constexpr (kKeepsCoordinates)
+					            for (std::size_t corner = 0; corner < 4; ++corner)
+						            index.corners[i][corner] = points[std::min(corner, points.size() - 1)];
 			            }
 		            }
 	            });
+	if (has_large_faces)
+		index.corners = {};
 	for (BoundaryIndex::Range& group : index.groups)
 		for (std::uint32_t p = group.begin; p < group.end; ++p)
 			group.box.include(index.patches[p].box);

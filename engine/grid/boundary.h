@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "grid/grid.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,6 +29,9 @@ struct BoundaryIndex
 		std::uint32_t end;
 	};
 	std::vector<Face> faces;
+	// Per face its points, in the order of its cell; of three the last one twice. Only of grids that keep coordinates,
+	// and if no face has more than four points.
+	std::vector<std::array<PointId, 4>> corners;
 	std::vector<Range> patches;
 	std::vector<Range> groups;
 

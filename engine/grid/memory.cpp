@@ -53,8 +53,8 @@ void add(const Block& block, Memory& memory)
 		memory.geometry += block.curved->cells.bytes();
 	for (const Field& field : block.fields)
 		memory.arrays += field.bytes.size();
-	memory.boundary += bytesOf(block.boundary.faces) + bytesOf(block.boundary.patches) +
-	                   bytesOf(block.boundary.groups) + bytesOf(block.vantage);
+	memory.boundary += bytesOf(block.boundary.faces) + bytesOf(block.boundary.corners) +
+	                   bytesOf(block.boundary.patches) + bytesOf(block.boundary.groups) + bytesOf(block.vantage);
 	memory.folds += bytesOf(block.inverted) + block.inverted_tree.bytes();
 	if (block.tree)
 		memory.trees += block.tree->bytes();

@@ -88,7 +88,7 @@ void seedBoundary(const grid::Block& block, const surface::BlockSurface& surface
 	const auto admitted = [&](CellId cell) { return !filters || filters(cell); };
 	const auto search = [&](const auto& grid)
 	{
-		const auto addCut = [&](const CutFace& face)
+		const auto addCut = [&](const grid::BoundaryIndex::Face& face)
 		{
 			if (seeds_cut && (seeds.cells[b].empty() || seeds.cells[b].back() != face.cell))
 				seeds.cells[b].push_back(face.cell);
@@ -98,7 +98,7 @@ void seedBoundary(const grid::Block& block, const surface::BlockSurface& surface
 			if (admitted(face.cell) && !isCut(grid, surface, face.cell))
 				seeds.faces_in_plane[b].push_back(face);
 		};
-		seeds.boundary_tests += visitBoundaryCut(grid, block.boundary, surface, window, addCut, addFlat);
+		seeds.boundary_tests += visitBoundaryCut(grid, block.boundary, block.bounds, surface, window, addCut, addFlat);
 	};
 	std::visit(search, block.grid);
 }

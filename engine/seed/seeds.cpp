@@ -120,16 +120,19 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 		    [&](const auto& grid)
 		    {
 			    seeds.boundary_tests += visitBoundaryCut(
-			        grid, block.boundary, plane, window ? &*window : nullptr,
-			        [&](const CutFace& face)
+			        grid, block.boundary, block.bounds, plane, window ? &*window : nullptr,
+			        [&](const grid::BoundaryIndex::Face& face)
 			        {
 				        if (seeds_boundary && (seeds.cells[b].empty() || seeds.cells[b].back() != face.cell))
 					        seeds.cells[b].push_back(face.cell);
+				        if (!options.lattice && !moves_hot_spot)
+					        return;
+				        const CutFace cut = cutFace(grid, plane, face);
 				        if (options.lattice)
-					        seeds.rim[b].push_back(face);
+					        seeds.rim[b].push_back(cut);
 				        if (!moves_hot_spot)
 					        return;
-				        const Vec3 point = nearestOnSegment(face.from, face.to, hot_spot);
+				        const Vec3 point = nearestOnSegment(cut.from, cut.to, hot_spot);
 				        const double distance = glm::length(point - hot_spot);
 				        if (distance < nearest)
 				        {

@@ -8,7 +8,7 @@
 #include <array>
 #include <limits>
 
-namespace vp::find
+namespace vp::surface
 {
 
 // The coordinates of four points.
@@ -105,4 +105,4 @@ private:
 	float doubt_;
 };
 
-} // namespace vp::find
+} // namespace vp::surface

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "find/point_heights.h"
 #include "surface/plane.h"
+#include "surface/point_heights.h"
 
-namespace vp::find
+namespace vp::surface
 {
 
 // S at points, four at a time and in float, where that is certain to be what the one expression in double says
@@ -14,7 +14,7 @@ public:
 	static constexpr unsigned kInDoubt = ~0u;
 
 	// bounds: of the points.
-	SignFilter(const surface::Plane& plane, const Box& bounds) : heights_(plane.normal(), plane.origin(), bounds) {}
+	SignFilter(const Plane& plane, const Box& bounds) : heights_(plane.normal(), plane.origin(), bounds) {}
 
 	// Bit v: S at point v. kInDoubt where one of them is to be asked in double.
 	unsigned four(const FourPoints& points) const
@@ -43,4 +43,4 @@ private:
 	PointHeights heights_;
 };
 
-} // namespace vp::find
+} // namespace vp::surface
