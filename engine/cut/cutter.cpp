@@ -191,12 +191,17 @@ SheetGroup<surface::Plane> Cutter::planesOf(const CutRequest& request, const fin
 {
 	const TimedSection section(request.timeline, "seed");
 	SheetGroup<surface::Plane> group = groupOf<surface::Plane>(request, plan, std::move(numbers));
-	for (SheetCut& sheet : group.sheets)
+	for (std::size_t s = 0; s < group.sheets.size(); ++s)
 	{
+		SheetCut& sheet = group.sheets[s];
 		group.surfaces.insert(group.surfaces.end(), blocks_.blocks.size(), sheet.sheet.plane());
 		if (group.isScanned())
 			continue;
-		sheet.seeds = seed::findSeeds(blocks_, sheet.sheet, request.seeds);
+		std::vector<bool> needs_none;
+		if (request.seeds.mode != seed::SeedMode::hotspot) // where a block without a seed shows nothing
+			for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
+				needs_none.push_back(group.plan[s * blocks_.blocks.size() + b].strategy == find::Strategy::rows);
+		sheet.seeds = seed::findSeeds(blocks_, sheet.sheet, request.seeds, needs_none);
 		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 			if (const grid::CellFilter& filter = group.filters[b])
 				std::erase_if(sheet.seeds.faces_in_plane[b], [&](const auto& face) { return !filter(face.cell); });

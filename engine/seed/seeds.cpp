@@ -6,6 +6,7 @@
 #include "seed/nearest_cut.h"
 #include "seed/row_seeds.h"
 
+#include <algorithm>
 #include <limits>
 #include <tuple>
 
@@ -90,9 +91,18 @@ void keepFacesToShow(const grid::BlockSet& blocks, const surface::Plane& plane,
 		              });
 }
 
+// Whether a face of a grid with straight axes may lie in the plane, far beyond what rounding can do.
+bool mayHoldFaces(const surface::Plane& plane)
+{
+	const Vec3 size = glm::abs(plane.normal());
+	const double second = std::max(std::min(size.x, size.y), std::min(std::max(size.x, size.y), size.z));
+	return second < 1e-3;
+}
+
 } // namespace
 
-SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, const SeedOptions& options)
+SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, const SeedOptions& options,
+                     const std::vector<bool>& needs_none)
 {
 	SheetSeeds seeds;
 	seeds.cells.resize(blocks.blocks.size());
@@ -115,6 +125,8 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 	{
 		if (!seeds_boundary && !moves_hot_spot)
 			break;
+		if (!needs_none.empty() && needs_none[b] && !moves_hot_spot && !mayHoldFaces(plane))
+			continue;
 		const grid::Block& block = blocks.blocks[b];
 		std::visit(
 		    [&](const auto& grid)

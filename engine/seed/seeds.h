@@ -57,7 +57,9 @@ struct SheetSeeds
 
 // The sheet is placed in the world and has no fx (see probe::content()). Of one with a window the seeds reach every
 // piece in the window: either its rim lies on the boundary there, or it is the whole window, and so holds the hot spot.
-// The center of the window stands in for a hot spot outside it.
-SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, const SeedOptions& options);
+// The center of the window stands in for a hot spot outside it. needs_none: per block, whether it has straight axes and
+// its cut cells are found without seeds (find/rows.h). The boundary of such a block is not searched for them.
+SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, const SeedOptions& options,
+                     const std::vector<bool>& needs_none = {});
 
 } // namespace vp::seed
