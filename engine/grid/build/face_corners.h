@@ -34,9 +34,10 @@ inline bool meetsItself(const AnyGrid& grid)
 inline std::uint64_t bucketOf(int level, const Vec3& place)
 {
 	std::uint64_t hash = static_cast<std::uint64_t>(level) * 0x9E3779B97F4A7C15u;
+	const double cubes = std::ldexp(1.0, std::min(-level, 1000)); // in a unit of length
 	for (int axis = 0; axis < 3; ++axis)
 	{
-		const double at = std::clamp(std::floor(std::ldexp(place[axis], -level)), -9e18, 9e18);
+		const double at = std::clamp(std::floor(place[axis] * cubes), -9e18, 9e18);
 		hash = (hash ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(at))) * 0xBF58476D1CE4E5B9u;
 		hash ^= hash >> 29;
 	}
