@@ -1,6 +1,7 @@
 #include "api/border.h"
 #include "api/states.h"
 #include "write/png.h"
+#include "write/set_arrays.h"
 #include "write/slice_file.h"
 
 #include <vprobe/cut.h>
@@ -46,24 +47,39 @@ double MeshArray::value(std::size_t tuple, int component) const
 	return vp::grid::loadNumber(number_type, bytes + number * vp::grid::byteSize(number_type));
 }
 
-namespace
+const vp::write::SliceTable& Mesh::State::withPolygons() const
 {
-
-const vp::write::SliceTable& tabulated(const Mesh::State& mesh)
-{
-	std::call_once(mesh.once,
-	               [&]
-	               {
-		               const std::shared_lock lock(mesh.cut->blocks->mutex);
-		               mesh.table = vp::write::tabulateAllButPlaces(*mesh.cut->blocks->blocks, *mesh.mesh);
-		               addArrays(mesh.table.vertex_columns, Association::point, mesh.mesh->positions.size(),
-		                         mesh.arrays);
-		               addArrays(mesh.table.polygon_columns, Association::cell, mesh.table.polygons(), mesh.arrays);
-	               });
-	return mesh.table;
+	std::call_once(polygons_once, [&] { vp::write::tabulatePolygons(*mesh, table); });
+	return table;
 }
 
-} // namespace
+const vp::write::SliceTable& Mesh::State::withCells() const
+{
+	const std::shared_lock lock(cut->blocks->mutex);
+	makeCells();
+	return table;
+}
+
+void Mesh::State::makeCells() const
+{
+	std::call_once(cells_once, [&] { vp::write::tabulateCells(*cut->blocks->blocks, *mesh, table); });
+}
+
+const std::vector<MeshArray>& Mesh::State::withArrays() const
+{
+	std::call_once(arrays_once,
+	               [&]
+	               {
+		               const std::shared_lock lock(cut->blocks->mutex);
+		               const vp::grid::BlockSet& blocks = *cut->blocks->blocks;
+		               if (!vp::write::arraysOf(blocks, vp::grid::Association::cell).empty())
+			               makeCells();
+		               vp::write::tabulateArrays(blocks, *mesh, table);
+		               addArrays(table.vertex_columns, Association::point, mesh->positions.size(), arrays);
+		               addArrays(table.polygon_columns, Association::cell, mesh->polygons(), arrays);
+	               });
+	return arrays;
+}
 
 std::size_t Mesh::pointCount() const
 {
@@ -83,28 +99,27 @@ std::span<const double> Mesh::points() const
 
 std::span<const std::int64_t> Mesh::offsets() const
 {
-	return tabulated(*state_).polygon_starts;
+	return state_->withPolygons().polygon_starts;
 }
 
 std::span<const std::int64_t> Mesh::connectivity() const
 {
-	return tabulated(*state_).polygon_vertices;
+	return state_->withPolygons().polygon_vertices;
 }
 
 std::span<const std::int64_t> Mesh::cells() const
 {
-	return tabulated(*state_).cell;
+	return state_->withCells().cell;
 }
 
 std::span<const std::int32_t> Mesh::blocks() const
 {
-	return tabulated(*state_).block;
+	return state_->withCells().block;
 }
 
 std::span<const MeshArray> Mesh::arrays() const
 {
-	tabulated(*state_);
-	return state_->arrays;
+	return state_->withArrays();
 }
 
 const MeshArray* Mesh::array(std::string_view name) const

@@ -25,12 +25,22 @@ struct View::State
 	vp::view::ViewSpec spec;
 };
 
-// A mesh with its arrays, tabulated when somebody asks for them.
+// A mesh with its arrays. Each part is tabulated when somebody asks for it.
 struct Mesh::State
 {
+	const vp::write::SliceTable& withPolygons() const;
+	const vp::write::SliceTable& withCells() const;
+	const std::vector<MeshArray>& withArrays() const;
+
 	std::shared_ptr<const Cut::State> cut; // keeps the mesh and its blocks alive
 	const vp::mesh::SheetMesh* mesh = nullptr;
-	mutable std::once_flag once;
+
+private:
+	void makeCells() const; // with the blocks' mutex held
+
+	mutable std::once_flag polygons_once;
+	mutable std::once_flag cells_once;
+	mutable std::once_flag arrays_once;
 	mutable vp::write::SliceTable table;
 	mutable std::vector<MeshArray> arrays;
 };

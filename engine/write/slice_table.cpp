@@ -98,42 +98,61 @@ Column polygonColumn(Meshes meshes, const SliceTable& table, const SetArray& sou
 	return column;
 }
 
-// base: vertices before those of the mesh.
-void addPolygons(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, std::int64_t base, std::int32_t sheet,
-                 SliceTable& table)
+template <class Work>
+void forPolygons(const mesh::SheetMesh& mesh, Work&& work)
 {
-	const std::size_t polygons = mesh.polygons();
-	if (polygons == 0)
-		return;
-	const std::size_t first = table.polygons();
-	const std::size_t corners = table.polygon_vertices.size(); // before those of this mesh
-	const std::size_t begin = mesh.polygon_starts[0];
-	table.polygon_vertices.resize(corners + mesh.polygon_starts[polygons] - begin);
-	table.polygon_starts.resize(first + polygons + 1);
-	table.cell.resize(first + polygons);
-	table.block.resize(first + polygons);
-	table.sheet.resize(first + polygons, sheet);
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, polygons, 4096),
+	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.polygons(), 4096),
 	                  [&](const tbb::blocked_range<std::size_t>& some)
 	                  {
 		                  for (std::size_t p = some.begin(); p < some.end(); ++p)
-		                  {
-			                  std::size_t corner = corners + mesh.polygon_starts[p] - begin;
-			                  for (const std::uint32_t v : mesh.polygon(p))
-				                  table.polygon_vertices[corner++] = base + v;
-			                  table.polygon_starts[first + p + 1] = static_cast<std::int64_t>(corner);
-			                  const mesh::BlockCell& from = mesh.polygon_cells[p];
-			                  const auto sourceOf = [&](const auto& grid)
-			                  { return static_cast<std::int64_t>(grid.sourceCell(from.cell)); };
-			                  table.cell[first + p] = std::visit(sourceOf, blocks.blocks[from.block].grid);
-			                  table.block[first + p] = static_cast<std::int32_t>(from.block);
-		                  }
+			                  work(p);
 	                  });
+}
+
+// base: vertices before those of the mesh.
+void addPolygons(const mesh::SheetMesh& mesh, std::int64_t base, SliceTable& table)
+{
+	const std::size_t polygons = mesh.polygons();
+	if (table.polygon_starts.empty())
+		table.polygon_starts.push_back(0);
+	if (polygons == 0)
+		return;
+	const std::size_t first = table.polygon_starts.size();
+	const std::size_t corners = table.polygon_vertices.size(); // before those of this mesh
+	const std::size_t begin = mesh.polygon_starts[0];
+	table.polygon_vertices.resize(corners + mesh.polygon_starts[polygons] - begin);
+	table.polygon_starts.resize(first + polygons);
+	forPolygons(mesh,
+	            [&](std::size_t p)
+	            {
+		            std::size_t corner = corners + mesh.polygon_starts[p] - begin;
+		            for (const std::uint32_t v : mesh.polygon(p))
+			            table.polygon_vertices[corner++] = base + v;
+		            table.polygon_starts[first + p] = static_cast<std::int64_t>(corner);
+	            });
+}
+
+void addCells(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, SliceTable& table)
+{
+	const std::size_t first = table.polygons();
+	table.cell.resize(first + mesh.polygons());
+	table.block.resize(first + mesh.polygons());
+	forPolygons(mesh,
+	            [&](std::size_t p)
+	            {
+		            const mesh::BlockCell& from = mesh.polygon_cells[p];
+		            const auto sourceOf = [&](const auto& grid)
+		            { return static_cast<std::int64_t>(grid.sourceCell(from.cell)); };
+		            table.cell[first + p] = std::visit(sourceOf, blocks.blocks[from.block].grid);
+		            table.block[first + p] = static_cast<std::int32_t>(from.block);
+	            });
 }
 
 void addMesh(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, std::int32_t sheet, SliceTable& table)
 {
-	addPolygons(blocks, mesh, static_cast<std::int64_t>(table.positions.size()), sheet, table);
+	addPolygons(mesh, static_cast<std::int64_t>(table.positions.size()), table);
+	addCells(blocks, mesh, table);
+	table.sheet.resize(table.polygons(), sheet);
 	table.positions.insert(table.positions.end(), mesh.positions.begin(), mesh.positions.end());
 }
 
@@ -180,14 +199,20 @@ SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMes
 	return table;
 }
 
-SliceTable tabulateAllButPlaces(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh)
+void tabulatePolygons(const mesh::SheetMesh& mesh, SliceTable& table)
 {
-	SliceTable table;
-	table.polygon_starts.push_back(0);
-	addPolygons(blocks, mesh, 0, 0, table);
+	addPolygons(mesh, 0, table);
+}
+
+void tabulateCells(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, SliceTable& table)
+{
+	addCells(blocks, mesh, table);
+}
+
+void tabulateArrays(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, SliceTable& table)
+{
 	const mesh::SheetMesh* const all = &mesh;
 	addArrays(blocks, {&all, 1}, table);
-	return table;
 }
 
 namespace

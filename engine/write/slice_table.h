@@ -63,7 +63,9 @@ SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMes
 // Puts the polygons of another table behind those of `table`. Both have the same columns.
 void append(SliceTable&& other, SliceTable& table);
 
-// The same of one mesh, without positions: these the mesh has.
-SliceTable tabulateAllButPlaces(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh);
+// Parts of a table of one mesh, for which it is empty yet. Arrays over cells need the cells.
+void tabulatePolygons(const mesh::SheetMesh& mesh, SliceTable& table);
+void tabulateCells(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, SliceTable& table);
+void tabulateArrays(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, SliceTable& table);
 
 } // namespace vp::write
