@@ -4,7 +4,7 @@
 #include "shared/render_types.h"
 
 // Marks the triangles of an opaque surface that later samples of a picture may show: those that touch a pixel at an edge, and are not
-// behind what the first sample has found there and all around. A bit stands for a triangle.
+// behind what the first sample has found at all pixels that it reaches. A bit stands for a triangle.
 layout(local_size_x = kCullGroupSize) in;
 layout(binding = 0) uniform usamplerBuffer triangles;
 layout(binding = 1) uniform samplerBuffer vertices;
@@ -58,18 +58,16 @@ bool isNeeded(uvec4 head)
 	const bool large = size.x > kMaxPixels || size.y > kMaxPixels || size.x * size.y > kMaxPixels;
 	if (!in_front || (seen && large))
 		return true;
-	// With the pixels around them: a later sample may look past what the first has met.
-	ivec2 at = from - 1;
+	ivec2 at = from;
 	bool edge = false;
 	float farthest = 1.0;
-	const int rounds = seen ? (size.x + 2) * (size.y + 2) : 0;
+	const int rounds = seen ? size.x * size.y : 0;
 	for (int i = 0; i < rounds; ++i)
 	{
-		const ivec2 pixel = clamp(at, ivec2(0), end);
+		const ivec2 pixel = min(at, end);
 		farthest = min(farthest, texelFetch(depths, pixel, 0).x);
-		const bool inside = all(greaterThanEqual(at, from)) && all(lessThanEqual(at, to));
-		edge = edge || (inside && texelFetch(mask, pixel, 0).x < 0.5);
-		at = at.x > to.x ? ivec2(from.x - 1, at.y + 1) : ivec2(at.x + 1, at.y);
+		edge = edge || texelFetch(mask, pixel, 0).x < 0.5;
+		at = at.x >= to.x ? ivec2(from.x, at.y + 1) : ivec2(at.x + 1, at.y);
 	}
 	return edge && push.near_w * kNearer >= farthest * nearest_w;
 }
