@@ -80,13 +80,6 @@ Status Renderer::Private::makeTargets(const Scene& scene)
 Status Renderer::Private::prepare(const Scene& scene)
 {
 	const bool has_surfaces = !scene.surfaces.empty();
-	if (has_surfaces)
-	{
-		if (Status ready = lists.prepare(targets.extent(), samplePattern(scene.look.samples).size()); !ready)
-			return ready;
-		if (Status ready = surfaces.prepare(scene, lists); !ready)
-			return ready;
-	}
 	const bool has_edges = samplePattern(scene.look.samples).size() > 1;
 	whole = composesWhole(device, scene, targets.part());
 	const EdgeTiles* edges = !has_edges ? nullptr : whole ? &quads.tiles() : &mask.tiles();
@@ -94,6 +87,13 @@ Status Renderer::Private::prepare(const Scene& scene)
 	{
 		const std::uint32_t reach = contourReach(scene.look);
 		if (Status ready = whole ? quads.prepare(targets, reach) : mask.prepare(targets, reach); !ready)
+			return ready;
+	}
+	if (has_surfaces)
+	{
+		if (Status ready = lists.prepare(targets.extent(), samplePattern(scene.look.samples).size()); !ready)
+			return ready;
+		if (Status ready = surfaces.prepare(scene, lists, has_edges ? &mask : nullptr); !ready)
 			return ready;
 	}
 	const Overlay over = makeOverlay(scene, &lettering);
@@ -302,6 +302,8 @@ Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& 
 				quads.record(*begun, targets);
 			else
 				mask.record(*begun, targets);
+			if (has_surfaces)
+				surfaces.recordNearEdges(*begun, scene, targets.part());
 		}
 	}
 	if (has_surfaces)

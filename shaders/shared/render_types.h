@@ -234,6 +234,32 @@ struct SurfacePush
 	uint capacity; // of the fragments
 };
 
+// Of the triangles of an opaque surface those are found that later samples may show: a bit each, then indices of their
+// corners, and a VkDrawIndexedIndirectCommand.
+VP_CONST uint kCullGroupSize = 64u;
+VP_CONST uint kKeptGroupSize = 128u;
+
+struct SurfaceCullPush
+{
+	float clip[16]; // from places about the surface's origin, columns
+	float near_w;   // as in SurfacePush
+	float width;    // of the picture, pixels
+	float height;
+	uint count;       // of triangles
+	uint first_word;  // of their bits
+	uint first_index; // of their corners
+	uint draw;        // its number
+};
+
+struct IndexedDraw
+{
+	uint index_count;
+	uint instances;
+	uint first_index;
+	uint vertex_offset;
+	uint first_instance;
+};
+
 // Features of a surface beside those of the composing pass.
 VP_CONST uint kSurfaceLit = 16u;
 VP_CONST uint kSurfacePolygonValues = 32u; // and not of vertices

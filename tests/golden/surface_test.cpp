@@ -113,6 +113,40 @@ TEST_F(SurfaceLook, AnOpaqueOneHidesWhatIsBehind)
 	EXPECT_LE(difference(rgb(scene.look.colors.at(0.5)), draw(scene).pixel(60, 45)), 2.0);
 }
 
+// Its later samples are made of the triangles near edges alone. Lists of fragments are made of them all.
+TEST_F(SurfaceLook, AnOpaqueOneOfManyTrianglesHasAllItsSamples)
+{
+	Scene scene = bareScene(300, 220, 8);
+	scene.camera.position = {3.1, -2.3, 2.7};
+	scene.camera.up = {0.0, 0.0, 1.0};
+	for (const double place : {-0.3, 0.45})
+	{
+		mesh::SheetMesh mesh = sphere(60);
+		for (Vec3& position : mesh.positions)
+			position = {0.7 * position.x + place, 0.7 * position.y, position.z};
+		scene.surfaces.push_back(surface(mesh));
+		scene.surfaces.back().lit = true;
+	}
+	scene.surfaces[1].color = {30, 60, 200};
+	scene.surfaces[1].mesh = true;
+	const Picture opaque = draw(scene);
+	EXPECT_TRUE(draw(scene).rgba == opaque.rgba);
+	for (Surface& each : scene.surfaces)
+		each.opacity = 0.999999;
+	const Picture listed = draw(scene);
+	std::size_t off = 0;
+	std::size_t there = 0;
+	for (std::uint32_t y = 0; y < 220; ++y)
+		for (std::uint32_t x = 0; x < 300; ++x)
+		{
+			const auto [r, g, b, a] = listed.pixel(x, y);
+			off += difference(rgb(Color{r, g, b, a}), opaque.pixel(x, y)) > 2.0;
+			there += difference(kWhite, opaque.pixel(x, y)) > 0.0;
+		}
+	EXPECT_GE(there, 10000u);
+	EXPECT_LE(1000 * off, there) << off << " of " << there;
+}
+
 TEST_F(SurfaceLook, SamplesAndTransparentBackgroundAsForALayer)
 {
 	Scene as_layer = bareScene(160, 120, 8);

@@ -124,7 +124,8 @@ public:
 	const std::shared_ptr<const PresentedFrame>& shown() const { return shown_; }
 	FrameRequest frameRequest() const; // a request for the state as it is, in the size that was last asked for
 	bool isIdle() const;
-	bool isShown() const; // the picture shows the state as it is
+	bool isDrawing() const { return render_thread_.isBusy(); } // a picture is under way
+	bool isShown() const;                                      // the picture shows the state as it is
 
 	// --- The window.
 	OpenParts parts;

@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 #include <imgui/backends/imgui_impl_vulkan.h>
+#include <imgui/imgui.h>
 
 #include <algorithm>
 #include <utility>
@@ -245,9 +246,11 @@ void Screen::recordPixels(VkCommandBuffer to, VkImage from, const gpu::ImageUse&
 
 void Screen::recordPictures(VkCommandBuffer to, const Target& target, std::span<const Placement> pictures) const
 {
-	const VkClearColorValue black{{0.0f, 0.0f, 0.0f, 1.0f}};
+	// The panels' color: software clears in no time, and takes a millisecond to draw a panel's ground.
+	const ImVec4& ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+	const VkClearColorValue color{{ground.x, ground.y, ground.z, 1.0f}};
 	const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-	vkCmdClearColorImage(to, target.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &black, 1, &all);
+	vkCmdClearColorImage(to, target.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &color, 1, &all);
 	for (const Placement& placed : pictures)
 	{
 		const glm::ivec2 lo = glm::max(placed.lo, glm::ivec2(0));

@@ -53,10 +53,10 @@ std::vector<float> Figure::history() const
 	return all;
 }
 
-void Meter::frame(Moment now, bool active)
+void Meter::frame(Moment now, std::optional<Moment> awake_since)
 {
-	if (last_frame_ && active)
-		frames_.add(milliseconds(now - *last_frame_));
+	if (last_frame_ && awake_since)
+		frames_.add(milliseconds(now - std::max(*last_frame_, *awake_since)));
 	last_frame_ = now;
 }
 

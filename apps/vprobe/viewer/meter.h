@@ -39,13 +39,14 @@ private:
 class Meter
 {
 public:
-	// Call this when a frame of the window was presented. active: it followed the frame before without waiting.
-	void frame(Moment now, bool active);
+	// Call this when a frame of the window was presented. awake_since: when the window last began to draw frames one
+	// after the other; empty while it rests, and draws one now and then.
+	void frame(Moment now, std::optional<Moment> awake_since);
 	// Call this with the picture of the frame; a new picture is counted.
 	void picture(const std::shared_ptr<const PresentedFrame>& shown, Moment now);
 	void forgetPicture() { last_.reset(); } // call this before the picture's device goes
 
-	const Figure& frames() const { return frames_; } // from frame to frame, of active ones
+	const Figure& frames() const { return frames_; } // from frame to frame while awake, the first one from waking on
 	const Figure& cuts() const { return cuts_; }
 	const Figure& draws() const { return draws_; }
 	const Figure& answers() const { return answers_; } // from input to the picture that answers it

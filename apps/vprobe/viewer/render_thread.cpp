@@ -69,6 +69,12 @@ std::optional<Error> RenderThread::takeError()
 	return std::exchange(error_, std::nullopt);
 }
 
+bool RenderThread::isBusy() const
+{
+	const std::lock_guard lock(mutex_);
+	return wish_ || busy_;
+}
+
 bool RenderThread::isIdle() const
 {
 	const std::lock_guard lock(mutex_);

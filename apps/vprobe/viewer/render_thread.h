@@ -126,7 +126,8 @@ public:
 
 	std::shared_ptr<const PresentedFrame> shown() const; // null before the first picture
 	std::optional<Error> takeError();                    // why the last request failed
-	bool isIdle() const;                                 // nothing waits and nothing is under way
+	bool isBusy() const;                                 // a request waits or is under way
+	bool isIdle() const;                                 // the same of jobs and of samples to come: there is none
 	std::vector<Timeline::Section> sections() const;     // of about the last minute, for a trace
 
 private:

@@ -28,6 +28,8 @@ using Clock = std::chrono::steady_clock;
 
 // A software device draws the window on the cores that cut: more frames than the eye needs would cost cuts.
 constexpr double kSoftwareFrameRate = 50.0;
+// While a picture is under way, it brings the next frame. Where it takes long, the interface goes on at this pace.
+constexpr double kSoftwareWaitsFor = 0.035;
 // Nothing moves: the window is drawn now and then for what tells the time.
 constexpr double kIdleSeconds = 0.25;
 constexpr std::chrono::milliseconds kStaysAwake{500};
@@ -87,6 +89,8 @@ private:
 	static void followKeyboard();
 	double secondsToNextFrame() const;
 	bool isAwake() const;
+	double frameSeconds() const;
+	void noteWaking();
 
 	Window& window_;
 	Screen& screen_;
@@ -102,6 +106,7 @@ private:
 	Moment frame_begin_ = Clock::now(); // of the last frame
 	Moment last_frame_ = Clock::now();  // when it had been presented
 	Moment last_event_ = Clock::now();
+	std::optional<Moment> awake_since_; // empty while nothing moves
 	std::shared_ptr<const PresentedFrame> drawn_;
 	FilmScreen film_screen_{device_};
 };
@@ -180,11 +185,27 @@ bool Viewer::isAwake() const
 	return !document_.isIdle() || Clock::now() - last_event_ < kStaysAwake;
 }
 
+// After each look at what moves.
+void Viewer::noteWaking()
+{
+	if (!isAwake())
+		awake_since_.reset();
+	else if (!awake_since_)
+		awake_since_ = Clock::now();
+}
+
+double Viewer::frameSeconds() const
+{
+	if (!isAwake())
+		return kIdleSeconds;
+	return device_.isSoftware() && document_.isDrawing() ? std::max(frame_seconds_, kSoftwareWaitsFor) : frame_seconds_;
+}
+
 double Viewer::secondsToNextFrame() const
 {
 	// From begin to begin: where the device is slow, presenting a frame takes most of the time to the next one.
 	const double since = std::chrono::duration<double>(Clock::now() - frame_begin_).count();
-	return std::max(0.0, (isAwake() ? frame_seconds_ : kIdleSeconds) - since);
+	return std::max(0.0, frameSeconds() - since);
 }
 
 Status Viewer::followScale()
@@ -240,7 +261,6 @@ Status Viewer::showFrame()
 		const ScenePart pane = paneOf(scene_, scale_);
 		pictures.push_back({shown->pane->image, glm::ivec2(pane.lo), glm::ivec2(pane.size)});
 	}
-	const bool was_awake = isAwake();
 	Result<bool> presented = screen_.show(pictures, *ImGui::GetDrawData(), window_.pixels());
 	if (!presented)
 		return presented.error();
@@ -248,7 +268,7 @@ Status Viewer::showFrame()
 	if (!*presented)
 		return Nothing{};
 	++lasting_.frames;
-	lasting_.meter.frame(last_frame_, was_awake);
+	lasting_.meter.frame(last_frame_, awake_since_);
 	lasting_.meter.picture(shown, last_frame_);
 	return Nothing{};
 }
@@ -257,10 +277,12 @@ Status Viewer::run()
 {
 	while (!window_.closes() && !document_.wantsToQuit())
 	{
+		noteWaking();
 		window_.hear(secondsToNextFrame());
 		obey();
 		// What was heard goes to the render thread at once; the window's next frame need not be waited for.
 		document_.update({static_cast<std::uint32_t>(scene_.size.x), static_cast<std::uint32_t>(scene_.size.y)});
+		noteWaking();
 		if (window_.minimized() || window_.pixels().width == 0)
 		{
 			frame_begin_ = last_frame_ = Clock::now();

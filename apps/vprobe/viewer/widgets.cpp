@@ -39,7 +39,7 @@ void beginFixed(const char* name, const ScenePart& room, ImGuiWindowFlags more)
 	ImGui::Begin(name, nullptr,
 	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
 	                 ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav |
-	                 more);
+	                 ImGuiWindowFlags_NoBackground | more); // the screen has its color already (gpu_screen.cpp)
 }
 
 void tip(std::string_view words)

@@ -36,6 +36,8 @@ struct Needs
 
 std::uint64_t polygonBytes(const Scene& scene)
 {
+	constexpr std::uint64_t kCulledBytes = 13; // a triangle's indices and its bit (SurfaceCulling)
+	const bool several = samplePattern(scene.look.samples).size() > 1;
 	std::uint64_t bytes = 0;
 	std::set<const void*> counted; // sheets and surfaces may share polygons
 	for (const SheetDrawing& sheet : scene.sheets)
@@ -44,7 +46,8 @@ std::uint64_t polygonBytes(const Scene& scene)
 	for (const Surface& surface : scene.surfaces)
 		if (surface.polygons && counted.insert(surface.polygons.get()).second)
 			for (const SurfacePolygons::Part& part : surface.polygons->parts)
-				bytes += part.triangles.size() + part.vertices.size() + part.across.size();
+				bytes += part.triangles.size() + part.vertices.size() + part.across.size() +
+				         (several ? kCulledBytes * part.count : 0);
 	return bytes;
 }
 

@@ -137,7 +137,7 @@ Status SurfacePass::writeSets(const Scene& scene, const FragmentLists& lists)
 	return Nothing{};
 }
 
-Status SurfacePass::prepare(const Scene& scene, const FragmentLists& lists)
+Status SurfacePass::prepare(const Scene& scene, const FragmentLists& lists, const EdgeMask* mask)
 {
 	if (scene.surfaces.size() > shared::kMaxSurfaces)
 		return Error{ErrorKind::usage, fmt::format("{} surfaces are more than a picture takes; show up to {}",
@@ -160,6 +160,12 @@ Status SurfacePass::prepare(const Scene& scene, const FragmentLists& lists)
 		if (!sets_)
 			sets_.emplace(*device_, **pipeline, "surface");
 	}
+	std::vector<std::size_t> opaque;
+	for (std::size_t i = 0; i < styles_.size(); ++i)
+		if (styles_[i].is_opaque)
+			opaque.push_back(i);
+	if (Status ready = culling_.prepare(scene, opaque, mask, opaque_); !ready)
+		return ready;
 	return writeSets(scene, lists);
 }
 
@@ -167,8 +173,14 @@ void SurfacePass::recordOpaque(VkCommandBuffer commands, const Scene& scene, con
                                const glm::dvec2& jitter, const EdgeMask* edges) const
 {
 	opaque_.recordBegin(commands, edges);
-	record(commands, scene, part, jitter, true, {});
+	record(commands, scene, part, jitter, true, edges && culling_.isUsed(), {});
 	opaque_.recordEnd(commands);
+}
+
+void SurfacePass::recordNearEdges(VkCommandBuffer commands, const Scene& scene, const PicturePart& part) const
+{
+	if (culling_.isUsed())
+		culling_.record(commands, scene, part);
 }
 
 void SurfacePass::recordLists(VkCommandBuffer commands, const Scene& scene, const PicturePart& part,
@@ -186,13 +198,13 @@ void SurfacePass::recordLists(VkCommandBuffer commands, const Scene& scene, cons
 	shared::SurfacePush push{};
 	push.counter = lists.counter(sample, strip);
 	push.capacity = lists.capacity();
-	record(commands, scene, part, jitter, false, push);
+	record(commands, scene, part, jitter, false, false, push);
 	vkCmdEndRendering(commands);
 }
 
-// Those surfaces that are opaque, or the others.
+// Those surfaces that are opaque, or the others. culled: only what was found near edges.
 void SurfacePass::record(VkCommandBuffer commands, const Scene& scene, const PicturePart& part,
-                         const glm::dvec2& jitter, bool opaque, shared::SurfacePush push) const
+                         const glm::dvec2& jitter, bool opaque, bool culled, shared::SurfacePush push) const
 {
 	push.near_w = static_cast<float>(scene.camera.near * kBehindSheets);
 	push.mesh_half_width = 0.5f * lineWidth(scene.look);
@@ -218,7 +230,10 @@ void SurfacePass::record(VkCommandBuffer commands, const Scene& scene, const Pic
 		{
 			pipeline.bind(commands, part_sets_[first_set + p]);
 			pipeline.push(commands, push);
-			vkCmdDraw(commands, 3 * polygons.parts[p].count, 1, 0, 0);
+			if (culled)
+				culling_.recordDraw(commands, i, p);
+			else
+				vkCmdDraw(commands, 3 * polygons.parts[p].count, 1, 0, 0);
 		}
 	}
 }
