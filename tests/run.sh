@@ -126,7 +126,7 @@ check_format()
 # it compiles for the target. With ccache it makes objects, which nobody links: what has not changed is not compiled again.
 check_with_clang()
 {
-	local preset=$1 compile="$clang -fsyntax-only" end= ccache
+	local preset=$1 compile="$clang -fsyntax-only" end='' ccache
 	if ccache=$(command -v ccache); then
 		compile="$ccache $clang" end=' -O0 -g0 -fno-sanitize=all'
 	fi
