@@ -18,7 +18,7 @@ python_packages=(python3-dev python3-numpy pybind11-dev)
 cluster_packages=(libopenmpi-dev openmpi-bin)
 test_packages=(
 	"${python_packages[@]}" "${cluster_packages[@]}" python3-pytest python3-vtk9 mypy python3-ipywidgets python3-nbclient python3-ipykernel
-	python3-build python3-pip python3-venv python3-setuptools python3-wheel
+	python3-build python3-venv python3-setuptools python3-wheel
 	libgtest-dev libgmock-dev libbenchmark-dev libmuparser-dev vulkan-validationlayers
 	xvfb xdotool openbox
 	python3 dpkg-dev file # documents are checked, packages are made

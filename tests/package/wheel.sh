@@ -5,7 +5,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 build=$1 scratch=$2 python=$3
-for module in build setuptools wheel venv pip; do
+for module in build setuptools wheel venv ensurepip; do
 	"$python" -c "import $module" 2>/dev/null || { echo "no $module for $python, so no wheel"; exit 77; }
 done
 rm -rf "$scratch"
@@ -14,9 +14,8 @@ VPROBE_BUILD=$build "$python" -m build --wheel --no-isolation --outdir "$scratch
 	>"$scratch/build.log" 2>&1 || { cat "$scratch/build.log"; exit 1; }
 wheel=$(basename "$scratch"/*.whl)
 [[ $wheel == vprobe-*-linux_x86_64.whl ]] || { echo "$wheel has another name than it should"; exit 1; }
-# The system's pip does: to bring one of its own into the environment takes longer than all the rest.
-"$python" -m venv --system-site-packages --without-pip "$scratch/venv"
-"$scratch/venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-index --no-deps --no-compile "$scratch/$wheel"
+"$python" -m venv --system-site-packages "$scratch/venv"
+"$scratch/venv/bin/pip" install --quiet --no-index --no-deps "$scratch/$wheel"
 cat >"$scratch/ramp.vti" <<'END'
 <VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
 <ImageData WholeExtent="0 1 0 1 0 1" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 1 0 1 0 1">
