@@ -79,14 +79,28 @@ list_tests()
 		done
 }
 
-# run_tests PRESET [CTEST OPTION...]: counts passed and failed, keeps the names of the skipped.
+# run_ctest PRESET JOBS [CTEST OPTION...]
+run_ctest()
+{
+	local preset=$1 at_once=$2 report=build/$1/tests.xml
+	shift 2
+	rm -rf "$report" "build/$preset/gtest"
+	step "build/log/$preset-tests" "Testing $preset" "${launcher[@]}" ctest --test-dir "build/$preset" -j "$at_once" --output-on-failure --timeout 300 \
+		--no-tests=error --output-junit "$PWD/$report" "${select[@]}" "$@"
+}
+
+# run_tests PRESET [CTEST OPTION...]
 run_tests()
 {
-	local preset=$1 report=build/$1/tests.xml status=0 total fails names name
-	shift
-	rm -rf "$report" "build/$preset/gtest"
-	step "build/log/$preset-tests" "Testing $preset" "${launcher[@]}" ctest --test-dir "build/$preset" -j "$jobs" --output-on-failure --timeout 300 \
-		--no-tests=error --output-junit "$PWD/$report" "${select[@]}" "$@" || status=$?
+	local status=0
+	run_ctest "$1" "$jobs" "${@:2}" || status=$?
+	count_tests "$1" "$status"
+}
+
+# count_tests PRESET STATUS: counts passed and failed, keeps the names of the skipped.
+count_tests()
+{
+	local preset=$1 status=$2 report=build/$1/tests.xml total fails names name
 	if [[ ! -e $report ]]; then
 		failed=$((failed + 1))
 		return
@@ -109,16 +123,24 @@ check_format()
 }
 
 # check_with_clang PRESET [TARGET]: the warnings of the other compiler, for all that the preset's build would compile but what
-# it compiles for the target.
+# it compiles for the target. With ccache it makes objects, which nobody links: what has not changed is not compiled again.
 check_with_clang()
 {
-	local preset=$1
+	local preset=$1 compile="$clang -fsyntax-only" end='' ccache
+	if ccache=$(command -v ccache); then
+		compile="$ccache $clang" end=' -O0 -g0 -fno-sanitize=all'
+	fi
 	{
 		ninja -C "build/$preset" -t commands "${@:2}" | grep -E ' -c [^ ]+$' | sort -u
 		ninja -C "build/$preset" -t commands | grep -E ' -c [^ ]+$' | sort -u
 	} | if (($# > 1)); then sort | uniq -u; else sort -u; fi |
-		sed -E "s#^.*/(c|g|clang)\+\+(-[0-9]+)? #$clang -fsyntax-only -Wall -Wextra -Werror #; s# -o [^ ]+ # #" |
-		(cd "build/$preset" && xargs -d '\n' -P "$jobs" -I COMMAND bash -c 'COMMAND')
+		sed -E "s#^.*/(c|g|clang)\+\+(-[0-9]+)? #$compile -Wall -Wextra -Werror #; s# -MD -MT [^ ]+ -MF [^ ]+ # #
+			s# -o ([^ ]+) -c # -o clang/\1$end -c #" >"build/$preset/clang.txt"
+	(
+		cd "build/$preset"
+		sed -E 's#.* -o ([^ ]+)/[^ ]+ .*#\1#' clang.txt | sort -u | xargs -d '\n' mkdir -p
+		xargs -d '\n' -P "$jobs" -I COMMAND bash -c 'COMMAND' <clang.txt
+	)
 }
 
 # Files that are compiled together could lean on each other's includes.
@@ -144,28 +166,48 @@ test_release()
 	fi
 }
 
+# On one core, so the address sanitizer's tests run beside it. What it says comes when both are done.
+test_threads()
+{
+	# TBB is one of the libraries that the sanitizer does not see into: not that the end of a loop waits for its bodies. On
+	# one core TBB starts no threads of its own, while those of the program and its tests run as ever.
+	local start=$SECONDS status=0 core
+	core=$(taskset -cp "$BASHPID" | sed 's/.*: *\([0-9]*\).*/\1/')
+	launcher=(taskset -c "$core")
+	TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp" run_ctest tsan 1 -L "^$threads\$" 2>build/log/tsan-beside || status=$?
+	echo $((SECONDS - start)) >build/log/tsan-seconds
+	return "$status"
+}
+
 # Where clang has its sanitizers it builds with them, which compiles faster than GCC; so it sees most files anyway.
 test_with_sanitizers()
 {
-	local compiler=() seen=()
+	local compiler=() seen=() status=0
+	beside=
 	if [[ -n $clang ]] && "$clang" -x c++ -fsanitize=address,undefined -o build/sanitized - <<<'int main() {}' 2>/dev/null; then
 		compiler=(-DCMAKE_CXX_COMPILER="$clang") seen=(cpu_tests)
+	fi
+	# Libraries are not built for the thread sanitizer, so only threads of our own can be watched (see vp_test).
+	if build tsan "${threads}_tests" "${compiler[@]}"; then
+		set -m # in a process group of its own, so that it ends with this script
+		test_threads &
+		beside=$!
+		set +m
+		trap 'kill -- "-$beside" 2>/dev/null || true' EXIT
+	else
+		failed=$((failed + 1))
 	fi
 	if build asan cpu_tests "${compiler[@]}"; then
 		run_tests asan -L '^cpu$'
 	else
 		failed=$((failed + 1))
 	fi
-	# Libraries are not built for the thread sanitizer, so only threads of our own can be watched (see vp_test).
-	if build tsan "${threads}_tests" "${compiler[@]}"; then
-		# TBB is one of those libraries: the sanitizer cannot see that the end of a loop waits for its bodies. On one core
-		# TBB starts no threads of its own, while those of the program and its tests run as ever.
-		core=$(taskset -cp $$ | sed 's/.*: *\([0-9]*\).*/\1/')
-		launcher=(taskset -c "$core")
-		TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp" run_tests tsan -L "^$threads\$"
-		launcher=()
-	else
-		failed=$((failed + 1))
+	if [[ -n $beside ]]; then
+		wait "$beside" || status=$?
+		trap - EXIT
+		cat build/log/tsan-beside >&2
+		step_times+=("$(<build/log/tsan-seconds) Testing tsan, beside asan")
+		count_tests tsan "$status"
 	fi
 	if [[ -z $clang ]]; then
 		skipped+=("clang: no clang++-14, no clang++")

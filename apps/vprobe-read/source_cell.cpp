@@ -1,8 +1,8 @@
 #include "source_cell.h"
 
 #include "grid/pyramid_weights.h"
+#include "refine/cell_kind.h"
 #include "refusal.h"
-#include "shape_functions.h"
 
 #include <vtkCell.h>
 #include <vtkCellData.h>
@@ -23,7 +23,7 @@ using vp::Vec3;
 namespace
 {
 
-// VTK's shape functions keep their terms in arrays of this length (vtkHigherOrderInterpolation).
+// For a hexahedron of this degree there is room in refine::CellKind; VTK has no more either.
 constexpr int kMaxDegree = 10;
 
 bool hasDegrees(std::uint8_t type)
@@ -182,10 +182,8 @@ vtkCell* SourceCells::prototype(std::uint8_t type)
 
 CellKind& SourceCells::enter(vtkIdType cell, std::uint8_t type, vtkIdList* points)
 {
-	entered_ = cell;
 	type_ = type;
 	points_ = points;
-	shape_ = nullptr;
 	const vtkIdType fixed = fixedPoints(type);
 	if (fixed > 0 && points->GetNumberOfIds() < fixed)
 		throw damaged(fmt::format("cell {} of type {} lists {} points", cell, type, points->GetNumberOfIds()));
@@ -218,33 +216,29 @@ CellKind& SourceCells::enter(vtkIdType cell, std::uint8_t type, vtkIdList* point
 	return kind;
 }
 
-void SourceCells::makeRational(vtkDataArray* rational)
+std::span<const double> SourceCells::ownWeights(const Vec3& at)
 {
-	double sum = 0.0;
-	for (std::size_t node = 0; node < weights_.size(); ++node)
-		sum += weights_[node] *= rational->GetComponent(points_->GetId(static_cast<vtkIdType>(node)), 0);
-	for (double& weight : weights_)
-		weight /= sum;
+	auto& functions = functions_[kind_];
+	if (!functions)
+		functions = std::make_unique<vp::refine::CellKind>(type_, weights_.size(), kind_->degrees);
+	rational_.clear();
+	if (vtkDataArray* rational = kind_->handles ? grid_->GetPointData()->GetRationalWeights() : nullptr)
+		for (vtkIdType node = 0; node < points_->GetNumberOfIds(); ++node)
+			rational_.push_back(rational->GetComponent(points_->GetId(node), 0));
+	functions->weighNodes(at, rational_, weights_.data());
+	return weights_;
 }
 
 std::span<const double> SourceCells::weights(const Vec3& at)
 {
-	if (kind_->handles)
-	{
-		const int simplex = isTetrahedron(type_) ? 3 : isHexahedron(type_) ? 0 : 2;
-		weighBezier(simplex, kind_->degrees, kind_->at, at, weights_);
-		if (vtkDataArray* rational = grid_->GetPointData()->GetRationalWeights())
-			makeRational(rational);
-		return weights_;
-	}
+	if (hasDegrees(type_))
+		return ownWeights(at);
 	if (type_ == VTK_QUADRATIC_PYRAMID)
 	{
 		vp::grid::weighPyramid(at, weights_);
 		return weights_;
 	}
-	if (!shape_)
-		shape_ = hasDegrees(type_) ? grid_->GetCell(entered_) : prototype(type_);
 	Vec3 place = at;
-	shape_->InterpolateFunctions(&place.x, weights_.data());
+	prototype(type_)->InterpolateFunctions(&place.x, weights_.data());
 	return weights_;
 }

@@ -7,8 +7,14 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <span>
 #include <vector>
+
+namespace vp::refine
+{
+class CellKind;
+}
 
 class vtkCell;
 class vtkDataArray;
@@ -60,15 +66,16 @@ private:
 	};
 
 	vtkCell* prototype(std::uint8_t type);
-	void makeRational(vtkDataArray* rational);
+	std::span<const double> ownWeights(const vp::Vec3& at);
 
 	vtkUnstructuredGrid* grid_;
 	std::map<KindKey, CellKind> kinds_;
 	std::map<std::uint8_t, vtkSmartPointer<vtkCell>> prototypes_;
-	vtkIdType entered_ = -1;
+	// Of Lagrange and Bezier cells, of which VTK's take seconds for cells of degree 8.
+	std::map<const CellKind*, std::unique_ptr<vp::refine::CellKind>> functions_;
 	std::uint8_t type_ = 0;
 	const CellKind* kind_ = nullptr;
 	vtkIdList* points_ = nullptr;
-	vtkCell* shape_ = nullptr; // of the cell entered; null until it is needed
 	std::vector<double> weights_;
+	std::vector<double> rational_;
 };

@@ -1,5 +1,5 @@
-// The shape functions that a tolerance refines by: they are 1 at their own node and 0 at the others, in the numbering
-// of the tests, and agree with VTK's. What bounds a cell holds all of it.
+// The shape functions that a level and a tolerance refine by: they are 1 at their own node and 0 at the others, in the
+// numbering of the tests, and agree with VTK's. What bounds a cell holds all of it.
 #include "numbered_cells.h"
 
 #include "refine/cell_boxes.h"
@@ -132,7 +132,7 @@ TEST(ShapeFunctions, AgreeWithThoseOfVtk)
 			const std::vector<double> ours = weightsOf(kind, at);
 			const std::vector<double> theirs = weightsOfVtk(cell, at);
 			for (std::size_t n = 0; n < ours.size(); ++n)
-				ASSERT_NEAR(ours[n], theirs[n], 1e-11) << cell << " node " << n;
+				ASSERT_NEAR(ours[n], theirs[n], 1e-12) << cell << " node " << n;
 		}
 		++compared;
 	}

@@ -1,5 +1,6 @@
 #include "program.h"
 #include "sample_files.h"
+#include "tries.h"
 
 #include <cstdlib>
 
@@ -106,16 +107,18 @@ TEST_F(Check, RealSets)
 		EXPECT_EQ(outcome.status, outcome.json()["clean"] == true ? 0 : 5) << file;
 		return outcome.json();
 	};
-	EXPECT_EQ(check("structured/bluntfin/bluntfinxyz.bin")["collapsed_cells"], 39);
-	const nlohmann::json sector = check("unstructured/AngularSector/AngularSector.vtk");
-	EXPECT_EQ(sector["coincident_points"], 1014);
-	EXPECT_GT(sector["seam_faces"], 0);
-	EXPECT_EQ(check("unstructured/post_tets/post.vtk")["coincident_points"], 88);
 	EXPECT_EQ(check("topology/manifoldCheck0/manifoldCheck0.vtu")["nonmanifold_points"], 3);
 	EXPECT_GT(check("topology/manifoldCheck1/manifoldCheck1.vtu")["nonmanifold_edges"], 0);
 	const nlohmann::json folded = check("topology/manifoldCheck2/manifoldCheck2.vtu");
 	EXPECT_EQ(folded["nonmanifold_faces"], 1);
 	EXPECT_GT(folded["overlaps"], 0);
+	if (vp::test::tryEvery() > 1)
+		return; // the others are larger
+	EXPECT_EQ(check("structured/bluntfin/bluntfinxyz.bin")["collapsed_cells"], 39);
+	const nlohmann::json sector = check("unstructured/AngularSector/AngularSector.vtk");
+	EXPECT_EQ(sector["coincident_points"], 1014);
+	EXPECT_GT(sector["seam_faces"], 0);
+	EXPECT_EQ(check("unstructured/post_tets/post.vtk")["coincident_points"], 88);
 	EXPECT_EQ(check("structured/SampleStructGrid/SampleStructGrid.vtk")["inverted_cells"], 0); // all left-handed
 	EXPECT_EQ(check("multiblock/multi_bin/multi-bin-C.xyz")["clean"], true);
 	EXPECT_EQ(check("structured/office/office.binary.vtk")["clean"], true);

@@ -1,6 +1,7 @@
 // --surface patch=NAME: what a file names of its boundary.
 
 #include "program.h"
+#include "tries.h"
 
 namespace cli
 {
@@ -86,6 +87,8 @@ TEST_F(PatchOfAFile, OfRealCases)
 	const json lid = shown("/formats/cavity_foam/case.foam", "movingWall");
 	EXPECT_EQ(lid["polygons"], 20);
 	EXPECT_NEAR(lid["area"], 0.001, 1e-9);
+	if (vp::test::tryEvery() > 1)
+		return; // the others are larger
 	EXPECT_EQ(shown("/polyhedral/flange/flange.foam", "flange_patch1")["polygons"], 6463);
 	EXPECT_EQ(shown("/time/mug/mug.e", "bottom")["polygons"], 478);
 	EXPECT_EQ(shown("/unstructured/disk_out_ref/disk_out_ref.ex2", "3")["polygons"], 828);

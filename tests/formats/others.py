@@ -3,8 +3,10 @@
 
 usage: others.py VPROBE [PART-OF-A-NAME]; convert_reference_sets, which takes long, runs by its whole name only
 
+VPROBE_TRY_EVERY asks for every so many of the cases (tests/unit/support/tries.h), VPROBE_LONG for all.
 A case whose program or module is missing is left out; exit code 77 where that is all of them.
 """
+import os
 import pathlib
 import sys
 import tempfile
@@ -21,7 +23,9 @@ import volumes
 
 def main():
     failed = done = 0
-    for case in meshes.CASES + volumes.CASES + boxes.CASES + codes.CASES + odd.CASES + conversion.CASES:
+    every = 1 if 'VPROBE_LONG' in os.environ or len(sys.argv) > 2 else int(os.environ.get('VPROBE_TRY_EVERY', 1))
+    cases = meshes.CASES + volumes.CASES + boxes.CASES + codes.CASES + odd.CASES + conversion.CASES
+    for case in cases[::every]:
         wanted = sys.argv[2] if len(sys.argv) > 2 else ''
         if wanted not in case.__name__ or case is conversion.convert_reference_sets and wanted != case.__name__:
             continue

@@ -1,11 +1,12 @@
 #include "exact_order.h"
+#include "tries.h"
 
 namespace vp::render::test
 {
 
 TEST_F(ExactOrder, OfRandomProbes)
 {
-	compareProbes(1, 8);
+	compareProbes(1, vp::test::tries(8));
 }
 
 TEST_F(ExactOrder, SheetsInOnePlaneKeepTheProbesOrder)

@@ -1,5 +1,6 @@
 #include "pixel_lists.h"
 #include "tiling.h"
+#include "tries.h"
 #include "uniform.h"
 
 #include "classify/gpu_records.h"
@@ -121,9 +122,12 @@ private:
 TEST_F(Raster, EveryPixelBelongsToOnePolygon)
 {
 	std::mt19937 random(71);
+	vp::test::Taken taken;
 	for (const int cells : {36, 100, 300})
 		for (const std::uint32_t side : {64u, 8u, 2u})
 		{
+			if (!taken.next())
+				continue;
 			SCOPED_TRACE(fmt::format("{} cells, side {}", cells, side));
 			const View view = obliqueView(random);
 			const std::vector<bool> whole = expectOneOwner(side, view, Tiling(random, cells, 4.5, true).records());
@@ -153,8 +157,11 @@ TEST_F(Raster, SoDoPolygonsOfAnySize)
 TEST_F(Raster, SoDoSlivers)
 {
 	std::mt19937 random(73);
+	vp::test::Taken taken;
 	for (const glm::ivec2& sides : {glm::ivec2(2, 2000), {2000, 2}, {7, 400}, {1500, 20}})
 	{
+		if (!taken.next())
+			continue;
 		SCOPED_TRACE(fmt::format("{} x {}", sides.x, sides.y));
 		const View view = obliqueView(random);
 		const std::vector<bool> whole = expectOneOwner(16, view, Tiling(random, sides, 9.0, true).records());
@@ -166,9 +173,12 @@ TEST_F(Raster, SoDoSlivers)
 TEST_F(Raster, SoDoThoseAboutTheEye)
 {
 	std::mt19937 random(74);
+	vp::test::Taken taken;
 	for (const int cells : {2, 9, 40})
 		for (int i = 0; i < 2; ++i)
 		{
+			if (!taken.next())
+				continue;
 			SCOPED_TRACE(cells);
 			const View view = grazingView(random);
 			const std::vector<bool> whole = expectOneOwner(16, view, Tiling(random, cells, 30.0, true).records());

@@ -1,12 +1,16 @@
 """What the tests of the Python module share."""
 import json
 import os
+import signal
 import subprocess
 
 import numpy as np
 import pytest
 
 import vprobe
+
+# A shell starts what it runs in the background with Ctrl-C ignored, and children keep that: nothing could be interrupted.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope='session')

@@ -150,6 +150,7 @@ TEST(Crinkle, HoldsTheFacesThatOneShownCellHas)
 
 TEST(Crinkle, EnclosesTheCells)
 {
+	Taken taken;
 	for (const grid::Block& block : allGrids())
 	{
 		if (block.name == "three_on_a_face" || block.name == "two_to_one" || !block.inverted.empty())
@@ -158,6 +159,8 @@ TEST(Crinkle, EnclosesTheCells)
 		cut::Cutter cutter(set);
 		for (const TestPlane& plane : planesThrough(block, 32))
 		{
+			if (!taken.next())
+				continue;
 			const Crinkled made = crinkled(cutter, plane);
 			const double volume = volumeOfCells(block, made.cells[0]);
 			EXPECT_NEAR(volumeWithin(made.mesh), volume, 1e-9 * (1.0 + volume)) << block.name;

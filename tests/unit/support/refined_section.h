@@ -2,6 +2,7 @@
 
 #include "cut/cutter.h"
 #include "measure/stats.h"
+#include "tries.h"
 
 #include <gtest/gtest.h>
 
@@ -77,9 +78,12 @@ void expectAreasOfABall(BallOf&& ballOf, double gain)
 		const grid::BlockSet set = ballOf(tolerance);
 		cut::Cutter cutter(set);
 		double worst = 0.0;
+		Taken taken;
 		for (const Vec3& normal : {Vec3(0.3, 0.5, 0.8), Vec3(1, 0.02, 0.03), Vec3(-0.4, 1, 0.7), Vec3(0, 0, 1)})
 			for (const double distance : {0.0, 0.31, 0.62})
 			{
+				if (!taken.next())
+					continue;
 				const Section cut = section(cutter, distance * glm::normalize(normal), normal);
 				const double exact = std::numbers::pi * (1.0 - distance * distance);
 				worst = std::max(worst, std::abs(cut.figures.area / exact - 1.0));

@@ -1,20 +1,28 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace vp::test
 {
 
 /// Of many cases alike a test takes every one, but every seventh in a build with sanitizers: there each takes some ten
-/// times as long, and the first few already enter the code that is watched. With VPROBE_LONG set: every one.
+/// times as long, and the first few already enter the code that is watched. VPROBE_TRY_EVERY asks for every so many,
+/// where the same test runs again on a second device. With VPROBE_LONG set: every one.
 inline int tryEvery()
 {
+	static const int every = []
+	{
+		if (std::getenv("VPROBE_LONG"))
+			return 1;
 #ifdef VPROBE_SANITIZED
-	static const bool all = std::getenv("VPROBE_LONG") != nullptr;
-	return all ? 1 : 7;
+		return 7;
 #else
-	return 1;
+		const char* asked = std::getenv("VPROBE_TRY_EVERY");
+		return asked ? std::max(1, std::atoi(asked)) : 1;
 #endif
+	}();
+	return every;
 }
 
 /// How many of `full` cases that makes; at least 1.

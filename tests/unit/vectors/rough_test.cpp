@@ -1,4 +1,5 @@
 #include "launched.h"
+#include "tries.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,7 @@ TEST(Trace, RoughVectorsOnEveryTestGrid)
 			addRoughVectors(block, association, random);
 			grid::matchInterfaces(blocks);
 			std::vector<vectors::Launch> launches;
-			for (CellId c = 0; c < cellCount(block); c += 3)
+			for (CellId c = 0; c < cellCount(block); c += 3 * tryEvery())
 				launches.push_back(
 				    {std::visit([&](const auto& grid) { return cellCenter(grid, c); }, block.grid), 0, c, c});
 			vectors::TraceOptions options;
