@@ -3,6 +3,7 @@
 #include "program.h"
 
 #include <algorithm>
+#include <ostream>
 
 namespace cli
 {
@@ -15,6 +16,8 @@ struct Task
 	std::string name;
 	Arguments arguments;
 	std::string output; // of a run without faults
+
+	friend void PrintTo(const Task& task, std::ostream* to) { *to << task.name; }
 };
 
 const Task kPicture{"picture", {"render", "demo:blob:8", "--size", "320x240", "-o"}, "picture.png"};
