@@ -2,9 +2,12 @@
 
 #include "array_wish.h"
 #include "array_writer.h"
+#include "part_filter.h"
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,9 +20,17 @@ struct QuickBlock
 	std::vector<double> times; // that the file names: none or one
 };
 
+// A lattice of a .vti, .vtr or .vts file whose layers the quick way can read alone.
+struct QuickLattice
+{
+	const char* kind; // as in the manifest
+	std::array<std::uint64_t, 3> points;
+};
+std::optional<QuickLattice> quickLattice(const std::string& file);
+
 // Reads a .vti, .vtr, .vts or .vtu file without VTK: on all cores, each array straight to where it is handed over.
 // Takes files as VTK, ParaView and meshio write them: little endian, appended or inline data as they are, in base64 or
 // compressed, linear cells, nothing hidden. All else it leaves to VTK, also what is damaged: nothing, and nothing
-// written.
+// written. layers: those of a lattice that are wanted; none: all.
 std::optional<QuickBlock> readQuickly(const std::string& file, const ArrayWish& wish, int threads, ArrayWriter& arrays,
-                                      ArrayWriter& cells);
+                                      ArrayWriter& cells, const std::optional<CellLayers>& layers = {});
