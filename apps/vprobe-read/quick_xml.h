@@ -6,8 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,14 +17,6 @@ struct QuickBlock
 	std::size_t flat = 0;      // cells of dimension below three
 	std::vector<double> times; // that the file names: none or one
 };
-
-// A lattice of a .vti, .vtr or .vts file whose layers the quick way can read alone.
-struct QuickLattice
-{
-	const char* kind; // as in the manifest
-	std::array<std::uint64_t, 3> points;
-};
-std::optional<QuickLattice> quickLattice(const std::string& file);
 
 // Reads a .vti, .vtr, .vts or .vtu file without VTK: on all cores, each array straight to where it is handed over.
 // Takes files as VTK, ParaView and meshio write them: little endian, appended or inline data as they are, in base64 or

@@ -2,7 +2,7 @@
 #include "formats.h"
 #include "is_one_of.h"
 #include "manifest_writer.h"
-#include "quick_xml.h"
+#include "quick_lattice.h"
 #include "refusal.h"
 #include "text_end.h"
 #include "time_choice.h"
