@@ -1,5 +1,6 @@
 // Reads one file with VTK and hands its arrays over in shared memory; see read/protocol.h. A reader that crashes, hangs
 // or swallows memory over a damaged file takes only this process with it.
+#include "bytes_read.h"
 #include "complaints.h"
 #include "convert.h"
 #include "formats.h"
@@ -107,6 +108,7 @@ int main(int argc, char** argv)
 		return 1;
 	}
 	std::signal(SIGXFSZ, SIG_IGN); // a full arrays file shows as an error of the write
+	startCounting();
 	try
 	{
 		installComplaints();

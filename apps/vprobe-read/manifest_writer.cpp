@@ -1,5 +1,6 @@
 #include "manifest_writer.h"
 
+#include "bytes_read.h"
 #include "complaints.h"
 #include "curved_cells.h"
 #include "is_one_of.h"
@@ -179,12 +180,14 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* given)
 void ManifestWriter::addImageOf(vtkImageData* piece, const std::array<int, 3>& first)
 {
 	json block;
-	const json left_out = std::exchange(left_out_, json::array());
+	json left_out = std::exchange(left_out_, json::array());
+	const vtkSmartPointer<vtkDataSet> wanted =
+	    wish_.all ? vtkSmartPointer<vtkDataSet>(piece) : withWishedArrays(piece, left_out);
 	if (piece->GetNumberOfCells() == 0 || !describeLattice(piece, block))
 		return;
 	if (block["kind"] == "image")
 		block = describeImageOf(writer_, piece, first);
-	block["arrays"] = describeArrays(piece, piece);
+	block["arrays"] = describeArrays(wanted, wanted);
 	for (const json& array : left_out)
 		block["arrays"].push_back(array);
 	addBlock("", std::move(block));
@@ -211,9 +214,9 @@ void ManifestWriter::addBlock(const std::string& name, json block)
 	blocks_.push_back(std::move(block));
 }
 
-bool ManifestWriter::addQuickly(const std::string& file, int threads)
+bool ManifestWriter::addQuickly(const std::string& file, int threads, const std::optional<CellLayers>& layers)
 {
-	std::optional<QuickBlock> quick = readQuickly(file, wish_, threads, writer_, cell_writer_);
+	std::optional<QuickBlock> quick = readQuickly(file, wish_, threads, writer_, cell_writer_, layers);
 	if (!quick)
 		return false;
 	counts_.flat += quick->flat;
@@ -364,6 +367,7 @@ std::string ManifestWriter::finish()
 			throw Refusal("nothing to slice: it holds no three-dimensional cells");
 		manifest["parts"] = parts_.parts();
 		manifest["wholes"] = parts_.blocks();
+		manifest["bytes_read"] = bytesRead();
 	}
 	if (!length_units_.empty())
 		manifest["length_units"] = length_units_;

@@ -11,6 +11,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,12 @@ public:
 
 	// Reads a file without VTK and adds its block. False, and nothing added, where it is left to VTK. Offers the
 	// file's times too.
-	bool addQuickly(const std::string& file, int threads);
+	// layers: those of a lattice that are wanted; none: all.
+	bool addQuickly(const std::string& file, int threads, const std::optional<CellLayers>& layers = {});
+	// The same for an object that is all of its file, which may come apart into slabs.
+	void addLone(vtkDataObject* object);
+	// Layers of an image, a rectilinear or a curvilinear grid; its part has been begun.
+	void addLayers(vtkDataObject* object, const CellLayers& layers);
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);
 	// A piece of an image whose subscripts begin with `first`, as a rectilinear block: its points have the places that
@@ -60,6 +66,7 @@ public:
 
 private:
 	void addDataSet(const std::string& name, vtkDataSet* data);
+	bool addSlab(vtkDataSet* data);
 	bool describeLattice(vtkDataSet* data, nlohmann::json& block);
 	nlohmann::json describeArrays(vtkDataSet* points, vtkDataSet* cells);
 	vtkSmartPointer<vtkDataSet> withWishedArrays(vtkDataSet* given, nlohmann::json& left_out) const;

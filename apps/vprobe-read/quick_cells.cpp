@@ -271,16 +271,19 @@ QuickCells readQuickCells(const QuickFile& file, const std::vector<QuickPiece>& 
 	return CellReader(file, pieces, writer, tasks).read();
 }
 
-void copyArray(const QuickFile& file, const XmlElement& array, std::uint64_t bytes, ArrayWriter& writer, std::size_t at,
-               Tasks& tasks)
+void copyArray(const QuickFile& file, const XmlElement& array, std::uint64_t first, std::uint64_t bytes,
+               ArrayWriter& writer, std::size_t at, Tasks& tasks)
 {
-	const auto packed = file.open(array, bytes);
+	const std::uint64_t behind = first + bytes;
+	const auto packed = file.open(array, behind);
 	const std::size_t part_bytes = packed->partBytes();
-	tasks.add((bytes + part_bytes - 1) / part_bytes,
+	const std::size_t first_part = first / part_bytes;
+	tasks.add((behind + part_bytes - 1) / part_bytes - first_part,
 	          [=, &writer](std::size_t part, Scratch& scratch)
 	          {
-		          const std::uint64_t begin = std::uint64_t(part) * part_bytes;
-		          const auto given = packed->part(part, bytes - begin, scratch);
-		          writer.put(at + begin, given.data(), given.size());
+		          const std::uint64_t begin = std::uint64_t(first_part + part) * part_bytes;
+		          const std::uint64_t skipped = begin < first ? first - begin : 0;
+		          const auto given = packed->part(first_part + part, behind - begin, scratch).subspan(skipped);
+		          writer.put(at + (begin + skipped - first), given.data(), given.size());
 	          });
 }

@@ -4,6 +4,7 @@
 #include "is_one_of.h"
 #include "quick_cells.h"
 #include "quick_file.h"
+#include "quick_lattice.h"
 #include "tasks.h"
 
 #include <algorithm>
@@ -20,8 +21,9 @@ namespace
 class QuickReader
 {
 public:
-	QuickReader(const std::string& path, const ArrayWish& wish, int threads, ArrayWriter& arrays, ArrayWriter& cells)
-	    : file_(path), wish_(wish), tasks_(threads), arrays_(arrays), cells_(cells)
+	QuickReader(const std::string& path, const ArrayWish& wish, int threads, ArrayWriter& arrays, ArrayWriter& cells,
+	            const std::optional<CellLayers>& layers)
+	    : file_(path), wish_(wish), tasks_(threads), arrays_(arrays), cells_(cells), layers_(layers)
 	{
 	}
 
@@ -118,22 +120,15 @@ private:
 		allowAttributes(piece, {"Extent"});
 		allowChildren(piece, {"PointData", "CellData", "Points", "Coordinates"});
 		const auto extent = numbersIn<std::int32_t, 6>(data.attribute("WholeExtent"));
-		if (numbersIn<std::int32_t, 6>(piece.attribute("Extent")) != extent)
+		std::array<std::uint64_t, 3> points = latticePoints(data, piece);
+		const CellLayers layers = layers_.value_or(CellLayers{0, points[2] - 1});
+		if (layers.end >= points[2])
 			throw NotQuick();
-		std::array<std::uint64_t, 3> points;
-		QuickPiece whole{&piece, 1, 1};
-		for (std::size_t axis = 0; axis < 3; ++axis)
-		{
-			const std::int64_t count = std::int64_t(extent[2 * axis + 1]) - extent[2 * axis] + 1;
-			if (count < 2 || count >= vp::kMaxBlockIds)
-				throw NotQuick();
-			points[axis] = static_cast<std::uint64_t>(count);
-			whole.points *= points[axis];
-			whole.cells *= points[axis] - 1;
-			if (whole.points >= vp::kMaxBlockIds)
-				throw NotQuick();
-		}
-		pieces_ = {whole};
+		first_plane_ = layers.begin;
+		points[2] = layers.count() + 1;
+		const std::uint64_t plane = points[0] * points[1];
+		const std::uint64_t layer = (points[0] - 1) * (points[1] - 1);
+		pieces_ = {{&piece, plane * points[2], layer * layers.count(), plane * layers.begin, layer * layers.begin}};
 		if (file_.type() == "ImageData")
 			describeImage(data, extent, points);
 		else if (file_.type() == "RectilinearGrid")
@@ -159,6 +154,24 @@ private:
 			origin[axis] += extent[2 * axis] * spacing[axis];
 		}
 		block_.block = {{"kind", "image"}, {"points", points}, {"origin", origin}, {"spacing", spacing}};
+		if (layers_)
+			describeSlab(origin, spacing, points);
+	}
+
+	// As a rectilinear grid, so that its points have the places that they have in the whole image.
+	void describeSlab(const std::array<double, 3>& origin, const std::array<double, 3>& spacing,
+	                  const std::array<std::uint64_t, 3>& points)
+	{
+		json axes = json::array();
+		for (std::size_t axis = 0; axis < 3; ++axis)
+		{
+			std::vector<double> places;
+			for (std::uint64_t i = 0; i < points[axis]; ++i)
+				places.push_back(origin[axis] +
+				                 static_cast<std::uint32_t>(i + (axis == 2 ? first_plane_ : 0)) * spacing[axis]);
+			axes.push_back(arrays_.write(NumberType::float64, places.data(), places.size() * sizeof(double)));
+		}
+		block_.block = {{"kind", "rectilinear"}, {"axes", std::move(axes)}};
 	}
 
 	// Axes are short, so they are read here and now.
@@ -174,10 +187,11 @@ private:
 			const ArrayKind kind(array);
 			if (kind.components != 1)
 				throw NotQuick();
+			const std::uint64_t first = axis == 2 ? first_plane_ : 0;
 			if (kind.type == NumberType::float32)
-				axes.push_back(copyAxis<float>(array, points[axis]));
+				axes.push_back(copyAxis<float>(array, first, points[axis]));
 			else if (kind.type == NumberType::float64)
-				axes.push_back(copyAxis<double>(array, points[axis]));
+				axes.push_back(copyAxis<double>(array, first, points[axis]));
 			else
 				throw NotQuick();
 		}
@@ -185,9 +199,9 @@ private:
 	}
 
 	template <class T>
-	json copyAxis(const XmlElement& array, std::uint64_t count)
+	json copyAxis(const XmlElement& array, std::uint64_t first, std::uint64_t count)
 	{
-		const std::uint64_t bytes = count * sizeof(T);
+		const std::uint64_t bytes = (first + count) * sizeof(T);
 		const auto packed = file_.open(array, bytes);
 		if (packed->partBytes() % sizeof(T) != 0)
 			throw NotQuick();
@@ -197,7 +211,9 @@ private:
 		{
 			const auto part = packed->part(begin / packed->partBytes(), bytes - begin, scratch);
 			const std::span<const T> given(reinterpret_cast<const T*>(part.data()), part.size() / sizeof(T));
-			const std::vector<double> numbers(given.begin(), given.end());
+			const std::uint64_t left_out = first - std::min(first, begin / sizeof(T));
+			const auto wanted = given.subspan(std::min<std::uint64_t>(left_out, given.size()));
+			const std::vector<double> numbers(wanted.begin(), wanted.end());
 			arrays_.append(numbers.data(), numbers.size() * sizeof(double));
 		}
 		return arrays_.end(NumberType::float64);
@@ -232,7 +248,8 @@ private:
 			if (ArrayKind(*arrays[p]) != kind)
 				throw NotQuick();
 			const std::uint64_t bytes = pieces_[p].*tuples * kind.tupleBytes();
-			copyArray(file_, *arrays[p], bytes, writer, at + first, tasks_);
+			const auto before = tuples == &QuickPiece::points ? pieces_[p].first_point : pieces_[p].first_cell;
+			copyArray(file_, *arrays[p], before * kind.tupleBytes(), bytes, writer, at + first, tasks_);
 			first += bytes;
 		}
 		return ArrayWriter::describe(kind.type, at, total);
@@ -310,6 +327,8 @@ private:
 	Tasks tasks_;
 	ArrayWriter& arrays_;
 	ArrayWriter& cells_;
+	std::optional<CellLayers> layers_;
+	std::uint64_t first_plane_ = 0;
 	std::vector<QuickPiece> pieces_;
 	QuickBlock block_;
 	json described_ = json::array();
@@ -320,13 +339,13 @@ private:
 } // namespace
 
 std::optional<QuickBlock> readQuickly(const std::string& file, const ArrayWish& wish, int threads, ArrayWriter& arrays,
-                                      ArrayWriter& cells)
+                                      ArrayWriter& cells, const std::optional<CellLayers>& layers)
 {
 	const std::size_t arrays_mark = arrays.mark();
 	const std::size_t cells_mark = cells.mark();
 	try
 	{
-		return QuickReader(file, wish, threads, arrays, cells).read();
+		return QuickReader(file, wish, threads, arrays, cells, layers).read();
 	}
 	catch (const NotQuick&)
 	{

@@ -2,6 +2,7 @@
 
 #include "array_wish.h"
 #include "array_writer.h"
+#include "part_filter.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,6 +21,6 @@ struct QuickBlock
 // Reads a .vti, .vtr, .vts or .vtu file without VTK: on all cores, each array straight to where it is handed over.
 // Takes files as VTK, ParaView and meshio write them: little endian, appended or inline data as they are, in base64 or
 // compressed, linear cells, nothing hidden. All else it leaves to VTK, also what is damaged: nothing, and nothing
-// written.
+// written. layers: those of a lattice that are wanted; none: all.
 std::optional<QuickBlock> readQuickly(const std::string& file, const ArrayWish& wish, int threads, ArrayWriter& arrays,
-                                      ArrayWriter& cells);
+                                      ArrayWriter& cells, const std::optional<CellLayers>& layers = {});

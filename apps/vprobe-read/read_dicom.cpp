@@ -261,6 +261,6 @@ void readDicom(const Request& request, ManifestWriter& manifest)
 	image->SetSpacing(all.spacing.data());
 	image->SetDirectionMatrix(direction.data());
 	manifest.setLengthUnits("mm");
-	manifest.add(image);
+	manifest.addLone(image);
 	manifest.offerTimes(std::move(times));
 }

@@ -82,7 +82,7 @@ void readElements(const Request& request, vtkXMLDataElement* parent, const std::
 				continue; // an empty leaf
 			manifest.setPrefix(full);
 			const Request piece = pieceOf(request, file);
-			if (!manifest.parts().begin(cellsOfXml(piece.file)))
+			if (!manifest.parts().begin(manifest.parts().lists() ? cellsOfXml(piece.file) : 0))
 				continue;
 			const InsidePart inside(manifest.parts());
 			addXml(piece, xmlTypeOfFile(piece.file), manifest);

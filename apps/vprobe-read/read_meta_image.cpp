@@ -30,5 +30,5 @@ void readMetaImage(const Request& request, ManifestWriter& manifest)
 		if (points[axis] < 0 || header.size[axis] != static_cast<std::uint64_t>(points[axis]))
 			throw damaged("its header cannot be followed");
 	image->SetDirectionMatrix(header.direction.data()); // which VTK's reader leaves out
-	manifest.add(image);
+	manifest.addLone(image);
 }

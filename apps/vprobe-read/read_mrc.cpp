@@ -142,5 +142,5 @@ void readMrc(const Request& request, ManifestWriter& manifest)
 	image->SetOrigin(origin.data());
 	image->SetDirectionMatrix(direction.data());
 	manifest.setLengthUnits("Å");
-	manifest.add(image);
+	manifest.addLone(image);
 }

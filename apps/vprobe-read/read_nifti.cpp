@@ -90,6 +90,6 @@ void readNifti(const Request& request, ManifestWriter& manifest)
 		image->SetOrigin(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
 	}
 	manifest.setLengthUnits(lengthUnitsOfCode(reader->GetNIFTIHeader()->GetXYZTUnits()));
-	manifest.add(image);
+	manifest.addLone(image);
 	manifest.offerTimes(std::move(times));
 }

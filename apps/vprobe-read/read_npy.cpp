@@ -44,7 +44,7 @@ void readNpy(const Request& request, ManifestWriter& manifest)
 	if (!array)
 		throw Refusal("nothing to slice: an array without three axes");
 	const std::string name = std::filesystem::path(request.file).stem().string();
-	manifest.add(imageOf(arrayOf(array->values, array->layout, name), array->layout.points));
+	manifest.addLone(imageOf(arrayOf(array->values, array->layout, name), array->layout.points));
 }
 
 // Volumes of one shape are arrays of one block.
@@ -75,5 +75,5 @@ void readNpz(const Request& request, ManifestWriter& manifest)
 	}
 	if (!image)
 		throw Refusal("nothing to slice: no array with three axes");
-	manifest.add(image);
+	manifest.addLone(image);
 }

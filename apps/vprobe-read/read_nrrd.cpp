@@ -173,5 +173,5 @@ void readNrrd(const Request& request, ManifestWriter& manifest)
 	values->SetName(nrrd->content && *nrrd->content ? nrrd->content : "NRRD");
 	image->GetPointData()->SetScalars(values);
 	manifest.setLengthUnits(lengthUnitsOfAxes(*nrrd, axes));
-	manifest.add(image);
+	manifest.addLone(image);
 }

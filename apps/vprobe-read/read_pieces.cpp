@@ -88,10 +88,13 @@ std::optional<std::size_t> sumOf(std::string_view text, std::string_view attribu
 	return sum;
 }
 
-// Of the kinds whose parts may be told from the whole's subscripts.
-bool isLattice(const std::string& type)
+// The kind of lattice whose parts may be told from the whole's subscripts, or null.
+const char* latticeKind(const std::string& type)
 {
-	return type == "PImageData" || type == "PRectilinearGrid";
+	return type == "PImageData"         ? "image"
+	       : type == "PRectilinearGrid" ? "rectilinear"
+	       : type == "PStructuredGrid"  ? "curvilinear"
+	                                    : nullptr;
 }
 
 struct Piece
@@ -165,7 +168,8 @@ std::size_t cellsOfXml(const std::string& file)
 
 bool readPieces(const Request& request, const std::string& type, ManifestWriter& manifest)
 {
-	if (!manifest.parts().filters() || manifest.parts().isInside() || (type != "PUnstructuredGrid" && !isLattice(type)))
+	const char* kind = latticeKind(type);
+	if (!manifest.parts().filters() || manifest.parts().isInside() || (type != "PUnstructuredGrid" && !kind))
 		return false;
 	if (manifest.parts().lists()) // of chosen ones each is looked at as it is read
 		refuseShortXml(request.file);
@@ -176,20 +180,23 @@ bool readPieces(const Request& request, const std::string& type, ManifestWriter&
 		throw damaged(fmt::format("it has no {} element", type));
 	const std::vector<Piece> pieces = piecesOf(request, whole);
 	const std::optional<Extent> extent = extentOf(whole->GetAttribute("WholeExtent"));
-	if (isLattice(type))
+	if (kind)
 	{
 		const bool is_known = extent && std::ranges::all_of(pieces, [](const Piece& piece) { return !!piece.extent; });
 		if (!is_known || !areApart(pieces))
 			return false;
-		manifest.parts().beginBlock(
-		    {{"kind", type == "PImageData" ? "image" : "rectilinear"}, {"points", pointsOf(*extent)}});
+		manifest.parts().beginBlock({{"kind", kind}, {"points", pointsOf(*extent)}});
 	}
 	else
 		manifest.parts().beginBlock({{"kind", "unstructured"}, {"points", 0u}});
 	for (std::size_t i = 0; i < pieces.size(); ++i)
 	{
 		const Piece& piece = pieces[i];
-		if (!manifest.parts().begin(piece.extent ? cellsOf(*piece.extent) : cellsOfXml(piece.file)))
+		// Of chosen parts nobody asks how large the others are.
+		const std::size_t cells = piece.extent               ? cellsOf(*piece.extent)
+		                          : manifest.parts().lists() ? cellsOfXml(piece.file)
+		                                                     : 0;
+		if (!manifest.parts().begin(cells))
 			continue;
 		const InsidePart inside(manifest.parts());
 		Request of_piece = request;

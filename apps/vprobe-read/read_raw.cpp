@@ -1,4 +1,5 @@
 // A file of nothing but values, whose layout the user gives.
+#include "bytes_read.h"
 #include "formats.h"
 #include "manifest_writer.h"
 #include "mapped_text.h"
@@ -10,6 +11,43 @@
 #include <vtkImageData.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace
+{
+
+// Where parts are asked for, the values of others are not touched.
+void addVolume(std::string_view values, ValueLayout layout, const vp::Vec3& spacing, ManifestWriter& manifest)
+{
+	const bool splits = manifest.parts().splits() && std::ranges::all_of(layout.points, [](auto n) { return n > 1; });
+	const std::uint64_t plane = std::uint64_t(layout.points[0]) * layout.points[1];
+	CellLayers layers{0, std::max(layout.points[2], 1u) - 1};
+	if (splits)
+	{
+		const std::optional<CellLayers> wanted =
+		    manifest.parts().beginLattice({{"kind", "image"}, {"points", plane * layout.points[2]}}, layers.end,
+		                                  std::size_t(layout.points[0] - 1) * (layout.points[1] - 1));
+		if (!wanted)
+			return;
+		layers = *wanted;
+		layout.points[2] = static_cast<std::uint32_t>(layers.count() + 1);
+		values = values.substr(plane * layers.begin * byteSize(layout.type), layout.byteCount());
+	}
+	countMapped(values.size());
+	const auto image = imageOf(arrayOf(values, layout, "values"), layout.points);
+	image->SetSpacing(spacing.x, spacing.y, spacing.z);
+	if (!splits)
+		return manifest.add(image);
+	const InsidePart inside(manifest.parts());
+	const auto first = static_cast<int>(layers.begin);
+	image->SetExtent(0, static_cast<int>(layout.points[0]) - 1, 0, static_cast<int>(layout.points[1]) - 1, first,
+	                 first + static_cast<int>(layers.count()));
+	manifest.addImageOf(image, {0, 0, 0});
+}
+
+} // namespace
 
 void readRaw(const Request& request, ManifestWriter& manifest)
 {
@@ -23,8 +61,5 @@ void readRaw(const Request& request, ManifestWriter& manifest)
 		throw damaged(fmt::format("{} bytes where {} values of {} take {}", file.text().size(),
 		                          vp::read::rawSizeText(given->size), vp::read::rawTypeText(given->type), bytes));
 	// Headers stand before the values.
-	const auto values = arrayOf(file.text().substr(file.text().size() - bytes), layout, "values");
-	const auto image = imageOf(values, layout.points);
-	image->SetSpacing(given->spacing.x, given->spacing.y, given->spacing.z);
-	manifest.add(image);
+	addVolume(file.text().substr(file.text().size() - bytes), layout, given->spacing, manifest);
 }

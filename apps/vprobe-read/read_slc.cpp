@@ -115,5 +115,5 @@ void readSlc(const Request& request, ManifestWriter& manifest)
 	image->SetSpacing(spacing.data());
 	if (units >= 0 && units < static_cast<std::int64_t>(kSlcUnits.size()))
 		manifest.setLengthUnits(kSlcUnits[static_cast<std::size_t>(units)]);
-	manifest.add(image);
+	manifest.addLone(image);
 }

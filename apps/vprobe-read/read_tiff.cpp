@@ -205,6 +205,6 @@ void readTiff(const Request& request, ManifestWriter& manifest)
 	}
 	image->SetSpacing(layout.spacing.data());
 	manifest.setLengthUnits(layout.length_units);
-	manifest.add(image);
+	manifest.addLone(image);
 	manifest.offerTimes(std::move(times));
 }

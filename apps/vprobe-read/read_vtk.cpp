@@ -2,6 +2,7 @@
 #include "formats.h"
 #include "is_one_of.h"
 #include "manifest_writer.h"
+#include "quick_lattice.h"
 #include "refusal.h"
 #include "text_end.h"
 #include "time_choice.h"
@@ -66,6 +67,20 @@ vtkSmartPointer<vtkDataObject> loadTrees(const Request& request, ManifestWriter&
 	return leaves->GetOutputDataObject(0);
 }
 
+// The layers of a lattice that are asked for. The rest of the file is not read.
+void addSlabs(const Request& request, const std::string& type, const QuickLattice& lattice, ManifestWriter& manifest)
+{
+	const auto& points = lattice.points;
+	const std::optional<CellLayers> layers =
+	    manifest.parts().beginLattice({{"kind", lattice.kind}, {"points", points[0] * points[1] * points[2]}},
+	                                  points[2] - 1, (points[0] - 1) * (points[1] - 1));
+	if (!layers)
+		return;
+	const InsidePart inside(manifest.parts());
+	if (!manifest.addQuickly(request.file, request.threads, layers))
+		manifest.addLayers(loadXml(request, type, manifest), *layers);
+}
+
 } // namespace
 
 vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string& type, ManifestWriter& manifest)
@@ -105,14 +120,17 @@ void addXml(const Request& request, const std::string& type, ManifestWriter& man
 	if (is_quick && request.convert_to.empty())
 	{
 		refuseShortXml(request.file);
-		if (!manifest.parts().begin(cellsOfXml(request.file)))
+		const auto lattice = manifest.parts().splits() ? quickLattice(request.file) : std::nullopt;
+		if (lattice)
+			return addSlabs(request, type, *lattice, manifest);
+		if (!manifest.parts().begin(manifest.parts().lists() ? cellsOfXml(request.file) : 0))
 			return;
 		const InsidePart inside(manifest.parts());
 		if (manifest.addQuickly(request.file, request.threads))
 			return;
 		return manifest.add(loadXml(request, type, manifest));
 	}
-	manifest.add(loadXml(request, type, manifest));
+	manifest.addLone(loadXml(request, type, manifest));
 }
 
 void readXml(const Request& request, const std::string& type, ManifestWriter& manifest)
@@ -146,5 +164,5 @@ void readLegacy(const Request& request, ManifestWriter& manifest)
 		throw damaged("no data set was found");
 	if (reader->GetFileType() == VTK_ASCII && endsInsideALine(request.file))
 		manifest.warn(kCutTextWarning);
-	manifest.add(reader->GetOutputDataObject(0));
+	manifest.addLone(reader->GetOutputDataObject(0));
 }

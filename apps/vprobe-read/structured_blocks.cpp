@@ -39,19 +39,6 @@ json writeAsDouble(ArrayWriter& writer, vtkDataArray* array)
 	return writer.end(NumberType::float64);
 }
 
-// A direction matrix of ±1 on its diagonal turns no axis away from x, y and z: its signs go into the spacing.
-bool isAxisAligned(vtkMatrix3x3* direction)
-{
-	for (int row = 0; row < 3; ++row)
-		for (int column = 0; column < 3; ++column)
-		{
-			const double wanted = row == column ? std::copysign(1.0, direction->GetElement(row, row)) : 0.0;
-			if (!(std::abs(direction->GetElement(row, column) - wanted) < 1e-9))
-				return false;
-		}
-	return true;
-}
-
 json writeTurnedImage(ArrayWriter& writer, vtkImageData* image)
 {
 	const int* extent = image->GetExtent();
@@ -73,6 +60,19 @@ json writeTurnedImage(ArrayWriter& writer, vtkImageData* image)
 }
 
 } // namespace
+
+// A direction matrix of ±1 on its diagonal turns no axis away from x, y and z: its signs go into the spacing.
+bool isAxisAligned(vtkMatrix3x3* direction)
+{
+	for (int row = 0; row < 3; ++row)
+		for (int column = 0; column < 3; ++column)
+		{
+			const double wanted = row == column ? std::copysign(1.0, direction->GetElement(row, row)) : 0.0;
+			if (!(std::abs(direction->GetElement(row, column) - wanted) < 1e-9))
+				return false;
+		}
+	return true;
+}
 
 json describeImage(ArrayWriter& writer, vtkImageData* image)
 {

@@ -8,9 +8,13 @@
 
 class vtkDataArray;
 class vtkImageData;
+class vtkMatrix3x3;
 class vtkRectilinearGrid;
 class vtkStructuredGrid;
 class vtkPoints;
+
+// Whether an image is turned away from x, y and z by no more than its axes' signs.
+bool isAxisAligned(vtkMatrix3x3* direction);
 
 // The part of a block's description that places its points.
 nlohmann::json describeImage(ArrayWriter& writer, vtkImageData* image);

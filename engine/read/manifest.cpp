@@ -98,6 +98,7 @@ private:
 	{
 		if (!manifest.contains("parts"))
 			return;
+		input.bytes_read = countOf(manifest.at("bytes_read"));
 		for (const json& whole : manifest.at("wholes"))
 			input.wholes.push_back(whole.is_null()
 			                           ? WholeLattice{}

@@ -66,6 +66,7 @@ struct CheckedInput
 	std::size_t left_out = 0;
 	std::vector<InputPart> parts{}; // if they were asked for
 	std::vector<WholeLattice> wholes{};
+	std::uint64_t bytes_read = 0; // from files, likewise
 };
 
 // Checks that an array has as many numbers as its block has points or cells. Throws Unusable.

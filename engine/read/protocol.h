@@ -13,14 +13,16 @@ namespace vp::read
 // displacements, 0 for none. PATCHES: 1 to read named parts of the boundary, else 0. THREADS: the maximum number of
 // threads. ARRAYS: the wanted arrays, one a line: "*" for all, "^" for the default array, "=" and a name for one.
 // FORMAT: a name of format_table.inl, or empty. RAW: the layout of a raw volume (rawText()), or empty. TARGET and
-// BESIDE: of convert(), or empty. PARTS: empty for all, "?" to list them, or their numbers with commas between. The
-// child writes arrays into two shared memories, each array at a multiple of kArrayAlignment. kCellsFd gets the points
-// and cells of unstructured blocks, which nobody needs after the grid is built, kArraysFd everything else. A JSON
-// manifest that describes them goes to kManifestFd:
+// BESIDE: of convert(), or empty. PARTS: empty for all, "?" to list them, or their numbers with commas between;
+// behind that, "/" and into how many slabs a lattice comes apart that is alone in its file. The child writes arrays
+// into two shared memories, each array at a multiple of kArrayAlignment. kCellsFd gets the points and cells of
+// unstructured blocks, which nobody needs after the grid is built, kArraysFd everything else. A JSON manifest that
+// describes them goes to kManifestFd:
 //
 //   {"version", "times": [..], "left_out": cells, "warnings": [..], "blocks": [{"name", "kind", "arrays": [..], ..}],
 //    "patches": [{"name", "coordinates": array, "starts": array, "corners": array}]},
-//   "patches" only on request; where PARTS is not empty, "parts": [{"cells", "block"}] and "wholes": null or {"kind",
+//   "patches" only on request; where PARTS is not empty, "bytes_read": by the child from files, "parts": [{"cells",
+//   "block"}] and "wholes": null or {"kind",
 //   "points"} for each block that the parts are of; blocks have a "part", and there may be none
 //   image         "points": [nx, ny, nz], "origin": [..], "spacing": [..]
 //   rectilinear   "axes": [array, array, array] of float64
@@ -33,7 +35,7 @@ namespace vp::read
 // An array is {"type": "float32" ..., "offset", "bytes"}. In "arrays" it also has "name", "association", "components"
 // and, if the file has them, "units". An array that nobody asked for has "left_out": true and no place. The manifest
 // has "length_units" if the file has them.
-constexpr int kProtocolVersion = 7;
+constexpr int kProtocolVersion = 8;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;

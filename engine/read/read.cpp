@@ -39,9 +39,15 @@ Result<CheckedInput> readChecked(const std::string& file, const ReadOptions& opt
 	return checked;
 }
 
-// parts: gets the number of the part that each block is of; or null.
+struct PartsRead
+{
+	std::vector<std::size_t> of_block; // the number of the part that each block is of
+	std::uint64_t bytes_read = 0;
+};
+
+// parts: or null.
 Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& options, Timeline* timeline,
-                                std::vector<std::size_t>* parts)
+                                PartsRead* parts)
 {
 	Result<CheckedInput> input = readChecked(file, options, timeline);
 	if (!input)
@@ -54,10 +60,12 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	grid::BlockSet set;
 	set.times = std::move(input->times);
 	set.left_out = input->left_out;
+	if (parts)
+		parts->bytes_read = input->bytes_read;
 	for (CheckedBlock& block : input->blocks)
 	{
 		if (parts)
-			parts->push_back(block.part);
+			parts->of_block.push_back(block.part);
 		std::string name = block.name.empty() ? stem : fmt::format("{}: {}", stem, block.name);
 		set.blocks.push_back(buildBlock(std::move(block), std::move(name), options.identifies_geometry,
 		                                options.for_one_cut, options.refine));
@@ -71,7 +79,7 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 }
 
 Result<grid::BlockSet> readInput(const std::string& input, const ReadOptions& options, Timeline* timeline,
-                                 std::vector<std::size_t>* parts = nullptr)
+                                 PartsRead* parts = nullptr)
 {
 	if (!input.starts_with(kDemoPrefix))
 		return readFile(input, options, timeline, parts);
@@ -195,7 +203,7 @@ Result<PartList> listParts(const std::vector<std::string>& inputs, const ReadOpt
 {
 	PartList list;
 	ReadOptions listing = options;
-	listing.parts = "?";
+	listing.parts = fmt::format("?/{}", options.slabs);
 	for (std::size_t i = 0; i < inputs.size(); ++i)
 	{
 		if (inputs[i].starts_with(kDemoPrefix))
@@ -210,6 +218,7 @@ Result<PartList> listParts(const std::vector<std::string>& inputs, const ReadOpt
 		const Result<CheckedInput> input = readChecked(inputs[i], listing, timeline);
 		if (!input)
 			return input.error();
+		list.bytes_read += input->bytes_read;
 		for (std::size_t p = 0; p < input->parts.size(); ++p)
 			list.parts.push_back({i, p, input->parts[p].cells, list.blocks.size() + input->parts[p].block});
 		for (const WholeLattice& whole : input->wholes)
@@ -237,13 +246,14 @@ Result<PartBlocks> readParts(const std::vector<std::string>& inputs, const std::
 			}
 		if (numbers.empty())
 			continue;
-		reading.parts = fmt::format("{}", fmt::join(numbers, ","));
-		std::vector<std::size_t> of_block;
-		Result<grid::BlockSet> set = readInput(inputs[i], reading, timeline, &of_block);
+		reading.parts = fmt::format("{}/{}", fmt::join(numbers, ","), options.slabs);
+		PartsRead found;
+		Result<grid::BlockSet> set = readInput(inputs[i], reading, timeline, &found);
 		if (!set)
 			return set.error();
-		of_block.resize(set->blocks.size(), 0); // those of a built-in data set
-		for (const std::size_t number : of_block)
+		read.bytes_read += found.bytes_read;
+		found.of_block.resize(set->blocks.size(), 0); // those of a built-in data set
+		for (const std::size_t number : found.of_block)
 			read.of_block.push_back(*std::ranges::find(of_input, number, &Part::number));
 		addSet(std::move(*set), read.set);
 	}

@@ -5,6 +5,7 @@
 #include "read/raw_layout.h"
 #include "read/tolerance.h"
 
+#include <cstdint>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -80,6 +81,9 @@ struct ReadOptions
 	// Which parts of a file are read, as its numbers in PartList with commas between; empty: all. "?": none, they are
 	// only listed.
 	std::string parts{};
+	// Into how many slabs, which are parts, a lattice comes apart that is alone in its file. The same for listing parts
+	// and for reading them.
+	int slabs = 1;
 	// Of convert(): the file that is written as well, and where its bytes go until it is whole.
 	std::string convert_to{};
 	std::string convert_beside{};
@@ -117,6 +121,7 @@ struct PartList
 	std::vector<Part> parts;
 	std::vector<Whole> blocks;
 	std::vector<double> times;
+	std::uint64_t bytes_read = 0; // for this list
 };
 
 // Lists what can be read in parts. Files that name their pieces are not read for that; of others the reader reads all
@@ -128,6 +133,7 @@ struct PartBlocks
 {
 	grid::BlockSet set;
 	std::vector<Part> of_block;
+	std::uint64_t bytes_read = 0; // by the readers, from files
 };
 
 // Reads some of the parts, as readInputs() does. The blocks of the parts come in the order of the list; a part without

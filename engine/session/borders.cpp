@@ -236,7 +236,11 @@ void joinAtSamePlace(Team& team, std::vector<RimVertex>& own, std::vector<Link>&
 	    {
 		    joinAmong(
 		        vertices, [](const RimVertex& a, const RimVertex& b) { return a.place == b.place; },
-		        [](const RimVertex& a, const RimVertex& b) { return a.isAcross(b) || !(a.on_edge || b.on_edge); },
+		        // Pieces of one lattice share points, also where only edges of their cells meet.
+		        [](const RimVertex& a, const RimVertex& b) {
+			        return a.isAcross(b) || !(a.on_edge || b.on_edge) ||
+			               (a.of_lattice && b.of_lattice && a.whole == b.whole);
+		        },
 		        found);
 	    });
 }

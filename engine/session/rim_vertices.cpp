@@ -182,6 +182,7 @@ std::vector<RimVertex> rimVertices(const grid::BlockSet& blocks, std::span<const
 		vertex.on_edge = v < mesh.edges.size();
 		const std::uint32_t block = vertex.on_edge ? mesh.edges[v].block : mesh.rimShares(v)[0].block;
 		vertex.whole = whole[block];
+		vertex.of_lattice = !std::holds_alternative<grid::UnstructuredGrid>(blocks.blocks[block].grid);
 		if (!vertex.on_edge)
 			continue;
 		vertex.near = nearOf(blocks.blocks[block], mesh.edges[v]);
@@ -197,6 +198,7 @@ void put(MessageWriter& to, const RimVertex& vertex)
 	to.put(vertex.near);
 	to.put(vertex.component);
 	to.put(vertex.whole);
+	to.put(vertex.of_lattice);
 	to.put(vertex.on_edge);
 	to.putAll(vertex.faces);
 	to.put(vertex.arrays.size());
@@ -216,6 +218,7 @@ RimVertex takeVertex(MessageReader& from, int rank)
 	vertex.near = from.get<double>();
 	vertex.component = from.get<std::uint32_t>();
 	vertex.whole = from.get<std::uint32_t>();
+	vertex.of_lattice = from.get<bool>();
 	vertex.on_edge = from.get<bool>();
 	vertex.faces = from.getAll<FaceKey>();
 	for (auto left = from.get<std::size_t>(); left > 0; --left)

@@ -45,6 +45,7 @@ struct RimVertex
 	double near = 0.0; // so far apart two places may be that are meant to be one
 	std::uint32_t component = 0;
 	std::uint32_t whole = 0;                                            // the block that one process would have
+	bool of_lattice = false;                                            // of its block, whose pieces share points
 	bool on_edge = true;                                                // of a cell; else on the rim of a window
 	std::vector<FaceKey> faces{};                                       // of cells, on which it lies; ascending
 	std::vector<std::pair<std::string, std::vector<ValueAt>>> arrays{}; // by name

@@ -286,12 +286,16 @@ Status fitsTeam(const view::ViewSpec& spec)
 Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inputs, const read::ReadOptions& options,
                                  Timeline* timeline, Share& share)
 {
+	// Several inputs are dealt out as they are: they mostly are parts of one data set.
+	read::ReadOptions reading = options;
+	reading.slabs = inputs.size() == 1 ? team.size() : 1;
 	std::optional<read::PartList> listed;
 	if (team.isFirst())
 	{
-		Result<read::PartList> list = read::listParts(inputs, options, timeline);
+		Result<read::PartList> list = read::listParts(inputs, reading, timeline);
 		if (!list)
 			return list.error();
+		share.bytes_read = list->bytes_read;
 		listed = std::move(*list);
 	}
 	const read::PartList list = listForAll(team, listed);
@@ -300,7 +304,7 @@ Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inp
 	for (std::size_t p = 0; p < list.parts.size(); ++p)
 		if (ranks[p] == team.rank())
 			own.push_back(list.parts[p]);
-	Result<read::PartBlocks> read = read::readParts(inputs, own, options, timeline);
+	Result<read::PartBlocks> read = read::readParts(inputs, own, reading, timeline);
 	if (!read)
 		return read.error();
 	try
@@ -311,6 +315,7 @@ Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inp
 	{
 		return Error{ErrorKind::input, fmt::format("{}: {}", fmt::join(inputs, ", "), wrong.what())};
 	}
+	share.bytes_read += read->bytes_read;
 	const bool has_interfaces = !read->set.interfaces.blocks.empty();
 	share.own_parts = own.size();
 	grid::BlockSet all = withOthers(team, std::move(*read), list, share);

@@ -36,7 +36,8 @@ struct Share
 	};
 	Counts counts;
 	std::size_t own_parts = 0;
-	std::uint32_t first_own = 0; // blocks of this rank follow each other
+	std::uint64_t bytes_read = 0; // by this rank's readers, from files
+	std::uint32_t first_own = 0;  // blocks of this rank follow each other
 	std::uint32_t end_own = 0;
 	std::vector<std::uint32_t> whole; // per block, the block that one process would have in its place
 

@@ -1,6 +1,7 @@
 #include "session/surroundings.h"
 
 #include "render/scene/farthest_points.h"
+#include "session/piece_outline.h"
 #include "session/share.h"
 
 #include <algorithm>
@@ -63,6 +64,57 @@ std::vector<render::Segment> boxOutlines(const Session& session)
 	return segments;
 }
 
+/// Of all curvilinear grids, whose pieces may lie in several ranks.
+std::vector<render::Segment> curvedOutlines(const Session& session)
+{
+	MessageWriter message;
+	const Share& share = *session.share;
+	for (std::uint32_t b = share.first_own; b < share.end_own; ++b)
+		if (const auto* grid = std::get_if<grid::CurvilinearGrid>(&session.blocks.blocks[b].grid))
+		{
+			message.put(share.whole[b]);
+			for (const std::vector<Vec3>& curve : render::edgeCurves(*grid))
+				message.putAll(curve);
+		}
+	std::map<std::uint32_t, std::vector<render::EdgeCurves>> wholes;
+	for (const Bytes& bytes : session.team->gatherAll(message.take()))
+		for (MessageReader reader(bytes); !reader.atEnd();)
+			for (std::vector<Vec3>& curve : wholes[reader.get<std::uint32_t>()].emplace_back())
+				curve = reader.getAll<Vec3>();
+	std::vector<render::Segment> segments;
+	for (const auto& [number, pieces] : wholes)
+	{
+		const std::vector<render::Segment> some = outlineOfPieces(pieces);
+		segments.insert(segments.end(), some.begin(), some.end());
+	}
+	return segments;
+}
+
+/// A curvilinear grid without a list of its boundary is within its box: the pieces of one grid have one.
+bool isWithinItsBox(const grid::Block& block)
+{
+	return isCurvilinear(block) && block.boundary.patches.empty();
+}
+
+void addCornersOfCurved(const Session& session, std::vector<Vec3>& points)
+{
+	MessageWriter message;
+	const Share& share = *session.share;
+	for (std::uint32_t b = share.first_own; b < share.end_own; ++b)
+		if (isWithinItsBox(session.blocks.blocks[b]))
+			message.put(share.whole[b]);
+	std::map<std::uint32_t, Box> boxes;
+	for (const Bytes& bytes : session.team->gatherAll(message.take()))
+		for (MessageReader reader(bytes); !reader.atEnd();)
+			boxes[reader.get<std::uint32_t>()];
+	for (std::size_t b = 0; b < session.blocks.blocks.size(); ++b)
+		if (const auto box = boxes.find(share.whole[b]); box != boxes.end())
+			box->second.include(session.blocks.blocks[b].bounds);
+	for (const auto& [number, box] : boxes)
+		for (int i = 0; i < 8 && !box.empty(); ++i)
+			points.push_back(render::corner(box, i));
+}
+
 /// The farthest points of all unstructured blocks among those of each rank.
 std::vector<Vec3> farthestOfAll(const Session& session)
 {
@@ -90,22 +142,19 @@ Surroundings surroundingsOf(const Session& session, render::Outline outline)
 	if (outline == render::Outline::box)
 	{
 		around.outline = boxOutlines(session);
-		const auto curved =
-		    ofAllRanks<render::Segment>(session,
-		                                [](const grid::Block& block)
-		                                {
-			                                return isCurvilinear(block)
-			                                           ? render::outlineOf(alone(block), render::Outline::box)
-			                                           : std::vector<render::Segment>();
-		                                });
+		const std::vector<render::Segment> curved = curvedOutlines(session);
 		around.outline.insert(around.outline.end(), curved.begin(), curved.end());
 	}
 	if (std::ranges::any_of(session.blocks.blocks, isUnstructured))
 		around.extent = farthestOfAll(session);
-	const auto structured =
-	    ofAllRanks<Vec3>(session, [](const grid::Block& block)
-	                     { return isUnstructured(block) ? std::vector<Vec3>() : render::extentOf(alone(block)); });
+	const auto structured = ofAllRanks<Vec3>(session,
+	                                         [](const grid::Block& block) {
+		                                         return isUnstructured(block) || isWithinItsBox(block)
+		                                                    ? std::vector<Vec3>()
+		                                                    : render::extentOf(alone(block));
+	                                         });
 	around.extent.insert(around.extent.end(), structured.begin(), structured.end());
+	addCornersOfCurved(session, around.extent);
 	return around;
 }
 

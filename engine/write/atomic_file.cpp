@@ -224,7 +224,7 @@ AtomicFile::~AtomicFile()
 void AtomicFile::discard()
 {
 	if (descriptor_ >= 0 && owns_descriptor_)
-		close(descriptor_);
+		::close(descriptor_);
 	descriptor_ = -1;
 	if (!beside_.empty())
 	{
@@ -246,11 +246,17 @@ void AtomicFile::write(std::string_view bytes)
 	}
 }
 
-Status AtomicFile::commit()
+Status AtomicFile::close()
 {
 	// Some file systems tell of a full disk only here.
-	if (owns_descriptor_ && close(std::exchange(descriptor_, -1)) != 0 && !error_)
+	if (owns_descriptor_ && descriptor_ >= 0 && ::close(std::exchange(descriptor_, -1)) != 0 && !error_)
 		error_ = errno;
+	return error_ ? Status(cannotWrite(path_, error_)) : Nothing{};
+}
+
+Status AtomicFile::commit()
+{
+	(void)close(); // error_ holds what it says
 	if (!error_ && !beside_.empty())
 	{
 		const Touching files;

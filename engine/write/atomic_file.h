@@ -23,6 +23,8 @@ public:
 	~AtomicFile();
 
 	void write(std::string_view bytes); // commit() reports a failure; later bytes are ignored
+	// Ends the writing and reports failures of it, so that commit() only gives the name.
+	Status close();
 	Status commit();
 
 	// Returns the path where the bytes go until commit(), for another program that writes them. Empty for a target that

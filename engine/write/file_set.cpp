@@ -14,19 +14,28 @@ namespace vp::write
 
 namespace fs = std::filesystem;
 
+Result<std::string> folderOfParts(const std::string& path)
+{
+	const fs::path file(path);
+	std::string folder = (file.parent_path() / file.stem()).string();
+	std::error_code failed;
+	if (fs::exists(folder, failed) && !fs::is_directory(folder, failed))
+		return Error{ErrorKind::output, fmt::format("{}: its parts go to the folder {}, and that is a file; remove it "
+		                                            "or choose another name",
+		                                            path, folder)};
+	return folder;
+}
+
 Result<FileSet> FileSet::create(const std::string& path)
 {
 	if (Status free = checkWritable(path); !free)
 		return free.error();
-	const fs::path file(path);
-	std::error_code failed;
+	Result<std::string> folder = folderOfParts(path);
+	if (!folder)
+		return folder.error();
 	FileSet set;
 	set.path_ = path;
-	set.folder_ = (file.parent_path() / file.stem()).string();
-	if (fs::exists(set.folder_, failed) && !fs::is_directory(set.folder_, failed))
-		return Error{ErrorKind::output, fmt::format("{}: its parts go to the folder {}, and that is a file; remove it "
-		                                            "or choose another name",
-		                                            path, set.folder_)};
+	set.folder_ = std::move(*folder);
 	std::string staging = nearestFolder(path) + "/.vprobe-XXXXXX";
 	if (!mkdtemp(staging.data()))
 		return Error{ErrorKind::output, fmt::format("{}: no folder can be made beside it; choose another place", path)};

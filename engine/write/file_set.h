@@ -8,6 +8,9 @@
 namespace vp::write
 {
 
+// The folder of the parts of a file that names others: of its stem, beside it. Returns an error if a file is there.
+Result<std::string> folderOfParts(const std::string& path);
+
 // A file and others that it names, which lie in a folder of its stem beside it: out.vtm and out/0.vtp. They appear
 // together or not at all: until commit() the others are written into a folder of a name no one has. What the stem's
 // folder holds else stays there.

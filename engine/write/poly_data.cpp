@@ -1,5 +1,7 @@
 #include "write/poly_data.h"
 
+#include "write/xml_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -140,6 +142,35 @@ void writePolyData(const PolyData& data, AtomicFile& file)
 	file.write(head);
 	appended.write(file);
 	file.write("\n  </AppendedData>\n</VTKFile>\n");
+}
+
+namespace
+{
+
+std::string indexSet(const char* element, const XmlArrays& arrays)
+{
+	std::string text = fmt::format("    <{}>\n", element);
+	for (const XmlArray& array : arrays)
+		text += fmt::format("      <PDataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n",
+		                    xmlType(array.type), array.name, array.components);
+	return text + fmt::format("    </{}>\n", element);
+}
+
+} // namespace
+
+void writePolyDataIndex(const PolyData& like, std::span<const std::string> parts, AtomicFile& file)
+{
+	XmlArrays points;
+	points.add(xmlArray("Points", grid::NumberType::float64, 3, like.points));
+	std::string text =
+	    "<VTKFile type=\"PPolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+	    "  <PPolyData GhostLevel=\"0\">\n";
+	text += indexSet("PPointData", like.point_arrays);
+	text += indexSet("PCellData", like.cell_arrays);
+	text += indexSet("PPoints", points);
+	for (const std::string& part : parts)
+		text += fmt::format("    <Piece Source=\"{}\"/>\n", xmlText(part));
+	file.write(text + "  </PPolyData>\n</VTKFile>\n");
 }
 
 } // namespace vp::write

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace vp::write
 {
@@ -33,5 +34,8 @@ struct PolyData
 
 // Writes it as VTK's XML format with raw appended data. The file's commit() tells failures.
 void writePolyData(const PolyData& data, AtomicFile& file);
+
+// Writes a .pvtp that names .vtp files, relative to its folder. `like`: has the arrays of each of them.
+void writePolyDataIndex(const PolyData& like, std::span<const std::string> parts, AtomicFile& file);
 
 } // namespace vp::write

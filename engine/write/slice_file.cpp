@@ -1,6 +1,7 @@
 #include "write/slice_file.h"
 
 #include "write/slice_formats.h"
+#include "write/slice_parts.h"
 #include "write/slice_sets.h"
 
 #include <fmt/format.h>
@@ -23,14 +24,16 @@ Result<SliceFormat> sliceFormatOf(const std::string& path)
 		return SliceFormat::csv;
 	if (ending == ".vtm")
 		return SliceFormat::vtm;
+	if (ending == ".pvtp")
+		return SliceFormat::pvtp;
 	// A pipe or a device has no ending to choose; it is standard output by another name.
 	std::error_code failed;
 	if (path == "-" || (ending.empty() && std::filesystem::is_other(path, failed)))
 		return SliceFormat::vtp;
 	return Error{
 	    ErrorKind::usage,
-	    fmt::format("{}: not a file a slice can be written to; use the ending .vtp, .vtm, .ply or .csv, or, for a "
-	                "picture, .png, .svg or .pdf",
+	    fmt::format("{}: not a file a slice can be written to; use the ending .vtp, .vtm, .pvtp, .ply or .csv, "
+	                "or, for a picture, .png, .svg or .pdf",
 	                path)};
 }
 
@@ -49,6 +52,8 @@ Status writeTable(const SliceTable& table, const std::string& path)
 	const Result<SliceFormat> format = sliceFormatOf(path);
 	if (!format)
 		return format.error();
+	if (*format == SliceFormat::pvtp)
+		return writePvtp(table, path);
 	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)
 		return file.error();
@@ -64,6 +69,7 @@ Status writeTable(const SliceTable& table, const std::string& path)
 		writeCsv(table, *file);
 		break;
 	case SliceFormat::vtm:
+	case SliceFormat::pvtp:
 		return Error{ErrorKind::usage, fmt::format("{}: a table is one file; give a .vtp", path)};
 	}
 	return file->commit();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "write/atomic_file.h"
+#include "write/poly_data.h"
 #include "write/slice_table.h"
 
 namespace vp::write
@@ -10,5 +11,8 @@ namespace vp::write
 void writeVtp(const SliceTable& table, AtomicFile& file);
 void writePly(const SliceTable& table, AtomicFile& file);
 void writeCsv(const SliceTable& table, AtomicFile& file);
+
+// What a .vtp of the table holds. It refers to the table's memory.
+PolyData polyDataOf(const SliceTable& table);
 
 } // namespace vp::write

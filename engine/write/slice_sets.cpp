@@ -30,22 +30,17 @@ Status writePart(const SliceTable& table, const FileSet::Member& part, const std
 	             fmt::format("{}: its part {} cannot be written; make room or choose another place", set, part.name)};
 }
 
-} // namespace
-
-Status writeVtm(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, const std::string& path,
-                std::span<const ContourPiece> contours)
+template <class TableOf>
+Status writeSheets(std::size_t sheets, const std::string& path, const TableOf& tableOf)
 {
 	Result<FileSet> files = FileSet::create(path);
 	if (!files)
 		return files.error();
 	std::string entries;
-	for (std::size_t sheet = 0; sheet < meshes.size(); ++sheet)
+	for (std::size_t sheet = 0; sheet < sheets; ++sheet)
 	{
 		const FileSet::Member part = files->add(fmt::format("sheet_{}.vtp", sheet));
-		std::vector<ContourPiece> own;
-		std::ranges::copy_if(contours, std::back_inserter(own),
-		                     [&](const ContourPiece& contour) { return std::cmp_equal(contour.sheet, sheet); });
-		if (Status written = writePart(tabulate(blocks, meshes.subspan(sheet, 1), sheet, own), part, path); !written)
+		if (Status written = writePart(tableOf(sheet), part, path); !written)
 			return written;
 		fmt::format_to(std::back_inserter(entries), "\t\t<DataSet index=\"{0}\" name=\"sheet {0}\" file=\"{1}\"/>\n",
 		               sheet, xmlText(part.name));
@@ -54,6 +49,27 @@ Status writeVtm(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> m
 	                                 "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\t<vtkMultiBlockDataSet>\n{}"
 	                                 "\t</vtkMultiBlockDataSet>\n</VTKFile>\n",
 	                                 entries));
+}
+
+} // namespace
+
+Status writeVtm(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, const std::string& path,
+                std::span<const ContourPiece> contours)
+{
+	return writeSheets(meshes.size(), path,
+	                   [&](std::size_t sheet)
+	                   {
+		                   std::vector<ContourPiece> own;
+		                   std::ranges::copy_if(contours, std::back_inserter(own),
+		                                        [&](const ContourPiece& contour)
+		                                        { return std::cmp_equal(contour.sheet, sheet); });
+		                   return tabulate(blocks, meshes.subspan(sheet, 1), sheet, own);
+	                   });
+}
+
+Status writeVtm(std::span<const SliceTable> sheets, const std::string& path)
+{
+	return writeSheets(sheets.size(), path, [&](std::size_t sheet) -> const SliceTable& { return sheets[sheet]; });
 }
 
 Result<SliceSeries> SliceSeries::create(const std::string& path)

@@ -18,6 +18,9 @@ namespace vp::write
 Status writeVtm(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, const std::string& path,
                 std::span<const ContourPiece> contours = {});
 
+// The same from a table for each sheet.
+Status writeVtm(std::span<const SliceTable> sheets, const std::string& path);
+
 // Slices over time as ParaView's collection (.pvd): a .vtp a frame with all its sheets, in a folder of its stem beside
 // it; the frame's number is its time. All of it appears on commit(), or nothing.
 class SliceSeries

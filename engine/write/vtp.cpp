@@ -1,10 +1,9 @@
-#include "write/poly_data.h"
 #include "write/slice_formats.h"
 
 namespace vp::write
 {
 
-void writeVtp(const SliceTable& table, AtomicFile& file)
+PolyData polyDataOf(const SliceTable& table)
 {
 	using grid::NumberType;
 
@@ -18,7 +17,12 @@ void writeVtp(const SliceTable& table, AtomicFile& file)
 	data.cell_arrays.add(xmlArray("vprobe:sheet", NumberType::int32, 1, table.sheet));
 	if (!table.contour.empty())
 		data.cell_arrays.add(xmlArray("vprobe:contour", NumberType::float64, 1, table.contour));
-	writePolyData(data, file);
+	return data;
+}
+
+void writeVtp(const SliceTable& table, AtomicFile& file)
+{
+	writePolyData(polyDataOf(table), file);
 }
 
 } // namespace vp::write

@@ -29,7 +29,13 @@ class Programs:
         return done
 
     def start(self, ranks, *arguments):
-        command = [self.mpiexec, '-n', str(ranks), '--oversubscribe', self.mpi_program, *map(str, arguments)]
+        return self.start_each([(ranks, [self.mpi_program, *arguments])])
+
+    def start_each(self, groups):
+        """Ranks with commands of their own: (ranks, command) each."""
+        command = [self.mpiexec, '--oversubscribe']
+        for number, (ranks, words) in enumerate(groups):
+            command += [':'] * (number > 0) + ['-n', str(ranks), *map(str, words)]
         return subprocess.Popen(command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     def run(self, ranks, *arguments):

@@ -211,8 +211,9 @@ void addSlice(CLI::App& program, Run& run)
 	command
 	    ->add_option(
 	        "-o,--output", options->output,
-	        "Where the polygons go: .vtp, .vtm (one .vtp per sheet), .ply or .csv; - writes VTP to standard output. Or "
-	        "a flat picture of each sheet: .png, .svg or .pdf, with {sheet} in the name if there are several sheets")
+	        "Where the polygons go: .vtp, .vtm (one .vtp per sheet), .pvtp (one .vtp per process of vprobe-mpi), .ply "
+	        "or .csv; - writes VTP to standard output. Or a flat picture of each sheet: .png, .svg or .pdf, with "
+	        "{sheet} in the name if there are several sheets")
 	    ->type_name("FILE|-");
 	command->add_option("--stats", options->stats, "Write figures and times as JSON")->type_name("FILE|-");
 	command

@@ -1,14 +1,17 @@
 #include "report/team_slice.h"
 
+#include "interrupt.h"
 #include "session/share.h"
 #include "session/team.h"
+#include "write/file_set.h"
 #include "write/slice_file.h"
+#include "write/slice_parts.h"
+#include "write/slice_sets.h"
 
-#include <fmt/format.h>
-
-#include <filesystem>
+#include <cstddef>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace vp::app
 {
@@ -83,6 +86,19 @@ write::SliceTable gathered(session::Team& team, write::SliceTable own)
 	return tableOf(bytes, own);
 }
 
+// Each rank writes a part of its own. All have written before the first gets its name, and the index comes last.
+Status writeParts(session::Team& team, const write::SliceTable& own, const std::string& path)
+{
+	Result<write::SlicePart> part = write::SlicePart::write(own, path, static_cast<std::size_t>(team.rank()));
+	if (!part)
+		return part.error();
+	team.gatherAll({});
+	if (Status named = part->commit(); !named)
+		return named;
+	team.gatherAll({});
+	return team.isFirst() ? write::writePartIndex(own, path, static_cast<std::size_t>(team.size())) : Nothing{};
+}
+
 } // namespace
 
 Status checkWritableTogether(const std::string& path)
@@ -92,30 +108,40 @@ Status checkWritableTogether(const std::string& path)
 	const Result<write::SliceFormat> format = write::sliceFormatOf(path);
 	if (!format)
 		return format.error();
-	if (*format == write::SliceFormat::vtm)
-		return Error{ErrorKind::usage,
-		             fmt::format("-o {}: several processes write one file; give a .vtp, or use vprobe", path)};
-	return Nothing{};
+	if (*format != write::SliceFormat::pvtp && *format != write::SliceFormat::vtm)
+		return Nothing{};
+	const Result<std::string> folder = write::folderOfParts(path);
+	return folder ? Status(Nothing{}) : folder.error();
 }
 
 Status writeTogether(const session::Session& session, const session::CutFrame& frame, const std::string& path)
 {
 	const TimedSection section(session.timeline.get(), "write");
+	const Result<write::SliceFormat> format = write::sliceFormatOf(path);
+	if (!format)
+		return format.error();
+	session::Team& team = *session.team;
 	const std::vector<mesh::SheetMesh> meshes = session::exportedMeshes(frame.sheets);
-	write::SliceTable all;
+	std::vector<write::SliceTable> sheets;
 	for (std::size_t s = 0; s < meshes.size(); ++s)
 	{
 		write::SliceTable own =
 		    write::tabulate(frame.slice.blocksOf(session.blocks), std::span(meshes).subspan(s, 1), s);
 		for (std::int32_t& block : own.block)
 			block = static_cast<std::int32_t>(session.share->whole[static_cast<std::size_t>(block)]);
-		write::SliceTable of_sheet = gathered(*session.team, std::move(own));
-		if (s == 0)
-			all = std::move(of_sheet);
-		else
-			write::append(std::move(of_sheet), all);
+		sheets.push_back(*format == write::SliceFormat::pvtp ? std::move(own) : gathered(team, std::move(own)));
 	}
-	return session.team->isFirst() ? write::writeTable(all, path) : Nothing{};
+	if (*format == write::SliceFormat::vtm)
+	{
+		const DeferredInterrupt writing; // its files appear together
+		return team.isFirst() ? write::writeVtm(sheets, path) : Nothing{};
+	}
+	write::SliceTable all = std::move(sheets.at(0));
+	for (write::SliceTable& sheet : std::span(sheets).subspan(1))
+		write::append(std::exchange(sheet, {}), all);
+	if (*format == write::SliceFormat::pvtp)
+		return writeParts(team, all, path);
+	return team.isFirst() ? write::writeTable(all, path) : Nothing{};
 }
 
 } // namespace vp::app

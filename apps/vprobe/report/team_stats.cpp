@@ -69,6 +69,7 @@ json rankJson(const session::Session& session, const json& own)
 		cells += std::visit([](const auto& grid) { return grid.cellCount(); }, session.blocks.blocks[b].grid);
 	return {{"parts", session.share->own_parts},
 	        {"cells", cells},
+	        {"bytes_read", session.share->bytes_read},
 	        {"layer_bytes", session.layer_bytes},
 	        {"peak_mib", used.ru_maxrss / 1024},
 	        {"cpu_s", cpu(used)},

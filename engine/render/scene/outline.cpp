@@ -31,27 +31,9 @@ void addBox(const Box& box, std::vector<Segment>& segments)
 
 void addIndexBox(const grid::CurvilinearGrid& grid, std::vector<Segment>& segments)
 {
-	const auto points = grid.points();
-	if (grid.cellCount() == 0)
-		return;
-	for (int axis = 0; axis < 3; ++axis)
-	{
-		const int other = (axis + 1) % 3;
-		const int third = (axis + 2) % 3;
-		for (int side = 0; side < 4; ++side)
-		{
-			std::array<std::uint32_t, 3> at{};
-			at[other] = side & 1 ? points[other] - 1 : 0;
-			at[third] = side & 2 ? points[third] - 1 : 0;
-			Vec3 before = grid.point(grid.pointId(at[0], at[1], at[2]));
-			for (at[axis] = 1; at[axis] < points[axis]; ++at[axis])
-			{
-				const Vec3 next = grid.point(grid.pointId(at[0], at[1], at[2]));
-				addSegment(before, next, segments);
-				before = next;
-			}
-		}
-	}
+	for (const std::vector<Vec3>& curve : edgeCurves(grid))
+		for (std::size_t i = 1; i < curve.size(); ++i)
+			addSegment(curve[i - 1], curve[i], segments);
 }
 
 // Up to so many faces their points are taken; of more, the boxes of their patches are close enough and far fewer.
@@ -79,6 +61,29 @@ void addBoundaryPoints(const G& grid, const grid::BoundaryIndex& boundary, std::
 Vec3 corner(const Box& box, int i)
 {
 	return {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z};
+}
+
+EdgeCurves edgeCurves(const grid::CurvilinearGrid& grid)
+{
+	EdgeCurves curves;
+	const auto points = grid.points();
+	if (grid.cellCount() == 0)
+		return curves;
+	for (int axis = 0; axis < 3; ++axis)
+	{
+		const int other = (axis + 1) % 3;
+		const int third = (axis + 2) % 3;
+		for (int side = 0; side < 4; ++side)
+		{
+			std::array<std::uint32_t, 3> at{};
+			at[other] = side & 1 ? points[other] - 1 : 0;
+			at[third] = side & 2 ? points[third] - 1 : 0;
+			for (; at[axis] < points[axis]; ++at[axis])
+				curves[static_cast<std::size_t>(4 * axis + side)].push_back(
+				    grid.point(grid.pointId(at[0], at[1], at[2])));
+		}
+	}
+	return curves;
 }
 
 std::vector<Segment> outlineOf(const grid::BlockSet& blocks, Outline outline)

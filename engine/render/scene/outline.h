@@ -3,6 +3,7 @@
 #include "base/result.h"
 #include "grid/block.h"
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,11 @@ enum class Outline
 	box,  // the twelve curved edges of a curvilinear block, the bounds of any other
 	edges // where boundary faces meet at more than 30 degrees, or other than in pairs
 };
+
+// The points along the twelve edges of a curvilinear grid: four along i, then along j, then along k. Of each four, bit
+// 0 is the end of the next axis, and bit 1 the end of the one behind that.
+using EdgeCurves = std::array<std::vector<Vec3>, 12>;
+EdgeCurves edgeCurves(const grid::CurvilinearGrid& grid);
 
 std::vector<Segment> outlineOf(const grid::BlockSet& blocks, Outline outline);
 

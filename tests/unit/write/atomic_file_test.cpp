@@ -181,6 +181,7 @@ TEST(SliceFormat, FollowsTheEnding)
 	EXPECT_EQ(write::sliceFormatOf("a.b/cut.vtp").value(), write::SliceFormat::vtp);
 	EXPECT_EQ(write::sliceFormatOf("CUT.Ply").value(), write::SliceFormat::ply);
 	EXPECT_EQ(write::sliceFormatOf("cut.csv").value(), write::SliceFormat::csv);
+	EXPECT_EQ(write::sliceFormatOf("cut.pvtp").value(), write::SliceFormat::pvtp);
 	EXPECT_EQ(write::sliceFormatOf("-").value(), write::SliceFormat::vtp);
 	for (const char* path : {"cut", "cut.vtu", "cut.vtp/", ".vtp", ""})
 	{
@@ -197,7 +198,7 @@ TEST(SliceFile, AFailureLeavesNoOutput)
 	const SampleSlice sample = sampleSlice();
 	const TemporaryFolder folder;
 	writeText(folder / "none", "a file where the folder would be");
-	for (const char* name : {"none/cut.vtp", "none/cut.ply", "none/cut.csv", "cut.stl"})
+	for (const char* name : {"none/cut.vtp", "none/cut.ply", "none/cut.csv", "none/cut.pvtp", "cut.stl"})
 		EXPECT_FALSE(write::writeSlice(sample.blocks, sample.meshes, folder / name));
 	EXPECT_EQ(folder.files(), 1u);
 }

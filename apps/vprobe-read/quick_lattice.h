@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+struct XmlElement;
+
+// A lattice of a .vti, .vtr or .vts file whose layers the quick way can read alone.
+struct QuickLattice
+{
+	const char* kind; // as in the manifest
+	std::array<std::uint64_t, 3> points;
+};
+std::optional<QuickLattice> quickLattice(const std::string& file);
+
+// The points of a lattice along each axis. Throws NotQuick where there are no cells, or too many.
+std::array<std::uint64_t, 3> latticePoints(const XmlElement& data, const XmlElement& piece);
