@@ -162,7 +162,8 @@ std::size_t countTogether(Team& team, std::size_t own, const std::vector<Link>& 
 struct Found
 {
 	std::vector<Link> links;
-	std::vector<std::vector<std::uint32_t>> counted; // per rank, its vertices that count with one of another rank
+	std::vector<std::vector<std::uint32_t>> counted;   // per rank, its vertices that count with one of another rank
+	std::vector<std::vector<const RimVertex*>> groups; // vertices that are one
 };
 
 /// Joins vertices that may be one. isPlace(a, b): whether they are at one place; isSeam(a, b): whether faces meet
@@ -185,16 +186,55 @@ void joinAmong(std::span<const RimVertex> vertices, const IsPlace& isPlace, cons
 			if (is_one || is_seam)
 				found.links.push_back({a.rank, a.component, b.rank, b.component});
 		}
+	std::map<std::uint32_t, std::vector<const RimVertex*>> groups;
 	for (std::uint32_t i = 0; i < vertices.size(); ++i)
+	{
+		groups[joined.root(i)].push_back(&vertices[i]);
 		if (joined.root(i) != i)
 			found.counted[static_cast<std::size_t>(vertices[i].rank)].push_back(vertices[i].vertex);
+	}
+	for (auto& [root, group] : groups)
+		if (group.size() > 1)
+			found.groups.push_back(std::move(group));
+}
+
+/// Tells each rank its vertices that are one with those of others.
+void tellGroups(Team& team, const Found& found, std::uint64_t round, std::vector<SharedVertex>& shared)
+{
+	std::vector<MessageWriter> messages(static_cast<std::size_t>(team.size()));
+	std::uint64_t id = static_cast<std::uint64_t>(team.rank()) << 33 | round << 32;
+	for (const auto& group : found.groups)
+	{
+		++id;
+		for (const RimVertex* vertex : group)
+		{
+			std::vector<int> others;
+			for (const RimVertex* other : group)
+				if (other->rank != vertex->rank)
+					others.push_back(other->rank);
+			std::ranges::sort(others);
+			others.erase(std::unique(others.begin(), others.end()), others.end());
+			MessageWriter& message = messages[static_cast<std::size_t>(vertex->rank)];
+			message.put(vertex->vertex);
+			message.put(id);
+			message.putAll(others);
+		}
+	}
+	for (const Bytes& bytes : team.exchange(taken(messages)))
+		for (MessageReader reader(bytes); !reader.atEnd();)
+		{
+			SharedVertex& vertex = shared.emplace_back();
+			vertex.vertex = reader.get<std::uint32_t>();
+			vertex.id = reader.get<std::uint64_t>();
+			vertex.ranks = reader.getAll<int>();
+		}
 }
 
 /// Sends vertices to the owners of the bins that they lie in, joins those of each bin, and drops the vertices that are
 /// counted elsewhere. binsOf(vertex): a key for each of its bins.
 template <class BinsOf, class Join>
-void joinInBins(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links, const BinsOf& binsOf,
-                const Join& join)
+void joinInBins(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links, Borders& borders,
+                std::uint64_t round, const BinsOf& binsOf, const Join& join)
 {
 	const auto ranks = static_cast<std::size_t>(team.size());
 	std::vector<MessageWriter> messages(ranks);
@@ -218,6 +258,7 @@ void joinInBins(Team& team, std::vector<RimVertex>& own, std::vector<Link>& link
 	for (const auto& [bin, vertices] : bins)
 		join(bin, vertices, found);
 	links.insert(links.end(), found.links.begin(), found.links.end());
+	tellGroups(team, found, round, borders.shared);
 	std::vector<MessageWriter> answers(ranks);
 	for (std::size_t rank = 0; rank < ranks; ++rank)
 		answers[rank].putAll(found.counted[rank]);
@@ -228,10 +269,10 @@ void joinInBins(Team& team, std::vector<RimVertex>& own, std::vector<Link>& link
 	std::erase_if(own, [&](const RimVertex& vertex) { return counted.contains(vertex.vertex); });
 }
 
-void joinAtSamePlace(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links)
+void joinAtSamePlace(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links, Borders& borders)
 {
 	joinInBins(
-	    team, own, links, [](const RimVertex& vertex) { return std::array{placeKey(vertex.place)}; },
+	    team, own, links, borders, 0, [](const RimVertex& vertex) { return std::array{placeKey(vertex.place)}; },
 	    [](std::uint64_t, const std::vector<RimVertex>& vertices, Found& found)
 	    {
 		    joinAmong(
@@ -248,7 +289,7 @@ std::uint64_t binAt(const Vec3& place, double side)
 }
 
 /// Places that only rounding has parted, as the coordinates of abutting blocks often are.
-void joinNear(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links)
+void joinNear(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links, Borders& borders)
 {
 	double side = 0.0;
 	for (const RimVertex& vertex : own)
@@ -257,7 +298,7 @@ void joinNear(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links)
 	if (!(side > 0.0))
 		return;
 	joinInBins(
-	    team, own, links,
+	    team, own, links, borders, 1,
 	    [side](const RimVertex& vertex)
 	    {
 		    std::set<std::uint64_t> bins;
@@ -278,7 +319,8 @@ void joinNear(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links)
 			        return a.place != b.place && glm::length(a.place - b.place) <= std::min(a.near, b.near) &&
 			               binAt(0.5 * (a.place + b.place), side) == bin;
 		        },
-		        [](const RimVertex& a, const RimVertex& b) { return a.on_edge && b.on_edge; }, found);
+		        [](const RimVertex& a, const RimVertex& b) { return a.on_edge && b.on_edge && a.isOnSameEdge(b); },
+		        found);
 	    });
 }
 
@@ -297,17 +339,17 @@ std::vector<std::uint32_t> componentsOf(const mesh::SheetMesh& mesh, std::size_t
 } // namespace
 
 Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
-                    mesh::SheetMesh& mesh)
+                    std::span<const find::BlockCut> cuts, mesh::SheetMesh& mesh)
 {
 	Borders borders;
 	borders.faces_elsewhere = dropFacesShownElsewhere(team, mesh);
 	std::size_t count = 0;
 	const std::vector<std::uint32_t> components = componentsOf(mesh, count);
-	std::vector<RimVertex> rim = rimVertices(blocks, whole, components, mesh);
+	std::vector<RimVertex> rim = rimVertices(blocks, whole, cuts, components, mesh);
 	const std::size_t all = rim.size();
 	std::vector<Link> links;
-	joinAtSamePlace(team, rim, links);
-	joinNear(team, rim, links);
+	joinAtSamePlace(team, rim, links, borders);
+	joinNear(team, rim, links, borders);
 	borders.vertices_elsewhere = all - rim.size();
 	std::ranges::sort(links);
 	links.erase(std::unique(links.begin(), links.end()), links.end());

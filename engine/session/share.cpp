@@ -248,29 +248,24 @@ Status fitsTeam(const view::ViewSpec& spec)
 {
 	const view::ProbeSpec& probe = spec.probe;
 	const view::LookSpec& look = spec.look;
-	const bool has_forms = probe.own && std::ranges::any_of(probe.own->probe.sheets,
-	                                                        [](const probe::Sheet& s) { return s.form.has_value(); });
 	// Their places follow from whole lines.
 	const bool has_labels =
 	    !look.no_labels &&
 	    (look.lines > 0 || (probe.own && std::ranges::any_of(probe.own->probe.sheets, [](const auto& s)
 	                                                         { return s.wishes.lines.has_value(); })));
-	const std::pair<bool, const char*> refused[] = {
-	    {!std::holds_alternative<std::monostate>(probe.surface) || has_forms, "surface"},
-	    {probe.threshold.has_value(), "threshold"},
-	    {probe.crinkle, "crinkle"},
-	    {probe.vectors.on(), "vectors"},
-	    {probe.seeds != seed::SeedMode::automatic, "seeds"},
-	    {probe.outside != seed::OutsidePolicy::nearest, "outside"},
-	    {look.contour.isGiven(), "contour"},
-	    {has_labels, "lines"},
-	    {!look.context.empty(), "context"},
-	    {look.outline == render::Outline::edges, "outline"},
-	    {look.color_by == view::ColorBy::generation, "color_by"},
-	    {spec.machine.visited.has_value(), "visited"},
-	    {spec.machine.strategy == find::Strategy::generations, "strategy"},
-	    {spec.machine.classify == view::Classify::gpu, "classify"},
-	    {read::isTolerance(spec.input.refine), "refine"}};
+	const std::pair<bool, const char*> refused[] = {{view::replacesSheets(probe.surface), "surface"},
+	                                                {probe.vectors.on(), "vectors"},
+	                                                {probe.seeds != seed::SeedMode::automatic, "seeds"},
+	                                                {probe.outside != seed::OutsidePolicy::nearest, "outside"},
+	                                                {look.contour.isGiven(), "contour"},
+	                                                {has_labels, "lines"},
+	                                                {!look.context.empty(), "context"},
+	                                                {look.outline == render::Outline::edges, "outline"},
+	                                                {look.color_by == view::ColorBy::generation, "color_by"},
+	                                                {spec.machine.visited.has_value(), "visited"},
+	                                                {spec.machine.strategy == find::Strategy::generations, "strategy"},
+	                                                {spec.machine.classify == view::Classify::gpu, "classify"},
+	                                                {read::isTolerance(spec.input.refine), "refine"}};
 	for (const auto& [given, key] : refused)
 		if (given && key == std::string_view("lines"))
 			return Error{ErrorKind::usage,
