@@ -28,6 +28,7 @@ struct Borders
 	std::size_t faces_elsewhere = 0;    // boundary polygons that were dropped, since another rank shows them
 	std::size_t components = 0;         // of the meshes of all ranks together
 	std::vector<SharedVertex> shared{}; // a vertex that rounding has parted may have several entries
+	std::vector<int> peers{};           // the ranks that may have some; ascending
 	bool hangs = false; // a cell of one rank meets several smaller ones of another: then nothing here holds
 };
 
@@ -41,5 +42,8 @@ struct Borders
 /// cuts: what was found in each block.
 Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
                     std::span<const find::BlockCut> cuts, mesh::SheetMesh& mesh);
+
+/// Of the outer faces of whole cells, drops those that a shown cell of another rank has too: they are inner ones.
+void dropFacesBetweenRanks(Team& team, const grid::BlockSet& blocks, mesh::SheetMesh& mesh);
 
 } // namespace vp::session

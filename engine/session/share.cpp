@@ -253,7 +253,7 @@ Status fitsTeam(const view::ViewSpec& spec)
 	    !look.no_labels &&
 	    (look.lines > 0 || (probe.own && std::ranges::any_of(probe.own->probe.sheets, [](const auto& s)
 	                                                         { return s.wishes.lines.has_value(); })));
-	const std::pair<bool, const char*> refused[] = {{view::replacesSheets(probe.surface), "surface"},
+	const std::pair<bool, const char*> refused[] = {{view::replacesSheets(probe.surface), "surface"}, // index or patch
 	                                                {probe.vectors.on(), "vectors"},
 	                                                {probe.seeds != seed::SeedMode::automatic, "seeds"},
 	                                                {probe.outside != seed::OutsidePolicy::nearest, "outside"},
@@ -275,6 +275,20 @@ Status fitsTeam(const view::ViewSpec& spec)
 			return Error{ErrorKind::usage, fmt::format("`{}`: processes with a part of the data each cannot do this; "
 			                                           "leave it out, or use vprobe in place of vprobe-mpi",
 			                                           key)};
+	return Nothing{};
+}
+
+// A search for a plane's cells starts at the boundary of a grid, and of each piece. So of a lattice in pieces it finds
+// what cells that a threshold rejects close off, and in one process, where the pieces are one lattice, it does not.
+Status fitsShare(const view::ViewSpec& spec, const grid::BlockSet& blocks, const Share& share)
+{
+	if (!spec.probe.threshold || view::implicitSurface(spec.probe.surface))
+		return Nothing{};
+	for (std::size_t b = 1; b < blocks.blocks.size(); ++b)
+		if (share.whole[b] == share.whole[b - 1] && blocks.blocks[b].grid.index() != kUnstructured)
+			return Error{ErrorKind::usage,
+			             "`threshold`: several pieces of one lattice may show more than the whole does; "
+			             "leave it out, or use vprobe in place of vprobe-mpi"};
 	return Nothing{};
 }
 

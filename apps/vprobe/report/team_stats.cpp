@@ -33,6 +33,9 @@ void addSheet(json& sheet, const json& other)
 	for (const std::string_view key : kSummed)
 		sheet[key] = sheet[key].get<std::size_t>() + other[key].get<std::size_t>();
 	sheet["cells_twisted"] = sheet["cells_twisted"].get<std::size_t>() + other["cells_twisted"].get<std::size_t>();
+	if (json& crinkle = sheet["crinkle"]; !crinkle.is_null())
+		for (const char* key : {"faces", "vertices"})
+			crinkle[key] = crinkle[key].get<std::size_t>() + other["crinkle"][key].get<std::size_t>();
 	for (const std::string_view key : kGreatest)
 		sheet[key] = std::max(sheet[key].get<std::size_t>(), other[key].get<std::size_t>());
 	sheet["hot_spot_inside"] = sheet["hot_spot_inside"].get<bool>() || other["hot_spot_inside"].get<bool>();
@@ -56,7 +59,9 @@ json sheetsOfRank(const json& document)
 	return sheets;
 }
 
-json rankJson(const session::Session& session, const json& own)
+} // namespace
+
+nlohmann::json resourcesOf(const session::Session& session)
 {
 	rusage used{};
 	getrusage(RUSAGE_SELF, &used);
@@ -67,21 +72,16 @@ json rankJson(const session::Session& session, const json& own)
 	std::size_t cells = 0;
 	for (std::uint32_t b = session.share->first_own; b < session.share->end_own; ++b)
 		cells += std::visit([](const auto& grid) { return grid.cellCount(); }, session.blocks.blocks[b].grid);
-	return {{"parts", session.share->own_parts},
-	        {"cells", cells},
-	        {"layer_bytes", session.layer_bytes},
-	        {"peak_mib", used.ru_maxrss / 1024},
-	        {"cpu_s", cpu(used)},
-	        {"reader_cpu_s", cpu(reader)},
-	        {"ms", own.value("ms", json())},
-	        {"sheets", sheetsOfRank(own)}};
+	return {{"parts", session.share->own_parts}, {"cells", cells},     {"layer_bytes", session.layer_bytes},
+	        {"peak_mib", used.ru_maxrss / 1024}, {"cpu_s", cpu(used)}, {"reader_cpu_s", cpu(reader)}};
 }
-
-} // namespace
 
 nlohmann::json ofTeam(const session::Session& session, nlohmann::json own)
 {
-	json mine = {{"document", own}, {"rank", rankJson(session, own)}};
+	json rank = resourcesOf(session);
+	rank["ms"] = own.value("ms", json());
+	rank["sheets"] = sheetsOfRank(own);
+	json mine = {{"document", own}, {"rank", std::move(rank)}};
 	session::MessageWriter message;
 	message.put(mine.dump(-1, ' ', false, json::error_handler_t::replace));
 	json whole = std::move(own);
