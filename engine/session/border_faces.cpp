@@ -1,7 +1,6 @@
 #include "session/border_faces.h"
 
 #include "base/place_key.h"
-#include "session/borders.h"
 #include "session/rim_vertices.h"
 
 #include <algorithm>
@@ -94,30 +93,6 @@ std::vector<std::uint32_t> facesToDrop(Neighborhood& near, const Tell& tell)
 	return dropped;
 }
 
-/// Whether a polygon is a face of its cell that no other cell of the rank has.
-bool isAtBorder(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, std::size_t polygon, const FaceKey& key)
-{
-	const auto [block, cell] = mesh.polygon_cells[polygon];
-	return std::visit(
-	    [&, cell = cell](const auto& grid)
-	    {
-		    grid::CellFaces faces;
-		    grid.cellFaces(cell, faces);
-		    for (int f = 0; f < faces.size(); ++f)
-		    {
-			    bool has_neighbor = false;
-			    grid.forEachNeighbor(cell, f, [&](CellId) { has_neighbor = true; });
-			    FaceKey of_face;
-			    for (const PointId p : faces[f])
-				    addCorner(grid.point(p), of_face);
-			    if (!has_neighbor && of_face == key)
-				    return true;
-		    }
-		    return false;
-	    },
-	    blocks.blocks[block].grid);
-}
-
 } // namespace
 
 std::size_t dropFacesShownElsewhere(Team& team, const std::vector<Box>& boxes, mesh::SheetMesh& mesh)
@@ -146,27 +121,6 @@ std::size_t dropFacesShownElsewhere(Team& team, const std::vector<Box>& boxes, m
 		dropPolygons(dropped, mesh);
 	mesh.boundary_polygons -= dropped.size();
 	return dropped.size();
-}
-
-void dropFacesBetweenRanks(Team& team, const grid::BlockSet& blocks, mesh::SheetMesh& mesh)
-{
-	const std::vector<Box> boxes = boxesOf(team, blocks);
-	Neighborhood near(team, boxes, 0.0);
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-		if (const FaceKey key = faceKey(mesh, p); isAtBorder(blocks, mesh, p, key))
-			near.messageFor(meetingPlace(mesh, p)).put(SentFace{key, static_cast<std::uint32_t>(p), false});
-	const std::vector<std::uint32_t> dropped =
-	    facesToDrop(near,
-	                [](const std::vector<ShownFace>& shown, const auto& drop)
-	                {
-		                const bool has_two =
-		                    std::ranges::any_of(shown, [&](const auto& s) { return s.rank != shown.front().rank; });
-		                for (const ShownFace& s : shown)
-			                if (has_two)
-				                drop(s);
-	                });
-	if (!dropped.empty())
-		dropPolygons(dropped, mesh);
 }
 
 } // namespace vp::session

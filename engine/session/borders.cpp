@@ -185,7 +185,8 @@ void joinAtSamePlace(Team& team, const std::vector<Box>& boxes, std::vector<RimV
 	    {
 		    joinAmong(
 		        vertices, [](const RimVertex& a, const RimVertex& b) { return a.place == b.place; },
-		        [](const RimVertex& a, const RimVertex& b) { return a.isAcross(b) || !(a.on_edge || b.on_edge); },
+		        [](const RimVertex& a, const RimVertex& b)
+		        { return a.on_edge && b.on_edge ? a.isAcross(b) && a.isOnSameEdge(b) : a.on_edge == b.on_edge; },
 		        found);
 	    });
 }

@@ -43,7 +43,4 @@ struct Borders
 Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
                     std::span<const find::BlockCut> cuts, mesh::SheetMesh& mesh);
 
-/// Of the outer faces of whole cells, drops those that a shown cell of another rank has too: they are inner ones.
-void dropFacesBetweenRanks(Team& team, const grid::BlockSet& blocks, mesh::SheetMesh& mesh);
-
 } // namespace vp::session

@@ -278,8 +278,6 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 	Result<grid::BlockSet> blocks = endingOnRequest(options.stop, "opening", [&] { return take(*session); });
 	if (!blocks)
 		return blocks.error();
-	if (Status fits = session->share ? fitsShare(session->spec, *blocks, *session->share) : Nothing{}; !fits)
-		return fits.error();
 	session->blocks = std::move(*blocks);
 	session->device = std::move(options.device);
 	if (Status resolved = resolveAgain(*session, session->spec); !resolved)

@@ -253,42 +253,40 @@ Status fitsTeam(const view::ViewSpec& spec)
 	    !look.no_labels &&
 	    (look.lines > 0 || (probe.own && std::ranges::any_of(probe.own->probe.sheets, [](const auto& s)
 	                                                         { return s.wishes.lines.has_value(); })));
-	const std::pair<bool, const char*> refused[] = {{view::replacesSheets(probe.surface), "surface"}, // index or patch
-	                                                {probe.vectors.on(), "vectors"},
-	                                                {probe.seeds != seed::SeedMode::automatic, "seeds"},
-	                                                {probe.outside != seed::OutsidePolicy::nearest, "outside"},
-	                                                {look.contour.isGiven(), "contour"},
-	                                                {has_labels, "lines"},
-	                                                {!look.context.empty(), "context"},
-	                                                {look.outline == render::Outline::edges, "outline"},
-	                                                {look.color_by == view::ColorBy::generation, "color_by"},
-	                                                {spec.machine.visited.has_value(), "visited"},
-	                                                {spec.machine.strategy == find::Strategy::generations, "strategy"},
-	                                                {spec.machine.classify == view::Classify::gpu, "classify"},
-	                                                {read::isTolerance(spec.input.refine), "refine"}};
-	for (const auto& [given, key] : refused)
-		if (given && key == std::string_view("lines"))
+	struct Refused
+	{
+		bool given;
+		const char* key;
+		const char* why;
+	};
+	const Refused refused[] = {
+	    {view::replacesSheets(probe.surface), "surface", "indices and patches are numbered in each part of the data"},
+	    // A search for a plane's cells starts at the boundary of each piece. So it finds what cells that a threshold
+	    // rejects close off in a piece, and in one process, which may have joined the pieces, it does not.
+	    {probe.threshold && !view::implicitSurface(probe.surface), "threshold",
+	     "what it shows of planes depends on where the parts of several processes meet"},
+	    {probe.crinkle, "crinkle", "faces of whole cells are joined within one process alone"},
+	    {probe.vectors.on(), "vectors", "paths of particles lead from the part of one process into that of another"},
+	    {probe.seeds != seed::SeedMode::automatic, "seeds",
+	     "the search leads from the part of one process into that of another"},
+	    {probe.outside != seed::OutsidePolicy::nearest, "outside", "the hot spot lies in the part of one process"},
+	    {look.contour.isGiven(), "contour", "contours grow from the part of one process into that of another"},
+	    {!look.context.empty(), "context", "faces between the parts of two processes would be shown"},
+	    {look.outline == render::Outline::edges, "outline", "faces between the parts of two processes would be shown"},
+	    {look.color_by == view::ColorBy::generation, "color_by", "generations depend on how the parts were dealt out"},
+	    {spec.machine.visited.has_value(), "visited", "generations depend on how the parts were dealt out"},
+	    {spec.machine.strategy == find::Strategy::generations, "strategy",
+	     "generations depend on how the parts were dealt out"},
+	    {spec.machine.classify == view::Classify::gpu, "classify", "each of several processes cuts on its processor"},
+	    {read::isTolerance(spec.input.refine), "refine",
+	     "cells that a tolerance refines are not joined between processes"}};
+	if (has_labels)
+		return Error{ErrorKind::usage, "`lines`: values on lines that run through the parts of several processes are "
+		                               "not drawn; add `no_labels`, or use vprobe in place of vprobe-mpi"};
+	for (const Refused& r : refused)
+		if (r.given)
 			return Error{ErrorKind::usage,
-			             "`lines`: values on lines that run through the parts of several processes are "
-			             "not drawn; add `no_labels`, or use vprobe in place of vprobe-mpi"};
-		else if (given)
-			return Error{ErrorKind::usage, fmt::format("`{}`: processes with a part of the data each cannot do this; "
-			                                           "leave it out, or use vprobe in place of vprobe-mpi",
-			                                           key)};
-	return Nothing{};
-}
-
-// A search for a plane's cells starts at the boundary of a grid, and of each piece. So of a lattice in pieces it finds
-// what cells that a threshold rejects close off, and in one process, where the pieces are one lattice, it does not.
-Status fitsShare(const view::ViewSpec& spec, const grid::BlockSet& blocks, const Share& share)
-{
-	if (!spec.probe.threshold || view::implicitSurface(spec.probe.surface))
-		return Nothing{};
-	for (std::size_t b = 1; b < blocks.blocks.size(); ++b)
-		if (share.whole[b] == share.whole[b - 1] && blocks.blocks[b].grid.index() != kUnstructured)
-			return Error{ErrorKind::usage,
-			             "`threshold`: several pieces of one lattice may show more than the whole does; "
-			             "leave it out, or use vprobe in place of vprobe-mpi"};
+			             fmt::format("`{}`: {}; leave it out, or use vprobe in place of vprobe-mpi", r.key, r.why)};
 	return Nothing{};
 }
 

@@ -46,9 +46,6 @@ struct Share
 /// Returns an error if a team cannot carry out the settings to the same result as one process. It names the remedy.
 Status fitsTeam(const view::ViewSpec& spec);
 
-/// The same once it is known how the parts were dealt out.
-Status fitsShare(const view::ViewSpec& spec, const grid::BlockSet& blocks, const Share& share);
-
 /// Returns the rank of each part: parts that follow each other, so that the most cells of a rank are as few as can be.
 std::vector<int> dealOut(const std::vector<read::Part>& parts, int ranks);
 

@@ -15,12 +15,6 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 		stats.mesh = slice.mesh(session.blocks, sheet);
 		if (session.view.crinkle)
 			stats.crinkle = slice.crinkle(session.blocks, sheet);
-		if (session.team && stats.crinkle)
-		{
-			dropFacesBetweenRanks(*session.team, slice.blocksOf(session.blocks), *stats.crinkle);
-			stats.crinkle_borders =
-			    joinBorders(*session.team, slice.blocksOf(session.blocks), session.share->whole, {}, *stats.crinkle);
-		}
 		if (session.team)
 			stats.borders = joinBorders(*session.team, slice.blocksOf(session.blocks), session.share->whole,
 			                            slice.sheets[sheet].cuts, stats.mesh);
@@ -49,13 +43,6 @@ void measureSheet(const Session& session, const cut::Cut& slice, std::size_t she
 	}
 	else
 		stats.measure = measure::measure(slice.blocksOf(session.blocks), stats.mesh, field);
-	if (stats.crinkle)
-	{
-		measure::SheetSums sums = measure::sumUp(slice.blocksOf(session.blocks), *stats.crinkle, {});
-		if (session.team)
-			sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
-		stats.crinkle_area = measure::measureOf(sums, false).area;
-	}
 	stats.flux = fluxThrough(session, slice, sheet, stats.mesh);
 }
 

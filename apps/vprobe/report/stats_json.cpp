@@ -110,13 +110,13 @@ nlohmann::json frameJson(const cut::SheetCut& sheet)
 	        {"window", asJson(sheet.sheet.window)}};
 }
 
-nlohmann::json crinkleJson(const session::SheetStats& stats)
+nlohmann::json crinkleJson(const grid::BlockSet& blocks, const std::optional<mesh::SheetMesh>& crinkle)
 {
-	if (!stats.crinkle)
+	if (!crinkle)
 		return {};
-	return {{"faces", stats.crinkle->polygons()},
-	        {"vertices", stats.crinkle->positions.size() - stats.crinkle_borders.vertices_elsewhere},
-	        {"area", stats.crinkle_area}};
+	return {{"faces", crinkle->polygons()},
+	        {"vertices", crinkle->positions.size()},
+	        {"area", measure::measure(blocks, *crinkle, {}).area}};
 }
 
 nlohmann::json tracesJson(const session::Session& session, const vectors::Traces& traces)
@@ -172,7 +172,7 @@ nlohmann::json sheetJson(const session::Session& session, const cut::Cut& slice,
 	             {"boundary_area", stats.measure.boundary_area},
 	             {"nan_area", stats.measure.nan_area},
 	             {"flux", orNull(stats.flux)},
-	             {"crinkle", crinkleJson(stats)}});
+	             {"crinkle", crinkleJson(session.blocks, stats.crinkle)}});
 	if (stats.traces)
 		json["vectors"] = tracesJson(session, *stats.traces);
 	return json;

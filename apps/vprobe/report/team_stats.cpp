@@ -33,9 +33,6 @@ void addSheet(json& sheet, const json& other)
 	for (const std::string_view key : kSummed)
 		sheet[key] = sheet[key].get<std::size_t>() + other[key].get<std::size_t>();
 	sheet["cells_twisted"] = sheet["cells_twisted"].get<std::size_t>() + other["cells_twisted"].get<std::size_t>();
-	if (json& crinkle = sheet["crinkle"]; !crinkle.is_null())
-		for (const char* key : {"faces", "vertices"})
-			crinkle[key] = crinkle[key].get<std::size_t>() + other["crinkle"][key].get<std::size_t>();
 	for (const std::string_view key : kGreatest)
 		sheet[key] = std::max(sheet[key].get<std::size_t>(), other[key].get<std::size_t>());
 	sheet["hot_spot_inside"] = sheet["hot_spot_inside"].get<bool>() || other["hot_spot_inside"].get<bool>();
