@@ -230,10 +230,9 @@ void joinNear(Team& team, const std::vector<Box>& boxes, std::vector<RimVertex>&
 		        [&](const RimVertex& a, const RimVertex& b)
 		        {
 			        return a.place != b.place && glm::length(a.place - b.place) <= std::min(a.near, b.near) &&
-			               binAt(0.5 * (a.place + b.place), side).first == bin;
+			               a.isOnSameEdge(b) && binAt(0.5 * (a.place + b.place), side).first == bin;
 		        },
-		        [](const RimVertex& a, const RimVertex& b) { return a.on_edge && b.on_edge && a.isOnSameEdge(b); },
-		        found);
+		        [](const RimVertex& a, const RimVertex& b) { return a.on_edge && b.on_edge; }, found);
 	    });
 }
 
