@@ -40,8 +40,8 @@ def test_the_table_is_printed_once(programs, case):
 
 @pytest.mark.gpu
 def test_whole_frames_and_a_trace(programs, case, tmp_path):
-    programs.mpi(2, 'profile', case, '--planes', 2, '--draw', '--size', '160x120', '--json', tmp_path / 'p.json', '--trace',
-                 tmp_path / 'trace.json')
+    programs.mpi(2, 'profile', case, '--planes', 2, '--draw', '--size', '160x120', '--json', tmp_path / 'p.json',
+                 '--trace', tmp_path / 'trace.json')
     told = json.loads((tmp_path / 'p.json').read_text())
     assert told['frame_ms']['first'] >= told['cut_ms']['first']
     assert any(rank['layer_bytes'] > 0 for rank in told['ranks'])
