@@ -36,7 +36,7 @@ int main(int argc, char** argv)
 	    "Volume probes in data whose parts are spread over processes: mpiexec -n N vprobe-mpi COMMAND …",
 	    "The commands and options are those of vprobe. Each process reads and cuts a share of the input's pieces or\n"
 	    "blocks; the first one writes. What cannot be done so is refused.",
-	    {vp::app::addSlice, vp::app::addRender, vp::app::addSweep},
+	    {vp::app::addSlice, vp::app::addRender, vp::app::addSweep, vp::app::addProfile},
 	    endAll};
 	return vp::app::runProgram(program, argc, argv);
 }

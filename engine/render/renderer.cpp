@@ -97,15 +97,19 @@ Status Renderer::Private::prepare(const Scene& scene)
 			return ready;
 	}
 	const Overlay over = makeOverlay(scene, &lettering);
-	const ComposePass::SurfaceTargets drawn_surfaces{lists, surfaces.opaque(), surfaces.hasOpaque()};
-	for (Status ready :
-	     {layers.prepare(scene, targets, edges), lines.prepare(scene, whole ? edges : nullptr),
-	      compose.prepare(scene, targets, has_surfaces ? &drawn_surfaces : nullptr,
-	                      {has_edges && !whole ? &mask : nullptr, has_edges && whole ? &quads : nullptr}),
-	      overlay.prepare(over)})
+	for (Status ready : {layers.prepare(scene, targets, edges), lines.prepare(scene, whole ? edges : nullptr),
+	                     prepareComposing(scene), overlay.prepare(over)})
 		if (!ready)
 			return ready;
 	return Nothing{};
+}
+
+Status Renderer::Private::prepareComposing(const Scene& scene)
+{
+	const bool has_edges = samplePattern(scene.look.samples).size() > 1;
+	const ComposePass::SurfaceTargets drawn_surfaces{lists, surfaces.opaque(), surfaces.hasOpaque()};
+	return compose.prepare(scene, targets, scene.surfaces.empty() ? nullptr : &drawn_surfaces,
+	                       {has_edges && !whole ? &mask : nullptr, has_edges && whole ? &quads : nullptr});
 }
 
 void Renderer::Private::recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter,
@@ -119,23 +123,6 @@ void Renderer::Private::recordSample(VkCommandBuffer to, const Scene& scene, con
 		lines.record(to, scene, targets, jitter, whole ? later : nullptr);
 	}
 	recordColors(to, scene, jitter, sample);
-}
-
-// The same with what others have drawn. Returns false if another process goes on.
-Result<bool> Renderer::Private::mergeSample(const Scene& scene, const glm::dvec2& jitter, std::size_t sample,
-                                            const MergeLayers& merge)
-{
-	layers.forget(); // what they hold came from others too
-	layers_drawn += layers.record(commands.handle(), scene, targets, jitter);
-	const auto count = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.sheets.size()));
-	auto merged = merger.run(device, commands, targets, count, merge);
-	if (!merged)
-		return merged.error();
-	if (*merged == VK_NULL_HANDLE)
-		return false;
-	lines.record(*merged, scene, targets, jitter, sample > 0 && whole ? &quads.tiles() : nullptr);
-	recordColors(*merged, scene, jitter, sample);
-	return true;
 }
 
 void Renderer::Private::recordColors(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter,
@@ -222,7 +209,7 @@ void Renderer::Private::recordPicture(VkCommandBuffer to, bool has_edges, std::u
 }
 
 // What is recorded, done.
-Result<Drawn> Renderer::Private::finish(bool has_surfaces, Timeline* timeline)
+Result<Drawn> Renderer::Private::finish(bool counts_fragments, Timeline* timeline)
 {
 	const Status drawn = [&]
 	{
@@ -237,7 +224,7 @@ Result<Drawn> Renderer::Private::finish(bool has_surfaces, Timeline* timeline)
 		timers.forget();
 	if (!drawn)
 		return drawn.error();
-	if (!has_surfaces)
+	if (!counts_fragments)
 		return Drawn::whole;
 	Result<bool> complete = lists.complete();
 	if (!complete)
@@ -306,7 +293,8 @@ Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& 
 				surfaces.recordNearEdges(*begun, scene, targets.part());
 		}
 	}
-	if (has_surfaces)
+	const bool counts_fragments = has_surfaces && !target.merge; // others have been counted sample by sample
+	if (counts_fragments)
 		lists.recordEnd(*begun);
 	recordPicture(*begun, pattern.size() > 1, part);
 	if (part + 1 == plan.count())
@@ -314,7 +302,7 @@ Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& 
 		gpu::TimedPass timed(timers, *begun, "copy");
 		targets.recordCopy(*begun, target.image);
 	}
-	return finish(has_surfaces, timeline);
+	return finish(counts_fragments, timeline);
 }
 
 Result<Drawn> Renderer::Private::draw(const Scene& scene, const DrawTarget& target, Timeline* timeline)
@@ -325,9 +313,9 @@ Result<Drawn> Renderer::Private::draw(const Scene& scene, const DrawTarget& targ
 	if (Status made = makeTargets(scene); !made)
 		return made.error();
 	layers_drawn = 0;
-	if (target.merge && (plan.count() > 1 || !scene.surfaces.empty()))
-		return Error{ErrorKind::usage, "`size`: pictures of several processes show sheets alone, and are drawn in one "
-		                               "part; make it smaller, or use vprobe"};
+	if (target.merge && plan.count() > 1)
+		return Error{ErrorKind::usage,
+		             "`size`: pictures of several processes are drawn in one part; make it smaller, or use vprobe"};
 	for (std::uint32_t part = 0; part < plan.count(); ++part)
 	{
 		if (target.goes_on && *target.goes_on && !(*target.goes_on)())

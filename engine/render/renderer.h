@@ -47,9 +47,9 @@ public:
 	// false, draw() ends with ErrorKind::cancelled.
 	Result<Picture> draw(const Scene& scene, Timeline* timeline = nullptr, const std::function<bool()>& goes_on = {});
 
-	// The same with layers that others draw a part of. merge is called for each sample, of which every layer is drawn
-	// as a whole. Returns nothing if merge says that another process goes on. For scenes of sheets alone, in pictures
-	// that are drawn in one part.
+	// The same with layers and surfaces that others draw a part of. merge is called for each sample, of which every
+	// layer and surface is drawn as a whole. Returns nothing if merge says that another process goes on. For pictures
+	// that are drawn in one part. All processes have as many sheets and surfaces, with the same opacities.
 	Result<std::optional<Picture>> drawMerged(const Scene& scene, const MergeLayers& merge,
 	                                          Timeline* timeline = nullptr);
 

@@ -10,6 +10,7 @@
 #include "render/passes/line_pass.h"
 #include "render/passes/overlay_pass.h"
 #include "render/passes/picture_memory.h"
+#include "render/passes/surface_merge.h"
 #include "render/passes/surface_pass.h"
 #include "render/renderer.h"
 
@@ -51,6 +52,7 @@ struct Renderer::Private
 	std::size_t layers_drawn = 0;
 	KeptLettering lettering{};
 	LayerMerge merger{};
+	SurfaceMerge surface_merger{};
 
 	// The targets hold nothing that can be left as it is.
 	void forget()
@@ -60,9 +62,10 @@ struct Renderer::Private
 	}
 	Status makeTargets(const Scene& scene);
 	Status prepare(const Scene& scene);
+	Status prepareComposing(const Scene& scene);
 	Result<Drawn> draw(const Scene& scene, const DrawTarget& target, Timeline* timeline);
 	Result<Drawn> drawOnce(const Scene& scene, const DrawTarget& target, std::uint32_t part, Timeline* timeline);
-	Result<Drawn> finish(bool has_surfaces, Timeline* timeline);
+	Result<Drawn> finish(bool counts_fragments, Timeline* timeline);
 	void recordSample(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	void recordSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	void recordWhole(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
@@ -70,6 +73,9 @@ struct Renderer::Private
 	void recordColors(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
 	Result<bool> mergeSample(const Scene& scene, const glm::dvec2& jitter, std::size_t sample,
 	                         const MergeLayers& merge);
+	Result<SurfaceFragments> takeSurfaces(const Scene& scene, const glm::dvec2& jitter, std::size_t sample);
+	Status composeSurfaces(VkCommandBuffer to, const Scene& scene, const glm::dvec2& jitter, std::size_t sample,
+	                       const SurfaceFragments& fragments);
 	Picture pictureOf(const Look& look, Timeline* timeline) const;
 };
 

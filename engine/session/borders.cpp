@@ -3,6 +3,7 @@
 #include "base/place_key.h"
 #include "measure/components.h"
 #include "mesh/union_find.h"
+#include "session/border_faces.h"
 #include "session/hanging_borders.h"
 #include "session/rim_vertices.h"
 
@@ -20,109 +21,6 @@ namespace vp::session
 
 namespace
 {
-
-int ownerOf(std::uint64_t key, const Team& team)
-{
-	return static_cast<int>((key ^ key >> 32) % static_cast<std::uint64_t>(team.size()));
-}
-
-struct SentFace
-{
-	FaceKey key;
-	std::uint32_t polygon;
-	bool is_boundary; // of a cell that is not cut
-};
-
-FaceKey faceKey(const mesh::SheetMesh& mesh, std::size_t polygon)
-{
-	FaceKey key;
-	for (const std::uint32_t v : mesh.polygon(polygon))
-		addCorner(mesh.positions[v], key);
-	return key;
-}
-
-bool hasOnlyGridPoints(const mesh::SheetMesh& mesh, std::size_t polygon)
-{
-	return std::ranges::all_of(mesh.polygon(polygon), [&](std::uint32_t v)
-	                           { return v >= mesh.edges.size() || mesh.edges[v].t == 0.0 || mesh.edges[v].t == 1.0; });
-}
-
-void dropPolygons(const std::vector<std::uint32_t>& dropped, mesh::SheetMesh& mesh)
-{
-	mesh::SheetMesh kept;
-	kept.polygon_starts.push_back(0);
-	auto next = dropped.begin();
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-	{
-		if (next != dropped.end() && *next == p)
-		{
-			++next;
-			continue;
-		}
-		for (const std::uint32_t v : mesh.polygon(p))
-			kept.polygon_vertices.push_back(v);
-		kept.polygon_starts.push_back(static_cast<std::uint32_t>(kept.polygon_vertices.size()));
-		kept.polygon_cells.push_back(mesh.polygon_cells[p]);
-	}
-	mesh.polygon_vertices = std::move(kept.polygon_vertices);
-	mesh.polygon_starts = std::move(kept.polygon_starts);
-	mesh.polygon_cells = std::move(kept.polygon_cells);
-	mesh.boundary_polygons -= dropped.size();
-	mesh::dropUnusedVertices(mesh);
-}
-
-std::vector<Bytes> taken(std::vector<MessageWriter>& messages)
-{
-	std::vector<Bytes> bytes;
-	for (MessageWriter& message : messages)
-		bytes.push_back(message.take());
-	return bytes;
-}
-
-/// Of faces in the plane that lie on each other, one is shown: the polygon of a cut cell, or the first.
-std::size_t dropFacesShownElsewhere(Team& team, mesh::SheetMesh& mesh)
-{
-	if (!anyOf(team, mesh.boundary_polygons > 0))
-		return 0;
-	std::vector<MessageWriter> asked(static_cast<std::size_t>(team.size()));
-	const std::size_t first_boundary = mesh.polygons() - mesh.boundary_polygons;
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-		if (p >= first_boundary || hasOnlyGridPoints(mesh, p))
-		{
-			const FaceKey key = faceKey(mesh, p);
-			asked[static_cast<std::size_t>(ownerOf(key.sum, team))].put(
-			    SentFace{key, static_cast<std::uint32_t>(p), p >= first_boundary});
-		}
-	const std::vector<Bytes> came = team.exchange(taken(asked));
-	struct Shown
-	{
-		int rank;
-		SentFace face;
-	};
-	std::map<FaceKey, std::vector<Shown>> faces;
-	for (int rank = 0; rank < team.size(); ++rank)
-		for (MessageReader reader(came[static_cast<std::size_t>(rank)]); !reader.atEnd();)
-		{
-			const auto face = reader.get<SentFace>();
-			faces[face.key].push_back({rank, face});
-		}
-	std::vector<MessageWriter> answers(static_cast<std::size_t>(team.size()));
-	for (const auto& [key, shown] : faces)
-	{
-		bool is_taken = std::ranges::any_of(shown, [](const Shown& s) { return !s.face.is_boundary; });
-		for (const Shown& s : shown)
-			if (s.face.is_boundary && std::exchange(is_taken, true))
-				answers[static_cast<std::size_t>(s.rank)].put(s.face.polygon);
-	}
-	std::vector<std::uint32_t> dropped;
-	for (const Bytes& answer : team.exchange(taken(answers)))
-		for (MessageReader reader(answer); !reader.atEnd();)
-			dropped.push_back(reader.get<std::uint32_t>());
-	std::ranges::sort(dropped);
-	if (!dropped.empty())
-		dropPolygons(dropped, mesh);
-	return dropped.size();
-}
 
 /// Pieces of two ranks that hang together.
 struct Link
@@ -162,7 +60,8 @@ std::size_t countTogether(Team& team, std::size_t own, const std::vector<Link>& 
 struct Found
 {
 	std::vector<Link> links;
-	std::vector<std::vector<std::uint32_t>> counted; // per rank, its vertices that count with one of another rank
+	std::vector<std::vector<std::uint32_t>> counted;   // per rank, its vertices that count with one of another rank
+	std::vector<std::vector<const RimVertex*>> groups; // vertices that are one
 };
 
 /// Joins vertices that may be one. isPlace(a, b): whether they are at one place; isSeam(a, b): whether faces meet
@@ -185,74 +84,129 @@ void joinAmong(std::span<const RimVertex> vertices, const IsPlace& isPlace, cons
 			if (is_one || is_seam)
 				found.links.push_back({a.rank, a.component, b.rank, b.component});
 		}
+	std::map<std::uint32_t, std::vector<const RimVertex*>> groups;
 	for (std::uint32_t i = 0; i < vertices.size(); ++i)
+	{
+		groups[joined.root(i)].push_back(&vertices[i]);
 		if (joined.root(i) != i)
 			found.counted[static_cast<std::size_t>(vertices[i].rank)].push_back(vertices[i].vertex);
+	}
+	for (auto& [root, group] : groups)
+		if (group.size() > 1)
+			found.groups.push_back(std::move(group));
 }
 
-/// Sends vertices to the owners of the bins that they lie in, joins those of each bin, and drops the vertices that are
-/// counted elsewhere. binsOf(vertex): a key for each of its bins.
-template <class BinsOf, class Join>
-void joinInBins(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links, const BinsOf& binsOf,
-                const Join& join)
+/// Tells each rank its vertices that are one with those of others.
+void tellGroups(Neighborhood& near, std::uint64_t first_id, const Found& found, std::vector<SharedVertex>& shared)
 {
-	const auto ranks = static_cast<std::size_t>(team.size());
-	std::vector<MessageWriter> messages(ranks);
-	for (const RimVertex& vertex : own)
-		for (const std::uint64_t bin : binsOf(vertex))
+	std::uint64_t id = first_id;
+	for (const auto& group : found.groups)
+	{
+		++id;
+		for (const RimVertex* vertex : group)
 		{
-			MessageWriter& message = messages[static_cast<std::size_t>(ownerOf(bin, team))];
+			std::vector<int> others;
+			for (const RimVertex* other : group)
+				if (other->rank != vertex->rank)
+					others.push_back(other->rank);
+			std::ranges::sort(others);
+			others.erase(std::unique(others.begin(), others.end()), others.end());
+			MessageWriter& message = near.messageFor(vertex->rank);
+			message.put(vertex->vertex);
+			message.put(id);
+			message.putAll(others);
+		}
+	}
+	for (const Bytes& bytes : near.exchange())
+		for (MessageReader reader(bytes); !reader.atEnd();)
+		{
+			SharedVertex& vertex = shared.emplace_back();
+			vertex.vertex = reader.get<std::uint32_t>();
+			vertex.id = reader.get<std::uint64_t>();
+			vertex.ranks = reader.getAll<int>();
+		}
+}
+
+/// The number of a bin, and a place in it.
+using PlacedBin = std::pair<std::uint64_t, Vec3>;
+
+/// Sends vertices to the owners of the bins that they lie in, joins those of each bin, and drops the vertices that are
+/// counted elsewhere. binsOf(vertex): each of its bins. first_id: no other call has given numbers from there on.
+template <class BinsOf, class Join>
+void joinInBins(Neighborhood& near, std::uint64_t first_id, std::vector<RimVertex>& own, std::vector<Link>& links,
+                Borders& borders, const BinsOf& binsOf, const Join& join)
+{
+	for (const RimVertex& vertex : own)
+		for (const auto& [bin, place] : binsOf(vertex))
+		{
+			MessageWriter& message = near.messageFor(place);
 			message.put(bin);
 			put(message, vertex);
 		}
 	std::map<std::uint64_t, std::vector<RimVertex>> bins;
-	const std::vector<Bytes> came = team.exchange(taken(messages));
-	for (int rank = 0; rank < team.size(); ++rank)
-		for (MessageReader reader(came[static_cast<std::size_t>(rank)]); !reader.atEnd();)
+	const std::vector<Bytes> came = near.exchange();
+	for (std::size_t rank = 0; rank < came.size(); ++rank)
+		for (MessageReader reader(came[rank]); !reader.atEnd();)
 		{
 			const auto bin = reader.get<std::uint64_t>();
-			bins[bin].push_back(takeVertex(reader, rank));
+			bins[bin].push_back(takeVertex(reader, static_cast<int>(rank)));
 		}
 	Found found;
-	found.counted.resize(ranks);
+	found.counted.resize(came.size());
 	for (const auto& [bin, vertices] : bins)
 		join(bin, vertices, found);
 	links.insert(links.end(), found.links.begin(), found.links.end());
-	std::vector<MessageWriter> answers(ranks);
-	for (std::size_t rank = 0; rank < ranks; ++rank)
-		answers[rank].putAll(found.counted[rank]);
+	tellGroups(near, first_id, found, borders.shared);
+	for (std::size_t rank = 0; rank < came.size(); ++rank)
+		for (const std::uint32_t vertex : found.counted[rank])
+			near.messageFor(static_cast<int>(rank)).put(vertex);
 	std::set<std::uint32_t> counted;
-	for (const Bytes& answer : team.exchange(taken(answers)))
-		for (const std::uint32_t vertex : MessageReader(answer).getAll<std::uint32_t>())
-			counted.insert(vertex);
+	for (const Bytes& answer : near.exchange())
+		for (MessageReader reader(answer); !reader.atEnd();)
+			counted.insert(reader.get<std::uint32_t>());
 	std::erase_if(own, [&](const RimVertex& vertex) { return counted.contains(vertex.vertex); });
 }
 
-void joinAtSamePlace(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links)
+/// Numbers that only this rank gives, in one round of two.
+std::uint64_t firstId(const Team& team, std::uint64_t round)
 {
+	return static_cast<std::uint64_t>(team.rank()) << 33 | round << 32;
+}
+
+void joinAtSamePlace(Team& team, const std::vector<Box>& boxes, std::vector<RimVertex>& own, std::vector<Link>& links,
+                     Borders& borders)
+{
+	Neighborhood near(team, boxes, 0.0);
+	borders.peers = near.ranks();
 	joinInBins(
-	    team, own, links, [](const RimVertex& vertex) { return std::array{placeKey(vertex.place)}; },
+	    near, firstId(team, 0), own, links, borders,
+	    [](const RimVertex& vertex) { return std::array{PlacedBin(placeKey(vertex.place), vertex.place)}; },
 	    [](std::uint64_t, const std::vector<RimVertex>& vertices, Found& found)
 	    {
 		    joinAmong(
 		        vertices, [](const RimVertex& a, const RimVertex& b) { return a.place == b.place; },
 		        // Pieces of one lattice share points, also where only edges of their cells meet.
-		        [](const RimVertex& a, const RimVertex& b) {
-			        return a.isAcross(b) || !(a.on_edge || b.on_edge) ||
-			               (a.of_lattice && b.of_lattice && a.whole == b.whole);
+		        [](const RimVertex& a, const RimVertex& b)
+		        {
+			        if (!a.on_edge || !b.on_edge)
+				        return a.on_edge == b.on_edge;
+			        const bool of_one_lattice = a.of_lattice && b.of_lattice && a.whole == b.whole;
+			        return (of_one_lattice || a.isAcross(b)) && a.isOnSameEdge(b);
 		        },
 		        found);
 	    });
 }
 
 /// Of a lattice over space whose cells have this side.
-std::uint64_t binAt(const Vec3& place, double side)
+PlacedBin binAt(const Vec3& place, double side)
 {
-	return placeKey({std::floor(place.x / side), std::floor(place.y / side), std::floor(place.z / side)});
+	const Vec3 cell(std::floor(place.x / side), std::floor(place.y / side), std::floor(place.z / side));
+	return {placeKey(cell), side * (cell + 0.5)};
 }
 
 /// Places that only rounding has parted, as the coordinates of abutting blocks often are.
-void joinNear(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links)
+void joinNear(Team& team, const std::vector<Box>& boxes, std::vector<RimVertex>& own, std::vector<Link>& links,
+              Borders& borders)
 {
 	double side = 0.0;
 	for (const RimVertex& vertex : own)
@@ -260,11 +214,13 @@ void joinNear(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links)
 	sumOverAll(team, side, [](double& greatest, double other) { greatest = std::max(greatest, other); });
 	if (!(side > 0.0))
 		return;
+	Neighborhood near(team, boxes, side); // the middle of a bin lies no farther from its vertices
+	borders.peers = near.ranks();
 	joinInBins(
-	    team, own, links,
+	    near, firstId(team, 1), own, links, borders,
 	    [side](const RimVertex& vertex)
 	    {
-		    std::set<std::uint64_t> bins;
+		    std::map<std::uint64_t, Vec3> bins;
 		    for (int corner = 0; corner < 8; ++corner)
 		    {
 			    const Vec3 way(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
@@ -280,7 +236,7 @@ void joinNear(Team& team, std::vector<RimVertex>& own, std::vector<Link>& links)
 		        [&](const RimVertex& a, const RimVertex& b)
 		        {
 			        return a.place != b.place && glm::length(a.place - b.place) <= std::min(a.near, b.near) &&
-			               binAt(0.5 * (a.place + b.place), side) == bin;
+			               a.isOnSameEdge(b) && binAt(0.5 * (a.place + b.place), side).first == bin;
 		        },
 		        [](const RimVertex& a, const RimVertex& b) { return a.on_edge && b.on_edge; }, found);
 	    });
@@ -301,21 +257,22 @@ std::vector<std::uint32_t> componentsOf(const mesh::SheetMesh& mesh, std::size_t
 } // namespace
 
 Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
-                    mesh::SheetMesh& mesh)
+                    std::span<const find::BlockCut> cuts, mesh::SheetMesh& mesh)
 {
 	Borders borders;
-	borders.faces_elsewhere = dropFacesShownElsewhere(team, mesh);
+	const std::vector<Box> boxes = boxesOf(team, blocks);
+	borders.faces_elsewhere = dropFacesShownElsewhere(team, boxes, mesh);
 	std::size_t count = 0;
 	const std::vector<std::uint32_t> components = componentsOf(mesh, count);
-	std::vector<RimVertex> rim = rimVertices(blocks, whole, components, mesh);
+	std::vector<RimVertex> rim = rimVertices(blocks, whole, cuts, components, mesh);
 	const std::size_t all = rim.size();
 	std::vector<Link> links;
-	joinAtSamePlace(team, rim, links);
-	joinNear(team, rim, links);
+	joinAtSamePlace(team, boxes, rim, links, borders);
+	joinNear(team, boxes, rim, links, borders);
 	borders.vertices_elsewhere = all - rim.size();
 	std::ranges::sort(links);
 	links.erase(std::unique(links.begin(), links.end()), links.end());
-	borders.hangs = hangsBetweenRanks(team, mesh, rim);
+	borders.hangs = hangsBetweenRanks(team, boxes, mesh, rim);
 	borders.components = countTogether(team, count, links);
 	return borders;
 }

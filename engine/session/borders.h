@@ -1,5 +1,6 @@
 #pragma once
 
+#include "find/block_cut.h"
 #include "grid/block.h"
 #include "mesh/sheet_mesh.h"
 #include "session/team.h"
@@ -7,9 +8,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace vp::session
 {
+
+/// A vertex that several ranks have.
+struct SharedVertex
+{
+	std::uint32_t vertex;
+	std::uint64_t id;       // the same at all ranks
+	std::vector<int> ranks; // the others
+};
 
 /// What a sheet's mesh has in common with those of other ranks.
 struct Borders
@@ -17,6 +27,8 @@ struct Borders
 	std::size_t vertices_elsewhere = 0; // of this mesh, counted with the mesh of another rank
 	std::size_t faces_elsewhere = 0;    // boundary polygons that were dropped, since another rank shows them
 	std::size_t components = 0;         // of the meshes of all ranks together
+	std::vector<SharedVertex> shared{}; // a vertex that rounding has parted may have several entries
+	std::vector<int> peers{};           // the ranks that may have some; ascending
 	bool hangs = false; // a cell of one rank meets several smaller ones of another: then nothing here holds
 };
 
@@ -26,7 +38,9 @@ struct Borders
 ///
 /// whole: per block, the block that one process would have in its place. Within one of those, vertices are joined only
 /// where the faces of cells lie on each other, as in one process (mesh/join_vertices.h).
+///
+/// cuts: what was found in each block.
 Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
-                    mesh::SheetMesh& mesh);
+                    std::span<const find::BlockCut> cuts, mesh::SheetMesh& mesh);
 
 } // namespace vp::session

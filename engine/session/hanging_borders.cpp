@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -71,16 +70,18 @@ class Bins
 public:
 	explicit Bins(double side) : side_(side) {}
 
-	std::set<std::uint64_t> of(const Vec3& a, const Vec3& b) const
+	/// With a place in each.
+	std::map<std::uint64_t, Vec3> of(const Vec3& a, const Vec3& b) const
 	{
-		std::set<std::uint64_t> keys;
+		std::map<std::uint64_t, Vec3> keys;
 		for (int corner = 0; corner < 8; ++corner)
 			keys.insert(at({corner & 1 ? a.x : b.x, corner & 2 ? a.y : b.y, corner & 4 ? a.z : b.z}));
 		return keys;
 	}
-	std::uint64_t at(const Vec3& place) const
+	std::pair<std::uint64_t, Vec3> at(const Vec3& place) const
 	{
-		return placeKey({std::floor(place.x / side_), std::floor(place.y / side_), std::floor(place.z / side_)});
+		const Vec3 cell(std::floor(place.x / side_), std::floor(place.y / side_), std::floor(place.z / side_));
+		return {placeKey(cell), side_ * (cell + 0.5)};
 	}
 
 private:
@@ -109,7 +110,8 @@ struct Bin
 
 } // namespace
 
-bool hangsBetweenRanks(Team& team, const mesh::SheetMesh& mesh, std::span<const RimVertex> rim)
+bool hangsBetweenRanks(Team& team, const std::vector<Box>& boxes, const mesh::SheetMesh& mesh,
+                       std::span<const RimVertex> rim)
 {
 	const std::vector<Side> sides = team.size() > 1 ? loneSides(mesh) : std::vector<Side>();
 	double longest = 0.0;
@@ -119,30 +121,22 @@ bool hangsBetweenRanks(Team& team, const mesh::SheetMesh& mesh, std::span<const 
 	if (!(longest > 0.0))
 		return false;
 	const Bins bins(longest);
-	std::vector<MessageWriter> messages(static_cast<std::size_t>(team.size()));
-	const auto messageFor = [&](std::uint64_t bin) -> MessageWriter&
+	Neighborhood near(team, boxes, 2.0 * longest); // the middle of a bin lies no farther from the sides in it
+	const auto send = [&](const std::pair<std::uint64_t, Vec3>& bin, bool is_side, const auto& what)
 	{
-		MessageWriter& message = messages[(bin ^ bin >> 32) % messages.size()];
-		message.put(bin);
-		return message;
-	};
-	const auto send = [&](std::uint64_t bin, bool is_side, const auto& what)
-	{
-		MessageWriter& message = messageFor(bin);
+		MessageWriter& message = near.messageFor(bin.second);
+		message.put(bin.first);
 		message.put(is_side);
 		message.put(what);
 	};
 	for (const Side& side : sides)
-		for (const std::uint64_t bin : bins.of(side.from, side.to))
+		for (const auto& bin : bins.of(side.from, side.to))
 			send(bin, true, side);
 	for (const RimVertex& vertex : rim)
 		if (vertex.on_edge)
 			send(bins.at(vertex.place), false, Point{vertex.place, vertex.near});
-	std::vector<Bytes> bytes;
-	for (MessageWriter& message : messages)
-		bytes.push_back(message.take());
 	std::map<std::uint64_t, Bin> found;
-	const std::vector<Bytes> came = team.exchange(std::move(bytes));
+	const std::vector<Bytes> came = near.exchange();
 	for (int rank = 0; rank < team.size(); ++rank)
 		for (MessageReader reader(came[static_cast<std::size_t>(rank)]); !reader.atEnd();)
 		{

@@ -33,6 +33,7 @@ public:
 		putAll(std::span<const T>(values));
 	}
 	void put(const std::string& text) { putAll(std::span<const char>(text)); }
+	void append(const Bytes& message) { append(message.data(), message.size()); }
 	Bytes take() { return std::move(bytes_); }
 	std::size_t size() const { return bytes_.size(); }
 

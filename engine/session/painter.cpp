@@ -9,6 +9,7 @@
 #include "session/context_mesh.h"
 #include "session/contour_drawing.h"
 #include "session/merged_layers.h"
+#include "session/polygons_around.h"
 #include "session/sheet_values.h"
 #include "session/surroundings.h"
 #include "session/team.h"
@@ -99,15 +100,33 @@ Result<Painter> Painter::create(Session& session, view::ResolvedLook look)
 	return painter;
 }
 
+// The polygons of a surface in device memory. With a team, those of other ranks around them have a part in how they
+// look.
+Result<std::shared_ptr<const render::SurfacePolygons>>
+Painter::surfacePolygons(const cut::Cut& slice, const cut::SheetCut& sheet, const SheetStats& stats) const
+{
+	const mesh::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
+	render::SheetValues values = sheetValues(slice.blocksOf(session_.blocks), sheet, mesh, choice().by_generation);
+	if (!session_.team)
+		return render::surfacePolygons(*session_.device, mesh, {values.of_vertices, values.of_polygons});
+	Box box;
+	for (const Vec3& place : mesh.positions)
+		box.include(place);
+	sumOverAll(*session_.team, box, [](Box& all, const Box& other) { all.include(other); });
+	mesh::SheetMesh around = mesh;
+	render::SurfaceElsewhere elsewhere{.origin = box.empty() ? Vec3(0.0) : box.center()};
+	elsewhere.polygons = addPolygonsAround(*session_.team, stats.borders, around, values.of_polygons);
+	if (!values.of_vertices.empty())
+		values.of_vertices.resize(around.positions.size(), 0.0);
+	return render::surfacePolygons(*session_.device, around, {values.of_vertices, values.of_polygons}, &elsewhere);
+}
+
 // What is no plane: a grid surface, a patch of the boundary, whole cells.
 Result<render::Surface> Painter::surfaceOf(const cut::Cut& slice, std::size_t sheet, const SheetStats& stats,
                                            const render::SheetDrawing& drawing,
                                            const std::optional<render::ValueScale>& scale) const
 {
-	const mesh::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
-	const render::SheetValues values =
-	    sheetValues(slice.blocksOf(session_.blocks), slice.sheets[sheet], mesh, choice().by_generation);
-	auto polygons = render::surfacePolygons(*session_.device, mesh, {values.of_vertices, values.of_polygons});
+	auto polygons = surfacePolygons(slice, slice.sheets[sheet], stats);
 	if (!polygons)
 		return polygons.error();
 	return render::Surface{.polygons = std::move(*polygons),

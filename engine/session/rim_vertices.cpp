@@ -6,6 +6,9 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace vp::session
 {
@@ -27,6 +30,15 @@ bool RimVertex::isAcross(const RimVertex& other) const
 {
 	return std::ranges::any_of(faces,
 	                           [&](const FaceKey& face) { return std::ranges::binary_search(other.faces, face); });
+}
+
+bool RimVertex::isOnSameEdge(const RimVertex& other) const
+{
+	const double apart = std::min(near, other.near);
+	const auto areNear = [&](int end, int other_end)
+	{ return glm::length(ends[end] - other.ends[other_end]) <= apart; };
+	return (ends[0] == ends[1]) == (other.ends[0] == other.ends[1]) &&
+	       ((areNear(0, 0) && areNear(1, 1)) || (areNear(0, 1) && areNear(1, 0)));
 }
 
 bool RimVertex::hasDataOf(const RimVertex& other) const
@@ -76,22 +88,70 @@ bool liesOn(const grid::BlockSet& blocks, const mesh::EdgePoint& vertex, std::sp
 	    blocks.blocks[vertex.block].grid);
 }
 
+/// The grid point at which a vertex lies; none for others.
+std::optional<PointId> gridPoint(const mesh::EdgePoint& vertex)
+{
+	if (vertex.t == 0.0)
+		return vertex.lower;
+	return vertex.t == 1.0 ? std::optional(vertex.higher) : std::nullopt;
+}
+
+/// Visits the cut cells without a polygon that have rim vertices at their points: visit(block, cell, vertices).
+template <class Visit>
+void forCellsWithoutPolygon(const grid::BlockSet& blocks, std::span<const find::BlockCut> cuts,
+                            const mesh::SheetMesh& mesh, const std::vector<std::uint8_t>& rim, const Visit& visit)
+{
+	std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> at_place;
+	const auto pointOf = [&](std::uint32_t block, PointId p)
+	{ return std::visit([&](const auto& grid) { return grid.point(p); }, blocks.blocks[block].grid); };
+	for (std::uint32_t v = 0; v < mesh.edges.size(); ++v)
+		if (const auto p = gridPoint(mesh.edges[v]); rim[v] && p)
+			at_place[placeKey(pointOf(mesh.edges[v].block, *p))].push_back(v);
+	if (at_place.empty())
+		return;
+	const auto keyOf = [](std::uint32_t block, CellId cell) { return std::uint64_t(block) << 32 | cell; };
+	std::unordered_set<std::uint64_t> shown;
+	for (const auto& [block, cell] : mesh.polygon_cells)
+		shown.insert(keyOf(block, cell));
+	std::vector<std::uint32_t> vertices;
+	for (std::uint32_t b = 0; b < cuts.size(); ++b)
+		find::forEachCutCell(
+		    blocks.blocks[b], cuts[b],
+		    [&](CellId cell)
+		    {
+			    if (shown.contains(keyOf(b, cell)))
+				    return;
+			    vertices.clear();
+			    std::visit(
+			        [&](const auto& grid)
+			        {
+				        grid::CellFaces faces;
+				        grid.cellFaces(cell, faces);
+				        for (int f = 0; f < faces.size(); ++f)
+					        for (const PointId p : faces[f])
+						        if (const auto at = at_place.find(placeKey(grid.point(p))); at != at_place.end())
+							        vertices.insert(vertices.end(), at->second.begin(), at->second.end());
+			        },
+			        blocks.blocks[b].grid);
+			    std::ranges::sort(vertices);
+			    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+			    if (!vertices.empty())
+				    visit(b, cell, vertices);
+		    });
+}
+
 /// The faces of cells on which the vertices of the rim lie; of others none.
-std::vector<std::vector<FaceKey>> facesAtRim(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
-                                             const std::vector<std::uint8_t>& rim)
+std::vector<std::vector<FaceKey>> facesAtRim(const grid::BlockSet& blocks, std::span<const find::BlockCut> cuts,
+                                             const mesh::SheetMesh& mesh, const std::vector<std::uint8_t>& rim)
 {
 	std::vector<std::vector<FaceKey>> of_vertex(rim.size());
 	grid::CellFaces faces;
 	std::vector<Vec3> corners;
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	const auto takesPart = [&](std::uint32_t v) { return rim[v] && v < mesh.edges.size(); };
+	const auto addCell = [&](std::uint32_t block, CellId cell, std::span<const std::uint32_t> vertices)
 	{
-		const auto polygon = mesh.polygon(p);
-		const auto takesPart = [&](std::uint32_t v) { return rim[v] && v < mesh.edges.size(); };
-		if (std::ranges::none_of(polygon, takesPart))
-			continue;
-		const auto [block, cell] = mesh.polygon_cells[p];
 		std::visit(
-		    [&, cell = cell](const auto& grid)
+		    [&](const auto& grid)
 		    {
 			    grid.cellFaces(cell, faces);
 			    for (int f = 0; f < faces.size(); ++f)
@@ -102,13 +162,17 @@ std::vector<std::vector<FaceKey>> facesAtRim(const grid::BlockSet& blocks, const
 					    corners.push_back(grid.point(point));
 				    for (const Vec3& corner : corners)
 					    addCorner(corner, key);
-				    for (const std::uint32_t v : polygon)
+				    for (const std::uint32_t v : vertices)
 					    if (takesPart(v) && liesOn(blocks, mesh.edges[v], corners))
 						    of_vertex[v].push_back(key);
 			    }
 		    },
 		    blocks.blocks[block].grid);
-	}
+	};
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+		if (std::ranges::any_of(mesh.polygon(p), takesPart))
+			addCell(mesh.polygon_cells[p].block, mesh.polygon_cells[p].cell, mesh.polygon(p));
+	forCellsWithoutPolygon(blocks, cuts, mesh, rim, addCell);
 	for (std::vector<FaceKey>& keys : of_vertex)
 	{
 		std::ranges::sort(keys);
@@ -133,6 +197,16 @@ double nearOf(const grid::Block& block, const mesh::EdgePoint& at)
 		    const double edge = glm::length(b - a);
 		    const double largest = std::max(glm::length(a), glm::length(b));
 		    return std::min(std::max(kOfEdge * edge, of_place * largest), 0.01 * edge);
+	    },
+	    block.grid);
+}
+
+std::array<Vec3, 2> endsOf(const grid::Block& block, const mesh::EdgePoint& at)
+{
+	return std::visit(
+	    [&](const auto& grid) {
+		    return std::array{grid.point(at.t == 1.0 ? at.higher : at.lower),
+		                      grid.point(at.t == 0.0 ? at.lower : at.higher)};
 	    },
 	    block.grid);
 }
@@ -165,10 +239,11 @@ std::vector<std::pair<std::string, std::vector<ValueAt>>> valuesAt(const grid::B
 } // namespace
 
 std::vector<RimVertex> rimVertices(const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
-                                   std::span<const std::uint32_t> components, const mesh::SheetMesh& mesh)
+                                   std::span<const find::BlockCut> cuts, std::span<const std::uint32_t> components,
+                                   const mesh::SheetMesh& mesh)
 {
 	const std::vector<std::uint8_t> rim = rimOf(mesh);
-	std::vector<std::vector<FaceKey>> faces = facesAtRim(blocks, mesh, rim);
+	std::vector<std::vector<FaceKey>> faces = facesAtRim(blocks, cuts, mesh, rim);
 	std::vector<RimVertex> vertices;
 	for (std::uint32_t v = 0; v < rim.size(); ++v)
 	{
@@ -186,6 +261,7 @@ std::vector<RimVertex> rimVertices(const grid::BlockSet& blocks, std::span<const
 		if (!vertex.on_edge)
 			continue;
 		vertex.near = nearOf(blocks.blocks[block], mesh.edges[v]);
+		vertex.ends = endsOf(blocks.blocks[block], mesh.edges[v]);
 		vertex.arrays = valuesAt(blocks.blocks[block], mesh.edges[v]);
 	}
 	return vertices;
@@ -200,6 +276,7 @@ void put(MessageWriter& to, const RimVertex& vertex)
 	to.put(vertex.whole);
 	to.put(vertex.of_lattice);
 	to.put(vertex.on_edge);
+	to.put(vertex.ends);
 	to.putAll(vertex.faces);
 	to.put(vertex.arrays.size());
 	for (const auto& [name, values] : vertex.arrays)
@@ -220,6 +297,7 @@ RimVertex takeVertex(MessageReader& from, int rank)
 	vertex.whole = from.get<std::uint32_t>();
 	vertex.of_lattice = from.get<bool>();
 	vertex.on_edge = from.get<bool>();
+	vertex.ends = from.get<std::array<Vec3, 2>>();
 	vertex.faces = from.getAll<FaceKey>();
 	for (auto left = from.get<std::size_t>(); left > 0; --left)
 	{

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "find/block_cut.h"
 #include "grid/block.h"
 #include "mesh/sheet_mesh.h"
 #include "session/team.h"
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <span>
@@ -44,19 +46,24 @@ struct RimVertex
 	Vec3 place{};
 	double near = 0.0; // so far apart two places may be that are meant to be one
 	std::uint32_t component = 0;
-	std::uint32_t whole = 0;                                            // the block that one process would have
-	bool of_lattice = false;                                            // of its block, whose pieces share points
-	bool on_edge = true;                                                // of a cell; else on the rim of a window
-	std::vector<FaceKey> faces{};                                       // of cells, on which it lies; ascending
+	std::uint32_t whole = 0;      // the block that one process would have
+	bool of_lattice = false;      // of its block, whose pieces share points
+	bool on_edge = true;          // of a cell; else on the rim of a window
+	std::array<Vec3, 2> ends{};   // of its edge; a grid point where it lies on one
+	std::vector<FaceKey> faces{}; // of cells, on which it lies; ascending
 	std::vector<std::pair<std::string, std::vector<ValueAt>>> arrays{}; // by name
 
-	bool isAcross(const RimVertex& other) const; // a seam
+	bool isAcross(const RimVertex& other) const;     // a seam
+	bool isOnSameEdge(const RimVertex& other) const; // but for rounding
 	bool hasDataOf(const RimVertex& other) const;
 };
 
-/// The vertices around which the polygons of the mesh close no ring. components: per vertex, its piece of the mesh.
+/// The vertices around which the polygons of the mesh close no ring. cuts: what was found in each block; a cell that
+/// the sheet meets in a point or a line has no polygon, and yet joins vertices. components: per vertex, its piece of
+/// the mesh.
 std::vector<RimVertex> rimVertices(const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
-                                   std::span<const std::uint32_t> components, const mesh::SheetMesh& mesh);
+                                   std::span<const find::BlockCut> cuts, std::span<const std::uint32_t> components,
+                                   const mesh::SheetMesh& mesh);
 
 void put(MessageWriter& to, const RimVertex& vertex);
 RimVertex takeVertex(MessageReader& from, int rank);

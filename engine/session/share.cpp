@@ -248,38 +248,45 @@ Status fitsTeam(const view::ViewSpec& spec)
 {
 	const view::ProbeSpec& probe = spec.probe;
 	const view::LookSpec& look = spec.look;
-	const bool has_forms = probe.own && std::ranges::any_of(probe.own->probe.sheets,
-	                                                        [](const probe::Sheet& s) { return s.form.has_value(); });
 	// Their places follow from whole lines.
 	const bool has_labels =
 	    !look.no_labels &&
 	    (look.lines > 0 || (probe.own && std::ranges::any_of(probe.own->probe.sheets, [](const auto& s)
 	                                                         { return s.wishes.lines.has_value(); })));
-	const std::pair<bool, const char*> refused[] = {
-	    {!std::holds_alternative<std::monostate>(probe.surface) || has_forms, "surface"},
-	    {probe.threshold.has_value(), "threshold"},
-	    {probe.crinkle, "crinkle"},
-	    {probe.vectors.on(), "vectors"},
-	    {probe.seeds != seed::SeedMode::automatic, "seeds"},
-	    {probe.outside != seed::OutsidePolicy::nearest, "outside"},
-	    {look.contour.isGiven(), "contour"},
-	    {has_labels, "lines"},
-	    {!look.context.empty(), "context"},
-	    {look.outline == render::Outline::edges, "outline"},
-	    {look.color_by == view::ColorBy::generation, "color_by"},
-	    {spec.machine.visited.has_value(), "visited"},
-	    {spec.machine.strategy == find::Strategy::generations, "strategy"},
-	    {spec.machine.classify == view::Classify::gpu, "classify"},
-	    {read::isTolerance(spec.input.refine), "refine"}};
-	for (const auto& [given, key] : refused)
-		if (given && key == std::string_view("lines"))
+	struct Refused
+	{
+		bool given;
+		const char* key;
+		const char* why;
+	};
+	const Refused refused[] = {
+	    {view::replacesSheets(probe.surface), "surface", "indices and patches are numbered in each part of the data"},
+	    // A search for a plane's cells starts at the boundary of each piece. So it finds what cells that a threshold
+	    // rejects close off in a piece, and in one process, which may have joined the pieces, it does not.
+	    {probe.threshold && !view::implicitSurface(probe.surface), "threshold",
+	     "what it shows of planes depends on where the parts of several processes meet"},
+	    {probe.crinkle, "crinkle", "faces of whole cells are joined within one process alone"},
+	    {probe.vectors.on(), "vectors", "paths of particles lead from the part of one process into that of another"},
+	    {probe.seeds != seed::SeedMode::automatic, "seeds",
+	     "the search leads from the part of one process into that of another"},
+	    {probe.outside != seed::OutsidePolicy::nearest, "outside", "the hot spot lies in the part of one process"},
+	    {look.contour.isGiven(), "contour", "contours grow from the part of one process into that of another"},
+	    {!look.context.empty(), "context", "faces between the parts of two processes would be shown"},
+	    {look.outline == render::Outline::edges, "outline", "faces between the parts of two processes would be shown"},
+	    {look.color_by == view::ColorBy::generation, "color_by", "generations depend on how the parts were dealt out"},
+	    {spec.machine.visited.has_value(), "visited", "generations depend on how the parts were dealt out"},
+	    {spec.machine.strategy == find::Strategy::generations, "strategy",
+	     "generations depend on how the parts were dealt out"},
+	    {spec.machine.classify == view::Classify::gpu, "classify", "each of several processes cuts on its processor"},
+	    {read::isTolerance(spec.input.refine), "refine",
+	     "cells that a tolerance refines are not joined between processes"}};
+	if (has_labels)
+		return Error{ErrorKind::usage, "`lines`: values on lines that run through the parts of several processes are "
+		                               "not drawn; add `no_labels`, or use vprobe in place of vprobe-mpi"};
+	for (const Refused& r : refused)
+		if (r.given)
 			return Error{ErrorKind::usage,
-			             "`lines`: values on lines that run through the parts of several processes are "
-			             "not drawn; add `no_labels`, or use vprobe in place of vprobe-mpi"};
-		else if (given)
-			return Error{ErrorKind::usage, fmt::format("`{}`: processes with a part of the data each cannot do this; "
-			                                           "leave it out, or use vprobe in place of vprobe-mpi",
-			                                           key)};
+			             fmt::format("`{}`: {}; leave it out, or use vprobe in place of vprobe-mpi", r.key, r.why)};
 	return Nothing{};
 }
 

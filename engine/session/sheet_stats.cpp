@@ -16,8 +16,8 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 		if (session.view.crinkle)
 			stats.crinkle = slice.crinkle(session.blocks, sheet);
 		if (session.team)
-			stats.borders =
-			    joinBorders(*session.team, slice.blocksOf(session.blocks), session.share->whole, stats.mesh);
+			stats.borders = joinBorders(*session.team, slice.blocksOf(session.blocks), session.share->whole,
+			                            slice.sheets[sheet].cuts, stats.mesh);
 	}
 	if (stats.borders.hangs)
 		return Error{ErrorKind::input,

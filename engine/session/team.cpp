@@ -1,5 +1,6 @@
 #include "session/team.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace vp::session
@@ -54,6 +55,26 @@ std::vector<Bytes> Team::exchange(std::vector<Bytes> to)
 		const int next = (rank() + step) % ranks;
 		const int before = (rank() + ranks - step) % ranks;
 		from[static_cast<std::size_t>(before)] = sendReceive(next, to[static_cast<std::size_t>(next)], before);
+	}
+	return from;
+}
+
+std::vector<Bytes> Team::exchange(std::vector<Bytes> to, std::span<const int> with)
+{
+	const int ranks = size();
+	std::vector<Bytes> from(to.size());
+	from[static_cast<std::size_t>(rank())] = std::move(to[static_cast<std::size_t>(rank())]);
+	const auto isNamed = [&](int other) { return std::ranges::binary_search(with, other); };
+	for (int step = 1; step < ranks; ++step)
+	{
+		const int next = (rank() + step) % ranks;
+		const int before = (rank() + ranks - step) % ranks;
+		const bool sends = isNamed(next);
+		const bool receives = isNamed(before);
+		if (!sends && !receives)
+			continue;
+		Bytes came = sendReceive(sends ? next : -1, to[static_cast<std::size_t>(next)], receives ? before : -1);
+		from[static_cast<std::size_t>(before)] = std::move(came);
 	}
 	return from;
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace vp::session
 ///
 /// Only the first three functions know how bytes travel. The others go along trees, so their time grows with the
 /// logarithm of the number of ranks, but for exchange(), which has a message for each pair.
+/// session/neighborhood.h says which pairs are enough.
 class Team
 {
 public:
@@ -39,6 +41,8 @@ public:
 	std::vector<Bytes> gatherAll(const Bytes& own);
 	/// Sends to[r] to rank r. Returns what came from each.
 	std::vector<Bytes> exchange(std::vector<Bytes> to);
+	/// The same with some other ranks only (ascending). Who names one is named by it.
+	std::vector<Bytes> exchange(std::vector<Bytes> to, std::span<const int> with);
 };
 
 /// Gives every rank the sum of what all have, by add(into, other).

@@ -37,6 +37,11 @@ def lattice_of(ranks):
     return min(shapes, key=lambda shape: shape[2] - shape[0])
 
 
+def neighbors_of(counts):
+    """The most ranks whose blocks touch that of one: 26 in a large lattice."""
+    return math.prod(min(count, 3) for count in counts) - 1
+
+
 def shares_of(counts, samples=400_000):
     """Which part of the wheel's area lies in each block of a cube. Its vanes are the halves of planes through z."""
     random = np.random.default_rng(1)
@@ -76,8 +81,8 @@ def seconds(ranks, cells):
             'read': READ_START + each * (READ_CELL + BUILD_CELL),
             'cut': each * SCAN_CELL * SHEETS + polygons * EMIT_POLYGON,
             'measure': polygons * MEASURE_POLYGON,
-            # For each sheet some 8 sums or gatherings, up and down the tree, and 6 exchanges with each other rank.
-            'agree': SHEETS * (8 * 2 * levels + 6 * (ranks - 1)) * LATENCY,
+            # For each sheet some 9 sums or gatherings, up and down the tree, and 9 exchanges with each neighbor.
+            'agree': SHEETS * 9 * (2 * levels + neighbors_of(lattice_of(ranks))) * LATENCY,
             'draw': DRAW,
             'layers': tree(shares_of(lattice_of(ranks)))[1]}
 

@@ -7,7 +7,9 @@
 #include "report/profile_compare.h"
 #include "report/profile_report.h"
 #include "report/remaining_time.h"
+#include "report/team_profile.h"
 #include "session/painter.h"
+#include "team.h"
 #include "view/settings.h"
 #include "view/validate.h"
 
@@ -51,6 +53,8 @@ Result<ExitCode> runCompare(const ProfileOptions& options, const CLI::App& comma
 {
 	if (Status alone = requireAlone(command); !alone)
 		return alone.error();
+	if (!isFirst())
+		return ExitCode::done;
 	Result<nlohmann::json> a = readProfile(options.compare[0]);
 	if (!a)
 		return a.error();
@@ -67,7 +71,7 @@ Status checkProfileOptions(const ProfileOptions& options, const CLI::App& comman
 	if (options.json == "-" && options.trace == "-")
 		return Error{ErrorKind::usage,
 		             "--json - and --trace -: standard output takes one thing at a time; name a file for the other"};
-	if (Status place = checkWritable(options.json); !place)
+	if (Status place = isFirst() ? checkWritable(options.json) : Nothing{}; !place)
 		return place;
 	if (options.planes < 1 || options.planes > kMaxPlanes)
 		return Error{ErrorKind::usage,
@@ -173,7 +177,9 @@ Status writeJson(const std::string& path, const nlohmann::json& document)
 
 Status report(const ProfileOptions& options, const Profile& profile, std::optional<write::TraceFile>& trace)
 {
-	const nlohmann::json document = profileJson(profile);
+	const nlohmann::json document = profile.session.team ? profileOfTeam(profile) : profileJson(profile);
+	if (!isFirst())
+		return Nothing{};
 	if (document["empty_planes"] > 0)
 		warn("{} of {} planes are empty: the probe misses the grid there", document["empty_planes"].get<int>(),
 		     document["planes"].get<int>());
@@ -197,7 +203,8 @@ Result<ExitCode> runProfile(const ProfileOptions& options, const CLI::App& comma
 	if (Status ready = prepare(options.common); !ready)
 		return ready.error();
 	session::OpenOptions how{.use = options.draw ? session::DeviceUse::draw : session::DeviceUse::classify,
-	                         .keep = Timeline::Keep::sections};
+	                         .keep = Timeline::Keep::sections,
+	                         .team = team()};
 	if (options.common.explain)
 		return explain(options.common.spec, {});
 	const Result<probe::Path> path = pathOf(options);

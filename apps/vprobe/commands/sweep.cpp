@@ -67,7 +67,6 @@ Status checkTeam(const SweepOptions& options)
 	const std::pair<bool, const char*> refused[] = {{options.exports(), "-o .pvd"},
 	                                                {!options.exposure.empty(), "--exposure"},
 	                                                {options.resume, "--resume"},
-	                                                {!options.trace.empty(), "--trace"},
 	                                                {options.common.spec.sweep.over_times, "--path times"}};
 	for (const auto& [given, name] : refused)
 		if (team() && given)

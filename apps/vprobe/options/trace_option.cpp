@@ -1,5 +1,7 @@
 #include "options/trace_option.h"
 
+#include "team.h"
+
 namespace vp::app
 {
 
@@ -14,7 +16,7 @@ void addTraceOption(CLI::App& command, std::string& path, const char* group)
 
 Result<std::optional<write::TraceFile>> openTrace(const std::string& path)
 {
-	if (path.empty())
+	if (path.empty() || !isFirst()) // of a team the first process tells its own work
 		return std::optional<write::TraceFile>();
 	Result<write::TraceFile> file = write::TraceFile::create(path);
 	if (!file)

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace vp::app
 {
@@ -63,7 +64,7 @@ void ProfileLog::addFigures(const cut::Cut& slice, const std::vector<session::Sh
 				finders_.insert(finderOf(sheet, b));
 		}
 		polygons += sheets[s].mesh.polygons();
-		vertices += sheets[s].mesh.positions.size();
+		vertices += sheets[s].mesh.positions.size() - sheets[s].borders.vertices_elsewhere;
 	}
 	cut_cells_.push_back(static_cast<double>(cut));
 	touched_cells_.push_back(static_cast<double>(touched));
@@ -71,19 +72,19 @@ void ProfileLog::addFigures(const cut::Cut& slice, const std::vector<session::Sh
 	vertices_.push_back(static_cast<double>(vertices));
 }
 
-Stage& ProfileLog::stageOf(const Section& section)
+Stage& ProfileLog::stageOf(const std::string& name, Timeline::Track track, std::uint32_t depth)
 {
-	const auto same = [&](const Stage& stage) { return stage.track == section.track && stage.name == section.name; };
+	const auto same = [&](const Stage& stage) { return stage.track == track && stage.name == name; };
 	if (const auto known = std::ranges::find_if(stages_, same); known != stages_.end())
 		return *known;
-	return stages_.emplace_back(Stage{section.name, section.track, section.depth, std::vector<double>(planes(), 0.0)});
+	return stages_.emplace_back(Stage{name, track, depth, std::vector<double>(planes(), 0.0)});
 }
 
 void ProfileLog::addStages(const std::vector<Section>& sections)
 {
 	for (const Section& section : sections)
 	{
-		Stage& stage = stageOf(section);
+		Stage& stage = stageOf(section.name, section.track, section.depth);
 		stage.ms.resize(planes() + 1, 0.0);
 		stage.ms.back() += section.duration_ms;
 	}
@@ -110,6 +111,44 @@ void ProfileLog::addGenerations(const std::vector<Section>& sections)
 		if (on_gpu.size() == classified.size())
 			log.gpu_ms.push_back(on_gpu[g].duration_ms);
 	}
+}
+
+void ProfileLog::put(session::MessageWriter& to) const
+{
+	to.put(stages_.size());
+	for (const Stage& stage : stages_)
+	{
+		to.put(stage.name);
+		to.put(stage.track);
+		to.put(stage.depth);
+		to.putAll(stage.ms);
+	}
+	for (const auto* counts : {&generation_counts_, &cut_cells_, &touched_cells_, &polygons_, &vertices_})
+		to.putAll(*counts);
+	to.put(finders_.size());
+	for (const std::string& finder : finders_)
+		to.put(finder);
+}
+
+void ProfileLog::include(session::MessageReader& other)
+{
+	const auto combine = [&](std::vector<double>& own, const auto& with)
+	{
+		const auto others = other.getAll<double>();
+		std::ranges::transform(own, others, own.begin(), with);
+	};
+	const auto slower = [](double a, double b) { return std::max(a, b); };
+	for (auto left = other.get<std::size_t>(); left > 0; --left)
+	{
+		const std::string name = other.getText();
+		const auto track = other.get<Timeline::Track>();
+		combine(stageOf(name, track, other.get<std::uint32_t>()).ms, slower);
+	}
+	combine(generation_counts_, slower);
+	for (auto* counts : {&cut_cells_, &touched_cells_, &polygons_, &vertices_})
+		combine(*counts, std::plus());
+	for (auto left = other.get<std::size_t>(); left > 0; --left)
+		finders_.insert(other.getText());
 }
 
 std::vector<double> ProfileLog::msOf(const std::string& name) const

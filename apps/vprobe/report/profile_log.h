@@ -2,6 +2,7 @@
 
 #include "base/timeline.h"
 #include "report/stats_json.h"
+#include "session/message.h"
 
 #include <cstddef>
 #include <set>
@@ -37,6 +38,11 @@ public:
 	void add(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
 	         const std::vector<Timeline::Section>& sections);
 
+	// For a process that puts the logs of several together: the slowest one's times, and the sum of the work.
+	// Generations stay those of this log.
+	void put(session::MessageWriter& to) const;
+	void include(session::MessageReader& other);
+
 	std::size_t planes() const { return cut_cells_.size(); }
 	const std::vector<Stage>& stages() const { return stages_; } // in the order in which they begin
 	std::vector<double> msOf(const std::string& stage) const;    // per plane, for a stage of the CPU
@@ -57,7 +63,7 @@ private:
 	void addFigures(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets);
 	void addStages(const std::vector<Timeline::Section>& sections);
 	void addGenerations(const std::vector<Timeline::Section>& sections);
-	Stage& stageOf(const Timeline::Section& section);
+	Stage& stageOf(const std::string& name, Timeline::Track track, std::uint32_t depth);
 
 	std::vector<Stage> stages_;
 	std::vector<GenerationLog> generations_;

@@ -56,7 +56,9 @@ json sheetsOfRank(const json& document)
 	return sheets;
 }
 
-json rankJson(const session::Session& session, const json& own)
+} // namespace
+
+nlohmann::json resourcesOf(const session::Session& session)
 {
 	rusage used{};
 	getrusage(RUSAGE_SELF, &used);
@@ -73,16 +75,15 @@ json rankJson(const session::Session& session, const json& own)
 	        {"layer_bytes", session.layer_bytes},
 	        {"peak_mib", used.ru_maxrss / 1024},
 	        {"cpu_s", cpu(used)},
-	        {"reader_cpu_s", cpu(reader)},
-	        {"ms", own.value("ms", json())},
-	        {"sheets", sheetsOfRank(own)}};
+	        {"reader_cpu_s", cpu(reader)}};
 }
-
-} // namespace
 
 nlohmann::json ofTeam(const session::Session& session, nlohmann::json own)
 {
-	json mine = {{"document", own}, {"rank", rankJson(session, own)}};
+	json rank = resourcesOf(session);
+	rank["ms"] = own.value("ms", json());
+	rank["sheets"] = sheetsOfRank(own);
+	json mine = {{"document", own}, {"rank", std::move(rank)}};
 	session::MessageWriter message;
 	message.put(mine.dump(-1, ' ', false, json::error_handler_t::replace));
 	json whole = std::move(own);

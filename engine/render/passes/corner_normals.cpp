@@ -2,8 +2,10 @@
 
 #include "render/scene/feature_edges.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace vp::render
 {
@@ -29,6 +31,14 @@ struct PolygonsAbout
 			for (const std::uint32_t v : mesh.polygon(p))
 				polygons[starts[v + 1]++] = static_cast<std::uint32_t>(p);
 	}
+	// Sums of floats depend on their order; so it is that of the areas, and not of the polygons.
+	void sortBy(const std::vector<Vec3f>& areas)
+	{
+		const auto key = [&](std::uint32_t p) { return std::tuple(areas[p].x, areas[p].y, areas[p].z); };
+		for (std::size_t v = 0; v + 2 < starts.size(); ++v)
+			std::sort(polygons.begin() + starts[v], polygons.begin() + starts[v + 1],
+			          [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+	}
 	std::span<const std::uint32_t> operator[](std::uint32_t v) const
 	{
 		return std::span(polygons).subspan(starts[v], starts[v + 1] - starts[v]);
@@ -50,7 +60,8 @@ std::vector<Vec3f> cornerNormals(const mesh::SheetMesh& mesh)
 	areas.reserve(mesh.polygons());
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
 		areas.emplace_back(mesh::doubleArea(mesh, mesh.polygon(p)));
-	const PolygonsAbout about(mesh);
+	PolygonsAbout about(mesh);
+	about.sortBy(areas);
 	std::vector<Vec3f> normals;
 	normals.reserve(mesh.polygon_vertices.size());
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)

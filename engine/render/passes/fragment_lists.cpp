@@ -46,7 +46,8 @@ Status FragmentLists::grow(std::uint64_t fragments)
 	fragments_ = {}; // before its successor, that both need not fit into memory
 	capacity_ = 0;
 	auto made = gpu::Buffer::create(*device_, fragments * sizeof(shared::SurfaceFragment),
-	                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
+	                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
+	                                    VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
 	                                gpu::Memory::device, "surface fragments");
 	if (!made)
 		return made.error();
@@ -68,7 +69,7 @@ Status FragmentLists::prepare(VkExtent2D extent, std::size_t samples)
 		gpu::ImageInfo info;
 		info.extent = extent;
 		info.format = VK_FORMAT_R32_UINT;
-		info.usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+		info.usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
 		auto made = gpu::Image::create(*device_, info, "surface lists");
 		if (!made)
 			return made.error();
@@ -137,6 +138,60 @@ void FragmentLists::recordEnd(VkCommandBuffer commands) const
 	vkCmdCopyBuffer(commands, counters_.handle(), counts_.handle(), 1, &all);
 	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
 	                   VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
+}
+
+Result<bool> FragmentLists::makeRoom(std::uint64_t fragments)
+{
+	if (fragments <= capacity_)
+		return false;
+	if (fragments > mostFragments())
+		return Error{ErrorKind::out_of_memory,
+		             fmt::format("the picture has {} surface fragments, more than the {} the device has room for; make "
+		                         "`size` smaller, or use vprobe",
+		                         fragments, mostFragments())};
+	if (Status grown = grow(fragments); !grown)
+		return grown.error();
+	return true;
+}
+
+namespace
+{
+
+VkBufferImageCopy allOf(const gpu::Image& image)
+{
+	VkBufferImageCopy copy{};
+	copy.imageSubresource = {image.aspect(), 0, 0, 1};
+	copy.imageExtent = {image.extent().width, image.extent().height, 1};
+	return copy;
+}
+
+} // namespace
+
+void FragmentLists::recordTaking(VkCommandBuffer commands, const gpu::Buffer& heads, const gpu::Buffer& fragments) const
+{
+	const VkBufferImageCopy copy = allOf(heads_);
+	heads_.transition(commands, gpu::kStorage, gpu::kCopyFrom);
+	vkCmdCopyImageToBuffer(commands, heads_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, heads.handle(), 1, &copy);
+	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+	                   VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT);
+	const VkBufferCopy all{0, 0, sizeof(shared::SurfaceFragment) * capacity_};
+	vkCmdCopyBuffer(commands, fragments_.handle(), fragments.handle(), 1, &all);
+	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+	                   VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
+}
+
+void FragmentLists::recordPutting(VkCommandBuffer commands, const gpu::Buffer& heads, const gpu::Buffer& fragments,
+                                  std::uint64_t count) const
+{
+	const VkBufferImageCopy copy = allOf(heads_);
+	heads_.transition(commands, gpu::kDiscard, gpu::kCopyTo);
+	vkCmdCopyBufferToImage(commands, heads.handle(), heads_.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+	heads_.transition(commands, gpu::kCopyTo, gpu::kStorage);
+	if (count == 0)
+		return;
+	const VkBufferCopy some{0, 0, sizeof(shared::SurfaceFragment) * count};
+	vkCmdCopyBuffer(commands, fragments.handle(), fragments_.handle(), 1, &some);
+	fragmentBarrier(commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
 }
 
 Result<bool> FragmentLists::complete()

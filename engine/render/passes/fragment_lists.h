@@ -44,6 +44,16 @@ public:
 	// error where a single row of pixels has more fragments than fit.
 	Result<bool> complete();
 
+	// Makes room for so many fragments. Returns whether there are other buffers now; an error where there is no room.
+	Result<bool> makeRoom(std::uint64_t fragments);
+	// Of a sample that is done, after complete(): the fragments of a picture in one strip.
+	std::uint32_t count(std::size_t sample) const { return counts_.mappedAs<std::uint32_t>()[sample]; }
+
+	// Copies all lists to a host's buffers, behind what has been drawn, and back again.
+	void recordTaking(VkCommandBuffer commands, const gpu::Buffer& heads, const gpu::Buffer& fragments) const;
+	void recordPutting(VkCommandBuffer commands, const gpu::Buffer& heads, const gpu::Buffer& fragments,
+	                   std::uint64_t count) const;
+
 	const gpu::Image& heads() const { return heads_; }
 	const gpu::Buffer& fragments() const { return fragments_; }
 	VkBufferView fragmentTexels() const { return fragment_texels_.handle(); } // one each

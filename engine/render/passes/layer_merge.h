@@ -12,12 +12,14 @@ namespace vp::render
 class LayerMerge
 {
 public:
-	// The layers have been recorded. Submits that, and gives them to `merge`. Returns the commands to go on with, or
-	// null if another process goes on.
+	// The layers have been recorded. Submits that, and gives them and the surfaces (or null) to `merge`. Returns the
+	// commands to go on with, or null if another process goes on.
 	Result<VkCommandBuffer> run(gpu::Device& device, gpu::Commands& commands, const Targets& targets,
-	                            std::uint32_t layers, const MergeLayers& merge);
+	                            std::uint32_t layers, SurfaceFragments* surfaces, const MergeLayers& merge);
 
 private:
+	Status take(gpu::Device& device, gpu::Commands& commands, const Targets& targets, LayerValues& all);
+
 	gpu::Buffer values_;
 };
 

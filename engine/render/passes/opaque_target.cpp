@@ -2,10 +2,20 @@
 
 #include "render/passes/opaque_target.h"
 
+#include "gpu/commands.h"
 #include "render/passes/targets.h"
 
 namespace vp::render
 {
+
+namespace
+{
+
+// Depths that are tested, and that shaders read.
+constexpr gpu::ImageUse kReadDepth{OpaqueTarget::kDepthLayout, gpu::kDepthTarget.stages | gpu::kSampled.stages,
+                                   VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | gpu::kSampled.access};
+
+} // namespace
 
 Status OpaqueTarget::prepare(gpu::Device& device, VkExtent2D extent, bool has_opaque)
 {
@@ -18,7 +28,7 @@ Status OpaqueTarget::prepare(gpu::Device& device, VkExtent2D extent, bool has_op
 		gpu::ImageInfo info;
 		info.extent = wanted;
 		info.format = format;
-		info.usage = usage | VK_IMAGE_USAGE_SAMPLED_BIT;
+		info.usage = usage | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
 		auto made = gpu::Image::create(device, info, name);
 		if (!made)
 			return made.error();
@@ -27,7 +37,7 @@ Status OpaqueTarget::prepare(gpu::Device& device, VkExtent2D extent, bool has_op
 	};
 	has_opaque_ = has_opaque;
 	if (Status made = make(nearest_, has_opaque ? extent : VkExtent2D{1, 1}, kFormat,
-	                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, "opaque surfaces");
+	                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "opaque surfaces");
 	    !made)
 		return made;
 	return make(depth_, extent, kDepthFormat,
@@ -78,9 +88,38 @@ void OpaqueTarget::recordEnd(VkCommandBuffer commands) const
 {
 	vkCmdEndRendering(commands);
 	nearest_.transition(commands, gpu::kColorTarget, gpu::kSampled);
-	depth_.transition(commands, gpu::kDepthTarget,
-	                  {kDepthLayout, gpu::kDepthTarget.stages | gpu::kSampled.stages,
-	                   VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | gpu::kSampled.access});
+	depth_.transition(commands, gpu::kDepthTarget, kReadDepth);
+}
+
+void OpaqueTarget::recordTaking(VkCommandBuffer commands, const gpu::Buffer& colors, const gpu::Buffer& depths) const
+{
+	const auto take = [&](const gpu::Image& image, const gpu::ImageUse& before, const gpu::Buffer& to)
+	{
+		VkBufferImageCopy copy{};
+		copy.imageSubresource = {image.aspect(), 0, 0, 1};
+		copy.imageExtent = {image.extent().width, image.extent().height, 1};
+		image.transition(commands, before, gpu::kCopyFrom);
+		vkCmdCopyImageToBuffer(commands, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.handle(), 1, &copy);
+	};
+	take(nearest_, gpu::kSampled, colors);
+	take(depth_, kReadDepth, depths);
+	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+	                   VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
+}
+
+void OpaqueTarget::recordPutting(VkCommandBuffer commands, const gpu::Buffer& colors, const gpu::Buffer& depths) const
+{
+	const auto put = [&](const gpu::Image& image, const gpu::ImageUse& after, const gpu::Buffer& from)
+	{
+		VkBufferImageCopy copy{};
+		copy.imageSubresource = {image.aspect(), 0, 0, 1};
+		copy.imageExtent = {image.extent().width, image.extent().height, 1};
+		image.transition(commands, gpu::kDiscard, gpu::kCopyTo);
+		vkCmdCopyBufferToImage(commands, from.handle(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+		image.transition(commands, gpu::kCopyTo, after);
+	};
+	put(nearest_, gpu::kSampled, colors);
+	put(depth_, kReadDepth, depths);
 }
 
 } // namespace vp::render

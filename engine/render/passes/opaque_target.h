@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gpu/buffer.h"
 #include "gpu/image.h"
 #include "render/passes/edge_mask.h"
 
@@ -22,6 +23,9 @@ public:
 	void recordBegin(VkCommandBuffer commands, const EdgeMask* edges) const;
 	void recordEnd(VkCommandBuffer commands) const;
 	VkRenderingAttachmentInfo testedDepth() const;
+	// After recordEnd(): copies both to a host's buffers, and, in place of drawing, from there.
+	void recordTaking(VkCommandBuffer commands, const gpu::Buffer& colors, const gpu::Buffer& depths) const;
+	void recordPutting(VkCommandBuffer commands, const gpu::Buffer& colors, const gpu::Buffer& depths) const;
 	static constexpr VkImageLayout kDepthLayout = VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL; // after recordEnd()
 
 	const gpu::Image& nearest() const { return nearest_; }

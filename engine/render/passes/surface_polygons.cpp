@@ -30,19 +30,23 @@ Status fill(gpu::Device& device, std::span<const std::byte> bytes, VkFormat form
 } // namespace
 
 Result<std::shared_ptr<const SurfacePolygons>> surfacePolygons(gpu::Device& device, const mesh::SheetMesh& mesh,
-                                                               const SurfaceValues& values)
+                                                               const SurfaceValues& values,
+                                                               const SurfaceElsewhere* elsewhere)
 {
 	auto made = std::make_shared<SurfacePolygons>();
 	made->polygon_values = !values.of_polygons.empty();
 	Box box;
 	for (const Vec3& p : mesh.positions)
 		box.include(p);
-	if (!box.empty())
+	if (elsewhere)
+		made->origin = elsewhere->origin;
+	else if (!box.empty())
 		made->origin = box.center();
 	// A buffer may become a little longer than it was asked for (gpu/workarounds.h).
 	constexpr std::size_t kLonger = 64;
 	const std::size_t texels = std::min<std::size_t>(kPartTexels, device.limits().maxTexelBufferElements - kLonger);
-	for (const SurfacePart& part : surfaceTriangles(mesh, values, made->origin, texels))
+	for (const SurfacePart& part :
+	     surfaceTriangles(mesh, values, made->origin, texels, elsewhere ? elsewhere->polygons : 0))
 	{
 		SurfacePolygons::Part& on_device = made->parts.emplace_back();
 		on_device.count = static_cast<std::uint32_t>(part.triangles.size());

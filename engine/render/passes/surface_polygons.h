@@ -29,8 +29,9 @@ struct SurfacePolygons
 };
 
 // Of a mesh in world coordinates; positions and polygons of it are used, nothing else. Fails where the device has no
-// room. The device outlives it.
+// room. The device outlives it. elsewhere: null where no other process draws a part.
 Result<std::shared_ptr<const SurfacePolygons>> surfacePolygons(gpu::Device& device, const mesh::SheetMesh& mesh,
-                                                               const SurfaceValues& values = {});
+                                                               const SurfaceValues& values = {},
+                                                               const SurfaceElsewhere* elsewhere = nullptr);
 
 } // namespace vp::render

@@ -55,9 +55,9 @@ public:
 	{
 	}
 
-	std::vector<SurfacePart> make()
+	std::vector<SurfacePart> make(std::size_t polygons)
 	{
-		for (std::size_t p = 0; p < mesh_.polygons(); ++p)
+		for (std::size_t p = 0; p < polygons; ++p)
 			addPolygon(p);
 		return std::move(parts_);
 	}
@@ -198,9 +198,9 @@ private:
 } // namespace
 
 std::vector<SurfacePart> surfaceTriangles(const mesh::SheetMesh& mesh, const SurfaceValues& values, const Vec3& origin,
-                                          std::size_t most_texels)
+                                          std::size_t most_texels, std::size_t polygons_elsewhere)
 {
-	return TriangleMaker(mesh, values, origin, most_texels).make();
+	return TriangleMaker(mesh, values, origin, most_texels).make(mesh.polygons() - polygons_elsewhere);
 }
 
 } // namespace vp::render
