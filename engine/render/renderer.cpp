@@ -93,7 +93,7 @@ Status Renderer::Private::prepare(const Scene& scene)
 	{
 		if (Status ready = lists.prepare(targets.extent(), samplePattern(scene.look.samples).size()); !ready)
 			return ready;
-		if (Status ready = surfaces.prepare(scene, lists, has_edges ? &mask : nullptr); !ready)
+		if (Status ready = prepareSurfaces(scene); !ready)
 			return ready;
 	}
 	const Overlay over = makeOverlay(scene, &lettering);
@@ -102,6 +102,11 @@ Status Renderer::Private::prepare(const Scene& scene)
 		if (!ready)
 			return ready;
 	return Nothing{};
+}
+
+Status Renderer::Private::prepareSurfaces(const Scene& scene)
+{
+	return surfaces.prepare(scene, lists, samplePattern(scene.look.samples).size() > 1 ? &mask : nullptr);
 }
 
 Status Renderer::Private::prepareComposing(const Scene& scene)
@@ -289,7 +294,7 @@ Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& 
 				quads.record(*begun, targets);
 			else
 				mask.record(*begun, targets);
-			if (has_surfaces)
+			if (has_surfaces && !target.merge)
 				surfaces.recordNearEdges(*begun, scene, targets.part());
 		}
 	}

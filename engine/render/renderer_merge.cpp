@@ -62,7 +62,7 @@ Result<SurfaceFragments> Renderer::Private::takeSurfaces(const Scene& scene, con
 		if (lists.strips() > 1)
 			return Error{ErrorKind::out_of_memory, "`size`: the surfaces have more fragments than the device has room "
 			                                       "for; make it smaller, or use vprobe"};
-		for (Status ready : {surfaces.prepare(scene, lists), prepareComposing(scene)})
+		for (Status ready : {prepareSurfaces(scene), prepareComposing(scene)})
 			if (!ready)
 				return ready.error();
 	}
@@ -76,7 +76,7 @@ Status Renderer::Private::composeSurfaces(VkCommandBuffer to, const Scene& scene
 	if (!grown)
 		return grown.error();
 	if (*grown)
-		for (Status ready : {surfaces.prepare(scene, lists), prepareComposing(scene)})
+		for (Status ready : {prepareSurfaces(scene), prepareComposing(scene)})
 			if (!ready)
 				return ready;
 	if (Status put = surface_merger.recordPutting(device, to, fragments, lists, surfaces); !put)

@@ -62,6 +62,7 @@ struct Renderer::Private
 	}
 	Status makeTargets(const Scene& scene);
 	Status prepare(const Scene& scene);
+	Status prepareSurfaces(const Scene& scene);
 	Status prepareComposing(const Scene& scene);
 	Result<Drawn> draw(const Scene& scene, const DrawTarget& target, Timeline* timeline);
 	Result<Drawn> drawOnce(const Scene& scene, const DrawTarget& target, std::uint32_t part, Timeline* timeline);
