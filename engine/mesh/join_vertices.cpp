@@ -40,7 +40,7 @@ public:
 	{
 		joinAtGridPoints();
 		joinAtSeams(by_place);
-		if (ofSeveralBlocks())
+		if (ofSeveralBlocks() || (by_place && meetsItself()))
 			joinAtSamePlace();
 		const bool any = joined_.count() < mesh_.positions.size();
 		if (any)
@@ -98,6 +98,12 @@ private:
 	bool ofSeveralBlocks() const
 	{
 		return std::ranges::any_of(mesh_.edges, [&](const EdgePoint& e) { return e.block != mesh_.edges[0].block; });
+	}
+
+	bool meetsItself() const
+	{
+		return !mesh_.edges.empty() &&
+		       (!grid::knowsSeams(blocks_) || blocks_.interfaces.of(mesh_.edges[0].block) != nullptr);
 	}
 
 	void joinAtSamePlace()

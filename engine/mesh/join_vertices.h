@@ -13,7 +13,8 @@ namespace vp::mesh
 // of a seam are then listed in mesh.seam_pairs. Vertices out of use stay in the mesh.
 //
 // A plane cuts an edge of a seam once, whatever rounding and tolerance make of the place. What is given `by_place`
-// lies, as grid surfaces of two blocks do, at places of its own along such an edge, and is joined at equal ones only.
+// lies, as grid surfaces of two blocks do, at places of its own along such an edge, and is joined at equal ones only;
+// also within a block that meets itself, where faces about a point may have none of the seam's between them.
 //
 // Where a cell meets several smaller ones, both sides have the same vertices afterwards, if both have the same point
 // arrays (hanging_vertices.h). Else the sides are listed in mesh.seam_pairs alone. By place, nothing hangs.
