@@ -223,7 +223,7 @@ class Slice:
         return copy
 
     def save(self, file: Union[str, os.PathLike[str]]) -> None:
-        """Writes .vtp, .vtm, .ply or .csv, by the name's ending, with every array. Whole or not at all.
+        """Writes .vtp, .vtm, .pvtp, .ply or .csv, by the name's ending, with every array. Whole or not at all.
 
         Of a slice that is one sheet of several, or a contour, all that was cut with it is written.
 
@@ -300,7 +300,7 @@ class Cut(Sequence[Slice]):
         return sum(each.area for each in self)
 
     def save(self, file: Union[str, os.PathLike[str]]) -> None:
-        """Writes .vtp, .vtm, .ply or .csv, by the name's ending, with every array. Whole or not at all."""
+        """Writes .vtp, .vtm, .pvtp, .ply or .csv, by the name's ending, with every array. Whole or not at all."""
         self._cut.save(os.fspath(file))
 
     def to_vtk(self) -> Any:

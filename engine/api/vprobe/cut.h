@@ -94,7 +94,7 @@ public:
 	double contourValue(std::size_t contour) const;
 	Mesh contour(std::size_t contour) const;
 
-	/// As .vtp, .vtm, .ply or .csv, by the name's ending, with every array. Whole or not at all.
+	/// As .vtp, .vtm, .pvtp, .ply or .csv, by the name's ending, with every array. Whole or not at all.
 	Status save(const std::string& file) const;
 
 	struct State;
