@@ -6,8 +6,14 @@ import xml.sax.saxutils
 outcomes = {}
 
 
+def name_of(node):
+    """The file's name without ending, and the test's, which may hold slashes and dots."""
+    file, _, test = node.partition('::')
+    return pathlib.PurePath(file).stem, test.replace('::', '.') or 'all'
+
+
 def pytest_runtest_logreport(report):
-    name = report.nodeid.split('/')[-1].replace('.py::', '.').replace('::', '.')
+    name = name_of(report.nodeid)
     verdict, seconds = outcomes.get(name, ('completed', 0.0))
     if report.failed:
         verdict = 'failed'
@@ -18,7 +24,7 @@ def pytest_runtest_logreport(report):
 
 def pytest_collectreport(report):
     if report.skipped:  # a whole file, for want of a package
-        outcomes[report.nodeid.split('/')[-1].removesuffix('.py') + '.all'] = 'skipped', 0.0
+        outcomes[name_of(report.nodeid)] = 'skipped', 0.0
 
 
 def pytest_sessionfinish():
@@ -28,8 +34,7 @@ def pytest_sessionfinish():
         return
     pathlib.Path(file).parent.mkdir(parents=True, exist_ok=True)
     with open(file, 'w', encoding='utf-8') as report:
-        for name, (verdict, seconds) in outcomes.items():
-            room, test = name.split('.', 1)
+        for (room, test), (verdict, seconds) in outcomes.items():
             quoted = xml.sax.saxutils.quoteattr(test)
             result = 'skipped' if verdict == 'skipped' else 'completed'
             report.write(f'<testcase name={quoted} classname="{room}" time="{seconds:.3f}" result="{result}">\n')

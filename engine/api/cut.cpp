@@ -47,39 +47,47 @@ double MeshArray::value(std::size_t tuple, int component) const
 	return vp::grid::loadNumber(number_type, bytes + number * vp::grid::byteSize(number_type));
 }
 
-const vp::write::SliceTable& Mesh::State::withPolygons() const
+namespace
 {
-	std::call_once(polygons_once, [&] { vp::write::tabulatePolygons(*mesh, table); });
-	return table;
+
+const vp::write::SliceTable& withPolygons(const Mesh::State& mesh)
+{
+	std::call_once(mesh.polygons_once, [&] { vp::write::tabulatePolygons(*mesh.mesh, mesh.table); });
+	return mesh.table;
 }
 
-const vp::write::SliceTable& Mesh::State::withCells() const
+// With the blocks' mutex held.
+void makeCells(const Mesh::State& mesh)
 {
-	const std::shared_lock lock(cut->blocks->mutex);
-	makeCells();
-	return table;
+	std::call_once(mesh.cells_once,
+	               [&] { vp::write::tabulateCells(*mesh.cut->blocks->blocks, *mesh.mesh, mesh.table); });
 }
 
-void Mesh::State::makeCells() const
+const vp::write::SliceTable& withCells(const Mesh::State& mesh)
 {
-	std::call_once(cells_once, [&] { vp::write::tabulateCells(*cut->blocks->blocks, *mesh, table); });
+	const std::shared_lock lock(mesh.cut->blocks->mutex);
+	makeCells(mesh);
+	return mesh.table;
 }
 
-const std::vector<MeshArray>& Mesh::State::withArrays() const
+const std::vector<MeshArray>& withArrays(const Mesh::State& mesh)
 {
-	std::call_once(arrays_once,
+	std::call_once(mesh.arrays_once,
 	               [&]
 	               {
-		               const std::shared_lock lock(cut->blocks->mutex);
-		               const vp::grid::BlockSet& blocks = *cut->blocks->blocks;
+		               const std::shared_lock lock(mesh.cut->blocks->mutex);
+		               const vp::grid::BlockSet& blocks = *mesh.cut->blocks->blocks;
 		               if (!vp::write::arraysOf(blocks, vp::grid::Association::cell).empty())
-			               makeCells();
-		               vp::write::tabulateArrays(blocks, *mesh, table);
-		               addArrays(table.vertex_columns, Association::point, mesh->positions.size(), arrays);
-		               addArrays(table.polygon_columns, Association::cell, mesh->polygons(), arrays);
+			               makeCells(mesh);
+		               vp::write::tabulateArrays(blocks, *mesh.mesh, mesh.table);
+		               addArrays(mesh.table.vertex_columns, Association::point, mesh.mesh->positions.size(),
+		                         mesh.arrays);
+		               addArrays(mesh.table.polygon_columns, Association::cell, mesh.mesh->polygons(), mesh.arrays);
 	               });
-	return arrays;
+	return mesh.arrays;
 }
+
+} // namespace
 
 std::size_t Mesh::pointCount() const
 {
@@ -99,27 +107,27 @@ std::span<const double> Mesh::points() const
 
 std::span<const std::int64_t> Mesh::offsets() const
 {
-	return state_->withPolygons().polygon_starts;
+	return withPolygons(*state_).polygon_starts;
 }
 
 std::span<const std::int64_t> Mesh::connectivity() const
 {
-	return state_->withPolygons().polygon_vertices;
+	return withPolygons(*state_).polygon_vertices;
 }
 
 std::span<const std::int64_t> Mesh::cells() const
 {
-	return state_->withCells().cell;
+	return withCells(*state_).cell;
 }
 
 std::span<const std::int32_t> Mesh::blocks() const
 {
-	return state_->withCells().block;
+	return withCells(*state_).block;
 }
 
 std::span<const MeshArray> Mesh::arrays() const
 {
-	return state_->withArrays();
+	return withArrays(*state_);
 }
 
 const MeshArray* Mesh::array(std::string_view name) const

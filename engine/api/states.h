@@ -25,19 +25,11 @@ struct View::State
 	vp::view::ViewSpec spec;
 };
 
-// A mesh with its arrays. Each part is tabulated when somebody asks for it.
+// A mesh with its arrays. Each part of the table is made when somebody asks for it.
 struct Mesh::State
 {
-	const vp::write::SliceTable& withPolygons() const;
-	const vp::write::SliceTable& withCells() const;
-	const std::vector<MeshArray>& withArrays() const;
-
 	std::shared_ptr<const Cut::State> cut; // keeps the mesh and its blocks alive
 	const vp::mesh::SheetMesh* mesh = nullptr;
-
-private:
-	void makeCells() const; // with the blocks' mutex held
-
 	mutable std::once_flag polygons_once;
 	mutable std::once_flag cells_once;
 	mutable std::once_flag arrays_once;

@@ -24,7 +24,7 @@ class Programs:
         self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
 
     def plain(self, *arguments):
-        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, encoding='utf-8', timeout=120)
         assert done.returncode == 0, done.stderr
         return done
 
@@ -36,7 +36,7 @@ class Programs:
         command = [self.mpiexec, '--oversubscribe']
         for number, (ranks, words) in enumerate(groups):
             command += [':'] * (number > 0) + ['-n', str(ranks), *map(str, words)]
-        return subprocess.Popen(command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        return subprocess.Popen(command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding='utf-8')
 
     def run(self, ranks, *arguments):
         process = self.start(ranks, *arguments)
