@@ -145,11 +145,12 @@ def test_places_without_room_or_right(programs, case, place, why):
     assert f'rank 0: {place}: ' in lines[0] and why in lines[0]
 
 
-@pytest.mark.parametrize('fault, why', [('VK_ICD_FILENAMES=/nonexistent', 'Vulkan'), ('VPROBE_LAYER_FAULT=lost:5', 'device lost')])
+@pytest.mark.parametrize('fault, why', [('VK_DRIVER_FILES=/nonexistent', 'Vulkan'),
+                                        ('VPROBE_LAYER_FAULT=lost:5', 'device lost')])
 @pytest.mark.gpu
 def test_a_rank_whose_device_fails(programs, case, tmp_path, fault, why):
     # Only one of the ranks has it.
-    environment = [fault]
+    environment = [fault, 'VK_ICD_FILENAMES=/nonexistent'] if fault.startswith('VK_') else [fault]
     if fault.startswith('VPROBE_LAYER'):
         layer = pathlib.Path(programs.program).parents[1] / 'tests' / 'devices' / 'layer'
         if not (layer / 'libvprobe_test_layer.so').exists():
