@@ -25,6 +25,17 @@ std::string inputName(const Session& session)
 
 } // namespace
 
+grid::ValueSpan spanOf(const Session& session, const grid::FieldChoice& field)
+{
+	grid::ValueSpan span;
+	for (const grid::Field* of_block : field.inEach(session.blocks))
+		if (of_block)
+			span.include(grid::valueSpan(*of_block, field.component));
+	if (session.team)
+		sumOverAll(*session.team, span, [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
+	return span;
+}
+
 Result<std::optional<render::ValueScale>>
 valueScale(const Session& session, const std::optional<grid::FieldChoice>& field, const render::Look& look)
 {
@@ -37,12 +48,7 @@ valueScale(const Session& session, const std::optional<grid::FieldChoice>& field
 			                                           inputName(session), needed)};
 		return std::optional<render::ValueScale>();
 	}
-	grid::ValueSpan span;
-	for (const grid::Field* of_block : field->inEach(blocks))
-		if (of_block)
-			span.include(grid::valueSpan(*of_block, field->component));
-	if (session.team)
-		sumOverAll(*session.team, span, [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
+	const grid::ValueSpan span = spanOf(session, *field);
 	const auto [lo, hi] = span.range();
 	render::ValueScale scale{field->title(blocks), lo, hi};
 	scale.per_cell = field->association == grid::Association::cell;

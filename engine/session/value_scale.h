@@ -8,6 +8,9 @@
 namespace vp::session
 {
 
+/// Returns the span of an array's values, of all ranks where there are several: all call it then.
+grid::ValueSpan spanOf(const Session& session, const grid::FieldChoice& field);
+
 /// Returns the scale of an array, or nothing without an array. If the settings need values and the array has no
 /// suitable ones, returns an input error. Warns of values that a logarithm leaves out.
 Result<std::optional<render::ValueScale>>

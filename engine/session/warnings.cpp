@@ -1,6 +1,7 @@
 #include "base/messages.h"
 #include "session/session.h"
 #include "session/team.h"
+#include "session/value_scale.h"
 
 #include <fmt/format.h>
 
@@ -39,7 +40,9 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 		const bool is_shown = !isEmpty(sheet);
 		if (session.team ? anyOf(*session.team, is_shown) : is_shown)
 			continue;
-		const Box bounds = session.blocks.bounds();
+		Box bounds = session.blocks.bounds();
+		if (session.team)
+			sumOverAll(*session.team, bounds, [](Box& all, const Box& other) { all.include(other); });
 		const std::string what =
 		    slice.sheets.size() == 1 ? std::string("the slice") : fmt::format("sheet {}", &sheet - slice.sheets.data());
 		if (session.view.threshold)
@@ -48,9 +51,11 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 		else if (sheet.surface)
 			warn("{} is empty: {} shows no cells, or hidden ones only", what, find::nameOf(*sheet.surface));
 		else if (sheet.sheet.form && sheet.sheet.form->isoValue())
+		{
+			const auto [lo, hi] = spanOf(session, *sheet.field).range();
 			warn("{} is empty: no edge that is reached passes {}; the values of {} go from {:.6g} to {:.6g}", what,
-			     sheet.sheet.form->isoValue()->value, sheet.field->title(session.blocks),
-			     fieldRange(session.blocks, *sheet.field).first, fieldRange(session.blocks, *sheet.field).second);
+			     sheet.sheet.form->isoValue()->value, sheet.field->title(session.blocks), lo, hi);
+		}
 		else
 			warn("{} is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
 			     "{:.6g}",

@@ -100,3 +100,11 @@ def test_shared_data_sets(programs, same_figures, shared_data, name):
 def test_pictures_of_shared_data_sets(programs, same_pictures, shared_data, name):
     path = shared_data / name
     same_pictures([3], path, *sphere(programs, path), '--opacity', 0.6, *SMALL)
+
+
+@pytest.mark.parametrize('what', [('--iso', 99), ('--normal', 1, 0, 0, '--origin', 99, 0, 0)], ids=['value', 'plane'])
+def test_what_misses_tells_of_all_the_data(programs, cases, tmp_path, what):
+    told = [run.stderr.partition(': ')[2] for run in
+            (programs.plain('slice', cases['hexahedra'], *what, '-o', tmp_path / 'one.vtp'),
+             programs.mpi(3, 'slice', cases['hexahedra'], *what, '-o', tmp_path / 'three.vtp'))]
+    assert 'the slice is empty' in told[0] and told[1] == told[0]
