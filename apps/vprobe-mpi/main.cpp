@@ -13,14 +13,21 @@
 namespace
 {
 
-// What is wrong with the command line or the input is often wrong at every rank. A rank that fails first ends all. So
-// the others wait a little, and mostly one line is printed.
+const vp::app::MpiTeam* processes = nullptr;
+
+// What is wrong with the command line or the input is often wrong at every rank. The first rank that fails prints its
+// line and ends all; those after it give it time to be heard. A command line is mostly the same everywhere, so that
+// they wait longer for the first one.
 void endAll(const std::string& line, vp::app::ExitCode code)
 {
 	using namespace std::chrono_literals;
-	const int rank = vp::app::team()->rank();
-	std::this_thread::sleep_for(std::min(300ms * rank, 3000ms));
-	vp::app::printLine(rank == 0 && code == vp::app::ExitCode::usage ? line : fmt::format("rank {}: {}", rank, line));
+	const vp::app::MpiTeam& team = *processes;
+	const bool of_command = code == vp::app::ExitCode::usage;
+	const auto patience = team.rank() == 0 ? 0ms : of_command ? 3000ms : std::min(300ms * team.rank(), 3000ms);
+	if (team.failsFirst(patience))
+		vp::app::printLine(team.rank() == 0 && of_command ? line : fmt::format("rank {}: {}", team.rank(), line));
+	else
+		std::this_thread::sleep_for(3s); // until then the other rank has ended this one
 	vp::write::removeUnfinishedFiles();
 	vp::app::MpiTeam::abort(static_cast<int>(code));
 }
@@ -31,6 +38,7 @@ int main(int argc, char** argv)
 {
 	vp::app::MpiTeam team(&argc, &argv);
 	vp::app::setTeam(&team);
+	processes = &team;
 	const vp::app::Program program{
 	    "vprobe-mpi",
 	    "Volume probes in data whose parts are spread over processes: mpiexec -n N vprobe-mpi COMMAND …",

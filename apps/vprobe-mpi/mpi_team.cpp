@@ -16,6 +16,8 @@ namespace vp::app
 namespace
 {
 
+constexpr int kFailed = 1; // the tag of a message without bytes; all others have 0
+
 constexpr std::size_t kMostAtOnce = std::size_t(1) << 30; // MPI counts bytes in an int
 
 // MPI's own wait takes a whole core. Ranks share cores with the threads of others that still work.
@@ -74,6 +76,28 @@ session::Bytes MpiTeam::sendReceive(int to, const session::Bytes& bytes, int fro
 	            });
 	waitFor(requests);
 	return received;
+}
+
+bool MpiTeam::failsFirst(std::chrono::milliseconds patience) const
+{
+	using Clock = std::chrono::steady_clock;
+	for (int rank = rank_ + 1; rank < size_; ++rank)
+	{
+		MPI_Request sent; // no one waits for it: the end of all ranks is near
+		MPI_Isend(nullptr, 0, MPI_BYTE, rank, kFailed, MPI_COMM_WORLD, &sent);
+		MPI_Request_free(&sent);
+	}
+	const Clock::time_point end = Clock::now() + patience;
+	for (;;)
+	{
+		int heard = 0;
+		MPI_Iprobe(MPI_ANY_SOURCE, kFailed, MPI_COMM_WORLD, &heard, MPI_STATUS_IGNORE);
+		if (heard)
+			return false;
+		if (Clock::now() >= end)
+			return true;
+		std::this_thread::sleep_for(std::chrono::milliseconds(5));
+	}
 }
 
 void MpiTeam::abort(int status)

@@ -2,6 +2,8 @@
 
 #include "session/team.h"
 
+#include <chrono>
+
 namespace vp::app
 {
 
@@ -15,6 +17,10 @@ public:
 	int rank() const override { return rank_; }
 	int size() const override { return size_; }
 	session::Bytes sendReceive(int to, const session::Bytes& bytes, int from) override;
+
+	// For a rank that fails: says so to the ranks after it, and waits to hear it of one before it. Returns whether none
+	// has failed as far as it heard, so that its own line is the one to print.
+	bool failsFirst(std::chrono::milliseconds patience) const;
 
 	// Ends all ranks at once, with an exit status.
 	[[noreturn]] static void abort(int status);

@@ -39,12 +39,12 @@ def rank_of(process):
     return next((int(entry.split(b'=')[1]) for entry in held if entry.startswith(b'OMPI_COMM_WORLD_RANK=')), None)
 
 
-def wait_for(what, seconds=60):
+def wait_for(what, seconds=60, nap=0.002):
     """Asks until there is an answer."""
     end = time.monotonic() + seconds
     while not (answer := what()):
         assert time.monotonic() < end, 'waited in vain'
-        time.sleep(0.002)
+        time.sleep(nap)
     return answer
 
 
