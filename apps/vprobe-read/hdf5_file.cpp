@@ -44,9 +44,9 @@ bool Hdf5File::has(const std::string& path) const
 
 bool Hdf5File::isSet(const std::string& path) const
 {
-	H5O_info_t about;
-	return has(path) && H5Oget_info_by_name2(file_, path.c_str(), &about, H5O_INFO_BASIC, H5P_DEFAULT) >= 0 &&
-	       about.type == H5O_TYPE_DATASET;
+	// Not H5Oget_info_by_name(), which differs between versions of HDF5.
+	const Hdf5Handle opened(has(path) ? H5Oopen(file_, path.c_str(), H5P_DEFAULT) : -1, H5Oclose);
+	return opened >= 0 && H5Iget_type(opened) == H5I_DATASET;
 }
 
 std::vector<std::string> Hdf5File::namesIn(const std::string& group) const

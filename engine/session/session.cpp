@@ -249,12 +249,7 @@ Result<grid::BlockSet> readBlocks(Session& session, const OpenOptions& options)
 	reading.builds_neighbors = !options.may_scan || needsNeighbors(spec);
 	reading.for_one_cut =
 	    !reading.builds_neighbors && (!options.reads_again || options.completes_later) && servesOneCut(spec);
-	if (!options.team)
-		return read::readInputs(spec.input.files, reading, session.timeline.get());
-	auto share = std::make_shared<Share>();
-	Result<grid::BlockSet> blocks = readShare(*options.team, spec.input.files, reading, session.timeline.get(), *share);
-	session.share = std::move(share);
-	return blocks;
+	return readInputs(session, reading);
 }
 
 // The session with blocks by `take`, while the device opens.

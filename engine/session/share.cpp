@@ -2,10 +2,12 @@
 
 #include "grid/cell_places.h"
 #include "session/join_pieces.h"
+#include "session/session.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -332,6 +334,17 @@ Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inp
 	if (has_interfaces) // their numbers are those of this rank's blocks alone
 		grid::matchInterfaces(all);
 	return all;
+}
+
+Result<grid::BlockSet> readInputs(Session& session, const read::ReadOptions& options)
+{
+	const std::vector<std::string>& files = session.spec.input.files;
+	if (!session.team)
+		return read::readInputs(files, options, session.timeline.get());
+	auto share = std::make_shared<Share>();
+	Result<grid::BlockSet> blocks = readShare(*session.team, files, options, session.timeline.get(), *share);
+	session.share = std::move(share);
+	return blocks;
 }
 
 } // namespace vp::session

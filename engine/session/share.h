@@ -19,6 +19,8 @@ class Timeline;
 namespace vp::session
 {
 
+struct Session; // session.h
+
 /// What the ranks of a team hold of a data set. Each has the blocks of all, in the same order, so that a number means
 /// the same block everywhere. But of a block that another rank holds it has no cells: only its name, its bounds and the
 /// names of its arrays.
@@ -53,5 +55,8 @@ std::vector<int> dealOut(const std::vector<read::Part>& parts, int ranks);
 /// Reads this rank's share of the inputs.
 Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inputs, const read::ReadOptions& options,
                                  Timeline* timeline, Share& share);
+
+/// Reads the inputs of a session: all of them, or with a team this rank's share, which the session then has.
+Result<grid::BlockSet> readInputs(Session& session, const read::ReadOptions& options);
 
 } // namespace vp::session

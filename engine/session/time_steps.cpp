@@ -1,6 +1,8 @@
 #include "session/time_steps.h"
 
+#include "session/share.h"
 #include "session/sheet_traces.h"
+#include "session/team.h"
 
 namespace vp::session
 {
@@ -11,7 +13,9 @@ namespace
 Status buildAnew(Session& session, read::ReadOptions at, Painter* painter)
 {
 	at.builds_neighbors = grid::isComplete(session.blocks); // for one cut a time, neighbors do not pay
-	Result<grid::BlockSet> blocks = read::readInputs(session.spec.input.files, at, session.timeline.get());
+	if (session.team)                                       // a rank without cells lacks nothing
+		at.builds_neighbors = !anyOf(*session.team, !at.builds_neighbors);
+	Result<grid::BlockSet> blocks = readInputs(session, at);
 	if (!blocks)
 		return blocks.error();
 	session.cutter.reset();
@@ -27,7 +31,9 @@ Status buildAnew(Session& session, read::ReadOptions at, Painter* painter)
 Result<bool> moveToTime(Session& session, const read::TimeChoice& time, Painter* painter)
 {
 	const read::ReadOptions at = readOptions(session, time);
-	Result<bool> same_grid = read::readValues(session.spec.input.files, at, session.blocks, session.timeline.get());
+	// With a team, parts are dealt out anew: another time may have other pieces.
+	Result<bool> same_grid =
+	    session.team ? false : read::readValues(session.spec.input.files, at, session.blocks, session.timeline.get());
 	if (!same_grid)
 		return same_grid;
 	if (painter)

@@ -238,3 +238,12 @@ def test_bytes_that_each_rank_reads(programs, tmp_path):
     grid = pieces.hexahedra(40)
     case = pieces.write_pvtu(tmp_path, grid, pieces.slabs(grid, 4))
     quarter_each(told(case), size('piece*.vtu'))
+
+
+def test_a_plan_of_all_ranks(programs, tmp_path):
+    grid = pieces.tetrahedra(4)
+    case = pieces.write_pvtu(tmp_path, grid, pieces.slabs(grid, 2))
+    lines = programs.mpi(3, 'slice', case, '--probe', 'trihedral', '--explain').stdout.splitlines()
+    assert lines[0].split()[:4] == ['rank', 'sheet', 'block', 'strategy']
+    rows = [line.split()[:2] for line in lines[1:]]
+    assert rows == [['0', '0'], ['0', '1'], ['0', '2'], ['1', '0'], ['1', '1'], ['1', '2']]  # the third has no part

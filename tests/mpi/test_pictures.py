@@ -4,6 +4,7 @@ import json
 import pytest
 
 import pieces
+from conftest import without_dependent
 
 pytestmark = pytest.mark.gpu
 SMALL = ('--size', '320x240')
@@ -55,6 +56,48 @@ def test_sweeps(programs, tmp_path):
     programs.mpi(3, *sweep, '-o', tmp_path / 'mpi{frame}.png')
     for frame in range(3):
         assert (tmp_path / f'mpi{frame}.png').read_bytes() == (tmp_path / f'plain{frame}.png').read_bytes(), frame
+
+
+def test_sweeps_over_times(programs, tmp_path):
+    # The grid changes, and the number of its pieces.
+    times = ''
+    for number, grid in enumerate([pieces.tetrahedra(4), pieces.tetrahedra(4), pieces.hexahedra(5)]):
+        folder = tmp_path / f'time{number}'
+        folder.mkdir()
+        case = pieces.write_pvtu(folder, grid, pieces.slabs(grid, 2 + number))
+        times += f'<DataSet timestep="{number / 2}" file="{case.relative_to(tmp_path)}"/>'
+    case = tmp_path / 'case.pvd'
+    case.write_text(f'<VTKFile type="Collection" version="0.1"><Collection>{times}</Collection></VTKFile>')
+    sweep = ('sweep', case, '--path', 'times', '--probe', 'trihedral', '--range', -1, 2, *SMALL)
+    programs.plain(*sweep, '-o', tmp_path / 'plain{frame}.png', '--stats', tmp_path / 'plain.json')
+    programs.mpi(3, *sweep, '-o', tmp_path / 'mpi{frame}.png', '--stats', tmp_path / 'mpi.json')
+    plain, mpi = (without_dependent(json.loads((tmp_path / f'{name}.json').read_text())) for name in ('plain', 'mpi'))
+    assert mpi['frames'] == plain['frames'] and len(mpi['frames']) == 3
+    for frame in range(3):
+        assert (tmp_path / f'mpi{frame}.png').read_bytes() == (tmp_path / f'plain{frame}.png').read_bytes(), frame
+
+
+def test_exposures(programs, tmp_path):
+    grid = pieces.tetrahedra(5)
+    case = pieces.write_pvtu(tmp_path, grid, pieces.slabs(grid, 2))
+    for name, run in (('plain', programs.plain), ('mpi', lambda *words: programs.mpi(2, *words))):
+        run('sweep', case, '--path', 'rotate', '--frames', 4, *SMALL, '--exposure', tmp_path / f'{name}.png')
+    assert (tmp_path / 'mpi.png').read_bytes() == (tmp_path / 'plain.png').read_bytes()
+
+
+def test_a_sweep_goes_on_where_it_ended(programs, tmp_path):
+    grid = pieces.tetrahedra(5)
+    case = pieces.write_pvtu(tmp_path, grid, pieces.slabs(grid, 2))
+    sweep = ('sweep', case, '--path', 'rotate', '--frames', 4, *SMALL)
+    for name, run in (('plain', programs.plain), ('mpi', lambda *words: programs.mpi(2, *words))):
+        for frame in (0, 2):
+            (tmp_path / f'{name}{frame}.png').write_text('is there')
+        run(*sweep, '--resume', '-o', tmp_path / f'{name}{{frame}}.png', '--stats', tmp_path / f'{name}.json')
+        told = json.loads((tmp_path / f'{name}.json').read_text())
+        assert [frame['frame'] for frame in told['frames']] == [1, 3]
+    for frame in range(4):
+        drawn = (tmp_path / f'mpi{frame}.png').read_bytes()
+        assert drawn == (tmp_path / f'plain{frame}.png').read_bytes() and (drawn == b'is there') == (frame in (0, 2))
 
 
 def test_only_touched_pixels_travel(programs, tmp_path):

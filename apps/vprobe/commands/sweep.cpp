@@ -64,23 +64,16 @@ Status checkSweepOptions(const SweepOptions& options)
 // What processes with a part of the data each do not do.
 Status checkTeam(const SweepOptions& options)
 {
-	const std::pair<bool, const char*> refused[] = {{options.exports(), "-o .pvd"},
-	                                                {!options.exposure.empty(), "--exposure"},
-	                                                {options.resume, "--resume"},
-	                                                {options.common.spec.sweep.over_times, "--path times"}};
-	for (const auto& [given, name] : refused)
-		if (team() && given)
-			return Error{ErrorKind::usage, fmt::format("{}: processes with a part of the data each cannot do this; "
-			                                           "leave it out, or use vprobe in place of vprobe-mpi",
-			                                           name)};
+	if (team() && options.exports())
+		return Error{ErrorKind::usage, fmt::format("-o {}: processes with a part of the data each write pictures; give "
+		                                           "the name of some, or use vprobe in place of vprobe-mpi",
+		                                           options.output)};
 	return Nothing{};
 }
 
 FramePlaces placesOf(const SweepOptions& options)
 {
-	if (!isFirst()) // which writes
-		return {};
-	FramePlaces places{.exposure = options.exposure, .resume = options.resume};
+	FramePlaces places{.exposure = options.exposure, .resume = options.resume, .writes = isFirst()};
 	if (write::isFilm(options.output))
 		places.film = options.output;
 	else if (!options.exports())

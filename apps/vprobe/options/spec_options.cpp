@@ -44,9 +44,6 @@ Status prepare(const SpecOptions& options)
 	if (options.save == "-")
 		return Error{ErrorKind::usage,
 		             "--save -: a state names files relative to its own place; give it a file's name"};
-	if (team() && options.explain)
-		return Error{ErrorKind::usage,
-		             "--explain: the plan does not depend on how many processes there are; use vprobe"};
 	if (!options.save.empty() && isFirst())
 		if (Status place = write::checkWritable(options.save); !place)
 			return place;

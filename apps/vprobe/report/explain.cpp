@@ -1,10 +1,16 @@
 #include "report/explain.h"
+#include "session/share.h"
+#include "session/team.h"
+#include "team.h"
 #include "view/validate.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace vp::app
 {
@@ -21,10 +27,34 @@ void forEachBlockPlan(const find::CutPlan& plan, Visit&& visit)
 			visit(s, b, plan.sheets[s][b]);
 }
 
+// Prints a table. With a team its lines come from all ranks, each of which plans for its own blocks, and get the rank's
+// number in front.
+void printTitled(session::Team* team, const std::string& title, const std::string& lines)
+{
+	if (!team)
+	{
+		fmt::print("{}{}", title, lines);
+		return;
+	}
+	session::MessageWriter message;
+	message.put(lines);
+	const std::vector<session::Bytes> of_all = team->gatherAll(message.take());
+	if (!team->isFirst())
+		return;
+	fmt::print(" rank  {}", title);
+	for (std::size_t rank = 0; rank < of_all.size(); ++rank)
+	{
+		std::istringstream lines_of(session::MessageReader(of_all[rank]).getText());
+		for (std::string line; std::getline(lines_of, line);)
+			fmt::print("{:>5}  {}\n", rank, line);
+	}
+}
+
 } // namespace
 
-Result<ExitCode> explain(const view::ViewSpec& spec, const session::OpenOptions& how)
+Result<ExitCode> explain(const view::ViewSpec& spec, session::OpenOptions how)
 {
+	how.team = team();
 	if (Status known = view::refuseGenerations(spec.probe, spec.look.color_by); !known)
 		return known.error();
 	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
@@ -38,13 +68,18 @@ Result<ExitCode> explain(const view::ViewSpec& spec, const session::OpenOptions&
 	std::size_t width = 5;
 	for (const grid::Block& block : blocks)
 		width = std::max(width, block.name.size());
-	fmt::print("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", "sheet", "block", width, "strategy", "classifier", "reason");
+	std::string lines;
 	forEachBlockPlan(*plan,
 	                 [&](std::size_t s, std::size_t b, const find::BlockPlan& way)
 	                 {
-		                 fmt::print("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", s, blocks[b].name, width,
-		                            nameOf(way.strategy), nameOf(way.classifier), way.reason());
+		                 if (!session.share || session.share->isOwn(b))
+			                 lines += fmt::format("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", s, blocks[b].name, width,
+			                                      nameOf(way.strategy), nameOf(way.classifier), way.reason());
 	                 });
+	printTitled(
+	    session.team,
+	    fmt::format("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", "sheet", "block", width, "strategy", "classifier", "reason"),
+	    lines);
 	return ExitCode::done;
 }
 

@@ -10,7 +10,7 @@ namespace vp::app
 
 // Carries out --explain: opens the input as the command would, and prints how the first cut would be made, one line for
 // each sheet in each block. Cuts nothing.
-Result<ExitCode> explain(const view::ViewSpec& spec, const session::OpenOptions& how);
+Result<ExitCode> explain(const view::ViewSpec& spec, session::OpenOptions how);
 
 // Returns the same as JSON: [{"block", "sheet", "strategy", "classifier", "reason"}].
 nlohmann::json planJson(const session::Session& session);

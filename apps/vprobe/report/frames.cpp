@@ -11,6 +11,8 @@ namespace vp::app
 Result<Frames> Frames::create(const FramePlaces& places, std::uint32_t width, std::uint32_t height, double per_second)
 {
 	Frames frames(places);
+	if (!places.writes)
+		return frames;
 	if (!places.exposure.empty())
 		if (Status free = write::checkWritable(places.exposure); !free)
 			return free.error();
@@ -38,7 +40,7 @@ bool Frames::has(int frame) const
 
 Status Frames::add(int frame, const render::Picture& picture)
 {
-	if (exposure_)
+	if (exposure_ && places_.writes)
 		exposure_->add(picture);
 	if (names_)
 		return write::writePng(picture, names_->of(frame));
@@ -47,7 +49,7 @@ Status Frames::add(int frame, const render::Picture& picture)
 
 Status Frames::commit()
 {
-	if (exposure_)
+	if (exposure_ && places_.writes)
 		if (Status written = write::writePng(exposure_->picture(), places_.exposure); !written)
 			return written;
 	return film_ ? film_->commit() : Nothing{};

@@ -21,6 +21,7 @@ struct FramePlaces
 	std::string film;
 	std::string exposure;
 	bool resume = false; // keep pictures that exist already
+	bool writes = true;  // false: takes part in drawing what another process writes
 };
 
 // Writes the frames of a sweep as pictures, a film or an exposure.

@@ -4,6 +4,7 @@
 #include "base/progress.h"
 #include "report/remaining_time.h"
 #include "report/stats_json.h"
+#include "session/team.h"
 
 #include <algorithm>
 #include <future>
@@ -93,12 +94,19 @@ private:
 	std::optional<Worker> worker_;           // must be the last member, since it uses the others
 };
 
-// The first frame from `frame` on that is not there yet, or the number of frames.
-int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, RemainingTime& remaining)
+// The first frame from `frame` on that is not there yet, or the number of frames. Of a team, one rank knows what is
+// there.
+int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, session::Team* team,
+              RemainingTime& remaining)
 {
-	for (; frame < plan.frames && products.has(frame); ++frame)
+	int next = frame;
+	while (next < plan.frames && products.has(next))
+		++next;
+	if (team)
+		session::sumOverAll(*team, next, [](int& last, int other) { last = std::max(last, other); });
+	for (; frame < next; ++frame)
 		remaining.skip();
-	return frame;
+	return next;
 }
 
 // What went wrong with an earlier frame comes first.
@@ -120,7 +128,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 	if (plan.writes_beside)
 		products.writeBeside();
 	Cutter cutter(plan, cut_slice, session);
-	int next = nextFrame(0, plan, products, remaining);
+	int next = nextFrame(0, plan, products, session.team, remaining);
 	const auto lacksNeighbors = [&](int frame)
 	{ return plan.build_neighbors && frame > 0 && frame < plan.frames && !grid::hasNeighbors(session.blocks); };
 	if (lacksNeighbors(next))
@@ -135,7 +143,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 		const CutFrameResult cut = cutter.take();
 		if (!cut)
 			return firstError(products, cut.error());
-		next = nextFrame(frame + 1, plan, products, remaining);
+		next = nextFrame(frame + 1, plan, products, session.team, remaining);
 		const bool waits = lacksNeighbors(next); // until the first frame is done with
 		if (next < plan.frames && !waits)
 			cutter.start(next);
