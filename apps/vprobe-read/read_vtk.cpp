@@ -8,11 +8,14 @@
 #include "time_choice.h"
 #include "xml_check.h"
 
+#include <vtkAbstractArray.h>
+#include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkHyperTreeGrid.h>
 #include <vtkHyperTreeGridToUnstructuredGrid.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLHyperTreeGridReader.h>
 #include <vtkXMLImageDataReader.h>
@@ -42,6 +45,42 @@ vtkSmartPointer<vtkDataObject> loadWith(const Request& request, ManifestWriter& 
 	updateAtTime(*reader, request, manifest);
 	return reader->GetOutputDataObject(0);
 }
+
+// The array of a piece in the number type of the whole's. VTK copies the bytes of a piece whatever type the index of
+// the pieces names: other values would come of that, and bytes behind the end of an array.
+vtkSmartPointer<vtkAbstractArray> inTypeOf(vtkAbstractArray* whole, vtkAbstractArray* piece)
+{
+	if (!whole || !piece)
+		return piece;
+	const bool same_type = whole->GetDataType() == piece->GetDataType();
+	const bool numbers = vtkDataArray::SafeDownCast(whole) && vtkDataArray::SafeDownCast(piece);
+	if (whole->GetNumberOfComponents() != piece->GetNumberOfComponents() || !(same_type || numbers))
+		throw damaged(fmt::format("a piece has another type of the array {} than the index of the pieces",
+		                          piece->GetName() ? piece->GetName() : "without a name"));
+	if (same_type)
+		return piece;
+	const auto converted = vtkSmartPointer<vtkAbstractArray>::Take(whole->NewInstance());
+	converted->DeepCopy(piece);
+	return converted;
+}
+
+template <class Reader>
+class PieceReader : public Reader
+{
+public:
+	static PieceReader* New() { VTK_STANDARD_NEW_BODY(PieceReader); }
+	vtkTemplateTypeMacro(PieceReader, Reader);
+
+protected:
+	void CopyArrayForPoints(vtkAbstractArray* piece, vtkAbstractArray* whole) override
+	{
+		Reader::CopyArrayForPoints(inTypeOf(whole, piece), whole);
+	}
+	void CopyArrayForCells(vtkAbstractArray* piece, vtkAbstractArray* whole) override
+	{
+		Reader::CopyArrayForCells(inTypeOf(whole, piece), whole);
+	}
+};
 
 // VTK 9.3 would add an array of ids that the file does not hold; 9.1 cannot.
 template <class Filter>
@@ -99,13 +138,13 @@ vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string
 	if (type == "HyperTreeGrid")
 		return loadTrees(request, manifest);
 	if (type == "PImageData")
-		return loadWith<vtkXMLPImageDataReader>(request, manifest);
+		return loadWith<PieceReader<vtkXMLPImageDataReader>>(request, manifest);
 	if (type == "PRectilinearGrid")
-		return loadWith<vtkXMLPRectilinearGridReader>(request, manifest);
+		return loadWith<PieceReader<vtkXMLPRectilinearGridReader>>(request, manifest);
 	if (type == "PStructuredGrid")
-		return loadWith<vtkXMLPStructuredGridReader>(request, manifest);
+		return loadWith<PieceReader<vtkXMLPStructuredGridReader>>(request, manifest);
 	if (type == "PUnstructuredGrid")
-		return loadWith<vtkXMLPUnstructuredGridReader>(request, manifest);
+		return loadWith<PieceReader<vtkXMLPUnstructuredGridReader>>(request, manifest);
 	if (type == "PolyData")
 		return loadWith<vtkXMLPolyDataReader>(request, manifest);
 	throw Refusal("a VTK file of type " + type + ", which cannot be read yet; give its pieces one by one");

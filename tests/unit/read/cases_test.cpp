@@ -9,7 +9,9 @@
 #include <vtkCellData.h>
 #include <vtkDataSetWriter.h>
 #include <vtkIdList.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -268,6 +270,43 @@ TEST(Xml, PiecesThatAreMissingAreNamed)
 	              "<PPoints><PDataArray type=\"Float32\" NumberOfComponents=\"3\"/></PPoints>"
 	              "<Piece Source=\"gone.vtu\"/></PUnstructuredGrid></VTKFile>");
 	EXPECT_EQ(refusal(folder / "a.pvtu"), "its piece " + folder / "gone.vtu" + " cannot be opened; keep them together");
+}
+
+TEST(Xml, PiecesMayHaveOtherNumberTypesThanTheirIndex)
+{
+	const TemporaryFolder folder;
+	const auto grid = rowOf({VTK_HEXAHEDRON}); // points are floats
+	vtkNew<vtkIntArray> numbers;
+	numbers->SetName("n");
+	for (int p = 0; p < 8; ++p)
+		numbers->InsertNextValue(7 - p);
+	grid->GetPointData()->AddArray(numbers);
+	write(folder / "piece.vtu", grid);
+	const auto index = [](const std::string& points, const std::string& array)
+	{
+		return "<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\"><PUnstructuredGrid GhostLevel=\"0\">"
+		       "<PPointData><PDataArray Name=\"n\" " +
+		       array +
+		       "/></PPointData>"
+		       "<PPoints><PDataArray type=\"" +
+		       points +
+		       "\" NumberOfComponents=\"3\"/></PPoints>"
+		       "<Piece Source=\"piece.vtu\"/></PUnstructuredGrid></VTKFile>";
+	};
+	writeContents(folder / "a.pvtu", index("Float64", "type=\"Float64\""));
+	const Outcome outcome = readSaying(folder / "a.pvtu");
+	ASSERT_TRUE(outcome.set) << outcome.set.error().message;
+	const Outcome piece = readSaying(folder / "piece.vtu");
+	ASSERT_TRUE(piece.set) << piece.set.error().message;
+	EXPECT_EQ(outcome.set->bounds().lo, piece.set->bounds().lo);
+	EXPECT_EQ(outcome.set->bounds().hi, piece.set->bounds().hi);
+	ASSERT_EQ(outcome.set->blocks[0].fields.size(), 1u);
+	const grid::ValueSpan span = grid::valueSpan(outcome.set->blocks[0].fields[0], 0);
+	EXPECT_EQ(span.lo, 0.0);
+	EXPECT_EQ(span.hi, 7.0);
+
+	writeContents(folder / "b.pvtu", index("Float64", "type=\"Float64\" NumberOfComponents=\"3\""));
+	EXPECT_NE(refusal(folder / "b.pvtu").find("than the index of the pieces"), std::string::npos);
 }
 
 TEST(Plot3d, FindsItsSolution)
