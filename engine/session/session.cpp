@@ -293,7 +293,9 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 	session->finder = finderFor(*session);
 	if (Status made = makeCutter(*session); !made)
 		return made.error();
-	if (const auto plan = session->cutter->plan(requestOf(*session)); plan && plan->needs_neighbors)
+	const auto plan = session->cutter->plan(requestOf(*session));
+	// Pieces that one rank has joined have none yet.
+	if ((plan && plan->needs_neighbors) || (session->team && needsNeighbors(session->spec)))
 		if (Status built = buildNeighbors(*session, options.stop); !built)
 			return built.error();
 	return session;

@@ -265,7 +265,6 @@ Status fitsTeam(const view::ViewSpec& spec)
 	    // rejects close off in a piece, and in one process, which may have joined the pieces, it does not.
 	    {probe.threshold && !view::implicitSurface(probe.surface), "threshold",
 	     "what it shows of planes depends on where the parts of several processes meet"},
-	    {probe.crinkle, "crinkle", "faces of whole cells are joined within one process alone"},
 	    {probe.vectors.on(), "vectors", "paths of particles lead from the part of one process into that of another"},
 	    {probe.seeds != seed::SeedMode::automatic, "seeds",
 	     "the search leads from the part of one process into that of another"},
