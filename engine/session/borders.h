@@ -28,9 +28,9 @@ struct Borders
 	std::size_t vertices_elsewhere = 0; // of this mesh, counted with the mesh of another rank
 	std::size_t faces_elsewhere = 0;    // boundary polygons that were dropped, since another rank shows them
 	std::vector<mesh::BlockCell> cells_elsewhere{}; // of these
-	std::size_t components = 0;         // of the meshes of all ranks together
-	std::vector<SharedVertex> shared{}; // a vertex that rounding has parted may have several entries
-	std::vector<int> peers{};           // the ranks that may have some; ascending
+	std::size_t components = 0;                     // of the meshes of all ranks together
+	std::vector<SharedVertex> shared{};             // a vertex that rounding has parted may have several entries
+	std::vector<int> peers{};                       // the ranks that may have some; ascending
 	bool hangs = false; // a cell of one rank meets several smaller ones of another: then nothing here holds
 };
 

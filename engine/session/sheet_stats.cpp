@@ -20,8 +20,8 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 		if (session.view.crinkle)
 			stats.crinkle = slice.crinkle(session.blocks, sheet, stats.borders.cells_elsewhere);
 		if (session.team && stats.crinkle)
-			stats.crinkle_borders = joinWholeCells(*session.team, slice.blocksOf(session.blocks), session.share->whole,
-			                                       *stats.crinkle);
+			stats.crinkle_borders =
+			    joinWholeCells(*session.team, slice.blocksOf(session.blocks), session.share->whole, *stats.crinkle);
 	}
 	if (stats.borders.hangs || stats.crinkle_borders.hangs)
 		return Error{ErrorKind::input,
