@@ -5,6 +5,9 @@
 #include "mesh/crinkle.h"
 #include "mesh/listed_mesh.h"
 
+#include <set>
+#include <utility>
+
 namespace vp::cut
 {
 
@@ -41,9 +44,22 @@ mesh::SheetMesh Cut::mesh(const grid::BlockSet& whole, std::size_t number) const
 	return mesh;
 }
 
-mesh::SheetMesh Cut::crinkle(const grid::BlockSet& blocks, std::size_t number) const
+mesh::SheetMesh Cut::crinkle(const grid::BlockSet& blocks, std::size_t number,
+                             std::span<const mesh::BlockCell> left_out) const
 {
-	return mesh::crinkleMesh(blocksOf(blocks), shownBlocks(sheets[number]));
+	std::vector<mesh::ShownBlock> shown = shownBlocks(sheets[number]);
+	std::vector<std::vector<grid::BoundaryIndex::Face>> faces;
+	if (!left_out.empty())
+		faces = sheets[number].seeds.faces_in_plane;
+	std::set<std::pair<std::uint32_t, CellId>> left;
+	for (const mesh::BlockCell& cell : left_out)
+		left.emplace(cell.block, cell.cell);
+	for (std::uint32_t b = 0; b < faces.size(); ++b)
+	{
+		std::erase_if(faces[b], [&](const auto& face) { return left.contains({b, face.cell}); });
+		shown[b].faces_in_plane = faces[b];
+	}
+	return mesh::crinkleMesh(blocksOf(blocks), shown);
 }
 
 } // namespace vp::cut

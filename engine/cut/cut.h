@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -70,8 +71,10 @@ struct Cut
 
 	/// Builds the indexed mesh of a sheet inside its window, on the CPU.
 	mesh::SheetMesh mesh(const grid::BlockSet& blocks, std::size_t sheet) const;
-	/// Builds the mesh of the whole cells that a sheet shows in its window, see mesh/crinkle.h.
-	mesh::SheetMesh crinkle(const grid::BlockSet& blocks, std::size_t sheet) const;
+	/// Builds the mesh of the whole cells that a sheet shows in its window, see mesh/crinkle.h. left_out: cells that
+	/// are not shown, though a face of theirs lies in the plane.
+	mesh::SheetMesh crinkle(const grid::BlockSet& blocks, std::size_t sheet,
+	                        std::span<const mesh::BlockCell> left_out = {}) const;
 };
 
 } // namespace vp::cut

@@ -77,6 +77,18 @@ Result<find::CutPlan> Cutter::plan(const CutRequest& request) const
 	return find::planCut(request.forPlan(), blocks_, gpu_ ? &device : nullptr);
 }
 
+Result<std::vector<seed::SheetSeeds>> Cutter::seedsOf(const CutRequest& request)
+{
+	const Result<find::CutPlan> plan = this->plan(request);
+	if (!plan)
+		return plan.error();
+	std::vector<seed::SheetSeeds> seeds;
+	for (std::size_t s = 0; s < request.probe.sheets.size(); ++s)
+		seeds.push_back(std::move(request.probe.sheets[s].form ? curvedSheetOf(request, *plan, s).sheets.front().seeds
+		                                                       : planesOf(request, *plan, {s}).sheets.front().seeds));
+	return seeds;
+}
+
 CutTicket Cutter::begin(CutRequest request)
 {
 	std::stop_source stop;
@@ -201,7 +213,8 @@ SheetGroup<surface::Plane> Cutter::planesOf(const CutRequest& request, const fin
 		if (request.seeds.mode != seed::SeedMode::hotspot) // where a block without a seed shows nothing
 			for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 				needs_none.push_back(group.plan[s * blocks_.blocks.size() + b].strategy == find::Strategy::rows);
-		sheet.seeds = seed::findSeeds(blocks_, sheet.sheet, request.seeds, needs_none);
+		sheet.seeds = request.given_seeds ? (*request.given_seeds)[group.numbers[s]]
+		                                  : seed::findSeeds(blocks_, sheet.sheet, request.seeds, needs_none);
 		for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 			if (const grid::CellFilter& filter = group.filters[b])
 				std::erase_if(sheet.seeds.faces_in_plane[b], [&](const auto& face) { return !filter(face.cell); });
@@ -221,7 +234,9 @@ SheetGroup<surface::BlockSurface> Cutter::curvedSheetOf(const CutRequest& reques
 	if (group.isScanned())
 		return group;
 	const TimedSection section(request.timeline, "seed");
-	sheet.seeds = seed::findSeeds(blocks_, group.surfaces, sheet.sheet, request.seeds.mode, group.filters);
+	sheet.seeds = request.given_seeds
+	                  ? (*request.given_seeds)[number]
+	                  : seed::findSeeds(blocks_, group.surfaces, sheet.sheet, request.seeds.mode, group.filters);
 	return group;
 }
 

@@ -72,6 +72,9 @@ public:
 	// Returns the plan by which begin() and cut() work on a request. It does not depend on origins and normals.
 	Result<find::CutPlan> plan(const CutRequest& request) const;
 
+	/// Returns the seeds with which cut() would begin, per sheet. The plan must not scan.
+	Result<std::vector<seed::SheetSeeds>> seedsOf(const CutRequest& request);
+
 	CutTicket begin(CutRequest request);
 	/// If it is asked to stop, it returns what it has found.
 	Result<Cut> cut(const CutRequest& request, std::stop_token stop = {}) { return run(request, std::move(stop)); }

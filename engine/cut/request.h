@@ -33,6 +33,8 @@ struct CutRequest
 	std::optional<grid::FieldChoice> field;
 	std::vector<std::optional<grid::FieldChoice>> sheet_fields; // per sheet, replaces `field`; or empty
 	seed::SeedOptions seeds;
+	// Per sheet, in place of seeds that would be looked for; or null.
+	const std::vector<seed::SheetSeeds>* given_seeds = nullptr;
 	std::optional<find::Threshold> threshold; // of the field's values; the search does not pass cells outside
 	find::Finder finder = find::Finder::traversal;
 	std::optional<find::Strategy> strategy; // for all sheets and blocks; an error if it is not possible

@@ -131,12 +131,12 @@ void seedAlongAxes(const grid::BlockSet& blocks, std::span<const surface::BlockS
 {
 	const double reach = blocks.bounds().diagonal();
 	const Vec3 axes[] = {sheet.normal, -sheet.normal, sheet.up, -sheet.up, sheet.xAxis(), -sheet.xAxis()};
-	for (const Vec3& axis : axes)
+	for (int number = 0; number < 6; ++number)
 		for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
 		{
 			if (!surfaces[b].heightAt(sheet.origin))
 				return;
-			const std::optional<Vec3> spot = meetingOn(surfaces[b], sheet.origin, reach * axis);
+			const std::optional<Vec3> spot = meetingOn(surfaces[b], sheet.origin, reach * axes[number]);
 			if (!spot)
 				break;
 			const locate::Located located = locate::findCell(blocks.blocks[b], kNoCell, *spot);
@@ -150,6 +150,7 @@ void seedAlongAxes(const grid::BlockSet& blocks, std::span<const surface::BlockS
 			if (cell == kNoCell)
 				continue;
 			seeds.hot_spot_inside = true;
+			seeds.hot_spot_order = number;
 			seeds.cells[b].push_back(cell);
 			return;
 		}

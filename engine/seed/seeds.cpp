@@ -172,6 +172,8 @@ SheetSeeds findSeeds(const grid::BlockSet& blocks, const probe::Sheet& sheet, co
 		    block.grid);
 	}
 	keepFacesToShow(blocks, plane, seeds.faces_in_plane);
+	if (nearest_cell != kNoCell)
+		seeds.hot_spot_order = nearest;
 	if (nearest_cell != kNoCell && !seeds_boundary)
 		seeds.cells[nearest_block].push_back(nearest_cell);
 	for (const std::vector<CellId>& cells : seeds.cells)

@@ -52,6 +52,9 @@ struct SheetSeeds
 	std::size_t tree_tests =
 	    0; // for curved surfaces, number of boxes of the block tree and cells in them that were asked (curved_seeds.h)
 	bool hot_spot_inside = false;
+	// Where several processes have a part of the grid each and find a hot spot, that of the least order counts: the
+	// distance to which a plane's has moved, or the number of the axis on which a curved surface has it.
+	double hot_spot_order = 0.0;
 	std::optional<Vec3> moved_to; // the new hot spot, if the hot spot was outside
 };
 

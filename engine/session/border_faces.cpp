@@ -41,29 +41,6 @@ bool hasOnlyGridPoints(const mesh::SheetMesh& mesh, std::size_t polygon)
 	                           { return v >= mesh.edges.size() || mesh.edges[v].t == 0.0 || mesh.edges[v].t == 1.0; });
 }
 
-void dropPolygons(const std::vector<std::uint32_t>& dropped, mesh::SheetMesh& mesh)
-{
-	mesh::SheetMesh kept;
-	kept.polygon_starts.push_back(0);
-	auto next = dropped.begin();
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-	{
-		if (next != dropped.end() && *next == p)
-		{
-			++next;
-			continue;
-		}
-		for (const std::uint32_t v : mesh.polygon(p))
-			kept.polygon_vertices.push_back(v);
-		kept.polygon_starts.push_back(static_cast<std::uint32_t>(kept.polygon_vertices.size()));
-		kept.polygon_cells.push_back(mesh.polygon_cells[p]);
-	}
-	mesh.polygon_vertices = std::move(kept.polygon_vertices);
-	mesh.polygon_starts = std::move(kept.polygon_starts);
-	mesh.polygon_cells = std::move(kept.polygon_cells);
-	mesh::dropUnusedVertices(mesh);
-}
-
 struct ShownFace
 {
 	int rank;
@@ -95,10 +72,33 @@ std::vector<std::uint32_t> facesToDrop(Neighborhood& near, const Tell& tell)
 
 } // namespace
 
-std::size_t dropFacesShownElsewhere(Team& team, const std::vector<Box>& boxes, mesh::SheetMesh& mesh)
+void dropPolygons(std::span<const std::uint32_t> dropped, mesh::SheetMesh& mesh)
+{
+	mesh::SheetMesh kept;
+	kept.polygon_starts.push_back(0);
+	auto next = dropped.begin();
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		if (next != dropped.end() && *next == p)
+		{
+			++next;
+			continue;
+		}
+		for (const std::uint32_t v : mesh.polygon(p))
+			kept.polygon_vertices.push_back(v);
+		kept.polygon_starts.push_back(static_cast<std::uint32_t>(kept.polygon_vertices.size()));
+		kept.polygon_cells.push_back(mesh.polygon_cells[p]);
+	}
+	mesh.polygon_vertices = std::move(kept.polygon_vertices);
+	mesh.polygon_starts = std::move(kept.polygon_starts);
+	mesh.polygon_cells = std::move(kept.polygon_cells);
+	mesh::dropUnusedVertices(mesh);
+}
+
+std::vector<mesh::BlockCell> dropFacesShownElsewhere(Team& team, const std::vector<Box>& boxes, mesh::SheetMesh& mesh)
 {
 	if (!anyOf(team, mesh.boundary_polygons > 0))
-		return 0;
+		return {};
 	Neighborhood near(team, boxes, 0.0);
 	const std::size_t first_boundary = mesh.polygons() - mesh.boundary_polygons;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -117,10 +117,13 @@ std::size_t dropFacesShownElsewhere(Team& team, const std::vector<Box>& boxes, m
 			                if (s.face.is_boundary && std::exchange(is_taken, true))
 				                drop(s);
 	                });
+	std::vector<mesh::BlockCell> cells;
+	for (const std::uint32_t p : dropped)
+		cells.push_back(mesh.polygon_cells[p]);
 	if (!dropped.empty())
 		dropPolygons(dropped, mesh);
 	mesh.boundary_polygons -= dropped.size();
-	return dropped.size();
+	return cells;
 }
 
 } // namespace vp::session

@@ -4,13 +4,18 @@
 #include "session/neighborhood.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vp::session
 {
 
-/// Of faces in the plane that lie on each other, one is shown: the polygon of a cut cell, or the first. Returns how
-/// many were dropped here.
-std::size_t dropFacesShownElsewhere(Team& team, const std::vector<Box>& boxes, mesh::SheetMesh& mesh);
+/// Of faces in the plane that lie on each other, one is shown: the polygon of a cut cell, or the first. Returns the
+/// cells of those that were dropped here.
+std::vector<mesh::BlockCell> dropFacesShownElsewhere(Team& team, const std::vector<Box>& boxes, mesh::SheetMesh& mesh);
+
+/// Drops polygons (ascending) of a mesh, and the vertices that no other polygon has.
+void dropPolygons(std::span<const std::uint32_t> dropped, mesh::SheetMesh& mesh);
 
 } // namespace vp::session

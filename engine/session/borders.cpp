@@ -256,12 +256,22 @@ std::vector<std::uint32_t> componentsOf(const mesh::SheetMesh& mesh, std::size_t
 
 } // namespace
 
+void shareVertices(Team& team, const std::vector<Box>& boxes, std::vector<RimVertex>& own, Borders& borders)
+{
+	const std::size_t all = own.size();
+	std::vector<Link> links; // of pieces, which are not asked for
+	joinAtSamePlace(team, boxes, own, links, borders);
+	joinNear(team, boxes, own, links, borders);
+	borders.vertices_elsewhere += all - own.size();
+}
+
 Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
                     std::span<const find::BlockCut> cuts, mesh::SheetMesh& mesh)
 {
 	Borders borders;
 	const std::vector<Box> boxes = boxesOf(team, blocks);
-	borders.faces_elsewhere = dropFacesShownElsewhere(team, boxes, mesh);
+	borders.cells_elsewhere = dropFacesShownElsewhere(team, boxes, mesh);
+	borders.faces_elsewhere = borders.cells_elsewhere.size();
 	std::size_t count = 0;
 	const std::vector<std::uint32_t> components = componentsOf(mesh, count);
 	std::vector<RimVertex> rim = rimVertices(blocks, whole, cuts, components, mesh);

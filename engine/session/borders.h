@@ -3,6 +3,7 @@
 #include "find/block_cut.h"
 #include "grid/block.h"
 #include "mesh/sheet_mesh.h"
+#include "session/rim_vertices.h"
 #include "session/team.h"
 
 #include <cstddef>
@@ -26,9 +27,10 @@ struct Borders
 {
 	std::size_t vertices_elsewhere = 0; // of this mesh, counted with the mesh of another rank
 	std::size_t faces_elsewhere = 0;    // boundary polygons that were dropped, since another rank shows them
-	std::size_t components = 0;         // of the meshes of all ranks together
-	std::vector<SharedVertex> shared{}; // a vertex that rounding has parted may have several entries
-	std::vector<int> peers{};           // the ranks that may have some; ascending
+	std::vector<mesh::BlockCell> cells_elsewhere{}; // of these
+	std::size_t components = 0;                     // of the meshes of all ranks together
+	std::vector<SharedVertex> shared{};             // a vertex that rounding has parted may have several entries
+	std::vector<int> peers{};                       // the ranks that may have some; ascending
 	bool hangs = false; // a cell of one rank meets several smaller ones of another: then nothing here holds
 };
 
@@ -42,5 +44,8 @@ struct Borders
 /// cuts: what was found in each block.
 Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
                     std::span<const find::BlockCut> cuts, mesh::SheetMesh& mesh);
+
+/// Counts vertices at one place once: adds to what is shared, and drops from `own` those that another rank counts.
+void shareVertices(Team& team, const std::vector<Box>& boxes, std::vector<RimVertex>& own, Borders& borders);
 
 } // namespace vp::session

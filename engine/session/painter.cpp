@@ -115,7 +115,8 @@ Painter::surfacePolygons(const cut::Cut& slice, const cut::SheetCut& sheet, cons
 	sumOverAll(*session_.team, box, [](Box& all, const Box& other) { all.include(other); });
 	mesh::SheetMesh around = mesh;
 	render::SurfaceElsewhere elsewhere{.origin = box.empty() ? Vec3(0.0) : box.center()};
-	elsewhere.polygons = addPolygonsAround(*session_.team, stats.borders, around, values.of_polygons);
+	const Borders& borders = stats.crinkle ? stats.crinkle_borders : stats.borders;
+	elsewhere.polygons = addPolygonsAround(*session_.team, borders, around, values.of_polygons);
 	if (!values.of_vertices.empty())
 		values.of_vertices.resize(around.positions.size(), 0.0);
 	return render::surfacePolygons(*session_.device, around, {values.of_vertices, values.of_polygons}, &elsewhere);

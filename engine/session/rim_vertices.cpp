@@ -267,6 +267,20 @@ std::vector<RimVertex> rimVertices(const grid::BlockSet& blocks, std::span<const
 	return vertices;
 }
 
+RimVertex gridVertex(const grid::BlockSet& blocks, std::span<const std::uint32_t> whole, const mesh::SheetMesh& mesh,
+                     std::uint32_t vertex)
+{
+	const mesh::EdgePoint& at = mesh.edges[vertex];
+	RimVertex made;
+	made.vertex = vertex;
+	made.place = mesh.positions[vertex] + 0.0; // no -0
+	made.whole = whole[at.block];
+	made.of_lattice = true; // whose pieces share points
+	made.ends = {made.place, made.place};
+	made.arrays = valuesAt(blocks.blocks[at.block], at);
+	return made;
+}
+
 void put(MessageWriter& to, const RimVertex& vertex)
 {
 	to.put(vertex.vertex);

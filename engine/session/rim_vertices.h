@@ -65,6 +65,10 @@ std::vector<RimVertex> rimVertices(const grid::BlockSet& blocks, std::span<const
                                    std::span<const find::BlockCut> cuts, std::span<const std::uint32_t> components,
                                    const mesh::SheetMesh& mesh);
 
+/// A vertex that is a grid point, as one of whole cells.
+RimVertex gridVertex(const grid::BlockSet& blocks, std::span<const std::uint32_t> whole, const mesh::SheetMesh& mesh,
+                     std::uint32_t vertex);
+
 void put(MessageWriter& to, const RimVertex& vertex);
 RimVertex takeVertex(MessageReader& from, int rank);
 

@@ -3,6 +3,7 @@
 #include "base/messages.h"
 #include "base/progress.h"
 #include "base/stop_scope.h"
+#include "session/hot_spot_pieces.h"
 #include "session/share.h"
 #include "session/sheet_traces.h"
 #include "session/team.h"
@@ -288,7 +289,9 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 	session->finder = finderFor(*session);
 	if (Status made = makeCutter(*session); !made)
 		return made.error();
-	if (const auto plan = session->cutter->plan(requestOf(*session)); plan && plan->needs_neighbors)
+	const auto plan = session->cutter->plan(requestOf(*session));
+	// Pieces that one rank has joined have none yet.
+	if ((plan && plan->needs_neighbors) || (session->team && needsNeighbors(session->spec)))
 		if (Status built = buildNeighbors(*session, options.stop); !built)
 			return built.error();
 	return session;
@@ -326,9 +329,13 @@ Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> las
 			return plan.error();
 	cut::CutRequest request = requestOf(session);
 	request.last = std::move(last);
-	Result<cut::Cut> cut = session.cutter->cut(request, stop);
+	const bool is_one_piece = session.team && session.view.seeds.mode == seed::SeedMode::hotspot;
+	Result<cut::Cut> cut = is_one_piece ? cutHotSpotPieces(*session.team, *session.cutter, std::move(request), stop)
+	                                    : session.cutter->cut(request, stop);
 	if (stop.stop_requested())
 		return Error{ErrorKind::cancelled, "cutting was cancelled"};
+	if (session.team && cut && session.view.seeds.outside != seed::OutsidePolicy::nearest)
+		agreeOnHotSpots(*session.team, *cut);
 	return cut;
 }
 

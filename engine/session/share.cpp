@@ -267,11 +267,9 @@ Status fitsTeam(const view::ViewSpec& spec)
 	    // rejects close off in a piece, and in one process, which may have joined the pieces, it does not.
 	    {probe.threshold && !view::implicitSurface(probe.surface), "threshold",
 	     "what it shows of planes depends on where the parts of several processes meet"},
-	    {probe.crinkle, "crinkle", "faces of whole cells are joined within one process alone"},
 	    {probe.vectors.on(), "vectors", "paths of particles lead from the part of one process into that of another"},
-	    {probe.seeds != seed::SeedMode::automatic, "seeds",
-	     "the search leads from the part of one process into that of another"},
-	    {probe.outside != seed::OutsidePolicy::nearest, "outside", "the hot spot lies in the part of one process"},
+	    {probe.seeds == seed::SeedMode::boundary, "seeds",
+	     "borders between the parts of processes would be taken for the boundary"},
 	    {look.contour.isGiven(), "contour", "contours grow from the part of one process into that of another"},
 	    {!look.context.empty(), "context", "faces between the parts of two processes would be shown"},
 	    {look.outline == render::Outline::edges, "outline", "faces between the parts of two processes would be shown"},

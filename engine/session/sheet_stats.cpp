@@ -3,6 +3,7 @@
 #include "session/share.h"
 #include "session/sheet_traces.h"
 #include "session/team.h"
+#include "session/whole_cells.h"
 
 namespace vp::session
 {
@@ -13,13 +14,16 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 	{
 		const TimedSection section(session.timeline.get(), "emit");
 		stats.mesh = slice.mesh(session.blocks, sheet);
-		if (session.view.crinkle)
-			stats.crinkle = slice.crinkle(session.blocks, sheet);
 		if (session.team)
 			stats.borders = joinBorders(*session.team, slice.blocksOf(session.blocks), session.share->whole,
 			                            slice.sheets[sheet].cuts, stats.mesh);
+		if (session.view.crinkle)
+			stats.crinkle = slice.crinkle(session.blocks, sheet, stats.borders.cells_elsewhere);
+		if (session.team && stats.crinkle)
+			stats.crinkle_borders =
+			    joinWholeCells(*session.team, slice.blocksOf(session.blocks), session.share->whole, *stats.crinkle);
 	}
-	if (stats.borders.hangs)
+	if (stats.borders.hangs || stats.crinkle_borders.hangs)
 		return Error{ErrorKind::input,
 		             "cells of different sizes meet between two processes; give each such group of blocks "
 		             "to one of them by fewer processes, or use vprobe"};
@@ -43,6 +47,13 @@ void measureSheet(const Session& session, const cut::Cut& slice, std::size_t she
 	}
 	else
 		stats.measure = measure::measure(slice.blocksOf(session.blocks), stats.mesh, field);
+	if (stats.crinkle)
+	{
+		measure::SheetSums sums = measure::sumUp(slice.blocksOf(session.blocks), *stats.crinkle, {});
+		if (session.team)
+			sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
+		stats.crinkle_area = measure::measureOf(sums, false).area;
+	}
 	stats.flux = fluxThrough(session, slice, sheet, stats.mesh);
 }
 

@@ -18,9 +18,11 @@ struct SheetStats
 	mesh::SheetMesh mesh;
 	measure::SheetMeasure measure;
 	std::optional<mesh::SheetMesh> crinkle{};        // filled if whole cells are shown
+	double crinkle_area = 0.0;                       // of their faces
 	std::shared_ptr<const vectors::Traces> traces{}; // particles launched from the sheet; or null
 	std::optional<double> flux{};                    // flux of vectors through the sheet
 	Borders borders{};                               // with a team: what the mesh shares with those of others
+	Borders crinkle_borders{};                       // the same of the whole cells
 };
 
 Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice);

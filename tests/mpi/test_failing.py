@@ -49,9 +49,9 @@ def test_a_place_that_cannot_be_written(programs, case, tmp_path):
     fails(programs, 3, 'slice', case, '-o', blocked / 'out.vtp')
 
 
-@pytest.mark.parametrize('asked', [('--crinkle',), ('--surface', 'patch=wall'), ('--threshold', 0, 1),
+@pytest.mark.parametrize('asked', [('--surface', 'patch=wall'), ('--threshold', 0, 1),
                                    ('--strategy', 'generations'),
-                                   ('--seeds', 'hotspot'), ('--vectors', 'tufts'), ('--contour', 0.5),
+                                   ('--seeds', 'boundary'), ('--vectors', 'tufts'), ('--contour', 0.5),
                                    ('-o', 'flat.png'), ('--line', 0, 0, 1, 1, '-o', 'line.csv')])
 def test_what_is_refused_names_the_remedy(programs, case, asked):
     assert 'vprobe' in fails(programs, 2, 'slice', case, *asked).removeprefix('vprobe-mpi: ')

@@ -110,13 +110,13 @@ nlohmann::json frameJson(const cut::SheetCut& sheet)
 	        {"window", asJson(sheet.sheet.window)}};
 }
 
-nlohmann::json crinkleJson(const grid::BlockSet& blocks, const std::optional<mesh::SheetMesh>& crinkle)
+nlohmann::json crinkleJson(const session::SheetStats& stats)
 {
-	if (!crinkle)
+	if (!stats.crinkle)
 		return {};
-	return {{"faces", crinkle->polygons()},
-	        {"vertices", crinkle->positions.size()},
-	        {"area", measure::measure(blocks, *crinkle, {}).area}};
+	return {{"faces", stats.crinkle->polygons()},
+	        {"vertices", stats.crinkle->positions.size() - stats.crinkle_borders.vertices_elsewhere},
+	        {"area", stats.crinkle_area}};
 }
 
 nlohmann::json tracesJson(const session::Session& session, const vectors::Traces& traces)
@@ -172,7 +172,7 @@ nlohmann::json sheetJson(const session::Session& session, const cut::Cut& slice,
 	             {"boundary_area", stats.measure.boundary_area},
 	             {"nan_area", stats.measure.nan_area},
 	             {"flux", orNull(stats.flux)},
-	             {"crinkle", crinkleJson(session.blocks, stats.crinkle)}});
+	             {"crinkle", crinkleJson(stats)}});
 	if (stats.traces)
 		json["vectors"] = tracesJson(session, *stats.traces);
 	return json;

@@ -35,6 +35,9 @@ void addSheet(json& sheet, const json& other)
 	sheet["cells_twisted"] = sheet["cells_twisted"].get<std::size_t>() + other["cells_twisted"].get<std::size_t>();
 	for (const std::string_view key : kGreatest)
 		sheet[key] = std::max(sheet[key].get<std::size_t>(), other[key].get<std::size_t>());
+	if (!sheet["crinkle"].is_null())
+		for (const char* key : {"faces", "vertices"})
+			sheet["crinkle"][key] = sheet["crinkle"][key].get<std::size_t>() + other["crinkle"][key].get<std::size_t>();
 	sheet["hot_spot_inside"] = sheet["hot_spot_inside"].get<bool>() || other["hot_spot_inside"].get<bool>();
 }
 

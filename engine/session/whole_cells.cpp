@@ -1,0 +1,121 @@
+#include "session/whole_cells.h"
+
+#include "session/border_faces.h"
+#include "session/lone_faces.h"
+#include "session/rim_vertices.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace vp::session
+{
+
+namespace
+{
+
+/// The number of the face of its cell that a polygon is. Vertices that were joined may lie a rounding off its points.
+int faceOf(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, std::uint32_t polygon)
+{
+	const mesh::BlockCell& cell = mesh.polygon_cells[polygon];
+	return std::visit(
+	    [&](const auto& grid)
+	    {
+		    grid::CellFaces faces;
+		    grid.cellFaces(cell.cell, faces);
+		    int found = 0;
+		    double nearest = std::numeric_limits<double>::infinity();
+		    for (int f = 0; f < faces.size(); ++f)
+		    {
+			    double farthest = 0.0;
+			    for (const std::uint32_t v : mesh.polygon(polygon))
+			    {
+				    double distance = std::numeric_limits<double>::infinity();
+				    for (const PointId p : faces[f])
+					    distance = std::min(distance, glm::length(grid.point(p) - mesh.positions[v]));
+				    farthest = std::max(farthest, distance);
+			    }
+			    if (farthest < nearest)
+				    found = f;
+			    nearest = std::min(nearest, farthest);
+		    }
+		    return found;
+	    },
+	    blocks.blocks[cell.block].grid);
+}
+
+struct LonePolygons
+{
+	std::vector<LoneFace> faces;
+	std::vector<std::uint32_t> polygons; // per face
+};
+
+LonePolygons lonePolygons(const grid::BlockSet& blocks, const BoxesOfOthers& others, const mesh::SheetMesh& mesh)
+{
+	LonePolygons found;
+	for (std::uint32_t p = 0; p < mesh.polygons(); ++p)
+	{
+		Box box;
+		for (const std::uint32_t v : mesh.polygon(p))
+			box.include(mesh.positions[v]);
+		if (!others.meet(box))
+			continue;
+		std::optional<LoneFace> face = loneFace(blocks, mesh.polygon_cells[p], faceOf(blocks, mesh, p));
+		if (!face)
+			continue;
+		found.faces.push_back(std::move(*face));
+		found.polygons.push_back(p);
+	}
+	return found;
+}
+
+std::uint64_t nameOf(const mesh::EdgePoint& point)
+{
+	return std::uint64_t(point.block) << 32 | point.lower;
+}
+
+} // namespace
+
+Borders joinWholeCells(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
+                       mesh::SheetMesh& crinkle)
+{
+	Borders borders;
+	const std::vector<Box> boxes = boxesOf(team, blocks);
+	const BoxesOfOthers others(team, boxes);
+	const LonePolygons lone = lonePolygons(blocks, others, crinkle);
+	const std::vector<std::vector<FaceAcross>> across = facesAcross(team, boxes, lone.faces);
+	borders.hangs = facesHang(team, boxes, lone.faces, across);
+
+	std::vector<std::uint32_t> dropped;
+	std::unordered_map<std::uint64_t, double> near; // corners of faces on each other are one, however rounded
+	for (std::size_t f = 0; f < lone.faces.size(); ++f)
+	{
+		if (across[f].empty())
+			continue;
+		dropped.push_back(lone.polygons[f]);
+		for (const std::uint32_t v : crinkle.polygon(lone.polygons[f]))
+		{
+			double& of_vertex = near[nameOf(crinkle.edges[v])];
+			of_vertex = std::max(of_vertex, lone.faces[f].apart());
+		}
+	}
+	if (!dropped.empty())
+		dropPolygons(dropped, crinkle);
+	borders.faces_elsewhere = dropped.size();
+
+	std::vector<RimVertex> own;
+	for (std::uint32_t v = 0; v < crinkle.positions.size(); ++v)
+	{
+		if (!others.meet({crinkle.positions[v], crinkle.positions[v]}))
+			continue;
+		RimVertex& vertex = own.emplace_back(gridVertex(blocks, whole, crinkle, v));
+		if (const auto found = near.find(nameOf(crinkle.edges[v])); found != near.end())
+			vertex.near = found->second;
+	}
+	shareVertices(team, boxes, own, borders);
+	return borders;
+}
+
+} // namespace vp::session
