@@ -1,7 +1,7 @@
 #include "contour/box_contour.h"
 
 #include "base/timeline.h"
-#include "classify/cpu_classifier.h"
+#include "contour/box_traversal.h"
 #include "contour/sheet_pieces.h"
 #include "grid/shown_value.h"
 #include "mesh/build_mesh.h"
@@ -20,46 +20,6 @@ namespace vp::contour
 namespace
 {
 
-using ClippedSurface = find::SheetInBlock<surface::BlockSurface, ClipBox>;
-
-// The bounds of the sheet's window in its frame, without a window those of its cut.
-Box rectOf(const cut::SheetCut& sheet, const mesh::SheetMesh& mesh)
-{
-	Box rect;
-	if (const std::optional<probe::Window>& window = sheet.sheet.window)
-	{
-		rect.include({window->x0, window->y0, 0.0});
-		rect.include({window->x1, window->y1, 0.0});
-		return rect;
-	}
-	const Vec3 x_axis = sheet.sheet.xAxis();
-	for (const Vec3& p : mesh.positions)
-		rect.include({glm::dot(p - sheet.sheet.origin, x_axis), glm::dot(p - sheet.sheet.origin, sheet.sheet.up), 0.0});
-	if (rect.empty())
-		rect.include(Vec3(0.0));
-	return rect;
-}
-
-ClipBox boxOf(const cut::SheetCut& sheet, const mesh::SheetMesh& mesh, std::optional<double> depth)
-{
-	Box box = rectOf(sheet, mesh);
-	const double smaller = std::min(box.size().x, box.size().y);
-	const double half = 0.5 * depth.value_or(sheet.sheet.window ? smaller : 0.5 * smaller);
-	box.lo.z = -half;
-	box.hi.z = half;
-	return {sheet.sheet, box.lo, box.hi};
-}
-
-// Polygons of a cell follow each other.
-std::size_t cellsOf(const mesh::SheetMesh& mesh)
-{
-	std::size_t cells = 0;
-	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-		cells += p == 0 || mesh.polygon_cells[p].cell != mesh.polygon_cells[p - 1].cell ||
-		         mesh.polygon_cells[p].block != mesh.polygon_cells[p - 1].block;
-	return cells;
-}
-
 // The whole mesh, not clipped.
 mesh::SheetMesh meshOf(const grid::BlockSet& blocks, const std::vector<surface::BlockSurface>& surfaces,
                        const std::vector<find::CellCut>& cuts)
@@ -72,9 +32,51 @@ mesh::SheetMesh meshOf(const grid::BlockSet& blocks, const std::vector<surface::
 
 } // namespace
 
+std::size_t cellsOf(const mesh::SheetMesh& mesh)
+{
+	std::size_t cells = 0;
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+		cells += p == 0 || mesh.polygon_cells[p].cell != mesh.polygon_cells[p - 1].cell ||
+		         mesh.polygon_cells[p].block != mesh.polygon_cells[p - 1].block;
+	return cells;
+}
+
+Box rectOf(const cut::SheetCut& sheet, const mesh::SheetMesh& mesh)
+{
+	Box rect;
+	if (const std::optional<probe::Window>& window = sheet.sheet.window)
+	{
+		rect.include({window->x0, window->y0, 0.0});
+		rect.include({window->x1, window->y1, 0.0});
+		return rect;
+	}
+	const Vec3 x_axis = sheet.sheet.xAxis();
+	for (const Vec3& p : mesh.positions)
+		rect.include({glm::dot(p - sheet.sheet.origin, x_axis), glm::dot(p - sheet.sheet.origin, sheet.sheet.up), 0.0});
+	return rect;
+}
+
+ClipBox boxOf(const cut::SheetCut& sheet, const Box& rect, std::optional<double> depth)
+{
+	Box box = rect;
+	if (box.empty())
+		box.include(Vec3(0.0));
+	const double smaller = std::min(box.size().x, box.size().y);
+	const double half = 0.5 * depth.value_or(sheet.sheet.window ? smaller : 0.5 * smaller);
+	box.lo.z = -half;
+	box.hi.z = half;
+	return {sheet.sheet, box.lo, box.hi};
+}
+
 BoxContourer::BoxContourer(cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
                            std::optional<double> depth)
-    : slicer_(slicer), sheet_(sheet), mesh_(mesh), box_(boxOf(sheet, mesh, depth))
+    : BoxContourer(slicer, sheet, mesh, boxOf(sheet, rectOf(sheet, mesh), depth))
+{
+}
+
+BoxContourer::BoxContourer(cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
+                           const ClipBox& box)
+    : slicer_(slicer), sheet_(sheet), mesh_(mesh), box_(box)
 {
 	assert(sheet.isPlane() && sheet.field && sheet.field->association == grid::Association::point);
 	findValues();
@@ -139,32 +141,29 @@ std::vector<std::vector<CellId>> BoxContourer::seedsOf(double value) const
 	return seeds;
 }
 
+mesh::SheetMesh BoxContourer::clippedMesh(const std::vector<surface::BlockSurface>& surfaces,
+                                          const std::vector<find::CellCut>& cuts) const
+{
+	mesh::SheetMesh mesh = meshOf(slicer_.blocks(), surfaces, cuts);
+	mesh::clipToSides(box_.frame().origin, box_.sides(), mesh::Corners::keep, mesh);
+	return mesh;
+}
+
+bool BoxContourer::mayHave(double value) const
+{
+	return range_ && value >= range_->first && value <= range_->second;
+}
+
 Result<Contour> BoxContourer::grow(double value, Timeline* timeline, std::stop_token stop) const
 {
 	const TimedSection section(timeline, "contour");
 	Contour contour;
 	contour.value = value;
-	if (!range_ || value < range_->first || value > range_->second)
+	if (!mayHave(value))
 		return contour;
 	const grid::BlockSet& blocks = slicer_.blocks();
 	const auto surfaces = find::isoSurfaces(blocks, value, sheet_.field);
-	std::vector<std::vector<CellId>> seeds = seedsOf(value);
-	std::vector<ClippedSurface> sheets;
-	std::vector<find::VisitedPool::Loan> marks;
-	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
-	{
-		marks.push_back(slicer_.borrowMarks(b));
-		sheets.push_back({.block = &blocks.blocks[b],
-		                  .surface = surfaces[b],
-		                  .visited = marks.back().get(),
-		                  .seeds = std::move(seeds[b]),
-		                  .seams = blocks.interfaces.of(b),
-		                  .first_block = 0,
-		                  .filter = find::finiteCells(blocks.blocks[b], surfaces[b]),
-		                  .window = box_});
-	}
-	classify::CpuClassifier<surface::BlockSurface, ClipBox> classifier(sheets);
-	const auto cuts = find::breadthFirst<surface::BlockSurface, ClipBox>(sheets, classifier, stop);
+	const auto cuts = BoxTraversal(slicer_, surfaces, box_).searchFrom(seedsOf(value), std::move(stop));
 	if (!cuts)
 		return cuts.error();
 	for (const find::CellCut& cut : *cuts)
@@ -173,8 +172,7 @@ Result<Contour> BoxContourer::grow(double value, Timeline* timeline, std::stop_t
 		contour.generations = std::max(contour.generations, cut.steps);
 		contour.seeds += cut.generations() > 0 ? cut.generation_starts[1] : 0;
 	}
-	contour.mesh = meshOf(blocks, surfaces, *cuts);
-	mesh::clipToSides(box_.frame().origin, box_.sides(), mesh::Corners::keep, contour.mesh);
+	contour.mesh = clippedMesh(surfaces, *cuts);
 	contour.components = keepOnSheet(blocks, surfaces, box_, contour.mesh);
 	contour.cells = cellsOf(contour.mesh);
 	return contour;

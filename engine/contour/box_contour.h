@@ -2,10 +2,12 @@
 
 #include "base/result.h"
 #include "contour/clip_box.h"
+#include "contour/contour_parts.h"
 #include "cut/cutter.h"
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <utility>
 #include <vector>
@@ -31,6 +33,15 @@ struct Contour
 	std::size_t cells_touched = 0;
 };
 
+// The bounds of the sheet's window in its frame, without a window those of its cut, which are empty if it shows
+// nothing.
+Box rectOf(const cut::SheetCut& sheet, const mesh::SheetMesh& mesh);
+// depth: see BoxContourer.
+ClipBox boxOf(const cut::SheetCut& sheet, const Box& rect, std::optional<double> depth);
+
+// Number of cells that a contour's mesh has polygons of: those of a cell follow each other.
+std::size_t cellsOf(const mesh::SheetMesh& mesh);
+
 // Grows contours of one sheet (Speray and Kennon 1990 planned them, "Contours"): the sheet's own cut cells in which the
 // value is crossed are generation 0, and the traversal goes on across faces that the iso surface cuts within the box.
 // So the work follows the box; of the grid nothing is kept but the slicer's visited marks.
@@ -41,6 +52,8 @@ public:
 	// depth: of the box along the normal, half to each side, in the grid's units; none: the smaller side of the window.
 	BoxContourer(cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
 	             std::optional<double> depth);
+	// The same with a box that is known.
+	BoxContourer(cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh, const ClipBox& box);
 
 	// The window times the depth; without a window the bounds of the mesh take its place.
 	const ClipBox& box() const { return box_; }
@@ -48,12 +61,23 @@ public:
 	// Of the values that the sheet has at its vertices; none where no value is finite. No other is on the sheet, and so
 	// in a contour of it.
 	const std::optional<std::pair<double, double>>& range() const { return range_; }
+	// Where other processes have a part of the sheet: the range of all.
+	void setRange(const std::optional<std::pair<double, double>>& range) { range_ = range; }
+	bool mayHave(double value) const;
 
 	// Per vertex of the mesh; NaN where there is none.
 	const std::vector<double>& values() const { return values_; }
 
 	// Section "contour". A stop request ends it between generations with what was found.
 	Result<Contour> grow(double value, Timeline* timeline = nullptr, std::stop_token stop = {}) const;
+
+	// The same in steps, where other processes have a part of the blocks. growParts() finds the cells: those that the
+	// traversal reaches from the sheet, and from each face on the way to `others`, the boxes of other processes'
+	// blocks.
+	Result<ContourParts> growParts(double value, std::span<const Box> others) const;
+	// The mesh of some cells within the box.
+	mesh::SheetMesh clippedMesh(const std::vector<surface::BlockSurface>& surfaces,
+	                            const std::vector<find::CellCut>& cuts) const;
 
 private:
 	std::vector<std::vector<CellId>> seedsOf(double value) const; // per block

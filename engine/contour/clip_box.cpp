@@ -20,6 +20,16 @@ bool ClipBox::holdsPartOf(const Box& section) const
 	return true;
 }
 
+bool ClipBox::meets(const Box& box) const
+{
+	const Vec3 middle = inBox(box.center());
+	const Vec3 half = 0.5 * box.size();
+	const Vec3 reach(glm::dot(glm::abs(x_axis_), half), glm::dot(glm::abs(frame_.up), half),
+	                 glm::dot(glm::abs(frame_.normal), half));
+	const Vec3 slack = 1e-12 * (glm::abs(middle) + reach);
+	return holdsPartOf({middle - reach - slack, middle + reach + slack});
+}
+
 std::array<mesh::ClipSide, 6> ClipBox::sides() const
 {
 	return {mesh::ClipSide{x_axis_, box_.lo.x},       mesh::ClipSide{-x_axis_, -box_.hi.x},

@@ -57,6 +57,9 @@ public:
 		return true;
 	}
 
+	// Whether a box along the axes of the grid may reach into it.
+	bool meets(const Box& box) const;
+
 	const probe::Frame& frame() const { return frame_; }
 	const Vec3& lo() const { return box_.lo; }
 	const Vec3& hi() const { return box_.hi; }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <unordered_map>
-#include <vector>
 
 namespace vp::contour
 {
@@ -42,20 +41,6 @@ void joinAcrossLinks(const grid::UnstructuredGrid& grid, std::uint32_t block, co
 	}
 }
 
-// Returns for each vertex the one that represents its piece.
-std::vector<std::uint32_t> piecesOf(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
-                                    const ClipBox& box, const mesh::SheetMesh& mesh)
-{
-	mesh::UnionFind joined = measure::joinedVertices(mesh);
-	for (std::uint32_t b = 0; b < blocks.blocks.size(); ++b)
-		if (const auto* grid = std::get_if<grid::UnstructuredGrid>(&blocks.blocks[b].grid); grid && grid->hasLinks())
-			joinAcrossLinks(*grid, b, surfaces[b], box, mesh, joined);
-	std::vector<std::uint32_t> pieces(mesh.positions.size());
-	for (std::uint32_t v = 0; v < pieces.size(); ++v)
-		pieces[v] = joined.root(v);
-	return pieces;
-}
-
 void keepPolygons(mesh::SheetMesh& mesh, const std::vector<bool>& kept)
 {
 	std::size_t polygon = 0;
@@ -80,26 +65,44 @@ void keepPolygons(mesh::SheetMesh& mesh, const std::vector<bool>& kept)
 
 } // namespace
 
+Pieces piecesOf(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces, const ClipBox& box,
+                const mesh::SheetMesh& mesh)
+{
+	mesh::UnionFind joined = measure::joinedVertices(mesh);
+	for (std::uint32_t b = 0; b < blocks.blocks.size(); ++b)
+		if (const auto* grid = std::get_if<grid::UnstructuredGrid>(&blocks.blocks[b].grid); grid && grid->hasLinks())
+			joinAcrossLinks(*grid, b, surfaces[b], box, mesh, joined);
+	const double slack = kRounding * (glm::length(box.hi() - box.lo()) + glm::length(box.frame().origin));
+	Pieces pieces{std::vector<std::uint32_t>(mesh.positions.size()),
+	              std::vector<std::uint8_t>(mesh.positions.size(), 0)};
+	for (std::uint32_t v = 0; v < pieces.of_vertex.size(); ++v)
+	{
+		const std::uint32_t piece = pieces.of_vertex[v] = joined.root(v);
+		const double height = box.inBox(mesh.positions[v]).z;
+		pieces.sides[piece] |= (height <= slack ? 1 : 0) | (height >= -slack ? 2 : 0);
+	}
+	return pieces;
+}
+
+bool keepTouching(const Pieces& pieces, mesh::SheetMesh& mesh)
+{
+	std::vector<bool> kept(mesh.polygons());
+	for (std::size_t p = 0; p < kept.size(); ++p)
+		kept[p] = pieces.sides[pieces.of_vertex[mesh.polygon(p)[0]]] == kBothSides;
+	if (std::ranges::find(kept, false) == kept.end())
+		return false;
+	keepPolygons(mesh, kept);
+	return true;
+}
+
 std::size_t keepOnSheet(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
                         const ClipBox& box, mesh::SheetMesh& mesh)
 {
-	const std::vector<std::uint32_t> pieces = piecesOf(blocks, surfaces, box, mesh);
-	const double slack = kRounding * (glm::length(box.hi() - box.lo()) + glm::length(box.frame().origin));
-	std::vector<std::uint8_t> sides(mesh.positions.size(), 0); // bits, of the vertex that stands for a piece
-	for (std::size_t v = 0; v < pieces.size(); ++v)
-	{
-		const double height = box.inBox(mesh.positions[v]).z;
-		sides[pieces[v]] |= (height <= slack ? 1 : 0) | (height >= -slack ? 2 : 0);
-	}
-	const auto touches = [&](std::uint32_t piece) { return sides[piece] == 3; };
+	const Pieces pieces = piecesOf(blocks, surfaces, box, mesh);
 	std::size_t count = 0;
-	for (std::uint32_t v = 0; v < pieces.size(); ++v)
-		count += pieces[v] == v && touches(v);
-	std::vector<bool> kept(mesh.polygons());
-	for (std::size_t p = 0; p < kept.size(); ++p)
-		kept[p] = touches(pieces[mesh.polygon(p)[0]]);
-	if (std::ranges::find(kept, false) != kept.end())
-		keepPolygons(mesh, kept);
+	for (std::uint32_t v = 0; v < pieces.of_vertex.size(); ++v)
+		count += pieces.of_vertex[v] == v && pieces.sides[v] == kBothSides;
+	keepTouching(pieces, mesh);
 	return count;
 }
 

@@ -220,7 +220,10 @@ std::optional<SheetPlace> SheetLookup::at(const glm::dvec2& uv) const
 		for (std::size_t i = listed.size(); i-- > 0;)
 			if (holds(listed[i], uv + step))
 				if (auto found = inFan(listed[i], uv))
+				{
+					found->inside = step == glm::dvec2(0.0);
 					return found;
+				}
 	return std::nullopt;
 }
 

@@ -22,6 +22,7 @@ struct SheetPlace
 	mesh::BlockCell cell;                // the block's own numbering; grid::Block knows those of the file
 	std::array<std::uint32_t, 2> corner; // vertices of the mesh, in the order of the polygon
 	std::array<double, 3> weight;        // weights of the corners and of the mean: 0 to 1, with the sum 1
+	bool inside = true;                  // false: the place lies beside the polygon, by rounding
 
 	std::uint32_t nearestVertex() const; // of the corners: what holds for arrays of ids and categories
 };

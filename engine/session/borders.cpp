@@ -6,6 +6,7 @@
 #include "session/border_faces.h"
 #include "session/hanging_borders.h"
 #include "session/rim_vertices.h"
+#include "session/together.h"
 
 #include <algorithm>
 #include <array>
@@ -21,40 +22,6 @@ namespace vp::session
 
 namespace
 {
-
-/// Pieces of two ranks that hang together.
-struct Link
-{
-	int rank;
-	std::uint32_t component;
-	int other;
-	std::uint32_t other_component;
-
-	auto operator<=>(const Link&) const = default;
-};
-
-std::size_t countTogether(Team& team, std::size_t own, const std::vector<Link>& links)
-{
-	MessageWriter message;
-	message.put(own);
-	message.putAll(links);
-	std::vector<std::size_t> first; // number of the first component of each rank
-	std::size_t all = 0;
-	std::vector<Link> of_all;
-	for (const Bytes& bytes : team.gatherAll(message.take()))
-	{
-		MessageReader reader(bytes);
-		first.push_back(all);
-		all += reader.get<std::size_t>();
-		const auto some = reader.getAll<Link>();
-		of_all.insert(of_all.end(), some.begin(), some.end());
-	}
-	mesh::UnionFind pieces(all);
-	for (const Link& link : of_all)
-		pieces.join(static_cast<std::uint32_t>(first[static_cast<std::size_t>(link.rank)] + link.component),
-		            static_cast<std::uint32_t>(first[static_cast<std::size_t>(link.other)] + link.other_component));
-	return pieces.count();
-}
 
 /// What the owners of places find.
 struct Found
@@ -242,16 +209,32 @@ void joinNear(Team& team, const std::vector<Box>& boxes, std::vector<RimVertex>&
 	    });
 }
 
-/// Numbers the pieces of a mesh: per vertex.
-std::vector<std::uint32_t> componentsOf(const mesh::SheetMesh& mesh, std::size_t& count)
+/// Numbers the pieces of a mesh.
+MarkedPieces piecesOf(const mesh::SheetMesh& mesh)
 {
-	mesh::UnionFind pieces = measure::joinedVertices(mesh);
-	std::unordered_map<std::uint32_t, std::uint32_t> numbers; // by the vertex that stands for a piece
-	std::vector<std::uint32_t> components(mesh.positions.size());
-	for (std::uint32_t v = 0; v < components.size(); ++v)
-		components[v] = numbers.try_emplace(pieces.root(v), static_cast<std::uint32_t>(numbers.size())).first->second;
-	count = numbers.size();
-	return components;
+	mesh::UnionFind joined = measure::joinedVertices(mesh);
+	std::vector<std::uint32_t> roots(mesh.positions.size());
+	for (std::uint32_t v = 0; v < roots.size(); ++v)
+		roots[v] = joined.root(v);
+	return numbered(roots);
+}
+
+Borders join(Team& team, const std::vector<Box>& boxes, const grid::BlockSet& blocks,
+             std::span<const std::uint32_t> whole, std::span<const find::BlockCut> cuts, MarkedPieces& pieces,
+             const mesh::SheetMesh& mesh)
+{
+	Borders borders;
+	std::vector<RimVertex> rim = rimVertices(blocks, whole, cuts, pieces.of_vertex, mesh);
+	const std::size_t all = rim.size();
+	std::vector<Link> links;
+	joinAtSamePlace(team, boxes, rim, links, borders);
+	joinNear(team, boxes, rim, links, borders);
+	borders.vertices_elsewhere = all - rim.size();
+	borders.hangs = hangsBetweenRanks(team, boxes, mesh, rim);
+	Together together = joinOverRanks(team, pieces.marks, std::move(links));
+	borders.components = together.count;
+	pieces.marks = std::move(together.marks);
+	return borders;
 }
 
 } // namespace
@@ -265,26 +248,33 @@ void shareVertices(Team& team, const std::vector<Box>& boxes, std::vector<RimVer
 	borders.vertices_elsewhere += all - own.size();
 }
 
+MarkedPieces numbered(std::span<const std::uint32_t> roots)
+{
+	MarkedPieces pieces;
+	std::unordered_map<std::uint32_t, std::uint32_t> numbers;
+	pieces.of_vertex.reserve(roots.size());
+	for (const std::uint32_t root : roots)
+		pieces.of_vertex.push_back(numbers.try_emplace(root, static_cast<std::uint32_t>(numbers.size())).first->second);
+	pieces.marks.assign(numbers.size(), 0);
+	return pieces;
+}
+
 Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
                     std::span<const find::BlockCut> cuts, mesh::SheetMesh& mesh)
 {
-	Borders borders;
 	const std::vector<Box> boxes = boxesOf(team, blocks);
-	borders.cells_elsewhere = dropFacesShownElsewhere(team, boxes, mesh);
-	borders.faces_elsewhere = borders.cells_elsewhere.size();
-	std::size_t count = 0;
-	const std::vector<std::uint32_t> components = componentsOf(mesh, count);
-	std::vector<RimVertex> rim = rimVertices(blocks, whole, cuts, components, mesh);
-	const std::size_t all = rim.size();
-	std::vector<Link> links;
-	joinAtSamePlace(team, boxes, rim, links, borders);
-	joinNear(team, boxes, rim, links, borders);
-	borders.vertices_elsewhere = all - rim.size();
-	std::ranges::sort(links);
-	links.erase(std::unique(links.begin(), links.end()), links.end());
-	borders.hangs = hangsBetweenRanks(team, boxes, mesh, rim);
-	borders.components = countTogether(team, count, links);
+	std::vector<mesh::BlockCell> cells_elsewhere = dropFacesShownElsewhere(team, boxes, mesh);
+	MarkedPieces pieces = piecesOf(mesh);
+	Borders borders = join(team, boxes, blocks, whole, cuts, pieces, mesh);
+	borders.faces_elsewhere = cells_elsewhere.size();
+	borders.cells_elsewhere = std::move(cells_elsewhere);
 	return borders;
+}
+
+Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
+                    std::span<const find::BlockCut> cuts, MarkedPieces& pieces, const mesh::SheetMesh& mesh)
+{
+	return join(team, boxesOf(team, blocks), blocks, whole, cuts, pieces, mesh);
 }
 
 } // namespace vp::session

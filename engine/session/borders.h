@@ -48,4 +48,19 @@ Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const st
 /// Counts vertices at one place once: adds to what is shared, and drops from `own` those that another rank counts.
 void shareVertices(Team& team, const std::vector<Box>& boxes, std::vector<RimVertex>& own, Borders& borders);
 
+/// The pieces of a mesh.
+struct MarkedPieces
+{
+	std::vector<std::uint32_t> of_vertex; // its piece
+	std::vector<std::uint8_t> marks;      // of each piece: any bits
+};
+
+/// Numbers pieces from 0, without marks. roots: per vertex the one that stands for its piece.
+MarkedPieces numbered(std::span<const std::uint32_t> roots);
+
+/// The same where the pieces are known, of a mesh without boundary polygons. Gives each piece the marks of all pieces
+/// that it hangs together with, at whatever rank.
+Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
+                    std::span<const find::BlockCut> cuts, MarkedPieces& pieces, const mesh::SheetMesh& mesh);
+
 } // namespace vp::session

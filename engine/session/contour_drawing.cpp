@@ -1,6 +1,13 @@
 #include "session/contour_drawing.h"
 
 #include "render/passes/surface_polygons.h"
+#include "session/polygons_around.h"
+#include "session/team.h"
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace vp::session
 {
@@ -8,45 +15,105 @@ namespace vp::session
 namespace
 {
 
-// All in one mesh, where the sheet shows them: places and polygons are all that is drawn.
-mesh::SheetMesh joined(const cut::SheetCut& sheet, std::span<const contour::Contour> contours,
-                       std::vector<double>& values)
+// Places of some contours, in one mesh, where the sheet shows them.
+class JoinedContours
 {
-	const probe::Transform shown = probe::displayTransform(sheet.shown);
-	mesh::SheetMesh all;
-	all.flat = false;
-	all.polygon_starts.push_back(0);
-	for (const contour::Contour& contour : contours)
+public:
+	explicit JoinedContours(const cut::SheetCut& sheet) : shown_(probe::displayTransform(sheet.shown))
 	{
-		const auto first = static_cast<std::uint32_t>(all.positions.size());
-		for (const Vec3& p : contour.mesh.positions)
-			all.positions.push_back(shown.point(p));
-		for (std::size_t p = 0; p < contour.mesh.polygons(); ++p)
-		{
-			for (const std::uint32_t v : contour.mesh.polygon(p))
-				all.polygon_vertices.push_back(first + v);
-			all.polygon_starts.push_back(static_cast<std::uint32_t>(all.polygon_vertices.size()));
-			all.polygon_cells.push_back(contour.mesh.polygon_cells[p]);
-		}
-		values.resize(all.positions.size(), contour.value);
+		mesh.flat = false;
+		mesh.polygon_starts.push_back(0);
 	}
-	return all;
+
+	// Returns the number of the first vertex.
+	std::uint32_t addVertices(const mesh::SheetMesh& contour, double value)
+	{
+		const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+		for (const Vec3& p : contour.positions)
+			mesh.positions.push_back(shown_.point(p));
+		values.resize(mesh.positions.size(), value);
+		return first;
+	}
+	// Polygons [begin, end) of a contour.
+	void addPolygons(const mesh::SheetMesh& contour, std::uint32_t first_vertex, std::size_t begin, std::size_t end)
+	{
+		for (std::size_t p = begin; p < end; ++p)
+		{
+			for (const std::uint32_t v : contour.polygon(p))
+				mesh.polygon_vertices.push_back(first_vertex + v);
+			mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.polygon_vertices.size()));
+			mesh.polygon_cells.push_back(contour.polygon_cells[p]);
+		}
+	}
+
+	mesh::SheetMesh mesh;
+	std::vector<double> values; // per vertex
+
+private:
+	probe::Transform shown_;
+};
+
+Result<std::shared_ptr<const render::SurfacePolygons>>
+polygonsOf(gpu::Device& device, const JoinedContours& joined, bool colored, const render::SurfaceElsewhere* elsewhere)
+{
+	return render::surfacePolygons(
+	    device, joined.mesh, colored ? render::SurfaceValues{joined.values, {}} : render::SurfaceValues{}, elsewhere);
+}
+
+// Null if there is nothing to draw.
+Result<std::shared_ptr<const render::SurfacePolygons>> polygonsOf(const Session& session, const cut::SheetCut& sheet,
+                                                                  std::span<const GrownContour> contours, bool colored)
+{
+	JoinedContours joined(sheet);
+	for (const GrownContour& contour : contours)
+		joined.addPolygons(contour.mesh, joined.addVertices(contour.mesh, contour.value), 0, contour.mesh.polygons());
+	if (joined.mesh.polygons() == 0)
+		return std::shared_ptr<const render::SurfacePolygons>();
+	return polygonsOf(*session.device, joined, colored, nullptr);
+}
+
+// The same with a team: polygons of other ranks have a part in how those beside them look, and stand last.
+Result<std::shared_ptr<const render::SurfacePolygons>>
+polygonsOfRank(const Session& session, const cut::SheetCut& sheet, std::span<const GrownContour> contours, bool colored)
+{
+	JoinedContours joined(sheet);
+	Box box;
+	std::vector<std::pair<mesh::SheetMesh, std::uint32_t>> around; // and the first vertex
+	for (const GrownContour& contour : contours)
+	{
+		mesh::SheetMesh mesh = contour.mesh;
+		std::vector<double> none;
+		addPolygonsAround(*session.team, contour.borders, mesh, none);
+		const std::uint32_t first = joined.addVertices(mesh, contour.value);
+		for (std::size_t v = 0; v < contour.mesh.positions.size(); ++v)
+			box.include(joined.mesh.positions[first + v]);
+		joined.addPolygons(mesh, first, 0, contour.mesh.polygons());
+		around.emplace_back(std::move(mesh), first);
+	}
+	sumOverAll(*session.team, box, [](Box& all, const Box& other) { all.include(other); });
+	if (box.empty())
+		return std::shared_ptr<const render::SurfacePolygons>();
+	const std::size_t own = joined.mesh.polygons();
+	for (std::size_t c = 0; c < contours.size(); ++c)
+		joined.addPolygons(around[c].first, around[c].second, contours[c].mesh.polygons(), around[c].first.polygons());
+	const render::SurfaceElsewhere elsewhere{.origin = box.center(), .polygons = joined.mesh.polygons() - own};
+	return polygonsOf(*session.device, joined, colored, &elsewhere);
 }
 
 } // namespace
 
-Status addContours(const Session& session, const cut::SheetCut& sheet, std::span<const contour::Contour> contours,
+Status addContours(const Session& session, const cut::SheetCut& sheet, std::span<const GrownContour> contours,
                    const render::SheetDrawing& drawing, const view::ResolvedLook& choice, render::Scene& scene)
 {
-	std::vector<double> values;
-	const mesh::SheetMesh mesh = joined(sheet, contours, values);
-	if (mesh.polygons() == 0)
+	if (contours.empty())
 		return Nothing{};
 	const bool colored = !choice.by_generation; // whose scale is none of the values'
-	auto polygons = render::surfacePolygons(*session.device, mesh,
-	                                        colored ? render::SurfaceValues{values, {}} : render::SurfaceValues{});
+	auto polygons = session.team ? polygonsOfRank(session, sheet, contours, colored)
+	                             : polygonsOf(session, sheet, contours, colored);
 	if (!polygons)
 		return polygons.error();
+	if (!*polygons)
+		return Nothing{};
 	render::Surface& surface = scene.surfaces.emplace_back();
 	surface.polygons = std::move(*polygons);
 	surface.opacity = choice.contour.opacity;

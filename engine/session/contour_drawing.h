@@ -6,8 +6,8 @@ namespace vp::session
 {
 
 // Adds the contours of one sheet to a scene as one lit surface, in the colors that their values have on the sheet.
-// drawing: how the sheet looks.
-Status addContours(const Session& session, const cut::SheetCut& sheet, std::span<const contour::Contour> contours,
+// drawing: how the sheet looks. With a team, all ranks call it.
+Status addContours(const Session& session, const cut::SheetCut& sheet, std::span<const GrownContour> contours,
                    const render::SheetDrawing& drawing, const view::ResolvedLook& choice, render::Scene& scene);
 
 } // namespace vp::session

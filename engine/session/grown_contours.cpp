@@ -2,6 +2,7 @@
 
 #include "base/messages.h"
 #include "measure/sheet_lookup.h"
+#include "session/team.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -31,32 +32,74 @@ Status checkSheet(const cut::SheetCut& sheet, const char* setting)
 	return Nothing{};
 }
 
+struct ValueThere
+{
+	bool is_there = false;
+	bool is_inside = false; // of a polygon; else beside one, by rounding
+	double value = 0.0;
+};
+
 // What the sheet has at a place of its box, 0 to 1 along its sides.
-Result<double> valueAt(const contour::BoxContourer& contourer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
-                       const std::pair<double, double>& at)
+ValueThere valueAt(const contour::BoxContourer& contourer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
+                   const std::pair<double, double>& at)
 {
 	const Vec3 size = contourer.box().hi() - contourer.box().lo();
 	const glm::dvec2 uv(contourer.box().lo().x + at.first * size.x, contourer.box().lo().y + at.second * size.y);
 	const measure::SheetLookup lookup(mesh, sheet.sheet);
-	if (const auto place = lookup.at(uv))
-		if (const double value = lookup.value(*place, contourer.values()); std::isfinite(value))
-			return value;
+	const auto place = lookup.at(uv);
+	if (!place)
+		return {};
+	return {true, place->inside, lookup.value(*place, contourer.values())};
+}
+
+Result<double> valueOfAll(const Session& session, ValueThere there, const std::pair<double, double>& at)
+{
+	// Of polygons over each other the last counts, as in one process.
+	if (session.team)
+		sumOverAll(*session.team, there,
+		           [](ValueThere& all, const ValueThere& higher)
+		           {
+			           if (higher.is_there && (!all.is_there || higher.is_inside || !all.is_inside))
+				           all = higher;
+		           });
+	if (there.is_there && std::isfinite(there.value))
+		return there.value;
 	return Error{ErrorKind::usage,
 	             fmt::format("`contour_at` {} {}: the first sheet has no value there; choose a place that it shows",
 	                         at.first, at.second)};
 }
 
-// One beside the other.
-Result<std::vector<contour::Contour>> growAll(const contour::BoxContourer& contourer, const std::vector<double>& values,
-                                              Timeline* timeline)
+contour::BoxContourer contourerOf(const Session& session, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
+                                  const view::ContourSpec& spec)
 {
-	std::vector<contour::Contour> contours(values.size());
+	const auto depth = spec.depth > 0.0 ? std::optional(spec.depth) : std::nullopt;
+	const Box rect = session.team ? rectOverRanks(*session.team, sheet, mesh) : contour::rectOf(sheet, mesh);
+	contour::BoxContourer contourer(*session.cutter, sheet, mesh, contour::boxOf(sheet, rect, depth));
+	if (session.team)
+		shareRange(*session.team, contourer);
+	return contourer;
+}
+
+// One beside the other. The calls of a team have an order.
+Result<std::vector<GrownContour>> growAll(const Session& session, const contour::BoxContourer& contourer,
+                                          const std::vector<double>& values)
+{
+	std::vector<GrownContour> contours(values.size());
 	std::vector<Status> done(values.size(), Nothing{});
+	if (session.team)
+	{
+		for (std::size_t i = 0; i < values.size(); ++i)
+			if (auto grown = growOverRanks(session, contourer, values[i]))
+				contours[i] = std::move(*grown);
+			else
+				return grown.error();
+		return contours;
+	}
 	tbb::parallel_for(std::size_t(0), values.size(),
 	                  [&](std::size_t i)
 	                  {
-		                  if (auto grown = contourer.grow(values[i], timeline))
-			                  contours[i] = std::move(*grown);
+		                  if (auto grown = contourer.grow(values[i], session.timeline.get()))
+			                  contours[i] = {std::move(*grown)};
 		                  else
 			                  done[i] = grown.error();
 	                  });
@@ -64,6 +107,12 @@ Result<std::vector<contour::Contour>> growAll(const contour::BoxContourer& conto
 		if (!each)
 			return each.error();
 	return contours;
+}
+
+bool isEmpty(const Session& session, const GrownContour& contour)
+{
+	const bool is_shown = contour.mesh.polygons() > 0;
+	return !(session.team ? anyOf(*session.team, is_shown) : is_shown);
 }
 
 void tellEmpty(const Session& session, const cut::Cut& slice, std::size_t s, double value,
@@ -96,12 +145,12 @@ Result<Contours> growContours(const Session& session, const cut::Cut& slice, con
 				return fits.error();
 			continue;
 		}
-		const contour::BoxContourer contourer(*session.cutter, slice.sheets[s], sheets[s].mesh,
-		                                      spec.depth > 0.0 ? std::optional(spec.depth) : std::nullopt);
+		const contour::BoxContourer contourer = contourerOf(session, slice.sheets[s], sheets[s].mesh, spec);
 		std::vector<double> values = spec.values;
 		if (is_placed)
 		{
-			Result<double> value = valueAt(contourer, slice.sheets[s], sheets[s].mesh, *spec.at);
+			const Result<double> value =
+			    valueOfAll(session, valueAt(contourer, slice.sheets[s], sheets[s].mesh, *spec.at), *spec.at);
 			if (!value && tell == Tell::all)
 				return value.error();
 			if (value)
@@ -109,12 +158,12 @@ Result<Contours> growContours(const Session& session, const cut::Cut& slice, con
 		}
 		if (is_pointed)
 			values.push_back(pointed->value);
-		Result<std::vector<contour::Contour>> grown = growAll(contourer, values, session.timeline.get());
+		Result<std::vector<GrownContour>> grown = growAll(session, contourer, values);
 		if (!grown)
 			return grown.error();
 		contours[s] = std::move(*grown);
-		for (const contour::Contour& contour : contours[s])
-			if (contour.mesh.polygons() == 0 && tell == Tell::all)
+		for (const GrownContour& contour : contours[s])
+			if (tell == Tell::all && isEmpty(session, contour))
 				tellEmpty(session, slice, s, contour.value, contourer);
 	}
 	return contours;
@@ -124,7 +173,7 @@ std::vector<write::ContourPiece> contourPieces(const Contours& contours)
 {
 	std::vector<write::ContourPiece> pieces;
 	for (std::size_t s = 0; s < contours.size(); ++s)
-		for (const contour::Contour& contour : contours[s])
+		for (const GrownContour& contour : contours[s])
 			pieces.push_back({&contour.mesh, static_cast<std::int32_t>(s), contour.value});
 	return pieces;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contour/box_contour.h"
+#include "session/joined_contour.h"
 #include "session/sheet_stats.h"
 #include "write/slice_table.h"
 
@@ -12,7 +12,7 @@ namespace vp::session
 {
 
 // The contours of a slice, per sheet.
-using Contours = std::vector<std::vector<contour::Contour>>;
+using Contours = std::vector<std::vector<GrownContour>>;
 
 // A value that a pointer found on one sheet of a cut.
 struct PointedValue
@@ -32,8 +32,8 @@ enum class Tell
 };
 
 // Grows the contours that the settings ask for. sheets: sheetStats() of the cut. pointed: one more contour, which is
-// never reported. Sheets that are not planes are a usage error; sheets without point values are an input error. Section
-// "contour" on the timeline.
+// never reported. With a team, all ranks call it, and each gets the polygons of its blocks. Sheets that are not planes
+// are a usage error; sheets without point values are an input error. Section "contour" on the timeline.
 Result<Contours> growContours(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets,
                               const view::ContourSpec& spec, Tell tell,
                               const std::optional<PointedValue>& pointed = {});

@@ -1,6 +1,6 @@
 #include "session/hanging_borders.h"
 
-#include "base/place_key.h"
+#include "session/space_bins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,30 +64,6 @@ bool liesAmid(const Point& point, const Side& side)
 	return t > end && t < 1.0 - end && glm::length(point.place - (side.from + t * way)) <= point.near;
 }
 
-/// Bins of a lattice over space, whose side is as long as the longest side of a polygon: so each of those is in a few.
-class Bins
-{
-public:
-	explicit Bins(double side) : side_(side) {}
-
-	/// With a place in each.
-	std::map<std::uint64_t, Vec3> of(const Vec3& a, const Vec3& b) const
-	{
-		std::map<std::uint64_t, Vec3> keys;
-		for (int corner = 0; corner < 8; ++corner)
-			keys.insert(at({corner & 1 ? a.x : b.x, corner & 2 ? a.y : b.y, corner & 4 ? a.z : b.z}));
-		return keys;
-	}
-	std::pair<std::uint64_t, Vec3> at(const Vec3& place) const
-	{
-		const Vec3 cell(std::floor(place.x / side_), std::floor(place.y / side_), std::floor(place.z / side_));
-		return {placeKey(cell), side_ * (cell + 0.5)};
-	}
-
-private:
-	double side_;
-};
-
 /// What came to the owner of a bin.
 struct Bin
 {
@@ -120,7 +96,7 @@ bool hangsBetweenRanks(Team& team, const std::vector<Box>& boxes, const mesh::Sh
 	sumOverAll(team, longest, [](double& greatest, double other) { greatest = std::max(greatest, other); });
 	if (!(longest > 0.0))
 		return false;
-	const Bins bins(longest);
+	const SpaceBins bins(longest);                 // so each side is in a few
 	Neighborhood near(team, boxes, 2.0 * longest); // the middle of a bin lies no farther from the sides in it
 	const auto send = [&](const std::pair<std::uint64_t, Vec3>& bin, bool is_side, const auto& what)
 	{

@@ -270,7 +270,6 @@ Status fitsTeam(const view::ViewSpec& spec)
 	    {probe.vectors.on(), "vectors", "paths of particles lead from the part of one process into that of another"},
 	    {probe.seeds == seed::SeedMode::boundary, "seeds",
 	     "borders between the parts of processes would be taken for the boundary"},
-	    {look.contour.isGiven(), "contour", "contours grow from the part of one process into that of another"},
 	    {!look.context.empty(), "context", "faces between the parts of two processes would be shown"},
 	    {look.outline == render::Outline::edges, "outline", "faces between the parts of two processes would be shown"},
 	    {look.color_by == view::ColorBy::generation, "color_by", "generations depend on how the parts were dealt out"},

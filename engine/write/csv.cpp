@@ -30,7 +30,7 @@ void writeCsv(const SliceTable& table, AtomicFile& file)
 		for (const Column& column : *columns)
 			for (int c = 0; c < column.components; ++c)
 				text += ',' + quoted(names.add(column.componentName(c)));
-	if (!table.contour.empty())
+	if (table.has_contours)
 		text += ',' + quoted(names.add("contour"));
 	text += '\n';
 
@@ -57,7 +57,7 @@ void writeCsv(const SliceTable& table, AtomicFile& file)
 		cell_values.clear();
 		for (const Column& column : table.polygon_columns)
 			appendColumn(cell_values, column, p);
-		if (!table.contour.empty())
+		if (table.has_contours)
 			fmt::format_to(std::back_inserter(cell_values), ",{}", table.contour[p]);
 		cell_values += '\n';
 		for (std::int64_t i = table.polygon_starts[p]; i < table.polygon_starts[p + 1]; ++i)

@@ -140,7 +140,7 @@ void writePly(const SliceTable& table, AtomicFile& file)
 	face_properties.push_back(makeProperty("vprobe:cell", NumberType::int64, table.cell, face_names));
 	face_properties.push_back(makeProperty("vprobe:block", NumberType::int32, table.block, face_names));
 	face_properties.push_back(makeProperty("vprobe:sheet", NumberType::int32, table.sheet, face_names));
-	if (!table.contour.empty())
+	if (table.has_contours)
 		face_properties.push_back(makeProperty("vprobe:contour", NumberType::float64, table.contour, face_names));
 	for (const Column& column : table.polygon_columns)
 		face_properties.push_back(makeProperty(column, face_names));

@@ -188,7 +188,7 @@ SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMes
 		all.push_back(&meshes[m]);
 	}
 	if (!contours.empty())
-		table.contour.assign(table.polygons(), kNan);
+		addContourColumn(table);
 	for (const ContourPiece& contour : contours)
 	{
 		addMesh(blocks, *contour.mesh, contour.sheet, table);
@@ -197,6 +197,12 @@ SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMes
 	}
 	addArrays(blocks, all, table);
 	return table;
+}
+
+void addContourColumn(SliceTable& table)
+{
+	table.has_contours = true;
+	table.contour.assign(table.polygons(), kNan);
 }
 
 void tabulatePolygons(const mesh::SheetMesh& mesh, SliceTable& table)

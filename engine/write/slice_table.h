@@ -38,6 +38,7 @@ struct SliceTable
 	RawVector<std::int32_t> block;
 	RawVector<std::int32_t> sheet;
 	std::vector<double> contour; // the value of its contour, NaN of a sheet's own polygons; empty without contours
+	bool has_contours = false;   // also without polygons
 	std::vector<Column> vertex_columns;
 	std::vector<Column> polygon_columns;
 
@@ -59,6 +60,9 @@ struct ContourPiece
 // contours follow behind them all.
 SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, std::size_t first_sheet = 0,
                     std::span<const ContourPiece> contours = {});
+
+// Adds the column of contours to a table of sheets.
+void addContourColumn(SliceTable& table);
 
 // Puts the polygons of another table behind those of `table`. Both have the same columns.
 void append(SliceTable&& other, SliceTable& table);

@@ -15,7 +15,7 @@ PolyData polyDataOf(const SliceTable& table)
 	data.cell_arrays.add(xmlArray("vprobe:cell", NumberType::int64, 1, table.cell));
 	data.cell_arrays.add(xmlArray("vprobe:block", NumberType::int32, 1, table.block));
 	data.cell_arrays.add(xmlArray("vprobe:sheet", NumberType::int32, 1, table.sheet));
-	if (!table.contour.empty())
+	if (table.has_contours)
 		data.cell_arrays.add(xmlArray("vprobe:contour", NumberType::float64, 1, table.contour));
 	return data;
 }

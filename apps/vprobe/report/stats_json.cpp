@@ -4,6 +4,7 @@
 #include "report/explain.h"
 #include "report/team_stats.h"
 #include "session/share.h"
+#include "session/team.h"
 #include "vectors/traces.h"
 
 #include <fmt/format.h>
@@ -189,16 +190,26 @@ nlohmann::json sheetsJson(const session::Session& session, const cut::Cut& slice
 	return list;
 }
 
+// Of all ranks together.
+double areaOf(const session::Session& session, const mesh::SheetMesh& mesh)
+{
+	if (!session.team)
+		return measure::measure(session.blocks, mesh, {}).area;
+	measure::SheetSums sums = measure::sumUp(session.blocks, mesh, {});
+	session::sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
+	return measure::measureOf(sums, false).area;
+}
+
 nlohmann::json contoursJson(const session::Session& session, const session::Contours& contours)
 {
 	nlohmann::json list = nlohmann::json::array();
 	for (std::size_t s = 0; s < contours.size(); ++s)
-		for (const contour::Contour& contour : contours[s])
+		for (const session::GrownContour& contour : contours[s])
 			list.push_back({{"sheet", s},
 			                {"value", contour.value},
 			                {"cells", contour.cells},
 			                {"polygons", contour.mesh.polygons()},
-			                {"area", measure::measure(session.blocks, contour.mesh, {}).area},
+			                {"area", areaOf(session, contour.mesh)},
 			                {"components", contour.components},
 			                {"seeds", contour.seeds},
 			                {"generations", contour.generations},

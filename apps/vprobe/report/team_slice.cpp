@@ -49,6 +49,7 @@ session::Bytes messageOf(const write::SliceTable& table)
 	putNumbers(message, table.cell);
 	putNumbers(message, table.block);
 	putNumbers(message, table.sheet);
+	putNumbers(message, table.contour);
 	putColumns(message, table.vertex_columns);
 	putColumns(message, table.polygon_columns);
 	return message.take();
@@ -58,12 +59,14 @@ write::SliceTable tableOf(const session::Bytes& bytes, const write::SliceTable& 
 {
 	session::MessageReader reader(bytes);
 	write::SliceTable table;
+	table.has_contours = like.has_contours;
 	takeNumbers(reader, table.positions);
 	takeNumbers(reader, table.polygon_starts);
 	takeNumbers(reader, table.polygon_vertices);
 	takeNumbers(reader, table.cell);
 	takeNumbers(reader, table.block);
 	takeNumbers(reader, table.sheet);
+	takeNumbers(reader, table.contour);
 	for (const auto& [columns, like_columns] : {std::pair(&table.vertex_columns, &like.vertex_columns),
 	                                            std::pair(&table.polygon_columns, &like.polygon_columns)})
 		for (const write::Column& column : *like_columns)
@@ -84,6 +87,36 @@ write::SliceTable gathered(session::Team& team, write::SliceTable own)
 		            into = messageOf(table);
 	            });
 	return tableOf(bytes, own);
+}
+
+// The polygons that this rank has of a sheet, or of one contour.
+struct OwnTable
+{
+	write::SliceTable table;
+	std::size_t sheet;
+	bool is_contour;
+};
+
+// Sheets come first.
+std::vector<OwnTable> ownTables(const session::Session& session, const session::CutFrame& frame)
+{
+	const grid::BlockSet& blocks = frame.slice.blocksOf(session.blocks);
+	const std::vector<mesh::SheetMesh> meshes = session::exportedMeshes(frame.sheets);
+	const std::vector<write::ContourPiece> contours = session::contourPieces(frame.contours);
+	std::vector<OwnTable> tables;
+	for (std::size_t s = 0; s < meshes.size(); ++s)
+	{
+		tables.push_back({write::tabulate(blocks, std::span(meshes).subspan(s, 1), s), s, false});
+		if (!contours.empty())
+			write::addContourColumn(tables.back().table);
+	}
+	for (const write::ContourPiece& contour : contours)
+		tables.push_back(
+		    {write::tabulate(blocks, {}, 0, {&contour, 1}), static_cast<std::size_t>(contour.sheet), true});
+	for (OwnTable& own : tables)
+		for (std::int32_t& block : own.table.block)
+			block = static_cast<std::int32_t>(session.share->whole[static_cast<std::size_t>(block)]);
+	return tables;
 }
 
 // Each rank writes a part of its own. All have written before the first gets its name, and the index comes last.
@@ -121,15 +154,17 @@ Status writeTogether(const session::Session& session, const session::CutFrame& f
 	if (!format)
 		return format.error();
 	session::Team& team = *session.team;
-	const std::vector<mesh::SheetMesh> meshes = session::exportedMeshes(frame.sheets);
 	std::vector<write::SliceTable> sheets;
-	for (std::size_t s = 0; s < meshes.size(); ++s)
+	std::vector<write::SliceTable> behind; // contours
+	for (OwnTable& own : ownTables(session, frame))
 	{
-		write::SliceTable own =
-		    write::tabulate(frame.slice.blocksOf(session.blocks), std::span(meshes).subspan(s, 1), s);
-		for (std::int32_t& block : own.block)
-			block = static_cast<std::int32_t>(session.share->whole[static_cast<std::size_t>(block)]);
-		sheets.push_back(*format == write::SliceFormat::pvtp ? std::move(own) : gathered(team, std::move(own)));
+		const bool is_behind = own.is_contour && *format != write::SliceFormat::vtm;
+		write::SliceTable table =
+		    *format == write::SliceFormat::pvtp ? std::move(own.table) : gathered(team, std::move(own.table));
+		if (own.is_contour && !is_behind)
+			write::append(std::move(table), sheets[own.sheet]);
+		else
+			(is_behind ? behind : sheets).push_back(std::move(table));
 	}
 	if (*format == write::SliceFormat::vtm)
 	{
@@ -139,6 +174,8 @@ Status writeTogether(const session::Session& session, const session::CutFrame& f
 	write::SliceTable all = std::move(sheets.at(0));
 	for (write::SliceTable& sheet : std::span(sheets).subspan(1))
 		write::append(std::exchange(sheet, {}), all);
+	for (write::SliceTable& contour : behind)
+		write::append(std::exchange(contour, {}), all);
 	if (*format == write::SliceFormat::pvtp)
 		return writeParts(team, all, path);
 	return team.isFirst() ? write::writeTable(all, path) : Nothing{};

@@ -12,7 +12,8 @@ namespace vp::app
 Status checkWritableTogether(const std::string& path);
 
 // Writes the polygons of all ranks of the session's team. As .pvtp, each rank writes a part of its own; any other file,
-// the first one writes. Polygons come sheet by sheet there, and within a sheet by ranks.
+// the first one writes. Polygons come sheet by sheet there, and within a sheet by ranks;
+// contours behind them in the same way.
 Status writeTogether(const session::Session& session, const session::CutFrame& frame, const std::string& path);
 
 } // namespace vp::app

@@ -23,6 +23,7 @@ using nlohmann::json;
 constexpr std::array<std::string_view, 12> kSummed = {
     "cut_cells",      "linear_cut_cells", "polygons",      "vertices",      "seeds",        "hops",
     "boundary_tests", "tree_tests",       "cells_touched", "cells_scanned", "cells_walked", "boundary_faces"};
+constexpr std::array<std::string_view, 4> kSummedOfContour = {"cells", "polygons", "seeds", "cells_touched"};
 constexpr std::array<std::string_view, 2> kGreatest = {"generations", "front_max"};
 // Of these, what is told for each rank.
 constexpr std::array<std::string_view, 8> kOfRank = {"cut_cells",  "seeds",         "hops",          "boundary_tests",
@@ -41,8 +42,18 @@ void addSheet(json& sheet, const json& other)
 	sheet["hot_spot_inside"] = sheet["hot_spot_inside"].get<bool>() || other["hot_spot_inside"].get<bool>();
 }
 
+void addContour(json& contour, const json& other)
+{
+	for (const std::string_view key : kSummedOfContour)
+		contour[key] = contour[key].get<std::size_t>() + other[key].get<std::size_t>();
+	contour["generations"] =
+	    std::max(contour["generations"].get<std::size_t>(), other["generations"].get<std::size_t>());
+}
+
 void addSheets(json& document, const json& other)
 {
+	for (std::size_t c = 0; document.contains("contours") && c < document["contours"].size(); ++c)
+		addContour(document["contours"][c], other["contours"][c]);
 	for (std::size_t s = 0; document.contains("sheets") && s < document["sheets"].size(); ++s)
 		addSheet(document["sheets"][s], other["sheets"][s]);
 }

@@ -1,0 +1,124 @@
+#include "session/joined_contour.h"
+
+#include "contour/sheet_pieces.h"
+#include "session/contour_faces.h"
+#include "session/neighborhood.h"
+#include "session/share.h"
+#include "session/team.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace vp::session
+{
+
+namespace
+{
+
+/// The boxes of the others, with room for rounding.
+std::vector<Box> boxesOfOthers(const Team& team, const std::vector<Box>& boxes)
+{
+	constexpr double kRounding = 1e-6; // as session/neighborhood.cpp
+	Box all;
+	for (const Box& box : boxes)
+		all.include(box);
+	std::vector<Box> others;
+	for (int rank = 0; rank < team.size(); ++rank)
+		if (const Box& box = boxes[static_cast<std::size_t>(rank)]; rank != team.rank() && !box.empty())
+			others.push_back({box.lo - kRounding * all.diagonal(), box.hi + kRounding * all.diagonal()});
+	return others;
+}
+
+/// Joins the mesh with those of other ranks. Gives its pieces the sides of the sheet on which they lie with what hangs
+/// together with them elsewhere.
+Borders joinPiecesOf(const Session& session, const contour::ContourParts& parts, std::span<const find::BlockCut> cuts,
+                     const contour::ClipBox& box, const mesh::SheetMesh& mesh, contour::Pieces& pieces)
+{
+	pieces = contour::piecesOf(session.blocks, parts.surfaces, box, mesh);
+	MarkedPieces marked = numbered(pieces.of_vertex);
+	for (std::size_t v = 0; v < pieces.of_vertex.size(); ++v)
+		marked.marks[marked.of_vertex[v]] = pieces.sides[pieces.of_vertex[v]];
+	Borders borders = joinBorders(*session.team, session.blocks, session.share->whole, cuts, marked, mesh);
+	for (std::size_t v = 0; v < pieces.of_vertex.size(); ++v)
+		pieces.sides[pieces.of_vertex[v]] = marked.marks[marked.of_vertex[v]];
+	return borders;
+}
+
+/// Drops the pieces that touch the sheet at no rank.
+Borders keepOnSheetOfAll(const Session& session, contour::ContourParts&& parts, const contour::ClipBox& box,
+                         mesh::SheetMesh& mesh)
+{
+	std::vector<find::BlockCut> cuts;
+	for (find::CellCut& cut : parts.cuts)
+		cuts.push_back({std::move(cut)});
+	contour::Pieces pieces;
+	Borders borders = joinPiecesOf(session, parts, cuts, box, mesh, pieces);
+	if (!borders.hangs && anyOf(*session.team, contour::keepTouching(pieces, mesh)))
+		borders = joinPiecesOf(session, parts, cuts, box, mesh, pieces);
+	return borders;
+}
+
+} // namespace
+
+Box rectOverRanks(Team& team, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh)
+{
+	Box rect = contour::rectOf(sheet, mesh);
+	sumOverAll(team, rect, [](Box& all, const Box& other) { all.include(other); });
+	return rect;
+}
+
+void shareRange(Team& team, contour::BoxContourer& contourer)
+{
+	constexpr double kFar = std::numeric_limits<double>::infinity();
+	struct Range
+	{
+		double least;
+		double most;
+	};
+	const auto own = contourer.range().value_or(std::pair(kFar, -kFar));
+	Range range{own.first, own.second};
+	sumOverAll(team, range,
+	           [](Range& all, const Range& other)
+	           {
+		           all.least = std::min(all.least, other.least);
+		           all.most = std::max(all.most, other.most);
+	           });
+	if (range.least <= range.most)
+		contourer.setRange(std::pair(range.least, range.most));
+}
+
+Result<GrownContour> growOverRanks(const Session& session, const contour::BoxContourer& contourer, double value)
+{
+	const TimedSection section(session.timeline.get(), "contour");
+	const Error hanging{ErrorKind::input,
+	                    "`contour`: cells of different sizes meet between two processes; give each such group of "
+	                    "blocks to one of them by fewer processes, or use vprobe"};
+	GrownContour contour;
+	contour.value = value;
+	if (!contourer.mayHave(value))
+		return contour;
+	Team& team = *session.team;
+	const std::vector<Box> boxes = boxesOf(team, session.blocks);
+	Result<contour::ContourParts> parts = contourer.growParts(value, boxesOfOthers(team, boxes));
+	if (!parts)
+		return parts.error();
+	const ReachedGroups groups = reachedGroups(team, boxes, session.blocks, *parts);
+	if (groups.hangs)
+		return hanging;
+	contour::keepGroups(groups.reached, *parts);
+	contour.seeds = parts->seeds;
+	contour.generations = parts->generations;
+	for (const find::CellCut& cut : parts->cuts)
+		contour.cells_touched += cut.cells.size();
+	contour.mesh = contourer.clippedMesh(parts->surfaces, parts->cuts);
+	contour.borders = keepOnSheetOfAll(session, std::move(*parts), contourer.box(), contour.mesh);
+	if (contour.borders.hangs)
+		return hanging;
+	contour.components = contour.borders.components;
+	contour.cells = contour::cellsOf(contour.mesh);
+	return contour;
+}
+
+} // namespace vp::session
