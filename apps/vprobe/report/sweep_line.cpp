@@ -4,6 +4,7 @@
 #include "base/progress.h"
 #include "report/remaining_time.h"
 #include "report/stats_json.h"
+#include "session/team.h"
 
 #include <algorithm>
 #include <future>
@@ -101,6 +102,13 @@ int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, R
 	return frame;
 }
 
+// Whether the frame shows nothing, at any rank.
+bool isEmpty(const session::Session& session, const session::CutFrame& frame)
+{
+	const bool is_shown = !std::ranges::all_of(frame.slice.sheets, session::isEmpty);
+	return !(session.team ? session::anyOf(*session.team, is_shown) : is_shown);
+}
+
 // What went wrong with an earlier frame comes first.
 Error firstError(SweepProducts& products, const Error& error)
 {
@@ -149,7 +157,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 			cutter.start(next);
 		}
 		remaining.done();
-		empty += std::ranges::all_of((*cut)->slice.sheets, session::isEmpty);
+		empty += isEmpty(session, **cut);
 		if (plan.wants_figures)
 		{
 			figures.push_back((*cut)->figures);
