@@ -101,9 +101,12 @@ void BoxContourer::findValues()
 	{
 		if (v < mesh_.edges.size())
 		{
+			// Weights that are the same to the last bit whichever end has the lower number. An end without a part in
+			// the vertex does not bring its NaN to it.
 			const mesh::EdgePoint& edge = mesh_.edges[v];
-			const double low = edge.t == 1.0 ? 0.0 : (1.0 - edge.t) * atPoint(edge.block, edge.lower);
-			return edge.t == 0.0 ? low : low + edge.t * atPoint(edge.block, edge.higher);
+			const double of_lower = 1.0 - edge.t;
+			const double low = edge.t == 1.0 ? 0.0 : of_lower * atPoint(edge.block, edge.lower);
+			return edge.t == 0.0 ? low : low + (1.0 - of_lower) * atPoint(edge.block, edge.higher);
 		}
 		double sum = 0.0;
 		for (const mesh::PointShare& share : mesh_.rimShares(v))

@@ -224,7 +224,7 @@ Borders join(Team& team, const std::vector<Box>& boxes, const grid::BlockSet& bl
              const mesh::SheetMesh& mesh)
 {
 	Borders borders;
-	std::vector<RimVertex> rim = rimVertices(blocks, whole, cuts, pieces.of_vertex, mesh);
+	std::vector<RimVertex> rim = rimVertices(blocks, whole, cuts, pieces.of_vertex, boxesOfOthers(team, boxes), mesh);
 	const std::size_t all = rim.size();
 	std::vector<Link> links;
 	joinAtSamePlace(team, boxes, rim, links, borders);

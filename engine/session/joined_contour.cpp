@@ -17,20 +17,6 @@ namespace vp::session
 namespace
 {
 
-/// The boxes of the others, with room for rounding.
-std::vector<Box> boxesOfOthers(const Team& team, const std::vector<Box>& boxes)
-{
-	constexpr double kRounding = 1e-6; // as session/neighborhood.cpp
-	Box all;
-	for (const Box& box : boxes)
-		all.include(box);
-	std::vector<Box> others;
-	for (int rank = 0; rank < team.size(); ++rank)
-		if (const Box& box = boxes[static_cast<std::size_t>(rank)]; rank != team.rank() && !box.empty())
-			others.push_back({box.lo - kRounding * all.diagonal(), box.hi + kRounding * all.diagonal()});
-	return others;
-}
-
 /// Joins the mesh with those of other ranks. Gives its pieces the sides of the sheet on which they lie with what hangs
 /// together with them elsewhere.
 Borders joinPiecesOf(const Session& session, const contour::ContourParts& parts, std::span<const find::BlockCut> cuts,

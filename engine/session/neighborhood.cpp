@@ -21,6 +21,16 @@ bool holds(const Box& box, const Vec3& place)
 	return touch(box, {place, place});
 }
 
+// Of places against the bounds of their cells.
+double roundingOf(const std::vector<Box>& boxes)
+{
+	constexpr double kRounding = 1e-6;
+	Box all;
+	for (const Box& box : boxes)
+		all.include(box);
+	return kRounding * all.diagonal();
+}
+
 } // namespace
 
 std::vector<Box> boxesOf(Team& team, const grid::BlockSet& blocks)
@@ -37,14 +47,20 @@ std::vector<Box> boxesOf(Team& team, const grid::BlockSet& blocks)
 	return boxes;
 }
 
+std::vector<Box> boxesOfOthers(const Team& team, const std::vector<Box>& boxes)
+{
+	const double by = roundingOf(boxes);
+	std::vector<Box> others;
+	for (int rank = 0; rank < team.size(); ++rank)
+		if (const Box& box = boxes[static_cast<std::size_t>(rank)]; rank != team.rank() && !box.empty())
+			others.push_back({box.lo - by, box.hi + by});
+	return others;
+}
+
 Neighborhood::Neighborhood(Team& team, const std::vector<Box>& boxes, double grown)
     : team_(team), boxes_(boxes), messages_(boxes.size())
 {
-	Box all;
-	for (const Box& box : boxes)
-		all.include(box);
-	constexpr double kRounding = 1e-6; // of places against the bounds of their cells
-	const double by = grown + kRounding * all.diagonal();
+	const double by = grown + roundingOf(boxes);
 	for (Box& box : boxes_)
 	{
 		box.lo -= by;

@@ -11,6 +11,9 @@ namespace vp::session
 /// The boxes of the blocks that each rank holds.
 std::vector<Box> boxesOf(Team& team, const grid::BlockSet& blocks);
 
+/// Those of the others that hold cells, grown for the rounding of places.
+std::vector<Box> boxesOfOthers(const Team& team, const std::vector<Box>& boxes);
+
 /// The ranks whose boxes touch that of this rank, once all have grown by a length. What ranks know of one place, they
 /// bring together at its owner. So messages go between neighbors alone, however many ranks there are.
 class Neighborhood

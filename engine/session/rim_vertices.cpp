@@ -54,7 +54,18 @@ bool RimVertex::hasDataOf(const RimVertex& other) const
 namespace
 {
 
-std::vector<std::uint8_t> rimOf(const mesh::SheetMesh& mesh)
+/// Whether a vertex may touch another part of a curved surface at a grid point of another rank.
+bool mayTouch(const mesh::SheetMesh& mesh, std::uint32_t v, std::span<const Box> others)
+{
+	if (mesh.flat || v >= mesh.edges.size() || (mesh.edges[v].t != 0.0 && mesh.edges[v].t != 1.0))
+		return false;
+	const Vec3& place = mesh.positions[v];
+	return std::ranges::any_of(
+	    others, [&](const Box& box)
+	    { return glm::all(glm::greaterThanEqual(place, box.lo)) && glm::all(glm::lessThanEqual(place, box.hi)); });
+}
+
+std::vector<std::uint8_t> rimOf(const mesh::SheetMesh& mesh, std::span<const Box> others)
 {
 	mesh::OpenVertices open(mesh.positions.size());
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -65,7 +76,7 @@ std::vector<std::uint8_t> rimOf(const mesh::SheetMesh& mesh)
 	}
 	std::vector<std::uint8_t> rim(mesh.positions.size());
 	for (std::uint32_t v = 0; v < rim.size(); ++v)
-		rim[v] = open.isOpen(v);
+		rim[v] = open.isOpen(v) || mayTouch(mesh, v, others);
 	return rim;
 }
 
@@ -240,9 +251,9 @@ std::vector<std::pair<std::string, std::vector<ValueAt>>> valuesAt(const grid::B
 
 std::vector<RimVertex> rimVertices(const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
                                    std::span<const find::BlockCut> cuts, std::span<const std::uint32_t> components,
-                                   const mesh::SheetMesh& mesh)
+                                   std::span<const Box> others, const mesh::SheetMesh& mesh)
 {
-	const std::vector<std::uint8_t> rim = rimOf(mesh);
+	const std::vector<std::uint8_t> rim = rimOf(mesh, others);
 	std::vector<std::vector<FaceKey>> faces = facesAtRim(blocks, cuts, mesh, rim);
 	std::vector<RimVertex> vertices;
 	for (std::uint32_t v = 0; v < rim.size(); ++v)

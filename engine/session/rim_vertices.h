@@ -60,10 +60,11 @@ struct RimVertex
 
 /// The vertices around which the polygons of the mesh close no ring. cuts: what was found in each block; a cell that
 /// the sheet meets in a point or a line has no polygon, and yet joins vertices. components: per vertex, its piece of
-/// the mesh.
+/// the mesh. Of a curved surface, also those at grid points where others have cells: there it may touch another part of
+/// itself in a point alone. others: boxesOfOthers().
 std::vector<RimVertex> rimVertices(const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
                                    std::span<const find::BlockCut> cuts, std::span<const std::uint32_t> components,
-                                   const mesh::SheetMesh& mesh);
+                                   std::span<const Box> others, const mesh::SheetMesh& mesh);
 
 /// A vertex that is a grid point, as one of whole cells.
 RimVertex gridVertex(const grid::BlockSet& blocks, std::span<const std::uint32_t> whole, const mesh::SheetMesh& mesh,

@@ -15,7 +15,7 @@ double BlockSurface::crossing(const Vec3& a, const Vec3& b, double height_a, dou
 	// Towards what is no number the surface ends where the numbers do.
 	if (!std::isfinite(height_a) || !std::isfinite(height_b))
 		return std::isfinite(height_a) ? 0.0 : 1.0;
-	return std::clamp(height_a / (height_a - height_b), 0.0, 1.0);
+	return std::clamp(Plane::crossing(height_a, height_b), 0.0, 1.0);
 }
 
 bool BlockSurface::meets(const Box& box) const

@@ -109,6 +109,13 @@ int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, s
 	return next;
 }
 
+// Whether the frame shows nothing, at any rank.
+bool isEmpty(const session::Session& session, const session::CutFrame& frame)
+{
+	const bool is_shown = !std::ranges::all_of(frame.slice.sheets, session::isEmpty);
+	return !(session.team ? session::anyOf(*session.team, is_shown) : is_shown);
+}
+
 // What went wrong with an earlier frame comes first.
 Error firstError(SweepProducts& products, const Error& error)
 {
@@ -157,7 +164,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 			cutter.start(next);
 		}
 		remaining.done();
-		empty += std::ranges::all_of((*cut)->slice.sheets, session::isEmpty);
+		empty += isEmpty(session, **cut);
 		if (plan.wants_figures)
 		{
 			figures.push_back((*cut)->figures);
