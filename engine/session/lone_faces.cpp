@@ -93,7 +93,7 @@ void put(MessageWriter& to, std::uint32_t number, const LoneFace& face)
 	to.putAll(face.corners);
 }
 
-FaceOfRank takeFace(MessageReader& from, int rank)
+FaceOfRank takeLoneFace(MessageReader& from, int rank)
 {
 	FaceOfRank sent{rank, from.get<std::uint32_t>(), {}};
 	sent.face.tolerance = from.get<double>();
@@ -167,7 +167,7 @@ std::vector<std::vector<FaceAcross>> facesAcross(Team& team, const std::vector<B
 		for (MessageReader reader(came[rank]); !reader.atEnd();)
 		{
 			const auto bin = reader.get<std::uint64_t>();
-			bins[bin].push_back(takeFace(reader, static_cast<int>(rank)));
+			bins[bin].push_back(takeLoneFace(reader, static_cast<int>(rank)));
 		}
 	for (const auto& [bin, some] : bins)
 		for (const FaceOfRank& a : some)

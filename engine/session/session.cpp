@@ -247,9 +247,9 @@ Result<grid::BlockSet> readBlocks(Session& session, const OpenOptions& options)
 	read::ReadOptions reading = readOptions(session, spec.input.time);
 	reading.identifies_geometry = options.reads_again || spec.probe.vectors.path_lines;
 	reading.stop = options.stop;
-	reading.builds_neighbors = !options.may_scan || needsNeighbors(spec);
-	reading.for_one_cut =
-	    !reading.builds_neighbors && (!options.reads_again || options.completes_later) && servesOneCut(spec);
+	const bool needs_neighbors = !options.may_scan || needsNeighbors(spec);
+	reading.builds_neighbors = needs_neighbors && !options.team; // a rank joins its pieces first
+	reading.for_one_cut = !needs_neighbors && (!options.reads_again || options.completes_later) && servesOneCut(spec);
 	return readInputs(session, reading);
 }
 
@@ -290,8 +290,8 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 	if (Status made = makeCutter(*session); !made)
 		return made.error();
 	const auto plan = session->cutter->plan(requestOf(*session));
-	// Pieces that one rank has joined have none yet.
-	if ((plan && plan->needs_neighbors) || (session->team && needsNeighbors(session->spec)))
+	const bool is_joined = session->team && (!options.may_scan || needsNeighbors(session->spec));
+	if (is_joined || (plan && plan->needs_neighbors))
 		if (Status built = buildNeighbors(*session, options.stop); !built)
 			return built.error();
 	return session;

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace vp::session
@@ -76,6 +78,38 @@ std::uint64_t nameOf(const mesh::EdgePoint& point)
 	return std::uint64_t(point.block) << 32 | point.lower;
 }
 
+/// The corners of faces that lie on each other, by name, and how far rounding may have parted them. As in
+/// mesh/join_vertices.h, other faces of the same cell that are shown must have them.
+std::unordered_map<std::uint64_t, double> cornersAcross(const LonePolygons& lone,
+                                                        std::span<const std::vector<FaceAcross>> across,
+                                                        std::span<const std::uint32_t> dropped,
+                                                        const mesh::SheetMesh& mesh)
+{
+	std::map<std::pair<std::uint32_t, CellId>, std::vector<std::uint32_t>> of_cells; // vertices that stay
+	for (const LoneFace& face : lone.faces)
+		of_cells[{face.cell.block, face.cell.cell}];
+	for (std::uint32_t p = 0; p < mesh.polygons(); ++p)
+	{
+		const auto of_cell = of_cells.find({mesh.polygon_cells[p].block, mesh.polygon_cells[p].cell});
+		if (of_cell != of_cells.end() && !std::ranges::binary_search(dropped, p))
+			of_cell->second.insert(of_cell->second.end(), mesh.polygon(p).begin(), mesh.polygon(p).end());
+	}
+	std::unordered_map<std::uint64_t, double> near;
+	for (std::size_t f = 0; f < lone.faces.size(); ++f)
+	{
+		if (across[f].empty())
+			continue;
+		const std::vector<std::uint32_t>& stays = of_cells[{lone.faces[f].cell.block, lone.faces[f].cell.cell}];
+		for (const std::uint32_t v : mesh.polygon(lone.polygons[f]))
+			if (std::ranges::find(stays, v) != stays.end())
+			{
+				double& of_vertex = near[nameOf(mesh.edges[v])];
+				of_vertex = std::max(of_vertex, lone.faces[f].apart());
+			}
+	}
+	return near;
+}
+
 } // namespace
 
 Borders joinWholeCells(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
@@ -89,18 +123,10 @@ Borders joinWholeCells(Team& team, const grid::BlockSet& blocks, std::span<const
 	borders.hangs = facesHang(team, boxes, lone.faces, across);
 
 	std::vector<std::uint32_t> dropped;
-	std::unordered_map<std::uint64_t, double> near; // corners of faces on each other are one, however rounded
 	for (std::size_t f = 0; f < lone.faces.size(); ++f)
-	{
-		if (across[f].empty())
-			continue;
-		dropped.push_back(lone.polygons[f]);
-		for (const std::uint32_t v : crinkle.polygon(lone.polygons[f]))
-		{
-			double& of_vertex = near[nameOf(crinkle.edges[v])];
-			of_vertex = std::max(of_vertex, lone.faces[f].apart());
-		}
-	}
+		if (!across[f].empty())
+			dropped.push_back(lone.polygons[f]);
+	const std::unordered_map<std::uint64_t, double> near = cornersAcross(lone, across, dropped, crinkle);
 	if (!dropped.empty())
 		dropPolygons(dropped, crinkle);
 	borders.faces_elsewhere = dropped.size();
