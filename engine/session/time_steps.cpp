@@ -12,9 +12,10 @@ namespace
 
 Status buildAnew(Session& session, read::ReadOptions at, Painter* painter)
 {
-	at.builds_neighbors = grid::isComplete(session.blocks); // for one cut a time, neighbors do not pay
-	if (session.team)                                       // a rank without cells lacks nothing
-		at.builds_neighbors = !anyOf(*session.team, !at.builds_neighbors);
+	bool is_complete = grid::isComplete(session.blocks); // for one cut a time, neighbors do not pay
+	if (session.team)                                    // a rank without cells lacks nothing
+		is_complete = !anyOf(*session.team, !is_complete);
+	at.builds_neighbors = is_complete && !session.team; // a rank joins its pieces first
 	Result<grid::BlockSet> blocks = readInputs(session, at);
 	if (!blocks)
 		return blocks.error();
@@ -23,7 +24,9 @@ Status buildAnew(Session& session, read::ReadOptions at, Painter* painter)
 	if (painter)
 		if (Status taken = painter->takeBlocks(); !taken)
 			return taken;
-	return makeCutter(session);
+	if (Status made = makeCutter(session); !made)
+		return made;
+	return is_complete && session.team ? buildNeighbors(session) : Nothing{};
 }
 
 } // namespace

@@ -58,7 +58,8 @@ def test_sweeps(programs, tmp_path):
         assert (tmp_path / f'mpi{frame}.png').read_bytes() == (tmp_path / f'plain{frame}.png').read_bytes(), frame
 
 
-def test_sweeps_over_times(programs, tmp_path):
+@pytest.mark.parametrize('of_neighbors', [(), ('--crinkle',)])
+def test_sweeps_over_times(programs, tmp_path, of_neighbors):
     # The grid changes, and the number of its pieces.
     times = ''
     for number, grid in enumerate([pieces.tetrahedra(4), pieces.tetrahedra(4), pieces.hexahedra(5)]):
@@ -68,7 +69,7 @@ def test_sweeps_over_times(programs, tmp_path):
         times += f'<DataSet timestep="{number / 2}" file="{case.relative_to(tmp_path)}"/>'
     case = tmp_path / 'case.pvd'
     case.write_text(f'<VTKFile type="Collection" version="0.1"><Collection>{times}</Collection></VTKFile>')
-    sweep = ('sweep', case, '--path', 'times', '--probe', 'trihedral', '--range', -1, 2, *SMALL)
+    sweep = ('sweep', case, '--path', 'times', '--probe', 'trihedral', '--range', -1, 2, *of_neighbors, *SMALL)
     programs.plain(*sweep, '-o', tmp_path / 'plain{frame}.png', '--stats', tmp_path / 'plain.json')
     programs.mpi(3, *sweep, '-o', tmp_path / 'mpi{frame}.png', '--stats', tmp_path / 'mpi.json')
     plain, mpi = (without_dependent(json.loads((tmp_path / f'{name}.json').read_text())) for name in ('plain', 'mpi'))
