@@ -46,6 +46,8 @@ void forMessages(std::size_t size, const Visit& visit)
 
 MpiTeam::MpiTeam(int* argc, char*** argv)
 {
+	// What MPI asks for the machine's topology would look for X displays, and end the program when one of them ends.
+	setenv("HWLOC_COMPONENTS", "-gl", 0);
 	int provided = 0;
 	MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);
 	MPI_Comm_rank(MPI_COMM_WORLD, &rank_);

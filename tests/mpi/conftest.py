@@ -12,6 +12,18 @@ DEPENDENT = {'ms', 'ranks', 'plan', 'device', 'seeds', 'hops', 'boundary_tests',
              'generations', 'front_max', 'cells_touched'}
 
 
+def pytest_collection_modifyitems(config, items):
+    """Of a test with many cases, the first and the last one run, unless VPROBE_LONG asks for all."""
+    if os.environ.get('VPROBE_LONG'):
+        return
+    of_test = {}
+    for item in items:
+        of_test.setdefault((item.path, item.originalname), []).append(item)
+    kept = [item for cases in of_test.values() for item in dict.fromkeys([cases[0], cases[-1]])]
+    config.hook.pytest_deselected(items=[item for item in items if item not in kept])
+    items[:] = [item for item in items if item in kept]
+
+
 class Programs:
     """vprobe, and vprobe-mpi under mpiexec."""
 
@@ -21,7 +33,9 @@ class Programs:
         self.mpiexec = os.environ.get('VPROBE_MPIEXEC') or shutil.which('mpiexec')
         if not (self.program and self.mpi_program and self.mpiexec and shutil.which(self.mpiexec)):
             pytest.skip('needs vprobe, vprobe-mpi and mpiexec (openmpi-bin)')
-        self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
+        # mpiexec, too, would look at the displays of other tests, and end with them.
+        self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
+                                HWLOC_COMPONENTS='-gl')
 
     def plain(self, *arguments):
         done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, encoding='utf-8', timeout=120)

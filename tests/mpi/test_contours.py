@@ -186,6 +186,7 @@ def test_parts_of_ranks_that_have_nothing(programs, cases, tmp_path):
     assert polygons_of(opened(tmp_path / 'all.pvtp')) == polygons_of(opened(tmp_path / 'one.vtp'))
 
 
+@pytest.mark.gpu
 def test_sweeps(programs, cases, tmp_path):
     asked = ('sweep', cases['hexahedra'], '--frames', 3, '--normal', 0, 1, 0, '--contour', 0.3, '--size', '64x48', '--stats')
     plain = programs.plain(*asked, tmp_path / 'one.json', '-o', tmp_path / 'one' / '{frame}.png')

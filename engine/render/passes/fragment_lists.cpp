@@ -110,6 +110,10 @@ VkRect2D FragmentLists::strip(std::uint32_t i) const
 
 void FragmentLists::recordStart(VkCommandBuffer commands) const
 {
+	// The picture before may have left them at any of these.
+	gpu::memoryBarrier(commands, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+	                   VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+	                   VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
 	vkCmdFillBuffer(commands, counters_.handle(), 0, sizeof(std::uint32_t) * counted_, 0);
 	fragmentBarrier(commands, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
 }
