@@ -16,22 +16,6 @@ OBLIQUE = ('--normal', 0.3, 0.5, 0.8)
 KINDS = ['tetrahedra', 'hexahedra', 'image', 'rectilinear', 'blocks']
 
 
-@pytest.fixture(scope='module')
-def cases(tmp_path_factory):
-    """Data sets in pieces, written once."""
-
-    def folder(name):
-        return tmp_path_factory.mktemp(name)
-
-    tetrahedra = pieces.tetrahedra(8)
-    hexahedra = pieces.hexahedra(10)
-    return {'tetrahedra': pieces.write_pvtu(folder('tetrahedra'), tetrahedra, pieces.slabs(tetrahedra, 4)),
-            'hexahedra': pieces.write_pvtu(folder('hexahedra'), hexahedra, pieces.slabs(hexahedra, 4, axis=1)),
-            'image': pieces.write_lattice(folder('image'), 'image', 12, (2, 2, 1)),
-            'rectilinear': pieces.write_lattice(folder('rectilinear'), 'rectilinear', 12, (1, 2, 2)),
-            'blocks': pieces.write_blocks(folder('blocks'), pieces.warped(10), (2, 2, 1))}
-
-
 def whole_numbers(points):
     """Noise whose contours touch themselves at grid points, and values that are none."""
     noise = np.abs(np.sin(points @ [127.1, 311.7, 74.7]) * 43758.5453) % 1

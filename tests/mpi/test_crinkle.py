@@ -15,22 +15,7 @@ WINDOW = ('--window', 0.5, 0.4)
 # Planes in the borders between ranks, of which one side's cells are cut, and forms that are no planes.
 OTHERS = [('tetrahedra', ('--normal', 1, 0, 0)), ('hexahedra', ('--normal', 0, 1, 0)),
           ('hexahedra', ('--normal', 0, -1, 0)),
-          ('tetrahedra', ('--surface', 'sphere:0.5')), ('blocks', ('--surface', 'z = 0.2*sin(5*x)'))]
-
-
-@pytest.fixture(scope='module')
-def cases(tmp_path_factory):
-    """Data sets in pieces, written once."""
-
-    def folder(name):
-        return tmp_path_factory.mktemp(name)
-
-    tetrahedra = pieces.tetrahedra(6)
-    hexahedra = pieces.hexahedra(8)
-    return {'tetrahedra': pieces.write_pvtu(folder('tetrahedra'), tetrahedra, pieces.slabs(tetrahedra, 4)),
-            'hexahedra': pieces.write_pvtu(folder('hexahedra'), hexahedra, pieces.slabs(hexahedra, 4, axis=1)),
-            'image': pieces.write_lattice(folder('image'), 'image', 12, (2, 2, 1)),
-            'blocks': pieces.write_blocks(folder('blocks'), pieces.warped(8), (2, 2, 1))}
+          ('image', ('--surface', 'sphere:0.5')), ('blocks', ('--surface', 'z = 0.2*sin(5*x)'))]
 
 
 @pytest.mark.parametrize('kind, more', [('tetrahedra', ()), ('hexahedra', WINDOW), ('image', ()), ('blocks', ()),

@@ -12,22 +12,6 @@ SPHERE = ('--surface', 'sphere:0.5')
 FORMS = [SPHERE, ('--surface', 'cylinder:0.4'), ('--surface', 'z = 0.2*sin(5*x)'), ('--iso', 0.3)]
 
 
-@pytest.fixture(scope='module')
-def cases(tmp_path_factory):
-    """Data sets in pieces, written once."""
-
-    def folder(name):
-        return tmp_path_factory.mktemp(name)
-
-    tetrahedra = pieces.tetrahedra(8)
-    hexahedra = pieces.hexahedra(10)
-    return {'tetrahedra': pieces.write_pvtu(folder('tetrahedra'), tetrahedra, pieces.slabs(tetrahedra, 4)),
-            'hexahedra': pieces.write_pvtu(folder('hexahedra'), hexahedra, pieces.slabs(hexahedra, 4, axis=1)),
-            'image': pieces.write_lattice(folder('image'), 'image', 12, (2, 2, 1)),
-            'rectilinear': pieces.write_lattice(folder('rectilinear'), 'rectilinear', 12, (1, 2, 2)),
-            'blocks': pieces.write_blocks(folder('blocks'), pieces.warped(10), (2, 2, 1))}
-
-
 KINDS = ['tetrahedra', 'hexahedra', 'image', 'rectilinear', 'blocks']
 
 
