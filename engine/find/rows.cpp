@@ -17,7 +17,7 @@ namespace vp::find
 namespace
 {
 
-// Finds the spans layer by layer, on all cores.
+// Finds the spans, part by part of the layers, on all cores.
 template <class G>
 class RowFinder
 {
@@ -43,25 +43,47 @@ public:
 			if (range_[axis].begin >= range_[axis].end)
 				return {};
 		}
-		const CellRange k_range = range_[2];
-		changes_.resize(std::size_t(points_[1]) * points_[2]);
 		// Besides its own rows of points, a row of cells has the rows just beyond, whose points own edges of its cells.
-		forLayers(k_range.begin, std::min(k_range.end + 2, points_[2]), [&](std::uint32_t k) { findChanges(k); });
-		std::vector<SpanCut> layers(points_[2]);
-		forLayers(k_range.begin, k_range.end + 1, [&](std::uint32_t k) { addLayer(k, layers[k]); });
-		return join(layers);
+		const std::size_t first = range_[2].begin;
+		const std::size_t layers = range_[2].end + 1 - first;
+		constexpr std::size_t kLayersInPart = 12;
+		std::vector<SpanCut> parts((layers + kLayersInPart - 1) / kLayersInPart);
+		tbb::parallel_for(std::size_t(0), parts.size(),
+		                  [&](std::size_t p)
+		                  {
+			                  const auto layerOf = [&](std::size_t part)
+			                  { return static_cast<std::uint32_t>(first + layers * part / parts.size()); };
+			                  parts[p] = findPart(layerOf(p), layerOf(p + 1));
+		                  });
+		return join(parts);
 	}
 
 private:
-	template <class Work>
-	static void forLayers(std::uint32_t begin, std::uint32_t end, Work&& work)
+	// Where the signs of rows of points change: per row of neighboring layers, the first point on the same side as the
+	// row's end, points_[0] if there is none.
+	struct Changes
 	{
-		tbb::parallel_for(tbb::blocked_range<std::uint32_t>(begin, end, 4),
-		                  [&](const auto& range)
-		                  {
-			                  for (std::uint32_t k = range.begin(); k < range.end(); ++k)
-				                  work(k);
-		                  });
+		const std::uint32_t* ofLayer(std::uint32_t k) const { return &changes[std::size_t(k - first) * rows]; }
+
+		std::uint32_t first; // layer
+		std::uint32_t rows;  // in a layer
+		RawVector<std::uint32_t> changes;
+	};
+
+	// The spans of the layers [begin, end) of points.
+	SpanCut findPart(std::uint32_t begin, std::uint32_t end) const
+	{
+		// The layer beyond the cells takes its spans from the layer before it.
+		Changes changes{begin < cells_[2] ? begin : begin - 1, points_[1], {}};
+		const std::uint32_t behind = std::min(end + 1, points_[2]);
+		changes.changes.resize(std::size_t(behind - changes.first) * points_[1]);
+		std::uint32_t* of_layer = changes.changes.data();
+		for (std::uint32_t k = changes.first; k < behind; ++k, of_layer += points_[1])
+			findChanges(k, of_layer);
+		SpanCut cut;
+		for (std::uint32_t k = begin; k < end; ++k)
+			addLayer(k, changes, cut);
+		return cut;
 	}
 
 	// The same as Plane::signedDistance() of a point: the same terms, added in the same order.
@@ -69,11 +91,8 @@ private:
 	{
 		return (terms_[0][i] + terms_[1][j]) + terms_[2][k];
 	}
-	// For each row of points of a layer: the first point on the same side as the row's end, points_[0] if there is
-	// none.
-	void findChanges(std::uint32_t k)
+	void findChanges(std::uint32_t k, std::uint32_t* changes) const
 	{
-		std::uint32_t* changes = &changes_[std::size_t(k) * points_[1]];
 		const std::uint32_t end = std::min(range_[1].end + 2, points_[1]);
 		for (std::uint32_t j = range_[1].begin; j < end; ++j)
 			changes[j] = changeOf(j, k);
@@ -81,33 +100,36 @@ private:
 	std::uint32_t changeOf(std::uint32_t j, std::uint32_t k) const
 	{
 		const auto isBehind = [&](std::uint32_t i) { return (distance(i, j, k) >= 0.0) == rises_; };
-		std::uint32_t before = 0;
-		std::uint32_t behind = cells_[0];
-		if (isBehind(before))
-			return 0;
-		if (!isBehind(behind))
-			return points_[0];
-		// If the points are evenly spaced, it is one of the two beside the guess.
+		// If the points are evenly spaced, it is the one behind the guess.
 		const double guess = -distance(0, j, k) * points_per_distance_;
-		for (std::uint32_t i = static_cast<std::uint32_t>(std::clamp(guess, 0.0, double(cells_[0])));
-		     behind - before > 1; i = (before + behind) / 2)
+		const std::uint32_t next = guess < 0.0         ? 0
+		                           : guess < cells_[0] ? static_cast<std::uint32_t>(guess) + 1
+		                                               : points_[0];
+		if ((next == 0 || !isBehind(next - 1)) && (next == points_[0] || isBehind(next))) [[likely]]
+			return next;
+		if (isBehind(0))
+			return 0;
+		std::uint32_t before = 0;
+		std::uint32_t behind = points_[0];
+		while (behind - before > 1)
 		{
-			for (const std::uint32_t probe : {i, i + 1})
-				if (probe > before && probe < behind)
-					(isBehind(probe) ? behind : before) = probe;
+			const std::uint32_t i = (before + behind) / 2;
+			(isBehind(i) ? behind : before) = i;
 		}
 		return behind;
 	}
 
 	// Adds the spans of the rows of points (j, k) for all j. Rows beyond the last cells take the span of the rows
 	// before them. Points that do not exist take the signs of those before them.
-	void addLayer(std::uint32_t k, SpanCut& cut) const
+	void addLayer(std::uint32_t k, const Changes& changes, SpanCut& cut) const
 	{
-		const std::uint32_t cell_k = std::min(k, cells_[2] - 1);
+		const std::uint32_t* const cells_near = changes.ofLayer(std::min(k, cells_[2] - 1));
+		const std::uint32_t* const points_near = changes.ofLayer(k);
+		const std::uint32_t* const points_far = changes.ofLayer(std::min(k + 1, cells_[2]));
 		for (std::uint32_t j = range_[1].begin; j <= range_[1].end; ++j)
 		{
 			const std::uint32_t cell_j = std::min(j, cells_[1] - 1);
-			const std::uint32_t* near = &changes_[std::size_t(cell_k) * points_[1] + cell_j];
+			const std::uint32_t* near = cells_near + cell_j;
 			const std::uint32_t* far = near + points_[1];
 			const auto [least, most] = std::minmax({near[0], near[1], far[0], far[1]});
 			if (most == 0 || least == points_[0])
@@ -117,11 +139,8 @@ private:
 			if (begin >= end)
 				continue;
 			const std::uint32_t next_j = std::min(j + 1, cells_[1]);
-			const std::uint32_t next_k = std::min(k + 1, cells_[2]);
-			const auto change = [&](std::uint32_t row_j, std::uint32_t row_k)
-			{ return changes_[std::size_t(row_k) * points_[1] + row_j]; };
-			const std::array<std::uint32_t, 4> rows = {change(j, k), change(next_j, k), change(j, next_k),
-			                                           change(next_j, next_k)};
+			const std::array<std::uint32_t, 4> rows = {points_near[j], points_near[next_j], points_far[j],
+			                                           points_far[next_j]};
 			addSpan({k * points_[1] + j, begin, end, 0, {}}, rows, j < cells_[1] && k < cells_[2], cut);
 		}
 	}
@@ -133,62 +152,69 @@ private:
 		span.counts = cut.counts;
 		cut.columns.resize(span.columns + count + ColumnWord::kColumns);
 		cases::ColumnCase* columns = &cut.columns[span.columns];
-		for (std::uint32_t x = 0; x < count; x += ColumnWord::kMaxCells)
-			ColumnWord::ofRows(changes, rises_, span.begin + x).writeCases(columns + x);
-		const unsigned last = ColumnWord::ofRows(changes, rises_, span.end).column(0);
+		constexpr std::uint32_t kCells = ColumnWord::kColumns - 1; // of a word
+		ColumnWord word = ColumnWord::ofRows(changes, rises_, span.begin);
+		std::uint32_t x = 0; // where the word begins
+		word.writeCases(columns);
+		for (; count - x > kCells; word.writeCases(columns + x))
+			word = ColumnWord::ofRows(changes, rises_, span.begin + (x += kCells));
+		const unsigned last = word.column(count - x);
 		columns[count] = static_cast<cases::ColumnCase>(last | last << 4);
 		std::size_t left_out = 0;
 		if (has_cells && window_)
-			for (std::uint32_t x = 0; x < count; ++x)
+			for (x = 0; x < count; ++x)
 				if (!window_->meets(span.begin + x, span.row))
 				{
 					columns[x] |= cases::kLeftOut;
 					++left_out;
 				}
-		for (std::uint32_t x = 0; x < count; ++x)
+		cut.counts.vertices += sums_[columns[count]].vertices();
+		for (x = 0; x < count;)
 		{
-			const CellSums sums = sums_[columns[x]];
+			std::uint32_t packed = 0;
+			for (const std::uint32_t end = std::min(x + kCells, count); x < end; ++x)
+				packed += sums_[columns[x]].packed;
+			const CellSums sums{packed};
 			cut.counts.vertices += sums.vertices();
 			if (has_cells)
 				cut.counts += {0, sums.polygons(), sums.corners()};
 		}
-		cut.counts.vertices += sums_[columns[count]].vertices();
 		if (has_cells)
 			cut.cells += {count, count - left_out, 0};
 		cut.columns.resize(span.columns + count + 1);
 		cut.spans.push_back(span);
 	}
 
-	static SpanCut join(const std::vector<SpanCut>& layers)
+	static SpanCut join(const std::vector<SpanCut>& parts)
 	{
-		// The begin of each layer's part.
-		std::vector<SpanCounts> counts(layers.size());
-		std::vector<std::uint32_t> spans(layers.size());
-		std::vector<std::uint32_t> columns(layers.size());
+		// Where each part begins.
+		std::vector<SpanCounts> counts(parts.size());
+		std::vector<std::uint32_t> spans(parts.size());
+		std::vector<std::uint32_t> columns(parts.size());
 		SpanCut cut;
 		std::uint32_t span = 0;
 		std::uint32_t column = 0;
-		for (std::size_t k = 0; k < layers.size(); ++k)
+		for (std::size_t p = 0; p < parts.size(); ++p)
 		{
-			counts[k] = cut.counts;
-			spans[k] = span;
-			columns[k] = column;
-			cut.counts += layers[k].counts;
-			cut.cells += layers[k].cells;
-			span += static_cast<std::uint32_t>(layers[k].spans.size());
-			column += static_cast<std::uint32_t>(layers[k].columns.size());
+			counts[p] = cut.counts;
+			spans[p] = span;
+			columns[p] = column;
+			cut.counts += parts[p].counts;
+			cut.cells += parts[p].cells;
+			span += static_cast<std::uint32_t>(parts[p].spans.size());
+			column += static_cast<std::uint32_t>(parts[p].columns.size());
 		}
 		cut.spans.resize(span);
 		cut.columns.resize(column);
-		tbb::parallel_for(std::size_t(0), layers.size(),
-		                  [&](std::size_t k)
+		tbb::parallel_for(std::size_t(0), parts.size(),
+		                  [&](std::size_t p)
 		                  {
-			                  std::ranges::copy(layers[k].columns, cut.columns.begin() + columns[k]);
-			                  auto to = cut.spans.begin() + spans[k];
-			                  for (Span moved : layers[k].spans)
+			                  std::ranges::copy(parts[p].columns, cut.columns.begin() + columns[p]);
+			                  auto to = cut.spans.begin() + spans[p];
+			                  for (Span moved : parts[p].spans)
 			                  {
-				                  moved.columns += columns[k];
-				                  moved.counts += counts[k];
+				                  moved.columns += columns[p];
+				                  moved.counts += counts[p];
 				                  *to++ = moved;
 			                  }
 		                  });
@@ -203,7 +229,6 @@ private:
 	std::array<std::vector<double>, 3> terms_; // of the distance, per axis
 	bool rises_ = true;                        // the distance along i
 	double points_per_distance_ = 0.0;         // along i, on the mean
-	RawVector<std::uint32_t> changes_;         // per row of points
 };
 
 template <class G>
