@@ -49,25 +49,25 @@ void SpanStore::Writer::insert(Span span, const SpanCells& cells)
 	mine_.cells += cells;
 }
 
-// Appends the spans of a row in their order.
+// Appends the spans of a row in their order. Most rows have one.
 void SpanStore::takeRow(std::uint32_t row, SpanCut& cut)
 {
 	const std::size_t first = cut.spans.size();
-	for (std::uint64_t head = heads_[row].load(std::memory_order_relaxed); head; head = olderThan(head))
+	for (std::uint64_t head = heads_[row].load(std::memory_order_relaxed); head;)
 	{
-		Span span = recordOf(head).span;
-		span.columns += static_cast<std::uint32_t>(foundOf(head).first_column);
-		cut.spans.push_back(span);
+		const Found& found = foundOf(head);
+		const Record& record = found[numberOf(head)];
+		cut.spans.push_back(record.span);
+		cut.spans.back().columns += static_cast<std::uint32_t>(found.first_column);
+		head = record.older;
 	}
 	heads_[row].store(0, std::memory_order_relaxed);
-	if (cut.spans.size() - first > 1)
+	if (cut.spans.size() - first > 1) [[unlikely]]
 		std::ranges::sort(cut.spans.begin() + static_cast<std::ptrdiff_t>(first), cut.spans.end(), {}, &Span::begin);
-	for (std::size_t s = first; s < cut.spans.size(); ++s)
-	{
-		const SpanCounts own = cut.spans[s].counts;
-		cut.spans[s].counts = cut.counts;
-		cut.counts += own;
-	}
+	SpanCounts counts = cut.counts;
+	for (Span* span = cut.spans.data() + first; span != cut.spans.data() + cut.spans.size(); ++span)
+		counts += std::exchange(span->counts, counts);
+	cut.counts = counts;
 }
 
 // Returns the spans of the rows from 64 * begin up to 64 * end.
@@ -79,6 +79,9 @@ SpanCut SpanStore::takeRows(std::size_t begin, std::size_t end, std::span<Found*
 		std::uint64_t rows = 0;
 		for (Found* of_thread : finders)
 			rows |= std::exchange(of_thread->touched[word], 0);
+		for (std::uint64_t ahead = rows; ahead; ahead &= ahead - 1)
+			vp::prefetch(&recordOf(
+			    heads_[word * 64 + static_cast<std::size_t>(std::countr_zero(ahead))].load(std::memory_order_relaxed)));
 		for (; rows; rows &= rows - 1)
 			takeRow(static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(rows))), cut);
 	}

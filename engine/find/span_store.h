@@ -96,7 +96,8 @@ private:
 	static std::uint32_t firstOf(std::uint64_t head) { return head & 0xFFFF; }
 	static std::uint32_t lastOf(std::uint64_t head) { return head >> 16 & 0xFFFF; }
 	const Found& foundOf(std::uint64_t head) const { return *found_[head >> 32 & 0x7F]; }
-	const Record& recordOf(std::uint64_t head) const { return foundOf(head)[head >> 39 & 0xFFFFFF]; }
+	static std::size_t numberOf(std::uint64_t head) { return head >> 39 & 0xFFFFFF; }
+	const Record& recordOf(std::uint64_t head) const { return foundOf(head)[numberOf(head)]; }
 	std::uint64_t olderThan(std::uint64_t head) const { return recordOf(head).older; }
 	static std::uint64_t makeHead(const Span& span, std::size_t thread, std::size_t record)
 	{

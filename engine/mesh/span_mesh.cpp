@@ -93,7 +93,7 @@ private:
 	{
 		const ColumnCase* columns = &cut_.columns[span.columns];
 		const std::uint32_t length = span.end - span.begin;
-		const OwnedEdges* owned_by = ownedTable().data();
+		const OwnedEdges* owned_by = owned_by_.data();
 		const std::uint32_t first = first_vertex_ + span.counts.vertices;
 		FourNumbers next{first, first, first, first};
 		OwnedVertices* numbers = &owned_[span.columns];
@@ -299,6 +299,7 @@ private:
 	const Vec3 normal_;
 	const SpanCut& cut_;
 	SheetMesh& mesh_;
+	const OwnedTable& owned_by_ = ownedTable();
 	std::array<std::uint32_t, 3> points_;
 	std::array<std::uint32_t, 3> cells_;
 	std::array<std::uint32_t, 3> strides_;

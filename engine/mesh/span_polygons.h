@@ -59,7 +59,7 @@ private:
 	void add(std::uint32_t count, const std::ptrdiff_t (&rows)[4])
 	{
 		const Sense sense = sense_;
-		const CornerPlaces* table = cornerTable(turned_).data();
+		const CornerPlaces* table = tables_[turned_];
 		const std::uint32_t* column = source_.owned[0].along;
 		std::uint32_t* corners = mesh_.polygon_vertices.data() + corner_;
 		std::uint32_t* starts = mesh_.polygon_starts.data() + polygon_;
@@ -99,7 +99,7 @@ private:
 		if (area < 0.0 || (turned_ && !(area > 0.0)))
 			std::reverse(polygon, polygon + corners);
 		turned_ ^= area < 0.0;
-		return cornerTable(turned_).data();
+		return tables_[turned_];
 	}
 
 	std::uint32_t firstCornerOf(std::size_t span) const
@@ -111,6 +111,7 @@ private:
 	const Source source_;
 	const Sense sense_;
 	SheetMesh& mesh_;
+	const std::array<const CornerPlaces*, 2> tables_{cornerTable(false).data(), cornerTable(true).data()};
 	std::uint32_t last_corner_;
 	bool has_room_ = false;
 	const cases::ColumnCase* columns_ = nullptr; // of the next cell
