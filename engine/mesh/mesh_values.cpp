@@ -18,7 +18,8 @@ namespace vp::mesh
 namespace
 {
 
-// The value at t along an edge from the values at its ends.
+// The value at t along an edge from the values at its ends: to the last bit the same if the ends change places, since
+// `t` is then exactly 1 less what it was.
 double alongEdge(double a, double b, double t, bool categorical)
 {
 	// An end that has no part in the vertex does not bring its NaN to it.
@@ -26,8 +27,8 @@ double alongEdge(double a, double b, double t, bool categorical)
 		return a;
 	if (categorical)
 		return t < 0.5 ? a : t > 0.5 ? b : std::min(a, b);
-	// Between two equal infinities there is no difference to take a part of.
-	return t == 1.0 || a == b ? b : a + t * (b - a);
+	// Equal values stay what they are.
+	return t == 1.0 || a == b ? b : (1.0 - t) * a + t * b;
 }
 
 // One component at vertices on edges. source_of(p): the number of a point in the field.
@@ -62,7 +63,7 @@ void interpolateEach(std::span<const EdgePoint> edges, const grid::Field& field,
 				values[v + 1] = alongEdge(a[1], b[1], t[1], false);
 			}
 			else
-				storeTwo(&values[v], a + t * (b - a));
+				storeTwo(&values[v], (1.0 - t) * a + t * b);
 		}
 	for (; v < edges.size(); ++v)
 	{

@@ -8,10 +8,20 @@ namespace vp::surface
 
 double BlockSurface::crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) const
 {
-	if (const Quadric* quadric = this->quadric())
-		return quadric->crossing(a, b, height_a, height_b);
-	if (const PlacedExpression* expression = this->expression())
-		return expression->crossing(a, b, height_a, height_b);
+	const Quadric* quadric = this->quadric();
+	const PlacedExpression* expression = this->expression();
+	if (quadric || expression)
+	{
+		// Both orders ask for the root from the same end, the positive one.
+		const bool a_positive = height_a >= 0.0;
+		const Vec3& from = a_positive ? a : b;
+		const Vec3& to = a_positive ? b : a;
+		const double height_from = a_positive ? height_a : height_b;
+		const double height_to = a_positive ? height_b : height_a;
+		const double rest = 1.0 - (quadric ? quadric->crossing(from, to, height_from, height_to)
+		                                   : expression->crossing(from, to, height_from, height_to));
+		return a_positive ? 1.0 - rest : rest; // neither is rounded once more, as in Plane::crossing()
+	}
 	// Towards what is no number the surface ends where the numbers do.
 	if (!std::isfinite(height_a) || !std::isfinite(height_b))
 		return std::isfinite(height_a) ? 0.0 : 1.0;

@@ -77,8 +77,8 @@ public:
 			expression()->heightsAt({places.data(), points.size()}, heights);
 	}
 	// Returns the place of the surface on the way from a to b, 0 to 1. It is the root for a surface with a place, and
-	// is found by linear interpolation for values, to the last bit the same place from either end. The heights must
-	// have different signs.
+	// is found by linear interpolation for values. The place from b to a is 1 minus this one, to the last bit. The
+	// heights must have different signs.
 	double crossing(const Vec3& a, const Vec3& b, double height_a, double height_b) const;
 	// Returns true if the surface may pass through the box, its rim included. Always true for values.
 	bool meets(const Box& box) const;
