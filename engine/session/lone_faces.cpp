@@ -1,13 +1,12 @@
 #include "session/lone_faces.h"
 
-#include "base/place_key.h"
-#include "session/hanging_borders.h"
+#include "session/space_bins.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <unordered_map>
+#include <numeric>
 #include <utility>
 
 namespace vp::session
@@ -21,12 +20,12 @@ Vec3 LoneFace::center() const
 	return sum / static_cast<double>(corners.size());
 }
 
-bool LoneFace::liesOn(const LoneFace& other) const
+Box LoneFace::box() const
 {
-	const double apart = std::min({std::max(tolerance, other.tolerance), most, other.most});
-	const auto isCorner = [&](const Vec3& p)
-	{ return std::ranges::any_of(other.corners, [&](const Vec3& q) { return glm::length(p - q) <= apart; }); };
-	return corners.size() == other.corners.size() && std::ranges::all_of(corners, isCorner);
+	Box box;
+	for (const Vec3& corner : corners)
+		box.include(corner);
+	return box;
 }
 
 namespace
@@ -81,13 +80,15 @@ void setTolerance(const G& grid, const grid::CellFaces& faces, LoneFace& face)
 struct FaceOfRank
 {
 	int rank;
-	std::uint32_t number;
+	std::uint32_t index; // among those that its rank has given
 	LoneFace face;
 };
 
-void put(MessageWriter& to, std::uint32_t number, const LoneFace& face)
+void put(MessageWriter& to, std::uint32_t index, const LoneFace& face)
 {
-	to.put(number);
+	to.put(index);
+	to.put(face.cell.block);
+	to.put(face.number);
 	to.put(face.tolerance);
 	to.put(face.most);
 	to.putAll(face.corners);
@@ -96,10 +97,147 @@ void put(MessageWriter& to, std::uint32_t number, const LoneFace& face)
 FaceOfRank takeLoneFace(MessageReader& from, int rank)
 {
 	FaceOfRank sent{rank, from.get<std::uint32_t>(), {}};
+	sent.face.cell.block = from.get<std::uint32_t>();
+	sent.face.number = from.get<std::uint32_t>();
 	sent.face.tolerance = from.get<double>();
 	sent.face.most = from.get<double>();
 	sent.face.corners = from.getAll<Vec3>();
 	return sent;
+}
+
+/// Brings some of the faces together in bins, and calls visit(a, b) for those of different ranks that share one, for
+/// each order of the two. A pair may share several bins. boxOf(face): no larger than a bin.
+template <class BoxOf, class Visit>
+void forPairs(Neighborhood& near, const SpaceBins& bins, std::span<const LoneFace> faces,
+              std::span<const std::uint32_t> some, const BoxOf& boxOf, const Visit& visit)
+{
+	for (const std::uint32_t index : some)
+	{
+		const Box box = boxOf(faces[index]);
+		for (const auto& [bin, place] : bins.of(box.lo, box.hi))
+		{
+			MessageWriter& message = near.messageFor(place);
+			message.put(bin);
+			put(message, index, faces[index]);
+		}
+	}
+	std::map<std::uint64_t, std::vector<FaceOfRank>> in_bin;
+	const std::vector<Bytes> came = near.exchange();
+	for (int rank = 0; rank < static_cast<int>(came.size()); ++rank)
+		for (MessageReader reader(came[static_cast<std::size_t>(rank)]); !reader.atEnd();)
+		{
+			const auto bin = reader.get<std::uint64_t>();
+			in_bin[bin].push_back(takeLoneFace(reader, rank));
+		}
+	for (const auto& [bin, together] : in_bin)
+		for (const FaceOfRank& a : together)
+			for (const FaceOfRank& b : together)
+				if (a.rank != b.rank)
+					visit(a, b);
+}
+
+bool coincide(const LoneFace& a, const LoneFace& b)
+{
+	const double apart = std::min({std::max(a.tolerance, b.tolerance), a.most, b.most});
+	const auto isCornerOfB = [&](const Vec3& p)
+	{ return std::ranges::any_of(b.corners, [&](const Vec3& q) { return glm::length(p - q) <= apart; }); };
+	return a.corners.size() == b.corners.size() && std::ranges::all_of(a.corners, isCornerOfB);
+}
+
+/// Whether a place lies on the fan of triangles about the center of a face.
+bool liesOn(const Vec3& place, const LoneFace& face, double apart)
+{
+	constexpr double kRounding = 1e-6;
+	const Vec3 center = face.center();
+	Vec3 before = face.corners.back();
+	for (const Vec3& corner : face.corners)
+	{
+		const Vec3 a = std::exchange(before, corner) - center;
+		const Vec3 b = corner - center;
+		const Vec3 normal = glm::cross(a, b);
+		const double square = glm::dot(normal, normal);
+		if (!(square > 0.0))
+			continue;
+		const Vec3 way = place - center;
+		const double of_a = glm::dot(glm::cross(way, b), normal) / square;
+		const double of_b = glm::dot(glm::cross(a, way), normal) / square;
+		if (of_a >= -kRounding && of_b >= -kRounding && of_a + of_b <= 1.0 + kRounding &&
+		    std::abs(glm::dot(way, normal)) <= apart * std::sqrt(square))
+			return true;
+	}
+	return false;
+}
+
+bool isPartOf(const LoneFace& small, const LoneFace& large)
+{
+	constexpr double kOfEdge = 1e-3;
+	const double apart = kOfEdge * shortestSide(small.corners);
+	return std::ranges::all_of(small.corners, [&](const Vec3& corner) { return liesOn(corner, large, apart); });
+}
+
+double greatestOf(Team& team, double own)
+{
+	sumOverAll(team, own, [](double& greatest, double other) { greatest = std::max(greatest, other); });
+	return own;
+}
+
+std::vector<std::vector<FaceAcross>> facesAcross(Team& team, const std::vector<Box>& boxes,
+                                                 std::span<const LoneFace> faces)
+{
+	constexpr double kReach = 2.0; // of a tolerance: centers of faces whose corners are that near
+	std::vector<std::vector<FaceAcross>> across(faces.size());
+	std::vector<std::uint32_t> all(faces.size());
+	std::iota(all.begin(), all.end(), 0u);
+	double side = 0.0;
+	for (const LoneFace& face : faces)
+		side = std::max(side, 2.0 * kReach * face.tolerance);
+	side = greatestOf(team, side);
+	if (!(side > 0.0))
+		return across;
+	Neighborhood near(team, boxes, 2.0 * side);
+	forPairs(
+	    near, SpaceBins(side), faces, all,
+	    [](const LoneFace& face)
+	    {
+		    const Vec3 center = face.center();
+		    return Box{center - kReach * face.tolerance, center + kReach * face.tolerance};
+	    },
+	    [&](const FaceOfRank& a, const FaceOfRank& b)
+	    {
+		    if (!coincide(a.face, b.face))
+			    return;
+		    near.messageFor(a.rank).put(a.index);
+		    near.messageFor(a.rank).put(FaceAcross{b.rank, b.face.number, b.face.cell.block});
+	    });
+	for (const Bytes& answer : near.exchange())
+		for (MessageReader reader(answer); !reader.atEnd();)
+		{
+			const auto index = reader.get<std::uint32_t>();
+			across[index].push_back(reader.get<FaceAcross>());
+		}
+	for (std::vector<FaceAcross>& of_face : across) // a pair may share several bins
+	{
+		std::ranges::sort(of_face);
+		of_face.erase(std::unique(of_face.begin(), of_face.end()), of_face.end());
+	}
+	return across;
+}
+
+bool hangs(Team& team, const std::vector<Box>& boxes, std::span<const LoneFace> faces,
+           std::span<const std::uint32_t> unmatched)
+{
+	double side = 0.0;
+	for (const std::uint32_t index : unmatched)
+		side = std::max(side, faces[index].box().diagonal());
+	side = greatestOf(team, side);
+	if (!(side > 0.0))
+		return false;
+	Neighborhood near(team, boxes, 2.0 * side);
+	bool found = false;
+	forPairs(
+	    near, SpaceBins(side), faces, unmatched, [](const LoneFace& face) { return face.box(); },
+	    [&](const FaceOfRank& a, const FaceOfRank& b) { found = found || isPartOf(a.face, b.face); });
+	return anyOf(team, found);
 }
 
 } // namespace
@@ -129,117 +267,20 @@ std::optional<LoneFace> loneFace(const grid::BlockSet& blocks, const mesh::Block
 	    blocks.blocks[cell.block].grid);
 }
 
-std::vector<std::vector<FaceAcross>> facesAcross(Team& team, const std::vector<Box>& boxes,
-                                                 std::span<const LoneFace> faces)
+bool areOneLattice(const grid::BlockSet& blocks, std::span<const std::uint32_t> whole, std::uint32_t a, std::uint32_t b)
 {
-	std::vector<std::vector<FaceAcross>> across(faces.size());
-	double side = 0.0; // of the bins of a lattice over space
-	for (const LoneFace& face : faces)
-		for (const Vec3& corner : face.corners)
-			side = std::max(side, 2.0 * glm::length(corner - face.center()));
-	sumOverAll(team, side, [](double& greatest, double other) { greatest = std::max(greatest, other); });
-	if (!(side > 0.0))
-		return across;
-	const auto binAt = [&](const Vec3& place)
-	{
-		const Vec3 cell(std::floor(place.x / side), std::floor(place.y / side), std::floor(place.z / side));
-		return std::pair(placeKey(cell), side * (cell + 0.5));
-	};
-	Neighborhood near(team, boxes, side); // the middle of a bin lies no farther from the faces in it
+	return whole[a] == whole[b] && !std::holds_alternative<grid::UnstructuredGrid>(blocks.blocks[a].grid);
+}
+
+MatchedFaces matchFaces(Team& team, const std::vector<Box>& boxes, std::span<const LoneFace> faces)
+{
+	MatchedFaces matched{facesAcross(team, boxes, faces)};
+	std::vector<std::uint32_t> unmatched;
 	for (std::uint32_t f = 0; f < faces.size(); ++f)
-	{
-		std::map<std::uint64_t, Vec3> bins;
-		for (int corner = 0; corner < 8; ++corner)
-		{
-			const Vec3 way(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
-			bins.insert(binAt(faces[f].center() + 2.0 * faces[f].tolerance * way));
-		}
-		for (const auto& [bin, place] : bins)
-		{
-			MessageWriter& message = near.messageFor(place);
-			message.put(bin);
-			put(message, f, faces[f]);
-		}
-	}
-	std::map<std::uint64_t, std::vector<FaceOfRank>> bins;
-	const std::vector<Bytes> came = near.exchange();
-	for (std::size_t rank = 0; rank < came.size(); ++rank)
-		for (MessageReader reader(came[rank]); !reader.atEnd();)
-		{
-			const auto bin = reader.get<std::uint64_t>();
-			bins[bin].push_back(takeLoneFace(reader, static_cast<int>(rank)));
-		}
-	for (const auto& [bin, some] : bins)
-		for (const FaceOfRank& a : some)
-			for (const FaceOfRank& b : some)
-				if (a.rank != b.rank && a.face.liesOn(b.face))
-				{
-					near.messageFor(a.rank).put(a.number);
-					near.messageFor(a.rank).put(FaceAcross{b.rank, b.number});
-				}
-	for (const Bytes& answer : near.exchange())
-		for (MessageReader reader(answer); !reader.atEnd();)
-		{
-			const auto number = reader.get<std::uint32_t>();
-			across[number].push_back(reader.get<FaceAcross>());
-		}
-	for (std::vector<FaceAcross>& of_face : across) // a pair may share several bins
-	{
-		std::ranges::sort(of_face);
-		of_face.erase(std::unique(of_face.begin(), of_face.end()), of_face.end());
-	}
-	return across;
-}
-
-bool facesHang(Team& team, const std::vector<Box>& boxes, std::span<const LoneFace> faces,
-               std::span<const std::vector<FaceAcross>> across)
-{
-	mesh::SheetMesh lone;
-	lone.polygon_starts.push_back(0);
-	std::unordered_map<std::uint64_t, std::uint32_t> vertices; // by place
-	std::vector<RimVertex> corners;
-	for (std::size_t f = 0; f < faces.size(); ++f)
-	{
-		if (!across[f].empty())
-			continue;
-		for (const Vec3& place : faces[f].corners)
-		{
-			const auto next = static_cast<std::uint32_t>(lone.positions.size());
-			const auto [at, is_new] = vertices.try_emplace(placeKey(place), next);
-			lone.polygon_vertices.push_back(at->second);
-			if (!is_new)
-				continue;
-			lone.positions.push_back(place);
-			RimVertex& corner = corners.emplace_back();
-			corner.place = place;
-			corner.near = faces[f].apart();
-		}
-		lone.polygon_starts.push_back(static_cast<std::uint32_t>(lone.polygon_vertices.size()));
-		lone.polygon_cells.push_back(faces[f].cell);
-	}
-	return hangsBetweenRanks(team, boxes, lone, corners);
-}
-
-BoxesOfOthers::BoxesOfOthers(const Team& team, const std::vector<Box>& boxes)
-{
-	Box all;
-	for (const Box& box : boxes)
-		all.include(box);
-	constexpr double kRounding = 1e-6; // of places against the bounds of their cells
-	for (int rank = 0; rank < team.size(); ++rank)
-		if (Box box = boxes[static_cast<std::size_t>(rank)]; rank != team.rank() && !box.empty())
-		{
-			box.lo -= kRounding * all.diagonal();
-			box.hi += kRounding * all.diagonal();
-			boxes_.push_back(box);
-		}
-}
-
-bool BoxesOfOthers::meet(const Box& box) const
-{
-	return std::ranges::any_of(
-	    boxes_, [&](const Box& other)
-	    { return glm::all(glm::lessThanEqual(box.lo, other.hi)) && glm::all(glm::lessThanEqual(other.lo, box.hi)); });
+		if (matched.across[f].empty())
+			unmatched.push_back(f);
+	matched.hang = hangs(team, boxes, faces, unmatched);
+	return matched;
 }
 
 } // namespace vp::session

@@ -18,47 +18,44 @@ namespace vp::session
 struct LoneFace
 {
 	mesh::BlockCell cell{};
+	std::uint32_t number = 0;    // by which the rank across is to know it; any
 	std::vector<Vec3> corners{}; // each place once
 	double tolerance = 0.0;      // of a corner
-	double most = 0.0;           // which no tolerance may pass
+	double most = 0.0;           // no tolerance passes it, else a flat cell would meet what lies on its other side
 
 	Vec3 center() const;
+	Box box() const;
 	double apart() const { return std::min(tolerance, most); }
-	/// As faces of two blocks that meet (grid/interfaces.h).
-	bool liesOn(const LoneFace& other) const;
 };
 
 /// Returns nothing if the cell has a neighbor there, or the face fewer than three corners.
 std::optional<LoneFace> loneFace(const grid::BlockSet& blocks, const mesh::BlockCell& cell, int face);
 
-/// A face of another rank, by its number among those that this rank has given.
+/// Whether one process has two blocks as parts of one lattice, so that nothing of its boundary lies between them.
+/// Pieces of unstructured grids meet at seams there, too: they do not share points. whole: per block, the block that
+/// one process would have in its place.
+bool areOneLattice(const grid::BlockSet& blocks, std::span<const std::uint32_t> whole, std::uint32_t a,
+                   std::uint32_t b);
+
+/// A face of another rank.
 struct FaceAcross
 {
 	int rank;
-	std::uint32_t number;
+	std::uint32_t number; // as its rank gave it
+	std::uint32_t block;
 
 	auto operator<=>(const FaceAcross&) const = default;
 };
 
-/// Returns for each face those of other ranks that lie on it. Faces are brought together at the ranks that their places
-/// belong to. All ranks call this together.
-std::vector<std::vector<FaceAcross>> facesAcross(Team& team, const std::vector<Box>& boxes,
-                                                 std::span<const LoneFace> faces);
-
-/// Whether a face that lies on none of another rank meets some of another size there. All ranks get the same answer.
-bool facesHang(Team& team, const std::vector<Box>& boxes, std::span<const LoneFace> faces,
-               std::span<const std::vector<FaceAcross>> across);
-
-/// The boxes of other ranks.
-class BoxesOfOthers
+/// What faces of several ranks have to do with each other.
+struct MatchedFaces
 {
-public:
-	BoxesOfOthers(const Team& team, const std::vector<Box>& boxes);
-
-	bool meet(const Box& box) const;
-
-private:
-	std::vector<Box> boxes_;
+	std::vector<std::vector<FaceAcross>> across; // for each face, those of other ranks that lie on it; ascending
+	bool hang = false; // a face that lies on none is a part of one of another rank, or has such a part; the same at all
 };
+
+/// Matches the faces of all ranks, as those of two blocks that meet (grid/interfaces.h). They are brought together at
+/// the ranks that their places belong to. boxes: boxesOf() the team. All ranks call this together.
+MatchedFaces matchFaces(Team& team, const std::vector<Box>& boxes, std::span<const LoneFace> faces);
 
 } // namespace vp::session

@@ -57,6 +57,11 @@ std::vector<Box> boxesOfOthers(const Team& team, const std::vector<Box>& boxes)
 	return others;
 }
 
+bool touchesAny(const Box& box, std::span<const Box> others)
+{
+	return std::ranges::any_of(others, [&](const Box& other) { return touch(box, other); });
+}
+
 Neighborhood::Neighborhood(Team& team, const std::vector<Box>& boxes, double grown)
     : team_(team), boxes_(boxes), messages_(boxes.size())
 {

@@ -3,6 +3,7 @@
 #include "grid/block.h"
 #include "session/team.h"
 
+#include <span>
 #include <vector>
 
 namespace vp::session
@@ -13,6 +14,9 @@ std::vector<Box> boxesOf(Team& team, const grid::BlockSet& blocks);
 
 /// Those of the others that hold cells, grown for the rounding of places.
 std::vector<Box> boxesOfOthers(const Team& team, const std::vector<Box>& boxes);
+
+/// Whether a box touches one of others.
+bool touchesAny(const Box& box, std::span<const Box> others);
 
 /// The ranks whose boxes touch that of this rank, once all have grown by a length. What ranks know of one place, they
 /// bring together at its owner. So messages go between neighbors alone, however many ranks there are.

@@ -3,7 +3,7 @@
 #include "base/messages.h"
 #include "base/progress.h"
 #include "base/stop_scope.h"
-#include "session/hot_spot_pieces.h"
+#include "session/rank_to_rank.h"
 #include "session/share.h"
 #include "session/sheet_traces.h"
 #include "session/team.h"
@@ -329,9 +329,10 @@ Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> las
 			return plan.error();
 	cut::CutRequest request = requestOf(session);
 	request.last = std::move(last);
-	const bool is_one_piece = session.team && session.view.seeds.mode == seed::SeedMode::hotspot;
-	Result<cut::Cut> cut = is_one_piece ? cutHotSpotPieces(*session.team, *session.cutter, std::move(request), stop)
-	                                    : session.cutter->cut(request, stop);
+	Result<cut::Cut> cut =
+	    session.team && goesFromRankToRank(request)
+	        ? cutFromRankToRank(*session.team, session.share->whole, *session.cutter, std::move(request), stop)
+	        : session.cutter->cut(request, stop);
 	if (stop.stop_requested())
 		return Error{ErrorKind::cancelled, "cutting was cancelled"};
 	if (session.team && cut && session.view.seeds.outside != seed::OutsidePolicy::nearest)

@@ -54,7 +54,7 @@ struct LonePolygons
 	std::vector<std::uint32_t> polygons; // per face
 };
 
-LonePolygons lonePolygons(const grid::BlockSet& blocks, const BoxesOfOthers& others, const mesh::SheetMesh& mesh)
+LonePolygons lonePolygons(const grid::BlockSet& blocks, std::span<const Box> others, const mesh::SheetMesh& mesh)
 {
 	LonePolygons found;
 	for (std::uint32_t p = 0; p < mesh.polygons(); ++p)
@@ -62,7 +62,7 @@ LonePolygons lonePolygons(const grid::BlockSet& blocks, const BoxesOfOthers& oth
 		Box box;
 		for (const std::uint32_t v : mesh.polygon(p))
 			box.include(mesh.positions[v]);
-		if (!others.meet(box))
+		if (!touchesAny(box, others))
 			continue;
 		std::optional<LoneFace> face = loneFace(blocks, mesh.polygon_cells[p], faceOf(blocks, mesh, p));
 		if (!face)
@@ -117,10 +117,10 @@ Borders joinWholeCells(Team& team, const grid::BlockSet& blocks, std::span<const
 {
 	Borders borders;
 	const std::vector<Box> boxes = boxesOf(team, blocks);
-	const BoxesOfOthers others(team, boxes);
+	const std::vector<Box> others = boxesOfOthers(team, boxes);
 	const LonePolygons lone = lonePolygons(blocks, others, crinkle);
-	const std::vector<std::vector<FaceAcross>> across = facesAcross(team, boxes, lone.faces);
-	borders.hangs = facesHang(team, boxes, lone.faces, across);
+	const auto [across, hang] = matchFaces(team, boxes, lone.faces);
+	borders.hangs = hang;
 
 	std::vector<std::uint32_t> dropped;
 	for (std::size_t f = 0; f < lone.faces.size(); ++f)
@@ -134,7 +134,7 @@ Borders joinWholeCells(Team& team, const grid::BlockSet& blocks, std::span<const
 	std::vector<RimVertex> own;
 	for (std::uint32_t v = 0; v < crinkle.positions.size(); ++v)
 	{
-		if (!others.meet({crinkle.positions[v], crinkle.positions[v]}))
+		if (!touchesAny({crinkle.positions[v], crinkle.positions[v]}, others))
 			continue;
 		RimVertex& vertex = own.emplace_back(gridVertex(blocks, whole, crinkle, v));
 		if (const auto found = near.find(nameOf(crinkle.edges[v])); found != near.end())
