@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vp::measure
 {
@@ -66,9 +67,12 @@ private:
 		std::vector<SideCrossing> crossings;
 		for (std::size_t i = 0; i < polygon.size(); ++i)
 		{
-			const auto [a, b] = std::minmax({polygon[i], polygon[(i + 1) % polygon.size()]});
+			std::uint32_t a = polygon[i];
+			std::uint32_t b = polygon[(i + 1) % polygon.size()];
 			if (above(off_[a]) == above(off_[b]))
 				continue;
+			if (off_[a] < off_[b])
+				std::swap(a, b);
 			const double part = off_[a] / (off_[a] - off_[b]); // the same from the polygon beyond
 			crossings.push_back({a, b, part, along_[a] + part * (along_[b] - along_[a])});
 		}

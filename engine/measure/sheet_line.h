@@ -13,7 +13,7 @@ namespace vp::measure
 // 0 or above 1 beyond its ends.
 struct SideCrossing
 {
-	std::uint32_t a; // vertices of the mesh, a < b
+	std::uint32_t a; // vertices of the mesh; a lies more to the left of the line
 	std::uint32_t b;
 	double part;
 	double t;

@@ -4,11 +4,11 @@
 #include "measure/sheet_line.h"
 #include "write/atomic_file.h"
 #include "write/csv_text.h"
-#include "write/slice_table.h"
 #include "write/unique_names.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -128,17 +128,74 @@ private:
 	std::string text_;
 };
 
+// Whether a polygon reaches across the line, made longer, or lies beside it by less than rounding can do. Asked of each
+// polygon alone, so that it does not matter which others are there.
+bool mayMeet(const SheetLine& line, std::span<const std::uint32_t> polygon, std::span<const glm::dvec2> points)
+{
+	constexpr double kRounding = 1e-9;
+	const glm::dvec2 way = line.to - line.from;
+	const double length = glm::length(way);
+	double left = -std::numeric_limits<double>::infinity();
+	double right = left;
+	double reach = length;
+	for (const std::uint32_t v : polygon)
+	{
+		const glm::dvec2 from = points[v] - line.from;
+		const double off = (way.x * from.y - way.y * from.x) / length;
+		left = std::max(left, off);
+		right = std::max(right, -off);
+		reach = std::max(reach, glm::length(from));
+	}
+	return left >= -kRounding * reach && right >= -kRounding * reach;
+}
+
+// The polygons of a table, without where they come from.
+mesh::SheetMesh meshOf(const SliceTable& table)
+{
+	mesh::SheetMesh mesh;
+	mesh.positions.resize(table.vertices());
+	std::ranges::copy(table.positions, mesh.positions.begin());
+	mesh.polygon_starts.push_back(0);
+	for (std::size_t p = 0; p < table.polygons(); ++p)
+		mesh.polygon_starts.push_back(static_cast<std::uint32_t>(table.polygon_starts[p + 1]));
+	for (const std::int64_t v : table.polygon_vertices)
+		mesh.polygon_vertices.push_back(static_cast<std::uint32_t>(v));
+	mesh.polygon_cells.resize(table.polygons());
+	return mesh;
+}
+
 } // namespace
 
-Status writeLine(const grid::BlockSet& blocks, const probe::Sheet& content, const mesh::SheetMesh& mesh,
-                 const SheetLine& line, const std::string& path)
+SliceTable tabulateAlong(const grid::BlockSet& blocks, const probe::Sheet& content, const mesh::SheetMesh& mesh,
+                         const SheetLine& line)
+{
+	const auto points = measure::planePoints(mesh, content);
+	mesh::SheetMesh along = mesh;
+	along.polygon_starts.clear();
+	along.polygon_vertices.clear();
+	along.polygon_cells.clear();
+	along.polygon_starts.push_back(0);
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		if (!mayMeet(line, mesh.polygon(p), points))
+			continue;
+		for (const std::uint32_t v : mesh.polygon(p))
+			along.polygon_vertices.push_back(v);
+		along.polygon_starts.push_back(static_cast<std::uint32_t>(along.polygon_vertices.size()));
+		along.polygon_cells.push_back(mesh.polygon_cells[p]);
+	}
+	mesh::dropUnusedVertices(along);
+	return tabulate(blocks, std::span(&along, 1));
+}
+
+Status writeLine(const SliceTable& table, const probe::Sheet& content, const SheetLine& line, const std::string& path)
 {
 	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)
 		return file.error();
+	const mesh::SheetMesh mesh = meshOf(table);
 	const std::vector<LinePiece> pieces =
 	    measure::alongLine(mesh, measure::planePoints(mesh, content), line.from, line.to);
-	const SliceTable table = tabulate(blocks, std::span(&mesh, 1));
 	file->write(LineRows(table, content, line).text(pieces));
 	return file->commit();
 }

@@ -4,6 +4,7 @@
 #include "grid/block.h"
 #include "mesh/sheet_mesh.h"
 #include "probe/sheet.h"
+#include "write/slice_table.h"
 
 #include <string>
 
@@ -23,7 +24,12 @@ struct SheetLine
 // (block and cell too) hold from a row to the next. Where point arrays jump, as between blocks that differ, there are
 // two rows at one distance. Where the line is out of the slice all but the place is nan: in one row in the middle of
 // each gap, and at an end that lies outside. "-" is standard output.
-Status writeLine(const grid::BlockSet& blocks, const probe::Sheet& content, const mesh::SheetMesh& mesh,
-                 const SheetLine& line, const std::string& path);
+//
+// table: tabulateAlong(), in whatever order of its polygons.
+Status writeLine(const SliceTable& table, const probe::Sheet& content, const SheetLine& line, const std::string& path);
+
+// Returns the polygons that the line may meet.
+SliceTable tabulateAlong(const grid::BlockSet& blocks, const probe::Sheet& content, const mesh::SheetMesh& mesh,
+                         const SheetLine& line);
 
 } // namespace vp::write

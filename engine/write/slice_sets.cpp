@@ -80,13 +80,12 @@ Result<SliceSeries> SliceSeries::create(const std::string& path)
 	return SliceSeries(path, std::move(*files));
 }
 
-Status SliceSeries::add(int frame, const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes,
-                        std::span<const ContourPiece> contours)
+Status SliceSeries::add(int frame, const SliceTable& table)
 {
 	const FileSet::Member part = files_.add(fmt::format("frame_{:04}.vtp", frame));
 	fmt::format_to(std::back_inserter(entries_), "\t\t<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
 	               frame, xmlText(part.name));
-	return writePart(tabulate(blocks, meshes, 0, contours), part, path_);
+	return writePart(table, part, path_);
 }
 
 Status SliceSeries::commit()

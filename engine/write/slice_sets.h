@@ -28,8 +28,7 @@ class SliceSeries
 public:
 	static Result<SliceSeries> create(const std::string& path);
 
-	Status add(int frame, const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes,
-	           std::span<const ContourPiece> contours = {});
+	Status add(int frame, const SliceTable& table);
 	Status commit();
 
 private:

@@ -1,4 +1,5 @@
 """Polygons of several processes: a part for each, or one file."""
+import csv
 import json
 import os
 import signal
@@ -94,6 +95,33 @@ def test_a_file_for_each_sheet(programs, case, tmp_path):
     assert mpi.GetNumberOfBlocks() == plain.GetNumberOfBlocks() == 3
     for sheet in range(3):
         assert polygons_of(mpi.GetBlock(sheet)) == polygons_of(plain.GetBlock(sheet))
+
+
+def test_a_file_for_each_frame(programs, case, tmp_path):
+    sweep = ('sweep', case, '--path', 'rotate', '--frames', 2, '--probe', 'trihedral', '-o')
+    programs.mpi(3, *sweep, tmp_path / 'mpi.pvd')
+    programs.plain(*sweep, tmp_path / 'plain.pvd')
+    assert (tmp_path / 'mpi.pvd').read_text() == (tmp_path / 'plain.pvd').read_text().replace('plain/', 'mpi/')
+    assert sorted(path.name for path in (tmp_path / 'mpi').iterdir()) == ['frame_0000.vtp', 'frame_0001.vtp']
+    for frame in ('frame_0000.vtp', 'frame_0001.vtp'):
+        assert polygons_of(opened(tmp_path / 'mpi' / frame)) == polygons_of(opened(tmp_path / 'plain' / frame))
+
+
+def rows_of(path):
+    """Without the numbers of cells, which count within what a rank holds."""
+    with path.open(newline='') as file:
+        return [{name: text for name, text in row.items() if name != 'cell'} for row in csv.DictReader(file)]
+
+
+@pytest.mark.parametrize('kind', ['tetrahedra', 'hexahedra', 'image', 'blocks'])
+def test_values_along_a_line(programs, cases, tmp_path, kind):
+    # Through the borders, one of them in the line.
+    for line in ((-0.9, -0.4, 1.2, 0.7), (-2, 0, 2, 0)):
+        asked = ('slice', cases[kind], *OBLIQUE, '--line', *line, '-o')
+        programs.mpi(4, *asked, tmp_path / 'mpi.csv')
+        programs.plain(*asked, tmp_path / 'plain.csv')
+        assert rows_of(tmp_path / 'mpi.csv') == rows_of(tmp_path / 'plain.csv')
+        assert len(rows_of(tmp_path / 'mpi.csv')) > 10
 
 
 def test_all_parts_or_none(programs, case, tmp_path):

@@ -56,9 +56,9 @@ Status checkLine(const SliceOptions& options, const CLI::App& command)
 Status writeLineFile(const session::Session& session, const SliceOptions& options, const session::CutFrame& frame)
 {
 	const auto sheet = static_cast<std::size_t>(options.line_sheet);
-	return write::writeLine(frame.slice.blocksOf(session.blocks), frame.slice.sheets[sheet].sheet,
-	                        frame.sheets[sheet].mesh,
-	                        {{options.line[0], options.line[1]}, {options.line[2], options.line[3]}}, options.output);
+	const write::SheetLine line{{options.line[0], options.line[1]}, {options.line[2], options.line[3]}};
+	const write::SliceTable table = tableAlong(session, frame, sheet, line);
+	return isFirst() ? write::writeLine(table, frame.slice.sheets[sheet].sheet, line, options.output) : Nothing{};
 }
 
 // White paper, unless a background is asked for.
@@ -105,8 +105,6 @@ Status checkTeam(const SliceOptions& options)
 {
 	if (!team())
 		return Nothing{};
-	if (!options.line.empty())
-		return Error{ErrorKind::usage, "--line: a line may pass through the parts of several processes; use vprobe"};
 	if (session::namesPictures(options.output))
 		return Error{ErrorKind::usage, fmt::format("-o {}: flat pictures are drawn by one process; use vprobe, or draw "
 		                                           "the cut in space by vprobe-mpi render",
@@ -132,7 +130,7 @@ Result<std::vector<std::string>> writeFiles(const session::Session& session, con
 {
 	if (options.output.empty())
 		return std::vector<std::string>();
-	if (session.team)
+	if (session.team && options.line.empty())
 	{
 		const Status written = writeTogether(session, frame, options.output);
 		return written ? Result<std::vector<std::string>>(std::vector{options.output}) : written.error();

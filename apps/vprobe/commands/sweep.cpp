@@ -61,16 +61,6 @@ Status checkSweepOptions(const SweepOptions& options)
 	return Nothing{};
 }
 
-// What processes with a part of the data each do not do.
-Status checkTeam(const SweepOptions& options)
-{
-	if (team() && options.exports())
-		return Error{ErrorKind::usage, fmt::format("-o {}: processes with a part of the data each write pictures; give "
-		                                           "the name of some, or use vprobe in place of vprobe-mpi",
-		                                           options.output)};
-	return Nothing{};
-}
-
 FramePlaces placesOf(const SweepOptions& options)
 {
 	FramePlaces places{.exposure = options.exposure, .resume = options.resume, .writes = isFirst()};
@@ -140,8 +130,8 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	if (options.common.explain)
 		return explain(spec, how);
 	for (const Status& fits :
-	     {checkWritable(options.stats), checkSweepOptions(options), checkTeam(options),
-	      view::requirePathOfSurface(spec.probe, spec.sweep), view::refuseGenerations(spec.probe, spec.look.color_by)})
+	     {checkWritable(options.stats), checkSweepOptions(options), view::requirePathOfSurface(spec.probe, spec.sweep),
+	      view::refuseGenerations(spec.probe, spec.look.color_by)})
 		if (!fits)
 			return fits.error();
 	Result<view::ResolvedLook> look = view::resolveLook(spec);
@@ -151,7 +141,7 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	const Result<int> count = view::frameCount(spec.sweep);
 	if (!count)
 		return count.error();
-	if (options.exports())
+	if (options.exports() && isFirst())
 		if (Result<write::SliceSeries> tried = write::SliceSeries::create(options.output); !tried)
 			return tried.error();
 	Result<Frames> frames =

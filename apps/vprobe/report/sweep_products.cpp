@@ -1,5 +1,8 @@
 #include "report/sweep_products.h"
 
+#include "report/team_slice.h"
+#include "team.h"
+
 #include <utility>
 
 namespace vp::app
@@ -10,9 +13,11 @@ Result<std::unique_ptr<SweepProducts>> SweepProducts::create(session::Session& s
                                                              const std::string& series)
 {
 	std::unique_ptr<SweepProducts> products(new SweepProducts(session, std::move(painter), std::move(frames)));
-	if (!series.empty())
+	if (series.empty())
+		return products;
+	products->interrupt_ = std::make_unique<DeferredInterrupt>();
+	if (isFirst())
 	{
-		products->interrupt_ = std::make_unique<DeferredInterrupt>();
 		Result<write::SliceSeries> made = write::SliceSeries::create(series);
 		if (!made)
 			return made.error();
@@ -25,12 +30,11 @@ Status SweepProducts::add(int frame, const session::CutFrame& cut)
 {
 	if (interrupt_ && interrupt_->came())
 		return Error{ErrorKind::cancelled, "interrupted; nothing is written"};
-	if (series_)
+	if (interrupt_)
 	{
 		const TimedSection section(session_.timeline.get(), "write");
-		if (Status written = series_->add(frame, cut.slice.blocksOf(session_.blocks), exportedMeshes(cut.sheets),
-		                                  session::contourPieces(cut.contours));
-		    !written)
+		const write::SliceTable table = tableOf(session_, cut);
+		if (Status written = series_ ? series_->add(frame, table) : Nothing{}; !written)
 			return written;
 	}
 	return painter_ ? draw(frame, cut) : Nothing{};

@@ -48,11 +48,11 @@ private:
 	session::Session& session_;
 	Frames frames_;
 	std::optional<session::Painter> painter_;
-	std::unique_ptr<DeferredInterrupt> interrupt_;
-	std::optional<write::SliceSeries> series_;
-	Status written_ = Nothing{};             // of the writing thread
-	std::atomic<bool> write_failed_ = false; // stops the drawing
-	std::optional<Worker> writer_;           // must be the last member, since it uses the others
+	std::unique_ptr<DeferredInterrupt> interrupt_; // if there is a series
+	std::optional<write::SliceSeries> series_;     // at the process that writes
+	Status written_ = Nothing{};                   // of the writing thread
+	std::atomic<bool> write_failed_ = false;       // stops the drawing
+	std::optional<Worker> writer_;                 // must be the last member, since it uses the others
 };
 
 } // namespace vp::app

@@ -89,6 +89,12 @@ write::SliceTable gathered(session::Team& team, write::SliceTable own)
 	return tableOf(bytes, own);
 }
 
+void nameWholeBlocks(const session::Share& share, write::SliceTable& table)
+{
+	for (std::int32_t& block : table.block)
+		block = static_cast<std::int32_t>(share.whole[static_cast<std::size_t>(block)]);
+}
+
 // The polygons that this rank has of a sheet, or of one contour.
 struct OwnTable
 {
@@ -114,9 +120,38 @@ std::vector<OwnTable> ownTables(const session::Session& session, const session::
 		tables.push_back(
 		    {write::tabulate(blocks, {}, 0, {&contour, 1}), static_cast<std::size_t>(contour.sheet), true});
 	for (OwnTable& own : tables)
-		for (std::int32_t& block : own.table.block)
-			block = static_cast<std::int32_t>(session.share->whole[static_cast<std::size_t>(block)]);
+		nameWholeBlocks(*session.share, own.table);
 	return tables;
+}
+
+// The same of all ranks, at the first one.
+std::vector<OwnTable> gatheredTables(const session::Session& session, const session::CutFrame& frame)
+{
+	std::vector<OwnTable> tables = ownTables(session, frame);
+	for (OwnTable& own : tables)
+		own.table = gathered(*session.team, std::move(own.table));
+	return tables;
+}
+
+// One behind the other: contours behind all sheets.
+write::SliceTable joined(std::vector<OwnTable> tables)
+{
+	write::SliceTable all = std::move(tables.at(0).table);
+	for (OwnTable& own : std::span(tables).subspan(1))
+		write::append(std::exchange(own.table, {}), all);
+	return all;
+}
+
+// One for each sheet, with its contours.
+std::vector<write::SliceTable> sheetsWithContours(std::vector<OwnTable> tables)
+{
+	std::vector<write::SliceTable> sheets;
+	for (OwnTable& own : tables)
+		if (own.is_contour)
+			write::append(std::move(own.table), sheets[own.sheet]);
+		else
+			sheets.push_back(std::move(own.table));
+	return sheets;
 }
 
 // Each rank writes a part of its own. All have written before the first gets its name, and the index comes last.
@@ -147,6 +182,25 @@ Status checkWritableTogether(const std::string& path)
 	return folder ? Status(Nothing{}) : folder.error();
 }
 
+write::SliceTable tableOf(const session::Session& session, const session::CutFrame& frame)
+{
+	if (session.team)
+		return joined(gatheredTables(session, frame));
+	return write::tabulate(frame.slice.blocksOf(session.blocks), session::exportedMeshes(frame.sheets), 0,
+	                       session::contourPieces(frame.contours));
+}
+
+write::SliceTable tableAlong(const session::Session& session, const session::CutFrame& frame, std::size_t sheet,
+                             const write::SheetLine& line)
+{
+	write::SliceTable table = write::tabulateAlong(frame.slice.blocksOf(session.blocks),
+	                                               frame.slice.sheets[sheet].sheet, frame.sheets[sheet].mesh, line);
+	if (!session.team)
+		return table;
+	nameWholeBlocks(*session.share, table);
+	return gathered(*session.team, std::move(table));
+}
+
 Status writeTogether(const session::Session& session, const session::CutFrame& frame, const std::string& path)
 {
 	const TimedSection section(session.timeline.get(), "write");
@@ -154,31 +208,15 @@ Status writeTogether(const session::Session& session, const session::CutFrame& f
 	if (!format)
 		return format.error();
 	session::Team& team = *session.team;
-	std::vector<write::SliceTable> sheets;
-	std::vector<write::SliceTable> behind; // contours
-	for (OwnTable& own : ownTables(session, frame))
-	{
-		const bool is_behind = own.is_contour && *format != write::SliceFormat::vtm;
-		write::SliceTable table =
-		    *format == write::SliceFormat::pvtp ? std::move(own.table) : gathered(team, std::move(own.table));
-		if (own.is_contour && !is_behind)
-			write::append(std::move(table), sheets[own.sheet]);
-		else
-			(is_behind ? behind : sheets).push_back(std::move(table));
-	}
+	if (*format == write::SliceFormat::pvtp)
+		return writeParts(team, joined(ownTables(session, frame)), path);
+	std::vector<OwnTable> tables = gatheredTables(session, frame);
 	if (*format == write::SliceFormat::vtm)
 	{
 		const DeferredInterrupt writing; // its files appear together
-		return team.isFirst() ? write::writeVtm(sheets, path) : Nothing{};
+		return team.isFirst() ? write::writeVtm(sheetsWithContours(std::move(tables)), path) : Nothing{};
 	}
-	write::SliceTable all = std::move(sheets.at(0));
-	for (write::SliceTable& sheet : std::span(sheets).subspan(1))
-		write::append(std::exchange(sheet, {}), all);
-	for (write::SliceTable& contour : behind)
-		write::append(std::exchange(contour, {}), all);
-	if (*format == write::SliceFormat::pvtp)
-		return writeParts(team, all, path);
-	return team.isFirst() ? write::writeTable(all, path) : Nothing{};
+	return team.isFirst() ? write::writeTable(joined(std::move(tables)), path) : Nothing{};
 }
 
 } // namespace vp::app

@@ -2,7 +2,10 @@
 
 #include "base/result.h"
 #include "session/cut_frame.h"
+#include "write/line_file.h"
+#include "write/slice_table.h"
 
+#include <cstddef>
 #include <string>
 
 namespace vp::app
@@ -10,6 +13,14 @@ namespace vp::app
 
 // Tells before long work whether a team can write polygons to a file of this name.
 Status checkWritableTogether(const std::string& path);
+
+// Returns the polygons of a frame as one table; with a team, at the first rank those of all ranks, in the order of
+// writeTogether(), and at others a part. All ranks call this together.
+write::SliceTable tableOf(const session::Session& session, const session::CutFrame& frame);
+
+// The same of one sheet, and of the polygons that a line may meet alone.
+write::SliceTable tableAlong(const session::Session& session, const session::CutFrame& frame, std::size_t sheet,
+                             const write::SheetLine& line);
 
 // Writes the polygons of all ranks of the session's team. As .pvtp, each rank writes a part of its own; any other file,
 // the first one writes. Polygons come sheet by sheet there, and within a sheet by ranks;

@@ -51,7 +51,7 @@ std::vector<NamedRow> rowsAlong(const grid::BlockSet& blocks, const probe::Sheet
 	cut::CutRequest request;
 	request.probe.sheets = {sheet};
 	const mesh::SheetMesh mesh = cutter.cut(std::move(request)).value().mesh(blocks, 0);
-	EXPECT_TRUE(write::writeLine(blocks, sheet, mesh, line, folder / "line.csv"));
+	EXPECT_TRUE(write::writeLine(write::tabulateAlong(blocks, sheet, mesh, line), sheet, line, folder / "line.csv"));
 	EXPECT_EQ(folder.files(), 1u);
 	return rowsOf(readText(folder / "line.csv"));
 }
