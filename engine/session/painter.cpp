@@ -10,9 +10,11 @@
 #include "session/contour_drawing.h"
 #include "session/merged_layers.h"
 #include "session/polygons_around.h"
+#include "session/share.h"
 #include "session/sheet_values.h"
 #include "session/surroundings.h"
 #include "session/team.h"
+#include "session/whole_cells.h"
 
 #include <algorithm>
 
@@ -46,9 +48,11 @@ Painter::Painter(Session& session, SheetLooks looks, render::Renderer renderer)
 
 Status Painter::takeBlocks()
 {
-	Surroundings around = surroundingsOf(session_, choice().look.outline);
-	outline_ = std::move(around.outline);
-	extent_ = std::move(around.extent);
+	Result<Surroundings> around = surroundingsOf(session_, choice().look.outline);
+	if (!around)
+		return around.error();
+	outline_ = std::move(around->outline);
+	extent_ = std::move(around->extent);
 	if (choice().look.box_axes)
 		for (int i = 0; i < 8; ++i)
 			extent_.push_back(render::corner(session_.blocks.bounds(), i));
@@ -65,7 +69,13 @@ Status Painter::makeContext()
 		Result<mesh::SheetMesh> mesh = contextMesh(session_.blocks, context);
 		if (!mesh)
 			return mesh.error();
-		auto polygons = render::surfacePolygons(*session_.device, *mesh);
+		Borders borders;
+		if (session_.team)
+			borders = joinWholeCells(*session_.team, session_.blocks, session_.share->whole, *mesh);
+		if (borders.hangs)
+			return Error{ErrorKind::input, "`context`: cells of different sizes meet between two processes; give each "
+			                               "such group of blocks to one of them by fewer processes, or use vprobe"};
+		auto polygons = surfacePolygons(*mesh, borders, {});
 		if (!polygons)
 			return polygons.error();
 		render::Surface& surface = context_.emplace_back();
@@ -103,10 +113,8 @@ Result<Painter> Painter::create(Session& session, view::ResolvedLook look)
 // The polygons of a surface in device memory. With a team, those of other ranks around them have a part in how they
 // look.
 Result<std::shared_ptr<const render::SurfacePolygons>>
-Painter::surfacePolygons(const cut::Cut& slice, const cut::SheetCut& sheet, const SheetStats& stats) const
+Painter::surfacePolygons(const mesh::SheetMesh& mesh, const Borders& borders, render::SheetValues values) const
 {
-	const mesh::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
-	render::SheetValues values = sheetValues(slice.blocksOf(session_.blocks), sheet, mesh, choice().by_generation);
 	if (!session_.team)
 		return render::surfacePolygons(*session_.device, mesh, {values.of_vertices, values.of_polygons});
 	Box box;
@@ -115,7 +123,6 @@ Painter::surfacePolygons(const cut::Cut& slice, const cut::SheetCut& sheet, cons
 	sumOverAll(*session_.team, box, [](Box& all, const Box& other) { all.include(other); });
 	mesh::SheetMesh around = mesh;
 	render::SurfaceElsewhere elsewhere{.origin = box.empty() ? Vec3(0.0) : box.center()};
-	const Borders& borders = stats.crinkle ? stats.crinkle_borders : stats.borders;
 	elsewhere.polygons = addPolygonsAround(*session_.team, borders, around, values.of_polygons);
 	if (!values.of_vertices.empty())
 		values.of_vertices.resize(around.positions.size(), 0.0);
@@ -127,7 +134,10 @@ Result<render::Surface> Painter::surfaceOf(const cut::Cut& slice, std::size_t sh
                                            const render::SheetDrawing& drawing,
                                            const std::optional<render::ValueScale>& scale) const
 {
-	auto polygons = surfacePolygons(slice, slice.sheets[sheet], stats);
+	const mesh::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
+	auto polygons = surfacePolygons(
+	    mesh, stats.crinkle ? stats.crinkle_borders : stats.borders,
+	    sheetValues(slice.blocksOf(session_.blocks), slice.sheets[sheet], mesh, choice().by_generation));
 	if (!polygons)
 		return polygons.error();
 	return render::Surface{.polygons = std::move(*polygons),

@@ -63,7 +63,7 @@ private:
 	Status addSheets(const cut::Cut& slice, const std::vector<SheetStats>& sheets, const Contours& contours,
 	                 render::Scene& scene);
 	Result<std::shared_ptr<const render::SurfacePolygons>>
-	surfacePolygons(const cut::Cut& slice, const cut::SheetCut& sheet, const SheetStats& stats) const;
+	surfacePolygons(const mesh::SheetMesh& mesh, const Borders& borders, render::SheetValues values) const;
 	Result<render::Surface> surfaceOf(const cut::Cut& slice, std::size_t sheet, const SheetStats& stats,
 	                                  const render::SheetDrawing& drawing,
 	                                  const std::optional<render::ValueScale>& scale) const;

@@ -15,9 +15,9 @@ namespace vp::session
 /// threshold.
 bool goesFromRankToRank(const cut::CutRequest& request);
 
-/// Cuts as one process does that has the parts of all ranks. The search begins at the boundary of the whole, and at the
-/// hot spots: the lowest rank that finds one begins. Each rank tells those beside it through which faces its front goes
-/// out, and they go on from there, until no front is new. All ranks call this together.
+/// Cuts as one process does that has the parts of all ranks. The search begins at the boundary that this has, and at
+/// the hot spots: the lowest rank that finds one begins. Each rank tells those beside it through which faces its front
+/// goes out, and they go on from there, until no front is new. All ranks call this together.
 ///
 /// whole: per block, the block that one process would have in its place.
 Result<cut::Cut> cutFromRankToRank(Team& team, std::span<const std::uint32_t> whole, cut::Cutter& cutter,

@@ -255,6 +255,10 @@ Status fitsTeam(const view::ViewSpec& spec)
 	    !look.no_labels &&
 	    (look.lines > 0 || (probe.own && std::ranges::any_of(probe.own->probe.sheets, [](const auto& s)
 	                                                         { return s.wishes.lines.has_value(); })));
+	const bool is_window_in_plane =
+	    !probe.threshold && !view::implicitSurface(probe.surface) &&
+	    (probe.window || (probe.own && std::ranges::any_of(probe.own->probe.sheets,
+	                                                       [](const auto& s) { return s.window.has_value(); })));
 	struct Refused
 	{
 		bool given;
@@ -263,15 +267,11 @@ Status fitsTeam(const view::ViewSpec& spec)
 	};
 	const Refused refused[] = {
 	    {view::replacesSheets(probe.surface), "surface", "indices and patches are numbered in each part of the data"},
-	    // A search for a plane's cells starts at the boundary of each piece. So it finds what cells that a threshold
-	    // rejects close off in a piece, and in one process, which may have joined the pieces, it does not.
-	    {probe.threshold && !view::implicitSurface(probe.surface), "threshold",
-	     "what it shows of planes depends on where the parts of several processes meet"},
 	    {probe.vectors.on(), "vectors", "paths of particles lead from the part of one process into that of another"},
-	    {probe.seeds == seed::SeedMode::boundary, "seeds",
-	     "borders between the parts of processes would be taken for the boundary"},
-	    {!look.context.empty(), "context", "faces between the parts of two processes would be shown"},
-	    {look.outline == render::Outline::edges, "outline", "faces between the parts of two processes would be shown"},
+	    {probe.seeds == seed::SeedMode::boundary && is_window_in_plane, "seeds",
+	     "borders between the parts of processes in a window would be taken for the boundary"},
+	    {std::ranges::any_of(look.context, [](const auto& c) { return c.kind != view::ContextKind::boundary; }),
+	     "context", "indices and patches are numbered in each part of the data"},
 	    {look.color_by == view::ColorBy::generation, "color_by", "generations depend on how the parts were dealt out"},
 	    {spec.machine.visited.has_value(), "visited", "generations depend on how the parts were dealt out"},
 	    {spec.machine.strategy == find::Strategy::generations, "strategy",

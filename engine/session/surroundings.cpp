@@ -1,6 +1,7 @@
 #include "session/surroundings.h"
 
 #include "render/scene/farthest_points.h"
+#include "session/boundary_edges.h"
 #include "session/piece_outline.h"
 #include "session/share.h"
 
@@ -134,16 +135,23 @@ std::vector<Vec3> farthestOfAll(const Session& session)
 
 } // namespace
 
-Surroundings surroundingsOf(const Session& session, render::Outline outline)
+Result<Surroundings> surroundingsOf(const Session& session, render::Outline outline)
 {
 	if (!session.team)
-		return {render::outlineOf(session.blocks, outline), render::extentOf(session.blocks)};
+		return Surroundings{render::outlineOf(session.blocks, outline), render::extentOf(session.blocks)};
 	Surroundings around;
 	if (outline == render::Outline::box)
 	{
 		around.outline = boxOutlines(session);
 		const std::vector<render::Segment> curved = curvedOutlines(session);
 		around.outline.insert(around.outline.end(), curved.begin(), curved.end());
+	}
+	if (outline == render::Outline::edges)
+	{
+		Result<std::vector<render::Segment>> edges = boundaryEdgesOfAll(session);
+		if (!edges)
+			return edges.error();
+		around.outline = std::move(*edges);
 	}
 	if (std::ranges::any_of(session.blocks.blocks, isUnstructured))
 		around.extent = farthestOfAll(session);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/result.h"
 #include "render/scene/outline.h"
 #include "session/session.h"
 
@@ -16,6 +17,6 @@ struct Surroundings
 };
 
 /// Of the blocks of a session; with a team, of those of all ranks, as one process that holds them all would have it.
-Surroundings surroundingsOf(const Session& session, render::Outline outline);
+Result<Surroundings> surroundingsOf(const Session& session, render::Outline outline);
 
 } // namespace vp::session

@@ -101,6 +101,8 @@ std::vector<Segment> outlineOf(const grid::BlockSet& blocks, Outline outline)
 				addBox(block.bounds, segments);
 		}
 	}
+	if (outline == Outline::edges)
+		putInOrder(segments);
 	return segments;
 }
 
