@@ -4,6 +4,7 @@
 #include "base/progress.h"
 #include "base/stop_scope.h"
 #include "session/hot_spot_pieces.h"
+#include "session/particle_borders.h"
 #include "session/share.h"
 #include "session/sheet_traces.h"
 #include "session/team.h"
@@ -177,6 +178,7 @@ catch (const grid::WrongPoint& wrong)
 
 Status makeCutter(Session& session)
 {
+	session.particle_borders = std::make_shared<LazyParticleBorders>();
 	if (!classifiesOnGpu(session))
 	{
 		session.cutter = std::make_unique<cut::Cutter>(session.blocks);

@@ -267,7 +267,8 @@ Status fitsTeam(const view::ViewSpec& spec)
 	    // rejects close off in a piece, and in one process, which may have joined the pieces, it does not.
 	    {probe.threshold && !view::implicitSurface(probe.surface), "threshold",
 	     "what it shows of planes depends on where the parts of several processes meet"},
-	    {probe.vectors.on(), "vectors", "paths of particles lead from the part of one process into that of another"},
+	    {probe.vectors.on() && probe.vectors.path_lines, "path_lines",
+	     "each of several processes knows the vectors of one time"},
 	    {probe.seeds == seed::SeedMode::boundary, "seeds",
 	     "borders between the parts of processes would be taken for the boundary"},
 	    {!look.context.empty(), "context", "faces between the parts of two processes would be shown"},
