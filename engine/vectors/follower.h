@@ -65,15 +65,10 @@ private:
 			p_.record();
 		for (;;)
 		{
-			if (loader_.hasElsewhere())
+			if (loader_.isFar(walker_.cell()))
 			{
-				before_ = p_;
-				before_.stand = walker_.stand();
-				if (loader_.isFar(walker_.cell()))
-				{
-					p_.stand = before_.stand;
-					return std::nullopt;
-				}
+				p_.stand = walker_.stand();
+				return std::nullopt;
 			}
 			if (!finite(p_.vector))
 				p_.stop(TraceEnd::no_vector);
@@ -81,6 +76,11 @@ private:
 				arrive();
 			if (p_.end || p_.time >= span_.end)
 				return std::nullopt;
+			if (loader_.hasElsewhere())
+			{
+				before_ = p_;
+				before_.stand = walker_.stand();
+			}
 			if (const std::optional<Exit> exit = move(std::min(motion_.due(p_.points), span_.end)))
 				return exit;
 		}
