@@ -15,8 +15,9 @@ namespace vp::session
 namespace
 {
 
-/// Particles that go from rank to rank, in rounds: each rank follows those in its blocks as far as it can. Then it sends
-/// on those that have come to blocks of others, and asks others for cells of theirs, and for places that they may hold.
+/// Particles that go from rank to rank, in rounds: each rank follows those in its blocks as far as it can. Then it
+/// sends on those that have come to blocks of others, and asks others for cells of theirs, and for places that they may
+/// hold.
 class FlightOverRanks
 {
 public:
@@ -84,8 +85,7 @@ private:
 		{
 			to.push_back(messageFor(rank).take());
 			messageFor(rank) = {};
-			is_far = is_far ||
-			         (!to.back().empty() && rank != team_.rank() && !std::ranges::binary_search(near_, rank));
+			is_far = is_far || (!to.back().empty() && rank != team_.rank() && !std::ranges::binary_search(near_, rank));
 		}
 		return anyOf(team_, is_far) ? team_.exchange(std::move(to)) : team_.exchange(std::move(to), near_);
 	}

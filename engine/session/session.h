@@ -69,9 +69,9 @@ struct Session
 	// If several processes hold the blocks together: the blocks of others have no cells here. Functions that say so
 	// must then be called by all of them.
 	Team* team = nullptr;
-	std::shared_ptr<const Share> share{};                      // with a team
+	std::shared_ptr<const Share> share{};                    // with a team
 	std::shared_ptr<LazyParticleBorders> particle_borders{}; // with a team; of the blocks as they are now
-	std::uint64_t layer_bytes = 0;        // of pictures, sent to others
+	std::uint64_t layer_bytes = 0;                           // of pictures, sent to others
 };
 
 /// How to open a session, besides the settings.

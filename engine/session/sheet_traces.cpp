@@ -101,19 +101,19 @@ Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, s
 	const TimedSection section(session.timeline.get(), "trace");
 	const view::LaunchChoice& choice = *session.view.launch;
 	const probe::Sheet& content = slice.sheets[sheet].sheet;
-	const std::vector<vectors::Launch> launches =
-	    session.team ? launchOverRanks(*session.team, mesh, content, choice.lattice)
-	                 : vectors::launchLattice(mesh, content, choice.lattice).launches;
+	const std::vector<vectors::Launch> launches = session.team
+	                                                  ? launchOverRanks(*session.team, mesh, content, choice.lattice)
+	                                                  : vectors::launchLattice(mesh, content, choice.lattice).launches;
 	const vectors::TraceOptions options{.steps = choice.steps,
 	                                    .dt = session.launch.dt,
 	                                    .direction = choice.direction,
 	                                    .part = choice.part,
 	                                    .normal = content.normal};
-	Result<vectors::Traces> traces = session.launch.stored
-	                                     ? vectors::tracePathLines(session.blocks, *session.launch.stored,
-	                                                               session.launch.time, launches, options)
-	                                 : session.team ? traceOverRanks(session, choice.array, launches, options)
-	                                                : vectors::trace(session.blocks, choice.array, launches, options);
+	Result<vectors::Traces> traces =
+	    session.launch.stored
+	        ? vectors::tracePathLines(session.blocks, *session.launch.stored, session.launch.time, launches, options)
+	    : session.team ? traceOverRanks(session, choice.array, launches, options)
+	                   : vectors::trace(session.blocks, choice.array, launches, options);
 	if (!traces)
 		return traces.error();
 	return std::make_shared<const vectors::Traces>(std::move(*traces));

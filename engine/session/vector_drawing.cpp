@@ -144,7 +144,8 @@ Status VectorDrawing::make(Kept& kept, const cut::Cut& slice) const
 	render::SurfaceValues values;
 	if (kept.coloring.field)
 		values.at_vertices = made.values;
-	auto polygons = render::surfacePolygons(*session_->device, made.mesh, values, session_->team ? &elsewhere : nullptr);
+	auto polygons =
+	    render::surfacePolygons(*session_->device, made.mesh, values, session_->team ? &elsewhere : nullptr);
 	if (!polygons)
 		return polygons.error();
 	kept.polygons = std::move(*polygons);

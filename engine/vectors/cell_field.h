@@ -50,8 +50,8 @@ struct CellField
 	Vec3 vectorAt(const Vec3& u, int time) const { return vectors[time].at(shape, u); }
 };
 
-// Reads cells of one block. With others elsewhere (a lattice in pieces) also those of other pieces that are known. Their
-// numbers here begin behind those of the block.
+// Reads cells of one block. With others elsewhere (a lattice in pieces) also those of other pieces that are known.
+// Their numbers here begin behind those of the block.
 template <grid::Grid G>
 class CellLoader
 {
@@ -172,10 +172,7 @@ public:
 	}
 
 private:
-	const FarCell& far(CellId cell) const
-	{
-		return elsewhere_->cell(cell - static_cast<CellId>(grid_.cellCount()));
-	}
+	const FarCell& far(CellId cell) const { return elsewhere_->cell(cell - static_cast<CellId>(grid_.cellCount())); }
 
 	void readCorners(CellId cell, const grid::CellPoints& ids, std::array<Vec3, grid::kMaxShapePoints>& corner) const
 	{

@@ -95,8 +95,9 @@ std::vector<FarCell> cellsAround(const grid::BlockSet& blocks, std::span<const B
 	    {
 		    if constexpr (kIsLattice<G>)
 			    forCellsAround(grid, cell.cell,
-			                   [&](CellId near)
-			                   { cells.push_back(farCellOf(grid, vectors, borders, {cell.block, near})); });
+			                   [&](CellId near) {
+				                   cells.push_back(farCellOf(grid, vectors, borders, {cell.block, near}));
+			                   });
 	    },
 	    blocks.blocks[cell.block].grid);
 	return cells;

@@ -181,7 +181,8 @@ private:
 		{
 			if (!cell.fan.loaded)
 				loader_.loadFan(cell);
-			part_ = locate::deepestPart(loader_.fanPoints(cell.fan), cell.fan.faces, cell.origin, cell.fan.center, place);
+			part_ =
+			    locate::deepestPart(loader_.fanPoints(cell.fan), cell.fan.faces, cell.origin, cell.fan.center, place);
 			u_ = startOf(cell.shape);
 		}
 	}

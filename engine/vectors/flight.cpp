@@ -294,8 +294,8 @@ Traces Flight::take()
 std::optional<mesh::BlockCell> cellBeyond(locate::PlaceFinder& finder, std::uint32_t block, const Vec3& place,
                                           double reach, bool of_same_whole, CellId besides)
 {
-	const locate::Place& found = of_same_whole ? finder.findAtBoundary(block, place, reach, besides)
-	                                           : finder.findByTree(block, place);
+	const locate::Place& found =
+	    of_same_whole ? finder.findAtBoundary(block, place, reach, besides) : finder.findByTree(block, place);
 	if (!found.found())
 		return std::nullopt;
 	return mesh::BlockCell{block, found.cell};

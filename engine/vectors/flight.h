@@ -34,8 +34,8 @@ public:
 	                 std::span<const std::uint32_t> numbers);
 	std::vector<Particle>& particles() { return particles_; }
 	std::size_t ways() const { return ways_; } // particles of each launch
-	bool anyLeft(double sense) const;     // under way
-	void end(double sense, TraceEnd why); // of those that are under way
+	bool anyLeft(double sense) const;          // under way
+	void end(double sense, TraceEnd why);      // of those that are under way
 
 	Traces take();
 

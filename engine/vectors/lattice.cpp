@@ -75,7 +75,8 @@ SheetLattice launchLattice(const mesh::SheetMesh& mesh, const probe::Sheet& cont
 			const glm::dvec2 uv(area.x0 + in_lattice.x * area.width() / columns,
 			                    area.y0 + in_lattice.y * area.height() / rows);
 			if (const auto place = lookup.at(uv))
-				lattice.launches.push_back({positionAt(mesh, *place), place->cell.block, place->cell.cell, seed, place->inside});
+				lattice.launches.push_back(
+				    {positionAt(mesh, *place), place->cell.block, place->cell.cell, seed, place->inside});
 		}
 	return lattice;
 }

@@ -73,8 +73,8 @@ struct Exit
 // Where in its cell a particle is, from which the search for the next place begins.
 struct CellStand
 {
-	Vec3 u;       // in the cell, whose axes are those of the source
-	Vec3 place;   // that it was found for
+	Vec3 u;        // in the cell, whose axes are those of the source
+	Vec3 place;    // that it was found for
 	bool in_parts; // of the cell as tetrahedra
 };
 

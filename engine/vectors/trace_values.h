@@ -20,8 +20,8 @@ std::vector<double> valuesAt(const grid::BlockSet& blocks, const grid::FieldChoi
 // traces. Arrays of cells turn nothing. 0 where a block has no cells here.
 std::vector<double> turnRates(const grid::BlockSet& blocks, const grid::FieldChoice& vectors, const Traces& traces);
 
-// Returns for each point the angle by which the field has turned its contents since the launch: the rates over time (the
-// definition of stream ribbons by Darmofal and Haimes, 1992).
+// Returns for each point the angle by which the field has turned its contents since the launch: the rates over time
+// (the definition of stream ribbons by Darmofal and Haimes, 1992).
 std::vector<double> turnsAlong(std::span<const double> rates, const Traces& traces);
 
 } // namespace vp::vectors

@@ -47,31 +47,31 @@ void fillColumns(const grid::BlockSet& blocks, const Traces& traces, std::span<c
                  std::vector<Column>& columns)
 {
 	constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-	grid::forRanges(
-	    traces.points.size(),
-	    [&](std::size_t i)
-	    {
-		    thread_local locate::CellWeights weights;
-		    const std::uint32_t b = traces.blocks[i];
-		    const bool inside = traces.cells[i] != kNoCell && isHere(blocks.blocks[b]);
-		    if (inside)
-			    locate::weighCell(blocks.blocks[b], traces.cells[i], traces.points[i], weights);
-		    for (std::size_t a = 0; a < arrays.size(); ++a)
-		    {
-			    Column& column = columns[a];
-			    const grid::Field* field = arrays[a].per_block[b];
-			    for (int c = 0; c < column.components; ++c)
-			    {
-				    const bool known = inside && !weights.points.empty() && field && c < field->components;
-				    const double value =
-				        known ? std::visit([&](const auto& grid) { return valueAt(grid, *field, c, weights); },
-				                           blocks.blocks[b].grid)
-				              : kNan;
-				    const std::size_t number = i * static_cast<std::size_t>(column.components) + c;
-				    grid::storeNumber(column.type, value, &column.bytes[number * grid::byteSize(column.type)]);
-			    }
-		    }
-	    });
+	grid::forRanges(traces.points.size(),
+	                [&](std::size_t i)
+	                {
+		                thread_local locate::CellWeights weights;
+		                const std::uint32_t b = traces.blocks[i];
+		                const bool inside = traces.cells[i] != kNoCell && isHere(blocks.blocks[b]);
+		                if (inside)
+			                locate::weighCell(blocks.blocks[b], traces.cells[i], traces.points[i], weights);
+		                for (std::size_t a = 0; a < arrays.size(); ++a)
+		                {
+			                Column& column = columns[a];
+			                const grid::Field* field = arrays[a].per_block[b];
+			                for (int c = 0; c < column.components; ++c)
+			                {
+				                const bool known = inside && !weights.points.empty() && field && c < field->components;
+				                const double value = known ? std::visit([&](const auto& grid)
+				                                                        { return valueAt(grid, *field, c, weights); },
+				                                                        blocks.blocks[b].grid)
+				                                           : kNan;
+				                const std::size_t number = i * static_cast<std::size_t>(column.components) + c;
+				                grid::storeNumber(column.type, value,
+				                                  &column.bytes[number * grid::byteSize(column.type)]);
+			                }
+		                }
+	                });
 }
 
 std::int64_t sourceCellOf(const grid::BlockSet& blocks, std::uint32_t block, CellId cell)

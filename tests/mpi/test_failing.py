@@ -51,7 +51,7 @@ def test_a_place_that_cannot_be_written(programs, case, tmp_path):
 
 @pytest.mark.parametrize('asked', [('--surface', 'patch=wall'), ('--threshold', 0, 1),
                                    ('--strategy', 'generations'),
-                                   ('--seeds', 'boundary'), ('--vectors', 'tufts'),
+                                   ('--seeds', 'boundary'), ('--vectors', 'lines', '--path-lines'),
                                    ('-o', 'flat.png'), ('--line', 0, 0, 1, 1, '-o', 'line.csv')])
 def test_what_is_refused_names_the_remedy(programs, case, asked):
     assert 'vprobe' in fails(programs, 2, 'slice', case, *asked).removeprefix('vprobe-mpi: ')

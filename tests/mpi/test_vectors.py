@@ -3,13 +3,11 @@ import os
 
 import pytest
 
-import pieces
-
 SMALL = ('--size', '320x240')
 LONG = bool(os.environ.get('VPROBE_LONG'))
 PLANE = ('--normal', 0.3, 0.5, 0.8)
 LINES = ('--vectors', 'lines', '--vector-lattice', 9, '--vector-steps', 40, '--vector-direction', 'both')
-KINDS = ['tetrahedra', 'image', 'rectilinear', 'blocks', 'hexahedra']
+KINDS = ['image', 'tetrahedra', 'rectilinear', 'blocks', 'hexahedra']
 
 
 def values(path):
@@ -33,7 +31,7 @@ def values(path):
 
 @pytest.fixture
 def same_paths(programs, tmp_path):
-    """Asserts that both programs follow the same paths, to the last bit. Gives the number of lines."""
+    """Asserts that both programs follow the same paths, to the last bit."""
 
     def compare(rank_counts, *arguments):
         programs.plain('slice', *arguments, '--vectors-out', tmp_path / 'plain.vtp')
@@ -49,4 +47,39 @@ def same_paths(programs, tmp_path):
 
 @pytest.mark.parametrize('kind', KINDS)
 def test_paths(same_paths, cases, kind):
-    same_paths([2, 4], cases[kind], *PLANE, *LINES)
+    same_paths([1, 2, 3, 4] if LONG else [4], cases[kind], *PLANE, *LINES)
+
+
+@pytest.mark.parametrize('kind', ['rectilinear', 'image'])
+def test_paths_by_vectors_of_cells(same_paths, cases, kind):
+    same_paths([2, 4] if LONG else [3], cases[kind], *PLANE, *LINES, '--vector-array', 'cell:flow')
+
+
+@pytest.mark.parametrize('kind', KINDS)
+def test_figures(same_figures, cases, kind):
+    told = same_figures(3, cases[kind], *PLANE, *LINES, '--vector-part', 'tangential')
+    sheet = told['sheets'][0]
+    assert sheet['vectors']['traces'] > 20 and sheet['flux'] != 0
+
+
+def test_a_window_and_jitter(same_paths, cases):
+    same_paths([2], cases['hexahedra'], '--probe', 'trihedral', '--window', 0.9, 0.7, '--vectors', 'tufts',
+               '--vector-jitter', 1)
+
+
+@pytest.mark.gpu
+@pytest.mark.parametrize('kind, look', [('hexahedra', ('tubes', '--vector-color', 's', '--samples', 1)), ('image', ('lines',)),
+                                        ('tetrahedra', ('tufts', '--vector-opacity', 0.9)),
+                                        ('blocks', ('ribbons', '--vector-opacity', 0.5))],
+                         ids=['tubes', 'lines', 'tufts', 'ribbons'])
+def test_pictures(same_pictures, cases, kind, look):
+    same_pictures([1, 2, 4] if LONG else [3], cases[kind], *PLANE, '--opacity', 0.6, '--vectors', *look,
+                  '--vector-lattice', 8, *SMALL)
+
+
+SHARED = ['multiblock/multi_bin/multi-bin-C.xyz', 'unstructured/disk_out_ref/disk_out_ref.ex2']
+
+
+@pytest.mark.parametrize('name', SHARED)
+def test_shared_data_sets(same_paths, shared_data, name):
+    same_paths([3], shared_data / name, '--normal', 1, 0, 0, '--vectors', 'lines', '--vector-lattice', 6)
