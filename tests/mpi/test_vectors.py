@@ -74,12 +74,12 @@ def test_a_window_and_jitter(same_paths, cases):
                          ids=['tubes', 'lines', 'tufts', 'ribbons'])
 def test_pictures(same_pictures, cases, kind, look):
     same_pictures([1, 2, 4] if LONG else [3], cases[kind], *PLANE, '--opacity', 0.6, '--vectors', *look,
-                  '--vector-lattice', 8, *SMALL)
+                  '--vector-lattice', 5, '--vector-steps', 4, *SMALL)
 
 
 SHARED = ['multiblock/multi_bin/multi-bin-C.xyz', 'unstructured/disk_out_ref/disk_out_ref.ex2']
 
 
-@pytest.mark.parametrize('name', SHARED)
+@pytest.mark.parametrize('name', SHARED if LONG else SHARED[1:])
 def test_shared_data_sets(same_paths, shared_data, name):
     same_paths([3], shared_data / name, '--normal', 1, 0, 0, '--vectors', 'lines', '--vector-lattice', 6)
