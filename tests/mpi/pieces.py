@@ -165,6 +165,16 @@ def write_lattice(folder, kind, n, counts):
     return path
 
 
+def write_image(path, n, origin, spacing):
+    """An image of n cells a side whose first point lies at `origin` along x."""
+    grid = vtk.vtkImageData()
+    grid.SetDimensions(n + 1, n + 1, n + 1)
+    grid.SetOrigin(origin, 0.0, 0.0)
+    grid.SetSpacing(spacing, spacing, spacing)
+    add_arrays(grid, np.array([grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())]))
+    write(vtk.vtkXMLImageDataWriter(), grid, path)
+
+
 def write_blocks(folder, grid, counts):
     """A warped box as structured blocks of a .vtm. Gives the index."""
     n = grid.GetDimensions()[0] - 1

@@ -67,8 +67,18 @@ def test_a_window_and_jitter(same_paths, cases):
                '--vector-jitter', 1)
 
 
+def test_blocks_that_overlap(same_paths, tmp_path):
+    import pieces  # which is skipped where VTK is not
+
+    files = [tmp_path / name for name in ('a.vti', 'b.vti')]
+    for file, origin, spacing in zip(files, (0.0, 0.83), (0.1, 0.07)):
+        pieces.write_image(file, 10, origin, spacing)
+    same_paths([2], *files, '--normal', 0.2, 0.3, 1, *LINES)
+
+
 @pytest.mark.gpu
-@pytest.mark.parametrize('kind, look', [('hexahedra', ('tubes', '--vector-color', 's', '--samples', 1)), ('image', ('lines',)),
+@pytest.mark.parametrize('kind, look', [('hexahedra', ('tubes', '--vector-color', 's', '--samples', 1)),
+                                        ('image', ('lines',)),
                                         ('tetrahedra', ('tufts', '--vector-opacity', 0.9)),
                                         ('blocks', ('ribbons', '--vector-opacity', 0.5))],
                          ids=['tubes', 'lines', 'tufts', 'ribbons'])
