@@ -166,10 +166,10 @@ def write_lattice(folder, kind, n, counts):
 
 
 def write_image(path, n, origin, spacing):
-    """An image of n cells a side whose first point lies at `origin` along x."""
+    """An image of n cells a side."""
     grid = vtk.vtkImageData()
     grid.SetDimensions(n + 1, n + 1, n + 1)
-    grid.SetOrigin(origin, 0.0, 0.0)
+    grid.SetOrigin(*origin)
     grid.SetSpacing(spacing, spacing, spacing)
     add_arrays(grid, np.array([grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())]))
     write(vtk.vtkXMLImageDataWriter(), grid, path)
