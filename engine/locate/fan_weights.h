@@ -42,9 +42,9 @@ struct FanPart
 	}
 };
 
-// Means and places are relative to a point of the cell.
-template <grid::Grid G>
-FanPart deepestPart(const G& grid, const grid::CellFaces& faces, const Vec3& origin, const Vec3& center,
+// Means and places are relative to a point of the cell. grid: a grid, or what else knows point(PointId) of the faces.
+template <class Points>
+FanPart deepestPart(const Points& grid, const grid::CellFaces& faces, const Vec3& origin, const Vec3& center,
                     const Vec3& place)
 {
 	FanPart deepest;

@@ -3,6 +3,7 @@
 #include "base/messages.h"
 #include "base/progress.h"
 #include "base/stop_scope.h"
+#include "session/particle_borders.h"
 #include "session/rank_to_rank.h"
 #include "session/share.h"
 #include "session/sheet_traces.h"
@@ -177,6 +178,7 @@ catch (const grid::WrongPoint& wrong)
 
 Status makeCutter(Session& session)
 {
+	session.particle_borders = std::make_shared<LazyParticleBorders>();
 	if (!classifiesOnGpu(session))
 	{
 		session.cutter = std::make_unique<cut::Cutter>(session.blocks);

@@ -21,8 +21,9 @@
 namespace vp::session
 {
 
-class Team;   // team.h
-struct Share; // share.h
+class Team;                // team.h
+struct Share;              // share.h
+class LazyParticleBorders; // particle_borders.h
 
 // A session is a pipeline, and a caller may stop after any stage:
 //
@@ -68,8 +69,9 @@ struct Session
 	// If several processes hold the blocks together: the blocks of others have no cells here. Functions that say so
 	// must then be called by all of them.
 	Team* team = nullptr;
-	std::shared_ptr<const Share> share{}; // with a team
-	std::uint64_t layer_bytes = 0;        // of pictures, sent to others
+	std::shared_ptr<const Share> share{};                    // with a team
+	std::shared_ptr<LazyParticleBorders> particle_borders{}; // with a team; of the blocks as they are now
+	std::uint64_t layer_bytes = 0;                           // of pictures, sent to others
 };
 
 /// How to open a session, besides the settings.

@@ -267,7 +267,8 @@ Status fitsTeam(const view::ViewSpec& spec)
 	};
 	const Refused refused[] = {
 	    {view::replacesSheets(probe.surface), "surface", "indices and patches are numbered in each part of the data"},
-	    {probe.vectors.on(), "vectors", "paths of particles lead from the part of one process into that of another"},
+	    {probe.vectors.on() && probe.vectors.path_lines, "path_lines",
+	     "each of several processes knows the vectors of one time"},
 	    {probe.seeds == seed::SeedMode::boundary && is_window_in_plane, "seeds",
 	     "borders between the parts of processes in a window would be taken for the boundary"},
 	    {std::ranges::any_of(look.context, [](const auto& c) { return c.kind != view::ContextKind::boundary; }),

@@ -1,8 +1,9 @@
 #include "session/sheet_traces.h"
 
-#include "session/team.h"
-
+#include "session/joined_traces.h"
 #include "session/stored_vectors.h"
+#include "session/team.h"
+#include "session/value_scale.h"
 #include "vectors/flux.h"
 #include "vectors/tracer.h"
 #include "vectors/vector_array.h"
@@ -25,16 +26,6 @@ bool hasVectors(const grid::BlockSet& blocks, const grid::FieldChoice& array)
 	                           [](const grid::Field* field) { return field && field->components == 3; });
 }
 
-// Anywhere in the blocks.
-double fastest(const grid::BlockSet& blocks, const grid::FieldChoice& array)
-{
-	grid::ValueSpan span;
-	for (const grid::Field* field : array.inEach(blocks))
-		if (field)
-			span.include(grid::valueSpan(*field, grid::kMagnitude));
-	return span.range().second;
-}
-
 // The fastest particle goes as far as the lattice's points are apart.
 void takeStep(Session& session)
 {
@@ -46,7 +37,7 @@ void takeStep(Session& session)
 		return;
 	}
 	if (!launch.fastest || launch.fastest->first != choice.array)
-		launch.fastest = {choice.array, fastest(session.blocks, choice.array)};
+		launch.fastest = {choice.array, spanOf(session, choice.array).range().second};
 	const double dt = choice.spacing / launch.fastest->second;
 	launch.dt = std::isfinite(dt) && dt > 0.0 ? dt : 1.0;
 }
@@ -110,16 +101,19 @@ Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, s
 	const TimedSection section(session.timeline.get(), "trace");
 	const view::LaunchChoice& choice = *session.view.launch;
 	const probe::Sheet& content = slice.sheets[sheet].sheet;
-	const vectors::SheetLattice lattice = vectors::launchLattice(mesh, content, choice.lattice);
+	const std::vector<vectors::Launch> launches = session.team
+	                                                  ? launchOverRanks(*session.team, mesh, content, choice.lattice)
+	                                                  : vectors::launchLattice(mesh, content, choice.lattice).launches;
 	const vectors::TraceOptions options{.steps = choice.steps,
 	                                    .dt = session.launch.dt,
 	                                    .direction = choice.direction,
 	                                    .part = choice.part,
 	                                    .normal = content.normal};
-	Result<vectors::Traces> traces = session.launch.stored
-	                                     ? vectors::tracePathLines(session.blocks, *session.launch.stored,
-	                                                               session.launch.time, lattice.launches, options)
-	                                     : vectors::trace(session.blocks, choice.array, lattice.launches, options);
+	Result<vectors::Traces> traces =
+	    session.launch.stored
+	        ? vectors::tracePathLines(session.blocks, *session.launch.stored, session.launch.time, launches, options)
+	    : session.team ? traceOverRanks(session, choice.array, launches, options)
+	                   : vectors::trace(session.blocks, choice.array, launches, options);
 	if (!traces)
 		return traces.error();
 	return std::make_shared<const vectors::Traces>(std::move(*traces));

@@ -1,6 +1,8 @@
 #include "session/vector_drawing.h"
 
 #include "render/passes/surface_polygons.h"
+#include "session/joined_traces.h"
+#include "session/team.h"
 #include "vectors/trace_values.h"
 
 #include <fmt/format.h>
@@ -88,7 +90,18 @@ std::vector<double> VectorDrawing::valuesOf(const Coloring& coloring, const vect
 		return std::vector<double>(traces.points.size());
 	if (coloring.field == session_->view.vector_array)
 		return lengthsOf(traces);
-	return vectors::valuesAt(session_->blocks, *coloring.field, traces);
+	std::vector<double> values = vectors::valuesAt(session_->blocks, *coloring.field, traces);
+	if (session_->team)
+		takeFromOwners(*session_, traces, values);
+	return values;
+}
+
+std::vector<double> VectorDrawing::turnsOf(const vectors::Traces& traces) const
+{
+	std::vector<double> rates = vectors::turnRates(session_->blocks, *session_->view.vector_array, traces);
+	if (session_->team)
+		takeFromOwners(*session_, traces, rates);
+	return vectors::turnsAlong(rates, traces);
 }
 
 void VectorDrawing::addTraces(const vectors::Traces& traces, const Vec3& normal, const Coloring& coloring, double width,
@@ -107,8 +120,7 @@ void VectorDrawing::addTraces(const vectors::Traces& traces, const Vec3& normal,
 	case view::TraceKind::tubes:
 		return vectors::addTubes(curves, values, width, made);
 	case view::TraceKind::ribbons:
-		const auto turns = vectors::turnsAlong(session_->blocks, *session_->view.vector_array, traces);
-		return vectors::addRibbons(curves, values, width, normal, vectors::alongCurves(curves, turns), made);
+		return vectors::addRibbons(curves, values, width, normal, vectors::alongCurves(curves, turnsOf(traces)), made);
 	}
 }
 
@@ -119,10 +131,21 @@ Status VectorDrawing::make(Kept& kept, const cut::Cut& slice) const
 	for (std::size_t s = 0; s < kept.traces.size(); ++s)
 		addTraces(*kept.traces[s], slice.sheets[s].sheet.normal, kept.coloring, width, made);
 	kept.has_nan = std::ranges::any_of(made.values, [](double value) { return std::isnan(value); });
+	render::SurfaceElsewhere elsewhere;
+	if (session_->team) // all ranks have the paths, and the first one draws them
+	{
+		Box box;
+		for (const Vec3& place : made.mesh.positions)
+			box.include(place);
+		elsewhere.origin = box.empty() ? Vec3(0.0) : box.center();
+		if (!session_->team->isFirst())
+			made = {};
+	}
 	render::SurfaceValues values;
 	if (kept.coloring.field)
 		values.at_vertices = made.values;
-	auto polygons = render::surfacePolygons(*session_->device, made.mesh, values);
+	auto polygons =
+	    render::surfacePolygons(*session_->device, made.mesh, values, session_->team ? &elsewhere : nullptr);
 	if (!polygons)
 		return polygons.error();
 	kept.polygons = std::move(*polygons);

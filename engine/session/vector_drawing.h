@@ -48,6 +48,7 @@ private:
 
 	Result<Coloring> coloringOf(const view::ResolvedVectorLook& look) const;
 	std::vector<double> valuesOf(const Coloring& coloring, const vectors::Traces& traces) const;
+	std::vector<double> turnsOf(const vectors::Traces& traces) const;
 	void addTraces(const vectors::Traces& traces, const Vec3& normal, const Coloring& coloring, double width,
 	               vectors::TraceMesh& made) const;
 	Status make(Kept& kept, const cut::Cut& slice) const;

@@ -1,11 +1,16 @@
 #pragma once
 
-#include "vectors/cell_field.h"
+#include "grid/grid.h"
+#include "grid/structured.h"
 
+#include <concepts>
 #include <limits>
 
 namespace vp::vectors
 {
+
+template <grid::Grid G>
+constexpr bool kIsLattice = std::derived_from<G, grid::Lattice>;
 
 // Returns the cell across a face. If there are several, it is the one whose center is nearest to a place, as in fence
 // hopping. Returns kNoCell on the boundary.

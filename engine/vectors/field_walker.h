@@ -1,7 +1,7 @@
 #pragma once
 
-#include "vectors/cell_across.h"
 #include "vectors/cell_field.h"
+#include "vectors/particle.h"
 
 #include <array>
 #include <cmath>
@@ -45,6 +45,18 @@ public:
 	// stays: takes all places in the cell of the last one, for arrays on cells.
 	FieldWalker(const CellLoader<G>& loader, bool stays) : loader_(loader), stays_(stays) {}
 
+	// Goes on where a walk has been, in another walker or in another process.
+	void resume(CellId cell, const CellStand& stand)
+	{
+		moveTo(cell);
+		u_ = fromSource(loader_.axes(), stand.u);
+		place_ = stand.place;
+		part_.reset();
+		if (stand.in_parts)
+			part_.emplace();
+		predicts_ = false;
+	}
+	CellStand stand() const { return {toSource(loader_.axes(), u_), place_, part_.has_value()}; }
 	void startIn(CellId cell)
 	{
 		moveTo(cell);
@@ -118,7 +130,7 @@ public:
 	}
 
 	// Returns the cell across a face of the present cell, kNoCell on the boundary.
-	CellId across(int face) const { return cellAcross(loader_.grid(), here().cell, face, place_); }
+	CellId across(int face) const { return loader_.across(here().cell, face, place_); }
 
 private:
 	static constexpr int kMaxHops = 64; // steps are kept as short as a cell
@@ -169,7 +181,8 @@ private:
 		{
 			if (!cell.fan.loaded)
 				loader_.loadFan(cell);
-			part_ = locate::deepestPart(loader_.grid(), cell.fan.faces, cell.origin, cell.fan.center, place);
+			part_ =
+			    locate::deepestPart(loader_.fanPoints(cell.fan), cell.fan.faces, cell.origin, cell.fan.center, place);
 			u_ = startOf(cell.shape);
 		}
 	}

@@ -1,13 +1,12 @@
 #include "vectors/flight.h"
 
-#include "locate/place.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vp::vectors
 {
@@ -17,13 +16,27 @@ namespace
 
 constexpr std::size_t kTaken = 16; // particles by a thread at a time: enough to spread, few to wait for
 
+int faceHere(const grid::AnyGrid& grid, int face)
+{
+	return std::visit(
+	    [&]<class G>(const G& g)
+	    {
+		    if constexpr (kIsLattice<G>)
+			    return faceOfSource(axesOf(g), face);
+		    else
+			    return face;
+	    },
+	    grid);
+}
+
 // Particles of a thread, from block to block.
 class Pilot
 {
 public:
+	// elsewhere: null if all blocks are here.
 	Pilot(const grid::BlockSet& blocks, std::span<const Flight::BlockTimes> vectors, const Motion& motion,
-	      const TimeSpan& span)
-	    : blocks_(blocks), vectors_(vectors), motion_(motion), span_(span), finder_(blocks)
+	      const TimeSpan& span, const Elsewhere* elsewhere = nullptr)
+	    : blocks_(blocks), vectors_(vectors), motion_(motion), span_(span), elsewhere_(elsewhere), finder_(blocks)
 	{
 	}
 
@@ -31,26 +44,48 @@ public:
 	{
 		if (particle.cell == kNoCell && !locateLaunch(particle))
 			return particle.stop(TraceEnd::left_grid);
-		while (!particle.end)
+		while (!particle.end && isHere(particle.block))
 		{
-			const Flight::BlockTimes& vectors = vectors_[particle.block];
-			if (!std::ranges::all_of(vectors, &BlockVectors::known))
-			{
-				particle.vector = Vec3(std::numeric_limits<double>::quiet_NaN());
-				return particle.stop(TraceEnd::no_vector);
-			}
-			const std::optional<Exit> exit = std::visit(
-			    [&](const auto& grid)
-			    { return Follower(CellLoader(grid, TimedVectors(vectors)), motion_, span_, particle).follow(); },
-			    blocks_.blocks[particle.block].grid);
-			if (!exit)
+			if (!particle.exit && !follow(particle))
 				return;
-			if (!crossSeam(particle, *exit) && !findBeyond(particle, *exit))
-				particle.stop(TraceEnd::left_grid);
+			if (!particle.exit || !isHere(particle.block))
+				continue;
+			const Exit exit = *std::exchange(particle.exit, std::nullopt);
+			if (crossSeam(particle, exit) || findBeyond(particle, exit))
+				continue;
+			if (particle.asked)
+				return;
+			particle.stop(TraceEnd::left_grid);
 		}
 	}
 
 private:
+	bool isHere(std::uint32_t block) const { return !elsewhere_ || elsewhere_->isHere(block); }
+	bool areOneWhole(std::uint32_t a, std::uint32_t b) const
+	{
+		return elsewhere_ ? elsewhere_->borders().whole[a] == elsewhere_->borders().whole[b] : a == b;
+	}
+
+	// Within the block that it is in. Returns true if it goes on from there at once.
+	bool follow(Particle& particle)
+	{
+		const Flight::BlockTimes& vectors = vectors_[particle.block];
+		if (!std::ranges::all_of(vectors, &BlockVectors::known))
+		{
+			particle.vector = Vec3(std::numeric_limits<double>::quiet_NaN());
+			particle.stop(TraceEnd::no_vector);
+			return false;
+		}
+		particle.exit = std::visit(
+		    [&](const auto& grid)
+		    {
+			    const CellLoader loader(grid, TimedVectors(vectors), particle.block, elsewhere_);
+			    return Follower(loader, motion_, span_, particle).follow();
+		    },
+		    blocks_.blocks[particle.block].grid);
+		return !particle.missing && (particle.exit || particle.stand);
+	}
+
 	bool locateLaunch(Particle& particle)
 	{
 		const locate::Place& found = finder_.find(particle.place);
@@ -60,13 +95,24 @@ private:
 		return found.found();
 	}
 
-	// Of several cells on the face the one in which the particle lies deepest.
+	// Of several cells on the face the one in which the particle lies deepest; those of other processes come last.
 	bool crossSeam(Particle& particle, const Exit& exit)
 	{
-		const grid::BlockSeams* seams = blocks_.interfaces.of(particle.block);
-		if (!seams)
+		const mesh::BlockCell cell{particle.block, particle.cell};
+		const int face = faceHere(blocks_.blocks[cell.block].grid, exit.face);
+		if (const grid::BlockSeams* seams = blocks_.interfaces.of(cell.block))
+			if (crossTo(particle, seams->of(cell.cell, static_cast<std::uint32_t>(face))))
+				return true;
+		if (!elsewhere_)
 			return false;
-		const auto links = seams->of(particle.cell, static_cast<std::uint32_t>(exit.face));
+		const auto others = elsewhere_->borders().acrossFace(cell, face);
+		if (!others.empty())
+			moveTo(particle, others.front());
+		return !others.empty();
+	}
+
+	bool crossTo(Particle& particle, std::span<const grid::SeamLink> links)
+	{
 		double deepest = -std::numeric_limits<double>::infinity();
 		for (const grid::SeamLink& link : links)
 		{
@@ -75,40 +121,55 @@ private:
 			if (links.size() > 1 && !(weights_.depth > deepest))
 				continue;
 			deepest = weights_.depth;
-			particle.block = link.block;
-			particle.cell = link.other;
+			moveTo(particle, {link.block, link.other});
 		}
 		return !links.empty();
 	}
 
+	static void moveTo(Particle& particle, const mesh::BlockCell& cell)
+	{
+		particle.block = cell.block;
+		particle.cell = cell.cell;
+	}
+
 	// Blocks that overlap, or abut without meeting face to face; in the same block, faces that meet others in part
-	// only, and the far side of an axis that faces are collapsed to.
+	// only, and the far side of an axis that faces are collapsed to. Asks if blocks that come first are elsewhere.
 	bool findBeyond(Particle& particle, const Exit& exit)
 	{
 		constexpr std::size_t kMaxIdle = 4;
 		if (particle.idle > kMaxIdle)
 			return false;
 		const Vec3 velocity = particle.sense * motion_.moving(particle.vector);
-		const Vec3 beyond = particle.place + kBeyond / exit.rate * velocity;
-		for (std::uint32_t b = 0; b < blocks_.blocks.size(); ++b)
-		{
-			const bool own = b == particle.block;
-			const locate::Place& found =
-			    own ? finder_.findAtBoundary(b, beyond, glm::length(beyond - particle.place), particle.cell)
-			        : finder_.findByTree(b, beyond);
-			if (!found.found())
-				continue;
-			particle.block = b;
-			particle.cell = found.cell;
-			return true;
-		}
-		return false;
+		AskedPlace asked;
+		asked.place = particle.place + kBeyond / exit.rate * velocity;
+		asked.reach = glm::length(asked.place - particle.place);
+		for (std::uint32_t b = 0; b < blocks_.blocks.size() && !asked.own; ++b)
+			if (isHere(b))
+				asked.own = cellBeyond(finder_, b, asked.place, asked.reach, areOneWhole(b, particle.block),
+				                       b == particle.block ? particle.cell : kNoCell);
+			else if (mayHold(b, asked.place))
+				asked.blocks.push_back(b);
+		if (!asked.blocks.empty())
+			particle.asked = std::move(asked);
+		else if (asked.own)
+			moveTo(particle, *asked.own);
+		return !particle.asked && asked.own;
+	}
+
+	bool mayHold(std::uint32_t block, const Vec3& place) const
+	{
+		constexpr double kRounding = 1e-9;
+		const Box& box = blocks_.blocks[block].bounds;
+		const Vec3 margin(kRounding * box.diagonal());
+		return glm::all(glm::lessThanEqual(box.lo - margin, place)) &&
+		       glm::all(glm::lessThanEqual(place, box.hi + margin));
 	}
 
 	const grid::BlockSet& blocks_;
 	std::span<const Flight::BlockTimes> vectors_;
 	const Motion& motion_;
 	const TimeSpan& span_;
+	const Elsewhere* elsewhere_;
 	locate::PlaceFinder finder_;
 	locate::CellWeights weights_{};
 };
@@ -159,6 +220,18 @@ Status Flight::advance(std::span<const BlockTimes> vectors, double sense, const 
 	if (stop.stop_requested())
 		return Error{ErrorKind::cancelled, "tracing was cancelled"};
 	return Nothing{};
+}
+
+void Flight::advanceHere(std::span<const BlockTimes> vectors, const TimeSpan& span, const Elsewhere& elsewhere,
+                         std::span<const std::uint32_t> numbers)
+{
+	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, numbers.size(), kTaken),
+	                  [&](const tbb::blocked_range<std::size_t>& range)
+	                  {
+		                  Pilot pilot(blocks_, vectors, motion_, span, &elsewhere);
+		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
+			                  pilot.fly(particles_[numbers[i]]);
+	                  });
 }
 
 bool Flight::anyLeft(double sense) const
@@ -216,6 +289,16 @@ Traces Flight::take()
 		                  particle.path = {};
 	                  });
 	return traces;
+}
+
+std::optional<mesh::BlockCell> cellBeyond(locate::PlaceFinder& finder, std::uint32_t block, const Vec3& place,
+                                          double reach, bool of_same_whole, CellId besides)
+{
+	const locate::Place& found =
+	    of_same_whole ? finder.findAtBoundary(block, place, reach, besides) : finder.findByTree(block, place);
+	if (!found.found())
+		return std::nullopt;
+	return mesh::BlockCell{block, found.cell};
 }
 
 } // namespace vp::vectors

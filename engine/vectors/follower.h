@@ -21,13 +21,6 @@ struct TimeSpan
 	double between(double time) const { return end == HUGE_VAL ? 0.0 : (time - begin) / (end - begin); }
 };
 
-// A place on a face through which a particle left its block.
-struct Exit
-{
-	int face;
-	double rate; // cells a unit of time, of the motion there
-};
-
 // Moves one particle within one block. Substeps are as long as the error allows, in the coordinates of the cell, and no
 // longer than a cell: so nothing is stepped over. A step whose end is outside is shortened until it ends on the face.
 template <grid::Grid G>
@@ -35,30 +28,64 @@ class Follower
 {
 public:
 	Follower(const CellLoader<G>& loader, const Motion& motion, const TimeSpan& span, Particle& particle)
-	    : walker_(loader, loader.onCells()), stays_(loader.onCells()), motion_(motion), span_(span), p_(particle)
+	    : loader_(loader), walker_(loader, loader.onCells()), stays_(loader.onCells()), motion_(motion), span_(span),
+	      p_(particle)
 	{
 	}
 
-	// Until it ends, until the span does, or until it stands on a face that leads out of the block: then that.
+	// Until it ends, until the span does, or until it stands on a face that leads out of the block: then that. In
+	// pieces of a lattice also until it is in another piece, where it has a stand, or until a cell is missing.
 	std::optional<Exit> follow()
 	{
-		enter();
-		if (p_.path.empty())
-			p_.record();
-		for (;;)
+		if (!loader_.hasElsewhere())
+			return followOn();
+		before_ = p_;
+		try
 		{
-			if (!finite(p_.vector))
-				p_.stop(TraceEnd::no_vector);
-			while (!p_.end && p_.time >= motion_.due(p_.path.size()))
-				arrive();
-			if (p_.end || p_.time >= span_.end)
-				return std::nullopt;
-			if (const std::optional<Exit> exit = move(std::min(motion_.due(p_.path.size()), span_.end)))
-				return exit;
+			return followOn();
+		}
+		catch (const MissingCell& missing)
+		{
+			static_cast<ParticleState&>(p_) = before_;
+			p_.missing = missing.cell;
+			return std::nullopt;
 		}
 	}
 
 private:
+	std::optional<Exit> followOn()
+	{
+		const CellId first = loader_.numberOf({p_.block, p_.cell});
+		if (p_.stand)
+			walker_.resume(first, *p_.stand);
+		else
+			enter(first);
+		p_.stand.reset();
+		if (p_.points == 0)
+			p_.record();
+		for (;;)
+		{
+			if (loader_.isFar(walker_.cell()))
+			{
+				p_.stand = walker_.stand();
+				return std::nullopt;
+			}
+			if (!finite(p_.vector))
+				p_.stop(TraceEnd::no_vector);
+			while (!p_.end && p_.time >= motion_.due(p_.points))
+				arrive();
+			if (p_.end || p_.time >= span_.end)
+				return std::nullopt;
+			if (loader_.hasElsewhere())
+			{
+				before_ = p_;
+				before_.stand = walker_.stand();
+			}
+			if (const std::optional<Exit> exit = move(std::min(motion_.due(p_.points), span_.end)))
+				return exit;
+		}
+	}
+
 	static constexpr double kReach = 1.0; // cells a substep: two might step over a third
 	// Cells: so short a substep is taken whatever its error, at a kink of the field.
 	static constexpr double kMin = 1e-3;
@@ -73,7 +100,7 @@ private:
 	void arrive()
 	{
 		// A step of no length, as the last of a whole number of them, leaves no second point.
-		if (p_.path.back().time < p_.time)
+		if (p_.last_time < p_.time)
 			p_.record();
 		p_.substeps = 0;
 		if (p_.time >= motion_.total())
@@ -161,7 +188,7 @@ private:
 		p_.place = tried.place;
 		p_.time = time;
 		p_.vector = tried.vector;
-		p_.cell = walker_.cell();
+		take(walker_.cell());
 		p_.idle = 0;
 	}
 
@@ -234,36 +261,45 @@ private:
 			p_.time += in.h;
 			p_.vector = in.vector;
 		}
-		p_.cell = out.cell;
+		take(out.cell);
 		p_.idle = moved ? 1 : p_.idle + 1;
 		if (p_.idle > kMaxIdle)
 			return stop(TraceEnd::zero_vector); // vectors on both sides of a face run against each other
-		enter();
+		enter(out.cell);
 		if (stays_)
 			if (const CellId next = walker_.across(out.face); next != kNoCell)
 			{
-				p_.cell = next;
-				enter();
+				enter(next);
 				return std::nullopt;
 			}
-		p_.cell = out.cell; // whose face it is, though on an edge others may hold the place
+		take(out.cell); // whose face it is, though on an edge others may hold the place
 		const Vec3 velocity = p_.sense * motion_.moving(p_.vector);
-		return Exit{out.face, largest(locate::applied(walker_.measureCell(), velocity))};
+		const int face = kIsLattice<G> ? sourceFace(loader_.axes(), out.face) : out.face;
+		return Exit{face, largest(locate::applied(walker_.measureCell(), velocity))};
 	}
 
-	// Takes the particle's cell, or the one beside it that holds its place.
-	void enter()
+	void take(CellId cell)
 	{
-		walker_.startIn(p_.cell);
-		p_.vector = walker_.at(p_.place, span_.between(p_.time)).vector;
-		p_.cell = walker_.cell();
+		const mesh::BlockCell id = loader_.idOf(cell);
+		p_.block = id.block;
+		p_.cell = id.cell;
 	}
 
+	// Takes a cell, or the one beside it that holds the particle's place.
+	void enter(CellId cell)
+	{
+		walker_.startIn(cell);
+		p_.vector = walker_.at(p_.place, span_.between(p_.time)).vector;
+		take(walker_.cell());
+	}
+
+	const CellLoader<G>& loader_;
 	FieldWalker<G> walker_;
 	bool stays_;
 	const Motion& motion_;
 	const TimeSpan& span_;
 	Particle& p_;
+	ParticleState before_; // the present substep
 	// Of the present substep.
 	Vec3 velocity_{0.0};
 	std::array<Vec3, 3> inverse_{};

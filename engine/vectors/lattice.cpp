@@ -23,19 +23,6 @@ double hashed(std::uint64_t place)
 	return static_cast<double>(place >> 11) * 0x1p-53;
 }
 
-probe::Window boundsOf(const mesh::SheetMesh& mesh, const probe::Sheet& content)
-{
-	const std::vector<glm::dvec2> points = measure::planePoints(mesh, content);
-	glm::dvec2 lo = points.front();
-	glm::dvec2 hi = lo;
-	for (const glm::dvec2& p : points)
-	{
-		lo = glm::min(lo, p);
-		hi = glm::max(hi, p);
-	}
-	return {lo.x, hi.x, lo.y, hi.y};
-}
-
 Vec3 positionAt(const mesh::SheetMesh& mesh, const measure::SheetPlace& place)
 {
 	const auto corners = mesh.polygon(place.polygon);
@@ -49,12 +36,30 @@ Vec3 positionAt(const mesh::SheetMesh& mesh, const measure::SheetPlace& place)
 
 } // namespace
 
+probe::Window boundsInPlane(const mesh::SheetMesh& mesh, const probe::Sheet& content)
+{
+	const std::vector<glm::dvec2> points = measure::planePoints(mesh, content);
+	glm::dvec2 lo = points.front();
+	glm::dvec2 hi = lo;
+	for (const glm::dvec2& p : points)
+	{
+		lo = glm::min(lo, p);
+		hi = glm::max(hi, p);
+	}
+	return {lo.x, hi.x, lo.y, hi.y};
+}
+
 SheetLattice launchLattice(const mesh::SheetMesh& mesh, const probe::Sheet& content, const LatticeChoice& choice)
 {
-	SheetLattice lattice;
 	if (mesh.polygons() == 0)
-		return lattice;
-	const probe::Window area = content.window ? *content.window : boundsOf(mesh, content);
+		return {};
+	return launchLattice(mesh, content, choice, content.window ? *content.window : boundsInPlane(mesh, content));
+}
+
+SheetLattice launchLattice(const mesh::SheetMesh& mesh, const probe::Sheet& content, const LatticeChoice& choice,
+                           const probe::Window& area)
+{
+	SheetLattice lattice;
 	lattice.spacing = std::max(area.width(), area.height()) / choice.along;
 	const auto pointsAlong = [&](double side)
 	{ return std::max(1u, static_cast<std::uint32_t>(std::lround(side / lattice.spacing))); };
@@ -70,7 +75,8 @@ SheetLattice launchLattice(const mesh::SheetMesh& mesh, const probe::Sheet& cont
 			const glm::dvec2 uv(area.x0 + in_lattice.x * area.width() / columns,
 			                    area.y0 + in_lattice.y * area.height() / rows);
 			if (const auto place = lookup.at(uv))
-				lattice.launches.push_back({positionAt(mesh, *place), place->cell.block, place->cell.cell, seed});
+				lattice.launches.push_back(
+				    {positionAt(mesh, *place), place->cell.block, place->cell.cell, seed, place->inside});
 		}
 	return lattice;
 }

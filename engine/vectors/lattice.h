@@ -18,6 +18,7 @@ struct Launch
 	std::uint32_t block = 0;
 	CellId cell = kNoCell;  // that contains the position, or is a few cells away; kNoCell: search for it
 	std::uint32_t seed = 0; // its place in the lattice; it does not depend on which other places are in the cut
+	bool inside = true;     // of a polygon of the cut; else beside one, by rounding
 };
 
 struct LatticeChoice
@@ -36,5 +37,11 @@ struct SheetLattice
 // x axis and up. The lattice covers the window, or the bounds of the cut if there is no window. Only points in the cut
 // are returned. The jitter depends only on the place in the lattice, so points move with the sheet and do not tremble.
 SheetLattice launchLattice(const mesh::SheetMesh& mesh, const probe::Sheet& content, const LatticeChoice& choice);
+// The same over an area, of a mesh that may be a part of the cut.
+SheetLattice launchLattice(const mesh::SheetMesh& mesh, const probe::Sheet& content, const LatticeChoice& choice,
+                           const probe::Window& area);
+
+// The area of the lattice where there is no window. The mesh has polygons.
+probe::Window boundsInPlane(const mesh::SheetMesh& mesh, const probe::Sheet& content);
 
 } // namespace vp::vectors

@@ -2,6 +2,7 @@
 
 #include "base/ids.h"
 #include "base/vec.h"
+#include "mesh/sheet_mesh.h"
 #include "vectors/runge_kutta.h"
 #include "vectors/traces.h"
 
@@ -62,8 +63,24 @@ struct PathPoint
 	CellId cell;
 };
 
-// One that is under way, in one direction.
-struct Particle
+// A place on a face through which a particle left its block.
+struct Exit
+{
+	int face;    // of the cell, its axes those of the source (cell_field.h)
+	double rate; // cells a unit of time, of the motion there
+};
+
+// Where in its cell a particle is, from which the search for the next place begins.
+struct CellStand
+{
+	Vec3 u;        // in the cell, whose axes are those of the source
+	Vec3 place;    // that it was found for
+	bool in_parts; // of the cell as tetrahedra
+};
+
+// What a particle keeps from one substep to the next, but for its path. A plain struct, which may be sent as bytes: who
+// goes on from there comes to the same bits.
+struct ParticleState
 {
 	Vec3 place;
 	Vec3 vector{0.0};   // whole
@@ -73,15 +90,41 @@ struct Particle
 	CellId cell;
 	double substep = HUGE_VAL; // as long as the error last allowed
 	PairChoice pair;
-	std::size_t substeps = 0;    // of the present step
-	std::size_t idle = 0;        // crossings since it last moved
-	std::optional<TraceEnd> end; // why it is not under way any more
-	std::vector<PathPoint> path; // with the launch
+	std::size_t substeps = 0;         // of the present step
+	std::size_t idle = 0;             // crossings since it last moved
+	std::size_t points = 0;           // of its path, with the launch
+	double last_time = 0.0;           // of the last of them
+	std::optional<CellStand> stand{}; // in the midst of a block; else it enters the cell anew
+	std::optional<Exit> exit{};       // that it stands on
+	std::optional<TraceEnd> end{};    // why it is not under way any more
+};
 
-	void record() { path.push_back({place, time, vector, block, cell}); }
+// A place beyond the end of a block that blocks of other processes may hold.
+struct AskedPlace
+{
+	Vec3 place;
+	double reach;                       // of the place from the particle
+	std::vector<std::uint32_t> blocks;  // that may hold it; ascending
+	std::optional<mesh::BlockCell> own; // that holds it, if none of them does
+};
+
+// One that is under way, in one direction.
+struct Particle : ParticleState
+{
+	std::vector<PathPoint> path; // with the launch; of several processes, each has some of the points
+	// What it waits for (elsewhere.h).
+	std::optional<mesh::BlockCell> missing{};
+	std::optional<AskedPlace> asked{};
+
+	void record()
+	{
+		path.push_back({place, time, vector, block, cell});
+		++points;
+		last_time = time;
+	}
 	void stop(TraceEnd why)
 	{
-		if (path.empty() || path.back().time < time)
+		if (points == 0 || last_time < time)
 			record();
 		end = why;
 	}

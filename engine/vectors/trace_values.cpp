@@ -19,6 +19,12 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 // Of the cell's size: differences over less would be rounding, over more the neighbors' business.
 constexpr double kShare = 0.05;
 
+// Of several processes, each has the cells of its own blocks.
+bool holdsCells(const grid::Block& block)
+{
+	return std::visit([](const auto& grid) { return grid.cellCount() > 0; }, block.grid);
+}
+
 // One component of an array at a place in a cell whose weights are known.
 template <grid::Grid G>
 double component(const G& grid, const grid::Field& field, const locate::CellWeights& at, CellId cell, int c)
@@ -123,7 +129,7 @@ std::vector<double> valuesAt(const grid::BlockSet& blocks, const grid::FieldChoi
 		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
 		                  {
 			                  const std::uint32_t b = traces.blocks[i];
-			                  if (!fields[b])
+			                  if (!fields[b] || !holdsCells(blocks.blocks[b]))
 				                  continue;
 			                  const grid::Block& block = blocks.blocks[b];
 			                  if (fields[b]->association == grid::Association::point)
@@ -134,21 +140,26 @@ std::vector<double> valuesAt(const grid::BlockSet& blocks, const grid::FieldChoi
 	return values;
 }
 
-std::vector<double> turnsAlong(const grid::BlockSet& blocks, const grid::FieldChoice& vectors, const Traces& traces)
+std::vector<double> turnRates(const grid::BlockSet& blocks, const grid::FieldChoice& vectors, const Traces& traces)
 {
-	std::vector<double> turns(traces.points.size(), 0.0);
-	if (vectors.association == grid::Association::cell)
-		return turns;
-	const std::vector<const grid::Field*> fields = vectors.inEach(blocks);
 	std::vector<double> rates(traces.points.size(), 0.0);
+	if (vectors.association == grid::Association::cell)
+		return rates;
+	const std::vector<const grid::Field*> fields = vectors.inEach(blocks);
 	tbb::parallel_for(std::size_t(0), rates.size(),
 	                  [&](std::size_t i)
 	                  {
 		                  const std::uint32_t b = traces.blocks[i];
-		                  if (fields[b])
+		                  if (fields[b] && holdsCells(blocks.blocks[b]))
 			                  rates[i] = turnRate(blocks.blocks[b], *fields[b], traces.cells[i], traces.points[i],
 			                                      traces.vectors[i]);
 	                  });
+	return rates;
+}
+
+std::vector<double> turnsAlong(std::span<const double> rates, const Traces& traces)
+{
+	std::vector<double> turns(traces.points.size(), 0.0);
 	const auto over = [&](std::size_t a, std::size_t b)
 	{ return 0.5 * (rates[a] + rates[b]) * (traces.times[b] - traces.times[a]); };
 	for (std::size_t t = 0; t < traces.count(); ++t)

@@ -37,52 +37,64 @@ struct LineTable
 	std::vector<std::int32_t> end;
 };
 
-// Of the point arrays, at points first .. of the table.
-void fillColumns(const grid::BlockSet& blocks, const Traces& traces, std::span<const SetArray> arrays,
-                 std::size_t first, LineTable& table)
+// Of several processes, each has the cells of its own blocks.
+bool isHere(const grid::Block& block)
 {
-	constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-	grid::forRanges(
-	    traces.points.size(),
-	    [&](std::size_t i)
-	    {
-		    thread_local locate::CellWeights weights;
-		    const std::uint32_t b = traces.blocks[i];
-		    const bool inside = traces.cells[i] != kNoCell;
-		    if (inside)
-			    locate::weighCell(blocks.blocks[b], traces.cells[i], traces.points[i], weights);
-		    for (std::size_t a = 0; a < arrays.size(); ++a)
-		    {
-			    Column& column = table.columns[a];
-			    const grid::Field* field = arrays[a].per_block[b];
-			    for (int c = 0; c < column.components; ++c)
-			    {
-				    const bool known = inside && !weights.points.empty() && field && c < field->components;
-				    const double value =
-				        known ? std::visit([&](const auto& grid) { return valueAt(grid, *field, c, weights); },
-				                           blocks.blocks[b].grid)
-				              : kNan;
-				    const std::size_t number = (first + i) * static_cast<std::size_t>(column.components) + c;
-				    grid::storeNumber(column.type, value, &column.bytes[number * grid::byteSize(column.type)]);
-			    }
-		    }
-	    });
+	return std::visit([](const auto& grid) { return grid.cellCount() > 0; }, block.grid);
 }
 
-void addPoints(const grid::BlockSet& blocks, const Traces& traces, LineTable& table)
+void fillColumns(const grid::BlockSet& blocks, const Traces& traces, std::span<const SetArray> arrays,
+                 std::vector<Column>& columns)
 {
-	table.places.insert(table.places.end(), traces.points.begin(), traces.points.end());
-	table.times.insert(table.times.end(), traces.times.begin(), traces.times.end());
-	table.vectors.insert(table.vectors.end(), traces.vectors.begin(), traces.vectors.end());
-	for (std::size_t i = 0; i < traces.points.size(); ++i)
-	{
-		table.block.push_back(static_cast<std::int32_t>(traces.blocks[i]));
-		table.cell.push_back(traces.cells[i] == kNoCell
-		                         ? -1
-		                         : std::visit([&](const auto& grid)
-		                                      { return static_cast<std::int64_t>(grid.sourceCell(traces.cells[i])); },
-		                                      blocks.blocks[traces.blocks[i]].grid));
-	}
+	constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+	grid::forRanges(traces.points.size(),
+	                [&](std::size_t i)
+	                {
+		                thread_local locate::CellWeights weights;
+		                const std::uint32_t b = traces.blocks[i];
+		                const bool inside = traces.cells[i] != kNoCell && isHere(blocks.blocks[b]);
+		                if (inside)
+			                locate::weighCell(blocks.blocks[b], traces.cells[i], traces.points[i], weights);
+		                for (std::size_t a = 0; a < arrays.size(); ++a)
+		                {
+			                Column& column = columns[a];
+			                const grid::Field* field = arrays[a].per_block[b];
+			                for (int c = 0; c < column.components; ++c)
+			                {
+				                const bool known = inside && !weights.points.empty() && field && c < field->components;
+				                const double value = known ? std::visit([&](const auto& grid)
+				                                                        { return valueAt(grid, *field, c, weights); },
+				                                                        blocks.blocks[b].grid)
+				                                           : kNan;
+				                const std::size_t number = i * static_cast<std::size_t>(column.components) + c;
+				                grid::storeNumber(column.type, value,
+				                                  &column.bytes[number * grid::byteSize(column.type)]);
+			                }
+		                }
+	                });
+}
+
+std::int64_t sourceCellOf(const grid::BlockSet& blocks, std::uint32_t block, CellId cell)
+{
+	if (cell == kNoCell || !isHere(blocks.blocks[block]))
+		return -1;
+	return std::visit([&](const auto& grid) { return static_cast<std::int64_t>(grid.sourceCell(cell)); },
+	                  blocks.blocks[block].grid);
+}
+
+void addPoints(const Traces& traces, const TraceColumns& columns, LineTable& table)
+{
+	const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+	append(table.places, traces.points);
+	append(table.times, traces.times);
+	append(table.vectors, traces.vectors);
+	append(table.block, columns.block);
+	append(table.cell, columns.cell);
+	if (table.columns.empty())
+		table.columns = columns.arrays;
+	else
+		for (std::size_t a = 0; a < columns.arrays.size(); ++a)
+			append(table.columns[a].bytes, columns.arrays[a].bytes);
 }
 
 // Of one sheet, whose points are first .. of the table: the traces of one point, or the others.
@@ -117,39 +129,53 @@ void addAllTraces(std::span<const Traces> traces, LineTable& table)
 	}
 }
 
-LineTable tabulate(const grid::BlockSet& blocks, std::span<const Traces> traces)
+LineTable tabulate(std::span<const Traces> traces, std::span<const TraceColumns> columns)
 {
-	const std::vector<SetArray> arrays = arraysOf(blocks, grid::Association::point);
-	std::size_t points = 0;
-	for (const Traces& sheet : traces)
-		points += sheet.points.size();
 	LineTable table;
-	for (const SetArray& array : arrays)
-	{
-		Column& column = table.columns.emplace_back();
-		column.name = array.name;
-		column.components = array.components;
-		column.type = interpolatedType(array);
-		column.bytes.resize(points * static_cast<std::size_t>(array.components) * grid::byteSize(column.type));
-	}
-	for (const Traces& sheet : traces)
-	{
-		const std::size_t first = table.places.size();
-		addPoints(blocks, sheet, table);
-		fillColumns(blocks, sheet, arrays, first, table);
-	}
+	for (std::size_t s = 0; s < traces.size(); ++s)
+		addPoints(traces[s], columns[s], table);
 	addAllTraces(traces, table);
 	return table;
 }
 
 } // namespace
 
+TraceColumns traceColumns(const grid::BlockSet& blocks, const Traces& traces)
+{
+	const std::vector<SetArray> arrays = arraysOf(blocks, grid::Association::point);
+	TraceColumns columns;
+	for (const SetArray& array : arrays)
+	{
+		Column& column = columns.arrays.emplace_back();
+		column.name = array.name;
+		column.components = array.components;
+		column.type = interpolatedType(array);
+		column.bytes.resize(traces.points.size() * static_cast<std::size_t>(array.components) *
+		                    grid::byteSize(column.type));
+	}
+	fillColumns(blocks, traces, arrays, columns.arrays);
+	for (std::size_t i = 0; i < traces.points.size(); ++i)
+	{
+		columns.block.push_back(static_cast<std::int32_t>(traces.blocks[i]));
+		columns.cell.push_back(sourceCellOf(blocks, traces.blocks[i], traces.cells[i]));
+	}
+	return columns;
+}
+
 Status writeTraces(const grid::BlockSet& blocks, std::span<const Traces> traces, const std::string& path)
+{
+	std::vector<TraceColumns> columns;
+	for (const Traces& sheet : traces)
+		columns.push_back(traceColumns(blocks, sheet));
+	return writeTraces(traces, columns, path);
+}
+
+Status writeTraces(std::span<const Traces> traces, std::span<const TraceColumns> columns, const std::string& path)
 {
 	Result<AtomicFile> file = AtomicFile::create(path);
 	if (!file)
 		return file.error();
-	const LineTable table = tabulate(blocks, traces);
+	const LineTable table = tabulate(traces, columns);
 	const std::string ends = joinTexts(vectors::kTraceEndWords);
 	PolyData data;
 	data.points = table.places;

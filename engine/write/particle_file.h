@@ -3,9 +3,12 @@
 #include "base/result.h"
 #include "grid/block.h"
 #include "vectors/traces.h"
+#include "write/slice_table.h"
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace vp::write
 {
@@ -16,5 +19,19 @@ namespace vp::write
 // lattice), vprobe:begin and vprobe:end: why it goes on no farther, as a number into the field data's words
 // "vprobe:ends". traces[i] are sheet i's. "-" is standard output.
 Status writeTraces(const grid::BlockSet& blocks, std::span<const vectors::Traces> traces, const std::string& path);
+
+// What a file has at the points of the traces of a sheet, from the cells that contain them. Of several processes, each
+// finds the rows of points in its own blocks.
+struct TraceColumns
+{
+	std::vector<Column> arrays; // the same for all sheets
+	std::vector<std::int32_t> block;
+	std::vector<std::int64_t> cell; // source id, -1 outside
+};
+TraceColumns traceColumns(const grid::BlockSet& blocks, const vectors::Traces& traces);
+
+// The same file. columns[i]: of traces[i].
+Status writeTraces(std::span<const vectors::Traces> traces, std::span<const TraceColumns> columns,
+                   const std::string& path);
 
 } // namespace vp::write

@@ -137,6 +137,12 @@ def write_lattice(folder, kind, n, counts):
             getattr(grid, f'Set{name}Coordinates')(places)
     points = np.array([grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())])
     add_arrays(grid, points)
+    centers = vtk.vtkCellCenters()
+    centers.SetInputData(grid)
+    centers.Update()
+    flow = numpy_to_vtk(values_at(vtk_to_numpy(centers.GetOutput().GetPoints().GetData()).astype(float))[1], deep=True)
+    flow.SetName('flow')
+    grid.GetCellData().AddArray(flow)
     ending, index, element = ('vti', 'pvti', 'PImageData') if is_image else ('vtr', 'pvtr', 'PRectilinearGrid')
     pieces = []
     for number, extent in enumerate(lattice_pieces(n, counts)):
@@ -157,6 +163,16 @@ def write_lattice(folder, kind, n, counts):
     path = folder / f'case.{index}'
     write_index(path, element, attributes, grid, pieces, middle)
     return path
+
+
+def write_image(path, n, origin, spacing):
+    """An image of n cells a side."""
+    grid = vtk.vtkImageData()
+    grid.SetDimensions(n + 1, n + 1, n + 1)
+    grid.SetOrigin(*origin)
+    grid.SetSpacing(spacing, spacing, spacing)
+    add_arrays(grid, np.array([grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())]))
+    write(vtk.vtkXMLImageDataWriter(), grid, path)
 
 
 def write_blocks(folder, grid, counts):

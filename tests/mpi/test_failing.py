@@ -50,7 +50,7 @@ def test_a_place_that_cannot_be_written(programs, case, tmp_path):
 
 
 @pytest.mark.parametrize('asked', [('--surface', 'patch=wall'), ('--strategy', 'generations'),
-                                   ('--seeds', 'boundary', '--window', 0.5, 0.5), ('--vectors', 'tufts'),
+                                   ('--seeds', 'boundary', '--window', 0.5, 0.5), ('--vectors', 'lines', '--path-lines'),
                                    ('-o', 'flat.png')])
 def test_what_is_refused_names_the_remedy(programs, case, asked):
     assert 'vprobe' in fails(programs, 2, 'slice', case, *asked).removeprefix('vprobe-mpi: ')

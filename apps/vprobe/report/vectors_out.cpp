@@ -1,14 +1,37 @@
 #include "report/vectors_out.h"
 
+#include "session/joined_traces.h"
+#include "session/share.h"
+#include "team.h"
 #include "write/particle_file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <span>
+#include <vector>
 
 namespace vp::app
 {
+
+namespace
+{
+
+// Each row comes from the rank that has the point's cell.
+write::TraceColumns columnsOfTeam(const session::Session& session, const vectors::Traces& traces)
+{
+	write::TraceColumns columns = write::traceColumns(session.blocks, traces);
+	for (write::Column& column : columns.arrays)
+		session::takeFromOwners(session, traces, std::as_writable_bytes(std::span(column.bytes)),
+		                        static_cast<std::size_t>(column.components) * grid::byteSize(column.type));
+	session::takeFromOwners(session, traces, columns.cell);
+	for (std::int32_t& block : columns.block)
+		block = static_cast<std::int32_t>(session.share->whole[static_cast<std::size_t>(block)]);
+	return columns;
+}
+
+} // namespace
 
 void addVectorsOut(CLI::App& command, std::string& file)
 {
@@ -47,7 +70,12 @@ Status writeVectors(const session::Session& session, const std::vector<session::
 	std::vector<vectors::Traces> traces;
 	for (const session::SheetStats& sheet : sheets)
 		traces.push_back(*sheet.traces);
-	return write::writeTraces(session.blocks, traces, file);
+	if (!session.team)
+		return write::writeTraces(session.blocks, traces, file);
+	std::vector<write::TraceColumns> columns;
+	for (const vectors::Traces& of_sheet : traces)
+		columns.push_back(columnsOfTeam(session, of_sheet));
+	return isFirst() ? write::writeTraces(traces, columns, file) : Nothing{};
 }
 
 } // namespace vp::app

@@ -56,7 +56,8 @@ TEST_P(OnDemo, TurnsByHalfOfTheCurlAlongTheVector)
 {
 	const grid::BlockSet set = *grid::makeDemo(GetParam(), 12);
 	const Traces traces = helixIn(set);
-	const auto turns = vectors::turnsAlong(set, {"v", grid::Association::point, grid::kMagnitude}, traces);
+	const auto turns =
+	    vectors::turnsAlong(vectors::turnRates(set, {"v", grid::Association::point, grid::kMagnitude}, traces), traces);
 	const double rate = 0.3 / std::hypot(1.7, 0.3); // the curl is (0, 0, 2)
 	for (std::size_t i = 0; i < turns.size(); ++i)
 		EXPECT_NEAR(turns[i], rate * traces.times[i], 1e-4);
@@ -76,7 +77,8 @@ TEST(TraceValues, AreConstantInCellsAndMissingWhereABlockLacksTheArray)
 		                     set.blocks[0].grid));
 	for (const double value : vectors::valuesAt(set, {"none", grid::Association::point, 0}, traces))
 		EXPECT_TRUE(std::isnan(value));
-	for (const double turn : vectors::turnsAlong(set, {"none", grid::Association::point, 0}, traces))
+	for (const double turn :
+	     vectors::turnsAlong(vectors::turnRates(set, {"none", grid::Association::point, 0}, traces), traces))
 		EXPECT_EQ(turn, 0.0);
 }
 
