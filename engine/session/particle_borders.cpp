@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace vp::session
@@ -45,22 +46,19 @@ struct BorderFace
 };
 
 /// Faces that may lie on those of other ranks. lone: the same.
-std::vector<BorderFace> borderFaces(const grid::BlockSet& blocks, const Share& share, const BoxesOfOthers& others,
+std::vector<BorderFace> borderFaces(const grid::BlockSet& blocks, const Share& share, std::span<const Box> others,
                                     std::vector<LoneFace>& lone)
 {
 	std::vector<BorderFace> faces;
 	for (std::uint32_t b = share.first_own; b < share.end_own; ++b)
-		blocks.blocks[b].boundary.visitWhere([&](const Box& box) { return others.meet(box); },
+		blocks.blocks[b].boundary.visitWhere([&](const Box& box) { return touchesAny(box, others); },
 		                                     [&](const grid::BoundaryIndex::Face& at)
 		                                     {
 			                                     const auto face = static_cast<int>(at.face);
 			                                     auto found = loneFace(blocks, {b, at.cell}, face);
-			                                     Box box;
-			                                     if (found)
-				                                     for (const Vec3& corner : found->corners)
-					                                     box.include(corner);
-			                                     if (!found || !others.meet(box))
+			                                     if (!found || !touchesAny(found->box(), others))
 				                                     return;
+			                                     found->number = static_cast<std::uint32_t>(faces.size());
 			                                     lone.push_back(std::move(*found));
 			                                     faces.push_back({{b, at.cell}, face});
 		                                     });
@@ -76,7 +74,7 @@ void linkOwnPieces(const grid::BlockSet& blocks, const Share& share, vectors::Bl
 		if (!seams)
 			continue;
 		for (const grid::SeamLink& link : seams->all())
-			if (link.block != b && share.whole[link.block] == share.whole[b] && isLattice(blocks.blocks[link.block]))
+			if (link.block != b && areOneLattice(blocks, share.whole, b, link.block))
 				borders.across[b][vectors::BlockBorders::faceKey(link.cell, static_cast<int>(link.face))].push_back(
 				    {link.block, link.other});
 	}
@@ -119,10 +117,10 @@ ParticleBorders bordersOf(const Session& session)
 	}
 	linkOwnPieces(blocks, share, borders.blocks);
 	std::vector<LoneFace> lone;
-	const std::vector<BorderFace> faces = borderFaces(blocks, share, BoxesOfOthers(team, borders.boxes), lone);
-	const std::vector<std::vector<FaceAcross>> across = facesAcross(team, borders.boxes, lone);
-	linkOverRanks(team, borders.boxes, faces, across, borders.blocks);
-	borders.hang = facesHang(team, borders.boxes, lone, across);
+	const std::vector<BorderFace> faces = borderFaces(blocks, share, boxesOfOthers(team, borders.boxes), lone);
+	const MatchedFaces matched = matchFaces(team, borders.boxes, lone);
+	linkOverRanks(team, borders.boxes, faces, matched.across, borders.blocks);
+	borders.hang = matched.hang;
 	return borders;
 }
 
