@@ -8,7 +8,7 @@ KINDS = ['tetrahedra', 'hexahedra', 'image', 'rectilinear', 'blocks']
 OBLIQUE = ('--normal', 0.3, 0.5, 0.8, '--array', 's')
 
 
-@pytest.mark.parametrize('more', [(), ('--origin', 0.3, 0.2, 0.1), ('--crinkle',), ('--window', 0.6, 0.4)], ids=str)
+@pytest.mark.parametrize('more', [(), ('--origin', 0.3, 0.2, 0.1), ('--crinkle',), ('--window', 1.6, 1.2)], ids=str)
 @pytest.mark.parametrize('kind', KINDS)
 def test_thresholds_of_planes(same_figures, cases, kind, more):
     told = same_figures(4, cases[kind], *OBLIQUE, *more, '--threshold', -0.2, 0.25)
