@@ -153,23 +153,24 @@ private:
 		cut.columns.resize(span.columns + count + ColumnWord::kColumns);
 		cases::ColumnCase* columns = &cut.columns[span.columns];
 		constexpr std::uint32_t kCells = ColumnWord::kColumns - 1; // of a word
-		ColumnWord word = ColumnWord::ofRows(changes, rises_, span.begin);
-		std::uint32_t x = 0; // where the word begins
-		word.writeCases(columns);
-		for (; count - x > kCells; word.writeCases(columns + x))
-			word = ColumnWord::ofRows(changes, rises_, span.begin + (x += kCells));
-		const unsigned last = word.column(count - x);
+		unsigned last = 0;                                         // column
+		for (std::uint32_t x = 0; x < count; x += kCells)
+		{
+			const ColumnWord word = ColumnWord::ofRows(changes, rises_, span.begin + x);
+			word.writeCases(columns + x);
+			last = word.column(std::min(count - x, kCells));
+		}
 		columns[count] = static_cast<cases::ColumnCase>(last | last << 4);
 		std::size_t left_out = 0;
 		if (has_cells && window_)
-			for (x = 0; x < count; ++x)
+			for (std::uint32_t x = 0; x < count; ++x)
 				if (!window_->meets(span.begin + x, span.row))
 				{
 					columns[x] |= cases::kLeftOut;
 					++left_out;
 				}
 		cut.counts.vertices += sums_[columns[count]].vertices();
-		for (x = 0; x < count;)
+		for (std::uint32_t x = 0; x < count;)
 		{
 			std::uint32_t packed = 0;
 			for (const std::uint32_t end = std::min(x + kCells, count); x < end; ++x)

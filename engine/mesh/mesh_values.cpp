@@ -18,8 +18,8 @@ namespace vp::mesh
 namespace
 {
 
-// The value at t along an edge from the values at its ends: to the last bit the same if the ends change places, since
-// `t` is then exactly 1 less what it was.
+// The value at t along an edge from the values at its ends. It is the same to the last bit if the ends change places:
+// then `t` is exactly 1 minus what it was.
 double alongEdge(double a, double b, double t, bool categorical)
 {
 	// An end that has no part in the vertex does not bring its NaN to it.

@@ -1,6 +1,7 @@
 #include "session/boundary_edges.h"
 
 #include "render/scene/feature_edges.h"
+#include "session/hanging_borders.h"
 #include "session/lone_faces.h"
 #include "session/share.h"
 
@@ -46,8 +47,7 @@ Result<InsideFaces> insideFaces(const Session& session, const std::vector<Box>& 
 	}
 	const MatchedFaces matched = matchFaces(*session.team, boxes, lone);
 	if (matched.hang)
-		return Error{ErrorKind::input, "`outline`: cells of different sizes meet between two processes; give each such "
-		                               "group of blocks to one of them by fewer processes, or use vprobe"};
+		return sizesDiffer("outline");
 	for (std::size_t i = 0; i < lone.size(); ++i)
 	{
 		const std::uint32_t block = lone[i].cell.block;

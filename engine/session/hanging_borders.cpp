@@ -2,6 +2,8 @@
 
 #include "session/space_bins.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -123,6 +125,15 @@ bool hangsBetweenRanks(Team& team, const std::vector<Box>& boxes, const mesh::Sh
 				bin.points.emplace_back(rank, reader.get<Point>());
 		}
 	return anyOf(team, std::ranges::any_of(found, [](const auto& bin) { return bin.second.hasHanging(); }));
+}
+
+Error sizesDiffer(std::string_view option)
+{
+	return Error{
+	    ErrorKind::input,
+	    fmt::format("{}cells of different sizes meet between two processes; give each such group of blocks to one "
+	                "of them by fewer processes, or use vprobe",
+	                option.empty() ? "" : fmt::format("`{}`: ", option))};
 }
 
 } // namespace vp::session

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "base/result.h"
 #include "mesh/sheet_mesh.h"
 #include "session/neighborhood.h"
 #include "session/rim_vertices.h"
 #include "session/team.h"
 
 #include <span>
+#include <string_view>
 
 namespace vp::session
 {
@@ -14,5 +16,9 @@ namespace vp::session
 /// boxes: boxesOf() the team. rim: vertices that were not joined to those of others. All ranks get the same answer.
 bool hangsBetweenRanks(Team& team, const std::vector<Box>& boxes, const mesh::SheetMesh& mesh,
                        std::span<const RimVertex> rim);
+
+/// The error where cells of different sizes meet between ranks. option: a key of the view that cannot be had then;
+/// empty: nothing can.
+Error sizesDiffer(std::string_view option = {});
 
 } // namespace vp::session

@@ -2,6 +2,7 @@
 
 #include "contour/sheet_pieces.h"
 #include "session/contour_faces.h"
+#include "session/hanging_borders.h"
 #include "session/neighborhood.h"
 #include "session/share.h"
 #include "session/team.h"
@@ -78,9 +79,7 @@ void shareRange(Team& team, contour::BoxContourer& contourer)
 Result<GrownContour> growOverRanks(const Session& session, const contour::BoxContourer& contourer, double value)
 {
 	const TimedSection section(session.timeline.get(), "contour");
-	const Error hanging{ErrorKind::input,
-	                    "`contour`: cells of different sizes meet between two processes; give each such group of "
-	                    "blocks to one of them by fewer processes, or use vprobe"};
+	const Error hanging = sizesDiffer("contour");
 	GrownContour contour;
 	contour.value = value;
 	if (!contourer.mayHave(value))

@@ -1,5 +1,6 @@
 #include "session/joined_traces.h"
 
+#include "session/hanging_borders.h"
 #include "session/neighborhood.h"
 #include "session/particle_borders.h"
 #include "session/share.h"
@@ -287,9 +288,7 @@ Result<vectors::Traces> traceOverRanks(const Session& session, const grid::Field
 		return sound.error();
 	const ParticleBorders& borders = session.particle_borders->of(session);
 	if (borders.hang)
-		return Error{ErrorKind::input,
-		             "`vectors`: cells of different sizes meet between two processes; give each such group of blocks "
-		             "to one of them by fewer processes, or use vprobe"};
+		return sizesDiffer("vectors");
 	std::vector<vectors::Flight::BlockTimes> of_blocks;
 	for (const grid::Field* field : array.inEach(session.blocks))
 		of_blocks.push_back({vectors::BlockVectors(field)});

@@ -8,6 +8,7 @@
 #include "render/scene/value_style.h"
 #include "session/context_mesh.h"
 #include "session/contour_drawing.h"
+#include "session/hanging_borders.h"
 #include "session/merged_layers.h"
 #include "session/polygons_around.h"
 #include "session/share.h"
@@ -73,8 +74,7 @@ Status Painter::makeContext()
 		if (session_.team)
 			borders = joinWholeCells(*session_.team, session_.blocks, session_.share->whole, *mesh);
 		if (borders.hangs)
-			return Error{ErrorKind::input, "`context`: cells of different sizes meet between two processes; give each "
-			                               "such group of blocks to one of them by fewer processes, or use vprobe"};
+			return sizesDiffer("context");
 		auto polygons = surfacePolygons(*mesh, borders, {});
 		if (!polygons)
 			return polygons.error();

@@ -5,6 +5,7 @@
 #include "probe/probe.h"
 #include "seed/boundary_cut.h"
 #include "seed/cut_cells.h"
+#include "session/hanging_borders.h"
 #include "session/lone_faces.h"
 
 #include <algorithm>
@@ -322,8 +323,7 @@ Result<cut::Cut> cutFromRankToRank(Team& team, std::span<const std::uint32_t> wh
 	for (const PlacedSheet& sheet : sheets)
 		ways.emplace_back(team, boxes, blocks, whole, sheet);
 	if (std::ranges::any_of(ways, &Ways::hang))
-		return Error{ErrorKind::input, "cells of different sizes meet between two processes; give each such group of "
-		                               "blocks to one of them by fewer processes, or use vprobe"};
+		return sizesDiffer();
 	Result<Seeds> seeds = seedsOfWhole(team, cutter, request, sheets, ways);
 	if (!seeds)
 		return seeds.error();

@@ -1,5 +1,6 @@
 #include "session/sheet_stats.h"
 
+#include "session/hanging_borders.h"
 #include "session/share.h"
 #include "session/sheet_traces.h"
 #include "session/team.h"
@@ -24,9 +25,7 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 			    joinWholeCells(*session.team, slice.blocksOf(session.blocks), session.share->whole, *stats.crinkle);
 	}
 	if (stats.borders.hangs || stats.crinkle_borders.hangs)
-		return Error{ErrorKind::input,
-		             "cells of different sizes meet between two processes; give each such group of blocks "
-		             "to one of them by fewer processes, or use vprobe"};
+		return sizesDiffer();
 	Result<SharedTraces> traces = traceSheet(session, slice, sheet, stats.mesh);
 	if (!traces)
 		return traces.error();
