@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/huge_vector.h"
 #include "base/parallel_for.h"
 #include "grid/block.h"
 
@@ -20,15 +21,15 @@ constexpr double kHalf = 3.0;
 template <class T>
 struct Filled
 {
-	std::shared_ptr<T[]> data;
+	std::shared_ptr<HugeVector<T>> data;
 	std::size_t size;
 
-	explicit Filled(std::size_t count) : data(new T[count]), size(count) {}
-	T& operator[](std::size_t i) const { return data[i]; }
-	Array<T> array() const { return Array<T>(data, data.get(), size); }
+	explicit Filled(std::size_t count) : data(std::make_shared<HugeVector<T>>(count)), size(count) {}
+	T& operator[](std::size_t i) const { return (*data)[i]; }
+	Array<T> array() const { return Array<T>(data, data->data(), size); }
 	Array<std::byte> bytes() const
 	{
-		return Array<std::byte>(data, reinterpret_cast<const std::byte*>(data.get()), size * sizeof(T));
+		return Array<std::byte>(data, reinterpret_cast<const std::byte*>(data->data()), size * sizeof(T));
 	}
 };
 

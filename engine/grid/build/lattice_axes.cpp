@@ -1,11 +1,12 @@
 #include "grid/build/lattice_axes.h"
 
+#include "base/huge_vector.h"
 #include "base/parallel_for.h"
 
 #include <tbb/blocked_range.h>
 
 #include <algorithm>
-#include <vector>
+#include <memory>
 
 namespace vp::grid
 {
@@ -33,19 +34,19 @@ template <class Number>
 Points turned(const CurvilinearGrid& grid, const Number* from, const std::array<std::uint32_t, 3>& points,
               const std::array<std::size_t, 3>& strides)
 {
-	std::vector<Number> numbers(3 * grid.pointCount());
+	const auto numbers = std::make_shared<HugeVector<Number>>(3 * grid.pointCount());
 	parallelFor(tbb::blocked_range<std::size_t>(0, std::size_t(points[1]) * points[2]),
 	            [&](const auto& range)
 	            {
 		            for (std::size_t row = range.begin(); row < range.end(); ++row)
 		            {
 			            const Number* at = from + 3 * (row % points[1] * strides[1] + row / points[1] * strides[2]);
-			            Number* to = numbers.data() + 3 * row * points[0];
+			            Number* to = numbers->data() + 3 * row * points[0];
 			            for (std::uint32_t i = 0; i < points[0]; ++i, at += 3 * strides[0], to += 3)
 				            std::copy_n(at, 3, to);
 		            }
 	            });
-	return Points(Array<Number>(std::move(numbers)));
+	return Points(Array<Number>(numbers, numbers->data(), numbers->size()));
 }
 
 } // namespace
