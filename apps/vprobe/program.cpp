@@ -1,5 +1,6 @@
 #include "program.h"
 
+#include "base/kept_memory.h"
 #include "base/timeline.h"
 #include "interrupt.h"
 #include "options/arguments.h"
@@ -18,9 +19,6 @@
 #include <new>
 #include <string_view>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 #include <unistd.h>
 
 namespace vp::app
@@ -41,17 +39,6 @@ void endInterrupted(int)
 		return;
 	write::removeUnfinishedFiles();
 	_exit(exitStatus(ExitCode::interrupted));
-}
-
-// A mesh is freed and made again for every cut, and a software device does the same with some megabytes for every draw.
-// The C library gives such memory back to the system, or keeps it, as its thresholds happen to stand. If it goes back,
-// each page is cleared and mapped again, which can take longer than the cut, and ten times as long as the draw.
-void keepFreedMemory()
-{
-#ifdef __GLIBC__
-	mallopt(M_MMAP_THRESHOLD, 32 << 20); // the largest that is allowed
-	mallopt(M_TRIM_THRESHOLD, 256 << 20);
-#endif
 }
 
 // CLI11's reasons, as one line that names the remedy.

@@ -13,19 +13,26 @@
 namespace vp::mesh
 {
 
-// An edge by its points, whichever comes first. Which is the lower one cannot be foreseen, so there is no branch.
-inline std::uint64_t edgeKey(PointId a, PointId b)
+// A cut edge by its points, the one on the positive side first: so cells about it agree without asking which is lower.
+inline std::uint64_t edgeKey(PointId positive, PointId negative)
 {
-	const PointId exchange = (a ^ b) & (0u - static_cast<PointId>(b < a));
-	return std::uint64_t(a ^ exchange) << 32 | (b ^ exchange);
+	return std::uint64_t(positive) << 32 | negative;
 }
-inline PointId lowerOf(std::uint64_t edge)
+inline PointId positiveOf(std::uint64_t edge)
 {
 	return static_cast<PointId>(edge >> 32);
 }
-inline PointId higherOf(std::uint64_t edge)
+inline PointId negativeOf(std::uint64_t edge)
 {
 	return static_cast<PointId>(edge);
+}
+inline PointId lowerOf(std::uint64_t edge)
+{
+	return std::min(positiveOf(edge), negativeOf(edge));
+}
+inline PointId higherOf(std::uint64_t edge)
+{
+	return std::max(positiveOf(edge), negativeOf(edge));
 }
 
 struct NumberedEdges

@@ -10,11 +10,11 @@
 namespace vp::mesh
 {
 
-// The end of an edge from which a vertex's place is computed. The results differ in rounding only.
+// The end a of an edge, from which a vertex's place is computed. The results differ in rounding only.
 enum class PlacedFrom
 {
-	lower,   // point, as placeOnEdge() does
-	positive // as placeOfAnyNumbering() does
+	lower,   // the lower point, as placeOnEdge() does
+	positive // the point on the positive side, as placeOfAnyNumbering() does
 };
 
 // The ends of an edge, a and b.
@@ -46,8 +46,8 @@ public:
 	{
 	}
 
-	// Places `count` vertices. endsOf(v): the EdgeEnds of vertex v, a the lower point; their signs differ. take(v, t,
-	// xy, z) gets what is found. Returns whether one of them is at a grid point.
+	// Places `count` vertices. endsOf(v): the EdgeEnds of vertex v, whose signs differ. take(v, part, xy, z) gets what is
+	// found, at a + part (b - a). Returns whether one of them is at a grid point.
 	template <class EndsOf, class Take>
 	bool place(std::size_t count, EndsOf&& endsOf, Take&& take) const
 	{
@@ -56,15 +56,15 @@ public:
 		for (; v + 1 < count; v += 2)
 		{
 			const Pair pair = placePair(Edge(*this, endsOf(v)), Edge(*this, endsOf(v + 1)));
-			take(v, pair.t[0], pair.first_xy, pair.z[0]);
-			take(v + 1, pair.t[1], pair.second_xy, pair.z[1]);
+			take(v, pair.part[0], pair.first_xy, pair.z[0]);
+			take(v + 1, pair.part[1], pair.second_xy, pair.z[1]);
 			at_points |= pair.at_point;
 		}
 		if (v < count)
 		{
 			const Edge last(*this, endsOf(v));
 			const Pair pair = placePair(last, last);
-			take(v, pair.t[0], pair.first_xy, pair.z[0]);
+			take(v, pair.part[0], pair.first_xy, pair.z[0]);
 			at_points |= pair.at_point;
 		}
 		return at_points;
@@ -87,7 +87,7 @@ private:
 	// The places of two vertices.
 	struct Pair
 	{
-		TwoDoubles t;
+		TwoDoubles part;
 		TwoDoubles first_xy;
 		TwoDoubles second_xy;
 		TwoDoubles z;
@@ -97,38 +97,27 @@ private:
 	{
 		const TwoDoubles height_a = firstsOf(first.heights, second.heights);
 		const TwoDoubles height_b = secondsOf(first.heights, second.heights);
-		const TwoDoubles positive = greater(height_a, height_b);
-		const TwoDoubles from_negative = 1.0 - positive / (positive - lesser(height_a, height_b));
+		constexpr bool kPositiveFirst = kFrom == PlacedFrom::positive;
+		const TwoDoubles positive = kPositiveFirst ? height_a : greater(height_a, height_b);
+		const TwoDoubles negative = kPositiveFirst ? height_b : lesser(height_a, height_b);
+		const TwoDoubles from_negative = 1.0 - positive / (positive - negative);
 		const TwoDoubles from_positive = 1.0 - from_negative;
-		const TwoMasks b_positive = height_a < height_b;
 		Pair pair;
-		pair.t = b_positive ? from_negative : from_positive;
+		pair.part = from_positive;
+		if constexpr (!kPositiveFirst)
+			pair.part = height_a < height_b ? from_negative : from_positive;
 		pair.at_point = isAnyEqual(lesser(from_negative, from_positive), bothOf(0.0));
-		const TwoDoubles part = kFrom == PlacedFrom::lower ? pair.t : from_positive;
-		pair.first_xy =
-		    between(first.xy_a, first.xy_b, firstsOf(part, part), firstsOf(b_positive, b_positive), pair.at_point);
-		pair.second_xy =
-		    between(second.xy_a, second.xy_b, secondsOf(part, part), secondsOf(b_positive, b_positive), pair.at_point);
-		pair.z = between(firstsOf(first.z, second.z), secondsOf(first.z, second.z), part, b_positive, pair.at_point);
+		pair.first_xy = between(first.xy_a, first.xy_b, firstsOf(pair.part, pair.part), pair.at_point);
+		pair.second_xy = between(second.xy_a, second.xy_b, secondsOf(pair.part, pair.part), pair.at_point);
+		pair.z = between(firstsOf(first.z, second.z), secondsOf(first.z, second.z), pair.part, pair.at_point);
 		return pair;
 	}
 
-	// The coordinate of places from those of the ends. part: from a, or from the positive end.
-	[[gnu::always_inline]] static inline TwoDoubles between(TwoDoubles a, TwoDoubles b, TwoDoubles part,
-	                                                        TwoMasks b_positive, bool at_point)
+	// The coordinate of places from those of the ends.
+	[[gnu::always_inline]] static inline TwoDoubles between(TwoDoubles a, TwoDoubles b, TwoDoubles part, bool at_point)
 	{
-		TwoDoubles near = a;
-		TwoDoubles far = b;
-		TwoDoubles way = b - a;
-		if constexpr (kFrom == PlacedFrom::positive)
-		{
-			near = b_positive ? b : a;
-			far = b_positive ? a : b;
-			// a - b is b - a with the other sign, to the last bit.
-			way = TwoDoubles(TwoMasks(way) ^ (b_positive & TwoMasks(bothOf(-0.0))));
-		}
-		const TwoDoubles place = near + part * way;
-		return at_point ? (part == 1.0 ? far : place) : place;
+		const TwoDoubles place = a + part * (b - a);
+		return at_point ? (part == 1.0 ? b : place) : place;
 	}
 
 	TwoDoubles origin_xy_;

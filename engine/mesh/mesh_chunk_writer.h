@@ -42,8 +42,8 @@ private:
 		if constexpr (requires { reader_.xyz(PointId{}); })
 			if (vertex < part_.edges.size())
 			{
-				prefetch(reader_.xyz(lowerOf(part_.edges[vertex])));
-				prefetch(reader_.xyz(higherOf(part_.edges[vertex])));
+				prefetch(reader_.xyz(positiveOf(part_.edges[vertex])));
+				prefetch(reader_.xyz(negativeOf(part_.edges[vertex])));
 			}
 	}
 
@@ -101,13 +101,13 @@ private:
 		    [=](std::size_t v)
 		    {
 			    const std::uint64_t ahead = edges[std::min(v + kAhead, last)];
-			    prefetch(xyz + 3 * std::size_t(lowerOf(ahead)));
-			    prefetch(xyz + 3 * std::size_t(higherOf(ahead)));
-			    return edgeEnds(xyz, lowerOf(edges[v]), higherOf(edges[v]));
+			    prefetch(xyz + 3 * std::size_t(positiveOf(ahead)));
+			    prefetch(xyz + 3 * std::size_t(negativeOf(ahead)));
+			    return edgeEnds(xyz, positiveOf(edges[v]), negativeOf(edges[v]));
 		    },
-		    [=](std::size_t v, double t, TwoDoubles xy, double z)
+		    [=](std::size_t v, double from_positive, TwoDoubles xy, double z)
 		    {
-			    parts[v] = t;
+			    parts[v] = select(positiveOf(edges[v]) < negativeOf(edges[v]), from_positive, 1.0 - from_positive);
 			    storeTwo(&positions[v].x, xy);
 			    positions[v].z = z;
 		    });

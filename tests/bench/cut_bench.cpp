@@ -6,6 +6,7 @@
 //
 // Of a moved plane the first cut of vtkPlaneCutter, which builds its tree, is made before the clock runs.
 
+#include "base/kept_memory.h"
 #include "contours.h"
 #include "grids.h"
 #include "our_cuts.h"
@@ -122,6 +123,7 @@ void addContours(const std::string& name)
 
 int main(int argc, char** argv)
 {
+	keepFreedMemory(); // as the program does
 	const std::string program = std::filesystem::path(argv[0]).parent_path() / "vprobe";
 	// Grid by grid, since one is kept at a time.
 	for (const char* name : {"shell:64", "shell:128", "shell:256", "shell:384", "hexes:128", "hexes:192", "hexes:256",
