@@ -57,18 +57,10 @@ public:
 		const Reach reach = window_ ? reachOf(cell, record, shape) : Reach::within;
 		if (reach == Reach::outside)
 			return leaveOut(cell, code);
-		const CellMarks::Pen pen = pen_;
-		for (std::uint32_t bits = code >> shared::kCodeFacesShift & 0xFFu; bits; bits &= bits - 1)
-		{
-			const int face = std::countr_zero(bits);
-			if (reach == Reach::rim && !window_->meetsFace(grid_, plane_, faces_[face]))
-				continue;
-			const std::uint32_t across = reader_.across(record)[face];
-			if (across >= kMaxBlockIds)
-				cross(queue, cell, face);
-			else if (pen.mark(across))
-				queue.push_back(across);
-		}
+		unsigned faces = code >> shared::kCodeFacesShift & 0xFFu;
+		if (reach == Reach::rim)
+			faces = facesWithin(faces);
+		enterAcross(queue, cell, reader_.across(record), faces);
 		found_.push_back({cell, code});
 	}
 
@@ -76,6 +68,41 @@ public:
 
 private:
 	static constexpr std::size_t kAhead = 32; // cells, whose record is fetched; their points at half the way
+
+	unsigned facesWithin(unsigned faces) const
+	{
+		unsigned within = 0;
+		for (unsigned bits = faces; bits; bits &= bits - 1)
+			if (const int face = std::countr_zero(bits); window_->meetsFace(grid_, plane_, faces_[face]))
+				within |= 1u << face;
+		return within;
+	}
+
+	// Queues the cells across some faces. Which of them are marked cannot be foreseen: so where every face has a cell
+	// across, all are asked, without a branch, and only those that are new are gone through.
+	void enterAcross(std::vector<CellId>& queue, CellId cell, const std::uint32_t* across, unsigned faces)
+	{
+		constexpr int kFaces = kWidth == 4 ? 4 : 6;
+		const CellMarks::Pen pen = pen_;
+		bool are_cells = true;
+		for (int face = 0; face < kFaces; ++face)
+			are_cells &= across[face] < kMaxBlockIds;
+		if (are_cells) [[likely]]
+		{
+			unsigned marked = 0;
+			for (int face = 0; face < kFaces; ++face)
+				marked |= unsigned(pen.isMarked(across[face])) << face;
+			faces &= ~marked;
+		}
+		for (; faces; faces &= faces - 1)
+		{
+			const int face = std::countr_zero(faces);
+			if (across[face] >= kMaxBlockIds) [[unlikely]]
+				cross(queue, cell, face);
+			else if (pen.mark(across[face]))
+				queue.push_back(across[face]);
+		}
+	}
 
 	void cross(std::vector<CellId>& queue, CellId cell, int face)
 	{
