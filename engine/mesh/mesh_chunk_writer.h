@@ -166,7 +166,8 @@ private:
 	}
 
 	// Writes a polygon in the plane that is certain to be no sliver and not to repeat a vertex, so that it runs
-	// counter-clockwise. Returns false of others. kMaxCorners numbers are written, however many corners there are.
+	// counter-clockwise. Returns false of others. kMaxCorners numbers are read and written, however many corners there
+	// are.
 	bool writeClear(const FanSense<kMaxCorners>& sense, const std::uint32_t* corners, std::uint32_t count,
 	                std::uint32_t* to) const
 	{
@@ -174,7 +175,11 @@ private:
 			return false;
 		std::uint32_t fan[kMaxCorners];
 		for (std::uint32_t c = 0; c < kMaxCorners; ++c)
-			fan[c] = corners[c < count ? c : 0];
+		{
+			// The first corner behind the last. Bits in place of a choice: the compiler would branch.
+			const std::uint32_t taken = 0u - static_cast<std::uint32_t>(c < count);
+			fan[c] = corners[0] ^ ((corners[0] ^ corners[c]) & taken);
+		}
 		bool repeats = corners[count - 1] == fan[0];
 		for (std::uint32_t c = 1; c < kMaxCorners; ++c)
 			repeats |= (fan[c] == fan[c - 1]) & (c < count);
