@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <cstring>
 
 #ifdef __SSE2__
@@ -10,10 +9,9 @@
 namespace vp
 {
 
-// Two doubles, computed in one step where the processor can: the compiler knows how. Comparisons give TwoMasks, all
+// Two doubles, computed in one step where the processor can: the compiler knows how. Comparisons give masks, all
 // bits set where they hold, and `mask ? a : b` selects lane by lane.
 using TwoDoubles = double __attribute__((vector_size(16)));
-using TwoMasks = std::int64_t __attribute__((vector_size(16)));
 
 inline TwoDoubles bothOf(double value)
 {

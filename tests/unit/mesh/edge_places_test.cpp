@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace vp::test
@@ -25,8 +26,9 @@ struct Edges
 	Vec3 point(PointId p) const { return {xyz[3 * p], xyz[3 * p + 1], xyz[3 * p + 2]}; }
 };
 
+// `from` says which end comes first.
 template <class Number>
-Edges<Number> randomEdges(const surface::Plane& plane, std::size_t count, std::mt19937& random)
+Edges<Number> randomEdges(const surface::Plane& plane, PlacedFrom from, std::size_t count, std::mt19937& random)
 {
 	std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
 	Edges<Number> edges;
@@ -39,10 +41,13 @@ Edges<Number> randomEdges(const surface::Plane& plane, std::size_t count, std::m
 	};
 	while (edges.ends.size() < count)
 	{
-		const std::array<PointId, 2> ends{add(), add()};
+		std::array<PointId, 2> ends{add(), add()};
 		const auto isPositive = [&](PointId p) { return plane.signedDistance(edges.point(p)) >= 0.0; };
-		if (isPositive(ends[0]) != isPositive(ends[1]))
-			edges.ends.push_back(ends);
+		if (isPositive(ends[0]) == isPositive(ends[1]))
+			continue;
+		if (from == PlacedFrom::positive && isPositive(ends[1]))
+			std::swap(ends[0], ends[1]);
+		edges.ends.push_back(ends);
 	}
 	return edges;
 }
@@ -61,7 +66,7 @@ void expectSameBits()
 	{
 		// An origin that float holds too, so that points lie exactly on the plane.
 		const surface::Plane plane({0.25, -0.125, 0.5}, {0.3, count == 7u ? 0.0 : -0.7, 0.6});
-		const auto edges = randomEdges<Number>(plane, count, random);
+		const auto edges = randomEdges<Number>(plane, kFrom, count, random);
 		std::size_t taken = 0;
 		bool any_at_point = false;
 		const bool at_points = mesh::EdgePlaces<kFrom>(plane).place(
