@@ -9,11 +9,11 @@
 namespace vp
 {
 
-/// Tells the C library to keep freed memory, up to 256 MiB, for a program's own use: call it once, when the program
-/// starts. A mesh is freed and made again for every cut, and a software device does the same with some megabytes for
-/// every draw. The C library gives such memory back to the system, or keeps it, as its thresholds happen to stand. If
-/// it goes back, each page is cleared and mapped again, which can take longer than the cut, and ten times as long as
-/// the draw.
+/// Tells the C library to keep up to 256 MiB of freed memory. A program calls it once, when it starts; a library leaves
+/// that to the program. A mesh is freed and made again for every cut, and a software device does the same with some
+/// megabytes for every draw. The C library gives such memory back to the system, or keeps it, as its thresholds happen
+/// to stand. If it goes back, each page is cleared and mapped again. That can take longer than the cut, and ten times
+/// as long as the draw.
 inline void keepFreedMemory()
 {
 #ifdef __GLIBC__

@@ -17,7 +17,7 @@ namespace vp::grid::demo
 // Half the edge of the boxes of blob, graded and mixed.
 constexpr double kHalf = 3.0;
 
-// Memory that is not touched before the threads that fill it do so.
+// Memory in huge pages that is not touched before the threads that fill it do so.
 template <class T>
 struct Filled
 {

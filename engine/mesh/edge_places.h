@@ -46,8 +46,8 @@ public:
 	{
 	}
 
-	// Places `count` vertices. endsOf(v): the EdgeEnds of vertex v, whose signs differ. take(v, part, xy, z) gets what
-	// is found, at a + part (b - a). Returns whether one of them is at a grid point.
+	// Places `count` vertices. endsOf(v): the EdgeEnds of vertex v, whose signs differ; a is the end that kFrom names.
+	// take(v, part, xy, z) gets the place a + part (b - a). Returns whether one of them is at a grid point.
 	template <class EndsOf, class Take>
 	bool place(std::size_t count, EndsOf&& endsOf, Take&& take) const
 	{

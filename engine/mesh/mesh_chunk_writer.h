@@ -107,6 +107,7 @@ private:
 		    },
 		    [=](std::size_t v, double from_positive, TwoDoubles xy, double z)
 		    {
+			    // The part was made as 1 minus a number from 0 to 1. So taking it from 1 rounds nothing.
 			    parts[v] = select(positiveOf(edges[v]) < negativeOf(edges[v]), from_positive, 1.0 - from_positive);
 			    storeTwo(&positions[v].x, xy);
 			    positions[v].z = z;
