@@ -76,11 +76,10 @@ struct Interfaces
 };
 
 // Matches the boundary faces of all blocks by their corners and fills blocks.interfaces. Two faces match when each
-// corner of one lies on a corner of the other, within 1e-6 of the face's shortest edge or 4 ulps of the coordinates as
-// they are stored, but never more than a quarter of the cell's shortest edge. Repeated corners count once; faces with
-// fewer than three match nothing. A face without a match that lies within a larger one, with the cells on either side,
-// is linked to it as well (Hang). Near-linear in the number of boundary faces, on all cores, the same result for any
-// number of threads.
+// corner of one lies on a corner of the other, within the tolerance of face_tolerance.h. Faces on either side of a cell
+// thinner than the tolerance do not match. Repeated corners count once; faces with fewer than three match nothing. A
+// face without a match that lies within a larger one, with the cells on either side, is linked to it as well (Hang).
+// Near-linear in the number of boundary faces, on all cores, the same result for any number of threads.
 void matchInterfaces(BlockSet& blocks);
 
 /// The same for some of the boundary faces: faces[b] of block b. Only these are counted.

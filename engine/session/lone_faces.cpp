@@ -32,15 +32,6 @@ namespace
 {
 
 template <grid::Grid G>
-double storedUlp(const G& grid)
-{
-	if constexpr (requires { grid.coordinates().isDouble(); })
-		if (!grid.coordinates().isDouble())
-			return std::numeric_limits<float>::epsilon();
-	return std::numeric_limits<double>::epsilon();
-}
-
-template <grid::Grid G>
 std::vector<Vec3> cornersOf(const G& grid, std::span<const PointId> face)
 {
 	std::vector<Vec3> corners;
@@ -60,23 +51,6 @@ double shortestSide(std::span<const Vec3> corners)
 	return shortest;
 }
 
-/// As grid/interfaces.h has it.
-template <grid::Grid G>
-void setTolerance(const G& grid, const grid::CellFaces& faces, LoneFace& face)
-{
-	constexpr double kOfEdge = 1e-6;
-	constexpr double kMaxOfAnEdge = 0.25;
-	const double edge = shortestSide(face.corners);
-	double greatest = 0.0;
-	for (const Vec3& corner : face.corners)
-		greatest = std::max({greatest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
-	double shortest_of_cell = std::numeric_limits<double>::infinity();
-	for (int f = 0; f < faces.size(); ++f)
-		shortest_of_cell = std::min(shortest_of_cell, shortestSide(cornersOf(grid, faces[f])));
-	face.tolerance = std::max(kOfEdge * edge, std::min(4.0 * storedUlp(grid) * greatest, kMaxOfAnEdge * edge));
-	face.most = kMaxOfAnEdge * shortest_of_cell;
-}
-
 struct FaceOfRank
 {
 	int rank;
@@ -90,7 +64,6 @@ void put(MessageWriter& to, std::uint32_t index, const LoneFace& face)
 	to.put(face.cell.block);
 	to.put(face.number);
 	to.put(face.tolerance);
-	to.put(face.most);
 	to.putAll(face.corners);
 }
 
@@ -99,8 +72,7 @@ FaceOfRank takeLoneFace(MessageReader& from, int rank)
 	FaceOfRank sent{rank, from.get<std::uint32_t>(), {}};
 	sent.face.cell.block = from.get<std::uint32_t>();
 	sent.face.number = from.get<std::uint32_t>();
-	sent.face.tolerance = from.get<double>();
-	sent.face.most = from.get<double>();
+	sent.face.tolerance = from.get<grid::FaceTolerance>();
 	sent.face.corners = from.getAll<Vec3>();
 	return sent;
 }
@@ -138,9 +110,9 @@ void forPairs(Neighborhood& near, const SpaceBins& bins, std::span<const LoneFac
 
 bool coincide(const LoneFace& a, const LoneFace& b)
 {
-	const double apart = std::min({std::max(a.tolerance, b.tolerance), a.most, b.most});
+	const Vec3 apart = grid::toleranceBetween(a.tolerance, b.tolerance);
 	const auto isCornerOfB = [&](const Vec3& p)
-	{ return std::ranges::any_of(b.corners, [&](const Vec3& q) { return glm::length(p - q) <= apart; }); };
+	{ return std::ranges::any_of(b.corners, [&](const Vec3& q) { return grid::areOnePlace(p, q, apart); }); };
 	return a.corners.size() == b.corners.size() && std::ranges::all_of(a.corners, isCornerOfB);
 }
 
@@ -190,7 +162,7 @@ std::vector<std::vector<FaceAcross>> facesAcross(Team& team, const std::vector<B
 	std::iota(all.begin(), all.end(), 0u);
 	double side = 0.0;
 	for (const LoneFace& face : faces)
-		side = std::max(side, 2.0 * kReach * face.tolerance);
+		side = std::max(side, 2.0 * kReach * face.tolerance.greatest());
 	side = greatestOf(team, side);
 	if (!(side > 0.0))
 		return across;
@@ -200,7 +172,8 @@ std::vector<std::vector<FaceAcross>> facesAcross(Team& team, const std::vector<B
 	    [](const LoneFace& face)
 	    {
 		    const Vec3 center = face.center();
-		    return Box{center - kReach * face.tolerance, center + kReach * face.tolerance};
+		    const Vec3 reach = kReach * face.tolerance.corner;
+		    return Box{center - reach, center + reach};
 	    },
 	    [&](const FaceOfRank& a, const FaceOfRank& b)
 	    {
@@ -261,7 +234,7 @@ std::optional<LoneFace> loneFace(const grid::BlockSet& blocks, const mesh::Block
 		    lone.corners = cornersOf(grid, faces[face]);
 		    if (lone.corners.size() < 3)
 			    return std::nullopt;
-		    setTolerance(grid, faces, lone);
+		    lone.tolerance = grid::toleranceOf(grid, faces, face, lone.corners);
 		    return lone;
 	    },
 	    blocks.blocks[cell.block].grid);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grid/block.h"
+#include "grid/face_tolerance.h"
 #include "mesh/sheet_mesh.h"
 #include "session/neighborhood.h"
 #include "session/team.h"
@@ -20,12 +21,11 @@ struct LoneFace
 	mesh::BlockCell cell{};
 	std::uint32_t number = 0;    // by which the rank across is to know it; any
 	std::vector<Vec3> corners{}; // each place once
-	double tolerance = 0.0;      // of a corner
-	double most = 0.0;           // no tolerance passes it, else a flat cell would meet what lies on its other side
+	grid::FaceTolerance tolerance{};
 
 	Vec3 center() const;
 	Box box() const;
-	double apart() const { return std::min(tolerance, most); }
+	double apart() const { return std::min(tolerance.greatest(), tolerance.most); }
 };
 
 /// Returns nothing if the cell has a neighbor there, or the face fewer than three corners.

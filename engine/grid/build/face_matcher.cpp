@@ -3,6 +3,7 @@
 #include "base/parallel_for.h"
 #include "grid/build/face_corners.h"
 #include "grid/build/hanging_faces.h"
+#include "grid/face_tolerance.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
@@ -18,55 +19,14 @@ namespace vp::grid
 namespace
 {
 
-constexpr double kEdgeTolerance = 1e-6;
-constexpr double kUlps = 4.0;
-constexpr double kMaxOfAnEdge = 0.25;
-
 struct Candidate
 {
 	Vec3 center;
-	double edge;      // the shortest
-	double tolerance; // of a corner
-	double most; // what no tolerance may pass: a cell may be flatter, and must not meet what lies on its other side
+	double edge; // the shortest
+	FaceTolerance tolerance;
 	std::uint32_t block;
 	BoundaryIndex::Face face;
 };
-
-double storedUlp(const UniformGrid&)
-{
-	return std::numeric_limits<double>::epsilon();
-}
-
-double storedUlp(const RectilinearGrid&)
-{
-	return std::numeric_limits<double>::epsilon();
-}
-
-template <class G>
-double storedUlp(const G& grid)
-{
-	return grid.coordinates().isDouble() ? std::numeric_limits<double>::epsilon()
-	                                     : std::numeric_limits<float>::epsilon();
-}
-
-// The shortest edge of the cell whose faces these are; edges without length left out. Infinite where it has none.
-template <Grid G>
-double shortestEdge(const G& grid, const CellFaces& faces)
-{
-	double shortest = std::numeric_limits<double>::infinity();
-	for (int f = 0; f < faces.size(); ++f)
-	{
-		Vec3 previous = grid.point(faces[f].back());
-		for (const PointId p : faces[f])
-		{
-			const Vec3 corner = grid.point(p);
-			if (const double length = glm::length(corner - previous); length > 0.0)
-				shortest = std::min(shortest, length);
-			previous = corner;
-		}
-	}
-	return shortest;
-}
 
 template <Grid G>
 bool describe(const G& grid, std::uint32_t block, const BoundaryIndex::Face& face, CellFaces& faces,
@@ -76,21 +36,27 @@ bool describe(const G& grid, std::uint32_t block, const BoundaryIndex::Face& fac
 	if (points.size() < 3)
 		return false;
 	Vec3 sum(0.0);
-	Vec3 greatest(0.0);
 	double edge = std::numeric_limits<double>::infinity();
 	for (std::size_t i = 0; i < points.size(); ++i)
 	{
 		sum += points[i];
-		greatest = glm::max(greatest, glm::abs(points[i]));
 		edge = std::min(edge, glm::length(points[i] - points[i ? i - 1 : points.size() - 1]));
 	}
-	const double floor = kUlps * storedUlp(grid) * std::max({greatest.x, greatest.y, greatest.z});
-	const double tolerance = std::max(kEdgeTolerance * edge, std::min(floor, kMaxOfAnEdge * edge));
-	const double most = kMaxOfAnEdge * shortestEdge(grid, faces);
-	candidate = {sum / static_cast<double>(points.size()), edge, tolerance, most, block, face};
+	candidate = {sum / static_cast<double>(points.size()), edge,
+	             toleranceOf(grid, faces, static_cast<int>(face.face), points), block, face};
 	return std::isfinite(candidate.center.x) && std::isfinite(candidate.center.y) &&
 	       std::isfinite(candidate.center.z) && edge > 0.0;
 }
+
+// Two candidates whose corners are the same places.
+struct Match
+{
+	std::uint32_t a;
+	std::uint32_t b;
+	bool apart; // some corners are not equal, only within the tolerance
+
+	auto operator<=>(const Match&) const = default;
+};
 
 // Faces whose shortest edge and center are alike share a bucket, so near-wall faces do not crowd in one.
 int levelOf(double edge)
@@ -107,40 +73,25 @@ public:
 	{
 		collect();
 		sortIntoBuckets();
-		tbb::combinable<std::vector<std::pair<std::uint32_t, SeamLink>>> found;
-		parallelFor(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(candidates_.size()), 1024),
-		            [&](const auto& range)
-		            {
-			            Scratch scratch;
-			            auto& mine = found.local();
-			            for (std::uint32_t i = range.begin(); i < range.end(); ++i)
-				            matchOne(i, scratch, mine);
-		            });
 		std::vector<std::vector<SeamLink>> links(set_.blocks.size());
-		// A candidate finds the matches that come after it, so it may not know that it has one.
-		std::vector<std::vector<BoundaryIndex::Face>> matched(set_.blocks.size());
-		found.combine_each(
-		    [&](const auto& some)
-		    {
-			    for (const auto& [block, link] : some)
-			    {
-				    links[block].push_back(link);
-				    matched[block].push_back({link.cell, link.face});
-			    }
-		    });
-		for (auto& of_block : matched)
-			std::ranges::sort(of_block, {}, placeOf);
+		std::vector<bool> is_matched(candidates_.size());
+		for (const Match& match : withoutClosing(matches()))
+		{
+			const Candidate& a = candidates_[match.a];
+			const Candidate& b = candidates_[match.b];
+			links[a.block].push_back({a.face.cell, a.face.face, b.block, b.face.cell, b.face.face});
+			links[b.block].push_back({b.face.cell, b.face.face, a.block, a.face.cell, a.face.face});
+			is_matched[match.a] = is_matched[match.b] = true;
+		}
 		std::vector<LooseFace> loose;
-		for (const Candidate& c : candidates_)
-			if (!std::ranges::binary_search(matched[c.block], placeOf(c.face), {}, placeOf))
-				loose.push_back({c.block, c.face, c.tolerance, c.most});
+		for (std::size_t i = 0; i < candidates_.size(); ++i)
+			if (!is_matched[i])
+				loose.push_back({candidates_[i].block, candidates_[i].face, candidates_[i].tolerance});
 		linkHangingFaces(set_, loose, links);
 		return links;
 	}
 
 private:
-	static std::pair<CellId, std::uint32_t> placeOf(const BoundaryIndex::Face& face) { return {face.cell, face.face}; }
-
 	struct Scratch
 	{
 		CellFaces faces;
@@ -218,20 +169,38 @@ private:
 	void bucketsAround(const Candidate& c, std::vector<std::uint64_t>& buckets) const
 	{
 		buckets.clear();
-		const double reach = 2.0 * c.tolerance;
-		const int low = levelOf(std::max(c.edge - 2.0 * reach, 0.5 * c.edge));
-		const int high = levelOf(c.edge + 2.0 * reach);
+		const Vec3 reach = 2.0 * c.tolerance.corner;
+		const double longer = 2.0 * glm::length(reach);
+		const int low = levelOf(std::max(c.edge - longer, 0.5 * c.edge));
+		const int high = levelOf(c.edge + longer);
 		for (int level = low; level <= high; ++level)
 			for (int corner = 0; corner < 8; ++corner)
 				buckets.push_back(
-				    bucketOf(level, c.center + Vec3(corner & 1 ? reach : -reach, corner & 2 ? reach : -reach,
-				                                    corner & 4 ? reach : -reach)));
+				    bucketOf(level, c.center + Vec3(corner & 1 ? reach.x : -reach.x, corner & 2 ? reach.y : -reach.y,
+				                                    corner & 4 ? reach.z : -reach.z)));
 		std::ranges::sort(buckets);
 		buckets.erase(std::unique(buckets.begin(), buckets.end()), buckets.end());
 	}
 
-	// Links the candidate with the matches that come after it.
-	void matchOne(std::uint32_t i, Scratch& scratch, std::vector<std::pair<std::uint32_t, SeamLink>>& found) const
+	// All matches, ascending. A candidate finds those that come after it.
+	std::vector<Match> matches() const
+	{
+		tbb::combinable<std::vector<Match>> found;
+		parallelFor(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(candidates_.size()), 1024),
+		            [&](const auto& range)
+		            {
+			            Scratch scratch;
+			            std::vector<Match>& mine = found.local();
+			            for (std::uint32_t i = range.begin(); i < range.end(); ++i)
+				            matchOne(i, scratch, mine);
+		            });
+		std::vector<Match> all;
+		found.combine_each([&](const std::vector<Match>& some) { all.insert(all.end(), some.begin(), some.end()); });
+		std::ranges::sort(all);
+		return all;
+	}
+
+	void matchOne(std::uint32_t i, Scratch& scratch, std::vector<Match>& found) const
 	{
 		const Candidate& a = candidates_[i];
 		scratch.mine.clear();
@@ -246,10 +215,8 @@ private:
 				if (scratch.mine.empty())
 					cornersOf(a, scratch.faces, scratch.mine);
 				cornersOf(b, scratch.faces, scratch.other);
-				if (!coincide(scratch.mine, scratch.other, toleranceOf(a, b)))
-					continue;
-				found.push_back({a.block, {a.face.cell, a.face.face, b.block, b.face.cell, b.face.face}});
-				found.push_back({b.block, {b.face.cell, b.face.face, a.block, a.face.cell, a.face.face}});
+				if (coincide(scratch.mine, scratch.other, toleranceBetween(a.tolerance, b.tolerance)))
+					found.push_back({i, at->second, !coincide(scratch.mine, scratch.other, Vec3(0.0))});
 			}
 	}
 
@@ -258,11 +225,37 @@ private:
 	{
 		if (a.block == b.block && (a.face.cell == b.face.cell || !meetsItself(set_.blocks[a.block].grid)))
 			return false;
-		return glm::length(a.center - b.center) <= 2.0 * toleranceOf(a, b);
+		return areOnePlace(a.center, b.center, 2.0 * toleranceBetween(a.tolerance, b.tolerance));
 	}
-	static double toleranceOf(const Candidate& a, const Candidate& b)
+
+	// Leaves out matches of faces that lie on either side of a cell thinner than the tolerance: it would be closed.
+	std::vector<Match> withoutClosing(std::vector<Match> all) const
 	{
-		return std::min({std::max(a.tolerance, b.tolerance), a.most, b.most});
+		if (std::ranges::none_of(all, &Match::apart))
+			return all;
+		std::vector<std::pair<std::uint32_t, std::uint32_t>> others; // of a candidate: what it matches
+		for (const Match& match : all)
+		{
+			others.emplace_back(match.a, match.b);
+			others.emplace_back(match.b, match.a);
+		}
+		std::ranges::sort(others);
+		const auto matchesOf = [&](std::uint32_t i)
+		{ return std::ranges::equal_range(others, i, {}, &std::pair<std::uint32_t, std::uint32_t>::first); };
+		const auto areSidesOfOneCell = [&](const Candidate& a, const Candidate& b)
+		{ return a.block == b.block && a.face.cell == b.face.cell && a.face.face != b.face.face; };
+		std::erase_if(all,
+		              [&](const Match& match)
+		              {
+			              if (!match.apart)
+				              return false;
+			              for (const auto& [a, at_a] : matchesOf(match.a))
+				              for (const auto& [b, at_b] : matchesOf(match.b))
+					              if (areSidesOfOneCell(candidates_[at_a], candidates_[at_b]))
+						              return true;
+			              return false;
+		              });
+		return all;
 	}
 
 	void cornersOf(const Candidate& c, CellFaces& faces, std::vector<Vec3>& points) const
@@ -270,12 +263,12 @@ private:
 		std::visit([&](const auto& grid) { faceCorners(grid, c.face, faces, points); }, set_.blocks[c.block].grid);
 	}
 
-	static bool coincide(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double tolerance)
+	static bool coincide(const std::vector<Vec3>& a, const std::vector<Vec3>& b, const Vec3& tolerance)
 	{
 		return a.size() == b.size() &&
 		       std::ranges::all_of(
 		           a, [&](const Vec3& p)
-		           { return std::ranges::any_of(b, [&](const Vec3& q) { return glm::length(p - q) <= tolerance; }); });
+		           { return std::ranges::any_of(b, [&](const Vec3& q) { return areOnePlace(p, q, tolerance); }); });
 	}
 
 	const BlockSet& set_;

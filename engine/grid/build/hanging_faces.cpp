@@ -95,7 +95,7 @@ private:
 			const int level = levelOf(outlines_[i].extent);
 			if (const auto at = std::ranges::lower_bound(levels_, level); at == levels_.end() || *at != level)
 				levels_.insert(at, level);
-			const Vec3 slack(faces_[i].tolerance);
+			const Vec3 slack = faces_[i].tolerance.corner;
 			const Vec3 lo = outlines_[i].box.lo - slack;
 			const Vec3 hi = outlines_[i].box.hi + slack;
 			const std::size_t first = sorted_.size();
@@ -129,7 +129,8 @@ private:
 		const Vec3 center = outlines_[i].box.center();
 		bool has_corners = false;
 		// A face may be as long as one of its parts.
-		const int least = levelOf(std::max(outlines_[i].extent - 2.0 * small.tolerance, 0.5 * outlines_[i].extent));
+		const int least =
+		    levelOf(std::max(outlines_[i].extent - 2.0 * small.tolerance.greatest(), 0.5 * outlines_[i].extent));
 		for (auto level = std::ranges::lower_bound(levels_, least); level != levels_.end(); ++level)
 		{
 			const std::uint64_t bucket = bucketOf(*level, center);
@@ -160,7 +161,7 @@ private:
 		if (large.block == small.block &&
 		    (large.face.cell == small.face.cell || !meetsItself(set_.blocks[large.block].grid)))
 			return false;
-		const Vec3 slack(std::max(large.tolerance, small.tolerance));
+		const Vec3 slack = glm::max(large.tolerance.corner, small.tolerance.corner);
 		return glm::all(glm::greaterThanEqual(outlines_[s].box.lo, outlines_[l].box.lo - slack)) &&
 		       glm::all(glm::lessThanEqual(outlines_[s].box.hi, outlines_[l].box.hi + slack));
 	}
@@ -182,15 +183,17 @@ private:
 		for (const Vec3& corner : whole)
 			warp = std::max(warp, std::abs(glm::dot(corner - middle, normal)));
 
-		const double tolerance = std::min({std::max(small.tolerance, large.tolerance), small.most, large.most});
+		const Vec3 tolerance = toleranceBetween(small.tolerance, large.tolerance);
+		const auto toleranceAlong = [&](const Vec3& direction) { return glm::dot(glm::abs(direction), tolerance); };
 		for (const Vec3& corner : part)
 		{
-			if (std::abs(glm::dot(corner - middle, normal)) > tolerance + warp)
+			if (std::abs(glm::dot(corner - middle, normal)) > toleranceAlong(normal) + warp)
 				return false;
 			for (std::size_t e = 0; e < whole.size(); ++e)
 			{
 				const Vec3 along = whole[(e + 1) % whole.size()] - whole[e];
-				if (glm::dot(glm::cross(normal, along), corner - whole[e]) < -tolerance * glm::length(along))
+				const Vec3 inward = glm::cross(normal, along);
+				if (glm::dot(inward, corner - whole[e]) < -toleranceAlong(inward))
 					return false;
 			}
 		}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grid/block.h"
+#include "grid/face_tolerance.h"
 
 #include <span>
 #include <vector>
@@ -13,8 +14,7 @@ struct LooseFace
 {
 	std::uint32_t block;
 	BoundaryIndex::Face face;
-	double tolerance; // of a corner
-	double most;      // what no tolerance may pass
+	FaceTolerance tolerance;
 };
 
 /// Links faces that lie within a larger one, as where a cell meets several smaller ones: links[b] of block b grows. In

@@ -37,6 +37,45 @@ void expectConsistent(const grid::BlockSet& set)
 
 constexpr std::size_t kSide = kSteps * kSteps;
 
+// Boxes on one another along an axis, with points of their own, in floats. heights: of each box its lower and upper
+// end. The other sides are 250 long.
+grid::BlockSet stackOfBoxes(int up, const Vec3& lo, const std::vector<std::pair<double, double>>& heights)
+{
+	CellListMaker maker;
+	std::vector<float> xyz;
+	for (const auto& [low, high] : heights)
+	{
+		std::vector<std::int64_t> ids;
+		for (const Vec3& corner : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0), Vec3(0, 0, 1),
+		                           Vec3(1, 0, 1), Vec3(1, 1, 1), Vec3(0, 1, 1)})
+		{
+			Vec3 place;
+			place[up] = corner.z > 0.0 ? high : low;
+			place[(up + 1) % 3] = 250.0 * corner.x;
+			place[(up + 2) % 3] = 250.0 * corner.y;
+			ids.push_back(maker.point(lo + place));
+			for (int axis = 0; axis < 3; ++axis)
+				xyz.push_back(static_cast<float>(lo[axis] + place[axis]));
+		}
+		maker.cell(12, ids);
+	}
+	grid::Block block;
+	block.grid = grid::UnstructuredGrid::build(grid::Points(Array<float>(std::move(xyz))), maker.list());
+	addTestFields(block, heights.size());
+	grid::finishBlock(block);
+	return setOfBlocks({block});
+}
+
+// Cells are numbered in the order in which they were given.
+bool meet(const grid::BlockSet& set, std::size_t a, std::size_t b)
+{
+	const auto& grid = std::get<grid::UnstructuredGrid>(set.blocks[0].grid);
+	const grid::BlockSeams* seams = set.interfaces.of(0);
+	return seams &&
+	       std::ranges::any_of(seams->all(), [&](const grid::SeamLink& link)
+	                           { return grid.sourceCell(link.cell) == a && grid.sourceCell(link.other) == b; });
+}
+
 } // namespace
 
 TEST(Interfaces, BlocksWhoseIndicesRunOtherwise)
@@ -166,6 +205,37 @@ TEST(Interfaces, WithinTheToleranceAndBeyond)
 		const grid::BlockSet set = setOfBlocks({latticeBlock(straight, 0.0, false), shifted});
 		EXPECT_EQ(set.interfaces.seam_faces, meets ? 2 * kSide : 0u) << gap;
 	}
+}
+
+// In floats at 6.7e6, as projected coordinates in meters are, numbers are half a meter apart.
+TEST(Interfaces, ToleranceFollowsEachAxis)
+{
+	for (int up = 0; up < 3; ++up)
+		for (int far = 0; far < 3; ++far)
+		{
+			SCOPED_TRACE(testing::Message() << "up " << up << ", far " << far);
+			Vec3 lo(0.0);
+			lo[far] = 6.7e6;
+			// A slab between two cells without thickness, and between two thick ones.
+			const grid::BlockSet flat = stackOfBoxes(up, lo, {{0, 0}, {0, 1}, {1, 1}});
+			EXPECT_FALSE(meet(flat, 0, 2));
+			const grid::BlockSet thick = stackOfBoxes(up, lo, {{-100, 0}, {0, 1}, {1, 100}});
+			EXPECT_TRUE(meet(thick, 0, 1));
+			EXPECT_TRUE(meet(thick, 1, 2));
+			EXPECT_FALSE(meet(thick, 0, 2));
+			const grid::BlockSet thinnest = stackOfBoxes(up, lo, {{-100, 0}, {0, 0.5}, {0.5, 100}});
+			EXPECT_TRUE(meet(thinnest, 0, 1));
+			EXPECT_TRUE(meet(thinnest, 1, 2));
+			EXPECT_FALSE(meet(thinnest, 0, 2));
+			// Two copies of a side that differ by one number of the far axis, as rounding leaves them, are one.
+			const double gap = up == far ? 0.5 : 1e-5;
+			EXPECT_TRUE(meet(stackOfBoxes(up, lo, {{-100, 0}, {gap, 100}}), 0, 1));
+			// Along the other axes such a gap is one.
+			if (up != far)
+			{
+				EXPECT_FALSE(meet(stackOfBoxes(up, lo, {{-100, 0}, {0.5, 100}}), 0, 1));
+			}
+		}
 }
 
 } // namespace vp::test
