@@ -113,6 +113,8 @@ public:
 	}
 	// Returns true if there are links between cells that do not share the points of a face.
 	bool hasLinks() const { return has_links_; }
+	// Returns true if three or more cells share the points of a face. Where there are links nobody looks.
+	bool hasCrowds() const { return !has_links_ && !several_.empty(); }
 	std::size_t sourcePoint(PointId p) const { return list_ ? p : source_points_[p]; }
 	std::size_t sourceCell(CellId c) const
 	{

@@ -1,5 +1,6 @@
 #include "cut_both_ways.h"
 #include "gpu_fixture.h"
+#include "overlapping_sets.h"
 #include "random_sets.h"
 #include "twisted_sets.h"
 
@@ -145,6 +146,19 @@ TEST_F(GpuTwisted, RandomSetsAndPlanes)
 		}
 		if (testing::Test::HasFailure())
 			return;
+	}
+}
+
+TEST_F(GpuTwisted, CellsThatOverlap)
+{
+	Taken taken;
+	for (const RawSet& raw : overlappingSets())
+	{
+		SCOPED_TRACE(raw.name);
+		const grid::BlockSet set = build(raw);
+		for (const TestPlane& plane : planesOfOverlappingSets())
+			if (taken.next())
+				sliceBothWays(device(), set, plane);
 	}
 }
 

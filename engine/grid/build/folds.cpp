@@ -92,12 +92,25 @@ Turn turnOfCell(const G& grid, CellId cell)
 	return turnOf(grid.shape(cell), {points.data(), static_cast<std::size_t>(ids.size)});
 }
 
+// Whether three cells or more have a face of this cell, so that two of them lie on the same side of it, or one other
+// cell has its first two faces, as a copy of it has.
+template <int kFaces>
+bool isCrowded(const std::uint32_t* across, bool has_crowds)
+{
+	bool crowded = across[0] == across[1] && across[0] != kNoCell;
+	for (int f = 0; f < kFaces && has_crowds; ++f)
+		crowded |= across[f] >= kMaxBlockIds && across[f] != kNoCell;
+	return crowded;
+}
+
+// Mixed where a cell is to be looked at among its neighbors.
 template <int kWidth, class Number>
-Turn turnOfRecord(const RecordReader<kWidth, Number>& reader, CellId cell)
+Turn turnOfRecord(const RecordReader<kWidth, Number>& reader, CellId cell, bool has_crowds)
 {
 	const std::uint32_t* record = reader.record(cell);
 	const CellShape shape = reader.shape(record);
-	if (shape == CellShape::polyhedron)
+	constexpr int kFaces = kWidth == 4 ? 4 : 6;
+	if (shape == CellShape::polyhedron || isCrowded<kFaces>(reader.across(record), has_crowds))
 		return Turn::mixed;
 	std::array<Vec3, kWidth> points;
 	const int count = topology(shape).points;
@@ -331,7 +344,7 @@ std::vector<CellId> foldedCells(const UnstructuredGrid& grid)
 		                        [&](const auto& range)
 		                        {
 			                        for (std::size_t c = range.begin(); c < range.end(); ++c)
-				                        turns[c] = turnOfRecord(reader, static_cast<CellId>(c));
+				                        turns[c] = turnOfRecord(reader, static_cast<CellId>(c), grid.hasCrowds());
 		                        });
 	            });
 	std::vector<CellId> cells = turns.minority();

@@ -21,7 +21,8 @@ namespace vp::grid
 // cut edge it may wind several times): the image of the closed surface would be open and compact, and the plane holds
 // no such set but the empty one.
 //
-// Cells are taken to meet in whole faces, two at most on each.
+// Cells are taken to meet in whole faces, two at most on each, one on each side. Where three or more have a face, as
+// where cells are given twice, two of them lie on the same side of it, and all are listed.
 //
 // Cells of an unstructured grid are compared with the cells across by the points of the shared face. Where these are
 // not the same points, or several cells lie across, a cell that is turned otherwise is listed.
