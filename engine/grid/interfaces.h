@@ -22,8 +22,8 @@ enum class Hang : std::uint8_t
 };
 
 // A boundary face, and another face at the same place that does not share its points. The other face belongs to another
-// block, or to the same block where points are not merged, such as at the wrap of an O- or C-grid, or where one cell
-// meets several smaller ones (hanging nodes). A face that lies on several others is linked to each.
+// block, or to the same block where points are not merged, as where an O-grid closes or nodes hang. A face that lies on
+// up to eight others is linked to each of them. If there are more, it is linked to some, whose links lead to all.
 struct SeamLink
 {
 	CellId cell;

@@ -78,7 +78,8 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 	for (const grid::Interface& interface : blocks.interfaces.interfaces)
 		interfaces.push_back({{"blocks", {interface.a, interface.b}}, {"faces", interface.faces}});
 	nlohmann::json overlaps = nlohmann::json::array();
-	for (const grid::BlockOverlap& overlap : grid::findBlockOverlaps(blocks))
+	const grid::BlockOverlaps found = grid::findBlockOverlaps(blocks);
+	for (const grid::BlockOverlap& overlap : found.pairs)
 		overlaps.push_back(
 		    {{"blocks", {overlap.a, overlap.b}}, {"cells", overlap.cells}, {"samples", overlap.samples}});
 	const Box bounds = blocks.bounds();
@@ -93,6 +94,7 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 	        {"blocks", block_list},
 	        {"interfaces", interfaces},
 	        {"overlaps", overlaps},
+	        {"overlap_pairs", {{"near", found.near}, {"looked_at", found.looked_at}}},
 	        {"seam_faces", blocks.interfaces.seam_faces},
 	        {"boundary_faces", blocks.interfaces.boundary_faces},
 	        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
@@ -142,7 +144,9 @@ void printMeetings(const grid::BlockSet& blocks)
 		fmt::print("        block {} meets {} in {} faces\n", interface.a, meets, interface.faces);
 	}
 	printMore(seams.interfaces.size());
-	const std::vector<grid::BlockOverlap> overlaps = grid::findBlockOverlaps(blocks);
+	const auto& [overlaps, near, looked_at] = grid::findBlockOverlaps(blocks);
+	if (looked_at < near)
+		fmt::print("overlap {} of {} pairs of blocks near each other were looked at\n", looked_at, near);
 	for (std::size_t i = 0; i < std::min(kMaxPrinted, overlaps.size()); ++i)
 		fmt::print("overlap blocks {} and {} have room in common: {} of {} cells looked at\n", overlaps[i].a,
 		           overlaps[i].b, overlaps[i].cells, overlaps[i].samples);

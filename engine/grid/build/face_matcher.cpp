@@ -19,6 +19,12 @@ namespace vp::grid
 namespace
 {
 
+// Up to so many faces at one place are linked to all others there. In a larger crowd (one file given hundreds of times)
+// each is linked to the next two and the two before. This still leads to all, and the lowest face has two others, by
+// which vprobe check tells that more than two cells meet.
+constexpr std::size_t kMaxFacesLinked = 8;
+constexpr std::size_t kLinkedInCrowd = 2;
+
 struct Candidate
 {
 	Vec3 center;
@@ -98,6 +104,7 @@ private:
 		std::vector<Vec3> mine;
 		std::vector<Vec3> other;
 		std::vector<std::uint64_t> buckets;
+		std::vector<std::uint32_t> near;
 	};
 
 	// Boundary faces that may lie on another: all of a block that may meet itself, else those within another block's
@@ -200,24 +207,39 @@ private:
 		return all;
 	}
 
+	// Matches the candidate with those that come after it, or, in a crowd, with the next of them.
 	void matchOne(std::uint32_t i, Scratch& scratch, std::vector<Match>& found) const
 	{
-		const Candidate& a = candidates_[i];
 		scratch.mine.clear();
-		bucketsAround(a, scratch.buckets);
+		bucketsAround(candidates_[i], scratch.buckets);
 		for (const std::uint64_t bucket : scratch.buckets)
-			for (auto at = std::upper_bound(sorted_.begin(), sorted_.end(), std::pair(bucket, i));
-			     at != sorted_.end() && at->first == bucket; ++at)
-			{
-				const Candidate& b = candidates_[at->second];
-				if (!mayMatch(a, b))
-					continue;
-				if (scratch.mine.empty())
-					cornersOf(a, scratch.faces, scratch.mine);
-				cornersOf(b, scratch.faces, scratch.other);
-				if (coincide(scratch.mine, scratch.other, toleranceBetween(a.tolerance, b.tolerance)))
-					found.push_back({i, at->second, !coincide(scratch.mine, scratch.other, Vec3(0.0))});
-			}
+		{
+			auto at = std::upper_bound(sorted_.begin(), sorted_.end(), std::pair(bucket, i));
+			scratch.near.clear();
+			for (; at != sorted_.end() && at->first == bucket && scratch.near.size() <= kMaxFacesLinked; ++at)
+				if (mayMatch(candidates_[i], candidates_[at->second]))
+					scratch.near.push_back(at->second);
+			std::size_t links = scratch.near.size() > kMaxFacesLinked ? kLinkedInCrowd : kMaxFacesLinked;
+			for (const std::uint32_t other : scratch.near)
+				if (links > 0)
+					links -= addIfMatch(i, other, scratch, found);
+			for (; links > 0 && at != sorted_.end() && at->first == bucket; ++at)
+				if (mayMatch(candidates_[i], candidates_[at->second]))
+					links -= addIfMatch(i, at->second, scratch, found);
+		}
+	}
+
+	bool addIfMatch(std::uint32_t i, std::uint32_t j, Scratch& scratch, std::vector<Match>& found) const
+	{
+		const Candidate& a = candidates_[i];
+		const Candidate& b = candidates_[j];
+		if (scratch.mine.empty())
+			cornersOf(a, scratch.faces, scratch.mine);
+		cornersOf(b, scratch.faces, scratch.other);
+		if (!coincide(scratch.mine, scratch.other, toleranceBetween(a.tolerance, b.tolerance)))
+			return false;
+		found.push_back({i, j, !coincide(scratch.mine, scratch.other, Vec3(0.0))});
+		return true;
 	}
 
 	// A cell does not meet itself. The mean of corners rounds in their order.

@@ -68,7 +68,8 @@ void findPointFaults(const BlockSet& blocks, Quality& quality);    // coincident
 void findTopologyFaults(const BlockSet& blocks, Quality& quality); // nonmanifold
 // Looks whether the center of a cell, or a point halfway from there to a corner, lies inside another cell, by more than
 // a hundredth of the way from the other's face to its center. Of each block 20 000 cells at most are looked at, evenly
-// spread, against all cells of all blocks. Images and rectilinear grids do not overlap themselves and are not asked.
+// spread, against all cells of all blocks; for each, up to 16 others are told. Images and rectilinear grids do not
+// overlap themselves and are not asked.
 void findOverlaps(const BlockSet& blocks, Quality& quality);
 
 // Two blocks that have room in common.
@@ -80,9 +81,16 @@ struct BlockOverlap
 	std::size_t samples; // cells looked at, of both blocks
 };
 
-// The pairs of blocks that overlap, ascending. For each pair whose bounds have room in common up to 500 cells of
-// either, evenly spread over those within the other's bounds, are looked at as findOverlaps() does; no others cost
-// anything.
-std::vector<BlockOverlap> findBlockOverlaps(const BlockSet& blocks);
+struct BlockOverlaps
+{
+	std::vector<BlockOverlap> pairs; // those that overlap, ascending
+	std::size_t near = 0;            // pairs of blocks whose bounds have room in common
+	std::size_t looked_at = 0;       // how many of these were looked at
+};
+
+// For each pair of blocks whose bounds have room in common up to 500 cells of either, evenly spread over those within
+// the other's bounds, are looked at as findOverlaps() does; no others cost anything. Above 200 pairs fewer cells of
+// each are looked at, 16 at least; above 6250 pairs, or where their blocks are large, not all pairs are.
+BlockOverlaps findBlockOverlaps(const BlockSet& blocks);
 
 } // namespace vp::grid

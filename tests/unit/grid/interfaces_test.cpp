@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <tuple>
+#include <vector>
 
 namespace vp::test
 {
@@ -236,6 +238,42 @@ TEST(Interfaces, ToleranceFollowsEachAxis)
 				EXPECT_FALSE(meet(stackOfBoxes(up, lo, {{-100, 0}, {0.5, 100}}), 0, 1));
 			}
 		}
+}
+
+// One file given many times, and the same with rounding apart: links grow with the number of faces, not with its
+// square, and lead from each to all.
+TEST(Interfaces, ManyBlocksAtOnePlace)
+{
+	constexpr std::size_t kBlocks = 200;
+	for (const double apart : {0.0, 1e-9})
+	{
+		std::vector<grid::Block> blocks;
+		for (std::size_t b = 0; b < kBlocks; ++b)
+			blocks.push_back(
+			    hexahedraBlock(straight, apart * static_cast<double>(b), 0.25 + apart * static_cast<double>(b), true));
+		const grid::BlockSet set = setOfBlocks(std::move(blocks));
+		expectConsistent(set);
+		const std::size_t faces = set.blocks[0].boundary.faces.size();
+		EXPECT_EQ(set.interfaces.seam_faces, kBlocks * faces);
+		std::size_t links = 0;
+		for (const grid::BlockSeams& seams : set.interfaces.blocks)
+			links += seams.all().size();
+		EXPECT_LE(links, kBlocks * faces * 8) << apart;
+		for (const grid::BoundaryIndex::Face& face : set.blocks[0].boundary.faces)
+		{
+			std::set<std::tuple<std::uint32_t, CellId, std::uint32_t>> reached{{0, face.cell, face.face}};
+			std::vector<std::tuple<std::uint32_t, CellId, std::uint32_t>> front(reached.begin(), reached.end());
+			while (!front.empty())
+			{
+				const auto [b, cell, f] = front.back();
+				front.pop_back();
+				for (const grid::SeamLink& link : set.interfaces.blocks[b].of(cell, f))
+					if (reached.emplace(link.block, link.other, link.other_face).second)
+						front.emplace_back(link.block, link.other, link.other_face);
+			}
+			EXPECT_EQ(reached.size(), kBlocks) << apart;
+		}
+	}
 }
 
 } // namespace vp::test

@@ -186,4 +186,40 @@ TEST(Quality, OverlapsWithinABlock)
 	EXPECT_FALSE(qualityOf(gridNamed("three_on_a_face")).overlaps.empty());
 }
 
+// The pairs of blocks at one place grow with the square of their number, and what is looked at does not.
+TEST(Quality, ManyBlocksAtOnePlace)
+{
+	for (const std::size_t count : {10, 50, 300})
+	{
+		CellListMaker maker;
+		for (int x = 0; x < 3; ++x)
+			maker.cell(12, boxPoints(maker, Vec3(x, 0, 0)));
+		const grid::BlockSet set = setOfBlocks(std::vector<grid::Block>(count, maker.block("boxes")));
+		const grid::BlockOverlaps overlaps = grid::findBlockOverlaps(set);
+		EXPECT_EQ(overlaps.near, count * (count - 1) / 2);
+		EXPECT_EQ(overlaps.looked_at, overlaps.pairs.size()); // each of them overlaps
+		EXPECT_LE(overlaps.looked_at, 6250u);
+		EXPECT_GE(overlaps.looked_at, std::min<std::size_t>(overlaps.near, 3125));
+		for (const grid::BlockOverlap& pair : overlaps.pairs)
+			EXPECT_EQ(pair.cells, 6u);
+
+		const grid::Quality quality = grid::checkQuality(set);
+		EXPECT_EQ(quality.overlap_samples, 3 * count);
+		EXPECT_GE(quality.overlaps.size(), 3 * (count - 1));
+		EXPECT_LE(quality.overlaps.size(), 3 * count * 16);
+		EXPECT_EQ(quality.nonmanifold_faces.size(), 16u); // 14 outside, and two between the boxes: each counts once
+	}
+}
+
+// As many in one block, each cell with points of its own.
+TEST(Quality, ManyCellsAtOnePlace)
+{
+	CellListMaker maker;
+	for (int n = 0; n < 2000; ++n)
+		maker.cell(12, boxPoints(maker, Vec3(0.0)));
+	const grid::Quality quality = qualityOf(maker.block("boxes"));
+	EXPECT_GE(quality.overlaps.size(), 1999u);
+	EXPECT_LE(quality.overlaps.size(), 2000u * 16);
+}
+
 } // namespace vp::test
