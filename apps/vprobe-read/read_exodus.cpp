@@ -1,4 +1,5 @@
 #include "exodus_nodal.h"
+#include "exodus_points.h"
 #include "formats.h"
 #include "manifest_writer.h"
 #include "netcdf_size.h"
@@ -45,8 +46,16 @@ void addOddNodes(const std::vector<vtkSmartPointer<vtkDoubleArray>>& arrays, vtk
 			}
 			grid->GetPointData()->AddArray(part);
 		}
-		grid->GetPointData()->RemoveArray(vtkExodusIIReader::GetImplicitNodeIdArrayName());
 	}
+}
+
+// The numbers of the nodes have done their work.
+void forgetNodes(vtkMultiBlockDataSet* objects)
+{
+	const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(objects->NewIterator());
+	for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+		if (auto* data = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()))
+			data->GetPointData()->RemoveArray(vtkExodusIIReader::GetImplicitNodeIdArrayName());
 }
 
 } // namespace
@@ -58,13 +67,13 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	if (!reader->CanReadFile(request.file.c_str()))
 		throw Refusal("not an Exodus II file, though its first bytes are netCDF's or HDF5's");
 	reader->SetFileName(request.file.c_str());
-	reader->SetApplyDisplacements(request.displace != 0.0);
-	reader->SetDisplacementMagnitude(static_cast<float>(request.displace));
+	reader->SetApplyDisplacements(false); // which it would add in single precision
 	reader->UpdateInformation();
 	refuseMissingExodus(request.file);
 	const bool is_odd = hasOddExodusNodes(request.file);
 	reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, is_odd ? 0 : 1);
-	reader->SetGenerateImplicitNodeIdArray(is_odd);
+	const bool sets_points = request.displace != 0.0 || hasDoubleExodusPoints(request.file);
+	reader->SetGenerateImplicitNodeIdArray(is_odd || sets_points);
 	reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
 	for (int block = 0; block < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++block)
 		reader->SetObjectStatus(vtkExodusIIReader::ELEM_BLOCK, block, 1);
@@ -75,6 +84,10 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	auto* objects = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
 	if (is_odd && objects)
 		addOddNodes(oddExodusNodes(request.file, time ? exodusStepOf(request.file, *time) : 0), objects);
+	if (sets_points && objects && !setExodusPoints(request.file, request.displace, objects))
+		manifest.warn("the places of its points have 7 digits");
+	if (objects)
+		forgetNodes(objects);
 	for (unsigned int kind = 0; objects && kind < objects->GetNumberOfBlocks(); ++kind)
 	{
 		const char* name =
