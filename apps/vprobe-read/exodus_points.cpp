@@ -13,6 +13,7 @@
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>

@@ -1,12 +1,15 @@
 #include "complaints.h"
+#include "foam_doubles.h"
 #include "formats.h"
 #include "manifest_writer.h"
 #include "refusal.h"
 #include "time_choice.h"
 
+#include <vtkDoubleArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkOpenFOAMReader.h>
+#include <vtkStringArray.h>
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -16,6 +19,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -53,6 +57,15 @@ void refuseShortGzips(const fs::path& folder)
 	}
 }
 
+void widen(vtkOpenFOAMReader& reader, const Request& request, std::optional<double> time, ManifestWriter& manifest)
+{
+	std::vector<std::string> times;
+	for (vtkIdType i = 0; time && i < reader.GetTimeNames()->GetNumberOfValues(); ++i)
+		if (reader.GetTimeValues()->GetValue(i) <= *time)
+			times.push_back(reader.GetTimeNames()->GetValue(i));
+	widenFoam({fs::path(request.file).parent_path(), std::move(times)}, reader.GetOutputDataObject(0), manifest);
+}
+
 } // namespace
 
 // In a pass of its own, without fields: those of patches can be of kinds that the reader complains about.
@@ -71,7 +84,7 @@ void addFoamPatches(const Request& request, ManifestWriter& manifest)
 	reader->DisableAllPointArrays();
 	reader->DisableAllLagrangianArrays();
 	const Request at = request;
-	updateAtTime(*reader, at, manifest);
+	widen(*reader, request, updateAtTime(*reader, at, manifest), manifest);
 	manifest.addPatches(reader->GetOutputDataObject(0));
 }
 
@@ -105,6 +118,7 @@ void readFoam(const Request& request, ManifestWriter& manifest)
 	for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder))
 		if (time && entry.is_directory() && std::strtod(entry.path().filename().c_str(), nullptr) == *time)
 			refuseShortGzips(entry.path());
+	widen(*reader, request, time, manifest);
 	manifest.add(reader->GetOutputDataObject(0));
 	if (request.patches)
 		addFoamPatches(request, manifest);
