@@ -22,8 +22,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -141,22 +143,27 @@ public:
 	}
 
 private:
-	// VTK numbers the points of a patch in the order that they have in the mesh.
+	// The cells of a patch are its faces in their order, corner by corner.
 	static bool widenPatch(vtkPolyData* patch, std::string_view name, const FoamMesh& mesh, const FoamList& places)
 	{
 		const auto found = std::ranges::find(mesh.patches, name, &FoamPatch::name);
-		if (found == mesh.patches.end())
+		if (found == mesh.patches.end() || found->faces != patch->GetNumberOfCells())
 			return false;
-		const auto corner = [&](std::int64_t face)
-		{ return mesh.faces.corners.begin() + mesh.faces.starts[static_cast<std::size_t>(face)]; };
-		std::vector<std::int64_t> points(corner(found->first), corner(found->first + found->faces));
-		std::ranges::sort(points);
-		points.erase(std::unique(points.begin(), points.end()), points.end());
-		FoamList own = {3, false, {}};
-		for (const std::int64_t point : points)
+		const auto points = static_cast<std::size_t>(patch->GetNumberOfPoints());
+		FoamList own = {3, false, std::vector<double>(3 * points, std::numeric_limits<double>::infinity())};
+		for (vtkIdType cell = 0; cell < found->faces; ++cell)
 		{
-			const double* place = places.at(static_cast<std::size_t>(point));
-			own.numbers.insert(own.numbers.end(), place, place + 3);
+			const auto face = static_cast<std::size_t>(found->first + cell);
+			const std::int64_t first = mesh.faces.starts[face];
+			vtkIdType count = 0;
+			const vtkIdType* corners = nullptr;
+			patch->GetCellPoints(cell, count, corners);
+			if (count != mesh.faces.starts[face + 1] - first)
+				return false;
+			for (vtkIdType i = 0; i < count; ++i)
+				std::copy_n(
+				    places.at(static_cast<std::size_t>(mesh.faces.corners[static_cast<std::size_t>(first + i)])), 3,
+				    own.numbers.begin() + 3 * corners[i]);
 		}
 		const auto wide = widened(own, patch->GetPoints()->GetData());
 		if (wide)
