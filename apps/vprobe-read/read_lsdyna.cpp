@@ -7,8 +7,8 @@
 #include "time_choice.h"
 
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
-#include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -142,21 +142,28 @@ vtkSmartPointer<vtkUnstructuredGrid> lsdynaGrid(const LsdynaFamily& family)
 	return grid;
 }
 
-// An array of values that lie `step` words apart.
-vtkSmartPointer<vtkFloatArray> lsdynaArray(const LsdynaWords& words, std::size_t at, std::size_t step,
-                                           std::int64_t count, int components, const char* name)
+// In the precision of the file.
+vtkSmartPointer<vtkDataArray> emptyLsdynaArray(const LsdynaWords& words)
 {
-	auto array = vtkSmartPointer<vtkFloatArray>::New();
+	return vtkSmartPointer<vtkDataArray>::Take(
+	    vtkDataArray::CreateDataArray(words.width() == sizeof(double) ? VTK_DOUBLE : VTK_FLOAT));
+}
+
+// An array of values that lie `step` words apart.
+vtkSmartPointer<vtkDataArray> lsdynaArray(const LsdynaWords& words, std::size_t at, std::size_t step,
+                                          std::int64_t count, int components, const char* name)
+{
+	const auto array = emptyLsdynaArray(words);
 	array->SetName(name);
 	array->SetNumberOfComponents(components);
 	array->SetNumberOfTuples(count);
 	for (vtkIdType i = 0; i < count; ++i, at += step)
 		for (int c = 0; c < components; ++c)
-			array->SetTypedComponent(i, c, static_cast<float>(words.real(at + static_cast<std::size_t>(c))));
+			array->SetComponent(i, c, words.real(at + static_cast<std::size_t>(c)));
 	return array;
 }
 
-vtkSmartPointer<vtkPoints> lsdynaPoints(vtkFloatArray* places)
+vtkSmartPointer<vtkPoints> lsdynaPoints(vtkDataArray* places)
 {
 	auto points = vtkSmartPointer<vtkPoints>::New();
 	points->SetData(places);
@@ -178,13 +185,13 @@ void addLsdynaNodes(const LsdynaControl& control, const LsdynaState& state, vtkU
 	if (control.has_places != 0)
 	{
 		const auto moved = lsdynaArray(words, at, 3, control.nodes, 3, "places");
-		const auto displacement = vtkSmartPointer<vtkFloatArray>::New();
+		const auto displacement = emptyLsdynaArray(words);
 		displacement->DeepCopy(moved);
 		displacement->SetName("displacement");
-		for (vtkIdType i = 0; i < moved->GetNumberOfValues(); ++i)
-			displacement->SetValue(
-			    i, moved->GetValue(i) -
-			           static_cast<float>(grid->GetPoints()->GetData()->GetComponent(i / 3, static_cast<int>(i % 3))));
+		for (vtkIdType i = 0; i < moved->GetNumberOfTuples(); ++i)
+			for (int c = 0; c < 3; ++c)
+				displacement->SetComponent(
+				    i, c, moved->GetComponent(i, c) - grid->GetPoints()->GetData()->GetComponent(i, c));
 		grid->SetPoints(lsdynaPoints(moved));
 		grid->GetPointData()->AddArray(displacement);
 		at += 3 * nodes;
@@ -204,7 +211,7 @@ void addLsdynaCells(const LsdynaControl& control, const LsdynaState& state, vtkU
 {
 	const auto fill = [&](int first, int components, const std::string& name)
 	{
-		vtkNew<vtkFloatArray> all;
+		const auto all = emptyLsdynaArray(*state.words);
 		all->SetName(name.c_str());
 		all->SetNumberOfComponents(components);
 		const auto append = [&](std::size_t at, std::int64_t count, std::int64_t width)

@@ -57,7 +57,7 @@ void readPlot3d(const Request& request, ManifestWriter& manifest)
 		reader->SetByteOrderToBigEndian();
 	reader->SetHasByteCount(layout.byte_counts);
 	reader->SetMultiGrid(layout.multi_grid);
-	reader->SetDoublePrecision(layout.doubles);
+	reader->SetDoublePrecision(layout.doubles || !layout.binary); // text may have all digits
 	reader->SetIBlanking(layout.blanking);
 	reader->SetTwoDimensionalGeometry(layout.flat);
 

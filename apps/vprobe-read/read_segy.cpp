@@ -5,8 +5,8 @@
 #include "refusal.h"
 #include "segy_file.h"
 
+#include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
-#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -122,7 +122,8 @@ vtkSmartPointer<vtkStructuredGrid> segyGrid(const SegyFile& file, const SegySurv
 {
 	const SegyPlane plane(file, survey);
 	vtkNew<vtkPoints> points;
-	vtkNew<vtkFloatArray> values;
+	const auto values =
+	    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(file.isDouble() ? VTK_DOUBLE : VTK_FLOAT));
 	vtkNew<vtkUnsignedCharArray> marks;
 	const auto columns = static_cast<vtkIdType>(survey.traces.size());
 	const auto samples = static_cast<vtkIdType>(file.sampleCount());
@@ -145,8 +146,8 @@ vtkSmartPointer<vtkStructuredGrid> segyGrid(const SegyFile& file, const SegySurv
 			const vtkIdType point = (samples - 1 - k) * columns + column;
 			const double depth = (is_here ? trace->delay : 0.0) + file.interval() * static_cast<double>(k);
 			points->SetPoint(point, place[0], place[1], -depth);
-			values->SetValue(point, is_here ? file.sample(index, static_cast<std::size_t>(k))
-			                                : std::numeric_limits<float>::quiet_NaN());
+			values->SetTuple1(point, is_here ? file.sample(index, static_cast<std::size_t>(k))
+			                                 : std::numeric_limits<double>::quiet_NaN());
 			marks->SetValue(point, is_here ? 0 : vtkDataSetAttributes::HIDDENPOINT);
 		}
 	}

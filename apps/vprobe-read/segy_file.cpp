@@ -136,7 +136,7 @@ SegyTrace SegyFile::trace(std::size_t index) const
 	return trace;
 }
 
-float SegyFile::sample(std::size_t trace, std::size_t index) const
+double SegyFile::sample(std::size_t trace, std::size_t index) const
 {
 	const std::size_t at = placeOf(trace) + kSegyTraceHeaderBytes + index * width_;
 	switch (format_)
@@ -144,11 +144,11 @@ float SegyFile::sample(std::size_t trace, std::size_t index) const
 	case 1:
 		return ibmFloat(number<std::uint32_t>(at));
 	case 2:
-		return static_cast<float>(number<std::int32_t>(at));
+		return number<std::int32_t>(at);
 	case 3:
 		return number<std::int16_t>(at);
 	case 6:
-		return static_cast<float>(number<double>(at));
+		return number<double>(at);
 	case 8:
 		return number<std::int8_t>(at);
 	default:

@@ -25,7 +25,9 @@ public:
 	std::size_t sampleCount() const { return samples_; }
 	double interval() const { return interval_; } // ms
 	SegyTrace trace(std::size_t index) const;
-	float sample(std::size_t trace, std::size_t index) const;
+	double sample(std::size_t trace, std::size_t index) const;
+	// True if its samples do not fit into single precision.
+	bool isDouble() const { return format_ == 2 || format_ == 6; }
 
 private:
 	template <class Number>
