@@ -1,5 +1,6 @@
 #include "session/grown_contours.h"
 
+#include "base/digits.h"
 #include "base/messages.h"
 #include "measure/sheet_lookup.h"
 #include "session/team.h"
@@ -121,8 +122,10 @@ void tellEmpty(const Session& session, const cut::Cut& slice, std::size_t s, dou
 	if (!contourer.range())
 		return; // it shows nothing, which has been told
 	const std::string where = slice.sheets.size() == 1 ? std::string("the sheet") : fmt::format("sheet {}", s);
-	warn("`contour` {} is empty: {} has {} from {:.6g} to {:.6g} within its box; give a value between", value, where,
-	     slice.sheets[s].field->title(session.blocks), contourer.range()->first, contourer.range()->second);
+	const auto [lo, hi] = *contourer.range();
+	const int digits = digitsForRange(lo, hi);
+	warn("`contour` {} is empty: {} has {} from {:.{}g} to {:.{}g} within its box; give a value between", value, where,
+	     slice.sheets[s].field->title(session.blocks), lo, digits, hi, digits);
 }
 
 } // namespace

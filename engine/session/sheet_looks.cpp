@@ -1,5 +1,6 @@
 #include "session/sheet_looks.h"
 
+#include "base/digits.h"
 #include "render/color/color_map_file.h"
 #include "session/value_scale.h"
 
@@ -44,11 +45,12 @@ render::ValueScale generationScale(const cut::Cut& slice)
 
 std::string caption(const probe::Sheet& sheet, const Box& bounds)
 {
-	const double of_bounds = bounds.empty() ? 0.0 : std::max(largest(bounds.lo), largest(bounds.hi));
-	const Vec3 origin = withoutSmall(sheet.origin, kRounding * std::max(of_bounds, largest(sheet.origin)));
+	const double size = bounds.empty() ? largest(sheet.origin) : largest(bounds.hi - bounds.lo);
+	const Vec3 origin = withoutSmall(sheet.origin, kRounding * size);
 	const Vec3 normal = withoutSmall(sheet.normal, 0.5e-3); // no negative zero
-	return fmt::format("origin {:.4g}, {:.4g}, {:.4g}   normal {:.3f}, {:.3f}, {:.3f}", origin.x, origin.y, origin.z,
-	                   normal.x, normal.y, normal.z);
+	const auto number = [&](double place) { return fmt::format("{:.{}g}", place, digitsFor(place, 1e-2 * size, 4)); };
+	return fmt::format("origin {}, {}, {}   normal {:.3f}, {:.3f}, {:.3f}", number(origin.x), number(origin.y),
+	                   number(origin.z), normal.x, normal.y, normal.z);
 }
 
 bool hasNan(const SheetStats& sheet)

@@ -1,3 +1,4 @@
+#include "base/digits.h"
 #include "base/messages.h"
 #include "session/session.h"
 #include "session/team.h"
@@ -6,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 namespace vp::session
 {
@@ -53,17 +55,26 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 		else if (sheet.sheet.form && sheet.sheet.form->isoValue())
 		{
 			const auto [lo, hi] = spanOf(session, *sheet.field).range();
-			warn("{} is empty: no edge that is reached passes {}; the values of {} go from {:.6g} to {:.6g}", what,
-			     sheet.sheet.form->isoValue()->value, sheet.field->title(session.blocks), lo, hi);
+			const int digits = digitsForRange(lo, hi);
+			warn("{} is empty: no edge that is reached passes {}; the values of {} go from {:.{}g} to {:.{}g}", what,
+			     sheet.sheet.form->isoValue()->value, sheet.field->title(session.blocks), lo, digits, hi, digits);
 		}
 		else
-			warn("{} is empty: the {} misses the grid; its bounds are {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
-			     "{:.6g}",
-			     what,
+		{
+			const auto corner = [&](const Vec3& at)
+			{
+				std::string words;
+				for (int axis = 0; axis < 3; ++axis)
+					words += fmt::format("{}{:.{}g}", axis ? " " : "", at[axis],
+					                     digitsForRange(bounds.lo[axis], bounds.hi[axis]));
+				return words;
+			};
+			warn("{} is empty: the {} misses the grid; its bounds are {} to {}", what,
 			     sheet.sheet.window ? "window"
 			     : sheet.sheet.form ? "surface"
 			                        : "plane",
-			     bounds.lo.x, bounds.lo.y, bounds.lo.z, bounds.hi.x, bounds.hi.y, bounds.hi.z);
+			     corner(bounds.lo), corner(bounds.hi));
+		}
 	}
 	return Nothing{};
 }

@@ -1,3 +1,4 @@
+#include "base/digits.h"
 #include "base/timeline.h"
 #include "commands/commands.h"
 #include "grid/check/quality.h"
@@ -12,6 +13,9 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 namespace vp::app
@@ -102,13 +106,37 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 	        {"arrays", arrays}};
 }
 
+// Both ends, with as many digits as the width of the range needs.
+std::string rangeWords(double lo, double hi, int most = 15)
+{
+	const int digits = digitsForRange(lo, hi, most);
+	return fmt::format("{:.{}g} to {:.{}g}", lo, digits, hi, digits);
+}
+
+// Those that a number of single precision has; more would be made up.
+int digitsOf(grid::NumberType type)
+{
+	return type == grid::NumberType::float32 ? 7 : 15;
+}
+
 // All of them, or, of many, those that tell how they go on.
 std::string timesAsWords(const std::vector<double>& times)
 {
 	constexpr std::size_t most = 30;
-	if (times.size() <= most)
-		return fmt::format("{:.6g}", fmt::join(times, " "));
-	return fmt::format("{:.6g} {:.6g} {:.6g} ... {:.6g}", times[0], times[1], times[2], times.back());
+	double largest = 0.0, gap = std::numeric_limits<double>::infinity();
+	for (std::size_t t = 0; t < times.size(); ++t)
+	{
+		largest = std::max(largest, std::abs(times[t]));
+		if (t > 0 && times[t] > times[t - 1])
+			gap = std::min(gap, times[t] - times[t - 1]);
+	}
+	const int digits = digitsFor(largest, gap);
+	std::string words;
+	for (std::size_t t = 0; t < times.size(); ++t)
+		if (times.size() <= most || t < 3 || t + 1 == times.size())
+			words +=
+			    fmt::format("{}{}{:.{}g}", t ? " " : "", t > 3 && times.size() > most ? "... " : "", times[t], digits);
+	return words;
 }
 
 // Of many blocks, or pairs of them, the first tell enough.
@@ -164,8 +192,8 @@ void printInfo(const grid::BlockSet& blocks)
 		fmt::print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
 	printBlocks(blocks);
 	printMeetings(blocks);
-	fmt::print("bounds  x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n", bounds.lo.x, bounds.hi.x,
-	           bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z);
+	fmt::print("bounds  x {}, y {}, z {}\n", rangeWords(bounds.lo.x, bounds.hi.x), rangeWords(bounds.lo.y, bounds.hi.y),
+	           rangeWords(bounds.lo.z, bounds.hi.z));
 	if (!blocks.times.empty())
 		fmt::print("times   {}: {}\n", blocks.times.size(), timesAsWords(blocks.times));
 	const auto arrays = listArrays(blocks);
@@ -174,7 +202,7 @@ void printInfo(const grid::BlockSet& blocks)
 	for (const auto& [field, range] : arrays)
 		fmt::print("array   {}:{}  {} x {}, {}{}\n", grid::associationName(field->association), field->name,
 		           field->components, grid::numberTypeName(field->type), field->components == 1 ? "" : "magnitude ",
-		           range.empty() ? "no finite value" : fmt::format("{:.6g} to {:.6g}", range.lo, range.hi));
+		           range.empty() ? "no finite value" : rangeWords(range.lo, range.hi, digitsOf(field->type)));
 }
 
 void listFormats(bool as_json)

@@ -1,3 +1,4 @@
+#include "base/digits.h"
 #include "interact/nudge.h"
 #include "interact/placing.h"
 #include "interact/steps.h"
@@ -7,6 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace vp::app
 {
@@ -41,7 +44,11 @@ void showOrigin(Desk& desk, const Place& place)
 {
 	fieldHeading("Position");
 	probe::Frame frame = place.frame;
-	if (dragNumbers(desk, {"##origin", lengthSpeed(desk)}, &frame.origin.x, 3,
+	const Vec3& at = frame.origin;
+	const double farthest = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+	// The number is rounded to what is shown.
+	const std::string format = fmt::format("%.{}g", digitsFor(farthest, 0.1 * lengthSpeed(desk), 5));
+	if (dragNumbers(desk, {.id = "##origin", .speed = lengthSpeed(desk), .format = format.c_str()}, &frame.origin.x, 3,
 	                "x, y and z of the origin. Drag, or click and type"))
 		change(desk, place, "Position", frame);
 }

@@ -1,5 +1,6 @@
 #include "viewer/pointer_words.h"
 
+#include "base/digits.h"
 #include "interact/steps.h"
 #include "session/sheet_looks.h"
 
@@ -27,8 +28,9 @@ std::size_t sheetOfCut(const probe::Probe& probe, std::size_t sheet)
 std::string place(const Vec3& at, const Box& bounds)
 {
 	const double step = kDigits * interact::sizeOf(bounds);
-	const auto number = [&](double value) { return std::abs(value) < 0.5 * step ? 0.0 : value; };
-	return fmt::format("{:.5g}, {:.5g}, {:.5g}", number(at.x), number(at.y), number(at.z));
+	const auto number = [&](double value)
+	{ return fmt::format("{:.{}g}", std::abs(value) < 0.5 * step ? 0.0 : value, digitsFor(value, 100.0 * step, 5)); };
+	return fmt::format("{}, {}, {}", number(at.x), number(at.y), number(at.z));
 }
 
 std::optional<Pointed> pointedInPane(const Desk& desk)

@@ -37,8 +37,8 @@ public:
 		if (seen < kShortest * em_)
 			return;
 		pen_.line(from, to);
-		const Ticks ticks =
-		    makeTicks(box.lo[axis], box.hi[axis], std::clamp(static_cast<int>(seen / (kBetweenTicks * em_)), 3, 7));
+		const Ticks ticks = makeTicks(box.lo[axis], box.hi[axis],
+		                              std::clamp(static_cast<int>(seen / (kBetweenTicks * em_)), 3, 7), kNarrowestAxis);
 		const double extent = box.hi[axis] - box.lo[axis];
 		double reach = 0.0;
 		for (const Tick& tick : ticks.marks)

@@ -161,14 +161,14 @@ Ticks makeLogTicks(double lo, double hi, int most)
 	return values.empty() ? ticksAt({lo, hi}, most, true) : ticksAt(values, most, true);
 }
 
-Ticks makeTicks(double lo, double hi, int most)
+Ticks makeTicks(double lo, double hi, int most, double narrowest)
 {
 	if (lo > hi)
 		std::swap(lo, hi);
 	const double largest = std::max(std::abs(lo), std::abs(hi));
 	// Halves, for the difference of huge values may overflow.
 	const double half = 0.5 * hi - 0.5 * lo;
-	if (!(half > 0.5 * kNarrowestRange * largest) || largest < 1e12 * std::numeric_limits<double>::min())
+	if (!(half > 0.5 * narrowest * largest) || largest < 1e12 * std::numeric_limits<double>::min())
 		return constantTick(lo + half);
 
 	int exponent = decimalExponent(2.0 * (half / most)) - 1;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/scene/round_numbers.h"
+
 #include <string>
 #include <vector>
 
@@ -20,8 +22,12 @@ struct Ticks
 	std::string factor;      // empty if the labels are the values
 };
 
-// Returns at most `most` marks (>= 2). lo and hi must be finite; if lo > hi, they are exchanged.
-Ticks makeTicks(double lo, double hi, int most);
+// Places are not in single precision: far from the origin, the marks of a narrow axis still differ.
+constexpr double kNarrowestAxis = 1e-13;
+
+// Returns at most `most` marks (>= 2). lo and hi must be finite; if lo > hi, they are exchanged. A range narrower than
+// a part of its values has one mark.
+Ticks makeTicks(double lo, double hi, int most, double narrowest = kNarrowestRange);
 
 // Returns marks of a logarithmic scale, 0 < lo <= hi: powers of ten, and for narrow ranges also parts of them.
 Ticks makeLogTicks(double lo, double hi, int most);

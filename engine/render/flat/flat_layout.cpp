@@ -48,7 +48,7 @@ Area shownArea(const FlatScene& flat)
 void setTicks(PlaneAxis& axis, double lo, double hi, double room, double each)
 {
 	const int most = std::clamp(static_cast<int>(room / each), 2, kMaxTickNumbers);
-	axis.ticks = makeTicks(axis.at_origin + axis.sign * lo, axis.at_origin + axis.sign * hi, most);
+	axis.ticks = makeTicks(axis.at_origin + axis.sign * lo, axis.at_origin + axis.sign * hi, most, kNarrowestAxis);
 }
 
 double widest(const Ticks& ticks, const FontAtlas& lettering, double em)

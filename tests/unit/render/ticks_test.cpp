@@ -155,6 +155,18 @@ TEST(Ticks, HugeAndSmallValuesShareAPowerOfTen)
 	EXPECT_EQ(makeTicks(0.0, 1e-310, 5).marks.size(), 1u);
 }
 
+TEST(Ticks, OfANarrowAxisFarFromTheOriginDiffer)
+{
+	for (const double from : {5e5, 6.7e6, 1e7, -1e7})
+		for (const double width : {100.0, 1.0, 1e-3})
+		{
+			const Words all = labels(makeTicks(from, from + width, 6, kNarrowestAxis));
+			EXPECT_GE(all.size(), 2u) << from << " " << width;
+			EXPECT_EQ(std::set(all.begin(), all.end()).size(), all.size()) << from << " " << width;
+		}
+	EXPECT_EQ(makeTicks(1e7, 1e7 + 0.1, 6).marks.size(), 1u); // values are in single precision
+}
+
 TEST(ShortNumber, ReadsWell)
 {
 	EXPECT_EQ(shortNumber(1.0), "1");
