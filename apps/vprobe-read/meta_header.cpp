@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -101,6 +103,8 @@ MetaHeader readMetaHeader(const std::string& file)
 					for (int component = 0; component < 3; ++component)
 						header.direction[component * 3 + axis] = rows[axis * 3 + component];
 		}
+		else if (key == "ElementSpacing" || (key == "ElementSize" && header.spacing.empty()))
+			header.spacing = numbersIn<double>(value);
 		else if (key == "ElementDataFile")
 		{
 			header.data_files = dataFiles(value, in, header.size.size() > 2 ? header.size[2] : 1);
@@ -110,6 +114,20 @@ MetaHeader readMetaHeader(const std::string& file)
 		}
 	}
 	throw damaged("its header ends before ElementDataFile");
+}
+
+void makeSpacingPositive(MetaHeader& header)
+{
+	for (std::size_t axis = 0; axis < std::min<std::size_t>(header.spacing.size(), 3); ++axis)
+	{
+		if (!std::isfinite(header.spacing[axis]) || header.spacing[axis] == 0.0)
+			throw damaged("its ElementSpacing makes no grid");
+		if (header.spacing[axis] > 0.0)
+			continue;
+		header.spacing[axis] = -header.spacing[axis];
+		for (std::size_t component = 0; component < 3; ++component)
+			header.direction[3 * component + axis] *= -1.0;
+	}
 }
 
 void refuseShortData(const std::string& file, const MetaHeader& header)

@@ -1,6 +1,7 @@
 #include "quick_cells.h"
 
 #include "base/ids.h"
+#include "is_one_of.h"
 #include "read/cell_types.h"
 
 #include <algorithm>
@@ -21,8 +22,9 @@ const XmlElement& listOf(const QuickPiece& piece, std::string_view name)
 	for (const XmlElement& array : onlyChild(*piece.element, "Cells").children)
 	{
 		const std::string_view given = array.attribute("Name");
-		if (given != "connectivity" && given != "offsets" && given != "types")
-			throw NotQuick(); // faces of polyhedra
+		if (!isOneOf(given, {"connectivity", "offsets", "types", "face_connectivity", "face_offsets",
+		                     "polyhedron_to_faces", "polyhedron_offsets"}))
+			throw NotQuick(); // faces of polyhedra as they were before VTK 9.4
 		if (given == name)
 		{
 			if (found)

@@ -10,11 +10,12 @@
 
 void readMetaImage(const Request& request, ManifestWriter& manifest)
 {
-	const MetaHeader header = readMetaHeader(request.file);
+	MetaHeader header = readMetaHeader(request.file);
 	if (header.size.size() < 3)
 		throw Refusal("nothing to slice: a picture of two dimensions");
 	if (header.element_bytes == 0)
 		throw damaged("its ElementType is unknown");
+	makeSpacingPositive(header);
 	refuseShortData(request.file, header);
 
 	vtkNew<vtkMetaImageReader> reader;
@@ -29,6 +30,8 @@ void readMetaImage(const Request& request, ManifestWriter& manifest)
 	for (int axis = 0; axis < 3; ++axis)
 		if (points[axis] < 0 || header.size[axis] != static_cast<std::uint64_t>(points[axis]))
 			throw damaged("its header cannot be followed");
+	if (header.spacing.size() >= 3)
+		image->SetSpacing(header.spacing.data()); // VTK's reader drops the sign
 	image->SetDirectionMatrix(header.direction.data()); // which VTK's reader leaves out
 	manifest.addLone(image);
 }

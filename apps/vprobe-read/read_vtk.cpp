@@ -2,8 +2,10 @@
 #include "formats.h"
 #include "is_one_of.h"
 #include "manifest_writer.h"
+#include "plain_xml.h"
 #include "quick_lattice.h"
 #include "refusal.h"
+#include "shared_faces.h"
 #include "text_end.h"
 #include "time_choice.h"
 #include "xml_check.h"
@@ -17,6 +19,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLHyperTreeGridReader.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLPImageDataReader.h>
@@ -122,11 +125,11 @@ void addSlabs(const Request& request, const std::string& type, const QuickLattic
 
 } // namespace
 
-vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string& type, ManifestWriter& manifest)
+namespace
 {
-	if (type.empty())
-		throw damaged(fmt::format("{} is no VTK XML file", request.file));
-	refuseShortXml(request.file);
+
+vtkSmartPointer<vtkDataObject> loadPlainXml(const Request& request, const std::string& type, ManifestWriter& manifest)
+{
 	if (type == "ImageData")
 		return loadWith<vtkXMLImageDataReader>(request, manifest);
 	if (type == "RectilinearGrid")
@@ -148,6 +151,24 @@ vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string
 	if (type == "PolyData")
 		return loadWith<vtkXMLPolyDataReader>(request, manifest);
 	throw Refusal("a VTK file of type " + type + ", which cannot be read yet; give its pieces one by one");
+}
+
+} // namespace
+
+vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string& type, ManifestWriter& manifest)
+{
+	if (type.empty())
+		throw damaged(fmt::format("{} is no VTK XML file", request.file));
+	refuseShortXml(request.file);
+	const PlainXml plain(request);
+	if (plain.isEmpty())
+		return nullptr;
+	const vtkSmartPointer<vtkDataObject> data = loadPlainXml(plain.request(), type, manifest);
+	if (!plain.times().empty())
+		manifest.offerTimes(plain.times());
+	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+		addSharedFaces(plain.dataFiles(), grid);
+	return data;
 }
 
 void addXml(const Request& request, const std::string& type, ManifestWriter& manifest)

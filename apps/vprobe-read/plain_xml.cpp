@@ -1,0 +1,320 @@
+#include "plain_xml.h"
+
+#include "is_one_of.h"
+#include "mapped_text.h"
+#include "refusal.h"
+#include "text_cursor.h"
+#include "time_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <set>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+// Nobody writes more steps into one such file.
+constexpr std::size_t kMaxSteps = 1 << 20;
+
+// The names of the times stand here, if anywhere.
+constexpr std::size_t kHeadBytesOfTimes = 1 << 16;
+
+std::vector<double> stepValues(std::string_view text)
+{
+	std::vector<double> numbers;
+	for (TextCursor at(text); !at.atEnd();)
+	{
+		numbers.push_back(at.real());
+		if (numbers.size() > kMaxSteps)
+			throw damaged("it names more times than there can be");
+	}
+	return numbers;
+}
+
+// The steps that an array says it belongs to; none: to all of them.
+std::set<std::size_t> timeStepsOf(const XmlElement& array)
+{
+	std::set<std::size_t> steps;
+	for (const double step : stepValues(array.attribute("TimeStep")))
+		if (step >= 0.0 && step < static_cast<double>(kMaxSteps))
+			steps.insert(static_cast<std::size_t>(step));
+	return steps;
+}
+
+void collectTimeSteps(const XmlElement& element, std::set<std::size_t>& steps)
+{
+	if (element.has("TimeStep"))
+		steps.merge(timeStepsOf(element));
+	for (const XmlElement& child : element.children)
+		collectTimeSteps(child, steps);
+}
+
+// Leaves out what belongs to other steps, and the marks of steps.
+void keepStep(XmlElement& element, std::size_t step)
+{
+	std::erase_if(element.attributes, [](const auto& each) { return each.first == "TimeStep"; });
+	std::erase_if(element.children, [&](const XmlElement& child)
+	              { return child.has("TimeStep") && !timeStepsOf(child).contains(step); });
+	for (XmlElement& child : element.children)
+		keepStep(child, step);
+}
+
+bool isPieceElement(const XmlElement& element)
+{
+	return element.name == "Piece";
+}
+
+// A piece of a lattice gives its subscripts, another one its number of points.
+bool hasNoPoints(const XmlElement& piece)
+{
+	if (piece.has("NumberOfPoints"))
+	{
+		const std::string_view text = piece.attribute("NumberOfPoints");
+		return TextCursor(text).integer() == 0;
+	}
+	if (!piece.has("Extent"))
+		return false;
+	const std::vector<double> extent = stepValues(piece.attribute("Extent"));
+	if (extent.size() != 6)
+		return false;
+	return extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4];
+}
+
+std::string quotedValue(std::string_view text)
+{
+	std::string words = "\"";
+	for (const char c : text)
+	{
+		const bool is_plain = static_cast<unsigned char>(c) >= 0x20 && !isOneOf(std::string_view(&c, 1), {"&", "<", "\""});
+		words += is_plain ? std::string(1, c) : fmt::format("&#{};", static_cast<int>(static_cast<unsigned char>(c)));
+	}
+	return words + "\"";
+}
+
+// An element with all that it holds. Its data are those of the text.
+void writeElement(const XmlElement& element, std::string_view text, MemoryFile& to)
+{
+	std::string tag = "<" + element.name;
+	for (const auto& [name, value] : element.attributes)
+		tag += " " + name + "=" + quotedValue(value);
+	to.append(tag + ">");
+	if (isOneOf(element.name, {"DataArray", "Array"}))
+	{
+		const std::uint64_t end = std::min<std::uint64_t>(element.content_end, text.size());
+		if (element.content_begin < end)
+			to.append(text.substr(element.content_begin, end - element.content_begin));
+	}
+	else
+		for (const XmlElement& child : element.children)
+			writeElement(child, text, to);
+	to.append("</" + element.name + ">\n");
+}
+
+void collectOffsets(const XmlElement& element, std::set<std::uint64_t>& offsets)
+{
+	const std::string_view text = element.attribute("offset");
+	std::uint64_t offset = 0;
+	if (std::from_chars(text.data(), text.data() + text.size(), offset).ec == std::errc())
+		offsets.insert(offset);
+	for (const XmlElement& child : element.children)
+		collectOffsets(child, offsets);
+}
+
+const XmlElement* dataElementOf(const XmlFile& xml)
+{
+	const auto found = std::ranges::find(xml.root.children, xml.root.attribute("type"), &XmlElement::name);
+	return found == xml.root.children.end() ? nullptr : &*found;
+}
+
+XmlElement& dataElementOf(XmlFile& xml)
+{
+	return const_cast<XmlElement&>(*dataElementOf(std::as_const(xml)));
+}
+
+} // namespace
+
+MemoryFile::MemoryFile() : file_(memfd_create("vprobe-xml", MFD_CLOEXEC))
+{
+	if (file_ < 0)
+		throw std::bad_alloc();
+}
+
+MemoryFile::~MemoryFile()
+{
+	if (file_ >= 0)
+		close(file_);
+}
+
+std::string MemoryFile::path() const
+{
+	return fmt::format("/proc/self/fd/{}", file_);
+}
+
+void MemoryFile::append(std::string_view bytes)
+{
+	while (!bytes.empty())
+	{
+		const ssize_t written = pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
+		if (written <= 0)
+			throw std::bad_alloc();
+		size_ += static_cast<std::size_t>(written);
+		bytes.remove_prefix(static_cast<std::size_t>(written));
+	}
+}
+
+void MemoryFile::end() const
+{
+	if (ftruncate(file_, static_cast<off_t>(size_)) != 0)
+		throw std::bad_alloc();
+}
+
+PlainXml::PlainXml(const Request& request) : request_(request), data_files_{request.file}
+{
+	const MappedText mapped(request.file);
+	const std::optional<XmlFile> xml = parseXml(mapped.text());
+	const XmlElement* data = xml ? dataElementOf(*xml) : nullptr;
+	if (!data && mapped.text().substr(0, kHeadBytesOfTimes).find(" TimeValues=") != std::string_view::npos)
+		throw Refusal("several times in a file of too many elements, or with a document type; write a file for each");
+	if (!data)
+		return; // which VTK's parser has to tell about
+	if (isOneOf(data->name, {"ImageData", "RectilinearGrid", "StructuredGrid", "UnstructuredGrid", "PolyData"}))
+		takeData(*xml, mapped.text());
+	else if (isOneOf(data->name, {"PImageData", "PRectilinearGrid", "PStructuredGrid", "PUnstructuredGrid"}))
+		takeIndex(*xml);
+}
+
+void PlainXml::takeData(const XmlFile& given, std::string_view text)
+{
+	XmlFile xml = given;
+	XmlElement& data = dataElementOf(xml);
+	std::set<std::size_t> steps;
+	collectTimeSteps(data, steps);
+	const bool has_steps = !steps.empty() || data.has("TimeValues");
+	if (has_steps)
+		leaveOutOtherTimes(data);
+	const auto left_out = std::erase_if(data.children, [](const XmlElement& element)
+	                                    { return isPieceElement(element) && hasNoPoints(element); });
+	is_empty_ = std::ranges::none_of(data.children, isPieceElement);
+	if (!is_empty_ && (has_steps || left_out > 0))
+		copy(given, xml, text);
+}
+
+// In text and inline, writers repeat all pieces for each time, with the step 0. What is appended has arrays for each.
+void PlainXml::leaveOutOtherTimes(XmlElement& data)
+{
+	std::set<std::size_t> steps;
+	collectTimeSteps(data, steps);
+	const std::vector<double> values = stepValues(data.attribute("TimeValues"));
+	const std::set<std::size_t> first = {0};
+	if (values.empty() && !steps.empty() && steps != first)
+		throw Refusal("arrays of several times, and no TimeValues that name them");
+	times_ = inOrder(values);
+	std::size_t step = 0;
+	if (const std::optional<double> time = chooseIfAny(times_, request_))
+		step = static_cast<std::size_t>(std::ranges::find(values, *time) - values.begin());
+	request_.time = Request::Time::last;
+
+	std::vector<XmlElement> pieces;
+	if (values.size() > 1 && steps == first)
+	{
+		std::ranges::copy_if(data.children, std::back_inserter(pieces), isPieceElement);
+		if (pieces.size() % values.size() != 0)
+			throw Refusal(fmt::format("its {} pieces cannot be told apart by its {} times; write a file for each time",
+			                          pieces.size(), values.size()));
+		const std::size_t each = pieces.size() / values.size();
+		std::erase_if(data.children, isPieceElement);
+		for (std::size_t i = 0; i < each; ++i)
+			data.children.push_back(std::move(pieces[step * each + i]));
+		step = 0;
+	}
+	std::erase_if(data.attributes, [](const auto& each) { return each.first == "TimeValues"; });
+	keepStep(data, step);
+}
+
+// Only what the elements name is taken from appended data, in its place: an array ends before the next one begins.
+void PlainXml::copy(const XmlFile& given, const XmlFile& xml, std::string_view text)
+{
+	MemoryFile& file = newFile();
+	std::string tag = "<?xml version=\"1.0\"?>\n<" + xml.root.name;
+	for (const auto& [name, value] : xml.root.attributes)
+		tag += " " + name + "=" + quotedValue(value);
+	file.append(tag + ">\n");
+	for (const XmlElement& child : xml.root.children)
+		if (child.name != "AppendedData")
+			writeElement(child, text, file);
+	if (!xml.appended_encoding.empty())
+	{
+		std::set<std::uint64_t> wanted, all;
+		collectOffsets(xml.root, wanted);
+		collectOffsets(given.root, all);
+		file.append("<AppendedData encoding=" + quotedValue(xml.appended_encoding) + ">_");
+		const std::uint64_t size = xml.appended_end - xml.appended_begin;
+		const std::string_view bytes = text.substr(xml.appended_begin, size);
+		std::uint64_t at = 0;
+		for (const std::uint64_t offset : wanted)
+		{
+			if (offset > size)
+				throw damaged(fmt::format("the array at offset {} runs past the end", offset));
+			const auto behind = all.upper_bound(offset);
+			const std::uint64_t end = behind == all.end() ? size : std::min(*behind, size);
+			file.skip(offset - at);
+			file.append(bytes.substr(offset, end - offset));
+			at = end;
+		}
+		file.skip(size - at);
+		file.append("</AppendedData>");
+	}
+	file.append("</" + xml.root.name + ">\n");
+	file.end();
+	request_.file = file.path();
+	data_files_ = {request_.file};
+}
+
+void PlainXml::takeIndex(const XmlFile& given)
+{
+	XmlFile xml = given;
+	XmlElement& data = dataElementOf(xml);
+	bool changes = false;
+	data_files_.clear();
+	std::vector<double> times;
+	std::erase_if(data.children,
+	              [&](XmlElement& piece)
+	              {
+		              if (!isPieceElement(piece) || !piece.has("Source"))
+			              return false;
+		              Request of_piece = request_;
+		              of_piece.file = (fs::absolute(request_.file).parent_path() / piece.attribute("Source")).string();
+		              PlainXml plain(of_piece);
+		              times.insert(times.end(), plain.times().begin(), plain.times().end());
+		              const bool is_empty = plain.isEmpty() || hasNoPoints(piece);
+		              changes |= is_empty || plain.request().file != of_piece.file;
+		              if (is_empty)
+			              return true;
+		              for (auto& [name, value] : piece.attributes)
+			              if (name == "Source")
+				              value = plain.request().file;
+		              data_files_.push_back(plain.request().file);
+		              files_.splice(files_.end(), plain.files_);
+		              return false;
+	              });
+	times_ = inOrder(std::move(times));
+	is_empty_ = data_files_.empty();
+	if (is_empty_ || !changes)
+		return;
+	if (!times_.empty())
+		request_.time = Request::Time::last;
+	std::erase_if(data.attributes, [](const auto& each) { return each.first == "TimeValues"; });
+	std::vector<std::string> files = std::move(data_files_);
+	copy(given, xml, {});
+	data_files_ = std::move(files);
+}
