@@ -117,9 +117,10 @@ int main(int argc, char** argv)
 		if (request.convert_to.ends_with(".vtkhdf"))
 			needHdf5(request);
 		readAnyFormat(request, manifest);
+		const std::string text = manifest.finish();
 		if (!request.convert_to.empty())
 			writeConverted(manifest.kept(), request);
-		sendManifest(manifest.finish());
+		sendManifest(text);
 	}
 	catch (const Refusal& refusal)
 	{

@@ -351,7 +351,8 @@ std::string ManifestWriter::finish()
 			throw Refusal(
 			    fmt::format("nothing to slice: cells of type {} cannot be sliced yet; convert them to linear cells",
 			                typeName(counts_.not_sliced.begin()->first)));
-		throw Refusal("nothing to slice: it holds no three-dimensional cells");
+		if (keeps_ || counts_.flat > 0 || counts_.hidden > 0)
+			throw Refusal("nothing to slice: it holds no three-dimensional cells");
 	}
 	for (std::string& note : takeNotes())
 		warnings_.push_back(std::move(note));

@@ -12,6 +12,7 @@
 #include <charconv>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -59,9 +60,30 @@ void collectTimeSteps(const XmlElement& element, std::set<std::size_t>& steps)
 		collectTimeSteps(child, steps);
 }
 
+std::string* attributeOf(XmlElement& element, std::string_view name)
+{
+	const auto found = std::ranges::find(element.attributes, name, [](const auto& each) { return each.first; });
+	return found == element.attributes.end() ? nullptr : &found->second;
+}
+
+// VTK's writer gives an axis that has not changed an empty offset: its data are those of the step before.
+void fillOffsets(XmlElement& element)
+{
+	std::map<std::string_view, std::string> last;
+	for (XmlElement& child : element.children)
+		if (std::string* offset = attributeOf(child, "offset"); offset && child.has("TimeStep"))
+		{
+			std::string& before = last[child.attribute("Name")];
+			if (offset->empty())
+				*offset = before;
+			before = *offset;
+		}
+}
+
 // Leaves out what belongs to other steps, and the marks of steps.
 void keepStep(XmlElement& element, std::size_t step)
 {
+	fillOffsets(element);
 	std::erase_if(element.attributes, [](const auto& each) { return each.first == "TimeStep"; });
 	std::erase_if(element.children, [&](const XmlElement& child)
 	              { return child.has("TimeStep") && !timeStepsOf(child).contains(step); });
@@ -128,6 +150,16 @@ void collectOffsets(const XmlElement& element, std::set<std::uint64_t>& offsets)
 		offsets.insert(offset);
 	for (const XmlElement& child : element.children)
 		collectOffsets(child, offsets);
+}
+
+// VTK's readers would leave what happens to be in memory.
+void refuseWithoutOffset(const XmlElement& element)
+{
+	const std::string_view offset = element.attribute("offset");
+	if (element.attribute("format") == "appended" && offset.find_first_of("0123456789") == offset.npos)
+		throw damaged(fmt::format("the array {} has no offset", element.attribute("Name")));
+	for (const XmlElement& child : element.children)
+		refuseWithoutOffset(child);
 }
 
 const XmlElement* dataElementOf(const XmlFile& xml)
@@ -205,6 +237,7 @@ void PlainXml::takeData(const XmlFile& given, std::string_view text)
 	const auto left_out = std::erase_if(data.children, [](const XmlElement& element)
 	                                    { return isPieceElement(element) && hasNoPoints(element); });
 	is_empty_ = std::ranges::none_of(data.children, isPieceElement);
+	refuseWithoutOffset(data);
 	if (!is_empty_ && (has_steps || left_out > 0))
 		copy(given, xml, text);
 }

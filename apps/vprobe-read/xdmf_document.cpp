@@ -183,17 +183,8 @@ std::vector<double> xdmfNumbers(std::string_view text)
 XdmfDocument::XdmfDocument(std::string file, std::string_view text) : file_(std::move(file)), text_(text)
 {
 	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-	// The usual document type names a file that nobody has; the parser of VTK's files refuses one.
-	std::string plain(text);
-	if (const auto type = plain.find("<!DOCTYPE"); type != plain.npos)
-	{
-		const auto inside = plain.find_first_of("[>", type);
-		const auto end = inside != plain.npos && plain[inside] == '[' ? plain.find("]>", inside) + 1 : inside;
-		if (end != plain.npos && end != 0 && plain.substr(type, end - type).find("<!ENTITY") == plain.npos)
-			std::fill(plain.begin() + static_cast<std::ptrdiff_t>(type),
-			          plain.begin() + static_cast<std::ptrdiff_t>(end) + 1, ' ');
-	}
-	std::optional<XmlFile> xml = parseXml(plain);
+	// The usual document type names a file that nobody has.
+	std::optional<XmlFile> xml = parseXml(text, DocumentType::internal);
 	if (!xml || xml->root.name != "Xdmf")
 		throw damaged("its XML cannot be parsed");
 	xml_ = std::move(*xml);
@@ -202,9 +193,17 @@ XdmfDocument::XdmfDocument(std::string file, std::string_view text) : file_(std:
 
 std::string_view XdmfDocument::contents(const XmlElement& element) const
 {
+	if (element.is_from_entity)
+		return trimmed(element.text);
 	if (element.content_end < element.content_begin || element.content_end > text_.size())
 		return {};
-	return trimmed(text_.substr(element.content_begin, element.content_end - element.content_begin));
+	const std::string_view given = text_.substr(element.content_begin, element.content_end - element.content_begin);
+	if (given.find('&') == given.npos)
+		return trimmed(given);
+	// Of long ones, the parser keeps the text only in a file with a document type.
+	if (given.size() > kMaxShortText && element.text.empty())
+		throw Refusal("a DataItem with an entity in more than 4096 letters");
+	return trimmed(element.text);
 }
 
 const XmlElement* XdmfDocument::atPath(std::string_view path) const

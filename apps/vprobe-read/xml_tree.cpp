@@ -1,5 +1,7 @@
 #include "xml_tree.h"
 
+#include "refusal.h"
+
 #include <expat.h>
 
 #include <algorithm>
@@ -10,16 +12,17 @@ namespace
 
 constexpr std::size_t kMaxXmlDepth = 16;
 constexpr std::size_t kMaxElements = 1 << 18;
-constexpr std::size_t kMaxShortText = 4096;
 constexpr std::size_t kMaxElementBytes = 64u << 20;
 
 // The elements of a file without the long texts between them, and where each rest of it came from.
 class Abridged
 {
 public:
-	explicit Abridged(std::string_view text)
+	Abridged(std::string_view text, bool is_whole)
 	{
-		for (std::size_t at = 0; at < text.size();)
+		if (is_whole)
+			take(text, 0, text.size());
+		for (std::size_t at = is_whole ? text.size() : 0; at < text.size();)
 		{
 			const std::size_t tag = std::min(text.find('<', at), text.size());
 			if (tag - at > kMaxShortText)
@@ -80,7 +83,11 @@ std::uint64_t byteCount(XML_Parser parser)
 class TreeBuilder
 {
 public:
-	explicit TreeBuilder(const Abridged& text) : text_(text), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {}
+	// is_whole: whether entities are expanded, and all texts kept.
+	TreeBuilder(const Abridged& text, bool is_whole)
+	    : text_(text), is_whole_(is_whole), parser_(XML_ParserCreate(nullptr), XML_ParserFree)
+	{
+	}
 
 	bool build(XmlElement& root)
 	{
@@ -90,9 +97,18 @@ public:
 		XML_SetUserData(parser_.get(), this);
 		XML_SetElementHandler(parser_.get(), onStart, onEnd);
 		XML_SetCharacterDataHandler(parser_.get(), onText);
-		XML_SetStartDoctypeDeclHandler(parser_.get(), onDoctype);
+		if (is_whole_)
+		{
+			XML_SetExternalEntityRefHandler(parser_.get(), onExternalEntity);
+			XML_SetSkippedEntityHandler(parser_.get(), onSkippedEntity);
+		}
+		else
+			XML_SetStartDoctypeDeclHandler(parser_.get(), onDoctype);
 		const std::string& text = text_.text();
-		return XML_Parse(parser_.get(), text.data(), static_cast<int>(text.size()), XML_TRUE) == XML_STATUS_OK;
+		const auto done = XML_Parse(parser_.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
+		if (!foreign_entity_.empty())
+			throw Refusal("refers to " + foreign_entity_ + " of another file, which is never opened; put it into this one");
+		return done == XML_STATUS_OK;
 	}
 
 private:
@@ -114,6 +130,7 @@ private:
 			element.attributes.emplace_back(attributes[0], attributes[1]);
 		const auto tag_bytes = byteCount(builder.parser_.get());
 		// The text behind a tag may have been left out, so the place is that of the tag's last byte and one more.
+		element.is_from_entity = tag_bytes == 0;
 		element.content_begin = builder.text_.placeOf(builder.place() + std::max<std::uint64_t>(tag_bytes, 1) - 1) + 1;
 		builder.path_.push_back(&element);
 	}
@@ -125,9 +142,24 @@ private:
 	}
 	static void onText(void* self, const XML_Char* text, int size)
 	{
-		std::string& kept = static_cast<TreeBuilder*>(self)->path_.back()->text;
-		if (kept.size() < kMaxShortText)
-			kept.append(text, static_cast<std::size_t>(size));
+		auto& builder = *static_cast<TreeBuilder*>(self);
+		std::string& kept = builder.path_.back()->text;
+		const auto bytes = static_cast<std::size_t>(size);
+		if (builder.is_whole_ && (builder.kept_bytes_ += bytes) > kMaxElementBytes)
+			return builder.stop();
+		if (builder.is_whole_ || kept.size() < kMaxShortText)
+			kept.append(text, bytes);
+	}
+	static int onExternalEntity(XML_Parser parser, const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*)
+	{
+		static_cast<TreeBuilder*>(XML_GetUserData(parser))->foreign_entity_ = "an entity";
+		return XML_STATUS_ERROR;
+	}
+	static void onSkippedEntity(void* self, const XML_Char* name, int)
+	{
+		auto& builder = *static_cast<TreeBuilder*>(self);
+		builder.foreign_entity_ = "the entity " + std::string(name).substr(0, 80);
+		builder.stop();
 	}
 	static void onDoctype(void* self, const XML_Char*, const XML_Char*, const XML_Char*, int)
 	{
@@ -135,6 +167,9 @@ private:
 	}
 
 	const Abridged& text_;
+	bool is_whole_;
+	std::size_t kept_bytes_ = 0;
+	std::string foreign_entity_;
 	std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
 	std::vector<XmlElement*> path_;
 	std::size_t elements_ = 0;
@@ -155,7 +190,7 @@ bool XmlElement::has(std::string_view wanted) const
 	return std::any_of(attributes.begin(), attributes.end(), [&](const auto& each) { return each.first == wanted; });
 }
 
-std::optional<XmlFile> parseXml(std::string_view text)
+std::optional<XmlFile> parseXml(std::string_view text, DocumentType type)
 {
 	XmlFile file;
 	// What is appended need not be XML. VTK's parser also stops at the first such tag.
@@ -172,13 +207,16 @@ std::optional<XmlFile> parseXml(std::string_view text)
 		file.appended_begin = mark + 1;
 		file.appended_end = end;
 	}
-	Abridged abridged(elements);
+	const bool is_whole = type == DocumentType::internal && elements.find("<!DOCTYPE") != elements.npos;
+	if (is_whole && elements.size() > kMaxElementBytes)
+		return std::nullopt;
+	Abridged abridged(elements, is_whole);
 	if (appended != text.npos)
 		abridged.append("</AppendedData></VTKFile>");
 	if (abridged.text().size() > kMaxElementBytes)
 		return std::nullopt;
 	XmlElement top;
-	if (!TreeBuilder(abridged).build(top) || top.children.size() != 1)
+	if (!TreeBuilder(abridged, is_whole).build(top) || top.children.size() != 1)
 		return std::nullopt;
 	file.root = std::move(top.children.front());
 	if (appended != text.npos)

@@ -85,8 +85,6 @@ public:
 		checkParts(manifest, input);
 		if (!input.parts.empty())
 			takeParts(manifest.at("blocks"), input);
-		if (input.blocks.empty() && input.parts.empty())
-			throw Unusable("no blocks");
 		if (manifest.contains("patches"))
 			for (const json& patch : manifest.at("patches"))
 				input.patches.push_back(checkPatch(patch));

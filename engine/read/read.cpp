@@ -186,6 +186,7 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
                                   Timeline* timeline)
 {
 	grid::BlockSet all;
+	std::vector<std::string> empty; // partitions, mostly
 	for (const std::string& input : inputs)
 	{
 		Result<grid::BlockSet> set = readInput(input, options, timeline);
@@ -193,8 +194,14 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 			return set.error();
 		if (options.stop.stop_requested())
 			return stopped(input);
+		if (set->blocks.empty())
+			empty.push_back(input);
 		addSet(std::move(*set), all);
 	}
+	if (all.blocks.empty() && !empty.empty())
+		return Error{ErrorKind::input, fmt::format("{}: nothing to slice: it holds no three-dimensional cells", empty[0])};
+	for (const std::string& input : empty)
+		warn("{}: it holds no cells and is left out", input);
 	completeSet(all, options, timeline);
 	return all;
 }
