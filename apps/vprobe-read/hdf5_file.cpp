@@ -22,6 +22,7 @@ herr_t addName(hid_t, const char* name, const H5L_info_t*, void* names)
 Hdf5File::Hdf5File(const std::string& file)
 {
 	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // it would print its own stack of errors
+	H5PLset_loading_state(0);                    // a file does not choose code to load
 	file_ = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
 	if (file_ < 0)
 		throw damaged("HDF5 cannot open it");
@@ -148,6 +149,16 @@ std::string Hdf5File::textOr(const std::string& object, const char* attribute) c
 		return {};
 	const Hdf5Handle opened(H5Aopen_by_name(file_, object.c_str(), attribute, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
 	const Hdf5Handle type(opened < 0 ? -1 : H5Aget_type(opened), H5Tclose);
+	if (type >= 0 && H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0)
+	{
+		const Hdf5Handle space(H5Aget_space(opened), H5Sclose);
+		char* elsewhere = nullptr;
+		if (H5Sget_simple_extent_npoints(space) != 1 || H5Aread(opened, type, &elsewhere) < 0 || !elsewhere)
+			return {};
+		std::string words(elsewhere);
+		H5free_memory(elsewhere);
+		return words;
+	}
 	const std::size_t bytes = type < 0 || H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0
 	                              ? 0
 	                              : static_cast<std::size_t>(H5Aget_storage_size(opened));

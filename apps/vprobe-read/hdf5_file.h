@@ -1,8 +1,11 @@
 #pragma once
 
+#include "grid/field.h"
+
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +38,14 @@ public:
 	std::map<std::string, std::string> namedTexts(const std::string& path) const;
 	// One column of the first row of a table.
 	double columnOr(const std::string& path, const char* column, double otherwise) const;
+
+	// The type of a data set's numbers in memory; none for texts and the like.
+	std::optional<vp::grid::NumberType> numberType(const std::string& path) const;
+	// A part of a data set, by the place where it begins and its length along each side. All is checked. `to` has room.
+	void readSlab(const std::string& path, const std::vector<std::uint64_t>& begin,
+	              const std::vector<std::uint64_t>& count, vp::grid::NumberType type, void* to) const;
+	// So many whole numbers of a list, from one on.
+	std::vector<std::int64_t> integersFrom(const std::string& path, std::uint64_t begin, std::uint64_t count) const;
 
 	bool isFloat(const std::string& path) const;
 	// The least and the greatest number that a data set of whole numbers can hold.

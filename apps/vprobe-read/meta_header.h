@@ -14,7 +14,7 @@ struct MetaHeader
 	std::uint64_t compressed_bytes = 0;
 	std::uint64_t skipped_bytes = 0; // before the data in their file; 0 where the data come last
 	std::array<double, 9> direction = {1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows; column i is the direction of axis i
-	std::vector<double> spacing; // along each axis; may be negative; empty where the header gives none
+	std::vector<double> spacing;         // along each axis; may be negative; empty where the header gives none
 	std::vector<std::string> data_files; // one, or one per slice; empty: the data follow the header
 	std::uint64_t header_bytes = 0;
 };

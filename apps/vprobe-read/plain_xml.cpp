@@ -85,8 +85,8 @@ void keepStep(XmlElement& element, std::size_t step)
 {
 	fillOffsets(element);
 	std::erase_if(element.attributes, [](const auto& each) { return each.first == "TimeStep"; });
-	std::erase_if(element.children, [&](const XmlElement& child)
-	              { return child.has("TimeStep") && !timeStepsOf(child).contains(step); });
+	std::erase_if(element.children,
+	              [&](const XmlElement& child) { return child.has("TimeStep") && !timeStepsOf(child).contains(step); });
 	for (XmlElement& child : element.children)
 		keepStep(child, step);
 }
@@ -117,7 +117,8 @@ std::string quotedValue(std::string_view text)
 	std::string words = "\"";
 	for (const char c : text)
 	{
-		const bool is_plain = static_cast<unsigned char>(c) >= 0x20 && !isOneOf(std::string_view(&c, 1), {"&", "<", "\""});
+		const bool is_plain =
+		    static_cast<unsigned char>(c) >= 0x20 && !isOneOf(std::string_view(&c, 1), {"&", "<", "\""});
 		words += is_plain ? std::string(1, c) : fmt::format("&#{};", static_cast<int>(static_cast<unsigned char>(c)));
 	}
 	return words + "\"";

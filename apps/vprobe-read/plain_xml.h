@@ -30,8 +30,8 @@ private:
 };
 
 // VTK 9.1 reads a VTK XML file wrongly, or not at all, if it holds several times or pieces without points. Such a file
-// becomes a copy in memory of one time, without those pieces. Of an index of pieces, the pieces are looked at too. Other
-// files stay what they are.
+// becomes a copy in memory of one time, without those pieces. Of an index of pieces, the pieces are looked at too.
+// Other files stay what they are.
 class PlainXml
 {
 public:

@@ -31,7 +31,7 @@ void readMetaImage(const Request& request, ManifestWriter& manifest)
 		if (points[axis] < 0 || header.size[axis] != static_cast<std::uint64_t>(points[axis]))
 			throw damaged("its header cannot be followed");
 	if (header.spacing.size() >= 3)
-		image->SetSpacing(header.spacing.data()); // VTK's reader drops the sign
+		image->SetSpacing(header.spacing.data());       // VTK's reader drops the sign
 	image->SetDirectionMatrix(header.direction.data()); // which VTK's reader leaves out
 	manifest.addLone(image);
 }

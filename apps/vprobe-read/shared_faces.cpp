@@ -18,7 +18,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 using vp::grid::NumberType;
 
@@ -27,15 +29,6 @@ namespace
 
 // A face lies between two cells at the most, so that lists of faces which name one more often are not of a mesh.
 constexpr std::size_t kMaxUsesOfFace = 16;
-
-struct SharedFacePiece
-{
-	std::uint64_t points = 0;
-	std::uint64_t cells = 0;
-	bool has_lists = false;
-	// The ends of the lists, without the 0 in front.
-	std::vector<std::int64_t> corners, corner_ends, faces, face_ends;
-};
 
 const XmlElement* childNamed(const XmlElement& parent, std::string_view name)
 {
@@ -67,9 +60,9 @@ class SharedFaceReader
 public:
 	explicit SharedFaceReader(const std::string& path) : path_(path), mapped_(path), xml_(parseXml(mapped_.text())) {}
 
-	std::vector<SharedFacePiece> pieces()
+	std::vector<SharedFaces> pieces()
 	{
-		std::vector<SharedFacePiece> pieces;
+		std::vector<SharedFaces> pieces;
 		const XmlElement* data = xml_ ? childNamed(xml_->root, "UnstructuredGrid") : nullptr;
 		if (!data)
 			return pieces;
@@ -80,9 +73,9 @@ public:
 	}
 
 private:
-	SharedFacePiece pieceOf(const XmlElement& element)
+	SharedFaces pieceOf(const XmlElement& element)
 	{
-		SharedFacePiece piece;
+		SharedFaces piece;
 		piece.points = countIn(element, "NumberOfPoints");
 		piece.cells = countIn(element, "NumberOfCells");
 		const XmlElement* face_ends = listNamed(element, "polyhedron_offsets");
@@ -190,12 +183,17 @@ class FaceStream
 public:
 	explicit FaceStream(vtkUnstructuredGrid* grid) : grid_(grid) {}
 
-	void add(const SharedFacePiece& piece)
+	void add(const SharedFaces& piece)
 	{
 		if (piece.cells > static_cast<std::uint64_t>(grid_->GetNumberOfCells() - cell_))
 			throw damaged("its polyhedra do not match its cells");
-		const std::size_t most = stream_.size() + piece.cells +
-		                         kMaxUsesOfFace * (piece.corners.size() + piece.corner_ends.size() + piece.faces.size());
+		refuseBadEnds(piece.face_ends, piece.faces.size());
+		refuseBadEnds(piece.corner_ends, piece.corners.size());
+		if (piece.has_lists && piece.face_ends.size() != piece.cells)
+			throw damaged("its polyhedra do not match its cells");
+		const std::size_t most =
+		    stream_.size() + piece.cells +
+		    kMaxUsesOfFace * (piece.corners.size() + piece.corner_ends.size() + piece.faces.size());
 		for (std::uint64_t c = 0; c < piece.cells; ++c, ++cell_)
 		{
 			locations_.push_back(-1);
@@ -229,7 +227,14 @@ public:
 	}
 
 private:
-	void addCell(const SharedFacePiece& piece, std::uint64_t cell, std::size_t most)
+	static void refuseBadEnds(const std::vector<std::int64_t>& ends, std::size_t size)
+	{
+		std::int64_t last = 0;
+		for (const std::int64_t end : ends)
+			if (end < std::exchange(last, end) || static_cast<std::uint64_t>(end) > size)
+				throw damaged("the offsets of its polyhedra do not rise to their end");
+	}
+	void addCell(const SharedFaces& piece, std::uint64_t cell, std::size_t most)
 	{
 		const auto begin = static_cast<std::size_t>(cell == 0 ? 0 : piece.face_ends[cell - 1]);
 		const auto end = static_cast<std::size_t>(piece.face_ends[cell]);
@@ -237,6 +242,8 @@ private:
 		for (std::size_t f = begin; f < end; ++f)
 		{
 			const auto face = static_cast<std::size_t>(piece.faces[f]);
+			if (face >= piece.corner_ends.size())
+				throw damaged("a polyhedron has a face that is not there");
 			const auto first = static_cast<std::size_t>(face == 0 ? 0 : piece.corner_ends[face - 1]);
 			const auto behind = static_cast<std::size_t>(piece.corner_ends[face]);
 			if (stream_.size() + (behind - first) > most)
@@ -261,6 +268,14 @@ private:
 
 } // namespace
 
+void setSharedFaces(const std::vector<SharedFaces>& pieces, vtkUnstructuredGrid* grid)
+{
+	FaceStream stream(grid);
+	for (const SharedFaces& piece : pieces)
+		stream.add(piece);
+	stream.setFaces();
+}
+
 void addSharedFaces(const std::vector<std::string>& files, vtkUnstructuredGrid* grid)
 {
 	const auto* types = grid->GetCellTypesArray();
@@ -270,13 +285,9 @@ void addSharedFaces(const std::vector<std::string>& files, vtkUnstructuredGrid* 
 		++first;
 	if (!types || first == grid->GetNumberOfCells())
 		return;
-	std::vector<SharedFacePiece> pieces;
+	std::vector<SharedFaces> pieces;
 	for (const std::string& file : files)
 		std::ranges::move(SharedFaceReader(file).pieces(), std::back_inserter(pieces));
-	if (std::ranges::none_of(pieces, &SharedFacePiece::has_lists))
-		return;
-	FaceStream stream(grid);
-	for (const SharedFacePiece& piece : pieces)
-		stream.add(piece);
-	stream.setFaces();
+	if (std::ranges::any_of(pieces, &SharedFaces::has_lists))
+		setSharedFaces(pieces, grid);
 }

@@ -107,7 +107,8 @@ public:
 		const std::string& text = text_.text();
 		const auto done = XML_Parse(parser_.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
 		if (!foreign_entity_.empty())
-			throw Refusal("refers to " + foreign_entity_ + " of another file, which is never opened; put it into this one");
+			throw Refusal("refers to " + foreign_entity_ +
+			              " of another file, which is never opened; put it into this one");
 		return done == XML_STATUS_OK;
 	}
 

@@ -199,7 +199,8 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 		addSet(std::move(*set), all);
 	}
 	if (all.blocks.empty() && !empty.empty())
-		return Error{ErrorKind::input, fmt::format("{}: nothing to slice: it holds no three-dimensional cells", empty[0])};
+		return Error{ErrorKind::input,
+		             fmt::format("{}: nothing to slice: it holds no three-dimensional cells", empty[0])};
 	for (const std::string& input : empty)
 		warn("{}: it holds no cells and is left out", input);
 	completeSet(all, options, timeline);
