@@ -70,7 +70,7 @@ std::vector<Case> buildTable(const ShapeTopology& shape)
 		for (int p = 0; p < shape.points; ++p)
 			positive[p] = mask >> p & 1;
 		walkCell(
-		    faces, positive, [](int) { return false; }, cut);
+		    faces, positive, [](int, auto) { return Pairing::positive_apart; }, cut);
 		table.push_back(caseOf(shape, cut));
 	}
 	return table;

@@ -114,21 +114,36 @@ bool findCrossings(const WalkFaces& faces, int f, std::span<const std::uint8_t> 
 	return true;
 }
 
-void addSegments(std::span<const Crossing> crossings, std::uint32_t face, bool center_positive,
-                 std::vector<Segment>& segments)
+void addSegments(std::span<const Crossing> crossings, std::uint32_t face, Pairing pairing, WalkScratch& scratch)
 {
+	const auto add = [&](const Crossing& leaving, const Crossing& back)
+	{
+		// A face that runs along an edge and back again leaves nothing between.
+		if (leaving.edge != back.edge)
+			scratch.segments.push_back({leaving.edge, back.edge, face});
+	};
+	if (pairing == Pairing::in_order)
+	{
+		scratch.unpaired.clear();
+		for (const Crossing& crossing : crossings)
+		{
+			if (scratch.unpaired.empty() || scratch.unpaired.back().leaves == crossing.leaves)
+			{
+				scratch.unpaired.push_back(crossing);
+				continue;
+			}
+			const Crossing& other = scratch.unpaired.back();
+			add(crossing.leaves ? crossing : other, crossing.leaves ? other : crossing);
+			scratch.unpaired.pop_back();
+		}
+		return;
+	}
 	// Around the face, leaving and coming back take turns. The crossing before a leaving one began the same positive
 	// run, the one after it ends the negative run that it begins.
 	const std::size_t count = crossings.size();
 	for (std::size_t i = 0; i < count; ++i)
-	{
-		if (!crossings[i].leaves)
-			continue;
-		const Crossing& back = crossings[center_positive ? (i + 1) % count : (i + count - 1) % count];
-		// A face that runs along an edge and back again leaves nothing between.
-		if (crossings[i].edge != back.edge)
-			segments.push_back({crossings[i].edge, back.edge, face});
-	}
+		if (crossings[i].leaves)
+			add(crossings[i], crossings[pairing == Pairing::negative_apart ? (i + 1) % count : (i + count - 1) % count]);
 }
 
 void tracePolygons(WalkScratch& scratch, CellCut& cut)

@@ -40,14 +40,27 @@ struct CellCut
 	int polygons() const { return starts.empty() ? 0 : static_cast<int>(starts.size()) - 1; }
 };
 
+// Where a walk around a face crosses the surface.
+struct Crossing
+{
+	CutEdge edge;
+	bool leaves; // the positive side
+};
+
+// Which crossings of a face that is cut more than once belong together (face_pairs.h).
+enum class Pairing
+{
+	positive_apart, // each run of positive corners is cut off by itself, so the negative ones hang together
+	negative_apart, // the other way round
+	in_order        // each crossing goes with the next one in their order that runs the other way
+};
+
 // Walks the faces of a cell from cut edge to cut edge until each polygon closes (the paper's construction of the
-// table). positive[p] is S at point p. On a face with more than two cut edges, center_positive(f) decides, alike for
-// both cells that share the face, whether its positive corners are joined through the face (true) or cut off one by one
-// (false). Where every face lists its points counter-clockwise from outside, a polygon runs counter-clockwise seen from
-// its positive side.
-template <class CenterPositive>
-void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, CenterPositive&& center_positive,
-              CellCut& cut);
+// table). positive[p] is S at point p. On a face with more than two cut edges, pairing(f, crossings) decides, alike for
+// both cells that share the face, and puts the crossings in order if that counts. Where every face lists its points
+// counter-clockwise from outside, a polygon runs counter-clockwise seen from its positive side.
+template <class PairingOf>
+void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, PairingOf&& pairing, CellCut& cut);
 
 } // namespace vp::cases
 

@@ -19,13 +19,6 @@ struct Segment
 	std::uint32_t face;
 };
 
-// Where a walk around a face crosses the surface.
-struct Crossing
-{
-	CutEdge edge;
-	bool leaves; // the positive side
-};
-
 // Segment s has the ends 2 s (its `from`) and 2 s + 1 (its `to`).
 struct SegmentEnd
 {
@@ -36,6 +29,7 @@ struct SegmentEnd
 struct WalkScratch
 {
 	std::vector<Crossing> crossings;    // of one face
+	std::vector<Crossing> unpaired;     // of them
 	std::vector<Segment> segments;      // of all faces
 	std::vector<SegmentEnd> ends;       // by edge
 	std::vector<std::uint32_t> partner; // per end: the one where the polygon goes on
@@ -48,18 +42,16 @@ WalkScratch& walkScratch(); // of this thread
 bool findCrossings(const WalkFaces& faces, int f, std::span<const std::uint8_t> positive,
                    std::vector<Crossing>& crossings);
 
-// Joins the crossings around one face: with its positive corners cut off one by one, or its negative ones.
-void addSegments(std::span<const Crossing> crossings, std::uint32_t face, bool center_positive,
-                 std::vector<Segment>& segments);
+// Joins the crossings around one face.
+void addSegments(std::span<const Crossing> crossings, std::uint32_t face, Pairing pairing, WalkScratch& scratch);
 
 // Joins the segments at their cut edges into polygons.
 void tracePolygons(WalkScratch& scratch, CellCut& cut);
 
 } // namespace detail
 
-template <class CenterPositive>
-void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, CenterPositive&& center_positive,
-              CellCut& cut)
+template <class PairingOf>
+void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, PairingOf&& pairing, CellCut& cut)
 {
 	cut.edges.clear();
 	cut.starts.assign(1, 0);
@@ -79,8 +71,8 @@ void walkCell(const WalkFaces& faces, std::span<const std::uint8_t> positive, Ce
 			continue;
 		const bool ambiguous = cuts >= 4;
 		cut.ambiguous = cut.ambiguous || ambiguous;
-		detail::addSegments(scratch.crossings, static_cast<std::uint32_t>(f), ambiguous && center_positive(f),
-		                    scratch.segments);
+		const Pairing chosen = ambiguous ? pairing(f, std::span(scratch.crossings)) : Pairing::positive_apart;
+		detail::addSegments(scratch.crossings, static_cast<std::uint32_t>(f), chosen, scratch);
 	}
 	detail::tracePolygons(scratch, cut);
 }

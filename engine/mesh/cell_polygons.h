@@ -2,6 +2,8 @@
 
 #include "cases/case_table.h"
 #include "cases/cell_walk.h"
+#include "cases/face_pairs.h"
+#include "cases/nested_loops.h"
 #include "find/cell_signs.h"
 #include "grid/grid.h"
 #include "surface/curved.h"
@@ -16,8 +18,8 @@ namespace vp::mesh
 {
 
 // Gives the polygons of a cut cell as pairs of point ids {positive, negative} per cut edge, in polygon order: from the
-// case table where it has an entry, by walking the cell's faces otherwise. Reused from cell to cell to save
-// allocations.
+// case table where it has an entry, by walking the cell's faces otherwise. A polygon with holes is one loop
+// (cases/nested_loops.h). Reused from cell to cell to save allocations.
 template <grid::Grid G, class Surface>
 class CellPolygons
 {
@@ -41,7 +43,7 @@ public:
 	}
 
 	// Calls visit(std::span<const Edge>) per polygon. Returns whether the cell is twisted: a face cut more than once,
-	// or several polygons.
+	// or several loops.
 	template <class Visit>
 	bool visit(CellId cell, std::uint32_t code, Visit&& visit)
 	{
@@ -63,7 +65,7 @@ public:
 				edges_.emplace_back(local_points_[cut_.edges[e].positive], local_points_[cut_.edges[e].negative]);
 			visit(std::span<const Edge>(edges_));
 		}
-		return cut_.ambiguous || cut_.polygons() > 1;
+		return is_ambiguous_;
 	}
 
 private:
@@ -73,32 +75,59 @@ private:
 		local_points_ = faces_.points;
 		std::sort(local_points_.begin(), local_points_.end());
 		local_points_.erase(std::unique(local_points_.begin(), local_points_.end()), local_points_.end());
-		distances_.clear();
+		points_.clear();
 		positive_.clear();
 		for (const PointId p : local_points_)
 		{
-			distances_.push_back(surface::heightAt(grid_, surface_, p));
-			positive_.push_back(distances_.back() >= 0.0);
+			points_.push_back({grid_.point(p), surface::heightAt(grid_, surface_, p)});
+			positive_.push_back(points_.back().height >= 0.0);
 		}
 		walk_faces_.points.clear();
 		walk_faces_.starts = faces_.starts;
 		for (const PointId p : faces_.points)
 			walk_faces_.points.push_back(static_cast<std::uint16_t>(
 			    std::lower_bound(local_points_.begin(), local_points_.end(), p) - local_points_.begin()));
-		// The sum of the distances of a face's points, in ascending order: the same number for both its cells, however
-		// points are numbered.
-		const auto center_positive = [&](int f)
+		const auto pairing = [&](int f, std::span<cases::Crossing> crossings)
 		{
 			face_.clear();
 			for (const std::uint16_t p : walk_faces_[f])
-				face_.push_back(distances_[p]);
-			std::sort(face_.begin(), face_.end());
-			double sum = 0.0;
-			for (const double distance : face_)
-				sum += distance;
-			return sum >= 0.0;
+				face_.push_back(points_[p]);
+			return face_pairs_.of(face_, crossings, [&](const cases::Crossing& c) { return placeOf(c.edge); });
 		};
-		cases::walkCell(walk_faces_, std::span<const std::uint8_t>(positive_), center_positive, cut_);
+		cases::walkCell(walk_faces_, std::span<const std::uint8_t>(positive_), pairing, cut_);
+		is_ambiguous_ = cut_.ambiguous || cut_.polygons() > 1;
+		if (cut_.polygons() > 1)
+			joinNested();
+	}
+
+	cases::FacePairs::Placed placeOf(const cases::CutEdge& edge) const
+	{
+		const cases::FacePoint& from = points_[edge.positive];
+		const cases::FacePoint& to = points_[edge.negative];
+		const double t = surface::crossingOf(surface_, from.place, to.place, from.height, to.height);
+		const Vec3 way = to.place - from.place;
+		return {from.place + t * way, way / (from.height - to.height)};
+	}
+
+	// Seen along the axis that is nearest to the way in which the heights rise.
+	void joinNested()
+	{
+		Vec3 rise(0.0);
+		if constexpr (surface::kIsCurved<Surface>)
+			for (const cases::CutEdge& edge : cut_.edges)
+				rise += points_[edge.positive].place - points_[edge.negative].place;
+		else
+			rise = surface_.normal();
+		const Vec3 size = glm::abs(rise);
+		const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+		const Vec3 origin = points_[cut_.edges.front().positive].place;
+		seen_.clear();
+		for (const cases::CutEdge& edge : cut_.edges)
+		{
+			const Vec3 at = placeOf(edge).place - origin;
+			seen_.emplace_back(at[(axis + 1) % 3], at[(axis + 2) % 3]);
+		}
+		cases::joinNestedLoops(cut_, seen_);
 	}
 
 	const G& grid_;
@@ -106,11 +135,14 @@ private:
 	std::array<const cases::Case*, grid::kTableShapes> tables_;
 	grid::CellFaces faces_;
 	std::vector<PointId> local_points_; // of the walked cell, ascending
-	std::vector<double> distances_;
-	std::vector<std::uint8_t> positive_;
-	std::vector<double> face_;
+	std::vector<cases::FacePoint> points_; // the same
+	std::vector<std::uint8_t> positive_;   // the same
+	std::vector<cases::FacePoint> face_;
 	cases::WalkFaces walk_faces_;
+	cases::FacePairs face_pairs_;
 	cases::CellCut cut_;
+	bool is_ambiguous_ = false; // a face of the cell is cut more than once, or the faces gave several loops
+	std::vector<glm::dvec2> seen_;
 	std::vector<Edge> edges_;
 };
 

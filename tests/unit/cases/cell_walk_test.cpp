@@ -40,11 +40,16 @@ std::vector<std::uint8_t> bits(unsigned mask, int points)
 	return positive;
 }
 
+Pairing pairingOf(bool center_positive)
+{
+	return center_positive ? Pairing::negative_apart : Pairing::positive_apart;
+}
+
 CellCut walk(const WalkFaces& faces, const std::vector<std::uint8_t>& positive, bool center)
 {
 	CellCut cut;
 	walkCell(
-	    faces, positive, [&](int) { return center; }, cut);
+	    faces, positive, [&](int, auto) { return pairingOf(center); }, cut);
 	return cut;
 }
 
@@ -88,12 +93,12 @@ TEST(CellWalk, BothCellsOfAnAmbiguousFaceAgree)
 	const auto pairs = [](const WalkFaces& faces, unsigned mask, bool center)
 	{
 		// Segments within face 0, as unordered pairs of edges.
-		std::vector<detail::Crossing> crossings;
-		std::vector<detail::Segment> segments;
+		std::vector<Crossing> crossings;
+		detail::WalkScratch scratch;
 		detail::findCrossings(faces, 0, bits(mask, 8), crossings);
-		detail::addSegments(crossings, 0, center, segments);
+		detail::addSegments(crossings, 0, pairingOf(center), scratch);
 		std::map<std::pair<int, int>, std::pair<int, int>> joined;
-		for (const detail::Segment& s : segments)
+		for (const detail::Segment& s : scratch.segments)
 		{
 			joined[{s.from.positive, s.from.negative}] = {s.to.positive, s.to.negative};
 			joined[{s.to.positive, s.to.negative}] = {s.from.positive, s.from.negative};
@@ -204,7 +209,7 @@ TEST(CellWalk, SurvivesMalformedCells)
 		const WalkFaces faces = facesOf(lists);
 		CellCut cut;
 		walkCell(
-		    faces, positive, [&](int) { return random() % 2 == 0; }, cut);
+		    faces, positive, [&](int, auto) { return static_cast<Pairing>(random() % 3); }, cut);
 		ASSERT_EQ(cut.face_cuts.size(), lists.size());
 		ASSERT_EQ(cut.starts.back(), cut.edges.size());
 		for (int p = 0; p < cut.polygons(); ++p)
