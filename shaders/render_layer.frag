@@ -36,8 +36,7 @@ float meshLine()
 	for (uint i = 0u; i < vertices; ++i)
 	{
 		const vec2 b = to_pixels * (recordPlace(record, i) - place);
-		const bool diagonal = (i == 1u && (edges.y & 1) != 0) || (i == 0u && (edges.y & 2) != 0);
-		if (!diagonal)
+		if ((uint(edges.y) & kHiddenRecordEdge << (i > 0u ? i - 1u : vertices - 1u)) == 0u)
 			nearest = min(nearest, distanceToEdge(a, b));
 		twice_area += a.x * b.y - a.y * b.x;
 		around += length(b - a);

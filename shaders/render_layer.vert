@@ -23,27 +23,6 @@ vec4 column(float c[4])
 	return vec4(c[0], c[1], c[2], c[3]);
 }
 
-// A polygon of many corners comes as several records, cut along diagonals from its first corner, which are no edges of it. Bit 0:
-// the record's first edge is such a diagonal, bit 1: its last one.
-int diagonals(int record, uint vertices)
-{
-	const uvec2 head = recordHead(record);
-	const vec2 first = recordPlace(record, 0u);
-	int found = 0;
-	if (record > 0)
-	{
-		const uvec2 before = recordHead(record - 1);
-		if (before.x == head.x && before.y > 2u && recordPlace(record - 1, 0u) == first &&
-			recordPlace(record - 1, before.y - 1u) == recordPlace(record, 1u))
-			found |= 1;
-	}
-	const uvec2 after = recordHead(record + 1);
-	if (after.x == head.x && after.y > 2u && recordPlace(record + 1, 0u) == first &&
-		recordPlace(record + 1, 1u) == recordPlace(record, vertices - 1u))
-		found |= 2;
-	return found;
-}
-
 void main()
 {
 	const int record = gl_VertexIndex / int(kMaxRecordVertices);
@@ -55,9 +34,7 @@ void main()
 	const vec2 uv = recordPlace(record, vertex);
 	gl_Position = uv.x * column(push.u_axis) + uv.y * column(push.v_axis) + column(push.origin);
 	place = (kFeatures & (kLayerWindow | kLayerMesh)) != 0u ? uv : vec2(0.0);
-	edges = ivec2(record, 0);
-	if ((kFeatures & kLayerMesh) != 0u && vertices > 2u)
-		edges.y = diagonals(record, vertices);
+	edges = ivec2(record, (kFeatures & kLayerMesh) != 0u ? int(hiddenEdges(record)) : 0);
 
 	const vec4 low = uintBitsToFloat(texelFetch(records, record * kRecordTexels + 3));
 	const vec4 high = uintBitsToFloat(texelFetch(records, record * kRecordTexels + 4));

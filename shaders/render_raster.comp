@@ -86,7 +86,7 @@ bool loadPolygon(int record)
 {
 	const int texel = record * kRecordTexels;
 	const uvec4 head = texelFetch(records, texel);
-	vertices = head.y;
+	vertices = head.y & kRecordVertices;
 	if (vertices < 3u)
 		return false;
 	const vec4 uv12 = uintBitsToFloat(texelFetch(records, texel + 1));

@@ -6,7 +6,14 @@ const int kRecordTexels = 5;
 // Its cell and the number of its vertices.
 uvec2 recordHead(int record)
 {
-	return texelFetch(records, record * kRecordTexels).xy;
+	const uvec4 texel = texelFetch(records, record * kRecordTexels);
+	return uvec2(texel.x, texel.y & kRecordVertices);
+}
+
+// kHiddenRecordEdge << i: the edge from vertex i to the next one is not drawn.
+uint hiddenEdges(int record)
+{
+	return texelFetch(records, record * kRecordTexels).y;
 }
 
 // (u, v) of a vertex.

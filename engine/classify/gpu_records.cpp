@@ -155,7 +155,7 @@ mesh::UvBounds uvBoundsOf(std::span<const shared::PolygonRecord> records)
 {
 	mesh::UvBounds bounds;
 	for (const shared::PolygonRecord& record : records)
-		for (std::uint32_t i = 0; i < record.vertices; ++i)
+		for (std::uint32_t i = 0; i < (record.vertices & shared::kRecordVertices); ++i)
 			bounds = bounds.with(glm::dvec2(record.uv[2 * i], record.uv[2 * i + 1]));
 	return bounds;
 }

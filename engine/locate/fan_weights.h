@@ -1,11 +1,13 @@
 #pragma once
 
+#include "grid/cell_places.h"
 #include "grid/grid.h"
 #include "locate/interpolate.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 namespace vp::locate
 {
@@ -68,6 +70,22 @@ FanPart deepestPart(const Points& grid, const grid::CellFaces& faces, const Vec3
 	return deepest;
 }
 
+// The depth of a place that is so deep in a tetrahedron of its cell. Those of a concave cell, and of one with holes,
+// reach out of it.
+template <grid::Grid G>
+double trueDepth(const G& grid, CellId cell, const Vec3& place, const Vec3& center, double depth)
+{
+	constexpr double kOutside = 1e-6;
+	if (depth < -1e-9)
+		return depth;
+	grid::CellPlaces places;
+	places.fetch(grid, cell);
+	if (grid::isStarAbout(places, center))
+		return depth;
+	const std::optional<bool> enclosed = grid::isEnclosed(places, place);
+	return !enclosed ? 0.0 : *enclosed ? std::max(depth, 0.0) : -std::max(depth, kOutside);
+}
+
 // Does the work of weighCellByTetrahedra() (interpolate.h). If two parts contain a place, as in concave cells, the
 // deeper one is used.
 template <grid::Grid G>
@@ -89,7 +107,7 @@ void weighFan(const G& grid, CellId cell, const Vec3& place, CellWeights& found)
 		found = {{}, {}, part.least};
 		return;
 	}
-	found.depth = part.depth();
+	found.depth = trueDepth(grid, cell, place, origin + center, part.depth());
 	found.weights.assign(found.points.size(), part.weight[0] * each);
 	const auto add = [&](PointId p, double weight)
 	{ found.weights[std::ranges::lower_bound(found.points, p) - found.points.begin()] += weight; };

@@ -1,5 +1,6 @@
 #include "mesh/mesh_records.h"
 
+#include "mesh/bridges.h"
 #include "mesh/mesh_values.h"
 #include "mesh/polygon_fans.h"
 
@@ -170,14 +171,25 @@ void MeshRecords::writePolygon(std::size_t polygon, std::vector<glm::dvec2>& pla
 	places.clear();
 	for (const std::uint32_t v : corners)
 		places.push_back(places_[v]);
+	const std::vector<std::uint8_t> is_bridge = bridgesOf(corners);
+	const auto isHidden = [&](std::uint32_t from, std::uint32_t to)
+	{ return to != (from + 1) % corners.size() || (!is_bridge.empty() && is_bridge[from]); };
 	for (const std::vector<std::uint32_t>& fan : cutIntoFans(places))
 		for (std::size_t next = 1; next + 1 < fan.size();)
 		{
+			const std::size_t first = next;
 			shared::PolygonRecord record{cell, 0, {}, {}};
 			add(record, fan[0]);
 			add(record, fan[next]);
 			while (record.vertices < shared::kMaxRecordVertices && next + 1 < fan.size())
 				add(record, fan[++next]);
+			std::uint32_t hidden = 0;
+			const std::uint32_t count = record.vertices;
+			const auto cornerAt = [&](std::uint32_t i) { return i % count == 0 ? fan[0] : fan[first + i % count - 1]; };
+			for (std::uint32_t i = 0; i < count; ++i)
+				if (isHidden(cornerAt(i), cornerAt(i + 1)))
+					hidden |= shared::kHiddenRecordEdge << i;
+			record.vertices |= hidden;
 			emit(record);
 		}
 }

@@ -127,8 +127,9 @@ TEST(Concave, RecordsCoverThePolygonAndNothingElse)
 			    {
 				    ASSERT_LT(next, records.size());
 				    ASSERT_EQ(records[next].cell, sheet.mesh.polygon_cells[p].cell);
-				    ASSERT_GE(records[next].vertices, 3u);
-				    for (std::uint32_t i = 1; i + 1 < records[next].vertices; ++i, ++triangles)
+				    const std::uint32_t corners = records[next].vertices & shared::kRecordVertices;
+				    ASSERT_GE(corners, 3u);
+				    for (std::uint32_t i = 1; i + 1 < corners; ++i, ++triangles)
 				    {
 					    area += 0.5 * recordTurn(records[next], i);
 					    least = std::min(least, recordTurn(records[next], i));

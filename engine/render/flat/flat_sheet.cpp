@@ -3,6 +3,7 @@
 #include "base/cross2.h"
 #include "measure/cell_steps.h"
 #include "measure/contour_lines.h"
+#include "mesh/bridges.h"
 #include "render/annotate/label_places.h"
 
 #include <cairo.h>
@@ -164,8 +165,11 @@ private:
 		for (std::size_t p = 0; p < flat_.mesh->polygons(); ++p)
 		{
 			const auto polygon = flat_.mesh->polygon(p);
+			const std::vector<std::uint8_t> is_bridge = mesh::bridgesOf(polygon);
 			for (std::size_t i = 0; i < polygon.size(); ++i)
 			{
+				if (!is_bridge.empty() && is_bridge[i])
+					continue;
 				const std::pair<std::uint32_t, std::uint32_t> edge =
 				    std::minmax(polygon[i], polygon[(i + 1) % polygon.size()]);
 				edges[edge] = !values.of_polygons.empty() ? values.of_polygons[p]

@@ -1,5 +1,6 @@
 #include "render/passes/surface_triangles.h"
 
+#include "mesh/bridges.h"
 #include "mesh/host_records.h"
 #include "mesh/polygon_fans.h"
 #include "render/passes/corner_normals.h"
@@ -75,6 +76,7 @@ private:
 		const Vec3 area = mesh::doubleArea(mesh_, polygon);
 		const double polygon_width = width(glm::length(area), corners_);
 		flatten(area);
+		bridges_ = mesh::bridgesOf(polygon);
 		if (!mesh::isFan(places_))
 		{
 			for (const std::vector<std::uint32_t>& fan : mesh::cutIntoFans(places_))
@@ -118,7 +120,8 @@ private:
 		{
 			const std::uint32_t corner = of_polygon[k];
 			const std::uint32_t next = of_polygon[(k + 1) % 3];
-			const bool is_edge = next == (corner + 1) % corners || corner == (next + 1) % corners;
+			const bool is_edge =
+			    (next == (corner + 1) % corners && !isBridge(corner)) || (corner == (next + 1) % corners && !isBridge(next));
 			triangle.corners[k] = vertexHere(polygon[corner]) | (is_edge ? 0u : shared::kHiddenEdge);
 			triangle.normals[k] = octahedral(normals_[start + corner]);
 			if (is_edge && !across_.empty())
@@ -132,6 +135,8 @@ private:
 		if (!across_.empty())
 			parts_.back().across.push_back(across);
 	}
+
+	bool isBridge(std::uint32_t corner) const { return !bridges_.empty() && bridges_[corner]; }
 
 	float polygonValue(std::size_t p) const
 	{
@@ -192,6 +197,7 @@ private:
 	std::vector<SurfacePart> parts_;
 	std::vector<Vec3> corners_; // of the polygon at hand
 	std::vector<glm::dvec2> places_;
+	std::vector<std::uint8_t> bridges_;
 	std::vector<std::uint32_t> whole_;
 };
 
