@@ -52,13 +52,18 @@ void keepPolygons(mesh::SheetMesh& mesh, const std::vector<bool>& kept)
 		const std::uint32_t begin = mesh.polygon_starts[p];
 		const std::uint32_t end = mesh.polygon_starts[p + 1];
 		mesh.polygon_starts[polygon] = corner;
-		for (std::uint32_t c = begin; c < end; ++c)
-			mesh.polygon_vertices[corner++] = mesh.polygon_vertices[c];
+		for (std::uint32_t c = begin; c < end; ++c, ++corner)
+		{
+			mesh.polygon_vertices[corner] = mesh.polygon_vertices[c];
+			if (!mesh.is_added.empty())
+				mesh.is_added[corner] = mesh.is_added[c];
+		}
 		mesh.polygon_cells[polygon++] = mesh.polygon_cells[p];
 	}
 	mesh.polygon_starts.resize(polygon + 1);
 	mesh.polygon_starts[polygon] = corner;
 	mesh.polygon_vertices.resize(corner);
+	mesh.is_added.resize(mesh.is_added.empty() ? 0 : corner);
 	mesh.polygon_cells.resize(polygon);
 	mesh::dropUnusedVertices(mesh);
 }

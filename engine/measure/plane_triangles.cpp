@@ -1,7 +1,9 @@
 #include "measure/plane_triangles.h"
 
 #include "base/cross2.h"
+#include "mesh/own_polygons.h"
 #include "mesh/polygon_fans.h"
+#include "mesh/seam_names.h"
 
 #include <cmath>
 
@@ -16,20 +18,23 @@ class Triangulation
 public:
 	explicit Triangulation(PlaneTriangles& result) : result_(result) {}
 
-	void add(std::span<const std::uint32_t> polygon)
+	// own: the corners whose mean is the center.
+	void add(std::span<const std::uint32_t> polygon, std::span<const std::uint32_t> own)
 	{
 		glm::dvec2 center(0.0);
 		double value = 0.0;
-		for (const std::uint32_t v : polygon)
+		for (const std::uint32_t v : own)
 		{
 			center += result_.points[v];
 			value += result_.values[v];
 		}
+		center /= double(own.size());
+		value /= double(own.size());
 		std::vector<PlaneTriangle>& triangles = std::isnan(value) ? result_.nan_triangles : result_.triangles;
 		if (polygon.size() == 3)
 			triangles.push_back({polygon[0], polygon[1], polygon[2]});
-		else if (seesAll(center / double(polygon.size()), polygon))
-			addAboutCenter(center / double(polygon.size()), value / double(polygon.size()), polygon, triangles);
+		else if (seesAll(center, polygon))
+			addAboutCenter(center, value, polygon, triangles);
 		else
 			addFans(polygon, triangles);
 	}
@@ -71,6 +76,17 @@ private:
 	std::vector<glm::dvec2> places_;
 };
 
+// So that lines go on across a seam where these values do not jump.
+void nameAcrossSeams(const mesh::SeamNames& names, PlaneTriangles& result)
+{
+	for (PlaneTriangle& triangle : result.triangles)
+		for (std::uint32_t& v : triangle)
+			if (v < result.vertices)
+				v = names[v];
+	std::erase_if(result.triangles,
+	              [](const PlaneTriangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+}
+
 } // namespace
 
 glm::dvec2 planePoint(const Vec3& position, const probe::Frame& frame)
@@ -95,8 +111,12 @@ PlaneTriangles planeTriangles(const mesh::SheetMesh& mesh, const probe::Frame& f
 	result.values.assign(values.begin(), values.end());
 	result.vertices = mesh.positions.size();
 	Triangulation triangulation(result);
+	const mesh::OwnPolygons own(mesh);
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
-		triangulation.add(mesh.polygon(p));
+		triangulation.add(mesh.polygon(p), own[p]);
+	const mesh::SeamNames names(mesh, [&](std::uint32_t v, std::uint32_t w) { return values[v] == values[w]; });
+	if (!names.areVertices())
+		nameAcrossSeams(names, result);
 	return result;
 }
 

@@ -3,6 +3,7 @@
 #include "base/ordered_sum.h"
 #include "measure/components.h"
 #include "mesh/mesh_values.h"
+#include "mesh/own_polygons.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -71,9 +72,9 @@ void addValue(SheetSums& sums, double value)
 	sums.max = std::max(sums.max, value);
 }
 
-// Values of vertices, with their range.
-SheetSums takeVertexValues(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const grid::FieldChoice& field,
-                           std::vector<double>& values)
+// Values of vertices, with the range at the polygons' own corners.
+SheetSums takeVertexValues(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const mesh::OwnPolygons& own,
+                           const grid::FieldChoice& field, std::vector<double>& values)
 {
 	values.resize(mesh.positions.size());
 	const std::vector<const grid::Field*> fields = field.inEach(blocks);
@@ -81,7 +82,8 @@ SheetSums takeVertexValues(const grid::BlockSet& blocks, const mesh::SheetMesh& 
 	                             [&](SheetSums& sums, std::size_t v)
 	                             {
 		                             values[v] = mesh::vertexValue(blocks, mesh, v, fields, field.component);
-		                             addValue(sums, values[v]);
+		                             if (own.isCorner(v))
+			                             addValue(sums, values[v]);
 	                             });
 }
 
@@ -145,14 +147,15 @@ SheetSums sumUp(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
 	const bool on_points = field && field->association == grid::Association::point;
 	constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 	std::vector<double> vertex_values;
-	const SheetSums of_vertices = on_points ? takeVertexValues(blocks, mesh, *field, vertex_values) : SheetSums();
+	const mesh::OwnPolygons own(mesh);
+	const SheetSums of_vertices = on_points ? takeVertexValues(blocks, mesh, own, *field, vertex_values) : SheetSums();
 	const auto fields = field ? field->inEach(blocks) : std::vector<const grid::Field*>(blocks.blocks.size());
 	const std::size_t of_cells = mesh.polygons() - mesh.boundary_polygons;
 	SheetSums sums =
 	    orderedSum<SheetSums>(mesh.polygons(),
 	                          [&](SheetSums& part, std::size_t p)
 	                          {
-		                          const auto polygon = mesh.polygon(p);
+		                          const auto polygon = own[p];
 		                          const auto [b, cell] = mesh.polygon_cells[p];
 		                          double polygon_value = kNan;
 		                          if (field && !on_points)

@@ -120,6 +120,8 @@ private:
 	{
 		RawVector<std::uint32_t> starts = std::move(mesh_.polygon_starts);
 		RawVector<std::uint32_t> vertices = std::move(mesh_.polygon_vertices);
+		const std::vector<std::uint8_t> is_added = std::move(mesh_.is_added);
+		mesh_.is_added.assign(is_added.size(), 0);
 		const std::size_t count = mesh_.polygons();
 		const std::size_t of_cells = count - mesh_.boundary_polygons;
 		mesh_.polygon_starts.resize(count + 1);
@@ -128,12 +130,19 @@ private:
 		for (std::size_t p = 0; p < count;)
 		{
 			const std::size_t next = firstOutside(vertices, starts, p);
-			keep(starts, vertices, p, next);
+			keep(starts, vertices, is_added, p, next);
 			for (p = next; p < count && isAnyOutside(vertices, starts[p], starts[p + 1]); ++p)
-				if (!takePart(std::span(vertices).subspan(starts[p], starts[p + 1] - starts[p]), p))
+			{
+				const std::uint32_t corners = starts[p + 1] - starts[p];
+				whole_is_added_.clear();
+				if (!is_added.empty())
+					whole_is_added_.assign(is_added.begin() + starts[p], is_added.begin() + starts[p + 1]);
+				if (!takePart(std::span(vertices).subspan(starts[p], corners), p))
 					mesh_.boundary_polygons -= p >= of_cells;
+			}
 		}
 		mesh_.polygon_vertices.resize(corners_kept_);
+		mesh_.is_added.resize(is_added.empty() ? 0 : corners_kept_);
 		mesh_.polygon_starts.resize(kept_ + 1);
 		mesh_.polygon_cells.resize(kept_);
 	}
@@ -159,14 +168,16 @@ private:
 	}
 
 	// Takes the polygons [begin, end) whole.
-	void keep(const RawVector<std::uint32_t>& starts, const RawVector<std::uint32_t>& vertices, std::size_t begin,
-	          std::size_t end)
+	void keep(const RawVector<std::uint32_t>& starts, const RawVector<std::uint32_t>& vertices,
+	          const std::vector<std::uint8_t>& is_added, std::size_t begin, std::size_t end)
 	{
 		const std::size_t first = starts[begin];
 		const std::size_t corners = starts[end] - first;
 		makeRoom(corners);
 		std::copy_n(vertices.begin() + static_cast<std::ptrdiff_t>(first), corners,
 		            mesh_.polygon_vertices.begin() + static_cast<std::ptrdiff_t>(corners_kept_));
+		if (!is_added.empty())
+			std::copy_n(is_added.data() + first, corners, mesh_.is_added.data() + corners_kept_);
 		std::uint32_t* to = mesh_.polygon_starts.data() + kept_;
 		const auto moved = static_cast<std::uint32_t>(corners_kept_ - first); // modulo 2^32
 		for (std::size_t p = begin; p < end; ++p)
@@ -184,6 +195,7 @@ private:
 			return false;
 		makeRoom(part.size());
 		std::ranges::copy(part, mesh_.polygon_vertices.begin() + static_cast<std::ptrdiff_t>(corners_kept_));
+		std::ranges::copy(part_is_added_, mesh_.is_added.begin() + static_cast<std::ptrdiff_t>(corners_kept_));
 		corners_kept_ += part.size();
 		mesh_.polygon_cells[kept_++] = mesh_.polygon_cells[p];
 		mesh_.polygon_starts[kept_] = static_cast<std::uint32_t>(corners_kept_);
@@ -192,8 +204,11 @@ private:
 	// A polygon may get corners on the rim.
 	void makeRoom(std::size_t corners)
 	{
-		if (corners_kept_ + corners > mesh_.polygon_vertices.size())
-			mesh_.polygon_vertices.resize(2 * (corners_kept_ + corners));
+		if (corners_kept_ + corners <= mesh_.polygon_vertices.size())
+			return;
+		mesh_.polygon_vertices.resize(2 * (corners_kept_ + corners));
+		if (!mesh_.is_added.empty())
+			mesh_.is_added.resize(mesh_.polygon_vertices.size());
 	}
 
 	// What is left of a polygon with vertices outside; nothing where that is no polygon.
@@ -205,6 +220,7 @@ private:
 		if (all != 0)
 			return {};
 		part_.assign(polygon.begin(), polygon.end());
+		part_is_added_ = whole_is_added_;
 		bool has_corner = false;
 		for (unsigned side = 0; side < sides_.size() && !part_.empty(); ++side)
 			if (std::ranges::any_of(part_, [&](std::uint32_t v) { return within(v, side) < 0.0; }))
@@ -219,30 +235,41 @@ private:
 	{
 		bool has_corner = false;
 		std::swap(part_, whole_);
+		std::swap(part_is_added_, whole_is_added_);
 		part_.clear();
-		const auto add = [&](std::uint32_t v)
+		part_is_added_.clear();
+		const bool has_added = !whole_is_added_.empty();
+		const auto add = [&](std::uint32_t v, bool is_added)
 		{
-			if (part_.empty() || part_.back() != v)
-				part_.push_back(v);
+			if (!part_.empty() && part_.back() == v)
+				return;
+			part_.push_back(v);
+			if (has_added)
+				part_is_added_.push_back(is_added);
 		};
 		std::uint32_t previous = whole_.back();
 		double previous_within = within(previous, side);
-		for (const std::uint32_t v : whole_)
+		for (std::size_t i = 0; i < whole_.size(); ++i)
 		{
+			const std::uint32_t v = whole_[i];
 			const double v_within = within(v, side);
 			// A vertex on the side itself is its own cut.
 			if ((previous_within < 0.0 && v_within > 0.0) || (previous_within > 0.0 && v_within < 0.0))
 			{
-				add(cutOf(previous, v, side));
+				add(cutOf(previous, v, side), false);
 				has_corner = has_corner || (isOnRim(previous) && isOnRim(v));
 			}
+			// An added corner on the side itself may be the end of what is left of its polygon's side.
 			if (v_within >= 0.0)
-				add(v);
+				add(v, has_added && whole_is_added_[i] && v_within > 0.0);
 			previous = v;
 			previous_within = v_within;
 		}
 		while (part_.size() > 1 && part_.back() == part_.front())
+		{
 			part_.pop_back();
+			part_is_added_.resize(has_added ? part_.size() : 0);
+		}
 		return has_corner;
 	}
 
@@ -289,6 +316,15 @@ private:
 			partners.emplace(v, w);
 			partners.emplace(w, v);
 		}
+		// The edges may also have an end in common.
+		const auto withPartners = [&](std::uint32_t v)
+		{
+			std::vector<std::uint32_t> all{v};
+			const auto [begin, end] = partners.equal_range(v);
+			for (auto partner = begin; partner != end; ++partner)
+				all.push_back(partner->second);
+			return all;
+		};
 		const auto none = static_cast<std::uint32_t>(mesh_.positions.size());
 		for (std::size_t m = 0; m < made_.size(); ++m)
 		{
@@ -296,12 +332,10 @@ private:
 			if (cut.side != side)
 				continue;
 			const auto v = static_cast<std::uint32_t>(first_made_ + m);
-			const auto [a_begin, a_end] = partners.equal_range(cut.from);
-			const auto [b_begin, b_end] = partners.equal_range(cut.to);
-			for (auto other_a = a_begin; other_a != a_end; ++other_a)
-				for (auto other_b = b_begin; other_b != b_end; ++other_b)
+			for (const std::uint32_t a : withPartners(cut.from))
+				for (const std::uint32_t b : withPartners(cut.to))
 				{
-					const auto found = numbers_[side].find(keyOf(other_a->second, other_b->second), none);
+					const auto found = numbers_[side].find(keyOf(a, b), none);
 					if (!found.is_new && found.number > v && found.number < none)
 						mesh_.seam_pairs.emplace_back(v, found.number);
 				}
@@ -317,7 +351,9 @@ private:
 	std::vector<KeyNumbers> numbers_; // per side
 	std::vector<Cut> made_;           // per vertex from first_made_
 	std::vector<std::uint32_t> part_;
-	std::vector<std::uint32_t> whole_; // what part_ is clipped from
+	std::vector<std::uint32_t> whole_;         // what part_ is clipped from
+	std::vector<std::uint8_t> part_is_added_;  // of each corner; empty where none is (SheetMesh::is_added)
+	std::vector<std::uint8_t> whole_is_added_; // as `whole_`
 	std::size_t kept_ = 0;             // polygons that are there so far
 	std::size_t corners_kept_ = 0;
 };

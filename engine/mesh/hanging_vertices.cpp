@@ -10,20 +10,161 @@ namespace vp::mesh
 namespace
 {
 
-class Linker
+// A corner that a polygon gets on its side from one of its corners to the next.
+struct AddedCorner
+{
+	std::size_t polygon;
+	std::uint32_t from;
+	std::uint32_t to;
+	double at; // along the side
+	std::uint32_t corner;
+};
+
+// In the order of polygons, and along each side.
+template <class OnSide>
+void sortAlongSides(std::vector<OnSide>& all)
+{
+	std::ranges::sort(all, [](const OnSide& a, const OnSide& b)
+	                  { return std::tie(a.polygon, a.from, a.to, a.at) < std::tie(b.polygon, b.from, b.to, b.at); });
+}
+
+void addCorners(std::span<const AddedCorner> added, SheetMesh& mesh)
+{
+	RawVector<std::uint32_t> starts{0};
+	RawVector<std::uint32_t> corners;
+	std::vector<std::uint8_t> is_added;
+	starts.reserve(mesh.polygon_starts.size());
+	corners.reserve(mesh.polygon_vertices.size() + added.size());
+	is_added.reserve(mesh.polygon_vertices.size() + added.size());
+	const auto add = [&](std::uint32_t corner, bool by_join)
+	{
+		corners.push_back(corner);
+		is_added.push_back(by_join);
+	};
+	auto next = added.begin();
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		auto end = next;
+		while (end != added.end() && end->polygon == p)
+			++end;
+		const std::span<const std::uint32_t> polygon = mesh.polygon(p);
+		for (std::size_t i = 0; i < polygon.size(); ++i)
+		{
+			add(polygon[i], false);
+			const std::uint32_t to = polygon[(i + 1) % polygon.size()];
+			for (auto h = next; h != end; ++h)
+				if (h->from == polygon[i] && h->to == to && corners.back() != h->corner)
+					add(h->corner, true);
+		}
+		next = end;
+		starts.push_back(static_cast<std::uint32_t>(corners.size()));
+	}
+	mesh.polygon_starts = std::move(starts);
+	mesh.polygon_vertices = std::move(corners);
+	mesh.is_added = std::move(is_added);
+}
+
+// The hanging vertices that lie between two corners.
+std::vector<HangingVertex> betweenCorners(std::span<const HangingVertex> vertices, UnionFind& joined)
+{
+	std::vector<HangingVertex> inner;
+	for (const HangingVertex& h : vertices)
+		if (const std::uint32_t root = joined.root(h.vertex);
+		    !h.isAtEnd() && root != joined.root(h.from) && root != joined.root(h.to))
+			inner.push_back(h);
+	sortAlongSides(inner);
+	return inner;
+}
+
+// Finds the corners that polygons get where each side keeps its values.
+class KeepingLinker
 {
 public:
-	Linker(const grid::BlockSet& blocks, Hanging hanging, UnionFind& joined, SheetMesh& mesh)
-	    : blocks_(blocks), hanging_(hanging), joined_(joined), mesh_(mesh)
+	KeepingLinker(SeamValues& values, UnionFind& joined, SheetMesh& mesh) : values_(values), joined_(joined), mesh_(mesh)
 	{
 	}
 
-	void link(std::span<const HangingVertex> vertices)
+	// Hanging vertices of several cells at one place need one corner.
+	std::vector<AddedCorner> corners(std::span<const HangingVertex> sorted)
+	{
+		std::vector<AddedCorner> added;
+		for (std::size_t first = 0, last = 0; first < sorted.size(); first = last)
+		{
+			while (last < sorted.size() && isSamePlace(sorted[first], sorted[last]))
+				++last;
+			const HangingVertex& h = sorted[first];
+			added.push_back({h.polygon, h.from, h.to, h.at, cornerOf(sorted.subspan(first, last - first))});
+		}
+		return added;
+	}
+
+private:
+	double lengthOf(const HangingVertex& h) const
+	{
+		return glm::length(mesh_.positions[h.to] - mesh_.positions[h.from]);
+	}
+	bool isSamePlace(const HangingVertex& a, const HangingVertex& b) const
+	{
+		return a.polygon == b.polygon && a.from == b.from && a.to == b.to &&
+		       isOnePlace(mesh_.positions[a.vertex], mesh_.positions[b.vertex], lengthOf(a));
+	}
+
+	std::uint32_t cornerOf(std::span<const HangingVertex> here)
+	{
+		const std::uint32_t made = addOnSide(here[0]);
+		std::uint32_t corner = made;
+		for (const HangingVertex& h : here)
+			if (isOnePlace(mesh_.positions[h.vertex], mesh_.positions[made], lengthOf(h)) &&
+			    values_.agree(h.vertex, made))
+			{
+				if (corner == made)
+					corner = h.vertex;
+				else
+					joined_.join(corner, h.vertex);
+			}
+		for (const HangingVertex& h : here)
+			if (corner == made || joined_.root(h.vertex) != joined_.root(corner))
+				mesh_.seam_pairs.emplace_back(h.vertex, corner);
+		if (corner != made)
+			dropLast();
+		return corner;
+	}
+
+	// A vertex with the values that the larger cell has there.
+	std::uint32_t addOnSide(const HangingVertex& h)
+	{
+		const Vec3 from = mesh_.positions[h.from];
+		mesh_.positions.push_back(from + h.at * (mesh_.positions[h.to] - from));
+		addShares(mesh_, h.from, 1.0 - h.at, mesh_.rim_shares);
+		addShares(mesh_, h.to, h.at, mesh_.rim_shares);
+		mesh_.rim_starts.push_back(static_cast<std::uint32_t>(mesh_.rim_shares.size()));
+		return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
+	}
+	void dropLast()
+	{
+		mesh_.positions.pop_back();
+		mesh_.rim_starts.pop_back();
+		mesh_.rim_shares.resize(mesh_.rim_starts.back());
+	}
+
+	SeamValues& values_;
+	UnionFind& joined_;
+	SheetMesh& mesh_;
+};
+
+// Gives joined and hanging vertices the values of the larger cells.
+class Interpolator
+{
+public:
+	Interpolator(const grid::BlockSet& blocks, UnionFind& joined, SheetMesh& mesh)
+	    : blocks_(blocks), joined_(joined), mesh_(mesh)
+	{
+	}
+
+	void interpolate(std::span<const HangingVertex> vertices)
 	{
 		chooseNames(vertices);
-		insert(vertices);
-		if (hanging_ == Hanging::interpolate)
-			interpolate(vertices);
+		makeMeans(vertices);
 	}
 
 private:
@@ -34,16 +175,14 @@ private:
 		                  blocks_.blocks[edge.block].grid);
 	}
 
-	// Of the edges on which a joined vertex lies, it is named after the longest or the shortest one.
+	// Of the edges on which a joined vertex lies, it is named after the longest one.
 	void chooseNames(std::span<const HangingVertex> vertices)
 	{
 		std::unordered_map<std::uint32_t, std::uint32_t> chosen; // by what stands for the vertex
 		const auto offer = [&](std::uint32_t v)
 		{
 			std::uint32_t& best = chosen.try_emplace(joined_.root(v), v).first->second;
-			const double length = edgeLength(mesh_.edges[v]);
-			const double known = edgeLength(mesh_.edges[best]);
-			if (hanging_ == Hanging::interpolate ? length > known : length < known)
+			if (edgeLength(mesh_.edges[v]) > edgeLength(mesh_.edges[best]))
 				best = v;
 		};
 		for (const HangingVertex& h : vertices)
@@ -62,48 +201,9 @@ private:
 		}
 	}
 
-	void insert(std::span<const HangingVertex> vertices)
-	{
-		std::vector<HangingVertex> inner;
-		for (HangingVertex h : vertices)
-		{
-			h.vertex = joined_.root(h.vertex);
-			h.from = joined_.root(h.from);
-			h.to = joined_.root(h.to);
-			if (!h.isAtEnd() && h.vertex != h.from && h.vertex != h.to)
-				inner.push_back(h);
-		}
-		std::ranges::sort(inner, [](const HangingVertex& a, const HangingVertex& b)
-		                  { return std::tie(a.polygon, a.from, a.at) < std::tie(b.polygon, b.from, b.at); });
-		RawVector<std::uint32_t> starts{0};
-		RawVector<std::uint32_t> corners;
-		starts.reserve(mesh_.polygon_starts.size());
-		corners.reserve(mesh_.polygon_vertices.size() + inner.size());
-		auto next = inner.begin();
-		for (std::size_t p = 0; p < mesh_.polygons(); ++p)
-		{
-			auto end = next;
-			while (end != inner.end() && end->polygon == p)
-				++end;
-			const std::span<const std::uint32_t> polygon = mesh_.polygon(p);
-			for (std::size_t i = 0; i < polygon.size(); ++i)
-			{
-				corners.push_back(polygon[i]);
-				const std::uint32_t to = polygon[(i + 1) % polygon.size()];
-				for (auto h = next; h != end; ++h)
-					if (h->from == polygon[i] && h->to == to && corners.back() != h->vertex)
-						corners.push_back(h->vertex);
-			}
-			next = end;
-			starts.push_back(static_cast<std::uint32_t>(corners.size()));
-		}
-		mesh_.polygon_starts = std::move(starts);
-		mesh_.polygon_vertices = std::move(corners);
-	}
-
 	// Hanging vertices become weighted means of the ends of the longest edge on which they hang, as those on the rim of
 	// a window are. The ends may hang on edges of still larger cells.
-	void interpolate(std::span<const HangingVertex> vertices)
+	void makeMeans(std::span<const HangingVertex> vertices)
 	{
 		for (const HangingVertex& h : vertices)
 		{
@@ -150,7 +250,6 @@ private:
 	static constexpr int kMaxLevels = 8; // each makes two of one
 
 	const grid::BlockSet& blocks_;
-	Hanging hanging_;
 	UnionFind& joined_;
 	SheetMesh& mesh_;
 	std::unordered_map<std::uint32_t, HangingVertex> hung_;
@@ -158,11 +257,23 @@ private:
 
 } // namespace
 
-void linkHanging(const grid::BlockSet& blocks, std::span<const HangingVertex> vertices, Hanging hanging,
-                 UnionFind& joined, SheetMesh& mesh)
+void linkHanging(std::span<const HangingVertex> vertices, Hanging hanging, SeamValues& values, UnionFind& joined,
+                 SheetMesh& mesh)
 {
-	if (!vertices.empty())
-		Linker(blocks, hanging, joined, mesh).link(vertices);
+	const std::vector<HangingVertex> inner = betweenCorners(vertices, joined);
+	std::vector<AddedCorner> added;
+	if (hanging == Hanging::keep)
+		added = KeepingLinker(values, joined, mesh).corners(inner);
+	else
+		for (const HangingVertex& h : inner)
+			added.push_back({h.polygon, h.from, h.to, h.at, h.vertex});
+	addCorners(added, mesh);
+}
+
+void interpolateHanging(const grid::BlockSet& blocks, std::span<const HangingVertex> vertices, UnionFind& joined,
+                        SheetMesh& mesh)
+{
+	Interpolator(blocks, joined, mesh).interpolate(vertices);
 }
 
 } // namespace vp::mesh

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grid/block.h"
+#include "mesh/seam_values.h"
 #include "mesh/seam_vertices.h"
 #include "mesh/sheet_mesh.h"
 #include "mesh/union_find.h"
@@ -10,16 +11,24 @@
 namespace vp::mesh
 {
 
-// Which value a vertex has where a cell meets several smaller ones. It is one vertex, so both sides have this value.
+// What becomes of a vertex where a cell meets several smaller ones. The larger cell's value there is linear along its
+// polygon.
 enum class Hanging
 {
-	keep,       // that of the smaller cell's points
-	interpolate // linear along the larger cell's polygon
+	keep,       // each side keeps its values: where they differ, there are two vertices
+	interpolate // one vertex, with the larger cell's value, so that both sides are one smooth picture
 };
 
-// Makes hanging vertices corners of the larger cells' polygons, which have no T-junctions then. `joined`: vertices that
-// are one, among them the hanging ones at the ends of edges. The polygons name the vertices that stand for them.
-void linkHanging(const grid::BlockSet& blocks, std::span<const HangingVertex> vertices, Hanging hanging,
-                 UnionFind& joined, SheetMesh& mesh);
+// Gives the larger cells' polygons corners where hanging vertices lie on their sides, so that polygons meet in whole
+// sides. To keep, that is the hanging vertex itself if it lies on the side and all arrays agree; else another vertex, on
+// the side and with the larger cell's values, and mesh.seam_pairs tells that it belongs to the hanging one. To
+// interpolate, it is the hanging vertex in any case. vertices: none of those at ends of a side needs to be among them;
+// they are named as the polygons name them. joined: vertices that are one, by which the caller names them afterwards.
+void linkHanging(std::span<const HangingVertex> vertices, Hanging hanging, SeamValues& values, UnionFind& joined,
+                 SheetMesh& mesh);
+
+// Then gives hanging vertices the values of the larger cells. The polygons name what stands for joined vertices.
+void interpolateHanging(const grid::BlockSet& blocks, std::span<const HangingVertex> vertices, UnionFind& joined,
+                        SheetMesh& mesh);
 
 } // namespace vp::mesh

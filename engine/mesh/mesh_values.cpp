@@ -4,6 +4,7 @@
 #include "base/two_doubles.h"
 #include "grid/number_types.h"
 #include "grid/shown_value.h"
+#include "mesh/union_find.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -97,6 +98,23 @@ void interpolateAll(const grid::Block& block, const grid::Field& field, int comp
 	    block.grid);
 }
 
+// Where the values of paired vertices agree, all of them get that of the first.
+void uniteAtSeams(const grid::BlockSet& blocks, const SheetMesh& mesh, std::span<const grid::Field* const> fields,
+                  int component, RawVector<double>& values)
+{
+	UnionFind one(mesh.positions.size());
+	for (const auto& [v, w] : mesh.seam_pairs)
+		if (isSameValue(values[v], values[w],
+		                std::max(vertexScale(blocks, mesh, v, fields, component),
+		                         vertexScale(blocks, mesh, w, fields, component))))
+			one.join(v, w);
+	for (const auto& [v, w] : mesh.seam_pairs)
+	{
+		values[v] = values[one.root(v)];
+		values[w] = values[one.root(w)];
+	}
+}
+
 } // namespace
 
 double interpolate(const grid::Block& block, const grid::Field& field, int component, const EdgePoint& at)
@@ -152,6 +170,30 @@ double vertexValue(const grid::BlockSet& blocks, const SheetMesh& mesh, std::siz
 	                                                          : grid::shownValue(components, component, componentAt);
 }
 
+double vertexScale(const grid::BlockSet& blocks, const SheetMesh& mesh, std::size_t vertex,
+                   std::span<const grid::Field* const> fields, int component)
+{
+	double scale = 0.0;
+	const auto include = [&](std::uint32_t block, PointId point)
+	{
+		const grid::Field* field = fields[block];
+		if (!field || field->categorical || component >= field->components)
+			return;
+		const auto source =
+		    std::visit([&](const auto& grid) { return std::size_t(grid.sourcePoint(point)); }, blocks.blocks[block].grid);
+		scale = std::max(scale, std::abs(grid::shownValue(*field, source, component)));
+	};
+	if (vertex < mesh.edges.size())
+	{
+		include(mesh.edges[vertex].block, mesh.edges[vertex].lower);
+		include(mesh.edges[vertex].block, mesh.edges[vertex].higher);
+	}
+	else
+		for (const PointShare& share : mesh.rimShares(vertex))
+			include(share.block, share.point);
+	return scale;
+}
+
 RawVector<double> vertexValues(const grid::BlockSet& blocks, const SheetMesh& mesh,
                                std::span<const grid::Field* const> fields, int component)
 {
@@ -181,6 +223,8 @@ RawVector<double> vertexValues(const grid::BlockSet& blocks, const SheetMesh& me
 		}
 	};
 	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), kGrain), fill);
+	if (!mesh.seam_pairs.empty())
+		uniteAtSeams(blocks, mesh, fields, component, values);
 	return values;
 }
 

@@ -4,6 +4,7 @@
 #include "grid/block.h"
 #include "mesh/sheet_mesh.h"
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -19,7 +20,21 @@ double interpolate(const grid::Block& block, const grid::Field& field, int compo
 double vertexValue(const grid::BlockSet& blocks, const SheetMesh& mesh, std::size_t vertex,
                    std::span<const grid::Field* const> fields, int component);
 
-// Returns vertexValue() of every vertex, computed on all cores.
+/// Returns how large the numbers are that a vertex's value is interpolated from; 0 for names of categories, which are
+/// equal or not.
+double vertexScale(const grid::BlockSet& blocks, const SheetMesh& mesh, std::size_t vertex,
+                   std::span<const grid::Field* const> fields, int component);
+
+/// Whether two values are copies of one number, perhaps written in single precision, and interpolated at places a
+/// rounding apart.
+inline bool isSameValue(double a, double b, double scale)
+{
+	constexpr double kApart = 1e-5;
+	return a == b || std::abs(a - b) <= kApart * scale || (std::isnan(a) && std::isnan(b));
+}
+
+// Returns vertexValue() of every vertex, computed on all cores. An array that does not jump at vertices that lie on
+// each other at a seam (SheetMesh::seam_pairs) has one value at all of them, to the last bit.
 RawVector<double> vertexValues(const grid::BlockSet& blocks, const SheetMesh& mesh,
                                std::span<const grid::Field* const> fields, int component);
 

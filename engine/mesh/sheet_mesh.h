@@ -5,8 +5,10 @@
 #include "base/select.h"
 #include "base/vec.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -24,6 +26,16 @@ struct EdgePoint
 	PointId higher;
 	double t;
 };
+
+/// Whether two places differ by rounding alone. They lie on edges of about this length.
+inline bool isOnePlace(const Vec3& a, const Vec3& b, double edge_length)
+{
+	constexpr double kOfEdge = 1e-12;
+	constexpr double kOfCoordinate = 16.0 * std::numeric_limits<double>::epsilon();
+	const Vec3 size = glm::abs(a);
+	const double largest = std::max(size.x, std::max(size.y, size.z));
+	return glm::length(a - b) <= kOfEdge * edge_length + kOfCoordinate * largest;
+}
 
 /// The place at t along the edge from a to b.
 inline Vec3 placeOnEdge(const Vec3& a, const Vec3& b, double t)
@@ -69,8 +81,12 @@ struct SheetMesh
 	RawVector<std::uint32_t> polygon_starts; // polygons + 1 offsets into polygon_vertices
 	RawVector<std::uint32_t> polygon_vertices;
 	RawVector<BlockCell> polygon_cells; // per polygon
+	// Empty, or 1 for each entry of polygon_vertices that a join has put on a side of a larger cell's polygon, where
+	// smaller cells have vertices (hanging_vertices.h). Figures leave these corners out (own_polygons.h).
+	std::vector<std::uint8_t> is_added;
 	std::size_t boundary_polygons = 0;  // the last so many are boundary faces in the plane, of cells that are not cut
-	// Vertices that lie on each other at a seam and yet stay two, since the arrays differ from one side to the other.
+	// Vertices that lie on each other at a seam and yet stay two, since an array or the place differs from one side to
+	// the other.
 	std::vector<std::pair<std::uint32_t, std::uint32_t>> seam_pairs;
 	std::size_t cells_twisted = 0; // cut cells with a face that is cut more than once, or with several polygons
 	bool flat = true;              // every polygon lies in a plane; others are the fans about their vertices' means

@@ -34,6 +34,7 @@ public:
 		return v;
 	}
 	std::size_t count() const { return count_; }
+	std::size_t size() const { return parent_.size(); }
 
 private:
 	std::vector<std::uint32_t> parent_;

@@ -84,14 +84,19 @@ void dropPolygons(std::span<const std::uint32_t> dropped, mesh::SheetMesh& mesh)
 			++next;
 			continue;
 		}
-		for (const std::uint32_t v : mesh.polygon(p))
-			kept.polygon_vertices.push_back(v);
+		for (std::uint32_t corner = mesh.polygon_starts[p]; corner < mesh.polygon_starts[p + 1]; ++corner)
+		{
+			kept.polygon_vertices.push_back(mesh.polygon_vertices[corner]);
+			if (!mesh.is_added.empty())
+				kept.is_added.push_back(mesh.is_added[corner]);
+		}
 		kept.polygon_starts.push_back(static_cast<std::uint32_t>(kept.polygon_vertices.size()));
 		kept.polygon_cells.push_back(mesh.polygon_cells[p]);
 	}
 	mesh.polygon_vertices = std::move(kept.polygon_vertices);
 	mesh.polygon_starts = std::move(kept.polygon_starts);
 	mesh.polygon_cells = std::move(kept.polygon_cells);
+	mesh.is_added = std::move(kept.is_added);
 	mesh::dropUnusedVertices(mesh);
 }
 

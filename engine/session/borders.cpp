@@ -28,7 +28,7 @@ struct Found
 {
 	std::vector<Link> links;
 	std::vector<std::vector<std::uint32_t>> counted;   // per rank, its vertices that count with one of another rank
-	std::vector<std::vector<const RimVertex*>> groups; // vertices that are one
+	std::vector<std::vector<const RimVertex*>> groups; // vertices that lie on each other
 };
 
 /// Joins vertices that may be one. isPlace(a, b): whether they are at one place; isSeam(a, b): whether faces meet
@@ -37,6 +37,7 @@ template <class IsPlace, class IsSeam>
 void joinAmong(std::span<const RimVertex> vertices, const IsPlace& isPlace, const IsSeam& isSeam, Found& found)
 {
 	mesh::UnionFind joined(vertices.size());
+	mesh::UnionFind touching(vertices.size());
 	for (std::uint32_t i = 0; i < vertices.size(); ++i)
 		for (std::uint32_t j = 0; j < i; ++j)
 		{
@@ -45,16 +46,18 @@ void joinAmong(std::span<const RimVertex> vertices, const IsPlace& isPlace, cons
 			if (a.rank == b.rank || !isPlace(a, b))
 				continue;
 			const bool is_seam = isSeam(a, b);
-			const bool is_one = (is_seam || a.whole != b.whole) && a.hasDataOf(b);
+			const bool is_one = (is_seam || a.whole != b.whole) && a.isOneWith(b);
 			if (is_one)
 				joined.join(j, i);
-			if (is_one || is_seam)
-				found.links.push_back({a.rank, a.component, b.rank, b.component});
+			if (!is_one && !is_seam)
+				continue;
+			touching.join(j, i);
+			found.links.push_back({a.rank, a.component, b.rank, b.component});
 		}
 	std::map<std::uint32_t, std::vector<const RimVertex*>> groups;
 	for (std::uint32_t i = 0; i < vertices.size(); ++i)
 	{
-		groups[joined.root(i)].push_back(&vertices[i]);
+		groups[touching.root(i)].push_back(&vertices[i]);
 		if (joined.root(i) != i)
 			found.counted[static_cast<std::size_t>(vertices[i].rank)].push_back(vertices[i].vertex);
 	}
@@ -63,7 +66,7 @@ void joinAmong(std::span<const RimVertex> vertices, const IsPlace& isPlace, cons
 			found.groups.push_back(std::move(group));
 }
 
-/// Tells each rank its vertices that are one with those of others.
+/// Tells each rank its vertices that lie on those of others.
 void tellGroups(Neighborhood& near, std::uint64_t first_id, const Found& found, std::vector<SharedVertex>& shared)
 {
 	std::uint64_t id = first_id;

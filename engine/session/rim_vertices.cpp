@@ -23,7 +23,7 @@ void addCorner(const Vec3& corner, FaceKey& key)
 
 bool ValueAt::isSame(const ValueAt& other) const
 {
-	return std::abs(value - other.value) <= 1e-5 * scale || (std::isnan(value) && std::isnan(other.value));
+	return mesh::isSameValue(value, other.value, std::max(scale, other.scale));
 }
 
 bool RimVertex::isAcross(const RimVertex& other) const
@@ -39,6 +39,11 @@ bool RimVertex::isOnSameEdge(const RimVertex& other) const
 	{ return glm::length(ends[end] - other.ends[other_end]) <= apart; };
 	return (ends[0] == ends[1]) == (other.ends[0] == other.ends[1]) &&
 	       ((areNear(0, 0) && areNear(1, 1)) || (areNear(0, 1) && areNear(1, 0)));
+}
+
+bool RimVertex::isOneWith(const RimVertex& other) const
+{
+	return mesh::isOnePlace(place, other.place, glm::length(ends[1] - ends[0])) && hasDataOf(other);
 }
 
 bool RimVertex::hasDataOf(const RimVertex& other) const
@@ -78,12 +83,6 @@ std::vector<std::uint8_t> rimOf(const mesh::SheetMesh& mesh, std::span<const Box
 	for (std::uint32_t v = 0; v < rim.size(); ++v)
 		rim[v] = open.isOpen(v) || mayTouch(mesh, v, others);
 	return rim;
-}
-
-bool isId(const grid::Field& field)
-{
-	using enum grid::NumberType;
-	return field.type == int32 || field.type == uint32 || field.type == int64 || field.type == uint64;
 }
 
 /// Whether a vertex lies on a face with these corners: its edge, or the grid point at which it is. By places, since a
@@ -231,12 +230,14 @@ std::vector<std::pair<std::string, std::vector<ValueAt>>> valuesAt(const grid::B
 		if (field.association != grid::Association::point)
 			continue;
 		std::vector<ValueAt>& values = arrays.emplace_back(field.name, std::vector<ValueAt>()).second;
-		for (int c = 0; c < field.components && !isId(field); ++c)
+		for (int c = 0; c < field.components; ++c)
 		{
 			at.t = t;
 			ValueAt value{mesh::interpolate(block, field, c, at), 0.0};
 			for (const double end : {0.0, 1.0})
 			{
+				if (field.categorical) // equal or not
+					break;
 				at.t = end;
 				value.scale = std::max(value.scale, std::abs(mesh::interpolate(block, field, c, at)));
 			}

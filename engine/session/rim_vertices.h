@@ -29,13 +29,14 @@ struct FaceKey
 
 void addCorner(const Vec3& corner, FaceKey& key);
 
-/// A component of a point array at a vertex, and how large the numbers are that it was interpolated from.
+/// A component of a point array at a vertex, and how large the numbers are that it was interpolated from: 0 for names of
+/// categories.
 struct ValueAt
 {
 	double value;
 	double scale;
 
-	bool isSame(const ValueAt& other) const; // as where vertices are joined in one process (mesh/join_vertices.cpp)
+	bool isSame(const ValueAt& other) const;
 };
 
 /// A vertex on the rim of a rank's mesh, with what tells whether it is one with a vertex of another rank.
@@ -56,6 +57,8 @@ struct RimVertex
 	bool isAcross(const RimVertex& other) const;     // a seam
 	bool isOnSameEdge(const RimVertex& other) const; // but for rounding
 	bool hasDataOf(const RimVertex& other) const;
+	/// Whether a join changes neither the place nor a value, as in one process (mesh/join_vertices.h).
+	bool isOneWith(const RimVertex& other) const;
 };
 
 /// The vertices around which the polygons of the mesh close no ring. cuts: what was found in each block; a cell that

@@ -3,6 +3,7 @@
 #include "base/ordered_sum.h"
 #include "grid/build/for_ranges.h"
 #include "mesh/mesh_values.h"
+#include "mesh/own_polygons.h"
 #include "vectors/vector_array.h"
 
 #include <cmath>
@@ -98,14 +99,15 @@ FluxSums fluxSums(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, con
 			field = nullptr;
 	const bool on_points = array.association == grid::Association::point;
 	const std::vector<Vec3> vectors = on_points ? vertexVectors(blocks, mesh, fields) : std::vector<Vec3>();
+	const mesh::OwnPolygons own(mesh);
 	return orderedSum<FluxSums>(mesh.polygons() - mesh.boundary_polygons,
 	                            [&](FluxSums& sums, std::size_t p)
 	                            {
 		                            PolygonFlux flux;
 		                            if (on_points)
-			                            addFan(mesh, mesh.polygon(p), vectors, flux);
+			                            addFan(mesh, own[p], vectors, flux);
 		                            else
-			                            flux.addPart(0.5 * mesh::doubleArea(mesh, mesh.polygon(p)),
+			                            flux.addPart(0.5 * mesh::doubleArea(mesh, own[p]),
 			                                         polygonVector(blocks, mesh, fields, p));
 		                            flux.addTo(sums);
 	                            });

@@ -1,5 +1,6 @@
 #include "render/passes/corner_normals.h"
 
+#include "mesh/seam_names.h"
 #include "render/scene/feature_edges.h"
 
 #include <algorithm>
@@ -19,17 +20,17 @@ struct PolygonsAbout
 	std::vector<std::uint32_t> starts;
 	std::vector<std::uint32_t> polygons;
 
-	explicit PolygonsAbout(const mesh::SheetMesh& mesh)
+	PolygonsAbout(const mesh::SheetMesh& mesh, const mesh::SeamNames& names)
 	    : starts(mesh.positions.size() + 2), polygons(mesh.polygon_vertices.size())
 	{
 		// Counted one place on, so that filling moves each start to where it belongs.
 		for (const std::uint32_t v : mesh.polygon_vertices)
-			++starts[v + 2];
+			++starts[names[v] + 2];
 		for (std::size_t i = 2; i < starts.size(); ++i)
 			starts[i] += starts[i - 1];
 		for (std::size_t p = 0; p < mesh.polygons(); ++p)
 			for (const std::uint32_t v : mesh.polygon(p))
-				polygons[starts[v + 1]++] = static_cast<std::uint32_t>(p);
+				polygons[starts[names[v] + 1]++] = static_cast<std::uint32_t>(p);
 	}
 	// Sums of floats depend on their order; so it is that of the areas, and not of the polygons.
 	void sortBy(const std::vector<Vec3f>& areas)
@@ -60,7 +61,8 @@ std::vector<Vec3f> cornerNormals(const mesh::SheetMesh& mesh)
 	areas.reserve(mesh.polygons());
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
 		areas.emplace_back(mesh::doubleArea(mesh, mesh.polygon(p)));
-	PolygonsAbout about(mesh);
+	const mesh::SeamNames names(mesh);
+	PolygonsAbout about(mesh, names);
 	about.sortBy(areas);
 	std::vector<Vec3f> normals;
 	normals.reserve(mesh.polygon_vertices.size());
@@ -70,7 +72,7 @@ std::vector<Vec3f> cornerNormals(const mesh::SheetMesh& mesh)
 		for (const std::uint32_t v : mesh.polygon(p))
 		{
 			Vec3f sum(0.0f);
-			for (const std::uint32_t other : about[v])
+			for (const std::uint32_t other : about[names[v]])
 			{
 				const float along = glm::dot(areas[other], own);
 				if (std::abs(along) >= cosine * glm::length(areas[other]))

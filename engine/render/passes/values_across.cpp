@@ -1,5 +1,7 @@
 #include "render/passes/values_across.h"
 
+#include "mesh/seam_names.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,6 +20,7 @@ struct Edge
 
 std::vector<Edge> edgesOf(const mesh::SheetMesh& mesh)
 {
+	const mesh::SeamNames names(mesh);
 	std::vector<Edge> edges;
 	edges.reserve(mesh.polygon_vertices.size());
 	for (std::uint32_t p = 0; p < mesh.polygons(); ++p)
@@ -25,7 +28,7 @@ std::vector<Edge> edgesOf(const mesh::SheetMesh& mesh)
 		const auto polygon = mesh.polygon(p);
 		for (std::uint32_t i = 0; i < polygon.size(); ++i)
 		{
-			const auto [low, high] = std::minmax(polygon[i], polygon[(i + 1) % polygon.size()]);
+			const auto [low, high] = std::minmax({names[polygon[i]], names[polygon[(i + 1) % polygon.size()]]});
 			edges.push_back({std::uint64_t(low) << 32 | high, p, mesh.polygon_starts[p] + i});
 		}
 	}
