@@ -131,7 +131,8 @@ private:
 			element.attributes.emplace_back(attributes[0], attributes[1]);
 		const auto tag_bytes = byteCount(builder.parser_.get());
 		// The text behind a tag may have been left out, so the place is that of the tag's last byte and one more.
-		element.is_from_entity = tag_bytes == 0;
+		// Within an entity, the place is that of the reference to it.
+		element.is_from_entity = builder.text_.text()[builder.place()] != '<';
 		element.content_begin = builder.text_.placeOf(builder.place() + std::max<std::uint64_t>(tag_bytes, 1) - 1) + 1;
 		builder.path_.push_back(&element);
 	}
