@@ -281,7 +281,8 @@ private:
 		const auto types = slab(kVtkHdf + "/Types", NumberType::uint8, {parts.first_cell}, {parts.all_cells}, 1);
 		vtkNew<vtkCellArray> cells;
 		cells->SetData(offsets, connectivity);
-		grid->SetCells(vtkUnsignedCharArray::SafeDownCast(types), cells);
+		// Without faces, which come below: otherwise VTK takes the points of polyhedra for lists of faces.
+		grid->SetCells(vtkUnsignedCharArray::SafeDownCast(types), cells, nullptr, nullptr);
 		const auto* first = static_cast<const std::uint8_t*>(types->GetVoidPointer(0));
 		if (std::find(first, first + parts.all_cells, vp::read::kPolyhedron) != first + parts.all_cells)
 			addPolyhedra(parts, grid);
