@@ -59,7 +59,7 @@ public:
 
 	void read()
 	{
-		const std::string type = file_.textOr(kVtkHdf, "Type");
+		const std::string type = typeOfFile();
 		const double version = file_.realOr(kVtkHdf, "Version", 0.0);
 		if (!file_.has(kVtkHdf) || type.empty())
 			throw Refusal("not a VTKHDF file, though its first bytes are HDF5's, or a damaged one");
@@ -85,6 +85,17 @@ public:
 	}
 
 private:
+	// The first files of version 1.0 name none.
+	std::string typeOfFile() const
+	{
+		const std::string type = file_.textOr(kVtkHdf, "Type");
+		if (!type.empty())
+			return type;
+		return !file_.realsOr(kVtkHdf, "WholeExtent").empty() ? "ImageData"
+		       : file_.isSet(kVtkHdf + "/Types")              ? "UnstructuredGrid"
+		                                                      : "";
+	}
+
 	template <std::size_t N>
 	std::array<double, N> attribute(const char* name) const
 	{

@@ -218,6 +218,17 @@ TEST(Manifest, WithCountsThatOverflowIsRefused)
 	}
 }
 
+// An empty partition, which may stand among other inputs.
+TEST(Manifest, WithoutBlocksHasNone)
+{
+	Made made = makeManifest();
+	made.manifest()["blocks"] = json::array();
+	made.manifest()["patches"] = json::array();
+	const auto checked = made.check();
+	ASSERT_TRUE(checked) << checked.error().message;
+	EXPECT_TRUE(checked->blocks.empty());
+}
+
 TEST(Manifest, WithWrongTypesOrWordsIsRefused)
 {
 	const auto refused = [](const char* what, auto&& change)
@@ -238,7 +249,6 @@ TEST(Manifest, WithWrongTypesOrWordsIsRefused)
 	refused("kind", [](Made& m) { m.block(0)["kind"] = "tree"; });
 	refused("no kind", [](Made& m) { m.block(0).erase("kind"); });
 	refused("no cells", [](Made& m) { m.block(kMesh).erase("cells"); });
-	refused("blocks", [](Made& m) { m.manifest()["blocks"] = json::array(); });
 	refused("blocks", [](Made& m) { m.manifest()["blocks"] = 3; });
 	refused("times", [](Made& m) { m.manifest()["times"] = {"now"}; });
 	refused("spacing", [](Made& m) { m.block(0)["spacing"] = {1.0, 0.0, 1.0}; });
