@@ -57,6 +57,50 @@ void writeMed(const std::string& path)
 	}
 }
 
+// Two times of one mesh. The values of the first time are 0.
+void writeVtkHdf(const std::string& path)
+{
+	SampleHdf5 file(path);
+	std::vector<double> places, f(kSamplePointCount), g(kSampleCellCount);
+	std::vector<std::int64_t> nodes, offsets = {0};
+	eachSamplePoint(
+	    [&](const Vec3& at, int)
+	    {
+		    for (int axis = 0; axis < 3; ++axis)
+			    places.push_back(at[axis]);
+		    f.push_back(sampleValue(at));
+	    });
+	eachSampleCell(
+	    [&](const Vec3& middle, const std::array<int, 8>& corners, int)
+	    {
+		    nodes.insert(nodes.end(), corners.begin(), corners.end());
+		    offsets.push_back(static_cast<std::int64_t>(nodes.size()));
+		    g.push_back(sampleValue(middle));
+	    });
+	const auto list = [&](const std::string& name, const std::vector<std::int64_t>& numbers)
+	{ file.set("/VTKHDF/" + name, {numbers.size()}, H5T_NATIVE_INT64, numbers.data()); };
+	list("NumberOfPoints", {kSamplePointCount});
+	list("NumberOfCells", {kSampleCellCount});
+	list("NumberOfConnectivityIds", {8 * kSampleCellCount});
+	list("Connectivity", nodes);
+	list("Offsets", offsets);
+	for (const char* name : {"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"})
+		list(std::string("Steps/") + name, {0, 0});
+	list("Steps/NumberOfParts", {1, 1});
+	list("Steps/PointDataOffsets/f", {0, kSamplePointCount});
+	list("Steps/CellDataOffsets/g", {0, kSampleCellCount});
+	const std::vector<std::uint8_t> types(kSampleCellCount, 12);
+	const std::vector<double> times = {0.5, 1.5};
+	file.set("/VTKHDF/Types", {types.size()}, H5T_NATIVE_UINT8, types.data());
+	file.set("/VTKHDF/Points", {kSamplePointCount, 3}, H5T_NATIVE_DOUBLE, places.data());
+	file.set("/VTKHDF/PointData/f", {f.size()}, H5T_NATIVE_DOUBLE, f.data());
+	file.set("/VTKHDF/CellData/g", {g.size()}, H5T_NATIVE_DOUBLE, g.data());
+	file.set("/VTKHDF/Steps/Values", {times.size()}, H5T_NATIVE_DOUBLE, times.data());
+	file.attribute("/VTKHDF", "Version", std::vector<double>{2.0, 0.0});
+	file.attribute("/VTKHDF", "Type", "UnstructuredGrid");
+	file.attribute("/VTKHDF/Steps", "NSteps", std::vector<double>{2.0});
+}
+
 // What stands for the values of a plane of constant z: 0 to 65535 from the least to the greatest of them.
 std::vector<std::uint16_t> mincWords(std::vector<double>& least, std::vector<double>& greatest)
 {
@@ -257,6 +301,7 @@ std::vector<SampleFile> containerSamples()
 {
 	return {
 	    {"fields.med", writeMed, "unstructured", kSampleCellCount, kSamplePointCount, true, ""},
+	    {"steps.vtkhdf", writeVtkHdf, "unstructured", kSampleCellCount, kSamplePointCount, true, ""},
 	    {"two.mnc", writeMinc2, "image", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"one.mnc", writeMinc1, "image", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"columns.nc", writeCam, "unstructured", kSampleCellCount, kSamplePointCount, false, ""},
