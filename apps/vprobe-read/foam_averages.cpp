@@ -1,5 +1,6 @@
 #include "foam_averages.h"
 
+#include "is_one_of.h"
 #include "refusal.h"
 
 #include <vtkDoubleArray.h>
@@ -65,7 +66,8 @@ void addFaces(const FoamMesh& mesh, const FoamField& field, vtkDoubleArray* of_c
 	for (const FoamPatch& patch : mesh.patches)
 	{
 		const auto found = field.patches.find(patch.name);
-		const bool is_physical = patch.type == "patch" || patch.type == "wall" || patch.type == "processor";
+		const bool is_physical =
+		    isOneOf(patch.type, {"patch", "wall", "mappedWall"}) || patch.type.starts_with("processor");
 		if (!is_physical || found == field.patches.end())
 			continue;
 		const std::optional<FoamList>& values = found->second;

@@ -39,8 +39,6 @@ std::vector<T> numbersIn(const std::string& text)
 
 std::uint64_t bytesOf(std::string_view type)
 {
-	if (type.ends_with("_ARRAY"))
-		type.remove_suffix(6);
 	if (type == "MET_CHAR" || type == "MET_UCHAR")
 		return 1;
 	if (type == "MET_SHORT" || type == "MET_USHORT")
@@ -86,7 +84,10 @@ MetaHeader readMetaHeader(const std::string& file)
 		if (key == "DimSize")
 			header.size = numbersIn<std::uint64_t>(value);
 		else if (key == "ElementType")
-			header.element_bytes = bytesOf(value);
+		{
+			header.type = value.ends_with("_ARRAY") ? value.substr(0, value.size() - 6) : value;
+			header.element_bytes = bytesOf(header.type);
+		}
 		else if (key == "ElementNumberOfChannels")
 			channels = std::strtoull(value.c_str(), nullptr, 10);
 		else if (key == "CompressedData")

@@ -9,6 +9,7 @@
 struct MetaHeader
 {
 	std::vector<std::uint64_t> size; // points along each axis
+	std::string type;                // of one value, without "_ARRAY"
 	std::uint64_t element_bytes = 0; // of one point; 0 for a type not known
 	bool compressed = false;
 	std::uint64_t compressed_bytes = 0;

@@ -8,6 +8,7 @@
 #include "shared_faces.h"
 #include "text_end.h"
 #include "time_choice.h"
+#include "tree_leaves.h"
 #include "xml_check.h"
 
 #include <vtkAbstractArray.h>
@@ -106,6 +107,8 @@ vtkSmartPointer<vtkDataObject> loadTrees(const Request& request, ManifestWriter&
 	leaves->SetInputData(trees);
 	addNoIds(*leaves);
 	leaves->Update();
+	if (!setLeafPoints(trees, vtkUnstructuredGrid::SafeDownCast(leaves->GetOutputDataObject(0))))
+		manifest.warn("the places of its leaves have 7 digits");
 	return leaves->GetOutputDataObject(0);
 }
 

@@ -23,6 +23,19 @@ const nlohmann::json* find(const nlohmann::json& arrays, const std::string& name
 
 } // namespace
 
+// Bounds of a narrow grid far from the origin differ.
+TEST_F(Info, HasAsManyDigitsAsTheWidthNeeds)
+{
+	std::string far = legacyImage();
+	const auto at = far.find("ORIGIN 0 0 0");
+	ASSERT_NE(at, std::string::npos);
+	far.replace(at, 12, "ORIGIN 500000.25 6700000 10000000");
+	const Outcome outcome = run({"info", write("far.vtk", far)});
+	ASSERT_TRUE(isQuiet(outcome));
+	EXPECT_TRUE(contains(outcome.out, "x 500000.25 to 500003.25, y 6700000 to 6700003, z 10000000 to 10000003\n"))
+	    << outcome.out;
+}
+
 TEST_F(Info, JsonKeepsItsKeys)
 {
 	const Outcome outcome = run({"info", "demo:shell:8", "--json"});

@@ -56,6 +56,37 @@ def vtk_files(folder, box):
             yield name, 'u', 'c'
 
 
+def hyper_trees(folder, box):
+    """Two cells are divided into eight, which have their value."""
+    vtk = need('vtkmodules.all')
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    trees, values, cursor = vtk.vtkHyperTreeGrid(), vtk.vtkDoubleArray(), vtk.vtkHyperTreeGridNonOrientedCursor()
+    trees.SetDimensions([n + 1 for n in SIDES])
+    trees.SetBranchFactor(2)
+    for axis, use in enumerate((trees.SetXCoordinates, trees.SetYCoordinates, trees.SetZCoordinates)):
+        use(numpy_to_vtk(box.numpy.unique(box.points[:, axis]), deep=1))
+    values.SetName('c')
+    trees.GetCellData().AddArray(values)
+    first = 0
+    for tree, c in enumerate(box.c):
+        trees.InitializeNonOrientedCursor(cursor, tree, True)
+        cursor.SetGlobalIndexStart(first)
+        values.InsertValue(cursor.GetGlobalNodeIndex(), c)
+        divided = tree in (1, 4)
+        if divided:
+            cursor.SubdivideLeaf()
+            for child in range(8):
+                cursor.ToChild(child)
+                values.InsertValue(cursor.GetGlobalNodeIndex(), c)
+                cursor.ToParent()
+        first += 9 if divided else 1
+    writer = vtk.vtkXMLHyperTreeGridWriter()
+    writer.SetFileName(str(folder / 'box.htg'))
+    writer.SetInputData(trees)
+    writer.Write()
+    yield 'box.htg', None, 'c'
+
+
 def vtk_text(folder, box):
     """Text with all digits, which VTK's writers leave out."""
     cells = ' '.join(map(str, box.cells.ravel()))
@@ -133,7 +164,7 @@ def lattices(folder, box):
 def far_from_the_origin(folder):
     numpy = need('numpy')
     box = Box(numpy)
-    for kind in (vtk_files, vtk_text, by_meshio, lattices, *far_codes.WRITERS):
+    for kind in (vtk_files, hyper_trees, vtk_text, by_meshio, lattices, *far_codes.WRITERS):
         place = folder / kind.__name__
         place.mkdir()
         try:

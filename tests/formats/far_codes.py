@@ -67,7 +67,7 @@ def exodus_displaced(folder, box):
     return ()
 
 
-def write_foam(box, folder, form, label=32, packed=False, moving=False):
+def write_foam(box, folder, form, label=32, packed=False, moving=False, region=''):
     """Three patches: a wall with values of its own for each face, an inlet with one for all, and one without."""
     inside, outside = faces_of(box)
     low = [f for f in outside if all(box.near[p][0] < 0.1 for p in f[0])]
@@ -96,10 +96,10 @@ def write_foam(box, folder, form, label=32, packed=False, moving=False):
         lines = ['(' + ' '.join(map(repr, row)) + ')' if isinstance(row, list) else repr(row) for row in rows]
         return f'{len(values)}\n(\n'.encode() + '\n'.join(lines).encode() + b'\n)\n'
 
-    mesh = 'constant/polyMesh/'
+    mesh = f'constant/{region}polyMesh/'
     put(mesh + 'points', 'vectorField', numbers(box.points - (100.0 if moving else 0.0)))
     if moving:
-        put('1/polyMesh/points', 'vectorField', numbers(box.points))
+        put(f'1/{region}polyMesh/points', 'vectorField', numbers(box.points))
     if binary:
         starts = numpy.cumsum([0] + [len(f[0]) for f in faces])
         put(mesh + 'faces', 'faceCompactList', numbers(starts, 'i') + numbers(numpy.concatenate([f[0] for f in faces]),
@@ -110,7 +110,7 @@ def write_foam(box, folder, form, label=32, packed=False, moving=False):
     put(mesh + 'owner', 'labelList', numbers([f[1] for f in faces], 'i'))
     put(mesh + 'neighbour', 'labelList', numbers([f[2] for f in inside], 'i'))
     first, patches = len(inside), ''
-    for name, kind, some in (('floor', 'wall', low), ('top', 'patch', high),
+    for name, kind, some in (('floor', 'mappedWall', low), ('top', 'patch', high),
                              ('rest', 'patch', outside[len(low) + len(high):])):
         patches += f' {name}\n {{\n  type {kind};\n  nFaces {len(some)};\n  startFace {first};\n }}\n'
         first += len(some)
@@ -123,9 +123,9 @@ def write_foam(box, folder, form, label=32, packed=False, moving=False):
                 + b';\nboundaryField\n{\n floor { type fixedValue; value nonuniform List<' + kind + b'> '
                 + numbers(of_faces) + f'; }}\n top {{ type fixedValue; value {one}; }}\n'.encode()
                 + b' rest { type zeroGradient; }\n}\n')
-    put('1/c', 'volScalarField', field(box.c, b'scalar', numpy.float64(1.0)))
-    put('1/grad(c)', 'volSymmTensorField', field(box.c[:, None] + numpy.arange(6), b'symmTensor', numpy.ones(6)))
-    put('1/u', 'pointScalarField', b'dimensions [0 0 0 0 0 0 0];\ninternalField nonuniform List<scalar>\n'
+    put(f'1/{region}c', 'volScalarField', field(box.c, b'scalar', numpy.float64(1.0)))
+    put(f'1/{region}grad(c)', 'volSymmTensorField', field(box.c[:, None] + numpy.arange(6), b'symmTensor', numpy.ones(6)))
+    put(f'1/{region}u', 'pointScalarField', b'dimensions [0 0 0 0 0 0 0];\ninternalField nonuniform List<scalar>\n'
         + numbers(box.u) + b';\nboundaryField\n{\n floor { type calculated; }\n top { type calculated; }\n'
         + b' rest { type calculated; }\n}\n')
     put('system/controlDict', 'dictionary', b'startTime 0;\nendTime 1;\ndeltaT 1;\nwriteInterval 1;\n')
@@ -135,7 +135,8 @@ def write_foam(box, folder, form, label=32, packed=False, moving=False):
 
 def foam(folder, box):
     for name, how in (('text', ('ascii',)), ('binary', ('binary',)), ('labels', ('binary', 64)),
-                      ('packed', ('ascii', 32, True)), ('moving', ('binary', 64, True, True))):
+                      ('packed', ('ascii', 32, True)), ('moving', ('binary', 64, True, True)),
+                      ('region', ('ascii', 32, False, True, 'air/'))):
         (folder / name).mkdir()
         write_foam(box, folder / name, *how)
         yield f'{name}/box.foam', 'u', 'c'

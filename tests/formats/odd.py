@@ -228,5 +228,24 @@ def other_codes(folder):
     refused(folder / 'mesh.inp', 'Abaqus')
 
 
-CASES = [exodus_by_meshio, exodus_without_values, numpy_types, netcdf_sides, xdmf_types, vtk_images, vtk_without_cells,
+def metaimage_longs(folder):
+    """MetaIO's longs have 4 bytes. VTK's reader takes them for 8, and does not know those of 8."""
+    numpy = need('numpy')
+    head = ('ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nDimSize = 5 4 6\n'
+            'ElementSpacing = 1 1 1\nElementType = {}\nElementDataFile = LOCAL\n')
+    for name, kind in (('MET_LONG', '<i4'), ('MET_ULONG', '<u4')):
+        values = (2 ** 24 + 1 + numpy.arange(120)).astype(kind)
+        (folder / 'long.mha').write_bytes(head.format(name).encode() + values.tobytes())
+        found = info(folder / 'long.mha')['arrays'][0]
+        assert found['range'] == [2 ** 24 + 1, 2 ** 24 + 120], found
+    (folder / 'long.mha').write_bytes(head.format('MET_LONG_LONG').encode() + bytes(8 * 120))
+    try:
+        info(folder / 'long.mha')
+    except AssertionError as refused:
+        assert 'MET_LONG_LONG is not read' in str(refused), refused
+    else:
+        raise AssertionError('MET_LONG_LONG is read')
+
+
+CASES = [metaimage_longs, exodus_by_meshio, exodus_without_values, numpy_types, netcdf_sides, xdmf_types, vtk_images, vtk_without_cells,
          gmsh_comments, wedges, tiff_orders, other_codes]

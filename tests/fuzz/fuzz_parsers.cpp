@@ -38,6 +38,33 @@ std::string manifestSeed(const std::string& file)
 	return seed('M', handed->manifest + '\0' + head + text(handed->arrays.bytes) + text(handed->cells.bytes));
 }
 
+// Text and bytes: places, corners, patches and fields.
+std::vector<std::string> foamSeeds()
+{
+	const auto file = [](const std::string& format, const std::string& type, const std::string& body)
+	{
+		return "F/* x */ FoamFile\n{\n version 2.0;\n format " + format +
+		       ";\n arch \"LSB;label=32;scalar=64\";\n class " + type + ";\n object grad(T);\n}\n// x\n" + body;
+	};
+	const std::string eight(8, '\x3f'), four("\0\0\0\0", 4), three("\3\0\0\0", 4), low("\1\0\0\0", 4);
+	const std::string patches =
+	    "boundaryField\n{\n a { type fixedValue; value uniform 2.5; }\n \"b.*\" { type empty; }\n"
+	    " c { type zeroGradient; }\n d { $e; value $f; }\n";
+	return {file("ascii", "vectorField", "2\n(\n(1 2.5 -3e5)\n(nan 0 1e400)\n)\n"),
+	        file("binary", "vectorField", "1(" + eight + eight + eight + ")"),
+	        file("ascii", "faceList", "2 (3(0 1 2) 4(0 1 2 3))"),
+	        file("binary", "faceCompactList", "2(" + four + three + ")3(" + four + low + three + ")"),
+	        file("ascii", "labelList", "3 ( 0 1 2 )"),
+	        file("ascii", "polyBoundaryMesh", "1 ( a { type wall; inGroups 1(wall); nFaces 3; startFace 4; } )"),
+	        file("ascii", "volScalarField",
+	             "dimensions [0 0 0 1 0 0 0];\ninternalField nonuniform List<scalar> 2(3 5);\n" + patches + "}\n"),
+	        file("ascii", "volVectorField", "internalField nonuniform List<vector> 2{(3 5 7)};\n" + patches + "}\n"),
+	        file("binary", "pointScalarField",
+	             "internalField nonuniform List<scalar> 1(" + eight + ");\n" + patches +
+	                 " g { type h; x nonuniform List<scalar> 1(" + eight + "); value nonuniform List<scalar> 1(" +
+	                 eight + "); }\n}\n")};
+}
+
 std::vector<std::string> makeSeeds()
 {
 	std::vector<std::string> seeds = {"Tlast",
@@ -72,6 +99,8 @@ std::vector<std::string> makeSeeds()
 			    seed('E', fuzz::contentsOf(file) +
 			                  "time set: 1\nnumber of steps: 1\nfilename start number: 0\ntime values: 0.5\n"));
 	}
+	for (std::string& foam : foamSeeds())
+		seeds.push_back(std::move(foam));
 	seeds.push_back(seed('G', fuzz::contentsOf(folder / "gold.geo")));
 	seeds.push_back(seed('V', fuzz::contentsOf(folder / "gold.f")));
 	return seeds;

@@ -1,6 +1,7 @@
 #include "parsers.h"
 
 #include "ensight_check.h"
+#include "foam_text.h"
 #include "meta_header.h"
 #include "netcdf_size.h"
 #include "plot3d_layout.h"
@@ -118,6 +119,41 @@ void feedEnSight(const TemporaryFolder& folder, char which, const std::string& i
 	refuseShortEnSight(folder / "a.case", 0.5);
 }
 
+// Each kind of file, whatever the head says: all of them have one.
+void feedFoam(std::string_view input)
+{
+	const auto tryIt = [](const auto& parse)
+	{
+		try
+		{
+			parse();
+		}
+		catch (const Refusal&)
+		{
+		}
+	};
+	tryIt([&] { foamHead(input); });
+	tryIt([&] { require(foamPoints(input).numbers.size() % 3 == 0); });
+	tryIt([&] { foamLabels(input); });
+	tryIt([&] { foamPatches(input); });
+	tryIt(
+	    [&]
+	    {
+		    const FoamFaces faces = foamFaces(input);
+		    require(static_cast<std::size_t>(faces.starts.back()) == faces.corners.size());
+	    });
+	tryIt(
+	    [&]
+	    {
+		    const FoamField field = foamField(input);
+		    const auto isWhole = [](const FoamList& list)
+		    { return list.numbers.size() % static_cast<std::size_t>(list.components) == 0; };
+		    require(isWhole(field.inside));
+		    for (const auto& [name, values] : field.patches)
+			    require(!values || isWhole(*values));
+	    });
+}
+
 void feedQuickly(const std::string& file)
 {
 	const read::Descriptor arrays(memfd_create("arrays", MFD_CLOEXEC));
@@ -184,6 +220,8 @@ void feedParser(const std::uint8_t* data, std::size_t size)
 		feedGridIndex(input);
 	else if (which == 'S')
 		feedExpression(input);
+	else if (which == 'F')
+		feedFoam(input);
 	else if (std::string_view("NPHXEGV").find(which) != std::string_view::npos)
 		feedFile(which, std::string(input));
 }
