@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 using vp::grid::NumberType;
 
@@ -140,10 +141,12 @@ private:
 	// Whether an array is wanted. Notes it if it is not.
 	bool isWanted(const std::string& association, const std::string& name, NumberType type, std::uint64_t components)
 	{
+		if (name == "vtkGhostType")
+			return true;
 		const bool is_shown = !std::exchange(has_shown_, true);
 		const std::string small = association == "Point" ? "point" : "cell";
 		const bool is_needed =
-		    isOneOf(name, {"HigherOrderDegrees", "RationalWeights", "vtkGhostType"}) ||
+		    isOneOf(name, {"HigherOrderDegrees", "RationalWeights"}) ||
 		    isOneOf(file_.textOr(pathOf(association, name), "Attribute"), {"HigherOrderDegrees", "RationalWeights"});
 		if (is_needed || request_.arrays.wants(small, name, is_shown))
 			return true;

@@ -183,6 +183,7 @@ std::vector<double> xdmfNumbers(std::string_view text)
 XdmfDocument::XdmfDocument(std::string file, std::string_view text) : file_(std::move(file)), text_(text)
 {
 	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+	H5PLset_loading_state(0); // a file does not choose code to load
 	// The usual document type names a file that nobody has.
 	std::optional<XmlFile> xml = parseXml(text, DocumentType::internal);
 	if (!xml || xml->root.name != "Xdmf")
