@@ -354,7 +354,7 @@ private:
 	std::vector<std::uint32_t> whole_;         // what part_ is clipped from
 	std::vector<std::uint8_t> part_is_added_;  // of each corner; empty where none is (SheetMesh::is_added)
 	std::vector<std::uint8_t> whole_is_added_; // as `whole_`
-	std::size_t kept_ = 0;             // polygons that are there so far
+	std::size_t kept_ = 0;                     // polygons that are there so far
 	std::size_t corners_kept_ = 0;
 };
 

@@ -80,7 +80,8 @@ std::vector<HangingVertex> betweenCorners(std::span<const HangingVertex> vertice
 class KeepingLinker
 {
 public:
-	KeepingLinker(SeamValues& values, UnionFind& joined, SheetMesh& mesh) : values_(values), joined_(joined), mesh_(mesh)
+	KeepingLinker(SeamValues& values, UnionFind& joined, SheetMesh& mesh)
+	    : values_(values), joined_(joined), mesh_(mesh)
 	{
 	}
 

@@ -179,8 +179,8 @@ double vertexScale(const grid::BlockSet& blocks, const SheetMesh& mesh, std::siz
 		const grid::Field* field = fields[block];
 		if (!field || field->categorical || component >= field->components)
 			return;
-		const auto source =
-		    std::visit([&](const auto& grid) { return std::size_t(grid.sourcePoint(point)); }, blocks.blocks[block].grid);
+		const auto source = std::visit([&](const auto& grid) { return std::size_t(grid.sourcePoint(point)); },
+		                               blocks.blocks[block].grid);
 		scale = std::max(scale, std::abs(grid::shownValue(*field, source, component)));
 	};
 	if (vertex < mesh.edges.size())

@@ -14,10 +14,7 @@ namespace vp::mesh
 class SeamNames
 {
 public:
-	explicit SeamNames(const SheetMesh& mesh)
-	    : SeamNames(mesh, [](std::uint32_t, std::uint32_t) { return true; })
-	{
-	}
+	explicit SeamNames(const SheetMesh& mesh) : SeamNames(mesh, [](std::uint32_t, std::uint32_t) { return true; }) {}
 	/// isOne(v, w): whether a pair has one name.
 	template <class IsOne>
 	SeamNames(const SheetMesh& mesh, IsOne&& isOne)

@@ -32,12 +32,9 @@ std::uint32_t SeamValues::blockOf(std::uint32_t vertex) const
 const grid::Field* SeamValues::likeOf(const grid::Field& field, std::uint32_t block) const
 {
 	const std::vector<grid::Field>& fields = blocks_.blocks[block].fields;
-	const auto found = std::ranges::find_if(fields,
-	                                        [&](const grid::Field& other)
-	                                        {
-		                                        return isPointField(other) && other.name == field.name &&
-		                                               other.components == field.components;
-	                                        });
+	const auto found = std::ranges::find_if(
+	    fields, [&](const grid::Field& other)
+	    { return isPointField(other) && other.name == field.name && other.components == field.components; });
 	return found == fields.end() ? nullptr : &*found;
 }
 

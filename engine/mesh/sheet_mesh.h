@@ -84,7 +84,7 @@ struct SheetMesh
 	// Empty, or 1 for each entry of polygon_vertices that a join has put on a side of a larger cell's polygon, where
 	// smaller cells have vertices (hanging_vertices.h). Figures leave these corners out (own_polygons.h).
 	std::vector<std::uint8_t> is_added;
-	std::size_t boundary_polygons = 0;  // the last so many are boundary faces in the plane, of cells that are not cut
+	std::size_t boundary_polygons = 0; // the last so many are boundary faces in the plane, of cells that are not cut
 	// Vertices that lie on each other at a seam and yet stay two, since an array or the place differs from one side to
 	// the other.
 	std::vector<std::pair<std::uint32_t, std::uint32_t>> seam_pairs;

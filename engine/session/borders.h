@@ -35,9 +35,9 @@ struct Borders
 };
 
 /// Joins the meshes of a sheet that the ranks have: a face in the plane that two of them show is dropped at one, and
-/// vertices at one place with the same values are counted once. Places that more than rounding has parted are joined for
-/// the pieces alone. What lies on the rim of a mesh is sent to the rank that its place belongs to, so traffic follows the
-/// rim alone.
+/// vertices at one place with the same values are counted once. Places that more than rounding has parted are joined
+/// for the pieces alone. What lies on the rim of a mesh is sent to the rank that its place belongs to, so traffic
+/// follows the rim alone.
 ///
 /// whole: per block, the block that one process would have in its place. Within one of those, vertices are joined only
 /// where the faces of cells lie on each other, as in one process (mesh/join_vertices.h).

@@ -29,8 +29,8 @@ struct FaceKey
 
 void addCorner(const Vec3& corner, FaceKey& key);
 
-/// A component of a point array at a vertex, and how large the numbers are that it was interpolated from: 0 for names of
-/// categories.
+/// A component of a point array at a vertex, and how large the numbers are that it was interpolated from: 0 for names
+/// of categories.
 struct ValueAt
 {
 	double value;

@@ -4,6 +4,7 @@
 
 #include "cut/cutter.h"
 #include "measure/stats.h"
+#include "mesh/seam_names.h"
 
 #include <gtest/gtest.h>
 
@@ -14,15 +15,17 @@
 namespace vp::test
 {
 
-// Every edge has two polygons that run along it in opposite senses, or one and lies in a side of the box.
+// Every edge has two polygons that run along it in opposite senses, or one and lies in a side of the box. Vertices that
+// lie on each other at a seam count as one.
 inline void expectClosed(const mesh::SheetMesh& mesh, const Box& box)
 {
+	const mesh::SeamNames names(mesh);
 	std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
 	{
 		const auto polygon = mesh.polygon(p);
 		for (std::size_t i = 0; i < polygon.size(); ++i)
-			++uses[{polygon[i], polygon[(i + 1) % polygon.size()]}];
+			++uses[{names[polygon[i]], names[polygon[(i + 1) % polygon.size()]]}];
 	}
 	for (const auto& [edge, count] : uses)
 	{

@@ -11,6 +11,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace vp::test
@@ -53,23 +54,38 @@ grid::BlockSet warpedSide(Cells cells = Cells::both)
 
 } // namespace
 
-// The hexahedron's polygon takes the vertex that the tetrahedra have on the diagonal, so nothing overlaps and nothing
-// is missing.
+// The tetrahedra have a vertex on the diagonal, and the hexahedron's polygon has none. Its area stays what it is, and
+// the sheet is one piece all the same.
 TEST(Hanging, AWarpedSideMeetsTwoTriangles)
 {
-	const grid::BlockSet set = warpedSide();
+	std::vector<grid::BlockSet> sets;
+	for (const Cells cells : {Cells::both, Cells::hexahedron, Cells::tetrahedra})
+		sets.push_back(warpedSide(cells));
 	Box box;
 	box.include(Vec3(0.0));
 	box.include(Vec3(1.0, 1.0, 2.0));
-	cut::Cutter cutter(set);
+	int overlapping = 0;
 	for (const TestPlane& plane : {TestPlane{{0.5, 0.5, 1.0}, {0.7, 0.2, 1}}, TestPlane{{0.5, 0.5, 1.0}, {0.1, 0.9, 1}},
 	                               TestPlane{{0.5, 0.5, 1.0}, {-0.6, 0.5, 1}}})
-	{
-		const Whole whole = cutWhole(cutter, plane);
-		EXPECT_NEAR(whole.figures.area, glm::length(plane.normal), 1e-12);
-		EXPECT_EQ(whole.figures.components, 1u);
-		expectClosed(whole.mesh, box);
-	}
+		for (const mesh::Hanging hanging : {mesh::Hanging::keep, mesh::Hanging::interpolate})
+		{
+			cut::CutRequest request;
+			request.hanging = hanging;
+			std::vector<Whole> wholes;
+			for (const grid::BlockSet& set : sets)
+			{
+				cut::Cutter cutter(set);
+				wholes.push_back(cutWhole(cutter, plane, request));
+			}
+			EXPECT_NEAR(wholes[0].figures.area, wholes[1].figures.area + wholes[2].figures.area, 1e-14);
+			// On a plane that meets the diagonal in the line of the hexahedron's polygon, nothing overlaps.
+			const bool overlaps = std::abs(wholes[0].figures.area - glm::length(plane.normal)) > 1e-4;
+			overlapping += overlaps;
+			EXPECT_EQ(wholes[0].figures.components, 1u);
+			EXPECT_EQ(wholes[0].mesh.seam_pairs.empty(), hanging == mesh::Hanging::interpolate || !overlaps);
+			expectClosed(wholes[0].mesh, box);
+		}
+	EXPECT_EQ(overlapping, 4);
 }
 
 // The hexahedron and the tetrahedra may join the four vertices of a side that is cut twice in different pairs. Each

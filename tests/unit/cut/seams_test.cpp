@@ -1,3 +1,4 @@
+#include "mesh/mesh_values.h"
 #include "seamed_sets.h"
 #include "sliced_sheet.h"
 
@@ -121,35 +122,48 @@ TEST(Seams, PlanesThroughPointsShowNothingTwice)
 	}
 }
 
-// Two blocks with an array each that jumps at the seam, or does not.
-TEST(Seams, VerticesAreOneUnlessTheArraysJump)
+// Two blocks with an array that jumps at the seam, or does not, and perhaps with ids that differ.
+TEST(Seams, VerticesAreOneUnlessAnArrayJumps)
 {
-	const auto halves = [](double jump)
+	const auto halves = [](double jump, std::int32_t id)
 	{
 		std::vector<grid::Block> blocks{latticeBlock(straight, 0.0, false), latticeBlock(straight, 1.0, false)};
 		for (grid::Block& block : blocks)
 		{
 			const std::size_t points = (kSteps + 1) * (kSteps + 1) * (kSteps + 1);
-			const double value = &block == &blocks[0] ? 1.0 : 1.0 + jump;
-			block.fields.push_back(
-			    grid::makeField("p", grid::Association::point, 1, std::vector<double>(points, value)));
-			const auto id = &block == &blocks[0] ? 0 : 1000;
-			block.fields.push_back(
-			    grid::makeField("id", grid::Association::point, 1, std::vector<std::int32_t>(points, id)));
+			const bool is_first = &block == &blocks[0];
+			block.fields.push_back(grid::makeField("p", grid::Association::point, 1,
+			                                       std::vector<double>(points, is_first ? 1.0 : 1.0 + jump)));
+			block.fields.push_back(grid::makeField("id", grid::Association::point, 1,
+			                                       std::vector<std::int32_t>(points, is_first ? 0 : id)));
 		}
 		return setOfBlocks(std::move(blocks));
 	};
+	struct Case
+	{
+		double jump;
+		std::int32_t id;
+	};
 	const TestPlane plane{{1.0, 0.6, 0.6}, {0.0, 0.1, 1.0}};
 	const std::size_t one_side = 2 * (kSteps + 1) * (kSteps + 1);
-	for (const auto& [jump, vertices] : {std::pair{0.0, one_side - (kSteps + 1)}, std::pair{0.5, one_side}})
+	for (const auto& [jump, id] : {Case{0.0, 0}, Case{1e-6, 0}, Case{0.5, 0}, Case{1e-6, 1000}})
 	{
-		const grid::BlockSet set = halves(jump);
+		const grid::BlockSet set = halves(jump, id);
 		cut::Cutter cutter(set);
 		const SlicedSheet cut = test::cut(cutter, plane);
-		EXPECT_EQ(cut.mesh.positions.size(), vertices);
+		const bool is_one = jump < 0.1 && id == 0;
+		EXPECT_EQ(cut.mesh.positions.size(), is_one ? one_side - (kSteps + 1) : one_side);
 		const std::set pairs(cut.mesh.seam_pairs.begin(), cut.mesh.seam_pairs.end());
-		EXPECT_EQ(pairs.size(), jump == 0.0 ? 0u : kSteps + 1u);
+		EXPECT_EQ(pairs.size(), is_one ? 0u : kSteps + 1u);
 		EXPECT_EQ(measure::measure(set, cut.mesh, {}).components, 1u);
+		// Each array is judged by itself: one that does not jump has one value there.
+		const RawVector<double> p = mesh::vertexValues(set, cut.mesh, grid::FieldChoice{"p"}.inEach(set), 0);
+		const RawVector<double> ids = mesh::vertexValues(set, cut.mesh, grid::FieldChoice{"id"}.inEach(set), 0);
+		for (const auto& [v, w] : pairs)
+		{
+			EXPECT_EQ(p[v] == p[w], jump < 0.1);
+			EXPECT_EQ(ids[v] == ids[w], id == 0);
+		}
 	}
 }
 
