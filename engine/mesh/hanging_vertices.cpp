@@ -10,23 +10,14 @@ namespace vp::mesh
 namespace
 {
 
-// A corner that a polygon gets on its side from one of its corners to the next.
+// A corner that a polygon gets on its side from one of its corners to the next. Those of a side come in order.
 struct AddedCorner
 {
 	std::size_t polygon;
 	std::uint32_t from;
 	std::uint32_t to;
-	double at; // along the side
 	std::uint32_t corner;
 };
-
-// In the order of polygons, and along each side.
-template <class OnSide>
-void sortAlongSides(std::vector<OnSide>& all)
-{
-	std::ranges::sort(all, [](const OnSide& a, const OnSide& b)
-	                  { return std::tie(a.polygon, a.from, a.to, a.at) < std::tie(b.polygon, b.from, b.to, b.at); });
-}
 
 void addCorners(std::span<const AddedCorner> added, SheetMesh& mesh)
 {
@@ -64,7 +55,7 @@ void addCorners(std::span<const AddedCorner> added, SheetMesh& mesh)
 	mesh.is_added = std::move(is_added);
 }
 
-// The hanging vertices that lie between two corners.
+// The hanging vertices that lie between two corners, in the order of polygons, and along each side.
 std::vector<HangingVertex> betweenCorners(std::span<const HangingVertex> vertices, UnionFind& joined)
 {
 	std::vector<HangingVertex> inner;
@@ -72,16 +63,17 @@ std::vector<HangingVertex> betweenCorners(std::span<const HangingVertex> vertice
 		if (const std::uint32_t root = joined.root(h.vertex);
 		    !h.isAtEnd() && root != joined.root(h.from) && root != joined.root(h.to))
 			inner.push_back(h);
-	sortAlongSides(inner);
+	std::ranges::sort(inner, [](const HangingVertex& a, const HangingVertex& b)
+	                  { return std::tie(a.polygon, a.from, a.to, a.at) < std::tie(b.polygon, b.from, b.to, b.at); });
 	return inner;
 }
 
-// Finds the corners that polygons get where each side keeps its values.
-class KeepingLinker
+// Finds the corners that polygons get.
+class CornerFinder
 {
 public:
-	KeepingLinker(SeamValues& values, UnionFind& joined, SheetMesh& mesh)
-	    : values_(values), joined_(joined), mesh_(mesh)
+	CornerFinder(Hanging hanging, SeamValues& values, UnionFind& joined, SheetMesh& mesh)
+	    : hanging_(hanging), values_(values), joined_(joined), mesh_(mesh)
 	{
 	}
 
@@ -94,7 +86,7 @@ public:
 			while (last < sorted.size() && isSamePlace(sorted[first], sorted[last]))
 				++last;
 			const HangingVertex& h = sorted[first];
-			added.push_back({h.polygon, h.from, h.to, h.at, cornerOf(sorted.subspan(first, last - first))});
+			added.push_back({h.polygon, h.from, h.to, cornerOf(sorted.subspan(first, last - first))});
 		}
 		return added;
 	}
@@ -116,7 +108,7 @@ private:
 		std::uint32_t corner = made;
 		for (const HangingVertex& h : here)
 			if (isOnePlace(mesh_.positions[h.vertex], mesh_.positions[made], lengthOf(h)) &&
-			    values_.agree(h.vertex, made))
+			    (hanging_ == Hanging::interpolate || values_.agree(h.vertex, made)))
 			{
 				if (corner == made)
 					corner = h.vertex;
@@ -148,6 +140,7 @@ private:
 		mesh_.rim_shares.resize(mesh_.rim_starts.back());
 	}
 
+	Hanging hanging_;
 	SeamValues& values_;
 	UnionFind& joined_;
 	SheetMesh& mesh_;
@@ -233,7 +226,7 @@ private:
 				corner = found->second;
 		for (auto& [v, w] : mesh_.seam_pairs)
 			for (std::uint32_t* of : {&v, &w})
-				if (const auto found = renamed.find(joined_.root(*of)); found != renamed.end())
+				if (const auto found = renamed.find(*of); found != renamed.end())
 					*of = found->second;
 	}
 
@@ -261,14 +254,7 @@ private:
 void linkHanging(std::span<const HangingVertex> vertices, Hanging hanging, SeamValues& values, UnionFind& joined,
                  SheetMesh& mesh)
 {
-	const std::vector<HangingVertex> inner = betweenCorners(vertices, joined);
-	std::vector<AddedCorner> added;
-	if (hanging == Hanging::keep)
-		added = KeepingLinker(values, joined, mesh).corners(inner);
-	else
-		for (const HangingVertex& h : inner)
-			added.push_back({h.polygon, h.from, h.to, h.at, h.vertex});
-	addCorners(added, mesh);
+	addCorners(CornerFinder(hanging, values, joined, mesh).corners(betweenCorners(vertices, joined)), mesh);
 }
 
 void interpolateHanging(const grid::BlockSet& blocks, std::span<const HangingVertex> vertices, UnionFind& joined,

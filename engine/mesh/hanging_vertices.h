@@ -20,10 +20,10 @@ enum class Hanging
 };
 
 // Gives the larger cells' polygons corners where hanging vertices lie on their sides, so that polygons meet in whole
-// sides. To keep, that is the hanging vertex itself if it lies on the side and all arrays agree; else another vertex,
-// on the side and with the larger cell's values, and mesh.seam_pairs tells that it belongs to the hanging one. To
-// interpolate, it is the hanging vertex in any case. vertices: none of those at ends of a side needs to be among them;
-// they are named as the polygons name them. joined: vertices that are one, by which the caller names them afterwards.
+// sides. That is the hanging vertex itself if it lies on the side and, to keep, all arrays agree. Else it is another
+// vertex, on the side and with the larger cell's values, and mesh.seam_pairs tells that it belongs to the hanging one.
+// vertices: those at ends of a side are left alone; they are named as the polygons name them. joined: vertices that are
+// one, by which the caller names them afterwards.
 void linkHanging(std::span<const HangingVertex> vertices, Hanging hanging, SeamValues& values, UnionFind& joined,
                  SheetMesh& mesh);
 

@@ -29,7 +29,7 @@ public:
 		joinAtGridPoints();
 		std::vector<HangingVertex> hanging_vertices = joinAtSeams(by_place, hanging);
 		if (ofSeveralBlocks() || (by_place && meetsItself()))
-			joinAtSamePlace();
+			joinAtSamePlace(by_place);
 		const bool hangs = !hanging_vertices.empty();
 		if (hangs)
 			linkHanging(hanging_vertices, hanging, values_, joined_, mesh_);
@@ -128,18 +128,34 @@ private:
 		       (!grid::knowsSeams(blocks_) || blocks_.interfaces.of(mesh_.edges[0].block) != nullptr);
 	}
 
-	void joinAtSamePlace()
+	// Two corners of one polygon at one place, as beside a grid point, stay two: its mean depends on that. So of each
+	// block a place has one vertex, except by place.
+	void joinAtSamePlace(bool by_place)
 	{
+		struct Place
+		{
+			std::uint32_t vertex;
+			std::uint32_t last_block;
+		};
 		KeyNumbers at_place(mesh_.positions.size());
-		std::vector<std::uint32_t> first;
+		std::vector<Place> places;
 		for (std::uint32_t v = 0; v < mesh_.positions.size(); ++v)
 		{
+			const std::uint32_t block = mesh_.edges[v].block;
 			const auto [number, is_new] =
-			    at_place.find(placeKey(mesh_.positions[v]), static_cast<std::uint32_t>(first.size()));
+			    at_place.find(placeKey(mesh_.positions[v]), static_cast<std::uint32_t>(places.size()));
 			if (is_new)
-				first.push_back(v);
-			else if (mesh_.positions[first[number]] == mesh_.positions[v] && values_.agree(first[number], v))
-				joined_.join(first[number], v);
+			{
+				places.push_back({v, block});
+				continue;
+			}
+			Place& first = places[number];
+			if (mesh_.positions[first.vertex] == mesh_.positions[v] && (by_place || block != first.last_block) &&
+			    values_.agree(first.vertex, v))
+			{
+				joined_.join(first.vertex, v);
+				first.last_block = block;
+			}
 		}
 	}
 

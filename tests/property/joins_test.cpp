@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <map>
 
@@ -255,13 +256,18 @@ std::optional<probe::Window> windowOf(const grid::BlockSet& set, const TestPlane
 	return probe::Window{x - 0.9 * side, x + side, y - side, y + 0.8 * side};
 }
 
+unsigned setCount()
+{
+	return std::getenv("VPROBE_LONG") ? 600 : static_cast<unsigned>(tries(60));
+}
+
 } // namespace
 
 TEST(Joins, FiguresInContactAreThoseOfEachCell)
 {
 	std::size_t hangs = 0;
 	std::size_t jumps = 0;
-	const auto sets = static_cast<unsigned>(tries(60));
+	const unsigned sets = setCount();
 	for (unsigned seed = 0; seed < sets && !testing::Test::HasFailure(); ++seed)
 	{
 		SCOPED_TRACE("contact set " + std::to_string(seed));
@@ -284,7 +290,8 @@ TEST(Joins, FiguresInContactAreThoseOfEachCell)
 
 TEST(Joins, FiguresOfRandomSetsAreThoseOfEachCell)
 {
-	for (unsigned seed = 0; seed < static_cast<unsigned>(tries(60)) && !testing::Test::HasFailure(); ++seed)
+	const unsigned sets = setCount();
+	for (unsigned seed = 0; seed < sets && !testing::Test::HasFailure(); ++seed)
 	{
 		SCOPED_TRACE("random set " + std::to_string(seed));
 		Parted parted(randomSet(1000 + seed));

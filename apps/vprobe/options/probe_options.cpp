@@ -181,9 +181,10 @@ void addProbeOptions(CLI::App& command, SpecOptions& options)
 	addWord(command, "--corners", probe.corners,
 	        "Polygons that hold a corner of a window: keep (the default) or skip them")
 	    ->group(kProbeGroup);
-	addWord(command, "--hanging", probe.hanging,
-	        "Value where a cell meets several smaller ones, as between levels of refinement. keep: that of the smaller "
-	        "cells' points; interpolate: linear along the polygon of the larger cell")
+	addWord(
+	    command, "--hanging", probe.hanging,
+	    "Values where a cell meets several smaller ones, as between levels of refinement. keep: each side has its own; "
+	    "interpolate: both have that of the larger cell, linear along its polygon, for smooth pictures")
 	    ->group(kProbeGroup);
 	command
 	    .add_option("--array", probe.array, "Array to show (default: the first point array, else the first cell array)")
