@@ -38,6 +38,13 @@ void joinAmong(std::span<const RimVertex> vertices, const IsPlace& isPlace, cons
 {
 	mesh::UnionFind joined(vertices.size());
 	mesh::UnionFind touching(vertices.size());
+	// As in one process, a place has one vertex of each block where only places tell (mesh/join_vertices.cpp).
+	const auto isFirst = [&](std::uint32_t i)
+	{
+		return std::ranges::none_of(
+		    vertices.first(i), [&](const RimVertex& v)
+		    { return v.rank == vertices[i].rank && v.whole == vertices[i].whole && v.place == vertices[i].place; });
+	};
 	for (std::uint32_t i = 0; i < vertices.size(); ++i)
 		for (std::uint32_t j = 0; j < i; ++j)
 		{
@@ -46,7 +53,7 @@ void joinAmong(std::span<const RimVertex> vertices, const IsPlace& isPlace, cons
 			if (a.rank == b.rank || !isPlace(a, b))
 				continue;
 			const bool is_seam = isSeam(a, b);
-			const bool is_one = (is_seam || a.whole != b.whole) && a.isOneWith(b);
+			const bool is_one = (is_seam || (a.whole != b.whole && isFirst(i) && isFirst(j))) && a.isOneWith(b);
 			if (is_one)
 				joined.join(j, i);
 			if (!is_one && !is_seam)
