@@ -1,5 +1,6 @@
 #include "api/border.h"
 #include "api/states.h"
+#include "mesh/part_holes.h"
 #include "write/png.h"
 #include "write/set_arrays.h"
 #include "write/slice_file.h"
@@ -150,6 +151,9 @@ Mesh Cut::mesh(std::size_t sheet) const
 	auto mesh = std::make_shared<Mesh::State>();
 	mesh->cut = state_;
 	mesh->mesh = stats.crinkle ? &*stats.crinkle : &stats.mesh;
+	mesh->parted = vp::mesh::partHoles(*mesh->mesh);
+	if (mesh->parted)
+		mesh->mesh = &*mesh->parted;
 	return Mesh(std::move(mesh));
 }
 

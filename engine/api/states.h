@@ -30,6 +30,7 @@ struct Mesh::State
 {
 	std::shared_ptr<const Cut::State> cut; // keeps the mesh and its blocks alive
 	const vp::mesh::SheetMesh* mesh = nullptr;
+	std::optional<vp::mesh::SheetMesh> parted; // the mesh, if polygons of the cut have holes
 	mutable std::once_flag polygons_once;
 	mutable std::once_flag cells_once;
 	mutable std::once_flag arrays_once;

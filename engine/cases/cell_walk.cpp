@@ -143,7 +143,8 @@ void addSegments(std::span<const Crossing> crossings, std::uint32_t face, Pairin
 	const std::size_t count = crossings.size();
 	for (std::size_t i = 0; i < count; ++i)
 		if (crossings[i].leaves)
-			add(crossings[i], crossings[pairing == Pairing::negative_apart ? (i + 1) % count : (i + count - 1) % count]);
+			add(crossings[i],
+			    crossings[pairing == Pairing::negative_apart ? (i + 1) % count : (i + count - 1) % count]);
 }
 
 void tracePolygons(WalkScratch& scratch, CellCut& cut)

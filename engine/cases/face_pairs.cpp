@@ -1,6 +1,7 @@
 #include "cases/face_pairs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <tuple>
@@ -52,21 +53,28 @@ Vec3 FacePairs::sumOf(std::span<const FacePoint> face, Term&& term)
 	return sums;
 }
 
-bool FacePairs::seesAll(std::span<const FacePoint> face)
+bool FacePairs::isMeanEnough(std::span<const FacePoint> face)
 {
 	const Vec3 origin = lowest(face);
 	const Vec3 mean = sumOf(face, [&](const FacePoint& p, const FacePoint&) { return p.place - origin; }) /
 	                  static_cast<double>(face.size());
-	const auto turn = [&](const FacePoint& p, const FacePoint& q)
-	{ return glm::cross((p.place - origin) - mean, (q.place - origin) - mean); };
+	const auto spoke = [&](const FacePoint& p) { return (p.place - origin) - mean; };
+	const auto turn = [&](const FacePoint& p, const FacePoint& q) { return glm::cross(spoke(p), spoke(q)); };
 	const Vec3 normal = sumOf(face, turn);
+	bool sees_all = true;
+	double off = 0.0;
+	double size = 0.0;
 	for (std::size_t i = 0; i < face.size(); ++i)
-		if (glm::dot(turn(face[i], face[i + 1 < face.size() ? i + 1 : 0]), normal) < 0.0)
-			return false;
-	return true;
+	{
+		const FacePoint& next = face[i + 1 < face.size() ? i + 1 : 0];
+		sees_all = sees_all && glm::dot(turn(face[i], next), normal) >= 0.0;
+		off = std::max(off, std::abs(glm::dot(spoke(face[i]), normal)));
+		size = std::max(size, glm::length(spoke(face[i])));
+	}
+	return sees_all || !(off <= kMaxWarp * size * glm::length(normal));
 }
 
-bool FacePairs::isMeanPositive(std::span<const FacePoint> face)
+Pairing FacePairs::byMean(std::span<const FacePoint> face)
 {
 	terms_.clear();
 	for (const FacePoint& p : face)
@@ -75,13 +83,13 @@ bool FacePairs::isMeanPositive(std::span<const FacePoint> face)
 	double heights = 0.0;
 	for (const double height : terms_)
 		heights += height;
-	return heights >= 0.0;
+	return heights >= 0.0 ? Pairing::negative_apart : Pairing::positive_apart;
 }
 
 Vec3 FacePairs::traceOf(std::span<const FacePoint> face)
 {
-	Vec3 along = sumOf(face, [](const FacePoint& p, const FacePoint& q)
-	                   { return (p.height + q.height) * (q.place - p.place); });
+	Vec3 along =
+	    sumOf(face, [](const FacePoint& p, const FacePoint& q) { return (p.height + q.height) * (q.place - p.place); });
 	for (int axis = 0; axis < 3; ++axis)
 		if (along[axis] != 0.0)
 			return along[axis] < 0.0 ? -along : along;
@@ -100,8 +108,7 @@ void FacePairs::sort(std::span<Crossing> crossings, const Vec3& along, const Vec
 {
 	std::vector<OnTrace> sorted;
 	for (std::size_t i = 0; i < crossings.size(); ++i)
-		sorted.push_back(
-		    {glm::dot(placed_[i].place - origin, along), glm::dot(placed_[i].shift, along), crossings[i]});
+		sorted.push_back({glm::dot(placed_[i].place - origin, along), glm::dot(placed_[i].shift, along), crossings[i]});
 	std::ranges::sort(sorted, {}, &OnTrace::key);
 	// Two that nothing tells apart, as on an edge that the face runs along both ways: what is open is closed first.
 	int open = 0;

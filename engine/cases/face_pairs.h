@@ -17,12 +17,16 @@ struct FacePoint
 	double height;
 };
 
-// Tells which crossings of a face belong together, if the surface cuts more than two of its edges. The mean of the
-// face's points decides if it sees all of them: the mean of their heights is the height there. That is exact for a plane
-// and the fan of triangles about the mean. Otherwise the order of the crossings along the surface's trace in the face
-// decides. It is right for a plane and any simple polygon that is flat, and for a bent surface whose trace does not turn
-// back. Both cells of a face get the same answer to the last bit, although they list its points the other way round, or
-// from another one on.
+// Tells which crossings of a face belong together, if the surface cuts more than two of its edges.
+//
+// The mean of the face's points decides if it sees all of them: the mean of their heights is the height there. That is
+// exact for a plane and the fan of triangles about the mean. Otherwise the order of the crossings along the surface's
+// trace in the face decides. It is right for a plane and any simple polygon that is flat, and for a bent surface whose
+// trace does not turn back. A face whose points are off its plane by more than kMaxWarp has no such trace, and the mean
+// decides again.
+//
+// Both cells of a face get the same answer to the last bit, although they list its points the other way round, or from
+// another one on.
 class FacePairs
 {
 public:
@@ -31,12 +35,12 @@ public:
 	template <class PlaceOf>
 	Pairing of(std::span<const FacePoint> face, std::span<Crossing> crossings, PlaceOf&& placeOf)
 	{
-		if (seesAll(face))
-			return isMeanPositive(face) ? Pairing::negative_apart : Pairing::positive_apart;
+		if (isMeanEnough(face))
+			return byMean(face);
 		const Vec3 along = traceOf(face);
 		const double square = glm::dot(along, along);
 		if (!(square > 0.0 && std::isfinite(square))) // NaN too
-			return isMeanPositive(face) ? Pairing::negative_apart : Pairing::positive_apart;
+			return byMean(face);
 		placed_.clear();
 		for (const Crossing& crossing : crossings)
 			placed_.push_back(placeOf(crossing));
@@ -44,7 +48,8 @@ public:
 		return Pairing::in_order;
 	}
 
-	// A crossing lies at `place`, and moves by `shift` if the surface sinks: that tells the order of those at one point.
+	// A crossing lies at `place`, and moves by `shift` if the surface sinks: that tells the order of those at one
+	// point.
 	struct Placed
 	{
 		Vec3 place;
@@ -52,9 +57,11 @@ public:
 	};
 
 private:
-	// Whether all triangles about the mean of the points run the same way.
-	bool seesAll(std::span<const FacePoint> face);
-	bool isMeanPositive(std::span<const FacePoint> face);
+	static constexpr double kMaxWarp = 0.1; // of how far points lie from the mean
+
+	// Whether all triangles about the mean of the points run the same way, or the face is far from flat.
+	bool isMeanEnough(std::span<const FacePoint> face);
+	Pairing byMean(std::span<const FacePoint> face);
 	// Where the trace of the surface in the face leads, either way: the integral of the height around the face.
 	Vec3 traceOf(std::span<const FacePoint> face);
 	static Vec3 lowest(std::span<const FacePoint> face);

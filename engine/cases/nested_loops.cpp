@@ -117,7 +117,8 @@ private:
 	// The corner of the polygon to which a straight line leads from p, with nothing of the polygon between.
 	std::optional<std::size_t> seenFrom(const dvec2& p) const
 	{
-		// The side that a ray to the left meets first, and its end that lies farther to the left: the hole is not there.
+		// The side that a ray to the left meets first, and its end that lies farther to the left: the hole is not
+		// there.
 		std::optional<std::size_t> end;
 		double first = -std::numeric_limits<double>::infinity();
 		for (std::size_t i = 0; i < polygon_.corners.size(); ++i)
@@ -139,7 +140,8 @@ private:
 		const dvec2 at = polygon_.corners[*end].at;
 		if (met == at)
 			return end;
-		// A corner in the triangle of p, the place met and that end may hide it. The one along the flattest line is seen.
+		// A corner in the triangle of p, the place met and that end may hide it. The one along the flattest line is
+		// seen.
 		double flattest = std::numeric_limits<double>::infinity();
 		for (std::size_t i = 0; i < polygon_.corners.size(); ++i)
 		{

@@ -50,8 +50,8 @@ void forFanTriangles(const CellPlaces& cell, Visit&& visit)
 }
 
 // Returns whether the point lies inside the closed surface of the faces' fans, whatever the form of the cell: concave,
-// or with holes. Counted are the tetrahedra between an apex and the fans' triangles that hold the point: they are odd in
-// number if it is inside, wherever the apex is. Returns nothing for a point on the surface, up to rounding.
+// or with holes. Counted are the tetrahedra between an apex and the fans' triangles that hold the point: they are odd
+// in number if it is inside, wherever the apex is. Returns nothing for a point on the surface, up to rounding.
 inline std::optional<bool> isEnclosed(const CellPlaces& cell, const Vec3& point)
 {
 	constexpr double kRim = 1e-9;

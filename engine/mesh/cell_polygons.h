@@ -134,7 +134,7 @@ private:
 	const Surface& surface_;
 	std::array<const cases::Case*, grid::kTableShapes> tables_;
 	grid::CellFaces faces_;
-	std::vector<PointId> local_points_; // of the walked cell, ascending
+	std::vector<PointId> local_points_;    // of the walked cell, ascending
 	std::vector<cases::FacePoint> points_; // the same
 	std::vector<std::uint8_t> positive_;   // the same
 	std::vector<cases::FacePoint> face_;

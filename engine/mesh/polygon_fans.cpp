@@ -57,13 +57,14 @@ private:
 	{
 		for (std::size_t n = 0; n < left_.size(); ++n)
 		{
-			if (isSpike())
+			if (isSpike(1))
 			{
 				left_.erase(left_.begin() + 1);
 				return true;
 			}
 			std::vector<std::uint32_t> fan{left_[0], left_[1]};
-			while (left_.size() >= 3 && isEar())
+			// An ear that a spike begins would reach over its line.
+			while (left_.size() >= 3 && !isSpike(2) && isEar())
 			{
 				fan.push_back(left_[2]);
 				left_.erase(left_.begin() + 1);
@@ -78,12 +79,12 @@ private:
 		return false;
 	}
 
-	// Whether the second of the corners left has no width: what is left of a bridge when one side is clipped off.
-	bool isSpike() const
+	// Whether that one of the corners left has no width: what is left of a bridge when one side is clipped off.
+	bool isSpike(std::size_t corner) const
 	{
-		const dvec2& a = places_[left_[0]];
-		const dvec2& b = places_[left_[1]];
-		const dvec2& c = places_[left_[2]];
+		const dvec2& a = places_[left_[corner - 1]];
+		const dvec2& b = places_[left_[corner]];
+		const dvec2& c = places_[left_[(corner + 1) % left_.size()]];
 		const Turn turn(b, c, a);
 		return a == b || (!turn.clockwise() && !turn.counterClockwise() && glm::dot(a - b, c - b) > 0.0);
 	}
@@ -149,7 +150,21 @@ std::vector<std::vector<std::uint32_t>> cutIntoFans(std::span<const dvec2> polyg
 		std::rotate(turned.begin(), turned.begin() + 1, turned.end());
 		std::rotate(corners.begin(), corners.begin() + 1, corners.end());
 	}
-	return EarClipper(polygon).fans();
+	// Corners that rounding holds apart, as where a hole touches the rim, have no turn that means anything.
+	constexpr double kOnePlace = 1e-12;
+	dvec2 lo = turned[0];
+	dvec2 hi = turned[0];
+	for (const dvec2& p : turned)
+	{
+		lo = glm::min(lo, p);
+		hi = glm::max(hi, p);
+	}
+	turned.assign(polygon.begin(), polygon.end());
+	for (std::size_t i = 1; i < turned.size(); ++i)
+		for (std::size_t j = 0; j < i; ++j)
+			if (glm::distance(turned[i], turned[j]) <= kOnePlace * glm::distance(lo, hi))
+				turned[i] = turned[j];
+	return EarClipper(turned).fans();
 }
 
 } // namespace vp::mesh

@@ -2,6 +2,7 @@
 
 #include "grid/number_types.h"
 #include "mesh/mesh_values.h"
+#include "mesh/part_holes.h"
 #include "write/set_arrays.h"
 
 #include <tbb/blocked_range.h>
@@ -9,7 +10,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace vp::write
 {
@@ -182,18 +186,25 @@ SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMes
 	SliceTable table;
 	table.polygon_starts.push_back(0);
 	std::vector<const mesh::SheetMesh*> all;
-	for (std::size_t m = 0; m < meshes.size(); ++m)
+	std::deque<mesh::SheetMesh> parted;
+	const auto withoutHoles = [&](const mesh::SheetMesh& mesh) -> const mesh::SheetMesh&
 	{
-		addMesh(blocks, meshes[m], static_cast<std::int32_t>(first_sheet + m), table);
-		all.push_back(&meshes[m]);
-	}
+		std::optional<mesh::SheetMesh> parts = mesh::partHoles(mesh);
+		return parts ? parted.emplace_back(std::move(*parts)) : mesh;
+	};
+	const auto add = [&](const mesh::SheetMesh& mesh, std::int32_t sheet)
+	{
+		all.push_back(&withoutHoles(mesh));
+		addMesh(blocks, *all.back(), sheet, table);
+	};
+	for (std::size_t m = 0; m < meshes.size(); ++m)
+		add(meshes[m], static_cast<std::int32_t>(first_sheet + m));
 	if (!contours.empty())
 		addContourColumn(table);
 	for (const ContourPiece& contour : contours)
 	{
-		addMesh(blocks, *contour.mesh, contour.sheet, table);
+		add(*contour.mesh, contour.sheet);
 		table.contour.resize(table.polygons(), contour.value);
-		all.push_back(contour.mesh);
 	}
 	addArrays(blocks, all, table);
 	return table;

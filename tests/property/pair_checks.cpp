@@ -1,5 +1,6 @@
 #include "pair_checks.h"
 
+#include "mesh/bridges.h"
 #include "mesh/mesh_values.h"
 #include "same_mesh.h"
 #include "seed/cut_cells.h"
@@ -117,7 +118,9 @@ void checkVertices(const Pair& pair)
 		ASSERT_GE(mesh.polygon(p).size(), 3u);
 		EXPECT_GT(areaOf(mesh, p, pair.sheet.slice.sheet.normal), 0.0);
 		const std::set<std::uint32_t> distinct(mesh.polygon(p).begin(), mesh.polygon(p).end());
-		EXPECT_TRUE(!pair.generic || distinct.size() == mesh.polygon(p).size()) << "a polygon meets itself at a vertex";
+		EXPECT_TRUE(!pair.generic || distinct.size() == mesh.polygon(p).size() ||
+		            !mesh::bridgesOf(mesh.polygon(p)).empty())
+		    << "a polygon meets itself at a vertex";
 	}
 }
 
@@ -137,7 +140,7 @@ public:
 
 	struct Section
 	{
-		Real area = 0.0L; // sum of the loops' magnitudes
+		Real area = 0.0L; // of the loops, less those that are holes in others
 		Real slack = 0.0L;
 		bool closed = true;
 	};
@@ -198,6 +201,8 @@ private:
 		}
 		if (crossings.empty())
 			return;
+		if (crossings.size() > 2 && isFlatAndHidden(grid, face))
+			return pairInOrder(std::move(crossings), grid, face);
 		std::vector<PointId> ids(face.begin(), face.end());
 		std::ranges::sort(ids);
 		double sum = 0.0; // the rule for faces cut more than once
@@ -213,6 +218,69 @@ private:
 			}
 	}
 
+	template <class G>
+	static Vec normalOf(const G& grid, std::span<const PointId> face, const Vec& mean)
+	{
+		Vec normal(0.0L);
+		for (std::size_t i = 0; i < face.size(); ++i)
+			normal += glm::cross(Vec(grid.point(face[i])) - mean, Vec(grid.point(face[(i + 1) % face.size()])) - mean);
+		return normal;
+	}
+
+	// Whether a corner of the face is hidden from the mean of its points, which lie in a plane, or nearly so.
+	template <class G>
+	static bool isFlatAndHidden(const G& grid, std::span<const PointId> face)
+	{
+		Vec mean(0.0L);
+		for (const PointId p : face)
+			mean += Vec(grid.point(p)) / static_cast<Real>(face.size());
+		const Vec normal = normalOf(grid, face, mean);
+		bool hidden = false;
+		Real off = 0.0L;
+		Real size = 0.0L;
+		for (std::size_t i = 0; i < face.size(); ++i)
+		{
+			const Vec a = Vec(grid.point(face[i])) - mean;
+			const Vec b = Vec(grid.point(face[(i + 1) % face.size()])) - mean;
+			hidden = hidden || glm::dot(glm::cross(a, b), normal) < 0.0L;
+			off = std::max(off, std::abs(glm::dot(a, normal)) / glm::length(normal));
+			size = std::max(size, glm::length(a));
+		}
+		return hidden && off <= 0.1L * size;
+	}
+
+	// Along the line in which the plane cuts the face, what leaves goes with what comes back next.
+	template <class G>
+	void pairInOrder(std::vector<Crossing> crossings, const G& grid, std::span<const PointId> face)
+	{
+		const Vec along = glm::cross(normalOf(grid, face, Vec(grid.point(face[0]))), Vec(side_.normal()));
+		std::ranges::sort(crossings, {}, [&](const Crossing& c) { return glm::dot(c.at, along); });
+		std::vector<Crossing> open;
+		for (const Crossing& crossing : crossings)
+			if (open.empty() || open.back().leaves == crossing.leaves)
+				open.push_back(crossing);
+			else
+			{
+				if (open.back().edge != crossing.edge)
+					arcs_.push_back({open.back(), crossing});
+				open.pop_back();
+			}
+	}
+
+	// Seen along the normal, by the angles between the corners.
+	bool isWithin(const Vec& p, const std::vector<Vec>& corners) const
+	{
+		const Vec normal(side_.normal());
+		Real angle = 0.0L;
+		for (std::size_t i = 0; i < corners.size(); ++i)
+		{
+			const Vec a = corners[i] - p;
+			const Vec b = corners[(i + 1) % corners.size()] - p;
+			angle += std::atan2(glm::dot(glm::cross(a, b), normal), glm::dot(a, b));
+		}
+		return std::abs(angle) > 3.0L;
+	}
+
 	// Cells whose edges have two arcs each: all but those folded on themselves by repeated points.
 	Section addLoops()
 	{
@@ -224,9 +292,11 @@ private:
 		section.closed = std::ranges::all_of(at, [](const auto& edge) { return edge.second.size() == 2; });
 		std::vector<bool> done(arcs_.size(), false);
 		Real perimeter = 0.0L;
+		std::vector<std::pair<std::vector<Vec>, Real>> loops; // corners, and the middles between them; areas
 		for (std::size_t start = 0; start < arcs_.size() && section.closed; ++start)
 		{
 			Vec sum(0.0L);
+			std::vector<Vec> corners;
 			const Vec about = arcs_[start][0].at;
 			std::size_t arc = start;
 			Edge edge = arcs_[start][0].edge;
@@ -237,11 +307,22 @@ private:
 				const Crossing& from = arcs_[arc][forward ? 0 : 1];
 				const Crossing& to = arcs_[arc][forward ? 1 : 0];
 				sum += glm::cross(from.at - about, to.at - about);
+				corners.insert(corners.end(), {from.at, (from.at + to.at) / 2.0L});
 				perimeter += glm::length(to.at - from.at);
 				edge = to.edge;
 				arc = at[edge][0] == arc ? at[edge][1] : at[edge][0];
 			}
-			section.area += 0.5L * std::abs(glm::dot(sum, Vec(side_.normal())));
+			if (!corners.empty())
+				loops.emplace_back(std::move(corners), 0.5L * std::abs(glm::dot(sum, Vec(side_.normal()))));
+		}
+		for (const auto& [corners, area] : loops)
+		{
+			const auto isAround = [&, &corners = corners](const auto& other)
+			{
+				return &other.first != &corners &&
+				       std::ranges::all_of(corners, [&](const Vec& p) { return isWithin(p, other.first); });
+			};
+			section.area += std::ranges::count_if(loops, isAround) % 2 == 0 ? area : -area;
 		}
 		// Every vertex moved by the slack.
 		section.slack = slack_ * (perimeter + slack_ * static_cast<Real>(arcs_.size()));

@@ -1,5 +1,7 @@
 #include "pair_checks.h"
 
+#include "mesh/bridges.h"
+
 #include <gtest/gtest.h>
 
 #include <map>
@@ -194,6 +196,10 @@ void checkWatertight(const Pair& pair)
 		// way by its cell: against its neighbors, all of them alike.
 		const bool alike = uses[0].forward == uses[1].forward;
 		EXPECT_FALSE(alike && pair.raw.flat_faces) << "polygons that run the same way along an edge";
+		// A loop of a folded cell within another one of it is taken for a hole, whatever way it runs by its cell.
+		const auto hasHole = [&](const auto& use) { return !mesh::bridgesOf(mesh.polygon(use.polygon)).empty(); };
+		if (!pair.raw.flat_faces && (hasHole(uses[0]) || hasHole(uses[1])))
+			continue;
 		EXPECT_TRUE(sides.relate(uses[0].polygon, uses[1].polygon, alike)) << "polygons do not agree on their sides";
 	}
 }

@@ -120,8 +120,8 @@ private:
 		{
 			const std::uint32_t corner = of_polygon[k];
 			const std::uint32_t next = of_polygon[(k + 1) % 3];
-			const bool is_edge =
-			    (next == (corner + 1) % corners && !isBridge(corner)) || (corner == (next + 1) % corners && !isBridge(next));
+			const bool is_edge = (next == (corner + 1) % corners && !isBridge(corner)) ||
+			                     (corner == (next + 1) % corners && !isBridge(next));
 			triangle.corners[k] = vertexHere(polygon[corner]) | (is_edge ? 0u : shared::kHiddenEdge);
 			triangle.normals[k] = octahedral(normals_[start + corner]);
 			if (is_edge && !across_.empty())
