@@ -223,7 +223,7 @@ PlainXml::PlainXml(const Request& request) : request_(request), data_files_{requ
 	if (isOneOf(data->name, {"ImageData", "RectilinearGrid", "StructuredGrid", "UnstructuredGrid", "PolyData"}))
 		takeData(*xml, mapped.text());
 	else if (isOneOf(data->name, {"PImageData", "PRectilinearGrid", "PStructuredGrid", "PUnstructuredGrid"}))
-		takeIndex(*xml);
+		takeIndex(*xml, mapped.text());
 }
 
 void PlainXml::takeData(const XmlFile& given, std::string_view text)
@@ -314,7 +314,7 @@ void PlainXml::copy(const XmlFile& given, const XmlFile& xml, std::string_view t
 	data_files_ = {request_.file};
 }
 
-void PlainXml::takeIndex(const XmlFile& given)
+void PlainXml::takeIndex(const XmlFile& given, std::string_view text)
 {
 	XmlFile xml = given;
 	XmlElement& data = dataElementOf(xml);
@@ -349,6 +349,6 @@ void PlainXml::takeIndex(const XmlFile& given)
 		request_.time = Request::Time::last;
 	std::erase_if(data.attributes, [](const auto& each) { return each.first == "TimeValues"; });
 	std::vector<std::string> files = std::move(data_files_);
-	copy(given, xml, {});
+	copy(given, xml, text);
 	data_files_ = std::move(files);
 }

@@ -49,7 +49,7 @@ public:
 
 private:
 	void takeData(const XmlFile& xml, std::string_view text);
-	void takeIndex(const XmlFile& xml);
+	void takeIndex(const XmlFile& xml, std::string_view text);
 	void leaveOutOtherTimes(XmlElement& data);
 	// given: the elements of the file; xml: those that stay.
 	void copy(const XmlFile& given, const XmlFile& xml, std::string_view text);
