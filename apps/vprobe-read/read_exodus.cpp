@@ -1,3 +1,4 @@
+#include "exodus_cells.h"
 #include "exodus_nodal.h"
 #include "exodus_points.h"
 #include "formats.h"
@@ -71,6 +72,8 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	reader->UpdateInformation();
 	refuseMissingExodus(request.file);
 	const bool is_odd = hasOddExodusNodes(request.file);
+	const std::vector<OddExodusBlock> odd_blocks = oddExodusBlocks(request.file);
+	reader->SetSqueezePoints(odd_blocks.empty());
 	reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, is_odd ? 0 : 1);
 	const bool sets_points = request.displace != 0.0 || hasDoubleExodusPoints(request.file);
 	reader->SetGenerateImplicitNodeIdArray(is_odd || sets_points);
@@ -86,6 +89,8 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 		addOddNodes(oddExodusNodes(request.file, time ? exodusStepOf(request.file, *time) : 0), objects);
 	if (sets_points && objects && !setExodusPoints(request.file, request.displace, objects))
 		manifest.warn("the places of its points have 7 digits");
+	if (!odd_blocks.empty() && objects)
+		putExodusCellsRight(request.file, odd_blocks, reader, objects);
 	if (objects)
 		forgetNodes(objects);
 	for (unsigned int kind = 0; objects && kind < objects->GetNumberOfBlocks(); ++kind)

@@ -16,6 +16,7 @@ import against
 import boxes
 import codes
 import conversion
+import exodus
 import far
 import meshes
 import odd
@@ -26,8 +27,8 @@ import volumes
 def main():
     failed = done = 0
     every = 1 if 'VPROBE_LONG' in os.environ or len(sys.argv) > 2 else int(os.environ.get('VPROBE_TRY_EVERY', 1))
-    cases = (meshes.CASES + volumes.CASES + boxes.CASES + codes.CASES + odd.CASES + steps.CASES + conversion.CASES +
-             far.CASES)
+    cases = (meshes.CASES + volumes.CASES + boxes.CASES + codes.CASES + odd.CASES + steps.CASES + exodus.CASES +
+             conversion.CASES + far.CASES)
     for case in cases[::every]:
         wanted = sys.argv[2] if len(sys.argv) > 2 else ''
         if wanted not in case.__name__ or case is conversion.convert_reference_sets and wanted != case.__name__:
