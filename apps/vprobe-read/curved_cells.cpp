@@ -2,6 +2,7 @@
 
 #include "cell_lists.h"
 #include "cells_in_order.h"
+#include "collapsed_cells.h"
 #include "grid/curved_types.h"
 #include "read/cell_types.h"
 #include "refusal.h"
@@ -20,6 +21,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +38,16 @@ std::string_view shortName(std::uint8_t type)
 	return name;
 }
 
+bool hasEqualCorners(std::uint8_t type, vtkIdList* ids)
+{
+	const auto corners =
+	    std::min(ids->GetNumberOfIds(), static_cast<vtkIdType>(vp::grid::topology(vp::grid::cornerShape(type)).points));
+	for (vtkIdType c = 1; c < corners; ++c)
+		if (std::find(ids->begin(), ids->begin() + c, ids->GetId(c)) != ids->begin() + c)
+			return true;
+	return false;
+}
+
 void checkPoints(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids)
 {
 	for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
@@ -50,14 +62,15 @@ bool keepsCurved(vtkUnstructuredGrid* grid, double tolerance)
 	if (!grid->GetPoints() || !grid->GetCells() || !grid->GetCellTypesArray())
 		return false;
 	refuseBadLists(grid);
-	const vtkUnsignedCharArray* types = grid->GetCellTypesArray();
 	const vtkIdType count = grid->GetNumberOfCells();
 	bool any = false;
 	for (vtkIdType c = 0; c < count && !any; ++c)
-		any = isCurved(types->GetValue(c));
+		any = isCurved(grid->GetCellTypesArray()->GetValue(c));
 	if (!any)
 		return false;
 	findShapeArrays(grid);
+	uncollapse(grid, true);
+	const vtkUnsignedCharArray* types = grid->GetCellTypesArray();
 	vtkUnsignedCharArray* ghosts = ghostMarks(grid);
 	SourceCells source(grid);
 	CellsInOrder order(grid, source);
@@ -68,6 +81,14 @@ bool keepsCurved(vtkUnstructuredGrid* grid, double tolerance)
 		if (cellDimension(type) < 3 || (ghosts && (ghosts->GetValue(c) & kHiddenCellBits)))
 			continue;
 		const vtkIdType points = grid->GetCells()->GetCellSize(c);
+		if (slicedCellSize(type) > 0 || vp::grid::isCurved(type))
+		{
+			grid->GetCells()->GetCellAtId(c, ids);
+			if (hasEqualCorners(type, ids))
+				throw Refusal(fmt::format("--refine {}: cell {} is a {} with fewer corners than its type has, which a "
+				                          "tolerance does not refine; give a level, such as --refine 1",
+				                          tolerance, c, shortName(type)));
+		}
 		if (slicedCellSize(type) > 0)
 			continue;
 		if (!vp::grid::isCurved(type))
@@ -78,7 +99,6 @@ bool keepsCurved(vtkUnstructuredGrid* grid, double tolerance)
 			throw damaged(fmt::format("cell {} of type {} lists {} points", c, type, points));
 		if (!vp::grid::hasDegrees(type))
 			continue;
-		grid->GetCells()->GetCellAtId(c, ids);
 		checkPoints(grid, c, ids);
 		order.add(c, type, source.enter(c, type, ids), ids);
 	}

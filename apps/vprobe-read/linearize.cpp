@@ -2,6 +2,7 @@
 
 #include "cell_lists.h"
 #include "cells_in_order.h"
+#include "collapsed_cells.h"
 #include "grown_cells.h"
 #include "linear_parts.h"
 #include "new_nodes.h"
@@ -239,5 +240,6 @@ std::optional<LinearCells> linearize(vtkUnstructuredGrid* grid, int level)
 	if (!any)
 		return std::nullopt;
 	findShapeArrays(grid);
+	uncollapse(grid, false);
 	return Linearizer(grid, level).run();
 }

@@ -2,6 +2,7 @@
 #include "formats.h"
 #include "is_one_of.h"
 #include "manifest_writer.h"
+#include "old_pieces.h"
 #include "plain_xml.h"
 #include "quick_lattice.h"
 #include "refusal.h"
@@ -30,7 +31,6 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLRectilinearGridReader.h>
 #include <vtkXMLStructuredGridReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <fmt/format.h>
 
@@ -84,6 +84,16 @@ protected:
 	{
 		Reader::CopyArrayForCells(inTypeOf(whole, piece), whole);
 	}
+};
+
+class OldPiecesInFiles : public PieceReader<vtkXMLPUnstructuredGridReader>
+{
+public:
+	static OldPiecesInFiles* New() { VTK_STANDARD_NEW_BODY(OldPiecesInFiles); }
+	vtkTemplateTypeMacro(OldPiecesInFiles, PieceReader<vtkXMLPUnstructuredGridReader>);
+
+protected:
+	vtkXMLDataReader* CreatePieceReader() override { return OldPiecesReader::New(); }
 };
 
 // VTK 9.3 would add an array of ids that the file does not hold; 9.1 cannot.
@@ -140,7 +150,7 @@ vtkSmartPointer<vtkDataObject> loadPlainXml(const Request& request, const std::s
 	if (type == "StructuredGrid")
 		return loadWith<vtkXMLStructuredGridReader>(request, manifest);
 	if (type == "UnstructuredGrid")
-		return loadWith<vtkXMLUnstructuredGridReader>(request, manifest);
+		return loadWith<OldPiecesReader>(request, manifest);
 	if (type == "HyperTreeGrid")
 		return loadTrees(request, manifest);
 	if (type == "PImageData")
@@ -150,7 +160,7 @@ vtkSmartPointer<vtkDataObject> loadPlainXml(const Request& request, const std::s
 	if (type == "PStructuredGrid")
 		return loadWith<PieceReader<vtkXMLPStructuredGridReader>>(request, manifest);
 	if (type == "PUnstructuredGrid")
-		return loadWith<PieceReader<vtkXMLPUnstructuredGridReader>>(request, manifest);
+		return loadWith<OldPiecesInFiles>(request, manifest);
 	if (type == "PolyData")
 		return loadWith<vtkXMLPolyDataReader>(request, manifest);
 	throw Refusal("a VTK file of type " + type + ", which cannot be read yet; give its pieces one by one");
