@@ -51,9 +51,10 @@ std::string surfaceName(const SheetCut& sheet);
 /// What was refined for a cut (refine/refiner.h).
 struct RefinedCounts
 {
-	std::size_t looked_at = 0; // curved cells whose nodes were looked at
-	std::size_t cells = 0;     // curved cells that the sheets may meet, which were refined
-	std::size_t parts = 0;     // linear cells that they were refined to, where the sheets meet them
+	std::size_t looked_at = 0;  // curved cells whose nodes were looked at
+	std::size_t cells = 0;      // curved cells that the sheets may meet, which were refined
+	std::size_t parts = 0;      // linear cells that they were refined to, where the sheets meet them
+	std::size_t unfinished = 0; // curved cells that would have got too many parts, and are shown as far as refined
 };
 
 /// The result of a Cutter for a request.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace vp::cut
@@ -55,7 +56,9 @@ Result<Cut> cutRefined(refine::Refiner& refiner, const grid::BlockSet& blocks, c
 	if (!cut)
 		return cut;
 	cut->refined = std::move(refined->blocks);
-	cut->refined_counts = {refined->looked_at, refined->cells, refined->parts};
+	cut->refined_counts = {refined->looked_at, refined->cells, refined->parts, refined->unfinished};
+	if (!refined->warning.empty())
+		cut->warnings.push_back(std::move(refined->warning));
 	return cut;
 }
 

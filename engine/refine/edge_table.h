@@ -24,6 +24,7 @@ public:
 		double priority = -1.0;         // above 0 if it has to be halved: how far its middle is off
 		std::uint32_t point = kUnknown; // its middle
 		std::uint8_t level = 0;         // how often edges were halved for it
+		std::uint8_t is_halved = 0;     // by a part
 	};
 	/// An edge that a part has, and nobody asked for before.
 	struct NewEdge
@@ -54,6 +55,7 @@ public:
 	}
 
 	Shard& shard(std::size_t s) { return shards_[s]; }
+	Edge& operator[](std::uint32_t edge) { return shards_[edge % kShards].edges[edge / kShards]; }
 	const Edge& operator[](std::uint32_t edge) const { return shards_[edge % kShards].edges[edge / kShards]; }
 	static std::uint32_t idOf(std::size_t shard, std::uint32_t number)
 	{

@@ -14,8 +14,12 @@
 namespace vp::refine
 {
 
-/// More parts than this are an error.
+/// More parts than this are an error. Only cells that a sheet meets before any is refined can be so many.
 inline constexpr std::size_t kMaxParts = 20'000'000;
+
+/// Where a cell, or all cells of a cut, would get more parts than this, they are shown as far as they were refined.
+inline constexpr std::size_t kMaxPartsOfCell = 10'000;
+inline constexpr std::size_t kMaxPartsOfCut = 1'000'000;
 
 /// The tolerance asks for more parts than can be made.
 class TooManyParts : public std::length_error

@@ -99,7 +99,7 @@ private:
 
 template <int Values>
 BlockParts refineRanges(const RangeRefiner<Values>& refiner, std::span<const std::uint32_t> cells,
-                        const std::stop_token& stop)
+                        std::size_t max_parts, const std::stop_token& stop)
 {
 	const std::size_t ranges = (cells.size() + kCellsAtOnce - 1) / kCellsAtOnce;
 	std::vector<std::optional<BlockParts>> made(ranges);
@@ -113,7 +113,7 @@ BlockParts refineRanges(const RangeRefiner<Values>& refiner, std::span<const std
 		                  refiner.run(
 		                      cells.subspan(r * kCellsAtOnce, std::min(kCellsAtOnce, cells.size() - r * kCellsAtOnce)),
 		                      of_range);
-		                  if (parts += of_range.parts.types().size(); parts > kMaxParts)
+		                  if (parts += of_range.parts.types().size(); parts > max_parts)
 			                  throw TooManyParts("too many parts");
 	                  });
 	BlockParts all{PartList(parts / 2)};
@@ -131,12 +131,15 @@ BlockParts refineRanges(const RangeRefiner<Values>& refiner, std::span<const std
 
 /// Cells of any kind, along surfaces of any kind.
 BlockParts refineShapes(const grid::CurvedCells& curved, const CellKinds& kinds, const CellBoxes& boxes,
-                        const Sheets& sheets, std::span<const ShownArray> shown, const std::stop_token& stop)
+                        const Sheets& sheets, std::span<const ShownArray> shown, std::size_t max_parts,
+                        const std::stop_token& stop)
 {
 	const double slack = 1e-12 * std::max(boxes.reach(), sheets.reach());
 	NearCells cells(curved, kinds, sheets, slack, shown);
 	cells.add(boxes.cellsNear(sheets));
-	BlockParts made{ShapeRefiner(curved, cells, sheets, boxes.reach()).refine(stop)};
+	ShapeRefiner refiner(curved, cells, sheets, boxes.reach());
+	BlockParts made{refiner.refine(max_parts, stop)};
+	made.unfinished = refiner.unfinished();
 	made.looked_at = cells.curvedLookedAt();
 	made.cells = cells.curvedMet();
 	return made;
@@ -145,24 +148,33 @@ BlockParts refineShapes(const grid::CurvedCells& curved, const CellKinds& kinds,
 } // namespace
 
 BlockParts refineBlock(const grid::CurvedCells& curved, const CellKinds& kinds, const CellBoxes& boxes,
-                       const Sheets& sheets, std::span<const ShownArray> shown, const std::stop_token& stop)
+                       const Sheets& sheets, std::span<const ShownArray> shown, std::size_t max_parts,
+                       const std::stop_token& stop)
 {
 	if (!kinds.areQuadraticTetrahedra() || !sheets.others.empty())
-		return refineShapes(curved, kinds, boxes, sheets, shown, stop);
+		return refineShapes(curved, kinds, boxes, sheets, shown, max_parts, stop);
 	const std::span<const surface::Plane> planes = sheets.planes;
 	int width = 0;
 	for (const ShownArray& array : shown)
 		width += array.width();
 	const std::vector<std::uint32_t> near = boxes.cellsNear(sheets);
 	const auto run = [&]<int Values>()
-	{ return refineRanges(RangeRefiner<Values>(curved, boxes, planes, shown), near, stop); };
-	if (width == 0)
-		return run.template operator()<0>();
-	if (width == 1)
-		return run.template operator()<1>();
-	if (width <= 3)
-		return run.template operator()<3>();
-	return run.template operator()<kMaxShownNumbers>();
+	{ return refineRanges(RangeRefiner<Values>(curved, boxes, planes, shown), near, max_parts, stop); };
+	try
+	{
+		if (width == 0)
+			return run.template operator()<0>();
+		if (width == 1)
+			return run.template operator()<1>();
+		if (width <= 3)
+			return run.template operator()<3>();
+		return run.template operator()<kMaxShownNumbers>();
+	}
+	catch (const TooManyParts&)
+	{
+		// The other way works level by level, and so can end with sides that agree.
+		return refineShapes(curved, kinds, boxes, sheets, shown, max_parts, stop);
+	}
 }
 
 } // namespace vp::refine

@@ -48,6 +48,16 @@ grid::Block blockOf(const grid::Block& block, const CellKinds& kinds, const Part
 	return made;
 }
 
+std::string warningOf(const grid::Block& block, const Unfinished& unfinished)
+{
+	const std::string why = unfinished.by_cut
+	                            ? fmt::format("all cells of the cut would have more than {} parts", kMaxPartsOfCut)
+	                            : fmt::format("it would have more than {} parts", kMaxPartsOfCell);
+	return fmt::format("`refine` {}: cell {} of block {} is shown as far as it was refined, since {}; look at its "
+	                   "nodes, or give a larger tolerance",
+	                   block.curved->tolerance, unfinished.first, block.name, why);
+}
+
 Error tooMany(const grid::Block& block)
 {
 	return {ErrorKind::usage, fmt::format("`refine` {}: block {} would have more than {} parts on the sheets; give a "
@@ -114,12 +124,17 @@ Result<Refined> Refiner::refine(const Sheets& sheets, std::span<const grid::Fiel
 		try
 		{
 			const Known& known = knownOf(b);
-			const BlockParts made = refineBlock(*block.curved, known.kinds, known.boxes, sheets, arrays, stop);
+			const std::size_t max_parts = kMaxPartsOfCut - std::min(kMaxPartsOfCut, refined.parts);
+			const BlockParts made =
+			    refineBlock(*block.curved, known.kinds, known.boxes, sheets, arrays, max_parts, stop);
 			if (stop.stop_requested())
 				return Error{ErrorKind::cancelled, "cutting was cancelled"};
 			refined.looked_at += made.looked_at;
 			refined.cells += made.cells;
 			refined.parts += made.parts.types().size();
+			if (made.unfinished.cells > 0 && refined.unfinished == 0)
+				refined.warning = warningOf(block, made.unfinished);
+			refined.unfinished += made.unfinished.cells;
 			set->blocks.push_back(blockOf(block, known.kinds, made.parts));
 		}
 		catch (const TooManyParts&)

@@ -12,6 +12,7 @@
 #include <mutex>
 #include <span>
 #include <stop_token>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,9 +25,11 @@ struct Refined
 	// Blocks of curved cells are listed grids of the linear parts that the sheets meet; the others are as they were.
 	// Cell arrays are shared, point arrays interpolated.
 	std::shared_ptr<const grid::BlockSet> blocks;
-	std::size_t looked_at = 0; // curved cells whose nodes were looked at
-	std::size_t cells = 0;     // curved cells that the sheets may meet, which were refined
-	std::size_t parts = 0;     // linear cells in the blocks
+	std::size_t looked_at = 0;  // curved cells whose nodes were looked at
+	std::size_t cells = 0;      // curved cells that the sheets may meet, which were refined
+	std::size_t parts = 0;      // linear cells in the blocks
+	std::size_t unfinished = 0; // curved cells that are shown as far as they were refined
+	std::string warning;        // names the first of them, and why
 };
 
 /// Refines the curved cells of a block set (grid/curved_cells.h) where sheets meet them. Keeps boxes of cells from call

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace vp::refine
@@ -16,7 +17,8 @@ namespace
 
 constexpr std::size_t kPartsAtOnce = 2048; // whatever the number of threads
 
-// A few steps halve all edges of a part, which leaves a quarter of what is off. So this is never reached.
+// A few steps halve all edges of a part, which leaves a quarter of what is off. Cells that need more are not refined
+// on.
 constexpr int kMaxLevels = 400;
 
 /// Edges that were halved so often are left, whatever they are off. Two levels, mostly one, halve the length, and so
@@ -65,14 +67,13 @@ Vec3 ShapeRefiner::positionOf(std::uint32_t point) const
 	return {numbers[0], numbers[1], numbers[2]};
 }
 
-PartList ShapeRefiner::refine(const std::stop_token& stop)
+PartList ShapeRefiner::refine(std::size_t max_parts, const std::stop_token& stop)
 {
 	makeFirstParts();
 	for (int level = 0; !parts_.empty() && !stop.stop_requested(); ++level)
 	{
-		if (level > kMaxLevels)
-			throw TooManyParts("the tolerance cannot be met");
 		findEdges();
+		stopLargeCells(max_parts, level > kMaxLevels);
 		halveParts();
 		if (parts_.size() + done_.size() > kMaxParts)
 			throw TooManyParts("too many parts");
@@ -311,6 +312,49 @@ double ShapeRefiner::offOf(const EdgeTable::NewEdge& edge, const double* a, cons
 	return most;
 }
 
+/// Cells that the next step may give too many parts halve no more edges than other cells have halved already. No other
+/// cell halves the rest of their edges either, so both sides of a face stay alike. This depends on whole levels, and so
+/// not on the number of threads.
+void ShapeRefiner::stopLargeCells(std::size_t max_parts, bool all)
+{
+	if (2 * parts_.size() + done_.size() <= std::min(max_parts, kMaxPartsOfCell) && !all)
+		return;
+	done_of_.resize(cells_.size());
+	is_stopped_.resize(cells_.size());
+	is_unfinished_.resize(cells_.size());
+	for (; counted_ < done_.size(); ++counted_)
+		++done_of_[done_[counted_].near];
+	if (!all_are_stopped_)
+	{
+		std::vector<std::uint32_t> parts_of(cells_.size());
+		for (const Part& part : parts_)
+			++parts_of[part.near];
+		for (std::size_t i = 0; i < cells_.size(); ++i)
+			is_stopped_[i] |= 2 * std::size_t(parts_of[i]) + done_of_[i] > kMaxPartsOfCell;
+		all_are_stopped_ = all || 2 * parts_.size() + done_.size() > max_parts;
+	}
+	for (const Part& part : parts_)
+	{
+		if (!all_are_stopped_ && is_stopped_[part.near] == 0)
+			continue;
+		for (const std::uint32_t e : part.edges)
+		{
+			EdgeTable::Edge& edge = edges_[e];
+			if (!(edge.priority > 0.0) || edge.is_halved != 0)
+				continue;
+			edge.priority = -1.0;
+			if (is_unfinished_[part.near] != 0)
+				continue;
+			is_unfinished_[part.near] = 1;
+			if (const std::uint32_t cell = cells_[part.near].cell; unfinished_.cells++ == 0 || cell < unfinished_.first)
+			{
+				unfinished_.first = cell;
+				unfinished_.by_cut = is_stopped_[part.near] == 0;
+			}
+		}
+	}
+}
+
 void ShapeRefiner::halveParts()
 {
 	const std::size_t ranges = (parts_.size() + kPartsAtOnce - 1) / kPartsAtOnce;
@@ -328,7 +372,7 @@ void ShapeRefiner::halveParts()
 }
 
 /// Of several edges that are off alike the first by its ends is halved.
-void ShapeRefiner::halve(const Part& part, std::vector<Part>& halves, std::vector<DonePart>& done) const
+void ShapeRefiner::halve(const Part& part, std::vector<Part>& halves, std::vector<DonePart>& done)
 {
 	int edge = -1;
 	double most = 0.0;
@@ -349,7 +393,8 @@ void ShapeRefiner::halve(const Part& part, std::vector<Part>& halves, std::vecto
 			done.push_back({part.points, part.near});
 		return;
 	}
-	const EdgeTable::Edge& halved = edges_[part.edges[edge]];
+	EdgeTable::Edge& halved = edges_[part.edges[edge]];
+	std::atomic_ref(halved.is_halved).store(1, std::memory_order_relaxed);
 	const auto [a, b] = kEdges[edge];
 	for (const auto& [stays, goes] : {std::pair(a, b), std::pair(b, a)})
 	{

@@ -3,6 +3,7 @@
 #include "refine/edge_table.h"
 #include "refine/near_cells.h"
 #include "refine/part_list.h"
+#include "refine/unfinished.h"
 
 #include <array>
 #include <cstdint>
@@ -21,8 +22,11 @@ public:
 	/// The cells must outlive it.
 	ShapeRefiner(const grid::CurvedCells& curved, const NearCells& cells, const Sheets& sheets, double reach);
 
-	/// Throws TooManyParts. On a stop request it returns what it has.
-	PartList refine(const std::stop_token& stop);
+	/// Throws TooManyParts. On a stop request it returns what it has. max_parts: of all cells.
+	PartList refine(std::size_t max_parts, const std::stop_token& stop);
+
+	/// Cells that would have got too many parts.
+	const Unfinished& unfinished() const { return unfinished_; }
 
 private:
 	struct Part
@@ -56,8 +60,9 @@ private:
 	void evaluate(std::size_t shard, std::vector<double>& middles);
 	double offOf(const EdgeTable::NewEdge& edge, const double* a, const double* b, const double* middle,
 	             double* weights) const;
+	void stopLargeCells(std::size_t max_parts, bool all);
 	void halveParts();
-	void halve(const Part& part, std::vector<Part>& halves, std::vector<DonePart>& done) const;
+	void halve(const Part& part, std::vector<Part>& halves, std::vector<DonePart>& done);
 	bool mayMeet(const Part& part) const;
 	const double* numbersOf(std::uint32_t point) const { return &numbers_[point * cells_.width()]; }
 	Vec3 positionOf(std::uint32_t point) const;
@@ -71,6 +76,12 @@ private:
 	EdgeTable edges_;
 	std::vector<Part> parts_;
 	std::vector<DonePart> done_;
+	std::vector<std::uint32_t> done_of_; // parts of each cell that are done, up to counted_
+	std::size_t counted_ = 0;
+	std::vector<std::uint8_t> is_stopped_; // per cell
+	std::vector<std::uint8_t> is_unfinished_;
+	bool all_are_stopped_ = false;
+	Unfinished unfinished_;
 	RawVector<PartPoint> points_; // positions are in numbers_
 	RawVector<double> numbers_;   // of each point: coordinates, and values as a share of what they may be off
 };

@@ -78,7 +78,7 @@ public:
 	}
 
 	/// Returns false if the planes miss the cell. ids: of its nodes, in the file. addValues(id, node): called for the
-	/// nodes of a cell that is met.
+	/// nodes of a cell that is met. Throws TooManyParts past kMaxPartsOfCell.
 	template <class AddValues>
 	bool refine(std::uint32_t cell, const Positions& at,
 	            const std::array<std::uint32_t, grid::kQuadraticTetraNodes>& ids, AddValues&& addValues);
@@ -105,6 +105,7 @@ private:
 	PartList& parts_;
 
 	std::uint32_t cell_ = 0;
+	std::size_t steps_ = 0; // for this cell
 	std::vector<Node<Values>> nodes_;
 	std::array<double, 16> allowed_{}; // by support: the square of what an edge's middle may be off
 	double slack_;
@@ -251,7 +252,7 @@ void TetrahedronRefiner<Values>::refine(const Tetrahedron& t, int depth)
 			    std::array{nodes_[t[0]].number, nodes_[t[1]].number, nodes_[t[2]].number, nodes_[t[3]].number}, cell_);
 		return;
 	}
-	if (depth > kMaxDepth)
+	if (depth > kMaxDepth || ++steps_ > kMaxPartsOfCell)
 		throw TooManyParts("the tolerance cannot be met");
 	const std::size_t kept = nodes_.size();
 	const auto [a, b] = kEdges[edge];
@@ -284,6 +285,7 @@ bool TetrahedronRefiner<Values>::refine(std::uint32_t cell, const Positions& at,
 	                         { return mayMeetPlane(plane, slack_, [&](int node) { return at[node]; }); }))
 		return false;
 	cell_ = cell;
+	steps_ = 0;
 	nodes_.resize(at.size());
 	for (std::size_t n = 0; n < at.size(); ++n)
 	{

@@ -275,7 +275,10 @@ nlohmann::json refinedJson(const cut::Cut& slice)
 	if (!slice.refined)
 		return {};
 	const cut::RefinedCounts& counts = slice.refined_counts;
-	return {{"cells_looked_at", counts.looked_at}, {"cells", counts.cells}, {"parts", counts.parts}};
+	return {{"cells_looked_at", counts.looked_at},
+	        {"cells", counts.cells},
+	        {"parts", counts.parts},
+	        {"unfinished", counts.unfinished}};
 }
 
 std::string statsJson(const session::Session& session, const session::CutFrame& frame)
