@@ -2,7 +2,7 @@
 #include "program.h"
 #include "report/console.h"
 #include "team.h"
-#include "write/atomic_file.h"
+#include "write/unfinished.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "array_writer.h"
 
 #include "read/protocol.h"
+#include "refusal.h"
 
 #include <nlohmann/json.hpp>
 
@@ -8,7 +9,6 @@
 #include <array>
 #include <cerrno>
 #include <new>
-#include <system_error>
 
 #include <unistd.h>
 
@@ -51,10 +51,8 @@ void ArrayWriter::put(std::size_t at, const void* data, std::size_t bytes) const
 		const ssize_t written = pwrite(memory_, from, bytes, static_cast<off_t>(at));
 		if (written < 0 && errno == EINTR)
 			continue;
-		if (written < 0 && (errno == EFBIG || errno == ENOSPC || errno == ENOMEM))
-			throw std::bad_alloc();
-		if (written <= 0)
-			throw std::system_error(errno, std::generic_category(), "shared memory");
+		if (written <= 0) // EFBIG, ENOSPC or ENOMEM: shared memory has no room
+			throw NoSharedMemory();
 		from += written;
 		bytes -= static_cast<std::size_t>(written);
 		at += static_cast<std::size_t>(written);
@@ -64,7 +62,7 @@ void ArrayWriter::put(std::size_t at, const void* data, std::size_t bytes) const
 void ArrayWriter::rewind(std::size_t mark)
 {
 	if (ftruncate(memory_, static_cast<off_t>(mark)) != 0)
-		throw std::system_error(errno, std::generic_category(), "shared memory");
+		throw NoSharedMemory();
 	start_ = position_ = mark;
 }
 

@@ -1,5 +1,7 @@
 #include "complaints.h"
 
+#include "complaint_words.h"
+#include "read_files.h"
 #include "refusal.h"
 
 #include <vtkLogger.h>
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <new>
 #include <streambuf>
 #include <string>
 #include <string_view>
@@ -21,6 +24,7 @@ namespace
 {
 
 std::string first_complaint;
+std::string complained_at; // the file that was being read then
 std::vector<std::string> notes;
 std::size_t more_notes = 0;
 bool warnings_too = false;
@@ -30,7 +34,8 @@ constexpr std::size_t kMaxNoteLength = 160;
 
 // Readers report these as mere warnings, or print them, and go on with values that were never read. docs/FORMATS.md
 // lists them by reader.
-constexpr std::array<std::string_view, 8> kLosesValues = {
+constexpr std::array<std::string_view, 9> kLosesValues = {
+    "Uncompress failed",            // MetaImage: packed data that are shown as 0
     "Error reading binary data",    // legacy VTK
     "Error reading ascii data",     // legacy VTK
     "File operation failed",        // images
@@ -60,8 +65,10 @@ std::string wordsOf(std::string_view text)
 
 void keep(const char* text)
 {
-	if (first_complaint.empty())
-		first_complaint = text ? wordsOf(text) : std::string();
+	if (!first_complaint.empty())
+		return;
+	complained_at = pieceBeingRead();
+	first_complaint = text ? wordsOf(text) : std::string();
 	if (first_complaint.empty())
 		first_complaint = "the reader reported an error";
 }
@@ -139,8 +146,17 @@ void refuseOnComplaint()
 {
 	if (first_complaint.find("No Points element available") != std::string::npos) // as writers leave it without any
 		throw Refusal("nothing to slice: it has no points");
-	if (!first_complaint.empty())
-		throw damaged(first_complaint);
+	if (first_complaint.empty())
+		return;
+	blame(complained_at); // others may have been read since
+	if (tellsOfMemory(first_complaint))
+		throw std::bad_alloc();
+	throw damaged(inOurWords(first_complaint));
+}
+
+bool hasComplaint()
+{
+	return !first_complaint.empty();
 }
 
 bool wasNoted(std::string_view words)

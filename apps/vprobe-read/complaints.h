@@ -12,8 +12,10 @@ void installComplaints();
 // Takes all warnings for errors.
 void takeWarningsToo();
 
-// Throws a Refusal if there was an error.
+// Throws a Refusal if there was an error, in our own words, or std::bad_alloc if memory ran out.
 void refuseOnComplaint();
+
+bool hasComplaint();
 
 // Whether a warning with these words was kept.
 bool wasNoted(std::string_view words);

@@ -37,9 +37,9 @@ void writeXml(vtkDataSet* data, const std::string& file)
 	writer->SetInputData(data);
 	writer->SetHeaderTypeToUInt64();
 	writer->EncodeAppendedDataOff();
-	if (!writer->Write())
-		throw Refusal(fmt::format("{} cannot be written", file));
-	refuseOnComplaint();
+	// What the writer complains about is the place, not the input: that was read without a complaint.
+	if (!writer->Write() || writer->GetErrorCode() != 0 || hasComplaint() || !fs::exists(file))
+		throw NoRoom(kNoRoom);
 }
 
 std::string escaped(const std::string& text)
@@ -50,13 +50,12 @@ std::string escaped(const std::string& text)
 	return words;
 }
 
-// Pieces lie in a folder with the name of the index.
+// Pieces lie in a folder with the name of the index, once the parent has given them their places.
 void writeBlocks(const std::vector<KeptBlock>& blocks, const Request& request)
 {
 	const fs::path target = request.convert_to;
 	const std::string stem = target.stem().string();
-	const fs::path folder = target.parent_path() / stem;
-	fs::create_directories(folder);
+	const fs::path folder = request.convert_folder;
 	std::string index = "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">\n"
 	                    "<vtkMultiBlockDataSet>\n";
 	for (std::size_t b = 0; b < blocks.size(); ++b)
@@ -67,7 +66,11 @@ void writeBlocks(const std::vector<KeptBlock>& blocks, const Request& request)
 		                     escaped(blocks[b].name.empty() ? fmt::format("block {}", b) : blocks[b].name),
 		                     escaped(stem + "/" + piece));
 	}
-	std::ofstream(request.convert_beside, std::ios::binary) << index << "</vtkMultiBlockDataSet>\n</VTKFile>\n";
+	std::ofstream file(folder / target.filename(), std::ios::binary);
+	file << index << "</vtkMultiBlockDataSet>\n</VTKFile>\n";
+	file.close();
+	if (!file)
+		throw NoRoom(kNoRoom);
 }
 
 } // namespace
@@ -80,9 +83,10 @@ void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request
 	if (blocks.size() != 1)
 		throw Refusal(fmt::format("has {} blocks, and a {} file holds one; write a .vtm", blocks.size(), ending));
 	vtkDataSet* data = blocks[0].data;
+	const std::string file = (fs::path(request.convert_folder) / fs::path(request.convert_to).filename()).string();
 	if (ending == ".vtkhdf")
-		return writeVtkHdf(data, request.convert_beside);
+		return writeVtkHdf(data, file);
 	if (ending != endingOf(data))
 		throw Refusal(fmt::format("is written as {} or .vtm, not as {}", endingOf(data), ending));
-	writeXml(data, request.convert_beside);
+	writeXml(data, file);
 }

@@ -50,6 +50,13 @@ public:
 			readSection(name);
 			at_.skipPast("$End" + name.substr(1));
 		}
+		const bool has_solid =
+		    std::ranges::any_of(mesh_.types, [](std::uint8_t type) { return vp::read::cellDimension(type) == 3; });
+		if (!has_solid && !mesh_.unknown_types.empty())
+			throw Refusal(
+			    fmt::format("nothing to slice: elements of Gmsh type {} are of an order above 2, which is not "
+			                "read; save it with order 1 or 2 (gmsh -order 2)",
+			                mesh_.unknown_types.rbegin()->first));
 		if (mesh_.coordinates.empty() || mesh_.tags.empty())
 			throw damaged("it has no nodes or no elements");
 		return std::move(mesh_);
@@ -181,7 +188,8 @@ private:
 	{
 		const GmshElement element = gmshElement(type);
 		if (element.nodes == 0)
-			throw Refusal(fmt::format("elements of Gmsh type {}, which are not read; save it with order 1 or 2", type));
+			throw Refusal(fmt::format(
+			    "elements of Gmsh type {}, which are not read; save it with order 1 or 2 (gmsh -order 2)", type));
 		return element;
 	}
 

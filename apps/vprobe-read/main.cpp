@@ -4,33 +4,54 @@
 #include "complaints.h"
 #include "convert.h"
 #include "formats.h"
+#include "is_one_of.h"
 #include "manifest_writer.h"
 #include "read/protocol.h"
+#include "read_files.h"
 #include "refusal.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include <fcntl.h>
 #include <unistd.h>
 
+namespace fs = std::filesystem;
+
 namespace
 {
 
-[[noreturn]] void refuse(std::string reason)
+// Which of the files that an index names is meant.
+std::string withPiece(const std::string& input, std::string reason)
+{
+	const std::string piece = pieceBeingRead();
+	const bool is_index = isOneOf(fs::path(input).extension().string(),
+	                              {".pvti", ".pvtr", ".pvts", ".pvtu", ".vtm", ".vth", ".vthb", ".pvd", ".series"});
+	const bool names_a_piece = reason.starts_with("its ");
+	if (is_index && !names_a_piece && !piece.empty() &&
+	    reason.find(fs::path(piece).filename().string()) == std::string::npos)
+		reason = fmt::format("in its file {}: {}", piece, reason);
+	return reason;
+}
+
+[[noreturn]] void giveUp(std::string reason, int code)
 {
 	for (char& c : reason)
 		if (c == '\n' || c == '\r')
 			c = ' ';
 	std::fprintf(stderr, "\n%s%s\n", vp::read::kReasonMark.data(), reason.c_str());
 	std::fflush(stderr);
-	_exit(vp::read::kRefusedExitCode);
+	_exit(code);
 }
 
 ArrayWish parseWish(std::string_view text)
@@ -77,7 +98,7 @@ Request parseRequest(char** arguments)
 	request.format = arguments[8];
 	request.raw = arguments[9];
 	request.convert_to = arguments[10];
-	request.convert_beside = arguments[11];
+	request.convert_folder = arguments[11];
 	request.parts = arguments[12];
 	request.file = arguments[13];
 	request.arguments = arguments;
@@ -109,10 +130,11 @@ int main(int argc, char** argv)
 	}
 	std::signal(SIGXFSZ, SIG_IGN); // a full arrays file shows as an error of the write
 	startCounting();
+	const Request request = parseRequest(argv);
 	try
 	{
 		installComplaints();
-		const Request request = parseRequest(argv);
+		tellFiles(request.file);
 		ManifestWriter manifest(request.refine, request.arrays, !request.convert_to.empty(), PartFilter(request.parts));
 		if (request.convert_to.ends_with(".vtkhdf"))
 			needHdf5(request);
@@ -124,15 +146,35 @@ int main(int argc, char** argv)
 	}
 	catch (const Refusal& refusal)
 	{
-		refuse(refusal.what());
+		giveUp(withPiece(request.file, refusal.what()), vp::read::kRefusedExitCode);
+	}
+	catch (const NoRoom& full)
+	{
+		giveUp(full.what(), vp::read::kNoRoomExitCode);
+	}
+	catch (const NoSharedMemory& full)
+	{
+		giveUp(full.what(), vp::read::kNoMemoryExitCode);
 	}
 	catch (const std::bad_alloc&)
 	{
-		refuse("needs more memory than reading may take; free some, or the file is damaged");
+		giveUp(withPiece(request.file, "there is not enough memory to read it"), vp::read::kNoMemoryExitCode);
 	}
-	catch (const std::exception& error)
+	catch (const fs::filesystem_error& error)
 	{
-		refuse(std::string("truncated or damaged: ") + error.what());
+		giveUp(fmt::format("{} cannot be read ({}); check its permissions", error.path1().string(),
+		                   error.code().message()),
+		       vp::read::kRefusedExitCode);
+	}
+	catch (const std::length_error&)
+	{
+		giveUp(withPiece(request.file, "truncated or damaged: it names a size that no file has"),
+		       vp::read::kRefusedExitCode);
+	}
+	catch (const std::exception&)
+	{
+		giveUp(withPiece(request.file, "truncated or damaged: its contents do not follow its format"),
+		       vp::read::kRefusedExitCode);
 	}
 	_exit(0); // VTK's own clearing up takes time and can only crash
 }

@@ -8,6 +8,7 @@
 #include "patch_polygons.h"
 #include "quick_xml.h"
 #include "read/tolerance.h"
+#include "read_files.h"
 #include "refusal.h"
 #include "structured_blocks.h"
 #include "time_choice.h"
@@ -351,7 +352,12 @@ std::string ManifestWriter::finish()
 			throw Refusal(
 			    fmt::format("nothing to slice: cells of type {} cannot be sliced yet; convert them to linear cells",
 			                typeName(counts_.not_sliced.begin()->first)));
-		if (keeps_ || counts_.flat > 0 || counts_.hidden > 0)
+		if (counts_.hidden > 0)
+			throw Refusal(
+			    fmt::format("nothing to slice: all its cells are marked as hidden or as ghosts ({}); take the "
+			                "marks away to see them",
+			                counts_.hidden));
+		if (keeps_ || counts_.flat > 0)
 			throw Refusal("nothing to slice: it holds no three-dimensional cells");
 	}
 	for (std::string& note : takeNotes())
@@ -360,6 +366,7 @@ std::string ManifestWriter::finish()
 	                 {"times", times_},
 	                 {"left_out", counts_.flat},
 	                 {"warnings", warnings_},
+	                 {"files", filesRead()},
 	                 {"blocks", blocks_},
 	                 {"patches", patches_}};
 	if (parts_.filters())

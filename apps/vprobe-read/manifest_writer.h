@@ -58,6 +58,7 @@ public:
 	void setLengthUnits(std::string units) { length_units_ = std::move(units); }
 	void warn(std::string line) { warnings_.push_back(std::move(line)); }
 
+	bool isEmpty() const { return blocks_.empty(); }
 	// The data sets that became blocks.
 	const std::vector<KeptBlock>& kept() const { return kept_; }
 

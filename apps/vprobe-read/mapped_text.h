@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstring>
 #include <new>
 #include <string>
 #include <string_view>
@@ -23,11 +25,20 @@ public:
 		const int fd = open(file.c_str(), O_RDONLY | O_CLOEXEC);
 		if (fd < 0 || fstat(fd, &about) != 0)
 			throw Refusal(fmt::format("its piece {} cannot be opened; keep them together", file));
+		if (!S_ISREG(about.st_mode))
+		{
+			close(fd);
+			throw Refusal(fmt::format("its piece {} is {}; name a file there", file,
+			                          S_ISDIR(about.st_mode) ? "a folder" : "no regular file"));
+		}
 		size_ = static_cast<std::size_t>(about.st_size);
 		at_ = size_ ? mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, fd, 0) : nullptr;
+		const int error = errno;
 		close(fd);
-		if (at_ == MAP_FAILED)
+		if (at_ == MAP_FAILED && error == ENOMEM)
 			throw std::bad_alloc();
+		if (at_ == MAP_FAILED)
+			throw Refusal(fmt::format("its piece {} cannot be read: {}", file, std::strerror(error)));
 	}
 	~MappedText()
 	{

@@ -1,5 +1,6 @@
 #include "file_head.h"
 #include "formats.h"
+#include "other_programs.h"
 #include "read/formats.h"
 #include "refusal.h"
 
@@ -32,8 +33,6 @@ Refusal notRecognized(const FileHead& head)
 		return Refusal("a PLOT3D solution; give the grid file, and this one as --solution");
 	if (head.starts("#!TDV") || head.starts("#!SZPLT"))
 		return Refusal("a binary Tecplot file, which no free library reads; save it as text (.dat)");
-	if (head.ends({".inp"}) && head.starts("*"))
-		return Refusal("an Abaqus input file, which is not read; meshio convert makes a .vtu of it");
 	if (head.isHdf5() || head.isNetcdf())
 		return Refusal(fmt::format("{} data of another program or damaged ones; see vprobe info --formats",
 		                           head.isHdf5() ? "HDF5" : "netCDF"));
@@ -60,10 +59,14 @@ void readAnyFormat(const Request& request, ManifestWriter& manifest)
 	const FileHead head(request.file);
 	if (head.isHdf5())
 		needHdf5(request);
+	if (head.isFolder())
+		refuseOtherPrograms(head); // a folder is taken for a DICOM series otherwise
 	const std::string format = request.format.empty() && !request.raw.empty() ? "raw" : request.format;
 	const auto suits = [&](const Reader& reader)
 	{ return format.empty() ? reader.recognizes(head) : reader.format == format; };
 	const auto reader = std::find_if(std::begin(kReaders), std::end(kReaders), suits);
+	if (reader == std::end(kReaders) && format.empty())
+		refuseOtherPrograms(head);
 	if (reader == std::end(kReaders))
 		throw notRecognized(head);
 	reader->read(request, manifest);

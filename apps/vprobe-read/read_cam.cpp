@@ -4,6 +4,7 @@
 #include "formats.h"
 #include "manifest_writer.h"
 #include "netcdf_size.h"
+#include "read_files.h"
 #include "refusal.h"
 #include "time_choice.h"
 
@@ -25,6 +26,7 @@ std::string quadsBeside(const std::string& file)
 	const fs::path folder = fs::path(file).has_parent_path() ? fs::path(file).parent_path() : fs::path(".");
 	int left = most;
 	std::error_code error;
+	const OnlyLooking looking;
 	for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator() && left > 0;
 	     entry.increment(error), --left)
 		if (entry->is_regular_file(error) && entry->path().extension() == ".nc" &&

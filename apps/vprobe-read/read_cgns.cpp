@@ -1,6 +1,7 @@
 #include "complaints.h"
 #include "formats.h"
 #include "manifest_writer.h"
+#include "mapped_text.h"
 #include "refusal.h"
 #include "time_choice.h"
 
@@ -94,4 +95,9 @@ void readCgns(const Request& request, ManifestWriter& manifest)
 		              "one is shown");
 	}
 	manifest.add(reader->GetOutputDataObject(0));
+	// Names stand in both kinds of CGNS files as they are.
+	if (manifest.isEmpty() && MappedText(request.file).text().find("ParentElements") != std::string_view::npos)
+		throw Refusal(
+		    "nothing to slice: only the ParentElements of its faces tell the cells, which are not read; write "
+		    "sections of NFACE_n as well");
 }

@@ -3,6 +3,7 @@
 #include "formats.h"
 #include "manifest_writer.h"
 #include "mapped_text.h"
+#include "read_files.h"
 #include "refusal.h"
 #include "time_choice.h"
 #include "value_image.h"
@@ -159,6 +160,7 @@ std::vector<DicomSlice> sliceFiles(const Request& request, ManifestWriter& manif
 	}
 	std::map<std::string, std::vector<DicomSlice>> series;
 	int files = 0;
+	const OnlyLooking looking; // into files of other series, and into any other file
 	for (const auto& entry : fs::directory_iterator(folder))
 		if (entry.is_regular_file() && ++files <= kMaxFiles)
 			if (auto slice = dicomSlice(entry.path().string()))

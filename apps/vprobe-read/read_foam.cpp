@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -66,6 +67,57 @@ void widen(vtkOpenFOAMReader& reader, const Request& request, std::optional<doub
 	widenFoam({fs::path(request.file).parent_path(), std::move(times)}, reader.GetOutputDataObject(0), manifest);
 }
 
+bool isTime(const fs::path& folder)
+{
+	const std::string name = folder.filename().string();
+	char* end = nullptr;
+	std::strtod(name.c_str(), &end);
+	return end != name.c_str() && *end == '\0';
+}
+
+double lastTimeIn(const fs::path& folder)
+{
+	double last = -1.0;
+	std::error_code none;
+	for (const auto& entry : fs::directory_iterator(folder, none))
+		if (entry.is_directory() && isTime(entry.path()))
+			last = std::max(last, std::strtod(entry.path().filename().c_str(), nullptr));
+	return last;
+}
+
+// The mesh of the case, or of one of its regions.
+bool hasMesh(const fs::path& folder)
+{
+	std::error_code none;
+	if (fs::is_directory(folder / "constant" / "polyMesh", none))
+		return true;
+	for (const auto& entry : fs::directory_iterator(folder / "constant", none))
+		if (fs::is_directory(entry.path() / "polyMesh", none))
+			return true;
+	return false;
+}
+
+// The parts of a decomposed case lie in processor0, processor1 and so on, or all together in processorsN.
+void refuseDecomposed(const fs::path& folder, ManifestWriter& manifest)
+{
+	double last = -1.0;
+	bool is_decomposed = false;
+	std::error_code none;
+	for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, none))
+		if (const std::string name = entry.path().filename().string();
+		    entry.is_directory() && name.starts_with("processor") && name.find_first_of("0123456789") != name.npos)
+		{
+			is_decomposed = true;
+			last = std::max(last, lastTimeIn(entry.path()));
+		}
+	if (is_decomposed && !hasMesh(folder))
+		throw Refusal("a case that is decomposed among processors, which is not read; run reconstructPar (and "
+		              "reconstructParMesh, if that says so) in its folder");
+	if (is_decomposed && last > lastTimeIn(folder.empty() ? "." : folder))
+		manifest.warn(
+		    fmt::format("its times up to {} lie with the processors and are not shown; run reconstructPar", last));
+}
+
 } // namespace
 
 // In a pass of its own, without fields: those of patches can be of kinds that the reader complains about.
@@ -90,6 +142,7 @@ void addFoamPatches(const Request& request, ManifestWriter& manifest)
 
 void readFoam(const Request& request, ManifestWriter& manifest)
 {
+	refuseDecomposed(fs::path(request.file).parent_path(), manifest);
 	takeWarningsToo(); // which is how this reader tells of files that end early
 	vtkNew<vtkOpenFOAMReader> reader;
 	reader->SetFileName(request.file.c_str());

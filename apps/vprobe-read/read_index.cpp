@@ -3,6 +3,7 @@
 #include "complaints.h"
 #include "formats.h"
 #include "manifest_writer.h"
+#include "read_files.h"
 #include "refusal.h"
 #include "time_choice.h"
 #include "xml_check.h"
@@ -58,6 +59,7 @@ Request pieceOf(const Request& request, const std::string& file)
 	piece.file = beside(request.file, file);
 	if (!fs::is_regular_file(piece.file))
 		throw Refusal(fmt::format("its piece {} cannot be opened; keep them together", piece.file));
+	noteFile(piece.file.c_str()); // whether or not it is read: no output may take its place
 	return piece;
 }
 

@@ -1,6 +1,7 @@
 // Pieces of a parallel VTK XML file, each read as a block of its own.
 #include "formats.h"
 #include "manifest_writer.h"
+#include "read_files.h"
 #include "refusal.h"
 #include "xml_check.h"
 
@@ -115,6 +116,7 @@ std::vector<Piece> piecesOf(const Request& request, vtkXMLDataElement* whole)
 		const fs::path file = fs::path(request.file).parent_path() / source;
 		if (!fs::is_regular_file(file))
 			throw Refusal(fmt::format("its piece {} cannot be opened; keep them together", file.string()));
+		noteFile(file.c_str()); // whether or not it is read: no output may take its place
 		pieces.push_back({file.string(), extentOf(element->GetAttribute("Extent"))});
 	}
 	return pieces;

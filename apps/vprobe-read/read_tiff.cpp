@@ -74,6 +74,8 @@ NumberType typeOf(TIFF* tiff)
 		return NumberType::float32;
 	if (is(64, SAMPLEFORMAT_IEEEFP))
 		return NumberType::float64;
+	if (bits == 16 && kind == SAMPLEFORMAT_IEEEFP)
+		throw Refusal("floats of 16 bits, which are not read; save it with floats of 32 bits");
 	throw Refusal(
 	    fmt::format("values of {} bits and TIFF sample format {}; save it with 8, 16 or 32 bits", bits, kind));
 }

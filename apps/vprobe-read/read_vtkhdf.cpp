@@ -66,12 +66,7 @@ public:
 			throw Refusal("not a VTKHDF file, though its first bytes are HDF5's, or a damaged one");
 		if (version > 2.0)
 			throw Refusal(fmt::format("VTKHDF of version {}; versions 1 and 2 are read", version));
-		if (type == "PolyData")
-			throw Refusal("nothing to slice: polygonal data hold no three-dimensional cells");
-		if (!isOneOf(type, {"ImageData", "UnstructuredGrid"}))
-			throw Refusal(
-			    fmt::format("VTKHDF of the kind {}, which is not read; write image data or unstructured grids",
-			                type.substr(0, 40)));
+		refuseOtherKinds(type);
 		const std::vector<double> given = VtkHdfStep::timesOf(file_);
 		const std::vector<double> times = inOrder(given);
 		if (!given.empty() && times.empty())
@@ -86,6 +81,21 @@ public:
 	}
 
 private:
+	static void refuseOtherKinds(const std::string& type)
+	{
+		if (isOneOf(type, {"ImageData", "UnstructuredGrid"}))
+			return;
+		if (type == "PolyData")
+			throw Refusal("nothing to slice: VTKHDF of type PolyData, and polygons hold no three-dimensional cells");
+		const char* remedy =
+		    isOneOf(type, {"OverlappingAMR", "NonOverlappingAMR"}) ? "save it as .vthb from ParaView"
+		    : type == "HyperTreeGrid"                              ? "save it as .htg from ParaView"
+		    : isOneOf(type, {"MultiBlockDataSet", "PartitionedDataSetCollection", "PartitionedDataSet"})
+		        ? "save it as .vtm from ParaView"
+		        : "save image data or unstructured grids";
+		throw Refusal(fmt::format("VTKHDF of type {}, which is not read; {}", type.substr(0, 40), remedy));
+	}
+
 	// The first files of version 1.0 name none.
 	std::string typeOfFile() const
 	{

@@ -26,7 +26,7 @@ struct Request
 	double refine = 0.0;        // how often the linear parts of curved cells are halved, or a tolerance
 	int threads = 1;            // the most to use
 	std::string convert_to;     // the file that is to be written; mostly empty
-	std::string convert_beside; // where its bytes go until it is whole
+	std::string convert_folder; // of the parent's, into which it is written
 	ArrayWish arrays;           // those to hand over
 	std::string parts;          // those to hand over, see PartFilter; mostly empty
 	char** arguments = nullptr; // as the process was started with them

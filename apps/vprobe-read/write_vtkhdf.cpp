@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 #include <hdf5.h>
 
@@ -24,7 +25,7 @@ namespace
 hid_t checked(hid_t id)
 {
 	if (id < 0)
-		throw Refusal("HDF5 cannot write it; make room or choose another place");
+		throw NoRoom(kNoRoom);
 	return id;
 }
 
@@ -33,7 +34,17 @@ class Handle
 {
 public:
 	Handle(hid_t id, herr_t (*close)(hid_t)) : id_(checked(id)), close_(close) {}
-	~Handle() { close_(id_); }
+	~Handle()
+	{
+		if (id_ >= 0)
+			close_(id_);
+	}
+	// What is still in memory is written now, and may find no room.
+	void close()
+	{
+		if (close_(std::exchange(id_, -1)) < 0)
+			throw NoRoom(kNoRoom);
+	}
 	Handle(const Handle&) = delete;
 	Handle& operator=(const Handle&) = delete;
 	operator hid_t() const { return id_; }
@@ -185,8 +196,13 @@ void writeVtkHdf(vtkDataSet* data, const std::string& path)
 	auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
 	if (!image && !grid)
 		throw Refusal("is neither image data nor unstructured, and VTKHDF 1.0 holds nothing else; write a .vtm");
-	const Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
-	const Handle root(H5Gcreate2(file, "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-	writeAttribute(root, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{1, 0});
-	image ? writeImage(root, image) : writeGrid(root, grid);
+	Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+	{
+		const Handle root(H5Gcreate2(file, "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+		writeAttribute(root, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{1, 0});
+		image ? writeImage(root, image) : writeGrid(root, grid);
+	}
+	if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0)
+		throw NoRoom(kNoRoom);
+	file.close();
 }

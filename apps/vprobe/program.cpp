@@ -8,7 +8,7 @@
 #include "report/progress_line.h"
 #include "team.h"
 #include "version.h"
-#include "write/atomic_file.h"
+#include "write/unfinished.h"
 
 #include <fmt/format.h>
 
@@ -57,13 +57,20 @@ int failed(const Program& program, const std::string& line, ExitCode code)
 	return exitStatus(code);
 }
 
+// After a help text.
+int told(const Program& program)
+{
+	const Status written = flushOutput();
+	return written ? exitStatus(ExitCode::done) : failed(program, written.error().message, ExitCode::output);
+}
+
 int carryOut(const Program& program, const Run& run)
 {
 	try
 	{
 		Result<ExitCode> done = run();
-		if (done && (std::fflush(stdout) != 0 || std::ferror(stdout)))
-			done = Error{ErrorKind::output, "standard output: cannot be written; make room or choose another place"};
+		if (Status written = flushOutput(); done && !written)
+			done = written.error();
 		if (done)
 			return exitStatus(*done);
 		return failed(program, done.error().message, exitCodeOf(done.error().kind));
@@ -87,6 +94,7 @@ int runProgram(const Program& program, int argc, char** argv)
 	app.require_subcommand(1);
 	app.footer(program.footer);
 
+	fillClosedStreams();
 	keepFreedMemory();
 	nameThreadRow("main");
 	setProgramName(program.name);
@@ -116,14 +124,14 @@ int runProgram(const Program& program, int argc, char** argv)
 	catch (const CLI::CallForHelp&)
 	{
 		if (isFirst())
-			fmt::print("{}", app.help());
-		return exitStatus(ExitCode::done);
+			print("{}", app.help());
+		return told(program);
 	}
 	catch (const CLI::CallForVersion&)
 	{
 		if (isFirst())
-			fmt::print("{} {}\n", program.name, kVersion);
-		return exitStatus(ExitCode::done);
+			print("{} {}\n", program.name, kVersion);
+		return told(program);
 	}
 	catch (const CLI::ParseError& error)
 	{

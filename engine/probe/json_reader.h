@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/input_files.h"
 #include "base/result.h"
 #include "probe/transform.h"
 
@@ -71,7 +72,7 @@ std::string pointerStep(std::string_view key);
 Result<nlohmann::json> parseJson(std::string_view text, const std::string& source);
 
 // The text of a file; missing, unreadable and huge ones are an input error.
-Result<std::string> readText(const std::string& file);
+Result<std::string> readText(const std::string& file, InputKind kind = InputKind::data);
 
 // `read` a document, turning what it throws into one line that names the source.
 template <class T, class Read>

@@ -164,7 +164,7 @@ Result<json> parseJson(std::string_view text, const std::string& source)
 	}
 }
 
-Result<std::string> readText(const std::string& file)
+Result<std::string> readText(const std::string& file, InputKind kind)
 {
 	const auto unusable = [&](const char* reason) {
 		return Error{ErrorKind::input, fmt::format("{}: {}", file, reason)};
@@ -174,6 +174,7 @@ Result<std::string> readText(const std::string& file)
 		return unusable("no such file; check the name");
 	if (std::filesystem::is_directory(file, error))
 		return unusable("a folder; name a JSON file");
+	noteInput(file, kind);
 	std::ifstream stream(file, std::ios::binary);
 	std::string text(kMaxText + 1, '\0');
 	stream.read(text.data(), static_cast<std::streamsize>(text.size()));

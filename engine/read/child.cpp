@@ -1,5 +1,6 @@
 #include "read/child.h"
 
+#include "base/input_files.h"
 #include "read/protocol.h"
 #include "read/reader_process.h"
 
@@ -7,8 +8,10 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 
 #include <fcntl.h>
@@ -24,6 +27,8 @@ namespace
 {
 
 constexpr std::size_t kMaxReasonLength = 300;
+// What the reader's libraries take before a file is looked at.
+constexpr std::uint64_t kLeastMemory = std::uint64_t(64) << 20;
 
 std::string lastLine(std::string_view text)
 {
@@ -42,28 +47,90 @@ Error notStarted(const std::string& why)
 	return {ErrorKind::internal, fmt::format("vprobe-read cannot be started: {}", why)};
 }
 
+// The file that the child told of last, of those that the input names.
+std::string fileTold(std::string_view errors)
+{
+	const std::size_t at = errors.rfind(kReadingMark);
+	if (at == errors.npos)
+		return {};
+	const std::string_view rest = errors.substr(at + kReadingMark.size());
+	return std::string(rest.substr(0, std::min(rest.find('\n'), kMaxReasonLength)));
+}
+
+// Whether the limits on memory are the machine's or the caller's. Else they follow from the size of the file, and only
+// a damaged one needs more.
+bool isShortOfMemory(const InputLimits& limits, const ChildSetup& setup)
+{
+	return !limits.follows_size || std::min(setup.memory.rlim_cur, setup.file_size.rlim_cur) < limits.memory;
+}
+
+Error outOfMemory(const std::string& file, const std::string& reason, bool is_short)
+{
+	if (!is_short)
+		return {ErrorKind::input,
+		        fmt::format("{}: truncated or damaged: it describes more than a file of its size can hold", file)};
+	return {ErrorKind::out_of_memory,
+	        fmt::format("{}: {}; make room, or raise the limits of this process (ulimit -v, -f)", file, reason)};
+}
+
+bool isFromOutside(int signal)
+{
+	constexpr std::array signals = {SIGKILL, SIGXCPU, SIGTERM, SIGINT, SIGHUP, SIGQUIT};
+	return std::ranges::find(signals, signal) != signals.end();
+}
+
+Error killed(const std::string& file, int signal, const std::string& where)
+{
+	const char* remedy = signal == SIGKILL   ? "as the system does when memory runs out; free some and try again"
+	                     : signal == SIGXCPU ? "since it used up its processor time; raise that limit (ulimit -t)"
+	                                         : "from outside; try again";
+	return {ErrorKind::internal,
+	        fmt::format("{}: the reader was killed (signal {}){}, {}", file, signal, where, remedy)};
+}
+
 // What the child's end means for the user.
-Error explain(const std::string& file, const Reader& reader, const InputLimits& limits)
+Error explain(const std::string& file, const Reader& reader, const InputLimits& limits, const ChildSetup& setup,
+              const std::string& target)
 {
 	const auto input = [&](const std::string& reason) {
 		return Error{ErrorKind::input, fmt::format("{}: {}", file, reason)};
 	};
 	const std::string line = lastLine(reader.errors);
+	const std::string told = fileTold(reader.errors);
+	const std::string where = told.empty() ? told : fmt::format(" while it read {}", told);
+	const bool is_short = isShortOfMemory(limits, setup);
+	const std::string no_memory = fmt::format("there was not enough memory{}", where);
+	const auto speaksOfMemory = [&](std::string_view words) { return reader.errors.find(words) != std::string::npos; };
+	// Too little even for its libraries, which then fail in ways of their own.
+	const bool cannot_start = setup.memory.rlim_cur < kLeastMemory && told.empty();
 	if (WIFSIGNALED(reader.status))
 	{
 		const int signal = WTERMSIG(reader.status);
-		if (signal == SIGXCPU)
-			return input(fmt::format("the reader ran over its time limit of {} s", limits.time.count()));
-		return input(
-		    fmt::format("the reader crashed (signal {}); the file is damaged or not what its ending says", signal));
+		if (cannot_start || speaksOfMemory("std::bad_alloc"))
+			return outOfMemory(file, no_memory, is_short);
+		if (isFromOutside(signal))
+			return killed(file, signal, where);
+		return input(fmt::format("the reader crashed (signal {}){}; the file is damaged or not what its ending says",
+		                         signal, where));
 	}
 	const int code = WEXITSTATUS(reader.status);
-	if (code == kRefusedExitCode && line.starts_with(kReasonMark) && line.size() > kReasonMark.size())
-		return input(line.substr(kReasonMark.size()));
+	if (line.starts_with(kReasonMark) && line.size() > kReasonMark.size())
+	{
+		const std::string reason = line.substr(kReasonMark.size());
+		if (code == kRefusedExitCode)
+			return input(reason);
+		if (code == kNoMemoryExitCode)
+			return outOfMemory(file, reason, is_short);
+		if (code == kNoRoomExitCode)
+			return {ErrorKind::output, fmt::format("{}: {}", target, reason)};
+	}
+	if (code == 127 &&
+	    (cannot_start || speaksOfMemory("Cannot allocate memory") || speaksOfMemory("failed to map segment")))
+		return outOfMemory(file, no_memory, true);
 	if (code == 127)
 		return notStarted(line);
-	return input(
-	    fmt::format("the reader gave up (exit code {}); the file is damaged or not what its ending says", code));
+	return input(fmt::format("the reader gave up (exit code {}){}; the file is damaged or not what its ending says",
+	                         code, where));
 }
 
 std::string wishArgument(const ArrayWish& wish)
@@ -80,7 +147,7 @@ rlimit limitOf(std::uint64_t value, int resource)
 {
 	rlimit limit = {};
 	getrlimit(static_cast<__rlimit_resource>(resource), &limit);
-	limit.rlim_cur = limit.rlim_max = std::min<rlim_t>(value, limit.rlim_max);
+	limit.rlim_cur = limit.rlim_max = std::min<rlim_t>(value, limit.rlim_cur);
 	return limit;
 }
 
@@ -96,6 +163,8 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	const Result<std::string> program = readerProgram();
 	if (!program)
 		return program.error();
+	noteInput(file);
+	noteInput(options.solution);
 
 	const Descriptor arrays = lifted(memfd_create("vprobe-arrays", MFD_CLOEXEC | MFD_ALLOW_SEALING));
 	const Descriptor cells = lifted(memfd_create("vprobe-cells", MFD_CLOEXEC | MFD_ALLOW_SEALING));
@@ -112,7 +181,7 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	std::string path = file;
 	std::string format = options.format;
 	std::string target = options.convert_to;
-	std::string beside = options.convert_beside;
+	std::string folder = options.convert_folder;
 	std::string raw = rawText(options.raw);
 	std::string displace = fmt::format("{:.17g}", options.displace);
 	ChildSetup setup = {};
@@ -124,7 +193,7 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	std::string parts = options.parts;
 	setup.arguments = {name.data(),    time.data(),    solution.data(), refine.data(), displace.data(),
 	                   patches.data(), threads.data(), wish.data(),     format.data(), raw.data(),
-	                   target.data(),  beside.data(),  parts.data(),    path.data(),   nullptr};
+	                   target.data(),  folder.data(),  parts.data(),    path.data(),   nullptr};
 	setup.null = null.get();
 	setup.errors = errors.write_end.get();
 	setup.arrays = arrays.get();
@@ -132,6 +201,7 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	setup.cells = cells.get();
 	setup.parent = getpid();
 	setup.memory = limitOf(limits.memory, RLIMIT_AS);
+	setup.file_size = limitOf(limits.memory, RLIMIT_FSIZE);
 	// A stalled disk shows on the wall clock only; this one ends a child whose parent was stopped.
 	setup.time = limitOf(2 * static_cast<std::uint64_t>(limits.time.count()), RLIMIT_CPU);
 
@@ -155,12 +225,11 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 		             fmt::format("{}: {}", file, fmt::format(fmt::runtime(reason), limits.time.count()))};
 	}
 	if (!WIFEXITED(reader.status) || WEXITSTATUS(reader.status) != 0)
-		return explain(file, reader, limits);
+		return explain(file, reader, limits, setup, options.convert_to);
 
 	HandedOver handed{std::move(reader.manifest), mapSealed(arrays), mapSealed(cells)};
 	if (!handed.arrays.owner || !handed.cells.owner)
-		return Error{ErrorKind::input,
-		             fmt::format("{}: the reader's arrays cannot be mapped: {}", file, std::strerror(errno))};
+		return outOfMemory(file, fmt::format("its arrays cannot be mapped ({})", std::strerror(errno)), true);
 	return handed;
 }
 

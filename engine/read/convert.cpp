@@ -5,8 +5,7 @@
 #include "read/input_limits.h"
 #include "read/manifest.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string_view>
@@ -23,35 +22,25 @@ bool canConvertTo(const std::string& target)
 }
 
 Status convert(const std::string& input, const ReadOptions& options, const std::string& target,
-               const std::string& beside)
+               const std::string& folder)
 {
-	const fs::path pieces = fs::path(target).parent_path() / fs::path(target).stem();
-	const bool has_pieces = fs::path(target).extension() == ".vtm";
-	std::error_code ignored;
-	if (has_pieces && fs::exists(pieces, ignored))
-		return Error{ErrorKind::output,
-		             fmt::format("{}: is there already; move it away, or choose another name", pieces.string())};
 	ReadOptions reading = options;
 	reading.convert_to = target;
-	reading.convert_beside = beside;
+	reading.convert_folder = folder;
 	Result<InputLimits> limits = inputLimits(input, options.solution, options.format);
 	if (!limits)
 		return limits.error();
 	limits->time *= 4; // packing takes longer than reading
 	const Result<HandedOver> handed = runReader(input, reading, *limits);
-	Status done = handed ? Status(Nothing{}) : handed.error();
-	if (handed)
-	{
-		const Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays, handed->cells);
-		if (!checked)
-			done = Error{ErrorKind::input, fmt::format("{}: truncated or damaged: {}", input, checked.error().message)};
-		else
-			for (const std::string& warning : checked->warnings)
-				warn("{}: {}", input, warning);
-	}
-	if (!done && has_pieces)
-		fs::remove_all(pieces, ignored);
-	return done;
+	if (!handed)
+		return handed.error();
+	const Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays, handed->cells);
+	if (!checked)
+		return unusable(input, checked.error());
+	noteFiles(*checked);
+	for (const std::string& warning : checked->warnings)
+		warn("{}: {}", input, warning);
+	return Nothing{};
 }
 
 } // namespace vp::read

@@ -14,9 +14,10 @@ constexpr const char* kConvertEndings = ".vti .vtr .vts .vtu .vtm .vtkhdf";
 bool canConvertTo(const std::string& target);
 
 // Reads a file and has the reading process write it as the VTK format that the ending of `target` asks for, at one
-// time, with the wanted arrays. The bytes go to `beside`, which the caller gives the name of the target; the pieces of
-// a .vtm go to a folder of its name, which must not exist. What was read is checked as for a cut.
+// time, with the wanted arrays. It is written into `folder`, which is the caller's own and empty, under the target's
+// name; the pieces of a .vtm lie beside it there, and it names them in a folder of its stem. The caller gives them
+// their places. What was read is checked as for a cut.
 Status convert(const std::string& input, const ReadOptions& options, const std::string& target,
-               const std::string& beside);
+               const std::string& folder);
 
 } // namespace vp::read

@@ -97,7 +97,9 @@ Result<InputLimits> inputLimits(const std::string& file, const std::string& solu
 
 	InputLimits limits;
 	// Address space is more than memory: what the libraries map counts even where it is never touched.
-	limits.memory = std::min(std::max(physicalMemory(), kBaseMemory), kBaseMemory + kMemoryPerByte * bytes);
+	const std::uint64_t most = std::max(physicalMemory(), kBaseMemory);
+	limits.memory = std::min(most, kBaseMemory + kMemoryPerByte * bytes);
+	limits.follows_size = limits.memory < most;
 	limits.time = kBaseTime + std::chrono::seconds(bytes / kBytesPerSecond);
 	return limits;
 }
@@ -106,6 +108,7 @@ InputLimits refinedLimits(InputLimits limits, double refine)
 {
 	const std::uint64_t growth = std::uint64_t(1) << (3 * static_cast<int>(std::clamp(refine, 0.0, 10.0)));
 	const std::uint64_t most = std::max(physicalMemory(), kBaseMemory);
+	limits.follows_size = limits.follows_size && limits.memory <= most / growth;
 	limits.memory = limits.memory > most / growth ? most : limits.memory * growth;
 	limits.time = std::min(limits.time * static_cast<std::int64_t>(growth), std::max(limits.time, kMaxRefineTime));
 	return limits;

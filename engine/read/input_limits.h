@@ -14,6 +14,7 @@ struct InputLimits
 {
 	std::uint64_t memory = 0; // address space of the child, and bytes that it may pass
 	std::chrono::seconds time{0};
+	bool follows_size = false; // the memory is less than the machine's, because the file is small
 };
 
 // Returns the limits. They follow from the size of the input and of the files beside it, which it may refer to by its

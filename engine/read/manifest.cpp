@@ -1,6 +1,7 @@
 #include "read/manifest.h"
 
 #include "base/ids.h"
+#include "base/input_files.h"
 #include "read/check_curved.h"
 #include "read/check_mesh.h"
 #include "read/protocol.h"
@@ -77,9 +78,12 @@ public:
 		for (const json& warning : manifest.at("warnings"))
 			if (input.warnings.size() < kMaxWarnings)
 				input.warnings.push_back(wordsOf(warning));
+		for (const json& file : manifest.value("files", json::array()))
+			input.files.push_back(file.get<std::string>());
 		input.left_out = countOf(manifest.at("left_out"));
-		for (const json& block : manifest.at("blocks"))
-			input.blocks.push_back(checkBlock(block));
+		const json& blocks = manifest.at("blocks");
+		for (const json& block : blocks)
+			input.blocks.push_back(blocks.size() > 1 ? checkBlockOfSeveral(block) : checkBlock(block));
 		for (CheckedBlock& block : input.blocks)
 			block.length_units = wordsOf(manifest.value("length_units", json("")));
 		checkParts(manifest, input);
@@ -307,6 +311,18 @@ private:
 		return checked;
 	}
 
+	CheckedBlock checkBlockOfSeveral(const json& block)
+	{
+		try
+		{
+			return checkBlock(block);
+		}
+		catch (const Unusable& unusable)
+		{
+			throw Unusable(fmt::format("in {}: {}", wordsOf(block.at("name")), unusable.what()));
+		}
+	}
+
 	const SharedBytes& arrays_;
 	const SharedBytes& cells_;
 };
@@ -344,6 +360,19 @@ void checkField(const grid::Field& field, std::uint64_t points, std::uint64_t ce
 	if (field.bytes.size() != tuples * bytes_of_tuple)
 		throw Unusable(fmt::format("the array {} has {} bytes where {} tuples of {} belong", field.name,
 		                           field.bytes.size(), tuples, bytes_of_tuple));
+}
+
+void noteFiles(const CheckedInput& input)
+{
+	for (const std::string& file : input.files)
+		noteInput(file);
+}
+
+Error unusable(const std::string& file, const Error& error)
+{
+	if (error.kind != ErrorKind::input)
+		return error;
+	return {ErrorKind::input, fmt::format("{}: truncated or damaged: {}", file, error.message)};
 }
 
 Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells)

@@ -63,6 +63,7 @@ struct CheckedInput
 	std::vector<grid::PatchPolygons> patches;
 	std::vector<double> times;
 	std::vector<std::string> warnings;
+	std::vector<std::string> files; // that were read
 	std::size_t left_out = 0;
 	std::vector<InputPart> parts{}; // if they were asked for
 	std::vector<WholeLattice> wholes{};
@@ -77,6 +78,12 @@ std::array<std::uint32_t, 3> latticeOf(const std::array<std::uint64_t, 3>& point
 
 // Checks that the points of an image are finite. Throws Unusable.
 void checkImage(const std::array<std::uint32_t, 3>& points, const Vec3& origin, const Vec3& spacing);
+
+// Remembers the files that were read, so that no output takes their places.
+void noteFiles(const CheckedInput& input);
+
+// The error of a manifest that fails, for the user.
+Error unusable(const std::string& file, const Error& error);
 
 // Checks a manifest and every array in it against the bytes from the child. Nothing is trusted: counts may overflow,
 // arrays may lie outside, ids may point anywhere, coordinates may be NaN. The message of the error is only the reason.

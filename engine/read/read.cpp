@@ -34,8 +34,9 @@ Result<CheckedInput> readChecked(const std::string& file, const ReadOptions& opt
 	if (!handed)
 		return handed.error();
 	Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays, handed->cells);
-	if (!checked && checked.error().kind == ErrorKind::input)
-		return Error{ErrorKind::input, fmt::format("{}: truncated or damaged: {}", file, checked.error().message)};
+	if (!checked)
+		return unusable(file, checked.error());
+	noteFiles(*checked);
 	return checked;
 }
 

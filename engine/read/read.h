@@ -84,9 +84,9 @@ struct ReadOptions
 	// Into how many slabs, which are parts, a lattice comes apart that is alone in its file. The same for listing parts
 	// and for reading them.
 	int slabs = 1;
-	// Of convert(): the file that is written as well, and where its bytes go until it is whole.
+	// Of convert(): the file that is written as well, and the folder that it is written into.
 	std::string convert_to{};
-	std::string convert_beside{};
+	std::string convert_folder{};
 	// Computes Block::geometry, which readFields() and readValues() compare. Without it they take the grids for
 	// different.
 	bool identifies_geometry = true;

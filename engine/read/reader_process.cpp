@@ -86,7 +86,7 @@ void becomeReader(const ChildSetup& setup)
 	const rlimit none = {0, 0};
 	setrlimit(RLIMIT_CORE, &none);
 	setrlimit(RLIMIT_CPU, &setup.time);
-	setrlimit(RLIMIT_FSIZE, &setup.memory);
+	setrlimit(RLIMIT_FSIZE, &setup.file_size);
 	if (kLimitAddressSpace)
 		setrlimit(RLIMIT_AS, &setup.memory);
 	// Where memory runs out after all, this process is the one to go.

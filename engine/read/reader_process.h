@@ -36,6 +36,7 @@ struct ChildSetup
 	int cells;
 	pid_t parent;
 	rlimit memory;
+	rlimit file_size;
 	rlimit time;
 };
 

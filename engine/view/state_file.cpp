@@ -223,7 +223,7 @@ Status readState(ViewSpec& spec, std::string_view text, const std::string& file)
 
 Status saveState(const ViewSpec& spec, const std::string& file)
 {
-	Result<write::AtomicFile> out = write::AtomicFile::create(file);
+	Result<write::AtomicFile> out = write::AtomicFile::create(file, true);
 	if (!out)
 		return out.error();
 	out->write(stateText(spec, file));
@@ -232,7 +232,7 @@ Status saveState(const ViewSpec& spec, const std::string& file)
 
 Status loadState(ViewSpec& spec, const std::string& file)
 {
-	const Result<std::string> text = probe::readText(file);
+	const Result<std::string> text = probe::readText(file, InputKind::state);
 	return text ? readState(spec, *text, file) : text.error();
 }
 

@@ -1,14 +1,16 @@
 #include "write/atomic_file.h"
 
+#include "base/input_files.h"
+#include "write/unfinished.h"
+
 #include <fmt/format.h>
 
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -59,75 +61,26 @@ Error cannotWrite(const std::string& path, int error)
 	                                       std::strerror(error), remedy(error))};
 }
 
-// Names of the files being written, where a signal handler can read them. A file past the last place is only left
-// behind when the program is interrupted.
-struct Unfinished
+Error isAnInput(const std::string& path)
 {
-	std::atomic<bool> taken = false;
-	std::atomic<bool> named = false;
-	std::array<char, 4096> name;
-};
-std::array<Unfinished, 8> unfinished;
-
-// The program is about to end, by a signal that may have come to any thread.
-std::atomic<bool> ending = false;
-std::atomic<int> touching = 0; // threads between a look at `ending` and what they do to files
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free); // for the handler
-
-// While one lives a handler waits with removing. Where one has begun to, this waits for the end.
-class Touching
-{
-public:
-	Touching()
-	{
-		++touching;
-		if (!ending)
-			return;
-		--touching;
-		for (;;)
-			pause();
-	}
-	~Touching() { --touching; }
-	Touching(const Touching&) = delete;
-	Touching& operator=(const Touching&) = delete;
-};
-
-void remember(const std::string& name)
-{
-	for (Unfinished& place : unfinished)
-		if (name.size() < place.name.size() && !place.taken.exchange(true))
-		{
-			std::memcpy(place.name.data(), name.c_str(), name.size() + 1);
-			place.named = true;
-			return;
-		}
-}
-
-void forget(const std::string& name)
-{
-	for (Unfinished& place : unfinished)
-		if (place.named && name == place.name.data())
-		{
-			place.named = false;
-			place.taken = false;
-			return;
-		}
+	return {ErrorKind::output,
+	        fmt::format("{}: is one of the input files, and would be lost; choose another path", path)};
 }
 
 // Creates a file of a name no one has. Short, so that a long target name leaves room for it.
 int createBeside(const std::string& target, mode_t mode, std::string& name)
 {
 	static std::atomic<unsigned> counter = 0;
-	const Touching files;
+	const TouchingFiles files;
 	for (;;)
 	{
 		name = fmt::format("{}/.vprobe-{}-{}", nearestFolder(target), getpid(), counter++);
-		remember(name); // first: a signal may come as soon as the file is there
+		rememberUnfinished(name); // first: a signal may come as soon as the file is there
 		const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
 		if (descriptor >= 0)
 			return descriptor;
 		const int error = errno;
-		forget(name);
+		forgetUnfinished(name);
 		if (error != EEXIST)
 		{
 			errno = error;
@@ -161,10 +114,19 @@ std::string nearestFolder(const std::string& path)
 	return folder.empty() ? "." : folder.string();
 }
 
-Result<AtomicFile> AtomicFile::create(const std::string& path)
+Status refuseInput(const std::string& path, bool may_be_state)
+{
+	const std::optional<InputKind> kind = inputAt(path);
+	if (!kind || (may_be_state && *kind == InputKind::state))
+		return Nothing{};
+	return isAnInput(path);
+}
+
+Result<AtomicFile> AtomicFile::create(const std::string& path, bool may_be_state)
 {
 	AtomicFile file;
 	file.path_ = path;
+	file.may_be_state_ = may_be_state;
 	if (isStandardOutput(path))
 	{
 		std::fflush(stdout);
@@ -179,6 +141,8 @@ Result<AtomicFile> AtomicFile::create(const std::string& path)
 		return cannotWrite(path, errno);
 	if (exists && S_ISDIR(old.st_mode))
 		return cannotWrite(path, EISDIR);
+	if (Status free = refuseInput(path, may_be_state); !free)
+		return free.error();
 	if (exists && !S_ISREG(old.st_mode))
 	{
 		file.descriptor_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
@@ -212,7 +176,8 @@ Result<AtomicFile> AtomicFile::create(const std::string& path)
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)), target_(std::move(other.target_)), beside_(std::exchange(other.beside_, {})),
-      descriptor_(std::exchange(other.descriptor_, -1)), owns_descriptor_(other.owns_descriptor_), error_(other.error_)
+      descriptor_(std::exchange(other.descriptor_, -1)), owns_descriptor_(other.owns_descriptor_),
+      may_be_state_(other.may_be_state_), error_(other.error_)
 {
 }
 
@@ -229,7 +194,7 @@ void AtomicFile::discard()
 	if (!beside_.empty())
 	{
 		unlink(beside_.c_str());
-		forget(beside_);
+		forgetUnfinished(beside_);
 	}
 	beside_.clear();
 }
@@ -254,15 +219,31 @@ Status AtomicFile::close()
 	return error_ ? Status(cannotWrite(path_, error_)) : Nothing{};
 }
 
+Status AtomicFile::take(const std::string& file)
+{
+	const TouchingFiles files;
+	struct stat own = {};
+	if (stat(beside_.c_str(), &own) != 0 || std::rename(file.c_str(), beside_.c_str()) != 0)
+		return cannotWrite(path_, errno);
+	(void)chmod(beside_.c_str(), own.st_mode & 0777);
+	return Nothing{};
+}
+
 Status AtomicFile::commit()
 {
 	(void)close(); // error_ holds what it says
 	if (!error_ && !beside_.empty())
 	{
-		const Touching files;
+		// Once more: by now it is known which files the input names.
+		if (Status free = refuseInput(path_, may_be_state_); !free)
+		{
+			discard();
+			return free;
+		}
+		const TouchingFiles files;
 		const std::vector<std::filesystem::path> made = makeFolders(target_);
 		if (std::rename(beside_.c_str(), target_.c_str()) == 0)
-			forget(std::exchange(beside_, {}));
+			forgetUnfinished(std::exchange(beside_, {}));
 		else
 		{
 			error_ = errno;
@@ -284,18 +265,6 @@ Status checkWritable(const std::string& path)
 		return Nothing{};
 	const Result<AtomicFile> file = AtomicFile::create(path);
 	return file ? Status(Nothing{}) : file.error();
-}
-
-void removeUnfinishedFiles() noexcept
-{
-	ending = true;
-	// Other threads come to rest first; where this one was interrupted in the middle of it, waiting is in vain.
-	constexpr timespec kMillisecond{0, 1'000'000};
-	for (int ms = 0; ms < 50 && touching > 0; ++ms)
-		nanosleep(&kMillisecond, nullptr);
-	for (const Unfinished& place : unfinished)
-		if (place.named)
-			unlink(place.name.data());
 }
 
 } // namespace vp::write

@@ -17,7 +17,8 @@ std::string nearestFolder(const std::string& path);
 class AtomicFile
 {
 public:
-	static Result<AtomicFile> create(const std::string& path);
+	// may_be_state: it may take the place of a state that was read.
+	static Result<AtomicFile> create(const std::string& path, bool may_be_state = false);
 	AtomicFile(AtomicFile&& other) noexcept;
 	AtomicFile& operator=(AtomicFile&&) = delete;
 	~AtomicFile();
@@ -25,6 +26,8 @@ public:
 	void write(std::string_view bytes); // commit() reports a failure; later bytes are ignored
 	// Ends the writing and reports failures of it, so that commit() only gives the name.
 	Status close();
+	// Takes a file that another program has written into a folder of ours (OwnFolder) for the contents.
+	Status take(const std::string& file);
 	Status commit();
 
 	// Returns the path where the bytes go until commit(), for another program that writes them. Empty for a target that
@@ -40,14 +43,14 @@ private:
 	std::string beside_; // the new file; empty for a target that is written directly
 	int descriptor_ = -1;
 	bool owns_descriptor_ = true;
+	bool may_be_state_ = false;
 	int error_ = 0; // errno of the first failure
 };
 
 // Checks that a file can be written there. Call it before long work.
 Status checkWritable(const std::string& path);
 
-// For a signal handler that ends the program: removes the unfinished files of all threads. After it, no thread can
-// begin or finish a file. Async-signal-safe.
-void removeUnfinishedFiles() noexcept;
+// Returns an error if a file that was read is there. Cheap: call it again before a file gets its name.
+Status refuseInput(const std::string& path, bool may_be_state = false);
 
 } // namespace vp::write

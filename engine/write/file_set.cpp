@@ -7,8 +7,6 @@
 #include <filesystem>
 #include <utility>
 
-#include <stdlib.h>
-
 namespace vp::write
 {
 
@@ -26,6 +24,11 @@ Result<std::string> folderOfParts(const std::string& path)
 	return folder;
 }
 
+Error folderIsThere(const std::string& folder)
+{
+	return {ErrorKind::output, fmt::format("{}: is there already; move it away, or choose another name", folder)};
+}
+
 Result<FileSet> FileSet::create(const std::string& path)
 {
 	if (Status free = checkWritable(path); !free)
@@ -36,28 +39,25 @@ Result<FileSet> FileSet::create(const std::string& path)
 	FileSet set;
 	set.path_ = path;
 	set.folder_ = std::move(*folder);
-	std::string staging = nearestFolder(path) + "/.vprobe-XXXXXX";
-	if (!mkdtemp(staging.data()))
-		return Error{ErrorKind::output, fmt::format("{}: no folder can be made beside it; choose another place", path)};
-	set.staging_ = staging;
+	Result<OwnFolder> staging = OwnFolder::besideFile(path);
+	if (!staging)
+		return staging.error();
+	set.staging_.emplace(std::move(*staging));
 	return set;
 }
 
 FileSet::FileSet(FileSet&& other) noexcept
-    : path_(std::move(other.path_)), folder_(std::move(other.folder_)), staging_(std::exchange(other.staging_, {})),
-      members_(std::move(other.members_)), moved_(std::move(other.moved_)), made_folder_(other.made_folder_),
-      done_(other.done_)
+    : path_(std::move(other.path_)), folder_(std::move(other.folder_)), staging_(std::move(other.staging_)),
+      members_(std::move(other.members_)), moved_(std::exchange(other.moved_, {})),
+      made_folder_(std::exchange(other.made_folder_, false)), done_(other.done_)
 {
 }
 
 FileSet::~FileSet()
 {
-	if (staging_.empty())
+	if (!staging_ || done_)
 		return;
 	std::error_code ignored;
-	fs::remove_all(staging_, ignored);
-	if (done_)
-		return;
 	for (const std::string& file : moved_)
 		fs::remove(file, ignored);
 	if (made_folder_)
@@ -67,21 +67,26 @@ FileSet::~FileSet()
 FileSet::Member FileSet::add(const std::string& name)
 {
 	members_.push_back(name);
-	return {staging_ + "/" + name, fs::path(folder_).filename().string() + "/" + name};
+	return {folder() + "/" + name, fs::path(folder_).filename().string() + "/" + name};
 }
 
-Status FileSet::moveMembers()
+Status FileSet::moveMembers(bool needs_new_folder)
 {
+	for (const std::string& name : members_) // before anything is moved
+		if (Status free = refuseInput(folder_ + "/" + name); !free)
+			return free;
 	std::error_code failed;
 	fs::create_directories(fs::path(folder_).parent_path(), failed);
 	made_folder_ = fs::create_directory(folder_, failed);
+	if (needs_new_folder && !failed && !made_folder_)
+		return folderIsThere(folder_);
 	for (const std::string& name : members_)
 	{
 		const std::string target = folder_ + "/" + name;
 		std::error_code unknown;
-		const bool fresh = !fs::exists(target, unknown);
+		const bool fresh = !fs::exists(fs::symlink_status(target, unknown));
 		if (!failed)
-			fs::rename(staging_ + "/" + name, target, failed);
+			fs::rename(folder() + "/" + name, target, failed);
 		if (failed)
 			return Error{ErrorKind::output,
 			             fmt::format("{}: cannot be written: {}; choose another name", target, failed.message())};
@@ -91,13 +96,13 @@ Status FileSet::moveMembers()
 	return Nothing{};
 }
 
-Status FileSet::commit(const std::string& text)
+Status FileSet::commit(const std::string& text, bool needs_new_folder)
 {
 	Result<AtomicFile> file = AtomicFile::create(path_);
 	if (!file)
 		return file.error();
 	file->write(text);
-	if (Status moved = moveMembers(); !moved)
+	if (Status moved = moveMembers(needs_new_folder); !moved)
 		return moved;
 	Status written = file->commit();
 	done_ = static_cast<bool>(written);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "base/result.h"
+#include "write/own_folder.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,9 @@ namespace vp::write
 
 // The folder of the parts of a file that names others: of its stem, beside it. Returns an error if a file is there.
 Result<std::string> folderOfParts(const std::string& path);
+
+// The error where that folder is there and may not be.
+Error folderIsThere(const std::string& folder);
 
 // A file and others that it names, which lie in a folder of its stem beside it: out.vtm and out/0.vtp. They appear
 // together or not at all: until commit() the others are written into a folder of a name no one has. What the stem's
@@ -28,16 +33,19 @@ public:
 		std::string name;     // for the file that names it: relative to that one's folder
 	};
 	Member add(const std::string& name);
+	// Where the members are until commit().
+	std::string folder() const { return staging_->path(); }
 
-	Status commit(const std::string& text); // of the file that names the others
+	// text: of the file that names the others. needs_new_folder: the folder of the stem may not be there.
+	Status commit(const std::string& text, bool needs_new_folder = false);
 
 private:
 	FileSet() = default;
-	Status moveMembers();
+	Status moveMembers(bool needs_new_folder);
 
 	std::string path_;
 	std::string folder_; // of the stem
-	std::string staging_;
+	std::optional<OwnFolder> staging_;
 	std::vector<std::string> members_;
 	std::vector<std::string> moved_; // to where nothing was before; undone if the last step fails
 	bool made_folder_ = false;

@@ -157,6 +157,32 @@ TEST_F(Output, StandardOutputIsFull)
 	EXPECT_TRUE(isError(run({"info", "demo:shell:4", "--json"}, {.standard_output = "/dev/full"}), 4, {}));
 }
 
+// A closed stream is taken by no file, and ends nothing.
+TEST_F(Output, StandardOutputIsClosed)
+{
+	const Surroundings closed{.closed = {1}};
+	EXPECT_TRUE(isError(slice({}, closed), 4, {"standard output"}));
+	EXPECT_TRUE(isError(run({"info", "demo:shell:4"}, closed), 4, {"standard output"}));
+	EXPECT_TRUE(isError(run({"--help"}, closed), 4, {"standard output"}));
+	EXPECT_TRUE(isError(run({"--version"}, {.standard_output = "/dev/full"}), 4, {"standard output"}));
+	EXPECT_TRUE(isQuiet(slice({"-o", path("out.vtp")}, {.closed = {0, 1, 2}})));
+	expectWholeVtp(contents(path("out.vtp")), sheet());
+}
+
+// A line that cannot be written changes neither the exit code nor what is done after it.
+TEST_F(Output, LinesCannotBeWritten)
+{
+	const Arguments nothing_cut = {"slice", "demo:shell:4", "--origin", "99", "0", "0", "-o", path("out.csv")};
+	for (const Surroundings& without : {Surroundings{.standard_error = "/dev/full"}, Surroundings{.closed = {2}}})
+	{
+		EXPECT_EQ(run({"info", path("none.vtu")}, without).status, 2);
+		EXPECT_EQ(run({"info", "--none"}, without).status, 1);
+		EXPECT_EQ(run(nothing_cut, without).status, 0);
+		EXPECT_EQ(files(), Arguments{"out.csv"});
+		std::filesystem::remove(path("out.csv"));
+	}
+}
+
 TEST_F(Output, StatsToAFullDevice)
 {
 	EXPECT_TRUE(isError(slice({"--stats", "/dev/full"}), 4, {"/dev/full"}));

@@ -42,7 +42,9 @@ void redirect(int descriptor, const std::string& file)
 	const int input = open(surroundings.standard_input.c_str(), O_RDONLY);
 	dup2(input, STDIN_FILENO);
 	redirect(STDOUT_FILENO, out);
-	redirect(STDERR_FILENO, err);
+	redirect(STDERR_FILENO, surroundings.standard_error.empty() ? err : surroundings.standard_error);
+	for (const int stream : surroundings.closed)
+		close(stream);
 	for (const auto& [name, value] : surroundings.environment)
 		setenv(name.c_str(), value.c_str(), 1);
 	if (surroundings.file_size_limit)
@@ -123,7 +125,8 @@ Outcome Program::outcomeOf(int process, const Surroundings& surroundings) const
 	outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 	if (surroundings.standard_output.empty())
 		outcome.out = contents(caught_ / "out");
-	outcome.err = contents(caught_ / "err");
+	if (surroundings.standard_error.empty())
+		outcome.err = contents(caught_ / "err");
 	return outcome;
 }
 

@@ -19,7 +19,9 @@ struct Surroundings
 {
 	std::map<std::string, std::string> environment{}; // set on top of ours
 	std::string standard_output{};                    // a file to write to instead of being caught
+	std::string standard_error{};                     // likewise
 	std::string standard_input{"/dev/null"};          // a file to read from
+	std::vector<int> closed{};                        // of the three streams
 	std::string folder{};                             // where it runs; empty: where the test does
 	long file_size_limit = 0; // bytes any file may grow to; 0: as it pleases. Stands for a full disk
 };

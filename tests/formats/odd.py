@@ -247,5 +247,64 @@ def metaimage_longs(folder):
         raise AssertionError('MET_LONG_LONG is read')
 
 
-CASES = [metaimage_longs, exodus_by_meshio, exodus_without_values, numpy_types, netcdf_sides, xdmf_types, vtk_images, vtk_without_cells,
-         gmsh_comments, wedges, tiff_orders, other_codes]
+def half_floats(folder):
+    tifffile, numpy = need('tifffile'), need('numpy')
+    tifffile.imwrite(folder / 'half.tif', lattice(numpy).astype('f2'))
+    refused(folder / 'half.tif', 'floats of 16 bits', 'save it with floats of 32 bits')
+
+
+def kinds_of_vtkhdf(folder):
+    h5py, numpy = need('h5py'), need('numpy')
+    for kind, remedy in (('OverlappingAMR', '.vthb'), ('MultiBlockDataSet', '.vtm'), ('HyperTreeGrid', '.htg'),
+                         ('PolyData', 'nothing to slice')):
+        for text in (numpy.bytes_(kind), kind):  # a text of one length, and one of any length
+            with h5py.File(folder / 'kind.vtkhdf', 'w') as file:
+                group = file.create_group('VTKHDF')
+                group.attrs['Version'] = [2, 0]
+                group.attrs['Type'] = text
+            refused(folder / 'kind.vtkhdf', kind, remedy)
+
+
+def cgns_of_faces(folder):
+    """A cube whose cell is told by the two sides of its faces alone."""
+    h5py, numpy = need('h5py'), need('numpy')
+    codes = {'i4': b'I4', 'f4': b'R4', 'f8': b'R8', 'i1': b'C1'}
+
+    def node(parent, name, label, data=None):
+        group = parent.create_group(name) if name else parent
+        for key, value, length in (('name', name or 'HDF5 MotherNode', 33), ('label', label, 33)):
+            group.attrs.create(key, numpy.bytes_(value.encode().ljust(length, b'\0')), dtype=f'S{length}')
+        kind = b'MT'
+        if data is not None:
+            array = numpy.asarray(data)
+            group.create_dataset(' data', data=array)
+            kind = codes[array.dtype.str[1:]]
+        group.attrs.create('type', numpy.bytes_(kind + b'\0'), dtype='S3')
+        return group
+
+    def text(words):
+        return numpy.frombuffer(words.encode(), 'i1')
+
+    with h5py.File(folder / 'faces.cgns', 'w') as file:
+        root = node(file, '', 'Root Node of HDF5 File')
+        root.create_dataset(' format', data=text('IEEE_LITTLE_32\0'))
+        root.create_dataset(' hdf5version', data=text('HDF5 Version 1.10.8'.ljust(33, '\0')))
+        node(root, 'CGNSLibraryVersion', 'CGNSLibraryVersion_t', numpy.array([3.3], 'f4'))
+        base = node(root, 'Base', 'CGNSBase_t', numpy.array([3, 3], 'i4'))
+        zone = node(base, 'Zone', 'Zone_t', numpy.array([[8], [1], [0]], 'i4'))
+        node(zone, 'ZoneType', 'ZoneType_t', text('Unstructured'))
+        places = node(zone, 'GridCoordinates', 'GridCoordinates_t')
+        for axis, name in enumerate('XYZ'):
+            node(places, f'Coordinate{name}', 'DataArray_t',
+                 numpy.array([float(point >> axis & 1) for point in range(8)], 'f8'))
+        faces = [(1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)]
+        section = node(zone, 'Faces', 'Elements_t', numpy.array([22, 0], 'i4'))
+        node(section, 'ElementRange', 'IndexRange_t', numpy.array([1, 6], 'i4'))
+        node(section, 'ElementConnectivity', 'DataArray_t',
+             numpy.array([number for face in faces for number in (4, *face)], 'i4'))
+        node(section, 'ParentElements', 'DataArray_t', numpy.array([[1] * 6, [0] * 6], 'i4'))
+    refused(folder / 'faces.cgns', 'ParentElements', 'NFACE_n')
+
+
+CASES = [metaimage_longs, exodus_by_meshio, exodus_without_values, numpy_types, netcdf_sides, xdmf_types, vtk_images,
+         vtk_without_cells, gmsh_comments, wedges, tiff_orders, other_codes, half_floats, kinds_of_vtkhdf, cgns_of_faces]

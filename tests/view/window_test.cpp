@@ -144,6 +144,40 @@ TEST_F(WindowOfTheDesktop, SavesPictureAndPolygons)
 	close();
 }
 
+TEST_F(WindowOfTheDesktop, FinishesItsFilesBeforeItCloses)
+{
+	open({"demo:shell:16", "--normal", "z"});
+	for (const char* name : {"a.png", "b.png"})
+		command("save-picture 320 200 " + path(name));
+	command("save-slice " + path("cut.vtp"));
+	close();
+	for (const char* name : {"a.png", "b.png"})
+		EXPECT_EQ(sizeOfPng(path(name)), glm::ivec2(320, 200)) << name;
+	EXPECT_TRUE(cli::contents(path("cut.vtp")).ends_with("</VTKFile>\n"));
+}
+
+TEST_F(WindowOfTheDesktop, AFileThatFailsAsItClosesDecidesTheExitCode)
+{
+	open({"demo:shell:16", "--normal", "z"});
+	command("save-slice /dev/null/cut.vtp");
+	command("save-picture 320 200 " + path("a.png"));
+	command("quit");
+	EXPECT_EQ(program().waitFor(kPatience), 4);
+	EXPECT_TRUE(cli::contains(err(), "/dev/null/cut.vtp: cannot be written")) << err();
+	EXPECT_EQ(sizeOfPng(path("a.png")), glm::ivec2(320, 200));
+}
+
+TEST_F(WindowOfTheDesktop, FinishesItsFilesWhenItIsAskedToEnd)
+{
+	open({"demo:shell:16", "--normal", "z"});
+	command("save-slice " + path("cut.vtp"));
+	state(); // so the line before it was heard
+	program().interrupt(SIGTERM);
+	EXPECT_EQ(program().waitFor(kPatience), 130);
+	EXPECT_EQ(err(), "");
+	EXPECT_TRUE(cli::contents(path("cut.vtp")).ends_with("</VTKFile>\n"));
+}
+
 TEST_F(WindowOfTheDesktop, ClosesWhenTheDesktopWishesSo)
 {
 	open({"demo:shell:16"});

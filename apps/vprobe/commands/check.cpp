@@ -2,6 +2,7 @@
 #include "cut/integrity.h"
 #include "grid/check/quality.h"
 #include "options/spec_options.h"
+#include "report/console.h"
 #include "session/session.h"
 #include "view/validate.h"
 #include "write/marked_cells.h"
@@ -161,11 +162,11 @@ void printFindings(const grid::BlockSet& blocks, const std::vector<Finding>& fin
 		if (!cells.empty())
 			cells = fmt::format("; {}{}{}", several ? "block:cell" : "cells", cells,
 			                    finding.cells.size() > kCellsTold ? " ..." : "");
-		fmt::print("{:<6} {:>9}  {:<18} {}{}\n", finding.fault ? "fault" : "note", finding.count, finding.key,
-		           finding.about, cells);
+		print("{:<6} {:>9}  {:<18} {}{}\n", finding.fault ? "fault" : "note", finding.count, finding.key, finding.about,
+		      cells);
 	}
-	fmt::print("{} in {} cells; {} planes swept, {} cells looked at for overlaps\n",
-	           isClean(findings) ? "no fault" : "faults", blocks.cellCount(), sweep.planes, overlap_samples);
+	print("{} in {} cells; {} planes swept, {} cells looked at for overlaps\n",
+	      isClean(findings) ? "no fault" : "faults", blocks.cellCount(), sweep.planes, overlap_samples);
 }
 
 Result<ExitCode> runCheck(const CheckOptions& options)
@@ -200,8 +201,8 @@ Result<ExitCode> runCheck(const CheckOptions& options)
 			return written.error();
 	}
 	if (options.json)
-		fmt::print("{}\n", findingsJson(session.blocks, findings, *sweep, quality.overlap_samples)
-		                       .dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
+		print("{}\n", findingsJson(session.blocks, findings, *sweep, quality.overlap_samples)
+		                  .dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
 	else if (options.output != "-")
 		printFindings(session.blocks, findings, *sweep, quality.overlap_samples);
 	return isClean(findings) ? ExitCode::done : ExitCode::findings;

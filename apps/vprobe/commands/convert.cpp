@@ -1,12 +1,20 @@
 #include "read/convert.h"
 #include "commands/commands.h"
+#include "interrupt.h"
 #include "options/spec_options.h"
 #include "session/session.h"
 #include "write/atomic_file.h"
+#include "write/file_set.h"
+#include "write/own_folder.h"
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
+
+namespace fs = std::filesystem;
 
 namespace vp::app
 {
@@ -21,6 +29,45 @@ struct ConvertOptions
 	std::string output;
 };
 
+Status convertToFile(const std::string& input, const read::ReadOptions& reading, const std::string& output)
+{
+	Result<write::AtomicFile> out = write::AtomicFile::create(output);
+	if (!out)
+		return out.error();
+	if (out->beside().empty())
+		return Error{ErrorKind::usage, fmt::format("-o {}: a device or pipe; name a file", output)};
+	const Result<write::OwnFolder> folder = write::OwnFolder::besideFile(output);
+	if (!folder)
+		return folder.error();
+	if (Status done = read::convert(input, reading, output, folder->path()); !done)
+		return done;
+	if (Status taken = out->take((fs::path(folder->path()) / fs::path(output).filename()).string()); !taken)
+		return taken;
+	return out->commit();
+}
+
+// An index and its pieces.
+Status convertToSet(const std::string& input, const read::ReadOptions& reading, const std::string& output)
+{
+	std::error_code unknown;
+	const fs::path pieces = fs::path(output).parent_path() / fs::path(output).stem();
+	if (fs::exists(fs::symlink_status(pieces, unknown)))
+		return write::folderIsThere(pieces.string());
+	Result<write::FileSet> set = write::FileSet::create(output);
+	if (!set)
+		return set.error();
+	if (Status done = read::convert(input, reading, output, set->folder()); !done)
+		return done;
+	const DeferredInterrupt writing; // the files appear together
+	std::string index;
+	for (const fs::directory_entry& file : fs::directory_iterator(set->folder(), unknown))
+		if (file.path().filename() != fs::path(output).filename())
+			set->add(file.path().filename().string());
+		else if (std::ifstream text(file.path(), std::ios::binary); text)
+			index.assign(std::istreambuf_iterator<char>(text), {});
+	return set->commit(index, true);
+}
+
 Result<ExitCode> runConvert(const ConvertOptions& options)
 {
 	if (Status ready = prepare(options.input); !ready)
@@ -34,19 +81,13 @@ Result<ExitCode> runConvert(const ConvertOptions& options)
 	if (!read::canConvertTo(options.output))
 		return Error{ErrorKind::usage,
 		             fmt::format("-o {}: is written as one of {}", options.output, read::kConvertEndings)};
-	Result<write::AtomicFile> out = write::AtomicFile::create(options.output);
-	if (!out)
-		return out.error();
-	if (out->beside().empty())
-		return Error{ErrorKind::usage, fmt::format("-o {}: a device or pipe; name a file", options.output)};
 	read::ReadOptions reading = session::readOptions(options.input.spec, input.time);
 	if (!options.arrays.empty())
 		reading.arrays = {.all = false, .names = options.arrays};
-	if (Status done = read::convert(input.files[0], reading, options.output, out->beside()); !done)
-		return done.error();
-	if (Status done = out->commit(); !done)
-		return done.error();
-	return ExitCode::done;
+	const bool is_index = fs::path(options.output).extension() == ".vtm";
+	const Status done = is_index ? convertToSet(input.files[0], reading, options.output)
+	                             : convertToFile(input.files[0], reading, options.output);
+	return done ? Result<ExitCode>(ExitCode::done) : done.error();
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "options/spec_options.h"
 #include "read/formats.h"
 #include "read/read.h"
+#include "report/console.h"
 #include "session/session.h"
 
 #include <fmt/format.h>
@@ -145,7 +146,7 @@ constexpr std::size_t kMaxPrinted = 12;
 void printMore(std::size_t all)
 {
 	if (all > kMaxPrinted)
-		fmt::print("        and {} more; --json lists all\n", all - kMaxPrinted);
+		print("        and {} more; --json lists all\n", all - kMaxPrinted);
 }
 
 void printBlocks(const grid::BlockSet& blocks)
@@ -153,8 +154,8 @@ void printBlocks(const grid::BlockSet& blocks)
 	if (blocks.blocks.size() == 1)
 		return;
 	for (std::size_t b = 0; b < std::min(kMaxPrinted, blocks.blocks.size()); ++b)
-		fmt::print("block   {}: {}, {} cells\n", b, blocks.blocks[b].name,
-		           std::visit([](const auto& grid) { return grid.cellCount(); }, blocks.blocks[b].grid));
+		print("block   {}: {}, {} cells\n", b, blocks.blocks[b].name,
+		      std::visit([](const auto& grid) { return grid.cellCount(); }, blocks.blocks[b].grid));
 	printMore(blocks.blocks.size());
 }
 
@@ -162,47 +163,46 @@ void printMeetings(const grid::BlockSet& blocks)
 {
 	const grid::Interfaces& seams = blocks.interfaces;
 	if (seams.seam_faces)
-		fmt::print("seams   {} boundary faces lie on another, in {} interface{}; {} bound the domain\n",
-		           seams.seam_faces, seams.interfaces.size(), seams.interfaces.size() == 1 ? "" : "s",
-		           seams.boundary_faces);
+		print("seams   {} boundary faces lie on another, in {} interface{}; {} bound the domain\n", seams.seam_faces,
+		      seams.interfaces.size(), seams.interfaces.size() == 1 ? "" : "s", seams.boundary_faces);
 	for (std::size_t i = 0; i < std::min(kMaxPrinted, seams.interfaces.size()); ++i)
 	{
 		const grid::Interface& interface = seams.interfaces[i];
 		const std::string meets = interface.a == interface.b ? "itself" : fmt::format("block {}", interface.b);
-		fmt::print("        block {} meets {} in {} faces\n", interface.a, meets, interface.faces);
+		print("        block {} meets {} in {} faces\n", interface.a, meets, interface.faces);
 	}
 	printMore(seams.interfaces.size());
 	const auto& [overlaps, near, looked_at] = grid::findBlockOverlaps(blocks);
 	if (looked_at < near)
-		fmt::print("overlap {} of {} pairs of blocks near each other were looked at\n", looked_at, near);
+		print("overlap {} of {} pairs of blocks near each other were looked at\n", looked_at, near);
 	for (std::size_t i = 0; i < std::min(kMaxPrinted, overlaps.size()); ++i)
-		fmt::print("overlap blocks {} and {} have room in common: {} of {} cells looked at\n", overlaps[i].a,
-		           overlaps[i].b, overlaps[i].cells, overlaps[i].samples);
+		print("overlap blocks {} and {} have room in common: {} of {} cells looked at\n", overlaps[i].a, overlaps[i].b,
+		      overlaps[i].cells, overlaps[i].samples);
 	printMore(overlaps.size());
 }
 
 void printInfo(const grid::BlockSet& blocks)
 {
 	const Box bounds = blocks.bounds();
-	fmt::print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.sourceCellCount(),
-	           blocks.sourcePointCount(), blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
+	print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.sourceCellCount(),
+	      blocks.sourcePointCount(), blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
 	if (blocks.cellCount() != blocks.sourceCellCount())
-		fmt::print("        cut into {} linear cells with {} points\n", blocks.cellCount(), blocks.pointCount());
+		print("        cut into {} linear cells with {} points\n", blocks.cellCount(), blocks.pointCount());
 	if (blocks.left_out)
-		fmt::print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
+		print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
 	printBlocks(blocks);
 	printMeetings(blocks);
-	fmt::print("bounds  x {}, y {}, z {}\n", rangeWords(bounds.lo.x, bounds.hi.x), rangeWords(bounds.lo.y, bounds.hi.y),
-	           rangeWords(bounds.lo.z, bounds.hi.z));
+	print("bounds  x {}, y {}, z {}\n", rangeWords(bounds.lo.x, bounds.hi.x), rangeWords(bounds.lo.y, bounds.hi.y),
+	      rangeWords(bounds.lo.z, bounds.hi.z));
 	if (!blocks.times.empty())
-		fmt::print("times   {}: {}\n", blocks.times.size(), timesAsWords(blocks.times));
+		print("times   {}: {}\n", blocks.times.size(), timesAsWords(blocks.times));
 	const auto arrays = listArrays(blocks);
 	if (arrays.empty())
-		fmt::print("arrays  none\n");
+		print("arrays  none\n");
 	for (const auto& [field, range] : arrays)
-		fmt::print("array   {}:{}  {} x {}, {}{}\n", grid::associationName(field->association), field->name,
-		           field->components, grid::numberTypeName(field->type), field->components == 1 ? "" : "magnitude ",
-		           range.empty() ? "no finite value" : rangeWords(range.lo, range.hi, digitsOf(field->type)));
+		print("array   {}:{}  {} x {}, {}{}\n", grid::associationName(field->association), field->name,
+		      field->components, grid::numberTypeName(field->type), field->components == 1 ? "" : "magnitude ",
+		      range.empty() ? "no finite value" : rangeWords(range.lo, range.hi, digitsOf(field->type)));
 }
 
 void listFormats(bool as_json)
@@ -216,11 +216,10 @@ void listFormats(bool as_json)
 			                {"read", format.read},
 			                {"by", format.by}});
 		else
-			fmt::print("{:<13} {}\n{:13} {}\n{:13} read: {}; by {}\n", format.name,
-			           format.endings.empty() ? "any ending" : format.endings, "", format.what, "", format.read,
-			           format.by);
+			print("{:<13} {}\n{:13} {}\n{:13} read: {}; by {}\n", format.name,
+			      format.endings.empty() ? "any ending" : format.endings, "", format.what, "", format.read, format.by);
 	if (as_json)
-		fmt::print("{}\n", list.dump(1, '\t'));
+		print("{}\n", list.dump(1, '\t'));
 }
 
 Result<ExitCode> runInfo(const InfoOptions& options)
@@ -236,7 +235,7 @@ Result<ExitCode> runInfo(const InfoOptions& options)
 	if (input.files.size() == 1 && input.files.front() == "demo:")
 	{
 		for (const grid::Demo& demo : grid::demos())
-			fmt::print("demo:{:<8} {}\n", demo.name, demo.about);
+			print("demo:{:<8} {}\n", demo.name, demo.about);
 		return ExitCode::done;
 	}
 	Result<grid::BlockSet> blocks =
@@ -244,7 +243,7 @@ Result<ExitCode> runInfo(const InfoOptions& options)
 	if (!blocks)
 		return blocks.error();
 	if (options.json)
-		fmt::print("{}\n", infoJson(*blocks).dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
+		print("{}\n", infoJson(*blocks).dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
 	else
 		printInfo(*blocks);
 	return ExitCode::done;

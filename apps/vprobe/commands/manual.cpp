@@ -1,6 +1,7 @@
 #include "report/manual.h"
 #include "commands/commands.h"
 #include "read/read.h"
+#include "report/console.h"
 #include "write/atomic_file.h"
 
 #include <fmt/format.h>
@@ -53,7 +54,7 @@ Status printArrays(const std::string& input)
 		for (const grid::Field& field : block.fields)
 			names.insert(field.name);
 	for (const std::string& name : names)
-		fmt::print("{}\n", name);
+		print("{}\n", name);
 	return Nothing{};
 }
 
@@ -63,7 +64,7 @@ Result<ExitCode> runManual(const ManualOptions& options)
 		if (Status written = writePages(*options.program, options.pages); !written)
 			return written.error();
 	if (!options.shell.empty())
-		fmt::print("{}", options.shell == "bash" ? bashCompletion(*options.program) : zshCompletion(*options.program));
+		print("{}", options.shell == "bash" ? bashCompletion(*options.program) : zshCompletion(*options.program));
 	if (!options.input.empty())
 		if (Status printed = printArrays(options.input); !printed)
 			return printed.error();

@@ -3,6 +3,7 @@
 #include "commands/commands.h"
 #include "options/spec_options.h"
 #include "options/trace_option.h"
+#include "report/console.h"
 #include "report/explain.h"
 #include "report/profile_compare.h"
 #include "report/profile_report.h"
@@ -61,7 +62,7 @@ Result<ExitCode> runCompare(const ProfileOptions& options, const CLI::App& comma
 	Result<nlohmann::json> b = readProfile(options.compare[1]);
 	if (!b)
 		return b.error();
-	fmt::print("{}", compareProfiles(*a, *b, options.compare[0], options.compare[1]));
+	print("{}", compareProfiles(*a, *b, options.compare[0], options.compare[1]));
 	return ExitCode::done;
 }
 
@@ -184,7 +185,7 @@ Status report(const ProfileOptions& options, const Profile& profile, std::option
 		warn("{} of {} planes are empty: the probe misses the grid there", document["empty_planes"].get<int>(),
 		     document["planes"].get<int>());
 	if (options.json != "-" && options.trace != "-")
-		fmt::print("{}", profileTable(document));
+		print("{}", profileTable(document));
 	if (Status written = writeJson(options.json, document); !written)
 		return written;
 	if (trace)

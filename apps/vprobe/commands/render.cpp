@@ -1,5 +1,6 @@
 #include "commands/commands.h"
 #include "options/spec_options.h"
+#include "report/console.h"
 #include "report/explain.h"
 #include "report/stats_json.h"
 #include "report/vectors_out.h"
@@ -109,7 +110,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (Status written = isFirst() ? write::writePng(*picture, options.output) : Nothing{}; !written)
 		return written.error();
 	if (tells_place && isFirst())
-		fmt::print("{}\n", options.output);
+		print("{}\n", options.output);
 	if (Status written = writeVectors(session, frame->sheets, options.vectors_out); !written)
 		return written.error();
 	if (Status saved = saveSpec(options.common); !saved)

@@ -1,6 +1,7 @@
 #include "commands/commands.h"
 #include "interrupt.h"
 #include "options/spec_options.h"
+#include "report/console.h"
 #include "report/explain.h"
 #include "report/stats_json.h"
 #include "report/team_slice.h"
@@ -189,7 +190,7 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 	{
 		const std::string table = statsTable(session, *frame);
 		if (isFirst())
-			fmt::print("{}", table);
+			print("{}", table);
 	}
 	if (Status saved = saveSpec(options.common); !saved)
 		return saved.error();

@@ -158,6 +158,8 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	if (!opened)
 		return opened.error();
 	session::Session& session = **opened;
+	if (Status free = frames->refuseInputs(*count); !free)
+		return free.error();
 	Result<std::unique_ptr<SweepProducts>> products =
 	    productsOf(options, session, std::move(*look), std::move(*frames));
 	if (!products)

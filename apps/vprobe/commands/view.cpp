@@ -1,6 +1,7 @@
 #include "commands/commands.h"
 #include "interact/bindings.h"
 #include "options/spec_options.h"
+#include "report/console.h"
 #include "report/stats_json.h"
 #include "view/resolve.h"
 #include "view/state_file.h"
@@ -29,7 +30,7 @@ Result<ExitCode> runView(const ViewOptions& options)
 {
 	if (options.list_bindings)
 	{
-		fmt::print("{}", interact::bindingsText());
+		print("{}", interact::bindingsText());
 		return ExitCode::done;
 	}
 	const view::ViewSpec& spec = options.common.spec;

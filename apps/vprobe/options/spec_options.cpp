@@ -1,7 +1,7 @@
 #include "options/spec_options.h"
 
+#include "base/input_files.h"
 #include "team.h"
-
 #include "view/state_file.h"
 #include "view/validate.h"
 #include "write/atomic_file.h"
@@ -41,6 +41,10 @@ Status prepare(const SpecOptions& options)
 		return *options.wrong;
 	if (options.spec.input.files.empty())
 		return Error{ErrorKind::usage, "INPUT is required: name a file, demo:NAME or --state FILE; see vprobe --help"};
+	// Outputs are checked from now on, long before the files are read.
+	for (const std::string& file : options.spec.input.files)
+		noteInput(file);
+	noteInput(options.spec.input.solution);
 	if (options.save == "-")
 		return Error{ErrorKind::usage,
 		             "--save -: a state names files relative to its own place; give it a file's name"};

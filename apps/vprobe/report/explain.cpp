@@ -1,4 +1,5 @@
 #include "report/explain.h"
+#include "report/console.h"
 #include "session/share.h"
 #include "session/team.h"
 #include "team.h"
@@ -33,7 +34,7 @@ void printTitled(session::Team* team, const std::string& title, const std::strin
 {
 	if (!team)
 	{
-		fmt::print("{}{}", title, lines);
+		print("{}{}", title, lines);
 		return;
 	}
 	session::MessageWriter message;
@@ -41,12 +42,12 @@ void printTitled(session::Team* team, const std::string& title, const std::strin
 	const std::vector<session::Bytes> of_all = team->gatherAll(message.take());
 	if (!team->isFirst())
 		return;
-	fmt::print(" rank  {}", title);
+	print(" rank  {}", title);
 	for (std::size_t rank = 0; rank < of_all.size(); ++rank)
 	{
 		std::istringstream lines_of(session::MessageReader(of_all[rank]).getText());
 		for (std::string line; std::getline(lines_of, line);)
-			fmt::print("{:>5}  {}\n", rank, line);
+			print("{:>5}  {}\n", rank, line);
 	}
 }
 

@@ -33,6 +33,14 @@ Result<Frames> Frames::create(const FramePlaces& places, std::uint32_t width, st
 	return frames;
 }
 
+Status Frames::refuseInputs(int count) const
+{
+	for (int frame = 0; names_ && frame < count; ++frame)
+		if (Status free = write::refuseInput(names_->of(frame)); !free)
+			return free;
+	return Nothing{};
+}
+
 bool Frames::has(int frame) const
 {
 	return places_.resume && !wantsExposure() && names_ && std::filesystem::exists(names_->of(frame));

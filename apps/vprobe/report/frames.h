@@ -32,6 +32,8 @@ public:
 	static Result<Frames> create(const FramePlaces& places, std::uint32_t width, std::uint32_t height,
 	                             double per_second);
 
+	// Checks that no picture takes the place of a file that was read. Call it when all inputs are read.
+	Status refuseInputs(int count) const;
 	// Returns true if the frame need not be drawn. An exposure needs every frame.
 	bool has(int frame) const;
 	Status add(int frame, const render::Picture& picture);

@@ -1,5 +1,7 @@
 #include "report/profile_compare.h"
 
+#include "base/input_files.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -173,6 +175,7 @@ Result<json> readProfile(const std::string& file)
 	std::error_code failed;
 	if (const std::uintmax_t bytes = std::filesystem::file_size(file, failed); !failed && bytes > kMaxBytes)
 		return unusable("is larger than any profile");
+	noteInput(file);
 	std::ifstream stream(file, std::ios::binary);
 	if (!stream || std::filesystem::is_directory(file, failed))
 		return unusable("cannot be read");

@@ -1,8 +1,9 @@
 #include "report/progress_line.h"
 
+#include "report/console.h"
+
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <unistd.h>
 
 namespace vp::app
@@ -49,7 +50,7 @@ void ProgressLine::show()
 		const auto elapsed = std::chrono::steady_clock::now() - since_;
 		if (!what_.empty() && elapsed >= 500ms)
 		{
-			fmt::print(stderr, "\r\033[K{} … {:.0f} s", what_, std::chrono::duration<double>(elapsed).count());
+			printError(fmt::format("\r\033[K{} … {:.0f} s", what_, std::chrono::duration<double>(elapsed).count()));
 			shown_ = true;
 		}
 		changed_.wait_for(lock, 500ms);
@@ -60,7 +61,7 @@ void ProgressLine::show()
 void ProgressLine::wipe()
 {
 	if (shown_)
-		fmt::print(stderr, "\r\033[K");
+		printError("\r\033[K");
 	shown_ = false;
 }
 

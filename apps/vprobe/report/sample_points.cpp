@@ -1,5 +1,7 @@
 #include "report/sample_points.h"
 
+#include "base/input_files.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,6 +83,7 @@ Result<std::vector<Vec3>> readPoints(const std::string& path)
 {
 	if (path == "-")
 		return parsePoints(std::cin, "standard input");
+	noteInput(path);
 	std::ifstream file(path);
 	if (!file)
 		return Error{ErrorKind::input, fmt::format("{}: cannot be opened; name a text file of points", path)};

@@ -30,9 +30,11 @@ Result<ExitCode> writeStats(const std::string& path, const std::vector<std::stri
 	}();
 	if (written)
 		return ExitCode::done;
+	// The file that was written, and not the link that led to it.
+	std::error_code unknown;
 	for (const std::string& output : outputs)
-		if (std::filesystem::is_regular_file(output))
-			std::filesystem::remove(output);
+		if (std::filesystem::is_regular_file(output, unknown))
+			std::filesystem::remove(std::filesystem::canonical(output, unknown), unknown);
 	return written.error();
 }
 

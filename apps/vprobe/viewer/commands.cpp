@@ -1,5 +1,6 @@
 #include "viewer/commands.h"
 
+#include "base/input_files.h"
 #include "report/console.h"
 #include "view/state_file.h"
 #include "write/png.h"
@@ -53,6 +54,7 @@ std::optional<int> numberOf(const std::string& word)
 
 Result<std::shared_ptr<std::FILE>> Commands::open(const std::string& file)
 {
+	noteInput(file);
 	struct stat kind = {};
 	// A FIFO that we could write to as well never comes to its end: others may come and go.
 	const bool pipe = file != "-" && stat(file.c_str(), &kind) == 0 && S_ISFIFO(kind.st_mode);

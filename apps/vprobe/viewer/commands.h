@@ -46,6 +46,8 @@ public:
 	bool run(const Stage& stage);
 	// A frame of the window is needed, whether or not anything moves.
 	bool wantsFrame() const { return captures_; }
+	// Tells what went wrong since the last look.
+	void tellErrors(const Document& document);
 
 private:
 	using Words = std::vector<std::string>;
@@ -60,7 +62,6 @@ private:
 	void take(std::string_view bytes, std::string& line);
 	std::optional<std::string> next();
 	bool isWaiting(const Stage& stage);
-	void tellErrors(const Document& document);
 
 	void waitForPicture(const Stage& stage);
 	Status carryOut(const std::string& line, const Stage& stage);

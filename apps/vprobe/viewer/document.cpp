@@ -132,6 +132,16 @@ void Document::update(PixelSize size)
 	input_.reset();
 }
 
+void Document::quit()
+{
+	constexpr std::chrono::milliseconds kKeyRepeats{500}; // a key that is held asks many times
+	const Moment now = std::chrono::steady_clock::now();
+	if (quits_ == 0)
+		first_quit_ = now;
+	if (quits_ == 0 || now - first_quit_ > kKeyRepeats)
+		++quits_;
+}
+
 void Document::setPane(PixelSize size)
 {
 	const std::optional<PaneWish> next =

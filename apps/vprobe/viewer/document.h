@@ -141,8 +141,11 @@ public:
 	// The history, as another document is to take it up. What is being loaded is its last step.
 	interact::History<view::ViewSpec> historyToKeep() const;
 	const std::optional<Error>& lostDevice() const { return lost_device_; } // the device draws no more
-	bool wantsToQuit() const { return quits_; }
-	void quit() { quits_ = true; }
+	bool wantsToQuit() const { return quits_ > 0; }
+	bool wantsToQuitAtOnce() const { return quits_ > 1; } // it was asked for again, while files were under way
+	void quit();
+	std::vector<std::string> filesUnderWay() const;                        // that are still to be written
+	const std::vector<std::string>& failures() const { return failures_; } // of writing, since it is to quit
 
 private:
 	void stateChanged();
@@ -173,7 +176,9 @@ private:
 	std::shared_ptr<const PresentedFrame> shown_;
 	NoticeList notices_;
 	std::optional<Error> lost_device_;
-	bool quits_ = false;
+	int quits_ = 0; // how often it was asked for
+	Moment first_quit_{};
+	std::vector<std::string> failures_;
 
 	std::uint64_t version_ = 1; // counts changes of everything that a picture depends on
 	std::uint64_t asked_ = 0;   // the version of the last request

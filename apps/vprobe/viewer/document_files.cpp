@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 namespace vp::app
 {
@@ -102,12 +103,13 @@ void Document::savePicture(const std::string& file, std::uint32_t width, std::ui
 {
 	FrameRequest like = frameRequest();
 	like.spec.look.size = {width, height};
+	mail_->expect(file);
 	render_thread_.order(PictureJob{like, false,
 	                                [file, mail = mail_](Result<render::Picture> picture)
 	                                {
 		                                const Status written =
 		                                    picture ? write::writePng(*picture, file) : picture.error();
-		                                mail->leave(noticeOf(written, fmt::format("Saved {}", file)));
+		                                mail->leave(file, noticeOf(written, fmt::format("Saved {}", file)));
 	                                }});
 }
 
@@ -115,22 +117,23 @@ void Document::saveSlice(const std::string& file)
 {
 	if (Result<write::SliceFormat> format = write::sliceFormatOf(file); !format)
 		return notify(format.error());
+	mail_->expect(file);
 	render_thread_.order(CutJob{frameRequest(), file, [file, mail = mail_](const Status& written) {
-		                            mail->leave(noticeOf(written, fmt::format("Saved {}", file)));
+		                            mail->leave(file, noticeOf(written, fmt::format("Saved {}", file)));
 	                            }});
 }
 
 void Document::saveTrace(const std::string& file)
 {
-	jobs_.run(
-	    [file, sections = render_thread_.sections()]() mutable
-	    {
-		    Result<write::TraceFile> trace = write::TraceFile::create(file);
-		    if (!trace)
-			    return noticeOf(trace.error(), {});
-		    trace->add(std::move(sections));
-		    return noticeOf(trace->commit(), fmt::format("Saved {}", file));
-	    });
+	jobs_.run(file,
+	          [file, sections = render_thread_.sections()]() mutable
+	          {
+		          Result<write::TraceFile> trace = write::TraceFile::create(file);
+		          if (!trace)
+			          return noticeOf(trace.error(), {});
+		          trace->add(std::move(sections));
+		          return noticeOf(trace->commit(), fmt::format("Saved {}", file));
+	          });
 }
 
 void Document::takeWritten()
@@ -138,11 +141,22 @@ void Document::takeWritten()
 	std::vector<Notice> notices = jobs_.takeDone();
 	{
 		const std::lock_guard lock(mail_->mutex);
-		notices.insert(notices.end(), mail_->notices.begin(), mail_->notices.end());
-		mail_->notices.clear();
+		std::ranges::move(mail_->take(), std::back_inserter(notices));
 	}
 	for (const Notice& notice : notices)
+	{
 		notify(notice.words, notice.is_error);
+		if (quits_ && notice.is_error)
+			failures_.push_back(notice.words);
+	}
+}
+
+std::vector<std::string> Document::filesUnderWay() const
+{
+	std::vector<std::string> files = jobs_.files();
+	const std::lock_guard lock(mail_->mutex);
+	files.insert(files.end(), mail_->files.begin(), mail_->files.end());
+	return files;
 }
 
 void Document::keepState()

@@ -23,13 +23,19 @@ public:
 	FileJobs(const FileJobs&) = delete;
 	FileJobs& operator=(const FileJobs&) = delete;
 
-	void run(std::function<Notice()> job);
+	void run(std::string file, std::function<Notice()> job);
 	std::vector<Notice> takeDone();
 	bool isIdle() const { return jobs_.empty(); }
+	std::vector<std::string> files() const; // under way
 
 private:
 	std::function<void()> wake_;
-	std::vector<std::future<Notice>> jobs_; // under way
+	struct Job
+	{
+		std::string file;
+		std::future<Notice> notice;
+	};
+	std::vector<Job> jobs_; // under way
 };
 
 } // namespace vp::app

@@ -288,24 +288,24 @@ void Playback::saveFilm(const std::string& file)
 	if (!film_)
 		return document_.notify("Record the sweep first: what is saved is its film loop", true);
 	document_.notify(fmt::format("Writing {}", file));
-	jobs_.run(
-	    [film = film_, file, per_second = document_.state().sweep.frames_per_second]
-	    {
-		    const Status written = writeFilm(*film, file, per_second);
-		    return noticeOf(written, fmt::format("Saved {}", file));
-	    });
+	jobs_.run(file,
+	          [film = film_, file, per_second = document_.state().sweep.frames_per_second]
+	          {
+		          const Status written = writeFilm(*film, file, per_second);
+		          return noticeOf(written, fmt::format("Saved {}", file));
+	          });
 }
 
 void Playback::saveExposure(const std::string& file)
 {
 	if (!exposure_)
 		return document_.notify("Record the sweep first: an exposure is made of its frames", true);
-	jobs_.run(
-	    [picture = exposure_, file]
-	    {
-		    const Status written = write::writePng(*picture, file);
-		    return noticeOf(written, fmt::format("Saved {}", file));
-	    });
+	jobs_.run(file,
+	          [picture = exposure_, file]
+	          {
+		          const Status written = write::writePng(*picture, file);
+		          return noticeOf(written, fmt::format("Saved {}", file));
+	          });
 }
 
 } // namespace vp::app

@@ -1,5 +1,7 @@
 #include "viewer/viewer.h"
 
+#include "interrupt.h"
+#include "report/console.h"
 #include "report/stats_json.h"
 #include "viewer/commands.h"
 #include "viewer/gpu_film_screen.h"
@@ -65,6 +67,8 @@ struct Lasting
 	Meter meter;
 	std::uint64_t frames = 0; // shown so far
 	std::string notice;       // what the user is told first
+	bool lost_files = false;  // a file that was to be written when the window closed is not there
+	DeferredInterrupt interrupt;
 };
 
 // The window on one device.
@@ -82,8 +86,10 @@ public:
 
 private:
 	void listen();
-	void heard(); // input came
-	void obey();  // --commands
+	void heard();  // input came
+	void obey();   // --commands
+	bool goesOn(); // false when the window is to close, and nothing is left to write
+	void tellUnsaved(const char* why);
 	Status showFrame();
 	Status followScale();
 	static void followKeyboard();
@@ -273,13 +279,53 @@ Status Viewer::showFrame()
 	return Nothing{};
 }
 
+// A wish to close comes from the window, from a key or a script, or from a signal. Files that are under way are written
+// first; a second wish does not wait for them.
+bool Viewer::goesOn()
+{
+	const bool wished = document_.wantsToQuit();
+	if (window_.closes())
+	{
+		window_.stayOpen();
+		document_.quit();
+	}
+	if (lasting_.interrupt.came() && !wished)
+	{
+		document_.keepState(); // nobody chose to end
+		document_.quit();
+	}
+	if (!document_.wantsToQuit())
+		return true;
+	const std::vector<std::string> files = document_.filesUnderWay();
+	if (files.empty() || document_.wantsToQuitAtOnce())
+		return false;
+	if (!wished)
+		document_.notify(fmt::format("Writing {}; then the window closes. Close it again to leave that out",
+		                             fmt::join(files, ", ")));
+	return true;
+}
+
+void Viewer::tellUnsaved(const char* why)
+{
+	if (!lasting_.commands) // which has told them
+		for (const std::string& line : document_.failures())
+			printLine(line);
+	const std::vector<std::string> files = document_.filesUnderWay();
+	for (const std::string& file : files)
+		printLine(fmt::format("{}: was not written: {}; save it again", file, why));
+	lasting_.lost_files |= !files.empty() || !document_.failures().empty();
+}
+
 Status Viewer::run()
 {
-	while (!window_.closes() && !document_.wantsToQuit())
+	while (goesOn())
 	{
 		noteWaking();
 		window_.hear(secondsToNextFrame());
-		obey();
+		if (!document_.wantsToQuit())
+			obey();
+		if (lasting_.commands && document_.wantsToQuit())
+			lasting_.commands->tellErrors(document_);
 		// What was heard goes to the render thread at once; the window's next frame need not be waited for.
 		document_.update({static_cast<std::uint32_t>(scene_.size.x), static_cast<std::uint32_t>(scene_.size.y)});
 		noteWaking();
@@ -296,12 +342,18 @@ Status Viewer::run()
 		const Status shown = document_.lostDevice() ? Status(*document_.lostDevice()) : showFrame();
 		if (!shown)
 		{
+			tellUnsaved("the device was lost");
+			if (document_.wantsToQuit())
+				return Nothing{};
 			document_.keepState();
 			lasting_.history = document_.historyToKeep();
 			lasting_.parts = document_.parts;
 			return shown;
 		}
 	}
+	if (lasting_.commands)
+		lasting_.commands->tellErrors(document_);
+	tellUnsaved("the window was closed before");
 	return Nothing{};
 }
 
@@ -356,7 +408,7 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 		return window.error();
 	const InterfaceContext context;
 	const WindowBackend backend(**window);
-	Lasting lasting{interact::History(options.state), {}, {}, {}, 0, {}};
+	Lasting lasting{interact::History(options.state), {}, {}, {}, 0, {}, false, {}};
 	if (commands)
 		lasting.commands.emplace(std::move(commands), Window::wake);
 	nlohmann::json figures;
@@ -382,7 +434,10 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 	}
 	nlohmann::json told = lasting.meter.json();
 	told.update(figures);
-	return writeStats(options.stats, {}, told.dump(2) + "\n");
+	const Result<ExitCode> written = writeStats(options.stats, {}, told.dump(2) + "\n");
+	if (!written || !lasting.lost_files)
+		return !written || !lasting.interrupt.came() ? written : ExitCode::interrupted;
+	return ExitCode::output;
 }
 
 } // namespace vp::app

@@ -1,5 +1,6 @@
 #include "render/color/color_map_file.h"
 
+#include "base/input_files.h"
 #include "render/color/preset.h"
 
 #include <fmt/format.h>
@@ -96,6 +97,7 @@ Result<ColorMap> readColorMap(const std::string& file, const std::string& preset
 		return badColorMap(file, "cannot be read; check the name");
 	if (size > kLargestFile)
 		return badColorMap(file, "is too large for a color map; give a JSON file of ParaView's presets");
+	noteInput(file);
 	std::ifstream stream(file, std::ios::binary);
 	const std::string text{std::istreambuf_iterator<char>(stream), {}};
 	if (!stream && text.empty())

@@ -262,6 +262,64 @@ TEST(Files, ThatClaimMoreThanFitsAreRefused)
 	EXPECT_NE(refusal(folder / "a.vtk").find("too large"), std::string::npos);
 }
 
+TEST(Cells, ThatAreAllHiddenAreNothingToSlice)
+{
+	const TemporaryFolder folder;
+	const auto grid = rowOf({VTK_HEXAHEDRON, VTK_HEXAHEDRON});
+	vtkNew<vtkUnsignedCharArray> marks;
+	marks->SetName("vtkGhostType");
+	for (int cell = 0; cell < 2; ++cell)
+		marks->InsertNextValue(32);
+	grid->GetCellData()->AddArray(marks);
+	write(folder / "a.vtu", grid);
+	EXPECT_EQ(refusal(folder / "a.vtu"),
+	          "nothing to slice: all its cells are marked as hidden or as ghosts (2); take the "
+	          "marks away to see them");
+}
+
+// One line that helps: what it is, and what makes a file of it that is read.
+TEST(Files, OfOtherProgramsNameTheRemedy)
+{
+	const TemporaryFolder folder;
+	const auto says = [&](const std::string& name, const std::string& contents, const std::string& words)
+	{
+		const std::string file = folder / name;
+		std::filesystem::create_directories(std::filesystem::path(file).parent_path());
+		writeContents(file, contents);
+		const std::string line = refusal(file);
+		EXPECT_NE(line.find(words), std::string::npos) << name << ": " << line;
+	};
+	says("a.su2", "NDIME= 3\n", "meshio convert a.su2 a.vtu");
+	says("a.bdf", "CEND\nBEGIN BULK\n", "meshio convert a.bdf a.vtu");
+	says("a.mesh", "MeshVersionFormatted 2\n", "meshio convert a.mesh a.vtu");
+	says("a.vol", "mesh3d\n", "meshio convert a.vol a.vtu");
+	says("a.inp", "*HEADING\n", "meshio convert a.inp a.vtu");
+	std::string nodes;
+	for (int node = 1; node <= 20; ++node)
+		nodes += std::to_string(node) + " 0 0 " + std::to_string(node) + "\n";
+	says("a.msh",
+	     "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n20\n" + nodes +
+	         "$EndNodes\n$Elements\n1\n1 29 2 1 1 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20\n$EndElements\n",
+	     "elements of Gmsh type 29 are of an order above 2");
+	says("case/a.foam", "", "no constant/polyMesh");
+	std::filesystem::create_directories(folder / "case/processor0/1");
+	says("case/a.foam", "", "run reconstructPar");
+}
+
+TEST(Folders, OfZarrThatAreNotReadNameTheRemedy)
+{
+	const TemporaryFolder folder;
+	for (const std::string name : {"three", "image", "array"})
+		std::filesystem::create_directories(folder / name);
+	writeContents(folder / "three/zarr.json", "{\"zarr_format\": 3}");
+	writeContents(folder / "image/.zgroup", "{\"zarr_format\": 2}");
+	writeContents(folder / "image/.zattrs", "{\"multiscales\": []}");
+	writeContents(folder / "array/.zarray", "{\"zarr_format\": 2}");
+	EXPECT_NE(refusal(folder / "three").find("write it as version 2"), std::string::npos);
+	EXPECT_NE(refusal(folder / "image").find("OME-TIFF"), std::string::npos);
+	EXPECT_NE(refusal(folder / "array").find(".zgroup"), std::string::npos);
+}
+
 TEST(Xml, PiecesThatAreMissingAreNamed)
 {
 	const TemporaryFolder folder;

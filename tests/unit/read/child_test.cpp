@@ -63,6 +63,48 @@ TEST_F(ScriptedReader, ThatCrashesIsAnInputError)
 	            input_ + ": the reader crashed (signal 6); the file is damaged or not what its ending says");
 }
 
+// The file need not be damaged, and the user must not think so.
+TEST_F(ScriptedReader, ThatIsKilledBlamesNoFile)
+{
+	expectError("kill -KILL $$", ErrorKind::internal,
+	            input_ +
+	                ": the reader was killed (signal 9), as the system does when memory runs out; free some and try "
+	                "again");
+	expectError("kill -XCPU $$", ErrorKind::internal,
+	            input_ + ": the reader was killed (signal 24), since it used up its processor time; raise that limit "
+	                     "(ulimit -t)");
+	expectError("kill -TERM $$", ErrorKind::internal,
+	            input_ + ": the reader was killed (signal 15), from outside; try again");
+	// With the piece that it told of last.
+	expectError(
+	    "echo 'vprobe-read-file: a.vti' >&2; echo 'vprobe-read-file: b.vti' >&2; kill -KILL $$", ErrorKind::internal,
+	    input_ + ": the reader was killed (signal 9) while it read b.vti, as the system does when memory runs out; "
+	             "free some and try again");
+}
+
+TEST_F(ScriptedReader, WithoutMemoryIsToldFromDamage)
+{
+	const std::string script = "echo 'vprobe-read: no memory to read it' >&2; exit 3";
+	const std::string remedy = "; make room, or raise the limits of this process (ulimit -v, -f)";
+	expectError(script, ErrorKind::out_of_memory, input_ + ": no memory to read it" + remedy);
+	expectError("echo \"terminate called after throwing 'std::bad_alloc'\" >&2; kill -ABRT $$",
+	            ErrorKind::out_of_memory, input_ + ": there was not enough memory" + remedy);
+	// The limit follows from the size of the file: it is the file that claims too much.
+	limits_.follows_size = true;
+	expectError(script, ErrorKind::input,
+	            input_ + ": truncated or damaged: it describes more than a file of its size can hold");
+}
+
+TEST_F(ScriptedReader, WithoutRoomForItsOutputNamesThat)
+{
+	ReadOptions options;
+	options.convert_to = "out.vtu";
+	const auto handed = run("echo 'vprobe-read: cannot be written: the disk is full' >&2; exit 4", options);
+	ASSERT_FALSE(handed);
+	EXPECT_EQ(handed.error().kind, ErrorKind::output);
+	EXPECT_EQ(handed.error().message, "out.vtu: cannot be written: the disk is full");
+}
+
 TEST_F(ScriptedReader, ThatHangsIsEnded)
 {
 	const std::string message = input_ + ": the reader ran over its time limit of 1 s";
@@ -117,7 +159,7 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	options.format = "raw";
 	options.raw.size = {8, 4, 2};
 	options.convert_to = "out.vti";
-	options.convert_beside = "out.new";
+	options.convert_folder = "out.new";
 	const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
 	constexpr int leaked = 50;
 	ASSERT_EQ(dup2(STDERR_FILENO, leaked), leaked);

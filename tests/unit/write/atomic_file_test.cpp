@@ -1,6 +1,9 @@
 #include "sample_slice.h"
 
+#include "base/input_files.h"
 #include "write/atomic_file.h"
+#include "write/file_set.h"
+#include "write/own_folder.h"
 #include "write/slice_file.h"
 
 #include <gtest/gtest.h>
@@ -61,6 +64,88 @@ private:
 };
 
 } // namespace
+
+// Under whatever name: a link, a hard link, another spelling, the file itself.
+TEST(AtomicFile, NeverTakesThePlaceOfAnInput)
+{
+	const TemporaryFolder folder;
+	const std::string input = folder / "input.vtu";
+	writeText(input, "data");
+	std::filesystem::create_symlink("input.vtu", folder / "link.vtu");
+	std::filesystem::create_hard_link(input, folder / "hard.vtu");
+	std::filesystem::create_directory(folder / "sub");
+	EXPECT_TRUE(writeTo(folder / "before.vtu"));
+	noteInput(input);
+	for (const std::string name : {"input.vtu", "link.vtu", "hard.vtu", "sub/../input.vtu", "./input.vtu"})
+	{
+		const Status status = writeTo(folder / name);
+		ASSERT_FALSE(status) << name;
+		EXPECT_EQ(status.error().kind, ErrorKind::output);
+		EXPECT_EQ(status.error().message,
+		          folder / name + ": is one of the input files, and would be lost; choose another path");
+		EXPECT_FALSE(write::checkWritable(folder / name));
+	}
+	EXPECT_EQ(readText(input), "data");
+	EXPECT_TRUE(writeTo(folder / "other.vtu"));
+
+	// Which files an input names is known only when it has been read.
+	Result<write::AtomicFile> piece = write::AtomicFile::create(folder / "before.vtu");
+	ASSERT_TRUE(piece);
+	piece->write("newer");
+	noteInput(folder / "before.vtu");
+	EXPECT_FALSE(piece->commit());
+	EXPECT_EQ(readText(folder / "before.vtu"), "new");
+
+	// One that is gone, and whose number another file may have by now, protects nothing.
+	noteInput(folder / "other.vtu");
+	std::filesystem::remove(folder / "other.vtu");
+	EXPECT_TRUE(writeTo(folder / "other.vtu"));
+}
+
+TEST(AtomicFile, TakesThePlaceOfAStateOnlyAsAState)
+{
+	const TemporaryFolder folder;
+	writeText(folder / "state.json", "old");
+	noteInput(folder / "state.json", InputKind::state);
+	EXPECT_FALSE(write::checkWritable(folder / "state.json"));
+	EXPECT_TRUE(write::AtomicFile::create(folder / "state.json", true));
+	noteInput(folder / "state.json"); // as data too
+	EXPECT_FALSE(write::AtomicFile::create(folder / "state.json", true));
+}
+
+TEST(OwnFolder, GoesWithWhatIsInIt)
+{
+	const TemporaryFolder folder;
+	std::string made;
+	{
+		const Result<write::OwnFolder> own = write::OwnFolder::besideFile(folder / "none/out.vtm");
+		ASSERT_TRUE(own);
+		made = own->path();
+		EXPECT_EQ(std::filesystem::path(made).parent_path(), std::filesystem::path(folder / "none").parent_path());
+		writeText(made + "/piece", "x");
+	}
+	EXPECT_FALSE(std::filesystem::exists(made));
+}
+
+// Somebody else makes the folder of the pieces while they are being written.
+TEST(FileSet, LeavesAFolderThatIsNotItsOwn)
+{
+	const TemporaryFolder folder;
+	{
+		Result<write::FileSet> set = write::FileSet::create(folder / "out.vtm");
+		ASSERT_TRUE(set);
+		writeText(set->add("out_0.vtu").write_to, "piece");
+		std::filesystem::create_directory(folder / "out");
+		writeText(folder / "out/mine", "keep");
+		const Status status = set->commit("index", true);
+		ASSERT_FALSE(status);
+		EXPECT_EQ(status.error().message, folder / "out" + ": is there already; move it away, or choose another name");
+	}
+	EXPECT_EQ(readText(folder / "out/mine"), "keep");
+	EXPECT_FALSE(std::filesystem::exists(folder / "out/out_0.vtu"));
+	EXPECT_FALSE(std::filesystem::exists(folder / "out.vtm"));
+	EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
 
 TEST(AtomicFile, AppearsOnCommit)
 {

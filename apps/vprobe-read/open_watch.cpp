@@ -1,0 +1,89 @@
+// Stands in front of the system's functions that open files, for all libraries of this program, and notes what is
+// opened for reading. Rejected: a list in each of 40 readers, which would be short of what their libraries open.
+#include "read_files.h"
+
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/types.h>
+
+// The headers' inline forms of these functions would stand in the way, so the names are given to the linker here.
+#define VP_EXPORTED extern "C" __attribute__((visibility("default")))
+
+namespace
+{
+
+template <class Function>
+Function* next(const char* name)
+{
+	return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+}
+
+bool onlyReads(int flags)
+{
+	return (flags & O_ACCMODE) == O_RDONLY && !(flags & O_DIRECTORY);
+}
+
+bool onlyReads(const char* mode)
+{
+	return mode && mode[0] == 'r' && !std::strchr(mode, '+');
+}
+
+int opened(int descriptor, const char* path, int flags)
+{
+	if (descriptor >= 0 && onlyReads(flags))
+		noteFile(path);
+	return descriptor;
+}
+
+std::FILE* opened(std::FILE* file, const char* path, const char* mode)
+{
+	if (file && onlyReads(mode))
+		noteFile(path);
+	return file;
+}
+
+using Open = int(const char*, int, ...);
+using CheckedOpen = int(const char*, int);
+using OpenStream = std::FILE*(const char*, const char*);
+
+} // namespace
+
+#define VP_OPEN(NAME, SYMBOL)                                                                                          \
+	VP_EXPORTED int NAME(const char* path, int flags, ...) __asm__(SYMBOL);                                            \
+	VP_EXPORTED int NAME(const char* path, int flags, ...)                                                             \
+	{                                                                                                                  \
+		static Open* const system = next<Open>(SYMBOL);                                                                \
+		std::va_list rest;                                                                                             \
+		va_start(rest, flags);                                                                                         \
+		const bool makes = (flags & O_CREAT) || (flags & O_TMPFILE) == O_TMPFILE;                                      \
+		const mode_t mode = makes ? va_arg(rest, mode_t) : 0;                                                          \
+		va_end(rest);                                                                                                  \
+		return opened(system(path, flags, mode), path, flags);                                                         \
+	}
+
+#define VP_CHECKED_OPEN(NAME, SYMBOL)                                                                                  \
+	VP_EXPORTED int NAME(const char* path, int flags) __asm__(SYMBOL);                                                 \
+	VP_EXPORTED int NAME(const char* path, int flags)                                                                  \
+	{                                                                                                                  \
+		static CheckedOpen* const system = next<CheckedOpen>(SYMBOL);                                                  \
+		return opened(system(path, flags), path, flags);                                                               \
+	}
+
+#define VP_OPEN_STREAM(NAME, SYMBOL)                                                                                   \
+	VP_EXPORTED std::FILE* NAME(const char* path, const char* mode) __asm__(SYMBOL);                                   \
+	VP_EXPORTED std::FILE* NAME(const char* path, const char* mode)                                                    \
+	{                                                                                                                  \
+		static OpenStream* const system = next<OpenStream>(SYMBOL);                                                    \
+		return opened(system(path, mode), path, mode);                                                                 \
+	}
+
+VP_OPEN(watchedOpen, "open")
+VP_OPEN(watchedOpen64, "open64")
+VP_CHECKED_OPEN(watchedCheckedOpen, "__open_2")
+VP_CHECKED_OPEN(watchedCheckedOpen64, "__open64_2")
+VP_OPEN_STREAM(watchedStream, "fopen")
+VP_OPEN_STREAM(watchedStream64, "fopen64")
