@@ -271,7 +271,7 @@ def cgns_of_faces(folder):
     codes = {'i4': b'I4', 'f4': b'R4', 'f8': b'R8', 'i1': b'C1'}
 
     def node(parent, name, label, data=None):
-        group = parent.create_group(name) if name else parent
+        group = parent.create_group(name, track_order=True) if name else parent
         for key, value, length in (('name', name or 'HDF5 MotherNode', 33), ('label', label, 33)):
             group.attrs.create(key, numpy.bytes_(value.encode().ljust(length, b'\0')), dtype=f'S{length}')
         kind = b'MT'
@@ -285,7 +285,7 @@ def cgns_of_faces(folder):
     def text(words):
         return numpy.frombuffer(words.encode(), 'i1')
 
-    with h5py.File(folder / 'faces.cgns', 'w') as file:
+    with h5py.File(folder / 'faces.cgns', 'w', track_order=True) as file:
         root = node(file, '', 'Root Node of HDF5 File')
         root.create_dataset(' format', data=text('IEEE_LITTLE_32\0'))
         root.create_dataset(' hdf5version', data=text('HDF5 Version 1.10.8'.ljust(33, '\0')))
