@@ -1,6 +1,7 @@
 #include "mesh/clip.h"
 
 #include "base/key_numbers.h"
+#include "mesh/rim_chains.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -11,6 +12,7 @@
 #include <cassert>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace vp::mesh
 {
@@ -48,6 +50,21 @@ private:
 		std::uint32_t from;
 		std::uint32_t to;
 		unsigned side;
+	};
+
+	// A polygon, or a part of one.
+	struct Loop
+	{
+		std::vector<std::uint32_t> corners;
+		std::vector<std::uint8_t> is_added; // of each corner; empty where none is (SheetMesh::is_added)
+	};
+
+	// A part that a polygon is left in besides the first.
+	struct More
+	{
+		Loop loop;
+		std::size_t polygon;
+		BlockCell cell;
 	};
 
 	// How far a vertex lies within a side.
@@ -134,10 +151,10 @@ private:
 			for (p = next; p < count && isAnyOutside(vertices, starts[p], starts[p + 1]); ++p)
 			{
 				const std::uint32_t corners = starts[p + 1] - starts[p];
-				whole_is_added_.clear();
+				std::span<const std::uint8_t> added;
 				if (!is_added.empty())
-					whole_is_added_.assign(is_added.begin() + starts[p], is_added.begin() + starts[p + 1]);
-				if (!takePart(std::span(vertices).subspan(starts[p], corners), p))
+					added = std::span(is_added).subspan(starts[p], corners);
+				if (!takePart(std::span(vertices).subspan(starts[p], corners), added, p))
 					mesh_.boundary_polygons -= p >= of_cells;
 			}
 		}
@@ -145,6 +162,7 @@ private:
 		mesh_.is_added.resize(is_added.empty() ? 0 : corners_kept_);
 		mesh_.polygon_starts.resize(kept_ + 1);
 		mesh_.polygon_cells.resize(kept_);
+		placeMore(of_cells);
 	}
 
 	bool isAnyOutside(const RawVector<std::uint32_t>& vertices, std::size_t begin, std::size_t end) const
@@ -187,19 +205,68 @@ private:
 		kept_ += end - begin;
 		corners_kept_ += corners;
 	}
-	// Takes what is left of a polygon. Returns false where that is nothing.
-	bool takePart(std::span<const std::uint32_t> polygon, std::size_t p)
+	// Takes what is left of a polygon: of one that is not convex perhaps several parts, of which all but the first wait
+	// for their places. Returns false where that is nothing.
+	bool takePart(std::span<const std::uint32_t> polygon, std::span<const std::uint8_t> is_added, std::size_t p)
 	{
-		const std::span<const std::uint32_t> part = partOf(polygon);
-		if (part.empty())
+		clipToSides(polygon, is_added);
+		if (part_.corners.empty() && others_.empty())
 			return false;
-		makeRoom(part.size());
-		std::ranges::copy(part, mesh_.polygon_vertices.begin() + static_cast<std::ptrdiff_t>(corners_kept_));
-		std::ranges::copy(part_is_added_, mesh_.is_added.begin() + static_cast<std::ptrdiff_t>(corners_kept_));
-		corners_kept_ += part.size();
+		if (part_.corners.empty())
+		{
+			part_ = std::move(others_.back());
+			others_.pop_back();
+		}
+		for (Loop& other : others_)
+			more_.push_back({std::move(other), p, mesh_.polygon_cells[p]});
+		makeRoom(part_.corners.size());
+		const auto to = static_cast<std::ptrdiff_t>(corners_kept_);
+		std::ranges::copy(part_.corners, mesh_.polygon_vertices.begin() + to);
+		std::ranges::copy(part_.is_added, mesh_.is_added.begin() + to);
+		corners_kept_ += part_.corners.size();
 		mesh_.polygon_cells[kept_++] = mesh_.polygon_cells[p];
 		mesh_.polygon_starts[kept_] = static_cast<std::uint32_t>(corners_kept_);
 		return true;
+	}
+	// Puts the parts that wait behind the polygons of their kind, which are those of cells or boundary faces.
+	void placeMore(std::size_t of_cells)
+	{
+		if (more_.empty())
+			return;
+		const std::size_t kept_of_cells = kept_ - mesh_.boundary_polygons;
+		const bool has_added = !mesh_.is_added.empty();
+		RawVector<std::uint32_t> starts{0};
+		RawVector<std::uint32_t> vertices;
+		std::vector<std::uint8_t> is_added;
+		RawVector<BlockCell> cells;
+		const auto add =
+		    [&](std::span<const std::uint32_t> corners, std::span<const std::uint8_t> added, BlockCell cell)
+		{
+			vertices.insert(vertices.end(), corners.begin(), corners.end());
+			is_added.insert(is_added.end(), added.begin(), added.end());
+			starts.push_back(static_cast<std::uint32_t>(vertices.size()));
+			cells.push_back(cell);
+		};
+		for (const bool boundary : {false, true})
+		{
+			for (std::size_t p = boundary ? kept_of_cells : 0; p < (boundary ? kept_ : kept_of_cells); ++p)
+			{
+				std::span<const std::uint8_t> added;
+				if (has_added)
+					added = std::span(mesh_.is_added).subspan(mesh_.polygon_starts[p], mesh_.polygon(p).size());
+				add(mesh_.polygon(p), added, mesh_.polygon_cells[p]);
+			}
+			for (const More& more : more_)
+				if ((more.polygon >= of_cells) == boundary)
+				{
+					add(more.loop.corners, more.loop.is_added, more.cell);
+					mesh_.boundary_polygons += boundary;
+				}
+		}
+		mesh_.polygon_starts = std::move(starts);
+		mesh_.polygon_vertices = std::move(vertices);
+		mesh_.is_added = std::move(is_added);
+		mesh_.polygon_cells = std::move(cells);
 	}
 	// A polygon may get corners on the rim.
 	void makeRoom(std::size_t corners)
@@ -211,23 +278,44 @@ private:
 			mesh_.is_added.resize(mesh_.polygon_vertices.size());
 	}
 
-	// What is left of a polygon with vertices outside; nothing where that is no polygon.
-	std::span<const std::uint32_t> partOf(std::span<const std::uint32_t> polygon)
+	// Leaves in part_ and others_ what is left of a polygon with vertices outside; no corners where that is no polygon.
+	void clipToSides(std::span<const std::uint32_t> polygon, std::span<const std::uint8_t> is_added)
 	{
+		others_.clear();
+		part_.corners.clear();
+		part_.is_added.clear();
 		unsigned all = ~0u;
 		for (const std::uint32_t v : polygon)
 			all &= outside_[v];
 		if (all != 0)
-			return {};
-		part_.assign(polygon.begin(), polygon.end());
-		part_is_added_ = whole_is_added_;
+			return;
+		part_.corners.assign(polygon.begin(), polygon.end());
+		part_.is_added.assign(is_added.begin(), is_added.end());
 		bool has_corner = false;
-		for (unsigned side = 0; side < sides_.size() && !part_.empty(); ++side)
-			if (std::ranges::any_of(part_, [&](std::uint32_t v) { return within(v, side) < 0.0; }))
-				has_corner = clipAt(side) || has_corner;
-		if (part_.size() < 3 || (has_corner && corners_ == Corners::skip))
-			return {};
-		return part_;
+		for (unsigned side = 0; side < sides_.size(); ++side)
+		{
+			has_corner = clipPart(side) || has_corner;
+			for (std::size_t other = 0, count = others_.size(); other < count; ++other)
+			{
+				std::swap(part_, others_[other]);
+				has_corner = clipPart(side) || has_corner;
+				std::swap(part_, others_[other]);
+			}
+			std::erase_if(others_, [](const Loop& other) { return other.corners.size() < 3; });
+		}
+		if (has_corner && corners_ == Corners::skip)
+			others_.clear();
+		if (part_.corners.size() < 3 || (has_corner && corners_ == Corners::skip))
+		{
+			part_.corners.clear();
+			part_.is_added.clear();
+		}
+	}
+
+	bool clipPart(unsigned side)
+	{
+		return std::ranges::any_of(part_.corners, [&](std::uint32_t v) { return within(v, side) < 0.0; }) &&
+		       clipAt(side);
 	}
 
 	// Returns whether a corner of the window became a vertex: an edge of the rim was cut.
@@ -235,23 +323,23 @@ private:
 	{
 		bool has_corner = false;
 		std::swap(part_, whole_);
-		std::swap(part_is_added_, whole_is_added_);
-		part_.clear();
-		part_is_added_.clear();
-		const bool has_added = !whole_is_added_.empty();
+		part_.corners.clear();
+		part_.is_added.clear();
+		const bool has_added = !whole_.is_added.empty();
+		int times_out = 0;
 		const auto add = [&](std::uint32_t v, bool is_added)
 		{
-			if (!part_.empty() && part_.back() == v)
+			if (!part_.corners.empty() && part_.corners.back() == v)
 				return;
-			part_.push_back(v);
+			part_.corners.push_back(v);
 			if (has_added)
-				part_is_added_.push_back(is_added);
+				part_.is_added.push_back(is_added);
 		};
-		std::uint32_t previous = whole_.back();
+		std::uint32_t previous = whole_.corners.back();
 		double previous_within = within(previous, side);
-		for (std::size_t i = 0; i < whole_.size(); ++i)
+		for (std::size_t i = 0; i < whole_.corners.size(); ++i)
 		{
-			const std::uint32_t v = whole_[i];
+			const std::uint32_t v = whole_.corners[i];
 			const double v_within = within(v, side);
 			// A vertex on the side itself is its own cut.
 			if ((previous_within < 0.0 && v_within > 0.0) || (previous_within > 0.0 && v_within < 0.0))
@@ -259,18 +347,69 @@ private:
 				add(cutOf(previous, v, side), false);
 				has_corner = has_corner || (isOnRim(previous) && isOnRim(v));
 			}
-			// An added corner on the side itself may be the end of what is left of its polygon's side.
 			if (v_within >= 0.0)
-				add(v, has_added && whole_is_added_[i] && v_within > 0.0);
+				add(v, staysAdded(i, side));
+			times_out += previous_within >= 0.0 && v_within < 0.0;
 			previous = v;
 			previous_within = v_within;
 		}
-		while (part_.size() > 1 && part_.back() == part_.front())
+		while (part_.corners.size() > 1 && part_.corners.back() == part_.corners.front())
 		{
-			part_.pop_back();
-			part_is_added_.resize(has_added ? part_.size() : 0);
+			part_.corners.pop_back();
+			part_.is_added.resize(has_added ? part_.corners.size() : 0);
 		}
+		if (times_out > 1)
+			partAlong(side);
 		return has_corner;
+	}
+	// Whether corner i of whole_ is added to what is left, too. On the side itself it may be the end of what is left of
+	// its polygon's side.
+	bool staysAdded(std::size_t i, unsigned side) const
+	{
+		return !whole_.is_added.empty() && whole_.is_added[i] && within(whole_.corners[i], side) > 0.0;
+	}
+
+	// What is left of whole_, which leaves the side more than once, is parted: the way along the side leads through
+	// places that are not the polygon's.
+	void partAlong(unsigned side)
+	{
+		std::vector<std::uint32_t> added;
+		for (std::size_t i = 0; i < whole_.corners.size(); ++i)
+			if (staysAdded(i, side))
+				added.push_back(whole_.corners[i]);
+		std::vector<std::vector<std::uint32_t>> chains;
+		const auto begin = std::ranges::find_if(whole_.corners, [&](std::uint32_t v) { return within(v, side) < 0.0; });
+		std::ranges::rotate(whole_.corners, begin);
+		std::uint32_t previous = whole_.corners.front();
+		for (std::size_t i = 1; i <= whole_.corners.size(); ++i)
+		{
+			const std::uint32_t v = whole_.corners[i % whole_.corners.size()];
+			const double before = within(previous, side);
+			const double here = within(v, side);
+			if (before < 0.0 && here >= 0.0)
+				chains.emplace_back();
+			if ((before < 0.0 && here > 0.0) || (before > 0.0 && here < 0.0))
+				chains.back().push_back(cutOf(previous, v, side));
+			if (here >= 0.0)
+				chains.back().push_back(v);
+			previous = v;
+		}
+		std::erase_if(chains, [](const auto& chain) { return chain.size() < 2; }); // touches the side
+		const bool has_added = !whole_.is_added.empty();
+		part_.corners.clear();
+		part_.is_added.clear();
+		bool is_first = true;
+		for (std::vector<std::uint32_t>& corners : joinAlongRim(chains, mesh_.positions.data()))
+		{
+			Loop loop{std::move(corners), {}};
+			for (const std::uint32_t v : loop.corners)
+				if (has_added)
+					loop.is_added.push_back(std::ranges::find(added, v) != added.end());
+			if (std::exchange(is_first, false))
+				part_ = std::move(loop);
+			else
+				others_.push_back(std::move(loop));
+		}
 	}
 
 	bool isOnRim(std::uint32_t v) const { return v >= first_made_; }
@@ -350,11 +489,11 @@ private:
 	RawVector<std::uint8_t> outside_;
 	std::vector<KeyNumbers> numbers_; // per side
 	std::vector<Cut> made_;           // per vertex from first_made_
-	std::vector<std::uint32_t> part_;
-	std::vector<std::uint32_t> whole_;         // what part_ is clipped from
-	std::vector<std::uint8_t> part_is_added_;  // of each corner; empty where none is (SheetMesh::is_added)
-	std::vector<std::uint8_t> whole_is_added_; // as `whole_`
-	std::size_t kept_ = 0;                     // polygons that are there so far
+	Loop part_;
+	Loop whole_;               // what part_ is clipped from
+	std::vector<Loop> others_; // parts of the same polygon
+	std::vector<More> more_;
+	std::size_t kept_ = 0; // polygons that are there so far
 	std::size_t corners_kept_ = 0;
 };
 

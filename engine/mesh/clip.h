@@ -25,7 +25,7 @@ constexpr std::size_t kMaxClipSides = 8;
 
 // The part of a mesh within all of the sides, at most kMaxClipSides, whose origin is one.
 // Vertices on the rim lie on the edges of polygons, with values linear along them, and are shared like any other.
-// Sutherland and Hodgman's: of a polygon that is not convex parts may hang together along the rim.
+// Sutherland and Hodgman's. A polygon that is not convex may leave several parts, each a polygon of the same cell.
 void clipToSides(const Vec3& origin, std::span<const ClipSide> sides, Corners corners, SheetMesh& mesh);
 
 // The part of a mesh within the window of the sheet it is the cut of (placed, without fx, see probe::content()).
