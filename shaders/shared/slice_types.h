@@ -13,7 +13,7 @@ VP_CONST uint kCodeCut = 0x10000u;  // the cell is cut
 VP_CONST uint kCodeWalk = 0x20000u; // undecided here: the CPU classifies and walks the cell in double
 
 VP_CONST uint kMaxRecordVertices = 6u;
-VP_CONST uint kRecordVertices = 0xFFu;     // the bits of a record's vertices that count them
+VP_CONST uint kRecordVertices = 0xFFu;    // the bits of a record's vertices that count them
 VP_CONST uint kHiddenRecordEdge = 0x100u; // << i: the edge from vertex i to the next one is none of the cell's polygon
 
 // One polygon as it is drawn. Record i of a sheet in a block belongs to the i-th cell of its traversal, so nothing is
