@@ -1,6 +1,7 @@
 #include "grown_cells.h"
 
 #include "read/cell_types.h"
+#include "read/prisms.h"
 
 #include <vtkCellArray.h>
 #include <vtkIdTypeArray.h>
@@ -37,19 +38,9 @@ void GrownCells::endCell(std::uint8_t type)
 
 void GrownCells::addPrism(std::span<const vtkIdType> points)
 {
-	const std::size_t sides = points.size() / 2;
-	std::vector<vtkIdType> stream = {static_cast<vtkIdType>(sides + 2), static_cast<vtkIdType>(sides)};
-	stream.insert(stream.end(), points.rbegin() + static_cast<std::ptrdiff_t>(sides), points.rend());
-	stream.push_back(static_cast<vtkIdType>(sides));
-	stream.insert(stream.end(), points.begin() + static_cast<std::ptrdiff_t>(sides), points.end());
-	for (std::size_t i = 0; i < sides; ++i)
-	{
-		const std::size_t next = (i + 1) % sides;
-		stream.insert(stream.end(), {4, points[i], points[next], points[sides + next], points[sides + i]});
-	}
 	for (const vtkIdType point : points)
 		addPoint(point);
-	addFaces(stream);
+	addFaces(vp::read::prismFaces(points));
 	endCell(vp::read::kPolyhedron);
 }
 

@@ -7,6 +7,7 @@
 #include "linear_parts.h"
 #include "new_nodes.h"
 #include "read/cell_types.h"
+#include "read/prisms.h"
 #include "refusal.h"
 #include "source_cell.h"
 #include "visible_cells.h"
@@ -38,14 +39,9 @@ namespace
 // At about 200 bytes a cell, half of them the grid built from it.
 constexpr double kMaxRefinedCells = 1e8;
 
-bool isPrism(std::uint8_t type)
-{
-	return type == VTK_PENTAGONAL_PRISM || type == VTK_HEXAGONAL_PRISM;
-}
-
 bool isRewritten(std::uint8_t type)
 {
-	return isCurved(type) || isPrism(type) || type == VTK_CONVEX_POINT_SET;
+	return isCurved(type) || prismSides(type) > 0 || type == VTK_CONVEX_POINT_SET;
 }
 
 class Linearizer
@@ -66,8 +62,8 @@ public:
 			cells_.startSource(c);
 			if (isShown(c) && isCurved(type))
 				addCurved(type);
-			else if (isShown(c) && isPrism(type))
-				addPrism(type == VTK_PENTAGONAL_PRISM ? 5 : 6);
+			else if (isShown(c) && prismSides(type) > 0)
+				addPrism(prismSides(type));
 			else if (isShown(c) && type == VTK_CONVEX_POINT_SET)
 				addPointSet();
 			else
@@ -159,7 +155,7 @@ private:
 		{
 			const Vec3 at = nodes_.at(ids_->GetId(i));
 			if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
-				throw damaged(fmt::format("the coordinates of point {} are not finite numbers", ids_->GetId(i)));
+				return addUnplaced(ids_->GetId(i));
 			box.include(at);
 		}
 		if (count >= 4)
@@ -182,6 +178,14 @@ private:
 			if (i % 4 == 3)
 				cells_.endCell(kTetra);
 		}
+	}
+
+	// The program leaves out cells with a point whose coordinates are not finite, and counts them.
+	void addUnplaced(vtkIdType point)
+	{
+		for (int corner = 0; corner < 4; ++corner)
+			cells_.addPoint(point);
+		cells_.endCell(kTetra);
 	}
 
 	void addUnchanged(std::uint8_t type)

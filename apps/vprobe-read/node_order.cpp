@@ -1,6 +1,7 @@
 #include "node_order.h"
 
 #include "grid/lattice_nodes.h"
+#include "read/check_mesh.h"
 
 #include <vtkCellType.h>
 #include <vtkHigherOrderHexahedron.h>
@@ -82,6 +83,11 @@ NodeOrder::NodeOrder(std::uint8_t type, const std::array<int, 3>& degrees, std::
 
 void NodeOrder::weigh(std::span<const Vec3> nodes)
 {
+	// A cell with such a node is left out. It has no say in the order of the others.
+	const auto is_place = [](const Vec3& at)
+	{ return vp::read::isPlace(at.x) && vp::read::isPlace(at.y) && vp::read::isPlace(at.z); };
+	if (!std::ranges::all_of(nodes, is_place))
+		return;
 	for (std::size_t o = 0; o < orders_.size(); ++o)
 		for (const auto& [a, b] : links_)
 		{

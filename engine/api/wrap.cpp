@@ -1,9 +1,12 @@
 #include "api/states.h"
+#include "base/messages.h"
 #include "grid/curved_cells.h"
 #include "read/build_block.h"
 #include "read/check_curved.h"
 #include "read/check_mesh.h"
 #include "read/manifest.h"
+#include "read/placed_cells.h"
+#include "read/prisms.h"
 #include "read/tolerance.h"
 
 #include <fmt/format.h>
@@ -42,7 +45,6 @@ vp::grid::Points pointsOf(const Numbers& numbers)
 	                                    : vp::grid::Points(shared<float>(numbers, "coordinates"));
 	if (points.size() >= vp::kMaxBlockIds)
 		throw Unusable(fmt::format("a block of {} points is too large; split it", points.size()));
-	vp::read::checkCoordinates(points);
 	return points;
 }
 
@@ -78,7 +80,8 @@ struct Wrapper
 	vp::read::CheckedBlock& block;
 	std::uint64_t points = 0;
 	std::uint64_t cells = 0;
-	double tolerance = 0.0; // of curved cells
+	double tolerance = 0.0;   // of curved cells
+	std::size_t unplaced = 0; // cells left out, since a point has no place
 
 	void takeLattice(const std::array<std::uint32_t, 3>& lattice)
 	{
@@ -114,7 +117,7 @@ struct Wrapper
 		const vp::grid::Points coordinates = pointsOf(grid.coordinates);
 		if (coordinates.size() != points)
 			throw Unusable(fmt::format("coordinates: {} points where {} belong", coordinates.size(), points));
-		block.mesh = vp::grid::CurvilinearGrid(lattice, coordinates);
+		unplaced = vp::read::takePlacedLattice(lattice, coordinates, block);
 	}
 	void operator()(const Unstructured& grid)
 	{
@@ -140,10 +143,12 @@ struct Wrapper
 				throw Unusable(
 				    fmt::format("face_offsets: {} where {} belong", mesh.cells.face_offsets.size(), cells + 1));
 		}
+		vp::read::rewritePrisms(mesh.cells);
 		mesh.cells.has_checked_ids = !grid.checks_ids_later;
 		mesh.curved = vp::read::checkCells(mesh.cells, mesh.points.size(), true);
 		if (mesh.curved)
 			checkTolerance(mesh.cells, grid.tolerance);
+		unplaced = vp::read::leaveOutUnplaced(mesh);
 		block.mesh = std::move(mesh);
 		tolerance = grid.tolerance;
 	}
@@ -207,11 +212,13 @@ try
 	if (blocks.empty())
 		throw Unusable("no blocks");
 	vp::grid::BlockSet set;
+	std::size_t unplaced = 0;
 	for (Block& block : blocks)
 	{
 		vp::read::CheckedBlock checked;
 		Wrapper wrapper{checked};
 		std::visit(wrapper, block.grid);
+		unplaced += wrapper.unplaced;
 		for (const Field& field : block.fields)
 		{
 			checked.fields.push_back(fieldOf(field));
@@ -222,6 +229,8 @@ try
 		checked.length_units = block.length_units;
 		set.blocks.push_back(vp::read::buildBlock(std::move(checked), block.name, false, true, wrapper.tolerance));
 	}
+	if (unplaced > 0)
+		vp::warn("{}", vp::read::unplacedNote(unplaced));
 	// As for files: what further cuts need waits for them. A mixture of listed and other grids does not wait.
 	const auto isListed = [](const vp::grid::Block& block) { return !vp::grid::hasNeighbors(block); };
 	if (std::ranges::none_of(set.blocks, isListed))

@@ -222,7 +222,8 @@ private:
 		makeRoom(part_.corners.size());
 		const auto to = static_cast<std::ptrdiff_t>(corners_kept_);
 		std::ranges::copy(part_.corners, mesh_.polygon_vertices.begin() + to);
-		std::ranges::copy(part_.is_added, mesh_.is_added.begin() + to);
+		if (!part_.is_added.empty())
+			std::ranges::copy(part_.is_added, mesh_.is_added.begin() + to);
 		corners_kept_ += part_.corners.size();
 		mesh_.polygon_cells[kept_++] = mesh_.polygon_cells[p];
 		mesh_.polygon_starts[kept_] = static_cast<std::uint32_t>(corners_kept_);

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <type_traits>
 
 namespace vp::read
@@ -80,24 +79,6 @@ bool isPolyhedron(std::span<const std::int64_t> stream, std::size_t points)
 }
 
 } // namespace
-
-void checkCoordinates(const grid::Points& points)
-{
-	std::size_t bad = kNone;
-	if (points.isDouble())
-		bad = firstWhere(3 * points.size(), [at = points.doubles()](std::size_t i) { return !isPlace(at[i]); });
-	else // all finite numbers of this type are places
-		bad = firstWhere(3 * points.size(), [at = points.floats()](std::size_t i)
-		                 { return !(std::abs(at[i]) <= std::numeric_limits<float>::max()); });
-	if (bad != kNone)
-	{
-		bad /= 3;
-		const Vec3 at = points[bad];
-		const bool finite = std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z);
-		throw Unusable(
-		    fmt::format("the coordinates of point {} are {}", bad, finite ? "larger than 1e50" : "not finite numbers"));
-	}
-}
 
 void checkAxis(const Array<double>& axis)
 {

@@ -27,7 +27,6 @@ inline bool isPlace(double coordinate)
 }
 
 // These throw Unusable. The sizes of the arrays are checked already; their contents are not trusted.
-void checkCoordinates(const grid::Points& points);
 void checkAxis(const Array<double>& axis);
 // may_be_curved: cells may be those of grid::CurvedCells. Returns whether some are curved. Where has_checked_ids is
 // false, and the cells are alike and not curved, ids are left to the first pass over the cells.

@@ -4,6 +4,7 @@
 #include "base/input_files.h"
 #include "read/check_curved.h"
 #include "read/check_mesh.h"
+#include "read/placed_cells.h"
 #include "read/protocol.h"
 
 #include <fmt/format.h>
@@ -81,21 +82,39 @@ public:
 		for (const json& file : manifest.value("files", json::array()))
 			input.files.push_back(file.get<std::string>());
 		input.left_out = countOf(manifest.at("left_out"));
-		const json& blocks = manifest.at("blocks");
-		for (const json& block : blocks)
-			input.blocks.push_back(blocks.size() > 1 ? checkBlockOfSeveral(block) : checkBlock(block));
+		checkBlocks(manifest.at("blocks"), input);
 		for (CheckedBlock& block : input.blocks)
 			block.length_units = wordsOf(manifest.value("length_units", json("")));
 		checkParts(manifest, input);
 		if (!input.parts.empty())
 			takeParts(manifest.at("blocks"), input);
+		if (input.blocks.empty() && input.parts.empty() && !none_placed_.empty())
+			throw Unusable(none_placed_);
 		if (manifest.contains("patches"))
 			for (const json& patch : manifest.at("patches"))
 				input.patches.push_back(checkPatch(patch));
+		if (unplaced_ > 0)
+			input.warnings.push_back(unplacedNote(unplaced_));
 		return input;
 	}
 
 private:
+	// Blocks of which no cell has a place are left out, as if the file had others alone.
+	void checkBlocks(const json& blocks, CheckedInput& input)
+	{
+		for (std::size_t b = 0; b < blocks.size(); ++b)
+			try
+			{
+				input.blocks.push_back(blocks.size() > 1 ? checkBlockOfSeveral(blocks[b]) : checkBlock(blocks[b]));
+				taken_.push_back(b);
+			}
+			catch (const NonePlaced& none)
+			{
+				unplaced_ += none.cells;
+				none_placed_ = none.what();
+			}
+	}
+
 	static void checkParts(const json& manifest, CheckedInput& input)
 	{
 		if (!manifest.contains("parts"))
@@ -113,11 +132,11 @@ private:
 		}
 	}
 
-	static void takeParts(const json& blocks, CheckedInput& input)
+	void takeParts(const json& blocks, CheckedInput& input) const
 	{
 		for (std::size_t b = 0; b < input.blocks.size(); ++b)
 		{
-			input.blocks[b].part = countOf(blocks.at(b).at("part"));
+			input.blocks[b].part = countOf(blocks.at(taken_[b]).at("part"));
 			if (input.blocks[b].part >= input.parts.size() ||
 			    (b > 0 && input.blocks[b].part < input.blocks[b - 1].part))
 				throw Unusable("the parts of blocks are out of order");
@@ -157,7 +176,6 @@ private:
 			throw Unusable("points without three coordinates");
 		if (checked.size() >= kMaxBlockIds)
 			throw Unusable(fmt::format("a block of {} points is too large; split it", checked.size()));
-		checkCoordinates(checked);
 		return checked;
 	}
 
@@ -217,6 +235,7 @@ private:
 		                             numbersOf<std::int64_t>(cells_, patch.at("starts"), NumberType::int64),
 		                             numbersOf<std::int64_t>(cells_, patch.at("corners"), NumberType::int64)};
 		checkPolygons(polygons);
+		removeUnplaced(polygons);
 		return polygons;
 	}
 
@@ -242,6 +261,7 @@ private:
 				checked.hidden_lattice = grid::Lattice(latticeOfBlock(block));
 				checkLattice(*checked.hidden_lattice, mesh.points.size(), mesh.cells);
 			}
+			unplaced_ += leaveOutUnplaced(mesh);
 			checked.mesh = std::move(mesh);
 			return;
 		}
@@ -271,7 +291,7 @@ private:
 		{
 			lattice = latticeOfBlock(block);
 			const std::uint64_t wanted = std::uint64_t(lattice[0]) * lattice[1] * lattice[2];
-			checked.mesh = grid::CurvilinearGrid(lattice, coordinatesOf(arrays_, block.at("coordinates"), wanted));
+			unplaced_ += takePlacedLattice(lattice, coordinatesOf(arrays_, block.at("coordinates"), wanted), checked);
 		}
 		else
 			throw Unusable("a block is of an unknown kind");
@@ -317,6 +337,10 @@ private:
 		{
 			return checkBlock(block);
 		}
+		catch (const NonePlaced&)
+		{
+			throw;
+		}
 		catch (const Unusable& unusable)
 		{
 			throw Unusable(fmt::format("in {}: {}", wordsOf(block.at("name")), unusable.what()));
@@ -325,6 +349,9 @@ private:
 
 	const SharedBytes& arrays_;
 	const SharedBytes& cells_;
+	std::vector<std::size_t> taken_{}; // places in the manifest of the blocks that have cells
+	std::size_t unplaced_ = 0;         // cells left out, since a point has no place
+	std::string none_placed_{};        // why the last block without cells has none
 };
 
 } // namespace

@@ -86,7 +86,8 @@ void noteFiles(const CheckedInput& input);
 Error unusable(const std::string& file, const Error& error);
 
 // Checks a manifest and every array in it against the bytes from the child. Nothing is trusted: counts may overflow,
-// arrays may lie outside, ids may point anywhere, coordinates may be NaN. The message of the error is only the reason.
+// arrays may lie outside, ids may point anywhere. Cells with coordinates that are no places are left out, with a
+// warning. The message of the error is only the reason.
 Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells);
 
 } // namespace vp::read

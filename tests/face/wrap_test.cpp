@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 
@@ -130,8 +132,8 @@ TEST(Wrap, WhatDoesNotFitIsAnErrorThatSaysWhat)
 	refused(spoiled([&](vprobe::Unstructured& grid) { grid.offsets = vprobe::Numbers(); }), "offsets");
 	refused(spoiled([&](vprobe::Unstructured& grid) { grid.types = box.connectivity; }), "types");
 	std::vector<double> coordinates = box.coordinates;
-	coordinates[7] = std::numeric_limits<double>::quiet_NaN();
-	refused(spoiled([&](vprobe::Unstructured& grid) { grid.coordinates = coordinates; }), "");
+	std::ranges::fill(coordinates, std::numeric_limits<double>::quiet_NaN());
+	refused(spoiled([&](vprobe::Unstructured& grid) { grid.coordinates = coordinates; }), "every cell has a point");
 	refused(spoiled([&](vprobe::Unstructured& grid)
 	                { grid.coordinates = std::span(box.coordinates).first(box.coordinates.size() - 1); }),
 	        "coordinates");
@@ -186,6 +188,88 @@ TEST(Wrap, AWrongIdMayBeAnErrorOfTheFirstCut)
 	grid.connectivity = ids;
 	grid.checks_ids_later = true;
 	refused(mixed, "point");
+}
+
+// Cells with a point without a place are left out, with a warning that counts them. Points of no cell do not matter.
+TEST(Wrap, CellsWithoutAPlaceAreLeftOut)
+{
+	const Box box(3);
+	std::vector<double> coordinates = box.coordinates;
+	coordinates[1] = std::numeric_limits<double>::quiet_NaN();
+	for (vprobe::Block block : {box.unstructured(), box.structured()})
+	{
+		std::visit(
+		    [&](auto& grid)
+		    {
+			    if constexpr (requires { grid.coordinates; })
+				    grid.coordinates = coordinates;
+		    },
+		    block.grid);
+		std::string words;
+		const vprobe::MessageListener listener([&](std::string_view line) { words += line; });
+		const Dataset data = wrap(block);
+		EXPECT_NE(words.find("1 cell is left out"), std::string::npos) << words;
+		EXPECT_EQ(data.cellCount(), 26u);
+		for (int round = 0; round < 2; ++round)
+		{
+			const auto cut = data.cut(View().normal({0.0, 0.0, 1.0}).origin({0.5, 0.5, 0.1}).array("value"));
+			ASSERT_TRUE(cut);
+			EXPECT_NEAR(cut->figures(0).area, 8.0 / 9.0, 1e-12);
+			EXPECT_EQ(cut->mesh(0).array("number")->value(0), static_cast<double>(cut->mesh(0).cells()[0]));
+		}
+	}
+	coordinates = box.coordinates;
+	coordinates.insert(coordinates.end(), 3, std::numeric_limits<double>::infinity());
+	vprobe::Block block = box.unstructured();
+	std::get<vprobe::Unstructured>(block.grid).coordinates = coordinates;
+	block.fields.clear();
+	const auto cut = wrap(block).cut(View());
+	ASSERT_TRUE(cut);
+	EXPECT_NEAR(cut->figures(0).area, 1.0, 1e-12);
+}
+
+// A hexagonal prism and, on top of it, a pentagonal one and the wedge that it lacks.
+TEST(Wrap, PrismsOverPentagonsAndHexagons)
+{
+	constexpr std::array<std::array<double, 2>, 6> kHexagon{{{1, 0}, {2, 0}, {3, 1}, {2, 2}, {1, 2}, {0, 1}}};
+	std::vector<double> coordinates;
+	for (const double z : {0.0, 1.0, 2.0})
+		for (const auto& [x, y] : kHexagon)
+			coordinates.insert(coordinates.end(), {x, y, z});
+	const std::vector<std::uint8_t> types{16, 15, 13};
+	const std::vector<std::int64_t> offsets{0, 12, 22, 28};
+	std::vector<std::int64_t> ids{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+	for (const std::int64_t layer : {6, 12}) // without the corner at x = 3
+		for (const std::int64_t corner : {0, 1, 3, 4, 5})
+			ids.push_back(layer + corner);
+	for (const std::int64_t layer : {6, 12})
+		for (const std::int64_t corner : {1, 3, 2}) // as VTK turns a wedge
+			ids.push_back(layer + corner);
+	vprobe::Block block{vprobe::Unstructured{coordinates, types, offsets, ids, {}, {}}, {}};
+	const Dataset data = wrap(block);
+	EXPECT_EQ(data.cellCount(), 3u);
+	for (int round = 0; round < 2; ++round)
+	{
+		const auto lower = data.cut(View().normal({0.0, 0.0, 1.0}).origin({1.0, 1.0, 0.5}));
+		ASSERT_TRUE(lower);
+		EXPECT_NEAR(lower->figures(0).area, 4.0, 1e-12);
+		EXPECT_EQ(lower->mesh(0).polygonCount(), 1u);
+		const auto upper = data.cut(View().normal({0.0, 0.0, 1.0}).origin({1.0, 1.0, 1.5}));
+		ASSERT_TRUE(upper);
+		EXPECT_NEAR(upper->figures(0).area, 4.0, 1e-12);
+		EXPECT_EQ(upper->mesh(0).polygonCount(), 2u);
+		EXPECT_EQ(upper->figures(0).components, 1u);
+		const auto upright = data.cut(View().normal({0.0, 1.0, 0.0}).origin({1.0, 0.5, 1.0}));
+		ASSERT_TRUE(upright);
+		EXPECT_NEAR(upright->figures(0).area, 2.0 * 2.0, 1e-12);
+	}
+	const std::vector<std::int64_t> too_few{0, 11, 21, 27};
+	std::get<vprobe::Unstructured>(block.grid).offsets = too_few;
+	refused(block, "a prism of 6 sides, lists 11 points");
+	ids[3] = 18;
+	std::get<vprobe::Unstructured>(block.grid).offsets = offsets;
+	std::get<vprobe::Unstructured>(block.grid).connectivity = ids;
+	refused(block, "point");
 }
 
 TEST(Wrap, ArraysWithoutValuesAndWithNan)

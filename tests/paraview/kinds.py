@@ -82,6 +82,27 @@ for cell in range(taken.GetNumberOfCells()):
     return convert
 
 
+def prisms():
+    """Prisms over a pentagon and a hexagon, side by side, and a point of no cell that has no place."""
+    source = simple.ProgrammableSource(OutputDataSetType='vtkUnstructuredGrid')
+    source.Script = '''
+import math
+from vtkmodules.vtkCommonCore import vtkPoints
+points = vtkPoints()
+output.Allocate(2)
+for cell, sides in enumerate((5, 6)):
+    first = points.GetNumberOfPoints()
+    for layer in (0, 1):
+        for i in range(sides):
+            angle = 2 * math.pi * i / sides
+            points.InsertNextPoint(math.cos(angle) + 3 * cell, math.sin(angle), layer)
+    output.InsertNextCell(10 + sides, 2 * sides, list(range(first, first + 2 * sides)))
+points.InsertNextPoint(math.nan, 0, 0)
+output.SetPoints(points)
+'''
+    return source
+
+
 shell = simple.OpenDataFile(os.path.join(FOLDER, 'shell.vts'))
 refined = simple.AMRGaussianPulseSource()
 KINDS = {
@@ -94,6 +115,7 @@ KINDS = {
     'a rectilinear grid': rectilinear(),
     'voxels': voxels(image()),
     'polyhedra': polyhedra(voxels(image())),
+    'prisms': prisms(),
     'a structured grid': shell,
     'a group with a surface': simple.GroupDatasets(Input=[image(), shell, simple.Sphere()]),
     'groups in a group': simple.GroupDatasets(Input=[simple.GroupDatasets(Input=[rectilinear(), shell]), image()]),

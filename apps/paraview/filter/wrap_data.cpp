@@ -1,4 +1,5 @@
 #include "wrap_data.h"
+#include "cell_kinds.h"
 #include "wrap_lattice.h"
 
 #include <vtkCellArray.h>
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bitset>
 
 namespace vprobe_paraview
 {
@@ -230,77 +230,6 @@ std::vector<vprobe::Field> fieldsOf(vtkDataSet& data)
 namespace
 {
 
-bool isVolume(int type)
-{
-	switch (type)
-	{
-	case VTK_TETRA:
-	case VTK_VOXEL:
-	case VTK_HEXAHEDRON:
-	case VTK_WEDGE:
-	case VTK_PYRAMID:
-	case VTK_PENTAGONAL_PRISM:
-	case VTK_HEXAGONAL_PRISM:
-	case VTK_POLYHEDRON:
-		return true;
-	default:
-		return false;
-	}
-}
-
-// Cells of points, lines and surfaces, straight or curved.
-bool isFlat(int type)
-{
-	constexpr std::array<std::array<int, 2>, 9> kFlat{{{VTK_EMPTY_CELL, VTK_QUAD},
-	                                                   {VTK_QUADRATIC_EDGE, VTK_QUADRATIC_QUAD},
-	                                                   {VTK_BIQUADRATIC_QUAD, VTK_BIQUADRATIC_QUAD},
-	                                                   {VTK_QUADRATIC_LINEAR_QUAD, VTK_QUADRATIC_LINEAR_QUAD},
-	                                                   {VTK_BIQUADRATIC_TRIANGLE, VTK_QUADRATIC_POLYGON},
-	                                                   {VTK_PARAMETRIC_CURVE, VTK_PARAMETRIC_QUAD_SURFACE},
-	                                                   {VTK_HIGHER_ORDER_EDGE, VTK_HIGHER_ORDER_POLYGON},
-	                                                   {VTK_LAGRANGE_CURVE, VTK_LAGRANGE_QUADRILATERAL},
-	                                                   {VTK_BEZIER_CURVE, VTK_BEZIER_QUADRILATERAL}}};
-	return std::ranges::any_of(kFlat, [&](const auto& range) { return type >= range[0] && type <= range[1]; });
-}
-
-std::bitset<256> typesIn(const vprobe::Numbers& types)
-{
-	const auto* begin = static_cast<const unsigned char*>(types.data);
-	// Mostly all cells are of one type, which one pass tells in no time.
-	std::bitset<256> present;
-	if (std::all_of(begin, begin + types.size, [&](unsigned char type) { return type == *begin; }))
-		return present.set(*begin);
-	std::array<bool, 256> seen{};
-	for (std::size_t c = 0; c < types.size; ++c)
-		seen[begin[c]] = true;
-	for (std::size_t type = 0; type < seen.size(); ++type)
-		present[type] = seen[type];
-	return present;
-}
-
-void refuseOtherTypes(vtkDataSet& data, const std::bitset<256>& present, double tolerance)
-{
-	bool has_volume = false, is_quadratic_tetra = true;
-	std::string others;
-	for (int type = 0; type < 256; ++type)
-	{
-		if (!present[static_cast<std::size_t>(type)] || isFlat(type))
-			continue;
-		has_volume = true;
-		const bool is_refined = type == VTK_QUADRATIC_TETRA || type == VTK_LAGRANGE_TETRAHEDRON;
-		if (isVolume(type) || (is_refined && tolerance > 0.0))
-			continue;
-		is_quadratic_tetra = is_quadratic_tetra && is_refined;
-		others += (others.empty() ? "" : ", ") + std::to_string(type);
-	}
-	if (!others.empty())
-		throw Refused("cells of type " + others + " are curved; " + (is_quadratic_tetra ? "set Tolerance, or " : "") +
-		              "apply the filter Tessellate first");
-	if (!has_volume)
-		throw NoVolume(std::string("a ") + data.GetClassName() +
-		               " without cells that have a volume; apply Slice to it");
-}
-
 // The faces of polyhedra, as a stream with offsets for all cells.
 void addFaces(vtkUnstructuredGrid& grid, vprobe::Unstructured& cells)
 {
@@ -351,6 +280,21 @@ vprobe::Unstructured cellsOf(vtkPointSet& data, vtkCellArray* cells, double tole
 	return grid;
 }
 
+// Adds the degrees and rational weights of curved cells that are marked as such and have another name.
+void addShapeArrays(vtkDataSet& data, std::vector<vprobe::Field>& fields)
+{
+	const auto add =
+	    [&](vtkDataSetAttributes& attributes, vtkDataArray* array, const char* name, vprobe::Association association)
+	{
+		if (array && !attributes.GetArray(name))
+			fields.push_back({name, association, array->GetNumberOfComponents(), numbersOf(*array)});
+	};
+	vtkDataSetAttributes& of_cells = *data.GetCellData();
+	vtkDataSetAttributes& of_points = *data.GetPointData();
+	add(of_cells, of_cells.GetHigherOrderDegrees(), "HigherOrderDegrees", vprobe::Association::cell);
+	add(of_points, of_points.GetRationalWeights(), "RationalWeights", vprobe::Association::point);
+}
+
 decltype(vprobe::Block::grid) gridOf(vtkDataSet& data, double tolerance)
 {
 	if (auto lattice = latticeOf(data))
@@ -367,7 +311,10 @@ decltype(vprobe::Block::grid) gridOf(vtkDataSet& data, double tolerance)
 
 vprobe::Block blockOf(const Leaf& leaf, double tolerance)
 {
-	return {gridOf(*leaf.data, tolerance), fieldsOf(*leaf.data), leaf.name};
+	vprobe::Block block{gridOf(*leaf.data, tolerance), fieldsOf(*leaf.data), leaf.name};
+	if (tolerance > 0.0)
+		addShapeArrays(*leaf.data, block.fields);
+	return block;
 }
 
 } // namespace vprobe_paraview

@@ -208,14 +208,16 @@ TEST(Cells, WithPointsThatAreNoNumbersAreRefused)
 	const auto grid = rowOf({VTK_HEXAHEDRON});
 	grid->GetPoints()->SetPoint(2, 0.0, std::nan(""), 0.0);
 	write(folder / "a.vtu", grid);
-	EXPECT_EQ(refusal(folder / "a.vtu"), "truncated or damaged: the coordinates of point 2 are not finite numbers");
+	EXPECT_EQ(refusal(folder / "a.vtu"), "truncated or damaged: every cell has a point without a "
+	                                     "place; the coordinates of point 2 are not finite numbers");
 	const auto doubles = rowOf({VTK_HEXAHEDRON});
 	doubles->GetPoints()->SetDataType(VTK_DOUBLE);
 	doubles->GetPoints()->SetNumberOfPoints(8);
 	for (vtkIdType p = 0; p < 8; ++p)
 		doubles->GetPoints()->SetPoint(p, double(p / 4), double(p % 2), p == 3 ? -1e60 : double(p / 2 % 2));
 	write(folder / "b.vtu", doubles);
-	EXPECT_EQ(refusal(folder / "b.vtu"), "truncated or damaged: the coordinates of point 3 are larger than 1e50");
+	EXPECT_EQ(refusal(folder / "b.vtu"), "truncated or damaged: every cell has a point without a "
+	                                     "place; the coordinates of point 3 are larger than 1e50");
 }
 
 TEST(Files, WhosePiecesGoInACircleAreRefused)
