@@ -390,6 +390,28 @@ def test_results_go_back_to_vtk():
     assert lines.GetNumberOfLines() > 0 and lines.GetPointData().GetArray('time')
 
 
+def test_prisms_and_points_without_a_place():
+    """Prisms over a pentagon and a hexagon beside a hexahedron, of which one point is no place."""
+    mesh, points, expected = model.vtkUnstructuredGrid(), [], 0
+    for cell, sides in enumerate((5, 6, 4)):
+        angles = 2 * np.pi * np.arange(sides) / sides
+        points += [(3 * cell + np.cos(a), np.sin(a), z) for z in (0, 1) for a in angles]
+        expected += .5 * sides * np.sin(2 * np.pi / sides)
+    mesh.SetPoints(vtk_points(np.array(points + [(np.nan, 0, 0)])))
+    first = 0
+    for kind, sides in ((15, 5), (16, 6), (12, 4)):
+        mesh.InsertNextCell(kind, 2 * sides, list(range(first, first + 2 * sides)))
+        first += 2 * sides
+    data = vprobe.wrap(mesh, classify='cpu')
+    for _ in range(2):
+        assert data.slice(origin=(0, 0, .3), normal='z').area == pytest.approx(expected)
+    mesh.GetPoints().SetPoint(0, np.inf, 0, 0)
+    with pytest.warns(vprobe.VprobeWarning, match='1 cell is left out'):
+        data = vprobe.wrap(mesh, classify='cpu')
+    left = expected - 2.5 * np.sin(2 * np.pi / 5)
+    assert data.slice(origin=(0, 0, .3), normal='z').area == pytest.approx(left)
+
+
 @pytest.mark.parametrize('kind, count', ((25, 20), (29, 27), (72, 27), (79, 27)))
 def test_curved_hexahedra_are_refined_to_a_tolerance(kind, count):
     step = {0: (0, 0, 0), 1: (1, 0, 0), 2: (1, 1, 0), 3: (0, 1, 0)}

@@ -10,6 +10,7 @@ import numpy.typing as npt
 from . import _core
 from ._answers import ArrayInfo, Block, Frame, Memory, PlanRow, Samples
 from ._errors import InputError, UsageError
+from ._masks import places
 from ._picture import Image
 from ._probe import Probe, Vector
 from ._settings import Progress, listener, put, text_of, view_of
@@ -299,11 +300,11 @@ class Dataset:
         Samples
             Arrays by name; NaN outside the grid.
         """
-        places = np.asarray(points, dtype=np.float64)
-        if places.ndim != 2 or places.shape[1] != 3:
-            raise InputError(f'points of the shape {places.shape}; it has to be (n, 3)')
+        at = places(points, 'points')
+        if at.ndim != 2 or at.shape[1] != 3:
+            raise InputError(f'points of the shape {at.shape}; it has to be (n, 3)')
         names = [arrays] if isinstance(arrays, str) else list(arrays)
-        cells, blocks, columns = self._core.sample(places, names)
+        cells, blocks, columns = self._core.sample(at, names)
         return Samples(cells, blocks, {
             name: values if components == 1 else values.reshape(-1, components)
             for name, components, values in columns})

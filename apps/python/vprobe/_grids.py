@@ -9,23 +9,38 @@ import numpy.typing as npt
 from . import _core
 from ._dataset import Dataset
 from ._errors import InputError
+from ._lattices import cells_at_points, points_on_axes, visible_cells
+from ._masks import places, refuse_mask, unmasked
 
 Arrays = Optional[Mapping[str, npt.NDArray[Any]]]
 Lattice = Tuple[int, int, int]
 
 # VTK's numbers of the cells that can be cut, and how many points they have.
-CELL_TYPES = {'tetra': 10, 'voxel': 11, 'hexahedron': 12, 'wedge': 13, 'pyramid': 14, 'quadratic_tetra': 24,
-              'quadratic_hexahedron': 25, 'quadratic_wedge': 26, 'quadratic_pyramid': 27, 'polyhedron': 42}
-CELL_SIZES = {10: 4, 11: 8, 12: 8, 13: 6, 14: 5}
+CELL_TYPES = {'tetra': 10, 'voxel': 11, 'hexahedron': 12, 'wedge': 13, 'pyramid': 14, 'pentagonal_prism': 15,
+              'hexagonal_prism': 16, 'quadratic_tetra': 24, 'quadratic_hexahedron': 25, 'quadratic_wedge': 26,
+              'quadratic_pyramid': 27, 'polyhedron': 42}
+CELL_SIZES = {10: 4, 11: 8, 12: 8, 13: 6, 14: 5, 15: 10, 16: 12}
+
+
+def usable_masked(given: Any, name: str, copy: bool) -> Tuple[npt.NDArray[Any], Optional[npt.NDArray[Any]]]:
+    """The array as it is, or, where the library could not use it so and `copy` is true, one that it can.
+
+    Masked floats are NaN in a copy. Of other types the second array tells which values are masked.
+    """
+    if not isinstance(given, np.ndarray) and not copy:
+        raise InputError(f'{name}: {type(given).__name__} is no numpy array; use copy=True, or numpy.asarray()')
+    array, mask = unmasked(given, np.asanyarray(given), name)
+    return (_converted(array) if copy else array), mask
 
 
 def usable(given: Any, name: str, copy: bool) -> npt.NDArray[Any]:
-    """The array as it is, or, where the library could not use it so and `copy` is true, one that it can."""
-    if not isinstance(given, np.ndarray) and not copy:
-        raise InputError(f'{name}: {type(given).__name__} is no numpy array; use copy=True, or numpy.asarray()')
-    array: npt.NDArray[Any] = np.asarray(given)
-    if not copy:
-        return array
+    """The same for arrays whose integers cannot be masked."""
+    array, mask = usable_masked(given, name, copy)
+    refuse_mask(mask, name, 'integers have no NaN')
+    return array
+
+
+def _converted(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
     if array.dtype.kind == 'b':
         array = array.astype(np.uint8)
     elif array.dtype.kind == 'f' and array.dtype.itemsize not in (4, 8):
@@ -33,17 +48,26 @@ def usable(given: Any, name: str, copy: bool) -> npt.NDArray[Any]:
     return np.ascontiguousarray(array, dtype=array.dtype.newbyteorder('='))
 
 
-def fields_of(values: Arrays, place: str, count: int, lattice: Optional[Lattice], copy: bool) -> List[Tuple[Any, ...]]:
-    """What the library takes of arrays over `count` points or cells; `lattice` is (nx, ny, nz) of them."""
+def fields_of(values: Arrays, place: str, count: int, lattice: Optional[Lattice], copy: bool,
+              hidden: Dict[str, npt.NDArray[Any]]) -> List[Tuple[Any, ...]]:
+    """What the library takes of arrays over `count` points or cells; `lattice` is (nx, ny, nz) of them.
+
+    Points and cells of a lattice at which integers are masked are marked in hidden['point'] and hidden['cell'].
+    """
     fields: List[Tuple[Any, ...]] = []
     for name, given in (values or {}).items():
-        array = usable(given, f'the array {name}', copy)
+        array, mask = usable_masked(given, f'the array {name}', copy)
         shapes = [(count,)] + ([lattice[::-1]] if lattice else [])
         shape = next((shape for shape in shapes if array.shape[:len(shape)] == shape), None)
         if shape is None or array.ndim > len(shape) + 1:
             wanted = ' or '.join(str(each) for each in shapes)
             raise InputError(f'the array {name} has the shape {array.shape}; for these {place}s it has to be {wanted}, '
                              'with the components behind')
+        if lattice is None:
+            refuse_mask(mask, f'the array {name}', 'integers have no NaN')
+        elif mask is not None:
+            marks = mask.reshape(count, -1).any(axis=1)
+            hidden[place] = hidden[place] | marks if place in hidden else marks
         components = array.shape[len(shape)] if array.ndim > len(shape) else 1
         fields.append((name, place, components, array, ''))
     return fields
@@ -52,10 +76,32 @@ def fields_of(values: Arrays, place: str, count: int, lattice: Optional[Lattice]
 def _dataset(block: Dict[str, Any], point_data: Arrays, cell_data: Arrays, points: int, cells: int,
              lattice: Optional[Lattice], copy: bool, options: Mapping[str, str]) -> Dataset:
     of_cells = None if lattice is None else (lattice[0] - 1, lattice[1] - 1, lattice[2] - 1)
-    block['fields'] = (fields_of(point_data, 'point', points, lattice, copy)
-                       + fields_of(cell_data, 'cell', cells, of_cells, copy))
+    hidden: Dict[str, npt.NDArray[Any]] = {}
+    fields = (fields_of(point_data, 'point', points, lattice, copy, hidden)
+              + fields_of(cell_data, 'cell', cells, of_cells, copy, hidden))
+    if lattice is not None and hidden:
+        block = _without_hidden(block, lattice, hidden)
+    block['fields'] = fields
     block['name'] = ''
     return Dataset(_core.Dataset.wrap([block], options.get('classify', 'auto'), options.get('device', '')))
+
+
+def _without_hidden(block: Dict[str, Any], lattice: Lattice, hidden: Dict[str, npt.NDArray[Any]]) -> Dict[str, Any]:
+    """The block of a lattice without the cells that are hidden, by themselves or by a point."""
+    cells = np.zeros(_cells_of(lattice), bool)
+    if 'point' in hidden:
+        cells |= cells_at_points(hidden['point'], lattice)
+    if 'cell' in hidden:
+        cells |= hidden['cell']
+    if cells.all():
+        raise InputError('every cell is masked, or has a masked point; there is nothing to cut')
+    if block['kind'] == 'image':
+        points = points_on_axes(*(block['origin'][a] + block['spacing'][a] * np.arange(lattice[a]) for a in range(3)))
+    elif block['kind'] == 'rectilinear':
+        points = points_on_axes(block['x'], block['y'], block['z'])
+    else:
+        points = block['coordinates'].reshape(-1, 3)
+    return visible_cells(points, lattice, cells)
 
 
 def _lattice_of(dimensions: Sequence[int]) -> Lattice:
@@ -77,7 +123,9 @@ def image(point_data: Arrays = None, cell_data: Arrays = None, *, dimensions: Op
     ----------
     point_data, cell_data : mapping of str to ndarray, optional
         Arrays of the shape (nz, ny, nx), with components behind, or flat, where x runs fastest. An array that is
-        indexed by [i, j, k] in Fortran order is given as ``array.T``. They are shared.
+        indexed by [i, j, k] in Fortran order is given as ``array.T``. They are shared. Masked values, of numpy.ma or
+        of anything else with a ``mask``, are NaN if they are floats, in a copy. Masked integers hide their points or
+        cells.
     dimensions : sequence of 3 ints, optional
         Points along x, y and z, 2 or more each. By default those of the first array in `point_data`.
     origin, spacing : sequence of 3 floats
@@ -121,7 +169,7 @@ def rectilinear(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike, point_data
     point_data, cell_data, copy, **options
         As of `image`.
     """
-    axes = [np.ascontiguousarray(axis, dtype=np.float64) for axis in (x, y, z)]
+    axes = [places(axis, name) for name, axis in zip('xyz', (x, y, z))]
     for name, axis in zip('xyz', axes):
         if axis.ndim != 1 or len(axis) < 2:
             raise InputError(f'{name} has the shape {axis.shape}; it has to be (n,), with 2 or more')
@@ -137,22 +185,23 @@ def structured(points: npt.NDArray[Any], point_data: Arrays = None, cell_data: A
     Parameters
     ----------
     points : ndarray of shape (nk, nj, ni, 3), or (n, 3) with `dimensions`
-        float32 or float64; i runs fastest. Shared, unless the library turns the axes of the lattice.
+        float32 or float64; i runs fastest. Shared, unless the library turns the axes of the lattice. Cells with a
+        point that is masked, or NaN, are hidden, with a warning.
     dimensions : sequence of 3 ints, optional
         Points along i, j and k.
     point_data, cell_data, copy, **options
         As of `image`; shapes are (nk, nj, ni).
     """
-    places = usable(points, 'points', copy)
+    at = usable(points, 'points', copy)
     if dimensions is None:
-        if places.ndim != 4:
-            raise InputError(f'points of the shape {places.shape}; it has to be (nk, nj, ni, 3), or give dimensions=')
-        dimensions = places.shape[2::-1]
+        if at.ndim != 4:
+            raise InputError(f'points of the shape {at.shape}; it has to be (nk, nj, ni, 3), or give dimensions=')
+        dimensions = at.shape[2::-1]
     lattice = _lattice_of(dimensions)
     count = int(np.prod(lattice))
-    if places.shape not in ((*lattice[::-1], 3), (count, 3)):
-        raise InputError(f'points of the shape {places.shape}; it has to be {(*lattice[::-1], 3)} or {(count, 3)}')
-    block = {'kind': 'structured', 'points': lattice, 'coordinates': places}
+    if at.shape not in ((*lattice[::-1], 3), (count, 3)):
+        raise InputError(f'points of the shape {at.shape}; it has to be {(*lattice[::-1], 3)} or {(count, 3)}')
+    block = {'kind': 'structured', 'points': lattice, 'coordinates': at}
     return _dataset(block, point_data, cell_data, count, _cells_of(lattice), lattice, copy, options)
 
 
@@ -163,17 +212,17 @@ def _types_of(types: Union[str, int, npt.NDArray[Any]], cells: int) -> npt.NDArr
         types = CELL_TYPES[types]
     if isinstance(types, (int, np.integer)):
         return np.full(cells, types, np.uint8)
-    array = np.ascontiguousarray(types, dtype=np.uint8)
+    array = np.ascontiguousarray(usable(types, 'types', True), dtype=np.uint8)
     if array.shape != (cells,):
         raise InputError(f'types of the shape {array.shape}; it has to be ({cells},), one for each cell')
     return array
 
 
 def _points_of(points: Any, copy: bool) -> npt.NDArray[Any]:
-    places = usable(points, 'points', copy)
-    if places.ndim != 2 or places.shape[1] != 3:
-        raise InputError(f'points of the shape {places.shape}; it has to be (n, 3)')
-    return places
+    at = usable(points, 'points', copy)
+    if at.ndim != 2 or at.shape[1] != 3:
+        raise InputError(f'points of the shape {at.shape}; it has to be (n, 3)')
+    return at
 
 
 def unstructured(points: npt.NDArray[Any], cells: Union[npt.NDArray[Any], Tuple[npt.NDArray[Any], npt.NDArray[Any]]],
@@ -184,18 +233,18 @@ def unstructured(points: npt.NDArray[Any], cells: Union[npt.NDArray[Any], Tuple[
     Parameters
     ----------
     points : ndarray of shape (n, 3)
-        float32 or float64.
+        float32 or float64. Cells with a point that is masked, or NaN, are left out, with a warning.
     cells : ndarray of shape (n, k), or (offsets, connectivity)
         Numbers of points, int32 or int64, in rows of k, or one after the other with n + 1 offsets.
     types : str, int or ndarray of shape (n,)
-        ``"tetra"``, ``"hexahedron"``, ``"wedge"``, ``"pyramid"``, ``"voxel"``, ``"quadratic_tetra"``,
-        ``"quadratic_hexahedron"``, ``"quadratic_wedge"``, ``"quadratic_pyramid"``, or VTK's numbers, for all cells or
-        for each.
+        ``"tetra"``, ``"hexahedron"``, ``"wedge"``, ``"pyramid"``, ``"voxel"``, ``"pentagonal_prism"``,
+        ``"hexagonal_prism"``, ``"quadratic_tetra"``, ``"quadratic_hexahedron"``, ``"quadratic_wedge"``,
+        ``"quadratic_pyramid"``, or VTK's numbers, for all cells or for each.
     tolerance : float, optional
         Of curved cells, quadratic, Lagrange and Bezier ones: slices refine those that they meet, until they are off by
         no more than this share of their size, and of the range of the array that is shown.
     point_data, cell_data, copy, **options
-        As of `image`; arrays have the shape (n,) or (n, components).
+        As of `image`; arrays have the shape (n,) or (n, components). Integers cannot be masked.
 
     Notes
     -----
@@ -209,7 +258,7 @@ def unstructured(points: npt.NDArray[Any], cells: Union[npt.NDArray[Any], Tuple[
     >>> vprobe.unstructured(points, numpy.array([[0, 1, 2, 3]]), 'tetra').slice(origin=(.1, .1, .5)).area
     0.125
     """
-    places = _points_of(points, copy)
+    at = _points_of(points, copy)
     if isinstance(cells, tuple):
         offsets, connectivity = (usable(part, name, copy) for part, name in zip(cells, ('offsets', 'connectivity')))
         count = len(offsets) - 1
@@ -219,9 +268,9 @@ def unstructured(points: npt.NDArray[Any], cells: Union[npt.NDArray[Any], Tuple[
             raise InputError(f'cells of the shape {connectivity.shape}; it has to be (n, k), or (offsets, connectivity)')
         count, size = connectivity.shape
         offsets = np.arange(0, count * size + 1, size, dtype=np.int64) if size else np.zeros(count + 1, np.int64)
-    block = {'kind': 'unstructured', 'coordinates': places, 'types': _types_of(types, count), 'offsets': offsets,
+    block = {'kind': 'unstructured', 'coordinates': at, 'types': _types_of(types, count), 'offsets': offsets,
              'connectivity': connectivity, 'tolerance': float(tolerance)}
-    return _dataset(block, point_data, cell_data, len(places), count, None, copy, options)
+    return _dataset(block, point_data, cell_data, len(at), count, None, copy, options)
 
 
 def polyhedra(points: npt.NDArray[Any], cells: Union[Sequence[Sequence[Sequence[int]]], Tuple[Any, Any]],
@@ -239,9 +288,10 @@ def polyhedra(points: npt.NDArray[Any], cells: Union[Sequence[Sequence[Sequence[
     point_data, cell_data, copy, **options
         As of `unstructured`.
     """
-    places = _points_of(points, copy)
+    at = _points_of(points, copy)
     if isinstance(cells, tuple) and len(cells) == 2 and isinstance(cells[0], np.ndarray):
-        starts, stream = (np.ascontiguousarray(part, dtype=np.int64) for part in cells)
+        starts, stream = (np.ascontiguousarray(usable(part, name, True), dtype=np.int64)
+                          for part, name in zip(cells, ('face_offsets', 'face_stream')))
         count = len(starts) - 1
     else:
         numbers: List[int] = []
@@ -252,7 +302,7 @@ def polyhedra(points: npt.NDArray[Any], cells: Union[Sequence[Sequence[Sequence[
                 numbers += [len(face), *map(int, face)]
             begins.append(len(numbers))
         starts, stream, count = np.array(begins, np.int64), np.array(numbers, np.int64), len(begins) - 1
-    block = {'kind': 'unstructured', 'coordinates': places, 'types': np.full(count, 42, np.uint8),
+    block = {'kind': 'unstructured', 'coordinates': at, 'types': np.full(count, 42, np.uint8),
              'offsets': np.zeros(count + 1, np.int64), 'connectivity': np.zeros(0, np.int64), 'face_offsets': starts,
              'face_stream': stream}
-    return _dataset(block, point_data, cell_data, len(places), count, None, copy, options)
+    return _dataset(block, point_data, cell_data, len(at), count, None, copy, options)

@@ -10,6 +10,7 @@ from . import _core
 from ._dataset import Dataset
 from ._errors import InputError
 from ._grids import CELL_SIZES
+from ._lattices import EMPTY_CELL, HEXAHEDRON, cells_at_points, points_on_axes, visible_cells
 
 Array = npt.NDArray[Any]
 
@@ -22,7 +23,7 @@ class NoVolume(InputError):
 HIDDEN_CELL = 1 | 8 | 32
 HIDDEN_POINT = 2
 GHOSTS = 'vtkGhostType'
-EMPTY_CELL, HEXAHEDRON, POLYHEDRON = 0, 12, 42
+POLYHEDRON = 42
 # Curved cells that a tolerance refines, by VTK's type: quadratic, Lagrange and Bezier ones.
 CURVED_TYPES = (24, 25, 26, 27, 29, 31, 32, 33, 71, 72, 73, 78, 79, 80)
 FLAT_TYPES = (*range(0, 10), 21, 22, 23, 28, 30, 34, 35, 36, *range(51, 55), *range(60, 64), 68, 69, 70, 75, 76, 77)
@@ -84,32 +85,14 @@ def _hidden_cells(data: Any, lattice: Optional[Tuple[int, ...]]) -> Optional[Arr
         hidden = (numpy_of(marks, True, GHOSTS) & HIDDEN_CELL) != 0
     marks = data.GetPointData().GetArray(GHOSTS)
     if marks is not None and lattice is not None:
-        blank = ((numpy_of(marks, True, GHOSTS) & HIDDEN_POINT) != 0).reshape(lattice[::-1])
-        of_points = np.zeros(tuple(n - 1 for n in blank.shape), bool)
-        for k in (slice(None, -1), slice(1, None)):
-            for j in (slice(None, -1), slice(1, None)):
-                for i in (slice(None, -1), slice(1, None)):
-                    of_points |= blank[k, j, i]
-        hidden = of_points.ravel() if hidden is None else hidden | of_points.ravel()
+        of_points = cells_at_points((numpy_of(marks, True, GHOSTS) & HIDDEN_POINT) != 0, lattice)
+        hidden = of_points if hidden is None else hidden | of_points
     return hidden if hidden is not None and hidden.any() else None
-
-
-def _hexahedra(lattice: Tuple[int, ...]) -> Array:
-    """The points of each cell of a lattice, in the order of a hexahedron."""
-    ids = np.arange(int(np.prod(lattice)), dtype=np.int64).reshape(lattice[::-1])
-    low, high = ids[:-1], ids[1:]
-    corners: List[Array] = []
-    for layer in (low, high):
-        corners += [layer[:, :-1, :-1], layer[:, :-1, 1:], layer[:, 1:, 1:], layer[:, 1:, :-1]]
-    return np.stack([corner.ravel() for corner in corners], axis=1)
 
 
 def _points_of(data: Any) -> Array:
     """The points of an image or a rectilinear grid, made."""
-    x, y, z = _axes_of(data)
-    points = np.empty((len(z), len(y), len(x), 3))
-    points[..., 0], points[..., 1], points[..., 2] = x, y[:, None], z[:, None, None]
-    points = points.reshape(-1, 3)
+    points = points_on_axes(*_axes_of(data))
     if data.IsA('vtkImageData'):
         turn = np.array([[data.GetDirectionMatrix().GetElement(i, j) for j in range(3)] for i in range(3)])
         origin = np.array(data.GetOrigin())
@@ -148,10 +131,7 @@ def _lattice_block(data: Any, copy: bool) -> Dict[str, Any]:
         raise InputError('an image with a direction matrix: its points have to be made; use copy=True')
     if hidden is not None:
         points = _places_of(data, copy) if data.IsA('vtkStructuredGrid') else _points_of(data)
-        types = np.where(hidden, EMPTY_CELL, HEXAHEDRON).astype(np.uint8)
-        return {'kind': 'unstructured', 'coordinates': points, 'types': types,
-                'offsets': np.arange(0, 8 * len(types) + 1, 8, dtype=np.int64),
-                'connectivity': _hexahedra(lattice).ravel()}
+        return visible_cells(points, lattice, hidden)
     if is_turned:
         return {'kind': 'structured', 'points': lattice, 'coordinates': _points_of(data)}
     if is_image:
