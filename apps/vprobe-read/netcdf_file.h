@@ -62,23 +62,38 @@ public:
 		int variable = -1;
 		return nc_inq_varid(id_, name, &variable) == NC_NOERR ? variable : -1;
 	}
+	// Nothing where the attribute is a text, or is not there.
 	std::vector<double> numbers(int variable, const char* attribute) const
 	{
-		std::size_t count = 0;
-		nc_type type = NC_NAT;
-		if ((variable < 0 && variable != NC_GLOBAL) ||
-		    nc_inq_att(id_, variable, attribute, &type, &count) != NC_NOERR || type == NC_CHAR || count > 64)
+		const auto [type, count] = attributeOf(variable, attribute);
+		if (type == NC_NAT || type == NC_CHAR || type >= NC_STRING || count > kMaxNumbers)
 			return {};
 		std::vector<double> values(count);
 		check(nc_get_att_double(id_, variable, attribute, values.data()));
 		return values;
 	}
+	// NC_NAT where there is none.
+	std::pair<nc_type, std::size_t> attributeOf(int variable, const char* attribute) const
+	{
+		std::pair<nc_type, std::size_t> found(NC_NAT, 0);
+		if ((variable < 0 && variable != NC_GLOBAL) ||
+		    nc_inq_att(id_, variable, attribute, &found.first, &found.second) != NC_NOERR)
+			return {NC_NAT, 0};
+		return found;
+	}
+	// A text of the classic kind, or the first of a list of strings.
 	std::string text(int variable, const char* attribute) const
 	{
-		std::size_t count = 0;
-		nc_type type = NC_NAT;
-		if ((variable < 0 && variable != NC_GLOBAL) ||
-		    nc_inq_att(id_, variable, attribute, &type, &count) != NC_NOERR || type != NC_CHAR || count > 4096)
+		const auto [type, count] = attributeOf(variable, attribute);
+		if (type == NC_STRING && count > 0 && count <= kMaxNumbers)
+		{
+			std::vector<char*> all(count, nullptr);
+			check(nc_get_att_string(id_, variable, attribute, all.data()));
+			const std::string words = all[0] ? std::string(all[0]) : std::string();
+			nc_free_string(count, all.data());
+			return words;
+		}
+		if (type != NC_CHAR || count > kMaxLetters)
 			return {};
 		std::string words(count, '\0');
 		check(nc_get_att_text(id_, variable, attribute, words.data()));
@@ -121,5 +136,8 @@ public:
 	}
 
 private:
+	static constexpr std::size_t kMaxNumbers = 4096; // of one attribute
+	static constexpr std::size_t kMaxLetters = 1 << 16;
+
 	int id_ = -1;
 };

@@ -1,4 +1,5 @@
 // Results of the atmosphere model CAM on its cubed sphere: columns in one file, the quads between them in another.
+#include "cf_values.h"
 #include "complaints.h"
 #include "file_head.h"
 #include "formats.h"
@@ -8,6 +9,8 @@
 #include "refusal.h"
 #include "time_choice.h"
 
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkNetCDFCAMReader.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -35,6 +38,24 @@ std::string quadsBeside(const std::string& file)
 	return {};
 }
 
+// VTK's reader knows of no missing values, and of no packed ones.
+void takeMeant(const std::string& name, vtkDataSetAttributes* fields)
+{
+	const NetcdfFile file(name);
+	for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+	{
+		vtkDataArray* array = fields->GetArray(i);
+		const int variable = array && array->GetName() ? file.variable(array->GetName()) : -1;
+		if (variable < 0 || cfTypeOf(file, variable) != array->GetDataType())
+			continue;
+		const vtkSmartPointer<vtkDataArray> meant = cfMeant(file, variable, array);
+		if (meant == array)
+			continue;
+		meant->SetName(array->GetName());
+		fields->AddArray(meant); // in the place of the one of its name
+	}
+}
+
 } // namespace
 
 void readCam(const Request& request, ManifestWriter& manifest)
@@ -56,5 +77,7 @@ void readCam(const Request& request, ManifestWriter& manifest)
 	if (!grid)
 		throw damaged("no data set was found");
 	grid->GetPointData()->RemoveArray("lev"); // VTK 9.1 has the longitudes in it
+	takeMeant(request.file, grid->GetPointData());
+	takeMeant(request.file, grid->GetCellData());
 	manifest.add(grid);
 }

@@ -1,4 +1,5 @@
 // Results of MPAS, as prisms over the cells of its mesh. VTK 9.1's reader puts values of layers at points of others.
+#include "cf_values.h"
 #include "formats.h"
 #include "grown_cells.h"
 #include "manifest_writer.h"
@@ -36,7 +37,7 @@ std::vector<double> mpasValues(const NetcdfFile& file, const char* name, std::si
 	const int variable = file.variable(name);
 	if (variable < 0)
 		throw damaged(fmt::format("it has no {}", name));
-	std::vector<double> values = file.values(variable);
+	std::vector<double> values = cfNumbers(file, variable);
 	if (values.size() != count)
 		throw damaged(fmt::format("{} has {} values for {}", name, values.size(), count));
 	return values;
@@ -77,7 +78,7 @@ vtkSmartPointer<vtkUnstructuredGrid> mpasGrid(const NetcdfFile& file, const Mpas
 	const MpasSides sides = listed < 0 ? MpasSides() : file.dimensions(listed);
 	if (sides.size() != 2 || sides[0].second != mesh.cells)
 		throw damaged("its cells list no vertices");
-	const std::vector<double> lists = file.values(listed);
+	const std::vector<double> lists = cfNumbers(file, listed);
 	const std::vector<double> counts = mpasValues(file, "nEdgesOnCell", mesh.cells);
 	GrownCells cells;
 	for (std::size_t cell = 0; cell < mesh.cells; ++cell)
@@ -113,10 +114,13 @@ void addMpasArrays(const NetcdfFile& file, const MpasMesh& mesh, std::size_t ste
 		const MpasSides sides = file.dimensions(variable);
 		const bool has_time = !sides.empty() && sides[0].first == "Time";
 		const std::size_t first = has_time ? 1 : 0;
-		if (type == NC_CHAR || sides.size() != first + 2 || sides[first].first != "nCells" ||
+		if (cfTypeOf(file, variable) == 0 || sides.size() != first + 2 || sides[first].first != "nCells" ||
 		    sides[first + 1].first != "nVertLevels")
 			continue;
-		const std::vector<double> values = file.values(variable, has_time ? std::optional(step) : std::nullopt);
+		CfSlab slab = CfSlab::of(file, variable);
+		if (has_time)
+			slab.fix(0, step);
+		const std::vector<double> values = cfNumbers(file, variable, slab);
 		vtkNew<vtkDoubleArray> array;
 		array->SetName(name.c_str());
 		for (std::size_t cell = 0; cell < mesh.cells; ++cell)

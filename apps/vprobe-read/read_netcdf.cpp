@@ -1,9 +1,10 @@
 // netCDF of the climate and forecast conventions, and any netCDF file with arrays of three axes.
-#include "complaints.h"
+#include "cf_grid.h"
+#include "cf_values.h"
+#include "cf_volumes.h"
 #include "formats.h"
 #include "manifest_writer.h"
 #include "netcdf_size.h"
-#include "netcdf_volumes.h"
 #include "refusal.h"
 #include "time_choice.h"
 #include "zarr_check.h"
@@ -12,153 +13,107 @@
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkInformation.h>
-#include <vtkNetCDFCFReader.h>
-#include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
-#include <vtkStringArray.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstring>
 #include <filesystem>
-#include <limits>
-#include <set>
+#include <numeric>
 
 namespace
 {
 
-// The dimensions of variables, as VTK writes them "(time, z, y, x)": the longest list has the volumes. Variables of
-// other dimensions would be a second grid in the same place.
-std::string mostDimensions(vtkNetCDFCFReader& reader, bool has_groups, ManifestWriter& manifest)
+// Which step of the file is asked for; its times are offered.
+std::size_t chooseStepOf(const NetcdfFile& file, const CfVolumes& volumes, const Request& request,
+                         ManifestWriter& manifest)
 {
-	std::string most;
-	const auto lengthOf = [](const std::string& list) { return std::count(list.begin(), list.end(), ','); };
-	vtkStringArray* lists = reader.GetAllDimensions();
-	for (vtkIdType i = 0; i < lists->GetNumberOfValues(); ++i)
-		if (const std::string list = lists->GetValue(i); most.empty() || lengthOf(list) > lengthOf(most))
-			most = list;
-	if (lengthOf(most) < 2)
-		throw Refusal(has_groups
-		                  ? "nothing to slice: no variable with three dimensions at its root; groups of netCDF-4 "
-		                    "are not read, ncks -G : takes them there"
-		                  : "nothing to slice: no variable with three dimensions");
-	for (vtkIdType i = 0; i < lists->GetNumberOfValues(); ++i)
-		if (const std::string list = lists->GetValue(i); list != most && lengthOf(list) == lengthOf(most))
-			manifest.warn(fmt::format("variables over {} are left out; those over {} are read", list, most));
-	return most;
+	std::vector<double> times(volumes.time ? volumes.time->length : 0);
+	std::iota(times.begin(), times.end(), 0.0); // where the dimension has no values of its own
+	if (volumes.time && volumes.time->coordinate >= 0)
+		times = cfNumbers(file, volumes.time->coordinate);
+	StepsInTime in_order = stepsInTime(times, manifest);
+	if (!chooseIfAny(in_order.times, request))
+		return 0;
+	const std::size_t step = in_order.steps[chooseStep(in_order.times, request)];
+	manifest.offerTimes(std::move(in_order.times));
+	return step;
 }
 
-std::set<std::string> variablesOver(vtkNetCDFCFReader& reader, const std::string& dimensions)
+template <std::size_t Width>
+void turnAxes(const char* from, char* to, const std::array<std::size_t, 3>& counts,
+              const std::array<std::size_t, 3>& strides)
 {
-	std::set<std::string> names;
-	vtkStringArray* lists = reader.GetVariableDimensions();
-	vtkStringArray* all = reader.GetAllVariableArrayNames();
-	for (vtkIdType i = 0; i < std::min(lists->GetNumberOfValues(), all->GetNumberOfValues()); ++i)
-		if (lists->GetValue(i) == dimensions)
-			names.insert(all->GetValue(i));
-	return names;
+	for (std::size_t a = 0; a < counts[0]; ++a)
+		for (std::size_t b = 0; b < counts[1]; ++b)
+			for (std::size_t c = 0; c < counts[2]; ++c, from += Width)
+				std::memcpy(to + (a * strides[0] + b * strides[1] + c * strides[2]) * Width, from, Width);
 }
 
-// What the netCDF library fills variables with that nobody wrote: VTK knows only the value that a file declares.
-template <class Number>
-void replaceDefaultFill(vtkDataArray* array)
+// Values in the order of a file, with x running fastest, then y, then z.
+vtkSmartPointer<vtkDataArray> withXFastest(vtkSmartPointer<vtkDataArray> array, const CfVolume& volume,
+                                           const std::array<CfDimension, 3>& axes)
 {
-	constexpr double fill = 9.9692099683868690e+36; // NC_FILL_FLOAT and NC_FILL_DOUBLE
-	auto* values = static_cast<Number*>(array->GetVoidPointer(0));
-	std::replace(values, values + array->GetNumberOfValues(), static_cast<Number>(fill),
-	             std::numeric_limits<Number>::quiet_NaN());
-}
-
-void markMissing(vtkFieldData* fields)
-{
-	for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+	const auto [x, y, z] = volume.sides;
+	if (z < y && y < x)
+		return array;
+	const std::array<std::size_t, 3> of_axes = {1, axes[0].length, axes[0].length * axes[1].length};
+	std::array<std::size_t, 3> order = {0, 1, 2}, counts, strides; // axes as the file has them
+	std::ranges::sort(order, {}, [&](std::size_t axis) { return volume.sides[axis]; });
+	for (std::size_t i = 0; i < 3; ++i)
 	{
-		vtkDataArray* array = fields->GetArray(i);
-		if (array && array->GetDataType() == VTK_FLOAT)
-			replaceDefaultFill<float>(array);
-		else if (array && array->GetDataType() == VTK_DOUBLE)
-			replaceDefaultFill<double>(array);
+		counts[i] = axes[order[i]].length;
+		strides[i] = of_axes[order[i]];
 	}
-}
-
-void addUnits(vtkNetCDFCFReader& reader, vtkFieldData* fields)
-{
-	for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
-		if (vtkDataArray* array = fields->GetArray(i); array && array->GetName())
-			if (const std::string units = reader.QueryArrayUnits(array->GetName()); !units.empty())
-				array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), units.c_str());
-}
-
-// Leaves out variables that VTK's own would fail on; it loads all of the chosen dimensions, whatever their status.
-class NumbersReader : public vtkNetCDFCFReader
-{
-public:
-	static NumbersReader* New();
-	vtkTypeMacro(NumbersReader, vtkNetCDFCFReader);
-
-	void leaveOut(const std::vector<std::string>& variables) { left_out_.insert(variables.begin(), variables.end()); }
-
-protected:
-	int LoadVariable(int file, const char* name, double time, vtkDataSet* output) override
+	const auto turned = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+	turned->SetNumberOfTuples(array->GetNumberOfTuples());
+	const auto* from = static_cast<const char*>(array->GetVoidPointer(0));
+	auto* to = static_cast<char*>(turned->GetVoidPointer(0));
+	switch (array->GetDataTypeSize())
 	{
-		return left_out_.contains(name) ? 1 : vtkNetCDFCFReader::LoadVariable(file, name, time, output);
+	case 1:
+		turnAxes<1>(from, to, counts, strides);
+		break;
+	case 2:
+		turnAxes<2>(from, to, counts, strides);
+		break;
+	case 4:
+		turnAxes<4>(from, to, counts, strides);
+		break;
+	default:
+		turnAxes<8>(from, to, counts, strides);
 	}
+	return turned;
+}
 
-private:
-	std::set<std::string> left_out_;
-};
-
-vtkStandardNewMacro(NumbersReader);
+vtkSmartPointer<vtkDataArray> arrayOfVolume(const NetcdfFile& file, const CfVolumes& volumes, const CfVolume& volume,
+                                            std::size_t step)
+{
+	CfSlab slab = CfSlab::of(file, volume.variable);
+	if (volume.time)
+		slab.fix(*volume.time, step);
+	const auto array = withXFastest(cfArray(file, volume.variable, slab), volume, volumes.axes);
+	array->SetName(volume.name.c_str());
+	if (const std::string units = file.text(volume.variable, "units"); !units.empty())
+		array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), units.c_str());
+	return array;
+}
 
 // `name`: of a file, or an address that the netCDF library opens.
 void readByConventions(const std::string& name, const Request& request, ManifestWriter& manifest)
 {
-	NetcdfVolumes volumes = netcdfVolumes(name);
-	vtkNew<NumbersReader> reader;
-	if (!reader->CanReadFile(name.c_str()))
-		throw damaged("netCDF cannot open it");
-	reader->SetFileName(name.c_str());
-	reader->SphericalCoordinatesOff(); // longitude, latitude and height as they are, not on a globe
-	reader->ReplaceFillValueWithNanOn();
-	reader->UpdateMetaData();
-	refuseOnComplaint();
-	const std::string most = mostDimensions(*reader, volumes.has_groups, manifest);
-	const std::set<std::string> chosen = variablesOver(*reader, most);
-	const auto isElsewhere = [&](const std::string& variable) { return !chosen.contains(variable); };
-	for (const auto& [variable, dimension] : volumes.empty)
-		if (chosen.contains(variable))
-			throw Refusal(
-			    fmt::format("nothing to slice: {} has no values, since its dimension {} is 0", variable, dimension));
-	std::erase_if(volumes.unread, isElsewhere);
-	std::erase_if(volumes.whole, isElsewhere);
-	reader->SetDimensions(most.c_str());
-	for (const std::string& variable : volumes.unread)
-		manifest.warn(fmt::format("{} holds no numbers and is left out", variable));
-	reader->leaveOut(volumes.unread);
-	reader->leaveOut(volumes.whole);
-	std::optional<double> time;
-	try
-	{
-		time = updateAtTime(*reader, request, manifest);
-	}
-	catch (const Refusal& refusal)
-	{
-		if (std::string_view(refusal.what()).find("More than 3 dims without time") != std::string_view::npos)
-			throw Refusal(
-			    "a variable of four dimensions whose first has no times (a variable of its name, with units such "
-			    "as \"days since 2000-01-01\"); ncpdq -a puts another first");
-		throw;
-	}
-	auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-	if (!data)
-		throw damaged("no data set was found");
-	markMissing(data->GetPointData());
-	markMissing(data->GetCellData());
-	addUnits(*reader, data->GetPointData());
-	addUnits(*reader, data->GetCellData());
-	addWholeNumbers(name, volumes.whole, time, data);
-	manifest.add(data);
+	const NetcdfFile file(name);
+	const CfVolumes volumes = cfVolumes(file);
+	for (const std::string& note : volumes.notes)
+		manifest.warn(note);
+	const std::size_t step = chooseStepOf(file, volumes, request, manifest);
+	const CfGrid grid = cfGrid(file, volumes, step);
+	vtkDataSetAttributes* fields = grid.data->GetPointData();
+	if (grid.has_cell_values)
+		fields = grid.data->GetCellData();
+	for (const CfVolume& volume : volumes.all)
+		fields->AddArray(arrayOfVolume(file, volumes, volume, step));
+	manifest.add(grid.data);
 }
 
 } // namespace

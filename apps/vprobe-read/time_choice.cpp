@@ -12,20 +12,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace
 {
 
 // Of ascending times. Not by the least distance: far from all of them, they are equally far in floating point.
-double nearest(const std::vector<double>& times, double wanted)
+std::size_t nearest(const std::vector<double>& times, double wanted)
 {
 	const auto above = std::lower_bound(times.begin(), times.end(), wanted);
-	if (above == times.begin())
-		return times.front();
-	if (above == times.end())
-		return times.back();
-	return wanted - above[-1] <= *above - wanted ? above[-1] : *above;
+	const bool is_below = above != times.begin() && (above == times.end() || wanted - above[-1] <= *above - wanted);
+	const double time = is_below ? above[-1] : *above;
+	return static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
 }
 
 } // namespace
@@ -38,12 +37,29 @@ std::vector<double> inOrder(std::vector<double> times)
 	return times;
 }
 
-double chooseTime(const std::vector<double>& times, const Request& request)
+StepsInTime stepsInTime(const std::vector<double>& times, ManifestWriter& manifest)
+{
+	StepsInTime all{times, std::vector<std::size_t>(times.size())};
+	std::iota(all.steps.begin(), all.steps.end(), std::size_t(0));
+	const auto missing = std::ranges::count_if(times, [](double time) { return !std::isfinite(time); });
+	if (missing > 0)
+	{
+		manifest.warn(
+		    fmt::format("{} of its {} times are missing; its steps are numbered from 0", missing, times.size()));
+		std::iota(all.times.begin(), all.times.end(), 0.0);
+		return all;
+	}
+	std::ranges::stable_sort(all.steps, {}, [&](std::size_t step) { return times[step]; });
+	std::ranges::sort(all.times);
+	return all;
+}
+
+std::size_t chooseStep(const std::vector<double>& times, const Request& request)
 {
 	switch (request.time)
 	{
 	case Request::Time::first:
-		return times.front();
+		return 0;
 	case Request::Time::nearest:
 		return nearest(times, request.time_value);
 	case Request::Time::index:
@@ -51,10 +67,15 @@ double chooseTime(const std::vector<double>& times, const Request& request)
 			throw Refusal(fmt::format("--time #{}: there {} {} time{}, from #0 to #{}", request.time_index,
 			                          times.size() == 1 ? "is" : "are", times.size(), times.size() == 1 ? "" : "s",
 			                          times.size() - 1));
-		return times[request.time_index];
+		return request.time_index;
 	default:
-		return times.back();
+		return times.size() - 1;
 	}
+}
+
+double chooseTime(const std::vector<double>& times, const Request& request)
+{
+	return times[chooseStep(times, request)];
 }
 
 std::optional<double> chooseIfAny(const std::vector<double>& times, const Request& request)

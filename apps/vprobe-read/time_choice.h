@@ -11,7 +11,19 @@ class vtkAlgorithm;
 // Finite times, ascending and each once.
 std::vector<double> inOrder(std::vector<double> times);
 
-// The one of ascending times that is asked for. Throws a Refusal for an index past the last.
+// Steps of a file whose times may descend, be unsorted or equal.
+struct StepsInTime
+{
+	std::vector<double> times;      // ascending, one for each step
+	std::vector<std::size_t> steps; // of the file, in the same order
+};
+// Numbers the steps where a time is no number, and tells so.
+StepsInTime stepsInTime(const std::vector<double>& times, ManifestWriter& manifest);
+
+// Which of ascending times is asked for; of equal ones the first, or the last where that is asked for. Throws a Refusal
+// for an index past the last.
+std::size_t chooseStep(const std::vector<double>& times, const Request& request);
+// That time.
 double chooseTime(const std::vector<double>& times, const Request& request);
 
 // The same for any times; none if there are none. Throws a Refusal for an index then.

@@ -79,9 +79,9 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	std::optional<vp::session::Painter> painter;
 	std::uint64_t linking = 0; // rises when cells get other numbers
 	std::size_t cuts = 0;
-	bool sweeps = false;                     // the cut is a frame of a sweep, so others follow
-	std::weak_ptr<CutBlocks> blocks_of_cuts; // that share the session's blocks
-	std::optional<double> moved_to;          // a sweep through the times has left the values of this one
+	bool sweeps = false;                          // the cut is a frame of a sweep, so others follow
+	std::weak_ptr<CutBlocks> blocks_of_cuts;      // that share the session's blocks
+	std::optional<vp::read::TimeChoice> moved_to; // a sweep through the times has left the values of this one
 	// Of a wrapped data set, for each block: points and cells as the caller's arrays count them. Cells without a volume
 	// are among them.
 	std::vector<ArraySizes> array_sizes;

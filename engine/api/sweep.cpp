@@ -77,12 +77,13 @@ private:
 	vp::Status moveInTime(int index, SweepFrame& frame)
 	{
 		vp::session::Session& session = *state_.session;
-		const double time = session.blocks.times[static_cast<std::size_t>(index)];
-		frame.time = time;
+		const vp::read::TimeChoice time =
+		    vp::session::choiceOfStep(session.blocks.times, static_cast<std::size_t>(index));
+		frame.time = session.blocks.times[static_cast<std::size_t>(index)];
 		if (state_.moved_to == time)
 			return vp::Nothing{};
 		state_.moved_to = time; // also where it fails half way
-		return state_.moveTo({vp::read::TimeChoice::Kind::value, time});
+		return state_.moveTo(time);
 	}
 
 	DatasetState& state_;

@@ -43,7 +43,7 @@ VP_FORMAT("gmsh", ".msh", "Gmsh mesh, versions 2 and 4, text and binary",
           "elements up to order 2; physical groups; node and element data; times", "vprobe", alone,
           head.starts("$MeshFormat") || (head.starts("$Comments") && head.has("$MeshFormat")), base, Gmsh)
 VP_FORMAT("zarr", ".zarr", "Zarr version 2, a folder, of the CF conventions",
-          "the variables of most dimensions; missing values; times; units", "VTK, netCDF", folder,
+          "axes by their attributes; missing and packed values; times; units", "vprobe, netCDF", folder,
           head.isFolder() && head.holdsFile(".zgroup"), more, Zarr)
 VP_FORMAT("amrex", "", "AMReX and BoxLib plot files, a folder", "AMR levels; values at cells; time", "vprobe", folder,
           head.isFolder() && head.holdsFile("Header") && head.holdsFile("Level_0/Cell_H"), base, Amrex)
@@ -68,7 +68,7 @@ VP_FORMAT("slac", ".ncdf", "SLAC meshes of accelerators (netCDF), with a file of
           "volumes of tetrahedra; modes at points; time", "vprobe, netCDF", beside,
           head.holds("tetrahedron_exterior") || head.holds("tetrahedron_interior"), more, Slac)
 VP_FORMAT("netcdf", ".nc .nc4 .cdf", "netCDF, classic and netCDF-4, of the CF conventions",
-          "the variables of most dimensions; missing values; times; units", "VTK", alone,
+          "axes by their attributes; missing and packed values; times; units", "vprobe, netCDF", alone,
           head.isNetcdf() || head.holds("_NCProperties") || head.holds("Conventions"), more, Netcdf)
 VP_FORMAT("med", ".med .rmed", "MED 3 and 4 (Salome, Code_Aster)",
           "meshes of linear cells; fields at nodes and cells; families; times; units", "vprobe, HDF5", alone,

@@ -144,6 +144,15 @@ std::string timeText(const TimeChoice& time)
 namespace
 {
 
+// Equal times of one input stay apart; those of several inputs are the same times.
+void addTimes(std::vector<double> more, std::vector<double>& all)
+{
+	std::sort(more.begin(), more.end());
+	std::vector<double> both;
+	std::ranges::set_union(all, more, std::back_inserter(both));
+	all = std::move(both);
+}
+
 void addSet(grid::BlockSet set, grid::BlockSet& all)
 {
 	for (grid::Patch& patch : set.patches)
@@ -151,20 +160,13 @@ void addSet(grid::BlockSet set, grid::BlockSet& all)
 			face.block += static_cast<std::uint32_t>(all.blocks.size());
 	std::move(set.patches.begin(), set.patches.end(), std::back_inserter(all.patches));
 	std::move(set.blocks.begin(), set.blocks.end(), std::back_inserter(all.blocks));
-	all.times.insert(all.times.end(), set.times.begin(), set.times.end());
+	addTimes(std::move(set.times), all.times);
 	all.left_out += set.left_out;
-}
-
-void keepEachOnce(std::vector<double>& times)
-{
-	std::sort(times.begin(), times.end());
-	times.erase(std::unique(times.begin(), times.end()), times.end());
 }
 
 // What a set of several inputs still lacks: neighbors and seams, where they are wanted.
 void completeSet(grid::BlockSet& all, const ReadOptions& options, Timeline* timeline)
 {
-	keepEachOnce(all.times);
 	const bool all_listed =
 	    std::ranges::none_of(all.blocks, [](const grid::Block& block) { return grid::hasNeighbors(block); });
 	const bool refines = std::ranges::any_of(all.blocks, [](const grid::Block& b) { return b.curved != nullptr; });
@@ -232,9 +234,8 @@ Result<PartList> listParts(const std::vector<std::string>& inputs, const ReadOpt
 			list.parts.push_back({i, p, input->parts[p].cells, list.blocks.size() + input->parts[p].block});
 		for (const WholeLattice& whole : input->wholes)
 			list.blocks.push_back({whole.kind, whole.points});
-		list.times.insert(list.times.end(), input->times.begin(), input->times.end());
+		addTimes(input->times, list.times);
 	}
-	keepEachOnce(list.times);
 	return list;
 }
 

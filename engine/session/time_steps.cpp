@@ -4,6 +4,8 @@
 #include "session/sheet_traces.h"
 #include "session/team.h"
 
+#include <algorithm>
+
 namespace vp::session
 {
 
@@ -30,6 +32,13 @@ Status buildAnew(Session& session, read::ReadOptions at, Painter* painter)
 }
 
 } // namespace
+
+read::TimeChoice choiceOfStep(const std::vector<double>& times, std::size_t index)
+{
+	if (std::ranges::count(times, times[index]) > 1)
+		return read::timeAt(index);
+	return {read::TimeChoice::Kind::value, times[index]};
+}
 
 Result<bool> moveToTime(Session& session, const read::TimeChoice& time, Painter* painter)
 {
@@ -67,7 +76,7 @@ TimeSteps::TimeSteps(Session& session, Painter* painter)
 
 Result<cut::Cut> TimeSteps::cutAt(int step)
 {
-	const read::TimeChoice time{read::TimeChoice::Kind::value, times_[static_cast<std::size_t>(step)]};
+	const read::TimeChoice time = choiceOfStep(times_, static_cast<std::size_t>(step));
 	Result<bool> same_grid = moveToTime(session_, time, painter_);
 	if (!same_grid)
 		return same_grid.error();

@@ -9,6 +9,10 @@
 namespace vp::session
 {
 
+// A choice of one of ascending times: by its value, since inputs may have different ones, or by its index where others
+// are equal to it.
+read::TimeChoice choiceOfStep(const std::vector<double>& times, std::size_t index);
+
 // Moves a session to a time of its inputs. Returns true if the grid is the same, so that a cut only needs other values;
 // false if the grid was read and built again. painter: gets the changes, or null.
 Result<bool> moveToTime(Session& session, const read::TimeChoice& time, Painter* painter);

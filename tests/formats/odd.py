@@ -107,8 +107,11 @@ def netcdf_sides(folder):
     with new('late.nc', t=3) as file:
         axis = file.createVariable('t', 'i4', ('t',))
         axis.units, axis[:] = 'days since 2001-01-01', [5, 10, 20]
-        file.createVariable('f', 'f4', ('z', 't', 'y', 'x'))[:] = 0
-    refused(folder / 'late.nc', 'ncpdq')
+        file.createVariable('f', 'f4', ('z', 't', 'y', 'x'))[:] = values[:, None] * numpy.arange(3)[:, None, None]
+    compare(folder / 'late.nc', nrrd(folder, values), [('point:f', 'point:f')], ['--time', '10'])
+    with new('members.nc', member=3) as file:
+        file.createVariable('f', 'f4', ('member', 'z', 'y', 'x'))[:] = 0
+    refused(folder / 'members.nc', 'f(member, z, y, x) has 4 dimensions', 'ncks -d')
     with netcdf4.Dataset(folder / 'groups.nc', 'w') as file:
         group = file.createGroup('run')
         for side, count in (('z', 6), ('y', 4), ('x', 5)):

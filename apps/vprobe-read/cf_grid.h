@@ -1,0 +1,21 @@
+#pragma once
+
+#include "cf_volumes.h"
+
+#include <vtkSmartPointer.h>
+
+class vtkDataSet;
+
+struct CfGrid
+{
+	vtkSmartPointer<vtkDataSet> data;
+	bool has_cell_values = false; // the values are of cells, whose corners the file gives
+};
+
+// The grid of a file's volumes at a step of its times. Places that are missing are NaN.
+CfGrid cfGrid(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step);
+
+// A longitude that jumps by more than half a turn goes on beyond 180 or 360 instead. `width`: how many lie in a row;
+// each has neighbors before and after it in its row, and in the rows beside. False for those that have a neighbor more
+// than half a turn away even so, as around a pole.
+std::vector<bool> unwrapLongitudes(std::vector<double>& places, std::size_t width);
