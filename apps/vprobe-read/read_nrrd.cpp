@@ -70,6 +70,14 @@ int vtkTypeOf(int type)
 	}
 }
 
+// An axis whose direction is "none" is not of space, also where no kind says so.
+void markAxesWithoutDirection(Nrrd& nrrd)
+{
+	for (unsigned i = 0; nrrd.spaceDim == 3 && i < nrrd.dim; ++i)
+		if (nrrd.axis[i].kind == nrrdKindUnknown && !std::isfinite(nrrd.axis[i].spaceDirection[0]))
+			nrrd.axis[i].kind = nrrdKindList;
+}
+
 // The three axes of space behind those of the components, which VTK wants to run fastest.
 std::array<unsigned, 3> componentsFirst(NrrdPointer& nrrd)
 {
@@ -90,6 +98,7 @@ std::array<unsigned, 3> componentsFirst(NrrdPointer& nrrd)
 		NrrdPointer permuted(nrrdNew());
 		if (nrrdAxesPermute(permuted.get(), nrrd.get(), order.data()))
 			throw damaged(biffReason());
+		std::swap(permuted->content, nrrd->content); // teem says there what it did
 		nrrd = std::move(permuted);
 	}
 	return {ranges, ranges + 1, ranges + 2};
@@ -151,6 +160,9 @@ void readNrrd(const Request& request, ManifestWriter& manifest)
 	NrrdPointer nrrd(nrrdNew());
 	if (nrrdLoad(nrrd.get(), request.file.c_str(), nullptr))
 		throw damaged(biffReason());
+	if (std::any_of(nrrd->axis, nrrd->axis + nrrd->dim,
+	                [](const NrrdAxisInfo& axis) { return std::isfinite(axis.spaceDirection[0]); }))
+		markAxesWithoutDirection(*nrrd);
 	const std::array<unsigned, 3> axes = componentsFirst(nrrd);
 
 	vtkNew<vtkImageData> image;

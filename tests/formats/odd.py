@@ -55,6 +55,24 @@ def numpy_types(folder):
     assert info(folder / 'nan.npy')['arrays'][0]['range'] == [None, None]
 
 
+def nrrd_directions(folder):
+    """"none" says which axis is not of space; kinds may be left out, and so may all directions but these."""
+    numpy = need('numpy')
+    values = lattice(numpy)
+    reference = nrrd(folder, values, 'spacings: 1 1 1\naxis mins: 0 0 0\n')
+    for name, order, sizes, directions in (('first', '<f4', '2 5 4 6', 'none (1,0,0) (0,1,0) (0,0,1)'),
+                                           ('last', '<f4', '5 4 6 2', '(1,0,0) (0,1,0) (0,0,1) none')):
+        both = numpy.stack([values, -values], axis=3 if name == 'first' else 0)
+        (folder / f'{name}.nrrd').write_bytes(
+            (f'NRRD0005\ntype: float\ndimension: 4\nsizes: {sizes}\ncontent: f\nendian: little\nencoding: raw\n'
+             f'space: left-posterior-superior\nspace directions: {directions}\nspace origin: (0,0,0)\n\n').encode() +
+            both.astype(order).tobytes())
+        found = info(folder / f'{name}.nrrd')
+        assert found['arrays'][0]['components'] == 2 and found['bounds'] == [0, 4, 0, 3, 0, 5], found
+        ours, wanted = cut(folder / f'{name}.nrrd', 'f', '--component', '0'), cut(reference, 'f')
+        assert near(ours['area'], wanted['area']) and near(ours['mean'], wanted['mean']), (name, ours, wanted)
+
+
 def netcdf_sides(folder):
     netcdf4, numpy = need('netCDF4'), need('numpy')
     values = lattice(numpy)
@@ -309,5 +327,6 @@ def cgns_of_faces(folder):
     refused(folder / 'faces.cgns', 'ParentElements', 'NFACE_n')
 
 
-CASES = [metaimage_longs, exodus_by_meshio, exodus_without_values, numpy_types, netcdf_sides, xdmf_types, vtk_images,
+CASES = [metaimage_longs, exodus_by_meshio, exodus_without_values, numpy_types, netcdf_sides, nrrd_directions,
+         xdmf_types, vtk_images,
          vtk_without_cells, gmsh_comments, wedges, tiff_orders, other_codes, half_floats, kinds_of_vtkhdf, cgns_of_faces]
