@@ -4,6 +4,7 @@
 #include "read/build_block.h"
 #include "read/check_curved.h"
 #include "read/check_mesh.h"
+#include "read/collapsed_cells.h"
 #include "read/manifest.h"
 #include "read/placed_cells.h"
 #include "read/prisms.h"
@@ -146,6 +147,7 @@ struct Wrapper
 		vp::read::rewritePrisms(mesh.cells);
 		mesh.cells.has_checked_ids = !grid.checks_ids_later;
 		mesh.curved = vp::read::checkCells(mesh.cells, mesh.points.size(), true);
+		vp::read::orderCollapsed(mesh.cells);
 		if (mesh.curved)
 			checkTolerance(mesh.cells, grid.tolerance);
 		unplaced = vp::read::leaveOutUnplaced(mesh);

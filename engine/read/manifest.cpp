@@ -4,6 +4,7 @@
 #include "base/input_files.h"
 #include "read/check_curved.h"
 #include "read/check_mesh.h"
+#include "read/collapsed_cells.h"
 #include "read/placed_cells.h"
 #include "read/protocol.h"
 
@@ -218,6 +219,7 @@ private:
 		}
 		mesh.curved = lists.contains("curved");
 		checkCells(mesh.cells, mesh.points.size(), mesh.curved);
+		orderCollapsed(mesh.cells);
 		if (lists.contains("degrees"))
 			mesh.degrees = numbersOf<std::int32_t>(cells_, lists.at("degrees"), NumberType::int32, 3 * cells);
 		if (lists.contains("weights"))

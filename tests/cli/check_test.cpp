@@ -64,6 +64,30 @@ TEST_F(Check, FaultsGiveFive)
 	EXPECT_FALSE(contains(table.out, "overlaps "));
 }
 
+// Cells of a discontinuous Galerkin method, and tetrahedra as LS-DYNA lists them.
+TEST_F(Check, CellsWithOwnPointsAndDegenerateCellsAreNoFault)
+{
+	const Outcome own =
+	    run({"check",
+	         write("own.vtk", "# vtk DataFile Version 3.0\nown\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 16 float\n"
+	                          "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1\n"
+	                          "1 0 0 2 0 0 2 1 0 1 1 0 1 0 1 2 0 1 2 1 1 1 1 1\n"
+	                          "CELLS 2 18\n8 0 1 2 3 4 5 6 7\n8 8 9 10 11 12 13 14 15\nCELL_TYPES 2\n12\n12\n"),
+	         "--json"});
+	EXPECT_EQ(own.status, 0) << own.out;
+	EXPECT_EQ(own.json()["coincident_points"], 4);
+	EXPECT_EQ(own.json()["seam_faces"], 2);
+	const std::string tetrahedra =
+	    write("dyna.vtk", "# vtk DataFile Version 3.0\nd\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 float\n"
+	                      "0 0 0 1 0 0 0 1 0 0 0 1 0 0 -1\n"
+	                      "CELLS 2 18\n8 0 1 2 3 3 3 3 3\n8 0 2 1 4 4 4 4 4\nCELL_TYPES 2\n12\n12\n");
+	const Outcome dyna = run({"check", tetrahedra, "--json"});
+	EXPECT_EQ(dyna.status, 0) << dyna.out;
+	EXPECT_EQ(dyna.json()["degenerate_cells"], 2);
+	EXPECT_EQ(dyna.json()["collapsed_cells"], 0);
+	EXPECT_TRUE(contains(run({"check", tetrahedra}).out, "degenerate_cells"));
+}
+
 TEST_F(Check, BlocksThatMeetAreNoFaultButThoseThatOverlapAre)
 {
 	const std::string image = write("image.vtk", legacyImage());

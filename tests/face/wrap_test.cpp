@@ -272,6 +272,92 @@ TEST(Wrap, PrismsOverPentagonsAndHexagons)
 	refused(block, "point");
 }
 
+// A cube in six tetrahedra, each listed as another cell that is collapsed to four corners. A face may have all four.
+TEST(Wrap, TetrahedraListedAsOtherCells)
+{
+	constexpr std::array<std::array<int, 4>, 6> kCube{
+	    {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}}};
+	const std::vector<double> coordinates{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1};
+	struct Way
+	{
+		std::uint8_t type;
+		std::vector<std::size_t> order; // which corner is listed at each place
+	};
+	const std::vector<Way> ways{{10, {0, 1, 2, 3}},
+	                            {12, {0, 1, 2, 2, 3, 3, 3, 3}}, // Ansys
+	                            {12, {0, 1, 2, 3, 3, 3, 3, 3}}, // LS-DYNA
+	                            {12, {3, 3, 0, 3, 3, 1, 2, 3}}, // the same, turned
+	                            {11, {0, 1, 3, 2, 3, 3, 3, 3}},
+	                            {13, {0, 1, 2, 3, 3, 3}},
+	                            {13, {0, 1, 2, 3, 2, 2}},
+	                            {14, {0, 1, 2, 2, 3}},
+	                            {14, {0, 1, 2, 3, 3}}};
+	for (std::size_t first = 0; first < ways.size(); ++first)
+		for (const std::size_t second : {first, std::size_t(0)}) // alone, and beside tetrahedra
+		{
+			std::vector<std::uint8_t> types;
+			std::vector<std::int64_t> offsets{0};
+			std::vector<std::int32_t> ids;
+			for (std::size_t c = 0; c < kCube.size(); ++c)
+			{
+				const Way& way = ways[c % 2 ? second : first];
+				types.push_back(way.type);
+				for (const std::size_t corner : way.order)
+					ids.push_back(kCube[c][corner]);
+				offsets.push_back(static_cast<std::int64_t>(ids.size()));
+			}
+			const Dataset data = wrap({vprobe::Unstructured{coordinates, types, offsets, ids, {}, {}}, {}});
+			for (const char* strategy : {"scan", "cells", "generations"})
+				for (const auto& [normal, area] : {std::pair{vprobe::Vector3{0.0, 0.0, 1.0}, 1.0},
+				                                   std::pair{vprobe::Vector3{0.6, 0.8, 0.0}, std::nan("")},
+				                                   std::pair{vprobe::Vector3{1.0, 1.0, 1.0}, 0.75 * std::sqrt(3.0)}})
+				{
+					View view = View().normal(normal).origin({0.5, 0.5, std::isnan(area) ? 0.3 : 0.5});
+					ASSERT_TRUE(view.set("strategy", strategy));
+					const auto cut = data.cut(view);
+					ASSERT_TRUE(cut) << cut.error().message;
+					const double wanted = std::isnan(area) ? 1.25 : area; // 1 / 0.8 wide
+					EXPECT_NEAR(cut->figures(0).area, wanted, 1e-12) << first << " " << second << " " << strategy;
+					EXPECT_EQ(cut->figures(0).components, 1u);
+				}
+		}
+}
+
+// Hexahedra and wedges that are collapsed to wedges and pyramids.
+TEST(Wrap, WedgesAndPyramidsListedAsOtherCells)
+{
+	const std::vector<double> wedge{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1};
+	const std::vector<double> pyramid{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1};
+	struct Case
+	{
+		const std::vector<double>& coordinates;
+		std::uint8_t type;
+		std::vector<std::int32_t> ids;
+		std::array<double, 3> areas; // at x, y and z = 1/4
+	};
+	const std::vector<Case> cases{{wedge, 12, {0, 1, 2, 2, 3, 4, 5, 5}, {0.75, 0.75, 0.5}},
+	                              {wedge, 12, {0, 3, 4, 1, 2, 5, 5, 2}, {0.75, 0.75, 0.5}},
+	                              {pyramid, 12, {0, 1, 2, 3, 4, 4, 4, 4}, {15.0 / 32, 15.0 / 32, 9.0 / 16}},
+	                              {pyramid, 13, {0, 3, 4, 1, 2, 4}, {15.0 / 32, 15.0 / 32, 9.0 / 16}}};
+	for (const Case& c : cases)
+	{
+		const std::vector<std::uint8_t> types{c.type};
+		const std::vector<std::int64_t> offsets{0, static_cast<std::int64_t>(c.ids.size())};
+		const Dataset data = wrap({vprobe::Unstructured{c.coordinates, types, offsets, c.ids, {}, {}}, {}});
+		for (const char* strategy : {"scan", "cells", "generations"})
+			for (std::size_t axis = 0; axis < 3; ++axis)
+			{
+				vprobe::Vector3 normal{0.0, 0.0, 0.0};
+				normal[axis] = 1.0;
+				View view = View().normal(normal).origin({0.25, 0.25, 0.25});
+				ASSERT_TRUE(view.set("strategy", strategy));
+				const auto cut = data.cut(view);
+				ASSERT_TRUE(cut) << cut.error().message;
+				EXPECT_NEAR(cut->figures(0).area, c.areas[axis], 1e-12) << int(c.type) << c.ids[1] << " " << axis;
+			}
+	}
+}
+
 TEST(Wrap, ArraysWithoutValuesAndWithNan)
 {
 	const Box box(3);

@@ -37,15 +37,16 @@ struct Finding
 	std::vector<grid::SetCell> cells; // concerned, each once, as the file numbers them; none for what is no cell's
 };
 
-// Seams between blocks, and where a structured block closes, are how such grids are made. In an unstructured block they
-// are points that were not merged.
+// Seams between blocks, and where a structured block closes, are how such grids are made, and so are cells that have
+// points of their own. In other unstructured blocks they are points that were not merged.
 std::size_t unmergedFaces(const grid::BlockSet& blocks, std::vector<grid::SetCell>& cells)
 {
 	std::size_t count = 0;
 	for (std::uint32_t b = 0; b < blocks.blocks.size(); ++b)
 	{
 		const grid::BlockSeams* seams = blocks.interfaces.of(b);
-		if (!seams || !std::holds_alternative<grid::UnstructuredGrid>(blocks.blocks[b].grid))
+		const auto* grid = std::get_if<grid::UnstructuredGrid>(&blocks.blocks[b].grid);
+		if (!seams || !grid || grid::haveOwnPoints(*grid))
 			continue;
 		std::pair<CellId, std::uint32_t> last{kNoCell, 0};
 		for (const grid::SeamLink& link : seams->all())
@@ -88,6 +89,8 @@ std::vector<Finding> listFindings(const grid::BlockSet& blocks, const grid::Qual
 	{ add(key, about, cells.size(), cells); };
 
 	addCells("collapsed_cells", "cells with two corners at one place", quality.collapsed);
+	add("degenerate_cells", "cells that list corners twice, cut as the simpler cells they are",
+	    quality.degenerate.size(), quality.degenerate, false);
 	addCells("inverted_cells", "cells turned inside out", quality.inverted);
 	addCells("twisted_cells", "cells with a corner turned inside out", quality.twisted);
 	addCells("impossible_cases", "cells so warped that a plane cuts a face of theirs twice", sweep.impossible);

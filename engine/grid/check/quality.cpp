@@ -25,6 +25,7 @@ constexpr std::size_t kFaultChunk = 16384;
 struct CellFaults
 {
 	std::vector<CellId> collapsed;
+	std::vector<CellId> degenerate;
 	std::vector<CellId> twisted;
 	std::vector<CellId> negative; // volume
 	std::vector<CellId> negative_polyhedra;
@@ -42,6 +43,27 @@ bool anyAlike(std::span<const PointId> ids, std::span<const Vec3> at)
 			if (ids[i] == ids[j] || at[i] == at[j])
 				return true;
 	return false;
+}
+
+// Whether corners that a cell lists twice are joined by edges of it, and no others lie at one place.
+bool collapsesAlongEdges(CellShape shape, std::span<const PointId> ids, std::span<const Vec3> at)
+{
+	std::array<std::size_t, kMaxShapePoints> joined;
+	std::iota(joined.begin(), joined.end(), std::size_t(0));
+	const ShapeTopology& table = topology(shape);
+	for (int pass = 0; pass < table.points; ++pass) // the lowest number spreads along the edges
+		for (int e = 0; e < table.edges; ++e)
+			if (const auto [a, b] = table.edge[static_cast<std::size_t>(e)]; ids[a] == ids[b])
+				joined[a] = joined[b] = std::min(joined[a], joined[b]);
+	int distinct = 0;
+	for (std::size_t i = 0; i < ids.size(); ++i)
+	{
+		distinct += joined[i] == i;
+		for (std::size_t j = 0; j < i; ++j)
+			if (joined[i] != joined[j] && (ids[i] == ids[j] || at[i] == at[j]))
+				return false;
+	}
+	return distinct >= 4;
 }
 
 bool isTwisted(CellShape shape, std::span<const Vec3> at, bool positive)
@@ -87,9 +109,12 @@ void inspectCell(const G& grid, CellId cell, CellFaces& faces, CellFaults& fault
 	for (int i = 0; i < ids.size; ++i)
 		at[i] = grid.point(ids.id[i]);
 	const std::span<const Vec3> places(at.data(), ids.size);
-	if (anyAlike({ids.begin(), ids.end()}, places))
-		faults.collapsed.push_back(cell);
 	const double volume = signedVolume(grid, cell, faces);
+	if (const std::span<const PointId> of_cell(ids.begin(), ids.end()); anyAlike(of_cell, places))
+	{
+		const bool is_simpler = volume != 0.0 && collapsesAlongEdges(shape, of_cell, places);
+		(is_simpler ? faults.degenerate : faults.collapsed).push_back(cell);
+	}
 	if (volume < 0.0)
 		faults.negative.push_back(cell);
 	else if (volume > 0.0)
@@ -146,6 +171,7 @@ void findCellFaultsOf(const G& grid, std::uint32_t block, Quality& quality)
 	             [&](const CellFaults& faults)
 	             {
 		             append(block, faults.collapsed, quality.collapsed);
+		             append(block, faults.degenerate, quality.degenerate);
 		             append(block, faults.twisted, quality.twisted);
 		             negative.insert(negative.end(), faults.negative.begin(), faults.negative.end());
 		             negative_polyhedra.insert(negative_polyhedra.end(), faults.negative_polyhedra.begin(),
@@ -196,6 +222,25 @@ std::vector<PointId> coincidentPoints(const G& grid)
 
 } // namespace
 
+bool haveOwnPoints(const UnstructuredGrid& grid)
+{
+	constexpr std::uint32_t kNobody = ~0u;
+	std::vector<std::uint32_t> owners(grid.pointCount(), kNobody);
+	CellFaces faces;
+	for (std::size_t c = 0; c < grid.cellCount(); ++c)
+	{
+		const auto source = static_cast<std::uint32_t>(grid.sourceCell(static_cast<CellId>(c)));
+		grid.cellFaces(static_cast<CellId>(c), faces);
+		for (const PointId p : faces.points)
+		{
+			if (owners[p] != kNobody && owners[p] != source)
+				return false;
+			owners[p] = source;
+		}
+	}
+	return true;
+}
+
 void findCellFaults(const BlockSet& blocks, Quality& quality)
 {
 	for (std::uint32_t b = 0; b < blocks.blocks.size(); ++b)
@@ -216,11 +261,13 @@ void findPointFaults(const BlockSet& blocks, Quality& quality)
 		    [&]<class G>(const G& grid)
 		    {
 			    if constexpr (!kIsBoxes<G>)
-				    for (const PointId p : coincidentPoints(grid))
-				    {
+			    {
+				    const std::vector<PointId> found = coincidentPoints(grid);
+				    for (const PointId p : found)
 					    quality.coincident.push_back({b, p});
-					    quality.coincident_at_fault |= std::is_same_v<G, UnstructuredGrid>;
-				    }
+				    if constexpr (std::is_same_v<G, UnstructuredGrid>)
+					    quality.coincident_at_fault |= !found.empty() && !haveOwnPoints(grid);
+			    }
 			    for (std::size_t p = grid.usedPointCount(); p < grid.pointCount(); ++p)
 				    quality.orphans.push_back({b, static_cast<PointId>(p)});
 		    },

@@ -32,8 +32,11 @@ struct SetPoint
 // What is wrong with the cells and points of a block set. Cells and points are in ascending order.
 struct Quality
 {
-	// With a point that is listed twice, or two points at one place.
+	// With a point that is listed twice, or two points at one place, unless they are degenerate.
 	std::vector<SetCell> collapsed;
+	// Hexahedra, wedges and pyramids that list corners twice and are simpler cells for all that: what they list twice
+	// is joined by their edges, and the rest is a wedge, a pyramid or a tetrahedron with a volume. They are cut as such.
+	std::vector<SetCell> degenerate;
 	// Turned inside out: cells of an unstructured block whose faces, as VTK numbers them, run clockwise seen from
 	// outside. Of structured blocks and of polyhedra, whose order says nothing by itself: those turned the other way
 	// than most.
@@ -44,7 +47,8 @@ struct Quality
 	// Points where one with a lower number lies already: exactly, within a block.
 	std::vector<SetPoint> coincident;
 	// Where points of a structured block coincide all along a seam, the grid only closes there: coincident points in
-	// cells that are neither collapsed nor of an unstructured block are no fault.
+	// cells that are neither collapsed nor of an unstructured block are no fault. Nor are they if cells have points of
+	// their own (haveOwnPoints()).
 	bool coincident_at_fault = false;
 	std::vector<SetPoint> orphans; // of no cell
 	// Faces of more than two cells, by the cells around them, lowest first. Cells that share the points of a face, or
@@ -62,8 +66,12 @@ struct Quality
 // On all cores. matchInterfaces() has been called.
 Quality checkQuality(const BlockSet& blocks);
 
+// Returns true if no point belongs to two cells of the file, as discontinuous Galerkin methods write them. The copies of
+// a point have values of their own, so nobody forgot to merge them.
+bool haveOwnPoints(const UnstructuredGrid& grid);
+
 // Parts of checkQuality().
-void findCellFaults(const BlockSet& blocks, Quality& quality);     // collapsed, inverted, twisted
+void findCellFaults(const BlockSet& blocks, Quality& quality);     // collapsed, degenerate, inverted, twisted
 void findPointFaults(const BlockSet& blocks, Quality& quality);    // coincident, orphans
 void findTopologyFaults(const BlockSet& blocks, Quality& quality); // nonmanifold
 // Looks whether the center of a cell, or a point halfway from there to a corner, lies inside another cell, by more than

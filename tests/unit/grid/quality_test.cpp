@@ -68,7 +68,48 @@ TEST(Quality, CollapsedCells)
 	EXPECT_EQ(axis.coincident.size(), 20u); // six points at each of four places
 	EXPECT_FALSE(axis.coincident_at_fault);
 	EXPECT_TRUE(axis.twisted.empty());
-	EXPECT_EQ(qualityOf(gridNamed("collapsed_hexahedra")).collapsed.size(), 6u);
+	EXPECT_TRUE(axis.degenerate.empty());
+	const grid::Quality hexahedra = qualityOf(gridNamed("collapsed_hexahedra"));
+	EXPECT_EQ(hexahedra.degenerate.size(), 6u);
+	EXPECT_TRUE(hexahedra.collapsed.empty());
+}
+
+// Simpler cells that list corners twice are sound. So are none without a volume, or whose points lie at one place by
+// chance, or that list a corner at two places which no edge joins.
+TEST(Quality, DegenerateCells)
+{
+	using Corners = std::vector<int>;
+	const std::vector<Vec3> places{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1},
+	                               {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0, 0, 1}};
+	struct Case
+	{
+		std::uint8_t type;
+		Corners corners;
+		bool is_sound;
+	};
+	for (const Case& c : {Case{12, {0, 1, 2, 2, 4, 4, 4, 4}, true},  // a tetrahedron
+	                      Case{12, {0, 1, 2, 3, 4, 4, 4, 4}, true},  // a pyramid
+	                      Case{12, {0, 1, 2, 2, 4, 5, 6, 6}, true},  // a wedge
+	                      Case{12, {0, 1, 2, 3, 4, 5, 5, 4}, true},  // a wedge that lies
+	                      Case{13, {0, 3, 1, 4, 4, 4}, true},        // a tetrahedron
+	                      Case{13, {0, 3, 1, 4, 4, 1}, true},        // a tetrahedron
+	                      Case{14, {0, 1, 2, 2, 4}, true},           // a tetrahedron
+	                      Case{12, {0, 1, 2, 3, 0, 1, 2, 3}, false}, // flat
+	                      Case{12, {0, 0, 1, 1, 2, 2, 2, 2}, false}, // a triangle
+	                      Case{12, {0, 1, 2, 3, 4, 8, 6, 7}, false}, // two points at one place
+	                      Case{12, {0, 1, 2, 3, 4, 5, 0, 7}, false}, // two ends of a diagonal
+	                      Case{10, {0, 1, 3, 3}, false}})
+	{
+		CellListMaker maker;
+		std::vector<std::int64_t> ids;
+		for (const Vec3& at : places)
+			maker.point(at);
+		ids.assign(c.corners.begin(), c.corners.end());
+		maker.cell(c.type, ids);
+		const grid::Quality q = qualityOf(maker.block("one"));
+		EXPECT_EQ(q.degenerate.size(), c.is_sound) << int(c.type) << " " << c.corners[2] << c.corners[4];
+		EXPECT_EQ(q.collapsed.size(), !c.is_sound) << int(c.type) << " " << c.corners[2] << c.corners[4];
+	}
 }
 
 TEST(Quality, InvertedCells)
@@ -155,8 +196,24 @@ TEST(Quality, CoincidentPointsAndOrphans)
 {
 	const grid::Quality unmerged = qualityOf(hexahedraBlock(warped, 0.0, 1.0, false));
 	EXPECT_EQ(unmerged.coincident.size(), 8u * kSteps * kSteps * kSteps - (kSteps + 1) * (kSteps + 1) * (kSteps + 1));
-	EXPECT_TRUE(unmerged.coincident_at_fault);
+	EXPECT_FALSE(unmerged.coincident_at_fault); // each cell has points of its own, as is meant
 	EXPECT_EQ(topologyFaults(unmerged), 0u);
+	// Two blocks in one, each merged within: somebody forgot to merge the points between them.
+	CellListMaker maker;
+	for (const double u : {0.0, 1.0})
+	{
+		std::vector<std::int64_t> ids;
+		for (int i = 0; i < 3; ++i)
+			for (const auto& [v, w] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+				ids.push_back(maker.point(Vec3(u + 0.5 * i, v, w)));
+		for (int i = 0; i < 8; i += 4)
+			maker.cell(12,
+			           {ids[i], ids[i + 4], ids[i + 5], ids[i + 1], ids[i + 3], ids[i + 7], ids[i + 6], ids[i + 2]});
+	}
+	const grid::Quality forgotten = qualityOf(maker.block("two in one"));
+	EXPECT_EQ(forgotten.coincident.size(), 4u);
+	EXPECT_TRUE(forgotten.coincident_at_fault);
+	EXPECT_TRUE(forgotten.degenerate.empty() && forgotten.inverted.empty());
 	EXPECT_TRUE(unmerged.overlaps.empty());
 	EXPECT_EQ(qualityOf(gridNamed("mixed_polyhedra")).orphans.size(), 1u);
 }

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "grid/cell_list.h"
+
+namespace vp::read
+{
+
+/// Hexahedra, wedges and pyramids may have four distinct corners, as Ansys and LS-DYNA write tetrahedra. LS-DYNA's
+/// order, n1 n2 n3 n4 n4 n4 n4 n4, has a face with all four, and that face could be bent either way. This brings the
+/// corners of such cells into the order n1 n2 n3 n3 n4 n4 n4 n4, whose faces are those of the tetrahedron. Copies the
+/// connectivity if there is such a cell. Precondition: checkCells().
+void orderCollapsed(grid::CellList& cells);
+
+} // namespace vp::read
