@@ -328,5 +328,5 @@ def cgns_of_faces(folder):
 
 
 CASES = [metaimage_longs, exodus_by_meshio, exodus_without_values, numpy_types, netcdf_sides, nrrd_directions,
-         xdmf_types, vtk_images,
-         vtk_without_cells, gmsh_comments, wedges, tiff_orders, other_codes, half_floats, kinds_of_vtkhdf, cgns_of_faces]
+         xdmf_types, vtk_images, vtk_without_cells, gmsh_comments, wedges, tiff_orders, other_codes, half_floats,
+         kinds_of_vtkhdf, cgns_of_faces]
