@@ -10,6 +10,7 @@
 #include <vtkCompositeDataIterator.h>
 #include <vtkDoubleArray.h>
 #include <vtkExodusIIReader.h>
+#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -50,6 +51,21 @@ void addOddNodes(const std::vector<vtkSmartPointer<vtkDoubleArray>>& arrays, vtk
 	}
 }
 
+// Gives the points the numbers that VTK's reader would give them, where they are all nodes of the file in order.
+void numberNodes(vtkMultiBlockDataSet* objects)
+{
+	const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(objects->NewIterator());
+	for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+		if (auto* data = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()))
+		{
+			vtkNew<vtkIdTypeArray> numbers;
+			numbers->SetName(vtkExodusIIReader::GetImplicitNodeIdArrayName());
+			for (vtkIdType p = 1; p <= data->GetNumberOfPoints(); ++p)
+				numbers->InsertNextValue(p);
+			data->GetPointData()->AddArray(numbers);
+		}
+}
+
 // The numbers of the nodes have done their work.
 void forgetNodes(vtkMultiBlockDataSet* objects)
 {
@@ -76,7 +92,9 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	reader->SetSqueezePoints(odd_blocks.empty());
 	reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, is_odd ? 0 : 1);
 	const bool sets_points = request.displace != 0.0 || hasDoubleExodusPoints(request.file);
-	reader->SetGenerateImplicitNodeIdArray(is_odd || sets_points);
+	const bool numbers_nodes = is_odd || sets_points;
+	// VTK 9.1 crashes where it is to number points that it does not squeeze. Those are all nodes of the file, in order.
+	reader->SetGenerateImplicitNodeIdArray(numbers_nodes && odd_blocks.empty());
 	reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
 	for (int block = 0; block < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++block)
 		reader->SetObjectStatus(vtkExodusIIReader::ELEM_BLOCK, block, 1);
@@ -85,6 +103,8 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	const std::optional<double> time = updateAtTime(*reader, request, manifest);
 	// Cells and what else they have, by kind of object.
 	auto* objects = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+	if (numbers_nodes && !odd_blocks.empty() && objects)
+		numberNodes(objects);
 	if (is_odd && objects)
 		addOddNodes(oddExodusNodes(request.file, time ? exodusStepOf(request.file, *time) : 0), objects);
 	if (sets_points && objects && !setExodusPoints(request.file, request.displace, objects))
