@@ -60,7 +60,7 @@ void readMetaImage(const Request& request, ManifestWriter& manifest)
 		if (points[axis] < 0 || header.size[axis] != static_cast<std::uint64_t>(points[axis]))
 			throw damaged("its header cannot be followed");
 	if (header.spacing.size() >= 3)
-		image->SetSpacing(header.spacing.data());       // VTK's reader drops the sign
+		image->SetSpacing(header.spacing.data()); // VTK's reader drops the sign
 	if (header.type == "MET_LONG" || header.type == "MET_ULONG")
 		narrowLongs(image, header.type == "MET_LONG" ? VTK_INT : VTK_UNSIGNED_INT);
 	image->SetDirectionMatrix(header.direction.data()); // which VTK's reader leaves out

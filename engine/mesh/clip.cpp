@@ -359,7 +359,7 @@ private:
 			part_.corners.pop_back();
 			part_.is_added.resize(has_added ? part_.corners.size() : 0);
 		}
-		if (times_out > 1)
+		if (times_out > 1 && mesh_.flat) // else the ends do not lie on one line
 			partAlong(side);
 		return has_corner;
 	}

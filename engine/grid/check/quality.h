@@ -35,7 +35,8 @@ struct Quality
 	// With a point that is listed twice, or two points at one place, unless they are degenerate.
 	std::vector<SetCell> collapsed;
 	// Hexahedra, wedges and pyramids that list corners twice and are simpler cells for all that: what they list twice
-	// is joined by their edges, and the rest is a wedge, a pyramid or a tetrahedron with a volume. They are cut as such.
+	// is joined by their edges, and the rest is a wedge, a pyramid or a tetrahedron with a volume. They are cut as
+	// such.
 	std::vector<SetCell> degenerate;
 	// Turned inside out: cells of an unstructured block whose faces, as VTK numbers them, run clockwise seen from
 	// outside. Of structured blocks and of polyhedra, whose order says nothing by itself: those turned the other way
@@ -66,8 +67,8 @@ struct Quality
 // On all cores. matchInterfaces() has been called.
 Quality checkQuality(const BlockSet& blocks);
 
-// Returns true if no point belongs to two cells of the file, as discontinuous Galerkin methods write them. The copies of
-// a point have values of their own, so nobody forgot to merge them.
+// Returns true if no point belongs to two cells of the file, as discontinuous Galerkin methods write them. The copies
+// of a point have values of their own, so nobody forgot to merge them.
 bool haveOwnPoints(const UnstructuredGrid& grid);
 
 // Parts of checkQuality().
