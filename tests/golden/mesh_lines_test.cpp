@@ -111,11 +111,14 @@ TEST_F(MeshLines, DiagonalsThatPartALargePolygonAreNoEdges)
 		std::vector<glm::dvec2> corners;
 		for (int i = 0; i < 8; ++i)
 			corners.push_back(1.2 * glm::dvec2(std::cos(0.7853981634 * i), std::sin(0.7853981634 * i)));
-		const auto record = [&](std::uint32_t cell, std::vector<int> which)
+		// hidden: the edge that is the diagonal, if the records are of one cell.
+		const auto record = [&](std::uint32_t cell, std::vector<int> which, int hidden)
 		{
 			vp::shared::PolygonRecord made{};
 			made.cell = cell;
 			made.vertices = static_cast<std::uint32_t>(which.size());
+			if (one_cell)
+				made.vertices |= vp::shared::kHiddenRecordEdge << hidden;
 			for (std::size_t k = 0; k < which.size(); ++k)
 			{
 				made.uv[2 * k] = static_cast<float>(corners[which[k]].x);
@@ -124,8 +127,8 @@ TEST_F(MeshLines, DiagonalsThatPartALargePolygonAreNoEdges)
 			}
 			return made;
 		};
-		const std::vector<vp::shared::PolygonRecord> records{record(7, {0, 1, 2, 3, 4, 5}),
-		                                                     record(one_cell ? 7 : 8, {0, 5, 6, 7})};
+		const std::vector<vp::shared::PolygonRecord> records{record(7, {0, 1, 2, 3, 4, 5}, 5),
+		                                                     record(one_cell ? 7 : 8, {0, 5, 6, 7}, 0)};
 		auto on_device = classify::recordsFromHost(classify::RecordPool::create(device()), records);
 		ASSERT_TRUE(on_device);
 		scene_.sheets = {{kFacing, *on_device, 1.0}};
