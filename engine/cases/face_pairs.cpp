@@ -25,9 +25,9 @@ struct OnTrace
 
 double FacePairs::sum()
 {
-	const auto negative = std::ranges::partition(terms_, [](double term) { return term > 0.0; });
-	negative_terms_.assign(negative.begin(), negative.end());
-	terms_.erase(negative.begin(), negative.end());
+	const auto negative = std::partition(terms_.begin(), terms_.end(), [](double term) { return term > 0.0; });
+	negative_terms_.assign(negative, terms_.end());
+	terms_.erase(negative, terms_.end());
 	std::ranges::sort(terms_);
 	std::ranges::sort(negative_terms_, std::greater<>());
 	double positive_sum = 0.0;

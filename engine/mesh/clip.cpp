@@ -380,7 +380,7 @@ private:
 				added.push_back(whole_.corners[i]);
 		std::vector<std::vector<std::uint32_t>> chains;
 		const auto begin = std::ranges::find_if(whole_.corners, [&](std::uint32_t v) { return within(v, side) < 0.0; });
-		std::ranges::rotate(whole_.corners, begin);
+		std::rotate(whole_.corners.begin(), begin, whole_.corners.end());
 		std::uint32_t previous = whole_.corners.front();
 		for (std::size_t i = 1; i <= whole_.corners.size(); ++i)
 		{

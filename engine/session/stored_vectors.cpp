@@ -31,7 +31,7 @@ Result<vectors::StoredVectors> storedVectors(const Session& session, const grid:
 		return Error{ErrorKind::input,
 		             fmt::format("{}: has no several times for `path_lines`; leave the setting out", input)};
 	vectors::StoredVectors stored{session.blocks.times, {}};
-	stored.times.erase(std::ranges::unique(stored.times).begin(), stored.times.end()); // of equal ones the first
+	stored.times.erase(std::unique(stored.times.begin(), stored.times.end()), stored.times.end()); // equal ones once
 	stored.load = [spec, input, array, times = stored.times, &blocks = session.blocks,
 	               timeline = session.timeline.get()](std::size_t index) -> Result<std::vector<grid::Field>>
 	{

@@ -189,7 +189,7 @@ PrismSet prismSet(unsigned seed)
 	// Begins with the corner farthest to the left. Lines from there and from the one farthest to the right to the box's
 	// sides part the rest of the base into a lower and an upper face.
 	const auto byX = [](const dvec2& p) { return p.x; };
-	std::ranges::rotate(set.polygon, std::ranges::min_element(set.polygon, {}, byX));
+	std::rotate(set.polygon.begin(), std::ranges::min_element(set.polygon, {}, byX), set.polygon.end());
 	Prisms prisms(set);
 	std::vector<std::int64_t> polygon;
 	for (const dvec2& p : set.polygon)
@@ -227,7 +227,7 @@ PrismSet prismSet(unsigned seed)
 	{
 		for (std::vector<std::int64_t>& face : *cell)
 		{
-			std::ranges::rotate(face, face.begin() + draw.whole(0, static_cast<int>(face.size()) - 1));
+			std::rotate(face.begin(), face.begin() + draw.whole(0, static_cast<int>(face.size()) - 1), face.end());
 			if (draw.chance(0.5))
 				std::ranges::reverse(face);
 		}

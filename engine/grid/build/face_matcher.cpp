@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace vp::grid
 {
@@ -255,7 +256,8 @@ private:
 	{
 		if (std::ranges::none_of(all, &Match::apart))
 			return all;
-		std::vector<std::pair<std::uint32_t, std::uint32_t>> others; // of a candidate: what it matches
+		using Pair = std::pair<std::uint32_t, std::uint32_t>;
+		std::vector<Pair> others; // of a candidate: what it matches
 		for (const Match& match : all)
 		{
 			others.emplace_back(match.a, match.b);
@@ -263,7 +265,10 @@ private:
 		}
 		std::ranges::sort(others);
 		const auto matchesOf = [&](std::uint32_t i)
-		{ return std::ranges::equal_range(others, i, {}, &std::pair<std::uint32_t, std::uint32_t>::first); };
+		{
+			const auto begin = std::ranges::lower_bound(others, i, {}, &Pair::first);
+			return std::span(begin, std::ranges::upper_bound(others, i, {}, &Pair::first));
+		};
 		const auto areSidesOfOneCell = [&](const Candidate& a, const Candidate& b)
 		{ return a.block == b.block && a.face.cell == b.face.cell && a.face.face != b.face.face; };
 		std::erase_if(all,
