@@ -1,5 +1,7 @@
 #pragma once
 
+#include "grid/number_types.h"
+
 #include <hdf5.h>
 
 // Closes what HDF5 has opened. Less than 0 where it has not.
@@ -20,3 +22,32 @@ private:
 	hid_t id_;
 	herr_t (*close_)(hid_t);
 };
+
+// The type in which HDF5 gives numbers to this machine.
+inline hid_t nativeType(vp::grid::NumberType type)
+{
+	using vp::grid::NumberType;
+	switch (type)
+	{
+	case NumberType::int8:
+		return H5T_NATIVE_INT8;
+	case NumberType::uint8:
+		return H5T_NATIVE_UINT8;
+	case NumberType::int16:
+		return H5T_NATIVE_INT16;
+	case NumberType::uint16:
+		return H5T_NATIVE_UINT16;
+	case NumberType::int32:
+		return H5T_NATIVE_INT32;
+	case NumberType::uint32:
+		return H5T_NATIVE_UINT32;
+	case NumberType::int64:
+		return H5T_NATIVE_INT64;
+	case NumberType::uint64:
+		return H5T_NATIVE_UINT64;
+	case NumberType::float32:
+		return H5T_NATIVE_FLOAT;
+	default:
+		return H5T_NATIVE_DOUBLE;
+	}
+}

@@ -9,38 +9,6 @@
 
 using vp::grid::NumberType;
 
-namespace
-{
-
-hid_t memoryType(NumberType type)
-{
-	switch (type)
-	{
-	case NumberType::int8:
-		return H5T_NATIVE_INT8;
-	case NumberType::uint8:
-		return H5T_NATIVE_UINT8;
-	case NumberType::int16:
-		return H5T_NATIVE_INT16;
-	case NumberType::uint16:
-		return H5T_NATIVE_UINT16;
-	case NumberType::int32:
-		return H5T_NATIVE_INT32;
-	case NumberType::uint32:
-		return H5T_NATIVE_UINT32;
-	case NumberType::int64:
-		return H5T_NATIVE_INT64;
-	case NumberType::uint64:
-		return H5T_NATIVE_UINT64;
-	case NumberType::float32:
-		return H5T_NATIVE_FLOAT;
-	default:
-		return H5T_NATIVE_DOUBLE;
-	}
-}
-
-} // namespace
-
 std::optional<NumberType> Hdf5File::numberType(const std::string& path) const
 {
 	const Hdf5Handle set(isSet(path) ? H5Dopen2(file_, path.c_str(), H5P_DEFAULT) : -1, H5Dclose);
@@ -92,7 +60,7 @@ void Hdf5File::readSlab(const std::string& path, const std::vector<std::uint64_t
 	const Hdf5Handle there(H5Dget_space(set), H5Sclose);
 	const Hdf5Handle here(H5Screate_simple(static_cast<int>(length.size()), length.data(), nullptr), H5Sclose);
 	if (H5Sselect_hyperslab(there, H5S_SELECT_SET, first.data(), nullptr, length.data(), nullptr) < 0 ||
-	    H5Dread(set, memoryType(type), here, there, H5P_DEFAULT, to) < 0)
+	    H5Dread(set, nativeType(type), here, there, H5P_DEFAULT, to) < 0)
 		throw damaged(fmt::format("{} cannot be read", path));
 }
 

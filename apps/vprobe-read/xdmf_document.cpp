@@ -1,5 +1,6 @@
 #include "xdmf_document.h"
 
+#include "hdf5_handle.h"
 #include "is_one_of.h"
 #include "mapped_text.h"
 #include "refusal.h"
@@ -62,33 +63,6 @@ NumberType typeOf(std::string_view number, std::string_view precision)
 		}
 	}
 	throw Refusal(fmt::format("values of type {}, which are not read", number.substr(0, 20)));
-}
-
-hid_t nativeType(NumberType type)
-{
-	switch (type)
-	{
-	case NumberType::int8:
-		return H5T_NATIVE_INT8;
-	case NumberType::uint8:
-		return H5T_NATIVE_UINT8;
-	case NumberType::int16:
-		return H5T_NATIVE_INT16;
-	case NumberType::uint16:
-		return H5T_NATIVE_UINT16;
-	case NumberType::int32:
-		return H5T_NATIVE_INT32;
-	case NumberType::uint32:
-		return H5T_NATIVE_UINT32;
-	case NumberType::int64:
-		return H5T_NATIVE_INT64;
-	case NumberType::uint64:
-		return H5T_NATIVE_UINT64;
-	case NumberType::float32:
-		return H5T_NATIVE_FLOAT;
-	default:
-		return H5T_NATIVE_DOUBLE;
-	}
 }
 
 ValueLayout flat(std::uint64_t count, NumberType type)
