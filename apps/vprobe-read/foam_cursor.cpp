@@ -1,5 +1,6 @@
 #include "foam_cursor.h"
 
+#include "base/real_text.h"
 #include "refusal.h"
 
 #include <fmt/format.h>
@@ -7,9 +8,8 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cstdlib>
 #include <cstring>
-#include <string>
+#include <optional>
 
 namespace
 {
@@ -178,13 +178,9 @@ std::int64_t FoamCursor::integer()
 double FoamCursor::real()
 {
 	const std::string_view digits = number();
-	double value = 0.0;
-	const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-	if (error == std::errc::result_out_of_range) // then it is 0 or infinite
-		return std::strtod(std::string(digits).c_str(), nullptr);
-	if (error != std::errc() || end != digits.data() + digits.size())
-		throw damaged(fmt::format("\"{}\" where a number is wanted", digits.substr(0, 20)));
-	return value;
+	if (const std::optional<double> value = vp::parseReal(digits))
+		return *value;
+	throw damaged(fmt::format("\"{}\" where a number is wanted", digits.substr(0, 20)));
 }
 
 void FoamCursor::element(int components, std::vector<double>& numbers)

@@ -1,14 +1,14 @@
 #include "text_cursor.h"
 
+#include "base/real_text.h"
 #include "refusal.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <cstring>
-#include <string>
+#include <optional>
 
 namespace
 {
@@ -88,23 +88,10 @@ std::int64_t TextCursor::integer()
 
 double TextCursor::real()
 {
-	std::string_view digits = word();
-	std::string fortran;
-	if (const auto exponent = digits.find_first_of("Dd"); exponent != digits.npos)
-	{
-		fortran = digits;
-		fortran[exponent] = 'e';
-		digits = fortran;
-	}
-	if (digits.size() > 1 && digits[0] == '+')
-		digits.remove_prefix(1);
-	double value = 0.0;
-	const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-	if (error == std::errc::result_out_of_range) // then it is 0 or infinite
-		return std::strtod(std::string(digits).c_str(), nullptr);
-	if (error != std::errc() || end != digits.data() + digits.size())
-		throw damaged(fmt::format("\"{}\" where a number is wanted", digits.substr(0, 20)));
-	return value;
+	const std::string_view digits = word();
+	if (const std::optional<double> value = vp::parseReal(digits))
+		return *value;
+	throw damaged(fmt::format("\"{}\" where a number is wanted", digits.substr(0, 20)));
 }
 
 std::size_t TextCursor::checkedCount(std::int64_t number, std::size_t least_bytes) const

@@ -16,7 +16,7 @@ public:
 	std::string_view word();     // between white space
 	std::string_view peekLine(); // the next one that is not blank, without its white space
 	std::int64_t integer();
-	double real(); // with E or D before the exponent
+	double real(); // in every spelling of base/real_text.h
 	// A number of things that take so many bytes each, at the least; refused if they cannot be in the rest.
 	std::size_t count(std::size_t least_bytes = 2) { return checkedCount(integer(), least_bytes); }
 	std::size_t checkedCount(std::int64_t number, std::size_t least_bytes) const;
