@@ -1,5 +1,6 @@
 """Opening, cutting, arrays, figures, errors, words."""
 import gc
+import os
 import pathlib
 import warnings
 
@@ -170,3 +171,18 @@ def test_a_file_is_read_by_the_child_beside_the_module(tmp_path, sheet_of):
     assert data.kind == 'image' and data.n_points == 120
     assert data.slice(**PLANE).area == sheet_of(nrrd, *OPTIONS)['area']
     assert (pathlib.Path(vprobe.__file__).parent / 'vprobe-read').exists()
+
+
+def test_save_replaces_no_input(tmp_path):
+    file = tmp_path / 'a.vtk'
+    file.write_text('# vtk DataFile Version 3.0\na\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n'
+                    'ORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 8\nSCALARS s float\nLOOKUP_TABLE default\n'
+                    '0 1 2 3 4 5 6 7\n')
+    kept = file.read_bytes()
+    (tmp_path / 'link.vtp').symlink_to(file)
+    os.link(file, tmp_path / 'same.vtp')
+    data = vprobe.open(file)
+    for name in ('link.vtp', 'same.vtp'):
+        with pytest.raises(vprobe.OutputError, match='is one of the input files'):
+            data.slice(normal='z').save(tmp_path / name)
+    assert file.read_bytes() == kept
