@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 
 #include <unistd.h>
 
@@ -70,10 +69,14 @@ std::size_t decodeGroup(const char* letters, std::byte* to)
 	return bytes;
 }
 
-std::uint64_t wordAt(const std::byte* at, std::size_t bytes)
+std::uint64_t wordAt(const std::byte* at, const Packing& packing)
 {
 	std::uint64_t word = 0;
-	std::memcpy(&word, at, bytes); // little endian, as the files are that come here
+	for (std::size_t i = 0; i < packing.word_bytes; ++i)
+	{
+		const std::size_t shift = packing.is_big_endian ? packing.word_bytes - 1 - i : i;
+		word |= static_cast<std::uint64_t>(at[i]) << 8 * shift;
+	}
 	return word;
 }
 
@@ -139,7 +142,7 @@ PackedArray::PackedArray(const ByteSource& source, const Packing& packing, Scrat
 	}
 	std::array<std::byte, 8> word;
 	source.read(0, std::span(word).first(packing.word_bytes), scratch);
-	size_ = wordAt(word.data(), packing.word_bytes);
+	size_ = wordAt(word.data(), packing);
 	if (size_ > source.size() - packing.word_bytes)
 		throw NotQuick();
 	// The number and what follows are one text in base64.
@@ -154,9 +157,9 @@ void PackedArray::readBlockSizes(const ByteSource& source, const Packing& packin
 	const std::size_t word = packing.word_bytes;
 	std::array<std::byte, 24> front;
 	source.read(0, std::span(front).first(3 * word), scratch);
-	const std::uint64_t blocks = wordAt(front.data(), word);
-	const std::uint64_t each = wordAt(front.data() + word, word);
-	const std::uint64_t last = wordAt(front.data() + 2 * word, word);
+	const std::uint64_t blocks = wordAt(front.data(), packing);
+	const std::uint64_t each = wordAt(front.data() + word, packing);
+	const std::uint64_t last = wordAt(front.data() + 2 * word, packing);
 	if (blocks == 0 || blocks > source.size() / word || each == 0 || each > kMaxUnpackedBlock || last > each)
 		throw NotQuick();
 	std::vector<std::byte> words(blocks * word);
@@ -169,7 +172,7 @@ void PackedArray::readBlockSizes(const ByteSource& source, const Packing& packin
 	block_starts_.resize(blocks + 1);
 	for (std::uint64_t b = 0; b < blocks; ++b)
 	{
-		const std::uint64_t size = wordAt(words.data() + b * word, word);
+		const std::uint64_t size = wordAt(words.data() + b * word, packing);
 		const std::uint64_t unpacked = b + 1 == blocks ? last_block_bytes_ : block_bytes_;
 		if (size > kMaxPackedBlock || size > bytes_.size() - block_starts_[b] || unpacked / mostGrowth(codec_) > size)
 			throw NotQuick();

@@ -59,6 +59,7 @@ struct Packing
 {
 	Codec codec = Codec::none;
 	std::size_t word_bytes = 4; // of the numbers in front of an array
+	bool is_big_endian = false; // the numbers in front and those of the array
 };
 
 // One array of a VTK XML file: numbers that say how it is packed, then its bytes, in blocks where they are compressed.

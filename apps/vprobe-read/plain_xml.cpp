@@ -5,6 +5,7 @@
 #include "refusal.h"
 #include "text_cursor.h"
 #include "time_choice.h"
+#include "xml_copy.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +16,6 @@
 #include <map>
 #include <optional>
 #include <set>
-
-#include <sys/mman.h>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -112,37 +110,6 @@ bool hasNoPoints(const XmlElement& piece)
 	return extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4];
 }
 
-std::string quotedValue(std::string_view text)
-{
-	std::string words = "\"";
-	for (const char c : text)
-	{
-		const bool is_plain =
-		    static_cast<unsigned char>(c) >= 0x20 && !isOneOf(std::string_view(&c, 1), {"&", "<", "\""});
-		words += is_plain ? std::string(1, c) : fmt::format("&#{};", static_cast<int>(static_cast<unsigned char>(c)));
-	}
-	return words + "\"";
-}
-
-// An element with all that it holds. Its data are those of the text.
-void writeElement(const XmlElement& element, std::string_view text, MemoryFile& to)
-{
-	std::string tag = "<" + element.name;
-	for (const auto& [name, value] : element.attributes)
-		tag += " " + name + "=" + quotedValue(value);
-	to.append(tag + ">");
-	if (isOneOf(element.name, {"DataArray", "Array"}))
-	{
-		const std::uint64_t end = std::min<std::uint64_t>(element.content_end, text.size());
-		if (element.content_begin < end)
-			to.append(text.substr(element.content_begin, end - element.content_begin));
-	}
-	else
-		for (const XmlElement& child : element.children)
-			writeElement(child, text, to);
-	to.append("</" + element.name + ">\n");
-}
-
 void collectOffsets(const XmlElement& element, std::set<std::uint64_t>& offsets)
 {
 	const std::string_view text = element.attribute("offset");
@@ -176,41 +143,6 @@ XmlElement& dataElementOf(XmlFile& xml)
 
 } // namespace
 
-MemoryFile::MemoryFile() : file_(memfd_create("vprobe-xml", MFD_CLOEXEC))
-{
-	if (file_ < 0)
-		throw std::bad_alloc();
-}
-
-MemoryFile::~MemoryFile()
-{
-	if (file_ >= 0)
-		close(file_);
-}
-
-std::string MemoryFile::path() const
-{
-	return fmt::format("/proc/self/fd/{}", file_);
-}
-
-void MemoryFile::append(std::string_view bytes)
-{
-	while (!bytes.empty())
-	{
-		const ssize_t written = pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
-		if (written <= 0)
-			throw std::bad_alloc();
-		size_ += static_cast<std::size_t>(written);
-		bytes.remove_prefix(static_cast<std::size_t>(written));
-	}
-}
-
-void MemoryFile::end() const
-{
-	if (ftruncate(file_, static_cast<off_t>(size_)) != 0)
-		throw std::bad_alloc();
-}
-
 PlainXml::PlainXml(const Request& request) : request_(request), data_files_{request.file}
 {
 	const MappedText mapped(request.file);
@@ -218,9 +150,11 @@ PlainXml::PlainXml(const Request& request) : request_(request), data_files_{requ
 	const XmlElement* data = xml ? dataElementOf(*xml) : nullptr;
 	if (!data && mapped.text().substr(0, kHeadBytesOfTimes).find(" TimeValues=") != std::string_view::npos)
 		throw Refusal("several times in a file of too many elements, or with a document type; write a file for each");
+	has_unknown_text_ = !data && mapped.text().find("\"ascii\"") != std::string_view::npos;
 	if (!data)
 		return; // which VTK's parser has to tell about
-	if (isOneOf(data->name, {"ImageData", "RectilinearGrid", "StructuredGrid", "UnstructuredGrid", "PolyData"}))
+	if (isOneOf(data->name,
+	            {"ImageData", "RectilinearGrid", "StructuredGrid", "UnstructuredGrid", "PolyData", "HyperTreeGrid"}))
 		takeData(*xml, mapped.text());
 	else if (isOneOf(data->name, {"PImageData", "PRectilinearGrid", "PStructuredGrid", "PUnstructuredGrid"}))
 		takeIndex(*xml, mapped.text());
@@ -237,10 +171,37 @@ void PlainXml::takeData(const XmlFile& given, std::string_view text)
 		leaveOutOtherTimes(data);
 	const auto left_out = std::erase_if(data.children, [](const XmlElement& element)
 	                                    { return isPieceElement(element) && hasNoPoints(element); });
-	is_empty_ = std::ranges::none_of(data.children, isPieceElement);
+	is_empty_ = data.name != "HyperTreeGrid" && std::ranges::none_of(data.children, isPieceElement);
 	refuseWithoutOffset(data);
-	if (!is_empty_ && (has_steps || left_out > 0))
+	if (is_empty_)
+		return;
+	const std::vector<std::string> names = giveOwnNames(data);
+	const bool is_respelled = respellAttributes(data);
+	warn(names);
+	if (!copyNumbers(given, xml, text) && (has_steps || left_out > 0 || !names.empty() || is_respelled))
 		copy(given, xml, text);
+}
+
+void PlainXml::warn(const std::vector<std::string>& lines)
+{
+	for (const std::string& line : lines)
+		if (std::ranges::find(warnings_, line) == warnings_.end())
+			warnings_.push_back(line);
+}
+
+bool PlainXml::copyNumbers(const XmlFile& given, XmlFile& xml, std::string_view text)
+{
+	const std::vector<XmlArray> arrays = arraysOfXml(dataElementOf(xml));
+	const auto isText = [](const XmlArray& array) { return array.form == XmlArray::Form::text; };
+	const bool has_numbers = std::ranges::any_of(arrays, [&](const XmlArray& a) { return isText(a) && a.type; });
+	const bool has_text_alone = has_numbers && std::ranges::all_of(arrays, isText);
+	if (!has_text_alone && checkArrays(request_.file, given, arrays, text))
+		return false;
+	MemoryFile& file = newFile();
+	writeAsBytes(request_.file, given, xml, arrays, text, file);
+	request_.file = file.path();
+	data_files_ = {request_.file};
+	return true;
 }
 
 // In text and inline, writers repeat all pieces for each time, with the step 0. What is appended has arrays for each.
@@ -279,19 +240,13 @@ void PlainXml::leaveOutOtherTimes(XmlElement& data)
 void PlainXml::copy(const XmlFile& given, const XmlFile& xml, std::string_view text)
 {
 	MemoryFile& file = newFile();
-	std::string tag = "<?xml version=\"1.0\"?>\n<" + xml.root.name;
-	for (const auto& [name, value] : xml.root.attributes)
-		tag += " " + name + "=" + quotedValue(value);
-	file.append(tag + ">\n");
-	for (const XmlElement& child : xml.root.children)
-		if (child.name != "AppendedData")
-			writeElement(child, text, file);
+	writeElements(xml, text, file);
 	if (!xml.appended_encoding.empty())
 	{
 		std::set<std::uint64_t> wanted, all;
 		collectOffsets(xml.root, wanted);
 		collectOffsets(given.root, all);
-		file.append("<AppendedData encoding=" + quotedValue(xml.appended_encoding) + ">_");
+		writeAppendedStart(xml.appended_encoding, file);
 		const std::uint64_t size = xml.appended_end - xml.appended_begin;
 		const std::string_view bytes = text.substr(xml.appended_begin, size);
 		std::uint64_t at = 0;
@@ -306,10 +261,8 @@ void PlainXml::copy(const XmlFile& given, const XmlFile& xml, std::string_view t
 			at = end;
 		}
 		file.skip(size - at);
-		file.append("</AppendedData>");
 	}
-	file.append("</" + xml.root.name + ">\n");
-	file.end();
+	writeEnd(xml, !xml.appended_encoding.empty(), file);
 	request_.file = file.path();
 	data_files_ = {request_.file};
 }
@@ -330,6 +283,7 @@ void PlainXml::takeIndex(const XmlFile& given, std::string_view text)
 		              of_piece.file = (fs::absolute(request_.file).parent_path() / piece.attribute("Source")).string();
 		              PlainXml plain(of_piece);
 		              times.insert(times.end(), plain.times().begin(), plain.times().end());
+		              warn(plain.warnings());
 		              const bool is_empty = plain.isEmpty() || hasNoPoints(piece);
 		              changes |= is_empty || plain.request().file != of_piece.file;
 		              if (is_empty)
@@ -343,6 +297,10 @@ void PlainXml::takeIndex(const XmlFile& given, std::string_view text)
 	              });
 	times_ = inOrder(std::move(times));
 	is_empty_ = data_files_.empty();
+	const std::vector<std::string> names = giveOwnNames(data);
+	warn(names);
+	changes |= !names.empty();
+	changes |= respellAttributes(data);
 	if (is_empty_ || !changes)
 		return;
 	if (!times_.empty())

@@ -1,10 +1,13 @@
 #include "plot3d_layout.h"
 
+#include "mapped_text.h"
+#include "plot3d_text.h"
 #include "refusal.h"
 
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -28,14 +31,19 @@ std::uint64_t pointsOf(const std::array<std::uint64_t, 3>& block)
 class HeaderReader
 {
 public:
-	HeaderReader(const std::string& file, const Plot3dLayout& layout) : in_(file, std::ios::binary), layout_(layout) {}
+	// numbers: those of a text.
+	HeaderReader(const std::string& file, const Plot3dLayout& layout, const std::vector<double>& numbers)
+	    : in_(file, std::ios::binary), layout_(layout), numbers_(numbers)
+	{
+	}
 
 	std::optional<std::uint64_t> next()
 	{
 		if (!layout_.binary)
 		{
-			std::uint64_t value = 0;
-			return in_ >> value ? std::optional(value) : std::nullopt;
+			const double number = at_ < numbers_.size() ? numbers_[at_++] : -1.0;
+			const bool is_count = number >= 0.0 && number < 4294967296.0 && number == std::floor(number);
+			return is_count ? std::optional(static_cast<std::uint64_t>(number)) : std::nullopt;
 		}
 		std::array<unsigned char, 4> bytes;
 		if (!in_.read(reinterpret_cast<char*>(bytes.data()), 4))
@@ -49,11 +57,13 @@ public:
 private:
 	std::ifstream in_;
 	const Plot3dLayout& layout_;
+	const std::vector<double>& numbers_;
+	std::size_t at_ = 0;
 };
 
-bool readHeader(const std::string& file, Plot3dLayout& layout)
+bool readHeader(const std::string& file, Plot3dLayout& layout, const std::vector<double>& numbers = {})
 {
-	HeaderReader header(file, layout);
+	HeaderReader header(file, layout, numbers);
 	std::uint64_t blocks = 1;
 	if (layout.multi_grid)
 	{
@@ -123,26 +133,11 @@ bool looksLikeText(const std::string& file)
 		const int c = in.get();
 		if (c == EOF)
 			break;
-		if (!std::isspace(c) && !std::isdigit(c) && !std::strchr("+-.,eEdD", c))
+		if (!std::isspace(c) && !std::isdigit(c) &&
+		    !std::strchr("+-.,*eEdDqQnNaAiIfFtTyY", c)) // nan and Infinity, and 3*0.5
 			return false;
 	}
 	return true;
-}
-
-std::uint64_t wordsIn(const std::string& file)
-{
-	std::ifstream in(file, std::ios::binary);
-	std::vector<char> buffer(1 << 16);
-	std::uint64_t words = 0;
-	bool inside = false;
-	while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), in.gcount() > 0)
-		for (std::streamsize i = 0; i < in.gcount(); ++i)
-		{
-			const bool space = std::isspace(static_cast<unsigned char>(buffer[i])) || buffer[i] == ',';
-			words += inside && space;
-			inside = !space;
-		}
-	return words + inside;
 }
 
 std::uint64_t headerWords(const Plot3dLayout& layout)
@@ -152,7 +147,7 @@ std::uint64_t headerWords(const Plot3dLayout& layout)
 
 std::optional<Plot3dLayout> findTextLayout(const std::string& file)
 {
-	const std::uint64_t words = wordsIn(file);
+	const std::vector<double> numbers = fortranNumbers(MappedText(file).text());
 	for (int bits = 0; bits < 8; ++bits)
 	{
 		Plot3dLayout layout;
@@ -160,12 +155,12 @@ std::optional<Plot3dLayout> findTextLayout(const std::string& file)
 		layout.multi_grid = bits & 1;
 		layout.blanking = bits & 2;
 		layout.flat = bits & 4;
-		if (!readHeader(file, layout))
+		if (!readHeader(file, layout, numbers))
 			continue;
 		std::uint64_t wanted = headerWords(layout);
 		for (const auto& block : layout.blocks)
 			wanted += pointsOf(block) * ((layout.flat ? 2 : 3) + layout.blanking);
-		if (wanted == words)
+		if (wanted == numbers.size())
 			return layout;
 	}
 	return std::nullopt;
@@ -202,21 +197,8 @@ Plot3dLayout findPlot3dLayout(const std::string& file)
 
 void refuseShortSolution(const std::string& solution, const Plot3dLayout& grid)
 {
-	std::uint64_t there = 0;
-	std::uint64_t wanted = 0;
-	if (grid.binary)
-	{
-		there = std::filesystem::file_size(solution);
-		wanted = solutionBytes(grid);
-	}
-	else
-	{
-		there = wordsIn(solution);
-		wanted = headerWords(grid);
-		for (const auto& block : grid.blocks)
-			wanted += 4 + pointsOf(block) * (grid.flat ? 4 : 5);
-	}
+	const std::uint64_t there = std::filesystem::file_size(solution);
+	const std::uint64_t wanted = solutionBytes(grid);
 	if (there < wanted)
-		throw damaged(fmt::format("the solution {} has {} {} where its grid asks for {}", solution, there,
-		                          grid.binary ? "bytes" : "numbers", wanted));
+		throw damaged(fmt::format("the solution {} has {} bytes where its grid asks for {}", solution, there, wanted));
 }

@@ -21,5 +21,5 @@ struct Plot3dLayout
 // Throws a Refusal if no layout fits.
 Plot3dLayout findPlot3dLayout(const std::string& file);
 
-// Throws a Refusal if a q file is shorter than the solution on such a grid.
+// Throws a Refusal if a binary q file is shorter than the solution on such a grid.
 void refuseShortSolution(const std::string& solution, const Plot3dLayout& grid);

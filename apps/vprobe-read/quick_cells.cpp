@@ -273,11 +273,12 @@ QuickCells readQuickCells(const QuickFile& file, const std::vector<QuickPiece>& 
 	return CellReader(file, pieces, writer, tasks).read();
 }
 
-void copyArray(const QuickFile& file, const XmlElement& array, std::uint64_t first, std::uint64_t bytes,
-               ArrayWriter& writer, std::size_t at, Tasks& tasks)
+void copyArray(const QuickFile& file, const XmlElement& array, const ByteRange& range, ArrayWriter& writer,
+               std::size_t at, Tasks& tasks)
 {
-	const std::uint64_t behind = first + bytes;
-	const auto packed = file.open(array, behind);
+	const std::uint64_t first = range.first;
+	const std::uint64_t behind = first + range.count;
+	const auto packed = file.open(array, range.all);
 	const std::size_t part_bytes = packed->partBytes();
 	const std::size_t first_part = first / part_bytes;
 	tasks.add((behind + part_bytes - 1) / part_bytes - first_part,

@@ -15,6 +15,8 @@ struct QuickPiece
 	std::uint64_t cells;
 	std::uint64_t first_point = 0; // of the arrays; those before are left out
 	std::uint64_t first_cell = 0;
+	std::uint64_t all_points = points; // with those that are left out
+	std::uint64_t all_cells = cells;
 };
 
 // The cell lists of the pieces, one behind the other. Throws NotQuick. What is added to the tasks writes the rest.
@@ -26,6 +28,14 @@ struct QuickCells
 QuickCells readQuickCells(const QuickFile& file, const std::vector<QuickPiece>& pieces, ArrayWriter& writer,
                           Tasks& tasks);
 
-// Adds the copying of so many bytes of an array, behind the first ones, to a place in the shared memory.
-void copyArray(const QuickFile& file, const XmlElement& array, std::uint64_t first, std::uint64_t bytes,
-               ArrayWriter& writer, std::size_t at, Tasks& tasks);
+// Bytes of an array.
+struct ByteRange
+{
+	std::uint64_t first = 0;
+	std::uint64_t count = 0;
+	std::uint64_t all = 0; // of the array
+};
+
+// Adds the copying of some bytes of an array to a place in the shared memory.
+void copyArray(const QuickFile& file, const XmlElement& array, const ByteRange& range, ArrayWriter& writer,
+               std::size_t at, Tasks& tasks);

@@ -15,12 +15,15 @@ namespace
 
 constexpr std::uint32_t kMostComponents = 1 << 16;
 
+} // namespace
+
 Packing packingOf(const XmlElement& root)
 {
-	if (root.name != "VTKFile" || root.attribute("byte_order") != "LittleEndian" ||
+	if (root.name != "VTKFile" || !isOneOf(root.attribute("byte_order"), {"LittleEndian", "BigEndian"}) ||
 	    !isOneOf(root.attribute("version"), {"0.1", "1.0", "2.0", "2.1", "2.2", "2.3"}))
 		throw NotQuick();
 	Packing packing;
+	packing.is_big_endian = root.attribute("byte_order") == "BigEndian";
 	if (root.has("header_type"))
 	{
 		if (!isOneOf(root.attribute("header_type"), {"UInt32", "UInt64"}))
@@ -39,8 +42,6 @@ Packing packingOf(const XmlElement& root)
 	return packing;
 }
 
-} // namespace
-
 QuickFile::QuickFile(const std::string& path)
 {
 	const MappedText mapped(path);
@@ -49,6 +50,8 @@ QuickFile::QuickFile(const std::string& path)
 		throw NotQuick();
 	xml_ = std::move(*xml);
 	packing_ = packingOf(xml_.root);
+	if (packing_.is_big_endian)
+		throw NotQuick();
 	file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
 	if (file_ < 0)
 		throw NotQuick();
@@ -70,9 +73,18 @@ const XmlElement& QuickFile::data() const
 
 std::shared_ptr<const PackedArray> QuickFile::open(const XmlElement& array, std::uint64_t bytes) const
 {
+	auto packed = openPacked(file_, xml_, packing_, array);
+	if (packed->size() != bytes)
+		throw NotQuick();
+	return packed;
+}
+
+std::shared_ptr<const PackedArray> openPacked(int file, const XmlFile& xml, const Packing& packing,
+                                              const XmlElement& array)
+{
 	ByteSource source;
-	if (array.attribute("format") == "appended" && isOneOf(xml_.appended_encoding, {"raw", "base64"}))
-		source = ByteSource(file_, xml_.appended_begin, xml_.appended_end, xml_.appended_encoding == "base64")
+	if (array.attribute("format") == "appended" && isOneOf(xml.appended_encoding, {"raw", "base64"}))
+		source = ByteSource(file, xml.appended_begin, xml.appended_end, xml.appended_encoding == "base64")
 		             .from(numbersIn<std::uint64_t, 1>(array.attribute("offset"))[0]);
 	else if (array.attribute("format") == "binary")
 	{
@@ -81,21 +93,18 @@ std::shared_ptr<const PackedArray> QuickFile::open(const XmlElement& array, std:
 		const std::uint64_t length = array.content_end - std::min(array.content_begin, array.content_end);
 		const std::span<std::byte> read = std::span(front).first(std::min<std::uint64_t>(length, front.size()));
 		Scratch scratch;
-		ByteSource(file_, array.content_begin, array.content_end, false).read(0, read, scratch);
+		ByteSource(file, array.content_begin, array.content_end, false).read(0, read, scratch);
 		const auto letter = std::find_if(read.begin(), read.end(), [](std::byte b) { return b > std::byte(' '); });
-		source = ByteSource(file_, array.content_begin, array.content_end, true)
+		source = ByteSource(file, array.content_begin, array.content_end, true)
 		             .from(static_cast<std::uint64_t>(letter - read.begin()));
 	}
 	else
 		throw NotQuick();
 	Scratch scratch;
-	auto packed = std::make_shared<const PackedArray>(source, packing_, scratch);
-	if (packed->size() < bytes)
-		throw NotQuick();
-	return packed;
+	return std::make_shared<const PackedArray>(source, packing, scratch);
 }
 
-ArrayKind::ArrayKind(const XmlElement& array)
+std::optional<NumberType> numberTypeOfXml(std::string_view word)
 {
 	constexpr std::array<std::pair<std::string_view, NumberType>, 10> types = {{{"Int8", NumberType::int8},
 	                                                                            {"UInt8", NumberType::uint8},
@@ -107,11 +116,16 @@ ArrayKind::ArrayKind(const XmlElement& array)
 	                                                                            {"UInt64", NumberType::uint64},
 	                                                                            {"Float32", NumberType::float32},
 	                                                                            {"Float64", NumberType::float64}}};
-	const auto found = std::find_if(types.begin(), types.end(),
-	                                [&](const auto& each) { return each.first == array.attribute("type"); });
-	if (array.name != "DataArray" || found == types.end() || array.has("TimeStep"))
+	const auto found = std::find_if(types.begin(), types.end(), [&](const auto& each) { return each.first == word; });
+	return found == types.end() ? std::nullopt : std::optional(found->second);
+}
+
+ArrayKind::ArrayKind(const XmlElement& array)
+{
+	const std::optional<NumberType> found = numberTypeOfXml(array.attribute("type"));
+	if (array.name != "DataArray" || !found || array.has("TimeStep"))
 		throw NotQuick();
-	type = found->second;
+	type = *found;
 	components =
 	    array.has("NumberOfComponents") ? numbersIn<std::uint32_t, 1>(array.attribute("NumberOfComponents"))[0] : 1;
 	if (components < 1 || components > kMostComponents)

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,7 +24,7 @@ public:
 	std::string_view type() const { return xml_.root.attribute("type"); }
 	// The element that is named like the type, and so holds the pieces.
 	const XmlElement& data() const;
-	// So many bytes of an array. It may hold more, and is cut then.
+	// An array of so many bytes.
 	std::shared_ptr<const PackedArray> open(const XmlElement& array, std::uint64_t bytes) const;
 
 private:
@@ -31,6 +32,16 @@ private:
 	XmlFile xml_;
 	Packing packing_;
 };
+
+// How the arrays of a file are packed. Throws NotQuick for what is unknown.
+Packing packingOf(const XmlElement& root);
+
+// An array that is appended, or stands inline as base64.
+std::shared_ptr<const PackedArray> openPacked(int file, const XmlFile& xml, const Packing& packing,
+                                              const XmlElement& array);
+
+// "Float64", as files write it; none for what is no type of numbers.
+std::optional<vp::grid::NumberType> numberTypeOfXml(std::string_view word);
 
 // The number type and components of a DataArray. Throws NotQuick for others than numbers.
 struct ArrayKind

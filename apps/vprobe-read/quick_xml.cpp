@@ -125,10 +125,12 @@ private:
 		if (layers.end >= points[2])
 			throw NotQuick();
 		first_plane_ = layers.begin;
+		const std::uint64_t planes = points[2];
 		points[2] = layers.count() + 1;
 		const std::uint64_t plane = points[0] * points[1];
 		const std::uint64_t layer = (points[0] - 1) * (points[1] - 1);
-		pieces_ = {{&piece, plane * points[2], layer * layers.count(), plane * layers.begin, layer * layers.begin}};
+		pieces_ = {{&piece, plane * points[2], layer * layers.count(), plane * layers.begin, layer * layers.begin,
+		            plane * planes, layer * (planes - 1)}};
 		if (file_.type() == "ImageData")
 			describeImage(data, extent, points);
 		else if (file_.type() == "RectilinearGrid")
@@ -188,10 +190,11 @@ private:
 			if (kind.components != 1)
 				throw NotQuick();
 			const std::uint64_t first = axis == 2 ? first_plane_ : 0;
+			const std::uint64_t all = axis == 2 ? pieces_[0].all_points / (points[0] * points[1]) : points[axis];
 			if (kind.type == NumberType::float32)
-				axes.push_back(copyAxis<float>(array, first, points[axis]));
+				axes.push_back(copyAxis<float>(array, first, points[axis], all));
 			else if (kind.type == NumberType::float64)
-				axes.push_back(copyAxis<double>(array, first, points[axis]));
+				axes.push_back(copyAxis<double>(array, first, points[axis], all));
 			else
 				throw NotQuick();
 		}
@@ -199,10 +202,10 @@ private:
 	}
 
 	template <class T>
-	json copyAxis(const XmlElement& array, std::uint64_t first, std::uint64_t count)
+	json copyAxis(const XmlElement& array, std::uint64_t first, std::uint64_t count, std::uint64_t all)
 	{
 		const std::uint64_t bytes = (first + count) * sizeof(T);
-		const auto packed = file_.open(array, bytes);
+		const auto packed = file_.open(array, all * sizeof(T));
 		if (packed->partBytes() % sizeof(T) != 0)
 			throw NotQuick();
 		Scratch scratch;
@@ -248,8 +251,11 @@ private:
 			if (ArrayKind(*arrays[p]) != kind)
 				throw NotQuick();
 			const std::uint64_t bytes = pieces_[p].*tuples * kind.tupleBytes();
-			const auto before = tuples == &QuickPiece::points ? pieces_[p].first_point : pieces_[p].first_cell;
-			copyArray(file_, *arrays[p], before * kind.tupleBytes(), bytes, writer, at + first, tasks_);
+			const bool is_point = tuples == &QuickPiece::points;
+			const auto before = is_point ? pieces_[p].first_point : pieces_[p].first_cell;
+			const auto all = is_point ? pieces_[p].all_points : pieces_[p].all_cells;
+			copyArray(file_, *arrays[p], {before * kind.tupleBytes(), bytes, all * kind.tupleBytes()}, writer,
+			          at + first, tasks_);
 			first += bytes;
 		}
 		return ArrayWriter::describe(kind.type, at, total);

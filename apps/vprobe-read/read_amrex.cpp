@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 namespace
 {
@@ -69,6 +70,15 @@ void readAmrex(const Request& request, ManifestWriter& manifest)
 	if (!about.is_cartesian)
 		manifest.warn("its coordinates are not Cartesian; they are shown as they are");
 	offerOnlyTime(about.time, request, manifest);
+	std::set<std::string> taken;
+	for (std::string& name : about.names)
+	{
+		const std::string given = name;
+		for (int number = 2; !taken.insert(name).second; ++number)
+			name = fmt::format("{} {}", given, number);
+		if (name != given)
+			manifest.warn(fmt::format("two cell arrays are called {}; the later one is shown as {}", given, name));
+	}
 	std::vector<CellArrayName> names;
 	for (const std::string& name : about.names)
 		names.push_back({name});

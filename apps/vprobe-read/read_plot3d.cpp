@@ -1,13 +1,17 @@
 #include "complaints.h"
 #include "formats.h"
 #include "manifest_writer.h"
+#include "mapped_text.h"
 #include "plot3d_layout.h"
+#include "plot3d_text.h"
 #include "refusal.h"
 #include "text_end.h"
 
 #include <vtkMultiBlockDataSet.h>
 #include <vtkMultiBlockPLOT3DReader.h>
 #include <vtkNew.h>
+
+#include <fmt/format.h>
 
 #include <filesystem>
 
@@ -47,11 +51,14 @@ void readPlot3d(const Request& request, ManifestWriter& manifest)
 	if (layout.flat)
 		throw Refusal("nothing to slice: a PLOT3D grid of two dimensions");
 
+	MemoryFile grid_bytes, solution_bytes; // of text
+	if (!layout.binary)
+		writeGridAsBytes(fortranNumbers(MappedText(request.file).text()), layout, grid_bytes);
 	vtkNew<vtkMultiBlockPLOT3DReader> reader;
-	reader->SetXYZFileName(request.file.c_str());
+	reader->SetXYZFileName(layout.binary ? request.file.c_str() : grid_bytes.path().c_str());
 	reader->SetAutoDetectFormat(false);
-	reader->SetBinaryFile(layout.binary);
-	if (layout.little_endian)
+	reader->SetBinaryFile(true);
+	if (layout.little_endian || !layout.binary)
 		reader->SetByteOrderToLittleEndian();
 	else
 		reader->SetByteOrderToBigEndian();
@@ -66,8 +73,12 @@ void readPlot3d(const Request& request, ManifestWriter& manifest)
 		manifest.warn("no solution lies beside this PLOT3D grid; --solution names one");
 	else
 	{
-		refuseShortSolution(solution, layout);
-		reader->SetQFileName(solution.c_str());
+		if (layout.binary)
+			refuseShortSolution(solution, layout);
+		else
+			writeSolutionAsBytes(fortranNumbers(MappedText(solution).text()), layout,
+			                     fmt::format("the solution {}", solution), solution_bytes);
+		reader->SetQFileName(layout.binary ? solution.c_str() : solution_bytes.path().c_str());
 		for (const int function : {kPressure, kTemperature, kVelocity})
 			reader->AddFunction(function);
 	}

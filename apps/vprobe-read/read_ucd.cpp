@@ -2,6 +2,7 @@
 #include "formats.h"
 #include "manifest_writer.h"
 #include "mapped_text.h"
+#include "own_name.h"
 #include "refusal.h"
 #include "text_cursor.h"
 #include "text_end.h"
@@ -57,7 +58,8 @@ void readCells(TextCursor& at, std::size_t count, const Ids& points, vtkUnstruct
 
 // How many arrays of how many components, a line with name and units for each, then a line of values for each point or
 // cell.
-void readArrays(TextCursor& at, const Ids& ids, vtkDataSetAttributes* fields)
+void readArrays(TextCursor& at, const Ids& ids, vtkDataSetAttributes* fields, const char* association,
+                ManifestWriter& manifest)
 {
 	std::vector<vtkSmartPointer<vtkDoubleArray>> arrays(at.count(2));
 	for (auto& array : arrays)
@@ -82,17 +84,21 @@ void readArrays(TextCursor& at, const Ids& ids, vtkDataSetAttributes* fields)
 		array->SetNumberOfTuples(static_cast<vtkIdType>(ids.size()));
 		array->Fill(std::numeric_limits<double>::quiet_NaN());
 	}
+	std::vector<bool> has_values(ids.size());
 	for (std::size_t i = 0; i < ids.size(); ++i)
 	{
 		const auto found = ids.find(at.integer());
 		if (found == ids.end())
 			throw damaged("values of a node or cell that is not there");
+		if (has_values[static_cast<std::size_t>(found->second)])
+			throw damaged(fmt::format("{} {} has values twice", association, found->first));
+		has_values[static_cast<std::size_t>(found->second)] = true;
 		for (const auto& array : arrays)
 			for (int c = 0; c < array->GetNumberOfComponents(); ++c)
 				array->SetComponent(found->second, c, at.real());
 	}
 	for (const auto& array : arrays)
-		fields->AddArray(array);
+		addUnderOwnName(fields, array, association, manifest);
 }
 
 } // namespace
@@ -107,7 +113,7 @@ void readUcd(const Request& request, ManifestWriter& manifest)
 	const std::size_t cells = at.count(6);
 	const std::int64_t node_values = at.integer();
 	const std::int64_t cell_values = at.integer();
-	at.integer(); // of the model
+	const std::int64_t model_values = at.integer();
 	vtkNew<vtkPoints> points;
 	points->SetDataTypeToDouble();
 	Ids point_ids, cell_ids;
@@ -125,9 +131,11 @@ void readUcd(const Request& request, ManifestWriter& manifest)
 	if (cell_ids.size() != cells)
 		throw damaged("a cell occurs twice");
 	if (node_values > 0)
-		readArrays(at, point_ids, grid->GetPointData());
+		readArrays(at, point_ids, grid->GetPointData(), "point", manifest);
 	if (cell_values > 0)
-		readArrays(at, cell_ids, grid->GetCellData());
+		readArrays(at, cell_ids, grid->GetCellData(), "cell", manifest);
+	if (model_values == 0 && !at.atEnd())
+		throw damaged(fmt::format("\"{}\" stands behind all that it announces", at.word().substr(0, 40)));
 	if (endsInsideALine(request.file))
 		manifest.warn(kCutTextWarning);
 	manifest.add(grid);

@@ -3,6 +3,7 @@
 #include "formats.h"
 #include "manifest_writer.h"
 #include "mapped_text.h"
+#include "own_name.h"
 #include "refusal.h"
 #include "text_cursor.h"
 #include "ucd_cells.h"
@@ -120,7 +121,8 @@ std::vector<std::string> readUcdNames(TextCursor& at)
 	return names;
 }
 
-void readBinaryUcdArrays(TextCursor& at, std::uint32_t values, vtkIdType tuples, vtkDataSetAttributes* fields)
+void readBinaryUcdArrays(TextCursor& at, std::uint32_t values, vtkIdType tuples, vtkDataSetAttributes* fields,
+                         const char* association, ManifestWriter& manifest)
 {
 	const std::vector<std::string> names = readUcdNames(at);
 	const std::vector<std::string> units = readUcdNames(at);
@@ -145,7 +147,7 @@ void readBinaryUcdArrays(TextCursor& at, std::uint32_t values, vtkIdType tuples,
 		array->SetNumberOfTuples(tuples);
 		for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
 			array->SetValue(i, at.binary<float>());
-		fields->AddArray(array);
+		addUnderOwnName(fields, array, association, manifest);
 	}
 	if (left != 0)
 		throw damaged("its arrays have fewer components than it announces");
@@ -168,8 +170,8 @@ void readUcdBinary(const Request& request, ManifestWriter& manifest)
 	readBinaryUcdCells(at, counts, grid);
 	readBinaryUcdPoints(at, counts, grid);
 	if (counts.node_values > 0)
-		readBinaryUcdArrays(at, counts.node_values, counts.nodes, grid->GetPointData());
+		readBinaryUcdArrays(at, counts.node_values, counts.nodes, grid->GetPointData(), "point", manifest);
 	if (counts.cell_values > 0)
-		readBinaryUcdArrays(at, counts.cell_values, counts.cells, grid->GetCellData());
+		readBinaryUcdArrays(at, counts.cell_values, counts.cells, grid->GetCellData(), "cell", manifest);
 	manifest.add(grid);
 }

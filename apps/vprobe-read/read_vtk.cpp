@@ -1,7 +1,9 @@
 #include "array_choice.h"
 #include "formats.h"
 #include "is_one_of.h"
+#include "legacy_copy.h"
 #include "manifest_writer.h"
+#include "mapped_text.h"
 #include "old_pieces.h"
 #include "plain_xml.h"
 #include "quick_lattice.h"
@@ -166,6 +168,23 @@ vtkSmartPointer<vtkDataObject> loadPlainXml(const Request& request, const std::s
 	throw Refusal("a VTK file of type " + type + ", which cannot be read yet; give its pieces one by one");
 }
 
+vtkSmartPointer<vtkDataObject> loadXml(const PlainXml& plain, const std::string& type, ManifestWriter& manifest)
+{
+	if (plain.isEmpty())
+		return nullptr;
+	for (const std::string& line : plain.warnings())
+		manifest.warn(line);
+	const vtkSmartPointer<vtkDataObject> data = loadPlainXml(plain.request(), type, manifest);
+	if (plain.hasUnknownText())
+		throw Refusal(
+		    "numbers in text in a file of too many elements, or with a document type; save it with binary data");
+	if (!plain.times().empty())
+		manifest.offerTimes(plain.times());
+	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+		addSharedFaces(plain.dataFiles(), grid);
+	return data;
+}
+
 } // namespace
 
 vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string& type, ManifestWriter& manifest)
@@ -174,14 +193,7 @@ vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string
 		throw damaged(fmt::format("{} is no VTK XML file", request.file));
 	refuseShortXml(request.file);
 	const PlainXml plain(request);
-	if (plain.isEmpty())
-		return nullptr;
-	const vtkSmartPointer<vtkDataObject> data = loadPlainXml(plain.request(), type, manifest);
-	if (!plain.times().empty())
-		manifest.offerTimes(plain.times());
-	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
-		addSharedFaces(plain.dataFiles(), grid);
-	return data;
+	return loadXml(plain, type, manifest);
 }
 
 void addXml(const Request& request, const std::string& type, ManifestWriter& manifest)
@@ -201,7 +213,16 @@ void addXml(const Request& request, const std::string& type, ManifestWriter& man
 		const InsidePart inside(manifest.parts());
 		if (manifest.addQuickly(request.file, request.threads))
 			return;
-		return manifest.add(loadXml(request, type, manifest));
+		const PlainXml plain(request);
+		// A copy is of the kind that is read without VTK, once it has no more numbers in text.
+		if (plain.request().file != request.file && plain.times().empty() && !plain.isEmpty() &&
+		    manifest.addQuickly(plain.request().file, request.threads))
+		{
+			for (const std::string& line : plain.warnings())
+				manifest.warn(line);
+			return;
+		}
+		return manifest.add(loadXml(plain, type, manifest));
 	}
 	manifest.addLone(loadXml(request, type, manifest));
 }
@@ -223,8 +244,11 @@ void readXml(const Request& request, const std::string& type, ManifestWriter& ma
 
 void readLegacy(const Request& request, ManifestWriter& manifest)
 {
+	const LegacyCopy copy = copyLegacy(MappedText(request.file).text());
+	for (const std::string& line : copy.warnings)
+		manifest.warn(line);
 	vtkNew<vtkGenericDataObjectReader> reader;
-	reader->SetFileName(request.file.c_str());
+	reader->SetFileName(copy.file ? copy.file->path().c_str() : request.file.c_str());
 	reader->ReadAllScalarsOn();
 	reader->ReadAllVectorsOn();
 	reader->ReadAllNormalsOn();
@@ -235,7 +259,7 @@ void readLegacy(const Request& request, ManifestWriter& manifest)
 	updateAtTime(*reader, request, manifest);
 	if (!reader->GetOutputDataObject(0))
 		throw damaged("no data set was found");
-	if (reader->GetFileType() == VTK_ASCII && endsInsideALine(request.file))
+	if (copy.is_text && endsInsideALine(request.file))
 		manifest.warn(kCutTextWarning);
 	manifest.addLone(reader->GetOutputDataObject(0));
 }

@@ -18,7 +18,7 @@ bool isSpace(char c)
 	return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-std::string_view trimmed(std::string_view line)
+std::string_view withoutSpace(std::string_view line)
 {
 	while (!line.empty() && isSpace(line.front()))
 		line.remove_prefix(1);
@@ -51,7 +51,7 @@ std::string_view TextCursor::line()
 	if (at_ >= text_.size())
 		endsEarly();
 	const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-	const std::string_view line = trimmed(text_.substr(at_, end - at_));
+	const std::string_view line = withoutSpace(text_.substr(at_, end - at_));
 	at_ = std::min(end + 1, text_.size());
 	return line;
 }
@@ -60,7 +60,7 @@ std::string_view TextCursor::peekLine()
 {
 	if (atEnd())
 		return {};
-	return trimmed(text_.substr(at_, text_.find('\n', at_) - at_));
+	return withoutSpace(text_.substr(at_, text_.find('\n', at_) - at_));
 }
 
 std::string_view TextCursor::word()

@@ -190,6 +190,29 @@ TEST_F(Sample, AFileIsAsStandardOutput)
 	EXPECT_EQ(contents(path("out.csv")), run(line).out);
 }
 
+// Its own output, what other programs write, and comments.
+TEST_F(Sample, PointsWithAHeader)
+{
+	const std::string points = write("p.txt", "0.25 0.5 0.75\n1.5,2.5,2.25\n");
+	const std::string image = write("image.vtk", legacyImage());
+	const std::vector<CsvRow> wanted = sample({image, "--points", points});
+	ASSERT_TRUE(isQuiet(run({"sample", image, "--points", points, "-o", path("out.csv")})));
+	EXPECT_EQ(sample({image, "--points", path("out.csv")}), wanted);
+	for (const std::string text : {
+	         "x y z\n0.25 0.5 0.75\n1.5 2.5 2.25\n",
+	         "\xEF\xBB\xBFX;Y;Z\r\n0.25;0.5;0.75\r\n1.5;2.5;2.25\r\n",
+	         "# of a probe\n0.25 0.5 0.75 # the first\n\n1.5D0\t25-1\t+2.25\n",
+	         "u,\"Points:0\",\"Points:1\",\"Points:2\"\nnan,0.25,0.5,0.75\n\"a, b\",1.5,2.5,2.25\n",
+	         "x [m]\tz [m]\ty [m]\n0.25\t0.75\t0.5\n1.5\t2.25\t2.5\n",
+	         "east,north,up\n0.25,0.5,0.75\n1.5,2.5,2.25\n",
+	     })
+		EXPECT_EQ(sample({image, "--points", write("h.csv", text)}), wanted) << text;
+	for (const std::string text : {"id,east,north,up\n1,0,0,0\n", "x,y,z\n1,2\n", "x,y,z\n1;2;3\n", "a 2 3\n1 2 3\n"})
+		EXPECT_TRUE(isError(run({"sample", image, "--points", write("h.csv", text)}), 2, {"h.csv", "line"})) << text;
+	EXPECT_TRUE(
+	    isError(run({"sample", image, "--points", write("n.csv", "1 2 NaN\n")}), 2, {"line 1", "NaN", "leave"}));
+}
+
 TEST_F(Sample, BadPointsNameFileAndLine)
 {
 	for (const std::string line :

@@ -95,8 +95,10 @@ void addSample(CLI::App& program, Run& run)
 	CLI::App* command = program.add_subcommand("sample", "Values of the arrays at points or along a line, as CSV");
 	addInputs(*command, options->input);
 	command
-	    ->add_option("--points", options->points,
-	                 "Text file with three numbers per line, separated by blanks or commas; - reads standard input")
+	    ->add_option(
+	        "--points", options->points,
+	        "Text file with three numbers per line, separated by blanks, commas or semicolons, or CSV with columns "
+	        "x, y and z; - reads standard input")
 	    ->type_name("FILE|-");
 	command
 	    ->add_option("--line", options->line, "N points from X0 Y0 Z0 to X1 Y1 Z1, evenly spread, both ends among them")

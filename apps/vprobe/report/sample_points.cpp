@@ -1,16 +1,19 @@
 #include "report/sample_points.h"
 
 #include "base/input_files.h"
+#include "base/real_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iostream>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace vp::app
 {
@@ -19,58 +22,158 @@ namespace
 {
 
 constexpr std::string_view kBlanks = " \t\r\v\f";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // which some programs write before text
 
-void skipBlanks(std::string_view& text)
+std::string_view trimmed(std::string_view text)
 {
 	text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+	return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
-std::optional<double> takeNumber(std::string_view& text)
+// The words of a line without a header: separated by blanks, or by one comma or semicolon.
+std::vector<std::string_view> wordsOf(std::string_view line)
 {
-	skipBlanks(text);
-	if (text.size() > 1 && text[0] == '+' && text[1] != '-')
-		text.remove_prefix(1);
-	double number = 0.0;
-	const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-	if (failure != std::errc() || !std::isfinite(number))
-		return std::nullopt;
-	text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-	// What follows is another word, so "1-2" is no two numbers.
-	if (!text.empty() && text[0] != ',' && kBlanks.find(text[0]) == std::string_view::npos)
-		return std::nullopt;
-	return number;
-}
-
-std::optional<Vec3> parsePoint(std::string_view line)
-{
-	Vec3 point;
-	for (int axis = 0; axis < 3; ++axis)
+	constexpr std::string_view kSeparators = " \t\r\v\f,;";
+	std::vector<std::string_view> words;
+	for (bool is_open = true; is_open;)
 	{
-		const std::optional<double> number = takeNumber(line);
-		if (!number)
-			return std::nullopt;
-		point[axis] = *number;
-		skipBlanks(line);
-		if (axis < 2 && !line.empty() && line[0] == ',')
+		line = trimmed(line);
+		const std::size_t end = std::min(line.find_first_of(kSeparators), line.size());
+		words.push_back(line.substr(0, end)); // empty between two commas, and behind the last one
+		line = trimmed(line.substr(end));
+		is_open = !line.empty();
+		if (is_open && (line[0] == ',' || line[0] == ';'))
 			line.remove_prefix(1);
 	}
-	return line.empty() ? std::optional(point) : std::nullopt;
+	return words;
 }
+
+// The cells of a line, at each separator that does not stand between quotation marks.
+std::vector<std::string_view> cellsOf(std::string_view line, char separator)
+{
+	std::vector<std::string_view> cells;
+	bool is_quoted = false;
+	std::size_t begin = 0;
+	for (std::size_t at = 0; at <= line.size(); ++at)
+	{
+		if (at < line.size() && line[at] == '"')
+			is_quoted = !is_quoted;
+		if (at < line.size() && (is_quoted || line[at] != separator))
+			continue;
+		std::string_view cell = trimmed(line.substr(begin, at - begin));
+		if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
+			cell = cell.substr(1, cell.size() - 2);
+		cells.push_back(cell);
+		begin = at + 1;
+	}
+	return cells;
+}
+
+// Without what stands behind a #.
+std::string_view withoutComment(std::string_view line)
+{
+	bool is_quoted = false;
+	for (std::size_t at = 0; at < line.size(); ++at)
+	{
+		is_quoted ^= line[at] == '"';
+		if (line[at] == '#' && !is_quoted)
+			return trimmed(line.substr(0, at));
+	}
+	return trimmed(line);
+}
+
+bool namesAxis(std::string_view cell, std::size_t axis)
+{
+	std::string name(cell.substr(0, cell.find_first_of(" [(")));
+	std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+	return name == std::string(1, "xyz"[axis]) || name == fmt::format("points:{}", axis) || // as ParaView writes it
+	       name == fmt::format("points_{}", axis);
+}
+
+// Which columns hold the coordinates.
+class PointColumns
+{
+public:
+	// Takes the first line if it is a header: it has columns x, y and z, or three words that are no numbers.
+	bool takeHeader(std::string_view line)
+	{
+		for (const char separator : {';', ',', '\t'})
+			if (line.find(separator) != std::string_view::npos && !separator_)
+				separator_ = separator;
+		const std::vector<std::string_view> cells = partsOf(line);
+		const auto isNumber = [](std::string_view cell) { return parseReal(cell).has_value(); };
+		if (cells[0].empty() || isNumber(cells[0]))
+			return false;
+		std::size_t found = 0;
+		for (std::size_t axis = 0; axis < 3; ++axis)
+			for (std::size_t c = cells.size(); c-- > 0;)
+				if (namesAxis(cells[c], axis))
+				{
+					found |= std::size_t(1) << axis;
+					columns_[axis] = c;
+				}
+		has_names_ = found == 7;
+		if (!has_names_ && (cells.size() != 3 || std::any_of(cells.begin(), cells.end(), isNumber)))
+			return false;
+		if (!has_names_)
+			columns_ = {0, 1, 2};
+		is_header_ = true;
+		return true;
+	}
+
+	// What is wrong with the line, or nothing.
+	std::optional<std::string> parse(std::string_view line, Vec3& point) const
+	{
+		const std::vector<std::string_view> cells = is_header_ ? partsOf(line) : wordsOf(line);
+		if (has_names_ ? cells.size() <= *std::max_element(columns_.begin(), columns_.end()) : cells.size() != 3)
+			return has_names_ ? "its header names more columns" : kNoPoint;
+		for (int axis = 0; axis < 3; ++axis)
+		{
+			const std::string_view cell = cells[columns_[static_cast<std::size_t>(axis)]];
+			const std::optional<double> number = parseReal(cell);
+			if (!number)
+				return kNoPoint;
+			if (!std::isfinite(*number))
+				return fmt::format("{} is no place; leave such a point out, or write three numbers that are finite",
+				                   cell);
+			point[axis] = *number;
+		}
+		return std::nullopt;
+	}
+
+private:
+	static constexpr const char* kNoPoint =
+	    "no point; write three numbers, separated by blanks, commas or semicolons, or a header with x, y and z first";
+
+	std::vector<std::string_view> partsOf(std::string_view line) const
+	{
+		return separator_ ? cellsOf(line, *separator_) : wordsOf(line);
+	}
+
+	std::optional<char> separator_; // none: blanks
+	bool is_header_ = false;
+	bool has_names_ = false;
+	std::array<std::size_t, 3> columns_ = {0, 1, 2};
+};
 
 Result<std::vector<Vec3>> parsePoints(std::istream& stream, const std::string& name)
 {
 	std::vector<Vec3> points;
-	std::string line;
-	for (std::size_t number = 1; std::getline(stream, line); ++number)
+	PointColumns columns;
+	bool is_first = true;
+	std::string text;
+	for (std::size_t number = 1; std::getline(stream, text); ++number)
 	{
-		if (line.find_first_not_of(kBlanks) == std::string::npos)
+		std::string_view line = text;
+		if (number == 1 && line.starts_with(kByteOrderMark))
+			line.remove_prefix(kByteOrderMark.size());
+		line = withoutComment(line);
+		if (line.empty() || (std::exchange(is_first, false) && columns.takeHeader(line)))
 			continue;
-		const std::optional<Vec3> point = parsePoint(line);
-		if (!point)
-			return Error{
-			    ErrorKind::input,
-			    fmt::format("{}, line {}: no point; write three numbers, parted by blanks or commas", name, number)};
-		points.push_back(*point);
+		Vec3 point;
+		if (const std::optional<std::string> wrong = columns.parse(line, point))
+			return Error{ErrorKind::input, fmt::format("{}, line {}: {}", name, number, *wrong)};
+		points.push_back(point);
 	}
 	if (stream.bad())
 		return Error{ErrorKind::input, fmt::format("{}: cannot be read; name a text file of points", name)};
