@@ -1,12 +1,17 @@
 #include "foam_case.h"
 
 #include "gzip_text.h"
-#include "refusal.h"
 
+#include "base/real_text.h"
+
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <memory>
+#include <set>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -34,61 +39,201 @@ fs::path thereOrPacked(const fs::path& path)
 	return fs::is_regular_file(packed, none) ? packed : fs::path();
 }
 
+// OpenFOAM does not see these.
+bool isBackup(const std::string& name)
+{
+	return name.starts_with('.') || name.ends_with('~') || name.ends_with(".bak") || name.ends_with(".BAK") ||
+	       name.ends_with(".old") || name.ends_with(".save");
+}
+
+// Digits as the programs name their folders: "0", "1e-05", "-0.5".
+bool isTime(const std::string& name)
+{
+	const std::optional<double> value = vp::parseReal(name);
+	return value && std::isfinite(*value) && name.find_first_not_of("0123456789+-.eE") == name.npos;
+}
+
+std::vector<fs::path> foldersIn(const fs::path& folder)
+{
+	std::vector<fs::path> folders;
+	std::error_code none;
+	for (const auto& entry : fs::directory_iterator(folder, none))
+		if (entry.is_directory(none))
+			folders.push_back(entry.path());
+	return folders;
+}
+
+std::optional<FoamSource> openSource(const fs::path& path)
+{
+	const fs::path file = thereOrPacked(path);
+	if (file.empty())
+		return std::nullopt;
+	const auto text = std::make_shared<const MaybeGzip>(file.string());
+	return FoamSource{file, text, text->text()};
+}
+
+// An array has the name in the head of its file, unless another has that too.
+void nameFields(std::vector<FoamFieldFile>& fields)
+{
+	std::multiset<std::string> taken;
+	for (FoamFieldFile& field : fields)
+	{
+		field.name = field.path.filename().string();
+		if (field.path.extension() == ".gz")
+			field.name.resize(field.name.size() - 3);
+		taken.insert(field.name);
+		if (field.head.object != field.name)
+			taken.insert(field.head.object);
+	}
+	for (FoamFieldFile& field : fields)
+		if (taken.count(field.head.object) == 1 && !field.head.object.empty())
+			field.name = field.head.object;
+}
+
 } // namespace
+
+std::vector<FoamTime> foamTimes(const fs::path& folder)
+{
+	std::vector<FoamTime> times;
+	for (const fs::path& each : foldersIn(folder))
+		if (const std::string name = each.filename().string(); isTime(name))
+			times.push_back({name, *vp::parseReal(name)});
+	std::ranges::sort(times, {}, [](const FoamTime& time) { return std::pair(time.value, time.name); });
+	return times;
+}
+
+template <class Parse>
+auto FoamCase::parsed(const fs::path& file, const Parse& parse) const
+{
+	try
+	{
+		const MaybeGzip text(file.string());
+		return parse(text.text());
+	}
+	catch (const FoamUnknown&)
+	{
+		throw;
+	}
+	catch (const Refusal& refusal)
+	{
+		throw Refusal(fmt::format("its file {}: {}", file.lexically_proximate(folder_).string(), refusal.what()));
+	}
+}
+
+template <class Parse>
+auto FoamCase::parsedOfMesh(const std::string& region, const std::string& name, const Parse& parse) const
+{
+	const fs::path file = meshFile(region, name);
+	if (file.empty())
+		throw damaged("it has no polyMesh/" + name);
+	return parsed(file, parse);
+}
 
 fs::path FoamCase::meshFile(const std::string& region, const std::string& name) const
 {
 	for (auto time = times_.rbegin(); time != times_.rend(); ++time)
 		if (fs::path found = thereOrPacked(folder_ / *time / region / "polyMesh" / name); !found.empty())
 			return found;
-	if (fs::path found = thereOrPacked(folder_ / "constant" / region / "polyMesh" / name); !found.empty())
-		return found;
-	throw damaged("it has no polyMesh/" + name);
+	return thereOrPacked(folder_ / "constant" / region / "polyMesh" / name);
 }
 
-std::optional<FoamList> FoamCase::doublePoints(const std::string& region) const
+std::vector<std::string> FoamCase::regions() const
 {
-	const MaybeGzip file(meshFile(region, "points").string());
-	if (!foamHead(file.text()).isDouble())
-		return std::nullopt;
-	return foamPoints(file.text());
+	std::set<std::string> names = {""};
+	std::vector<std::string> places = times_;
+	places.emplace_back("constant");
+	for (const std::string& place : places)
+		for (const fs::path& folder : foldersIn(folder_ / place))
+			if (folder.filename() != "polyMesh")
+				names.insert(folder.filename().string());
+	std::erase_if(names, [&](const std::string& name) { return meshFile(name, "faces").empty(); });
+	return {names.begin(), names.end()};
 }
 
-FoamMesh FoamCase::mesh(const std::string& region, std::size_t points, std::size_t cells) const
+FoamMesh FoamCase::mesh(const std::string& region) const
 {
-	FoamMesh mesh = {foamFaces(MaybeGzip(meshFile(region, "faces").string()).text()),
-	                 foamLabels(MaybeGzip(meshFile(region, "owner").string()).text()),
-	                 foamPatches(MaybeGzip(meshFile(region, "boundary").string()).text())};
+	FoamMesh mesh;
+	parsedOfMesh(region, "points",
+	             [&](std::string_view text)
+	             {
+		             mesh.is_double = foamHead(text).isDouble();
+		             mesh.points = foamPoints(text);
+	             });
+	if (mesh.points.is_uniform)
+		throw damaged("all points of its mesh are one");
+	mesh.faces = parsedOfMesh(region, "faces", foamFaces);
+	const auto labels = [&](std::string_view text) { return foamLabels(text, mesh.faces.size()); };
+	mesh.owners = parsedOfMesh(region, "owner", labels);
+	mesh.neighbours = parsedOfMesh(region, "neighbour", labels);
+	mesh.patches = parsedOfMesh(region, "boundary", foamPatches);
+	// Early versions name a neighbor of each face, with -1 at the boundary.
+	std::erase(mesh.neighbours, -1);
+
 	const auto isBelow = [](std::size_t end)
 	{ return [end](std::int64_t number) { return number >= 0 && static_cast<std::size_t>(number) < end; }; };
-	bool fits = mesh.owners.size() == mesh.faces.size() && std::ranges::all_of(mesh.faces.corners, isBelow(points)) &&
-	            std::ranges::all_of(mesh.owners, isBelow(cells));
+	// A cell has four faces at the least, and a face two cells at most.
+	const std::size_t most_cells = mesh.faces.size() / 2;
+	bool fits = mesh.owners.size() == mesh.faces.size() && mesh.neighbours.size() <= mesh.faces.size() &&
+	            std::ranges::all_of(mesh.faces.corners, isBelow(mesh.points.size())) &&
+	            std::ranges::all_of(mesh.owners, isBelow(most_cells)) &&
+	            std::ranges::all_of(mesh.neighbours, isBelow(most_cells));
 	const auto faces = static_cast<std::int64_t>(mesh.faces.size());
 	for (const FoamPatch& patch : mesh.patches)
-		fits &= patch.faces <= faces && patch.first <= faces - patch.faces;
+		fits = fits && patch.faces <= faces && patch.first <= faces - patch.faces;
 	if (!fits)
 		throw damaged("the files of its mesh do not fit together");
+	for (const auto* cells : {&mesh.owners, &mesh.neighbours})
+		for (const std::int64_t cell : *cells)
+			mesh.cells = std::max(mesh.cells, static_cast<std::size_t>(cell) + 1);
 	return mesh;
 }
 
 std::vector<FoamFieldFile> FoamCase::fields(const std::string& region) const
 {
 	std::vector<FoamFieldFile> fields;
-	std::error_code none;
 	if (times_.empty())
 		return fields;
-	for (const auto& entry : fs::directory_iterator(folder_ / times_.back() / region, none))
+	const fs::path folder = folder_ / times_.back() / region;
+	std::error_code none;
+	for (const auto& entry : fs::directory_iterator(folder, none))
+	{
+		const fs::path path = entry.path();
+		const bool is_packed = path.extension() == ".gz";
+		if (!entry.is_regular_file(none) || isBackup(path.filename().string()) ||
+		    (is_packed && fs::is_regular_file(folder / path.stem(), none))) // of both, the plain one counts
+			continue;
+		const std::string bytes = firstBytes(path);
+		if (bytes.empty() || (bytes.find("FoamFile") == bytes.npos && is_packed))
+			throw damaged(fmt::format("its file {} is empty or cut short", path.lexically_proximate(folder_).string()));
+		if (bytes.find("FoamFile") == bytes.npos)
+			continue; // a text of somebody's
+		FoamFieldFile file = {path, {}, {}};
 		try
 		{
-			if (!entry.is_regular_file(none))
-				continue;
-			FoamHead head = foamHead(firstBytes(entry.path()));
-			if (head.type.starts_with("vol") || head.type.starts_with("point"))
-				fields.push_back({entry.path(), std::move(head)});
+			file.head = foamHead(bytes);
 		}
-		catch (const Refusal&)
+		catch (const Refusal& refusal)
 		{
-		} // of another kind
+			throw Refusal(fmt::format("its file {}: {}", path.lexically_proximate(folder_).string(), refusal.what()));
+		}
+		if (file.head.type.find("Field") != std::string::npos)
+			fields.push_back(std::move(file));
+	}
 	std::ranges::sort(fields, {}, &FoamFieldFile::path);
+	nameFields(fields);
 	return fields;
+}
+
+FoamField FoamCase::field(const FoamFieldFile& file, const FoamMesh& mesh) const
+{
+	const bool is_of_cells = file.head.type.starts_with("vol");
+	const std::size_t elements = is_of_cells ? mesh.cells : mesh.points.size();
+	FoamFiles files = {file.path, fs::absolute(folder_).lexically_normal(), openSource};
+	return parsed(file.path,
+	              [&](std::string_view text)
+	              {
+		              const std::unique_ptr<FoamDocument> document = parseFoam(text, files);
+		              return foamField(*document, elements,
+		                               is_of_cells ? std::span(mesh.patches) : std::span<const FoamPatch>());
+	              });
 }

@@ -1,30 +1,44 @@
 #pragma once
 
-#include "foam_text.h"
+#include "foam_field.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-// The faces of a region's mesh.
+// The mesh of a region. All of its numbers fit together.
 struct FoamMesh
 {
+	FoamList points;
+	bool is_double = true; // whether the points are written in double precision
 	FoamFaces faces;
-	std::vector<std::int64_t> owners; // the cell of each face
+	std::vector<std::int64_t> owners;     // the cell of each face
+	std::vector<std::int64_t> neighbours; // the cell behind each of the first faces
 	std::vector<FoamPatch> patches;
+	std::size_t cells = 0;
 };
 
 struct FoamFieldFile
 {
 	std::filesystem::path path;
 	FoamHead head;
+	std::string name; // of its array
 };
 
-// The files of a case at one time. A region without a name is the only one, or the default one.
+struct FoamTime
+{
+	std::string name; // of its folder
+	double value;
+};
+
+// The times of a case, ascending.
+std::vector<FoamTime> foamTimes(const std::filesystem::path& folder);
+
+// The files of a case at one time. The default region has no name.
 class FoamCase
 {
 public:
@@ -34,16 +48,21 @@ public:
 	{
 	}
 
-	// A file of the mesh, which may move or change: as it was last written.
-	std::filesystem::path meshFile(const std::string& region, const std::string& name) const;
-	// None if its numbers are in single precision, which readers keep.
-	std::optional<FoamList> doublePoints(const std::string& region) const;
-	// With numbers that fit together, for so many points and cells.
-	FoamMesh mesh(const std::string& region, std::size_t points, std::size_t cells) const;
-	// Fields of cells and points, in the order of their files' names.
+	std::vector<std::string> regions() const; // those that have a mesh
+	FoamMesh mesh(const std::string& region) const;
+	// All fields, in the order of their files' names; those that are of no cells or points too.
 	std::vector<FoamFieldFile> fields(const std::string& region) const;
+	FoamField field(const FoamFieldFile& file, const FoamMesh& mesh) const;
 
 private:
+	// A file of the mesh, which may move or change: as it was last written. Empty if there is none.
+	std::filesystem::path meshFile(const std::string& region, const std::string& name) const;
+	// What `parse` makes of a file's text. A refusal names the file.
+	template <class Parse>
+	auto parsed(const std::filesystem::path& file, const Parse& parse) const;
+	template <class Parse>
+	auto parsedOfMesh(const std::string& region, const std::string& name, const Parse& parse) const;
+
 	std::filesystem::path folder_;
 	std::vector<std::string> times_;
 };

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cctype>
 #include <charconv>
 #include <cstring>
@@ -86,78 +88,116 @@ void FoamCursor::expect(char wanted)
 		throw damaged(fmt::format("it has no \"{}\" where one is wanted", wanted));
 }
 
-std::string_view FoamCursor::word()
+bool FoamCursor::beginsComment() const
 {
+	const std::string_view rest = text_.substr(at_, 2);
+	return rest == "//" || rest == "/*";
+}
+
+FoamToken FoamCursor::token()
+{
+	using Kind = FoamToken::Kind;
 	peek();
 	if (at_ >= text_.size())
 		throw damaged("it ends early");
 	const std::size_t start = at_++;
-	if (text_[start] == '"')
+	const char first = text_[start];
+	if (first == '"')
 	{
 		while (at_ < text_.size() && (text_[at_] != '"' || text_[at_ - 1] == '\\'))
 			++at_;
 		if (at_ >= text_.size())
 			throw damaged("it ends early");
-		return text_.substr(start + 1, at_++ - start - 1);
+		return {Kind::text, text_.substr(start + 1, at_++ - start - 1), nullptr};
 	}
-	if (isMark(text_[start]))
-		return text_.substr(start, 1);
-	const bool is_name = std::isalpha(static_cast<unsigned char>(text_[start]));
-	while (at_ < text_.size() && !isBlank(text_[at_]) && !isMark(text_[at_]))
+	if (isMark(first))
+		return {Kind::mark, text_.substr(start, 1), nullptr};
+	if (first == '$')
+		return macro();
+	if (text_.substr(start, 2) == "#{")
+	{
+		const std::size_t end = text_.find("#}", start);
+		if (end == text_.npos)
+			throw damaged("it ends early");
+		at_ = end + 2;
+		return {Kind::verbatim, text_.substr(start + 2, end - start - 2), nullptr};
+	}
+	const bool is_name = std::isalpha(static_cast<unsigned char>(first));
+	while (at_ < text_.size() && !isBlank(text_[at_]) && !isMark(text_[at_]) && !beginsComment())
 	{
 		++at_;
 		if (is_name && text_.substr(at_, 1) == "(")
 			at_ = pastParentheses(text_, at_);
 	}
-	return text_.substr(start, at_ - start);
+	const std::string_view word = text_.substr(start, at_ - start);
+	return first == '#' ? FoamToken{Kind::directive, word, nullptr} : listOrWord(word);
 }
 
-void FoamCursor::skipLine()
+// Behind its $: a name, or one in braces.
+FoamToken FoamCursor::macro()
 {
-	at_ = std::min(text_.find('\n', at_), text_.size());
-}
-
-void FoamCursor::skipValue()
-{
-	std::size_t depth = 0;
-	for (;;)
+	const bool in_braces = at_ < text_.size() && text_[at_] == '{';
+	const std::size_t start = at_ + in_braces;
+	std::size_t end = start;
+	if (in_braces)
 	{
-		const bool is_text = peek() == '"';
-		const std::string_view next = word();
-		if (is_text)
-			continue;
-		if (next == "{" || next == "(" || next == "[")
-			++depth;
-		else if (next == "}" || next == ")" || next == "]")
-		{
-			if (depth == 0)
-				throw damaged("a bracket closes what none has opened");
-			if (--depth == 0 && next == "}")
-			{
-				take(';');
-				return;
-			}
-		}
-		else if (next == ";" && depth == 0)
-			return;
-		else if (head_.is_binary && next.starts_with("List<") && next.ends_with(">"))
-		{
-			const std::string_view type = next.substr(5, next.size() - 6);
-			if (const int components = foamComponents(type))
-				reals(components);
-			else if (type == "label")
-				labels();
-			else
-				throw damaged(fmt::format("its list of {} is not understood", type.substr(0, 20)));
-		}
+		end = text_.find('}', start);
+		if (end == text_.npos)
+			throw damaged("it ends early");
+		at_ = end + 1;
 	}
+	else
+	{
+		while (at_ < text_.size() && !isBlank(text_[at_]) && !isMark(text_[at_]) && !beginsComment())
+			++at_;
+		end = at_;
+	}
+	return {FoamToken::Kind::macro, text_.substr(start, end - start), nullptr};
+}
+
+FoamToken FoamCursor::listOrWord(std::string_view word)
+{
+	using Kind = FoamToken::Kind;
+	if (!word.starts_with("List<") || !word.ends_with(">"))
+		return {Kind::word, word, nullptr};
+	const std::string_view type = word.substr(5, word.size() - 6);
+	if (const int components = foamComponents(type))
+		return {Kind::list, word, std::make_shared<const FoamList>(reals(components))};
+	if (type == "label")
+	{
+		labels();
+		return {Kind::list, word, nullptr};
+	}
+	// Bytes stand for themselves; lists of words are text even then.
+	if (head_.is_binary && type == "bool")
+	{
+		std::vector<char> values;
+		const std::size_t elements = checkedCount(integer(), 1);
+		if (take('('))
+		{
+			bytes<char>(elements, values);
+			expect(')');
+		}
+		return {Kind::list, word, nullptr};
+	}
+	if (head_.is_binary && type != "word" && type != "string" && type != "keyType" && type != "fileName")
+		throw Refusal(fmt::format("its list of {} in bytes is not read; save the case as text with foamFormatConvert",
+		                          type.substr(0, 20)));
+	return {Kind::word, word, nullptr};
+}
+
+std::string_view FoamCursor::restOfLine()
+{
+	const std::size_t start = std::min(at_, text_.size());
+	at_ = std::min(text_.find('\n', start), text_.size());
+	return text_.substr(start, at_ - start);
 }
 
 std::string_view FoamCursor::number()
 {
 	peek();
 	const std::size_t start = at_;
-	while (at_ < text_.size() && !isBlank(text_[at_]) && !isMark(text_[at_]))
+	while (at_ < text_.size() && !isBlank(text_[at_]) && !isMark(text_[at_]) && !beginsComment())
 		++at_;
 	std::string_view digits = text_.substr(start, at_ - start);
 	if (digits.size() > 1 && digits[0] == '+')
@@ -195,9 +235,8 @@ void FoamCursor::element(int components, std::vector<double>& numbers)
 }
 
 // The number of things that take so many bytes each, at the least.
-std::size_t FoamCursor::count(std::size_t least_bytes)
+std::size_t FoamCursor::checkedCount(std::int64_t number, std::size_t least_bytes) const
 {
-	const std::int64_t number = integer();
 	if (number < 0 || static_cast<std::uint64_t>(number) > (text_.size() - at_) / least_bytes + 1)
 		throw damaged(fmt::format("it announces {} of something, more than it has room for", number));
 	return static_cast<std::size_t>(number);
@@ -211,16 +250,27 @@ void FoamCursor::bytes(std::size_t count, std::vector<As>& numbers)
 	numbers.resize(count);
 	for (As& number : numbers)
 	{
-		Number as_written;
-		std::memcpy(&as_written, text_.data() + at_, sizeof as_written);
-		at_ += sizeof as_written;
+		std::array<char, sizeof(Number)> written;
+		std::memcpy(written.data(), text_.data() + at_, sizeof(Number));
+		at_ += sizeof(Number);
+		if (head_.is_big_endian != (std::endian::native == std::endian::big))
+			std::reverse(written.begin(), written.end());
+		const auto as_written = std::bit_cast<Number>(written);
 		number = static_cast<As>(as_written);
 	}
 }
 
 FoamList FoamCursor::reals(int components)
 {
-	FoamList list = {components, false, {}};
+	FoamList list;
+	list.components = components;
+	if (!head_.is_binary && take('(')) // without its count
+	{
+		while (peek() != ')')
+			element(components, list.numbers);
+		expect(')');
+		return list;
+	}
 	const std::int64_t announced = integer();
 	if (announced < 0)
 		throw damaged("a list has fewer than no elements");
@@ -228,6 +278,7 @@ FoamList FoamCursor::reals(int components)
 	if (take('{')) // all are alike
 	{
 		list.is_uniform = true;
+		list.announced = elements;
 		element(components, list.numbers);
 		expect('}');
 		return list;
@@ -256,10 +307,19 @@ FoamList FoamCursor::reals(int components)
 	return list;
 }
 
-std::vector<std::int64_t> FoamCursor::labels()
+std::vector<std::int64_t> FoamCursor::labels(std::size_t most_equal)
 {
 	std::vector<std::int64_t> list;
-	const std::size_t elements = count(1);
+	const std::int64_t announced = integer();
+	if (announced >= 0 && take('{')) // all are alike
+	{
+		if (static_cast<std::size_t>(announced) > most_equal)
+			throw damaged(fmt::format("it announces {} of something, more than there can be", announced));
+		list.assign(static_cast<std::size_t>(announced), integer());
+		expect('}');
+		return list;
+	}
+	const std::size_t elements = checkedCount(announced, 1);
 	if (elements == 0)
 	{
 		if (take('('))
@@ -291,8 +351,11 @@ FoamFaces FoamCursor::faces(bool is_compact)
 			throw damaged("its faces do not match their corners");
 		return faces;
 	}
-	const std::size_t elements = count(4);
-	expect('(');
+	const std::size_t elements = checkedCount(integer(), 4);
+	if (elements == 0 && !take('('))
+		return faces;
+	if (elements > 0)
+		expect('(');
 	for (std::size_t i = 0; i < elements; ++i)
 	{
 		const std::vector<std::int64_t> corners = labels();

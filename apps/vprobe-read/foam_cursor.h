@@ -4,8 +4,28 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string_view>
 #include <vector>
+
+struct FoamToken
+{
+	enum class Kind
+	{
+		word,      // a name or a number
+		text,      // without its quotes
+		mark,      // one of ; { } ( ) [ ]
+		macro,     // the name behind the $, without its braces
+		directive, // with its #
+		verbatim,  // between #{ and #}
+		list       // text is its type, as "List<scalar>"
+	};
+	Kind kind;
+	std::string_view text;
+	std::shared_ptr<const FoamList> list; // null if its elements are no scalars, vectors or tensors
+
+	bool isMark(char c) const { return kind == Kind::mark && text[0] == c; }
+};
 
 // Walks through the words, numbers and lists of a file of OpenFOAM. What lies past the end is a Refusal.
 class FoamCursor
@@ -20,23 +40,25 @@ public:
 	char peek();
 	bool take(char wanted); // false, and nothing taken, if another is next
 	void expect(char wanted);
-	// A name, a number, or a text without its quotes; else one character.
-	std::string_view word();
-	void skipLine();
-	// Behind the value of an entry: its semicolon, or the brace that closes it.
-	void skipValue();
+	FoamToken token();
+	// What is left of this line.
+	std::string_view restOfLine();
 
 	std::int64_t integer();
-	double real();
 	// One element of a field: a number, or several in parentheses.
 	void element(int components, std::vector<double>& numbers);
-	// A list with the number of its elements before it.
+	// A list, mostly with the number of its elements before it.
 	FoamList reals(int components);
-	std::vector<std::int64_t> labels();
+	// Equal labels take no room: at most so many of them.
+	std::vector<std::int64_t> labels(std::size_t most_equal = 1 << 16);
 	FoamFaces faces(bool is_compact);
 
 private:
-	std::size_t count(std::size_t least_bytes);
+	double real();
+	FoamToken macro();
+	FoamToken listOrWord(std::string_view word);
+	bool beginsComment() const;
+	std::size_t checkedCount(std::int64_t number, std::size_t least_bytes) const;
 	template <class Number, class As>
 	void bytes(std::size_t count, std::vector<As>& numbers);
 	std::string_view number();

@@ -2,19 +2,19 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-// Files of OpenFOAM, as text or as bytes, in the precision that they have. All that is not understood is a Refusal.
+// Files of OpenFOAM that hold lists, as text or as bytes, in the precision that they have. What is not understood is a
+// Refusal.
 
 struct FoamHead
 {
 	std::string type; // the file's "class"
 	std::string object;
 	bool is_binary = false;
+	bool is_big_endian = false;
 	int label_bytes = 4;
 	int scalar_bytes = 8;
 
@@ -27,20 +27,17 @@ struct FoamList
 	int components = 1;
 	bool is_uniform = false;     // then the numbers are those of one element
 	std::vector<double> numbers; // element by element
+	std::size_t announced = kAny;
 
-	std::size_t size() const { return numbers.size() / static_cast<std::size_t>(components); }
+	static constexpr std::size_t kAny = static_cast<std::size_t>(-1);
+
+	std::size_t size() const { return is_uniform ? announced : numbers.size() / static_cast<std::size_t>(components); }
+	// Whether it has a value for each of so many elements, and for no more.
+	bool fits(std::size_t elements) const { return size() == elements || (is_uniform && announced == kAny); }
 	const double* at(std::size_t element) const
 	{
 		return numbers.data() + (is_uniform ? 0 : element * static_cast<std::size_t>(components));
 	}
-};
-
-struct FoamField
-{
-	FoamList inside;
-	// By the names of the patches that are written without a pattern. Those without a list take what the cells have.
-	// A patch whose value is written in words that are not read here is none of these.
-	std::map<std::string, std::optional<FoamList>, std::less<>> patches;
 };
 
 // The corners of each face, one face after the other.
@@ -55,6 +52,7 @@ struct FoamFaces
 struct FoamPatch
 {
 	std::string name, type;
+	std::vector<std::string> groups;
 	std::int64_t first = 0; // face
 	std::int64_t faces = 0;
 };
@@ -63,7 +61,7 @@ struct FoamPatch
 FoamHead foamHead(std::string_view text);
 
 FoamList foamPoints(std::string_view text);
-FoamField foamField(std::string_view text);
 FoamFaces foamFaces(std::string_view text);
-std::vector<std::int64_t> foamLabels(std::string_view text);
+// At most so many, as a list of equal ones takes no room.
+std::vector<std::int64_t> foamLabels(std::string_view text, std::size_t most);
 std::vector<FoamPatch> foamPatches(std::string_view text);

@@ -1,24 +1,27 @@
-#include "complaints.h"
-#include "foam_doubles.h"
+// OpenFOAM by parsers of our own. VTK's reader makes single precision of all numbers, knows few macros, and goes on
+// where it does not understand a field.
+#include "foam_averages.h"
+#include "foam_case.h"
+#include "foam_grid.h"
 #include "formats.h"
 #include "manifest_writer.h"
 #include "refusal.h"
 #include "time_choice.h"
 
-#include <vtkDoubleArray.h>
+#include <vtkCellData.h>
+#include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
-#include <vtkOpenFOAMReader.h>
-#include <vtkStringArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdlib>
 #include <filesystem>
-#include <memory>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,62 +30,9 @@ namespace fs = std::filesystem;
 namespace
 {
 
-struct CloseGzip
+double lastTime(const std::vector<FoamTime>& times)
 {
-	void operator()(gzFile_s* file) const { gzclose_r(file); }
-};
-using Gzip = std::unique_ptr<gzFile_s, CloseGzip>;
-
-bool isWholeGzip(const fs::path& path)
-{
-	Gzip file(gzopen(path.c_str(), "rb"));
-	std::array<char, 1 << 16> buffer;
-	int got = 0;
-	while (file && (got = gzread(file.get(), buffer.data(), buffer.size())) > 0)
-	{
-	}
-	// Only closing tells whether the checksum at the end was there and right.
-	return file && got == 0 && gzclose_r(file.release()) == Z_OK;
-}
-
-// The reader leaves out a field whose compressed file ends early.
-void refuseShortGzips(const fs::path& folder)
-{
-	std::error_code none;
-	for (const auto& entry : fs::directory_iterator(folder, none))
-	{
-		if (entry.path().extension() != ".gz")
-			continue;
-		if (!isWholeGzip(entry.path()) || entry.file_size() == 0)
-			throw damaged(fmt::format("{} ends early", entry.path().string()));
-	}
-}
-
-void widen(vtkOpenFOAMReader& reader, const Request& request, std::optional<double> time, ManifestWriter& manifest)
-{
-	std::vector<std::string> times;
-	for (vtkIdType i = 0; time && i < reader.GetTimeNames()->GetNumberOfValues(); ++i)
-		if (reader.GetTimeValues()->GetValue(i) <= *time)
-			times.push_back(reader.GetTimeNames()->GetValue(i));
-	widenFoam({fs::path(request.file).parent_path(), std::move(times)}, reader.GetOutputDataObject(0), manifest);
-}
-
-bool isTime(const fs::path& folder)
-{
-	const std::string name = folder.filename().string();
-	char* end = nullptr;
-	std::strtod(name.c_str(), &end);
-	return end != name.c_str() && *end == '\0';
-}
-
-double lastTimeIn(const fs::path& folder)
-{
-	double last = -1.0;
-	std::error_code none;
-	for (const auto& entry : fs::directory_iterator(folder, none))
-		if (entry.is_directory() && isTime(entry.path()))
-			last = std::max(last, std::strtod(entry.path().filename().c_str(), nullptr));
-	return last;
+	return times.empty() ? -1.0 : times.back().value;
 }
 
 // The mesh of the case, or of one of its regions.
@@ -98,81 +48,183 @@ bool hasMesh(const fs::path& folder)
 }
 
 // The parts of a decomposed case lie in processor0, processor1 and so on, or all together in processorsN.
-void refuseDecomposed(const fs::path& folder, ManifestWriter& manifest)
+void refuseDecomposed(const fs::path& folder, const std::vector<FoamTime>& times, ManifestWriter& manifest)
 {
 	double last = -1.0;
 	bool is_decomposed = false;
 	std::error_code none;
-	for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, none))
+	for (const auto& entry : fs::directory_iterator(folder, none))
 		if (const std::string name = entry.path().filename().string();
 		    entry.is_directory() && name.starts_with("processor") && name.find_first_of("0123456789") != name.npos)
 		{
 			is_decomposed = true;
-			last = std::max(last, lastTimeIn(entry.path()));
+			last = std::max(last, lastTime(foamTimes(entry.path())));
 		}
 	if (is_decomposed && !hasMesh(folder))
 		throw Refusal("a case that is decomposed among processors, which is not read; run reconstructPar (and "
 		              "reconstructParMesh, if that says so) in its folder");
-	if (is_decomposed && last > lastTimeIn(folder.empty() ? "." : folder))
+	if (is_decomposed && last > lastTime(times))
 		manifest.warn(
 		    fmt::format("its times up to {} lie with the processors and are not shown; run reconstructPar", last));
 }
 
-} // namespace
-
-// In a pass of its own, without fields: those of patches can be of kinds that the reader complains about.
-void addFoamPatches(const Request& request, ManifestWriter& manifest)
+// Reads the fields of a region that are wanted, and remembers why others are left out.
+class FoamFields
 {
-	vtkNew<vtkOpenFOAMReader> reader;
-	reader->SetFileName(request.file.c_str());
-	reader->SetCacheMesh(false);
-	reader->UpdateInformation();
-	for (int i = 0; i < reader->GetNumberOfPatchArrays(); ++i)
+public:
+	FoamFields(const FoamCase& files, const FoamMesh& mesh, const ArrayWish& wish, ManifestWriter& manifest)
+	    : files_(files), mesh_(mesh), wish_(wish), manifest_(manifest)
 	{
-		const std::string name = reader->GetPatchArrayName(i);
-		reader->SetPatchArrayStatus(name.c_str(), name.find("patch/") != std::string::npos);
 	}
-	reader->DisableAllCellArrays();
-	reader->DisableAllPointArrays();
-	reader->DisableAllLagrangianArrays();
-	const Request at = request;
-	widen(*reader, request, updateAtTime(*reader, at, manifest), manifest);
-	manifest.addPatches(reader->GetOutputDataObject(0));
+
+	void addTo(vtkUnstructuredGrid* grid, const std::string& region)
+	{
+		std::vector<FoamFieldFile> of_points;
+		for (FoamFieldFile& file : files_.fields(region))
+			if (foamComponentsOfField(file.head.type) == 0)
+				left_out_[fmt::format("a {}, which is of no cells or points", file.head.type)].push_back(file.name);
+			else if (file.head.type.starts_with("vol"))
+				addOfCells(file, grid);
+			else
+				of_points.push_back(std::move(file));
+		for (const FoamFieldFile& file : of_points)
+			addOfPoints(file, grid);
+		for (const auto& [reason, names] : left_out_)
+			manifest_.warn(fmt::format("left out: {} ({})", fmt::join(names, ", "), reason));
+	}
+
+private:
+	bool wants(const char* association, const FoamFieldFile& file)
+	{
+		if (wish_.wants(association, file.name, std::string_view(association) == "point" && !has_shown_))
+			return true;
+		manifest_.noteLeftOut(describeLeftOut(association, file.name, vp::grid::NumberType::float64,
+		                                      foamComponentsOfField(file.head.type)));
+		return false;
+	}
+
+	template <class Read>
+	void attempt(const std::string& name, const Read& read)
+	{
+		try
+		{
+			read();
+		}
+		catch (const FoamUnknown& unknown)
+		{
+			left_out_[unknown.what()].push_back(name);
+		}
+	}
+
+	// Its values at the points have the same name.
+	void addOfCells(const FoamFieldFile& file, vtkUnstructuredGrid* grid)
+	{
+		const bool wants_points = wants("point", file), wants_cells = wants("cell", file);
+		if (!wants_points && !wants_cells)
+			return;
+		attempt(file.name,
+		        [&]
+		        {
+			        const FoamField field = files_.field(file, mesh_);
+			        if (wants_cells)
+				        add(foamArray(*field.inside, mesh_.cells, file.head.isDouble()), file, grid->GetCellData());
+			        if (wants_points)
+				        attempt("point:" + file.name,
+				                [&]
+				                {
+					                add(foamAverages(mesh_, grid, field, file.head.isDouble()), file,
+					                    grid->GetPointData());
+					                has_shown_ = true;
+				                });
+		        });
+	}
+
+	void addOfPoints(const FoamFieldFile& file, vtkUnstructuredGrid* grid)
+	{
+		if (grid->GetPointData()->HasArray(file.name.c_str()))
+		{
+			left_out_["a field of cells has that name too"].push_back(file.name);
+			return;
+		}
+		if (wants("point", file))
+			attempt(file.name,
+			        [&]
+			        {
+				        add(foamArray(*files_.field(file, mesh_).inside, mesh_.points.size(), file.head.isDouble()),
+				            file, grid->GetPointData());
+				        has_shown_ = true;
+			        });
+	}
+
+	static void add(vtkDataArray* array, const FoamFieldFile& file, vtkDataSetAttributes* fields)
+	{
+		array->SetName(file.name.c_str());
+		fields->AddArray(array);
+	}
+
+	const FoamCase& files_;
+	const FoamMesh& mesh_;
+	const ArrayWish& wish_;
+	ManifestWriter& manifest_;
+	std::map<std::string, std::vector<std::string>> left_out_; // by the reason
+	bool has_shown_ = false;
+};
+
+// Each patch by its name, and each group of patches by its own.
+void addFoamPatches(const FoamMesh& mesh, ManifestWriter& manifest)
+{
+	std::map<std::string, std::vector<const FoamPatch*>> groups;
+	std::set<std::string> names;
+	vtkNew<vtkMultiBlockDataSet> all;
+	const auto add = [&](const std::string& name, std::span<const FoamPatch* const> patches)
+	{
+		const unsigned int number = all->GetNumberOfBlocks();
+		all->SetBlock(number, foamFacesOf(mesh, patches));
+		all->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+	};
+	for (const FoamPatch& patch : mesh.patches)
+	{
+		names.insert(patch.name);
+		for (const std::string& group : std::set<std::string>(patch.groups.begin(), patch.groups.end()))
+			groups[group].push_back(&patch);
+		const FoamPatch* one = &patch;
+		add(patch.name, {&one, 1});
+	}
+	for (const auto& [name, patches] : groups)
+		if (!names.contains(name))
+			add(name, patches);
+	manifest.addPatches(all);
 }
+
+} // namespace
 
 void readFoam(const Request& request, ManifestWriter& manifest)
 {
-	refuseDecomposed(fs::path(request.file).parent_path(), manifest);
-	takeWarningsToo(); // which is how this reader tells of files that end early
-	vtkNew<vtkOpenFOAMReader> reader;
-	reader->SetFileName(request.file.c_str());
-	reader->SetDecomposePolyhedra(false);
-	reader->SetCreateCellToPoint(true);
-	reader->SetCacheMesh(false);
-	reader->UpdateInformation();
-	refuseOnComplaint();
-	// The cells of each region; its patches, sets and particles are flat.
-	bool has_cells = false;
-	for (int i = 0; i < reader->GetNumberOfPatchArrays(); ++i)
-	{
-		const std::string name = reader->GetPatchArrayName(i);
-		const bool cells = name.ends_with("internalMesh");
-		reader->SetPatchArrayStatus(name.c_str(), cells);
-		has_cells |= cells;
-	}
-	if (!has_cells)
+	fs::path folder = fs::path(request.file).parent_path();
+	if (folder.empty())
+		folder = ".";
+	const std::vector<FoamTime> all = foamTimes(folder);
+	refuseDecomposed(folder, all, manifest);
+	std::vector<double> times;
+	for (const FoamTime& time : all)
+		times.push_back(time.value);
+	std::vector<std::string> names;
+	if (chooseIfAny(times, request))
+		for (std::size_t i = 0; i <= chooseStep(times, request); ++i)
+			names.push_back(all[i].name);
+	const FoamCase files(folder, names);
+	const std::vector<std::string> regions = files.regions();
+	if (regions.empty())
 		throw damaged("no constant/polyMesh with cells beside it");
-	reader->EnableAllCellArrays();
-	reader->EnableAllPointArrays();
-	reader->DisableAllLagrangianArrays();
-	const std::optional<double> time = updateAtTime(*reader, request, manifest);
-	const fs::path folder = fs::path(request.file).parent_path();
-	refuseShortGzips(folder / "constant" / "polyMesh");
-	for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder))
-		if (time && entry.is_directory() && std::strtod(entry.path().filename().c_str(), nullptr) == *time)
-			refuseShortGzips(entry.path());
-	widen(*reader, request, time, manifest);
-	manifest.add(reader->GetOutputDataObject(0));
-	if (request.patches)
-		addFoamPatches(request, manifest);
+	for (const std::string& region : regions)
+	{
+		const FoamMesh mesh = files.mesh(region);
+		const vtkSmartPointer<vtkUnstructuredGrid> grid = foamGrid(mesh);
+		FoamFields(files, mesh, request.arrays, manifest).addTo(grid, region);
+		manifest.setPrefix(region.empty() ? "internalMesh" : region);
+		manifest.add(grid);
+		if (request.patches)
+			addFoamPatches(mesh, manifest);
+	}
+	manifest.offerTimes(std::move(times));
 }

@@ -14,7 +14,7 @@ VP_FORMAT("vtk-xml", ".vti .vtr .vts .vtu .htg", "VTK XML", "every kind of grid;
 VP_FORMAT("vtk-xml-index", ".pvti .pvtr .pvts .pvtu .vtm .vthb .vth .pvd", "VTK XML that names other files",
           "pieces, blocks, AMR levels, times", "VTK", beside, head.isXmlOfVtk(), base, AnyXml)
 VP_FORMAT("openfoam", ".foam .openfoam", "OpenFOAM case, by a file in its folder", "regions; polyhedra; patches; times",
-          "VTK", folder, head.ends({".foam", ".openfoam"}), more, Foam)
+          "vprobe", folder, head.ends({".foam", ".openfoam"}), base, Foam)
 VP_FORMAT("nrrd", ".nrrd .nhdr", "NRRD", "orientation; components; units", "teem", beside, head.starts("NRRD"), base,
           Nrrd)
 VP_FORMAT("nifti", ".nii .nii.gz .hdr", "NIfTI-1 and -2", "orientation; times; units; rescaled values", "VTK", beside,

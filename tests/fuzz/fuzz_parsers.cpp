@@ -50,15 +50,22 @@ std::vector<std::string> foamSeeds()
 	const std::string patches =
 	    "boundaryField\n{\n a { type fixedValue; value uniform 2.5; }\n \"b.*\" { type empty; }\n"
 	    " c { type zeroGradient; }\n d { $e; value $f; }\n";
+	const std::string macros =
+	    "#inputMode merge\nv 7;\nd { w $..v; e { x $:d.w; } }\n#ifeq $v 7\nT uniform ${v};\n#else\n#remove v\n#endif\n"
+	    "#include \"none\"\n#includeIfPresent \"a\"\ninternalField $T;\nreferenceLevel 1;\nboundaryField\n{\n"
+	    " wall { $:d; type noSlip; }\n \"(a|b).*\" { type fixedValue; value uniform #calc \"1+2\"; }\n"
+	    " c #codeStream { code #{ return 1; #}; };\n g $wall;\n}\n";
 	return {file("ascii", "vectorField", "2\n(\n(1 2.5 -3e5)\n(nan 0 1e400)\n)\n"),
 	        file("binary", "vectorField", "1(" + eight + eight + eight + ")"),
 	        file("ascii", "faceList", "2 (3(0 1 2) 4(0 1 2 3))"),
 	        file("binary", "faceCompactList", "2(" + four + three + ")3(" + four + low + three + ")"),
 	        file("ascii", "labelList", "3 ( 0 1 2 )"),
+	        file("ascii", "labelList", "3{0}"),
 	        file("ascii", "polyBoundaryMesh", "1 ( a { type wall; inGroups 1(wall); nFaces 3; startFace 4; } )"),
 	        file("ascii", "volScalarField",
 	             "dimensions [0 0 0 1 0 0 0];\ninternalField nonuniform List<scalar> 2(3 5);\n" + patches + "}\n"),
 	        file("ascii", "volVectorField", "internalField nonuniform List<vector> 2{(3 5 7)};\n" + patches + "}\n"),
+	        file("ascii", "volScalarField", macros),
 	        file("binary", "pointScalarField",
 	             "internalField nonuniform List<scalar> 1(" + eight + ");\n" + patches +
 	                 " g { type h; x nonuniform List<scalar> 1(" + eight + "); value nonuniform List<scalar> 1(" +

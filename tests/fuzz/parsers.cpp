@@ -1,7 +1,7 @@
 #include "parsers.h"
 
 #include "ensight_check.h"
-#include "foam_text.h"
+#include "foam_field.h"
 #include "meta_header.h"
 #include "netcdf_size.h"
 #include "plot3d_layout.h"
@@ -21,6 +21,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -134,7 +137,7 @@ void feedFoam(std::string_view input)
 	};
 	tryIt([&] { foamHead(input); });
 	tryIt([&] { require(foamPoints(input).numbers.size() % 3 == 0); });
-	tryIt([&] { foamLabels(input); });
+	tryIt([&] { foamLabels(input, 1000); });
 	tryIt([&] { foamPatches(input); });
 	tryIt(
 	    [&]
@@ -145,12 +148,18 @@ void feedFoam(std::string_view input)
 	tryIt(
 	    [&]
 	    {
-		    const FoamField field = foamField(input);
-		    const auto isWhole = [](const FoamList& list)
-		    { return list.numbers.size() % static_cast<std::size_t>(list.components) == 0; };
-		    require(isWhole(field.inside));
-		    for (const auto& [name, values] : field.patches)
-			    require(!values || isWhole(*values));
+		    // Every file that it includes is the same one.
+		    const FoamFiles files = {
+		        "a", ".", [&](const std::filesystem::path& path) -> std::optional<FoamSource> {
+			        return path.filename() == "none" ? std::nullopt : std::optional(FoamSource{path, nullptr, input});
+		        }};
+		    const std::unique_ptr<FoamDocument> document = parseFoam(input, files);
+		    const FoamPatch patches[] = {{"a", "wall", {}, 0, 2}, {"inlet", "patch", {"e", "wall"}, 2, 1}};
+		    const FoamField field = foamField(*document, 2, patches);
+		    require(field.inside->fits(2) && field.patches.size() == 2);
+		    for (std::size_t p = 0; p < 2; ++p)
+			    if (const auto& values = field.patches[p].values)
+				    require(values->fits(2 - p) && !values->numbers.empty());
 	    });
 }
 

@@ -1,35 +1,13 @@
-// Files of OpenFOAM, as this program reads them beside VTK's reader.
+// Files of OpenFOAM with lists of points, faces, labels and patches.
 #include "foam_text.h"
+
+#include "foam_samples.h"
 #include "refusal.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstring>
-
-namespace
-{
-
-std::string foamFile(const std::string& type, const std::string& body, const std::string& format = "ascii",
-                     const std::string& arch = "LSB;label=32;scalar=64")
-{
-	return "/*--*\\ a banner \\*--*/\nFoamFile\n{\n    version 2.0; // a word\n    format " + format +
-	       ";\n    arch \"" + arch + "\";\n    class " + type +
-	       ";\n    location \"1\";\n    object grad(T);\n}\n// * * //\n" + body;
-}
-
-template <class Number>
-std::string bytesOfNumbers(const std::vector<Number>& numbers)
-{
-	std::string bytes(numbers.size() * sizeof(Number), '\0');
-	std::memcpy(bytes.data(), numbers.data(), bytes.size());
-	return bytes;
-}
-
 using Numbers = std::vector<double>;
 using Whole = std::vector<std::int64_t>;
-
-} // namespace
 
 TEST(FoamText, HeadsSayWhatFollows)
 {
@@ -42,7 +20,6 @@ TEST(FoamText, HeadsSayWhatFollows)
 	EXPECT_FALSE(head.isDouble());
 	EXPECT_TRUE(foamHead(foamFile("volScalarField", "", "ascii", "LSB;label=64;scalar=32")).isDouble());
 	EXPECT_THROW(foamHead("a { }"), Refusal);
-	EXPECT_THROW(foamHead(foamFile("volScalarField", "", "binary", "MSB;label=32;scalar=64")), Refusal);
 }
 
 TEST(FoamText, ListsAsTextAndBytes)
@@ -55,11 +32,22 @@ TEST(FoamText, ListsAsTextAndBytes)
 	                              "LSB;label=32;scalar=32"))
 	              .numbers,
 	          (Numbers{1.5, 2, 3}));
-	EXPECT_EQ(foamLabels(foamFile("labelList", "3(7 8\n9)")), (Whole{7, 8, 9}));
-	EXPECT_EQ(foamLabels(foamFile("labelList", "2(" + bytesOfNumbers(Whole{1, 5000000000}) + ")", "binary",
-	                              "LSB;label=64;scalar=64")),
-	          (Whole{1, 5000000000}));
-	EXPECT_EQ(foamLabels(foamFile("labelList", "0()")), Whole{});
+	const auto labels = [](const std::string& body, const std::string& format = "ascii")
+	{ return foamLabels(foamFile("labelList", body, format, "LSB;label=64;scalar=64"), 100); };
+	EXPECT_EQ(labels("3(7 8/*a comment*/9//another\n)"), (Whole{7, 8, 9}));
+	EXPECT_EQ(labels("2(" + bytesOfNumbers(Whole{1, 5000000000}) + ")", "binary"), (Whole{1, 5000000000}));
+	EXPECT_EQ(labels("0()"), Whole{});
+	EXPECT_EQ(labels("4{7}"), (Whole{7, 7, 7, 7}));
+	EXPECT_THROW(labels("4000000000{7}"), Refusal);
+}
+
+TEST(FoamText, BytesInTheOtherOrder)
+{
+	const std::string one("\x3f\xf8\0\0\0\0\0\0", 8), two("\x40\0\0\0\0\0\0\0", 8), seven("\0\0\0\7", 4);
+	EXPECT_EQ(
+	    foamPoints(foamFile("vectorField", "1(" + one + two + one + ")", "binary", "MSB;label=32;scalar=64")).numbers,
+	    (Numbers{1.5, 2, 1.5}));
+	EXPECT_EQ(foamLabels(foamFile("labelList", "1(" + seven + ")", "binary", "MSB;label=32;scalar=64"), 1), Whole{7});
 }
 
 TEST(FoamText, FacesInBothWays)
@@ -77,59 +65,28 @@ TEST(FoamText, FacesInBothWays)
 
 TEST(FoamText, PatchesOfTheBoundary)
 {
-	const auto patches = foamPatches(foamFile("polyBoundaryMesh",
-	                                          "2(\nin { type patch; inGroups 1(patch); nFaces 4; startFace 38; }\n"
-	                                          "\"w.2\"\n{ type wall; nFaces 6; startFace 42; offset (0 0 1); }\n)\n"));
-	ASSERT_EQ(patches.size(), 2u);
+	const auto patches =
+	    foamPatches(foamFile("polyBoundaryMesh", "3\n(\nin { type patch; inGroups 1(patch); nFaces 4; startFace 38; }\n"
+	                                             "\"w.2\"\n{ type wall; inGroups List<word> 2(wall hot);\n nFaces 6; "
+	                                             "startFace 42; offset (0 0 1); }\n/* the last */ out { type patch; "
+	                                             "inGroups (open); nFaces 0; startFace 48; }\n)\n"));
+	ASSERT_EQ(patches.size(), 3u);
 	EXPECT_EQ(patches[0].name, "in");
+	EXPECT_EQ(patches[0].groups, (std::vector<std::string>{"patch"}));
+	EXPECT_EQ(patches[1].name, "w.2");
 	EXPECT_EQ(patches[1].type, "wall");
+	EXPECT_EQ(patches[1].groups, (std::vector<std::string>{"wall", "hot"}));
 	EXPECT_EQ(patches[1].first, 42);
 	EXPECT_EQ(patches[1].faces, 6);
-}
-
-TEST(FoamText, FieldsWithWordsThatAreNotRead)
-{
-	const std::string bytes = bytesOfNumbers(Numbers{6700000.25, std::nan("")});
-	const FoamField field = foamField(
-	    foamFile("volScalarField",
-	             "#include \"constants\"\nv 7;\ndimensions [0 0 0 1 0 0 0];\ninternalField nonuniform List<scalar> 2(" +
-	                 bytes + ");\nboundaryField\n{\n \"in.*\" { type fixedValue; value uniform 1; }\n" +
-	                 " zero { type zeroGradient; }\n words { type fixedValue; value $v; }\n" +
-	                 " macro { $zero; }\n table { type uniformFixedValue; uniformValue constant 4; }\n" +
-	                 " mixed { type mixed; refValue nonuniform List<scalar> 1(" + bytesOfNumbers(Numbers{1e9}) +
-	                 "); gradients { a (1 2); } value nonuniform List<scalar> 2(" + bytesOfNumbers(Numbers{8, 9}) +
-	                 "); }\n none { value nonuniform 0(); }\n}\n",
-	             "binary"));
-	EXPECT_EQ(field.inside.numbers[0], 6700000.25);
-	EXPECT_TRUE(std::isnan(field.inside.numbers[1]));
-	ASSERT_EQ(field.patches.size(), 3u);
-	EXPECT_FALSE(field.patches.at("zero"));
-	EXPECT_EQ(field.patches.at("mixed")->numbers, (Numbers{8, 9}));
-	EXPECT_EQ(field.patches.at("none")->size(), 0u);
-}
-
-TEST(FoamText, ElementsOfEachKind)
-{
-	const FoamList one = foamField(foamFile("volVectorField", "internalField uniform (1 2 3);\n")).inside;
-	EXPECT_TRUE(one.is_uniform);
-	EXPECT_EQ(one.numbers, (Numbers{1, 2, 3}));
-	const FoamList alike =
-	    foamField(foamFile("pointSymmTensorField", "internalField nonuniform List<symmTensor> 9{(1 2 3 4 5 6)};\n"))
-	        .inside;
-	EXPECT_TRUE(alike.is_uniform);
-	EXPECT_EQ(alike.components, 6);
-	EXPECT_EQ(
-	    foamField(foamFile("volSphericalTensorField", "internalField nonuniform List<sphericalTensor> 2((4) (5));\n"))
-	        .inside.numbers,
-	    (Numbers{4, 5}));
+	EXPECT_EQ(patches[2].groups, (std::vector<std::string>{"open"}));
+	EXPECT_THROW(foamPatches(foamFile("polyBoundaryMesh", "1 ( a { type wall; nFaces -1; startFace 0; } )")), Refusal);
+	EXPECT_THROW(foamPatches(foamFile("polyBoundaryMesh", "1 ( a { type wall; startFace 0; } )")), Refusal);
 }
 
 TEST(FoamText, CountsThatAreNotThere)
 {
-	for (const char* body : {"99999999999 ((1 2 3))", "-1 ()", "2 ((1 2 3))", "1 ((1 2))", "1 ((1 2 x))", "1", ""})
+	for (const char* body :
+	     {"99999999999 ((1 2 3))", "-1 ()", "2 ((1 2 3))", "1 ((1 2 3) (4 5 6))", "1 ((1 2))", "1 ((1 2 x))", "1", ""})
 		EXPECT_THROW(foamPoints(foamFile("vectorField", body)), Refusal) << body;
 	EXPECT_THROW(foamPoints(foamFile("vectorField", "100(12345678)", "binary")), Refusal);
-	EXPECT_THROW(foamField(foamFile("volScalarField", "internalField nonuniform List<vector> 1((1 2 3));")), Refusal);
-	EXPECT_THROW(foamField(foamFile("volScalarField", "dimensions [0];")), Refusal);
-	EXPECT_THROW(foamField(foamFile("surfaceScalarField", "internalField uniform 1;")), Refusal);
 }
