@@ -1,38 +1,24 @@
 #include "gmsh_mesh.h"
 
+#include "gmsh_data.h"
 #include "gmsh_elements.h"
+#include "gmsh_entities.h"
+#include "gmsh_twice.h"
+#include "read/cell_types.h"
 #include "refusal.h"
 #include "text_cursor.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace
 {
 
 using Tag = std::int64_t;
 
-// Numbers of one section, in text or binary.
-class Section
-{
-public:
-	// `narrow`: where the program that wrote the file counts in 32 bits.
-	Section(TextCursor& at, bool binary, bool narrow) : at_(at), binary_(binary), narrow_(narrow) {}
-
-	// 32 bits in a binary file.
-	Tag integer() { return binary_ ? at_.binary<std::int32_t>() : at_.integer(); }
-	// 64 bits, mostly.
-	Tag size() { return !binary_ ? at_.integer() : narrow_ ? at_.binary<std::uint32_t>() : at_.binary<std::int64_t>(); }
-	double real() { return binary_ ? at_.binary<double>() : at_.real(); }
-	std::size_t checked(Tag count, std::size_t least_bytes) const { return at_.checkedCount(count, least_bytes); }
-	bool binary() const { return binary_; }
-
-private:
-	TextCursor& at_;
-	bool binary_;
-	bool narrow_;
-};
+using Section = GmshSection;
 
 class Parser
 {
@@ -48,7 +34,7 @@ public:
 			if (!name.starts_with('$'))
 				throw damaged(fmt::format("\"{}\" where a section begins", name.substr(0, 20)));
 			readSection(name);
-			at_.skipPast("$End" + name.substr(1));
+			at_.skipPast((version_ < 2.0 ? "$END" : "$End") + name.substr(1));
 		}
 		const bool has_solid =
 		    std::ranges::any_of(mesh_.types, [](std::uint8_t type) { return vp::read::cellDimension(type) == 3; });
@@ -59,6 +45,9 @@ public:
 			                mesh_.unknown_types.rbegin()->first));
 		if (mesh_.coordinates.empty() || mesh_.tags.empty())
 			throw damaged("it has no nodes or no elements");
+		if (version_ < 4.0)
+			joinGmshTwins(mesh_);
+		fillMarks();
 		return std::move(mesh_);
 	}
 
@@ -71,6 +60,12 @@ private:
 			at_.skipPast("$EndComments");
 			at_.line(); // the rest of that
 			first = at_.line();
+		}
+		if (first == "$NOD")
+		{
+			version_ = 1.0;
+			at_.moveTo(0);
+			return;
 		}
 		if (first != "$MeshFormat")
 			throw damaged("it does not begin with $MeshFormat");
@@ -97,16 +92,34 @@ private:
 	{
 		Section section(at_, binary_, narrow_);
 		const bool is_new = version_ >= 4.0;
-		if (name == "$Nodes")
-			is_new ? readNodeBlocks(section) : readNodes();
-		else if (name == "$Elements")
-			is_new ? readElementBlocks(section) : readElements();
-		else if (name == "$Entities" && is_new)
-			readEntities(section);
+		if (name == "$Nodes" || name == "$NOD")
+			is_new ? readNodeBlocks(section) : readNodes(false);
+		else if (name == "$ParametricNodes" && !is_new)
+			readNodes(true);
+		else if (name == "$Elements" || name == "$ELM")
+			is_new ? readElementBlocks(section) : version_ < 2.0 ? readOldElements() : readElements();
+		else if ((name == "$Entities" || name == "$PartitionedEntities") && is_new)
+			readGmshEntities(section, version_ > 4.0, name == "$PartitionedEntities", entities_);
+		else if (name == "$PhysicalNames")
+			readNames();
 		else if (name == "$NodeData" || name == "$ElementData")
-			readData(section, name == "$NodeData");
+			mesh_.data.push_back(readGmshData(at_, section, name == "$NodeData"));
 		else if (name == "$ElementNodeData")
 			mesh_.has_other_data = true;
+	}
+
+	// Lines of dimension, number and name in quotes, in binary files too.
+	void readNames()
+	{
+		for (std::size_t left = at_.count(6); left > 0; --left)
+		{
+			const auto dimension = static_cast<int>(at_.integer());
+			const auto number = static_cast<std::int32_t>(at_.integer());
+			const std::string_view line = at_.line();
+			const auto first = line.find('"'), last = line.rfind('"');
+			if (first < last && last != line.npos)
+				mesh_.group_names[{dimension, number}] = line.substr(first + 1, last - first - 1);
+		}
 	}
 
 	void addNode(Tag tag, double x, double y, double z)
@@ -117,15 +130,28 @@ private:
 		mesh_.coordinates.insert(mesh_.coordinates.end(), {x, y, z});
 	}
 
-	// Version 2: the count is text in binary files too.
-	void readNodes()
+	// Versions 1 and 2: the count is text in binary files too.
+	void readNodes(bool parametric)
 	{
 		const std::size_t nodes = at_.count(7);
 		at_.line();
 		Section section(at_, binary_, narrow_);
 		reserveNodes(nodes);
 		for (std::size_t i = 0; i < nodes; ++i)
+		{
 			readNode(section);
+			if (parametric)
+				skipParameters(section);
+		}
+	}
+
+	// The dimension and tag of an entity, and the place of the node on it.
+	static void skipParameters(Section& section)
+	{
+		const Tag dimension = section.integer();
+		section.integer();
+		for (Tag u = 0; u < dimension && dimension < 3; ++u)
+			section.real();
 	}
 
 	void readNode(Section& section)
@@ -193,7 +219,7 @@ private:
 		return element;
 	}
 
-	void addElement(Tag type, const GmshElement& element, Tag tag, Tag physical, Tag entity)
+	void addElement(Tag type, const GmshElement& element, Tag tag, Tag physical, Tag entity, Tag partition = 0)
 	{
 		if (element.corners == 0)
 		{
@@ -214,10 +240,34 @@ private:
 		mesh_.tags.push_back(tag);
 		mesh_.physical.push_back(static_cast<std::int32_t>(physical));
 		mesh_.entity.push_back(static_cast<std::int32_t>(entity));
+		if (partition != 0 || !mesh_.partition.empty())
+		{
+			mesh_.partition.resize(mesh_.types.size());
+			mesh_.partition.back() = static_cast<std::int32_t>(partition);
+		}
 	}
 
-	// Version 2: elements with tags, the first of which are the physical and the elementary entity. A binary file has
-	// them in runs of one type.
+	// Version 1: text, with the numbers of both entities and of nodes in front of the nodes.
+	void readOldElements()
+	{
+		for (std::size_t left = at_.count(6); left > 0; --left)
+		{
+			const Tag tag = at_.integer();
+			const Tag type = at_.integer();
+			const GmshElement element = elementOf(type);
+			const Tag physical = at_.integer();
+			const Tag entity = at_.integer();
+			if (at_.integer() != element.nodes)
+				throw damaged(
+				    fmt::format("element {} of type {} does not have its {} nodes", tag, type, element.nodes));
+			for (int n = 0; n < element.nodes; ++n)
+				nodes_[static_cast<std::size_t>(n)] = at_.integer();
+			addElement(type, element, tag, physical, entity);
+		}
+	}
+
+	// Version 2: elements with tags: the physical and the elementary entity, the number of partitions, and these; the
+	// first of them owns the element. A binary file has them in runs of one type.
 	void readElements()
 	{
 		const std::size_t elements = at_.count(4);
@@ -236,16 +286,16 @@ private:
 			{
 				if (binary_)
 					tag = section.integer();
-				Tag physical = 0, entity = 0;
+				std::array<Tag, 4> tags = {};
 				for (std::size_t t = 0; t < tag_count; ++t)
 				{
 					const Tag value = section.integer();
-					if (t < 2)
-						(t == 0 ? physical : entity) = value;
+					if (t < tags.size())
+						tags[t] = value;
 				}
 				for (int n = 0; n < element.nodes; ++n)
 					nodes_[static_cast<std::size_t>(n)] = section.integer();
-				addElement(type, element, tag, physical, entity);
+				addElement(type, element, tag, tags[0], tags[1], tags[2] > 0 ? tags[3] : 0);
 			}
 			done += run;
 		}
@@ -266,87 +316,36 @@ private:
 			const Tag type = section.integer();
 			const GmshElement element = elementOf(type);
 			const std::size_t elements = section.checked(section.size(), 4);
-			const auto physical = physical_of_.find({dimension, entity});
+			const std::vector<std::int32_t> groups = entities_.groupsOf(dimension, entity);
+			const bool is_ghost = entities_.ghosts.contains(entity) && !entities_.of.contains({dimension, entity});
 			for (std::size_t i = 0; i < elements; ++i)
 			{
 				const auto number = [&] { return version_ > 4.0 ? section.size() : section.integer(); };
 				const Tag tag = number();
 				for (int n = 0; n < element.nodes; ++n)
 					nodes_[static_cast<std::size_t>(n)] = number();
-				addElement(type, element, tag, physical == physical_of_.end() ? 0 : physical->second, entity);
-			}
-		}
-	}
-
-	// Which physical group an entity belongs to; of several, the first.
-	void readEntities(Section& section)
-	{
-		std::array<std::size_t, 4> counts;
-		for (std::size_t& count : counts)
-			count = section.checked(section.size(), 8);
-		for (std::size_t dimension = 0; dimension < 4; ++dimension)
-			for (std::size_t i = 0; i < counts[dimension]; ++i)
-			{
-				const Tag tag = section.integer();
-				const int places = dimension == 0 && version_ > 4.0 ? 3 : 6;
-				for (int p = 0; p < places; ++p)
-					section.real();
-				const std::size_t groups = section.checked(section.size(), 2);
-				for (std::size_t g = 0; g < groups; ++g)
-				{
-					const Tag group = section.integer();
-					physical_of_.emplace(std::pair(static_cast<Tag>(dimension), tag), group);
-				}
-				if (dimension == 0)
+				addElement(type, element, tag, groups.empty() ? 0 : groups[0], entities_.wholeOf(dimension, entity),
+				           entities_.partitionOf(dimension, entity));
+				if (element.corners == 0)
 					continue;
-				const std::size_t boundaries = section.checked(section.size(), 2);
-				for (std::size_t b = 0; b < boundaries; ++b)
-					section.integer();
+				if (groups.size() > 1)
+					mesh_.more_groups[static_cast<Tag>(mesh_.types.size()) - 1].assign(groups.begin() + 1,
+					                                                                   groups.end());
+				if (is_ghost || !mesh_.ghost.empty())
+				{
+					mesh_.ghost.resize(mesh_.types.size());
+					mesh_.ghost.back() = is_ghost;
+				}
 			}
+		}
 	}
 
-	// Its tags are text in binary files too.
-	void readData(Section& section, bool of_nodes)
+	void fillMarks()
 	{
-		GmshData data;
-		data.of_nodes = of_nodes;
-		for (std::size_t left = at_.count(1); left > 0; --left)
-		{
-			at_.line(); // the rest of the line before
-			std::string_view text = at_.peekLine();
-			if (data.name.empty() && text.size() >= 2)
-				data.name = text.substr(1, text.size() - 2);
-			if (!at_.atEnd())
-				at_.moveTo(at_.place() + text.size());
-		}
-		const std::size_t reals = at_.count(1);
-		for (std::size_t i = 0; i < reals; ++i)
-		{
-			const double value = at_.real();
-			if (i == 0)
-				data.time = value;
-		}
-		std::array<Tag, 3> integers = {0, 1, 0};
-		const std::size_t given = at_.count(1);
-		for (std::size_t i = 0; i < given; ++i)
-		{
-			const Tag value = at_.integer();
-			if (i < integers.size())
-				integers[i] = value;
-		}
-		at_.line();
-		if (given < 3 || (integers[1] != 1 && integers[1] != 3 && integers[1] != 9))
-			throw damaged("its data are no scalars, vectors or tensors");
-		data.step = integers[0];
-		data.components = static_cast<int>(integers[1]);
-		const std::size_t count = section.checked(integers[2], 2 + 2 * static_cast<std::size_t>(data.components));
-		for (std::size_t i = 0; i < count; ++i)
-		{
-			data.tags.push_back(section.integer());
-			for (int c = 0; c < data.components; ++c)
-				data.values.push_back(section.real());
-		}
-		mesh_.data.push_back(std::move(data));
+		if (!mesh_.partition.empty())
+			mesh_.partition.resize(mesh_.types.size());
+		if (!mesh_.ghost.empty())
+			mesh_.ghost.resize(mesh_.types.size());
 	}
 
 	TextCursor at_;
@@ -355,7 +354,7 @@ private:
 	bool binary_ = false;
 	bool narrow_ = false;
 	std::array<Tag, 64> nodes_ = {};
-	std::map<std::pair<Tag, Tag>, Tag> physical_of_;
+	GmshEntities entities_;
 };
 
 } // namespace

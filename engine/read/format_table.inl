@@ -21,7 +21,7 @@ VP_FORMAT("nifti", ".nii .nii.gz .hdr", "NIfTI-1 and -2", "orientation; times; u
           head.isNifti(), base, Nifti)
 VP_FORMAT("series", ".series", "ParaView's JSON list of files over time", "times", "vprobe", beside,
           head.ends({".series"}) && head.has("{"), base, Series)
-VP_FORMAT("ensight", ".case .encas", "EnSight 6 and Gold, text and binary", "parts; polyhedra; times", "VTK", beside,
+VP_FORMAT("ensight", ".case .encas", "EnSight 6 and Gold, text and binary", "parts; polyhedra; times", "vprobe", beside,
           head.has("GEOMETRY") && head.has("FORMAT"), base, EnSight)
 VP_FORMAT("cgns", ".cgns", "CGNS, ADF and HDF5", "bases and zones; polyhedra; times", "VTK", alone,
           head.isBefore("ADF Database", 32) || head.holds("CGNSLibraryVersion"), more, Cgns)
@@ -39,9 +39,10 @@ VP_FORMAT("npy", ".npy", "NumPy array of three axes, or four with components", "
           head.starts("\x93NUMPY"), base, Npy)
 VP_FORMAT("npz", ".npz", "NumPy archive, stored or deflated", "arrays of one shape", "vprobe", alone,
           head.ends({".npz"}) && head.starts("PK"), base, Npz)
-VP_FORMAT("gmsh", ".msh", "Gmsh mesh, versions 2 and 4, text and binary",
+VP_FORMAT("gmsh", ".msh", "Gmsh mesh, versions 1, 2 and 4, text and binary",
           "elements up to order 2; physical groups; node and element data; times", "vprobe", alone,
-          head.starts("$MeshFormat") || (head.starts("$Comments") && head.has("$MeshFormat")), base, Gmsh)
+          head.starts("$MeshFormat") || head.starts("$NOD") || (head.starts("$Comments") && head.has("$MeshFormat")),
+          base, Gmsh)
 VP_FORMAT("zarr", ".zarr", "Zarr version 2, a folder, of the CF conventions",
           "axes by their attributes; missing and packed values; times; units", "vprobe, netCDF", folder,
           head.isFolder() && head.holdsFile(".zgroup"), more, Zarr)

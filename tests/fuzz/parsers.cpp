@@ -1,6 +1,7 @@
 #include "parsers.h"
 
-#include "ensight_check.h"
+#include "ensight_case.h"
+#include "ensight_values.h"
 #include "foam_field.h"
 #include "meta_header.h"
 #include "netcdf_size.h"
@@ -119,7 +120,27 @@ void feedEnSight(const TemporaryFolder& folder, char which, const std::string& i
 	                                    : "one\ntwo\nnode id off\nelement id off\npart\n1\nbox\ncoordinates\n1\n"
 	                                      "0\n0\n0\npoint\n1\n1\n");
 	writeContents(folder / "a.f", which == 'V' ? input : "f\npart\n1\ncoordinates\n1.5\n");
-	refuseShortEnSight(folder / "a.case", 0.5);
+	const EnSightCase about = readEnSightCase(folder / "a.case");
+	const EnSightFile geometry_file(folder / "a.geo");
+	bool is_step = false;
+	const EnSightGeometry geometry =
+	    readEnSightGeometry(geometry_file, geometry_file.step(0, is_step), which == 'G' || about.is_gold, false);
+	for (const auto& [number, part] : geometry.parts)
+		for (const EnSightElements& elements : part.elements)
+			for (const std::int64_t node : elements.nodes)
+				require(node >= 0 && node < part.points());
+	const EnSightFile values_file(folder / "a.f", geometry_file.form());
+	for (const EnSightCase::Variable& variable : about.variables)
+	{
+		if (const EnSightCase::TimeSet* set = timeSetOf(about, variable.files))
+		{
+			bool is_before = false;
+			placeOf(about, variable.files, 0, stepAt(*set, {0.5, 0}, is_before));
+		}
+		for (const auto& [number, values] : readEnSightValues(values_file, values_file.step(0, is_step), geometry,
+		                                                      variable.per_node, variable.components))
+			require(values.size() % static_cast<std::size_t>(variable.components) == 0);
+	}
 }
 
 // Each kind of file, whatever the head says: all of them have one.
