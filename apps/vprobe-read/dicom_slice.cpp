@@ -1,6 +1,7 @@
 #include "dicom_slice.h"
 
-#include <gdcmAttribute.h>
+#include "dicom_item.h"
+
 #include <gdcmReader.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 namespace
 {
@@ -44,23 +46,7 @@ bool hasTypesAsSaid(std::string_view head)
 	return data + 6 <= head.size() && std::isupper(head[data + 4]) && std::isupper(head[data + 5]);
 }
 
-template <class Attribute>
-Attribute attributeOf(const gdcm::DataSet& data)
-{
-	Attribute attribute = {};
-	if (data.FindDataElement(attribute.GetTag()) && !data.GetDataElement(attribute.GetTag()).IsEmpty())
-		attribute.SetFromDataElement(data.GetDataElement(attribute.GetTag()));
-	return attribute;
-}
-
 } // namespace
-
-double DicomSlice::depth() const
-{
-	const auto& a = axes;
-	return origin[0] * (a[1] * a[5] - a[2] * a[4]) + origin[1] * (a[2] * a[3] - a[0] * a[5]) +
-	       origin[2] * (a[0] * a[4] - a[1] * a[3]);
-}
 
 std::optional<DicomSlice> dicomSlice(const std::string& file)
 {
@@ -72,21 +58,17 @@ std::optional<DicomSlice> dicomSlice(const std::string& file)
 	// The rows are the last that is asked for below; the pixels lie far behind.
 	if (!reader.ReadUpToTag(gdcm::Tag(0x0028, 0x0010), std::set<gdcm::Tag>{}))
 		return std::nullopt;
-	const gdcm::DataSet& data = reader.GetFile().GetDataSet();
-	if (attributeOf<gdcm::Attribute<0x0028, 0x0010>>(data).GetValue() == 0) // rows
+	const DicomItem root(reader.GetFile().GetDataSet());
+	if (root.hint(gdcm::Tag(0x0028, 0x0010)).value_or(0.0) == 0.0) // rows
 		return std::nullopt;
 
 	DicomSlice slice;
 	slice.file = file;
-	slice.series = attributeOf<gdcm::Attribute<0x0020, 0x000e>>(data).GetValue();
-	const auto place = attributeOf<gdcm::Attribute<0x0020, 0x0032>>(data);
-	const auto axes = attributeOf<gdcm::Attribute<0x0020, 0x0037>>(data);
-	for (unsigned i = 0; i < 3 && data.FindDataElement(place.GetTag()); ++i)
-		slice.origin[i] = place.GetValue(i);
-	for (unsigned i = 0; i < 6 && data.FindDataElement(axes.GetTag()); ++i)
-		slice.axes[i] = axes.GetValue(i);
-	slice.number = attributeOf<gdcm::Attribute<0x0020, 0x0013>>(data).GetValue();
-	if (data.FindDataElement(gdcm::Tag(0x0028, 0x0008)))
-		slice.frames = std::max(1, attributeOf<gdcm::Attribute<0x0028, 0x0008>>(data).GetValue());
+	slice.parts = static_cast<int>(std::clamp(root.hint(gdcm::Tag(0x0020, 0x9163)).value_or(0.0), 0.0, 1e6));
+	slice.series = root.text(gdcm::Tag(0x0020, 0x9161));
+	slice.is_part = !slice.series.empty() && slice.parts != 1;
+	if (!slice.is_part)
+		slice.series = root.text(gdcm::Tag(0x0020, 0x000e));
+	slice.frames = static_cast<int>(std::clamp(root.hint(gdcm::Tag(0x0028, 0x0008)).value_or(1.0), 1.0, 1e9));
 	return slice;
 }

@@ -1,21 +1,16 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 
-// What a DICOM file says of its place in a series, without its pixels.
+// What a DICOM file says of its series, from its first bytes.
 struct DicomSlice
 {
 	std::string file;
-	std::string series; // its unique id
-	std::array<double, 3> origin{0.0, 0.0, 0.0};
-	std::array<double, 6> axes{1.0, 0.0, 0.0, 0.0, 1.0, 0.0}; // of its rows and columns
-	int number = 0;                                           // in its series
+	std::string series; // its unique id, or that of the image of which it is a part
 	int frames = 1;
-
-	// Where it lies along the normal of its plane.
-	double depth() const;
+	bool is_part = false; // of an image of many frames that was split into files
+	int parts = 0;        // how many these are, if the file says so
 };
 
 // Null for a file that is no DICOM image.

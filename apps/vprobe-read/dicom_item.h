@@ -1,0 +1,45 @@
+#pragma once
+
+#include <gdcmDataSet.h>
+#include <gdcmTag.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+// Elements of a DICOM data set, or of an item of a sequence in it.
+class DicomItem
+{
+public:
+	explicit DicomItem(gdcm::DataSet data) : data_(std::move(data)) {}
+
+	// Whether the element is there and has a value.
+	bool has(const gdcm::Tag& tag) const;
+	// All numbers of an element, written as text or in binary; none if it is missing or empty. A tag as a value is
+	// group * 65536 + element. Throws a Refusal for text that is no number.
+	std::vector<double> numbers(const gdcm::Tag& tag) const;
+	// The first of them.
+	std::optional<double> number(const gdcm::Tag& tag) const;
+	// The same of an element that matters little: none if it is no finite number.
+	std::optional<double> hint(const gdcm::Tag& tag) const;
+	// Exactly `count` finite numbers, or none. Throws a Refusal if there are others.
+	std::vector<double> exactly(std::size_t count, const gdcm::Tag& tag) const;
+	// Without the blanks around it; empty if it is missing.
+	std::string text(const gdcm::Tag& tag) const;
+	// The bytes of the value, in the byte order of this machine; valid as long as the item.
+	std::string_view bytes(const gdcm::Tag& tag) const;
+	// The items of a sequence; none if it is missing.
+	std::vector<DicomItem> items(const gdcm::Tag& tag) const;
+	// The first of them.
+	std::optional<DicomItem> item(const gdcm::Tag& tag) const;
+
+	const gdcm::DataSet& data() const { return data_; }
+
+private:
+	const gdcm::DataElement* find(const gdcm::Tag& tag) const;
+
+	gdcm::DataSet data_;
+};
+
+// As the standard's dictionary calls it.
+std::string nameOf(const gdcm::Tag& tag);
