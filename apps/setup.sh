@@ -9,7 +9,7 @@ system=$(. /etc/os-release 2>/dev/null && printf '%s%s' "${ID-}" "${VERSION_ID-}
 build_packages=(
 	cmake ninja-build g++ ccache glslang-tools glslang-dev spirv-tools
 	libvulkan-dev libvtk9-dev libtbb-dev libglm-dev libfmt-dev libutfcpp-dev libcli11-dev nlohmann-json3-dev
-	libteem-dev libtiff-dev libhdf5-dev libgdcm-dev zlib1g-dev libdeflate-dev liblz4-dev liblzma-dev libexpat1-dev libpng-dev libcairo2-dev pkg-config libimgui-dev libstb-dev libglfw3-dev libx11-dev libxrandr-dev fonts-dejavu-core
+	libteem-dev libtiff-dev libhdf5-dev libgdcm-dev zlib1g-dev libblosc-dev libdeflate-dev liblz4-dev liblzma-dev libzstd-dev libexpat1-dev libpng-dev libcairo2-dev pkg-config libimgui-dev libstb-dev libglfw3-dev libx11-dev libxrandr-dev fonts-dejavu-core
 	mesa-vulkan-drivers # lavapipe draws where there is no GPU
 )
 # What the Python module is built with. A program without one needs none of it.

@@ -1,6 +1,8 @@
 #include "cf_grid.h"
 
+#include "cf_heights.h"
 #include "cf_values.h"
+#include "length_units.h"
 #include "refusal.h"
 
 #include <vtkCellData.h>
@@ -126,24 +128,28 @@ struct Plane
 	std::vector<bool> is_sound;
 };
 
-vtkSmartPointer<vtkDataSet> bentGrid(const Plane& plane, const std::vector<double>& heights)
+// `heights`: of the layers, or of all points.
+vtkSmartPointer<vtkDataSet> bentGrid(const Plane& plane, const std::vector<double>& heights, std::size_t layers)
 {
 	const std::size_t rows = plane.x.size() / plane.width;
 	auto points = vtkSmartPointer<vtkPoints>::New();
 	points->SetDataTypeToDouble();
-	points->SetNumberOfPoints(static_cast<vtkIdType>(plane.x.size() * heights.size()));
+	points->SetNumberOfPoints(static_cast<vtkIdType>(plane.x.size() * layers));
 	vtkIdType p = 0;
-	for (const double z : heights)
+	for (std::size_t k = 0; k < layers; ++k)
 		for (std::size_t i = 0; i < plane.x.size(); ++i)
+		{
+			const double z = heights[heights.size() == layers ? k : static_cast<std::size_t>(p)];
 			points->SetPoint(p++, plane.x[i], plane.y[i], z);
+		}
 	auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
-	grid->SetDimensions(intOf(plane.width), intOf(rows), intOf(heights.size()));
+	grid->SetDimensions(intOf(plane.width), intOf(rows), intOf(layers));
 	grid->SetPoints(points);
 	if (std::ranges::all_of(plane.is_sound, [](bool sound) { return sound; }))
 		return grid;
 	vtkNew<vtkUnsignedCharArray> marks;
 	marks->SetName(vtkDataSetAttributes::GhostArrayName());
-	for (std::size_t k = 0; k + 1 < heights.size(); ++k)
+	for (std::size_t k = 0; k + 1 < layers; ++k)
 		for (std::size_t j = 0; j + 1 < rows; ++j)
 			for (std::size_t i = 0; i + 1 < plane.width; ++i)
 			{
@@ -154,34 +160,6 @@ vtkSmartPointer<vtkDataSet> bentGrid(const Plane& plane, const std::vector<doubl
 			}
 	grid->GetCellData()->AddArray(marks);
 	return grid;
-}
-
-// The values of a variable over two axes at a step, rows along x. `corners`: how many it has for each.
-std::vector<double> planeOf(const NetcdfFile& file, const CfVolumes& volumes, int variable, std::size_t step,
-                            std::size_t corners)
-{
-	const auto sides = file.dimensions(variable);
-	CfSlab slab = CfSlab::of(file, variable);
-	bool is_turned = false, has_y = false;
-	for (std::size_t i = 0; i < sides.size(); ++i)
-	{
-		if (volumes.time && sides[i].first == volumes.time->name && sides[i].second > 0)
-			slab.fix(i, std::min(step, sides[i].second - 1));
-		is_turned = is_turned || (sides[i].first == volumes.axes[0].name && !has_y);
-		has_y = has_y || sides[i].first == volumes.axes[1].name;
-	}
-	const std::vector<double> stored = cfNumbers(file, variable, slab);
-	const std::size_t width = volumes.axes[0].length, rows = volumes.axes[1].length;
-	if (stored.size() != width * rows * corners)
-		throw damaged(fmt::format("{} places for {} columns and {} rows", stored.size(), width, rows));
-	if (!is_turned)
-		return stored;
-	std::vector<double> turned(stored.size());
-	for (std::size_t j = 0; j < rows; ++j)
-		for (std::size_t i = 0; i < width; ++i)
-			for (std::size_t c = 0; c < corners; ++c)
-				turned[(j * width + i) * corners + c] = stored[(i * rows + j) * corners + c];
-	return turned;
 }
 
 // Corners of cells that the file lists for each cell, as the points of a grid: in either sense around the cell. Nothing
@@ -231,7 +209,7 @@ std::optional<Plane> planeOfCorners(const NetcdfFile& file, const CfVolumes& vol
 	};
 	if (!isOfFour(x) || !isOfFour(y))
 		return std::nullopt;
-	const std::vector<double> of_x = planeOf(file, volumes, x, step, 4), of_y = planeOf(file, volumes, y, step, 4);
+	const std::vector<double> of_x = cfPlane(file, volumes, x, step, 4), of_y = cfPlane(file, volumes, y, step, 4);
 	const std::size_t width = volumes.axes[0].length, rows = volumes.axes[1].length;
 	const bool turns = isLongitude(file, volumes.x_places);
 	for (const bool is_left : {false, true})
@@ -276,30 +254,63 @@ std::vector<double> bordersAlong(const NetcdfFile& file, const CfDimension& axis
 
 } // namespace
 
-CfGrid cfGrid(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step)
+std::vector<double> cfPlane(const NetcdfFile& file, const CfVolumes& volumes, int variable, std::size_t step,
+                            std::size_t corners)
 {
-	std::vector<double> heights = placesAlong(file, volumes.axes[2]);
-	refuseFolded(heights, volumes.axes[2].name);
+	const auto sides = file.dimensions(variable);
+	CfSlab slab = CfSlab::of(file, variable);
+	bool is_turned = false, has_y = false;
+	for (std::size_t i = 0; i < sides.size(); ++i)
+	{
+		if (volumes.time && sides[i].first == volumes.time->name && sides[i].second > 0)
+			slab.fix(i, std::min(step, sides[i].second - 1));
+		is_turned = is_turned || (sides[i].first == volumes.axes[0].name && !has_y);
+		has_y = has_y || sides[i].first == volumes.axes[1].name;
+	}
+	const std::vector<double> stored = cfNumbers(file, variable, slab);
+	const std::size_t width = volumes.axes[0].length, rows = volumes.axes[1].length;
+	if (stored.size() != width * rows * corners)
+		throw damaged(fmt::format("{} places for {} columns and {} rows", stored.size(), width, rows));
+	if (!is_turned)
+		return stored;
+	std::vector<double> turned(stored.size());
+	for (std::size_t j = 0; j < rows; ++j)
+		for (std::size_t i = 0; i < width; ++i)
+			for (std::size_t c = 0; c < corners; ++c)
+				turned[(j * width + i) * corners + c] = stored[(i * rows + j) * corners + c];
+	return turned;
+}
+
+namespace
+{
+
+vtkSmartPointer<vtkDataSet> gridOfPlaces(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step,
+                                         const std::vector<double>* of_columns, bool& has_cells)
+{
+	std::vector<double> heights = of_columns ? *of_columns : placesAlong(file, volumes.axes[2]);
+	const std::size_t layers = volumes.axes[2].length;
+	if (!of_columns)
+		refuseFolded(heights, volumes.axes[2].name);
 	if (volumes.x_places >= 0)
 	{
-		std::optional<Plane> plane = planeOfCorners(file, volumes, step);
-		const bool has_cells = plane.has_value();
+		std::optional<Plane> plane = of_columns ? std::nullopt : planeOfCorners(file, volumes, step);
+		has_cells = plane.has_value();
 		if (plane)
 			heights = bordersAlong(file, volumes.axes[2], heights);
 		else
 			plane = Plane{volumes.axes[0].length,
-			              planeOf(file, volumes, volumes.x_places, step, 1),
-			              planeOf(file, volumes, volumes.y_places, step, 1),
+			              cfPlane(file, volumes, volumes.x_places, step, 1),
+			              cfPlane(file, volumes, volumes.y_places, step, 1),
 			              {}};
 		if (isLongitude(file, volumes.x_places))
 			plane->is_sound = unwrapLongitudes(plane->x, plane->width);
-		return {bentGrid(*plane, heights), has_cells};
+		return bentGrid(*plane, heights, has_cells ? heights.size() : layers);
 	}
 	Axes axes = {placesAlong(file, volumes.axes[0]), placesAlong(file, volumes.axes[1]), std::move(heights)};
 	for (std::size_t axis = 0; axis < 2; ++axis)
 		refuseFolded(axes[axis], volumes.axes[axis].name);
-	if (std::ranges::all_of(axes, [](const auto& axis) { return std::ranges::all_of(axis, isFinite); }))
-		return {straightGrid(axes), false};
+	if (!of_columns && std::ranges::all_of(axes, [](const auto& axis) { return std::ranges::all_of(axis, isFinite); }))
+		return straightGrid(axes);
 	Plane plane{axes[0].size(), {}, {}, {}};
 	for (const double y : axes[1])
 		for (const double x : axes[0])
@@ -307,5 +318,70 @@ CfGrid cfGrid(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step
 			plane.x.push_back(x);
 			plane.y.push_back(y);
 		}
-	return {bentGrid(plane, axes[2]), false};
+	return bentGrid(plane, axes[2], layers);
+}
+
+void multiply(vtkDataArray* places, int component, double factor)
+{
+	for (vtkIdType i = 0; i < places->GetNumberOfTuples(); ++i)
+		places->SetComponent(i, component, factor * places->GetComponent(i, component));
+}
+
+void multiplyAxes(vtkDataSet* data, const std::array<double, 3>& factors)
+{
+	for (int axis = 0; axis < 3; ++axis)
+	{
+		const double factor = factors[static_cast<std::size_t>(axis)];
+		if (factor == 1.0)
+			continue;
+		if (auto* image = vtkImageData::SafeDownCast(data))
+		{
+			std::array<double, 3> origin, spacing;
+			image->GetOrigin(origin.data());
+			image->GetSpacing(spacing.data());
+			origin[static_cast<std::size_t>(axis)] *= factor;
+			spacing[static_cast<std::size_t>(axis)] *= factor;
+			image->SetOrigin(origin.data());
+			image->SetSpacing(spacing.data());
+		}
+		else if (auto* grid = vtkRectilinearGrid::SafeDownCast(data))
+			multiply(axis == 0   ? grid->GetXCoordinates()
+			         : axis == 1 ? grid->GetYCoordinates()
+			                     : grid->GetZCoordinates(),
+			         0, factor);
+		else
+			multiply(vtkStructuredGrid::SafeDownCast(data)->GetPoints()->GetData(), axis, factor);
+	}
+}
+
+// Lengths of one unit along all axes.
+void takeUnits(const NetcdfFile& file, const CfVolumes& volumes, const CfHeights* heights, CfGrid& grid)
+{
+	const std::array<int, 3> variables = {volumes.x_places >= 0 ? volumes.x_places : volumes.axes[0].coordinate,
+	                                      volumes.y_places >= 0 ? volumes.y_places : volumes.axes[1].coordinate,
+	                                      volumes.axes[2].coordinate};
+	std::array<std::string, 3> units;
+	for (std::size_t axis = 0; axis < 3; ++axis)
+		units[axis] = variables[axis] < 0 ? "" : file.text(variables[axis], "units");
+	if (heights)
+		units[2] = heights->units;
+	const OneLengthUnit one = oneLengthUnit(units);
+	if (one.differ && std::ranges::none_of(units, [](const std::string& unit) { return unit.empty(); }))
+		grid.notes.push_back(unitsDiffer(units));
+	if (!one.differ && metersOf(one.sign))
+		grid.length_units = one.sign;
+	multiplyAxes(grid.data, one.factors);
+}
+
+} // namespace
+
+CfGrid cfGrid(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step)
+{
+	CfGrid grid;
+	const std::optional<CfHeights> heights = cfHeights(file, volumes, step);
+	grid.data = gridOfPlaces(file, volumes, step, heights ? &heights->places : nullptr, grid.has_cell_values);
+	takeUnits(file, volumes, heights ? &*heights : nullptr, grid);
+	if (const std::string formula = unknownFormula(file, volumes); !formula.empty())
+		grid.notes.push_back(fmt::format("its heights by {} are not computed; z is {}", formula, volumes.axes[2].name));
+	return grid;
 }

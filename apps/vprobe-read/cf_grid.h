@@ -4,13 +4,22 @@
 
 #include <vtkSmartPointer.h>
 
+#include <string>
+#include <vector>
+
 class vtkDataSet;
 
 struct CfGrid
 {
 	vtkSmartPointer<vtkDataSet> data;
 	bool has_cell_values = false; // the values are of cells, whose corners the file gives
+	std::string length_units;     // of all axes, where they have one
+	std::vector<std::string> notes;
 };
+
+// The values of a variable over the axes x and y at a step, rows along x. `corners`: how many it has for each place.
+std::vector<double> cfPlane(const NetcdfFile& file, const CfVolumes& volumes, int variable, std::size_t step,
+                            std::size_t corners);
 
 // The grid of a file's volumes at a step of its times. Places that are missing are NaN.
 CfGrid cfGrid(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step);

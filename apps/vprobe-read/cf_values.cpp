@@ -107,7 +107,7 @@ public:
 			for (const Real mark : realsOf(file, variable, attribute))
 				if (const Real real = turned(mark); canBe<Number>(real))
 					marks_.push_back(static_cast<Number>(real));
-		if (file.attributeOf(variable, "_FillValue").first == NC_NAT)
+		if (file.marksUnwritten() && file.attributeOf(variable, "_FillValue").first == NC_NAT)
 			takeUnwritten(file, variable);
 		takeRange(file, variable);
 	}
@@ -330,8 +330,7 @@ vtkSmartPointer<vtkDataArray> cfArray(const NetcdfFile& file, int variable, cons
 		throw damaged(fmt::format("{} holds no numbers", nameOfVariable(file, variable)));
 	auto stored = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
 	stored->SetNumberOfTuples(static_cast<vtkIdType>(slab.count()));
-	NetcdfFile::check(
-	    nc_get_vara(file.id(), variable, slab.starts.data(), slab.counts.data(), stored->GetVoidPointer(0)));
+	file.readSlab(variable, slab.starts, slab.counts, stored->GetVoidPointer(0));
 	return cfMeant(file, variable, std::move(stored));
 }
 

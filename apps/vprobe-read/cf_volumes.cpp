@@ -2,6 +2,7 @@
 
 #include "cf_values.h"
 #include "refusal.h"
+#include "wrf_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -164,9 +165,16 @@ std::array<std::size_t, 3> sidesInOrder(const Candidate& volume, Dimensions& dim
 void takePlaces(const NetcdfFile& file, const Candidate& volume, CfVolumes& volumes, std::array<std::size_t, 3>& slots)
 {
 	std::set<std::string> over;
+	std::vector<int> named;
 	for (const std::string& word : wordsIn(file.text(volume.variable, "coordinates")))
+		named.push_back(file.variable(word.c_str()));
+	if (isWrf(file)) // whose older versions name none
 	{
-		const int places = file.variable(word.c_str());
+		const WrfPlaces places = wrfPlaces(file);
+		named.insert(named.end(), {places.x, places.y});
+	}
+	for (const int places : named)
+	{
 		if (places < 0 || cfTypeOf(file, places) == 0)
 			continue;
 		std::set<std::string> names;
@@ -205,6 +213,12 @@ std::vector<Candidate> candidatesOf(const NetcdfFile& file, Dimensions& dimensio
 		Candidate each{variable, name, file.dimensions(variable), {}, {}};
 		if (bounds.contains(name) || each.sides.size() < 3)
 			continue;
+		if (const std::string mesh = file.text(variable, "mesh");
+		    !mesh.empty() && !file.text(variable, "location").empty())
+		{
+			notes.push_back(fmt::format("{} lies on the mesh {} of the UGRID conventions and is left out", name, mesh));
+			continue;
+		}
 		for (const auto& [side, length] : each.sides)
 			dimensions.of(side, length);
 		dimensions.takeCoordinatesOf(variable);
@@ -227,12 +241,39 @@ std::vector<Candidate> candidatesOf(const NetcdfFile& file, Dimensions& dimensio
 	int groups = 0;
 	if (!all.empty())
 		return all;
+	for (const auto& [variable, name, type] : file.variables())
+		if (file.text(variable, "cf_role") == "mesh_topology")
+			throw Refusal(
+			    fmt::format("nothing to slice: an unstructured mesh of the UGRID conventions ({}), which is not "
+			                "read; save it as .vtu, for instance from ParaView",
+			                name));
 	if (!empty.empty() || !crowded.empty())
 		throw Refusal("nothing to slice: " + (empty.empty() ? crowded : empty));
 	if (nc_inq_grps(file.id(), &groups, nullptr) == NC_NOERR && groups > 0)
 		throw Refusal("nothing to slice: no variable with three dimensions at its root; groups of netCDF-4 are not "
 		              "read, ncks -G : takes them there");
 	throw Refusal("nothing to slice: no variable with three dimensions, times and those of length 1 apart");
+}
+
+// The dimension of a variable along which it lies on the sides of another one's cells.
+std::optional<std::string> staggeredSide(const Candidate& each, const Candidate& at_cells)
+{
+	std::optional<std::string> found;
+	std::map<std::string, std::size_t> lengths;
+	for (const std::size_t side : at_cells.space)
+		lengths[at_cells.sides[side].first] = at_cells.sides[side].second;
+	for (const std::size_t side : each.space)
+	{
+		const auto& [name, length] = each.sides[side];
+		const auto cells = lengths.find(withoutStaggering(name));
+		const bool is_between = isStaggered(name);
+		if (cells == lengths.end() || length != cells->second + (is_between ? 1 : 0) || (is_between && found))
+			return std::nullopt;
+		if (is_between)
+			found = name;
+		lengths.erase(cells);
+	}
+	return lengths.empty() ? found : std::nullopt;
 }
 
 } // namespace
@@ -242,8 +283,13 @@ CfVolumes cfVolumes(const NetcdfFile& file)
 	CfVolumes volumes;
 	Dimensions dimensions(file);
 	const std::vector<Candidate> candidates = candidatesOf(file, dimensions, volumes.notes);
+	const bool is_wrf = isWrf(file);
 	const auto merit = [&](const Candidate& each)
-	{ return (cfTypeOf(file, each.variable) != 0 ? 2 : 0) + (each.time ? 1 : 0); };
+	{
+		const std::set<std::string> key = each.key();
+		const bool is_at_cells = !is_wrf || std::ranges::none_of(key, isStaggered);
+		return (cfTypeOf(file, each.variable) != 0 ? 4 : 0) + (is_at_cells ? 2 : 0) + (each.time ? 1 : 0);
+	};
 	const auto first = std::ranges::max_element(candidates, {}, merit);
 	std::array<std::size_t, 3> slots = sidesInOrder(*first, dimensions);
 	takePlaces(file, *first, volumes, slots);
@@ -256,7 +302,8 @@ CfVolumes cfVolumes(const NetcdfFile& file)
 	for (const Candidate& each : candidates)
 	{
 		const bool has_other_time = each.time && volumes.time && each.sides[*each.time].first != volumes.time->name;
-		if (each.key() != first->key() || has_other_time)
+		const std::optional<std::string> staggered = is_wrf ? staggeredSide(each, *first) : std::nullopt;
+		if ((each.key() != first->key() && !staggered) || has_other_time)
 		{
 			if (told.insert(each.words()).second)
 				volumes.notes.push_back(fmt::format("variables over {} are left out; those over {} are read",
@@ -266,11 +313,17 @@ CfVolumes cfVolumes(const NetcdfFile& file)
 			volumes.notes.push_back(fmt::format("{} holds no numbers and is left out", each.name));
 		else
 		{
-			CfVolume volume{each.variable, each.name, {}, each.time};
+			CfVolume volume{each.variable, each.name, {}, each.time, {}};
 			for (std::size_t axis = 0; axis < 3; ++axis)
 				for (const std::size_t side : each.space)
-					if (each.sides[side].first == volumes.axes[axis].name)
+					if (const std::string& name = each.sides[side].first;
+					    name == volumes.axes[axis].name ||
+					    (staggered == name && withoutStaggering(name) == volumes.axes[axis].name))
+					{
 						volume.sides[axis] = side;
+						if (staggered == name)
+							volume.staggered = axis;
+					}
 			volumes.all.push_back(std::move(volume));
 		}
 	}

@@ -14,6 +14,8 @@ struct CfVolume
 	std::string name;
 	std::array<std::size_t, 3> sides{}; // which of its dimensions run along x, y and z
 	std::optional<std::size_t> time;    // which one is time
+	// The axis along which its values lie on the sides of cells, one more than there are cells.
+	std::optional<std::size_t> staggered;
 };
 
 // The variables of a file that share the axes of the first with most dimensions. Others would be a second grid in the

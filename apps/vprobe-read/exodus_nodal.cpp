@@ -94,11 +94,9 @@ std::vector<vtkSmartPointer<vtkDoubleArray>> oddExodusNodes(const std::string& p
 	return arrays;
 }
 
-std::size_t exodusStepOf(const std::string& path, double time)
+std::vector<double> exodusTimes(const std::string& path)
 {
 	const NetcdfFile file(path);
 	const int variable = file.variable("time_whole");
-	const std::vector<double> times = variable < 0 ? std::vector<double>() : file.values(variable);
-	const auto found = std::ranges::find(times, time);
-	return found == times.end() ? 0 : static_cast<std::size_t>(found - times.begin());
+	return variable < 0 ? std::vector<double>() : file.values(variable);
 }

@@ -19,5 +19,5 @@ bool hasOddExodusNodes(const std::string& file);
 // Those variables at a step, with a value for each node of the file.
 std::vector<vtkSmartPointer<vtkDoubleArray>> oddExodusNodes(const std::string& file, std::size_t step);
 
-// The step of a time.
-std::size_t exodusStepOf(const std::string& file, double time);
+// The times of its steps, in the order of the file.
+std::vector<double> exodusTimes(const std::string& file);

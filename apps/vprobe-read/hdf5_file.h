@@ -56,6 +56,8 @@ public:
 	std::string textOr(const std::string& object, const char* attribute) const;
 
 private:
+	bool hasLink(const std::string& path) const; // in a group that is there
+	bool hasAttribute(const std::string& object, const char* attribute) const;
 	template <class Number>
 	std::vector<Number> values(const std::string& path, hid_t type) const;
 

@@ -1,6 +1,6 @@
 // Parts of data sets.
 #include "hdf5_file.h"
-#include "hdf5_handle.h"
+#include "hdf5_parts.h"
 #include "refusal.h"
 
 #include <fmt/format.h>
@@ -50,11 +50,12 @@ void Hdf5File::readSlab(const std::string& path, const std::vector<std::uint64_t
 		throw damaged(fmt::format("{} has fewer values than are asked of it", path));
 	if (is_empty)
 		return;
-	const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
+	const Hdf5Handle set = openedSet(file_, path);
 	// A set that was never written would read as zeros.
 	H5D_space_status_t written = H5D_SPACE_STATUS_ERROR;
 	if (H5Dget_space_status(set, &written) < 0 || written == H5D_SPACE_STATUS_NOT_ALLOCATED)
 		throw damaged(fmt::format("{} was never written", path));
+	refuseMissingParts(set, path);
 	const std::vector<hsize_t> first(begin.begin(), begin.end());
 	const std::vector<hsize_t> length(count.begin(), count.end());
 	const Hdf5Handle there(H5Dget_space(set), H5Sclose);

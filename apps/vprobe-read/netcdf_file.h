@@ -17,7 +17,7 @@ class NetcdfFile
 {
 public:
 	explicit NetcdfFile(const std::string& file) { check(nc_open(file.c_str(), NC_NOWRITE, &id_)); }
-	~NetcdfFile() { nc_close(id_); }
+	virtual ~NetcdfFile() { nc_close(id_); }
 	NetcdfFile(const NetcdfFile&) = delete;
 	NetcdfFile& operator=(const NetcdfFile&) = delete;
 
@@ -27,6 +27,14 @@ public:
 			throw damaged(fmt::format("netCDF says: {}", nc_strerror(status)));
 	}
 	int id() const { return id_; }
+	// The stored values of a part, in the variable's type. `to` has room.
+	virtual void readSlab(int variable, const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts,
+	                      void* to) const
+	{
+		check(nc_get_vara(id_, variable, starts.data(), counts.data(), to));
+	}
+	// Whether values that nobody wrote have the type's own fill value.
+	virtual bool marksUnwritten() const { return true; }
 	// Of a dimension; 0 where there is none.
 	std::size_t length(const char* dimension) const
 	{
@@ -134,6 +142,10 @@ public:
 		check(nc_get_vara_double(id_, variable, starts.data(), counts.data(), all.data()));
 		return all;
 	}
+
+protected:
+	explicit NetcdfFile(int id) : id_(id) {}
+	int release() { return std::exchange(id_, -1); } // which the caller closes
 
 private:
 	static constexpr std::size_t kMaxNumbers = 4096; // of one attribute

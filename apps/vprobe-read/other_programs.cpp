@@ -70,8 +70,6 @@ void refuseOtherZarr(const FileHead& head)
 		                  : "Zarr of version 3, which is not read; write it as version 2 (zarr_format=2)");
 	if (head.holdsFile(".zattrs") && holdsWord(folder / ".zattrs", "\"multiscales\""))
 		throw Refusal("an OME-Zarr image, which is not read; save one of its levels as OME-TIFF");
-	if (head.holdsFile(".zarray"))
-		throw Refusal("a Zarr array without a group; name the folder above it, whose .zgroup holds it");
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "complaints.h"
 #include "formats.h"
+#include "hdf5_parts.h"
 #include "manifest_writer.h"
 #include "mapped_text.h"
 #include "refusal.h"
@@ -74,6 +75,7 @@ void refuseShortAdf(const std::string& file)
 void readCgns(const Request& request, ManifestWriter& manifest)
 {
 	refuseShortAdf(request.file);
+	refuseMissingParts(request.file);
 	vtkNew<vtkCGNSReader> reader;
 	if (!reader->CanReadFile(request.file.c_str()))
 		throw damaged("not a CGNS file that can be opened");

@@ -14,9 +14,13 @@
 #include <vtkImageData.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
 
 namespace
 {
@@ -53,7 +57,11 @@ private:
 std::string enzoGroup(const Hdf5File& file, std::size_t number)
 {
 	const std::string group = fmt::format("/Grid{:08}", number);
-	return file.has(group) ? group + "/" : "/";
+	if (file.has(group))
+		return group + "/";
+	if (std::ranges::any_of(file.namesIn("/"), [](const std::string& name) { return name.starts_with("Grid0"); }))
+		throw damaged(fmt::format("a file of its values has no group for grid {}", number));
+	return "/";
 }
 
 // The variables that a box has at its cells; particles have one dimension.
@@ -62,8 +70,16 @@ std::vector<CellArrayName> enzoVariables(const Hdf5File& file, const std::string
 	std::vector<CellArrayName> names;
 	const std::vector<std::uint64_t> wanted = {box.cells[2], box.cells[1], box.cells[0]};
 	for (const std::string& name : file.namesIn(group == "/" ? group : group.substr(0, group.size() - 1)))
-		if (file.isSet(group + name) && file.sidesOf(group + name) == wanted)
-			names.push_back({name});
+		if (file.isSet(group + name))
+		{
+			const std::vector<std::uint64_t> sides = file.sidesOf(group + name);
+			if (sides.size() == 3 && sides != wanted)
+				throw Refusal(fmt::format("{} has {} values where its grid has {} cells; write it without ghost zones "
+				                          "(WriteGhostZones = 0)",
+				                          name, fmt::join(sides, "x"), fmt::join(wanted, "x")));
+			if (sides == wanted)
+				names.push_back({name});
+		}
 	return names;
 }
 
@@ -77,13 +93,23 @@ void readEnzo(const Request& request, ManifestWriter& manifest)
 	const AmrLevels levels = enzoLevels(hierarchy);
 	offerOnlyTime(hierarchy.time, request, manifest);
 	EnzoFiles files(request.file);
+	std::optional<std::set<std::string>> variables; // of the first grid
 	for (std::size_t level = 0; level < levels.boxes.size(); ++level)
 		for (const AmrBox& at : levels.boxes[level])
 		{
 			const EnzoGrid& grid = hierarchy.grids[at.number];
 			const Hdf5File& file = files[at.file];
 			const std::string group = enzoGroup(file, grid.number);
-			const CellArrayChoice choice(request, enzoVariables(file, group, grid.box));
+			const std::vector<CellArrayName> names = enzoVariables(file, group, grid.box);
+			std::set<std::string> of_this;
+			for (const CellArrayName& each : names)
+				of_this.insert(each.name);
+			if (!variables)
+				variables = of_this;
+			if (*variables != of_this)
+				throw damaged(fmt::format("grid {} has other variables than grid {}", grid.number,
+				                          hierarchy.grids[levels.boxes[0][0].number].number));
+			const CellArrayChoice choice(request, names);
 			const auto image = imageOfBox(grid.box);
 			for (const std::string& name : choice.wanted())
 			{

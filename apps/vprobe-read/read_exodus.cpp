@@ -1,7 +1,9 @@
+#include "complaints.h"
 #include "exodus_cells.h"
 #include "exodus_nodal.h"
 #include "exodus_points.h"
 #include "formats.h"
+#include "hdf5_parts.h"
 #include "manifest_writer.h"
 #include "netcdf_size.h"
 #include "refusal.h"
@@ -80,12 +82,14 @@ void forgetNodes(vtkMultiBlockDataSet* objects)
 void readExodus(const Request& request, ManifestWriter& manifest)
 {
 	refuseShortNetcdf(request.file);
+	refuseMissingParts(request.file);
 	vtkNew<vtkExodusIIReader> reader;
 	if (!reader->CanReadFile(request.file.c_str()))
 		throw Refusal("not an Exodus II file, though its first bytes are netCDF's or HDF5's");
 	reader->SetFileName(request.file.c_str());
 	reader->SetApplyDisplacements(false); // which it would add in single precision
 	reader->UpdateInformation();
+	refuseOnComplaint();
 	refuseMissingExodus(request.file);
 	const bool is_odd = hasOddExodusNodes(request.file);
 	const std::vector<OddExodusBlock> odd_blocks = oddExodusBlocks(request.file);
@@ -100,13 +104,20 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 		reader->SetObjectStatus(vtkExodusIIReader::ELEM_BLOCK, block, 1);
 	for (int set = 0; request.patches && set < reader->GetNumberOfObjects(vtkExodusIIReader::SIDE_SET); ++set)
 		reader->SetObjectStatus(vtkExodusIIReader::SIDE_SET, set, 1);
-	const std::optional<double> time = updateAtTime(*reader, request, manifest);
+	const std::size_t step = offerSteps(exodusTimes(request.file), request, manifest).value_or(0);
+	// By its number: the reader looks for times as if they rose, and takes equal ones for modes of a body.
+	reader->SetIgnoreFileTime(true);
+	reader->SetHasModeShapes(false);
+	reader->UpdateTimeStep(static_cast<double>(step));
+	refuseOnComplaint();
+	if (reader->GetErrorCode() != 0)
+		throw damaged("the reader gave up");
 	// Cells and what else they have, by kind of object.
 	auto* objects = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
 	if (numbers_nodes && !odd_blocks.empty() && objects)
 		numberNodes(objects);
 	if (is_odd && objects)
-		addOddNodes(oddExodusNodes(request.file, time ? exodusStepOf(request.file, *time) : 0), objects);
+		addOddNodes(oddExodusNodes(request.file, step), objects);
 	if (sets_points && objects && !setExodusPoints(request.file, request.displace, objects))
 		manifest.warn("the places of its points have 7 digits");
 	if (!odd_blocks.empty() && objects)

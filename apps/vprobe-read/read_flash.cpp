@@ -54,8 +54,11 @@ std::vector<FlashVariable> flashVariables(const Hdf5File& file)
 		paths[path.substr(0, path.find_last_not_of(' ') + 1)] = "/" + path;
 	std::vector<FlashVariable> variables;
 	for (const std::string& name : file.texts("/unknown names"))
-		if (paths.contains(name))
-			variables.push_back({name, paths[name], {}});
+	{
+		if (!paths.contains(name))
+			throw damaged(fmt::format("it has no {}, which its list of variables names", name));
+		variables.push_back({name, paths[name], {}});
+	}
 	return variables;
 }
 

@@ -116,6 +116,7 @@ struct Step
 	std::string name;
 };
 
+// Files of one time are parts of it, as in ParaView.
 void readSteps(const Request& request, const std::vector<Step>& steps, ManifestWriter& manifest)
 {
 	std::vector<double> times;
@@ -205,12 +206,18 @@ void readSeries(const Request& request, ManifestWriter& manifest)
 	{
 		const auto series = nlohmann::json::parse(std::ifstream(request.file, std::ios::binary));
 		for (const auto& file : series.at("files"))
-			steps.push_back({file.at("time").get<double>(), file.at("name").get<std::string>(),
-			                 fmt::format("part {}", steps.size())});
+			steps.push_back({file.at("time").get<double>(), file.at("name").get<std::string>(), ""});
 	}
 	catch (const nlohmann::json::exception&)
 	{
 		throw damaged("not JSON with a list \"files\" of \"name\" and \"time\"");
 	}
-	readSteps(request, steps, manifest);
+	std::vector<double> times;
+	for (const Step& step : steps)
+		times.push_back(step.time);
+	StepsInTime in_order = stepsInTime(times, manifest);
+	if (!chooseIfAny(in_order.times, request))
+		throw Refusal("nothing to slice: it names no files");
+	readStep(request, steps[in_order.steps[chooseStep(in_order.times, request)]].file, manifest);
+	manifest.offerTimes(std::move(in_order.times)); // after the file, which may have times of its own
 }

@@ -84,10 +84,18 @@ private:
 		{
 			if (words.count() - at < size)
 				throw damaged("it ends within a state");
-			if (!states_.empty() && !(words.real(at) > states_.back().time()))
-				return; // zeros behind the last state
+			if (!states_.empty() && isZero(words, at, size))
+				return; // room behind the last state
 			states_.push_back({&words, at});
 		}
+	}
+
+	static bool isZero(const LsdynaWords& words, std::size_t at, std::size_t size)
+	{
+		for (const std::size_t end = at + size; at < end; ++at)
+			if (words.integer(at) != 0)
+				return false;
+		return true;
 	}
 
 	MappedText first_;
@@ -267,16 +275,14 @@ void readLsdyna(const Request& request, ManifestWriter& manifest)
 	std::vector<double> times;
 	for (const LsdynaState& state : family.states())
 		times.push_back(state.time());
-	if (const std::optional<double> time = chooseIfAny(inOrder(times), request))
+	if (const auto step = offerSteps(times, request, manifest))
 	{
-		const LsdynaState& state =
-		    *std::ranges::find_if(family.states(), [&](const LsdynaState& s) { return s.time() == *time; });
+		const LsdynaState& state = family.states()[*step];
 		addLsdynaNodes(control, state, grid);
 		addLsdynaCells(control, state, grid);
 		hideDeleted(control, state, grid);
 	}
 	if (control.shells > 0 || control.beams > 0)
 		manifest.warn(fmt::format("{} shells and {} beams are left out", control.shells, control.beams));
-	manifest.offerTimes(inOrder(std::move(times)));
 	manifest.add(grid);
 }

@@ -205,31 +205,31 @@ void addMedField(const Hdf5File& file, const std::string& field, const std::stri
 void readMed(const Request& request, ManifestWriter& manifest)
 {
 	const Hdf5File file(request.file);
-	std::vector<double> times;
 	const std::vector<std::string> fields = file.namesIn("/CHA");
-	const auto timeOf = [&](const std::string& field, const std::string& step)
-	{ return file.realOr("/CHA/" + field + "/" + step, "PDT", 0.0); };
+	std::vector<std::vector<double>> lists; // the times of each field's steps
 	for (const std::string& field : fields)
+	{
+		lists.emplace_back();
 		for (const std::string& step : file.namesIn("/CHA/" + field))
-			times.push_back(timeOf(field, step));
-	times = inOrder(std::move(times));
+			lists.back().push_back(file.realOr("/CHA/" + field + "/" + step, "PDT", 0.0));
+	}
+	std::vector<double> times = unitedTimes(lists);
 	if (times.size() == 1)
 		times.clear();
-	const std::optional<double> time = chooseIfAny(times, request);
+	const std::optional<TimeInList> time = chooseInLists(times, request);
 	for (const std::string& name : file.namesIn("/ENS_MAA"))
 	{
 		MedMesh mesh;
 		mesh.name = name;
 		readMedMesh(file, mesh, manifest);
-		for (const std::string& field : fields)
+		for (std::size_t f = 0; f < fields.size(); ++f)
 		{
-			std::string of = file.textOr("/CHA/" + field, "MAI");
+			const std::string group = "/CHA/" + fields[f];
+			std::string of = file.textOr(group, "MAI");
 			of.erase(of.find_last_not_of(' ') + 1);
-			if (!of.empty() && of != name)
-				continue;
-			for (const std::string& step : file.namesIn("/CHA/" + field))
-				if (!time || timeOf(field, step) == *time)
-					addMedField(file, field, step, mesh, manifest);
+			const std::optional<std::size_t> place = time ? time->placeIn(lists[f]) : std::optional<std::size_t>(0);
+			if ((of.empty() || of == name) && place && !lists[f].empty())
+				addMedField(file, fields[f], file.namesIn(group)[*place], mesh, manifest);
 		}
 		manifest.setPrefix(name);
 		manifest.add(mesh.grid);

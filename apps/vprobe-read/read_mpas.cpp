@@ -2,6 +2,7 @@
 #include "cf_values.h"
 #include "formats.h"
 #include "grown_cells.h"
+#include "hdf5_parts.h"
 #include "manifest_writer.h"
 #include "netcdf_file.h"
 #include "netcdf_size.h"
@@ -135,6 +136,7 @@ void addMpasArrays(const NetcdfFile& file, const MpasMesh& mesh, std::size_t ste
 void readMpas(const Request& request, ManifestWriter& manifest)
 {
 	refuseShortNetcdf(request.file);
+	refuseMissingParts(request.file);
 	const NetcdfFile file(request.file);
 	MpasMesh mesh{file.length("nCells"), file.length("nVertices"), file.length("nVertLevels"), {}};
 	if (mesh.layers == 0 || mesh.cells == 0)

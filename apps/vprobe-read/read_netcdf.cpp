@@ -1,13 +1,15 @@
-// netCDF of the climate and forecast conventions, and any netCDF file with arrays of three axes.
+// netCDF and Zarr of the climate and forecast conventions, and any such file with arrays of three axes.
 #include "cf_grid.h"
 #include "cf_values.h"
 #include "cf_volumes.h"
 #include "formats.h"
+#include "hdf5_parts.h"
 #include "manifest_writer.h"
 #include "netcdf_size.h"
 #include "refusal.h"
 #include "time_choice.h"
-#include "zarr_check.h"
+#include "wrf_file.h"
+#include "zarr_file.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -17,8 +19,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
-#include <filesystem>
 #include <numeric>
 
 namespace
@@ -32,12 +34,9 @@ std::size_t chooseStepOf(const NetcdfFile& file, const CfVolumes& volumes, const
 	std::iota(times.begin(), times.end(), 0.0); // where the dimension has no values of its own
 	if (volumes.time && volumes.time->coordinate >= 0)
 		times = cfNumbers(file, volumes.time->coordinate);
-	StepsInTime in_order = stepsInTime(times, manifest);
-	if (!chooseIfAny(in_order.times, request))
-		return 0;
-	const std::size_t step = in_order.steps[chooseStep(in_order.times, request)];
-	manifest.offerTimes(std::move(in_order.times));
-	return step;
+	else if (const std::vector<double> of_wrf = wrfTimes(file); !times.empty() && of_wrf.size() == times.size())
+		times = of_wrf;
+	return offerSteps(times, request, manifest).value_or(0);
 }
 
 template <std::size_t Width>
@@ -52,17 +51,17 @@ void turnAxes(const char* from, char* to, const std::array<std::size_t, 3>& coun
 
 // Values in the order of a file, with x running fastest, then y, then z.
 vtkSmartPointer<vtkDataArray> withXFastest(vtkSmartPointer<vtkDataArray> array, const CfVolume& volume,
-                                           const std::array<CfDimension, 3>& axes)
+                                           const std::array<std::size_t, 3>& lengths)
 {
 	const auto [x, y, z] = volume.sides;
 	if (z < y && y < x)
 		return array;
-	const std::array<std::size_t, 3> of_axes = {1, axes[0].length, axes[0].length * axes[1].length};
+	const std::array<std::size_t, 3> of_axes = {1, lengths[0], lengths[0] * lengths[1]};
 	std::array<std::size_t, 3> order = {0, 1, 2}, counts, strides; // axes as the file has them
 	std::ranges::sort(order, {}, [&](std::size_t axis) { return volume.sides[axis]; });
 	for (std::size_t i = 0; i < 3; ++i)
 	{
-		counts[i] = axes[order[i]].length;
+		counts[i] = lengths[order[i]];
 		strides[i] = of_axes[order[i]];
 	}
 	const auto turned = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
@@ -86,31 +85,60 @@ vtkSmartPointer<vtkDataArray> withXFastest(vtkSmartPointer<vtkDataArray> array, 
 	return turned;
 }
 
+// The means of neighbors along an axis: values on the sides of cells become those of their middles.
+vtkSmartPointer<vtkDataArray> atMiddles(vtkDataArray* sides, std::array<std::size_t, 3> lengths, std::size_t axis)
+{
+	const std::array<std::size_t, 3> steps = {1, lengths[0], lengths[0] * lengths[1]};
+	--lengths[axis];
+	const bool is_float = sides->GetDataType() == VTK_FLOAT;
+	const auto middles =
+	    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(is_float ? VTK_FLOAT : VTK_DOUBLE));
+	middles->SetNumberOfTuples(static_cast<vtkIdType>(lengths[0] * lengths[1] * lengths[2]));
+	vtkIdType at = 0;
+	for (std::size_t k = 0; k < lengths[2]; ++k)
+		for (std::size_t j = 0; j < lengths[1]; ++j)
+			for (std::size_t i = 0; i < lengths[0]; ++i)
+			{
+				const std::size_t low = i + steps[1] * j + steps[2] * k;
+				middles->SetTuple1(at++, 0.5 * (sides->GetTuple1(static_cast<vtkIdType>(low)) +
+				                                sides->GetTuple1(static_cast<vtkIdType>(low + steps[axis]))));
+			}
+	return middles;
+}
+
 vtkSmartPointer<vtkDataArray> arrayOfVolume(const NetcdfFile& file, const CfVolumes& volumes, const CfVolume& volume,
                                             std::size_t step)
 {
 	CfSlab slab = CfSlab::of(file, volume.variable);
 	if (volume.time)
 		slab.fix(*volume.time, step);
-	const auto array = withXFastest(cfArray(file, volume.variable, slab), volume, volumes.axes);
+	std::array<std::size_t, 3> lengths = {volumes.axes[0].length, volumes.axes[1].length, volumes.axes[2].length};
+	if (volume.staggered)
+		++lengths[*volume.staggered];
+	vtkSmartPointer<vtkDataArray> array = withXFastest(cfArray(file, volume.variable, slab), volume, lengths);
+	if (volume.staggered)
+		array = atMiddles(array, lengths, *volume.staggered);
 	array->SetName(volume.name.c_str());
 	if (const std::string units = file.text(volume.variable, "units"); !units.empty())
 		array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), units.c_str());
 	return array;
 }
 
-// `name`: of a file, or an address that the netCDF library opens.
-void readByConventions(const std::string& name, const Request& request, ManifestWriter& manifest)
+void readByConventions(const NetcdfFile& file, const Request& request, ManifestWriter& manifest)
 {
-	const NetcdfFile file(name);
 	const CfVolumes volumes = cfVolumes(file);
 	for (const std::string& note : volumes.notes)
 		manifest.warn(note);
 	const std::size_t step = chooseStepOf(file, volumes, request, manifest);
 	const CfGrid grid = cfGrid(file, volumes, step);
+	for (const std::string& note : grid.notes)
+		manifest.warn(note);
+	manifest.setLengthUnits(grid.length_units);
 	vtkDataSetAttributes* fields = grid.data->GetPointData();
 	if (grid.has_cell_values)
 		fields = grid.data->GetCellData();
+	if (std::ranges::any_of(volumes.all, [](const CfVolume& volume) { return volume.staggered.has_value(); }))
+		manifest.warn("of variables on the sides of cells, the means at their middles are shown");
 	for (const CfVolume& volume : volumes.all)
 		fields->AddArray(arrayOfVolume(file, volumes, volume, step));
 	manifest.add(grid.data);
@@ -121,15 +149,11 @@ void readByConventions(const std::string& name, const Request& request, Manifest
 void readNetcdf(const Request& request, ManifestWriter& manifest)
 {
 	refuseShortNetcdf(request.file);
-	readByConventions(request.file, request, manifest);
+	refuseMissingParts(request.file);
+	readByConventions(NetcdfFile(request.file), request, manifest);
 }
 
-// Zarr version 2 through netCDF, where a group is what a file is elsewhere.
 void readZarr(const Request& request, ManifestWriter& manifest)
 {
-	const std::string folder = std::filesystem::absolute(request.file).lexically_normal().string();
-	if (folder.find_first_of("#?%[]&") != folder.npos)
-		throw Refusal("its path has one of # ? % [ ] &, which netCDF takes for something else; rename it");
-	refuseShortChunks(folder);
-	readByConventions("file://" + folder + "#mode=zarr,file", request, manifest);
+	readByConventions(ZarrFile(request.file), request, manifest);
 }

@@ -1,6 +1,8 @@
 // Meshes of SLAC's codes for accelerators (netCDF), with the modes that lie in a file of their own. By a parser of our
 // own: VTK's takes ids as they come.
+#include "cf_values.h"
 #include "formats.h"
+#include "hdf5_parts.h"
 #include "manifest_writer.h"
 #include "netcdf_file.h"
 #include "netcdf_size.h"
@@ -95,6 +97,7 @@ std::string slacModesBeside(const std::string& mesh)
 std::vector<vtkSmartPointer<vtkDoubleArray>> slacModes(const std::string& path, std::size_t points, double& time)
 {
 	refuseShortNetcdf(path);
+	refuseMissingParts(path);
 	const NetcdfFile file(path);
 	for (const char* name : {"frequency", "frequencyreal"})
 		if (const int variable = file.variable(name); variable >= 0)
@@ -104,10 +107,10 @@ std::vector<vtkSmartPointer<vtkDoubleArray>> slacModes(const std::string& path, 
 	for (const auto& [variable, name, type] : file.variables())
 	{
 		const auto sides = file.dimensions(variable);
-		if (type == NC_CHAR || sides.empty() || sides.size() > 2 || sides[0].first != "ncoord" || name == "coords" ||
-		    (sides.size() == 2 && sides[1].second > 64))
+		if (cfTypeOf(file, variable) == 0 || sides.empty() || sides.size() > 2 || sides[0].first != "ncoord" ||
+		    name == "coords" || (sides.size() == 2 && sides[1].second > 64))
 			continue;
-		const std::vector<double> values = file.values(variable);
+		const std::vector<double> values = cfNumbers(file, variable);
 		if (sides[0].second != points || values.empty())
 			throw Refusal(fmt::format("{} holds values of {} points where the mesh has {}; name the right one with "
 			                          "--solution",
@@ -165,9 +168,10 @@ vtkSmartPointer<vtkUnstructuredGrid> slacGrid(const std::vector<std::array<vtkId
 void readSlac(const Request& request, ManifestWriter& manifest)
 {
 	refuseShortNetcdf(request.file);
+	refuseMissingParts(request.file);
 	const NetcdfFile file(request.file);
 	const int variable = file.variable("coords");
-	const std::vector<double> places = variable < 0 ? std::vector<double>() : file.values(variable);
+	const std::vector<double> places = variable < 0 ? std::vector<double>() : cfNumbers(file, variable);
 	if (places.empty() || places.size() % 3 != 0)
 		throw damaged("it has no places of points (coords)");
 	SlacTetrahedra volumes;

@@ -67,17 +67,12 @@ public:
 		if (version > 2.0)
 			throw Refusal(fmt::format("VTKHDF of version {}; versions 1 and 2 are read", version));
 		refuseOtherKinds(type);
-		const std::vector<double> given = VtkHdfStep::timesOf(file_);
-		const std::vector<double> times = inOrder(given);
-		if (!given.empty() && times.empty())
-			throw damaged("none of its times is a number");
-		if (const std::optional<double> time = chooseIfAny(times, request_))
-			step_ = VtkHdfStep(file_, static_cast<std::uint64_t>(std::ranges::find(given, *time) - given.begin()));
+		if (const auto step = offerSteps(VtkHdfStep::timesOf(file_), request_, manifest_))
+			step_ = VtkHdfStep(file_, *step);
 		if (type == "ImageData")
 			readImage();
 		else
 			readGrid();
-		manifest_.offerTimes(times);
 	}
 
 private:

@@ -53,11 +53,12 @@ public:
 		const XmlElement* domain = document_.child(document_.root(), "Domain");
 		if (!domain)
 			throw damaged("it has no Domain");
-		collectTimes(*domain);
-		times_ = inOrder(std::move(times_));
-		time_ = chooseIfAny(times_, request_);
+		std::vector<std::vector<double>> lists;
+		collectTimes(*domain, lists);
+		std::vector<double> times = unitedTimes(lists);
+		time_ = chooseInLists(times, request_);
 		addChildren(*domain, "");
-		manifest_.offerTimes(times_);
+		manifest_.offerTimes(std::move(times));
 	}
 
 private:
@@ -95,16 +96,13 @@ private:
 		return times;
 	}
 
-	void collectTimes(const XmlElement& from)
+	void collectTimes(const XmlElement& from, std::vector<std::vector<double>>& lists) const
 	{
 		for (const XmlElement* grid : document_.children(from, "Grid"))
 			if (isTemporal(*grid))
-			{
-				const auto times = timesOf(*grid);
-				times_.insert(times_.end(), times.begin(), times.end());
-			}
+				lists.push_back(timesOf(*grid));
 			else
-				collectTimes(*grid);
+				collectTimes(*grid, lists);
 	}
 
 	void addChildren(const XmlElement& of, const std::string& path)
@@ -124,11 +122,8 @@ private:
 	{
 		if (isTemporal(grid))
 		{
-			const std::vector<double> times = timesOf(grid);
-			const auto grids = document_.children(grid, "Grid");
-			for (std::size_t i = 0; i < grids.size(); ++i)
-				if (times[i] == time_)
-					addGrid(*grids[i], path);
+			if (const auto place = time_ ? time_->placeIn(timesOf(grid)) : std::nullopt)
+				addGrid(*document_.children(grid, "Grid")[*place], path);
 			return;
 		}
 		const std::string type = typeOf(grid, "GridType");
@@ -306,8 +301,7 @@ private:
 	const XdmfDocument& document_;
 	const Request& request_;
 	ManifestWriter& manifest_;
-	std::vector<double> times_;
-	std::optional<double> time_;
+	std::optional<TimeInList> time_;
 };
 
 } // namespace

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -52,6 +53,51 @@ StepsInTime stepsInTime(const std::vector<double>& times, ManifestWriter& manife
 	std::ranges::stable_sort(all.steps, {}, [&](std::size_t step) { return times[step]; });
 	std::ranges::sort(all.times);
 	return all;
+}
+
+std::optional<std::size_t> offerSteps(const std::vector<double>& times, const Request& request,
+                                      ManifestWriter& manifest)
+{
+	StepsInTime in_order = stepsInTime(times, manifest);
+	if (!chooseIfAny(in_order.times, request))
+		return std::nullopt;
+	const std::size_t step = in_order.steps[chooseStep(in_order.times, request)];
+	manifest.offerTimes(std::move(in_order.times));
+	return step;
+}
+
+std::vector<double> unitedTimes(const std::vector<std::vector<double>>& lists)
+{
+	std::map<double, std::ptrdiff_t> repeats;
+	for (const std::vector<double>& list : lists)
+		for (const double time : inOrder(list))
+			repeats[time] = std::max(repeats[time], std::ranges::count(list, time));
+	std::vector<double> united;
+	for (const auto& [time, count] : repeats)
+		united.insert(united.end(), static_cast<std::size_t>(count), time);
+	return united;
+}
+
+std::optional<std::size_t> TimeInList::placeIn(const std::vector<double>& list) const
+{
+	std::optional<std::size_t> place;
+	std::size_t seen = 0;
+	for (std::size_t i = 0; i < list.size() && seen <= repeat; ++i)
+		if (list[i] == time)
+		{
+			place = i;
+			++seen;
+		}
+	return place;
+}
+
+std::optional<TimeInList> chooseInLists(const std::vector<double>& united, const Request& request)
+{
+	if (!chooseIfAny(united, request))
+		return std::nullopt;
+	const std::size_t chosen = chooseStep(united, request);
+	const auto first = std::ranges::lower_bound(united, united[chosen]);
+	return TimeInList{united[chosen], chosen - static_cast<std::size_t>(first - united.begin())};
 }
 
 std::size_t chooseStep(const std::vector<double>& times, const Request& request)

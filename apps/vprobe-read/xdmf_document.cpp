@@ -1,6 +1,6 @@
 #include "xdmf_document.h"
 
-#include "hdf5_handle.h"
+#include "hdf5_parts.h"
 #include "is_one_of.h"
 #include "mapped_text.h"
 #include "refusal.h"
@@ -81,11 +81,11 @@ ValueLayout flat(std::uint64_t count, NumberType type)
 std::string hdf5Bytes(const std::string& file, const std::string& path, std::uint64_t count, NumberType type)
 {
 	const std::string about = fmt::format("{}:{}", fs::path(file).filename().string(), path);
-	const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+	const Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
 	if (opened < 0)
 		throw Refusal(fmt::format("its data {} cannot be opened; keep the files together", about));
-	const hid_t set = H5Dopen2(opened, path.c_str(), H5P_DEFAULT);
-	const hid_t space = set < 0 ? -1 : H5Dget_space(set);
+	const Hdf5Handle set = openedSet(opened, path);
+	const Hdf5Handle space(set < 0 ? -1 : H5Dget_space(set), H5Sclose);
 	const hssize_t points = space < 0 ? -1 : H5Sget_simple_extent_npoints(space);
 	if (points < 0)
 		throw damaged(fmt::format("{} is missing", about));
@@ -95,12 +95,10 @@ std::string hdf5Bytes(const std::string& file, const std::string& path, std::uin
 	H5D_space_status_t written = H5D_SPACE_STATUS_ERROR;
 	if (H5Dget_space_status(set, &written) < 0 || (written == H5D_SPACE_STATUS_NOT_ALLOCATED && count > 0))
 		throw damaged(fmt::format("{} was never written", about));
+	refuseMissingParts(set, about);
 	std::string bytes(count * byteSize(type), '\0');
 	if (H5Dread(set, nativeType(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0)
 		throw damaged(fmt::format("{} cannot be read", about));
-	H5Sclose(space);
-	H5Dclose(set);
-	H5Fclose(opened);
 	return bytes;
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "cf_volumes.h"
+
+#include <optional>
+#include <vector>
+
+// What the weather model WRF says in its own way, and not by the CF conventions.
+
+bool isWrf(const NetcdfFile& file);
+
+// Between the middles of cells along this dimension lie their sides: "west_east_stag".
+bool isStaggered(const std::string& dimension);
+std::string withoutStaggering(const std::string& dimension);
+
+// The variables with the longitudes and latitudes of the dimensions, by WRF's names; -1 where there are none.
+struct WrfPlaces
+{
+	int x = -1, y = -1;
+};
+WrfPlaces wrfPlaces(const NetcdfFile& file);
+
+// Minutes since the first of its times, which are written as texts ("2005-08-28_12:00:00"). Nothing where it has none,
+// or others.
+std::vector<double> wrfTimes(const NetcdfFile& file);
+
+// The heights in meters of the middles of cells at a step, x fastest: (PH + PHB) / 9.81. Nothing where it has none.
+std::optional<std::vector<double>> wrfHeights(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step);
