@@ -269,10 +269,11 @@ void addEnhanced(const DicomFrame& top, const DicomItem& root, std::size_t count
 
 void addSingle(DicomFrame frame, const DicomItem& root, DicomFrames& all)
 {
+	if (root.text(Tag(0x0008, 0x0008)).find("MOSAIC") != std::string::npos)
+		throw Refusal("a mosaic: one picture of many slices side by side; dcm2niix makes a volume of it");
 	setPlace(root, Tag(0x0020, 0x0032), frame);
 	setAxes(root, Tag(0x0020, 0x0037), frame);
-	if (const auto location = root.hint(Tag(0x0020, 0x1041));
-	    !frame.has_place && location)
+	if (const auto location = root.hint(Tag(0x0020, 0x1041)); !frame.has_place && location)
 	{
 		all.note("it has no ImagePositionPatient; its slices are placed by SliceLocation");
 		const auto normal = frame.normal();

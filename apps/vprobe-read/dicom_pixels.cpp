@@ -2,6 +2,7 @@
 
 #include "dicom_item.h"
 #include "mapped_text.h"
+#include "printed_text.h"
 #include "refusal.h"
 
 #include <fmt/format.h>
@@ -215,6 +216,20 @@ void DicomPixels::findFragments()
 		throw damaged(fmt::format("{} has {} packed pieces that do not make {} frames", name_, count, frames));
 }
 
+// Whether a frame of JPEG ends with its mark. Without it GDCM may search forever.
+bool DicomPixels::hasEnd(std::size_t index) const
+{
+	constexpr std::size_t kMostBehind = 64; // bytes that some writers add
+	const gdcm::TransferSyntax syntax = syntaxOf(reader_);
+	if (syntax < gdcm::TransferSyntax::JPEGBaselineProcess1 || syntax > gdcm::TransferSyntax::JPEGLSNearLossless)
+		return true;
+	const gdcm::ByteValue* bytes = packed_->GetFragment(of_frame_[index].second - 1).GetByteValue();
+	const std::string_view text =
+	    bytes ? std::string_view(bytes->GetPointer(), bytes->GetLength()) : std::string_view();
+	const auto mark = text.rfind("\xFF\xD9");
+	return mark != text.npos && text.size() - mark <= kMostBehind;
+}
+
 std::string DicomPixels::unpacked(std::size_t index) const
 {
 	gdcm::SmartPointer<gdcm::SequenceOfFragments> fragments = new gdcm::SequenceOfFragments;
@@ -237,7 +252,10 @@ std::string DicomPixels::unpacked(std::size_t index) const
 	image.SetPlanarConfiguration(0);
 	image.SetDataElement(element);
 	std::string bytes(form_.valuesOfFrame() * (form_.allocated / 8), '\0');
-	if (image.GetBufferLength() != bytes.size() || !image.GetBuffer(bytes.data()))
+	const PrintedText printed; // libjpeg fills up what is missing, and only says so
+	if (!hasEnd(index) || image.GetBufferLength() != bytes.size() || !image.GetBuffer(bytes.data()) ||
+	    printed.text().find("Corrupt JPEG data") != std::string::npos ||
+	    printed.text().find("Premature end of JPEG") != std::string::npos)
 		throw damaged(fmt::format("the pixels of {} do not unpack", name_));
 	return bytes;
 }

@@ -33,6 +33,7 @@ public:
 private:
 	void findPixels();
 	void findFragments();
+	bool hasEnd(std::size_t index) const;
 	std::string unpacked(std::size_t index) const;
 	std::vector<double> storedValues(std::size_t index) const;
 

@@ -78,7 +78,7 @@ class Spelling:
         self.offsets = self.step * numpy.arange(self.slices)
         self.type = pick(['u1', 'u2', 'i2', 'u2', 'i2'])
         self.syntax = pick(PLAIN + [RLELossless])
-        self.pack, self.can_lean = None, True
+        self.pack, self.is_plain = None, False  # plain: as dcm2niix keeps it in one volume
         self.stored_bits = self.high_bit = int(self.type[1]) * 8
         if self.type != 'u1' and self.random.random() < 0.4:
             self.stored_bits = self.high_bit = 12
@@ -165,8 +165,8 @@ def make_series(spelling, folder):
         if s.stored_bits not in (8, 16):
             s.stored_bits = s.high_bit = 16
             s.high_bit -= 1
-    lean = pick([0, 0, 0.3]) * s.can_lean  # of a gantry
-    rescale = pick(['none', 'one', 'intercept', 'each', 'whole', 'table'])
+    lean = 0 if s.is_plain else pick([0, 0, 0.3])  # of a gantry
+    rescale = pick(['none', 'one', 'intercept'] if s.is_plain else ['none', 'one', 'intercept', 'each', 'whole', 'table'])
     told = pick([None, None, None, 'TemporalPositionIdentifier', 'AcquisitionNumber', 'EchoTime', 'TriggerTime', 'number'])
     keys = range(pick([2, 3])) if told else [0]
     series, frame_of_reference = generate_uid(), generate_uid()
@@ -180,6 +180,8 @@ def make_series(spelling, folder):
             data.SeriesInstanceUID, data.FrameOfReferenceUID = series, frame_of_reference
             at = len(pictures)
             data.InstanceNumber = numbers[at] if told == 'number' else numbers[-1 - at] if key else 7
+            if s.is_plain:
+                data.InstanceNumber = k + 1
             data.AcquisitionTime = f'1200{key:02}.{k:03}'
             if told and told != 'number':
                 setattr(data, told, str(5 * key + 1))
@@ -219,7 +221,7 @@ def make_series(spelling, folder):
 def make_enhanced(spelling, path):
     """Frames in functional groups, of their own or shared, in any order."""
     s, pick, chance = spelling, spelling.random.choice, spelling.random.random
-    if chance() < 0.25 and s.slices > 2:
+    if chance() < 0.25 and s.slices > 2 and not s.is_plain:
         s.offsets = numpy.cumsum(s.numbers.uniform(0.5, 3, s.slices))
     told = pick([None, None, 'TemporalPositionIndex', 'echo', 'dimension'])
     keys = range(pick([2, 3])) if told else [0]
@@ -230,7 +232,7 @@ def make_enhanced(spelling, path):
     shared, frames, pictures, words = Dataset(), [], [], []
     measures = item(PixelSpacing=[short(x) for x in s.spacing], SliceThickness='9')
     turn = item(ImageOrientationPatient=[short(x) for x in s.axes.ravel()])
-    rescale = pick(['none', 'shared', 'each', 'whole'])
+    rescale = pick(['none', 'shared'] if s.is_plain else ['none', 'shared', 'each', 'whole'])
     one = item(RescaleSlope='2', RescaleIntercept='-3.5', RescaleType='US')
     if rescale == 'shared':
         shared.PixelValueTransformationSequence = Sequence([one])
@@ -408,7 +410,7 @@ def compare_with_dcm2niix(path, folder):
     import nibabel
     out = folder / 'nifti'
     out.mkdir()
-    subprocess.run(['dcm2niix', '-b', 'n', '-z', 'n', '-o', out, path], check=True, capture_output=True)
+    subprocess.run(['dcm2niix', '-b', 'n', '-z', 'n', '-o', out, path], capture_output=True)
     made = [nibabel.load(file) for file in out.iterdir()]
     assert len(made) == 1, f'dcm2niix made {len(made)} volumes'
     data = made[0].get_fdata()
@@ -449,15 +451,15 @@ def niix_sample(folder):
             spelling.syntax, spelling.type, spelling.stored_bits, spelling.high_bit = ExplicitVRLittleEndian, 'i2', 16, 15
             spelling.columns = spelling.rows = 6
             spelling.slices = 4
-            spelling.offsets, spelling.can_lean = spelling.step * numpy.arange(4), False
+            spelling.offsets = spelling.step * numpy.arange(4)
+            spelling.is_plain = True
             target = folder / f'{name}-{seed}'
-            if make is make_series:
-                target.mkdir()
-            path, pictures = make(spelling, target)
+            target.mkdir()
+            _, pictures = make(spelling, target if make is make_series else target / 'enhanced.dcm')
             if spelling.pack is None and len({p.key for p in pictures}) == 1 and not (target / 'other.dcm').exists():
                 break
         (folder / name).mkdir()
-        compare_with_dcm2niix(path if path.is_dir() or make is make_enhanced else path.parent, folder / name)
+        compare_with_dcm2niix(target, folder / name)
 
 
 def main():
