@@ -5,26 +5,37 @@
 #include <string>
 #include <vector>
 
-// What a MetaImage header says of its data, as far as VTK's reader does not check or use it.
+// What a MetaImage header says, as MetaIO (the library of ITK and VTK) takes it.
 struct MetaHeader
 {
-	std::vector<std::uint64_t> size; // points along each axis
+	std::vector<std::uint64_t> size; // points along each axis; a fourth one is time
 	std::string type;                // of one value, without "_ARRAY"
-	std::uint64_t element_bytes = 0; // of one point; 0 for a type not known
-	bool compressed = false;
+	std::uint64_t value_bytes = 0;   // of one value; 0 for a type not known
+	std::uint64_t channels = 1;      // values of a point
+	bool is_text = false;            // numbers in text
+	bool compressed = false;         // by zlib or gzip
 	std::uint64_t compressed_bytes = 0;
-	std::uint64_t skipped_bytes = 0; // before the data in their file; 0 where the data come last
+	bool is_big_endian = false;
+	std::int64_t skipped_bytes = 0; // before the data in their file; -1: the data end with the file
 	std::array<double, 9> direction = {1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows; column i is the direction of axis i
 	std::vector<double> spacing;         // along each axis; may be negative; empty where the header gives none
-	std::vector<std::string> data_files; // one, or one per slice; empty: the data follow the header
+	std::vector<double> offset;          // of the first point; likewise
+	std::string units;                   // of lengths; mostly empty
+	bool has_scale = false;              // a slope or offset that ITK does not apply
+	std::vector<std::string> data_files; // one after the other; empty: the data follow the header
 	std::uint64_t header_bytes = 0;
+
+	std::uint64_t times() const { return size.size() > 3 ? size[3] : 1; }
+	// Of one time. Throws a Refusal where it is more than can be.
+	std::uint64_t volumeBytes() const;
 };
 
+// Throws a Refusal where it is no header of a volume, or of a kind that is not read.
 MetaHeader readMetaHeader(const std::string& file);
 
 // Turns round the directions of axes whose spacing is negative, as ITK does. The origin stays.
 void makeSpacingPositive(MetaHeader& header);
 
-// Throws a Refusal where a data file is missing or shorter than the header asks for; VTK's reader would show what
-// happens to be in memory.
-void refuseShortData(const std::string& file, const MetaHeader& header);
+// The values at one time, unpacked, in the file's order of bytes; or the whole text. Throws a Refusal where a data file
+// is missing or shorter than the header asks for, or cannot be unpacked.
+std::string metaBytes(const std::string& file, const MetaHeader& header, std::uint64_t time);

@@ -48,14 +48,21 @@ std::uint64_t ValueLayout::byteCount() const
 	return valueCount() * byteSize(type);
 }
 
+vtkSmartPointer<vtkDataArray> emptyArray(const ValueLayout& layout, const std::string& name, Room room)
+{
+	auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtkTypeOf(layout.type)));
+	array->SetName(name.c_str());
+	array->SetNumberOfComponents(static_cast<int>(layout.components));
+	if (room == Room::made)
+		array->SetNumberOfTuples(static_cast<vtkIdType>(layout.valueCount() / layout.components));
+	return array;
+}
+
 vtkSmartPointer<vtkDataArray> arrayOf(std::string_view bytes, const ValueLayout& layout, const std::string& name)
 {
 	if (bytes.size() != layout.byteCount())
 		throw damaged(fmt::format("{} bytes of values where {} are wanted", bytes.size(), layout.byteCount()));
-	const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtkTypeOf(layout.type)));
-	array->SetName(name.c_str());
-	array->SetNumberOfComponents(static_cast<int>(layout.components));
-	array->SetNumberOfTuples(static_cast<vtkIdType>(layout.valueCount() / layout.components));
+	auto array = emptyArray(layout, name);
 	char* at = static_cast<char*>(array->GetVoidPointer(0));
 	bytes.copy(at, bytes.size()); // there may be none, and no place for them
 	if (layout.is_big_endian && byteSize(layout.type) > 1)

@@ -25,6 +25,14 @@ struct ValueLayout
 	std::uint64_t byteCount() const;
 };
 
+// An array for the values, with room for them or without.
+enum class Room
+{
+	made,
+	none
+};
+vtkSmartPointer<vtkDataArray> emptyArray(const ValueLayout& layout, const std::string& name, Room room = Room::made);
+
 // Throws a Refusal unless `bytes` are as many as the layout says.
 vtkSmartPointer<vtkDataArray> arrayOf(std::string_view bytes, const ValueLayout& layout, const std::string& name);
 

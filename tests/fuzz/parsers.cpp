@@ -216,7 +216,7 @@ void feedFile(char which, const std::string& input)
 			refuseShortSolution(file, findPlot3dLayout(file));
 			break;
 		case 'H':
-			refuseShortData(file, readMetaHeader(file));
+			metaBytes(file, readMetaHeader(file), 0);
 			break;
 		case 'X':
 			refuseShortXml(file);
