@@ -379,6 +379,8 @@ std::string ManifestWriter::finish()
 	}
 	if (!length_units_.empty())
 		manifest["length_units"] = length_units_;
+	if (!time_units_.empty() && !times_.empty())
+		manifest["time_units"] = time_units_;
 	// Names in files need not be UTF-8.
 	return manifest.dump(-1, ' ', false, json::error_handler_t::replace);
 }

@@ -56,6 +56,7 @@ public:
 	void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
 	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
 	void setLengthUnits(std::string units) { length_units_ = std::move(units); }
+	void setTimeUnits(std::string units) { time_units_ = std::move(units); }
 	void warn(std::string line) { warnings_.push_back(std::move(line)); }
 
 	bool isEmpty() const { return blocks_.empty(); }
@@ -87,6 +88,7 @@ private:
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;
 	std::string length_units_;
+	std::string time_units_;
 	CellCounts counts_;
 	nlohmann::json left_out_ = nlohmann::json::array();
 	std::string prefix_;

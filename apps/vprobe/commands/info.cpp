@@ -62,6 +62,15 @@ std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
 	return arrays;
 }
 
+// Those of all blocks; empty where they differ, or the files name none.
+std::string lengthUnits(const grid::BlockSet& blocks)
+{
+	const auto is_same = [&](const grid::Block& block)
+	{ return block.length_units == blocks.blocks.front().length_units; };
+	return !blocks.blocks.empty() && std::ranges::all_of(blocks.blocks, is_same) ? blocks.blocks.front().length_units
+	                                                                             : std::string();
+}
+
 nlohmann::json infoJson(const grid::BlockSet& blocks)
 {
 	nlohmann::json arrays = nlohmann::json::array();
@@ -89,6 +98,9 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 		overlaps.push_back(
 		    {{"blocks", {overlap.a, overlap.b}}, {"cells", overlap.cells}, {"samples", overlap.samples}});
 	const Box bounds = blocks.bounds();
+	nlohmann::json units = nullptr;
+	if (const std::string known = lengthUnits(blocks); !known.empty())
+		units = known;
 	return {{"grid",
 	         {{"kind", blocks.kind()},
 	          {"cells", blocks.sourceCellCount()},
@@ -104,6 +116,7 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 	        {"seam_faces", blocks.interfaces.seam_faces},
 	        {"boundary_faces", blocks.interfaces.boundary_faces},
 	        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
+	        {"length_units", units},
 	        {"times", blocks.times},
 	        {"arrays", arrays}};
 }
@@ -193,8 +206,9 @@ void printInfo(const grid::BlockSet& blocks)
 		print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
 	printBlocks(blocks);
 	printMeetings(blocks);
-	print("bounds  x {}, y {}, z {}\n", rangeWords(bounds.lo.x, bounds.hi.x), rangeWords(bounds.lo.y, bounds.hi.y),
-	      rangeWords(bounds.lo.z, bounds.hi.z));
+	const std::string units = lengthUnits(blocks);
+	print("bounds  x {}, y {}, z {}{}{}\n", rangeWords(bounds.lo.x, bounds.hi.x), rangeWords(bounds.lo.y, bounds.hi.y),
+	      rangeWords(bounds.lo.z, bounds.hi.z), units.empty() ? "" : " ", units);
 	if (!blocks.times.empty())
 		print("times   {}: {}\n", blocks.times.size(), timesAsWords(blocks.times));
 	const auto arrays = listArrays(blocks);
