@@ -1,212 +1,253 @@
 // Stacks of TIFF pages through libtiff: VTK's readers know neither ImageJ's nor OME's times, and turn pages over.
 #include "formats.h"
 #include "manifest_writer.h"
+#include "mapped_text.h"
 #include "refusal.h"
 #include "tiff_layout.h"
+#include "tiff_pages.h"
 #include "time_choice.h"
 #include "value_image.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
 #include <vtkPointData.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
-#include <memory>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+#include <optional>
 
-#include <tiffio.h>
-
-using vp::grid::NumberType;
+namespace fs = std::filesystem;
 
 namespace
 {
 
-std::string first_error;
-
-void keepError(const char*, const char* format, va_list arguments)
+// The files of a data set, one of them open at a time.
+class TiffFiles
 {
-	std::array<char, 200> text;
-	std::vsnprintf(text.data(), text.size(), format, arguments);
-	if (first_error.empty())
-		first_error = text.data();
-}
-
-void refuseOnError()
-{
-	if (!first_error.empty())
-		throw damaged(first_error);
-}
-
-struct TiffCloser
-{
-	void operator()(TIFF* tiff) const { TIFFClose(tiff); }
-};
-using TiffPointer = std::unique_ptr<TIFF, TiffCloser>;
-
-template <class Number>
-Number tag(TIFF* tiff, std::uint32_t which, Number otherwise)
-{
-	Number value = otherwise;
-	return TIFFGetFieldDefaulted(tiff, which, &value) ? value : otherwise;
-}
-
-NumberType typeOf(TIFF* tiff)
-{
-	const auto bits = tag<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE, 1);
-	const auto kind = tag<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
-	const auto is = [&](int wanted, std::uint16_t format) { return bits == wanted && kind == format; };
-	if (is(8, SAMPLEFORMAT_UINT))
-		return NumberType::uint8;
-	if (is(8, SAMPLEFORMAT_INT))
-		return NumberType::int8;
-	if (is(16, SAMPLEFORMAT_UINT))
-		return NumberType::uint16;
-	if (is(16, SAMPLEFORMAT_INT))
-		return NumberType::int16;
-	if (is(32, SAMPLEFORMAT_UINT))
-		return NumberType::uint32;
-	if (is(32, SAMPLEFORMAT_INT))
-		return NumberType::int32;
-	if (is(32, SAMPLEFORMAT_IEEEFP))
-		return NumberType::float32;
-	if (is(64, SAMPLEFORMAT_IEEEFP))
-		return NumberType::float64;
-	if (bits == 16 && kind == SAMPLEFORMAT_IEEEFP)
-		throw Refusal("floats of 16 bits, which are not read; save it with floats of 32 bits");
-	throw Refusal(
-	    fmt::format("values of {} bits and TIFF sample format {}; save it with 8, 16 or 32 bits", bits, kind));
-}
-
-// What all pages of a stack have in common.
-struct PageKind
-{
-	std::uint32_t width = 0;
-	std::uint32_t height = 0;
-	std::uint16_t samples = 1;
-	NumberType type = NumberType::uint8;
-
-	bool operator==(const PageKind&) const = default;
-	std::size_t rowBytes() const { return std::size_t(width) * samples * byteSize(type); }
-};
-
-PageKind kindOf(TIFF* tiff)
-{
-	PageKind kind;
-	kind.width = tag<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH, 0);
-	kind.height = tag<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH, 0);
-	kind.samples = tag<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
-	kind.type = typeOf(tiff);
-	if (tag<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG) != PLANARCONFIG_CONTIG && kind.samples > 1)
-		throw Refusal("pages with a plane for each sample; save it with samples side by side");
-	return kind;
-}
-
-void readTiles(TIFF* tiff, const PageKind& kind, char* to)
-{
-	const auto width = tag<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH, 0);
-	const auto height = tag<std::uint32_t>(tiff, TIFFTAG_TILELENGTH, 0);
-	const std::size_t pixel = kind.rowBytes() / kind.width;
-	std::vector<char> tile(static_cast<std::size_t>(std::max<tmsize_t>(TIFFTileSize(tiff), 0)));
-	if (width == 0 || height == 0 || tile.size() < std::size_t(width) * height * pixel)
-		throw damaged("its tiles have no size");
-	for (std::uint32_t y = 0; y < kind.height; y += height)
-		for (std::uint32_t x = 0; x < kind.width; x += width)
-		{
-			if (TIFFReadTile(tiff, tile.data(), x, y, 0, 0) < 0)
-				return;
-			const std::size_t bytes = std::min(width, kind.width - x) * pixel;
-			for (std::uint32_t row = 0; row < std::min(height, kind.height - y); ++row)
-				std::copy_n(tile.data() + std::size_t(row) * width * pixel, bytes,
-				            to + (y + row) * kind.rowBytes() + x * pixel);
-		}
-}
-
-void readPage(TIFF* tiff, const PageKind& kind, char* to)
-{
-	if (TIFFIsTiled(tiff))
-		readTiles(tiff, kind, to);
-	else if (TIFFScanlineSize(tiff) != static_cast<tmsize_t>(kind.rowBytes()))
-		throw Refusal("pages whose colors are packed; save it as plain values");
-	else
-		for (std::uint32_t row = 0; row < kind.height; ++row, to += kind.rowBytes())
-			if (TIFFReadScanline(tiff, to, row) < 0)
-				break;
-	refuseOnError();
-}
-
-// The pages that belong to the stack, by their numbers in the file: those like the first. Previews are not.
-std::vector<std::uint32_t> pagesLike(TIFF* tiff, const PageKind& first, std::uint32_t& others)
-{
-	std::vector<std::uint32_t> pages;
-	std::uint32_t number = 0;
-	do
+public:
+	TiffFiles(std::string first, const std::vector<std::string>& names) : first_(std::move(first)), names_(names) {}
+	TiffPages& open(std::uint32_t file)
 	{
-		if (tag<std::uint32_t>(tiff, TIFFTAG_SUBFILETYPE, 0) & FILETYPE_REDUCEDIMAGE)
-			++others;
-		else if (kindOf(tiff) == first)
-			pages.push_back(number);
-		else
-			++others;
-		++number;
-	} while (TIFFReadDirectory(tiff));
-	refuseOnError();
-	return pages;
+		if (file == current_)
+			return *pages_;
+		const std::string path = file == 0 ? first_ : (fs::path(first_).parent_path() / names_[file]).string();
+		std::error_code error;
+		if (!fs::is_regular_file(path, error))
+			throw Refusal(
+			    fmt::format("some of its planes are in {}, which cannot be opened; keep the files together", path));
+		pages_.reset();
+		current_ = std::numeric_limits<std::uint32_t>::max();
+		pages_.emplace(path);
+		current_ = file;
+		return *pages_;
+	}
+
+private:
+	std::string first_;
+	const std::vector<std::string>& names_;
+	std::optional<TiffPages> pages_;
+	std::uint32_t current_ = std::numeric_limits<std::uint32_t>::max();
+};
+
+struct TiffPlane
+{
+	std::uint32_t file = 0;
+	std::uint64_t page = std::numeric_limits<std::uint64_t>::max(); // none
+};
+
+// A file that was renamed, and whose XML has no UUID, names only itself by its old name.
+void findRenamed(TiffLayout& layout, const std::string& file)
+{
+	const auto names_itself = [](const TiffRun& run) { return run.file == 0; };
+	std::error_code error;
+	if (layout.files.size() != 2 || std::any_of(layout.runs.begin(), layout.runs.end(), names_itself) ||
+	    fs::exists(fs::path(file).parent_path() / layout.files[1], error))
+		return;
+	for (TiffRun& run : layout.runs)
+		run.file = 0;
+}
+
+// The page of every plane.
+std::vector<TiffPlane> pagesOfPlanes(const TiffLayout& layout, TiffFiles& files)
+{
+	std::vector<TiffPlane> planes(layout.planes());
+	for (const TiffRun& run : layout.runs)
+	{
+		const std::uint64_t there = planes.size() - run.plane;
+		std::uint64_t count = run.count.value_or(there);
+		if (!run.count)
+		{
+			const std::uint64_t pages = files.open(run.file).count();
+			count = std::min(there, pages - std::min(pages, run.page));
+		}
+		if (count > there)
+			throw damaged("its description maps more pages than it has planes");
+		for (std::uint64_t i = 0; i < count; ++i)
+			planes[run.plane + i] = {run.file, run.page + i};
+	}
+	return planes;
+}
+
+// The pages like the first one that is no preview, by their numbers.
+std::vector<std::uint64_t> alikePages(const TiffPages& pages)
+{
+	std::uint64_t first = 0;
+	while (first + 1 < pages.count() && pages.isPreview(first))
+		++first;
+	std::vector<std::uint64_t> alike;
+	for (std::uint64_t page = first; page < pages.count(); ++page)
+		if (pages.kind(page) == pages.kind(first) && (!pages.isPreview(page) || page == first))
+			alike.push_back(page);
+	return alike;
+}
+
+// OME's description may lie in another file.
+std::string descriptionOf(const std::string& file, TiffPages& pages)
+{
+	std::string description = pages.description();
+	const std::string name = omeMetadataFile(description);
+	if (name.empty())
+		return description;
+	const std::string path = (fs::path(file).parent_path() / name).string();
+	std::error_code error;
+	if (!fs::is_regular_file(path, error))
+		throw Refusal(fmt::format("its description is in {}, which cannot be opened; keep the files together", path));
+	const MappedText mapped(path);
+	const std::string_view text = mapped.text();
+	return text.starts_with("II") || text.starts_with("MM") ? TiffPages(path).description() : std::string(text);
+}
+
+// Reads the planes of one time, and puts each where it belongs.
+class TiffVolume
+{
+public:
+	TiffVolume(const TiffLayout& layout, TiffFiles& files, std::vector<std::uint64_t> alike, std::uint32_t time)
+	    : layout_(layout), files_(files), alike_(std::move(alike)), planes_(pagesOfPlanes(layout, files))
+	{
+		if (layout.counts_previews)
+		{
+			const TiffPlane first = planes_[layout.planeOf(0, 0, time)];
+			TiffPages& pages = files_.open(first.file);
+			const std::uint64_t page = first.page < pages.count() ? first.page : 0;
+			kind_ = pages.kind(page);
+			pages.refuseImpossible(page);
+			return;
+		}
+		TiffPages& pages = files_.open(0);
+		kind_ = pages.kind(alike_.front());
+		pages.refuseImpossible(alike_.front());
+		reads_behind_ = alike_.size() == 1 && layout.planes() > 1 && alike_.front() == 0 && pages.isPlain(0);
+		if (!reads_behind_ && layout.planes() > alike_.size())
+			throw damaged(
+			    fmt::format("it has {} pages where its description asks for {}", alike_.size(), layout.planes()));
+	}
+
+	ValueLayout values() const { return {{kind_.width, kind_.height, layout_.slices}, kind_.samples, kind_.type()}; }
+	void readPlane(std::uint32_t channel, std::uint32_t slice, std::uint32_t time, char* to)
+	{
+		const std::uint64_t plane = layout_.planeOf(channel, slice, time);
+		if (reads_behind_)
+			return files_.open(0).readBehindFirst(plane, to);
+		const TiffPlane at = planes_[plane];
+		if (at.page == TiffPlane().page)
+			throw damaged(
+			    fmt::format("its description gives no page of slice {}, channel {}, time {}", slice, channel, time));
+		TiffPages& pages = files_.open(at.file);
+		if (at.page >= (layout_.counts_previews ? pages.count() : alike_.size()))
+			throw damaged(
+			    fmt::format("it has {} pages where its description asks for page {}", pages.count(), at.page));
+		const std::uint64_t page = layout_.counts_previews ? at.page : alike_[at.page];
+		if (pages.kind(page) != kind_)
+			throw damaged(fmt::format("page {} has another size or type than the first one", page));
+		pages.read(page, to);
+	}
+
+private:
+	const TiffLayout& layout_;
+	TiffFiles& files_;
+	std::vector<std::uint64_t> alike_;
+	std::vector<TiffPlane> planes_;
+	TiffPageKind kind_;
+	bool reads_behind_ = false;
+};
+
+vtkSmartPointer<vtkDataArray> calibrated(vtkSmartPointer<vtkDataArray> values, const TiffLayout& layout)
+{
+	if (!layout.value_units.empty())
+		values->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), layout.value_units.c_str());
+	if (layout.slope == 1.0 && layout.intercept == 0.0)
+		return values;
+	const auto scaled = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(VTK_DOUBLE));
+	scaled->SetName(values->GetName());
+	scaled->SetNumberOfComponents(values->GetNumberOfComponents());
+	scaled->SetNumberOfTuples(values->GetNumberOfTuples());
+	scaled->CopyInformation(values->GetInformation());
+	for (vtkIdType tuple = 0; tuple < values->GetNumberOfTuples(); ++tuple)
+		for (int component = 0; component < values->GetNumberOfComponents(); ++component)
+			scaled->SetComponent(tuple, component,
+			                     layout.intercept + layout.slope * values->GetComponent(tuple, component));
+	return scaled;
+}
+
+void tellOfOthers(const TiffLayout& layout, const TiffPages& pages, std::size_t alike, ManifestWriter& manifest)
+{
+	if (layout.counts_previews)
+		return;
+	if (const std::uint64_t others = pages.count() - alike; others > 0)
+		manifest.warn(fmt::format("{} pages unlike the first one, or previews, are left out", others));
+	if (alike > layout.planes())
+		manifest.warn(fmt::format("{} pages more than its description asks for are left out", alike - layout.planes()));
 }
 
 } // namespace
 
 void readTiff(const Request& request, ManifestWriter& manifest)
 {
-	TIFFSetErrorHandler(keepError);
-	TIFFSetWarningHandler(nullptr); // about tags that are not known
-	const TiffPointer tiff(TIFFOpen(request.file.c_str(), "r"));
-	refuseOnError();
-	if (!tiff)
-		throw damaged("libtiff cannot open it");
-	const PageKind kind = kindOf(tiff.get());
-	const char* text = tag<const char*>(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, "");
-	const std::string description = text ? text : "";
-	const std::array<double, 2> resolution = {tag<float>(tiff.get(), TIFFTAG_XRESOLUTION, 0.0f),
-	                                          tag<float>(tiff.get(), TIFFTAG_YRESOLUTION, 0.0f)};
-	std::uint32_t others = 0;
-	const std::vector<std::uint32_t> pages = pagesLike(tiff.get(), kind, others);
-	const TiffLayout layout = tiffLayout(description, pages.size(), kind.samples, resolution);
-	if (layout.pages() > pages.size())
-		throw damaged(fmt::format("it has {} pages where its description asks for {}", pages.size(), layout.pages()));
-	if (others > 0)
-		manifest.warn(fmt::format("{} pages unlike the first one, or previews, are left out", others));
-
-	std::vector<double> times;
-	for (std::uint32_t t = 0; layout.times > 1 && t < layout.times; ++t)
-		times.push_back(t * layout.time_step);
-	const std::optional<double> time = chooseIfAny(times, request);
+	TiffLayout layout;
+	TiffFiles files(request.file, layout.files);
+	std::vector<std::uint64_t> alike;
+	{
+		TiffPages& pages = files.open(0);
+		alike = alikePages(pages);
+		const TiffPageKind kind = pages.kind(alike.front());
+		kind.type();
+		layout = tiffLayout({fs::path(request.file).filename().string(), descriptionOf(request.file, pages),
+		                     alike.size(), kind.samples, pages.resolution(), pages.resolutionUnit()});
+		findRenamed(layout, request.file);
+		tellOfOthers(layout, pages, alike.size(), manifest);
+	}
+	for (const std::string& note : layout.notes)
+		manifest.warn(note);
+	StepsInTime times = stepsInTime(layout.time_values, manifest);
+	chooseIfAny(times.times, request);
 	const auto step =
-	    time ? static_cast<std::uint32_t>(std::find(times.begin(), times.end(), *time) - times.begin()) : 0u;
+	    static_cast<std::uint32_t>(times.times.empty() ? 0 : times.steps[chooseStep(times.times, request)]);
 
-	ValueLayout values{{kind.width, kind.height, layout.slices}, kind.samples, kind.type};
-	const std::uint64_t bytes = values.byteCount();
+	TiffVolume volume(layout, files, std::move(alike), step);
+	const ValueLayout values = volume.values();
+	const std::uint64_t page_bytes = values.byteCount() / layout.slices;
 	vtkSmartPointer<vtkImageData> image;
 	for (std::uint32_t channel = 0; channel < layout.channels; ++channel)
 	{
-		std::string read(bytes, '\0');
+		auto array = emptyArray(values, layout.channels > 1 ? fmt::format("channel {}", channel) : "values");
+		char* to = static_cast<char*>(array->GetVoidPointer(0));
 		for (std::uint32_t slice = 0; slice < layout.slices; ++slice)
-		{
-			const std::uint64_t page = layout.pageOf(channel, slice, step);
-			if (!TIFFSetDirectory(tiff.get(), static_cast<tdir_t>(pages[page])))
-				throw damaged("a page cannot be found again");
-			readPage(tiff.get(), kind, read.data() + slice * (bytes / layout.slices));
-		}
-		const auto array = arrayOf(read, values, layout.channels > 1 ? fmt::format("channel {}", channel) : "values");
+			volume.readPlane(channel, slice, step, to + slice * page_bytes);
+		array = calibrated(array, layout);
 		if (image)
 			image->GetPointData()->AddArray(array);
 		else
 			image = imageOf(array, values.points);
 	}
 	image->SetSpacing(layout.spacing.data());
+	image->SetOrigin(layout.origin.data());
 	manifest.setLengthUnits(layout.length_units);
+	manifest.setTimeUnits(layout.time_units);
 	manifest.addLone(image);
-	manifest.offerTimes(std::move(times));
+	manifest.offerTimes(std::move(times.times));
 }
