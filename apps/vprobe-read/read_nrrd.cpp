@@ -1,23 +1,24 @@
 // NRRD through teem, whose format it is: VTK 9.1 reads no header with several data files, and no directions.
 #include "formats.h"
 #include "manifest_writer.h"
+#include "nrrd_axes.h"
 #include "refusal.h"
+#include "text_values.h"
+#include "time_choice.h"
+#include "value_image.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <utility>
 
-#include <teem/nrrd.h>
+using vp::grid::NumberType;
 
 namespace
 {
@@ -25,6 +26,7 @@ namespace
 struct NrrdDeleter
 {
 	void operator()(Nrrd* nrrd) const { nrrdNuke(nrrd); }
+	void operator()(NrrdIoState* state) const { nrrdIoStateNix(state); }
 };
 using NrrdPointer = std::unique_ptr<Nrrd, NrrdDeleter>;
 
@@ -41,59 +43,43 @@ std::string biffReason()
 	return reason.empty() ? "teem cannot read it" : reason;
 }
 
-int vtkTypeOf(int type)
+NumberType typeOfNrrd(int type)
 {
 	switch (type)
 	{
 	case nrrdTypeChar:
-		return VTK_SIGNED_CHAR;
+		return NumberType::int8;
 	case nrrdTypeUChar:
-		return VTK_UNSIGNED_CHAR;
+		return NumberType::uint8;
 	case nrrdTypeShort:
-		return VTK_SHORT;
+		return NumberType::int16;
 	case nrrdTypeUShort:
-		return VTK_UNSIGNED_SHORT;
+		return NumberType::uint16;
 	case nrrdTypeInt:
-		return VTK_INT;
+		return NumberType::int32;
 	case nrrdTypeUInt:
-		return VTK_UNSIGNED_INT;
+		return NumberType::uint32;
 	case nrrdTypeLLong:
-		return VTK_LONG_LONG;
+		return NumberType::int64;
 	case nrrdTypeULLong:
-		return VTK_UNSIGNED_LONG_LONG;
+		return NumberType::uint64;
 	case nrrdTypeFloat:
-		return VTK_FLOAT;
+		return NumberType::float32;
 	case nrrdTypeDouble:
-		return VTK_DOUBLE;
+		return NumberType::float64;
 	default:
 		throw Refusal("a NRRD file of values of type block, which have no number");
 	}
 }
 
-// An axis whose direction is "none" is not of space, also where no kind says so.
-void markAxesWithoutDirection(Nrrd& nrrd)
+// Puts the axes in the order that VTK wants: components run fastest, then space; time comes last.
+void orderAxes(NrrdPointer& nrrd, NrrdAxes& axes)
 {
-	for (unsigned i = 0; nrrd.spaceDim == 3 && i < nrrd.dim; ++i)
-		if (nrrd.axis[i].kind == nrrdKindUnknown && !std::isfinite(nrrd.axis[i].spaceDirection[0]))
-			nrrd.axis[i].kind = nrrdKindList;
-}
-
-// The three axes of space behind those of the components, which VTK wants to run fastest.
-std::array<unsigned, 3> componentsFirst(NrrdPointer& nrrd)
-{
-	std::array<unsigned, NRRD_DIM_MAX> domain = {};
-	std::array<unsigned, NRRD_DIM_MAX> range = {};
-	const unsigned domains = nrrdDomainAxesGet(nrrd.get(), domain.data());
-	const unsigned ranges = nrrdRangeAxesGet(nrrd.get(), range.data());
-	if (domains < 3)
-		throw Refusal("nothing to slice: fewer than three axes of space");
-	if (domains > 3)
-		throw Refusal(fmt::format("{} axes of space; kinds: in its header say which are not", domains));
-
-	std::array<unsigned, NRRD_DIM_MAX> order = {};
-	for (unsigned i = 0; i < nrrd->dim; ++i)
-		order[i] = i < ranges ? range[i] : domain[i - ranges];
-	if (!std::is_sorted(order.begin(), order.begin() + nrrd->dim))
+	std::vector<unsigned> order = axes.components;
+	order.insert(order.end(), axes.space.begin(), axes.space.end());
+	if (axes.time)
+		order.push_back(*axes.time);
+	if (!std::is_sorted(order.begin(), order.end()))
 	{
 		NrrdPointer permuted(nrrdNew());
 		if (nrrdAxesPermute(permuted.get(), nrrd.get(), order.data()))
@@ -101,89 +87,82 @@ std::array<unsigned, 3> componentsFirst(NrrdPointer& nrrd)
 		std::swap(permuted->content, nrrd->content); // teem says there what it did
 		nrrd = std::move(permuted);
 	}
-	return {ranges, ranges + 1, ranges + 2};
+	unsigned next = 0;
+	for (unsigned& axis : axes.components)
+		axis = next++;
+	for (unsigned& axis : axes.space)
+		axis = next++;
+	if (axes.time)
+		axes.time = next;
 }
 
-// Where the first sample is, and the step along each axis: from the directions in space, else from spacings and minima.
-void place(const Nrrd& nrrd, const std::array<unsigned, 3>& axes, vtkImageData* image)
+// teem takes the beginning of a word for a number, and passes over what follows the last one.
+void takeText(Nrrd& nrrd, const std::string& file)
 {
-	std::array<double, 3> origin = {0.0, 0.0, 0.0};
-	std::array<double, 3> spacing = {1.0, 1.0, 1.0};
-	std::array<double, 9> direction = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-	for (int a = 0; a < 3; ++a)
-	{
-		const NrrdAxisInfo& axis = nrrd.axis[axes[a]];
-		if (nrrd.spaceDim == 3 && std::isfinite(axis.spaceDirection[0]))
-		{
-			const double* step = axis.spaceDirection;
-			spacing[a] = std::hypot(step[0], step[1], step[2]);
-			for (int row = 0; row < 3; ++row)
-				direction[3 * row + a] = step[row] / spacing[a];
-			continue;
-		}
-		const bool in_cells = axis.center == nrrdCenterCell;
-		const double gaps = static_cast<double>(axis.size) - (in_cells ? 0 : 1);
-		if (std::isfinite(axis.spacing))
-			spacing[a] = axis.spacing;
-		else if (std::isfinite(axis.min) && std::isfinite(axis.max) && gaps > 0)
-			spacing[a] = (axis.max - axis.min) / gaps;
-		if (std::isfinite(axis.min))
-			origin[a] = axis.min + (in_cells ? 0.5 * spacing[a] : 0.0);
-	}
-	if (nrrd.spaceDim == 3 && std::isfinite(nrrd.spaceOrigin[0]))
-		std::copy_n(nrrd.spaceOrigin, 3, origin.begin());
-	for (int i = 0; i < 9; ++i)
-		if (!std::isfinite(direction[i]) || !std::isfinite(spacing[i % 3]) || spacing[i % 3] == 0.0)
-			throw damaged("its spacings or directions make no grid");
-	image->SetOrigin(origin.data());
-	image->SetSpacing(spacing.data());
-	image->SetDirectionMatrix(direction.data());
+	const std::optional<std::string> text = nrrdText(file);
+	if (!text)
+		return;
+	parseText(*text, typeOfNrrd(nrrd.type), nrrdElementNumber(&nrrd), nrrd.data);
 }
 
-// Of space, or of the axes; empty where they differ.
-std::string lengthUnitsOfAxes(const Nrrd& nrrd, const std::array<unsigned, 3>& axes)
+NrrdPointer loadNrrd(const std::string& file)
 {
-	std::array<std::string, 3> units;
-	for (unsigned a = 0; a < 3; ++a)
+	NrrdPointer nrrd(nrrdNew());
+	const std::unique_ptr<NrrdIoState, NrrdDeleter> state(nrrdIoStateNew());
+	if (nrrdLoad(nrrd.get(), file.c_str(), state.get()))
+		throw damaged(biffReason());
+	if (state->encoding == nrrdEncodingAscii)
+		takeText(*nrrd, file);
+	return nrrd;
+}
+
+ValueLayout layoutOf(const Nrrd& nrrd, const NrrdAxes& axes)
+{
+	ValueLayout layout;
+	layout.type = typeOfNrrd(nrrd.type);
+	for (std::size_t a = 0; a < 3; ++a)
 	{
-		const bool in_space = nrrd.spaceDim == 3 && std::isfinite(nrrd.axis[axes[a]].spaceDirection[0]);
-		const char* of_axis = in_space ? nrrd.spaceUnits[a] : nrrd.axis[axes[a]].units;
-		units[a] = of_axis ? of_axis : "";
+		if (nrrd.axis[axes.space[a]].size > 1u << 30)
+			throw damaged("an axis of more samples than there can be");
+		layout.points[a] = static_cast<std::uint32_t>(nrrd.axis[axes.space[a]].size);
 	}
-	return units[0] == units[1] && units[1] == units[2] ? units[0] : "";
+	std::size_t components = 1;
+	for (const unsigned axis : axes.components)
+		components *= nrrd.axis[axis].size;
+	layout.components = static_cast<std::uint32_t>(components);
+	return layout;
 }
 
 } // namespace
 
 void readNrrd(const Request& request, ManifestWriter& manifest)
 {
-	NrrdPointer nrrd(nrrdNew());
-	if (nrrdLoad(nrrd.get(), request.file.c_str(), nullptr))
-		throw damaged(biffReason());
-	if (std::any_of(nrrd->axis, nrrd->axis + nrrd->dim,
-	                [](const NrrdAxisInfo& axis) { return std::isfinite(axis.spaceDirection[0]); }))
-		markAxesWithoutDirection(*nrrd);
-	const std::array<unsigned, 3> axes = componentsFirst(nrrd);
+	NrrdPointer nrrd = loadNrrd(request.file);
+	NrrdAxes axes = nrrdAxes(*nrrd);
+	orderAxes(nrrd, axes);
+	const ValueLayout layout = layoutOf(*nrrd, axes);
+	StepsInTime times = stepsInTime(nrrdTimes(*nrrd, axes), manifest);
+	chooseIfAny(times.times, request);
+	const std::size_t step = times.times.empty() ? 0 : times.steps[chooseStep(times.times, request)];
 
-	vtkNew<vtkImageData> image;
-	std::array<int, 3> points;
-	for (int a = 0; a < 3; ++a)
-	{
-		if (nrrd->axis[axes[a]].size > 1u << 30)
-			throw damaged("an axis of more samples than there can be");
-		points[a] = static_cast<int>(nrrd->axis[axes[a]].size);
-	}
-	image->SetDimensions(points.data());
-	place(*nrrd, axes, image);
-
-	const std::size_t samples = nrrdElementNumber(nrrd.get());
-	const auto values = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtkTypeOf(nrrd->type)));
-	values->SetNumberOfComponents(static_cast<int>(samples / static_cast<std::size_t>(image->GetNumberOfPoints())));
-	// From now on they belong to the array, which may be kept for longer. teem has them from malloc().
-	values->SetVoidArray(std::exchange(nrrd->data, nullptr), static_cast<vtkIdType>(samples), 0,
-	                     vtkAbstractArray::VTK_DATA_ARRAY_FREE);
-	values->SetName(nrrd->content && *nrrd->content ? nrrd->content : "NRRD");
-	image->GetPointData()->SetScalars(values);
-	manifest.setLengthUnits(lengthUnitsOfAxes(*nrrd, axes));
+	const std::string name = nrrd->content && *nrrd->content ? nrrd->content : "NRRD";
+	const auto values = emptyArray(layout, name, times.times.empty() ? Room::none : Room::made);
+	if (times.times.empty())
+		// From now on they belong to the array, which may be kept for longer. teem has them from malloc().
+		values->SetVoidArray(std::exchange(nrrd->data, nullptr), static_cast<vtkIdType>(layout.valueCount()), 0,
+		                     vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+	else
+		std::copy_n(static_cast<const char*>(nrrd->data) + step * layout.byteCount(), layout.byteCount(),
+		            static_cast<char*>(values->GetVoidPointer(0)));
+	const auto image = imageOf(values, layout.points);
+	const NrrdPlace place = nrrdPlace(*nrrd, axes);
+	image->SetOrigin(place.origin.data());
+	image->SetSpacing(place.spacing.data());
+	image->SetDirectionMatrix(place.direction.data());
+	if (!place.note.empty())
+		manifest.warn(place.note);
+	manifest.setLengthUnits(place.length_units);
+	manifest.setTimeUnits(nrrdTimeUnits(*nrrd, axes));
 	manifest.addLone(image);
+	manifest.offerTimes(std::move(times.times));
 }

@@ -64,7 +64,8 @@ TEST(Units, OfLengthsComeFromNrrd)
 	writeNrrdAbout(folder / "a.nrrd", in_space + "\nspace units: \"mm\" \"mm\" \"mm\"");
 	EXPECT_EQ(onlyBlockOf(folder / "a.nrrd").length_units, "mm");
 	writeNrrdAbout(folder / "b.nrrd", in_space + "\nspace units: \"mm\" \"mm\" \"m\"");
-	EXPECT_EQ(onlyBlockOf(folder / "b.nrrd").length_units, ""); // no one word for all
+	EXPECT_EQ(onlyBlockOf(folder / "b.nrrd").length_units, "mm"); // lengths along z are converted
+	EXPECT_EQ(onlyBlockOf(folder / "b.nrrd").bounds.hi, Vec3(1, 1, 1000));
 	writeNrrdAbout(folder / "c.nrrd", "spacings: 1 1 1\nunits: \"cm\" \"cm\" \"cm\"");
 	EXPECT_EQ(onlyBlockOf(folder / "c.nrrd").length_units, "cm");
 	writeNrrdAbout(folder / "d.nrrd", in_space);
