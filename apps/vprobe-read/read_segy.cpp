@@ -18,6 +18,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -36,6 +37,7 @@ public:
 		numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
 	}
 	std::size_t count() const { return numbers_.size(); }
+	const std::vector<int>& numbers() const { return numbers_; }
 	std::size_t indexOf(int number) const
 	{
 		return static_cast<std::size_t>(std::lower_bound(numbers_.begin(), numbers_.end(), number) - numbers_.begin());
@@ -54,6 +56,14 @@ struct SegySurvey
 	std::size_t crosslines;
 	std::vector<std::size_t> traces;
 	std::size_t missing = 0;
+	std::vector<int> inline_numbers{};
+	std::vector<int> crossline_numbers{};
+
+	// By the numbers of its lines.
+	std::array<double, 2> numbersOf(std::size_t n) const
+	{
+		return {double(inline_numbers[n / crosslines]), double(crossline_numbers[n % crosslines])};
+	}
 };
 
 SegySurvey arrangeTraces(const SegyFile& file)
@@ -78,6 +88,8 @@ SegySurvey arrangeTraces(const SegyFile& file)
 		place = t;
 	}
 	survey.missing = survey.traces.size() - file.traceCount();
+	survey.inline_numbers = inlines.numbers();
+	survey.crossline_numbers = crosslines.numbers();
 	return survey;
 }
 
@@ -102,6 +114,12 @@ public:
 		x_ = inverse * x;
 		y_ = inverse * y;
 	}
+	// Whether the traces lie on a line, or in one place: so it is where a file has no coordinates.
+	bool isFlat() const
+	{
+		const double area = x_.y * y_.z - x_.z * y_.y;
+		return !(std::abs(area) > 1e-9 * std::hypot(x_.y, y_.y) * std::hypot(x_.z, y_.z));
+	}
 	std::array<double, 2> at(std::size_t n, const SegySurvey& survey) const
 	{
 		const glm::dvec3 line = lineOf(n, survey);
@@ -118,9 +136,9 @@ private:
 	glm::dvec3 y_;
 };
 
-vtkSmartPointer<vtkStructuredGrid> segyGrid(const SegyFile& file, const SegySurvey& survey)
+vtkSmartPointer<vtkStructuredGrid> segyGrid(const SegyFile& file, const SegySurvey& survey, const SegyPlane& plane)
 {
-	const SegyPlane plane(file, survey);
+	const bool by_numbers = plane.isFlat();
 	vtkNew<vtkPoints> points;
 	const auto values =
 	    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(file.isDouble() ? VTK_DOUBLE : VTK_FLOAT));
@@ -138,8 +156,9 @@ vtkSmartPointer<vtkStructuredGrid> segyGrid(const SegyFile& file, const SegySurv
 		const std::size_t index = survey.traces[static_cast<std::size_t>(column)];
 		const bool is_here = index != kNoTrace;
 		const std::optional<SegyTrace> trace = is_here ? std::optional(file.trace(index)) : std::nullopt;
-		const std::array<double, 2> place =
-		    is_here ? std::array{trace->x, trace->y} : plane.at(static_cast<std::size_t>(column), survey);
+		const std::array<double, 2> place = by_numbers ? survey.numbersOf(static_cast<std::size_t>(column))
+		                                    : is_here  ? std::array{trace->x, trace->y}
+		                                               : plane.at(static_cast<std::size_t>(column), survey);
 		for (vtkIdType k = 0; k < samples; ++k)
 		{
 			// The time of the last sample is the least z: down in the ground.
@@ -171,5 +190,12 @@ void readSegy(const Request& request, ManifestWriter& manifest)
 	if (survey.missing > 0)
 		manifest.warn(fmt::format("{} of {} traces are missing; the cells about them are left out", survey.missing,
 		                          survey.traces.size()));
-	manifest.add(segyGrid(file, survey));
+	const SegyPlane plane(file, survey);
+	if (plane.isFlat())
+		manifest.warn(
+		    "its traces have no coordinates (bytes 181 and 73), or all on one line; x is the inline and y the "
+		    "crossline");
+	if (!file.note().empty())
+		manifest.warn(file.note());
+	manifest.add(segyGrid(file, survey, plane));
 }

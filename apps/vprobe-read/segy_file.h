@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 // What the header of a trace says.
@@ -24,10 +25,12 @@ public:
 	std::size_t traceCount() const { return traces_; }
 	std::size_t sampleCount() const { return samples_; }
 	double interval() const { return interval_; } // ms
+	// What is doubtful of the headers, for the user; mostly empty.
+	const std::string& note() const { return note_; }
 	SegyTrace trace(std::size_t index) const;
 	double sample(std::size_t trace, std::size_t index) const;
 	// True if its samples do not fit into single precision.
-	bool isDouble() const { return format_ == 2 || format_ == 6; }
+	bool isDouble() const { return format_ == 2 || format_ == 6 || format_ == 9 || format_ == 10 || format_ == 12; }
 
 private:
 	template <class Number>
@@ -35,7 +38,11 @@ private:
 	std::size_t placeOf(std::size_t trace) const { return start_ + trace * trace_bytes_; }
 	void chooseOrder();
 	void chooseWidth(int format);
-	void checkLengths() const;
+	void chooseLength();
+	void chooseInterval();
+	void checkTraces();
+	int revision() const;
+	double threeBytes(std::size_t at, bool has_sign) const;
 
 	std::string_view bytes_;
 	bool little_ = false;
@@ -47,4 +54,5 @@ private:
 	std::size_t trace_bytes_ = 0;
 	std::size_t traces_ = 0;
 	bool has_cdp_ = false;
+	std::string note_;
 };
