@@ -45,7 +45,7 @@ bool FileHead::isNifti() const
 	if (ends({".nii.gz"}))
 		return true;
 	return (head_.size() >= 348 && isOneOf(text().substr(kNiftiMagicAt, 3), {"n+1", "ni1"})) ||
-	       (head_.size() >= 12 && text().substr(4, 3) == "n+2");
+	       (head_.size() >= 12 && isOneOf(text().substr(4, 3), {"n+2", "ni2"}));
 }
 
 bool FileHead::isFolder() const

@@ -46,6 +46,21 @@ std::string lengthUnitsOfCode(int code)
 	return (code & kOfSpace) < 4 ? names[code & kOfSpace] : "";
 }
 
+std::string timeUnitsOfCode(int code)
+{
+	switch (code & 0x38)
+	{
+	case 8:
+		return "s";
+	case 16:
+		return "ms";
+	case 24:
+		return "µs";
+	default:
+		return "";
+	}
+}
+
 } // namespace
 
 void readNifti(const Request& request, ManifestWriter& manifest)
@@ -90,6 +105,7 @@ void readNifti(const Request& request, ManifestWriter& manifest)
 		image->SetOrigin(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
 	}
 	manifest.setLengthUnits(lengthUnitsOfCode(reader->GetNIFTIHeader()->GetXYZTUnits()));
+	manifest.setTimeUnits(timeUnitsOfCode(reader->GetNIFTIHeader()->GetXYZTUnits()));
 	manifest.addLone(image);
 	manifest.offerTimes(std::move(times));
 }
