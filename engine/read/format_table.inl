@@ -15,8 +15,8 @@ VP_FORMAT("vtk-xml-index", ".pvti .pvtr .pvts .pvtu .vtm .vthb .vth .pvd", "VTK 
           "pieces, blocks, AMR levels, times", "VTK", beside, head.isXmlOfVtk(), base, AnyXml)
 VP_FORMAT("openfoam", ".foam .openfoam", "OpenFOAM case, by a file in its folder", "regions; polyhedra; patches; times",
           "vprobe", folder, head.ends({".foam", ".openfoam"}), base, Foam)
-VP_FORMAT("nrrd", ".nrrd .nhdr", "NRRD", "orientation; components; units", "teem", beside, head.starts("NRRD"), base,
-          Nrrd)
+VP_FORMAT("nrrd", ".nrrd .nhdr", "NRRD", "orientation; components; times; units", "teem", beside, head.starts("NRRD"),
+          base, Nrrd)
 VP_FORMAT("nifti", ".nii .nii.gz .hdr", "NIfTI-1 and -2", "orientation; times; units; rescaled values", "VTK", beside,
           head.isNifti(), base, Nifti)
 VP_FORMAT("series", ".series", "ParaView's JSON list of files over time", "times", "vprobe", beside,
@@ -30,8 +30,8 @@ VP_FORMAT("vtkhdf", ".vtkhdf .hdf", "VTKHDF 1 and 2", "image data and unstructur
 VP_FORMAT("exodus", ".ex2 .e .exo .exii .g", "Exodus II, netCDF and HDF5",
           "element blocks; side sets; displacements; times", "VTK", alone,
           head.holds("num_nodes") && head.holds("num_dim"), more, Exodus)
-VP_FORMAT("metaimage", ".mhd .mha", "MetaImage, raw and compressed", "orientation; components", "VTK", beside,
-          head.ends({".mhd", ".mha"}) && head.has("NDims"), base, MetaImage)
+VP_FORMAT("metaimage", ".mhd .mha", "MetaImage, raw, text and compressed", "orientation; components; times; units",
+          "vprobe", beside, head.ends({".mhd", ".mha"}) && head.has("NDims"), base, MetaImage)
 VP_FORMAT("plot3d", ".xyz .x .p3d .bin", "PLOT3D, text and binary, with its solution",
           "grids; iblank; solution and function files", "VTK", beside, head.ends({".xyz", ".x", ".g", ".p3d", ".bin"}),
           more, Plot3d)
@@ -51,10 +51,10 @@ VP_FORMAT("amrex", "", "AMReX and BoxLib plot files, a folder", "AMR levels; val
 // Before TIFF: a file may be both, with a TIFF header in the room that DICOM leaves.
 VP_FORMAT("dicom", ".dcm .ima", "DICOM: a file of many frames, or a series, by its folder or one file",
           "orientation; rescaled values; times", "GDCM", beside, head.at(128, "DICM") || head.isFolder(), more, Dicom)
-VP_FORMAT("mrc", ".mrc .map .ccp4 .rec .st", "MRC and CCP4 map", "order of axes; origin; units", "vprobe", alone,
-          head.at(208, "MAP"), base, Mrc)
+VP_FORMAT("mrc", ".mrc .map .ccp4 .rec .st", "MRC and CCP4 map", "order of axes; origin; stacks as times; units",
+          "vprobe", alone, head.at(208, "MAP"), base, Mrc)
 VP_FORMAT("tiff", ".tif .tiff", "TIFF stack, also of ImageJ and OME-TIFF", "channels; times; spacing; units", "libtiff",
-          alone,
+          beside,
           head.starts("II*") || head.starts(std::string_view("MM\0*", 4)) || head.starts("II+") ||
               head.starts(std::string_view("MM\0+", 4)),
           base, Tiff)
