@@ -1,5 +1,6 @@
 #include "file_head.h"
 
+#include "base/real_text.h"
 #include "is_one_of.h"
 #include "lsdyna_words.h"
 #include "netcdf_size.h"
@@ -83,9 +84,10 @@ bool FileHead::isUcd() const
 	{
 		std::istringstream words(text);
 		int count = 0;
-		for (double number; words >> number;)
-			++count;
-		return words.eof() ? count : 0;
+		for (std::string word; words >> word; ++count)
+			if (!vp::parseReal(word))
+				return 0;
+		return count;
 	};
 	return numbersIn(line) == 5 && line.find('.') == line.npos && std::getline(lines, line) && numbersIn(line) == 4;
 }

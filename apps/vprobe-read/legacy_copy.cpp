@@ -429,7 +429,17 @@ private:
 		return fmt::format("the {}array {}", kind, decodedText(name));
 	}
 
-	std::string ownName() { return ownNameFor(std::string(at_.word())); }
+	// VTK's writer encodes a blank in the name of colors as "%%20", which its reader does not know.
+	std::string ownName()
+	{
+		std::string name(at_.word());
+		for (std::size_t at = name.find("%%"); at != name.npos; at = name.find("%%", at))
+		{
+			name.erase(at, 1);
+			is_changed_ = true;
+		}
+		return ownNameFor(name);
+	}
 
 	std::string ownNameFor(const std::string& name)
 	{

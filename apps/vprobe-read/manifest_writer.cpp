@@ -25,6 +25,7 @@
 #include <vtkRectilinearGrid.h>
 #include <vtkSmartPointer.h>
 #include <vtkStructuredGrid.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <fmt/format.h>
@@ -82,6 +83,16 @@ std::string typeName(std::uint8_t type)
 	if (name.starts_with("vtk"))
 		name.remove_prefix(3);
 	return std::string(name);
+}
+
+// Bits become bytes. Null for texts.
+vtkSmartPointer<vtkDataArray> withBytesForBits(vtkDataArray* array)
+{
+	if (!array || array->GetDataType() != VTK_BIT)
+		return array;
+	auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+	bytes->DeepCopy(array);
+	return bytes;
 }
 
 // As VTK's files carry them, or null.
@@ -310,11 +321,20 @@ vtkSmartPointer<vtkDataSet> ManifestWriter::withWishedArrays(vtkDataSet* given, 
 json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 {
 	json arrays = json::array();
+	const auto warnAboutText = [&](const char* association, vtkAbstractArray* array)
+	{
+		const char* name = array && array->GetName() ? array->GetName() : "";
+		std::string line = fmt::format("the {} array {} holds no numbers and is left out", association, name);
+		if (std::ranges::find(warnings_, line) == warnings_.end())
+			warn(std::move(line));
+	};
 	const auto describeAll = [&](vtkFieldData* fields, const char* association, vtkIdType tuples)
 	{
 		for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
 		{
-			vtkDataArray* array = fields->GetArray(i); // null for strings and variants
+			const vtkSmartPointer<vtkDataArray> array = withBytesForBits(fields->GetArray(i));
+			if (!array)
+				warnAboutText(association, fields->GetAbstractArray(i));
 			const auto type = array ? numberTypeOf(array) : std::nullopt;
 			if (!type || array == cells->GetCellGhostArray() || array == points->GetPointGhostArray())
 				continue; // ghost marks have done their work

@@ -176,9 +176,15 @@ void PlainXml::takeData(const XmlFile& given, std::string_view text)
 	if (is_empty_)
 		return;
 	const std::vector<std::string> names = giveOwnNames(data);
+	refuseOtherFields(data);
+	const auto piece = std::ranges::find_if(data.children, isPieceElement);
+	if (piece != data.children.end())
+		fields_ = fieldsOf(*piece);
 	const bool is_respelled = respellAttributes(data);
+	const bool has_fewer_keys = leaveOutStrangeKeys(data);
 	warn(names);
-	if (!copyNumbers(given, xml, text) && (has_steps || left_out > 0 || !names.empty() || is_respelled))
+	if (!copyNumbers(given, xml, text) &&
+	    (has_steps || left_out > 0 || !names.empty() || is_respelled || has_fewer_keys))
 		copy(given, xml, text);
 }
 
@@ -274,6 +280,8 @@ void PlainXml::takeIndex(const XmlFile& given, std::string_view text)
 	bool changes = false;
 	data_files_.clear();
 	std::vector<double> times;
+	const std::vector<std::string> names = giveOwnNames(data);
+	const std::map<std::string, std::string> fields = fieldsOf(data);
 	std::erase_if(data.children,
 	              [&](XmlElement& piece)
 	              {
@@ -288,6 +296,10 @@ void PlainXml::takeIndex(const XmlFile& given, std::string_view text)
 		              changes |= is_empty || plain.request().file != of_piece.file;
 		              if (is_empty)
 			              return true;
+		              for (const auto& [name, kind] : fields)
+			              if (!plain.fields_.contains(name))
+				              throw Refusal(fmt::format("its piece {} has no {}, which the index names; write it there",
+				                                        piece.attribute("Source"), name));
 		              for (auto& [name, value] : piece.attributes)
 			              if (name == "Source")
 				              value = plain.request().file;
@@ -297,7 +309,6 @@ void PlainXml::takeIndex(const XmlFile& given, std::string_view text)
 	              });
 	times_ = inOrder(std::move(times));
 	is_empty_ = data_files_.empty();
-	const std::vector<std::string> names = giveOwnNames(data);
 	warn(names);
 	changes |= !names.empty();
 	changes |= respellAttributes(data);

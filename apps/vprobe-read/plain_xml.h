@@ -6,6 +6,7 @@
 #include "xml_tree.h"
 
 #include <list>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,7 @@ private:
 	std::vector<std::string> data_files_;
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;
+	std::map<std::string, std::string> fields_; // of the pieces of a data file
 	bool has_unknown_text_ = false;
 	bool is_empty_ = false;
 };

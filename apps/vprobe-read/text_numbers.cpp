@@ -24,25 +24,6 @@ bool isBlankLetter(char c)
 	return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-// What stands between the tags of an array besides its numbers: comments, and elements that describe it.
-const char* behindMarkup(const char* at, const char* end, const std::string& array)
-{
-	const std::string_view rest(at, static_cast<std::size_t>(end - at));
-	const bool is_comment = rest.starts_with("<!--");
-	std::string closing = is_comment ? "-->" : ">";
-	if (!is_comment && rest.size() > 1 && rest[1] != '/' && rest[1] != '?' && rest[1] != '!')
-	{
-		const std::size_t tag = rest.find('>');
-		const std::string_view name = rest.substr(1, rest.find_first_of(" \t\r\n/>") - 1);
-		if (tag != rest.npos && rest[tag - 1] != '/')
-			closing = fmt::format("</{}>", name);
-	}
-	const std::size_t found = rest.find(closing);
-	if (rest.starts_with("<![") || found == rest.npos)
-		throw damaged(fmt::format("{} has tags among its numbers", array));
-	return at + found + closing.size();
-}
-
 template <class T>
 class NumberReader
 {
@@ -63,7 +44,12 @@ public:
 			if (at == end)
 				break;
 			if (target_.is_xml && *at == '<')
-				at = behindMarkup(at, end, array_);
+			{
+				const std::size_t length = lengthOfMarkup(std::string_view(at, static_cast<std::size_t>(end - at)));
+				if (length == 0)
+					throw damaged(fmt::format("{} has tags among its numbers", array_));
+				at += length;
+			}
 			else
 				at = take(at, end);
 		}
@@ -167,4 +153,18 @@ TextNumbers readNumbers(std::string_view text, NumberType type, const std::strin
 	default:
 		return NumberReader<double>(array, target).read(text);
 	}
+}
+
+std::size_t lengthOfMarkup(std::string_view text)
+{
+	const bool is_comment = text.starts_with("<!--");
+	std::string closing = is_comment ? "-->" : ">";
+	if (!is_comment && text.size() > 1 && text[1] != '/' && text[1] != '?' && text[1] != '!')
+	{
+		const std::size_t tag = text.find('>');
+		if (tag != text.npos && text[tag - 1] != '/')
+			closing = fmt::format("</{}>", text.substr(1, text.find_first_of(" \t\r\n/>") - 1));
+	}
+	const std::size_t found = text.find(closing);
+	return text.starts_with("<![") || found == text.npos ? 0 : found + closing.size();
 }

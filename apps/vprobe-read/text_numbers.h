@@ -36,3 +36,6 @@ struct NumberTarget
 // a Refusal, which names the array and the word, for what is no number, or does not fit into the type.
 TextNumbers readNumbers(std::string_view text, vp::grid::NumberType type, const std::string& array,
                         const NumberTarget& target);
+
+// The length of the comment, or of the element with all that it holds, at which a text begins; 0 if it does not end.
+std::size_t lengthOfMarkup(std::string_view text);

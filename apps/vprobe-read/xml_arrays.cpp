@@ -193,6 +193,14 @@ void nameArrays(XmlElement& section, std::set<std::string>& lines)
 	}
 }
 
+bool hasStrangeNumber(const XmlElement& element)
+{
+	for (TextCursor at(element.text); !at.atEnd();)
+		if (const std::optional<double> number = vp::parseReal(at.word()); number && !std::isfinite(*number))
+			return true;
+	return std::ranges::any_of(element.children, hasStrangeNumber);
+}
+
 struct NumbersOf
 {
 	std::string_view attribute;
@@ -309,6 +317,46 @@ std::vector<std::string> giveOwnNames(XmlElement& data)
 				if (holdsFields(section))
 					nameArrays(section, lines);
 	return {lines.begin(), lines.end()};
+}
+
+std::map<std::string, std::string> fieldsOf(const XmlElement& piece)
+{
+	std::map<std::string, std::string> fields;
+	for (const XmlElement& section : piece.children)
+		if (holdsFields(section))
+			for (const XmlElement& array : section.children)
+				fields[fmt::format("{} array {}", section.name.find("Point") != std::string::npos ? "point" : "cell",
+				                   array.attribute("Name"))] =
+				    fmt::format("{}, {} components", array.attribute("type"), componentsOf(array));
+	return fields;
+}
+
+void refuseOtherFields(const XmlElement& data)
+{
+	std::optional<std::map<std::string, std::string>> first;
+	for (const XmlElement& child : data.children)
+	{
+		if (child.name != "Piece")
+			continue;
+		const std::map<std::string, std::string> fields = fieldsOf(child);
+		if (!first)
+			first = fields;
+		for (const auto& [one, other] : {std::pair{&*first, &fields}, {&fields, &*first}})
+			for (const auto& [name, kind] : *one)
+				if (const auto found = other->find(name); found == other->end() || found->second != kind)
+					throw Refusal(fmt::format("its {} is not in all of its pieces, or of other types; write the same "
+					                          "arrays in each",
+					                          name));
+	}
+}
+
+bool leaveOutStrangeKeys(XmlElement& data)
+{
+	bool changes = std::erase_if(data.children, [](const XmlElement& child)
+	                             { return child.name == "InformationKey" && hasStrangeNumber(child); }) > 0;
+	for (XmlElement& child : data.children)
+		changes |= leaveOutStrangeKeys(child);
+	return changes;
 }
 
 bool respellAttributes(XmlElement& data)

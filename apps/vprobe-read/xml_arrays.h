@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,17 @@ std::optional<PieceSizes> sizesOfPiece(const XmlElement& piece);
 // Gives arrays of one association that have the same name, or none, names of their own, in all pieces of a file or in
 // an index of pieces. Returns a line for each name.
 std::vector<std::string> giveOwnNames(XmlElement& data);
+
+// The arrays of points and cells of a piece, or those that an index of pieces names: "point array c", with its type and
+// number of components.
+std::map<std::string, std::string> fieldsOf(const XmlElement& piece);
+// Throws a Refusal unless all pieces of a file have the same arrays: VTK's reader would leave what happens to be in
+// memory.
+void refuseOtherFields(const XmlElement& data);
+
+// Leaves out the keys of arrays whose numbers are not finite: VTK's readers fail over those that its own writer wrote.
+// They are ranges, which are found anew. Returns whether there was one.
+bool leaveOutStrangeKeys(XmlElement& data);
 
 // Writes the numbers of attributes such as Origin so that VTK's readers know them. Returns whether one was written
 // anew. Throws a Refusal for what is no finite number, and for too few or too many.

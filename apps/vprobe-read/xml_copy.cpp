@@ -60,11 +60,28 @@ bool isBlankText(std::string_view text)
 	return text.find_first_not_of(" \t\r\n") == text.npos;
 }
 
+// What stands between the tags of an array, without the elements that describe it.
+void writeData(std::string_view content, MemoryFile& to)
+{
+	while (!content.empty())
+	{
+		const std::size_t tag = std::min(content.find('<'), content.size());
+		to.append(content.substr(0, tag));
+		content.remove_prefix(tag);
+		if (const std::size_t length = lengthOfMarkup(content); !content.empty())
+			content.remove_prefix(length > 0 ? length : content.size());
+	}
+}
+
 void writeElement(const XmlElement& element, std::string_view text, MemoryFile& to)
 {
 	to.append(startTag(element) + ">");
 	if (isArray(element))
-		to.append(contentOf(element, text));
+	{
+		writeData(contentOf(element, text), to);
+		for (const XmlElement& child : element.children)
+			writeElement(child, text, to);
+	}
 	else if (element.children.empty() && !isBlankText(element.text))
 		to.append(escapedText(element.text));
 	else

@@ -6,7 +6,7 @@ usage: vtk_files.py VPROBE [FIRST-SEED COUNT]
 XML (text, base64, appended; raw or packed; both orders of bytes) and legacy files (text and binary, old and new lists of
 cells) of images, rectilinear, structured and unstructured grids, with arrays of all types, nan and inf among them. The
 values and places that vprobe converts, and those that it samples, are compared with the data set that was written, and
-with what VTK's own readers make of the file, where they read it right: they do not know nan and inf in text.
+with what VTK's own readers make of the file, where they read it right.
 VPROBE_LONG asks for 500 files. Exit code 77 where VTK's modules are missing.
 """
 import csv
@@ -143,6 +143,12 @@ class Spelling:
             x, y, z = self.data.GetPoint(i)
             linear.InsertNextValue(2 * x - y + 3 * z)
         self.data.GetPointData().AddArray(linear)
+        if self.random.random() < 0.3:
+            bits = core.vtkBitArray()
+            bits.SetName('bits')
+            for i in range(self.data.GetNumberOfCells()):
+                bits.InsertNextValue(i % 3 == 1)
+            self.data.GetCellData().AddArray(bits)
         number = core.vtkIntArray()
         number.SetName('number')
         for i in range(self.data.GetNumberOfCells()):
@@ -158,6 +164,11 @@ class Spelling:
             words.SetName('words')
             words.InsertNextValue('two words, 100 %')
             self.data.GetFieldData().AddArray(words)
+
+    def is_vtk_wrong(self):
+        """VTK's readers know no nan and inf in text, nor the names of colors that its writer encodes."""
+        return self.strange and (self.is_text or self.is_legacy) or self.is_legacy and \
+            any(self.data.GetAttributes(kind).GetScalars() for kind in (0, 1))
 
     def write(self, folder):
         pick = self.random.choice
@@ -187,7 +198,13 @@ class Spelling:
 
 
 def arrays_of(fields):
-    return {fields.GetArrayName(i): vtk_to_numpy(fields.GetArray(i)) for i in range(fields.GetNumberOfArrays())}
+    arrays = {}
+    for i in range(fields.GetNumberOfArrays()):
+        array = fields.GetArray(i)
+        bits = isinstance(array, core.vtkBitArray)
+        arrays[array.GetName()] = numpy.array([array.GetValue(k) for k in range(array.GetNumberOfValues())], numpy.uint8) \
+            if bits else vtk_to_numpy(array)
+    return arrays
 
 
 def points_of(data):
@@ -205,7 +222,7 @@ def read_by_vtk(path):
 
 
 def run(*arguments, text=None):
-    done = subprocess.run([VPROBE, *map(str, arguments)], capture_output=True, text=True, input=text)
+    done = subprocess.run([VPROBE, *map(str, arguments)], capture_output=True, encoding='utf-8', input=text)
     assert done.returncode == 0, done.stderr
     return done.stdout
 
@@ -219,7 +236,9 @@ def same(ours, wanted, what, digits=0.0):
 
 
 def compare_sets(ours, wanted, what, digits):
-    same(points_of(ours), points_of(wanted), f'{what}: places', max(digits, 1e-14))
+    # Numbers in the text of legacy files have few digits, and the sizes of images are always text.
+    near = 2e-5 if 'legacy' in what and (digits or what.startswith('image')) else 1e-12
+    assert numpy.allclose(points_of(ours), points_of(wanted), rtol=near, atol=near), f'{what}: places'
     for fields in ('GetPointData', 'GetCellData'):
         mine, theirs = arrays_of(getattr(ours, fields)()), arrays_of(getattr(wanted, fields)())
         assert set(mine) == set(theirs), (what, fields, sorted(mine), sorted(theirs))
@@ -253,9 +272,10 @@ def compare_samples(path, data):
             if name in arrays_of(data.GetPointData()) or values.dtype.kind != 'f':
                 continue
             ours, wanted = float(row[column[name]]), float(values[c])
-            assert ours == wanted or (ours != ours and wanted != wanted) or abs(ours - wanted) <= 1e-6 * abs(wanted), \
+            assert ours == wanted or (ours != ours and wanted != wanted) or abs(ours - wanted) <= 2e-5 * abs(wanted), \
                 (name, c, ours, wanted)
         assert row[column['number']] == str(7 * c)
+        assert 'bits' not in names or row[column['bits']] == str(int(c % 3 == 1)), row
 
 
 def compare(seed, folder):
@@ -264,11 +284,11 @@ def compare(seed, folder):
     out = folder / 'out.vtm'
     run('convert', path, '-o', out)
     ours = read_by_vtk(next((folder / 'out').iterdir()))
-    digits = 1e-5 if spelling.is_legacy and spelling.is_text else 0.0
+    digits = 2e-5 if spelling.is_legacy and spelling.is_text else 0.0
     what = f'{spelling.kind}, {spelling.how}'
     try:
         compare_sets(ours, spelling.data, f'{what}, as written', digits)
-        if not (spelling.is_text and spelling.strange) and not (spelling.is_legacy and spelling.strange):
+        if not spelling.is_vtk_wrong():
             compare_sets(ours, read_by_vtk(path), f'{what}, as read by VTK', digits)
         compare_samples(path, spelling.data)
     except AssertionError as error:
