@@ -341,12 +341,13 @@ void refuseOtherFields(const XmlElement& data)
 		const std::map<std::string, std::string> fields = fieldsOf(child);
 		if (!first)
 			first = fields;
-		for (const auto& [one, other] : {std::pair{&*first, &fields}, {&fields, &*first}})
-			for (const auto& [name, kind] : *one)
-				if (const auto found = other->find(name); found == other->end() || found->second != kind)
-					throw Refusal(fmt::format("its {} is not in all of its pieces, or of other types; write the same "
-					                          "arrays in each",
-					                          name));
+		const auto other = std::ranges::mismatch(*first, fields);
+		if (other.in1 == first->end() && other.in2 == fields.end())
+			continue;
+		const std::string& name = other.in1 != first->end() ? other.in1->first : other.in2->first;
+		throw Refusal(fmt::format("its {} is not in all of its pieces, or of another type there; write the same arrays "
+		                          "in each",
+		                          name));
 	}
 }
 

@@ -95,6 +95,8 @@ std::vector<std::string> makeSeeds()
 		const std::string ending = std::filesystem::path(file).extension().string();
 		if (ending.starts_with(".vt") && ending != ".vtk")
 			seeds.push_back(seed('X', fuzz::contentsOf(file)));
+		else if (ending == ".vtk")
+			seeds.push_back(seed('L', fuzz::contentsOf(file)));
 		else if (ending == ".mhd" || ending == ".mha")
 			seeds.push_back(seed('H', fuzz::contentsOf(file)));
 		else if (ending == ".ex2")

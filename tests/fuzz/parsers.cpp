@@ -3,9 +3,11 @@
 #include "ensight_case.h"
 #include "ensight_values.h"
 #include "foam_field.h"
+#include "legacy_copy.h"
 #include "meta_header.h"
 #include "netcdf_size.h"
 #include "plot3d_layout.h"
+#include "plot3d_text.h"
 #include "quick_xml.h"
 #include "read/build_block.h"
 #include "read/manifest.h"
@@ -16,7 +18,9 @@
 #include "sample_files.h"
 #include "surface/expression.h"
 #include "surface/grid_index.h"
+#include "xml_arrays.h"
 #include "xml_check.h"
+#include "xml_copy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -200,6 +204,27 @@ void feedQuickly(const std::string& file)
 	}
 }
 
+// Text of VTK's XML files becomes bytes.
+void feedXmlArrays(const std::string& file, const std::string& input)
+{
+	const std::optional<XmlFile> given = parseXml(input);
+	if (!given)
+		return;
+	XmlFile xml = *given;
+	for (XmlElement& data : xml.root.children)
+		if (data.name == xml.root.attribute("type"))
+		{
+			giveOwnNames(data);
+			respellAttributes(data);
+			leaveOutStrangeKeys(data);
+			const std::vector<XmlArray> arrays = arraysOfXml(data);
+			checkArrays(file, *given, arrays, input);
+			MemoryFile copy;
+			writeAsBytes(file, *given, xml, arrays, input, copy);
+			return;
+		}
+}
+
 void feedFile(char which, const std::string& input)
 {
 	static const TemporaryFolder folder;
@@ -213,7 +238,16 @@ void feedFile(char which, const std::string& input)
 			netcdfSize(file);
 			break;
 		case 'P':
-			refuseShortSolution(file, findPlot3dLayout(file));
+			if (const Plot3dLayout layout = findPlot3dLayout(file); layout.binary)
+				refuseShortSolution(file, layout);
+			else
+			{
+				MemoryFile copy;
+				writeGridAsBytes(fortranNumbers(input), layout, copy);
+			}
+			break;
+		case 'L':
+			copyLegacy(input);
 			break;
 		case 'H':
 			metaBytes(file, readMetaHeader(file), 0);
@@ -221,6 +255,7 @@ void feedFile(char which, const std::string& input)
 		case 'X':
 			refuseShortXml(file);
 			feedQuickly(file);
+			feedXmlArrays(file, input);
 			break;
 		default:
 			feedEnSight(folder, which, input);
@@ -252,6 +287,6 @@ void feedParser(const std::uint8_t* data, std::size_t size)
 		feedExpression(input);
 	else if (which == 'F')
 		feedFoam(input);
-	else if (std::string_view("NPHXEGV").find(which) != std::string_view::npos)
+	else if (std::string_view("NPHXLEGV").find(which) != std::string_view::npos)
 		feedFile(which, std::string(input));
 }
