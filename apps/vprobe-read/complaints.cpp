@@ -27,14 +27,13 @@ std::string first_complaint;
 std::string complained_at; // the file that was being read then
 std::vector<std::string> notes;
 std::size_t more_notes = 0;
-bool warnings_too = false;
 
 constexpr std::size_t kMaxNotes = 4;
 constexpr std::size_t kMaxNoteLength = 160;
 
 // Readers report these as mere warnings, or print them, and go on with values that were never read. docs/FORMATS.md
 // lists them by reader.
-constexpr std::array<std::string_view, 9> kLosesValues = {
+constexpr std::array<std::string_view, 8> kLosesValues = {
     "Uncompress failed",            // MetaImage: packed data that are shown as 0
     "Error reading binary data",    // legacy VTK
     "Error reading ascii data",     // legacy VTK
@@ -43,7 +42,6 @@ constexpr std::array<std::string_view, 9> kLosesValues = {
     "cgio_read",                    // CGNS
     "Unexpected data type for dim", // CGNS: the cells of a section
     "Error in cgio_get_data_type",  // CGNS
-    "may lose precision",           // OpenFOAM: ids that are cut to 32 bits
 };
 
 // "ERROR: In file.cxx, line 12\nvtkReader (0x1234): Words\n\n" leaves "Words".
@@ -79,7 +77,7 @@ void note(const char* text)
 	if (words.empty())
 		return;
 	const auto is_in_words = [&](std::string_view sign) { return words.find(sign) != words.npos; };
-	if (warnings_too || std::any_of(kLosesValues.begin(), kLosesValues.end(), is_in_words))
+	if (std::any_of(kLosesValues.begin(), kLosesValues.end(), is_in_words))
 		return keep(text);
 	if (words.size() > kMaxNoteLength)
 		words.replace(kMaxNoteLength, words.npos, "...");
@@ -135,11 +133,6 @@ void installComplaints()
 	vtkOutputWindow::SetInstance(window);
 	static NoteBuffer printed;
 	std::cerr.rdbuf(&printed);
-}
-
-void takeWarningsToo()
-{
-	warnings_too = true;
 }
 
 void refuseOnComplaint()

@@ -9,9 +9,6 @@
 // only told, unless it is one of those that lose values.
 void installComplaints();
 
-// Takes all warnings for errors.
-void takeWarningsToo();
-
 // Throws a Refusal if there was an error, in our own words, or std::bad_alloc if memory ran out.
 void refuseOnComplaint();
 

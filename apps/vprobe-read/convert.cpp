@@ -4,9 +4,13 @@
 #include "refusal.h"
 #include "request.h"
 
+#include <vtkAbstractArray.h>
+#include <vtkCellData.h>
 #include <vtkDataSet.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
 #include <vtkUnstructuredGrid.h>
@@ -16,6 +20,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 namespace fs = std::filesystem;
 
@@ -30,8 +35,29 @@ std::string endingOf(vtkDataSet* data)
 	                                                : ".vtu";
 }
 
+std::string escaped(const std::string& text)
+{
+	std::string words;
+	for (const char c : text)
+		words += c == '&' ? "&amp;" : c == '"' ? "&quot;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+	return words;
+}
+
+// VTK's writers put names into their files as they stand.
+void escapeNames(vtkFieldData* fields)
+{
+	static std::set<vtkAbstractArray*> done; // blocks may share arrays
+	for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+		if (vtkAbstractArray* array = fields->GetAbstractArray(i); array->GetName() && done.insert(array).second)
+			array->SetName(escaped(array->GetName()).c_str());
+}
+
 void writeXml(vtkDataSet* data, const std::string& file)
 {
+	for (vtkFieldData* fields : {static_cast<vtkFieldData*>(data->GetPointData()),
+	                             static_cast<vtkFieldData*>(data->GetCellData()), data->GetFieldData()})
+		if (fields)
+			escapeNames(fields);
 	vtkNew<vtkXMLDataSetWriter> writer;
 	writer->SetFileName(file.c_str());
 	writer->SetInputData(data);
@@ -40,14 +66,6 @@ void writeXml(vtkDataSet* data, const std::string& file)
 	// What the writer complains about is the place, not the input: that was read without a complaint.
 	if (!writer->Write() || writer->GetErrorCode() != 0 || hasComplaint() || !fs::exists(file))
 		throw NoRoom(kNoRoom);
-}
-
-std::string escaped(const std::string& text)
-{
-	std::string words;
-	for (const char c : text)
-		words += c == '&' ? "&amp;" : c == '"' ? "&quot;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-	return words;
 }
 
 // Pieces lie in a folder with the name of the index, once the parent has given them their places.

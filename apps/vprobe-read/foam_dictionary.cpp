@@ -31,21 +31,22 @@ const FoamEntry* FoamDictionary::find(std::string_view name) const
 }
 
 // A name with dots that is no name by itself goes from dictionary to dictionary.
-const FoamEntry* FoamDictionary::below(std::string_view name, bool goes_up) const
+const FoamEntry* FoamDictionary::below(std::string_view name, bool goes_up, bool with_patterns) const
 {
 	for (const FoamDictionary* at = this; at; at = goes_up ? at->parent_ : nullptr)
 	{
-		if (const FoamEntry* entry = at->find(name))
+		const auto found = [&](std::string_view part) { return with_patterns ? at->find(part) : at->named(part); };
+		if (const FoamEntry* entry = found(name))
 			return entry;
 		for (std::size_t dot = name.find('.'); dot != name.npos; dot = name.find('.', dot + 1))
-			if (const FoamEntry* entry = at->find(name.substr(0, dot)); entry && entry->dictionary)
-				if (const FoamEntry* found = entry->dictionary->below(name.substr(dot + 1), false))
-					return found;
+			if (const FoamEntry* entry = found(name.substr(0, dot)); entry && entry->dictionary)
+				if (const FoamEntry* inside = entry->dictionary->below(name.substr(dot + 1), false, with_patterns))
+					return inside;
 	}
 	return nullptr;
 }
 
-const FoamEntry* FoamDictionary::ofMacro(std::string_view name) const
+const FoamEntry* FoamDictionary::ofMacro(std::string_view name, bool with_patterns) const
 {
 	if (std::count_if(name.begin(), name.end(), [](char c) { return c == '.' || c == '/'; }) > kMaxDots)
 		return nullptr;
@@ -70,17 +71,17 @@ const FoamEntry* FoamDictionary::ofMacro(std::string_view name) const
 	{
 		while (at->parent_)
 			at = at->parent_;
-		return at->below(rest.substr(1), false);
+		return at->below(rest.substr(1), false, with_patterns);
 	}
 	if (!rest.starts_with('.'))
-		return at->below(rest, true);
+		return at->below(rest, true, with_patterns);
 	for (rest.remove_prefix(1); rest.starts_with('.'); rest.remove_prefix(1))
 	{
 		at = at->parent_;
 		if (!at)
 			return nullptr;
 	}
-	return at->below(rest, false);
+	return at->below(rest, false, with_patterns);
 }
 
 void FoamDictionary::put(FoamEntry entry)

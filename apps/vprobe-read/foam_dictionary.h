@@ -36,7 +36,8 @@ public:
 	// The entry of that name. A pattern is its own name.
 	const FoamEntry* named(std::string_view name) const;
 	// The entry that a macro means: "a", "a.b", ":a.b" from the top, ".a" from here, "..a" from the dictionary around.
-	const FoamEntry* ofMacro(std::string_view name) const;
+	// OpenFOAM takes patterns for macros that stand by themselves, and not for those in values.
+	const FoamEntry* ofMacro(std::string_view name, bool with_patterns) const;
 
 	const std::vector<FoamEntry>& entries() const { return entries_; }
 	std::size_t patterns() const { return patterns_; }
@@ -46,7 +47,7 @@ public:
 	void remove(std::string_view name);
 
 private:
-	const FoamEntry* below(std::string_view name, bool goes_up) const;
+	const FoamEntry* below(std::string_view name, bool goes_up, bool with_patterns) const;
 
 	const FoamDictionary* parent_;
 	std::vector<FoamEntry> entries_;

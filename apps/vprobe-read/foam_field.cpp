@@ -16,7 +16,12 @@ namespace
 class FoamValueReader
 {
 public:
-	FoamValueReader(const std::vector<FoamToken>& tokens, int components) : tokens_(tokens), components_(components) {}
+	FoamValueReader(const std::vector<FoamToken>& tokens, int components) : tokens_(tokens), components_(components)
+	{
+		for (const FoamToken& token : tokens)
+			if (token.kind == FoamToken::Kind::macro)
+				throw FoamUnknown(fmt::format("${} is a dictionary", token.text.substr(0, 40)));
+	}
 
 	std::shared_ptr<const FoamList> read()
 	{
@@ -63,10 +68,7 @@ private:
 	{
 		if (at_ >= tokens_.size())
 			throw damaged("a value ends early");
-		const FoamToken& token = tokens_[at_++];
-		if (token.kind == FoamToken::Kind::macro)
-			throw FoamUnknown(fmt::format("${} is a dictionary", token.text.substr(0, 40)));
-		return token;
+		return tokens_[at_++];
 	}
 
 	bool take(char mark)

@@ -1,6 +1,6 @@
 #include "foam_grid.h"
 
-#include "cell_of_faces.h"
+#include "cells_by_faces.h"
 #include "grown_cells.h"
 
 #include <vtkCellArray.h>
@@ -10,8 +10,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -32,29 +30,6 @@ std::span<const std::int64_t> cornersOfFace(const FoamMesh& mesh, std::size_t fa
 	const auto first = static_cast<std::size_t>(mesh.faces.starts[face]);
 	return std::span(mesh.faces.corners).subspan(first, static_cast<std::size_t>(mesh.faces.starts[face + 1]) - first);
 }
-
-// The faces of all cells, one cell after the other.
-struct FacesOfFoamCells
-{
-	explicit FacesOfFoamCells(const FoamMesh& mesh) : starts(mesh.cells + 1)
-	{
-		const auto each = [&](const auto& take)
-		{
-			for (std::size_t face = 0; face < mesh.owners.size(); ++face)
-				take(mesh.owners[face], face);
-			for (std::size_t face = 0; face < mesh.neighbours.size(); ++face)
-				take(mesh.neighbours[face], face);
-		};
-		each([&](std::int64_t cell, std::size_t) { ++starts[static_cast<std::size_t>(cell) + 1]; });
-		for (std::size_t cell = 0; cell < mesh.cells; ++cell)
-			starts[cell + 1] += starts[cell];
-		faces.resize(starts.back());
-		std::vector<std::size_t> at = starts;
-		each([&](std::int64_t cell, std::size_t face) { faces[at[static_cast<std::size_t>(cell)]++] = face; });
-	}
-
-	std::vector<std::size_t> starts, faces;
-};
 
 } // namespace
 
@@ -82,27 +57,8 @@ vtkSmartPointer<vtkDataArray> foamArray(const FoamList& list, std::size_t elemen
 
 vtkSmartPointer<vtkUnstructuredGrid> foamGrid(const FoamMesh& mesh)
 {
-	const FacesOfFoamCells of(mesh);
 	GrownCells cells;
-	std::vector<FaceCorners> faces;
-	for (std::size_t cell = 0; cell < mesh.cells; ++cell)
-	{
-		const std::size_t count = of.starts[cell + 1] - of.starts[cell];
-		if (count < 4)
-			throw damaged(fmt::format("cell {} of its mesh has {} faces", cell, count));
-		faces.resize(count);
-		for (std::size_t i = 0; i < count; ++i)
-		{
-			const std::size_t face = of.faces[of.starts[cell] + i];
-			const auto corners = cornersOfFace(mesh, face);
-			if (corners.size() < 3)
-				throw damaged(fmt::format("face {} of its mesh has {} corners", face, corners.size()));
-			faces[i].assign(corners.begin(), corners.end());
-			if (mesh.owners[face] != static_cast<std::int64_t>(cell)) // seen from the owner
-				std::reverse(faces[i].begin(), faces[i].end());
-		}
-		addCellOfFaces(cells, faces);
-	}
+	addCellsByFaces(cells, {mesh.faces.starts, mesh.faces.corners, mesh.owners, mesh.neighbours, mesh.cells});
 	auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
 	vtkNew<vtkPoints> points;
 	points->SetData(foamArray(mesh.points, mesh.points.size(), mesh.is_double));

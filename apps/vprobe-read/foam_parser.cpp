@@ -106,11 +106,11 @@ private:
 			throw Refusal("its macros make more of it than can be meant; write the values out");
 	}
 
-	const FoamEntry* ofMacro(std::string_view name, const FoamDictionary& from)
+	const FoamEntry* ofMacro(std::string_view name, const FoamDictionary& from, bool with_patterns = false)
 	{
 		for (const FoamDictionary* at = &from; at; at = at->parent())
 			work(1 + at->patterns());
-		return from.ofMacro(name);
+		return from.ofMacro(name, with_patterns);
 	}
 
 	void put(FoamDictionary& into, FoamEntry entry)
@@ -216,7 +216,7 @@ private:
 	// An entry by itself that is a macro: the entries of a dictionary, or a key.
 	void substitute(std::string_view name, Input& in, FoamDictionary& into)
 	{
-		const FoamEntry* found = ofMacro(name, into);
+		const FoamEntry* found = ofMacro(name, into, true);
 		if (found && found->dictionary)
 		{
 			const auto copy = copyOf(*found->dictionary, nullptr); // it may be one around, which grows meanwhile

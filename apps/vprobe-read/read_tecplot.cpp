@@ -1,5 +1,7 @@
 // Tecplot text files by a parser of our own: VTK's makes up zeros where a file ends early, and knows no shared values.
+#include "cells_by_faces.h"
 #include "formats.h"
+#include "grown_cells.h"
 #include "manifest_writer.h"
 #include "mapped_text.h"
 #include "refusal.h"
@@ -23,22 +25,29 @@
 namespace
 {
 
-// The variables that place the points: by their names, else the first three.
+// The axis that a variable's name means: "X", "y [m]", "CoordinateZ"; 3 for other names.
+std::size_t axisOf(const std::string& variable)
+{
+	std::string name = variable.substr(0, variable.find_first_of(" [(,"));
+	std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+	for (std::size_t axis = 0; axis < 3; ++axis)
+		if (name == std::string(1, static_cast<char>('x' + axis)) || name == fmt::format("coordinate{}", "xyz"[axis]))
+			return axis;
+	return 3;
+}
+
+// The variables that place the points: by their names, else the first ones that place nothing else.
 std::array<std::size_t, 3> placesOf(const std::vector<std::string>& variables)
 {
-	std::array<std::size_t, 3> places = {0, 1, 2};
-	for (std::size_t axis = 0; axis < 3; ++axis)
-		for (std::size_t v = 0; v < variables.size(); ++v)
-		{
-			std::string name = variables[v].substr(0, variables[v].find_first_of(" [(,"));
-			std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-			if (name == std::string(1, static_cast<char>('x' + axis)) ||
-			    name == fmt::format("coordinate{}", "xyz"[axis]))
-			{
-				places[axis] = v;
-				break;
-			}
-		}
+	constexpr auto none = static_cast<std::size_t>(-1);
+	std::array<std::size_t, 3> places = {none, none, none};
+	for (std::size_t v = 0; v < variables.size(); ++v)
+		if (const std::size_t axis = axisOf(variables[v]); axis < 3 && places[axis] == none)
+			places[axis] = v;
+	for (std::size_t& place : places)
+		for (std::size_t v = 0; place == none && v < variables.size(); ++v)
+			if (std::find(places.begin(), places.end(), v) == places.end())
+				place = v;
 	return places;
 }
 
@@ -81,8 +90,32 @@ void insertCells(const TecplotZone& zone, vtkUnstructuredGrid* grid)
 	}
 }
 
+vtkSmartPointer<vtkPointSet> dataOf(const TecplotZone& zone)
+{
+	if (zone.element_type.empty())
+	{
+		const auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+		grid->SetDimensions(static_cast<int>(zone.points[0]), static_cast<int>(zone.points[1]),
+		                    static_cast<int>(zone.points[2]));
+		return grid;
+	}
+	const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+	if (zone.faces)
+	{
+		GrownCells cells;
+		addCellsByFaces(cells,
+		                {zone.faces->starts, zone.faces->corners, zone.faces->left, zone.faces->right, zone.elements});
+		cells.fill(grid);
+	}
+	else
+		insertCells(zone, grid);
+	return grid;
+}
+
 void addZone(const TecplotFile& file, const TecplotZone& zone, ManifestWriter& manifest)
 {
+	if (zone.element_type == "POLYGON")
+		return manifest.warn(fmt::format("the flat polygons of {} are left out", zone.title));
 	const auto places = placesOf(file.variables);
 	vtkNew<vtkPoints> points;
 	points->SetDataTypeToDouble();
@@ -94,23 +127,12 @@ void addZone(const TecplotFile& file, const TecplotZone& zone, ManifestWriter& m
 	for (std::size_t p = 0; p < x.size(); ++p)
 		points->SetPoint(static_cast<vtkIdType>(p), x[p], (*zone.values[places[1]])[p], (*zone.values[places[2]])[p]);
 
-	vtkSmartPointer<vtkPointSet> data;
-	if (zone.element_type.empty())
-	{
-		const auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
-		grid->SetDimensions(static_cast<int>(zone.points[0]), static_cast<int>(zone.points[1]),
-		                    static_cast<int>(zone.points[2]));
-		data = grid;
-	}
-	else
-	{
-		const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-		insertCells(zone, grid);
-		data = grid;
-	}
+	const vtkSmartPointer<vtkPointSet> data = dataOf(zone);
 	data->SetPoints(points);
 	for (std::size_t v = 0; v < file.variables.size(); ++v)
 	{
+		if (!zone.values[v])
+			manifest.warn(fmt::format("{} has no values in {}, where it is passive", file.variables[v], zone.title));
 		if (!zone.values[v] || std::find(places.begin(), places.end(), v) != places.end())
 			continue;
 		vtkNew<vtkDoubleArray> array;

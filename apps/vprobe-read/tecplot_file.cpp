@@ -1,52 +1,35 @@
+// Tecplot text files, after the Tecplot 360 Data Format Guide, chapter "ASCII Data".
 #include "tecplot_file.h"
 
+#include "is_one_of.h"
 #include "refusal.h"
 #include "tecplot_lexer.h"
-#include "text_cursor.h"
+#include "tecplot_zone_head.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace
 {
 
-// "[1-3,7]" or "1-3" as numbers from 0.
-std::vector<std::size_t> numbersIn(std::string_view list, std::size_t end)
+// Names may have line ends in them.
+std::string onOneLine(std::string name)
 {
-	std::vector<std::size_t> numbers;
-	std::string words(list);
 	std::replace_if(
-	    words.begin(), words.end(), [](char c) { return c == '[' || c == ']' || c == ','; }, ' ');
-	TextCursor at(words);
-	while (!at.atEnd())
-	{
-		const std::string_view word = at.word();
-		const auto dash = word.find('-');
-		const std::int64_t first = TextCursor(word.substr(0, dash)).integer();
-		const std::int64_t last = dash == word.npos ? first : TextCursor(word.substr(dash + 1)).integer();
-		if (first < 1 || last > static_cast<std::int64_t>(end))
-			throw damaged(fmt::format("\"{}\" names variables that it does not have", word.substr(0, 20)));
-		for (std::int64_t n = first; n <= last; ++n)
-			numbers.push_back(static_cast<std::size_t>(n - 1));
-	}
-	return numbers;
+	    name.begin(), name.end(), [](unsigned char c) { return c < 0x20; }, ' ');
+	return name;
 }
 
-// Pairs of a list as "([1-3]=1,[4,5]=2)" has them.
-std::vector<std::pair<std::string, std::string>> pairsIn(std::string_view list)
+std::size_t product(std::size_t a, std::size_t b, std::size_t c)
 {
-	std::vector<std::pair<std::string, std::string>> pairs;
-	while (!list.empty())
-	{
-		const auto equals = list.find('=');
-		const auto end = std::min(list.find_first_of(",[", std::min(equals, list.size())), list.size());
-		pairs.emplace_back(list.substr(0, equals),
-		                   equals == list.npos ? "" : list.substr(equals + 1, end - equals - 1));
-		list.remove_prefix(std::min(std::max(end, std::size_t(1)), list.size()));
-	}
-	return pairs;
+	std::size_t result = 0;
+	if (__builtin_mul_overflow(a, b, &result) || __builtin_mul_overflow(result, c, &result) ||
+	    result > static_cast<std::size_t>(TecplotLexer::kMaxCount))
+		throw damaged("a zone of more points than there can be");
+	return result;
 }
 
 class Parser
@@ -58,37 +41,73 @@ public:
 	{
 		while (!at_.atEnd())
 		{
-			const std::string word = at_.word();
-			if (word == "TITLE" || word == "FILETYPE")
-				readText();
-			else if (word == "VARIABLES")
-				readVariables();
-			else if (word == "ZONE")
-				readZone();
-			else if (word == "DATASETAUXDATA")
-			{
-				at_.word();
-				readText();
-			}
-			else if (word == "VARAUXDATA")
-			{
-				at_.integer();
-				at_.word();
-				readText();
-			}
-			else if (word == "TEXT" || word == "GEOMETRY" || word == "CUSTOMLABELS")
-				throw Refusal(fmt::format("its {} records are not read; save it without them", word));
-			else
-				throw damaged(fmt::format("\"{}\" where a record begins", word.substr(0, 20)));
+			if (at_.isNumber())
+				throw damaged(file_.zones.empty() ? "numbers before its first zone"
+				                                  : fmt::format("\"{}\" has more values than it announces",
+				                                                file_.zones.back().title.substr(0, 40)));
+			readRecord(at_.word());
 		}
 		return std::move(file_);
 	}
 
 private:
+	void readRecord(const std::string& word)
+	{
+		if (word == "TITLE")
+			readText();
+		else if (word == "FILETYPE")
+			checkFileType(readText());
+		else if (word == "VARIABLES")
+			readVariables();
+		else if (word == "ZONE")
+			readZone();
+		else if (word == "DATASETAUXDATA")
+		{
+			at_.word();
+			readText();
+		}
+		else if (word == "VARAUXDATA")
+		{
+			at_.integer();
+			at_.word();
+			readText();
+		}
+		else if (isTecplotRecord(word)) // texts, drawings and labels
+			skipRecord();
+		else
+			throw damaged(fmt::format("\"{}\" where a record begins", word.substr(0, 20)));
+	}
+
 	std::string readText()
 	{
 		at_.take('=');
 		return at_.text();
+	}
+
+	static void checkFileType(std::string type)
+	{
+		std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::toupper(c); });
+		if (type == "SOLUTION")
+			throw Refusal("a Tecplot solution without its grid; save both in one file");
+	}
+
+	void skipRecord()
+	{
+		while (!at_.atEnd())
+		{
+			const bool is_value = at_.take('=');
+			if (at_.isString())
+				at_.text();
+			else if (at_.isNext('(') || at_.isNext('['))
+				at_.list();
+			else if (!at_.take(')') && !at_.isNext('='))
+			{
+				TecplotLexer ahead = at_;
+				if (isTecplotRecord(ahead.word()) && !is_value)
+					return;
+				at_ = ahead;
+			}
+		}
 	}
 
 	void readVariables()
@@ -100,204 +119,161 @@ private:
 			{
 				TecplotLexer ahead = at_;
 				const std::string word = ahead.word();
-				if (word.empty() || word == "ZONE" || word == "DATASETAUXDATA" || word == "VARAUXDATA" ||
-				    word == "TEXT" || word == "GEOMETRY")
+				if (word.empty() || isTecplotRecord(word))
 					return;
 			}
-			file_.variables.push_back(at_.text());
+			addVariable(onOneLine(at_.text()));
 		}
 	}
 
-	std::uint32_t side()
+	// Of several that have one name, each has a number from the second on.
+	void addVariable(const std::string& name)
 	{
-		const std::int64_t points = at_.integer();
-		if (points < 1 || points > TecplotLexer::kMaxCount - 1)
-			throw damaged(fmt::format("a zone of {} points along an axis", points));
-		return static_cast<std::uint32_t>(points);
+		const std::size_t number = ++names_[name];
+		std::string own = number == 1 ? name : fmt::format("{} ({})", name, number);
+		while (number > 1 && names_.contains(own))
+			own += "'";
+		names_.try_emplace(own, 1);
+		file_.variables.push_back(std::move(own));
 	}
-
-	std::size_t count()
-	{
-		const std::int64_t number = at_.integer();
-		if (number < 0 || number > TecplotLexer::kMaxCount)
-			throw damaged(fmt::format("a zone of {} nodes or elements", number));
-		return static_cast<std::size_t>(number);
-	}
-
-	struct Header
-	{
-		TecplotZone zone;
-		bool in_blocks = false;
-		std::vector<bool> passive;
-		std::map<std::size_t, std::size_t> shared; // variable to zone
-		std::optional<std::size_t> shared_corners;
-	};
 
 	void readZone()
 	{
 		if (file_.variables.empty())
 			throw damaged("a zone before its VARIABLES");
-		Header header;
-		header.passive.resize(file_.variables.size());
-		header.zone.title = fmt::format("zone {}", file_.zones.size() + 1);
-		while (!at_.atEnd() && !at_.isNumber())
-		{
-			TecplotLexer ahead = at_;
-			const std::string key = ahead.word();
-			if (key == "ZONE") // all of this one is shared
-				break;
-			at_ = ahead;
-			if (key == "AUXDATA")
-				at_.word();
-			if (!at_.take('='))
-				throw damaged(fmt::format("\"{}\" in the head of a zone", key.substr(0, 20)));
-			readKey(key, header);
-		}
-		readValues(header);
-		readCorners(header);
-		file_.zones.push_back(std::move(header.zone));
+		TecplotZoneHead head = readTecplotZoneHead(at_, file_);
+		head.zone.title = onOneLine(head.zone.title);
+		readValues(head);
+		if (!at_.isBetweenValues())
+			throw damaged(fmt::format("\"{}\" has more values than it announces", head.zone.title.substr(0, 40)));
+		if (isOneOf(head.zone.element_type, {"POLYGON", "POLYHEDRON"}))
+			readFaces(head);
+		else if (!head.zone.element_type.empty())
+			readCorners(head);
+		while ((head.has_neighbors || head.has_outer_neighbors) && at_.isNumber())
+			at_.real();
+		file_.zones.push_back(std::move(head.zone));
 	}
 
-	void readKey(const std::string& key, Header& header)
+	void readValues(TecplotZoneHead& head)
 	{
-		TecplotZone& zone = header.zone;
-		const std::size_t variables = file_.variables.size();
-		if (key == "T")
-			zone.title = at_.text();
-		else if (key == "I" || key == "J" || key == "K")
-			zone.points[static_cast<std::size_t>(key[0] - 'I')] = side();
-		else if (key == "N" || key == "NODES")
-			zone.nodes = count();
-		else if (key == "E" || key == "ELEMENTS")
-			zone.elements = count();
-		else if (key == "ET" || key == "ZONETYPE")
-		{
-			const std::string type = at_.word();
-			zone.element_type = type == "ORDERED" ? "" : type.starts_with("FE") ? type.substr(2) : type;
-		}
-		else if (key == "F" || key == "DATAPACKING")
-		{
-			const std::string packing = at_.word();
-			header.in_blocks = packing.ends_with("BLOCK");
-			if (packing.starts_with("FE") && zone.element_type.empty())
-				zone.element_type = packing.substr(0, 2); // until ET= follows
-		}
-		else if (key == "SOLUTIONTIME")
-			zone.time = at_.real();
-		else if (key == "VARLOCATION")
-		{
-			for (const auto& [names, place] : pairsIn(at_.group()))
-				if (place.find("CELL") != place.npos || place.find("cell") != place.npos)
-					for (const std::size_t v : numbersIn(names, variables))
-						zone.cell_variables.insert(v);
-		}
-		else if (key == "VARSHARELIST")
-		{
-			for (const auto& [names, from] : pairsIn(at_.group()))
-				for (const std::size_t v : numbersIn(names, variables))
-					header.shared[v] = zoneNumber(from);
-		}
-		else if (key == "CONNECTIVITYSHAREZONE")
-			header.shared_corners = zoneNumber(at_.word());
-		else if (key == "PASSIVEVARLIST")
-		{
-			for (const std::size_t v : numbersIn(at_.group(), variables))
-				header.passive[v] = true;
-		}
-		else if (key == "DT")
-			at_.group();
-		else
-			at_.text(); // of no use here: colors, strands, parents, auxiliary data
-	}
+		TecplotZone& zone = head.zone;
+		std::vector<std::shared_ptr<std::vector<double>>> read(file_.variables.size());
+		for (std::size_t v = 0; v < read.size(); ++v)
+			if (!head.passive[v] && !head.shared.contains(v))
+				read[v] = std::make_shared<std::vector<double>>();
+		if (head.is_counted)
+			countPoints(read, zone);
 
-	// From 0; without a number it is the zone before.
-	std::size_t zoneNumber(const std::string& text)
-	{
-		const std::size_t zones = file_.zones.size();
-		const std::int64_t number = text.empty() ? static_cast<std::int64_t>(zones) : TextCursor(text).integer();
-		if (number < 1 || number > static_cast<std::int64_t>(zones))
-			throw damaged(fmt::format("a zone shares what zone {} has, which does not come before it", number));
-		return static_cast<std::size_t>(number - 1);
-	}
-
-	static std::size_t product(std::size_t a, std::size_t b, std::size_t c)
-	{
-		std::size_t result = 0;
-		if (__builtin_mul_overflow(a, b, &result) || __builtin_mul_overflow(result, c, &result) ||
-		    result > static_cast<std::size_t>(TecplotLexer::kMaxCount))
-			throw damaged("a zone of more points than there can be");
-		return result;
-	}
-
-	void readValues(Header& header)
-	{
-		TecplotZone& zone = header.zone;
 		const bool ordered = zone.element_type.empty();
 		const auto& p = zone.points;
 		const auto cells = [](std::uint32_t side) { return std::max(side, 2u) - 1; };
 		const std::size_t points = ordered ? product(p[0], p[1], p[2]) : zone.nodes;
 		const std::size_t middles = ordered ? product(cells(p[0]), cells(p[1]), cells(p[2])) : zone.elements;
-		if (!header.in_blocks && !zone.cell_variables.empty())
-			throw damaged("values at cells need DATAPACKING=BLOCK");
-
-		std::vector<std::shared_ptr<std::vector<double>>> read(file_.variables.size());
-		for (std::size_t v = 0; v < read.size(); ++v)
-			if (!header.passive[v] && !header.shared.contains(v))
-				read[v] = std::make_shared<std::vector<double>>();
-		if (header.in_blocks)
-		{
+		const auto wanted = [&](std::size_t v) { return zone.cell_variables.contains(v) ? middles : points; };
+		if (head.in_blocks)
 			for (std::size_t v = 0; v < read.size(); ++v)
-				for (std::size_t i = 0; read[v] && i < (zone.cell_variables.contains(v) ? middles : points); ++i)
+				for (std::size_t i = 0; read[v] && i < wanted(v); ++i)
 					read[v]->push_back(at_.value());
-		}
-		else
+		else if (!head.is_counted)
 			for (std::size_t i = 0; i < points; ++i)
 				for (const auto& values : read)
 					if (values)
 						values->push_back(at_.value());
 
-		zone.values.resize(read.size());
-		for (std::size_t v = 0; v < read.size(); ++v)
-			zone.values[v] = read[v];
-		for (const auto& [v, from] : header.shared)
+		zone.values.assign(read.begin(), read.end());
+		for (const auto& [v, from] : head.shared)
 		{
 			zone.values[v] = file_.zones[from].values[v];
-			const std::size_t wanted = zone.cell_variables.contains(v) ? middles : points;
-			if (zone.values[v] && zone.values[v]->size() != wanted)
+			if (zone.values[v] && zone.values[v]->size() != wanted(v))
 				throw damaged("a zone shares values with one of another size");
 		}
 	}
 
-	void readCorners(Header& header)
+	// As many points as there are values before the next record.
+	void countPoints(const std::vector<std::shared_ptr<std::vector<double>>>& read, TecplotZone& zone)
 	{
-		TecplotZone& zone = header.zone;
-		if (zone.element_type.empty())
-			return;
+		std::size_t points = 0;
+		const bool has_values = std::ranges::any_of(read, [](const auto& values) { return values != nullptr; });
+		for (; has_values && (at_.isNumber() || !at_.isBetweenValues()); ++points)
+			for (const auto& values : read)
+				if (values)
+					values->push_back(at_.value());
+		if (points >= std::numeric_limits<std::uint32_t>::max())
+			throw damaged("a zone of more points than there can be");
+		zone.points[0] = std::max(static_cast<std::uint32_t>(points), 1u);
+		if (points == 0 && has_values)
+			throw damaged("a zone without values");
+	}
+
+	std::int64_t node(const TecplotZone& zone)
+	{
+		const std::int64_t node = at_.integer();
+		if (node < 1 || node > static_cast<std::int64_t>(zone.nodes))
+			throw damaged(fmt::format("an element has node {} of {}", node, zone.nodes));
+		return node - 1;
+	}
+
+	void readCorners(TecplotZoneHead& head)
+	{
+		TecplotZone& zone = head.zone;
 		const auto corners = static_cast<std::size_t>(tecplotCorners(zone.element_type));
-		if (corners == 0)
-			throw Refusal(
-			    fmt::format("a zone of {} elements, which are not read; convert it to FEBRICK or FETETRAHEDRON",
-			                zone.element_type.substr(0, 20)));
-		if (header.shared_corners)
+		if (head.shared_corners)
 		{
-			zone.corners = file_.zones[*header.shared_corners].corners;
-			if (!zone.corners || zone.corners->size() != corners * zone.elements)
+			zone.corners = file_.zones[*head.shared_corners].corners;
+			const auto isBelow = [&](std::int64_t n) { return n < static_cast<std::int64_t>(zone.nodes); };
+			if (!zone.corners || zone.corners->size() != corners * zone.elements ||
+			    !std::ranges::all_of(*zone.corners, isBelow))
 				throw damaged("a zone shares elements with one of another size");
 			return;
 		}
 		auto read = std::make_shared<std::vector<std::int64_t>>();
 		for (std::size_t i = 0; i < corners * zone.elements; ++i)
-		{
-			const std::int64_t node = at_.integer();
-			if (node < 1 || node > static_cast<std::int64_t>(zone.nodes))
-				throw damaged(fmt::format("an element has node {} of {}", node, zone.nodes));
-			read->push_back(node - 1);
-		}
+			read->push_back(node(zone));
 		zone.corners = std::move(read);
+	}
+
+	void readFaces(TecplotZoneHead& head)
+	{
+		TecplotZone& zone = head.zone;
+		if (head.shared_corners)
+		{
+			const TecplotZone& other = file_.zones[*head.shared_corners];
+			zone.faces = other.faces;
+			if (!zone.faces || other.nodes != zone.nodes || other.elements != zone.elements)
+				throw damaged("a zone shares faces with one of another size");
+			return;
+		}
+		if (head.faces > at_.left())
+			throw damaged(fmt::format("it announces {} faces, more than it has room for", head.faces));
+		auto faces = std::make_shared<TecplotFaces>();
+		for (std::size_t f = 0; f < head.faces; ++f)
+		{
+			const std::int64_t corners = zone.element_type == "POLYGON" ? 2 : at_.integer();
+			if (corners < 2 || corners > static_cast<std::int64_t>(zone.nodes))
+				throw damaged(fmt::format("a face of {} nodes", corners));
+			faces->starts.push_back(faces->starts.back() + corners);
+		}
+		const auto all = static_cast<std::size_t>(faces->starts.back());
+		if (head.face_corners && *head.face_corners != all)
+			throw damaged(fmt::format("its faces have {} nodes, where it announces {}", all, *head.face_corners));
+		for (std::size_t i = 0; i < all; ++i)
+			faces->corners.push_back(node(zone));
+		for (auto* side : {&faces->left, &faces->right})
+			for (std::size_t f = 0; f < head.faces; ++f)
+			{
+				// Below 0 it is one of other zones, which are listed behind.
+				const std::int64_t element = at_.integer();
+				if (element > static_cast<std::int64_t>(zone.elements) || (element < 0 && !head.has_outer_neighbors))
+					throw damaged(fmt::format("a face has element {} of {}", element, zone.elements));
+				side->push_back(std::max(element - 1, std::int64_t(-1)));
+			}
+		zone.faces = std::move(faces);
 	}
 
 	TecplotLexer at_;
 	TecplotFile file_;
+	std::map<std::string, std::size_t> names_;
 };
 
 } // namespace

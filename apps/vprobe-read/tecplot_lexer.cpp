@@ -1,5 +1,6 @@
 #include "tecplot_lexer.h"
 
+#include "base/real_text.h"
 #include "refusal.h"
 #include "text_cursor.h"
 
@@ -37,13 +38,13 @@ bool TecplotLexer::atEnd()
 
 bool TecplotLexer::isNumber()
 {
-	skipBlanks();
-	std::size_t at = at_;
-	if (at < text_.size() && (text_[at] == '-' || text_[at] == '+'))
-		++at;
-	if (at < text_.size() && text_[at] == '.')
-		++at;
-	return at < text_.size() && std::isdigit(static_cast<unsigned char>(text_[at]));
+	TecplotLexer ahead = *this;
+	if (ahead.atEnd())
+		return false;
+	std::string_view word = ahead.bareWord();
+	if (const auto star = word.find('*'); star != word.npos)
+		word.remove_prefix(star + 1);
+	return vp::parseReal(word) && !ahead.isNext('=');
 }
 
 bool TecplotLexer::isString()
@@ -75,32 +76,49 @@ std::string TecplotLexer::text()
 	if (!isString())
 		return std::string(bareWord());
 	const char quote = text_[at_];
-	const std::size_t end = text_.find(quote, at_ + 1);
-	if (end == text_.npos)
-		throw damaged("a text without its end");
-	std::string words(text_.substr(at_ + 1, end - at_ - 1));
-	at_ = end + 1;
-	return words;
+	std::string words;
+	for (std::size_t at = at_ + 1; at < text_.size(); ++at)
+	{
+		const bool is_escaped =
+		    text_[at] == '\\' && at + 1 < text_.size() && (text_[at + 1] == quote || text_[at + 1] == '\\');
+		if (text_[at] == quote)
+		{
+			at_ = at + 1;
+			return words;
+		}
+		words += text_[is_escaped ? ++at : at];
+	}
+	throw damaged("a text without its end");
+}
+
+bool TecplotLexer::isNext(char sign)
+{
+	skipBlanks();
+	return at_ < text_.size() && text_[at_] == sign;
 }
 
 bool TecplotLexer::take(char sign)
 {
-	skipBlanks();
-	if (at_ == text_.size() || text_[at_] != sign)
+	if (!isNext(sign))
 		return false;
 	++at_;
 	return true;
 }
 
-std::string_view TecplotLexer::group()
+std::string_view TecplotLexer::list()
 {
-	skipBlanks();
-	const std::size_t end = std::min(text_.find(')', at_), text_.size());
-	if (at_ == text_.size() || text_[at_] != '(' || end == text_.size())
-		throw damaged("a list without its brackets");
-	const std::string_view inside = text_.substr(at_ + 1, end - at_ - 1);
-	at_ = end + 1;
-	return inside;
+	if (!isNext('(') && !isNext('['))
+		return bareWord();
+	const std::size_t start = at_ + 1;
+	int depth = 0;
+	for (; at_ < text_.size(); ++at_)
+	{
+		depth += text_[at_] == '(' || text_[at_] == '[';
+		depth -= text_[at_] == ')' || text_[at_] == ']';
+		if (depth == 0)
+			return text_.substr(start, at_++ - start);
+	}
+	throw damaged("a list without its brackets");
 }
 
 std::int64_t TecplotLexer::integer()

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -20,12 +19,15 @@ public:
 	std::string text();
 	// Takes the sign if it comes next.
 	bool take(char sign);
-	// What stands in brackets (), which come next.
-	std::string_view group();
+	bool isNext(char sign);
+	// A list in () or [], which comes next, without its outermost brackets; else a word.
+	std::string_view list();
 	std::int64_t integer();
 	double real();
 	// The next of many numbers, which may be written 8*0.5 for eight of them.
 	double value();
+	// False while some of the numbers that one word repeats are still to be taken.
+	bool isBetweenValues() const { return repeats_ == 0; }
 	// Bytes that are left.
 	std::size_t left() const { return text_.size() - at_; }
 	// A number of values or cells. Repeated ones take no room, but no more than so many are believed.

@@ -116,6 +116,12 @@ TEST(FoamField, Macros)
 	EXPECT_EQ(scalars("internalField uniform ${none:-5};").inside(), Numbers{5});
 	EXPECT_EQ(Field(foamFile("volVectorField", "Ux 2;\ninternalField uniform ($Ux 0 ${Ux});")).inside(),
 	          (Numbers{2, 0, 2}));
+	EXPECT_EQ(
+	    scalars(kTwo +
+	            "v uniform 6;\nboundaryField { \".*\" { value uniform 1; } inlet { value $v; } outlet { $some; } }")
+	        .first(0),
+	    6);
+	EXPECT_EQ(scalars(kTwo + "boundaryField { \".*\" { value uniform 1; } outlet { $some; } }").first(1), 1);
 	EXPECT_EQ(scalars("a { $..b; } b { c 1; } a { c 2; $..b; } internalField uniform $a.c;").inside(), Numbers{1});
 	EXPECT_EQ(scalars(kTwo + "boundaryField { inlet { value uniform 6; } outlet $inlet; }").first(1), 6);
 }
