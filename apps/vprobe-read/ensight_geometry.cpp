@@ -212,7 +212,9 @@ private:
 		if (!isEnSightElement(elements.type))
 			at_.refuse(fmt::format("\"{}\" where a type of elements is wanted", line.substr(0, 20)));
 		elements.count = at_.count(1);
-		if (element_ids_)
+		// EnSight 6 has each id in front of its element's nodes in text.
+		const bool id_in_line = element_ids_ && !geometry_.is_gold && !at_.isBinary();
+		if (element_ids_ && !id_in_line)
 			at_.integers(elements.count);
 		std::int64_t nodes = checkedProduct(elements.count, ensightNodesOf(elements.type), at_);
 		if (elements.type == "nsided" || elements.type == "nfaced")
@@ -225,11 +227,23 @@ private:
 				nodes = sumOf(elements.face_sizes);
 			}
 		}
-		elements.nodes = at_.integers(nodes);
+		elements.nodes = id_in_line ? nodesWithIds(elements.count, ensightNodesOf(elements.type)) : at_.integers(nodes);
 		const std::int64_t points = geometry_.is_gold ? part.points() : 0;
 		for (std::int64_t& node : elements.nodes)
 			node = geometry_.is_gold ? checkedNode(node, points, elements.type) : globalNode(node, elements.type);
 		part.elements.push_back(std::move(elements));
+	}
+
+	std::vector<std::int64_t> nodesWithIds(std::int64_t count, std::int64_t nodes_of_each)
+	{
+		std::vector<std::int64_t> nodes;
+		for (std::int64_t i = 0; i < count; ++i)
+		{
+			at_.integer();
+			for (std::int64_t n = 0; n < nodes_of_each; ++n)
+				nodes.push_back(at_.integer());
+		}
+		return nodes;
 	}
 
 	std::int64_t sumOf(const std::vector<std::int64_t>& sizes) const
