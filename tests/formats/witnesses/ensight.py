@@ -80,11 +80,12 @@ class Part:
         self.points = numpy.stack([x.ravel(), y.ravel(), z.ravel()], axis=1)
         if self.kind in ('unstructured', 'curvilinear'):
             self.points = self.points + numbers.integers(-1, 2, self.points.shape) / 8
-        self.blanks = None
+        self.blanks, self.elements = None, []
         if self.kind == 'curvilinear' and rand.random() < 0.4:
-            self.blanks = (numbers.random(len(self.points)) > 0.05).astype(int)
+            blanks = (numbers.random(len(self.points)) > 0.05).astype(int)
+            if self.centers(blanks[:, None].astype(float)).max() == 1:  # a cell is left
+                self.blanks = blanks
         hexahedra = [corners(n, i, j, k) for k in range(n[2] - 1) for j in range(n[1] - 1) for i in range(n[0] - 1)]
-        self.elements = []  # type, cells; of nfaced the faces of each
         self.count = len(hexahedra)
         if self.kind == 'unstructured':
             self.elements = self.make_elements(rand, hexahedra, gold)

@@ -1,0 +1,242 @@
+"""Straight unit cubes of curved cells, written by the libraries of their fields: a cut has exactly the area 1."""
+import itertools
+
+from against import Missing, cut, need
+from exodus import corners_of
+from odd import refused
+
+# Corners, Gmsh's type, and meshio's name of the quadratic cells.
+GMSH_TYPES = [(4, 4), (8, 5), (6, 6), (5, 7), (4, 11), (8, 12), (6, 13), (5, 14), (8, 17), (6, 18), (5, 19)]
+MESHIO_NAMES = {'QuadraticTetra': 'tetra10', 'QuadraticHexahedron': 'hexahedron20', 'QuadraticWedge': 'wedge15',
+                'TriQuadraticHexahedron': 'hexahedron27', 'BiQuadraticQuadraticWedge': 'wedge18',
+                'BiQuadraticQuadraticHexahedron': 'hexahedron24', 'QuadraticPyramid': 'pyramid13'}
+LINEAR = {4: 'Tetra', 5: 'Pyramid', 6: 'Wedge', 8: 'Hexahedron'}
+
+
+def check_cube(path, *options):
+    for axis in range(3):
+        origin, normal = [0.45, 0.55, 0.35], [0, 0, 0]
+        origin[axis], normal[axis] = 0.4, 1
+        sheet = cut(path, None, '--origin', *origin, '--normal', *normal, *options)
+        assert abs(sheet['area'] - 1) < 1e-12, (path.name, options, axis, sheet['area'])
+
+
+def check_both(path):
+    check_cube(path)
+    check_cube(path, '--refine', 0.01)
+
+
+def reference_places(numpy, gmsh, kind):
+    """Places of the nodes by the weights of the linear cell's corners, which Gmsh's own reference elements give."""
+    name, _, _, count, places, corners = gmsh.model.mesh.getElementProperties(kind)
+    places = numpy.array(places).reshape(count, 3)
+    u, v, w = places.T
+    if name.startswith('Hexa'):
+        weights = [(1 + a * u) * (1 + b * v) * (1 + c * w) / 8 for a, b, c in places[:8]]
+    elif name.startswith('Prism'):
+        weights = [f * (1 + c * w) / 2 for c in (-1, 1) for f in (1 - u - v, u, v)]
+    elif name.startswith('Tetra'):
+        weights = [1 - u - v - w, u, v, w]
+    else:  # a straight pyramid is its own reference: corners of the base at (+-1, +-1, 0), the tip at (0, 0, 1)
+        scale = numpy.where(w < 1, 1 - w, 1)
+        weights = [numpy.where(w < 1, (scale + a * u) * (scale + b * v) / (4 * scale), 0)
+                   for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))] + [w]
+    weights = numpy.stack(weights, axis=1)
+    assert numpy.allclose(weights[:corners], numpy.eye(corners)) and numpy.allclose(weights.sum(axis=1), 1), name
+    return name, weights
+
+
+def gathered(numpy, cells):
+    """Points, each once, and the cells' numbers of them."""
+    points, index = numpy.unique(numpy.concatenate(cells).round(12), axis=0, return_inverse=True)
+    return points, index.reshape(len(cells), -1)
+
+
+def gmsh_cubes(folder):
+    gmsh, numpy = need('gmsh'), need('numpy')
+    gmsh.initialize(['gmsh', '-nopopup', '-v', '0'])
+    try:
+        for corners, kind in GMSH_TYPES:
+            gmsh.model.add(f'cube {kind}')
+            name, weights = reference_places(numpy, gmsh, kind)
+            points, cells = gathered(numpy, [weights @ numpy.array(cell) for cell in corners_of(numpy, corners)])
+            gmsh.model.addDiscreteEntity(3, 1)
+            gmsh.model.mesh.addNodes(3, 1, range(1, len(points) + 1), points.ravel())
+            gmsh.model.mesh.addElementsByType(1, kind, range(1, len(cells) + 1), (cells + 1).ravel())
+            for version, binary in ((1, 0), (2.2, 0), (2.2, 1), (4.0, 0), (4.1, 0), (4.1, 1)):
+                gmsh.option.setNumber('Mesh.MshFileVersion', version)
+                gmsh.option.setNumber('Mesh.Binary', binary)
+                gmsh.option.setNumber('Mesh.SaveAll', 1)
+                path = folder / f'{name.replace(" ", "_")}_{version}_{binary}.msh'
+                gmsh.write(str(path))
+                check_cube(path)
+                if version == 2.2:
+                    check_cube(path, '--refine', 0.01)
+    finally:
+        gmsh.finalize()
+
+
+def meshed_cube(folder):
+    """A cube by Gmsh's mesh generators, above second order too."""
+    gmsh = need('gmsh')
+    gmsh.initialize(['gmsh', '-nopopup', '-v', '0'])
+    try:
+        for order, recombined in itertools.product((1, 2, 3), (False, True)):
+            gmsh.model.add(f'{order} {recombined}')
+            gmsh.model.occ.addBox(0, 0, 0, 1, 1, 1)
+            gmsh.model.occ.synchronize()
+            if recombined:
+                gmsh.model.mesh.setTransfiniteAutomatic()
+            gmsh.option.setNumber('Mesh.MeshSizeMax', 0.5)
+            gmsh.option.setNumber('Mesh.SaveAll', 0)
+            gmsh.model.mesh.generate(3)
+            gmsh.model.mesh.setOrder(order)
+            path = folder / f'{order}{recombined}.msh'
+            gmsh.write(str(path))
+            if order < 3:
+                check_both(path)
+            else:
+                refused(path, 'type 92' if recombined else 'type 29')
+    finally:
+        gmsh.finalize()
+
+
+def vtk_cell(numpy, data, name):
+    """The cell of a VTK class: its type, and the weights of its linear cell's corners at its nodes."""
+    cell = getattr(data, 'vtk' + name)()
+    count = cell.GetNumberOfPoints()
+    places = numpy.array(cell.GetParametricCoords()[:3 * count]).reshape(count, 3)
+    corners = next(number for number, word in LINEAR.items() if name.endswith(word))
+    linear = getattr(data, 'vtk' + LINEAR[corners])()
+    weights = []
+    for place in places:
+        own = [0.0] * corners
+        linear.InterpolateFunctions(place, own)
+        weights.append(own)
+    return cell.GetCellType(), corners, numpy.array(weights)
+
+
+def write_grid(data, xml, numpy, path, kind, cells, degree=None):
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    points, lists = gathered(numpy, cells)
+    places = vtkPoints()
+    places.SetData(numpy_to_vtk(points, deep=True))
+    grid = data.vtkUnstructuredGrid()
+    grid.SetPoints(places)
+    for corners in lists:
+        grid.InsertNextCell(kind, len(corners), [int(corner) for corner in corners])
+    if degree:
+        degrees = numpy_to_vtk(numpy.full((len(lists), 3), float(degree)), deep=True)
+        degrees.SetName('HigherOrderDegrees')
+        grid.GetCellData().SetHigherOrderDegrees(degrees)
+    writer = xml.vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(grid)
+    writer.SetDataModeToAscii()
+    writer.Write()
+    return points, lists
+
+
+def vtk_modules():
+    try:
+        from vtkmodules import vtkCommonDataModel, vtkIOXML
+    except ImportError as error:
+        raise Missing('vtkmodules') from error
+    return vtkCommonDataModel, vtkIOXML, need('numpy')
+
+
+def quadratic_cubes(folder):
+    """VTK's own cells in .vtu, and the same by meshio in XDMF; MED names them."""
+    data, xml, numpy = vtk_modules()
+    for name in [*MESHIO_NAMES, 'QuadraticLinearWedge']:
+        kind, corners, weights = vtk_cell(numpy, data, name)
+        cells = [weights @ numpy.array(cell) for cell in corners_of(numpy, corners)]
+        points, lists = write_grid(data, xml, numpy, folder / f'{name}.vtu', kind, cells)
+        check_both(folder / f'{name}.vtu')
+        if name not in MESHIO_NAMES:
+            continue
+        meshio = need('meshio')
+        mesh = meshio.Mesh(points, [(MESHIO_NAMES[name], lists)])
+        meshio.write(folder / f'{name}.xdmf', mesh, data_format='XML')
+        check_both(folder / f'{name}.xdmf')
+        if MESHIO_NAMES[name] in ('tetra10', 'hexahedron20'):
+            need('h5py')
+            meshio.write(folder / f'{name}.med', mesh)
+            refused(folder / f'{name}.med', 'T10' if corners == 4 else 'H20')
+
+
+def lattice_of(data, kind, n):
+    """Each node's place in a cell of degree n, as weights of the linear cell's corners."""
+    nodes = {}
+    if kind == 8:
+        for i, j, k in itertools.product(range(n + 1), repeat=3):
+            u, v, w = i / n, j / n, k / n
+            nodes[data.vtkHigherOrderHexahedron.PointIndexFromIJK(i, j, k, [n, n, n])] = [
+                a * b * c for c in (1 - w, w) for a, b in ((1 - u, 1 - v), (u, 1 - v), (u, v), (1 - u, v))]
+    elif kind == 6:
+        for i, j, k in itertools.product(range(n + 1), repeat=3):
+            if i + j <= n:
+                u, v, w = i / n, j / n, k / n
+                nodes[data.vtkHigherOrderWedge.PointIndexFromIJK(i, j, k, [n, n, n, 0])] = [
+                    a * c for c in (1 - w, w) for a in (1 - u - v, u, v)]
+    else:
+        for index in range((n + 1) * (n + 2) * (n + 3) // 6):
+            steps = [0, 0, 0, 0]
+            data.vtkHigherOrderTetra.BarycentricIndex(index, steps, n)
+            nodes[index] = [steps[3] / n, steps[0] / n, steps[1] / n, steps[2] / n]
+    return [nodes[index] for index in range(len(nodes))]
+
+
+def in_old_version(path, old, pieces):
+    """The file again as version 1.0, with its only piece so many times, each moved by 1 along x."""
+    text = path.read_text()
+    head, rest = text.split('<Piece', 1)
+    piece, tail = rest.split('</Piece>', 1)
+    version = head.split('type="UnstructuredGrid" version="')[1].split('"')[0]
+    head = head.replace(f'version="{version}"', 'version="1.0"', 2)
+    before, points = piece.split('<Points>')
+    start = points.index('>') + 1
+    end = points.index('<', start) if '<InformationKey' not in points else points.index('<InformationKey', start)
+    numbers = [float(word) for word in points[start:end].split()]
+    whole = head
+    for shift in range(pieces):
+        moved = ' '.join(repr(value + (shift if i % 3 == 0 else 0)) for i, value in enumerate(numbers))
+        whole += f'<Piece{before}<Points>{points[:start]}{moved}{points[end:]}</Piece>'
+    old.write_text(whole + tail)
+
+
+def higher_cubes(folder):
+    """Lagrange and Bezier cells of several degrees, in the order of nodes before and after version 2.1."""
+    data, xml, numpy = vtk_modules()
+    for word, corners, n in itertools.product(('LAGRANGE', 'BEZIER'), (4, 6, 8), (1, 2, 3, 4)):
+        kind = getattr(data, 'VTK_' + word + '_' + {4: 'TETRAHEDRON', 6: 'WEDGE', 8: 'HEXAHEDRON'}[corners])
+        weights = numpy.array(lattice_of(data, corners, n))
+        cells = [weights @ numpy.array(cell) for cell in corners_of(numpy, corners)]
+        path = folder / f'{word}{corners}{n}.vtu'
+        write_grid(data, xml, numpy, path, kind, cells)
+        check_cube(path)
+        if n in (2, 3):
+            check_cube(path, '--refine', 0.01)
+        if corners == 8 and n > 1:
+            mapped = [data.vtkHigherOrderHexahedron.NodeNumberingMappingFromVTK8To9([n, n, n], i)
+                      for i in range(len(weights))]
+            write_grid(data, xml, numpy, path, kind, [cell[mapped] for cell in cells])
+            in_old_version(path, folder / 'old.vtu', 3)
+            for options in ((), ('--refine', 0.01)):
+                sheet = cut(folder / 'old.vtu', None, '--origin', .5, .5, .4, '--normal', 0, 0, 1, *options)
+                assert abs(sheet['area'] - 3) < 1e-12, (path.name, options, sheet['area'])
+
+
+def collapsed_cubes(folder):
+    """Quadratic hexahedra that are wedges, pyramids and tetrahedra, as Ansys lists SOLID186."""
+    data, xml, numpy = vtk_modules()
+    kind, _, weights = vtk_cell(numpy, data, 'QuadraticHexahedron')
+    wedge, pyramid, tetrahedron = (0, 1, 2, 2, 3, 4, 5, 5), (0, 1, 2, 3, 4, 4, 4, 4), (0, 1, 2, 2, 3, 3, 3, 3)
+    for name, corners, listed in (('wedge', 6, wedge), ('pyramid', 5, pyramid), ('tetrahedron', 4, tetrahedron)):
+        cells = [weights @ numpy.array([cell[i] for i in listed]) for cell in corners_of(numpy, corners)]
+        write_grid(data, xml, numpy, folder / f'{name}.vtu', kind, cells)
+        check_both(folder / f'{name}.vtu')
+
+
+CASES = [gmsh_cubes, meshed_cube, quadratic_cubes, higher_cubes, collapsed_cubes]
