@@ -3,6 +3,8 @@
 
 #include <vtkCellType.h>
 
+#include <algorithm>
+
 namespace
 {
 
@@ -34,24 +36,61 @@ constexpr GmshElement kElements[] = {
     {20, 20, VTK_QUADRATIC_HEXAHEDRON, kHexahedron27},
     {15, 15, VTK_QUADRATIC_WEDGE, kWedge18},
     {13, 13, VTK_QUADRATIC_PYRAMID, kPyramid13},
-    // Of higher order: only their number of nodes, to get past them.
-    {9},
-    {10},
-    {12},
-    {15},
-    {15},
-    {21},
-    {4},
-    {5},
-    {6},
-    {20},
-    {35},
-    {56},
+};
+
+// Of higher order: only their number of nodes, to get past them.
+struct GmshHigher
+{
+	std::int64_t type;
+	int nodes;
+	std::string_view name{};
+};
+
+constexpr GmshHigher kHigher[] = {
+    {20, 9},
+    {21, 10},
+    {22, 12},
+    {23, 15},
+    {24, 15},
+    {25, 21},
+    {26, 4},
+    {27, 5},
+    {28, 6},
+    {29, 20, "tetrahedra of order 3"},
+    {30, 35, "tetrahedra of order 4"},
+    {31, 56, "tetrahedra of order 5"},
+    {32, 22, "tetrahedra of order 4"},
+    {33, 28, "tetrahedra of order 5"},
+    {36, 16},
+    {37, 25},
+    {38, 36},
+    {39, 12},
+    {40, 16},
+    {41, 20},
+    {71, 84, "tetrahedra of order 6"},
+    {90, 40, "prisms of order 3"},
+    {91, 75, "prisms of order 4"},
+    {92, 64, "hexahedra of order 3"},
+    {93, 125, "hexahedra of order 4"},
+    {106, 126, "prisms of order 5"},
+    {118, 30, "pyramids of order 3"},
+    {119, 55, "pyramids of order 4"},
+    {120, 91, "pyramids of order 5"},
+    {137, 16, "tetrahedra of order 3"},
 };
 
 } // namespace
 
 GmshElement gmshElement(std::int64_t type)
 {
-	return type > 0 && type < static_cast<std::int64_t>(std::size(kElements)) ? kElements[type] : GmshElement{};
+	if (type > 0 && type < static_cast<std::int64_t>(std::size(kElements)))
+		return kElements[type];
+	const auto higher = std::ranges::find(kHigher, type, &GmshHigher::type);
+	return higher == std::end(kHigher) ? GmshElement{} : GmshElement{higher->nodes};
+}
+
+std::string_view gmshNameOf(std::int64_t type)
+{
+	const auto higher = std::ranges::find(kHigher, type, &GmshHigher::type);
+	return higher == std::end(kHigher) ? std::string_view() : higher->name;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 // How VTK has an element of Gmsh. Its corner i is the element's node order[i]; without an order they are the same.
 struct GmshElement
@@ -13,3 +14,6 @@ struct GmshElement
 };
 
 GmshElement gmshElement(std::int64_t type);
+
+// What a type is called, such as "hexahedra of order 3"; empty for those that are read and for unknown ones.
+std::string_view gmshNameOf(std::int64_t type);

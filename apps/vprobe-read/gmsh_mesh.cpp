@@ -39,10 +39,7 @@ public:
 		const bool has_solid =
 		    std::ranges::any_of(mesh_.types, [](std::uint8_t type) { return vp::read::cellDimension(type) == 3; });
 		if (!has_solid && !mesh_.unknown_types.empty())
-			throw Refusal(
-			    fmt::format("nothing to slice: elements of Gmsh type {} are of an order above 2, which is not "
-			                "read; save it with order 1 or 2 (gmsh -order 2)",
-			                mesh_.unknown_types.rbegin()->first));
+			throw aboveSecondOrder();
 		if (mesh_.coordinates.empty() || mesh_.tags.empty())
 			throw damaged("it has no nodes or no elements");
 		if (version_ < 4.0)
@@ -52,6 +49,19 @@ public:
 	}
 
 private:
+	// Names a type of solid elements, if there is one.
+	Refusal aboveSecondOrder() const
+	{
+		int type = mesh_.unknown_types.rbegin()->first;
+		for (const auto& [each, count] : mesh_.unknown_types)
+			if (!gmshNameOf(each).empty())
+				type = each;
+		const std::string_view name = gmshNameOf(type);
+		return Refusal(fmt::format("nothing to slice: elements of Gmsh type {} ({}), which are not read; save it with "
+		                           "order 1 or 2 (gmsh -order 2)",
+		                           type, name.empty() ? "of an order above 2" : name));
+	}
+
 	void readFormat()
 	{
 		std::string first(at_.line());
@@ -353,7 +363,7 @@ private:
 	double version_ = 0.0;
 	bool binary_ = false;
 	bool narrow_ = false;
-	std::array<Tag, 64> nodes_ = {};
+	std::array<Tag, 128> nodes_ = {}; // as many as any known type has
 	GmshEntities entities_;
 };
 

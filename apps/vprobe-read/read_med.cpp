@@ -21,22 +21,103 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <string_view>
+#include <vector>
 
 namespace
 {
+
+constexpr std::size_t kMostMedNodes = 27;
 
 struct MedKind
 {
 	const char* name;
 	int type;
+	std::size_t nodes;
 	std::size_t corners;
 	std::array<std::size_t, 8> turned; // the corners of a cell that is seen in a mirror
 };
 
-constexpr MedKind kMedKinds[] = {{"TE4", VTK_TETRA, 4, {0, 2, 1, 3}},
-                                 {"PY5", VTK_PYRAMID, 5, {0, 3, 2, 1, 4}},
-                                 {"PE6", VTK_WEDGE, 6, {0, 2, 1, 3, 5, 4}},
-                                 {"HE8", VTK_HEXAHEDRON, 8, {0, 3, 2, 1, 4, 7, 6, 5}}};
+constexpr std::array<std::size_t, 8> kTurnedTetra = {0, 2, 1, 3}, kTurnedPyramid = {0, 3, 2, 1, 4},
+                                     kTurnedWedge = {0, 2, 1, 3, 5, 4}, kTurnedHexahedron = {0, 3, 2, 1, 4, 7, 6, 5};
+constexpr MedKind kMedKinds[] = {{"TE4", VTK_TETRA, 4, 4, kTurnedTetra},
+                                 {"PY5", VTK_PYRAMID, 5, 5, kTurnedPyramid},
+                                 {"PE6", VTK_WEDGE, 6, 6, kTurnedWedge},
+                                 {"HE8", VTK_HEXAHEDRON, 8, 8, kTurnedHexahedron},
+                                 {"T10", VTK_QUADRATIC_TETRA, 10, 4, kTurnedTetra},
+                                 {"P13", VTK_QUADRATIC_PYRAMID, 13, 5, kTurnedPyramid},
+                                 {"P15", VTK_QUADRATIC_WEDGE, 15, 6, kTurnedWedge},
+                                 {"P18", VTK_BIQUADRATIC_QUADRATIC_WEDGE, 18, 6, kTurnedWedge},
+                                 {"H20", VTK_QUADRATIC_HEXAHEDRON, 20, 8, kTurnedHexahedron},
+                                 {"H27", VTK_TRIQUADRATIC_HEXAHEDRON, 27, 8, kTurnedHexahedron}};
+
+using MedNodes = std::array<vtkIdType, kMostMedNodes>;
+
+// The corners between which VTK's nodes in edges and faces lie. MED has the same order, but for the faces of H27.
+std::vector<std::string_view> medBetween(std::size_t corners)
+{
+	switch (corners)
+	{
+	case 4:
+		return {"01", "12", "02", "03", "13", "23"};
+	case 5:
+		return {"01", "12", "23", "03", "04", "14", "24", "34"};
+	case 6:
+		return {"01", "12", "02", "34", "45", "35", "03", "14", "25", "0134", "1245", "0235"};
+	default:
+		return {"01", "12", "23",   "03",   "45",   "56",   "67",   "47",   "04",      "15",
+		        "26", "37", "0347", "1256", "0145", "2367", "0123", "4567", "01234567"};
+	}
+}
+
+// For each node of a cell the one that takes its place in the mirror.
+std::vector<std::size_t> medTurned(const MedKind& kind)
+{
+	std::vector<std::size_t> turned(kind.turned.begin(),
+	                                kind.turned.begin() + static_cast<std::ptrdiff_t>(kind.corners));
+	const std::vector<std::string_view> between = medBetween(kind.corners);
+	for (std::size_t node = kind.corners; node < kind.nodes; ++node)
+	{
+		std::string mirrored;
+		for (const char corner : between[node - kind.corners])
+			mirrored += static_cast<char>('0' + kind.turned[static_cast<std::size_t>(corner - '0')]);
+		std::sort(mirrored.begin(), mirrored.end());
+		turned.push_back(kind.corners +
+		                 static_cast<std::size_t>(std::ranges::find(between, mirrored) - between.begin()));
+	}
+	return turned;
+}
+
+// H27: MED lists the faces below, in front, on the right, behind, on the left, above; other programs write them in
+// VTK's order. Their places tell.
+void orderMedFaces(vtkPoints* points, MedNodes& nodes)
+{
+	constexpr std::size_t first = 20;
+	constexpr std::array<std::size_t, 6> of_med = {4, 2, 1, 3, 0, 5};
+	const std::vector<std::string_view> between = medBetween(8);
+	MedNodes by_med = nodes;
+	for (std::size_t face = 0; face < 6; ++face)
+		by_med[first + face] = nodes[first + of_med[face]];
+	const auto distance = [&](const MedNodes& listed)
+	{
+		double sum = 0.0;
+		for (std::size_t face = 0; face < 6; ++face)
+		{
+			double at[3], corner[3];
+			points->GetPoint(listed[first + face], at);
+			for (const char c : between[first - 8 + face])
+			{
+				points->GetPoint(nodes[static_cast<std::size_t>(c - '0')], corner);
+				for (int i = 0; i < 3; ++i)
+					at[i] -= corner[i] / 4;
+			}
+			sum += vtkMath::Dot(at, at);
+		}
+		return sum;
+	};
+	if (!(distance(nodes) < distance(by_med)))
+		nodes = by_med;
+}
 
 // Cells of one kind, behind each other in the grid.
 struct MedCells
@@ -71,25 +152,28 @@ double medVolume(vtkPoints* points, vtkIdType a, vtkIdType b, vtkIdType c, vtkId
 void addMedCells(const Hdf5File& file, const std::string& group, const MedKind& kind, MedMesh& mesh)
 {
 	const std::vector<std::int64_t> nodes = file.integers(group + "/NOD");
-	const std::size_t count = nodes.size() / kind.corners;
-	if (count * kind.corners != nodes.size())
+	const std::size_t count = nodes.size() / kind.nodes;
+	if (count * kind.nodes != nodes.size())
 		throw damaged(fmt::format("{} has {} corners", group, nodes.size()));
 	mesh.cells.push_back({kind.name, mesh.grid->GetNumberOfCells(), static_cast<vtkIdType>(count)});
-	const std::size_t tip = kind.type == VTK_TETRA || kind.type == VTK_WEDGE ? 3 : 4;
+	const std::size_t tip = kind.corners == 4 || kind.corners == 6 ? 3 : 4;
+	const std::vector<std::size_t> mirror = medTurned(kind);
 	for (std::size_t cell = 0; cell < count; ++cell)
 	{
-		std::array<vtkIdType, 8> corners = {};
-		for (std::size_t i = 0; i < kind.corners; ++i)
+		MedNodes own = {};
+		for (std::size_t i = 0; i < kind.nodes; ++i)
 		{
-			corners[i] = nodes[i * count + cell] - 1; // all first corners, then all second ones
-			if (corners[i] < 0 || corners[i] >= mesh.nodes)
+			own[i] = nodes[i * count + cell] - 1; // all first nodes, then all second ones
+			if (own[i] < 0 || own[i] >= mesh.nodes)
 				throw damaged(fmt::format("{} has a node that is not there", group));
 		}
-		std::array<vtkIdType, 8> turned = corners;
-		if (medVolume(mesh.grid->GetPoints(), corners[0], corners[1], corners[2], corners[tip]) < 0.0)
-			for (std::size_t i = 0; i < kind.corners; ++i)
-				turned[i] = corners[kind.turned[i]];
-		mesh.grid->InsertNextCell(kind.type, static_cast<vtkIdType>(kind.corners), turned.data());
+		if (kind.nodes == 27)
+			orderMedFaces(mesh.grid->GetPoints(), own);
+		MedNodes turned = own;
+		if (medVolume(mesh.grid->GetPoints(), own[0], own[1], own[2], own[tip]) < 0.0)
+			for (std::size_t i = 0; i < kind.nodes; ++i)
+				turned[i] = own[mirror[i]];
+		mesh.grid->InsertNextCell(kind.type, static_cast<vtkIdType>(kind.nodes), turned.data());
 	}
 }
 
@@ -135,9 +219,8 @@ void readMedMesh(const Hdf5File& file, MedMesh& mesh, ManifestWriter& manifest)
 	for (const double number : families)
 		family->InsertNextValue(number);
 	mesh.grid->GetCellData()->AddArray(family);
-	for (const char* curved : {"T10", "P13", "P15", "P18", "H20", "H27", "POE"})
-		if (file.has(group + "/MAI/" + curved))
-			manifest.warn(fmt::format("cells of MED's kind {} are not shown", curved));
+	if (file.has(group + "/MAI/POE"))
+		manifest.warn("cells of MED's kind POE are not shown");
 }
 
 // Copies values that lie component by component into a stretch of an array.

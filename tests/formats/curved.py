@@ -1,7 +1,11 @@
 """Straight unit cubes of curved cells, written by the libraries of their fields: a cut has exactly the area 1."""
 import itertools
+import json
+import os
+import random
+import subprocess
 
-from against import Missing, cut, need
+from against import VPROBE, Missing, cut, need
 from exodus import corners_of
 from odd import refused
 
@@ -96,7 +100,7 @@ def meshed_cube(folder):
             if order < 3:
                 check_both(path)
             else:
-                refused(path, 'type 92' if recombined else 'type 29')
+                refused(path, 'hexahedra of order 3' if recombined else 'tetrahedra of order 3')
     finally:
         gmsh.finalize()
 
@@ -147,7 +151,7 @@ def vtk_modules():
 
 
 def quadratic_cubes(folder):
-    """VTK's own cells in .vtu, and the same by meshio in XDMF; MED names them."""
+    """VTK's own cells in .vtu, and the same in XDMF, by meshio too."""
     data, xml, numpy = vtk_modules()
     for name in [*MESHIO_NAMES, 'QuadraticLinearWedge']:
         kind, corners, weights = vtk_cell(numpy, data, name)
@@ -156,14 +160,54 @@ def quadratic_cubes(folder):
         check_both(folder / f'{name}.vtu')
         if name not in MESHIO_NAMES:
             continue
-        meshio = need('meshio')
-        mesh = meshio.Mesh(points, [(MESHIO_NAMES[name], lists)])
-        meshio.write(folder / f'{name}.xdmf', mesh, data_format='XML')
+        write_xdmf(folder / f'{name}.xmf', name, points, lists)
+        check_both(folder / f'{name}.xmf')
+        try:
+            mesh = need('meshio').Mesh(points, [(MESHIO_NAMES[name], lists)])
+        except KeyError:
+            continue  # some versions do not know all cells
+        mesh.write(folder / f'{name}.xdmf', data_format='XML')
         check_both(folder / f'{name}.xdmf')
-        if MESHIO_NAMES[name] in ('tetra10', 'hexahedron20'):
-            need('h5py')
-            meshio.write(folder / f'{name}.med', mesh)
-            refused(folder / f'{name}.med', 'T10' if corners == 4 else 'H20')
+
+
+def write_xdmf(path, name, points, lists):
+    """After the XDMF model and format, by the number of a cell's nodes."""
+    kind = next(word for word in LINEAR.values() if name.endswith(word)).replace('Tetra', 'Tetrahedron')
+    path.write_text(f"""<?xml version="1.0" ?>
+<Xdmf Version="3.0"><Domain><Grid Name="cube">
+<Topology TopologyType="{kind}_{len(lists[0])}" NumberOfElements="{len(lists)}">
+<DataItem Dimensions="{lists.shape[0]} {lists.shape[1]}" NumberType="Int" Format="XML">
+{' '.join(map(str, lists.ravel()))}</DataItem></Topology>
+<Geometry GeometryType="XYZ"><DataItem Dimensions="{len(points)} 3" NumberType="Float" Precision="8" Format="XML">
+{' '.join(map(repr, points.ravel().tolist()))}</DataItem></Geometry></Grid></Domain></Xdmf>
+""")
+
+
+def med_cubes(folder):
+    """Each of MED's curved kinds, in the frame of a file by meshio: in the order of MED, in that of VTK, and mirrored."""
+    data, xml, numpy = vtk_modules()
+    meshio, h5py = need('meshio'), need('h5py')
+    of_med = [*range(20), 24, 22, 21, 23, 20, 25, 26]
+    for kind, name, order in (('T10', 'QuadraticTetra', None), ('P13', 'QuadraticPyramid', None),
+                              ('P15', 'QuadraticWedge', None), ('P18', 'BiQuadraticQuadraticWedge', None),
+                              ('H20', 'QuadraticHexahedron', None), ('H27', 'TriQuadraticHexahedron', None),
+                              ('H27', 'TriQuadraticHexahedron', of_med)):
+        cell, corners, weights = vtk_cell(numpy, data, name)
+        for mirrored in (False, True):
+            cells = [weights @ numpy.array(cell) for cell in corners_of(numpy, corners)]
+            if mirrored:
+                cells = [[1, 0, 0] + [-1, 1, 1] * places for places in cells]
+            points, lists = write_grid(data, xml, numpy, folder / 'h.vtu', cell, cells)
+            path = folder / f'{kind}{mirrored}{order is None}.med'
+            meshio.write(path, meshio.Mesh(points, [('hexahedron', lists[:, :1].repeat(8, axis=1))]))
+            with h5py.File(path, 'r+') as file:
+                cells_of = next(iter(next(iter(file['ENS_MAA'].values())).values()))['MAI']
+                cells_of.move('HE8', kind)
+                about = dict(cells_of[kind]['NOD'].attrs)
+                del cells_of[kind]['NOD']
+                cells_of[kind]['NOD'] = ((lists if order is None else lists[:, order]).T + 1).ravel()
+                cells_of[kind]['NOD'].attrs.update(about)
+            check_both(path)
 
 
 def lattice_of(data, kind, n):
@@ -239,4 +283,28 @@ def collapsed_cubes(folder):
         check_both(folder / f'{name}.vtu')
 
 
-CASES = [gmsh_cubes, meshed_cube, quadratic_cubes, higher_cubes, collapsed_cubes]
+def far_nodes(folder):
+    """Nodes moved far away: bounded parts, one warning, and little memory."""
+    data, xml, numpy = vtk_modules()
+    rand = random.Random(3)
+    for n, size in ((2, 2), (4, 2), (2, 6 if 'VPROBE_LONG' in os.environ else 3)):
+        weights = numpy.array(lattice_of(data, 8, n))
+        cells = [weights @ ((numpy.array(cell) + corner) / size) for corner in itertools.product(range(size), repeat=3)
+                 for cell in corners_of(numpy, 8)]
+        points, lists = gathered(numpy, cells)
+        for i in rand.sample(range(len(points)), 5 if size == 2 else len(points) // 4):
+            points[i] = [rand.choice([-1, 1]) * 10 ** rand.randint(3, 8) for _ in range(3)]
+        path, stats = folder / 'far.vtu', folder / 'stats.json'
+        write_grid(data, xml, numpy, path, data.VTK_LAGRANGE_HEXAHEDRON, [points[own] for own in lists])
+        with subprocess.Popen([VPROBE, 'slice', path, '--refine', '0.001', '--classify', 'cpu', '--origin', '.5', '.5',
+                               '.4', '--normal', '0.1', '0.2', '1', '--stats', stats], stderr=subprocess.PIPE) as run:
+            said = run.stderr.read().decode()
+            _, status, usage = os.wait4(run.pid, 0)
+            run.returncode = os.waitstatus_to_exitcode(status)
+        assert run.returncode == 0 and said.count('as far as it was refined') == 1, said
+        assert usage.ru_maxrss < 1 << 20, f'{usage.ru_maxrss} KiB'
+        refined = json.loads(stats.read_text())['refined']
+        assert refined['unfinished'] > 0 and refined['parts'] <= min(10 ** 4 * refined['cells'], 10 ** 6), refined
+
+
+CASES = [gmsh_cubes, meshed_cube, quadratic_cubes, med_cubes, higher_cubes, collapsed_cubes, far_nodes]
