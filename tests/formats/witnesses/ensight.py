@@ -5,8 +5,7 @@ usage: ensight.py VPROBE [FIRST-SEED COUNT]
 
 No library in Debian writes all of the format: these files are written by this script, after chapter 11 of the EnSight
 User Manual, and their values are known. EnSight 6 and Gold; text, C and Fortran binary of either byte order; ids;
-elements and blocks of every kind; several time sets and file sets; undefined and partial values. Files that VTK's reader
-can read are read by it too. Seeds make the files. VPROBE_LONG asks for 500. Exit code 77 where VTK's module is missing.
+elements and blocks of every kind; several time sets and file sets; undefined and partial values. Seeds make the files. VPROBE_LONG asks for 500. Exit code 77 where VTK's module is missing.
 """
 import os
 import pathlib
@@ -126,8 +125,9 @@ class Part:
             n = self.n
             return numpy.array([points[corners(n, i, j, k)].mean(axis=0) for k in range(n[2] - 1)
                                 for j in range(n[1] - 1) for i in range(n[0] - 1)])
-        return numpy.array([points[sorted({p for face in cell for p in face}) if name == 'nfaced' else cell].mean(axis=0)
-                            for name, cells in self.elements for cell in cells])
+        nodes = [sorted({p for face in cell for p in face}) if name == 'nfaced' else cell
+                 for name, cells in self.elements for cell in cells]
+        return numpy.array([points[own].mean(axis=0) for own in nodes])
 
 
 class Case:
@@ -198,7 +198,7 @@ class Case:
         self.moves = [self.numbers.integers(0, 8) / 8 for _ in range(steps)]
         only = rand.random() < 0.3
         self.save(folder, 'g.geo', places,
-                  lambda writer, i: self.write_geometry(writer, self.moves[i], not (only and i > 0 and self.gold)), True)
+                  lambda writer, i: self.write_geometry(writer, self.moves[i], not (only and i > 0)), True)
         said += ['model: ' + entry.format('') + (' change_coords_only' if only else ''), '', 'VARIABLE']
         self.variables = {}
         for v in range(rand.randint(1, 4)):
@@ -225,9 +225,8 @@ class Case:
         entry, steps, places = self.spread(name + '.val', number)
         values = []
         for _ in range(steps):
-            of_part = {p: self.numbers.integers(-800, 800, (len(part.points) if per_node else part.count, components)) / 8
-                       for p, part in self.parts.items()}
-            values.append(of_part)
+            counts = {p: len(part.points) if per_node else part.count for p, part in self.parts.items()}
+            values.append({p: self.numbers.integers(-800, 800, (count, components)) / 8 for p, count in counts.items()})
         self.variables[name] = (per_node, components, number, values)
         self.save(folder, name, places, lambda writer, i: self.write_values(writer, per_node, components, values[i]),
                   False)

@@ -102,10 +102,10 @@ def arrays_of(fields):
     return {fields.GetArrayName(i): vtk_to_numpy(fields.GetArray(i)) for i in range(fields.GetNumberOfArrays())}
 
 
-def check_groups(cells, arrays, by_place, saves_all):
+def check_groups(cells, arrays, by_place, saves_all, has_names):
     names = {}
     for dimension, number in gmsh.model.getPhysicalGroups(3):
-        names[number] = gmsh.model.getPhysicalName(dimension, number) or str(number)
+        names[number] = has_names and gmsh.model.getPhysicalName(dimension, number) or str(number)
     several = any(len(groups) > 1 for _, groups in by_place.values())
     for i, key in cells.items():
         groups = by_place[key][1]
@@ -153,7 +153,7 @@ def compare(seed, folder):
             cells[i] = frozenset(tuple(points[ids.GetId(n)].round(7) + 0.0) for n in range(ids.GetNumberOfIds()))
     assert sorted(map(sorted, cells.values())) == sorted(map(sorted, by_place)), (len(cells), len(by_place))
     cell_data, point_data = arrays_of(data.GetCellData()), arrays_of(data.GetPointData())
-    check_groups(cells, cell_data, by_place, saves_all)
+    check_groups(cells, cell_data, by_place, saves_all, version > 1)
     if parts:
         found = set(cell_data['gmsh:partition'][list(cells)].tolist())
         assert found <= set(range(1, parts + 1)) and len(found) > 0, found
