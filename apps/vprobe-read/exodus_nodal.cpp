@@ -94,6 +94,21 @@ std::vector<vtkSmartPointer<vtkDoubleArray>> oddExodusNodes(const std::string& p
 	return arrays;
 }
 
+std::vector<std::string> repeatedExodusNames(const std::string& path)
+{
+	const NetcdfFile file(path);
+	std::vector<std::string> repeated;
+	for (const char* list : {"name_nod_var", "name_elem_var"})
+	{
+		std::vector<std::string> names = exodusNames(file, list);
+		std::ranges::sort(names);
+		for (std::size_t i = 1; i < names.size(); ++i)
+			if (names[i] == names[i - 1])
+				repeated.push_back(names[i]);
+	}
+	return repeated;
+}
+
 std::vector<double> exodusTimes(const std::string& path)
 {
 	const NetcdfFile file(path);

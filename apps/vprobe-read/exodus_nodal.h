@@ -21,3 +21,6 @@ std::vector<vtkSmartPointer<vtkDoubleArray>> oddExodusNodes(const std::string& f
 
 // The times of its steps, in the order of the file.
 std::vector<double> exodusTimes(const std::string& file);
+
+// Names that more than one variable of nodes, or of elements, has: VTK's reader gives one of them.
+std::vector<std::string> repeatedExodusNames(const std::string& file);

@@ -116,7 +116,7 @@ std::vector<Number> Hdf5File::values(const std::string& path, hid_t type) const
 	refuseMissingParts(set, path);
 	std::vector<Number> numbers(count);
 	if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0)
-		throw damaged(fmt::format("{} cannot be read", path));
+		throw unreadSet(set, path);
 	return numbers;
 }
 

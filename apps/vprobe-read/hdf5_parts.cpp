@@ -160,3 +160,23 @@ void refuseMissingParts(const std::string& file)
 			refuseMissingParts(object, "/" + path);
 	}
 }
+
+Refusal unreadSet(hid_t set, const std::string& path)
+{
+	const Hdf5Handle properties(H5Dget_create_plist(set), H5Pclose);
+	const int count = properties < 0 ? 0 : H5Pget_nfilters(properties);
+	for (int i = 0; i < count; ++i)
+	{
+		std::array<char, 80> name = {};
+		unsigned flags = 0, about = 0;
+		std::size_t values = 0;
+		const H5Z_filter_t filter = H5Pget_filter2(properties, static_cast<unsigned>(i), &flags, &values, nullptr,
+		                                           name.size() - 1, name.data(), &about);
+		if (filter >= 0 && H5Zfilter_avail(filter) <= 0)
+			return Refusal(
+			    fmt::format("{} is packed by the filter {} ({}), which HDF5 does not bring; pack it by gzip, "
+			                "with h5repack where that filter is installed",
+			                path, filter, name[0] ? name.data() : "no name"));
+	}
+	return damaged(fmt::format("{} cannot be read", path));
+}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hdf5_handle.h"
+#include "refusal.h"
 
 #include <string>
 
@@ -14,3 +15,6 @@ void refuseMissingParts(hid_t set, const std::string& path);
 
 // The same for all data sets of a file that another library reads through HDF5. Nothing for files of other formats.
 void refuseMissingParts(const std::string& file);
+
+// Why a data set could not be read: damaged, or packed by a filter that HDF5 does not bring.
+Refusal unreadSet(hid_t set, const std::string& path);

@@ -62,7 +62,7 @@ void Hdf5File::readSlab(const std::string& path, const std::vector<std::uint64_t
 	const Hdf5Handle here(H5Screate_simple(static_cast<int>(length.size()), length.data(), nullptr), H5Sclose);
 	if (H5Sselect_hyperslab(there, H5S_SELECT_SET, first.data(), nullptr, length.data(), nullptr) < 0 ||
 	    H5Dread(set, nativeType(type), here, there, H5P_DEFAULT, to) < 0)
-		throw damaged(fmt::format("{} cannot be read", path));
+		throw unreadSet(set, path);
 }
 
 std::vector<std::int64_t> Hdf5File::integersFrom(const std::string& path, std::uint64_t begin,

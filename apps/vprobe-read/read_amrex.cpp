@@ -4,6 +4,7 @@
 #include "formats.h"
 #include "manifest_writer.h"
 #include "mapped_text.h"
+#include "own_names.h"
 #include "refusal.h"
 
 #include <vtkImageData.h>
@@ -67,6 +68,7 @@ void readAmrex(const Request& request, ManifestWriter& manifest)
 	const MappedText header((plot / "Header").string());
 	AmrexPlot about = parseAmrexHeader(header.text());
 	const std::vector<std::vector<AmrexBoxData>> levels = amrexBoxes(plot, about);
+	makeOwnNames(about.names, manifest);
 	if (!about.is_cartesian)
 		manifest.warn("its coordinates are not Cartesian; they are shown as they are");
 	offerOnlyTime(about.time, request, manifest);

@@ -19,6 +19,8 @@
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <fmt/format.h>
+
 #include <string_view>
 
 namespace
@@ -91,6 +93,8 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	reader->UpdateInformation();
 	refuseOnComplaint();
 	refuseMissingExodus(request.file);
+	for (const std::string& name : repeatedExodusNames(request.file))
+		manifest.warn(fmt::format("several variables are called {}; only one of them is shown", name));
 	const bool is_odd = hasOddExodusNodes(request.file);
 	const std::vector<OddExodusBlock> odd_blocks = oddExodusBlocks(request.file);
 	reader->SetSqueezePoints(odd_blocks.empty());

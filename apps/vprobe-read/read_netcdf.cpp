@@ -33,9 +33,15 @@ std::size_t chooseStepOf(const NetcdfFile& file, const CfVolumes& volumes, const
 	std::vector<double> times(volumes.time ? volumes.time->length : 0);
 	std::iota(times.begin(), times.end(), 0.0); // where the dimension has no values of its own
 	if (volumes.time && volumes.time->coordinate >= 0)
+	{
 		times = cfNumbers(file, volumes.time->coordinate);
-	else if (const std::vector<double> of_wrf = wrfTimes(file); !times.empty() && of_wrf.size() == times.size())
-		times = of_wrf;
+		manifest.setTimeUnits(file.text(volumes.time->coordinate, "units"));
+	}
+	else if (const WrfTimes of_wrf = wrfTimes(file); !times.empty() && of_wrf.minutes.size() == times.size())
+	{
+		times = of_wrf.minutes;
+		manifest.setTimeUnits("minutes since " + of_wrf.first);
+	}
 	return offerSteps(times, request, manifest).value_or(0);
 }
 

@@ -3,6 +3,7 @@
 #include "manifest_writer.h"
 #include "mapped_text.h"
 #include "npy_header.h"
+#include "own_names.h"
 #include "refusal.h"
 #include "zip_file.h"
 
@@ -57,7 +58,7 @@ void readNpz(const Request& request, ManifestWriter& manifest)
 	{
 		if (!entry.name.ends_with(".npy"))
 			continue;
-		const std::string name = entry.name.substr(0, entry.name.size() - 4);
+		std::string name = entry.name.substr(0, entry.name.size() - 4);
 		const std::string bytes = unpackEntry(entry);
 		std::string why;
 		const std::optional<NpyArray> array = parseMember(bytes, why);
@@ -67,6 +68,8 @@ void readNpz(const Request& request, ManifestWriter& manifest)
 			                          array ? "its shape is not that of the first volume" : why));
 			continue;
 		}
+		if (image)
+			name = ownName(image->GetPointData(), name, manifest);
 		const auto values = arrayOf(array->values, array->layout, name);
 		if (image)
 			image->GetPointData()->AddArray(values);

@@ -2,6 +2,7 @@
 #include "formats.h"
 #include "manifest_writer.h"
 #include "mapped_text.h"
+#include "own_names.h"
 #include "refusal.h"
 #include "time_choice.h"
 #include "xdmf_cells.h"
@@ -277,9 +278,16 @@ private:
 		{
 			const std::string center = small(attribute->attribute("Center"));
 			const bool at_points = center.empty() || center == "node";
+			const std::string given(attribute->attribute("Name"));
 			if (!at_points && center != "cell")
-				continue; // of the grid, its faces or edges
-			const std::string name(attribute->attribute("Name"));
+			{
+				manifest_.warn(fmt::format("{} has values of each {} and is left out", given, center.substr(0, 20)));
+				continue;
+			}
+			vtkFieldData* arrays = data->GetPointData();
+			if (!at_points)
+				arrays = data->GetCellData();
+			const std::string name = ownName(arrays, given.empty() ? "array" : given, manifest_);
 			const XdmfValues values = document_.values(itemOf(*attribute, 0));
 			const auto tuples =
 			    static_cast<std::uint64_t>(at_points ? data->GetNumberOfPoints() : data->GetNumberOfCells());
@@ -294,7 +302,7 @@ private:
 			            values.count() * static_cast<std::size_t>(values.array->GetDataTypeSize()),
 			            static_cast<char*>(array->GetVoidPointer(0)));
 			array->SetName(name.c_str());
-			at_points ? data->GetPointData()->AddArray(array) : data->GetCellData()->AddArray(array);
+			arrays->AddArray(array);
 		}
 	}
 

@@ -82,7 +82,7 @@ WrfPlaces wrfPlaces(const NetcdfFile& file)
 	return {};
 }
 
-std::vector<double> wrfTimes(const NetcdfFile& file)
+WrfTimes wrfTimes(const NetcdfFile& file)
 {
 	const int variable = file.variable("Times");
 	const auto sides = variable < 0 ? decltype(file.dimensions(0))() : file.dimensions(variable);
@@ -92,16 +92,20 @@ std::vector<double> wrfTimes(const NetcdfFile& file)
 		return {};
 	std::string text(sides[0].second * sides[1].second, '\0');
 	NetcdfFile::check(nc_get_var_text(file.id(), variable, text.data()));
-	std::vector<double> times;
+	WrfTimes times;
 	for (std::size_t at = 0; at < text.size(); at += 19)
 	{
 		const std::optional<double> minutes = minutesOf(std::string_view(text).substr(at, 19));
 		if (!minutes)
 			return {};
-		times.push_back(*minutes);
+		times.minutes.push_back(*minutes);
 	}
-	for (std::size_t i = times.size(); i-- > 0;)
-		times[i] -= times[0];
+	if (times.minutes.empty())
+		return times;
+	for (std::size_t i = times.minutes.size(); i-- > 0;)
+		times.minutes[i] -= times.minutes[0];
+	times.first = text.substr(0, 19);
+	times.first[10] = ' ';
 	return times;
 }
 

@@ -22,7 +22,12 @@ WrfPlaces wrfPlaces(const NetcdfFile& file);
 
 // Minutes since the first of its times, which are written as texts ("2005-08-28_12:00:00"). Nothing where it has none,
 // or others.
-std::vector<double> wrfTimes(const NetcdfFile& file);
+struct WrfTimes
+{
+	std::vector<double> minutes;
+	std::string first; // "2005-08-28 12:00:00"
+};
+WrfTimes wrfTimes(const NetcdfFile& file);
 
 // The heights in meters of the middles of cells at a step, x fastest: (PH + PHB) / 9.81. Nothing where it has none.
 std::optional<std::vector<double>> wrfHeights(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step);

@@ -98,7 +98,7 @@ std::string hdf5Bytes(const std::string& file, const std::string& path, std::uin
 	refuseMissingParts(set, about);
 	std::string bytes(count * byteSize(type), '\0');
 	if (H5Dread(set, nativeType(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0)
-		throw damaged(fmt::format("{} cannot be read", about));
+		throw unreadSet(set, about);
 	return bytes;
 }
 

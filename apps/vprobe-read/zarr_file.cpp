@@ -88,6 +88,25 @@ void putAttribute(int id, int variable, const std::string& name, const json& val
 	}
 }
 
+// The names of an array's sides, as xarray writes them, or netCDF in its own kind of Zarr. Nothing where it has none.
+std::vector<std::string> namesOfSides(const json& about, const json& attributes, std::size_t sides)
+{
+	json given = attributes.value("_ARRAY_DIMENSIONS", json());
+	for (const json* place : {&about, &attributes})
+		for (const char* key : {"_NCZARR_ARRAY", "_nczarr_array"})
+			if (const json own = place->value(key, json()); given.is_null() && own.is_object())
+				given = own.value("dimrefs", json());
+	std::vector<std::string> names;
+	if (given.is_array())
+		for (const json& one : given)
+			if (one.is_string())
+			{
+				const std::string path = one.get<std::string>(); // "/z" where netCDF wrote it
+				names.push_back(path.substr(path.rfind('/') + 1));
+			}
+	return names.size() == sides ? names : std::vector<std::string>();
+}
+
 // One list of all values that are missing. 0 is what most programs fill with, and mostly a value like others.
 json missingIn(const json& about, const json& attributes)
 {
@@ -150,19 +169,14 @@ ZarrFile::~ZarrFile()
 	nc_abort(release());
 }
 
-std::vector<int> ZarrFile::dimensionsOf(const ZarrArray& array, const json& attributes)
+std::vector<int> ZarrFile::dimensionsOf(const ZarrArray& array, const std::vector<std::string>& names)
 {
-	std::vector<std::string> names;
-	const json given = attributes.value("_ARRAY_DIMENSIONS", json());
 	const std::vector<std::size_t>& sides = array.shape();
-	const bool has_names = given.is_array() && given.size() == sides.size() &&
-	                       std::all_of(given.begin(), given.end(), [](const json& one) { return one.is_string(); });
 	std::vector<int> ids;
 	for (std::size_t i = 0; i < sides.size(); ++i)
 	{
 		// Without names, arrays of one shape lie on one grid.
-		const std::string name =
-		    has_names ? given[i].get<std::string>() : fmt::format("side {} of {}", i, fmt::join(sides, "x"));
+		const std::string name = names.empty() ? fmt::format("side {} of {}", i, fmt::join(sides, "x")) : names[i];
 		int dimension = -1;
 		if (nc_inq_dimid(id(), name.c_str(), &dimension) != NC_NOERR)
 			check(nc_def_dim(id(), name.c_str(), sides[i], &dimension));
@@ -178,7 +192,7 @@ std::vector<int> ZarrFile::dimensionsOf(const ZarrArray& array, const json& attr
 void ZarrFile::addArray(const fs::path& folder, const std::string& name, const json& about, const json& attributes)
 {
 	ZarrArray array(folder, name, about);
-	const std::vector<int> sides = dimensionsOf(array, attributes);
+	const std::vector<int> sides = dimensionsOf(array, namesOfSides(about, attributes, array.shape().size()));
 	int variable = -1;
 	check(nc_def_var(id(), name.c_str(), netcdfTypeOf(array.type()), static_cast<int>(sides.size()), sides.data(),
 	                 &variable));

@@ -22,7 +22,7 @@ public:
 private:
 	void addArray(const std::filesystem::path& folder, const std::string& name, const nlohmann::json& about,
 	              const nlohmann::json& attributes);
-	std::vector<int> dimensionsOf(const ZarrArray& array, const nlohmann::json& attributes);
+	std::vector<int> dimensionsOf(const ZarrArray& array, const std::vector<std::string>& names);
 
 	std::map<int, ZarrArray> arrays_; // by their variables
 };

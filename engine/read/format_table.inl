@@ -61,7 +61,7 @@ VP_FORMAT("tiff", ".tif .tiff", "TIFF stack, also of ImageJ and OME-TIFF", "chan
 VP_FORMAT("minc", ".mnc", "MINC 1 and 2", "orientation; rescaled values; times; units", "vprobe, HDF5, netCDF", alone,
           head.holds("minc-2.0") || (head.isNetcdf() && head.holds("image") && head.holds("zspace")), more, Minc)
 VP_FORMAT("cam", "", "netCDF of the atmosphere model CAM, with the file of its quads", "layers between quads; times",
-          "VTK", beside, head.holds("ncol") && head.holds("lev") && head.holds("lat"), more, Cam)
+          "vprobe, netCDF", beside, head.holds("ncol") && head.holds("lev") && head.holds("lat"), more, Cam)
 VP_FORMAT("mpas", "", "netCDF of the models MPAS, over the cells of their mesh", "layers of prisms; times",
           "vprobe, netCDF", alone, head.holds("nCells") && head.holds("verticesOnCell") && head.holds("nVertLevels"),
           more, Mpas)

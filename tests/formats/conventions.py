@@ -166,17 +166,20 @@ def conventions_folded(folder):
 
 
 def conventions_zarr(folder):
-    """Chunks that the netCDF library would take for plain numbers are refused."""
-    numpy, zarr, numcodecs = need('numpy'), need('zarr'), need('numcodecs')
+    """Groups below are named, and so is what the folder is where it is none."""
+    numpy, zarr = need('numpy'), need('zarr')
     values = lattice(numpy)
-    for name, options, word in (('packed', {'compressor': numcodecs.Zlib(1)}, 'packed (zlib)'),
-                                ('fortran', {'compressor': None, 'order': 'F'}, "order='C'"),
-                                ('big', {'compressor': None, 'dtype': '>f4'}, 'big-endian'),
-                                ('delta', {'compressor': None, 'filters': [numcodecs.Delta('f8')]}, 'filter delta')):
-        group = zarr.open_group(str(folder / f'{name}.zarr'), mode='w')
-        kind = options.pop('dtype', 'f8')
-        group.create_dataset('f', data=values.astype(kind), **options).attrs['_ARRAY_DIMENSIONS'] = ['z', 'y', 'x']
-        refused(folder / f'{name}.zarr', word)
+    group = zarr.open_group(str(folder / 'f.zarr'), mode='w')
+    group.create_group('below').array('f', values)
+    refused(folder / 'f.zarr', 'groups alone', 'f.zarr/below')
+    assert info(folder / 'f.zarr' / 'below')['arrays'][0]['range'] == [values.min(), values.max()]
+    group.array('x', values, chunks=(2, 2, 2)).attrs['_ARRAY_DIMENSIONS'] = ['z', 'y', 'x']
+    group.array('y', values[:3]).attrs['_ARRAY_DIMENSIONS'] = ['z', 'y', 'x']
+    refused(folder / 'f.zarr', 'dimension z has 3 places in y and 6 in others')
+    (folder / 'f.zarr' / 'y' / '.zarray').unlink()
+    assert info(folder / 'f.zarr')['arrays'][0]['range'] == [values.min(), values.max()]
+    (folder / 'f.zarr' / 'x' / '.zarray').write_text('{"shape": [1')
+    assert 'no JSON' in noted(folder / 'f.zarr')
 
 
 CASES = [conventions_bytes, conventions_ranges, conventions_date_line, conventions_missing_places, conventions_corners,

@@ -18,10 +18,12 @@ import codes
 import conventions
 import conversion
 import curved
+import damage
 import ensight
 import exodus
 import far
 import meshes
+import models
 import odd
 import stacks
 import steps
@@ -33,7 +35,7 @@ def main():
     every = 1 if 'VPROBE_LONG' in os.environ or len(sys.argv) > 2 else int(os.environ.get('VPROBE_TRY_EVERY', 1))
     cases = (meshes.CASES + volumes.CASES + boxes.CASES + codes.CASES + odd.CASES + steps.CASES + exodus.CASES +
              conversion.CASES + conventions.CASES + far.CASES + stacks.CASES + curved.CASES +
-             ensight.CASES)
+             ensight.CASES + models.CASES + damage.CASES)
     for case in cases[::every]:
         wanted = sys.argv[2] if len(sys.argv) > 2 else ''
         if wanted not in case.__name__ or case is conversion.convert_reference_sets and wanted != case.__name__:

@@ -13,7 +13,7 @@ import common
 common.need('numpy', 'vtkmodules.vtkIOXML')
 import numpy
 
-TYPES = ['i1', 'u1', 'i2', 'u2', 'i4', 'u4', 'i8', 'u8', 'f2', 'f4', 'f8', '?']
+TYPES = ['i1', 'u1', 'i2', 'u2', 'i4', 'u4', 'i8', 'u8', 'f4', 'f8', '?']
 
 
 def array_of(rng, numbers, shape):
