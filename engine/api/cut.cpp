@@ -179,9 +179,20 @@ Figures Cut::figures(std::size_t sheet) const
 {
 	const vp::session::SheetStats& stats = state_->frame.sheets[sheet];
 	const vp::measure::SheetMeasure& measure = measured(*state_, sheet);
-	Figures figures{measure.area, measure.boundary_area, measure.nan_area,
-	                measure.mean, measure.min,           measure.max,
-	                stats.flux,   measure.components,    0};
+	Figures figures;
+	figures.area = measure.area;
+	figures.boundary_area = measure.boundary_area;
+	figures.nan_area = measure.nan_area;
+	figures.mean = measure.mean;
+	figures.boundary_mean = measure.boundary_mean;
+	figures.min = measure.min;
+	figures.max = measure.max;
+	figures.components = measure.components;
+	if (stats.flux)
+	{
+		figures.flux = stats.flux->through;
+		figures.boundary_flux = stats.flux->boundary;
+	}
 	for (const vp::find::BlockCut& cut : state_->frame.slice.sheets[sheet].cuts)
 		figures.cut_cells += cut.cutCells();
 	return figures;

@@ -130,6 +130,7 @@ vp::Result<vp::session::CutFrame> cutFrame(const vp::session::Session& session, 
 	auto sheets = vp::session::statsSince(session, *slice, nullptr, wants_figures);
 	if (!sheets)
 		return sheets.error();
+	vp::session::reportBoundarySheets(session, *sheets);
 	if (stop.stop_requested())
 		return vp::Error{vp::ErrorKind::cancelled, "cutting was cancelled"};
 	auto contours =

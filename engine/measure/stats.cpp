@@ -54,7 +54,7 @@ struct PolygonSums
 		else
 			value_area += area_part * mean_value;
 	}
-	void addTo(SheetSums& sums) const
+	void addTo(AreaSums& sums) const
 	{
 		sums.area += area;
 		if (nan_area != 0.0)
@@ -131,12 +131,23 @@ double nanArea(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const 
 	return finite ? 0.0 : measure(blocks, mesh, field).nan_area;
 }
 
-void SheetSums::add(const SheetSums& other)
+void AreaSums::add(const AreaSums& other)
 {
 	area += other.area;
-	boundary_area += other.boundary_area;
 	nan_area += other.nan_area;
 	value_area += other.value_area;
+}
+
+std::optional<double> AreaSums::mean() const
+{
+	const double valued = area.value() - nan_area.value();
+	return valued > 0.0 ? std::optional(value_area.value() / valued) : std::nullopt;
+}
+
+void SheetSums::add(const SheetSums& other)
+{
+	cut.add(other.cut);
+	boundary.add(other.boundary);
 	min = std::min(min, other.min);
 	max = std::max(max, other.max);
 }
@@ -151,29 +162,23 @@ SheetSums sumUp(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
 	const SheetSums of_vertices = on_points ? takeVertexValues(blocks, mesh, own, *field, vertex_values) : SheetSums();
 	const auto fields = field ? field->inEach(blocks) : std::vector<const grid::Field*>(blocks.blocks.size());
 	const std::size_t of_cells = mesh.polygons() - mesh.boundary_polygons;
-	SheetSums sums =
-	    orderedSum<SheetSums>(mesh.polygons(),
-	                          [&](SheetSums& part, std::size_t p)
-	                          {
-		                          const auto polygon = own[p];
-		                          const auto [b, cell] = mesh.polygon_cells[p];
-		                          double polygon_value = kNan;
-		                          if (field && !on_points)
-		                          {
-			                          if (fields[b])
-				                          polygon_value =
-				                              mesh::cellValue(blocks.blocks[b], *fields[b], field->component, cell);
-			                          addValue(part, polygon_value);
-		                          }
-		                          if (p < of_cells)
-		                          {
-			                          PolygonSums of_polygon;
-			                          of_polygon.addPolygon(mesh, polygon, vertex_values, polygon_value);
-			                          of_polygon.addTo(part);
-		                          }
-		                          else
-			                          part.boundary_area += 0.5 * glm::length(mesh::doubleArea(mesh, polygon));
-	                          });
+	SheetSums sums = orderedSum<SheetSums>(mesh.polygons(),
+	                                       [&](SheetSums& part, std::size_t p)
+	                                       {
+		                                       const auto polygon = own[p];
+		                                       const auto [b, cell] = mesh.polygon_cells[p];
+		                                       double polygon_value = kNan;
+		                                       if (field && !on_points)
+		                                       {
+			                                       if (fields[b])
+				                                       polygon_value = mesh::cellValue(blocks.blocks[b], *fields[b],
+				                                                                       field->component, cell);
+			                                       addValue(part, polygon_value);
+		                                       }
+		                                       PolygonSums of_polygon;
+		                                       of_polygon.addPolygon(mesh, polygon, vertex_values, polygon_value);
+		                                       of_polygon.addTo(p < of_cells ? part.cut : part.boundary);
+	                                       });
 	sums.add(of_vertices);
 	return sums;
 }
@@ -181,13 +186,13 @@ SheetSums sumUp(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
 SheetMeasure measureOf(const SheetSums& sums, bool has_field)
 {
 	SheetMeasure result;
-	result.area = sums.area.value();
-	result.boundary_area = sums.boundary_area.value();
+	result.area = sums.cut.area.value();
+	result.boundary_area = sums.boundary.area.value();
 	if (!has_field)
 		return result;
-	result.nan_area = sums.nan_area.value();
-	if (const double valued = result.area - result.nan_area; valued > 0.0)
-		result.mean = sums.value_area.value() / valued;
+	result.nan_area = sums.cut.nan_area.value();
+	result.mean = sums.cut.mean();
+	result.boundary_mean = sums.boundary.mean();
 	if (sums.min <= sums.max)
 	{
 		result.min = sums.min;

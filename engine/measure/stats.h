@@ -15,27 +15,37 @@ namespace vp::measure
 // What a sheet shows, in numbers. A polygon counts as the fan of triangles about the mean of its vertices, whose value
 // is the mean of theirs. A triangle that runs against its polygon, as some do where that is concave, counts as
 // negative: so the sum is the polygon, and the integral of a linear field is exact. Boundary faces in the plane have an
-// area of their own and stay out of the rest but for the range: what is cut is the same then on either side of a plane
-// where cells meet.
+// area and a mean of their own and stay out of the rest but for the range: what is cut is the same then on either side
+// of a plane where cells meet.
 struct SheetMeasure
 {
 	double area = 0.0;
-	double boundary_area = 0.0; // area of the boundary faces in the plane
-	double nan_area = 0.0;      // area where the value is NaN or infinite; the other figures leave it out
-	std::optional<double> mean; // weighted by area; empty without an array or without area
-	std::optional<double> min;  // range of the values at the vertices (point arrays) or of the polygons (cell arrays)
+	double boundary_area = 0.0;          // area of the boundary faces in the plane
+	std::optional<double> boundary_mean; // the mean over them, by the rules of the mean
+	double nan_area = 0.0;               // area where the value is NaN or infinite; the other figures leave it out
+	std::optional<double> mean;          // weighted by area; empty without an array or without area
+	std::optional<double> min; // range of the values at the vertices (point arrays) or of the polygons (cell arrays)
 	std::optional<double> max;
 	std::size_t components = 0; // see components.h
+};
+
+// The sums over some polygons.
+struct AreaSums
+{
+	ExactSum area;
+	ExactSum nan_area;
+	ExactSum value_area; // integral of the values over the area that is not NaN
+
+	void add(const AreaSums& other);
+	std::optional<double> mean() const; // empty without area
 };
 
 // The figures of a part of a sheet, which may be added to those of other parts. Sums are exact, so they do not depend
 // on how a sheet is parted. A plain struct, which may be sent as bytes.
 struct SheetSums
 {
-	ExactSum area;
-	ExactSum boundary_area;
-	ExactSum nan_area;
-	ExactSum value_area; // integral of the values over the area that is not NaN
+	AreaSums cut;      // the polygons of cells
+	AreaSums boundary; // boundary faces in the plane
 	double min = std::numeric_limits<double>::infinity();
 	double max = -std::numeric_limits<double>::infinity();
 

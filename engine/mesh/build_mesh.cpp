@@ -6,13 +6,24 @@
 #include "mesh/span_mesh.h"
 #include "mesh/tidy_polygons.h"
 
+#include <algorithm>
+#include <span>
+
 namespace vp::mesh
 {
 
 namespace
 {
 
-// The boundary faces in the plane of one block: a corner of theirs is an edge of its own.
+// Turns a polygon to run counter-clockwise seen from a place.
+void turnToward(const Vec3& place, const SheetMesh& mesh, std::span<std::uint32_t> polygon)
+{
+	if (glm::dot(doubleArea(mesh, polygon), place - mesh.positions[polygon[0]]) < 0.0)
+		std::ranges::reverse(polygon);
+}
+
+// The boundary faces in the plane of one block: a corner of theirs is an edge of its own. Their cells lie above the
+// surface, and so does a curved one's normal. tidyPolygons() turns those in a plane.
 template <grid::Grid G>
 void addFacesInPlane(const G& grid, const ShownBlock& block, SheetMesh& mesh)
 {
@@ -31,6 +42,9 @@ void addFacesInPlane(const G& grid, const ShownBlock& block, SheetMesh& mesh)
 			}
 			mesh.polygon_vertices.push_back(number);
 		}
+		if (!mesh.flat)
+			turnToward(grid::cellCenter(grid, face.cell), mesh,
+			           std::span(mesh.polygon_vertices).subspan(mesh.polygon_starts.back()));
 		mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.polygon_vertices.size()));
 		mesh.polygon_cells.push_back({block.block, face.cell});
 		++mesh.boundary_polygons;

@@ -3,6 +3,7 @@
 #include "measure/stats.h"
 #include "session/borders.h"
 #include "session/session.h"
+#include "vectors/flux.h"
 #include "vectors/traces.h"
 
 #include <memory>
@@ -20,7 +21,7 @@ struct SheetStats
 	std::optional<mesh::SheetMesh> crinkle{};        // filled if whole cells are shown
 	double crinkle_area = 0.0;                       // of their faces
 	std::shared_ptr<const vectors::Traces> traces{}; // particles launched from the sheet; or null
-	std::optional<double> flux{};                    // flux of vectors through the sheet
+	std::optional<vectors::Flux> flux{};             // flux of vectors through the sheet
 	Borders borders{};                               // with a team: what the mesh shares with those of others
 	Borders crinkle_borders{};                       // the same of the whole cells
 };
@@ -34,6 +35,10 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 void measureSheet(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats);
 // Replaces the second step if only a picture is needed: finds out whether values are missing.
 void measureForPicture(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats);
+
+// Warns of sheets that lie in the boundary altogether: they cut no cell, so their area is 0. With a team, all ranks
+// call this.
+void reportBoundarySheets(const Session& session, const std::vector<SheetStats>& sheets);
 
 // Returns what an export of the cut contains: its polygons, or the faces of its whole cells.
 std::vector<mesh::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets);

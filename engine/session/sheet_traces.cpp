@@ -4,7 +4,6 @@
 #include "session/stored_vectors.h"
 #include "session/team.h"
 #include "session/value_scale.h"
-#include "vectors/flux.h"
 #include "vectors/tracer.h"
 #include "vectors/vector_array.h"
 
@@ -119,8 +118,8 @@ Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, s
 	return std::make_shared<const vectors::Traces>(std::move(*traces));
 }
 
-std::optional<double> fluxThrough(const Session& session, const cut::Cut& slice, std::size_t number,
-                                  const mesh::SheetMesh& mesh)
+std::optional<vectors::Flux> fluxThrough(const Session& session, const cut::Cut& slice, std::size_t number,
+                                         const mesh::SheetMesh& mesh)
 {
 	const cut::SheetCut& sheet = slice.sheets[number];
 	std::optional<grid::FieldChoice> array = session.view.vector_array;
@@ -131,7 +130,7 @@ std::optional<double> fluxThrough(const Session& session, const cut::Cut& slice,
 	vectors::FluxSums sums = vectors::fluxSums(slice.blocksOf(session.blocks), mesh, *array);
 	if (session.team)
 		sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
-	return sums.flux().through;
+	return sums.flux();
 }
 
 } // namespace vp::session

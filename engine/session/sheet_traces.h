@@ -1,6 +1,7 @@
 #pragma once
 
 #include "session/session.h"
+#include "vectors/flux.h"
 #include "vectors/traces.h"
 
 #include <memory>
@@ -25,7 +26,7 @@ Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, s
 
 // Returns the flux through the polygons of a sheet, along its normal: of the array that moves particles, or of the
 // shown array if it is a vector array, or nothing.
-std::optional<double> fluxThrough(const Session& session, const cut::Cut& slice, std::size_t sheet,
-                                  const mesh::SheetMesh& mesh);
+std::optional<vectors::Flux> fluxThrough(const Session& session, const cut::Cut& slice, std::size_t sheet,
+                                         const mesh::SheetMesh& mesh);
 
 } // namespace vp::session

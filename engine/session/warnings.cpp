@@ -1,6 +1,7 @@
 #include "base/digits.h"
 #include "base/messages.h"
 #include "session/session.h"
+#include "session/sheet_stats.h"
 #include "session/team.h"
 #include "session/value_scale.h"
 
@@ -11,6 +12,16 @@
 
 namespace vp::session
 {
+
+namespace
+{
+
+std::string nameOf(std::size_t sheet, std::size_t sheets)
+{
+	return sheets == 1 ? std::string("the slice") : fmt::format("sheet {}", sheet);
+}
+
+} // namespace
 
 bool isEmpty(const cut::SheetCut& sheet)
 {
@@ -45,8 +56,7 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 		Box bounds = session.blocks.bounds();
 		if (session.team)
 			sumOverAll(*session.team, bounds, [](Box& all, const Box& other) { all.include(other); });
-		const std::string what =
-		    slice.sheets.size() == 1 ? std::string("the slice") : fmt::format("sheet {}", &sheet - slice.sheets.data());
+		const std::string what = nameOf(static_cast<std::size_t>(&sheet - slice.sheets.data()), slice.sheets.size());
 		if (session.view.threshold)
 			warn("{} is empty: no cell that is reached has values between {} and {}; widen `threshold`", what,
 			     session.view.threshold->lo, session.view.threshold->hi);
@@ -77,6 +87,25 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 		}
 	}
 	return Nothing{};
+}
+
+void reportBoundarySheets(const Session& session, const std::vector<SheetStats>& sheets)
+{
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+	{
+		const mesh::SheetMesh& mesh = sheets[s].mesh;
+		bool has_boundary = mesh.boundary_polygons > 0;
+		bool has_cells = mesh.polygons() > mesh.boundary_polygons;
+		if (session.team)
+		{
+			has_boundary = anyOf(*session.team, has_boundary);
+			has_cells = anyOf(*session.team, has_cells);
+		}
+		if (has_boundary && !has_cells)
+			warn("{} lies in the boundary of the grid and cuts no cell, so its area is 0; boundary_area, "
+			     "boundary_mean and boundary_flux are its figures",
+			     nameOf(s, sheets.size()));
+	}
 }
 
 } // namespace vp::session

@@ -17,12 +17,15 @@ namespace
 {
 
 // The flow through one polygon.
-struct PolygonFlux : Flux
+struct PolygonFlux
 {
-	void addTo(FluxSums& sums) const
+	double through = 0.0;
+	double nan_area = 0.0;
+
+	void addTo(FluxSums& sums, bool in_boundary) const
 	{
-		sums.through += through;
-		if (nan_area != 0.0)
+		(in_boundary ? sums.boundary : sums.through) += through;
+		if (nan_area != 0.0 && !in_boundary)
 			sums.nan_area += nan_area;
 	}
 	void addPart(const Vec3& area, const Vec3& vector)
@@ -83,6 +86,7 @@ void addFan(const mesh::SheetMesh& mesh, std::span<const std::uint32_t> polygon,
 void FluxSums::add(const FluxSums& other)
 {
 	through += other.through;
+	boundary += other.boundary;
 	nan_area += other.nan_area;
 }
 
@@ -100,7 +104,8 @@ FluxSums fluxSums(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, con
 	const bool on_points = array.association == grid::Association::point;
 	const std::vector<Vec3> vectors = on_points ? vertexVectors(blocks, mesh, fields) : std::vector<Vec3>();
 	const mesh::OwnPolygons own(mesh);
-	return orderedSum<FluxSums>(mesh.polygons() - mesh.boundary_polygons,
+	const std::size_t of_cells = mesh.polygons() - mesh.boundary_polygons;
+	return orderedSum<FluxSums>(mesh.polygons(),
 	                            [&](FluxSums& sums, std::size_t p)
 	                            {
 		                            PolygonFlux flux;
@@ -109,7 +114,7 @@ FluxSums fluxSums(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, con
 		                            else
 			                            flux.addPart(0.5 * mesh::doubleArea(mesh, own[p]),
 			                                         polygonVector(blocks, mesh, fields, p));
-		                            flux.addTo(sums);
+		                            flux.addTo(sums, p >= of_cells);
 	                            });
 }
 

@@ -46,6 +46,22 @@ TEST_F(Device, GivesWhatTheCpuGives)
 	}
 }
 
+// A sheet in the boundary, below all cells.
+TEST_F(Device, GivesWhatTheCpuGivesInTheBoundary)
+{
+	for (const std::string demo : {"blob", "graded", "mixed"})
+	{
+		const Arguments probe{"slice", "demo:" + demo + ":8", "--origin", "0",       "0", "-3", "--normal",
+		                      "z",     "--vector-array",      "v",        "--stats", "-"};
+		const nlohmann::json gpu = run(probe + Arguments{"--classify", "gpu"}).json()["sheets"][0];
+		const nlohmann::json cpu = run(probe + Arguments{"--classify", "cpu"}).json()["sheets"][0];
+		for (const char* key : {"boundary_area", "boundary_mean", "boundary_flux", "area", "flux", "boundary_faces"})
+			EXPECT_EQ(gpu[key], cpu[key]) << demo << " " << key;
+		EXPECT_NEAR(gpu["boundary_area"], 36.0, 1e-5) << demo;
+		EXPECT_NEAR(gpu["boundary_flux"], 0.3 * 36.0, 1e-4) << demo; // v = (-y, x, 0.3)
+	}
+}
+
 TEST_F(Device, HotSpotsOverTheSheetLeaveFewGenerations)
 {
 	const Arguments probe{"slice", "demo:hexes:48", "--normal", "0.3",     "0.5",

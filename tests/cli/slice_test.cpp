@@ -28,8 +28,10 @@ TEST_F(Slice, StatsKeepTheirKeys)
 		EXPECT_TRUE(all["grid"].contains(key)) << key;
 	ASSERT_EQ(all["sheets"].size(), 1u);
 	for (const char* key :
-	     {"origin", "normal", "cut_cells", "polygons", "vertices", "components", "area", "mean", "min", "max", "seeds",
-	      "hops", "generations", "front_max", "cells_touched", "cells_twisted", "boundary_faces", "nan_area"})
+	     {"origin",        "normal",        "cut_cells",     "polygons",      "vertices",       "components",
+	      "area",          "mean",          "min",           "max",           "seeds",          "hops",
+	      "generations",   "front_max",     "cells_touched", "cells_twisted", "boundary_faces", "boundary_area",
+	      "boundary_mean", "boundary_flux", "flux",          "nan_area"})
 		EXPECT_TRUE(all["sheets"][0].contains(key)) << key;
 	for (const char* key :
 	     {"read", "build", "upload", "seed", "traverse", "gpu", "emit", "readback", "render", "total"})
@@ -52,6 +54,51 @@ TEST_F(Slice, CountsOfAPlainBox)
 	EXPECT_NEAR(sheet["mean"], 1.5, 1e-6);
 	EXPECT_NEAR(sheet["min"], 1.5, 1e-6);
 	EXPECT_NEAR(sheet["max"], 1.5, 1e-6);
+}
+
+// The image's lower side: what would be cut lies above it alone.
+TEST_F(Slice, InTheBoundary)
+{
+	const Arguments low{image(), "--origin", "1.5", "1.5", "0", "--array", "point:both", "--vector-array", "wind"};
+	const Arguments high{image(), "--origin", "1.5", "1.5", "3", "--array", "point:both", "--vector-array", "wind"};
+	const Outcome told = run(Arguments{"slice"} + low + Arguments{"--classify", "cpu", "--stats", "-"});
+	EXPECT_EQ(told.status, 0);
+	EXPECT_TRUE(contains(told.err, "lies in the boundary") && contains(told.err, "area is 0")) << told.err;
+	const nlohmann::json below = told.json()["sheets"][0];
+	const nlohmann::json above = stats(high)["sheets"][0];
+	EXPECT_EQ(below["area"], 0.0);
+	EXPECT_NEAR(below["boundary_area"], 9.0, 1e-12);
+	EXPECT_NEAR(below["boundary_mean"], 1.5, 1e-12);
+	EXPECT_NEAR(below["boundary_flux"], 18.0, 1e-12);
+	EXPECT_EQ(below["flux"], 0.0);
+	EXPECT_TRUE(below["mean"].is_null());
+	EXPECT_NEAR(above["area"], 9.0, 1e-12);
+	EXPECT_NEAR(above["mean"], 1.5, 1e-12);
+	EXPECT_NEAR(above["flux"], 18.0, 1e-12);
+	EXPECT_EQ(above["boundary_area"], 0.0);
+	EXPECT_EQ(above["boundary_flux"], 0.0);
+	EXPECT_TRUE(above["boundary_mean"].is_null());
+
+	const Outcome table = run(Arguments{"slice"} + low + Arguments{"--classify", "cpu"});
+	for (const char* title : {"boundary area", "boundary mean", "boundary flux", " 18\n"})
+		EXPECT_TRUE(contains(table.out, title)) << title << " in " << table.out;
+	EXPECT_FALSE(contains(run(Arguments{"slice"} + high + Arguments{"--classify", "cpu"}).out, "boundary"));
+	// An expression, whose sheet is not known to be a plane.
+	const nlohmann::json curved = stats({image(), "--surface", "z + 0*x*x", "--origin", "0", "0", "0", "--array",
+	                                     "point:both", "--vector-array", "wind"})["sheets"][0];
+	EXPECT_NEAR(curved["boundary_area"], 9.0, 1e-12);
+	EXPECT_NEAR(curved["boundary_mean"], 1.5, 1e-12);
+	EXPECT_NEAR(curved["boundary_flux"], 18.0, 1e-12);
+}
+
+TEST_F(Slice, FramesInTheBoundaryAreTold)
+{
+	const Outcome swept = run({"sweep", image(), "--path", "translate", "--frames", "4", "--stats", "-",
+	                           "--vector-array", "wind", "--classify", "cpu"});
+	ASSERT_EQ(swept.status, 0) << swept.err;
+	const nlohmann::json first = swept.json()["frames"][0]["sheets"][0];
+	EXPECT_NEAR(first["boundary_flux"], 18.0, 1e-12);
+	EXPECT_TRUE(contains(swept.err, "in 1 of 4 frames")) << swept.err;
 }
 
 TEST_F(Slice, ArrayByNameAndAssociation)

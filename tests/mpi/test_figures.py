@@ -36,6 +36,15 @@ def test_a_plane_in_a_seam(same_figures, tmp_path):
         assert told['sheets'][0]['polygons'] == 36
 
 
+def test_a_plane_in_the_boundary(same_figures, tmp_path):
+    grid = pieces.hexahedra(6, twist=0.0)
+    case = pieces.write_pvtu(tmp_path, grid, pieces.slabs(grid, 3))
+    for z, key in ((-1, 'boundary_area'), (1, 'area')):
+        sheet = same_figures(3, case, '--normal', 'z', '--origin', 0, 0, z, '--vector-array', 'v')['sheets'][0]
+        assert sheet[key] == pytest.approx(4.0)
+        assert (sheet['boundary_mean'] is None) == (key == 'area')
+
+
 def test_scattered_cells(same_figures, tmp_path):
     # Nearly every face is a seam.
     grid = pieces.tetrahedra(4)

@@ -101,6 +101,11 @@ void expectSame(const Found& found, const Found& expected, double largest)
 	{
 		EXPECT_PRED3(isAlike, *a.mean, *b.mean, largest);
 	}
+	ASSERT_EQ(a.boundary_mean.has_value(), b.boundary_mean.has_value());
+	if (a.boundary_mean && b.boundary_mean)
+	{
+		EXPECT_PRED3(isAlike, *a.boundary_mean, *b.boundary_mean, largest);
+	}
 	if (a.min && b.min)
 	{
 		EXPECT_PRED3(isAlike, *a.min, *b.min, largest);

@@ -96,6 +96,19 @@ def test_particles_start_on_a_slice():
     assert data.slice(normal='x', vectors='lines').flux == pytest.approx(0, abs=1e-9)
 
 
+def test_figures_of_the_boundary():
+    points, values = lattice(3, 4, 5)
+    wind = np.ascontiguousarray(np.broadcast_to([1.0, 2.0, 3.0], (*values.shape, 3)))
+    data = vprobe.structured(points, {'u': values, 'wind': wind}, classify='cpu')
+    low, high = (data.slice(normal='z', origin=(.5, .5, z), array='u', vectors='lines', vector_array='wind')
+                 for z in (0, 1))
+    assert (low.area, high.area) == (0, pytest.approx(1)) and (low.boundary_area, high.boundary_area) == (pytest.approx(1), 0)
+    assert low.boundary_mean == pytest.approx(1.5) and high.mean == pytest.approx(4.5)
+    assert low.mean is None and high.boundary_mean is None
+    assert low.boundary_flux == pytest.approx(3) and high.flux == pytest.approx(3)
+    assert low.flux == 0 and high.boundary_flux == 0
+
+
 def test_plans_tell_why(shell):
     rows = shell.plan(Probe.trihedral())
     assert [row.sheet for row in rows] == [0, 1, 2] and {row.strategy for row in rows} == {'spans'}

@@ -95,9 +95,11 @@ py::tuple tracesOf(const Cut& cut, std::size_t sheet)
 py::dict figuresOf(const vprobe::Figures& figures)
 {
 	using namespace py::literals;
-	return py::dict("area"_a = figures.area, "boundary_area"_a = figures.boundary_area, "nan_area"_a = figures.nan_area,
-	                "mean"_a = figures.mean, "min"_a = figures.min, "max"_a = figures.max, "flux"_a = figures.flux,
-	                "components"_a = figures.components, "cut_cells"_a = figures.cut_cells);
+	return py::dict("area"_a = figures.area, "boundary_area"_a = figures.boundary_area,
+	                "boundary_mean"_a = figures.boundary_mean, "boundary_flux"_a = figures.boundary_flux,
+	                "nan_area"_a = figures.nan_area, "mean"_a = figures.mean, "min"_a = figures.min,
+	                "max"_a = figures.max, "flux"_a = figures.flux, "components"_a = figures.components,
+	                "cut_cells"_a = figures.cut_cells);
 }
 
 } // namespace

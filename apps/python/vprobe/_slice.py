@@ -47,6 +47,8 @@ class Slice:
         where the value is not finite.
     mean, min, max : float or None
         Of the shown array, the mean weighted by area. None where there is no array.
+    boundary_mean, boundary_flux : float or None
+        The mean of the shown array over the boundary faces in the plane, and the flux through them.
     flux : float or None
         Of vectors through the sheet, where the slice was made with ``vectors=...``.
     components, cut_cells : int
@@ -166,6 +168,16 @@ class Slice:
     def boundary_area(self) -> float:
         """Of boundary faces in the plane, which are no part of the rest."""
         return float(self._figure('boundary_area') or 0.0)
+
+    @property
+    def boundary_mean(self) -> Optional[float]:
+        """The mean of the shown array over the boundary faces in the plane; None where there are none, or no array."""
+        return self._figure('boundary_mean')  # type: ignore[no-any-return]
+
+    @property
+    def boundary_flux(self) -> Optional[float]:
+        """The flux through the boundary faces in the plane; None where the slice was made without vectors."""
+        return self._figure('boundary_flux')  # type: ignore[no-any-return]
 
     @property
     def nan_area(self) -> float:

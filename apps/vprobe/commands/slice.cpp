@@ -180,6 +180,7 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 	const Result<session::CutFrame> frame = session::cutFrame(session);
 	if (!frame)
 		return frame.error();
+	session::reportBoundarySheets(session, frame->sheets);
 	Result<std::vector<std::string>> written = writeFiles(session, options, *look, *frame);
 	if (!written)
 		return written.error();

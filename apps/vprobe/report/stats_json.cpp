@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 #include <unordered_set>
 
 namespace vp::app
@@ -171,8 +173,10 @@ nlohmann::json sheetJson(const session::Session& session, const cut::Cut& slice,
 	             {"cells_twisted", stats.mesh.cells_twisted},
 	             {"boundary_faces", sums.boundary_faces - stats.borders.faces_elsewhere},
 	             {"boundary_area", stats.measure.boundary_area},
+	             {"boundary_mean", orNull(stats.measure.boundary_mean)},
+	             {"boundary_flux", stats.flux ? nlohmann::json(stats.flux->boundary) : nlohmann::json()},
 	             {"nan_area", stats.measure.nan_area},
-	             {"flux", orNull(stats.flux)},
+	             {"flux", stats.flux ? nlohmann::json(stats.flux->through) : nlohmann::json()},
 	             {"crinkle", crinkleJson(stats)}});
 	if (stats.traces)
 		json["vectors"] = tracesJson(session, *stats.traces);
@@ -288,22 +292,59 @@ std::string statsJson(const session::Session& session, const session::CutFrame& 
 	                               {"sheets", sheetsJson(session, frame.slice, frame.sheets)}});
 }
 
+namespace
+{
+
+// A column of the printed table.
+struct TableFigure
+{
+	std::string_view title;
+	std::string_view key; // of a sheet in --stats
+};
+
+// Flux and what lies in the boundary are shown if a sheet has them.
+std::vector<TableFigure> figuresOf(const nlohmann::json& sheets)
+{
+	std::vector<TableFigure> figures{{"area", "area"}, {"mean", "mean"}, {"min", "min"}, {"max", "max"}};
+	const bool has_flux =
+	    std::ranges::any_of(sheets, [](const nlohmann::json& sheet) { return sheet["flux"].is_number(); });
+	if (has_flux)
+		figures.push_back({"flux", "flux"});
+	if (std::ranges::any_of(sheets, [](const nlohmann::json& sheet) { return sheet["boundary_area"] > 0.0; }))
+	{
+		figures.push_back({"boundary area", "boundary_area"});
+		figures.push_back({"boundary mean", "boundary_mean"});
+		if (has_flux)
+			figures.push_back({"boundary flux", "boundary_flux"});
+	}
+	return figures;
+}
+
+} // namespace
+
 std::string statsTable(const session::Session& session, const session::CutFrame& frame)
 {
 	nlohmann::json sheets = {{"sheets", sheetsJson(session, frame.slice, frame.sheets)}};
 	if (session.team)
 		sheets = ofTeam(session, std::move(sheets));
-	std::string table = fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13} {:>13} {:>13} {:>13}\n", "sheet", "cells",
-	                                "polygons", "vertices", "pieces", "area", "mean", "min", "max");
+	std::string table =
+	    fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6}", "sheet", "cells", "polygons", "vertices", "pieces");
+	const std::vector<TableFigure> figures = figuresOf(sheets["sheets"]);
+	for (const TableFigure& figure : figures)
+		table += fmt::format(" {:>13}", figure.title);
+	table += '\n';
 	const auto count = [](const nlohmann::json& value) { return value.get<std::size_t>(); };
 	const auto number = [](const nlohmann::json& value)
 	{ return value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : "-"; };
 	std::size_t s = 0;
 	for (const nlohmann::json& sheet : sheets["sheets"])
-		table += fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6} {:>13} {:>13} {:>13} {:>13}\n", s++,
-		                     count(sheet["cut_cells"]), count(sheet["polygons"]), count(sheet["vertices"]),
-		                     count(sheet["components"]), number(sheet["area"]), number(sheet["mean"]),
-		                     number(sheet["min"]), number(sheet["max"]));
+	{
+		table += fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6}", s++, count(sheet["cut_cells"]),
+		                     count(sheet["polygons"]), count(sheet["vertices"]), count(sheet["components"]));
+		for (const TableFigure& figure : figures)
+			table += fmt::format(" {:>13}", number(sheet[figure.key]));
+		table += '\n';
+	}
 	const Timeline& timeline = *session.timeline;
 	const double cut_ms =
 	    timeline.total("seed") + timeline.total("refine") + timeline.total("traverse") + timeline.total("emit");

@@ -116,6 +116,13 @@ bool isEmpty(const session::Session& session, const session::CutFrame& frame)
 	return !(session.team ? session::anyOf(*session.team, is_shown) : is_shown);
 }
 
+// Whether a frame has a sheet that lies in the boundary, so that its area is 0.
+bool hasBoundarySheet(const session::CutFrame& frame)
+{
+	return std::ranges::any_of(frame.sheets, [](const session::SheetStats& sheet)
+	                           { return sheet.measure.area == 0.0 && sheet.measure.boundary_area > 0.0; });
+}
+
 // What went wrong with an earlier frame comes first.
 Error firstError(SweepProducts& products, const Error& error)
 {
@@ -130,6 +137,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 {
 	nlohmann::json figures = nlohmann::json::array();
 	int empty = 0;
+	int in_boundary = 0;
 	RemainingTime remaining(static_cast<std::size_t>(plan.frames));
 	Progress progress(remaining.line());
 	if (plan.writes_beside)
@@ -167,6 +175,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 		empty += isEmpty(session, **cut);
 		if (plan.wants_figures)
 		{
+			in_boundary += hasBoundarySheet(**cut);
 			figures.push_back((*cut)->figures);
 			figures.back()["frame"] = frame;
 		}
@@ -179,6 +188,10 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 		plan.trace->add(session.timeline->takeSections());
 	if (empty > 0)
 		warn("{} of {} frames are empty: the probe misses the grid there", empty, plan.frames);
+	if (in_boundary > 0)
+		warn("in {} of {} frames a sheet lies in the boundary of the grid and cuts no cell, so its area is 0; "
+		     "boundary_area, boundary_mean and boundary_flux are its figures",
+		     in_boundary, plan.frames);
 	return figures;
 }
 

@@ -54,13 +54,15 @@ private:
 struct Figures
 {
 	double area = 0.0;
-	double boundary_area = 0.0; // of boundary faces in the plane, which is no part of the rest
-	double nan_area = 0.0;      // of the area, where the value is not finite
-	std::optional<double> mean; // area-weighted
+	double boundary_area = 0.0;          // of boundary faces in the plane, which are no part of the rest
+	double nan_area = 0.0;               // of the area, where the value is not finite
+	std::optional<double> mean;          // area-weighted
+	std::optional<double> boundary_mean; // the same over the boundary faces in the plane
 	std::optional<double> min;
 	std::optional<double> max;
-	std::optional<double> flux; // of vectors through the sheet
-	std::size_t components = 0; // pieces that do not touch
+	std::optional<double> flux;          // of vectors through the sheet
+	std::optional<double> boundary_flux; // the same through the boundary faces in the plane
+	std::size_t components = 0;          // pieces that do not touch
 	std::size_t cut_cells = 0;
 };
 
