@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grid/cell_places.h"
 #include "grid/grid.h"
 #include "grid/structured.h"
 #include "locate/cell_polynomial.h"
@@ -28,6 +29,8 @@ struct CellFan
 	std::vector<PointId> points; // each once, in an order that follows from the cell alone
 	Vec3 center;                 // their mean, from the cell's origin
 	Vec3 size;                   // of their box
+	grid::CellPlaces places;     // of a polyhedron
+	bool is_concave = false;     // the center does not see all of a polyhedron's surface, or it has holes
 	// Of a lattice, whose cell may be of another piece: faces and points are numbered in the cell.
 	std::array<Vec3, 8> corners;
 	std::array<std::array<Vec3, 8>, 2> vectors;
@@ -136,6 +139,13 @@ public:
 		}
 		fan.size = box.size();
 		fan.loaded = true;
+		fan.is_concave = false;
+		if constexpr (!kIsLattice<G>)
+			if (into.shape == grid::CellShape::polyhedron)
+			{
+				fan.places.fetch(grid_, into.cell);
+				fan.is_concave = !grid::isStarAbout(fan.places, into.origin + fan.center);
+			}
 	}
 
 	// What knows the places of a fan's points.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "vectors/cell_field.h"
+#include "vectors/concave_way.h"
 #include "vectors/particle.h"
 
 #include <array>
@@ -26,6 +27,9 @@ struct Sample
 // place lies beyond has a cell across, the place is outside. The last cells are kept, since the stages of a step go
 // back and forth.
 //
+// A cell that is concave or has holes is left where the straight way from the begin of the step leaves it, even if the
+// place lies in the cell again: a particle does not jump over a hole.
+//
 // Not thread safe. It refers to the grid and its vectors. It allocates only for polyhedra and for cells where Newton's
 // method fails, and only while buffers grow.
 template <grid::Grid G>
@@ -49,6 +53,7 @@ public:
 	void resume(CellId cell, const CellStand& stand)
 	{
 		moveTo(cell);
+		begin_.reset();
 		u_ = fromSource(loader_.axes(), stand.u);
 		place_ = stand.place;
 		part_.reset();
@@ -60,6 +65,7 @@ public:
 	void startIn(CellId cell)
 	{
 		moveTo(cell);
+		begin_.reset();
 		u_ = startOf(here().shape);
 		predicts_ = false;
 	}
@@ -69,6 +75,8 @@ public:
 		moveTo(cursor.cell);
 		u_ = cursor.u;
 		place_ = cursor.place;
+		begin_ = cursor.place;
+		begin_cell_ = isConcave() ? cursor.cell : kNoCell;
 	}
 	CellId cell() const { return here().cell; }
 
@@ -78,6 +86,9 @@ public:
 		if (predictsIn(here()))
 			u_ += locate::applied(inverse_, place - place_);
 		place_ = place;
+		if (begin_ && begin_cell_ != kNoCell)
+			moveTo(begin_cell_);
+		double begun = 0.0; // of the way from the begin
 		CellId before = kNoCell;
 		double depth_before = 0.0;
 		for (int hop = 0;; ++hop)
@@ -85,6 +96,24 @@ public:
 			settle();
 			if (part_ && part_->face < 0)
 				return {Vec3(std::numeric_limits<double>::quiet_NaN()), -1.0, -1, true}; // no volume
+			if (isConcave())
+			{
+				const bool begins_here = begun == 0.0 && (!begin_ || here().cell == begin_cell_);
+				const auto left = whereLeft(here().fan.places, begin_.value_or(place), place, begun, begins_here);
+				if (!left)
+					return sample({part_->face, std::max(part_->depth(), 0.0)}, between, false);
+				const CellId next = stays_ || hop == kMaxHops ? kNoCell : across(left->face);
+				if (next == kNoCell)
+					return sample({left->face, -1.0}, between, true);
+				const bool goes_on = left->part > begun + kNoWay;
+				if (!goes_on && next == before)
+					return sample({part_->face, 0.0}, between, false); // both sides of a warped face disown it
+				before = goes_on ? kNoCell : here().cell;
+				depth_before = -1.0;
+				begun = left->part;
+				cross({next, left->face});
+				continue;
+			}
 			const Nearest nearest = nearestFace();
 			const bool held = nearest.depth >= kHeld;
 			if (held || stays_ || hop == kMaxHops)
@@ -133,8 +162,9 @@ public:
 	CellId across(int face) const { return loader_.across(here().cell, face, place_); }
 
 private:
-	static constexpr int kMaxHops = 64; // steps are kept as short as a cell
-	static constexpr int kKept = 4;     // cells: a step near an edge comes by as many
+	static constexpr int kMaxHops = 64;     // steps are kept as short as a cell
+	static constexpr double kNoWay = 1e-12; // of a step
+	static constexpr int kKept = 4;         // cells: a step near an edge comes by as many
 
 	struct Nearest
 	{
@@ -151,6 +181,10 @@ private:
 	const CellField& here() const { return kept_[at_]; }
 	// Cells side by side in a lattice are much alike.
 	bool predictsIn(const CellField& cell) const { return predicts_ && (kIsLattice<G> || cell.cell == inverse_cell_); }
+	bool isConcave() const
+	{
+		return here().shape == grid::CellShape::polyhedron && here().fan.loaded && here().fan.is_concave;
+	}
 	static Vec3 startOf(grid::CellShape shape)
 	{
 		return shape == grid::CellShape::polyhedron ? Vec3(0.5) : locate::middleOf(shape);
@@ -284,11 +318,17 @@ private:
 			if (std::isfinite(inverse[0].x + inverse[1].y + inverse[2].z))
 				return inverse;
 		}
-		CellField scratch = cell;
-		if (!scratch.fan.loaded)
-			loader_.loadFan(scratch);
-		const Vec3 size = glm::max(scratch.fan.size, Vec3(std::numeric_limits<double>::min()));
+		const Vec3 size = glm::max(fanSize(cell), Vec3(std::numeric_limits<double>::min()));
 		return {Vec3(1.0 / size.x, 0.0, 0.0), Vec3(0.0, 1.0 / size.y, 0.0), Vec3(0.0, 0.0, 1.0 / size.z)};
+	}
+
+	Vec3 fanSize(const CellField& cell) const
+	{
+		if (cell.fan.loaded)
+			return cell.fan.size;
+		CellField scratch = cell;
+		loader_.loadFan(scratch);
+		return scratch.fan.size;
 	}
 
 	const CellLoader<G>& loader_;
@@ -298,6 +338,8 @@ private:
 	int next_ = 0;
 	Vec3 u_{0.5};                         // in the present cell
 	Vec3 place_{0.0};                     // of the last call
+	std::optional<Vec3> begin_;           // of the step
+	CellId begin_cell_ = kNoCell;         // the cell there if it is concave
 	std::optional<locate::FanPart> part_; // where the present cell is taken as tetrahedra
 	bool predicts_ = false;               // by the inverse
 	bool exact_ = false;
