@@ -88,6 +88,24 @@ TEST_F(Check, CellsWithOwnPointsAndDegenerateCellsAreNoFault)
 	EXPECT_TRUE(contains(run({"check", tetrahedra}).out, "degenerate_cells"));
 }
 
+// A point that no cell uses changes no figure.
+TEST_F(Check, PointsOfNoCellAreNoFault)
+{
+	const auto check = [&](const std::string& points)
+	{
+		return run(
+		    {"check",
+		     write("orphan.vtk", "# vtk DataFile Version 3.0\no\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 6 float\n" +
+		                             points + "CELLS 2 10\n4 0 1 2 3\n4 0 2 1 4\nCELL_TYPES 2\n10\n10\n"),
+		     "--json"});
+	};
+	const Outcome orphan = check("0 0 0 1 0 0 0 1 0 0 0 1 0 0 -1 9 9 9\n");
+	EXPECT_EQ(orphan.status, 0) << orphan.out;
+	EXPECT_EQ(orphan.json()["orphan_points"], 1);
+	EXPECT_EQ(orphan.json()["clean"], true);
+	EXPECT_TRUE(contains(run({"check", path("orphan.vtk")}).out, "note"));
+}
+
 TEST_F(Check, BlocksThatMeetAreNoFaultButThoseThatOverlapAre)
 {
 	const std::string image = write("image.vtk", legacyImage());
