@@ -115,6 +115,11 @@ vtkSmartPointer<vtkDataObject> loadTrees(const Request& request, ManifestWriter&
 		throw damaged("no hyper tree grid was found");
 	if (trees->GetDimension() != 3)
 		throw Refusal(fmt::format("nothing to slice: a hyper tree grid of {} dimensions", trees->GetDimension()));
+	// Below that, cells are thinner than the rounding of their places. Each level is a call within a call.
+	constexpr unsigned int kMaxTreeLevels = 64;
+	if (trees->GetNumberOfLevels() > kMaxTreeLevels)
+		throw Refusal(
+		    fmt::format("a hyper tree of {} levels; up to {} can be read", trees->GetNumberOfLevels(), kMaxTreeLevels));
 	vtkNew<vtkHyperTreeGridToUnstructuredGrid> leaves;
 	leaves->SetInputData(trees);
 	addNoIds(*leaves);

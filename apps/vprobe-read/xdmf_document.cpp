@@ -325,6 +325,8 @@ XdmfValues XdmfDocument::values(const XmlElement& given) const
 		// In text, so the type is that which holds them all.
 		const bool whole = isOneOf(given_type, {"Int", "UInt", "Char", "UChar"});
 		const ValueLayout own = flat(count, whole ? NumberType::int64 : NumberType::float64);
+		if (count > text.size() / 2 + 1) // a digit and a blank each
+			throw damaged("a DataItem of fewer values than its Dimensions say");
 		std::string bytes(own.byteCount(), '\0');
 		TextCursor at(text);
 		for (std::uint64_t i = 0; i < count; ++i)

@@ -12,7 +12,8 @@ namespace
 class Chains
 {
 public:
-	explicit Chains(std::vector<PlaneStep> steps) : steps_(std::move(steps)), used_(steps_.size())
+	explicit Chains(std::vector<PlaneStep> steps)
+	    : steps_(std::move(steps)), used_(steps_.size()), passed_(steps_.size(), 0)
 	{
 		std::ranges::sort(steps_, {}, &PlaneStep::from);
 		for (const PlaneStep& step : steps_)
@@ -42,17 +43,23 @@ private:
 			line.push_back(steps_[step].to);
 			if (steps_[step].to == start)
 				return;
-			auto next = std::ranges::lower_bound(steps_, steps_[step].to, {}, &PlaneStep::from);
-			while (next != steps_.end() && next->from == steps_[step].to && used_[&*next - steps_.data()])
-				++next;
-			if (next == steps_.end() || next->from != steps_[step].to)
+			const auto first = std::ranges::lower_bound(steps_, steps_[step].to, {}, &PlaneStep::from);
+			if (first == steps_.end())
 				return;
-			step = static_cast<std::size_t>(next - steps_.begin());
+			// Thousands of steps may begin at one place: the used ones are passed once.
+			std::size_t next = static_cast<std::size_t>(first - steps_.begin());
+			std::uint32_t& passed = passed_[next];
+			for (next += passed; next < steps_.size() && steps_[next].from == first->from && used_[next]; ++next)
+				++passed;
+			if (next == steps_.size() || steps_[next].from != steps_[step].to)
+				return;
+			step = next;
 		}
 	}
 
 	std::vector<PlaneStep> steps_;
 	std::vector<bool> used_;
+	std::vector<std::uint32_t> passed_; // at the first step from a place: how many are known to be used
 	std::unordered_map<std::uint64_t, int> ends_at_;
 	std::vector<std::vector<std::uint64_t>> lines_;
 };

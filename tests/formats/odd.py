@@ -73,6 +73,54 @@ def nrrd_directions(folder):
         assert near(ours['area'], wanted['area']) and near(ours['mean'], wanted['mean']), (name, ours, wanted)
 
 
+def counts_that_lie(folder):
+    """Lists and counts in a head that ask for more than there can be."""
+    def refused_as_damaged(name, text, *words):
+        (folder / name).write_text(text)
+        done = subprocess.run([VPROBE, 'info', folder / name], capture_output=True, text=True, timeout=10)
+        assert done.returncode == 2 and done.stderr.count('\n') == 1, done
+        for word in words:
+            assert word in done.stderr, (word, done.stderr)
+
+    often = ','.join(['1-4'] * 50000)
+    refused_as_damaged('often.dat', f'VARIABLES = "X" "Y" "Z" "P"\nZONE I=2, J=2, K=2, DATAPACKING=BLOCK, '
+                       f'VARLOCATION=([{often}]=NODAL)\n' + '0 1 0 1 0 1 0 1\n' * 4, 'more than once')
+    refused_as_damaged('many.xmf', '<?xml version="1.0"?>\n<Xdmf Version="3.0"><Domain><Grid Name="box">\n'
+                       '<Topology TopologyType="3DCoRectMesh" Dimensions="10000 10000 1000"/>\n'
+                       '<Geometry GeometryType="ORIGIN_DXDYDZ"><DataItem Dimensions="3" Format="XML">0 0 0</DataItem>\n'
+                       '<DataItem Dimensions="3" Format="XML">1 1 1</DataItem></Geometry>\n'
+                       '<Attribute Name="f" Center="Node"><DataItem Dimensions="10000 10000 1000" Format="XML">'
+                       '1 2 3</DataItem></Attribute></Grid></Domain></Xdmf>\n', 'fewer values')
+
+
+def deep_trees(folder):
+    """A hyper tree of 66 levels, of which each has one cell that is divided further."""
+    vtk = need('vtk')
+    trees, cursor = vtk.vtkHyperTreeGrid(), vtk.vtkHyperTreeGridNonOrientedCursor()
+    trees.SetDimensions(2, 2, 2)
+    trees.SetBranchFactor(2)
+    for axis in 'XYZ':
+        ends = vtk.vtkDoubleArray()
+        for end in (0.0, 1.0):
+            ends.InsertNextValue(end)
+        getattr(trees, f'Set{axis}Coordinates')(ends)
+    trees.InitializeNonOrientedCursor(cursor, 0, True)
+    cursor.SetGlobalIndexStart(0)
+    for _ in range(66):
+        cursor.SubdivideLeaf()
+        cursor.ToChild(0)
+    values = vtk.vtkDoubleArray()
+    values.SetName('f')
+    values.SetNumberOfTuples(1 + 8 * 66)
+    values.Fill(1.0)
+    trees.GetCellData().AddArray(values)
+    writer = vtk.vtkXMLHyperTreeGridWriter()
+    writer.SetInputData(trees)
+    writer.SetFileName(str(folder / 'deep.htg'))
+    writer.Write()
+    refused(folder / 'deep.htg', '67 levels', 'up to 64')
+
+
 def netcdf_sides(folder):
     netcdf4, numpy = need('netCDF4'), need('numpy')
     values = lattice(numpy)
@@ -324,6 +372,6 @@ def cgns_of_faces(folder):
     refused(folder / 'faces.cgns', 'ParentElements', 'NFACE_n')
 
 
-CASES = [metaimage_longs, exodus_by_meshio, exodus_without_values, numpy_types, netcdf_sides, nrrd_directions,
-         xdmf_types, vtk_images, vtk_without_cells, gmsh_comments, wedges, tiff_orders, other_codes, half_floats,
-         kinds_of_vtkhdf, cgns_of_faces]
+CASES = [metaimage_longs, counts_that_lie, deep_trees, exodus_by_meshio, exodus_without_values, numpy_types,
+         netcdf_sides, nrrd_directions, xdmf_types, vtk_images, vtk_without_cells, gmsh_comments, wedges, tiff_orders,
+         other_codes, half_floats, kinds_of_vtkhdf, cgns_of_faces]

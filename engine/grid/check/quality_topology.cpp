@@ -136,7 +136,10 @@ void inspectPoint(std::span<const Wedge> wedges, std::uint32_t block, Quality& q
 	{
 		std::size_t at = std::ranges::lower_bound(ends, p) - ends.begin();
 		while (ring[at] != at)
+		{
+			ring[at] = ring[ring[at]]; // shorter for the next one: a point may have a hundred thousand edges
 			at = ring[at];
+		}
 		return at;
 	};
 	for (const Wedge& wedge : wedges)

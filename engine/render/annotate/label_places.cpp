@@ -63,6 +63,34 @@ public:
 		return result;
 	}
 
+	// The lengths at which it may be in an area: visit(from, to) for each of its segments that meets it. A line that
+	// comes near the eye is millions of times as long as a picture is wide.
+	template <class Visit>
+	void forPartsIn(const Area& area, Visit&& visit) const
+	{
+		for (std::size_t i = 0; i + 1 < points_.size(); ++i)
+		{
+			double from = 0.0;
+			double to = 1.0;
+			for (int axis = 0; axis < 2; ++axis)
+			{
+				const double a = points_[i][axis];
+				const double way = points_[i + 1][axis] - a;
+				const double enters = ((way < 0.0 ? area.hi : area.lo)[axis] - a) / way;
+				const double leaves = ((way < 0.0 ? area.lo : area.hi)[axis] - a) / way;
+				if (way == 0.0)
+					to = a >= area.lo[axis] && a <= area.hi[axis] ? to : -1.0;
+				else
+				{
+					from = std::max(from, enters);
+					to = std::min(to, leaves);
+				}
+			}
+			if (from <= to && std::isfinite(lengths_[i + 1]))
+				visit(glm::mix(lengths_[i], lengths_[i + 1], from), glm::mix(lengths_[i], lengths_[i + 1], to));
+		}
+	}
+
 private:
 	std::size_t segment(double s) const
 	{
@@ -110,16 +138,23 @@ struct Box2
 	}
 };
 
-// Where lines run, in squares of a label's height.
+// Where lines run within an area, in squares of a label's height.
 class LineMap
 {
 public:
-	LineMap(std::span<const Route> routes, double height) : cell_(height)
+	LineMap(std::span<const Route> routes, double height, const Area& within) : cell_(height)
 	{
+		const double step = kProbe * height;
 		for (std::size_t i = 0; i < routes.size(); ++i)
-			for (double s = 0.0; s < routes[i].length(); s += kProbe * height)
-				if (const glm::dvec2 p = routes[i].at(s); glm::all(glm::lessThan(glm::abs(p), glm::dvec2(1e8))))
-					probes_[name(glm::ivec2(glm::floor(p / cell_)))].push_back({i, p});
+			routes[i].forPartsIn(within,
+			                     [&](double from, double to)
+			                     {
+				                     for (double n = std::ceil(from / step); n * step < to; n += 1.0)
+				                     {
+					                     const glm::dvec2 p = routes[i].at(n * step);
+					                     probes_[name(glm::ivec2(glm::floor(p / cell_)))].push_back({i, p});
+				                     }
+			                     });
 	}
 
 	int othersIn(const Box2& box, std::size_t line) const
@@ -203,7 +238,7 @@ std::vector<LabelPlace> placeLabels(std::span<const LabeledLine> lines, double h
 	std::vector<Route> routes;
 	for (const LabeledLine& line : lines)
 		routes.emplace_back(line);
-	const LineMap map(routes, height);
+	const LineMap map(routes, height, within);
 	std::vector<std::size_t> order(lines.size());
 	std::iota(order.begin(), order.end(), std::size_t(0));
 	std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return routes[i].length(); });

@@ -261,4 +261,20 @@ TEST(ContourLines, StepsChainIntoLines)
 	EXPECT_TRUE(measure::chained({}).empty());
 }
 
+// A hundred thousand lines through one place take no longer than as many elsewhere.
+TEST(ContourLines, StepsMayMeetInOnePlace)
+{
+	constexpr std::uint64_t kLines = 200'000;
+	std::vector<measure::PlaneStep> steps;
+	for (std::uint64_t i = 1; i <= kLines; ++i)
+	{
+		steps.push_back({i, 0});
+		steps.push_back({0, kLines + i});
+	}
+	const auto lines = measure::chained(std::move(steps));
+	EXPECT_EQ(lines.size(), kLines);
+	for (const auto& line : lines)
+		ASSERT_EQ(line.size(), 3u);
+}
+
 } // namespace vp::test

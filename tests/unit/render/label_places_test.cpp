@@ -158,4 +158,18 @@ TEST(LabelPlaces, GapsTakeTheirPartOfTheLine)
 	}
 }
 
+// A sheet that comes near the eye has lines that are millions of times as long as the picture is wide.
+TEST(LabelPlaces, TakeNoTimeForWhatIsOutside)
+{
+	std::vector<LabeledLine> lines{circle({500.0, 400.0}, 150.0), straight({-1e13, 401.0}, {1e13, 401.0}),
+	                               straight({100.0, 1e14}, {100.0, -1e14})};
+	const std::vector<LabelPlace> places = placeLabels(lines, kHeight, 300.0, kPicture);
+	ASSERT_FALSE(places.empty());
+	for (const LabelPlace& place : places)
+	{
+		EXPECT_EQ(place.line, 0u);
+		EXPECT_GT(std::abs(place.center.y - 401.0), 0.5 * kHeight); // the long line is seen
+	}
+}
+
 } // namespace vp::render
