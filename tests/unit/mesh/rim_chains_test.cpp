@@ -29,22 +29,15 @@ mesh::SheetMesh polygonsAt(const std::vector<Vec3>& places, const std::vector<st
 	return mesh;
 }
 
-// Arms from x = 0 to 1 and 2 to 3, up to y = 3, on a foot up to y = 1; and a square beside it.
+// Arms from x = 0 to 1 and 2 to 3, up to y = 3, on a foot up to y = 1.
+const std::vector<Vec3> kU{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {2, 3, 0}, {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
+const std::vector<std::uint32_t> kAroundU{0, 1, 2, 3, 4, 5, 6, 7};
+
 mesh::SheetMesh uAndSquare()
 {
-	return polygonsAt({{0, 0, 0},
-	                   {3, 0, 0},
-	                   {3, 3, 0},
-	                   {2, 3, 0},
-	                   {2, 1, 0},
-	                   {1, 1, 0},
-	                   {1, 3, 0},
-	                   {0, 3, 0},
-	                   {5, 0, 0},
-	                   {6, 0, 0},
-	                   {6, 3, 0},
-	                   {5, 3, 0}},
-	                  {{0, 1, 2, 3, 4, 5, 6, 7}, {8, 9, 10, 11}});
+	std::vector<Vec3> places = kU;
+	places.insert(places.end(), {{5, 0, 0}, {6, 0, 0}, {6, 3, 0}, {5, 3, 0}});
+	return polygonsAt(places, {kAroundU, {8, 9, 10, 11}});
 }
 
 // A square from 0 to 3 with a hole from 1 to 2.
@@ -100,18 +93,7 @@ TEST(RimChains, AConcavePolygonLeavesSeveral)
 
 TEST(RimChains, BoundaryFacesStayTheLastOnes)
 {
-	mesh::SheetMesh mesh = polygonsAt(
-	    {
-	        {0, 0, 0},
-	        {3, 0, 0},
-	        {3, 3, 0},
-	        {2, 3, 0},
-	        {2, 1, 0},
-	        {1, 1, 0},
-	        {1, 3, 0},
-	        {0, 3, 0},
-	    },
-	    {{0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}});
+	mesh::SheetMesh mesh = polygonsAt(kU, {kAroundU, kAroundU});
 	mesh.boundary_polygons = 1;
 	const mesh::SheetMesh arms = keptWithin(mesh, {{Vec3(0, 1, 0), 2.0}});
 	ASSERT_EQ(arms.polygons(), 4u);
@@ -138,11 +120,10 @@ TEST(RimChains, AHoleStaysAHole)
 		EXPECT_EQ(strip.polygons(), 2u);
 		EXPECT_DOUBLE_EQ(partsArea(strip), 1.0);
 	}
-	EXPECT_EQ(
-	    keptWithin(ring(),
-	               {{Vec3(1, 0, 0), 1.25}, {Vec3(-1, 0, 0), -1.75}, {Vec3(0, 1, 0), 1.25}, {Vec3(0, -1, 0), -1.75}})
-	        .polygons(),
-	    0u);
+	// Within the hole there is nothing.
+	const std::vector<mesh::ClipSide> inside{
+	    {Vec3(1, 0, 0), 1.25}, {Vec3(-1, 0, 0), -1.75}, {Vec3(0, 1, 0), 1.25}, {Vec3(0, -1, 0), -1.75}};
+	EXPECT_EQ(keptWithin(ring(), inside).polygons(), 0u);
 }
 
 } // namespace vp::test
