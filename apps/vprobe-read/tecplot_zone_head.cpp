@@ -40,8 +40,12 @@ std::vector<std::size_t> numbersIn(std::string_view list, std::size_t end)
 		const std::int64_t step = colon == word.size() ? 1 : TextCursor(word.substr(colon + 1)).integer();
 		if (first < 1 || last > static_cast<std::int64_t>(end) || step < 1)
 			throw damaged(fmt::format("\"{}\" names variables that it does not have", word.substr(0, 20)));
-		for (std::int64_t n = first; n <= last; n += step)
+		for (std::int64_t n = first; n <= last; n += std::min(step, last))
+		{
+			if (numbers.size() == end)
+				throw damaged(fmt::format("\"{}\" names variables more than once", list.substr(0, 20)));
 			numbers.push_back(static_cast<std::size_t>(n - 1));
+		}
 	}
 	return numbers;
 }
