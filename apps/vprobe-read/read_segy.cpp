@@ -155,15 +155,15 @@ vtkSmartPointer<vtkStructuredGrid> segyGrid(const SegyFile& file, const SegySurv
 	{
 		const std::size_t index = survey.traces[static_cast<std::size_t>(column)];
 		const bool is_here = index != kNoTrace;
-		const std::optional<SegyTrace> trace = is_here ? std::optional(file.trace(index)) : std::nullopt;
+		const SegyTrace trace = is_here ? file.trace(index) : SegyTrace{};
 		const std::array<double, 2> place = by_numbers ? survey.numbersOf(static_cast<std::size_t>(column))
-		                                    : is_here  ? std::array{trace->x, trace->y}
+		                                    : is_here  ? std::array{trace.x, trace.y}
 		                                               : plane.at(static_cast<std::size_t>(column), survey);
 		for (vtkIdType k = 0; k < samples; ++k)
 		{
 			// The time of the last sample is the least z: down in the ground.
 			const vtkIdType point = (samples - 1 - k) * columns + column;
-			const double depth = (is_here ? trace->delay : 0.0) + file.interval() * static_cast<double>(k);
+			const double depth = trace.delay + file.interval() * static_cast<double>(k);
 			points->SetPoint(point, place[0], place[1], -depth);
 			values->SetTuple1(point, is_here ? file.sample(index, static_cast<std::size_t>(k))
 			                                 : std::numeric_limits<double>::quiet_NaN());

@@ -103,7 +103,7 @@ void imagejTimes(TiffLayout& layout, std::string_view text)
 	{
 		layout.time_units = valueOfLine(text, "tunit");
 		if (layout.time_units.empty() || layout.time_units == "sec")
-			layout.time_units = "s";
+			layout.time_units = std::string(1, 's'); // gcc 12 warns wrongly of an assigned text of one character
 	}
 }
 
