@@ -60,10 +60,11 @@ void refuseColors(const DicomPixelForm& form, const std::string& colors)
 	if (colors == "PALETTE COLOR")
 		throw Refusal("pixels that are numbers of colors in a palette (PALETTE COLOR), which have no value");
 	if (!is_gray && colors != "RGB")
-		throw Refusal(
-		    fmt::format("pixels of the color model {}; convert it to RGB, with dcmdjpeg or gdcmconv", colors));
+		throw Refusal(fmt::format("pixels of the color model {}; convert it to RGB, with dcmdjpeg or gdcmconv",
+		                          colors.substr(0, 32)));
 	if (form.samples != (is_gray ? 1u : 3u))
-		throw damaged(fmt::format("its pixels have {} samples, and are {}", form.samples, is_gray ? "gray" : colors));
+		throw damaged(
+		    fmt::format("its pixels have {} samples, and are {}", form.samples, is_gray ? "gray" : "of colors"));
 }
 
 void refuseBits(const DicomPixelForm& form)

@@ -297,7 +297,9 @@ void addByOffsets(DicomFrame top, const DicomItem& root, std::size_t count, Dico
 		setPlace(*item, Tag(0x0020, 0x0032), top);
 		setAxes(*item, Tag(0x0020, 0x0037), top);
 	}
-	top.has_place = true; // if only relative to each other
+	if (!top.has_place)
+		all.note("it has no ImagePositionPatient; its first pixel is taken to lie at 0");
+	top.has_place = true;
 	std::vector<DicomFrame> frames(count, top);
 	for (std::size_t f = 0; f < count; ++f)
 		frames[f].index = f, frames[f].number += static_cast<double>(f) / kMaxFrames;

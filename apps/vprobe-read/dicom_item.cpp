@@ -12,6 +12,7 @@
 #include <gdcmGlobal.h>
 #include <gdcmSequenceOfItems.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -28,6 +29,15 @@ std::string_view withoutBlanks(std::string_view text)
 	return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+// Files may have text of any characters, or none at all; lines to the user have plain ones.
+std::string printable(std::string_view text)
+{
+	std::string plain(text);
+	std::replace_if(
+	    plain.begin(), plain.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, '?');
+	return plain;
+}
+
 std::vector<double> numbersInText(std::string_view text, const gdcm::Tag& tag)
 {
 	std::vector<double> numbers;
@@ -37,7 +47,7 @@ std::vector<double> numbersInText(std::string_view text, const gdcm::Tag& tag)
 		const auto word = withoutBlanks(text.substr(0, end));
 		const auto number = vp::parseReal(word);
 		if (!number)
-			throw damaged(fmt::format("{} is \"{}\", which is no number", nameOf(tag), word));
+			throw damaged(fmt::format("{} is \"{}\", which is no number", nameOf(tag), printable(word.substr(0, 32))));
 		numbers.push_back(*number);
 		text.remove_prefix(std::min(end + 1, text.size()));
 	}
@@ -102,7 +112,7 @@ std::string_view DicomItem::bytes(const gdcm::Tag& tag) const
 
 std::string DicomItem::text(const gdcm::Tag& tag) const
 {
-	return std::string(withoutBlanks(bytes(tag)));
+	return printable(withoutBlanks(bytes(tag)));
 }
 
 std::vector<double> DicomItem::numbers(const gdcm::Tag& tag) const

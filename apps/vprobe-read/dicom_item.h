@@ -24,7 +24,7 @@ public:
 	std::optional<double> hint(const gdcm::Tag& tag) const;
 	// Exactly `count` finite numbers, or none. Throws a Refusal if there are others.
 	std::vector<double> exactly(std::size_t count, const gdcm::Tag& tag) const;
-	// Without the blanks around it; empty if it is missing.
+	// Without the blanks around it, and with ? for what is no plain character; empty if it is missing.
 	std::string text(const gdcm::Tag& tag) const;
 	// The bytes of the value, in the byte order of this machine; valid as long as the item.
 	std::string_view bytes(const gdcm::Tag& tag) const;

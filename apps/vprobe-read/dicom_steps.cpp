@@ -220,7 +220,12 @@ DicomSteps stepsOf(DicomFrames& all)
 			split(frames, places, key, grouping);
 		by_number = splitByNumber(places, grouping);
 		if (!isComplete(places, grouping.group, grouping.count))
-			throw Refusal("its slices lie in the same place, and not equally many in each; keep one time in a folder");
+			throw Refusal(
+			    frames.front().file == frames.back().file
+			        ? "several of its frames lie in one place, and not equally many in each; dcm2niix may sort "
+			          "them"
+			        : "its slices lie in the same place, and not equally many in each; keep one time in a "
+			          "folder");
 	}
 	DicomSteps steps;
 	steps.steps.resize(grouping.count);

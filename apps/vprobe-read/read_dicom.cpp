@@ -16,6 +16,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkImageData.h>
 #include <vtkPointData.h>
 
 #include <fmt/format.h>
@@ -136,6 +137,8 @@ void readDicom(const Request& request, ManifestWriter& manifest)
 	chooseIfAny(steps.times, request); // refuses an index where there are no times
 	const auto& frames = steps.steps[steps.times.empty() ? 0 : chooseStep(steps.times, request)];
 	const auto grid = gridOfFrames(frames);
+	if (!vtkImageData::SafeDownCast(grid))
+		all.note("its frames are not evenly far apart; the grid follows them, and none may be missing");
 	grid->GetPointData()->SetScalars(valuesOf(frames, manifest));
 	for (const std::string& note : all.notes)
 		manifest.warn(note);
