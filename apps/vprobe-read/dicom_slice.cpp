@@ -56,8 +56,8 @@ std::optional<DicomSlice> dicomSlice(const std::string& file)
 	gdcm::Reader reader;
 	reader.SetStream(head);
 	// The rows are the last that is asked for below; the pixels lie far behind.
-	if (!reader.ReadUpToTag(gdcm::Tag(0x0028, 0x0010), std::set<gdcm::Tag>{}))
-		return std::nullopt;
+	// GDCM may say that it failed where it stopped within deflated data; the rows tell.
+	reader.ReadUpToTag(gdcm::Tag(0x0028, 0x0010), std::set<gdcm::Tag>{});
 	const DicomItem root(reader.GetFile().GetDataSet());
 	if (root.hint(gdcm::Tag(0x0028, 0x0010)).value_or(0.0) == 0.0) // rows
 		return std::nullopt;

@@ -85,11 +85,14 @@ DicomFrames framesOf(const std::vector<DicomSlice>& files)
 	DicomFrames all;
 	for (const DicomSlice& slice : files)
 	{
-		gdcm::Reader reader;
-		reader.SetFileName(slice.file.c_str());
-		if (!reader.ReadUpToTag(gdcm::Tag(0x7fe0, 0x0008)))
+		gdcm::Reader head;
+		gdcm::Reader whole; // where GDCM cannot stop, as within deflated data
+		head.SetFileName(slice.file.c_str());
+		whole.SetFileName(slice.file.c_str());
+		const bool is_enough = head.ReadUpToTag(gdcm::Tag(0x7fe0, 0x0008));
+		if (!is_enough && !whole.Read())
 			throw damaged(fmt::format("GDCM cannot read {}", fs::path(slice.file).filename().string()));
-		addFramesOf(slice.file, DicomItem(reader.GetFile().GetDataSet()), all);
+		addFramesOf(slice.file, DicomItem((is_enough ? head : whole).GetFile().GetDataSet()), all);
 	}
 	return all;
 }
