@@ -23,7 +23,7 @@ test_packages=(
 	xvfb xdotool openbox
 	python3 dpkg-dev file # documents are checked, packages are made
 	python3-meshio python3-h5py gmsh python3-gmsh python3-netcdf4 python3-xarray python3-zarr python3-tifffile python3-mrcfile python3-pydicom
-	python3-nibabel python3-segyio dcm2niix # they write files of other formats
+	python3-nibabel python3-segyio dcm2niix libgdcm-tools # they write files of other formats
 	ffmpeg # films are tested where they can be made
 )
 # The plugin for ParaView 5.11, which Debian 12 has: its icon and help want Qt's tools.

@@ -12,6 +12,7 @@ missing; dcm2niix and gdcmconv (which packs) are left out where they are missing
 Where vprobe follows the standard and not pydicom: bits outside of BitsStored are no part of a value, and dose is
 multiplied by DoseGridScaling.
 """
+import json
 import os
 import pathlib
 import random
@@ -462,6 +463,112 @@ def niix_sample(folder):
         compare_with_dcm2niix(target, folder / name)
 
 
+def plain_spelling():
+    """Three pictures of 5 by 4 pixels, 1 apart, along the axes from 0 on."""
+    s = Spelling('by hand')
+    s.rows, s.columns, s.slices, s.type, s.stored_bits, s.high_bit = 4, 5, 3, 'u2', 16, 15
+    s.syntax, s.axes, s.normal, s.spacing = ExplicitVRLittleEndian, numpy.eye(3)[:2], numpy.eye(3)[2], numpy.ones(2)
+    s.origin = numpy.zeros(3)
+    return s
+
+
+def write_frames(path, kind, modality, values, **attributes):
+    """A file of many frames; each frame has one value."""
+    s = plain_spelling()
+    data = s.dataset(kind, modality)
+    data.NumberOfFrames, data.PixelSpacing = len(values), [1, 1]
+    for name, value in attributes.items():
+        setattr(data, name, value)
+    s.save(data, numpy.repeat(numpy.array(values, 'u2'), 20).reshape(-1, 4, 5), path)
+    return path
+
+
+def frame(z, stack='1', axes=(1, 0, 0, 0, 1, 0), **groups):
+    made = item(PlanePositionSequence=Sequence([item(ImagePositionPatient=[0, 0, z])]),
+                PlaneOrientationSequence=Sequence([item(ImageOrientationPatient=list(axes))]),
+                FrameContentSequence=Sequence([item(StackID=stack)]))
+    for name, value in groups.items():
+        setattr(made, name, Sequence([item(**value)]))
+    return made
+
+
+def write_enhanced(path, values, frames):
+    shared = item(PixelMeasuresSequence=Sequence([item(PixelSpacing=[1, 1])]))
+    return write_frames(path, ENHANCED_MR, 'MR', values, SharedFunctionalGroupsSequence=Sequence([shared]),
+                        PerFrameFunctionalGroupsSequence=Sequence(frames))
+
+
+def figures(path, *options):
+    """Of a sheet across the frames: area, mean and what is told; or the exit code and the line."""
+    done = subprocess.run([VPROBE, 'slice', path, '--normal', 'x', '--origin', '2', '2', '0.5', '--stats', '-', *options],
+                          capture_output=True, text=True)
+    if done.returncode:
+        return done.returncode, done.stderr
+    sheet = json.loads(done.stdout)['sheets'][0]
+    return round(sheet['area'], 9), round(sheet['mean'], 9), done.stderr
+
+
+def by_hand(folder):
+    """Frames of one value each, 3 mm wide: the area is 3 times their distance, the mean by the trapezoids."""
+    def one(name):
+        return folder / f'{name}.dcm'
+
+    area, mean, _ = figures(write_enhanced(one('shuffled'), [30, 10, 20], [frame(6), frame(0), frame(2)]))
+    assert (area, mean) == (18, round((2 * 15 + 4 * 25) / 6, 9)), (area, mean)
+    slopes = [{'PixelValueTransformationSequence': {'RescaleSlope': str(k), 'RescaleIntercept': '1'}} for k in (1, 2, 4)]
+    area, mean, _ = figures(write_enhanced(one('slopes'), [10, 10, 10], [frame(k, **slopes[k]) for k in range(3)]))
+    assert (area, mean) == (6, 1 + (15 + 30) / 2), (area, mean)
+    dose = {'GridFrameOffsetVector': [0, -1, -3], 'FrameIncrementPointer': 0x3004000c, 'DoseGridScaling': '0.5',
+            'ImagePositionPatient': [0, 0, 4], 'ImageOrientationPatient': [1, 0, 0, 0, 1, 0]}
+    area, mean, _ = figures(write_frames(one('dose'), DOSE, 'RTDOSE', [2, 4, 8], **dose))
+    assert (area, mean) == (9, round((1.5 + 2 * 3) / 3, 9)), (area, mean)
+    area, mean, _ = figures(write_frames(one('absolute'), DOSE, 'RTDOSE', [2, 4, 8],
+                                         **dose | {'GridFrameOffsetVector': [4, 3, 1]}))
+    assert (area, mean) == (9, round((1.5 + 2 * 3) / 3, 9)), (area, mean)
+
+    heart = write_enhanced(one('heart'), [1, 1, 5, 5], [
+        frame(z, CardiacSynchronizationSequence={'NominalCardiacTriggerDelayTime': float(t)})
+        for t in (0, 250) for z in (0, 2)])
+    assert figures(heart, '--time', '0.05')[:2] == (6, 1) and figures(heart, '--time', '0.25')[:2] == (6, 5)
+    echoes = write_enhanced(one('echoes'), [1, 5, 1, 5], [frame(z, MREchoSequence={'EffectiveEchoTime': float(echo)})
+                                                          for z in (0, 2) for echo in (10, 20)])
+    area, mean, told = figures(echoes, '--time', '#0')
+    assert (area, mean) == (6, 1) and 'differ in echo time' in told, (area, mean, told)
+    stacks = write_enhanced(one('stacks'), [1, 3, 9, 9, 9], [frame(0, 'a'), frame(1, 'a')] + [
+        frame(z, 'b', (1, 0, 0, 0, 0, 1)) for z in (0, 1)] + [frame(2, 'a')])
+    area, mean, told = figures(stacks)
+    assert (area, mean) == (6, 4) and 'largest of 2 stacks' in told, (area, mean, told)
+
+    for path, words in [
+            (write_enhanced(one('ragged'), [1, 2, 3], [frame(0), frame(0), frame(1)]), 'not equally many'),
+            (write_enhanced(one('turned'), [1, 2], [frame(0), frame(1, axes=(0, 1, 0, 0, 0, 1))]), 'several directions'),
+            (write_frames(one('film'), ULTRASOUND, 'US', [1, 2], FrameTime='40', FrameIncrementPointer=0x00181063),
+             'times of one picture'),
+            (write_frames(one('views'), NUCLEAR, 'NM', [1, 2], ImageType='ORIGINAL\\PRIMARY\\TOMO',
+                          AngularViewVector=[1, 2], FrameIncrementPointer=0x00540090), 'projections'),
+            (write_frames(one('palette'), CT, 'OT', [1, 2], PhotometricInterpretation='PALETTE COLOR'), 'palette')]:
+        code, line = figures(path)[:2]
+        assert code == 2 and words in line and line.count('\n') == 1, (path, code, line)
+    damaged_packing(folder)
+
+
+def damaged_packing(folder):
+    """A frame that ends early is no zeros."""
+    s = plain_spelling()
+    s.syntax = RLELossless
+    path = folder / 'packed.dcm'
+    data = s.dataset(CT, 'CT')
+    data.NumberOfFrames, data.PixelSpacing, data.SpacingBetweenSlices = 2, [1, 1], '1'
+    s.save(data, numpy.arange(40, dtype='u2').reshape(2, 4, 5) * 999, path)
+    assert figures(path)[0] == 3
+    read = pydicom.dcmread(path)
+    frames = list(pydicom.encaps.generate_pixel_data_frame(read.PixelData, 2))
+    read.PixelData = pydicom.encaps.encapsulate([frames[0], frames[1][:80]])
+    read.save_as(path)
+    code, line = figures(path)[:2]
+    assert code == 2 and 'do not unpack' in line, (code, line)
+
+
 def main():
     warnings.simplefilter('ignore')
     first, count = (int(word) for word in sys.argv[2:4]) if len(sys.argv) > 3 else \
@@ -474,6 +581,8 @@ def main():
             except AssertionError as error:
                 failed += 1
                 print(f'seed {seed} ({KINDS[seed % len(KINDS)].__name__}): FAILED: {error}')
+    with tempfile.TemporaryDirectory(prefix='vprobe-dicom-') as folder:
+        by_hand(pathlib.Path(folder))
     print(f'{count - failed} of {count} files as their writers meant them')
     if shutil.which('dcm2niix'):
         with tempfile.TemporaryDirectory(prefix='vprobe-dicom-') as folder:
