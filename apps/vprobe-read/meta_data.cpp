@@ -40,7 +40,8 @@ std::string_view dataOf(const MetaHeader& header, std::string_view file, const s
 	if (header.skipped_bytes > 0)
 		begin = static_cast<std::uint64_t>(header.skipped_bytes);
 	const std::uint64_t wanted = header.is_text ? 1 : header.compressed ? header.compressed_bytes : bytes;
-	if (header.skipped_bytes < 0 && file.size() >= wanted)
+	const bool knows_end = !header.compressed || header.compressed_bytes > 0;
+	if (header.skipped_bytes < 0 && knows_end && file.size() >= wanted)
 		begin = std::max(file.size() - wanted, begin);
 	const std::uint64_t there = file.size() - std::min<std::uint64_t>(file.size(), begin);
 	if (there < wanted)

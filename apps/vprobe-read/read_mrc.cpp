@@ -50,11 +50,6 @@ void readMrc(const Request& request, ManifestWriter& manifest)
 {
 	const MappedText file(request.file);
 	const MrcHeader header(file.text());
-	std::vector<double> times;
-	for (std::uint32_t volume = 0; header.volumes() > 1 && volume < header.volumes(); ++volume)
-		times.push_back(volume);
-	const auto volume = static_cast<std::uint64_t>(chooseIfAny(times, request).value_or(0.0));
-
 	const std::uint64_t bytes = header.bytesOfVolume();
 	std::uint64_t all = 0;
 	if (__builtin_mul_overflow(bytes, std::uint64_t(header.volumes()), &all))
@@ -62,6 +57,10 @@ void readMrc(const Request& request, ManifestWriter& manifest)
 	const std::string_view values = file.text().substr(header.valuesBegin());
 	if (values.size() < all)
 		throw damaged(fmt::format("{} bytes of values where {} are wanted", values.size(), all));
+	std::vector<double> times;
+	for (std::uint32_t volume = 0; header.volumes() > 1 && volume < header.volumes(); ++volume)
+		times.push_back(volume);
+	const auto volume = static_cast<std::uint64_t>(chooseIfAny(times, request).value_or(0.0));
 	std::string unpacked;
 	std::string_view wanted = values.substr(volume * bytes, bytes);
 	if (header.isPacked())

@@ -163,7 +163,7 @@ vtkSmartPointer<vtkStructuredGrid> segyGrid(const SegyFile& file, const SegySurv
 			// The time of the last sample is the least z: down in the ground.
 			const vtkIdType point = (samples - 1 - k) * columns + column;
 			const double depth = trace.delay + file.interval() * static_cast<double>(k);
-			points->SetPoint(point, place[0], place[1], -depth);
+			points->SetPoint(point, place[0], place[1], 0.0 - depth);
 			values->SetTuple1(point, is_here ? file.sample(index, static_cast<std::size_t>(k))
 			                                 : std::numeric_limits<double>::quiet_NaN());
 			marks->SetValue(point, is_here ? 0 : vtkDataSetAttributes::HIDDENPOINT);

@@ -122,8 +122,6 @@ TiffLayout imagejLayout(const TiffFacts& facts)
 	std::transform(order.begin(), order.end(), order.begin(), [](unsigned char c) { return std::toupper(c); });
 	if (std::string sorted = order; (std::sort(sorted.begin(), sorted.end()), sorted == "CTZ"))
 		layout.order = order;
-	if (layout.planes() > kMaxPlanes)
-		throw damaged("its description asks for more pages than there can be");
 	placeImagej(layout, facts);
 	calibrate(layout, text);
 	imagejTimes(layout, text);

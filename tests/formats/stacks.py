@@ -69,7 +69,7 @@ def tiff_imagej(folder):
     """One page and the values of all behind it, as ImageJ writes large stacks; signed values and units of its own."""
     tifffile, numpy = need('tifffile'), need('numpy')
     values = lattice(numpy)
-    tifffile.imwrite(folder / 'large.tif', values.astype('u2'), imagej=True, truncate=True)
+    tifffile.imwrite(folder / 'large.tif', values.astype('u2'), imagej=True, truncate=True, metadata={'axes': 'ZYX'})
     with tifffile.TiffFile(folder / 'large.tif') as file:
         assert len(file.pages) == 1
     found = info(folder / 'large.tif')
