@@ -133,7 +133,8 @@ void ByteSource::read(std::uint64_t at, std::span<std::byte> to, Scratch& scratc
 	}
 }
 
-PackedArray::PackedArray(const ByteSource& source, const Packing& packing, Scratch& scratch) : codec_(packing.codec)
+PackedArray::PackedArray(const ByteSource& source, const Packing& packing, Scratch& scratch)
+    : codec_(packing.codec), word_bytes_(packing.word_bytes)
 {
 	if (codec_ != Codec::none)
 	{
@@ -178,6 +179,15 @@ void PackedArray::readBlockSizes(const ByteSource& source, const Packing& packin
 			throw NotQuick();
 		block_starts_[b + 1] = block_starts_[b] + size;
 	}
+}
+
+std::uint64_t PackedArray::base64Letters() const
+{
+	const auto letters = [](std::uint64_t bytes) { return (bytes + 2) / 3 * 4; };
+	if (codec_ == Codec::none)
+		return letters(word_bytes_ + size_);
+	// The numbers in front are a text of their own; there are as many as blocks, and three.
+	return letters((block_starts_.size() + 2) * word_bytes_) + letters(block_starts_.back());
 }
 
 std::span<const std::byte> PackedArray::part(std::size_t index, std::uint64_t most, Scratch& scratch) const

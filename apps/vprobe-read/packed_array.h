@@ -70,6 +70,8 @@ public:
 	PackedArray(const ByteSource& source, const Packing& packing, Scratch& scratch);
 
 	std::uint64_t size() const { return size_; } // bytes, unpacked
+	// The letters that it takes as base64, with the numbers in front.
+	std::uint64_t base64Letters() const;
 	// It comes apart into parts of this many bytes, unpacked, but for the last one.
 	std::size_t partBytes() const { return part_bytes_; }
 	std::size_t partCount() const { return static_cast<std::size_t>((size_ + part_bytes_ - 1) / part_bytes_); }
@@ -82,6 +84,7 @@ private:
 
 	ByteSource bytes_;
 	Codec codec_ = Codec::none;
+	std::size_t word_bytes_ = 4;
 	std::uint64_t size_ = 0;
 	std::size_t part_bytes_ = 1;
 	std::size_t block_bytes_ = 0;

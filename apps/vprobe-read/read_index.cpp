@@ -1,10 +1,12 @@
 // Files that only name others: multiblock and AMR indices, collections over time, series.
 #include "amr_cover.h"
+#include "base/real_text.h"
 #include "complaints.h"
 #include "formats.h"
 #include "manifest_writer.h"
 #include "read_files.h"
 #include "refusal.h"
+#include "text_cursor.h"
 #include "time_choice.h"
 #include "xml_check.h"
 
@@ -19,8 +21,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 namespace fs = std::filesystem;
 
@@ -189,8 +193,15 @@ void readCollection(const Request& request, ManifestWriter& manifest)
 	{
 		vtkXMLDataElement* element = collection->GetNestedElement(i);
 		Step step = {0.0, attributeOf(element, "file"), attributeOf(element, "name")};
-		if (element->GetAttribute("timestep") && !element->GetScalarAttribute("timestep", step.time))
-			throw damaged(fmt::format("{} is no time", attributeOf(element, "timestep")));
+		if (element->GetAttribute("timestep"))
+		{
+			const std::string text = attributeOf(element, "timestep");
+			TextCursor at(text);
+			const std::optional<double> time = at.atEnd() ? std::nullopt : vp::parseReal(at.word());
+			if (!time || !std::isfinite(*time) || !at.atEnd())
+				throw damaged(fmt::format("{} is no time", text));
+			step.time = *time;
+		}
 		if (step.name.empty())
 			step.name = "part " + (element->GetAttribute("part") ? attributeOf(element, "part") : std::to_string(i));
 		if (!step.file.empty())

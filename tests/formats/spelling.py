@@ -29,11 +29,13 @@ def xml(kind, inside, attributes=''):
 
 
 def array(words, name='c', kind='Float64', components=1):
-    return f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="ascii">{words}</DataArray>'
+    about = f'type="{kind}" Name="{name}" NumberOfComponents="{components}" format="ascii"'
+    return f'<DataArray {about}>{words}</DataArray>'
 
 
 def vtu(arrays, more='', points=POINTS, corners=CORNERS, offsets='8 16'):
-    cells = array(corners, 'connectivity', 'Int64') + array(offsets, 'offsets', 'Int64') + array('12 12', 'types', 'UInt8')
+    cells = array(corners, 'connectivity', 'Int64') + array(offsets, 'offsets', 'Int64')
+    cells += array('12 12', 'types', 'UInt8')
     return xml('UnstructuredGrid', '<Piece NumberOfPoints="12" NumberOfCells="2"><Points>' +
                array(points, 'p', components=3) + f'</Points><Cells>{cells}</Cells><CellData>' +
                ''.join(array(words, name) for name, words in arrays) + f'{more}</CellData></Piece>')
@@ -59,7 +61,8 @@ def vts(arrays):
 
 
 def scalars(arrays):
-    return 'CELL_DATA 2\n' + ''.join(f'SCALARS {name} double 1\nLOOKUP_TABLE default\n{words}\n' for name, words in arrays)
+    return 'CELL_DATA 2\n' + ''.join(f'SCALARS {name} double 1\nLOOKUP_TABLE default\n{words}\n'
+                                      for name, words in arrays)
 
 
 def legacy(arrays, more=''):
@@ -135,9 +138,9 @@ def every_spelling(folder):
 def pieces(folder):
     """An index of pieces, and an index of blocks."""
     (folder / 'a.vtu').write_text(vtu(one('1.0-1 Infinity')))
-    (folder / 'p.pvtu').write_text(xml('PUnstructuredGrid', '<PPoints><PDataArray type="Float64" NumberOfComponents="3"/>'
-                                       '</PPoints><PCellData><PDataArray type="Float64" Name="c"/></PCellData>'
-                                       '<Piece Source="a.vtu"/>'))
+    points = '<PPoints><PDataArray type="Float64" NumberOfComponents="3"/></PPoints>'
+    fields = '<PCellData><PDataArray type="Float64" Name="c"/></PCellData>'
+    (folder / 'p.pvtu').write_text(xml('PUnstructuredGrid', f'{points}{fields}<Piece Source="a.vtu"/>'))
     (folder / 'm.vtm').write_text(xml('vtkMultiBlockDataSet', '<DataSet index="0" file="a.vtu"/>'))
     for name in ('p.pvtu', 'm.vtm'):
         found, _ = values(folder / name, folder, 'c')
@@ -145,26 +148,58 @@ def pieces(folder):
             raise Failed(f'{name} gives {found}')
 
 
+def plot3d(folder):
+    """Places and a solution as Fortran writes lists. The density is 1 where x is 0, nan at 1, and 5 at 2."""
+    grid, solution = folder / 'g.xyz', folder / 'g.q'
+    x, y, z = '0 1D0 2., ' * 4, '3*0.0 3*1.0+0 ' * 2, '6*0, 6*1.0'
+    grid.write_text(f'1\n3 2 2\n{x}\n{y}\n{z}\n')
+    density = '1.0 nan 5.0-0 ' * 4
+    solution.write_text(f'1\n3 2 2\n0.5 0 1D6 0\n{density}\n36*1\n12*2.5D0\n')
+    places = folder / 'places.txt'
+    places.write_text('0 0.5 0.5\n2 0.5 0.5\n')
+    done = run('sample', grid, '--points', places, '--array', 'StagnationEnergy')
+    if done.returncode or [row.split(',')[5] for row in done.stdout.split()[1:]] != ['2.5', '2.5']:
+        raise Failed(f'{done.stdout}{done.stderr}')
+    done = run('slice', grid, '--normal', 'z', '--array', 'Density')
+    words = done.stdout.split('\n')[1].split()
+    if done.returncode or words[5] != '2' or words[7:9] != ['1', '5']:
+        raise Failed(f'{done.stdout}{done.stderr}')
+    for text, wanted in ((f'1\n3 2 2\n{x}\n{y}\n{z} 7\n', 'layout'), (f'1\n3 2 2\n{x}\n{y}\n6*0, 6*x\n', 'x')):
+        grid.write_text(text)
+        done = run('slice', grid, '--normal', 'z')
+        if done.returncode != 2 or wanted not in done.stderr:
+            raise Failed(f'{wanted}: {done.returncode} {done.stderr}')
+
+
 def refused(folder):
     """Words that are no numbers, and too few or too many values, each with a word of the line."""
     other_piece = vtu([('e', '5 6')]).split('<Piece')[1].split('</Piece>')[0]
     two_pieces = vtu(one('1 2')).replace('</Piece>', f'</Piece><Piece{other_piece}</Piece>')
-    cases = [('.vtu', two_pieces, 'not in all of its pieces'), ('.vtu', vtu(one('1 2 3')), 'cell array c has 3 values where 2'), ('.vtu', vtu(one('1')), 'has 1 values'),
-             ('.vtu', vtu(one('1 x2')), '"x2"'), ('.vtu', vtu(one('1 2'), points=POINTS + ' 1 1 1'), '39 values'),
+    cases = [('.vtu', two_pieces, 'not in all of its pieces'),
+             ('.vtu', vtu(one('1 2 3')), 'cell array c has 3 values where 2'),
+             ('.vtu', vtu(one('1')), 'has 1 values'),
+             ('.vtu', vtu(one('1 x2')), '"x2"'),
+             ('.vtu', vtu(one('1 2'), points=POINTS + ' 1 1 1'), '39 values'),
              ('.vtu', vtu(one('1 2'), corners=CORNERS + ' 3'), '17 values where 16'),
              ('.vtu', vtu(one('1 2'), corners=CORNERS[:-3]), '15 values where 16'),
-             ('.vtu', vtu(one('1 2'), offsets='8 16 24'), '24 belong'), ('.vtu', vtu(one('1 2'), corners=CORNERS + ' nan'), 'nan'),
+             ('.vtu', vtu(one('1 2'), offsets='8 16 24'), '24 belong'),
+             ('.vtu', vtu(one('1 2'), corners=CORNERS + ' nan'), 'nan'),
              ('.vtu', vtu(one('1 2'), array('300 1', 'u', 'UInt8')), '"300"'),
              ('.vtu', vtu(one('1 2'), array('1e99 1', 'f', 'Float32')), '"1e99"'),
-             ('.vti', vti(one('1 2 3')), '3 values'), ('.vti', vti(one('1 2')).replace('"0D0', '"nan'), 'Origin'),
-             ('.vti', vti(one('1 2')).replace('1.0+0 1', '1.0+0'), 'Spacing'), ('.vtr', vtr(one('1 2')).replace('1d0', ''), '2 values'),
+             ('.vti', vti(one('1 2 3')), '3 values'),
+             ('.vti', vti(one('1 2')).replace('"0D0', '"nan'), 'Origin'),
+             ('.vti', vti(one('1 2')).replace('1.0+0 1', '1.0+0'), 'Spacing'),
+             ('.vtr', vtr(one('1 2')).replace('1d0', ''), '2 values'),
              ('.vts', vts(one('1 2')).replace('>0 0 0', '>0 0'), '35 values'),
-             ('.vtk', legacy(one('1 2 3')), '"3"'), ('.vtk', legacy(one('1')), '1 values where 2'), ('.vtk', legacy(one('1 x')), '"x"'),
+             ('.vtk', legacy(one('1 2 3')), '"3"'),
+             ('.vtk', legacy(one('1')), '1 values where 2'),
+             ('.vtk', legacy(one('1 x')), '"x"'),
              ('.vtk', legacy(one('1 2')).replace('POINTS 12', 'POINTS 13'), 'CELLS'),
              ('.vtk', legacy(one('1 2')).replace('POINTS 12', 'POINTS 11'), 'points'),
              ('.vtk', legacy_new(one('1 2')).replace('0 8 16', '0 8 15'), '15'),
              ('.vtk', legacy_new(one('1 2')).replace('CELLS 3 16', 'CELLS 3 15'), '15 corners'),
-             ('.inp', ucd(one('1 2'), '3 4\n'), '"3"'), ('.inp', ucd(one('1 x')), '"x"')]
+             ('.inp', ucd(one('1 2'), '3 4\n'), '"3"'),
+             ('.inp', ucd(one('1 x')), '"x"')]
     for ending, text, wanted in cases:
         path = folder / f'bad{ending}'
         path.write_text(text)
@@ -198,7 +233,7 @@ def one_name(folder):
 def main():
     with tempfile.TemporaryDirectory(prefix='vprobe-spelling-') as name:
         failed = 0
-        for check in (every_spelling, pieces, refused, one_name):
+        for check in (every_spelling, pieces, plot3d, refused, one_name):
             try:
                 check(pathlib.Path(name))
                 print(f'{check.__name__}: ok')

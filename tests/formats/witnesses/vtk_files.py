@@ -3,11 +3,11 @@
 
 usage: vtk_files.py VPROBE [FIRST-SEED COUNT]
 
-XML (text, base64, appended; raw or packed; both orders of bytes) and legacy files (text and binary, old and new lists of
-cells) of images, rectilinear, structured and unstructured grids, with arrays of all types, nan and inf among them. The
-values and places that vprobe converts, and those that it samples, are compared with the data set that was written, and
-with what VTK's own readers make of the file, where they read it right.
-VPROBE_LONG asks for 500 files. Exit code 77 where VTK's modules are missing.
+XML (text, base64, appended; raw or packed; both orders of bytes) and legacy files (text and binary, old and new lists
+of cells) of images, rectilinear, structured and unstructured grids, with arrays of all types, nan and inf among them.
+The values and places that vprobe converts, and those that it samples, are compared with the data set that was written,
+and with what VTK's own readers make of the file, where they read it right. VPROBE_LONG asks for 500 files. Exit code 77
+where VTK's modules are missing.
 """
 import csv
 import io
@@ -201,9 +201,11 @@ def arrays_of(fields):
     arrays = {}
     for i in range(fields.GetNumberOfArrays()):
         array = fields.GetArray(i)
-        bits = isinstance(array, core.vtkBitArray)
-        arrays[array.GetName()] = numpy.array([array.GetValue(k) for k in range(array.GetNumberOfValues())], numpy.uint8) \
-            if bits else vtk_to_numpy(array)
+        if isinstance(array, core.vtkBitArray):
+            values = numpy.array([array.GetValue(k) for k in range(array.GetNumberOfValues())], numpy.uint8)
+        else:
+            values = vtk_to_numpy(array)
+        arrays[array.GetName()] = values
     return arrays
 
 
