@@ -103,12 +103,11 @@ std::vector<FoamTime> foamTimes(const fs::path& folder)
 }
 
 template <class Parse>
-auto FoamCase::parsed(const fs::path& file, const Parse& parse) const
+auto FoamCase::parsed(const fs::path& file, const Parse& parse, const std::optional<std::string>& text) const
 {
 	try
 	{
-		const MaybeGzip text(file.string());
-		return parse(text.text());
+		return text ? parse(*text) : parse(MaybeGzip(file.string()).text());
 	}
 	catch (const FoamUnknown&)
 	{
@@ -203,20 +202,13 @@ std::vector<FoamFieldFile> FoamCase::fields(const std::string& region) const
 		    (is_packed && fs::is_regular_file(folder / path.stem(), none))) // of both, the plain one counts
 			continue;
 		const std::string bytes = firstBytes(path);
-		if (bytes.empty() || (bytes.find("FoamFile") == bytes.npos && is_packed))
-			throw damaged(fmt::format("its file {} is empty or cut short", path.lexically_proximate(folder_).string()));
-		if (bytes.find("FoamFile") == bytes.npos)
-			continue; // a text of somebody's
+		if (is_packed && (bytes.empty() || entry.file_size(none) == 0))
+			throw damaged(fmt::format("its file {} ends early", path.lexically_proximate(folder_).string()));
 		FoamFieldFile file = {path, {}, {}};
-		try
-		{
-			file.head = foamHead(bytes);
-		}
-		catch (const Refusal& refusal)
-		{
-			throw Refusal(fmt::format("its file {}: {}", path.lexically_proximate(folder_).string(), refusal.what()));
-		}
-		if (file.head.type.find("Field") != std::string::npos)
+		if (bytes.find("FoamFile") != bytes.npos)
+			file.head = parsed(path, foamHead, bytes);
+		const bool is_field = file.head.type.find("Field") != std::string::npos;
+		if (is_field || bytes.empty()) // others are texts of somebody's, and dictionaries
 			fields.push_back(std::move(file));
 	}
 	std::ranges::sort(fields, {}, &FoamFieldFile::path);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -50,16 +51,18 @@ public:
 
 	std::vector<std::string> regions() const; // those that have a mesh
 	FoamMesh mesh(const std::string& region) const;
-	// All fields, in the order of their files' names; those that are of no cells or points too.
+	// All fields, in the order of their files' names; those that are of no cells or points too, and empty files, whose
+	// heads have no type.
 	std::vector<FoamFieldFile> fields(const std::string& region) const;
 	FoamField field(const FoamFieldFile& file, const FoamMesh& mesh) const;
 
 private:
 	// A file of the mesh, which may move or change: as it was last written. Empty if there is none.
 	std::filesystem::path meshFile(const std::string& region, const std::string& name) const;
-	// What `parse` makes of a file's text. A refusal names the file.
+	// What `parse` makes of a file's text, or of some that is at hand. A refusal names the file.
 	template <class Parse>
-	auto parsed(const std::filesystem::path& file, const Parse& parse) const;
+	auto parsed(const std::filesystem::path& file, const Parse& parse,
+	            const std::optional<std::string>& text = std::nullopt) const;
 	template <class Parse>
 	auto parsedOfMesh(const std::string& region, const std::string& name, const Parse& parse) const;
 

@@ -81,7 +81,9 @@ public:
 	{
 		std::vector<FoamFieldFile> of_points;
 		for (FoamFieldFile& file : files_.fields(region))
-			if (foamComponentsOfField(file.head.type) == 0)
+			if (file.head.type.empty())
+				left_out_["an empty file"].push_back(file.name);
+			else if (foamComponentsOfField(file.head.type) == 0)
 				left_out_[fmt::format("a {}, which is of no cells or points", file.head.type)].push_back(file.name);
 			else if (file.head.type.starts_with("vol"))
 				addOfCells(file, grid);
@@ -212,6 +214,9 @@ void readFoam(const Request& request, ManifestWriter& manifest)
 	if (chooseIfAny(times, request))
 		for (std::size_t i = 0; i <= chooseStep(times, request); ++i)
 			names.push_back(all[i].name);
+	std::error_code none;
+	if (!fs::is_directory(folder / "constant", none))
+		throw damaged("constant/ is missing or cannot be opened");
 	const FoamCase files(folder, names);
 	const std::vector<std::string> regions = files.regions();
 	if (regions.empty())

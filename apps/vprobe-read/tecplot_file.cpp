@@ -23,7 +23,7 @@ std::string onOneLine(std::string name)
 	return name;
 }
 
-std::size_t product(std::size_t a, std::size_t b, std::size_t c)
+std::size_t countOf(std::size_t a, std::size_t b, std::size_t c)
 {
 	std::size_t result = 0;
 	if (__builtin_mul_overflow(a, b, &result) || __builtin_mul_overflow(result, c, &result) ||
@@ -32,10 +32,10 @@ std::size_t product(std::size_t a, std::size_t b, std::size_t c)
 	return result;
 }
 
-class Parser
+class TecplotParser
 {
 public:
-	explicit Parser(std::string_view text) : at_(text) {}
+	explicit TecplotParser(std::string_view text) : at_(text) {}
 
 	TecplotFile parse()
 	{
@@ -168,8 +168,8 @@ private:
 		const bool ordered = zone.element_type.empty();
 		const auto& p = zone.points;
 		const auto cells = [](std::uint32_t side) { return std::max(side, 2u) - 1; };
-		const std::size_t points = ordered ? product(p[0], p[1], p[2]) : zone.nodes;
-		const std::size_t middles = ordered ? product(cells(p[0]), cells(p[1]), cells(p[2])) : zone.elements;
+		const std::size_t points = ordered ? countOf(p[0], p[1], p[2]) : zone.nodes;
+		const std::size_t middles = ordered ? countOf(cells(p[0]), cells(p[1]), cells(p[2])) : zone.elements;
 		const auto wanted = [&](std::size_t v) { return zone.cell_variables.contains(v) ? middles : points; };
 		if (head.in_blocks)
 			for (std::size_t v = 0; v < read.size(); ++v)
@@ -288,5 +288,5 @@ int tecplotCorners(const std::string& element_type)
 
 TecplotFile parseTecplot(std::string_view text)
 {
-	return Parser(text).parse();
+	return TecplotParser(text).parse();
 }

@@ -12,12 +12,12 @@
 namespace
 {
 
-bool isBlank(char c)
+bool isBetweenWords(char c)
 {
 	return c == ',' || std::isspace(static_cast<unsigned char>(c));
 }
 
-bool isSign(char c)
+bool isTecplotSign(char c)
 {
 	return c == '=' || c == '(' || c == ')' || c == '"' || c == '\'';
 }
@@ -26,7 +26,7 @@ bool isSign(char c)
 
 void TecplotLexer::skipBlanks()
 {
-	while (at_ < text_.size() && (isBlank(text_[at_]) || text_[at_] == '#'))
+	while (at_ < text_.size() && (isBetweenWords(text_[at_]) || text_[at_] == '#'))
 		at_ = text_[at_] == '#' ? std::min(text_.find('\n', at_), text_.size()) : at_ + 1;
 }
 
@@ -57,7 +57,7 @@ std::string_view TecplotLexer::bareWord()
 {
 	skipBlanks();
 	const std::size_t begin = at_;
-	while (at_ < text_.size() && !isBlank(text_[at_]) && !isSign(text_[at_]))
+	while (at_ < text_.size() && !isBetweenWords(text_[at_]) && !isTecplotSign(text_[at_]))
 		++at_;
 	if (at_ == text_.size() && begin == at_)
 		throw damaged("it ends before all that it announces");

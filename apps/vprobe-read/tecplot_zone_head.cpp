@@ -22,7 +22,7 @@ std::string inCapitals(std::string_view text)
 }
 
 // "[1-3,7,10-20:2]", with or without its brackets, as numbers from 0.
-std::vector<std::size_t> numbersIn(std::string_view list, std::size_t end)
+std::vector<std::size_t> numbersInSet(std::string_view list, std::size_t end)
 {
 	std::vector<std::size_t> numbers;
 	std::string words(list);
@@ -164,13 +164,13 @@ private:
 			readPlaces(at_.list());
 		else if (key == "VARSHARELIST")
 			for (const Item& item : itemsIn(at_.list()))
-				share(numbersIn(item.name, variables), item.value);
+				share(numbersInSet(item.name, variables), item.value);
 		else if (key == "D")
 			readDuplicates(at_.list());
 		else if (key == "CONNECTIVITYSHAREZONE")
 			shareCorners(at_.word());
 		else if (key == "PASSIVEVARLIST")
-			for (const std::size_t v : numbersIn(at_.list(), variables))
+			for (const std::size_t v : numbersInSet(at_.list(), variables))
 				head_.passive[v] = true;
 		else if (key == "NV")
 			throw Refusal("a zone whose nodes have numbers of their own (NV=), which are not read; save it without");
@@ -205,7 +205,7 @@ private:
 			std::vector<std::size_t> variables;
 			std::string place = inCapitals(item.value);
 			if (!item.value.empty())
-				variables = numbersIn(item.name, file_.variables.size());
+				variables = numbersInSet(item.name, file_.variables.size());
 			else
 			{
 				place = inCapitals(item.name);
@@ -234,7 +234,7 @@ private:
 			if (inCapitals(item.name) == "FECONNECT")
 				shareCorners({});
 			else
-				share(numbersIn(item.name, file_.variables.size()), {});
+				share(numbersInSet(item.name, file_.variables.size()), {});
 	}
 
 	void share(const std::vector<std::size_t>& variables, std::string_view zone)

@@ -72,6 +72,23 @@ std::vector<std::string> foamSeeds()
 	                 eight + "); }\n}\n")};
 }
 
+// Zones of points, of bricks that share and lack variables, and of polyhedra; a drawing between.
+std::vector<std::string> tecplotSeeds()
+{
+	const std::string head = "VARIABLES = \"X\" \"Y\", \"Z\"\n \"V\"\n";
+	const std::string cube = "0 1 1 0 0 1 1 0\n0 0 1 1 0 0 1 1\n0 0 0 0 1 1 1 1\n";
+	return {"D" + head + "ZONE I=2, J=1 K=1 F=POINT SOLUTIONTIME=1 STRANDID=1\n0 0 0 nan\n1 1.0-100 0 1D2\n",
+	        "D" + head +
+	            "TEXT T=\"a\" X=1\nZONE N=8 E=1 ZONETYPE=FEBRICK DATAPACKING=BLOCK VARLOCATION=([4]=CELLCENTERED)\n" +
+	            cube +
+	            "7\n1 2 3 4 5 6 7 8\nGEOMETRY T=LINE\n1\n2\n0 0\n1 1\nZONE N=8 E=1 ET=BRICK F=FEBLOCK "
+	            "VARSHARELIST=([1-3]=1) PASSIVEVARLIST=[4] CONNECTIVITYSHAREZONE=1\n",
+	        "D" + head +
+	            "ZONE NODES=8 ELEMENTS=1 FACES=6 TOTALNUMFACENODES=24 ZONETYPE=FEPOLYHEDRON "
+	            "VARLOCATION=(3*NODAL,CELLCENTERED)\n" +
+	            cube + "7\n4 4 4 4 4 4\n1 4 3 2 5 6 7 8 1 2 6 5 2 3 7 6 3 4 8 7 4 1 5 8\n1 1 1 1 1 1\n0 0 0 0 0 0\n"};
+}
+
 std::vector<std::string> makeSeeds()
 {
 	std::vector<std::string> seeds = {"Tlast",
@@ -108,8 +125,9 @@ std::vector<std::string> makeSeeds()
 			    seed('E', fuzz::contentsOf(file) +
 			                  "time set: 1\nnumber of steps: 1\nfilename start number: 0\ntime values: 0.5\n"));
 	}
-	for (std::string& foam : foamSeeds())
-		seeds.push_back(std::move(foam));
+	for (auto& all : {foamSeeds(), tecplotSeeds()})
+		for (const std::string& each : all)
+			seeds.push_back(each);
 	seeds.push_back(seed('G', fuzz::contentsOf(folder / "gold.geo")));
 	seeds.push_back(seed('V', fuzz::contentsOf(folder / "gold.f")));
 	return seeds;

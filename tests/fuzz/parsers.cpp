@@ -18,6 +18,7 @@
 #include "sample_files.h"
 #include "surface/expression.h"
 #include "surface/grid_index.h"
+#include "tecplot_file.h"
 #include "xml_arrays.h"
 #include "xml_check.h"
 #include "xml_copy.h"
@@ -188,6 +189,24 @@ void feedFoam(std::string_view input)
 	    });
 }
 
+void feedTecplot(std::string_view input)
+{
+	if (input.find('*') != std::string_view::npos)
+		return; // values that are repeated take as much memory as they say
+	try
+	{
+		for (const TecplotZone& zone : parseTecplot(input).zones)
+			if (const auto& faces = zone.faces)
+			{
+				require(static_cast<std::size_t>(faces->starts.back()) == faces->corners.size());
+				require(faces->left.size() + 1 == faces->starts.size() && faces->left.size() == faces->right.size());
+			}
+	}
+	catch (const Refusal&)
+	{
+	}
+}
+
 void feedQuickly(const std::string& file)
 {
 	const read::Descriptor arrays(memfd_create("arrays", MFD_CLOEXEC));
@@ -287,6 +306,8 @@ void feedParser(const std::uint8_t* data, std::size_t size)
 		feedExpression(input);
 	else if (which == 'F')
 		feedFoam(input);
+	else if (which == 'D')
+		feedTecplot(input);
 	else if (std::string_view("NPHXLEGV").find(which) != std::string_view::npos)
 		feedFile(which, std::string(input));
 }
