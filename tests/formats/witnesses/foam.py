@@ -74,7 +74,8 @@ class Mesh:
         self.patches, first = [], len(inside)
         parts = numpy.array_split(numpy.arange(len(outside)), 4)
         for name, part, kinds in zip(('inlet', 'outlet', 'hotWalls', 'sides'), parts,
-                                     (('patch',), ('patch', 'mappedWall'), ('wall',), ('patch', 'symmetryPlane', 'empty'))):
+                                     (('patch',), ('patch', 'mappedWall'), ('wall',),
+                                      ('patch', 'symmetryPlane', 'empty'))):
             groups = {'inlet': ['open'], 'outlet': ['open', 'far'], 'hotWalls': ['wall', 'hot'], 'sides': []}[name]
             self.patches.append((name, pick.choice(kinds), groups, first, len(part)))
             first += len(part)
@@ -136,7 +137,8 @@ class Writer:
         values = numpy.asarray(values, float)
         name = f'List<{kind}> ' if kind else ''
         if self.binary if binary is None else binary:
-            return f'{name}\n{len(values)}\n('.encode() + values.astype(f'{self.order}f{self.scalar // 8}').tobytes() + b')'
+            kind = f'{self.order}f{self.scalar // 8}'
+            return f'{name}\n{len(values)}\n('.encode() + values.astype(kind).tobytes() + b')'
         if not self.plain and kind and self.pick.random() < 0.2:
             name = ''
         if len(values) and (values == values[0]).all() and not self.plain and self.pick.random() < 0.7:
@@ -147,7 +149,8 @@ class Writer:
 
     def labels(self, values):
         if self.binary:
-            return f'{len(values)}\n('.encode() + numpy.asarray(values, f'{self.order}i{self.label // 8}').tobytes() + b')'
+            kind = f'{self.order}i{self.label // 8}'
+            return f'{len(values)}\n('.encode() + numpy.asarray(values, kind).tobytes() + b')'
         if len(set(values)) == 1 and not self.plain:
             return f'{len(values)}{{{values[0]}}}'.encode()
         return f'{len(values)}\n({self.comment()}\n'.encode() + '\n'.join(map(str, values)).encode() + b'\n)'
@@ -208,7 +211,8 @@ class Field:
                 return  # it follows from the geometry
         else:
             form = pick.choice(['rows', 'uniform', 'none'] if writer.plain else
-                               ['rows', 'uniform', 'none', 'macro', 'deep', 'parts', 'entry', 'slip', 'constant', 'file'])
+                               ['rows', 'uniform', 'none', 'macro', 'deep', 'parts', 'entry', 'slip', 'constant',
+                                'file'])
             words = writer.element(one)
             if form == 'rows':
                 body, values = b'type fixedValue; value nonuniform ' + writer.reals(rows, self.kind) + b';', rows
@@ -229,9 +233,9 @@ class Field:
                 elif form == 'file':
                     (writer.folder / 'constant' / 'given').mkdir(parents=True, exist_ok=True)
                     (writer.folder / 'constant' / 'given' / f'{self.name}-{name}').write_text(f'{value}')
-                    value = pick.choice(['#include "$FOAM_CASE/constant/given/{}-{}"', '#include "<constant>/given/{}-{}"',
-                                         '#include "../constant/given/{}-{}"'][:2 + (not writer.region)]
-                                        ).format(self.name, name)
+                    places = ['$FOAM_CASE/constant/given', '<constant>/given', '../constant/given']
+                    places = places[:2 if writer.region else 3]
+                    value = f'#include "{pick.choice(places)}/{self.name}-{name}"'
                 body = f'type fixedValue; value {value};'.encode()
                 if form == 'entry':
                     body = pick.choice([f'$e{name};', f'$:e{name}; type fixedValue;']).encode()
@@ -338,8 +342,9 @@ def compare(seed, folder):
     for field in fields.values():
         field.put(f'{time}/{region}')
     writer.put(f'{time}/{region}phi', 'surfaceScalarField',
-               b'dimensions [0]; internalField nonuniform ' + writer.reals(numpy.ones((len(mesh.neighbours), 1)), 'scalar')
-               + b'; boundaryField { ".*" { type calculated; value uniform 0; } }')
+               b'dimensions [0]; internalField nonuniform '
+               + writer.reals(numpy.ones((len(mesh.neighbours), 1)), 'scalar') + b';\n'
+               b'boundaryField { ".*" { type calculated; value uniform 0; } }')
     writer.put('system/controlDict', 'dictionary', b'startTime 0;\nendTime 1;\ndeltaT 1;\nwriteInterval 1;\n', False)
     path = folder / 'case.foam'
     path.write_text('')

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Tecplot text files in many spellings, read by vprobe, and by meshio and VTK's reader where they can.
+"""Tecplot text files in many spellings, read by vprobe, and by meshio where it can.
 
 usage: tecplot.py VPROBE [FIRST-SEED COUNT]
 
-Half of the files are meshio's, read back by meshio. VTK has no writer of Tecplot files, so this program writes the other
-half, after the Tecplot 360 Data Format Guide: zones ordered and of elements, by points and by variables, old keywords
-and new ones, shared and passive variables, places of variables, times and strands, texts and drawings between. Their
-right values are those that were to be written. VTK's vtkTecplotReader reads the plain ones of them too.
+Half of the files are meshio's, read back by meshio. VTK has no writer of Tecplot files, so this program writes the
+other half, after the Tecplot 360 Data Format Guide: zones ordered and of elements, by points and by variables, old
+keywords and new ones, shared and passive variables, places of variables, times and strands, texts and drawings between
+them. Their right values are those that were to be written.
 """
 import random
 import shutil
@@ -307,8 +307,9 @@ def by_meshio(seed, folder):
         wedges = [[boxes[0][c] for c in w] for w in ((0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7))]
         cells = [('wedge', numpy.array(wedges))] + ([('hexahedron', numpy.array(boxes[1:]))] if boxes[1:] else [])
     count = sum(len(block) for _, block in cells)
+    starts = numpy.cumsum([len(block) for _, block in cells])[:-1]
     mesh = meshio.Mesh(points, cells, point_data={'f': numbers.normal(size=len(points)) * 1e5},
-                       cell_data={'g': numpy.split(numbers.normal(size=count), numpy.cumsum([len(b) for _, b in cells])[:-1])})
+                       cell_data={'g': numpy.split(numbers.normal(size=count), starts)})
     path = folder / 'mesh.dat'
     meshio.write(path, mesh, file_format='tecplot')
     witness = meshio.read(path, file_format='tecplot')
