@@ -33,8 +33,8 @@ protected:
 		file("constant/polyMesh/owner", "labelList", "6\n(\n0\n0\n0\n0\n0\n0\n)\n");
 		file("constant/polyMesh/neighbour", "labelList", "0\n(\n)\n");
 		file("constant/polyMesh/boundary", "polyBoundaryMesh",
-		     "2\n(\ninlet\n{\n type patch;\n nFaces 1;\n startFace 0;\n}\nwalls\n{\n type wall;\n nFaces 5;\n "
-		     "startFace 1;\n}\n)\n");
+		     "2\n(\ninlet\n{\n type patch;\n nFaces 1;\n startFace 0;\n}\nwalls\n{\n type wall;\n "
+		     "inGroups 2(wall hot);\n nFaces 5;\n startFace 1;\n}\n)\n");
 		file("0/T", "volScalarField",
 		     "dimensions [0 0 0 1 0 0 0];\ninternalField uniform 300;\nboundaryField\n{\n inlet { type fixedValue; "
 		     "value "
@@ -59,6 +59,7 @@ TEST_F(PatchOfAFile, IsShownWithItsValues)
 	EXPECT_EQ(walls["vertices"], 8);
 	EXPECT_EQ(walls["cut_cells"], 1);
 	EXPECT_NEAR(walls["area"], 5.0, 1e-12);
+	EXPECT_NEAR(stats({file, "--surface", "patch=hot"}).at("sheets").at(0)["area"], 5.0, 1e-12); // a group of patches
 	EXPECT_TRUE(isQuiet(run({"slice", file, "--surface", "patch=walls", "-o", path("walls.vtp")})));
 	// What does not ask for it reads as before.
 	EXPECT_EQ(stats({file}).at("sheets").at(0).at("cut_cells"), 1);
