@@ -55,6 +55,32 @@ void checkPoints(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids)
 			throw damaged(fmt::format("cell {} lists point {} of {}", cell, ids->GetId(i), grid->GetNumberOfPoints()));
 }
 
+// Cells that list more points than their type has keep the first ones, as they do without a tolerance.
+void trimLists(vtkUnstructuredGrid* grid)
+{
+	vtkCellArray* cells = grid->GetCells();
+	vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+	const auto keptOf = [&](vtkIdType cell) -> vtkIdType
+	{
+		const std::uint8_t type = types->GetValue(cell);
+		const vtkIdType fixed = vp::grid::isCurved(type) ? vp::grid::fixedNodes(type) : 0;
+		return fixed > 0 ? std::min(fixed, cells->GetCellSize(cell)) : cells->GetCellSize(cell);
+	};
+	vtkIdType cell = 0;
+	while (cell < grid->GetNumberOfCells() && keptOf(cell) == cells->GetCellSize(cell))
+		++cell;
+	if (cell == grid->GetNumberOfCells() || grid->GetFaces())
+		return;
+	vtkNew<vtkCellArray> trimmed;
+	vtkNew<vtkIdList> ids;
+	for (cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+	{
+		cells->GetCellAtId(cell, ids);
+		trimmed->InsertNextCell(keptOf(cell), ids->GetPointer(0));
+	}
+	grid->SetCells(types, trimmed);
+}
+
 } // namespace
 
 bool keepsCurved(vtkUnstructuredGrid* grid, double tolerance)
@@ -68,6 +94,7 @@ bool keepsCurved(vtkUnstructuredGrid* grid, double tolerance)
 		any = isCurved(grid->GetCellTypesArray()->GetValue(c));
 	if (!any)
 		return false;
+	trimLists(grid);
 	findShapeArrays(grid);
 	uncollapse(grid, true);
 	const vtkUnsignedCharArray* types = grid->GetCellTypesArray();

@@ -8,7 +8,7 @@ class vtkUnstructuredGrid;
 
 // Whether a grid has curved cells, which a tolerance leaves as they are. Brings their nodes into VTK's order, and makes
 // smaller cells of those that have collapsed. Throws a Refusal where one of its cells is not refined to a tolerance, or
-// lists another number of points than its type has.
+// lists fewer points than its type has.
 bool keepsCurved(vtkUnstructuredGrid* grid, double tolerance);
 
 // Adds the degrees of the cells and the rational weights of the points to lists of curved cells, where the grid has

@@ -7,6 +7,7 @@ import subprocess
 
 from against import VPROBE, Missing, cut, need, vprobe
 from exodus import corners_of
+from far_codes import begin_cgns
 from odd import refused
 
 # Corners, Gmsh's type, and meshio's name of the quadratic cells.
@@ -210,6 +211,50 @@ def med_cubes(folder):
             check_both(path)
 
 
+# After "CGNS Standard Interface Data Structures", 3.3: the number of a type, its corners, and between which ones its
+# other nodes lie, from 1.
+CGNS_WEDGE = '12 23 31 14 25 36 45 56 64'
+CGNS_HEXAHEDRON = '12 23 34 41 15 26 37 48 56 67 78 85'
+CGNS_TYPES = {'TETRA_4': (10, 4, ''), 'TETRA_10': (11, 4, '12 23 31 14 24 34'), 'PYRA_5': (12, 5, ''),
+              'PYRA_13': (21, 5, '12 23 34 41 15 25 35 45'), 'PYRA_14': (13, 5, '12 23 34 41 15 25 35 45 1234'),
+              'PENTA_6': (14, 6, ''), 'PENTA_15': (15, 6, CGNS_WEDGE),
+              'PENTA_18': (16, 6, CGNS_WEDGE + ' 1254 2365 3146'),
+              'HEXA_8': (17, 8, ''), 'HEXA_20': (18, 8, CGNS_HEXAHEDRON),
+              'HEXA_27': (19, 8, CGNS_HEXAHEDRON + ' 1234 1265 2376 3487 1485 5678 12345678')}
+
+
+def cgns_cubes(folder):
+    """By the tables of the SIDS; as a section of one type, and as a mixed one."""
+    h5py, numpy = need('h5py'), need('numpy')
+    for (name, (kind, corners, between)), mixed in itertools.product(CGNS_TYPES.items(), (False, True)):
+        cells = []
+        for cell in corners_of(numpy, corners):
+            cells.append(numpy.array(list(cell) + [numpy.mean([cell[int(i) - 1] for i in word], axis=0)
+                                                   for word in between.split()]))
+        points, lists = gathered(numpy, cells)
+        path = folder / f'{name}{mixed}.cgns'
+        with h5py.File(path, 'w', track_order=True) as file:
+            node = begin_cgns(numpy, file)
+            base = node(file, 'Base', 'CGNSBase_t', 'I4', numpy.array([3, 3], dtype='i4'))
+            zone = node(base, 'Zone', 'Zone_t', 'I4', numpy.array([[len(points)], [len(lists)], [0]], dtype='i4'))
+            node(zone, 'ZoneType', 'ZoneType_t', 'C1', 'Unstructured')
+            places = node(zone, 'GridCoordinates', 'GridCoordinates_t')
+            for axis in range(3):
+                node(places, 'Coordinate' + 'XYZ'[axis], 'DataArray_t', 'R8', points[:, axis].copy())
+            part = node(zone, 'Cells', 'Elements_t', 'I4', numpy.array([20 if mixed else kind, 0], dtype='i4'))
+            node(part, 'ElementRange', 'IndexRange_t', 'I4', numpy.array([1, len(lists)], dtype='i4'))
+            listed = lists + 1
+            if mixed:
+                listed = numpy.insert(listed, 0, kind, axis=1)
+                node(part, 'ElementStartOffset', 'DataArray_t', 'I4',
+                     (numpy.arange(len(lists) + 1) * listed.shape[1]).astype('i4'))
+            node(part, 'ElementConnectivity', 'DataArray_t', 'I4', listed.ravel().astype('i4'))
+        if name == 'PYRA_13':
+            refused(path, 'PYRA_13')
+        else:
+            check_both(path)
+
+
 def lattice_of(data, kind, n):
     """Each node's place in a cell of degree n, as weights of the linear cell's corners."""
     nodes = {}
@@ -307,4 +352,4 @@ def far_nodes(folder):
         assert refined['unfinished'] > 0 and refined['parts'] <= min(10 ** 4 * refined['cells'], 10 ** 6), refined
 
 
-CASES = [gmsh_cubes, meshed_cube, quadratic_cubes, med_cubes, higher_cubes, collapsed_cubes, far_nodes]
+CASES = [gmsh_cubes, meshed_cube, quadratic_cubes, med_cubes, cgns_cubes, higher_cubes, collapsed_cubes, far_nodes]

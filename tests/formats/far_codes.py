@@ -230,6 +230,28 @@ def codes(folder, box):
     yield 'd3plot', 'temperature', 'plastic strain'
 
 
+def begin_cgns(numpy, file):
+    """The root of a CGNS file in HDF5; returns what writes its nodes."""
+    for key, word, size in (('name', 'HDF5 MotherNode', 33), ('label', 'Root Node of HDF5 File', 33), ('type', 'MT', 3)):
+        file.attrs.create(key, numpy.bytes_(word), dtype=f'S{size}')
+    file[' format'] = numpy.frombuffer(b'IEEE_LITTLE_32\0', dtype='i1')
+    file[' hdf5version'] = numpy.frombuffer(b'HDF5 Version 1.10.0'.ljust(33, b'\0'), dtype='i1')
+
+    def node(parent, name, label, kind='MT', values=None):
+        group = parent.create_group(name, track_order=True)
+        group.attrs['flags'] = numpy.array([1], dtype='i4')
+        for key, word, size in (('name', name, 33), ('label', label, 33), ('type', kind, 3)):
+            group.attrs.create(key, numpy.bytes_(word), dtype=f'S{size}')
+        if values is not None:
+            if isinstance(values, str):
+                values = numpy.frombuffer(values.encode(), dtype='i1')
+            group[' data'] = values
+        return group
+
+    node(file, 'CGNSLibraryVersion', 'CGNSLibraryVersion_t', 'R4', numpy.array([3.4], dtype='f4'))
+    return node
+
+
 def in_hdf5(folder, box):
     h5py, numpy = need('h5py'), box.numpy
     count, cells = len(box.points), len(box.cells)
@@ -245,24 +267,8 @@ def in_hdf5(folder, box):
         root['PointData/u'], root['CellData/c'] = box.u, box.c
     yield 'box.vtkhdf', 'u', 'c'
 
-    def node(parent, name, label, kind='MT', values=None):
-        group = parent.create_group(name, track_order=True)
-        group.attrs['flags'] = numpy.array([1], dtype='i4')
-        for key, word, size in (('name', name, 33), ('label', label, 33), ('type', kind, 3)):
-            group.attrs.create(key, numpy.bytes_(word), dtype=f'S{size}')
-        if values is not None:
-            if isinstance(values, str):
-                values = numpy.frombuffer(values.encode(), dtype='i1')
-            group[' data'] = values
-        return group
-
     with h5py.File(folder / 'box.cgns', 'w', track_order=True) as file:
-        for key, word, size in (('name', 'HDF5 MotherNode', 33), ('label', 'Root Node of HDF5 File', 33),
-                                ('type', 'MT', 3)):
-            file.attrs.create(key, numpy.bytes_(word), dtype=f'S{size}')
-        file[' format'] = numpy.frombuffer(b'IEEE_LITTLE_32\0', dtype='i1')
-        file[' hdf5version'] = numpy.frombuffer(b'HDF5 Version 1.10.0'.ljust(33, b'\0'), dtype='i1')
-        node(file, 'CGNSLibraryVersion', 'CGNSLibraryVersion_t', 'R4', numpy.array([3.4], dtype='f4'))
+        node = begin_cgns(numpy, file)
         base = node(file, 'Base', 'CGNSBase_t', 'I4', numpy.array([3, 3], dtype='i4'))
         zone = node(base, 'Zone', 'Zone_t', 'I4', numpy.array([[count], [cells], [0]], dtype='i4'))
         node(zone, 'ZoneType', 'ZoneType_t', 'C1', 'Unstructured')

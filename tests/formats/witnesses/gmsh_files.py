@@ -137,13 +137,13 @@ def compare(seed, folder):
         gmsh.option.setNumber('Mesh.PartitionCreateTopology', 1)
         gmsh.model.mesh.partition(parts)
     gmsh.write(str(path))
+    if not saves_all:  # Gmsh numbers what it saves anew, and values of other elements would have the same numbers
+        elements = {tag: about for tag, about in elements.items() if about[1]}
     views = write_views(rand, numbers, path, place_of, elements) if views_at is None else views_at
     times = sorted({time for _, _, _, steps in views for time in steps})
     time = rand.choice(times) if times else None
     data = read_by_vprobe(path, folder, *(['--time', repr(time)] if times else []))
 
-    if not saves_all:
-        elements = {tag: about for tag, about in elements.items() if about[1]}
     by_place = {key: (tag, own) for tag, (key, own) in elements.items()}
     points = numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
     cells = {}
