@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 namespace
 {
@@ -56,10 +57,10 @@ private:
 		for (const auto& [each, count] : mesh_.unknown_types)
 			if (!gmshNameOf(each).empty())
 				type = each;
-		const std::string_view name = gmshNameOf(type);
-		return Refusal(fmt::format("nothing to slice: elements of Gmsh type {} ({}), which are not read; save it with "
-		                           "order 1 or 2 (gmsh -order 2)",
-		                           type, name.empty() ? "of an order above 2" : name));
+		const std::string name = gmshNameOf(type).empty() ? "" : fmt::format(" ({})", gmshNameOf(type));
+		return Refusal(fmt::format("nothing to slice: elements of Gmsh type {} are of an order above 2{}, which is not "
+		                           "read; save it with order 1 or 2 (gmsh -order 2)",
+		                           type, name));
 	}
 
 	void readFormat()
