@@ -34,6 +34,8 @@ struct Hdf5Rows
 	    : set(is_there ? H5Dopen2(file, path.c_str(), H5P_DEFAULT) : -1, H5Dclose),
 	      type(set < 0 ? -1 : H5Dget_type(set), H5Tclose)
 	{
+		if (is_there && set < 0)
+			throw damaged(fmt::format("{} cannot be opened", path));
 		const Hdf5Handle space(set < 0 ? -1 : H5Dget_space(set), H5Sclose);
 		const hssize_t points = space < 0 ? 0 : H5Sget_simple_extent_npoints(space);
 		if (points < 0 || points > kMostRows || (type >= 0 && H5Tget_size(type) > kMostBytesOfRow))

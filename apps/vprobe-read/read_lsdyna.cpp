@@ -215,7 +215,8 @@ void addLsdynaNodes(const LsdynaControl& control, const LsdynaState& state, vtkU
 
 // Six stresses, the plastic strain, then what the material remembers. Thick shells have three such layers of which the
 // first, the middle one, is taken.
-void addLsdynaCells(const LsdynaControl& control, const LsdynaState& state, vtkUnstructuredGrid* grid)
+void addLsdynaCells(const LsdynaControl& control, const LsdynaState& state, vtkUnstructuredGrid* grid,
+                    ManifestWriter& manifest)
 {
 	const auto fill = [&](int first, int components, const std::string& name)
 	{
@@ -233,11 +234,15 @@ void addLsdynaCells(const LsdynaControl& control, const LsdynaState& state, vtkU
 		append(control.thickValuesAt(), control.thick_shells, control.thick_values);
 		if (all->GetNumberOfTuples() == grid->GetNumberOfCells())
 			grid->GetCellData()->AddArray(all);
+		else if (all->GetNumberOfTuples() > 0)
+			manifest.warn(fmt::format("{} is left out, since not all elements have it", name));
 	};
 	fill(0, 6, "stress");
 	fill(6, 1, "plastic strain");
 	for (int more = 7; more < std::min<std::int64_t>(control.solid_values, 7 + 32) && control.thick_shells == 0; ++more)
 		fill(more, 1, fmt::format("history {}", more - 6));
+	if (control.solid_values > 7 + 32 || (control.solid_values > 7 && control.thick_shells > 0))
+		manifest.warn("more values that its materials remember are left out");
 }
 
 void hideDeleted(const LsdynaControl& control, const LsdynaState& state, vtkUnstructuredGrid* grid)
@@ -279,7 +284,7 @@ void readLsdyna(const Request& request, ManifestWriter& manifest)
 	{
 		const LsdynaState& state = family.states()[*step];
 		addLsdynaNodes(control, state, grid);
-		addLsdynaCells(control, state, grid);
+		addLsdynaCells(control, state, grid, manifest);
 		hideDeleted(control, state, grid);
 	}
 	if (control.shells > 0 || control.beams > 0)
