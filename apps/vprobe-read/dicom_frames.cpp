@@ -3,6 +3,7 @@
 #include "dicom_frames.h"
 
 #include "dicom_item.h"
+#include "dicom_keys.h"
 #include "dicom_offsets.h"
 #include "refusal.h"
 
@@ -17,152 +18,6 @@ namespace
 using gdcm::Tag;
 
 constexpr double kMaxFrames = 1e6; // a study of the largest scanners has some ten thousand
-
-// A key: the sequence that holds its element, which may be missing at the top of a file, and the element.
-struct KeySource
-{
-	const char* name;
-	std::vector<Tag> sequences;
-	Tag element;
-	bool is_text;
-	bool is_time;
-	double seconds;
-};
-
-const std::vector<KeySource>& frameKeys()
-{
-	static const std::vector<KeySource> keys = {
-	    {"time offset", {{0x0020, 0x9310}}, {0x0020, 0x930d}, false, true, 1.0},
-	    {"trigger time", {{0x0018, 0x9118}}, {0x0020, 0x9153}, false, true, 1e-3},
-	    {"temporal position", {{0x0020, 0x9111}}, {0x0020, 0x9128}, false, true, 0.0},
-	    {"echo time", {{0x0018, 0x9114}}, {0x0018, 0x9082}, false, false, 0.0},
-	    {"b-value", {{0x0018, 0x9117}}, {0x0018, 0x9087}, false, false, 0.0},
-	    {"direction of diffusion", {{0x0018, 0x9117}, {0x0018, 0x9076}}, {0x0018, 0x9089}, true, false, 0.0},
-	    {"segment", {{0x0062, 0x000a}}, {0x0062, 0x000b}, false, false, 0.0},
-	    {"image type", {{0x0018, 0x9226}}, {0x0008, 0x9007}, true, false, 0.0},
-	    {"image type", {{0x0018, 0x9329}}, {0x0008, 0x9007}, true, false, 0.0},
-	    {"image type", {{0x0018, 0x9751}}, {0x0008, 0x9007}, true, false, 0.0},
-	};
-	return keys;
-}
-
-const std::vector<KeySource>& fileKeys()
-{
-	static const std::vector<KeySource> keys = {
-	    {"frame reference time", {}, {0x0054, 0x1300}, false, true, 1e-3},
-	    {"trigger time", {}, {0x0018, 0x1060}, false, true, 1e-3},
-	    {"temporal position", {}, {0x0020, 0x0100}, false, true, 0.0},
-	    {"echo time", {}, {0x0018, 0x0081}, false, false, 0.0},
-	    {"echo number", {}, {0x0018, 0x0086}, true, false, 0.0},
-	    {"b-value", {}, {0x0018, 0x9087}, false, false, 0.0},
-	    {"direction of diffusion", {}, {0x0018, 0x9089}, true, false, 0.0},
-	    {"image type", {}, {0x0008, 0x0008}, true, false, 0.0},
-	    {"acquisition number", {}, {0x0020, 0x0012}, false, true, 0.0},
-	    {"acquisition time", {}, {0x0008, 0x002a}, true, true, 0.0},
-	    {"acquisition time", {}, {0x0008, 0x0032}, true, true, 0.0},
-	    {"content time", {}, {0x0008, 0x0033}, true, true, 0.0},
-	};
-	return keys;
-}
-
-// Numbers of binary elements as text, in full.
-std::string keyText(const DicomItem& item, const Tag& tag)
-{
-	if (tag != Tag(0x0018, 0x9089))
-		return item.text(tag);
-	std::string text;
-	for (const double number : item.numbers(tag))
-		text += fmt::format("{} ", number);
-	return text;
-}
-
-// A frame's functional groups: its own come before those that it shares.
-class FrameGroups
-{
-public:
-	FrameGroups(const DicomItem* own, const DicomItem* shared, const DicomItem& root) : root_(&root)
-	{
-		for (const DicomItem* item : {own, shared})
-			if (item)
-				items_.push_back(item);
-	}
-	std::optional<DicomItem> group(const Tag& sequence) const
-	{
-		for (const DicomItem* item : items_)
-			if (auto found = item->item(sequence))
-				return found;
-		return std::nullopt;
-	}
-	// From the sequences inside each other; from the top of the file where none is named.
-	std::optional<DicomItem> inside(const std::vector<Tag>& sequences) const
-	{
-		if (sequences.empty())
-			return *root_;
-		auto found = group(sequences[0]);
-		for (std::size_t i = 1; found && i < sequences.size(); ++i)
-			found = found->item(sequences[i]);
-		return found;
-	}
-
-private:
-	std::vector<const DicomItem*> items_;
-	const DicomItem* root_;
-};
-
-void addKeys(const std::vector<KeySource>& sources, const FrameGroups& groups, DicomFrame& frame)
-{
-	for (const KeySource& source : sources)
-	{
-		const auto holder = groups.inside(source.sequences);
-		DicomKey key{source.name, 0.0, {}, source.seconds, source.is_time};
-		if (holder && source.is_text)
-			key.text = keyText(*holder, source.element);
-		else if (holder)
-			key.number = holder->hint(source.element).value_or(0.0);
-		frame.keys.push_back(std::move(key));
-	}
-}
-
-// What the file calls its dimensions. Those of places and stacks are looked at by themselves.
-struct Dimension
-{
-	std::size_t position; // in the values of each frame
-	std::string name;
-	bool is_time;
-};
-
-std::vector<Dimension> dimensionsOf(const DicomItem& root)
-{
-	constexpr std::uint32_t places[] = {0x00200032, 0x00209301, 0x00209056, 0x00209057,
-	                                    0x00201041, 0x00209113, 0x0020930e, 0x00400008};
-	constexpr std::uint32_t times[] = {0x00209128, 0x0020930d, 0x00209153, 0x00189074, 0x00189151, 0x00209156};
-	std::vector<Dimension> dimensions;
-	std::size_t position = 0;
-	for (const DicomItem& item : root.items(Tag(0x0020, 0x9222)))
-	{
-		const auto pointer = static_cast<std::uint32_t>(item.number(Tag(0x0020, 0x9165)).value_or(0.0));
-		const bool is_place = std::find(std::begin(places), std::end(places), pointer) != std::end(places);
-		const bool is_time = std::find(std::begin(times), std::end(times), pointer) != std::end(times);
-		if (!is_place)
-			dimensions.push_back({position, nameOf(Tag(pointer)), is_time});
-		++position;
-	}
-	return dimensions;
-}
-
-void addDimensions(const std::vector<Dimension>& dimensions, const FrameGroups& groups, DicomFrame& frame)
-{
-	const auto content = groups.group(Tag(0x0020, 0x9111));
-	const auto values = content ? content->numbers(Tag(0x0020, 0x9157)) : std::vector<double>();
-	for (const Dimension& dimension : dimensions)
-		frame.keys.push_back({dimension.name,
-		                      dimension.position < values.size() ? values[dimension.position] : 0.0,
-		                      {},
-		                      0.0,
-		                      dimension.is_time});
-	if (content)
-		frame.stack = content->text(Tag(0x0020, 0x9056));
-}
 
 void setPlace(const DicomItem& item, const Tag& tag, DicomFrame& frame)
 {
@@ -236,7 +91,7 @@ void addEnhanced(const DicomFrame& top, const DicomItem& root, std::size_t count
 		throw damaged(fmt::format("it describes {} frames, and has {}", own.size(), count));
 	for (std::size_t f = 0; f < count; ++f)
 	{
-		const FrameGroups groups(&own[f], shared ? &*shared : nullptr, root);
+		const FrameGroups groups(&own[f], shared ? &*shared : nullptr);
 		DicomFrame frame = top;
 		frame.index = f;
 		frame.number += static_cast<double>(f) / kMaxFrames; // behind the frames of the file before it
@@ -253,10 +108,9 @@ void addEnhanced(const DicomFrame& top, const DicomItem& root, std::size_t count
 			setSpacingOf(root, frame, all);
 		if (const auto group = groups.group(Tag(0x0028, 0x9145)))
 			setRescale(*group, frame);
-		addDimensions(dimensions, groups, frame);
-		addKeys(frameKeys(), groups, frame);
+		addKeys(dimensions, groups, frame);
 		if (count == 1)
-			addKeys(fileKeys(), groups, frame);
+			addKeys(root, frame);
 		if (!frame.has_place)
 			throw Refusal(count == 1
 			                  ? "nothing to slice: a picture that does not say where it lies"
@@ -282,7 +136,7 @@ void addSingle(DicomFrame frame, const DicomItem& root, DicomFrames& all)
 		frame.has_place = true;
 	}
 	setSpacingOf(root, frame, all);
-	addKeys(fileKeys(), FrameGroups(nullptr, nullptr, root), frame);
+	addKeys(root, frame);
 	all.frames.push_back(std::move(frame));
 }
 
