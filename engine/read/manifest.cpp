@@ -77,6 +77,7 @@ public:
 		CheckedInput input;
 		for (const json& time : manifest.at("times"))
 			input.times.push_back(finiteOf(time));
+		input.time_units = wordsOf(manifest.value("time_units", json("")));
 		for (const json& warning : manifest.at("warnings"))
 			if (input.warnings.size() < kMaxWarnings)
 				input.warnings.push_back(wordsOf(warning));

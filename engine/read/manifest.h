@@ -62,6 +62,7 @@ struct CheckedInput
 	std::vector<CheckedBlock> blocks;
 	std::vector<grid::PatchPolygons> patches;
 	std::vector<double> times;
+	std::string time_units{};
 	std::vector<std::string> warnings;
 	std::vector<std::string> files; // that were read
 	std::size_t left_out = 0;

@@ -60,6 +60,7 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	const std::string stem = std::filesystem::path(file).stem().string();
 	grid::BlockSet set;
 	set.times = std::move(input->times);
+	set.time_units = std::move(input->time_units);
 	set.left_out = input->left_out;
 	if (parts)
 		parts->bytes_read = input->bytes_read;
@@ -160,6 +161,9 @@ void addSet(grid::BlockSet set, grid::BlockSet& all)
 			face.block += static_cast<std::uint32_t>(all.blocks.size());
 	std::move(set.patches.begin(), set.patches.end(), std::back_inserter(all.patches));
 	std::move(set.blocks.begin(), set.blocks.end(), std::back_inserter(all.blocks));
+	// Inputs without times have no say.
+	if (!set.times.empty())
+		all.time_units = all.times.empty() || all.time_units == set.time_units ? set.time_units : std::string();
 	addTimes(std::move(set.times), all.times);
 	all.left_out += set.left_out;
 }

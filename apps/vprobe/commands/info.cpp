@@ -118,6 +118,7 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 	        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
 	        {"length_units", units},
 	        {"times", blocks.times},
+	        {"time_units", blocks.time_units.empty() ? nlohmann::json() : nlohmann::json(blocks.time_units)},
 	        {"arrays", arrays}};
 }
 
@@ -210,7 +211,8 @@ void printInfo(const grid::BlockSet& blocks)
 	print("bounds  x {}, y {}, z {}{}{}\n", rangeWords(bounds.lo.x, bounds.hi.x), rangeWords(bounds.lo.y, bounds.hi.y),
 	      rangeWords(bounds.lo.z, bounds.hi.z), units.empty() ? "" : " ", units);
 	if (!blocks.times.empty())
-		print("times   {}: {}\n", blocks.times.size(), timesAsWords(blocks.times));
+		print("times   {}: {}{}{}\n", blocks.times.size(), timesAsWords(blocks.times),
+		      blocks.time_units.empty() ? "" : " ", blocks.time_units);
 	const auto arrays = listArrays(blocks);
 	if (arrays.empty())
 		print("arrays  none\n");

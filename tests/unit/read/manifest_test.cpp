@@ -159,9 +159,12 @@ TEST(Manifest, NamesUnitsOrNot)
 	EXPECT_EQ(checked->blocks[0].fields[0].units, "K");
 	EXPECT_EQ(checked->blocks[0].fields[1].units, "");
 	EXPECT_EQ(checked->blocks[1].length_units, "mm "); // one line
+	EXPECT_EQ(checked->time_units, "");
 	made.block(0)["arrays"][0]["units"] = 7;
 	expectRefused(made, "units");
 	made = makeManifest();
+	made.manifest()["time_units"] = "ms";
+	EXPECT_EQ(made.check()->time_units, "ms");
 	made.manifest()["length_units"] = json::array();
 	expectRefused(made, "length_units");
 }
