@@ -185,6 +185,18 @@ std::string unpacked(const XmlArray& array, int file, const XmlFile& given, cons
 	return bytes;
 }
 
+std::optional<Packing> packingIfKnown(const XmlElement& root)
+{
+	try
+	{
+		return packingOf(root);
+	}
+	catch (const NotQuick&)
+	{
+		return std::nullopt;
+	}
+}
+
 // Text stays that is no list of numbers.
 bool staysText(const XmlArray& array)
 {
@@ -298,16 +310,9 @@ void writeAsBytes(const std::string& path, const XmlFile& given, const XmlFile& 
 {
 	const bool has_bytes =
 	    std::ranges::any_of(arrays, [](const XmlArray& array) { return array.form != XmlArray::Form::text; });
-	Packing packing;
-	if (has_bytes)
-		try
-		{
-			packing = packingOf(given.root);
-		}
-		catch (const NotQuick&)
-		{
-			throw Refusal("an unknown compressor or byte order; save the file again, without compression");
-		}
+	const std::optional<Packing> packing = packingIfKnown(given.root);
+	if (has_bytes && !packing)
+		throw Refusal("an unknown compressor or byte order; save the file again, without compression");
 	const OpenFile file(path);
 	to.append("<?xml version=\"1.0\"?>\n" + startTag(xml.root, {"byte_order", "header_type", "compressor"}) +
 	          " byte_order=\"LittleEndian\" header_type=\"UInt64\">\n");
@@ -329,7 +334,7 @@ void writeAsBytes(const std::string& path, const XmlFile& given, const XmlFile& 
 			found[i] = takeText(arrays[i], text, &to);
 		else
 		{
-			const std::string bytes = unpacked(arrays[i], file.get(), given, packing);
+			const std::string bytes = unpacked(arrays[i], file.get(), given, *packing);
 			to.append(bytes);
 			found[i] = Found{bytes.size(), arrays[i].type ? lastWhole(*arrays[i].type, bytes) : 0};
 		}
@@ -347,6 +352,7 @@ bool checkArrays(const std::string& path, const XmlFile& given, const std::vecto
 	std::vector<std::optional<Found>> found(arrays.size());
 	bool is_strange = false;
 	const OpenFile file(path);
+	const std::optional<Packing> packing = packingIfKnown(given.root);
 	Scratch scratch;
 	for (std::size_t i = 0; i < arrays.size(); ++i)
 	{
@@ -358,12 +364,11 @@ bool checkArrays(const std::string& path, const XmlFile& given, const std::vecto
 			is_strange |= found[i] && found[i]->is_strange;
 			continue;
 		}
-		if (array.values == std::uint64_t(0))
+		if (array.values == std::uint64_t(0) || !packing)
 			continue; // nothing is written for no values
 		try
 		{
-			const Packing packing = packingOf(given.root);
-			const auto packed = openPacked(file.get(), given, packing, *array.element);
+			const auto packed = openPacked(file.get(), given, *packing, *array.element);
 			if (array.form == XmlArray::Form::inline_bytes)
 				checkLetters(array, contentOf(*array.element, text), packed->base64Letters());
 			found[i] = Found{packed->size()};
@@ -375,13 +380,17 @@ bool checkArrays(const std::string& path, const XmlFile& given, const std::vecto
 			const auto part = packed->part(packed->partCount() - 1, packed->size(), scratch);
 			std::string last(reinterpret_cast<const char*>(part.data()), part.size());
 			last.erase(0, last.size() - std::min(last.size(), bytesOfValue(array)));
-			if (packing.is_big_endian)
+			if (packing->is_big_endian)
 				swapEach(last, bytesOfValue(array));
 			found[i]->last = lastWhole(*array.type, last);
 		}
 		catch (const NotQuick&)
 		{
-			found[i].reset(); // VTK's reader has to tell what is wrong
+			// Of packed data VTK's reader tells what is wrong, and it knows larger blocks.
+			const bool is_known = array.values || (array.offsets && arrays[*array.offsets].values.value_or(0) > 0);
+			if (packing->codec == Codec::none && is_known)
+				throw damaged(fmt::format("{} is shorter than it should be", array.words));
+			found[i].reset();
 		}
 	}
 	checkAll(arrays, found);
