@@ -104,6 +104,8 @@ public:
 			const std::string_view word = at_.word();
 			if (!takeKeyword(inSmallLetters(word)))
 			{
+				if (std::any_of(word.begin(), word.end(), [](char c) { return c < '!' || c > '~'; }))
+					throw damaged(fmt::format("behind {} stands no keyword: it has too few or too many values", last_));
 				if (vp::parseReal(word))
 					throw damaged(fmt::format("behind {} stands \"{}\": it has more values than it announces", last_,
 					                          word.substr(0, 40)));

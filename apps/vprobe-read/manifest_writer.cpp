@@ -324,7 +324,7 @@ json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 	const auto warnAboutText = [&](const char* association, vtkAbstractArray* array)
 	{
 		const char* name = array && array->GetName() ? array->GetName() : "";
-		std::string line = fmt::format("the {} array {} holds no numbers and is left out", association, name);
+		std::string line = fmt::format("the {} array {} holds no numbers and is not shown", association, name);
 		if (std::ranges::find(warnings_, line) == warnings_.end())
 			warn(std::move(line));
 	};
