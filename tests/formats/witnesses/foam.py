@@ -124,27 +124,26 @@ class Writer:
             return ('-' if value < 0 else '') + self.pick.choice(['inf', 'Infinity', '1.#INF'])
         return repr(value)
 
-    def element(self, row):
-        row = numpy.atleast_1d(row)
+    def element(self, row, kind):
         words = ' '.join(map(self.number, row))
-        return words if len(row) == 1 else f'({words})'
+        return words if kind == 'scalar' else f'({words})'
 
     def comment(self):
         return '' if self.plain else self.pick.choice(['', '', ' // two words (1 2)\n', ' /* { ; */ '])
 
-    def reals(self, values, kind=None, binary=None):
+    def reals(self, values, kind, is_typed=True):
         """A list with its count."""
         values = numpy.asarray(values, float)
-        name = f'List<{kind}> ' if kind else ''
-        if self.binary if binary is None else binary:
+        name = f'List<{kind}> ' if is_typed else ''
+        if self.binary:
             kind = f'{self.order}f{self.scalar // 8}'
             return f'{name}\n{len(values)}\n('.encode() + values.astype(kind).tobytes() + b')'
-        if not self.plain and kind and self.pick.random() < 0.2:
+        if not self.plain and self.pick.random() < 0.2:
             name = ''
         if len(values) and (values == values[0]).all() and not self.plain and self.pick.random() < 0.7:
-            return f'{name}{len(values)}{{{self.element(values[0])}}}'.encode()
+            return f'{name}{len(values)}{{{self.element(values[0], kind)}}}'.encode()
         glue = self.pick.choice(['\n', ' '])
-        rows = glue.join(self.element(row) for row in values) or ''
+        rows = glue.join(self.element(row, kind) for row in values) or ''
         return f'{name}{self.comment()}{len(values)}\n({self.comment()}\n{rows}\n)'.encode()
 
     def labels(self, values):
@@ -156,7 +155,7 @@ class Writer:
         return f'{len(values)}\n({self.comment()}\n'.encode() + '\n'.join(map(str, values)).encode() + b'\n)'
 
     def mesh(self, mesh, where, points_where):
-        self.put(f'{points_where}polyMesh/points', 'vectorField', self.reals(mesh.points))
+        self.put(f'{points_where}polyMesh/points', 'vectorField', self.reals(mesh.points, 'vector', False))
         if self.binary:
             starts = numpy.cumsum([0] + [len(face) for face in mesh.faces])
             self.put(f'{where}polyMesh/faces', 'faceCompactList',
@@ -213,7 +212,7 @@ class Field:
             form = pick.choice(['rows', 'uniform', 'none'] if writer.plain else
                                ['rows', 'uniform', 'none', 'macro', 'deep', 'parts', 'entry', 'slip', 'constant',
                                 'file'])
-            words = writer.element(one)
+            words = writer.element(one, self.kind)
             if form == 'rows':
                 body, values = b'type fixedValue; value nonuniform ' + writer.reals(rows, self.kind) + b';', rows
             elif form in ('uniform', 'macro', 'deep', 'entry', 'file'):
@@ -243,7 +242,7 @@ class Field:
                 self.before += ''.join(f'p{name}{i} {writer.number(x)};\n' for i, x in enumerate(one))
                 parts = ' '.join(f'$p{name}{i}' for i in range(self.width))
                 values = numpy.repeat(one[None], count, axis=0)
-                body = f'value uniform {parts if self.width == 1 else f"({parts})"}; type calculated;'.encode()
+                body = f'value uniform {parts if self.kind == "scalar" else f"({parts})"}; type calculated;'.encode()
             elif form == 'slip':
                 body, values = b'type noSlip;', numpy.zeros((count, self.width))
             elif form == 'constant':
@@ -259,16 +258,17 @@ class Field:
         writer, pick = self.writer, self.writer.pick
         level, inside = b'', self.inside
         if self.level is not None:
-            level = f'referenceLevel {writer.element(self.level)};\n'.encode()
+            level = f'referenceLevel {writer.element(self.level, self.kind)};\n'.encode()
         if self.is_uniform and (inside == inside[0]).all():
-            value = f'uniform {writer.element(inside[0])}'.encode()
+            value = f'uniform {writer.element(inside[0], self.kind)}'.encode()
             if not writer.plain and pick.random() < 0.3:
                 self.before += f'inner {value.decode()};\n'
                 value = b'$inner'
         else:
             value = b'nonuniform ' + writer.reals(inside, self.kind)
         entries = list(self.entries)
-        if not writer.plain and pick.random() < 0.3:
+        # A macro by itself would mean this pattern, too.
+        if not writer.plain and pick.random() < 0.3 and not any(body.startswith(b'$e') for _, body in entries):
             entries.insert(0, ('".*"', b'type fixedValue; value uniform $nothing;'))
         boundary = b''.join(f'    {key}{writer.comment()}\n    {{\n        '.encode() + body + b'\n    }\n'
                             for key, body in entries)
