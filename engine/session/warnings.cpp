@@ -16,7 +16,7 @@ namespace vp::session
 namespace
 {
 
-std::string nameOf(std::size_t sheet, std::size_t sheets)
+std::string sheetName(std::size_t sheet, std::size_t sheets)
 {
 	return sheets == 1 ? std::string("the slice") : fmt::format("sheet {}", sheet);
 }
@@ -56,7 +56,7 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 		Box bounds = session.blocks.bounds();
 		if (session.team)
 			sumOverAll(*session.team, bounds, [](Box& all, const Box& other) { all.include(other); });
-		const std::string what = nameOf(static_cast<std::size_t>(&sheet - slice.sheets.data()), slice.sheets.size());
+		const std::string what = sheetName(static_cast<std::size_t>(&sheet - slice.sheets.data()), slice.sheets.size());
 		if (session.view.threshold)
 			warn("{} is empty: no cell that is reached has values between {} and {}; widen `threshold`", what,
 			     session.view.threshold->lo, session.view.threshold->hi);
@@ -104,7 +104,7 @@ void reportBoundarySheets(const Session& session, const std::vector<SheetStats>&
 		if (has_boundary && !has_cells)
 			warn("{} lies in the boundary of the grid and cuts no cell, so its area is 0; boundary_area, "
 			     "boundary_mean and boundary_flux are its figures",
-			     nameOf(s, sheets.size()));
+			     sheetName(s, sheets.size()));
 	}
 }
 

@@ -303,7 +303,7 @@ struct TableFigure
 };
 
 // Flux and what lies in the boundary are shown if a sheet has them.
-std::vector<TableFigure> figuresOf(const nlohmann::json& sheets)
+std::vector<TableFigure> tableFigures(const nlohmann::json& sheets)
 {
 	std::vector<TableFigure> figures{{"area", "area"}, {"mean", "mean"}, {"min", "min"}, {"max", "max"}};
 	const bool has_flux =
@@ -329,7 +329,7 @@ std::string statsTable(const session::Session& session, const session::CutFrame&
 		sheets = ofTeam(session, std::move(sheets));
 	std::string table =
 	    fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6}", "sheet", "cells", "polygons", "vertices", "pieces");
-	const std::vector<TableFigure> figures = figuresOf(sheets["sheets"]);
+	const std::vector<TableFigure> figures = tableFigures(sheets["sheets"]);
 	for (const TableFigure& figure : figures)
 		table += fmt::format(" {:>13}", figure.title);
 	table += '\n';
