@@ -231,6 +231,7 @@ try
 		checked.length_units = block.length_units;
 		set.blocks.push_back(vp::read::buildBlock(std::move(checked), block.name, false, true, wrapper.tolerance));
 	}
+	set.unplaced = unplaced;
 	if (unplaced > 0)
 		vp::warn("{}", vp::read::unplacedNote(unplaced));
 	// As for files: what further cuts need waits for them. A mixture of listed and other grids does not wait.

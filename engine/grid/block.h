@@ -82,6 +82,7 @@ struct BlockSet
 	std::vector<double> times;  // in the input, ascending; empty if it has no times
 	std::string time_units{};   // of the times, as the files name them; empty where they differ or name none
 	std::size_t left_out = 0;   // cells of dimension below three
+	std::size_t unplaced = 0;   // cells that were left out, since a point of theirs has no place (NaN)
 	Interfaces interfaces;      // set by matchInterfaces() when all blocks are finished
 	bool matches_seams = true;  // false: nobody has called matchInterfaces(), since there is to be one cut
 	std::vector<Patch> patches; // named in the files, if somebody asked for them

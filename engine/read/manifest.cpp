@@ -95,6 +95,7 @@ public:
 		if (manifest.contains("patches"))
 			for (const json& patch : manifest.at("patches"))
 				input.patches.push_back(checkPatch(patch));
+		input.unplaced = unplaced_;
 		if (unplaced_ > 0)
 			input.warnings.push_back(unplacedNote(unplaced_));
 		return input;

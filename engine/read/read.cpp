@@ -62,6 +62,7 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	set.times = std::move(input->times);
 	set.time_units = std::move(input->time_units);
 	set.left_out = input->left_out;
+	set.unplaced = input->unplaced;
 	if (parts)
 		parts->bytes_read = input->bytes_read;
 	for (CheckedBlock& block : input->blocks)
@@ -166,6 +167,7 @@ void addSet(grid::BlockSet set, grid::BlockSet& all)
 		all.time_units = all.times.empty() || all.time_units == set.time_units ? set.time_units : std::string();
 	addTimes(std::move(set.times), all.times);
 	all.left_out += set.left_out;
+	all.unplaced += set.unplaced;
 }
 
 // What a set of several inputs still lacks: neighbors and seams, where they are wanted.

@@ -174,6 +174,7 @@ grid::BlockSet withOthers(Team& team, read::PartBlocks&& own, const read::PartLi
 	MessageWriter message;
 	message.put(own.set.blocks.size());
 	message.put(own.set.left_out);
+	message.put(own.set.unplaced);
 	for (std::size_t b = 0; b < own.set.blocks.size(); ++b)
 		put(message, own.set.blocks[b], own.of_block[b].block);
 	const std::vector<Bytes> of_all = team.gatherAll(message.take());
@@ -181,6 +182,7 @@ grid::BlockSet withOthers(Team& team, read::PartBlocks&& own, const read::PartLi
 	grid::BlockSet all = std::move(own.set);
 	std::vector<grid::Block> mine = std::exchange(all.blocks, {});
 	all.left_out = 0;
+	all.unplaced = 0;
 	std::optional<std::size_t> last;
 	std::vector<std::string> kinds;
 	for (int rank = 0; rank < team.size(); ++rank)
@@ -188,6 +190,7 @@ grid::BlockSet withOthers(Team& team, read::PartBlocks&& own, const read::PartLi
 		MessageReader reader(of_all[static_cast<std::size_t>(rank)]);
 		const auto blocks = reader.get<std::size_t>();
 		all.left_out += reader.get<std::size_t>();
+		all.unplaced += reader.get<std::size_t>();
 		if (rank == team.rank())
 			share.first_own = static_cast<std::uint32_t>(all.blocks.size());
 		for (std::size_t b = 0; b < blocks; ++b)

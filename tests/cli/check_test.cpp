@@ -95,7 +95,7 @@ TEST_F(Check, PointsOfNoCellAreNoFault)
 	{
 		return run(
 		    {"check",
-		     write("orphan.vtk", "# vtk DataFile Version 3.0\no\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 6 float\n" +
+		     write("orphan.vtk", "# vtk DataFile Version 3.0\no\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 6 double\n" +
 		                             points + "CELLS 2 10\n4 0 1 2 3\n4 0 2 1 4\nCELL_TYPES 2\n10\n10\n"),
 		     "--json"});
 	};
@@ -103,7 +103,16 @@ TEST_F(Check, PointsOfNoCellAreNoFault)
 	EXPECT_EQ(orphan.status, 0) << orphan.out;
 	EXPECT_EQ(orphan.json()["orphan_points"], 1);
 	EXPECT_EQ(orphan.json()["clean"], true);
+	EXPECT_EQ(orphan.json()["grid"]["cells_without_place"], 0);
 	EXPECT_TRUE(contains(run({"check", path("orphan.vtk")}).out, "note"));
+
+	const Outcome unplaced = check("0 0 0 1 0 0 0 1 0 0 0 1 0 0 1e60 9 9 9\n");
+	EXPECT_EQ(unplaced.status, 0) << unplaced.out;
+	EXPECT_EQ(unplaced.json()["grid"]["cells_without_place"], 1);
+	EXPECT_TRUE(contains(unplaced.err, "1 cell is left out")) << unplaced.err;
+	EXPECT_EQ(run({"info", path("orphan.vtk"), "--json"}).json()["grid"]["cells_without_place"], 1);
+	EXPECT_TRUE(contains(run({"info", path("orphan.vtk")}).out, "1 cells with a point without a place"));
+	EXPECT_EQ(run({"slice", path("orphan.vtk"), "--stats", "-"}).json()["grid"]["cells_without_place"], 1);
 }
 
 TEST_F(Check, BlocksThatMeetAreNoFaultButThoseThatOverlapAre)

@@ -108,7 +108,8 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 	          {"linear_cells", blocks.cellCount()},
 	          {"linear_points", blocks.pointCount()},
 	          {"blocks", blocks.blocks.size()},
-	          {"cells_left_out", blocks.left_out}}},
+	          {"cells_left_out", blocks.left_out},
+	          {"cells_without_place", blocks.unplaced}}},
 	        {"blocks", block_list},
 	        {"interfaces", interfaces},
 	        {"overlaps", overlaps},
@@ -205,6 +206,8 @@ void printInfo(const grid::BlockSet& blocks)
 		print("        cut into {} linear cells with {} points\n", blocks.cellCount(), blocks.pointCount());
 	if (blocks.left_out)
 		print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
+	if (blocks.unplaced)
+		print("        {} cells with a point without a place are left out\n", blocks.unplaced);
 	printBlocks(blocks);
 	printMeetings(blocks);
 	const std::string units = lengthUnits(blocks);
