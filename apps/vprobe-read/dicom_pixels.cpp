@@ -280,7 +280,8 @@ std::vector<double> DicomPixels::frame(std::size_t index)
 	std::vector<double> values = storedValues(index);
 	if (form_.is_by_plane)
 		values = interleaved(values, form_.samples);
-	const auto [low, high] = form_.padding;
+	const double low = form_.padding.first;
+	const double high = form_.padding.second;
 	if (low <= high)
 		padded_ += static_cast<std::size_t>(
 		    std::count_if(values.begin(), values.end(), [&](double value) { return value >= low && value <= high; }));
