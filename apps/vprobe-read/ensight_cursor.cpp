@@ -18,6 +18,7 @@ namespace
 {
 
 constexpr std::size_t kLineBytes = 80; // of a line in a binary file
+constexpr std::size_t kMaxShown = 20;  // of a word that is wrong
 constexpr std::string_view kBegin = "BEGIN TIME STEP";
 constexpr std::string_view kEnd = "END TIME STEP";
 
@@ -97,6 +98,15 @@ std::vector<std::string> wordsOf(std::string_view line)
 	std::vector<std::string> words;
 	for (std::string word; in >> word;)
 		words.push_back(word);
+	return words;
+}
+
+std::string ensightWords(std::string_view text)
+{
+	std::string words(text.substr(0, kMaxShown));
+	for (char& c : words)
+		if (c < ' ' || c > '~')
+			c = '?';
 	return words;
 }
 
@@ -252,7 +262,7 @@ std::int64_t EnSightCursor::integer()
 	std::int64_t value = 0;
 	const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
 	if (error != std::errc() || end != digits.data() + digits.size())
-		refuse(fmt::format("\"{}\" where a whole number is wanted", digits.substr(0, 20)));
+		refuse(fmt::format("\"{}\" where a whole number is wanted", ensightWords(digits)));
 	return value;
 }
 
@@ -311,7 +321,7 @@ double EnSightCursor::textReal()
 	}
 	const std::optional<double> value = vp::parseReal(all.substr(0, length));
 	if (!value)
-		refuse(fmt::format("\"{}\" where a number is wanted", all.substr(0, 20)));
+		refuse(fmt::format("\"{}\" where a number is wanted", ensightWords(all)));
 	at_ += length;
 	return *value;
 }

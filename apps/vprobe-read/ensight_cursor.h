@@ -83,3 +83,6 @@ private:
 };
 
 std::vector<std::string> wordsOf(std::string_view line);
+
+// The beginning of a text for a line of an error: bytes that are no printable ASCII become question marks.
+std::string ensightWords(std::string_view text);

@@ -70,7 +70,7 @@ private:
 	{
 		const std::string line = at_.line();
 		if (!line.starts_with(what))
-			at_.refuse(fmt::format("\"{}\" where its \"{}\" is wanted", line.substr(0, 20), what));
+			at_.refuse(fmt::format("\"{}\" where its \"{}\" is wanted", ensightWords(line), what));
 		const std::vector<std::string> words = wordsOf(line);
 		return words.back() == "given" || words.back() == "ignore";
 	}
@@ -100,12 +100,12 @@ private:
 	{
 		const std::vector<std::string> words = wordsOf(head);
 		if (words[0] != "part")
-			at_.refuse(fmt::format("\"{}\" where a part begins", head.substr(0, 20)));
+			at_.refuse(fmt::format("\"{}\" where a part begins", ensightWords(head)));
 		std::int64_t number = 0;
 		if (geometry_.is_gold || words.size() < 2)
 			number = at_.integer();
 		else if (std::from_chars(words[1].data(), words[1].data() + words[1].size(), number).ec != std::errc())
-			at_.refuse(fmt::format("\"{}\" where a part begins", head.substr(0, 20)));
+			at_.refuse(fmt::format("\"{}\" where a part begins", ensightWords(head)));
 		if (!at_.isBinary() && (geometry_.is_gold || words.size() < 2))
 			at_.description(); // the rest of the number's line
 		const auto [place, is_new] = geometry_.parts.try_emplace(number);
@@ -210,7 +210,7 @@ private:
 		EnSightElements elements;
 		elements.type = ensightTypeOf(line, elements.is_ghost);
 		if (!isEnSightElement(elements.type))
-			at_.refuse(fmt::format("\"{}\" where a type of elements is wanted", line.substr(0, 20)));
+			at_.refuse(fmt::format("\"{}\" where a type of elements is wanted", ensightWords(line)));
 		elements.count = at_.count(1);
 		// EnSight 6 has each id in front of its element's nodes in text.
 		const bool id_in_line = element_ids_ && !geometry_.is_gold && !at_.isBinary();

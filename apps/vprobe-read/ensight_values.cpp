@@ -64,11 +64,11 @@ private:
 	{
 		const std::vector<std::string> words = wordsOf(head);
 		if (words[0] != "part")
-			at_.refuse(fmt::format("\"{}\" where a part begins", head.substr(0, 20)));
+			at_.refuse(fmt::format("\"{}\" where a part begins", ensightWords(head)));
 		if (geometry_.is_gold || words.size() < 2)
 			number = at_.integer();
 		else if (std::from_chars(words[1].data(), words[1].data() + words[1].size(), number).ec != std::errc())
-			at_.refuse(fmt::format("\"{}\" where a part begins", head.substr(0, 20)));
+			at_.refuse(fmt::format("\"{}\" where a part begins", ensightWords(head)));
 		const auto found = geometry_.parts.find(number);
 		if (found == geometry_.parts.end())
 			at_.refuse(fmt::format("values of part {}, which its geometry lacks", number));
@@ -92,7 +92,7 @@ private:
 			std::size_t section = 0;
 			const bool is_whole = words[0] == "coordinates" || words[0] == "block";
 			if (is_whole != (is_block || per_node_))
-				at_.refuse(fmt::format("\"{}\" where values of {} are wanted", line.substr(0, 20),
+				at_.refuse(fmt::format("\"{}\" where values of {} are wanted", ensightWords(line),
 				                       per_node_ ? "nodes" : "elements"));
 			if (!is_whole)
 				section = sectionOf(part, words[0], seen, first, count);
@@ -130,7 +130,7 @@ private:
 				count = part.elements[i].count;
 				return i;
 			}
-		at_.refuse(fmt::format("values of \"{}\", which its part lacks", word.substr(0, 20)));
+		at_.refuse(fmt::format("values of \"{}\", which its part lacks", ensightWords(word)));
 	}
 
 	void readSection(std::string_view option, bool is_elements, std::int64_t count, double* to)
@@ -158,7 +158,7 @@ private:
 		else if (option.empty())
 			readAll(is_elements, count, to);
 		else
-			at_.refuse(fmt::format("values that are \"{}\", which is not known", option.substr(0, 20)));
+			at_.refuse(fmt::format("values that are \"{}\", which is not known", ensightWords(option)));
 	}
 
 	// Component by component; EnSight 6 has the values of elements tuple by tuple.

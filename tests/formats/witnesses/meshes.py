@@ -120,7 +120,8 @@ def read_by_vprobe(path, folder):
         points.append(own)
         for c in range(data.GetNumberOfCells()):
             ids = data.GetCell(c).GetPointIds()
-            centers.append(own[[ids.GetId(i) for i in range(ids.GetNumberOfIds())]].mean(axis=0))
+            corners = {ids.GetId(i) for i in range(ids.GetNumberOfIds())}  # those of collapsed bricks once
+            centers.append(own[sorted(corners)].mean(axis=0))
         for fields_of, found in ((data.GetPointData(), point_data), (data.GetCellData(), cell_data)):
             for i in range(fields_of.GetNumberOfArrays()):
                 found.setdefault(fields_of.GetArrayName(i), []).append(vtk_to_numpy(fields_of.GetArray(i)))
