@@ -27,7 +27,7 @@
 namespace
 {
 
-constexpr std::size_t kMostMedNodes = 27;
+constexpr std::size_t kMaxMedNodes = 27;
 
 struct MedKind
 {
@@ -51,7 +51,7 @@ constexpr MedKind kMedKinds[] = {{"TE4", VTK_TETRA, 4, 4, kTurnedTetra},
                                  {"H20", VTK_QUADRATIC_HEXAHEDRON, 20, 8, kTurnedHexahedron},
                                  {"H27", VTK_TRIQUADRATIC_HEXAHEDRON, 27, 8, kTurnedHexahedron}};
 
-using MedNodes = std::array<vtkIdType, kMostMedNodes>;
+using MedNodes = std::array<vtkIdType, kMaxMedNodes>;
 
 // The corners between which VTK's nodes in edges and faces lie. MED has the same order, but for the faces of H27.
 std::vector<std::string_view> medBetween(std::size_t corners)
