@@ -102,6 +102,8 @@ std::uint16_t halfOf(double number)
 	const std::uint16_t sign = std::signbit(number) ? 0x8000 : 0;
 	if (std::isnan(number))
 		return 0x7E00;
+	if (number == 0.0)
+		return sign;
 	if (std::abs(number) >= 65520.0)
 		return static_cast<std::uint16_t>(sign | 0x7C00);
 	int exponent = 0;

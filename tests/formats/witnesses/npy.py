@@ -23,7 +23,7 @@ def array_of(rng, numbers, shape):
         values = values / numpy.array(8, kind)
     if kind not in ('i1', 'u1', '?'):
         values = values.astype(values.dtype.newbyteorder(rng.choice('<>')))
-    return numpy.asfortranarray(values) if rng.random() < 0.5 else values
+    return numpy.asfortranarray(values) if len(shape) == 3 and rng.random() < 0.5 else values
 
 
 def meant(values, shape):
