@@ -73,7 +73,7 @@ def try_all(main, packed, *options, is_packed=False):
     original, counted = packed.read_bytes(), 0
     with h5py.File(packed, 'r') as file:
         names = sets_of(h5py, file)
-    for name in names:
+    for name in names[::max(1, len(names) // 6)]:  # each takes a run of the program
         if flip(h5py, packed, name):
             now = told(main, *options)
             assert isinstance(now, str) or now == sound, (packed, name)
