@@ -66,7 +66,7 @@ struct CheckedInput
 	std::vector<std::string> warnings;
 	std::vector<std::string> files; // that were read
 	std::size_t left_out = 0;
-	std::size_t unplaced = 0; // cells that were left out, since a point of theirs has no place
+	std::size_t unplaced = 0;       // cells that were left out, since a point of theirs has no place
 	std::vector<InputPart> parts{}; // if they were asked for
 	std::vector<WholeLattice> wholes{};
 	std::uint64_t bytes_read = 0; // from files, likewise

@@ -228,7 +228,8 @@ void addCheck(CLI::App& program, Run& run)
 	    ->add_option("-o,--output", options->output,
 	                 "Write the faces of the bad cells as .vtp, with the array vprobe:finding")
 	    ->type_name("FILE|-");
-	command->footer("Exit code 5 when a fault was found. What changes no figure (blocks that meet, points of no cell) is told as a note.");
+	command->footer("Exit code 5 when a fault was found. What changes no figure (blocks that meet, points of no cell) "
+	                "is told as a note.");
 	command->callback([&run, options] { run = [options] { return runCheck(*options); }; });
 }
 
