@@ -74,9 +74,19 @@ void putNumbers(int id, int variable, const std::string& name, const json& numbe
 	}
 }
 
+// Names that netCDF keeps for itself. Its own files of Zarr have some of them.
+bool isReserved(const std::string& name)
+{
+	return name.starts_with("_NC") || name.starts_with("_nc") || name.starts_with("_Netcdf4") ||
+	       isOneOf(name, {"_Format", "_IsNetcdf4", "_SuperblockVersion", "_Codecs", "CLASS", "NAME", "DIMENSION_LIST",
+	                      "REFERENCE_LIST"});
+}
+
 // Numbers, texts and lists of numbers. Nothing that is read has others.
 void putAttribute(int id, int variable, const std::string& name, const json& value)
 {
+	if (isReserved(name))
+		return;
 	if (value.is_number())
 		putNumbers(id, variable, name, json::array({value}));
 	else if (isListOfNumbers(value))

@@ -86,10 +86,10 @@ def counts_that_lie(folder):
     refused_as_damaged('often.dat', f'VARIABLES = "X" "Y" "Z" "P"\nZONE I=2, J=2, K=2, DATAPACKING=BLOCK, '
                        f'VARLOCATION=([{often}]=NODAL)\n' + '0 1 0 1 0 1 0 1\n' * 4, 'more than once')
     refused_as_damaged('many.xmf', '<?xml version="1.0"?>\n<Xdmf Version="3.0"><Domain><Grid Name="box">\n'
-                       '<Topology TopologyType="3DCoRectMesh" Dimensions="10000 10000 1000"/>\n'
+                       '<Topology TopologyType="3DCoRectMesh" Dimensions="1000 1000 1000"/>\n'
                        '<Geometry GeometryType="ORIGIN_DXDYDZ"><DataItem Dimensions="3" Format="XML">0 0 0</DataItem>\n'
                        '<DataItem Dimensions="3" Format="XML">1 1 1</DataItem></Geometry>\n'
-                       '<Attribute Name="f" Center="Node"><DataItem Dimensions="10000 10000 1000" Format="XML">'
+                       '<Attribute Name="f" Center="Node"><DataItem Dimensions="1000 1000 1000" Format="XML">'
                        '1 2 3</DataItem></Attribute></Grid></Domain></Xdmf>\n', 'fewer values')
 
 

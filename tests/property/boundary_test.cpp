@@ -262,7 +262,9 @@ TEST(Boundary, FiguresAreThoseOfThePolygons)
 			EXPECT_NEAR(told.boundary_area, area, 1e-10 * area);
 			EXPECT_EQ(told.boundary_mean.has_value(), told.boundary_area > 0.0);
 			if (told.boundary_mean)
+			{
 				EXPECT_NEAR(*told.boundary_mean * told.boundary_area, integral, 1e-6 * area * largest);
+			}
 		}
 		if (testing::Test::HasFailure())
 			return;
