@@ -108,11 +108,17 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 		reader->SetObjectStatus(vtkExodusIIReader::ELEM_BLOCK, block, 1);
 	for (int set = 0; request.patches && set < reader->GetNumberOfObjects(vtkExodusIIReader::SIDE_SET); ++set)
 		reader->SetObjectStatus(vtkExodusIIReader::SIDE_SET, set, 1);
-	const std::size_t step = offerSteps(exodusTimes(request.file), request, manifest).value_or(0);
-	// By its number: the reader looks for times as if they rose, and takes equal ones for modes of a body.
-	reader->SetIgnoreFileTime(true);
-	reader->SetHasModeShapes(false);
-	reader->UpdateTimeStep(static_cast<double>(step));
+	const std::vector<double> times = exodusTimes(request.file);
+	const std::size_t step = offerSteps(times, request, manifest).value_or(0);
+	if (times.empty())
+		reader->Update();
+	else
+	{
+		// By its number: the reader looks for times as if they rose, and takes equal ones for modes of a body.
+		reader->SetIgnoreFileTime(true);
+		reader->SetHasModeShapes(false);
+		reader->UpdateTimeStep(static_cast<double>(step));
+	}
 	refuseOnComplaint();
 	if (reader->GetErrorCode() != 0)
 		throw damaged("the reader gave up");

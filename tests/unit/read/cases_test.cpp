@@ -319,7 +319,7 @@ TEST(Folders, OfZarrThatAreNotReadNameTheRemedy)
 	writeContents(folder / "array/.zarray", "{\"zarr_format\": 2}");
 	EXPECT_NE(refusal(folder / "three").find("write it as version 2"), std::string::npos);
 	EXPECT_NE(refusal(folder / "image").find("OME-TIFF"), std::string::npos);
-	EXPECT_NE(refusal(folder / "array").find(".zgroup"), std::string::npos);
+	EXPECT_NE(refusal(folder / "array").find(".zarray of array"), std::string::npos);
 }
 
 TEST(Xml, PiecesThatAreMissingAreNamed)
