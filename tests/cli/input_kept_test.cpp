@@ -77,7 +77,7 @@ TEST_F(InputKept, AFullDiskIsNotDamage)
 		                    {path(output), "make room"}));
 		EXPECT_EQ(files(), before) << output;
 	}
-	// Shared memory that is too small: out of memory, and no damage either.
+	// Files in memory that may not grow: out of memory, and no damage either.
 	const std::string values = std::string(kImage) + "POINT_DATA 729\nSCALARS u float\nLOOKUP_TABLE default\n" +
 	                           []
 	{
@@ -87,5 +87,5 @@ TEST_F(InputKept, AFullDiskIsNotDamage)
 		return all;
 	}();
 	EXPECT_TRUE(isError(run({"info", write("b.vtk", values)}, {.file_size_limit = 1024}), 4,
-	                    {path("b.vtk"), "shared memory", "make room"}));
+	                    {path("b.vtk"), "not enough memory", "make room"}));
 }
