@@ -87,12 +87,12 @@ TEST_F(Slice, InTheBoundary)
 
 TEST_F(Slice, FramesInTheBoundaryAreTold)
 {
-	const Outcome swept = run({"sweep", image(), "--path", "translate", "--frames", "4", "--stats", "-", "-o",
-	                           path("out.pvd"), "--vector-array", "wind", "--classify", "cpu"});
+	const Outcome swept = run({"sweep", image(), "--path", "rotate", "--origin", "1.5", "1.5", "0", "--frames", "4",
+	                           "--stats", "-", "-o", path("out.pvd"), "--vector-array", "wind", "--classify", "cpu"});
 	ASSERT_EQ(swept.status, 0) << swept.err;
 	const nlohmann::json first = swept.json()["frames"][0]["sheets"][0];
 	EXPECT_NEAR(first["boundary_flux"], 18.0, 1e-12);
-	EXPECT_TRUE(contains(swept.err, "in 1 of 4 frames")) << swept.err;
+	EXPECT_TRUE(contains(swept.err, "in 2 of 4 frames")) << swept.err; // the first, and that turned halfway round
 }
 
 TEST_F(Slice, ArrayByNameAndAssociation)
