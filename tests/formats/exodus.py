@@ -2,7 +2,7 @@
 import itertools
 import math
 
-from against import cut, need
+from against import cut, info, need
 from odd import refused
 
 # Nodes between corners, in the order of the Exodus manual and of libMesh.
@@ -44,7 +44,9 @@ def corners_of(numpy, corners):
 
 
 def write_cubes(path, types, field, unused=2):
-    """A row of unit cubes along x, each a block of 2 x 2 x 2 cubes of one type. No node is shared between blocks."""
+    """A row of unit cubes along x, each a block of 2 x 2 x 2 cubes of one type. No node is shared between blocks.
+
+    Without a field it is a mesh alone, as preprocessors write it: no times and no variables."""
     netcdf4, numpy = need('netCDF4'), need('numpy')
     points, blocks = [(99.0, 99.0, 99.0)] * unused, []
     for at, (_, corners, others) in enumerate(types):
@@ -70,7 +72,7 @@ def write_cubes(path, types, field, unused=2):
             file.createDimension(name, size)
         file.api_version = file.version = numpy.float32(8.03)
         file.floating_point_word_size, file.file_size, file.title = numpy.int32(8), numpy.int32(1), 'cubes'
-        file.createVariable('time_whole', 'f8', ('time_step',))[0] = 0.0
+        times = file.createVariable('time_whole', 'f8', ('time_step',))
         file.createVariable('eb_status', 'i4', ('num_el_blk',))[:] = 1
         ids = file.createVariable('eb_prop1', 'i4', ('num_el_blk',))
         ids.setncattr('name', 'ID')
@@ -83,6 +85,9 @@ def write_cubes(path, types, field, unused=2):
             listed = file.createVariable(f'connect{b}', 'i4', (f'num_el_in_blk{b}', f'num_nod_per_el{b}'))
             listed.elem_type = name
             listed[:] = cells
+        if not field:
+            return
+        times[0] = 0.0
         names = file.createVariable('name_nod_var', 'S1', ('num_nod_var', 'len_name'))
         names[0, :] = numpy.array(list('u'.ljust(33, '\0')), 'S1')
         file.createVariable('vals_nod_var1', 'f8', ('time_step', 'num_nodes'))[0, :] = [field(*p) for p in points]
@@ -130,9 +135,21 @@ def exodus_added_nodes(folder):
     assert errors[1] < errors[0] / 3.5 and errors[2] < errors[1] / 3.5 and errors[2] < 2e-3, (errors, right)
 
 
+def exodus_meshes_alone(folder):
+    """A mesh without times, of ordinary elements and of odd ones."""
+    for name, types in (('plain', [t for t in TYPES if t[0] in ('TETRA4', 'HEX8')]),
+                        ('odd', [t for t in TYPES if t[0] in ('TETRA14', 'WEDGE20', 'PYRAMID18')])):
+        path = folder / f'{name}.e'
+        write_cubes(path, types, None)
+        found = info(path)
+        assert found['times'] == [] and found['bounds'] == [0, len(types), 0, 1, 0, 1], found
+        sheet = cut(path, None, '--origin', 0, 0, .4, '--normal', 0, 0, 1)
+        assert abs(sheet['area'] - len(types)) < 1e-12, sheet
+
+
 def exodus_refused(folder):
     write_cubes(folder / 'hex32.e', [('HEX32', 8, HEXAHEDRON + HEXAHEDRON)], linear)
     refused(folder / 'hex32.e', 'HEX32 with 32 nodes', 'HEX8, HEX20 or HEX27')
 
 
-CASES = [exodus_types, exodus_orders, exodus_added_nodes, exodus_refused]
+CASES = [exodus_types, exodus_orders, exodus_added_nodes, exodus_meshes_alone, exodus_refused]
