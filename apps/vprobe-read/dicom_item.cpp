@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 namespace
 {
@@ -50,19 +49,6 @@ std::vector<double> numbersInText(std::string_view text, const gdcm::Tag& tag)
 			throw damaged(fmt::format("{} is \"{}\", which is no number", nameOf(tag), printable(word.substr(0, 32))));
 		numbers.push_back(*number);
 		text.remove_prefix(std::min(end + 1, text.size()));
-	}
-	return numbers;
-}
-
-template <class Number>
-std::vector<double> numbersInBytes(std::string_view bytes)
-{
-	std::vector<double> numbers(bytes.size() / sizeof(Number));
-	for (std::size_t i = 0; i < numbers.size(); ++i)
-	{
-		Number number;
-		std::memcpy(&number, bytes.data() + i * sizeof number, sizeof number);
-		numbers[i] = static_cast<double>(number);
 	}
 	return numbers;
 }

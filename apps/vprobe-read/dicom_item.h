@@ -3,8 +3,11 @@
 #include <gdcmDataSet.h>
 #include <gdcmTag.h>
 
+#include <cstddef>
+#include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // Elements of a DICOM data set, or of an item of a sequence in it.
@@ -43,3 +46,17 @@ private:
 
 // As the standard's dictionary calls it.
 std::string nameOf(const gdcm::Tag& tag);
+
+// Numbers in the order of bytes of this machine. Bytes that are left over do not count.
+template <class Number>
+std::vector<double> numbersInBytes(std::string_view bytes)
+{
+	std::vector<double> numbers(bytes.size() / sizeof(Number));
+	for (std::size_t i = 0; i < numbers.size(); ++i)
+	{
+		Number number;
+		std::memcpy(&number, bytes.data() + i * sizeof number, sizeof number);
+		numbers[i] = static_cast<double>(number);
+	}
+	return numbers;
+}

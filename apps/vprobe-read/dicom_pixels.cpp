@@ -71,19 +71,6 @@ std::string inOwnOrder(std::string_view given, unsigned bits, bool in_pairs)
 	return bytes;
 }
 
-template <class Stored>
-std::vector<double> asDoubles(std::string_view bytes)
-{
-	std::vector<double> values(bytes.size() / sizeof(Stored));
-	for (std::size_t i = 0; i < values.size(); ++i)
-	{
-		Stored value;
-		std::memcpy(&value, bytes.data() + i * sizeof value, sizeof value);
-		values[i] = static_cast<double>(value);
-	}
-	return values;
-}
-
 // Only the bits that belong to the value, with its sign.
 template <class Stored>
 std::vector<double> fromBits(std::string_view bytes, const DicomPixelForm& form)
@@ -192,7 +179,7 @@ void DicomPixels::findFragments()
 	const gdcm::ByteValue* table = packed_->GetTable().GetByteValue();
 	std::vector<double> offsets;
 	if (table)
-		offsets = asDoubles<std::uint32_t>({table->GetPointer(), table->GetLength()});
+		offsets = numbersInBytes<std::uint32_t>({table->GetPointer(), table->GetLength()});
 	double offset = 0.0;
 	std::size_t begin = 0;
 	for (std::size_t i = 0; i < count; ++i)
@@ -269,7 +256,7 @@ std::vector<double> DicomPixels::storedValues(std::size_t index) const
 	const std::string own = packed_ ? unpacked(index) : std::string();
 	const std::string_view bytes = packed_ ? std::string_view(own) : plain_.substr(index * size, size);
 	if (form_.is_real)
-		return form_.allocated == 32 ? asDoubles<float>(bytes) : asDoubles<double>(bytes);
+		return form_.allocated == 32 ? numbersInBytes<float>(bytes) : numbersInBytes<double>(bytes);
 	if (form_.allocated == 8)
 		return fromBits<std::uint8_t>(bytes, form_);
 	return form_.allocated == 16 ? fromBits<std::uint16_t>(bytes, form_) : fromBits<std::uint32_t>(bytes, form_);
