@@ -224,7 +224,7 @@ TEST(Boundary, AndWhatIsCutMakeOneWholeInTheMirrorToo)
 		if (testing::Test::HasFailure())
 			return;
 	}
-	EXPECT_GT(in_boundary, 20u);
+	EXPECT_GT(in_boundary, static_cast<std::size_t>(tries(20)));
 }
 
 // What is told of boundary faces is what their polygons are.
@@ -269,7 +269,7 @@ TEST(Boundary, FiguresAreThoseOfThePolygons)
 		if (testing::Test::HasFailure())
 			return;
 	}
-	EXPECT_GT(with_faces, 20u);
+	EXPECT_GT(with_faces, static_cast<std::size_t>(tries(20)));
 }
 
 } // namespace vp::test

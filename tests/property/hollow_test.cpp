@@ -340,7 +340,7 @@ TEST(Hollow, ParticlesRunStraightThroughRandomPrisms)
 		if (testing::Test::HasFailure())
 			return;
 	}
-	EXPECT_GT(parted, 20u);
+	EXPECT_GT(parted, static_cast<std::size_t>(tries(20)));
 }
 
 } // namespace vp::test
