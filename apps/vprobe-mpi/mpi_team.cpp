@@ -59,7 +59,7 @@ MpiTeam::~MpiTeam()
 	MPI_Finalize();
 }
 
-session::Bytes MpiTeam::sendReceive(int to, const session::Bytes& bytes, int from)
+ranks::Bytes MpiTeam::sendReceive(int to, const ranks::Bytes& bytes, int from)
 {
 	std::vector<MPI_Request> requests;
 	const std::uint64_t sent = bytes.size();
@@ -69,7 +69,7 @@ session::Bytes MpiTeam::sendReceive(int to, const session::Bytes& bytes, int fro
 	if (from >= 0)
 		MPI_Irecv(&coming, 1, MPI_UINT64_T, from, 0, MPI_COMM_WORLD, &requests.emplace_back());
 	waitFor(requests);
-	session::Bytes received(coming);
+	ranks::Bytes received(coming);
 	forMessages(to >= 0 ? bytes.size() : 0, [&](std::size_t at, int count)
 	            { MPI_Isend(bytes.data() + at, count, MPI_BYTE, to, 0, MPI_COMM_WORLD, &requests.emplace_back()); });
 	forMessages(received.size(),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "session/team.h"
+#include "ranks/team.h"
 
 #include <chrono>
 
@@ -8,7 +8,7 @@ namespace vp::app
 {
 
 // The processes that mpiexec has started. One lives at a time; only the thread that made it uses it.
-class MpiTeam : public session::Team
+class MpiTeam : public ranks::Team
 {
 public:
 	MpiTeam(int* argc, char*** argv);
@@ -16,7 +16,7 @@ public:
 
 	int rank() const override { return rank_; }
 	int size() const override { return size_; }
-	session::Bytes sendReceive(int to, const session::Bytes& bytes, int from) override;
+	ranks::Bytes sendReceive(int to, const ranks::Bytes& bytes, int from) override;
 
 	// For a rank that fails: says so to the ranks after it, and waits to hear it of one before it. Returns whether none
 	// has failed as far as it heard, so that its own line is the one to print.

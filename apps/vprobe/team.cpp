@@ -1,6 +1,6 @@
 #include "team.h"
 
-#include "session/team.h"
+#include "ranks/team.h"
 
 namespace vp::app
 {
@@ -8,16 +8,16 @@ namespace vp::app
 namespace
 {
 
-session::Team* the_team = nullptr;
+ranks::Team* the_team = nullptr;
 
 } // namespace
 
-session::Team* team()
+ranks::Team* team()
 {
 	return the_team;
 }
 
-void setTeam(session::Team* team)
+void setTeam(ranks::Team* team)
 {
 	the_team = team;
 }

@@ -1,6 +1,6 @@
 #include "api/border.h"
 #include "api/states.h"
-#include "session/time_steps.h"
+#include "picture/time_steps.h"
 #include "view/validate.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ void DatasetState::keepBlocksOfCuts()
 vp::Status DatasetState::moveTo(const vp::read::TimeChoice& time)
 {
 	keepBlocksOfCuts();
-	const vp::Result<bool> moved = vp::session::moveToTime(*session, time, painter ? &*painter : nullptr);
+	const vp::Result<bool> moved = vp::picture::moveToTime(*session, time, painter ? &*painter : nullptr);
 	if (!moved)
 		return moved.error();
 	forgetValues();
@@ -202,7 +202,7 @@ vp::Result<Cut> DatasetState::readyToDraw(const Cut& cut, const std::stop_token&
 	}
 	else
 	{
-		vp::Result<vp::session::Painter> made = vp::session::Painter::create(*session, std::move(*look));
+		vp::Result<vp::picture::Painter> made = vp::picture::Painter::create(*session, std::move(*look));
 		if (!made)
 			return made.error();
 		painter.emplace(std::move(*made));

@@ -2,8 +2,8 @@
 
 #include "api/border.h"
 #include "gpu/image.h"
+#include "picture/painter.h"
 #include "session/cut_frame.h"
-#include "session/painter.h"
 #include "session/session.h"
 #include "write/slice_table.h"
 
@@ -76,7 +76,7 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 {
 	std::mutex mutex;
 	std::unique_ptr<vp::session::Session> session;
-	std::optional<vp::session::Painter> painter;
+	std::optional<vp::picture::Painter> painter;
 	std::uint64_t linking = 0; // rises when cells get other numbers
 	std::size_t cuts = 0;
 	bool sweeps = false;                          // the cut is a frame of a sweep, so others follow

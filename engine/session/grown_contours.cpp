@@ -3,7 +3,7 @@
 #include "base/digits.h"
 #include "base/messages.h"
 #include "measure/sheet_lookup.h"
-#include "session/team.h"
+#include "ranks/team.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -57,12 +57,12 @@ Result<double> valueOfAll(const Session& session, ValueThere there, const std::p
 {
 	// Of polygons over each other the last counts, as in one process.
 	if (session.team)
-		sumOverAll(*session.team, there,
-		           [](ValueThere& all, const ValueThere& higher)
-		           {
-			           if (higher.is_there && (!all.is_there || higher.is_inside || !all.is_inside))
-				           all = higher;
-		           });
+		ranks::sumOverAll(*session.team, there,
+		                  [](ValueThere& all, const ValueThere& higher)
+		                  {
+			                  if (higher.is_there && (!all.is_there || higher.is_inside || !all.is_inside))
+				                  all = higher;
+		                  });
 	if (there.is_there && std::isfinite(there.value))
 		return there.value;
 	return Error{ErrorKind::usage,
@@ -74,23 +74,24 @@ contour::BoxContourer contourerOf(const Session& session, const cut::SheetCut& s
                                   const view::ContourSpec& spec)
 {
 	const auto depth = spec.depth > 0.0 ? std::optional(spec.depth) : std::nullopt;
-	const Box rect = session.team ? rectOverRanks(*session.team, sheet, mesh) : contour::rectOf(sheet, mesh);
+	const Box rect = session.team ? ranks::rectOverRanks(*session.team, sheet, mesh) : contour::rectOf(sheet, mesh);
 	contour::BoxContourer contourer(*session.cutter, sheet, mesh, contour::boxOf(sheet, rect, depth));
 	if (session.team)
-		shareRange(*session.team, contourer);
+		ranks::shareRange(*session.team, contourer);
 	return contourer;
 }
 
 // One beside the other. The calls of a team have an order.
-Result<std::vector<GrownContour>> growAll(const Session& session, const contour::BoxContourer& contourer,
-                                          const std::vector<double>& values)
+Result<std::vector<ranks::GrownContour>> growAll(const Session& session, const contour::BoxContourer& contourer,
+                                                 const std::vector<double>& values)
 {
-	std::vector<GrownContour> contours(values.size());
+	std::vector<ranks::GrownContour> contours(values.size());
 	std::vector<Status> done(values.size(), Nothing{});
 	if (session.team)
 	{
 		for (std::size_t i = 0; i < values.size(); ++i)
-			if (auto grown = growOverRanks(session, contourer, values[i]))
+			if (auto grown = ranks::growOverRanks(*session.team, *session.share, session.blocks, contourer, values[i],
+			                                      session.timeline.get()))
 				contours[i] = std::move(*grown);
 			else
 				return grown.error();
@@ -110,10 +111,10 @@ Result<std::vector<GrownContour>> growAll(const Session& session, const contour:
 	return contours;
 }
 
-bool isEmpty(const Session& session, const GrownContour& contour)
+bool isEmpty(const Session& session, const ranks::GrownContour& contour)
 {
 	const bool is_shown = contour.mesh.polygons() > 0;
-	return !(session.team ? anyOf(*session.team, is_shown) : is_shown);
+	return !(session.team ? ranks::anyOf(*session.team, is_shown) : is_shown);
 }
 
 void tellEmpty(const Session& session, const cut::Cut& slice, std::size_t s, double value,
@@ -161,11 +162,11 @@ Result<Contours> growContours(const Session& session, const cut::Cut& slice, con
 		}
 		if (is_pointed)
 			values.push_back(pointed->value);
-		Result<std::vector<GrownContour>> grown = growAll(session, contourer, values);
+		Result<std::vector<ranks::GrownContour>> grown = growAll(session, contourer, values);
 		if (!grown)
 			return grown.error();
 		contours[s] = std::move(*grown);
-		for (const GrownContour& contour : contours[s])
+		for (const ranks::GrownContour& contour : contours[s])
 			if (tell == Tell::all && isEmpty(session, contour))
 				tellEmpty(session, slice, s, contour.value, contourer);
 	}
@@ -176,7 +177,7 @@ std::vector<write::ContourPiece> contourPieces(const Contours& contours)
 {
 	std::vector<write::ContourPiece> pieces;
 	for (std::size_t s = 0; s < contours.size(); ++s)
-		for (const GrownContour& contour : contours[s])
+		for (const ranks::GrownContour& contour : contours[s])
 			pieces.push_back({&contour.mesh, static_cast<std::int32_t>(s), contour.value});
 	return pieces;
 }

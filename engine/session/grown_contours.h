@@ -1,6 +1,6 @@
 #pragma once
 
-#include "session/joined_contour.h"
+#include "ranks/search/joined_contour.h"
 #include "session/sheet_stats.h"
 #include "write/slice_table.h"
 
@@ -12,7 +12,7 @@ namespace vp::session
 {
 
 // The contours of a slice, per sheet.
-using Contours = std::vector<std::vector<GrownContour>>;
+using Contours = std::vector<std::vector<ranks::GrownContour>>;
 
 // A value that a pointer found on one sheet of a cut.
 struct PointedValue

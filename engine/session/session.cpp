@@ -3,11 +3,11 @@
 #include "base/messages.h"
 #include "base/progress.h"
 #include "base/stop_scope.h"
-#include "session/particle_borders.h"
-#include "session/rank_to_rank.h"
-#include "session/share.h"
+#include "ranks/data/share.h"
+#include "ranks/particles/particle_borders.h"
+#include "ranks/search/rank_to_rank.h"
+#include "ranks/team.h"
 #include "session/sheet_traces.h"
-#include "session/team.h"
 #include "view/validate.h"
 #include "view/words.h"
 
@@ -120,6 +120,17 @@ read::ReadOptions readOptions(const Session& session, const read::TimeChoice& ti
 	return reading;
 }
 
+Result<grid::BlockSet> readInputs(Session& session, const read::ReadOptions& options)
+{
+	const std::vector<std::string>& files = session.spec.input.files;
+	if (!session.team)
+		return read::readInputs(files, options, session.timeline.get());
+	auto share = std::make_shared<ranks::Share>();
+	Result<grid::BlockSet> blocks = ranks::readShare(*session.team, files, options, session.timeline.get(), *share);
+	session.share = std::move(share);
+	return blocks;
+}
+
 bool needsNeighbors(const view::ViewSpec& spec)
 {
 	const view::ProbeSpec& probe = spec.probe;
@@ -178,7 +189,7 @@ catch (const grid::WrongPoint& wrong)
 
 Status makeCutter(Session& session)
 {
-	session.particle_borders = std::make_shared<LazyParticleBorders>();
+	session.particle_borders = std::make_shared<ranks::LazyParticleBorders>();
 	if (!classifiesOnGpu(session))
 	{
 		session.cutter = std::make_unique<cut::Cutter>(session.blocks);
@@ -268,7 +279,7 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 	if (Status fits = view::validate(session->spec); !fits)
 		return fits.error();
 	session->team = options.team;
-	if (Status fits = options.team ? fitsTeam(session->spec) : Nothing{}; !fits)
+	if (Status fits = options.team ? ranks::fitsTeam(session->spec) : Nothing{}; !fits)
 		return fits.error();
 	std::future<Result<OpenedDevice>> opening;
 	if (!options.device)
@@ -332,13 +343,13 @@ Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> las
 	cut::CutRequest request = requestOf(session);
 	request.last = std::move(last);
 	Result<cut::Cut> cut =
-	    session.team && goesFromRankToRank(request)
-	        ? cutFromRankToRank(*session.team, session.share->whole, *session.cutter, std::move(request), stop)
+	    session.team && ranks::goesFromRankToRank(request)
+	        ? ranks::cutFromRankToRank(*session.team, session.share->whole, *session.cutter, std::move(request), stop)
 	        : session.cutter->cut(request, stop);
 	if (stop.stop_requested())
 		return Error{ErrorKind::cancelled, "cutting was cancelled"};
 	if (session.team && cut && session.view.seeds.outside != seed::OutsidePolicy::nearest)
-		agreeOnHotSpots(*session.team, *cut);
+		ranks::agreeOnHotSpots(*session.team, *cut);
 	return cut;
 }
 

@@ -18,12 +18,15 @@
 #include <stop_token>
 #include <utility>
 
+namespace vp::ranks
+{
+class Team;                // ranks/team.h
+struct Share;              // ranks/data/share.h
+class LazyParticleBorders; // ranks/particles/particle_borders.h
+} // namespace vp::ranks
+
 namespace vp::session
 {
-
-class Team;                // team.h
-struct Share;              // share.h
-class LazyParticleBorders; // particle_borders.h
 
 // A session is a pipeline, and a caller may stop after any stage:
 //
@@ -31,8 +34,9 @@ class LazyParticleBorders; // particle_borders.h
 //     cut           finds the cut cells                                                      cut::Cut
 //     sheetStats    builds polygons, launches particles, measures                            sheet_stats.h
 //     growContours  contours of the sheets                                                   grown_contours.h
-//     Painter       draws                                                                    painter.h
-//     write         polygons, flat pictures, pictures, films                                 plane_pictures.h, write/
+//     Painter       draws                                                                    picture/painter.h
+//     write         polygons, flat pictures, pictures, films                                 picture/plane_pictures.h,
+//     write/
 //
 // resolveAgain() changes the settings, moveToTime() the values, and buildNeighbors() adds the neighbors of cells.
 //
@@ -68,10 +72,10 @@ struct Session
 	std::unique_ptr<Timeline> timeline;
 	// If several processes hold the blocks together: the blocks of others have no cells here. Functions that say so
 	// must then be called by all of them.
-	Team* team = nullptr;
-	std::shared_ptr<const Share> share{};                    // with a team
-	std::shared_ptr<LazyParticleBorders> particle_borders{}; // with a team; of the blocks as they are now
-	std::uint64_t layer_bytes = 0;                           // of pictures, sent to others
+	ranks::Team* team = nullptr;
+	std::shared_ptr<const ranks::Share> share{};                    // with a team
+	std::shared_ptr<ranks::LazyParticleBorders> particle_borders{}; // with a team; of the blocks as they are now
+	std::uint64_t layer_bytes = 0;                                  // of pictures, sent to others
 };
 
 /// How to open a session, besides the settings.
@@ -87,7 +91,7 @@ struct OpenOptions
 	Timeline::Keep keep = Timeline::Keep::totals;
 	std::shared_ptr<gpu::Device> device{}; // an open device; null opens the device of the settings
 	std::stop_token stop{};                // a stop request ends the opening with ErrorKind::cancelled
-	Team* team = nullptr;                  // the processes that hold the inputs together; it outlives the session
+	ranks::Team* team = nullptr;           // the processes that hold the inputs together; it outlives the session
 };
 
 /// Validates the settings, reads the inputs and prepares the rest. A caller writes nothing before this has succeeded.
@@ -107,6 +111,9 @@ read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice
 
 /// Returns the options that read the inputs of a session at another time.
 read::ReadOptions readOptions(const Session& session, const read::TimeChoice& time);
+
+/// Reads the inputs of a session: all of them, or with a team this rank's share, which the session then has.
+Result<grid::BlockSet> readInputs(Session& session, const read::ReadOptions& options);
 
 /// Returns true if the settings need neighbors, whatever a plan says: for whole cells, vectors, grid surfaces,
 /// contours, or surfaces around the sheets.

@@ -1,10 +1,10 @@
 #include "session/sheet_stats.h"
 
-#include "session/hanging_borders.h"
-#include "session/share.h"
+#include "ranks/data/share.h"
+#include "ranks/join/hanging_borders.h"
+#include "ranks/join/whole_cells.h"
+#include "ranks/team.h"
 #include "session/sheet_traces.h"
-#include "session/team.h"
-#include "session/whole_cells.h"
 
 namespace vp::session
 {
@@ -16,16 +16,16 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 		const TimedSection section(session.timeline.get(), "emit");
 		stats.mesh = slice.mesh(session.blocks, sheet);
 		if (session.team)
-			stats.borders = joinBorders(*session.team, slice.blocksOf(session.blocks), session.share->whole,
-			                            slice.sheets[sheet].cuts, stats.mesh);
+			stats.borders = ranks::joinBorders(*session.team, slice.blocksOf(session.blocks), session.share->whole,
+			                                   slice.sheets[sheet].cuts, stats.mesh);
 		if (session.view.crinkle)
 			stats.crinkle = slice.crinkle(session.blocks, sheet, stats.borders.cells_elsewhere);
 		if (session.team && stats.crinkle)
-			stats.crinkle_borders =
-			    joinWholeCells(*session.team, slice.blocksOf(session.blocks), session.share->whole, *stats.crinkle);
+			stats.crinkle_borders = ranks::joinWholeCells(*session.team, slice.blocksOf(session.blocks),
+			                                              session.share->whole, *stats.crinkle);
 	}
 	if (stats.borders.hangs || stats.crinkle_borders.hangs)
-		return sizesDiffer();
+		return ranks::sizesDiffer();
 	Result<SharedTraces> traces = traceSheet(session, slice, sheet, stats.mesh);
 	if (!traces)
 		return traces.error();
@@ -40,7 +40,7 @@ void measureSheet(const Session& session, const cut::Cut& slice, std::size_t she
 	if (session.team)
 	{
 		measure::SheetSums sums = measure::sumUp(slice.blocksOf(session.blocks), stats.mesh, field);
-		sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
+		ranks::sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
 		stats.measure = measure::measureOf(sums, field.has_value());
 		stats.measure.components = stats.borders.components;
 	}
@@ -50,7 +50,7 @@ void measureSheet(const Session& session, const cut::Cut& slice, std::size_t she
 	{
 		measure::SheetSums sums = measure::sumUp(slice.blocksOf(session.blocks), *stats.crinkle, {});
 		if (session.team)
-			sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
+			ranks::sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
 		stats.crinkle_area = measure::measureOf(sums, false).area;
 	}
 	stats.flux = fluxThrough(session, slice, sheet, stats.mesh);
@@ -66,7 +66,7 @@ void measureForPicture(const Session& session, const cut::Cut& slice, std::size_
 	stats.measure.nan_area =
 	    measure::nanArea(slice.blocksOf(session.blocks), stats.mesh, slice.sheets[sheet].field, known);
 	if (session.team)
-		sumOverAll(*session.team, stats.measure.nan_area, [](double& sum, double other) { sum += other; });
+		ranks::sumOverAll(*session.team, stats.measure.nan_area, [](double& sum, double other) { sum += other; });
 }
 
 Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "measure/stats.h"
-#include "session/borders.h"
+#include "ranks/join/borders.h"
 #include "session/session.h"
 #include "vectors/flux.h"
 #include "vectors/traces.h"
@@ -22,8 +22,8 @@ struct SheetStats
 	double crinkle_area = 0.0;                       // of their faces
 	std::shared_ptr<const vectors::Traces> traces{}; // particles launched from the sheet; or null
 	std::optional<vectors::Flux> flux{};             // flux of vectors through the sheet
-	Borders borders{};                               // with a team: what the mesh shares with those of others
-	Borders crinkle_borders{};                       // the same of the whole cells
+	ranks::Borders borders{};                        // with a team: what the mesh shares with those of others
+	ranks::Borders crinkle_borders{};                // the same of the whole cells
 };
 
 Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice);

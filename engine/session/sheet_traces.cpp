@@ -1,8 +1,8 @@
 #include "session/sheet_traces.h"
 
-#include "session/joined_traces.h"
+#include "ranks/particles/joined_traces.h"
+#include "ranks/team.h"
 #include "session/stored_vectors.h"
-#include "session/team.h"
 #include "session/value_scale.h"
 #include "vectors/tracer.h"
 #include "vectors/vector_array.h"
@@ -100,9 +100,9 @@ Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, s
 	const TimedSection section(session.timeline.get(), "trace");
 	const view::LaunchChoice& choice = *session.view.launch;
 	const probe::Sheet& content = slice.sheets[sheet].sheet;
-	const std::vector<vectors::Launch> launches = session.team
-	                                                  ? launchOverRanks(*session.team, mesh, content, choice.lattice)
-	                                                  : vectors::launchLattice(mesh, content, choice.lattice).launches;
+	const std::vector<vectors::Launch> launches =
+	    session.team ? ranks::launchOverRanks(*session.team, mesh, content, choice.lattice)
+	                 : vectors::launchLattice(mesh, content, choice.lattice).launches;
 	const vectors::TraceOptions options{.steps = choice.steps,
 	                                    .dt = session.launch.dt,
 	                                    .direction = choice.direction,
@@ -111,8 +111,11 @@ Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, s
 	Result<vectors::Traces> traces =
 	    session.launch.stored
 	        ? vectors::tracePathLines(session.blocks, *session.launch.stored, session.launch.time, launches, options)
-	    : session.team ? traceOverRanks(session, choice.array, launches, options)
-	                   : vectors::trace(session.blocks, choice.array, launches, options);
+	    : session.team
+	        ? ranks::traceOverRanks(*session.team,
+	                                session.particle_borders->of(*session.team, *session.share, session.blocks),
+	                                session.blocks, choice.array, launches, options)
+	        : vectors::trace(session.blocks, choice.array, launches, options);
 	if (!traces)
 		return traces.error();
 	return std::make_shared<const vectors::Traces>(std::move(*traces));
@@ -129,7 +132,7 @@ std::optional<vectors::Flux> fluxThrough(const Session& session, const cut::Cut&
 		return std::nullopt;
 	vectors::FluxSums sums = vectors::fluxSums(slice.blocksOf(session.blocks), mesh, *array);
 	if (session.team)
-		sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
+		ranks::sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
 	return sums.flux();
 }
 

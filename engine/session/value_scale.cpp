@@ -1,8 +1,8 @@
 #include "session/value_scale.h"
 
 #include "base/messages.h"
+#include "ranks/team.h"
 #include "render/scene/least_positive.h"
-#include "session/team.h"
 
 #include <fmt/format.h>
 
@@ -32,7 +32,8 @@ grid::ValueSpan spanOf(const Session& session, const grid::FieldChoice& field)
 		if (of_block)
 			span.include(grid::valueSpan(*of_block, field.component));
 	if (session.team)
-		sumOverAll(*session.team, span, [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
+		ranks::sumOverAll(*session.team, span,
+		                  [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
 	return span;
 }
 
@@ -59,12 +60,12 @@ valueScale(const Session& session, const std::optional<grid::FieldChoice>& field
 		return std::optional(scale);
 	scale.log_lo = render::leastPositive(blocks, *field);
 	if (session.team)
-		sumOverAll(*session.team, scale.log_lo,
-		           [](double& least, double other)
-		           {
-			           if (other > 0.0 && !(least > 0.0 && least < other))
-				           least = other;
-		           });
+		ranks::sumOverAll(*session.team, scale.log_lo,
+		                  [](double& least, double other)
+		                  {
+			                  if (other > 0.0 && !(least > 0.0 && least < other))
+				                  least = other;
+		                  });
 	if (!(scale.log_lo > 0.0))
 		return Error{ErrorKind::input, fmt::format("`log`: '{}' has no value above 0 and so no logarithm; leave the "
 		                                           "setting out or show another `array`",

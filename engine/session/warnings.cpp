@@ -1,8 +1,8 @@
 #include "base/digits.h"
 #include "base/messages.h"
+#include "ranks/team.h"
 #include "session/session.h"
 #include "session/sheet_stats.h"
-#include "session/team.h"
 #include "session/value_scale.h"
 
 #include <fmt/format.h>
@@ -51,11 +51,11 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 			warn("`origin` {} {} {}: the hot spot lies outside the grid; {} {} {} takes its place", at.x, at.y, at.z,
 			     sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
 		const bool is_shown = !isEmpty(sheet);
-		if (session.team ? anyOf(*session.team, is_shown) : is_shown)
+		if (session.team ? ranks::anyOf(*session.team, is_shown) : is_shown)
 			continue;
 		Box bounds = session.blocks.bounds();
 		if (session.team)
-			sumOverAll(*session.team, bounds, [](Box& all, const Box& other) { all.include(other); });
+			ranks::sumOverAll(*session.team, bounds, [](Box& all, const Box& other) { all.include(other); });
 		const std::string what = sheetName(static_cast<std::size_t>(&sheet - slice.sheets.data()), slice.sheets.size());
 		if (session.view.threshold)
 			warn("{} is empty: no cell that is reached has values between {} and {}; widen `threshold`", what,
@@ -98,8 +98,8 @@ void reportBoundarySheets(const Session& session, const std::vector<SheetStats>&
 		bool has_cells = mesh.polygons() > mesh.boundary_polygons;
 		if (session.team)
 		{
-			has_boundary = anyOf(*session.team, has_boundary);
-			has_cells = anyOf(*session.team, has_cells);
+			has_boundary = ranks::anyOf(*session.team, has_boundary);
+			has_cells = ranks::anyOf(*session.team, has_cells);
 		}
 		if (has_boundary && !has_cells)
 			warn("{} lies in the boundary of the grid and cuts no cell, so its area is 0; boundary_area, "

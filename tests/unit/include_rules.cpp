@@ -18,10 +18,10 @@ namespace
 namespace fs = std::filesystem;
 
 // A folder may use only folders before it.
-const std::vector<std::string> kFolders{"base",     "grid",     "cases", "read",    "surface", "refine",
-                                        "probe",    "locate",   "seed",  "find",    "mesh",    "gpu",
-                                        "classify", "measure",  "cut",   "contour", "vectors", "render",
-                                        "write",    "interact", "view",  "session", "api"};
+const std::vector<std::string> kFolders{"base",   "grid",    "cases",   "read",   "surface", "refine",   "probe",
+                                        "locate", "seed",    "find",    "mesh",   "gpu",     "classify", "measure",
+                                        "cut",    "contour", "vectors", "render", "write",   "interact", "view",
+                                        "ranks",  "session", "picture", "api"};
 
 // Rooms inside a folder, in the order in which they may use each other; "" are the files of the folder itself.
 struct Rooms
@@ -30,6 +30,7 @@ struct Rooms
 	std::vector<std::string> order;
 };
 const std::vector<Rooms> kInnerRooms{{"grid", {"", "build", "check"}},
+                                     {"ranks", {"", "data", "join", "search", "particles", "picture"}},
                                      {"render", {"font", "color", "scene", "annotate", "passes", "flat", ""}}};
 
 const fs::path kRoot = VPROBE_SOURCE_DIR;

@@ -3,13 +3,13 @@
 #include "commands/commands.h"
 #include "options/spec_options.h"
 #include "options/trace_option.h"
+#include "picture/painter.h"
 #include "report/console.h"
 #include "report/explain.h"
 #include "report/profile_compare.h"
 #include "report/profile_report.h"
 #include "report/remaining_time.h"
 #include "report/team_profile.h"
-#include "session/painter.h"
 #include "team.h"
 #include "view/settings.h"
 #include "view/validate.h"
@@ -96,7 +96,7 @@ Result<probe::Path> pathOf(const ProfileOptions& options)
 class Measurement
 {
 public:
-	Measurement(session::Session& session, std::optional<session::Painter> painter,
+	Measurement(session::Session& session, std::optional<picture::Painter> painter,
 	            std::optional<write::TraceFile>& trace)
 	    : session_(session), painter_(std::move(painter)), trace_(trace)
 	{
@@ -162,7 +162,7 @@ private:
 	}
 
 	session::Session& session_;
-	std::optional<session::Painter> painter_;
+	std::optional<picture::Painter> painter_;
 	std::optional<write::TraceFile>& trace_;
 	ProfileLog log_;
 	cut::Cut slice_;
@@ -228,10 +228,10 @@ Result<ExitCode> runProfile(const ProfileOptions& options, const CLI::App& comma
 	if (!opened)
 		return opened.error();
 	session::Session& session = **opened;
-	std::optional<session::Painter> painter;
+	std::optional<picture::Painter> painter;
 	if (options.draw)
 	{
-		Result<session::Painter> made = session::Painter::create(session, std::move(*look));
+		Result<picture::Painter> made = picture::Painter::create(session, std::move(*look));
 		if (!made)
 			return made.error();
 		painter.emplace(std::move(*made));

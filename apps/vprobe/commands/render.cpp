@@ -1,11 +1,11 @@
 #include "commands/commands.h"
 #include "options/spec_options.h"
+#include "picture/painter.h"
 #include "report/console.h"
 #include "report/explain.h"
 #include "report/stats_json.h"
 #include "report/vectors_out.h"
 #include "session/cut_frame.h"
-#include "session/painter.h"
 #include "team.h"
 #include "view/validate.h"
 #include "write/png.h"
@@ -101,7 +101,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 	const Result<session::CutFrame> frame = session::cutFrame(session);
 	if (!frame)
 		return frame.error();
-	Result<session::Painter> painter = session::Painter::create(session, std::move(*look));
+	Result<picture::Painter> painter = picture::Painter::create(session, std::move(*look));
 	if (!painter)
 		return painter.error();
 	Result<render::Picture> picture = painter->draw(frame->slice, frame->sheets, frame->contours);

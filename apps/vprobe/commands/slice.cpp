@@ -1,13 +1,13 @@
 #include "commands/commands.h"
 #include "interrupt.h"
 #include "options/spec_options.h"
+#include "picture/plane_pictures.h"
 #include "report/console.h"
 #include "report/explain.h"
 #include "report/stats_json.h"
 #include "report/team_slice.h"
 #include "report/vectors_out.h"
 #include "session/cut_frame.h"
-#include "session/plane_pictures.h"
 #include "team.h"
 #include "view/validate.h"
 #include "write/line_file.h"
@@ -84,7 +84,7 @@ Status check(const SliceOptions& options, const CLI::App& command)
 		return fits;
 	if (Status fits = checkLine(options, command); !fits)
 		return fits;
-	const bool pictures = session::namesPictures(options.output);
+	const bool pictures = picture::namesPictures(options.output);
 	if (Status planes = pictures || !options.line.empty() ? view::requirePlanes(probe) : Nothing{}; !planes)
 		return planes;
 	if (pictures && probe.vectors.on())
@@ -106,7 +106,7 @@ Status checkTeam(const SliceOptions& options)
 {
 	if (!team())
 		return Nothing{};
-	if (session::namesPictures(options.output))
+	if (picture::namesPictures(options.output))
 		return Error{ErrorKind::usage, fmt::format("-o {}: flat pictures are drawn by one process; use vprobe, or draw "
 		                                           "the cut in space by vprobe-mpi render",
 		                                           options.output)};
@@ -119,8 +119,8 @@ Status checkSheets(const SliceOptions& options, std::size_t sheets)
 	if (!options.line.empty() && static_cast<std::size_t>(options.line_sheet) >= sheets)
 		return Error{ErrorKind::usage,
 		             fmt::format("--sheet {}: there are {}, counted from 0", options.line_sheet, sheets)};
-	if (session::namesPictures(options.output))
-		if (auto names = session::pictureNames(options.output, sheets); !names)
+	if (picture::namesPictures(options.output))
+		if (auto names = picture::pictureNames(options.output, sheets); !names)
 			return names.error();
 	return Nothing{};
 }
@@ -138,8 +138,8 @@ Result<std::vector<std::string>> writeFiles(const session::Session& session, con
 	}
 	const TimedSection section(session.timeline.get(), "write");
 	const DeferredInterrupt writing; // the files of a .vtm appear together
-	if (session::namesPictures(options.output))
-		return session::writePictures(session, look, frame.slice, frame.sheets, options.output);
+	if (picture::namesPictures(options.output))
+		return picture::writePictures(session, look, frame.slice, frame.sheets, options.output);
 	const Status written =
 	    !options.line.empty()
 	        ? writeLineFile(session, options, frame)
@@ -157,7 +157,7 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 		return place.error();
 	if (Status one = view::requireOneSurface(spec.probe); !one)
 		return one.error();
-	const bool pictures = session::namesPictures(options.output);
+	const bool pictures = picture::namesPictures(options.output);
 	// Polygons are written with every array; and where arrays jump between blocks, vertices are not joined.
 	const session::OpenOptions how{
 	    .may_scan = true, .reads_all_arrays = !pictures, .reads_again = false, .team = team()};

@@ -2,10 +2,10 @@
 #include "commands/commands.h"
 #include "options/spec_options.h"
 #include "options/trace_option.h"
+#include "picture/time_steps.h"
 #include "report/explain.h"
 #include "report/stats_json.h"
 #include "report/sweep_line.h"
-#include "session/time_steps.h"
 #include "team.h"
 #include "view/validate.h"
 
@@ -74,10 +74,10 @@ FramePlaces placesOf(const SweepOptions& options)
 Result<std::unique_ptr<SweepProducts>> productsOf(const SweepOptions& options, session::Session& session,
                                                   view::ResolvedLook look, Frames frames)
 {
-	std::optional<session::Painter> painter;
+	std::optional<picture::Painter> painter;
 	if (options.draws())
 	{
-		Result<session::Painter> made = session::Painter::create(session, std::move(look));
+		Result<picture::Painter> made = picture::Painter::create(session, std::move(look));
 		if (!made)
 			return made.error();
 		painter.emplace(std::move(*made));
@@ -107,7 +107,7 @@ Result<nlohmann::json> sweepAlong(const probe::Path& path, SweepPlan plan, sessi
 Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, SweepPlan plan, session::Session& session,
                                       SweepProducts& products)
 {
-	session::TimeSteps steps(session, products.painter());
+	picture::TimeSteps steps(session, products.painter());
 	plan.frames = steps.count();
 	plan.cuts_ahead = false; // it changes what is drawn
 	if (steps.count() == 0)

@@ -1,7 +1,7 @@
 #include "report/explain.h"
+#include "ranks/data/share.h"
+#include "ranks/team.h"
 #include "report/console.h"
-#include "session/share.h"
-#include "session/team.h"
 #include "team.h"
 #include "view/validate.h"
 
@@ -30,22 +30,22 @@ void forEachBlockPlan(const find::CutPlan& plan, Visit&& visit)
 
 // Prints a table. With a team its lines come from all ranks, each of which plans for its own blocks, and get the rank's
 // number in front.
-void printTitled(session::Team* team, const std::string& title, const std::string& lines)
+void printTitled(ranks::Team* team, const std::string& title, const std::string& lines)
 {
 	if (!team)
 	{
 		print("{}{}", title, lines);
 		return;
 	}
-	session::MessageWriter message;
+	ranks::MessageWriter message;
 	message.put(lines);
-	const std::vector<session::Bytes> of_all = team->gatherAll(message.take());
+	const std::vector<ranks::Bytes> of_all = team->gatherAll(message.take());
 	if (!team->isFirst())
 		return;
 	print(" rank  {}", title);
 	for (std::size_t rank = 0; rank < of_all.size(); ++rank)
 	{
-		std::istringstream lines_of(session::MessageReader(of_all[rank]).getText());
+		std::istringstream lines_of(ranks::MessageReader(of_all[rank]).getText());
 		for (std::string line; std::getline(lines_of, line);)
 			print("{:>5}  {}\n", rank, line);
 	}

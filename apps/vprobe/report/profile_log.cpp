@@ -113,7 +113,7 @@ void ProfileLog::addGenerations(const std::vector<Section>& sections)
 	}
 }
 
-void ProfileLog::put(session::MessageWriter& to) const
+void ProfileLog::put(ranks::MessageWriter& to) const
 {
 	to.put(stages_.size());
 	for (const Stage& stage : stages_)
@@ -130,7 +130,7 @@ void ProfileLog::put(session::MessageWriter& to) const
 		to.put(finder);
 }
 
-void ProfileLog::include(session::MessageReader& other)
+void ProfileLog::include(ranks::MessageReader& other)
 {
 	const auto combine = [&](std::vector<double>& own, const auto& with)
 	{

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/timeline.h"
+#include "ranks/message.h"
 #include "report/stats_json.h"
-#include "session/message.h"
 
 #include <cstddef>
 #include <set>
@@ -40,8 +40,8 @@ public:
 
 	// For a process that puts the logs of several together: the slowest one's times, and the sum of the work.
 	// Generations stay those of this log.
-	void put(session::MessageWriter& to) const;
-	void include(session::MessageReader& other);
+	void put(ranks::MessageWriter& to) const;
+	void include(ranks::MessageReader& other);
 
 	std::size_t planes() const { return cut_cells_.size(); }
 	const std::vector<Stage>& stages() const { return stages_; } // in the order in which they begin

@@ -1,10 +1,10 @@
 #include "report/stats_json.h"
 
+#include "ranks/data/share.h"
+#include "ranks/team.h"
 #include "report/duration.h"
 #include "report/explain.h"
 #include "report/team_stats.h"
-#include "session/share.h"
-#include "session/team.h"
 #include "vectors/traces.h"
 
 #include <fmt/format.h>
@@ -200,7 +200,7 @@ double areaOf(const session::Session& session, const mesh::SheetMesh& mesh)
 	if (!session.team)
 		return measure::measure(session.blocks, mesh, {}).area;
 	measure::SheetSums sums = measure::sumUp(session.blocks, mesh, {});
-	session::sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
+	ranks::sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
 	return measure::measureOf(sums, false).area;
 }
 
@@ -208,7 +208,7 @@ nlohmann::json contoursJson(const session::Session& session, const session::Cont
 {
 	nlohmann::json list = nlohmann::json::array();
 	for (std::size_t s = 0; s < contours.size(); ++s)
-		for (const session::GrownContour& contour : contours[s])
+		for (const ranks::GrownContour& contour : contours[s])
 			list.push_back({{"sheet", s},
 			                {"value", contour.value},
 			                {"cells", contour.cells},
@@ -229,7 +229,7 @@ nlohmann::json breakEvenJson(const session::Session& session)
 }
 
 // Of all blocks, whoever holds them.
-session::Share::Counts countsOf(const session::Session& session)
+ranks::Share::Counts countsOf(const session::Session& session)
 {
 	if (session.share)
 		return session.share->counts;
@@ -240,7 +240,7 @@ session::Share::Counts countsOf(const session::Session& session)
 
 nlohmann::json inputJson(const session::Session& session)
 {
-	const session::Share::Counts counts = countsOf(session);
+	const ranks::Share::Counts counts = countsOf(session);
 	return {
 	    {"input", fmt::format("{}", fmt::join(session.spec.input.files, " "))},
 	    {"grid",

@@ -2,9 +2,9 @@
 
 #include "base/messages.h"
 #include "base/progress.h"
+#include "ranks/team.h"
 #include "report/remaining_time.h"
 #include "report/stats_json.h"
-#include "session/team.h"
 
 #include <algorithm>
 #include <future>
@@ -96,14 +96,14 @@ private:
 
 // The first frame from `frame` on that is not there yet, or the number of frames. Of a team, one rank knows what is
 // there.
-int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, session::Team* team,
+int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, ranks::Team* team,
               RemainingTime& remaining)
 {
 	int next = frame;
 	while (next < plan.frames && products.has(next))
 		++next;
 	if (team)
-		session::sumOverAll(*team, next, [](int& last, int other) { last = std::max(last, other); });
+		ranks::sumOverAll(*team, next, [](int& last, int other) { last = std::max(last, other); });
 	for (; frame < next; ++frame)
 		remaining.skip();
 	return next;
@@ -113,7 +113,7 @@ int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, s
 bool isEmpty(const session::Session& session, const session::CutFrame& frame)
 {
 	const bool is_shown = !std::ranges::all_of(frame.slice.sheets, session::isEmpty);
-	return !(session.team ? session::anyOf(*session.team, is_shown) : is_shown);
+	return !(session.team ? ranks::anyOf(*session.team, is_shown) : is_shown);
 }
 
 // Whether a frame has a sheet that lies in the boundary, so that its area is 0.

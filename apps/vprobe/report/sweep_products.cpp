@@ -9,7 +9,7 @@ namespace vp::app
 {
 
 Result<std::unique_ptr<SweepProducts>> SweepProducts::create(session::Session& session,
-                                                             std::optional<session::Painter> painter, Frames frames,
+                                                             std::optional<picture::Painter> painter, Frames frames,
                                                              const std::string& series)
 {
 	std::unique_ptr<SweepProducts> products(new SweepProducts(session, std::move(painter), std::move(frames)));

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "interrupt.h"
+#include "picture/painter.h"
 #include "report/frames.h"
 #include "report/worker.h"
 #include "session/cut_frame.h"
-#include "session/painter.h"
 #include "write/slice_sets.h"
 
 #include <atomic>
@@ -23,11 +23,11 @@ class SweepProducts
 public:
 	// series: the .pvd file that the polygons go to, or empty.
 	static Result<std::unique_ptr<SweepProducts>> create(session::Session& session,
-	                                                     std::optional<session::Painter> painter, Frames frames,
+	                                                     std::optional<picture::Painter> painter, Frames frames,
 	                                                     const std::string& series);
 
 	bool has(int frame) const { return frames_.has(frame); }
-	session::Painter* painter() { return painter_ ? &*painter_ : nullptr; }
+	picture::Painter* painter() { return painter_ ? &*painter_ : nullptr; }
 
 	// From now on a thread of its own writes the pictures.
 	void writeBeside() { writer_.emplace("writer"); }
@@ -37,7 +37,7 @@ public:
 	Status commit(); // puts the film, the exposure or the series in its place; call finish() first
 
 private:
-	SweepProducts(session::Session& session, std::optional<session::Painter> painter, Frames frames)
+	SweepProducts(session::Session& session, std::optional<picture::Painter> painter, Frames frames)
 	    : session_(session), frames_(std::move(frames)), painter_(std::move(painter))
 	{
 	}
@@ -47,7 +47,7 @@ private:
 
 	session::Session& session_;
 	Frames frames_;
-	std::optional<session::Painter> painter_;
+	std::optional<picture::Painter> painter_;
 	std::unique_ptr<DeferredInterrupt> interrupt_; // if there is a series
 	std::optional<write::SliceSeries> series_;     // at the process that writes
 	Status written_ = Nothing{};                   // of the writing thread

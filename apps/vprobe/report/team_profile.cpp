@@ -1,8 +1,8 @@
 #include "report/team_profile.h"
 
+#include "ranks/team.h"
 #include "report/spread.h"
 #include "report/team_stats.h"
-#include "session/team.h"
 
 namespace vp::app
 {
@@ -34,15 +34,15 @@ json rankJson(const Profile& own, const json& document)
 
 nlohmann::json profileOfTeam(const Profile& own)
 {
-	session::MessageWriter message;
+	ranks::MessageWriter message;
 	message.put(rankJson(own, profileJson(own)).dump(-1, ' ', false, json::error_handler_t::replace));
 	own.log.put(message);
 	ProfileLog log;
 	json ranks = json::array();
 	json memory;
-	for (const session::Bytes& bytes : own.session.team->gatherAll(message.take()))
+	for (const ranks::Bytes& bytes : own.session.team->gatherAll(message.take()))
 	{
-		session::MessageReader reader(bytes);
+		ranks::MessageReader reader(bytes);
 		json rank = json::parse(reader.getText());
 		if (ranks.empty())
 		{

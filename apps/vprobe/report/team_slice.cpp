@@ -1,8 +1,8 @@
 #include "report/team_slice.h"
 
 #include "interrupt.h"
-#include "session/share.h"
-#include "session/team.h"
+#include "ranks/data/share.h"
+#include "ranks/team.h"
 #include "write/file_set.h"
 #include "write/slice_file.h"
 #include "write/slice_parts.h"
@@ -20,29 +20,29 @@ namespace
 {
 
 template <class T>
-void putNumbers(session::MessageWriter& to, const T& numbers)
+void putNumbers(ranks::MessageWriter& to, const T& numbers)
 {
 	to.putAll(std::span(numbers.data(), numbers.size()));
 }
 
 template <class T>
-void takeNumbers(session::MessageReader& from, T& numbers)
+void takeNumbers(ranks::MessageReader& from, T& numbers)
 {
 	const auto all = from.getAll<typename T::value_type>();
 	numbers.resize(all.size());
 	std::copy(all.begin(), all.end(), numbers.begin());
 }
 
-void putColumns(session::MessageWriter& to, const std::vector<write::Column>& columns)
+void putColumns(ranks::MessageWriter& to, const std::vector<write::Column>& columns)
 {
 	for (const write::Column& column : columns)
 		to.putAll(column.bytes);
 }
 
 // Names and types are the same at all ranks, since each knows the arrays of all blocks.
-session::Bytes messageOf(const write::SliceTable& table)
+ranks::Bytes messageOf(const write::SliceTable& table)
 {
-	session::MessageWriter message;
+	ranks::MessageWriter message;
 	putNumbers(message, table.positions);
 	putNumbers(message, table.polygon_starts);
 	putNumbers(message, table.polygon_vertices);
@@ -55,9 +55,9 @@ session::Bytes messageOf(const write::SliceTable& table)
 	return message.take();
 }
 
-write::SliceTable tableOf(const session::Bytes& bytes, const write::SliceTable& like)
+write::SliceTable tableOf(const ranks::Bytes& bytes, const write::SliceTable& like)
 {
-	session::MessageReader reader(bytes);
+	ranks::MessageReader reader(bytes);
 	write::SliceTable table;
 	table.has_contours = like.has_contours;
 	takeNumbers(reader, table.positions);
@@ -75,12 +75,12 @@ write::SliceTable tableOf(const session::Bytes& bytes, const write::SliceTable& 
 }
 
 // The table of a sheet with the rows of all ranks; at the first rank alone.
-write::SliceTable gathered(session::Team& team, write::SliceTable own)
+write::SliceTable gathered(ranks::Team& team, write::SliceTable own)
 {
 	// Along the tree, tables come together in the order of ranks.
-	session::Bytes bytes = messageOf(own);
+	ranks::Bytes bytes = messageOf(own);
 	team.reduce(bytes,
-	            [&](session::Bytes& into, const session::Bytes& other)
+	            [&](ranks::Bytes& into, const ranks::Bytes& other)
 	            {
 		            write::SliceTable table = tableOf(into, own);
 		            write::append(tableOf(other, own), table);
@@ -89,7 +89,7 @@ write::SliceTable gathered(session::Team& team, write::SliceTable own)
 	return tableOf(bytes, own);
 }
 
-void nameWholeBlocks(const session::Share& share, write::SliceTable& table)
+void nameWholeBlocks(const ranks::Share& share, write::SliceTable& table)
 {
 	for (std::int32_t& block : table.block)
 		block = static_cast<std::int32_t>(share.whole[static_cast<std::size_t>(block)]);
@@ -155,7 +155,7 @@ std::vector<write::SliceTable> sheetsWithContours(std::vector<OwnTable> tables)
 }
 
 // Each rank writes a part of its own. All have written before the first gets its name, and the index comes last.
-Status writeParts(session::Team& team, const write::SliceTable& own, const std::string& path)
+Status writeParts(ranks::Team& team, const write::SliceTable& own, const std::string& path)
 {
 	Result<write::SlicePart> part = write::SlicePart::write(own, path, static_cast<std::size_t>(team.rank()));
 	if (!part)
@@ -207,7 +207,7 @@ Status writeTogether(const session::Session& session, const session::CutFrame& f
 	const Result<write::SliceFormat> format = write::sliceFormatOf(path);
 	if (!format)
 		return format.error();
-	session::Team& team = *session.team;
+	ranks::Team& team = *session.team;
 	if (*format == write::SliceFormat::pvtp)
 		return writeParts(team, joined(ownTables(session, frame)), path);
 	std::vector<OwnTable> tables = gatheredTables(session, frame);

@@ -1,7 +1,7 @@
 #include "report/team_stats.h"
 
-#include "session/share.h"
-#include "session/team.h"
+#include "ranks/data/share.h"
+#include "ranks/team.h"
 
 #include <nlohmann/json.hpp>
 
@@ -98,13 +98,13 @@ nlohmann::json ofTeam(const session::Session& session, nlohmann::json own)
 	rank["ms"] = own.value("ms", json());
 	rank["sheets"] = sheetsOfRank(own);
 	json mine = {{"document", own}, {"rank", std::move(rank)}};
-	session::MessageWriter message;
+	ranks::MessageWriter message;
 	message.put(mine.dump(-1, ' ', false, json::error_handler_t::replace));
 	json whole = std::move(own);
 	json ranks = json::array();
-	for (const session::Bytes& bytes : session.team->gatherAll(message.take()))
+	for (const ranks::Bytes& bytes : session.team->gatherAll(message.take()))
 	{
-		json of_rank = json::parse(session::MessageReader(bytes).getText());
+		json of_rank = json::parse(ranks::MessageReader(bytes).getText());
 		if (ranks.empty())
 			whole = of_rank["document"];
 		else

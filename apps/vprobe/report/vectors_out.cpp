@@ -1,7 +1,7 @@
 #include "report/vectors_out.h"
 
-#include "session/joined_traces.h"
-#include "session/share.h"
+#include "ranks/data/share.h"
+#include "ranks/particles/joined_traces.h"
 #include "team.h"
 #include "write/particle_file.h"
 
@@ -21,11 +21,12 @@ namespace
 // Each row comes from the rank that has the point's cell.
 write::TraceColumns columnsOfTeam(const session::Session& session, const vectors::Traces& traces)
 {
+	const ranks::ParticleBorders& borders = session.particle_borders->of(*session.team, *session.share, session.blocks);
 	write::TraceColumns columns = write::traceColumns(session.blocks, traces);
 	for (write::Column& column : columns.arrays)
-		session::takeFromOwners(session, traces, std::as_writable_bytes(std::span(column.bytes)),
-		                        static_cast<std::size_t>(column.components) * grid::byteSize(column.type));
-	session::takeFromOwners(session, traces, columns.cell);
+		ranks::takeFromOwners(*session.team, borders, traces, std::as_writable_bytes(std::span(column.bytes)),
+		                      static_cast<std::size_t>(column.components) * grid::byteSize(column.type));
+	ranks::takeFromOwners(*session.team, borders, traces, columns.cell);
 	for (std::int32_t& block : columns.block)
 		block = static_cast<std::int32_t>(session.share->whole[static_cast<std::size_t>(block)]);
 	return columns;

@@ -1,9 +1,9 @@
 #include "viewer/demo_pictures.h"
 
+#include "picture/sheet_values.h"
 #include "render/color/color_map.h"
 #include "render/scene/outline.h"
 #include "session/cut_frame.h"
-#include "session/sheet_values.h"
 
 #include <fmt/format.h>
 
@@ -116,7 +116,7 @@ DemoPicture makeDemoPicture(std::string_view name)
 	{
 		const mesh::SheetMesh& mesh = frame->sheets[s].mesh;
 		addSheet(picture, depths, projection, mesh,
-		         session::sheetValues(session.blocks, frame->slice.sheets[s], mesh, false).of_vertices);
+		         picture::sheetValues(session.blocks, frame->slice.sheets[s], mesh, false).of_vertices);
 	}
 	std::vector<std::size_t> order(depths.size());
 	std::iota(order.begin(), order.end(), std::size_t(0));

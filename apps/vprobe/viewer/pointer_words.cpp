@@ -2,7 +2,7 @@
 
 #include "base/digits.h"
 #include "interact/steps.h"
-#include "session/sheet_looks.h"
+#include "picture/sheet_looks.h"
 
 #include <fmt/format.h>
 
@@ -115,7 +115,7 @@ std::string pointerLine(const Desk& desk)
 	const probe::Frame& frame = desk.document.shown()->probe.frame;
 	probe::Sheet standing;
 	static_cast<probe::Frame&>(standing) = frame;
-	return session::caption(standing, bounds);
+	return picture::caption(standing, bounds);
 }
 
 } // namespace vp::app

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gpu/image.h"
+#include "picture/painter.h"
 #include "session/cut_frame.h"
-#include "session/painter.h"
 #include "view/view_spec.h"
 #include "viewer/gpu_pictures.h"
 #include "viewer/neighbor_builder.h"
@@ -171,7 +171,7 @@ private:
 
 	// Used by the render thread only.
 	std::unique_ptr<session::Session> session_;
-	std::optional<session::Painter> painter_;
+	std::optional<picture::Painter> painter_;
 	std::optional<FrameRequest> followed_; // the request that session and painter follow
 	std::shared_ptr<const session::CutFrame> cut_;
 	std::uint64_t cuts_ = 0;

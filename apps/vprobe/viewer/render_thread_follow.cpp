@@ -1,4 +1,4 @@
-#include "session/time_steps.h"
+#include "picture/time_steps.h"
 #include "viewer/render_thread.h"
 #include "viewer/spec_edits.h"
 
@@ -96,7 +96,7 @@ Status RenderThread::followTime(const read::TimeChoice& time)
 	cut_is_old_ = true;
 	only_moved_ = false;
 	cut_.reset();
-	Result<bool> same_grid = session::moveToTime(*session_, time, painter_ ? &*painter_ : nullptr);
+	Result<bool> same_grid = picture::moveToTime(*session_, time, painter_ ? &*painter_ : nullptr);
 	if (!same_grid)
 		return same_grid.error();
 	if (!*same_grid)
@@ -126,7 +126,7 @@ Status RenderThread::followLook(const FrameRequest& wish)
 	session_->spec.look = wish.spec.look;
 	if (painter_)
 		return painter_->setLook(std::move(*look));
-	Result<session::Painter> painter = session::Painter::create(*session_, std::move(*look));
+	Result<picture::Painter> painter = picture::Painter::create(*session_, std::move(*look));
 	if (!painter)
 		return painter.error();
 	painter_.emplace(std::move(*painter));

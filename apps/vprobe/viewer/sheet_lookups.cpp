@@ -1,6 +1,6 @@
 #include "viewer/sheet_lookups.h"
 
-#include "session/sheet_values.h"
+#include "picture/sheet_values.h"
 
 #include <limits>
 
@@ -44,7 +44,7 @@ SheetLookups::SheetLookups(const session::Session& session, std::shared_ptr<cons
 		std::optional<OfSheet>& made = sheets_.emplace_back();
 		if (!sheet.isPlane() || cut_->sheets[s].crinkle)
 			continue;
-		render::SheetValues values = session::sheetValues(session.blocks, sheet, mesh, by_generation);
+		render::SheetValues values = picture::sheetValues(session.blocks, sheet, mesh, by_generation);
 		made.emplace(OfSheet{.lookup = {mesh, sheet.sheet},
 		                     .array = {},
 		                     .nearest = !by_generation && isCategorical(session, sheet.field),

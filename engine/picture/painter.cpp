@@ -1,0 +1,333 @@
+#include "picture/painter.h"
+
+#include "classify/gpu_records.h"
+#include "cut/polygon_generations.h"
+#include "measure/cell_steps.h"
+#include "measure/plane_triangles.h"
+#include "picture/context_mesh.h"
+#include "picture/contour_drawing.h"
+#include "picture/sheet_values.h"
+#include "picture/surroundings.h"
+#include "ranks/data/share.h"
+#include "ranks/join/hanging_borders.h"
+#include "ranks/join/polygons_around.h"
+#include "ranks/join/whole_cells.h"
+#include "ranks/picture/merged_layers.h"
+#include "ranks/team.h"
+#include "render/passes/surface_polygons.h"
+#include "render/scene/value_style.h"
+
+#include <algorithm>
+
+namespace vp::picture
+{
+
+namespace
+{
+
+// Neutral: it takes no part in the colors of the values.
+constexpr render::Color kContextColor{194, 199, 206};
+
+// The corners of its window, where it is drawn.
+void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
+{
+	if (!sheet.window)
+		return;
+	const probe::Window& window = *sheet.window;
+	for (const double x : {window.x0, window.x1})
+		for (const double y : {window.y0, window.y1})
+			extent.push_back(sheet.origin + x * sheet.xAxis() + y * sheet.up);
+}
+
+} // namespace
+
+Painter::Painter(session::Session& session, SheetLooks looks, render::Renderer renderer)
+    : session_(session), looks_(std::move(looks)), vectors_(session), renderer_(std::move(renderer)),
+      pool_(classify::RecordPool::create(*session.device))
+{
+}
+
+Status Painter::takeBlocks()
+{
+	Result<Surroundings> around = surroundingsOf(session_, choice().look.outline);
+	if (!around)
+		return around.error();
+	outline_ = std::move(around->outline);
+	extent_ = std::move(around->extent);
+	if (choice().look.box_axes)
+		for (int i = 0; i < 8; ++i)
+			extent_.push_back(render::corner(session_.blocks.bounds(), i));
+	for (const render::Segment& line : outline_)
+		extent_.insert(extent_.end(), {line.a, line.b});
+	return makeContext();
+}
+
+Status Painter::makeContext()
+{
+	context_.clear();
+	for (const view::ContextSpec& context : choice().context)
+	{
+		Result<mesh::SheetMesh> mesh = contextMesh(session_.blocks, context);
+		if (!mesh)
+			return mesh.error();
+		ranks::Borders borders;
+		if (session_.team)
+			borders = ranks::joinWholeCells(*session_.team, session_.blocks, session_.share->whole, *mesh);
+		if (borders.hangs)
+			return ranks::sizesDiffer("context");
+		auto polygons = surfacePolygons(*mesh, borders, {});
+		if (!polygons)
+			return polygons.error();
+		render::Surface& surface = context_.emplace_back();
+		surface.polygons = std::move(*polygons);
+		surface.opacity = context.opacity;
+		surface.color = kContextColor;
+		surface.thick = true;
+	}
+	return Nothing{};
+}
+
+Status Painter::setLook(view::ResolvedLook look)
+{
+	const view::ResolvedLook& before = looks_.choice();
+	const bool same_around = look.look.outline == before.look.outline && look.look.box_axes == before.look.box_axes &&
+	                         look.context == before.context;
+	looks_.setChoice(std::move(look));
+	camera_.reset();
+	return same_around ? Status(Nothing{}) : takeBlocks();
+}
+
+Result<Painter> Painter::create(session::Session& session, view::ResolvedLook look)
+{
+	Result<render::Renderer> renderer =
+	    session.renderer ? std::move(*session.renderer) : render::Renderer::create(*session.device);
+	session.renderer.reset();
+	if (!renderer)
+		return renderer.error();
+	Painter painter(session, {session, std::move(look)}, std::move(*renderer));
+	if (Status taken = painter.takeBlocks(); !taken)
+		return taken.error();
+	return painter;
+}
+
+// The polygons of a surface in device memory. With a team, those of other ranks around them have a part in how they
+// look.
+Result<std::shared_ptr<const render::SurfacePolygons>>
+Painter::surfacePolygons(const mesh::SheetMesh& mesh, const ranks::Borders& borders, render::SheetValues values) const
+{
+	if (!session_.team)
+		return render::surfacePolygons(*session_.device, mesh, {values.of_vertices, values.of_polygons});
+	Box box;
+	for (const Vec3& place : mesh.positions)
+		box.include(place);
+	ranks::sumOverAll(*session_.team, box, [](Box& all, const Box& other) { all.include(other); });
+	mesh::SheetMesh around = mesh;
+	render::SurfaceElsewhere elsewhere{.origin = box.empty() ? Vec3(0.0) : box.center()};
+	elsewhere.polygons = ranks::addPolygonsAround(*session_.team, borders, around, values.of_polygons);
+	if (!values.of_vertices.empty())
+		values.of_vertices.resize(around.positions.size(), 0.0);
+	return render::surfacePolygons(*session_.device, around, {values.of_vertices, values.of_polygons}, &elsewhere);
+}
+
+// What is no plane: a grid surface, a patch of the boundary, whole cells.
+Result<render::Surface> Painter::surfaceOf(const cut::Cut& slice, std::size_t sheet, const session::SheetStats& stats,
+                                           const render::SheetDrawing& drawing,
+                                           const std::optional<render::ValueScale>& scale) const
+{
+	const mesh::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
+	auto polygons = surfacePolygons(
+	    mesh, stats.crinkle ? stats.crinkle_borders : stats.borders,
+	    sheetValues(slice.blocksOf(session_.blocks), slice.sheets[sheet], mesh, choice().by_generation));
+	if (!polygons)
+		return polygons.error();
+	return render::Surface{.polygons = std::move(*polygons),
+	                       .opacity = drawing.opacity,
+	                       .mesh = choice().look.mesh,
+	                       .values = drawing.values ? drawing.values : scale,
+	                       .colors = drawing.colors,
+	                       .range = drawing.range || drawing.values ? drawing.range : choice().look.range,
+	                       .lines = drawing.lines};
+}
+
+// Lines are drawn from the layers of values; labels want to know where they run.
+void Painter::addContours(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
+                          render::Scene& scene) const
+{
+	if (!choice().look.labels || !scene.values)
+		return;
+	for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+	{
+		render::SheetDrawing& drawing = scene.sheets[s];
+		const probe::Sheet& content = slice.sheets[s].sheet;
+		const std::vector<double> levels = render::valueStyle(scene, drawing).lines;
+		if (levels.empty())
+			continue;
+		const auto values =
+		    sheetValues(slice.blocksOf(session_.blocks), slice.sheets[s], sheets[s].mesh, choice().by_generation);
+		drawing.contours = render::levelLines(sheets[s].mesh, content, values, levels);
+	}
+	// Any sheet may hide labels of another.
+	if (std::ranges::any_of(scene.sheets, [](const auto& sheet) { return !sheet.contours.empty(); }))
+		for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+			scene.sheets[s].rim_lines =
+			    measure::meshOutlines(sheets[s].mesh, measure::planePoints(sheets[s].mesh, slice.sheets[s].sheet));
+}
+
+// A sheet's polygons where they lie: records that the GPU classifier left in device memory, those of the last picture
+// where the sheet has not moved, or the CPU's mesh put there.
+Result<std::shared_ptr<const classify::SheetRecords>> Painter::recordsOf(const cut::Cut& slice, std::size_t number,
+                                                                         const session::SheetStats& stats)
+{
+	const cut::SheetCut& sheet = slice.sheets[number];
+	const bool by_generation = choice().by_generation;
+	if (sheet.records && !by_generation)
+		return std::shared_ptr<const classify::SheetRecords>(sheet.records);
+	if (const auto known = records_.find(sheet.number); known != records_.end())
+		return known->second;
+	const mesh::MeshRecords host =
+	    by_generation ? mesh::MeshRecords(sheet.sheet, stats.mesh, cut::polygonGenerations(sheet, stats.mesh))
+	                  : mesh::MeshRecords(slice.blocksOf(session_.blocks), sheet.sheet, stats.mesh, sheet.field);
+	auto made = classify::recordsFromMesh(pool_, host);
+	if (!made)
+		return made.error();
+	(*made)->overlapping = (*made)->overlapping || classify::mayFold(session_.blocks);
+	if (session_.team) // so that all are drawn in one way
+		(*made)->overlapping = ranks::anyOf(*session_.team, (*made)->overlapping);
+	return records_[sheet.number] = std::move(*made);
+}
+
+Status Painter::addSheets(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
+                          const session::Contours& contours, render::Scene& scene)
+{
+	std::erase_if(records_,
+	              [&](const auto& kept) {
+		              return std::ranges::find(slice.sheets, kept.first, &cut::SheetCut::number) == slice.sheets.end();
+	              });
+	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
+	{
+		Result<render::SheetDrawing> made = looks_.drawing(slice.sheets[s], sheets[s]);
+		if (!made)
+			return made.error();
+		if (s < contours.size())
+			if (Status added = picture::addContours(session_, slice.sheets[s], contours[s], *made, choice(), scene);
+			    !added)
+				return added;
+		if (!slice.sheets[s].isPlane() || sheets[s].crinkle)
+		{
+			Result<render::Surface> surface = surfaceOf(slice, s, sheets[s], *made, scene.values);
+			if (!surface)
+				return surface.error();
+			scene.surfaces.push_back(std::move(*surface));
+			continue;
+		}
+		auto records = recordsOf(slice, s, sheets[s]);
+		if (!records)
+			return records.error();
+		made->records = std::move(*records);
+		if (session_.team)
+		{
+			mesh::UvBounds bounds = made->records->bounds.value_or(mesh::UvBounds());
+			ranks::sumOverAll(*session_.team, bounds, [](auto& all, const auto& other) { all = all.with(other); });
+			if (bounds.lo.x <= bounds.hi.x)
+				made->bounds = bounds;
+		}
+		scene.sheets.push_back(std::move(*made));
+	}
+	return Nothing{};
+}
+
+Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
+                                       const session::Contours& contours)
+{
+	const TimedSection section(session_.timeline.get(), "scene");
+	render::Scene scene;
+	scene.look = choice().look;
+	scene.outline = outline_;
+	scene.surfaces = context_;
+	scene.bounds = session_.blocks.bounds();
+	scene.fitted = choice().camera.kind != render::CameraChoice::Kind::fixed;
+	auto scale = looks_.scaleOf(slice, sheets, std::ranges::any_of(sheets, hasNan));
+	if (!scale)
+		return scale.error();
+	scene.values = *scale;
+	if (Status added = addSheets(slice, sheets, contours, scene); !added)
+		return added.error();
+	auto launched = vectors_.surface(slice, sheets, scene.values, looks_);
+	if (!launched)
+		return launched.error();
+	if (*launched)
+		scene.surfaces.push_back(std::move(**launched));
+	addContours(slice, sheets, scene);
+	const bool has_plane = !slice.sheets.empty() && slice.sheets.front().isPlane();
+	const probe::Sheet* first = has_plane ? &slice.sheets.front().shown : nullptr;
+	if (!slice.sheets.empty() && choice().captions)
+		scene.look.caption =
+		    has_plane ? caption(*first, session_.blocks.bounds()) : cut::surfaceName(slice.sheets.front());
+	if (!camera_ || choice().camera.followsSheet())
+	{
+		if (choice().camera.followsSheet() && !has_plane)
+			return Error{ErrorKind::usage,
+			             "`camera` sheet: a surface that is no plane has no front; choose another view"};
+		// Of several sheets none is the one to look at.
+		const bool by_sheet = slice.sheets.size() == 1 || choice().camera.followsSheet();
+		std::vector<Vec3> extent = extent_;
+		if (choice().window_rims)
+			for (const cut::SheetCut& sheet : slice.sheets)
+				addRim(sheet.shown, extent);
+		camera_ = render::makeCamera(choice().camera, by_sheet ? first : nullptr, extent, render::pictureFrame(scene));
+	}
+	scene.camera = *camera_;
+	return scene;
+}
+
+Result<render::Picture> Painter::draw(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
+                                      const session::Contours& contours, const std::stop_token& stop)
+{
+	const TimedSection section(session_.timeline.get(), "render");
+	Result<render::Scene> scene = sceneOf(slice, sheets, contours);
+	if (!scene)
+		return scene.error();
+	if (session_.team)
+	{
+		const auto merge = [&](const render::LayerValues& layers)
+		{ return ranks::mergeLayers(*session_.team, layers, session_.layer_bytes); };
+		auto drawn = renderer_.drawMerged(*scene, merge, session_.timeline.get());
+		if (!drawn)
+			return drawn.error();
+		return drawn->value_or(render::Picture());
+	}
+	std::function<bool()> goes_on;
+	if (stop.stop_possible())
+		goes_on = [&] { return !stop.stop_requested(); };
+	return renderer_.draw(*scene, session_.timeline.get(), goes_on);
+}
+
+Status Painter::drawInto(const gpu::Image& image, const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
+                         const session::Contours& contours)
+{
+	const TimedSection section(session_.timeline.get(), "render");
+	Result<render::Scene> scene = sceneOf(slice, sheets, contours);
+	if (!scene)
+		return scene.error();
+	Result<bool> drawn = renderer_.drawInto(*scene, image, {}, session_.timeline.get());
+	return drawn ? Status(Nothing{}) : drawn.error();
+}
+
+Result<render::Picture> Painter::drawEmpty(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets)
+{
+	const TimedSection section(session_.timeline.get(), "render");
+	Result<render::Scene> scene = sceneOf(slice, sheets);
+	if (!scene)
+		return scene.error();
+	for (render::SheetDrawing& sheet : scene->sheets)
+	{
+		sheet.records = nullptr;
+		sheet.rim = false;
+		sheet.contours.clear();
+		sheet.rim_lines.clear();
+	}
+	scene->surfaces = context_;
+	return renderer_.draw(*scene, session_.timeline.get());
+}
+
+} // namespace vp::picture

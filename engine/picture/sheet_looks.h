@@ -1,0 +1,53 @@
+#pragma once
+
+#include "render/scene/scene.h"
+#include "session/sheet_stats.h"
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vp::picture
+{
+
+// Computes how the sheets of a session look. Whatever does not change between pictures is computed once.
+class SheetLooks
+{
+public:
+	SheetLooks(const session::Session& session, view::ResolvedLook choice);
+
+	const view::ResolvedLook& choice() const { return choice_; }
+	void setChoice(view::ResolvedLook choice);
+	// Call this when the values of the arrays have changed.
+	void forgetScales() { scales_.clear(); }
+
+	// Returns the scale of the shown array, or of generations. sheets: all sheets of the cut.
+	Result<std::optional<render::ValueScale>> scaleOf(const cut::Cut& slice,
+	                                                  std::span<const session::SheetStats> sheets, bool has_nan);
+	// Returns the scale of an array.
+	Result<std::optional<render::ValueScale>> scaleOf(const std::optional<grid::FieldChoice>& field, bool has_nan);
+	// Returns the drawing of a sheet, without its records.
+	Result<render::SheetDrawing> drawing(const cut::SheetCut& sheet, const session::SheetStats& stats);
+
+private:
+	// Returns the scale of an array, with the ends that the look asks for. sheets: the sheets that show the array.
+	void chooseEnds(render::ValueScale& scale, std::span<const session::SheetStats* const> sheets) const;
+	void takeLengthUnits();
+	std::string unitsOf(const std::optional<grid::FieldChoice>& field) const;
+
+	const session::Session& session_;
+	view::ResolvedLook choice_;
+	std::vector<std::pair<std::optional<grid::FieldChoice>, std::optional<render::ValueScale>>> scales_;
+	std::map<std::string, render::ColorMap> colors_; // maps that single sheets ask for
+};
+
+// Describes the place of a sheet in a caption. A coordinate that is only rounding, compared with the largest of the
+// bounds or of the others, becomes 0.
+std::string caption(const probe::Sheet& sheet, const Box& bounds = {});
+
+bool hasNan(const session::SheetStats& sheet);
+
+} // namespace vp::picture

@@ -1,0 +1,339 @@
+#include "ranks/data/share.h"
+
+#include "grid/cell_places.h"
+#include "ranks/data/join_pieces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <string_view>
+
+namespace vp::ranks
+{
+
+namespace
+{
+
+// In the order of grid::AnyGrid.
+constexpr const char* kKinds[] = {"image", "rectilinear", "curvilinear", "unstructured"};
+constexpr std::size_t kUnstructured = 3;
+
+// Of a block, what ranks that do not hold it know.
+struct Described
+{
+	std::size_t kind = 0;
+	Box bounds;
+	Share::Counts counts; // of this block alone
+	std::size_t whole = 0;
+	grid::Block block; // without a grid
+};
+
+Share::Counts countsOf(const grid::Block& block)
+{
+	Share::Counts counts;
+	counts.linear_cells = std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid);
+	counts.linear_points = std::visit([](const auto& grid) { return grid.pointCount(); }, block.grid);
+	const auto* cells = std::get_if<grid::UnstructuredGrid>(&block.grid);
+	counts.cells = cells ? cells->sourceCellCount() : counts.linear_cells;
+	counts.points = cells ? cells->sourcePointCount() : counts.linear_points;
+	return counts;
+}
+
+void put(MessageWriter& to, const grid::Block& block, std::size_t whole)
+{
+	const Share::Counts counts = countsOf(block);
+	to.put(block.grid.index());
+	to.put(block.bounds);
+	for (const std::size_t count : {counts.cells, counts.points, counts.linear_cells, counts.linear_points, whole})
+		to.put(count);
+	to.put(block.name);
+	to.put(block.length_units);
+	to.put(block.arrays_left_out.size());
+	for (const std::string& name : block.arrays_left_out)
+		to.put(name);
+	to.put(block.fields.size());
+	for (const grid::Field& field : block.fields)
+	{
+		to.put(field.name);
+		to.put(field.units);
+		to.put(field.association);
+		to.put(field.components);
+		to.put(field.type);
+		to.put(field.categorical);
+	}
+}
+
+Described described(MessageReader& from)
+{
+	Described block;
+	block.kind = from.get<std::size_t>();
+	block.bounds = from.get<Box>();
+	for (std::size_t* count : {&block.counts.cells, &block.counts.points, &block.counts.linear_cells,
+	                           &block.counts.linear_points, &block.whole})
+		*count = from.get<std::size_t>();
+	block.block.name = from.getText();
+	block.block.length_units = from.getText();
+	for (auto left = from.get<std::size_t>(); left > 0; --left)
+		block.block.arrays_left_out.push_back(from.getText());
+	for (auto left = from.get<std::size_t>(); left > 0; --left)
+	{
+		grid::Field& field = block.block.fields.emplace_back();
+		field.name = from.getText();
+		field.units = from.getText();
+		field.association = from.get<grid::Association>();
+		field.components = from.get<int>();
+		field.type = from.get<grid::NumberType>();
+		field.categorical = from.get<bool>();
+	}
+	return block;
+}
+
+// A block without cells in place of one that another rank holds.
+grid::Block standIn(Described&& described)
+{
+	grid::Block block = std::move(described.block);
+	const grid::AnyGrid grids[] = {grid::UniformGrid(), grid::RectilinearGrid(), grid::CurvilinearGrid(),
+	                               grid::UnstructuredGrid()};
+	block.grid = grids[described.kind];
+	block.bounds = described.bounds;
+	// Not finishBlock(): it would name cells where hopping starts.
+	block.tree = std::make_shared<grid::LazyBlockTree>();
+	block.cell_places = std::make_shared<grid::LazyCellPlaces>();
+	return block;
+}
+
+// As grid::BlockSet::kind() says it of the blocks that one process would have.
+std::string kindOf(const std::vector<std::string>& kinds)
+{
+	const auto isUnstructured = [](const std::string& kind) { return kind == kKinds[kUnstructured]; };
+	if (std::ranges::all_of(kinds, isUnstructured))
+		return kKinds[kUnstructured];
+	if (std::ranges::any_of(kinds, isUnstructured))
+		return "hybrid";
+	return kinds.size() == 1 ? kinds[0] : "block-structured";
+}
+
+read::PartList listForAll(Team& team, const std::optional<read::PartList>& own)
+{
+	MessageWriter message;
+	if (own)
+	{
+		message.putAll(own->parts);
+		message.put(own->blocks.size());
+		for (const read::PartList::Whole& whole : own->blocks)
+		{
+			message.put(whole.kind);
+			message.put(whole.points);
+		}
+		message.putAll(own->times);
+	}
+	Bytes bytes = message.take();
+	team.broadcast(bytes);
+	MessageReader reader(bytes);
+	read::PartList list;
+	list.parts = reader.getAll<read::Part>();
+	for (auto left = reader.get<std::size_t>(); left > 0; --left)
+	{
+		std::string kind = reader.getText();
+		list.blocks.push_back({std::move(kind), reader.get<std::size_t>()});
+	}
+	list.times = reader.getAll<double>();
+	return list;
+}
+
+// Adds a block to the counts of all. `last`: the block of one process that the block before belongs to.
+void count(const Described& block, const read::PartList& list, std::optional<std::size_t>& last,
+           std::vector<std::string>& kinds, Share& share)
+{
+	const read::PartList::Whole& whole = list.blocks[block.whole];
+	const bool goes_on = !whole.kind.empty() && last == block.whole;
+	if (!goes_on)
+	{
+		kinds.push_back(whole.kind.empty() ? kKinds[block.kind] : whole.kind);
+		share.counts.points += whole.points;
+		share.counts.linear_points += whole.points;
+	}
+	share.whole.push_back(static_cast<std::uint32_t>(kinds.size() - 1));
+	share.counts.cells += block.counts.cells;
+	share.counts.linear_cells += block.counts.linear_cells;
+	if (whole.points == 0)
+	{
+		share.counts.points += block.counts.points;
+		share.counts.linear_points += block.counts.linear_points;
+	}
+	last = block.whole;
+}
+
+// The blocks of all ranks, those of others without cells.
+grid::BlockSet withOthers(Team& team, read::PartBlocks&& own, const read::PartList& list, Share& share)
+{
+	MessageWriter message;
+	message.put(own.set.blocks.size());
+	message.put(own.set.left_out);
+	message.put(own.set.unplaced);
+	for (std::size_t b = 0; b < own.set.blocks.size(); ++b)
+		put(message, own.set.blocks[b], own.of_block[b].block);
+	const std::vector<Bytes> of_all = team.gatherAll(message.take());
+
+	grid::BlockSet all = std::move(own.set);
+	std::vector<grid::Block> mine = std::exchange(all.blocks, {});
+	all.left_out = 0;
+	all.unplaced = 0;
+	std::optional<std::size_t> last;
+	std::vector<std::string> kinds;
+	for (int rank = 0; rank < team.size(); ++rank)
+	{
+		MessageReader reader(of_all[static_cast<std::size_t>(rank)]);
+		const auto blocks = reader.get<std::size_t>();
+		all.left_out += reader.get<std::size_t>();
+		all.unplaced += reader.get<std::size_t>();
+		if (rank == team.rank())
+			share.first_own = static_cast<std::uint32_t>(all.blocks.size());
+		for (std::size_t b = 0; b < blocks; ++b)
+		{
+			Described block = described(reader);
+			count(block, list, last, kinds, share);
+			all.blocks.push_back(rank == team.rank() ? std::move(mine[b]) : standIn(std::move(block)));
+		}
+		if (rank == team.rank())
+			share.end_own = static_cast<std::uint32_t>(all.blocks.size());
+	}
+	share.counts.blocks = kinds.size();
+	share.counts.kind = kindOf(kinds);
+	all.times = list.times;
+	return all;
+}
+
+} // namespace
+
+std::vector<int> dealOut(const std::vector<read::Part>& parts, int ranks)
+{
+	// With so many cells to a rank at most, which rank takes each part.
+	const auto deal = [&](std::size_t most)
+	{
+		std::vector<int> of_part;
+		int rank = 0;
+		std::size_t cells = 0;
+		for (const read::Part& part : parts)
+		{
+			if (cells > 0 && cells + part.cells > most)
+			{
+				++rank;
+				cells = 0;
+			}
+			cells += std::max<std::size_t>(1, part.cells);
+			of_part.push_back(rank);
+		}
+		return of_part;
+	};
+	std::size_t low = 1;
+	std::size_t high = 1;
+	for (const read::Part& part : parts)
+	{
+		low = std::max(low, part.cells);
+		high += std::max<std::size_t>(1, part.cells);
+	}
+	while (low < high)
+	{
+		const std::size_t middle = std::midpoint(low, high);
+		const std::vector<int> dealt = deal(middle);
+		if (dealt.empty() || dealt.back() < ranks)
+			high = middle;
+		else
+			low = middle + 1;
+	}
+	return deal(high);
+}
+
+Status fitsTeam(const view::ViewSpec& spec)
+{
+	const view::ProbeSpec& probe = spec.probe;
+	const view::LookSpec& look = spec.look;
+	// Their places follow from whole lines.
+	const bool has_labels =
+	    !look.no_labels &&
+	    (look.lines > 0 || (probe.own && std::ranges::any_of(probe.own->probe.sheets, [](const auto& s)
+	                                                         { return s.wishes.lines.has_value(); })));
+	const bool is_window_in_plane =
+	    !probe.threshold && !view::implicitSurface(probe.surface) &&
+	    (probe.window || (probe.own && std::ranges::any_of(probe.own->probe.sheets,
+	                                                       [](const auto& s) { return s.window.has_value(); })));
+	struct Refused
+	{
+		bool given;
+		const char* key;
+		const char* why;
+	};
+	const Refused refused[] = {
+	    {view::replacesSheets(probe.surface), "surface", "indices and patches are numbered in each part of the data"},
+	    {probe.vectors.on() && probe.vectors.path_lines, "path_lines",
+	     "each of several processes knows the vectors of one time"},
+	    {probe.seeds == seed::SeedMode::boundary && is_window_in_plane, "seeds",
+	     "borders between the parts of processes in a window would be taken for the boundary"},
+	    {std::ranges::any_of(look.context, [](const auto& c) { return c.kind != view::ContextKind::boundary; }),
+	     "context", "indices and patches are numbered in each part of the data"},
+	    {look.color_by == view::ColorBy::generation, "color_by", "generations depend on how the parts were dealt out"},
+	    {spec.machine.visited.has_value(), "visited", "generations depend on how the parts were dealt out"},
+	    {spec.machine.strategy == find::Strategy::generations, "strategy",
+	     "generations depend on how the parts were dealt out"},
+	    {spec.machine.classify == view::Classify::gpu, "classify", "each of several processes cuts on its processor"},
+	    {read::isTolerance(spec.input.refine), "refine",
+	     "cells that a tolerance refines are not joined between processes"}};
+	if (has_labels)
+		return Error{ErrorKind::usage, "`lines`: values on lines that run through the parts of several processes are "
+		                               "not drawn; add `no_labels`, or use vprobe in place of vprobe-mpi"};
+	for (const Refused& r : refused)
+		if (r.given)
+			return Error{ErrorKind::usage,
+			             fmt::format("`{}`: {}; leave it out, or use vprobe in place of vprobe-mpi", r.key, r.why)};
+	return Nothing{};
+}
+
+Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inputs, const read::ReadOptions& options,
+                                 Timeline* timeline, Share& share)
+{
+	// Several inputs are dealt out as they are: they mostly are parts of one data set.
+	read::ReadOptions reading = options;
+	reading.slabs = inputs.size() == 1 ? team.size() : 1;
+	std::optional<read::PartList> listed;
+	if (team.isFirst())
+	{
+		Result<read::PartList> list = read::listParts(inputs, reading, timeline);
+		if (!list)
+			return list.error();
+		share.bytes_read = list->bytes_read;
+		listed = std::move(*list);
+	}
+	const read::PartList list = listForAll(team, listed);
+	const std::vector<int> ranks = dealOut(list.parts, team.size());
+	std::vector<read::Part> own;
+	for (std::size_t p = 0; p < list.parts.size(); ++p)
+		if (ranks[p] == team.rank())
+			own.push_back(list.parts[p]);
+	Result<read::PartBlocks> read = read::readParts(inputs, own, reading, timeline);
+	if (!read)
+		return read.error();
+	try
+	{
+		joinPieces(*read, list);
+	}
+	catch (const grid::WrongPoint& wrong)
+	{
+		return Error{ErrorKind::input, fmt::format("{}: {}", fmt::join(inputs, ", "), wrong.what())};
+	}
+	share.bytes_read += read->bytes_read;
+	const bool has_interfaces = !read->set.interfaces.blocks.empty();
+	share.own_parts = own.size();
+	grid::BlockSet all = withOthers(team, std::move(*read), list, share);
+	if (all.blocks.empty())
+		return Error{ErrorKind::input,
+		             fmt::format("{}: nothing to slice: it holds no three-dimensional cells", fmt::join(inputs, ", "))};
+	if (has_interfaces) // their numbers are those of this rank's blocks alone
+		grid::matchInterfaces(all);
+	return all;
+}
+
+} // namespace vp::ranks

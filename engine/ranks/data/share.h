@@ -1,0 +1,56 @@
+#pragma once
+
+#include "base/result.h"
+#include "grid/block.h"
+#include "ranks/team.h"
+#include "read/read.h"
+#include "view/view_spec.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vp
+{
+class Timeline;
+}
+
+namespace vp::ranks
+{
+/// What the ranks of a team hold of a data set. Each has the blocks of all, in the same order, so that a number means
+/// the same block everywhere. But of a block that another rank holds it has no cells: only its name, its bounds and the
+/// names of its arrays.
+struct Share
+{
+	/// Counts of the data set, as one process that reads all of it has them.
+	struct Counts
+	{
+		std::string kind;
+		std::size_t cells = 0;
+		std::size_t points = 0;
+		std::size_t linear_cells = 0;
+		std::size_t linear_points = 0;
+		std::size_t blocks = 0;
+	};
+	Counts counts;
+	std::size_t own_parts = 0;
+	std::uint64_t bytes_read = 0; // by this rank's readers, from files
+	std::uint32_t first_own = 0;  // blocks of this rank follow each other
+	std::uint32_t end_own = 0;
+	std::vector<std::uint32_t> whole; // per block, the block that one process would have in its place
+
+	bool isOwn(std::size_t block) const { return first_own <= block && block < end_own; }
+};
+
+/// Returns an error if a team cannot carry out the settings to the same result as one process. It names the remedy.
+Status fitsTeam(const view::ViewSpec& spec);
+
+/// Returns the rank of each part: parts that follow each other, so that the most cells of a rank are as few as can be.
+std::vector<int> dealOut(const std::vector<read::Part>& parts, int ranks);
+
+/// Reads this rank's share of the inputs.
+Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inputs, const read::ReadOptions& options,
+                                 Timeline* timeline, Share& share);
+
+} // namespace vp::ranks

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ranks/team.h"
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vp::ranks
+{
+
+/// Things of two ranks that hang together, such as pieces of a mesh, each by its number at its rank.
+struct Link
+{
+	int rank;
+	std::uint32_t number;
+	int other;
+	std::uint32_t other_number;
+
+	auto operator<=>(const Link&) const = default;
+};
+
+/// What the things of all ranks come to where they hang together.
+struct Together
+{
+	std::size_t count = 0;             // of what does not hang together
+	std::vector<std::uint8_t> marks{}; // of each own thing: the bits of all that it hangs together with
+};
+
+/// own: the bits of this rank's things. links: those that this rank knows; others may know the same.
+Together joinOverRanks(Team& team, std::span<const std::uint8_t> own, std::vector<Link> links);
+
+} // namespace vp::ranks
