@@ -3,7 +3,7 @@
 #include "cell_lists.h"
 #include "cells_in_order.h"
 #include "collapsed_cells.h"
-#include "grid/curved_types.h"
+#include "grid/curved/curved_types.h"
 #include "read/cell_types.h"
 #include "refusal.h"
 #include "source_cell.h"

@@ -1,6 +1,6 @@
 #include "node_order.h"
 
-#include "grid/lattice_nodes.h"
+#include "grid/curved/lattice_nodes.h"
 #include "read/check_mesh.h"
 
 #include <vtkCellType.h>

@@ -1,6 +1,6 @@
 #include "source_cell.h"
 
-#include "grid/pyramid_weights.h"
+#include "grid/curved/pyramid_weights.h"
 #include "refine/cell_kind.h"
 #include "refusal.h"
 

@@ -1,7 +1,7 @@
 #include "api/border.h"
 #include "api/states.h"
 #include "base/stop_scope.h"
-#include "grid/memory.h"
+#include "grid/check/memory.h"
 #include "probe/probe_file.h"
 #include "read/check_mesh.h"
 #include "view/words.h"

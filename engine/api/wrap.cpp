@@ -1,6 +1,6 @@
 #include "api/states.h"
 #include "base/messages.h"
-#include "grid/curved_cells.h"
+#include "grid/curved/curved_cells.h"
 #include "read/build_block.h"
 #include "read/check_curved.h"
 #include "read/check_mesh.h"

@@ -3,7 +3,7 @@
 #include "classify/cpu_classifier.h"
 #include "classify/gpu_classifier.h"
 #include "classify/gpu_planes.h"
-#include "grid/build/middle_part.h"
+#include "grid/link/middle_part.h"
 #include "seed/cut_cells.h"
 
 #include <algorithm>

@@ -13,7 +13,7 @@ namespace vp::grid
 {
 
 /// Finds which of some faces of a block belong to one cell only, without knowing neighbors. Two cells have the same
-/// face if the sets of its different points are equal, as in matchFaces() of grid/build/adjacency.h. Face: a type that
+/// face if the sets of its different points are equal, as in matchFaces() of grid/link/adjacency.h. Face: a type that
 /// names a face, such as BoundaryIndex::Face.
 template <class Face>
 class LoneFaces

@@ -1,6 +1,6 @@
 #include "read/build_block.h"
 
-#include "grid/curved_cells.h"
+#include "grid/curved/curved_cells.h"
 #include "read/geometry.h"
 
 namespace vp::read

@@ -1,6 +1,6 @@
 #include "read/check_curved.h"
 
-#include "grid/curved_types.h"
+#include "grid/curved/curved_types.h"
 #include "read/check_mesh.h"
 
 #include <fmt/format.h>

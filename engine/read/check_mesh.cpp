@@ -1,6 +1,6 @@
 #include "read/check_mesh.h"
 
-#include "grid/curved_cells.h"
+#include "grid/curved/curved_cells.h"
 #include "read/cell_types.h"
 
 #include <fmt/format.h>

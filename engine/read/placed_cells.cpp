@@ -1,7 +1,7 @@
 #include "read/placed_cells.h"
 
 #include "base/parallel_for.h"
-#include "grid/curved_types.h"
+#include "grid/curved/curved_types.h"
 #include "read/cell_types.h"
 
 #include <fmt/format.h>

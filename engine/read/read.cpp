@@ -2,7 +2,7 @@
 
 #include "base/messages.h"
 #include "base/timeline.h"
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "read/build_block.h"
 #include "read/child.h"
 #include "read/geometry.h"

@@ -1,6 +1,6 @@
 #include "refine/cell_boxes.h"
 
-#include "grid/build/morton.h"
+#include "grid/link/morton.h"
 #include "refine/tetrahedron.h"
 
 #include <tbb/parallel_for.h>

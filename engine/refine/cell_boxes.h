@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/vec.h"
-#include "grid/curved_cells.h"
+#include "grid/curved/curved_cells.h"
 #include "refine/cell_kinds.h"
 #include "refine/sheets.h"
 

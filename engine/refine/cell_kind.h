@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/vec.h"
-#include "grid/curved_types.h"
+#include "grid/curved/curved_types.h"
 #include "refine/factor.h"
 
 #include <array>

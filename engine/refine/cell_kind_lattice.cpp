@@ -1,6 +1,6 @@
 #include "refine/cell_kind.h"
 
-#include "grid/lattice_nodes.h"
+#include "grid/curved/lattice_nodes.h"
 #include "refine/pyramid.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "refine/factor.h"
 
-#include "grid/curved_types.h"
+#include "grid/curved/curved_types.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grid/curved_cells.h"
+#include "grid/curved/curved_cells.h"
 #include "refine/cell_kinds.h"
 #include "refine/pyramid.h"
 #include "refine/refine_block.h"

@@ -1,4 +1,4 @@
-#include "grid/build/for_ranges.h"
+#include "grid/link/for_ranges.h"
 #include "grid/number_types.h"
 #include "refine/refine_block.h"
 #include "refine/tetrahedron.h"

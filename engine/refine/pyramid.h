@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grid/pyramid_weights.h"
+#include "grid/curved/pyramid_weights.h"
 
 #include <span>
 

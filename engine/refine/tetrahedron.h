@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/vec.h"
-#include "grid/curved_cells.h"
+#include "grid/curved/curved_cells.h"
 #include "refine/part_list.h"
 #include "surface/plane.h"
 

@@ -1,7 +1,7 @@
 #include "vectors/flux.h"
 
 #include "base/ordered_sum.h"
-#include "grid/build/for_ranges.h"
+#include "grid/link/for_ranges.h"
 #include "mesh/mesh_values.h"
 #include "mesh/own_polygons.h"
 #include "vectors/vector_array.h"

@@ -8,7 +8,7 @@
 namespace vp::vectors
 {
 
-// A curvilinear grid may keep its axes in another order than its source (grid/build/lattice_axes.h), and pieces of one
+// A curvilinear grid may keep its axes in another order than its source (grid/link/lattice_axes.h), and pieces of one
 // grid in several orders. What goes from one to the other has the source's.
 using LatticeAxes = std::array<std::uint8_t, 3>; // per axis of the grid, that of the source
 

@@ -1,6 +1,6 @@
 #include "write/particle_file.h"
 
-#include "grid/build/for_ranges.h"
+#include "grid/link/for_ranges.h"
 #include "write/place_values.h"
 #include "write/poly_data.h"
 #include "write/set_arrays.h"

@@ -1,6 +1,6 @@
 #include "grids.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "probe/path.h"
 #include "vtk_cuts.h"
 

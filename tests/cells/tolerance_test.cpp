@@ -1,7 +1,7 @@
 // Curved cells in files, read with a tolerance in place of a level.
 #include "numbered_cells.h"
 
-#include "grid/curved_cells.h"
+#include "grid/curved/curved_cells.h"
 #include "grid/measure.h"
 #include "read/read.h"
 #include "sample_files.h"

@@ -1,7 +1,7 @@
 #include "baseline.h"
 
 #include "cut/cutter.h"
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "write/plane_picture.h"
 
 #include <gtest/gtest.h>

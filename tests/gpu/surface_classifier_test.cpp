@@ -5,7 +5,7 @@
 #include "test_grids.h"
 #include "uploaded.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 
 #include <fmt/format.h>
 

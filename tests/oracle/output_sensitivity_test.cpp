@@ -1,7 +1,7 @@
 #include "sliced_sheet.h"
 #include "tries.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "sliced_sheet.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 
 #include <gtest/gtest.h>
 

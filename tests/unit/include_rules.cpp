@@ -29,7 +29,7 @@ struct Rooms
 	std::string folder;
 	std::vector<std::string> order;
 };
-const std::vector<Rooms> kInnerRooms{{"grid", {"", "build", "check"}},
+const std::vector<Rooms> kInnerRooms{{"grid", {"", "curved", "link", "check", "demo"}},
                                      {"ranks", {"", "data", "join", "search", "particles", "picture"}},
                                      {"render", {"font", "color", "scene", "annotate", "passes", "flat", ""}}};
 

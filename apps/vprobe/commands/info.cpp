@@ -2,7 +2,7 @@
 #include "base/timeline.h"
 #include "commands/commands.h"
 #include "grid/check/quality.h"
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "grid/field_choice.h"
 #include "options/spec_options.h"
 #include "read/formats.h"

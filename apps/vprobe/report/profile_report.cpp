@@ -1,6 +1,6 @@
 #include "report/profile_report.h"
 
-#include "grid/memory.h"
+#include "grid/check/memory.h"
 #include "probe/probe_file.h"
 #include "report/spread.h"
 #include "view/words.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grid/memory.h"
+#include "grid/check/memory.h"
 #include "session/session.h"
 
 #include <string>

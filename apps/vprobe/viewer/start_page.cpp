@@ -1,4 +1,4 @@
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "viewer/demo_pictures.h"
 #include "viewer/widgets.h"
 

@@ -232,7 +232,7 @@ void forEachMeetingPair(const BlockSet& set, Visit&& visit)
 				visit(a, b);
 }
 
-std::size_t cellsOf(const Block& block)
+std::size_t cellCount(const Block& block)
 {
 	return std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid);
 }
@@ -247,7 +247,7 @@ BlockOverlaps findBlockOverlaps(const BlockSet& set)
 	                   [&](std::uint32_t a, std::uint32_t b)
 	                   {
 		                   ++found.near;
-		                   cells += cellsOf(set.blocks[a]) + cellsOf(set.blocks[b]);
+		                   cells += cellCount(set.blocks[a]) + cellCount(set.blocks[b]);
 	                   });
 	const std::size_t step = std::max(found.near / (kAllPairSamples / (2 * kMinPairSamples)),
 	                                  cells / std::max(kAllPairCells, 16 * set.cellCount())) +

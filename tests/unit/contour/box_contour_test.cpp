@@ -4,7 +4,7 @@
 #include "random_window.h"
 #include "seamed_sets.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "tries.h"
 #include "watertight_mesh.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "grid/shown_value.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "sliced_sheet.h"
 #include "test_grids.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 
 #include <tbb/global_control.h>
 

@@ -3,7 +3,7 @@
 #include "test_grids.h"
 #include "tries.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "measure/components.h"
 #include "seed/row_seeds.h"
 

@@ -1,7 +1,7 @@
 // Quadratic tetrahedra refined to a tolerance where a sheet meets them: sections against formulas, closed between cells
 // that are refined differently, and no work beside the sheet.
 #include "cut/cutter.h"
-#include "grid/curved_cells.h"
+#include "grid/curved/curved_cells.h"
 #include "measure/stats.h"
 #include "mesh/mesh_values.h"
 #include "quadratic_cube.h"

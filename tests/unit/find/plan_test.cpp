@@ -1,6 +1,6 @@
 #include "cut/cutter.h"
 #include "find/plan.h"
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "mesh/listed_mesh.h"
 #include "surface/implicit_surface.h"
 

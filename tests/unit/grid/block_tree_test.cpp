@@ -1,7 +1,7 @@
 #include "exhaustive.h"
 #include "test_grids.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 
 #include <gtest/gtest.h>
 

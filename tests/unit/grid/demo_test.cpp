@@ -1,4 +1,4 @@
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "grid/measure.h"
 
 #include <gtest/gtest.h>

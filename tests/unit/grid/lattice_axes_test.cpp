@@ -1,6 +1,6 @@
 #include "grid/block.h"
-#include "grid/build/lattice_axes.h"
 #include "grid/lattice_cells.h"
+#include "grid/link/lattice_axes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "grid/memory.h"
+#include "grid/check/memory.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 
 #include <gtest/gtest.h>
 

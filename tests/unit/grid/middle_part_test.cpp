@@ -1,6 +1,6 @@
 #include "test_grids.h"
 
-#include "grid/build/middle_part.h"
+#include "grid/link/middle_part.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "grid/build/morton.h"
+#include "grid/link/morton.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,4 +1,4 @@
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "seamed_sets.h"
 
 #include "grid/patches.h"

@@ -1,7 +1,7 @@
 #include "measure/contour_lines.h"
 
 #include "exhaustive.h"
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "measure/cell_steps.h"
 #include "sliced_sheet.h"
 #include "test_grids.h"

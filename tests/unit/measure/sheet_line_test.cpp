@@ -1,7 +1,7 @@
 #include "measure/sheet_line.h"
 
 #include "exhaustive.h"
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "measure/plane_triangles.h"
 #include "sliced_sheet.h"
 #include "test_grids.h"

@@ -1,7 +1,7 @@
 #include "seamed_sets.h"
 #include "sliced_sheet.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "mesh/listed_mesh.h"
 #include "mesh/mesh_values.h"
 

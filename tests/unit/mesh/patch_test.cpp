@@ -1,7 +1,7 @@
 #include "sliced_sheet.h"
 #include "test_grids.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "mesh/listed_mesh.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Points whose coordinates are no numbers: those of no cell do not matter, and cells that have one are left out.
 #include "base/messages.h"
 #include "curved_samples.h"
-#include "grid/curved_cells.h"
+#include "grid/curved/curved_cells.h"
 #include "read/read.h"
 #include "sample_files.h"
 

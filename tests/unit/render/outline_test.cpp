@@ -1,4 +1,4 @@
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "render/scene/outline.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grid/curved_cells.h"
+#include "grid/curved/curved_cells.h"
 #include "grid/field.h"
 #include "quadratic_cube.h"
 

@@ -1,6 +1,6 @@
 #include "test_grids.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 
 #include <array>
 #include <cmath>

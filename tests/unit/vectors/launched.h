@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "locate/find_cell.h"
 #include "locate/interpolate.h"
 #include "sliced_sheet.h"

@@ -1,7 +1,7 @@
 #include "helix_traces.h"
 #include "test_grids.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "locate/place.h"
 #include "vectors/trace_values.h"
 

@@ -2,7 +2,7 @@
 
 #include "cut/cutter.h"
 #include "exhaustive.h"
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "sample_slice.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "sample_slice.h"
 
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 #include "locate/find_cell.h"
 #include "vectors/tracer.h"
 #include "vectors/vector_array.h"

@@ -1,7 +1,7 @@
 #include "sample_slice.h"
 
 #include "cut/cutter.h"
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "base/prefetch.h"
-#include "grid/build/adjacency.h"
-#include "grid/build/cell_order.h"
-#include "grid/build/for_ranges.h"
+#include "grid/link/adjacency.h"
+#include "grid/link/cell_order.h"
+#include "grid/link/for_ranges.h"
 #include "grid/unstructured.h"
 
 #include <memory>

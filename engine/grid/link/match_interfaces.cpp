@@ -1,5 +1,5 @@
 #include "grid/block.h"
-#include "grid/build/face_matcher.h"
+#include "grid/link/face_matcher.h"
 
 #include <algorithm>
 #include <tuple>

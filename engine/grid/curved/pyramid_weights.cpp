@@ -1,4 +1,4 @@
-#include "grid/pyramid_weights.h"
+#include "grid/curved/pyramid_weights.h"
 
 #include <algorithm>
 

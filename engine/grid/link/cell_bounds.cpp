@@ -1,8 +1,8 @@
-#include "grid/build/cell_bounds.h"
+#include "grid/link/cell_bounds.h"
 
 #include "base/huge_vector.h"
 #include "base/parallel_for.h"
-#include "grid/build/for_ranges.h"
+#include "grid/link/for_ranges.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "grid/build/lattice_axes.h"
+#include "grid/link/lattice_axes.h"
 
 #include "base/huge_vector.h"
 #include "base/parallel_for.h"

@@ -1,6 +1,6 @@
-#include "grid/build/face_crowds.h"
+#include "grid/link/face_crowds.h"
 
-#include "grid/build/adjacency.h"
+#include "grid/link/adjacency.h"
 
 namespace vp::grid
 {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grid/block.h"
-#include "grid/curved_types.h"
+#include "grid/curved/curved_types.h"
 #include "grid/points.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 #include "grid/block.h"
-#include "grid/build/cell_bounds.h"
-#include "grid/build/folds.h"
-#include "grid/build/lattice_axes.h"
+#include "grid/link/cell_bounds.h"
+#include "grid/link/folds.h"
+#include "grid/link/lattice_axes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "grid/lattice_nodes.h"
+#include "grid/curved/lattice_nodes.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
-#include "grid/build/face_matcher.h"
+#include "grid/link/face_matcher.h"
 
 #include "base/parallel_for.h"
-#include "grid/build/face_corners.h"
-#include "grid/build/hanging_faces.h"
 #include "grid/face_tolerance.h"
+#include "grid/link/face_corners.h"
+#include "grid/link/hanging_faces.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/combinable.h>

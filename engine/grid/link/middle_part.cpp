@@ -1,4 +1,4 @@
-#include "grid/build/middle_part.h"
+#include "grid/link/middle_part.h"
 
 #include "grid/cell_list.h"
 

@@ -1,7 +1,7 @@
-#include "grid/build/hanging_faces.h"
+#include "grid/link/hanging_faces.h"
 
 #include "base/parallel_for.h"
-#include "grid/build/face_corners.h"
+#include "grid/link/face_corners.h"
 #include "grid/measure.h"
 
 #include <tbb/blocked_range.h>

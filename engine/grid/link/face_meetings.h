@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grid/build/face_key.h"
+#include "grid/link/face_key.h"
 
 #include <array>
 #include <cstddef>

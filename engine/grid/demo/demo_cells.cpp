@@ -1,5 +1,5 @@
 #include "base/parallel_for.h"
-#include "grid/demo_points.h"
+#include "grid/demo/demo_points.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
-#include "grid/build/folds.h"
+#include "grid/link/folds.h"
 
 #include "base/parallel_for.h"
-#include "grid/build/edge_boxes.h"
 #include "grid/cell_turn.h"
+#include "grid/link/edge_boxes.h"
 #include "grid/record_reader.h"
 #include "grid/structured.h"
 #include "grid/unstructured.h"

@@ -1,4 +1,4 @@
-#include "grid/curved_types.h"
+#include "grid/curved/curved_types.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "grid/memory.h"
+#include "grid/check/memory.h"
 
-#include "grid/curved_cells.h"
+#include "grid/curved/curved_cells.h"
 
 namespace vp::grid
 {

@@ -1,4 +1,4 @@
-#include "grid/demo_points.h"
+#include "grid/demo/demo_points.h"
 
 #include "base/parallel_for.h"
 

@@ -1,8 +1,8 @@
-#include "grid/build/cell_order.h"
+#include "grid/link/cell_order.h"
 
 #include "base/ids.h"
-#include "grid/build/for_ranges.h"
-#include "grid/build/morton.h"
+#include "grid/link/for_ranges.h"
+#include "grid/link/morton.h"
 
 #include <tbb/parallel_reduce.h>
 

@@ -1,6 +1,6 @@
-#include "grid/curved_cells.h"
+#include "grid/curved/curved_cells.h"
 
-#include "grid/build/for_ranges.h"
+#include "grid/link/for_ranges.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>

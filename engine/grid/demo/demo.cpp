@@ -1,6 +1,6 @@
-#include "grid/demo.h"
+#include "grid/demo/demo.h"
 
-#include "grid/demo_points.h"
+#include "grid/demo/demo_points.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-#include "grid/build/adjacency.h"
+#include "grid/link/adjacency.h"
 
 #include "base/parallel_for.h"
 #include "base/prefetch.h"
-#include "grid/build/face_crowds.h"
-#include "grid/build/face_meetings.h"
+#include "grid/link/face_crowds.h"
+#include "grid/link/face_meetings.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
