@@ -1,14 +1,14 @@
 // Reads one file with VTK and hands its arrays over in shared memory; see read/protocol.h. A reader that crashes, hangs
 // or swallows memory over a damaged file takes only this process with it.
-#include "bytes_read.h"
-#include "complaints.h"
-#include "convert.h"
-#include "formats.h"
-#include "is_one_of.h"
-#include "manifest_writer.h"
 #include "read/protocol.h"
-#include "read_files.h"
-#include "refusal.h"
+#include "vprobe-read/base/bytes_read.h"
+#include "vprobe-read/base/is_one_of.h"
+#include "vprobe-read/base/read_files.h"
+#include "vprobe-read/base/refusal.h"
+#include "vprobe-read/checks/complaints.h"
+#include "vprobe-read/convert/convert.h"
+#include "vprobe-read/formats/formats.h"
+#include "vprobe-read/manifest/manifest_writer.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // Stands in front of the system's functions that open files, for all libraries of this program, and notes what is
 // opened for reading. Rejected: a list in each of 40 readers, which would be short of what their libraries open.
-#include "read_files.h"
+#include "vprobe-read/base/read_files.h"
 
 #include <cstdarg>
 #include <cstdio>

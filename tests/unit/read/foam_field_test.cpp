@@ -1,5 +1,5 @@
 // Fields of OpenFOAM: values, macros, included files, patterns and groups. The right values are worked out by hand.
-#include "foam_field.h"
+#include "vprobe-read/formats/codes/foam_field.h"
 
 #include "foam_samples.h"
 

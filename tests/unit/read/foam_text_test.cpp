@@ -1,8 +1,8 @@
 // Files of OpenFOAM with lists of points, faces, labels and patches.
-#include "foam_text.h"
+#include "vprobe-read/formats/codes/foam_text.h"
 
 #include "foam_samples.h"
-#include "refusal.h"
+#include "vprobe-read/base/refusal.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "handed_over.h"
 
-#include "quick_xml.h"
 #include "read/mapping.h"
+#include "vprobe-read/quick/quick_xml.h"
 
 #include <cstdlib>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "length_units.h"
+#include "vprobe-read/text/length_units.h"
 
 #include <gtest/gtest.h>
 

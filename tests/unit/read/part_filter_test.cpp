@@ -1,5 +1,5 @@
 // Which parts of a file are handed over: numbers are the same whichever parts are asked for, and slabs cover a lattice.
-#include "part_filter.h"
+#include "vprobe-read/base/part_filter.h"
 
 #include <gtest/gtest.h>
 

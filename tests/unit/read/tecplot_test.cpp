@@ -1,6 +1,6 @@
 // Spellings of Tecplot text files. The right values are worked out by hand, after the Tecplot 360 Data Format Guide.
-#include "refusal.h"
-#include "tecplot_file.h"
+#include "vprobe-read/base/refusal.h"
+#include "vprobe-read/formats/meshes/tecplot_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Files of polygons, as VTK reads them and as our own parser of VTK XML files does.
-#include "quick_file.h"
 #include "sample_slice.h"
+#include "vprobe-read/quick/quick_file.h"
 
 #include "write/poly_data.h"
 

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "vprobe-read/base/request.h"
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+class ManifestWriter;
+class vtkDataSet;
+class vtkImageData;
+
+// A box of equal cells, as codes have them that refine by boxes.
+struct CellBox
+{
+	std::array<double, 3> lo;
+	std::array<double, 3> hi;
+	std::array<std::size_t, 3> cells;
+
+	std::size_t cellCount() const { return cells[0] * cells[1] * cells[2]; }
+};
+
+// Throws a Refusal for a box that cannot be.
+vtkSmartPointer<vtkImageData> imageOfBox(const CellBox& box);
+
+// Adds an array of doubles to the cells; `values` are as many as they have components.
+void addCellArray(vtkDataSet* data, const std::string& name, std::span<const double> values);
+
+struct CellArrayName
+{
+	std::string name;
+	int components = 1;
+};
+
+// The arrays of cells that are handed over, where reading the others would take time for nothing. Those are told for
+// each block.
+class CellArrayChoice
+{
+public:
+	CellArrayChoice(const Request& request, const std::vector<CellArrayName>& arrays);
+	const std::vector<std::string>& wanted() const { return wanted_; }
+	// Before a block is added.
+	void noteLeftOut(ManifestWriter& manifest) const;
+
+private:
+	std::vector<std::string> wanted_;
+	std::vector<CellArrayName> left_out_;
+};
+
+// A file that holds one time, or NaN where it says none.
+void offerOnlyTime(double time, const Request& request, ManifestWriter& manifest);

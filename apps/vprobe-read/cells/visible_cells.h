@@ -1,0 +1,22 @@
+#pragma once
+
+#include "vprobe-read/arrays/array_writer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <vector>
+
+class vtkDataSet;
+
+// The bits of vtkGhostType on cells that mean "not to be shown": duplicate, refined, hidden.
+extern const unsigned char kHiddenCellBits;
+
+// One mark per cell of a lattice, non-zero where the cell is hidden: by its own ghost mark, or because one of its
+// points is blanked. Empty if nothing is hidden.
+std::vector<unsigned char> hiddenCellsOf(vtkDataSet* lattice, const std::array<int, 3>& points);
+
+// A lattice with hidden cells as an unstructured block: its points, a hexahedron per visible cell, and an empty cell
+// per hidden one, so that point and cell arrays keep their numbering.
+nlohmann::json describeVisible(ArrayWriter& writer, vtkDataSet* lattice, const std::array<int, 3>& points,
+                               const std::vector<unsigned char>& hidden);

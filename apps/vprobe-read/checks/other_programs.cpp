@@ -1,0 +1,80 @@
+#include "other_programs.h"
+
+#include "file_head.h"
+#include "vprobe-read/base/refusal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+// What meshio reads and this program does not.
+struct OtherMesh
+{
+	std::string_view ending;
+	std::string_view what;
+	std::string_view sign; // in the first bytes, where the ending alone says too little
+};
+
+constexpr std::array kOtherMeshes = {
+    OtherMesh{".su2", "an SU2 mesh", ""},         OtherMesh{".bdf", "a Nastran file", ""},
+    OtherMesh{".nas", "a Nastran file", ""},      OtherMesh{".fem", "a Nastran file", ""},
+    OtherMesh{".mesh", "a Medit mesh", ""},       OtherMesh{".meshb", "a Medit mesh", ""},
+    OtherMesh{".vol", "a Netgen mesh", "mesh3d"}, OtherMesh{".vol.gz", "a Netgen mesh", "\x1f\x8b"},
+    OtherMesh{".inp", "an Abaqus file", "*"},     OtherMesh{".ele", "a TetGen mesh", ""},
+    OtherMesh{".node", "a TetGen mesh", ""},      OtherMesh{".f3grid", "a FLAC3D grid", ""},
+    OtherMesh{".mdpa", "a Kratos mesh", ""},      OtherMesh{".post", "a Permas file", ""},
+    OtherMesh{".dato", "a Permas file", ""},      OtherMesh{".ugrid", "a UGRID mesh", ""},
+    OtherMesh{".h5m", "a MOAB mesh", ""},
+};
+
+void refuseOtherMeshes(const FileHead& head)
+{
+	for (const OtherMesh& mesh : kOtherMeshes)
+		if (head.ends({mesh.ending}) && (mesh.sign.empty() || head.has(std::string(mesh.sign).c_str())))
+			throw Refusal(fmt::format("{}, which is not read; meshio convert {} {}.vtu makes a file that is", mesh.what,
+			                          fs::path(head.file()).filename().string(),
+			                          fs::path(head.file()).stem().string()));
+	if (head.ends({".unv"}))
+		throw Refusal("an I-deas universal file, which is not read; gmsh -save -format msh2 makes a .msh of it");
+	if (head.ends({".cdb"}))
+		throw Refusal("an Ansys archive, which is not read; PyMAPDL or its reader (mapdl-archive) saves it as .vtk");
+}
+
+bool holdsWord(const fs::path& file, std::string_view word)
+{
+	constexpr std::size_t kMost = 1 << 20;
+	std::ifstream stream(file, std::ios::binary);
+	std::string text(kMost, '\0');
+	stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+	text.resize(static_cast<std::size_t>(stream.gcount()));
+	return text.find(word) != text.npos;
+}
+
+void refuseOtherZarr(const FileHead& head)
+{
+	const fs::path folder = head.file();
+	if (head.holdsFile("zarr.json"))
+		throw Refusal(holdsWord(folder / "zarr.json", "\"multiscales\"")
+		                  ? "an OME-Zarr image, which is not read; save one of its levels as OME-TIFF"
+		                  : "Zarr of version 3, which is not read; write it as version 2 (zarr_format=2)");
+	if (head.holdsFile(".zattrs") && holdsWord(folder / ".zattrs", "\"multiscales\""))
+		throw Refusal("an OME-Zarr image, which is not read; save one of its levels as OME-TIFF");
+}
+
+} // namespace
+
+void refuseOtherPrograms(const FileHead& head)
+{
+	head.isFolder() ? refuseOtherZarr(head) : refuseOtherMeshes(head);
+}

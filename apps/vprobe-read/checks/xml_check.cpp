@@ -1,0 +1,162 @@
+#include "xml_check.h"
+
+#include "vprobe-read/base/mapped_text.h"
+#include "vprobe-read/base/refusal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
+
+namespace
+{
+
+// Behind the closing tag, some writers leave line ends or a comment.
+constexpr std::size_t kTailBytes = 1024;
+
+// The values of an attribute wherever it stands in the text.
+template <class Visit>
+void forEachAttribute(std::string_view text, std::string_view name, Visit&& visit)
+{
+	const std::string start = fmt::format(" {}=\"", name);
+	for (std::size_t at = text.find(start); at != text.npos; at = text.find(start, at))
+	{
+		at += start.size();
+		const std::size_t end = text.find('"', at);
+		if (end == text.npos)
+			return;
+		visit(text.substr(at, end - at));
+	}
+}
+
+bool hasAttribute(std::string_view element, std::string_view name, std::string_view value)
+{
+	bool found = false;
+	forEachAttribute(element, name, [&](std::string_view given) { found |= given == value; });
+	return found;
+}
+
+std::string_view elementAt(std::string_view text, std::string_view start)
+{
+	const std::size_t at = text.find(start);
+	return at == text.npos ? std::string_view() : text.substr(at, text.find('>', at) - at);
+}
+
+// The arrays behind <AppendedData encoding="raw">. Each starts with its size in bytes; a compressed one with the number
+// of its blocks, their size, that of the last one, and what each takes compressed.
+class RawArrays
+{
+public:
+	RawArrays(std::string_view bytes, std::string_view file_element)
+	    : bytes_(bytes), word_bytes_(hasAttribute(file_element, "header_type", "UInt64") ? 8 : 4),
+	      big_endian_(hasAttribute(file_element, "byte_order", "BigEndian")),
+	      compressed_(file_element.find(" compressor=") != file_element.npos)
+	{
+	}
+
+	bool holds(std::uint64_t offset) const
+	{
+		if (offset > bytes_.size())
+			return false;
+		std::string_view rest = bytes_.substr(offset);
+		const std::uint64_t first = takeWord(rest);
+		if (!compressed_)
+			return first <= rest.size();
+		takeWord(rest);
+		takeWord(rest);
+		if (first > rest.size() / word_bytes_)
+			return false;
+		std::uint64_t left = rest.size() - first * word_bytes_;
+		for (std::uint64_t block = 0; block < first; ++block)
+		{
+			const std::uint64_t size = takeWord(rest);
+			if (size > left)
+				return false;
+			left -= size;
+		}
+		return true;
+	}
+
+private:
+	// All ones past the end, which no size can be.
+	std::uint64_t takeWord(std::string_view& from) const
+	{
+		if (from.size() < word_bytes_)
+		{
+			from = {};
+			return ~std::uint64_t(0);
+		}
+		std::uint64_t value = 0;
+		for (std::size_t i = 0; i < word_bytes_; ++i)
+			value = value << 8 | static_cast<unsigned char>(from[big_endian_ ? i : word_bytes_ - 1 - i]);
+		from.remove_prefix(word_bytes_);
+		return value;
+	}
+
+	std::string_view bytes_;
+	std::size_t word_bytes_;
+	bool big_endian_;
+	bool compressed_;
+};
+
+void refuseShortAppendedData(std::string_view text)
+{
+	const std::size_t appended = text.find("<AppendedData");
+	if (appended == text.npos)
+		return;
+	const std::string_view head = text.substr(0, appended);
+	const std::string_view element = elementAt(text.substr(appended), "<AppendedData");
+	const std::size_t start = text.find('_', appended + element.size());
+	if (!hasAttribute(element, "encoding", "raw") || start == text.npos)
+		return;
+	const std::size_t end = std::max(text.rfind("</AppendedData"), start + 1);
+	const RawArrays arrays(text.substr(start + 1, end - start - 1), elementAt(head, "<VTKFile"));
+	forEachAttribute(head, "offset",
+	                 [&](std::string_view value)
+	                 {
+		                 if (value.empty())
+			                 return; // of a step whose data are those of another
+		                 std::uint64_t offset = ~std::uint64_t(0);
+		                 std::from_chars(value.data(), value.data() + value.size(), offset);
+		                 if (!arrays.holds(offset))
+			                 throw damaged(fmt::format("the array at offset {} runs past the end", value));
+	                 });
+}
+
+void refuseShort(std::string_view text, const std::string& file)
+{
+	const std::string_view tail = text.substr(text.size() - std::min(text.size(), kTailBytes));
+	if (tail.find("</VTKFile") == tail.npos)
+		throw damaged(fmt::format("{} ends without </VTKFile>", std::filesystem::path(file).filename().string()));
+	refuseShortAppendedData(text);
+}
+
+bool isIndexOfPieces(std::string_view text)
+{
+	return elementAt(text, "<VTKFile").find("\"P") != std::string_view::npos;
+}
+
+} // namespace
+
+void refuseShortXml(const std::string& file)
+{
+	const MappedText mapped(file);
+	refuseShort(mapped.text(), file);
+	if (!isIndexOfPieces(mapped.text()))
+		return;
+	forEachAttribute(mapped.text(), "Source",
+	                 [&](std::string_view piece)
+	                 {
+		                 const std::string path = (std::filesystem::path(file).parent_path() / piece).string();
+		                 const MappedText text(path);
+		                 // A piece may not be an index itself, so that no circle is followed.
+		                 if (isIndexOfPieces(text.text()))
+			                 throw damaged("one of its pieces is an index of pieces");
+		                 refuseShort(text.text(), path);
+	                 });
+}

@@ -1,0 +1,110 @@
+#include "convert.h"
+
+#include "vprobe-read/base/refusal.h"
+#include "vprobe-read/base/request.h"
+#include "vprobe-read/checks/complaints.h"
+
+#include <vtkAbstractArray.h>
+#include <vtkCellData.h>
+#include <vtkDataSet.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLDataSetWriter.h>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+std::string endingOf(vtkDataSet* data)
+{
+	return vtkImageData::SafeDownCast(data)         ? ".vti"
+	       : vtkRectilinearGrid::SafeDownCast(data) ? ".vtr"
+	       : vtkStructuredGrid::SafeDownCast(data)  ? ".vts"
+	                                                : ".vtu";
+}
+
+std::string escaped(const std::string& text)
+{
+	std::string words;
+	for (const char c : text)
+		words += c == '&' ? "&amp;" : c == '"' ? "&quot;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+	return words;
+}
+
+// VTK's writers put names into their files as they stand.
+void escapeNames(vtkFieldData* fields)
+{
+	static std::set<vtkAbstractArray*> done; // blocks may share arrays
+	for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+		if (vtkAbstractArray* array = fields->GetAbstractArray(i); array->GetName() && done.insert(array).second)
+			array->SetName(escaped(array->GetName()).c_str());
+}
+
+void writeXml(vtkDataSet* data, const std::string& file)
+{
+	for (vtkFieldData* fields : {static_cast<vtkFieldData*>(data->GetPointData()),
+	                             static_cast<vtkFieldData*>(data->GetCellData()), data->GetFieldData()})
+		if (fields)
+			escapeNames(fields);
+	vtkNew<vtkXMLDataSetWriter> writer;
+	writer->SetFileName(file.c_str());
+	writer->SetInputData(data);
+	writer->SetHeaderTypeToUInt64();
+	writer->EncodeAppendedDataOff();
+	// What the writer complains about is the place, not the input: that was read without a complaint.
+	if (!writer->Write() || writer->GetErrorCode() != 0 || hasComplaint() || !fs::exists(file))
+		throw NoRoom(kNoRoom);
+}
+
+// Pieces lie in a folder with the name of the index, once the parent has given them their places.
+void writeBlocks(const std::vector<KeptBlock>& blocks, const Request& request)
+{
+	const fs::path target = request.convert_to;
+	const std::string stem = target.stem().string();
+	const fs::path folder = request.convert_folder;
+	std::string index = "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">\n"
+	                    "<vtkMultiBlockDataSet>\n";
+	for (std::size_t b = 0; b < blocks.size(); ++b)
+	{
+		const std::string piece = fmt::format("{}_{}{}", stem, b, endingOf(blocks[b].data));
+		writeXml(blocks[b].data, (folder / piece).string());
+		index += fmt::format("<DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", b,
+		                     escaped(blocks[b].name.empty() ? fmt::format("block {}", b) : blocks[b].name),
+		                     escaped(stem + "/" + piece));
+	}
+	std::ofstream file(folder / target.filename(), std::ios::binary);
+	file << index << "</vtkMultiBlockDataSet>\n</VTKFile>\n";
+	file.close();
+	if (!file)
+		throw NoRoom(kNoRoom);
+}
+
+} // namespace
+
+void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request)
+{
+	const std::string ending = fs::path(request.convert_to).extension().string();
+	if (ending == ".vtm")
+		return writeBlocks(blocks, request);
+	if (blocks.size() != 1)
+		throw Refusal(fmt::format("has {} blocks, and a {} file holds one; write a .vtm", blocks.size(), ending));
+	vtkDataSet* data = blocks[0].data;
+	const std::string file = (fs::path(request.convert_folder) / fs::path(request.convert_to).filename()).string();
+	if (ending == ".vtkhdf")
+		return writeVtkHdf(data, file);
+	if (ending != endingOf(data))
+		throw Refusal(fmt::format("is written as {} or .vtm, not as {}", endingOf(data), ending));
+	writeXml(data, file);
+}

@@ -1,0 +1,208 @@
+// VTKHDF 1.0, which VTK 9.1 reads and does not write: image data and unstructured grids of one piece.
+#include "convert.h"
+#include "vprobe-read/base/refusal.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include <hdf5.h>
+
+namespace
+{
+
+hid_t checked(hid_t id)
+{
+	if (id < 0)
+		throw NoRoom(kNoRoom);
+	return id;
+}
+
+// Closes what HDF5 opened.
+class Handle
+{
+public:
+	Handle(hid_t id, herr_t (*close)(hid_t)) : id_(checked(id)), close_(close) {}
+	~Handle()
+	{
+		if (id_ >= 0)
+			close_(id_);
+	}
+	// What is still in memory is written now, and may find no room.
+	void close()
+	{
+		if (close_(std::exchange(id_, -1)) < 0)
+			throw NoRoom(kNoRoom);
+	}
+	Handle(const Handle&) = delete;
+	Handle& operator=(const Handle&) = delete;
+	operator hid_t() const { return id_; }
+
+private:
+	hid_t id_;
+	herr_t (*close_)(hid_t);
+};
+
+hid_t typeOf(int vtk_type)
+{
+	switch (vtk_type)
+	{
+	case VTK_CHAR:
+	case VTK_SIGNED_CHAR:
+		return H5T_NATIVE_SCHAR;
+	case VTK_UNSIGNED_CHAR:
+		return H5T_NATIVE_UCHAR;
+	case VTK_SHORT:
+		return H5T_NATIVE_SHORT;
+	case VTK_UNSIGNED_SHORT:
+		return H5T_NATIVE_USHORT;
+	case VTK_INT:
+		return H5T_NATIVE_INT;
+	case VTK_UNSIGNED_INT:
+		return H5T_NATIVE_UINT;
+	case VTK_LONG:
+	case VTK_LONG_LONG:
+	case VTK_ID_TYPE:
+		return H5T_NATIVE_LLONG;
+	case VTK_UNSIGNED_LONG:
+	case VTK_UNSIGNED_LONG_LONG:
+		return H5T_NATIVE_ULLONG;
+	case VTK_FLOAT:
+		return H5T_NATIVE_FLOAT;
+	case VTK_DOUBLE:
+		return H5T_NATIVE_DOUBLE;
+	default:
+		return -1;
+	}
+}
+
+template <class Number, std::size_t N>
+void writeAttribute(hid_t group, const char* name, hid_t type, const std::array<Number, N>& numbers)
+{
+	const hsize_t size = N;
+	const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+	const Handle attribute(H5Acreate2(group, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+	checked(H5Awrite(attribute, type, numbers.data()));
+}
+
+void writeType(hid_t group, const std::string& type)
+{
+	const Handle text(H5Tcopy(H5T_C_S1), H5Tclose);
+	H5Tset_size(text, type.size());
+	const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+	const Handle attribute(H5Acreate2(group, "Type", text, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+	checked(H5Awrite(attribute, text, type.c_str()));
+}
+
+void writeValues(hid_t group, const char* name, hid_t type, const std::vector<hsize_t>& sides, const void* values)
+{
+	const Handle space(H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr), H5Sclose);
+	const Handle set(H5Dcreate2(group, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+	checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+}
+
+// `sides`: of the lattice, the slowest first, or the number of tuples.
+void writeArrays(hid_t root, const char* name, vtkDataSetAttributes* fields, const std::vector<hsize_t>& sides)
+{
+	const Handle group(H5Gcreate2(root, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+	for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+	{
+		vtkDataArray* array = fields->GetArray(i);
+		if (!array || !array->GetName() || typeOf(array->GetDataType()) < 0)
+			continue;
+		std::vector<hsize_t> all = sides;
+		if (array->GetNumberOfComponents() > 1)
+			all.push_back(static_cast<hsize_t>(array->GetNumberOfComponents()));
+		std::string plain = array->GetName();
+		for (char& c : plain)
+			if (c == '/' || c == '.')
+				c = '_'; // which HDF5 takes for a way to another group
+		writeValues(group, plain.c_str(), typeOf(array->GetDataType()), all, array->GetVoidPointer(0));
+	}
+}
+
+void writeImage(hid_t root, vtkImageData* image)
+{
+	writeType(root, "ImageData");
+	std::array<std::int64_t, 6> extent;
+	std::copy_n(image->GetExtent(), 6, extent.begin());
+	writeAttribute(root, "WholeExtent", H5T_NATIVE_INT64, extent);
+	std::array<double, 3> numbers;
+	image->GetOrigin(numbers.data());
+	writeAttribute(root, "Origin", H5T_NATIVE_DOUBLE, numbers);
+	image->GetSpacing(numbers.data());
+	writeAttribute(root, "Spacing", H5T_NATIVE_DOUBLE, numbers);
+	std::array<double, 9> direction;
+	std::copy_n(image->GetDirectionMatrix()->GetData(), 9, direction.begin());
+	if (direction != std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1})
+		throw Refusal("has turned axes, which VTK's reader of VTKHDF leaves out; write a .vti");
+	writeAttribute(root, "Direction", H5T_NATIVE_DOUBLE, direction);
+	std::vector<hsize_t> points, cells;
+	for (int axis = 2; axis >= 0; --axis)
+	{
+		points.push_back(static_cast<hsize_t>(image->GetDimensions()[axis]));
+		cells.push_back(points.back() - 1);
+	}
+	writeArrays(root, "PointData", image->GetPointData(), points);
+	writeArrays(root, "CellData", image->GetCellData(), cells);
+}
+
+void writeGrid(hid_t root, vtkUnstructuredGrid* grid)
+{
+	if (grid->GetFaces())
+		throw Refusal("has polyhedra, for which VTKHDF 1.0 has no place; write a .vtu");
+	writeType(root, "UnstructuredGrid");
+	vtkNew<vtkCellArray> cells;
+	cells->DeepCopy(grid->GetCells());
+	cells->ConvertTo64BitStorage();
+	vtkDataArray* connectivity = cells->GetConnectivityArray();
+	const auto writeCount = [&](const char* name, vtkIdType count)
+	{
+		const std::int64_t number = count;
+		writeValues(root, name, H5T_NATIVE_INT64, {1}, &number);
+	};
+	writeCount("NumberOfPoints", grid->GetNumberOfPoints());
+	writeCount("NumberOfCells", grid->GetNumberOfCells());
+	writeCount("NumberOfConnectivityIds", connectivity->GetNumberOfValues());
+	const auto points = static_cast<hsize_t>(grid->GetNumberOfPoints());
+	const auto count = static_cast<hsize_t>(grid->GetNumberOfCells());
+	vtkDataArray* places = grid->GetPoints()->GetData();
+	writeValues(root, "Points", typeOf(places->GetDataType()), {points, 3}, places->GetVoidPointer(0));
+	writeValues(root, "Connectivity", H5T_NATIVE_INT64, {static_cast<hsize_t>(connectivity->GetNumberOfValues())},
+	            connectivity->GetVoidPointer(0));
+	writeValues(root, "Offsets", H5T_NATIVE_INT64, {count + 1}, cells->GetOffsetsArray()->GetVoidPointer(0));
+	writeValues(root, "Types", H5T_NATIVE_UCHAR, {count}, grid->GetCellTypesArray()->GetVoidPointer(0));
+	writeArrays(root, "PointData", grid->GetPointData(), {points});
+	writeArrays(root, "CellData", grid->GetCellData(), {count});
+}
+
+} // namespace
+
+void writeVtkHdf(vtkDataSet* data, const std::string& path)
+{
+	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+	auto* image = vtkImageData::SafeDownCast(data);
+	auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+	if (!image && !grid)
+		throw Refusal("is neither image data nor unstructured, and VTKHDF 1.0 holds nothing else; write a .vtm");
+	Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+	{
+		const Handle root(H5Gcreate2(file, "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+		writeAttribute(root, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{1, 0});
+		image ? writeImage(root, image) : writeGrid(root, grid);
+	}
+	if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0)
+		throw NoRoom(kNoRoom);
+	file.close();
+}

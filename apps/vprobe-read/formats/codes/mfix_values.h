@@ -1,0 +1,40 @@
+#pragma once
+
+#include "mfix_restart.h"
+#include "vprobe-read/base/mapped_text.h"
+
+#include <deque>
+#include <string>
+#include <vector>
+
+// A variable of MFIX: some of those in a file make one with components.
+struct MfixVariable
+{
+	std::string name;
+	std::vector<std::size_t> parts; // places among the variables of its file
+};
+
+// The file of some variables at some times: case.SP1, case.SP2 and so on, 9, A, B.
+class MfixValues
+{
+public:
+	// Of a file that is there. `parts`: the number of its variables.
+	MfixValues(const std::string& path, std::size_t parts, std::vector<MfixVariable> variables,
+	           const MfixRestart& mesh);
+
+	const std::vector<MfixVariable>& variables() const { return variables_; }
+	const std::vector<double>& times() const { return times_; }
+	// Of all cells, with the ghosts: at the last of its times that is not after `time`, or the first.
+	std::vector<float> values(std::size_t part, double time) const;
+
+private:
+	MappedText file_;
+	std::size_t parts_;
+	std::size_t cells_;
+	std::size_t records_; // of a variable
+	std::vector<MfixVariable> variables_;
+	std::vector<double> times_;
+};
+
+// The files that lie beside a restart file.
+std::deque<MfixValues> mfixValuesBeside(const std::string& restart, const MfixRestart& mesh);

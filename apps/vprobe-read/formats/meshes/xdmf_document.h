@@ -1,0 +1,58 @@
+#pragma once
+
+#include "vprobe-read/text/xml_tree.h"
+
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+class vtkDataArray;
+
+// The values of a DataItem, and its sides, the slowest first.
+struct XdmfValues
+{
+	vtkSmartPointer<vtkDataArray> array; // of one component
+	std::vector<std::uint64_t> sides;
+
+	std::uint64_t count() const;
+};
+
+// The XML of an XDMF file and what it names: other elements of itself, and data in HDF5 and binary files beside it.
+class XdmfDocument
+{
+public:
+	// `text` must outlive the document.
+	XdmfDocument(std::string file, std::string_view text);
+
+	const XmlElement& root() const { return xml_.root; }
+
+	// The elements of this name in another, also where that takes them over from a grid elsewhere (xi:include).
+	std::vector<const XmlElement*> children(const XmlElement& of, std::string_view name) const;
+	// The first of them; null if there is none.
+	const XmlElement* child(const XmlElement& of, std::string_view name) const;
+
+	// Whether another grid takes over parts of this one.
+	bool isTakenOver(const XmlElement& grid) const;
+
+	// The values of a DataItem. Throws a Refusal for one that is damaged or not read.
+	XdmfValues values(const XmlElement& item) const;
+
+private:
+	const XmlElement& resolved(const XmlElement& element) const;
+	const XmlElement* atPath(std::string_view path) const;
+	void collectTakenOver(const XmlElement& from);
+	const XmlElement* includedGrid(const XmlElement& include) const;
+	std::string_view contents(const XmlElement& element) const;
+
+	std::string file_;
+	std::string_view text_;
+	XmlFile xml_;
+	std::set<const XmlElement*> taken_over_;
+};
+
+// Numbers between blanks or commas.
+std::vector<double> xdmfNumbers(std::string_view text);

@@ -1,0 +1,53 @@
+// In vprobe-read: the formats whose libraries take longer to load than most files take to read. vprobe-read-more has
+// them.
+
+#include "formats.h"
+#include "read/protocol.h"
+#include "vprobe-read/base/refusal.h"
+#include "vprobe-read/checks/file_head.h"
+#include "vprobe-read/convert/convert.h"
+
+#include <filesystem>
+
+#include <unistd.h>
+
+namespace
+{
+
+// Becomes vprobe-read-more, which begins anew with the same arguments and limits.
+[[noreturn]] void continueWithMore(const Request& request)
+{
+	for (const int fd : {vp::read::kArraysFd, vp::read::kCellsFd})
+		if (ftruncate(fd, 0) != 0 || lseek(fd, 0, SEEK_SET) != 0)
+			throw Refusal("the shared memory for its arrays cannot be emptied; try again");
+	const std::string program = std::filesystem::read_symlink("/proc/self/exe").string() + "-more";
+	execv(program.c_str(), request.arguments);
+	throw Refusal("needs " + program + ", which cannot be started; install it beside vprobe-read");
+}
+
+} // namespace
+
+void needHdf5(const Request& request)
+{
+	continueWithMore(request);
+}
+
+std::set<std::string> hdf5Names(const std::string&)
+{
+	return {}; // HDF5 files have gone to vprobe-read-more
+}
+
+void writeVtkHdf(vtkDataSet*, const std::string&)
+{
+	throw Refusal("VTKHDF is written by vprobe-read-more"); // which this process has become by then
+}
+
+#define VP_IN_base(FUNCTION)
+#define VP_IN_more(FUNCTION)                                                                                           \
+	void read##FUNCTION(const Request& request, ManifestWriter&)                                                       \
+	{                                                                                                                  \
+		continueWithMore(request);                                                                                     \
+	}
+#define VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, FUNCTION) VP_IN_##PROGRAM(FUNCTION)
+#include "read/format_table.inl"
+#undef VP_FORMAT

@@ -1,0 +1,73 @@
+#include "formats.h"
+#include "read/formats.h"
+#include "vprobe-read/base/refusal.h"
+#include "vprobe-read/checks/file_head.h"
+#include "vprobe-read/checks/other_programs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace
+{
+
+struct Reader
+{
+	std::string_view format;
+	bool (*recognizes)(const FileHead& head);
+	void (*read)(const Request& request, ManifestWriter& manifest);
+};
+
+constexpr Reader kReaders[] = {
+#define VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, FUNCTION)                                       \
+	{NAME, []([[maybe_unused]] const FileHead& head) -> bool { return SIGN; }, read##FUNCTION},
+#include "read/format_table.inl"
+#undef VP_FORMAT
+};
+
+// Why no format was recognized.
+Refusal notRecognized(const FileHead& head)
+{
+	if (head.ends({".q"}))
+		return Refusal("a PLOT3D solution; give the grid file, and this one as --solution");
+	if (head.starts("#!TDV") || head.starts("#!SZPLT"))
+		return Refusal("a binary Tecplot file, which no free library reads; save it as text (.dat)");
+	if (head.isHdf5() || head.isNetcdf())
+		return Refusal(fmt::format("{} data of another program or damaged ones; see vprobe info --formats",
+		                           head.isHdf5() ? "HDF5" : "netCDF"));
+	if (vp::read::formatOfEnding(head.file()))
+		return damaged(fmt::format("its first bytes are not those of a {} file",
+		                           std::filesystem::path(head.file()).extension().string()));
+	return Refusal("not a format that can be read; vprobe info --formats lists those that can");
+}
+
+} // namespace
+
+std::string xmlTypeOfFile(const std::string& file)
+{
+	return xmlTypeOf(FileHead(file).text());
+}
+
+void readAnyXml(const Request& request, ManifestWriter& manifest)
+{
+	readXml(request, xmlTypeOfFile(request.file), manifest);
+}
+
+void readAnyFormat(const Request& request, ManifestWriter& manifest)
+{
+	const FileHead head(request.file);
+	if (head.isHdf5())
+		needHdf5(request);
+	if (head.isFolder())
+		refuseOtherPrograms(head); // a folder is taken for a DICOM series otherwise
+	const std::string format = request.format.empty() && !request.raw.empty() ? "raw" : request.format;
+	const auto suits = [&](const Reader& reader)
+	{ return format.empty() ? reader.recognizes(head) : reader.format == format; };
+	const auto reader = std::find_if(std::begin(kReaders), std::end(kReaders), suits);
+	if (reader == std::end(kReaders) && format.empty())
+		refuseOtherPrograms(head);
+	if (reader == std::end(kReaders))
+		throw notRecognized(head);
+	reader->read(request, manifest);
+}

@@ -1,0 +1,165 @@
+// netCDF and Zarr of the climate and forecast conventions, and any such file with arrays of three axes.
+#include "cf_grid.h"
+#include "cf_values.h"
+#include "cf_volumes.h"
+#include "vprobe-read/base/refusal.h"
+#include "vprobe-read/checks/netcdf_size.h"
+#include "vprobe-read/formats/formats.h"
+#include "vprobe-read/hdf5/hdf5_parts.h"
+#include "vprobe-read/manifest/manifest_writer.h"
+#include "vprobe-read/manifest/time_choice.h"
+#include "wrf_file.h"
+#include "zarr_file.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkInformation.h>
+#include <vtkPointData.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+namespace
+{
+
+// Which step of the file is asked for; its times are offered.
+std::size_t chooseStepOf(const NetcdfFile& file, const CfVolumes& volumes, const Request& request,
+                         ManifestWriter& manifest)
+{
+	std::vector<double> times(volumes.time ? volumes.time->length : 0);
+	std::iota(times.begin(), times.end(), 0.0); // where the dimension has no values of its own
+	if (volumes.time && volumes.time->coordinate >= 0)
+	{
+		times = cfNumbers(file, volumes.time->coordinate);
+		manifest.setTimeUnits(file.text(volumes.time->coordinate, "units"));
+	}
+	else if (const WrfTimes of_wrf = wrfTimes(file); !times.empty() && of_wrf.minutes.size() == times.size())
+	{
+		times = of_wrf.minutes;
+		manifest.setTimeUnits("minutes since " + of_wrf.first);
+	}
+	return offerSteps(times, request, manifest).value_or(0);
+}
+
+template <std::size_t Width>
+void turnAxes(const char* from, char* to, const std::array<std::size_t, 3>& counts,
+              const std::array<std::size_t, 3>& strides)
+{
+	for (std::size_t a = 0; a < counts[0]; ++a)
+		for (std::size_t b = 0; b < counts[1]; ++b)
+			for (std::size_t c = 0; c < counts[2]; ++c, from += Width)
+				std::memcpy(to + (a * strides[0] + b * strides[1] + c * strides[2]) * Width, from, Width);
+}
+
+// Values in the order of a file, with x running fastest, then y, then z.
+vtkSmartPointer<vtkDataArray> withXFastest(vtkSmartPointer<vtkDataArray> array, const CfVolume& volume,
+                                           const std::array<std::size_t, 3>& lengths)
+{
+	const auto [x, y, z] = volume.sides;
+	if (z < y && y < x)
+		return array;
+	const std::array<std::size_t, 3> of_axes = {1, lengths[0], lengths[0] * lengths[1]};
+	std::array<std::size_t, 3> order = {0, 1, 2}, counts, strides; // axes as the file has them
+	std::ranges::sort(order, {}, [&](std::size_t axis) { return volume.sides[axis]; });
+	for (std::size_t i = 0; i < 3; ++i)
+	{
+		counts[i] = lengths[order[i]];
+		strides[i] = of_axes[order[i]];
+	}
+	const auto turned = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+	turned->SetNumberOfTuples(array->GetNumberOfTuples());
+	const auto* from = static_cast<const char*>(array->GetVoidPointer(0));
+	auto* to = static_cast<char*>(turned->GetVoidPointer(0));
+	switch (array->GetDataTypeSize())
+	{
+	case 1:
+		turnAxes<1>(from, to, counts, strides);
+		break;
+	case 2:
+		turnAxes<2>(from, to, counts, strides);
+		break;
+	case 4:
+		turnAxes<4>(from, to, counts, strides);
+		break;
+	default:
+		turnAxes<8>(from, to, counts, strides);
+	}
+	return turned;
+}
+
+// The means of neighbors along an axis: values on the sides of cells become those of their middles.
+vtkSmartPointer<vtkDataArray> atMiddles(vtkDataArray* sides, std::array<std::size_t, 3> lengths, std::size_t axis)
+{
+	const std::array<std::size_t, 3> steps = {1, lengths[0], lengths[0] * lengths[1]};
+	--lengths[axis];
+	const bool is_float = sides->GetDataType() == VTK_FLOAT;
+	const auto middles =
+	    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(is_float ? VTK_FLOAT : VTK_DOUBLE));
+	middles->SetNumberOfTuples(static_cast<vtkIdType>(lengths[0] * lengths[1] * lengths[2]));
+	vtkIdType at = 0;
+	for (std::size_t k = 0; k < lengths[2]; ++k)
+		for (std::size_t j = 0; j < lengths[1]; ++j)
+			for (std::size_t i = 0; i < lengths[0]; ++i)
+			{
+				const std::size_t low = i + steps[1] * j + steps[2] * k;
+				middles->SetTuple1(at++, 0.5 * (sides->GetTuple1(static_cast<vtkIdType>(low)) +
+				                                sides->GetTuple1(static_cast<vtkIdType>(low + steps[axis]))));
+			}
+	return middles;
+}
+
+vtkSmartPointer<vtkDataArray> arrayOfVolume(const NetcdfFile& file, const CfVolumes& volumes, const CfVolume& volume,
+                                            std::size_t step)
+{
+	CfSlab slab = CfSlab::of(file, volume.variable);
+	if (volume.time)
+		slab.fix(*volume.time, step);
+	std::array<std::size_t, 3> lengths = {volumes.axes[0].length, volumes.axes[1].length, volumes.axes[2].length};
+	if (volume.staggered)
+		++lengths[*volume.staggered];
+	vtkSmartPointer<vtkDataArray> array = withXFastest(cfArray(file, volume.variable, slab), volume, lengths);
+	if (volume.staggered)
+		array = atMiddles(array, lengths, *volume.staggered);
+	array->SetName(volume.name.c_str());
+	if (const std::string units = file.text(volume.variable, "units"); !units.empty())
+		array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), units.c_str());
+	return array;
+}
+
+void readByConventions(const NetcdfFile& file, const Request& request, ManifestWriter& manifest)
+{
+	const CfVolumes volumes = cfVolumes(file);
+	for (const std::string& note : volumes.notes)
+		manifest.warn(note);
+	const std::size_t step = chooseStepOf(file, volumes, request, manifest);
+	const CfGrid grid = cfGrid(file, volumes, step);
+	for (const std::string& note : grid.notes)
+		manifest.warn(note);
+	manifest.setLengthUnits(grid.length_units);
+	vtkDataSetAttributes* fields = grid.data->GetPointData();
+	if (grid.has_cell_values)
+		fields = grid.data->GetCellData();
+	if (std::ranges::any_of(volumes.all, [](const CfVolume& volume) { return volume.staggered.has_value(); }))
+		manifest.warn("of variables on the sides of cells, the means at their middles are shown");
+	for (const CfVolume& volume : volumes.all)
+		fields->AddArray(arrayOfVolume(file, volumes, volume, step));
+	manifest.add(grid.data);
+}
+
+} // namespace
+
+void readNetcdf(const Request& request, ManifestWriter& manifest)
+{
+	refuseShortNetcdf(request.file);
+	refuseMissingParts(request.file);
+	readByConventions(NetcdfFile(request.file), request, manifest);
+}
+
+void readZarr(const Request& request, ManifestWriter& manifest)
+{
+	readByConventions(ZarrFile(request.file), request, manifest);
+}

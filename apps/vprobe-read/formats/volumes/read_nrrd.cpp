@@ -1,0 +1,168 @@
+// NRRD through teem, whose format it is: VTK 9.1 reads no header with several data files, and no directions.
+#include "nrrd_axes.h"
+#include "vprobe-read/arrays/text_values.h"
+#include "vprobe-read/arrays/value_image.h"
+#include "vprobe-read/base/refusal.h"
+#include "vprobe-read/formats/formats.h"
+#include "vprobe-read/manifest/manifest_writer.h"
+#include "vprobe-read/manifest/time_choice.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+using vp::grid::NumberType;
+
+namespace
+{
+
+struct NrrdDeleter
+{
+	void operator()(Nrrd* nrrd) const { nrrdNuke(nrrd); }
+	void operator()(NrrdIoState* state) const { nrrdIoStateNix(state); }
+};
+using NrrdPointer = std::unique_ptr<Nrrd, NrrdDeleter>;
+
+// Of teem's several lines, the last one is the cause.
+std::string biffReason()
+{
+	char* text = biffGetDone(NRRD);
+	std::string reason = text ? text : "";
+	std::free(text);
+	while (!reason.empty() && reason.back() == '\n')
+		reason.pop_back();
+	if (const auto line = reason.rfind('\n'); line != reason.npos)
+		reason.erase(0, line + 1);
+	return reason.empty() ? "teem cannot read it" : reason;
+}
+
+NumberType typeOfNrrd(int type)
+{
+	switch (type)
+	{
+	case nrrdTypeChar:
+		return NumberType::int8;
+	case nrrdTypeUChar:
+		return NumberType::uint8;
+	case nrrdTypeShort:
+		return NumberType::int16;
+	case nrrdTypeUShort:
+		return NumberType::uint16;
+	case nrrdTypeInt:
+		return NumberType::int32;
+	case nrrdTypeUInt:
+		return NumberType::uint32;
+	case nrrdTypeLLong:
+		return NumberType::int64;
+	case nrrdTypeULLong:
+		return NumberType::uint64;
+	case nrrdTypeFloat:
+		return NumberType::float32;
+	case nrrdTypeDouble:
+		return NumberType::float64;
+	default:
+		throw Refusal("a NRRD file of values of type block, which have no number");
+	}
+}
+
+// Puts the axes in the order that VTK wants: components run fastest, then space; time comes last.
+void orderAxes(NrrdPointer& nrrd, NrrdAxes& axes)
+{
+	std::vector<unsigned> order = axes.components;
+	order.insert(order.end(), axes.space.begin(), axes.space.end());
+	if (axes.time)
+		order.push_back(*axes.time);
+	if (!std::is_sorted(order.begin(), order.end()))
+	{
+		NrrdPointer permuted(nrrdNew());
+		if (nrrdAxesPermute(permuted.get(), nrrd.get(), order.data()))
+			throw damaged(biffReason());
+		std::swap(permuted->content, nrrd->content); // teem says there what it did
+		nrrd = std::move(permuted);
+	}
+	unsigned next = 0;
+	for (unsigned& axis : axes.components)
+		axis = next++;
+	for (unsigned& axis : axes.space)
+		axis = next++;
+	if (axes.time)
+		axes.time = next;
+}
+
+// teem takes the beginning of a word for a number, and passes over what follows the last one.
+void takeText(Nrrd& nrrd, const std::string& file)
+{
+	const std::optional<std::string> text = nrrdText(file);
+	if (!text)
+		return;
+	parseText(*text, typeOfNrrd(nrrd.type), nrrdElementNumber(&nrrd), nrrd.data);
+}
+
+NrrdPointer loadNrrd(const std::string& file)
+{
+	NrrdPointer nrrd(nrrdNew());
+	const std::unique_ptr<NrrdIoState, NrrdDeleter> state(nrrdIoStateNew());
+	if (nrrdLoad(nrrd.get(), file.c_str(), state.get()))
+		throw damaged(biffReason());
+	if (state->encoding == nrrdEncodingAscii)
+		takeText(*nrrd, file);
+	return nrrd;
+}
+
+ValueLayout layoutOf(const Nrrd& nrrd, const NrrdAxes& axes)
+{
+	ValueLayout layout;
+	layout.type = typeOfNrrd(nrrd.type);
+	for (std::size_t a = 0; a < 3; ++a)
+	{
+		if (nrrd.axis[axes.space[a]].size > 1u << 30)
+			throw damaged("an axis of more samples than there can be");
+		layout.points[a] = static_cast<std::uint32_t>(nrrd.axis[axes.space[a]].size);
+	}
+	std::size_t components = 1;
+	for (const unsigned axis : axes.components)
+		components *= nrrd.axis[axis].size;
+	layout.components = static_cast<std::uint32_t>(components);
+	return layout;
+}
+
+} // namespace
+
+void readNrrd(const Request& request, ManifestWriter& manifest)
+{
+	NrrdPointer nrrd = loadNrrd(request.file);
+	NrrdAxes axes = nrrdAxes(*nrrd);
+	orderAxes(nrrd, axes);
+	const ValueLayout layout = layoutOf(*nrrd, axes);
+	StepsInTime times = stepsInTime(nrrdTimes(*nrrd, axes), manifest);
+	chooseIfAny(times.times, request);
+	const std::size_t step = times.times.empty() ? 0 : times.steps[chooseStep(times.times, request)];
+
+	const std::string name = nrrd->content && *nrrd->content ? nrrd->content : "NRRD";
+	const auto values = emptyArray(layout, name, times.times.empty() ? Room::none : Room::made);
+	if (times.times.empty())
+		// From now on they belong to the array, which may be kept for longer. teem has them from malloc().
+		values->SetVoidArray(std::exchange(nrrd->data, nullptr), static_cast<vtkIdType>(layout.valueCount()), 0,
+		                     vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+	else
+		std::copy_n(static_cast<const char*>(nrrd->data) + step * layout.byteCount(), layout.byteCount(),
+		            static_cast<char*>(values->GetVoidPointer(0)));
+	const auto image = imageOf(values, layout.points);
+	const NrrdPlace place = nrrdPlace(*nrrd, axes);
+	image->SetOrigin(place.origin.data());
+	image->SetSpacing(place.spacing.data());
+	image->SetDirectionMatrix(place.direction.data());
+	if (!place.note.empty())
+		manifest.warn(place.note);
+	manifest.setLengthUnits(place.length_units);
+	manifest.setTimeUnits(nrrdTimeUnits(*nrrd, axes));
+	manifest.addLone(image);
+	manifest.offerTimes(std::move(times.times));
+}

@@ -1,0 +1,290 @@
+// The codecs of numcodecs that Zarr 2 names in its .zarray, undone.
+#include "zarr_codecs.h"
+
+#include "vprobe-read/base/is_one_of.h"
+#include "vprobe-read/base/refusal.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <new>
+
+#include <blosc.h>
+#include <libdeflate.h>
+#include <lz4.h>
+#include <lzma.h>
+#include <zlib.h>
+#include <zstd.h>
+
+using nlohmann::json;
+
+namespace
+{
+
+using Bytes = std::span<const std::byte>;
+
+template <class Decompress>
+bool inflateBy(Decompress* decompress, Bytes packed, std::span<std::byte> to)
+{
+	const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> one(
+	    libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+	if (!one)
+		throw std::bad_alloc();
+	return decompress(one.get(), packed.data(), packed.size(), to.data(), to.size(), nullptr) == LIBDEFLATE_SUCCESS;
+}
+
+bool unpackBlosc(Bytes packed, std::span<std::byte> to)
+{
+	std::size_t bytes = 0;
+	return blosc_cbuffer_validate(packed.data(), packed.size(), &bytes) == 0 && bytes == to.size() &&
+	       blosc_decompress_ctx(packed.data(), to.data(), to.size(), 1) == static_cast<int>(to.size());
+}
+
+std::uint32_t littleEndian(Bytes bytes)
+{
+	std::uint32_t value = 0;
+	for (std::size_t i = 4; i-- > 0;)
+		value = value << 8 | static_cast<std::uint32_t>(bytes[i]);
+	return value;
+}
+
+// numcodecs writes the size before the block.
+bool unpackSizedLz4(Bytes packed, std::span<std::byte> to)
+{
+	return packed.size() >= 4 && littleEndian(packed) == to.size() && packed.size() <= LZ4_MAX_INPUT_SIZE &&
+	       LZ4_decompress_safe(reinterpret_cast<const char*>(packed.data()) + 4, reinterpret_cast<char*>(to.data()),
+	                           static_cast<int>(packed.size() - 4),
+	                           static_cast<int>(to.size())) == static_cast<int>(to.size());
+}
+
+bool unpackXz(Bytes packed, std::span<std::byte> to)
+{
+	std::uint64_t memory = UINT64_MAX; // the process has a limit of its own
+	std::size_t read = 0, written = 0;
+	return lzma_stream_buffer_decode(&memory, 0, nullptr, reinterpret_cast<const std::uint8_t*>(packed.data()), &read,
+	                                 packed.size(), reinterpret_cast<std::uint8_t*>(to.data()), &written,
+	                                 to.size()) == LZMA_OK &&
+	       written == to.size();
+}
+
+// First all first bytes, then all second ones; what does not fill an element is left as it is.
+bool unshuffle(Bytes packed, std::span<std::byte> to, std::size_t width)
+{
+	const std::size_t count = packed.size() / width;
+	for (std::size_t b = 0; b < width; ++b)
+		for (std::size_t i = 0; i < count; ++i)
+			to[i * width + b] = packed[b * count + i];
+	std::copy(packed.begin() + static_cast<std::ptrdiff_t>(count * width), packed.end(),
+	          to.begin() + static_cast<std::ptrdiff_t>(count * width));
+	return true;
+}
+
+bool checkCrc(Bytes packed, std::span<std::byte> to)
+{
+	const Bytes rest = packed.subspan(4);
+	std::ranges::copy(rest, to.begin());
+	return littleEndian(packed) == crc32_z(0, reinterpret_cast<const Bytef*>(rest.data()), rest.size());
+}
+
+// Calls use(NUMBER) with a value of the type.
+template <class Use>
+void withNumber(const ZarrType& type, Use&& use)
+{
+	if (type.kind == 'f')
+		return type.width == 4 ? use(float()) : use(double());
+	const bool is_signed = type.kind == 'i';
+	switch (type.width)
+	{
+	case 1:
+		return is_signed ? use(std::int8_t()) : use(std::uint8_t());
+	case 2:
+		return is_signed ? use(std::int16_t()) : use(std::uint16_t());
+	case 4:
+		return is_signed ? use(std::int32_t()) : use(std::uint32_t());
+	default:
+		return is_signed ? use(std::int64_t()) : use(std::uint64_t());
+	}
+}
+
+template <class Number>
+Number numberAt(Bytes bytes, std::size_t index, bool is_big_endian)
+{
+	std::array<std::byte, sizeof(Number)> raw;
+	std::memcpy(raw.data(), bytes.data() + index * sizeof(Number), sizeof(Number));
+	if (is_big_endian)
+		std::ranges::reverse(raw);
+	Number number;
+	std::memcpy(&number, raw.data(), sizeof(Number));
+	return number;
+}
+
+template <class Number>
+void putNumber(Number number, std::span<std::byte> bytes, std::size_t index, bool is_big_endian)
+{
+	std::array<std::byte, sizeof(Number)> raw;
+	std::memcpy(raw.data(), &number, sizeof(Number));
+	if (is_big_endian)
+		std::ranges::reverse(raw);
+	std::memcpy(bytes.data() + index * sizeof(Number), raw.data(), sizeof(Number));
+}
+
+// Whole numbers wrap around, as NumPy's do. A double that none can hold is 0.
+template <class Number, class From>
+Number turnedInto(From from)
+{
+	if constexpr (std::is_integral_v<Number> && std::is_floating_point_v<From>)
+		return std::abs(from) < 9e18 ? static_cast<Number>(static_cast<std::int64_t>(from)) : Number(0);
+	else
+		return static_cast<Number>(from);
+}
+
+bool computes(const std::string& id)
+{
+	return isOneOf(id, {"delta", "fixedscaleoffset", "quantize", "astype", "bitround"});
+}
+
+} // namespace
+
+ZarrType ZarrType::of(const json& given)
+{
+	ZarrType type;
+	const std::string text = given.is_string() ? given.get<std::string>() : std::string();
+	if (text.size() != 3 || !isOneOf(text.substr(0, 1), {"<", ">", "|", "="}))
+		return type;
+	const std::size_t width = text[2] >= '0' && text[2] <= '9' ? static_cast<std::size_t>(text[2] - '0') : 0;
+	const bool is_whole =
+	    isOneOf(text.substr(1, 1), {"i", "u"}) && (width == 1 || width == 2 || width == 4 || width == 8);
+	const bool is_real = text[1] == 'f' && (width == 2 || width == 4 || width == 8);
+	if (is_whole || is_real || (text[1] == 'b' && width == 1))
+		type = {text[1], width, text[0] == '>' && width > 1};
+	return type;
+}
+
+ZarrCodecs::Step ZarrCodecs::stepOf(const json& codec, const std::string& array)
+{
+	Step step;
+	step.id = codec.value("id", "");
+	const bool is_packed = isOneOf(step.id, {"blosc", "zlib", "gzip", "zstd", "lz4", "crc32"}) ||
+	                       (step.id == "lzma" && codec.value("format", 1) == 1);
+	if (step.id == "shuffle")
+	{
+		step.width = codec.value("elementsize", std::size_t(4));
+		if (step.width < 1 || step.width > 256)
+			throw damaged(fmt::format("the .zarray of {} cannot be followed", array));
+	}
+	else if (computes(step.id))
+	{
+		const char* from = step.id == "astype" ? "decode_dtype" : "dtype";
+		const char* to = step.id == "astype" ? "encode_dtype" : "astype";
+		if (step.id == "bitround")
+			return step;
+		step.plain = ZarrType::of(codec.at(from));
+		const json stored = codec.value(to, json());
+		step.stored = stored.is_null() ? step.plain : ZarrType::of(stored);
+		step.scale = codec.value("scale", 1.0);
+		step.offset = codec.value("offset", 0.0);
+		for (const ZarrType& type : {step.plain, step.stored})
+			if (type.kind == 0 || type.kind == 'b' || (type.kind == 'f' && type.width == 2) || step.scale == 0.0)
+				throw Refusal(fmt::format("the chunks of {} went through the filter {} of a type that is not read; "
+				                          "write it without filters",
+				                          array, step.id));
+	}
+	else if (!is_packed)
+		throw Refusal(fmt::format("the chunks of {} are packed by {}, which is not read; write it with the compressor "
+		                          "Blosc, Zstd, GZip or none",
+		                          array, step.id.empty() ? "something" : step.id.substr(0, 40)));
+	return step;
+}
+
+ZarrCodecs::ZarrCodecs(const json& about, const std::string& array)
+{
+	if (const json filters = about.value("filters", json()); filters.is_array() && filters.size() <= 64)
+		for (const json& filter : filters)
+			steps_.push_back(stepOf(filter, array));
+	if (const json compressor = about.value("compressor", json()); !compressor.is_null())
+		steps_.push_back(stepOf(compressor, array));
+}
+
+std::size_t ZarrCodecs::Step::packedSize(std::size_t bytes) const
+{
+	return id == "crc32" ? bytes + 4 : plain.width > 0 ? bytes / plain.width * stored.width : bytes;
+}
+
+bool ZarrCodecs::Step::undoNumbers(Bytes packed, std::span<std::byte> to) const
+{
+	const std::size_t count = to.size() / plain.width;
+	if (packed.size() != count * stored.width || to.size() != count * plain.width)
+		return false;
+	withNumber(stored,
+	           [&](auto stored_number)
+	           {
+		           withNumber(plain,
+		                      [&](auto plain_number)
+		                      {
+			                      using Stored = decltype(stored_number);
+			                      using Plain = decltype(plain_number);
+			                      Plain sum = 0;
+			                      for (std::size_t i = 0; i < count; ++i)
+			                      {
+				                      const auto given = numberAt<Stored>(packed, i, stored.is_big_endian);
+				                      Plain number = turnedInto<Plain>(given);
+				                      if (id == "delta")
+					                      number = sum = static_cast<Plain>(sum + number);
+				                      else if (id == "fixedscaleoffset")
+					                      number = turnedInto<Plain>(static_cast<double>(given) / scale + offset);
+				                      putNumber(number, to, i, plain.is_big_endian);
+			                      }
+		                      });
+	           });
+	return true;
+}
+
+bool ZarrCodecs::Step::undo(Bytes packed, std::span<std::byte> to) const
+{
+	if (id == "blosc")
+		return unpackBlosc(packed, to);
+	if (id == "zlib")
+		return inflateBy(libdeflate_zlib_decompress, packed, to);
+	if (id == "gzip")
+		return inflateBy(libdeflate_gzip_decompress, packed, to);
+	if (id == "zstd")
+		return ZSTD_decompress(to.data(), to.size(), packed.data(), packed.size()) == to.size();
+	if (id == "lz4")
+		return unpackSizedLz4(packed, to);
+	if (id == "lzma")
+		return unpackXz(packed, to);
+	if (plain.width > 0)
+		return undoNumbers(packed, to);
+	if (packed.size() != packedSize(to.size()))
+		return false;
+	if (id == "crc32")
+		return checkCrc(packed, to);
+	if (id == "shuffle")
+		return unshuffle(packed, to, width);
+	std::ranges::copy(packed, to.begin()); // "bitround"
+	return true;
+}
+
+std::vector<std::byte> ZarrCodecs::unpack(Bytes packed, std::size_t bytes, const std::string& where) const
+{
+	std::vector<std::size_t> sizes = {bytes}; // before each step
+	for (const Step& step : steps_)
+		sizes.push_back(step.packedSize(sizes.back()));
+	std::vector<std::byte> at(packed.begin(), packed.end());
+	for (std::size_t i = steps_.size(); i-- > 0;)
+	{
+		std::vector<std::byte> before(sizes[i]);
+		if (!steps_[i].undo(at, before))
+			throw damaged(fmt::format("{} cannot be unpacked ({})", where, steps_[i].id));
+		at = std::move(before);
+	}
+	if (at.size() != bytes)
+		throw damaged(fmt::format("{} has {} bytes where {} are wanted", where, at.size(), bytes));
+	return at;
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "vprobe-read/hdf5/netcdf_file.h"
+#include "zarr_array.h"
+
+#include <filesystem>
+#include <map>
+
+// A group of Zarr 2, or a lone array of it, as a netCDF file: what its JSON says stands in a netCDF file in memory, and
+// values are read from its chunks.
+class ZarrFile : public NetcdfFile
+{
+public:
+	// Throws a Refusal where there is nothing that can be read.
+	explicit ZarrFile(const std::string& folder);
+	~ZarrFile() override;
+
+	void readSlab(int variable, const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts,
+	              void* to) const override;
+	bool marksUnwritten() const override { return false; }
+
+private:
+	void addArray(const std::filesystem::path& folder, const std::string& name, const nlohmann::json& about,
+	              const nlohmann::json& attributes);
+	std::vector<int> dimensionsOf(const ZarrArray& array, const std::vector<std::string>& names);
+
+	std::map<int, ZarrArray> arrays_; // by their variables
+};

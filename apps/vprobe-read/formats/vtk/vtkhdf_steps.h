@@ -1,0 +1,52 @@
+#pragma once
+
+#include "vprobe-read/hdf5/hdf5_file.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+// Which values of a VTKHDF file belong to one time. After the specification of VTKHDF 2: all times lie behind each
+// other, and the group Steps says where each begins. Files without that group have one time.
+class VtkHdfStep
+{
+public:
+	// Throws a Refusal where the group is damaged.
+	static std::vector<double> timesOf(const Hdf5File& file);
+
+	VtkHdfStep(const Hdf5File& file, std::optional<std::uint64_t> step) : file_(&file), step_(step) {}
+
+	bool isOneOfSeveral() const { return step_.has_value(); }
+	std::uint64_t number() const { return step_.value_or(0); }
+	// An entry of a list in Steps; none where there is no such list.
+	std::optional<std::uint64_t> entry(const std::string& list) const;
+	// Where the values of an array begin. association: "Point" or "Cell".
+	std::optional<std::uint64_t> arrayOffset(const std::string& association, const std::string& name) const
+	{
+		return entry(association + "DataOffsets/" + name);
+	}
+
+private:
+	const Hdf5File* file_;
+	std::optional<std::uint64_t> step_;
+};
+
+// The parts of an unstructured grid at one time. Lists of all parts follow each other in the file.
+struct VtkHdfParts
+{
+	VtkHdfParts(const Hdf5File& file, const VtkHdfStep& step);
+
+	std::uint64_t first = 0;                       // part
+	std::vector<std::uint64_t> points, cells, ids; // of each part
+	std::uint64_t first_point = 0, first_cell = 0, first_id = 0;
+	std::uint64_t all_points = 0, all_cells = 0, all_ids = 0;
+
+	std::size_t count() const { return points.size(); }
+};
+
+// Numbers of parts as they are in a list of the file, from one part on, with their sum checked.
+std::vector<std::uint64_t> vtkHdfCounts(const Hdf5File& file, const std::string& list, std::uint64_t first,
+                                        std::uint64_t count);
+// Their sum, up to before a part.
+std::uint64_t vtkHdfSum(const std::vector<std::uint64_t>& counts, std::size_t end);

@@ -1,0 +1,128 @@
+#include "exodus_points.h"
+
+#include "vprobe-read/base/refusal.h"
+#include "vprobe-read/hdf5/netcdf_file.h"
+
+#include <vtkCompositeDataIterator.h>
+#include <vtkDoubleArray.h>
+#include <vtkExodusIIReader.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+namespace
+{
+
+// The coordinates of all nodes, axis by axis; fewer than three axes in a flat file.
+std::vector<std::vector<double>> exodusCoordinates(const NetcdfFile& file)
+{
+	const std::size_t nodes = file.length("num_nodes");
+	std::vector<std::vector<double>> axes;
+	if (const int all = file.variable("coord"); all >= 0)
+	{
+		const auto sides = file.dimensions(all);
+		for (std::size_t axis = 0; sides.size() == 2 && axis < std::min<std::size_t>(sides[0].second, 3); ++axis)
+			axes.push_back(file.values(all, axis));
+	}
+	else
+		for (const char* name : {"coordx", "coordy", "coordz"})
+			if (const int one = file.variable(name); one >= 0)
+				axes.push_back(file.values(one));
+	for (const std::vector<double>& axis : axes)
+		if (axis.size() != nodes)
+			throw damaged("it has no coordinate for each node");
+	return axes;
+}
+
+vtkDataArray* displacementsOf(vtkPointData* arrays)
+{
+	for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+	{
+		vtkDataArray* array = arrays->GetArray(i);
+		const std::string_view name = array && array->GetName() ? array->GetName() : "";
+		const auto isLetter = [&](std::size_t at, char letter)
+		{ return name.size() > at && std::tolower(static_cast<unsigned char>(name[at])) == letter; };
+		if (array && array->GetNumberOfComponents() == 3 && isLetter(0, 'd') && isLetter(1, 'i') && isLetter(2, 's'))
+			return array;
+	}
+	return nullptr;
+}
+
+// True if they differ by no more than the rounding to single precision.
+bool roundsTo(double exact, double single)
+{
+	return std::abs(exact - single) <= std::abs(exact) * 0x1p-23 + 0x1p-140 || !(std::isfinite(exact));
+}
+
+bool setPointsOf(vtkPointSet* data, vtkDataArray* ids, const std::vector<std::vector<double>>& axes, double displace)
+{
+	const vtkIdType count = data->GetNumberOfPoints();
+	vtkDataArray* moves = displace != 0.0 ? displacementsOf(data->GetPointData()) : nullptr;
+	vtkNew<vtkDoubleArray> places;
+	places->SetNumberOfComponents(3);
+	places->SetNumberOfTuples(count);
+	for (vtkIdType p = 0; p < count; ++p)
+	{
+		const auto node = static_cast<std::size_t>(ids->GetTuple1(p)) - 1;
+		std::array<double, 3> place = {0.0, 0.0, 0.0}, was, move;
+		data->GetPoint(p, was.data());
+		if (moves)
+			moves->GetTuple(p, move.data());
+		for (std::size_t axis = 0; axis < axes.size(); ++axis)
+		{
+			if (node >= axes[axis].size() || !roundsTo(axes[axis][node], was[axis]))
+				return false;
+			place[axis] = axes[axis][node];
+		}
+		for (std::size_t axis = 0; moves && axis < 3; ++axis)
+			place[axis] += displace * move[axis];
+		places->SetTuple(p, place.data());
+	}
+	vtkNew<vtkPoints> points;
+	points->SetData(places);
+	data->SetPoints(points);
+	return true;
+}
+
+} // namespace
+
+bool hasDoubleExodusPoints(const std::string& path)
+{
+	const NetcdfFile file(path);
+	for (const char* name : {"coord", "coordx", "coordy", "coordz"})
+	{
+		nc_type type = NC_NAT;
+		if (const int variable = file.variable(name); variable >= 0)
+			NetcdfFile::check(nc_inq_vartype(file.id(), variable, &type));
+		if (type == NC_DOUBLE)
+			return true;
+	}
+	return false;
+}
+
+bool setExodusPoints(const std::string& path, double displace, vtkMultiBlockDataSet* objects)
+{
+	const std::vector<std::vector<double>> axes = exodusCoordinates(NetcdfFile(path));
+	const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(objects->NewIterator());
+	bool all_set = true;
+	for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+	{
+		auto* data = vtkPointSet::SafeDownCast(leaf->GetCurrentDataObject());
+		vtkDataArray* ids =
+		    data ? data->GetPointData()->GetArray(vtkExodusIIReader::GetImplicitNodeIdArrayName()) : nullptr;
+		if (data && data->GetNumberOfPoints() > 0)
+			all_set &=
+			    ids && ids->GetNumberOfTuples() == data->GetNumberOfPoints() && setPointsOf(data, ids, axes, displace);
+	}
+	return all_set;
+}

@@ -1,0 +1,155 @@
+#pragma once
+
+#include "vprobe-read/base/refusal.h"
+
+#include <fmt/format.h>
+#include <vtk_netcdf.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+// A netCDF file that is read by the library. What fails is a Refusal.
+class NetcdfFile
+{
+public:
+	explicit NetcdfFile(const std::string& file) { check(nc_open(file.c_str(), NC_NOWRITE, &id_)); }
+	virtual ~NetcdfFile() { nc_close(id_); }
+	NetcdfFile(const NetcdfFile&) = delete;
+	NetcdfFile& operator=(const NetcdfFile&) = delete;
+
+	static void check(int status)
+	{
+		if (status != NC_NOERR)
+			throw damaged(fmt::format("netCDF says: {}", nc_strerror(status)));
+	}
+	int id() const { return id_; }
+	// The stored values of a part, in the variable's type. `to` has room.
+	virtual void readSlab(int variable, const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts,
+	                      void* to) const
+	{
+		check(nc_get_vara(id_, variable, starts.data(), counts.data(), to));
+	}
+	// Whether values that nobody wrote have the type's own fill value.
+	virtual bool marksUnwritten() const { return true; }
+	// Of a dimension; 0 where there is none.
+	std::size_t length(const char* dimension) const
+	{
+		int found = -1;
+		std::size_t length = 0;
+		if (nc_inq_dimid(id_, dimension, &found) == NC_NOERR)
+			check(nc_inq_dimlen(id_, found, &length));
+		return length;
+	}
+	struct Variable
+	{
+		int id;
+		std::string name;
+		nc_type type;
+	};
+	std::vector<Variable> variables() const
+	{
+		int count = 0;
+		check(nc_inq_nvars(id_, &count));
+		std::vector<Variable> all;
+		for (int variable = 0; variable < count; ++variable)
+		{
+			std::array<char, NC_MAX_NAME + 1> name = {};
+			nc_type type = NC_NAT;
+			check(nc_inq_var(id_, variable, name.data(), &type, nullptr, nullptr, nullptr));
+			all.push_back({variable, name.data(), type});
+		}
+		return all;
+	}
+	// -1 where there is none.
+	int variable(const char* name) const
+	{
+		int variable = -1;
+		return nc_inq_varid(id_, name, &variable) == NC_NOERR ? variable : -1;
+	}
+	// Nothing where the attribute is a text, or is not there.
+	std::vector<double> numbers(int variable, const char* attribute) const
+	{
+		const auto [type, count] = attributeOf(variable, attribute);
+		if (type == NC_NAT || type == NC_CHAR || type >= NC_STRING || count > kMaxNumbers)
+			return {};
+		std::vector<double> values(count);
+		check(nc_get_att_double(id_, variable, attribute, values.data()));
+		return values;
+	}
+	// NC_NAT where there is none.
+	std::pair<nc_type, std::size_t> attributeOf(int variable, const char* attribute) const
+	{
+		std::pair<nc_type, std::size_t> found(NC_NAT, 0);
+		if ((variable < 0 && variable != NC_GLOBAL) ||
+		    nc_inq_att(id_, variable, attribute, &found.first, &found.second) != NC_NOERR)
+			return {NC_NAT, 0};
+		return found;
+	}
+	// A text of the classic kind, or the first of a list of strings.
+	std::string text(int variable, const char* attribute) const
+	{
+		const auto [type, count] = attributeOf(variable, attribute);
+		if (type == NC_STRING && count > 0 && count <= kMaxNumbers)
+		{
+			std::vector<char*> all(count, nullptr);
+			check(nc_get_att_string(id_, variable, attribute, all.data()));
+			const std::string words = all[0] ? std::string(all[0]) : std::string();
+			nc_free_string(count, all.data());
+			return words;
+		}
+		if (type != NC_CHAR || count > kMaxLetters)
+			return {};
+		std::string words(count, '\0');
+		check(nc_get_att_text(id_, variable, attribute, words.data()));
+		words.resize(std::min(words.find('\0'), words.size()));
+		return words;
+	}
+	std::vector<std::pair<std::string, std::size_t>> dimensions(int variable) const
+	{
+		int count = 0;
+		std::array<int, NC_MAX_VAR_DIMS> ids;
+		check(nc_inq_varndims(id_, variable, &count));
+		check(nc_inq_vardimid(id_, variable, ids.data()));
+		std::vector<std::pair<std::string, std::size_t>> all;
+		for (int d = 0; d < count; ++d)
+		{
+			std::array<char, NC_MAX_NAME + 1> name = {};
+			std::size_t length = 0;
+			check(nc_inq_dim(id_, ids[static_cast<std::size_t>(d)], name.data(), &length));
+			all.emplace_back(name.data(), length);
+		}
+		return all;
+	}
+	// All of a variable, or what it has at one index of its first dimension.
+	std::vector<double> values(int variable, std::optional<std::size_t> at = std::nullopt) const
+	{
+		const auto sides = dimensions(variable);
+		std::vector<std::size_t> starts, counts;
+		for (const auto& [name, length] : sides)
+		{
+			starts.push_back(starts.empty() && at ? *at : 0);
+			counts.push_back(counts.empty() && at ? 1 : length);
+		}
+		std::size_t count = 1;
+		for (const std::size_t length : counts)
+			if (__builtin_mul_overflow(count, length, &count) || count > std::size_t(1) << 36)
+				throw damaged("it has more values than there can be");
+		std::vector<double> all(count);
+		check(nc_get_vara_double(id_, variable, starts.data(), counts.data(), all.data()));
+		return all;
+	}
+
+protected:
+	explicit NetcdfFile(int id) : id_(id) {}
+	int release() { return std::exchange(id_, -1); } // which the caller closes
+
+private:
+	static constexpr std::size_t kMaxNumbers = 4096; // of one attribute
+	static constexpr std::size_t kMaxLetters = 1 << 16;
+
+	int id_ = -1;
+};

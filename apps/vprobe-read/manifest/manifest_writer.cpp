@@ -1,0 +1,406 @@
+#include "manifest_writer.h"
+
+#include "read/tolerance.h"
+#include "time_choice.h"
+#include "vprobe-read/base/bytes_read.h"
+#include "vprobe-read/base/is_one_of.h"
+#include "vprobe-read/base/read_files.h"
+#include "vprobe-read/base/refusal.h"
+#include "vprobe-read/cells/curved_cells.h"
+#include "vprobe-read/cells/linearize.h"
+#include "vprobe-read/cells/patch_polygons.h"
+#include "vprobe-read/cells/structured_blocks.h"
+#include "vprobe-read/cells/visible_cells.h"
+#include "vprobe-read/checks/complaints.h"
+#include "vprobe-read/quick/quick_xml.h"
+
+#include <vtkCellData.h>
+#include <vtkCellTypes.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkSmartPointer.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+using nlohmann::json;
+using vp::grid::NumberType;
+
+namespace
+{
+
+// vtkIdType and the longs have 64 bits in every VTK we are built against; strings, bits and variants have no number
+// type.
+std::optional<NumberType> numberTypeOf(vtkDataArray* array)
+{
+	static_assert(sizeof(vtkIdType) == 8 && sizeof(long) == 8);
+	switch (array->GetDataType())
+	{
+	case VTK_CHAR:
+	case VTK_SIGNED_CHAR:
+		return NumberType::int8;
+	case VTK_UNSIGNED_CHAR:
+		return NumberType::uint8;
+	case VTK_SHORT:
+		return NumberType::int16;
+	case VTK_UNSIGNED_SHORT:
+		return NumberType::uint16;
+	case VTK_INT:
+		return NumberType::int32;
+	case VTK_UNSIGNED_INT:
+		return NumberType::uint32;
+	case VTK_LONG:
+	case VTK_LONG_LONG:
+	case VTK_ID_TYPE:
+		return NumberType::int64;
+	case VTK_UNSIGNED_LONG:
+	case VTK_UNSIGNED_LONG_LONG:
+		return NumberType::uint64;
+	case VTK_FLOAT:
+		return NumberType::float32;
+	case VTK_DOUBLE:
+		return NumberType::float64;
+	default:
+		return std::nullopt;
+	}
+}
+
+std::string typeName(std::uint8_t type)
+{
+	std::string_view name = vtkCellTypes::GetClassNameFromTypeId(type);
+	if (name.starts_with("vtk"))
+		name.remove_prefix(3);
+	return std::string(name);
+}
+
+// Bits become bytes. Null for texts.
+vtkSmartPointer<vtkDataArray> withBytesForBits(vtkDataArray* array)
+{
+	if (!array || array->GetDataType() != VTK_BIT)
+		return array;
+	auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+	bytes->DeepCopy(array);
+	return bytes;
+}
+
+// As VTK's files carry them, or null.
+const char* unitsOf(vtkDataArray* array)
+{
+	return array->HasInformation() ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
+}
+
+// The Exodus reader has words for a set that has a number alone.
+std::string nameOf(std::string_view patch)
+{
+	constexpr std::string_view unnamed = "Unnamed set ID: ";
+	return std::string(patch.starts_with(unnamed) ? patch.substr(unnamed.size()) : patch);
+}
+
+} // namespace
+
+void ManifestWriter::add(vtkDataObject* object)
+{
+	if (auto* composite = vtkCompositeDataSet::SafeDownCast(object))
+	{
+		const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+		std::size_t number = 0;
+		for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem(), ++number)
+		{
+			vtkInformation* about = leaf->HasCurrentMetaData() ? leaf->GetCurrentMetaData() : nullptr;
+			const char* name = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
+			addDataSet(name ? name : fmt::format("block {}", number),
+			           vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()));
+		}
+	}
+	else
+		addDataSet("", vtkDataSet::SafeDownCast(object));
+}
+
+void ManifestWriter::addPatches(vtkDataObject* object)
+{
+	auto* composite = vtkCompositeDataSet::SafeDownCast(object);
+	if (!composite)
+		return;
+	const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+	std::size_t number = 0;
+	for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem(), ++number)
+	{
+		auto* data = vtkPointSet::SafeDownCast(leaf->GetCurrentDataObject());
+		json patch = data ? describePolygons(cell_writer_, data) : json();
+		if (patch.is_null())
+			continue;
+		const char* name =
+		    leaf->HasCurrentMetaData() ? leaf->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) : nullptr;
+		patch["name"] = name ? nameOf(name) : fmt::format("patch {}", number);
+		patches_.push_back(std::move(patch));
+	}
+}
+
+void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* given)
+{
+	json left_out = std::exchange(left_out_, json::array());
+	if (!given || given->GetNumberOfCells() == 0 || !parts_.begin(static_cast<std::size_t>(given->GetNumberOfCells())))
+		return;
+	const vtkSmartPointer<vtkDataSet> wanted =
+	    wish_.all ? vtkSmartPointer<vtkDataSet>(given) : withWishedArrays(given, left_out);
+	vtkDataSet* data = wanted;
+	json block;
+	vtkDataSet* point_data = data;
+	std::optional<LinearCells> linear;
+	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+	{
+		const vtkIdType file_points = grid->GetNumberOfPoints();
+		const bool curved = vp::read::isTolerance(refine_) && keepsCurved(grid, refine_);
+		if (!curved)
+			linear = linearize(grid, static_cast<int>(refine_));
+		if (linear)
+			point_data = grid = linear->grid;
+		json cells = writeCells(cell_writer_, grid, counts_, curved);
+		if (cells.is_null())
+			return;
+		if (linear)
+		{
+			cells["source_cells"] = writeInt64(cell_writer_, std::span<const std::int64_t>(linear->source_cells));
+			cells["source_cell_count"] = data->GetNumberOfCells();
+			cells["source_point_count"] = file_points;
+		}
+		block = {{"kind", "unstructured"}, {"coordinates", writeCoordinates(cell_writer_, grid->GetPoints())}};
+		block["cells"] = std::move(cells);
+	}
+	else if (!describeLattice(data, block))
+		return;
+	block["arrays"] = describeArrays(point_data, data);
+	for (json& array : left_out)
+		block["arrays"].push_back(std::move(array));
+	addBlock(name, std::move(block));
+	if (keeps_)
+		keep(name, wanted);
+}
+
+void ManifestWriter::addImageOf(vtkImageData* piece, const std::array<int, 3>& first)
+{
+	json block;
+	json left_out = std::exchange(left_out_, json::array());
+	const vtkSmartPointer<vtkDataSet> wanted =
+	    wish_.all ? vtkSmartPointer<vtkDataSet>(piece) : withWishedArrays(piece, left_out);
+	if (piece->GetNumberOfCells() == 0 || !describeLattice(piece, block))
+		return;
+	if (block["kind"] == "image")
+		block = describeImageOf(writer_, piece, first);
+	block["arrays"] = describeArrays(wanted, wanted);
+	for (const json& array : left_out)
+		block["arrays"].push_back(array);
+	addBlock("", std::move(block));
+}
+
+// A reader may use its data set again for the next file.
+void ManifestWriter::keep(const std::string& name, vtkDataSet* data)
+{
+	const auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
+	copy->ShallowCopy(data);
+	kept_.push_back({fullName(name), copy});
+}
+
+std::string ManifestWriter::fullName(const std::string& name) const
+{
+	return prefix_.empty() ? name : name.empty() ? prefix_ : prefix_ + "/" + name;
+}
+
+void ManifestWriter::addBlock(const std::string& name, json block)
+{
+	block["name"] = fullName(name);
+	if (parts_.filters())
+		block["part"] = parts_.number();
+	blocks_.push_back(std::move(block));
+}
+
+bool ManifestWriter::addQuickly(const std::string& file, int threads, const std::optional<CellLayers>& layers)
+{
+	std::optional<QuickBlock> quick = readQuickly(file, wish_, threads, writer_, cell_writer_, layers);
+	if (!quick)
+		return false;
+	counts_.flat += quick->flat;
+	addBlock("", std::move(quick->block));
+	offerTimes(inOrder(std::move(quick->times)));
+	return true;
+}
+
+// False where there is nothing to show: for flat lattices, for kinds of data sets that never hold three-dimensional
+// cells, and where all cells are hidden.
+bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
+{
+	std::array<int, 3> points = {0, 0, 0};
+	auto* image = vtkImageData::SafeDownCast(data);
+	auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data);
+	auto* curvilinear = vtkStructuredGrid::SafeDownCast(data);
+	if (image)
+		image->GetDimensions(points.data());
+	else if (rectilinear)
+		rectilinear->GetDimensions(points.data());
+	else if (curvilinear)
+		curvilinear->GetDimensions(points.data());
+	if (points[0] < 2 || points[1] < 2 || points[2] < 2)
+	{
+		counts_.flat += static_cast<std::size_t>(data->GetNumberOfCells());
+		return false;
+	}
+
+	if (const std::vector<unsigned char> marks = hiddenCellsOf(data, points); !marks.empty())
+	{
+		const auto visible = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 0));
+		counts_.hidden += marks.size() - visible;
+		if (visible > 0)
+			block = describeVisible(cell_writer_, data, points, marks);
+		return visible > 0;
+	}
+	block = image         ? describeImage(writer_, image)
+	        : rectilinear ? describeRectilinear(writer_, rectilinear)
+	                      : describeCurvilinear(writer_, curvilinear);
+	return true;
+}
+
+json describeLeftOut(const char* association, const std::string& name, NumberType type, int components)
+{
+	return {{"name", name},
+	        {"association", association},
+	        {"type", vp::grid::numberTypeName(type)},
+	        {"components", components},
+	        {"left_out", true}};
+}
+
+// The same data set without the arrays that nobody asked for; these are described.
+vtkSmartPointer<vtkDataSet> ManifestWriter::withWishedArrays(vtkDataSet* given, json& left_out) const
+{
+	const auto data = vtkSmartPointer<vtkDataSet>::Take(given->NewInstance());
+	data->ShallowCopy(given);
+	bool has_shown = false;
+	const auto leaveOut = [&](vtkDataSetAttributes* fields, const char* association)
+	{
+		for (int i = 0; i < fields->GetNumberOfArrays();)
+		{
+			vtkDataArray* array = fields->GetArray(i);
+			const auto type = array ? numberTypeOf(array) : std::nullopt;
+			const bool is_mark = array && array->GetName() &&
+			                     std::string_view(array->GetName()) == vtkDataSetAttributes::GhostArrayName();
+			if (!type || is_mark || !array->GetName())
+			{
+				++i;
+				continue;
+			}
+			const std::string name = array->GetName();
+			const bool shapes_cells = array == fields->GetHigherOrderDegrees() ||
+			                          array == fields->GetRationalWeights() ||
+			                          isOneOf(name, {"HigherOrderDegrees", "RationalWeights"});
+			if (shapes_cells || wish_.wants(association, name, !has_shown))
+				++i;
+			else
+			{
+				left_out.push_back(describeLeftOut(association, name, *type, array->GetNumberOfComponents()));
+				fields->RemoveArray(i);
+			}
+			has_shown = true;
+		}
+	};
+	leaveOut(data->GetPointData(), "point");
+	leaveOut(data->GetCellData(), "cell");
+	return data;
+}
+
+json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)
+{
+	json arrays = json::array();
+	const auto warnAboutText = [&](const char* association, vtkAbstractArray* array)
+	{
+		const char* name = array && array->GetName() ? array->GetName() : "";
+		std::string line = fmt::format("the {} array {} holds no numbers and is not shown", association, name);
+		if (std::ranges::find(warnings_, line) == warnings_.end())
+			warn(std::move(line));
+	};
+	const auto describeAll = [&](vtkFieldData* fields, const char* association, vtkIdType tuples)
+	{
+		for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+		{
+			const vtkSmartPointer<vtkDataArray> array = withBytesForBits(fields->GetArray(i));
+			if (!array)
+				warnAboutText(association, fields->GetAbstractArray(i));
+			const auto type = array ? numberTypeOf(array) : std::nullopt;
+			if (!type || array == cells->GetCellGhostArray() || array == points->GetPointGhostArray())
+				continue; // ghost marks have done their work
+			const std::string name = array->GetName() ? array->GetName() : fmt::format("array {}", i);
+			if (array->GetNumberOfTuples() != tuples)
+				throw damaged(fmt::format("the {} array {} has {} tuples for {} {}s", association, name,
+				                          array->GetNumberOfTuples(), tuples, association));
+			const std::size_t bytes = static_cast<std::size_t>(array->GetNumberOfValues()) * byteSize(*type);
+			json described = writer_.write(*type, array->GetVoidPointer(0), bytes);
+			described["name"] = name;
+			described["association"] = association;
+			described["components"] = array->GetNumberOfComponents();
+			if (const char* units = unitsOf(array))
+				described["units"] = units;
+			arrays.push_back(std::move(described));
+		}
+	};
+	describeAll(points->GetPointData(), "point", points->GetNumberOfPoints());
+	describeAll(cells->GetCellData(), "cell", cells->GetNumberOfCells());
+	return arrays;
+}
+
+std::string ManifestWriter::finish()
+{
+	for (const auto& [type, cells] : counts_.not_sliced)
+		warnings_.push_back(fmt::format("{} cells of type {} are not shown", cells, typeName(type)));
+	if (counts_.hidden > 0)
+		warnings_.push_back(fmt::format("{} ghost or hidden cells are left out", counts_.hidden));
+	if (counts_.trimmed > 0)
+		warnings_.push_back(
+		    fmt::format("{} cells list more points than their type has; the first ones are used", counts_.trimmed));
+	if (blocks_.empty() && !parts_.filters())
+	{
+		if (!counts_.not_sliced.empty())
+			throw Refusal(
+			    fmt::format("nothing to slice: cells of type {} cannot be sliced yet; convert them to linear cells",
+			                typeName(counts_.not_sliced.begin()->first)));
+		if (counts_.hidden > 0)
+			throw Refusal(
+			    fmt::format("nothing to slice: all its cells are marked as hidden or as ghosts ({}); take the "
+			                "marks away to see them",
+			                counts_.hidden));
+		if (keeps_ || counts_.flat > 0)
+			throw Refusal("nothing to slice: it holds no three-dimensional cells");
+	}
+	for (std::string& note : takeNotes())
+		warnings_.push_back(std::move(note));
+	json manifest = {{"version", vp::read::kProtocolVersion},
+	                 {"times", times_},
+	                 {"left_out", counts_.flat},
+	                 {"warnings", warnings_},
+	                 {"files", filesRead()},
+	                 {"blocks", blocks_},
+	                 {"patches", patches_}};
+	if (parts_.filters())
+	{
+		if (parts_.parts().empty())
+			throw Refusal("nothing to slice: it holds no three-dimensional cells");
+		manifest["parts"] = parts_.parts();
+		manifest["wholes"] = parts_.blocks();
+		manifest["bytes_read"] = bytesRead();
+	}
+	if (!length_units_.empty())
+		manifest["length_units"] = length_units_;
+	if (!time_units_.empty() && !times_.empty())
+		manifest["time_units"] = time_units_;
+	// Names in files need not be UTF-8.
+	return manifest.dump(-1, ' ', false, json::error_handler_t::replace);
+}

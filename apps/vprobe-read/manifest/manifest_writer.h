@@ -1,0 +1,96 @@
+#pragma once
+
+#include "read/protocol.h"
+#include "vprobe-read/arrays/array_writer.h"
+#include "vprobe-read/base/array_wish.h"
+#include "vprobe-read/base/part_filter.h"
+#include "vprobe-read/cells/cell_lists.h"
+#include "vprobe-read/convert/convert.h"
+
+#include <nlohmann/json.hpp>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkDataSet;
+class vtkImageData;
+
+// An array that is not handed over.
+nlohmann::json describeLeftOut(const char* association, const std::string& name, vp::grid::NumberType type,
+                               int components);
+
+// Turns what a reader gave into blocks of the manifest, arrays and all.
+class ManifestWriter
+{
+public:
+	// `refine`: how many times the linear parts of curved cells are halved, or a tolerance. `keeps`: whether kept() is
+	// wanted. `parts`: those to hand over.
+	ManifestWriter(double refine, ArrayWish wish, bool keeps, PartFilter parts = {})
+	    : refine_(refine), wish_(std::move(wish)), keeps_(keeps), parts_(std::move(parts))
+	{
+	}
+
+	// Reads a file without VTK and adds its block. False, and nothing added, where it is left to VTK. Offers the
+	// file's times too.
+	// layers: those of a lattice that are wanted; none: all.
+	bool addQuickly(const std::string& file, int threads, const std::optional<CellLayers>& layers = {});
+	// The same for an object that is all of its file, which may come apart into slabs.
+	void addLone(vtkDataObject* object);
+	// Layers of an image, a rectilinear or a curvilinear grid; its part has been begun.
+	void addLayers(vtkDataObject* object, const CellLayers& layers);
+	// Every data set in `object` that holds three-dimensional cells becomes a block.
+	void add(vtkDataObject* object);
+	// A piece of an image whose subscripts begin with `first`, as a rectilinear block: its points have the places that
+	// they have in the whole, to the last bit.
+	void addImageOf(vtkImageData* piece, const std::array<int, 3>& first);
+	PartFilter& parts() { return parts_; }
+	// The data sets of polygons in `object` become patches of the boundary, by their names. Any object, and none.
+	void addPatches(vtkDataObject* object);
+	// An array of the next data set that was not read, as describeLeftOut() says.
+	void noteLeftOut(nlohmann::json array) { left_out_.push_back(std::move(array)); }
+	// Goes before the names of the blocks added from now on.
+	void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
+	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
+	void setLengthUnits(std::string units) { length_units_ = std::move(units); }
+	void setTimeUnits(std::string units) { time_units_ = std::move(units); }
+	void warn(std::string line) { warnings_.push_back(std::move(line)); }
+
+	bool isEmpty() const { return blocks_.empty(); }
+	// The data sets that became blocks.
+	const std::vector<KeptBlock>& kept() const { return kept_; }
+
+	// The manifest. Throws a Refusal if there is nothing to slice.
+	std::string finish();
+
+private:
+	void addDataSet(const std::string& name, vtkDataSet* data);
+	bool addSlab(vtkDataSet* data);
+	bool describeLattice(vtkDataSet* data, nlohmann::json& block);
+	nlohmann::json describeArrays(vtkDataSet* points, vtkDataSet* cells);
+	vtkSmartPointer<vtkDataSet> withWishedArrays(vtkDataSet* given, nlohmann::json& left_out) const;
+	std::string fullName(const std::string& name) const;
+	void addBlock(const std::string& name, nlohmann::json block);
+
+	void keep(const std::string& name, vtkDataSet* data);
+
+	double refine_;
+	ArrayWish wish_;
+	bool keeps_;
+	std::vector<KeptBlock> kept_;
+	ArrayWriter writer_{vp::read::kArraysFd};
+	ArrayWriter cell_writer_{vp::read::kCellsFd};
+	nlohmann::json blocks_ = nlohmann::json::array();
+	nlohmann::json patches_ = nlohmann::json::array();
+	std::vector<double> times_;
+	std::vector<std::string> warnings_;
+	std::string length_units_;
+	std::string time_units_;
+	CellCounts counts_;
+	nlohmann::json left_out_ = nlohmann::json::array();
+	std::string prefix_;
+	PartFilter parts_;
+};

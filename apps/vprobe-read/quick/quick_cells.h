@@ -1,0 +1,41 @@
+#pragma once
+
+#include "quick_file.h"
+#include "tasks.h"
+#include "vprobe-read/arrays/array_writer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <vector>
+
+struct QuickPiece
+{
+	const XmlElement* element;
+	std::uint64_t points;
+	std::uint64_t cells;
+	std::uint64_t first_point = 0; // of the arrays; those before are left out
+	std::uint64_t first_cell = 0;
+	std::uint64_t all_points = points; // with those that are left out
+	std::uint64_t all_cells = cells;
+};
+
+// The cell lists of the pieces, one behind the other. Throws NotQuick. What is added to the tasks writes the rest.
+struct QuickCells
+{
+	nlohmann::json lists;
+	std::size_t flat = 0;
+};
+QuickCells readQuickCells(const QuickFile& file, const std::vector<QuickPiece>& pieces, ArrayWriter& writer,
+                          Tasks& tasks);
+
+// Bytes of an array.
+struct ByteRange
+{
+	std::uint64_t first = 0;
+	std::uint64_t count = 0;
+	std::uint64_t all = 0; // of the array
+};
+
+// Adds the copying of some bytes of an array to a place in the shared memory.
+void copyArray(const QuickFile& file, const XmlElement& array, const ByteRange& range, ArrayWriter& writer,
+               std::size_t at, Tasks& tasks);

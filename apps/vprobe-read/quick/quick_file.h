@@ -1,0 +1,79 @@
+#pragma once
+
+#include "grid/field.h"
+#include "vprobe-read/arrays/packed_array.h"
+#include "vprobe-read/text/xml_tree.h"
+
+#include <array>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+// What the quick way needs of a VTK XML file: its elements, and its arrays by their elements. All of it throws NotQuick
+// where the file is none that the quick way takes.
+class QuickFile
+{
+public:
+	explicit QuickFile(const std::string& path);
+	~QuickFile();
+	QuickFile(const QuickFile&) = delete;
+	QuickFile& operator=(const QuickFile&) = delete;
+
+	std::string_view type() const { return xml_.root.attribute("type"); }
+	// The element that is named like the type, and so holds the pieces.
+	const XmlElement& data() const;
+	// An array of so many bytes.
+	std::shared_ptr<const PackedArray> open(const XmlElement& array, std::uint64_t bytes) const;
+
+private:
+	int file_ = -1;
+	XmlFile xml_;
+	Packing packing_;
+};
+
+// How the arrays of a file are packed. Throws NotQuick for what is unknown.
+Packing packingOf(const XmlElement& root);
+
+// An array that is appended, or stands inline as base64.
+std::shared_ptr<const PackedArray> openPacked(int file, const XmlFile& xml, const Packing& packing,
+                                              const XmlElement& array);
+
+// "Float64", as files write it; none for what is no type of numbers.
+std::optional<vp::grid::NumberType> numberTypeOfXml(std::string_view word);
+
+// The number type and components of a DataArray. Throws NotQuick for others than numbers.
+struct ArrayKind
+{
+	explicit ArrayKind(const XmlElement& array);
+	bool operator==(const ArrayKind&) const = default;
+	std::uint64_t tupleBytes() const { return std::uint64_t(components) * byteSize(type); }
+
+	vp::grid::NumberType type;
+	std::uint32_t components;
+};
+
+// Throws NotQuick unless the element has exactly one child of this name.
+const XmlElement& onlyChild(const XmlElement& parent, std::string_view name);
+
+// As many numbers as the array has places, and nothing else.
+template <class T, std::size_t N>
+std::array<T, N> numbersIn(std::string_view text)
+{
+	std::array<T, N> numbers{};
+	constexpr std::string_view spaces = " \t\n\r";
+	for (T& number : numbers)
+	{
+		text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
+		const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+		if (error != std::errc())
+			throw NotQuick();
+		text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+		if (!text.empty() && spaces.find(text.front()) == spaces.npos)
+			throw NotQuick();
+	}
+	if (text.find_first_not_of(spaces) != text.npos)
+		throw NotQuick();
+	return numbers;
+}

@@ -1,0 +1,362 @@
+#include "quick_xml.h"
+
+#include "base/ids.h"
+#include "quick_cells.h"
+#include "quick_file.h"
+#include "quick_lattice.h"
+#include "tasks.h"
+#include "vprobe-read/base/is_one_of.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+using nlohmann::json;
+using vp::grid::NumberType;
+
+namespace
+{
+
+class QuickReader
+{
+public:
+	QuickReader(const std::string& path, const ArrayWish& wish, int threads, ArrayWriter& arrays, ArrayWriter& cells,
+	            const std::optional<CellLayers>& layers)
+	    : file_(path), wish_(wish), tasks_(threads), arrays_(arrays), cells_(cells), layers_(layers)
+	{
+	}
+
+	QuickBlock read()
+	{
+		const XmlElement& data = file_.data();
+		for (const XmlElement& child : data.children)
+			if (child.name == "FieldData")
+				readTime(child);
+			else if (child.name != "Piece")
+				throw NotQuick();
+		if (file_.type() == "UnstructuredGrid")
+			readUnstructured(data);
+		else
+			readLattice(data);
+		addArrays("point", "PointData");
+		addArrays("cell", "CellData");
+		tasks_.run();
+		block_.block["arrays"] = std::move(described_);
+		for (json& left_out : left_out_)
+			block_.block["arrays"].push_back(std::move(left_out));
+		return std::move(block_);
+	}
+
+private:
+	static void allowAttributes(const XmlElement& element, std::initializer_list<std::string_view> allowed)
+	{
+		for (const auto& [key, value] : element.attributes)
+			if (std::find(allowed.begin(), allowed.end(), key) == allowed.end())
+				throw NotQuick(); // times among them
+	}
+	static void allowChildren(const XmlElement& element, std::initializer_list<std::string_view> allowed)
+	{
+		std::set<std::string_view> seen;
+		for (const XmlElement& child : element.children)
+			if (std::find(allowed.begin(), allowed.end(), child.name) == allowed.end() ||
+			    !seen.insert(child.name).second)
+				throw NotQuick();
+	}
+
+	// Of field data, VTK's readers take the time.
+	void readTime(const XmlElement& field_data)
+	{
+		for (const XmlElement& array : field_data.children)
+		{
+			const std::string_view name = array.attribute("Name");
+			if (!name.starts_with("TimeValue"))
+				continue;
+			const ArrayKind kind(array);
+			if (name != "TimeValue" || array.attribute("NumberOfTuples") != "1" || kind.type != NumberType::float64 ||
+			    kind.components != 1 || !block_.times.empty())
+				throw NotQuick();
+			double time = 0.0;
+			if (array.attribute("format") == "ascii")
+				time = numbersIn<double, 1>(array.text)[0];
+			else
+			{
+				Scratch scratch;
+				const auto packed = file_.open(array, sizeof time);
+				std::memcpy(&time, packed->part(0, sizeof time, scratch).data(), sizeof time);
+			}
+			block_.times.push_back(time);
+		}
+	}
+
+	void readUnstructured(const XmlElement& data)
+	{
+		allowAttributes(data, {});
+		for (const XmlElement& piece : data.children)
+		{
+			if (piece.name != "Piece")
+				continue;
+			allowAttributes(piece, {"NumberOfPoints", "NumberOfCells"});
+			allowChildren(piece, {"PointData", "CellData", "Points", "Cells"});
+			pieces_.push_back({&piece, numbersIn<std::uint64_t, 1>(piece.attribute("NumberOfPoints"))[0],
+			                   numbersIn<std::uint64_t, 1>(piece.attribute("NumberOfCells"))[0]});
+			// Such sums stay far from overflow.
+			if (pieces_.back().points == 0 || pieces_.back().points >= vp::kMaxBlockIds || pieces_.back().cells == 0 ||
+			    pieces_.back().cells >= vp::kMaxBlockIds)
+				throw NotQuick();
+		}
+		if (pieces_.empty())
+			throw NotQuick();
+		QuickCells cells = readQuickCells(file_, pieces_, cells_, tasks_);
+		block_.flat = cells.flat;
+		block_.block = {{"kind", "unstructured"}, {"coordinates", copyPoints(cells_)}};
+		block_.block["cells"] = std::move(cells.lists);
+	}
+
+	void readLattice(const XmlElement& data)
+	{
+		allowAttributes(data, {"WholeExtent", "Origin", "Spacing", "Direction"});
+		const XmlElement& piece = onlyChild(data, "Piece");
+		allowAttributes(piece, {"Extent"});
+		allowChildren(piece, {"PointData", "CellData", "Points", "Coordinates"});
+		const auto extent = numbersIn<std::int32_t, 6>(data.attribute("WholeExtent"));
+		std::array<std::uint64_t, 3> points = latticePoints(data, piece);
+		const CellLayers layers = layers_.value_or(CellLayers{0, points[2] - 1});
+		if (layers.end >= points[2])
+			throw NotQuick();
+		first_plane_ = layers.begin;
+		const std::uint64_t planes = points[2];
+		points[2] = layers.count() + 1;
+		const std::uint64_t plane = points[0] * points[1];
+		const std::uint64_t layer = (points[0] - 1) * (points[1] - 1);
+		pieces_ = {{&piece, plane * points[2], layer * layers.count(), plane * layers.begin, layer * layers.begin,
+		            plane * planes, layer * (planes - 1)}};
+		if (file_.type() == "ImageData")
+			describeImage(data, extent, points);
+		else if (file_.type() == "RectilinearGrid")
+			readAxes(piece, points);
+		else if (file_.type() == "StructuredGrid")
+			block_.block = {{"kind", "curvilinear"}, {"points", points}, {"coordinates", copyPoints(arrays_)}};
+		else
+			throw NotQuick();
+	}
+
+	void describeImage(const XmlElement& data, const std::array<std::int32_t, 6>& extent,
+	                   const std::array<std::uint64_t, 3>& points)
+	{
+		const auto spacing = numbersIn<double, 3>(data.attribute("Spacing"));
+		auto origin = numbersIn<double, 3>(data.attribute("Origin"));
+		if (data.has("Direction") &&
+		    numbersIn<double, 9>(data.attribute("Direction")) != std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1})
+			throw NotQuick();
+		for (std::size_t axis = 0; axis < 3; ++axis)
+		{
+			if (!std::isfinite(spacing[axis]) || !std::isfinite(origin[axis]))
+				throw NotQuick();
+			origin[axis] += extent[2 * axis] * spacing[axis];
+		}
+		block_.block = {{"kind", "image"}, {"points", points}, {"origin", origin}, {"spacing", spacing}};
+		if (layers_)
+			describeSlab(origin, spacing, points);
+	}
+
+	// As a rectilinear grid, so that its points have the places that they have in the whole image.
+	void describeSlab(const std::array<double, 3>& origin, const std::array<double, 3>& spacing,
+	                  const std::array<std::uint64_t, 3>& points)
+	{
+		json axes = json::array();
+		for (std::size_t axis = 0; axis < 3; ++axis)
+		{
+			std::vector<double> places;
+			for (std::uint64_t i = 0; i < points[axis]; ++i)
+				places.push_back(origin[axis] +
+				                 static_cast<std::uint32_t>(i + (axis == 2 ? first_plane_ : 0)) * spacing[axis]);
+			axes.push_back(arrays_.write(NumberType::float64, places.data(), places.size() * sizeof(double)));
+		}
+		block_.block = {{"kind", "rectilinear"}, {"axes", std::move(axes)}};
+	}
+
+	// Axes are short, so they are read here and now.
+	void readAxes(const XmlElement& piece, const std::array<std::uint64_t, 3>& points)
+	{
+		const XmlElement& coordinates = onlyChild(piece, "Coordinates");
+		if (coordinates.children.size() != 3)
+			throw NotQuick();
+		json axes = json::array();
+		for (std::size_t axis = 0; axis < 3; ++axis)
+		{
+			const XmlElement& array = coordinates.children[axis];
+			const ArrayKind kind(array);
+			if (kind.components != 1)
+				throw NotQuick();
+			const std::uint64_t first = axis == 2 ? first_plane_ : 0;
+			const std::uint64_t all = axis == 2 ? pieces_[0].all_points / (points[0] * points[1]) : points[axis];
+			if (kind.type == NumberType::float32)
+				axes.push_back(copyAxis<float>(array, first, points[axis], all));
+			else if (kind.type == NumberType::float64)
+				axes.push_back(copyAxis<double>(array, first, points[axis], all));
+			else
+				throw NotQuick();
+		}
+		block_.block = {{"kind", "rectilinear"}, {"axes", std::move(axes)}};
+	}
+
+	template <class T>
+	json copyAxis(const XmlElement& array, std::uint64_t first, std::uint64_t count, std::uint64_t all)
+	{
+		const std::uint64_t bytes = (first + count) * sizeof(T);
+		const auto packed = file_.open(array, all * sizeof(T));
+		if (packed->partBytes() % sizeof(T) != 0)
+			throw NotQuick();
+		Scratch scratch;
+		arrays_.begin();
+		for (std::uint64_t begin = 0; begin < bytes; begin += packed->partBytes())
+		{
+			const auto part = packed->part(begin / packed->partBytes(), bytes - begin, scratch);
+			const std::span<const T> given(reinterpret_cast<const T*>(part.data()), part.size() / sizeof(T));
+			const std::uint64_t left_out = first - std::min(first, begin / sizeof(T));
+			const auto wanted = given.subspan(std::min<std::uint64_t>(left_out, given.size()));
+			const std::vector<double> numbers(wanted.begin(), wanted.end());
+			arrays_.append(numbers.data(), numbers.size() * sizeof(double));
+		}
+		return arrays_.end(NumberType::float64);
+	}
+
+	json copyPoints(ArrayWriter& writer)
+	{
+		std::vector<const XmlElement*> arrays;
+		for (const QuickPiece& piece : pieces_)
+		{
+			const XmlElement& points = onlyChild(*piece.element, "Points");
+			if (points.children.size() != 1)
+				throw NotQuick();
+			arrays.push_back(&points.children[0]);
+		}
+		const ArrayKind kind(*arrays[0]);
+		if (kind.components != 3 || (kind.type != NumberType::float32 && kind.type != NumberType::float64))
+			throw NotQuick();
+		return copyPieces(arrays, kind, &QuickPiece::points, writer);
+	}
+
+	json copyPieces(const std::vector<const XmlElement*>& arrays, const ArrayKind& kind,
+	                std::uint64_t QuickPiece::*tuples, ArrayWriter& writer)
+	{
+		std::uint64_t total = 0;
+		for (const QuickPiece& piece : pieces_)
+			total += piece.*tuples * kind.tupleBytes();
+		const std::size_t at = writer.reserve(total);
+		std::uint64_t first = 0;
+		for (std::size_t p = 0; p < pieces_.size(); ++p)
+		{
+			if (ArrayKind(*arrays[p]) != kind)
+				throw NotQuick();
+			const std::uint64_t bytes = pieces_[p].*tuples * kind.tupleBytes();
+			const bool is_point = tuples == &QuickPiece::points;
+			const auto before = is_point ? pieces_[p].first_point : pieces_[p].first_cell;
+			const auto all = is_point ? pieces_[p].all_points : pieces_[p].all_cells;
+			copyArray(file_, *arrays[p], {before * kind.tupleBytes(), bytes, all * kind.tupleBytes()}, writer,
+			          at + first, tasks_);
+			first += bytes;
+		}
+		return ArrayWriter::describe(kind.type, at, total);
+	}
+
+	static const std::vector<XmlElement>& arraysOf(const QuickPiece& piece, std::string_view element)
+	{
+		static const std::vector<XmlElement> none;
+		for (const XmlElement& child : piece.element->children)
+			if (child.name == element)
+				return child.children;
+		return none;
+	}
+
+	// Units are told; ranges are found anew.
+	static std::string unitsOf(const XmlElement& array)
+	{
+		std::string units;
+		for (const XmlElement& key : array.children)
+		{
+			const std::string_view name = key.attribute("name");
+			if (key.name != "InformationKey" ||
+			    !isOneOf(name, {"L2_NORM_RANGE", "L2_NORM_FINITE_RANGE", "UNITS_LABEL"}))
+				throw NotQuick();
+			if (name != "UNITS_LABEL")
+				continue;
+			units = key.text;
+			const auto is_space = [](char c) { return static_cast<unsigned char>(c) <= ' '; };
+			if (key.attribute("location") != "vtkDataArray" || units.empty() || is_space(units.front()) ||
+			    is_space(units.back()) || units.size() > 1000)
+				throw NotQuick();
+		}
+		return units;
+	}
+
+	void addArrays(const char* association, std::string_view element)
+	{
+		const auto tuples = association[0] == 'p' ? &QuickPiece::points : &QuickPiece::cells;
+		const std::vector<XmlElement>& first = arraysOf(pieces_[0], element);
+		for (const QuickPiece& piece : pieces_)
+			if (arraysOf(piece, element).size() != first.size())
+				throw NotQuick();
+		std::set<std::string_view> names;
+		for (std::size_t i = 0; i < first.size(); ++i)
+		{
+			const std::string name(first[i].attribute("Name"));
+			// Ghost marks are for VTK's way.
+			if (!first[i].has("Name") || isOneOf(name, {"", "vtkGhostType", "vtkGhostLevels"}) ||
+			    !names.insert(first[i].attribute("Name")).second)
+				throw NotQuick();
+			std::vector<const XmlElement*> arrays;
+			for (const QuickPiece& piece : pieces_)
+			{
+				arrays.push_back(&arraysOf(piece, element)[i]);
+				if (arrays.back()->attribute("Name") != name)
+					throw NotQuick();
+			}
+			const ArrayKind kind(first[i]);
+			const bool is_shown = !has_shown_;
+			has_shown_ = true;
+			const bool wanted = wish_.wants(association, name, is_shown);
+			json described = wanted ? copyPieces(arrays, kind, tuples, arrays_)
+			                        : json{{"type", vp::grid::numberTypeName(kind.type)}, {"left_out", true}};
+			described["name"] = name;
+			described["association"] = association;
+			described["components"] = kind.components;
+			if (const std::string units = unitsOf(first[i]); !units.empty())
+				described["units"] = units;
+			(wanted ? described_ : left_out_).push_back(std::move(described));
+		}
+	}
+
+	QuickFile file_;
+	const ArrayWish& wish_;
+	Tasks tasks_;
+	ArrayWriter& arrays_;
+	ArrayWriter& cells_;
+	std::optional<CellLayers> layers_;
+	std::uint64_t first_plane_ = 0;
+	std::vector<QuickPiece> pieces_;
+	QuickBlock block_;
+	json described_ = json::array();
+	json left_out_ = json::array();
+	bool has_shown_ = false;
+};
+
+} // namespace
+
+std::optional<QuickBlock> readQuickly(const std::string& file, const ArrayWish& wish, int threads, ArrayWriter& arrays,
+                                      ArrayWriter& cells, const std::optional<CellLayers>& layers)
+{
+	const std::size_t arrays_mark = arrays.mark();
+	const std::size_t cells_mark = cells.mark();
+	try
+	{
+		return QuickReader(file, wish, threads, arrays, cells, layers).read();
+	}
+	catch (const NotQuick&)
+	{
+		arrays.rewind(arrays_mark);
+		cells.rewind(cells_mark);
+		return std::nullopt;
+	}
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "vprobe-read/arrays/packed_array.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+// Work in parts that any thread may do in any order.
+class Tasks
+{
+public:
+	// `threads`: the most to use.
+	explicit Tasks(int threads) : threads_(threads) {}
+
+	using Part = std::function<void(std::size_t part, Scratch& scratch)>;
+	void add(std::size_t parts, Part work);
+	// Does all that was added. The first exception ends it, and is thrown on.
+	void run();
+
+private:
+	struct Job
+	{
+		std::size_t first; // its parts' place among all
+		Part work;
+	};
+	void workOn(std::size_t part, Scratch& scratch) const;
+
+	int threads_;
+	std::vector<Job> jobs_;
+	std::size_t parts_ = 0;
+};

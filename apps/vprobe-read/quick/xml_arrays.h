@@ -1,0 +1,64 @@
+#pragma once
+
+#include "grid/field.h"
+#include "vprobe-read/text/xml_tree.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+// An array of a VTK XML file, and how many values belong there.
+struct XmlArray
+{
+	enum class Form
+	{
+		text,
+		inline_bytes,
+		appended
+	};
+
+	XmlElement* element = nullptr;
+	std::string words;                        // that name it: "the point array c"
+	Form form = Form::text;                   // as VTK's readers take it
+	std::optional<vp::grid::NumberType> type; // none for text, bits and types that there are not
+	std::optional<std::uint64_t> values;      // none where the file does not say it
+	std::optional<std::size_t> offsets;       // the array of the list whose last value says it
+
+	// Throws a Refusal unless so many values are there. last_offset: of the array of offsets, if there is one.
+	void check(std::uint64_t there, std::int64_t last_offset) const;
+};
+
+// All arrays of the element that is named like the file's type. Throws a Refusal for a size of a piece that is no
+// number.
+std::vector<XmlArray> arraysOfXml(XmlElement& data);
+
+// The points and the cells of a piece. Of polygonal data, cells of all kinds.
+struct PieceSizes
+{
+	std::uint64_t points = 0;
+	std::uint64_t cells = 0;
+	std::optional<std::array<std::uint64_t, 3>> lattice; // points along each axis
+};
+std::optional<PieceSizes> sizesOfPiece(const XmlElement& piece);
+
+// Gives arrays of one association that have the same name, or none, names of their own, in all pieces of a file or in
+// an index of pieces. Returns a line for each name.
+std::vector<std::string> giveOwnNames(XmlElement& data);
+
+// The arrays of points and cells of a piece, or those that an index of pieces names: "point array c", with its type and
+// number of components.
+std::map<std::string, std::string> fieldsOf(const XmlElement& piece);
+// Throws a Refusal unless all pieces of a file have the same arrays: VTK's reader would leave what happens to be in
+// memory.
+void refuseOtherFields(const XmlElement& data);
+
+// Leaves out the keys of arrays whose numbers are not finite: VTK's readers fail over those that its own writer wrote.
+// They are ranges, which are found anew. Returns whether there was one.
+bool leaveOutStrangeKeys(XmlElement& data);
+
+// Writes the numbers of attributes such as Origin so that VTK's readers know them. Returns whether one was written
+// anew. Throws a Refusal for what is no finite number, and for too few or too many.
+bool respellAttributes(XmlElement& data);

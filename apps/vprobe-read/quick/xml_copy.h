@@ -1,0 +1,24 @@
+#pragma once
+
+#include "vprobe-read/base/memory_file.h"
+#include "vprobe-read/text/xml_tree.h"
+#include "xml_arrays.h"
+
+#include <string_view>
+#include <vector>
+
+// Writes the head of a file and its elements, but for appended data. The data of arrays are those of the text.
+void writeElements(const XmlFile& xml, std::string_view text, MemoryFile& to);
+void writeAppendedStart(std::string_view encoding, MemoryFile& to);
+void writeEnd(const XmlFile& xml, bool has_appended, MemoryFile& to);
+
+// Writes a file anew in which all numbers are appended as they are: from text in any spelling, and unpacked. Throws a
+// Refusal for a word that is no number, an array with too few or too many values, and one that cannot be unpacked.
+// path: that of the file, whose elements are `given`; arrays: those of `xml`, the elements that stay.
+void writeAsBytes(const std::string& path, const XmlFile& given, const XmlFile& xml,
+                  const std::vector<XmlArray>& arrays, std::string_view text, MemoryFile& to);
+
+// Throws a Refusal for the same, as far as the numbers in front of the arrays say it. Returns whether VTK's readers
+// know every number that is text.
+bool checkArrays(const std::string& path, const XmlFile& given, const std::vector<XmlArray>& arrays,
+                 std::string_view text);
