@@ -1,4 +1,5 @@
-// The rules of the house that a compiler does not check: which folder may include which, who may include Vulkan and VTK.
+// The rules of the house that a compiler does not check: which folder may include which, who may include Vulkan and
+// VTK.
 
 #include <gtest/gtest.h>
 
@@ -33,6 +34,7 @@ const std::vector<Rooms> kInnerRooms{
     {"engine", "grid", {"", "curved", "link", "check", "demo"}},
     {"engine", "ranks", {"", "data", "join", "search", "particles", "picture"}},
     {"engine", "render", {"font", "color", "scene", "annotate", "passes", "flat", ""}},
+    {"apps/vprobe", "viewer", {"screen", "cutting", "document", "pointer", "panels", ""}},
     {"apps",
      "vprobe-read",
      {"base", "text", "checks", "hdf5", "arrays", "cells", "quick", "convert", "manifest", "boxes", "formats",

@@ -1,4 +1,4 @@
-#include "report/manual.h"
+#include "manual/manual.h"
 #include "commands/commands.h"
 #include "read/read.h"
 #include "report/console.h"

@@ -5,7 +5,7 @@
 #include "picture/time_steps.h"
 #include "report/explain.h"
 #include "report/stats_json.h"
-#include "report/sweep_line.h"
+#include "sweep/sweep_line.h"
 #include "team.h"
 #include "view/validate.h"
 

@@ -3,13 +3,13 @@
 #include "interrupt.h"
 #include "report/console.h"
 #include "report/stats_json.h"
-#include "viewer/commands.h"
-#include "viewer/gpu_film_screen.h"
-#include "viewer/gpu_screen.h"
-#include "viewer/gpu_window.h"
-#include "viewer/key_codes.h"
-#include "viewer/keyboard.h"
-#include "viewer/panels.h"
+#include "viewer/panels/panels.h"
+#include "viewer/pointer/key_codes.h"
+#include "viewer/pointer/keyboard.h"
+#include "viewer/screen/gpu_film_screen.h"
+#include "viewer/screen/gpu_screen.h"
+#include "viewer/screen/gpu_window.h"
+#include "viewer/script.h"
 
 #include <fmt/format.h>
 #include <imgui/backends/imgui_impl_glfw.h>
@@ -63,7 +63,7 @@ struct Lasting
 {
 	interact::History<view::ViewSpec> history;
 	OpenParts parts;
-	std::optional<Commands> commands;
+	std::optional<Script> commands;
 	Meter meter;
 	std::uint64_t frames = 0; // shown so far
 	std::string notice;       // what the user is told first
@@ -397,7 +397,7 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 	std::shared_ptr<std::FILE> commands;
 	if (!options.commands.empty())
 	{
-		Result<std::shared_ptr<std::FILE>> opened = Commands::open(options.commands);
+		Result<std::shared_ptr<std::FILE>> opened = Script::open(options.commands);
 		if (!opened)
 			return opened.error();
 		commands = std::move(*opened);

@@ -2,7 +2,7 @@
 
 #include "base/result.h"
 #include "exit_code.h"
-#include "viewer/document.h"
+#include "viewer/document/document.h"
 
 #include <string>
 

@@ -1,0 +1,90 @@
+#include "sweep/sweep_products.h"
+
+#include "report/team_slice.h"
+#include "team.h"
+
+#include <utility>
+
+namespace vp::app
+{
+
+Result<std::unique_ptr<SweepProducts>> SweepProducts::create(session::Session& session,
+                                                             std::optional<picture::Painter> painter, Frames frames,
+                                                             const std::string& series)
+{
+	std::unique_ptr<SweepProducts> products(new SweepProducts(session, std::move(painter), std::move(frames)));
+	if (series.empty())
+		return products;
+	products->interrupt_ = std::make_unique<DeferredInterrupt>();
+	if (isFirst())
+	{
+		Result<write::SliceSeries> made = write::SliceSeries::create(series);
+		if (!made)
+			return made.error();
+		products->series_.emplace(std::move(*made));
+	}
+	return products;
+}
+
+Status SweepProducts::add(int frame, const session::CutFrame& cut)
+{
+	if (interrupt_ && interrupt_->came())
+		return Error{ErrorKind::cancelled, "interrupted; nothing is written"};
+	if (interrupt_)
+	{
+		const TimedSection section(session_.timeline.get(), "write");
+		const write::SliceTable table = tableOf(session_, cut);
+		if (Status written = series_ ? series_->add(frame, table) : Nothing{}; !written)
+			return written;
+	}
+	return painter_ ? draw(frame, cut) : Nothing{};
+}
+
+Status SweepProducts::draw(int frame, const session::CutFrame& cut)
+{
+	if (frame == 0 && frames_.wantsExposure())
+	{
+		Result<render::Picture> empty = painter_->drawEmpty(cut.slice, cut.sheets);
+		if (!empty)
+			return empty.error();
+		frames_.beginExposure(std::move(*empty));
+	}
+	Result<render::Picture> picture = painter_->draw(cut.slice, cut.sheets, cut.contours);
+	if (!picture)
+		return picture.error();
+	if (writer_)
+	{
+		const TimedSection section(session_.timeline.get(), "await writer");
+		writer_->give([this, frame, picture = std::move(*picture)] { write(frame, picture); });
+	}
+	else
+		write(frame, *picture);
+	return write_failed_ ? finish() : Nothing{};
+}
+
+void SweepProducts::write(int frame, const render::Picture& picture)
+{
+	if (write_failed_)
+		return;
+	const TimedSection section(session_.timeline.get(), "write");
+	written_ = frames_.add(frame, picture);
+	write_failed_ = !written_;
+}
+
+Status SweepProducts::finish()
+{
+	if (writer_)
+		writer_->finish();
+	return written_;
+}
+
+Status SweepProducts::commit()
+{
+	if (Status all = finish(); !all)
+		return all;
+	if (Status written = frames_.commit(); !written)
+		return written;
+	return series_ ? series_->commit() : Nothing{};
+}
+
+} // namespace vp::app

@@ -1,0 +1,90 @@
+#include "sweep/worker.h"
+
+#include "base/timeline.h"
+
+#include <utility>
+
+namespace vp::app
+{
+
+Worker::Worker(std::string name)
+    : thread_(
+          [this, name = std::move(name)]
+          {
+	          nameThreadRow(name);
+	          work();
+          })
+{
+}
+
+Worker::~Worker()
+{
+	{
+		const std::lock_guard lock(mutex_);
+		ends_ = true;
+	}
+	changed_.notify_all();
+	thread_.join();
+}
+
+// failure_ is this thread's while it is busy.
+void Worker::doJob(const std::function<void()>& job)
+{
+	if (failure_)
+		return;
+	try
+	{
+		job();
+	}
+	catch (...)
+	{
+		failure_ = std::current_exception();
+	}
+}
+
+void Worker::work()
+{
+	std::unique_lock lock(mutex_);
+	for (;;)
+	{
+		changed_.wait(lock, [&] { return waiting_ || ends_; });
+		if (!waiting_)
+			return;
+		std::function<void()> job = std::exchange(waiting_, nullptr);
+		busy_ = true;
+		changed_.notify_all();
+		lock.unlock();
+		doJob(job);
+		job = nullptr; // what it holds goes before the next one is begun
+		lock.lock();
+		busy_ = false;
+		changed_.notify_all();
+	}
+}
+
+void Worker::rethrow()
+{
+	if (failure_)
+		std::rethrow_exception(failure_);
+}
+
+void Worker::give(std::function<void()> job)
+{
+	{
+		std::unique_lock lock(mutex_);
+		changed_.wait(lock, [&] { return !waiting_; });
+		if (!busy_)
+			rethrow();
+		waiting_ = std::move(job);
+	}
+	changed_.notify_all();
+}
+
+void Worker::finish()
+{
+	std::unique_lock lock(mutex_);
+	changed_.wait(lock, [&] { return !waiting_ && !busy_; });
+	rethrow();
+}
+
+} // namespace vp::app

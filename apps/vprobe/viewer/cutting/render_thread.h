@@ -1,0 +1,216 @@
+#pragma once
+
+#include "gpu/image.h"
+#include "picture/painter.h"
+#include "session/cut_frame.h"
+#include "view/view_spec.h"
+#include "viewer/cutting/gpu_pictures.h"
+#include "viewer/cutting/neighbor_builder.h"
+#include "viewer/cutting/sheet_lookups.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+namespace vp::app
+{
+
+struct PixelSize
+{
+	std::uint32_t width = 0;
+	std::uint32_t height = 0;
+};
+
+using Moment = std::chrono::steady_clock::time_point;
+
+inline double millisecondsSince(Moment start)
+{
+	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Asks for a second picture: one sheet of the probe alone, seen straight on.
+struct PaneWish
+{
+	std::size_t sheet = 0;
+	PixelSize size{};
+
+	bool operator==(const PaneWish& other) const
+	{
+		return sheet == other.sheet && size.width == other.size.width && size.height == other.size.height;
+	}
+};
+
+// Asks for a picture to show or to save.
+struct FrameRequest
+{
+	std::uint64_t number = 0; // rises from request to request
+	view::ViewSpec spec;      // its size is the size of the picture
+	Moment since{};           // the oldest input that has not been answered by a picture
+	std::optional<PaneWish> pane{};
+	std::optional<session::PointedValue> contour{}; // one contour more than those of the look
+};
+
+// A picture, and everything that it was made from.
+struct PresentedFrame
+{
+	std::shared_ptr<const gpu::Image> image; // gpu::kCopyFrom
+	FrameRequest wish;
+	probe::Probe probe; // as the picture shows it, with hidden sheets included
+	std::shared_ptr<const session::CutFrame> cut;
+	render::Camera camera;
+	render::Frame frame;
+	std::optional<render::ValueScale> values;
+	struct Pane
+	{
+		std::shared_ptr<const gpu::Image> image;
+		std::size_t sheet;
+		render::Camera camera;
+		render::Frame frame;
+	};
+	std::optional<Pane> pane;                    // if one was requested and its sheet is visible
+	bool smooth = false;                         // the picture has all its samples
+	bool empty = false;                          // no sheet cuts anything
+	double vector_dt = 0.0;                      // time of a particle's step, 0 without particles
+	std::shared_ptr<const SheetLookups> lookups; // values of the cut, once the probe has rested; or null
+	double cut_ms = 0.0;                         // 0 if the cut before was reused
+	double draw_ms = 0.0;
+	std::uint64_t cuts = 0;     // made so far
+	cut::Cutter::Memory memory; // of the cutter
+};
+
+// Asks for a picture to save, with all samples and in the size of the request. What is shown does not change.
+struct PictureJob
+{
+	FrameRequest wish;
+	bool empty = false; // without the sheets, as the background of an exposure
+	std::function<void(Result<render::Picture>)> take;
+};
+
+// Asks for a file with the polygons of the sheets, or with the faces of their whole cells.
+struct CutJob
+{
+	FrameRequest wish;
+	std::string file;
+	std::function<void(Status)> done;
+};
+
+// A job is answered on the render thread, between two pictures, in the order of the jobs.
+using Job = std::variant<PictureJob, CutJob>;
+
+// Cuts and draws the last request on a thread of its own. The last picture stays until the next one is ready, and also
+// if a request fails. Thread safe.
+class RenderThread
+{
+public:
+	// wake: called on the render thread when something new is ready.
+	RenderThread(std::shared_ptr<gpu::Device> device, std::function<void()> wake);
+	~RenderThread();
+	RenderThread(const RenderThread&) = delete;
+	RenderThread& operator=(const RenderThread&) = delete;
+
+	void ask(FrameRequest wish); // replaces a request that waits
+	void order(Job order);
+	// The next request is for this session. A request that waits was for the session before, and is dropped.
+	void replaceSession(std::unique_ptr<session::Session> session);
+
+	std::shared_ptr<const PresentedFrame> shown() const; // null before the first picture
+	std::optional<Error> takeError();                    // why the last request failed
+	bool isBusy() const;                                 // a request waits or is under way
+	bool isIdle() const;                                 // the same of jobs and of samples to come: there is none
+	std::vector<Timeline::Section> sections() const;     // of about the last minute, for a trace
+
+private:
+	// The contours of a cut, and what they were grown for.
+	struct Grown
+	{
+		std::shared_ptr<const session::CutFrame> cut;
+		view::ContourSpec options;
+		std::optional<session::PointedValue> pointed;
+		session::Contours contours;
+	};
+
+	void work();
+	void answer(const FrameRequest& wish, bool smooth);
+	Status show(const FrameRequest& wish, bool smooth);
+	void install(std::unique_ptr<session::Session> session);
+	template <class Work>
+	auto tried(const Work& work) -> decltype(work());
+	// Gives the session the neighbors of cells once they are built. Waits for them only if they are needed.
+	Status takeNeighbors(bool needed);
+	Status follow(const FrameRequest& wish);
+	Status followAll(const FrameRequest& wish);
+	Status followLook(const FrameRequest& wish);
+	Status followTime(const read::TimeChoice& time);
+	Result<double> cutAsWished(); // returns milliseconds; 0 if the last cut was reused
+	Status growAsWished(const FrameRequest& wish);
+	void answer(Job& order);
+	Result<render::Picture> picture(const PictureJob& order);
+	Status writeSlice(const CutJob& order);
+	Result<bool> draw(PresentedFrame& shown, bool smooth);
+	Status refine(); // adds samples to the picture while no request waits
+	void addLookups();
+	Status drawPane(PresentedFrame& shown, const render::Scene& scene);
+	static const render::SheetDrawing* sheetOfPane(const PresentedFrame& shown, const render::Scene& scene);
+	void publish(PresentedFrame shown);
+	bool waits() const;
+	void keepSections();
+
+	std::shared_ptr<gpu::Device> device_;
+	std::function<void()> wake_;
+
+	// Used by the render thread only.
+	std::unique_ptr<session::Session> session_;
+	std::optional<picture::Painter> painter_;
+	std::optional<FrameRequest> followed_; // the request that session and painter follow
+	std::shared_ptr<const session::CutFrame> cut_;
+	std::uint64_t cuts_ = 0;
+	bool cut_is_old_ = true;
+	NeighborBuilder neighbors_;
+	Grown grown_;
+	bool only_moved_ = false;
+	std::atomic<bool> rough_ = false; // the picture gets all its samples once the probe has rested
+	Pictures pictures_;
+	Pictures pane_pictures_;
+	std::optional<render::Renderer> pane_renderer_;
+
+	mutable std::mutex mutex_;
+	std::condition_variable changed_;
+	std::optional<FrameRequest> wish_;
+	std::deque<Job> orders_;
+	std::unique_ptr<session::Session> next_session_;
+	std::shared_ptr<const PresentedFrame> shown_;
+	std::optional<Error> error_;
+	std::deque<Timeline::Section> sections_;
+	bool busy_ = false;
+	bool ends_ = false;
+	std::thread thread_; // must be the last member
+};
+
+// Runs `work`; an allocation failure becomes an error, so the window stays open.
+template <class Work>
+auto RenderThread::tried(const Work& work) -> decltype(work())
+{
+	if (!session_)
+		return Error{ErrorKind::input, "nothing is shown yet; open a file first"};
+	try
+	{
+		return work();
+	}
+	catch (const std::bad_alloc&)
+	{
+		return Error{ErrorKind::out_of_memory, "out of memory; show fewer sheets or a smaller input"};
+	}
+}
+
+} // namespace vp::app

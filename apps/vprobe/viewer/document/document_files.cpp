@@ -1,0 +1,216 @@
+#include "view/state_file.h"
+#include "viewer/document/document.h"
+#include "viewer/document/mail.h"
+#include "write/png.h"
+#include "write/slice_file.h"
+#include "write/trace_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+namespace vp::app
+{
+
+namespace
+{
+
+constexpr std::chrono::seconds kRecoveryPause{2};
+
+} // namespace
+
+void Document::open(std::vector<std::string> inputs)
+{
+	if (inputs.size() == 1 && inputs[0].ends_with(".json"))
+	{
+		Result<view::ViewSpec> read = read_state_(inputs[0]);
+		if (!read)
+			return notify(read.error());
+		state_file_ = inputs[0];
+		return load(std::move(*read));
+	}
+	// What belongs to other data goes: places, arrays, times. How it is looked at stays.
+	view::ViewSpec next = state();
+	next.probe = {};
+	next.input = {};
+	next.input.files = std::move(inputs);
+	next.look.camera = {};
+	next.look.range.reset();
+	next.look.title.reset();
+	load(std::move(next));
+}
+
+void Document::load(view::ViewSpec next)
+{
+	loader_.begin(next);
+	loading_ = std::move(next);
+	loads_own_data_ = false;
+}
+
+void Document::reload()
+{
+	if (facts_)
+		load(state());
+}
+
+void Document::cancelLoading()
+{
+	loader_.cancel();
+	loading_.reset();
+	notify("Loading was cancelled");
+}
+
+void Document::takeLoaded()
+{
+	std::optional<Loader::Loaded> loaded = loader_.take();
+	if (!loaded)
+		return;
+	view::ViewSpec next = std::move(*loading_);
+	loading_.reset();
+	if (!loaded->session)
+		return notify(loaded->session.error());
+	std::unique_ptr<session::Session> session = std::move(*loaded->session);
+	const bool again = facts_ && facts_->inputs == next.input.files;
+	facts_ = factsOf(*session, next.input.files);
+	watcher_.watch(next.input.files);
+	// Read again, it is looked at as it is by now.
+	if (again)
+		notify(fmt::format("{} was read again", fmt::join(next.input.files, ", ")));
+	else if (!loads_own_data_) // those of the first state, or of one that has outlived its device: it goes on
+		history_ = interact::History<view::ViewSpec>(std::move(next));
+	sheet_ = 0;
+	playback_.forgetFilm();
+	for (const std::string& input : facts_->inputs)
+		remember(settings, input);
+	render_thread_.replaceSession(std::move(session));
+	stateChanged();
+}
+
+void Document::saveState(const std::string& file)
+{
+	view::ViewSpec kept = state();
+	if (asked_size_.width > 0)
+		kept.look.size = {asked_size_.width, asked_size_.height};
+	if (Status written = view::saveState(kept, file); !written)
+		return notify(written.error());
+	state_file_ = file;
+	notify(fmt::format("Saved {}", file));
+}
+
+void Document::savePicture(const std::string& file, std::uint32_t width, std::uint32_t height)
+{
+	FrameRequest like = frameRequest();
+	like.spec.look.size = {width, height};
+	mail_->expect(file);
+	render_thread_.order(PictureJob{like, false,
+	                                [file, mail = mail_](Result<render::Picture> picture)
+	                                {
+		                                const Status written =
+		                                    picture ? write::writePng(*picture, file) : picture.error();
+		                                mail->leave(file, noticeOf(written, fmt::format("Saved {}", file)));
+	                                }});
+}
+
+void Document::saveSlice(const std::string& file)
+{
+	if (Result<write::SliceFormat> format = write::sliceFormatOf(file); !format)
+		return notify(format.error());
+	mail_->expect(file);
+	render_thread_.order(CutJob{frameRequest(), file, [file, mail = mail_](const Status& written) {
+		                            mail->leave(file, noticeOf(written, fmt::format("Saved {}", file)));
+	                            }});
+}
+
+void Document::saveTrace(const std::string& file)
+{
+	jobs_.run(file,
+	          [file, sections = render_thread_.sections()]() mutable
+	          {
+		          Result<write::TraceFile> trace = write::TraceFile::create(file);
+		          if (!trace)
+			          return noticeOf(trace.error(), {});
+		          trace->add(std::move(sections));
+		          return noticeOf(trace->commit(), fmt::format("Saved {}", file));
+	          });
+}
+
+void Document::takeWritten()
+{
+	std::vector<Notice> notices = jobs_.takeDone();
+	{
+		const std::lock_guard lock(mail_->mutex);
+		std::ranges::move(mail_->take(), std::back_inserter(notices));
+	}
+	for (const Notice& notice : notices)
+	{
+		notify(notice.words, notice.is_error);
+		if (quits_ && notice.is_error)
+			failures_.push_back(notice.words);
+	}
+}
+
+std::vector<std::string> Document::filesUnderWay() const
+{
+	std::vector<std::string> files = jobs_.files();
+	const std::lock_guard lock(mail_->mutex);
+	files.insert(files.end(), mail_->files.begin(), mail_->files.end());
+	return files;
+}
+
+void Document::keepState()
+{
+	keeps_state_ = facts_ && !recovery_file_.empty() && view::saveState(state(), recovery_file_);
+}
+
+interact::History<view::ViewSpec> Document::historyToKeep() const
+{
+	interact::History<view::ViewSpec> kept = history_;
+	if (loading_ && !loads_own_data_)
+		kept.commit(*loading_, "Open");
+	return kept;
+}
+
+// Every few seconds in which anything changed: what a crash would lose.
+void Document::keepForRecovery()
+{
+	const Moment now = std::chrono::steady_clock::now();
+	if (recovery_file_.empty() || !facts_ || recovery_version_ == version_ || now - recovery_time_ < kRecoveryPause)
+		return;
+	recovery_time_ = now;
+	recovery_version_ = version_;
+	if (Status kept = view::saveState(state(), recovery_file_); kept)
+		return;
+	notify("This window's state cannot be kept for recovery: there is no room in its folder", true);
+	recovery_file_.clear();
+}
+
+void Document::recover(bool wanted)
+{
+	question = Question::none;
+	const std::vector<std::string> left = leftRecoveryFiles();
+	if (wanted && !left.empty())
+	{
+		Result<view::ViewSpec> read = read_state_(left.front());
+		if (read)
+			load(std::move(*read));
+		else
+			notify(read.error());
+	}
+	for (const std::string& file : left)
+	{
+		std::error_code ignored;
+		std::filesystem::remove(file, ignored);
+	}
+}
+
+void Document::watchFiles()
+{
+	if (!watches || loader_.isBusy() || !watcher_.changed(std::chrono::steady_clock::now()))
+		return;
+	notify("The input was written anew; reading it again");
+	reload();
+}
+
+} // namespace vp::app

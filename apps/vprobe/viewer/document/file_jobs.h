@@ -1,0 +1,41 @@
+#pragma once
+
+#include "base/result.h"
+#include "viewer/document/notice.h"
+
+#include <functional>
+#include <future>
+#include <string>
+#include <vector>
+
+namespace vp::app
+{
+
+// What a job says when it is done: `words`, or why it failed.
+Notice noticeOf(const Status& status, std::string words);
+
+// Files that are written on threads of their own, while the window answers.
+class FileJobs
+{
+public:
+	explicit FileJobs(std::function<void()> wake) : wake_(std::move(wake)) {}
+	~FileJobs(); // waits until what is being written is there
+	FileJobs(const FileJobs&) = delete;
+	FileJobs& operator=(const FileJobs&) = delete;
+
+	void run(std::string file, std::function<Notice()> job);
+	std::vector<Notice> takeDone();
+	bool isIdle() const { return jobs_.empty(); }
+	std::vector<std::string> files() const; // under way
+
+private:
+	std::function<void()> wake_;
+	struct Job
+	{
+		std::string file;
+		std::future<Notice> notice;
+	};
+	std::vector<Job> jobs_; // under way
+};
+
+} // namespace vp::app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "viewer/cutting/meter.h"
+#include "viewer/document/document.h"
+#include "viewer/panels/theme.h"
+#include "viewer/pointer/pointer_controller.h"
+
+namespace vp::app
+{
+
+// Everything that panels are drawn from.
+struct Desk
+{
+	Document& document;
+	PointerController& hand;
+	const Meter& meter;
+	double scale; // of the screen
+};
+
+// Each draws one part of the user interface, with ImGui, from the document's state and into it.
+
+// Where in the scene's part the pane of a sheet seen straight on lies.
+ScenePart paneOf(const ScenePart& scene, double scale);
+
+ScenePart showPanels(Desk& desk); // draws all panels, and returns the part of the window that is left for the scene
+void showMenu(Desk& desk);
+void showSidePanel(Desk& desk, const ScenePart& room);
+void showStatusLine(Desk& desk, const ScenePart& room);
+void showScene(Desk& desk, const ScenePart& part); // handles, what is under the pointer
+void followPointer(Desk& desk);                    // moves the contour that follows the pointer
+void showPlanePane(Desk& desk, const ScenePart& part);
+void showNotices(Desk& desk, const ScenePart& part);
+void showProfile(Desk& desk, const ScenePart& part);
+void showStartPage(Desk& desk, const ScenePart& part); // before anything is loaded
+void showHints(Desk& desk, const ScenePart& part);     // the first steps, one at a time
+void showHelp(Desk& desk);
+void showCommandSearch(Desk& desk);
+void showQuestions(Desk& desk);
+
+} // namespace vp::app

@@ -1,0 +1,62 @@
+#include "viewer/panels/sections.h"
+
+#include <algorithm>
+#include <array>
+
+namespace vp::app
+{
+
+namespace
+{
+
+struct Section
+{
+	const char* name;
+	const char* tip;
+	void (*show)(Desk& desk);
+	ShownWhen when;
+	bool unfolded;
+};
+
+#define VP_ENTRY(name, tip, show, when, unfolded) Section{name, tip, show, ShownWhen::when, unfolded},
+constexpr std::array kSections{VP_SECTIONS(VP_ENTRY)};
+#undef VP_ENTRY
+
+bool isShown(const Section& section, const std::optional<DatasetInfo>& data)
+{
+	switch (section.when)
+	{
+	case ShownWhen::always:
+		return true;
+	case ShownWhen::loaded:
+		return data.has_value();
+	case ShownWhen::times:
+		return data && data->times.size() > 1;
+	case ShownWhen::vectors:
+		return data && std::ranges::any_of(data->arrays, DatasetInfo::isVector);
+	}
+	return false;
+}
+
+} // namespace
+
+void showSidePanel(Desk& desk, const ScenePart& room)
+{
+	beginFixed("side", room, ImGuiWindowFlags_AlwaysVerticalScrollbar);
+	for (const Section& section : kSections)
+	{
+		if (!isShown(section, desk.document.facts()))
+			continue;
+		const bool open = ImGui::CollapsingHeader(section.name, section.unfolded ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+		tip(section.tip);
+		if (!open)
+			continue;
+		ImGui::PushID(section.name);
+		section.show(desk);
+		ImGui::PopID();
+		ImGui::Spacing();
+	}
+	ImGui::End();
+}
+
+} // namespace vp::app
