@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -147,6 +149,37 @@ TEST(IncludeRules, LibrariesStandInTheSameOrder)
 		last = place(folder);
 	}
 	EXPECT_GE(last, 0);
+}
+
+// What a library uses is what its files include, but for what another room that they include brings along.
+TEST(IncludeRules, LibrariesUseWhatTheirFilesInclude)
+{
+	const std::string lists = textOf(kRoot / "engine/CMakeLists.txt");
+	const std::regex library(R"((?:^|\n)engine_library\((\w+)(?: USES((?: [a-z]+)+))?)");
+	const std::vector<Include> includes = includesUnder("engine");
+	std::map<std::string, std::set<std::string>> reached; // by each library: itself, and all that it can include
+	for (std::sregex_iterator i(lists.begin(), lists.end(), library), end; i != end; ++i)
+	{
+		const std::string folder = (*i)[1];
+		std::set<std::string> included;
+		for (const Include& include : includes)
+			if (const std::string used = include.header.substr(0, include.header.find('/'));
+			    include.folder() == folder && reached.contains(used))
+				included.insert(used);
+		std::set<std::string> needed = included;
+		for (const std::string& used : included)
+			for (const std::string& brought : reached[used])
+				if (brought != used)
+					needed.erase(brought);
+		std::istringstream words((*i)[2]);
+		const std::set<std::string> uses(std::istream_iterator<std::string>(words), {});
+		EXPECT_EQ(uses, needed) << folder;
+		std::set<std::string>& all = reached[folder];
+		for (const std::string& used : uses)
+			all.insert(reached[used].begin(), reached[used].end());
+		all.insert(folder);
+	}
+	EXPECT_FALSE(reached.empty());
 }
 
 TEST(IncludeRules, VulkanStaysInItsRooms)
