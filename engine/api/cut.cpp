@@ -142,12 +142,12 @@ Cut::Cut() : state_(std::make_shared<State>()) {}
 
 std::size_t Cut::sheetCount() const
 {
-	return state_->frame.sheets.size();
+	return state_->frame->sheets.size();
 }
 
 Mesh Cut::mesh(std::size_t sheet) const
 {
-	const vp::session::SheetStats& stats = state_->frame.sheets[sheet];
+	const vp::session::SheetStats& stats = state_->frame->sheets[sheet];
 	auto mesh = std::make_shared<Mesh::State>();
 	mesh->cut = state_;
 	mesh->mesh = stats.crinkle ? &*stats.crinkle : &stats.mesh;
@@ -167,8 +167,8 @@ const vp::measure::SheetMeasure& measured(const Cut::State& cut, std::size_t she
 	if (!figures)
 	{
 		const std::shared_lock reading(cut.blocks->mutex);
-		figures = vp::measure::measure(*cut.blocks->blocks, cut.frame.sheets[sheet].mesh,
-		                               cut.frame.slice.sheets[sheet].field);
+		figures = vp::measure::measure(*cut.blocks->blocks, cut.frame->sheets[sheet].mesh,
+		                               cut.frame->slice.sheets[sheet].field);
 	}
 	return *figures;
 }
@@ -177,7 +177,7 @@ const vp::measure::SheetMeasure& measured(const Cut::State& cut, std::size_t she
 
 Figures Cut::figures(std::size_t sheet) const
 {
-	const vp::session::SheetStats& stats = state_->frame.sheets[sheet];
+	const vp::session::SheetStats& stats = state_->frame->sheets[sheet];
 	const vp::measure::SheetMeasure& measure = measured(*state_, sheet);
 	Figures figures;
 	figures.area = measure.area;
@@ -193,24 +193,24 @@ Figures Cut::figures(std::size_t sheet) const
 		figures.flux = stats.flux->through;
 		figures.boundary_flux = stats.flux->boundary;
 	}
-	for (const vp::find::BlockCut& cut : state_->frame.slice.sheets[sheet].cuts)
+	for (const vp::find::BlockCut& cut : state_->frame->slice.sheets[sheet].cuts)
 		figures.cut_cells += cut.cutCells();
 	return figures;
 }
 
 Vector3 Cut::origin(std::size_t sheet) const
 {
-	return asArray(state_->frame.slice.sheets[sheet].shown.origin);
+	return asArray(state_->frame->slice.sheets[sheet].shown.origin);
 }
 
 Vector3 Cut::normal(std::size_t sheet) const
 {
-	return asArray(state_->frame.slice.sheets[sheet].shown.normal);
+	return asArray(state_->frame->slice.sheets[sheet].shown.normal);
 }
 
 Traces Cut::traces(std::size_t sheet) const
 {
-	const auto& launched = state_->frame.sheets[sheet].traces;
+	const auto& launched = state_->frame->sheets[sheet].traces;
 	Traces traces;
 	if (!launched)
 		return traces;
@@ -224,7 +224,7 @@ Traces Cut::traces(std::size_t sheet) const
 std::size_t Cut::contourCount() const
 {
 	std::size_t count = 0;
-	for (const auto& of_sheet : state_->frame.contours)
+	for (const auto& of_sheet : state_->frame->contours)
 		count += of_sheet.size();
 	return count;
 }
@@ -247,14 +247,14 @@ const vp::contour::Contour& contourOf(const vp::session::Contours& contours, std
 
 double Cut::contourValue(std::size_t contour) const
 {
-	return contourOf(state_->frame.contours, contour).value;
+	return contourOf(state_->frame->contours, contour).value;
 }
 
 Mesh Cut::contour(std::size_t contour) const
 {
 	auto mesh = std::make_shared<Mesh::State>();
 	mesh->cut = state_;
-	mesh->mesh = &contourOf(state_->frame.contours, contour).mesh;
+	mesh->mesh = &contourOf(state_->frame->contours, contour).mesh;
 	return Mesh(std::move(mesh));
 }
 
@@ -267,8 +267,8 @@ Status Cut::save(const std::string& file) const
 			    return Error{ErrorKind::usage, file + ": there is no cut to save; make one first"};
 		    const std::shared_lock lock(state_->blocks->mutex);
 		    return publicStatus(vp::write::writeSlice(*state_->blocks->blocks,
-		                                              vp::session::exportedMeshes(state_->frame.sheets), file,
-		                                              vp::session::contourPieces(state_->frame.contours)));
+		                                              vp::session::exportedMeshes(state_->frame->sheets), file,
+		                                              vp::session::contourPieces(state_->frame->contours)));
 	    });
 }
 

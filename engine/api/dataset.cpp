@@ -51,7 +51,7 @@ Result<Dataset> Dataset::open(const std::vector<std::string>& files, const OpenO
 		    spec.input.format = options.format;
 		    spec.machine = machineOf(options.classify, options.device);
 		    Result<std::shared_ptr<DatasetState>> state = DatasetState::of(vp::session::openSession(
-		        std::move(spec), {.may_scan = true, .completes_later = true, .stop = options.stop}));
+		        std::move(spec), {.expect = vp::session::Expect::one_cut, .stop = options.stop}));
 		    return state ? Result<Dataset>(Dataset(std::move(*state))) : state.error();
 	    });
 }
@@ -78,7 +78,7 @@ Result<Dataset> Dataset::wrap(std::vector<Block> blocks, Classify classify, cons
 				    return publicError(taken.error());
 			    Result<std::shared_ptr<DatasetState>> state = DatasetState::of(
 			        vp::session::sessionOf(std::move(*taken), std::move(spec),
-			                               {.may_scan = true, .completes_later = true, .stop = std::move(stop)}));
+			                               {.expect = vp::session::Expect::one_cut, .stop = std::move(stop)}));
 			    if (!state)
 				    return state.error();
 			    (*state)->array_sizes = std::move(sizes);
@@ -202,8 +202,7 @@ Result<std::vector<PlanRow>> Dataset::plan(const View& view) const
 {
 	const auto rows = [&]() -> vp::Result<std::vector<PlanRow>>
 	{
-		state_->session->another_follows = state_->cuts > 0;
-		const vp::Result<vp::find::CutPlan> plan = vp::session::planOf(*state_->session);
+		const vp::Result<vp::find::CutPlan> plan = state_->session->plan(state_->nextRequest());
 		if (!plan)
 			return plan.error();
 		std::vector<PlanRow> found;

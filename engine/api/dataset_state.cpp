@@ -1,6 +1,6 @@
 #include "api/border.h"
 #include "api/states.h"
-#include "picture/time_steps.h"
+#include "session/time_steps.h"
 #include "view/validate.h"
 
 #include <algorithm>
@@ -46,9 +46,8 @@ void DatasetState::keepBlocksOfCuts()
 vp::Status DatasetState::moveTo(const vp::read::TimeChoice& time)
 {
 	keepBlocksOfCuts();
-	const vp::Result<bool> moved = vp::picture::moveToTime(*session, time, painter ? &*painter : nullptr);
-	if (!moved)
-		return moved.error();
+	if (vp::Status moved = session->goTo(time); !moved)
+		return moved;
 	forgetValues();
 	return vp::Nothing{};
 }
@@ -79,87 +78,56 @@ vp::Status DatasetState::take(const View& view, bool for_sweep)
 		return one;
 	if (vp::Status known = vp::view::refuseGenerations(spec.probe, spec.look.color_by); !known)
 		return known;
-	if (vp::Status resolved = vp::session::resolveAgain(*session, std::move(spec)); !resolved)
-		return resolved;
-	session->finder = session->spec.machine.visited || session->spec.look.color_by == vp::view::ColorBy::generation
-	                      ? vp::find::Finder::traversal
-	                  : session->cutter->usesGpu() ? vp::find::Finder::direct
-	                                               : vp::find::Finder::automatic;
-	session->swept = 0.0;
-	return vp::Nothing{};
+	request = {};
+	return session->set(std::move(spec));
 }
 
 vp::Status DatasetState::link(const std::stop_token& stop)
 {
 	if (vp::grid::isComplete(session->blocks))
 		return vp::Nothing{};
-	if (vp::Status built = vp::session::buildNeighbors(*session, stop); !built)
+	if (vp::Status built = session->buildNeighbors(stop); !built)
 		return built;
 	++linking;
-	return painter ? painter->takeBlocks() : vp::Nothing{};
+	return vp::Nothing{};
 }
 
-vp::Status DatasetState::linkForCut(const std::stop_token& stop)
+vp::session::FrameRequest DatasetState::nextRequest() const
 {
-	if (vp::grid::isComplete(session->blocks))
-		return vp::Nothing{};
-	session->another_follows = cuts > 0;
-	const vp::Result<vp::find::CutPlan> plan = vp::session::planOf(*session);
-	if (!plan)
-		return plan.error();
-	const bool does_without = vp::grid::hasNeighbors(session->blocks)
-	                              ? cuts == 0 && !sweeps && vp::session::servesOneCut(session->spec)
-	                              : !plan->needs_neighbors;
-	if (does_without && !vp::session::needsNeighbors(session->spec))
-		return vp::Nothing{};
-	return link(stop);
+	vp::session::FrameRequest next = request;
+	next.expect = cuts > 0 ? vp::session::Expect::more
+	              : sweeps ? vp::session::Expect::first_of_many
+	                       : vp::session::Expect::one_cut;
+	// A sheet that is shown or exported needs no figures, but the flux depends on settings that may change.
+	next.wants.figures =
+	    session->spec.probe.vectors.on() ? vp::session::Wants::Figures::all : vp::session::Wants::Figures::for_picture;
+	return next;
 }
-
-namespace
-{
-
-// As session::cutFrame(), but for the figures: a sheet that is shown or exported needs none. wants_figures: it does.
-vp::Result<vp::session::CutFrame> cutFrame(const vp::session::Session& session, const std::stop_token& stop,
-                                           bool wants_figures)
-{
-	vp::Result<vp::cut::Cut> slice = vp::session::cut(session, nullptr, stop);
-	if (!slice)
-		return slice.error();
-	if (vp::Status told = vp::session::reportWarnings(session, *slice); !told)
-		return told.error();
-	auto sheets = vp::session::statsSince(session, *slice, nullptr, wants_figures);
-	if (!sheets)
-		return sheets.error();
-	vp::session::reportBoundarySheets(session, *sheets);
-	if (stop.stop_requested())
-		return vp::Error{vp::ErrorKind::cancelled, "cutting was cancelled"};
-	auto contours =
-	    vp::session::growContours(session, *slice, *sheets, session.spec.look.contour, vp::session::Tell::all);
-	if (!contours)
-		return contours.error();
-	return vp::session::CutFrame{std::move(*slice), std::move(*sheets), std::move(*contours)};
-}
-
-} // namespace
 
 vp::Result<Cut> DatasetState::cut(std::stop_token stop)
 {
-	if (vp::Status linked = linkForCut(stop); !linked)
-		return linked.error();
-	const bool wants_figures = session->spec.probe.vectors.on(); // the flux depends on settings
-	vp::Result<vp::session::CutFrame> frame = cutFrame(*session, stop, wants_figures);
+	const vp::session::FrameRequest next = nextRequest();
+	const vp::Result<bool> needs_neighbors = session->needsNeighborsFor(next);
+	if (!needs_neighbors)
+		return needs_neighbors.error();
+	if (*needs_neighbors)
+		if (vp::Status linked = link(stop); !linked)
+			return linked.error();
+	vp::Result<std::shared_ptr<const vp::session::Frame>> frame = session->frame(next, stop);
 	session->timeline->takeSections();
 	if (!frame)
 		return frame.error();
+	vp::session::reportBoundarySheets(*session, (*frame)->sheets);
 	++cuts;
 	auto state = std::make_shared<Cut::State>();
 	state->device = session->device;
-	state->blocks = frame->slice.refined ? std::make_shared<CutBlocks>(frame->slice.refined) : blocksOfCut();
 	state->frame = std::move(*frame);
-	state->figures.resize(state->frame.sheets.size());
-	if (wants_figures)
+	const vp::session::Frame& made = *state->frame;
+	state->blocks = made.slice.refined ? std::make_shared<CutBlocks>(made.slice.refined) : blocksOfCut();
+	state->figures.resize(made.sheets.size());
+	if (next.wants.figures == vp::session::Wants::Figures::all)
 		for (std::size_t s = 0; s < state->figures.size(); ++s)
-			state->figures[s] = state->frame.sheets[s].measure;
+			state->figures[s] = made.sheets[s].measure;
 	state->made_by = this;
 	state->linking = linking;
 	state->probe = session->spec.probe;
@@ -178,7 +146,7 @@ vp::Status DatasetState::takeDevice(std::shared_ptr<vp::gpu::Device> callers)
 	has_callers_device = callers != nullptr;
 	session->device = std::move(callers);
 	++linking; // cuts may have their polygons on the device before
-	return vp::session::makeCutter(*session);
+	return session->makeCutter();
 }
 
 bool DatasetState::fits(const Cut& cut) const
@@ -224,7 +192,7 @@ vp::Result<Image> DatasetState::draw(const Cut& cut, const std::stop_token& stop
 	const vp::Result<Cut> drawn = readyToDraw(cut, stop);
 	if (!drawn)
 		return drawn.error();
-	const vp::session::CutFrame& frame = drawn->state_->frame;
+	const vp::session::Frame& frame = *drawn->state_->frame;
 	vp::Result<vp::render::Picture> picture = painter->draw(frame.slice, frame.sheets, frame.contours, stop);
 	session->timeline->takeSections();
 	if (!picture)
@@ -234,11 +202,10 @@ vp::Result<Image> DatasetState::draw(const Cut& cut, const std::stop_token& stop
 
 void DatasetState::forgetValues()
 {
-	session->cutter->forgetValues();
+	session->forgetValues();
 	session->finite_fields = std::make_unique<vp::measure::FiniteFields>();
 	session->launch.fastest.reset();
-	if (painter)
-		painter->forgetScales();
+	session->is_resolved = false; // the step of particles follows from values
 }
 
 } // namespace vprobe

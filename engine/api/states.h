@@ -3,7 +3,7 @@
 #include "api/border.h"
 #include "gpu/image.h"
 #include "picture/painter.h"
-#include "session/cut_frame.h"
+#include "session/frame.h"
 #include "session/session.h"
 #include "write/slice_table.h"
 
@@ -52,7 +52,7 @@ struct Cut::State
 {
 	std::shared_ptr<vp::gpu::Device> device; // polygons may lie in its memory
 	std::shared_ptr<CutBlocks> blocks;
-	vp::session::CutFrame frame;
+	std::shared_ptr<const vp::session::Frame> frame;
 	// The figures of each sheet, measured when somebody asks for them.
 	mutable std::mutex measuring;
 	mutable std::vector<std::optional<vp::measure::SheetMeasure>> figures;
@@ -79,6 +79,7 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	std::optional<vp::picture::Painter> painter;
 	std::uint64_t linking = 0; // rises when cells get other numbers
 	std::size_t cuts = 0;
+	vp::session::FrameRequest request;            // where the next cut is made, in a sweep
 	bool sweeps = false;                          // the cut is a frame of a sweep, so others follow
 	std::weak_ptr<CutBlocks> blocks_of_cuts;      // that share the session's blocks
 	std::optional<vp::read::TimeChoice> moved_to; // a sweep through the times has left the values of this one
@@ -94,9 +95,8 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	// The view's settings for the blocks there are. for_sweep: frames of a sweep follow, which may go through the
 	// times.
 	vp::Status take(const View& view, bool for_sweep = false);
-	// Completes the blocks, with the neighbors of cells: always, or where the next cut needs it.
-	vp::Status link(const std::stop_token& stop);
-	vp::Status linkForCut(const std::stop_token& stop);
+	vp::Status link(const std::stop_token& stop); // completes the blocks, with the neighbors of cells
+	vp::session::FrameRequest nextRequest() const;
 	vp::Result<Cut> cut(std::stop_token stop);                           // as the session has it
 	vp::Result<Image> draw(const Cut& cut, const std::stop_token& stop); // by the settings that were taken last
 	bool fits(const Cut& cut) const;                                     // it is what the settings would cut now

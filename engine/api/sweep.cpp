@@ -1,7 +1,7 @@
 #include "api/border.h"
 #include "api/states.h"
-#include "picture/time_steps.h"
 #include "probe/path.h"
+#include "session/time_steps.h"
 #include "view/validate.h"
 
 #include <vprobe/dataset.h>
@@ -69,8 +69,8 @@ private:
 
 	vp::Status moveProbe(int index)
 	{
-		state_.session->view.probe.frame = poses_[static_cast<std::size_t>(index)];
-		state_.session->swept = vp::probe::progress(path_, index, count_);
+		state_.request.pose = poses_[static_cast<std::size_t>(index)];
+		state_.request.done = vp::probe::progress(path_, index, count_);
 		return vp::Nothing{};
 	}
 
@@ -78,7 +78,7 @@ private:
 	{
 		vp::session::Session& session = *state_.session;
 		const vp::read::TimeChoice time =
-		    vp::picture::choiceOfStep(session.blocks.times, static_cast<std::size_t>(index));
+		    vp::session::choiceOfStep(session.blocks.times, static_cast<std::size_t>(index));
 		frame.time = session.blocks.times[static_cast<std::size_t>(index)];
 		if (state_.moved_to == time)
 			return vp::Nothing{};

@@ -94,7 +94,7 @@ vp::Status DatasetState::drawForCaller(const Cut& cut, VkExtent2D extent)
 		return drawn.error();
 	if (vp::Status ready = prepareImage(*this, extent); !ready)
 		return ready;
-	const vp::session::CutFrame& frame = drawn->state_->frame;
+	const vp::session::Frame& frame = *drawn->state_->frame;
 	const vp::Status done = painter->drawInto(*target, frame.slice, frame.sheets, frame.contours);
 	session->timeline->takeSections();
 	return done;

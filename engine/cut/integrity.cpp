@@ -62,6 +62,7 @@ Result<SweepFindings> sweepForImpossibleCases(Cutter& slicer)
 		for (int first = 0; first < planes; first += kSheetsAtOnce)
 		{
 			CutRequest request;
+			request.in_generations = true;
 			request.seeds.mode = seed::SeedMode::boundary;
 			Vec3 normal(0.0);
 			normal[axis] = 1.0;

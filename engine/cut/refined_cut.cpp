@@ -49,7 +49,7 @@ Result<Cut> cutRefined(refine::Refiner& refiner, const grid::BlockSet& blocks, c
 	section.reset();
 	CutRequest scan = request;
 	scan.seeds = {};
-	scan.finder = find::Finder::automatic;
+	scan.device_first = false;
 	scan.strategy = find::Strategy::scan;
 	scan.last = nullptr;
 	Result<Cut> cut = Cutter(*refined->blocks).cut(scan, stop);

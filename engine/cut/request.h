@@ -36,8 +36,9 @@ struct CutRequest
 	// Per sheet, in place of seeds that would be looked for; or null.
 	const std::vector<seed::SheetSeeds>* given_seeds = nullptr;
 	std::optional<find::Threshold> threshold; // of the field's values; the search does not pass cells outside
-	find::Finder finder = find::Finder::traversal;
-	std::optional<find::Strategy> strategy; // for all sheets and blocks; an error if it is not possible
+	bool in_generations = false;              // each cell is met in its generation, which SheetCut knows
+	bool device_first = false;                // a device was asked for by name, see find::PlanRequest
+	std::optional<find::Strategy> strategy;   // for all sheets and blocks; an error if it is not possible
 	// Other cuts of these blocks will follow, so it pays to build neighbors, which one cut would not need.
 	bool another_follows = false;
 	find::VisitedSet visited = find::VisitedSet::stamps;
@@ -62,7 +63,8 @@ struct CutRequest
 		        .seed_mode = seeds.mode,
 		        .looks_for_hot_spot = seeds.outside != seed::OutsidePolicy::nearest,
 		        .another_follows = another_follows,
-		        .finder = finder,
+		        .in_generations = in_generations,
+		        .device_first = device_first,
 		        .strategy = strategy};
 	}
 };

@@ -92,7 +92,7 @@ const char* whyNot(Strategy strategy, const PlannedSheet& at)
 		return "only cells of a grid index or a patch are listed";
 	if (strategy == Strategy::generations)
 		return nullptr;
-	if (at.request.finder == Finder::traversal)
+	if (at.request.in_generations)
 		return "generations are asked for";
 	if (strategy == Strategy::scan)
 		return whyNotScan(at);
@@ -107,7 +107,7 @@ const char* whyGenerations(const PlannedSheet& at)
 {
 	if (const char* why = needsGenerations(at))
 		return why;
-	if (at.request.finder == Finder::traversal)
+	if (at.request.in_generations)
 		return "asked for";
 	// The usual strategy for this kind of block is not possible, or not wanted.
 	const char* why = std::holds_alternative<grid::RectilinearGrid>(at.block.grid)   ? whyNotRows(at)
@@ -142,7 +142,7 @@ const char* whyTaken(Strategy strategy, const PlannedSheet& at)
 /// Returns true if neighbors would have to be built for this cut only.
 bool isOneOff(const PlannedSheet& at)
 {
-	return at.lacks_neighbors && !at.request.another_follows && at.request.finder == Finder::automatic;
+	return at.lacks_neighbors && !at.request.another_follows && !at.request.in_generations && !at.request.device_first;
 }
 
 /// Returns the first possible strategy, in the order of their speed. A device gets generations instead of a search on
@@ -154,7 +154,7 @@ Strategy choose(const PlannedSheet& at)
 	for (const auto& [strategy, name] : kStrategies)
 	{
 		const bool searches = strategy == Strategy::spans || strategy == Strategy::cells;
-		if (strategy != Strategy::scan && !(searches && at.request.finder == Finder::direct) && !whyNot(strategy, at))
+		if (strategy != Strategy::scan && !(searches && at.request.device_first) && !whyNot(strategy, at))
 			return strategy;
 	}
 	return Strategy::generations;
@@ -200,7 +200,7 @@ const char* needsLinearCells(const PlanRequest& request)
 		return "a threshold";
 	if (request.seed_mode != seed::SeedMode::automatic || request.looks_for_hot_spot)
 		return "seeds";
-	if (request.finder == Finder::traversal)
+	if (request.in_generations)
 		return "generations";
 	if (request.strategy && *request.strategy != Strategy::scan)
 		return nameOf(*request.strategy);

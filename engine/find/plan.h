@@ -39,15 +39,6 @@ std::optional<Strategy> strategyNamed(std::string_view name);
 const char* nameOf(Strategy strategy);
 const char* nameOf(Processor classifier);
 
-/// Which strategies a plan chooses from where none is asked for by name. All find the same cells, and make the same
-/// mesh but for the numbering. What is not found in generations goes to a device's classifier as one wide front.
-enum class Finder
-{
-	traversal, // generations alone
-	direct,    // rows if possible, otherwise generations
-	automatic  // the fastest strategy that is possible
-};
-
 /// What a plan needs to know about a request.
 struct PlanRequest
 {
@@ -57,7 +48,10 @@ struct PlanRequest
 	seed::SeedMode seed_mode = seed::SeedMode::boundary;
 	bool looks_for_hot_spot = false; // the cut must know whether the hot spot lies in the grid
 	bool another_follows = false;    // more cuts will follow, so it pays to build neighbors
-	Finder finder = Finder::traversal;
+	bool in_generations = false;     // each cell must be met in its generation, so no other strategy serves
+	// A device was asked for by name. It classifies a generation at a time in place of a search on the CPU. Without
+	// this the CPU searches, and a device classifies what it found as one wide front.
+	bool device_first = false;
 	std::optional<Strategy> strategy; // for all sheets and blocks; an error if it is impossible
 };
 

@@ -18,6 +18,7 @@
 #include "render/scene/value_style.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vp::picture
 {
@@ -42,9 +43,23 @@ void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
 } // namespace
 
 Painter::Painter(session::Session& session, SheetLooks looks, render::Renderer renderer)
-    : session_(session), looks_(std::move(looks)), vectors_(session), renderer_(std::move(renderer)),
-      pool_(classify::RecordPool::create(*session.device))
+    : session_(session), drawn_(session.stamp), looks_(std::move(looks)), vectors_(session),
+      renderer_(std::move(renderer)), pool_(classify::RecordPool::create(*session.device))
 {
+}
+
+// Computes anew what depends on values and blocks, if the session has others since the last picture.
+Status Painter::followSession()
+{
+	const session::Session::Stamp before = std::exchange(drawn_, session_.stamp);
+	const bool has_other_grid = before.grid != drawn_.grid;
+	if (has_other_grid || before.values != drawn_.values)
+	{
+		looks_.forgetScales();
+		vectors_.forget();
+		records_.clear();
+	}
+	return has_other_grid ? takeBlocks() : Nothing{};
 }
 
 Status Painter::takeBlocks()
@@ -240,6 +255,8 @@ Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<
                                        const session::Contours& contours)
 {
 	const TimedSection section(session_.timeline.get(), "scene");
+	if (Status followed = followSession(); !followed)
+		return followed.error();
 	render::Scene scene;
 	scene.look = choice().look;
 	scene.outline = outline_;

@@ -20,22 +20,13 @@ class RecordPool; // gpu_records.h
 namespace vp::picture
 {
 
-// Draws cuts of a session. The session outlives it. Whatever does not change between pictures is computed once. The
-// camera stands still, unless it is bound to the sheet.
+// Draws frames of a session. The session outlives it. Whatever does not change between pictures is computed once, and
+// again after the session has gone to another time. The camera stands still, unless it is bound to the sheet.
 class Painter
 {
 public:
 	static Result<Painter> create(session::Session& session, view::ResolvedLook look);
 
-	// Call this when the values of the arrays have changed.
-	void forgetScales()
-	{
-		looks_.forgetScales();
-		vectors_.forget();
-		records_.clear();
-	}
-	// Call this when the session has other blocks.
-	Status takeBlocks();
 	// Sets the look from the next picture on. A camera that the look does not fix is fitted again.
 	Status setLook(view::ResolvedLook look);
 
@@ -57,6 +48,8 @@ public:
 
 private:
 	Painter(session::Session& session, SheetLooks looks, render::Renderer renderer);
+	Status followSession();
+	Status takeBlocks();
 	Status makeContext();
 	Result<std::shared_ptr<const classify::SheetRecords>> recordsOf(const cut::Cut& slice, std::size_t sheet,
 	                                                                const session::SheetStats& stats);
@@ -73,6 +66,7 @@ private:
 	const view::ResolvedLook& choice() const { return looks_.choice(); }
 
 	session::Session& session_;
+	session::Session::Stamp drawn_; // of the session when the last picture was drawn
 	SheetLooks looks_;
 	VectorDrawing vectors_;
 	render::Renderer renderer_;

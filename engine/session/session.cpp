@@ -7,6 +7,7 @@
 #include "ranks/particles/particle_borders.h"
 #include "ranks/search/rank_to_rank.h"
 #include "ranks/team.h"
+#include "session/frame.h"
 #include "session/sheet_traces.h"
 #include "view/validate.h"
 #include "view/words.h"
@@ -161,97 +162,161 @@ Status buildNeighborsOfCopy(Session& session)
 
 } // namespace
 
-Status buildNeighbors(Session& session, const std::stop_token& stop)
+Status Session::buildNeighbors(const std::stop_token& stop)
 try
 {
-	if (grid::isComplete(session.blocks))
+	if (grid::isComplete(blocks))
 		return Nothing{};
 	{
 		const Progress progress("finding neighbors");
-		if (stop.stop_possible() || !std::ranges::all_of(session.blocks.blocks, hasCheckedIds)) // it may fail
+		if (stop.stop_possible() || !std::ranges::all_of(blocks.blocks, hasCheckedIds)) // it may fail
 		{
-			const auto build = [&] { return buildNeighborsOfCopy(session); };
+			const auto build = [&] { return buildNeighborsOfCopy(*this); };
 			if (Status built = endingOnRequest(stop, "finding neighbors", build); !built)
 				return built;
 		}
 		else
 		{
-			session.cutter.reset();
-			read::buildNeighbors(session.blocks, session.timeline.get());
+			cutter.reset();
+			read::buildNeighbors(blocks, timeline.get());
 		}
 	}
-	return makeCutter(session);
+	return makeCutter();
 }
 catch (const grid::WrongPoint& wrong)
 {
 	return Error{ErrorKind::input, wrong.what()};
 }
 
-Status makeCutter(Session& session)
+Status Session::takeNeighbors(grid::BlockSet built)
 {
-	session.particle_borders = std::make_shared<ranks::LazyParticleBorders>();
-	if (!classifiesOnGpu(session))
+	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+		built.blocks[b].fields = std::move(blocks.blocks[b].fields);
+	cutter.reset();
+	blocks = std::move(built);
+	return makeCutter();
+}
+
+Status Session::makeCutter()
+{
+	++stamp.cells;
+	particle_borders = std::make_shared<ranks::LazyParticleBorders>();
+	if (!classifiesOnGpu(*this))
 	{
-		session.cutter = std::make_unique<cut::Cutter>(session.blocks);
+		cutter = std::make_unique<cut::Cutter>(blocks);
 		return Nothing{};
 	}
 	const Progress progress("uploading");
-	Result<std::unique_ptr<cut::Cutter>> cutter =
-	    cut::Cutter::onDevice(*session.device, session.blocks, session.view.field, session.timeline.get());
-	if (!cutter)
-		return cutter.error();
-	session.cutter = std::move(*cutter);
+	Result<std::unique_ptr<cut::Cutter>> made = cut::Cutter::onDevice(*device, blocks, view.field, timeline.get());
+	if (!made)
+		return made.error();
+	cutter = std::move(*made);
 	return Nothing{};
 }
 
-Status resolveAgain(Session& session, view::ViewSpec spec)
+void Session::forgetValues()
 {
-	Result<view::ResolvedView> view = view::resolve(spec, session.blocks);
-	if (!view)
-		return view.error();
-	session.spec = std::move(spec);
-	session.view = std::move(*view);
-	return prepareLaunch(session);
+	++stamp.values;
+	cutter->forgetValues();
 }
 
 namespace
 {
 
-cut::CutRequest requestOf(const Session& session)
+/// Returns true if the same cells are cut in the same way, wherever the probe is.
+bool cutAlike(view::ViewSpec a, const view::ViewSpec& b)
 {
-	const view::ResolvedView& view = session.view;
-	const view::MachineSpec& machine = session.spec.machine;
+	a.input.time = b.input.time;
+	view::takePlace(a.probe, b.probe);
+	const bool in_generations = a.look.color_by == view::ColorBy::generation;
+	return a.probe == b.probe && a.input == b.input && a.machine == b.machine &&
+	       in_generations == (b.look.color_by == view::ColorBy::generation) &&
+	       (a.look.range_of == b.look.range_of || b.look.range_of == view::RangeOf::data); // of a slice: measured
+}
+
+/// Returns true if resolving the probe for the same blocks gives the same.
+bool resolveAlike(const view::ViewSpec& a, const view::ViewSpec& b)
+{
+	view::InputSpec input = a.input;
+	input.time = b.input.time;
+	return a.probe == b.probe && input == b.input && a.machine == b.machine;
+}
+
+} // namespace
+
+Status Session::set(view::ViewSpec other)
+{
+	if (!cutAlike(spec, other))
+		++stamp.settings;
+	if (is_resolved && resolveAlike(spec, other))
+	{
+		spec = std::move(other);
+		return Nothing{};
+	}
+	++stamp.place;
+	return resolveAgain(*this, std::move(other));
+}
+
+Status resolveAgain(Session& session, view::ViewSpec spec)
+{
+	session.is_resolved = false;
+	Result<view::ResolvedView> view = view::resolve(spec, session.blocks);
+	if (!view)
+		return view.error();
+	session.spec = std::move(spec);
+	session.view = std::move(*view);
+	const Status prepared = prepareLaunch(session);
+	session.is_resolved = bool(prepared);
+	return prepared;
+}
+
+namespace
+{
+
+// A traversal knows when it met a cell, and so does the paper's kind of visited set.
+bool asksForGenerations(const view::ViewSpec& spec)
+{
+	return spec.machine.visited || spec.look.color_by == view::ColorBy::generation;
+}
+
+// A device that was asked for by name goes by generations, as the paper does.
+bool asksForDevice(const Session& session)
+{
+	return session.spec.machine.classify == view::Classify::gpu && session.device &&
+	       !leavesDeviceIdle(session.spec.probe);
+}
+
+} // namespace
+
+cut::CutRequest Session::cutRequest(const FrameRequest& request) const
+{
+	const view::MachineSpec& machine = spec.machine;
+	const bool in_generations = asksForGenerations(spec);
 	// For a device few generations are wanted; where the traversal is asked for by name it goes as the paper has it.
 	seed::SeedOptions seeds = view.seeds;
-	seeds.lattice = session.cutter->usesGpu() && session.finder != find::Finder::traversal &&
-	                machine.strategy != find::Strategy::generations;
-	return {.probe = view.probe,
+	seeds.lattice = cutter->usesGpu() && !in_generations && machine.strategy != find::Strategy::generations;
+	probe::Probe probe = view.probe;
+	if (request.pose)
+		probe.frame = *request.pose;
+	return {.probe = std::move(probe),
 	        .corners = view.corners,
 	        .hanging = view.hanging,
 	        .field = view.field,
 	        .sheet_fields = view.sheet_fields,
 	        .seeds = seeds,
 	        .threshold = view.threshold,
-	        .finder = session.finder,
+	        .in_generations = in_generations,
+	        .device_first = asksForDevice(*this),
 	        .strategy = machine.strategy,
-	        .another_follows = session.another_follows,
+	        .another_follows = request.expect == Expect::more,
 	        .visited = machine.visited.value_or(find::VisitedSet::stamps),
-	        .surface = view::listedSurface(view.surface, session.swept),
+	        .surface = view::listedSurface(view.surface, request.done),
 	        .last = nullptr,
-	        .timeline = session.timeline.get()};
+	        .timeline = timeline.get()};
 }
 
-// A traversal knows when it met a cell, and a device goes by generations, as the paper does, unless it is left to
-// choose what is fastest.
-find::Finder finderFor(const Session& session)
+namespace
 {
-	const view::MachineSpec& machine = session.spec.machine;
-	if (machine.visited || session.spec.look.color_by == view::ColorBy::generation)
-		return find::Finder::traversal;
-	const bool on_device =
-	    machine.classify == view::Classify::gpu && session.device && !leavesDeviceIdle(session.spec.probe);
-	return on_device ? find::Finder::direct : find::Finder::automatic;
-}
 
 Result<grid::BlockSet> readBlocks(Session& session, const OpenOptions& options)
 {
@@ -260,9 +325,9 @@ Result<grid::BlockSet> readBlocks(Session& session, const OpenOptions& options)
 	read::ReadOptions reading = readOptions(session, spec.input.time);
 	reading.identifies_geometry = options.reads_again || spec.probe.vectors.path_lines;
 	reading.stop = options.stop;
-	const bool needs_neighbors = !options.may_scan || needsNeighbors(spec);
+	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec);
 	reading.builds_neighbors = needs_neighbors && !options.team; // a rank joins its pieces first
-	reading.for_one_cut = !needs_neighbors && (!options.reads_again || options.completes_later) && servesOneCut(spec);
+	reading.for_one_cut = !needs_neighbors && options.expect == Expect::one_cut && servesOneCut(spec);
 	return readInputs(session, reading);
 }
 
@@ -299,13 +364,12 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 		session->device = std::move(opened->device);
 		session->renderer = std::move(opened->renderer);
 	}
-	session->finder = finderFor(*session);
-	if (Status made = makeCutter(*session); !made)
+	if (Status made = session->makeCutter(); !made)
 		return made.error();
-	const auto plan = session->cutter->plan(requestOf(*session));
-	const bool is_joined = session->team && (!options.may_scan || needsNeighbors(session->spec));
+	const auto plan = session->plan({.expect = Expect::first_of_many});
+	const bool is_joined = session->team && (options.expect == Expect::more || needsNeighbors(session->spec));
 	if (is_joined || (plan && plan->needs_neighbors))
-		if (Status built = buildNeighbors(*session, options.stop); !built)
+		if (Status built = session->buildNeighbors(options.stop); !built)
 			return built.error();
 	return session;
 }
@@ -335,30 +399,51 @@ Status drawOn(Session& session)
 	return Nothing{};
 }
 
-Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last, std::stop_token stop)
+Result<cut::Cut> Session::cut(const FrameRequest& request, std::shared_ptr<const cut::Cut> last, std::stop_token stop)
 {
-	if (session.spec.machine.strategy)
-		if (const Result<find::CutPlan> plan = planOf(session); !plan)
-			return plan.error();
-	cut::CutRequest request = requestOf(session);
-	request.last = std::move(last);
-	Result<cut::Cut> cut =
-	    session.team && ranks::goesFromRankToRank(request)
-	        ? ranks::cutFromRankToRank(*session.team, session.share->whole, *session.cutter, std::move(request), stop)
-	        : session.cutter->cut(request, stop);
+	if (spec.machine.strategy)
+		if (const Result<find::CutPlan> possible = plan(request); !possible)
+			return possible.error();
+	cut::CutRequest asked = cutRequest(request);
+	asked.last = std::move(last);
+	Result<cut::Cut> cut = team && ranks::goesFromRankToRank(asked)
+	                           ? ranks::cutFromRankToRank(*team, share->whole, *cutter, std::move(asked), stop)
+	                           : cutter->cut(asked, stop);
 	if (stop.stop_requested())
 		return Error{ErrorKind::cancelled, "cutting was cancelled"};
-	if (session.team && cut && session.view.seeds.outside != seed::OutsidePolicy::nearest)
-		ranks::agreeOnHotSpots(*session.team, *cut);
+	if (team && cut && view.seeds.outside != seed::OutsidePolicy::nearest)
+		ranks::agreeOnHotSpots(*team, *cut);
 	return cut;
 }
 
-Result<find::CutPlan> planOf(const Session& session)
+Result<find::CutPlan> Session::plan(const FrameRequest& request) const
 {
-	Result<find::CutPlan> plan = session.cutter->plan(requestOf(session));
+	Result<find::CutPlan> plan = cutter->plan(cutRequest(request));
 	if (!plan)
 		return Error{plan.error().kind, fmt::format("`strategy` {}", plan.error().message)};
 	return plan;
+}
+
+Result<bool> Session::needsNeighborsFor(const FrameRequest& request) const
+{
+	if (grid::isComplete(blocks))
+		return false;
+	const Result<find::CutPlan> planned = plan(request);
+	if (!planned)
+		return planned.error();
+	// Structured blocks have neighbors by themselves. What they may lack are folds and seams, which one cut does
+	// without.
+	const bool does_without = grid::hasNeighbors(blocks) ? request.expect == Expect::one_cut && servesOneCut(spec)
+	                                                     : !planned->needs_neighbors;
+	return !does_without || needsNeighbors(spec);
+}
+
+Status Session::prepareFor(const FrameRequest& request, const std::stop_token& stop)
+{
+	const Result<bool> lacks = needsNeighborsFor(request);
+	if (!lacks)
+		return lacks.error();
+	return *lacks ? buildNeighbors(stop) : Nothing{};
 }
 
 const char* classifierName(const Session& session)

@@ -28,20 +28,20 @@ class LazyParticleBorders; // ranks/particles/particle_borders.h
 namespace vp::session
 {
 
-// A session is a pipeline, and a caller may stop after any stage:
+// A session is a data set, its settings, and what cuts it:
 //
-//     openSession   validates the settings, reads the inputs, opens a device, resolves, makes a cutter
-//     cut           finds the cut cells                                                      cut::Cut
-//     sheetStats    builds polygons, launches particles, measures                            sheet_stats.h
-//     growContours  contours of the sheets                                                   grown_contours.h
-//     Painter       draws                                                                    picture/painter.h
-//     write         polygons, flat pictures, pictures, films                                 picture/plane_pictures.h,
+//     openSession     validates the settings, reads the inputs, opens a device, resolves, makes a cutter
+//     Session::set    changes the settings
+//     Session::goTo   moves to another time of the inputs
+//     Session::frame  plans, finds the cut cells, builds polygons, launches particles, measures, grows contours
+//     picture::Painter draws a frame                                                         picture/painter.h
+//     write           polygons, flat pictures, pictures, films                               picture/plane_pictures.h,
 //     write/
 //
-// resolveAgain() changes the settings, moveToTime() the values, and buildNeighbors() adds the neighbors of cells.
+// Every program makes its frames by Session::frame(), so all of them find the same cells in the same way.
 //
-// Only one thread at a time may use a session. cut(), planOf() and other functions with a const Session may run at the
-// same time if each has a Timeline of its own.
+// Only one thread at a time may use a session. A thread may draw a frame while another makes the next one, unless
+// Session::needsNeighborsFor() says that the blocks will change.
 
 /// What launching particles needs besides the settings.
 struct LaunchState
@@ -52,18 +52,104 @@ struct LaunchState
 	std::optional<std::pair<grid::FieldChoice, double>> fastest; // the greatest length in the array of vectors
 };
 
+/// What follows a cut. It decides what is built for it.
+enum class Expect
+{
+	one_cut,       // nothing that one cut does without
+	first_of_many, // the neighbors of cells are not built for this cut if it does without them
+	more           // everything is built, since it makes later cuts fast
+};
+
+/// What a frame must hold besides the polygons of its sheets.
+struct Wants
+{
+	enum class Figures
+	{
+		none,
+		for_picture, // what a picture needs
+		all
+	};
+	Figures figures = Figures::all;
+	bool contours = true; // those of the settings
+	bool warns = true;    // of empty sheets and the like; false for one frame of many
+
+	bool operator==(const Wants&) const = default;
+};
+
+struct Frame; // frame.h
+
+/// What to cut by the settings of a session.
+struct FrameRequest
+{
+	std::optional<probe::Frame> pose{}; // of the probe; nothing takes the one of the settings
+	double done = 0.0;                  // place of a grid surface in its range, 0 to 1
+	Wants wants{};
+	Expect expect = Expect::one_cut;
+	// A frame of the same session, or null. What has not changed since then is taken from it.
+	std::shared_ptr<const Frame> last{};
+
+	bool isPlacedAs(const FrameRequest& other) const { return pose == other.pose && done == other.done; }
+};
+
 /// A data set, its settings, and what cuts and draws it. The cutter refers to the blocks. The device serves the cutter
 /// and the drawing.
 struct Session
 {
+	/// Takes other settings for the same blocks: all settings except those of input and machine.
+	Status set(view::ViewSpec spec);
+
+	/// Makes a frame. It builds the neighbors of cells first if needsNeighborsFor() says so. If nothing has changed
+	/// since the last frame, it returns that one. With a team, all ranks call it. A stop request ends it with
+	/// ErrorKind::cancelled.
+	Result<std::shared_ptr<const Frame>> frame(const FrameRequest& request, std::stop_token stop = {});
+
+	/// Returns how frame() would find the cells. If the strategy of the settings is impossible, returns a usage error
+	/// that names `strategy`. Without a request: how the cells of the last frame were found.
+	Result<find::CutPlan> plan(const FrameRequest& request) const;
+	Result<find::CutPlan> plan() const { return plan({.expect = expected}); }
+
+	/// Returns true if the blocks lack what frame() needs for a request. Then frame() builds it, cells may get other
+	/// numbers, and frames that were made before become invalid.
+	Result<bool> needsNeighborsFor(const FrameRequest& request) const;
+
+	/// Builds what the blocks lack for further cuts (grid::isComplete), such as neighbors of cells, and a new cutter.
+	/// Frames that were made before become invalid. A stop request ends it with ErrorKind::cancelled, and leaves all as
+	/// it was.
+	Status buildNeighbors(const std::stop_token& stop = {});
+
+	/// Takes blocks like its own for which somebody else has built the neighbors, but keeps its own values.
+	Status takeNeighbors(grid::BlockSet built);
+
+	/// Moves to a time of the inputs. If only the values differ there, a frame with `last` keeps the cells that it
+	/// found. If the grid differs, it is read and built again, and frames that were made before become invalid.
+	Status goTo(const read::TimeChoice& time);
+
+	/// Makes a cutter for the blocks that the session has now. Frames that were made before become invalid.
+	Status makeCutter();
+
+	/// The values of the blocks have changed.
+	void forgetValues();
+
+	/// Counts the changes of what a frame is made of. Equal numbers mean that nothing has changed.
+	struct Stamp
+	{
+		std::uint64_t grid = 0;     // blocks were read anew
+		std::uint64_t cells = 0;    // the same, or cells have got neighbors and other numbers
+		std::uint64_t values = 0;   // values in the blocks
+		std::uint64_t settings = 0; // other settings than the place of the probe and its look
+		std::uint64_t place = 0;    // place of the probe
+
+		bool operator==(const Stamp&) const = default;
+	};
+	Stamp stamp;
+	Expect expected = Expect::first_of_many; // of the last frame
+	bool is_resolved = false;                // the resolved settings are those of the settings
+
 	view::ViewSpec spec;
 	view::ResolvedView view;
 	grid::BlockSet blocks;
 	LaunchState launch;
-	double swept = 0.0;           // place of a grid surface in its range for the next cut, 0 to 1
-	bool reads_all_arrays = true; // read all arrays whenever the inputs are read
-	bool another_follows = false; // another cut will follow, so a plan may build neighbors
-	find::Finder finder = find::Finder::automatic;
+	bool reads_all_arrays = true;                  // read all arrays whenever the inputs are read
 	std::shared_ptr<gpu::Device> device;           // null if the CPU needs no device
 	std::optional<render::Renderer> renderer;      // made while the inputs were read; the first painter takes it
 	std::optional<classify::BreakEven> break_even; // measured if a device may classify
@@ -76,18 +162,22 @@ struct Session
 	std::shared_ptr<const ranks::Share> share{};                    // with a team
 	std::shared_ptr<ranks::LazyParticleBorders> particle_borders{}; // with a team; of the blocks as they are now
 	std::uint64_t layer_bytes = 0;                                  // of pictures, sent to others
+
+private:
+	Status prepareFor(const FrameRequest& request, const std::stop_token& stop);
+	const Frame* usableLast(const FrameRequest& request) const;
+	Result<cut::Cut> find(const FrameRequest& request, const Frame* last, const std::stop_token& stop);
+	Result<cut::Cut> cut(const FrameRequest& request, std::shared_ptr<const cut::Cut> last, std::stop_token stop);
+	cut::CutRequest cutRequest(const FrameRequest& request) const;
 };
 
 /// How to open a session, besides the settings.
 struct OpenOptions
 {
 	DeviceUse use = DeviceUse::classify;
-	// The first cut may do without neighbors, by a scan. If false, neighbors are built while the inputs are read.
-	bool may_scan = false;
+	Expect expect = Expect::more; // of the first frame: what is built while the inputs are read
 	bool reads_all_arrays = true; // read all arrays, not only those that are shown
 	bool reads_again = true;      // the inputs may be read again at other times
-	// The caller calls buildNeighbors() before a second cut, and before one that servesOneCut() does not hold for.
-	bool completes_later = false;
 	Timeline::Keep keep = Timeline::Keep::totals;
 	std::shared_ptr<gpu::Device> device{}; // an open device; null opens the device of the settings
 	std::stop_token stop{};                // a stop request ends the opening with ErrorKind::cancelled
@@ -103,7 +193,8 @@ Result<std::unique_ptr<Session>> sessionOf(grid::BlockSet blocks, view::ViewSpec
 /// Opens a device to draw with, unless the session has one.
 Status drawOn(Session& session);
 
-/// Takes other settings for the same blocks: all settings except those of input and machine.
+/// Resolves settings for the blocks of a session, as Session::set() does, even if they have not changed. For blocks
+/// with other arrays.
 Status resolveAgain(Session& session, view::ViewSpec spec);
 
 /// Returns the options that read the inputs at a time, with all arrays.
@@ -121,23 +212,6 @@ bool needsNeighbors(const view::ViewSpec& spec);
 
 /// Returns true if blocks that were read for one cut serve the settings: seeds from every row do as well as others.
 bool servesOneCut(const view::ViewSpec& spec);
-
-/// Builds what the blocks lack for further cuts (grid::isComplete), such as neighbors of cells, and a new cutter. Cuts
-/// that were made before become invalid, and so does everything made from them. A stop request ends it with
-/// ErrorKind::cancelled, and leaves all as it was.
-Status buildNeighbors(Session& session, const std::stop_token& stop = {});
-
-/// Makes a cutter for the blocks that the session has now.
-Status makeCutter(Session& session);
-
-/// Cuts by the session's settings. last: a cut of this session that differs only in the place of the probe, see
-/// CutRequest. The session must have neighbors if the plan needs them. A stop request ends it with
-/// ErrorKind::cancelled.
-Result<cut::Cut> cut(const Session& session, std::shared_ptr<const cut::Cut> last = nullptr, std::stop_token stop = {});
-
-/// Returns the plan of cut(). If the strategy of the settings is impossible, returns a usage error that names
-/// `strategy`.
-Result<find::CutPlan> planOf(const Session& session);
 
 /// Returns "gpu", "cpu", or "mixed" if the CPU classifies a block because of a limit of the device.
 const char* classifierName(const Session& session);

@@ -217,6 +217,19 @@ Result<ResolvedView> resolve(const ViewSpec& spec, const grid::BlockSet& blocks)
 	return view;
 }
 
+void takePlace(ProbeSpec& spec, const ProbeSpec& from)
+{
+	spec.origin = from.origin;
+	spec.normal = from.normal;
+	spec.up = from.up;
+	spec.window = from.window;
+	spec.shape = from.shape;
+	spec.own = from.own;
+	spec.vanes = from.vanes;
+	spec.offsets = from.offsets;
+	spec.sheets = from.sheets;
+}
+
 std::optional<find::ListedSurface> listedSurface(const SurfaceSpec& surface, double done)
 {
 	if (const auto* patch = std::get_if<find::PatchName>(&surface))

@@ -54,6 +54,9 @@ Result<ResolvedView> resolve(const ViewSpec& spec, const grid::BlockSet& blocks)
 /// Builds the probe in the bounds, hidden sheets included. The spec must pass validate().
 probe::Probe makeProbe(const ProbeSpec& spec, const Box& bounds);
 
+/// Takes the place of a probe: where it is, its window, and its sheets. Everything else stays.
+void takePlace(ProbeSpec& spec, const ProbeSpec& from);
+
 /// Returns the surface that replaces the sheets, at a place in its range from 0 to 1. Returns nothing if there are
 /// sheets.
 std::optional<find::ListedSurface> listedSurface(const SurfaceSpec& surface, double done);

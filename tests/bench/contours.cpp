@@ -19,7 +19,6 @@ cut::CutRequest requestFor(const grid::BlockSet& blocks)
 {
 	const Vec3 size = blocks.bounds().size();
 	cut::CutRequest request;
-	request.finder = find::Finder::automatic;
 	request.field = grid::FieldChoice{blocks.blocks[0].fields[0].name, grid::Association::point, 0};
 	// Beside the middle of the bounds, which in the shell is at its inner wall.
 	const Vec3 origin = blocks.bounds().center() + Vec3(0.0, 0.12 * size.y, 0.05 * size.z);

@@ -60,16 +60,16 @@ void addCuts(const std::string& name)
 	using bench::VtkCut;
 	constexpr double kSeconds = 1.0;
 	const auto moved = [&](const char* way, auto function) { add(name, way, function)->MinTime(kSeconds); };
-	moved("cpu", [=](auto& state) { bench::cpuCut(state, name, find::Finder::automatic); });
-	moved("cpu, traversal", [=](auto& state) { bench::cpuCut(state, name, find::Finder::traversal); });
+	moved("cpu", [=](auto& state) { bench::cpuCut(state, name, bench::Search::fastest); });
+	moved("cpu, traversal", [=](auto& state) { bench::cpuCut(state, name, bench::Search::generations); });
 	if (const auto prototype = bench::prototypeOf(name))
 		benchmark::RegisterBenchmark((name + "/prototype").c_str(),
 		                             [=](auto& state) { bench::prototypeCut(state, name, *prototype); })
 		    ->Unit(benchmark::kMillisecond)
 		    ->UseManualTime()
 		    ->Iterations(1);
-	moved("gpu", [=](auto& state) { bench::gpuCut(state, name, find::Finder::traversal, 1); });
-	moved("gpu, one front", [=](auto& state) { bench::gpuCut(state, name, find::Finder::automatic, 1); });
+	moved("gpu", [=](auto& state) { bench::gpuCut(state, name, bench::Search::generations, 1); });
+	moved("gpu, one front", [=](auto& state) { bench::gpuCut(state, name, bench::Search::fastest, 1); });
 	moved("window", [=](auto& state) { bench::windowCut(state, name); });
 	const auto rival = [&](const char* way, VtkCut kind)
 	{ moved(way, [=](auto& state) { vtkCut(state, name, kind, 1); }); };
@@ -133,8 +133,7 @@ int main(int argc, char** argv)
 		const std::string grid = name;
 		if (grid == "shell:256")
 		{
-			add(grid, "gpu, 8 vanes",
-			    [](auto& state) { bench::gpuCut(state, "shell:256", find::Finder::automatic, 8); })
+			add(grid, "gpu, 8 vanes", [](auto& state) { bench::gpuCut(state, "shell:256", bench::Search::fastest, 8); })
 			    ->MinTime(1.0);
 			add(grid, "8 vanes vtkPlaneCutter",
 			    [](auto& state) { vtkCut(state, "shell:256", bench::VtkCut::plane_cutter, 8); })
@@ -156,7 +155,7 @@ int main(int argc, char** argv)
 			addFirstCuts(grid);
 	}
 	for (const char* name : {"shell:256 jki", "shell:256 kij", "layer:112", "layer:112 shuffled"})
-		add(name, "cpu", [=](auto& state) { bench::cpuCut(state, name, find::Finder::automatic); })->MinTime(1.0);
+		add(name, "cpu", [=](auto& state) { bench::cpuCut(state, name, bench::Search::fastest); })->MinTime(1.0);
 	for (const char* name : {"shell:256", "tets:128", "hexes:192"})
 		add(name, "memory", [=](auto& state) { bench::memory(state, program, name); })->Iterations(1);
 	add("shell:256", "frames", [=](auto& state) { bench::frames(state, program, "shell:256"); })->Iterations(1);

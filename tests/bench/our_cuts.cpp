@@ -32,7 +32,7 @@ std::vector<probe::Sheet> sheetsAt(const probe::Frame& frame, int count)
 }
 
 // A moved plane after the other; `window` one a plane, or empty.
-void sweep(benchmark::State& state, cut::Cutter& cutter, find::Finder finder, int sheets,
+void sweep(benchmark::State& state, cut::Cutter& cutter, Search search, int sheets,
            const std::vector<std::optional<probe::Window>>& windows = {})
 {
 	const std::vector<probe::Frame> planes = sweepOf(cutter.blocks().bounds());
@@ -45,7 +45,7 @@ void sweep(benchmark::State& state, cut::Cutter& cutter, find::Finder finder, in
 	for (auto _ : state)
 	{
 		cut::CutRequest request;
-		request.finder = finder;
+		request.in_generations = search == Search::generations;
 		request.seeds.lattice = cutter.usesGpu();
 		request.probe.sheets = sheetsAt(planes[k], sheets);
 		if (!windows.empty())
@@ -94,7 +94,6 @@ void cutOnce(const grid::BlockSet& blocks)
 	const std::vector<probe::Frame> planes = sweepOf(blocks.bounds());
 	cut::Cutter cutter(blocks);
 	cut::CutRequest request;
-	request.finder = find::Finder::automatic;
 	request.probe.sheets = sheetsAt(planes[planes.size() / 2], 1);
 	const mesh::SheetMesh mesh = cutter.cut(request)->mesh(blocks, 0);
 	benchmark::DoNotOptimize(mesh.positions.data());
@@ -131,20 +130,19 @@ double cutCellsOfPlane(const std::string& name)
 	for (const probe::Frame& plane : planes)
 	{
 		cut::CutRequest request;
-		request.finder = find::Finder::automatic;
 		request.probe.sheets = sheetsAt(plane, 1);
 		cells += cutter.cut(request)->sheets[0].cuts[0].cutCells();
 	}
 	return static_cast<double>(cells) / static_cast<double>(planes.size());
 }
 
-void cpuCut(benchmark::State& state, const std::string& name, find::Finder finder)
+void cpuCut(benchmark::State& state, const std::string& name, Search search)
 {
 	cut::Cutter cutter(gridNamed(name));
-	sweep(state, cutter, finder, 1);
+	sweep(state, cutter, search, 1);
 }
 
-void gpuCut(benchmark::State& state, const std::string& name, find::Finder finder, int sheets)
+void gpuCut(benchmark::State& state, const std::string& name, Search search, int sheets)
 {
 	Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create({});
 	if (!device)
@@ -153,7 +151,7 @@ void gpuCut(benchmark::State& state, const std::string& name, find::Finder finde
 	if (!cutter)
 		return state.SkipWithError(cutter.error().message.c_str());
 	state.SetLabel((*device)->name());
-	sweep(state, **cutter, finder, sheets);
+	sweep(state, **cutter, search, sheets);
 }
 
 void windowCut(benchmark::State& state, const std::string& name)
@@ -163,12 +161,11 @@ void windowCut(benchmark::State& state, const std::string& name)
 	for (const probe::Frame& plane : sweepOf(cutter.blocks().bounds()))
 	{
 		cut::CutRequest request;
-		request.finder = find::Finder::automatic;
 		request.probe.sheets = sheetsAt(plane, 1);
 		const Result<cut::Cut> slice = cutter.cut(request);
 		windows.push_back(middleOf(request.probe.sheets[0], slice->mesh(cutter.blocks(), 0)));
 	}
-	sweep(state, cutter, find::Finder::automatic, 1, windows);
+	sweep(state, cutter, Search::fastest, 1, windows);
 }
 
 void firstCut(benchmark::State& state, const std::string& name)

@@ -17,10 +17,17 @@ std::vector<probe::Frame> fanOf(const probe::Frame& frame, int planes);
 // The number of cells that a plane of the sweep cuts, on the mean.
 double cutCellsOfPlane(const std::string& name);
 
+// How cells are found: in generations, as the paper has it, or in the fastest way that is possible.
+enum class Search
+{
+	generations,
+	fastest
+};
+
 // Moved planes: seeds, cells, the mesh, and the values of the grid's first array at its vertices.
-void cpuCut(benchmark::State& state, const std::string& name, find::Finder finder);
+void cpuCut(benchmark::State& state, const std::string& name, Search search);
 // Counter "generations", on the mean. The polygons stay in device memory.
-void gpuCut(benchmark::State& state, const std::string& name, find::Finder finder, int sheets);
+void gpuCut(benchmark::State& state, const std::string& name, Search search, int sheets);
 // Within a window of 1/5 x 1/5 of the slice's extent about its center.
 void windowCut(benchmark::State& state, const std::string& name);
 

@@ -39,6 +39,7 @@ const std::vector<vectors::Launch>& launchesOn(const std::string& name)
 	launches.clear();
 	cut::Cutter cutter(gridNamed(name));
 	cut::CutRequest request;
+	request.in_generations = true;
 	constexpr double kLongitude = 0.3;
 	request.probe.sheets = {
 	    probe::makeSheet(Vec3(0.0), Vec3(-std::sin(kLongitude), std::cos(kLongitude), 0.0), Vec3(0.0, 0.0, 1.0))};

@@ -50,7 +50,7 @@ struct Whole
 	measure::SheetMeasure figures;
 };
 
-inline Whole cutWhole(cut::Cutter& cutter, const TestPlane& plane, cut::CutRequest request = {})
+inline Whole cutWhole(cut::Cutter& cutter, const TestPlane& plane, cut::CutRequest request = inGenerations())
 {
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 	Whole whole;

@@ -147,6 +147,7 @@ TEST(Hanging, AmrLevelsAreOneSheet)
 		for (const mesh::Hanging hanging : {mesh::Hanging::keep, mesh::Hanging::interpolate})
 		{
 			cut::CutRequest request;
+			request.in_generations = true;
 			request.hanging = hanging;
 			const Whole whole = cutWhole(cutter, plane, request);
 			EXPECT_NEAR(whole.figures.area, 36.0 * glm::length(plane.normal), 1e-11);
@@ -188,6 +189,7 @@ TEST(Hanging, EachSideKeepsItsValuesUnlessAsked)
 	for (const mesh::Hanging hanging : {mesh::Hanging::keep, mesh::Hanging::interpolate})
 	{
 		cut::CutRequest request;
+		request.in_generations = true;
 		request.hanging = hanging;
 		const Whole whole = cutWhole(cutter, kPlanes[0], request);
 		expectClosed(whole.mesh, box);
@@ -227,6 +229,7 @@ TEST(Hanging, WindowsHoldTheirPart)
 	for (const mesh::Hanging hanging : {mesh::Hanging::keep, mesh::Hanging::interpolate})
 	{
 		cut::CutRequest request;
+		request.in_generations = true;
 		request.hanging = hanging;
 		request.probe.sheets = {probe::makeSheet(kPlanes[0].origin, kPlanes[0].normal)};
 		request.probe.sheets[0].window = probe::Window{-1.9, 1.9, -1.4, 1.4};
@@ -246,6 +249,7 @@ TEST(Hanging, CurvedSheetsAreClosed)
 	const grid::BlockSet set = cube.read();
 	cut::Cutter cutter(set);
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.probe.sheets = {probe::makeSheet({2.53, 2.47, 2.51}, {0, 0, 1})};
 	request.probe.sheets[0].form = surface::ImplicitSurface::parse("sphere:1.1").value();
 	const cut::Cut cut = std::move(cutter.cut(request).value());
@@ -296,7 +300,6 @@ TEST(Hanging, CellsThatShareNoPointsAreLinked)
 		      TestPlane{{1.0, 0.5, 0.5}, {-0.1, 1.0, 0.3}}})
 		{
 			cut::CutRequest request;
-			request.finder = find::Finder::automatic;
 			const Whole whole = cutWhole(cutter, plane, request);
 			EXPECT_NEAR(whole.figures.area, 2.0 * glm::length(plane.normal), 1e-12);
 			EXPECT_NEAR(whole.figures.mean.value(), linear(plane.origin, 0), 1e-12);

@@ -43,7 +43,6 @@ double areaAt(double height, const grid::BlockSet& set)
 	cut::Cutter cutter(set);
 	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet(Vec3(0.5, 0.5, height), Vec3(0, 0, 1))};
-	request.finder = find::Finder::automatic;
 	const cut::Cut cut = std::move(cutter.cut(request).value());
 	return measure::measure(cut.blocksOf(set), cut.mesh(set, 0), {}).area;
 }
@@ -150,7 +149,6 @@ TEST(Tolerance, StraightCellsOfAllKindsAreExact)
 			ASSERT_TRUE(set->blocks[0].curved) << cell;
 			cut::Cutter cutter(*set);
 			cut::CutRequest request;
-			request.finder = find::Finder::automatic;
 			request.field = grid::FieldChoice{"f"};
 			request.probe.sheets = {probe::makeSheet(Vec3(0.5, 0.5, 0.43), Vec3(0, 0, 1)),
 			                        probe::makeSheet(Vec3(0.5, 0.5, 0.47), Vec3(0.3, -0.25, 1))};

@@ -70,6 +70,7 @@ TEST(Hanging, AWarpedSideMeetsTwoTriangles)
 		for (const mesh::Hanging hanging : {mesh::Hanging::keep, mesh::Hanging::interpolate})
 		{
 			cut::CutRequest request;
+			request.in_generations = true;
 			request.hanging = hanging;
 			std::vector<Whole> wholes;
 			for (const grid::BlockSet& set : sets)

@@ -37,6 +37,7 @@ protected:
 	{
 		cut::Cutter cutter(blocks_);
 		cut::CutRequest request;
+		request.in_generations = true;
 		request.probe.sheets = {sheet};
 		mesh_ = cutter.cut(std::move(request)).value().mesh(blocks_, 0);
 		FlatScene flat;

@@ -58,6 +58,7 @@ TEST_F(CurvedSlice, IsTheSameWithADevice)
 		grid::BlockSet set;
 		set.blocks.push_back(block);
 		cut::CutRequest request;
+		request.in_generations = true;
 		request.field = grid::FieldChoice{"linear", grid::Association::point, 0};
 		const double size = set.bounds().diagonal();
 		request.probe.sheets = {sheetOf(set, fmt::format("sphere:{}", 0.3 * size)), sheetOf(set, "cone:35"),
@@ -74,6 +75,7 @@ TEST_F(CurvedSlice, SoItIsOverSeveralBlocks)
 	for (const char* name : {"shell", "blob", "tets", "hexagonal_prisms"})
 		set.blocks.push_back(gridNamed(name));
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.field = grid::FieldChoice{"linear", grid::Association::point, 0};
 	request.probe.sheets = {sheetOf(set, "sphere:1.7"), sheetOf(set, "ellipsoid:2,1,3")};
 	EXPECT_GT(expectSameSlices(device(), set, request), 100u);
@@ -89,6 +91,7 @@ TEST_F(CurvedSlice, WhatWouldTakeLongToCompileStaysWithTheCpu)
 	grid::BlockSet set;
 	set.blocks.push_back(gridNamed("shell"));
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.probe.sheets = {sheetOf(set, waves)};
 	request.probe.sheets[0].origin = Vec3(0.0);
 	EXPECT_GT(expectSameSlices(device(), set, request), 20u);
@@ -104,6 +107,7 @@ TEST_F(CurvedSlice, GenerationsAreOnTheTimeline)
 	ASSERT_TRUE(cutter) << cutter.error().message;
 	Timeline timeline;
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.timeline = &timeline;
 	request.probe.sheets = {sheetOf(set, "sphere:1")};
 	ASSERT_TRUE((*cutter)->cut(request));

@@ -20,6 +20,7 @@ TEST_F(Regather, GivesTheRecordsOfANewCut)
 		auto cutter = cut::Cutter::onDevice(device(), set, field, nullptr);
 		ASSERT_TRUE(cutter) << cutter.error().message;
 		cut::CutRequest request;
+		request.in_generations = true;
 		request.field = field;
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 3, 80))
 			request.probe.sheets.push_back(probe::makeSheet(plane.origin, plane.normal));

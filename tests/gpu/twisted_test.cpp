@@ -74,6 +74,7 @@ void expectIdenticalMesh(const mesh::SheetMesh& a, const mesh::SheetMesh& b)
 void sliceBothWays(gpu::Device& device, const grid::BlockSet& set, const TestPlane& plane)
 {
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 	cut::Cutter on_cpu(set);
 	auto on_gpu = cut::Cutter::onDevice(device, set, {}, nullptr);

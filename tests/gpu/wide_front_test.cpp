@@ -55,6 +55,7 @@ TEST_F(WideFront, ShowsWhatTheTraversalShows)
 		auto cutter = cut::Cutter::onDevice(device(), set, field, nullptr);
 		ASSERT_TRUE(cutter) << cutter.error().message;
 		cut::CutRequest request;
+		request.in_generations = true;
 		request.field = field;
 		for (const TestPlane& plane : randomPlanes(set.bounds(), 4, 81))
 			request.probe.sheets.push_back(probe::makeSheet(plane.origin, plane.normal));
@@ -62,9 +63,10 @@ TEST_F(WideFront, ShowsWhatTheTraversalShows)
 		request.probe.sheets.back().window = probe::centeredWindow(0.3 * size, 0.2 * size);
 		const cut::Cut expected = std::move((*cutter)->cut(request).value());
 
-		for (const find::Finder finder : {find::Finder::direct, find::Finder::automatic})
+		request.in_generations = false;
+		for (const bool device_first : {true, false})
 		{
-			request.finder = finder;
+			request.device_first = device_first;
 			const cut::Cut found = std::move((*cutter)->cut(request).value());
 			CutBothWays cut;
 			for (std::size_t s = 0; s < found.sheets.size(); ++s)

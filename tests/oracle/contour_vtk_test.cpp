@@ -126,8 +126,7 @@ void expectSame(const grid::BlockSet& set, const std::string& array, const TestP
                 double height, std::initializer_list<double> parts = {0.2, 0.5, 0.8})
 {
 	cut::Cutter cutter(set);
-	SlicedSheet sheet =
-	    cut(cutter, plane, {}, find::Finder::automatic, std::optional(probe::centeredWindow(width, height)));
+	SlicedSheet sheet = cut(cutter, plane, {}, Search::fastest, std::optional(probe::centeredWindow(width, height)));
 	sheet.slice.field = grid::FieldChoice{array, grid::Association::point, 0};
 	const contour::BoxContourer contourer(cutter, sheet.slice, sheet.mesh, std::nullopt);
 	const auto [least, most] = contourer.range().value();

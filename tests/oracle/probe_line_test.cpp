@@ -38,6 +38,7 @@ TEST(ProbeLine, RealTetrahedraAsVtkProbesThem)
 
 	cut::Cutter cutter(blocks);
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.probe.sheets = {probe::makeSheet(lo + 0.47 * size, {0.2, 0.7, 0.4})};
 	const probe::Sheet sheet = request.probe.sheets[0];
 	const mesh::SheetMesh mesh = cutter.cut(std::move(request)).value().mesh(blocks, 0);

@@ -126,7 +126,6 @@ TEST_P(ScannedFile, HasThePolygonsOfASearch)
 	{
 		cut::CutRequest request;
 		request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
-		request.finder = find::Finder::automatic;
 		request.strategy = find::Strategy::scan;
 		const cut::Cut scanned = std::move(scanner.cut(request).value());
 		request.strategy = find::Strategy::cells;

@@ -40,7 +40,6 @@ std::optional<Figures> figuresBy(find::Strategy strategy, cut::Cutter& cutter, c
 	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 	request.field = kScalarField;
-	request.finder = find::Finder::automatic;
 	request.strategy = strategy;
 	const Result<cut::Cut> made = cutter.cut(std::move(request));
 	if (!made)

@@ -47,7 +47,6 @@ Made made(const grid::BlockSet& set, const TestPlane& plane, std::optional<find:
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 	request.field = field;
 	request.threshold = threshold;
-	request.finder = find::Finder::automatic;
 	cut::Cutter cutter(set);
 	Made result{std::move(cutter.cut(std::move(request)).value()), {}};
 	result.mesh = result.cut.mesh(set, 0);

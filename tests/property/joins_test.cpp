@@ -166,7 +166,7 @@ cut::Cut cutOf(const grid::BlockSet& set, const TestPlane& plane, mesh::Hanging 
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 	request.probe.sheets[0].window = window;
 	request.hanging = hanging;
-	request.finder = find::Finder::traversal;
+	request.in_generations = true;
 	return std::move(cutter.cut(std::move(request)).value());
 }
 

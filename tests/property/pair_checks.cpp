@@ -369,11 +369,11 @@ void checkAreas(const Pair& pair)
 
 void checkFinders(const Pair& pair, cut::Cutter& cutter, const std::optional<probe::Window>& window)
 {
-	const SlicedSheet expected = window ? cut(cutter, pair.asked, {}, find::Finder::traversal, window) : pair.sheet;
-	const SlicedSheet found = cut(cutter, pair.asked, {}, find::Finder::automatic, window);
+	const SlicedSheet expected = window ? cut(cutter, pair.asked, {}, Search::generations, window) : pair.sheet;
+	const SlicedSheet found = cut(cutter, pair.asked, {}, Search::fastest, window);
 	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
 		EXPECT_EQ(found.slice.cuts[b].cutCells(), expected.slice.cuts[b].cutCells()) << "block " << b;
-	const SlicedSheet spread = cut(cutter, pair.asked, {.lattice = true}, find::Finder::traversal, window);
+	const SlicedSheet spread = cut(cutter, pair.asked, {.lattice = true}, Search::generations, window);
 	for (std::size_t b = 0; b < pair.set.blocks.size(); ++b)
 		EXPECT_EQ(spread.cutCells(b), expected.cutCells(b)) << "hot spots, block " << b;
 	if (pair.set.interfaces.seam_faces == 0)

@@ -23,7 +23,6 @@ SlicedSheet sheetBy(const grid::BlockSet& blocks, const TestPlane& plane, find::
 	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 	request.strategy = strategy;
-	request.finder = find::Finder::automatic;
 	cut::Cutter cutter(blocks);
 	cut::Cut slice = std::move(cutter.cut(std::move(request)).value());
 	SlicedSheet sheet{&blocks, {}, slice.mesh(blocks, 0)};

@@ -19,18 +19,19 @@ namespace
 struct Way
 {
 	std::string name;
-	find::Finder finder;
-	std::optional<find::Strategy> strategy;
+	bool in_generations = false;
+	bool device_first = false;
+	std::optional<find::Strategy> strategy{};
 };
 
 std::vector<Way> ways()
 {
 	using enum find::Strategy;
-	std::vector<Way> all{{"traversal", find::Finder::traversal, {}},
-	                     {"direct", find::Finder::direct, {}},
-	                     {"automatic", find::Finder::automatic, {}}};
+	std::vector<Way> all{{.name = "in generations", .in_generations = true},
+	                     {.name = "device first", .device_first = true},
+	                     {.name = "fastest"}};
 	for (const find::Strategy strategy : {rows, spans, cells, generations, scan})
-		all.push_back({find::nameOf(strategy), find::Finder::automatic, strategy});
+		all.push_back({.name = find::nameOf(strategy), .strategy = strategy});
 	return all;
 }
 
@@ -47,7 +48,8 @@ std::optional<Found> findBy(const Way& way, cut::Cutter& cutter, const TestPlane
 	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 	request.field = linear;
-	request.finder = way.finder;
+	request.in_generations = way.in_generations;
+	request.device_first = way.device_first;
 	request.strategy = way.strategy;
 	if (const auto plan = cutter.plan(request); !plan || plan->needs_neighbors)
 		return std::nullopt;

@@ -10,6 +10,7 @@
 #include "report/console.h"
 #include "report/explain.h"
 #include "report/remaining_time.h"
+#include "session/frame.h"
 #include "team.h"
 #include "view/settings.h"
 #include "view/validate.h"
@@ -104,7 +105,6 @@ public:
 
 	Status run(const std::vector<probe::Frame>& poses, const probe::Path& path)
 	{
-		const probe::Frame start = session_.view.probe.frame;
 		const int planes = static_cast<int>(poses.size());
 		RemainingTime remaining(poses.size());
 		Progress progress(remaining.line());
@@ -112,46 +112,39 @@ public:
 		for (int k = 0; k < planes; ++k)
 		{
 			progress.say(remaining.line());
-			session_.view.probe.frame = poses[static_cast<std::size_t>(k)];
-			session_.swept = probe::progress(path, k, planes);
-			if (Status measured = plane(); !measured)
+			if (Status measured = plane({.pose = poses[static_cast<std::size_t>(k)],
+			                             .done = probe::progress(path, k, planes),
+			                             .wants = wants(),
+			                             .expect = session::Expect::more});
+			    !measured)
 				return measured;
 			std::vector<Timeline::Section> sections = session_.timeline->takeSections();
-			log_.add(slice_, sheets_, sections);
+			log_.add(cut_->slice, cut_->sheets, sections);
 			hand(std::move(sections));
 			remaining.done();
 		}
-		session_.view.probe.frame = start;
 		return Nothing{};
 	}
 
 	const ProfileLog& log() const { return log_; }
 
 private:
-	Status plane()
+	session::Wants wants() const
 	{
-		Timeline* timeline = session_.timeline.get();
-		const TimedSection frame(timeline, "frame");
-		{
-			const TimedSection section(timeline, "cut");
-			Result<cut::Cut> slice = session::cut(session_);
-			if (!slice)
-				return slice.error();
-			slice_ = std::move(*slice);
-			sheets_.clear();
-			for (std::size_t s = 0; s < slice_.sheets.size(); ++s)
-			{
-				Result<session::SheetStats> stats = session::sheetMesh(session_, slice_, s);
-				if (!stats)
-					return stats.error();
-				sheets_.push_back(std::move(*stats));
-			}
-		}
+		using Figures = session::Wants::Figures;
+		return {.figures = painter_ ? Figures::for_picture : Figures::none, .contours = false, .warns = false};
+	}
+
+	Status plane(const session::FrameRequest& request)
+	{
+		const TimedSection section(session_.timeline.get(), "frame");
+		Result<std::shared_ptr<const session::Frame>> made = session_.frame(request);
+		if (!made)
+			return made.error();
+		cut_ = std::move(*made);
 		if (!painter_)
 			return Nothing{};
-		for (std::size_t s = 0; s < sheets_.size(); ++s)
-			session::measureForPicture(session_, slice_, s, sheets_[s]);
-		const Result<render::Picture> picture = painter_->draw(slice_, sheets_);
+		const Result<render::Picture> picture = painter_->draw(cut_->slice, cut_->sheets);
 		return picture ? Status(Nothing{}) : picture.error();
 	}
 
@@ -165,8 +158,7 @@ private:
 	std::optional<picture::Painter> painter_;
 	std::optional<write::TraceFile>& trace_;
 	ProfileLog log_;
-	cut::Cut slice_;
-	std::vector<session::SheetStats> sheets_;
+	std::shared_ptr<const session::Frame> cut_; // of the last plane
 };
 
 Status writeJson(const std::string& path, const nlohmann::json& document)

@@ -5,7 +5,7 @@
 #include "report/explain.h"
 #include "report/stats_json.h"
 #include "report/vectors_out.h"
-#include "session/cut_frame.h"
+#include "session/frame.h"
 #include "team.h"
 #include "view/validate.h"
 #include "write/png.h"
@@ -80,7 +80,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 	const view::ViewSpec& spec = options.common.spec;
 	if (Status ready = prepare(options.common); !ready)
 		return ready.error();
-	session::OpenOptions how{.may_scan = true, .reads_all_arrays = false, .reads_again = false};
+	session::OpenOptions how{.expect = session::Expect::one_cut, .reads_all_arrays = false, .reads_again = false};
 	if (options.common.explain)
 		return explain(spec, how);
 	const bool tells_place = options.output.empty() && options.stats != "-";
@@ -98,24 +98,25 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (!opened)
 		return opened.error();
 	session::Session& session = **opened;
-	const Result<session::CutFrame> frame = session::cutFrame(session);
-	if (!frame)
-		return frame.error();
+	const Result<std::shared_ptr<const session::Frame>> made = session.frame({});
+	if (!made)
+		return made.error();
+	const session::Frame& frame = **made;
 	Result<picture::Painter> painter = picture::Painter::create(session, std::move(*look));
 	if (!painter)
 		return painter.error();
-	Result<render::Picture> picture = painter->draw(frame->slice, frame->sheets, frame->contours);
+	Result<render::Picture> picture = painter->draw(frame.slice, frame.sheets, frame.contours);
 	if (!picture)
 		return picture.error();
 	if (Status written = isFirst() ? write::writePng(*picture, options.output) : Nothing{}; !written)
 		return written.error();
 	if (tells_place && isFirst())
 		print("{}\n", options.output);
-	if (Status written = writeVectors(session, frame->sheets, options.vectors_out); !written)
+	if (Status written = writeVectors(session, frame.sheets, options.vectors_out); !written)
 		return written.error();
 	if (Status saved = saveSpec(options.common); !saved)
 		return saved.error();
-	return writeStats(options.stats, {options.output, options.vectors_out}, statsJson(session, *frame));
+	return writeStats(options.stats, {options.output, options.vectors_out}, statsJson(session, frame));
 }
 
 } // namespace

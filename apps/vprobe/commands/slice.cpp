@@ -7,7 +7,7 @@
 #include "report/stats_json.h"
 #include "report/team_slice.h"
 #include "report/vectors_out.h"
-#include "session/cut_frame.h"
+#include "session/frame.h"
 #include "team.h"
 #include "view/validate.h"
 #include "write/line_file.h"
@@ -54,7 +54,7 @@ Status checkLine(const SliceOptions& options, const CLI::App& command)
 	                    "--line: the values along it are written as .csv; name such a file with -o, or -"};
 }
 
-Status writeLineFile(const session::Session& session, const SliceOptions& options, const session::CutFrame& frame)
+Status writeLineFile(const session::Session& session, const SliceOptions& options, const session::Frame& frame)
 {
 	const auto sheet = static_cast<std::size_t>(options.line_sheet);
 	const write::SheetLine line{{options.line[0], options.line[1]}, {options.line[2], options.line[3]}};
@@ -127,7 +127,7 @@ Status checkSheets(const SliceOptions& options, std::size_t sheets)
 
 // Pictures, polygons or values along a line; gives the files.
 Result<std::vector<std::string>> writeFiles(const session::Session& session, const SliceOptions& options,
-                                            const view::ResolvedLook& look, const session::CutFrame& frame)
+                                            const view::ResolvedLook& look, const session::Frame& frame)
 {
 	if (options.output.empty())
 		return std::vector<std::string>();
@@ -160,7 +160,7 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 	const bool pictures = picture::namesPictures(options.output);
 	// Polygons are written with every array; and where arrays jump between blocks, vertices are not joined.
 	const session::OpenOptions how{
-	    .may_scan = true, .reads_all_arrays = !pictures, .reads_again = false, .team = team()};
+	    .expect = session::Expect::one_cut, .reads_all_arrays = !pictures, .reads_again = false, .team = team()};
 	if (Status fits = checkTeam(options); !fits)
 		return fits.error();
 	if (options.common.explain)
@@ -177,25 +177,26 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 	session::Session& session = **opened;
 	if (Status fits = checkSheets(options, session.view.probe.sheets.size()); !fits)
 		return fits.error();
-	const Result<session::CutFrame> frame = session::cutFrame(session);
-	if (!frame)
-		return frame.error();
-	session::reportBoundarySheets(session, frame->sheets);
-	Result<std::vector<std::string>> written = writeFiles(session, options, *look, *frame);
+	const Result<std::shared_ptr<const session::Frame>> made = session.frame({});
+	if (!made)
+		return made.error();
+	const session::Frame& frame = **made;
+	session::reportBoundarySheets(session, frame.sheets);
+	Result<std::vector<std::string>> written = writeFiles(session, options, *look, frame);
 	if (!written)
 		return written.error();
-	if (Status vectors = writeVectors(session, frame->sheets, options.vectors_out); !vectors)
+	if (Status vectors = writeVectors(session, frame.sheets, options.vectors_out); !vectors)
 		return vectors.error();
 	written->push_back(options.vectors_out);
 	if (options.output.empty() && options.stats.empty() && options.vectors_out.empty())
 	{
-		const std::string table = statsTable(session, *frame);
+		const std::string table = statsTable(session, frame);
 		if (isFirst())
 			print("{}", table);
 	}
 	if (Status saved = saveSpec(options.common); !saved)
 		return saved.error();
-	return writeStats(options.stats, *written, statsJson(session, *frame));
+	return writeStats(options.stats, *written, statsJson(session, frame));
 }
 
 } // namespace

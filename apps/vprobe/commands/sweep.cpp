@@ -2,9 +2,9 @@
 #include "commands/commands.h"
 #include "options/spec_options.h"
 #include "options/trace_option.h"
-#include "picture/time_steps.h"
 #include "report/explain.h"
 #include "report/stats_json.h"
+#include "session/time_steps.h"
 #include "sweep/sweep_line.h"
 #include "team.h"
 #include "view/validate.h"
@@ -86,37 +86,36 @@ Result<std::unique_ptr<SweepProducts>> productsOf(const SweepOptions& options, s
 	                             options.exports() ? options.output : "");
 }
 
-Result<nlohmann::json> sweepAlong(const probe::Path& path, SweepPlan plan, session::Session& session,
+Result<nlohmann::json> sweepAlong(const probe::Path& path, const SweepPlan& plan, session::Session& session,
                                   SweepProducts& products)
 {
-	// The first picture is there as soon as can be. Only then is built what makes the others fast.
-	if (session.spec.machine.strategy != find::Strategy::scan)
-		plan.build_neighbors = [&] { return session::buildNeighbors(session); };
 	const std::vector<probe::Frame> poses =
 	    probe::poses(path, session.view.probe, session.blocks.bounds(), plan.frames);
-	const CutSlice cut_slice = [&](int frame, std::shared_ptr<const cut::Cut> last)
+	// The first picture is there as soon as can be. Only then is built what makes the others fast.
+	const auto ask = [&](int frame)
 	{
-		session.view.probe.frame = poses[static_cast<std::size_t>(frame)];
-		session.swept = probe::progress(path, frame, plan.frames);
-		session.another_follows = frame > 0;
-		return session::cut(session, std::move(last));
+		return session::FrameRequest{.pose = poses[static_cast<std::size_t>(frame)],
+		                             .done = probe::progress(path, frame, plan.frames),
+		                             .expect = frame > 0 ? session::Expect::more : session::Expect::first_of_many};
 	};
-	return sweepThrough(plan, cut_slice, session, products);
+	return sweepThrough(plan, ask, session, products);
 }
 
 Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, SweepPlan plan, session::Session& session,
                                       SweepProducts& products)
 {
-	picture::TimeSteps steps(session, products.painter());
-	plan.frames = steps.count();
+	const std::vector<double> times = session.blocks.times;
+	plan.frames = static_cast<int>(times.size());
 	plan.cuts_ahead = false; // it changes what is drawn
-	if (steps.count() == 0)
+	if (times.empty())
 		return Error{ErrorKind::input, fmt::format("{}: has no times to sweep over; choose another --path",
 		                                           session.spec.input.files.front())};
 	if (!session.spec.look.range && options.draws())
 		warn("--path times: the colors follow the range of each time; --range LO HI holds them still");
-	const CutSlice cut_slice = [&](int frame, const std::shared_ptr<const cut::Cut>&) { return steps.cutAt(frame); };
-	return sweepThrough(plan, cut_slice, session, products);
+	plan.times = &times;
+	// Where only values differ, the cells that were found are kept, and neighbors would not be used.
+	const auto ask = [](int) { return session::FrameRequest{.expect = session::Expect::first_of_many}; };
+	return sweepThrough(plan, ask, session, products);
 }
 
 Result<ExitCode> runSweep(const SweepOptions& options)
@@ -125,7 +124,7 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	if (Status ready = prepare(options.common); !ready)
 		return ready.error();
 	// Polygons are written with every array.
-	session::OpenOptions how{.may_scan = true, .reads_all_arrays = options.exports()};
+	session::OpenOptions how{.expect = session::Expect::first_of_many, .reads_all_arrays = options.exports()};
 	how.team = team();
 	if (options.common.explain)
 		return explain(spec, how);
@@ -166,8 +165,7 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 		return products.error();
 	const bool threads =
 	    spec.machine.threads != 1 && !team(); // one thread is one, and the calls of a team have an order
-	const SweepPlan plan{
-	    *count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr, spec.look.contour, {}};
+	const SweepPlan plan{*count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr};
 	Result<nlohmann::json> figures = spec.sweep.over_times
 	                                     ? sweepOverTimes(options, plan, session, **products)
 	                                     : sweepAlong(view::pathOf(spec.sweep), plan, session, **products);

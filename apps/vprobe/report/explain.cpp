@@ -62,7 +62,7 @@ Result<ExitCode> explain(const view::ViewSpec& spec, session::OpenOptions how)
 	if (!opened)
 		return opened.error();
 	session::Session& session = **opened;
-	const Result<find::CutPlan> plan = planOf(session);
+	const Result<find::CutPlan> plan = session.plan();
 	if (!plan)
 		return plan.error();
 	const std::vector<grid::Block>& blocks = session.blocks.blocks;
@@ -87,7 +87,7 @@ Result<ExitCode> explain(const view::ViewSpec& spec, session::OpenOptions how)
 nlohmann::json planJson(const session::Session& session)
 {
 	nlohmann::json list = nlohmann::json::array();
-	if (const Result<find::CutPlan> plan = planOf(session))
+	if (const Result<find::CutPlan> plan = session.plan())
 		forEachBlockPlan(*plan,
 		                 [&](std::size_t s, std::size_t b, const find::BlockPlan& way)
 		                 {

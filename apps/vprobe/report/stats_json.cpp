@@ -286,7 +286,7 @@ nlohmann::json refinedJson(const cut::Cut& slice)
 	        {"unfinished", counts.unfinished}};
 }
 
-std::string statsJson(const session::Session& session, const session::CutFrame& frame)
+std::string statsJson(const session::Session& session, const session::Frame& frame)
 {
 	return statsDocument(session, {{"contours", contoursJson(session, frame.contours)},
 	                               {"refined", refinedJson(frame.slice)},
@@ -323,7 +323,7 @@ std::vector<TableFigure> tableFigures(const nlohmann::json& sheets)
 
 } // namespace
 
-std::string statsTable(const session::Session& session, const session::CutFrame& frame)
+std::string statsTable(const session::Session& session, const session::Frame& frame)
 {
 	nlohmann::json sheets = {{"sheets", sheetsJson(session, frame.slice, frame.sheets)}};
 	if (session.team)

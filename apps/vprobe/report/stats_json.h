@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exit_code.h"
-#include "session/cut_frame.h"
+#include "session/frame.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -22,10 +22,10 @@ nlohmann::json inputJson(const session::Session& session);
 std::string statsDocument(const session::Session& session, const nlohmann::json& what);
 
 // Returns the --stats document of a cut. Scripts rely on its keys: add keys, but never rename one.
-std::string statsJson(const session::Session& session, const session::CutFrame& frame);
+std::string statsJson(const session::Session& session, const session::Frame& frame);
 
 // Returns the same as text for people.
-std::string statsTable(const session::Session& session, const session::CutFrame& frame);
+std::string statsTable(const session::Session& session, const session::Frame& frame);
 
 // Returns what the document says about contours.
 nlohmann::json contoursJson(const session::Session& session, const session::Contours& contours);

@@ -104,7 +104,7 @@ struct OwnTable
 };
 
 // Sheets come first.
-std::vector<OwnTable> ownTables(const session::Session& session, const session::CutFrame& frame)
+std::vector<OwnTable> ownTables(const session::Session& session, const session::Frame& frame)
 {
 	const grid::BlockSet& blocks = frame.slice.blocksOf(session.blocks);
 	const std::vector<mesh::SheetMesh> meshes = session::exportedMeshes(frame.sheets);
@@ -125,7 +125,7 @@ std::vector<OwnTable> ownTables(const session::Session& session, const session::
 }
 
 // The same of all ranks, at the first one.
-std::vector<OwnTable> gatheredTables(const session::Session& session, const session::CutFrame& frame)
+std::vector<OwnTable> gatheredTables(const session::Session& session, const session::Frame& frame)
 {
 	std::vector<OwnTable> tables = ownTables(session, frame);
 	for (OwnTable& own : tables)
@@ -182,7 +182,7 @@ Status checkWritableTogether(const std::string& path)
 	return folder ? Status(Nothing{}) : folder.error();
 }
 
-write::SliceTable tableOf(const session::Session& session, const session::CutFrame& frame)
+write::SliceTable tableOf(const session::Session& session, const session::Frame& frame)
 {
 	if (session.team)
 		return joined(gatheredTables(session, frame));
@@ -190,7 +190,7 @@ write::SliceTable tableOf(const session::Session& session, const session::CutFra
 	                       session::contourPieces(frame.contours));
 }
 
-write::SliceTable tableAlong(const session::Session& session, const session::CutFrame& frame, std::size_t sheet,
+write::SliceTable tableAlong(const session::Session& session, const session::Frame& frame, std::size_t sheet,
                              const write::SheetLine& line)
 {
 	write::SliceTable table = write::tabulateAlong(frame.slice.blocksOf(session.blocks),
@@ -201,7 +201,7 @@ write::SliceTable tableAlong(const session::Session& session, const session::Cut
 	return gathered(*session.team, std::move(table));
 }
 
-Status writeTogether(const session::Session& session, const session::CutFrame& frame, const std::string& path)
+Status writeTogether(const session::Session& session, const session::Frame& frame, const std::string& path)
 {
 	const TimedSection section(session.timeline.get(), "write");
 	const Result<write::SliceFormat> format = write::sliceFormatOf(path);

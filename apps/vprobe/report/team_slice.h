@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "session/cut_frame.h"
+#include "session/frame.h"
 #include "write/line_file.h"
 #include "write/slice_table.h"
 
@@ -16,15 +16,15 @@ Status checkWritableTogether(const std::string& path);
 
 // Returns the polygons of a frame as one table; with a team, at the first rank those of all ranks, in the order of
 // writeTogether(), and at others a part. All ranks call this together.
-write::SliceTable tableOf(const session::Session& session, const session::CutFrame& frame);
+write::SliceTable tableOf(const session::Session& session, const session::Frame& frame);
 
 // The same of one sheet, and of the polygons that a line may meet alone.
-write::SliceTable tableAlong(const session::Session& session, const session::CutFrame& frame, std::size_t sheet,
+write::SliceTable tableAlong(const session::Session& session, const session::Frame& frame, std::size_t sheet,
                              const write::SheetLine& line);
 
 // Writes the polygons of all ranks of the session's team. As .pvtp, each rank writes a part of its own; any other file,
 // the first one writes. Polygons come sheet by sheet there, and within a sheet by ranks;
 // contours behind them in the same way.
-Status writeTogether(const session::Session& session, const session::CutFrame& frame, const std::string& path);
+Status writeTogether(const session::Session& session, const session::Frame& frame, const std::string& path);
 
 } // namespace vp::app

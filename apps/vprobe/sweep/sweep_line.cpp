@@ -5,6 +5,7 @@
 #include "ranks/team.h"
 #include "report/remaining_time.h"
 #include "report/stats_json.h"
+#include "session/time_steps.h"
 
 #include <algorithm>
 #include <future>
@@ -17,19 +18,18 @@ namespace vp::app
 namespace
 {
 
-struct SweptFrame : session::CutFrame
+struct SweptFrame
 {
+	std::shared_ptr<const session::Frame> cut;
 	nlohmann::json figures; // of --stats, where they are wanted
 };
-
-using CutFrameResult = Result<std::shared_ptr<const SweptFrame>>;
 
 // Cuts one frame after the other, where it is asked for or on a thread of its own.
 class Cutter
 {
 public:
-	Cutter(const SweepPlan& plan, const CutSlice& cut_slice, const session::Session& session)
-	    : plan_(plan), cut_slice_(cut_slice), session_(session)
+	Cutter(const SweepPlan& plan, const AskFrame& ask, session::Session& session)
+	    : plan_(plan), ask_(ask), session_(session)
 	{
 		if (plan.cuts_ahead)
 			worker_.emplace("cutter");
@@ -43,7 +43,7 @@ public:
 			worker_->give([task = std::move(task_)] { (*task)(); });
 	}
 	// Of the frame that was started last.
-	CutFrameResult take()
+	Result<SweptFrame> take()
 	{
 		const TimedSection section(worker_ ? session_.timeline.get() : nullptr, "await cut");
 		if (!worker_)
@@ -51,47 +51,45 @@ public:
 		return result_.get();
 	}
 
-	/// The next frame takes nothing from those before. No frame is under way.
-	void forgetLast() { last_.reset(); }
+	/// Returns true if the blocks lack what the frame needs, so that they change. No frame is under way.
+	bool changesBlocks(int frame) const
+	{
+		const Result<bool> lacks = session_.needsNeighborsFor(ask_(frame));
+		return lacks && *lacks; // the frame itself tells what is wrong with it
+	}
 
 private:
-	using Task = std::packaged_task<CutFrameResult()>;
+	using Task = std::packaged_task<Result<SweptFrame>()>;
 
-	CutFrameResult cut(int frame)
+	Result<SweptFrame> cut(int frame)
 	{
-		auto made = std::make_shared<SweptFrame>();
-		{
-			const TimedSection section(session_.timeline.get(), "cut");
-			Result<cut::Cut> slice =
-			    cut_slice_(frame, last_ ? std::shared_ptr<const cut::Cut>(last_, &last_->slice) : nullptr);
-			if (!slice)
-				return slice.error();
-			made->slice = std::move(*slice);
-			Result<std::vector<session::SheetStats>> sheets =
-			    session::statsSince(session_, made->slice, last_.get(), plan_.wants_figures);
-			if (!sheets)
-				return sheets.error();
-			made->sheets = std::move(*sheets);
-			Result<session::Contours> contours =
-			    session::growContours(session_, made->slice, made->sheets, plan_.contour, session::Tell::unfit);
-			if (!contours)
-				return contours.error();
-			made->contours = std::move(*contours);
-		}
+		if (plan_.times)
+			if (Status moved = session_.goTo(session::choiceOfStep(*plan_.times, static_cast<std::size_t>(frame)));
+			    !moved)
+				return moved.error();
+		session::FrameRequest request = ask_(frame);
+		request.wants = {.figures =
+		                     plan_.wants_figures ? session::Wants::Figures::all : session::Wants::Figures::for_picture,
+		                 .warns = false};
+		request.last = last_;
+		Result<std::shared_ptr<const session::Frame>> made = session_.frame(request);
+		if (!made)
+			return made.error();
+		last_ = *made;
+		SweptFrame swept{std::move(*made), {}};
 		if (plan_.wants_figures)
-			made->figures = {{"sheets", sheetsJson(session_, made->slice, made->sheets)},
-			                 {"contours", contoursJson(session_, made->contours)}};
-		last_ = made;
-		return std::shared_ptr<const SweptFrame>(std::move(made));
+			swept.figures = {{"sheets", sheetsJson(session_, swept.cut->slice, swept.cut->sheets)},
+			                 {"contours", contoursJson(session_, swept.cut->contours)}};
+		return swept;
 	}
 
 	const SweepPlan& plan_;
-	const CutSlice& cut_slice_;
-	const session::Session& session_;
+	const AskFrame& ask_;
+	session::Session& session_;
 	std::shared_ptr<Task> task_; // that nobody has begun
-	std::future<CutFrameResult> result_;
-	std::shared_ptr<const SweptFrame> last_; // of the thread that cuts
-	std::optional<Worker> worker_;           // must be the last member, since it uses the others
+	std::future<Result<SweptFrame>> result_;
+	std::shared_ptr<const session::Frame> last_; // of the thread that cuts
+	std::optional<Worker> worker_;               // must be the last member, since it uses the others
 };
 
 // The first frame from `frame` on that is not there yet, or the number of frames. Of a team, one rank knows what is
@@ -110,14 +108,14 @@ int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, r
 }
 
 // Whether the frame shows nothing, at any rank.
-bool isEmpty(const session::Session& session, const session::CutFrame& frame)
+bool isEmpty(const session::Session& session, const session::Frame& frame)
 {
 	const bool is_shown = !std::ranges::all_of(frame.slice.sheets, session::isEmpty);
 	return !(session.team ? ranks::anyOf(*session.team, is_shown) : is_shown);
 }
 
 // Whether a frame has a sheet that lies in the boundary, so that its area is 0.
-bool hasBoundarySheet(const session::CutFrame& frame)
+bool hasBoundarySheet(const session::Frame& frame)
 {
 	return std::ranges::any_of(frame.sheets, [](const session::SheetStats& sheet)
 	                           { return sheet.measure.area == 0.0 && sheet.measure.boundary_area > 0.0; });
@@ -132,7 +130,7 @@ Error firstError(SweepProducts& products, const Error& error)
 
 } // namespace
 
-Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_slice, const session::Session& session,
+Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, session::Session& session,
                                     SweepProducts& products)
 {
 	nlohmann::json figures = nlohmann::json::array();
@@ -142,12 +140,10 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 	Progress progress(remaining.line());
 	if (plan.writes_beside)
 		products.writeBeside();
-	Cutter cutter(plan, cut_slice, session);
+	Cutter cutter(plan, ask, session);
 	int next = nextFrame(0, plan, products, session.team, remaining);
-	const auto lacksNeighbors = [&](int frame)
-	{ return plan.build_neighbors && frame > 0 && frame < plan.frames && !grid::hasNeighbors(session.blocks); };
-	if (lacksNeighbors(next))
-		if (Status built = plan.build_neighbors(); !built)
+	if (next < plan.frames && cutter.changesBlocks(next))
+		if (Status built = session.buildNeighbors(); !built)
 			return built.error();
 	if (next < plan.frames)
 		cutter.start(next);
@@ -155,28 +151,27 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const CutSlice& cut_s
 	{
 		const int frame = next;
 		progress.say(remaining.line());
-		const CutFrameResult cut = cutter.take();
+		const Result<SweptFrame> cut = cutter.take();
 		if (!cut)
 			return firstError(products, cut.error());
 		next = nextFrame(frame + 1, plan, products, session.team, remaining);
-		const bool waits = lacksNeighbors(next); // until the first frame is done with
+		const bool waits = next < plan.frames && cutter.changesBlocks(next); // until this frame is done with
 		if (next < plan.frames && !waits)
 			cutter.start(next);
-		if (Status added = products.add(frame, **cut); !added)
+		if (Status added = products.add(frame, *cut->cut); !added)
 			return firstError(products, added.error());
 		if (waits)
 		{
-			if (Status built = plan.build_neighbors(); !built)
+			if (Status built = session.buildNeighbors(); !built)
 				return firstError(products, built.error());
-			cutter.forgetLast();
 			cutter.start(next);
 		}
 		remaining.done();
-		empty += isEmpty(session, **cut);
+		empty += isEmpty(session, *cut->cut);
 		if (plan.wants_figures)
 		{
-			in_boundary += hasBoundarySheet(**cut);
-			figures.push_back((*cut)->figures);
+			in_boundary += hasBoundarySheet(*cut->cut);
+			figures.push_back(cut->figures);
 			figures.back()["frame"] = frame;
 		}
 		if (plan.trace)

@@ -26,7 +26,7 @@ Result<std::unique_ptr<SweepProducts>> SweepProducts::create(session::Session& s
 	return products;
 }
 
-Status SweepProducts::add(int frame, const session::CutFrame& cut)
+Status SweepProducts::add(int frame, const session::Frame& cut)
 {
 	if (interrupt_ && interrupt_->came())
 		return Error{ErrorKind::cancelled, "interrupted; nothing is written"};
@@ -40,7 +40,7 @@ Status SweepProducts::add(int frame, const session::CutFrame& cut)
 	return painter_ ? draw(frame, cut) : Nothing{};
 }
 
-Status SweepProducts::draw(int frame, const session::CutFrame& cut)
+Status SweepProducts::draw(int frame, const session::Frame& cut)
 {
 	if (frame == 0 && frames_.wantsExposure())
 	{

@@ -2,7 +2,7 @@
 
 #include "interrupt.h"
 #include "picture/painter.h"
-#include "session/cut_frame.h"
+#include "session/frame.h"
 #include "sweep/frames.h"
 #include "sweep/worker.h"
 #include "write/slice_sets.h"
@@ -27,12 +27,11 @@ public:
 	                                                     const std::string& series);
 
 	bool has(int frame) const { return frames_.has(frame); }
-	picture::Painter* painter() { return painter_ ? &*painter_ : nullptr; }
 
 	// From now on a thread of its own writes the pictures.
 	void writeBeside() { writer_.emplace("writer"); }
 
-	Status add(int frame, const session::CutFrame& cut);
+	Status add(int frame, const session::Frame& cut);
 	Status finish(); // waits until everything that was added is written
 	Status commit(); // puts the film, the exposure or the series in its place; call finish() first
 
@@ -42,7 +41,7 @@ private:
 	{
 	}
 
-	Status draw(int frame, const session::CutFrame& cut);
+	Status draw(int frame, const session::Frame& cut);
 	void write(int frame, const render::Picture& picture);
 
 	session::Session& session_;

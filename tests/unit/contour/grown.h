@@ -52,7 +52,7 @@ struct SheetOfHills
 {
 	SheetOfHills(cut::Cutter& cutter, const TestPlane& plane, const std::optional<probe::Window>& window,
 	             std::optional<double> depth)
-	    : cut(test::cut(cutter, plane, {}, find::Finder::automatic, window)),
+	    : cut(test::cut(cutter, plane, {}, Search::fastest, window)),
 	      contourer(
 	          [&]
 	          {

@@ -60,7 +60,7 @@ struct Shown
 	measure::SheetMeasure figures;
 };
 
-Shown show(const grid::BlockSet& set, const grid::FieldChoice& array, cut::CutRequest request = {},
+Shown show(const grid::BlockSet& set, const grid::FieldChoice& array, cut::CutRequest request = inGenerations(),
            const std::optional<probe::Window>& window = std::nullopt)
 {
 	cut::Cutter cutter(set);
@@ -144,6 +144,7 @@ TEST(Contact, InterpolatedVerticesAreOne)
 	grid::BlockSet set = cubeBesideFour();
 	addArray(set, "u", 1, [](Vec3, bool is_large, int) { return is_large ? 1.0 : 0.0; });
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.hanging = mesh::Hanging::interpolate;
 	const Shown shown = show(set, {"u"}, request);
 	EXPECT_NEAR(shown.figures.area, 1.5, 1e-14);

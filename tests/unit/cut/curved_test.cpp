@@ -41,6 +41,7 @@ const TestForm kForms[] = {
 cut::CutRequest requestOf(const std::string& text, const probe::Frame& frame)
 {
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.probe.sheets.push_back(probe::makeSheet(frame.origin, frame.normal, frame.up));
 	request.probe.sheets[0].form = surface::ImplicitSurface::parse(text).value();
 	return request;

@@ -18,6 +18,7 @@ namespace
 cut::CutRequest requestOf(const std::vector<TestPlane>& planes)
 {
 	cut::CutRequest request;
+	request.in_generations = true;
 	for (const TestPlane& plane : planes)
 		request.probe.sheets.push_back(probe::makeSheet(plane.origin, plane.normal));
 	return request;

@@ -21,8 +21,8 @@ std::size_t compareFinders(const grid::BlockSet& set, const TestPlane& plane, co
                            const std::optional<probe::Window>& window = std::nullopt)
 {
 	cut::Cutter cutter(set);
-	const SlicedSheet expected = cut(cutter, plane, seeds, find::Finder::traversal, window);
-	const SlicedSheet found = cut(cutter, plane, seeds, find::Finder::automatic, window);
+	const SlicedSheet expected = cut(cutter, plane, seeds, Search::generations, window);
+	const SlicedSheet found = cut(cutter, plane, seeds, Search::fastest, window);
 	std::size_t in_spans = 0;
 	for (std::size_t b = 0; b < set.blocks.size(); ++b)
 	{
@@ -103,6 +103,7 @@ TEST(Finder, OctantsOfTheQueueKnowWhatStampsKnow)
 	{
 		cut::Cutter cutter(set);
 		cut::CutRequest request;
+		request.in_generations = true;
 		request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 		request.probe.sheets[0].window = window;
 		const cut::Cut stamps = std::move(cutter.cut(request).value());
@@ -161,7 +162,7 @@ TEST(Finder, TheSameMeshForAnyNumberOfThreads)
 		for (const int threads : {1, 2, 4})
 		{
 			const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-			meshes.push_back(cut(cutter, plane, {}, find::Finder::automatic).mesh);
+			meshes.push_back(cut(cutter, plane, {}, Search::fastest).mesh);
 		}
 		for (const mesh::SheetMesh& mesh : meshes)
 		{

@@ -13,6 +13,7 @@ namespace
 cut::CutRequest requestOf(std::vector<probe::Sheet> sheets)
 {
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.probe.sheets = std::move(sheets);
 	return request;
 }

@@ -53,7 +53,7 @@ TEST(OneCut, FindsWhatATraversalFindsInCurvilinearGrids)
 		for (const TestPlane& plane : planes)
 		{
 			const SlicedSheet expected = cut(searcher, plane);
-			const SlicedSheet found = cut(cutter, plane, {}, find::Finder::automatic);
+			const SlicedSheet found = cut(cutter, plane, {}, Search::fastest);
 			EXPECT_EQ(found.cutCells(), expected.cutCells());
 			expectSameMesh(found.mesh, expected.mesh);
 			EXPECT_EQ(measure::countComponents(found.mesh), measure::countComponents(expected.mesh));

@@ -120,7 +120,6 @@ TEST(RefinedCut, VectorsKeepToTheTolerance)
 	cut::Cutter cutter(set);
 	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet(Vec3(0.05, 0.02, 0.01), Vec3(0.3, 0.5, 0.8))};
-	request.finder = find::Finder::automatic;
 	for (const int components : {3, 9})
 	{
 		request.field = grid::FieldChoice{"v" + std::to_string(components), grid::Association::point, grid::kMagnitude};
@@ -183,7 +182,6 @@ TEST(RefinedCut, SeveralSheetsAreCutAsEachAlone)
 	const grid::BlockSet set = setOf(quadraticCube(5, 0.003, ball));
 	cut::Cutter cutter(set);
 	cut::CutRequest request;
-	request.finder = find::Finder::automatic;
 	for (const Vec3& normal : kNormals)
 		request.probe.sheets.push_back(probe::makeSheet(0.2 * normal, normal));
 	const cut::Cut all = std::move(cutter.cut(request).value());
@@ -255,7 +253,6 @@ TEST(RefinedCut, SaysWhatNeedsLinearCells)
 	cut::Cutter cutter(set);
 	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet(Vec3(0.0), Vec3(0, 0, 1))};
-	request.finder = find::Finder::automatic;
 	request.field = grid::FieldChoice{"f"};
 	const auto refused = [&](const cut::CutRequest& of, const char* what)
 	{

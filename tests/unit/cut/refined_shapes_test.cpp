@@ -148,7 +148,6 @@ TEST(RefinedShapes, SurfacesThatAreNoPlanesAreCutToo)
 			    setOf(only_tetrahedra ? quadraticCube(10, tolerance, ball) : mixedCube(10, tolerance, ball));
 			cut::Cutter cutter(set);
 			cut::CutRequest request;
-			request.finder = find::Finder::automatic;
 			probe::Sheet sheet = probe::makeSheet(Vec3(0.0), Vec3(0, 0, 1));
 			sheet.form = std::move(surface::ImplicitSurface::parse("x*x + y*y - 0.25").value());
 			request.probe.sheets = {sheet};

@@ -22,7 +22,6 @@ namespace
 SlicedSheet sheetBy(const grid::BlockSet& blocks, cut::CutRequest request, find::Strategy strategy)
 {
 	request.strategy = strategy;
-	request.finder = find::Finder::automatic;
 	cut::Cutter cutter(blocks);
 	cut::Cut slice = std::move(cutter.cut(request).value());
 	SlicedSheet sheet{&blocks, {}, slice.mesh(blocks, 0)};
@@ -33,6 +32,7 @@ SlicedSheet sheetBy(const grid::BlockSet& blocks, cut::CutRequest request, find:
 cut::CutRequest requestOf(const TestPlane& plane)
 {
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 	return request;
 }

@@ -172,6 +172,7 @@ TEST(Seams, SheetsKeepToTheirLanes)
 	const grid::BlockSet set = setOfBlocks({latticeBlock(warped, 0.0, false), latticeBlock(warped, 1.0, true)});
 	cut::Cutter cutter(set);
 	cut::CutRequest request;
+	request.in_generations = true;
 	const Vec3 center = warped(0.6, 0.5, 0.5);
 	const std::vector<TestPlane> planes{
 	    {center, {0.1, 1.0, 0.2}}, {center, {0.2, 0.1, 1.0}}, {center, {1.0, 0.1, 0.2}}};

@@ -15,7 +15,7 @@ namespace vp::test
 namespace
 {
 
-class UnmovedSheets : public testing::TestWithParam<find::Finder>
+class UnmovedSheets : public testing::TestWithParam<bool>
 {
 protected:
 	const grid::BlockSet set_ = setOf(gridNamed("shell"));
@@ -23,7 +23,7 @@ protected:
 	cut::CutRequest request_ = [this]
 	{
 		cut::CutRequest request;
-		request.finder = GetParam();
+		request.in_generations = GetParam();
 		request.probe.frame.origin = set_.bounds().center();
 		for (const Vec3 normal : {Vec3(0.0, 0.0, 1.0), Vec3(0.3, 1.0, 0.2), Vec3(1.0, 0.1, 0.4)})
 			request.probe.sheets.push_back(probe::makeSheet({0.01, 0.02, 0.03}, normal));
@@ -143,6 +143,6 @@ TEST_P(UnmovedSheets, RegatheredOnesHaveAnotherNumber)
 	EXPECT_EQ(kept(*first, again), std::vector<bool>(3, false));
 }
 
-INSTANTIATE_TEST_SUITE_P(Finders, UnmovedSheets, testing::Values(find::Finder::traversal, find::Finder::automatic));
+INSTANTIATE_TEST_SUITE_P(InGenerationsAndNot, UnmovedSheets, testing::Bool());
 
 } // namespace vp::test

@@ -21,6 +21,7 @@ using Uv = glm::dvec2;
 cut::Cut cutWindow(cut::Cutter& cutter, const probe::Sheet& sheet, mesh::Corners corners = mesh::Corners::keep)
 {
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.probe.sheets = {sheet};
 	request.corners = corners;
 	request.field = grid::FieldChoice{"linear"};

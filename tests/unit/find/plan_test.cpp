@@ -65,7 +65,6 @@ Case caseOf(const std::string& options, const grid::BlockSet& blocks)
 	cut::CutRequest& request = made.request;
 	request.probe.sheets = {probe::makeSheet(blocks.bounds().center(), {0.0, 0.0, 1.0})};
 	request.field = grid::chooseField(blocks, "").value();
-	request.finder = find::Finder::automatic;
 	std::string words = options;
 	std::erase(words, '`');
 	std::istringstream stream(words);
@@ -83,7 +82,7 @@ Case caseOf(const std::string& options, const grid::BlockSet& blocks)
 		else if (option == "--outside")
 			request.seeds.outside = seed::OutsidePolicy::report;
 		else if (option == "--visited")
-			request.finder = find::Finder::traversal;
+			request.in_generations = true;
 		else if (option == "--surface")
 			setSurface(value, request);
 		else if (option == "--strategy")
@@ -92,7 +91,7 @@ Case caseOf(const std::string& options, const grid::BlockSet& blocks)
 		{
 			made.on_device = true;
 			if (value == "gpu")
-				request.finder = find::Finder::direct;
+				request.device_first = true;
 		}
 		else
 			EXPECT_EQ(option, "--classify") << "of " << options;

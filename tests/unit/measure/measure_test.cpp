@@ -189,6 +189,7 @@ TEST(Measure, CategoriesAreNotInterpolated)
 	const grid::BlockSet set = setOf(block);
 	cut::Cutter cutter(set);
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.probe.sheets = {probe::makeSheet({0.4, 0.4, 0.4}, {0.3, 0.5, 0.81})};
 	request.probe.sheets[0].window = probe::Window{-0.25, 0.2, -0.15, 0.2};
 	const mesh::SheetMesh mesh = cutter.cut(request).value().mesh(set, 0);

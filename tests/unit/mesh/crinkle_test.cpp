@@ -234,6 +234,7 @@ TEST(Crinkle, IsOfWholeCellsInAWindow)
 	const grid::BlockSet set = setOf(gridNamed("shell"));
 	cut::Cutter cutter(set);
 	cut::CutRequest request;
+	request.in_generations = true;
 	probe::Sheet sheet = probe::makeSheet({0.1, 1.6, 0.2}, {0.3, 0.5, 0.8});
 	sheet.window = probe::centeredWindow(0.5, 0.4);
 	request.probe.sheets = {sheet};
@@ -260,7 +261,6 @@ TEST(Crinkle, IsTheSameOfSpans)
 				continue;
 			cut::CutRequest request;
 			request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
-			request.finder = find::Finder::automatic;
 			const mesh::SheetMesh mesh = cutter.cut(request)->crinkle(set, 0);
 			const mesh::SheetMesh expected = crinkled(cutter, plane).mesh;
 			EXPECT_EQ(mesh.polygons(), expected.polygons()) << name;
@@ -276,6 +276,7 @@ TEST(Crinkle, OfAGridSurfaceIsItsLayer)
 	const grid::BlockSet set = setOf(shell);
 	cut::Cutter cutter(set);
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.surface = surface::GridIndex{1, 4.5};
 	const cut::Cut slice = std::move(cutter.cut(std::move(request)).value());
 	const std::size_t n = grid::latticeCellsOf(shell)->lattice().cells()[0];

@@ -72,8 +72,8 @@ TEST(HotSpots, ChangeNothingButTheGenerations)
 	{
 		const std::optional<probe::Window> window = maybeWindow(set.bounds(), random);
 		cut::Cutter cutter(set);
-		const SlicedSheet expected = cut(cutter, plane, {}, find::Finder::traversal, window);
-		const SlicedSheet found = cut(cutter, plane, kLattice, find::Finder::traversal, window);
+		const SlicedSheet expected = cut(cutter, plane, {}, Search::generations, window);
+		const SlicedSheet found = cut(cutter, plane, kLattice, Search::generations, window);
 		for (std::size_t b = 0; b < set.blocks.size(); ++b)
 		{
 			ASSERT_EQ(found.cutCells(b), expected.cutCells(b));
@@ -108,8 +108,8 @@ TEST(HotSpots, LeaveFewGenerations)
 		std::size_t most_without = 0;
 		const auto see = [&](const TestPlane& plane, const std::optional<probe::Window>& window)
 		{
-			const SlicedSheet spread = cut(cutter, plane, kLattice, find::Finder::traversal, window);
-			const SlicedSheet without = cut(cutter, plane, {}, find::Finder::traversal, window);
+			const SlicedSheet spread = cut(cutter, plane, kLattice, Search::generations, window);
+			const SlicedSheet without = cut(cutter, plane, {}, Search::generations, window);
 			most = std::max(most, spread.slice.cuts[0].cells().generations());
 			most_without = std::max(most_without, without.slice.cuts[0].cells().generations());
 			EXPECT_LE(spread.slice.seeds.hops,
@@ -149,6 +149,7 @@ TEST(HotSpots, OfTheCutBefore)
 	const auto cutAt = [&](const TestPlane& plane, const cut::Cut* last)
 	{
 		cut::CutRequest request;
+		request.in_generations = true;
 		request.seeds = kLattice;
 		request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 		if (last)

@@ -54,7 +54,6 @@ inline Section section(cut::Cutter& cutter, const Vec3& origin, const Vec3& norm
 {
 	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet(origin, normal)};
-	request.finder = find::Finder::automatic;
 	if (shows_values)
 		request.field = grid::FieldChoice{"f"};
 	Section made;

@@ -36,15 +36,28 @@ struct SlicedSheet
 	}
 };
 
+// How the cells are found: in generations, as the paper has it, or in the fastest way that is possible.
+enum class Search
+{
+	generations,
+	fastest
+};
+
+inline cut::CutRequest inGenerations()
+{
+	cut::CutRequest request;
+	request.in_generations = true;
+	return request;
+}
+
 inline SlicedSheet cut(cut::Cutter& cutter, const TestPlane& plane, const seed::SeedOptions& seeds = {},
-                       find::Finder finder = find::Finder::traversal,
-                       const std::optional<probe::Window>& window = std::nullopt)
+                       Search search = Search::generations, const std::optional<probe::Window>& window = std::nullopt)
 {
 	cut::CutRequest request;
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 	request.probe.sheets[0].window = window;
 	request.seeds = seeds;
-	request.finder = finder;
+	request.in_generations = search == Search::generations;
 	cut::Cut slice = std::move(cutter.cut(std::move(request)).value());
 	SlicedSheet sheet{&cutter.blocks(), {}, slice.mesh(cutter.blocks(), 0)};
 	sheet.slice = std::move(slice.sheets[0]);

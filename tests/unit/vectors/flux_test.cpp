@@ -16,7 +16,7 @@ vectors::Flux fluxOf(const grid::BlockSet& blocks, const TestPlane& plane,
                      const std::optional<probe::Window>& window = {}, const char* array = "v")
 {
 	cut::Cutter cutter(blocks);
-	const SlicedSheet sheet = cut(cutter, plane, {}, find::Finder::automatic, window);
+	const SlicedSheet sheet = cut(cutter, plane, {}, Search::fastest, window);
 	return vectors::fluxThrough(blocks, sheet.mesh, vectors::chooseVectors(blocks, array).value());
 }
 

@@ -24,7 +24,7 @@ struct Cut
 Cut cutOf(const grid::BlockSet& blocks, const Vec3& origin, std::optional<probe::Window> window)
 {
 	cut::Cutter cutter(blocks);
-	const SlicedSheet sheet = cut(cutter, {origin, {0.0, 0.0, 1.0}}, {}, find::Finder::automatic, window);
+	const SlicedSheet sheet = cut(cutter, {origin, {0.0, 0.0, 1.0}}, {}, Search::fastest, window);
 	return {sheet.mesh, sheet.slice.sheet};
 }
 

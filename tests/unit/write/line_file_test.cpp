@@ -49,6 +49,7 @@ std::vector<NamedRow> rowsAlong(const grid::BlockSet& blocks, const probe::Sheet
 	const TemporaryFolder folder;
 	cut::Cutter cutter(blocks);
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.probe.sheets = {sheet};
 	const mesh::SheetMesh mesh = cutter.cut(std::move(request)).value().mesh(blocks, 0);
 	EXPECT_TRUE(write::writeLine(write::tabulateAlong(blocks, sheet, mesh, line), sheet, line, folder / "line.csv"));

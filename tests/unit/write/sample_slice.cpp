@@ -86,6 +86,7 @@ SampleSlice sampleSlice()
 	sample.blocks.blocks = {mixedBlock(), imageBlock()};
 	cut::Cutter cutter(sample.blocks);
 	cut::CutRequest request;
+	request.in_generations = true;
 	request.probe.sheets = {probe::makeSheet({0.1, 0.2, 0.3}, {0.3, 0.5, 0.81}),
 	                        probe::makeSheet({4.1, 0.0, 0.0}, {1.0, 0.1, 0.0})};
 	const cut::Cut slice = cutter.cut(request).value();

@@ -2,7 +2,7 @@
 
 #include "gpu/image.h"
 #include "picture/painter.h"
-#include "session/cut_frame.h"
+#include "session/frame.h"
 #include "view/view_spec.h"
 #include "viewer/cutting/gpu_pictures.h"
 #include "viewer/cutting/neighbor_builder.h"
@@ -67,7 +67,7 @@ struct PresentedFrame
 	std::shared_ptr<const gpu::Image> image; // gpu::kCopyFrom
 	FrameRequest wish;
 	probe::Probe probe; // as the picture shows it, with hidden sheets included
-	std::shared_ptr<const session::CutFrame> cut;
+	std::shared_ptr<const session::Frame> cut;
 	render::Camera camera;
 	render::Frame frame;
 	std::optional<render::ValueScale> values;
@@ -134,7 +134,7 @@ private:
 	// The contours of a cut, and what they were grown for.
 	struct Grown
 	{
-		std::shared_ptr<const session::CutFrame> cut;
+		std::shared_ptr<const session::Frame> cut;
 		view::ContourSpec options;
 		std::optional<session::PointedValue> pointed;
 		session::Contours contours;
@@ -173,12 +173,10 @@ private:
 	std::unique_ptr<session::Session> session_;
 	std::optional<picture::Painter> painter_;
 	std::optional<FrameRequest> followed_; // the request that session and painter follow
-	std::shared_ptr<const session::CutFrame> cut_;
+	std::shared_ptr<const session::Frame> cut_;
 	std::uint64_t cuts_ = 0;
-	bool cut_is_old_ = true;
 	NeighborBuilder neighbors_;
 	Grown grown_;
-	bool only_moved_ = false;
 	std::atomic<bool> rough_ = false; // the picture gets all its samples once the probe has rested
 	Pictures pictures_;
 	Pictures pane_pictures_;

@@ -31,7 +31,7 @@ std::vector<std::uint64_t> sourceCells(const grid::BlockSet& blocks, const mesh:
 
 } // namespace
 
-SheetLookups::SheetLookups(const session::Session& session, std::shared_ptr<const session::CutFrame> cut,
+SheetLookups::SheetLookups(const session::Session& session, std::shared_ptr<const session::Frame> cut,
                            bool by_generation)
     : cut_(std::move(cut))
 {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "measure/sheet_lookup.h"
-#include "session/cut_frame.h"
+#include "session/frame.h"
 #include "session/session.h"
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace vp::app
 class SheetLookups
 {
 public:
-	SheetLookups(const session::Session& session, std::shared_ptr<const session::CutFrame> cut, bool by_generation);
+	SheetLookups(const session::Session& session, std::shared_ptr<const session::Frame> cut, bool by_generation);
 
 	struct Found
 	{
@@ -30,7 +30,7 @@ public:
 	// sheet: of the cut. content_uv: see interact::SheetHit. None where the grid is not cut.
 	std::optional<Found> at(std::size_t sheet, const glm::dvec2& content_uv) const;
 
-	const std::shared_ptr<const session::CutFrame>& cut() const { return cut_; }
+	const std::shared_ptr<const session::Frame>& cut() const { return cut_; }
 
 private:
 	struct OfSheet
@@ -43,7 +43,7 @@ private:
 		std::vector<std::uint64_t> cells; // per polygon, the file's numbers
 	};
 
-	std::shared_ptr<const session::CutFrame> cut_;
+	std::shared_ptr<const session::Frame> cut_;
 	std::vector<std::optional<OfSheet>> sheets_; // none of what is no plane
 	std::vector<std::string> blocks_;            // names
 };

@@ -21,19 +21,6 @@ void placeProbe(view::ProbeSpec& spec, const probe::Probe& before, const probe::
 	spec.sheets.reset();
 }
 
-void takePlace(view::ProbeSpec& spec, const view::ProbeSpec& from)
-{
-	spec.origin = from.origin;
-	spec.normal = from.normal;
-	spec.up = from.up;
-	spec.window = from.window;
-	spec.shape = from.shape;
-	spec.own = from.own;
-	spec.vanes = from.vanes;
-	spec.offsets = from.offsets;
-	spec.sheets = from.sheets;
-}
-
 std::optional<render::Camera> cameraOf(const view::LookSpec& look)
 {
 	if (look.camera.kind != render::CameraChoice::Kind::fixed)

@@ -5,7 +5,7 @@
 namespace vp::app
 {
 
-CutFigures figuresOf(const session::CutFrame& cut, std::size_t sheet)
+CutFigures figuresOf(const session::Frame& cut, std::size_t sheet)
 {
 	const cut::SheetCut& slice = cut.slice.sheets[sheet];
 	CutFigures figures;
@@ -20,7 +20,7 @@ CutFigures figuresOf(const session::CutFrame& cut, std::size_t sheet)
 	return figures;
 }
 
-CutFigures figuresOf(const session::CutFrame& cut)
+CutFigures figuresOf(const session::Frame& cut)
 {
 	CutFigures all;
 	for (std::size_t s = 0; s < cut.slice.sheets.size(); ++s)

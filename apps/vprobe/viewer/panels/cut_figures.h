@@ -1,6 +1,6 @@
 #pragma once
 
-#include "session/cut_frame.h"
+#include "session/frame.h"
 
 #include <cstddef>
 
@@ -17,7 +17,7 @@ struct CutFigures
 	std::size_t polygons = 0;
 };
 
-CutFigures figuresOf(const session::CutFrame& cut, std::size_t sheet);
-CutFigures figuresOf(const session::CutFrame& cut); // sums over the sheets; for generations and fronts, the largest
+CutFigures figuresOf(const session::Frame& cut, std::size_t sheet);
+CutFigures figuresOf(const session::Frame& cut); // sums over the sheets; for generations and fronts, the largest
 
 } // namespace vp::app

@@ -3,7 +3,7 @@
 #include "picture/sheet_values.h"
 #include "render/color/color_map.h"
 #include "render/scene/outline.h"
-#include "session/cut_frame.h"
+#include "session/frame.h"
 
 #include <fmt/format.h>
 
@@ -100,23 +100,24 @@ DemoPicture makeDemoPicture(std::string_view name)
 	spec.input.files = {fmt::format("demo:{}:{}", name, kCells)};
 	spec.machine.classify = view::Classify::cpu;
 	spec.probe.shape = view::ProbeShape::trihedral;
-	const auto opened = session::openSession(std::move(spec), {.may_scan = true});
+	const auto opened = session::openSession(std::move(spec), {.expect = session::Expect::first_of_many});
 	if (!opened)
 		return {};
-	const session::Session& session = **opened;
-	const Result<session::CutFrame> frame = session::cutFrame(session);
-	if (!frame)
+	session::Session& session = **opened;
+	const Result<std::shared_ptr<const session::Frame>> made = session.frame({});
+	if (!made)
 		return {};
+	const session::Frame& frame = **made;
 	DemoPicture picture;
 	const Projection projection(session.blocks.bounds());
 	for (const render::Segment& line : render::outlineOf(session.blocks, render::Outline::box))
 		picture.box.push_back({projection.place(line.a), projection.place(line.b)});
 	std::vector<double> depths;
-	for (std::size_t s = 0; s < frame->sheets.size(); ++s)
+	for (std::size_t s = 0; s < frame.sheets.size(); ++s)
 	{
-		const mesh::SheetMesh& mesh = frame->sheets[s].mesh;
+		const mesh::SheetMesh& mesh = frame.sheets[s].mesh;
 		addSheet(picture, depths, projection, mesh,
-		         picture::sheetValues(session.blocks, frame->slice.sheets[s], mesh, false).of_vertices);
+		         picture::sheetValues(session.blocks, frame.slice.sheets[s], mesh, false).of_vertices);
 	}
 	std::vector<std::size_t> order(depths.size());
 	std::iota(order.begin(), order.end(), std::size_t(0));

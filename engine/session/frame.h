@@ -1,0 +1,20 @@
+#pragma once
+
+#include "session/grown_contours.h"
+
+#include <vector>
+
+namespace vp::session
+{
+
+// What Session::frame() makes: the cut of every sheet, its polygons and figures, and contours.
+struct Frame
+{
+	cut::Cut slice;
+	std::vector<SheetStats> sheets;
+	Contours contours{};     // filled if the settings ask for them
+	FrameRequest made_for{}; // without the frame before it
+	Session::Stamp stamp{};  // of the session that made it
+};
+
+} // namespace vp::session
