@@ -142,7 +142,8 @@ private:
 		if (with_ids)
 			at_.integers(points);
 		part.coordinates.resize(3 * static_cast<std::size_t>(points));
-		for (std::size_t axis = 0; axis < 3; ++axis)
+		// An empty part's data may be null, which nothing may be added to.
+		for (std::size_t axis = 0; axis < 3 && points > 0; ++axis)
 			at_.reals(part.coordinates.data() + axis, points, 3);
 	}
 
