@@ -1,6 +1,6 @@
 #pragma once
 
-namespace vp::session
+namespace vp::ranks
 {
 class Team;
 }

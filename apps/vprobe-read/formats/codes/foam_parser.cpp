@@ -313,7 +313,7 @@ private:
 			entry.tokens.push_back(token);
 		std::string words;
 		for (const FoamToken& each : entry.tokens)
-			words += (words.empty() ? "" : " ") + std::string(each.text);
+			(words += words.empty() ? "" : " ") += each.text;
 		return words;
 	}
 
