@@ -1,7 +1,5 @@
 #include "team.h"
 
-#include "ranks/team.h"
-
 namespace vp::app
 {
 
@@ -12,9 +10,9 @@ ranks::Team* the_team = nullptr;
 
 } // namespace
 
-ranks::Team* team()
+ranks::Ranks processes()
 {
-	return the_team;
+	return ranks::Ranks(the_team);
 }
 
 void setTeam(ranks::Team* team)
@@ -24,7 +22,7 @@ void setTeam(ranks::Team* team)
 
 bool isFirst()
 {
-	return !the_team || the_team->isFirst();
+	return processes().isFirst();
 }
 
 } // namespace vp::app

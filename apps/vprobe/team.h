@@ -1,18 +1,15 @@
 #pragma once
 
-namespace vp::ranks
-{
-class Team;
-}
+#include "ranks/ranks.h"
 
 namespace vp::app
 {
 
-// The processes that carry out a command together, or null for one process alone. vprobe-mpi sets it.
-ranks::Team* team();
+// The processes that carry out a command together: one alone, or the team that vprobe-mpi sets.
+ranks::Ranks processes();
 void setTeam(ranks::Team* team);
 
-// True for the process that writes and prints: the only one, or the first of a team.
+// True for the process that writes and prints.
 bool isFirst();
 
 } // namespace vp::app

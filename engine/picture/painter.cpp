@@ -7,13 +7,11 @@
 #include "picture/context_mesh.h"
 #include "picture/contour_drawing.h"
 #include "picture/sheet_values.h"
-#include "picture/surroundings.h"
-#include "ranks/data/share.h"
 #include "ranks/join/hanging_borders.h"
-#include "ranks/join/polygons_around.h"
 #include "ranks/join/whole_cells.h"
+#include "ranks/picture/joined_surfaces.h"
 #include "ranks/picture/merged_layers.h"
-#include "ranks/team.h"
+#include "ranks/picture/surroundings.h"
 #include "render/passes/surface_polygons.h"
 #include "render/scene/value_style.h"
 
@@ -64,7 +62,7 @@ Status Painter::followSession()
 
 Status Painter::takeBlocks()
 {
-	Result<Surroundings> around = surroundingsOf(session_, choice().look.outline);
+	Result<ranks::Surroundings> around = ranks::surroundingsOf(session_.ranks, session_.blocks, choice().look.outline);
 	if (!around)
 		return around.error();
 	outline_ = std::move(around->outline);
@@ -85,12 +83,10 @@ Status Painter::makeContext()
 		Result<mesh::SheetMesh> mesh = contextMesh(session_.blocks, context);
 		if (!mesh)
 			return mesh.error();
-		ranks::Borders borders;
-		if (session_.team)
-			borders = ranks::joinWholeCells(*session_.team, session_.blocks, session_.share->whole, *mesh);
+		const ranks::Borders borders = ranks::joinWholeCells(session_.ranks, session_.blocks, *mesh);
 		if (borders.hangs)
 			return ranks::sizesDiffer("context");
-		auto polygons = surfacePolygons(*mesh, borders, {});
+		auto polygons = ranks::surfacePolygons(session_.ranks, *session_.device, *mesh, borders, {});
 		if (!polygons)
 			return polygons.error();
 		render::Surface& surface = context_.emplace_back();
@@ -125,33 +121,14 @@ Result<Painter> Painter::create(session::Session& session, view::ResolvedLook lo
 	return painter;
 }
 
-// The polygons of a surface in device memory. With a team, those of other ranks around them have a part in how they
-// look.
-Result<std::shared_ptr<const render::SurfacePolygons>>
-Painter::surfacePolygons(const mesh::SheetMesh& mesh, const ranks::Borders& borders, render::SheetValues values) const
-{
-	if (!session_.team)
-		return render::surfacePolygons(*session_.device, mesh, {values.of_vertices, values.of_polygons});
-	Box box;
-	for (const Vec3& place : mesh.positions)
-		box.include(place);
-	ranks::sumOverAll(*session_.team, box, [](Box& all, const Box& other) { all.include(other); });
-	mesh::SheetMesh around = mesh;
-	render::SurfaceElsewhere elsewhere{.origin = box.empty() ? Vec3(0.0) : box.center()};
-	elsewhere.polygons = ranks::addPolygonsAround(*session_.team, borders, around, values.of_polygons);
-	if (!values.of_vertices.empty())
-		values.of_vertices.resize(around.positions.size(), 0.0);
-	return render::surfacePolygons(*session_.device, around, {values.of_vertices, values.of_polygons}, &elsewhere);
-}
-
 // What is no plane: a grid surface, a patch of the boundary, whole cells.
 Result<render::Surface> Painter::surfaceOf(const cut::Cut& slice, std::size_t sheet, const session::SheetStats& stats,
                                            const render::SheetDrawing& drawing,
                                            const std::optional<render::ValueScale>& scale) const
 {
 	const mesh::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
-	auto polygons = surfacePolygons(
-	    mesh, stats.crinkle ? stats.crinkle_borders : stats.borders,
+	auto polygons = ranks::surfacePolygons(
+	    session_.ranks, *session_.device, mesh, stats.crinkle ? stats.crinkle_borders : stats.borders,
 	    sheetValues(slice.blocksOf(session_.blocks), slice.sheets[sheet], mesh, choice().by_generation));
 	if (!polygons)
 		return polygons.error();
@@ -205,9 +182,8 @@ Result<std::shared_ptr<const classify::SheetRecords>> Painter::recordsOf(const c
 	auto made = classify::recordsFromMesh(pool_, host);
 	if (!made)
 		return made.error();
-	(*made)->overlapping = (*made)->overlapping || classify::mayFold(session_.blocks);
-	if (session_.team) // so that all are drawn in one way
-		(*made)->overlapping = ranks::anyOf(*session_.team, (*made)->overlapping);
+	// All parts of a sheet are drawn in one way.
+	(*made)->overlapping = session_.ranks.any((*made)->overlapping || classify::mayFold(session_.blocks));
 	return records_[sheet.number] = std::move(*made);
 }
 
@@ -239,13 +215,7 @@ Status Painter::addSheets(const cut::Cut& slice, const std::vector<session::Shee
 		if (!records)
 			return records.error();
 		made->records = std::move(*records);
-		if (session_.team)
-		{
-			mesh::UvBounds bounds = made->records->bounds.value_or(mesh::UvBounds());
-			ranks::sumOverAll(*session_.team, bounds, [](auto& all, const auto& other) { all = all.with(other); });
-			if (bounds.lo.x <= bounds.hi.x)
-				made->bounds = bounds;
-		}
+		made->bounds = ranks::boundsOfAll(session_.ranks, made->records->bounds);
 		scene.sheets.push_back(std::move(*made));
 	}
 	return Nothing{};
@@ -304,19 +274,10 @@ Result<render::Picture> Painter::draw(const cut::Cut& slice, const std::vector<s
 	Result<render::Scene> scene = sceneOf(slice, sheets, contours);
 	if (!scene)
 		return scene.error();
-	if (session_.team)
-	{
-		const auto merge = [&](const render::LayerValues& layers)
-		{ return ranks::mergeLayers(*session_.team, layers, session_.layer_bytes); };
-		auto drawn = renderer_.drawMerged(*scene, merge, session_.timeline.get());
-		if (!drawn)
-			return drawn.error();
-		return drawn->value_or(render::Picture());
-	}
 	std::function<bool()> goes_on;
 	if (stop.stop_possible())
 		goes_on = [&] { return !stop.stop_requested(); };
-	return renderer_.draw(*scene, session_.timeline.get(), goes_on);
+	return ranks::draw(session_.ranks, renderer_, *scene, session_.timeline.get(), goes_on);
 }
 
 Status Painter::drawInto(const gpu::Image& image, const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,

@@ -40,7 +40,7 @@ public:
 	                const session::Contours& contours);
 
 	// Draws a picture. sheets: sheetStats() of the cut. Section "render" on the timeline. A stop request ends it with
-	// ErrorKind::cancelled. With a team, all ranks call it, and only the first one gets a picture, others an empty one.
+	// ErrorKind::cancelled. Only the first of several ranks gets a picture, the others an empty one.
 	Result<render::Picture> draw(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
 	                             const session::Contours& contours = {}, const std::stop_token& stop = {});
 	// Draws the scene without the sheets and without the lines around them.
@@ -55,8 +55,6 @@ private:
 	                                                                const session::SheetStats& stats);
 	Status addSheets(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
 	                 const session::Contours& contours, render::Scene& scene);
-	Result<std::shared_ptr<const render::SurfacePolygons>>
-	surfacePolygons(const mesh::SheetMesh& mesh, const ranks::Borders& borders, render::SheetValues values) const;
 	Result<render::Surface> surfaceOf(const cut::Cut& slice, std::size_t sheet, const session::SheetStats& stats,
 	                                  const render::SheetDrawing& drawing,
 	                                  const std::optional<render::ValueScale>& scale) const;

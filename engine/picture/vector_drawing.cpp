@@ -1,8 +1,7 @@
 #include "picture/vector_drawing.h"
 
 #include "ranks/particles/joined_traces.h"
-#include "ranks/team.h"
-#include "render/passes/surface_polygons.h"
+#include "ranks/picture/joined_surfaces.h"
 #include "vectors/trace_values.h"
 
 #include <fmt/format.h>
@@ -91,20 +90,14 @@ std::vector<double> VectorDrawing::valuesOf(const Coloring& coloring, const vect
 	if (coloring.field == session_->view.vector_array)
 		return lengthsOf(traces);
 	std::vector<double> values = vectors::valuesAt(session_->blocks, *coloring.field, traces);
-	if (session_->team)
-		ranks::takeFromOwners(*session_->team,
-		                      session_->particle_borders->of(*session_->team, *session_->share, session_->blocks),
-		                      traces, values);
+	ranks::takeFromOwners(session_->ranks, session_->blocks, traces, values);
 	return values;
 }
 
 std::vector<double> VectorDrawing::turnsOf(const vectors::Traces& traces) const
 {
 	std::vector<double> rates = vectors::turnRates(session_->blocks, *session_->view.vector_array, traces);
-	if (session_->team)
-		ranks::takeFromOwners(*session_->team,
-		                      session_->particle_borders->of(*session_->team, *session_->share, session_->blocks),
-		                      traces, rates);
+	ranks::takeFromOwners(session_->ranks, session_->blocks, traces, rates);
 	return vectors::turnsAlong(rates, traces);
 }
 
@@ -135,21 +128,10 @@ Status VectorDrawing::make(Kept& kept, const cut::Cut& slice) const
 	for (std::size_t s = 0; s < kept.traces.size(); ++s)
 		addTraces(*kept.traces[s], slice.sheets[s].sheet.normal, kept.coloring, width, made);
 	kept.has_nan = std::ranges::any_of(made.values, [](double value) { return std::isnan(value); });
-	render::SurfaceElsewhere elsewhere;
-	if (session_->team) // all ranks have the paths, and the first one draws them
-	{
-		Box box;
-		for (const Vec3& place : made.mesh.positions)
-			box.include(place);
-		elsewhere.origin = box.empty() ? Vec3(0.0) : box.center();
-		if (!session_->team->isFirst())
-			made = {};
-	}
 	render::SurfaceValues values;
 	if (kept.coloring.field)
 		values.at_vertices = made.values;
-	auto polygons =
-	    render::surfacePolygons(*session_->device, made.mesh, values, session_->team ? &elsewhere : nullptr);
+	auto polygons = ranks::surfaceOfFirst(session_->ranks, *session_->device, made.mesh, values);
 	if (!polygons)
 		return polygons.error();
 	kept.polygons = std::move(*polygons);

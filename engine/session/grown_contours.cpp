@@ -3,7 +3,6 @@
 #include "base/digits.h"
 #include "base/messages.h"
 #include "measure/sheet_lookup.h"
-#include "ranks/team.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -56,13 +55,12 @@ ValueThere valueAt(const contour::BoxContourer& contourer, const cut::SheetCut& 
 Result<double> valueOfAll(const Session& session, ValueThere there, const std::pair<double, double>& at)
 {
 	// Of polygons over each other the last counts, as in one process.
-	if (session.team)
-		ranks::sumOverAll(*session.team, there,
-		                  [](ValueThere& all, const ValueThere& higher)
-		                  {
-			                  if (higher.is_there && (!all.is_there || higher.is_inside || !all.is_inside))
-				                  all = higher;
-		                  });
+	there = session.ranks.sum(there,
+	                          [](ValueThere& all, const ValueThere& higher)
+	                          {
+		                          if (higher.is_there && (!all.is_there || higher.is_inside || !all.is_inside))
+			                          all = higher;
+	                          });
 	if (there.is_there && std::isfinite(there.value))
 		return there.value;
 	return Error{ErrorKind::usage,
@@ -74,47 +72,15 @@ contour::BoxContourer contourerOf(const Session& session, const cut::SheetCut& s
                                   const view::ContourSpec& spec)
 {
 	const auto depth = spec.depth > 0.0 ? std::optional(spec.depth) : std::nullopt;
-	const Box rect = session.team ? ranks::rectOverRanks(*session.team, sheet, mesh) : contour::rectOf(sheet, mesh);
+	const Box rect = ranks::rectOf(session.ranks, sheet, mesh);
 	contour::BoxContourer contourer(*session.cutter, sheet, mesh, contour::boxOf(sheet, rect, depth));
-	if (session.team)
-		ranks::shareRange(*session.team, contourer);
+	ranks::shareRange(session.ranks, contourer);
 	return contourer;
-}
-
-// One beside the other. The calls of a team have an order.
-Result<std::vector<ranks::GrownContour>> growAll(const Session& session, const contour::BoxContourer& contourer,
-                                                 const std::vector<double>& values)
-{
-	std::vector<ranks::GrownContour> contours(values.size());
-	std::vector<Status> done(values.size(), Nothing{});
-	if (session.team)
-	{
-		for (std::size_t i = 0; i < values.size(); ++i)
-			if (auto grown = ranks::growOverRanks(*session.team, *session.share, session.blocks, contourer, values[i],
-			                                      session.timeline.get()))
-				contours[i] = std::move(*grown);
-			else
-				return grown.error();
-		return contours;
-	}
-	tbb::parallel_for(std::size_t(0), values.size(),
-	                  [&](std::size_t i)
-	                  {
-		                  if (auto grown = contourer.grow(values[i], session.timeline.get()))
-			                  contours[i] = {std::move(*grown)};
-		                  else
-			                  done[i] = grown.error();
-	                  });
-	for (const Status& each : done)
-		if (!each)
-			return each.error();
-	return contours;
 }
 
 bool isEmpty(const Session& session, const ranks::GrownContour& contour)
 {
-	const bool is_shown = contour.mesh.polygons() > 0;
-	return !(session.team ? ranks::anyOf(*session.team, is_shown) : is_shown);
+	return !session.ranks.any(contour.mesh.polygons() > 0);
 }
 
 void tellEmpty(const Session& session, const cut::Cut& slice, std::size_t s, double value,
@@ -162,7 +128,8 @@ Result<Contours> growContours(const Session& session, const cut::Cut& slice, con
 		}
 		if (is_pointed)
 			values.push_back(pointed->value);
-		Result<std::vector<ranks::GrownContour>> grown = growAll(session, contourer, values);
+		Result<std::vector<ranks::GrownContour>> grown =
+		    ranks::growContours(session.ranks, session.blocks, contourer, values, session.timeline.get());
 		if (!grown)
 			return grown.error();
 		contours[s] = std::move(*grown);

@@ -32,7 +32,7 @@ enum class Tell
 };
 
 // Grows the contours that the settings ask for. sheets: sheetStats() of the cut. pointed: one more contour, which is
-// never reported. With a team, all ranks call it, and each gets the polygons of its blocks. Sheets that are not planes
+// never reported. All ranks call it together, and each gets the polygons of its blocks. Sheets that are not planes
 // are a usage error; sheets without point values are an input error. Section "contour" on the timeline.
 Result<Contours> growContours(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets,
                               const view::ContourSpec& spec, Tell tell,

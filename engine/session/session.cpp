@@ -4,9 +4,7 @@
 #include "base/progress.h"
 #include "base/stop_scope.h"
 #include "ranks/data/share.h"
-#include "ranks/particles/particle_borders.h"
 #include "ranks/search/rank_to_rank.h"
-#include "ranks/team.h"
 #include "session/frame.h"
 #include "session/sheet_traces.h"
 #include "view/validate.h"
@@ -46,8 +44,8 @@ bool isWorthDevice(const Session& session)
 bool classifiesOnGpu(Session& session)
 {
 	const view::Classify asked = session.spec.machine.classify;
-	if (session.team || !session.device || asked == view::Classify::cpu || leavesDeviceIdle(session.spec.probe) ||
-	    !grid::hasNeighbors(session.blocks))
+	if (!session.ranks.mayUseDevice() || !session.device || asked == view::Classify::cpu ||
+	    leavesDeviceIdle(session.spec.probe) || !grid::hasNeighbors(session.blocks))
 		return false;
 	if (asked == view::Classify::gpu)
 		return true;
@@ -123,13 +121,7 @@ read::ReadOptions readOptions(const Session& session, const read::TimeChoice& ti
 
 Result<grid::BlockSet> readInputs(Session& session, const read::ReadOptions& options)
 {
-	const std::vector<std::string>& files = session.spec.input.files;
-	if (!session.team)
-		return read::readInputs(files, options, session.timeline.get());
-	auto share = std::make_shared<ranks::Share>();
-	Result<grid::BlockSet> blocks = ranks::readShare(*session.team, files, options, session.timeline.get(), *share);
-	session.share = std::move(share);
-	return blocks;
+	return ranks::readInputs(session.ranks, session.spec.input.files, options, session.timeline.get());
 }
 
 bool needsNeighbors(const view::ViewSpec& spec)
@@ -200,7 +192,7 @@ Status Session::takeNeighbors(grid::BlockSet built)
 Status Session::makeCutter()
 {
 	++stamp.cells;
-	particle_borders = std::make_shared<ranks::LazyParticleBorders>();
+	ranks.forgetBorders();
 	if (!classifiesOnGpu(*this))
 	{
 		cutter = std::make_unique<cut::Cutter>(blocks);
@@ -326,7 +318,7 @@ Result<grid::BlockSet> readBlocks(Session& session, const OpenOptions& options)
 	reading.identifies_geometry = options.reads_again || spec.probe.vectors.path_lines;
 	reading.stop = options.stop;
 	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec);
-	reading.builds_neighbors = needs_neighbors && !options.team; // a rank joins its pieces first
+	reading.builds_neighbors = needs_neighbors && options.ranks.buildsWhileReading();
 	reading.for_one_cut = !needs_neighbors && options.expect == Expect::one_cut && servesOneCut(spec);
 	return readInputs(session, reading);
 }
@@ -343,8 +335,8 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 	// What can be wrong with the settings is told before a large file is read.
 	if (Status fits = view::validate(session->spec); !fits)
 		return fits.error();
-	session->team = options.team;
-	if (Status fits = options.team ? ranks::fitsTeam(session->spec) : Nothing{}; !fits)
+	session->ranks = options.ranks;
+	if (Status fits = ranks::canCarryOut(session->ranks, session->spec); !fits)
 		return fits.error();
 	std::future<Result<OpenedDevice>> opening;
 	if (!options.device)
@@ -367,7 +359,8 @@ Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions op
 	if (Status made = session->makeCutter(); !made)
 		return made.error();
 	const auto plan = session->plan({.expect = Expect::first_of_many});
-	const bool is_joined = session->team && (options.expect == Expect::more || needsNeighbors(session->spec));
+	const bool is_joined =
+	    !session->ranks.buildsWhileReading() && (options.expect == Expect::more || needsNeighbors(session->spec));
 	if (is_joined || (plan && plan->needs_neighbors))
 		if (Status built = session->buildNeighbors(options.stop); !built)
 			return built.error();
@@ -406,13 +399,9 @@ Result<cut::Cut> Session::cut(const FrameRequest& request, std::shared_ptr<const
 			return possible.error();
 	cut::CutRequest asked = cutRequest(request);
 	asked.last = std::move(last);
-	Result<cut::Cut> cut = team && ranks::goesFromRankToRank(asked)
-	                           ? ranks::cutFromRankToRank(*team, share->whole, *cutter, std::move(asked), stop)
-	                           : cutter->cut(asked, stop);
+	Result<cut::Cut> cut = ranks::carryOut(ranks, *cutter, std::move(asked), stop);
 	if (stop.stop_requested())
 		return Error{ErrorKind::cancelled, "cutting was cancelled"};
-	if (team && cut && view.seeds.outside != seed::OutsidePolicy::nearest)
-		ranks::agreeOnHotSpots(*team, *cut);
 	return cut;
 }
 

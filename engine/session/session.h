@@ -7,6 +7,7 @@
 #include "gpu/device.h"
 #include "grid/block.h"
 #include "measure/finite_fields.h"
+#include "ranks/ranks.h"
 #include "read/read.h"
 #include "render/renderer.h"
 #include "session/open_device.h"
@@ -17,13 +18,6 @@
 #include <optional>
 #include <stop_token>
 #include <utility>
-
-namespace vp::ranks
-{
-class Team;                // ranks/team.h
-struct Share;              // ranks/data/share.h
-class LazyParticleBorders; // ranks/particles/particle_borders.h
-} // namespace vp::ranks
 
 namespace vp::session
 {
@@ -99,7 +93,7 @@ struct Session
 	Status set(view::ViewSpec spec);
 
 	/// Makes a frame. It builds the neighbors of cells first if needsNeighborsFor() says so. If nothing has changed
-	/// since the last frame, it returns that one. With a team, all ranks call it. A stop request ends it with
+	/// since the last frame, it returns that one. All ranks call it together. A stop request ends it with
 	/// ErrorKind::cancelled.
 	Result<std::shared_ptr<const Frame>> frame(const FrameRequest& request, std::stop_token stop = {});
 
@@ -156,12 +150,9 @@ struct Session
 	std::unique_ptr<cut::Cutter> cutter;
 	std::unique_ptr<measure::FiniteFields> finite_fields = std::make_unique<measure::FiniteFields>();
 	std::unique_ptr<Timeline> timeline;
-	// If several processes hold the blocks together: the blocks of others have no cells here. Functions that say so
-	// must then be called by all of them.
-	ranks::Team* team = nullptr;
-	std::shared_ptr<const ranks::Share> share{};                    // with a team
-	std::shared_ptr<ranks::LazyParticleBorders> particle_borders{}; // with a team; of the blocks as they are now
-	std::uint64_t layer_bytes = 0;                                  // of pictures, sent to others
+	// The processes that hold the blocks together. The blocks of others have no cells here. Functions that say so must
+	// be called by all of them.
+	ranks::Ranks ranks = ranks::Ranks::alone();
 
 private:
 	Status prepareFor(const FrameRequest& request, const std::stop_token& stop);
@@ -179,9 +170,9 @@ struct OpenOptions
 	bool reads_all_arrays = true; // read all arrays, not only those that are shown
 	bool reads_again = true;      // the inputs may be read again at other times
 	Timeline::Keep keep = Timeline::Keep::totals;
-	std::shared_ptr<gpu::Device> device{}; // an open device; null opens the device of the settings
-	std::stop_token stop{};                // a stop request ends the opening with ErrorKind::cancelled
-	ranks::Team* team = nullptr;           // the processes that hold the inputs together; it outlives the session
+	std::shared_ptr<gpu::Device> device{};      // an open device; null opens the device of the settings
+	std::stop_token stop{};                     // a stop request ends the opening with ErrorKind::cancelled
+	ranks::Ranks ranks = ranks::Ranks::alone(); // the processes that hold the inputs together
 };
 
 /// Validates the settings, reads the inputs and prepares the rest. A caller writes nothing before this has succeeded.
@@ -203,7 +194,7 @@ read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice
 /// Returns the options that read the inputs of a session at another time.
 read::ReadOptions readOptions(const Session& session, const read::TimeChoice& time);
 
-/// Reads the inputs of a session: all of them, or with a team this rank's share, which the session then has.
+/// Reads the inputs of a session: all of them, or the share of this rank.
 Result<grid::BlockSet> readInputs(Session& session, const read::ReadOptions& options);
 
 /// Returns true if the settings need neighbors, whatever a plan says: for whole cells, vectors, grid surfaces,

@@ -1,9 +1,7 @@
 #include "session/sheet_stats.h"
 
-#include "ranks/data/share.h"
 #include "ranks/join/hanging_borders.h"
 #include "ranks/join/whole_cells.h"
-#include "ranks/team.h"
 #include "session/sheet_traces.h"
 
 namespace vp::session
@@ -15,14 +13,12 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 	{
 		const TimedSection section(session.timeline.get(), "emit");
 		stats.mesh = slice.mesh(session.blocks, sheet);
-		if (session.team)
-			stats.borders = ranks::joinBorders(*session.team, slice.blocksOf(session.blocks), session.share->whole,
-			                                   slice.sheets[sheet].cuts, stats.mesh);
+		const grid::BlockSet& blocks = slice.blocksOf(session.blocks);
+		stats.borders = ranks::joinBorders(session.ranks, blocks, slice.sheets[sheet].cuts, stats.mesh);
 		if (session.view.crinkle)
 			stats.crinkle = slice.crinkle(session.blocks, sheet, stats.borders.cells_elsewhere);
-		if (session.team && stats.crinkle)
-			stats.crinkle_borders = ranks::joinWholeCells(*session.team, slice.blocksOf(session.blocks),
-			                                              session.share->whole, *stats.crinkle);
+		if (stats.crinkle)
+			stats.crinkle_borders = ranks::joinWholeCells(session.ranks, blocks, *stats.crinkle);
 	}
 	if (stats.borders.hangs || stats.crinkle_borders.hangs)
 		return ranks::sizesDiffer();
@@ -37,22 +33,11 @@ void measureSheet(const Session& session, const cut::Cut& slice, std::size_t she
 {
 	const TimedSection section(session.timeline.get(), "measure");
 	const std::optional<grid::FieldChoice>& field = slice.sheets[sheet].field;
-	if (session.team)
-	{
-		measure::SheetSums sums = measure::sumUp(slice.blocksOf(session.blocks), stats.mesh, field);
-		ranks::sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
-		stats.measure = measure::measureOf(sums, field.has_value());
-		stats.measure.components = stats.borders.components;
-	}
-	else
-		stats.measure = measure::measure(slice.blocksOf(session.blocks), stats.mesh, field);
+	const grid::BlockSet& blocks = slice.blocksOf(session.blocks);
+	stats.measure = measure::measureOf(ranks::sumUp(session.ranks, blocks, stats.mesh, field), field.has_value());
+	stats.measure.components = ranks::componentsOf(session.ranks, stats.borders, stats.mesh);
 	if (stats.crinkle)
-	{
-		measure::SheetSums sums = measure::sumUp(slice.blocksOf(session.blocks), *stats.crinkle, {});
-		if (session.team)
-			ranks::sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
-		stats.crinkle_area = measure::measureOf(sums, false).area;
-	}
+		stats.crinkle_area = measure::measureOf(ranks::sumUp(session.ranks, blocks, *stats.crinkle, {}), false).area;
 	stats.flux = fluxThrough(session, slice, sheet, stats.mesh);
 }
 
@@ -63,10 +48,9 @@ void measureForPicture(const Session& session, const cut::Cut& slice, std::size_
 	const TimedSection section(session.timeline.get(), "measure");
 	// Arrays of refined cells are new in each cut.
 	measure::FiniteFields* known = slice.refined ? nullptr : session.finite_fields.get();
-	stats.measure.nan_area =
-	    measure::nanArea(slice.blocksOf(session.blocks), stats.mesh, slice.sheets[sheet].field, known);
-	if (session.team)
-		ranks::sumOverAll(*session.team, stats.measure.nan_area, [](double& sum, double other) { sum += other; });
+	stats.measure.nan_area = session.ranks.sum(
+	    measure::nanArea(slice.blocksOf(session.blocks), stats.mesh, slice.sheets[sheet].field, known),
+	    [](double& sum, double other) { sum += other; });
 }
 
 Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice)

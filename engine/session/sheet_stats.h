@@ -22,12 +22,12 @@ struct SheetStats
 	double crinkle_area = 0.0;                       // of their faces
 	std::shared_ptr<const vectors::Traces> traces{}; // particles launched from the sheet; or null
 	std::optional<vectors::Flux> flux{};             // flux of vectors through the sheet
-	ranks::Borders borders{};                        // with a team: what the mesh shares with those of others
+	ranks::Borders borders{};                        // what the mesh shares with those of other ranks
 	ranks::Borders crinkle_borders{};                // the same of the whole cells
 };
 
 Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice);
-// With a team, all of these are called by all ranks, and the figures are those of all meshes together.
+// All ranks call these together, and the figures are those of all meshes together.
 //
 // The same for one sheet in two steps. sheetMesh() builds the polygons (section "emit") and launches particles.
 // measureSheet() computes the figures (section "measure").
@@ -36,7 +36,7 @@ void measureSheet(const Session& session, const cut::Cut& slice, std::size_t she
 // Replaces the second step if only a picture is needed: finds out whether values are missing.
 void measureForPicture(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats);
 
-// Warns of sheets that lie in the boundary altogether: they cut no cell, so their area is 0. With a team, all ranks
+// Warns of sheets that lie in the boundary altogether: they cut no cell, so their area is 0. All ranks
 // call this.
 void reportBoundarySheets(const Session& session, const std::vector<SheetStats>& sheets);
 

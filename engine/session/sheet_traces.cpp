@@ -1,7 +1,6 @@
 #include "session/sheet_traces.h"
 
 #include "ranks/particles/joined_traces.h"
-#include "ranks/team.h"
 #include "session/stored_vectors.h"
 #include "session/value_scale.h"
 #include "vectors/tracer.h"
@@ -100,9 +99,7 @@ Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, s
 	const TimedSection section(session.timeline.get(), "trace");
 	const view::LaunchChoice& choice = *session.view.launch;
 	const probe::Sheet& content = slice.sheets[sheet].sheet;
-	const std::vector<vectors::Launch> launches =
-	    session.team ? ranks::launchOverRanks(*session.team, mesh, content, choice.lattice)
-	                 : vectors::launchLattice(mesh, content, choice.lattice).launches;
+	const std::vector<vectors::Launch> launches = ranks::launchLattice(session.ranks, mesh, content, choice.lattice);
 	const vectors::TraceOptions options{.steps = choice.steps,
 	                                    .dt = session.launch.dt,
 	                                    .direction = choice.direction,
@@ -111,11 +108,7 @@ Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, s
 	Result<vectors::Traces> traces =
 	    session.launch.stored
 	        ? vectors::tracePathLines(session.blocks, *session.launch.stored, session.launch.time, launches, options)
-	    : session.team
-	        ? ranks::traceOverRanks(*session.team,
-	                                session.particle_borders->of(*session.team, *session.share, session.blocks),
-	                                session.blocks, choice.array, launches, options)
-	        : vectors::trace(session.blocks, choice.array, launches, options);
+	        : ranks::trace(session.ranks, session.blocks, choice.array, launches, options);
 	if (!traces)
 		return traces.error();
 	return std::make_shared<const vectors::Traces>(std::move(*traces));
@@ -130,9 +123,8 @@ std::optional<vectors::Flux> fluxThrough(const Session& session, const cut::Cut&
 		array = sheet.field;
 	if (!array || sheet.surface)
 		return std::nullopt;
-	vectors::FluxSums sums = vectors::fluxSums(slice.blocksOf(session.blocks), mesh, *array);
-	if (session.team)
-		ranks::sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
+	const vectors::FluxSums sums = session.ranks.sum(vectors::fluxSums(slice.blocksOf(session.blocks), mesh, *array),
+	                                                 [](auto& sum, const auto& other) { sum.add(other); });
 	return sums.flux();
 }
 

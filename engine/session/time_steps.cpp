@@ -1,7 +1,5 @@
 #include "session/time_steps.h"
 
-#include "ranks/data/share.h"
-#include "ranks/team.h"
 #include "session/session.h"
 #include "session/sheet_traces.h"
 
@@ -15,10 +13,9 @@ namespace
 
 Status buildAnew(Session& session, read::ReadOptions at)
 {
-	bool is_complete = grid::isComplete(session.blocks); // for one cut a time, neighbors do not pay
-	if (session.team)                                    // a rank without cells lacks nothing
-		is_complete = !ranks::anyOf(*session.team, !is_complete);
-	at.builds_neighbors = is_complete && !session.team; // a rank joins its pieces first
+	// For one cut a time, neighbors do not pay. A rank without cells lacks nothing.
+	const bool is_complete = !session.ranks.any(!grid::isComplete(session.blocks));
+	at.builds_neighbors = is_complete && session.ranks.buildsWhileReading();
 	Result<grid::BlockSet> blocks = readInputs(session, at);
 	if (!blocks)
 		return blocks.error();
@@ -27,7 +24,7 @@ Status buildAnew(Session& session, read::ReadOptions at)
 	++session.stamp.grid;
 	if (Status made = session.makeCutter(); !made)
 		return made;
-	return is_complete && session.team ? session.buildNeighbors() : Nothing{};
+	return is_complete && !session.ranks.buildsWhileReading() ? session.buildNeighbors() : Nothing{};
 }
 
 } // namespace
@@ -42,8 +39,8 @@ read::TimeChoice choiceOfStep(const std::vector<double>& times, std::size_t inde
 Status Session::goTo(const read::TimeChoice& time)
 {
 	const read::ReadOptions at = readOptions(*this, time);
-	// With a team, parts are dealt out anew: another time may have other pieces.
-	const Result<bool> same_grid = team ? false : read::readValues(spec.input.files, at, blocks, timeline.get());
+	const Result<bool> same_grid =
+	    ranks.keepsParts() ? read::readValues(spec.input.files, at, blocks, timeline.get()) : false;
 	if (!same_grid)
 		return same_grid.error();
 	if (*same_grid)

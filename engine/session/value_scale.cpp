@@ -1,7 +1,6 @@
 #include "session/value_scale.h"
 
 #include "base/messages.h"
-#include "ranks/team.h"
 #include "render/scene/least_positive.h"
 
 #include <fmt/format.h>
@@ -31,10 +30,7 @@ grid::ValueSpan spanOf(const Session& session, const grid::FieldChoice& field)
 	for (const grid::Field* of_block : field.inEach(session.blocks))
 		if (of_block)
 			span.include(grid::valueSpan(*of_block, field.component));
-	if (session.team)
-		ranks::sumOverAll(*session.team, span,
-		                  [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
-	return span;
+	return session.ranks.sum(span, [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
 }
 
 Result<std::optional<render::ValueScale>>
@@ -58,14 +54,12 @@ valueScale(const Session& session, const std::optional<grid::FieldChoice>& field
 	scale.empty = span.empty();
 	if (!look.logarithmic)
 		return std::optional(scale);
-	scale.log_lo = render::leastPositive(blocks, *field);
-	if (session.team)
-		ranks::sumOverAll(*session.team, scale.log_lo,
-		                  [](double& least, double other)
-		                  {
-			                  if (other > 0.0 && !(least > 0.0 && least < other))
-				                  least = other;
-		                  });
+	scale.log_lo = session.ranks.sum(render::leastPositive(blocks, *field),
+	                                 [](double& least, double other)
+	                                 {
+		                                 if (other > 0.0 && !(least > 0.0 && least < other))
+			                                 least = other;
+	                                 });
 	if (!(scale.log_lo > 0.0))
 		return Error{ErrorKind::input, fmt::format("`log`: '{}' has no value above 0 and so no logarithm; leave the "
 		                                           "setting out or show another `array`",

@@ -1,6 +1,5 @@
 #include "base/digits.h"
 #include "base/messages.h"
-#include "ranks/team.h"
 #include "session/session.h"
 #include "session/sheet_stats.h"
 #include "session/value_scale.h"
@@ -50,12 +49,10 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 		else if (outside && session.view.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.moved_to)
 			warn("`origin` {} {} {}: the hot spot lies outside the grid; {} {} {} takes its place", at.x, at.y, at.z,
 			     sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
-		const bool is_shown = !isEmpty(sheet);
-		if (session.team ? ranks::anyOf(*session.team, is_shown) : is_shown)
+		if (session.ranks.any(!isEmpty(sheet)))
 			continue;
-		Box bounds = session.blocks.bounds();
-		if (session.team)
-			ranks::sumOverAll(*session.team, bounds, [](Box& all, const Box& other) { all.include(other); });
+		const Box bounds =
+		    session.ranks.sum(session.blocks.bounds(), [](Box& all, const Box& other) { all.include(other); });
 		const std::string what = sheetName(static_cast<std::size_t>(&sheet - slice.sheets.data()), slice.sheets.size());
 		if (session.view.threshold)
 			warn("{} is empty: no cell that is reached has values between {} and {}; widen `threshold`", what,
@@ -94,13 +91,8 @@ void reportBoundarySheets(const Session& session, const std::vector<SheetStats>&
 	for (std::size_t s = 0; s < sheets.size(); ++s)
 	{
 		const mesh::SheetMesh& mesh = sheets[s].mesh;
-		bool has_boundary = mesh.boundary_polygons > 0;
-		bool has_cells = mesh.polygons() > mesh.boundary_polygons;
-		if (session.team)
-		{
-			has_boundary = ranks::anyOf(*session.team, has_boundary);
-			has_cells = ranks::anyOf(*session.team, has_cells);
-		}
+		const bool has_boundary = session.ranks.any(mesh.boundary_polygons > 0);
+		const bool has_cells = session.ranks.any(mesh.polygons() > mesh.boundary_polygons);
 		if (has_boundary && !has_cells)
 			warn("{} lies in the boundary of the grid and cuts no cell, so its area is 0; boundary_area, "
 			     "boundary_mean and boundary_flux are its figures",

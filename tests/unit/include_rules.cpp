@@ -34,7 +34,7 @@ struct Rooms
 };
 const std::vector<Rooms> kInnerRooms{
     {"engine", "grid", {"", "curved", "link", "check", "demo"}},
-    {"engine", "ranks", {"", "data", "join", "search", "particles", "picture"}},
+    {"engine", "ranks", {"", "data", "join", "search", "particles", "picture", "write"}},
     {"engine", "render", {"font", "color", "scene", "annotate", "passes", "flat", ""}},
     {"apps/vprobe", "viewer", {"screen", "cutting", "document", "pointer", "panels", ""}},
     {"apps",

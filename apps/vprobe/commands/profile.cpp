@@ -170,7 +170,7 @@ Status writeJson(const std::string& path, const nlohmann::json& document)
 
 Status report(const ProfileOptions& options, const Profile& profile, std::optional<write::TraceFile>& trace)
 {
-	const nlohmann::json document = profile.session.team ? profileOfTeam(profile) : profileJson(profile);
+	const nlohmann::json document = profileOfTeam(profile);
 	if (!isFirst())
 		return Nothing{};
 	if (document["empty_planes"] > 0)
@@ -197,7 +197,7 @@ Result<ExitCode> runProfile(const ProfileOptions& options, const CLI::App& comma
 		return ready.error();
 	session::OpenOptions how{.use = options.draw ? session::DeviceUse::draw : session::DeviceUse::classify,
 	                         .keep = Timeline::Keep::sections,
-	                         .team = team()};
+	                         .ranks = processes()};
 	if (options.common.explain)
 		return explain(options.common.spec, {});
 	const Result<probe::Path> path = pathOf(options);

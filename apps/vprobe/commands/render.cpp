@@ -93,7 +93,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 		return look.error();
 
 	how.use = session::DeviceUse::draw;
-	how.team = team();
+	how.ranks = processes();
 	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
 	if (!opened)
 		return opened.error();

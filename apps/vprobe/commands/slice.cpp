@@ -2,10 +2,10 @@
 #include "interrupt.h"
 #include "options/spec_options.h"
 #include "picture/plane_pictures.h"
+#include "ranks/write/joined_tables.h"
 #include "report/console.h"
 #include "report/explain.h"
 #include "report/stats_json.h"
-#include "report/team_slice.h"
 #include "report/vectors_out.h"
 #include "session/frame.h"
 #include "team.h"
@@ -58,7 +58,9 @@ Status writeLineFile(const session::Session& session, const SliceOptions& option
 {
 	const auto sheet = static_cast<std::size_t>(options.line_sheet);
 	const write::SheetLine line{{options.line[0], options.line[1]}, {options.line[2], options.line[3]}};
-	const write::SliceTable table = tableAlong(session, frame, sheet, line);
+	const write::SliceTable table = ranks::gathered(
+	    session.ranks, write::tabulateAlong(frame.slice.blocksOf(session.blocks), frame.slice.sheets[sheet].sheet,
+	                                        frame.sheets[sheet].mesh, line));
 	return isFirst() ? write::writeLine(table, frame.slice.sheets[sheet].sheet, line, options.output) : Nothing{};
 }
 
@@ -102,15 +104,13 @@ Status check(const SliceOptions& options, const CLI::App& command)
 }
 
 // What processes with a part of the data each do not write.
-Status checkTeam(const SliceOptions& options)
+Status checkProcesses(const SliceOptions& options)
 {
-	if (!team())
-		return Nothing{};
-	if (picture::namesPictures(options.output))
+	if (picture::namesPictures(options.output) && !processes().mayDrawFlat())
 		return Error{ErrorKind::usage, fmt::format("-o {}: flat pictures are drawn by one process; use vprobe, or draw "
 		                                           "the cut in space by vprobe-mpi render",
 		                                           options.output)};
-	return checkWritableTogether(options.output);
+	return ranks::canWrite(processes(), options.output);
 }
 
 // What only the number of sheets tells.
@@ -131,20 +131,15 @@ Result<std::vector<std::string>> writeFiles(const session::Session& session, con
 {
 	if (options.output.empty())
 		return std::vector<std::string>();
-	if (session.team && options.line.empty())
-	{
-		const Status written = writeTogether(session, frame, options.output);
-		return written ? Result<std::vector<std::string>>(std::vector{options.output}) : written.error();
-	}
 	const TimedSection section(session.timeline.get(), "write");
 	const DeferredInterrupt writing; // the files of a .vtm appear together
 	if (picture::namesPictures(options.output))
 		return picture::writePictures(session, look, frame.slice, frame.sheets, options.output);
-	const Status written =
-	    !options.line.empty()
-	        ? writeLineFile(session, options, frame)
-	        : write::writeSlice(frame.slice.blocksOf(session.blocks), session::exportedMeshes(frame.sheets),
-	                            options.output, session::contourPieces(frame.contours));
+	const Status written = !options.line.empty()
+	                           ? writeLineFile(session, options, frame)
+	                           : ranks::writeSlice(session.ranks, frame.slice.blocksOf(session.blocks),
+	                                               session::exportedMeshes(frame.sheets), options.output,
+	                                               session::contourPieces(frame.contours));
 	return written ? Result<std::vector<std::string>>(std::vector{options.output}) : written.error();
 }
 
@@ -160,8 +155,8 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 	const bool pictures = picture::namesPictures(options.output);
 	// Polygons are written with every array; and where arrays jump between blocks, vertices are not joined.
 	const session::OpenOptions how{
-	    .expect = session::Expect::one_cut, .reads_all_arrays = !pictures, .reads_again = false, .team = team()};
-	if (Status fits = checkTeam(options); !fits)
+	    .expect = session::Expect::one_cut, .reads_all_arrays = !pictures, .reads_again = false, .ranks = processes()};
+	if (Status fits = checkProcesses(options); !fits)
 		return fits.error();
 	if (options.common.explain)
 		return explain(spec, how);

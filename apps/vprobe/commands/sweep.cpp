@@ -125,7 +125,7 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 		return ready.error();
 	// Polygons are written with every array.
 	session::OpenOptions how{.expect = session::Expect::first_of_many, .reads_all_arrays = options.exports()};
-	how.team = team();
+	how.ranks = processes();
 	if (options.common.explain)
 		return explain(spec, how);
 	for (const Status& fits :
@@ -163,8 +163,7 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	    productsOf(options, session, std::move(*look), std::move(*frames));
 	if (!products)
 		return products.error();
-	const bool threads =
-	    spec.machine.threads != 1 && !team(); // one thread is one, and the calls of a team have an order
+	const bool threads = spec.machine.threads != 1 && session.ranks.mayCallAtOnce(); // one thread is one
 	const SweepPlan plan{*count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr};
 	Result<nlohmann::json> figures = spec.sweep.over_times
 	                                     ? sweepOverTimes(options, plan, session, **products)

@@ -16,7 +16,7 @@ void addTraceOption(CLI::App& command, std::string& path, const char* group)
 
 Result<std::optional<write::TraceFile>> openTrace(const std::string& path)
 {
-	if (path.empty() || !isFirst()) // of a team the first process tells its own work
+	if (path.empty() || !isFirst()) // of several processes the first tells its own work
 		return std::optional<write::TraceFile>();
 	Result<write::TraceFile> file = write::TraceFile::create(path);
 	if (!file)

@@ -1,8 +1,7 @@
 #include "profile/team_profile.h"
 
 #include "profile/spread.h"
-#include "ranks/team.h"
-#include "report/team_stats.h"
+#include "ranks/write/joined_stats.h"
 
 namespace vp::app
 {
@@ -24,7 +23,7 @@ void addNumbers(json& sum, const json& other)
 
 json rankJson(const Profile& own, const json& document)
 {
-	json rank = resourcesOf(own.session);
+	json rank = ranks::resourcesOf(own.session.ranks, own.session.blocks);
 	for (const char* key : {"cut_ms", "frame_ms", "setup_ms", "cut_cells_mean", "stages", "memory_bytes"})
 		rank[key] = document[key];
 	return rank;
@@ -34,13 +33,15 @@ json rankJson(const Profile& own, const json& document)
 
 nlohmann::json profileOfTeam(const Profile& own)
 {
+	if (!own.session.ranks.team())
+		return profileJson(own);
 	ranks::MessageWriter message;
 	message.put(rankJson(own, profileJson(own)).dump(-1, ' ', false, json::error_handler_t::replace));
 	own.log.put(message);
 	ProfileLog log;
 	json ranks = json::array();
 	json memory;
-	for (const ranks::Bytes& bytes : own.session.team->gatherAll(message.take()))
+	for (const ranks::Bytes& bytes : own.session.ranks.team()->gatherAll(message.take()))
 	{
 		ranks::MessageReader reader(bytes);
 		json rank = json::parse(reader.getText());

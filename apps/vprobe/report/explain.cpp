@@ -1,6 +1,6 @@
 #include "report/explain.h"
 #include "ranks/data/share.h"
-#include "ranks/team.h"
+#include "ranks/write/joined_stats.h"
 #include "report/console.h"
 #include "team.h"
 #include "view/validate.h"
@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,34 +27,11 @@ void forEachBlockPlan(const find::CutPlan& plan, Visit&& visit)
 			visit(s, b, plan.sheets[s][b]);
 }
 
-// Prints a table. With a team its lines come from all ranks, each of which plans for its own blocks, and get the rank's
-// number in front.
-void printTitled(ranks::Team* team, const std::string& title, const std::string& lines)
-{
-	if (!team)
-	{
-		print("{}{}", title, lines);
-		return;
-	}
-	ranks::MessageWriter message;
-	message.put(lines);
-	const std::vector<ranks::Bytes> of_all = team->gatherAll(message.take());
-	if (!team->isFirst())
-		return;
-	print(" rank  {}", title);
-	for (std::size_t rank = 0; rank < of_all.size(); ++rank)
-	{
-		std::istringstream lines_of(ranks::MessageReader(of_all[rank]).getText());
-		for (std::string line; std::getline(lines_of, line);)
-			print("{:>5}  {}\n", rank, line);
-	}
-}
-
 } // namespace
 
 Result<ExitCode> explain(const view::ViewSpec& spec, session::OpenOptions how)
 {
-	how.team = team();
+	how.ranks = processes();
 	if (Status known = view::refuseGenerations(spec.probe, spec.look.color_by); !known)
 		return known.error();
 	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
@@ -73,14 +49,13 @@ Result<ExitCode> explain(const view::ViewSpec& spec, session::OpenOptions how)
 	forEachBlockPlan(*plan,
 	                 [&](std::size_t s, std::size_t b, const find::BlockPlan& way)
 	                 {
-		                 if (!session.share || session.share->isOwn(b))
+		                 if (ranks::isHere(session.ranks, b))
 			                 lines += fmt::format("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", s, blocks[b].name, width,
 			                                      nameOf(way.strategy), nameOf(way.classifier), way.reason());
 	                 });
-	printTitled(
-	    session.team,
-	    fmt::format("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", "sheet", "block", width, "strategy", "classifier", "reason"),
-	    lines);
+	const std::string title =
+	    fmt::format("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", "sheet", "block", width, "strategy", "classifier", "reason");
+	print("{}", ranks::tableOfAll(session.ranks, title, lines));
 	return ExitCode::done;
 }
 

@@ -1,10 +1,9 @@
 #include "report/stats_json.h"
 
 #include "ranks/data/share.h"
-#include "ranks/team.h"
+#include "ranks/write/joined_stats.h"
 #include "report/duration.h"
 #include "report/explain.h"
-#include "report/team_stats.h"
 #include "vectors/traces.h"
 
 #include <fmt/format.h>
@@ -197,11 +196,7 @@ nlohmann::json sheetsJson(const session::Session& session, const cut::Cut& slice
 // Of all ranks together.
 double areaOf(const session::Session& session, const mesh::SheetMesh& mesh)
 {
-	if (!session.team)
-		return measure::measure(session.blocks, mesh, {}).area;
-	measure::SheetSums sums = measure::sumUp(session.blocks, mesh, {});
-	ranks::sumOverAll(*session.team, sums, [](auto& sum, const auto& other) { sum.add(other); });
-	return measure::measureOf(sums, false).area;
+	return measure::measureOf(ranks::sumUp(session.ranks, session.blocks, mesh, {}), false).area;
 }
 
 nlohmann::json contoursJson(const session::Session& session, const session::Contours& contours)
@@ -228,19 +223,9 @@ nlohmann::json breakEvenJson(const session::Session& session)
 	                                                       : nlohmann::json();
 }
 
-// Of all blocks, whoever holds them.
-ranks::Share::Counts countsOf(const session::Session& session)
-{
-	if (session.share)
-		return session.share->counts;
-	const grid::BlockSet& blocks = session.blocks;
-	return {blocks.kind(),      blocks.sourceCellCount(), blocks.sourcePointCount(),
-	        blocks.cellCount(), blocks.pointCount(),      blocks.blocks.size()};
-}
-
 nlohmann::json inputJson(const session::Session& session)
 {
-	const ranks::Share::Counts counts = countsOf(session);
+	const ranks::Share::Counts counts = ranks::countsOf(session.ranks, session.blocks);
 	return {
 	    {"input", fmt::format("{}", fmt::join(session.spec.input.files, " "))},
 	    {"grid",
@@ -269,8 +254,7 @@ std::string statsDocument(const session::Session& session, const nlohmann::json&
 	nlohmann::json document = inputJson(session);
 	document.update(what);
 	document["ms"] = std::move(ms);
-	if (session.team)
-		document = ofTeam(session, std::move(document));
+	document = ranks::documentOfAll(session.ranks, session.blocks, std::move(document));
 	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -325,9 +309,8 @@ std::vector<TableFigure> tableFigures(const nlohmann::json& sheets)
 
 std::string statsTable(const session::Session& session, const session::Frame& frame)
 {
-	nlohmann::json sheets = {{"sheets", sheetsJson(session, frame.slice, frame.sheets)}};
-	if (session.team)
-		sheets = ofTeam(session, std::move(sheets));
+	const nlohmann::json sheets = ranks::documentOfAll(
+	    session.ranks, session.blocks, nlohmann::json{{"sheets", sheetsJson(session, frame.slice, frame.sheets)}});
 	std::string table =
 	    fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6}", "sheet", "cells", "polygons", "vertices", "pieces");
 	const std::vector<TableFigure> figures = tableFigures(sheets["sheets"]);

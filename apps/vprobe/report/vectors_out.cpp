@@ -1,38 +1,15 @@
 #include "report/vectors_out.h"
 
-#include "ranks/data/share.h"
-#include "ranks/particles/joined_traces.h"
-#include "team.h"
-#include "write/particle_file.h"
+#include "ranks/write/joined_tables.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <span>
 #include <vector>
 
 namespace vp::app
 {
-
-namespace
-{
-
-// Each row comes from the rank that has the point's cell.
-write::TraceColumns columnsOfTeam(const session::Session& session, const vectors::Traces& traces)
-{
-	const ranks::ParticleBorders& borders = session.particle_borders->of(*session.team, *session.share, session.blocks);
-	write::TraceColumns columns = write::traceColumns(session.blocks, traces);
-	for (write::Column& column : columns.arrays)
-		ranks::takeFromOwners(*session.team, borders, traces, std::as_writable_bytes(std::span(column.bytes)),
-		                      static_cast<std::size_t>(column.components) * grid::byteSize(column.type));
-	ranks::takeFromOwners(*session.team, borders, traces, columns.cell);
-	for (std::int32_t& block : columns.block)
-		block = static_cast<std::int32_t>(session.share->whole[static_cast<std::size_t>(block)]);
-	return columns;
-}
-
-} // namespace
 
 void addVectorsOut(CLI::App& command, std::string& file)
 {
@@ -71,12 +48,7 @@ Status writeVectors(const session::Session& session, const std::vector<session::
 	std::vector<vectors::Traces> traces;
 	for (const session::SheetStats& sheet : sheets)
 		traces.push_back(*sheet.traces);
-	if (!session.team)
-		return write::writeTraces(session.blocks, traces, file);
-	std::vector<write::TraceColumns> columns;
-	for (const vectors::Traces& of_sheet : traces)
-		columns.push_back(columnsOfTeam(session, of_sheet));
-	return isFirst() ? write::writeTraces(traces, columns, file) : Nothing{};
+	return ranks::writeTraces(session.ranks, session.blocks, traces, file);
 }
 
 } // namespace vp::app

@@ -2,7 +2,6 @@
 
 #include "base/messages.h"
 #include "base/progress.h"
-#include "ranks/team.h"
 #include "report/remaining_time.h"
 #include "report/stats_json.h"
 #include "session/time_steps.h"
@@ -92,16 +91,15 @@ private:
 	std::optional<Worker> worker_;               // must be the last member, since it uses the others
 };
 
-// The first frame from `frame` on that is not there yet, or the number of frames. Of a team, one rank knows what is
-// there.
-int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, ranks::Team* team,
+// The first frame from `frame` on that is not there yet, or the number of frames. Of several processes, one knows
+// what is there.
+int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, const ranks::Ranks& ranks,
               RemainingTime& remaining)
 {
 	int next = frame;
 	while (next < plan.frames && products.has(next))
 		++next;
-	if (team)
-		ranks::sumOverAll(*team, next, [](int& last, int other) { last = std::max(last, other); });
+	next = ranks.sum(next, [](int& last, int other) { last = std::max(last, other); });
 	for (; frame < next; ++frame)
 		remaining.skip();
 	return next;
@@ -110,8 +108,7 @@ int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, r
 // Whether the frame shows nothing, at any rank.
 bool isEmpty(const session::Session& session, const session::Frame& frame)
 {
-	const bool is_shown = !std::ranges::all_of(frame.slice.sheets, session::isEmpty);
-	return !(session.team ? ranks::anyOf(*session.team, is_shown) : is_shown);
+	return !session.ranks.any(!std::ranges::all_of(frame.slice.sheets, session::isEmpty));
 }
 
 // Whether a frame has a sheet that lies in the boundary, so that its area is 0.
@@ -141,7 +138,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, 
 	if (plan.writes_beside)
 		products.writeBeside();
 	Cutter cutter(plan, ask, session);
-	int next = nextFrame(0, plan, products, session.team, remaining);
+	int next = nextFrame(0, plan, products, session.ranks, remaining);
 	if (next < plan.frames && cutter.changesBlocks(next))
 		if (Status built = session.buildNeighbors(); !built)
 			return built.error();
@@ -154,7 +151,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, 
 		const Result<SweptFrame> cut = cutter.take();
 		if (!cut)
 			return firstError(products, cut.error());
-		next = nextFrame(frame + 1, plan, products, session.team, remaining);
+		next = nextFrame(frame + 1, plan, products, session.ranks, remaining);
 		const bool waits = next < plan.frames && cutter.changesBlocks(next); // until this frame is done with
 		if (next < plan.frames && !waits)
 			cutter.start(next);

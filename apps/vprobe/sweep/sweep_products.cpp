@@ -1,6 +1,6 @@
 #include "sweep/sweep_products.h"
 
-#include "report/team_slice.h"
+#include "ranks/write/joined_tables.h"
 #include "team.h"
 
 #include <utility>
@@ -33,7 +33,9 @@ Status SweepProducts::add(int frame, const session::Frame& cut)
 	if (interrupt_)
 	{
 		const TimedSection section(session_.timeline.get(), "write");
-		const write::SliceTable table = tableOf(session_, cut);
+		const write::SliceTable table =
+		    ranks::tabulate(session_.ranks, cut.slice.blocksOf(session_.blocks), session::exportedMeshes(cut.sheets),
+		                    session::contourPieces(cut.contours));
 		if (Status written = series_ ? series_->add(frame, table) : Nothing{}; !written)
 			return written;
 	}

@@ -248,8 +248,10 @@ std::vector<int> dealOut(const std::vector<read::Part>& parts, int ranks)
 	return deal(high);
 }
 
-Status fitsTeam(const view::ViewSpec& spec)
+Status canCarryOut(const Ranks& ranks, const view::ViewSpec& spec)
 {
+	if (!ranks.team())
+		return Nothing{};
 	const view::ProbeSpec& probe = spec.probe;
 	const view::LookSpec& look = spec.look;
 	// Their places follow from whole lines.
@@ -292,6 +294,10 @@ Status fitsTeam(const view::ViewSpec& spec)
 	return Nothing{};
 }
 
+namespace
+{
+
+// Reads this rank's share of the inputs.
 Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inputs, const read::ReadOptions& options,
                                  Timeline* timeline, Share& share)
 {
@@ -334,6 +340,39 @@ Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inp
 	if (has_interfaces) // their numbers are those of this rank's blocks alone
 		grid::matchInterfaces(all);
 	return all;
+}
+
+} // namespace
+
+Result<grid::BlockSet> readInputs(Ranks& ranks, const std::vector<std::string>& inputs,
+                                  const read::ReadOptions& options, Timeline* timeline)
+{
+	if (!ranks.team())
+		return read::readInputs(inputs, options, timeline);
+	auto share = std::make_shared<Share>();
+	Result<grid::BlockSet> blocks = readShare(*ranks.team(), inputs, options, timeline, *share);
+	ranks.take(std::move(share));
+	return blocks;
+}
+
+Share::Counts countsOf(const Ranks& ranks, const grid::BlockSet& blocks)
+{
+	if (ranks.team())
+		return ranks.share().counts;
+	return {blocks.kind(),      blocks.sourceCellCount(), blocks.sourcePointCount(),
+	        blocks.cellCount(), blocks.pointCount(),      blocks.blocks.size()};
+}
+
+bool isHere(const Ranks& ranks, std::size_t block)
+{
+	return !ranks.team() || ranks.share().isOwn(block);
+}
+
+void nameWholeBlocks(const Ranks& ranks, std::span<std::int32_t> blocks)
+{
+	if (ranks.team())
+		for (std::int32_t& block : blocks)
+			block = static_cast<std::int32_t>(ranks.share().whole[static_cast<std::size_t>(block)]);
 }
 
 } // namespace vp::ranks

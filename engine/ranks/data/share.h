@@ -2,12 +2,13 @@
 
 #include "base/result.h"
 #include "grid/block.h"
-#include "ranks/team.h"
+#include "ranks/ranks.h"
 #include "read/read.h"
 #include "view/view_spec.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,14 +44,24 @@ struct Share
 	bool isOwn(std::size_t block) const { return first_own <= block && block < end_own; }
 };
 
-/// Returns an error if a team cannot carry out the settings to the same result as one process. It names the remedy.
-Status fitsTeam(const view::ViewSpec& spec);
+/// Returns an error if several ranks cannot carry out the settings to the same result as one process. It names the
+/// remedy.
+Status canCarryOut(const Ranks& ranks, const view::ViewSpec& spec);
 
 /// Returns the rank of each part: parts that follow each other, so that the most cells of a rank are as few as can be.
 std::vector<int> dealOut(const std::vector<read::Part>& parts, int ranks);
 
-/// Reads this rank's share of the inputs.
-Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inputs, const read::ReadOptions& options,
-                                 Timeline* timeline, Share& share);
+/// Reads the inputs: all of them, or this rank's share, which the ranks know from then on.
+Result<grid::BlockSet> readInputs(Ranks& ranks, const std::vector<std::string>& inputs,
+                                  const read::ReadOptions& options, Timeline* timeline);
+
+/// Returns the counts of the data set, whoever holds its blocks.
+Share::Counts countsOf(const Ranks& ranks, const grid::BlockSet& blocks);
+
+/// Returns true if this process holds the block.
+bool isHere(const Ranks& ranks, std::size_t block);
+
+/// Puts the number of the block that one process would have in the place of each number.
+void nameWholeBlocks(const Ranks& ranks, std::span<std::int32_t> blocks);
 
 } // namespace vp::ranks

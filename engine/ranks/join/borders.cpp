@@ -269,13 +269,16 @@ MarkedPieces numbered(std::span<const std::uint32_t> roots)
 	return pieces;
 }
 
-Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
-                    std::span<const find::BlockCut> cuts, mesh::SheetMesh& mesh)
+Borders joinBorders(const Ranks& ranks, const grid::BlockSet& blocks, std::span<const find::BlockCut> cuts,
+                    mesh::SheetMesh& mesh)
 {
+	if (!ranks.team())
+		return {};
+	Team& team = *ranks.team();
 	const std::vector<Box> boxes = boxesOf(team, blocks);
 	std::vector<mesh::BlockCell> cells_elsewhere = dropFacesShownElsewhere(team, boxes, mesh);
 	MarkedPieces pieces = piecesOf(mesh);
-	Borders borders = join(team, boxes, blocks, whole, cuts, pieces, mesh);
+	Borders borders = join(team, boxes, blocks, ranks.share().whole, cuts, pieces, mesh);
 	borders.faces_elsewhere = cells_elsewhere.size();
 	borders.cells_elsewhere = std::move(cells_elsewhere);
 	return borders;
@@ -285,6 +288,17 @@ Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const st
                     std::span<const find::BlockCut> cuts, MarkedPieces& pieces, const mesh::SheetMesh& mesh)
 {
 	return join(team, boxesOf(team, blocks), blocks, whole, cuts, pieces, mesh);
+}
+
+std::size_t componentsOf(const Ranks& ranks, const Borders& borders, const mesh::SheetMesh& mesh)
+{
+	return ranks.team() ? borders.components : measure::countComponents(mesh);
+}
+
+measure::SheetSums sumUp(const Ranks& ranks, const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
+                         const std::optional<grid::FieldChoice>& field)
+{
+	return ranks.sum(measure::sumUp(blocks, mesh, field), [](auto& sum, const auto& other) { sum.add(other); });
 }
 
 } // namespace vp::ranks

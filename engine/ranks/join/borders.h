@@ -2,12 +2,14 @@
 
 #include "find/block_cut.h"
 #include "grid/block.h"
+#include "measure/stats.h"
 #include "mesh/sheet_mesh.h"
 #include "ranks/join/rim_vertices.h"
-#include "ranks/team.h"
+#include "ranks/ranks.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,12 +41,19 @@ struct Borders
 /// for the pieces alone. What lies on the rim of a mesh is sent to the rank that its place belongs to, so traffic
 /// follows the rim alone.
 ///
-/// whole: per block, the block that one process would have in its place. Within one of those, vertices are joined only
-/// where the faces of cells lie on each other, as in one process (mesh/join_vertices.h).
+/// Within a block that one process would have, vertices are joined only where the faces of cells lie on each other, as
+/// in one process (mesh/join_vertices.h). One process has no borders, and nothing is changed.
 ///
 /// cuts: what was found in each block.
-Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
-                    std::span<const find::BlockCut> cuts, mesh::SheetMesh& mesh);
+Borders joinBorders(const Ranks& ranks, const grid::BlockSet& blocks, std::span<const find::BlockCut> cuts,
+                    mesh::SheetMesh& mesh);
+
+/// Returns the number of components of a sheet's meshes together. borders: joinBorders() of the mesh.
+std::size_t componentsOf(const Ranks& ranks, const Borders& borders, const mesh::SheetMesh& mesh);
+
+/// Returns the sums over the polygons of all ranks. They are exact, so they do not depend on how a sheet is parted.
+measure::SheetSums sumUp(const Ranks& ranks, const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
+                         const std::optional<grid::FieldChoice>& field);
 
 /// Counts vertices at one place once: adds to what is shared, and drops from `own` those that another rank counts.
 void shareVertices(Team& team, const std::vector<Box>& boxes, std::vector<RimVertex>& own, Borders& borders);
@@ -60,7 +69,7 @@ struct MarkedPieces
 MarkedPieces numbered(std::span<const std::uint32_t> roots);
 
 /// The same where the pieces are known, of a mesh without boundary polygons. Gives each piece the marks of all pieces
-/// that it hangs together with, at whatever rank.
+/// that it hangs together with, at whatever rank. whole: per block, the block that one process would have in its place.
 Borders joinBorders(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
                     std::span<const find::BlockCut> cuts, MarkedPieces& pieces, const mesh::SheetMesh& mesh);
 

@@ -112,10 +112,12 @@ std::unordered_map<std::uint64_t, double> cornersAcross(const LonePolygons& lone
 
 } // namespace
 
-Borders joinWholeCells(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
-                       mesh::SheetMesh& crinkle)
+Borders joinWholeCells(const Ranks& ranks, const grid::BlockSet& blocks, mesh::SheetMesh& crinkle)
 {
 	Borders borders;
+	if (!ranks.team())
+		return borders;
+	Team& team = *ranks.team();
 	const std::vector<Box> boxes = boxesOf(team, blocks);
 	const std::vector<Box> others = boxesOfOthers(team, boxes);
 	const LonePolygons lone = lonePolygons(blocks, others, crinkle);
@@ -136,7 +138,7 @@ Borders joinWholeCells(Team& team, const grid::BlockSet& blocks, std::span<const
 	{
 		if (!touchesAny({crinkle.positions[v], crinkle.positions[v]}, others))
 			continue;
-		RimVertex& vertex = own.emplace_back(gridVertex(blocks, whole, crinkle, v));
+		RimVertex& vertex = own.emplace_back(gridVertex(blocks, ranks.share().whole, crinkle, v));
 		if (const auto found = near.find(nameOf(crinkle.edges[v])); found != near.end())
 			vertex.near = found->second;
 	}

@@ -3,10 +3,7 @@
 #include "grid/block.h"
 #include "mesh/sheet_mesh.h"
 #include "ranks/join/borders.h"
-#include "ranks/team.h"
-
-#include <cstdint>
-#include <span>
+#include "ranks/ranks.h"
 
 namespace vp::ranks
 {
@@ -15,8 +12,7 @@ namespace vp::ranks
 /// the cell on their side is dropped at both. Vertices at one place with the same values are counted once. Faces lie on
 /// each other as in grid/interfaces.h.
 ///
-/// whole: per block, the block that one process would have in its place. Pieces are not counted.
-Borders joinWholeCells(Team& team, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
-                       mesh::SheetMesh& crinkle);
+/// Pieces are not counted. One process has no borders, and nothing is changed.
+Borders joinWholeCells(const Ranks& ranks, const grid::BlockSet& blocks, mesh::SheetMesh& crinkle);
 
 } // namespace vp::ranks

@@ -258,9 +258,12 @@ std::optional<probe::Window> areaOf(Team& team, const mesh::SheetMesh& mesh, con
 
 } // namespace
 
-std::vector<vectors::Launch> launchOverRanks(Team& team, const mesh::SheetMesh& mesh, const probe::Sheet& content,
-                                             const vectors::LatticeChoice& choice)
+std::vector<vectors::Launch> launchLattice(const Ranks& ranks, const mesh::SheetMesh& mesh, const probe::Sheet& content,
+                                           const vectors::LatticeChoice& choice)
 {
+	if (!ranks.team())
+		return vectors::launchLattice(mesh, content, choice).launches;
+	Team& team = *ranks.team();
 	const std::optional<probe::Window> area = areaOf(team, mesh, content);
 	if (!area)
 		return {};
@@ -281,27 +284,32 @@ std::vector<vectors::Launch> launchOverRanks(Team& team, const mesh::SheetMesh& 
 	return launches;
 }
 
-Result<vectors::Traces> traceOverRanks(Team& team, const ParticleBorders& borders, const grid::BlockSet& blocks,
-                                       const grid::FieldChoice& array, std::span<const vectors::Launch> launches,
-                                       const vectors::TraceOptions& options)
+Result<vectors::Traces> trace(const Ranks& ranks, const grid::BlockSet& blocks, const grid::FieldChoice& array,
+                              std::span<const vectors::Launch> launches, const vectors::TraceOptions& options)
 {
+	if (!ranks.team())
+		return vectors::trace(blocks, array, launches, options);
 	if (Status sound = vectors::checkOptions(options, launches.size()); !sound)
 		return sound.error();
+	const ParticleBorders& borders = particleBorders(ranks, blocks);
 	if (borders.hang)
 		return sizesDiffer("vectors");
 	std::vector<vectors::Flight::BlockTimes> of_blocks;
 	for (const grid::Field* field : array.inEach(blocks))
 		of_blocks.push_back({vectors::BlockVectors(field)});
 	vectors::Flight flight(blocks, launches, options, true);
-	FlightOverRanks over_ranks(team, blocks, borders, of_blocks, flight);
+	FlightOverRanks over_ranks(*ranks.team(), blocks, borders, of_blocks, flight);
 	over_ranks.advance(launches);
 	over_ranks.gatherPaths();
 	return flight.take();
 }
 
-void takeFromOwners(Team& team, const ParticleBorders& borders, const vectors::Traces& traces,
+void takeFromOwners(const Ranks& ranks, const grid::BlockSet& blocks, const vectors::Traces& traces,
                     std::span<std::byte> values, std::size_t bytes)
 {
+	if (!ranks.team())
+		return;
+	const ParticleBorders& borders = particleBorders(ranks, blocks);
 	Bytes own;
 	for (std::size_t i = 0; i < traces.points.size(); ++i)
 		if (borders.blocks.is_here[traces.blocks[i]])
@@ -309,7 +317,7 @@ void takeFromOwners(Team& team, const ParticleBorders& borders, const vectors::T
 			const auto value = values.subspan(i * bytes, bytes);
 			own.insert(own.end(), value.begin(), value.end());
 		}
-	const std::vector<Bytes> of_all = team.gatherAll(own);
+	const std::vector<Bytes> of_all = ranks.team()->gatherAll(own);
 	std::vector<std::size_t> taken(of_all.size(), 0);
 	for (std::size_t i = 0; i < traces.points.size(); ++i)
 	{

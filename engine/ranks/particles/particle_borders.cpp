@@ -122,11 +122,11 @@ ParticleBorders bordersOf(Team& team, const Share& share, const grid::BlockSet& 
 
 } // namespace
 
-const ParticleBorders& LazyParticleBorders::of(Team& team, const Share& share, const grid::BlockSet& blocks)
+const ParticleBorders& particleBorders(const Ranks& ranks, const grid::BlockSet& blocks)
 {
-	if (!known_)
-		known_ = bordersOf(team, share, blocks);
-	return *known_;
+	if (!ranks.knownBorders())
+		ranks.knownBorders() = std::make_shared<const ParticleBorders>(bordersOf(*ranks.team(), ranks.share(), blocks));
+	return *ranks.knownBorders();
 }
 
 } // namespace vp::ranks

@@ -1,11 +1,9 @@
 #pragma once
 
 #include "base/result.h"
-#include "ranks/data/share.h"
-#include "ranks/team.h"
+#include "ranks/ranks.h"
 #include "vectors/elsewhere.h"
 
-#include <optional>
 #include <vector>
 
 namespace vp::ranks
@@ -20,14 +18,8 @@ struct ParticleBorders
 	bool hang = false;        // faces of different sizes meet between two ranks
 };
 
-/// The same, found when it is asked for first. All ranks ask together, and of blocks that know their neighbors.
-class LazyParticleBorders
-{
-public:
-	const ParticleBorders& of(Team& team, const Share& share, const grid::BlockSet& blocks);
-
-private:
-	std::optional<ParticleBorders> known_;
-};
+/// The same, found when it is asked for first, and known to the ranks from then on. All ranks ask together, and of
+/// blocks that know their neighbors. There must be several.
+const ParticleBorders& particleBorders(const Ranks& ranks, const grid::BlockSet& blocks);
 
 } // namespace vp::ranks

@@ -120,4 +120,26 @@ bool mergeLayers(Team& team, const render::LayerValues& layers, std::uint64_t& s
 	return true;
 }
 
+Result<render::Picture> draw(Ranks& ranks, render::Renderer& renderer, const render::Scene& scene, Timeline* timeline,
+                             const std::function<bool()>& goes_on)
+{
+	if (!ranks.team())
+		return renderer.draw(scene, timeline, goes_on);
+	const auto merge = [&](const render::LayerValues& layers)
+	{ return mergeLayers(*ranks.team(), layers, ranks.sentBytes()); };
+	auto drawn = renderer.drawMerged(scene, merge, timeline);
+	if (!drawn)
+		return drawn.error();
+	return drawn->value_or(render::Picture());
+}
+
+std::optional<mesh::UvBounds> boundsOfAll(const Ranks& ranks, const std::optional<mesh::UvBounds>& own)
+{
+	if (!ranks.team())
+		return std::nullopt;
+	const mesh::UvBounds all =
+	    ranks.sum(own.value_or(mesh::UvBounds()), [](auto& sum, const auto& other) { sum = sum.with(other); });
+	return all.lo.x <= all.hi.x ? std::optional(all) : std::nullopt;
+}
+
 } // namespace vp::ranks

@@ -1,9 +1,13 @@
 #pragma once
 
-#include "ranks/team.h"
+#include "mesh/mesh_records.h"
+#include "ranks/ranks.h"
+#include "render/renderer.h"
 #include "render/scene/layer_values.h"
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 
 namespace vp::ranks
 {
@@ -15,5 +19,13 @@ namespace vp::ranks
 /// true at the first rank, which has the layers of all then. sent: bytes of layers that this rank has sent are added to
 /// it.
 bool mergeLayers(Team& team, const render::LayerValues& layers, std::uint64_t& sent);
+
+/// Draws a scene of which each rank has a part. Only the first rank gets the picture, the others an empty one. goes_on:
+/// see render::Renderer::draw(); several ranks do not ask it.
+Result<render::Picture> draw(Ranks& ranks, render::Renderer& renderer, const render::Scene& scene, Timeline* timeline,
+                             const std::function<bool()>& goes_on);
+
+/// Returns the bounds of the polygons of a sheet, if other ranks draw a part of them. own: of the polygons here.
+std::optional<mesh::UvBounds> boundsOfAll(const Ranks& ranks, const std::optional<mesh::UvBounds>& own);
 
 } // namespace vp::ranks

@@ -7,6 +7,8 @@
 #include "ranks/search/contour_faces.h"
 #include "ranks/team.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -48,35 +50,7 @@ Borders keepOnSheetOfAll(Team& team, const Share& share, const grid::BlockSet& b
 	return borders;
 }
 
-} // namespace
-
-Box rectOverRanks(Team& team, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh)
-{
-	Box rect = contour::rectOf(sheet, mesh);
-	sumOverAll(team, rect, [](Box& all, const Box& other) { all.include(other); });
-	return rect;
-}
-
-void shareRange(Team& team, contour::BoxContourer& contourer)
-{
-	constexpr double kFar = std::numeric_limits<double>::infinity();
-	struct Range
-	{
-		double least;
-		double most;
-	};
-	const auto own = contourer.range().value_or(std::pair(kFar, -kFar));
-	Range range{own.first, own.second};
-	sumOverAll(team, range,
-	           [](Range& all, const Range& other)
-	           {
-		           all.least = std::min(all.least, other.least);
-		           all.most = std::max(all.most, other.most);
-	           });
-	if (range.least <= range.most)
-		contourer.setRange(std::pair(range.least, range.most));
-}
-
+// Grows the contour of one value.
 Result<GrownContour> growOverRanks(Team& team, const Share& share, const grid::BlockSet& blocks,
                                    const contour::BoxContourer& contourer, double value, Timeline* timeline)
 {
@@ -105,6 +79,64 @@ Result<GrownContour> growOverRanks(Team& team, const Share& share, const grid::B
 	contour.components = contour.borders.components;
 	contour.cells = contour::cellsOf(contour.mesh);
 	return contour;
+}
+
+} // namespace
+
+Box rectOf(const Ranks& ranks, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh)
+{
+	return ranks.sum(contour::rectOf(sheet, mesh), [](Box& all, const Box& other) { all.include(other); });
+}
+
+void shareRange(const Ranks& ranks, contour::BoxContourer& contourer)
+{
+	if (!ranks.team())
+		return;
+	constexpr double kFar = std::numeric_limits<double>::infinity();
+	struct Range
+	{
+		double least;
+		double most;
+	};
+	const auto own = contourer.range().value_or(std::pair(kFar, -kFar));
+	Range range{own.first, own.second};
+	sumOverAll(*ranks.team(), range,
+	           [](Range& all, const Range& other)
+	           {
+		           all.least = std::min(all.least, other.least);
+		           all.most = std::max(all.most, other.most);
+	           });
+	if (range.least <= range.most)
+		contourer.setRange(std::pair(range.least, range.most));
+}
+
+Result<std::vector<GrownContour>> growContours(const Ranks& ranks, const grid::BlockSet& blocks,
+                                               const contour::BoxContourer& contourer, std::span<const double> values,
+                                               Timeline* timeline)
+{
+	std::vector<GrownContour> contours(values.size());
+	std::vector<Status> done(values.size(), Nothing{});
+	if (ranks.team())
+	{
+		for (std::size_t i = 0; i < values.size(); ++i)
+			if (auto grown = growOverRanks(*ranks.team(), ranks.share(), blocks, contourer, values[i], timeline))
+				contours[i] = std::move(*grown);
+			else
+				return grown.error();
+		return contours;
+	}
+	tbb::parallel_for(std::size_t(0), values.size(),
+	                  [&](std::size_t i)
+	                  {
+		                  if (auto grown = contourer.grow(values[i], timeline))
+			                  contours[i] = {std::move(*grown)};
+		                  else
+			                  done[i] = grown.error();
+	                  });
+	for (const Status& each : done)
+		if (!each)
+			return each.error();
+	return contours;
 }
 
 } // namespace vp::ranks

@@ -3,6 +3,7 @@
 #include "find/block_cut.h"
 #include "find/curved_sheet.h"
 #include "probe/probe.h"
+#include "ranks/data/share.h"
 #include "ranks/join/hanging_borders.h"
 #include "ranks/join/unmatched_faces.h"
 #include "seed/boundary_cut.h"
@@ -312,6 +313,10 @@ bool goesFromRankToRank(const cut::CutRequest& request)
 	       (request.seeds.mode == seed::SeedMode::boundary && !std::ranges::all_of(request.probe.sheets, is_plane));
 }
 
+namespace
+{
+
+// whole: per block, the block that one process would have in its place.
 Result<cut::Cut> cutFromRankToRank(Team& team, std::span<const std::uint32_t> whole, cut::Cutter& cutter,
                                    cut::CutRequest request, const std::stop_token& stop)
 {
@@ -345,10 +350,26 @@ Result<cut::Cut> cutFromRankToRank(Team& team, std::span<const std::uint32_t> wh
 	}
 }
 
+// With other seeds: whether a hot spot lies in the part of any rank.
 void agreeOnHotSpots(Team& team, cut::Cut& cut)
 {
 	for (cut::SheetCut& sheet : cut.sheets)
 		sheet.seeds.hot_spot_inside = anyOf(team, sheet.seeds.hot_spot_inside);
+}
+
+} // namespace
+
+Result<cut::Cut> carryOut(const Ranks& ranks, cut::Cutter& cutter, cut::CutRequest request, const std::stop_token& stop)
+{
+	if (!ranks.team())
+		return cutter.cut(request, stop);
+	const bool spots_may_move = request.seeds.outside == seed::OutsidePolicy::nearest;
+	Result<cut::Cut> cut = goesFromRankToRank(request)
+	                           ? cutFromRankToRank(*ranks.team(), ranks.share().whole, cutter, std::move(request), stop)
+	                           : cutter.cut(request, stop);
+	if (cut && !spots_may_move && !stop.stop_requested())
+		agreeOnHotSpots(*ranks.team(), *cut);
+	return cut;
 }
 
 } // namespace vp::ranks

@@ -1,4 +1,4 @@
-#include "picture/surroundings.h"
+#include "ranks/picture/surroundings.h"
 
 #include "ranks/data/share.h"
 #include "ranks/join/boundary_edges.h"
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <map>
 
-namespace vp::picture
+namespace vp::ranks
 {
 
 namespace
@@ -33,15 +33,15 @@ grid::BlockSet alone(grid::Block block)
 
 /// Lines or points of each block, from the rank that holds it, in the order of blocks.
 template <class T, class OfBlock>
-std::vector<T> ofAllRanks(const session::Session& session, const OfBlock& of_block)
+std::vector<T> ofAllRanks(const Ranks& ranks, const grid::BlockSet& blocks, const OfBlock& of_block)
 {
-	ranks::MessageWriter message;
-	const ranks::Share& share = *session.share;
+	MessageWriter message;
+	const Share& share = ranks.share();
 	for (std::uint32_t b = share.first_own; b < share.end_own; ++b)
-		message.putAll(of_block(session.blocks.blocks[b]));
+		message.putAll(of_block(blocks.blocks[b]));
 	std::vector<T> all;
-	for (const ranks::Bytes& bytes : session.team->gatherAll(message.take()))
-		for (ranks::MessageReader reader(bytes); !reader.atEnd();)
+	for (const Bytes& bytes : ranks.team()->gatherAll(message.take()))
+		for (MessageReader reader(bytes); !reader.atEnd();)
 		{
 			const auto some = reader.getAll<T>();
 			all.insert(all.end(), some.begin(), some.end());
@@ -50,12 +50,12 @@ std::vector<T> ofAllRanks(const session::Session& session, const OfBlock& of_blo
 }
 
 /// Of the blocks that one process would have: pieces of one grid have one box.
-std::vector<render::Segment> boxOutlines(const session::Session& session)
+std::vector<render::Segment> boxOutlines(const Ranks& ranks, const grid::BlockSet& blocks)
 {
 	std::map<std::uint32_t, grid::Block> wholes;
-	for (std::size_t b = 0; b < session.blocks.blocks.size(); ++b)
-		if (!isCurvilinear(session.blocks.blocks[b]))
-			wholes[session.share->whole[b]].bounds.include(session.blocks.blocks[b].bounds);
+	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
+		if (!isCurvilinear(blocks.blocks[b]))
+			wholes[ranks.share().whole[b]].bounds.include(blocks.blocks[b].bounds);
 	std::vector<render::Segment> segments;
 	for (auto& [number, block] : wholes)
 	{
@@ -66,26 +66,26 @@ std::vector<render::Segment> boxOutlines(const session::Session& session)
 }
 
 /// Of all curvilinear grids, whose pieces may lie in several ranks.
-std::vector<render::Segment> curvedOutlines(const session::Session& session)
+std::vector<render::Segment> curvedOutlines(const Ranks& ranks, const grid::BlockSet& blocks)
 {
-	ranks::MessageWriter message;
-	const ranks::Share& share = *session.share;
+	MessageWriter message;
+	const Share& share = ranks.share();
 	for (std::uint32_t b = share.first_own; b < share.end_own; ++b)
-		if (const auto* grid = std::get_if<grid::CurvilinearGrid>(&session.blocks.blocks[b].grid))
+		if (const auto* grid = std::get_if<grid::CurvilinearGrid>(&blocks.blocks[b].grid))
 		{
 			message.put(share.whole[b]);
 			for (const std::vector<Vec3>& curve : render::edgeCurves(*grid))
 				message.putAll(curve);
 		}
 	std::map<std::uint32_t, std::vector<render::EdgeCurves>> wholes;
-	for (const ranks::Bytes& bytes : session.team->gatherAll(message.take()))
-		for (ranks::MessageReader reader(bytes); !reader.atEnd();)
+	for (const Bytes& bytes : ranks.team()->gatherAll(message.take()))
+		for (MessageReader reader(bytes); !reader.atEnd();)
 			for (std::vector<Vec3>& curve : wholes[reader.get<std::uint32_t>()].emplace_back())
 				curve = reader.getAll<Vec3>();
 	std::vector<render::Segment> segments;
 	for (const auto& [number, pieces] : wholes)
 	{
-		const std::vector<render::Segment> some = ranks::outlineOfPieces(pieces);
+		const std::vector<render::Segment> some = outlineOfPieces(pieces);
 		segments.insert(segments.end(), some.begin(), some.end());
 	}
 	return segments;
@@ -97,37 +97,37 @@ bool isWithinItsBox(const grid::Block& block)
 	return isCurvilinear(block) && block.boundary.patches.empty();
 }
 
-void addCornersOfCurved(const session::Session& session, std::vector<Vec3>& points)
+void addCornersOfCurved(const Ranks& ranks, const grid::BlockSet& blocks, std::vector<Vec3>& points)
 {
-	ranks::MessageWriter message;
-	const ranks::Share& share = *session.share;
+	MessageWriter message;
+	const Share& share = ranks.share();
 	for (std::uint32_t b = share.first_own; b < share.end_own; ++b)
-		if (isWithinItsBox(session.blocks.blocks[b]))
+		if (isWithinItsBox(blocks.blocks[b]))
 			message.put(share.whole[b]);
 	std::map<std::uint32_t, Box> boxes;
-	for (const ranks::Bytes& bytes : session.team->gatherAll(message.take()))
-		for (ranks::MessageReader reader(bytes); !reader.atEnd();)
+	for (const Bytes& bytes : ranks.team()->gatherAll(message.take()))
+		for (MessageReader reader(bytes); !reader.atEnd();)
 			boxes[reader.get<std::uint32_t>()];
-	for (std::size_t b = 0; b < session.blocks.blocks.size(); ++b)
+	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
 		if (const auto box = boxes.find(share.whole[b]); box != boxes.end())
-			box->second.include(session.blocks.blocks[b].bounds);
+			box->second.include(blocks.blocks[b].bounds);
 	for (const auto& [number, box] : boxes)
 		for (int i = 0; i < 8 && !box.empty(); ++i)
 			points.push_back(render::corner(box, i));
 }
 
 /// The farthest points of all unstructured blocks among those of each rank.
-std::vector<Vec3> farthestOfAll(const session::Session& session)
+std::vector<Vec3> farthestOfAll(const Ranks& ranks, const grid::BlockSet& blocks)
 {
 	grid::Block joined;
-	for (const grid::Block& block : session.blocks.blocks)
+	for (const grid::Block& block : blocks.blocks)
 		if (isUnstructured(block))
 			joined.bounds.include(block.bounds);
-	ranks::MessageWriter message;
-	message.putAll(render::farthestPoints(session.blocks));
+	MessageWriter message;
+	message.putAll(render::farthestPoints(blocks));
 	std::vector<double> coordinates;
-	for (const ranks::Bytes& bytes : session.team->gatherAll(message.take()))
-		for (const Vec3& point : ranks::MessageReader(bytes).getAll<Vec3>())
+	for (const Bytes& bytes : ranks.team()->gatherAll(message.take()))
+		for (const Vec3& point : MessageReader(bytes).getAll<Vec3>())
 			coordinates.insert(coordinates.end(), {point.x, point.y, point.z});
 	joined.grid = grid::UnstructuredGrid::listed(grid::Points(Array<double>(std::move(coordinates))), {});
 	return render::farthestPoints(alone(std::move(joined)));
@@ -135,36 +135,35 @@ std::vector<Vec3> farthestOfAll(const session::Session& session)
 
 } // namespace
 
-Result<Surroundings> surroundingsOf(const session::Session& session, render::Outline outline)
+Result<Surroundings> surroundingsOf(const Ranks& ranks, const grid::BlockSet& blocks, render::Outline outline)
 {
-	if (!session.team)
-		return Surroundings{render::outlineOf(session.blocks, outline), render::extentOf(session.blocks)};
+	if (!ranks.team())
+		return Surroundings{render::outlineOf(blocks, outline), render::extentOf(blocks)};
 	Surroundings around;
 	if (outline == render::Outline::box)
 	{
-		around.outline = boxOutlines(session);
-		const std::vector<render::Segment> curved = curvedOutlines(session);
+		around.outline = boxOutlines(ranks, blocks);
+		const std::vector<render::Segment> curved = curvedOutlines(ranks, blocks);
 		around.outline.insert(around.outline.end(), curved.begin(), curved.end());
 	}
 	if (outline == render::Outline::edges)
 	{
-		Result<std::vector<render::Segment>> edges =
-		    ranks::boundaryEdgesOfAll(*session.team, *session.share, session.blocks);
+		Result<std::vector<render::Segment>> edges = boundaryEdgesOfAll(*ranks.team(), ranks.share(), blocks);
 		if (!edges)
 			return edges.error();
 		around.outline = std::move(*edges);
 	}
-	if (std::ranges::any_of(session.blocks.blocks, isUnstructured))
-		around.extent = farthestOfAll(session);
-	const auto structured = ofAllRanks<Vec3>(session,
+	if (std::ranges::any_of(blocks.blocks, isUnstructured))
+		around.extent = farthestOfAll(ranks, blocks);
+	const auto structured = ofAllRanks<Vec3>(ranks, blocks,
 	                                         [](const grid::Block& block) {
 		                                         return isUnstructured(block) || isWithinItsBox(block)
 		                                                    ? std::vector<Vec3>()
 		                                                    : render::extentOf(alone(block));
 	                                         });
 	around.extent.insert(around.extent.end(), structured.begin(), structured.end());
-	addCornersOfCurved(session, around.extent);
+	addCornersOfCurved(ranks, blocks, around.extent);
 	return around;
 }
 
-} // namespace vp::picture
+} // namespace vp::ranks

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "base/result.h"
+#include "grid/block.h"
+#include "ranks/ranks.h"
 #include "render/scene/outline.h"
-#include "session/session.h"
 
 #include <vector>
 
-namespace vp::picture
+namespace vp::ranks
 {
 
 /// What a picture shows around the sheets.
@@ -17,6 +18,6 @@ struct Surroundings
 };
 
 /// Of the blocks of a session; with a team, of those of all ranks, as one process that holds them all would have it.
-Result<Surroundings> surroundingsOf(const session::Session& session, render::Outline outline);
+Result<Surroundings> surroundingsOf(const Ranks& ranks, const grid::BlockSet& blocks, render::Outline outline);
 
-} // namespace vp::picture
+} // namespace vp::ranks

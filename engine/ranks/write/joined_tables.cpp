@@ -1,9 +1,9 @@
-#include "report/team_slice.h"
+#include "ranks/write/joined_tables.h"
 
-#include "interrupt.h"
 #include "ranks/data/share.h"
-#include "ranks/team.h"
+#include "ranks/particles/joined_traces.h"
 #include "write/file_set.h"
+#include "write/particle_file.h"
 #include "write/slice_file.h"
 #include "write/slice_parts.h"
 #include "write/slice_sets.h"
@@ -13,36 +13,36 @@
 #include <utility>
 #include <vector>
 
-namespace vp::app
+namespace vp::ranks
 {
 
 namespace
 {
 
 template <class T>
-void putNumbers(ranks::MessageWriter& to, const T& numbers)
+void putNumbers(MessageWriter& to, const T& numbers)
 {
 	to.putAll(std::span(numbers.data(), numbers.size()));
 }
 
 template <class T>
-void takeNumbers(ranks::MessageReader& from, T& numbers)
+void takeNumbers(MessageReader& from, T& numbers)
 {
 	const auto all = from.getAll<typename T::value_type>();
 	numbers.resize(all.size());
 	std::copy(all.begin(), all.end(), numbers.begin());
 }
 
-void putColumns(ranks::MessageWriter& to, const std::vector<write::Column>& columns)
+void putColumns(MessageWriter& to, const std::vector<write::Column>& columns)
 {
 	for (const write::Column& column : columns)
 		to.putAll(column.bytes);
 }
 
 // Names and types are the same at all ranks, since each knows the arrays of all blocks.
-ranks::Bytes messageOf(const write::SliceTable& table)
+Bytes messageOf(const write::SliceTable& table)
 {
-	ranks::MessageWriter message;
+	MessageWriter message;
 	putNumbers(message, table.positions);
 	putNumbers(message, table.polygon_starts);
 	putNumbers(message, table.polygon_vertices);
@@ -55,9 +55,9 @@ ranks::Bytes messageOf(const write::SliceTable& table)
 	return message.take();
 }
 
-write::SliceTable tableOf(const ranks::Bytes& bytes, const write::SliceTable& like)
+write::SliceTable tableOf(const Bytes& bytes, const write::SliceTable& like)
 {
-	ranks::MessageReader reader(bytes);
+	MessageReader reader(bytes);
 	write::SliceTable table;
 	table.has_contours = like.has_contours;
 	takeNumbers(reader, table.positions);
@@ -75,24 +75,18 @@ write::SliceTable tableOf(const ranks::Bytes& bytes, const write::SliceTable& li
 }
 
 // The table of a sheet with the rows of all ranks; at the first rank alone.
-write::SliceTable gathered(ranks::Team& team, write::SliceTable own)
+write::SliceTable gatheredRows(Team& team, write::SliceTable own)
 {
 	// Along the tree, tables come together in the order of ranks.
-	ranks::Bytes bytes = messageOf(own);
+	Bytes bytes = messageOf(own);
 	team.reduce(bytes,
-	            [&](ranks::Bytes& into, const ranks::Bytes& other)
+	            [&](Bytes& into, const Bytes& other)
 	            {
 		            write::SliceTable table = tableOf(into, own);
 		            write::append(tableOf(other, own), table);
 		            into = messageOf(table);
 	            });
 	return tableOf(bytes, own);
-}
-
-void nameWholeBlocks(const ranks::Share& share, write::SliceTable& table)
-{
-	for (std::int32_t& block : table.block)
-		block = static_cast<std::int32_t>(share.whole[static_cast<std::size_t>(block)]);
 }
 
 // The polygons that this rank has of a sheet, or of one contour.
@@ -104,15 +98,13 @@ struct OwnTable
 };
 
 // Sheets come first.
-std::vector<OwnTable> ownTables(const session::Session& session, const session::Frame& frame)
+std::vector<OwnTable> ownTables(const Ranks& ranks, const grid::BlockSet& blocks,
+                                std::span<const mesh::SheetMesh> sheets, std::span<const write::ContourPiece> contours)
 {
-	const grid::BlockSet& blocks = frame.slice.blocksOf(session.blocks);
-	const std::vector<mesh::SheetMesh> meshes = session::exportedMeshes(frame.sheets);
-	const std::vector<write::ContourPiece> contours = session::contourPieces(frame.contours);
 	std::vector<OwnTable> tables;
-	for (std::size_t s = 0; s < meshes.size(); ++s)
+	for (std::size_t s = 0; s < sheets.size(); ++s)
 	{
-		tables.push_back({write::tabulate(blocks, std::span(meshes).subspan(s, 1), s), s, false});
+		tables.push_back({write::tabulate(blocks, sheets.subspan(s, 1), s), s, false});
 		if (!contours.empty())
 			write::addContourColumn(tables.back().table);
 	}
@@ -120,16 +112,18 @@ std::vector<OwnTable> ownTables(const session::Session& session, const session::
 		tables.push_back(
 		    {write::tabulate(blocks, {}, 0, {&contour, 1}), static_cast<std::size_t>(contour.sheet), true});
 	for (OwnTable& own : tables)
-		nameWholeBlocks(*session.share, own.table);
+		nameWholeBlocks(ranks, own.table.block);
 	return tables;
 }
 
 // The same of all ranks, at the first one.
-std::vector<OwnTable> gatheredTables(const session::Session& session, const session::Frame& frame)
+std::vector<OwnTable> gatheredTables(const Ranks& ranks, const grid::BlockSet& blocks,
+                                     std::span<const mesh::SheetMesh> sheets,
+                                     std::span<const write::ContourPiece> contours)
 {
-	std::vector<OwnTable> tables = ownTables(session, frame);
+	std::vector<OwnTable> tables = ownTables(ranks, blocks, sheets, contours);
 	for (OwnTable& own : tables)
-		own.table = gathered(*session.team, std::move(own.table));
+		own.table = gatheredRows(*ranks.team(), std::move(own.table));
 	return tables;
 }
 
@@ -155,7 +149,7 @@ std::vector<write::SliceTable> sheetsWithContours(std::vector<OwnTable> tables)
 }
 
 // Each rank writes a part of its own. All have written before the first gets its name, and the index comes last.
-Status writeParts(ranks::Team& team, const write::SliceTable& own, const std::string& path)
+Status writeParts(Team& team, const write::SliceTable& own, const std::string& path)
 {
 	Result<write::SlicePart> part = write::SlicePart::write(own, path, static_cast<std::size_t>(team.rank()));
 	if (!part)
@@ -167,11 +161,22 @@ Status writeParts(ranks::Team& team, const write::SliceTable& own, const std::st
 	return team.isFirst() ? write::writePartIndex(own, path, static_cast<std::size_t>(team.size())) : Nothing{};
 }
 
+write::TraceColumns columnsOfAll(const Ranks& ranks, const grid::BlockSet& blocks, const vectors::Traces& traces)
+{
+	write::TraceColumns columns = write::traceColumns(blocks, traces);
+	for (write::Column& column : columns.arrays)
+		takeFromOwners(ranks, blocks, traces, std::as_writable_bytes(std::span(column.bytes)),
+		               static_cast<std::size_t>(column.components) * grid::byteSize(column.type));
+	takeFromOwners(ranks, blocks, traces, columns.cell);
+	nameWholeBlocks(ranks, columns.block);
+	return columns;
+}
+
 } // namespace
 
-Status checkWritableTogether(const std::string& path)
+Status canWrite(const Ranks& ranks, const std::string& path)
 {
-	if (path.empty() || path == "-")
+	if (!ranks.team() || path.empty() || path == "-")
 		return Nothing{};
 	const Result<write::SliceFormat> format = write::sliceFormatOf(path);
 	if (!format)
@@ -182,41 +187,49 @@ Status checkWritableTogether(const std::string& path)
 	return folder ? Status(Nothing{}) : folder.error();
 }
 
-write::SliceTable tableOf(const session::Session& session, const session::Frame& frame)
+write::SliceTable tabulate(const Ranks& ranks, const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> sheets,
+                           std::span<const write::ContourPiece> contours)
 {
-	if (session.team)
-		return joined(gatheredTables(session, frame));
-	return write::tabulate(frame.slice.blocksOf(session.blocks), session::exportedMeshes(frame.sheets), 0,
-	                       session::contourPieces(frame.contours));
+	if (!ranks.team())
+		return write::tabulate(blocks, sheets, 0, contours);
+	return joined(gatheredTables(ranks, blocks, sheets, contours));
 }
 
-write::SliceTable tableAlong(const session::Session& session, const session::Frame& frame, std::size_t sheet,
-                             const write::SheetLine& line)
+write::SliceTable gathered(const Ranks& ranks, write::SliceTable table)
 {
-	write::SliceTable table = write::tabulateAlong(frame.slice.blocksOf(session.blocks),
-	                                               frame.slice.sheets[sheet].sheet, frame.sheets[sheet].mesh, line);
-	if (!session.team)
+	if (!ranks.team())
 		return table;
-	nameWholeBlocks(*session.share, table);
-	return gathered(*session.team, std::move(table));
+	nameWholeBlocks(ranks, table.block);
+	return gatheredRows(*ranks.team(), std::move(table));
 }
 
-Status writeTogether(const session::Session& session, const session::Frame& frame, const std::string& path)
+Status writeSlice(const Ranks& ranks, const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> sheets,
+                  const std::string& path, std::span<const write::ContourPiece> contours)
 {
-	const TimedSection section(session.timeline.get(), "write");
+	if (!ranks.team())
+		return write::writeSlice(blocks, sheets, path, contours);
 	const Result<write::SliceFormat> format = write::sliceFormatOf(path);
 	if (!format)
 		return format.error();
-	ranks::Team& team = *session.team;
 	if (*format == write::SliceFormat::pvtp)
-		return writeParts(team, joined(ownTables(session, frame)), path);
-	std::vector<OwnTable> tables = gatheredTables(session, frame);
+		return writeParts(*ranks.team(), joined(ownTables(ranks, blocks, sheets, contours)), path);
+	std::vector<OwnTable> tables = gatheredTables(ranks, blocks, sheets, contours);
+	if (!ranks.isFirst())
+		return Nothing{};
 	if (*format == write::SliceFormat::vtm)
-	{
-		const DeferredInterrupt writing; // its files appear together
-		return team.isFirst() ? write::writeVtm(sheetsWithContours(std::move(tables)), path) : Nothing{};
-	}
-	return team.isFirst() ? write::writeTable(joined(std::move(tables)), path) : Nothing{};
+		return write::writeVtm(sheetsWithContours(std::move(tables)), path);
+	return write::writeTable(joined(std::move(tables)), path);
 }
 
-} // namespace vp::app
+Status writeTraces(const Ranks& ranks, const grid::BlockSet& blocks, std::span<const vectors::Traces> traces,
+                   const std::string& path)
+{
+	if (!ranks.team())
+		return write::writeTraces(blocks, traces, path);
+	std::vector<write::TraceColumns> columns;
+	for (const vectors::Traces& of_sheet : traces)
+		columns.push_back(columnsOfAll(ranks, blocks, of_sheet));
+	return ranks.isFirst() ? write::writeTraces(traces, columns, path) : Nothing{};
+}
+
+} // namespace vp::ranks

@@ -1,17 +1,18 @@
-#include "report/team_stats.h"
+#include "ranks/write/joined_stats.h"
 
 #include "ranks/data/share.h"
-#include "ranks/team.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <string_view>
 
 #include <sys/resource.h>
 
-namespace vp::app
+namespace vp::ranks
 {
 
 namespace
@@ -72,8 +73,9 @@ json sheetsOfRank(const json& document)
 
 } // namespace
 
-nlohmann::json resourcesOf(const session::Session& session)
+nlohmann::json resourcesOf(const Ranks& ranks, const grid::BlockSet& blocks)
 {
+	const Share& share = ranks.share();
 	rusage used{};
 	getrusage(RUSAGE_SELF, &used);
 	rusage reader{};
@@ -81,31 +83,49 @@ nlohmann::json resourcesOf(const session::Session& session)
 	const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * time.tv_usec; };
 	const auto cpu = [&](const rusage& of) { return seconds(of.ru_utime) + seconds(of.ru_stime); };
 	std::size_t cells = 0;
-	for (std::uint32_t b = session.share->first_own; b < session.share->end_own; ++b)
-		cells += std::visit([](const auto& grid) { return grid.cellCount(); }, session.blocks.blocks[b].grid);
-	return {{"parts", session.share->own_parts},
-	        {"cells", cells},
-	        {"bytes_read", session.share->bytes_read},
-	        {"layer_bytes", session.layer_bytes},
-	        {"peak_mib", used.ru_maxrss / 1024},
-	        {"cpu_s", cpu(used)},
+	for (std::uint32_t b = share.first_own; b < share.end_own; ++b)
+		cells += std::visit([](const auto& grid) { return grid.cellCount(); }, blocks.blocks[b].grid);
+	return {{"parts", share.own_parts},          {"cells", cells},
+	        {"bytes_read", share.bytes_read},    {"layer_bytes", ranks.layerBytes()},
+	        {"peak_mib", used.ru_maxrss / 1024}, {"cpu_s", cpu(used)},
 	        {"reader_cpu_s", cpu(reader)}};
 }
 
-nlohmann::json ofTeam(const session::Session& session, nlohmann::json own)
+std::string tableOfAll(const Ranks& ranks, const std::string& title, const std::string& lines)
 {
-	json rank = resourcesOf(session);
+	if (!ranks.team())
+		return title + lines;
+	MessageWriter message;
+	message.put(lines);
+	const std::vector<Bytes> of_all = ranks.team()->gatherAll(message.take());
+	if (!ranks.isFirst())
+		return {};
+	std::string table = " rank  " + title;
+	for (std::size_t rank = 0; rank < of_all.size(); ++rank)
+	{
+		std::istringstream lines_of(MessageReader(of_all[rank]).getText());
+		for (std::string line; std::getline(lines_of, line);)
+			table += fmt::format("{:>5}  {}\n", rank, line);
+	}
+	return table;
+}
+
+nlohmann::json documentOfAll(const Ranks& ranks, const grid::BlockSet& blocks, nlohmann::json own)
+{
+	if (!ranks.team())
+		return own;
+	json rank = resourcesOf(ranks, blocks);
 	rank["ms"] = own.value("ms", json());
 	rank["sheets"] = sheetsOfRank(own);
 	json mine = {{"document", own}, {"rank", std::move(rank)}};
-	ranks::MessageWriter message;
+	MessageWriter message;
 	message.put(mine.dump(-1, ' ', false, json::error_handler_t::replace));
 	json whole = std::move(own);
-	json ranks = json::array();
-	for (const ranks::Bytes& bytes : session.team->gatherAll(message.take()))
+	json told = json::array();
+	for (const Bytes& bytes : ranks.team()->gatherAll(message.take()))
 	{
-		json of_rank = json::parse(ranks::MessageReader(bytes).getText());
-		if (ranks.empty())
+		json of_rank = json::parse(MessageReader(bytes).getText());
+		if (told.empty())
 			whole = of_rank["document"];
 		else
 		{
@@ -113,10 +133,10 @@ nlohmann::json ofTeam(const session::Session& session, nlohmann::json own)
 			for (std::size_t f = 0; whole.contains("frames") && f < whole["frames"].size(); ++f)
 				addSheets(whole["frames"][f], of_rank["document"]["frames"][f]);
 		}
-		ranks.push_back(std::move(of_rank["rank"]));
+		told.push_back(std::move(of_rank["rank"]));
 	}
-	whole["ranks"] = std::move(ranks);
+	whole["ranks"] = std::move(told);
 	return whole;
 }
 
-} // namespace vp::app
+} // namespace vp::ranks
